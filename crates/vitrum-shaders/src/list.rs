@@ -4,7 +4,9 @@ modules! {
     beams_add_depths
     beams_bound_beams
     beams_deposit_beam
+    beams_drop_beam
     beams_exchange_light
+    beams_find_curved
     beams_find_depths
     beams_find_light
     beams_gather
@@ -13,13 +15,17 @@ modules! {
     beams_light_cell
     beams_light_surface
     beams_look_around
+    beams_map_faces
     beams_project_beam
+    beams_refract_maps
     beams_resolve
     beams_scatter_beam
     beams_see
     beams_see_cells
+    beams_split_texels
     beams_store_beam
     beams_trace_light
+    beams_trace_maps
     beams_trace_view
     probe_apply_function
     shadow_absorb_solid

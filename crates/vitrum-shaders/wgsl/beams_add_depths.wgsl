@@ -154,10 +154,10 @@ member: type_21,
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_22;
-@group(0) @binding(1)
-var<storage> global_2: type_13;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_13;
+var<storage, read_write> global_2: type_13;
+@group(0) @binding(1)
+var<storage> global_3: type_13;
 fn function_() {
 var phi_86_: u32;
 var phi_89_: f32;
@@ -178,9 +178,9 @@ let _e29 = (_e26 <= _e11.y);
 if _e29 {
 let _e33 = global_1.member.member.member;
 let _e36 = bitcast<i32>(((_e26 * _e33) + _e11.x));
-let _e38 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e38 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e40 = select(_e38, _e36, (_e36 < _e38));
-let _e46 = global_2.member[bitcast<u32>(select(0i, _e40, (_e40 > 0i)))];
+let _e46 = global_3.member[bitcast<u32>(select(0i, _e40, (_e40 > 0i)))];
 phi_87_ = (_e26 + 1u);
 phi_90_ = (_e28 + _e46);
 } else {
@@ -197,7 +197,7 @@ break if !(_e29);
 }
 }
 let _e57 = local;
-global_3.member[((_e11.y * _e16.member) + _e11.x)] = _e57;
+global_2.member[((_e11.y * _e16.member) + _e11.x)] = _e57;
 }
 }
 return;

@@ -152,6 +152,10 @@ struct type_23 {
 member: type_22,
 }
 struct type_24 {
+member: f32,
+member_1: f32,
+}
+struct type_25 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -164,10 +168,6 @@ member_8: f32,
 member_9: f32,
 member_10: f32,
 member_11: i32,
-}
-struct type_25 {
-member: f32,
-member_1: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -183,8 +183,8 @@ var local_2: i32;
 var local_3: i32;
 var local_4: i32;
 var local_5: i32;
-var phi_829_: type_24;
-var phi_1384_: type_25;
+var phi_829_: type_25;
+var phi_1384_: type_24;
 let _e64 = global;
 let _e70 = global_1.member.member;
 if (_e64.x < _e70.member) {
@@ -363,9 +363,9 @@ let _e445 = global_3.member[bitcast<u32>(select(0i, _e440, (_e440 > 0i)))];
 let _e452 = select(0i, select(select(i32(_e445), i32(-2147483648), (_e445 < -2147483600f)), 2147483647i, (_e445 > 2147483500f)), (_e445 == _e445));
 let _e457 = global_1.member.member_12.member_11;
 if (_e457 != 0u) {
-phi_829_ = type_24(_e140, _e180, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), _e380, _e393, _e406, _e419, _e432, _e452);
+phi_829_ = type_25(_e140, _e180, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f), _e380, _e393, _e406, _e419, _e432, _e452);
 } else {
-phi_829_ = type_24(_e140, _e180, vec3<f32>(_e193, _e206, _e219), vec3<f32>(_e233, _e246, _e259), vec3<f32>(_e273, _e286, _e299), vec3<f32>(_e313, _e326, _e339), _e380, _e393, _e406, _e419, _e432, _e452);
+phi_829_ = type_25(_e140, _e180, vec3<f32>(_e193, _e206, _e219), vec3<f32>(_e233, _e246, _e259), vec3<f32>(_e273, _e286, _e299), vec3<f32>(_e313, _e326, _e339), _e380, _e393, _e406, _e419, _e432, _e452);
 }
 let _e461 = phi_829_;
 let _e465 = global_1.member.member_6;
@@ -429,9 +429,9 @@ let _e746 = (((_e502.member * _e461.member_1.x) + (_e502.member_1 * _e461.member
 if (_e509 == 0u) {
 let _e749 = (_e746 == 0f);
 let _e751 = (-(_e741) / select(_e746, 1e-30f, _e749));
-phi_1384_ = type_25(select(0f, select(0f, _e751, (_e751 > 0f)), (_e746 > 0f)), select(select(_e461.member_9, select(_e461.member_9, _e751, (_e751 < _e461.member_9)), (_e746 < 0f)), -1f, (_e749 && (_e741 < 0f))));
+phi_1384_ = type_24(select(0f, select(0f, _e751, (_e751 > 0f)), (_e746 > 0f)), select(select(_e461.member_9, select(_e461.member_9, _e751, (_e751 < _e461.member_9)), (_e746 < 0f)), -1f, (_e749 && (_e741 < 0f))));
 } else {
-phi_1384_ = type_25(0f, _e461.member_9);
+phi_1384_ = type_24(0f, _e461.member_9);
 }
 let _e768 = phi_1384_;
 let _e777 = ((_e461.member.x + (_e461.member_1.x * _e768.member)) - _e465.member);

@@ -130,23 +130,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -155,7 +159,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -165,10 +169,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -186,9 +186,9 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_29;
+var local_2: type_30;
 var local_3: vec3<f32>;
-var local_4: type_29;
+var local_4: type_30;
 var local_5: vec3<f32>;
 var local_6: f32;
 var local_7: f32;
@@ -204,39 +204,39 @@ var local_16: f32;
 var local_17: f32;
 var local_18: f32;
 var local_19: f32;
-var local_20: type_29;
+var local_20: type_30;
 var local_21: vec3<f32>;
 var local_22: f32;
 var local_23: f32;
-var local_24: type_29;
+var local_24: type_30;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_29;
+var local_28: type_30;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_29;
+var local_32: type_30;
 var local_33: vec3<f32>;
 var phi_1075_: bool;
 var phi_1264_: bool;
 var phi_1267_: bool;
-var phi_3616_: type_32;
+var phi_3616_: type_33;
 var phi_3629_: bool;
-var phi_3645_: type_34;
+var phi_3645_: type_27;
 var phi_3657_: bool;
 var phi_4747_: type_26;
-var phi_6285_: type_32;
+var phi_6285_: type_33;
 var phi_7397_: type_26;
-var phi_8935_: type_32;
+var phi_8935_: type_33;
 var phi_10047_: type_26;
-var phi_11585_: type_32;
+var phi_11585_: type_33;
 var phi_13369_: type_26;
-var phi_13650_: type_33;
-var phi_18978_: type_30;
-var phi_19625_: type_31;
+var phi_13650_: type_34;
+var phi_18978_: type_31;
+var phi_19625_: type_32;
 var phi_20495_: type_5;
-var phi_23843_: type_32;
+var phi_23843_: type_33;
 var phi_24000_: vec3<f32>;
 var phi_24001_: bool;
 switch bitcast<i32>(0u) {
@@ -475,7 +475,7 @@ let _e1031 = (_e422 - _e405);
 let _e1032 = (_e411 - _e378);
 let _e1037 = (((_e1030 * _e1030) + (_e1031 * _e1031)) + (_e1032 * _e1032));
 let _e1040 = sqrt(select(0f, _e1037, (_e1037 > 0f)));
-let _e1042 = type_33(type_26(1f, 1f), vec3<f32>(_e417, _e422, _e411), _e331, _e1040, (_e335 / _e274), _e331, true, false, false);
+let _e1042 = type_34(type_26(1f, 1f), vec3<f32>(_e417, _e422, _e411), _e331, _e1040, (_e335 / _e274), _e331, true, false, false);
 if _e579 {
 let _e1143 = global_1.member.member_6.member.member;
 let _e1151 = global_1.member.member_6.member_1.member;
@@ -587,7 +587,7 @@ let _e1403 = select(select(select(select(select(select(0f, _e1143.member_1, _e11
 let _e1404 = select(select(select(select(select(select(1f, _e1143.member_2, _e1183), _e1143.member_2, _e1223), _e1151.member_2, _e1263), _e1151.member_2, _e1303), _e1159.member_2, _e1343), _e1159.member_2, _e1383);
 let _e1408 = ((_e1014 & 16u) == 0u);
 if _e1408 {
-phi_3616_ = type_32(_e1389, vec3<f32>(_e1390, _e1391, _e1392), _e1394, vec3<f32>(_e1395, _e1396, _e1397), _e1399, _e1401, vec3<f32>(_e1402, _e1403, _e1404));
+phi_3616_ = type_33(_e1389, vec3<f32>(_e1390, _e1391, _e1392), _e1394, vec3<f32>(_e1395, _e1396, _e1397), _e1399, _e1401, vec3<f32>(_e1402, _e1403, _e1404));
 } else {
 let _e1413 = (((_e1143.member * _e1143.member) + (_e1143.member_1 * _e1143.member_1)) + (_e1143.member_2 * _e1143.member_2));
 let _e1416 = sqrt(select(0f, _e1413, (_e1413 > 0f)));
@@ -667,7 +667,7 @@ let _e1700 = select(2f, select(0f, _e1692, (_e1673 < 0f)), (_e1674 > 0f));
 let _e1701 = (_e1673 > _e1639);
 let _e1705 = ((_e1696 > _e1631) || ((_e1696 == _e1631) && _e1701));
 let _e1706 = (_e1700 < _e1635);
-phi_3616_ = type_32(select(_e1631, _e1696, _e1705), vec3<f32>(select(select(select(select(_e1390, _e1451.member, _e1477), _e1527.member, _e1553), _e1603.member, _e1629), _e1679.member, _e1705), select(select(select(select(_e1391, _e1451.member_1, _e1477), _e1527.member_1, _e1553), _e1603.member_1, _e1629), _e1679.member_1, _e1705), select(select(select(select(_e1392, _e1451.member_2, _e1477), _e1527.member_2, _e1553), _e1603.member_2, _e1629), _e1679.member_2, _e1705)), select(_e1635, _e1700, _e1706), vec3<f32>(select(select(select(select(_e1395, _e1451.member, _e1478), _e1527.member, _e1554), _e1603.member, _e1630), _e1679.member, _e1706), select(select(select(select(_e1396, _e1451.member_1, _e1478), _e1527.member_1, _e1554), _e1603.member_1, _e1630), _e1679.member_1, _e1706), select(select(select(select(_e1397, _e1451.member_2, _e1478), _e1527.member_2, _e1554), _e1603.member_2, _e1630), _e1679.member_2, _e1706)), select(_e1639, _e1673, _e1701), select(_e1641, _e1674, (_e1674 > _e1641)), vec3<f32>(select(select(select(select(_e1402, _e1451.member, _e1473), _e1527.member, _e1549), _e1603.member, _e1625), _e1679.member, _e1701), select(select(select(select(_e1403, _e1451.member_1, _e1473), _e1527.member_1, _e1549), _e1603.member_1, _e1625), _e1679.member_1, _e1701), select(select(select(select(_e1404, _e1451.member_2, _e1473), _e1527.member_2, _e1549), _e1603.member_2, _e1625), _e1679.member_2, _e1701)));
+phi_3616_ = type_33(select(_e1631, _e1696, _e1705), vec3<f32>(select(select(select(select(_e1390, _e1451.member, _e1477), _e1527.member, _e1553), _e1603.member, _e1629), _e1679.member, _e1705), select(select(select(select(_e1391, _e1451.member_1, _e1477), _e1527.member_1, _e1553), _e1603.member_1, _e1629), _e1679.member_1, _e1705), select(select(select(select(_e1392, _e1451.member_2, _e1477), _e1527.member_2, _e1553), _e1603.member_2, _e1629), _e1679.member_2, _e1705)), select(_e1635, _e1700, _e1706), vec3<f32>(select(select(select(select(_e1395, _e1451.member, _e1478), _e1527.member, _e1554), _e1603.member, _e1630), _e1679.member, _e1706), select(select(select(select(_e1396, _e1451.member_1, _e1478), _e1527.member_1, _e1554), _e1603.member_1, _e1630), _e1679.member_1, _e1706), select(select(select(select(_e1397, _e1451.member_2, _e1478), _e1527.member_2, _e1554), _e1603.member_2, _e1630), _e1679.member_2, _e1706)), select(_e1639, _e1673, _e1701), select(_e1641, _e1674, (_e1674 > _e1641)), vec3<f32>(select(select(select(select(_e1402, _e1451.member, _e1473), _e1527.member, _e1549), _e1603.member, _e1625), _e1679.member, _e1701), select(select(select(select(_e1403, _e1451.member_1, _e1473), _e1527.member_1, _e1549), _e1603.member_1, _e1625), _e1679.member_1, _e1701), select(select(select(select(_e1404, _e1451.member_2, _e1473), _e1527.member_2, _e1549), _e1603.member_2, _e1625), _e1679.member_2, _e1701)));
 }
 let _e1726 = phi_3616_;
 if ((_e1726.member_4 > -(0.015625f)) && (_e1726.member_4 < 0.015625f)) {
@@ -677,9 +677,9 @@ phi_3629_ = (_e1726.member_4 < 0f);
 }
 let _e1735 = phi_3629_;
 if _e1735 {
-phi_3645_ = type_34(_e1726.member_2, _e1726.member_3);
+phi_3645_ = type_27(_e1726.member_2, _e1726.member_3);
 } else {
-phi_3645_ = type_34(_e1726.member, _e1726.member_1);
+phi_3645_ = type_27(_e1726.member, _e1726.member_1);
 }
 let _e1743 = phi_3645_;
 if _e1735 {
@@ -731,7 +731,7 @@ let _e1891 = (select(0i, _e1822, (_e1822 > 0i)) * _e1841);
 let _e1892 = (select(_e1853, _e1856, (_e1856 < _e1853)) * _e1841);
 let _e1893 = (select(0i, _e1837, (_e1837 > 0i)) * _e1845);
 let _e1894 = (select(_e1866, _e1869, (_e1869 < _e1866)) * _e1845);
-local_32 = type_29(array<i32, 4>(select(0i, _e1880, (_e1880 > 0i)), select(0i, _e1807, (_e1807 > 0i)), select(_e1879, _e1885, (_e1885 < _e1879)), select(_e1879, _e1888, (_e1888 < _e1879))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_32 = type_30(array<i32, 4>(select(0i, _e1880, (_e1880 > 0i)), select(0i, _e1807, (_e1807 > 0i)), select(_e1879, _e1885, (_e1885 < _e1879)), select(_e1879, _e1888, (_e1888 < _e1879))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_33 = vec3<f32>((_e1784 - f32(_e1807)), (_e1788 - f32(_e1822)), (_e1792 - f32(_e1837)));
 let _e1905 = (_e1893 + _e1891);
 let _e1908 = local_32.member[1u];
@@ -1003,7 +1003,7 @@ let _e2600 = select(select(select(select(select(select(0f, _e1143.member, _e2381
 let _e2601 = select(select(select(select(select(select(0f, _e1143.member_1, _e2381), _e1143.member_1, _e2421), _e1151.member_1, _e2461), _e1151.member_1, _e2501), _e1159.member_1, _e2541), _e1159.member_1, _e2581);
 let _e2602 = select(select(select(select(select(select(1f, _e1143.member_2, _e2381), _e1143.member_2, _e2421), _e1151.member_2, _e2461), _e1151.member_2, _e2501), _e1159.member_2, _e2541), _e1159.member_2, _e2581);
 if _e1408 {
-phi_6285_ = type_32(_e2587, vec3<f32>(_e2588, _e2589, _e2590), _e2592, vec3<f32>(_e2593, _e2594, _e2595), _e2597, _e2599, vec3<f32>(_e2600, _e2601, _e2602));
+phi_6285_ = type_33(_e2587, vec3<f32>(_e2588, _e2589, _e2590), _e2592, vec3<f32>(_e2593, _e2594, _e2595), _e2597, _e2599, vec3<f32>(_e2600, _e2601, _e2602));
 } else {
 let _e2609 = (((_e1143.member * _e1143.member) + (_e1143.member_1 * _e1143.member_1)) + (_e1143.member_2 * _e1143.member_2));
 let _e2612 = sqrt(select(0f, _e2609, (_e2609 > 0f)));
@@ -1083,7 +1083,7 @@ let _e2896 = select(2f, select(0f, _e2888, (_e2869 < 0f)), (_e2870 > 0f));
 let _e2897 = (_e2869 > _e2835);
 let _e2901 = ((_e2892 > _e2827) || ((_e2892 == _e2827) && _e2897));
 let _e2902 = (_e2896 < _e2831);
-phi_6285_ = type_32(select(_e2827, _e2892, _e2901), vec3<f32>(select(select(select(select(_e2588, _e2647.member, _e2673), _e2723.member, _e2749), _e2799.member, _e2825), _e2875.member, _e2901), select(select(select(select(_e2589, _e2647.member_1, _e2673), _e2723.member_1, _e2749), _e2799.member_1, _e2825), _e2875.member_1, _e2901), select(select(select(select(_e2590, _e2647.member_2, _e2673), _e2723.member_2, _e2749), _e2799.member_2, _e2825), _e2875.member_2, _e2901)), select(_e2831, _e2896, _e2902), vec3<f32>(select(select(select(select(_e2593, _e2647.member, _e2674), _e2723.member, _e2750), _e2799.member, _e2826), _e2875.member, _e2902), select(select(select(select(_e2594, _e2647.member_1, _e2674), _e2723.member_1, _e2750), _e2799.member_1, _e2826), _e2875.member_1, _e2902), select(select(select(select(_e2595, _e2647.member_2, _e2674), _e2723.member_2, _e2750), _e2799.member_2, _e2826), _e2875.member_2, _e2902)), select(_e2835, _e2869, _e2897), select(_e2837, _e2870, (_e2870 > _e2837)), vec3<f32>(select(select(select(select(_e2600, _e2647.member, _e2669), _e2723.member, _e2745), _e2799.member, _e2821), _e2875.member, _e2897), select(select(select(select(_e2601, _e2647.member_1, _e2669), _e2723.member_1, _e2745), _e2799.member_1, _e2821), _e2875.member_1, _e2897), select(select(select(select(_e2602, _e2647.member_2, _e2669), _e2723.member_2, _e2745), _e2799.member_2, _e2821), _e2875.member_2, _e2897)));
+phi_6285_ = type_33(select(_e2827, _e2892, _e2901), vec3<f32>(select(select(select(select(_e2588, _e2647.member, _e2673), _e2723.member, _e2749), _e2799.member, _e2825), _e2875.member, _e2901), select(select(select(select(_e2589, _e2647.member_1, _e2673), _e2723.member_1, _e2749), _e2799.member_1, _e2825), _e2875.member_1, _e2901), select(select(select(select(_e2590, _e2647.member_2, _e2673), _e2723.member_2, _e2749), _e2799.member_2, _e2825), _e2875.member_2, _e2901)), select(_e2831, _e2896, _e2902), vec3<f32>(select(select(select(select(_e2593, _e2647.member, _e2674), _e2723.member, _e2750), _e2799.member, _e2826), _e2875.member, _e2902), select(select(select(select(_e2594, _e2647.member_1, _e2674), _e2723.member_1, _e2750), _e2799.member_1, _e2826), _e2875.member_1, _e2902), select(select(select(select(_e2595, _e2647.member_2, _e2674), _e2723.member_2, _e2750), _e2799.member_2, _e2826), _e2875.member_2, _e2902)), select(_e2835, _e2869, _e2897), select(_e2837, _e2870, (_e2870 > _e2837)), vec3<f32>(select(select(select(select(_e2600, _e2647.member, _e2669), _e2723.member, _e2745), _e2799.member, _e2821), _e2875.member, _e2897), select(select(select(select(_e2601, _e2647.member_1, _e2669), _e2723.member_1, _e2745), _e2799.member_1, _e2821), _e2875.member_1, _e2897), select(select(select(select(_e2602, _e2647.member_2, _e2669), _e2723.member_2, _e2745), _e2799.member_2, _e2821), _e2875.member_2, _e2897)));
 }
 let _e2922 = phi_6285_;
 let _e2928 = (((_e1751 && _e2321) && !(_e2306)) && (_e2922.member_2 <= 1f));
@@ -1126,7 +1126,7 @@ let _e3038 = (select(0i, _e3001, (_e3001 > 0i)) * _e1841);
 let _e3039 = (select(_e1853, _e3019, (_e3019 < _e1853)) * _e1841);
 let _e3040 = (select(0i, _e3016, (_e3016 > 0i)) * _e1845);
 let _e3041 = (select(_e1866, _e3024, (_e3024 < _e1866)) * _e1845);
-local_28 = type_29(array<i32, 4>(select(0i, _e3027, (_e3027 > 0i)), select(0i, _e2986, (_e2986 > 0i)), select(_e1879, _e3032, (_e3032 < _e1879)), select(_e1879, _e3035, (_e3035 < _e1879))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_28 = type_30(array<i32, 4>(select(0i, _e3027, (_e3027 > 0i)), select(0i, _e2986, (_e2986 > 0i)), select(_e1879, _e3032, (_e3032 < _e1879)), select(_e1879, _e3035, (_e3035 < _e1879))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_29 = vec3<f32>((_e2963 - f32(_e2986)), (_e2967 - f32(_e3001)), (_e2971 - f32(_e3016)));
 let _e3052 = (_e3040 + _e3038);
 let _e3055 = local_28.member[1u];
@@ -1346,7 +1346,7 @@ let _e3610 = select(select(select(select(select(select(0f, _e1143.member, _e3391
 let _e3611 = select(select(select(select(select(select(0f, _e1143.member_1, _e3391), _e1143.member_1, _e3431), _e1151.member_1, _e3471), _e1151.member_1, _e3511), _e1159.member_1, _e3551), _e1159.member_1, _e3591);
 let _e3612 = select(select(select(select(select(select(1f, _e1143.member_2, _e3391), _e1143.member_2, _e3431), _e1151.member_2, _e3471), _e1151.member_2, _e3511), _e1159.member_2, _e3551), _e1159.member_2, _e3591);
 if _e1408 {
-phi_8935_ = type_32(_e3597, vec3<f32>(_e3598, _e3599, _e3600), _e3602, vec3<f32>(_e3603, _e3604, _e3605), _e3607, _e3609, vec3<f32>(_e3610, _e3611, _e3612));
+phi_8935_ = type_33(_e3597, vec3<f32>(_e3598, _e3599, _e3600), _e3602, vec3<f32>(_e3603, _e3604, _e3605), _e3607, _e3609, vec3<f32>(_e3610, _e3611, _e3612));
 } else {
 let _e3619 = (((_e1143.member * _e1143.member) + (_e1143.member_1 * _e1143.member_1)) + (_e1143.member_2 * _e1143.member_2));
 let _e3622 = sqrt(select(0f, _e3619, (_e3619 > 0f)));
@@ -1426,7 +1426,7 @@ let _e3906 = select(2f, select(0f, _e3898, (_e3879 < 0f)), (_e3880 > 0f));
 let _e3907 = (_e3879 > _e3845);
 let _e3911 = ((_e3902 > _e3837) || ((_e3902 == _e3837) && _e3907));
 let _e3912 = (_e3906 < _e3841);
-phi_8935_ = type_32(select(_e3837, _e3902, _e3911), vec3<f32>(select(select(select(select(_e3598, _e3657.member, _e3683), _e3733.member, _e3759), _e3809.member, _e3835), _e3885.member, _e3911), select(select(select(select(_e3599, _e3657.member_1, _e3683), _e3733.member_1, _e3759), _e3809.member_1, _e3835), _e3885.member_1, _e3911), select(select(select(select(_e3600, _e3657.member_2, _e3683), _e3733.member_2, _e3759), _e3809.member_2, _e3835), _e3885.member_2, _e3911)), select(_e3841, _e3906, _e3912), vec3<f32>(select(select(select(select(_e3603, _e3657.member, _e3684), _e3733.member, _e3760), _e3809.member, _e3836), _e3885.member, _e3912), select(select(select(select(_e3604, _e3657.member_1, _e3684), _e3733.member_1, _e3760), _e3809.member_1, _e3836), _e3885.member_1, _e3912), select(select(select(select(_e3605, _e3657.member_2, _e3684), _e3733.member_2, _e3760), _e3809.member_2, _e3836), _e3885.member_2, _e3912)), select(_e3845, _e3879, _e3907), select(_e3847, _e3880, (_e3880 > _e3847)), vec3<f32>(select(select(select(select(_e3610, _e3657.member, _e3679), _e3733.member, _e3755), _e3809.member, _e3831), _e3885.member, _e3907), select(select(select(select(_e3611, _e3657.member_1, _e3679), _e3733.member_1, _e3755), _e3809.member_1, _e3831), _e3885.member_1, _e3907), select(select(select(select(_e3612, _e3657.member_2, _e3679), _e3733.member_2, _e3755), _e3809.member_2, _e3831), _e3885.member_2, _e3907)));
+phi_8935_ = type_33(select(_e3837, _e3902, _e3911), vec3<f32>(select(select(select(select(_e3598, _e3657.member, _e3683), _e3733.member, _e3759), _e3809.member, _e3835), _e3885.member, _e3911), select(select(select(select(_e3599, _e3657.member_1, _e3683), _e3733.member_1, _e3759), _e3809.member_1, _e3835), _e3885.member_1, _e3911), select(select(select(select(_e3600, _e3657.member_2, _e3683), _e3733.member_2, _e3759), _e3809.member_2, _e3835), _e3885.member_2, _e3911)), select(_e3841, _e3906, _e3912), vec3<f32>(select(select(select(select(_e3603, _e3657.member, _e3684), _e3733.member, _e3760), _e3809.member, _e3836), _e3885.member, _e3912), select(select(select(select(_e3604, _e3657.member_1, _e3684), _e3733.member_1, _e3760), _e3809.member_1, _e3836), _e3885.member_1, _e3912), select(select(select(select(_e3605, _e3657.member_2, _e3684), _e3733.member_2, _e3760), _e3809.member_2, _e3836), _e3885.member_2, _e3912)), select(_e3845, _e3879, _e3907), select(_e3847, _e3880, (_e3880 > _e3847)), vec3<f32>(select(select(select(select(_e3610, _e3657.member, _e3679), _e3733.member, _e3755), _e3809.member, _e3831), _e3885.member, _e3907), select(select(select(select(_e3611, _e3657.member_1, _e3679), _e3733.member_1, _e3755), _e3809.member_1, _e3831), _e3885.member_1, _e3907), select(select(select(select(_e3612, _e3657.member_2, _e3679), _e3733.member_2, _e3755), _e3809.member_2, _e3831), _e3885.member_2, _e3907)));
 }
 let _e3932 = phi_8935_;
 let _e3938 = (((_e2928 && _e3331) && !(_e3315)) && (_e3932.member_2 <= 1f));
@@ -1468,7 +1468,7 @@ let _e4048 = (select(0i, _e4011, (_e4011 > 0i)) * _e1841);
 let _e4049 = (select(_e1853, _e4029, (_e4029 < _e1853)) * _e1841);
 let _e4050 = (select(0i, _e4026, (_e4026 > 0i)) * _e1845);
 let _e4051 = (select(_e1866, _e4034, (_e4034 < _e1866)) * _e1845);
-local_24 = type_29(array<i32, 4>(select(0i, _e4037, (_e4037 > 0i)), select(0i, _e3996, (_e3996 > 0i)), select(_e1879, _e4042, (_e4042 < _e1879)), select(_e1879, _e4045, (_e4045 < _e1879))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_24 = type_30(array<i32, 4>(select(0i, _e4037, (_e4037 > 0i)), select(0i, _e3996, (_e3996 > 0i)), select(_e1879, _e4042, (_e4042 < _e1879)), select(_e1879, _e4045, (_e4045 < _e1879))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_25 = vec3<f32>((_e3973 - f32(_e3996)), (_e3977 - f32(_e4011)), (_e3981 - f32(_e4026)));
 let _e4062 = (_e4050 + _e4048);
 let _e4065 = local_24.member[1u];
@@ -1688,7 +1688,7 @@ let _e4621 = select(select(select(select(select(select(0f, _e1143.member, _e4402
 let _e4622 = select(select(select(select(select(select(0f, _e1143.member_1, _e4402), _e1143.member_1, _e4442), _e1151.member_1, _e4482), _e1151.member_1, _e4522), _e1159.member_1, _e4562), _e1159.member_1, _e4602);
 let _e4623 = select(select(select(select(select(select(1f, _e1143.member_2, _e4402), _e1143.member_2, _e4442), _e1151.member_2, _e4482), _e1151.member_2, _e4522), _e1159.member_2, _e4562), _e1159.member_2, _e4602);
 if _e1408 {
-phi_11585_ = type_32(_e4608, vec3<f32>(_e4609, _e4610, _e4611), _e4613, vec3<f32>(_e4614, _e4615, _e4616), _e4618, _e4620, vec3<f32>(_e4621, _e4622, _e4623));
+phi_11585_ = type_33(_e4608, vec3<f32>(_e4609, _e4610, _e4611), _e4613, vec3<f32>(_e4614, _e4615, _e4616), _e4618, _e4620, vec3<f32>(_e4621, _e4622, _e4623));
 } else {
 let _e4630 = (((_e1143.member * _e1143.member) + (_e1143.member_1 * _e1143.member_1)) + (_e1143.member_2 * _e1143.member_2));
 let _e4633 = sqrt(select(0f, _e4630, (_e4630 > 0f)));
@@ -1768,7 +1768,7 @@ let _e4917 = select(2f, select(0f, _e4909, (_e4890 < 0f)), (_e4891 > 0f));
 let _e4918 = (_e4890 > _e4856);
 let _e4922 = ((_e4913 > _e4848) || ((_e4913 == _e4848) && _e4918));
 let _e4923 = (_e4917 < _e4852);
-phi_11585_ = type_32(select(_e4848, _e4913, _e4922), vec3<f32>(select(select(select(select(_e4609, _e4668.member, _e4694), _e4744.member, _e4770), _e4820.member, _e4846), _e4896.member, _e4922), select(select(select(select(_e4610, _e4668.member_1, _e4694), _e4744.member_1, _e4770), _e4820.member_1, _e4846), _e4896.member_1, _e4922), select(select(select(select(_e4611, _e4668.member_2, _e4694), _e4744.member_2, _e4770), _e4820.member_2, _e4846), _e4896.member_2, _e4922)), select(_e4852, _e4917, _e4923), vec3<f32>(select(select(select(select(_e4614, _e4668.member, _e4695), _e4744.member, _e4771), _e4820.member, _e4847), _e4896.member, _e4923), select(select(select(select(_e4615, _e4668.member_1, _e4695), _e4744.member_1, _e4771), _e4820.member_1, _e4847), _e4896.member_1, _e4923), select(select(select(select(_e4616, _e4668.member_2, _e4695), _e4744.member_2, _e4771), _e4820.member_2, _e4847), _e4896.member_2, _e4923)), select(_e4856, _e4890, _e4918), select(_e4858, _e4891, (_e4891 > _e4858)), vec3<f32>(select(select(select(select(_e4621, _e4668.member, _e4690), _e4744.member, _e4766), _e4820.member, _e4842), _e4896.member, _e4918), select(select(select(select(_e4622, _e4668.member_1, _e4690), _e4744.member_1, _e4766), _e4820.member_1, _e4842), _e4896.member_1, _e4918), select(select(select(select(_e4623, _e4668.member_2, _e4690), _e4744.member_2, _e4766), _e4820.member_2, _e4842), _e4896.member_2, _e4918)));
+phi_11585_ = type_33(select(_e4848, _e4913, _e4922), vec3<f32>(select(select(select(select(_e4609, _e4668.member, _e4694), _e4744.member, _e4770), _e4820.member, _e4846), _e4896.member, _e4922), select(select(select(select(_e4610, _e4668.member_1, _e4694), _e4744.member_1, _e4770), _e4820.member_1, _e4846), _e4896.member_1, _e4922), select(select(select(select(_e4611, _e4668.member_2, _e4694), _e4744.member_2, _e4770), _e4820.member_2, _e4846), _e4896.member_2, _e4922)), select(_e4852, _e4917, _e4923), vec3<f32>(select(select(select(select(_e4614, _e4668.member, _e4695), _e4744.member, _e4771), _e4820.member, _e4847), _e4896.member, _e4923), select(select(select(select(_e4615, _e4668.member_1, _e4695), _e4744.member_1, _e4771), _e4820.member_1, _e4847), _e4896.member_1, _e4923), select(select(select(select(_e4616, _e4668.member_2, _e4695), _e4744.member_2, _e4771), _e4820.member_2, _e4847), _e4896.member_2, _e4923)), select(_e4856, _e4890, _e4918), select(_e4858, _e4891, (_e4891 > _e4858)), vec3<f32>(select(select(select(select(_e4621, _e4668.member, _e4690), _e4744.member, _e4766), _e4820.member, _e4842), _e4896.member, _e4918), select(select(select(select(_e4622, _e4668.member_1, _e4690), _e4744.member_1, _e4766), _e4820.member_1, _e4842), _e4896.member_1, _e4918), select(select(select(select(_e4623, _e4668.member_2, _e4690), _e4744.member_2, _e4766), _e4820.member_2, _e4842), _e4896.member_2, _e4918)));
 }
 let _e4943 = phi_11585_;
 let _e4949 = (((_e3938 && _e4342) && !(_e4326)) && (_e4943.member_2 <= 1f));
@@ -1978,7 +1978,7 @@ phi_13369_ = _e2235;
 phi_13369_ = _e3249;
 }
 let _e5473 = phi_13369_;
-phi_13650_ = type_33(_e5473, vec3<f32>(select(_e4337, _e3951.x, _e4949), select(_e4338, _e3951.y, _e4949), select(_e4339, _e3951.z, _e4949)), vec3<f32>(_e4311, _e4312, _e4313), select((_e1040 * select(0f, _e5030, (_e5030 > 0f))), ((((sqrt(select(0f, _e5041, (_e5041 > 0f))) * select(0f, _e5122, (_e5122 > 0f))) + (sqrt(select(0f, _e5133, (_e5133 > 0f))) * select(0f, _e5229, (_e5229 > 0f)))) + (sqrt(select(0f, _e5241, (_e5241 > 0f))) * select(0f, _e5337, (_e5337 > 0f)))) + select(0f, (sqrt(select(0f, _e5349, (_e5349 > 0f))) * select(0f, _e5445, (_e5445 > 0f))), _e3938)), _e5452), select((_e335 / _e4313), (2f * (_e2932 / _e2289)), (((_e1751 && !(_e1735)) && _e2321) && !(_e2928))), select(_e2922.member_3, _e1743.member_1, vec3(_e2302)), _e4342, _e5452, (((_e2306 || _e3315) || _e4326) || _e4949));
+phi_13650_ = type_34(_e5473, vec3<f32>(select(_e4337, _e3951.x, _e4949), select(_e4338, _e3951.y, _e4949), select(_e4339, _e3951.z, _e4949)), vec3<f32>(_e4311, _e4312, _e4313), select((_e1040 * select(0f, _e5030, (_e5030 > 0f))), ((((sqrt(select(0f, _e5041, (_e5041 > 0f))) * select(0f, _e5122, (_e5122 > 0f))) + (sqrt(select(0f, _e5133, (_e5133 > 0f))) * select(0f, _e5229, (_e5229 > 0f)))) + (sqrt(select(0f, _e5241, (_e5241 > 0f))) * select(0f, _e5337, (_e5337 > 0f)))) + select(0f, (sqrt(select(0f, _e5349, (_e5349 > 0f))) * select(0f, _e5445, (_e5445 > 0f))), _e3938)), _e5452), select((_e335 / _e4313), (2f * (_e2932 / _e2289)), (((_e1751 && !(_e1735)) && _e2321) && !(_e2928))), select(_e2922.member_3, _e1743.member_1, vec3(_e2302)), _e4342, _e5452, (((_e2306 || _e3315) || _e4326) || _e4949));
 } else {
 let _e1043 = (_e889 < 1e-12f);
 let _e1045 = (1f / select(_e884, 1f, _e1043));
@@ -2013,7 +2013,7 @@ let _e1117 = select(select(1f, _e1114, (_e1114 < 1f)), 1f, _e1093);
 let _e1119 = select(_e1092, _e1067, (_e1067 < _e1092));
 let _e1123 = select(_e1085, _e1060, (_e1060 > _e1085));
 let _e1126 = (select(_e1117, _e1119, (_e1119 < _e1117)) - select(_e1110, _e1123, (_e1123 > _e1110)));
-phi_13650_ = type_33(_e1042.member, _e1042.member_1, _e1042.member_2, (_e1040 * select(0f, _e1126, (_e1126 > 0f))), _e1042.member_4, _e1042.member_5, _e1042.member_6, _e1042.member_7, _e1042.member_8);
+phi_13650_ = type_34(_e1042.member, _e1042.member_1, _e1042.member_2, (_e1040 * select(0f, _e1126, (_e1126 > 0f))), _e1042.member_4, _e1042.member_5, _e1042.member_6, _e1042.member_7, _e1042.member_8);
 }
 let _e5476 = phi_13650_;
 let _e5485 = select(_e342, 0f, (_e1021 || !(_e5476.member_7)));
@@ -2062,7 +2062,7 @@ let _e5898 = (select(0i, _e5864, (_e5864 > 0i)) * _e5836);
 let _e5899 = (select(0i, _e5828, (_e5828 > 0i)) * _e5836);
 let _e5900 = (select(_e5863, _e5869, (_e5869 < _e5863)) * _e5836);
 let _e5901 = (select(_e5863, _e5872, (_e5872 < _e5863)) * _e5836);
-local_20 = type_29(array<i32, 4>(select(0i, _e5883, (_e5883 > 0i)), select(0i, _e5798, (_e5798 > 0i)), select(_e5882, _e5888, (_e5888 < _e5882)), select(_e5882, _e5891, (_e5891 < _e5882))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_20 = type_30(array<i32, 4>(select(0i, _e5883, (_e5883 > 0i)), select(0i, _e5798, (_e5798 > 0i)), select(_e5882, _e5888, (_e5888 < _e5882)), select(_e5882, _e5891, (_e5891 < _e5882))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_21 = vec3<f32>((_e5775 - f32(_e5798)), (_e5779 - f32(_e5813)), (_e5783 - f32(_e5828)));
 let _e5912 = (_e5899 + _e5895);
 let _e5915 = local_20.member[0u];
@@ -2394,7 +2394,7 @@ if _e576 {
 let _e7147 = ((0.5f * (_e6438 - _e6432)) * _e6696);
 let _e7148 = ((0.5f * (_e6450 - _e6444)) * _e6696);
 let _e7149 = ((0.5f * (_e6462 - _e6456)) * _e6696);
-phi_18978_ = type_30(_e6658, vec3<f32>(_e7147, _e7148, _e7149), vec3<f32>((_e7147 * _e6658), (_e7148 * _e6658), (_e7149 * _e6658)));
+phi_18978_ = type_31(_e6658, vec3<f32>(_e7147, _e7148, _e7149), vec3<f32>((_e7147 * _e6658), (_e7148 * _e6658), (_e7149 * _e6658)));
 } else {
 local_16 = _e6432;
 let _e6697 = local_16;
@@ -2543,7 +2543,7 @@ let _e7122 = ((_e6643 + (f32(bitcast<i32>((_e7107 >> bitcast<u32>(12u)))) * _e66
 let _e7123 = (_e6838 - _e6767);
 let _e7125 = (_e6980 - _e6909);
 let _e7127 = (_e7122 - _e7051);
-phi_18978_ = type_30(_e6658, vec3<f32>((0.5f * _e7123), (0.5f * _e7125), (0.5f * _e7127)), vec3<f32>((0.25f * (_e7123 * (_e6838 + _e6767))), (0.25f * (_e7125 * (_e6980 + _e6909))), (0.25f * (_e7127 * (_e7122 + _e7051)))));
+phi_18978_ = type_31(_e6658, vec3<f32>((0.5f * _e7123), (0.5f * _e7125), (0.5f * _e7127)), vec3<f32>((0.25f * (_e7123 * (_e6838 + _e6767))), (0.25f * (_e7125 * (_e6980 + _e6909))), (0.25f * (_e7127 * (_e7122 + _e7051)))));
 }
 let _e7157 = phi_18978_;
 let _e7172 = select(0f, 1f, ((((((_e5499 >= -0.5f) && (_e5499 <= _e869)) && (_e5505 >= -0.5f)) && (_e5505 <= _e874)) && (_e5511 >= -0.5f)) && (_e5511 <= _e879)));
@@ -2559,7 +2559,7 @@ let _e7214 = global_1.member.member_6.member_1.member.member_2;
 let _e7220 = global_1.member.member_6.member_2.member.member;
 let _e7226 = global_1.member.member_6.member_2.member.member_1;
 let _e7232 = global_1.member.member_6.member_2.member.member_2;
-phi_19625_ = type_31(_e6426, vec3<f32>(((((_e7184 * _e7174) + (_e7202 * _e7176)) + (_e7220 * _e7178)) * _e7172), ((((_e7190 * _e7174) + (_e7208 * _e7176)) + (_e7226 * _e7178)) * _e7172), ((((_e7196 * _e7174) + (_e7214 * _e7176)) + (_e7232 * _e7178)) * _e7172)), _e7157.member, vec3<f32>(((((_e7184 * _e7157.member_2.x) + (_e7202 * _e7157.member_2.y)) + (_e7220 * _e7157.member_2.z)) * _e7172), ((((_e7190 * _e7157.member_2.x) + (_e7208 * _e7157.member_2.y)) + (_e7226 * _e7157.member_2.z)) * _e7172), ((((_e7196 * _e7157.member_2.x) + (_e7214 * _e7157.member_2.y)) + (_e7232 * _e7157.member_2.z)) * _e7172)), vec3<f32>(((((_e7184 * _e7157.member_1.x) + (_e7202 * _e7157.member_1.y)) + (_e7220 * _e7157.member_1.z)) * _e7172), ((((_e7190 * _e7157.member_1.x) + (_e7208 * _e7157.member_1.y)) + (_e7226 * _e7157.member_1.z)) * _e7172), ((((_e7196 * _e7157.member_1.x) + (_e7214 * _e7157.member_1.y)) + (_e7232 * _e7157.member_1.z)) * _e7172)));
+phi_19625_ = type_32(_e6426, vec3<f32>(((((_e7184 * _e7174) + (_e7202 * _e7176)) + (_e7220 * _e7178)) * _e7172), ((((_e7190 * _e7174) + (_e7208 * _e7176)) + (_e7226 * _e7178)) * _e7172), ((((_e7196 * _e7174) + (_e7214 * _e7176)) + (_e7232 * _e7178)) * _e7172)), _e7157.member, vec3<f32>(((((_e7184 * _e7157.member_2.x) + (_e7202 * _e7157.member_2.y)) + (_e7220 * _e7157.member_2.z)) * _e7172), ((((_e7190 * _e7157.member_2.x) + (_e7208 * _e7157.member_2.y)) + (_e7226 * _e7157.member_2.z)) * _e7172), ((((_e7196 * _e7157.member_2.x) + (_e7214 * _e7157.member_2.y)) + (_e7232 * _e7157.member_2.z)) * _e7172)), vec3<f32>(((((_e7184 * _e7157.member_1.x) + (_e7202 * _e7157.member_1.y)) + (_e7220 * _e7157.member_1.z)) * _e7172), ((((_e7190 * _e7157.member_1.x) + (_e7208 * _e7157.member_1.y)) + (_e7226 * _e7157.member_1.z)) * _e7172), ((((_e7196 * _e7157.member_1.x) + (_e7214 * _e7157.member_1.y)) + (_e7232 * _e7157.member_1.z)) * _e7172)));
 } else {
 let _e5513 = select(-0.5f, _e5499, (_e5499 > -0.5f));
 let _e5515 = select(_e869, _e5513, (_e5513 < _e869));
@@ -2593,7 +2593,7 @@ let _e5622 = (select(0i, _e5553, (_e5553 > 0i)) * _e5572);
 let _e5623 = (select(_e5584, _e5587, (_e5587 < _e5584)) * _e5572);
 let _e5624 = (select(0i, _e5568, (_e5568 > 0i)) * _e5576);
 let _e5625 = (select(_e5597, _e5600, (_e5600 < _e5597)) * _e5576);
-local_4 = type_29(array<i32, 4>(select(0i, _e5611, (_e5611 > 0i)), select(0i, _e5538, (_e5538 > 0i)), select(_e5610, _e5616, (_e5616 < _e5610)), select(_e5610, _e5619, (_e5619 < _e5610))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_4 = type_30(array<i32, 4>(select(0i, _e5611, (_e5611 > 0i)), select(0i, _e5538, (_e5538 > 0i)), select(_e5610, _e5616, (_e5616 < _e5610)), select(_e5610, _e5619, (_e5619 < _e5610))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_5 = vec3<f32>((_e5515 - f32(_e5538)), (_e5519 - f32(_e5553)), (_e5523 - f32(_e5568)));
 let _e5636 = (_e5624 + _e5622);
 let _e5639 = local_4.member[1u];
@@ -2651,7 +2651,7 @@ let _e5763 = global_1.member.member_6.member_5;
 let _e5765 = (((_e5696 + (((_e5721 + (((_e5732 + ((bitcast<f32>(_e5741) - _e5732) * _e5743)) - _e5721) * _e5747)) - _e5696) * _e5752)) - _e5759) * _e5763);
 let _e5766 = -(1e9f);
 let _e5768 = select(_e5766, _e5765, (_e5765 > _e5766));
-phi_19625_ = type_31(select(1e9f, _e5768, (_e5768 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_19625_ = type_32(select(1e9f, _e5768, (_e5768 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7298 = phi_19625_;
 let _e7300 = select(-0.5f, _e485, (_e485 > -0.5f));
@@ -2686,7 +2686,7 @@ let _e7409 = (select(0i, _e7340, (_e7340 > 0i)) * _e7359);
 let _e7410 = (select(_e7371, _e7374, (_e7374 < _e7371)) * _e7359);
 let _e7411 = (select(0i, _e7355, (_e7355 > 0i)) * _e7363);
 let _e7412 = (select(_e7384, _e7387, (_e7387 < _e7384)) * _e7363);
-local_2 = type_29(array<i32, 4>(select(0i, _e7398, (_e7398 > 0i)), select(0i, _e7325, (_e7325 > 0i)), select(_e7397, _e7403, (_e7403 < _e7397)), select(_e7397, _e7406, (_e7406 < _e7397))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_2 = type_30(array<i32, 4>(select(0i, _e7398, (_e7398 > 0i)), select(0i, _e7325, (_e7325 > 0i)), select(_e7397, _e7403, (_e7403 < _e7397)), select(_e7397, _e7406, (_e7406 < _e7397))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_3 = vec3<f32>((_e7302 - f32(_e7325)), (_e7306 - f32(_e7340)), (_e7310 - f32(_e7355)));
 let _e7423 = (_e7411 + _e7409);
 let _e7426 = local_2.member[1u];
@@ -3148,7 +3148,7 @@ let _e8969 = select(select(select(select(select(select(0f, _e8710.member, _e8750
 let _e8970 = select(select(select(select(select(select(0f, _e8710.member_1, _e8750), _e8710.member_1, _e8790), _e8718.member_1, _e8830), _e8718.member_1, _e8870), _e8726.member_1, _e8910), _e8726.member_1, _e8950);
 let _e8971 = select(select(select(select(select(select(1f, _e8710.member_2, _e8750), _e8710.member_2, _e8790), _e8718.member_2, _e8830), _e8718.member_2, _e8870), _e8726.member_2, _e8910), _e8726.member_2, _e8950);
 if _e7559 {
-phi_23843_ = type_32(_e8956, vec3<f32>(_e8957, _e8958, _e8959), _e8961, vec3<f32>(_e8962, _e8963, _e8964), _e8966, _e8968, vec3<f32>(_e8969, _e8970, _e8971));
+phi_23843_ = type_33(_e8956, vec3<f32>(_e8957, _e8958, _e8959), _e8961, vec3<f32>(_e8962, _e8963, _e8964), _e8966, _e8968, vec3<f32>(_e8969, _e8970, _e8971));
 } else {
 let _e8978 = (((_e8710.member * _e8710.member) + (_e8710.member_1 * _e8710.member_1)) + (_e8710.member_2 * _e8710.member_2));
 let _e8981 = sqrt(select(0f, _e8978, (_e8978 > 0f)));
@@ -3228,7 +3228,7 @@ let _e9265 = select(2f, select(0f, _e9257, (_e9238 < 0f)), (_e9239 > 0f));
 let _e9266 = (_e9238 > _e9204);
 let _e9270 = ((_e9261 > _e9196) || ((_e9261 == _e9196) && _e9266));
 let _e9271 = (_e9265 < _e9200);
-phi_23843_ = type_32(select(_e9196, _e9261, _e9270), vec3<f32>(select(select(select(select(_e8957, _e9016.member, _e9042), _e9092.member, _e9118), _e9168.member, _e9194), _e9244.member, _e9270), select(select(select(select(_e8958, _e9016.member_1, _e9042), _e9092.member_1, _e9118), _e9168.member_1, _e9194), _e9244.member_1, _e9270), select(select(select(select(_e8959, _e9016.member_2, _e9042), _e9092.member_2, _e9118), _e9168.member_2, _e9194), _e9244.member_2, _e9270)), select(_e9200, _e9265, _e9271), vec3<f32>(select(select(select(select(_e8962, _e9016.member, _e9043), _e9092.member, _e9119), _e9168.member, _e9195), _e9244.member, _e9271), select(select(select(select(_e8963, _e9016.member_1, _e9043), _e9092.member_1, _e9119), _e9168.member_1, _e9195), _e9244.member_1, _e9271), select(select(select(select(_e8964, _e9016.member_2, _e9043), _e9092.member_2, _e9119), _e9168.member_2, _e9195), _e9244.member_2, _e9271)), select(_e9204, _e9238, _e9266), select(_e9206, _e9239, (_e9239 > _e9206)), vec3<f32>(select(select(select(select(_e8969, _e9016.member, _e9038), _e9092.member, _e9114), _e9168.member, _e9190), _e9244.member, _e9266), select(select(select(select(_e8970, _e9016.member_1, _e9038), _e9092.member_1, _e9114), _e9168.member_1, _e9190), _e9244.member_1, _e9266), select(select(select(select(_e8971, _e9016.member_2, _e9038), _e9092.member_2, _e9114), _e9168.member_2, _e9190), _e9244.member_2, _e9266)));
+phi_23843_ = type_33(select(_e9196, _e9261, _e9270), vec3<f32>(select(select(select(select(_e8957, _e9016.member, _e9042), _e9092.member, _e9118), _e9168.member, _e9194), _e9244.member, _e9270), select(select(select(select(_e8958, _e9016.member_1, _e9042), _e9092.member_1, _e9118), _e9168.member_1, _e9194), _e9244.member_1, _e9270), select(select(select(select(_e8959, _e9016.member_2, _e9042), _e9092.member_2, _e9118), _e9168.member_2, _e9194), _e9244.member_2, _e9270)), select(_e9200, _e9265, _e9271), vec3<f32>(select(select(select(select(_e8962, _e9016.member, _e9043), _e9092.member, _e9119), _e9168.member, _e9195), _e9244.member, _e9271), select(select(select(select(_e8963, _e9016.member_1, _e9043), _e9092.member_1, _e9119), _e9168.member_1, _e9195), _e9244.member_1, _e9271), select(select(select(select(_e8964, _e9016.member_2, _e9043), _e9092.member_2, _e9119), _e9168.member_2, _e9195), _e9244.member_2, _e9271)), select(_e9204, _e9238, _e9266), select(_e9206, _e9239, (_e9239 > _e9206)), vec3<f32>(select(select(select(select(_e8969, _e9016.member, _e9038), _e9092.member, _e9114), _e9168.member, _e9190), _e9244.member, _e9266), select(select(select(select(_e8970, _e9016.member_1, _e9038), _e9092.member_1, _e9114), _e9168.member_1, _e9190), _e9244.member_1, _e9266), select(select(select(select(_e8971, _e9016.member_2, _e9038), _e9092.member_2, _e9114), _e9168.member_2, _e9190), _e9244.member_2, _e9266)));
 }
 let _e9291 = phi_23843_;
 let _e9296 = (_e7762.member_2 * _e5491);

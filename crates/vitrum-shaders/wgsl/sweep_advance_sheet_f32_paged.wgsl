@@ -130,23 +130,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -155,7 +159,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -165,10 +169,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -186,9 +186,9 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_29;
+var local_2: type_30;
 var local_3: vec3<f32>;
-var local_4: type_29;
+var local_4: type_30;
 var local_5: vec3<f32>;
 var local_6: f32;
 var local_7: f32;
@@ -204,39 +204,39 @@ var local_16: f32;
 var local_17: f32;
 var local_18: f32;
 var local_19: f32;
-var local_20: type_29;
+var local_20: type_30;
 var local_21: vec3<f32>;
 var local_22: f32;
 var local_23: f32;
-var local_24: type_29;
+var local_24: type_30;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_29;
+var local_28: type_30;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_29;
+var local_32: type_30;
 var local_33: vec3<f32>;
 var phi_1077_: bool;
 var phi_1266_: bool;
 var phi_1269_: bool;
-var phi_3618_: type_32;
+var phi_3618_: type_33;
 var phi_3631_: bool;
-var phi_3647_: type_34;
+var phi_3647_: type_27;
 var phi_3659_: bool;
 var phi_4712_: type_26;
-var phi_6250_: type_32;
+var phi_6250_: type_33;
 var phi_7325_: type_26;
-var phi_8863_: type_32;
+var phi_8863_: type_33;
 var phi_9938_: type_26;
-var phi_11476_: type_32;
+var phi_11476_: type_33;
 var phi_13260_: type_26;
-var phi_13541_: type_33;
-var phi_18808_: type_30;
-var phi_19418_: type_31;
+var phi_13541_: type_34;
+var phi_18808_: type_31;
+var phi_19418_: type_32;
 var phi_20251_: type_5;
-var phi_23599_: type_32;
+var phi_23599_: type_33;
 var phi_23756_: vec3<f32>;
 var phi_23757_: bool;
 switch bitcast<i32>(0u) {
@@ -475,7 +475,7 @@ let _e1033 = (_e424 - _e407);
 let _e1034 = (_e413 - _e380);
 let _e1039 = (((_e1032 * _e1032) + (_e1033 * _e1033)) + (_e1034 * _e1034));
 let _e1042 = sqrt(select(0f, _e1039, (_e1039 > 0f)));
-let _e1044 = type_33(type_26(1f, 1f), vec3<f32>(_e419, _e424, _e413), _e333, _e1042, (_e337 / _e276), _e333, true, false, false);
+let _e1044 = type_34(type_26(1f, 1f), vec3<f32>(_e419, _e424, _e413), _e333, _e1042, (_e337 / _e276), _e333, true, false, false);
 if _e581 {
 let _e1145 = global_1.member.member_6.member.member;
 let _e1153 = global_1.member.member_6.member_1.member;
@@ -587,7 +587,7 @@ let _e1405 = select(select(select(select(select(select(0f, _e1145.member_1, _e11
 let _e1406 = select(select(select(select(select(select(1f, _e1145.member_2, _e1185), _e1145.member_2, _e1225), _e1153.member_2, _e1265), _e1153.member_2, _e1305), _e1161.member_2, _e1345), _e1161.member_2, _e1385);
 let _e1410 = ((_e1016 & 16u) == 0u);
 if _e1410 {
-phi_3618_ = type_32(_e1391, vec3<f32>(_e1392, _e1393, _e1394), _e1396, vec3<f32>(_e1397, _e1398, _e1399), _e1401, _e1403, vec3<f32>(_e1404, _e1405, _e1406));
+phi_3618_ = type_33(_e1391, vec3<f32>(_e1392, _e1393, _e1394), _e1396, vec3<f32>(_e1397, _e1398, _e1399), _e1401, _e1403, vec3<f32>(_e1404, _e1405, _e1406));
 } else {
 let _e1415 = (((_e1145.member * _e1145.member) + (_e1145.member_1 * _e1145.member_1)) + (_e1145.member_2 * _e1145.member_2));
 let _e1418 = sqrt(select(0f, _e1415, (_e1415 > 0f)));
@@ -667,7 +667,7 @@ let _e1702 = select(2f, select(0f, _e1694, (_e1675 < 0f)), (_e1676 > 0f));
 let _e1703 = (_e1675 > _e1641);
 let _e1707 = ((_e1698 > _e1633) || ((_e1698 == _e1633) && _e1703));
 let _e1708 = (_e1702 < _e1637);
-phi_3618_ = type_32(select(_e1633, _e1698, _e1707), vec3<f32>(select(select(select(select(_e1392, _e1453.member, _e1479), _e1529.member, _e1555), _e1605.member, _e1631), _e1681.member, _e1707), select(select(select(select(_e1393, _e1453.member_1, _e1479), _e1529.member_1, _e1555), _e1605.member_1, _e1631), _e1681.member_1, _e1707), select(select(select(select(_e1394, _e1453.member_2, _e1479), _e1529.member_2, _e1555), _e1605.member_2, _e1631), _e1681.member_2, _e1707)), select(_e1637, _e1702, _e1708), vec3<f32>(select(select(select(select(_e1397, _e1453.member, _e1480), _e1529.member, _e1556), _e1605.member, _e1632), _e1681.member, _e1708), select(select(select(select(_e1398, _e1453.member_1, _e1480), _e1529.member_1, _e1556), _e1605.member_1, _e1632), _e1681.member_1, _e1708), select(select(select(select(_e1399, _e1453.member_2, _e1480), _e1529.member_2, _e1556), _e1605.member_2, _e1632), _e1681.member_2, _e1708)), select(_e1641, _e1675, _e1703), select(_e1643, _e1676, (_e1676 > _e1643)), vec3<f32>(select(select(select(select(_e1404, _e1453.member, _e1475), _e1529.member, _e1551), _e1605.member, _e1627), _e1681.member, _e1703), select(select(select(select(_e1405, _e1453.member_1, _e1475), _e1529.member_1, _e1551), _e1605.member_1, _e1627), _e1681.member_1, _e1703), select(select(select(select(_e1406, _e1453.member_2, _e1475), _e1529.member_2, _e1551), _e1605.member_2, _e1627), _e1681.member_2, _e1703)));
+phi_3618_ = type_33(select(_e1633, _e1698, _e1707), vec3<f32>(select(select(select(select(_e1392, _e1453.member, _e1479), _e1529.member, _e1555), _e1605.member, _e1631), _e1681.member, _e1707), select(select(select(select(_e1393, _e1453.member_1, _e1479), _e1529.member_1, _e1555), _e1605.member_1, _e1631), _e1681.member_1, _e1707), select(select(select(select(_e1394, _e1453.member_2, _e1479), _e1529.member_2, _e1555), _e1605.member_2, _e1631), _e1681.member_2, _e1707)), select(_e1637, _e1702, _e1708), vec3<f32>(select(select(select(select(_e1397, _e1453.member, _e1480), _e1529.member, _e1556), _e1605.member, _e1632), _e1681.member, _e1708), select(select(select(select(_e1398, _e1453.member_1, _e1480), _e1529.member_1, _e1556), _e1605.member_1, _e1632), _e1681.member_1, _e1708), select(select(select(select(_e1399, _e1453.member_2, _e1480), _e1529.member_2, _e1556), _e1605.member_2, _e1632), _e1681.member_2, _e1708)), select(_e1641, _e1675, _e1703), select(_e1643, _e1676, (_e1676 > _e1643)), vec3<f32>(select(select(select(select(_e1404, _e1453.member, _e1475), _e1529.member, _e1551), _e1605.member, _e1627), _e1681.member, _e1703), select(select(select(select(_e1405, _e1453.member_1, _e1475), _e1529.member_1, _e1551), _e1605.member_1, _e1627), _e1681.member_1, _e1703), select(select(select(select(_e1406, _e1453.member_2, _e1475), _e1529.member_2, _e1551), _e1605.member_2, _e1627), _e1681.member_2, _e1703)));
 }
 let _e1728 = phi_3618_;
 if ((_e1728.member_4 > -(0.015625f)) && (_e1728.member_4 < 0.015625f)) {
@@ -677,9 +677,9 @@ phi_3631_ = (_e1728.member_4 < 0f);
 }
 let _e1737 = phi_3631_;
 if _e1737 {
-phi_3647_ = type_34(_e1728.member_2, _e1728.member_3);
+phi_3647_ = type_27(_e1728.member_2, _e1728.member_3);
 } else {
-phi_3647_ = type_34(_e1728.member, _e1728.member_1);
+phi_3647_ = type_27(_e1728.member, _e1728.member_1);
 }
 let _e1745 = phi_3647_;
 if _e1737 {
@@ -739,7 +739,7 @@ let _e1894 = (_e1886 + _e1893);
 let _e1895 = (_e1888 + _e1847);
 let _e1896 = (2i * _e1847);
 let _e1897 = (_e1888 + _e1896);
-local_32 = type_29(array<i32, 4>(_e1883, (_e1883 + 1i), (_e1883 + 2i), (_e1883 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_32 = type_30(array<i32, 4>(_e1883, (_e1883 + 1i), (_e1883 + 2i), (_e1883 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_33 = vec3<f32>((_e1786 - f32(_e1809)), (_e1790 - f32(_e1824)), (_e1794 - f32(_e1839)));
 let _e1908 = (_e1895 + _e1892);
 let _e1911 = local_32.member[1u];
@@ -1010,7 +1010,7 @@ let _e2601 = select(select(select(select(select(select(0f, _e1145.member, _e2382
 let _e2602 = select(select(select(select(select(select(0f, _e1145.member_1, _e2382), _e1145.member_1, _e2422), _e1153.member_1, _e2462), _e1153.member_1, _e2502), _e1161.member_1, _e2542), _e1161.member_1, _e2582);
 let _e2603 = select(select(select(select(select(select(1f, _e1145.member_2, _e2382), _e1145.member_2, _e2422), _e1153.member_2, _e2462), _e1153.member_2, _e2502), _e1161.member_2, _e2542), _e1161.member_2, _e2582);
 if _e1410 {
-phi_6250_ = type_32(_e2588, vec3<f32>(_e2589, _e2590, _e2591), _e2593, vec3<f32>(_e2594, _e2595, _e2596), _e2598, _e2600, vec3<f32>(_e2601, _e2602, _e2603));
+phi_6250_ = type_33(_e2588, vec3<f32>(_e2589, _e2590, _e2591), _e2593, vec3<f32>(_e2594, _e2595, _e2596), _e2598, _e2600, vec3<f32>(_e2601, _e2602, _e2603));
 } else {
 let _e2610 = (((_e1145.member * _e1145.member) + (_e1145.member_1 * _e1145.member_1)) + (_e1145.member_2 * _e1145.member_2));
 let _e2613 = sqrt(select(0f, _e2610, (_e2610 > 0f)));
@@ -1090,7 +1090,7 @@ let _e2897 = select(2f, select(0f, _e2889, (_e2870 < 0f)), (_e2871 > 0f));
 let _e2898 = (_e2870 > _e2836);
 let _e2902 = ((_e2893 > _e2828) || ((_e2893 == _e2828) && _e2898));
 let _e2903 = (_e2897 < _e2832);
-phi_6250_ = type_32(select(_e2828, _e2893, _e2902), vec3<f32>(select(select(select(select(_e2589, _e2648.member, _e2674), _e2724.member, _e2750), _e2800.member, _e2826), _e2876.member, _e2902), select(select(select(select(_e2590, _e2648.member_1, _e2674), _e2724.member_1, _e2750), _e2800.member_1, _e2826), _e2876.member_1, _e2902), select(select(select(select(_e2591, _e2648.member_2, _e2674), _e2724.member_2, _e2750), _e2800.member_2, _e2826), _e2876.member_2, _e2902)), select(_e2832, _e2897, _e2903), vec3<f32>(select(select(select(select(_e2594, _e2648.member, _e2675), _e2724.member, _e2751), _e2800.member, _e2827), _e2876.member, _e2903), select(select(select(select(_e2595, _e2648.member_1, _e2675), _e2724.member_1, _e2751), _e2800.member_1, _e2827), _e2876.member_1, _e2903), select(select(select(select(_e2596, _e2648.member_2, _e2675), _e2724.member_2, _e2751), _e2800.member_2, _e2827), _e2876.member_2, _e2903)), select(_e2836, _e2870, _e2898), select(_e2838, _e2871, (_e2871 > _e2838)), vec3<f32>(select(select(select(select(_e2601, _e2648.member, _e2670), _e2724.member, _e2746), _e2800.member, _e2822), _e2876.member, _e2898), select(select(select(select(_e2602, _e2648.member_1, _e2670), _e2724.member_1, _e2746), _e2800.member_1, _e2822), _e2876.member_1, _e2898), select(select(select(select(_e2603, _e2648.member_2, _e2670), _e2724.member_2, _e2746), _e2800.member_2, _e2822), _e2876.member_2, _e2898)));
+phi_6250_ = type_33(select(_e2828, _e2893, _e2902), vec3<f32>(select(select(select(select(_e2589, _e2648.member, _e2674), _e2724.member, _e2750), _e2800.member, _e2826), _e2876.member, _e2902), select(select(select(select(_e2590, _e2648.member_1, _e2674), _e2724.member_1, _e2750), _e2800.member_1, _e2826), _e2876.member_1, _e2902), select(select(select(select(_e2591, _e2648.member_2, _e2674), _e2724.member_2, _e2750), _e2800.member_2, _e2826), _e2876.member_2, _e2902)), select(_e2832, _e2897, _e2903), vec3<f32>(select(select(select(select(_e2594, _e2648.member, _e2675), _e2724.member, _e2751), _e2800.member, _e2827), _e2876.member, _e2903), select(select(select(select(_e2595, _e2648.member_1, _e2675), _e2724.member_1, _e2751), _e2800.member_1, _e2827), _e2876.member_1, _e2903), select(select(select(select(_e2596, _e2648.member_2, _e2675), _e2724.member_2, _e2751), _e2800.member_2, _e2827), _e2876.member_2, _e2903)), select(_e2836, _e2870, _e2898), select(_e2838, _e2871, (_e2871 > _e2838)), vec3<f32>(select(select(select(select(_e2601, _e2648.member, _e2670), _e2724.member, _e2746), _e2800.member, _e2822), _e2876.member, _e2898), select(select(select(select(_e2602, _e2648.member_1, _e2670), _e2724.member_1, _e2746), _e2800.member_1, _e2822), _e2876.member_1, _e2898), select(select(select(select(_e2603, _e2648.member_2, _e2670), _e2724.member_2, _e2746), _e2800.member_2, _e2822), _e2876.member_2, _e2898)));
 }
 let _e2923 = phi_6250_;
 let _e2929 = (((_e1753 && _e2322) && !(_e2307)) && (_e2923.member_2 <= 1f));
@@ -1137,7 +1137,7 @@ let _e3048 = (_e3042 + _e1843);
 let _e3049 = (_e3042 + _e1893);
 let _e3050 = (_e3044 + _e1847);
 let _e3051 = (_e3044 + _e1896);
-local_28 = type_29(array<i32, 4>(_e3039, (_e3039 + 1i), (_e3039 + 2i), (_e3039 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_28 = type_30(array<i32, 4>(_e3039, (_e3039 + 1i), (_e3039 + 2i), (_e3039 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_29 = vec3<f32>((_e2964 - f32(_e2987)), (_e2968 - f32(_e3002)), (_e2972 - f32(_e3017)));
 let _e3062 = (_e3050 + _e3048);
 let _e3065 = local_28.member[1u];
@@ -1357,7 +1357,7 @@ let _e3620 = select(select(select(select(select(select(0f, _e1145.member, _e3401
 let _e3621 = select(select(select(select(select(select(0f, _e1145.member_1, _e3401), _e1145.member_1, _e3441), _e1153.member_1, _e3481), _e1153.member_1, _e3521), _e1161.member_1, _e3561), _e1161.member_1, _e3601);
 let _e3622 = select(select(select(select(select(select(1f, _e1145.member_2, _e3401), _e1145.member_2, _e3441), _e1153.member_2, _e3481), _e1153.member_2, _e3521), _e1161.member_2, _e3561), _e1161.member_2, _e3601);
 if _e1410 {
-phi_8863_ = type_32(_e3607, vec3<f32>(_e3608, _e3609, _e3610), _e3612, vec3<f32>(_e3613, _e3614, _e3615), _e3617, _e3619, vec3<f32>(_e3620, _e3621, _e3622));
+phi_8863_ = type_33(_e3607, vec3<f32>(_e3608, _e3609, _e3610), _e3612, vec3<f32>(_e3613, _e3614, _e3615), _e3617, _e3619, vec3<f32>(_e3620, _e3621, _e3622));
 } else {
 let _e3629 = (((_e1145.member * _e1145.member) + (_e1145.member_1 * _e1145.member_1)) + (_e1145.member_2 * _e1145.member_2));
 let _e3632 = sqrt(select(0f, _e3629, (_e3629 > 0f)));
@@ -1437,7 +1437,7 @@ let _e3916 = select(2f, select(0f, _e3908, (_e3889 < 0f)), (_e3890 > 0f));
 let _e3917 = (_e3889 > _e3855);
 let _e3921 = ((_e3912 > _e3847) || ((_e3912 == _e3847) && _e3917));
 let _e3922 = (_e3916 < _e3851);
-phi_8863_ = type_32(select(_e3847, _e3912, _e3921), vec3<f32>(select(select(select(select(_e3608, _e3667.member, _e3693), _e3743.member, _e3769), _e3819.member, _e3845), _e3895.member, _e3921), select(select(select(select(_e3609, _e3667.member_1, _e3693), _e3743.member_1, _e3769), _e3819.member_1, _e3845), _e3895.member_1, _e3921), select(select(select(select(_e3610, _e3667.member_2, _e3693), _e3743.member_2, _e3769), _e3819.member_2, _e3845), _e3895.member_2, _e3921)), select(_e3851, _e3916, _e3922), vec3<f32>(select(select(select(select(_e3613, _e3667.member, _e3694), _e3743.member, _e3770), _e3819.member, _e3846), _e3895.member, _e3922), select(select(select(select(_e3614, _e3667.member_1, _e3694), _e3743.member_1, _e3770), _e3819.member_1, _e3846), _e3895.member_1, _e3922), select(select(select(select(_e3615, _e3667.member_2, _e3694), _e3743.member_2, _e3770), _e3819.member_2, _e3846), _e3895.member_2, _e3922)), select(_e3855, _e3889, _e3917), select(_e3857, _e3890, (_e3890 > _e3857)), vec3<f32>(select(select(select(select(_e3620, _e3667.member, _e3689), _e3743.member, _e3765), _e3819.member, _e3841), _e3895.member, _e3917), select(select(select(select(_e3621, _e3667.member_1, _e3689), _e3743.member_1, _e3765), _e3819.member_1, _e3841), _e3895.member_1, _e3917), select(select(select(select(_e3622, _e3667.member_2, _e3689), _e3743.member_2, _e3765), _e3819.member_2, _e3841), _e3895.member_2, _e3917)));
+phi_8863_ = type_33(select(_e3847, _e3912, _e3921), vec3<f32>(select(select(select(select(_e3608, _e3667.member, _e3693), _e3743.member, _e3769), _e3819.member, _e3845), _e3895.member, _e3921), select(select(select(select(_e3609, _e3667.member_1, _e3693), _e3743.member_1, _e3769), _e3819.member_1, _e3845), _e3895.member_1, _e3921), select(select(select(select(_e3610, _e3667.member_2, _e3693), _e3743.member_2, _e3769), _e3819.member_2, _e3845), _e3895.member_2, _e3921)), select(_e3851, _e3916, _e3922), vec3<f32>(select(select(select(select(_e3613, _e3667.member, _e3694), _e3743.member, _e3770), _e3819.member, _e3846), _e3895.member, _e3922), select(select(select(select(_e3614, _e3667.member_1, _e3694), _e3743.member_1, _e3770), _e3819.member_1, _e3846), _e3895.member_1, _e3922), select(select(select(select(_e3615, _e3667.member_2, _e3694), _e3743.member_2, _e3770), _e3819.member_2, _e3846), _e3895.member_2, _e3922)), select(_e3855, _e3889, _e3917), select(_e3857, _e3890, (_e3890 > _e3857)), vec3<f32>(select(select(select(select(_e3620, _e3667.member, _e3689), _e3743.member, _e3765), _e3819.member, _e3841), _e3895.member, _e3917), select(select(select(select(_e3621, _e3667.member_1, _e3689), _e3743.member_1, _e3765), _e3819.member_1, _e3841), _e3895.member_1, _e3917), select(select(select(select(_e3622, _e3667.member_2, _e3689), _e3743.member_2, _e3765), _e3819.member_2, _e3841), _e3895.member_2, _e3917)));
 }
 let _e3942 = phi_8863_;
 let _e3948 = (((_e2929 && _e3341) && !(_e3325)) && (_e3942.member_2 <= 1f));
@@ -1483,7 +1483,7 @@ let _e4067 = (_e4061 + _e1843);
 let _e4068 = (_e4061 + _e1893);
 let _e4069 = (_e4063 + _e1847);
 let _e4070 = (_e4063 + _e1896);
-local_24 = type_29(array<i32, 4>(_e4058, (_e4058 + 1i), (_e4058 + 2i), (_e4058 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_24 = type_30(array<i32, 4>(_e4058, (_e4058 + 1i), (_e4058 + 2i), (_e4058 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_25 = vec3<f32>((_e3983 - f32(_e4006)), (_e3987 - f32(_e4021)), (_e3991 - f32(_e4036)));
 let _e4081 = (_e4069 + _e4067);
 let _e4084 = local_24.member[1u];
@@ -1703,7 +1703,7 @@ let _e4640 = select(select(select(select(select(select(0f, _e1145.member, _e4421
 let _e4641 = select(select(select(select(select(select(0f, _e1145.member_1, _e4421), _e1145.member_1, _e4461), _e1153.member_1, _e4501), _e1153.member_1, _e4541), _e1161.member_1, _e4581), _e1161.member_1, _e4621);
 let _e4642 = select(select(select(select(select(select(1f, _e1145.member_2, _e4421), _e1145.member_2, _e4461), _e1153.member_2, _e4501), _e1153.member_2, _e4541), _e1161.member_2, _e4581), _e1161.member_2, _e4621);
 if _e1410 {
-phi_11476_ = type_32(_e4627, vec3<f32>(_e4628, _e4629, _e4630), _e4632, vec3<f32>(_e4633, _e4634, _e4635), _e4637, _e4639, vec3<f32>(_e4640, _e4641, _e4642));
+phi_11476_ = type_33(_e4627, vec3<f32>(_e4628, _e4629, _e4630), _e4632, vec3<f32>(_e4633, _e4634, _e4635), _e4637, _e4639, vec3<f32>(_e4640, _e4641, _e4642));
 } else {
 let _e4649 = (((_e1145.member * _e1145.member) + (_e1145.member_1 * _e1145.member_1)) + (_e1145.member_2 * _e1145.member_2));
 let _e4652 = sqrt(select(0f, _e4649, (_e4649 > 0f)));
@@ -1783,7 +1783,7 @@ let _e4936 = select(2f, select(0f, _e4928, (_e4909 < 0f)), (_e4910 > 0f));
 let _e4937 = (_e4909 > _e4875);
 let _e4941 = ((_e4932 > _e4867) || ((_e4932 == _e4867) && _e4937));
 let _e4942 = (_e4936 < _e4871);
-phi_11476_ = type_32(select(_e4867, _e4932, _e4941), vec3<f32>(select(select(select(select(_e4628, _e4687.member, _e4713), _e4763.member, _e4789), _e4839.member, _e4865), _e4915.member, _e4941), select(select(select(select(_e4629, _e4687.member_1, _e4713), _e4763.member_1, _e4789), _e4839.member_1, _e4865), _e4915.member_1, _e4941), select(select(select(select(_e4630, _e4687.member_2, _e4713), _e4763.member_2, _e4789), _e4839.member_2, _e4865), _e4915.member_2, _e4941)), select(_e4871, _e4936, _e4942), vec3<f32>(select(select(select(select(_e4633, _e4687.member, _e4714), _e4763.member, _e4790), _e4839.member, _e4866), _e4915.member, _e4942), select(select(select(select(_e4634, _e4687.member_1, _e4714), _e4763.member_1, _e4790), _e4839.member_1, _e4866), _e4915.member_1, _e4942), select(select(select(select(_e4635, _e4687.member_2, _e4714), _e4763.member_2, _e4790), _e4839.member_2, _e4866), _e4915.member_2, _e4942)), select(_e4875, _e4909, _e4937), select(_e4877, _e4910, (_e4910 > _e4877)), vec3<f32>(select(select(select(select(_e4640, _e4687.member, _e4709), _e4763.member, _e4785), _e4839.member, _e4861), _e4915.member, _e4937), select(select(select(select(_e4641, _e4687.member_1, _e4709), _e4763.member_1, _e4785), _e4839.member_1, _e4861), _e4915.member_1, _e4937), select(select(select(select(_e4642, _e4687.member_2, _e4709), _e4763.member_2, _e4785), _e4839.member_2, _e4861), _e4915.member_2, _e4937)));
+phi_11476_ = type_33(select(_e4867, _e4932, _e4941), vec3<f32>(select(select(select(select(_e4628, _e4687.member, _e4713), _e4763.member, _e4789), _e4839.member, _e4865), _e4915.member, _e4941), select(select(select(select(_e4629, _e4687.member_1, _e4713), _e4763.member_1, _e4789), _e4839.member_1, _e4865), _e4915.member_1, _e4941), select(select(select(select(_e4630, _e4687.member_2, _e4713), _e4763.member_2, _e4789), _e4839.member_2, _e4865), _e4915.member_2, _e4941)), select(_e4871, _e4936, _e4942), vec3<f32>(select(select(select(select(_e4633, _e4687.member, _e4714), _e4763.member, _e4790), _e4839.member, _e4866), _e4915.member, _e4942), select(select(select(select(_e4634, _e4687.member_1, _e4714), _e4763.member_1, _e4790), _e4839.member_1, _e4866), _e4915.member_1, _e4942), select(select(select(select(_e4635, _e4687.member_2, _e4714), _e4763.member_2, _e4790), _e4839.member_2, _e4866), _e4915.member_2, _e4942)), select(_e4875, _e4909, _e4937), select(_e4877, _e4910, (_e4910 > _e4877)), vec3<f32>(select(select(select(select(_e4640, _e4687.member, _e4709), _e4763.member, _e4785), _e4839.member, _e4861), _e4915.member, _e4937), select(select(select(select(_e4641, _e4687.member_1, _e4709), _e4763.member_1, _e4785), _e4839.member_1, _e4861), _e4915.member_1, _e4937), select(select(select(select(_e4642, _e4687.member_2, _e4709), _e4763.member_2, _e4785), _e4839.member_2, _e4861), _e4915.member_2, _e4937)));
 }
 let _e4962 = phi_11476_;
 let _e4968 = (((_e3948 && _e4361) && !(_e4345)) && (_e4962.member_2 <= 1f));
@@ -1993,7 +1993,7 @@ phi_13260_ = _e2236;
 phi_13260_ = _e3259;
 }
 let _e5492 = phi_13260_;
-phi_13541_ = type_33(_e5492, vec3<f32>(select(_e4356, _e3961.x, _e4968), select(_e4357, _e3961.y, _e4968), select(_e4358, _e3961.z, _e4968)), vec3<f32>(_e4330, _e4331, _e4332), select((_e1042 * select(0f, _e5049, (_e5049 > 0f))), ((((sqrt(select(0f, _e5060, (_e5060 > 0f))) * select(0f, _e5141, (_e5141 > 0f))) + (sqrt(select(0f, _e5152, (_e5152 > 0f))) * select(0f, _e5248, (_e5248 > 0f)))) + (sqrt(select(0f, _e5260, (_e5260 > 0f))) * select(0f, _e5356, (_e5356 > 0f)))) + select(0f, (sqrt(select(0f, _e5368, (_e5368 > 0f))) * select(0f, _e5464, (_e5464 > 0f))), _e3948)), _e5471), select((_e337 / _e4332), (2f * (_e2933 / _e2290)), (((_e1753 && !(_e1737)) && _e2322) && !(_e2929))), select(_e2923.member_3, _e1745.member_1, vec3(_e2303)), _e4361, _e5471, (((_e2307 || _e3325) || _e4345) || _e4968));
+phi_13541_ = type_34(_e5492, vec3<f32>(select(_e4356, _e3961.x, _e4968), select(_e4357, _e3961.y, _e4968), select(_e4358, _e3961.z, _e4968)), vec3<f32>(_e4330, _e4331, _e4332), select((_e1042 * select(0f, _e5049, (_e5049 > 0f))), ((((sqrt(select(0f, _e5060, (_e5060 > 0f))) * select(0f, _e5141, (_e5141 > 0f))) + (sqrt(select(0f, _e5152, (_e5152 > 0f))) * select(0f, _e5248, (_e5248 > 0f)))) + (sqrt(select(0f, _e5260, (_e5260 > 0f))) * select(0f, _e5356, (_e5356 > 0f)))) + select(0f, (sqrt(select(0f, _e5368, (_e5368 > 0f))) * select(0f, _e5464, (_e5464 > 0f))), _e3948)), _e5471), select((_e337 / _e4332), (2f * (_e2933 / _e2290)), (((_e1753 && !(_e1737)) && _e2322) && !(_e2929))), select(_e2923.member_3, _e1745.member_1, vec3(_e2303)), _e4361, _e5471, (((_e2307 || _e3325) || _e4345) || _e4968));
 } else {
 let _e1045 = (_e891 < 1e-12f);
 let _e1047 = (1f / select(_e886, 1f, _e1045));
@@ -2028,7 +2028,7 @@ let _e1119 = select(select(1f, _e1116, (_e1116 < 1f)), 1f, _e1095);
 let _e1121 = select(_e1094, _e1069, (_e1069 < _e1094));
 let _e1125 = select(_e1087, _e1062, (_e1062 > _e1087));
 let _e1128 = (select(_e1119, _e1121, (_e1121 < _e1119)) - select(_e1112, _e1125, (_e1125 > _e1112)));
-phi_13541_ = type_33(_e1044.member, _e1044.member_1, _e1044.member_2, (_e1042 * select(0f, _e1128, (_e1128 > 0f))), _e1044.member_4, _e1044.member_5, _e1044.member_6, _e1044.member_7, _e1044.member_8);
+phi_13541_ = type_34(_e1044.member, _e1044.member_1, _e1044.member_2, (_e1042 * select(0f, _e1128, (_e1128 > 0f))), _e1044.member_4, _e1044.member_5, _e1044.member_6, _e1044.member_7, _e1044.member_8);
 }
 let _e5495 = phi_13541_;
 let _e5504 = select(_e344, 0f, (_e1023 || !(_e5495.member_7)));
@@ -2075,7 +2075,7 @@ let _e5905 = (_e5895 + (3i * _e5851));
 let _e5906 = (_e5897 + _e5855);
 let _e5908 = (_e5897 + (2i * _e5855));
 let _e5910 = (_e5897 + (3i * _e5855));
-local_20 = type_29(array<i32, 4>(_e5892, (_e5892 + 1i), (_e5892 + 2i), (_e5892 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_20 = type_30(array<i32, 4>(_e5892, (_e5892 + 1i), (_e5892 + 2i), (_e5892 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_21 = vec3<f32>((_e5794 - f32(_e5817)), (_e5798 - f32(_e5832)), (_e5802 - f32(_e5847)));
 let _e5921 = (_e5906 + _e5901);
 let _e5924 = local_20.member[0u];
@@ -2406,7 +2406,7 @@ if _e578 {
 let _e7154 = ((0.5f * (_e6445 - _e6439)) * _e6703);
 let _e7155 = ((0.5f * (_e6457 - _e6451)) * _e6703);
 let _e7156 = ((0.5f * (_e6469 - _e6463)) * _e6703);
-phi_18808_ = type_30(_e6665, vec3<f32>(_e7154, _e7155, _e7156), vec3<f32>((_e7154 * _e6665), (_e7155 * _e6665), (_e7156 * _e6665)));
+phi_18808_ = type_31(_e6665, vec3<f32>(_e7154, _e7155, _e7156), vec3<f32>((_e7154 * _e6665), (_e7155 * _e6665), (_e7156 * _e6665)));
 } else {
 local_16 = _e6439;
 let _e6704 = local_16;
@@ -2555,7 +2555,7 @@ let _e7129 = ((_e6650 + (f32(bitcast<i32>((_e7114 >> bitcast<u32>(12u)))) * _e66
 let _e7130 = (_e6845 - _e6774);
 let _e7132 = (_e6987 - _e6916);
 let _e7134 = (_e7129 - _e7058);
-phi_18808_ = type_30(_e6665, vec3<f32>((0.5f * _e7130), (0.5f * _e7132), (0.5f * _e7134)), vec3<f32>((0.25f * (_e7130 * (_e6845 + _e6774))), (0.25f * (_e7132 * (_e6987 + _e6916))), (0.25f * (_e7134 * (_e7129 + _e7058)))));
+phi_18808_ = type_31(_e6665, vec3<f32>((0.5f * _e7130), (0.5f * _e7132), (0.5f * _e7134)), vec3<f32>((0.25f * (_e7130 * (_e6845 + _e6774))), (0.25f * (_e7132 * (_e6987 + _e6916))), (0.25f * (_e7134 * (_e7129 + _e7058)))));
 }
 let _e7164 = phi_18808_;
 let _e7179 = select(0f, 1f, ((((((_e5518 >= -0.5f) && (_e5518 <= _e871)) && (_e5524 >= -0.5f)) && (_e5524 <= _e876)) && (_e5530 >= -0.5f)) && (_e5530 <= _e881)));
@@ -2571,7 +2571,7 @@ let _e7221 = global_1.member.member_6.member_1.member.member_2;
 let _e7227 = global_1.member.member_6.member_2.member.member;
 let _e7233 = global_1.member.member_6.member_2.member.member_1;
 let _e7239 = global_1.member.member_6.member_2.member.member_2;
-phi_19418_ = type_31(_e6433, vec3<f32>(((((_e7191 * _e7181) + (_e7209 * _e7183)) + (_e7227 * _e7185)) * _e7179), ((((_e7197 * _e7181) + (_e7215 * _e7183)) + (_e7233 * _e7185)) * _e7179), ((((_e7203 * _e7181) + (_e7221 * _e7183)) + (_e7239 * _e7185)) * _e7179)), _e7164.member, vec3<f32>(((((_e7191 * _e7164.member_2.x) + (_e7209 * _e7164.member_2.y)) + (_e7227 * _e7164.member_2.z)) * _e7179), ((((_e7197 * _e7164.member_2.x) + (_e7215 * _e7164.member_2.y)) + (_e7233 * _e7164.member_2.z)) * _e7179), ((((_e7203 * _e7164.member_2.x) + (_e7221 * _e7164.member_2.y)) + (_e7239 * _e7164.member_2.z)) * _e7179)), vec3<f32>(((((_e7191 * _e7164.member_1.x) + (_e7209 * _e7164.member_1.y)) + (_e7227 * _e7164.member_1.z)) * _e7179), ((((_e7197 * _e7164.member_1.x) + (_e7215 * _e7164.member_1.y)) + (_e7233 * _e7164.member_1.z)) * _e7179), ((((_e7203 * _e7164.member_1.x) + (_e7221 * _e7164.member_1.y)) + (_e7239 * _e7164.member_1.z)) * _e7179)));
+phi_19418_ = type_32(_e6433, vec3<f32>(((((_e7191 * _e7181) + (_e7209 * _e7183)) + (_e7227 * _e7185)) * _e7179), ((((_e7197 * _e7181) + (_e7215 * _e7183)) + (_e7233 * _e7185)) * _e7179), ((((_e7203 * _e7181) + (_e7221 * _e7183)) + (_e7239 * _e7185)) * _e7179)), _e7164.member, vec3<f32>(((((_e7191 * _e7164.member_2.x) + (_e7209 * _e7164.member_2.y)) + (_e7227 * _e7164.member_2.z)) * _e7179), ((((_e7197 * _e7164.member_2.x) + (_e7215 * _e7164.member_2.y)) + (_e7233 * _e7164.member_2.z)) * _e7179), ((((_e7203 * _e7164.member_2.x) + (_e7221 * _e7164.member_2.y)) + (_e7239 * _e7164.member_2.z)) * _e7179)), vec3<f32>(((((_e7191 * _e7164.member_1.x) + (_e7209 * _e7164.member_1.y)) + (_e7227 * _e7164.member_1.z)) * _e7179), ((((_e7197 * _e7164.member_1.x) + (_e7215 * _e7164.member_1.y)) + (_e7233 * _e7164.member_1.z)) * _e7179), ((((_e7203 * _e7164.member_1.x) + (_e7221 * _e7164.member_1.y)) + (_e7239 * _e7164.member_1.z)) * _e7179)));
 } else {
 let _e5532 = select(-0.5f, _e5518, (_e5518 > -0.5f));
 let _e5534 = select(_e871, _e5532, (_e5532 < _e871));
@@ -2609,7 +2609,7 @@ let _e5641 = (_e5635 + _e5591);
 let _e5643 = (_e5635 + (2i * _e5591));
 let _e5644 = (_e5637 + _e5595);
 let _e5646 = (_e5637 + (2i * _e5595));
-local_4 = type_29(array<i32, 4>(_e5632, (_e5632 + 1i), (_e5632 + 2i), (_e5632 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_30(array<i32, 4>(_e5632, (_e5632 + 1i), (_e5632 + 2i), (_e5632 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e5534 - f32(_e5557)), (_e5538 - f32(_e5572)), (_e5542 - f32(_e5587)));
 let _e5657 = (_e5644 + _e5641);
 let _e5660 = local_4.member[1u];
@@ -2666,7 +2666,7 @@ let _e5782 = global_1.member.member_6.member_5;
 let _e5784 = (((_e5715 + (((_e5740 + (((_e5751 + ((bitcast<f32>(_e5760) - _e5751) * _e5762)) - _e5740) * _e5766)) - _e5715) * _e5771)) - _e5778) * _e5782);
 let _e5785 = -(1e9f);
 let _e5787 = select(_e5785, _e5784, (_e5784 > _e5785));
-phi_19418_ = type_31(select(1e9f, _e5787, (_e5787 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_19418_ = type_32(select(1e9f, _e5787, (_e5787 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7305 = phi_19418_;
 let _e7307 = select(-0.5f, _e487, (_e487 > -0.5f));
@@ -2705,7 +2705,7 @@ let _e7416 = (_e7410 + _e7366);
 let _e7418 = (_e7410 + (2i * _e7366));
 let _e7419 = (_e7412 + _e7370);
 let _e7421 = (_e7412 + (2i * _e7370));
-local_2 = type_29(array<i32, 4>(_e7407, (_e7407 + 1i), (_e7407 + 2i), (_e7407 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_30(array<i32, 4>(_e7407, (_e7407 + 1i), (_e7407 + 2i), (_e7407 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e7309 - f32(_e7332)), (_e7313 - f32(_e7347)), (_e7317 - f32(_e7362)));
 let _e7432 = (_e7419 + _e7416);
 let _e7435 = local_2.member[1u];
@@ -3166,7 +3166,7 @@ let _e8976 = select(select(select(select(select(select(0f, _e8717.member, _e8757
 let _e8977 = select(select(select(select(select(select(0f, _e8717.member_1, _e8757), _e8717.member_1, _e8797), _e8725.member_1, _e8837), _e8725.member_1, _e8877), _e8733.member_1, _e8917), _e8733.member_1, _e8957);
 let _e8978 = select(select(select(select(select(select(1f, _e8717.member_2, _e8757), _e8717.member_2, _e8797), _e8725.member_2, _e8837), _e8725.member_2, _e8877), _e8733.member_2, _e8917), _e8733.member_2, _e8957);
 if _e7566 {
-phi_23599_ = type_32(_e8963, vec3<f32>(_e8964, _e8965, _e8966), _e8968, vec3<f32>(_e8969, _e8970, _e8971), _e8973, _e8975, vec3<f32>(_e8976, _e8977, _e8978));
+phi_23599_ = type_33(_e8963, vec3<f32>(_e8964, _e8965, _e8966), _e8968, vec3<f32>(_e8969, _e8970, _e8971), _e8973, _e8975, vec3<f32>(_e8976, _e8977, _e8978));
 } else {
 let _e8985 = (((_e8717.member * _e8717.member) + (_e8717.member_1 * _e8717.member_1)) + (_e8717.member_2 * _e8717.member_2));
 let _e8988 = sqrt(select(0f, _e8985, (_e8985 > 0f)));
@@ -3246,7 +3246,7 @@ let _e9272 = select(2f, select(0f, _e9264, (_e9245 < 0f)), (_e9246 > 0f));
 let _e9273 = (_e9245 > _e9211);
 let _e9277 = ((_e9268 > _e9203) || ((_e9268 == _e9203) && _e9273));
 let _e9278 = (_e9272 < _e9207);
-phi_23599_ = type_32(select(_e9203, _e9268, _e9277), vec3<f32>(select(select(select(select(_e8964, _e9023.member, _e9049), _e9099.member, _e9125), _e9175.member, _e9201), _e9251.member, _e9277), select(select(select(select(_e8965, _e9023.member_1, _e9049), _e9099.member_1, _e9125), _e9175.member_1, _e9201), _e9251.member_1, _e9277), select(select(select(select(_e8966, _e9023.member_2, _e9049), _e9099.member_2, _e9125), _e9175.member_2, _e9201), _e9251.member_2, _e9277)), select(_e9207, _e9272, _e9278), vec3<f32>(select(select(select(select(_e8969, _e9023.member, _e9050), _e9099.member, _e9126), _e9175.member, _e9202), _e9251.member, _e9278), select(select(select(select(_e8970, _e9023.member_1, _e9050), _e9099.member_1, _e9126), _e9175.member_1, _e9202), _e9251.member_1, _e9278), select(select(select(select(_e8971, _e9023.member_2, _e9050), _e9099.member_2, _e9126), _e9175.member_2, _e9202), _e9251.member_2, _e9278)), select(_e9211, _e9245, _e9273), select(_e9213, _e9246, (_e9246 > _e9213)), vec3<f32>(select(select(select(select(_e8976, _e9023.member, _e9045), _e9099.member, _e9121), _e9175.member, _e9197), _e9251.member, _e9273), select(select(select(select(_e8977, _e9023.member_1, _e9045), _e9099.member_1, _e9121), _e9175.member_1, _e9197), _e9251.member_1, _e9273), select(select(select(select(_e8978, _e9023.member_2, _e9045), _e9099.member_2, _e9121), _e9175.member_2, _e9197), _e9251.member_2, _e9273)));
+phi_23599_ = type_33(select(_e9203, _e9268, _e9277), vec3<f32>(select(select(select(select(_e8964, _e9023.member, _e9049), _e9099.member, _e9125), _e9175.member, _e9201), _e9251.member, _e9277), select(select(select(select(_e8965, _e9023.member_1, _e9049), _e9099.member_1, _e9125), _e9175.member_1, _e9201), _e9251.member_1, _e9277), select(select(select(select(_e8966, _e9023.member_2, _e9049), _e9099.member_2, _e9125), _e9175.member_2, _e9201), _e9251.member_2, _e9277)), select(_e9207, _e9272, _e9278), vec3<f32>(select(select(select(select(_e8969, _e9023.member, _e9050), _e9099.member, _e9126), _e9175.member, _e9202), _e9251.member, _e9278), select(select(select(select(_e8970, _e9023.member_1, _e9050), _e9099.member_1, _e9126), _e9175.member_1, _e9202), _e9251.member_1, _e9278), select(select(select(select(_e8971, _e9023.member_2, _e9050), _e9099.member_2, _e9126), _e9175.member_2, _e9202), _e9251.member_2, _e9278)), select(_e9211, _e9245, _e9273), select(_e9213, _e9246, (_e9246 > _e9213)), vec3<f32>(select(select(select(select(_e8976, _e9023.member, _e9045), _e9099.member, _e9121), _e9175.member, _e9197), _e9251.member, _e9273), select(select(select(select(_e8977, _e9023.member_1, _e9045), _e9099.member_1, _e9121), _e9175.member_1, _e9197), _e9251.member_1, _e9273), select(select(select(select(_e8978, _e9023.member_2, _e9045), _e9099.member_2, _e9121), _e9175.member_2, _e9197), _e9251.member_2, _e9273)));
 }
 let _e9298 = phi_23599_;
 let _e9303 = (_e7769.member_2 * _e5510);

@@ -130,23 +130,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -155,7 +159,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -165,10 +169,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -188,9 +188,9 @@ var<storage> global_7: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_29;
+var local_2: type_30;
 var local_3: vec3<f32>;
-var local_4: type_29;
+var local_4: type_30;
 var local_5: vec3<f32>;
 var local_6: f32;
 var local_7: f32;
@@ -206,41 +206,41 @@ var local_16: f32;
 var local_17: f32;
 var local_18: f32;
 var local_19: f32;
-var local_20: type_29;
+var local_20: type_30;
 var local_21: vec3<f32>;
-var local_22: type_29;
+var local_22: type_30;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_29;
+var local_26: type_30;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_29;
+var local_30: type_30;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_29;
+var local_34: type_30;
 var local_35: vec3<f32>;
 var phi_1077_: bool;
 var phi_1266_: bool;
 var phi_1269_: bool;
-var phi_4256_: type_32;
+var phi_4256_: type_33;
 var phi_4269_: bool;
-var phi_4285_: type_34;
+var phi_4285_: type_27;
 var phi_4297_: bool;
 var phi_5387_: type_26;
-var phi_6925_: type_32;
+var phi_6925_: type_33;
 var phi_8037_: type_26;
-var phi_9575_: type_32;
+var phi_9575_: type_33;
 var phi_10687_: type_26;
-var phi_12225_: type_32;
+var phi_12225_: type_33;
 var phi_14009_: type_26;
-var phi_14290_: type_33;
-var phi_20880_: type_30;
-var phi_21527_: type_31;
+var phi_14290_: type_34;
+var phi_20880_: type_31;
+var phi_21527_: type_32;
 var phi_22397_: type_5;
-var phi_25745_: type_32;
+var phi_25745_: type_33;
 var phi_25902_: vec3<f32>;
 var phi_25903_: bool;
 switch bitcast<i32>(0u) {
@@ -542,7 +542,7 @@ let _e1323 = (_e428 - _e411);
 let _e1324 = (_e417 - _e384);
 let _e1329 = (((_e1322 * _e1322) + (_e1323 * _e1323)) + (_e1324 * _e1324));
 let _e1332 = sqrt(select(0f, _e1329, (_e1329 > 0f)));
-let _e1334 = type_33(type_26(1f, 1f), vec3<f32>(_e423, _e428, _e417), _e337, _e1332, (_e341 / _e280), _e337, true, false, false);
+let _e1334 = type_34(type_26(1f, 1f), vec3<f32>(_e423, _e428, _e417), _e337, _e1332, (_e341 / _e280), _e337, true, false, false);
 if _e585 {
 let _e1435 = global_1.member.member_7.member.member;
 let _e1443 = global_1.member.member_7.member_1.member;
@@ -654,7 +654,7 @@ let _e1695 = select(select(select(select(select(select(0f, _e1435.member_1, _e14
 let _e1696 = select(select(select(select(select(select(1f, _e1435.member_2, _e1475), _e1435.member_2, _e1515), _e1443.member_2, _e1555), _e1443.member_2, _e1595), _e1451.member_2, _e1635), _e1451.member_2, _e1675);
 let _e1700 = ((_e1306 & 16u) == 0u);
 if _e1700 {
-phi_4256_ = type_32(_e1681, vec3<f32>(_e1682, _e1683, _e1684), _e1686, vec3<f32>(_e1687, _e1688, _e1689), _e1691, _e1693, vec3<f32>(_e1694, _e1695, _e1696));
+phi_4256_ = type_33(_e1681, vec3<f32>(_e1682, _e1683, _e1684), _e1686, vec3<f32>(_e1687, _e1688, _e1689), _e1691, _e1693, vec3<f32>(_e1694, _e1695, _e1696));
 } else {
 let _e1705 = (((_e1435.member * _e1435.member) + (_e1435.member_1 * _e1435.member_1)) + (_e1435.member_2 * _e1435.member_2));
 let _e1708 = sqrt(select(0f, _e1705, (_e1705 > 0f)));
@@ -734,7 +734,7 @@ let _e1992 = select(2f, select(0f, _e1984, (_e1965 < 0f)), (_e1966 > 0f));
 let _e1993 = (_e1965 > _e1931);
 let _e1997 = ((_e1988 > _e1923) || ((_e1988 == _e1923) && _e1993));
 let _e1998 = (_e1992 < _e1927);
-phi_4256_ = type_32(select(_e1923, _e1988, _e1997), vec3<f32>(select(select(select(select(_e1682, _e1743.member, _e1769), _e1819.member, _e1845), _e1895.member, _e1921), _e1971.member, _e1997), select(select(select(select(_e1683, _e1743.member_1, _e1769), _e1819.member_1, _e1845), _e1895.member_1, _e1921), _e1971.member_1, _e1997), select(select(select(select(_e1684, _e1743.member_2, _e1769), _e1819.member_2, _e1845), _e1895.member_2, _e1921), _e1971.member_2, _e1997)), select(_e1927, _e1992, _e1998), vec3<f32>(select(select(select(select(_e1687, _e1743.member, _e1770), _e1819.member, _e1846), _e1895.member, _e1922), _e1971.member, _e1998), select(select(select(select(_e1688, _e1743.member_1, _e1770), _e1819.member_1, _e1846), _e1895.member_1, _e1922), _e1971.member_1, _e1998), select(select(select(select(_e1689, _e1743.member_2, _e1770), _e1819.member_2, _e1846), _e1895.member_2, _e1922), _e1971.member_2, _e1998)), select(_e1931, _e1965, _e1993), select(_e1933, _e1966, (_e1966 > _e1933)), vec3<f32>(select(select(select(select(_e1694, _e1743.member, _e1765), _e1819.member, _e1841), _e1895.member, _e1917), _e1971.member, _e1993), select(select(select(select(_e1695, _e1743.member_1, _e1765), _e1819.member_1, _e1841), _e1895.member_1, _e1917), _e1971.member_1, _e1993), select(select(select(select(_e1696, _e1743.member_2, _e1765), _e1819.member_2, _e1841), _e1895.member_2, _e1917), _e1971.member_2, _e1993)));
+phi_4256_ = type_33(select(_e1923, _e1988, _e1997), vec3<f32>(select(select(select(select(_e1682, _e1743.member, _e1769), _e1819.member, _e1845), _e1895.member, _e1921), _e1971.member, _e1997), select(select(select(select(_e1683, _e1743.member_1, _e1769), _e1819.member_1, _e1845), _e1895.member_1, _e1921), _e1971.member_1, _e1997), select(select(select(select(_e1684, _e1743.member_2, _e1769), _e1819.member_2, _e1845), _e1895.member_2, _e1921), _e1971.member_2, _e1997)), select(_e1927, _e1992, _e1998), vec3<f32>(select(select(select(select(_e1687, _e1743.member, _e1770), _e1819.member, _e1846), _e1895.member, _e1922), _e1971.member, _e1998), select(select(select(select(_e1688, _e1743.member_1, _e1770), _e1819.member_1, _e1846), _e1895.member_1, _e1922), _e1971.member_1, _e1998), select(select(select(select(_e1689, _e1743.member_2, _e1770), _e1819.member_2, _e1846), _e1895.member_2, _e1922), _e1971.member_2, _e1998)), select(_e1931, _e1965, _e1993), select(_e1933, _e1966, (_e1966 > _e1933)), vec3<f32>(select(select(select(select(_e1694, _e1743.member, _e1765), _e1819.member, _e1841), _e1895.member, _e1917), _e1971.member, _e1993), select(select(select(select(_e1695, _e1743.member_1, _e1765), _e1819.member_1, _e1841), _e1895.member_1, _e1917), _e1971.member_1, _e1993), select(select(select(select(_e1696, _e1743.member_2, _e1765), _e1819.member_2, _e1841), _e1895.member_2, _e1917), _e1971.member_2, _e1993)));
 }
 let _e2018 = phi_4256_;
 if ((_e2018.member_4 > -(0.015625f)) && (_e2018.member_4 < 0.015625f)) {
@@ -744,9 +744,9 @@ phi_4269_ = (_e2018.member_4 < 0f);
 }
 let _e2027 = phi_4269_;
 if _e2027 {
-phi_4285_ = type_34(_e2018.member_2, _e2018.member_3);
+phi_4285_ = type_27(_e2018.member_2, _e2018.member_3);
 } else {
-phi_4285_ = type_34(_e2018.member, _e2018.member_1);
+phi_4285_ = type_27(_e2018.member, _e2018.member_1);
 }
 let _e2035 = phi_4285_;
 if _e2027 {
@@ -798,7 +798,7 @@ let _e2183 = (select(0i, _e2114, (_e2114 > 0i)) * _e2133);
 let _e2184 = (select(_e2145, _e2148, (_e2148 < _e2145)) * _e2133);
 let _e2185 = (select(0i, _e2129, (_e2129 > 0i)) * _e2137);
 let _e2186 = (select(_e2158, _e2161, (_e2161 < _e2158)) * _e2137);
-local_34 = type_29(array<i32, 4>(select(0i, _e2172, (_e2172 > 0i)), select(0i, _e2099, (_e2099 > 0i)), select(_e2171, _e2177, (_e2177 < _e2171)), select(_e2171, _e2180, (_e2180 < _e2171))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_34 = type_30(array<i32, 4>(select(0i, _e2172, (_e2172 > 0i)), select(0i, _e2099, (_e2099 > 0i)), select(_e2171, _e2177, (_e2177 < _e2171)), select(_e2171, _e2180, (_e2180 < _e2171))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_35 = vec3<f32>((_e2076 - f32(_e2099)), (_e2080 - f32(_e2114)), (_e2084 - f32(_e2129)));
 let _e2197 = (_e2185 + _e2183);
 let _e2200 = local_34.member[1u];
@@ -1070,7 +1070,7 @@ let _e2892 = select(select(select(select(select(select(0f, _e1435.member, _e2673
 let _e2893 = select(select(select(select(select(select(0f, _e1435.member_1, _e2673), _e1435.member_1, _e2713), _e1443.member_1, _e2753), _e1443.member_1, _e2793), _e1451.member_1, _e2833), _e1451.member_1, _e2873);
 let _e2894 = select(select(select(select(select(select(1f, _e1435.member_2, _e2673), _e1435.member_2, _e2713), _e1443.member_2, _e2753), _e1443.member_2, _e2793), _e1451.member_2, _e2833), _e1451.member_2, _e2873);
 if _e1700 {
-phi_6925_ = type_32(_e2879, vec3<f32>(_e2880, _e2881, _e2882), _e2884, vec3<f32>(_e2885, _e2886, _e2887), _e2889, _e2891, vec3<f32>(_e2892, _e2893, _e2894));
+phi_6925_ = type_33(_e2879, vec3<f32>(_e2880, _e2881, _e2882), _e2884, vec3<f32>(_e2885, _e2886, _e2887), _e2889, _e2891, vec3<f32>(_e2892, _e2893, _e2894));
 } else {
 let _e2901 = (((_e1435.member * _e1435.member) + (_e1435.member_1 * _e1435.member_1)) + (_e1435.member_2 * _e1435.member_2));
 let _e2904 = sqrt(select(0f, _e2901, (_e2901 > 0f)));
@@ -1150,7 +1150,7 @@ let _e3188 = select(2f, select(0f, _e3180, (_e3161 < 0f)), (_e3162 > 0f));
 let _e3189 = (_e3161 > _e3127);
 let _e3193 = ((_e3184 > _e3119) || ((_e3184 == _e3119) && _e3189));
 let _e3194 = (_e3188 < _e3123);
-phi_6925_ = type_32(select(_e3119, _e3184, _e3193), vec3<f32>(select(select(select(select(_e2880, _e2939.member, _e2965), _e3015.member, _e3041), _e3091.member, _e3117), _e3167.member, _e3193), select(select(select(select(_e2881, _e2939.member_1, _e2965), _e3015.member_1, _e3041), _e3091.member_1, _e3117), _e3167.member_1, _e3193), select(select(select(select(_e2882, _e2939.member_2, _e2965), _e3015.member_2, _e3041), _e3091.member_2, _e3117), _e3167.member_2, _e3193)), select(_e3123, _e3188, _e3194), vec3<f32>(select(select(select(select(_e2885, _e2939.member, _e2966), _e3015.member, _e3042), _e3091.member, _e3118), _e3167.member, _e3194), select(select(select(select(_e2886, _e2939.member_1, _e2966), _e3015.member_1, _e3042), _e3091.member_1, _e3118), _e3167.member_1, _e3194), select(select(select(select(_e2887, _e2939.member_2, _e2966), _e3015.member_2, _e3042), _e3091.member_2, _e3118), _e3167.member_2, _e3194)), select(_e3127, _e3161, _e3189), select(_e3129, _e3162, (_e3162 > _e3129)), vec3<f32>(select(select(select(select(_e2892, _e2939.member, _e2961), _e3015.member, _e3037), _e3091.member, _e3113), _e3167.member, _e3189), select(select(select(select(_e2893, _e2939.member_1, _e2961), _e3015.member_1, _e3037), _e3091.member_1, _e3113), _e3167.member_1, _e3189), select(select(select(select(_e2894, _e2939.member_2, _e2961), _e3015.member_2, _e3037), _e3091.member_2, _e3113), _e3167.member_2, _e3189)));
+phi_6925_ = type_33(select(_e3119, _e3184, _e3193), vec3<f32>(select(select(select(select(_e2880, _e2939.member, _e2965), _e3015.member, _e3041), _e3091.member, _e3117), _e3167.member, _e3193), select(select(select(select(_e2881, _e2939.member_1, _e2965), _e3015.member_1, _e3041), _e3091.member_1, _e3117), _e3167.member_1, _e3193), select(select(select(select(_e2882, _e2939.member_2, _e2965), _e3015.member_2, _e3041), _e3091.member_2, _e3117), _e3167.member_2, _e3193)), select(_e3123, _e3188, _e3194), vec3<f32>(select(select(select(select(_e2885, _e2939.member, _e2966), _e3015.member, _e3042), _e3091.member, _e3118), _e3167.member, _e3194), select(select(select(select(_e2886, _e2939.member_1, _e2966), _e3015.member_1, _e3042), _e3091.member_1, _e3118), _e3167.member_1, _e3194), select(select(select(select(_e2887, _e2939.member_2, _e2966), _e3015.member_2, _e3042), _e3091.member_2, _e3118), _e3167.member_2, _e3194)), select(_e3127, _e3161, _e3189), select(_e3129, _e3162, (_e3162 > _e3129)), vec3<f32>(select(select(select(select(_e2892, _e2939.member, _e2961), _e3015.member, _e3037), _e3091.member, _e3113), _e3167.member, _e3189), select(select(select(select(_e2893, _e2939.member_1, _e2961), _e3015.member_1, _e3037), _e3091.member_1, _e3113), _e3167.member_1, _e3189), select(select(select(select(_e2894, _e2939.member_2, _e2961), _e3015.member_2, _e3037), _e3091.member_2, _e3113), _e3167.member_2, _e3189)));
 }
 let _e3214 = phi_6925_;
 let _e3220 = (((_e2043 && _e2613) && !(_e2598)) && (_e3214.member_2 <= 1f));
@@ -1193,7 +1193,7 @@ let _e3330 = (select(0i, _e3293, (_e3293 > 0i)) * _e2133);
 let _e3331 = (select(_e2145, _e3311, (_e3311 < _e2145)) * _e2133);
 let _e3332 = (select(0i, _e3308, (_e3308 > 0i)) * _e2137);
 let _e3333 = (select(_e2158, _e3316, (_e3316 < _e2158)) * _e2137);
-local_30 = type_29(array<i32, 4>(select(0i, _e3319, (_e3319 > 0i)), select(0i, _e3278, (_e3278 > 0i)), select(_e2171, _e3324, (_e3324 < _e2171)), select(_e2171, _e3327, (_e3327 < _e2171))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_30 = type_30(array<i32, 4>(select(0i, _e3319, (_e3319 > 0i)), select(0i, _e3278, (_e3278 > 0i)), select(_e2171, _e3324, (_e3324 < _e2171)), select(_e2171, _e3327, (_e3327 < _e2171))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_31 = vec3<f32>((_e3255 - f32(_e3278)), (_e3259 - f32(_e3293)), (_e3263 - f32(_e3308)));
 let _e3344 = (_e3332 + _e3330);
 let _e3347 = local_30.member[1u];
@@ -1413,7 +1413,7 @@ let _e3902 = select(select(select(select(select(select(0f, _e1435.member, _e3683
 let _e3903 = select(select(select(select(select(select(0f, _e1435.member_1, _e3683), _e1435.member_1, _e3723), _e1443.member_1, _e3763), _e1443.member_1, _e3803), _e1451.member_1, _e3843), _e1451.member_1, _e3883);
 let _e3904 = select(select(select(select(select(select(1f, _e1435.member_2, _e3683), _e1435.member_2, _e3723), _e1443.member_2, _e3763), _e1443.member_2, _e3803), _e1451.member_2, _e3843), _e1451.member_2, _e3883);
 if _e1700 {
-phi_9575_ = type_32(_e3889, vec3<f32>(_e3890, _e3891, _e3892), _e3894, vec3<f32>(_e3895, _e3896, _e3897), _e3899, _e3901, vec3<f32>(_e3902, _e3903, _e3904));
+phi_9575_ = type_33(_e3889, vec3<f32>(_e3890, _e3891, _e3892), _e3894, vec3<f32>(_e3895, _e3896, _e3897), _e3899, _e3901, vec3<f32>(_e3902, _e3903, _e3904));
 } else {
 let _e3911 = (((_e1435.member * _e1435.member) + (_e1435.member_1 * _e1435.member_1)) + (_e1435.member_2 * _e1435.member_2));
 let _e3914 = sqrt(select(0f, _e3911, (_e3911 > 0f)));
@@ -1493,7 +1493,7 @@ let _e4198 = select(2f, select(0f, _e4190, (_e4171 < 0f)), (_e4172 > 0f));
 let _e4199 = (_e4171 > _e4137);
 let _e4203 = ((_e4194 > _e4129) || ((_e4194 == _e4129) && _e4199));
 let _e4204 = (_e4198 < _e4133);
-phi_9575_ = type_32(select(_e4129, _e4194, _e4203), vec3<f32>(select(select(select(select(_e3890, _e3949.member, _e3975), _e4025.member, _e4051), _e4101.member, _e4127), _e4177.member, _e4203), select(select(select(select(_e3891, _e3949.member_1, _e3975), _e4025.member_1, _e4051), _e4101.member_1, _e4127), _e4177.member_1, _e4203), select(select(select(select(_e3892, _e3949.member_2, _e3975), _e4025.member_2, _e4051), _e4101.member_2, _e4127), _e4177.member_2, _e4203)), select(_e4133, _e4198, _e4204), vec3<f32>(select(select(select(select(_e3895, _e3949.member, _e3976), _e4025.member, _e4052), _e4101.member, _e4128), _e4177.member, _e4204), select(select(select(select(_e3896, _e3949.member_1, _e3976), _e4025.member_1, _e4052), _e4101.member_1, _e4128), _e4177.member_1, _e4204), select(select(select(select(_e3897, _e3949.member_2, _e3976), _e4025.member_2, _e4052), _e4101.member_2, _e4128), _e4177.member_2, _e4204)), select(_e4137, _e4171, _e4199), select(_e4139, _e4172, (_e4172 > _e4139)), vec3<f32>(select(select(select(select(_e3902, _e3949.member, _e3971), _e4025.member, _e4047), _e4101.member, _e4123), _e4177.member, _e4199), select(select(select(select(_e3903, _e3949.member_1, _e3971), _e4025.member_1, _e4047), _e4101.member_1, _e4123), _e4177.member_1, _e4199), select(select(select(select(_e3904, _e3949.member_2, _e3971), _e4025.member_2, _e4047), _e4101.member_2, _e4123), _e4177.member_2, _e4199)));
+phi_9575_ = type_33(select(_e4129, _e4194, _e4203), vec3<f32>(select(select(select(select(_e3890, _e3949.member, _e3975), _e4025.member, _e4051), _e4101.member, _e4127), _e4177.member, _e4203), select(select(select(select(_e3891, _e3949.member_1, _e3975), _e4025.member_1, _e4051), _e4101.member_1, _e4127), _e4177.member_1, _e4203), select(select(select(select(_e3892, _e3949.member_2, _e3975), _e4025.member_2, _e4051), _e4101.member_2, _e4127), _e4177.member_2, _e4203)), select(_e4133, _e4198, _e4204), vec3<f32>(select(select(select(select(_e3895, _e3949.member, _e3976), _e4025.member, _e4052), _e4101.member, _e4128), _e4177.member, _e4204), select(select(select(select(_e3896, _e3949.member_1, _e3976), _e4025.member_1, _e4052), _e4101.member_1, _e4128), _e4177.member_1, _e4204), select(select(select(select(_e3897, _e3949.member_2, _e3976), _e4025.member_2, _e4052), _e4101.member_2, _e4128), _e4177.member_2, _e4204)), select(_e4137, _e4171, _e4199), select(_e4139, _e4172, (_e4172 > _e4139)), vec3<f32>(select(select(select(select(_e3902, _e3949.member, _e3971), _e4025.member, _e4047), _e4101.member, _e4123), _e4177.member, _e4199), select(select(select(select(_e3903, _e3949.member_1, _e3971), _e4025.member_1, _e4047), _e4101.member_1, _e4123), _e4177.member_1, _e4199), select(select(select(select(_e3904, _e3949.member_2, _e3971), _e4025.member_2, _e4047), _e4101.member_2, _e4123), _e4177.member_2, _e4199)));
 }
 let _e4224 = phi_9575_;
 let _e4230 = (((_e3220 && _e3623) && !(_e3607)) && (_e4224.member_2 <= 1f));
@@ -1535,7 +1535,7 @@ let _e4340 = (select(0i, _e4303, (_e4303 > 0i)) * _e2133);
 let _e4341 = (select(_e2145, _e4321, (_e4321 < _e2145)) * _e2133);
 let _e4342 = (select(0i, _e4318, (_e4318 > 0i)) * _e2137);
 let _e4343 = (select(_e2158, _e4326, (_e4326 < _e2158)) * _e2137);
-local_26 = type_29(array<i32, 4>(select(0i, _e4329, (_e4329 > 0i)), select(0i, _e4288, (_e4288 > 0i)), select(_e2171, _e4334, (_e4334 < _e2171)), select(_e2171, _e4337, (_e4337 < _e2171))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_26 = type_30(array<i32, 4>(select(0i, _e4329, (_e4329 > 0i)), select(0i, _e4288, (_e4288 > 0i)), select(_e2171, _e4334, (_e4334 < _e2171)), select(_e2171, _e4337, (_e4337 < _e2171))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_27 = vec3<f32>((_e4265 - f32(_e4288)), (_e4269 - f32(_e4303)), (_e4273 - f32(_e4318)));
 let _e4354 = (_e4342 + _e4340);
 let _e4357 = local_26.member[1u];
@@ -1755,7 +1755,7 @@ let _e4913 = select(select(select(select(select(select(0f, _e1435.member, _e4694
 let _e4914 = select(select(select(select(select(select(0f, _e1435.member_1, _e4694), _e1435.member_1, _e4734), _e1443.member_1, _e4774), _e1443.member_1, _e4814), _e1451.member_1, _e4854), _e1451.member_1, _e4894);
 let _e4915 = select(select(select(select(select(select(1f, _e1435.member_2, _e4694), _e1435.member_2, _e4734), _e1443.member_2, _e4774), _e1443.member_2, _e4814), _e1451.member_2, _e4854), _e1451.member_2, _e4894);
 if _e1700 {
-phi_12225_ = type_32(_e4900, vec3<f32>(_e4901, _e4902, _e4903), _e4905, vec3<f32>(_e4906, _e4907, _e4908), _e4910, _e4912, vec3<f32>(_e4913, _e4914, _e4915));
+phi_12225_ = type_33(_e4900, vec3<f32>(_e4901, _e4902, _e4903), _e4905, vec3<f32>(_e4906, _e4907, _e4908), _e4910, _e4912, vec3<f32>(_e4913, _e4914, _e4915));
 } else {
 let _e4922 = (((_e1435.member * _e1435.member) + (_e1435.member_1 * _e1435.member_1)) + (_e1435.member_2 * _e1435.member_2));
 let _e4925 = sqrt(select(0f, _e4922, (_e4922 > 0f)));
@@ -1835,7 +1835,7 @@ let _e5209 = select(2f, select(0f, _e5201, (_e5182 < 0f)), (_e5183 > 0f));
 let _e5210 = (_e5182 > _e5148);
 let _e5214 = ((_e5205 > _e5140) || ((_e5205 == _e5140) && _e5210));
 let _e5215 = (_e5209 < _e5144);
-phi_12225_ = type_32(select(_e5140, _e5205, _e5214), vec3<f32>(select(select(select(select(_e4901, _e4960.member, _e4986), _e5036.member, _e5062), _e5112.member, _e5138), _e5188.member, _e5214), select(select(select(select(_e4902, _e4960.member_1, _e4986), _e5036.member_1, _e5062), _e5112.member_1, _e5138), _e5188.member_1, _e5214), select(select(select(select(_e4903, _e4960.member_2, _e4986), _e5036.member_2, _e5062), _e5112.member_2, _e5138), _e5188.member_2, _e5214)), select(_e5144, _e5209, _e5215), vec3<f32>(select(select(select(select(_e4906, _e4960.member, _e4987), _e5036.member, _e5063), _e5112.member, _e5139), _e5188.member, _e5215), select(select(select(select(_e4907, _e4960.member_1, _e4987), _e5036.member_1, _e5063), _e5112.member_1, _e5139), _e5188.member_1, _e5215), select(select(select(select(_e4908, _e4960.member_2, _e4987), _e5036.member_2, _e5063), _e5112.member_2, _e5139), _e5188.member_2, _e5215)), select(_e5148, _e5182, _e5210), select(_e5150, _e5183, (_e5183 > _e5150)), vec3<f32>(select(select(select(select(_e4913, _e4960.member, _e4982), _e5036.member, _e5058), _e5112.member, _e5134), _e5188.member, _e5210), select(select(select(select(_e4914, _e4960.member_1, _e4982), _e5036.member_1, _e5058), _e5112.member_1, _e5134), _e5188.member_1, _e5210), select(select(select(select(_e4915, _e4960.member_2, _e4982), _e5036.member_2, _e5058), _e5112.member_2, _e5134), _e5188.member_2, _e5210)));
+phi_12225_ = type_33(select(_e5140, _e5205, _e5214), vec3<f32>(select(select(select(select(_e4901, _e4960.member, _e4986), _e5036.member, _e5062), _e5112.member, _e5138), _e5188.member, _e5214), select(select(select(select(_e4902, _e4960.member_1, _e4986), _e5036.member_1, _e5062), _e5112.member_1, _e5138), _e5188.member_1, _e5214), select(select(select(select(_e4903, _e4960.member_2, _e4986), _e5036.member_2, _e5062), _e5112.member_2, _e5138), _e5188.member_2, _e5214)), select(_e5144, _e5209, _e5215), vec3<f32>(select(select(select(select(_e4906, _e4960.member, _e4987), _e5036.member, _e5063), _e5112.member, _e5139), _e5188.member, _e5215), select(select(select(select(_e4907, _e4960.member_1, _e4987), _e5036.member_1, _e5063), _e5112.member_1, _e5139), _e5188.member_1, _e5215), select(select(select(select(_e4908, _e4960.member_2, _e4987), _e5036.member_2, _e5063), _e5112.member_2, _e5139), _e5188.member_2, _e5215)), select(_e5148, _e5182, _e5210), select(_e5150, _e5183, (_e5183 > _e5150)), vec3<f32>(select(select(select(select(_e4913, _e4960.member, _e4982), _e5036.member, _e5058), _e5112.member, _e5134), _e5188.member, _e5210), select(select(select(select(_e4914, _e4960.member_1, _e4982), _e5036.member_1, _e5058), _e5112.member_1, _e5134), _e5188.member_1, _e5210), select(select(select(select(_e4915, _e4960.member_2, _e4982), _e5036.member_2, _e5058), _e5112.member_2, _e5134), _e5188.member_2, _e5210)));
 }
 let _e5235 = phi_12225_;
 let _e5241 = (((_e4230 && _e4634) && !(_e4618)) && (_e5235.member_2 <= 1f));
@@ -2057,7 +2057,7 @@ phi_14009_ = _e2527;
 phi_14009_ = _e3541;
 }
 let _e5849 = phi_14009_;
-phi_14290_ = type_33(_e5849, vec3<f32>(select(_e4629, _e4243.x, _e5241), select(_e4630, _e4243.y, _e5241), select(_e4631, _e4243.z, _e5241)), vec3<f32>(_e4603, _e4604, _e4605), select((_e1332 * select(0f, _e5325, (_e5325 > 0f))), ((((sqrt(select(0f, _e5336, (_e5336 > 0f))) * select(0f, _e5435, (_e5435 > 0f))) + (sqrt(select(0f, _e5446, (_e5446 > 0f))) * select(0f, _e5563, (_e5563 > 0f)))) + (sqrt(select(0f, _e5575, (_e5575 > 0f))) * select(0f, _e5692, (_e5692 > 0f)))) + select(0f, (sqrt(select(0f, _e5704, (_e5704 > 0f))) * select(0f, _e5821, (_e5821 > 0f))), _e4230)), _e5828), select((_e341 / _e4605), (2f * (_e3224 / _e2581)), (((_e2043 && !(_e2027)) && _e2613) && !(_e3220))), select(_e3214.member_3, _e2035.member_1, vec3(_e2594)), _e4634, _e5828, (((_e2598 || _e3607) || _e4618) || _e5241));
+phi_14290_ = type_34(_e5849, vec3<f32>(select(_e4629, _e4243.x, _e5241), select(_e4630, _e4243.y, _e5241), select(_e4631, _e4243.z, _e5241)), vec3<f32>(_e4603, _e4604, _e4605), select((_e1332 * select(0f, _e5325, (_e5325 > 0f))), ((((sqrt(select(0f, _e5336, (_e5336 > 0f))) * select(0f, _e5435, (_e5435 > 0f))) + (sqrt(select(0f, _e5446, (_e5446 > 0f))) * select(0f, _e5563, (_e5563 > 0f)))) + (sqrt(select(0f, _e5575, (_e5575 > 0f))) * select(0f, _e5692, (_e5692 > 0f)))) + select(0f, (sqrt(select(0f, _e5704, (_e5704 > 0f))) * select(0f, _e5821, (_e5821 > 0f))), _e4230)), _e5828), select((_e341 / _e4605), (2f * (_e3224 / _e2581)), (((_e2043 && !(_e2027)) && _e2613) && !(_e3220))), select(_e3214.member_3, _e2035.member_1, vec3(_e2594)), _e4634, _e5828, (((_e2598 || _e3607) || _e4618) || _e5241));
 } else {
 let _e1335 = (_e955 < 1e-12f);
 let _e1337 = (1f / select(_e950, 1f, _e1335));
@@ -2092,7 +2092,7 @@ let _e1409 = select(select(1f, _e1406, (_e1406 < 1f)), 1f, _e1385);
 let _e1411 = select(_e1384, _e1359, (_e1359 < _e1384));
 let _e1415 = select(_e1377, _e1352, (_e1352 > _e1377));
 let _e1418 = (select(_e1409, _e1411, (_e1411 < _e1409)) - select(_e1402, _e1415, (_e1415 > _e1402)));
-phi_14290_ = type_33(_e1334.member, _e1334.member_1, _e1334.member_2, (_e1332 * select(0f, _e1418, (_e1418 > 0f))), _e1334.member_4, _e1334.member_5, _e1334.member_6, _e1334.member_7, _e1334.member_8);
+phi_14290_ = type_34(_e1334.member, _e1334.member_1, _e1334.member_2, (_e1332 * select(0f, _e1418, (_e1418 > 0f))), _e1334.member_4, _e1334.member_5, _e1334.member_6, _e1334.member_7, _e1334.member_8);
 }
 let _e5852 = phi_14290_;
 let _e5861 = select(_e348, 0f, (_e1313 || !(_e5852.member_7)));
@@ -2136,7 +2136,7 @@ let _e6276 = (select(0i, _e6207, (_e6207 > 0i)) * _e6226);
 let _e6277 = (select(_e6238, _e6241, (_e6241 < _e6238)) * _e6226);
 let _e6278 = (select(0i, _e6222, (_e6222 > 0i)) * _e6230);
 let _e6279 = (select(_e6251, _e6254, (_e6254 < _e6251)) * _e6230);
-local_22 = type_29(array<i32, 4>(select(0i, _e6265, (_e6265 > 0i)), select(0i, _e6192, (_e6192 > 0i)), select(_e6264, _e6270, (_e6270 < _e6264)), select(_e6264, _e6273, (_e6273 < _e6264))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_22 = type_30(array<i32, 4>(select(0i, _e6265, (_e6265 > 0i)), select(0i, _e6192, (_e6192 > 0i)), select(_e6264, _e6270, (_e6270 < _e6264)), select(_e6264, _e6273, (_e6273 < _e6264))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_23 = vec3<f32>((_e6169 - f32(_e6192)), (_e6173 - f32(_e6207)), (_e6177 - f32(_e6222)));
 let _e6290 = (_e6278 + _e6276);
 let _e6292 = (bitcast<i32>(_e171) - 1i);
@@ -2234,7 +2234,7 @@ let _e6551 = (select(0i, _e6517, (_e6517 > 0i)) * _e6489);
 let _e6552 = (select(0i, _e6481, (_e6481 > 0i)) * _e6489);
 let _e6553 = (select(_e6516, _e6522, (_e6522 < _e6516)) * _e6489);
 let _e6554 = (select(_e6516, _e6525, (_e6525 < _e6516)) * _e6489);
-local_20 = type_29(array<i32, 4>(select(0i, _e6536, (_e6536 > 0i)), select(0i, _e6451, (_e6451 > 0i)), select(_e6535, _e6541, (_e6541 < _e6535)), select(_e6535, _e6544, (_e6544 < _e6535))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_20 = type_30(array<i32, 4>(select(0i, _e6536, (_e6536 > 0i)), select(0i, _e6451, (_e6451 > 0i)), select(_e6535, _e6541, (_e6541 < _e6535)), select(_e6535, _e6544, (_e6544 < _e6535))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_21 = vec3<f32>((_e6428 - f32(_e6451)), (_e6432 - f32(_e6466)), (_e6436 - f32(_e6481)));
 let _e6565 = (_e6552 + _e6548);
 let _e6568 = local_20.member[0u];
@@ -2564,7 +2564,7 @@ if _e582 {
 let _e7799 = ((0.5f * (_e7090 - _e7084)) * _e7348);
 let _e7800 = ((0.5f * (_e7102 - _e7096)) * _e7348);
 let _e7801 = ((0.5f * (_e7114 - _e7108)) * _e7348);
-phi_20880_ = type_30(_e7310, vec3<f32>(_e7799, _e7800, _e7801), vec3<f32>((_e7799 * _e7310), (_e7800 * _e7310), (_e7801 * _e7310)));
+phi_20880_ = type_31(_e7310, vec3<f32>(_e7799, _e7800, _e7801), vec3<f32>((_e7799 * _e7310), (_e7800 * _e7310), (_e7801 * _e7310)));
 } else {
 local_16 = _e7084;
 let _e7349 = local_16;
@@ -2713,7 +2713,7 @@ let _e7774 = ((_e7295 + (f32(bitcast<i32>((_e7759 >> bitcast<u32>(12u)))) * _e73
 let _e7775 = (_e7490 - _e7419);
 let _e7777 = (_e7632 - _e7561);
 let _e7779 = (_e7774 - _e7703);
-phi_20880_ = type_30(_e7310, vec3<f32>((0.5f * _e7775), (0.5f * _e7777), (0.5f * _e7779)), vec3<f32>((0.25f * (_e7775 * (_e7490 + _e7419))), (0.25f * (_e7777 * (_e7632 + _e7561))), (0.25f * (_e7779 * (_e7774 + _e7703)))));
+phi_20880_ = type_31(_e7310, vec3<f32>((0.5f * _e7775), (0.5f * _e7777), (0.5f * _e7779)), vec3<f32>((0.25f * (_e7775 * (_e7490 + _e7419))), (0.25f * (_e7777 * (_e7632 + _e7561))), (0.25f * (_e7779 * (_e7774 + _e7703)))));
 }
 let _e7809 = phi_20880_;
 let _e7824 = select(0f, 1f, ((((((_e5893 >= -0.5f) && (_e5893 <= _e1150)) && (_e5899 >= -0.5f)) && (_e5899 <= _e1160)) && (_e5905 >= -0.5f)) && (_e5905 <= _e1170)));
@@ -2729,7 +2729,7 @@ let _e7866 = global_1.member.member_7.member_1.member.member_2;
 let _e7872 = global_1.member.member_7.member_2.member.member;
 let _e7878 = global_1.member.member_7.member_2.member.member_1;
 let _e7884 = global_1.member.member_7.member_2.member.member_2;
-phi_21527_ = type_31(select(1e9f, _e6422, (_e6422 < 1e9f)), vec3<f32>(((((_e7836 * _e7826) + (_e7854 * _e7828)) + (_e7872 * _e7830)) * _e7824), ((((_e7842 * _e7826) + (_e7860 * _e7828)) + (_e7878 * _e7830)) * _e7824), ((((_e7848 * _e7826) + (_e7866 * _e7828)) + (_e7884 * _e7830)) * _e7824)), _e7809.member, vec3<f32>(((((_e7836 * _e7809.member_2.x) + (_e7854 * _e7809.member_2.y)) + (_e7872 * _e7809.member_2.z)) * _e7824), ((((_e7842 * _e7809.member_2.x) + (_e7860 * _e7809.member_2.y)) + (_e7878 * _e7809.member_2.z)) * _e7824), ((((_e7848 * _e7809.member_2.x) + (_e7866 * _e7809.member_2.y)) + (_e7884 * _e7809.member_2.z)) * _e7824)), vec3<f32>(((((_e7836 * _e7809.member_1.x) + (_e7854 * _e7809.member_1.y)) + (_e7872 * _e7809.member_1.z)) * _e7824), ((((_e7842 * _e7809.member_1.x) + (_e7860 * _e7809.member_1.y)) + (_e7878 * _e7809.member_1.z)) * _e7824), ((((_e7848 * _e7809.member_1.x) + (_e7866 * _e7809.member_1.y)) + (_e7884 * _e7809.member_1.z)) * _e7824)));
+phi_21527_ = type_32(select(1e9f, _e6422, (_e6422 < 1e9f)), vec3<f32>(((((_e7836 * _e7826) + (_e7854 * _e7828)) + (_e7872 * _e7830)) * _e7824), ((((_e7842 * _e7826) + (_e7860 * _e7828)) + (_e7878 * _e7830)) * _e7824), ((((_e7848 * _e7826) + (_e7866 * _e7828)) + (_e7884 * _e7830)) * _e7824)), _e7809.member, vec3<f32>(((((_e7836 * _e7809.member_2.x) + (_e7854 * _e7809.member_2.y)) + (_e7872 * _e7809.member_2.z)) * _e7824), ((((_e7842 * _e7809.member_2.x) + (_e7860 * _e7809.member_2.y)) + (_e7878 * _e7809.member_2.z)) * _e7824), ((((_e7848 * _e7809.member_2.x) + (_e7866 * _e7809.member_2.y)) + (_e7884 * _e7809.member_2.z)) * _e7824)), vec3<f32>(((((_e7836 * _e7809.member_1.x) + (_e7854 * _e7809.member_1.y)) + (_e7872 * _e7809.member_1.z)) * _e7824), ((((_e7842 * _e7809.member_1.x) + (_e7860 * _e7809.member_1.y)) + (_e7878 * _e7809.member_1.z)) * _e7824), ((((_e7848 * _e7809.member_1.x) + (_e7866 * _e7809.member_1.y)) + (_e7884 * _e7809.member_1.z)) * _e7824)));
 } else {
 let _e5907 = select(-0.5f, _e5875, (_e5875 > -0.5f));
 let _e5909 = select(_e935, _e5907, (_e5907 < _e935));
@@ -2763,7 +2763,7 @@ let _e6016 = (select(0i, _e5947, (_e5947 > 0i)) * _e5966);
 let _e6017 = (select(_e5978, _e5981, (_e5981 < _e5978)) * _e5966);
 let _e6018 = (select(0i, _e5962, (_e5962 > 0i)) * _e5970);
 let _e6019 = (select(_e5991, _e5994, (_e5994 < _e5991)) * _e5970);
-local_4 = type_29(array<i32, 4>(select(0i, _e6005, (_e6005 > 0i)), select(0i, _e5932, (_e5932 > 0i)), select(_e6004, _e6010, (_e6010 < _e6004)), select(_e6004, _e6013, (_e6013 < _e6004))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_4 = type_30(array<i32, 4>(select(0i, _e6005, (_e6005 > 0i)), select(0i, _e5932, (_e5932 > 0i)), select(_e6004, _e6010, (_e6010 < _e6004)), select(_e6004, _e6013, (_e6013 < _e6004))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_5 = vec3<f32>((_e5909 - f32(_e5932)), (_e5913 - f32(_e5947)), (_e5917 - f32(_e5962)));
 let _e6030 = (_e6018 + _e6016);
 let _e6033 = local_4.member[1u];
@@ -2821,7 +2821,7 @@ let _e6157 = global_1.member.member_6.member_5;
 let _e6159 = (((_e6090 + (((_e6115 + (((_e6126 + ((bitcast<f32>(_e6135) - _e6126) * _e6137)) - _e6115) * _e6141)) - _e6090) * _e6146)) - _e6153) * _e6157);
 let _e6160 = -(1e9f);
 let _e6162 = select(_e6160, _e6159, (_e6159 > _e6160));
-phi_21527_ = type_31(select(1e9f, _e6162, (_e6162 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21527_ = type_32(select(1e9f, _e6162, (_e6162 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7950 = phi_21527_;
 let _e7952 = select(-0.5f, _e491, (_e491 > -0.5f));
@@ -2856,7 +2856,7 @@ let _e8061 = (select(0i, _e7992, (_e7992 > 0i)) * _e8011);
 let _e8062 = (select(_e8023, _e8026, (_e8026 < _e8023)) * _e8011);
 let _e8063 = (select(0i, _e8007, (_e8007 > 0i)) * _e8015);
 let _e8064 = (select(_e8036, _e8039, (_e8039 < _e8036)) * _e8015);
-local_2 = type_29(array<i32, 4>(select(0i, _e8050, (_e8050 > 0i)), select(0i, _e7977, (_e7977 > 0i)), select(_e8049, _e8055, (_e8055 < _e8049)), select(_e8049, _e8058, (_e8058 < _e8049))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_2 = type_30(array<i32, 4>(select(0i, _e8050, (_e8050 > 0i)), select(0i, _e7977, (_e7977 > 0i)), select(_e8049, _e8055, (_e8055 < _e8049)), select(_e8049, _e8058, (_e8058 < _e8049))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_3 = vec3<f32>((_e7954 - f32(_e7977)), (_e7958 - f32(_e7992)), (_e7962 - f32(_e8007)));
 let _e8075 = (_e8063 + _e8061);
 let _e8078 = local_2.member[1u];
@@ -3318,7 +3318,7 @@ let _e9621 = select(select(select(select(select(select(0f, _e9362.member, _e9402
 let _e9622 = select(select(select(select(select(select(0f, _e9362.member_1, _e9402), _e9362.member_1, _e9442), _e9370.member_1, _e9482), _e9370.member_1, _e9522), _e9378.member_1, _e9562), _e9378.member_1, _e9602);
 let _e9623 = select(select(select(select(select(select(1f, _e9362.member_2, _e9402), _e9362.member_2, _e9442), _e9370.member_2, _e9482), _e9370.member_2, _e9522), _e9378.member_2, _e9562), _e9378.member_2, _e9602);
 if _e8211 {
-phi_25745_ = type_32(_e9608, vec3<f32>(_e9609, _e9610, _e9611), _e9613, vec3<f32>(_e9614, _e9615, _e9616), _e9618, _e9620, vec3<f32>(_e9621, _e9622, _e9623));
+phi_25745_ = type_33(_e9608, vec3<f32>(_e9609, _e9610, _e9611), _e9613, vec3<f32>(_e9614, _e9615, _e9616), _e9618, _e9620, vec3<f32>(_e9621, _e9622, _e9623));
 } else {
 let _e9630 = (((_e9362.member * _e9362.member) + (_e9362.member_1 * _e9362.member_1)) + (_e9362.member_2 * _e9362.member_2));
 let _e9633 = sqrt(select(0f, _e9630, (_e9630 > 0f)));
@@ -3398,7 +3398,7 @@ let _e9917 = select(2f, select(0f, _e9909, (_e9890 < 0f)), (_e9891 > 0f));
 let _e9918 = (_e9890 > _e9856);
 let _e9922 = ((_e9913 > _e9848) || ((_e9913 == _e9848) && _e9918));
 let _e9923 = (_e9917 < _e9852);
-phi_25745_ = type_32(select(_e9848, _e9913, _e9922), vec3<f32>(select(select(select(select(_e9609, _e9668.member, _e9694), _e9744.member, _e9770), _e9820.member, _e9846), _e9896.member, _e9922), select(select(select(select(_e9610, _e9668.member_1, _e9694), _e9744.member_1, _e9770), _e9820.member_1, _e9846), _e9896.member_1, _e9922), select(select(select(select(_e9611, _e9668.member_2, _e9694), _e9744.member_2, _e9770), _e9820.member_2, _e9846), _e9896.member_2, _e9922)), select(_e9852, _e9917, _e9923), vec3<f32>(select(select(select(select(_e9614, _e9668.member, _e9695), _e9744.member, _e9771), _e9820.member, _e9847), _e9896.member, _e9923), select(select(select(select(_e9615, _e9668.member_1, _e9695), _e9744.member_1, _e9771), _e9820.member_1, _e9847), _e9896.member_1, _e9923), select(select(select(select(_e9616, _e9668.member_2, _e9695), _e9744.member_2, _e9771), _e9820.member_2, _e9847), _e9896.member_2, _e9923)), select(_e9856, _e9890, _e9918), select(_e9858, _e9891, (_e9891 > _e9858)), vec3<f32>(select(select(select(select(_e9621, _e9668.member, _e9690), _e9744.member, _e9766), _e9820.member, _e9842), _e9896.member, _e9918), select(select(select(select(_e9622, _e9668.member_1, _e9690), _e9744.member_1, _e9766), _e9820.member_1, _e9842), _e9896.member_1, _e9918), select(select(select(select(_e9623, _e9668.member_2, _e9690), _e9744.member_2, _e9766), _e9820.member_2, _e9842), _e9896.member_2, _e9918)));
+phi_25745_ = type_33(select(_e9848, _e9913, _e9922), vec3<f32>(select(select(select(select(_e9609, _e9668.member, _e9694), _e9744.member, _e9770), _e9820.member, _e9846), _e9896.member, _e9922), select(select(select(select(_e9610, _e9668.member_1, _e9694), _e9744.member_1, _e9770), _e9820.member_1, _e9846), _e9896.member_1, _e9922), select(select(select(select(_e9611, _e9668.member_2, _e9694), _e9744.member_2, _e9770), _e9820.member_2, _e9846), _e9896.member_2, _e9922)), select(_e9852, _e9917, _e9923), vec3<f32>(select(select(select(select(_e9614, _e9668.member, _e9695), _e9744.member, _e9771), _e9820.member, _e9847), _e9896.member, _e9923), select(select(select(select(_e9615, _e9668.member_1, _e9695), _e9744.member_1, _e9771), _e9820.member_1, _e9847), _e9896.member_1, _e9923), select(select(select(select(_e9616, _e9668.member_2, _e9695), _e9744.member_2, _e9771), _e9820.member_2, _e9847), _e9896.member_2, _e9923)), select(_e9856, _e9890, _e9918), select(_e9858, _e9891, (_e9891 > _e9858)), vec3<f32>(select(select(select(select(_e9621, _e9668.member, _e9690), _e9744.member, _e9766), _e9820.member, _e9842), _e9896.member, _e9918), select(select(select(select(_e9622, _e9668.member_1, _e9690), _e9744.member_1, _e9766), _e9820.member_1, _e9842), _e9896.member_1, _e9918), select(select(select(select(_e9623, _e9668.member_2, _e9690), _e9744.member_2, _e9766), _e9820.member_2, _e9842), _e9896.member_2, _e9918)));
 }
 let _e9943 = phi_25745_;
 let _e9948 = (_e8414.member_2 * _e5867);

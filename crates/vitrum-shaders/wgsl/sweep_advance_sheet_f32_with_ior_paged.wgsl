@@ -130,23 +130,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -155,7 +159,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -165,10 +169,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -188,9 +188,9 @@ var<storage> global_7: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_29;
+var local_2: type_30;
 var local_3: vec3<f32>;
-var local_4: type_29;
+var local_4: type_30;
 var local_5: vec3<f32>;
 var local_6: f32;
 var local_7: f32;
@@ -206,41 +206,41 @@ var local_16: f32;
 var local_17: f32;
 var local_18: f32;
 var local_19: f32;
-var local_20: type_29;
+var local_20: type_30;
 var local_21: vec3<f32>;
-var local_22: type_29;
+var local_22: type_30;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_29;
+var local_26: type_30;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_29;
+var local_30: type_30;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_29;
+var local_34: type_30;
 var local_35: vec3<f32>;
 var phi_1079_: bool;
 var phi_1268_: bool;
 var phi_1271_: bool;
-var phi_4258_: type_32;
+var phi_4258_: type_33;
 var phi_4271_: bool;
-var phi_4287_: type_34;
+var phi_4287_: type_27;
 var phi_4299_: bool;
 var phi_5352_: type_26;
-var phi_6890_: type_32;
+var phi_6890_: type_33;
 var phi_7965_: type_26;
-var phi_9503_: type_32;
+var phi_9503_: type_33;
 var phi_10578_: type_26;
-var phi_12116_: type_32;
+var phi_12116_: type_33;
 var phi_13900_: type_26;
-var phi_14181_: type_33;
-var phi_20649_: type_30;
-var phi_21259_: type_31;
+var phi_14181_: type_34;
+var phi_20649_: type_31;
+var phi_21259_: type_32;
 var phi_22092_: type_5;
-var phi_25440_: type_32;
+var phi_25440_: type_33;
 var phi_25597_: vec3<f32>;
 var phi_25598_: bool;
 switch bitcast<i32>(0u) {
@@ -542,7 +542,7 @@ let _e1325 = (_e430 - _e413);
 let _e1326 = (_e419 - _e386);
 let _e1331 = (((_e1324 * _e1324) + (_e1325 * _e1325)) + (_e1326 * _e1326));
 let _e1334 = sqrt(select(0f, _e1331, (_e1331 > 0f)));
-let _e1336 = type_33(type_26(1f, 1f), vec3<f32>(_e425, _e430, _e419), _e339, _e1334, (_e343 / _e282), _e339, true, false, false);
+let _e1336 = type_34(type_26(1f, 1f), vec3<f32>(_e425, _e430, _e419), _e339, _e1334, (_e343 / _e282), _e339, true, false, false);
 if _e587 {
 let _e1437 = global_1.member.member_7.member.member;
 let _e1445 = global_1.member.member_7.member_1.member;
@@ -654,7 +654,7 @@ let _e1697 = select(select(select(select(select(select(0f, _e1437.member_1, _e14
 let _e1698 = select(select(select(select(select(select(1f, _e1437.member_2, _e1477), _e1437.member_2, _e1517), _e1445.member_2, _e1557), _e1445.member_2, _e1597), _e1453.member_2, _e1637), _e1453.member_2, _e1677);
 let _e1702 = ((_e1308 & 16u) == 0u);
 if _e1702 {
-phi_4258_ = type_32(_e1683, vec3<f32>(_e1684, _e1685, _e1686), _e1688, vec3<f32>(_e1689, _e1690, _e1691), _e1693, _e1695, vec3<f32>(_e1696, _e1697, _e1698));
+phi_4258_ = type_33(_e1683, vec3<f32>(_e1684, _e1685, _e1686), _e1688, vec3<f32>(_e1689, _e1690, _e1691), _e1693, _e1695, vec3<f32>(_e1696, _e1697, _e1698));
 } else {
 let _e1707 = (((_e1437.member * _e1437.member) + (_e1437.member_1 * _e1437.member_1)) + (_e1437.member_2 * _e1437.member_2));
 let _e1710 = sqrt(select(0f, _e1707, (_e1707 > 0f)));
@@ -734,7 +734,7 @@ let _e1994 = select(2f, select(0f, _e1986, (_e1967 < 0f)), (_e1968 > 0f));
 let _e1995 = (_e1967 > _e1933);
 let _e1999 = ((_e1990 > _e1925) || ((_e1990 == _e1925) && _e1995));
 let _e2000 = (_e1994 < _e1929);
-phi_4258_ = type_32(select(_e1925, _e1990, _e1999), vec3<f32>(select(select(select(select(_e1684, _e1745.member, _e1771), _e1821.member, _e1847), _e1897.member, _e1923), _e1973.member, _e1999), select(select(select(select(_e1685, _e1745.member_1, _e1771), _e1821.member_1, _e1847), _e1897.member_1, _e1923), _e1973.member_1, _e1999), select(select(select(select(_e1686, _e1745.member_2, _e1771), _e1821.member_2, _e1847), _e1897.member_2, _e1923), _e1973.member_2, _e1999)), select(_e1929, _e1994, _e2000), vec3<f32>(select(select(select(select(_e1689, _e1745.member, _e1772), _e1821.member, _e1848), _e1897.member, _e1924), _e1973.member, _e2000), select(select(select(select(_e1690, _e1745.member_1, _e1772), _e1821.member_1, _e1848), _e1897.member_1, _e1924), _e1973.member_1, _e2000), select(select(select(select(_e1691, _e1745.member_2, _e1772), _e1821.member_2, _e1848), _e1897.member_2, _e1924), _e1973.member_2, _e2000)), select(_e1933, _e1967, _e1995), select(_e1935, _e1968, (_e1968 > _e1935)), vec3<f32>(select(select(select(select(_e1696, _e1745.member, _e1767), _e1821.member, _e1843), _e1897.member, _e1919), _e1973.member, _e1995), select(select(select(select(_e1697, _e1745.member_1, _e1767), _e1821.member_1, _e1843), _e1897.member_1, _e1919), _e1973.member_1, _e1995), select(select(select(select(_e1698, _e1745.member_2, _e1767), _e1821.member_2, _e1843), _e1897.member_2, _e1919), _e1973.member_2, _e1995)));
+phi_4258_ = type_33(select(_e1925, _e1990, _e1999), vec3<f32>(select(select(select(select(_e1684, _e1745.member, _e1771), _e1821.member, _e1847), _e1897.member, _e1923), _e1973.member, _e1999), select(select(select(select(_e1685, _e1745.member_1, _e1771), _e1821.member_1, _e1847), _e1897.member_1, _e1923), _e1973.member_1, _e1999), select(select(select(select(_e1686, _e1745.member_2, _e1771), _e1821.member_2, _e1847), _e1897.member_2, _e1923), _e1973.member_2, _e1999)), select(_e1929, _e1994, _e2000), vec3<f32>(select(select(select(select(_e1689, _e1745.member, _e1772), _e1821.member, _e1848), _e1897.member, _e1924), _e1973.member, _e2000), select(select(select(select(_e1690, _e1745.member_1, _e1772), _e1821.member_1, _e1848), _e1897.member_1, _e1924), _e1973.member_1, _e2000), select(select(select(select(_e1691, _e1745.member_2, _e1772), _e1821.member_2, _e1848), _e1897.member_2, _e1924), _e1973.member_2, _e2000)), select(_e1933, _e1967, _e1995), select(_e1935, _e1968, (_e1968 > _e1935)), vec3<f32>(select(select(select(select(_e1696, _e1745.member, _e1767), _e1821.member, _e1843), _e1897.member, _e1919), _e1973.member, _e1995), select(select(select(select(_e1697, _e1745.member_1, _e1767), _e1821.member_1, _e1843), _e1897.member_1, _e1919), _e1973.member_1, _e1995), select(select(select(select(_e1698, _e1745.member_2, _e1767), _e1821.member_2, _e1843), _e1897.member_2, _e1919), _e1973.member_2, _e1995)));
 }
 let _e2020 = phi_4258_;
 if ((_e2020.member_4 > -(0.015625f)) && (_e2020.member_4 < 0.015625f)) {
@@ -744,9 +744,9 @@ phi_4271_ = (_e2020.member_4 < 0f);
 }
 let _e2029 = phi_4271_;
 if _e2029 {
-phi_4287_ = type_34(_e2020.member_2, _e2020.member_3);
+phi_4287_ = type_27(_e2020.member_2, _e2020.member_3);
 } else {
-phi_4287_ = type_34(_e2020.member, _e2020.member_1);
+phi_4287_ = type_27(_e2020.member, _e2020.member_1);
 }
 let _e2037 = phi_4287_;
 if _e2029 {
@@ -806,7 +806,7 @@ let _e2186 = (_e2178 + _e2185);
 let _e2187 = (_e2180 + _e2139);
 let _e2188 = (2i * _e2139);
 let _e2189 = (_e2180 + _e2188);
-local_34 = type_29(array<i32, 4>(_e2175, (_e2175 + 1i), (_e2175 + 2i), (_e2175 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_34 = type_30(array<i32, 4>(_e2175, (_e2175 + 1i), (_e2175 + 2i), (_e2175 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_35 = vec3<f32>((_e2078 - f32(_e2101)), (_e2082 - f32(_e2116)), (_e2086 - f32(_e2131)));
 let _e2200 = (_e2187 + _e2184);
 let _e2203 = local_34.member[1u];
@@ -1077,7 +1077,7 @@ let _e2893 = select(select(select(select(select(select(0f, _e1437.member, _e2674
 let _e2894 = select(select(select(select(select(select(0f, _e1437.member_1, _e2674), _e1437.member_1, _e2714), _e1445.member_1, _e2754), _e1445.member_1, _e2794), _e1453.member_1, _e2834), _e1453.member_1, _e2874);
 let _e2895 = select(select(select(select(select(select(1f, _e1437.member_2, _e2674), _e1437.member_2, _e2714), _e1445.member_2, _e2754), _e1445.member_2, _e2794), _e1453.member_2, _e2834), _e1453.member_2, _e2874);
 if _e1702 {
-phi_6890_ = type_32(_e2880, vec3<f32>(_e2881, _e2882, _e2883), _e2885, vec3<f32>(_e2886, _e2887, _e2888), _e2890, _e2892, vec3<f32>(_e2893, _e2894, _e2895));
+phi_6890_ = type_33(_e2880, vec3<f32>(_e2881, _e2882, _e2883), _e2885, vec3<f32>(_e2886, _e2887, _e2888), _e2890, _e2892, vec3<f32>(_e2893, _e2894, _e2895));
 } else {
 let _e2902 = (((_e1437.member * _e1437.member) + (_e1437.member_1 * _e1437.member_1)) + (_e1437.member_2 * _e1437.member_2));
 let _e2905 = sqrt(select(0f, _e2902, (_e2902 > 0f)));
@@ -1157,7 +1157,7 @@ let _e3189 = select(2f, select(0f, _e3181, (_e3162 < 0f)), (_e3163 > 0f));
 let _e3190 = (_e3162 > _e3128);
 let _e3194 = ((_e3185 > _e3120) || ((_e3185 == _e3120) && _e3190));
 let _e3195 = (_e3189 < _e3124);
-phi_6890_ = type_32(select(_e3120, _e3185, _e3194), vec3<f32>(select(select(select(select(_e2881, _e2940.member, _e2966), _e3016.member, _e3042), _e3092.member, _e3118), _e3168.member, _e3194), select(select(select(select(_e2882, _e2940.member_1, _e2966), _e3016.member_1, _e3042), _e3092.member_1, _e3118), _e3168.member_1, _e3194), select(select(select(select(_e2883, _e2940.member_2, _e2966), _e3016.member_2, _e3042), _e3092.member_2, _e3118), _e3168.member_2, _e3194)), select(_e3124, _e3189, _e3195), vec3<f32>(select(select(select(select(_e2886, _e2940.member, _e2967), _e3016.member, _e3043), _e3092.member, _e3119), _e3168.member, _e3195), select(select(select(select(_e2887, _e2940.member_1, _e2967), _e3016.member_1, _e3043), _e3092.member_1, _e3119), _e3168.member_1, _e3195), select(select(select(select(_e2888, _e2940.member_2, _e2967), _e3016.member_2, _e3043), _e3092.member_2, _e3119), _e3168.member_2, _e3195)), select(_e3128, _e3162, _e3190), select(_e3130, _e3163, (_e3163 > _e3130)), vec3<f32>(select(select(select(select(_e2893, _e2940.member, _e2962), _e3016.member, _e3038), _e3092.member, _e3114), _e3168.member, _e3190), select(select(select(select(_e2894, _e2940.member_1, _e2962), _e3016.member_1, _e3038), _e3092.member_1, _e3114), _e3168.member_1, _e3190), select(select(select(select(_e2895, _e2940.member_2, _e2962), _e3016.member_2, _e3038), _e3092.member_2, _e3114), _e3168.member_2, _e3190)));
+phi_6890_ = type_33(select(_e3120, _e3185, _e3194), vec3<f32>(select(select(select(select(_e2881, _e2940.member, _e2966), _e3016.member, _e3042), _e3092.member, _e3118), _e3168.member, _e3194), select(select(select(select(_e2882, _e2940.member_1, _e2966), _e3016.member_1, _e3042), _e3092.member_1, _e3118), _e3168.member_1, _e3194), select(select(select(select(_e2883, _e2940.member_2, _e2966), _e3016.member_2, _e3042), _e3092.member_2, _e3118), _e3168.member_2, _e3194)), select(_e3124, _e3189, _e3195), vec3<f32>(select(select(select(select(_e2886, _e2940.member, _e2967), _e3016.member, _e3043), _e3092.member, _e3119), _e3168.member, _e3195), select(select(select(select(_e2887, _e2940.member_1, _e2967), _e3016.member_1, _e3043), _e3092.member_1, _e3119), _e3168.member_1, _e3195), select(select(select(select(_e2888, _e2940.member_2, _e2967), _e3016.member_2, _e3043), _e3092.member_2, _e3119), _e3168.member_2, _e3195)), select(_e3128, _e3162, _e3190), select(_e3130, _e3163, (_e3163 > _e3130)), vec3<f32>(select(select(select(select(_e2893, _e2940.member, _e2962), _e3016.member, _e3038), _e3092.member, _e3114), _e3168.member, _e3190), select(select(select(select(_e2894, _e2940.member_1, _e2962), _e3016.member_1, _e3038), _e3092.member_1, _e3114), _e3168.member_1, _e3190), select(select(select(select(_e2895, _e2940.member_2, _e2962), _e3016.member_2, _e3038), _e3092.member_2, _e3114), _e3168.member_2, _e3190)));
 }
 let _e3215 = phi_6890_;
 let _e3221 = (((_e2045 && _e2614) && !(_e2599)) && (_e3215.member_2 <= 1f));
@@ -1204,7 +1204,7 @@ let _e3340 = (_e3334 + _e2135);
 let _e3341 = (_e3334 + _e2185);
 let _e3342 = (_e3336 + _e2139);
 let _e3343 = (_e3336 + _e2188);
-local_30 = type_29(array<i32, 4>(_e3331, (_e3331 + 1i), (_e3331 + 2i), (_e3331 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_30 = type_30(array<i32, 4>(_e3331, (_e3331 + 1i), (_e3331 + 2i), (_e3331 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_31 = vec3<f32>((_e3256 - f32(_e3279)), (_e3260 - f32(_e3294)), (_e3264 - f32(_e3309)));
 let _e3354 = (_e3342 + _e3340);
 let _e3357 = local_30.member[1u];
@@ -1424,7 +1424,7 @@ let _e3912 = select(select(select(select(select(select(0f, _e1437.member, _e3693
 let _e3913 = select(select(select(select(select(select(0f, _e1437.member_1, _e3693), _e1437.member_1, _e3733), _e1445.member_1, _e3773), _e1445.member_1, _e3813), _e1453.member_1, _e3853), _e1453.member_1, _e3893);
 let _e3914 = select(select(select(select(select(select(1f, _e1437.member_2, _e3693), _e1437.member_2, _e3733), _e1445.member_2, _e3773), _e1445.member_2, _e3813), _e1453.member_2, _e3853), _e1453.member_2, _e3893);
 if _e1702 {
-phi_9503_ = type_32(_e3899, vec3<f32>(_e3900, _e3901, _e3902), _e3904, vec3<f32>(_e3905, _e3906, _e3907), _e3909, _e3911, vec3<f32>(_e3912, _e3913, _e3914));
+phi_9503_ = type_33(_e3899, vec3<f32>(_e3900, _e3901, _e3902), _e3904, vec3<f32>(_e3905, _e3906, _e3907), _e3909, _e3911, vec3<f32>(_e3912, _e3913, _e3914));
 } else {
 let _e3921 = (((_e1437.member * _e1437.member) + (_e1437.member_1 * _e1437.member_1)) + (_e1437.member_2 * _e1437.member_2));
 let _e3924 = sqrt(select(0f, _e3921, (_e3921 > 0f)));
@@ -1504,7 +1504,7 @@ let _e4208 = select(2f, select(0f, _e4200, (_e4181 < 0f)), (_e4182 > 0f));
 let _e4209 = (_e4181 > _e4147);
 let _e4213 = ((_e4204 > _e4139) || ((_e4204 == _e4139) && _e4209));
 let _e4214 = (_e4208 < _e4143);
-phi_9503_ = type_32(select(_e4139, _e4204, _e4213), vec3<f32>(select(select(select(select(_e3900, _e3959.member, _e3985), _e4035.member, _e4061), _e4111.member, _e4137), _e4187.member, _e4213), select(select(select(select(_e3901, _e3959.member_1, _e3985), _e4035.member_1, _e4061), _e4111.member_1, _e4137), _e4187.member_1, _e4213), select(select(select(select(_e3902, _e3959.member_2, _e3985), _e4035.member_2, _e4061), _e4111.member_2, _e4137), _e4187.member_2, _e4213)), select(_e4143, _e4208, _e4214), vec3<f32>(select(select(select(select(_e3905, _e3959.member, _e3986), _e4035.member, _e4062), _e4111.member, _e4138), _e4187.member, _e4214), select(select(select(select(_e3906, _e3959.member_1, _e3986), _e4035.member_1, _e4062), _e4111.member_1, _e4138), _e4187.member_1, _e4214), select(select(select(select(_e3907, _e3959.member_2, _e3986), _e4035.member_2, _e4062), _e4111.member_2, _e4138), _e4187.member_2, _e4214)), select(_e4147, _e4181, _e4209), select(_e4149, _e4182, (_e4182 > _e4149)), vec3<f32>(select(select(select(select(_e3912, _e3959.member, _e3981), _e4035.member, _e4057), _e4111.member, _e4133), _e4187.member, _e4209), select(select(select(select(_e3913, _e3959.member_1, _e3981), _e4035.member_1, _e4057), _e4111.member_1, _e4133), _e4187.member_1, _e4209), select(select(select(select(_e3914, _e3959.member_2, _e3981), _e4035.member_2, _e4057), _e4111.member_2, _e4133), _e4187.member_2, _e4209)));
+phi_9503_ = type_33(select(_e4139, _e4204, _e4213), vec3<f32>(select(select(select(select(_e3900, _e3959.member, _e3985), _e4035.member, _e4061), _e4111.member, _e4137), _e4187.member, _e4213), select(select(select(select(_e3901, _e3959.member_1, _e3985), _e4035.member_1, _e4061), _e4111.member_1, _e4137), _e4187.member_1, _e4213), select(select(select(select(_e3902, _e3959.member_2, _e3985), _e4035.member_2, _e4061), _e4111.member_2, _e4137), _e4187.member_2, _e4213)), select(_e4143, _e4208, _e4214), vec3<f32>(select(select(select(select(_e3905, _e3959.member, _e3986), _e4035.member, _e4062), _e4111.member, _e4138), _e4187.member, _e4214), select(select(select(select(_e3906, _e3959.member_1, _e3986), _e4035.member_1, _e4062), _e4111.member_1, _e4138), _e4187.member_1, _e4214), select(select(select(select(_e3907, _e3959.member_2, _e3986), _e4035.member_2, _e4062), _e4111.member_2, _e4138), _e4187.member_2, _e4214)), select(_e4147, _e4181, _e4209), select(_e4149, _e4182, (_e4182 > _e4149)), vec3<f32>(select(select(select(select(_e3912, _e3959.member, _e3981), _e4035.member, _e4057), _e4111.member, _e4133), _e4187.member, _e4209), select(select(select(select(_e3913, _e3959.member_1, _e3981), _e4035.member_1, _e4057), _e4111.member_1, _e4133), _e4187.member_1, _e4209), select(select(select(select(_e3914, _e3959.member_2, _e3981), _e4035.member_2, _e4057), _e4111.member_2, _e4133), _e4187.member_2, _e4209)));
 }
 let _e4234 = phi_9503_;
 let _e4240 = (((_e3221 && _e3633) && !(_e3617)) && (_e4234.member_2 <= 1f));
@@ -1550,7 +1550,7 @@ let _e4359 = (_e4353 + _e2135);
 let _e4360 = (_e4353 + _e2185);
 let _e4361 = (_e4355 + _e2139);
 let _e4362 = (_e4355 + _e2188);
-local_26 = type_29(array<i32, 4>(_e4350, (_e4350 + 1i), (_e4350 + 2i), (_e4350 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_30(array<i32, 4>(_e4350, (_e4350 + 1i), (_e4350 + 2i), (_e4350 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e4275 - f32(_e4298)), (_e4279 - f32(_e4313)), (_e4283 - f32(_e4328)));
 let _e4373 = (_e4361 + _e4359);
 let _e4376 = local_26.member[1u];
@@ -1770,7 +1770,7 @@ let _e4932 = select(select(select(select(select(select(0f, _e1437.member, _e4713
 let _e4933 = select(select(select(select(select(select(0f, _e1437.member_1, _e4713), _e1437.member_1, _e4753), _e1445.member_1, _e4793), _e1445.member_1, _e4833), _e1453.member_1, _e4873), _e1453.member_1, _e4913);
 let _e4934 = select(select(select(select(select(select(1f, _e1437.member_2, _e4713), _e1437.member_2, _e4753), _e1445.member_2, _e4793), _e1445.member_2, _e4833), _e1453.member_2, _e4873), _e1453.member_2, _e4913);
 if _e1702 {
-phi_12116_ = type_32(_e4919, vec3<f32>(_e4920, _e4921, _e4922), _e4924, vec3<f32>(_e4925, _e4926, _e4927), _e4929, _e4931, vec3<f32>(_e4932, _e4933, _e4934));
+phi_12116_ = type_33(_e4919, vec3<f32>(_e4920, _e4921, _e4922), _e4924, vec3<f32>(_e4925, _e4926, _e4927), _e4929, _e4931, vec3<f32>(_e4932, _e4933, _e4934));
 } else {
 let _e4941 = (((_e1437.member * _e1437.member) + (_e1437.member_1 * _e1437.member_1)) + (_e1437.member_2 * _e1437.member_2));
 let _e4944 = sqrt(select(0f, _e4941, (_e4941 > 0f)));
@@ -1850,7 +1850,7 @@ let _e5228 = select(2f, select(0f, _e5220, (_e5201 < 0f)), (_e5202 > 0f));
 let _e5229 = (_e5201 > _e5167);
 let _e5233 = ((_e5224 > _e5159) || ((_e5224 == _e5159) && _e5229));
 let _e5234 = (_e5228 < _e5163);
-phi_12116_ = type_32(select(_e5159, _e5224, _e5233), vec3<f32>(select(select(select(select(_e4920, _e4979.member, _e5005), _e5055.member, _e5081), _e5131.member, _e5157), _e5207.member, _e5233), select(select(select(select(_e4921, _e4979.member_1, _e5005), _e5055.member_1, _e5081), _e5131.member_1, _e5157), _e5207.member_1, _e5233), select(select(select(select(_e4922, _e4979.member_2, _e5005), _e5055.member_2, _e5081), _e5131.member_2, _e5157), _e5207.member_2, _e5233)), select(_e5163, _e5228, _e5234), vec3<f32>(select(select(select(select(_e4925, _e4979.member, _e5006), _e5055.member, _e5082), _e5131.member, _e5158), _e5207.member, _e5234), select(select(select(select(_e4926, _e4979.member_1, _e5006), _e5055.member_1, _e5082), _e5131.member_1, _e5158), _e5207.member_1, _e5234), select(select(select(select(_e4927, _e4979.member_2, _e5006), _e5055.member_2, _e5082), _e5131.member_2, _e5158), _e5207.member_2, _e5234)), select(_e5167, _e5201, _e5229), select(_e5169, _e5202, (_e5202 > _e5169)), vec3<f32>(select(select(select(select(_e4932, _e4979.member, _e5001), _e5055.member, _e5077), _e5131.member, _e5153), _e5207.member, _e5229), select(select(select(select(_e4933, _e4979.member_1, _e5001), _e5055.member_1, _e5077), _e5131.member_1, _e5153), _e5207.member_1, _e5229), select(select(select(select(_e4934, _e4979.member_2, _e5001), _e5055.member_2, _e5077), _e5131.member_2, _e5153), _e5207.member_2, _e5229)));
+phi_12116_ = type_33(select(_e5159, _e5224, _e5233), vec3<f32>(select(select(select(select(_e4920, _e4979.member, _e5005), _e5055.member, _e5081), _e5131.member, _e5157), _e5207.member, _e5233), select(select(select(select(_e4921, _e4979.member_1, _e5005), _e5055.member_1, _e5081), _e5131.member_1, _e5157), _e5207.member_1, _e5233), select(select(select(select(_e4922, _e4979.member_2, _e5005), _e5055.member_2, _e5081), _e5131.member_2, _e5157), _e5207.member_2, _e5233)), select(_e5163, _e5228, _e5234), vec3<f32>(select(select(select(select(_e4925, _e4979.member, _e5006), _e5055.member, _e5082), _e5131.member, _e5158), _e5207.member, _e5234), select(select(select(select(_e4926, _e4979.member_1, _e5006), _e5055.member_1, _e5082), _e5131.member_1, _e5158), _e5207.member_1, _e5234), select(select(select(select(_e4927, _e4979.member_2, _e5006), _e5055.member_2, _e5082), _e5131.member_2, _e5158), _e5207.member_2, _e5234)), select(_e5167, _e5201, _e5229), select(_e5169, _e5202, (_e5202 > _e5169)), vec3<f32>(select(select(select(select(_e4932, _e4979.member, _e5001), _e5055.member, _e5077), _e5131.member, _e5153), _e5207.member, _e5229), select(select(select(select(_e4933, _e4979.member_1, _e5001), _e5055.member_1, _e5077), _e5131.member_1, _e5153), _e5207.member_1, _e5229), select(select(select(select(_e4934, _e4979.member_2, _e5001), _e5055.member_2, _e5077), _e5131.member_2, _e5153), _e5207.member_2, _e5229)));
 }
 let _e5254 = phi_12116_;
 let _e5260 = (((_e4240 && _e4653) && !(_e4637)) && (_e5254.member_2 <= 1f));
@@ -2072,7 +2072,7 @@ phi_13900_ = _e2528;
 phi_13900_ = _e3551;
 }
 let _e5868 = phi_13900_;
-phi_14181_ = type_33(_e5868, vec3<f32>(select(_e4648, _e4253.x, _e5260), select(_e4649, _e4253.y, _e5260), select(_e4650, _e4253.z, _e5260)), vec3<f32>(_e4622, _e4623, _e4624), select((_e1334 * select(0f, _e5344, (_e5344 > 0f))), ((((sqrt(select(0f, _e5355, (_e5355 > 0f))) * select(0f, _e5454, (_e5454 > 0f))) + (sqrt(select(0f, _e5465, (_e5465 > 0f))) * select(0f, _e5582, (_e5582 > 0f)))) + (sqrt(select(0f, _e5594, (_e5594 > 0f))) * select(0f, _e5711, (_e5711 > 0f)))) + select(0f, (sqrt(select(0f, _e5723, (_e5723 > 0f))) * select(0f, _e5840, (_e5840 > 0f))), _e4240)), _e5847), select((_e343 / _e4624), (2f * (_e3225 / _e2582)), (((_e2045 && !(_e2029)) && _e2614) && !(_e3221))), select(_e3215.member_3, _e2037.member_1, vec3(_e2595)), _e4653, _e5847, (((_e2599 || _e3617) || _e4637) || _e5260));
+phi_14181_ = type_34(_e5868, vec3<f32>(select(_e4648, _e4253.x, _e5260), select(_e4649, _e4253.y, _e5260), select(_e4650, _e4253.z, _e5260)), vec3<f32>(_e4622, _e4623, _e4624), select((_e1334 * select(0f, _e5344, (_e5344 > 0f))), ((((sqrt(select(0f, _e5355, (_e5355 > 0f))) * select(0f, _e5454, (_e5454 > 0f))) + (sqrt(select(0f, _e5465, (_e5465 > 0f))) * select(0f, _e5582, (_e5582 > 0f)))) + (sqrt(select(0f, _e5594, (_e5594 > 0f))) * select(0f, _e5711, (_e5711 > 0f)))) + select(0f, (sqrt(select(0f, _e5723, (_e5723 > 0f))) * select(0f, _e5840, (_e5840 > 0f))), _e4240)), _e5847), select((_e343 / _e4624), (2f * (_e3225 / _e2582)), (((_e2045 && !(_e2029)) && _e2614) && !(_e3221))), select(_e3215.member_3, _e2037.member_1, vec3(_e2595)), _e4653, _e5847, (((_e2599 || _e3617) || _e4637) || _e5260));
 } else {
 let _e1337 = (_e957 < 1e-12f);
 let _e1339 = (1f / select(_e952, 1f, _e1337));
@@ -2107,7 +2107,7 @@ let _e1411 = select(select(1f, _e1408, (_e1408 < 1f)), 1f, _e1387);
 let _e1413 = select(_e1386, _e1361, (_e1361 < _e1386));
 let _e1417 = select(_e1379, _e1354, (_e1354 > _e1379));
 let _e1420 = (select(_e1411, _e1413, (_e1413 < _e1411)) - select(_e1404, _e1417, (_e1417 > _e1404)));
-phi_14181_ = type_33(_e1336.member, _e1336.member_1, _e1336.member_2, (_e1334 * select(0f, _e1420, (_e1420 > 0f))), _e1336.member_4, _e1336.member_5, _e1336.member_6, _e1336.member_7, _e1336.member_8);
+phi_14181_ = type_34(_e1336.member, _e1336.member_1, _e1336.member_2, (_e1334 * select(0f, _e1420, (_e1420 > 0f))), _e1336.member_4, _e1336.member_5, _e1336.member_6, _e1336.member_7, _e1336.member_8);
 }
 let _e5871 = phi_14181_;
 let _e5880 = select(_e350, 0f, (_e1315 || !(_e5871.member_7)));
@@ -2155,7 +2155,7 @@ let _e6295 = (_e6289 + _e6245);
 let _e6297 = (_e6289 + (2i * _e6245));
 let _e6298 = (_e6291 + _e6249);
 let _e6300 = (_e6291 + (2i * _e6249));
-local_22 = type_29(array<i32, 4>(_e6286, (_e6286 + 1i), (_e6286 + 2i), (_e6286 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_30(array<i32, 4>(_e6286, (_e6286 + 1i), (_e6286 + 2i), (_e6286 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e6188 - f32(_e6211)), (_e6192 - f32(_e6226)), (_e6196 - f32(_e6241)));
 let _e6311 = (_e6298 + _e6295);
 let _e6314 = local_22.member[1u];
@@ -2250,7 +2250,7 @@ let _e6558 = (_e6548 + (3i * _e6504));
 let _e6559 = (_e6550 + _e6508);
 let _e6561 = (_e6550 + (2i * _e6508));
 let _e6563 = (_e6550 + (3i * _e6508));
-local_20 = type_29(array<i32, 4>(_e6545, (_e6545 + 1i), (_e6545 + 2i), (_e6545 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_20 = type_30(array<i32, 4>(_e6545, (_e6545 + 1i), (_e6545 + 2i), (_e6545 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_21 = vec3<f32>((_e6447 - f32(_e6470)), (_e6451 - f32(_e6485)), (_e6455 - f32(_e6500)));
 let _e6574 = (_e6559 + _e6554);
 let _e6577 = local_20.member[0u];
@@ -2579,7 +2579,7 @@ if _e584 {
 let _e7806 = ((0.5f * (_e7097 - _e7091)) * _e7355);
 let _e7807 = ((0.5f * (_e7109 - _e7103)) * _e7355);
 let _e7808 = ((0.5f * (_e7121 - _e7115)) * _e7355);
-phi_20649_ = type_30(_e7317, vec3<f32>(_e7806, _e7807, _e7808), vec3<f32>((_e7806 * _e7317), (_e7807 * _e7317), (_e7808 * _e7317)));
+phi_20649_ = type_31(_e7317, vec3<f32>(_e7806, _e7807, _e7808), vec3<f32>((_e7806 * _e7317), (_e7807 * _e7317), (_e7808 * _e7317)));
 } else {
 local_16 = _e7091;
 let _e7356 = local_16;
@@ -2728,7 +2728,7 @@ let _e7781 = ((_e7302 + (f32(bitcast<i32>((_e7766 >> bitcast<u32>(12u)))) * _e73
 let _e7782 = (_e7497 - _e7426);
 let _e7784 = (_e7639 - _e7568);
 let _e7786 = (_e7781 - _e7710);
-phi_20649_ = type_30(_e7317, vec3<f32>((0.5f * _e7782), (0.5f * _e7784), (0.5f * _e7786)), vec3<f32>((0.25f * (_e7782 * (_e7497 + _e7426))), (0.25f * (_e7784 * (_e7639 + _e7568))), (0.25f * (_e7786 * (_e7781 + _e7710)))));
+phi_20649_ = type_31(_e7317, vec3<f32>((0.5f * _e7782), (0.5f * _e7784), (0.5f * _e7786)), vec3<f32>((0.25f * (_e7782 * (_e7497 + _e7426))), (0.25f * (_e7784 * (_e7639 + _e7568))), (0.25f * (_e7786 * (_e7781 + _e7710)))));
 }
 let _e7816 = phi_20649_;
 let _e7831 = select(0f, 1f, ((((((_e5912 >= -0.5f) && (_e5912 <= _e1152)) && (_e5918 >= -0.5f)) && (_e5918 <= _e1162)) && (_e5924 >= -0.5f)) && (_e5924 <= _e1172)));
@@ -2744,7 +2744,7 @@ let _e7873 = global_1.member.member_7.member_1.member.member_2;
 let _e7879 = global_1.member.member_7.member_2.member.member;
 let _e7885 = global_1.member.member_7.member_2.member.member_1;
 let _e7891 = global_1.member.member_7.member_2.member.member_2;
-phi_21259_ = type_31(select(1e9f, _e6441, (_e6441 < 1e9f)), vec3<f32>(((((_e7843 * _e7833) + (_e7861 * _e7835)) + (_e7879 * _e7837)) * _e7831), ((((_e7849 * _e7833) + (_e7867 * _e7835)) + (_e7885 * _e7837)) * _e7831), ((((_e7855 * _e7833) + (_e7873 * _e7835)) + (_e7891 * _e7837)) * _e7831)), _e7816.member, vec3<f32>(((((_e7843 * _e7816.member_2.x) + (_e7861 * _e7816.member_2.y)) + (_e7879 * _e7816.member_2.z)) * _e7831), ((((_e7849 * _e7816.member_2.x) + (_e7867 * _e7816.member_2.y)) + (_e7885 * _e7816.member_2.z)) * _e7831), ((((_e7855 * _e7816.member_2.x) + (_e7873 * _e7816.member_2.y)) + (_e7891 * _e7816.member_2.z)) * _e7831)), vec3<f32>(((((_e7843 * _e7816.member_1.x) + (_e7861 * _e7816.member_1.y)) + (_e7879 * _e7816.member_1.z)) * _e7831), ((((_e7849 * _e7816.member_1.x) + (_e7867 * _e7816.member_1.y)) + (_e7885 * _e7816.member_1.z)) * _e7831), ((((_e7855 * _e7816.member_1.x) + (_e7873 * _e7816.member_1.y)) + (_e7891 * _e7816.member_1.z)) * _e7831)));
+phi_21259_ = type_32(select(1e9f, _e6441, (_e6441 < 1e9f)), vec3<f32>(((((_e7843 * _e7833) + (_e7861 * _e7835)) + (_e7879 * _e7837)) * _e7831), ((((_e7849 * _e7833) + (_e7867 * _e7835)) + (_e7885 * _e7837)) * _e7831), ((((_e7855 * _e7833) + (_e7873 * _e7835)) + (_e7891 * _e7837)) * _e7831)), _e7816.member, vec3<f32>(((((_e7843 * _e7816.member_2.x) + (_e7861 * _e7816.member_2.y)) + (_e7879 * _e7816.member_2.z)) * _e7831), ((((_e7849 * _e7816.member_2.x) + (_e7867 * _e7816.member_2.y)) + (_e7885 * _e7816.member_2.z)) * _e7831), ((((_e7855 * _e7816.member_2.x) + (_e7873 * _e7816.member_2.y)) + (_e7891 * _e7816.member_2.z)) * _e7831)), vec3<f32>(((((_e7843 * _e7816.member_1.x) + (_e7861 * _e7816.member_1.y)) + (_e7879 * _e7816.member_1.z)) * _e7831), ((((_e7849 * _e7816.member_1.x) + (_e7867 * _e7816.member_1.y)) + (_e7885 * _e7816.member_1.z)) * _e7831), ((((_e7855 * _e7816.member_1.x) + (_e7873 * _e7816.member_1.y)) + (_e7891 * _e7816.member_1.z)) * _e7831)));
 } else {
 let _e5926 = select(-0.5f, _e5894, (_e5894 > -0.5f));
 let _e5928 = select(_e937, _e5926, (_e5926 < _e937));
@@ -2782,7 +2782,7 @@ let _e6035 = (_e6029 + _e5985);
 let _e6037 = (_e6029 + (2i * _e5985));
 let _e6038 = (_e6031 + _e5989);
 let _e6040 = (_e6031 + (2i * _e5989));
-local_4 = type_29(array<i32, 4>(_e6026, (_e6026 + 1i), (_e6026 + 2i), (_e6026 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_30(array<i32, 4>(_e6026, (_e6026 + 1i), (_e6026 + 2i), (_e6026 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e5928 - f32(_e5951)), (_e5932 - f32(_e5966)), (_e5936 - f32(_e5981)));
 let _e6051 = (_e6038 + _e6035);
 let _e6054 = local_4.member[1u];
@@ -2839,7 +2839,7 @@ let _e6176 = global_1.member.member_6.member_5;
 let _e6178 = (((_e6109 + (((_e6134 + (((_e6145 + ((bitcast<f32>(_e6154) - _e6145) * _e6156)) - _e6134) * _e6160)) - _e6109) * _e6165)) - _e6172) * _e6176);
 let _e6179 = -(1e9f);
 let _e6181 = select(_e6179, _e6178, (_e6178 > _e6179));
-phi_21259_ = type_31(select(1e9f, _e6181, (_e6181 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21259_ = type_32(select(1e9f, _e6181, (_e6181 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7957 = phi_21259_;
 let _e7959 = select(-0.5f, _e493, (_e493 > -0.5f));
@@ -2878,7 +2878,7 @@ let _e8068 = (_e8062 + _e8018);
 let _e8070 = (_e8062 + (2i * _e8018));
 let _e8071 = (_e8064 + _e8022);
 let _e8073 = (_e8064 + (2i * _e8022));
-local_2 = type_29(array<i32, 4>(_e8059, (_e8059 + 1i), (_e8059 + 2i), (_e8059 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_30(array<i32, 4>(_e8059, (_e8059 + 1i), (_e8059 + 2i), (_e8059 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e7961 - f32(_e7984)), (_e7965 - f32(_e7999)), (_e7969 - f32(_e8014)));
 let _e8084 = (_e8071 + _e8068);
 let _e8087 = local_2.member[1u];
@@ -3339,7 +3339,7 @@ let _e9628 = select(select(select(select(select(select(0f, _e9369.member, _e9409
 let _e9629 = select(select(select(select(select(select(0f, _e9369.member_1, _e9409), _e9369.member_1, _e9449), _e9377.member_1, _e9489), _e9377.member_1, _e9529), _e9385.member_1, _e9569), _e9385.member_1, _e9609);
 let _e9630 = select(select(select(select(select(select(1f, _e9369.member_2, _e9409), _e9369.member_2, _e9449), _e9377.member_2, _e9489), _e9377.member_2, _e9529), _e9385.member_2, _e9569), _e9385.member_2, _e9609);
 if _e8218 {
-phi_25440_ = type_32(_e9615, vec3<f32>(_e9616, _e9617, _e9618), _e9620, vec3<f32>(_e9621, _e9622, _e9623), _e9625, _e9627, vec3<f32>(_e9628, _e9629, _e9630));
+phi_25440_ = type_33(_e9615, vec3<f32>(_e9616, _e9617, _e9618), _e9620, vec3<f32>(_e9621, _e9622, _e9623), _e9625, _e9627, vec3<f32>(_e9628, _e9629, _e9630));
 } else {
 let _e9637 = (((_e9369.member * _e9369.member) + (_e9369.member_1 * _e9369.member_1)) + (_e9369.member_2 * _e9369.member_2));
 let _e9640 = sqrt(select(0f, _e9637, (_e9637 > 0f)));
@@ -3419,7 +3419,7 @@ let _e9924 = select(2f, select(0f, _e9916, (_e9897 < 0f)), (_e9898 > 0f));
 let _e9925 = (_e9897 > _e9863);
 let _e9929 = ((_e9920 > _e9855) || ((_e9920 == _e9855) && _e9925));
 let _e9930 = (_e9924 < _e9859);
-phi_25440_ = type_32(select(_e9855, _e9920, _e9929), vec3<f32>(select(select(select(select(_e9616, _e9675.member, _e9701), _e9751.member, _e9777), _e9827.member, _e9853), _e9903.member, _e9929), select(select(select(select(_e9617, _e9675.member_1, _e9701), _e9751.member_1, _e9777), _e9827.member_1, _e9853), _e9903.member_1, _e9929), select(select(select(select(_e9618, _e9675.member_2, _e9701), _e9751.member_2, _e9777), _e9827.member_2, _e9853), _e9903.member_2, _e9929)), select(_e9859, _e9924, _e9930), vec3<f32>(select(select(select(select(_e9621, _e9675.member, _e9702), _e9751.member, _e9778), _e9827.member, _e9854), _e9903.member, _e9930), select(select(select(select(_e9622, _e9675.member_1, _e9702), _e9751.member_1, _e9778), _e9827.member_1, _e9854), _e9903.member_1, _e9930), select(select(select(select(_e9623, _e9675.member_2, _e9702), _e9751.member_2, _e9778), _e9827.member_2, _e9854), _e9903.member_2, _e9930)), select(_e9863, _e9897, _e9925), select(_e9865, _e9898, (_e9898 > _e9865)), vec3<f32>(select(select(select(select(_e9628, _e9675.member, _e9697), _e9751.member, _e9773), _e9827.member, _e9849), _e9903.member, _e9925), select(select(select(select(_e9629, _e9675.member_1, _e9697), _e9751.member_1, _e9773), _e9827.member_1, _e9849), _e9903.member_1, _e9925), select(select(select(select(_e9630, _e9675.member_2, _e9697), _e9751.member_2, _e9773), _e9827.member_2, _e9849), _e9903.member_2, _e9925)));
+phi_25440_ = type_33(select(_e9855, _e9920, _e9929), vec3<f32>(select(select(select(select(_e9616, _e9675.member, _e9701), _e9751.member, _e9777), _e9827.member, _e9853), _e9903.member, _e9929), select(select(select(select(_e9617, _e9675.member_1, _e9701), _e9751.member_1, _e9777), _e9827.member_1, _e9853), _e9903.member_1, _e9929), select(select(select(select(_e9618, _e9675.member_2, _e9701), _e9751.member_2, _e9777), _e9827.member_2, _e9853), _e9903.member_2, _e9929)), select(_e9859, _e9924, _e9930), vec3<f32>(select(select(select(select(_e9621, _e9675.member, _e9702), _e9751.member, _e9778), _e9827.member, _e9854), _e9903.member, _e9930), select(select(select(select(_e9622, _e9675.member_1, _e9702), _e9751.member_1, _e9778), _e9827.member_1, _e9854), _e9903.member_1, _e9930), select(select(select(select(_e9623, _e9675.member_2, _e9702), _e9751.member_2, _e9778), _e9827.member_2, _e9854), _e9903.member_2, _e9930)), select(_e9863, _e9897, _e9925), select(_e9865, _e9898, (_e9898 > _e9865)), vec3<f32>(select(select(select(select(_e9628, _e9675.member, _e9697), _e9751.member, _e9773), _e9827.member, _e9849), _e9903.member, _e9925), select(select(select(select(_e9629, _e9675.member_1, _e9697), _e9751.member_1, _e9773), _e9827.member_1, _e9849), _e9903.member_1, _e9925), select(select(select(select(_e9630, _e9675.member_2, _e9697), _e9751.member_2, _e9773), _e9827.member_2, _e9849), _e9903.member_2, _e9925)));
 }
 let _e9950 = phi_25440_;
 let _e9955 = (_e8421.member_2 * _e5886);

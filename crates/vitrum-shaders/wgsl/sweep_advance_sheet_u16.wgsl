@@ -130,23 +130,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -155,7 +159,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -165,10 +169,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -186,9 +186,9 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_29;
+var local_2: type_30;
 var local_3: vec3<f32>;
-var local_4: type_29;
+var local_4: type_30;
 var local_5: vec3<f32>;
 var local_6: f32;
 var local_7: f32;
@@ -204,39 +204,39 @@ var local_16: f32;
 var local_17: f32;
 var local_18: f32;
 var local_19: f32;
-var local_20: type_29;
+var local_20: type_30;
 var local_21: vec3<f32>;
 var local_22: f32;
 var local_23: f32;
-var local_24: type_29;
+var local_24: type_30;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_29;
+var local_28: type_30;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_29;
+var local_32: type_30;
 var local_33: vec3<f32>;
 var phi_1076_: bool;
 var phi_1265_: bool;
 var phi_1268_: bool;
-var phi_3617_: type_32;
+var phi_3617_: type_33;
 var phi_3630_: bool;
-var phi_3646_: type_34;
+var phi_3646_: type_27;
 var phi_3658_: bool;
 var phi_4880_: type_26;
-var phi_6418_: type_32;
+var phi_6418_: type_33;
 var phi_7662_: type_26;
-var phi_9200_: type_32;
+var phi_9200_: type_33;
 var phi_10444_: type_26;
-var phi_11982_: type_32;
+var phi_11982_: type_33;
 var phi_13766_: type_26;
-var phi_14047_: type_33;
-var phi_19783_: type_30;
-var phi_20562_: type_31;
+var phi_14047_: type_34;
+var phi_19783_: type_31;
+var phi_20562_: type_32;
 var phi_21564_: type_5;
-var phi_24912_: type_32;
+var phi_24912_: type_33;
 var phi_25069_: vec3<f32>;
 var phi_25070_: bool;
 switch bitcast<i32>(0u) {
@@ -475,7 +475,7 @@ let _e1031 = (_e422 - _e405);
 let _e1032 = (_e411 - _e378);
 let _e1037 = (((_e1030 * _e1030) + (_e1031 * _e1031)) + (_e1032 * _e1032));
 let _e1040 = sqrt(select(0f, _e1037, (_e1037 > 0f)));
-let _e1042 = type_33(type_26(1f, 1f), vec3<f32>(_e417, _e422, _e411), _e331, _e1040, (_e335 / _e274), _e331, true, false, false);
+let _e1042 = type_34(type_26(1f, 1f), vec3<f32>(_e417, _e422, _e411), _e331, _e1040, (_e335 / _e274), _e331, true, false, false);
 if _e579 {
 let _e1143 = global_1.member.member_6.member.member;
 let _e1151 = global_1.member.member_6.member_1.member;
@@ -587,7 +587,7 @@ let _e1403 = select(select(select(select(select(select(0f, _e1143.member_1, _e11
 let _e1404 = select(select(select(select(select(select(1f, _e1143.member_2, _e1183), _e1143.member_2, _e1223), _e1151.member_2, _e1263), _e1151.member_2, _e1303), _e1159.member_2, _e1343), _e1159.member_2, _e1383);
 let _e1408 = ((_e1014 & 16u) == 0u);
 if _e1408 {
-phi_3617_ = type_32(_e1389, vec3<f32>(_e1390, _e1391, _e1392), _e1394, vec3<f32>(_e1395, _e1396, _e1397), _e1399, _e1401, vec3<f32>(_e1402, _e1403, _e1404));
+phi_3617_ = type_33(_e1389, vec3<f32>(_e1390, _e1391, _e1392), _e1394, vec3<f32>(_e1395, _e1396, _e1397), _e1399, _e1401, vec3<f32>(_e1402, _e1403, _e1404));
 } else {
 let _e1413 = (((_e1143.member * _e1143.member) + (_e1143.member_1 * _e1143.member_1)) + (_e1143.member_2 * _e1143.member_2));
 let _e1416 = sqrt(select(0f, _e1413, (_e1413 > 0f)));
@@ -667,7 +667,7 @@ let _e1700 = select(2f, select(0f, _e1692, (_e1673 < 0f)), (_e1674 > 0f));
 let _e1701 = (_e1673 > _e1639);
 let _e1705 = ((_e1696 > _e1631) || ((_e1696 == _e1631) && _e1701));
 let _e1706 = (_e1700 < _e1635);
-phi_3617_ = type_32(select(_e1631, _e1696, _e1705), vec3<f32>(select(select(select(select(_e1390, _e1451.member, _e1477), _e1527.member, _e1553), _e1603.member, _e1629), _e1679.member, _e1705), select(select(select(select(_e1391, _e1451.member_1, _e1477), _e1527.member_1, _e1553), _e1603.member_1, _e1629), _e1679.member_1, _e1705), select(select(select(select(_e1392, _e1451.member_2, _e1477), _e1527.member_2, _e1553), _e1603.member_2, _e1629), _e1679.member_2, _e1705)), select(_e1635, _e1700, _e1706), vec3<f32>(select(select(select(select(_e1395, _e1451.member, _e1478), _e1527.member, _e1554), _e1603.member, _e1630), _e1679.member, _e1706), select(select(select(select(_e1396, _e1451.member_1, _e1478), _e1527.member_1, _e1554), _e1603.member_1, _e1630), _e1679.member_1, _e1706), select(select(select(select(_e1397, _e1451.member_2, _e1478), _e1527.member_2, _e1554), _e1603.member_2, _e1630), _e1679.member_2, _e1706)), select(_e1639, _e1673, _e1701), select(_e1641, _e1674, (_e1674 > _e1641)), vec3<f32>(select(select(select(select(_e1402, _e1451.member, _e1473), _e1527.member, _e1549), _e1603.member, _e1625), _e1679.member, _e1701), select(select(select(select(_e1403, _e1451.member_1, _e1473), _e1527.member_1, _e1549), _e1603.member_1, _e1625), _e1679.member_1, _e1701), select(select(select(select(_e1404, _e1451.member_2, _e1473), _e1527.member_2, _e1549), _e1603.member_2, _e1625), _e1679.member_2, _e1701)));
+phi_3617_ = type_33(select(_e1631, _e1696, _e1705), vec3<f32>(select(select(select(select(_e1390, _e1451.member, _e1477), _e1527.member, _e1553), _e1603.member, _e1629), _e1679.member, _e1705), select(select(select(select(_e1391, _e1451.member_1, _e1477), _e1527.member_1, _e1553), _e1603.member_1, _e1629), _e1679.member_1, _e1705), select(select(select(select(_e1392, _e1451.member_2, _e1477), _e1527.member_2, _e1553), _e1603.member_2, _e1629), _e1679.member_2, _e1705)), select(_e1635, _e1700, _e1706), vec3<f32>(select(select(select(select(_e1395, _e1451.member, _e1478), _e1527.member, _e1554), _e1603.member, _e1630), _e1679.member, _e1706), select(select(select(select(_e1396, _e1451.member_1, _e1478), _e1527.member_1, _e1554), _e1603.member_1, _e1630), _e1679.member_1, _e1706), select(select(select(select(_e1397, _e1451.member_2, _e1478), _e1527.member_2, _e1554), _e1603.member_2, _e1630), _e1679.member_2, _e1706)), select(_e1639, _e1673, _e1701), select(_e1641, _e1674, (_e1674 > _e1641)), vec3<f32>(select(select(select(select(_e1402, _e1451.member, _e1473), _e1527.member, _e1549), _e1603.member, _e1625), _e1679.member, _e1701), select(select(select(select(_e1403, _e1451.member_1, _e1473), _e1527.member_1, _e1549), _e1603.member_1, _e1625), _e1679.member_1, _e1701), select(select(select(select(_e1404, _e1451.member_2, _e1473), _e1527.member_2, _e1549), _e1603.member_2, _e1625), _e1679.member_2, _e1701)));
 }
 let _e1726 = phi_3617_;
 if ((_e1726.member_4 > -(0.015625f)) && (_e1726.member_4 < 0.015625f)) {
@@ -677,9 +677,9 @@ phi_3630_ = (_e1726.member_4 < 0f);
 }
 let _e1735 = phi_3630_;
 if _e1735 {
-phi_3646_ = type_34(_e1726.member_2, _e1726.member_3);
+phi_3646_ = type_27(_e1726.member_2, _e1726.member_3);
 } else {
-phi_3646_ = type_34(_e1726.member, _e1726.member_1);
+phi_3646_ = type_27(_e1726.member, _e1726.member_1);
 }
 let _e1743 = phi_3646_;
 if _e1735 {
@@ -740,7 +740,7 @@ let _e1918 = (select(0i, _e1822, (_e1822 > 0i)) * _e1841);
 let _e1919 = (select(_e1853, _e1856, (_e1856 < _e1853)) * _e1841);
 let _e1920 = (select(0i, _e1837, (_e1837 > 0i)) * _e1845);
 let _e1921 = (select(_e1866, _e1869, (_e1869 < _e1866)) * _e1845);
-local_32 = type_29(array<i32, 4>(_e1895, _e1897, _e1899, 0i), array<u32, 6>(bitcast<u32>(((_e1882 - _e1895) * 16i)), bitcast<u32>(((_e1884 - _e1895) * 16i)), bitcast<u32>(((_e1884 - _e1897) * 16i)), bitcast<u32>(((_e1887 - _e1897) * 16i)), bitcast<u32>(((_e1887 - _e1899) * 16i)), bitcast<u32>(((select(_e1879, _e1888, (_e1888 < _e1879)) - _e1899) * 16i))));
+local_32 = type_30(array<i32, 4>(_e1895, _e1897, _e1899, 0i), array<u32, 6>(bitcast<u32>(((_e1882 - _e1895) * 16i)), bitcast<u32>(((_e1884 - _e1895) * 16i)), bitcast<u32>(((_e1884 - _e1897) * 16i)), bitcast<u32>(((_e1887 - _e1897) * 16i)), bitcast<u32>(((_e1887 - _e1899) * 16i)), bitcast<u32>(((select(_e1879, _e1888, (_e1888 < _e1879)) - _e1899) * 16i))));
 local_33 = vec3<f32>((_e1784 - f32(_e1807)), (_e1788 - f32(_e1822)), (_e1792 - f32(_e1837)));
 let _e1936 = local_32.member[1u];
 let _e1937 = ((_e1920 + _e1918) + _e1936);
@@ -1024,7 +1024,7 @@ let _e2734 = select(select(select(select(select(select(0f, _e1143.member, _e2515
 let _e2735 = select(select(select(select(select(select(0f, _e1143.member_1, _e2515), _e1143.member_1, _e2555), _e1151.member_1, _e2595), _e1151.member_1, _e2635), _e1159.member_1, _e2675), _e1159.member_1, _e2715);
 let _e2736 = select(select(select(select(select(select(1f, _e1143.member_2, _e2515), _e1143.member_2, _e2555), _e1151.member_2, _e2595), _e1151.member_2, _e2635), _e1159.member_2, _e2675), _e1159.member_2, _e2715);
 if _e1408 {
-phi_6418_ = type_32(_e2721, vec3<f32>(_e2722, _e2723, _e2724), _e2726, vec3<f32>(_e2727, _e2728, _e2729), _e2731, _e2733, vec3<f32>(_e2734, _e2735, _e2736));
+phi_6418_ = type_33(_e2721, vec3<f32>(_e2722, _e2723, _e2724), _e2726, vec3<f32>(_e2727, _e2728, _e2729), _e2731, _e2733, vec3<f32>(_e2734, _e2735, _e2736));
 } else {
 let _e2743 = (((_e1143.member * _e1143.member) + (_e1143.member_1 * _e1143.member_1)) + (_e1143.member_2 * _e1143.member_2));
 let _e2746 = sqrt(select(0f, _e2743, (_e2743 > 0f)));
@@ -1104,7 +1104,7 @@ let _e3030 = select(2f, select(0f, _e3022, (_e3003 < 0f)), (_e3004 > 0f));
 let _e3031 = (_e3003 > _e2969);
 let _e3035 = ((_e3026 > _e2961) || ((_e3026 == _e2961) && _e3031));
 let _e3036 = (_e3030 < _e2965);
-phi_6418_ = type_32(select(_e2961, _e3026, _e3035), vec3<f32>(select(select(select(select(_e2722, _e2781.member, _e2807), _e2857.member, _e2883), _e2933.member, _e2959), _e3009.member, _e3035), select(select(select(select(_e2723, _e2781.member_1, _e2807), _e2857.member_1, _e2883), _e2933.member_1, _e2959), _e3009.member_1, _e3035), select(select(select(select(_e2724, _e2781.member_2, _e2807), _e2857.member_2, _e2883), _e2933.member_2, _e2959), _e3009.member_2, _e3035)), select(_e2965, _e3030, _e3036), vec3<f32>(select(select(select(select(_e2727, _e2781.member, _e2808), _e2857.member, _e2884), _e2933.member, _e2960), _e3009.member, _e3036), select(select(select(select(_e2728, _e2781.member_1, _e2808), _e2857.member_1, _e2884), _e2933.member_1, _e2960), _e3009.member_1, _e3036), select(select(select(select(_e2729, _e2781.member_2, _e2808), _e2857.member_2, _e2884), _e2933.member_2, _e2960), _e3009.member_2, _e3036)), select(_e2969, _e3003, _e3031), select(_e2971, _e3004, (_e3004 > _e2971)), vec3<f32>(select(select(select(select(_e2734, _e2781.member, _e2803), _e2857.member, _e2879), _e2933.member, _e2955), _e3009.member, _e3031), select(select(select(select(_e2735, _e2781.member_1, _e2803), _e2857.member_1, _e2879), _e2933.member_1, _e2955), _e3009.member_1, _e3031), select(select(select(select(_e2736, _e2781.member_2, _e2803), _e2857.member_2, _e2879), _e2933.member_2, _e2955), _e3009.member_2, _e3031)));
+phi_6418_ = type_33(select(_e2961, _e3026, _e3035), vec3<f32>(select(select(select(select(_e2722, _e2781.member, _e2807), _e2857.member, _e2883), _e2933.member, _e2959), _e3009.member, _e3035), select(select(select(select(_e2723, _e2781.member_1, _e2807), _e2857.member_1, _e2883), _e2933.member_1, _e2959), _e3009.member_1, _e3035), select(select(select(select(_e2724, _e2781.member_2, _e2807), _e2857.member_2, _e2883), _e2933.member_2, _e2959), _e3009.member_2, _e3035)), select(_e2965, _e3030, _e3036), vec3<f32>(select(select(select(select(_e2727, _e2781.member, _e2808), _e2857.member, _e2884), _e2933.member, _e2960), _e3009.member, _e3036), select(select(select(select(_e2728, _e2781.member_1, _e2808), _e2857.member_1, _e2884), _e2933.member_1, _e2960), _e3009.member_1, _e3036), select(select(select(select(_e2729, _e2781.member_2, _e2808), _e2857.member_2, _e2884), _e2933.member_2, _e2960), _e3009.member_2, _e3036)), select(_e2969, _e3003, _e3031), select(_e2971, _e3004, (_e3004 > _e2971)), vec3<f32>(select(select(select(select(_e2734, _e2781.member, _e2803), _e2857.member, _e2879), _e2933.member, _e2955), _e3009.member, _e3031), select(select(select(select(_e2735, _e2781.member_1, _e2803), _e2857.member_1, _e2879), _e2933.member_1, _e2955), _e3009.member_1, _e3031), select(select(select(select(_e2736, _e2781.member_2, _e2803), _e2857.member_2, _e2879), _e2933.member_2, _e2955), _e3009.member_2, _e3031)));
 }
 let _e3056 = phi_6418_;
 let _e3062 = (((_e1751 && _e2455) && !(_e2440)) && (_e3056.member_2 <= 1f));
@@ -1153,7 +1153,7 @@ let _e3196 = (select(0i, _e3135, (_e3135 > 0i)) * _e1841);
 let _e3197 = (select(_e1853, _e3153, (_e3153 < _e1853)) * _e1841);
 let _e3198 = (select(0i, _e3150, (_e3150 > 0i)) * _e1845);
 let _e3199 = (select(_e1866, _e3158, (_e3158 < _e1866)) * _e1845);
-local_28 = type_29(array<i32, 4>(_e3173, _e3175, _e3177, 0i), array<u32, 6>(bitcast<u32>(((_e3163 - _e3173) * 16i)), bitcast<u32>(((_e3165 - _e3173) * 16i)), bitcast<u32>(((_e3165 - _e3175) * 16i)), bitcast<u32>(((_e3168 - _e3175) * 16i)), bitcast<u32>(((_e3168 - _e3177) * 16i)), bitcast<u32>(((select(_e1879, _e3169, (_e3169 < _e1879)) - _e3177) * 16i))));
+local_28 = type_30(array<i32, 4>(_e3173, _e3175, _e3177, 0i), array<u32, 6>(bitcast<u32>(((_e3163 - _e3173) * 16i)), bitcast<u32>(((_e3165 - _e3173) * 16i)), bitcast<u32>(((_e3165 - _e3175) * 16i)), bitcast<u32>(((_e3168 - _e3175) * 16i)), bitcast<u32>(((_e3168 - _e3177) * 16i)), bitcast<u32>(((select(_e1879, _e3169, (_e3169 < _e1879)) - _e3177) * 16i))));
 local_29 = vec3<f32>((_e3097 - f32(_e3120)), (_e3101 - f32(_e3135)), (_e3105 - f32(_e3150)));
 let _e3214 = local_28.member[1u];
 let _e3215 = ((_e3198 + _e3196) + _e3214);
@@ -1385,7 +1385,7 @@ let _e3875 = select(select(select(select(select(select(0f, _e1143.member, _e3656
 let _e3876 = select(select(select(select(select(select(0f, _e1143.member_1, _e3656), _e1143.member_1, _e3696), _e1151.member_1, _e3736), _e1151.member_1, _e3776), _e1159.member_1, _e3816), _e1159.member_1, _e3856);
 let _e3877 = select(select(select(select(select(select(1f, _e1143.member_2, _e3656), _e1143.member_2, _e3696), _e1151.member_2, _e3736), _e1151.member_2, _e3776), _e1159.member_2, _e3816), _e1159.member_2, _e3856);
 if _e1408 {
-phi_9200_ = type_32(_e3862, vec3<f32>(_e3863, _e3864, _e3865), _e3867, vec3<f32>(_e3868, _e3869, _e3870), _e3872, _e3874, vec3<f32>(_e3875, _e3876, _e3877));
+phi_9200_ = type_33(_e3862, vec3<f32>(_e3863, _e3864, _e3865), _e3867, vec3<f32>(_e3868, _e3869, _e3870), _e3872, _e3874, vec3<f32>(_e3875, _e3876, _e3877));
 } else {
 let _e3884 = (((_e1143.member * _e1143.member) + (_e1143.member_1 * _e1143.member_1)) + (_e1143.member_2 * _e1143.member_2));
 let _e3887 = sqrt(select(0f, _e3884, (_e3884 > 0f)));
@@ -1465,7 +1465,7 @@ let _e4171 = select(2f, select(0f, _e4163, (_e4144 < 0f)), (_e4145 > 0f));
 let _e4172 = (_e4144 > _e4110);
 let _e4176 = ((_e4167 > _e4102) || ((_e4167 == _e4102) && _e4172));
 let _e4177 = (_e4171 < _e4106);
-phi_9200_ = type_32(select(_e4102, _e4167, _e4176), vec3<f32>(select(select(select(select(_e3863, _e3922.member, _e3948), _e3998.member, _e4024), _e4074.member, _e4100), _e4150.member, _e4176), select(select(select(select(_e3864, _e3922.member_1, _e3948), _e3998.member_1, _e4024), _e4074.member_1, _e4100), _e4150.member_1, _e4176), select(select(select(select(_e3865, _e3922.member_2, _e3948), _e3998.member_2, _e4024), _e4074.member_2, _e4100), _e4150.member_2, _e4176)), select(_e4106, _e4171, _e4177), vec3<f32>(select(select(select(select(_e3868, _e3922.member, _e3949), _e3998.member, _e4025), _e4074.member, _e4101), _e4150.member, _e4177), select(select(select(select(_e3869, _e3922.member_1, _e3949), _e3998.member_1, _e4025), _e4074.member_1, _e4101), _e4150.member_1, _e4177), select(select(select(select(_e3870, _e3922.member_2, _e3949), _e3998.member_2, _e4025), _e4074.member_2, _e4101), _e4150.member_2, _e4177)), select(_e4110, _e4144, _e4172), select(_e4112, _e4145, (_e4145 > _e4112)), vec3<f32>(select(select(select(select(_e3875, _e3922.member, _e3944), _e3998.member, _e4020), _e4074.member, _e4096), _e4150.member, _e4172), select(select(select(select(_e3876, _e3922.member_1, _e3944), _e3998.member_1, _e4020), _e4074.member_1, _e4096), _e4150.member_1, _e4172), select(select(select(select(_e3877, _e3922.member_2, _e3944), _e3998.member_2, _e4020), _e4074.member_2, _e4096), _e4150.member_2, _e4172)));
+phi_9200_ = type_33(select(_e4102, _e4167, _e4176), vec3<f32>(select(select(select(select(_e3863, _e3922.member, _e3948), _e3998.member, _e4024), _e4074.member, _e4100), _e4150.member, _e4176), select(select(select(select(_e3864, _e3922.member_1, _e3948), _e3998.member_1, _e4024), _e4074.member_1, _e4100), _e4150.member_1, _e4176), select(select(select(select(_e3865, _e3922.member_2, _e3948), _e3998.member_2, _e4024), _e4074.member_2, _e4100), _e4150.member_2, _e4176)), select(_e4106, _e4171, _e4177), vec3<f32>(select(select(select(select(_e3868, _e3922.member, _e3949), _e3998.member, _e4025), _e4074.member, _e4101), _e4150.member, _e4177), select(select(select(select(_e3869, _e3922.member_1, _e3949), _e3998.member_1, _e4025), _e4074.member_1, _e4101), _e4150.member_1, _e4177), select(select(select(select(_e3870, _e3922.member_2, _e3949), _e3998.member_2, _e4025), _e4074.member_2, _e4101), _e4150.member_2, _e4177)), select(_e4110, _e4144, _e4172), select(_e4112, _e4145, (_e4145 > _e4112)), vec3<f32>(select(select(select(select(_e3875, _e3922.member, _e3944), _e3998.member, _e4020), _e4074.member, _e4096), _e4150.member, _e4172), select(select(select(select(_e3876, _e3922.member_1, _e3944), _e3998.member_1, _e4020), _e4074.member_1, _e4096), _e4150.member_1, _e4172), select(select(select(select(_e3877, _e3922.member_2, _e3944), _e3998.member_2, _e4020), _e4074.member_2, _e4096), _e4150.member_2, _e4172)));
 }
 let _e4197 = phi_9200_;
 let _e4203 = (((_e3062 && _e3596) && !(_e3580)) && (_e4197.member_2 <= 1f));
@@ -1513,7 +1513,7 @@ let _e4337 = (select(0i, _e4276, (_e4276 > 0i)) * _e1841);
 let _e4338 = (select(_e1853, _e4294, (_e4294 < _e1853)) * _e1841);
 let _e4339 = (select(0i, _e4291, (_e4291 > 0i)) * _e1845);
 let _e4340 = (select(_e1866, _e4299, (_e4299 < _e1866)) * _e1845);
-local_24 = type_29(array<i32, 4>(_e4314, _e4316, _e4318, 0i), array<u32, 6>(bitcast<u32>(((_e4304 - _e4314) * 16i)), bitcast<u32>(((_e4306 - _e4314) * 16i)), bitcast<u32>(((_e4306 - _e4316) * 16i)), bitcast<u32>(((_e4309 - _e4316) * 16i)), bitcast<u32>(((_e4309 - _e4318) * 16i)), bitcast<u32>(((select(_e1879, _e4310, (_e4310 < _e1879)) - _e4318) * 16i))));
+local_24 = type_30(array<i32, 4>(_e4314, _e4316, _e4318, 0i), array<u32, 6>(bitcast<u32>(((_e4304 - _e4314) * 16i)), bitcast<u32>(((_e4306 - _e4314) * 16i)), bitcast<u32>(((_e4306 - _e4316) * 16i)), bitcast<u32>(((_e4309 - _e4316) * 16i)), bitcast<u32>(((_e4309 - _e4318) * 16i)), bitcast<u32>(((select(_e1879, _e4310, (_e4310 < _e1879)) - _e4318) * 16i))));
 local_25 = vec3<f32>((_e4238 - f32(_e4261)), (_e4242 - f32(_e4276)), (_e4246 - f32(_e4291)));
 let _e4355 = local_24.member[1u];
 let _e4356 = ((_e4339 + _e4337) + _e4355);
@@ -1745,7 +1745,7 @@ let _e5017 = select(select(select(select(select(select(0f, _e1143.member, _e4798
 let _e5018 = select(select(select(select(select(select(0f, _e1143.member_1, _e4798), _e1143.member_1, _e4838), _e1151.member_1, _e4878), _e1151.member_1, _e4918), _e1159.member_1, _e4958), _e1159.member_1, _e4998);
 let _e5019 = select(select(select(select(select(select(1f, _e1143.member_2, _e4798), _e1143.member_2, _e4838), _e1151.member_2, _e4878), _e1151.member_2, _e4918), _e1159.member_2, _e4958), _e1159.member_2, _e4998);
 if _e1408 {
-phi_11982_ = type_32(_e5004, vec3<f32>(_e5005, _e5006, _e5007), _e5009, vec3<f32>(_e5010, _e5011, _e5012), _e5014, _e5016, vec3<f32>(_e5017, _e5018, _e5019));
+phi_11982_ = type_33(_e5004, vec3<f32>(_e5005, _e5006, _e5007), _e5009, vec3<f32>(_e5010, _e5011, _e5012), _e5014, _e5016, vec3<f32>(_e5017, _e5018, _e5019));
 } else {
 let _e5026 = (((_e1143.member * _e1143.member) + (_e1143.member_1 * _e1143.member_1)) + (_e1143.member_2 * _e1143.member_2));
 let _e5029 = sqrt(select(0f, _e5026, (_e5026 > 0f)));
@@ -1825,7 +1825,7 @@ let _e5313 = select(2f, select(0f, _e5305, (_e5286 < 0f)), (_e5287 > 0f));
 let _e5314 = (_e5286 > _e5252);
 let _e5318 = ((_e5309 > _e5244) || ((_e5309 == _e5244) && _e5314));
 let _e5319 = (_e5313 < _e5248);
-phi_11982_ = type_32(select(_e5244, _e5309, _e5318), vec3<f32>(select(select(select(select(_e5005, _e5064.member, _e5090), _e5140.member, _e5166), _e5216.member, _e5242), _e5292.member, _e5318), select(select(select(select(_e5006, _e5064.member_1, _e5090), _e5140.member_1, _e5166), _e5216.member_1, _e5242), _e5292.member_1, _e5318), select(select(select(select(_e5007, _e5064.member_2, _e5090), _e5140.member_2, _e5166), _e5216.member_2, _e5242), _e5292.member_2, _e5318)), select(_e5248, _e5313, _e5319), vec3<f32>(select(select(select(select(_e5010, _e5064.member, _e5091), _e5140.member, _e5167), _e5216.member, _e5243), _e5292.member, _e5319), select(select(select(select(_e5011, _e5064.member_1, _e5091), _e5140.member_1, _e5167), _e5216.member_1, _e5243), _e5292.member_1, _e5319), select(select(select(select(_e5012, _e5064.member_2, _e5091), _e5140.member_2, _e5167), _e5216.member_2, _e5243), _e5292.member_2, _e5319)), select(_e5252, _e5286, _e5314), select(_e5254, _e5287, (_e5287 > _e5254)), vec3<f32>(select(select(select(select(_e5017, _e5064.member, _e5086), _e5140.member, _e5162), _e5216.member, _e5238), _e5292.member, _e5314), select(select(select(select(_e5018, _e5064.member_1, _e5086), _e5140.member_1, _e5162), _e5216.member_1, _e5238), _e5292.member_1, _e5314), select(select(select(select(_e5019, _e5064.member_2, _e5086), _e5140.member_2, _e5162), _e5216.member_2, _e5238), _e5292.member_2, _e5314)));
+phi_11982_ = type_33(select(_e5244, _e5309, _e5318), vec3<f32>(select(select(select(select(_e5005, _e5064.member, _e5090), _e5140.member, _e5166), _e5216.member, _e5242), _e5292.member, _e5318), select(select(select(select(_e5006, _e5064.member_1, _e5090), _e5140.member_1, _e5166), _e5216.member_1, _e5242), _e5292.member_1, _e5318), select(select(select(select(_e5007, _e5064.member_2, _e5090), _e5140.member_2, _e5166), _e5216.member_2, _e5242), _e5292.member_2, _e5318)), select(_e5248, _e5313, _e5319), vec3<f32>(select(select(select(select(_e5010, _e5064.member, _e5091), _e5140.member, _e5167), _e5216.member, _e5243), _e5292.member, _e5319), select(select(select(select(_e5011, _e5064.member_1, _e5091), _e5140.member_1, _e5167), _e5216.member_1, _e5243), _e5292.member_1, _e5319), select(select(select(select(_e5012, _e5064.member_2, _e5091), _e5140.member_2, _e5167), _e5216.member_2, _e5243), _e5292.member_2, _e5319)), select(_e5252, _e5286, _e5314), select(_e5254, _e5287, (_e5287 > _e5254)), vec3<f32>(select(select(select(select(_e5017, _e5064.member, _e5086), _e5140.member, _e5162), _e5216.member, _e5238), _e5292.member, _e5314), select(select(select(select(_e5018, _e5064.member_1, _e5086), _e5140.member_1, _e5162), _e5216.member_1, _e5238), _e5292.member_1, _e5314), select(select(select(select(_e5019, _e5064.member_2, _e5086), _e5140.member_2, _e5162), _e5216.member_2, _e5238), _e5292.member_2, _e5314)));
 }
 let _e5339 = phi_11982_;
 let _e5345 = (((_e4203 && _e4738) && !(_e4722)) && (_e5339.member_2 <= 1f));
@@ -2035,7 +2035,7 @@ phi_13766_ = _e2369;
 phi_13766_ = _e3514;
 }
 let _e5869 = phi_13766_;
-phi_14047_ = type_33(_e5869, vec3<f32>(select(_e4733, _e4216.x, _e5345), select(_e4734, _e4216.y, _e5345), select(_e4735, _e4216.z, _e5345)), vec3<f32>(_e4707, _e4708, _e4709), select((_e1040 * select(0f, _e5426, (_e5426 > 0f))), ((((sqrt(select(0f, _e5437, (_e5437 > 0f))) * select(0f, _e5518, (_e5518 > 0f))) + (sqrt(select(0f, _e5529, (_e5529 > 0f))) * select(0f, _e5625, (_e5625 > 0f)))) + (sqrt(select(0f, _e5637, (_e5637 > 0f))) * select(0f, _e5733, (_e5733 > 0f)))) + select(0f, (sqrt(select(0f, _e5745, (_e5745 > 0f))) * select(0f, _e5841, (_e5841 > 0f))), _e4203)), _e5848), select((_e335 / _e4709), (2f * (_e3066 / _e2423)), (((_e1751 && !(_e1735)) && _e2455) && !(_e3062))), select(_e3056.member_3, _e1743.member_1, vec3(_e2436)), _e4738, _e5848, (((_e2440 || _e3580) || _e4722) || _e5345));
+phi_14047_ = type_34(_e5869, vec3<f32>(select(_e4733, _e4216.x, _e5345), select(_e4734, _e4216.y, _e5345), select(_e4735, _e4216.z, _e5345)), vec3<f32>(_e4707, _e4708, _e4709), select((_e1040 * select(0f, _e5426, (_e5426 > 0f))), ((((sqrt(select(0f, _e5437, (_e5437 > 0f))) * select(0f, _e5518, (_e5518 > 0f))) + (sqrt(select(0f, _e5529, (_e5529 > 0f))) * select(0f, _e5625, (_e5625 > 0f)))) + (sqrt(select(0f, _e5637, (_e5637 > 0f))) * select(0f, _e5733, (_e5733 > 0f)))) + select(0f, (sqrt(select(0f, _e5745, (_e5745 > 0f))) * select(0f, _e5841, (_e5841 > 0f))), _e4203)), _e5848), select((_e335 / _e4709), (2f * (_e3066 / _e2423)), (((_e1751 && !(_e1735)) && _e2455) && !(_e3062))), select(_e3056.member_3, _e1743.member_1, vec3(_e2436)), _e4738, _e5848, (((_e2440 || _e3580) || _e4722) || _e5345));
 } else {
 let _e1043 = (_e889 < 1e-12f);
 let _e1045 = (1f / select(_e884, 1f, _e1043));
@@ -2070,7 +2070,7 @@ let _e1117 = select(select(1f, _e1114, (_e1114 < 1f)), 1f, _e1093);
 let _e1119 = select(_e1092, _e1067, (_e1067 < _e1092));
 let _e1123 = select(_e1085, _e1060, (_e1060 > _e1085));
 let _e1126 = (select(_e1117, _e1119, (_e1119 < _e1117)) - select(_e1110, _e1123, (_e1123 > _e1110)));
-phi_14047_ = type_33(_e1042.member, _e1042.member_1, _e1042.member_2, (_e1040 * select(0f, _e1126, (_e1126 > 0f))), _e1042.member_4, _e1042.member_5, _e1042.member_6, _e1042.member_7, _e1042.member_8);
+phi_14047_ = type_34(_e1042.member, _e1042.member_1, _e1042.member_2, (_e1040 * select(0f, _e1126, (_e1126 > 0f))), _e1042.member_4, _e1042.member_5, _e1042.member_6, _e1042.member_7, _e1042.member_8);
 }
 let _e5872 = phi_14047_;
 let _e5881 = select(_e342, 0f, (_e1021 || !(_e5872.member_7)));
@@ -2128,7 +2128,7 @@ let _e6455 = (select(0i, _e6394, (_e6394 > 0i)) * _e6366);
 let _e6456 = (select(0i, _e6358, (_e6358 > 0i)) * _e6366);
 let _e6457 = (select(_e6393, _e6399, (_e6399 < _e6393)) * _e6366);
 let _e6458 = (select(_e6393, _e6402, (_e6402 < _e6393)) * _e6366);
-local_20 = type_29(array<i32, 4>(_e6428, _e6430, _e6432, 0i), array<u32, 6>(bitcast<u32>(((_e6415 - _e6428) * 16i)), bitcast<u32>(((_e6417 - _e6428) * 16i)), bitcast<u32>(((_e6417 - _e6430) * 16i)), bitcast<u32>(((_e6420 - _e6430) * 16i)), bitcast<u32>(((_e6420 - _e6432) * 16i)), bitcast<u32>(((select(_e6412, _e6421, (_e6421 < _e6412)) - _e6432) * 16i))));
+local_20 = type_30(array<i32, 4>(_e6428, _e6430, _e6432, 0i), array<u32, 6>(bitcast<u32>(((_e6415 - _e6428) * 16i)), bitcast<u32>(((_e6417 - _e6428) * 16i)), bitcast<u32>(((_e6417 - _e6430) * 16i)), bitcast<u32>(((_e6420 - _e6430) * 16i)), bitcast<u32>(((_e6420 - _e6432) * 16i)), bitcast<u32>(((select(_e6412, _e6421, (_e6421 < _e6412)) - _e6432) * 16i))));
 local_21 = vec3<f32>((_e6305 - f32(_e6328)), (_e6309 - f32(_e6343)), (_e6313 - f32(_e6358)));
 let _e6470 = (_e6456 + _e6452);
 let _e6473 = local_20.member[0u];
@@ -2516,7 +2516,7 @@ if _e576 {
 let _e8131 = ((0.5f * (_e7422 - _e7416)) * _e7680);
 let _e8132 = ((0.5f * (_e7434 - _e7428)) * _e7680);
 let _e8133 = ((0.5f * (_e7446 - _e7440)) * _e7680);
-phi_19783_ = type_30(_e7642, vec3<f32>(_e8131, _e8132, _e8133), vec3<f32>((_e8131 * _e7642), (_e8132 * _e7642), (_e8133 * _e7642)));
+phi_19783_ = type_31(_e7642, vec3<f32>(_e8131, _e8132, _e8133), vec3<f32>((_e8131 * _e7642), (_e8132 * _e7642), (_e8133 * _e7642)));
 } else {
 local_16 = _e7416;
 let _e7681 = local_16;
@@ -2665,7 +2665,7 @@ let _e8106 = ((_e7627 + (f32(bitcast<i32>((_e8091 >> bitcast<u32>(12u)))) * _e76
 let _e8107 = (_e7822 - _e7751);
 let _e8109 = (_e7964 - _e7893);
 let _e8111 = (_e8106 - _e8035);
-phi_19783_ = type_30(_e7642, vec3<f32>((0.5f * _e8107), (0.5f * _e8109), (0.5f * _e8111)), vec3<f32>((0.25f * (_e8107 * (_e7822 + _e7751))), (0.25f * (_e8109 * (_e7964 + _e7893))), (0.25f * (_e8111 * (_e8106 + _e8035)))));
+phi_19783_ = type_31(_e7642, vec3<f32>((0.5f * _e8107), (0.5f * _e8109), (0.5f * _e8111)), vec3<f32>((0.25f * (_e8107 * (_e7822 + _e7751))), (0.25f * (_e8109 * (_e7964 + _e7893))), (0.25f * (_e8111 * (_e8106 + _e8035)))));
 }
 let _e8141 = phi_19783_;
 let _e8156 = select(0f, 1f, ((((((_e5895 >= -0.5f) && (_e5895 <= _e869)) && (_e5901 >= -0.5f)) && (_e5901 <= _e874)) && (_e5907 >= -0.5f)) && (_e5907 <= _e879)));
@@ -2681,7 +2681,7 @@ let _e8198 = global_1.member.member_6.member_1.member.member_2;
 let _e8204 = global_1.member.member_6.member_2.member.member;
 let _e8210 = global_1.member.member_6.member_2.member.member_1;
 let _e8216 = global_1.member.member_6.member_2.member.member_2;
-phi_20562_ = type_31(_e7410, vec3<f32>(((((_e8168 * _e8158) + (_e8186 * _e8160)) + (_e8204 * _e8162)) * _e8156), ((((_e8174 * _e8158) + (_e8192 * _e8160)) + (_e8210 * _e8162)) * _e8156), ((((_e8180 * _e8158) + (_e8198 * _e8160)) + (_e8216 * _e8162)) * _e8156)), _e8141.member, vec3<f32>(((((_e8168 * _e8141.member_2.x) + (_e8186 * _e8141.member_2.y)) + (_e8204 * _e8141.member_2.z)) * _e8156), ((((_e8174 * _e8141.member_2.x) + (_e8192 * _e8141.member_2.y)) + (_e8210 * _e8141.member_2.z)) * _e8156), ((((_e8180 * _e8141.member_2.x) + (_e8198 * _e8141.member_2.y)) + (_e8216 * _e8141.member_2.z)) * _e8156)), vec3<f32>(((((_e8168 * _e8141.member_1.x) + (_e8186 * _e8141.member_1.y)) + (_e8204 * _e8141.member_1.z)) * _e8156), ((((_e8174 * _e8141.member_1.x) + (_e8192 * _e8141.member_1.y)) + (_e8210 * _e8141.member_1.z)) * _e8156), ((((_e8180 * _e8141.member_1.x) + (_e8198 * _e8141.member_1.y)) + (_e8216 * _e8141.member_1.z)) * _e8156)));
+phi_20562_ = type_32(_e7410, vec3<f32>(((((_e8168 * _e8158) + (_e8186 * _e8160)) + (_e8204 * _e8162)) * _e8156), ((((_e8174 * _e8158) + (_e8192 * _e8160)) + (_e8210 * _e8162)) * _e8156), ((((_e8180 * _e8158) + (_e8198 * _e8160)) + (_e8216 * _e8162)) * _e8156)), _e8141.member, vec3<f32>(((((_e8168 * _e8141.member_2.x) + (_e8186 * _e8141.member_2.y)) + (_e8204 * _e8141.member_2.z)) * _e8156), ((((_e8174 * _e8141.member_2.x) + (_e8192 * _e8141.member_2.y)) + (_e8210 * _e8141.member_2.z)) * _e8156), ((((_e8180 * _e8141.member_2.x) + (_e8198 * _e8141.member_2.y)) + (_e8216 * _e8141.member_2.z)) * _e8156)), vec3<f32>(((((_e8168 * _e8141.member_1.x) + (_e8186 * _e8141.member_1.y)) + (_e8204 * _e8141.member_1.z)) * _e8156), ((((_e8174 * _e8141.member_1.x) + (_e8192 * _e8141.member_1.y)) + (_e8210 * _e8141.member_1.z)) * _e8156), ((((_e8180 * _e8141.member_1.x) + (_e8198 * _e8141.member_1.y)) + (_e8216 * _e8141.member_1.z)) * _e8156)));
 } else {
 let _e5909 = select(-0.5f, _e5895, (_e5895 > -0.5f));
 let _e5911 = select(_e869, _e5909, (_e5909 < _e869));
@@ -2724,7 +2724,7 @@ let _e6045 = (select(0i, _e5949, (_e5949 > 0i)) * _e5968);
 let _e6046 = (select(_e5980, _e5983, (_e5983 < _e5980)) * _e5968);
 let _e6047 = (select(0i, _e5964, (_e5964 > 0i)) * _e5972);
 let _e6048 = (select(_e5993, _e5996, (_e5996 < _e5993)) * _e5972);
-local_4 = type_29(array<i32, 4>(_e6022, _e6024, _e6026, 0i), array<u32, 6>(bitcast<u32>(((_e6009 - _e6022) * 16i)), bitcast<u32>(((_e6011 - _e6022) * 16i)), bitcast<u32>(((_e6011 - _e6024) * 16i)), bitcast<u32>(((_e6014 - _e6024) * 16i)), bitcast<u32>(((_e6014 - _e6026) * 16i)), bitcast<u32>(((select(_e6006, _e6015, (_e6015 < _e6006)) - _e6026) * 16i))));
+local_4 = type_30(array<i32, 4>(_e6022, _e6024, _e6026, 0i), array<u32, 6>(bitcast<u32>(((_e6009 - _e6022) * 16i)), bitcast<u32>(((_e6011 - _e6022) * 16i)), bitcast<u32>(((_e6011 - _e6024) * 16i)), bitcast<u32>(((_e6014 - _e6024) * 16i)), bitcast<u32>(((_e6014 - _e6026) * 16i)), bitcast<u32>(((select(_e6006, _e6015, (_e6015 < _e6006)) - _e6026) * 16i))));
 local_5 = vec3<f32>((_e5911 - f32(_e5934)), (_e5915 - f32(_e5949)), (_e5919 - f32(_e5964)));
 let _e6063 = local_4.member[1u];
 let _e6064 = ((_e6047 + _e6045) + _e6063);
@@ -2794,7 +2794,7 @@ let _e6293 = global_1.member.member_6.member_5;
 let _e6295 = (((_e6174 + (((_e6225 + (((_e6265 + ((f32(bitcast<i32>(((_e6258 >> bitcast<u32>((_e6266 & 31u))) & 65535u))) - _e6265) * _e6273)) - _e6225) * _e6277)) - _e6174) * _e6282)) - _e6289) * _e6293);
 let _e6296 = -(1e9f);
 let _e6298 = select(_e6296, _e6295, (_e6295 > _e6296));
-phi_20562_ = type_31(select(1e9f, _e6298, (_e6298 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20562_ = type_32(select(1e9f, _e6298, (_e6298 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8282 = phi_20562_;
 let _e8284 = select(-0.5f, _e485, (_e485 > -0.5f));
@@ -2838,7 +2838,7 @@ let _e8420 = (select(0i, _e8324, (_e8324 > 0i)) * _e8343);
 let _e8421 = (select(_e8355, _e8358, (_e8358 < _e8355)) * _e8343);
 let _e8422 = (select(0i, _e8339, (_e8339 > 0i)) * _e8347);
 let _e8423 = (select(_e8368, _e8371, (_e8371 < _e8368)) * _e8347);
-local_2 = type_29(array<i32, 4>(_e8397, _e8399, _e8401, 0i), array<u32, 6>(bitcast<u32>(((_e8384 - _e8397) * 16i)), bitcast<u32>(((_e8386 - _e8397) * 16i)), bitcast<u32>(((_e8386 - _e8399) * 16i)), bitcast<u32>(((_e8389 - _e8399) * 16i)), bitcast<u32>(((_e8389 - _e8401) * 16i)), bitcast<u32>(((select(_e8381, _e8390, (_e8390 < _e8381)) - _e8401) * 16i))));
+local_2 = type_30(array<i32, 4>(_e8397, _e8399, _e8401, 0i), array<u32, 6>(bitcast<u32>(((_e8384 - _e8397) * 16i)), bitcast<u32>(((_e8386 - _e8397) * 16i)), bitcast<u32>(((_e8386 - _e8399) * 16i)), bitcast<u32>(((_e8389 - _e8399) * 16i)), bitcast<u32>(((_e8389 - _e8401) * 16i)), bitcast<u32>(((select(_e8381, _e8390, (_e8390 < _e8381)) - _e8401) * 16i))));
 local_3 = vec3<f32>((_e8286 - f32(_e8309)), (_e8290 - f32(_e8324)), (_e8294 - f32(_e8339)));
 let _e8438 = local_2.member[1u];
 let _e8439 = ((_e8422 + _e8420) + _e8438);
@@ -3312,7 +3312,7 @@ let _e10087 = select(select(select(select(select(select(0f, _e9828.member, _e986
 let _e10088 = select(select(select(select(select(select(0f, _e9828.member_1, _e9868), _e9828.member_1, _e9908), _e9836.member_1, _e9948), _e9836.member_1, _e9988), _e9844.member_1, _e10028), _e9844.member_1, _e10068);
 let _e10089 = select(select(select(select(select(select(1f, _e9828.member_2, _e9868), _e9828.member_2, _e9908), _e9836.member_2, _e9948), _e9836.member_2, _e9988), _e9844.member_2, _e10028), _e9844.member_2, _e10068);
 if _e8677 {
-phi_24912_ = type_32(_e10074, vec3<f32>(_e10075, _e10076, _e10077), _e10079, vec3<f32>(_e10080, _e10081, _e10082), _e10084, _e10086, vec3<f32>(_e10087, _e10088, _e10089));
+phi_24912_ = type_33(_e10074, vec3<f32>(_e10075, _e10076, _e10077), _e10079, vec3<f32>(_e10080, _e10081, _e10082), _e10084, _e10086, vec3<f32>(_e10087, _e10088, _e10089));
 } else {
 let _e10096 = (((_e9828.member * _e9828.member) + (_e9828.member_1 * _e9828.member_1)) + (_e9828.member_2 * _e9828.member_2));
 let _e10099 = sqrt(select(0f, _e10096, (_e10096 > 0f)));
@@ -3392,7 +3392,7 @@ let _e10383 = select(2f, select(0f, _e10375, (_e10356 < 0f)), (_e10357 > 0f));
 let _e10384 = (_e10356 > _e10322);
 let _e10388 = ((_e10379 > _e10314) || ((_e10379 == _e10314) && _e10384));
 let _e10389 = (_e10383 < _e10318);
-phi_24912_ = type_32(select(_e10314, _e10379, _e10388), vec3<f32>(select(select(select(select(_e10075, _e10134.member, _e10160), _e10210.member, _e10236), _e10286.member, _e10312), _e10362.member, _e10388), select(select(select(select(_e10076, _e10134.member_1, _e10160), _e10210.member_1, _e10236), _e10286.member_1, _e10312), _e10362.member_1, _e10388), select(select(select(select(_e10077, _e10134.member_2, _e10160), _e10210.member_2, _e10236), _e10286.member_2, _e10312), _e10362.member_2, _e10388)), select(_e10318, _e10383, _e10389), vec3<f32>(select(select(select(select(_e10080, _e10134.member, _e10161), _e10210.member, _e10237), _e10286.member, _e10313), _e10362.member, _e10389), select(select(select(select(_e10081, _e10134.member_1, _e10161), _e10210.member_1, _e10237), _e10286.member_1, _e10313), _e10362.member_1, _e10389), select(select(select(select(_e10082, _e10134.member_2, _e10161), _e10210.member_2, _e10237), _e10286.member_2, _e10313), _e10362.member_2, _e10389)), select(_e10322, _e10356, _e10384), select(_e10324, _e10357, (_e10357 > _e10324)), vec3<f32>(select(select(select(select(_e10087, _e10134.member, _e10156), _e10210.member, _e10232), _e10286.member, _e10308), _e10362.member, _e10384), select(select(select(select(_e10088, _e10134.member_1, _e10156), _e10210.member_1, _e10232), _e10286.member_1, _e10308), _e10362.member_1, _e10384), select(select(select(select(_e10089, _e10134.member_2, _e10156), _e10210.member_2, _e10232), _e10286.member_2, _e10308), _e10362.member_2, _e10384)));
+phi_24912_ = type_33(select(_e10314, _e10379, _e10388), vec3<f32>(select(select(select(select(_e10075, _e10134.member, _e10160), _e10210.member, _e10236), _e10286.member, _e10312), _e10362.member, _e10388), select(select(select(select(_e10076, _e10134.member_1, _e10160), _e10210.member_1, _e10236), _e10286.member_1, _e10312), _e10362.member_1, _e10388), select(select(select(select(_e10077, _e10134.member_2, _e10160), _e10210.member_2, _e10236), _e10286.member_2, _e10312), _e10362.member_2, _e10388)), select(_e10318, _e10383, _e10389), vec3<f32>(select(select(select(select(_e10080, _e10134.member, _e10161), _e10210.member, _e10237), _e10286.member, _e10313), _e10362.member, _e10389), select(select(select(select(_e10081, _e10134.member_1, _e10161), _e10210.member_1, _e10237), _e10286.member_1, _e10313), _e10362.member_1, _e10389), select(select(select(select(_e10082, _e10134.member_2, _e10161), _e10210.member_2, _e10237), _e10286.member_2, _e10313), _e10362.member_2, _e10389)), select(_e10322, _e10356, _e10384), select(_e10324, _e10357, (_e10357 > _e10324)), vec3<f32>(select(select(select(select(_e10087, _e10134.member, _e10156), _e10210.member, _e10232), _e10286.member, _e10308), _e10362.member, _e10384), select(select(select(select(_e10088, _e10134.member_1, _e10156), _e10210.member_1, _e10232), _e10286.member_1, _e10308), _e10362.member_1, _e10384), select(select(select(select(_e10089, _e10134.member_2, _e10156), _e10210.member_2, _e10232), _e10286.member_2, _e10308), _e10362.member_2, _e10384)));
 }
 let _e10409 = phi_24912_;
 let _e10414 = (_e8880.member_2 * _e5887);

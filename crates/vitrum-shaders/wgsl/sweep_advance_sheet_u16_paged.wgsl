@@ -130,23 +130,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -155,7 +159,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -165,10 +169,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -186,9 +186,9 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_29;
+var local_2: type_30;
 var local_3: vec3<f32>;
-var local_4: type_29;
+var local_4: type_30;
 var local_5: vec3<f32>;
 var local_6: f32;
 var local_7: f32;
@@ -204,39 +204,39 @@ var local_16: f32;
 var local_17: f32;
 var local_18: f32;
 var local_19: f32;
-var local_20: type_29;
+var local_20: type_30;
 var local_21: vec3<f32>;
 var local_22: f32;
 var local_23: f32;
-var local_24: type_29;
+var local_24: type_30;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_29;
+var local_28: type_30;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_29;
+var local_32: type_30;
 var local_33: vec3<f32>;
 var phi_1079_: bool;
 var phi_1268_: bool;
 var phi_1271_: bool;
-var phi_3620_: type_32;
+var phi_3620_: type_33;
 var phi_3633_: bool;
-var phi_3649_: type_34;
+var phi_3649_: type_27;
 var phi_3661_: bool;
 var phi_4806_: type_26;
-var phi_6344_: type_32;
+var phi_6344_: type_33;
 var phi_7511_: type_26;
-var phi_9049_: type_32;
+var phi_9049_: type_33;
 var phi_10216_: type_26;
-var phi_11754_: type_32;
+var phi_11754_: type_33;
 var phi_13538_: type_26;
-var phi_13819_: type_33;
-var phi_19454_: type_30;
-var phi_20156_: type_31;
+var phi_13819_: type_34;
+var phi_19454_: type_31;
+var phi_20156_: type_32;
 var phi_21081_: type_5;
-var phi_24429_: type_32;
+var phi_24429_: type_33;
 var phi_24586_: vec3<f32>;
 var phi_24587_: bool;
 switch bitcast<i32>(0u) {
@@ -475,7 +475,7 @@ let _e1034 = (_e425 - _e408);
 let _e1035 = (_e414 - _e381);
 let _e1040 = (((_e1033 * _e1033) + (_e1034 * _e1034)) + (_e1035 * _e1035));
 let _e1043 = sqrt(select(0f, _e1040, (_e1040 > 0f)));
-let _e1045 = type_33(type_26(1f, 1f), vec3<f32>(_e420, _e425, _e414), _e334, _e1043, (_e338 / _e277), _e334, true, false, false);
+let _e1045 = type_34(type_26(1f, 1f), vec3<f32>(_e420, _e425, _e414), _e334, _e1043, (_e338 / _e277), _e334, true, false, false);
 if _e582 {
 let _e1146 = global_1.member.member_6.member.member;
 let _e1154 = global_1.member.member_6.member_1.member;
@@ -587,7 +587,7 @@ let _e1406 = select(select(select(select(select(select(0f, _e1146.member_1, _e11
 let _e1407 = select(select(select(select(select(select(1f, _e1146.member_2, _e1186), _e1146.member_2, _e1226), _e1154.member_2, _e1266), _e1154.member_2, _e1306), _e1162.member_2, _e1346), _e1162.member_2, _e1386);
 let _e1411 = ((_e1017 & 16u) == 0u);
 if _e1411 {
-phi_3620_ = type_32(_e1392, vec3<f32>(_e1393, _e1394, _e1395), _e1397, vec3<f32>(_e1398, _e1399, _e1400), _e1402, _e1404, vec3<f32>(_e1405, _e1406, _e1407));
+phi_3620_ = type_33(_e1392, vec3<f32>(_e1393, _e1394, _e1395), _e1397, vec3<f32>(_e1398, _e1399, _e1400), _e1402, _e1404, vec3<f32>(_e1405, _e1406, _e1407));
 } else {
 let _e1416 = (((_e1146.member * _e1146.member) + (_e1146.member_1 * _e1146.member_1)) + (_e1146.member_2 * _e1146.member_2));
 let _e1419 = sqrt(select(0f, _e1416, (_e1416 > 0f)));
@@ -667,7 +667,7 @@ let _e1703 = select(2f, select(0f, _e1695, (_e1676 < 0f)), (_e1677 > 0f));
 let _e1704 = (_e1676 > _e1642);
 let _e1708 = ((_e1699 > _e1634) || ((_e1699 == _e1634) && _e1704));
 let _e1709 = (_e1703 < _e1638);
-phi_3620_ = type_32(select(_e1634, _e1699, _e1708), vec3<f32>(select(select(select(select(_e1393, _e1454.member, _e1480), _e1530.member, _e1556), _e1606.member, _e1632), _e1682.member, _e1708), select(select(select(select(_e1394, _e1454.member_1, _e1480), _e1530.member_1, _e1556), _e1606.member_1, _e1632), _e1682.member_1, _e1708), select(select(select(select(_e1395, _e1454.member_2, _e1480), _e1530.member_2, _e1556), _e1606.member_2, _e1632), _e1682.member_2, _e1708)), select(_e1638, _e1703, _e1709), vec3<f32>(select(select(select(select(_e1398, _e1454.member, _e1481), _e1530.member, _e1557), _e1606.member, _e1633), _e1682.member, _e1709), select(select(select(select(_e1399, _e1454.member_1, _e1481), _e1530.member_1, _e1557), _e1606.member_1, _e1633), _e1682.member_1, _e1709), select(select(select(select(_e1400, _e1454.member_2, _e1481), _e1530.member_2, _e1557), _e1606.member_2, _e1633), _e1682.member_2, _e1709)), select(_e1642, _e1676, _e1704), select(_e1644, _e1677, (_e1677 > _e1644)), vec3<f32>(select(select(select(select(_e1405, _e1454.member, _e1476), _e1530.member, _e1552), _e1606.member, _e1628), _e1682.member, _e1704), select(select(select(select(_e1406, _e1454.member_1, _e1476), _e1530.member_1, _e1552), _e1606.member_1, _e1628), _e1682.member_1, _e1704), select(select(select(select(_e1407, _e1454.member_2, _e1476), _e1530.member_2, _e1552), _e1606.member_2, _e1628), _e1682.member_2, _e1704)));
+phi_3620_ = type_33(select(_e1634, _e1699, _e1708), vec3<f32>(select(select(select(select(_e1393, _e1454.member, _e1480), _e1530.member, _e1556), _e1606.member, _e1632), _e1682.member, _e1708), select(select(select(select(_e1394, _e1454.member_1, _e1480), _e1530.member_1, _e1556), _e1606.member_1, _e1632), _e1682.member_1, _e1708), select(select(select(select(_e1395, _e1454.member_2, _e1480), _e1530.member_2, _e1556), _e1606.member_2, _e1632), _e1682.member_2, _e1708)), select(_e1638, _e1703, _e1709), vec3<f32>(select(select(select(select(_e1398, _e1454.member, _e1481), _e1530.member, _e1557), _e1606.member, _e1633), _e1682.member, _e1709), select(select(select(select(_e1399, _e1454.member_1, _e1481), _e1530.member_1, _e1557), _e1606.member_1, _e1633), _e1682.member_1, _e1709), select(select(select(select(_e1400, _e1454.member_2, _e1481), _e1530.member_2, _e1557), _e1606.member_2, _e1633), _e1682.member_2, _e1709)), select(_e1642, _e1676, _e1704), select(_e1644, _e1677, (_e1677 > _e1644)), vec3<f32>(select(select(select(select(_e1405, _e1454.member, _e1476), _e1530.member, _e1552), _e1606.member, _e1628), _e1682.member, _e1704), select(select(select(select(_e1406, _e1454.member_1, _e1476), _e1530.member_1, _e1552), _e1606.member_1, _e1628), _e1682.member_1, _e1704), select(select(select(select(_e1407, _e1454.member_2, _e1476), _e1530.member_2, _e1552), _e1606.member_2, _e1628), _e1682.member_2, _e1704)));
 }
 let _e1729 = phi_3620_;
 if ((_e1729.member_4 > -(0.015625f)) && (_e1729.member_4 < 0.015625f)) {
@@ -677,9 +677,9 @@ phi_3633_ = (_e1729.member_4 < 0f);
 }
 let _e1738 = phi_3633_;
 if _e1738 {
-phi_3649_ = type_34(_e1729.member_2, _e1729.member_3);
+phi_3649_ = type_27(_e1729.member_2, _e1729.member_3);
 } else {
-phi_3649_ = type_34(_e1729.member, _e1729.member_1);
+phi_3649_ = type_27(_e1729.member, _e1729.member_1);
 }
 let _e1746 = phi_3649_;
 if _e1738 {
@@ -739,7 +739,7 @@ let _e1895 = (_e1887 + _e1894);
 let _e1896 = (_e1889 + _e1848);
 let _e1897 = (2i * _e1848);
 let _e1898 = (_e1889 + _e1897);
-local_32 = type_29(array<i32, 4>(_e1884, (_e1884 + 1i), (_e1884 + 2i), (_e1884 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_32 = type_30(array<i32, 4>(_e1884, (_e1884 + 1i), (_e1884 + 2i), (_e1884 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_33 = vec3<f32>((_e1787 - f32(_e1810)), (_e1791 - f32(_e1825)), (_e1795 - f32(_e1840)));
 let _e1912 = local_32.member[1u];
 let _e1913 = ((_e1896 + _e1893) + _e1912);
@@ -1022,7 +1022,7 @@ let _e2708 = select(select(select(select(select(select(0f, _e1146.member, _e2489
 let _e2709 = select(select(select(select(select(select(0f, _e1146.member_1, _e2489), _e1146.member_1, _e2529), _e1154.member_1, _e2569), _e1154.member_1, _e2609), _e1162.member_1, _e2649), _e1162.member_1, _e2689);
 let _e2710 = select(select(select(select(select(select(1f, _e1146.member_2, _e2489), _e1146.member_2, _e2529), _e1154.member_2, _e2569), _e1154.member_2, _e2609), _e1162.member_2, _e2649), _e1162.member_2, _e2689);
 if _e1411 {
-phi_6344_ = type_32(_e2695, vec3<f32>(_e2696, _e2697, _e2698), _e2700, vec3<f32>(_e2701, _e2702, _e2703), _e2705, _e2707, vec3<f32>(_e2708, _e2709, _e2710));
+phi_6344_ = type_33(_e2695, vec3<f32>(_e2696, _e2697, _e2698), _e2700, vec3<f32>(_e2701, _e2702, _e2703), _e2705, _e2707, vec3<f32>(_e2708, _e2709, _e2710));
 } else {
 let _e2717 = (((_e1146.member * _e1146.member) + (_e1146.member_1 * _e1146.member_1)) + (_e1146.member_2 * _e1146.member_2));
 let _e2720 = sqrt(select(0f, _e2717, (_e2717 > 0f)));
@@ -1102,7 +1102,7 @@ let _e3004 = select(2f, select(0f, _e2996, (_e2977 < 0f)), (_e2978 > 0f));
 let _e3005 = (_e2977 > _e2943);
 let _e3009 = ((_e3000 > _e2935) || ((_e3000 == _e2935) && _e3005));
 let _e3010 = (_e3004 < _e2939);
-phi_6344_ = type_32(select(_e2935, _e3000, _e3009), vec3<f32>(select(select(select(select(_e2696, _e2755.member, _e2781), _e2831.member, _e2857), _e2907.member, _e2933), _e2983.member, _e3009), select(select(select(select(_e2697, _e2755.member_1, _e2781), _e2831.member_1, _e2857), _e2907.member_1, _e2933), _e2983.member_1, _e3009), select(select(select(select(_e2698, _e2755.member_2, _e2781), _e2831.member_2, _e2857), _e2907.member_2, _e2933), _e2983.member_2, _e3009)), select(_e2939, _e3004, _e3010), vec3<f32>(select(select(select(select(_e2701, _e2755.member, _e2782), _e2831.member, _e2858), _e2907.member, _e2934), _e2983.member, _e3010), select(select(select(select(_e2702, _e2755.member_1, _e2782), _e2831.member_1, _e2858), _e2907.member_1, _e2934), _e2983.member_1, _e3010), select(select(select(select(_e2703, _e2755.member_2, _e2782), _e2831.member_2, _e2858), _e2907.member_2, _e2934), _e2983.member_2, _e3010)), select(_e2943, _e2977, _e3005), select(_e2945, _e2978, (_e2978 > _e2945)), vec3<f32>(select(select(select(select(_e2708, _e2755.member, _e2777), _e2831.member, _e2853), _e2907.member, _e2929), _e2983.member, _e3005), select(select(select(select(_e2709, _e2755.member_1, _e2777), _e2831.member_1, _e2853), _e2907.member_1, _e2929), _e2983.member_1, _e3005), select(select(select(select(_e2710, _e2755.member_2, _e2777), _e2831.member_2, _e2853), _e2907.member_2, _e2929), _e2983.member_2, _e3005)));
+phi_6344_ = type_33(select(_e2935, _e3000, _e3009), vec3<f32>(select(select(select(select(_e2696, _e2755.member, _e2781), _e2831.member, _e2857), _e2907.member, _e2933), _e2983.member, _e3009), select(select(select(select(_e2697, _e2755.member_1, _e2781), _e2831.member_1, _e2857), _e2907.member_1, _e2933), _e2983.member_1, _e3009), select(select(select(select(_e2698, _e2755.member_2, _e2781), _e2831.member_2, _e2857), _e2907.member_2, _e2933), _e2983.member_2, _e3009)), select(_e2939, _e3004, _e3010), vec3<f32>(select(select(select(select(_e2701, _e2755.member, _e2782), _e2831.member, _e2858), _e2907.member, _e2934), _e2983.member, _e3010), select(select(select(select(_e2702, _e2755.member_1, _e2782), _e2831.member_1, _e2858), _e2907.member_1, _e2934), _e2983.member_1, _e3010), select(select(select(select(_e2703, _e2755.member_2, _e2782), _e2831.member_2, _e2858), _e2907.member_2, _e2934), _e2983.member_2, _e3010)), select(_e2943, _e2977, _e3005), select(_e2945, _e2978, (_e2978 > _e2945)), vec3<f32>(select(select(select(select(_e2708, _e2755.member, _e2777), _e2831.member, _e2853), _e2907.member, _e2929), _e2983.member, _e3005), select(select(select(select(_e2709, _e2755.member_1, _e2777), _e2831.member_1, _e2853), _e2907.member_1, _e2929), _e2983.member_1, _e3005), select(select(select(select(_e2710, _e2755.member_2, _e2777), _e2831.member_2, _e2853), _e2907.member_2, _e2929), _e2983.member_2, _e3005)));
 }
 let _e3030 = phi_6344_;
 let _e3036 = (((_e1754 && _e2429) && !(_e2414)) && (_e3030.member_2 <= 1f));
@@ -1149,7 +1149,7 @@ let _e3155 = (_e3149 + _e1844);
 let _e3156 = (_e3149 + _e1894);
 let _e3157 = (_e3151 + _e1848);
 let _e3158 = (_e3151 + _e1897);
-local_28 = type_29(array<i32, 4>(_e3146, (_e3146 + 1i), (_e3146 + 2i), (_e3146 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_28 = type_30(array<i32, 4>(_e3146, (_e3146 + 1i), (_e3146 + 2i), (_e3146 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_29 = vec3<f32>((_e3071 - f32(_e3094)), (_e3075 - f32(_e3109)), (_e3079 - f32(_e3124)));
 let _e3172 = local_28.member[1u];
 let _e3173 = ((_e3157 + _e3155) + _e3172);
@@ -1381,7 +1381,7 @@ let _e3833 = select(select(select(select(select(select(0f, _e1146.member, _e3614
 let _e3834 = select(select(select(select(select(select(0f, _e1146.member_1, _e3614), _e1146.member_1, _e3654), _e1154.member_1, _e3694), _e1154.member_1, _e3734), _e1162.member_1, _e3774), _e1162.member_1, _e3814);
 let _e3835 = select(select(select(select(select(select(1f, _e1146.member_2, _e3614), _e1146.member_2, _e3654), _e1154.member_2, _e3694), _e1154.member_2, _e3734), _e1162.member_2, _e3774), _e1162.member_2, _e3814);
 if _e1411 {
-phi_9049_ = type_32(_e3820, vec3<f32>(_e3821, _e3822, _e3823), _e3825, vec3<f32>(_e3826, _e3827, _e3828), _e3830, _e3832, vec3<f32>(_e3833, _e3834, _e3835));
+phi_9049_ = type_33(_e3820, vec3<f32>(_e3821, _e3822, _e3823), _e3825, vec3<f32>(_e3826, _e3827, _e3828), _e3830, _e3832, vec3<f32>(_e3833, _e3834, _e3835));
 } else {
 let _e3842 = (((_e1146.member * _e1146.member) + (_e1146.member_1 * _e1146.member_1)) + (_e1146.member_2 * _e1146.member_2));
 let _e3845 = sqrt(select(0f, _e3842, (_e3842 > 0f)));
@@ -1461,7 +1461,7 @@ let _e4129 = select(2f, select(0f, _e4121, (_e4102 < 0f)), (_e4103 > 0f));
 let _e4130 = (_e4102 > _e4068);
 let _e4134 = ((_e4125 > _e4060) || ((_e4125 == _e4060) && _e4130));
 let _e4135 = (_e4129 < _e4064);
-phi_9049_ = type_32(select(_e4060, _e4125, _e4134), vec3<f32>(select(select(select(select(_e3821, _e3880.member, _e3906), _e3956.member, _e3982), _e4032.member, _e4058), _e4108.member, _e4134), select(select(select(select(_e3822, _e3880.member_1, _e3906), _e3956.member_1, _e3982), _e4032.member_1, _e4058), _e4108.member_1, _e4134), select(select(select(select(_e3823, _e3880.member_2, _e3906), _e3956.member_2, _e3982), _e4032.member_2, _e4058), _e4108.member_2, _e4134)), select(_e4064, _e4129, _e4135), vec3<f32>(select(select(select(select(_e3826, _e3880.member, _e3907), _e3956.member, _e3983), _e4032.member, _e4059), _e4108.member, _e4135), select(select(select(select(_e3827, _e3880.member_1, _e3907), _e3956.member_1, _e3983), _e4032.member_1, _e4059), _e4108.member_1, _e4135), select(select(select(select(_e3828, _e3880.member_2, _e3907), _e3956.member_2, _e3983), _e4032.member_2, _e4059), _e4108.member_2, _e4135)), select(_e4068, _e4102, _e4130), select(_e4070, _e4103, (_e4103 > _e4070)), vec3<f32>(select(select(select(select(_e3833, _e3880.member, _e3902), _e3956.member, _e3978), _e4032.member, _e4054), _e4108.member, _e4130), select(select(select(select(_e3834, _e3880.member_1, _e3902), _e3956.member_1, _e3978), _e4032.member_1, _e4054), _e4108.member_1, _e4130), select(select(select(select(_e3835, _e3880.member_2, _e3902), _e3956.member_2, _e3978), _e4032.member_2, _e4054), _e4108.member_2, _e4130)));
+phi_9049_ = type_33(select(_e4060, _e4125, _e4134), vec3<f32>(select(select(select(select(_e3821, _e3880.member, _e3906), _e3956.member, _e3982), _e4032.member, _e4058), _e4108.member, _e4134), select(select(select(select(_e3822, _e3880.member_1, _e3906), _e3956.member_1, _e3982), _e4032.member_1, _e4058), _e4108.member_1, _e4134), select(select(select(select(_e3823, _e3880.member_2, _e3906), _e3956.member_2, _e3982), _e4032.member_2, _e4058), _e4108.member_2, _e4134)), select(_e4064, _e4129, _e4135), vec3<f32>(select(select(select(select(_e3826, _e3880.member, _e3907), _e3956.member, _e3983), _e4032.member, _e4059), _e4108.member, _e4135), select(select(select(select(_e3827, _e3880.member_1, _e3907), _e3956.member_1, _e3983), _e4032.member_1, _e4059), _e4108.member_1, _e4135), select(select(select(select(_e3828, _e3880.member_2, _e3907), _e3956.member_2, _e3983), _e4032.member_2, _e4059), _e4108.member_2, _e4135)), select(_e4068, _e4102, _e4130), select(_e4070, _e4103, (_e4103 > _e4070)), vec3<f32>(select(select(select(select(_e3833, _e3880.member, _e3902), _e3956.member, _e3978), _e4032.member, _e4054), _e4108.member, _e4130), select(select(select(select(_e3834, _e3880.member_1, _e3902), _e3956.member_1, _e3978), _e4032.member_1, _e4054), _e4108.member_1, _e4130), select(select(select(select(_e3835, _e3880.member_2, _e3902), _e3956.member_2, _e3978), _e4032.member_2, _e4054), _e4108.member_2, _e4130)));
 }
 let _e4155 = phi_9049_;
 let _e4161 = (((_e3036 && _e3554) && !(_e3538)) && (_e4155.member_2 <= 1f));
@@ -1507,7 +1507,7 @@ let _e4280 = (_e4274 + _e1844);
 let _e4281 = (_e4274 + _e1894);
 let _e4282 = (_e4276 + _e1848);
 let _e4283 = (_e4276 + _e1897);
-local_24 = type_29(array<i32, 4>(_e4271, (_e4271 + 1i), (_e4271 + 2i), (_e4271 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_24 = type_30(array<i32, 4>(_e4271, (_e4271 + 1i), (_e4271 + 2i), (_e4271 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_25 = vec3<f32>((_e4196 - f32(_e4219)), (_e4200 - f32(_e4234)), (_e4204 - f32(_e4249)));
 let _e4297 = local_24.member[1u];
 let _e4298 = ((_e4282 + _e4280) + _e4297);
@@ -1739,7 +1739,7 @@ let _e4959 = select(select(select(select(select(select(0f, _e1146.member, _e4740
 let _e4960 = select(select(select(select(select(select(0f, _e1146.member_1, _e4740), _e1146.member_1, _e4780), _e1154.member_1, _e4820), _e1154.member_1, _e4860), _e1162.member_1, _e4900), _e1162.member_1, _e4940);
 let _e4961 = select(select(select(select(select(select(1f, _e1146.member_2, _e4740), _e1146.member_2, _e4780), _e1154.member_2, _e4820), _e1154.member_2, _e4860), _e1162.member_2, _e4900), _e1162.member_2, _e4940);
 if _e1411 {
-phi_11754_ = type_32(_e4946, vec3<f32>(_e4947, _e4948, _e4949), _e4951, vec3<f32>(_e4952, _e4953, _e4954), _e4956, _e4958, vec3<f32>(_e4959, _e4960, _e4961));
+phi_11754_ = type_33(_e4946, vec3<f32>(_e4947, _e4948, _e4949), _e4951, vec3<f32>(_e4952, _e4953, _e4954), _e4956, _e4958, vec3<f32>(_e4959, _e4960, _e4961));
 } else {
 let _e4968 = (((_e1146.member * _e1146.member) + (_e1146.member_1 * _e1146.member_1)) + (_e1146.member_2 * _e1146.member_2));
 let _e4971 = sqrt(select(0f, _e4968, (_e4968 > 0f)));
@@ -1819,7 +1819,7 @@ let _e5255 = select(2f, select(0f, _e5247, (_e5228 < 0f)), (_e5229 > 0f));
 let _e5256 = (_e5228 > _e5194);
 let _e5260 = ((_e5251 > _e5186) || ((_e5251 == _e5186) && _e5256));
 let _e5261 = (_e5255 < _e5190);
-phi_11754_ = type_32(select(_e5186, _e5251, _e5260), vec3<f32>(select(select(select(select(_e4947, _e5006.member, _e5032), _e5082.member, _e5108), _e5158.member, _e5184), _e5234.member, _e5260), select(select(select(select(_e4948, _e5006.member_1, _e5032), _e5082.member_1, _e5108), _e5158.member_1, _e5184), _e5234.member_1, _e5260), select(select(select(select(_e4949, _e5006.member_2, _e5032), _e5082.member_2, _e5108), _e5158.member_2, _e5184), _e5234.member_2, _e5260)), select(_e5190, _e5255, _e5261), vec3<f32>(select(select(select(select(_e4952, _e5006.member, _e5033), _e5082.member, _e5109), _e5158.member, _e5185), _e5234.member, _e5261), select(select(select(select(_e4953, _e5006.member_1, _e5033), _e5082.member_1, _e5109), _e5158.member_1, _e5185), _e5234.member_1, _e5261), select(select(select(select(_e4954, _e5006.member_2, _e5033), _e5082.member_2, _e5109), _e5158.member_2, _e5185), _e5234.member_2, _e5261)), select(_e5194, _e5228, _e5256), select(_e5196, _e5229, (_e5229 > _e5196)), vec3<f32>(select(select(select(select(_e4959, _e5006.member, _e5028), _e5082.member, _e5104), _e5158.member, _e5180), _e5234.member, _e5256), select(select(select(select(_e4960, _e5006.member_1, _e5028), _e5082.member_1, _e5104), _e5158.member_1, _e5180), _e5234.member_1, _e5256), select(select(select(select(_e4961, _e5006.member_2, _e5028), _e5082.member_2, _e5104), _e5158.member_2, _e5180), _e5234.member_2, _e5256)));
+phi_11754_ = type_33(select(_e5186, _e5251, _e5260), vec3<f32>(select(select(select(select(_e4947, _e5006.member, _e5032), _e5082.member, _e5108), _e5158.member, _e5184), _e5234.member, _e5260), select(select(select(select(_e4948, _e5006.member_1, _e5032), _e5082.member_1, _e5108), _e5158.member_1, _e5184), _e5234.member_1, _e5260), select(select(select(select(_e4949, _e5006.member_2, _e5032), _e5082.member_2, _e5108), _e5158.member_2, _e5184), _e5234.member_2, _e5260)), select(_e5190, _e5255, _e5261), vec3<f32>(select(select(select(select(_e4952, _e5006.member, _e5033), _e5082.member, _e5109), _e5158.member, _e5185), _e5234.member, _e5261), select(select(select(select(_e4953, _e5006.member_1, _e5033), _e5082.member_1, _e5109), _e5158.member_1, _e5185), _e5234.member_1, _e5261), select(select(select(select(_e4954, _e5006.member_2, _e5033), _e5082.member_2, _e5109), _e5158.member_2, _e5185), _e5234.member_2, _e5261)), select(_e5194, _e5228, _e5256), select(_e5196, _e5229, (_e5229 > _e5196)), vec3<f32>(select(select(select(select(_e4959, _e5006.member, _e5028), _e5082.member, _e5104), _e5158.member, _e5180), _e5234.member, _e5256), select(select(select(select(_e4960, _e5006.member_1, _e5028), _e5082.member_1, _e5104), _e5158.member_1, _e5180), _e5234.member_1, _e5256), select(select(select(select(_e4961, _e5006.member_2, _e5028), _e5082.member_2, _e5104), _e5158.member_2, _e5180), _e5234.member_2, _e5256)));
 }
 let _e5281 = phi_11754_;
 let _e5287 = (((_e4161 && _e4680) && !(_e4664)) && (_e5281.member_2 <= 1f));
@@ -2029,7 +2029,7 @@ phi_13538_ = _e2343;
 phi_13538_ = _e3472;
 }
 let _e5811 = phi_13538_;
-phi_13819_ = type_33(_e5811, vec3<f32>(select(_e4675, _e4174.x, _e5287), select(_e4676, _e4174.y, _e5287), select(_e4677, _e4174.z, _e5287)), vec3<f32>(_e4649, _e4650, _e4651), select((_e1043 * select(0f, _e5368, (_e5368 > 0f))), ((((sqrt(select(0f, _e5379, (_e5379 > 0f))) * select(0f, _e5460, (_e5460 > 0f))) + (sqrt(select(0f, _e5471, (_e5471 > 0f))) * select(0f, _e5567, (_e5567 > 0f)))) + (sqrt(select(0f, _e5579, (_e5579 > 0f))) * select(0f, _e5675, (_e5675 > 0f)))) + select(0f, (sqrt(select(0f, _e5687, (_e5687 > 0f))) * select(0f, _e5783, (_e5783 > 0f))), _e4161)), _e5790), select((_e338 / _e4651), (2f * (_e3040 / _e2397)), (((_e1754 && !(_e1738)) && _e2429) && !(_e3036))), select(_e3030.member_3, _e1746.member_1, vec3(_e2410)), _e4680, _e5790, (((_e2414 || _e3538) || _e4664) || _e5287));
+phi_13819_ = type_34(_e5811, vec3<f32>(select(_e4675, _e4174.x, _e5287), select(_e4676, _e4174.y, _e5287), select(_e4677, _e4174.z, _e5287)), vec3<f32>(_e4649, _e4650, _e4651), select((_e1043 * select(0f, _e5368, (_e5368 > 0f))), ((((sqrt(select(0f, _e5379, (_e5379 > 0f))) * select(0f, _e5460, (_e5460 > 0f))) + (sqrt(select(0f, _e5471, (_e5471 > 0f))) * select(0f, _e5567, (_e5567 > 0f)))) + (sqrt(select(0f, _e5579, (_e5579 > 0f))) * select(0f, _e5675, (_e5675 > 0f)))) + select(0f, (sqrt(select(0f, _e5687, (_e5687 > 0f))) * select(0f, _e5783, (_e5783 > 0f))), _e4161)), _e5790), select((_e338 / _e4651), (2f * (_e3040 / _e2397)), (((_e1754 && !(_e1738)) && _e2429) && !(_e3036))), select(_e3030.member_3, _e1746.member_1, vec3(_e2410)), _e4680, _e5790, (((_e2414 || _e3538) || _e4664) || _e5287));
 } else {
 let _e1046 = (_e892 < 1e-12f);
 let _e1048 = (1f / select(_e887, 1f, _e1046));
@@ -2064,7 +2064,7 @@ let _e1120 = select(select(1f, _e1117, (_e1117 < 1f)), 1f, _e1096);
 let _e1122 = select(_e1095, _e1070, (_e1070 < _e1095));
 let _e1126 = select(_e1088, _e1063, (_e1063 > _e1088));
 let _e1129 = (select(_e1120, _e1122, (_e1122 < _e1120)) - select(_e1113, _e1126, (_e1126 > _e1113)));
-phi_13819_ = type_33(_e1045.member, _e1045.member_1, _e1045.member_2, (_e1043 * select(0f, _e1129, (_e1129 > 0f))), _e1045.member_4, _e1045.member_5, _e1045.member_6, _e1045.member_7, _e1045.member_8);
+phi_13819_ = type_34(_e1045.member, _e1045.member_1, _e1045.member_2, (_e1043 * select(0f, _e1129, (_e1129 > 0f))), _e1045.member_4, _e1045.member_5, _e1045.member_6, _e1045.member_7, _e1045.member_8);
 }
 let _e5814 = phi_13819_;
 let _e5823 = select(_e345, 0f, (_e1024 || !(_e5814.member_7)));
@@ -2111,7 +2111,7 @@ let _e6330 = (_e6320 + (3i * _e6276));
 let _e6331 = (_e6322 + _e6280);
 let _e6333 = (_e6322 + (2i * _e6280));
 let _e6335 = (_e6322 + (3i * _e6280));
-local_20 = type_29(array<i32, 4>(_e6317, (_e6317 + 1i), (_e6317 + 2i), (_e6317 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_20 = type_30(array<i32, 4>(_e6317, (_e6317 + 1i), (_e6317 + 2i), (_e6317 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_21 = vec3<f32>((_e6219 - f32(_e6242)), (_e6223 - f32(_e6257)), (_e6227 - f32(_e6272)));
 let _e6346 = (_e6331 + _e6326);
 let _e6349 = local_20.member[0u];
@@ -2498,7 +2498,7 @@ if _e579 {
 let _e8005 = ((0.5f * (_e7296 - _e7290)) * _e7554);
 let _e8006 = ((0.5f * (_e7308 - _e7302)) * _e7554);
 let _e8007 = ((0.5f * (_e7320 - _e7314)) * _e7554);
-phi_19454_ = type_30(_e7516, vec3<f32>(_e8005, _e8006, _e8007), vec3<f32>((_e8005 * _e7516), (_e8006 * _e7516), (_e8007 * _e7516)));
+phi_19454_ = type_31(_e7516, vec3<f32>(_e8005, _e8006, _e8007), vec3<f32>((_e8005 * _e7516), (_e8006 * _e7516), (_e8007 * _e7516)));
 } else {
 local_16 = _e7290;
 let _e7555 = local_16;
@@ -2647,7 +2647,7 @@ let _e7980 = ((_e7501 + (f32(bitcast<i32>((_e7965 >> bitcast<u32>(12u)))) * _e75
 let _e7981 = (_e7696 - _e7625);
 let _e7983 = (_e7838 - _e7767);
 let _e7985 = (_e7980 - _e7909);
-phi_19454_ = type_30(_e7516, vec3<f32>((0.5f * _e7981), (0.5f * _e7983), (0.5f * _e7985)), vec3<f32>((0.25f * (_e7981 * (_e7696 + _e7625))), (0.25f * (_e7983 * (_e7838 + _e7767))), (0.25f * (_e7985 * (_e7980 + _e7909)))));
+phi_19454_ = type_31(_e7516, vec3<f32>((0.5f * _e7981), (0.5f * _e7983), (0.5f * _e7985)), vec3<f32>((0.25f * (_e7981 * (_e7696 + _e7625))), (0.25f * (_e7983 * (_e7838 + _e7767))), (0.25f * (_e7985 * (_e7980 + _e7909)))));
 }
 let _e8015 = phi_19454_;
 let _e8030 = select(0f, 1f, ((((((_e5837 >= -0.5f) && (_e5837 <= _e872)) && (_e5843 >= -0.5f)) && (_e5843 <= _e877)) && (_e5849 >= -0.5f)) && (_e5849 <= _e882)));
@@ -2663,7 +2663,7 @@ let _e8072 = global_1.member.member_6.member_1.member.member_2;
 let _e8078 = global_1.member.member_6.member_2.member.member;
 let _e8084 = global_1.member.member_6.member_2.member.member_1;
 let _e8090 = global_1.member.member_6.member_2.member.member_2;
-phi_20156_ = type_31(_e7284, vec3<f32>(((((_e8042 * _e8032) + (_e8060 * _e8034)) + (_e8078 * _e8036)) * _e8030), ((((_e8048 * _e8032) + (_e8066 * _e8034)) + (_e8084 * _e8036)) * _e8030), ((((_e8054 * _e8032) + (_e8072 * _e8034)) + (_e8090 * _e8036)) * _e8030)), _e8015.member, vec3<f32>(((((_e8042 * _e8015.member_2.x) + (_e8060 * _e8015.member_2.y)) + (_e8078 * _e8015.member_2.z)) * _e8030), ((((_e8048 * _e8015.member_2.x) + (_e8066 * _e8015.member_2.y)) + (_e8084 * _e8015.member_2.z)) * _e8030), ((((_e8054 * _e8015.member_2.x) + (_e8072 * _e8015.member_2.y)) + (_e8090 * _e8015.member_2.z)) * _e8030)), vec3<f32>(((((_e8042 * _e8015.member_1.x) + (_e8060 * _e8015.member_1.y)) + (_e8078 * _e8015.member_1.z)) * _e8030), ((((_e8048 * _e8015.member_1.x) + (_e8066 * _e8015.member_1.y)) + (_e8084 * _e8015.member_1.z)) * _e8030), ((((_e8054 * _e8015.member_1.x) + (_e8072 * _e8015.member_1.y)) + (_e8090 * _e8015.member_1.z)) * _e8030)));
+phi_20156_ = type_32(_e7284, vec3<f32>(((((_e8042 * _e8032) + (_e8060 * _e8034)) + (_e8078 * _e8036)) * _e8030), ((((_e8048 * _e8032) + (_e8066 * _e8034)) + (_e8084 * _e8036)) * _e8030), ((((_e8054 * _e8032) + (_e8072 * _e8034)) + (_e8090 * _e8036)) * _e8030)), _e8015.member, vec3<f32>(((((_e8042 * _e8015.member_2.x) + (_e8060 * _e8015.member_2.y)) + (_e8078 * _e8015.member_2.z)) * _e8030), ((((_e8048 * _e8015.member_2.x) + (_e8066 * _e8015.member_2.y)) + (_e8084 * _e8015.member_2.z)) * _e8030), ((((_e8054 * _e8015.member_2.x) + (_e8072 * _e8015.member_2.y)) + (_e8090 * _e8015.member_2.z)) * _e8030)), vec3<f32>(((((_e8042 * _e8015.member_1.x) + (_e8060 * _e8015.member_1.y)) + (_e8078 * _e8015.member_1.z)) * _e8030), ((((_e8048 * _e8015.member_1.x) + (_e8066 * _e8015.member_1.y)) + (_e8084 * _e8015.member_1.z)) * _e8030), ((((_e8054 * _e8015.member_1.x) + (_e8072 * _e8015.member_1.y)) + (_e8090 * _e8015.member_1.z)) * _e8030)));
 } else {
 let _e5851 = select(-0.5f, _e5837, (_e5837 > -0.5f));
 let _e5853 = select(_e872, _e5851, (_e5851 < _e872));
@@ -2701,7 +2701,7 @@ let _e5960 = (_e5954 + _e5910);
 let _e5962 = (_e5954 + (2i * _e5910));
 let _e5963 = (_e5956 + _e5914);
 let _e5965 = (_e5956 + (2i * _e5914));
-local_4 = type_29(array<i32, 4>(_e5951, (_e5951 + 1i), (_e5951 + 2i), (_e5951 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_30(array<i32, 4>(_e5951, (_e5951 + 1i), (_e5951 + 2i), (_e5951 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e5853 - f32(_e5876)), (_e5857 - f32(_e5891)), (_e5861 - f32(_e5906)));
 let _e5979 = local_4.member[1u];
 let _e5980 = ((_e5963 + _e5960) + _e5979);
@@ -2770,7 +2770,7 @@ let _e6207 = global_1.member.member_6.member_5;
 let _e6209 = (((_e6088 + (((_e6139 + (((_e6179 + ((f32(bitcast<i32>(((_e6172 >> bitcast<u32>((_e6180 & 31u))) & 65535u))) - _e6179) * _e6187)) - _e6139) * _e6191)) - _e6088) * _e6196)) - _e6203) * _e6207);
 let _e6210 = -(1e9f);
 let _e6212 = select(_e6210, _e6209, (_e6209 > _e6210));
-phi_20156_ = type_31(select(1e9f, _e6212, (_e6212 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20156_ = type_32(select(1e9f, _e6212, (_e6212 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8156 = phi_20156_;
 let _e8158 = select(-0.5f, _e488, (_e488 > -0.5f));
@@ -2809,7 +2809,7 @@ let _e8267 = (_e8261 + _e8217);
 let _e8269 = (_e8261 + (2i * _e8217));
 let _e8270 = (_e8263 + _e8221);
 let _e8272 = (_e8263 + (2i * _e8221));
-local_2 = type_29(array<i32, 4>(_e8258, (_e8258 + 1i), (_e8258 + 2i), (_e8258 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_30(array<i32, 4>(_e8258, (_e8258 + 1i), (_e8258 + 2i), (_e8258 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e8160 - f32(_e8183)), (_e8164 - f32(_e8198)), (_e8168 - f32(_e8213)));
 let _e8286 = local_2.member[1u];
 let _e8287 = ((_e8270 + _e8267) + _e8286);
@@ -3282,7 +3282,7 @@ let _e9933 = select(select(select(select(select(select(0f, _e9674.member, _e9714
 let _e9934 = select(select(select(select(select(select(0f, _e9674.member_1, _e9714), _e9674.member_1, _e9754), _e9682.member_1, _e9794), _e9682.member_1, _e9834), _e9690.member_1, _e9874), _e9690.member_1, _e9914);
 let _e9935 = select(select(select(select(select(select(1f, _e9674.member_2, _e9714), _e9674.member_2, _e9754), _e9682.member_2, _e9794), _e9682.member_2, _e9834), _e9690.member_2, _e9874), _e9690.member_2, _e9914);
 if _e8523 {
-phi_24429_ = type_32(_e9920, vec3<f32>(_e9921, _e9922, _e9923), _e9925, vec3<f32>(_e9926, _e9927, _e9928), _e9930, _e9932, vec3<f32>(_e9933, _e9934, _e9935));
+phi_24429_ = type_33(_e9920, vec3<f32>(_e9921, _e9922, _e9923), _e9925, vec3<f32>(_e9926, _e9927, _e9928), _e9930, _e9932, vec3<f32>(_e9933, _e9934, _e9935));
 } else {
 let _e9942 = (((_e9674.member * _e9674.member) + (_e9674.member_1 * _e9674.member_1)) + (_e9674.member_2 * _e9674.member_2));
 let _e9945 = sqrt(select(0f, _e9942, (_e9942 > 0f)));
@@ -3362,7 +3362,7 @@ let _e10229 = select(2f, select(0f, _e10221, (_e10202 < 0f)), (_e10203 > 0f));
 let _e10230 = (_e10202 > _e10168);
 let _e10234 = ((_e10225 > _e10160) || ((_e10225 == _e10160) && _e10230));
 let _e10235 = (_e10229 < _e10164);
-phi_24429_ = type_32(select(_e10160, _e10225, _e10234), vec3<f32>(select(select(select(select(_e9921, _e9980.member, _e10006), _e10056.member, _e10082), _e10132.member, _e10158), _e10208.member, _e10234), select(select(select(select(_e9922, _e9980.member_1, _e10006), _e10056.member_1, _e10082), _e10132.member_1, _e10158), _e10208.member_1, _e10234), select(select(select(select(_e9923, _e9980.member_2, _e10006), _e10056.member_2, _e10082), _e10132.member_2, _e10158), _e10208.member_2, _e10234)), select(_e10164, _e10229, _e10235), vec3<f32>(select(select(select(select(_e9926, _e9980.member, _e10007), _e10056.member, _e10083), _e10132.member, _e10159), _e10208.member, _e10235), select(select(select(select(_e9927, _e9980.member_1, _e10007), _e10056.member_1, _e10083), _e10132.member_1, _e10159), _e10208.member_1, _e10235), select(select(select(select(_e9928, _e9980.member_2, _e10007), _e10056.member_2, _e10083), _e10132.member_2, _e10159), _e10208.member_2, _e10235)), select(_e10168, _e10202, _e10230), select(_e10170, _e10203, (_e10203 > _e10170)), vec3<f32>(select(select(select(select(_e9933, _e9980.member, _e10002), _e10056.member, _e10078), _e10132.member, _e10154), _e10208.member, _e10230), select(select(select(select(_e9934, _e9980.member_1, _e10002), _e10056.member_1, _e10078), _e10132.member_1, _e10154), _e10208.member_1, _e10230), select(select(select(select(_e9935, _e9980.member_2, _e10002), _e10056.member_2, _e10078), _e10132.member_2, _e10154), _e10208.member_2, _e10230)));
+phi_24429_ = type_33(select(_e10160, _e10225, _e10234), vec3<f32>(select(select(select(select(_e9921, _e9980.member, _e10006), _e10056.member, _e10082), _e10132.member, _e10158), _e10208.member, _e10234), select(select(select(select(_e9922, _e9980.member_1, _e10006), _e10056.member_1, _e10082), _e10132.member_1, _e10158), _e10208.member_1, _e10234), select(select(select(select(_e9923, _e9980.member_2, _e10006), _e10056.member_2, _e10082), _e10132.member_2, _e10158), _e10208.member_2, _e10234)), select(_e10164, _e10229, _e10235), vec3<f32>(select(select(select(select(_e9926, _e9980.member, _e10007), _e10056.member, _e10083), _e10132.member, _e10159), _e10208.member, _e10235), select(select(select(select(_e9927, _e9980.member_1, _e10007), _e10056.member_1, _e10083), _e10132.member_1, _e10159), _e10208.member_1, _e10235), select(select(select(select(_e9928, _e9980.member_2, _e10007), _e10056.member_2, _e10083), _e10132.member_2, _e10159), _e10208.member_2, _e10235)), select(_e10168, _e10202, _e10230), select(_e10170, _e10203, (_e10203 > _e10170)), vec3<f32>(select(select(select(select(_e9933, _e9980.member, _e10002), _e10056.member, _e10078), _e10132.member, _e10154), _e10208.member, _e10230), select(select(select(select(_e9934, _e9980.member_1, _e10002), _e10056.member_1, _e10078), _e10132.member_1, _e10154), _e10208.member_1, _e10230), select(select(select(select(_e9935, _e9980.member_2, _e10002), _e10056.member_2, _e10078), _e10132.member_2, _e10154), _e10208.member_2, _e10230)));
 }
 let _e10255 = phi_24429_;
 let _e10260 = (_e8726.member_2 * _e5829);

@@ -130,23 +130,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -155,7 +159,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -165,10 +169,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -186,9 +186,9 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_29;
+var local_2: type_30;
 var local_3: vec3<f32>;
-var local_4: type_29;
+var local_4: type_30;
 var local_5: vec3<f32>;
 var local_6: f32;
 var local_7: f32;
@@ -204,39 +204,39 @@ var local_16: f32;
 var local_17: f32;
 var local_18: f32;
 var local_19: f32;
-var local_20: type_29;
+var local_20: type_30;
 var local_21: vec3<f32>;
 var local_22: f32;
 var local_23: f32;
-var local_24: type_29;
+var local_24: type_30;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_29;
+var local_28: type_30;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_29;
+var local_32: type_30;
 var local_33: vec3<f32>;
 var phi_1079_: bool;
 var phi_1268_: bool;
 var phi_1271_: bool;
-var phi_3620_: type_32;
+var phi_3620_: type_33;
 var phi_3633_: bool;
-var phi_3649_: type_34;
+var phi_3649_: type_27;
 var phi_3661_: bool;
 var phi_4867_: type_26;
-var phi_6405_: type_32;
+var phi_6405_: type_33;
 var phi_7633_: type_26;
-var phi_9171_: type_32;
+var phi_9171_: type_33;
 var phi_10399_: type_26;
-var phi_11937_: type_32;
+var phi_11937_: type_33;
 var phi_13721_: type_26;
-var phi_14002_: type_33;
-var phi_19542_: type_30;
-var phi_20305_: type_31;
+var phi_14002_: type_34;
+var phi_19542_: type_31;
+var phi_20305_: type_32;
 var phi_21291_: type_5;
-var phi_24639_: type_32;
+var phi_24639_: type_33;
 var phi_24796_: vec3<f32>;
 var phi_24797_: bool;
 switch bitcast<i32>(0u) {
@@ -475,7 +475,7 @@ let _e1033 = (_e424 - _e407);
 let _e1034 = (_e413 - _e380);
 let _e1039 = (((_e1032 * _e1032) + (_e1033 * _e1033)) + (_e1034 * _e1034));
 let _e1042 = sqrt(select(0f, _e1039, (_e1039 > 0f)));
-let _e1044 = type_33(type_26(1f, 1f), vec3<f32>(_e419, _e424, _e413), _e333, _e1042, (_e337 / _e276), _e333, true, false, false);
+let _e1044 = type_34(type_26(1f, 1f), vec3<f32>(_e419, _e424, _e413), _e333, _e1042, (_e337 / _e276), _e333, true, false, false);
 if _e581 {
 let _e1145 = global_1.member.member_6.member.member;
 let _e1153 = global_1.member.member_6.member_1.member;
@@ -587,7 +587,7 @@ let _e1405 = select(select(select(select(select(select(0f, _e1145.member_1, _e11
 let _e1406 = select(select(select(select(select(select(1f, _e1145.member_2, _e1185), _e1145.member_2, _e1225), _e1153.member_2, _e1265), _e1153.member_2, _e1305), _e1161.member_2, _e1345), _e1161.member_2, _e1385);
 let _e1410 = ((_e1016 & 16u) == 0u);
 if _e1410 {
-phi_3620_ = type_32(_e1391, vec3<f32>(_e1392, _e1393, _e1394), _e1396, vec3<f32>(_e1397, _e1398, _e1399), _e1401, _e1403, vec3<f32>(_e1404, _e1405, _e1406));
+phi_3620_ = type_33(_e1391, vec3<f32>(_e1392, _e1393, _e1394), _e1396, vec3<f32>(_e1397, _e1398, _e1399), _e1401, _e1403, vec3<f32>(_e1404, _e1405, _e1406));
 } else {
 let _e1415 = (((_e1145.member * _e1145.member) + (_e1145.member_1 * _e1145.member_1)) + (_e1145.member_2 * _e1145.member_2));
 let _e1418 = sqrt(select(0f, _e1415, (_e1415 > 0f)));
@@ -667,7 +667,7 @@ let _e1702 = select(2f, select(0f, _e1694, (_e1675 < 0f)), (_e1676 > 0f));
 let _e1703 = (_e1675 > _e1641);
 let _e1707 = ((_e1698 > _e1633) || ((_e1698 == _e1633) && _e1703));
 let _e1708 = (_e1702 < _e1637);
-phi_3620_ = type_32(select(_e1633, _e1698, _e1707), vec3<f32>(select(select(select(select(_e1392, _e1453.member, _e1479), _e1529.member, _e1555), _e1605.member, _e1631), _e1681.member, _e1707), select(select(select(select(_e1393, _e1453.member_1, _e1479), _e1529.member_1, _e1555), _e1605.member_1, _e1631), _e1681.member_1, _e1707), select(select(select(select(_e1394, _e1453.member_2, _e1479), _e1529.member_2, _e1555), _e1605.member_2, _e1631), _e1681.member_2, _e1707)), select(_e1637, _e1702, _e1708), vec3<f32>(select(select(select(select(_e1397, _e1453.member, _e1480), _e1529.member, _e1556), _e1605.member, _e1632), _e1681.member, _e1708), select(select(select(select(_e1398, _e1453.member_1, _e1480), _e1529.member_1, _e1556), _e1605.member_1, _e1632), _e1681.member_1, _e1708), select(select(select(select(_e1399, _e1453.member_2, _e1480), _e1529.member_2, _e1556), _e1605.member_2, _e1632), _e1681.member_2, _e1708)), select(_e1641, _e1675, _e1703), select(_e1643, _e1676, (_e1676 > _e1643)), vec3<f32>(select(select(select(select(_e1404, _e1453.member, _e1475), _e1529.member, _e1551), _e1605.member, _e1627), _e1681.member, _e1703), select(select(select(select(_e1405, _e1453.member_1, _e1475), _e1529.member_1, _e1551), _e1605.member_1, _e1627), _e1681.member_1, _e1703), select(select(select(select(_e1406, _e1453.member_2, _e1475), _e1529.member_2, _e1551), _e1605.member_2, _e1627), _e1681.member_2, _e1703)));
+phi_3620_ = type_33(select(_e1633, _e1698, _e1707), vec3<f32>(select(select(select(select(_e1392, _e1453.member, _e1479), _e1529.member, _e1555), _e1605.member, _e1631), _e1681.member, _e1707), select(select(select(select(_e1393, _e1453.member_1, _e1479), _e1529.member_1, _e1555), _e1605.member_1, _e1631), _e1681.member_1, _e1707), select(select(select(select(_e1394, _e1453.member_2, _e1479), _e1529.member_2, _e1555), _e1605.member_2, _e1631), _e1681.member_2, _e1707)), select(_e1637, _e1702, _e1708), vec3<f32>(select(select(select(select(_e1397, _e1453.member, _e1480), _e1529.member, _e1556), _e1605.member, _e1632), _e1681.member, _e1708), select(select(select(select(_e1398, _e1453.member_1, _e1480), _e1529.member_1, _e1556), _e1605.member_1, _e1632), _e1681.member_1, _e1708), select(select(select(select(_e1399, _e1453.member_2, _e1480), _e1529.member_2, _e1556), _e1605.member_2, _e1632), _e1681.member_2, _e1708)), select(_e1641, _e1675, _e1703), select(_e1643, _e1676, (_e1676 > _e1643)), vec3<f32>(select(select(select(select(_e1404, _e1453.member, _e1475), _e1529.member, _e1551), _e1605.member, _e1627), _e1681.member, _e1703), select(select(select(select(_e1405, _e1453.member_1, _e1475), _e1529.member_1, _e1551), _e1605.member_1, _e1627), _e1681.member_1, _e1703), select(select(select(select(_e1406, _e1453.member_2, _e1475), _e1529.member_2, _e1551), _e1605.member_2, _e1627), _e1681.member_2, _e1703)));
 }
 let _e1728 = phi_3620_;
 if ((_e1728.member_4 > -(0.015625f)) && (_e1728.member_4 < 0.015625f)) {
@@ -677,9 +677,9 @@ phi_3633_ = (_e1728.member_4 < 0f);
 }
 let _e1737 = phi_3633_;
 if _e1737 {
-phi_3649_ = type_34(_e1728.member_2, _e1728.member_3);
+phi_3649_ = type_27(_e1728.member_2, _e1728.member_3);
 } else {
-phi_3649_ = type_34(_e1728.member, _e1728.member_1);
+phi_3649_ = type_27(_e1728.member, _e1728.member_1);
 }
 let _e1745 = phi_3649_;
 if _e1737 {
@@ -736,7 +736,7 @@ let _e1910 = (select(0i, _e1824, (_e1824 > 0i)) * _e1843);
 let _e1911 = (select(_e1855, _e1858, (_e1858 < _e1855)) * _e1843);
 let _e1912 = (select(0i, _e1839, (_e1839 > 0i)) * _e1847);
 let _e1913 = (select(_e1868, _e1871, (_e1871 < _e1868)) * _e1847);
-local_32 = type_29(array<i32, 4>(_e1897, _e1897, _e1897, _e1897), array<u32, 6>(bitcast<u32>(((_e1884 - _e1897) * 8i)), bitcast<u32>(((select(0i, _e1809, (_e1809 > 0i)) - _e1897) * 8i)), bitcast<u32>(((select(_e1881, _e1887, (_e1887 < _e1881)) - _e1897) * 8i)), bitcast<u32>(((select(_e1881, _e1890, (_e1890 < _e1881)) - _e1897) * 8i)), 0u, 0u));
+local_32 = type_30(array<i32, 4>(_e1897, _e1897, _e1897, _e1897), array<u32, 6>(bitcast<u32>(((_e1884 - _e1897) * 8i)), bitcast<u32>(((select(0i, _e1809, (_e1809 > 0i)) - _e1897) * 8i)), bitcast<u32>(((select(_e1881, _e1887, (_e1887 < _e1881)) - _e1897) * 8i)), bitcast<u32>(((select(_e1881, _e1890, (_e1890 < _e1881)) - _e1897) * 8i)), 0u, 0u));
 local_33 = vec3<f32>((_e1786 - f32(_e1809)), (_e1790 - f32(_e1824)), (_e1794 - f32(_e1839)));
 let _e1928 = local_32.member[0u];
 let _e1929 = ((_e1912 + _e1910) + _e1928);
@@ -1020,7 +1020,7 @@ let _e2726 = select(select(select(select(select(select(0f, _e1145.member, _e2507
 let _e2727 = select(select(select(select(select(select(0f, _e1145.member_1, _e2507), _e1145.member_1, _e2547), _e1153.member_1, _e2587), _e1153.member_1, _e2627), _e1161.member_1, _e2667), _e1161.member_1, _e2707);
 let _e2728 = select(select(select(select(select(select(1f, _e1145.member_2, _e2507), _e1145.member_2, _e2547), _e1153.member_2, _e2587), _e1153.member_2, _e2627), _e1161.member_2, _e2667), _e1161.member_2, _e2707);
 if _e1410 {
-phi_6405_ = type_32(_e2713, vec3<f32>(_e2714, _e2715, _e2716), _e2718, vec3<f32>(_e2719, _e2720, _e2721), _e2723, _e2725, vec3<f32>(_e2726, _e2727, _e2728));
+phi_6405_ = type_33(_e2713, vec3<f32>(_e2714, _e2715, _e2716), _e2718, vec3<f32>(_e2719, _e2720, _e2721), _e2723, _e2725, vec3<f32>(_e2726, _e2727, _e2728));
 } else {
 let _e2735 = (((_e1145.member * _e1145.member) + (_e1145.member_1 * _e1145.member_1)) + (_e1145.member_2 * _e1145.member_2));
 let _e2738 = sqrt(select(0f, _e2735, (_e2735 > 0f)));
@@ -1100,7 +1100,7 @@ let _e3022 = select(2f, select(0f, _e3014, (_e2995 < 0f)), (_e2996 > 0f));
 let _e3023 = (_e2995 > _e2961);
 let _e3027 = ((_e3018 > _e2953) || ((_e3018 == _e2953) && _e3023));
 let _e3028 = (_e3022 < _e2957);
-phi_6405_ = type_32(select(_e2953, _e3018, _e3027), vec3<f32>(select(select(select(select(_e2714, _e2773.member, _e2799), _e2849.member, _e2875), _e2925.member, _e2951), _e3001.member, _e3027), select(select(select(select(_e2715, _e2773.member_1, _e2799), _e2849.member_1, _e2875), _e2925.member_1, _e2951), _e3001.member_1, _e3027), select(select(select(select(_e2716, _e2773.member_2, _e2799), _e2849.member_2, _e2875), _e2925.member_2, _e2951), _e3001.member_2, _e3027)), select(_e2957, _e3022, _e3028), vec3<f32>(select(select(select(select(_e2719, _e2773.member, _e2800), _e2849.member, _e2876), _e2925.member, _e2952), _e3001.member, _e3028), select(select(select(select(_e2720, _e2773.member_1, _e2800), _e2849.member_1, _e2876), _e2925.member_1, _e2952), _e3001.member_1, _e3028), select(select(select(select(_e2721, _e2773.member_2, _e2800), _e2849.member_2, _e2876), _e2925.member_2, _e2952), _e3001.member_2, _e3028)), select(_e2961, _e2995, _e3023), select(_e2963, _e2996, (_e2996 > _e2963)), vec3<f32>(select(select(select(select(_e2726, _e2773.member, _e2795), _e2849.member, _e2871), _e2925.member, _e2947), _e3001.member, _e3023), select(select(select(select(_e2727, _e2773.member_1, _e2795), _e2849.member_1, _e2871), _e2925.member_1, _e2947), _e3001.member_1, _e3023), select(select(select(select(_e2728, _e2773.member_2, _e2795), _e2849.member_2, _e2871), _e2925.member_2, _e2947), _e3001.member_2, _e3023)));
+phi_6405_ = type_33(select(_e2953, _e3018, _e3027), vec3<f32>(select(select(select(select(_e2714, _e2773.member, _e2799), _e2849.member, _e2875), _e2925.member, _e2951), _e3001.member, _e3027), select(select(select(select(_e2715, _e2773.member_1, _e2799), _e2849.member_1, _e2875), _e2925.member_1, _e2951), _e3001.member_1, _e3027), select(select(select(select(_e2716, _e2773.member_2, _e2799), _e2849.member_2, _e2875), _e2925.member_2, _e2951), _e3001.member_2, _e3027)), select(_e2957, _e3022, _e3028), vec3<f32>(select(select(select(select(_e2719, _e2773.member, _e2800), _e2849.member, _e2876), _e2925.member, _e2952), _e3001.member, _e3028), select(select(select(select(_e2720, _e2773.member_1, _e2800), _e2849.member_1, _e2876), _e2925.member_1, _e2952), _e3001.member_1, _e3028), select(select(select(select(_e2721, _e2773.member_2, _e2800), _e2849.member_2, _e2876), _e2925.member_2, _e2952), _e3001.member_2, _e3028)), select(_e2961, _e2995, _e3023), select(_e2963, _e2996, (_e2996 > _e2963)), vec3<f32>(select(select(select(select(_e2726, _e2773.member, _e2795), _e2849.member, _e2871), _e2925.member, _e2947), _e3001.member, _e3023), select(select(select(select(_e2727, _e2773.member_1, _e2795), _e2849.member_1, _e2871), _e2925.member_1, _e2947), _e3001.member_1, _e3023), select(select(select(select(_e2728, _e2773.member_2, _e2795), _e2849.member_2, _e2871), _e2925.member_2, _e2947), _e3001.member_2, _e3023)));
 }
 let _e3048 = phi_6405_;
 let _e3054 = (((_e1753 && _e2447) && !(_e2432)) && (_e3048.member_2 <= 1f));
@@ -1145,7 +1145,7 @@ let _e3178 = (select(0i, _e3127, (_e3127 > 0i)) * _e1843);
 let _e3179 = (select(_e1855, _e3145, (_e3145 < _e1855)) * _e1843);
 let _e3180 = (select(0i, _e3142, (_e3142 > 0i)) * _e1847);
 let _e3181 = (select(_e1868, _e3150, (_e3150 < _e1868)) * _e1847);
-local_28 = type_29(array<i32, 4>(_e3165, _e3165, _e3165, _e3165), array<u32, 6>(bitcast<u32>(((_e3155 - _e3165) * 8i)), bitcast<u32>(((select(0i, _e3112, (_e3112 > 0i)) - _e3165) * 8i)), bitcast<u32>(((select(_e1881, _e3158, (_e3158 < _e1881)) - _e3165) * 8i)), bitcast<u32>(((select(_e1881, _e3161, (_e3161 < _e1881)) - _e3165) * 8i)), 0u, 0u));
+local_28 = type_30(array<i32, 4>(_e3165, _e3165, _e3165, _e3165), array<u32, 6>(bitcast<u32>(((_e3155 - _e3165) * 8i)), bitcast<u32>(((select(0i, _e3112, (_e3112 > 0i)) - _e3165) * 8i)), bitcast<u32>(((select(_e1881, _e3158, (_e3158 < _e1881)) - _e3165) * 8i)), bitcast<u32>(((select(_e1881, _e3161, (_e3161 < _e1881)) - _e3165) * 8i)), 0u, 0u));
 local_29 = vec3<f32>((_e3089 - f32(_e3112)), (_e3093 - f32(_e3127)), (_e3097 - f32(_e3142)));
 let _e3196 = local_28.member[0u];
 let _e3197 = ((_e3180 + _e3178) + _e3196);
@@ -1377,7 +1377,7 @@ let _e3857 = select(select(select(select(select(select(0f, _e1145.member, _e3638
 let _e3858 = select(select(select(select(select(select(0f, _e1145.member_1, _e3638), _e1145.member_1, _e3678), _e1153.member_1, _e3718), _e1153.member_1, _e3758), _e1161.member_1, _e3798), _e1161.member_1, _e3838);
 let _e3859 = select(select(select(select(select(select(1f, _e1145.member_2, _e3638), _e1145.member_2, _e3678), _e1153.member_2, _e3718), _e1153.member_2, _e3758), _e1161.member_2, _e3798), _e1161.member_2, _e3838);
 if _e1410 {
-phi_9171_ = type_32(_e3844, vec3<f32>(_e3845, _e3846, _e3847), _e3849, vec3<f32>(_e3850, _e3851, _e3852), _e3854, _e3856, vec3<f32>(_e3857, _e3858, _e3859));
+phi_9171_ = type_33(_e3844, vec3<f32>(_e3845, _e3846, _e3847), _e3849, vec3<f32>(_e3850, _e3851, _e3852), _e3854, _e3856, vec3<f32>(_e3857, _e3858, _e3859));
 } else {
 let _e3866 = (((_e1145.member * _e1145.member) + (_e1145.member_1 * _e1145.member_1)) + (_e1145.member_2 * _e1145.member_2));
 let _e3869 = sqrt(select(0f, _e3866, (_e3866 > 0f)));
@@ -1457,7 +1457,7 @@ let _e4153 = select(2f, select(0f, _e4145, (_e4126 < 0f)), (_e4127 > 0f));
 let _e4154 = (_e4126 > _e4092);
 let _e4158 = ((_e4149 > _e4084) || ((_e4149 == _e4084) && _e4154));
 let _e4159 = (_e4153 < _e4088);
-phi_9171_ = type_32(select(_e4084, _e4149, _e4158), vec3<f32>(select(select(select(select(_e3845, _e3904.member, _e3930), _e3980.member, _e4006), _e4056.member, _e4082), _e4132.member, _e4158), select(select(select(select(_e3846, _e3904.member_1, _e3930), _e3980.member_1, _e4006), _e4056.member_1, _e4082), _e4132.member_1, _e4158), select(select(select(select(_e3847, _e3904.member_2, _e3930), _e3980.member_2, _e4006), _e4056.member_2, _e4082), _e4132.member_2, _e4158)), select(_e4088, _e4153, _e4159), vec3<f32>(select(select(select(select(_e3850, _e3904.member, _e3931), _e3980.member, _e4007), _e4056.member, _e4083), _e4132.member, _e4159), select(select(select(select(_e3851, _e3904.member_1, _e3931), _e3980.member_1, _e4007), _e4056.member_1, _e4083), _e4132.member_1, _e4159), select(select(select(select(_e3852, _e3904.member_2, _e3931), _e3980.member_2, _e4007), _e4056.member_2, _e4083), _e4132.member_2, _e4159)), select(_e4092, _e4126, _e4154), select(_e4094, _e4127, (_e4127 > _e4094)), vec3<f32>(select(select(select(select(_e3857, _e3904.member, _e3926), _e3980.member, _e4002), _e4056.member, _e4078), _e4132.member, _e4154), select(select(select(select(_e3858, _e3904.member_1, _e3926), _e3980.member_1, _e4002), _e4056.member_1, _e4078), _e4132.member_1, _e4154), select(select(select(select(_e3859, _e3904.member_2, _e3926), _e3980.member_2, _e4002), _e4056.member_2, _e4078), _e4132.member_2, _e4154)));
+phi_9171_ = type_33(select(_e4084, _e4149, _e4158), vec3<f32>(select(select(select(select(_e3845, _e3904.member, _e3930), _e3980.member, _e4006), _e4056.member, _e4082), _e4132.member, _e4158), select(select(select(select(_e3846, _e3904.member_1, _e3930), _e3980.member_1, _e4006), _e4056.member_1, _e4082), _e4132.member_1, _e4158), select(select(select(select(_e3847, _e3904.member_2, _e3930), _e3980.member_2, _e4006), _e4056.member_2, _e4082), _e4132.member_2, _e4158)), select(_e4088, _e4153, _e4159), vec3<f32>(select(select(select(select(_e3850, _e3904.member, _e3931), _e3980.member, _e4007), _e4056.member, _e4083), _e4132.member, _e4159), select(select(select(select(_e3851, _e3904.member_1, _e3931), _e3980.member_1, _e4007), _e4056.member_1, _e4083), _e4132.member_1, _e4159), select(select(select(select(_e3852, _e3904.member_2, _e3931), _e3980.member_2, _e4007), _e4056.member_2, _e4083), _e4132.member_2, _e4159)), select(_e4092, _e4126, _e4154), select(_e4094, _e4127, (_e4127 > _e4094)), vec3<f32>(select(select(select(select(_e3857, _e3904.member, _e3926), _e3980.member, _e4002), _e4056.member, _e4078), _e4132.member, _e4154), select(select(select(select(_e3858, _e3904.member_1, _e3926), _e3980.member_1, _e4002), _e4056.member_1, _e4078), _e4132.member_1, _e4154), select(select(select(select(_e3859, _e3904.member_2, _e3926), _e3980.member_2, _e4002), _e4056.member_2, _e4078), _e4132.member_2, _e4154)));
 }
 let _e4179 = phi_9171_;
 let _e4185 = (((_e3054 && _e3578) && !(_e3562)) && (_e4179.member_2 <= 1f));
@@ -1501,7 +1501,7 @@ let _e4309 = (select(0i, _e4258, (_e4258 > 0i)) * _e1843);
 let _e4310 = (select(_e1855, _e4276, (_e4276 < _e1855)) * _e1843);
 let _e4311 = (select(0i, _e4273, (_e4273 > 0i)) * _e1847);
 let _e4312 = (select(_e1868, _e4281, (_e4281 < _e1868)) * _e1847);
-local_24 = type_29(array<i32, 4>(_e4296, _e4296, _e4296, _e4296), array<u32, 6>(bitcast<u32>(((_e4286 - _e4296) * 8i)), bitcast<u32>(((select(0i, _e4243, (_e4243 > 0i)) - _e4296) * 8i)), bitcast<u32>(((select(_e1881, _e4289, (_e4289 < _e1881)) - _e4296) * 8i)), bitcast<u32>(((select(_e1881, _e4292, (_e4292 < _e1881)) - _e4296) * 8i)), 0u, 0u));
+local_24 = type_30(array<i32, 4>(_e4296, _e4296, _e4296, _e4296), array<u32, 6>(bitcast<u32>(((_e4286 - _e4296) * 8i)), bitcast<u32>(((select(0i, _e4243, (_e4243 > 0i)) - _e4296) * 8i)), bitcast<u32>(((select(_e1881, _e4289, (_e4289 < _e1881)) - _e4296) * 8i)), bitcast<u32>(((select(_e1881, _e4292, (_e4292 < _e1881)) - _e4296) * 8i)), 0u, 0u));
 local_25 = vec3<f32>((_e4220 - f32(_e4243)), (_e4224 - f32(_e4258)), (_e4228 - f32(_e4273)));
 let _e4327 = local_24.member[0u];
 let _e4328 = ((_e4311 + _e4309) + _e4327);
@@ -1733,7 +1733,7 @@ let _e4989 = select(select(select(select(select(select(0f, _e1145.member, _e4770
 let _e4990 = select(select(select(select(select(select(0f, _e1145.member_1, _e4770), _e1145.member_1, _e4810), _e1153.member_1, _e4850), _e1153.member_1, _e4890), _e1161.member_1, _e4930), _e1161.member_1, _e4970);
 let _e4991 = select(select(select(select(select(select(1f, _e1145.member_2, _e4770), _e1145.member_2, _e4810), _e1153.member_2, _e4850), _e1153.member_2, _e4890), _e1161.member_2, _e4930), _e1161.member_2, _e4970);
 if _e1410 {
-phi_11937_ = type_32(_e4976, vec3<f32>(_e4977, _e4978, _e4979), _e4981, vec3<f32>(_e4982, _e4983, _e4984), _e4986, _e4988, vec3<f32>(_e4989, _e4990, _e4991));
+phi_11937_ = type_33(_e4976, vec3<f32>(_e4977, _e4978, _e4979), _e4981, vec3<f32>(_e4982, _e4983, _e4984), _e4986, _e4988, vec3<f32>(_e4989, _e4990, _e4991));
 } else {
 let _e4998 = (((_e1145.member * _e1145.member) + (_e1145.member_1 * _e1145.member_1)) + (_e1145.member_2 * _e1145.member_2));
 let _e5001 = sqrt(select(0f, _e4998, (_e4998 > 0f)));
@@ -1813,7 +1813,7 @@ let _e5285 = select(2f, select(0f, _e5277, (_e5258 < 0f)), (_e5259 > 0f));
 let _e5286 = (_e5258 > _e5224);
 let _e5290 = ((_e5281 > _e5216) || ((_e5281 == _e5216) && _e5286));
 let _e5291 = (_e5285 < _e5220);
-phi_11937_ = type_32(select(_e5216, _e5281, _e5290), vec3<f32>(select(select(select(select(_e4977, _e5036.member, _e5062), _e5112.member, _e5138), _e5188.member, _e5214), _e5264.member, _e5290), select(select(select(select(_e4978, _e5036.member_1, _e5062), _e5112.member_1, _e5138), _e5188.member_1, _e5214), _e5264.member_1, _e5290), select(select(select(select(_e4979, _e5036.member_2, _e5062), _e5112.member_2, _e5138), _e5188.member_2, _e5214), _e5264.member_2, _e5290)), select(_e5220, _e5285, _e5291), vec3<f32>(select(select(select(select(_e4982, _e5036.member, _e5063), _e5112.member, _e5139), _e5188.member, _e5215), _e5264.member, _e5291), select(select(select(select(_e4983, _e5036.member_1, _e5063), _e5112.member_1, _e5139), _e5188.member_1, _e5215), _e5264.member_1, _e5291), select(select(select(select(_e4984, _e5036.member_2, _e5063), _e5112.member_2, _e5139), _e5188.member_2, _e5215), _e5264.member_2, _e5291)), select(_e5224, _e5258, _e5286), select(_e5226, _e5259, (_e5259 > _e5226)), vec3<f32>(select(select(select(select(_e4989, _e5036.member, _e5058), _e5112.member, _e5134), _e5188.member, _e5210), _e5264.member, _e5286), select(select(select(select(_e4990, _e5036.member_1, _e5058), _e5112.member_1, _e5134), _e5188.member_1, _e5210), _e5264.member_1, _e5286), select(select(select(select(_e4991, _e5036.member_2, _e5058), _e5112.member_2, _e5134), _e5188.member_2, _e5210), _e5264.member_2, _e5286)));
+phi_11937_ = type_33(select(_e5216, _e5281, _e5290), vec3<f32>(select(select(select(select(_e4977, _e5036.member, _e5062), _e5112.member, _e5138), _e5188.member, _e5214), _e5264.member, _e5290), select(select(select(select(_e4978, _e5036.member_1, _e5062), _e5112.member_1, _e5138), _e5188.member_1, _e5214), _e5264.member_1, _e5290), select(select(select(select(_e4979, _e5036.member_2, _e5062), _e5112.member_2, _e5138), _e5188.member_2, _e5214), _e5264.member_2, _e5290)), select(_e5220, _e5285, _e5291), vec3<f32>(select(select(select(select(_e4982, _e5036.member, _e5063), _e5112.member, _e5139), _e5188.member, _e5215), _e5264.member, _e5291), select(select(select(select(_e4983, _e5036.member_1, _e5063), _e5112.member_1, _e5139), _e5188.member_1, _e5215), _e5264.member_1, _e5291), select(select(select(select(_e4984, _e5036.member_2, _e5063), _e5112.member_2, _e5139), _e5188.member_2, _e5215), _e5264.member_2, _e5291)), select(_e5224, _e5258, _e5286), select(_e5226, _e5259, (_e5259 > _e5226)), vec3<f32>(select(select(select(select(_e4989, _e5036.member, _e5058), _e5112.member, _e5134), _e5188.member, _e5210), _e5264.member, _e5286), select(select(select(select(_e4990, _e5036.member_1, _e5058), _e5112.member_1, _e5134), _e5188.member_1, _e5210), _e5264.member_1, _e5286), select(select(select(select(_e4991, _e5036.member_2, _e5058), _e5112.member_2, _e5134), _e5188.member_2, _e5210), _e5264.member_2, _e5286)));
 }
 let _e5311 = phi_11937_;
 let _e5317 = (((_e4185 && _e4710) && !(_e4694)) && (_e5311.member_2 <= 1f));
@@ -2023,7 +2023,7 @@ phi_13721_ = _e2361;
 phi_13721_ = _e3496;
 }
 let _e5841 = phi_13721_;
-phi_14002_ = type_33(_e5841, vec3<f32>(select(_e4705, _e4198.x, _e5317), select(_e4706, _e4198.y, _e5317), select(_e4707, _e4198.z, _e5317)), vec3<f32>(_e4679, _e4680, _e4681), select((_e1042 * select(0f, _e5398, (_e5398 > 0f))), ((((sqrt(select(0f, _e5409, (_e5409 > 0f))) * select(0f, _e5490, (_e5490 > 0f))) + (sqrt(select(0f, _e5501, (_e5501 > 0f))) * select(0f, _e5597, (_e5597 > 0f)))) + (sqrt(select(0f, _e5609, (_e5609 > 0f))) * select(0f, _e5705, (_e5705 > 0f)))) + select(0f, (sqrt(select(0f, _e5717, (_e5717 > 0f))) * select(0f, _e5813, (_e5813 > 0f))), _e4185)), _e5820), select((_e337 / _e4681), (2f * (_e3058 / _e2415)), (((_e1753 && !(_e1737)) && _e2447) && !(_e3054))), select(_e3048.member_3, _e1745.member_1, vec3(_e2428)), _e4710, _e5820, (((_e2432 || _e3562) || _e4694) || _e5317));
+phi_14002_ = type_34(_e5841, vec3<f32>(select(_e4705, _e4198.x, _e5317), select(_e4706, _e4198.y, _e5317), select(_e4707, _e4198.z, _e5317)), vec3<f32>(_e4679, _e4680, _e4681), select((_e1042 * select(0f, _e5398, (_e5398 > 0f))), ((((sqrt(select(0f, _e5409, (_e5409 > 0f))) * select(0f, _e5490, (_e5490 > 0f))) + (sqrt(select(0f, _e5501, (_e5501 > 0f))) * select(0f, _e5597, (_e5597 > 0f)))) + (sqrt(select(0f, _e5609, (_e5609 > 0f))) * select(0f, _e5705, (_e5705 > 0f)))) + select(0f, (sqrt(select(0f, _e5717, (_e5717 > 0f))) * select(0f, _e5813, (_e5813 > 0f))), _e4185)), _e5820), select((_e337 / _e4681), (2f * (_e3058 / _e2415)), (((_e1753 && !(_e1737)) && _e2447) && !(_e3054))), select(_e3048.member_3, _e1745.member_1, vec3(_e2428)), _e4710, _e5820, (((_e2432 || _e3562) || _e4694) || _e5317));
 } else {
 let _e1045 = (_e891 < 1e-12f);
 let _e1047 = (1f / select(_e886, 1f, _e1045));
@@ -2058,7 +2058,7 @@ let _e1119 = select(select(1f, _e1116, (_e1116 < 1f)), 1f, _e1095);
 let _e1121 = select(_e1094, _e1069, (_e1069 < _e1094));
 let _e1125 = select(_e1087, _e1062, (_e1062 > _e1087));
 let _e1128 = (select(_e1119, _e1121, (_e1121 < _e1119)) - select(_e1112, _e1125, (_e1125 > _e1112)));
-phi_14002_ = type_33(_e1044.member, _e1044.member_1, _e1044.member_2, (_e1042 * select(0f, _e1128, (_e1128 > 0f))), _e1044.member_4, _e1044.member_5, _e1044.member_6, _e1044.member_7, _e1044.member_8);
+phi_14002_ = type_34(_e1044.member, _e1044.member_1, _e1044.member_2, (_e1042 * select(0f, _e1128, (_e1128 > 0f))), _e1044.member_4, _e1044.member_5, _e1044.member_6, _e1044.member_7, _e1044.member_8);
 }
 let _e5844 = phi_14002_;
 let _e5853 = select(_e344, 0f, (_e1023 || !(_e5844.member_7)));
@@ -2112,7 +2112,7 @@ let _e6407 = (select(0i, _e6356, (_e6356 > 0i)) * _e6328);
 let _e6408 = (select(0i, _e6320, (_e6320 > 0i)) * _e6328);
 let _e6409 = (select(_e6355, _e6361, (_e6361 < _e6355)) * _e6328);
 let _e6410 = (select(_e6355, _e6364, (_e6364 < _e6355)) * _e6328);
-local_20 = type_29(array<i32, 4>(_e6390, _e6390, _e6390, _e6390), array<u32, 6>(bitcast<u32>(((_e6377 - _e6390) * 8i)), bitcast<u32>(((select(0i, _e6290, (_e6290 > 0i)) - _e6390) * 8i)), bitcast<u32>(((select(_e6374, _e6380, (_e6380 < _e6374)) - _e6390) * 8i)), bitcast<u32>(((select(_e6374, _e6383, (_e6383 < _e6374)) - _e6390) * 8i)), 0u, 0u));
+local_20 = type_30(array<i32, 4>(_e6390, _e6390, _e6390, _e6390), array<u32, 6>(bitcast<u32>(((_e6377 - _e6390) * 8i)), bitcast<u32>(((select(0i, _e6290, (_e6290 > 0i)) - _e6390) * 8i)), bitcast<u32>(((select(_e6374, _e6380, (_e6380 < _e6374)) - _e6390) * 8i)), bitcast<u32>(((select(_e6374, _e6383, (_e6383 < _e6374)) - _e6390) * 8i)), 0u, 0u));
 local_21 = vec3<f32>((_e6267 - f32(_e6290)), (_e6271 - f32(_e6305)), (_e6275 - f32(_e6320)));
 let _e6425 = local_20.member[0u];
 let _e6426 = ((_e6408 + _e6404) + _e6425);
@@ -2456,7 +2456,7 @@ if _e578 {
 let _e7947 = ((0.5f * (_e7238 - _e7232)) * _e7496);
 let _e7948 = ((0.5f * (_e7250 - _e7244)) * _e7496);
 let _e7949 = ((0.5f * (_e7262 - _e7256)) * _e7496);
-phi_19542_ = type_30(_e7458, vec3<f32>(_e7947, _e7948, _e7949), vec3<f32>((_e7947 * _e7458), (_e7948 * _e7458), (_e7949 * _e7458)));
+phi_19542_ = type_31(_e7458, vec3<f32>(_e7947, _e7948, _e7949), vec3<f32>((_e7947 * _e7458), (_e7948 * _e7458), (_e7949 * _e7458)));
 } else {
 local_16 = _e7232;
 let _e7497 = local_16;
@@ -2605,7 +2605,7 @@ let _e7922 = ((_e7443 + (f32(bitcast<i32>((_e7907 >> bitcast<u32>(12u)))) * _e74
 let _e7923 = (_e7638 - _e7567);
 let _e7925 = (_e7780 - _e7709);
 let _e7927 = (_e7922 - _e7851);
-phi_19542_ = type_30(_e7458, vec3<f32>((0.5f * _e7923), (0.5f * _e7925), (0.5f * _e7927)), vec3<f32>((0.25f * (_e7923 * (_e7638 + _e7567))), (0.25f * (_e7925 * (_e7780 + _e7709))), (0.25f * (_e7927 * (_e7922 + _e7851)))));
+phi_19542_ = type_31(_e7458, vec3<f32>((0.5f * _e7923), (0.5f * _e7925), (0.5f * _e7927)), vec3<f32>((0.25f * (_e7923 * (_e7638 + _e7567))), (0.25f * (_e7925 * (_e7780 + _e7709))), (0.25f * (_e7927 * (_e7922 + _e7851)))));
 }
 let _e7957 = phi_19542_;
 let _e7972 = select(0f, 1f, ((((((_e5867 >= -0.5f) && (_e5867 <= _e871)) && (_e5873 >= -0.5f)) && (_e5873 <= _e876)) && (_e5879 >= -0.5f)) && (_e5879 <= _e881)));
@@ -2621,7 +2621,7 @@ let _e8014 = global_1.member.member_6.member_1.member.member_2;
 let _e8020 = global_1.member.member_6.member_2.member.member;
 let _e8026 = global_1.member.member_6.member_2.member.member_1;
 let _e8032 = global_1.member.member_6.member_2.member.member_2;
-phi_20305_ = type_31(_e7226, vec3<f32>(((((_e7984 * _e7974) + (_e8002 * _e7976)) + (_e8020 * _e7978)) * _e7972), ((((_e7990 * _e7974) + (_e8008 * _e7976)) + (_e8026 * _e7978)) * _e7972), ((((_e7996 * _e7974) + (_e8014 * _e7976)) + (_e8032 * _e7978)) * _e7972)), _e7957.member, vec3<f32>(((((_e7984 * _e7957.member_2.x) + (_e8002 * _e7957.member_2.y)) + (_e8020 * _e7957.member_2.z)) * _e7972), ((((_e7990 * _e7957.member_2.x) + (_e8008 * _e7957.member_2.y)) + (_e8026 * _e7957.member_2.z)) * _e7972), ((((_e7996 * _e7957.member_2.x) + (_e8014 * _e7957.member_2.y)) + (_e8032 * _e7957.member_2.z)) * _e7972)), vec3<f32>(((((_e7984 * _e7957.member_1.x) + (_e8002 * _e7957.member_1.y)) + (_e8020 * _e7957.member_1.z)) * _e7972), ((((_e7990 * _e7957.member_1.x) + (_e8008 * _e7957.member_1.y)) + (_e8026 * _e7957.member_1.z)) * _e7972), ((((_e7996 * _e7957.member_1.x) + (_e8014 * _e7957.member_1.y)) + (_e8032 * _e7957.member_1.z)) * _e7972)));
+phi_20305_ = type_32(_e7226, vec3<f32>(((((_e7984 * _e7974) + (_e8002 * _e7976)) + (_e8020 * _e7978)) * _e7972), ((((_e7990 * _e7974) + (_e8008 * _e7976)) + (_e8026 * _e7978)) * _e7972), ((((_e7996 * _e7974) + (_e8014 * _e7976)) + (_e8032 * _e7978)) * _e7972)), _e7957.member, vec3<f32>(((((_e7984 * _e7957.member_2.x) + (_e8002 * _e7957.member_2.y)) + (_e8020 * _e7957.member_2.z)) * _e7972), ((((_e7990 * _e7957.member_2.x) + (_e8008 * _e7957.member_2.y)) + (_e8026 * _e7957.member_2.z)) * _e7972), ((((_e7996 * _e7957.member_2.x) + (_e8014 * _e7957.member_2.y)) + (_e8032 * _e7957.member_2.z)) * _e7972)), vec3<f32>(((((_e7984 * _e7957.member_1.x) + (_e8002 * _e7957.member_1.y)) + (_e8020 * _e7957.member_1.z)) * _e7972), ((((_e7990 * _e7957.member_1.x) + (_e8008 * _e7957.member_1.y)) + (_e8026 * _e7957.member_1.z)) * _e7972), ((((_e7996 * _e7957.member_1.x) + (_e8014 * _e7957.member_1.y)) + (_e8032 * _e7957.member_1.z)) * _e7972)));
 } else {
 let _e5881 = select(-0.5f, _e5867, (_e5867 > -0.5f));
 let _e5883 = select(_e871, _e5881, (_e5881 < _e871));
@@ -2660,7 +2660,7 @@ let _e6007 = (select(0i, _e5921, (_e5921 > 0i)) * _e5940);
 let _e6008 = (select(_e5952, _e5955, (_e5955 < _e5952)) * _e5940);
 let _e6009 = (select(0i, _e5936, (_e5936 > 0i)) * _e5944);
 let _e6010 = (select(_e5965, _e5968, (_e5968 < _e5965)) * _e5944);
-local_4 = type_29(array<i32, 4>(_e5994, _e5994, _e5994, _e5994), array<u32, 6>(bitcast<u32>(((_e5981 - _e5994) * 8i)), bitcast<u32>(((select(0i, _e5906, (_e5906 > 0i)) - _e5994) * 8i)), bitcast<u32>(((select(_e5978, _e5984, (_e5984 < _e5978)) - _e5994) * 8i)), bitcast<u32>(((select(_e5978, _e5987, (_e5987 < _e5978)) - _e5994) * 8i)), 0u, 0u));
+local_4 = type_30(array<i32, 4>(_e5994, _e5994, _e5994, _e5994), array<u32, 6>(bitcast<u32>(((_e5981 - _e5994) * 8i)), bitcast<u32>(((select(0i, _e5906, (_e5906 > 0i)) - _e5994) * 8i)), bitcast<u32>(((select(_e5978, _e5984, (_e5984 < _e5978)) - _e5994) * 8i)), bitcast<u32>(((select(_e5978, _e5987, (_e5987 < _e5978)) - _e5994) * 8i)), 0u, 0u));
 local_5 = vec3<f32>((_e5883 - f32(_e5906)), (_e5887 - f32(_e5921)), (_e5891 - f32(_e5936)));
 let _e6025 = local_4.member[0u];
 let _e6026 = ((_e6009 + _e6007) + _e6025);
@@ -2730,7 +2730,7 @@ let _e6255 = global_1.member.member_6.member_5;
 let _e6257 = (((_e6136 + (((_e6187 + (((_e6227 + ((f32(bitcast<i32>(((_e6220 >> bitcast<u32>((_e6228 & 31u))) & 255u))) - _e6227) * _e6235)) - _e6187) * _e6239)) - _e6136) * _e6244)) - _e6251) * _e6255);
 let _e6258 = -(1e9f);
 let _e6260 = select(_e6258, _e6257, (_e6257 > _e6258));
-phi_20305_ = type_31(select(1e9f, _e6260, (_e6260 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20305_ = type_32(select(1e9f, _e6260, (_e6260 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8098 = phi_20305_;
 let _e8100 = select(-0.5f, _e487, (_e487 > -0.5f));
@@ -2770,7 +2770,7 @@ let _e8226 = (select(0i, _e8140, (_e8140 > 0i)) * _e8159);
 let _e8227 = (select(_e8171, _e8174, (_e8174 < _e8171)) * _e8159);
 let _e8228 = (select(0i, _e8155, (_e8155 > 0i)) * _e8163);
 let _e8229 = (select(_e8184, _e8187, (_e8187 < _e8184)) * _e8163);
-local_2 = type_29(array<i32, 4>(_e8213, _e8213, _e8213, _e8213), array<u32, 6>(bitcast<u32>(((_e8200 - _e8213) * 8i)), bitcast<u32>(((select(0i, _e8125, (_e8125 > 0i)) - _e8213) * 8i)), bitcast<u32>(((select(_e8197, _e8203, (_e8203 < _e8197)) - _e8213) * 8i)), bitcast<u32>(((select(_e8197, _e8206, (_e8206 < _e8197)) - _e8213) * 8i)), 0u, 0u));
+local_2 = type_30(array<i32, 4>(_e8213, _e8213, _e8213, _e8213), array<u32, 6>(bitcast<u32>(((_e8200 - _e8213) * 8i)), bitcast<u32>(((select(0i, _e8125, (_e8125 > 0i)) - _e8213) * 8i)), bitcast<u32>(((select(_e8197, _e8203, (_e8203 < _e8197)) - _e8213) * 8i)), bitcast<u32>(((select(_e8197, _e8206, (_e8206 < _e8197)) - _e8213) * 8i)), 0u, 0u));
 local_3 = vec3<f32>((_e8102 - f32(_e8125)), (_e8106 - f32(_e8140)), (_e8110 - f32(_e8155)));
 let _e8244 = local_2.member[0u];
 let _e8245 = ((_e8228 + _e8226) + _e8244);
@@ -3244,7 +3244,7 @@ let _e9893 = select(select(select(select(select(select(0f, _e9634.member, _e9674
 let _e9894 = select(select(select(select(select(select(0f, _e9634.member_1, _e9674), _e9634.member_1, _e9714), _e9642.member_1, _e9754), _e9642.member_1, _e9794), _e9650.member_1, _e9834), _e9650.member_1, _e9874);
 let _e9895 = select(select(select(select(select(select(1f, _e9634.member_2, _e9674), _e9634.member_2, _e9714), _e9642.member_2, _e9754), _e9642.member_2, _e9794), _e9650.member_2, _e9834), _e9650.member_2, _e9874);
 if _e8483 {
-phi_24639_ = type_32(_e9880, vec3<f32>(_e9881, _e9882, _e9883), _e9885, vec3<f32>(_e9886, _e9887, _e9888), _e9890, _e9892, vec3<f32>(_e9893, _e9894, _e9895));
+phi_24639_ = type_33(_e9880, vec3<f32>(_e9881, _e9882, _e9883), _e9885, vec3<f32>(_e9886, _e9887, _e9888), _e9890, _e9892, vec3<f32>(_e9893, _e9894, _e9895));
 } else {
 let _e9902 = (((_e9634.member * _e9634.member) + (_e9634.member_1 * _e9634.member_1)) + (_e9634.member_2 * _e9634.member_2));
 let _e9905 = sqrt(select(0f, _e9902, (_e9902 > 0f)));
@@ -3324,7 +3324,7 @@ let _e10189 = select(2f, select(0f, _e10181, (_e10162 < 0f)), (_e10163 > 0f));
 let _e10190 = (_e10162 > _e10128);
 let _e10194 = ((_e10185 > _e10120) || ((_e10185 == _e10120) && _e10190));
 let _e10195 = (_e10189 < _e10124);
-phi_24639_ = type_32(select(_e10120, _e10185, _e10194), vec3<f32>(select(select(select(select(_e9881, _e9940.member, _e9966), _e10016.member, _e10042), _e10092.member, _e10118), _e10168.member, _e10194), select(select(select(select(_e9882, _e9940.member_1, _e9966), _e10016.member_1, _e10042), _e10092.member_1, _e10118), _e10168.member_1, _e10194), select(select(select(select(_e9883, _e9940.member_2, _e9966), _e10016.member_2, _e10042), _e10092.member_2, _e10118), _e10168.member_2, _e10194)), select(_e10124, _e10189, _e10195), vec3<f32>(select(select(select(select(_e9886, _e9940.member, _e9967), _e10016.member, _e10043), _e10092.member, _e10119), _e10168.member, _e10195), select(select(select(select(_e9887, _e9940.member_1, _e9967), _e10016.member_1, _e10043), _e10092.member_1, _e10119), _e10168.member_1, _e10195), select(select(select(select(_e9888, _e9940.member_2, _e9967), _e10016.member_2, _e10043), _e10092.member_2, _e10119), _e10168.member_2, _e10195)), select(_e10128, _e10162, _e10190), select(_e10130, _e10163, (_e10163 > _e10130)), vec3<f32>(select(select(select(select(_e9893, _e9940.member, _e9962), _e10016.member, _e10038), _e10092.member, _e10114), _e10168.member, _e10190), select(select(select(select(_e9894, _e9940.member_1, _e9962), _e10016.member_1, _e10038), _e10092.member_1, _e10114), _e10168.member_1, _e10190), select(select(select(select(_e9895, _e9940.member_2, _e9962), _e10016.member_2, _e10038), _e10092.member_2, _e10114), _e10168.member_2, _e10190)));
+phi_24639_ = type_33(select(_e10120, _e10185, _e10194), vec3<f32>(select(select(select(select(_e9881, _e9940.member, _e9966), _e10016.member, _e10042), _e10092.member, _e10118), _e10168.member, _e10194), select(select(select(select(_e9882, _e9940.member_1, _e9966), _e10016.member_1, _e10042), _e10092.member_1, _e10118), _e10168.member_1, _e10194), select(select(select(select(_e9883, _e9940.member_2, _e9966), _e10016.member_2, _e10042), _e10092.member_2, _e10118), _e10168.member_2, _e10194)), select(_e10124, _e10189, _e10195), vec3<f32>(select(select(select(select(_e9886, _e9940.member, _e9967), _e10016.member, _e10043), _e10092.member, _e10119), _e10168.member, _e10195), select(select(select(select(_e9887, _e9940.member_1, _e9967), _e10016.member_1, _e10043), _e10092.member_1, _e10119), _e10168.member_1, _e10195), select(select(select(select(_e9888, _e9940.member_2, _e9967), _e10016.member_2, _e10043), _e10092.member_2, _e10119), _e10168.member_2, _e10195)), select(_e10128, _e10162, _e10190), select(_e10130, _e10163, (_e10163 > _e10130)), vec3<f32>(select(select(select(select(_e9893, _e9940.member, _e9962), _e10016.member, _e10038), _e10092.member, _e10114), _e10168.member, _e10190), select(select(select(select(_e9894, _e9940.member_1, _e9962), _e10016.member_1, _e10038), _e10092.member_1, _e10114), _e10168.member_1, _e10190), select(select(select(select(_e9895, _e9940.member_2, _e9962), _e10016.member_2, _e10038), _e10092.member_2, _e10114), _e10168.member_2, _e10190)));
 }
 let _e10215 = phi_24639_;
 let _e10220 = (_e8686.member_2 * _e5859);

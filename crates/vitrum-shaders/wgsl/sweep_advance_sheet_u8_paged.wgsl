@@ -130,23 +130,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -155,7 +159,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -165,10 +169,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -186,9 +186,9 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_29;
+var local_2: type_30;
 var local_3: vec3<f32>;
-var local_4: type_29;
+var local_4: type_30;
 var local_5: vec3<f32>;
 var local_6: f32;
 var local_7: f32;
@@ -204,39 +204,39 @@ var local_16: f32;
 var local_17: f32;
 var local_18: f32;
 var local_19: f32;
-var local_20: type_29;
+var local_20: type_30;
 var local_21: vec3<f32>;
 var local_22: f32;
 var local_23: f32;
-var local_24: type_29;
+var local_24: type_30;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_29;
+var local_28: type_30;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_29;
+var local_32: type_30;
 var local_33: vec3<f32>;
 var phi_1081_: bool;
 var phi_1270_: bool;
 var phi_1273_: bool;
-var phi_3622_: type_32;
+var phi_3622_: type_33;
 var phi_3635_: bool;
-var phi_3651_: type_34;
+var phi_3651_: type_27;
 var phi_3663_: bool;
 var phi_4809_: type_26;
-var phi_6347_: type_32;
+var phi_6347_: type_33;
 var phi_7515_: type_26;
-var phi_9053_: type_32;
+var phi_9053_: type_33;
 var phi_10221_: type_26;
-var phi_11759_: type_32;
+var phi_11759_: type_33;
 var phi_13543_: type_26;
-var phi_13824_: type_33;
-var phi_19280_: type_30;
-var phi_19983_: type_31;
+var phi_13824_: type_34;
+var phi_19280_: type_31;
+var phi_19983_: type_32;
 var phi_20909_: type_5;
-var phi_24257_: type_32;
+var phi_24257_: type_33;
 var phi_24414_: vec3<f32>;
 var phi_24415_: bool;
 switch bitcast<i32>(0u) {
@@ -475,7 +475,7 @@ let _e1035 = (_e426 - _e409);
 let _e1036 = (_e415 - _e382);
 let _e1041 = (((_e1034 * _e1034) + (_e1035 * _e1035)) + (_e1036 * _e1036));
 let _e1044 = sqrt(select(0f, _e1041, (_e1041 > 0f)));
-let _e1046 = type_33(type_26(1f, 1f), vec3<f32>(_e421, _e426, _e415), _e335, _e1044, (_e339 / _e278), _e335, true, false, false);
+let _e1046 = type_34(type_26(1f, 1f), vec3<f32>(_e421, _e426, _e415), _e335, _e1044, (_e339 / _e278), _e335, true, false, false);
 if _e583 {
 let _e1147 = global_1.member.member_6.member.member;
 let _e1155 = global_1.member.member_6.member_1.member;
@@ -587,7 +587,7 @@ let _e1407 = select(select(select(select(select(select(0f, _e1147.member_1, _e11
 let _e1408 = select(select(select(select(select(select(1f, _e1147.member_2, _e1187), _e1147.member_2, _e1227), _e1155.member_2, _e1267), _e1155.member_2, _e1307), _e1163.member_2, _e1347), _e1163.member_2, _e1387);
 let _e1412 = ((_e1018 & 16u) == 0u);
 if _e1412 {
-phi_3622_ = type_32(_e1393, vec3<f32>(_e1394, _e1395, _e1396), _e1398, vec3<f32>(_e1399, _e1400, _e1401), _e1403, _e1405, vec3<f32>(_e1406, _e1407, _e1408));
+phi_3622_ = type_33(_e1393, vec3<f32>(_e1394, _e1395, _e1396), _e1398, vec3<f32>(_e1399, _e1400, _e1401), _e1403, _e1405, vec3<f32>(_e1406, _e1407, _e1408));
 } else {
 let _e1417 = (((_e1147.member * _e1147.member) + (_e1147.member_1 * _e1147.member_1)) + (_e1147.member_2 * _e1147.member_2));
 let _e1420 = sqrt(select(0f, _e1417, (_e1417 > 0f)));
@@ -667,7 +667,7 @@ let _e1704 = select(2f, select(0f, _e1696, (_e1677 < 0f)), (_e1678 > 0f));
 let _e1705 = (_e1677 > _e1643);
 let _e1709 = ((_e1700 > _e1635) || ((_e1700 == _e1635) && _e1705));
 let _e1710 = (_e1704 < _e1639);
-phi_3622_ = type_32(select(_e1635, _e1700, _e1709), vec3<f32>(select(select(select(select(_e1394, _e1455.member, _e1481), _e1531.member, _e1557), _e1607.member, _e1633), _e1683.member, _e1709), select(select(select(select(_e1395, _e1455.member_1, _e1481), _e1531.member_1, _e1557), _e1607.member_1, _e1633), _e1683.member_1, _e1709), select(select(select(select(_e1396, _e1455.member_2, _e1481), _e1531.member_2, _e1557), _e1607.member_2, _e1633), _e1683.member_2, _e1709)), select(_e1639, _e1704, _e1710), vec3<f32>(select(select(select(select(_e1399, _e1455.member, _e1482), _e1531.member, _e1558), _e1607.member, _e1634), _e1683.member, _e1710), select(select(select(select(_e1400, _e1455.member_1, _e1482), _e1531.member_1, _e1558), _e1607.member_1, _e1634), _e1683.member_1, _e1710), select(select(select(select(_e1401, _e1455.member_2, _e1482), _e1531.member_2, _e1558), _e1607.member_2, _e1634), _e1683.member_2, _e1710)), select(_e1643, _e1677, _e1705), select(_e1645, _e1678, (_e1678 > _e1645)), vec3<f32>(select(select(select(select(_e1406, _e1455.member, _e1477), _e1531.member, _e1553), _e1607.member, _e1629), _e1683.member, _e1705), select(select(select(select(_e1407, _e1455.member_1, _e1477), _e1531.member_1, _e1553), _e1607.member_1, _e1629), _e1683.member_1, _e1705), select(select(select(select(_e1408, _e1455.member_2, _e1477), _e1531.member_2, _e1553), _e1607.member_2, _e1629), _e1683.member_2, _e1705)));
+phi_3622_ = type_33(select(_e1635, _e1700, _e1709), vec3<f32>(select(select(select(select(_e1394, _e1455.member, _e1481), _e1531.member, _e1557), _e1607.member, _e1633), _e1683.member, _e1709), select(select(select(select(_e1395, _e1455.member_1, _e1481), _e1531.member_1, _e1557), _e1607.member_1, _e1633), _e1683.member_1, _e1709), select(select(select(select(_e1396, _e1455.member_2, _e1481), _e1531.member_2, _e1557), _e1607.member_2, _e1633), _e1683.member_2, _e1709)), select(_e1639, _e1704, _e1710), vec3<f32>(select(select(select(select(_e1399, _e1455.member, _e1482), _e1531.member, _e1558), _e1607.member, _e1634), _e1683.member, _e1710), select(select(select(select(_e1400, _e1455.member_1, _e1482), _e1531.member_1, _e1558), _e1607.member_1, _e1634), _e1683.member_1, _e1710), select(select(select(select(_e1401, _e1455.member_2, _e1482), _e1531.member_2, _e1558), _e1607.member_2, _e1634), _e1683.member_2, _e1710)), select(_e1643, _e1677, _e1705), select(_e1645, _e1678, (_e1678 > _e1645)), vec3<f32>(select(select(select(select(_e1406, _e1455.member, _e1477), _e1531.member, _e1553), _e1607.member, _e1629), _e1683.member, _e1705), select(select(select(select(_e1407, _e1455.member_1, _e1477), _e1531.member_1, _e1553), _e1607.member_1, _e1629), _e1683.member_1, _e1705), select(select(select(select(_e1408, _e1455.member_2, _e1477), _e1531.member_2, _e1553), _e1607.member_2, _e1629), _e1683.member_2, _e1705)));
 }
 let _e1730 = phi_3622_;
 if ((_e1730.member_4 > -(0.015625f)) && (_e1730.member_4 < 0.015625f)) {
@@ -677,9 +677,9 @@ phi_3635_ = (_e1730.member_4 < 0f);
 }
 let _e1739 = phi_3635_;
 if _e1739 {
-phi_3651_ = type_34(_e1730.member_2, _e1730.member_3);
+phi_3651_ = type_27(_e1730.member_2, _e1730.member_3);
 } else {
-phi_3651_ = type_34(_e1730.member, _e1730.member_1);
+phi_3651_ = type_27(_e1730.member, _e1730.member_1);
 }
 let _e1747 = phi_3651_;
 if _e1739 {
@@ -739,7 +739,7 @@ let _e1893 = (_e1888 + _e1892);
 let _e1894 = (_e1890 + _e1849);
 let _e1895 = (2i * _e1849);
 let _e1896 = (_e1890 + _e1895);
-local_32 = type_29(array<i32, 4>(_e1885, _e1885, _e1885, _e1885), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_32 = type_30(array<i32, 4>(_e1885, _e1885, _e1885, _e1885), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_33 = vec3<f32>((_e1788 - f32(_e1811)), (_e1792 - f32(_e1826)), (_e1796 - f32(_e1841)));
 let _e1910 = local_32.member[0u];
 let _e1911 = ((_e1894 + _e1891) + _e1910);
@@ -1022,7 +1022,7 @@ let _e2706 = select(select(select(select(select(select(0f, _e1147.member, _e2487
 let _e2707 = select(select(select(select(select(select(0f, _e1147.member_1, _e2487), _e1147.member_1, _e2527), _e1155.member_1, _e2567), _e1155.member_1, _e2607), _e1163.member_1, _e2647), _e1163.member_1, _e2687);
 let _e2708 = select(select(select(select(select(select(1f, _e1147.member_2, _e2487), _e1147.member_2, _e2527), _e1155.member_2, _e2567), _e1155.member_2, _e2607), _e1163.member_2, _e2647), _e1163.member_2, _e2687);
 if _e1412 {
-phi_6347_ = type_32(_e2693, vec3<f32>(_e2694, _e2695, _e2696), _e2698, vec3<f32>(_e2699, _e2700, _e2701), _e2703, _e2705, vec3<f32>(_e2706, _e2707, _e2708));
+phi_6347_ = type_33(_e2693, vec3<f32>(_e2694, _e2695, _e2696), _e2698, vec3<f32>(_e2699, _e2700, _e2701), _e2703, _e2705, vec3<f32>(_e2706, _e2707, _e2708));
 } else {
 let _e2715 = (((_e1147.member * _e1147.member) + (_e1147.member_1 * _e1147.member_1)) + (_e1147.member_2 * _e1147.member_2));
 let _e2718 = sqrt(select(0f, _e2715, (_e2715 > 0f)));
@@ -1102,7 +1102,7 @@ let _e3002 = select(2f, select(0f, _e2994, (_e2975 < 0f)), (_e2976 > 0f));
 let _e3003 = (_e2975 > _e2941);
 let _e3007 = ((_e2998 > _e2933) || ((_e2998 == _e2933) && _e3003));
 let _e3008 = (_e3002 < _e2937);
-phi_6347_ = type_32(select(_e2933, _e2998, _e3007), vec3<f32>(select(select(select(select(_e2694, _e2753.member, _e2779), _e2829.member, _e2855), _e2905.member, _e2931), _e2981.member, _e3007), select(select(select(select(_e2695, _e2753.member_1, _e2779), _e2829.member_1, _e2855), _e2905.member_1, _e2931), _e2981.member_1, _e3007), select(select(select(select(_e2696, _e2753.member_2, _e2779), _e2829.member_2, _e2855), _e2905.member_2, _e2931), _e2981.member_2, _e3007)), select(_e2937, _e3002, _e3008), vec3<f32>(select(select(select(select(_e2699, _e2753.member, _e2780), _e2829.member, _e2856), _e2905.member, _e2932), _e2981.member, _e3008), select(select(select(select(_e2700, _e2753.member_1, _e2780), _e2829.member_1, _e2856), _e2905.member_1, _e2932), _e2981.member_1, _e3008), select(select(select(select(_e2701, _e2753.member_2, _e2780), _e2829.member_2, _e2856), _e2905.member_2, _e2932), _e2981.member_2, _e3008)), select(_e2941, _e2975, _e3003), select(_e2943, _e2976, (_e2976 > _e2943)), vec3<f32>(select(select(select(select(_e2706, _e2753.member, _e2775), _e2829.member, _e2851), _e2905.member, _e2927), _e2981.member, _e3003), select(select(select(select(_e2707, _e2753.member_1, _e2775), _e2829.member_1, _e2851), _e2905.member_1, _e2927), _e2981.member_1, _e3003), select(select(select(select(_e2708, _e2753.member_2, _e2775), _e2829.member_2, _e2851), _e2905.member_2, _e2927), _e2981.member_2, _e3003)));
+phi_6347_ = type_33(select(_e2933, _e2998, _e3007), vec3<f32>(select(select(select(select(_e2694, _e2753.member, _e2779), _e2829.member, _e2855), _e2905.member, _e2931), _e2981.member, _e3007), select(select(select(select(_e2695, _e2753.member_1, _e2779), _e2829.member_1, _e2855), _e2905.member_1, _e2931), _e2981.member_1, _e3007), select(select(select(select(_e2696, _e2753.member_2, _e2779), _e2829.member_2, _e2855), _e2905.member_2, _e2931), _e2981.member_2, _e3007)), select(_e2937, _e3002, _e3008), vec3<f32>(select(select(select(select(_e2699, _e2753.member, _e2780), _e2829.member, _e2856), _e2905.member, _e2932), _e2981.member, _e3008), select(select(select(select(_e2700, _e2753.member_1, _e2780), _e2829.member_1, _e2856), _e2905.member_1, _e2932), _e2981.member_1, _e3008), select(select(select(select(_e2701, _e2753.member_2, _e2780), _e2829.member_2, _e2856), _e2905.member_2, _e2932), _e2981.member_2, _e3008)), select(_e2941, _e2975, _e3003), select(_e2943, _e2976, (_e2976 > _e2943)), vec3<f32>(select(select(select(select(_e2706, _e2753.member, _e2775), _e2829.member, _e2851), _e2905.member, _e2927), _e2981.member, _e3003), select(select(select(select(_e2707, _e2753.member_1, _e2775), _e2829.member_1, _e2851), _e2905.member_1, _e2927), _e2981.member_1, _e3003), select(select(select(select(_e2708, _e2753.member_2, _e2775), _e2829.member_2, _e2851), _e2905.member_2, _e2927), _e2981.member_2, _e3003)));
 }
 let _e3028 = phi_6347_;
 let _e3034 = (((_e1755 && _e2427) && !(_e2412)) && (_e3028.member_2 <= 1f));
@@ -1149,7 +1149,7 @@ let _e3150 = (_e3147 + _e1845);
 let _e3151 = (_e3147 + _e1892);
 let _e3152 = (_e3149 + _e1849);
 let _e3153 = (_e3149 + _e1895);
-local_28 = type_29(array<i32, 4>(_e3144, _e3144, _e3144, _e3144), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_28 = type_30(array<i32, 4>(_e3144, _e3144, _e3144, _e3144), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_29 = vec3<f32>((_e3069 - f32(_e3092)), (_e3073 - f32(_e3107)), (_e3077 - f32(_e3122)));
 let _e3167 = local_28.member[0u];
 let _e3168 = ((_e3152 + _e3150) + _e3167);
@@ -1381,7 +1381,7 @@ let _e3828 = select(select(select(select(select(select(0f, _e1147.member, _e3609
 let _e3829 = select(select(select(select(select(select(0f, _e1147.member_1, _e3609), _e1147.member_1, _e3649), _e1155.member_1, _e3689), _e1155.member_1, _e3729), _e1163.member_1, _e3769), _e1163.member_1, _e3809);
 let _e3830 = select(select(select(select(select(select(1f, _e1147.member_2, _e3609), _e1147.member_2, _e3649), _e1155.member_2, _e3689), _e1155.member_2, _e3729), _e1163.member_2, _e3769), _e1163.member_2, _e3809);
 if _e1412 {
-phi_9053_ = type_32(_e3815, vec3<f32>(_e3816, _e3817, _e3818), _e3820, vec3<f32>(_e3821, _e3822, _e3823), _e3825, _e3827, vec3<f32>(_e3828, _e3829, _e3830));
+phi_9053_ = type_33(_e3815, vec3<f32>(_e3816, _e3817, _e3818), _e3820, vec3<f32>(_e3821, _e3822, _e3823), _e3825, _e3827, vec3<f32>(_e3828, _e3829, _e3830));
 } else {
 let _e3837 = (((_e1147.member * _e1147.member) + (_e1147.member_1 * _e1147.member_1)) + (_e1147.member_2 * _e1147.member_2));
 let _e3840 = sqrt(select(0f, _e3837, (_e3837 > 0f)));
@@ -1461,7 +1461,7 @@ let _e4124 = select(2f, select(0f, _e4116, (_e4097 < 0f)), (_e4098 > 0f));
 let _e4125 = (_e4097 > _e4063);
 let _e4129 = ((_e4120 > _e4055) || ((_e4120 == _e4055) && _e4125));
 let _e4130 = (_e4124 < _e4059);
-phi_9053_ = type_32(select(_e4055, _e4120, _e4129), vec3<f32>(select(select(select(select(_e3816, _e3875.member, _e3901), _e3951.member, _e3977), _e4027.member, _e4053), _e4103.member, _e4129), select(select(select(select(_e3817, _e3875.member_1, _e3901), _e3951.member_1, _e3977), _e4027.member_1, _e4053), _e4103.member_1, _e4129), select(select(select(select(_e3818, _e3875.member_2, _e3901), _e3951.member_2, _e3977), _e4027.member_2, _e4053), _e4103.member_2, _e4129)), select(_e4059, _e4124, _e4130), vec3<f32>(select(select(select(select(_e3821, _e3875.member, _e3902), _e3951.member, _e3978), _e4027.member, _e4054), _e4103.member, _e4130), select(select(select(select(_e3822, _e3875.member_1, _e3902), _e3951.member_1, _e3978), _e4027.member_1, _e4054), _e4103.member_1, _e4130), select(select(select(select(_e3823, _e3875.member_2, _e3902), _e3951.member_2, _e3978), _e4027.member_2, _e4054), _e4103.member_2, _e4130)), select(_e4063, _e4097, _e4125), select(_e4065, _e4098, (_e4098 > _e4065)), vec3<f32>(select(select(select(select(_e3828, _e3875.member, _e3897), _e3951.member, _e3973), _e4027.member, _e4049), _e4103.member, _e4125), select(select(select(select(_e3829, _e3875.member_1, _e3897), _e3951.member_1, _e3973), _e4027.member_1, _e4049), _e4103.member_1, _e4125), select(select(select(select(_e3830, _e3875.member_2, _e3897), _e3951.member_2, _e3973), _e4027.member_2, _e4049), _e4103.member_2, _e4125)));
+phi_9053_ = type_33(select(_e4055, _e4120, _e4129), vec3<f32>(select(select(select(select(_e3816, _e3875.member, _e3901), _e3951.member, _e3977), _e4027.member, _e4053), _e4103.member, _e4129), select(select(select(select(_e3817, _e3875.member_1, _e3901), _e3951.member_1, _e3977), _e4027.member_1, _e4053), _e4103.member_1, _e4129), select(select(select(select(_e3818, _e3875.member_2, _e3901), _e3951.member_2, _e3977), _e4027.member_2, _e4053), _e4103.member_2, _e4129)), select(_e4059, _e4124, _e4130), vec3<f32>(select(select(select(select(_e3821, _e3875.member, _e3902), _e3951.member, _e3978), _e4027.member, _e4054), _e4103.member, _e4130), select(select(select(select(_e3822, _e3875.member_1, _e3902), _e3951.member_1, _e3978), _e4027.member_1, _e4054), _e4103.member_1, _e4130), select(select(select(select(_e3823, _e3875.member_2, _e3902), _e3951.member_2, _e3978), _e4027.member_2, _e4054), _e4103.member_2, _e4130)), select(_e4063, _e4097, _e4125), select(_e4065, _e4098, (_e4098 > _e4065)), vec3<f32>(select(select(select(select(_e3828, _e3875.member, _e3897), _e3951.member, _e3973), _e4027.member, _e4049), _e4103.member, _e4125), select(select(select(select(_e3829, _e3875.member_1, _e3897), _e3951.member_1, _e3973), _e4027.member_1, _e4049), _e4103.member_1, _e4125), select(select(select(select(_e3830, _e3875.member_2, _e3897), _e3951.member_2, _e3973), _e4027.member_2, _e4049), _e4103.member_2, _e4125)));
 }
 let _e4150 = phi_9053_;
 let _e4156 = (((_e3034 && _e3549) && !(_e3533)) && (_e4150.member_2 <= 1f));
@@ -1507,7 +1507,7 @@ let _e4272 = (_e4269 + _e1845);
 let _e4273 = (_e4269 + _e1892);
 let _e4274 = (_e4271 + _e1849);
 let _e4275 = (_e4271 + _e1895);
-local_24 = type_29(array<i32, 4>(_e4266, _e4266, _e4266, _e4266), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_24 = type_30(array<i32, 4>(_e4266, _e4266, _e4266, _e4266), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_25 = vec3<f32>((_e4191 - f32(_e4214)), (_e4195 - f32(_e4229)), (_e4199 - f32(_e4244)));
 let _e4289 = local_24.member[0u];
 let _e4290 = ((_e4274 + _e4272) + _e4289);
@@ -1739,7 +1739,7 @@ let _e4951 = select(select(select(select(select(select(0f, _e1147.member, _e4732
 let _e4952 = select(select(select(select(select(select(0f, _e1147.member_1, _e4732), _e1147.member_1, _e4772), _e1155.member_1, _e4812), _e1155.member_1, _e4852), _e1163.member_1, _e4892), _e1163.member_1, _e4932);
 let _e4953 = select(select(select(select(select(select(1f, _e1147.member_2, _e4732), _e1147.member_2, _e4772), _e1155.member_2, _e4812), _e1155.member_2, _e4852), _e1163.member_2, _e4892), _e1163.member_2, _e4932);
 if _e1412 {
-phi_11759_ = type_32(_e4938, vec3<f32>(_e4939, _e4940, _e4941), _e4943, vec3<f32>(_e4944, _e4945, _e4946), _e4948, _e4950, vec3<f32>(_e4951, _e4952, _e4953));
+phi_11759_ = type_33(_e4938, vec3<f32>(_e4939, _e4940, _e4941), _e4943, vec3<f32>(_e4944, _e4945, _e4946), _e4948, _e4950, vec3<f32>(_e4951, _e4952, _e4953));
 } else {
 let _e4960 = (((_e1147.member * _e1147.member) + (_e1147.member_1 * _e1147.member_1)) + (_e1147.member_2 * _e1147.member_2));
 let _e4963 = sqrt(select(0f, _e4960, (_e4960 > 0f)));
@@ -1819,7 +1819,7 @@ let _e5247 = select(2f, select(0f, _e5239, (_e5220 < 0f)), (_e5221 > 0f));
 let _e5248 = (_e5220 > _e5186);
 let _e5252 = ((_e5243 > _e5178) || ((_e5243 == _e5178) && _e5248));
 let _e5253 = (_e5247 < _e5182);
-phi_11759_ = type_32(select(_e5178, _e5243, _e5252), vec3<f32>(select(select(select(select(_e4939, _e4998.member, _e5024), _e5074.member, _e5100), _e5150.member, _e5176), _e5226.member, _e5252), select(select(select(select(_e4940, _e4998.member_1, _e5024), _e5074.member_1, _e5100), _e5150.member_1, _e5176), _e5226.member_1, _e5252), select(select(select(select(_e4941, _e4998.member_2, _e5024), _e5074.member_2, _e5100), _e5150.member_2, _e5176), _e5226.member_2, _e5252)), select(_e5182, _e5247, _e5253), vec3<f32>(select(select(select(select(_e4944, _e4998.member, _e5025), _e5074.member, _e5101), _e5150.member, _e5177), _e5226.member, _e5253), select(select(select(select(_e4945, _e4998.member_1, _e5025), _e5074.member_1, _e5101), _e5150.member_1, _e5177), _e5226.member_1, _e5253), select(select(select(select(_e4946, _e4998.member_2, _e5025), _e5074.member_2, _e5101), _e5150.member_2, _e5177), _e5226.member_2, _e5253)), select(_e5186, _e5220, _e5248), select(_e5188, _e5221, (_e5221 > _e5188)), vec3<f32>(select(select(select(select(_e4951, _e4998.member, _e5020), _e5074.member, _e5096), _e5150.member, _e5172), _e5226.member, _e5248), select(select(select(select(_e4952, _e4998.member_1, _e5020), _e5074.member_1, _e5096), _e5150.member_1, _e5172), _e5226.member_1, _e5248), select(select(select(select(_e4953, _e4998.member_2, _e5020), _e5074.member_2, _e5096), _e5150.member_2, _e5172), _e5226.member_2, _e5248)));
+phi_11759_ = type_33(select(_e5178, _e5243, _e5252), vec3<f32>(select(select(select(select(_e4939, _e4998.member, _e5024), _e5074.member, _e5100), _e5150.member, _e5176), _e5226.member, _e5252), select(select(select(select(_e4940, _e4998.member_1, _e5024), _e5074.member_1, _e5100), _e5150.member_1, _e5176), _e5226.member_1, _e5252), select(select(select(select(_e4941, _e4998.member_2, _e5024), _e5074.member_2, _e5100), _e5150.member_2, _e5176), _e5226.member_2, _e5252)), select(_e5182, _e5247, _e5253), vec3<f32>(select(select(select(select(_e4944, _e4998.member, _e5025), _e5074.member, _e5101), _e5150.member, _e5177), _e5226.member, _e5253), select(select(select(select(_e4945, _e4998.member_1, _e5025), _e5074.member_1, _e5101), _e5150.member_1, _e5177), _e5226.member_1, _e5253), select(select(select(select(_e4946, _e4998.member_2, _e5025), _e5074.member_2, _e5101), _e5150.member_2, _e5177), _e5226.member_2, _e5253)), select(_e5186, _e5220, _e5248), select(_e5188, _e5221, (_e5221 > _e5188)), vec3<f32>(select(select(select(select(_e4951, _e4998.member, _e5020), _e5074.member, _e5096), _e5150.member, _e5172), _e5226.member, _e5248), select(select(select(select(_e4952, _e4998.member_1, _e5020), _e5074.member_1, _e5096), _e5150.member_1, _e5172), _e5226.member_1, _e5248), select(select(select(select(_e4953, _e4998.member_2, _e5020), _e5074.member_2, _e5096), _e5150.member_2, _e5172), _e5226.member_2, _e5248)));
 }
 let _e5273 = phi_11759_;
 let _e5279 = (((_e4156 && _e4672) && !(_e4656)) && (_e5273.member_2 <= 1f));
@@ -2029,7 +2029,7 @@ phi_13543_ = _e2341;
 phi_13543_ = _e3467;
 }
 let _e5803 = phi_13543_;
-phi_13824_ = type_33(_e5803, vec3<f32>(select(_e4667, _e4169.x, _e5279), select(_e4668, _e4169.y, _e5279), select(_e4669, _e4169.z, _e5279)), vec3<f32>(_e4641, _e4642, _e4643), select((_e1044 * select(0f, _e5360, (_e5360 > 0f))), ((((sqrt(select(0f, _e5371, (_e5371 > 0f))) * select(0f, _e5452, (_e5452 > 0f))) + (sqrt(select(0f, _e5463, (_e5463 > 0f))) * select(0f, _e5559, (_e5559 > 0f)))) + (sqrt(select(0f, _e5571, (_e5571 > 0f))) * select(0f, _e5667, (_e5667 > 0f)))) + select(0f, (sqrt(select(0f, _e5679, (_e5679 > 0f))) * select(0f, _e5775, (_e5775 > 0f))), _e4156)), _e5782), select((_e339 / _e4643), (2f * (_e3038 / _e2395)), (((_e1755 && !(_e1739)) && _e2427) && !(_e3034))), select(_e3028.member_3, _e1747.member_1, vec3(_e2408)), _e4672, _e5782, (((_e2412 || _e3533) || _e4656) || _e5279));
+phi_13824_ = type_34(_e5803, vec3<f32>(select(_e4667, _e4169.x, _e5279), select(_e4668, _e4169.y, _e5279), select(_e4669, _e4169.z, _e5279)), vec3<f32>(_e4641, _e4642, _e4643), select((_e1044 * select(0f, _e5360, (_e5360 > 0f))), ((((sqrt(select(0f, _e5371, (_e5371 > 0f))) * select(0f, _e5452, (_e5452 > 0f))) + (sqrt(select(0f, _e5463, (_e5463 > 0f))) * select(0f, _e5559, (_e5559 > 0f)))) + (sqrt(select(0f, _e5571, (_e5571 > 0f))) * select(0f, _e5667, (_e5667 > 0f)))) + select(0f, (sqrt(select(0f, _e5679, (_e5679 > 0f))) * select(0f, _e5775, (_e5775 > 0f))), _e4156)), _e5782), select((_e339 / _e4643), (2f * (_e3038 / _e2395)), (((_e1755 && !(_e1739)) && _e2427) && !(_e3034))), select(_e3028.member_3, _e1747.member_1, vec3(_e2408)), _e4672, _e5782, (((_e2412 || _e3533) || _e4656) || _e5279));
 } else {
 let _e1047 = (_e893 < 1e-12f);
 let _e1049 = (1f / select(_e888, 1f, _e1047));
@@ -2064,7 +2064,7 @@ let _e1121 = select(select(1f, _e1118, (_e1118 < 1f)), 1f, _e1097);
 let _e1123 = select(_e1096, _e1071, (_e1071 < _e1096));
 let _e1127 = select(_e1089, _e1064, (_e1064 > _e1089));
 let _e1130 = (select(_e1121, _e1123, (_e1123 < _e1121)) - select(_e1114, _e1127, (_e1127 > _e1114)));
-phi_13824_ = type_33(_e1046.member, _e1046.member_1, _e1046.member_2, (_e1044 * select(0f, _e1130, (_e1130 > 0f))), _e1046.member_4, _e1046.member_5, _e1046.member_6, _e1046.member_7, _e1046.member_8);
+phi_13824_ = type_34(_e1046.member, _e1046.member_1, _e1046.member_2, (_e1044 * select(0f, _e1130, (_e1130 > 0f))), _e1046.member_4, _e1046.member_5, _e1046.member_6, _e1046.member_7, _e1046.member_8);
 }
 let _e5806 = phi_13824_;
 let _e5815 = select(_e346, 0f, (_e1025 || !(_e5806.member_7)));
@@ -2111,7 +2111,7 @@ let _e6316 = (_e6309 + (3i * _e6265));
 let _e6317 = (_e6311 + _e6269);
 let _e6319 = (_e6311 + (2i * _e6269));
 let _e6321 = (_e6311 + (3i * _e6269));
-local_20 = type_29(array<i32, 4>(_e6306, _e6306, _e6306, _e6306), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_20 = type_30(array<i32, 4>(_e6306, _e6306, _e6306, _e6306), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_21 = vec3<f32>((_e6208 - f32(_e6231)), (_e6212 - f32(_e6246)), (_e6216 - f32(_e6261)));
 let _e6335 = local_20.member[0u];
 let _e6336 = ((_e6317 + _e6312) + _e6335);
@@ -2454,7 +2454,7 @@ if _e580 {
 let _e7855 = ((0.5f * (_e7146 - _e7140)) * _e7404);
 let _e7856 = ((0.5f * (_e7158 - _e7152)) * _e7404);
 let _e7857 = ((0.5f * (_e7170 - _e7164)) * _e7404);
-phi_19280_ = type_30(_e7366, vec3<f32>(_e7855, _e7856, _e7857), vec3<f32>((_e7855 * _e7366), (_e7856 * _e7366), (_e7857 * _e7366)));
+phi_19280_ = type_31(_e7366, vec3<f32>(_e7855, _e7856, _e7857), vec3<f32>((_e7855 * _e7366), (_e7856 * _e7366), (_e7857 * _e7366)));
 } else {
 local_16 = _e7140;
 let _e7405 = local_16;
@@ -2603,7 +2603,7 @@ let _e7830 = ((_e7351 + (f32(bitcast<i32>((_e7815 >> bitcast<u32>(12u)))) * _e73
 let _e7831 = (_e7546 - _e7475);
 let _e7833 = (_e7688 - _e7617);
 let _e7835 = (_e7830 - _e7759);
-phi_19280_ = type_30(_e7366, vec3<f32>((0.5f * _e7831), (0.5f * _e7833), (0.5f * _e7835)), vec3<f32>((0.25f * (_e7831 * (_e7546 + _e7475))), (0.25f * (_e7833 * (_e7688 + _e7617))), (0.25f * (_e7835 * (_e7830 + _e7759)))));
+phi_19280_ = type_31(_e7366, vec3<f32>((0.5f * _e7831), (0.5f * _e7833), (0.5f * _e7835)), vec3<f32>((0.25f * (_e7831 * (_e7546 + _e7475))), (0.25f * (_e7833 * (_e7688 + _e7617))), (0.25f * (_e7835 * (_e7830 + _e7759)))));
 }
 let _e7865 = phi_19280_;
 let _e7880 = select(0f, 1f, ((((((_e5829 >= -0.5f) && (_e5829 <= _e873)) && (_e5835 >= -0.5f)) && (_e5835 <= _e878)) && (_e5841 >= -0.5f)) && (_e5841 <= _e883)));
@@ -2619,7 +2619,7 @@ let _e7922 = global_1.member.member_6.member_1.member.member_2;
 let _e7928 = global_1.member.member_6.member_2.member.member;
 let _e7934 = global_1.member.member_6.member_2.member.member_1;
 let _e7940 = global_1.member.member_6.member_2.member.member_2;
-phi_19983_ = type_31(_e7134, vec3<f32>(((((_e7892 * _e7882) + (_e7910 * _e7884)) + (_e7928 * _e7886)) * _e7880), ((((_e7898 * _e7882) + (_e7916 * _e7884)) + (_e7934 * _e7886)) * _e7880), ((((_e7904 * _e7882) + (_e7922 * _e7884)) + (_e7940 * _e7886)) * _e7880)), _e7865.member, vec3<f32>(((((_e7892 * _e7865.member_2.x) + (_e7910 * _e7865.member_2.y)) + (_e7928 * _e7865.member_2.z)) * _e7880), ((((_e7898 * _e7865.member_2.x) + (_e7916 * _e7865.member_2.y)) + (_e7934 * _e7865.member_2.z)) * _e7880), ((((_e7904 * _e7865.member_2.x) + (_e7922 * _e7865.member_2.y)) + (_e7940 * _e7865.member_2.z)) * _e7880)), vec3<f32>(((((_e7892 * _e7865.member_1.x) + (_e7910 * _e7865.member_1.y)) + (_e7928 * _e7865.member_1.z)) * _e7880), ((((_e7898 * _e7865.member_1.x) + (_e7916 * _e7865.member_1.y)) + (_e7934 * _e7865.member_1.z)) * _e7880), ((((_e7904 * _e7865.member_1.x) + (_e7922 * _e7865.member_1.y)) + (_e7940 * _e7865.member_1.z)) * _e7880)));
+phi_19983_ = type_32(_e7134, vec3<f32>(((((_e7892 * _e7882) + (_e7910 * _e7884)) + (_e7928 * _e7886)) * _e7880), ((((_e7898 * _e7882) + (_e7916 * _e7884)) + (_e7934 * _e7886)) * _e7880), ((((_e7904 * _e7882) + (_e7922 * _e7884)) + (_e7940 * _e7886)) * _e7880)), _e7865.member, vec3<f32>(((((_e7892 * _e7865.member_2.x) + (_e7910 * _e7865.member_2.y)) + (_e7928 * _e7865.member_2.z)) * _e7880), ((((_e7898 * _e7865.member_2.x) + (_e7916 * _e7865.member_2.y)) + (_e7934 * _e7865.member_2.z)) * _e7880), ((((_e7904 * _e7865.member_2.x) + (_e7922 * _e7865.member_2.y)) + (_e7940 * _e7865.member_2.z)) * _e7880)), vec3<f32>(((((_e7892 * _e7865.member_1.x) + (_e7910 * _e7865.member_1.y)) + (_e7928 * _e7865.member_1.z)) * _e7880), ((((_e7898 * _e7865.member_1.x) + (_e7916 * _e7865.member_1.y)) + (_e7934 * _e7865.member_1.z)) * _e7880), ((((_e7904 * _e7865.member_1.x) + (_e7922 * _e7865.member_1.y)) + (_e7940 * _e7865.member_1.z)) * _e7880)));
 } else {
 let _e5843 = select(-0.5f, _e5829, (_e5829 > -0.5f));
 let _e5845 = select(_e873, _e5843, (_e5843 < _e873));
@@ -2657,7 +2657,7 @@ let _e5949 = (_e5946 + _e5902);
 let _e5951 = (_e5946 + (2i * _e5902));
 let _e5952 = (_e5948 + _e5906);
 let _e5954 = (_e5948 + (2i * _e5906));
-local_4 = type_29(array<i32, 4>(_e5943, _e5943, _e5943, _e5943), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_4 = type_30(array<i32, 4>(_e5943, _e5943, _e5943, _e5943), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_5 = vec3<f32>((_e5845 - f32(_e5868)), (_e5849 - f32(_e5883)), (_e5853 - f32(_e5898)));
 let _e5968 = local_4.member[0u];
 let _e5969 = ((_e5952 + _e5949) + _e5968);
@@ -2726,7 +2726,7 @@ let _e6196 = global_1.member.member_6.member_5;
 let _e6198 = (((_e6077 + (((_e6128 + (((_e6168 + ((f32(bitcast<i32>(((_e6161 >> bitcast<u32>((_e6169 & 31u))) & 255u))) - _e6168) * _e6176)) - _e6128) * _e6180)) - _e6077) * _e6185)) - _e6192) * _e6196);
 let _e6199 = -(1e9f);
 let _e6201 = select(_e6199, _e6198, (_e6198 > _e6199));
-phi_19983_ = type_31(select(1e9f, _e6201, (_e6201 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_19983_ = type_32(select(1e9f, _e6201, (_e6201 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8006 = phi_19983_;
 let _e8008 = select(-0.5f, _e489, (_e489 > -0.5f));
@@ -2765,7 +2765,7 @@ let _e8114 = (_e8111 + _e8067);
 let _e8116 = (_e8111 + (2i * _e8067));
 let _e8117 = (_e8113 + _e8071);
 let _e8119 = (_e8113 + (2i * _e8071));
-local_2 = type_29(array<i32, 4>(_e8108, _e8108, _e8108, _e8108), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_2 = type_30(array<i32, 4>(_e8108, _e8108, _e8108, _e8108), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_3 = vec3<f32>((_e8010 - f32(_e8033)), (_e8014 - f32(_e8048)), (_e8018 - f32(_e8063)));
 let _e8133 = local_2.member[0u];
 let _e8134 = ((_e8117 + _e8114) + _e8133);
@@ -3238,7 +3238,7 @@ let _e9780 = select(select(select(select(select(select(0f, _e9521.member, _e9561
 let _e9781 = select(select(select(select(select(select(0f, _e9521.member_1, _e9561), _e9521.member_1, _e9601), _e9529.member_1, _e9641), _e9529.member_1, _e9681), _e9537.member_1, _e9721), _e9537.member_1, _e9761);
 let _e9782 = select(select(select(select(select(select(1f, _e9521.member_2, _e9561), _e9521.member_2, _e9601), _e9529.member_2, _e9641), _e9529.member_2, _e9681), _e9537.member_2, _e9721), _e9537.member_2, _e9761);
 if _e8370 {
-phi_24257_ = type_32(_e9767, vec3<f32>(_e9768, _e9769, _e9770), _e9772, vec3<f32>(_e9773, _e9774, _e9775), _e9777, _e9779, vec3<f32>(_e9780, _e9781, _e9782));
+phi_24257_ = type_33(_e9767, vec3<f32>(_e9768, _e9769, _e9770), _e9772, vec3<f32>(_e9773, _e9774, _e9775), _e9777, _e9779, vec3<f32>(_e9780, _e9781, _e9782));
 } else {
 let _e9789 = (((_e9521.member * _e9521.member) + (_e9521.member_1 * _e9521.member_1)) + (_e9521.member_2 * _e9521.member_2));
 let _e9792 = sqrt(select(0f, _e9789, (_e9789 > 0f)));
@@ -3318,7 +3318,7 @@ let _e10076 = select(2f, select(0f, _e10068, (_e10049 < 0f)), (_e10050 > 0f));
 let _e10077 = (_e10049 > _e10015);
 let _e10081 = ((_e10072 > _e10007) || ((_e10072 == _e10007) && _e10077));
 let _e10082 = (_e10076 < _e10011);
-phi_24257_ = type_32(select(_e10007, _e10072, _e10081), vec3<f32>(select(select(select(select(_e9768, _e9827.member, _e9853), _e9903.member, _e9929), _e9979.member, _e10005), _e10055.member, _e10081), select(select(select(select(_e9769, _e9827.member_1, _e9853), _e9903.member_1, _e9929), _e9979.member_1, _e10005), _e10055.member_1, _e10081), select(select(select(select(_e9770, _e9827.member_2, _e9853), _e9903.member_2, _e9929), _e9979.member_2, _e10005), _e10055.member_2, _e10081)), select(_e10011, _e10076, _e10082), vec3<f32>(select(select(select(select(_e9773, _e9827.member, _e9854), _e9903.member, _e9930), _e9979.member, _e10006), _e10055.member, _e10082), select(select(select(select(_e9774, _e9827.member_1, _e9854), _e9903.member_1, _e9930), _e9979.member_1, _e10006), _e10055.member_1, _e10082), select(select(select(select(_e9775, _e9827.member_2, _e9854), _e9903.member_2, _e9930), _e9979.member_2, _e10006), _e10055.member_2, _e10082)), select(_e10015, _e10049, _e10077), select(_e10017, _e10050, (_e10050 > _e10017)), vec3<f32>(select(select(select(select(_e9780, _e9827.member, _e9849), _e9903.member, _e9925), _e9979.member, _e10001), _e10055.member, _e10077), select(select(select(select(_e9781, _e9827.member_1, _e9849), _e9903.member_1, _e9925), _e9979.member_1, _e10001), _e10055.member_1, _e10077), select(select(select(select(_e9782, _e9827.member_2, _e9849), _e9903.member_2, _e9925), _e9979.member_2, _e10001), _e10055.member_2, _e10077)));
+phi_24257_ = type_33(select(_e10007, _e10072, _e10081), vec3<f32>(select(select(select(select(_e9768, _e9827.member, _e9853), _e9903.member, _e9929), _e9979.member, _e10005), _e10055.member, _e10081), select(select(select(select(_e9769, _e9827.member_1, _e9853), _e9903.member_1, _e9929), _e9979.member_1, _e10005), _e10055.member_1, _e10081), select(select(select(select(_e9770, _e9827.member_2, _e9853), _e9903.member_2, _e9929), _e9979.member_2, _e10005), _e10055.member_2, _e10081)), select(_e10011, _e10076, _e10082), vec3<f32>(select(select(select(select(_e9773, _e9827.member, _e9854), _e9903.member, _e9930), _e9979.member, _e10006), _e10055.member, _e10082), select(select(select(select(_e9774, _e9827.member_1, _e9854), _e9903.member_1, _e9930), _e9979.member_1, _e10006), _e10055.member_1, _e10082), select(select(select(select(_e9775, _e9827.member_2, _e9854), _e9903.member_2, _e9930), _e9979.member_2, _e10006), _e10055.member_2, _e10082)), select(_e10015, _e10049, _e10077), select(_e10017, _e10050, (_e10050 > _e10017)), vec3<f32>(select(select(select(select(_e9780, _e9827.member, _e9849), _e9903.member, _e9925), _e9979.member, _e10001), _e10055.member, _e10077), select(select(select(select(_e9781, _e9827.member_1, _e9849), _e9903.member_1, _e9925), _e9979.member_1, _e10001), _e10055.member_1, _e10077), select(select(select(select(_e9782, _e9827.member_2, _e9849), _e9903.member_2, _e9925), _e9979.member_2, _e10001), _e10055.member_2, _e10077)));
 }
 let _e10102 = phi_24257_;
 let _e10107 = (_e8573.member_2 * _e5821);

@@ -131,23 +131,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -156,7 +160,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -166,10 +170,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 struct type_35 {
 member: f32,
@@ -200,7 +200,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_29;
+var local_6: type_30;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -216,23 +216,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_29;
+var local_22: type_30;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_29;
+var local_26: type_30;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_29;
+var local_30: type_30;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_29;
+var local_34: type_30;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_29;
+var local_38: type_30;
 var local_39: vec3<f32>;
 var phi_639_: u32;
 var phi_642_: bool;
@@ -241,23 +241,23 @@ var phi_1395_: bool;
 var phi_1575_: bool;
 var phi_1578_: bool;
 var phi_2871_: f32;
-var phi_4473_: type_32;
+var phi_4473_: type_33;
 var phi_4486_: bool;
-var phi_4516_: type_34;
+var phi_4516_: type_27;
 var phi_4528_: bool;
 var phi_5608_: type_26;
-var phi_7131_: type_32;
+var phi_7131_: type_33;
 var phi_8243_: type_26;
-var phi_9781_: type_32;
+var phi_9781_: type_33;
 var phi_10893_: type_26;
-var phi_12431_: type_32;
+var phi_12431_: type_33;
 var phi_14179_: type_26;
-var phi_14192_: type_33;
+var phi_14192_: type_34;
 var phi_14193_: vec3<f32>;
 var phi_14194_: bool;
 var phi_14195_: f32;
-var phi_19494_: type_30;
-var phi_20141_: type_31;
+var phi_19494_: type_31;
+var phi_20141_: type_32;
 var phi_20554_: type_5;
 var phi_24715_: type_35;
 var phi_25471_: vec3<f32>;
@@ -265,7 +265,7 @@ var phi_25701_: type_25;
 var phi_25780_: f32;
 var phi_25781_: f32;
 var phi_26038_: vec3<f32>;
-var phi_27572_: type_32;
+var phi_27572_: type_33;
 var phi_27728_: vec3<f32>;
 var phi_27729_: bool;
 var phi_27889_: array<f32, 18>;
@@ -595,7 +595,7 @@ let _e1304 = (select(0i, _e1233, (_e1233 > 0i)) * _e1253);
 let _e1305 = (select(_e1266, _e1269, (_e1269 < _e1266)) * _e1253);
 let _e1306 = (select(0i, _e1248, (_e1248 > 0i)) * _e1258);
 let _e1307 = (select(_e1279, _e1282, (_e1282 < _e1279)) * _e1258);
-local_38 = type_29(array<i32, 4>(select(0i, _e1293, (_e1293 > 0i)), select(0i, _e1218, (_e1218 > 0i)), select(_e1292, _e1298, (_e1298 < _e1292)), select(_e1292, _e1301, (_e1301 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_38 = type_30(array<i32, 4>(select(0i, _e1293, (_e1293 > 0i)), select(0i, _e1218, (_e1218 > 0i)), select(_e1292, _e1298, (_e1298 < _e1292)), select(_e1292, _e1301, (_e1301 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_39 = vec3<f32>((_e1195 - f32(_e1218)), (_e1199 - f32(_e1233)), (_e1203 - f32(_e1248)));
 let _e1318 = (_e1306 + _e1304);
 let _e1321 = local_38.member[1u];
@@ -724,7 +724,7 @@ let _e1656 = (_e474 - _e470);
 let _e1657 = (_e479 - _e464);
 let _e1662 = (((_e1655 * _e1655) + (_e1656 * _e1656)) + (_e1657 * _e1657));
 let _e1665 = sqrt(select(0f, _e1662, (_e1662 > 0f)));
-let _e1666 = type_33(type_26(1f, 1f), vec3<f32>(_e472, _e474, _e479), _e1123, _e1665, _e459, _e1123, true, false, false);
+let _e1666 = type_34(type_26(1f, 1f), vec3<f32>(_e472, _e474, _e479), _e1123, _e1665, _e459, _e1123, true, false, false);
 let _e1667 = (_e642 < 1e-12f);
 let _e1669 = (1f / select(_e637, 1f, _e1667));
 let _e1670 = (-0.5f - _e548);
@@ -876,7 +876,7 @@ let _e2027 = select(select(select(select(select(select(0f, _e1768.member_1, _e18
 let _e2028 = select(select(select(select(select(select(1f, _e1768.member_2, _e1809), _e1768.member_2, _e1849), _e1777.member_2, _e1888), _e1777.member_2, _e1928), _e1786.member_2, _e1967), _e1786.member_2, _e2007);
 let _e2032 = ((_e775 & 16u) == 0u);
 if _e2032 {
-phi_4473_ = type_32(_e2013, vec3<f32>(_e2014, _e2015, _e2016), _e2018, vec3<f32>(_e2019, _e2020, _e2021), _e2023, _e2025, vec3<f32>(_e2026, _e2027, _e2028));
+phi_4473_ = type_33(_e2013, vec3<f32>(_e2014, _e2015, _e2016), _e2018, vec3<f32>(_e2019, _e2020, _e2021), _e2023, _e2025, vec3<f32>(_e2026, _e2027, _e2028));
 } else {
 let _e2037 = (((_e1768.member * _e1768.member) + (_e1768.member_1 * _e1768.member_1)) + (_e1768.member_2 * _e1768.member_2));
 let _e2040 = sqrt(select(0f, _e2037, (_e2037 > 0f)));
@@ -956,7 +956,7 @@ let _e2336 = select(2f, select(0f, _e2328, (_e2308 < 0f)), (_e2309 > 0f));
 let _e2337 = (_e2308 > _e2272);
 let _e2341 = ((_e2332 > _e2264) || ((_e2332 == _e2264) && _e2337));
 let _e2342 = (_e2336 < _e2268);
-phi_4473_ = type_32(select(_e2264, _e2332, _e2341), vec3<f32>(select(select(select(select(_e2014, _e2078.member, _e2104), _e2157.member, _e2183), _e2236.member, _e2262), _e2315.member, _e2341), select(select(select(select(_e2015, _e2078.member_1, _e2104), _e2157.member_1, _e2183), _e2236.member_1, _e2262), _e2315.member_1, _e2341), select(select(select(select(_e2016, _e2078.member_2, _e2104), _e2157.member_2, _e2183), _e2236.member_2, _e2262), _e2315.member_2, _e2341)), select(_e2268, _e2336, _e2342), vec3<f32>(select(select(select(select(_e2019, _e2078.member, _e2105), _e2157.member, _e2184), _e2236.member, _e2263), _e2315.member, _e2342), select(select(select(select(_e2020, _e2078.member_1, _e2105), _e2157.member_1, _e2184), _e2236.member_1, _e2263), _e2315.member_1, _e2342), select(select(select(select(_e2021, _e2078.member_2, _e2105), _e2157.member_2, _e2184), _e2236.member_2, _e2263), _e2315.member_2, _e2342)), select(_e2272, _e2308, _e2337), select(_e2274, _e2309, (_e2309 > _e2274)), vec3<f32>(select(select(select(select(_e2026, _e2078.member, _e2100), _e2157.member, _e2179), _e2236.member, _e2258), _e2315.member, _e2337), select(select(select(select(_e2027, _e2078.member_1, _e2100), _e2157.member_1, _e2179), _e2236.member_1, _e2258), _e2315.member_1, _e2337), select(select(select(select(_e2028, _e2078.member_2, _e2100), _e2157.member_2, _e2179), _e2236.member_2, _e2258), _e2315.member_2, _e2337)));
+phi_4473_ = type_33(select(_e2264, _e2332, _e2341), vec3<f32>(select(select(select(select(_e2014, _e2078.member, _e2104), _e2157.member, _e2183), _e2236.member, _e2262), _e2315.member, _e2341), select(select(select(select(_e2015, _e2078.member_1, _e2104), _e2157.member_1, _e2183), _e2236.member_1, _e2262), _e2315.member_1, _e2341), select(select(select(select(_e2016, _e2078.member_2, _e2104), _e2157.member_2, _e2183), _e2236.member_2, _e2262), _e2315.member_2, _e2341)), select(_e2268, _e2336, _e2342), vec3<f32>(select(select(select(select(_e2019, _e2078.member, _e2105), _e2157.member, _e2184), _e2236.member, _e2263), _e2315.member, _e2342), select(select(select(select(_e2020, _e2078.member_1, _e2105), _e2157.member_1, _e2184), _e2236.member_1, _e2263), _e2315.member_1, _e2342), select(select(select(select(_e2021, _e2078.member_2, _e2105), _e2157.member_2, _e2184), _e2236.member_2, _e2263), _e2315.member_2, _e2342)), select(_e2272, _e2308, _e2337), select(_e2274, _e2309, (_e2309 > _e2274)), vec3<f32>(select(select(select(select(_e2026, _e2078.member, _e2100), _e2157.member, _e2179), _e2236.member, _e2258), _e2315.member, _e2337), select(select(select(select(_e2027, _e2078.member_1, _e2100), _e2157.member_1, _e2179), _e2236.member_1, _e2258), _e2315.member_1, _e2337), select(select(select(select(_e2028, _e2078.member_2, _e2100), _e2157.member_2, _e2179), _e2236.member_2, _e2258), _e2315.member_2, _e2337)));
 }
 let _e2362 = phi_4473_;
 if ((_e2362.member_4 > -(0.015625f)) && (_e2362.member_4 < 0.015625f)) {
@@ -971,9 +971,9 @@ let _e2375 = (_e439[3] * _e2374);
 let _e2376 = (_e439[4] * _e2374);
 let _e2377 = (_e439[5] * _e2374);
 if _e2371 {
-phi_4516_ = type_34(_e2362.member_2, _e2362.member_3);
+phi_4516_ = type_27(_e2362.member_2, _e2362.member_3);
 } else {
-phi_4516_ = type_34(_e2362.member, _e2362.member_1);
+phi_4516_ = type_27(_e2362.member, _e2362.member_1);
 }
 let _e2386 = phi_4516_;
 if _e2371 {
@@ -1016,7 +1016,7 @@ let _e2501 = (select(0i, _e2464, (_e2464 > 0i)) * _e1253);
 let _e2502 = (select(_e1266, _e2482, (_e2482 < _e1266)) * _e1253);
 let _e2503 = (select(0i, _e2479, (_e2479 > 0i)) * _e1258);
 let _e2504 = (select(_e1279, _e2487, (_e2487 < _e1279)) * _e1258);
-local_34 = type_29(array<i32, 4>(select(0i, _e2490, (_e2490 > 0i)), select(0i, _e2449, (_e2449 > 0i)), select(_e1292, _e2495, (_e2495 < _e1292)), select(_e1292, _e2498, (_e2498 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_34 = type_30(array<i32, 4>(select(0i, _e2490, (_e2490 > 0i)), select(0i, _e2449, (_e2449 > 0i)), select(_e1292, _e2495, (_e2495 < _e1292)), select(_e1292, _e2498, (_e2498 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_35 = vec3<f32>((_e2426 - f32(_e2449)), (_e2430 - f32(_e2464)), (_e2434 - f32(_e2479)));
 let _e2515 = (_e2503 + _e2501);
 let _e2518 = local_34.member[1u];
@@ -1281,7 +1281,7 @@ let _e3179 = select(select(select(select(select(select(0f, _e1768.member, _e2960
 let _e3180 = select(select(select(select(select(select(0f, _e1768.member_1, _e2960), _e1768.member_1, _e3000), _e1777.member_1, _e3040), _e1777.member_1, _e3080), _e1786.member_1, _e3120), _e1786.member_1, _e3160);
 let _e3181 = select(select(select(select(select(select(1f, _e1768.member_2, _e2960), _e1768.member_2, _e3000), _e1777.member_2, _e3040), _e1777.member_2, _e3080), _e1786.member_2, _e3120), _e1786.member_2, _e3160);
 if _e2032 {
-phi_7131_ = type_32(_e3166, vec3<f32>(_e3167, _e3168, _e3169), _e3171, vec3<f32>(_e3172, _e3173, _e3174), _e3176, _e3178, vec3<f32>(_e3179, _e3180, _e3181));
+phi_7131_ = type_33(_e3166, vec3<f32>(_e3167, _e3168, _e3169), _e3171, vec3<f32>(_e3172, _e3173, _e3174), _e3176, _e3178, vec3<f32>(_e3179, _e3180, _e3181));
 } else {
 let _e3188 = (((_e1768.member * _e1768.member) + (_e1768.member_1 * _e1768.member_1)) + (_e1768.member_2 * _e1768.member_2));
 let _e3191 = sqrt(select(0f, _e3188, (_e3188 > 0f)));
@@ -1361,7 +1361,7 @@ let _e3487 = select(2f, select(0f, _e3479, (_e3459 < 0f)), (_e3460 > 0f));
 let _e3488 = (_e3459 > _e3423);
 let _e3492 = ((_e3483 > _e3415) || ((_e3483 == _e3415) && _e3488));
 let _e3493 = (_e3487 < _e3419);
-phi_7131_ = type_32(select(_e3415, _e3483, _e3492), vec3<f32>(select(select(select(select(_e3167, _e3229.member, _e3255), _e3308.member, _e3334), _e3387.member, _e3413), _e3466.member, _e3492), select(select(select(select(_e3168, _e3229.member_1, _e3255), _e3308.member_1, _e3334), _e3387.member_1, _e3413), _e3466.member_1, _e3492), select(select(select(select(_e3169, _e3229.member_2, _e3255), _e3308.member_2, _e3334), _e3387.member_2, _e3413), _e3466.member_2, _e3492)), select(_e3419, _e3487, _e3493), vec3<f32>(select(select(select(select(_e3172, _e3229.member, _e3256), _e3308.member, _e3335), _e3387.member, _e3414), _e3466.member, _e3493), select(select(select(select(_e3173, _e3229.member_1, _e3256), _e3308.member_1, _e3335), _e3387.member_1, _e3414), _e3466.member_1, _e3493), select(select(select(select(_e3174, _e3229.member_2, _e3256), _e3308.member_2, _e3335), _e3387.member_2, _e3414), _e3466.member_2, _e3493)), select(_e3423, _e3459, _e3488), select(_e3425, _e3460, (_e3460 > _e3425)), vec3<f32>(select(select(select(select(_e3179, _e3229.member, _e3251), _e3308.member, _e3330), _e3387.member, _e3409), _e3466.member, _e3488), select(select(select(select(_e3180, _e3229.member_1, _e3251), _e3308.member_1, _e3330), _e3387.member_1, _e3409), _e3466.member_1, _e3488), select(select(select(select(_e3181, _e3229.member_2, _e3251), _e3308.member_2, _e3330), _e3387.member_2, _e3409), _e3466.member_2, _e3488)));
+phi_7131_ = type_33(select(_e3415, _e3483, _e3492), vec3<f32>(select(select(select(select(_e3167, _e3229.member, _e3255), _e3308.member, _e3334), _e3387.member, _e3413), _e3466.member, _e3492), select(select(select(select(_e3168, _e3229.member_1, _e3255), _e3308.member_1, _e3334), _e3387.member_1, _e3413), _e3466.member_1, _e3492), select(select(select(select(_e3169, _e3229.member_2, _e3255), _e3308.member_2, _e3334), _e3387.member_2, _e3413), _e3466.member_2, _e3492)), select(_e3419, _e3487, _e3493), vec3<f32>(select(select(select(select(_e3172, _e3229.member, _e3256), _e3308.member, _e3335), _e3387.member, _e3414), _e3466.member, _e3493), select(select(select(select(_e3173, _e3229.member_1, _e3256), _e3308.member_1, _e3335), _e3387.member_1, _e3414), _e3466.member_1, _e3493), select(select(select(select(_e3174, _e3229.member_2, _e3256), _e3308.member_2, _e3335), _e3387.member_2, _e3414), _e3466.member_2, _e3493)), select(_e3423, _e3459, _e3488), select(_e3425, _e3460, (_e3460 > _e3425)), vec3<f32>(select(select(select(select(_e3179, _e3229.member, _e3251), _e3308.member, _e3330), _e3387.member, _e3409), _e3466.member, _e3488), select(select(select(select(_e3180, _e3229.member_1, _e3251), _e3308.member_1, _e3330), _e3387.member_1, _e3409), _e3466.member_1, _e3488), select(select(select(select(_e3181, _e3229.member_2, _e3251), _e3308.member_2, _e3330), _e3387.member_2, _e3409), _e3466.member_2, _e3488)));
 }
 let _e3513 = phi_7131_;
 let _e3519 = (((_e2394 && _e2921) && !(_e2906)) && (_e3513.member_2 <= 1f));
@@ -1404,7 +1404,7 @@ let _e3629 = (select(0i, _e3592, (_e3592 > 0i)) * _e1253);
 let _e3630 = (select(_e1266, _e3610, (_e3610 < _e1266)) * _e1253);
 let _e3631 = (select(0i, _e3607, (_e3607 > 0i)) * _e1258);
 let _e3632 = (select(_e1279, _e3615, (_e3615 < _e1279)) * _e1258);
-local_30 = type_29(array<i32, 4>(select(0i, _e3618, (_e3618 > 0i)), select(0i, _e3577, (_e3577 > 0i)), select(_e1292, _e3623, (_e3623 < _e1292)), select(_e1292, _e3626, (_e3626 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_30 = type_30(array<i32, 4>(select(0i, _e3618, (_e3618 > 0i)), select(0i, _e3577, (_e3577 > 0i)), select(_e1292, _e3623, (_e3623 < _e1292)), select(_e1292, _e3626, (_e3626 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_31 = vec3<f32>((_e3554 - f32(_e3577)), (_e3558 - f32(_e3592)), (_e3562 - f32(_e3607)));
 let _e3643 = (_e3631 + _e3629);
 let _e3646 = local_30.member[1u];
@@ -1624,7 +1624,7 @@ let _e4201 = select(select(select(select(select(select(0f, _e1768.member, _e3982
 let _e4202 = select(select(select(select(select(select(0f, _e1768.member_1, _e3982), _e1768.member_1, _e4022), _e1777.member_1, _e4062), _e1777.member_1, _e4102), _e1786.member_1, _e4142), _e1786.member_1, _e4182);
 let _e4203 = select(select(select(select(select(select(1f, _e1768.member_2, _e3982), _e1768.member_2, _e4022), _e1777.member_2, _e4062), _e1777.member_2, _e4102), _e1786.member_2, _e4142), _e1786.member_2, _e4182);
 if _e2032 {
-phi_9781_ = type_32(_e4188, vec3<f32>(_e4189, _e4190, _e4191), _e4193, vec3<f32>(_e4194, _e4195, _e4196), _e4198, _e4200, vec3<f32>(_e4201, _e4202, _e4203));
+phi_9781_ = type_33(_e4188, vec3<f32>(_e4189, _e4190, _e4191), _e4193, vec3<f32>(_e4194, _e4195, _e4196), _e4198, _e4200, vec3<f32>(_e4201, _e4202, _e4203));
 } else {
 let _e4210 = (((_e1768.member * _e1768.member) + (_e1768.member_1 * _e1768.member_1)) + (_e1768.member_2 * _e1768.member_2));
 let _e4213 = sqrt(select(0f, _e4210, (_e4210 > 0f)));
@@ -1704,7 +1704,7 @@ let _e4509 = select(2f, select(0f, _e4501, (_e4481 < 0f)), (_e4482 > 0f));
 let _e4510 = (_e4481 > _e4445);
 let _e4514 = ((_e4505 > _e4437) || ((_e4505 == _e4437) && _e4510));
 let _e4515 = (_e4509 < _e4441);
-phi_9781_ = type_32(select(_e4437, _e4505, _e4514), vec3<f32>(select(select(select(select(_e4189, _e4251.member, _e4277), _e4330.member, _e4356), _e4409.member, _e4435), _e4488.member, _e4514), select(select(select(select(_e4190, _e4251.member_1, _e4277), _e4330.member_1, _e4356), _e4409.member_1, _e4435), _e4488.member_1, _e4514), select(select(select(select(_e4191, _e4251.member_2, _e4277), _e4330.member_2, _e4356), _e4409.member_2, _e4435), _e4488.member_2, _e4514)), select(_e4441, _e4509, _e4515), vec3<f32>(select(select(select(select(_e4194, _e4251.member, _e4278), _e4330.member, _e4357), _e4409.member, _e4436), _e4488.member, _e4515), select(select(select(select(_e4195, _e4251.member_1, _e4278), _e4330.member_1, _e4357), _e4409.member_1, _e4436), _e4488.member_1, _e4515), select(select(select(select(_e4196, _e4251.member_2, _e4278), _e4330.member_2, _e4357), _e4409.member_2, _e4436), _e4488.member_2, _e4515)), select(_e4445, _e4481, _e4510), select(_e4447, _e4482, (_e4482 > _e4447)), vec3<f32>(select(select(select(select(_e4201, _e4251.member, _e4273), _e4330.member, _e4352), _e4409.member, _e4431), _e4488.member, _e4510), select(select(select(select(_e4202, _e4251.member_1, _e4273), _e4330.member_1, _e4352), _e4409.member_1, _e4431), _e4488.member_1, _e4510), select(select(select(select(_e4203, _e4251.member_2, _e4273), _e4330.member_2, _e4352), _e4409.member_2, _e4431), _e4488.member_2, _e4510)));
+phi_9781_ = type_33(select(_e4437, _e4505, _e4514), vec3<f32>(select(select(select(select(_e4189, _e4251.member, _e4277), _e4330.member, _e4356), _e4409.member, _e4435), _e4488.member, _e4514), select(select(select(select(_e4190, _e4251.member_1, _e4277), _e4330.member_1, _e4356), _e4409.member_1, _e4435), _e4488.member_1, _e4514), select(select(select(select(_e4191, _e4251.member_2, _e4277), _e4330.member_2, _e4356), _e4409.member_2, _e4435), _e4488.member_2, _e4514)), select(_e4441, _e4509, _e4515), vec3<f32>(select(select(select(select(_e4194, _e4251.member, _e4278), _e4330.member, _e4357), _e4409.member, _e4436), _e4488.member, _e4515), select(select(select(select(_e4195, _e4251.member_1, _e4278), _e4330.member_1, _e4357), _e4409.member_1, _e4436), _e4488.member_1, _e4515), select(select(select(select(_e4196, _e4251.member_2, _e4278), _e4330.member_2, _e4357), _e4409.member_2, _e4436), _e4488.member_2, _e4515)), select(_e4445, _e4481, _e4510), select(_e4447, _e4482, (_e4482 > _e4447)), vec3<f32>(select(select(select(select(_e4201, _e4251.member, _e4273), _e4330.member, _e4352), _e4409.member, _e4431), _e4488.member, _e4510), select(select(select(select(_e4202, _e4251.member_1, _e4273), _e4330.member_1, _e4352), _e4409.member_1, _e4431), _e4488.member_1, _e4510), select(select(select(select(_e4203, _e4251.member_2, _e4273), _e4330.member_2, _e4352), _e4409.member_2, _e4431), _e4488.member_2, _e4510)));
 }
 let _e4535 = phi_9781_;
 let _e4541 = (((_e3519 && _e3922) && !(_e3906)) && (_e4535.member_2 <= 1f));
@@ -1746,7 +1746,7 @@ let _e4651 = (select(0i, _e4614, (_e4614 > 0i)) * _e1253);
 let _e4652 = (select(_e1266, _e4632, (_e4632 < _e1266)) * _e1253);
 let _e4653 = (select(0i, _e4629, (_e4629 > 0i)) * _e1258);
 let _e4654 = (select(_e1279, _e4637, (_e4637 < _e1279)) * _e1258);
-local_26 = type_29(array<i32, 4>(select(0i, _e4640, (_e4640 > 0i)), select(0i, _e4599, (_e4599 > 0i)), select(_e1292, _e4645, (_e4645 < _e1292)), select(_e1292, _e4648, (_e4648 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_26 = type_30(array<i32, 4>(select(0i, _e4640, (_e4640 > 0i)), select(0i, _e4599, (_e4599 > 0i)), select(_e1292, _e4645, (_e4645 < _e1292)), select(_e1292, _e4648, (_e4648 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_27 = vec3<f32>((_e4576 - f32(_e4599)), (_e4580 - f32(_e4614)), (_e4584 - f32(_e4629)));
 let _e4665 = (_e4653 + _e4651);
 let _e4668 = local_26.member[1u];
@@ -1966,7 +1966,7 @@ let _e5224 = select(select(select(select(select(select(0f, _e1768.member, _e5005
 let _e5225 = select(select(select(select(select(select(0f, _e1768.member_1, _e5005), _e1768.member_1, _e5045), _e1777.member_1, _e5085), _e1777.member_1, _e5125), _e1786.member_1, _e5165), _e1786.member_1, _e5205);
 let _e5226 = select(select(select(select(select(select(1f, _e1768.member_2, _e5005), _e1768.member_2, _e5045), _e1777.member_2, _e5085), _e1777.member_2, _e5125), _e1786.member_2, _e5165), _e1786.member_2, _e5205);
 if _e2032 {
-phi_12431_ = type_32(_e5211, vec3<f32>(_e5212, _e5213, _e5214), _e5216, vec3<f32>(_e5217, _e5218, _e5219), _e5221, _e5223, vec3<f32>(_e5224, _e5225, _e5226));
+phi_12431_ = type_33(_e5211, vec3<f32>(_e5212, _e5213, _e5214), _e5216, vec3<f32>(_e5217, _e5218, _e5219), _e5221, _e5223, vec3<f32>(_e5224, _e5225, _e5226));
 } else {
 let _e5233 = (((_e1768.member * _e1768.member) + (_e1768.member_1 * _e1768.member_1)) + (_e1768.member_2 * _e1768.member_2));
 let _e5236 = sqrt(select(0f, _e5233, (_e5233 > 0f)));
@@ -2046,7 +2046,7 @@ let _e5532 = select(2f, select(0f, _e5524, (_e5504 < 0f)), (_e5505 > 0f));
 let _e5533 = (_e5504 > _e5468);
 let _e5537 = ((_e5528 > _e5460) || ((_e5528 == _e5460) && _e5533));
 let _e5538 = (_e5532 < _e5464);
-phi_12431_ = type_32(select(_e5460, _e5528, _e5537), vec3<f32>(select(select(select(select(_e5212, _e5274.member, _e5300), _e5353.member, _e5379), _e5432.member, _e5458), _e5511.member, _e5537), select(select(select(select(_e5213, _e5274.member_1, _e5300), _e5353.member_1, _e5379), _e5432.member_1, _e5458), _e5511.member_1, _e5537), select(select(select(select(_e5214, _e5274.member_2, _e5300), _e5353.member_2, _e5379), _e5432.member_2, _e5458), _e5511.member_2, _e5537)), select(_e5464, _e5532, _e5538), vec3<f32>(select(select(select(select(_e5217, _e5274.member, _e5301), _e5353.member, _e5380), _e5432.member, _e5459), _e5511.member, _e5538), select(select(select(select(_e5218, _e5274.member_1, _e5301), _e5353.member_1, _e5380), _e5432.member_1, _e5459), _e5511.member_1, _e5538), select(select(select(select(_e5219, _e5274.member_2, _e5301), _e5353.member_2, _e5380), _e5432.member_2, _e5459), _e5511.member_2, _e5538)), select(_e5468, _e5504, _e5533), select(_e5470, _e5505, (_e5505 > _e5470)), vec3<f32>(select(select(select(select(_e5224, _e5274.member, _e5296), _e5353.member, _e5375), _e5432.member, _e5454), _e5511.member, _e5533), select(select(select(select(_e5225, _e5274.member_1, _e5296), _e5353.member_1, _e5375), _e5432.member_1, _e5454), _e5511.member_1, _e5533), select(select(select(select(_e5226, _e5274.member_2, _e5296), _e5353.member_2, _e5375), _e5432.member_2, _e5454), _e5511.member_2, _e5533)));
+phi_12431_ = type_33(select(_e5460, _e5528, _e5537), vec3<f32>(select(select(select(select(_e5212, _e5274.member, _e5300), _e5353.member, _e5379), _e5432.member, _e5458), _e5511.member, _e5537), select(select(select(select(_e5213, _e5274.member_1, _e5300), _e5353.member_1, _e5379), _e5432.member_1, _e5458), _e5511.member_1, _e5537), select(select(select(select(_e5214, _e5274.member_2, _e5300), _e5353.member_2, _e5379), _e5432.member_2, _e5458), _e5511.member_2, _e5537)), select(_e5464, _e5532, _e5538), vec3<f32>(select(select(select(select(_e5217, _e5274.member, _e5301), _e5353.member, _e5380), _e5432.member, _e5459), _e5511.member, _e5538), select(select(select(select(_e5218, _e5274.member_1, _e5301), _e5353.member_1, _e5380), _e5432.member_1, _e5459), _e5511.member_1, _e5538), select(select(select(select(_e5219, _e5274.member_2, _e5301), _e5353.member_2, _e5380), _e5432.member_2, _e5459), _e5511.member_2, _e5538)), select(_e5468, _e5504, _e5533), select(_e5470, _e5505, (_e5505 > _e5470)), vec3<f32>(select(select(select(select(_e5224, _e5274.member, _e5296), _e5353.member, _e5375), _e5432.member, _e5454), _e5511.member, _e5533), select(select(select(select(_e5225, _e5274.member_1, _e5296), _e5353.member_1, _e5375), _e5432.member_1, _e5454), _e5511.member_1, _e5533), select(select(select(select(_e5226, _e5274.member_2, _e5296), _e5353.member_2, _e5375), _e5432.member_2, _e5454), _e5511.member_2, _e5533)));
 }
 let _e5558 = phi_12431_;
 let _e5564 = (((_e4541 && _e4945) && !(_e4929)) && (_e5558.member_2 <= 1f));
@@ -2217,12 +2217,12 @@ phi_14179_ = _e2834;
 phi_14179_ = _e3840;
 }
 let _e6004 = phi_14179_;
-phi_14192_ = type_33(_e6004, vec3<f32>(select(_e4940, _e4554.x, _e5564), select(_e4941, _e4554.y, _e5564), select(_e4942, _e4554.z, _e5564)), vec3<f32>(_e4914, _e4915, _e4916), select(_e1753, ((((sqrt(select(0f, _e5572, (_e5572 > 0f))) * select(0f, _e5653, (_e5653 > 0f))) + (sqrt(select(0f, _e5664, (_e5664 > 0f))) * select(0f, _e5760, (_e5760 > 0f)))) + (sqrt(select(0f, _e5772, (_e5772 > 0f))) * select(0f, _e5868, (_e5868 > 0f)))) + select(0f, (sqrt(select(0f, _e5880, (_e5880 > 0f))) * select(0f, _e5976, (_e5976 > 0f))), _e4541)), _e5983), select((_e458 / _e4916), (2f * (_e3523 / _e2888)), (((_e2394 && !(_e2371)) && _e2921) && !(_e3519))), select(_e3513.member_3, _e2386.member_1, vec3(_e2902)), _e4945, _e5983, (((_e2906 || _e3906) || _e4929) || _e5564));
+phi_14192_ = type_34(_e6004, vec3<f32>(select(_e4940, _e4554.x, _e5564), select(_e4941, _e4554.y, _e5564), select(_e4942, _e4554.z, _e5564)), vec3<f32>(_e4914, _e4915, _e4916), select(_e1753, ((((sqrt(select(0f, _e5572, (_e5572 > 0f))) * select(0f, _e5653, (_e5653 > 0f))) + (sqrt(select(0f, _e5664, (_e5664 > 0f))) * select(0f, _e5760, (_e5760 > 0f)))) + (sqrt(select(0f, _e5772, (_e5772 > 0f))) * select(0f, _e5868, (_e5868 > 0f)))) + select(0f, (sqrt(select(0f, _e5880, (_e5880 > 0f))) * select(0f, _e5976, (_e5976 > 0f))), _e4541)), _e5983), select((_e458 / _e4916), (2f * (_e3523 / _e2888)), (((_e2394 && !(_e2371)) && _e2921) && !(_e3519))), select(_e3513.member_3, _e2386.member_1, vec3(_e2902)), _e4945, _e5983, (((_e2906 || _e3906) || _e4929) || _e5564));
 phi_14193_ = vec3<f32>(_e2375, _e2376, _e2377);
 phi_14194_ = _e2371;
 phi_14195_ = _e2372;
 } else {
-phi_14192_ = type_33(_e1666.member, _e1666.member_1, _e1666.member_2, _e1753, _e1666.member_4, _e1666.member_5, _e1666.member_6, _e1666.member_7, _e1666.member_8);
+phi_14192_ = type_34(_e1666.member, _e1666.member_1, _e1666.member_2, _e1753, _e1666.member_4, _e1666.member_5, _e1666.member_6, _e1666.member_7, _e1666.member_8);
 phi_14193_ = _e1123;
 phi_14194_ = true;
 phi_14195_ = _e1654;
@@ -2270,7 +2270,7 @@ let _e6348 = (select(0i, _e6322, (_e6322 > 0i)) * _e1258);
 let _e6349 = (select(0i, _e6310, (_e6310 > 0i)) * _e1258);
 let _e6350 = (select(_e1279, _e6327, (_e6327 < _e1279)) * _e1258);
 let _e6351 = (select(_e1279, _e6330, (_e6330 < _e1279)) * _e1258);
-local_22 = type_29(array<i32, 4>(select(0i, _e6333, (_e6333 > 0i)), select(0i, _e6280, (_e6280 > 0i)), select(_e1292, _e6338, (_e6338 < _e1292)), select(_e1292, _e6341, (_e6341 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_22 = type_30(array<i32, 4>(select(0i, _e6333, (_e6333 > 0i)), select(0i, _e6280, (_e6280 > 0i)), select(_e1292, _e6338, (_e6338 < _e1292)), select(_e1292, _e6341, (_e6341 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_23 = vec3<f32>((_e6257 - f32(_e6280)), (_e6261 - f32(_e6295)), (_e6265 - f32(_e6310)));
 let _e6362 = (_e6349 + _e6345);
 let _e6365 = local_22.member[0u];
@@ -2598,7 +2598,7 @@ if _e807 {
 let _e7586 = ((0.5f * (_e6877 - _e6871)) * _e7135);
 let _e7587 = ((0.5f * (_e6889 - _e6883)) * _e7135);
 let _e7588 = ((0.5f * (_e6901 - _e6895)) * _e7135);
-phi_19494_ = type_30(_e7097, vec3<f32>(_e7586, _e7587, _e7588), vec3<f32>((_e7586 * _e7097), (_e7587 * _e7097), (_e7588 * _e7097)));
+phi_19494_ = type_31(_e7097, vec3<f32>(_e7586, _e7587, _e7588), vec3<f32>((_e7586 * _e7097), (_e7587 * _e7097), (_e7588 * _e7097)));
 } else {
 local_18 = _e6871;
 let _e7136 = local_18;
@@ -2747,7 +2747,7 @@ let _e7561 = ((_e7082 + (f32(bitcast<i32>((_e7546 >> bitcast<u32>(12u)))) * _e70
 let _e7562 = (_e7277 - _e7206);
 let _e7564 = (_e7419 - _e7348);
 let _e7566 = (_e7561 - _e7490);
-phi_19494_ = type_30(_e7097, vec3<f32>((0.5f * _e7562), (0.5f * _e7564), (0.5f * _e7566)), vec3<f32>((0.25f * (_e7562 * (_e7277 + _e7206))), (0.25f * (_e7564 * (_e7419 + _e7348))), (0.25f * (_e7566 * (_e7561 + _e7490)))));
+phi_19494_ = type_31(_e7097, vec3<f32>((0.5f * _e7562), (0.5f * _e7564), (0.5f * _e7566)), vec3<f32>((0.25f * (_e7562 * (_e7277 + _e7206))), (0.25f * (_e7564 * (_e7419 + _e7348))), (0.25f * (_e7566 * (_e7561 + _e7490)))));
 }
 let _e7596 = phi_19494_;
 let _e7611 = select(0f, 1f, ((((((_e6024 >= -0.5f) && (_e6024 <= _e610)) && (_e6030 >= -0.5f)) && (_e6030 <= _e621)) && (_e6036 >= -0.5f)) && (_e6036 <= _e632)));
@@ -2763,7 +2763,7 @@ let _e7659 = global_5.member[_e435].member_6.member_1.member.member_2;
 let _e7666 = global_5.member[_e435].member_6.member_2.member.member;
 let _e7673 = global_5.member[_e435].member_6.member_2.member.member_1;
 let _e7680 = global_5.member[_e435].member_6.member_2.member.member_2;
-phi_20141_ = type_31(_e6865, vec3<f32>(((((_e7624 * _e7613) + (_e7645 * _e7615)) + (_e7666 * _e7617)) * _e7611), ((((_e7631 * _e7613) + (_e7652 * _e7615)) + (_e7673 * _e7617)) * _e7611), ((((_e7638 * _e7613) + (_e7659 * _e7615)) + (_e7680 * _e7617)) * _e7611)), _e7596.member, vec3<f32>(((((_e7624 * _e7596.member_2.x) + (_e7645 * _e7596.member_2.y)) + (_e7666 * _e7596.member_2.z)) * _e7611), ((((_e7631 * _e7596.member_2.x) + (_e7652 * _e7596.member_2.y)) + (_e7673 * _e7596.member_2.z)) * _e7611), ((((_e7638 * _e7596.member_2.x) + (_e7659 * _e7596.member_2.y)) + (_e7680 * _e7596.member_2.z)) * _e7611)), vec3<f32>(((((_e7624 * _e7596.member_1.x) + (_e7645 * _e7596.member_1.y)) + (_e7666 * _e7596.member_1.z)) * _e7611), ((((_e7631 * _e7596.member_1.x) + (_e7652 * _e7596.member_1.y)) + (_e7673 * _e7596.member_1.z)) * _e7611), ((((_e7638 * _e7596.member_1.x) + (_e7659 * _e7596.member_1.y)) + (_e7680 * _e7596.member_1.z)) * _e7611)));
+phi_20141_ = type_32(_e6865, vec3<f32>(((((_e7624 * _e7613) + (_e7645 * _e7615)) + (_e7666 * _e7617)) * _e7611), ((((_e7631 * _e7613) + (_e7652 * _e7615)) + (_e7673 * _e7617)) * _e7611), ((((_e7638 * _e7613) + (_e7659 * _e7615)) + (_e7680 * _e7617)) * _e7611)), _e7596.member, vec3<f32>(((((_e7624 * _e7596.member_2.x) + (_e7645 * _e7596.member_2.y)) + (_e7666 * _e7596.member_2.z)) * _e7611), ((((_e7631 * _e7596.member_2.x) + (_e7652 * _e7596.member_2.y)) + (_e7673 * _e7596.member_2.z)) * _e7611), ((((_e7638 * _e7596.member_2.x) + (_e7659 * _e7596.member_2.y)) + (_e7680 * _e7596.member_2.z)) * _e7611)), vec3<f32>(((((_e7624 * _e7596.member_1.x) + (_e7645 * _e7596.member_1.y)) + (_e7666 * _e7596.member_1.z)) * _e7611), ((((_e7631 * _e7596.member_1.x) + (_e7652 * _e7596.member_1.y)) + (_e7673 * _e7596.member_1.z)) * _e7611), ((((_e7638 * _e7596.member_1.x) + (_e7659 * _e7596.member_1.y)) + (_e7680 * _e7596.member_1.z)) * _e7611)));
 } else {
 let _e6038 = select(-0.5f, _e6024, (_e6024 > -0.5f));
 let _e6040 = select(_e610, _e6038, (_e6038 < _e610));
@@ -2792,7 +2792,7 @@ let _e6115 = (select(0i, _e6078, (_e6078 > 0i)) * _e1253);
 let _e6116 = (select(_e1266, _e6096, (_e6096 < _e1266)) * _e1253);
 let _e6117 = (select(0i, _e6093, (_e6093 > 0i)) * _e1258);
 let _e6118 = (select(_e1279, _e6101, (_e6101 < _e1279)) * _e1258);
-local_6 = type_29(array<i32, 4>(select(0i, _e6104, (_e6104 > 0i)), select(0i, _e6063, (_e6063 > 0i)), select(_e1292, _e6109, (_e6109 < _e1292)), select(_e1292, _e6112, (_e6112 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_30(array<i32, 4>(select(0i, _e6104, (_e6104 > 0i)), select(0i, _e6063, (_e6063 > 0i)), select(_e1292, _e6109, (_e6109 < _e1292)), select(_e1292, _e6112, (_e6112 < _e1292))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = vec3<f32>((_e6040 - f32(_e6063)), (_e6044 - f32(_e6078)), (_e6048 - f32(_e6093)));
 let _e6129 = (_e6117 + _e6115);
 let _e6132 = local_6.member[1u];
@@ -2846,7 +2846,7 @@ let _e6238 = local_7[1u];
 let _e6243 = local_7[2u];
 let _e6248 = (((_e6187 + (((_e6212 + (((_e6223 + ((bitcast<f32>(_e6232) - _e6223) * _e6234)) - _e6212) * _e6238)) - _e6187) * _e6243)) - _e1442) * _e1447);
 let _e6250 = select(_e1450, _e6248, (_e6248 > _e1450));
-phi_20141_ = type_31(select(1e9f, _e6250, (_e6250 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20141_ = type_32(select(1e9f, _e6250, (_e6250 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7746 = phi_20141_;
 let _e7749 = select(1f, select(1f, _e1191, (_e1191 < 1f)), _e532);
@@ -3783,7 +3783,7 @@ let _e11124 = select(select(select(select(select(select(0f, _e10863.member, _e10
 let _e11125 = select(select(select(select(select(select(0f, _e10863.member_1, _e10905), _e10863.member_1, _e10945), _e10872.member_1, _e10985), _e10872.member_1, _e11025), _e10881.member_1, _e11065), _e10881.member_1, _e11105);
 let _e11126 = select(select(select(select(select(select(1f, _e10863.member_2, _e10905), _e10863.member_2, _e10945), _e10872.member_2, _e10985), _e10872.member_2, _e11025), _e10881.member_2, _e11065), _e10881.member_2, _e11105);
 if _e7751 {
-phi_27572_ = type_32(_e11111, vec3<f32>(_e11112, _e11113, _e11114), _e11116, vec3<f32>(_e11117, _e11118, _e11119), _e11121, _e11123, vec3<f32>(_e11124, _e11125, _e11126));
+phi_27572_ = type_33(_e11111, vec3<f32>(_e11112, _e11113, _e11114), _e11116, vec3<f32>(_e11117, _e11118, _e11119), _e11121, _e11123, vec3<f32>(_e11124, _e11125, _e11126));
 } else {
 let _e11133 = (((_e10863.member * _e10863.member) + (_e10863.member_1 * _e10863.member_1)) + (_e10863.member_2 * _e10863.member_2));
 let _e11136 = sqrt(select(0f, _e11133, (_e11133 > 0f)));
@@ -3863,7 +3863,7 @@ let _e11432 = select(2f, select(0f, _e11424, (_e11404 < 0f)), (_e11405 > 0f));
 let _e11433 = (_e11404 > _e11368);
 let _e11437 = ((_e11428 > _e11360) || ((_e11428 == _e11360) && _e11433));
 let _e11438 = (_e11432 < _e11364);
-phi_27572_ = type_32(select(_e11360, _e11428, _e11437), vec3<f32>(select(select(select(select(_e11112, _e11174.member, _e11200), _e11253.member, _e11279), _e11332.member, _e11358), _e11411.member, _e11437), select(select(select(select(_e11113, _e11174.member_1, _e11200), _e11253.member_1, _e11279), _e11332.member_1, _e11358), _e11411.member_1, _e11437), select(select(select(select(_e11114, _e11174.member_2, _e11200), _e11253.member_2, _e11279), _e11332.member_2, _e11358), _e11411.member_2, _e11437)), select(_e11364, _e11432, _e11438), vec3<f32>(select(select(select(select(_e11117, _e11174.member, _e11201), _e11253.member, _e11280), _e11332.member, _e11359), _e11411.member, _e11438), select(select(select(select(_e11118, _e11174.member_1, _e11201), _e11253.member_1, _e11280), _e11332.member_1, _e11359), _e11411.member_1, _e11438), select(select(select(select(_e11119, _e11174.member_2, _e11201), _e11253.member_2, _e11280), _e11332.member_2, _e11359), _e11411.member_2, _e11438)), select(_e11368, _e11404, _e11433), select(_e11370, _e11405, (_e11405 > _e11370)), vec3<f32>(select(select(select(select(_e11124, _e11174.member, _e11196), _e11253.member, _e11275), _e11332.member, _e11354), _e11411.member, _e11433), select(select(select(select(_e11125, _e11174.member_1, _e11196), _e11253.member_1, _e11275), _e11332.member_1, _e11354), _e11411.member_1, _e11433), select(select(select(select(_e11126, _e11174.member_2, _e11196), _e11253.member_2, _e11275), _e11332.member_2, _e11354), _e11411.member_2, _e11433)));
+phi_27572_ = type_33(select(_e11360, _e11428, _e11437), vec3<f32>(select(select(select(select(_e11112, _e11174.member, _e11200), _e11253.member, _e11279), _e11332.member, _e11358), _e11411.member, _e11437), select(select(select(select(_e11113, _e11174.member_1, _e11200), _e11253.member_1, _e11279), _e11332.member_1, _e11358), _e11411.member_1, _e11437), select(select(select(select(_e11114, _e11174.member_2, _e11200), _e11253.member_2, _e11279), _e11332.member_2, _e11358), _e11411.member_2, _e11437)), select(_e11364, _e11432, _e11438), vec3<f32>(select(select(select(select(_e11117, _e11174.member, _e11201), _e11253.member, _e11280), _e11332.member, _e11359), _e11411.member, _e11438), select(select(select(select(_e11118, _e11174.member_1, _e11201), _e11253.member_1, _e11280), _e11332.member_1, _e11359), _e11411.member_1, _e11438), select(select(select(select(_e11119, _e11174.member_2, _e11201), _e11253.member_2, _e11280), _e11332.member_2, _e11359), _e11411.member_2, _e11438)), select(_e11368, _e11404, _e11433), select(_e11370, _e11405, (_e11405 > _e11370)), vec3<f32>(select(select(select(select(_e11124, _e11174.member, _e11196), _e11253.member, _e11275), _e11332.member, _e11354), _e11411.member, _e11433), select(select(select(select(_e11125, _e11174.member_1, _e11196), _e11253.member_1, _e11275), _e11332.member_1, _e11354), _e11411.member_1, _e11433), select(select(select(select(_e11126, _e11174.member_2, _e11196), _e11253.member_2, _e11275), _e11332.member_2, _e11354), _e11411.member_2, _e11433)));
 }
 let _e11458 = phi_27572_;
 let _e11465 = (_e7962.member_2 * select(0f, 1f, _e6007.member_6));

@@ -131,23 +131,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -156,7 +160,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -166,10 +170,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 struct type_35 {
 member: f32,
@@ -200,7 +200,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_29;
+var local_6: type_30;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -216,23 +216,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_29;
+var local_22: type_30;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_29;
+var local_26: type_30;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_29;
+var local_30: type_30;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_29;
+var local_34: type_30;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_29;
+var local_38: type_30;
 var local_39: vec3<f32>;
 var phi_640_: u32;
 var phi_643_: bool;
@@ -241,23 +241,23 @@ var phi_1396_: bool;
 var phi_1576_: bool;
 var phi_1579_: bool;
 var phi_2835_: f32;
-var phi_4437_: type_32;
+var phi_4437_: type_33;
 var phi_4450_: bool;
-var phi_4480_: type_34;
+var phi_4480_: type_27;
 var phi_4492_: bool;
 var phi_5535_: type_26;
-var phi_7058_: type_32;
+var phi_7058_: type_33;
 var phi_8133_: type_26;
-var phi_9671_: type_32;
+var phi_9671_: type_33;
 var phi_10746_: type_26;
-var phi_12284_: type_32;
+var phi_12284_: type_33;
 var phi_14032_: type_26;
-var phi_14045_: type_33;
+var phi_14045_: type_34;
 var phi_14046_: vec3<f32>;
 var phi_14047_: bool;
 var phi_14048_: f32;
-var phi_19286_: type_30;
-var phi_19896_: type_31;
+var phi_19286_: type_31;
+var phi_19896_: type_32;
 var phi_20309_: type_5;
 var phi_24470_: type_35;
 var phi_25226_: vec3<f32>;
@@ -265,7 +265,7 @@ var phi_25456_: type_25;
 var phi_25535_: f32;
 var phi_25536_: f32;
 var phi_25793_: vec3<f32>;
-var phi_27327_: type_32;
+var phi_27327_: type_33;
 var phi_27483_: vec3<f32>;
 var phi_27484_: bool;
 var phi_27644_: array<f32, 18>;
@@ -603,7 +603,7 @@ let _e1309 = (_e1301 + _e1308);
 let _e1310 = (_e1303 + _e1259);
 let _e1311 = (2i * _e1259);
 let _e1312 = (_e1303 + _e1311);
-local_38 = type_29(array<i32, 4>(_e1298, (_e1298 + 1i), (_e1298 + 2i), (_e1298 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_38 = type_30(array<i32, 4>(_e1298, (_e1298 + 1i), (_e1298 + 2i), (_e1298 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_39 = vec3<f32>((_e1196 - f32(_e1219)), (_e1200 - f32(_e1234)), (_e1204 - f32(_e1249)));
 let _e1323 = (_e1310 + _e1307);
 let _e1326 = local_38.member[1u];
@@ -731,7 +731,7 @@ let _e1659 = (_e475 - _e471);
 let _e1660 = (_e480 - _e465);
 let _e1665 = (((_e1658 * _e1658) + (_e1659 * _e1659)) + (_e1660 * _e1660));
 let _e1668 = sqrt(select(0f, _e1665, (_e1665 > 0f)));
-let _e1669 = type_33(type_26(1f, 1f), vec3<f32>(_e473, _e475, _e480), _e1124, _e1668, _e460, _e1124, true, false, false);
+let _e1669 = type_34(type_26(1f, 1f), vec3<f32>(_e473, _e475, _e480), _e1124, _e1668, _e460, _e1124, true, false, false);
 let _e1670 = (_e643 < 1e-12f);
 let _e1672 = (1f / select(_e638, 1f, _e1670));
 let _e1673 = (-0.5f - _e549);
@@ -883,7 +883,7 @@ let _e2030 = select(select(select(select(select(select(0f, _e1771.member_1, _e18
 let _e2031 = select(select(select(select(select(select(1f, _e1771.member_2, _e1812), _e1771.member_2, _e1852), _e1780.member_2, _e1891), _e1780.member_2, _e1931), _e1789.member_2, _e1970), _e1789.member_2, _e2010);
 let _e2035 = ((_e776 & 16u) == 0u);
 if _e2035 {
-phi_4437_ = type_32(_e2016, vec3<f32>(_e2017, _e2018, _e2019), _e2021, vec3<f32>(_e2022, _e2023, _e2024), _e2026, _e2028, vec3<f32>(_e2029, _e2030, _e2031));
+phi_4437_ = type_33(_e2016, vec3<f32>(_e2017, _e2018, _e2019), _e2021, vec3<f32>(_e2022, _e2023, _e2024), _e2026, _e2028, vec3<f32>(_e2029, _e2030, _e2031));
 } else {
 let _e2040 = (((_e1771.member * _e1771.member) + (_e1771.member_1 * _e1771.member_1)) + (_e1771.member_2 * _e1771.member_2));
 let _e2043 = sqrt(select(0f, _e2040, (_e2040 > 0f)));
@@ -963,7 +963,7 @@ let _e2339 = select(2f, select(0f, _e2331, (_e2311 < 0f)), (_e2312 > 0f));
 let _e2340 = (_e2311 > _e2275);
 let _e2344 = ((_e2335 > _e2267) || ((_e2335 == _e2267) && _e2340));
 let _e2345 = (_e2339 < _e2271);
-phi_4437_ = type_32(select(_e2267, _e2335, _e2344), vec3<f32>(select(select(select(select(_e2017, _e2081.member, _e2107), _e2160.member, _e2186), _e2239.member, _e2265), _e2318.member, _e2344), select(select(select(select(_e2018, _e2081.member_1, _e2107), _e2160.member_1, _e2186), _e2239.member_1, _e2265), _e2318.member_1, _e2344), select(select(select(select(_e2019, _e2081.member_2, _e2107), _e2160.member_2, _e2186), _e2239.member_2, _e2265), _e2318.member_2, _e2344)), select(_e2271, _e2339, _e2345), vec3<f32>(select(select(select(select(_e2022, _e2081.member, _e2108), _e2160.member, _e2187), _e2239.member, _e2266), _e2318.member, _e2345), select(select(select(select(_e2023, _e2081.member_1, _e2108), _e2160.member_1, _e2187), _e2239.member_1, _e2266), _e2318.member_1, _e2345), select(select(select(select(_e2024, _e2081.member_2, _e2108), _e2160.member_2, _e2187), _e2239.member_2, _e2266), _e2318.member_2, _e2345)), select(_e2275, _e2311, _e2340), select(_e2277, _e2312, (_e2312 > _e2277)), vec3<f32>(select(select(select(select(_e2029, _e2081.member, _e2103), _e2160.member, _e2182), _e2239.member, _e2261), _e2318.member, _e2340), select(select(select(select(_e2030, _e2081.member_1, _e2103), _e2160.member_1, _e2182), _e2239.member_1, _e2261), _e2318.member_1, _e2340), select(select(select(select(_e2031, _e2081.member_2, _e2103), _e2160.member_2, _e2182), _e2239.member_2, _e2261), _e2318.member_2, _e2340)));
+phi_4437_ = type_33(select(_e2267, _e2335, _e2344), vec3<f32>(select(select(select(select(_e2017, _e2081.member, _e2107), _e2160.member, _e2186), _e2239.member, _e2265), _e2318.member, _e2344), select(select(select(select(_e2018, _e2081.member_1, _e2107), _e2160.member_1, _e2186), _e2239.member_1, _e2265), _e2318.member_1, _e2344), select(select(select(select(_e2019, _e2081.member_2, _e2107), _e2160.member_2, _e2186), _e2239.member_2, _e2265), _e2318.member_2, _e2344)), select(_e2271, _e2339, _e2345), vec3<f32>(select(select(select(select(_e2022, _e2081.member, _e2108), _e2160.member, _e2187), _e2239.member, _e2266), _e2318.member, _e2345), select(select(select(select(_e2023, _e2081.member_1, _e2108), _e2160.member_1, _e2187), _e2239.member_1, _e2266), _e2318.member_1, _e2345), select(select(select(select(_e2024, _e2081.member_2, _e2108), _e2160.member_2, _e2187), _e2239.member_2, _e2266), _e2318.member_2, _e2345)), select(_e2275, _e2311, _e2340), select(_e2277, _e2312, (_e2312 > _e2277)), vec3<f32>(select(select(select(select(_e2029, _e2081.member, _e2103), _e2160.member, _e2182), _e2239.member, _e2261), _e2318.member, _e2340), select(select(select(select(_e2030, _e2081.member_1, _e2103), _e2160.member_1, _e2182), _e2239.member_1, _e2261), _e2318.member_1, _e2340), select(select(select(select(_e2031, _e2081.member_2, _e2103), _e2160.member_2, _e2182), _e2239.member_2, _e2261), _e2318.member_2, _e2340)));
 }
 let _e2365 = phi_4437_;
 if ((_e2365.member_4 > -(0.015625f)) && (_e2365.member_4 < 0.015625f)) {
@@ -978,9 +978,9 @@ let _e2378 = (_e440[3] * _e2377);
 let _e2379 = (_e440[4] * _e2377);
 let _e2380 = (_e440[5] * _e2377);
 if _e2374 {
-phi_4480_ = type_34(_e2365.member_2, _e2365.member_3);
+phi_4480_ = type_27(_e2365.member_2, _e2365.member_3);
 } else {
-phi_4480_ = type_34(_e2365.member, _e2365.member_1);
+phi_4480_ = type_27(_e2365.member, _e2365.member_1);
 }
 let _e2389 = phi_4480_;
 if _e2374 {
@@ -1027,7 +1027,7 @@ let _e2513 = (_e2507 + _e1254);
 let _e2514 = (_e2507 + _e1308);
 let _e2515 = (_e2509 + _e1259);
 let _e2516 = (_e2509 + _e1311);
-local_34 = type_29(array<i32, 4>(_e2504, (_e2504 + 1i), (_e2504 + 2i), (_e2504 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_34 = type_30(array<i32, 4>(_e2504, (_e2504 + 1i), (_e2504 + 2i), (_e2504 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_35 = vec3<f32>((_e2429 - f32(_e2452)), (_e2433 - f32(_e2467)), (_e2437 - f32(_e2482)));
 let _e2527 = (_e2515 + _e2513);
 let _e2530 = local_34.member[1u];
@@ -1292,7 +1292,7 @@ let _e3191 = select(select(select(select(select(select(0f, _e1771.member, _e2972
 let _e3192 = select(select(select(select(select(select(0f, _e1771.member_1, _e2972), _e1771.member_1, _e3012), _e1780.member_1, _e3052), _e1780.member_1, _e3092), _e1789.member_1, _e3132), _e1789.member_1, _e3172);
 let _e3193 = select(select(select(select(select(select(1f, _e1771.member_2, _e2972), _e1771.member_2, _e3012), _e1780.member_2, _e3052), _e1780.member_2, _e3092), _e1789.member_2, _e3132), _e1789.member_2, _e3172);
 if _e2035 {
-phi_7058_ = type_32(_e3178, vec3<f32>(_e3179, _e3180, _e3181), _e3183, vec3<f32>(_e3184, _e3185, _e3186), _e3188, _e3190, vec3<f32>(_e3191, _e3192, _e3193));
+phi_7058_ = type_33(_e3178, vec3<f32>(_e3179, _e3180, _e3181), _e3183, vec3<f32>(_e3184, _e3185, _e3186), _e3188, _e3190, vec3<f32>(_e3191, _e3192, _e3193));
 } else {
 let _e3200 = (((_e1771.member * _e1771.member) + (_e1771.member_1 * _e1771.member_1)) + (_e1771.member_2 * _e1771.member_2));
 let _e3203 = sqrt(select(0f, _e3200, (_e3200 > 0f)));
@@ -1372,7 +1372,7 @@ let _e3499 = select(2f, select(0f, _e3491, (_e3471 < 0f)), (_e3472 > 0f));
 let _e3500 = (_e3471 > _e3435);
 let _e3504 = ((_e3495 > _e3427) || ((_e3495 == _e3427) && _e3500));
 let _e3505 = (_e3499 < _e3431);
-phi_7058_ = type_32(select(_e3427, _e3495, _e3504), vec3<f32>(select(select(select(select(_e3179, _e3241.member, _e3267), _e3320.member, _e3346), _e3399.member, _e3425), _e3478.member, _e3504), select(select(select(select(_e3180, _e3241.member_1, _e3267), _e3320.member_1, _e3346), _e3399.member_1, _e3425), _e3478.member_1, _e3504), select(select(select(select(_e3181, _e3241.member_2, _e3267), _e3320.member_2, _e3346), _e3399.member_2, _e3425), _e3478.member_2, _e3504)), select(_e3431, _e3499, _e3505), vec3<f32>(select(select(select(select(_e3184, _e3241.member, _e3268), _e3320.member, _e3347), _e3399.member, _e3426), _e3478.member, _e3505), select(select(select(select(_e3185, _e3241.member_1, _e3268), _e3320.member_1, _e3347), _e3399.member_1, _e3426), _e3478.member_1, _e3505), select(select(select(select(_e3186, _e3241.member_2, _e3268), _e3320.member_2, _e3347), _e3399.member_2, _e3426), _e3478.member_2, _e3505)), select(_e3435, _e3471, _e3500), select(_e3437, _e3472, (_e3472 > _e3437)), vec3<f32>(select(select(select(select(_e3191, _e3241.member, _e3263), _e3320.member, _e3342), _e3399.member, _e3421), _e3478.member, _e3500), select(select(select(select(_e3192, _e3241.member_1, _e3263), _e3320.member_1, _e3342), _e3399.member_1, _e3421), _e3478.member_1, _e3500), select(select(select(select(_e3193, _e3241.member_2, _e3263), _e3320.member_2, _e3342), _e3399.member_2, _e3421), _e3478.member_2, _e3500)));
+phi_7058_ = type_33(select(_e3427, _e3495, _e3504), vec3<f32>(select(select(select(select(_e3179, _e3241.member, _e3267), _e3320.member, _e3346), _e3399.member, _e3425), _e3478.member, _e3504), select(select(select(select(_e3180, _e3241.member_1, _e3267), _e3320.member_1, _e3346), _e3399.member_1, _e3425), _e3478.member_1, _e3504), select(select(select(select(_e3181, _e3241.member_2, _e3267), _e3320.member_2, _e3346), _e3399.member_2, _e3425), _e3478.member_2, _e3504)), select(_e3431, _e3499, _e3505), vec3<f32>(select(select(select(select(_e3184, _e3241.member, _e3268), _e3320.member, _e3347), _e3399.member, _e3426), _e3478.member, _e3505), select(select(select(select(_e3185, _e3241.member_1, _e3268), _e3320.member_1, _e3347), _e3399.member_1, _e3426), _e3478.member_1, _e3505), select(select(select(select(_e3186, _e3241.member_2, _e3268), _e3320.member_2, _e3347), _e3399.member_2, _e3426), _e3478.member_2, _e3505)), select(_e3435, _e3471, _e3500), select(_e3437, _e3472, (_e3472 > _e3437)), vec3<f32>(select(select(select(select(_e3191, _e3241.member, _e3263), _e3320.member, _e3342), _e3399.member, _e3421), _e3478.member, _e3500), select(select(select(select(_e3192, _e3241.member_1, _e3263), _e3320.member_1, _e3342), _e3399.member_1, _e3421), _e3478.member_1, _e3500), select(select(select(select(_e3193, _e3241.member_2, _e3263), _e3320.member_2, _e3342), _e3399.member_2, _e3421), _e3478.member_2, _e3500)));
 }
 let _e3525 = phi_7058_;
 let _e3531 = (((_e2397 && _e2933) && !(_e2918)) && (_e3525.member_2 <= 1f));
@@ -1419,7 +1419,7 @@ let _e3650 = (_e3644 + _e1254);
 let _e3651 = (_e3644 + _e1308);
 let _e3652 = (_e3646 + _e1259);
 let _e3653 = (_e3646 + _e1311);
-local_30 = type_29(array<i32, 4>(_e3641, (_e3641 + 1i), (_e3641 + 2i), (_e3641 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_30 = type_30(array<i32, 4>(_e3641, (_e3641 + 1i), (_e3641 + 2i), (_e3641 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_31 = vec3<f32>((_e3566 - f32(_e3589)), (_e3570 - f32(_e3604)), (_e3574 - f32(_e3619)));
 let _e3664 = (_e3652 + _e3650);
 let _e3667 = local_30.member[1u];
@@ -1639,7 +1639,7 @@ let _e4222 = select(select(select(select(select(select(0f, _e1771.member, _e4003
 let _e4223 = select(select(select(select(select(select(0f, _e1771.member_1, _e4003), _e1771.member_1, _e4043), _e1780.member_1, _e4083), _e1780.member_1, _e4123), _e1789.member_1, _e4163), _e1789.member_1, _e4203);
 let _e4224 = select(select(select(select(select(select(1f, _e1771.member_2, _e4003), _e1771.member_2, _e4043), _e1780.member_2, _e4083), _e1780.member_2, _e4123), _e1789.member_2, _e4163), _e1789.member_2, _e4203);
 if _e2035 {
-phi_9671_ = type_32(_e4209, vec3<f32>(_e4210, _e4211, _e4212), _e4214, vec3<f32>(_e4215, _e4216, _e4217), _e4219, _e4221, vec3<f32>(_e4222, _e4223, _e4224));
+phi_9671_ = type_33(_e4209, vec3<f32>(_e4210, _e4211, _e4212), _e4214, vec3<f32>(_e4215, _e4216, _e4217), _e4219, _e4221, vec3<f32>(_e4222, _e4223, _e4224));
 } else {
 let _e4231 = (((_e1771.member * _e1771.member) + (_e1771.member_1 * _e1771.member_1)) + (_e1771.member_2 * _e1771.member_2));
 let _e4234 = sqrt(select(0f, _e4231, (_e4231 > 0f)));
@@ -1719,7 +1719,7 @@ let _e4530 = select(2f, select(0f, _e4522, (_e4502 < 0f)), (_e4503 > 0f));
 let _e4531 = (_e4502 > _e4466);
 let _e4535 = ((_e4526 > _e4458) || ((_e4526 == _e4458) && _e4531));
 let _e4536 = (_e4530 < _e4462);
-phi_9671_ = type_32(select(_e4458, _e4526, _e4535), vec3<f32>(select(select(select(select(_e4210, _e4272.member, _e4298), _e4351.member, _e4377), _e4430.member, _e4456), _e4509.member, _e4535), select(select(select(select(_e4211, _e4272.member_1, _e4298), _e4351.member_1, _e4377), _e4430.member_1, _e4456), _e4509.member_1, _e4535), select(select(select(select(_e4212, _e4272.member_2, _e4298), _e4351.member_2, _e4377), _e4430.member_2, _e4456), _e4509.member_2, _e4535)), select(_e4462, _e4530, _e4536), vec3<f32>(select(select(select(select(_e4215, _e4272.member, _e4299), _e4351.member, _e4378), _e4430.member, _e4457), _e4509.member, _e4536), select(select(select(select(_e4216, _e4272.member_1, _e4299), _e4351.member_1, _e4378), _e4430.member_1, _e4457), _e4509.member_1, _e4536), select(select(select(select(_e4217, _e4272.member_2, _e4299), _e4351.member_2, _e4378), _e4430.member_2, _e4457), _e4509.member_2, _e4536)), select(_e4466, _e4502, _e4531), select(_e4468, _e4503, (_e4503 > _e4468)), vec3<f32>(select(select(select(select(_e4222, _e4272.member, _e4294), _e4351.member, _e4373), _e4430.member, _e4452), _e4509.member, _e4531), select(select(select(select(_e4223, _e4272.member_1, _e4294), _e4351.member_1, _e4373), _e4430.member_1, _e4452), _e4509.member_1, _e4531), select(select(select(select(_e4224, _e4272.member_2, _e4294), _e4351.member_2, _e4373), _e4430.member_2, _e4452), _e4509.member_2, _e4531)));
+phi_9671_ = type_33(select(_e4458, _e4526, _e4535), vec3<f32>(select(select(select(select(_e4210, _e4272.member, _e4298), _e4351.member, _e4377), _e4430.member, _e4456), _e4509.member, _e4535), select(select(select(select(_e4211, _e4272.member_1, _e4298), _e4351.member_1, _e4377), _e4430.member_1, _e4456), _e4509.member_1, _e4535), select(select(select(select(_e4212, _e4272.member_2, _e4298), _e4351.member_2, _e4377), _e4430.member_2, _e4456), _e4509.member_2, _e4535)), select(_e4462, _e4530, _e4536), vec3<f32>(select(select(select(select(_e4215, _e4272.member, _e4299), _e4351.member, _e4378), _e4430.member, _e4457), _e4509.member, _e4536), select(select(select(select(_e4216, _e4272.member_1, _e4299), _e4351.member_1, _e4378), _e4430.member_1, _e4457), _e4509.member_1, _e4536), select(select(select(select(_e4217, _e4272.member_2, _e4299), _e4351.member_2, _e4378), _e4430.member_2, _e4457), _e4509.member_2, _e4536)), select(_e4466, _e4502, _e4531), select(_e4468, _e4503, (_e4503 > _e4468)), vec3<f32>(select(select(select(select(_e4222, _e4272.member, _e4294), _e4351.member, _e4373), _e4430.member, _e4452), _e4509.member, _e4531), select(select(select(select(_e4223, _e4272.member_1, _e4294), _e4351.member_1, _e4373), _e4430.member_1, _e4452), _e4509.member_1, _e4531), select(select(select(select(_e4224, _e4272.member_2, _e4294), _e4351.member_2, _e4373), _e4430.member_2, _e4452), _e4509.member_2, _e4531)));
 }
 let _e4556 = phi_9671_;
 let _e4562 = (((_e3531 && _e3943) && !(_e3927)) && (_e4556.member_2 <= 1f));
@@ -1765,7 +1765,7 @@ let _e4681 = (_e4675 + _e1254);
 let _e4682 = (_e4675 + _e1308);
 let _e4683 = (_e4677 + _e1259);
 let _e4684 = (_e4677 + _e1311);
-local_26 = type_29(array<i32, 4>(_e4672, (_e4672 + 1i), (_e4672 + 2i), (_e4672 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_30(array<i32, 4>(_e4672, (_e4672 + 1i), (_e4672 + 2i), (_e4672 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e4597 - f32(_e4620)), (_e4601 - f32(_e4635)), (_e4605 - f32(_e4650)));
 let _e4695 = (_e4683 + _e4681);
 let _e4698 = local_26.member[1u];
@@ -1985,7 +1985,7 @@ let _e5254 = select(select(select(select(select(select(0f, _e1771.member, _e5035
 let _e5255 = select(select(select(select(select(select(0f, _e1771.member_1, _e5035), _e1771.member_1, _e5075), _e1780.member_1, _e5115), _e1780.member_1, _e5155), _e1789.member_1, _e5195), _e1789.member_1, _e5235);
 let _e5256 = select(select(select(select(select(select(1f, _e1771.member_2, _e5035), _e1771.member_2, _e5075), _e1780.member_2, _e5115), _e1780.member_2, _e5155), _e1789.member_2, _e5195), _e1789.member_2, _e5235);
 if _e2035 {
-phi_12284_ = type_32(_e5241, vec3<f32>(_e5242, _e5243, _e5244), _e5246, vec3<f32>(_e5247, _e5248, _e5249), _e5251, _e5253, vec3<f32>(_e5254, _e5255, _e5256));
+phi_12284_ = type_33(_e5241, vec3<f32>(_e5242, _e5243, _e5244), _e5246, vec3<f32>(_e5247, _e5248, _e5249), _e5251, _e5253, vec3<f32>(_e5254, _e5255, _e5256));
 } else {
 let _e5263 = (((_e1771.member * _e1771.member) + (_e1771.member_1 * _e1771.member_1)) + (_e1771.member_2 * _e1771.member_2));
 let _e5266 = sqrt(select(0f, _e5263, (_e5263 > 0f)));
@@ -2065,7 +2065,7 @@ let _e5562 = select(2f, select(0f, _e5554, (_e5534 < 0f)), (_e5535 > 0f));
 let _e5563 = (_e5534 > _e5498);
 let _e5567 = ((_e5558 > _e5490) || ((_e5558 == _e5490) && _e5563));
 let _e5568 = (_e5562 < _e5494);
-phi_12284_ = type_32(select(_e5490, _e5558, _e5567), vec3<f32>(select(select(select(select(_e5242, _e5304.member, _e5330), _e5383.member, _e5409), _e5462.member, _e5488), _e5541.member, _e5567), select(select(select(select(_e5243, _e5304.member_1, _e5330), _e5383.member_1, _e5409), _e5462.member_1, _e5488), _e5541.member_1, _e5567), select(select(select(select(_e5244, _e5304.member_2, _e5330), _e5383.member_2, _e5409), _e5462.member_2, _e5488), _e5541.member_2, _e5567)), select(_e5494, _e5562, _e5568), vec3<f32>(select(select(select(select(_e5247, _e5304.member, _e5331), _e5383.member, _e5410), _e5462.member, _e5489), _e5541.member, _e5568), select(select(select(select(_e5248, _e5304.member_1, _e5331), _e5383.member_1, _e5410), _e5462.member_1, _e5489), _e5541.member_1, _e5568), select(select(select(select(_e5249, _e5304.member_2, _e5331), _e5383.member_2, _e5410), _e5462.member_2, _e5489), _e5541.member_2, _e5568)), select(_e5498, _e5534, _e5563), select(_e5500, _e5535, (_e5535 > _e5500)), vec3<f32>(select(select(select(select(_e5254, _e5304.member, _e5326), _e5383.member, _e5405), _e5462.member, _e5484), _e5541.member, _e5563), select(select(select(select(_e5255, _e5304.member_1, _e5326), _e5383.member_1, _e5405), _e5462.member_1, _e5484), _e5541.member_1, _e5563), select(select(select(select(_e5256, _e5304.member_2, _e5326), _e5383.member_2, _e5405), _e5462.member_2, _e5484), _e5541.member_2, _e5563)));
+phi_12284_ = type_33(select(_e5490, _e5558, _e5567), vec3<f32>(select(select(select(select(_e5242, _e5304.member, _e5330), _e5383.member, _e5409), _e5462.member, _e5488), _e5541.member, _e5567), select(select(select(select(_e5243, _e5304.member_1, _e5330), _e5383.member_1, _e5409), _e5462.member_1, _e5488), _e5541.member_1, _e5567), select(select(select(select(_e5244, _e5304.member_2, _e5330), _e5383.member_2, _e5409), _e5462.member_2, _e5488), _e5541.member_2, _e5567)), select(_e5494, _e5562, _e5568), vec3<f32>(select(select(select(select(_e5247, _e5304.member, _e5331), _e5383.member, _e5410), _e5462.member, _e5489), _e5541.member, _e5568), select(select(select(select(_e5248, _e5304.member_1, _e5331), _e5383.member_1, _e5410), _e5462.member_1, _e5489), _e5541.member_1, _e5568), select(select(select(select(_e5249, _e5304.member_2, _e5331), _e5383.member_2, _e5410), _e5462.member_2, _e5489), _e5541.member_2, _e5568)), select(_e5498, _e5534, _e5563), select(_e5500, _e5535, (_e5535 > _e5500)), vec3<f32>(select(select(select(select(_e5254, _e5304.member, _e5326), _e5383.member, _e5405), _e5462.member, _e5484), _e5541.member, _e5563), select(select(select(select(_e5255, _e5304.member_1, _e5326), _e5383.member_1, _e5405), _e5462.member_1, _e5484), _e5541.member_1, _e5563), select(select(select(select(_e5256, _e5304.member_2, _e5326), _e5383.member_2, _e5405), _e5462.member_2, _e5484), _e5541.member_2, _e5563)));
 }
 let _e5588 = phi_12284_;
 let _e5594 = (((_e4562 && _e4975) && !(_e4959)) && (_e5588.member_2 <= 1f));
@@ -2236,12 +2236,12 @@ phi_14032_ = _e2846;
 phi_14032_ = _e3861;
 }
 let _e6034 = phi_14032_;
-phi_14045_ = type_33(_e6034, vec3<f32>(select(_e4970, _e4575.x, _e5594), select(_e4971, _e4575.y, _e5594), select(_e4972, _e4575.z, _e5594)), vec3<f32>(_e4944, _e4945, _e4946), select(_e1756, ((((sqrt(select(0f, _e5602, (_e5602 > 0f))) * select(0f, _e5683, (_e5683 > 0f))) + (sqrt(select(0f, _e5694, (_e5694 > 0f))) * select(0f, _e5790, (_e5790 > 0f)))) + (sqrt(select(0f, _e5802, (_e5802 > 0f))) * select(0f, _e5898, (_e5898 > 0f)))) + select(0f, (sqrt(select(0f, _e5910, (_e5910 > 0f))) * select(0f, _e6006, (_e6006 > 0f))), _e4562)), _e6013), select((_e459 / _e4946), (2f * (_e3535 / _e2900)), (((_e2397 && !(_e2374)) && _e2933) && !(_e3531))), select(_e3525.member_3, _e2389.member_1, vec3(_e2914)), _e4975, _e6013, (((_e2918 || _e3927) || _e4959) || _e5594));
+phi_14045_ = type_34(_e6034, vec3<f32>(select(_e4970, _e4575.x, _e5594), select(_e4971, _e4575.y, _e5594), select(_e4972, _e4575.z, _e5594)), vec3<f32>(_e4944, _e4945, _e4946), select(_e1756, ((((sqrt(select(0f, _e5602, (_e5602 > 0f))) * select(0f, _e5683, (_e5683 > 0f))) + (sqrt(select(0f, _e5694, (_e5694 > 0f))) * select(0f, _e5790, (_e5790 > 0f)))) + (sqrt(select(0f, _e5802, (_e5802 > 0f))) * select(0f, _e5898, (_e5898 > 0f)))) + select(0f, (sqrt(select(0f, _e5910, (_e5910 > 0f))) * select(0f, _e6006, (_e6006 > 0f))), _e4562)), _e6013), select((_e459 / _e4946), (2f * (_e3535 / _e2900)), (((_e2397 && !(_e2374)) && _e2933) && !(_e3531))), select(_e3525.member_3, _e2389.member_1, vec3(_e2914)), _e4975, _e6013, (((_e2918 || _e3927) || _e4959) || _e5594));
 phi_14046_ = vec3<f32>(_e2378, _e2379, _e2380);
 phi_14047_ = _e2374;
 phi_14048_ = _e2375;
 } else {
-phi_14045_ = type_33(_e1669.member, _e1669.member_1, _e1669.member_2, _e1756, _e1669.member_4, _e1669.member_5, _e1669.member_6, _e1669.member_7, _e1669.member_8);
+phi_14045_ = type_34(_e1669.member, _e1669.member_1, _e1669.member_2, _e1756, _e1669.member_4, _e1669.member_5, _e1669.member_6, _e1669.member_7, _e1669.member_8);
 phi_14046_ = _e1124;
 phi_14047_ = true;
 phi_14048_ = _e1657;
@@ -2287,7 +2287,7 @@ let _e6385 = (_e6376 + (3i * _e1254));
 let _e6386 = (_e6378 + _e1259);
 let _e6387 = (_e6378 + _e1311);
 let _e6389 = (_e6378 + (3i * _e1259));
-local_22 = type_29(array<i32, 4>(_e6373, (_e6373 + 1i), (_e6373 + 2i), (_e6373 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_30(array<i32, 4>(_e6373, (_e6373 + 1i), (_e6373 + 2i), (_e6373 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e6297 - f32(_e6320)), (_e6301 - f32(_e6335)), (_e6305 - f32(_e6350)));
 let _e6400 = (_e6386 + _e6382);
 let _e6403 = local_22.member[0u];
@@ -2615,7 +2615,7 @@ if _e808 {
 let _e7624 = ((0.5f * (_e6915 - _e6909)) * _e7173);
 let _e7625 = ((0.5f * (_e6927 - _e6921)) * _e7173);
 let _e7626 = ((0.5f * (_e6939 - _e6933)) * _e7173);
-phi_19286_ = type_30(_e7135, vec3<f32>(_e7624, _e7625, _e7626), vec3<f32>((_e7624 * _e7135), (_e7625 * _e7135), (_e7626 * _e7135)));
+phi_19286_ = type_31(_e7135, vec3<f32>(_e7624, _e7625, _e7626), vec3<f32>((_e7624 * _e7135), (_e7625 * _e7135), (_e7626 * _e7135)));
 } else {
 local_18 = _e6909;
 let _e7174 = local_18;
@@ -2764,7 +2764,7 @@ let _e7599 = ((_e7120 + (f32(bitcast<i32>((_e7584 >> bitcast<u32>(12u)))) * _e71
 let _e7600 = (_e7315 - _e7244);
 let _e7602 = (_e7457 - _e7386);
 let _e7604 = (_e7599 - _e7528);
-phi_19286_ = type_30(_e7135, vec3<f32>((0.5f * _e7600), (0.5f * _e7602), (0.5f * _e7604)), vec3<f32>((0.25f * (_e7600 * (_e7315 + _e7244))), (0.25f * (_e7602 * (_e7457 + _e7386))), (0.25f * (_e7604 * (_e7599 + _e7528)))));
+phi_19286_ = type_31(_e7135, vec3<f32>((0.5f * _e7600), (0.5f * _e7602), (0.5f * _e7604)), vec3<f32>((0.25f * (_e7600 * (_e7315 + _e7244))), (0.25f * (_e7602 * (_e7457 + _e7386))), (0.25f * (_e7604 * (_e7599 + _e7528)))));
 }
 let _e7634 = phi_19286_;
 let _e7649 = select(0f, 1f, ((((((_e6054 >= -0.5f) && (_e6054 <= _e611)) && (_e6060 >= -0.5f)) && (_e6060 <= _e622)) && (_e6066 >= -0.5f)) && (_e6066 <= _e633)));
@@ -2780,7 +2780,7 @@ let _e7697 = global_5.member[_e436].member_6.member_1.member.member_2;
 let _e7704 = global_5.member[_e436].member_6.member_2.member.member;
 let _e7711 = global_5.member[_e436].member_6.member_2.member.member_1;
 let _e7718 = global_5.member[_e436].member_6.member_2.member.member_2;
-phi_19896_ = type_31(_e6903, vec3<f32>(((((_e7662 * _e7651) + (_e7683 * _e7653)) + (_e7704 * _e7655)) * _e7649), ((((_e7669 * _e7651) + (_e7690 * _e7653)) + (_e7711 * _e7655)) * _e7649), ((((_e7676 * _e7651) + (_e7697 * _e7653)) + (_e7718 * _e7655)) * _e7649)), _e7634.member, vec3<f32>(((((_e7662 * _e7634.member_2.x) + (_e7683 * _e7634.member_2.y)) + (_e7704 * _e7634.member_2.z)) * _e7649), ((((_e7669 * _e7634.member_2.x) + (_e7690 * _e7634.member_2.y)) + (_e7711 * _e7634.member_2.z)) * _e7649), ((((_e7676 * _e7634.member_2.x) + (_e7697 * _e7634.member_2.y)) + (_e7718 * _e7634.member_2.z)) * _e7649)), vec3<f32>(((((_e7662 * _e7634.member_1.x) + (_e7683 * _e7634.member_1.y)) + (_e7704 * _e7634.member_1.z)) * _e7649), ((((_e7669 * _e7634.member_1.x) + (_e7690 * _e7634.member_1.y)) + (_e7711 * _e7634.member_1.z)) * _e7649), ((((_e7676 * _e7634.member_1.x) + (_e7697 * _e7634.member_1.y)) + (_e7718 * _e7634.member_1.z)) * _e7649)));
+phi_19896_ = type_32(_e6903, vec3<f32>(((((_e7662 * _e7651) + (_e7683 * _e7653)) + (_e7704 * _e7655)) * _e7649), ((((_e7669 * _e7651) + (_e7690 * _e7653)) + (_e7711 * _e7655)) * _e7649), ((((_e7676 * _e7651) + (_e7697 * _e7653)) + (_e7718 * _e7655)) * _e7649)), _e7634.member, vec3<f32>(((((_e7662 * _e7634.member_2.x) + (_e7683 * _e7634.member_2.y)) + (_e7704 * _e7634.member_2.z)) * _e7649), ((((_e7669 * _e7634.member_2.x) + (_e7690 * _e7634.member_2.y)) + (_e7711 * _e7634.member_2.z)) * _e7649), ((((_e7676 * _e7634.member_2.x) + (_e7697 * _e7634.member_2.y)) + (_e7718 * _e7634.member_2.z)) * _e7649)), vec3<f32>(((((_e7662 * _e7634.member_1.x) + (_e7683 * _e7634.member_1.y)) + (_e7704 * _e7634.member_1.z)) * _e7649), ((((_e7669 * _e7634.member_1.x) + (_e7690 * _e7634.member_1.y)) + (_e7711 * _e7634.member_1.z)) * _e7649), ((((_e7676 * _e7634.member_1.x) + (_e7697 * _e7634.member_1.y)) + (_e7718 * _e7634.member_1.z)) * _e7649)));
 } else {
 let _e6068 = select(-0.5f, _e6054, (_e6054 > -0.5f));
 let _e6070 = select(_e611, _e6068, (_e6068 < _e611));
@@ -2813,7 +2813,7 @@ let _e6155 = (_e6149 + _e1254);
 let _e6156 = (_e6149 + _e1308);
 let _e6157 = (_e6151 + _e1259);
 let _e6158 = (_e6151 + _e1311);
-local_6 = type_29(array<i32, 4>(_e6146, (_e6146 + 1i), (_e6146 + 2i), (_e6146 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_30(array<i32, 4>(_e6146, (_e6146 + 1i), (_e6146 + 2i), (_e6146 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e6070 - f32(_e6093)), (_e6074 - f32(_e6108)), (_e6078 - f32(_e6123)));
 let _e6169 = (_e6157 + _e6155);
 let _e6172 = local_6.member[1u];
@@ -2867,7 +2867,7 @@ let _e6278 = local_7[1u];
 let _e6283 = local_7[2u];
 let _e6288 = (((_e6227 + (((_e6252 + (((_e6263 + ((bitcast<f32>(_e6272) - _e6263) * _e6274)) - _e6252) * _e6278)) - _e6227) * _e6283)) - _e1445) * _e1450);
 let _e6290 = select(_e1453, _e6288, (_e6288 > _e1453));
-phi_19896_ = type_31(select(1e9f, _e6290, (_e6290 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_19896_ = type_32(select(1e9f, _e6290, (_e6290 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7784 = phi_19896_;
 let _e7787 = select(1f, select(1f, _e1192, (_e1192 < 1f)), _e533);
@@ -3804,7 +3804,7 @@ let _e11162 = select(select(select(select(select(select(0f, _e10901.member, _e10
 let _e11163 = select(select(select(select(select(select(0f, _e10901.member_1, _e10943), _e10901.member_1, _e10983), _e10910.member_1, _e11023), _e10910.member_1, _e11063), _e10919.member_1, _e11103), _e10919.member_1, _e11143);
 let _e11164 = select(select(select(select(select(select(1f, _e10901.member_2, _e10943), _e10901.member_2, _e10983), _e10910.member_2, _e11023), _e10910.member_2, _e11063), _e10919.member_2, _e11103), _e10919.member_2, _e11143);
 if _e7789 {
-phi_27327_ = type_32(_e11149, vec3<f32>(_e11150, _e11151, _e11152), _e11154, vec3<f32>(_e11155, _e11156, _e11157), _e11159, _e11161, vec3<f32>(_e11162, _e11163, _e11164));
+phi_27327_ = type_33(_e11149, vec3<f32>(_e11150, _e11151, _e11152), _e11154, vec3<f32>(_e11155, _e11156, _e11157), _e11159, _e11161, vec3<f32>(_e11162, _e11163, _e11164));
 } else {
 let _e11171 = (((_e10901.member * _e10901.member) + (_e10901.member_1 * _e10901.member_1)) + (_e10901.member_2 * _e10901.member_2));
 let _e11174 = sqrt(select(0f, _e11171, (_e11171 > 0f)));
@@ -3884,7 +3884,7 @@ let _e11470 = select(2f, select(0f, _e11462, (_e11442 < 0f)), (_e11443 > 0f));
 let _e11471 = (_e11442 > _e11406);
 let _e11475 = ((_e11466 > _e11398) || ((_e11466 == _e11398) && _e11471));
 let _e11476 = (_e11470 < _e11402);
-phi_27327_ = type_32(select(_e11398, _e11466, _e11475), vec3<f32>(select(select(select(select(_e11150, _e11212.member, _e11238), _e11291.member, _e11317), _e11370.member, _e11396), _e11449.member, _e11475), select(select(select(select(_e11151, _e11212.member_1, _e11238), _e11291.member_1, _e11317), _e11370.member_1, _e11396), _e11449.member_1, _e11475), select(select(select(select(_e11152, _e11212.member_2, _e11238), _e11291.member_2, _e11317), _e11370.member_2, _e11396), _e11449.member_2, _e11475)), select(_e11402, _e11470, _e11476), vec3<f32>(select(select(select(select(_e11155, _e11212.member, _e11239), _e11291.member, _e11318), _e11370.member, _e11397), _e11449.member, _e11476), select(select(select(select(_e11156, _e11212.member_1, _e11239), _e11291.member_1, _e11318), _e11370.member_1, _e11397), _e11449.member_1, _e11476), select(select(select(select(_e11157, _e11212.member_2, _e11239), _e11291.member_2, _e11318), _e11370.member_2, _e11397), _e11449.member_2, _e11476)), select(_e11406, _e11442, _e11471), select(_e11408, _e11443, (_e11443 > _e11408)), vec3<f32>(select(select(select(select(_e11162, _e11212.member, _e11234), _e11291.member, _e11313), _e11370.member, _e11392), _e11449.member, _e11471), select(select(select(select(_e11163, _e11212.member_1, _e11234), _e11291.member_1, _e11313), _e11370.member_1, _e11392), _e11449.member_1, _e11471), select(select(select(select(_e11164, _e11212.member_2, _e11234), _e11291.member_2, _e11313), _e11370.member_2, _e11392), _e11449.member_2, _e11471)));
+phi_27327_ = type_33(select(_e11398, _e11466, _e11475), vec3<f32>(select(select(select(select(_e11150, _e11212.member, _e11238), _e11291.member, _e11317), _e11370.member, _e11396), _e11449.member, _e11475), select(select(select(select(_e11151, _e11212.member_1, _e11238), _e11291.member_1, _e11317), _e11370.member_1, _e11396), _e11449.member_1, _e11475), select(select(select(select(_e11152, _e11212.member_2, _e11238), _e11291.member_2, _e11317), _e11370.member_2, _e11396), _e11449.member_2, _e11475)), select(_e11402, _e11470, _e11476), vec3<f32>(select(select(select(select(_e11155, _e11212.member, _e11239), _e11291.member, _e11318), _e11370.member, _e11397), _e11449.member, _e11476), select(select(select(select(_e11156, _e11212.member_1, _e11239), _e11291.member_1, _e11318), _e11370.member_1, _e11397), _e11449.member_1, _e11476), select(select(select(select(_e11157, _e11212.member_2, _e11239), _e11291.member_2, _e11318), _e11370.member_2, _e11397), _e11449.member_2, _e11476)), select(_e11406, _e11442, _e11471), select(_e11408, _e11443, (_e11443 > _e11408)), vec3<f32>(select(select(select(select(_e11162, _e11212.member, _e11234), _e11291.member, _e11313), _e11370.member, _e11392), _e11449.member, _e11471), select(select(select(select(_e11163, _e11212.member_1, _e11234), _e11291.member_1, _e11313), _e11370.member_1, _e11392), _e11449.member_1, _e11471), select(select(select(select(_e11164, _e11212.member_2, _e11234), _e11291.member_2, _e11313), _e11370.member_2, _e11392), _e11449.member_2, _e11471)));
 }
 let _e11496 = phi_27327_;
 let _e11503 = (_e8000.member_2 * select(0f, 1f, _e6037.member_6));

@@ -131,23 +131,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -156,7 +160,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -166,10 +170,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 struct type_35 {
 member: f32,
@@ -202,7 +202,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_29;
+var local_6: type_30;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -218,27 +218,27 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_29;
+var local_22: type_30;
 var local_23: vec3<f32>;
-var local_24: type_29;
+var local_24: type_30;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_29;
+var local_28: type_30;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_29;
+var local_32: type_30;
 var local_33: vec3<f32>;
 var local_34: f32;
 var local_35: f32;
-var local_36: type_29;
+var local_36: type_30;
 var local_37: vec3<f32>;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_29;
+var local_40: type_30;
 var local_41: vec3<f32>;
-var local_42: type_29;
+var local_42: type_30;
 var local_43: vec3<f32>;
 var phi_643_: u32;
 var phi_646_: bool;
@@ -247,23 +247,23 @@ var phi_1700_: bool;
 var phi_1880_: bool;
 var phi_1883_: bool;
 var phi_3670_: f32;
-var phi_5272_: type_32;
+var phi_5272_: type_33;
 var phi_5285_: bool;
-var phi_5315_: type_34;
+var phi_5315_: type_27;
 var phi_5327_: bool;
 var phi_6407_: type_26;
-var phi_7930_: type_32;
+var phi_7930_: type_33;
 var phi_9042_: type_26;
-var phi_10580_: type_32;
+var phi_10580_: type_33;
 var phi_11692_: type_26;
-var phi_13230_: type_32;
+var phi_13230_: type_33;
 var phi_14978_: type_26;
-var phi_14991_: type_33;
+var phi_14991_: type_34;
 var phi_14992_: vec3<f32>;
 var phi_14993_: bool;
 var phi_14994_: f32;
-var phi_21555_: type_30;
-var phi_22202_: type_31;
+var phi_21555_: type_31;
+var phi_22202_: type_32;
 var phi_22615_: type_5;
 var phi_26776_: type_35;
 var phi_27532_: vec3<f32>;
@@ -271,7 +271,7 @@ var phi_27762_: type_25;
 var phi_27841_: f32;
 var phi_27842_: f32;
 var phi_28099_: vec3<f32>;
-var phi_29633_: type_32;
+var phi_29633_: type_33;
 var phi_29789_: vec3<f32>;
 var phi_29790_: bool;
 var phi_29950_: array<f32, 18>;
@@ -655,7 +655,7 @@ let _e1549 = (select(0i, _e1478, (_e1478 > 0i)) * _e1498);
 let _e1550 = (select(_e1511, _e1514, (_e1514 < _e1511)) * _e1498);
 let _e1551 = (select(0i, _e1493, (_e1493 > 0i)) * _e1503);
 let _e1552 = (select(_e1524, _e1527, (_e1527 < _e1524)) * _e1503);
-local_42 = type_29(array<i32, 4>(select(0i, _e1538, (_e1538 > 0i)), select(0i, _e1463, (_e1463 > 0i)), select(_e1537, _e1543, (_e1543 < _e1537)), select(_e1537, _e1546, (_e1546 < _e1537))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_42 = type_30(array<i32, 4>(select(0i, _e1538, (_e1538 > 0i)), select(0i, _e1463, (_e1463 > 0i)), select(_e1537, _e1543, (_e1543 < _e1537)), select(_e1537, _e1546, (_e1546 < _e1537))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_43 = vec3<f32>((_e1440 - f32(_e1463)), (_e1444 - f32(_e1478)), (_e1448 - f32(_e1493)));
 let _e1563 = (_e1551 + _e1549);
 let _e1566 = local_42.member[1u];
@@ -747,7 +747,7 @@ let _e1813 = (select(0i, _e1742, (_e1742 > 0i)) * _e1762);
 let _e1814 = (select(_e1775, _e1778, (_e1778 < _e1775)) * _e1762);
 let _e1815 = (select(0i, _e1757, (_e1757 > 0i)) * _e1767);
 let _e1816 = (select(_e1788, _e1791, (_e1791 < _e1788)) * _e1767);
-local_40 = type_29(array<i32, 4>(select(0i, _e1802, (_e1802 > 0i)), select(0i, _e1727, (_e1727 > 0i)), select(_e1801, _e1807, (_e1807 < _e1801)), select(_e1801, _e1810, (_e1810 < _e1801))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_40 = type_30(array<i32, 4>(select(0i, _e1802, (_e1802 > 0i)), select(0i, _e1727, (_e1727 > 0i)), select(_e1801, _e1807, (_e1807 < _e1801)), select(_e1801, _e1810, (_e1810 < _e1801))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_41 = vec3<f32>((_e1704 - f32(_e1727)), (_e1708 - f32(_e1742)), (_e1712 - f32(_e1757)));
 let _e1827 = (_e1815 + _e1813);
 let _e1830 = local_40.member[1u];
@@ -872,7 +872,7 @@ let _e2163 = (_e482 - _e478);
 let _e2164 = (_e487 - _e472);
 let _e2169 = (((_e2162 * _e2162) + (_e2163 * _e2163)) + (_e2164 * _e2164));
 let _e2172 = sqrt(select(0f, _e2169, (_e2169 > 0f)));
-let _e2173 = type_33(type_26(1f, 1f), vec3<f32>(_e480, _e482, _e487), _e1368, _e2172, _e467, _e1368, true, false, false);
+let _e2173 = type_34(type_26(1f, 1f), vec3<f32>(_e480, _e482, _e487), _e1368, _e2172, _e467, _e1368, true, false, false);
 let _e2174 = (_e650 < 1e-12f);
 let _e2176 = (1f / select(_e645, 1f, _e2174));
 let _e2177 = (-0.5f - _e556);
@@ -1027,7 +1027,7 @@ let _e2537 = select(select(select(select(select(select(0f, _e2275.member_1, _e23
 let _e2538 = select(select(select(select(select(select(1f, _e2275.member_2, _e2317), _e2275.member_2, _e2357), _e2284.member_2, _e2397), _e2284.member_2, _e2437), _e2293.member_2, _e2477), _e2293.member_2, _e2517);
 let _e2542 = ((_e1020 & 16u) == 0u);
 if _e2542 {
-phi_5272_ = type_32(_e2523, vec3<f32>(_e2524, _e2525, _e2526), _e2528, vec3<f32>(_e2529, _e2530, _e2531), _e2533, _e2535, vec3<f32>(_e2536, _e2537, _e2538));
+phi_5272_ = type_33(_e2523, vec3<f32>(_e2524, _e2525, _e2526), _e2528, vec3<f32>(_e2529, _e2530, _e2531), _e2533, _e2535, vec3<f32>(_e2536, _e2537, _e2538));
 } else {
 let _e2547 = (((_e2275.member * _e2275.member) + (_e2275.member_1 * _e2275.member_1)) + (_e2275.member_2 * _e2275.member_2));
 let _e2550 = sqrt(select(0f, _e2547, (_e2547 > 0f)));
@@ -1107,7 +1107,7 @@ let _e2846 = select(2f, select(0f, _e2838, (_e2818 < 0f)), (_e2819 > 0f));
 let _e2847 = (_e2818 > _e2782);
 let _e2851 = ((_e2842 > _e2774) || ((_e2842 == _e2774) && _e2847));
 let _e2852 = (_e2846 < _e2778);
-phi_5272_ = type_32(select(_e2774, _e2842, _e2851), vec3<f32>(select(select(select(select(_e2524, _e2588.member, _e2614), _e2667.member, _e2693), _e2746.member, _e2772), _e2825.member, _e2851), select(select(select(select(_e2525, _e2588.member_1, _e2614), _e2667.member_1, _e2693), _e2746.member_1, _e2772), _e2825.member_1, _e2851), select(select(select(select(_e2526, _e2588.member_2, _e2614), _e2667.member_2, _e2693), _e2746.member_2, _e2772), _e2825.member_2, _e2851)), select(_e2778, _e2846, _e2852), vec3<f32>(select(select(select(select(_e2529, _e2588.member, _e2615), _e2667.member, _e2694), _e2746.member, _e2773), _e2825.member, _e2852), select(select(select(select(_e2530, _e2588.member_1, _e2615), _e2667.member_1, _e2694), _e2746.member_1, _e2773), _e2825.member_1, _e2852), select(select(select(select(_e2531, _e2588.member_2, _e2615), _e2667.member_2, _e2694), _e2746.member_2, _e2773), _e2825.member_2, _e2852)), select(_e2782, _e2818, _e2847), select(_e2784, _e2819, (_e2819 > _e2784)), vec3<f32>(select(select(select(select(_e2536, _e2588.member, _e2610), _e2667.member, _e2689), _e2746.member, _e2768), _e2825.member, _e2847), select(select(select(select(_e2537, _e2588.member_1, _e2610), _e2667.member_1, _e2689), _e2746.member_1, _e2768), _e2825.member_1, _e2847), select(select(select(select(_e2538, _e2588.member_2, _e2610), _e2667.member_2, _e2689), _e2746.member_2, _e2768), _e2825.member_2, _e2847)));
+phi_5272_ = type_33(select(_e2774, _e2842, _e2851), vec3<f32>(select(select(select(select(_e2524, _e2588.member, _e2614), _e2667.member, _e2693), _e2746.member, _e2772), _e2825.member, _e2851), select(select(select(select(_e2525, _e2588.member_1, _e2614), _e2667.member_1, _e2693), _e2746.member_1, _e2772), _e2825.member_1, _e2851), select(select(select(select(_e2526, _e2588.member_2, _e2614), _e2667.member_2, _e2693), _e2746.member_2, _e2772), _e2825.member_2, _e2851)), select(_e2778, _e2846, _e2852), vec3<f32>(select(select(select(select(_e2529, _e2588.member, _e2615), _e2667.member, _e2694), _e2746.member, _e2773), _e2825.member, _e2852), select(select(select(select(_e2530, _e2588.member_1, _e2615), _e2667.member_1, _e2694), _e2746.member_1, _e2773), _e2825.member_1, _e2852), select(select(select(select(_e2531, _e2588.member_2, _e2615), _e2667.member_2, _e2694), _e2746.member_2, _e2773), _e2825.member_2, _e2852)), select(_e2782, _e2818, _e2847), select(_e2784, _e2819, (_e2819 > _e2784)), vec3<f32>(select(select(select(select(_e2536, _e2588.member, _e2610), _e2667.member, _e2689), _e2746.member, _e2768), _e2825.member, _e2847), select(select(select(select(_e2537, _e2588.member_1, _e2610), _e2667.member_1, _e2689), _e2746.member_1, _e2768), _e2825.member_1, _e2847), select(select(select(select(_e2538, _e2588.member_2, _e2610), _e2667.member_2, _e2689), _e2746.member_2, _e2768), _e2825.member_2, _e2847)));
 }
 let _e2872 = phi_5272_;
 if ((_e2872.member_4 > -(0.015625f)) && (_e2872.member_4 < 0.015625f)) {
@@ -1122,9 +1122,9 @@ let _e2885 = (_e447[3] * _e2884);
 let _e2886 = (_e447[4] * _e2884);
 let _e2887 = (_e447[5] * _e2884);
 if _e2881 {
-phi_5315_ = type_34(_e2872.member_2, _e2872.member_3);
+phi_5315_ = type_27(_e2872.member_2, _e2872.member_3);
 } else {
-phi_5315_ = type_34(_e2872.member, _e2872.member_1);
+phi_5315_ = type_27(_e2872.member, _e2872.member_1);
 }
 let _e2896 = phi_5315_;
 if _e2881 {
@@ -1172,7 +1172,7 @@ let _e3045 = (select(0i, _e2974, (_e2974 > 0i)) * _e2994);
 let _e3046 = (select(_e3007, _e3010, (_e3010 < _e3007)) * _e2994);
 let _e3047 = (select(0i, _e2989, (_e2989 > 0i)) * _e2999);
 let _e3048 = (select(_e3020, _e3023, (_e3023 < _e3020)) * _e2999);
-local_36 = type_29(array<i32, 4>(select(0i, _e3034, (_e3034 > 0i)), select(0i, _e2959, (_e2959 > 0i)), select(_e3033, _e3039, (_e3039 < _e3033)), select(_e3033, _e3042, (_e3042 < _e3033))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_36 = type_30(array<i32, 4>(select(0i, _e3034, (_e3034 > 0i)), select(0i, _e2959, (_e2959 > 0i)), select(_e3033, _e3039, (_e3039 < _e3033)), select(_e3033, _e3042, (_e3042 < _e3033))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_37 = vec3<f32>((_e2936 - f32(_e2959)), (_e2940 - f32(_e2974)), (_e2944 - f32(_e2989)));
 let _e3059 = (_e3047 + _e3045);
 let _e3062 = local_36.member[1u];
@@ -1440,7 +1440,7 @@ let _e3735 = select(select(select(select(select(select(0f, _e2275.member, _e3516
 let _e3736 = select(select(select(select(select(select(0f, _e2275.member_1, _e3516), _e2275.member_1, _e3556), _e2284.member_1, _e3596), _e2284.member_1, _e3636), _e2293.member_1, _e3676), _e2293.member_1, _e3716);
 let _e3737 = select(select(select(select(select(select(1f, _e2275.member_2, _e3516), _e2275.member_2, _e3556), _e2284.member_2, _e3596), _e2284.member_2, _e3636), _e2293.member_2, _e3676), _e2293.member_2, _e3716);
 if _e2542 {
-phi_7930_ = type_32(_e3722, vec3<f32>(_e3723, _e3724, _e3725), _e3727, vec3<f32>(_e3728, _e3729, _e3730), _e3732, _e3734, vec3<f32>(_e3735, _e3736, _e3737));
+phi_7930_ = type_33(_e3722, vec3<f32>(_e3723, _e3724, _e3725), _e3727, vec3<f32>(_e3728, _e3729, _e3730), _e3732, _e3734, vec3<f32>(_e3735, _e3736, _e3737));
 } else {
 let _e3744 = (((_e2275.member * _e2275.member) + (_e2275.member_1 * _e2275.member_1)) + (_e2275.member_2 * _e2275.member_2));
 let _e3747 = sqrt(select(0f, _e3744, (_e3744 > 0f)));
@@ -1520,7 +1520,7 @@ let _e4043 = select(2f, select(0f, _e4035, (_e4015 < 0f)), (_e4016 > 0f));
 let _e4044 = (_e4015 > _e3979);
 let _e4048 = ((_e4039 > _e3971) || ((_e4039 == _e3971) && _e4044));
 let _e4049 = (_e4043 < _e3975);
-phi_7930_ = type_32(select(_e3971, _e4039, _e4048), vec3<f32>(select(select(select(select(_e3723, _e3785.member, _e3811), _e3864.member, _e3890), _e3943.member, _e3969), _e4022.member, _e4048), select(select(select(select(_e3724, _e3785.member_1, _e3811), _e3864.member_1, _e3890), _e3943.member_1, _e3969), _e4022.member_1, _e4048), select(select(select(select(_e3725, _e3785.member_2, _e3811), _e3864.member_2, _e3890), _e3943.member_2, _e3969), _e4022.member_2, _e4048)), select(_e3975, _e4043, _e4049), vec3<f32>(select(select(select(select(_e3728, _e3785.member, _e3812), _e3864.member, _e3891), _e3943.member, _e3970), _e4022.member, _e4049), select(select(select(select(_e3729, _e3785.member_1, _e3812), _e3864.member_1, _e3891), _e3943.member_1, _e3970), _e4022.member_1, _e4049), select(select(select(select(_e3730, _e3785.member_2, _e3812), _e3864.member_2, _e3891), _e3943.member_2, _e3970), _e4022.member_2, _e4049)), select(_e3979, _e4015, _e4044), select(_e3981, _e4016, (_e4016 > _e3981)), vec3<f32>(select(select(select(select(_e3735, _e3785.member, _e3807), _e3864.member, _e3886), _e3943.member, _e3965), _e4022.member, _e4044), select(select(select(select(_e3736, _e3785.member_1, _e3807), _e3864.member_1, _e3886), _e3943.member_1, _e3965), _e4022.member_1, _e4044), select(select(select(select(_e3737, _e3785.member_2, _e3807), _e3864.member_2, _e3886), _e3943.member_2, _e3965), _e4022.member_2, _e4044)));
+phi_7930_ = type_33(select(_e3971, _e4039, _e4048), vec3<f32>(select(select(select(select(_e3723, _e3785.member, _e3811), _e3864.member, _e3890), _e3943.member, _e3969), _e4022.member, _e4048), select(select(select(select(_e3724, _e3785.member_1, _e3811), _e3864.member_1, _e3890), _e3943.member_1, _e3969), _e4022.member_1, _e4048), select(select(select(select(_e3725, _e3785.member_2, _e3811), _e3864.member_2, _e3890), _e3943.member_2, _e3969), _e4022.member_2, _e4048)), select(_e3975, _e4043, _e4049), vec3<f32>(select(select(select(select(_e3728, _e3785.member, _e3812), _e3864.member, _e3891), _e3943.member, _e3970), _e4022.member, _e4049), select(select(select(select(_e3729, _e3785.member_1, _e3812), _e3864.member_1, _e3891), _e3943.member_1, _e3970), _e4022.member_1, _e4049), select(select(select(select(_e3730, _e3785.member_2, _e3812), _e3864.member_2, _e3891), _e3943.member_2, _e3970), _e4022.member_2, _e4049)), select(_e3979, _e4015, _e4044), select(_e3981, _e4016, (_e4016 > _e3981)), vec3<f32>(select(select(select(select(_e3735, _e3785.member, _e3807), _e3864.member, _e3886), _e3943.member, _e3965), _e4022.member, _e4044), select(select(select(select(_e3736, _e3785.member_1, _e3807), _e3864.member_1, _e3886), _e3943.member_1, _e3965), _e4022.member_1, _e4044), select(select(select(select(_e3737, _e3785.member_2, _e3807), _e3864.member_2, _e3886), _e3943.member_2, _e3965), _e4022.member_2, _e4044)));
 }
 let _e4069 = phi_7930_;
 let _e4075 = (((_e2904 && _e3477) && !(_e3462)) && (_e4069.member_2 <= 1f));
@@ -1563,7 +1563,7 @@ let _e4185 = (select(0i, _e4148, (_e4148 > 0i)) * _e2994);
 let _e4186 = (select(_e3007, _e4166, (_e4166 < _e3007)) * _e2994);
 let _e4187 = (select(0i, _e4163, (_e4163 > 0i)) * _e2999);
 let _e4188 = (select(_e3020, _e4171, (_e4171 < _e3020)) * _e2999);
-local_32 = type_29(array<i32, 4>(select(0i, _e4174, (_e4174 > 0i)), select(0i, _e4133, (_e4133 > 0i)), select(_e3033, _e4179, (_e4179 < _e3033)), select(_e3033, _e4182, (_e4182 < _e3033))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_32 = type_30(array<i32, 4>(select(0i, _e4174, (_e4174 > 0i)), select(0i, _e4133, (_e4133 > 0i)), select(_e3033, _e4179, (_e4179 < _e3033)), select(_e3033, _e4182, (_e4182 < _e3033))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_33 = vec3<f32>((_e4110 - f32(_e4133)), (_e4114 - f32(_e4148)), (_e4118 - f32(_e4163)));
 let _e4199 = (_e4187 + _e4185);
 let _e4202 = local_32.member[1u];
@@ -1783,7 +1783,7 @@ let _e4757 = select(select(select(select(select(select(0f, _e2275.member, _e4538
 let _e4758 = select(select(select(select(select(select(0f, _e2275.member_1, _e4538), _e2275.member_1, _e4578), _e2284.member_1, _e4618), _e2284.member_1, _e4658), _e2293.member_1, _e4698), _e2293.member_1, _e4738);
 let _e4759 = select(select(select(select(select(select(1f, _e2275.member_2, _e4538), _e2275.member_2, _e4578), _e2284.member_2, _e4618), _e2284.member_2, _e4658), _e2293.member_2, _e4698), _e2293.member_2, _e4738);
 if _e2542 {
-phi_10580_ = type_32(_e4744, vec3<f32>(_e4745, _e4746, _e4747), _e4749, vec3<f32>(_e4750, _e4751, _e4752), _e4754, _e4756, vec3<f32>(_e4757, _e4758, _e4759));
+phi_10580_ = type_33(_e4744, vec3<f32>(_e4745, _e4746, _e4747), _e4749, vec3<f32>(_e4750, _e4751, _e4752), _e4754, _e4756, vec3<f32>(_e4757, _e4758, _e4759));
 } else {
 let _e4766 = (((_e2275.member * _e2275.member) + (_e2275.member_1 * _e2275.member_1)) + (_e2275.member_2 * _e2275.member_2));
 let _e4769 = sqrt(select(0f, _e4766, (_e4766 > 0f)));
@@ -1863,7 +1863,7 @@ let _e5065 = select(2f, select(0f, _e5057, (_e5037 < 0f)), (_e5038 > 0f));
 let _e5066 = (_e5037 > _e5001);
 let _e5070 = ((_e5061 > _e4993) || ((_e5061 == _e4993) && _e5066));
 let _e5071 = (_e5065 < _e4997);
-phi_10580_ = type_32(select(_e4993, _e5061, _e5070), vec3<f32>(select(select(select(select(_e4745, _e4807.member, _e4833), _e4886.member, _e4912), _e4965.member, _e4991), _e5044.member, _e5070), select(select(select(select(_e4746, _e4807.member_1, _e4833), _e4886.member_1, _e4912), _e4965.member_1, _e4991), _e5044.member_1, _e5070), select(select(select(select(_e4747, _e4807.member_2, _e4833), _e4886.member_2, _e4912), _e4965.member_2, _e4991), _e5044.member_2, _e5070)), select(_e4997, _e5065, _e5071), vec3<f32>(select(select(select(select(_e4750, _e4807.member, _e4834), _e4886.member, _e4913), _e4965.member, _e4992), _e5044.member, _e5071), select(select(select(select(_e4751, _e4807.member_1, _e4834), _e4886.member_1, _e4913), _e4965.member_1, _e4992), _e5044.member_1, _e5071), select(select(select(select(_e4752, _e4807.member_2, _e4834), _e4886.member_2, _e4913), _e4965.member_2, _e4992), _e5044.member_2, _e5071)), select(_e5001, _e5037, _e5066), select(_e5003, _e5038, (_e5038 > _e5003)), vec3<f32>(select(select(select(select(_e4757, _e4807.member, _e4829), _e4886.member, _e4908), _e4965.member, _e4987), _e5044.member, _e5066), select(select(select(select(_e4758, _e4807.member_1, _e4829), _e4886.member_1, _e4908), _e4965.member_1, _e4987), _e5044.member_1, _e5066), select(select(select(select(_e4759, _e4807.member_2, _e4829), _e4886.member_2, _e4908), _e4965.member_2, _e4987), _e5044.member_2, _e5066)));
+phi_10580_ = type_33(select(_e4993, _e5061, _e5070), vec3<f32>(select(select(select(select(_e4745, _e4807.member, _e4833), _e4886.member, _e4912), _e4965.member, _e4991), _e5044.member, _e5070), select(select(select(select(_e4746, _e4807.member_1, _e4833), _e4886.member_1, _e4912), _e4965.member_1, _e4991), _e5044.member_1, _e5070), select(select(select(select(_e4747, _e4807.member_2, _e4833), _e4886.member_2, _e4912), _e4965.member_2, _e4991), _e5044.member_2, _e5070)), select(_e4997, _e5065, _e5071), vec3<f32>(select(select(select(select(_e4750, _e4807.member, _e4834), _e4886.member, _e4913), _e4965.member, _e4992), _e5044.member, _e5071), select(select(select(select(_e4751, _e4807.member_1, _e4834), _e4886.member_1, _e4913), _e4965.member_1, _e4992), _e5044.member_1, _e5071), select(select(select(select(_e4752, _e4807.member_2, _e4834), _e4886.member_2, _e4913), _e4965.member_2, _e4992), _e5044.member_2, _e5071)), select(_e5001, _e5037, _e5066), select(_e5003, _e5038, (_e5038 > _e5003)), vec3<f32>(select(select(select(select(_e4757, _e4807.member, _e4829), _e4886.member, _e4908), _e4965.member, _e4987), _e5044.member, _e5066), select(select(select(select(_e4758, _e4807.member_1, _e4829), _e4886.member_1, _e4908), _e4965.member_1, _e4987), _e5044.member_1, _e5066), select(select(select(select(_e4759, _e4807.member_2, _e4829), _e4886.member_2, _e4908), _e4965.member_2, _e4987), _e5044.member_2, _e5066)));
 }
 let _e5091 = phi_10580_;
 let _e5097 = (((_e4075 && _e4478) && !(_e4462)) && (_e5091.member_2 <= 1f));
@@ -1905,7 +1905,7 @@ let _e5207 = (select(0i, _e5170, (_e5170 > 0i)) * _e2994);
 let _e5208 = (select(_e3007, _e5188, (_e5188 < _e3007)) * _e2994);
 let _e5209 = (select(0i, _e5185, (_e5185 > 0i)) * _e2999);
 let _e5210 = (select(_e3020, _e5193, (_e5193 < _e3020)) * _e2999);
-local_28 = type_29(array<i32, 4>(select(0i, _e5196, (_e5196 > 0i)), select(0i, _e5155, (_e5155 > 0i)), select(_e3033, _e5201, (_e5201 < _e3033)), select(_e3033, _e5204, (_e5204 < _e3033))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_28 = type_30(array<i32, 4>(select(0i, _e5196, (_e5196 > 0i)), select(0i, _e5155, (_e5155 > 0i)), select(_e3033, _e5201, (_e5201 < _e3033)), select(_e3033, _e5204, (_e5204 < _e3033))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_29 = vec3<f32>((_e5132 - f32(_e5155)), (_e5136 - f32(_e5170)), (_e5140 - f32(_e5185)));
 let _e5221 = (_e5209 + _e5207);
 let _e5224 = local_28.member[1u];
@@ -2125,7 +2125,7 @@ let _e5780 = select(select(select(select(select(select(0f, _e2275.member, _e5561
 let _e5781 = select(select(select(select(select(select(0f, _e2275.member_1, _e5561), _e2275.member_1, _e5601), _e2284.member_1, _e5641), _e2284.member_1, _e5681), _e2293.member_1, _e5721), _e2293.member_1, _e5761);
 let _e5782 = select(select(select(select(select(select(1f, _e2275.member_2, _e5561), _e2275.member_2, _e5601), _e2284.member_2, _e5641), _e2284.member_2, _e5681), _e2293.member_2, _e5721), _e2293.member_2, _e5761);
 if _e2542 {
-phi_13230_ = type_32(_e5767, vec3<f32>(_e5768, _e5769, _e5770), _e5772, vec3<f32>(_e5773, _e5774, _e5775), _e5777, _e5779, vec3<f32>(_e5780, _e5781, _e5782));
+phi_13230_ = type_33(_e5767, vec3<f32>(_e5768, _e5769, _e5770), _e5772, vec3<f32>(_e5773, _e5774, _e5775), _e5777, _e5779, vec3<f32>(_e5780, _e5781, _e5782));
 } else {
 let _e5789 = (((_e2275.member * _e2275.member) + (_e2275.member_1 * _e2275.member_1)) + (_e2275.member_2 * _e2275.member_2));
 let _e5792 = sqrt(select(0f, _e5789, (_e5789 > 0f)));
@@ -2205,7 +2205,7 @@ let _e6088 = select(2f, select(0f, _e6080, (_e6060 < 0f)), (_e6061 > 0f));
 let _e6089 = (_e6060 > _e6024);
 let _e6093 = ((_e6084 > _e6016) || ((_e6084 == _e6016) && _e6089));
 let _e6094 = (_e6088 < _e6020);
-phi_13230_ = type_32(select(_e6016, _e6084, _e6093), vec3<f32>(select(select(select(select(_e5768, _e5830.member, _e5856), _e5909.member, _e5935), _e5988.member, _e6014), _e6067.member, _e6093), select(select(select(select(_e5769, _e5830.member_1, _e5856), _e5909.member_1, _e5935), _e5988.member_1, _e6014), _e6067.member_1, _e6093), select(select(select(select(_e5770, _e5830.member_2, _e5856), _e5909.member_2, _e5935), _e5988.member_2, _e6014), _e6067.member_2, _e6093)), select(_e6020, _e6088, _e6094), vec3<f32>(select(select(select(select(_e5773, _e5830.member, _e5857), _e5909.member, _e5936), _e5988.member, _e6015), _e6067.member, _e6094), select(select(select(select(_e5774, _e5830.member_1, _e5857), _e5909.member_1, _e5936), _e5988.member_1, _e6015), _e6067.member_1, _e6094), select(select(select(select(_e5775, _e5830.member_2, _e5857), _e5909.member_2, _e5936), _e5988.member_2, _e6015), _e6067.member_2, _e6094)), select(_e6024, _e6060, _e6089), select(_e6026, _e6061, (_e6061 > _e6026)), vec3<f32>(select(select(select(select(_e5780, _e5830.member, _e5852), _e5909.member, _e5931), _e5988.member, _e6010), _e6067.member, _e6089), select(select(select(select(_e5781, _e5830.member_1, _e5852), _e5909.member_1, _e5931), _e5988.member_1, _e6010), _e6067.member_1, _e6089), select(select(select(select(_e5782, _e5830.member_2, _e5852), _e5909.member_2, _e5931), _e5988.member_2, _e6010), _e6067.member_2, _e6089)));
+phi_13230_ = type_33(select(_e6016, _e6084, _e6093), vec3<f32>(select(select(select(select(_e5768, _e5830.member, _e5856), _e5909.member, _e5935), _e5988.member, _e6014), _e6067.member, _e6093), select(select(select(select(_e5769, _e5830.member_1, _e5856), _e5909.member_1, _e5935), _e5988.member_1, _e6014), _e6067.member_1, _e6093), select(select(select(select(_e5770, _e5830.member_2, _e5856), _e5909.member_2, _e5935), _e5988.member_2, _e6014), _e6067.member_2, _e6093)), select(_e6020, _e6088, _e6094), vec3<f32>(select(select(select(select(_e5773, _e5830.member, _e5857), _e5909.member, _e5936), _e5988.member, _e6015), _e6067.member, _e6094), select(select(select(select(_e5774, _e5830.member_1, _e5857), _e5909.member_1, _e5936), _e5988.member_1, _e6015), _e6067.member_1, _e6094), select(select(select(select(_e5775, _e5830.member_2, _e5857), _e5909.member_2, _e5936), _e5988.member_2, _e6015), _e6067.member_2, _e6094)), select(_e6024, _e6060, _e6089), select(_e6026, _e6061, (_e6061 > _e6026)), vec3<f32>(select(select(select(select(_e5780, _e5830.member, _e5852), _e5909.member, _e5931), _e5988.member, _e6010), _e6067.member, _e6089), select(select(select(select(_e5781, _e5830.member_1, _e5852), _e5909.member_1, _e5931), _e5988.member_1, _e6010), _e6067.member_1, _e6089), select(select(select(select(_e5782, _e5830.member_2, _e5852), _e5909.member_2, _e5931), _e5988.member_2, _e6010), _e6067.member_2, _e6089)));
 }
 let _e6114 = phi_13230_;
 let _e6120 = (((_e5097 && _e5501) && !(_e5485)) && (_e6114.member_2 <= 1f));
@@ -2385,12 +2385,12 @@ phi_14978_ = _e3390;
 phi_14978_ = _e4396;
 }
 let _e6641 = phi_14978_;
-phi_14991_ = type_33(_e6641, vec3<f32>(select(_e5496, _e5110.x, _e6120), select(_e5497, _e5110.y, _e6120), select(_e5498, _e5110.z, _e6120)), vec3<f32>(_e5470, _e5471, _e5472), select(_e2260, ((((sqrt(select(0f, _e6128, (_e6128 > 0f))) * select(0f, _e6227, (_e6227 > 0f))) + (sqrt(select(0f, _e6238, (_e6238 > 0f))) * select(0f, _e6355, (_e6355 > 0f)))) + (sqrt(select(0f, _e6367, (_e6367 > 0f))) * select(0f, _e6484, (_e6484 > 0f)))) + select(0f, (sqrt(select(0f, _e6496, (_e6496 > 0f))) * select(0f, _e6613, (_e6613 > 0f))), _e5097)), _e6620), select((_e466 / _e5472), (2f * (_e4079 / _e3444)), (((_e2904 && !(_e2881)) && _e3477) && !(_e4075))), select(_e4069.member_3, _e2896.member_1, vec3(_e3458)), _e5501, _e6620, (((_e3462 || _e4462) || _e5485) || _e6120));
+phi_14991_ = type_34(_e6641, vec3<f32>(select(_e5496, _e5110.x, _e6120), select(_e5497, _e5110.y, _e6120), select(_e5498, _e5110.z, _e6120)), vec3<f32>(_e5470, _e5471, _e5472), select(_e2260, ((((sqrt(select(0f, _e6128, (_e6128 > 0f))) * select(0f, _e6227, (_e6227 > 0f))) + (sqrt(select(0f, _e6238, (_e6238 > 0f))) * select(0f, _e6355, (_e6355 > 0f)))) + (sqrt(select(0f, _e6367, (_e6367 > 0f))) * select(0f, _e6484, (_e6484 > 0f)))) + select(0f, (sqrt(select(0f, _e6496, (_e6496 > 0f))) * select(0f, _e6613, (_e6613 > 0f))), _e5097)), _e6620), select((_e466 / _e5472), (2f * (_e4079 / _e3444)), (((_e2904 && !(_e2881)) && _e3477) && !(_e4075))), select(_e4069.member_3, _e2896.member_1, vec3(_e3458)), _e5501, _e6620, (((_e3462 || _e4462) || _e5485) || _e6120));
 phi_14992_ = vec3<f32>(_e2885, _e2886, _e2887);
 phi_14993_ = _e2881;
 phi_14994_ = _e2882;
 } else {
-phi_14991_ = type_33(_e2173.member, _e2173.member_1, _e2173.member_2, _e2260, _e2173.member_4, _e2173.member_5, _e2173.member_6, _e2173.member_7, _e2173.member_8);
+phi_14991_ = type_34(_e2173.member, _e2173.member_1, _e2173.member_2, _e2260, _e2173.member_4, _e2173.member_5, _e2173.member_6, _e2173.member_7, _e2173.member_8);
 phi_14992_ = _e1368;
 phi_14993_ = true;
 phi_14994_ = _e2161;
@@ -2433,7 +2433,7 @@ let _e6987 = (select(0i, _e6950, (_e6950 > 0i)) * _e1498);
 let _e6988 = (select(_e1511, _e6968, (_e6968 < _e1511)) * _e1498);
 let _e6989 = (select(0i, _e6965, (_e6965 > 0i)) * _e1503);
 let _e6990 = (select(_e1524, _e6973, (_e6973 < _e1524)) * _e1503);
-local_24 = type_29(array<i32, 4>(select(0i, _e6976, (_e6976 > 0i)), select(0i, _e6935, (_e6935 > 0i)), select(_e1537, _e6981, (_e6981 < _e1537)), select(_e1537, _e6984, (_e6984 < _e1537))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_24 = type_30(array<i32, 4>(select(0i, _e6976, (_e6976 > 0i)), select(0i, _e6935, (_e6935 > 0i)), select(_e1537, _e6981, (_e6981 < _e1537)), select(_e1537, _e6984, (_e6984 < _e1537))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_25 = vec3<f32>((_e6912 - f32(_e6935)), (_e6916 - f32(_e6950)), (_e6920 - f32(_e6965)));
 let _e7001 = (_e6989 + _e6987);
 let _e7004 = local_24.member[1u];
@@ -2527,7 +2527,7 @@ let _e7253 = (select(0i, _e7219, (_e7219 > 0i)) * _e7191);
 let _e7254 = (select(0i, _e7181, (_e7181 > 0i)) * _e7191);
 let _e7255 = (select(_e7218, _e7224, (_e7224 < _e7218)) * _e7191);
 let _e7256 = (select(_e7218, _e7227, (_e7227 < _e7218)) * _e7191);
-local_22 = type_29(array<i32, 4>(select(0i, _e7238, (_e7238 > 0i)), select(0i, _e7151, (_e7151 > 0i)), select(_e7237, _e7243, (_e7243 < _e7237)), select(_e7237, _e7246, (_e7246 < _e7237))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_22 = type_30(array<i32, 4>(select(0i, _e7238, (_e7238 > 0i)), select(0i, _e7151, (_e7151 > 0i)), select(_e7237, _e7243, (_e7243 < _e7237)), select(_e7237, _e7246, (_e7246 < _e7237))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_23 = vec3<f32>((_e7128 - f32(_e7151)), (_e7132 - f32(_e7166)), (_e7136 - f32(_e7181)));
 let _e7267 = (_e7254 + _e7250);
 let _e7270 = local_22.member[0u];
@@ -2857,7 +2857,7 @@ if _e1052 {
 let _e8503 = ((0.5f * (_e7794 - _e7788)) * _e8052);
 let _e8504 = ((0.5f * (_e7806 - _e7800)) * _e8052);
 let _e8505 = ((0.5f * (_e7818 - _e7812)) * _e8052);
-phi_21555_ = type_30(_e8014, vec3<f32>(_e8503, _e8504, _e8505), vec3<f32>((_e8503 * _e8014), (_e8504 * _e8014), (_e8505 * _e8014)));
+phi_21555_ = type_31(_e8014, vec3<f32>(_e8503, _e8504, _e8505), vec3<f32>((_e8503 * _e8014), (_e8504 * _e8014), (_e8505 * _e8014)));
 } else {
 local_18 = _e7788;
 let _e8053 = local_18;
@@ -3006,7 +3006,7 @@ let _e8478 = ((_e7999 + (f32(bitcast<i32>((_e8463 >> bitcast<u32>(12u)))) * _e80
 let _e8479 = (_e8194 - _e8123);
 let _e8481 = (_e8336 - _e8265);
 let _e8483 = (_e8478 - _e8407);
-phi_21555_ = type_30(_e8014, vec3<f32>((0.5f * _e8479), (0.5f * _e8481), (0.5f * _e8483)), vec3<f32>((0.25f * (_e8479 * (_e8194 + _e8123))), (0.25f * (_e8481 * (_e8336 + _e8265))), (0.25f * (_e8483 * (_e8478 + _e8407)))));
+phi_21555_ = type_31(_e8014, vec3<f32>((0.5f * _e8479), (0.5f * _e8481), (0.5f * _e8483)), vec3<f32>((0.25f * (_e8479 * (_e8194 + _e8123))), (0.25f * (_e8481 * (_e8336 + _e8265))), (0.25f * (_e8483 * (_e8478 + _e8407)))));
 }
 let _e8513 = phi_21555_;
 let _e8528 = select(0f, 1f, ((((((_e6679 >= -0.5f) && (_e6679 <= _e857)) && (_e6685 >= -0.5f)) && (_e6685 <= _e868)) && (_e6691 >= -0.5f)) && (_e6691 <= _e879)));
@@ -3022,7 +3022,7 @@ let _e8576 = global_6.member[_e443].member_7.member_1.member.member_2;
 let _e8583 = global_6.member[_e443].member_7.member_2.member.member;
 let _e8590 = global_6.member[_e443].member_7.member_2.member.member_1;
 let _e8597 = global_6.member[_e443].member_7.member_2.member.member_2;
-phi_22202_ = type_31(select(1e9f, _e7122, (_e7122 < 1e9f)), vec3<f32>(((((_e8541 * _e8530) + (_e8562 * _e8532)) + (_e8583 * _e8534)) * _e8528), ((((_e8548 * _e8530) + (_e8569 * _e8532)) + (_e8590 * _e8534)) * _e8528), ((((_e8555 * _e8530) + (_e8576 * _e8532)) + (_e8597 * _e8534)) * _e8528)), _e8513.member, vec3<f32>(((((_e8541 * _e8513.member_2.x) + (_e8562 * _e8513.member_2.y)) + (_e8583 * _e8513.member_2.z)) * _e8528), ((((_e8548 * _e8513.member_2.x) + (_e8569 * _e8513.member_2.y)) + (_e8590 * _e8513.member_2.z)) * _e8528), ((((_e8555 * _e8513.member_2.x) + (_e8576 * _e8513.member_2.y)) + (_e8597 * _e8513.member_2.z)) * _e8528)), vec3<f32>(((((_e8541 * _e8513.member_1.x) + (_e8562 * _e8513.member_1.y)) + (_e8583 * _e8513.member_1.z)) * _e8528), ((((_e8548 * _e8513.member_1.x) + (_e8569 * _e8513.member_1.y)) + (_e8590 * _e8513.member_1.z)) * _e8528), ((((_e8555 * _e8513.member_1.x) + (_e8576 * _e8513.member_1.y)) + (_e8597 * _e8513.member_1.z)) * _e8528)));
+phi_22202_ = type_32(select(1e9f, _e7122, (_e7122 < 1e9f)), vec3<f32>(((((_e8541 * _e8530) + (_e8562 * _e8532)) + (_e8583 * _e8534)) * _e8528), ((((_e8548 * _e8530) + (_e8569 * _e8532)) + (_e8590 * _e8534)) * _e8528), ((((_e8555 * _e8530) + (_e8576 * _e8532)) + (_e8597 * _e8534)) * _e8528)), _e8513.member, vec3<f32>(((((_e8541 * _e8513.member_2.x) + (_e8562 * _e8513.member_2.y)) + (_e8583 * _e8513.member_2.z)) * _e8528), ((((_e8548 * _e8513.member_2.x) + (_e8569 * _e8513.member_2.y)) + (_e8590 * _e8513.member_2.z)) * _e8528), ((((_e8555 * _e8513.member_2.x) + (_e8576 * _e8513.member_2.y)) + (_e8597 * _e8513.member_2.z)) * _e8528)), vec3<f32>(((((_e8541 * _e8513.member_1.x) + (_e8562 * _e8513.member_1.y)) + (_e8583 * _e8513.member_1.z)) * _e8528), ((((_e8548 * _e8513.member_1.x) + (_e8569 * _e8513.member_1.y)) + (_e8590 * _e8513.member_1.z)) * _e8528), ((((_e8555 * _e8513.member_1.x) + (_e8576 * _e8513.member_1.y)) + (_e8597 * _e8513.member_1.z)) * _e8528)));
 } else {
 let _e6693 = select(-0.5f, _e6661, (_e6661 > -0.5f));
 let _e6695 = select(_e618, _e6693, (_e6693 < _e618));
@@ -3051,7 +3051,7 @@ let _e6770 = (select(0i, _e6733, (_e6733 > 0i)) * _e1498);
 let _e6771 = (select(_e1511, _e6751, (_e6751 < _e1511)) * _e1498);
 let _e6772 = (select(0i, _e6748, (_e6748 > 0i)) * _e1503);
 let _e6773 = (select(_e1524, _e6756, (_e6756 < _e1524)) * _e1503);
-local_6 = type_29(array<i32, 4>(select(0i, _e6759, (_e6759 > 0i)), select(0i, _e6718, (_e6718 > 0i)), select(_e1537, _e6764, (_e6764 < _e1537)), select(_e1537, _e6767, (_e6767 < _e1537))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_30(array<i32, 4>(select(0i, _e6759, (_e6759 > 0i)), select(0i, _e6718, (_e6718 > 0i)), select(_e1537, _e6764, (_e6764 < _e1537)), select(_e1537, _e6767, (_e6767 < _e1537))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = vec3<f32>((_e6695 - f32(_e6718)), (_e6699 - f32(_e6733)), (_e6703 - f32(_e6748)));
 let _e6784 = (_e6772 + _e6770);
 let _e6787 = local_6.member[1u];
@@ -3105,7 +3105,7 @@ let _e6893 = local_7[1u];
 let _e6898 = local_7[2u];
 let _e6903 = (((_e6842 + (((_e6867 + (((_e6878 + ((bitcast<f32>(_e6887) - _e6878) * _e6889)) - _e6867) * _e6893)) - _e6842) * _e6898)) - _e1687) * _e1692);
 let _e6905 = select(_e1695, _e6903, (_e6903 > _e1695));
-phi_22202_ = type_31(select(1e9f, _e6905, (_e6905 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_22202_ = type_32(select(1e9f, _e6905, (_e6905 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8663 = phi_22202_;
 let _e8666 = select(1f, select(1f, _e1436, (_e1436 < 1f)), _e540);
@@ -4042,7 +4042,7 @@ let _e12041 = select(select(select(select(select(select(0f, _e11780.member, _e11
 let _e12042 = select(select(select(select(select(select(0f, _e11780.member_1, _e11822), _e11780.member_1, _e11862), _e11789.member_1, _e11902), _e11789.member_1, _e11942), _e11798.member_1, _e11982), _e11798.member_1, _e12022);
 let _e12043 = select(select(select(select(select(select(1f, _e11780.member_2, _e11822), _e11780.member_2, _e11862), _e11789.member_2, _e11902), _e11789.member_2, _e11942), _e11798.member_2, _e11982), _e11798.member_2, _e12022);
 if _e8668 {
-phi_29633_ = type_32(_e12028, vec3<f32>(_e12029, _e12030, _e12031), _e12033, vec3<f32>(_e12034, _e12035, _e12036), _e12038, _e12040, vec3<f32>(_e12041, _e12042, _e12043));
+phi_29633_ = type_33(_e12028, vec3<f32>(_e12029, _e12030, _e12031), _e12033, vec3<f32>(_e12034, _e12035, _e12036), _e12038, _e12040, vec3<f32>(_e12041, _e12042, _e12043));
 } else {
 let _e12050 = (((_e11780.member * _e11780.member) + (_e11780.member_1 * _e11780.member_1)) + (_e11780.member_2 * _e11780.member_2));
 let _e12053 = sqrt(select(0f, _e12050, (_e12050 > 0f)));
@@ -4122,7 +4122,7 @@ let _e12349 = select(2f, select(0f, _e12341, (_e12321 < 0f)), (_e12322 > 0f));
 let _e12350 = (_e12321 > _e12285);
 let _e12354 = ((_e12345 > _e12277) || ((_e12345 == _e12277) && _e12350));
 let _e12355 = (_e12349 < _e12281);
-phi_29633_ = type_32(select(_e12277, _e12345, _e12354), vec3<f32>(select(select(select(select(_e12029, _e12091.member, _e12117), _e12170.member, _e12196), _e12249.member, _e12275), _e12328.member, _e12354), select(select(select(select(_e12030, _e12091.member_1, _e12117), _e12170.member_1, _e12196), _e12249.member_1, _e12275), _e12328.member_1, _e12354), select(select(select(select(_e12031, _e12091.member_2, _e12117), _e12170.member_2, _e12196), _e12249.member_2, _e12275), _e12328.member_2, _e12354)), select(_e12281, _e12349, _e12355), vec3<f32>(select(select(select(select(_e12034, _e12091.member, _e12118), _e12170.member, _e12197), _e12249.member, _e12276), _e12328.member, _e12355), select(select(select(select(_e12035, _e12091.member_1, _e12118), _e12170.member_1, _e12197), _e12249.member_1, _e12276), _e12328.member_1, _e12355), select(select(select(select(_e12036, _e12091.member_2, _e12118), _e12170.member_2, _e12197), _e12249.member_2, _e12276), _e12328.member_2, _e12355)), select(_e12285, _e12321, _e12350), select(_e12287, _e12322, (_e12322 > _e12287)), vec3<f32>(select(select(select(select(_e12041, _e12091.member, _e12113), _e12170.member, _e12192), _e12249.member, _e12271), _e12328.member, _e12350), select(select(select(select(_e12042, _e12091.member_1, _e12113), _e12170.member_1, _e12192), _e12249.member_1, _e12271), _e12328.member_1, _e12350), select(select(select(select(_e12043, _e12091.member_2, _e12113), _e12170.member_2, _e12192), _e12249.member_2, _e12271), _e12328.member_2, _e12350)));
+phi_29633_ = type_33(select(_e12277, _e12345, _e12354), vec3<f32>(select(select(select(select(_e12029, _e12091.member, _e12117), _e12170.member, _e12196), _e12249.member, _e12275), _e12328.member, _e12354), select(select(select(select(_e12030, _e12091.member_1, _e12117), _e12170.member_1, _e12196), _e12249.member_1, _e12275), _e12328.member_1, _e12354), select(select(select(select(_e12031, _e12091.member_2, _e12117), _e12170.member_2, _e12196), _e12249.member_2, _e12275), _e12328.member_2, _e12354)), select(_e12281, _e12349, _e12355), vec3<f32>(select(select(select(select(_e12034, _e12091.member, _e12118), _e12170.member, _e12197), _e12249.member, _e12276), _e12328.member, _e12355), select(select(select(select(_e12035, _e12091.member_1, _e12118), _e12170.member_1, _e12197), _e12249.member_1, _e12276), _e12328.member_1, _e12355), select(select(select(select(_e12036, _e12091.member_2, _e12118), _e12170.member_2, _e12197), _e12249.member_2, _e12276), _e12328.member_2, _e12355)), select(_e12285, _e12321, _e12350), select(_e12287, _e12322, (_e12322 > _e12287)), vec3<f32>(select(select(select(select(_e12041, _e12091.member, _e12113), _e12170.member, _e12192), _e12249.member, _e12271), _e12328.member, _e12350), select(select(select(select(_e12042, _e12091.member_1, _e12113), _e12170.member_1, _e12192), _e12249.member_1, _e12271), _e12328.member_1, _e12350), select(select(select(select(_e12043, _e12091.member_2, _e12113), _e12170.member_2, _e12192), _e12249.member_2, _e12271), _e12328.member_2, _e12350)));
 }
 let _e12375 = phi_29633_;
 let _e12382 = (_e8879.member_2 * select(0f, 1f, _e6644.member_6));

@@ -131,23 +131,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -156,7 +160,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -166,10 +170,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 struct type_35 {
 member: f32,
@@ -202,7 +202,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_29;
+var local_6: type_30;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -218,27 +218,27 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_29;
+var local_22: type_30;
 var local_23: vec3<f32>;
-var local_24: type_29;
+var local_24: type_30;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_29;
+var local_28: type_30;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_29;
+var local_32: type_30;
 var local_33: vec3<f32>;
 var local_34: f32;
 var local_35: f32;
-var local_36: type_29;
+var local_36: type_30;
 var local_37: vec3<f32>;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_29;
+var local_40: type_30;
 var local_41: vec3<f32>;
-var local_42: type_29;
+var local_42: type_30;
 var local_43: vec3<f32>;
 var phi_644_: u32;
 var phi_647_: bool;
@@ -247,23 +247,23 @@ var phi_1701_: bool;
 var phi_1881_: bool;
 var phi_1884_: bool;
 var phi_3597_: f32;
-var phi_5199_: type_32;
+var phi_5199_: type_33;
 var phi_5212_: bool;
-var phi_5242_: type_34;
+var phi_5242_: type_27;
 var phi_5254_: bool;
 var phi_6297_: type_26;
-var phi_7820_: type_32;
+var phi_7820_: type_33;
 var phi_8895_: type_26;
-var phi_10433_: type_32;
+var phi_10433_: type_33;
 var phi_11508_: type_26;
-var phi_13046_: type_32;
+var phi_13046_: type_33;
 var phi_14794_: type_26;
-var phi_14807_: type_33;
+var phi_14807_: type_34;
 var phi_14808_: vec3<f32>;
 var phi_14809_: bool;
 var phi_14810_: f32;
-var phi_21249_: type_30;
-var phi_21859_: type_31;
+var phi_21249_: type_31;
+var phi_21859_: type_32;
 var phi_22272_: type_5;
 var phi_26433_: type_35;
 var phi_27189_: vec3<f32>;
@@ -271,7 +271,7 @@ var phi_27419_: type_25;
 var phi_27498_: f32;
 var phi_27499_: f32;
 var phi_27756_: vec3<f32>;
-var phi_29290_: type_32;
+var phi_29290_: type_33;
 var phi_29446_: vec3<f32>;
 var phi_29447_: bool;
 var phi_29607_: array<f32, 18>;
@@ -663,7 +663,7 @@ let _e1554 = (_e1546 + _e1553);
 let _e1555 = (_e1548 + _e1504);
 let _e1556 = (2i * _e1504);
 let _e1557 = (_e1548 + _e1556);
-local_42 = type_29(array<i32, 4>(_e1543, (_e1543 + 1i), (_e1543 + 2i), (_e1543 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_42 = type_30(array<i32, 4>(_e1543, (_e1543 + 1i), (_e1543 + 2i), (_e1543 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_43 = vec3<f32>((_e1441 - f32(_e1464)), (_e1445 - f32(_e1479)), (_e1449 - f32(_e1494)));
 let _e1568 = (_e1555 + _e1552);
 let _e1571 = local_42.member[1u];
@@ -758,7 +758,7 @@ let _e1818 = (_e1812 + _e1765);
 let _e1820 = (_e1812 + (2i * _e1765));
 let _e1821 = (_e1814 + _e1770);
 let _e1823 = (_e1814 + (2i * _e1770));
-local_40 = type_29(array<i32, 4>(_e1809, (_e1809 + 1i), (_e1809 + 2i), (_e1809 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_40 = type_30(array<i32, 4>(_e1809, (_e1809 + 1i), (_e1809 + 2i), (_e1809 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_41 = vec3<f32>((_e1707 - f32(_e1730)), (_e1711 - f32(_e1745)), (_e1715 - f32(_e1760)));
 let _e1834 = (_e1821 + _e1818);
 let _e1837 = local_40.member[1u];
@@ -882,7 +882,7 @@ let _e2168 = (_e483 - _e479);
 let _e2169 = (_e488 - _e473);
 let _e2174 = (((_e2167 * _e2167) + (_e2168 * _e2168)) + (_e2169 * _e2169));
 let _e2177 = sqrt(select(0f, _e2174, (_e2174 > 0f)));
-let _e2178 = type_33(type_26(1f, 1f), vec3<f32>(_e481, _e483, _e488), _e1369, _e2177, _e468, _e1369, true, false, false);
+let _e2178 = type_34(type_26(1f, 1f), vec3<f32>(_e481, _e483, _e488), _e1369, _e2177, _e468, _e1369, true, false, false);
 let _e2179 = (_e651 < 1e-12f);
 let _e2181 = (1f / select(_e646, 1f, _e2179));
 let _e2182 = (-0.5f - _e557);
@@ -1037,7 +1037,7 @@ let _e2542 = select(select(select(select(select(select(0f, _e2280.member_1, _e23
 let _e2543 = select(select(select(select(select(select(1f, _e2280.member_2, _e2322), _e2280.member_2, _e2362), _e2289.member_2, _e2402), _e2289.member_2, _e2442), _e2298.member_2, _e2482), _e2298.member_2, _e2522);
 let _e2547 = ((_e1021 & 16u) == 0u);
 if _e2547 {
-phi_5199_ = type_32(_e2528, vec3<f32>(_e2529, _e2530, _e2531), _e2533, vec3<f32>(_e2534, _e2535, _e2536), _e2538, _e2540, vec3<f32>(_e2541, _e2542, _e2543));
+phi_5199_ = type_33(_e2528, vec3<f32>(_e2529, _e2530, _e2531), _e2533, vec3<f32>(_e2534, _e2535, _e2536), _e2538, _e2540, vec3<f32>(_e2541, _e2542, _e2543));
 } else {
 let _e2552 = (((_e2280.member * _e2280.member) + (_e2280.member_1 * _e2280.member_1)) + (_e2280.member_2 * _e2280.member_2));
 let _e2555 = sqrt(select(0f, _e2552, (_e2552 > 0f)));
@@ -1117,7 +1117,7 @@ let _e2851 = select(2f, select(0f, _e2843, (_e2823 < 0f)), (_e2824 > 0f));
 let _e2852 = (_e2823 > _e2787);
 let _e2856 = ((_e2847 > _e2779) || ((_e2847 == _e2779) && _e2852));
 let _e2857 = (_e2851 < _e2783);
-phi_5199_ = type_32(select(_e2779, _e2847, _e2856), vec3<f32>(select(select(select(select(_e2529, _e2593.member, _e2619), _e2672.member, _e2698), _e2751.member, _e2777), _e2830.member, _e2856), select(select(select(select(_e2530, _e2593.member_1, _e2619), _e2672.member_1, _e2698), _e2751.member_1, _e2777), _e2830.member_1, _e2856), select(select(select(select(_e2531, _e2593.member_2, _e2619), _e2672.member_2, _e2698), _e2751.member_2, _e2777), _e2830.member_2, _e2856)), select(_e2783, _e2851, _e2857), vec3<f32>(select(select(select(select(_e2534, _e2593.member, _e2620), _e2672.member, _e2699), _e2751.member, _e2778), _e2830.member, _e2857), select(select(select(select(_e2535, _e2593.member_1, _e2620), _e2672.member_1, _e2699), _e2751.member_1, _e2778), _e2830.member_1, _e2857), select(select(select(select(_e2536, _e2593.member_2, _e2620), _e2672.member_2, _e2699), _e2751.member_2, _e2778), _e2830.member_2, _e2857)), select(_e2787, _e2823, _e2852), select(_e2789, _e2824, (_e2824 > _e2789)), vec3<f32>(select(select(select(select(_e2541, _e2593.member, _e2615), _e2672.member, _e2694), _e2751.member, _e2773), _e2830.member, _e2852), select(select(select(select(_e2542, _e2593.member_1, _e2615), _e2672.member_1, _e2694), _e2751.member_1, _e2773), _e2830.member_1, _e2852), select(select(select(select(_e2543, _e2593.member_2, _e2615), _e2672.member_2, _e2694), _e2751.member_2, _e2773), _e2830.member_2, _e2852)));
+phi_5199_ = type_33(select(_e2779, _e2847, _e2856), vec3<f32>(select(select(select(select(_e2529, _e2593.member, _e2619), _e2672.member, _e2698), _e2751.member, _e2777), _e2830.member, _e2856), select(select(select(select(_e2530, _e2593.member_1, _e2619), _e2672.member_1, _e2698), _e2751.member_1, _e2777), _e2830.member_1, _e2856), select(select(select(select(_e2531, _e2593.member_2, _e2619), _e2672.member_2, _e2698), _e2751.member_2, _e2777), _e2830.member_2, _e2856)), select(_e2783, _e2851, _e2857), vec3<f32>(select(select(select(select(_e2534, _e2593.member, _e2620), _e2672.member, _e2699), _e2751.member, _e2778), _e2830.member, _e2857), select(select(select(select(_e2535, _e2593.member_1, _e2620), _e2672.member_1, _e2699), _e2751.member_1, _e2778), _e2830.member_1, _e2857), select(select(select(select(_e2536, _e2593.member_2, _e2620), _e2672.member_2, _e2699), _e2751.member_2, _e2778), _e2830.member_2, _e2857)), select(_e2787, _e2823, _e2852), select(_e2789, _e2824, (_e2824 > _e2789)), vec3<f32>(select(select(select(select(_e2541, _e2593.member, _e2615), _e2672.member, _e2694), _e2751.member, _e2773), _e2830.member, _e2852), select(select(select(select(_e2542, _e2593.member_1, _e2615), _e2672.member_1, _e2694), _e2751.member_1, _e2773), _e2830.member_1, _e2852), select(select(select(select(_e2543, _e2593.member_2, _e2615), _e2672.member_2, _e2694), _e2751.member_2, _e2773), _e2830.member_2, _e2852)));
 }
 let _e2877 = phi_5199_;
 if ((_e2877.member_4 > -(0.015625f)) && (_e2877.member_4 < 0.015625f)) {
@@ -1132,9 +1132,9 @@ let _e2890 = (_e448[3] * _e2889);
 let _e2891 = (_e448[4] * _e2889);
 let _e2892 = (_e448[5] * _e2889);
 if _e2886 {
-phi_5242_ = type_34(_e2877.member_2, _e2877.member_3);
+phi_5242_ = type_27(_e2877.member_2, _e2877.member_3);
 } else {
-phi_5242_ = type_34(_e2877.member, _e2877.member_1);
+phi_5242_ = type_27(_e2877.member, _e2877.member_1);
 }
 let _e2901 = phi_5242_;
 if _e2886 {
@@ -1190,7 +1190,7 @@ let _e3053 = (_e3045 + _e3052);
 let _e3054 = (_e3047 + _e3004);
 let _e3055 = (2i * _e3004);
 let _e3056 = (_e3047 + _e3055);
-local_36 = type_29(array<i32, 4>(_e3042, (_e3042 + 1i), (_e3042 + 2i), (_e3042 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_36 = type_30(array<i32, 4>(_e3042, (_e3042 + 1i), (_e3042 + 2i), (_e3042 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_37 = vec3<f32>((_e2941 - f32(_e2964)), (_e2945 - f32(_e2979)), (_e2949 - f32(_e2994)));
 let _e3067 = (_e3054 + _e3051);
 let _e3070 = local_36.member[1u];
@@ -1457,7 +1457,7 @@ let _e3741 = select(select(select(select(select(select(0f, _e2280.member, _e3522
 let _e3742 = select(select(select(select(select(select(0f, _e2280.member_1, _e3522), _e2280.member_1, _e3562), _e2289.member_1, _e3602), _e2289.member_1, _e3642), _e2298.member_1, _e3682), _e2298.member_1, _e3722);
 let _e3743 = select(select(select(select(select(select(1f, _e2280.member_2, _e3522), _e2280.member_2, _e3562), _e2289.member_2, _e3602), _e2289.member_2, _e3642), _e2298.member_2, _e3682), _e2298.member_2, _e3722);
 if _e2547 {
-phi_7820_ = type_32(_e3728, vec3<f32>(_e3729, _e3730, _e3731), _e3733, vec3<f32>(_e3734, _e3735, _e3736), _e3738, _e3740, vec3<f32>(_e3741, _e3742, _e3743));
+phi_7820_ = type_33(_e3728, vec3<f32>(_e3729, _e3730, _e3731), _e3733, vec3<f32>(_e3734, _e3735, _e3736), _e3738, _e3740, vec3<f32>(_e3741, _e3742, _e3743));
 } else {
 let _e3750 = (((_e2280.member * _e2280.member) + (_e2280.member_1 * _e2280.member_1)) + (_e2280.member_2 * _e2280.member_2));
 let _e3753 = sqrt(select(0f, _e3750, (_e3750 > 0f)));
@@ -1537,7 +1537,7 @@ let _e4049 = select(2f, select(0f, _e4041, (_e4021 < 0f)), (_e4022 > 0f));
 let _e4050 = (_e4021 > _e3985);
 let _e4054 = ((_e4045 > _e3977) || ((_e4045 == _e3977) && _e4050));
 let _e4055 = (_e4049 < _e3981);
-phi_7820_ = type_32(select(_e3977, _e4045, _e4054), vec3<f32>(select(select(select(select(_e3729, _e3791.member, _e3817), _e3870.member, _e3896), _e3949.member, _e3975), _e4028.member, _e4054), select(select(select(select(_e3730, _e3791.member_1, _e3817), _e3870.member_1, _e3896), _e3949.member_1, _e3975), _e4028.member_1, _e4054), select(select(select(select(_e3731, _e3791.member_2, _e3817), _e3870.member_2, _e3896), _e3949.member_2, _e3975), _e4028.member_2, _e4054)), select(_e3981, _e4049, _e4055), vec3<f32>(select(select(select(select(_e3734, _e3791.member, _e3818), _e3870.member, _e3897), _e3949.member, _e3976), _e4028.member, _e4055), select(select(select(select(_e3735, _e3791.member_1, _e3818), _e3870.member_1, _e3897), _e3949.member_1, _e3976), _e4028.member_1, _e4055), select(select(select(select(_e3736, _e3791.member_2, _e3818), _e3870.member_2, _e3897), _e3949.member_2, _e3976), _e4028.member_2, _e4055)), select(_e3985, _e4021, _e4050), select(_e3987, _e4022, (_e4022 > _e3987)), vec3<f32>(select(select(select(select(_e3741, _e3791.member, _e3813), _e3870.member, _e3892), _e3949.member, _e3971), _e4028.member, _e4050), select(select(select(select(_e3742, _e3791.member_1, _e3813), _e3870.member_1, _e3892), _e3949.member_1, _e3971), _e4028.member_1, _e4050), select(select(select(select(_e3743, _e3791.member_2, _e3813), _e3870.member_2, _e3892), _e3949.member_2, _e3971), _e4028.member_2, _e4050)));
+phi_7820_ = type_33(select(_e3977, _e4045, _e4054), vec3<f32>(select(select(select(select(_e3729, _e3791.member, _e3817), _e3870.member, _e3896), _e3949.member, _e3975), _e4028.member, _e4054), select(select(select(select(_e3730, _e3791.member_1, _e3817), _e3870.member_1, _e3896), _e3949.member_1, _e3975), _e4028.member_1, _e4054), select(select(select(select(_e3731, _e3791.member_2, _e3817), _e3870.member_2, _e3896), _e3949.member_2, _e3975), _e4028.member_2, _e4054)), select(_e3981, _e4049, _e4055), vec3<f32>(select(select(select(select(_e3734, _e3791.member, _e3818), _e3870.member, _e3897), _e3949.member, _e3976), _e4028.member, _e4055), select(select(select(select(_e3735, _e3791.member_1, _e3818), _e3870.member_1, _e3897), _e3949.member_1, _e3976), _e4028.member_1, _e4055), select(select(select(select(_e3736, _e3791.member_2, _e3818), _e3870.member_2, _e3897), _e3949.member_2, _e3976), _e4028.member_2, _e4055)), select(_e3985, _e4021, _e4050), select(_e3987, _e4022, (_e4022 > _e3987)), vec3<f32>(select(select(select(select(_e3741, _e3791.member, _e3813), _e3870.member, _e3892), _e3949.member, _e3971), _e4028.member, _e4050), select(select(select(select(_e3742, _e3791.member_1, _e3813), _e3870.member_1, _e3892), _e3949.member_1, _e3971), _e4028.member_1, _e4050), select(select(select(select(_e3743, _e3791.member_2, _e3813), _e3870.member_2, _e3892), _e3949.member_2, _e3971), _e4028.member_2, _e4050)));
 }
 let _e4075 = phi_7820_;
 let _e4081 = (((_e2909 && _e3483) && !(_e3468)) && (_e4075.member_2 <= 1f));
@@ -1584,7 +1584,7 @@ let _e4200 = (_e4194 + _e2999);
 let _e4201 = (_e4194 + _e3052);
 let _e4202 = (_e4196 + _e3004);
 let _e4203 = (_e4196 + _e3055);
-local_32 = type_29(array<i32, 4>(_e4191, (_e4191 + 1i), (_e4191 + 2i), (_e4191 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_32 = type_30(array<i32, 4>(_e4191, (_e4191 + 1i), (_e4191 + 2i), (_e4191 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_33 = vec3<f32>((_e4116 - f32(_e4139)), (_e4120 - f32(_e4154)), (_e4124 - f32(_e4169)));
 let _e4214 = (_e4202 + _e4200);
 let _e4217 = local_32.member[1u];
@@ -1804,7 +1804,7 @@ let _e4772 = select(select(select(select(select(select(0f, _e2280.member, _e4553
 let _e4773 = select(select(select(select(select(select(0f, _e2280.member_1, _e4553), _e2280.member_1, _e4593), _e2289.member_1, _e4633), _e2289.member_1, _e4673), _e2298.member_1, _e4713), _e2298.member_1, _e4753);
 let _e4774 = select(select(select(select(select(select(1f, _e2280.member_2, _e4553), _e2280.member_2, _e4593), _e2289.member_2, _e4633), _e2289.member_2, _e4673), _e2298.member_2, _e4713), _e2298.member_2, _e4753);
 if _e2547 {
-phi_10433_ = type_32(_e4759, vec3<f32>(_e4760, _e4761, _e4762), _e4764, vec3<f32>(_e4765, _e4766, _e4767), _e4769, _e4771, vec3<f32>(_e4772, _e4773, _e4774));
+phi_10433_ = type_33(_e4759, vec3<f32>(_e4760, _e4761, _e4762), _e4764, vec3<f32>(_e4765, _e4766, _e4767), _e4769, _e4771, vec3<f32>(_e4772, _e4773, _e4774));
 } else {
 let _e4781 = (((_e2280.member * _e2280.member) + (_e2280.member_1 * _e2280.member_1)) + (_e2280.member_2 * _e2280.member_2));
 let _e4784 = sqrt(select(0f, _e4781, (_e4781 > 0f)));
@@ -1884,7 +1884,7 @@ let _e5080 = select(2f, select(0f, _e5072, (_e5052 < 0f)), (_e5053 > 0f));
 let _e5081 = (_e5052 > _e5016);
 let _e5085 = ((_e5076 > _e5008) || ((_e5076 == _e5008) && _e5081));
 let _e5086 = (_e5080 < _e5012);
-phi_10433_ = type_32(select(_e5008, _e5076, _e5085), vec3<f32>(select(select(select(select(_e4760, _e4822.member, _e4848), _e4901.member, _e4927), _e4980.member, _e5006), _e5059.member, _e5085), select(select(select(select(_e4761, _e4822.member_1, _e4848), _e4901.member_1, _e4927), _e4980.member_1, _e5006), _e5059.member_1, _e5085), select(select(select(select(_e4762, _e4822.member_2, _e4848), _e4901.member_2, _e4927), _e4980.member_2, _e5006), _e5059.member_2, _e5085)), select(_e5012, _e5080, _e5086), vec3<f32>(select(select(select(select(_e4765, _e4822.member, _e4849), _e4901.member, _e4928), _e4980.member, _e5007), _e5059.member, _e5086), select(select(select(select(_e4766, _e4822.member_1, _e4849), _e4901.member_1, _e4928), _e4980.member_1, _e5007), _e5059.member_1, _e5086), select(select(select(select(_e4767, _e4822.member_2, _e4849), _e4901.member_2, _e4928), _e4980.member_2, _e5007), _e5059.member_2, _e5086)), select(_e5016, _e5052, _e5081), select(_e5018, _e5053, (_e5053 > _e5018)), vec3<f32>(select(select(select(select(_e4772, _e4822.member, _e4844), _e4901.member, _e4923), _e4980.member, _e5002), _e5059.member, _e5081), select(select(select(select(_e4773, _e4822.member_1, _e4844), _e4901.member_1, _e4923), _e4980.member_1, _e5002), _e5059.member_1, _e5081), select(select(select(select(_e4774, _e4822.member_2, _e4844), _e4901.member_2, _e4923), _e4980.member_2, _e5002), _e5059.member_2, _e5081)));
+phi_10433_ = type_33(select(_e5008, _e5076, _e5085), vec3<f32>(select(select(select(select(_e4760, _e4822.member, _e4848), _e4901.member, _e4927), _e4980.member, _e5006), _e5059.member, _e5085), select(select(select(select(_e4761, _e4822.member_1, _e4848), _e4901.member_1, _e4927), _e4980.member_1, _e5006), _e5059.member_1, _e5085), select(select(select(select(_e4762, _e4822.member_2, _e4848), _e4901.member_2, _e4927), _e4980.member_2, _e5006), _e5059.member_2, _e5085)), select(_e5012, _e5080, _e5086), vec3<f32>(select(select(select(select(_e4765, _e4822.member, _e4849), _e4901.member, _e4928), _e4980.member, _e5007), _e5059.member, _e5086), select(select(select(select(_e4766, _e4822.member_1, _e4849), _e4901.member_1, _e4928), _e4980.member_1, _e5007), _e5059.member_1, _e5086), select(select(select(select(_e4767, _e4822.member_2, _e4849), _e4901.member_2, _e4928), _e4980.member_2, _e5007), _e5059.member_2, _e5086)), select(_e5016, _e5052, _e5081), select(_e5018, _e5053, (_e5053 > _e5018)), vec3<f32>(select(select(select(select(_e4772, _e4822.member, _e4844), _e4901.member, _e4923), _e4980.member, _e5002), _e5059.member, _e5081), select(select(select(select(_e4773, _e4822.member_1, _e4844), _e4901.member_1, _e4923), _e4980.member_1, _e5002), _e5059.member_1, _e5081), select(select(select(select(_e4774, _e4822.member_2, _e4844), _e4901.member_2, _e4923), _e4980.member_2, _e5002), _e5059.member_2, _e5081)));
 }
 let _e5106 = phi_10433_;
 let _e5112 = (((_e4081 && _e4493) && !(_e4477)) && (_e5106.member_2 <= 1f));
@@ -1930,7 +1930,7 @@ let _e5231 = (_e5225 + _e2999);
 let _e5232 = (_e5225 + _e3052);
 let _e5233 = (_e5227 + _e3004);
 let _e5234 = (_e5227 + _e3055);
-local_28 = type_29(array<i32, 4>(_e5222, (_e5222 + 1i), (_e5222 + 2i), (_e5222 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_28 = type_30(array<i32, 4>(_e5222, (_e5222 + 1i), (_e5222 + 2i), (_e5222 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_29 = vec3<f32>((_e5147 - f32(_e5170)), (_e5151 - f32(_e5185)), (_e5155 - f32(_e5200)));
 let _e5245 = (_e5233 + _e5231);
 let _e5248 = local_28.member[1u];
@@ -2150,7 +2150,7 @@ let _e5804 = select(select(select(select(select(select(0f, _e2280.member, _e5585
 let _e5805 = select(select(select(select(select(select(0f, _e2280.member_1, _e5585), _e2280.member_1, _e5625), _e2289.member_1, _e5665), _e2289.member_1, _e5705), _e2298.member_1, _e5745), _e2298.member_1, _e5785);
 let _e5806 = select(select(select(select(select(select(1f, _e2280.member_2, _e5585), _e2280.member_2, _e5625), _e2289.member_2, _e5665), _e2289.member_2, _e5705), _e2298.member_2, _e5745), _e2298.member_2, _e5785);
 if _e2547 {
-phi_13046_ = type_32(_e5791, vec3<f32>(_e5792, _e5793, _e5794), _e5796, vec3<f32>(_e5797, _e5798, _e5799), _e5801, _e5803, vec3<f32>(_e5804, _e5805, _e5806));
+phi_13046_ = type_33(_e5791, vec3<f32>(_e5792, _e5793, _e5794), _e5796, vec3<f32>(_e5797, _e5798, _e5799), _e5801, _e5803, vec3<f32>(_e5804, _e5805, _e5806));
 } else {
 let _e5813 = (((_e2280.member * _e2280.member) + (_e2280.member_1 * _e2280.member_1)) + (_e2280.member_2 * _e2280.member_2));
 let _e5816 = sqrt(select(0f, _e5813, (_e5813 > 0f)));
@@ -2230,7 +2230,7 @@ let _e6112 = select(2f, select(0f, _e6104, (_e6084 < 0f)), (_e6085 > 0f));
 let _e6113 = (_e6084 > _e6048);
 let _e6117 = ((_e6108 > _e6040) || ((_e6108 == _e6040) && _e6113));
 let _e6118 = (_e6112 < _e6044);
-phi_13046_ = type_32(select(_e6040, _e6108, _e6117), vec3<f32>(select(select(select(select(_e5792, _e5854.member, _e5880), _e5933.member, _e5959), _e6012.member, _e6038), _e6091.member, _e6117), select(select(select(select(_e5793, _e5854.member_1, _e5880), _e5933.member_1, _e5959), _e6012.member_1, _e6038), _e6091.member_1, _e6117), select(select(select(select(_e5794, _e5854.member_2, _e5880), _e5933.member_2, _e5959), _e6012.member_2, _e6038), _e6091.member_2, _e6117)), select(_e6044, _e6112, _e6118), vec3<f32>(select(select(select(select(_e5797, _e5854.member, _e5881), _e5933.member, _e5960), _e6012.member, _e6039), _e6091.member, _e6118), select(select(select(select(_e5798, _e5854.member_1, _e5881), _e5933.member_1, _e5960), _e6012.member_1, _e6039), _e6091.member_1, _e6118), select(select(select(select(_e5799, _e5854.member_2, _e5881), _e5933.member_2, _e5960), _e6012.member_2, _e6039), _e6091.member_2, _e6118)), select(_e6048, _e6084, _e6113), select(_e6050, _e6085, (_e6085 > _e6050)), vec3<f32>(select(select(select(select(_e5804, _e5854.member, _e5876), _e5933.member, _e5955), _e6012.member, _e6034), _e6091.member, _e6113), select(select(select(select(_e5805, _e5854.member_1, _e5876), _e5933.member_1, _e5955), _e6012.member_1, _e6034), _e6091.member_1, _e6113), select(select(select(select(_e5806, _e5854.member_2, _e5876), _e5933.member_2, _e5955), _e6012.member_2, _e6034), _e6091.member_2, _e6113)));
+phi_13046_ = type_33(select(_e6040, _e6108, _e6117), vec3<f32>(select(select(select(select(_e5792, _e5854.member, _e5880), _e5933.member, _e5959), _e6012.member, _e6038), _e6091.member, _e6117), select(select(select(select(_e5793, _e5854.member_1, _e5880), _e5933.member_1, _e5959), _e6012.member_1, _e6038), _e6091.member_1, _e6117), select(select(select(select(_e5794, _e5854.member_2, _e5880), _e5933.member_2, _e5959), _e6012.member_2, _e6038), _e6091.member_2, _e6117)), select(_e6044, _e6112, _e6118), vec3<f32>(select(select(select(select(_e5797, _e5854.member, _e5881), _e5933.member, _e5960), _e6012.member, _e6039), _e6091.member, _e6118), select(select(select(select(_e5798, _e5854.member_1, _e5881), _e5933.member_1, _e5960), _e6012.member_1, _e6039), _e6091.member_1, _e6118), select(select(select(select(_e5799, _e5854.member_2, _e5881), _e5933.member_2, _e5960), _e6012.member_2, _e6039), _e6091.member_2, _e6118)), select(_e6048, _e6084, _e6113), select(_e6050, _e6085, (_e6085 > _e6050)), vec3<f32>(select(select(select(select(_e5804, _e5854.member, _e5876), _e5933.member, _e5955), _e6012.member, _e6034), _e6091.member, _e6113), select(select(select(select(_e5805, _e5854.member_1, _e5876), _e5933.member_1, _e5955), _e6012.member_1, _e6034), _e6091.member_1, _e6113), select(select(select(select(_e5806, _e5854.member_2, _e5876), _e5933.member_2, _e5955), _e6012.member_2, _e6034), _e6091.member_2, _e6113)));
 }
 let _e6138 = phi_13046_;
 let _e6144 = (((_e5112 && _e5525) && !(_e5509)) && (_e6138.member_2 <= 1f));
@@ -2410,12 +2410,12 @@ phi_14794_ = _e3396;
 phi_14794_ = _e4411;
 }
 let _e6665 = phi_14794_;
-phi_14807_ = type_33(_e6665, vec3<f32>(select(_e5520, _e5125.x, _e6144), select(_e5521, _e5125.y, _e6144), select(_e5522, _e5125.z, _e6144)), vec3<f32>(_e5494, _e5495, _e5496), select(_e2265, ((((sqrt(select(0f, _e6152, (_e6152 > 0f))) * select(0f, _e6251, (_e6251 > 0f))) + (sqrt(select(0f, _e6262, (_e6262 > 0f))) * select(0f, _e6379, (_e6379 > 0f)))) + (sqrt(select(0f, _e6391, (_e6391 > 0f))) * select(0f, _e6508, (_e6508 > 0f)))) + select(0f, (sqrt(select(0f, _e6520, (_e6520 > 0f))) * select(0f, _e6637, (_e6637 > 0f))), _e5112)), _e6644), select((_e467 / _e5496), (2f * (_e4085 / _e3450)), (((_e2909 && !(_e2886)) && _e3483) && !(_e4081))), select(_e4075.member_3, _e2901.member_1, vec3(_e3464)), _e5525, _e6644, (((_e3468 || _e4477) || _e5509) || _e6144));
+phi_14807_ = type_34(_e6665, vec3<f32>(select(_e5520, _e5125.x, _e6144), select(_e5521, _e5125.y, _e6144), select(_e5522, _e5125.z, _e6144)), vec3<f32>(_e5494, _e5495, _e5496), select(_e2265, ((((sqrt(select(0f, _e6152, (_e6152 > 0f))) * select(0f, _e6251, (_e6251 > 0f))) + (sqrt(select(0f, _e6262, (_e6262 > 0f))) * select(0f, _e6379, (_e6379 > 0f)))) + (sqrt(select(0f, _e6391, (_e6391 > 0f))) * select(0f, _e6508, (_e6508 > 0f)))) + select(0f, (sqrt(select(0f, _e6520, (_e6520 > 0f))) * select(0f, _e6637, (_e6637 > 0f))), _e5112)), _e6644), select((_e467 / _e5496), (2f * (_e4085 / _e3450)), (((_e2909 && !(_e2886)) && _e3483) && !(_e4081))), select(_e4075.member_3, _e2901.member_1, vec3(_e3464)), _e5525, _e6644, (((_e3468 || _e4477) || _e5509) || _e6144));
 phi_14808_ = vec3<f32>(_e2890, _e2891, _e2892);
 phi_14809_ = _e2886;
 phi_14810_ = _e2887;
 } else {
-phi_14807_ = type_33(_e2178.member, _e2178.member_1, _e2178.member_2, _e2265, _e2178.member_4, _e2178.member_5, _e2178.member_6, _e2178.member_7, _e2178.member_8);
+phi_14807_ = type_34(_e2178.member, _e2178.member_1, _e2178.member_2, _e2265, _e2178.member_4, _e2178.member_5, _e2178.member_6, _e2178.member_7, _e2178.member_8);
 phi_14808_ = _e1369;
 phi_14809_ = true;
 phi_14810_ = _e2166;
@@ -2462,7 +2462,7 @@ let _e7031 = (_e7025 + _e1499);
 let _e7032 = (_e7025 + _e1553);
 let _e7033 = (_e7027 + _e1504);
 let _e7034 = (_e7027 + _e1556);
-local_24 = type_29(array<i32, 4>(_e7022, (_e7022 + 1i), (_e7022 + 2i), (_e7022 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_24 = type_30(array<i32, 4>(_e7022, (_e7022 + 1i), (_e7022 + 2i), (_e7022 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_25 = vec3<f32>((_e6946 - f32(_e6969)), (_e6950 - f32(_e6984)), (_e6954 - f32(_e6999)));
 let _e7045 = (_e7033 + _e7031);
 let _e7048 = local_24.member[1u];
@@ -2554,7 +2554,7 @@ let _e7287 = (_e7277 + (3i * _e7230));
 let _e7288 = (_e7279 + _e7235);
 let _e7290 = (_e7279 + (2i * _e7235));
 let _e7292 = (_e7279 + (3i * _e7235));
-local_22 = type_29(array<i32, 4>(_e7274, (_e7274 + 1i), (_e7274 + 2i), (_e7274 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_30(array<i32, 4>(_e7274, (_e7274 + 1i), (_e7274 + 2i), (_e7274 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e7172 - f32(_e7195)), (_e7176 - f32(_e7210)), (_e7180 - f32(_e7225)));
 let _e7303 = (_e7288 + _e7283);
 let _e7306 = local_22.member[0u];
@@ -2883,7 +2883,7 @@ if _e1053 {
 let _e8537 = ((0.5f * (_e7828 - _e7822)) * _e8086);
 let _e8538 = ((0.5f * (_e7840 - _e7834)) * _e8086);
 let _e8539 = ((0.5f * (_e7852 - _e7846)) * _e8086);
-phi_21249_ = type_30(_e8048, vec3<f32>(_e8537, _e8538, _e8539), vec3<f32>((_e8537 * _e8048), (_e8538 * _e8048), (_e8539 * _e8048)));
+phi_21249_ = type_31(_e8048, vec3<f32>(_e8537, _e8538, _e8539), vec3<f32>((_e8537 * _e8048), (_e8538 * _e8048), (_e8539 * _e8048)));
 } else {
 local_18 = _e7822;
 let _e8087 = local_18;
@@ -3032,7 +3032,7 @@ let _e8512 = ((_e8033 + (f32(bitcast<i32>((_e8497 >> bitcast<u32>(12u)))) * _e80
 let _e8513 = (_e8228 - _e8157);
 let _e8515 = (_e8370 - _e8299);
 let _e8517 = (_e8512 - _e8441);
-phi_21249_ = type_30(_e8048, vec3<f32>((0.5f * _e8513), (0.5f * _e8515), (0.5f * _e8517)), vec3<f32>((0.25f * (_e8513 * (_e8228 + _e8157))), (0.25f * (_e8515 * (_e8370 + _e8299))), (0.25f * (_e8517 * (_e8512 + _e8441)))));
+phi_21249_ = type_31(_e8048, vec3<f32>((0.5f * _e8513), (0.5f * _e8515), (0.5f * _e8517)), vec3<f32>((0.25f * (_e8513 * (_e8228 + _e8157))), (0.25f * (_e8515 * (_e8370 + _e8299))), (0.25f * (_e8517 * (_e8512 + _e8441)))));
 }
 let _e8547 = phi_21249_;
 let _e8562 = select(0f, 1f, ((((((_e6703 >= -0.5f) && (_e6703 <= _e858)) && (_e6709 >= -0.5f)) && (_e6709 <= _e869)) && (_e6715 >= -0.5f)) && (_e6715 <= _e880)));
@@ -3048,7 +3048,7 @@ let _e8610 = global_6.member[_e444].member_7.member_1.member.member_2;
 let _e8617 = global_6.member[_e444].member_7.member_2.member.member;
 let _e8624 = global_6.member[_e444].member_7.member_2.member.member_1;
 let _e8631 = global_6.member[_e444].member_7.member_2.member.member_2;
-phi_21859_ = type_31(select(1e9f, _e7166, (_e7166 < 1e9f)), vec3<f32>(((((_e8575 * _e8564) + (_e8596 * _e8566)) + (_e8617 * _e8568)) * _e8562), ((((_e8582 * _e8564) + (_e8603 * _e8566)) + (_e8624 * _e8568)) * _e8562), ((((_e8589 * _e8564) + (_e8610 * _e8566)) + (_e8631 * _e8568)) * _e8562)), _e8547.member, vec3<f32>(((((_e8575 * _e8547.member_2.x) + (_e8596 * _e8547.member_2.y)) + (_e8617 * _e8547.member_2.z)) * _e8562), ((((_e8582 * _e8547.member_2.x) + (_e8603 * _e8547.member_2.y)) + (_e8624 * _e8547.member_2.z)) * _e8562), ((((_e8589 * _e8547.member_2.x) + (_e8610 * _e8547.member_2.y)) + (_e8631 * _e8547.member_2.z)) * _e8562)), vec3<f32>(((((_e8575 * _e8547.member_1.x) + (_e8596 * _e8547.member_1.y)) + (_e8617 * _e8547.member_1.z)) * _e8562), ((((_e8582 * _e8547.member_1.x) + (_e8603 * _e8547.member_1.y)) + (_e8624 * _e8547.member_1.z)) * _e8562), ((((_e8589 * _e8547.member_1.x) + (_e8610 * _e8547.member_1.y)) + (_e8631 * _e8547.member_1.z)) * _e8562)));
+phi_21859_ = type_32(select(1e9f, _e7166, (_e7166 < 1e9f)), vec3<f32>(((((_e8575 * _e8564) + (_e8596 * _e8566)) + (_e8617 * _e8568)) * _e8562), ((((_e8582 * _e8564) + (_e8603 * _e8566)) + (_e8624 * _e8568)) * _e8562), ((((_e8589 * _e8564) + (_e8610 * _e8566)) + (_e8631 * _e8568)) * _e8562)), _e8547.member, vec3<f32>(((((_e8575 * _e8547.member_2.x) + (_e8596 * _e8547.member_2.y)) + (_e8617 * _e8547.member_2.z)) * _e8562), ((((_e8582 * _e8547.member_2.x) + (_e8603 * _e8547.member_2.y)) + (_e8624 * _e8547.member_2.z)) * _e8562), ((((_e8589 * _e8547.member_2.x) + (_e8610 * _e8547.member_2.y)) + (_e8631 * _e8547.member_2.z)) * _e8562)), vec3<f32>(((((_e8575 * _e8547.member_1.x) + (_e8596 * _e8547.member_1.y)) + (_e8617 * _e8547.member_1.z)) * _e8562), ((((_e8582 * _e8547.member_1.x) + (_e8603 * _e8547.member_1.y)) + (_e8624 * _e8547.member_1.z)) * _e8562), ((((_e8589 * _e8547.member_1.x) + (_e8610 * _e8547.member_1.y)) + (_e8631 * _e8547.member_1.z)) * _e8562)));
 } else {
 let _e6717 = select(-0.5f, _e6685, (_e6685 > -0.5f));
 let _e6719 = select(_e619, _e6717, (_e6717 < _e619));
@@ -3081,7 +3081,7 @@ let _e6804 = (_e6798 + _e1499);
 let _e6805 = (_e6798 + _e1553);
 let _e6806 = (_e6800 + _e1504);
 let _e6807 = (_e6800 + _e1556);
-local_6 = type_29(array<i32, 4>(_e6795, (_e6795 + 1i), (_e6795 + 2i), (_e6795 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_30(array<i32, 4>(_e6795, (_e6795 + 1i), (_e6795 + 2i), (_e6795 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e6719 - f32(_e6742)), (_e6723 - f32(_e6757)), (_e6727 - f32(_e6772)));
 let _e6818 = (_e6806 + _e6804);
 let _e6821 = local_6.member[1u];
@@ -3135,7 +3135,7 @@ let _e6927 = local_7[1u];
 let _e6932 = local_7[2u];
 let _e6937 = (((_e6876 + (((_e6901 + (((_e6912 + ((bitcast<f32>(_e6921) - _e6912) * _e6923)) - _e6901) * _e6927)) - _e6876) * _e6932)) - _e1690) * _e1695);
 let _e6939 = select(_e1698, _e6937, (_e6937 > _e1698));
-phi_21859_ = type_31(select(1e9f, _e6939, (_e6939 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21859_ = type_32(select(1e9f, _e6939, (_e6939 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8697 = phi_21859_;
 let _e8700 = select(1f, select(1f, _e1437, (_e1437 < 1f)), _e541);
@@ -4072,7 +4072,7 @@ let _e12075 = select(select(select(select(select(select(0f, _e11814.member, _e11
 let _e12076 = select(select(select(select(select(select(0f, _e11814.member_1, _e11856), _e11814.member_1, _e11896), _e11823.member_1, _e11936), _e11823.member_1, _e11976), _e11832.member_1, _e12016), _e11832.member_1, _e12056);
 let _e12077 = select(select(select(select(select(select(1f, _e11814.member_2, _e11856), _e11814.member_2, _e11896), _e11823.member_2, _e11936), _e11823.member_2, _e11976), _e11832.member_2, _e12016), _e11832.member_2, _e12056);
 if _e8702 {
-phi_29290_ = type_32(_e12062, vec3<f32>(_e12063, _e12064, _e12065), _e12067, vec3<f32>(_e12068, _e12069, _e12070), _e12072, _e12074, vec3<f32>(_e12075, _e12076, _e12077));
+phi_29290_ = type_33(_e12062, vec3<f32>(_e12063, _e12064, _e12065), _e12067, vec3<f32>(_e12068, _e12069, _e12070), _e12072, _e12074, vec3<f32>(_e12075, _e12076, _e12077));
 } else {
 let _e12084 = (((_e11814.member * _e11814.member) + (_e11814.member_1 * _e11814.member_1)) + (_e11814.member_2 * _e11814.member_2));
 let _e12087 = sqrt(select(0f, _e12084, (_e12084 > 0f)));
@@ -4152,7 +4152,7 @@ let _e12383 = select(2f, select(0f, _e12375, (_e12355 < 0f)), (_e12356 > 0f));
 let _e12384 = (_e12355 > _e12319);
 let _e12388 = ((_e12379 > _e12311) || ((_e12379 == _e12311) && _e12384));
 let _e12389 = (_e12383 < _e12315);
-phi_29290_ = type_32(select(_e12311, _e12379, _e12388), vec3<f32>(select(select(select(select(_e12063, _e12125.member, _e12151), _e12204.member, _e12230), _e12283.member, _e12309), _e12362.member, _e12388), select(select(select(select(_e12064, _e12125.member_1, _e12151), _e12204.member_1, _e12230), _e12283.member_1, _e12309), _e12362.member_1, _e12388), select(select(select(select(_e12065, _e12125.member_2, _e12151), _e12204.member_2, _e12230), _e12283.member_2, _e12309), _e12362.member_2, _e12388)), select(_e12315, _e12383, _e12389), vec3<f32>(select(select(select(select(_e12068, _e12125.member, _e12152), _e12204.member, _e12231), _e12283.member, _e12310), _e12362.member, _e12389), select(select(select(select(_e12069, _e12125.member_1, _e12152), _e12204.member_1, _e12231), _e12283.member_1, _e12310), _e12362.member_1, _e12389), select(select(select(select(_e12070, _e12125.member_2, _e12152), _e12204.member_2, _e12231), _e12283.member_2, _e12310), _e12362.member_2, _e12389)), select(_e12319, _e12355, _e12384), select(_e12321, _e12356, (_e12356 > _e12321)), vec3<f32>(select(select(select(select(_e12075, _e12125.member, _e12147), _e12204.member, _e12226), _e12283.member, _e12305), _e12362.member, _e12384), select(select(select(select(_e12076, _e12125.member_1, _e12147), _e12204.member_1, _e12226), _e12283.member_1, _e12305), _e12362.member_1, _e12384), select(select(select(select(_e12077, _e12125.member_2, _e12147), _e12204.member_2, _e12226), _e12283.member_2, _e12305), _e12362.member_2, _e12384)));
+phi_29290_ = type_33(select(_e12311, _e12379, _e12388), vec3<f32>(select(select(select(select(_e12063, _e12125.member, _e12151), _e12204.member, _e12230), _e12283.member, _e12309), _e12362.member, _e12388), select(select(select(select(_e12064, _e12125.member_1, _e12151), _e12204.member_1, _e12230), _e12283.member_1, _e12309), _e12362.member_1, _e12388), select(select(select(select(_e12065, _e12125.member_2, _e12151), _e12204.member_2, _e12230), _e12283.member_2, _e12309), _e12362.member_2, _e12388)), select(_e12315, _e12383, _e12389), vec3<f32>(select(select(select(select(_e12068, _e12125.member, _e12152), _e12204.member, _e12231), _e12283.member, _e12310), _e12362.member, _e12389), select(select(select(select(_e12069, _e12125.member_1, _e12152), _e12204.member_1, _e12231), _e12283.member_1, _e12310), _e12362.member_1, _e12389), select(select(select(select(_e12070, _e12125.member_2, _e12152), _e12204.member_2, _e12231), _e12283.member_2, _e12310), _e12362.member_2, _e12389)), select(_e12319, _e12355, _e12384), select(_e12321, _e12356, (_e12356 > _e12321)), vec3<f32>(select(select(select(select(_e12075, _e12125.member, _e12147), _e12204.member, _e12226), _e12283.member, _e12305), _e12362.member, _e12384), select(select(select(select(_e12076, _e12125.member_1, _e12147), _e12204.member_1, _e12226), _e12283.member_1, _e12305), _e12362.member_1, _e12384), select(select(select(select(_e12077, _e12125.member_2, _e12147), _e12204.member_2, _e12226), _e12283.member_2, _e12305), _e12362.member_2, _e12384)));
 }
 let _e12409 = phi_29290_;
 let _e12416 = (_e8913.member_2 * select(0f, 1f, _e6668.member_6));

@@ -131,23 +131,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -156,7 +160,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -166,10 +170,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 struct type_35 {
 member: f32,
@@ -200,7 +200,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_29;
+var local_6: type_30;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -216,23 +216,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_29;
+var local_22: type_30;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_29;
+var local_26: type_30;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_29;
+var local_30: type_30;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_29;
+var local_34: type_30;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_29;
+var local_38: type_30;
 var local_39: vec3<f32>;
 var phi_640_: u32;
 var phi_643_: bool;
@@ -241,23 +241,23 @@ var phi_1396_: bool;
 var phi_1576_: bool;
 var phi_1579_: bool;
 var phi_3004_: f32;
-var phi_4606_: type_32;
+var phi_4606_: type_33;
 var phi_4619_: bool;
-var phi_4649_: type_34;
+var phi_4649_: type_27;
 var phi_4661_: bool;
 var phi_5873_: type_26;
-var phi_7396_: type_32;
+var phi_7396_: type_33;
 var phi_8640_: type_26;
-var phi_10178_: type_32;
+var phi_10178_: type_33;
 var phi_11422_: type_26;
-var phi_12960_: type_32;
+var phi_12960_: type_33;
 var phi_14708_: type_26;
-var phi_14721_: type_33;
+var phi_14721_: type_34;
 var phi_14722_: vec3<f32>;
 var phi_14723_: bool;
 var phi_14724_: f32;
-var phi_20431_: type_30;
-var phi_21210_: type_31;
+var phi_20431_: type_31;
+var phi_21210_: type_32;
 var phi_21623_: type_5;
 var phi_25784_: type_35;
 var phi_26540_: vec3<f32>;
@@ -265,7 +265,7 @@ var phi_26770_: type_25;
 var phi_26849_: f32;
 var phi_26850_: f32;
 var phi_27107_: vec3<f32>;
-var phi_28641_: type_32;
+var phi_28641_: type_33;
 var phi_28797_: vec3<f32>;
 var phi_28798_: bool;
 var phi_28958_: array<f32, 18>;
@@ -604,7 +604,7 @@ let _e1330 = (select(0i, _e1232, (_e1232 > 0i)) * _e1252);
 let _e1331 = (select(_e1265, _e1268, (_e1268 < _e1265)) * _e1252);
 let _e1332 = (select(0i, _e1247, (_e1247 > 0i)) * _e1257);
 let _e1333 = (select(_e1278, _e1281, (_e1281 < _e1278)) * _e1257);
-local_38 = type_29(array<i32, 4>(_e1307, _e1309, _e1311, 0i), array<u32, 6>(bitcast<u32>(((_e1294 - _e1307) * 16i)), bitcast<u32>(((_e1296 - _e1307) * 16i)), bitcast<u32>(((_e1296 - _e1309) * 16i)), bitcast<u32>(((_e1299 - _e1309) * 16i)), bitcast<u32>(((_e1299 - _e1311) * 16i)), bitcast<u32>(((select(_e1291, _e1300, (_e1300 < _e1291)) - _e1311) * 16i))));
+local_38 = type_30(array<i32, 4>(_e1307, _e1309, _e1311, 0i), array<u32, 6>(bitcast<u32>(((_e1294 - _e1307) * 16i)), bitcast<u32>(((_e1296 - _e1307) * 16i)), bitcast<u32>(((_e1296 - _e1309) * 16i)), bitcast<u32>(((_e1299 - _e1309) * 16i)), bitcast<u32>(((_e1299 - _e1311) * 16i)), bitcast<u32>(((select(_e1291, _e1300, (_e1300 < _e1291)) - _e1311) * 16i))));
 local_39 = vec3<f32>((_e1194 - f32(_e1217)), (_e1198 - f32(_e1232)), (_e1202 - f32(_e1247)));
 let _e1348 = local_38.member[1u];
 let _e1349 = ((_e1332 + _e1330) + _e1348);
@@ -745,7 +745,7 @@ let _e1789 = (_e473 - _e469);
 let _e1790 = (_e478 - _e463);
 let _e1795 = (((_e1788 * _e1788) + (_e1789 * _e1789)) + (_e1790 * _e1790));
 let _e1798 = sqrt(select(0f, _e1795, (_e1795 > 0f)));
-let _e1799 = type_33(type_26(1f, 1f), vec3<f32>(_e471, _e473, _e478), _e1122, _e1798, _e458, _e1122, true, false, false);
+let _e1799 = type_34(type_26(1f, 1f), vec3<f32>(_e471, _e473, _e478), _e1122, _e1798, _e458, _e1122, true, false, false);
 let _e1800 = (_e641 < 1e-12f);
 let _e1802 = (1f / select(_e636, 1f, _e1800));
 let _e1803 = (-0.5f - _e547);
@@ -897,7 +897,7 @@ let _e2160 = select(select(select(select(select(select(0f, _e1901.member_1, _e19
 let _e2161 = select(select(select(select(select(select(1f, _e1901.member_2, _e1942), _e1901.member_2, _e1982), _e1910.member_2, _e2021), _e1910.member_2, _e2061), _e1919.member_2, _e2100), _e1919.member_2, _e2140);
 let _e2165 = ((_e774 & 16u) == 0u);
 if _e2165 {
-phi_4606_ = type_32(_e2146, vec3<f32>(_e2147, _e2148, _e2149), _e2151, vec3<f32>(_e2152, _e2153, _e2154), _e2156, _e2158, vec3<f32>(_e2159, _e2160, _e2161));
+phi_4606_ = type_33(_e2146, vec3<f32>(_e2147, _e2148, _e2149), _e2151, vec3<f32>(_e2152, _e2153, _e2154), _e2156, _e2158, vec3<f32>(_e2159, _e2160, _e2161));
 } else {
 let _e2170 = (((_e1901.member * _e1901.member) + (_e1901.member_1 * _e1901.member_1)) + (_e1901.member_2 * _e1901.member_2));
 let _e2173 = sqrt(select(0f, _e2170, (_e2170 > 0f)));
@@ -977,7 +977,7 @@ let _e2469 = select(2f, select(0f, _e2461, (_e2441 < 0f)), (_e2442 > 0f));
 let _e2470 = (_e2441 > _e2405);
 let _e2474 = ((_e2465 > _e2397) || ((_e2465 == _e2397) && _e2470));
 let _e2475 = (_e2469 < _e2401);
-phi_4606_ = type_32(select(_e2397, _e2465, _e2474), vec3<f32>(select(select(select(select(_e2147, _e2211.member, _e2237), _e2290.member, _e2316), _e2369.member, _e2395), _e2448.member, _e2474), select(select(select(select(_e2148, _e2211.member_1, _e2237), _e2290.member_1, _e2316), _e2369.member_1, _e2395), _e2448.member_1, _e2474), select(select(select(select(_e2149, _e2211.member_2, _e2237), _e2290.member_2, _e2316), _e2369.member_2, _e2395), _e2448.member_2, _e2474)), select(_e2401, _e2469, _e2475), vec3<f32>(select(select(select(select(_e2152, _e2211.member, _e2238), _e2290.member, _e2317), _e2369.member, _e2396), _e2448.member, _e2475), select(select(select(select(_e2153, _e2211.member_1, _e2238), _e2290.member_1, _e2317), _e2369.member_1, _e2396), _e2448.member_1, _e2475), select(select(select(select(_e2154, _e2211.member_2, _e2238), _e2290.member_2, _e2317), _e2369.member_2, _e2396), _e2448.member_2, _e2475)), select(_e2405, _e2441, _e2470), select(_e2407, _e2442, (_e2442 > _e2407)), vec3<f32>(select(select(select(select(_e2159, _e2211.member, _e2233), _e2290.member, _e2312), _e2369.member, _e2391), _e2448.member, _e2470), select(select(select(select(_e2160, _e2211.member_1, _e2233), _e2290.member_1, _e2312), _e2369.member_1, _e2391), _e2448.member_1, _e2470), select(select(select(select(_e2161, _e2211.member_2, _e2233), _e2290.member_2, _e2312), _e2369.member_2, _e2391), _e2448.member_2, _e2470)));
+phi_4606_ = type_33(select(_e2397, _e2465, _e2474), vec3<f32>(select(select(select(select(_e2147, _e2211.member, _e2237), _e2290.member, _e2316), _e2369.member, _e2395), _e2448.member, _e2474), select(select(select(select(_e2148, _e2211.member_1, _e2237), _e2290.member_1, _e2316), _e2369.member_1, _e2395), _e2448.member_1, _e2474), select(select(select(select(_e2149, _e2211.member_2, _e2237), _e2290.member_2, _e2316), _e2369.member_2, _e2395), _e2448.member_2, _e2474)), select(_e2401, _e2469, _e2475), vec3<f32>(select(select(select(select(_e2152, _e2211.member, _e2238), _e2290.member, _e2317), _e2369.member, _e2396), _e2448.member, _e2475), select(select(select(select(_e2153, _e2211.member_1, _e2238), _e2290.member_1, _e2317), _e2369.member_1, _e2396), _e2448.member_1, _e2475), select(select(select(select(_e2154, _e2211.member_2, _e2238), _e2290.member_2, _e2317), _e2369.member_2, _e2396), _e2448.member_2, _e2475)), select(_e2405, _e2441, _e2470), select(_e2407, _e2442, (_e2442 > _e2407)), vec3<f32>(select(select(select(select(_e2159, _e2211.member, _e2233), _e2290.member, _e2312), _e2369.member, _e2391), _e2448.member, _e2470), select(select(select(select(_e2160, _e2211.member_1, _e2233), _e2290.member_1, _e2312), _e2369.member_1, _e2391), _e2448.member_1, _e2470), select(select(select(select(_e2161, _e2211.member_2, _e2233), _e2290.member_2, _e2312), _e2369.member_2, _e2391), _e2448.member_2, _e2470)));
 }
 let _e2495 = phi_4606_;
 if ((_e2495.member_4 > -(0.015625f)) && (_e2495.member_4 < 0.015625f)) {
@@ -992,9 +992,9 @@ let _e2508 = (_e438[3] * _e2507);
 let _e2509 = (_e438[4] * _e2507);
 let _e2510 = (_e438[5] * _e2507);
 if _e2504 {
-phi_4649_ = type_34(_e2495.member_2, _e2495.member_3);
+phi_4649_ = type_27(_e2495.member_2, _e2495.member_3);
 } else {
-phi_4649_ = type_34(_e2495.member, _e2495.member_1);
+phi_4649_ = type_27(_e2495.member, _e2495.member_1);
 }
 let _e2519 = phi_4649_;
 if _e2504 {
@@ -1043,7 +1043,7 @@ let _e2658 = (select(0i, _e2597, (_e2597 > 0i)) * _e1252);
 let _e2659 = (select(_e1265, _e2615, (_e2615 < _e1265)) * _e1252);
 let _e2660 = (select(0i, _e2612, (_e2612 > 0i)) * _e1257);
 let _e2661 = (select(_e1278, _e2620, (_e2620 < _e1278)) * _e1257);
-local_34 = type_29(array<i32, 4>(_e2635, _e2637, _e2639, 0i), array<u32, 6>(bitcast<u32>(((_e2625 - _e2635) * 16i)), bitcast<u32>(((_e2627 - _e2635) * 16i)), bitcast<u32>(((_e2627 - _e2637) * 16i)), bitcast<u32>(((_e2630 - _e2637) * 16i)), bitcast<u32>(((_e2630 - _e2639) * 16i)), bitcast<u32>(((select(_e1291, _e2631, (_e2631 < _e1291)) - _e2639) * 16i))));
+local_34 = type_30(array<i32, 4>(_e2635, _e2637, _e2639, 0i), array<u32, 6>(bitcast<u32>(((_e2625 - _e2635) * 16i)), bitcast<u32>(((_e2627 - _e2635) * 16i)), bitcast<u32>(((_e2627 - _e2637) * 16i)), bitcast<u32>(((_e2630 - _e2637) * 16i)), bitcast<u32>(((_e2630 - _e2639) * 16i)), bitcast<u32>(((select(_e1291, _e2631, (_e2631 < _e1291)) - _e2639) * 16i))));
 local_35 = vec3<f32>((_e2559 - f32(_e2582)), (_e2563 - f32(_e2597)), (_e2567 - f32(_e2612)));
 let _e2676 = local_34.member[1u];
 let _e2677 = ((_e2660 + _e2658) + _e2676);
@@ -1320,7 +1320,7 @@ let _e3443 = select(select(select(select(select(select(0f, _e1901.member, _e3224
 let _e3444 = select(select(select(select(select(select(0f, _e1901.member_1, _e3224), _e1901.member_1, _e3264), _e1910.member_1, _e3304), _e1910.member_1, _e3344), _e1919.member_1, _e3384), _e1919.member_1, _e3424);
 let _e3445 = select(select(select(select(select(select(1f, _e1901.member_2, _e3224), _e1901.member_2, _e3264), _e1910.member_2, _e3304), _e1910.member_2, _e3344), _e1919.member_2, _e3384), _e1919.member_2, _e3424);
 if _e2165 {
-phi_7396_ = type_32(_e3430, vec3<f32>(_e3431, _e3432, _e3433), _e3435, vec3<f32>(_e3436, _e3437, _e3438), _e3440, _e3442, vec3<f32>(_e3443, _e3444, _e3445));
+phi_7396_ = type_33(_e3430, vec3<f32>(_e3431, _e3432, _e3433), _e3435, vec3<f32>(_e3436, _e3437, _e3438), _e3440, _e3442, vec3<f32>(_e3443, _e3444, _e3445));
 } else {
 let _e3452 = (((_e1901.member * _e1901.member) + (_e1901.member_1 * _e1901.member_1)) + (_e1901.member_2 * _e1901.member_2));
 let _e3455 = sqrt(select(0f, _e3452, (_e3452 > 0f)));
@@ -1400,7 +1400,7 @@ let _e3751 = select(2f, select(0f, _e3743, (_e3723 < 0f)), (_e3724 > 0f));
 let _e3752 = (_e3723 > _e3687);
 let _e3756 = ((_e3747 > _e3679) || ((_e3747 == _e3679) && _e3752));
 let _e3757 = (_e3751 < _e3683);
-phi_7396_ = type_32(select(_e3679, _e3747, _e3756), vec3<f32>(select(select(select(select(_e3431, _e3493.member, _e3519), _e3572.member, _e3598), _e3651.member, _e3677), _e3730.member, _e3756), select(select(select(select(_e3432, _e3493.member_1, _e3519), _e3572.member_1, _e3598), _e3651.member_1, _e3677), _e3730.member_1, _e3756), select(select(select(select(_e3433, _e3493.member_2, _e3519), _e3572.member_2, _e3598), _e3651.member_2, _e3677), _e3730.member_2, _e3756)), select(_e3683, _e3751, _e3757), vec3<f32>(select(select(select(select(_e3436, _e3493.member, _e3520), _e3572.member, _e3599), _e3651.member, _e3678), _e3730.member, _e3757), select(select(select(select(_e3437, _e3493.member_1, _e3520), _e3572.member_1, _e3599), _e3651.member_1, _e3678), _e3730.member_1, _e3757), select(select(select(select(_e3438, _e3493.member_2, _e3520), _e3572.member_2, _e3599), _e3651.member_2, _e3678), _e3730.member_2, _e3757)), select(_e3687, _e3723, _e3752), select(_e3689, _e3724, (_e3724 > _e3689)), vec3<f32>(select(select(select(select(_e3443, _e3493.member, _e3515), _e3572.member, _e3594), _e3651.member, _e3673), _e3730.member, _e3752), select(select(select(select(_e3444, _e3493.member_1, _e3515), _e3572.member_1, _e3594), _e3651.member_1, _e3673), _e3730.member_1, _e3752), select(select(select(select(_e3445, _e3493.member_2, _e3515), _e3572.member_2, _e3594), _e3651.member_2, _e3673), _e3730.member_2, _e3752)));
+phi_7396_ = type_33(select(_e3679, _e3747, _e3756), vec3<f32>(select(select(select(select(_e3431, _e3493.member, _e3519), _e3572.member, _e3598), _e3651.member, _e3677), _e3730.member, _e3756), select(select(select(select(_e3432, _e3493.member_1, _e3519), _e3572.member_1, _e3598), _e3651.member_1, _e3677), _e3730.member_1, _e3756), select(select(select(select(_e3433, _e3493.member_2, _e3519), _e3572.member_2, _e3598), _e3651.member_2, _e3677), _e3730.member_2, _e3756)), select(_e3683, _e3751, _e3757), vec3<f32>(select(select(select(select(_e3436, _e3493.member, _e3520), _e3572.member, _e3599), _e3651.member, _e3678), _e3730.member, _e3757), select(select(select(select(_e3437, _e3493.member_1, _e3520), _e3572.member_1, _e3599), _e3651.member_1, _e3678), _e3730.member_1, _e3757), select(select(select(select(_e3438, _e3493.member_2, _e3520), _e3572.member_2, _e3599), _e3651.member_2, _e3678), _e3730.member_2, _e3757)), select(_e3687, _e3723, _e3752), select(_e3689, _e3724, (_e3724 > _e3689)), vec3<f32>(select(select(select(select(_e3443, _e3493.member, _e3515), _e3572.member, _e3594), _e3651.member, _e3673), _e3730.member, _e3752), select(select(select(select(_e3444, _e3493.member_1, _e3515), _e3572.member_1, _e3594), _e3651.member_1, _e3673), _e3730.member_1, _e3752), select(select(select(select(_e3445, _e3493.member_2, _e3515), _e3572.member_2, _e3594), _e3651.member_2, _e3673), _e3730.member_2, _e3752)));
 }
 let _e3777 = phi_7396_;
 let _e3783 = (((_e2527 && _e3185) && !(_e3170)) && (_e3777.member_2 <= 1f));
@@ -1449,7 +1449,7 @@ let _e3917 = (select(0i, _e3856, (_e3856 > 0i)) * _e1252);
 let _e3918 = (select(_e1265, _e3874, (_e3874 < _e1265)) * _e1252);
 let _e3919 = (select(0i, _e3871, (_e3871 > 0i)) * _e1257);
 let _e3920 = (select(_e1278, _e3879, (_e3879 < _e1278)) * _e1257);
-local_30 = type_29(array<i32, 4>(_e3894, _e3896, _e3898, 0i), array<u32, 6>(bitcast<u32>(((_e3884 - _e3894) * 16i)), bitcast<u32>(((_e3886 - _e3894) * 16i)), bitcast<u32>(((_e3886 - _e3896) * 16i)), bitcast<u32>(((_e3889 - _e3896) * 16i)), bitcast<u32>(((_e3889 - _e3898) * 16i)), bitcast<u32>(((select(_e1291, _e3890, (_e3890 < _e1291)) - _e3898) * 16i))));
+local_30 = type_30(array<i32, 4>(_e3894, _e3896, _e3898, 0i), array<u32, 6>(bitcast<u32>(((_e3884 - _e3894) * 16i)), bitcast<u32>(((_e3886 - _e3894) * 16i)), bitcast<u32>(((_e3886 - _e3896) * 16i)), bitcast<u32>(((_e3889 - _e3896) * 16i)), bitcast<u32>(((_e3889 - _e3898) * 16i)), bitcast<u32>(((select(_e1291, _e3890, (_e3890 < _e1291)) - _e3898) * 16i))));
 local_31 = vec3<f32>((_e3818 - f32(_e3841)), (_e3822 - f32(_e3856)), (_e3826 - f32(_e3871)));
 let _e3935 = local_30.member[1u];
 let _e3936 = ((_e3919 + _e3917) + _e3935);
@@ -1681,7 +1681,7 @@ let _e4596 = select(select(select(select(select(select(0f, _e1901.member, _e4377
 let _e4597 = select(select(select(select(select(select(0f, _e1901.member_1, _e4377), _e1901.member_1, _e4417), _e1910.member_1, _e4457), _e1910.member_1, _e4497), _e1919.member_1, _e4537), _e1919.member_1, _e4577);
 let _e4598 = select(select(select(select(select(select(1f, _e1901.member_2, _e4377), _e1901.member_2, _e4417), _e1910.member_2, _e4457), _e1910.member_2, _e4497), _e1919.member_2, _e4537), _e1919.member_2, _e4577);
 if _e2165 {
-phi_10178_ = type_32(_e4583, vec3<f32>(_e4584, _e4585, _e4586), _e4588, vec3<f32>(_e4589, _e4590, _e4591), _e4593, _e4595, vec3<f32>(_e4596, _e4597, _e4598));
+phi_10178_ = type_33(_e4583, vec3<f32>(_e4584, _e4585, _e4586), _e4588, vec3<f32>(_e4589, _e4590, _e4591), _e4593, _e4595, vec3<f32>(_e4596, _e4597, _e4598));
 } else {
 let _e4605 = (((_e1901.member * _e1901.member) + (_e1901.member_1 * _e1901.member_1)) + (_e1901.member_2 * _e1901.member_2));
 let _e4608 = sqrt(select(0f, _e4605, (_e4605 > 0f)));
@@ -1761,7 +1761,7 @@ let _e4904 = select(2f, select(0f, _e4896, (_e4876 < 0f)), (_e4877 > 0f));
 let _e4905 = (_e4876 > _e4840);
 let _e4909 = ((_e4900 > _e4832) || ((_e4900 == _e4832) && _e4905));
 let _e4910 = (_e4904 < _e4836);
-phi_10178_ = type_32(select(_e4832, _e4900, _e4909), vec3<f32>(select(select(select(select(_e4584, _e4646.member, _e4672), _e4725.member, _e4751), _e4804.member, _e4830), _e4883.member, _e4909), select(select(select(select(_e4585, _e4646.member_1, _e4672), _e4725.member_1, _e4751), _e4804.member_1, _e4830), _e4883.member_1, _e4909), select(select(select(select(_e4586, _e4646.member_2, _e4672), _e4725.member_2, _e4751), _e4804.member_2, _e4830), _e4883.member_2, _e4909)), select(_e4836, _e4904, _e4910), vec3<f32>(select(select(select(select(_e4589, _e4646.member, _e4673), _e4725.member, _e4752), _e4804.member, _e4831), _e4883.member, _e4910), select(select(select(select(_e4590, _e4646.member_1, _e4673), _e4725.member_1, _e4752), _e4804.member_1, _e4831), _e4883.member_1, _e4910), select(select(select(select(_e4591, _e4646.member_2, _e4673), _e4725.member_2, _e4752), _e4804.member_2, _e4831), _e4883.member_2, _e4910)), select(_e4840, _e4876, _e4905), select(_e4842, _e4877, (_e4877 > _e4842)), vec3<f32>(select(select(select(select(_e4596, _e4646.member, _e4668), _e4725.member, _e4747), _e4804.member, _e4826), _e4883.member, _e4905), select(select(select(select(_e4597, _e4646.member_1, _e4668), _e4725.member_1, _e4747), _e4804.member_1, _e4826), _e4883.member_1, _e4905), select(select(select(select(_e4598, _e4646.member_2, _e4668), _e4725.member_2, _e4747), _e4804.member_2, _e4826), _e4883.member_2, _e4905)));
+phi_10178_ = type_33(select(_e4832, _e4900, _e4909), vec3<f32>(select(select(select(select(_e4584, _e4646.member, _e4672), _e4725.member, _e4751), _e4804.member, _e4830), _e4883.member, _e4909), select(select(select(select(_e4585, _e4646.member_1, _e4672), _e4725.member_1, _e4751), _e4804.member_1, _e4830), _e4883.member_1, _e4909), select(select(select(select(_e4586, _e4646.member_2, _e4672), _e4725.member_2, _e4751), _e4804.member_2, _e4830), _e4883.member_2, _e4909)), select(_e4836, _e4904, _e4910), vec3<f32>(select(select(select(select(_e4589, _e4646.member, _e4673), _e4725.member, _e4752), _e4804.member, _e4831), _e4883.member, _e4910), select(select(select(select(_e4590, _e4646.member_1, _e4673), _e4725.member_1, _e4752), _e4804.member_1, _e4831), _e4883.member_1, _e4910), select(select(select(select(_e4591, _e4646.member_2, _e4673), _e4725.member_2, _e4752), _e4804.member_2, _e4831), _e4883.member_2, _e4910)), select(_e4840, _e4876, _e4905), select(_e4842, _e4877, (_e4877 > _e4842)), vec3<f32>(select(select(select(select(_e4596, _e4646.member, _e4668), _e4725.member, _e4747), _e4804.member, _e4826), _e4883.member, _e4905), select(select(select(select(_e4597, _e4646.member_1, _e4668), _e4725.member_1, _e4747), _e4804.member_1, _e4826), _e4883.member_1, _e4905), select(select(select(select(_e4598, _e4646.member_2, _e4668), _e4725.member_2, _e4747), _e4804.member_2, _e4826), _e4883.member_2, _e4905)));
 }
 let _e4930 = phi_10178_;
 let _e4936 = (((_e3783 && _e4317) && !(_e4301)) && (_e4930.member_2 <= 1f));
@@ -1809,7 +1809,7 @@ let _e5070 = (select(0i, _e5009, (_e5009 > 0i)) * _e1252);
 let _e5071 = (select(_e1265, _e5027, (_e5027 < _e1265)) * _e1252);
 let _e5072 = (select(0i, _e5024, (_e5024 > 0i)) * _e1257);
 let _e5073 = (select(_e1278, _e5032, (_e5032 < _e1278)) * _e1257);
-local_26 = type_29(array<i32, 4>(_e5047, _e5049, _e5051, 0i), array<u32, 6>(bitcast<u32>(((_e5037 - _e5047) * 16i)), bitcast<u32>(((_e5039 - _e5047) * 16i)), bitcast<u32>(((_e5039 - _e5049) * 16i)), bitcast<u32>(((_e5042 - _e5049) * 16i)), bitcast<u32>(((_e5042 - _e5051) * 16i)), bitcast<u32>(((select(_e1291, _e5043, (_e5043 < _e1291)) - _e5051) * 16i))));
+local_26 = type_30(array<i32, 4>(_e5047, _e5049, _e5051, 0i), array<u32, 6>(bitcast<u32>(((_e5037 - _e5047) * 16i)), bitcast<u32>(((_e5039 - _e5047) * 16i)), bitcast<u32>(((_e5039 - _e5049) * 16i)), bitcast<u32>(((_e5042 - _e5049) * 16i)), bitcast<u32>(((_e5042 - _e5051) * 16i)), bitcast<u32>(((select(_e1291, _e5043, (_e5043 < _e1291)) - _e5051) * 16i))));
 local_27 = vec3<f32>((_e4971 - f32(_e4994)), (_e4975 - f32(_e5009)), (_e4979 - f32(_e5024)));
 let _e5088 = local_26.member[1u];
 let _e5089 = ((_e5072 + _e5070) + _e5088);
@@ -2041,7 +2041,7 @@ let _e5750 = select(select(select(select(select(select(0f, _e1901.member, _e5531
 let _e5751 = select(select(select(select(select(select(0f, _e1901.member_1, _e5531), _e1901.member_1, _e5571), _e1910.member_1, _e5611), _e1910.member_1, _e5651), _e1919.member_1, _e5691), _e1919.member_1, _e5731);
 let _e5752 = select(select(select(select(select(select(1f, _e1901.member_2, _e5531), _e1901.member_2, _e5571), _e1910.member_2, _e5611), _e1910.member_2, _e5651), _e1919.member_2, _e5691), _e1919.member_2, _e5731);
 if _e2165 {
-phi_12960_ = type_32(_e5737, vec3<f32>(_e5738, _e5739, _e5740), _e5742, vec3<f32>(_e5743, _e5744, _e5745), _e5747, _e5749, vec3<f32>(_e5750, _e5751, _e5752));
+phi_12960_ = type_33(_e5737, vec3<f32>(_e5738, _e5739, _e5740), _e5742, vec3<f32>(_e5743, _e5744, _e5745), _e5747, _e5749, vec3<f32>(_e5750, _e5751, _e5752));
 } else {
 let _e5759 = (((_e1901.member * _e1901.member) + (_e1901.member_1 * _e1901.member_1)) + (_e1901.member_2 * _e1901.member_2));
 let _e5762 = sqrt(select(0f, _e5759, (_e5759 > 0f)));
@@ -2121,7 +2121,7 @@ let _e6058 = select(2f, select(0f, _e6050, (_e6030 < 0f)), (_e6031 > 0f));
 let _e6059 = (_e6030 > _e5994);
 let _e6063 = ((_e6054 > _e5986) || ((_e6054 == _e5986) && _e6059));
 let _e6064 = (_e6058 < _e5990);
-phi_12960_ = type_32(select(_e5986, _e6054, _e6063), vec3<f32>(select(select(select(select(_e5738, _e5800.member, _e5826), _e5879.member, _e5905), _e5958.member, _e5984), _e6037.member, _e6063), select(select(select(select(_e5739, _e5800.member_1, _e5826), _e5879.member_1, _e5905), _e5958.member_1, _e5984), _e6037.member_1, _e6063), select(select(select(select(_e5740, _e5800.member_2, _e5826), _e5879.member_2, _e5905), _e5958.member_2, _e5984), _e6037.member_2, _e6063)), select(_e5990, _e6058, _e6064), vec3<f32>(select(select(select(select(_e5743, _e5800.member, _e5827), _e5879.member, _e5906), _e5958.member, _e5985), _e6037.member, _e6064), select(select(select(select(_e5744, _e5800.member_1, _e5827), _e5879.member_1, _e5906), _e5958.member_1, _e5985), _e6037.member_1, _e6064), select(select(select(select(_e5745, _e5800.member_2, _e5827), _e5879.member_2, _e5906), _e5958.member_2, _e5985), _e6037.member_2, _e6064)), select(_e5994, _e6030, _e6059), select(_e5996, _e6031, (_e6031 > _e5996)), vec3<f32>(select(select(select(select(_e5750, _e5800.member, _e5822), _e5879.member, _e5901), _e5958.member, _e5980), _e6037.member, _e6059), select(select(select(select(_e5751, _e5800.member_1, _e5822), _e5879.member_1, _e5901), _e5958.member_1, _e5980), _e6037.member_1, _e6059), select(select(select(select(_e5752, _e5800.member_2, _e5822), _e5879.member_2, _e5901), _e5958.member_2, _e5980), _e6037.member_2, _e6059)));
+phi_12960_ = type_33(select(_e5986, _e6054, _e6063), vec3<f32>(select(select(select(select(_e5738, _e5800.member, _e5826), _e5879.member, _e5905), _e5958.member, _e5984), _e6037.member, _e6063), select(select(select(select(_e5739, _e5800.member_1, _e5826), _e5879.member_1, _e5905), _e5958.member_1, _e5984), _e6037.member_1, _e6063), select(select(select(select(_e5740, _e5800.member_2, _e5826), _e5879.member_2, _e5905), _e5958.member_2, _e5984), _e6037.member_2, _e6063)), select(_e5990, _e6058, _e6064), vec3<f32>(select(select(select(select(_e5743, _e5800.member, _e5827), _e5879.member, _e5906), _e5958.member, _e5985), _e6037.member, _e6064), select(select(select(select(_e5744, _e5800.member_1, _e5827), _e5879.member_1, _e5906), _e5958.member_1, _e5985), _e6037.member_1, _e6064), select(select(select(select(_e5745, _e5800.member_2, _e5827), _e5879.member_2, _e5906), _e5958.member_2, _e5985), _e6037.member_2, _e6064)), select(_e5994, _e6030, _e6059), select(_e5996, _e6031, (_e6031 > _e5996)), vec3<f32>(select(select(select(select(_e5750, _e5800.member, _e5822), _e5879.member, _e5901), _e5958.member, _e5980), _e6037.member, _e6059), select(select(select(select(_e5751, _e5800.member_1, _e5822), _e5879.member_1, _e5901), _e5958.member_1, _e5980), _e6037.member_1, _e6059), select(select(select(select(_e5752, _e5800.member_2, _e5822), _e5879.member_2, _e5901), _e5958.member_2, _e5980), _e6037.member_2, _e6059)));
 }
 let _e6084 = phi_12960_;
 let _e6090 = (((_e4936 && _e5471) && !(_e5455)) && (_e6084.member_2 <= 1f));
@@ -2292,12 +2292,12 @@ phi_14708_ = _e3098;
 phi_14708_ = _e4235;
 }
 let _e6530 = phi_14708_;
-phi_14721_ = type_33(_e6530, vec3<f32>(select(_e5466, _e4949.x, _e6090), select(_e5467, _e4949.y, _e6090), select(_e5468, _e4949.z, _e6090)), vec3<f32>(_e5440, _e5441, _e5442), select(_e1886, ((((sqrt(select(0f, _e6098, (_e6098 > 0f))) * select(0f, _e6179, (_e6179 > 0f))) + (sqrt(select(0f, _e6190, (_e6190 > 0f))) * select(0f, _e6286, (_e6286 > 0f)))) + (sqrt(select(0f, _e6298, (_e6298 > 0f))) * select(0f, _e6394, (_e6394 > 0f)))) + select(0f, (sqrt(select(0f, _e6406, (_e6406 > 0f))) * select(0f, _e6502, (_e6502 > 0f))), _e4936)), _e6509), select((_e457 / _e5442), (2f * (_e3787 / _e3152)), (((_e2527 && !(_e2504)) && _e3185) && !(_e3783))), select(_e3777.member_3, _e2519.member_1, vec3(_e3166)), _e5471, _e6509, (((_e3170 || _e4301) || _e5455) || _e6090));
+phi_14721_ = type_34(_e6530, vec3<f32>(select(_e5466, _e4949.x, _e6090), select(_e5467, _e4949.y, _e6090), select(_e5468, _e4949.z, _e6090)), vec3<f32>(_e5440, _e5441, _e5442), select(_e1886, ((((sqrt(select(0f, _e6098, (_e6098 > 0f))) * select(0f, _e6179, (_e6179 > 0f))) + (sqrt(select(0f, _e6190, (_e6190 > 0f))) * select(0f, _e6286, (_e6286 > 0f)))) + (sqrt(select(0f, _e6298, (_e6298 > 0f))) * select(0f, _e6394, (_e6394 > 0f)))) + select(0f, (sqrt(select(0f, _e6406, (_e6406 > 0f))) * select(0f, _e6502, (_e6502 > 0f))), _e4936)), _e6509), select((_e457 / _e5442), (2f * (_e3787 / _e3152)), (((_e2527 && !(_e2504)) && _e3185) && !(_e3783))), select(_e3777.member_3, _e2519.member_1, vec3(_e3166)), _e5471, _e6509, (((_e3170 || _e4301) || _e5455) || _e6090));
 phi_14722_ = vec3<f32>(_e2508, _e2509, _e2510);
 phi_14723_ = _e2504;
 phi_14724_ = _e2505;
 } else {
-phi_14721_ = type_33(_e1799.member, _e1799.member_1, _e1799.member_2, _e1886, _e1799.member_4, _e1799.member_5, _e1799.member_6, _e1799.member_7, _e1799.member_8);
+phi_14721_ = type_34(_e1799.member, _e1799.member_1, _e1799.member_2, _e1886, _e1799.member_4, _e1799.member_5, _e1799.member_6, _e1799.member_7, _e1799.member_8);
 phi_14722_ = _e1122;
 phi_14723_ = true;
 phi_14724_ = _e1787;
@@ -2351,7 +2351,7 @@ let _e7029 = (select(0i, _e6979, (_e6979 > 0i)) * _e1257);
 let _e7030 = (select(0i, _e6967, (_e6967 > 0i)) * _e1257);
 let _e7031 = (select(_e1278, _e6984, (_e6984 < _e1278)) * _e1257);
 let _e7032 = (select(_e1278, _e6987, (_e6987 < _e1278)) * _e1257);
-local_22 = type_29(array<i32, 4>(_e7002, _e7004, _e7006, 0i), array<u32, 6>(bitcast<u32>(((_e6992 - _e7002) * 16i)), bitcast<u32>(((_e6994 - _e7002) * 16i)), bitcast<u32>(((_e6994 - _e7004) * 16i)), bitcast<u32>(((_e6997 - _e7004) * 16i)), bitcast<u32>(((_e6997 - _e7006) * 16i)), bitcast<u32>(((select(_e1291, _e6998, (_e6998 < _e1291)) - _e7006) * 16i))));
+local_22 = type_30(array<i32, 4>(_e7002, _e7004, _e7006, 0i), array<u32, 6>(bitcast<u32>(((_e6992 - _e7002) * 16i)), bitcast<u32>(((_e6994 - _e7002) * 16i)), bitcast<u32>(((_e6994 - _e7004) * 16i)), bitcast<u32>(((_e6997 - _e7004) * 16i)), bitcast<u32>(((_e6997 - _e7006) * 16i)), bitcast<u32>(((select(_e1291, _e6998, (_e6998 < _e1291)) - _e7006) * 16i))));
 local_23 = vec3<f32>((_e6914 - f32(_e6937)), (_e6918 - f32(_e6952)), (_e6922 - f32(_e6967)));
 let _e7044 = (_e7030 + _e7026);
 let _e7047 = local_22.member[0u];
@@ -2735,7 +2735,7 @@ if _e806 {
 let _e8694 = ((0.5f * (_e7985 - _e7979)) * _e8243);
 let _e8695 = ((0.5f * (_e7997 - _e7991)) * _e8243);
 let _e8696 = ((0.5f * (_e8009 - _e8003)) * _e8243);
-phi_20431_ = type_30(_e8205, vec3<f32>(_e8694, _e8695, _e8696), vec3<f32>((_e8694 * _e8205), (_e8695 * _e8205), (_e8696 * _e8205)));
+phi_20431_ = type_31(_e8205, vec3<f32>(_e8694, _e8695, _e8696), vec3<f32>((_e8694 * _e8205), (_e8695 * _e8205), (_e8696 * _e8205)));
 } else {
 local_18 = _e7979;
 let _e8244 = local_18;
@@ -2884,7 +2884,7 @@ let _e8669 = ((_e8190 + (f32(bitcast<i32>((_e8654 >> bitcast<u32>(12u)))) * _e81
 let _e8670 = (_e8385 - _e8314);
 let _e8672 = (_e8527 - _e8456);
 let _e8674 = (_e8669 - _e8598);
-phi_20431_ = type_30(_e8205, vec3<f32>((0.5f * _e8670), (0.5f * _e8672), (0.5f * _e8674)), vec3<f32>((0.25f * (_e8670 * (_e8385 + _e8314))), (0.25f * (_e8672 * (_e8527 + _e8456))), (0.25f * (_e8674 * (_e8669 + _e8598)))));
+phi_20431_ = type_31(_e8205, vec3<f32>((0.5f * _e8670), (0.5f * _e8672), (0.5f * _e8674)), vec3<f32>((0.25f * (_e8670 * (_e8385 + _e8314))), (0.25f * (_e8672 * (_e8527 + _e8456))), (0.25f * (_e8674 * (_e8669 + _e8598)))));
 }
 let _e8704 = phi_20431_;
 let _e8719 = select(0f, 1f, ((((((_e6550 >= -0.5f) && (_e6550 <= _e609)) && (_e6556 >= -0.5f)) && (_e6556 <= _e620)) && (_e6562 >= -0.5f)) && (_e6562 <= _e631)));
@@ -2900,7 +2900,7 @@ let _e8767 = global_5.member[_e434].member_6.member_1.member.member_2;
 let _e8774 = global_5.member[_e434].member_6.member_2.member.member;
 let _e8781 = global_5.member[_e434].member_6.member_2.member.member_1;
 let _e8788 = global_5.member[_e434].member_6.member_2.member.member_2;
-phi_21210_ = type_31(_e7973, vec3<f32>(((((_e8732 * _e8721) + (_e8753 * _e8723)) + (_e8774 * _e8725)) * _e8719), ((((_e8739 * _e8721) + (_e8760 * _e8723)) + (_e8781 * _e8725)) * _e8719), ((((_e8746 * _e8721) + (_e8767 * _e8723)) + (_e8788 * _e8725)) * _e8719)), _e8704.member, vec3<f32>(((((_e8732 * _e8704.member_2.x) + (_e8753 * _e8704.member_2.y)) + (_e8774 * _e8704.member_2.z)) * _e8719), ((((_e8739 * _e8704.member_2.x) + (_e8760 * _e8704.member_2.y)) + (_e8781 * _e8704.member_2.z)) * _e8719), ((((_e8746 * _e8704.member_2.x) + (_e8767 * _e8704.member_2.y)) + (_e8788 * _e8704.member_2.z)) * _e8719)), vec3<f32>(((((_e8732 * _e8704.member_1.x) + (_e8753 * _e8704.member_1.y)) + (_e8774 * _e8704.member_1.z)) * _e8719), ((((_e8739 * _e8704.member_1.x) + (_e8760 * _e8704.member_1.y)) + (_e8781 * _e8704.member_1.z)) * _e8719), ((((_e8746 * _e8704.member_1.x) + (_e8767 * _e8704.member_1.y)) + (_e8788 * _e8704.member_1.z)) * _e8719)));
+phi_21210_ = type_32(_e7973, vec3<f32>(((((_e8732 * _e8721) + (_e8753 * _e8723)) + (_e8774 * _e8725)) * _e8719), ((((_e8739 * _e8721) + (_e8760 * _e8723)) + (_e8781 * _e8725)) * _e8719), ((((_e8746 * _e8721) + (_e8767 * _e8723)) + (_e8788 * _e8725)) * _e8719)), _e8704.member, vec3<f32>(((((_e8732 * _e8704.member_2.x) + (_e8753 * _e8704.member_2.y)) + (_e8774 * _e8704.member_2.z)) * _e8719), ((((_e8739 * _e8704.member_2.x) + (_e8760 * _e8704.member_2.y)) + (_e8781 * _e8704.member_2.z)) * _e8719), ((((_e8746 * _e8704.member_2.x) + (_e8767 * _e8704.member_2.y)) + (_e8788 * _e8704.member_2.z)) * _e8719)), vec3<f32>(((((_e8732 * _e8704.member_1.x) + (_e8753 * _e8704.member_1.y)) + (_e8774 * _e8704.member_1.z)) * _e8719), ((((_e8739 * _e8704.member_1.x) + (_e8760 * _e8704.member_1.y)) + (_e8781 * _e8704.member_1.z)) * _e8719), ((((_e8746 * _e8704.member_1.x) + (_e8767 * _e8704.member_1.y)) + (_e8788 * _e8704.member_1.z)) * _e8719)));
 } else {
 let _e6564 = select(-0.5f, _e6550, (_e6550 > -0.5f));
 let _e6566 = select(_e609, _e6564, (_e6564 < _e609));
@@ -2935,7 +2935,7 @@ let _e6665 = (select(0i, _e6604, (_e6604 > 0i)) * _e1252);
 let _e6666 = (select(_e1265, _e6622, (_e6622 < _e1265)) * _e1252);
 let _e6667 = (select(0i, _e6619, (_e6619 > 0i)) * _e1257);
 let _e6668 = (select(_e1278, _e6627, (_e6627 < _e1278)) * _e1257);
-local_6 = type_29(array<i32, 4>(_e6642, _e6644, _e6646, 0i), array<u32, 6>(bitcast<u32>(((_e6632 - _e6642) * 16i)), bitcast<u32>(((_e6634 - _e6642) * 16i)), bitcast<u32>(((_e6634 - _e6644) * 16i)), bitcast<u32>(((_e6637 - _e6644) * 16i)), bitcast<u32>(((_e6637 - _e6646) * 16i)), bitcast<u32>(((select(_e1291, _e6638, (_e6638 < _e1291)) - _e6646) * 16i))));
+local_6 = type_30(array<i32, 4>(_e6642, _e6644, _e6646, 0i), array<u32, 6>(bitcast<u32>(((_e6632 - _e6642) * 16i)), bitcast<u32>(((_e6634 - _e6642) * 16i)), bitcast<u32>(((_e6634 - _e6644) * 16i)), bitcast<u32>(((_e6637 - _e6644) * 16i)), bitcast<u32>(((_e6637 - _e6646) * 16i)), bitcast<u32>(((select(_e1291, _e6638, (_e6638 < _e1291)) - _e6646) * 16i))));
 local_7 = vec3<f32>((_e6566 - f32(_e6589)), (_e6570 - f32(_e6604)), (_e6574 - f32(_e6619)));
 let _e6683 = local_6.member[1u];
 let _e6684 = ((_e6667 + _e6665) + _e6683);
@@ -3001,7 +3001,7 @@ let _e6895 = local_7[1u];
 let _e6900 = local_7[2u];
 let _e6905 = (((_e6792 + (((_e6843 + (((_e6883 + ((f32(bitcast<i32>(((_e6876 >> bitcast<u32>((_e6884 & 31u))) & 65535u))) - _e6883) * _e6891)) - _e6843) * _e6895)) - _e6792) * _e6900)) - _e1575) * _e1580);
 let _e6907 = select(_e1583, _e6905, (_e6905 > _e1583));
-phi_21210_ = type_31(select(1e9f, _e6907, (_e6907 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21210_ = type_32(select(1e9f, _e6907, (_e6907 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8854 = phi_21210_;
 let _e8857 = select(1f, select(1f, _e1190, (_e1190 < 1f)), _e531);
@@ -3938,7 +3938,7 @@ let _e12232 = select(select(select(select(select(select(0f, _e11971.member, _e12
 let _e12233 = select(select(select(select(select(select(0f, _e11971.member_1, _e12013), _e11971.member_1, _e12053), _e11980.member_1, _e12093), _e11980.member_1, _e12133), _e11989.member_1, _e12173), _e11989.member_1, _e12213);
 let _e12234 = select(select(select(select(select(select(1f, _e11971.member_2, _e12013), _e11971.member_2, _e12053), _e11980.member_2, _e12093), _e11980.member_2, _e12133), _e11989.member_2, _e12173), _e11989.member_2, _e12213);
 if _e8859 {
-phi_28641_ = type_32(_e12219, vec3<f32>(_e12220, _e12221, _e12222), _e12224, vec3<f32>(_e12225, _e12226, _e12227), _e12229, _e12231, vec3<f32>(_e12232, _e12233, _e12234));
+phi_28641_ = type_33(_e12219, vec3<f32>(_e12220, _e12221, _e12222), _e12224, vec3<f32>(_e12225, _e12226, _e12227), _e12229, _e12231, vec3<f32>(_e12232, _e12233, _e12234));
 } else {
 let _e12241 = (((_e11971.member * _e11971.member) + (_e11971.member_1 * _e11971.member_1)) + (_e11971.member_2 * _e11971.member_2));
 let _e12244 = sqrt(select(0f, _e12241, (_e12241 > 0f)));
@@ -4018,7 +4018,7 @@ let _e12540 = select(2f, select(0f, _e12532, (_e12512 < 0f)), (_e12513 > 0f));
 let _e12541 = (_e12512 > _e12476);
 let _e12545 = ((_e12536 > _e12468) || ((_e12536 == _e12468) && _e12541));
 let _e12546 = (_e12540 < _e12472);
-phi_28641_ = type_32(select(_e12468, _e12536, _e12545), vec3<f32>(select(select(select(select(_e12220, _e12282.member, _e12308), _e12361.member, _e12387), _e12440.member, _e12466), _e12519.member, _e12545), select(select(select(select(_e12221, _e12282.member_1, _e12308), _e12361.member_1, _e12387), _e12440.member_1, _e12466), _e12519.member_1, _e12545), select(select(select(select(_e12222, _e12282.member_2, _e12308), _e12361.member_2, _e12387), _e12440.member_2, _e12466), _e12519.member_2, _e12545)), select(_e12472, _e12540, _e12546), vec3<f32>(select(select(select(select(_e12225, _e12282.member, _e12309), _e12361.member, _e12388), _e12440.member, _e12467), _e12519.member, _e12546), select(select(select(select(_e12226, _e12282.member_1, _e12309), _e12361.member_1, _e12388), _e12440.member_1, _e12467), _e12519.member_1, _e12546), select(select(select(select(_e12227, _e12282.member_2, _e12309), _e12361.member_2, _e12388), _e12440.member_2, _e12467), _e12519.member_2, _e12546)), select(_e12476, _e12512, _e12541), select(_e12478, _e12513, (_e12513 > _e12478)), vec3<f32>(select(select(select(select(_e12232, _e12282.member, _e12304), _e12361.member, _e12383), _e12440.member, _e12462), _e12519.member, _e12541), select(select(select(select(_e12233, _e12282.member_1, _e12304), _e12361.member_1, _e12383), _e12440.member_1, _e12462), _e12519.member_1, _e12541), select(select(select(select(_e12234, _e12282.member_2, _e12304), _e12361.member_2, _e12383), _e12440.member_2, _e12462), _e12519.member_2, _e12541)));
+phi_28641_ = type_33(select(_e12468, _e12536, _e12545), vec3<f32>(select(select(select(select(_e12220, _e12282.member, _e12308), _e12361.member, _e12387), _e12440.member, _e12466), _e12519.member, _e12545), select(select(select(select(_e12221, _e12282.member_1, _e12308), _e12361.member_1, _e12387), _e12440.member_1, _e12466), _e12519.member_1, _e12545), select(select(select(select(_e12222, _e12282.member_2, _e12308), _e12361.member_2, _e12387), _e12440.member_2, _e12466), _e12519.member_2, _e12545)), select(_e12472, _e12540, _e12546), vec3<f32>(select(select(select(select(_e12225, _e12282.member, _e12309), _e12361.member, _e12388), _e12440.member, _e12467), _e12519.member, _e12546), select(select(select(select(_e12226, _e12282.member_1, _e12309), _e12361.member_1, _e12388), _e12440.member_1, _e12467), _e12519.member_1, _e12546), select(select(select(select(_e12227, _e12282.member_2, _e12309), _e12361.member_2, _e12388), _e12440.member_2, _e12467), _e12519.member_2, _e12546)), select(_e12476, _e12512, _e12541), select(_e12478, _e12513, (_e12513 > _e12478)), vec3<f32>(select(select(select(select(_e12232, _e12282.member, _e12304), _e12361.member, _e12383), _e12440.member, _e12462), _e12519.member, _e12541), select(select(select(select(_e12233, _e12282.member_1, _e12304), _e12361.member_1, _e12383), _e12440.member_1, _e12462), _e12519.member_1, _e12541), select(select(select(select(_e12234, _e12282.member_2, _e12304), _e12361.member_2, _e12383), _e12440.member_2, _e12462), _e12519.member_2, _e12541)));
 }
 let _e12566 = phi_28641_;
 let _e12573 = (_e9070.member_2 * select(0f, 1f, _e6533.member_6));

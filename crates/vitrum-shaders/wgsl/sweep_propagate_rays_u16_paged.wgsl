@@ -131,23 +131,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -156,7 +160,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -166,10 +170,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 struct type_35 {
 member: f32,
@@ -200,7 +200,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_29;
+var local_6: type_30;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -216,23 +216,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_29;
+var local_22: type_30;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_29;
+var local_26: type_30;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_29;
+var local_30: type_30;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_29;
+var local_34: type_30;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_29;
+var local_38: type_30;
 var local_39: vec3<f32>;
 var phi_642_: u32;
 var phi_645_: bool;
@@ -241,23 +241,23 @@ var phi_1398_: bool;
 var phi_1578_: bool;
 var phi_1581_: bool;
 var phi_2929_: f32;
-var phi_4531_: type_32;
+var phi_4531_: type_33;
 var phi_4544_: bool;
-var phi_4574_: type_34;
+var phi_4574_: type_27;
 var phi_4586_: bool;
 var phi_5721_: type_26;
-var phi_7244_: type_32;
+var phi_7244_: type_33;
 var phi_8411_: type_26;
-var phi_9949_: type_32;
+var phi_9949_: type_33;
 var phi_11116_: type_26;
-var phi_12654_: type_32;
+var phi_12654_: type_33;
 var phi_14402_: type_26;
-var phi_14415_: type_33;
+var phi_14415_: type_34;
 var phi_14416_: vec3<f32>;
 var phi_14417_: bool;
 var phi_14418_: f32;
-var phi_20024_: type_30;
-var phi_20726_: type_31;
+var phi_20024_: type_31;
+var phi_20726_: type_32;
 var phi_21139_: type_5;
 var phi_25300_: type_35;
 var phi_26056_: vec3<f32>;
@@ -265,7 +265,7 @@ var phi_26286_: type_25;
 var phi_26365_: f32;
 var phi_26366_: f32;
 var phi_26623_: vec3<f32>;
-var phi_28157_: type_32;
+var phi_28157_: type_33;
 var phi_28313_: vec3<f32>;
 var phi_28314_: bool;
 var phi_28474_: array<f32, 18>;
@@ -603,7 +603,7 @@ let _e1309 = (_e1301 + _e1308);
 let _e1310 = (_e1303 + _e1259);
 let _e1311 = (2i * _e1259);
 let _e1312 = (_e1303 + _e1311);
-local_38 = type_29(array<i32, 4>(_e1298, (_e1298 + 1i), (_e1298 + 2i), (_e1298 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_38 = type_30(array<i32, 4>(_e1298, (_e1298 + 1i), (_e1298 + 2i), (_e1298 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_39 = vec3<f32>((_e1196 - f32(_e1219)), (_e1200 - f32(_e1234)), (_e1204 - f32(_e1249)));
 let _e1326 = local_38.member[1u];
 let _e1327 = ((_e1310 + _e1307) + _e1326);
@@ -743,7 +743,7 @@ let _e1765 = (_e475 - _e471);
 let _e1766 = (_e480 - _e465);
 let _e1771 = (((_e1764 * _e1764) + (_e1765 * _e1765)) + (_e1766 * _e1766));
 let _e1774 = sqrt(select(0f, _e1771, (_e1771 > 0f)));
-let _e1775 = type_33(type_26(1f, 1f), vec3<f32>(_e473, _e475, _e480), _e1124, _e1774, _e460, _e1124, true, false, false);
+let _e1775 = type_34(type_26(1f, 1f), vec3<f32>(_e473, _e475, _e480), _e1124, _e1774, _e460, _e1124, true, false, false);
 let _e1776 = (_e643 < 1e-12f);
 let _e1778 = (1f / select(_e638, 1f, _e1776));
 let _e1779 = (-0.5f - _e549);
@@ -895,7 +895,7 @@ let _e2136 = select(select(select(select(select(select(0f, _e1877.member_1, _e19
 let _e2137 = select(select(select(select(select(select(1f, _e1877.member_2, _e1918), _e1877.member_2, _e1958), _e1886.member_2, _e1997), _e1886.member_2, _e2037), _e1895.member_2, _e2076), _e1895.member_2, _e2116);
 let _e2141 = ((_e776 & 16u) == 0u);
 if _e2141 {
-phi_4531_ = type_32(_e2122, vec3<f32>(_e2123, _e2124, _e2125), _e2127, vec3<f32>(_e2128, _e2129, _e2130), _e2132, _e2134, vec3<f32>(_e2135, _e2136, _e2137));
+phi_4531_ = type_33(_e2122, vec3<f32>(_e2123, _e2124, _e2125), _e2127, vec3<f32>(_e2128, _e2129, _e2130), _e2132, _e2134, vec3<f32>(_e2135, _e2136, _e2137));
 } else {
 let _e2146 = (((_e1877.member * _e1877.member) + (_e1877.member_1 * _e1877.member_1)) + (_e1877.member_2 * _e1877.member_2));
 let _e2149 = sqrt(select(0f, _e2146, (_e2146 > 0f)));
@@ -975,7 +975,7 @@ let _e2445 = select(2f, select(0f, _e2437, (_e2417 < 0f)), (_e2418 > 0f));
 let _e2446 = (_e2417 > _e2381);
 let _e2450 = ((_e2441 > _e2373) || ((_e2441 == _e2373) && _e2446));
 let _e2451 = (_e2445 < _e2377);
-phi_4531_ = type_32(select(_e2373, _e2441, _e2450), vec3<f32>(select(select(select(select(_e2123, _e2187.member, _e2213), _e2266.member, _e2292), _e2345.member, _e2371), _e2424.member, _e2450), select(select(select(select(_e2124, _e2187.member_1, _e2213), _e2266.member_1, _e2292), _e2345.member_1, _e2371), _e2424.member_1, _e2450), select(select(select(select(_e2125, _e2187.member_2, _e2213), _e2266.member_2, _e2292), _e2345.member_2, _e2371), _e2424.member_2, _e2450)), select(_e2377, _e2445, _e2451), vec3<f32>(select(select(select(select(_e2128, _e2187.member, _e2214), _e2266.member, _e2293), _e2345.member, _e2372), _e2424.member, _e2451), select(select(select(select(_e2129, _e2187.member_1, _e2214), _e2266.member_1, _e2293), _e2345.member_1, _e2372), _e2424.member_1, _e2451), select(select(select(select(_e2130, _e2187.member_2, _e2214), _e2266.member_2, _e2293), _e2345.member_2, _e2372), _e2424.member_2, _e2451)), select(_e2381, _e2417, _e2446), select(_e2383, _e2418, (_e2418 > _e2383)), vec3<f32>(select(select(select(select(_e2135, _e2187.member, _e2209), _e2266.member, _e2288), _e2345.member, _e2367), _e2424.member, _e2446), select(select(select(select(_e2136, _e2187.member_1, _e2209), _e2266.member_1, _e2288), _e2345.member_1, _e2367), _e2424.member_1, _e2446), select(select(select(select(_e2137, _e2187.member_2, _e2209), _e2266.member_2, _e2288), _e2345.member_2, _e2367), _e2424.member_2, _e2446)));
+phi_4531_ = type_33(select(_e2373, _e2441, _e2450), vec3<f32>(select(select(select(select(_e2123, _e2187.member, _e2213), _e2266.member, _e2292), _e2345.member, _e2371), _e2424.member, _e2450), select(select(select(select(_e2124, _e2187.member_1, _e2213), _e2266.member_1, _e2292), _e2345.member_1, _e2371), _e2424.member_1, _e2450), select(select(select(select(_e2125, _e2187.member_2, _e2213), _e2266.member_2, _e2292), _e2345.member_2, _e2371), _e2424.member_2, _e2450)), select(_e2377, _e2445, _e2451), vec3<f32>(select(select(select(select(_e2128, _e2187.member, _e2214), _e2266.member, _e2293), _e2345.member, _e2372), _e2424.member, _e2451), select(select(select(select(_e2129, _e2187.member_1, _e2214), _e2266.member_1, _e2293), _e2345.member_1, _e2372), _e2424.member_1, _e2451), select(select(select(select(_e2130, _e2187.member_2, _e2214), _e2266.member_2, _e2293), _e2345.member_2, _e2372), _e2424.member_2, _e2451)), select(_e2381, _e2417, _e2446), select(_e2383, _e2418, (_e2418 > _e2383)), vec3<f32>(select(select(select(select(_e2135, _e2187.member, _e2209), _e2266.member, _e2288), _e2345.member, _e2367), _e2424.member, _e2446), select(select(select(select(_e2136, _e2187.member_1, _e2209), _e2266.member_1, _e2288), _e2345.member_1, _e2367), _e2424.member_1, _e2446), select(select(select(select(_e2137, _e2187.member_2, _e2209), _e2266.member_2, _e2288), _e2345.member_2, _e2367), _e2424.member_2, _e2446)));
 }
 let _e2471 = phi_4531_;
 if ((_e2471.member_4 > -(0.015625f)) && (_e2471.member_4 < 0.015625f)) {
@@ -990,9 +990,9 @@ let _e2484 = (_e440[3] * _e2483);
 let _e2485 = (_e440[4] * _e2483);
 let _e2486 = (_e440[5] * _e2483);
 if _e2480 {
-phi_4574_ = type_34(_e2471.member_2, _e2471.member_3);
+phi_4574_ = type_27(_e2471.member_2, _e2471.member_3);
 } else {
-phi_4574_ = type_34(_e2471.member, _e2471.member_1);
+phi_4574_ = type_27(_e2471.member, _e2471.member_1);
 }
 let _e2495 = phi_4574_;
 if _e2480 {
@@ -1039,7 +1039,7 @@ let _e2619 = (_e2613 + _e1254);
 let _e2620 = (_e2613 + _e1308);
 let _e2621 = (_e2615 + _e1259);
 let _e2622 = (_e2615 + _e1311);
-local_34 = type_29(array<i32, 4>(_e2610, (_e2610 + 1i), (_e2610 + 2i), (_e2610 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_34 = type_30(array<i32, 4>(_e2610, (_e2610 + 1i), (_e2610 + 2i), (_e2610 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_35 = vec3<f32>((_e2535 - f32(_e2558)), (_e2539 - f32(_e2573)), (_e2543 - f32(_e2588)));
 let _e2636 = local_34.member[1u];
 let _e2637 = ((_e2621 + _e2619) + _e2636);
@@ -1316,7 +1316,7 @@ let _e3403 = select(select(select(select(select(select(0f, _e1877.member, _e3184
 let _e3404 = select(select(select(select(select(select(0f, _e1877.member_1, _e3184), _e1877.member_1, _e3224), _e1886.member_1, _e3264), _e1886.member_1, _e3304), _e1895.member_1, _e3344), _e1895.member_1, _e3384);
 let _e3405 = select(select(select(select(select(select(1f, _e1877.member_2, _e3184), _e1877.member_2, _e3224), _e1886.member_2, _e3264), _e1886.member_2, _e3304), _e1895.member_2, _e3344), _e1895.member_2, _e3384);
 if _e2141 {
-phi_7244_ = type_32(_e3390, vec3<f32>(_e3391, _e3392, _e3393), _e3395, vec3<f32>(_e3396, _e3397, _e3398), _e3400, _e3402, vec3<f32>(_e3403, _e3404, _e3405));
+phi_7244_ = type_33(_e3390, vec3<f32>(_e3391, _e3392, _e3393), _e3395, vec3<f32>(_e3396, _e3397, _e3398), _e3400, _e3402, vec3<f32>(_e3403, _e3404, _e3405));
 } else {
 let _e3412 = (((_e1877.member * _e1877.member) + (_e1877.member_1 * _e1877.member_1)) + (_e1877.member_2 * _e1877.member_2));
 let _e3415 = sqrt(select(0f, _e3412, (_e3412 > 0f)));
@@ -1396,7 +1396,7 @@ let _e3711 = select(2f, select(0f, _e3703, (_e3683 < 0f)), (_e3684 > 0f));
 let _e3712 = (_e3683 > _e3647);
 let _e3716 = ((_e3707 > _e3639) || ((_e3707 == _e3639) && _e3712));
 let _e3717 = (_e3711 < _e3643);
-phi_7244_ = type_32(select(_e3639, _e3707, _e3716), vec3<f32>(select(select(select(select(_e3391, _e3453.member, _e3479), _e3532.member, _e3558), _e3611.member, _e3637), _e3690.member, _e3716), select(select(select(select(_e3392, _e3453.member_1, _e3479), _e3532.member_1, _e3558), _e3611.member_1, _e3637), _e3690.member_1, _e3716), select(select(select(select(_e3393, _e3453.member_2, _e3479), _e3532.member_2, _e3558), _e3611.member_2, _e3637), _e3690.member_2, _e3716)), select(_e3643, _e3711, _e3717), vec3<f32>(select(select(select(select(_e3396, _e3453.member, _e3480), _e3532.member, _e3559), _e3611.member, _e3638), _e3690.member, _e3717), select(select(select(select(_e3397, _e3453.member_1, _e3480), _e3532.member_1, _e3559), _e3611.member_1, _e3638), _e3690.member_1, _e3717), select(select(select(select(_e3398, _e3453.member_2, _e3480), _e3532.member_2, _e3559), _e3611.member_2, _e3638), _e3690.member_2, _e3717)), select(_e3647, _e3683, _e3712), select(_e3649, _e3684, (_e3684 > _e3649)), vec3<f32>(select(select(select(select(_e3403, _e3453.member, _e3475), _e3532.member, _e3554), _e3611.member, _e3633), _e3690.member, _e3712), select(select(select(select(_e3404, _e3453.member_1, _e3475), _e3532.member_1, _e3554), _e3611.member_1, _e3633), _e3690.member_1, _e3712), select(select(select(select(_e3405, _e3453.member_2, _e3475), _e3532.member_2, _e3554), _e3611.member_2, _e3633), _e3690.member_2, _e3712)));
+phi_7244_ = type_33(select(_e3639, _e3707, _e3716), vec3<f32>(select(select(select(select(_e3391, _e3453.member, _e3479), _e3532.member, _e3558), _e3611.member, _e3637), _e3690.member, _e3716), select(select(select(select(_e3392, _e3453.member_1, _e3479), _e3532.member_1, _e3558), _e3611.member_1, _e3637), _e3690.member_1, _e3716), select(select(select(select(_e3393, _e3453.member_2, _e3479), _e3532.member_2, _e3558), _e3611.member_2, _e3637), _e3690.member_2, _e3716)), select(_e3643, _e3711, _e3717), vec3<f32>(select(select(select(select(_e3396, _e3453.member, _e3480), _e3532.member, _e3559), _e3611.member, _e3638), _e3690.member, _e3717), select(select(select(select(_e3397, _e3453.member_1, _e3480), _e3532.member_1, _e3559), _e3611.member_1, _e3638), _e3690.member_1, _e3717), select(select(select(select(_e3398, _e3453.member_2, _e3480), _e3532.member_2, _e3559), _e3611.member_2, _e3638), _e3690.member_2, _e3717)), select(_e3647, _e3683, _e3712), select(_e3649, _e3684, (_e3684 > _e3649)), vec3<f32>(select(select(select(select(_e3403, _e3453.member, _e3475), _e3532.member, _e3554), _e3611.member, _e3633), _e3690.member, _e3712), select(select(select(select(_e3404, _e3453.member_1, _e3475), _e3532.member_1, _e3554), _e3611.member_1, _e3633), _e3690.member_1, _e3712), select(select(select(select(_e3405, _e3453.member_2, _e3475), _e3532.member_2, _e3554), _e3611.member_2, _e3633), _e3690.member_2, _e3712)));
 }
 let _e3737 = phi_7244_;
 let _e3743 = (((_e2503 && _e3145) && !(_e3130)) && (_e3737.member_2 <= 1f));
@@ -1443,7 +1443,7 @@ let _e3862 = (_e3856 + _e1254);
 let _e3863 = (_e3856 + _e1308);
 let _e3864 = (_e3858 + _e1259);
 let _e3865 = (_e3858 + _e1311);
-local_30 = type_29(array<i32, 4>(_e3853, (_e3853 + 1i), (_e3853 + 2i), (_e3853 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_30 = type_30(array<i32, 4>(_e3853, (_e3853 + 1i), (_e3853 + 2i), (_e3853 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_31 = vec3<f32>((_e3778 - f32(_e3801)), (_e3782 - f32(_e3816)), (_e3786 - f32(_e3831)));
 let _e3879 = local_30.member[1u];
 let _e3880 = ((_e3864 + _e3862) + _e3879);
@@ -1675,7 +1675,7 @@ let _e4540 = select(select(select(select(select(select(0f, _e1877.member, _e4321
 let _e4541 = select(select(select(select(select(select(0f, _e1877.member_1, _e4321), _e1877.member_1, _e4361), _e1886.member_1, _e4401), _e1886.member_1, _e4441), _e1895.member_1, _e4481), _e1895.member_1, _e4521);
 let _e4542 = select(select(select(select(select(select(1f, _e1877.member_2, _e4321), _e1877.member_2, _e4361), _e1886.member_2, _e4401), _e1886.member_2, _e4441), _e1895.member_2, _e4481), _e1895.member_2, _e4521);
 if _e2141 {
-phi_9949_ = type_32(_e4527, vec3<f32>(_e4528, _e4529, _e4530), _e4532, vec3<f32>(_e4533, _e4534, _e4535), _e4537, _e4539, vec3<f32>(_e4540, _e4541, _e4542));
+phi_9949_ = type_33(_e4527, vec3<f32>(_e4528, _e4529, _e4530), _e4532, vec3<f32>(_e4533, _e4534, _e4535), _e4537, _e4539, vec3<f32>(_e4540, _e4541, _e4542));
 } else {
 let _e4549 = (((_e1877.member * _e1877.member) + (_e1877.member_1 * _e1877.member_1)) + (_e1877.member_2 * _e1877.member_2));
 let _e4552 = sqrt(select(0f, _e4549, (_e4549 > 0f)));
@@ -1755,7 +1755,7 @@ let _e4848 = select(2f, select(0f, _e4840, (_e4820 < 0f)), (_e4821 > 0f));
 let _e4849 = (_e4820 > _e4784);
 let _e4853 = ((_e4844 > _e4776) || ((_e4844 == _e4776) && _e4849));
 let _e4854 = (_e4848 < _e4780);
-phi_9949_ = type_32(select(_e4776, _e4844, _e4853), vec3<f32>(select(select(select(select(_e4528, _e4590.member, _e4616), _e4669.member, _e4695), _e4748.member, _e4774), _e4827.member, _e4853), select(select(select(select(_e4529, _e4590.member_1, _e4616), _e4669.member_1, _e4695), _e4748.member_1, _e4774), _e4827.member_1, _e4853), select(select(select(select(_e4530, _e4590.member_2, _e4616), _e4669.member_2, _e4695), _e4748.member_2, _e4774), _e4827.member_2, _e4853)), select(_e4780, _e4848, _e4854), vec3<f32>(select(select(select(select(_e4533, _e4590.member, _e4617), _e4669.member, _e4696), _e4748.member, _e4775), _e4827.member, _e4854), select(select(select(select(_e4534, _e4590.member_1, _e4617), _e4669.member_1, _e4696), _e4748.member_1, _e4775), _e4827.member_1, _e4854), select(select(select(select(_e4535, _e4590.member_2, _e4617), _e4669.member_2, _e4696), _e4748.member_2, _e4775), _e4827.member_2, _e4854)), select(_e4784, _e4820, _e4849), select(_e4786, _e4821, (_e4821 > _e4786)), vec3<f32>(select(select(select(select(_e4540, _e4590.member, _e4612), _e4669.member, _e4691), _e4748.member, _e4770), _e4827.member, _e4849), select(select(select(select(_e4541, _e4590.member_1, _e4612), _e4669.member_1, _e4691), _e4748.member_1, _e4770), _e4827.member_1, _e4849), select(select(select(select(_e4542, _e4590.member_2, _e4612), _e4669.member_2, _e4691), _e4748.member_2, _e4770), _e4827.member_2, _e4849)));
+phi_9949_ = type_33(select(_e4776, _e4844, _e4853), vec3<f32>(select(select(select(select(_e4528, _e4590.member, _e4616), _e4669.member, _e4695), _e4748.member, _e4774), _e4827.member, _e4853), select(select(select(select(_e4529, _e4590.member_1, _e4616), _e4669.member_1, _e4695), _e4748.member_1, _e4774), _e4827.member_1, _e4853), select(select(select(select(_e4530, _e4590.member_2, _e4616), _e4669.member_2, _e4695), _e4748.member_2, _e4774), _e4827.member_2, _e4853)), select(_e4780, _e4848, _e4854), vec3<f32>(select(select(select(select(_e4533, _e4590.member, _e4617), _e4669.member, _e4696), _e4748.member, _e4775), _e4827.member, _e4854), select(select(select(select(_e4534, _e4590.member_1, _e4617), _e4669.member_1, _e4696), _e4748.member_1, _e4775), _e4827.member_1, _e4854), select(select(select(select(_e4535, _e4590.member_2, _e4617), _e4669.member_2, _e4696), _e4748.member_2, _e4775), _e4827.member_2, _e4854)), select(_e4784, _e4820, _e4849), select(_e4786, _e4821, (_e4821 > _e4786)), vec3<f32>(select(select(select(select(_e4540, _e4590.member, _e4612), _e4669.member, _e4691), _e4748.member, _e4770), _e4827.member, _e4849), select(select(select(select(_e4541, _e4590.member_1, _e4612), _e4669.member_1, _e4691), _e4748.member_1, _e4770), _e4827.member_1, _e4849), select(select(select(select(_e4542, _e4590.member_2, _e4612), _e4669.member_2, _e4691), _e4748.member_2, _e4770), _e4827.member_2, _e4849)));
 }
 let _e4874 = phi_9949_;
 let _e4880 = (((_e3743 && _e4261) && !(_e4245)) && (_e4874.member_2 <= 1f));
@@ -1801,7 +1801,7 @@ let _e4999 = (_e4993 + _e1254);
 let _e5000 = (_e4993 + _e1308);
 let _e5001 = (_e4995 + _e1259);
 let _e5002 = (_e4995 + _e1311);
-local_26 = type_29(array<i32, 4>(_e4990, (_e4990 + 1i), (_e4990 + 2i), (_e4990 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_30(array<i32, 4>(_e4990, (_e4990 + 1i), (_e4990 + 2i), (_e4990 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e4915 - f32(_e4938)), (_e4919 - f32(_e4953)), (_e4923 - f32(_e4968)));
 let _e5016 = local_26.member[1u];
 let _e5017 = ((_e5001 + _e4999) + _e5016);
@@ -2033,7 +2033,7 @@ let _e5678 = select(select(select(select(select(select(0f, _e1877.member, _e5459
 let _e5679 = select(select(select(select(select(select(0f, _e1877.member_1, _e5459), _e1877.member_1, _e5499), _e1886.member_1, _e5539), _e1886.member_1, _e5579), _e1895.member_1, _e5619), _e1895.member_1, _e5659);
 let _e5680 = select(select(select(select(select(select(1f, _e1877.member_2, _e5459), _e1877.member_2, _e5499), _e1886.member_2, _e5539), _e1886.member_2, _e5579), _e1895.member_2, _e5619), _e1895.member_2, _e5659);
 if _e2141 {
-phi_12654_ = type_32(_e5665, vec3<f32>(_e5666, _e5667, _e5668), _e5670, vec3<f32>(_e5671, _e5672, _e5673), _e5675, _e5677, vec3<f32>(_e5678, _e5679, _e5680));
+phi_12654_ = type_33(_e5665, vec3<f32>(_e5666, _e5667, _e5668), _e5670, vec3<f32>(_e5671, _e5672, _e5673), _e5675, _e5677, vec3<f32>(_e5678, _e5679, _e5680));
 } else {
 let _e5687 = (((_e1877.member * _e1877.member) + (_e1877.member_1 * _e1877.member_1)) + (_e1877.member_2 * _e1877.member_2));
 let _e5690 = sqrt(select(0f, _e5687, (_e5687 > 0f)));
@@ -2113,7 +2113,7 @@ let _e5986 = select(2f, select(0f, _e5978, (_e5958 < 0f)), (_e5959 > 0f));
 let _e5987 = (_e5958 > _e5922);
 let _e5991 = ((_e5982 > _e5914) || ((_e5982 == _e5914) && _e5987));
 let _e5992 = (_e5986 < _e5918);
-phi_12654_ = type_32(select(_e5914, _e5982, _e5991), vec3<f32>(select(select(select(select(_e5666, _e5728.member, _e5754), _e5807.member, _e5833), _e5886.member, _e5912), _e5965.member, _e5991), select(select(select(select(_e5667, _e5728.member_1, _e5754), _e5807.member_1, _e5833), _e5886.member_1, _e5912), _e5965.member_1, _e5991), select(select(select(select(_e5668, _e5728.member_2, _e5754), _e5807.member_2, _e5833), _e5886.member_2, _e5912), _e5965.member_2, _e5991)), select(_e5918, _e5986, _e5992), vec3<f32>(select(select(select(select(_e5671, _e5728.member, _e5755), _e5807.member, _e5834), _e5886.member, _e5913), _e5965.member, _e5992), select(select(select(select(_e5672, _e5728.member_1, _e5755), _e5807.member_1, _e5834), _e5886.member_1, _e5913), _e5965.member_1, _e5992), select(select(select(select(_e5673, _e5728.member_2, _e5755), _e5807.member_2, _e5834), _e5886.member_2, _e5913), _e5965.member_2, _e5992)), select(_e5922, _e5958, _e5987), select(_e5924, _e5959, (_e5959 > _e5924)), vec3<f32>(select(select(select(select(_e5678, _e5728.member, _e5750), _e5807.member, _e5829), _e5886.member, _e5908), _e5965.member, _e5987), select(select(select(select(_e5679, _e5728.member_1, _e5750), _e5807.member_1, _e5829), _e5886.member_1, _e5908), _e5965.member_1, _e5987), select(select(select(select(_e5680, _e5728.member_2, _e5750), _e5807.member_2, _e5829), _e5886.member_2, _e5908), _e5965.member_2, _e5987)));
+phi_12654_ = type_33(select(_e5914, _e5982, _e5991), vec3<f32>(select(select(select(select(_e5666, _e5728.member, _e5754), _e5807.member, _e5833), _e5886.member, _e5912), _e5965.member, _e5991), select(select(select(select(_e5667, _e5728.member_1, _e5754), _e5807.member_1, _e5833), _e5886.member_1, _e5912), _e5965.member_1, _e5991), select(select(select(select(_e5668, _e5728.member_2, _e5754), _e5807.member_2, _e5833), _e5886.member_2, _e5912), _e5965.member_2, _e5991)), select(_e5918, _e5986, _e5992), vec3<f32>(select(select(select(select(_e5671, _e5728.member, _e5755), _e5807.member, _e5834), _e5886.member, _e5913), _e5965.member, _e5992), select(select(select(select(_e5672, _e5728.member_1, _e5755), _e5807.member_1, _e5834), _e5886.member_1, _e5913), _e5965.member_1, _e5992), select(select(select(select(_e5673, _e5728.member_2, _e5755), _e5807.member_2, _e5834), _e5886.member_2, _e5913), _e5965.member_2, _e5992)), select(_e5922, _e5958, _e5987), select(_e5924, _e5959, (_e5959 > _e5924)), vec3<f32>(select(select(select(select(_e5678, _e5728.member, _e5750), _e5807.member, _e5829), _e5886.member, _e5908), _e5965.member, _e5987), select(select(select(select(_e5679, _e5728.member_1, _e5750), _e5807.member_1, _e5829), _e5886.member_1, _e5908), _e5965.member_1, _e5987), select(select(select(select(_e5680, _e5728.member_2, _e5750), _e5807.member_2, _e5829), _e5886.member_2, _e5908), _e5965.member_2, _e5987)));
 }
 let _e6012 = phi_12654_;
 let _e6018 = (((_e4880 && _e5399) && !(_e5383)) && (_e6012.member_2 <= 1f));
@@ -2284,12 +2284,12 @@ phi_14402_ = _e3058;
 phi_14402_ = _e4179;
 }
 let _e6458 = phi_14402_;
-phi_14415_ = type_33(_e6458, vec3<f32>(select(_e5394, _e4893.x, _e6018), select(_e5395, _e4893.y, _e6018), select(_e5396, _e4893.z, _e6018)), vec3<f32>(_e5368, _e5369, _e5370), select(_e1862, ((((sqrt(select(0f, _e6026, (_e6026 > 0f))) * select(0f, _e6107, (_e6107 > 0f))) + (sqrt(select(0f, _e6118, (_e6118 > 0f))) * select(0f, _e6214, (_e6214 > 0f)))) + (sqrt(select(0f, _e6226, (_e6226 > 0f))) * select(0f, _e6322, (_e6322 > 0f)))) + select(0f, (sqrt(select(0f, _e6334, (_e6334 > 0f))) * select(0f, _e6430, (_e6430 > 0f))), _e4880)), _e6437), select((_e459 / _e5370), (2f * (_e3747 / _e3112)), (((_e2503 && !(_e2480)) && _e3145) && !(_e3743))), select(_e3737.member_3, _e2495.member_1, vec3(_e3126)), _e5399, _e6437, (((_e3130 || _e4245) || _e5383) || _e6018));
+phi_14415_ = type_34(_e6458, vec3<f32>(select(_e5394, _e4893.x, _e6018), select(_e5395, _e4893.y, _e6018), select(_e5396, _e4893.z, _e6018)), vec3<f32>(_e5368, _e5369, _e5370), select(_e1862, ((((sqrt(select(0f, _e6026, (_e6026 > 0f))) * select(0f, _e6107, (_e6107 > 0f))) + (sqrt(select(0f, _e6118, (_e6118 > 0f))) * select(0f, _e6214, (_e6214 > 0f)))) + (sqrt(select(0f, _e6226, (_e6226 > 0f))) * select(0f, _e6322, (_e6322 > 0f)))) + select(0f, (sqrt(select(0f, _e6334, (_e6334 > 0f))) * select(0f, _e6430, (_e6430 > 0f))), _e4880)), _e6437), select((_e459 / _e5370), (2f * (_e3747 / _e3112)), (((_e2503 && !(_e2480)) && _e3145) && !(_e3743))), select(_e3737.member_3, _e2495.member_1, vec3(_e3126)), _e5399, _e6437, (((_e3130 || _e4245) || _e5383) || _e6018));
 phi_14416_ = vec3<f32>(_e2484, _e2485, _e2486);
 phi_14417_ = _e2480;
 phi_14418_ = _e2481;
 } else {
-phi_14415_ = type_33(_e1775.member, _e1775.member_1, _e1775.member_2, _e1862, _e1775.member_4, _e1775.member_5, _e1775.member_6, _e1775.member_7, _e1775.member_8);
+phi_14415_ = type_34(_e1775.member, _e1775.member_1, _e1775.member_2, _e1862, _e1775.member_4, _e1775.member_5, _e1775.member_6, _e1775.member_7, _e1775.member_8);
 phi_14416_ = _e1124;
 phi_14417_ = true;
 phi_14418_ = _e1763;
@@ -2335,7 +2335,7 @@ let _e6915 = (_e6906 + (3i * _e1254));
 let _e6916 = (_e6908 + _e1259);
 let _e6917 = (_e6908 + _e1311);
 let _e6919 = (_e6908 + (3i * _e1259));
-local_22 = type_29(array<i32, 4>(_e6903, (_e6903 + 1i), (_e6903 + 2i), (_e6903 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_30(array<i32, 4>(_e6903, (_e6903 + 1i), (_e6903 + 2i), (_e6903 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e6827 - f32(_e6850)), (_e6831 - f32(_e6865)), (_e6835 - f32(_e6880)));
 let _e6930 = (_e6916 + _e6912);
 let _e6933 = local_22.member[0u];
@@ -2719,7 +2719,7 @@ if _e808 {
 let _e8580 = ((0.5f * (_e7871 - _e7865)) * _e8129);
 let _e8581 = ((0.5f * (_e7883 - _e7877)) * _e8129);
 let _e8582 = ((0.5f * (_e7895 - _e7889)) * _e8129);
-phi_20024_ = type_30(_e8091, vec3<f32>(_e8580, _e8581, _e8582), vec3<f32>((_e8580 * _e8091), (_e8581 * _e8091), (_e8582 * _e8091)));
+phi_20024_ = type_31(_e8091, vec3<f32>(_e8580, _e8581, _e8582), vec3<f32>((_e8580 * _e8091), (_e8581 * _e8091), (_e8582 * _e8091)));
 } else {
 local_18 = _e7865;
 let _e8130 = local_18;
@@ -2868,7 +2868,7 @@ let _e8555 = ((_e8076 + (f32(bitcast<i32>((_e8540 >> bitcast<u32>(12u)))) * _e80
 let _e8556 = (_e8271 - _e8200);
 let _e8558 = (_e8413 - _e8342);
 let _e8560 = (_e8555 - _e8484);
-phi_20024_ = type_30(_e8091, vec3<f32>((0.5f * _e8556), (0.5f * _e8558), (0.5f * _e8560)), vec3<f32>((0.25f * (_e8556 * (_e8271 + _e8200))), (0.25f * (_e8558 * (_e8413 + _e8342))), (0.25f * (_e8560 * (_e8555 + _e8484)))));
+phi_20024_ = type_31(_e8091, vec3<f32>((0.5f * _e8556), (0.5f * _e8558), (0.5f * _e8560)), vec3<f32>((0.25f * (_e8556 * (_e8271 + _e8200))), (0.25f * (_e8558 * (_e8413 + _e8342))), (0.25f * (_e8560 * (_e8555 + _e8484)))));
 }
 let _e8590 = phi_20024_;
 let _e8605 = select(0f, 1f, ((((((_e6478 >= -0.5f) && (_e6478 <= _e611)) && (_e6484 >= -0.5f)) && (_e6484 <= _e622)) && (_e6490 >= -0.5f)) && (_e6490 <= _e633)));
@@ -2884,7 +2884,7 @@ let _e8653 = global_5.member[_e436].member_6.member_1.member.member_2;
 let _e8660 = global_5.member[_e436].member_6.member_2.member.member;
 let _e8667 = global_5.member[_e436].member_6.member_2.member.member_1;
 let _e8674 = global_5.member[_e436].member_6.member_2.member.member_2;
-phi_20726_ = type_31(_e7859, vec3<f32>(((((_e8618 * _e8607) + (_e8639 * _e8609)) + (_e8660 * _e8611)) * _e8605), ((((_e8625 * _e8607) + (_e8646 * _e8609)) + (_e8667 * _e8611)) * _e8605), ((((_e8632 * _e8607) + (_e8653 * _e8609)) + (_e8674 * _e8611)) * _e8605)), _e8590.member, vec3<f32>(((((_e8618 * _e8590.member_2.x) + (_e8639 * _e8590.member_2.y)) + (_e8660 * _e8590.member_2.z)) * _e8605), ((((_e8625 * _e8590.member_2.x) + (_e8646 * _e8590.member_2.y)) + (_e8667 * _e8590.member_2.z)) * _e8605), ((((_e8632 * _e8590.member_2.x) + (_e8653 * _e8590.member_2.y)) + (_e8674 * _e8590.member_2.z)) * _e8605)), vec3<f32>(((((_e8618 * _e8590.member_1.x) + (_e8639 * _e8590.member_1.y)) + (_e8660 * _e8590.member_1.z)) * _e8605), ((((_e8625 * _e8590.member_1.x) + (_e8646 * _e8590.member_1.y)) + (_e8667 * _e8590.member_1.z)) * _e8605), ((((_e8632 * _e8590.member_1.x) + (_e8653 * _e8590.member_1.y)) + (_e8674 * _e8590.member_1.z)) * _e8605)));
+phi_20726_ = type_32(_e7859, vec3<f32>(((((_e8618 * _e8607) + (_e8639 * _e8609)) + (_e8660 * _e8611)) * _e8605), ((((_e8625 * _e8607) + (_e8646 * _e8609)) + (_e8667 * _e8611)) * _e8605), ((((_e8632 * _e8607) + (_e8653 * _e8609)) + (_e8674 * _e8611)) * _e8605)), _e8590.member, vec3<f32>(((((_e8618 * _e8590.member_2.x) + (_e8639 * _e8590.member_2.y)) + (_e8660 * _e8590.member_2.z)) * _e8605), ((((_e8625 * _e8590.member_2.x) + (_e8646 * _e8590.member_2.y)) + (_e8667 * _e8590.member_2.z)) * _e8605), ((((_e8632 * _e8590.member_2.x) + (_e8653 * _e8590.member_2.y)) + (_e8674 * _e8590.member_2.z)) * _e8605)), vec3<f32>(((((_e8618 * _e8590.member_1.x) + (_e8639 * _e8590.member_1.y)) + (_e8660 * _e8590.member_1.z)) * _e8605), ((((_e8625 * _e8590.member_1.x) + (_e8646 * _e8590.member_1.y)) + (_e8667 * _e8590.member_1.z)) * _e8605), ((((_e8632 * _e8590.member_1.x) + (_e8653 * _e8590.member_1.y)) + (_e8674 * _e8590.member_1.z)) * _e8605)));
 } else {
 let _e6492 = select(-0.5f, _e6478, (_e6478 > -0.5f));
 let _e6494 = select(_e611, _e6492, (_e6492 < _e611));
@@ -2917,7 +2917,7 @@ let _e6579 = (_e6573 + _e1254);
 let _e6580 = (_e6573 + _e1308);
 let _e6581 = (_e6575 + _e1259);
 let _e6582 = (_e6575 + _e1311);
-local_6 = type_29(array<i32, 4>(_e6570, (_e6570 + 1i), (_e6570 + 2i), (_e6570 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_30(array<i32, 4>(_e6570, (_e6570 + 1i), (_e6570 + 2i), (_e6570 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e6494 - f32(_e6517)), (_e6498 - f32(_e6532)), (_e6502 - f32(_e6547)));
 let _e6596 = local_6.member[1u];
 let _e6597 = ((_e6581 + _e6579) + _e6596);
@@ -2983,7 +2983,7 @@ let _e6808 = local_7[1u];
 let _e6813 = local_7[2u];
 let _e6818 = (((_e6705 + (((_e6756 + (((_e6796 + ((f32(bitcast<i32>(((_e6789 >> bitcast<u32>((_e6797 & 31u))) & 65535u))) - _e6796) * _e6804)) - _e6756) * _e6808)) - _e6705) * _e6813)) - _e1551) * _e1556);
 let _e6820 = select(_e1559, _e6818, (_e6818 > _e1559));
-phi_20726_ = type_31(select(1e9f, _e6820, (_e6820 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20726_ = type_32(select(1e9f, _e6820, (_e6820 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8740 = phi_20726_;
 let _e8743 = select(1f, select(1f, _e1192, (_e1192 < 1f)), _e533);
@@ -3920,7 +3920,7 @@ let _e12118 = select(select(select(select(select(select(0f, _e11857.member, _e11
 let _e12119 = select(select(select(select(select(select(0f, _e11857.member_1, _e11899), _e11857.member_1, _e11939), _e11866.member_1, _e11979), _e11866.member_1, _e12019), _e11875.member_1, _e12059), _e11875.member_1, _e12099);
 let _e12120 = select(select(select(select(select(select(1f, _e11857.member_2, _e11899), _e11857.member_2, _e11939), _e11866.member_2, _e11979), _e11866.member_2, _e12019), _e11875.member_2, _e12059), _e11875.member_2, _e12099);
 if _e8745 {
-phi_28157_ = type_32(_e12105, vec3<f32>(_e12106, _e12107, _e12108), _e12110, vec3<f32>(_e12111, _e12112, _e12113), _e12115, _e12117, vec3<f32>(_e12118, _e12119, _e12120));
+phi_28157_ = type_33(_e12105, vec3<f32>(_e12106, _e12107, _e12108), _e12110, vec3<f32>(_e12111, _e12112, _e12113), _e12115, _e12117, vec3<f32>(_e12118, _e12119, _e12120));
 } else {
 let _e12127 = (((_e11857.member * _e11857.member) + (_e11857.member_1 * _e11857.member_1)) + (_e11857.member_2 * _e11857.member_2));
 let _e12130 = sqrt(select(0f, _e12127, (_e12127 > 0f)));
@@ -4000,7 +4000,7 @@ let _e12426 = select(2f, select(0f, _e12418, (_e12398 < 0f)), (_e12399 > 0f));
 let _e12427 = (_e12398 > _e12362);
 let _e12431 = ((_e12422 > _e12354) || ((_e12422 == _e12354) && _e12427));
 let _e12432 = (_e12426 < _e12358);
-phi_28157_ = type_32(select(_e12354, _e12422, _e12431), vec3<f32>(select(select(select(select(_e12106, _e12168.member, _e12194), _e12247.member, _e12273), _e12326.member, _e12352), _e12405.member, _e12431), select(select(select(select(_e12107, _e12168.member_1, _e12194), _e12247.member_1, _e12273), _e12326.member_1, _e12352), _e12405.member_1, _e12431), select(select(select(select(_e12108, _e12168.member_2, _e12194), _e12247.member_2, _e12273), _e12326.member_2, _e12352), _e12405.member_2, _e12431)), select(_e12358, _e12426, _e12432), vec3<f32>(select(select(select(select(_e12111, _e12168.member, _e12195), _e12247.member, _e12274), _e12326.member, _e12353), _e12405.member, _e12432), select(select(select(select(_e12112, _e12168.member_1, _e12195), _e12247.member_1, _e12274), _e12326.member_1, _e12353), _e12405.member_1, _e12432), select(select(select(select(_e12113, _e12168.member_2, _e12195), _e12247.member_2, _e12274), _e12326.member_2, _e12353), _e12405.member_2, _e12432)), select(_e12362, _e12398, _e12427), select(_e12364, _e12399, (_e12399 > _e12364)), vec3<f32>(select(select(select(select(_e12118, _e12168.member, _e12190), _e12247.member, _e12269), _e12326.member, _e12348), _e12405.member, _e12427), select(select(select(select(_e12119, _e12168.member_1, _e12190), _e12247.member_1, _e12269), _e12326.member_1, _e12348), _e12405.member_1, _e12427), select(select(select(select(_e12120, _e12168.member_2, _e12190), _e12247.member_2, _e12269), _e12326.member_2, _e12348), _e12405.member_2, _e12427)));
+phi_28157_ = type_33(select(_e12354, _e12422, _e12431), vec3<f32>(select(select(select(select(_e12106, _e12168.member, _e12194), _e12247.member, _e12273), _e12326.member, _e12352), _e12405.member, _e12431), select(select(select(select(_e12107, _e12168.member_1, _e12194), _e12247.member_1, _e12273), _e12326.member_1, _e12352), _e12405.member_1, _e12431), select(select(select(select(_e12108, _e12168.member_2, _e12194), _e12247.member_2, _e12273), _e12326.member_2, _e12352), _e12405.member_2, _e12431)), select(_e12358, _e12426, _e12432), vec3<f32>(select(select(select(select(_e12111, _e12168.member, _e12195), _e12247.member, _e12274), _e12326.member, _e12353), _e12405.member, _e12432), select(select(select(select(_e12112, _e12168.member_1, _e12195), _e12247.member_1, _e12274), _e12326.member_1, _e12353), _e12405.member_1, _e12432), select(select(select(select(_e12113, _e12168.member_2, _e12195), _e12247.member_2, _e12274), _e12326.member_2, _e12353), _e12405.member_2, _e12432)), select(_e12362, _e12398, _e12427), select(_e12364, _e12399, (_e12399 > _e12364)), vec3<f32>(select(select(select(select(_e12118, _e12168.member, _e12190), _e12247.member, _e12269), _e12326.member, _e12348), _e12405.member, _e12427), select(select(select(select(_e12119, _e12168.member_1, _e12190), _e12247.member_1, _e12269), _e12326.member_1, _e12348), _e12405.member_1, _e12427), select(select(select(select(_e12120, _e12168.member_2, _e12190), _e12247.member_2, _e12269), _e12326.member_2, _e12348), _e12405.member_2, _e12427)));
 }
 let _e12452 = phi_28157_;
 let _e12459 = (_e8956.member_2 * select(0f, 1f, _e6461.member_6));

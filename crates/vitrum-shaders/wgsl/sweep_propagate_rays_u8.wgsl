@@ -131,23 +131,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -156,7 +160,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -166,10 +170,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 struct type_35 {
 member: f32,
@@ -200,7 +200,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_29;
+var local_6: type_30;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -216,23 +216,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_29;
+var local_22: type_30;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_29;
+var local_26: type_30;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_29;
+var local_30: type_30;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_29;
+var local_34: type_30;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_29;
+var local_38: type_30;
 var local_39: vec3<f32>;
 var phi_642_: u32;
 var phi_645_: bool;
@@ -241,23 +241,23 @@ var phi_1398_: bool;
 var phi_1578_: bool;
 var phi_1581_: bool;
 var phi_2990_: f32;
-var phi_4592_: type_32;
+var phi_4592_: type_33;
 var phi_4605_: bool;
-var phi_4635_: type_34;
+var phi_4635_: type_27;
 var phi_4647_: bool;
 var phi_5843_: type_26;
-var phi_7366_: type_32;
+var phi_7366_: type_33;
 var phi_8594_: type_26;
-var phi_10132_: type_32;
+var phi_10132_: type_33;
 var phi_11360_: type_26;
-var phi_12898_: type_32;
+var phi_12898_: type_33;
 var phi_14646_: type_26;
-var phi_14659_: type_33;
+var phi_14659_: type_34;
 var phi_14660_: vec3<f32>;
 var phi_14661_: bool;
 var phi_14662_: f32;
-var phi_20173_: type_30;
-var phi_20936_: type_31;
+var phi_20173_: type_31;
+var phi_20936_: type_32;
 var phi_21349_: type_5;
 var phi_25510_: type_35;
 var phi_26266_: vec3<f32>;
@@ -265,7 +265,7 @@ var phi_26496_: type_25;
 var phi_26575_: f32;
 var phi_26576_: f32;
 var phi_26833_: vec3<f32>;
-var phi_28367_: type_32;
+var phi_28367_: type_33;
 var phi_28523_: vec3<f32>;
 var phi_28524_: bool;
 var phi_28684_: array<f32, 18>;
@@ -600,7 +600,7 @@ let _e1322 = (select(0i, _e1234, (_e1234 > 0i)) * _e1254);
 let _e1323 = (select(_e1267, _e1270, (_e1270 < _e1267)) * _e1254);
 let _e1324 = (select(0i, _e1249, (_e1249 > 0i)) * _e1259);
 let _e1325 = (select(_e1280, _e1283, (_e1283 < _e1280)) * _e1259);
-local_38 = type_29(array<i32, 4>(_e1309, _e1309, _e1309, _e1309), array<u32, 6>(bitcast<u32>(((_e1296 - _e1309) * 8i)), bitcast<u32>(((select(0i, _e1219, (_e1219 > 0i)) - _e1309) * 8i)), bitcast<u32>(((select(_e1293, _e1299, (_e1299 < _e1293)) - _e1309) * 8i)), bitcast<u32>(((select(_e1293, _e1302, (_e1302 < _e1293)) - _e1309) * 8i)), 0u, 0u));
+local_38 = type_30(array<i32, 4>(_e1309, _e1309, _e1309, _e1309), array<u32, 6>(bitcast<u32>(((_e1296 - _e1309) * 8i)), bitcast<u32>(((select(0i, _e1219, (_e1219 > 0i)) - _e1309) * 8i)), bitcast<u32>(((select(_e1293, _e1299, (_e1299 < _e1293)) - _e1309) * 8i)), bitcast<u32>(((select(_e1293, _e1302, (_e1302 < _e1293)) - _e1309) * 8i)), 0u, 0u));
 local_39 = vec3<f32>((_e1196 - f32(_e1219)), (_e1200 - f32(_e1234)), (_e1204 - f32(_e1249)));
 let _e1340 = local_38.member[0u];
 let _e1341 = ((_e1324 + _e1322) + _e1340);
@@ -741,7 +741,7 @@ let _e1781 = (_e475 - _e471);
 let _e1782 = (_e480 - _e465);
 let _e1787 = (((_e1780 * _e1780) + (_e1781 * _e1781)) + (_e1782 * _e1782));
 let _e1790 = sqrt(select(0f, _e1787, (_e1787 > 0f)));
-let _e1791 = type_33(type_26(1f, 1f), vec3<f32>(_e473, _e475, _e480), _e1124, _e1790, _e460, _e1124, true, false, false);
+let _e1791 = type_34(type_26(1f, 1f), vec3<f32>(_e473, _e475, _e480), _e1124, _e1790, _e460, _e1124, true, false, false);
 let _e1792 = (_e643 < 1e-12f);
 let _e1794 = (1f / select(_e638, 1f, _e1792));
 let _e1795 = (-0.5f - _e549);
@@ -893,7 +893,7 @@ let _e2152 = select(select(select(select(select(select(0f, _e1893.member_1, _e19
 let _e2153 = select(select(select(select(select(select(1f, _e1893.member_2, _e1934), _e1893.member_2, _e1974), _e1902.member_2, _e2013), _e1902.member_2, _e2053), _e1911.member_2, _e2092), _e1911.member_2, _e2132);
 let _e2157 = ((_e776 & 16u) == 0u);
 if _e2157 {
-phi_4592_ = type_32(_e2138, vec3<f32>(_e2139, _e2140, _e2141), _e2143, vec3<f32>(_e2144, _e2145, _e2146), _e2148, _e2150, vec3<f32>(_e2151, _e2152, _e2153));
+phi_4592_ = type_33(_e2138, vec3<f32>(_e2139, _e2140, _e2141), _e2143, vec3<f32>(_e2144, _e2145, _e2146), _e2148, _e2150, vec3<f32>(_e2151, _e2152, _e2153));
 } else {
 let _e2162 = (((_e1893.member * _e1893.member) + (_e1893.member_1 * _e1893.member_1)) + (_e1893.member_2 * _e1893.member_2));
 let _e2165 = sqrt(select(0f, _e2162, (_e2162 > 0f)));
@@ -973,7 +973,7 @@ let _e2461 = select(2f, select(0f, _e2453, (_e2433 < 0f)), (_e2434 > 0f));
 let _e2462 = (_e2433 > _e2397);
 let _e2466 = ((_e2457 > _e2389) || ((_e2457 == _e2389) && _e2462));
 let _e2467 = (_e2461 < _e2393);
-phi_4592_ = type_32(select(_e2389, _e2457, _e2466), vec3<f32>(select(select(select(select(_e2139, _e2203.member, _e2229), _e2282.member, _e2308), _e2361.member, _e2387), _e2440.member, _e2466), select(select(select(select(_e2140, _e2203.member_1, _e2229), _e2282.member_1, _e2308), _e2361.member_1, _e2387), _e2440.member_1, _e2466), select(select(select(select(_e2141, _e2203.member_2, _e2229), _e2282.member_2, _e2308), _e2361.member_2, _e2387), _e2440.member_2, _e2466)), select(_e2393, _e2461, _e2467), vec3<f32>(select(select(select(select(_e2144, _e2203.member, _e2230), _e2282.member, _e2309), _e2361.member, _e2388), _e2440.member, _e2467), select(select(select(select(_e2145, _e2203.member_1, _e2230), _e2282.member_1, _e2309), _e2361.member_1, _e2388), _e2440.member_1, _e2467), select(select(select(select(_e2146, _e2203.member_2, _e2230), _e2282.member_2, _e2309), _e2361.member_2, _e2388), _e2440.member_2, _e2467)), select(_e2397, _e2433, _e2462), select(_e2399, _e2434, (_e2434 > _e2399)), vec3<f32>(select(select(select(select(_e2151, _e2203.member, _e2225), _e2282.member, _e2304), _e2361.member, _e2383), _e2440.member, _e2462), select(select(select(select(_e2152, _e2203.member_1, _e2225), _e2282.member_1, _e2304), _e2361.member_1, _e2383), _e2440.member_1, _e2462), select(select(select(select(_e2153, _e2203.member_2, _e2225), _e2282.member_2, _e2304), _e2361.member_2, _e2383), _e2440.member_2, _e2462)));
+phi_4592_ = type_33(select(_e2389, _e2457, _e2466), vec3<f32>(select(select(select(select(_e2139, _e2203.member, _e2229), _e2282.member, _e2308), _e2361.member, _e2387), _e2440.member, _e2466), select(select(select(select(_e2140, _e2203.member_1, _e2229), _e2282.member_1, _e2308), _e2361.member_1, _e2387), _e2440.member_1, _e2466), select(select(select(select(_e2141, _e2203.member_2, _e2229), _e2282.member_2, _e2308), _e2361.member_2, _e2387), _e2440.member_2, _e2466)), select(_e2393, _e2461, _e2467), vec3<f32>(select(select(select(select(_e2144, _e2203.member, _e2230), _e2282.member, _e2309), _e2361.member, _e2388), _e2440.member, _e2467), select(select(select(select(_e2145, _e2203.member_1, _e2230), _e2282.member_1, _e2309), _e2361.member_1, _e2388), _e2440.member_1, _e2467), select(select(select(select(_e2146, _e2203.member_2, _e2230), _e2282.member_2, _e2309), _e2361.member_2, _e2388), _e2440.member_2, _e2467)), select(_e2397, _e2433, _e2462), select(_e2399, _e2434, (_e2434 > _e2399)), vec3<f32>(select(select(select(select(_e2151, _e2203.member, _e2225), _e2282.member, _e2304), _e2361.member, _e2383), _e2440.member, _e2462), select(select(select(select(_e2152, _e2203.member_1, _e2225), _e2282.member_1, _e2304), _e2361.member_1, _e2383), _e2440.member_1, _e2462), select(select(select(select(_e2153, _e2203.member_2, _e2225), _e2282.member_2, _e2304), _e2361.member_2, _e2383), _e2440.member_2, _e2462)));
 }
 let _e2487 = phi_4592_;
 if ((_e2487.member_4 > -(0.015625f)) && (_e2487.member_4 < 0.015625f)) {
@@ -988,9 +988,9 @@ let _e2500 = (_e440[3] * _e2499);
 let _e2501 = (_e440[4] * _e2499);
 let _e2502 = (_e440[5] * _e2499);
 if _e2496 {
-phi_4635_ = type_34(_e2487.member_2, _e2487.member_3);
+phi_4635_ = type_27(_e2487.member_2, _e2487.member_3);
 } else {
-phi_4635_ = type_34(_e2487.member, _e2487.member_1);
+phi_4635_ = type_27(_e2487.member, _e2487.member_1);
 }
 let _e2511 = phi_4635_;
 if _e2496 {
@@ -1035,7 +1035,7 @@ let _e2640 = (select(0i, _e2589, (_e2589 > 0i)) * _e1254);
 let _e2641 = (select(_e1267, _e2607, (_e2607 < _e1267)) * _e1254);
 let _e2642 = (select(0i, _e2604, (_e2604 > 0i)) * _e1259);
 let _e2643 = (select(_e1280, _e2612, (_e2612 < _e1280)) * _e1259);
-local_34 = type_29(array<i32, 4>(_e2627, _e2627, _e2627, _e2627), array<u32, 6>(bitcast<u32>(((_e2617 - _e2627) * 8i)), bitcast<u32>(((select(0i, _e2574, (_e2574 > 0i)) - _e2627) * 8i)), bitcast<u32>(((select(_e1293, _e2620, (_e2620 < _e1293)) - _e2627) * 8i)), bitcast<u32>(((select(_e1293, _e2623, (_e2623 < _e1293)) - _e2627) * 8i)), 0u, 0u));
+local_34 = type_30(array<i32, 4>(_e2627, _e2627, _e2627, _e2627), array<u32, 6>(bitcast<u32>(((_e2617 - _e2627) * 8i)), bitcast<u32>(((select(0i, _e2574, (_e2574 > 0i)) - _e2627) * 8i)), bitcast<u32>(((select(_e1293, _e2620, (_e2620 < _e1293)) - _e2627) * 8i)), bitcast<u32>(((select(_e1293, _e2623, (_e2623 < _e1293)) - _e2627) * 8i)), 0u, 0u));
 local_35 = vec3<f32>((_e2551 - f32(_e2574)), (_e2555 - f32(_e2589)), (_e2559 - f32(_e2604)));
 let _e2658 = local_34.member[0u];
 let _e2659 = ((_e2642 + _e2640) + _e2658);
@@ -1312,7 +1312,7 @@ let _e3425 = select(select(select(select(select(select(0f, _e1893.member, _e3206
 let _e3426 = select(select(select(select(select(select(0f, _e1893.member_1, _e3206), _e1893.member_1, _e3246), _e1902.member_1, _e3286), _e1902.member_1, _e3326), _e1911.member_1, _e3366), _e1911.member_1, _e3406);
 let _e3427 = select(select(select(select(select(select(1f, _e1893.member_2, _e3206), _e1893.member_2, _e3246), _e1902.member_2, _e3286), _e1902.member_2, _e3326), _e1911.member_2, _e3366), _e1911.member_2, _e3406);
 if _e2157 {
-phi_7366_ = type_32(_e3412, vec3<f32>(_e3413, _e3414, _e3415), _e3417, vec3<f32>(_e3418, _e3419, _e3420), _e3422, _e3424, vec3<f32>(_e3425, _e3426, _e3427));
+phi_7366_ = type_33(_e3412, vec3<f32>(_e3413, _e3414, _e3415), _e3417, vec3<f32>(_e3418, _e3419, _e3420), _e3422, _e3424, vec3<f32>(_e3425, _e3426, _e3427));
 } else {
 let _e3434 = (((_e1893.member * _e1893.member) + (_e1893.member_1 * _e1893.member_1)) + (_e1893.member_2 * _e1893.member_2));
 let _e3437 = sqrt(select(0f, _e3434, (_e3434 > 0f)));
@@ -1392,7 +1392,7 @@ let _e3733 = select(2f, select(0f, _e3725, (_e3705 < 0f)), (_e3706 > 0f));
 let _e3734 = (_e3705 > _e3669);
 let _e3738 = ((_e3729 > _e3661) || ((_e3729 == _e3661) && _e3734));
 let _e3739 = (_e3733 < _e3665);
-phi_7366_ = type_32(select(_e3661, _e3729, _e3738), vec3<f32>(select(select(select(select(_e3413, _e3475.member, _e3501), _e3554.member, _e3580), _e3633.member, _e3659), _e3712.member, _e3738), select(select(select(select(_e3414, _e3475.member_1, _e3501), _e3554.member_1, _e3580), _e3633.member_1, _e3659), _e3712.member_1, _e3738), select(select(select(select(_e3415, _e3475.member_2, _e3501), _e3554.member_2, _e3580), _e3633.member_2, _e3659), _e3712.member_2, _e3738)), select(_e3665, _e3733, _e3739), vec3<f32>(select(select(select(select(_e3418, _e3475.member, _e3502), _e3554.member, _e3581), _e3633.member, _e3660), _e3712.member, _e3739), select(select(select(select(_e3419, _e3475.member_1, _e3502), _e3554.member_1, _e3581), _e3633.member_1, _e3660), _e3712.member_1, _e3739), select(select(select(select(_e3420, _e3475.member_2, _e3502), _e3554.member_2, _e3581), _e3633.member_2, _e3660), _e3712.member_2, _e3739)), select(_e3669, _e3705, _e3734), select(_e3671, _e3706, (_e3706 > _e3671)), vec3<f32>(select(select(select(select(_e3425, _e3475.member, _e3497), _e3554.member, _e3576), _e3633.member, _e3655), _e3712.member, _e3734), select(select(select(select(_e3426, _e3475.member_1, _e3497), _e3554.member_1, _e3576), _e3633.member_1, _e3655), _e3712.member_1, _e3734), select(select(select(select(_e3427, _e3475.member_2, _e3497), _e3554.member_2, _e3576), _e3633.member_2, _e3655), _e3712.member_2, _e3734)));
+phi_7366_ = type_33(select(_e3661, _e3729, _e3738), vec3<f32>(select(select(select(select(_e3413, _e3475.member, _e3501), _e3554.member, _e3580), _e3633.member, _e3659), _e3712.member, _e3738), select(select(select(select(_e3414, _e3475.member_1, _e3501), _e3554.member_1, _e3580), _e3633.member_1, _e3659), _e3712.member_1, _e3738), select(select(select(select(_e3415, _e3475.member_2, _e3501), _e3554.member_2, _e3580), _e3633.member_2, _e3659), _e3712.member_2, _e3738)), select(_e3665, _e3733, _e3739), vec3<f32>(select(select(select(select(_e3418, _e3475.member, _e3502), _e3554.member, _e3581), _e3633.member, _e3660), _e3712.member, _e3739), select(select(select(select(_e3419, _e3475.member_1, _e3502), _e3554.member_1, _e3581), _e3633.member_1, _e3660), _e3712.member_1, _e3739), select(select(select(select(_e3420, _e3475.member_2, _e3502), _e3554.member_2, _e3581), _e3633.member_2, _e3660), _e3712.member_2, _e3739)), select(_e3669, _e3705, _e3734), select(_e3671, _e3706, (_e3706 > _e3671)), vec3<f32>(select(select(select(select(_e3425, _e3475.member, _e3497), _e3554.member, _e3576), _e3633.member, _e3655), _e3712.member, _e3734), select(select(select(select(_e3426, _e3475.member_1, _e3497), _e3554.member_1, _e3576), _e3633.member_1, _e3655), _e3712.member_1, _e3734), select(select(select(select(_e3427, _e3475.member_2, _e3497), _e3554.member_2, _e3576), _e3633.member_2, _e3655), _e3712.member_2, _e3734)));
 }
 let _e3759 = phi_7366_;
 let _e3765 = (((_e2519 && _e3167) && !(_e3152)) && (_e3759.member_2 <= 1f));
@@ -1437,7 +1437,7 @@ let _e3889 = (select(0i, _e3838, (_e3838 > 0i)) * _e1254);
 let _e3890 = (select(_e1267, _e3856, (_e3856 < _e1267)) * _e1254);
 let _e3891 = (select(0i, _e3853, (_e3853 > 0i)) * _e1259);
 let _e3892 = (select(_e1280, _e3861, (_e3861 < _e1280)) * _e1259);
-local_30 = type_29(array<i32, 4>(_e3876, _e3876, _e3876, _e3876), array<u32, 6>(bitcast<u32>(((_e3866 - _e3876) * 8i)), bitcast<u32>(((select(0i, _e3823, (_e3823 > 0i)) - _e3876) * 8i)), bitcast<u32>(((select(_e1293, _e3869, (_e3869 < _e1293)) - _e3876) * 8i)), bitcast<u32>(((select(_e1293, _e3872, (_e3872 < _e1293)) - _e3876) * 8i)), 0u, 0u));
+local_30 = type_30(array<i32, 4>(_e3876, _e3876, _e3876, _e3876), array<u32, 6>(bitcast<u32>(((_e3866 - _e3876) * 8i)), bitcast<u32>(((select(0i, _e3823, (_e3823 > 0i)) - _e3876) * 8i)), bitcast<u32>(((select(_e1293, _e3869, (_e3869 < _e1293)) - _e3876) * 8i)), bitcast<u32>(((select(_e1293, _e3872, (_e3872 < _e1293)) - _e3876) * 8i)), 0u, 0u));
 local_31 = vec3<f32>((_e3800 - f32(_e3823)), (_e3804 - f32(_e3838)), (_e3808 - f32(_e3853)));
 let _e3907 = local_30.member[0u];
 let _e3908 = ((_e3891 + _e3889) + _e3907);
@@ -1669,7 +1669,7 @@ let _e4568 = select(select(select(select(select(select(0f, _e1893.member, _e4349
 let _e4569 = select(select(select(select(select(select(0f, _e1893.member_1, _e4349), _e1893.member_1, _e4389), _e1902.member_1, _e4429), _e1902.member_1, _e4469), _e1911.member_1, _e4509), _e1911.member_1, _e4549);
 let _e4570 = select(select(select(select(select(select(1f, _e1893.member_2, _e4349), _e1893.member_2, _e4389), _e1902.member_2, _e4429), _e1902.member_2, _e4469), _e1911.member_2, _e4509), _e1911.member_2, _e4549);
 if _e2157 {
-phi_10132_ = type_32(_e4555, vec3<f32>(_e4556, _e4557, _e4558), _e4560, vec3<f32>(_e4561, _e4562, _e4563), _e4565, _e4567, vec3<f32>(_e4568, _e4569, _e4570));
+phi_10132_ = type_33(_e4555, vec3<f32>(_e4556, _e4557, _e4558), _e4560, vec3<f32>(_e4561, _e4562, _e4563), _e4565, _e4567, vec3<f32>(_e4568, _e4569, _e4570));
 } else {
 let _e4577 = (((_e1893.member * _e1893.member) + (_e1893.member_1 * _e1893.member_1)) + (_e1893.member_2 * _e1893.member_2));
 let _e4580 = sqrt(select(0f, _e4577, (_e4577 > 0f)));
@@ -1749,7 +1749,7 @@ let _e4876 = select(2f, select(0f, _e4868, (_e4848 < 0f)), (_e4849 > 0f));
 let _e4877 = (_e4848 > _e4812);
 let _e4881 = ((_e4872 > _e4804) || ((_e4872 == _e4804) && _e4877));
 let _e4882 = (_e4876 < _e4808);
-phi_10132_ = type_32(select(_e4804, _e4872, _e4881), vec3<f32>(select(select(select(select(_e4556, _e4618.member, _e4644), _e4697.member, _e4723), _e4776.member, _e4802), _e4855.member, _e4881), select(select(select(select(_e4557, _e4618.member_1, _e4644), _e4697.member_1, _e4723), _e4776.member_1, _e4802), _e4855.member_1, _e4881), select(select(select(select(_e4558, _e4618.member_2, _e4644), _e4697.member_2, _e4723), _e4776.member_2, _e4802), _e4855.member_2, _e4881)), select(_e4808, _e4876, _e4882), vec3<f32>(select(select(select(select(_e4561, _e4618.member, _e4645), _e4697.member, _e4724), _e4776.member, _e4803), _e4855.member, _e4882), select(select(select(select(_e4562, _e4618.member_1, _e4645), _e4697.member_1, _e4724), _e4776.member_1, _e4803), _e4855.member_1, _e4882), select(select(select(select(_e4563, _e4618.member_2, _e4645), _e4697.member_2, _e4724), _e4776.member_2, _e4803), _e4855.member_2, _e4882)), select(_e4812, _e4848, _e4877), select(_e4814, _e4849, (_e4849 > _e4814)), vec3<f32>(select(select(select(select(_e4568, _e4618.member, _e4640), _e4697.member, _e4719), _e4776.member, _e4798), _e4855.member, _e4877), select(select(select(select(_e4569, _e4618.member_1, _e4640), _e4697.member_1, _e4719), _e4776.member_1, _e4798), _e4855.member_1, _e4877), select(select(select(select(_e4570, _e4618.member_2, _e4640), _e4697.member_2, _e4719), _e4776.member_2, _e4798), _e4855.member_2, _e4877)));
+phi_10132_ = type_33(select(_e4804, _e4872, _e4881), vec3<f32>(select(select(select(select(_e4556, _e4618.member, _e4644), _e4697.member, _e4723), _e4776.member, _e4802), _e4855.member, _e4881), select(select(select(select(_e4557, _e4618.member_1, _e4644), _e4697.member_1, _e4723), _e4776.member_1, _e4802), _e4855.member_1, _e4881), select(select(select(select(_e4558, _e4618.member_2, _e4644), _e4697.member_2, _e4723), _e4776.member_2, _e4802), _e4855.member_2, _e4881)), select(_e4808, _e4876, _e4882), vec3<f32>(select(select(select(select(_e4561, _e4618.member, _e4645), _e4697.member, _e4724), _e4776.member, _e4803), _e4855.member, _e4882), select(select(select(select(_e4562, _e4618.member_1, _e4645), _e4697.member_1, _e4724), _e4776.member_1, _e4803), _e4855.member_1, _e4882), select(select(select(select(_e4563, _e4618.member_2, _e4645), _e4697.member_2, _e4724), _e4776.member_2, _e4803), _e4855.member_2, _e4882)), select(_e4812, _e4848, _e4877), select(_e4814, _e4849, (_e4849 > _e4814)), vec3<f32>(select(select(select(select(_e4568, _e4618.member, _e4640), _e4697.member, _e4719), _e4776.member, _e4798), _e4855.member, _e4877), select(select(select(select(_e4569, _e4618.member_1, _e4640), _e4697.member_1, _e4719), _e4776.member_1, _e4798), _e4855.member_1, _e4877), select(select(select(select(_e4570, _e4618.member_2, _e4640), _e4697.member_2, _e4719), _e4776.member_2, _e4798), _e4855.member_2, _e4877)));
 }
 let _e4902 = phi_10132_;
 let _e4908 = (((_e3765 && _e4289) && !(_e4273)) && (_e4902.member_2 <= 1f));
@@ -1793,7 +1793,7 @@ let _e5032 = (select(0i, _e4981, (_e4981 > 0i)) * _e1254);
 let _e5033 = (select(_e1267, _e4999, (_e4999 < _e1267)) * _e1254);
 let _e5034 = (select(0i, _e4996, (_e4996 > 0i)) * _e1259);
 let _e5035 = (select(_e1280, _e5004, (_e5004 < _e1280)) * _e1259);
-local_26 = type_29(array<i32, 4>(_e5019, _e5019, _e5019, _e5019), array<u32, 6>(bitcast<u32>(((_e5009 - _e5019) * 8i)), bitcast<u32>(((select(0i, _e4966, (_e4966 > 0i)) - _e5019) * 8i)), bitcast<u32>(((select(_e1293, _e5012, (_e5012 < _e1293)) - _e5019) * 8i)), bitcast<u32>(((select(_e1293, _e5015, (_e5015 < _e1293)) - _e5019) * 8i)), 0u, 0u));
+local_26 = type_30(array<i32, 4>(_e5019, _e5019, _e5019, _e5019), array<u32, 6>(bitcast<u32>(((_e5009 - _e5019) * 8i)), bitcast<u32>(((select(0i, _e4966, (_e4966 > 0i)) - _e5019) * 8i)), bitcast<u32>(((select(_e1293, _e5012, (_e5012 < _e1293)) - _e5019) * 8i)), bitcast<u32>(((select(_e1293, _e5015, (_e5015 < _e1293)) - _e5019) * 8i)), 0u, 0u));
 local_27 = vec3<f32>((_e4943 - f32(_e4966)), (_e4947 - f32(_e4981)), (_e4951 - f32(_e4996)));
 let _e5050 = local_26.member[0u];
 let _e5051 = ((_e5034 + _e5032) + _e5050);
@@ -2025,7 +2025,7 @@ let _e5712 = select(select(select(select(select(select(0f, _e1893.member, _e5493
 let _e5713 = select(select(select(select(select(select(0f, _e1893.member_1, _e5493), _e1893.member_1, _e5533), _e1902.member_1, _e5573), _e1902.member_1, _e5613), _e1911.member_1, _e5653), _e1911.member_1, _e5693);
 let _e5714 = select(select(select(select(select(select(1f, _e1893.member_2, _e5493), _e1893.member_2, _e5533), _e1902.member_2, _e5573), _e1902.member_2, _e5613), _e1911.member_2, _e5653), _e1911.member_2, _e5693);
 if _e2157 {
-phi_12898_ = type_32(_e5699, vec3<f32>(_e5700, _e5701, _e5702), _e5704, vec3<f32>(_e5705, _e5706, _e5707), _e5709, _e5711, vec3<f32>(_e5712, _e5713, _e5714));
+phi_12898_ = type_33(_e5699, vec3<f32>(_e5700, _e5701, _e5702), _e5704, vec3<f32>(_e5705, _e5706, _e5707), _e5709, _e5711, vec3<f32>(_e5712, _e5713, _e5714));
 } else {
 let _e5721 = (((_e1893.member * _e1893.member) + (_e1893.member_1 * _e1893.member_1)) + (_e1893.member_2 * _e1893.member_2));
 let _e5724 = sqrt(select(0f, _e5721, (_e5721 > 0f)));
@@ -2105,7 +2105,7 @@ let _e6020 = select(2f, select(0f, _e6012, (_e5992 < 0f)), (_e5993 > 0f));
 let _e6021 = (_e5992 > _e5956);
 let _e6025 = ((_e6016 > _e5948) || ((_e6016 == _e5948) && _e6021));
 let _e6026 = (_e6020 < _e5952);
-phi_12898_ = type_32(select(_e5948, _e6016, _e6025), vec3<f32>(select(select(select(select(_e5700, _e5762.member, _e5788), _e5841.member, _e5867), _e5920.member, _e5946), _e5999.member, _e6025), select(select(select(select(_e5701, _e5762.member_1, _e5788), _e5841.member_1, _e5867), _e5920.member_1, _e5946), _e5999.member_1, _e6025), select(select(select(select(_e5702, _e5762.member_2, _e5788), _e5841.member_2, _e5867), _e5920.member_2, _e5946), _e5999.member_2, _e6025)), select(_e5952, _e6020, _e6026), vec3<f32>(select(select(select(select(_e5705, _e5762.member, _e5789), _e5841.member, _e5868), _e5920.member, _e5947), _e5999.member, _e6026), select(select(select(select(_e5706, _e5762.member_1, _e5789), _e5841.member_1, _e5868), _e5920.member_1, _e5947), _e5999.member_1, _e6026), select(select(select(select(_e5707, _e5762.member_2, _e5789), _e5841.member_2, _e5868), _e5920.member_2, _e5947), _e5999.member_2, _e6026)), select(_e5956, _e5992, _e6021), select(_e5958, _e5993, (_e5993 > _e5958)), vec3<f32>(select(select(select(select(_e5712, _e5762.member, _e5784), _e5841.member, _e5863), _e5920.member, _e5942), _e5999.member, _e6021), select(select(select(select(_e5713, _e5762.member_1, _e5784), _e5841.member_1, _e5863), _e5920.member_1, _e5942), _e5999.member_1, _e6021), select(select(select(select(_e5714, _e5762.member_2, _e5784), _e5841.member_2, _e5863), _e5920.member_2, _e5942), _e5999.member_2, _e6021)));
+phi_12898_ = type_33(select(_e5948, _e6016, _e6025), vec3<f32>(select(select(select(select(_e5700, _e5762.member, _e5788), _e5841.member, _e5867), _e5920.member, _e5946), _e5999.member, _e6025), select(select(select(select(_e5701, _e5762.member_1, _e5788), _e5841.member_1, _e5867), _e5920.member_1, _e5946), _e5999.member_1, _e6025), select(select(select(select(_e5702, _e5762.member_2, _e5788), _e5841.member_2, _e5867), _e5920.member_2, _e5946), _e5999.member_2, _e6025)), select(_e5952, _e6020, _e6026), vec3<f32>(select(select(select(select(_e5705, _e5762.member, _e5789), _e5841.member, _e5868), _e5920.member, _e5947), _e5999.member, _e6026), select(select(select(select(_e5706, _e5762.member_1, _e5789), _e5841.member_1, _e5868), _e5920.member_1, _e5947), _e5999.member_1, _e6026), select(select(select(select(_e5707, _e5762.member_2, _e5789), _e5841.member_2, _e5868), _e5920.member_2, _e5947), _e5999.member_2, _e6026)), select(_e5956, _e5992, _e6021), select(_e5958, _e5993, (_e5993 > _e5958)), vec3<f32>(select(select(select(select(_e5712, _e5762.member, _e5784), _e5841.member, _e5863), _e5920.member, _e5942), _e5999.member, _e6021), select(select(select(select(_e5713, _e5762.member_1, _e5784), _e5841.member_1, _e5863), _e5920.member_1, _e5942), _e5999.member_1, _e6021), select(select(select(select(_e5714, _e5762.member_2, _e5784), _e5841.member_2, _e5863), _e5920.member_2, _e5942), _e5999.member_2, _e6021)));
 }
 let _e6046 = phi_12898_;
 let _e6052 = (((_e4908 && _e5433) && !(_e5417)) && (_e6046.member_2 <= 1f));
@@ -2276,12 +2276,12 @@ phi_14646_ = _e3080;
 phi_14646_ = _e4207;
 }
 let _e6492 = phi_14646_;
-phi_14659_ = type_33(_e6492, vec3<f32>(select(_e5428, _e4921.x, _e6052), select(_e5429, _e4921.y, _e6052), select(_e5430, _e4921.z, _e6052)), vec3<f32>(_e5402, _e5403, _e5404), select(_e1878, ((((sqrt(select(0f, _e6060, (_e6060 > 0f))) * select(0f, _e6141, (_e6141 > 0f))) + (sqrt(select(0f, _e6152, (_e6152 > 0f))) * select(0f, _e6248, (_e6248 > 0f)))) + (sqrt(select(0f, _e6260, (_e6260 > 0f))) * select(0f, _e6356, (_e6356 > 0f)))) + select(0f, (sqrt(select(0f, _e6368, (_e6368 > 0f))) * select(0f, _e6464, (_e6464 > 0f))), _e4908)), _e6471), select((_e459 / _e5404), (2f * (_e3769 / _e3134)), (((_e2519 && !(_e2496)) && _e3167) && !(_e3765))), select(_e3759.member_3, _e2511.member_1, vec3(_e3148)), _e5433, _e6471, (((_e3152 || _e4273) || _e5417) || _e6052));
+phi_14659_ = type_34(_e6492, vec3<f32>(select(_e5428, _e4921.x, _e6052), select(_e5429, _e4921.y, _e6052), select(_e5430, _e4921.z, _e6052)), vec3<f32>(_e5402, _e5403, _e5404), select(_e1878, ((((sqrt(select(0f, _e6060, (_e6060 > 0f))) * select(0f, _e6141, (_e6141 > 0f))) + (sqrt(select(0f, _e6152, (_e6152 > 0f))) * select(0f, _e6248, (_e6248 > 0f)))) + (sqrt(select(0f, _e6260, (_e6260 > 0f))) * select(0f, _e6356, (_e6356 > 0f)))) + select(0f, (sqrt(select(0f, _e6368, (_e6368 > 0f))) * select(0f, _e6464, (_e6464 > 0f))), _e4908)), _e6471), select((_e459 / _e5404), (2f * (_e3769 / _e3134)), (((_e2519 && !(_e2496)) && _e3167) && !(_e3765))), select(_e3759.member_3, _e2511.member_1, vec3(_e3148)), _e5433, _e6471, (((_e3152 || _e4273) || _e5417) || _e6052));
 phi_14660_ = vec3<f32>(_e2500, _e2501, _e2502);
 phi_14661_ = _e2496;
 phi_14662_ = _e2497;
 } else {
-phi_14659_ = type_33(_e1791.member, _e1791.member_1, _e1791.member_2, _e1878, _e1791.member_4, _e1791.member_5, _e1791.member_6, _e1791.member_7, _e1791.member_8);
+phi_14659_ = type_34(_e1791.member, _e1791.member_1, _e1791.member_2, _e1878, _e1791.member_4, _e1791.member_5, _e1791.member_6, _e1791.member_7, _e1791.member_8);
 phi_14660_ = _e1124;
 phi_14661_ = true;
 phi_14662_ = _e1779;
@@ -2331,7 +2331,7 @@ let _e6971 = (select(0i, _e6931, (_e6931 > 0i)) * _e1259);
 let _e6972 = (select(0i, _e6919, (_e6919 > 0i)) * _e1259);
 let _e6973 = (select(_e1280, _e6936, (_e6936 < _e1280)) * _e1259);
 let _e6974 = (select(_e1280, _e6939, (_e6939 < _e1280)) * _e1259);
-local_22 = type_29(array<i32, 4>(_e6954, _e6954, _e6954, _e6954), array<u32, 6>(bitcast<u32>(((_e6944 - _e6954) * 8i)), bitcast<u32>(((select(0i, _e6889, (_e6889 > 0i)) - _e6954) * 8i)), bitcast<u32>(((select(_e1293, _e6947, (_e6947 < _e1293)) - _e6954) * 8i)), bitcast<u32>(((select(_e1293, _e6950, (_e6950 < _e1293)) - _e6954) * 8i)), 0u, 0u));
+local_22 = type_30(array<i32, 4>(_e6954, _e6954, _e6954, _e6954), array<u32, 6>(bitcast<u32>(((_e6944 - _e6954) * 8i)), bitcast<u32>(((select(0i, _e6889, (_e6889 > 0i)) - _e6954) * 8i)), bitcast<u32>(((select(_e1293, _e6947, (_e6947 < _e1293)) - _e6954) * 8i)), bitcast<u32>(((select(_e1293, _e6950, (_e6950 < _e1293)) - _e6954) * 8i)), 0u, 0u));
 local_23 = vec3<f32>((_e6866 - f32(_e6889)), (_e6870 - f32(_e6904)), (_e6874 - f32(_e6919)));
 let _e6989 = local_22.member[0u];
 let _e6990 = ((_e6972 + _e6968) + _e6989);
@@ -2671,7 +2671,7 @@ if _e808 {
 let _e8500 = ((0.5f * (_e7791 - _e7785)) * _e8049);
 let _e8501 = ((0.5f * (_e7803 - _e7797)) * _e8049);
 let _e8502 = ((0.5f * (_e7815 - _e7809)) * _e8049);
-phi_20173_ = type_30(_e8011, vec3<f32>(_e8500, _e8501, _e8502), vec3<f32>((_e8500 * _e8011), (_e8501 * _e8011), (_e8502 * _e8011)));
+phi_20173_ = type_31(_e8011, vec3<f32>(_e8500, _e8501, _e8502), vec3<f32>((_e8500 * _e8011), (_e8501 * _e8011), (_e8502 * _e8011)));
 } else {
 local_18 = _e7785;
 let _e8050 = local_18;
@@ -2820,7 +2820,7 @@ let _e8475 = ((_e7996 + (f32(bitcast<i32>((_e8460 >> bitcast<u32>(12u)))) * _e80
 let _e8476 = (_e8191 - _e8120);
 let _e8478 = (_e8333 - _e8262);
 let _e8480 = (_e8475 - _e8404);
-phi_20173_ = type_30(_e8011, vec3<f32>((0.5f * _e8476), (0.5f * _e8478), (0.5f * _e8480)), vec3<f32>((0.25f * (_e8476 * (_e8191 + _e8120))), (0.25f * (_e8478 * (_e8333 + _e8262))), (0.25f * (_e8480 * (_e8475 + _e8404)))));
+phi_20173_ = type_31(_e8011, vec3<f32>((0.5f * _e8476), (0.5f * _e8478), (0.5f * _e8480)), vec3<f32>((0.25f * (_e8476 * (_e8191 + _e8120))), (0.25f * (_e8478 * (_e8333 + _e8262))), (0.25f * (_e8480 * (_e8475 + _e8404)))));
 }
 let _e8510 = phi_20173_;
 let _e8525 = select(0f, 1f, ((((((_e6512 >= -0.5f) && (_e6512 <= _e611)) && (_e6518 >= -0.5f)) && (_e6518 <= _e622)) && (_e6524 >= -0.5f)) && (_e6524 <= _e633)));
@@ -2836,7 +2836,7 @@ let _e8573 = global_5.member[_e436].member_6.member_1.member.member_2;
 let _e8580 = global_5.member[_e436].member_6.member_2.member.member;
 let _e8587 = global_5.member[_e436].member_6.member_2.member.member_1;
 let _e8594 = global_5.member[_e436].member_6.member_2.member.member_2;
-phi_20936_ = type_31(_e7779, vec3<f32>(((((_e8538 * _e8527) + (_e8559 * _e8529)) + (_e8580 * _e8531)) * _e8525), ((((_e8545 * _e8527) + (_e8566 * _e8529)) + (_e8587 * _e8531)) * _e8525), ((((_e8552 * _e8527) + (_e8573 * _e8529)) + (_e8594 * _e8531)) * _e8525)), _e8510.member, vec3<f32>(((((_e8538 * _e8510.member_2.x) + (_e8559 * _e8510.member_2.y)) + (_e8580 * _e8510.member_2.z)) * _e8525), ((((_e8545 * _e8510.member_2.x) + (_e8566 * _e8510.member_2.y)) + (_e8587 * _e8510.member_2.z)) * _e8525), ((((_e8552 * _e8510.member_2.x) + (_e8573 * _e8510.member_2.y)) + (_e8594 * _e8510.member_2.z)) * _e8525)), vec3<f32>(((((_e8538 * _e8510.member_1.x) + (_e8559 * _e8510.member_1.y)) + (_e8580 * _e8510.member_1.z)) * _e8525), ((((_e8545 * _e8510.member_1.x) + (_e8566 * _e8510.member_1.y)) + (_e8587 * _e8510.member_1.z)) * _e8525), ((((_e8552 * _e8510.member_1.x) + (_e8573 * _e8510.member_1.y)) + (_e8594 * _e8510.member_1.z)) * _e8525)));
+phi_20936_ = type_32(_e7779, vec3<f32>(((((_e8538 * _e8527) + (_e8559 * _e8529)) + (_e8580 * _e8531)) * _e8525), ((((_e8545 * _e8527) + (_e8566 * _e8529)) + (_e8587 * _e8531)) * _e8525), ((((_e8552 * _e8527) + (_e8573 * _e8529)) + (_e8594 * _e8531)) * _e8525)), _e8510.member, vec3<f32>(((((_e8538 * _e8510.member_2.x) + (_e8559 * _e8510.member_2.y)) + (_e8580 * _e8510.member_2.z)) * _e8525), ((((_e8545 * _e8510.member_2.x) + (_e8566 * _e8510.member_2.y)) + (_e8587 * _e8510.member_2.z)) * _e8525), ((((_e8552 * _e8510.member_2.x) + (_e8573 * _e8510.member_2.y)) + (_e8594 * _e8510.member_2.z)) * _e8525)), vec3<f32>(((((_e8538 * _e8510.member_1.x) + (_e8559 * _e8510.member_1.y)) + (_e8580 * _e8510.member_1.z)) * _e8525), ((((_e8545 * _e8510.member_1.x) + (_e8566 * _e8510.member_1.y)) + (_e8587 * _e8510.member_1.z)) * _e8525), ((((_e8552 * _e8510.member_1.x) + (_e8573 * _e8510.member_1.y)) + (_e8594 * _e8510.member_1.z)) * _e8525)));
 } else {
 let _e6526 = select(-0.5f, _e6512, (_e6512 > -0.5f));
 let _e6528 = select(_e611, _e6526, (_e6526 < _e611));
@@ -2867,7 +2867,7 @@ let _e6617 = (select(0i, _e6566, (_e6566 > 0i)) * _e1254);
 let _e6618 = (select(_e1267, _e6584, (_e6584 < _e1267)) * _e1254);
 let _e6619 = (select(0i, _e6581, (_e6581 > 0i)) * _e1259);
 let _e6620 = (select(_e1280, _e6589, (_e6589 < _e1280)) * _e1259);
-local_6 = type_29(array<i32, 4>(_e6604, _e6604, _e6604, _e6604), array<u32, 6>(bitcast<u32>(((_e6594 - _e6604) * 8i)), bitcast<u32>(((select(0i, _e6551, (_e6551 > 0i)) - _e6604) * 8i)), bitcast<u32>(((select(_e1293, _e6597, (_e6597 < _e1293)) - _e6604) * 8i)), bitcast<u32>(((select(_e1293, _e6600, (_e6600 < _e1293)) - _e6604) * 8i)), 0u, 0u));
+local_6 = type_30(array<i32, 4>(_e6604, _e6604, _e6604, _e6604), array<u32, 6>(bitcast<u32>(((_e6594 - _e6604) * 8i)), bitcast<u32>(((select(0i, _e6551, (_e6551 > 0i)) - _e6604) * 8i)), bitcast<u32>(((select(_e1293, _e6597, (_e6597 < _e1293)) - _e6604) * 8i)), bitcast<u32>(((select(_e1293, _e6600, (_e6600 < _e1293)) - _e6604) * 8i)), 0u, 0u));
 local_7 = vec3<f32>((_e6528 - f32(_e6551)), (_e6532 - f32(_e6566)), (_e6536 - f32(_e6581)));
 let _e6635 = local_6.member[0u];
 let _e6636 = ((_e6619 + _e6617) + _e6635);
@@ -2933,7 +2933,7 @@ let _e6847 = local_7[1u];
 let _e6852 = local_7[2u];
 let _e6857 = (((_e6744 + (((_e6795 + (((_e6835 + ((f32(bitcast<i32>(((_e6828 >> bitcast<u32>((_e6836 & 31u))) & 255u))) - _e6835) * _e6843)) - _e6795) * _e6847)) - _e6744) * _e6852)) - _e1567) * _e1572);
 let _e6859 = select(_e1575, _e6857, (_e6857 > _e1575));
-phi_20936_ = type_31(select(1e9f, _e6859, (_e6859 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20936_ = type_32(select(1e9f, _e6859, (_e6859 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8660 = phi_20936_;
 let _e8663 = select(1f, select(1f, _e1192, (_e1192 < 1f)), _e533);
@@ -3870,7 +3870,7 @@ let _e12038 = select(select(select(select(select(select(0f, _e11777.member, _e11
 let _e12039 = select(select(select(select(select(select(0f, _e11777.member_1, _e11819), _e11777.member_1, _e11859), _e11786.member_1, _e11899), _e11786.member_1, _e11939), _e11795.member_1, _e11979), _e11795.member_1, _e12019);
 let _e12040 = select(select(select(select(select(select(1f, _e11777.member_2, _e11819), _e11777.member_2, _e11859), _e11786.member_2, _e11899), _e11786.member_2, _e11939), _e11795.member_2, _e11979), _e11795.member_2, _e12019);
 if _e8665 {
-phi_28367_ = type_32(_e12025, vec3<f32>(_e12026, _e12027, _e12028), _e12030, vec3<f32>(_e12031, _e12032, _e12033), _e12035, _e12037, vec3<f32>(_e12038, _e12039, _e12040));
+phi_28367_ = type_33(_e12025, vec3<f32>(_e12026, _e12027, _e12028), _e12030, vec3<f32>(_e12031, _e12032, _e12033), _e12035, _e12037, vec3<f32>(_e12038, _e12039, _e12040));
 } else {
 let _e12047 = (((_e11777.member * _e11777.member) + (_e11777.member_1 * _e11777.member_1)) + (_e11777.member_2 * _e11777.member_2));
 let _e12050 = sqrt(select(0f, _e12047, (_e12047 > 0f)));
@@ -3950,7 +3950,7 @@ let _e12346 = select(2f, select(0f, _e12338, (_e12318 < 0f)), (_e12319 > 0f));
 let _e12347 = (_e12318 > _e12282);
 let _e12351 = ((_e12342 > _e12274) || ((_e12342 == _e12274) && _e12347));
 let _e12352 = (_e12346 < _e12278);
-phi_28367_ = type_32(select(_e12274, _e12342, _e12351), vec3<f32>(select(select(select(select(_e12026, _e12088.member, _e12114), _e12167.member, _e12193), _e12246.member, _e12272), _e12325.member, _e12351), select(select(select(select(_e12027, _e12088.member_1, _e12114), _e12167.member_1, _e12193), _e12246.member_1, _e12272), _e12325.member_1, _e12351), select(select(select(select(_e12028, _e12088.member_2, _e12114), _e12167.member_2, _e12193), _e12246.member_2, _e12272), _e12325.member_2, _e12351)), select(_e12278, _e12346, _e12352), vec3<f32>(select(select(select(select(_e12031, _e12088.member, _e12115), _e12167.member, _e12194), _e12246.member, _e12273), _e12325.member, _e12352), select(select(select(select(_e12032, _e12088.member_1, _e12115), _e12167.member_1, _e12194), _e12246.member_1, _e12273), _e12325.member_1, _e12352), select(select(select(select(_e12033, _e12088.member_2, _e12115), _e12167.member_2, _e12194), _e12246.member_2, _e12273), _e12325.member_2, _e12352)), select(_e12282, _e12318, _e12347), select(_e12284, _e12319, (_e12319 > _e12284)), vec3<f32>(select(select(select(select(_e12038, _e12088.member, _e12110), _e12167.member, _e12189), _e12246.member, _e12268), _e12325.member, _e12347), select(select(select(select(_e12039, _e12088.member_1, _e12110), _e12167.member_1, _e12189), _e12246.member_1, _e12268), _e12325.member_1, _e12347), select(select(select(select(_e12040, _e12088.member_2, _e12110), _e12167.member_2, _e12189), _e12246.member_2, _e12268), _e12325.member_2, _e12347)));
+phi_28367_ = type_33(select(_e12274, _e12342, _e12351), vec3<f32>(select(select(select(select(_e12026, _e12088.member, _e12114), _e12167.member, _e12193), _e12246.member, _e12272), _e12325.member, _e12351), select(select(select(select(_e12027, _e12088.member_1, _e12114), _e12167.member_1, _e12193), _e12246.member_1, _e12272), _e12325.member_1, _e12351), select(select(select(select(_e12028, _e12088.member_2, _e12114), _e12167.member_2, _e12193), _e12246.member_2, _e12272), _e12325.member_2, _e12351)), select(_e12278, _e12346, _e12352), vec3<f32>(select(select(select(select(_e12031, _e12088.member, _e12115), _e12167.member, _e12194), _e12246.member, _e12273), _e12325.member, _e12352), select(select(select(select(_e12032, _e12088.member_1, _e12115), _e12167.member_1, _e12194), _e12246.member_1, _e12273), _e12325.member_1, _e12352), select(select(select(select(_e12033, _e12088.member_2, _e12115), _e12167.member_2, _e12194), _e12246.member_2, _e12273), _e12325.member_2, _e12352)), select(_e12282, _e12318, _e12347), select(_e12284, _e12319, (_e12319 > _e12284)), vec3<f32>(select(select(select(select(_e12038, _e12088.member, _e12110), _e12167.member, _e12189), _e12246.member, _e12268), _e12325.member, _e12347), select(select(select(select(_e12039, _e12088.member_1, _e12110), _e12167.member_1, _e12189), _e12246.member_1, _e12268), _e12325.member_1, _e12347), select(select(select(select(_e12040, _e12088.member_2, _e12110), _e12167.member_2, _e12189), _e12246.member_2, _e12268), _e12325.member_2, _e12347)));
 }
 let _e12372 = phi_28367_;
 let _e12379 = (_e8876.member_2 * select(0f, 1f, _e6495.member_6));

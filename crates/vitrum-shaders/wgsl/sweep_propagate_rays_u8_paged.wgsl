@@ -131,23 +131,27 @@ struct type_26 {
 member: f32,
 member_1: f32,
 }
-struct type_29 {
+struct type_27 {
+member: f32,
+member_1: vec3<f32>,
+}
+struct type_30 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_30 {
+struct type_31 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -156,7 +160,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: type_26,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
@@ -166,10 +170,6 @@ member_5: vec3<f32>,
 member_6: bool,
 member_7: bool,
 member_8: bool,
-}
-struct type_34 {
-member: f32,
-member_1: vec3<f32>,
 }
 struct type_35 {
 member: f32,
@@ -200,7 +200,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_29;
+var local_6: type_30;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -216,23 +216,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_29;
+var local_22: type_30;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_29;
+var local_26: type_30;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_29;
+var local_30: type_30;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_29;
+var local_34: type_30;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_29;
+var local_38: type_30;
 var local_39: vec3<f32>;
 var phi_644_: u32;
 var phi_647_: bool;
@@ -241,23 +241,23 @@ var phi_1400_: bool;
 var phi_1580_: bool;
 var phi_1583_: bool;
 var phi_2932_: f32;
-var phi_4534_: type_32;
+var phi_4534_: type_33;
 var phi_4547_: bool;
-var phi_4577_: type_34;
+var phi_4577_: type_27;
 var phi_4589_: bool;
 var phi_5725_: type_26;
-var phi_7248_: type_32;
+var phi_7248_: type_33;
 var phi_8416_: type_26;
-var phi_9954_: type_32;
+var phi_9954_: type_33;
 var phi_11122_: type_26;
-var phi_12660_: type_32;
+var phi_12660_: type_33;
 var phi_14408_: type_26;
-var phi_14421_: type_33;
+var phi_14421_: type_34;
 var phi_14422_: vec3<f32>;
 var phi_14423_: bool;
 var phi_14424_: f32;
-var phi_19851_: type_30;
-var phi_20554_: type_31;
+var phi_19851_: type_31;
+var phi_20554_: type_32;
 var phi_20967_: type_5;
 var phi_25128_: type_35;
 var phi_25884_: vec3<f32>;
@@ -265,7 +265,7 @@ var phi_26114_: type_25;
 var phi_26193_: f32;
 var phi_26194_: f32;
 var phi_26451_: vec3<f32>;
-var phi_27985_: type_32;
+var phi_27985_: type_33;
 var phi_28141_: vec3<f32>;
 var phi_28142_: bool;
 var phi_28302_: array<f32, 18>;
@@ -603,7 +603,7 @@ let _e1308 = (_e1303 + _e1307);
 let _e1309 = (_e1305 + _e1261);
 let _e1310 = (2i * _e1261);
 let _e1311 = (_e1305 + _e1310);
-local_38 = type_29(array<i32, 4>(_e1300, _e1300, _e1300, _e1300), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_38 = type_30(array<i32, 4>(_e1300, _e1300, _e1300, _e1300), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_39 = vec3<f32>((_e1198 - f32(_e1221)), (_e1202 - f32(_e1236)), (_e1206 - f32(_e1251)));
 let _e1325 = local_38.member[0u];
 let _e1326 = ((_e1309 + _e1306) + _e1325);
@@ -743,7 +743,7 @@ let _e1764 = (_e477 - _e473);
 let _e1765 = (_e482 - _e467);
 let _e1770 = (((_e1763 * _e1763) + (_e1764 * _e1764)) + (_e1765 * _e1765));
 let _e1773 = sqrt(select(0f, _e1770, (_e1770 > 0f)));
-let _e1774 = type_33(type_26(1f, 1f), vec3<f32>(_e475, _e477, _e482), _e1126, _e1773, _e462, _e1126, true, false, false);
+let _e1774 = type_34(type_26(1f, 1f), vec3<f32>(_e475, _e477, _e482), _e1126, _e1773, _e462, _e1126, true, false, false);
 let _e1775 = (_e645 < 1e-12f);
 let _e1777 = (1f / select(_e640, 1f, _e1775));
 let _e1778 = (-0.5f - _e551);
@@ -895,7 +895,7 @@ let _e2135 = select(select(select(select(select(select(0f, _e1876.member_1, _e19
 let _e2136 = select(select(select(select(select(select(1f, _e1876.member_2, _e1917), _e1876.member_2, _e1957), _e1885.member_2, _e1996), _e1885.member_2, _e2036), _e1894.member_2, _e2075), _e1894.member_2, _e2115);
 let _e2140 = ((_e778 & 16u) == 0u);
 if _e2140 {
-phi_4534_ = type_32(_e2121, vec3<f32>(_e2122, _e2123, _e2124), _e2126, vec3<f32>(_e2127, _e2128, _e2129), _e2131, _e2133, vec3<f32>(_e2134, _e2135, _e2136));
+phi_4534_ = type_33(_e2121, vec3<f32>(_e2122, _e2123, _e2124), _e2126, vec3<f32>(_e2127, _e2128, _e2129), _e2131, _e2133, vec3<f32>(_e2134, _e2135, _e2136));
 } else {
 let _e2145 = (((_e1876.member * _e1876.member) + (_e1876.member_1 * _e1876.member_1)) + (_e1876.member_2 * _e1876.member_2));
 let _e2148 = sqrt(select(0f, _e2145, (_e2145 > 0f)));
@@ -975,7 +975,7 @@ let _e2444 = select(2f, select(0f, _e2436, (_e2416 < 0f)), (_e2417 > 0f));
 let _e2445 = (_e2416 > _e2380);
 let _e2449 = ((_e2440 > _e2372) || ((_e2440 == _e2372) && _e2445));
 let _e2450 = (_e2444 < _e2376);
-phi_4534_ = type_32(select(_e2372, _e2440, _e2449), vec3<f32>(select(select(select(select(_e2122, _e2186.member, _e2212), _e2265.member, _e2291), _e2344.member, _e2370), _e2423.member, _e2449), select(select(select(select(_e2123, _e2186.member_1, _e2212), _e2265.member_1, _e2291), _e2344.member_1, _e2370), _e2423.member_1, _e2449), select(select(select(select(_e2124, _e2186.member_2, _e2212), _e2265.member_2, _e2291), _e2344.member_2, _e2370), _e2423.member_2, _e2449)), select(_e2376, _e2444, _e2450), vec3<f32>(select(select(select(select(_e2127, _e2186.member, _e2213), _e2265.member, _e2292), _e2344.member, _e2371), _e2423.member, _e2450), select(select(select(select(_e2128, _e2186.member_1, _e2213), _e2265.member_1, _e2292), _e2344.member_1, _e2371), _e2423.member_1, _e2450), select(select(select(select(_e2129, _e2186.member_2, _e2213), _e2265.member_2, _e2292), _e2344.member_2, _e2371), _e2423.member_2, _e2450)), select(_e2380, _e2416, _e2445), select(_e2382, _e2417, (_e2417 > _e2382)), vec3<f32>(select(select(select(select(_e2134, _e2186.member, _e2208), _e2265.member, _e2287), _e2344.member, _e2366), _e2423.member, _e2445), select(select(select(select(_e2135, _e2186.member_1, _e2208), _e2265.member_1, _e2287), _e2344.member_1, _e2366), _e2423.member_1, _e2445), select(select(select(select(_e2136, _e2186.member_2, _e2208), _e2265.member_2, _e2287), _e2344.member_2, _e2366), _e2423.member_2, _e2445)));
+phi_4534_ = type_33(select(_e2372, _e2440, _e2449), vec3<f32>(select(select(select(select(_e2122, _e2186.member, _e2212), _e2265.member, _e2291), _e2344.member, _e2370), _e2423.member, _e2449), select(select(select(select(_e2123, _e2186.member_1, _e2212), _e2265.member_1, _e2291), _e2344.member_1, _e2370), _e2423.member_1, _e2449), select(select(select(select(_e2124, _e2186.member_2, _e2212), _e2265.member_2, _e2291), _e2344.member_2, _e2370), _e2423.member_2, _e2449)), select(_e2376, _e2444, _e2450), vec3<f32>(select(select(select(select(_e2127, _e2186.member, _e2213), _e2265.member, _e2292), _e2344.member, _e2371), _e2423.member, _e2450), select(select(select(select(_e2128, _e2186.member_1, _e2213), _e2265.member_1, _e2292), _e2344.member_1, _e2371), _e2423.member_1, _e2450), select(select(select(select(_e2129, _e2186.member_2, _e2213), _e2265.member_2, _e2292), _e2344.member_2, _e2371), _e2423.member_2, _e2450)), select(_e2380, _e2416, _e2445), select(_e2382, _e2417, (_e2417 > _e2382)), vec3<f32>(select(select(select(select(_e2134, _e2186.member, _e2208), _e2265.member, _e2287), _e2344.member, _e2366), _e2423.member, _e2445), select(select(select(select(_e2135, _e2186.member_1, _e2208), _e2265.member_1, _e2287), _e2344.member_1, _e2366), _e2423.member_1, _e2445), select(select(select(select(_e2136, _e2186.member_2, _e2208), _e2265.member_2, _e2287), _e2344.member_2, _e2366), _e2423.member_2, _e2445)));
 }
 let _e2470 = phi_4534_;
 if ((_e2470.member_4 > -(0.015625f)) && (_e2470.member_4 < 0.015625f)) {
@@ -990,9 +990,9 @@ let _e2483 = (_e442[3] * _e2482);
 let _e2484 = (_e442[4] * _e2482);
 let _e2485 = (_e442[5] * _e2482);
 if _e2479 {
-phi_4577_ = type_34(_e2470.member_2, _e2470.member_3);
+phi_4577_ = type_27(_e2470.member_2, _e2470.member_3);
 } else {
-phi_4577_ = type_34(_e2470.member, _e2470.member_1);
+phi_4577_ = type_27(_e2470.member, _e2470.member_1);
 }
 let _e2494 = phi_4577_;
 if _e2479 {
@@ -1039,7 +1039,7 @@ let _e2615 = (_e2612 + _e1256);
 let _e2616 = (_e2612 + _e1307);
 let _e2617 = (_e2614 + _e1261);
 let _e2618 = (_e2614 + _e1310);
-local_34 = type_29(array<i32, 4>(_e2609, _e2609, _e2609, _e2609), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_34 = type_30(array<i32, 4>(_e2609, _e2609, _e2609, _e2609), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_35 = vec3<f32>((_e2534 - f32(_e2557)), (_e2538 - f32(_e2572)), (_e2542 - f32(_e2587)));
 let _e2632 = local_34.member[0u];
 let _e2633 = ((_e2617 + _e2615) + _e2632);
@@ -1316,7 +1316,7 @@ let _e3399 = select(select(select(select(select(select(0f, _e1876.member, _e3180
 let _e3400 = select(select(select(select(select(select(0f, _e1876.member_1, _e3180), _e1876.member_1, _e3220), _e1885.member_1, _e3260), _e1885.member_1, _e3300), _e1894.member_1, _e3340), _e1894.member_1, _e3380);
 let _e3401 = select(select(select(select(select(select(1f, _e1876.member_2, _e3180), _e1876.member_2, _e3220), _e1885.member_2, _e3260), _e1885.member_2, _e3300), _e1894.member_2, _e3340), _e1894.member_2, _e3380);
 if _e2140 {
-phi_7248_ = type_32(_e3386, vec3<f32>(_e3387, _e3388, _e3389), _e3391, vec3<f32>(_e3392, _e3393, _e3394), _e3396, _e3398, vec3<f32>(_e3399, _e3400, _e3401));
+phi_7248_ = type_33(_e3386, vec3<f32>(_e3387, _e3388, _e3389), _e3391, vec3<f32>(_e3392, _e3393, _e3394), _e3396, _e3398, vec3<f32>(_e3399, _e3400, _e3401));
 } else {
 let _e3408 = (((_e1876.member * _e1876.member) + (_e1876.member_1 * _e1876.member_1)) + (_e1876.member_2 * _e1876.member_2));
 let _e3411 = sqrt(select(0f, _e3408, (_e3408 > 0f)));
@@ -1396,7 +1396,7 @@ let _e3707 = select(2f, select(0f, _e3699, (_e3679 < 0f)), (_e3680 > 0f));
 let _e3708 = (_e3679 > _e3643);
 let _e3712 = ((_e3703 > _e3635) || ((_e3703 == _e3635) && _e3708));
 let _e3713 = (_e3707 < _e3639);
-phi_7248_ = type_32(select(_e3635, _e3703, _e3712), vec3<f32>(select(select(select(select(_e3387, _e3449.member, _e3475), _e3528.member, _e3554), _e3607.member, _e3633), _e3686.member, _e3712), select(select(select(select(_e3388, _e3449.member_1, _e3475), _e3528.member_1, _e3554), _e3607.member_1, _e3633), _e3686.member_1, _e3712), select(select(select(select(_e3389, _e3449.member_2, _e3475), _e3528.member_2, _e3554), _e3607.member_2, _e3633), _e3686.member_2, _e3712)), select(_e3639, _e3707, _e3713), vec3<f32>(select(select(select(select(_e3392, _e3449.member, _e3476), _e3528.member, _e3555), _e3607.member, _e3634), _e3686.member, _e3713), select(select(select(select(_e3393, _e3449.member_1, _e3476), _e3528.member_1, _e3555), _e3607.member_1, _e3634), _e3686.member_1, _e3713), select(select(select(select(_e3394, _e3449.member_2, _e3476), _e3528.member_2, _e3555), _e3607.member_2, _e3634), _e3686.member_2, _e3713)), select(_e3643, _e3679, _e3708), select(_e3645, _e3680, (_e3680 > _e3645)), vec3<f32>(select(select(select(select(_e3399, _e3449.member, _e3471), _e3528.member, _e3550), _e3607.member, _e3629), _e3686.member, _e3708), select(select(select(select(_e3400, _e3449.member_1, _e3471), _e3528.member_1, _e3550), _e3607.member_1, _e3629), _e3686.member_1, _e3708), select(select(select(select(_e3401, _e3449.member_2, _e3471), _e3528.member_2, _e3550), _e3607.member_2, _e3629), _e3686.member_2, _e3708)));
+phi_7248_ = type_33(select(_e3635, _e3703, _e3712), vec3<f32>(select(select(select(select(_e3387, _e3449.member, _e3475), _e3528.member, _e3554), _e3607.member, _e3633), _e3686.member, _e3712), select(select(select(select(_e3388, _e3449.member_1, _e3475), _e3528.member_1, _e3554), _e3607.member_1, _e3633), _e3686.member_1, _e3712), select(select(select(select(_e3389, _e3449.member_2, _e3475), _e3528.member_2, _e3554), _e3607.member_2, _e3633), _e3686.member_2, _e3712)), select(_e3639, _e3707, _e3713), vec3<f32>(select(select(select(select(_e3392, _e3449.member, _e3476), _e3528.member, _e3555), _e3607.member, _e3634), _e3686.member, _e3713), select(select(select(select(_e3393, _e3449.member_1, _e3476), _e3528.member_1, _e3555), _e3607.member_1, _e3634), _e3686.member_1, _e3713), select(select(select(select(_e3394, _e3449.member_2, _e3476), _e3528.member_2, _e3555), _e3607.member_2, _e3634), _e3686.member_2, _e3713)), select(_e3643, _e3679, _e3708), select(_e3645, _e3680, (_e3680 > _e3645)), vec3<f32>(select(select(select(select(_e3399, _e3449.member, _e3471), _e3528.member, _e3550), _e3607.member, _e3629), _e3686.member, _e3708), select(select(select(select(_e3400, _e3449.member_1, _e3471), _e3528.member_1, _e3550), _e3607.member_1, _e3629), _e3686.member_1, _e3708), select(select(select(select(_e3401, _e3449.member_2, _e3471), _e3528.member_2, _e3550), _e3607.member_2, _e3629), _e3686.member_2, _e3708)));
 }
 let _e3733 = phi_7248_;
 let _e3739 = (((_e2502 && _e3141) && !(_e3126)) && (_e3733.member_2 <= 1f));
@@ -1443,7 +1443,7 @@ let _e3855 = (_e3852 + _e1256);
 let _e3856 = (_e3852 + _e1307);
 let _e3857 = (_e3854 + _e1261);
 let _e3858 = (_e3854 + _e1310);
-local_30 = type_29(array<i32, 4>(_e3849, _e3849, _e3849, _e3849), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_30 = type_30(array<i32, 4>(_e3849, _e3849, _e3849, _e3849), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_31 = vec3<f32>((_e3774 - f32(_e3797)), (_e3778 - f32(_e3812)), (_e3782 - f32(_e3827)));
 let _e3872 = local_30.member[0u];
 let _e3873 = ((_e3857 + _e3855) + _e3872);
@@ -1675,7 +1675,7 @@ let _e4533 = select(select(select(select(select(select(0f, _e1876.member, _e4314
 let _e4534 = select(select(select(select(select(select(0f, _e1876.member_1, _e4314), _e1876.member_1, _e4354), _e1885.member_1, _e4394), _e1885.member_1, _e4434), _e1894.member_1, _e4474), _e1894.member_1, _e4514);
 let _e4535 = select(select(select(select(select(select(1f, _e1876.member_2, _e4314), _e1876.member_2, _e4354), _e1885.member_2, _e4394), _e1885.member_2, _e4434), _e1894.member_2, _e4474), _e1894.member_2, _e4514);
 if _e2140 {
-phi_9954_ = type_32(_e4520, vec3<f32>(_e4521, _e4522, _e4523), _e4525, vec3<f32>(_e4526, _e4527, _e4528), _e4530, _e4532, vec3<f32>(_e4533, _e4534, _e4535));
+phi_9954_ = type_33(_e4520, vec3<f32>(_e4521, _e4522, _e4523), _e4525, vec3<f32>(_e4526, _e4527, _e4528), _e4530, _e4532, vec3<f32>(_e4533, _e4534, _e4535));
 } else {
 let _e4542 = (((_e1876.member * _e1876.member) + (_e1876.member_1 * _e1876.member_1)) + (_e1876.member_2 * _e1876.member_2));
 let _e4545 = sqrt(select(0f, _e4542, (_e4542 > 0f)));
@@ -1755,7 +1755,7 @@ let _e4841 = select(2f, select(0f, _e4833, (_e4813 < 0f)), (_e4814 > 0f));
 let _e4842 = (_e4813 > _e4777);
 let _e4846 = ((_e4837 > _e4769) || ((_e4837 == _e4769) && _e4842));
 let _e4847 = (_e4841 < _e4773);
-phi_9954_ = type_32(select(_e4769, _e4837, _e4846), vec3<f32>(select(select(select(select(_e4521, _e4583.member, _e4609), _e4662.member, _e4688), _e4741.member, _e4767), _e4820.member, _e4846), select(select(select(select(_e4522, _e4583.member_1, _e4609), _e4662.member_1, _e4688), _e4741.member_1, _e4767), _e4820.member_1, _e4846), select(select(select(select(_e4523, _e4583.member_2, _e4609), _e4662.member_2, _e4688), _e4741.member_2, _e4767), _e4820.member_2, _e4846)), select(_e4773, _e4841, _e4847), vec3<f32>(select(select(select(select(_e4526, _e4583.member, _e4610), _e4662.member, _e4689), _e4741.member, _e4768), _e4820.member, _e4847), select(select(select(select(_e4527, _e4583.member_1, _e4610), _e4662.member_1, _e4689), _e4741.member_1, _e4768), _e4820.member_1, _e4847), select(select(select(select(_e4528, _e4583.member_2, _e4610), _e4662.member_2, _e4689), _e4741.member_2, _e4768), _e4820.member_2, _e4847)), select(_e4777, _e4813, _e4842), select(_e4779, _e4814, (_e4814 > _e4779)), vec3<f32>(select(select(select(select(_e4533, _e4583.member, _e4605), _e4662.member, _e4684), _e4741.member, _e4763), _e4820.member, _e4842), select(select(select(select(_e4534, _e4583.member_1, _e4605), _e4662.member_1, _e4684), _e4741.member_1, _e4763), _e4820.member_1, _e4842), select(select(select(select(_e4535, _e4583.member_2, _e4605), _e4662.member_2, _e4684), _e4741.member_2, _e4763), _e4820.member_2, _e4842)));
+phi_9954_ = type_33(select(_e4769, _e4837, _e4846), vec3<f32>(select(select(select(select(_e4521, _e4583.member, _e4609), _e4662.member, _e4688), _e4741.member, _e4767), _e4820.member, _e4846), select(select(select(select(_e4522, _e4583.member_1, _e4609), _e4662.member_1, _e4688), _e4741.member_1, _e4767), _e4820.member_1, _e4846), select(select(select(select(_e4523, _e4583.member_2, _e4609), _e4662.member_2, _e4688), _e4741.member_2, _e4767), _e4820.member_2, _e4846)), select(_e4773, _e4841, _e4847), vec3<f32>(select(select(select(select(_e4526, _e4583.member, _e4610), _e4662.member, _e4689), _e4741.member, _e4768), _e4820.member, _e4847), select(select(select(select(_e4527, _e4583.member_1, _e4610), _e4662.member_1, _e4689), _e4741.member_1, _e4768), _e4820.member_1, _e4847), select(select(select(select(_e4528, _e4583.member_2, _e4610), _e4662.member_2, _e4689), _e4741.member_2, _e4768), _e4820.member_2, _e4847)), select(_e4777, _e4813, _e4842), select(_e4779, _e4814, (_e4814 > _e4779)), vec3<f32>(select(select(select(select(_e4533, _e4583.member, _e4605), _e4662.member, _e4684), _e4741.member, _e4763), _e4820.member, _e4842), select(select(select(select(_e4534, _e4583.member_1, _e4605), _e4662.member_1, _e4684), _e4741.member_1, _e4763), _e4820.member_1, _e4842), select(select(select(select(_e4535, _e4583.member_2, _e4605), _e4662.member_2, _e4684), _e4741.member_2, _e4763), _e4820.member_2, _e4842)));
 }
 let _e4867 = phi_9954_;
 let _e4873 = (((_e3739 && _e4254) && !(_e4238)) && (_e4867.member_2 <= 1f));
@@ -1801,7 +1801,7 @@ let _e4989 = (_e4986 + _e1256);
 let _e4990 = (_e4986 + _e1307);
 let _e4991 = (_e4988 + _e1261);
 let _e4992 = (_e4988 + _e1310);
-local_26 = type_29(array<i32, 4>(_e4983, _e4983, _e4983, _e4983), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_26 = type_30(array<i32, 4>(_e4983, _e4983, _e4983, _e4983), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_27 = vec3<f32>((_e4908 - f32(_e4931)), (_e4912 - f32(_e4946)), (_e4916 - f32(_e4961)));
 let _e5006 = local_26.member[0u];
 let _e5007 = ((_e4991 + _e4989) + _e5006);
@@ -2033,7 +2033,7 @@ let _e5668 = select(select(select(select(select(select(0f, _e1876.member, _e5449
 let _e5669 = select(select(select(select(select(select(0f, _e1876.member_1, _e5449), _e1876.member_1, _e5489), _e1885.member_1, _e5529), _e1885.member_1, _e5569), _e1894.member_1, _e5609), _e1894.member_1, _e5649);
 let _e5670 = select(select(select(select(select(select(1f, _e1876.member_2, _e5449), _e1876.member_2, _e5489), _e1885.member_2, _e5529), _e1885.member_2, _e5569), _e1894.member_2, _e5609), _e1894.member_2, _e5649);
 if _e2140 {
-phi_12660_ = type_32(_e5655, vec3<f32>(_e5656, _e5657, _e5658), _e5660, vec3<f32>(_e5661, _e5662, _e5663), _e5665, _e5667, vec3<f32>(_e5668, _e5669, _e5670));
+phi_12660_ = type_33(_e5655, vec3<f32>(_e5656, _e5657, _e5658), _e5660, vec3<f32>(_e5661, _e5662, _e5663), _e5665, _e5667, vec3<f32>(_e5668, _e5669, _e5670));
 } else {
 let _e5677 = (((_e1876.member * _e1876.member) + (_e1876.member_1 * _e1876.member_1)) + (_e1876.member_2 * _e1876.member_2));
 let _e5680 = sqrt(select(0f, _e5677, (_e5677 > 0f)));
@@ -2113,7 +2113,7 @@ let _e5976 = select(2f, select(0f, _e5968, (_e5948 < 0f)), (_e5949 > 0f));
 let _e5977 = (_e5948 > _e5912);
 let _e5981 = ((_e5972 > _e5904) || ((_e5972 == _e5904) && _e5977));
 let _e5982 = (_e5976 < _e5908);
-phi_12660_ = type_32(select(_e5904, _e5972, _e5981), vec3<f32>(select(select(select(select(_e5656, _e5718.member, _e5744), _e5797.member, _e5823), _e5876.member, _e5902), _e5955.member, _e5981), select(select(select(select(_e5657, _e5718.member_1, _e5744), _e5797.member_1, _e5823), _e5876.member_1, _e5902), _e5955.member_1, _e5981), select(select(select(select(_e5658, _e5718.member_2, _e5744), _e5797.member_2, _e5823), _e5876.member_2, _e5902), _e5955.member_2, _e5981)), select(_e5908, _e5976, _e5982), vec3<f32>(select(select(select(select(_e5661, _e5718.member, _e5745), _e5797.member, _e5824), _e5876.member, _e5903), _e5955.member, _e5982), select(select(select(select(_e5662, _e5718.member_1, _e5745), _e5797.member_1, _e5824), _e5876.member_1, _e5903), _e5955.member_1, _e5982), select(select(select(select(_e5663, _e5718.member_2, _e5745), _e5797.member_2, _e5824), _e5876.member_2, _e5903), _e5955.member_2, _e5982)), select(_e5912, _e5948, _e5977), select(_e5914, _e5949, (_e5949 > _e5914)), vec3<f32>(select(select(select(select(_e5668, _e5718.member, _e5740), _e5797.member, _e5819), _e5876.member, _e5898), _e5955.member, _e5977), select(select(select(select(_e5669, _e5718.member_1, _e5740), _e5797.member_1, _e5819), _e5876.member_1, _e5898), _e5955.member_1, _e5977), select(select(select(select(_e5670, _e5718.member_2, _e5740), _e5797.member_2, _e5819), _e5876.member_2, _e5898), _e5955.member_2, _e5977)));
+phi_12660_ = type_33(select(_e5904, _e5972, _e5981), vec3<f32>(select(select(select(select(_e5656, _e5718.member, _e5744), _e5797.member, _e5823), _e5876.member, _e5902), _e5955.member, _e5981), select(select(select(select(_e5657, _e5718.member_1, _e5744), _e5797.member_1, _e5823), _e5876.member_1, _e5902), _e5955.member_1, _e5981), select(select(select(select(_e5658, _e5718.member_2, _e5744), _e5797.member_2, _e5823), _e5876.member_2, _e5902), _e5955.member_2, _e5981)), select(_e5908, _e5976, _e5982), vec3<f32>(select(select(select(select(_e5661, _e5718.member, _e5745), _e5797.member, _e5824), _e5876.member, _e5903), _e5955.member, _e5982), select(select(select(select(_e5662, _e5718.member_1, _e5745), _e5797.member_1, _e5824), _e5876.member_1, _e5903), _e5955.member_1, _e5982), select(select(select(select(_e5663, _e5718.member_2, _e5745), _e5797.member_2, _e5824), _e5876.member_2, _e5903), _e5955.member_2, _e5982)), select(_e5912, _e5948, _e5977), select(_e5914, _e5949, (_e5949 > _e5914)), vec3<f32>(select(select(select(select(_e5668, _e5718.member, _e5740), _e5797.member, _e5819), _e5876.member, _e5898), _e5955.member, _e5977), select(select(select(select(_e5669, _e5718.member_1, _e5740), _e5797.member_1, _e5819), _e5876.member_1, _e5898), _e5955.member_1, _e5977), select(select(select(select(_e5670, _e5718.member_2, _e5740), _e5797.member_2, _e5819), _e5876.member_2, _e5898), _e5955.member_2, _e5977)));
 }
 let _e6002 = phi_12660_;
 let _e6008 = (((_e4873 && _e5389) && !(_e5373)) && (_e6002.member_2 <= 1f));
@@ -2284,12 +2284,12 @@ phi_14408_ = _e3054;
 phi_14408_ = _e4172;
 }
 let _e6448 = phi_14408_;
-phi_14421_ = type_33(_e6448, vec3<f32>(select(_e5384, _e4886.x, _e6008), select(_e5385, _e4886.y, _e6008), select(_e5386, _e4886.z, _e6008)), vec3<f32>(_e5358, _e5359, _e5360), select(_e1861, ((((sqrt(select(0f, _e6016, (_e6016 > 0f))) * select(0f, _e6097, (_e6097 > 0f))) + (sqrt(select(0f, _e6108, (_e6108 > 0f))) * select(0f, _e6204, (_e6204 > 0f)))) + (sqrt(select(0f, _e6216, (_e6216 > 0f))) * select(0f, _e6312, (_e6312 > 0f)))) + select(0f, (sqrt(select(0f, _e6324, (_e6324 > 0f))) * select(0f, _e6420, (_e6420 > 0f))), _e4873)), _e6427), select((_e461 / _e5360), (2f * (_e3743 / _e3108)), (((_e2502 && !(_e2479)) && _e3141) && !(_e3739))), select(_e3733.member_3, _e2494.member_1, vec3(_e3122)), _e5389, _e6427, (((_e3126 || _e4238) || _e5373) || _e6008));
+phi_14421_ = type_34(_e6448, vec3<f32>(select(_e5384, _e4886.x, _e6008), select(_e5385, _e4886.y, _e6008), select(_e5386, _e4886.z, _e6008)), vec3<f32>(_e5358, _e5359, _e5360), select(_e1861, ((((sqrt(select(0f, _e6016, (_e6016 > 0f))) * select(0f, _e6097, (_e6097 > 0f))) + (sqrt(select(0f, _e6108, (_e6108 > 0f))) * select(0f, _e6204, (_e6204 > 0f)))) + (sqrt(select(0f, _e6216, (_e6216 > 0f))) * select(0f, _e6312, (_e6312 > 0f)))) + select(0f, (sqrt(select(0f, _e6324, (_e6324 > 0f))) * select(0f, _e6420, (_e6420 > 0f))), _e4873)), _e6427), select((_e461 / _e5360), (2f * (_e3743 / _e3108)), (((_e2502 && !(_e2479)) && _e3141) && !(_e3739))), select(_e3733.member_3, _e2494.member_1, vec3(_e3122)), _e5389, _e6427, (((_e3126 || _e4238) || _e5373) || _e6008));
 phi_14422_ = vec3<f32>(_e2483, _e2484, _e2485);
 phi_14423_ = _e2479;
 phi_14424_ = _e2480;
 } else {
-phi_14421_ = type_33(_e1774.member, _e1774.member_1, _e1774.member_2, _e1861, _e1774.member_4, _e1774.member_5, _e1774.member_6, _e1774.member_7, _e1774.member_8);
+phi_14421_ = type_34(_e1774.member, _e1774.member_1, _e1774.member_2, _e1861, _e1774.member_4, _e1774.member_5, _e1774.member_6, _e1774.member_7, _e1774.member_8);
 phi_14422_ = _e1126;
 phi_14423_ = true;
 phi_14424_ = _e1762;
@@ -2335,7 +2335,7 @@ let _e6899 = (_e6893 + (3i * _e1256));
 let _e6900 = (_e6895 + _e1261);
 let _e6901 = (_e6895 + _e1310);
 let _e6903 = (_e6895 + (3i * _e1261));
-local_22 = type_29(array<i32, 4>(_e6890, _e6890, _e6890, _e6890), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_22 = type_30(array<i32, 4>(_e6890, _e6890, _e6890, _e6890), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_23 = vec3<f32>((_e6814 - f32(_e6837)), (_e6818 - f32(_e6852)), (_e6822 - f32(_e6867)));
 let _e6917 = local_22.member[0u];
 let _e6918 = ((_e6900 + _e6896) + _e6917);
@@ -2675,7 +2675,7 @@ if _e810 {
 let _e8428 = ((0.5f * (_e7719 - _e7713)) * _e7977);
 let _e8429 = ((0.5f * (_e7731 - _e7725)) * _e7977);
 let _e8430 = ((0.5f * (_e7743 - _e7737)) * _e7977);
-phi_19851_ = type_30(_e7939, vec3<f32>(_e8428, _e8429, _e8430), vec3<f32>((_e8428 * _e7939), (_e8429 * _e7939), (_e8430 * _e7939)));
+phi_19851_ = type_31(_e7939, vec3<f32>(_e8428, _e8429, _e8430), vec3<f32>((_e8428 * _e7939), (_e8429 * _e7939), (_e8430 * _e7939)));
 } else {
 local_18 = _e7713;
 let _e7978 = local_18;
@@ -2824,7 +2824,7 @@ let _e8403 = ((_e7924 + (f32(bitcast<i32>((_e8388 >> bitcast<u32>(12u)))) * _e79
 let _e8404 = (_e8119 - _e8048);
 let _e8406 = (_e8261 - _e8190);
 let _e8408 = (_e8403 - _e8332);
-phi_19851_ = type_30(_e7939, vec3<f32>((0.5f * _e8404), (0.5f * _e8406), (0.5f * _e8408)), vec3<f32>((0.25f * (_e8404 * (_e8119 + _e8048))), (0.25f * (_e8406 * (_e8261 + _e8190))), (0.25f * (_e8408 * (_e8403 + _e8332)))));
+phi_19851_ = type_31(_e7939, vec3<f32>((0.5f * _e8404), (0.5f * _e8406), (0.5f * _e8408)), vec3<f32>((0.25f * (_e8404 * (_e8119 + _e8048))), (0.25f * (_e8406 * (_e8261 + _e8190))), (0.25f * (_e8408 * (_e8403 + _e8332)))));
 }
 let _e8438 = phi_19851_;
 let _e8453 = select(0f, 1f, ((((((_e6468 >= -0.5f) && (_e6468 <= _e613)) && (_e6474 >= -0.5f)) && (_e6474 <= _e624)) && (_e6480 >= -0.5f)) && (_e6480 <= _e635)));
@@ -2840,7 +2840,7 @@ let _e8501 = global_5.member[_e438].member_6.member_1.member.member_2;
 let _e8508 = global_5.member[_e438].member_6.member_2.member.member;
 let _e8515 = global_5.member[_e438].member_6.member_2.member.member_1;
 let _e8522 = global_5.member[_e438].member_6.member_2.member.member_2;
-phi_20554_ = type_31(_e7707, vec3<f32>(((((_e8466 * _e8455) + (_e8487 * _e8457)) + (_e8508 * _e8459)) * _e8453), ((((_e8473 * _e8455) + (_e8494 * _e8457)) + (_e8515 * _e8459)) * _e8453), ((((_e8480 * _e8455) + (_e8501 * _e8457)) + (_e8522 * _e8459)) * _e8453)), _e8438.member, vec3<f32>(((((_e8466 * _e8438.member_2.x) + (_e8487 * _e8438.member_2.y)) + (_e8508 * _e8438.member_2.z)) * _e8453), ((((_e8473 * _e8438.member_2.x) + (_e8494 * _e8438.member_2.y)) + (_e8515 * _e8438.member_2.z)) * _e8453), ((((_e8480 * _e8438.member_2.x) + (_e8501 * _e8438.member_2.y)) + (_e8522 * _e8438.member_2.z)) * _e8453)), vec3<f32>(((((_e8466 * _e8438.member_1.x) + (_e8487 * _e8438.member_1.y)) + (_e8508 * _e8438.member_1.z)) * _e8453), ((((_e8473 * _e8438.member_1.x) + (_e8494 * _e8438.member_1.y)) + (_e8515 * _e8438.member_1.z)) * _e8453), ((((_e8480 * _e8438.member_1.x) + (_e8501 * _e8438.member_1.y)) + (_e8522 * _e8438.member_1.z)) * _e8453)));
+phi_20554_ = type_32(_e7707, vec3<f32>(((((_e8466 * _e8455) + (_e8487 * _e8457)) + (_e8508 * _e8459)) * _e8453), ((((_e8473 * _e8455) + (_e8494 * _e8457)) + (_e8515 * _e8459)) * _e8453), ((((_e8480 * _e8455) + (_e8501 * _e8457)) + (_e8522 * _e8459)) * _e8453)), _e8438.member, vec3<f32>(((((_e8466 * _e8438.member_2.x) + (_e8487 * _e8438.member_2.y)) + (_e8508 * _e8438.member_2.z)) * _e8453), ((((_e8473 * _e8438.member_2.x) + (_e8494 * _e8438.member_2.y)) + (_e8515 * _e8438.member_2.z)) * _e8453), ((((_e8480 * _e8438.member_2.x) + (_e8501 * _e8438.member_2.y)) + (_e8522 * _e8438.member_2.z)) * _e8453)), vec3<f32>(((((_e8466 * _e8438.member_1.x) + (_e8487 * _e8438.member_1.y)) + (_e8508 * _e8438.member_1.z)) * _e8453), ((((_e8473 * _e8438.member_1.x) + (_e8494 * _e8438.member_1.y)) + (_e8515 * _e8438.member_1.z)) * _e8453), ((((_e8480 * _e8438.member_1.x) + (_e8501 * _e8438.member_1.y)) + (_e8522 * _e8438.member_1.z)) * _e8453)));
 } else {
 let _e6482 = select(-0.5f, _e6468, (_e6468 > -0.5f));
 let _e6484 = select(_e613, _e6482, (_e6482 < _e613));
@@ -2873,7 +2873,7 @@ let _e6566 = (_e6563 + _e1256);
 let _e6567 = (_e6563 + _e1307);
 let _e6568 = (_e6565 + _e1261);
 let _e6569 = (_e6565 + _e1310);
-local_6 = type_29(array<i32, 4>(_e6560, _e6560, _e6560, _e6560), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_6 = type_30(array<i32, 4>(_e6560, _e6560, _e6560, _e6560), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_7 = vec3<f32>((_e6484 - f32(_e6507)), (_e6488 - f32(_e6522)), (_e6492 - f32(_e6537)));
 let _e6583 = local_6.member[0u];
 let _e6584 = ((_e6568 + _e6566) + _e6583);
@@ -2939,7 +2939,7 @@ let _e6795 = local_7[1u];
 let _e6800 = local_7[2u];
 let _e6805 = (((_e6692 + (((_e6743 + (((_e6783 + ((f32(bitcast<i32>(((_e6776 >> bitcast<u32>((_e6784 & 31u))) & 255u))) - _e6783) * _e6791)) - _e6743) * _e6795)) - _e6692) * _e6800)) - _e1550) * _e1555);
 let _e6807 = select(_e1558, _e6805, (_e6805 > _e1558));
-phi_20554_ = type_31(select(1e9f, _e6807, (_e6807 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20554_ = type_32(select(1e9f, _e6807, (_e6807 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8588 = phi_20554_;
 let _e8591 = select(1f, select(1f, _e1194, (_e1194 < 1f)), _e535);
@@ -3876,7 +3876,7 @@ let _e11966 = select(select(select(select(select(select(0f, _e11705.member, _e11
 let _e11967 = select(select(select(select(select(select(0f, _e11705.member_1, _e11747), _e11705.member_1, _e11787), _e11714.member_1, _e11827), _e11714.member_1, _e11867), _e11723.member_1, _e11907), _e11723.member_1, _e11947);
 let _e11968 = select(select(select(select(select(select(1f, _e11705.member_2, _e11747), _e11705.member_2, _e11787), _e11714.member_2, _e11827), _e11714.member_2, _e11867), _e11723.member_2, _e11907), _e11723.member_2, _e11947);
 if _e8593 {
-phi_27985_ = type_32(_e11953, vec3<f32>(_e11954, _e11955, _e11956), _e11958, vec3<f32>(_e11959, _e11960, _e11961), _e11963, _e11965, vec3<f32>(_e11966, _e11967, _e11968));
+phi_27985_ = type_33(_e11953, vec3<f32>(_e11954, _e11955, _e11956), _e11958, vec3<f32>(_e11959, _e11960, _e11961), _e11963, _e11965, vec3<f32>(_e11966, _e11967, _e11968));
 } else {
 let _e11975 = (((_e11705.member * _e11705.member) + (_e11705.member_1 * _e11705.member_1)) + (_e11705.member_2 * _e11705.member_2));
 let _e11978 = sqrt(select(0f, _e11975, (_e11975 > 0f)));
@@ -3956,7 +3956,7 @@ let _e12274 = select(2f, select(0f, _e12266, (_e12246 < 0f)), (_e12247 > 0f));
 let _e12275 = (_e12246 > _e12210);
 let _e12279 = ((_e12270 > _e12202) || ((_e12270 == _e12202) && _e12275));
 let _e12280 = (_e12274 < _e12206);
-phi_27985_ = type_32(select(_e12202, _e12270, _e12279), vec3<f32>(select(select(select(select(_e11954, _e12016.member, _e12042), _e12095.member, _e12121), _e12174.member, _e12200), _e12253.member, _e12279), select(select(select(select(_e11955, _e12016.member_1, _e12042), _e12095.member_1, _e12121), _e12174.member_1, _e12200), _e12253.member_1, _e12279), select(select(select(select(_e11956, _e12016.member_2, _e12042), _e12095.member_2, _e12121), _e12174.member_2, _e12200), _e12253.member_2, _e12279)), select(_e12206, _e12274, _e12280), vec3<f32>(select(select(select(select(_e11959, _e12016.member, _e12043), _e12095.member, _e12122), _e12174.member, _e12201), _e12253.member, _e12280), select(select(select(select(_e11960, _e12016.member_1, _e12043), _e12095.member_1, _e12122), _e12174.member_1, _e12201), _e12253.member_1, _e12280), select(select(select(select(_e11961, _e12016.member_2, _e12043), _e12095.member_2, _e12122), _e12174.member_2, _e12201), _e12253.member_2, _e12280)), select(_e12210, _e12246, _e12275), select(_e12212, _e12247, (_e12247 > _e12212)), vec3<f32>(select(select(select(select(_e11966, _e12016.member, _e12038), _e12095.member, _e12117), _e12174.member, _e12196), _e12253.member, _e12275), select(select(select(select(_e11967, _e12016.member_1, _e12038), _e12095.member_1, _e12117), _e12174.member_1, _e12196), _e12253.member_1, _e12275), select(select(select(select(_e11968, _e12016.member_2, _e12038), _e12095.member_2, _e12117), _e12174.member_2, _e12196), _e12253.member_2, _e12275)));
+phi_27985_ = type_33(select(_e12202, _e12270, _e12279), vec3<f32>(select(select(select(select(_e11954, _e12016.member, _e12042), _e12095.member, _e12121), _e12174.member, _e12200), _e12253.member, _e12279), select(select(select(select(_e11955, _e12016.member_1, _e12042), _e12095.member_1, _e12121), _e12174.member_1, _e12200), _e12253.member_1, _e12279), select(select(select(select(_e11956, _e12016.member_2, _e12042), _e12095.member_2, _e12121), _e12174.member_2, _e12200), _e12253.member_2, _e12279)), select(_e12206, _e12274, _e12280), vec3<f32>(select(select(select(select(_e11959, _e12016.member, _e12043), _e12095.member, _e12122), _e12174.member, _e12201), _e12253.member, _e12280), select(select(select(select(_e11960, _e12016.member_1, _e12043), _e12095.member_1, _e12122), _e12174.member_1, _e12201), _e12253.member_1, _e12280), select(select(select(select(_e11961, _e12016.member_2, _e12043), _e12095.member_2, _e12122), _e12174.member_2, _e12201), _e12253.member_2, _e12280)), select(_e12210, _e12246, _e12275), select(_e12212, _e12247, (_e12247 > _e12212)), vec3<f32>(select(select(select(select(_e11966, _e12016.member, _e12038), _e12095.member, _e12117), _e12174.member, _e12196), _e12253.member, _e12275), select(select(select(select(_e11967, _e12016.member_1, _e12038), _e12095.member_1, _e12117), _e12174.member_1, _e12196), _e12253.member_1, _e12275), select(select(select(select(_e11968, _e12016.member_2, _e12038), _e12095.member_2, _e12117), _e12174.member_2, _e12196), _e12253.member_2, _e12275)));
 }
 let _e12300 = phi_27985_;
 let _e12307 = (_e8804.member_2 * select(0f, 1f, _e6451.member_6));
