@@ -124,7 +124,7 @@ fn split_texels_make_the_picture_better() -> Result<(), Failure> {
         let number = curved.iter().filter(|&&curved| curved).count();
         println!("{coarse:.2e}, with {number} texels split {adaptive:.2e}, {fine:.2e}");
         assert!(adaptive < coarse && adaptive > 0.5 * fine, "{coarse:.2e}, {adaptive:.2e}, {fine:.2e}");
-        // A third of the rays of 64² at most.
+        // Three quarters of the rays of 64² at most.
         assert!(1024 + 4 * number <= 4096 * 3 / 4, "{number} texels");
         Ok(())
     })
