@@ -13,7 +13,7 @@ use crate::abi::beams::BeamsUniforms;
 use crate::abi::record::{Beam, Pencil, Sight, bundle, pencil, sight};
 use crate::kernel::record;
 use crate::math::{absolute, absolute_vector, cross, dot, length, max, min, select, xyz};
-use crate::voxels::ray::{reciprocal, slab};
+use crate::voxels::ray::reciprocal;
 use spirv_std::glam::Vec3;
 
 pub use crate::voxels::ray::level;
@@ -39,13 +39,35 @@ pub fn level(
 struct Line {
     from: Vec3,
     direction: Vec3,
-    inverse: Vec3,
+    /// 1 over the speeds along the axes at which the upper edge of the pixel's cone rises, and its lower edge.
+    inverse_upper: Vec3,
+    inverse_lower: Vec3,
     near: f32,
     far: f32,
     /// Half the width of the pixel's pencil where the piece begins, in voxels.
     width: f32,
     /// Half the angle by which it opens, radians.
     opening: f32,
+}
+
+/// A part of a line.
+#[derive(Clone, Copy)]
+struct Part {
+    enters: f32,
+    leaves: f32,
+}
+
+impl Part {
+    /// The part of it on which a function that is 0 at the line's beginning, and rises by 1 / `inverse` along it, is at least `least`.
+    #[inline(always)]
+    fn above(self, inverse: f32, least: f32) -> Self {
+        let at = least * inverse;
+        let rises = inverse > 0.0;
+        Self {
+            enters: select(rises, max(self.enters, at), self.enters),
+            leaves: select(rises, self.leaves, min(self.leaves, at)),
+        }
+    }
 }
 
 /// Boxes around the beams of a node.
@@ -91,12 +113,14 @@ impl Bounds {
     /// Whether a line comes into the box of the beams, or passes it within the pixel's own width.
     #[inline(always)]
     fn is_reached(&self, line: &Line) -> bool {
-        let half = (self.high - self.low) * 0.5;
-        let away = length(self.low + half - line.from) + length(half);
-        let margin = line.width + line.opening * away;
-        let margin = Vec3::new(margin, margin, margin);
-        let (enters, leaves) = slab(line.from, line.inverse, self.low - margin, self.high + margin);
-        (self.low.x <= self.high.x) & (max(enters, line.near) <= min(leaves, line.far))
+        let width = Vec3::new(line.width, line.width, line.width);
+        let (low, high) = (self.low - line.from - width, self.high - line.from + width);
+        let (upper, lower) = (line.inverse_upper, line.inverse_lower);
+        let part = Part { enters: line.near, leaves: line.far };
+        let part = part.above(upper.x, low.x).above(-lower.x, -high.x);
+        let part = part.above(upper.y, low.y).above(-lower.y, -high.y);
+        let part = part.above(upper.z, low.z).above(-lower.z, -high.z);
+        (self.low.x <= self.high.x) & (part.enters <= part.leaves)
     }
 
     /// Whether a line comes near any of the beams, as far as boxes tell. The edge function w · ((P − O) × d) of a beam that begins at P must be within what it
@@ -242,14 +266,16 @@ pub fn invoke<const LEVEL: u32>(
     if (pencil.bounces == 0) | (fog.leaves <= fog.enters) | (mean(piece.weight) < LEAST) {
         return before;
     }
+    let opening = 0.5 * (length(pencil.direction_u) + length(pencil.direction_v));
     let line = Line {
         from: piece.from,
         direction: d,
-        inverse: Vec3::new(reciprocal(d.x), reciprocal(d.y), reciprocal(d.z)),
+        inverse_upper: Vec3::new(reciprocal(d.x + opening), reciprocal(d.y + opening), reciprocal(d.z + opening)),
+        inverse_lower: Vec3::new(reciprocal(d.x - opening), reciprocal(d.y - opening), reciprocal(d.z - opening)),
         near: fog.enters,
         far: fog.leaves,
         width: 0.5 * (length(pencil.position_u) + length(pencil.position_v)),
-        opening: 0.5 * (length(pencil.direction_u) + length(pencil.direction_v)),
+        opening,
     };
     let texels = (u.lattice.count * u.lattice.count) as i32;
     let mut caustics = Vec3::new(0.0, 0.0, 0.0);

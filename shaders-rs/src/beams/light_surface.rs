@@ -218,6 +218,10 @@ pub fn invoke<const LEVEL: u32>(
             node = node.behind(tree.root);
         }
     }
+    // No beam of most rounds shines on most points.
+    if (light.x + light.y) + light.z <= 0.0 {
+        return before;
+    }
     let dimmed = transmittance(&u.medium, optical_depth(&u.medium, materials, piece.from, d, 0.0, piece.far));
     seen.radiance += light * end.point.color * dimmed * piece.weight;
     seen.store()
