@@ -21,7 +21,7 @@ const ROWS: u32 = CELLS * CELLS;
 type Arriving = [f32; 6];
 
 /// The cell that gets light.
-struct Receiver<'a> {
+struct Destination<'a> {
     u: &'a BeamsUniforms,
     direct: &'a [f32],
     scattered: &'a [f32],
@@ -42,7 +42,7 @@ fn apart(a: u32, b: u32) -> i32 {
     if difference < 0 { -difference } else { difference }
 }
 
-impl Receiver<'_> {
+impl Destination<'_> {
     /// Light that a cell scatters towards a direction, over the coefficient and a phase function of 1.
     #[inline(always)]
     fn sent(&self, from: &Cell, towards: Vec3, is_self: bool) -> Vec3 {
@@ -155,11 +155,11 @@ pub fn invoke(
     let way = xyz(u.eye) - middle;
     let orthographic = u.camera.orthographic != 0;
     let to_eye = select_vector(orthographic, -xyz(u.away), way * (1.0 / max(length(way), 1e-20)));
-    let receiver = Receiver { u, direct, scattered, materials, i: x, j, k, middle, density: own.density, to_eye };
+    let destination = Destination { u, direct, scattered, materials, i: x, j, k, middle, density: own.density, to_eye };
     let [r, g, b, flow_x, flow_y, flow_z] = if mode == target::EYE {
-        receiver.arriving_from_all::<{ target::EYE }>()
+        destination.arriving_from_all::<{ target::EYE }>()
     } else {
-        receiver.arriving_from_all::<{ target::CELLS }>()
+        destination.arriving_from_all::<{ target::CELLS }>()
     };
     directed(Vec3::new(r, g, b), Vec3::new(flow_x, flow_y, flow_z), own.density).store()
 }

@@ -27,29 +27,30 @@ fn filter(x: f32) -> f32 {
 }
 
 impl Drawing<'_> {
+    /// What step point number `number` gets of a line's light: its transmittance on the way over the point, times the filter.
+    #[inline(always)]
+    fn step(&self, nearest: &Nearest, line: &Sightline, number: i32) -> Vec3 {
+        let Self { u, .. } = self;
+        let (step, radius) = (u.limits.step, u.limits.filter_radius);
+        let at = number as f32 * step;
+        let weight = filter((at - nearest.t) / radius) * (step / radius);
+        let (along, towards) = if u.medium.nodes == 0 {
+            (nearest.s, max(at - line.enters, 0.0))
+        } else {
+            self.depths_at(nearest.s, at, line)
+        };
+        let marches = (at >= line.enters) & (at <= min(line.leaves, line.depth));
+        transmittance(&u.medium, along + towards) * select(marches, weight, 0.0)
+    }
+
     /// The transmittance of the line's light on its way over the step points to where the viewing ray enters the medium, by their weights: about
     /// the transmittance at the place where the lines are nearest.
     #[inline(always)]
     pub fn marched(&self, nearest: &Nearest, line: &Sightline) -> Vec3 {
-        let Self { u, .. } = self;
-        let (step, radius) = (u.limits.step, u.limits.filter_radius);
-        let first = floor_to_int(nearest.t / step, -1e9, 1e9) + 1 - FILTER_STEPS;
-        let end = min(line.leaves, line.depth);
-        let scale = step / radius;
-        let mut sum = Vec3::new(0.0, 0.0, 0.0);
-        let mut number = 0;
-        while number < 2 * FILTER_STEPS {
-            let at = (first + number) as f32 * step;
-            let weight = filter((at - nearest.t) / radius) * scale;
-            let (along, towards) = if u.medium.nodes == 0 {
-                (nearest.s, max(at - line.enters, 0.0))
-            } else {
-                self.depths_at(nearest.s, at, line)
-            };
-            let marches = (at >= line.enters) & (at <= end);
-            sum += transmittance(&u.medium, along + towards) * select(marches, weight, 0.0);
-            number += 1;
-        }
-        sum
+        const { assert!(FILTER_STEPS == 2, "four step points are within the filter's radius at most") };
+        let before = floor_to_int(nearest.t / self.u.limits.step, -1e9, 1e9);
+        // Without a loop, which would keep the loop over pixels from becoming vector code.
+        let near = self.step(nearest, line, before) + self.step(nearest, line, before + 1);
+        near + (self.step(nearest, line, before - 1) + self.step(nearest, line, before + 2))
     }
 }

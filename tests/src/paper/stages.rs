@@ -43,6 +43,7 @@ impl Stage {
             "project_beam" | "scatter_beam" | "find_depths" | "look_around" => Self::Scatter,
             "integrate_beam" | "integrate_view" | "add_depths" => Self::Scatter,
             "trace_view" | "see" | "gather" => Self::View,
+            "deposit_beam" | "light_cell" | "exchange_light" | "see_cells" => Self::View,
             "find_light" | "light_surface" => Self::Surfaces,
             "resolve" => Self::Compose,
             _ => return None,
