@@ -40,9 +40,10 @@ pub(super) fn mean_cosine(table: &[f32]) -> f64 {
     let (mut whole, mut along) = (0.0, 0.0);
     for (index, &value) in table.iter().enumerate() {
         let x = index as f64 / last;
-        // cos θ = 1 − 2 sin²(θ/2), and ∫ p dω = 8 π ∫ p x dx.
-        whole += f64::from(value) * x;
-        along += f64::from(value) * x * (1.0 - 2.0 * x * x);
+        // cos θ = 1 − 2 sin²(θ/2), and ∫ p dω = 8 π ∫ p x dx, by trapezoids: x is 0 at the first.
+        let weight = f64::from(value) * x * if index + 1 == table.len() { 0.5 } else { 1.0 };
+        whole += weight;
+        along += weight * (1.0 - 2.0 * x * x);
     }
     if whole > 0.0 { along / whole } else { 0.0 }
 }
