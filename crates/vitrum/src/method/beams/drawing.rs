@@ -64,9 +64,8 @@ pub(super) fn draw(
         list.block.limits.depth_pitch = depths(beams) as u32;
         for round in 0..rounds {
             // Lines of a march have another weight than airlight: what bodies take out of that stays in beams.
-            let marches = lit.limits.estimator == estimator::MARCH && round > 0;
-            let beams_instead = lit.limits.estimator == estimator::MARCH && round == 0;
-            list.block.limits.estimator = if beams_instead { estimator::BEAMS } else { lit.limits.estimator };
+            let (is_shadow, marches) = (round == 0, lit.limits.estimator == estimator::MARCH);
+            list.block.limits.estimator = if marches && is_shadow { estimator::BEAMS } else { lit.limits.estimator };
             let projected = [&lit.beams, &projections];
             let start = of_round * u64::from(round);
             list.add(&kernels::beams_project_beam, lattice, (0, round), &projected, start);
@@ -76,8 +75,8 @@ pub(super) fn draw(
                 let start = depth_start + depths(beams) * u64::from(round);
                 list.add(&kernels::beams_add_depths, [beams, nodes], (0, round), &[&parts, &optical_depths], start);
             }
-            let sums = if round == 0 { picture.shadows } else { picture.caustics };
-            let mode = if marches { medium::MARCHED } else { kind };
+            let sums = if is_shadow { picture.shadows } else { picture.caustics };
+            let mode = if marches && !is_shadow { medium::MARCHED } else { kind };
             for (axis, length) in [(axis::ACROSS, width), (axis::DOWNWARDS, height)] {
                 list.block.limits.axis = axis;
                 let drawn = [&lit.beams, &projections, picture.sights, &around, materials, &optical_depths, sums];

@@ -2,6 +2,7 @@
 
 use super::list::List;
 use super::lit::Lit;
+use super::uniforms::{flux_of_texel, units_in_one};
 use crate::backend::{Backend, BackendError, Buffer};
 use crate::method::cache::Scratch;
 use vitrum_kernels::abi::beams::{BeamsUniforms, CELLS, Cells, Medium, target};
@@ -23,11 +24,8 @@ fn components(v: vitrum_kernels::abi::vector::Vec3) -> [f64; 3] {
 /// The cells of a frame's medium. `mean_cosine` belongs to the phase function; the table begins at float `first` of the materials.
 pub(super) fn cells(block: &BeamsUniforms, mean_cosine: f64, first: u32) -> Cells {
     let edge = edges(&block.medium);
-    let color = block.light.color;
-    let strongest = f64::from(color.x.max(color.y).max(color.z));
-    let texel = f64::from(block.lattice.step_across) * f64::from(block.lattice.step_upwards);
-    let usual = strongest * texel * edge.iter().sum::<f64>() / 3.0;
-    let scale = if usual > 0.0 { (UNITS / usual).min(1e30) as f32 } else { 1.0 };
+    let usual = flux_of_texel(block) * edge.iter().sum::<f64>() / 3.0;
+    let scale = units_in_one(UNITS, usual);
     let edge = edge.map(|edge| edge as f32).into();
     Cells { edge, scale, mean_cosine: mean_cosine as f32, first }
 }

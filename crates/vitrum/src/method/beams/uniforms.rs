@@ -47,17 +47,25 @@ fn pixel(block: &BeamsUniforms, view: &View, bounds: Bounds, grid: Grid) -> f64 
     distance * (2.0 * f64::from(block.camera.half_height) / f64::from(block.picture.height))
 }
 
+/// The flux of a texel in the light's brightest channel: irradiance over π at a distance of a voxel, or of a distant light, times the area of a texel there.
+pub(super) fn flux_of_texel(block: &BeamsUniforms) -> f64 {
+    let (lattice, color) = (&block.lattice, block.light.color);
+    let texel = f64::from(lattice.step_across) * f64::from(lattice.step_upwards);
+    f64::from(color.x.max(color.y).max(color.z)) * texel
+}
+
+/// Units of fixed-point sums in 1, of which a `usual` contribution has `units`; 1 where there is no light.
+pub(super) fn units_in_one(units: f64, usual: f64) -> f32 {
+    if usual > 0.0 { (units / usual).min(1e30) as f32 } else { 1.0 }
+}
+
 /// Units of the sums in a radiance of 1.
 fn scale(block: &BeamsUniforms, view: &View, bounds: Bounds, grid: Grid) -> f32 {
-    let lattice = &block.lattice;
-    let color = block.light.color;
-    let strongest = color.x.max(color.y).max(color.z);
     let scattering = block.medium.scattering;
     let most = scattering.x.max(scattering.y).max(scattering.z);
     // π E A σ_s / (4 π f)
-    let texel = f64::from(lattice.step_across) * f64::from(lattice.step_upwards);
-    let usual = 0.25 * f64::from(strongest) * texel * f64::from(most) / pixel(block, view, bounds, grid);
-    if usual > 0.0 { (UNITS / usual).min(1e30) as f32 } else { 1.0 }
+    let usual = 0.25 * flux_of_texel(block) * f64::from(most) / pixel(block, view, bounds, grid);
+    units_in_one(UNITS, usual)
 }
 
 /// The places of the levels of a picture's pyramid among their sums and their depths.
