@@ -17,5 +17,6 @@ pub mod tables;
 pub mod vector;
 pub mod voxelize;
 pub mod voxels;
+pub mod wavefront;
 
 pub use dispatch::Dispatched;

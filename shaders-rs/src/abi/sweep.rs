@@ -11,6 +11,7 @@ use super::grid::Grid;
 use super::light::{Light, LightGrid, Taps};
 use super::receivers::Receivers;
 use super::vector::{Size, Vec3};
+use super::wavefront::Wavefront;
 
 /// Uniforms of every kernel of the sweep; one block a pass.
 #[repr(C)]
@@ -37,8 +38,8 @@ pub struct SweepUniforms {
     pub light_grid: LightGrid,
     /// The light; its colour is plane irradiance, or radiance under [`flag::STORE_RADIANCE`].
     pub light: Light,
-    /// The share of the light's flux that one sheet carries, 0 to 1.
-    pub sheet_share: f32,
+    /// The wavefront that carries the light forward, if one does.
+    pub wavefront: Wavefront,
     /// The softness filter's taps.
     pub taps: Taps,
     /// The camera; lengths in world units.
@@ -113,12 +114,43 @@ pub mod mode {
     pub const CLEAR_STRAIGHT: u32 = 4;
     /// As [`CENTRAL`], where the medium is clear.
     pub const CLEAR_CENTRAL: u32 = 5;
+    /// As [`STRAIGHT`], for viewing rays that look at light on texels.
+    pub const TEXELS_STRAIGHT: u32 = 6;
+    /// As [`CENTRAL`], for viewing rays that look at light on texels.
+    pub const TEXELS_CENTRAL: u32 = 7;
+    /// As [`CHAIN`], for viewing rays that look at light on texels.
+    pub const TEXELS_CHAIN: u32 = 8;
 
     /// Whether rays are bent in this mode.
     #[must_use]
     #[inline(always)]
     pub fn bends(mode: u32) -> bool {
-        (mode == CENTRAL) | (mode == CHAIN) | (mode == CLEAR_CENTRAL)
+        (mode == CENTRAL) | (mode == CLEAR_CENTRAL) | (mode == TEXELS_CENTRAL) | by_chain_rule(mode)
+    }
+
+    /// Whether ∇η is computed by the chain rule in this mode.
+    #[must_use]
+    #[inline(always)]
+    pub fn by_chain_rule(mode: u32) -> bool {
+        (mode == CHAIN) | (mode == TEXELS_CHAIN)
+    }
+
+    /// Whether viewing rays look at light on texels in this mode.
+    #[must_use]
+    #[inline(always)]
+    pub fn is_on_texels(mode: u32) -> bool {
+        mode >= TEXELS_STRAIGHT
+    }
+
+    /// The mode of viewing rays that look at light on texels.
+    #[must_use]
+    pub fn on_texels(mode: u32) -> u32 {
+        match any_medium(mode) {
+            STRAIGHT => TEXELS_STRAIGHT,
+            CENTRAL => TEXELS_CENTRAL,
+            CHAIN => TEXELS_CHAIN,
+            other => other,
+        }
     }
 
     /// The mode that computes the same without taking the medium to be clear.
@@ -135,7 +167,7 @@ pub mod mode {
     #[must_use]
     #[inline(always)]
     pub fn is_clear(mode: u32) -> bool {
-        mode >= UNSHADED
+        (mode == UNSHADED) | (mode == CLEAR_STRAIGHT) | (mode == CLEAR_CENTRAL)
     }
 }
 
@@ -157,4 +189,6 @@ pub mod flag {
     pub const BEHIND_VOLUME: u32 = 64;
     /// All planes behind this one are as far apart.
     pub const LAST_STRETCH: u32 = 128;
+    /// Light was carried forward by a wavefront.
+    pub const FORWARD: u32 = 256;
 }

@@ -24,6 +24,12 @@ pub fn read<T: Copy>(buffer: &[T], index: i32) -> T {
     }
 }
 
+/// The float in word `index` of `buffer`, the index limited to the buffer.
+#[inline(always)]
+pub fn read_float(buffer: &[u32], index: i32) -> f32 {
+    f32::from_bits(read(buffer, index))
+}
+
 /// Three floats of `buffer` from `index` on, each index limited to the buffer.
 #[inline(always)]
 pub fn read_vector(buffer: &[f32], index: i32) -> Vec3 {

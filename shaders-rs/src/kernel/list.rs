@@ -42,7 +42,7 @@ use spirv_std::{glam::UVec3, spirv};
 kernels! {
     sweep: SweepUniforms {
         initialize_light() writes light;
-        initialize_rays() writes ray;
+        initialize_rays(light: u32) writes ray;
         filter_light(behind: f32) writes light,
             levels [INSIDE BORDER], modes mode [STRAIGHT, CLEAR_STRAIGHT], skip [same];
         trace_light(light: f32) writes trace,
@@ -55,19 +55,31 @@ kernels! {
             skip [same until];
         concentrate_light(light: f32) writes irradiance,
             levels [INNER BORDER], skip [same];
-        propagate_rays<V>(volume, irradiance: f32) updates ray,
+        propagate_rays<V>(volume, light: u32) updates ray,
             levels [FULL MEETING BORDER],
-            modes mode [STRAIGHT, CENTRAL, CHAIN, UNSHADED, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL],
+            modes mode [
+                STRAIGHT, CENTRAL, CHAIN, UNSHADED, CLEAR_STRAIGHT, CLEAR_CENTRAL, TEXELS_STRAIGHT, TEXELS_CENTRAL, TEXELS_CHAIN
+            ],
             skip [until];
-        follow_rays<V>(volume) updates ray,
-            levels [WORK], modes mode [CENTRAL, CHAIN, CLEAR_CENTRAL = CENTRAL], reports work;
-        initialize_sheet(sources: f32) writes sheet;
-        advance_sheet<V>(volume, sources: f32) updates sheet,
-            levels [DRIFT FULL BORDER] few [BORDER], modes mode [STRAIGHT, CENTRAL, CHAIN];
+        follow_rays<V>(volume, light: u32) updates ray,
+            levels [WORK], modes mode [CENTRAL, CHAIN, CLEAR_CENTRAL, TEXELS_CENTRAL, TEXELS_CHAIN], reports work;
+        initialize_nodes() writes node;
+        advance_nodes<V>(volume) updates node,
+            levels [FULL BORDER] few [BORDER],
+            modes mode [STRAIGHT, CENTRAL, CHAIN, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL],
+            skip [until];
         clear_sums() writes sums;
-        scatter_sheet(sheet: f32, sources: f32) adds sums;
-        collect_light(sums: u32) writes light;
-        resolve(rays: f32, map: f32) writes film;
+        scatter_cells(nodes: f32, bricks: u32) adds sums;
+        collect_light(sums: u32, nodes: f32, bricks: u32) writes carried,
+            modes mode [STRAIGHT, CENTRAL];
+        collect_clear(sums: u32, nodes: f32, bricks: u32) writes carried_clear,
+            modes mode [CENTRAL];
+        collect_straight(sums: u32, nodes: f32, bricks: u32) writes carried_straight,
+            modes mode [STRAIGHT];
+        clear_landed() writes landed;
+        land_cells(nodes: f32) adds landed;
+        collect_receiver(landed: u32, nodes: f32) writes received;
+        resolve(rays: f32, map: f32, light: u32) writes film;
     }
     voxelize: VoxelizeUniforms {
         mark_surface(corners: u32, items: u32) adds word, modes pieces [TRIANGLES, ITEMS];

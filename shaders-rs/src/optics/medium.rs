@@ -77,7 +77,7 @@ fn inside(grid: &Grid, at: Vec3) -> f32 {
 #[inline(always)]
 fn refraction(tables: &[u32], s: &Stencil, chosen: u32) -> (f32, Vec3, Vec3) {
     let (eta, slope) = ior_and_slope(tables, s.centre);
-    if chosen == mode::CHAIN {
+    if mode::by_chain_rule(chosen) {
         let gradient = central_differences(s) * slope;
         (eta, gradient, gradient * eta)
     } else {

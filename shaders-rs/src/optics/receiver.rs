@@ -13,6 +13,8 @@ pub const FAR: f32 = 1e30;
 pub struct Hit {
     /// Whether it does.
     pub hit: bool,
+    /// Whether the receiver is the wall.
+    pub is_wall: bool,
     /// Share of the segment before it, 0 to 1.
     pub at: f32,
     /// The receiver's unit normal.
@@ -29,7 +31,7 @@ pub fn first_between(receivers: &Receivers, from: Vec3, to: Vec3) -> Hit {
     let (wall_hit, wall_at) = crossing(wall.plane, from, to);
     let wall_first = wall_hit & (!ground_hit | (wall_at < ground_at));
     let (normal, color) = surface(receivers, wall_first);
-    Hit { hit: ground_hit | wall_hit, at: select(wall_first, wall_at, ground_at), normal, color }
+    Hit { hit: ground_hit | wall_hit, is_wall: wall_first, at: select(wall_first, wall_at, ground_at), normal, color }
 }
 
 /// The unit normal and the reflectance of the wall, or of the ground.

@@ -1,4 +1,4 @@
-//! Sums to 0, before the sheets are scattered onto a plane.
+//! Sums to 0, before cells are scattered onto a plane.
 
 use crate::abi::record::sums;
 use crate::abi::sweep::SweepUniforms;

@@ -1,13 +1,13 @@
 //! Viewing rays that the plane sweep cannot follow, since they turn back or graze the planes: one by one, in steps along the ray, until they
 //! leave the volume (not in the paper, whose sweep ends them).
 //!
-//! The step is kick–drift–kick over dσ = ds/η ([`crate::optics::step`] for steps from plane to plane), and shorter where η changes fast. What
-//! the ray meets on its way is lit as if nothing were in the way of the light: light is known on the latest planes alone. No surface shows a
+//! The step is kick–drift–kick over dσ = ds/η ([`crate::optics::step`] for steps from plane to plane), and shorter where η changes fast. Of
+//! light on texels the latest planes alone are known: what the ray meets on its way is then lit as if nothing were in the way. No surface shows a
 //! highlight on it: a ray that is guided along a surface would gather one at each step.
 
 use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Ray, ray, status};
-use crate::abi::sweep::SweepUniforms;
+use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::stencil::voxel_coordinates;
 use crate::field::tables::segment;
 use crate::math::{clamp, length, lerp, max, select, select_vector, xyz};
@@ -17,7 +17,9 @@ use crate::optics::receiver::first_between;
 use crate::optics::step::flight;
 use crate::sweep::border::{bend, border_ior, meet, share_ahead};
 use crate::sweep::clip::keep;
+use crate::sweep::light::carried::light_at;
 use crate::sweep::light::look_up::{radiance, shade, unoccluded};
+use crate::sweep::light::receiver_map::light_on;
 use crate::sweep::propagate_rays::{OPAQUE, end_on_receiver};
 use spirv_std::glam::Vec3;
 
@@ -48,6 +50,7 @@ pub fn level<V: VoxelFormat>(
     _ior_voxels: &[u32],
     _occupancy: &[u32],
     _tables: &[u32],
+    _light: &[u32],
 ) -> u32 {
     let fate = record[ray::STATUS];
     if (fate == status::TURNED) | (fate == status::FOLLOWED) { level::WORK } else { level::ENDED }
@@ -86,6 +89,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     ior_voxels: &[u32],
     _occupancy: &[u32],
     tables: &[u32],
+    light_buffer: &[u32],
 ) -> [f32; ray::SIZE] {
     let mut ray = Ray::load(&record);
     let mut here = around::<V>(u, chosen, voxels, ior_voxels, tables, ray.position);
@@ -98,8 +102,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         ray.direction -= here.acceleration * (due * sigma);
     }
     let none = Vec3::new(0.0, 0.0, 0.0);
-    let light = unoccluded(u);
-    let radiance = radiance(u, &light);
+    let open = unoccluded(u);
     let mut step = 0;
     while (step < STEPS) & (ray.status == status::FOLLOWED) {
         step += 1;
@@ -137,11 +140,18 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * part;
             let path = path * u.step.inverse_reference_length;
             let layer = layer(&segment(tables, front, next.scalar), path * shares.particles, path * shares.medium);
+            let light = if mode::is_on_texels(chosen) {
+                open
+            } else {
+                light_at(u, light_buffer, from + (to - from) * (0.5 * part), chosen)
+            };
+            let radiance = radiance(u, &light);
             let before = Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance };
             let after = over(before, &layer, radiance + xyz(u.ambient), none);
             let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
             let met = from + (to - from) * part;
-            let (after, depth) = end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &light), met.z);
+            let received = if mode::is_on_texels(chosen) { open } else { light_on(u, light_buffer, met, hit.is_wall) };
+            let (after, depth) = end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &received), met.z);
             let clearest = max(max(after.medium.x, after.medium.y), after.medium.z);
             let ended = hit.hit | ((1.0 - after.opacity) * clearest < OPAQUE);
             ray = Ray {

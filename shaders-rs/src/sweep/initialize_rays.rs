@@ -3,14 +3,15 @@
 use super::tiles::pixel;
 use crate::abi::record::{Ray, ray, status};
 use crate::abi::sweep::SweepUniforms;
-use crate::math::{normalize, select, select_vector};
+use crate::math::{min, normalize, select, select_vector};
 use crate::optics::receiver::first_between;
-use crate::sweep::light::look_up::{shade, unoccluded};
+use crate::sweep::light::look_up::shade;
+use crate::sweep::light::receiver_map::light_on;
 use spirv_std::glam::Vec3;
 
 /// The viewing ray of [`pixel`] (x, y), row 0 on top, where it meets the first plane. A receiver in front of that plane ends it.
 #[inline(always)]
-pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32) -> [f32; ray::SIZE] {
+pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[u32]) -> [f32; ray::SIZE] {
     let (x, y) = pixel(u.picture.width, u.picture.height, x, y);
     let across = ((x as i32 as f32 + 0.5) / (u.picture.width as i32 as f32) * 2.0 - 1.0) * u.camera.half_width;
     let up = (1.0 - (y as i32 as f32 + 0.5) / (u.picture.height as i32 as f32) * 2.0) * u.camera.half_height;
@@ -24,7 +25,8 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32) -> [f32; ray::SIZE]
     let v = normalize(direction);
 
     let hit = first_between(&u.receivers, origin, start);
-    let seen = shade(u, hit.normal, hit.color, &unoccluded(u));
+    let seen =
+        shade(u, hit.normal, hit.color, &light_on(u, light, origin + (start - origin) * min(hit.at, 1.0), hit.is_wall));
     let ray = Ray {
         position: start,
         direction: v,

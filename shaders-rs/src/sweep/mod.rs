@@ -5,27 +5,34 @@
 //! behind.
 //! [`initialize_light`] and [`initialize_rays`] come first, then, behind the last plane, [`follow_rays`] and [`resolve`]; [`tiles`] says which pixel a ray belongs to.
 //!
-//! Instead of the light on each texel, light can be carried forward as sheets of rays (not in the paper): [`initialize_sheet`] once,
-//! then [`advance_sheet`], [`clear_sums`], [`scatter_sheet`], [`collect_light`] for every plane.
+//! Instead of on texels, light can be carried forward by a wavefront, along its own direction and before the viewing rays (not in the paper):
+//! [`initialize_nodes`] once, then for each of its planes [`advance_nodes`] and, where something looks at the light, [`clear_sums`],
+//! [`scatter_cells`] and [`collect_light`] (or [`collect_clear`], [`collect_straight`]); behind the last one [`clear_landed`], [`land_cells`] and
+//! [`collect_receiver`] for each receiver.
 
-pub mod advance_sheet;
+pub mod advance_nodes;
 pub mod border;
+pub mod clear_landed;
 pub mod clear_sums;
 pub mod clip;
+pub mod collect_clear;
 pub mod collect_light;
+pub mod collect_receiver;
+pub mod collect_straight;
 pub mod concentrate_light;
 pub mod empty;
 pub mod filter_light;
 pub mod follow_rays;
 pub mod gather_light;
 pub mod initialize_light;
+pub mod initialize_nodes;
 pub mod initialize_rays;
-pub mod initialize_sheet;
+pub mod land_cells;
 pub mod light;
 pub mod propagate_rays;
 pub mod refract_light;
 pub mod resolve;
-pub mod scatter_sheet;
+pub mod scatter_cells;
 pub mod tiles;
 pub mod trace_light;
 pub mod turn;

@@ -5,7 +5,7 @@ use crate::abi::record::{Ray, ray, status};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{ior, segment, segment_of_particles};
-use crate::math::{length, lerp, max, min, select, select_vector, xyz};
+use crate::math::{length, lerp, log2, max, min, select, select_vector, xyz};
 use crate::optics::composite::{Gathered, layer, layer_of_particles, over};
 use crate::optics::medium::{medium, share_inside};
 use crate::optics::receiver::{Hit, first_between, free_steps};
@@ -14,7 +14,9 @@ use crate::optics::step::flight;
 use crate::sweep::border::{Crossing, MARGIN, Volumes, cross, is_far_inside, is_inside, meet, share_ahead};
 use crate::sweep::clip::keep;
 use crate::sweep::empty::{step_is_empty, steps_are_empty};
+use crate::sweep::light::carried::light_at;
 use crate::sweep::light::look_up::{direction, light, radiance, shade, shift, texel_coordinates, unoccluded};
+use crate::sweep::light::receiver_map::light_on;
 use crate::sweep::turn::turn;
 use spirv_std::glam::Vec3;
 
@@ -72,7 +74,7 @@ pub fn level<V: VoxelFormat>(
     _ior_voxels: &[u32],
     occupancy: &[u32],
     _tables: &[u32],
-    _irradiance: &[f32],
+    _light: &[u32],
 ) -> u32 {
     let ray = Ray::load(&record);
     let flight = fly(u, &ray);
@@ -101,7 +103,7 @@ pub fn until<V: VoxelFormat>(
     _ior_voxels: &[u32],
     occupancy: &[u32],
     _tables: &[u32],
-    _irradiance: &[f32],
+    _light: &[u32],
     known: f32,
 ) -> f32 {
     let ray = Ray::load(&record);
@@ -125,11 +127,11 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     ior_voxels: &[u32],
     _occupancy: &[u32],
     tables: &[u32],
-    irradiance_behind: &[f32],
+    light_buffer: &[u32],
 ) -> [f32; ray::SIZE] {
     let ray = Ray::load(&record);
     let Flight { from, to, v } = fly(u, &ray);
-    let none = Hit { hit: false, at: 1.0, normal: v, color: v };
+    let none = Hit { hit: false, is_wall: false, at: 1.0, normal: v, color: v };
     let hit = if LEVEL >= level::MEETING { first_between(&u.receivers, from, to) } else { none };
     let voxel_from = voxel_coordinates(&u.grid, from);
     let mut front = ray.scalar;
@@ -179,17 +181,20 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         layer(&segment(tables, front, here.scalar), path * kept.particles, path * kept.medium)
     };
 
-    let lit = if LEVEL >= level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
+    let met = if LEVEL >= level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
     let light = if chosen == mode::UNSHADED {
         unoccluded(u)
-    } else {
-        let (mut texel_x, mut texel_y) = texel_coordinates(u, lit);
+    } else if mode::is_on_texels(chosen) {
+        let (mut texel_x, mut texel_y) = texel_coordinates(u, met);
         if LEVEL >= level::MEETING {
             // From the plane behind the light goes on to the receiver.
-            let (x, y) = shift(u, direction(u, irradiance_behind, texel_x, texel_y), lit.z - from.z);
+            let (x, y) = shift(u, direction(u, light_buffer, texel_x, texel_y), met.z - from.z);
             (texel_x, texel_y) = (texel_x - x, texel_y - y);
         }
-        light(u, irradiance_behind, texel_x, texel_y, mode::is_clear(chosen))
+        light(u, light_buffer, texel_x, texel_y, mode::is_clear(chosen))
+    } else {
+        let lit = from + (to - from) * (part * mean_place(layer.clear));
+        light_at(u, light_buffer, lit, chosen)
     };
     let radiance = radiance(u, &light);
     let mut specular = Vec3::new(0.0, 0.0, 0.0);
@@ -203,7 +208,12 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let after = over(before, &layer, radiance + xyz(u.ambient), specular);
     let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
     let (after, depth) = if LEVEL >= level::MEETING {
-        end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &light), lit.z)
+        let received = if mode::is_on_texels(chosen) | (chosen == mode::UNSHADED) {
+            light
+        } else {
+            light_on(u, light_buffer, met, hit.is_wall)
+        };
+        end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &received), met.z)
     } else {
         (after, depth)
     };
@@ -226,9 +236,9 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
 
     let last = ray.position;
     let moved_to = Vec3::new(
-        select(moved, stay(&hit, lit.x, to.x), last.x),
-        select(moved, stay(&hit, lit.y, to.y), last.y),
-        select(moved, stay(&hit, lit.z, to.z), last.z),
+        select(moved, stay(&hit, met.x, to.x), last.x),
+        select(moved, stay(&hit, met.y, to.y), last.y),
+        select(moved, stay(&hit, met.z, to.z), last.z),
     );
     let ior_after = select(crossing.inside & !hit.hit, here.ior, 0.0);
     let after = Ray {
@@ -244,6 +254,16 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         sampled: select(stays, from.z, select(crossing.turned, ray::NOWHERE, to.z)),
     };
     after.store()
+}
+
+/// The mean place of what is seen of a layer that lets the share `clear` through, 0 at its front and 1 at its back: ∫ t e^(−τt) dt over ∫ e^(−τt) dt.
+#[inline(always)]
+fn mean_place(clear: f32) -> f32 {
+    let opacity = 1.0 - clear;
+    let depth = -log2(max(clear, 1e-6)) * core::f32::consts::LN_2;
+    // Up to the third power of τ, where the difference below is lost in rounding.
+    let thin = 0.5 - depth * (1.0 / 12.0);
+    select(opacity < 0.05, thin, 1.0 / max(depth, 1e-3) - clear / max(opacity, 1e-3))
 }
 
 /// A ray that ended on a receiver stays there.

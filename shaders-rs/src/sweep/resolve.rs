@@ -9,7 +9,8 @@ use crate::math::{length, lerp, max, normalize, select};
 use crate::optics::environment::{environment, in_environment};
 use crate::optics::receiver::{first_ahead, surface};
 use crate::optics::step::flight;
-use crate::sweep::light::look_up::{shade, unoccluded};
+use crate::sweep::light::look_up::shade;
+use crate::sweep::light::receiver_map::light_on;
 use spirv_std::glam::Vec3;
 
 /// A ray's final unit direction in the environment's frame (z up).
@@ -40,10 +41,18 @@ fn spread(u: &SweepUniforms, rays: &[f32], x: i32, y: i32) -> f32 {
 
 /// The finished pixel (x, y).
 #[inline(always)]
-pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: &[f32]) -> [f32; film::SIZE] {
-    let at = tiles::ray(u.picture.width, u.picture.height, x, y) as i32;
+pub fn invoke(
+    x: u32,
+    y: u32,
+    u: &SweepUniforms,
+    _mode: u32,
+    rays: &[f32],
+    map: &[f32],
+    light: &[u32],
+) -> [f32; film::SIZE] {
+    let number = tiles::ray(u.picture.width, u.picture.height, x, y) as i32;
     let count = (u.picture.width * u.picture.height) as i32;
-    let component = |c: usize| read(rays, c as i32 * count + at);
+    let component = |c: usize| read(rays, c as i32 * count + number);
     let vector = |c: usize| Vec3::new(component(c), component(c + 1), component(c + 2));
     let fate = component(ray::STATUS);
     let mut color = vector(ray::COLOR);
@@ -56,10 +65,11 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: 
     let last = vector(ray::POSITION);
     let position = last + v * select(under_way, flight(v, u.step.ahead - last.z), 0.0);
 
-    // Beyond the last plane rays are straight and light is unoccluded.
+    // Beyond the last plane rays are straight, and light on texels is unoccluded.
     let receiver = first_ahead(&u.receivers, position, unit, 0.0);
     let (normal, reflectance) = surface(&u.receivers, receiver.which == ahead::WALL);
-    let seen = shade(u, normal, reflectance, &unoccluded(u));
+    let at = position + unit * select(receiver.which == ahead::NOTHING, 0.0, receiver.distance);
+    let seen = shade(u, normal, reflectance, &light_on(u, light, at, receiver.which == ahead::WALL));
     let met = (under_way | (fate == status::LEFT)) & (receiver.which != ahead::NOTHING);
     let clear = select(met, 1.0 - opacity, 0.0);
     color += (medium * seen) * clear;
@@ -67,7 +77,8 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, rays: &[f32], map: 
     depth_sum += clear * (position.z + unit.z * receiver.distance);
 
     let left = 1.0 - opacity;
-    let behind = environment(&u.environment, map, final_direction(u, rays, at), spread(u, rays, x as i32, y as i32));
+    let behind =
+        environment(&u.environment, map, final_direction(u, rays, number), spread(u, rays, x as i32, y as i32));
     let visible = u.environment.visible;
     color += (medium * behind) * (left * visible);
     // Without an environment the picture is transparent where light would come through.

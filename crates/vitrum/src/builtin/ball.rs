@@ -10,14 +10,13 @@ use vitrum_io::{Error, Volume};
 
 pub(super) const SCENES: &[SceneEntry] = &[
     ("ball", "a solid glass ball that casts its caustic on the ground", scene),
-    ("ball/sheets", "the ball in a soft light that is carried as sheets", sheets),
+    ("ball/forward", "the ball in light that is carried forward", forward),
 ];
 
-fn sheets() -> Scene {
+fn forward() -> Scene {
     let mut scene = scene();
     // Light that the rim deflects goes far.
-    scene.sweep.light_margin = 0.5;
-    scene.sweep.light = Transport::Sheets;
+    scene.sweep.light = Transport::Forward;
     scene
 }
 

@@ -26,7 +26,7 @@ pub(super) const SCENES: &[SceneEntry] = &[
     ("glass/beer", "medium colours and refraction, nothing opaque", beer),
     ("glass/juice", "a liquid dense with pigment, with a dark shadow on the wall", juice),
     ("glass/wine", "red wine in green glass", wine),
-    ("glass/sheets", "the beer in crisp light that is carried as sheets: its foci are all there", sheets),
+    ("glass/forward", "the beer in crisp light that is carried forward: its foci are all there", forward),
 ];
 
 fn base() -> Scene {
@@ -84,12 +84,10 @@ fn juice() -> Scene {
     scene
 }
 
-fn sheets() -> Scene {
+fn forward() -> Scene {
     let mut scene = beer();
     scene.light.iter_mut().for_each(|light| light.angular_radius = 0.0);
-    // Light that walls and liquid scatter goes far.
-    scene.sweep.light_margin = 0.4;
-    scene.sweep.light = Transport::Sheets;
+    scene.sweep.light = Transport::Forward;
     scene
 }
 

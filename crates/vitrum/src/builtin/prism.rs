@@ -31,8 +31,7 @@ fn scene() -> Scene {
         wall: Some(Wall { distance: Some(2.2), azimuth: 0.0, color: [0.75, 0.75, 0.75] }),
         ..Scene::default()
     };
-    scene.sweep.light_margin = 1.0;
-    scene.sweep.light = Transport::Sheets;
+    scene.sweep.light = Transport::Forward;
     scene.sweep.wavelengths = 7;
     scene
 }

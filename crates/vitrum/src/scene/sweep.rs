@@ -43,11 +43,12 @@ pub enum Gradient {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Transport {
-    /// Texels, each with one direction that is followed back (sweep §4.2): right before a focus, too dark behind it.
+    /// A wavefront whose nodes are followed forward, along the light's own direction: right behind a focus, too, and from any side.
+    Forward,
+    /// Texels, each with one direction that is followed back (sweep §4.2, the paper's method): right before a focus, too dark behind it, and only for
+    /// light that goes away from the camera.
     #[default]
     Texels,
-    /// Sheets of rays that are followed forward and scattered onto each plane: right behind a focus, too.
-    Sheets,
 }
 
 /// Transport of light and viewing rays from plane to plane.
@@ -57,20 +58,20 @@ pub struct Sweep {
     /// Distance of the planes. Smaller is slower and more exact.
     #[schemars(range(min = 0.05, max = 16), extend("x-unit" = "smallest voxel edges"))]
     pub sample_distance: f32,
-    /// Carrier of light from plane to plane. Sheets take about four times as long, and that for each sheet.
+    /// Carrier of light from plane to plane.
     pub light: Transport,
-    /// Number of sheets that a soft light is made of where `light` is `sheets`, each in a direction of its own; a crisp
-    /// one has one.
-    #[schemars(range(min = 1, max = 64), extend("x-unit" = "sheets"))]
-    pub sheets: u32,
+    /// Cells along the longer side of the wavefront where `light` is `forward`; where none are given, as many as the volume has voxels there, at least
+    /// 192 and at most 512.
+    #[schemars(range(min = 8, max = 4096), extend("x-unit" = "cells"))]
+    pub light_cells: Option<u32>,
     /// Rule that advances a ray by one plane.
     pub integrator: Integrator,
-    /// Rule that turns converging light into brighter light. Sheets conserve flux by themselves: with them it stays
+    /// Rule that turns converging light into brighter light. Light that is carried forward conserves flux by itself: with it the rule stays
     /// `jacobian`.
     pub intensity: Intensity,
     /// Gradient of the index of refraction.
     pub gradient: Gradient,
-    /// Light texels per pixel edge; more makes crisper caustics.
+    /// Light texels per pixel edge where `light` is `texels`; more makes crisper caustics.
     #[schemars(range(min = 0.125, max = 4), extend("x-unit" = "texels"))]
     pub light_resolution: f32,
     /// Margin of the light grid around the region that it covers, as a share of that region's size. Light from outside the grid counts as
@@ -95,7 +96,7 @@ impl Default for Sweep {
         Self {
             sample_distance: 1.0,
             light: Transport::Texels,
-            sheets: 8,
+            light_cells: None,
             light_resolution: 0.75,
             light_margin: 0.05,
             integrator: Integrator::Symplectic,

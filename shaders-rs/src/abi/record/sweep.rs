@@ -39,24 +39,70 @@ record! {
 }
 
 record! {
-    /// A node of a sheet of light: where light that crossed a corner between texels on the first plane is now.
-    sheet: SheetNode {
-        /// Distance across from the node's corner, in texels.
-        displacement_x: f32,
-        /// Distance up from the node's corner, in texels.
-        displacement_y: f32,
-        /// Distance across from the corner if nothing had bent the light, in texels.
-        unrefracted_x: f32,
-        /// Distance up from the corner if nothing had bent the light, in texels.
-        unrefracted_y: f32,
+    /// A node of the wavefront of light, in the wavefront's frame.
+    node: Node {
+        /// Position where the light last bent; from there it flies straight.
+        position: Vec3,
         /// Optical direction v; z is depth.
         direction: Vec3,
-        /// Flux of a texel of light here, over that of all unoccluded light.
+        /// The share of unoccluded light that is left.
         flux: Color,
-        /// 1 if the light turned back: the plane sweep cannot follow.
-        turned: f32,
         /// 1 inside the space in which the volume bends, see [`border`](crate::sweep::border), as it was known last; else 0.
         inside: f32,
+        /// 1 if anything has bent the light; else 0.
+        bent: f32,
+        /// One of [`node_status`](crate::abi::record::node_status).
+        status: f32,
+        /// The sum of depths at which light was lost, each weighted by the mean loss of the colours.
+        lost_at: f32,
+    }
+}
+
+/// States of a node of the wavefront.
+pub mod node_status {
+    /// Under way.
+    pub const ACTIVE: f32 = 0.0;
+    /// It turned back: the planes cannot follow it.
+    pub const TURNED: f32 = 1.0;
+    /// No light is left.
+    pub const DARK: f32 = 2.0;
+    /// It is about to meet a receiver.
+    pub const LANDED: f32 = 3.0;
+}
+
+record! {
+    /// Light around a sample of the wavefront's planes.
+    carried: Carried {
+        /// Fluence over that of unoccluded light.
+        share: Color,
+        /// The direction, as [`crate::sweep::light::offset`] packs it.
+        direction: f32,
+    }
+}
+
+record! {
+    /// Light around a sample of the wavefront's planes, in a clear medium.
+    carried_clear: CarriedClear {
+        /// Fluence over that of unoccluded light.
+        share: f32,
+        /// The direction, as [`crate::sweep::light::offset`] packs it.
+        direction: f32,
+    }
+}
+
+record! {
+    /// Light around a sample of the wavefront's planes, in a clear medium that does not bend it.
+    carried_straight: CarriedStraight {
+        /// Fluence over that of unoccluded light.
+        share: f32,
+    }
+}
+
+record! {
+    /// Light on a texel of a receiver.
+    received: Received {
+        /// Irradiance over that of unoccluded light.
+        share: Color,
     }
 }
 

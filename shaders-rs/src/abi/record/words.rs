@@ -1,6 +1,6 @@
 //! Records of words and sums, whose components are no fields of a struct: bits, counts, and the halves of integers.
 
-/// Fixed-point sums of the changes that sheets make on a texel: for each channel a low and a high word, next to each other (not planar).
+/// Fixed-point sums of the light that refracted cells of the wavefront bring to a sample or a texel: for each channel a low and a high word, next to each other (not planar).
 pub mod sums {
     /// Words.
     pub const SIZE: usize = 2 * CHANNELS;
@@ -8,8 +8,8 @@ pub mod sums {
     pub const CHANNELS: usize = 5;
     /// Flux over that of unoccluded light, red; green and blue follow.
     pub const FLUX: usize = 0;
-    /// Flux (the mean of its colours) times the change of its slope v_x / v_z; v_y / v_z follows.
-    pub const SLOPE_X: usize = 3;
+    /// Flux (the mean of its colours) times the change of the unit direction's x; y follows.
+    pub const DIRECTION_X: usize = 3;
     /// The words' names.
     #[cfg(not(target_arch = "spirv"))]
     pub const NAMES: [&str; SIZE] = [
@@ -19,15 +19,15 @@ pub mod sums {
         "green, high",
         "blue, low",
         "blue, high",
-        "slope x, low",
-        "slope x, high",
-        "slope y, low",
-        "slope y, high",
+        "direction x, low",
+        "direction x, high",
+        "direction y, low",
+        "direction y, high",
     ];
     /// Units in 1, of flux.
     pub const FLUX_SCALE: f32 = 16_777_216.0;
-    /// Units in 1, of flux times slope: a slope changes by less than 2⁷, so that one contribution has less than 2³¹ units.
-    pub const SLOPE_SCALE: f32 = 8_388_608.0;
+    /// Units in 1, of flux times direction: a component changes by at most 2, so that one contribution has less than 2³¹ units.
+    pub const DIRECTION_SCALE: f32 = 8_388_608.0;
 }
 
 /// A single word a place: bits of a mask, or a count.
@@ -60,4 +60,14 @@ pub mod absorption {
     pub const SCALE: f32 = 16_777_216.0;
     /// The largest optical depth of one contribution: e^−64 is nothing, and has less than 2³¹ units.
     pub const MOST: f32 = 64.0;
+}
+
+/// Fixed-point sums of the light that refracted cells of the wavefront bring to a texel of a receiver: for each channel a low and a high word,
+/// next to each other (not planar), in units as in [`sums`].
+pub mod landed {
+    /// Words.
+    pub const SIZE: usize = 6;
+    /// The words' names.
+    #[cfg(not(target_arch = "spirv"))]
+    pub const NAMES: [&str; SIZE] = ["red, low", "red, high", "green, low", "green, high", "blue, low", "blue, high"];
 }

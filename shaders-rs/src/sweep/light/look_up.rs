@@ -6,7 +6,7 @@
 use super::offset;
 use crate::abi::record::irradiance as record;
 use crate::abi::sweep::{SweepUniforms, flag};
-use crate::field::access::read;
+use crate::field::access::read_float;
 use crate::math::{floor_to_int, length, lerp, max, select, xyz};
 use crate::optics::receiver::diffuse;
 use spirv_std::glam::Vec3;
@@ -76,17 +76,17 @@ fn plane_behind(u: &SweepUniforms, component: usize) -> i32 {
 }
 
 #[inline(always)]
-fn interpolate(u: &SweepUniforms, irradiance: &[f32], cell: &Cell, component: usize, outside: f32) -> f32 {
+fn interpolate(u: &SweepUniforms, irradiance: &[u32], cell: &Cell, component: usize, outside: f32) -> f32 {
     let at = plane_behind(u, component) + cell.base;
     let width = u.light_grid.width as i32;
-    let near = lerp(read(irradiance, at), read(irradiance, at + 1), cell.x);
-    let far = lerp(read(irradiance, at + width), read(irradiance, at + width + 1), cell.x);
+    let near = lerp(read_float(irradiance, at), read_float(irradiance, at + 1), cell.x);
+    let far = lerp(read_float(irradiance, at + width), read_float(irradiance, at + width + 1), cell.x);
     select(cell.inside, lerp(near, far, cell.y), outside)
 }
 
 /// The direction at texel coordinates (x, y); beyond the grid, the initial one.
 #[inline(always)]
-pub fn direction(u: &SweepUniforms, irradiance: &[f32], x: f32, y: f32) -> Vec3 {
+pub fn direction(u: &SweepUniforms, irradiance: &[u32], x: f32, y: f32) -> Vec3 {
     let cell = cell(u, x, y);
     let (across, up) = offset_in(u, irradiance, &cell);
     offset::direction(u, across, up)
@@ -94,7 +94,7 @@ pub fn direction(u: &SweepUniforms, irradiance: &[f32], x: f32, y: f32) -> Vec3 
 
 /// The light at texel coordinates (x, y); beyond the grid, unoccluded. In a clear medium its colours are those of unoccluded light.
 #[inline(always)]
-pub fn light(u: &SweepUniforms, irradiance: &[f32], x: f32, y: f32, clear: bool) -> Light {
+pub fn light(u: &SweepUniforms, irradiance: &[u32], x: f32, y: f32, clear: bool) -> Light {
     let cell = cell(u, x, y);
     let red = interpolate(u, irradiance, &cell, record::SHARE, 1.0);
     let mut share = Vec3::new(red, red, red);
@@ -108,10 +108,10 @@ pub fn light(u: &SweepUniforms, irradiance: &[f32], x: f32, y: f32, clear: bool)
 
 /// How far the direction is from the initial one, see [`offset`].
 #[inline(always)]
-fn offset_in(u: &SweepUniforms, irradiance: &[f32], cell: &Cell) -> (f32, f32) {
+fn offset_in(u: &SweepUniforms, irradiance: &[u32], cell: &Cell) -> (f32, f32) {
     let at = plane_behind(u, record::DIRECTION) + cell.base;
     let width = u.light_grid.width as i32;
-    let corner = |beyond: i32| offset::unpack(read(irradiance, at + beyond));
+    let corner = |beyond: i32| offset::unpack(read_float(irradiance, at + beyond));
     let (a, b, c, d) = (corner(0), corner(1), corner(width), corner(width + 1));
     let across = lerp(lerp(a.0, b.0, cell.x), lerp(c.0, d.0, cell.x), cell.y);
     let up = lerp(lerp(a.1, b.1, cell.x), lerp(c.1, d.1, cell.x), cell.y);

@@ -1,9 +1,14 @@
 //! The light that the sweep carries from plane to plane: the grid of light texels and its look-ups, directions in one word, derivatives
-//! between texels, sheets, and the light that nothing has changed.
+//! between texels, the wavefront with the bricks and maps that it fills, and the light that nothing has changed.
 
 pub mod around;
+pub mod bricks;
+pub mod carried;
 pub mod look_up;
 pub mod offset;
-pub mod sheet;
+pub mod quad;
+pub mod receiver_map;
+pub mod samples;
 pub mod slopes;
 pub mod unoccluded;
+pub mod wavefront;

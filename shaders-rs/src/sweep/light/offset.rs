@@ -9,6 +9,8 @@ use spirv_std::glam::Vec3;
 
 /// Units in 1. Components of two unit vectors differ by at most 2.
 const SCALE: f32 = 16255.0;
+/// One of them.
+pub const UNIT: f32 = 1.0 / SCALE;
 /// The lower half of a word with no difference in x.
 const NONE: i32 = 0x8000;
 /// The least that stands in the upper half, beside the sign: with it no word has the bits of a denormal float or of a NaN, which a device
@@ -20,7 +22,12 @@ const LEAST: i32 = 0x80;
 pub fn pack(u: &SweepUniforms, v: Vec3) -> f32 {
     let inverse = 1.0 / max(length(v), 1e-20);
     let initial = xyz(u.light.direction);
-    let (x, y) = (v.x * inverse - initial.x, v.y * inverse - initial.y);
+    pack_difference(v.x * inverse - initial.x, v.y * inverse - initial.y)
+}
+
+/// The difference (x, y) of two unit directions.
+#[inline(always)]
+pub fn pack_difference(x: f32, y: f32) -> f32 {
     let units = |difference: f32| floor_to_int(absolute(difference) * SCALE + 0.5, 0.0, 2.0 * SCALE);
     let across = if x < 0.0 { NONE - units(x) } else { NONE + units(x) };
     let sign = if y < 0.0 { 1u32 << 31 } else { 0 };

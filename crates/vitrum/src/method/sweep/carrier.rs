@@ -1,7 +1,7 @@
-//! Transport of light from plane to plane: on texels (sweep §4.2), as sheets of rays, or none for unoccluded light.
+//! Transport of light from plane to plane: on texels (sweep §4.2), or none for unoccluded light.
 
 use super::uniforms::FramePlan;
-use crate::backend::{Backend, BackendError, Buffer, Contents, Pass};
+use crate::backend::{Backend, BackendError, Buffer, Pass};
 use crate::method::cache::{Label, Scratch};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
@@ -50,11 +50,6 @@ impl BufferAllocator<'_> {
     pub(super) fn irradiance(&mut self) -> Result<Buffer, BackendError> {
         let words = self.plan.ring().words() * u64::from(self.plan.ring().planes);
         self.scratch.zeros("irradiance", words * 4, self.backend)
-    }
-
-    /// A buffer of floats.
-    pub(super) fn floats(&mut self, label: &str, contents: &[f32]) -> Result<Buffer, BackendError> {
-        self.backend.create(label, Contents::Bytes(bytemuck::cast_slice(contents)))
     }
 }
 

@@ -1,10 +1,11 @@
 //! The light's direction and its grid.
 
 use super::planes::Planes;
+use super::wavefront::Frame;
 use crate::error::Error;
 use crate::method::view::light::direction_of_light;
 use crate::method::view::{Bounds, View};
-use crate::scene::{Light, Scene};
+use crate::scene::{Light, Scene, Transport};
 use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
 use glam::{DVec2, DVec3};
@@ -36,7 +37,9 @@ pub struct LightGrid {
 /// # Errors
 /// [`Error::Unrenderable`] where a light is too far from the viewing direction.
 pub(super) fn check(scene: &Scene, view: &View) -> Result<(), Error> {
-    scene.light.iter().enumerate().try_for_each(|(index, light)| direction(light, index, view).map(drop))
+    let forward = scene.sweep.light == Transport::Forward;
+    let check = |(index, light)| if forward { direction_of_light(light, view) } else { direction(light, index, view) };
+    scene.light.iter().enumerate().try_for_each(|light| check(light).map(drop))
 }
 
 /// Unit direction of light `index` in the view frame; an error if its angle to the viewing direction is above [`STEEPEST`].
@@ -90,6 +93,12 @@ impl LightGrid {
         let centre = (low + high) * 0.5;
         let half = DVec2::new(f64::from(size[0]), f64::from(size[1])) * (0.5 * texel);
         Ok(Self { corner: centre - half, texel, size, shear, direction })
+    }
+
+    /// The grid of a wavefront's cells, which are across the light.
+    pub(super) fn of_frame(frame: &Frame, direction: DVec3) -> Self {
+        let Frame { corner, cell, cells, .. } = *frame;
+        Self { corner, texel: cell, size: cells, shear: DVec2::ZERO, direction }
     }
 
     /// Whether texels move as unrefracted light does; light that is too oblique drifts over them.

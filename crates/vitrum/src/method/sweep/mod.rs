@@ -14,7 +14,6 @@ mod occupancy;
 mod paging;
 mod passes;
 mod planes;
-mod sheets;
 mod tables;
 mod texels;
 mod transfer;
@@ -22,6 +21,7 @@ mod uniforms;
 mod unoccluded;
 mod uploaded;
 mod voxels;
+mod wavefront;
 mod window;
 
 pub use light::LightGrid;
@@ -45,6 +45,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use uniforms::FramePlan;
 use uploaded::UploadedVolumes;
+use wavefront::{Wavefront, WavefrontBuffers};
 
 /// The plane sweep.
 #[derive(Debug, Clone, Copy)]
@@ -112,12 +113,20 @@ pub struct Sweep {
     /// Rays across and down.
     pub rays: [u32; 2],
     buffers: Buffers,
+    /// The wavefront that carries the light forward, if one does.
+    carried: Option<Carried>,
     ring: IrradianceRing,
     /// The irradiance of unoccluded light.
     unoccluded: [f32; 3],
     request: OutputRequest,
     /// The volumes that were made of a mesh, if the subject is one.
     voxelized: Option<Voxelized>,
+}
+
+/// A wavefront and its buffers.
+pub(in crate::method::sweep) struct Carried {
+    wavefront: Wavefront,
+    buffers: WavefrontBuffers,
 }
 
 /// The buffers of a frame that are read.
@@ -172,15 +181,16 @@ impl Sweep {
         let tables = cache.tables(scene, volumes);
         let pictures = cache.pictures.get(scene, picture, &BTreeMap::new(), backend)?;
         let limits = (uploaded.format, backend.largest_buffer());
-        let plan = FramePlan::new(scene, volumes, tables, &pictures.environment, limits)?;
-        let (passes, buffers) =
-            passes::build(scene, volumes, &plan, (&uploaded, &pictures.buffer), request, cache, backend)?;
+        let mut plan = FramePlan::new(scene, volumes, tables, &pictures.environment, limits)?;
+        let (passes, buffers, carried) =
+            passes::build(scene, volumes, &mut plan, (&uploaded, &pictures.buffer), request, cache, backend)?;
         Ok(Self {
             passes,
             planes: plan.planes,
             light_grid: plan.light_grid,
             rays: plan.rays,
             buffers,
+            carried,
             ring: plan.ring(),
             unoccluded: plan.unoccluded_irradiance(),
             request,
@@ -207,27 +217,45 @@ impl Sweep {
     }
 
     /// The light on the last plane: red, then green, then blue plane irradiance for the light grid's texels (radiance if
-    /// `sweep.intensity` is not `jacobian`).
+    /// `sweep.intensity` is not `jacobian`), or for the cells of the wavefront that carries it forward.
     ///
     /// # Errors
     /// As [`Backend::read`].
     pub fn irradiance(&self, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
-        self.irradiance_on(self.planes.count - 1, backend)
+        self.irradiance_on(self.light_planes().count - 1, backend)
     }
 
-    /// As [`Self::irradiance`], on plane `plane`, until light is carried a few planes further.
+    /// As [`Self::irradiance`], on plane `plane` of [`Self::light_planes`], until light is carried a few planes further; of a wavefront, once it is there.
     ///
     /// # Errors
-    /// As [`Backend::read`].
+    /// As [`Backend::read`] and [`Backend::run`].
     pub fn irradiance_on(&self, plane: u32, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         let texels = self.light_grid.size[0] as usize * self.light_grid.size[1] as usize;
-        let bytes = (self.unoccluded.len() * texels * 4) as u64;
-        let start = self.ring.start(plane) * 4;
-        let mut shares: Vec<f32> = backend.read_part(&self.buffers.irradiance, start..start + bytes)?;
+        let mut shares: Vec<f32> = if let Some(Carried { wavefront, buffers }) = &self.carried {
+            let (passes, map) = wavefront.observe(plane, buffers);
+            backend.run(&PassList { passes, ..PassList::default() }, &mut |_| true)?;
+            wavefront.of_cells(&backend.read_part::<f32>(&buffers.light, map)?)
+        } else {
+            let bytes = (self.unoccluded.len() * texels * 4) as u64;
+            let start = self.ring.start(plane) * 4;
+            backend.read_part(&self.buffers.irradiance, start..start + bytes)?
+        };
         for (channel, unoccluded) in shares.chunks_exact_mut(texels).zip(self.unoccluded) {
             channel.iter_mut().for_each(|share| *share *= unoccluded);
         }
         Ok(shares)
+    }
+
+    /// The planes from which to which light is carried: those of the viewing rays, or those of the wavefront, across the light.
+    #[must_use]
+    pub fn light_planes(&self) -> Planes {
+        self.carried.as_ref().map_or(self.planes, |carried| carried.wavefront.frame.planes)
+    }
+
+    /// The frame in which the light grid and its planes are stated: the view, or the wavefront's own.
+    #[must_use]
+    pub fn light_view(&self) -> Option<View> {
+        self.carried.as_ref().map(|carried| carried.wavefront.frame.view)
     }
 }
 

@@ -131,6 +131,59 @@ impl OccupancyQuery<'_> {
         points.concat().into_iter().map(|point| point_between_voxels(self.volume, point)).collect()
     }
 
+    /// The bricks in which something looks at the light, each as the corners, in the world, of a box that holds it and a voxel around: bricks with
+    /// particles and, if surfaces are `specular`, where η changes.
+    pub(super) fn looked_at(&self, specular: bool) -> Vec<[DVec3; 8]> {
+        match self.ranges {
+            Ranges::U8(ranges) => self.looked_at_of(ranges, specular),
+            Ranges::U16(ranges) => self.looked_at_of(ranges, specular),
+            Ranges::F32(ranges) => self.looked_at_of(ranges, specular),
+        }
+    }
+
+    fn looked_at_of<T: Copy + PartialOrd + Send + Sync>(&self, ranges: &[Range<T>], specular: bool) -> Vec<[DVec3; 8]>
+    where
+        f32: From<T>,
+    {
+        let bricks = bricks(self.volume).map(|n| n as usize);
+        let edge = 1_usize << brick_shift(self.volume);
+        // The stencil looks a voxel beyond the brick.
+        let widened = (0..3).fold(None, |before: Option<Vec<_>>, axis| {
+            Some(widen(before.as_deref().unwrap_or(ranges), bricks, axis, 1))
+        });
+        let widened = widened.unwrap_or_default();
+        let looks = |index: usize| {
+            let (low, high) = (f32::from(widened[index].0), f32::from(widened[index].1));
+            let at = [index % bricks[0], index / bricks[0] % bricks[1], index / bricks[0] / bricks[1]];
+            let on_border = at.iter().zip(bricks).any(|(&at, count)| at == 0 || at + 1 == count);
+            let particles = self.role != VolumeRole::Bending && !self.is_without_particles(low, high);
+            let changes = self.role != VolumeRole::Shown && !self.is_uniform(low, high);
+            let border = (self.cut || on_border) && !self.is_like_outside(low, high);
+            particles || (specular && (changes || border))
+        };
+        let corners = |index: usize| {
+            let at = [index % bricks[0], index / bricks[0] % bricks[1], index / bricks[0] / bricks[1]];
+            // A step looks at the light on its way to a sample.
+            let beyond = f64::from(self.reach) + 1.0;
+            std::array::from_fn(|corner: usize| {
+                let end = |axis: usize| {
+                    let far = corner >> axis & 1;
+                    let voxel = (at[axis] + far) * edge;
+                    let most = self.volume.dimensions[axis] as usize;
+                    voxel.min(most) as f64 - 0.5 + if far == 1 { beyond } else { -beyond }
+                };
+                point_between_voxels(self.volume, DVec3::new(end(0), end(1), end(2)))
+            })
+        };
+        (0..ranges.len()).into_par_iter().filter(|&index| looks(index)).map(corners).collect()
+    }
+
+    fn is_without_particles(&self, low: f32, high: f32) -> bool {
+        let [lower, higher] = self.normalised(low, high);
+        (low == high && self.tables.is_without_particles_at(self.scalar(low)))
+            || self.tables.is_without_particles(lower, higher)
+    }
+
     /// Writes to `words` 0 for a brick that is not empty, and a large number for an empty one.
     fn classify<T: Copy + PartialOrd + Send + Sync>(&self, ranges: &[Range<T>], words: &mut [u32])
     where

@@ -1,16 +1,17 @@
 //! The pass list of a frame (Algorithm 1).
 
-use super::Buffers;
 use super::cache::{FrameCache, tables_key};
 use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
 use super::occupancy::{Occupancy, OccupancyQuery, VolumeRole};
 use super::paging::{Residency, pools};
-use super::sheets::Sheets;
 use super::texels::Texels;
 use super::uniforms::FramePlan;
 use super::unoccluded::Unoccluded;
 use super::uploaded::UploadedVolumes;
 use super::voxels::bricks;
+use super::wavefront::Wavefront;
+use super::{Buffers, Carried};
+
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
 use crate::error::Error;
 use crate::request::OutputRequest;
@@ -29,12 +30,13 @@ const FARTHEST: f64 = 32.0;
 pub(super) fn build(
     scene: &Scene,
     volumes: Volumes<'_>,
-    plan: &FramePlan,
+    plan: &mut FramePlan,
     (uploaded, map): (&UploadedVolumes, &Buffer),
     request: OutputRequest,
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
-) -> Result<(PassList, Buffers), Error> {
+) -> Result<(PassList, Buffers, Option<Carried>), Error> {
+    let self_volumes = volumes;
     let shown = volumes.shown;
     let UploadedVolumes { ranges, ior_ranges, .. } = uploaded;
     let tables = &*plan.tables;
@@ -68,57 +70,87 @@ pub(super) fn build(
     };
     let [voxels, ior_voxels] = voxels;
     let volumes = VolumeBuffers { voxels, ior_voxels, occupancy, tables };
+    let wavefront = match plan.frame.filter(|_| plan.shadows) {
+        Some(frame) => {
+            let boxes: Vec<_> =
+                queries.iter().flat_map(|query| query.looked_at(scene.shading.specular > 0.0)).collect();
+            let seen_by = (plan.common(), plan.mode);
+            let largest = backend.largest_buffer();
+            let wavefront = Wavefront::new(scene, self_volumes, (&plan.view, frame), seen_by, &boxes, largest)?;
+            plan.see(wavefront.seen);
+            Some(wavefront)
+        }
+        None => None,
+    };
+    let plan = &*plan;
     let mut buffers = BufferAllocator { plan, scratch: &mut cache.scratch, backend };
-    let light: Box<dyn Carrier> = match &plan.sheets {
+    let light: Box<dyn Carrier> = match &plan.frame {
         _ if !plan.shadows => Box::new(Unoccluded::new(&mut buffers)?),
         None => {
             let inside = || plan.visible_light(occupied.iter().map(|point| plan.view.point(*point)));
             let everywhere = request.light || plan.lights_surroundings || !plan.light_grid.follows_light();
             Box::new(Texels::new(&mut buffers, volumes.clone(), (!everywhere).then(inside))?)
         }
-        Some(sources) => Box::new(Sheets::new(&mut buffers, volumes.clone(), sources)?),
+        Some(_) => Box::new(Unoccluded::new(&mut buffers)?),
     };
+    let carried = match wavefront {
+        Some(wavefront) => {
+            let made = wavefront.buffers(&mut buffers, volumes.clone())?;
+            Some(Carried { wavefront, buffers: made })
+        }
+        None => None,
+    };
+    // What viewing rays look the light up in.
+    let looked_up =
+        carried.as_ref().map_or_else(|| light.irradiance().clone(), |carried| carried.buffers.light.clone());
     let pixels = plan.rays;
     let rays = buffers.planar("rays", pixels, ray::SIZE)?;
     let finished = buffers.planar("film", pixels, film::SIZE)?;
 
     let ray_kernel = kernels::sweep_propagate_rays.get(plan.format);
-    let mut passes = light.start(plan);
-    passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&rays]));
+    let mut passes = match &carried {
+        Some(Carried { wavefront, buffers }) => wavefront.passes(buffers, plan.format),
+        None => light.start(plan),
+    };
+    let entries = carried.as_ref().map(|carried| carried.wavefront.entries(&carried.buffers));
+    passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&looked_up, &rays]));
     // The first pass of each plane.
     let mut starts = vec![0];
     let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &volumes;
-    let bound = [voxels, ior_voxels, occupancy, tables, light.irradiance(), &rays];
+    let bound = [voxels, ior_voxels, occupancy, tables, &looked_up, &rays];
     // Rays on their way over planes whose irradiance is in the ring.
     let mut waiting = Vec::new();
     for plane in 1..plan.planes.count {
         starts.push(passes.len());
         if plane > first {
-            waiting.push(plan.pass(ray_kernel, pixels, plan.mode, plane, &bound));
+            waiting.push(plan.pass(ray_kernel, pixels, plan.ray_mode(), plane, &bound));
         }
         if waiting.len() == plan.ring().planes as usize {
             passes.append(&mut waiting);
         }
-        light.advance(plan, plane, &mut passes);
+        if carried.is_none() {
+            light.advance(plan, plane, &mut passes);
+        }
     }
     passes.append(&mut waiting);
     let followers = kernels::sweep_follow_rays.get(plan.format);
     // Of streamed voxels only those around the latest planes are there.
     if scene.sweep.follow_turned_rays && mode::bends(plan.mode) && !plan.format.is_paged() {
         // The step of the planes within the volume.
-        let volumes = [voxels, ior_voxels, occupancy, tables, &rays];
-        let follow = || plan.pass(followers, pixels, plan.mode, plan.planes.behind, &volumes);
+        let volumes = [voxels, ior_voxels, occupancy, tables, &looked_up, &rays];
+        let follow = || plan.pass(followers, pixels, plan.ray_mode(), plan.planes.behind, &volumes);
         passes.extend((0..most_follow_passes(plan)).map(|_| follow()));
     }
     let last = plan.planes.count - 1;
-    passes.push(plan.pass(&kernels::sweep_resolve, pixels, 0, last, &[&rays, map, &finished]));
+    passes.push(plan.pass(&kernels::sweep_resolve, pixels, 0, last, &[&rays, map, &looked_up, &finished]));
     let (name, follow) = (ray_kernel.declaration.name, followers.declaration.name);
     let after = [follow, kernels::sweep_resolve.declaration.name];
     let mut writes: Vec<Write> = pools.into_iter().flat_map(|pool| pool.writes(&starts)).collect();
+    writes.extend(entries);
     writes.sort_by_key(|write| write.before);
     // Light goes on to the last plane only where what is there is an output, too.
     let names = passes.iter().map(|pass| pass.kernel.declaration.name);
-    let idle = names.filter(|other| !request.light && !after.contains(other));
+    let idle = names.filter(|other| carried.is_none() && !request.light && !after.contains(other));
     let ends: BTreeSet<&str> = idle.chain([name]).collect();
     let while_busy = vec![
         WhileBusy { kernel: name, passes: ends.into_iter().collect(), until: None },
@@ -126,7 +158,7 @@ pub(super) fn build(
     ];
     let list = PassList { passes, writes, while_busy };
     let buffers = Buffers { irradiance: light.irradiance().clone(), film: finished };
-    Ok((list, buffers))
+    Ok((list, buffers, carried))
 }
 
 /// The most passes that follow rays beyond the sweep. A ray that goes as far as [`FARTHEST`] times across the volume, in steps as long as the

@@ -37,6 +37,10 @@ pub struct Planes {
 }
 
 impl Planes {
+    /// The planes of a sweep whose light is on texels, which is carried on to where the volume's shadow falls on receivers.
+    ///
+    /// # Errors
+    /// [`Error::Unrenderable`] where planes are too many, or the volume is behind the camera.
     pub(super) fn new(
         scene: &Scene,
         view: &View,
@@ -44,19 +48,40 @@ impl Planes {
         receivers: &Receivers,
         light: DVec3,
     ) -> Result<Self, Error> {
+        Self::up_to(scene, view, volumes, |points, far| {
+            // Where the volume's shadow falls on a receiver, but not endlessly far; without shadows all ends behind the volume.
+            let limit =
+                if scene.first_light().shadows { far + 3.0 * Bounds::from(volumes.shown).sphere().1 } else { far };
+            points
+                .iter()
+                .filter_map(|point| receivers.first(*point, light).map(|along| point.z + light.z * along))
+                .fold(far, f64::max)
+                .min(limit)
+        })
+    }
+
+    /// The planes from in front of the volumes to behind them.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub(super) fn within(scene: &Scene, view: &View, volumes: Volumes<'_>) -> Result<Self, Error> {
+        Self::up_to(scene, view, volumes, |_, far| far)
+    }
+
+    /// The planes from in front of the volumes to the depth that `reach` computes from the volumes' corners and their far end.
+    fn up_to(
+        scene: &Scene,
+        view: &View,
+        volumes: Volumes<'_>,
+        reach: impl Fn(&[DVec3], f64) -> f64,
+    ) -> Result<Self, Error> {
         let edge = volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min);
         let distance = f64::from(edge) * f64::from(scene.sweep.sample_distance);
         let points: Vec<DVec3> =
             volumes.iter().flat_map(|volume| Bounds::from(volume).corners).map(|corner| view.point(corner)).collect();
         let near = points.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
         let far = points.iter().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);
-        // Where the volume's shadow falls on a receiver, but not endlessly far; without shadows all ends behind the volume.
-        let limit = if scene.first_light().shadows { far + 3.0 * Bounds::from(volumes.shown).sphere().1 } else { far };
-        let reach = points
-            .iter()
-            .filter_map(|point| receivers.first(*point, light).map(|along| point.z + light.z * along))
-            .fold(far, f64::max)
-            .min(limit);
+        let reach = reach(&points, far);
         // Just in front of the eye: rays start there.
         let start = if view.orthographic { f64::NEG_INFINITY } else { EYE * (far - near) };
         let front = near - 0.5 * distance;

@@ -46,6 +46,8 @@ pub struct Tables {
     bent: Option<[f32; 2]>,
     /// How many of the preintegration table's intervals before each of its entries have opacity or a filter.
     anything: Vec<u32>,
+    /// How many of them have opacity.
+    particles: Vec<u32>,
 }
 
 /// Opacity α of particles, transmittance (3) of the medium, and colour (3) of particles at a scalar, for a layer of the reference length.
@@ -136,7 +138,7 @@ impl Tables {
         let mut words = Vec::with_capacity(layout::WORDS as usize);
         let abscissa = segment_abscissa(&layers);
         let nodes = abscissa.nodes();
-        let anything = segments(&layers, &nodes, &mut words);
+        let [anything, particles] = segments(&layers, &nodes, &mut words);
 
         let ior_abscissa = ior_abscissa(&indices);
         let at_nodes: Vec<f64> = ior_abscissa.nodes().into_iter().map(|node| indices.at(node)[0]).collect();
@@ -154,6 +156,7 @@ impl Tables {
             changing: single(layers.support()),
             bent: single(indices.support()),
             anything,
+            particles,
         }
     }
 
@@ -168,6 +171,23 @@ impl Tables {
             }
             _ => self.is_clear_at(low),
         }
+    }
+
+    /// Whether opacity is 0 for all normalised scalars from `low` to `high`.
+    pub fn is_without_particles(&self, low: f32, high: f32) -> bool {
+        match self.changing {
+            Some([start, end]) if high > start && low < end => {
+                let last = layout::SEGMENT_SIZE as usize - 1;
+                let entry = |scalar: f32| segment_place(&self.words, scalar) as usize;
+                self.particles[entry(low)] == self.particles[(entry(high) + 1).min(last)]
+            }
+            _ => self.is_without_particles_at(low),
+        }
+    }
+
+    /// Whether opacity is 0 at the normalised scalar `scalar`, as kernels look it up.
+    pub fn is_without_particles_at(&self, scalar: f32) -> bool {
+        segment(&self.words, scalar, scalar).particles == 0.0
     }
 
     /// Whether opacity is 0 and the filter white at the normalised scalar `scalar`, as kernels look it up.
@@ -204,22 +224,24 @@ fn ior_abscissa(indices: &Curve<1>) -> Abscissa {
 
 /// Adds the preintegration table over `nodes` to `words`: means over the scalars between them. Returns how many of the intervals before each
 /// node have any depth.
-fn segments(layers: &Curve<7>, nodes: &[f64], words: &mut Vec<u32>) -> Vec<u32> {
+fn segments(layers: &Curve<7>, nodes: &[f64], words: &mut Vec<u32>) -> [Vec<u32>; 2] {
     let at_nodes: Vec<Depths> = nodes.iter().map(|&node| depths(layers.at(node))).collect();
     let mut sums = vec![[0.0; 7]];
-    let mut anything = vec![0];
+    let (mut anything, mut particles) = (vec![0], vec![0]);
     for pair in nodes.windows(2) {
         let knots = layers.places().filter(|place| *place > pair[0] && *place < pair[1]);
         let ends: Vec<f64> = std::iter::once(pair[0]).chain(knots).chain([pair[1]]).collect();
         let mut sum: Depths = sums[sums.len() - 1];
-        let mut some = false;
+        let (mut some, mut opaque) = (false, false);
         for part in ends.windows(2) {
             let integral = integral(layers, part[0], part[1]);
             sum.iter_mut().zip(integral).for_each(|(sum, integral)| *sum += integral);
             // Asked, not summed: a sum could swallow what is tiny.
+            opaque |= part.iter().any(|&end| depths(layers.at(end))[0] > 0.0);
             some |= part.iter().any(|&end| depths(layers.at(end)).iter().any(|&depth| depth > 0.0));
         }
         anything.push(anything[anything.len() - 1] + u32::from(some));
+        particles.push(particles[particles.len() - 1] + u32::from(opaque));
         sums.push(sum);
     }
     for front in 0..nodes.len() {
@@ -234,7 +256,7 @@ fn segments(layers: &Curve<7>, nodes: &[f64], words: &mut Vec<u32>) -> Vec<u32> 
             words.push(pack(mean[6], mean[0]));
         }
     }
-    anything
+    [anything, particles]
 }
 
 /// The integral of the depths over the scalars from `start` to `end`, between which the functions are linear.

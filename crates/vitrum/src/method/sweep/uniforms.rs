@@ -6,11 +6,12 @@ use super::paging::Sampling;
 use super::planes::Planes;
 use super::tables::Tables;
 use super::voxels::grid;
+use super::wavefront::{self, Frame};
 use super::window::VisibleLight;
 use crate::error::Error;
 use crate::method::lights;
-use crate::method::sources::sources;
 use crate::method::view::environment::{EnvironmentMap, EnvironmentUniforms};
+use crate::method::view::light::direction_of_light;
 use crate::method::view::receivers::{Receivers, plane};
 use crate::method::view::{Bounds, View, vector};
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Rgb, Scene, Transport};
@@ -26,6 +27,7 @@ use vitrum_kernels::abi::light as abi;
 use vitrum_kernels::abi::receivers::{self, Receiver};
 use vitrum_kernels::abi::sweep::{SweepUniforms, flag, mode};
 use vitrum_kernels::abi::vector::{Size, Vec3};
+use vitrum_kernels::abi::wavefront as abi_wavefront;
 use vitrum_kernels::kernel::Window;
 
 /// The smallest v_z / |v| of a ray that is followed, at 89° to the planes' normal. One step of an even more oblique ray would cross
@@ -47,8 +49,8 @@ pub(super) struct FramePlan {
     pub(super) shadows: bool,
     /// Positions of the look-ups between two planes among the voxels of the volume, and of the second one.
     pub(super) sampling: Vec<Sampling>,
-    /// The directions of the sheets that carry the light, if sheets do.
-    pub(super) sheets: Option<Vec<[f32; 3]>>,
+    /// The frame of the wavefront that carries the light forward, if one does.
+    pub(super) frame: Option<Frame>,
     pub(super) view: View,
     /// Whether light outside the volumes is read, too, by receivers.
     pub(super) lights_surroundings: bool,
@@ -76,17 +78,25 @@ struct Geometry {
     planes: Planes,
     light_grid: LightGrid,
     receivers: Receivers,
+    frame: Option<Frame>,
 }
 
 impl Geometry {
     fn new(scene: &Scene, volumes: Volumes<'_>) -> Result<Self, Error> {
         let bounds = Bounds::from(volumes.shown);
         let view = View::new(scene, bounds);
-        let towards = direction(scene.first_light(), 0, &view)?;
         let receivers = Receivers::new(scene, &view, bounds);
+        if scene.sweep.light == Transport::Forward {
+            let towards = direction_of_light(scene.first_light(), &view)?;
+            let planes = Planes::within(scene, &view, volumes)?;
+            let frame = Frame::new(scene, &view, volumes, towards)?;
+            let light_grid = LightGrid::of_frame(&frame, towards);
+            return Ok(Self { view, towards, planes, light_grid, receivers, frame: Some(frame) });
+        }
+        let towards = direction(scene.first_light(), 0, &view)?;
         let planes = Planes::new(scene, &view, volumes, &receivers, towards)?;
         let light_grid = LightGrid::new(scene, &view, volumes, &planes, towards)?;
-        Ok(Self { view, towards, planes, light_grid, receivers })
+        Ok(Self { view, towards, planes, light_grid, receivers, frame: None })
     }
 }
 
@@ -113,7 +123,7 @@ impl FramePlan {
         (format, largest_buffer): (Format, u64),
     ) -> Result<Self, Error> {
         let Volumes { shown, ior: bending } = volumes;
-        let Geometry { view, towards, planes, light_grid, receivers } = Geometry::new(scene, volumes)?;
+        let Geometry { view, towards, planes, light_grid, receivers, frame } = Geometry::new(scene, volumes)?;
         let environment = EnvironmentUniforms::new(&scene.environment, map, &view);
         let supersampling = scene.film.supersampling;
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
@@ -162,20 +172,14 @@ impl FramePlan {
         };
         block.ior_grid = bending
             .map_or(block.grid, |volume| grid(volume, tables.bending, format, &view, (reach[1], first_ior_brick)));
-        let sheets = (scene.sweep.light == Transport::Sheets).then(|| {
-            let count = if scene.first_light().angular_radius > 0.0 { scene.sweep.sheets } else { 1 };
-            sources(towards, scene.first_light().angular_radius, count)
-        });
-        let steepest = steepest(
-            &view,
-            &tables,
-            std::iter::once(towards.as_vec3().to_array()).chain(sheets.iter().flatten().copied()),
-        );
+        let steepest = steepest(&view, &tables, std::iter::once(towards.as_vec3().to_array()));
         let sampled = std::iter::once(shown).chain(bending);
         let sampling = sampled.map(|volume| Sampling::new(volume, &view, &planes, steepest)).collect();
         block.light.color = initial_light(scene, &block);
-        block.sheet_share = sheets.as_ref().map_or(0.0, |sheets| 1.0 / sheets.len() as f32);
-        if light_grid.follows_light() {
+        if let Some(frame) = &frame {
+            block.wavefront = wavefront::unoccluded(&view, frame);
+        }
+        if frame.is_none() && light_grid.follows_light() {
             [block.light_grid.shear_x, block.light_grid.shear_y] = exact_shear(&block.light);
         }
         let reference = scene
@@ -186,7 +190,7 @@ impl FramePlan {
         block.step.smallest_cosine = SMALLEST_COSINE;
         set_clips(&mut block, scene, &view, shown)?;
         // Streamed voxels go as soon as they can, and irradiance that never changes needs to be there but once.
-        let several = scene.first_light().shadows && !format.is_paged();
+        let several = scene.first_light().shadows && !format.is_paged() && frame.is_none();
         let ring = if several {
             IrradianceRing::new(light_grid.size, largest_buffer)
         } else {
@@ -203,7 +207,7 @@ impl FramePlan {
             reach,
             mode,
             shadows: scene.first_light().shadows,
-            sheets,
+            frame,
             view,
             lights_surroundings: scene.ground.is_some() || scene.wall.is_some(),
             block,
@@ -263,6 +267,22 @@ impl FramePlan {
         [x, y, z]
     }
 
+    /// Tells viewing rays of the wavefront whose light they look up.
+    pub(super) fn see(&mut self, seen: abi_wavefront::Wavefront) {
+        self.block.wavefront = seen;
+        self.block.flags |= flag::FORWARD;
+    }
+
+    /// The uniform block of viewing rays, as far as it is the same for all planes.
+    pub(super) fn common(&self) -> &SweepUniforms {
+        &self.block
+    }
+
+    /// [`mode`] of viewing rays.
+    pub(super) fn ray_mode(&self) -> u32 {
+        if self.frame.is_some() || self.mode == mode::UNSHADED { self.mode } else { mode::on_texels(self.mode) }
+    }
+
     /// The buffer of the latest planes' irradiance.
     pub(super) fn ring(&self) -> IrradianceRing {
         self.ring
@@ -280,6 +300,8 @@ fn flags(scene: &Scene) -> u32 {
         flags |= flag::EULER;
     }
     flags |= match scene.sweep.intensity {
+        // A wavefront has no intensity to correct.
+        Intensity::Jacobian if scene.sweep.light == Transport::Forward => flag::STORE_RADIANCE,
         Intensity::Jacobian => 0,
         Intensity::Paper => flag::PAPER_INTENSITY | flag::STORE_RADIANCE,
         Intensity::None => flag::NO_INTENSITY | flag::STORE_RADIANCE,
@@ -318,7 +340,12 @@ fn initial_light(scene: &Scene, block: &SweepUniforms) -> Vec3 {
     light.color.map(|channel| channel * factor).into()
 }
 
-fn set_clips(block: &mut SweepUniforms, scene: &Scene, view: &View, volume: &vitrum_io::Volume) -> Result<(), Error> {
+pub(super) fn set_clips(
+    block: &mut SweepUniforms,
+    scene: &Scene,
+    view: &View,
+    volume: &vitrum_io::Volume,
+) -> Result<(), Error> {
     if scene.clip.len() > MOST_CLIPS {
         return Err(Unrenderable::TooManyClips { count: scene.clip.len(), limit: MOST_CLIPS }.into());
     }

@@ -79,6 +79,17 @@ pub(super) fn pages(dimensions: [u32; 3]) -> [u32; 3] {
     dimensions.map(|n| (n >> page::SHIFT) + 1)
 }
 
+/// The voxel coordinates of a point of the view frame, as affine functions of it.
+pub(super) fn rows(volume: &Volume, view: &View) -> [Affine; 3] {
+    let inverse = voxel_steps(volume).inverse();
+    let along = inverse * view.axes;
+    let start = inverse * (view.eye - vector(volume.origin));
+    [0, 1, 2].map(|axis| {
+        let row: DVec3 = along.row(axis);
+        Affine::from(row.as_vec3().extend(start[axis] as f32))
+    })
+}
+
 /// The grid of a volume in the view frame, as kernels read it. `window` is that of its normalised scalars, `reach` the step in voxels that a brick's range covers, `first_brick`
 /// the index of the first brick in the occupancy buffer.
 pub(super) fn grid(
@@ -88,13 +99,7 @@ pub(super) fn grid(
     view: &View,
     (reach, first_brick): (u32, u32),
 ) -> Grid {
-    let inverse = voxel_steps(volume).inverse();
-    let along = inverse * view.axes;
-    let start = inverse * (view.eye - vector(volume.origin));
-    let row = |axis: usize| {
-        let row: DVec3 = along.row(axis);
-        Affine::from(row.as_vec3().extend(start[axis] as f32))
-    };
+    let [row_x, row_y, row_z] = rows(volume, view);
     let [width, height, depth] = volume.dimensions;
     let [value_origin, value_scale] = window.of_stored(volume);
     let [bx, by, bz] = bricks(volume);
@@ -106,9 +111,9 @@ pub(super) fn grid(
         [width as i32, width.wrapping_mul(height) as i32]
     };
     Grid {
-        row_x: row(0),
-        row_y: row(1),
-        row_z: row(2),
+        row_x,
+        row_y,
+        row_z,
         size: Vec3::new(width as f32, height as f32, depth as f32),
         reach: reach as f32,
         value_scale,

@@ -216,10 +216,10 @@ fn check_lights_of_method(scene: &Scene) -> Result<(), Fault> {
 }
 
 fn check_sweep(sweep: &Sweep) -> Result<(), Fault> {
-    if sweep.light == Transport::Sheets && sweep.intensity != Intensity::Jacobian {
+    if sweep.light == Transport::Forward && sweep.intensity != Intensity::Jacobian {
         return Err(Fault::contradiction(
             "sweep.intensity",
-            "there is nothing to correct where `sweep.light` is `sheets`: they conserve flux by themselves",
+            "there is nothing to correct where `sweep.light` is `forward`: it conserves flux by itself",
             "leave `sweep.intensity` out, or set `sweep.light = \"texels\"`",
         ));
     }

@@ -1,0 +1,82 @@
+//! The frame of a wavefront: its axes, its planes and the grid of its cells.
+
+use crate::error::Error;
+use crate::method::sweep::planes::Planes;
+use crate::method::view::{Bounds, View};
+use crate::scene::Scene;
+use crate::subject::Volumes;
+use glam::{DMat3, DVec2, DVec3};
+
+/// The fewest cells along the longer side of the grid that a small volume gets.
+const FEWEST: f64 = 192.0;
+/// The most cells along the longer side of the grid that a large volume gets.
+const MOST: f64 = 512.0;
+
+/// The frame of a wavefront of light from far away: z is the direction in which it travels.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::method::sweep) struct Frame {
+    /// The frame as a view along the light.
+    pub(in crate::method::sweep) view: View,
+    /// The planes over which the wavefront is carried.
+    pub(in crate::method::sweep) planes: Planes,
+    /// The corner of the grid of cells.
+    pub(in crate::method::sweep) corner: DVec2,
+    /// Edge of a cell, world units.
+    pub(in crate::method::sweep) cell: f64,
+    /// Cells across and up.
+    pub(in crate::method::sweep) cells: [u32; 2],
+}
+
+impl Frame {
+    /// The frame of light that travels along `towards`, a unit vector of the view frame `view`.
+    ///
+    /// # Errors
+    /// As [`Planes::new`].
+    pub(in crate::method::sweep) fn new(
+        scene: &Scene,
+        view: &View,
+        volumes: Volumes<'_>,
+        towards: DVec3,
+    ) -> Result<Self, Error> {
+        let bounds = Bounds::from(volumes.shown);
+        let (centre, radius) = bounds.sphere();
+        let away = (view.axes * towards).normalize();
+        let right = away.cross(view.up).try_normalize().unwrap_or_else(|| away.any_orthonormal_vector());
+        let axes = DMat3::from_cols(right, right.cross(away), away);
+        let eye = centre - away * (4.0 * radius);
+        let view = View { eye, axes, orthographic: true, target_depth: 4.0 * radius, ..*view };
+        let planes = Planes::within(scene, &view, volumes)?;
+        let outline = || {
+            volumes.iter().flat_map(|volume| Bounds::from(volume).corners).map(|corner| view.point(corner).truncate())
+        };
+        let low = outline().fold(DVec2::INFINITY, DVec2::min);
+        let high = outline().fold(DVec2::NEG_INFINITY, DVec2::max);
+        let longer = (high - low).max_element();
+        let voxel = f64::from(volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min));
+        let wanted = scene.sweep.light_cells.map_or((longer / voxel).clamp(FEWEST, MOST), f64::from);
+        // Light that is the same everywhere needs no cells.
+        let wanted = if scene.first_light().shadows { wanted } else { 4.0 };
+        Ok(Self { view, planes, corner: low, cell: 0.0, cells: [0; 2] }.with_cells(low, high, longer / wanted))
+    }
+
+    /// The frame with cells of edge `cell` between `low` and `high`, and one more on each side, so that the outermost ones stay as they are.
+    fn with_cells(self, low: DVec2, high: DVec2, cell: f64) -> Self {
+        let cells = ((high - low) / cell).ceil().max(DVec2::ONE) + 2.0;
+        let corner = (low + high - cells * cell) * 0.5;
+        Self { corner, cell, cells: [cells.x as u32, cells.y as u32], ..self }
+    }
+
+    /// The frame with cells whose edge is `factor` times as long, for the same region.
+    pub(in crate::method::sweep) fn coarser(self, factor: f64) -> Self {
+        let size = DVec2::new(f64::from(self.cells[0]) - 2.0, f64::from(self.cells[1]) - 2.0) * self.cell;
+        let low = self.corner + self.cell;
+        self.with_cells(low, low + size, self.cell * factor)
+    }
+
+    /// The coordinates of a point of the world: cells across and up, and planes.
+    pub(in crate::method::sweep) fn coordinates(&self, point: DVec3) -> DVec3 {
+        let at = self.view.point(point);
+        let across = (at.truncate() - self.corner) / self.cell;
+        across.extend((at.z - self.planes.first_depth) / self.planes.distance)
+    }
+}

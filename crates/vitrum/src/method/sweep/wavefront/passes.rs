@@ -1,0 +1,201 @@
+//! The passes of a wavefront: from plane to plane, into bricks and onto receivers.
+
+use super::bricks::Layer;
+use super::{TEXELS, Wavefront};
+use crate::backend::{BackendError, Buffer, Contents, Pass, Write};
+use crate::method::sweep::carrier::{BufferAllocator, VolumeBuffers};
+use std::ops::Range;
+use std::sync::Arc;
+use vitrum_kernels::abi::dispatch::{Dispatch, Region};
+use vitrum_kernels::abi::format::Format;
+use vitrum_kernels::abi::record::{landed, node, sums};
+use vitrum_kernels::abi::sweep::mode;
+use vitrum_kernels::abi::vector::Size;
+use vitrum_kernels::abi::wavefront::{BRICK, BRICKS_TOGETHER, LAYER, plane_words};
+use vitrum_kernels::kernel::{Kernel, Window, kernels};
+use vitrum_kernels::sweep::land_cells::on;
+use vitrum_kernels::sweep::light::carried::components;
+
+/// The buffers of a wavefront.
+pub(in crate::method::sweep) struct WavefrontBuffers {
+    volumes: VolumeBuffers,
+    nodes: Buffer,
+    bricks: Buffer,
+    sums: Buffer,
+    landed: Buffer,
+    /// The light that viewing rays look up.
+    pub(in crate::method::sweep) light: Buffer,
+}
+
+impl Wavefront {
+    /// The buffers of the wavefront.
+    ///
+    /// # Errors
+    /// Where the backend lacks the memory.
+    pub(in crate::method::sweep) fn buffers(
+        &self,
+        buffers: &mut BufferAllocator<'_>,
+        volumes: VolumeBuffers,
+    ) -> Result<WavefrontBuffers, BackendError> {
+        let [width, height] = self.frame.cells;
+        let map = self.seen.map.size;
+        let most = self.bricks.layers.iter().map(|layer| layer.bricks).max().unwrap_or(0).max(1);
+        let bends = mode::bends(self.mode);
+        Ok(WavefrontBuffers {
+            volumes,
+            nodes: buffers.planar("nodes", [width + 1, height + 1], node::SIZE)?,
+            bricks: buffers
+                .backend
+                .create("bricks of light", Contents::Bytes(bytemuck::cast_slice(&self.bricks.words)))?,
+            sums: buffers.planar("sums", if bends { [BRICK * BRICK, most] } else { [1, 1] }, sums::SIZE)?,
+            landed: buffers.planar("landed light", [map.width, map.height], landed::SIZE)?,
+            light: buffers.planar("carried light", [self.words, 1], 1)?,
+        })
+    }
+
+    /// The write that makes the entries of the bricks the beginning of the buffer of light.
+    pub(in crate::method::sweep) fn entries(&self, buffers: &WavefrontBuffers) -> Write {
+        let entries: Vec<u32> = self.bricks.words[..self.bricks.entries].to_vec();
+        let words = entries.len();
+        let fill = Arc::new(move |part: &mut [u32]| part.copy_from_slice(&entries));
+        Write { before: 0, buffer: buffers.light.clone(), start: 0, words, fill }
+    }
+
+    /// The receivers on which light lands, with the first word of each one's map.
+    fn lands(&self) -> impl Iterator<Item = (u32, u32)> {
+        let map = self.seen.map;
+        let [ground, wall] = self.receivers;
+        let on_ground = ground.then_some((on::GROUND, map.ground));
+        on_ground.into_iter().chain(wall.then_some((on::WALL, map.wall)))
+    }
+
+    /// All passes of the wavefront.
+    pub(in crate::method::sweep) fn passes(&self, buffers: &WavefrontBuffers, format: Format) -> Vec<Pass> {
+        let [width, height] = self.frame.cells;
+        let nodes = [width + 1, height + 1];
+        let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &buffers.volumes;
+        let none = Layer::default();
+        let mut passes = vec![self.pass(&kernels::sweep_initialize_nodes, nodes, 0, 0, &none, &[&buffers.nodes])];
+        for plane in 0..self.frame.planes.count {
+            if plane > 0 {
+                let advance = kernels::sweep_advance_nodes.get(format);
+                let bound = [voxels, ior_voxels, occupancy, tables, &buffers.nodes];
+                passes.push(self.pass(advance, nodes, self.mode, plane, &none, &bound));
+            }
+            self.collect(plane, buffers, &mut passes);
+        }
+        let last = self.frame.planes.count - 1;
+        for (which, map) in self.lands() {
+            self.land(which, map, last, buffers, &mut passes);
+        }
+        passes
+    }
+
+    /// Appends the passes that write the light of plane `plane` to bricks.
+    fn collect(&self, plane: u32, buffers: &WavefrontBuffers, passes: &mut Vec<Pass>) {
+        let [width, height] = self.frame.cells;
+        let number = plane / BRICK;
+        let layer = |number: u32| self.bricks.layers.get(number as usize).copied().unwrap_or_default();
+        let of_plane = layer(number);
+        let WavefrontBuffers { nodes, bricks, sums, light, .. } = buffers;
+        if mode::bends(self.mode) && of_plane.bricks > 0 {
+            let places = [BRICK * BRICK, of_plane.bricks];
+            passes.push(self.pass(&kernels::sweep_clear_sums, places, 0, plane, &of_plane, &[sums]));
+            let scatter = &kernels::sweep_scatter_cells;
+            passes.push(self.pass(scatter, [width, height], 0, plane, &of_plane, &[nodes, bricks, sums]));
+        }
+        // The first plane of a layer is the last one of the layer before, too.
+        let before = if plane % BRICK == 0 && number > 0 { layer(number - 1) } else { Layer::default() };
+        for (layer, within) in [(of_plane, plane % BRICK), (before, BRICK)] {
+            if layer.bricks == 0 {
+                continue;
+            }
+            let words = components(self.mode);
+            let (kernel, chosen): (&'static Kernel, _) = match (words, mode::bends(self.mode)) {
+                (1, _) => (&kernels::sweep_collect_straight, mode::STRAIGHT),
+                (2, _) => (&kernels::sweep_collect_clear, mode::CENTRAL),
+                (_, false) => (&kernels::sweep_collect_light, mode::STRAIGHT),
+                (_, true) => (&kernels::sweep_collect_light, mode::CENTRAL),
+            };
+            let size = [BRICKS_TOGETHER * LAYER, layer.bricks / BRICKS_TOGETHER];
+            let pass = self.pass(kernel, size, chosen, plane, &layer, &[sums, nodes, bricks, light]);
+            let start = u64::from(layer.start + within * plane_words(layer.bricks, words));
+            passes.push(Pass { start, ..pass });
+        }
+    }
+
+    /// Appends the passes that make the map of receiver `which`, which starts at word `map`.
+    fn land(&self, which: u32, map: u32, plane: u32, buffers: &WavefrontBuffers, passes: &mut Vec<Pass>) {
+        let [width, height] = self.frame.cells;
+        let size = self.seen.map.size;
+        let texels = [size.width, size.height];
+        let none = Layer::default();
+        let WavefrontBuffers { nodes, landed, light, .. } = buffers;
+        if mode::bends(self.mode) {
+            passes.push(self.pass(&kernels::sweep_clear_landed, texels, 0, plane, &none, &[landed]));
+            let land = &kernels::sweep_land_cells;
+            passes.push(self.pass(land, [width, height], which, plane, &none, &[nodes, landed]));
+        }
+        let collect = &kernels::sweep_collect_receiver;
+        let pass = self.pass(collect, texels, which, plane, &none, &[landed, nodes, light]);
+        passes.push(Pass { start: u64::from(map), ..pass });
+    }
+
+    /// The passes that make the map of the light on plane `plane`, once the nodes are there, and the bytes of the buffer of light in which the map then is.
+    pub(in crate::method::sweep) fn observe(&self, plane: u32, buffers: &WavefrontBuffers) -> (Vec<Pass>, Range<u64>) {
+        let mut passes = Vec::new();
+        self.land(on::OBSERVED, self.observed, plane, buffers, &mut passes);
+        let map = self.seen.map.size;
+        let (start, words) = (u64::from(self.observed), u64::from(map.width * map.height * 3));
+        (passes, start * 4..(start + words) * 4)
+    }
+
+    /// The irradiance of the cells' places over that of unoccluded light, red, green and blue one behind the other, from a map.
+    pub(in crate::method::sweep) fn of_cells(&self, map: &[f32]) -> Vec<f32> {
+        let [width, height] = self.frame.cells;
+        let Size { width: columns, height: rows } = self.seen.map.size;
+        let margin = self.seen.map.margin as u32;
+        let share = 1.0 / (TEXELS * TEXELS) as f32;
+        let mut found = Vec::with_capacity((3 * width * height) as usize);
+        for channel in map.chunks_exact((columns * rows) as usize) {
+            for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
+                let texels = (0..TEXELS).flat_map(|j| (0..TEXELS).map(move |i| (i, j)));
+                let at = |(i, j): (u32, u32)| (margin + y * TEXELS + j) * columns + margin + x * TEXELS + i;
+                found.push(texels.map(|texel| channel[at(texel) as usize]).sum::<f32>() * share);
+            }
+        }
+        found
+    }
+
+    /// A pass over `size` invocations that leads to plane `plane`, and writes to the bricks of `layer`.
+    fn pass(
+        &self,
+        kernel: &'static Kernel,
+        [width, height]: [u32; 2],
+        mode: u32,
+        plane: u32,
+        layer: &Layer,
+        buffers: &[&Buffer],
+    ) -> Pass {
+        let planes = &self.frame.planes;
+        let mut block = self.block;
+        block.dispatch = Dispatch { width, height, mode };
+        block.region = Region { first_column: 0, first_row: 0, end_column: width, end_row: height };
+        block.step.behind = planes.depth(plane.saturating_sub(1)) as f32;
+        block.step.ahead = planes.depth(plane) as f32;
+        block.step.distance = planes.step(plane) as f32;
+        block.step.alike = planes.alike(plane) as f32;
+        block.wavefront.layer = plane / BRICK;
+        block.wavefront.list = layer.list;
+        block.wavefront.observed = block.step.ahead;
+        Pass {
+            kernel,
+            uniforms: bytemuck::bytes_of(&block).to_vec(),
+            buffers: buffers.iter().copied().cloned().collect(),
+            start: 0,
+            width,
+            height,
+            window: Window::whole(width, height),
+        }
+    }
+}
