@@ -119,6 +119,7 @@ impl Wavefront {
         let seen = abi::Wavefront {
             bricks: Counts { x, y, z },
             map: ReceiverMap { ground: maps, wall: maps + map_words, ..map },
+            units: units(&frame),
             softness: libm::tan(f64::from(scene.first_light().angular_radius).to_radians()) as f32,
             ..as_seen(view, &frame, first_sample)
         };
@@ -152,6 +153,16 @@ fn block(
         abi::Wavefront { row_x: Affine::default(), row_y: Affine::default(), row_z: Affine::default(), ..seen };
     set_clips(&mut block, scene, &frame.view, volumes.shown)?;
     Ok(block)
+}
+
+/// Units of sums of light: light of all cells at once, twice as much where it is oblique, has fewer than 2³¹ of them.
+fn units(frame: &Frame) -> f32 {
+    let cells = f64::from(frame.cells[0]) * f64::from(frame.cells[1]);
+    (1..24)
+        .map(|bits| f64::from(1u32 << bits))
+        .take_while(|units| units * cells * 2.0 < f64::from(1u32 << 31))
+        .last()
+        .unwrap_or(1.0) as f32
 }
 
 /// The size of the maps of receivers.
