@@ -2,6 +2,7 @@
 //! between texels, sheets, and the light that nothing has changed.
 
 pub mod around;
+pub mod arriving;
 pub mod look_up;
 pub mod offset;
 pub mod sheet;
