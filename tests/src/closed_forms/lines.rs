@@ -122,7 +122,7 @@ lines! {
     EYE_SIDE: BLOCK, EYE_SETUP, PLATE_SIDE, 3.1e-7, 6.2e-7;
     CUT_TURN: BLOCK, CUT_SETUP, PLATE_TURN, 1.05e-7, 2.1e-7;
     CUT_SIDE: BLOCK, CUT_SETUP, PLATE_SIDE, 1.24e-6, 2.4e-6;
-    FILLED_SLAB_TEXELS: FILLED_SLAB, FILLED_SLAB_SETUP, "the irradiance on the axis, light on texels, relative", 0.066, 0.13;
+    FILLED_SLAB_TEXELS: FILLED_SLAB, FILLED_SLAB_SETUP, "the irradiance on the axis, light on texels, relative", 0.026, 0.05;
     FILLED_SLAB_SHEETS: FILLED_SLAB, FILLED_SLAB_SETUP, "the irradiance on the axis, light as sheets, relative", 0.0057, 0.011;
 
     LUNEBURG_CENTRAL: LUNEBURG, "128³ voxels, central ∇η", MISS, 8.9e-4, 1.7e-3;
