@@ -58,6 +58,22 @@ fn lights_that_cannot_be_rendered_exit_3() {
 }
 
 #[test]
+fn more_lights_than_a_scene_has_room_for_exit_3() {
+    let folder = Folder::new();
+    let render = ["render", "scene.toml", "-o", "out.png"];
+    let lights = |count: usize| format!("volume.builtin = \"ball\"\n{}", "[[light]]\n".repeat(count));
+    folder.write("scene.toml", lights(17));
+    folder.refuse(&render, 3, &["scene.toml", "`light`", "a list of 17 items", "at most 16 items"]);
+    folder.write("scene.toml", "volume.builtin = \"ball\"\n[[light]]\nintensity = -0.5\n");
+    folder.refuse(&render, 3, &["line 3", "`light.0.intensity`", "found -0.5", "0 to 1"]);
+    for (value, words) in [("257", "found 257"), ("-1", "found -1"), ("2.5", "found 2.5"), ("\"all\"", "found \"all\"")]
+    {
+        folder.write("scene.toml", format!("volume.builtin = \"ball\"\n[environment]\nlights = {value}\n"));
+        folder.refuse(&render, 3, &["line 3", "`environment.lights`", words, "0 to 256"]);
+    }
+}
+
+#[test]
 fn wrong_flags_exit_2() {
     let folder = Folder::new();
     for (flags, words) in [
