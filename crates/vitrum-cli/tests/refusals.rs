@@ -42,6 +42,7 @@ fn lights_that_cannot_be_rendered_exit_3() {
         ("kind = \"point\"", &["scene.toml, line 3", "a point light needs a `position`"][..]),
         ("kind = \"spot\"\nposition = [0, 0, 9]\ncone_angle = 0", &["line 6", "found 0", "0.1 to 89"]),
         ("kind = \"spot\"\nposition = [0, 0, 9]\ncone_angle = 180", &["line 6", "found 180", "0.1 to 89"]),
+        ("kind = \"spot\"\nposition = [0, 0, 9]\ncone_angle = 90", &["line 6", "found 90", "0.1 to 89"]),
         ("kind = \"point\"\nposition = [0, 0, 9]\nintensity = -1", &["line 6", "found -1"]),
         (
             "kind = \"point\"\nposition = [0.1, 0, 0.2]",
