@@ -19,7 +19,7 @@ fn difference(one: &Pixels, other: &Pixels) -> f64 {
 
 #[test]
 fn pictures_change_no_more_at_85_degrees_than_before() -> Result<(), Failure> {
-    let volume = cube(48, 2.0, |[x, y, z]| 1.0 - (x * x + y * y + z * z).sqrt());
+    let volume = cube(40, 2.0, |[x, y, z]| 1.0 - (x * x + y * y + z * z).sqrt());
     let settings = [
         // A soft ball, dense within.
         "transfer.opacity=[{value=0.3,opacity=0},{value=0.6,opacity=0.2}]".to_owned(),
@@ -29,7 +29,7 @@ fn pictures_change_no_more_at_85_degrees_than_before() -> Result<(), Failure> {
         "camera.zoom=0.7".to_owned(),
         "light.0.attachment=camera".to_owned(),
     ];
-    let shot = Shot::new(volume, 96, &settings)?;
+    let shot = Shot::new(volume, 64, &settings)?;
     on_both(|backend, held| {
         let mut pictures = Vec::new();
         for degrees in [82.0f64, 84.0, 86.0] {

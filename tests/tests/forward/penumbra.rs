@@ -6,8 +6,8 @@ use vitrum_conformance::Failure;
 use vitrum_conformance::closed_forms::cube;
 use vitrum_kernels::glam::DVec3;
 
-use crate::on_both;
 use crate::shot::{Cuboid, Shot, vector};
+use crate::{is_tried, on_both};
 
 const EDGE: f64 = 2.0;
 const VOXEL: f64 = EDGE / 64.0;
@@ -49,7 +49,10 @@ fn a_straight_edge_has_the_penumbra_of_a_disc() -> Result<(), Failure> {
     let body = plate();
     let volume = cube(64, EDGE as f32, |at| f64::from(u8::from(body.contains(DVec3::from_array(at)))));
     on_both(|backend, held| {
-        for sizes in [0.1, 0.5, 1.0, 2.0] {
+        for (number, sizes) in [0.1, 0.5, 2.0, 1.0].into_iter().enumerate() {
+            if !is_tried(backend, number) {
+                continue;
+            }
             let distance = sizes * EDGE;
             let wall = distance - BACK;
             let width = 1.5 * distance * f64::from(RADIUS).to_radians().tan() + VOXEL;
