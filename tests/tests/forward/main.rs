@@ -6,6 +6,7 @@ mod ball;
 mod caustic;
 mod edges;
 mod field;
+mod fit;
 mod grazing;
 mod penumbra;
 mod shot;
