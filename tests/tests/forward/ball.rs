@@ -10,7 +10,7 @@ use crate::shot::{Shot, vector};
 
 const IOR: f64 = 1.5;
 const EDGE: f64 = 2.4;
-const VOXELS: u32 = 48;
+const VOXELS: u32 = 64;
 /// The depth of the surface, from the index of one side to that of the other: five voxels.
 const SURFACE: f64 = 5.0 * EDGE / VOXELS as f64;
 /// The wall's distance behind the centre; the focus of rays near the axis is at 1.5.
@@ -125,15 +125,16 @@ fn light_that_nothing_bends_has_the_flux_of_a_disc() -> Result<(), Failure> {
     })
 }
 
-/// All light that went in comes out, to a percent: rays at the rim turn far, but the disc has all but the outermost of them. The voxels of a surface five voxels deep turn its normal a little: followed through them in double precision, rays give a flux that is
-/// 0.3 % less, and 0.6 % less within half a radius, which is held to two percent.
+/// All light that went in comes out, to a percent: rays at the rim turn far, but the disc has all but the outermost of them. The voxels of a
+/// surface five voxels deep turn its normal a little: rays that are followed through them in double precision bring 0.5 % less to the disc, and
+/// 1.8 % more to within half a radius, which is held to three percent.
 #[test]
 fn light_behind_a_focus_is_all_there_and_in_its_place() -> Result<(), Failure> {
     let landed = landed();
     let shot = shot(IOR)?;
     on_both(|backend, held| {
         let red = shot.render(backend)?.red;
-        for (radius, bound, what) in [(DISC, 0.01, "all light"), (0.5, 0.02, "light inside half a radius")] {
+        for (radius, bound, what) in [(DISC, 0.01, "all light"), (0.5, 0.03, "light inside half a radius")] {
             let (found, expected) = (flux_of(&shot, &red, radius), flux(&landed, radius));
             println!("{}: {what}: {found:.4}, rays {expected:.4}", backend.name());
             let error = (found / expected - 1.0).abs();
