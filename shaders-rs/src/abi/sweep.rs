@@ -192,3 +192,21 @@ pub mod flag {
     /// Light was carried forward by a wavefront.
     pub const FORWARD: u32 = 256;
 }
+
+/// The receivers that light lands on: modes of a pass.
+pub mod receiver {
+    /// The ground.
+    pub const GROUND: u32 = 0;
+    /// The wall.
+    pub const WALL: u32 = 1;
+    /// The plane on which the light is an output.
+    pub const OBSERVED: u32 = 2;
+}
+
+/// The lines along which differences are summed up: modes of a pass.
+pub mod along {
+    /// Each row from left to right.
+    pub const ROWS: u32 = 0;
+    /// Each column from the bottom to the top.
+    pub const COLUMNS: u32 = 1;
+}

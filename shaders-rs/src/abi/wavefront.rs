@@ -44,6 +44,8 @@ pub struct Wavefront {
     pub source: Vec3,
     /// Depth of the plane on which the light is an output.
     pub observed: f32,
+    /// Tangent of the light's angular radius; 0 for a crisp light.
+    pub softness: f32,
 }
 
 /// The maps of the light on ground and wall, which have the same size.

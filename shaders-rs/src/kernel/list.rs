@@ -77,7 +77,8 @@ kernels! {
         collect_straight(sums: u32, nodes: f32, bricks: u32) writes carried_straight,
             modes mode [STRAIGHT];
         clear_landed() writes landed;
-        land_cells(nodes: f32) adds landed;
+        land_cells(nodes: f32) adds landed, modes receiver [GROUND, WALL, OBSERVED];
+        integrate_landed() adds landed, modes along [ROWS, COLUMNS];
         collect_receiver(landed: u32, nodes: f32) writes received;
         resolve(rays: f32, map: f32, light: u32) writes film;
     }

@@ -132,7 +132,8 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium)
     };
     let left = node.flux * (layer.medium * layer.clear);
-    let loss = ((node.flux.x - left.x) + (node.flux.y - left.y) + (node.flux.z - left.z)) * (1.0 / 3.0);
+    let mean = (left.x + left.y + left.z) * (1.0 / 3.0);
+    let loss = (node.flux.x + node.flux.y + node.flux.z) * (1.0 / 3.0) - mean;
     let dark = max(max(left.x, left.y), left.z) < DARK;
 
     let mut out = arriving;
@@ -148,6 +149,8 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     // Up to a receiver light flies on as it is.
     let moves = bent & !met;
     let fate = select(dark, status::DARK, select(turned, status::TURNED, status::ACTIVE));
+    // What is left goes off the straight way where it bends first.
+    let leaving = select(moves, mean, 0.0);
     let after = Node {
         position: select_vector(moves, to, node.position),
         direction: select_vector(moves, out, v),
@@ -155,7 +158,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         inside: select(crossing.inside, 1.0, 0.0),
         bent: select(moves, 1.0, node.bent),
         status: select(met, status::LANDED, fate),
-        lost_at: node.lost_at + loss * lerp(from.z, to.z, 0.5),
+        lost_at: node.lost_at + select(node.bent == 0.0, loss * lerp(from.z, to.z, 0.5) + leaving * to.z, 0.0),
     };
     after.store()
 }

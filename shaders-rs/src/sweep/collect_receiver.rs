@@ -3,7 +3,7 @@
 use crate::abi::record::{Received, landed, received, sums};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::sums::sum;
-use crate::math::{floor_to_int, select, select_vector};
+use crate::math::{floor_to_int, max, select, select_vector};
 use crate::sweep::light::receiver_map::texel;
 use crate::sweep::light::wavefront::{flux, is_cell_straight};
 use spirv_std::glam::Vec3;
@@ -21,9 +21,13 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, landed: &[u32], nod
     let below = flux(w, nodes, i, j) * (1.0 - s) + flux(w, nodes, i + 1, j) * s;
     let above = flux(w, nodes, i, j + 1) * (1.0 - s) + flux(w, nodes, i + 1, j + 1) * s;
     let there = (below * (1.0 - t) + above * t) * select(is_cell_straight(w, nodes, i, j), 1.0, 0.0);
-    let unrefracted = select_vector(inside, there, Vec3::new(1.0, 1.0, 1.0));
+    // Of soft light all that was lost is among the sums.
+    let crisp = w.softness == 0.0;
+    let unrefracted = select_vector(inside & crisp, there, Vec3::new(1.0, 1.0, 1.0));
     let base = ((y * u.dispatch.width + x) * landed::SIZE as u32) as i32;
     let inverse = 1.0 / (area * sums::FLUX_SCALE);
     let brought = Vec3::new(sum(landed, base), sum(landed, base + 2), sum(landed, base + 4)) * inverse;
-    Received { share: unrefracted + brought }.store()
+    let share = unrefracted + brought;
+    // Rounding must not leave a texel darker than black.
+    Received { share: Vec3::new(max(share.x, 0.0), max(share.y, 0.0), max(share.z, 0.0)) }.store()
 }

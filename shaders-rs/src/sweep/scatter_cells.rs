@@ -6,7 +6,7 @@ use crate::abi::record::{Node, node_status as status};
 use crate::abi::sweep::SweepUniforms;
 use crate::abi::wavefront::Wavefront;
 use crate::field::sums::Sums;
-use crate::math::{floor_to_int, length, max, min, select_vector};
+use crate::math::{floor_to_int, length, max, min, select, select_vector};
 use crate::sweep::light::bricks::place;
 use crate::sweep::light::quad::{Corner, Target, scatter};
 use crate::sweep::light::wavefront::{
@@ -17,8 +17,9 @@ use spirv_std::glam::{Vec2, Vec3};
 /// Farther than any sample.
 const FAR: f32 = 65536.0;
 
+/// A corner of a cell on the plane, and the depth from where its light last bent.
 #[inline(always)]
-fn corner(u: &SweepUniforms, node: &Node) -> Corner {
+fn corner(u: &SweepUniforms, node: &Node) -> (Corner, f32) {
     let w = &u.wavefront;
     let at = point_at(node, u.step.ahead);
     let cells = coordinates(w, at);
@@ -27,12 +28,15 @@ fn corner(u: &SweepUniforms, node: &Node) -> Corner {
     // Behind a receiver there is no light.
     let ended = node.status == status::LANDED;
     let fluence = node.flux * fluence_of_flux(w, node.direction, at);
-    Corner {
+    // How far it is from where the light last bent, if anything has bent it.
+    let way = (u.step.ahead - node.position.z) * select(node.bent != 0.0, 1.0, 0.0);
+    let corner = Corner {
         at: Vec2::new(cells.x - w.first_sample, cells.y - w.first_sample),
         flux: select_vector(ended, Vec3::new(0.0, 0.0, 0.0), fluence),
         aside: Vec2::new(unit.x - straight.x, unit.y - straight.y),
         turned: node.status == status::TURNED,
-    }
+    };
+    (corner, way)
 }
 
 /// Whether something may look at samples between two places: surely if they are far apart.
@@ -65,13 +69,19 @@ pub fn invoke<S: Sums + ?Sized>(
         let b = corner(u, &node(w, nodes, x + 1, y));
         let c = corner(u, &node(w, nodes, x, y + 1));
         let d = corner(u, &node(w, nodes, x + 1, y + 1));
-        let low =
-            Vec2::new(min(min(a.at.x, b.at.x), min(c.at.x, d.at.x)), min(min(a.at.y, b.at.y), min(c.at.y, d.at.y)));
-        let high =
-            Vec2::new(max(max(a.at.x, b.at.x), max(c.at.x, d.at.x)), max(max(a.at.y, b.at.y), max(c.at.y, d.at.y)));
+        let low = Vec2::new(
+            min(min(a.0.at.x, b.0.at.x), min(c.0.at.x, d.0.at.x)),
+            min(min(a.0.at.y, b.0.at.y), min(c.0.at.y, d.0.at.y)),
+        );
+        let high = Vec2::new(
+            max(max(a.0.at.x, b.0.at.x), max(c.0.at.x, d.0.at.x)),
+            max(max(a.0.at.y, b.0.at.y), max(c.0.at.y, d.0.at.y)),
+        );
+        let way = max(max(a.1, b.1), max(c.1, d.1));
+        let blur = w.softness * way * w.inverse_cell;
         if is_looked_at(w, bricks, low, high) {
             let target = Target { columns: (w.bricks.x * 8) as i32, rows: (w.bricks.y * 8) as i32 };
-            scatter::<S, false>(u, bricks, sums, target, (&a, &b, &c, &d));
+            scatter::<S, false>(u, bricks, sums, target, (&a.0, &b.0, &c.0, &d.0), blur);
         }
     }
 }

@@ -53,7 +53,7 @@ record! {
         bent: f32,
         /// One of [`node_status`](crate::abi::record::node_status).
         status: f32,
-        /// The sum of depths at which light was lost, each weighted by the mean loss of the colours.
+        /// The sum of the depths at which light left its straight way, absorbed or bent, each weighted by the mean share of the colours that did.
         lost_at: f32,
     }
 }

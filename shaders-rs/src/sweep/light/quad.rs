@@ -20,6 +20,12 @@ const NARROWEST: f32 = 1.0 / 1024.0;
 const WIDEST: f32 = 5.0;
 /// Farther than any texel.
 const FAR: f32 = 65536.0;
+/// The edge of the square whose variance along each axis is that of a disc of radius 1: √3.
+const SQUARE: f32 = 1.732_050_8;
+/// The shortest edge of the square over which soft light spreads on a receiver, in texels.
+const SHORTEST: f32 = 1.0;
+/// Parts of soft light need not be shorter than the edge of their square over this number.
+const PARTS_OF_SQUARE: f32 = 4.0;
 
 /// A corner of a cell, and the light there.
 #[derive(Clone, Copy)]
@@ -89,6 +95,32 @@ pub struct Target {
     pub rows: i32,
 }
 
+/// Spreads the flux of a box over a square of edge `edge` around each of its points: its differences, whose sums over rows and columns
+/// ([`crate::sweep::integrate_landed`]) are the flux.
+#[inline(always)]
+fn spread_softly<S: Sums + ?Sized>(
+    u: &SweepUniforms,
+    sums: &mut S,
+    target: Target,
+    (centre, size): (Vec2, Vec2),
+    edge: f32,
+    flux: Vec3,
+) {
+    let density = flux * (1.0 / (edge * edge));
+    let none = Vec2::new(0.0, 0.0);
+    let mut corner = 0;
+    while corner < 4 {
+        let (right, above) = ((corner & 1) as f32, (corner >> 1) as f32);
+        let sign = (1.0 - 2.0 * right) * (1.0 - 2.0 * above);
+        // A difference belongs half a texel behind the square's edge: to the first texel that lies behind it.
+        let at = Vec2::new(centre.x + (right - 0.5) * edge + 0.5, centre.y + (above - 0.5) * edge + 0.5);
+        // What begins before the first texel counts from there on.
+        let at = Vec2::new(max(at.x, 0.5 * size.x - 0.5), max(at.y, 0.5 * size.y - 0.5));
+        spread::<S, true>(u, (&[0], sums), target, (at, size), density * sign, none);
+        corner += 1;
+    }
+}
+
 /// Spreads `flux`, and what it has aside, over a box.
 #[inline(always)]
 fn spread<S: Sums + ?Sized, const LANDS: bool>(
@@ -135,7 +167,7 @@ fn count(what: bool) -> f32 {
 }
 
 /// Scatters the light between corners a, b, c and d (b beside a, c above a, d above b): onto the samples of a plane that something looks at, or, if
-/// it `LANDS`, onto the texels of a map.
+/// it `LANDS`, onto the texels of a map. Soft light spreads over a disc of radius `blur`, in texels, around each point; on a map then as differences.
 #[inline(always)]
 pub fn scatter<S: Sums + ?Sized, const LANDS: bool>(
     u: &SweepUniforms,
@@ -143,6 +175,7 @@ pub fn scatter<S: Sums + ?Sized, const LANDS: bool>(
     sums: &mut S,
     target: Target,
     (a, b, c, d): (&Corner, &Corner, &Corner, &Corner),
+    blur: f32,
 ) {
     let followed = count(!a.turned) + count(!b.turned) + count(!c.turned) + count(!d.turned);
     if followed > 0.0 {
@@ -152,8 +185,11 @@ pub fn scatter<S: Sums + ?Sized, const LANDS: bool>(
         let b = instead(b, &a, &right, &left);
         let c = instead(c, d, &left, &right);
         let d = instead(d, &c, &right, &left);
-        let across = parts(max(extent(b.at - a.at), extent(d.at - c.at)));
-        let up = parts(max(extent(c.at - a.at), extent(d.at - b.at)));
+        let soft = LANDS & (u.wavefront.softness > 0.0);
+        let edge = max(SQUARE * blur, SHORTEST);
+        let wide = if soft { clamp(edge * (1.0 / PARTS_OF_SQUARE), 1.0, WIDEST) } else { 1.0 };
+        let across = parts(max(extent(b.at - a.at), extent(d.at - c.at)) / wide);
+        let up = parts(max(extent(c.at - a.at), extent(d.at - b.at)) / wide);
         let factor = sqrt(min(1.0, MOST_PARTS / (across * up)));
         let (across, up) = (fewer(across, factor), fewer(up, factor));
         let (step_s, step_t) = (1.0 / across as f32, 1.0 / up as f32);
@@ -183,7 +219,15 @@ pub fn scatter<S: Sums + ?Sized, const LANDS: bool>(
                     blend(a.aside.x, b.aside.x, c.aside.x, d.aside.x, s, t),
                     blend(a.aside.y, b.aside.y, c.aside.y, d.aside.y, s, t),
                 );
-                spread::<S, LANDS>(u, (bricks, sums), target, (centre, size), flux, aside);
+                if soft {
+                    let size = Vec2::new(clamp(size.x, 1.0, WIDEST), clamp(size.y, 1.0, WIDEST));
+                    spread_softly::<S>(u, sums, target, (centre, size), edge, flux);
+                } else {
+                    // Variances add up.
+                    let square = 3.0 * blur * blur;
+                    let size = Vec2::new(sqrt(size.x * size.x + square), sqrt(size.y * size.y + square));
+                    spread::<S, LANDS>(u, (bricks, sums), target, (centre, size), flux, aside);
+                }
                 p += 1;
             }
             q += 1;

@@ -116,6 +116,7 @@ impl Wavefront {
         let seen = abi::Wavefront {
             bricks: Counts { x, y, z },
             map: ReceiverMap { ground: maps, wall: maps + map_words, ..map },
+            softness: libm::tan(f64::from(scene.first_light().angular_radius).to_radians()) as f32,
             ..as_seen(view, &frame, first_sample)
         };
         let block = block(scene, volumes, &frame, seen_by, seen)?;

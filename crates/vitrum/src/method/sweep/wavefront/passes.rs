@@ -9,11 +9,10 @@ use std::sync::Arc;
 use vitrum_kernels::abi::dispatch::{Dispatch, Region};
 use vitrum_kernels::abi::format::Format;
 use vitrum_kernels::abi::record::{landed, node, sums};
-use vitrum_kernels::abi::sweep::mode;
+use vitrum_kernels::abi::sweep::{along, mode, receiver};
 use vitrum_kernels::abi::vector::Size;
 use vitrum_kernels::abi::wavefront::{BRICK, BRICKS_TOGETHER, LAYER, plane_words};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
-use vitrum_kernels::sweep::land_cells::on;
 use vitrum_kernels::sweep::light::carried::components;
 
 /// The buffers of a wavefront.
@@ -65,8 +64,8 @@ impl Wavefront {
     fn lands(&self) -> impl Iterator<Item = (u32, u32)> {
         let map = self.seen.map;
         let [ground, wall] = self.receivers;
-        let on_ground = ground.then_some((on::GROUND, map.ground));
-        on_ground.into_iter().chain(wall.then_some((on::WALL, map.wall)))
+        let on_ground = ground.then_some((receiver::GROUND, map.ground));
+        on_ground.into_iter().chain(wall.then_some((receiver::WALL, map.wall)))
     }
 
     /// All passes of the wavefront.
@@ -124,6 +123,10 @@ impl Wavefront {
         }
     }
 
+    fn is_soft(&self) -> bool {
+        self.seen.softness > 0.0
+    }
+
     /// Appends the passes that make the map of receiver `which`, which starts at word `map`.
     fn land(&self, which: u32, map: u32, plane: u32, buffers: &WavefrontBuffers, passes: &mut Vec<Pass>) {
         let [width, height] = self.frame.cells;
@@ -131,20 +134,26 @@ impl Wavefront {
         let texels = [size.width, size.height];
         let none = Layer::default();
         let WavefrontBuffers { nodes, landed, light, .. } = buffers;
-        if mode::bends(self.mode) {
+        if mode::bends(self.mode) || self.is_soft() {
             passes.push(self.pass(&kernels::sweep_clear_landed, texels, 0, plane, &none, &[landed]));
             let land = &kernels::sweep_land_cells;
             passes.push(self.pass(land, [width, height], which, plane, &none, &[nodes, landed]));
         }
+        if self.is_soft() {
+            let integrate = &kernels::sweep_integrate_landed;
+            for (lines, along) in [(size.height, along::ROWS), (size.width, along::COLUMNS)] {
+                passes.push(self.pass(integrate, [1, lines], along, plane, &none, &[landed]));
+            }
+        }
         let collect = &kernels::sweep_collect_receiver;
-        let pass = self.pass(collect, texels, which, plane, &none, &[landed, nodes, light]);
+        let pass = self.pass(collect, texels, 0, plane, &none, &[landed, nodes, light]);
         passes.push(Pass { start: u64::from(map), ..pass });
     }
 
     /// The passes that make the map of the light on plane `plane`, once the nodes are there, and the bytes of the buffer of light in which the map then is.
     pub(in crate::method::sweep) fn observe(&self, plane: u32, buffers: &WavefrontBuffers) -> (Vec<Pass>, Range<u64>) {
         let mut passes = Vec::new();
-        self.land(on::OBSERVED, self.observed, plane, buffers, &mut passes);
+        self.land(receiver::OBSERVED, self.observed, plane, buffers, &mut passes);
         let map = self.seen.map.size;
         let (start, words) = (u64::from(self.observed), u64::from(map.width * map.height * 3));
         (passes, start * 4..(start + words) * 4)
