@@ -69,11 +69,12 @@ kernels! {
             modes mode [STRAIGHT, CENTRAL, CHAIN, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL],
             skip [until];
         clear_sums() writes sums;
-        scatter_cells(nodes: f32, bricks: u32) adds sums;
+        project_nodes(nodes: f32) writes projected;
+        scatter_cells(projected: f32, bricks: u32) adds sums, modes mode [CENTRAL, CLEAR_CENTRAL];
         collect_light(sums: u32, nodes: f32, bricks: u32) writes carried,
             modes mode [STRAIGHT, CENTRAL];
         collect_clear(sums: u32, nodes: f32, bricks: u32) writes carried_clear,
-            modes mode [CENTRAL];
+            modes mode [CLEAR_CENTRAL];
         collect_straight(sums: u32, nodes: f32, bricks: u32) writes carried_straight,
             modes mode [STRAIGHT];
         clear_landed() writes landed;

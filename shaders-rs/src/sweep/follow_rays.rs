@@ -150,7 +150,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             let after = over(before, &layer, radiance + xyz(u.ambient), none);
             let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
             let met = from + (to - from) * part;
-            let received = if mode::is_on_texels(chosen) { open } else { light_on(u, light_buffer, met, hit.is_wall) };
+            let received = light_on(u, light_buffer, met, hit.is_wall);
             let (after, depth) = end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &received), met.z);
             let clearest = max(max(after.medium.x, after.medium.y), after.medium.z);
             let ended = hit.hit | ((1.0 - after.opacity) * clearest < OPAQUE);

@@ -42,7 +42,6 @@ fn corner(u: &SweepUniforms, node: &Node, plane: Affine) -> (Corner, f32) {
     let corner = Corner {
         at: place(w, coordinates(w, at)),
         flux: node.flux,
-        aside: Vec2::new(0.0, 0.0),
         turned: (node.status == status::TURNED) | (way < 0.0) | !ahead,
     };
     (corner, max(way, 0.0) * length(node.direction) * select(node.bent != 0.0, 1.0, 0.0))
@@ -54,12 +53,7 @@ fn taking(u: &SweepUniforms, x: u32, y: u32, node: &Node, straight: bool) -> Cor
     let w = &u.wavefront;
     let at = Vec2::new(x as i32 as f32, y as i32 as f32);
     let all = glam::Vec3::new(-1.0, -1.0, -1.0);
-    Corner {
-        at: place(w, at),
-        flux: if straight { node.flux + all } else { all },
-        aside: Vec2::new(0.0, 0.0),
-        turned: false,
-    }
+    Corner { at: place(w, at), flux: if straight { node.flux + all } else { all }, turned: false }
 }
 
 /// How much of a node's light has left its straight way, mean of the colours.
@@ -91,8 +85,7 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &SweepUniforms, which: u32, n
             let (a, b) = (corner(u, &first, plane), corner(u, &second, plane));
             let (c, d) = (corner(u, &third, plane), corner(u, &fourth, plane));
             let way = max(max(a.1, b.1), max(c.1, d.1));
-            // Nothing looks at bricks where light lands.
-            scatter::<S, true>(u, &[0], sums, target, (&a.0, &b.0, &c.0, &d.0), blur(u, way));
+            scatter::<S>(u, sums, target, (&a.0, &b.0, &c.0, &d.0), blur(u, way));
         }
         let all = (lost(&first) + lost(&second)) + (lost(&third) + lost(&fourth));
         if soft & (all > 0.0) {
@@ -104,7 +97,7 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &SweepUniforms, which: u32, n
                 let b = taking(u, x + 1, y, &second, straight);
                 let c = taking(u, x, y + 1, &third, straight);
                 let d = taking(u, x + 1, y + 1, &fourth, straight);
-                scatter::<S, true>(u, &[0], sums, target, (&a, &b, &c, &d), blur(u, to));
+                scatter::<S>(u, sums, target, (&a, &b, &c, &d), blur(u, to));
             }
         }
     }

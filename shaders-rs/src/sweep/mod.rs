@@ -7,7 +7,7 @@
 //!
 //! Instead of on texels, light can be carried forward by a wavefront, along its own direction and before the viewing rays (not in the paper):
 //! [`initialize_nodes`] once, then for each of its planes [`advance_nodes`] and, where something looks at the light, [`clear_sums`],
-//! [`scatter_cells`] and [`collect_light`] (or [`collect_clear`], [`collect_straight`]); behind the last one [`clear_landed`], [`land_cells`],
+//! [`project_nodes`], [`scatter_cells`] and [`collect_light`] (or [`collect_clear`], [`collect_straight`]); behind the last one [`clear_landed`], [`land_cells`],
 //! [`integrate_landed`] where light is soft, and [`collect_receiver`] for each receiver.
 
 pub mod advance_nodes;
@@ -30,6 +30,7 @@ pub mod initialize_rays;
 pub mod integrate_landed;
 pub mod land_cells;
 pub mod light;
+pub mod project_nodes;
 pub mod propagate_rays;
 pub mod refract_light;
 pub mod resolve;

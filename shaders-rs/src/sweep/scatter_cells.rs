@@ -1,50 +1,160 @@
 //! The light that refracted cells of the wavefront bring to the samples of a plane.
 //!
-//! Cells whose nodes are where unrefracted light is bring nothing here: [`super::collect_light`] finds their light in their place.
+//! A cell between four nodes is two triangles. Each gives its light to the samples inside, by area; one too small for that, as in a focus, to the
+//! samples around it. Cells that are less than half a sample from where unrefracted light is bring nothing here: [`super::collect_light`] finds their light
+//! in their place.
 
-use crate::abi::record::{Node, node_status as status};
-use crate::abi::sweep::SweepUniforms;
-use crate::abi::wavefront::Wavefront;
-use crate::field::sums::Sums;
-use crate::math::{floor_to_int, length, max, min, select, select_vector};
+use crate::abi::record::{course, sums};
+use crate::abi::sweep::{SweepUniforms, mode};
+use crate::abi::wavefront::{BRICK, Wavefront};
+use crate::field::sums::{Sums, add, quantise};
+use crate::math::{absolute, floor_to_int, max, min};
 use crate::sweep::light::bricks::place;
-use crate::sweep::light::quad::{Corner, Target, scatter};
-use crate::sweep::light::wavefront::{
-    coordinates, fluence_of_flux, is_cell_straight, node, point_at, unrefracted_direction,
-};
+use crate::sweep::light::cell::{Cell, Corner, cell, course_of};
 use spirv_std::glam::{Vec2, Vec3};
 
 /// Farther than any sample.
 const FAR: f32 = 65536.0;
+/// The least area of a triangle of which samples inside tell how much light it has, in samples.
+const SMALLEST: f32 = 0.25;
+/// The longest side of a triangle's box that is scattered, in samples. The light of a longer one is so thin that it is hardly seen. Besides, lavapipe ends the
+/// loops of eight invocations without a word after 65,535 rounds in all: two triangles of 64 × 64 / 2 samples make 33,000.
+const LONGEST: f32 = 64.0;
 
-/// A corner of a cell on the plane, and the depth from where its light last bent.
+/// Light, and the fluence times the difference of its direction.
+#[derive(Clone, Copy)]
+struct Brought {
+    fluence: Vec3,
+    aside: Vec2,
+}
+
+/// Adds a share of light to sample (i, j), if something looks there.
 #[inline(always)]
-fn corner(u: &SweepUniforms, node: &Node) -> (Corner, f32) {
-    let w = &u.wavefront;
-    let at = point_at(node, u.step.ahead);
-    let cells = coordinates(w, at);
-    let straight = unrefracted_direction(w, at);
-    let unit = node.direction * (1.0 / max(length(node.direction), 1e-20));
-    // Behind a receiver there is no light.
-    let ended = node.status == status::LANDED;
-    let fluence = node.flux * fluence_of_flux(w, node.direction, at);
-    // How far it is from where the light last bent, if anything has bent it.
-    let way = (u.step.ahead - node.position.z) * select(node.bent != 0.0, 1.0, 0.0);
-    let corner = Corner {
-        at: Vec2::new(cells.x - w.first_sample, cells.y - w.first_sample),
-        flux: select_vector(ended, Vec3::new(0.0, 0.0, 0.0), fluence),
-        aside: Vec2::new(unit.x - straight.x, unit.y - straight.y),
-        turned: node.status == status::TURNED,
+fn bring<S: Sums + ?Sized>(
+    u: &SweepUniforms,
+    chosen: u32,
+    (bricks, sums): (&[u32], &mut S),
+    (i, j): (i32, i32),
+    light: &Brought,
+    share: f32,
+) {
+    let place = place(&u.wavefront, bricks, i, j);
+    if (place >= 0) & (share > 0.0) {
+        let at = place * sums::SIZE as i32;
+        add(sums, at, quantise(light.fluence.x * share, sums::FLUX_SCALE));
+        if !mode::is_clear(chosen) {
+            add(sums, at + 2, quantise(light.fluence.y * share, sums::FLUX_SCALE));
+            add(sums, at + 4, quantise(light.fluence.z * share, sums::FLUX_SCALE));
+        }
+        if u.specular > 0.0 {
+            let channel = 2 * sums::DIRECTION_X as i32;
+            add(sums, at + channel, quantise(light.aside.x * share, sums::DIRECTION_SCALE));
+            add(sums, at + channel + 2, quantise(light.aside.y * share, sums::DIRECTION_SCALE));
+        }
+    }
+}
+
+/// Adds light to the four samples around a point.
+#[inline(always)]
+fn bring_around<S: Sums + ?Sized>(
+    u: &SweepUniforms,
+    chosen: u32,
+    (bricks, sums): (&[u32], &mut S),
+    at: Vec2,
+    light: &Brought,
+    share: f32,
+) {
+    let (i, j) = (floor_to_int(at.x, -FAR, FAR), floor_to_int(at.y, -FAR, FAR));
+    let (x, y) = (at.x - i as f32, at.y - j as f32);
+    bring::<S>(u, chosen, (bricks, sums), (i, j), light, share * (1.0 - x) * (1.0 - y));
+    bring::<S>(u, chosen, (bricks, sums), (i + 1, j), light, share * x * (1.0 - y));
+    bring::<S>(u, chosen, (bricks, sums), (i, j + 1), light, share * (1.0 - x) * y);
+    bring::<S>(u, chosen, (bricks, sums), (i + 1, j + 1), light, share * x * y);
+}
+
+/// Where an edge crosses the line at height `y`: widens the range of places on that line.
+#[inline(always)]
+fn crossed(p: Vec2, q: Vec2, y: f32, range: (f32, f32)) -> (f32, f32) {
+    if (p.y <= y) != (q.y <= y) {
+        let x = p.x + (y - p.y) * ((q.x - p.x) / (q.y - p.y));
+        (min(range.0, x), max(range.1, x))
+    } else {
+        range
+    }
+}
+
+/// Scatters the triangle between three nodes, which has half of a cell's light.
+#[inline(always)]
+fn triangle<S: Sums + ?Sized>(
+    u: &SweepUniforms,
+    chosen: u32,
+    (bricks, sums): (&[u32], &mut S),
+    (a, b, c): (&Corner, &Corner, &Corner),
+) {
+    let counts = |corner: &Corner| if corner.course == course::TURNED { 0.0 } else { 1.0 };
+    let (in_a, in_b, in_c) = (counts(a), counts(b), counts(c));
+    let followed = in_a + in_b + in_c;
+    let fluence = a.fluence * in_a + b.fluence * in_b + c.fluence * in_c;
+    let of = |corner: &Corner, counted: f32| {
+        corner.aside * ((corner.fluence.x + corner.fluence.y + corner.fluence.z) * (1.0 / 3.0) * counted)
     };
-    (corner, way)
+    let aside = of(a, in_a) + of(b, in_b) + of(c, in_c);
+    let light = Brought { fluence: fluence * (1.0 / 6.0), aside: aside * (1.0 / 6.0) };
+    let low = Vec2::new(min(min(a.at.x, b.at.x), c.at.x), min(min(a.at.y, b.at.y), c.at.y));
+    let high = Vec2::new(max(max(a.at.x, b.at.x), c.at.x), max(max(a.at.y, b.at.y), c.at.y));
+    let extent = max(high.x - low.x, high.y - low.y);
+    let (ab, ac) = (b.at - a.at, c.at - a.at);
+    let area = 0.5 * absolute(ab.x * ac.y - ab.y * ac.x);
+    let whole = followed == 3.0;
+    if whole & (area >= SMALLEST) & (extent <= LONGEST) {
+        let density = 1.0 / area;
+        let mut j = floor_to_int(low.y, -FAR, FAR) + 1;
+        let last = floor_to_int(high.y, -FAR, FAR);
+        while j <= last {
+            let y = j as f32;
+            let range = crossed(a.at, b.at, y, (FAR, -FAR));
+            let range = crossed(b.at, c.at, y, range);
+            let range = crossed(c.at, a.at, y, range);
+            // A sample on an edge belongs to the triangle on its right.
+            let mut i = -floor_to_int(-range.0, -FAR, FAR);
+            while (i as f32) < range.1 {
+                bring::<S>(u, chosen, (bricks, sums), (i, j), &light, density);
+                i += 1;
+            }
+            j += 1;
+        }
+    } else if whole & (extent > 2.0) & (extent <= LONGEST) {
+        // Long and thin: along the longest side.
+        let (bc, size) = (c.at - b.at, |v: Vec2| absolute(v.x) + absolute(v.y));
+        let from_b = size(bc) > max(size(ab), size(ac));
+        let along = if from_b {
+            bc
+        } else if size(ab) > size(ac) {
+            ab
+        } else {
+            ac
+        };
+        let from = if from_b { b.at } else { a.at };
+        let count = floor_to_int(extent, 1.0, LONGEST) + 1;
+        let step = 1.0 / count as f32;
+        let mut part = 0;
+        while part < count {
+            let at = from + along * ((part as f32 + 0.5) * step);
+            bring_around::<S>(u, chosen, (bricks, sums), at, &light, step);
+            part += 1;
+        }
+    } else if (followed > 0.0) & (!whole | (extent <= 2.0)) {
+        let sum = a.at * in_a + b.at * in_b + c.at * in_c;
+        bring_around::<S>(u, chosen, (bricks, sums), sum * (1.0 / followed), &light, 1.0);
+    }
 }
 
 /// Whether something may look at samples between two places: surely if they are far apart.
 #[inline(always)]
 fn is_looked_at(w: &Wavefront, bricks: &[u32], low: Vec2, high: Vec2) -> bool {
-    let whole = |x: f32| floor_to_int(x + 0.5, -FAR, FAR);
-    let (left, right, below, above) = (whole(low.x), whole(high.x), whole(low.y), whole(high.y));
-    let near = (right - left <= 8) & (above - below <= 8);
+    let (left, right) = (floor_to_int(low.x, -FAR, FAR), floor_to_int(high.x, -FAR, FAR) + 1);
+    let (below, above) = (floor_to_int(low.y, -FAR, FAR), floor_to_int(high.y, -FAR, FAR) + 1);
+    let near = (right - left <= BRICK as i32) & (above - below <= BRICK as i32);
     let any = (place(w, bricks, left, below) >= 0)
         | (place(w, bricks, right, below) >= 0)
         | (place(w, bricks, left, above) >= 0)
@@ -58,30 +168,26 @@ pub fn invoke<S: Sums + ?Sized>(
     x: u32,
     y: u32,
     u: &SweepUniforms,
-    _mode: u32,
-    nodes: &[f32],
+    chosen: u32,
+    projected: &[f32],
     bricks: &[u32],
     sums: &mut S,
 ) {
     let w = &u.wavefront;
-    if !is_cell_straight(w, nodes, x, y) {
-        let a = corner(u, &node(w, nodes, x, y));
-        let b = corner(u, &node(w, nodes, x + 1, y));
-        let c = corner(u, &node(w, nodes, x, y + 1));
-        let d = corner(u, &node(w, nodes, x + 1, y + 1));
-        let low = Vec2::new(
-            min(min(a.0.at.x, b.0.at.x), min(c.0.at.x, d.0.at.x)),
-            min(min(a.0.at.y, b.0.at.y), min(c.0.at.y, d.0.at.y)),
-        );
-        let high = Vec2::new(
-            max(max(a.0.at.x, b.0.at.x), max(c.0.at.x, d.0.at.x)),
-            max(max(a.0.at.y, b.0.at.y), max(c.0.at.y, d.0.at.y)),
-        );
-        let way = max(max(a.1, b.1), max(c.1, d.1));
-        let blur = w.softness * way * w.inverse_cell;
-        if is_looked_at(w, bricks, low, high) {
-            let target = Target { columns: (w.bricks.x * 8) as i32, rows: (w.bricks.y * 8) as i32 };
-            scatter::<S, false>(u, bricks, sums, target, (&a.0, &b.0, &c.0, &d.0), blur);
+    let courses = (course_of(w, projected, x, y) + course_of(w, projected, x + 1, y))
+        + (course_of(w, projected, x, y + 1) + course_of(w, projected, x + 1, y + 1));
+    if courses > 0.0 {
+        let cell = cell(w, projected, x, y);
+        let fluence = cell.fluence();
+        let dark = max(max(fluence.x, fluence.y), fluence.z) <= 0.0;
+        let Cell { a, b, c, d } = cell;
+        let low =
+            Vec2::new(min(min(a.at.x, b.at.x), min(c.at.x, d.at.x)), min(min(a.at.y, b.at.y), min(c.at.y, d.at.y)));
+        let high =
+            Vec2::new(max(max(a.at.x, b.at.x), max(c.at.x, d.at.x)), max(max(a.at.y, b.at.y), max(c.at.y, d.at.y)));
+        if !dark & !cell.stays(x, y) & is_looked_at(w, bricks, low, high) {
+            triangle::<S>(u, chosen, (bricks, sums), (&a, &b, &c));
+            triangle::<S>(u, chosen, (bricks, sums), (&d, &b, &c));
         }
     }
 }

@@ -71,6 +71,34 @@ pub mod node_status {
 }
 
 record! {
+    /// A node of the wavefront on a plane.
+    projected: Projected {
+        /// Column among the samples of the plane.
+        x: f32,
+        /// Row among the samples of the plane.
+        y: f32,
+        /// Fluence over that of unoccluded light.
+        fluence: Color,
+        /// Difference of the unit direction from the direction of unrefracted light, x.
+        aside_x: f32,
+        /// Difference of the unit direction, y.
+        aside_y: f32,
+        /// One of [`course`](crate::abi::record::course).
+        course: f32,
+    }
+}
+
+/// Courses of a node's light so far.
+pub mod course {
+    /// It is where unrefracted light is.
+    pub const STRAIGHT: f32 = 0.0;
+    /// It was bent.
+    pub const BENT: f32 = 1.0;
+    /// It turned back.
+    pub const TURNED: f32 = 2.0;
+}
+
+record! {
     /// Light around a sample of the wavefront's planes.
     carried: Carried {
         /// Fluence over that of unoccluded light.

@@ -4,6 +4,7 @@
 pub mod around;
 pub mod bricks;
 pub mod carried;
+pub mod cell;
 pub mod look_up;
 pub mod offset;
 pub mod quad;

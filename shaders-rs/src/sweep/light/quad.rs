@@ -1,4 +1,4 @@
-//! Cells of the wavefront between four nodes, scattered onto samples of a plane or texels of a receiver's map.
+//! Cells of the wavefront between four nodes, scattered onto texels of a receiver's map.
 //!
 //! A cell carries the light between its nodes wherever it is: stretched, folded, collapsed in a focus. It is cut into parts no wider than a
 //! texel, each of which shares its flux among the texels under it by area. So flux is conserved whatever becomes of the cell, and any
@@ -8,7 +8,6 @@ use crate::abi::record::{landed, sums};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::sums::{Sums, add, quantise};
 use crate::math::{absolute, clamp, floor_to_int, lerp, max, min, sqrt};
-use crate::sweep::light::bricks::place;
 use spirv_std::glam::{Vec2, Vec3};
 
 /// The most parts of a cell; one that needs more has wider ones.
@@ -24,18 +23,17 @@ const FAR: f32 = 65536.0;
 const SQUARE: f32 = 1.732_050_8;
 /// The shortest edge of the square over which soft light spreads on a receiver, in texels.
 const SHORTEST: f32 = 1.0;
-/// Parts of soft light need not be shorter than the edge of their square over this number.
-const PARTS_OF_SQUARE: f32 = 4.0;
+/// The most parts of a cell of soft light, and the longest of them, in texels.
+const MOST_SOFT_PARTS: f32 = 24.0;
+const WIDEST_SOFT: f32 = 8.0;
 
 /// A corner of a cell, and the light there.
 #[derive(Clone, Copy)]
 pub struct Corner {
     /// Place in texels; centres of texels are whole numbers.
     pub at: Vec2,
-    /// Flux, or fluence, over that of unoccluded light through a cell.
+    /// Flux over that of unoccluded light through a cell.
     pub flux: Vec3,
-    /// Difference of the unit direction from the direction of unrefracted light, x and y.
-    pub aside: Vec2,
     /// Whether the light turned back.
     pub turned: bool,
 }
@@ -86,7 +84,7 @@ fn share(i: i32, low: f32, width: f32) -> f32 {
     max(end - start, 0.0) / width
 }
 
-/// The first texel that counts, and the number of texels across and up.
+/// The texels of a map across and up.
 #[derive(Clone, Copy)]
 pub struct Target {
     /// Columns.
@@ -98,16 +96,8 @@ pub struct Target {
 /// Spreads the flux of a box over a square of edge `edge` around each of its points: its differences, whose sums over rows and columns
 /// ([`crate::sweep::integrate_landed`]) are the flux.
 #[inline(always)]
-fn spread_softly<S: Sums + ?Sized>(
-    u: &SweepUniforms,
-    sums: &mut S,
-    target: Target,
-    (centre, size): (Vec2, Vec2),
-    edge: f32,
-    flux: Vec3,
-) {
+fn spread_softly<S: Sums + ?Sized>(sums: &mut S, target: Target, (centre, size): (Vec2, Vec2), edge: f32, flux: Vec3) {
     let density = flux * (1.0 / (edge * edge));
-    let none = Vec2::new(0.0, 0.0);
     let mut corner = 0;
     while corner < 4 {
         let (right, above) = ((corner & 1) as f32, (corner >> 1) as f32);
@@ -116,24 +106,16 @@ fn spread_softly<S: Sums + ?Sized>(
         let at = Vec2::new(centre.x + (right - 0.5) * edge + 0.5, centre.y + (above - 0.5) * edge + 0.5);
         // What begins before the first texel counts from there on.
         let at = Vec2::new(max(at.x, 0.5 * size.x - 0.5), max(at.y, 0.5 * size.y - 0.5));
-        spread::<S, true>(u, (&[0], sums), target, (at, size), density * sign, none);
+        spread::<S>(sums, target, (at, size), density * sign);
         corner += 1;
     }
 }
 
-/// Spreads `flux`, and what it has aside, over a box.
+/// Spreads `flux` over a box.
 #[inline(always)]
-fn spread<S: Sums + ?Sized, const LANDS: bool>(
-    u: &SweepUniforms,
-    (bricks, sums): (&[u32], &mut S),
-    target: Target,
-    (centre, size): (Vec2, Vec2),
-    flux: Vec3,
-    aside: Vec2,
-) {
-    let (width, height) = (clamp(size.x, NARROWEST, WIDEST), clamp(size.y, NARROWEST, WIDEST));
+fn spread<S: Sums + ?Sized>(sums: &mut S, target: Target, (centre, size): (Vec2, Vec2), flux: Vec3) {
+    let (width, height) = (size.x, size.y);
     let (left, below) = (centre.x - 0.5 * width, centre.y - 0.5 * height);
-    let weight = (flux.x + flux.y + flux.z) * (1.0 / 3.0);
     let first_x = floor_to_int(left + 0.5, 0.0, FAR);
     let last_x = floor_to_int(left + width + 0.5, -1.0, (target.columns - 1) as f32);
     let last_y = floor_to_int(below + height + 0.5, -1.0, (target.rows - 1) as f32);
@@ -143,17 +125,11 @@ fn spread<S: Sums + ?Sized, const LANDS: bool>(
         let mut i = first_x;
         while i <= last_x {
             let part = share(i, left, width) * part_y;
-            let place = if LANDS { j * target.columns + i } else { place(&u.wavefront, bricks, i, j) };
-            if (part > 0.0) & (place >= 0) {
-                let at = place * if LANDS { landed::SIZE as i32 } else { sums::SIZE as i32 };
+            if part > 0.0 {
+                let at = (j * target.columns + i) * landed::SIZE as i32;
                 add(sums, at, quantise(flux.x * part, sums::FLUX_SCALE));
                 add(sums, at + 2, quantise(flux.y * part, sums::FLUX_SCALE));
                 add(sums, at + 4, quantise(flux.z * part, sums::FLUX_SCALE));
-                if !LANDS {
-                    let channel = 2 * sums::DIRECTION_X as i32;
-                    add(sums, at + channel, quantise(weight * part * aside.x, sums::DIRECTION_SCALE));
-                    add(sums, at + channel + 2, quantise(weight * part * aside.y, sums::DIRECTION_SCALE));
-                }
             }
             i += 1;
         }
@@ -166,12 +142,11 @@ fn count(what: bool) -> f32 {
     if what { 1.0 } else { 0.0 }
 }
 
-/// Scatters the light between corners a, b, c and d (b beside a, c above a, d above b): onto the samples of a plane that something looks at, or, if
-/// it `LANDS`, onto the texels of a map. Soft light spreads over a disc of radius `blur`, in texels, around each point; on a map then as differences.
+/// Scatters the light between corners a, b, c and d (b beside a, c above a, d above b): onto the texels of a map. Soft light spreads over a disc of
+/// radius `blur`, in texels, around each point, as differences.
 #[inline(always)]
-pub fn scatter<S: Sums + ?Sized, const LANDS: bool>(
+pub fn scatter<S: Sums + ?Sized>(
     u: &SweepUniforms,
-    bricks: &[u32],
     sums: &mut S,
     target: Target,
     (a, b, c, d): (&Corner, &Corner, &Corner, &Corner),
@@ -185,12 +160,15 @@ pub fn scatter<S: Sums + ?Sized, const LANDS: bool>(
         let b = instead(b, &a, &right, &left);
         let c = instead(c, d, &left, &right);
         let d = instead(d, &c, &right, &left);
-        let soft = LANDS & (u.wavefront.softness > 0.0);
+        let w = &u.wavefront;
+        let soft = w.softness > 0.0;
         let edge = max(SQUARE * blur, SHORTEST);
-        let wide = if soft { clamp(edge * (1.0 / PARTS_OF_SQUARE), 1.0, WIDEST) } else { 1.0 };
+        // What is spread over a square need not be cut finer than half of it, or than a cell.
+        let wide = if soft { clamp(0.5 * edge, w.map.texels, WIDEST_SOFT) } else { 1.0 };
+        let most = if soft { MOST_SOFT_PARTS } else { MOST_PARTS };
         let across = parts(max(extent(b.at - a.at), extent(d.at - c.at)) / wide);
         let up = parts(max(extent(c.at - a.at), extent(d.at - b.at)) / wide);
-        let factor = sqrt(min(1.0, MOST_PARTS / (across * up)));
+        let factor = sqrt(min(1.0, most / (across * up)));
         let (across, up) = (fewer(across, factor), fewer(up, factor));
         let (step_s, step_t) = (1.0 / across as f32, 1.0 / up as f32);
         let share = step_s * step_t * (followed * 0.25);
@@ -215,18 +193,12 @@ pub fn scatter<S: Sums + ?Sized, const LANDS: bool>(
                     blend(a.flux.y, b.flux.y, c.flux.y, d.flux.y, s, t) * share,
                     blend(a.flux.z, b.flux.z, c.flux.z, d.flux.z, s, t) * share,
                 );
-                let aside = Vec2::new(
-                    blend(a.aside.x, b.aside.x, c.aside.x, d.aside.x, s, t),
-                    blend(a.aside.y, b.aside.y, c.aside.y, d.aside.y, s, t),
-                );
                 if soft {
-                    let size = Vec2::new(clamp(size.x, 1.0, WIDEST), clamp(size.y, 1.0, WIDEST));
-                    spread_softly::<S>(u, sums, target, (centre, size), edge, flux);
+                    let size = Vec2::new(clamp(size.x, 1.0, WIDEST_SOFT), clamp(size.y, 1.0, WIDEST_SOFT));
+                    spread_softly::<S>(sums, target, (centre, size), edge, flux);
                 } else {
-                    // Variances add up.
-                    let square = 3.0 * blur * blur;
-                    let size = Vec2::new(sqrt(size.x * size.x + square), sqrt(size.y * size.y + square));
-                    spread::<S, LANDS>(u, (bricks, sums), target, (centre, size), flux, aside);
+                    let size = Vec2::new(clamp(size.x, NARROWEST, WIDEST), clamp(size.y, NARROWEST, WIDEST));
+                    spread::<S>(sums, target, (centre, size), flux);
                 }
                 p += 1;
             }

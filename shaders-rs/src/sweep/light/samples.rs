@@ -1,13 +1,14 @@
-//! The light at a sample of a plane: of the cell that unrefracted light would bring there, and of refracted cells.
+//! The light at a sample of a plane: of the cell in whose place it is, and of cells that were scattered.
 
 use crate::abi::record::sums;
 use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::sums::sum;
 use crate::math::{max, select, select_vector};
 use crate::sweep::light::bricks::{place, sample};
+use crate::sweep::light::cell::{Corner, cell};
 use crate::sweep::light::offset::pack_difference;
-use crate::sweep::light::wavefront::{flux, is_cell_straight};
-use spirv_std::glam::Vec3;
+use crate::sweep::light::wavefront::flux;
+use spirv_std::glam::{Vec2, Vec3};
 
 /// Light around a sample.
 #[derive(Clone, Copy)]
@@ -18,53 +19,64 @@ pub struct Sample {
     pub direction: f32,
 }
 
+/// Where light is unoccluded.
 const UNOCCLUDED: Vec3 = Vec3::new(1.0, 1.0, 1.0);
 
-/// Light of the cell in whose place sample (x, y) is, if nothing has refracted it.
 #[inline(always)]
-fn unrefracted(u: &SweepUniforms, nodes: &[f32], x: i32, y: i32, bends: bool) -> Vec3 {
-    let w = &u.wavefront;
-    let (columns, rows) = (w.cells.width as i32, w.cells.height as i32);
-    if bends {
-        let inside = (x >= 0) & (x < columns) & (y >= 0) & (y < rows);
-        let (i, j) = if inside { (x as u32, y as u32) } else { (0, 0) };
-        let mean = (flux(w, nodes, i, j) + flux(w, nodes, i + 1, j))
-            + (flux(w, nodes, i, j + 1) + flux(w, nodes, i + 1, j + 1));
-        let straight = is_cell_straight(w, nodes, i, j);
-        let there = mean * select(straight, 0.25, 0.0);
-        select_vector(inside, there, UNOCCLUDED)
-    } else {
-        let inside = (x >= 0) & (x <= columns) & (y >= 0) & (y <= rows);
-        let (i, j) = if inside { (x as u32, y as u32) } else { (0, 0) };
-        select_vector(inside, flux(w, nodes, i, j), UNOCCLUDED)
-    }
+fn mean(color: Vec3) -> f32 {
+    (color.x + color.y + color.z) * (1.0 / 3.0)
 }
 
-/// The light at sample `index` of the bricks in the plane's list.
+/// Light of the cell in whose place sample (x, y) is, if it stays there, and the fluence times the difference of its direction.
+#[inline(always)]
+fn of_cell(u: &SweepUniforms, projected: &[f32], x: i32, y: i32) -> (Vec3, Vec2) {
+    let w = &u.wavefront;
+    let inside = (x >= 0) & (x < w.cells.width as i32) & (y >= 0) & (y < w.cells.height as i32);
+    let (i, j) = if inside { (x as u32, y as u32) } else { (0, 0) };
+    let cell = cell(w, projected, i, j);
+    // Exactly 1 where nothing bends light, whatever rounding makes of the area.
+    let area = select(cell.is_straight(), 1.0, max(cell.area(), 0.25));
+    let counts = select(cell.stays(i, j), 0.25 / area, 0.0);
+    let aside = |corner: &Corner| corner.aside * (mean(corner.fluence) * counts);
+    let aside = (aside(&cell.a) + aside(&cell.b)) + (aside(&cell.c) + aside(&cell.d));
+    let open = select(inside, 1.0, 0.0);
+    (select_vector(inside, cell.fluence() * counts, UNOCCLUDED), aside * open)
+}
+
+/// Light of the node in whose place sample (x, y) is, where nothing bends it.
+#[inline(always)]
+fn of_node(u: &SweepUniforms, nodes: &[f32], x: i32, y: i32) -> Vec3 {
+    let w = &u.wavefront;
+    let inside = (x >= 0) & (x <= w.cells.width as i32) & (y >= 0) & (y <= w.cells.height as i32);
+    let (i, j) = if inside { (x as u32, y as u32) } else { (0, 0) };
+    select_vector(inside, flux(w, nodes, i, j), UNOCCLUDED)
+}
+
+/// The light at sample `index` of the bricks in the plane's list. `nodes` are the wavefront's where nothing bends it, else the projected ones.
 #[inline(always)]
 pub fn light(u: &SweepUniforms, chosen: u32, sums_in: &[u32], nodes: &[f32], bricks: &[u32], index: u32) -> Sample {
     let w = &u.wavefront;
     let (x, y) = sample(w, bricks, index);
-    let bends = mode::bends(chosen);
-    let unrefracted = unrefracted(u, nodes, x, y, bends);
-    if bends {
+    if mode::bends(chosen) {
+        let (there, its_aside) = of_cell(u, nodes, x, y);
         let place = place(w, bricks, x, y);
         let base = place * sums::SIZE as i32;
         let counts = select(place >= 0, 1.0, 0.0);
         let change = |channel: usize, scale: f32| sum(sums_in, base + 2 * channel as i32) * (counts / scale);
-        let brought = Vec3::new(
-            change(sums::FLUX, sums::FLUX_SCALE),
-            change(sums::FLUX + 1, sums::FLUX_SCALE),
-            change(sums::FLUX + 2, sums::FLUX_SCALE),
-        );
-        let share = unrefracted + brought;
-        let weight = (share.x + share.y + share.z) * (1.0 / 3.0);
+        let red = change(sums::FLUX, sums::FLUX_SCALE);
+        let (mut green, mut blue) = (red, red);
+        if !mode::is_clear(chosen) {
+            green = change(sums::FLUX + 1, sums::FLUX_SCALE);
+            blue = change(sums::FLUX + 2, sums::FLUX_SCALE);
+        }
+        let share = there + Vec3::new(red, green, blue);
+        let weight = mean(share);
         // Less than a few units of flux tell no direction.
         let inverse = select(weight > 1e-6, 1.0 / max(weight, 1e-6), 0.0);
-        let across = change(sums::DIRECTION_X, sums::DIRECTION_SCALE) * inverse;
-        let up = change(sums::DIRECTION_X + 1, sums::DIRECTION_SCALE) * inverse;
+        let across = (its_aside.x + change(sums::DIRECTION_X, sums::DIRECTION_SCALE)) * inverse;
+        let up = (its_aside.y + change(sums::DIRECTION_X + 1, sums::DIRECTION_SCALE)) * inverse;
         Sample { share, direction: pack_difference(across, up) }
     } else {
-        Sample { share: unrefracted, direction: pack_difference(0.0, 0.0) }
+        Sample { share: of_node(u, nodes, x, y), direction: pack_difference(0.0, 0.0) }
     }
 }

@@ -3,13 +3,13 @@
 use super::cache::{FrameCache, tables_key};
 use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
 use super::occupancy::{Occupancy, OccupancyQuery, VolumeRole};
-use super::paging::{Residency, pools};
+use super::paging::{Residency, Swept, pools};
 use super::texels::Texels;
 use super::uniforms::FramePlan;
 use super::unoccluded::Unoccluded;
 use super::uploaded::UploadedVolumes;
 use super::voxels::bricks;
-use super::wavefront::Wavefront;
+use super::wavefront::{STRIDE_OF_SURFACES, Wavefront};
 use super::{Buffers, Carried};
 
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
@@ -18,6 +18,7 @@ use crate::request::OutputRequest;
 use crate::scene::{Removes, Scene};
 use crate::subject::Volumes;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use vitrum_kernels::abi::record::{film, ray};
 use vitrum_kernels::abi::sweep::mode;
 use vitrum_kernels::kernel::kernels;
@@ -36,10 +37,12 @@ pub(super) fn build(
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
 ) -> Result<(PassList, Buffers, Option<Carried>), Error> {
-    let self_volumes = volumes;
+    let rendered = volumes;
     let shown = volumes.shown;
     let UploadedVolumes { ranges, ior_ranges, .. } = uploaded;
-    let tables = &*plan.tables;
+    let made = Arc::clone(&plan.tables);
+    let tables = &*made;
+    let has_particles = tables.have_particles();
     let second = volumes.ior.zip(ior_ranges.as_ref());
     let role = if second.is_none() { VolumeRole::Both } else { VolumeRole::Shown };
     // A cut through matter of one index bends light, too.
@@ -58,30 +61,37 @@ pub(super) fn build(
     let tables = cache.tables_buffer(scene, tables, backend)?;
 
     let first = plan.planes.first_visible;
+    let wavefront = match plan.frame.filter(|_| plan.shadows) {
+        Some(frame) => {
+            let boxes: Vec<_> =
+                queries.iter().flat_map(|query| query.looked_at(scene.shading.specular > 0.0)).collect();
+            let frame = frame.with_stride(if has_particles { 1 } else { STRIDE_OF_SURFACES });
+            let seen_by = (plan.common(), plan.mode);
+            let largest = backend.largest_buffer();
+            let wavefront = Wavefront::new(scene, rendered, (&plan.view, frame), seen_by, &boxes, largest)?;
+            plan.see(wavefront.seen);
+            Some(wavefront)
+        }
+        None => None,
+    };
+    let light_planes = wavefront.as_ref().map(|wavefront| wavefront.frame.planes);
+    let offset = light_planes.map_or(0, |planes| planes.count);
     let (voxels, pools) = match &uploaded.voxels {
         Some(voxels) => (voxels.clone(), Vec::new()),
         None => {
-            let earliest = if plan.shadows { 1 } else { first + 1 };
-            let asked = queries.iter().zip(&plan.sampling);
-            let residencies = asked.map(|(query, sampling)| Residency::new(query, sampling, &plan.planes, earliest));
+            let earliest = if plan.shadows && wavefront.is_none() { 1 } else { first + 1 };
+            let residencies = queries.iter().enumerate().map(|(volume, query)| {
+                let of_light = light_planes.as_ref().zip(plan.light_sampling.get(volume));
+                let light = of_light.map(|(planes, &sampling)| Swept { sampling, planes, first: 1, offset: 0 });
+                let rays = Swept { sampling: plan.sampling[volume], planes: &plan.planes, first: earliest, offset };
+                Residency::new(query, &light.into_iter().chain([rays]).collect::<Vec<_>>())
+            });
             let pools = pools(&volumes.iter().collect::<Vec<_>>(), residencies.collect(), uploaded, backend)?;
             ([pools[0].buffer.clone(), pools[pools.len() - 1].buffer.clone()], pools)
         }
     };
     let [voxels, ior_voxels] = voxels;
     let volumes = VolumeBuffers { voxels, ior_voxels, occupancy, tables };
-    let wavefront = match plan.frame.filter(|_| plan.shadows) {
-        Some(frame) => {
-            let boxes: Vec<_> =
-                queries.iter().flat_map(|query| query.looked_at(scene.shading.specular > 0.0)).collect();
-            let seen_by = (plan.common(), plan.mode);
-            let largest = backend.largest_buffer();
-            let wavefront = Wavefront::new(scene, self_volumes, (&plan.view, frame), seen_by, &boxes, largest)?;
-            plan.see(wavefront.seen);
-            Some(wavefront)
-        }
-        None => None,
-    };
     let plan = &*plan;
     let mut buffers = BufferAllocator { plan, scratch: &mut cache.scratch, backend };
     let light: Box<dyn Carrier> = match &plan.frame {
@@ -108,14 +118,14 @@ pub(super) fn build(
     let finished = buffers.planar("film", pixels, film::SIZE)?;
 
     let ray_kernel = kernels::sweep_propagate_rays.get(plan.format);
-    let mut passes = match &carried {
+    // The first pass of each plane, of the wavefront's planes first.
+    let (mut passes, mut starts) = match &carried {
         Some(Carried { wavefront, buffers }) => wavefront.passes(buffers, plan.format),
-        None => light.start(plan),
+        None => (light.start(plan), Vec::new()),
     };
     let entries = carried.as_ref().map(|carried| carried.wavefront.entries(&carried.buffers));
     passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&looked_up, &rays]));
-    // The first pass of each plane.
-    let mut starts = vec![0];
+    starts.push(if carried.is_some() { passes.len() } else { 0 });
     let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &volumes;
     let bound = [voxels, ior_voxels, occupancy, tables, &looked_up, &rays];
     // Rays on their way over planes whose irradiance is in the ring.
@@ -138,7 +148,9 @@ pub(super) fn build(
     if scene.sweep.follow_turned_rays && mode::bends(plan.mode) && !plan.format.is_paged() {
         // The step of the planes within the volume.
         let volumes = [voxels, ior_voxels, occupancy, tables, &looked_up, &rays];
-        let follow = || plan.pass(followers, pixels, plan.ray_mode(), plan.planes.behind, &volumes);
+        // Where there are no particles, nothing on the way looks at the light.
+        let chosen = if has_particles { plan.ray_mode() } else { mode::on_texels(plan.mode) };
+        let follow = || plan.pass(followers, pixels, chosen, plan.planes.behind, &volumes);
         passes.extend((0..most_follow_passes(plan)).map(|_| follow()));
     }
     let last = plan.planes.count - 1;

@@ -173,6 +173,11 @@ impl Tables {
         }
     }
 
+    /// Whether any scalar has opacity.
+    pub fn have_particles(&self) -> bool {
+        self.particles.last().is_some_and(|&last| last > 0)
+    }
+
     /// Whether opacity is 0 for all normalised scalars from `low` to `high`.
     pub fn is_without_particles(&self, low: f32, high: f32) -> bool {
         match self.changing {

@@ -49,6 +49,8 @@ pub(super) struct FramePlan {
     pub(super) shadows: bool,
     /// Positions of the look-ups between two planes among the voxels of the volume, and of the second one.
     pub(super) sampling: Vec<Sampling>,
+    /// Positions of the look-ups between two planes of the wavefront that carries the light forward.
+    pub(super) light_sampling: Vec<Sampling>,
     /// The frame of the wavefront that carries the light forward, if one does.
     pub(super) frame: Option<Frame>,
     pub(super) view: View,
@@ -174,7 +176,12 @@ impl FramePlan {
             .map_or(block.grid, |volume| grid(volume, tables.bending, format, &view, (reach[1], first_ior_brick)));
         let steepest = steepest(&view, &tables, std::iter::once(towards.as_vec3().to_array()));
         let sampled = std::iter::once(shown).chain(bending);
-        let sampling = sampled.map(|volume| Sampling::new(volume, &view, &planes, steepest)).collect();
+        let sampling = sampled.clone().map(|volume| Sampling::new(volume, &view, &planes, steepest)).collect();
+        let of_frame = |frame: &Frame| {
+            let steepest = if tables.refracts { 1.0 / f64::from(SMALLEST_COSINE) } else { 0.0 };
+            sampled.map(|volume| Sampling::new(volume, &frame.view, &frame.planes, steepest)).collect()
+        };
+        let light_sampling = frame.as_ref().map_or_else(Vec::new, of_frame);
         block.light.color = initial_light(scene, &block);
         if let Some(frame) = &frame {
             block.wavefront = wavefront::unoccluded(&view, frame);
@@ -204,6 +211,7 @@ impl FramePlan {
             tables,
             format,
             sampling,
+            light_sampling,
             reach,
             mode,
             shadows: scene.first_light().shadows,

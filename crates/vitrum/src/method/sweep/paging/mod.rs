@@ -9,4 +9,4 @@ mod residency;
 mod schedule;
 
 pub(super) use pool::pools;
-pub(super) use residency::{Residency, Sampling};
+pub(super) use residency::{Residency, Sampling, Swept};

@@ -28,6 +28,17 @@ pub(in crate::method::sweep) struct Sampling {
     largest: f64,
 }
 
+/// A sweep over planes in which pages are looked at: one of several that follow one another in a frame.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::method::sweep) struct Swept<'a> {
+    pub(in crate::method::sweep) sampling: Sampling,
+    pub(in crate::method::sweep) planes: &'a Planes,
+    /// The first plane on the way to which pages are looked at.
+    pub(in crate::method::sweep) first: u32,
+    /// The number of the sweep's plane 0 among the planes of the frame.
+    pub(in crate::method::sweep) offset: u32,
+}
+
 /// A page that must be on the device, and the planes between which it is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct ResidentPage {
@@ -63,16 +74,12 @@ enum Kind {
 }
 
 impl Residency {
-    /// The residency of the pages of `query`'s volume, on the way to the planes from `first` on.
-    pub(in crate::method::sweep) fn new(
-        query: &OccupancyQuery,
-        sampling: &Sampling,
-        planes: &Planes,
-        first: u32,
-    ) -> Self {
+    /// The residency of the pages of `query`'s volume in `sweeps` that follow one another. A page comes for each of them.
+    pub(in crate::method::sweep) fn new(query: &OccupancyQuery, sweeps: &[Swept]) -> Self {
         let dimensions = query.volume.dimensions;
         let pages = pages(dimensions);
-        let kinds = kinds(query, sampling, pages);
+        let longest = sweeps.iter().map(|sweep| sweep.sampling.step).fold(DVec3::ZERO, DVec3::max);
+        let kinds = kinds(query, longest, pages);
         let mut residency = Self { pages, needed: Vec::new(), fills: Vec::new(), filled: vec![0; kinds.len()] };
         let mut recent = [0; 2];
         for (number, kind) in kinds.into_iter().enumerate() {
@@ -85,12 +92,17 @@ impl Residency {
                 Kind::Various => None,
             };
             let at = [0, 1, 2].map(|axis| number as u32 / pages[..axis].iter().product::<u32>() % pages[axis]);
-            match (fill, sampling.planes(at, pages, dimensions, planes)) {
-                (Some(fill), _) => residency.filled[number] = fill,
-                (None, (from, to)) if from.max(first) <= to => {
-                    residency.needed.push(ResidentPage { page: number as u32, first: from.max(first), last: to });
+            if let Some(fill) = fill {
+                residency.filled[number] = fill;
+                continue;
+            }
+            for &Swept { sampling, planes, first, offset } in sweeps {
+                let (from, to) = sampling.planes(at, pages, dimensions, planes);
+                let from = from.max(first);
+                if from <= to {
+                    let page = number as u32;
+                    residency.needed.push(ResidentPage { page, first: offset + from, last: offset + to });
                 }
-                (None, _) => {}
             }
         }
         // The first one is for those that nobody looks at.
@@ -115,8 +127,8 @@ impl Residency {
     }
 }
 
-/// The kind of each page.
-fn kinds(query: &OccupancyQuery, sampling: &Sampling, pages: [u32; 3]) -> Vec<Kind> {
+/// The kind of each page; steps are at most `longest` voxels long along each axis.
+fn kinds(query: &OccupancyQuery, longest: DVec3, pages: [u32; 3]) -> Vec<Kind> {
     let dimensions = query.volume.dimensions;
     let all: u32 = pages.iter().product();
     let ranges: Vec<(f32, f32)> = (0..all)
@@ -131,7 +143,7 @@ fn kinds(query: &OccupancyQuery, sampling: &Sampling, pages: [u32; 3]) -> Vec<Ki
         })
         .collect();
     // A ray may come from a page into one a step away, and go on from there.
-    let beyond = sampling.step.to_array().map(|step| ((step + 2.0) / f64::from(page::EDGE)).ceil() as usize);
+    let beyond = longest.to_array().map(|step| ((step + 2.0) / f64::from(page::EDGE)).ceil() as usize);
     let sizes = pages.map(|n| n as usize);
     let widened = widen(&ranges, sizes, 0, beyond[0]);
     let widened = widen(&widened, sizes, 1, beyond[1]);

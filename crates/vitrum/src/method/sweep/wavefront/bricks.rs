@@ -41,7 +41,7 @@ impl Looked {
     /// `first_sample`.
     pub(super) fn new(frame: &Frame, first_sample: f64, boxes: &[[DVec3; 8]]) -> Self {
         let brick = BRICK as usize;
-        let planes = frame.planes.count as usize;
+        let planes = frame.kept() as usize;
         let counts = [frame.cells[0] as usize / brick + 1, frame.cells[1] as usize / brick + 1, planes / brick + 1];
         let mut looked = vec![false; counts.iter().product()];
         for corners in boxes {

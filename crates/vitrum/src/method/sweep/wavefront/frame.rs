@@ -25,6 +25,8 @@ pub(in crate::method::sweep) struct Frame {
     pub(in crate::method::sweep) cell: f64,
     /// Cells across and up.
     pub(in crate::method::sweep) cells: [u32; 2],
+    /// Planes from one on which light is kept to the next.
+    pub(in crate::method::sweep) stride: u32,
 }
 
 impl Frame {
@@ -56,7 +58,11 @@ impl Frame {
         let wanted = scene.sweep.light_cells.map_or((longer / voxel).clamp(FEWEST, MOST), f64::from);
         // Light that is the same everywhere needs no cells.
         let wanted = if scene.first_light().shadows { wanted } else { 4.0 };
-        Ok(Self { view, planes, corner: low, cell: 0.0, cells: [0; 2] }.with_cells(low, high, longer / wanted))
+        Ok(Self { view, planes, corner: low, cell: 0.0, cells: [0; 2], stride: 1 }.with_cells(
+            low,
+            high,
+            longer / wanted,
+        ))
     }
 
     /// The frame with cells of edge `cell` between `low` and `high`, and one more on each side, so that the outermost ones stay as they are.
@@ -73,10 +79,22 @@ impl Frame {
         self.with_cells(low, low + size, self.cell * factor)
     }
 
-    /// The coordinates of a point of the world: cells across and up, and planes.
+    /// The frame whose light is kept on every plane of number 0, `stride`, 2 `stride` and so on; the last plane is one of them.
+    pub(in crate::method::sweep) fn with_stride(self, stride: u32) -> Self {
+        let last = (self.planes.count - 1).next_multiple_of(stride);
+        let planes = Planes { count: last + 1, behind: last, ..self.planes };
+        Self { planes, stride, ..self }
+    }
+
+    /// The number of planes on which light is kept.
+    pub(super) fn kept(&self) -> u32 {
+        (self.planes.count - 1) / self.stride + 1
+    }
+
+    /// The coordinates of a point of the world: cells across and up, and planes on which light is kept.
     pub(in crate::method::sweep) fn coordinates(&self, point: DVec3) -> DVec3 {
         let at = self.view.point(point);
         let across = (at.truncate() - self.corner) / self.cell;
-        across.extend((at.z - self.planes.first_depth) / self.planes.distance)
+        across.extend((at.z - self.planes.first_depth) / (self.planes.distance * f64::from(self.stride)))
     }
 }

@@ -31,6 +31,9 @@ use vitrum_kernels::sweep::light::carried::components;
 const MOST_BYTES: u64 = 192 << 20;
 /// By how much cells grow until their light fits.
 const COARSER: f64 = 1.189_207_115;
+/// Planes from one on which light is kept to the next where surfaces alone look at the light: their highlights show how bright it is, and no edge of a
+/// shadow.
+pub(super) const STRIDE_OF_SURFACES: u32 = 4;
 /// Texels of a receiver's map along the edge of a cell.
 pub(super) const TEXELS: u32 = 2;
 /// The margin of a receiver's map on each side, over the grid's size.
@@ -75,7 +78,7 @@ fn as_seen(view: &View, frame: &Frame, first_sample: f32) -> abi::Wavefront {
         cell: frame.cell as f32,
         inverse_cell: (1.0 / frame.cell) as f32,
         first_depth: frame.planes.depth(0) as f32,
-        inverse_step: (1.0 / frame.planes.distance) as f32,
+        inverse_step: (1.0 / (frame.planes.distance * f64::from(frame.stride))) as f32,
         first_sample,
         ..abi::Wavefront::default()
     }

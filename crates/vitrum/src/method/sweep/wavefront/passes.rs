@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use vitrum_kernels::abi::dispatch::{Dispatch, Region};
 use vitrum_kernels::abi::format::Format;
-use vitrum_kernels::abi::record::{landed, node, sums};
+use vitrum_kernels::abi::record::{landed, node, projected, sums};
 use vitrum_kernels::abi::sweep::{along, mode, receiver};
 use vitrum_kernels::abi::vector::Size;
 use vitrum_kernels::abi::wavefront::{BRICK, BRICKS_TOGETHER, LAYER, plane_words};
@@ -19,6 +19,7 @@ use vitrum_kernels::sweep::light::carried::components;
 pub(in crate::method::sweep) struct WavefrontBuffers {
     volumes: VolumeBuffers,
     nodes: Buffer,
+    projected: Buffer,
     bricks: Buffer,
     sums: Buffer,
     landed: Buffer,
@@ -43,6 +44,11 @@ impl Wavefront {
         Ok(WavefrontBuffers {
             volumes,
             nodes: buffers.planar("nodes", [width + 1, height + 1], node::SIZE)?,
+            projected: buffers.planar(
+                "projected nodes",
+                if bends { [width + 1, height + 1] } else { [1, 1] },
+                projected::SIZE,
+            )?,
             bricks: buffers
                 .backend
                 .create("bricks of light", Contents::Bytes(bytemuck::cast_slice(&self.bricks.words)))?,
@@ -68,14 +74,20 @@ impl Wavefront {
         on_ground.into_iter().chain(wall.then_some((receiver::WALL, map.wall)))
     }
 
-    /// All passes of the wavefront.
-    pub(in crate::method::sweep) fn passes(&self, buffers: &WavefrontBuffers, format: Format) -> Vec<Pass> {
+    /// All passes of the wavefront, and the number of the first one of each plane.
+    pub(in crate::method::sweep) fn passes(
+        &self,
+        buffers: &WavefrontBuffers,
+        format: Format,
+    ) -> (Vec<Pass>, Vec<usize>) {
         let [width, height] = self.frame.cells;
         let nodes = [width + 1, height + 1];
         let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &buffers.volumes;
         let none = Layer::default();
         let mut passes = vec![self.pass(&kernels::sweep_initialize_nodes, nodes, 0, 0, &none, &[&buffers.nodes])];
+        let mut starts = Vec::new();
         for plane in 0..self.frame.planes.count {
+            starts.push(if plane > 0 { passes.len() } else { 0 });
             if plane > 0 {
                 let advance = kernels::sweep_advance_nodes.get(format);
                 let bound = [voxels, ior_voxels, occupancy, tables, &buffers.nodes];
@@ -87,36 +99,47 @@ impl Wavefront {
         for (which, map) in self.lands() {
             self.land(which, map, last, buffers, &mut passes);
         }
-        passes
+        (passes, starts)
     }
 
     /// Appends the passes that write the light of plane `plane` to bricks.
     fn collect(&self, plane: u32, buffers: &WavefrontBuffers, passes: &mut Vec<Pass>) {
         let [width, height] = self.frame.cells;
-        let number = plane / BRICK;
+        let stride = self.frame.stride;
+        if !plane.is_multiple_of(stride) {
+            return;
+        }
+        let kept = plane / stride;
+        let number = kept / BRICK;
         let layer = |number: u32| self.bricks.layers.get(number as usize).copied().unwrap_or_default();
         let of_plane = layer(number);
-        let WavefrontBuffers { nodes, bricks, sums, light, .. } = buffers;
+        let WavefrontBuffers { nodes, projected, bricks, sums, light, .. } = buffers;
         if mode::bends(self.mode) && of_plane.bricks > 0 {
             let places = [BRICK * BRICK, of_plane.bricks];
             passes.push(self.pass(&kernels::sweep_clear_sums, places, 0, plane, &of_plane, &[sums]));
+            let project = &kernels::sweep_project_nodes;
+            passes.push(self.pass(project, [width + 1, height + 1], 0, plane, &of_plane, &[nodes, projected]));
             let scatter = &kernels::sweep_scatter_cells;
-            passes.push(self.pass(scatter, [width, height], 0, plane, &of_plane, &[nodes, bricks, sums]));
+            let chosen = if mode::is_clear(self.mode) { mode::CLEAR_CENTRAL } else { mode::CENTRAL };
+            let bound = [projected, bricks, sums];
+            passes.push(self.pass(scatter, [width, height], chosen, plane, &of_plane, &bound));
         }
         // The first plane of a layer is the last one of the layer before, too.
-        let before = if plane % BRICK == 0 && number > 0 { layer(number - 1) } else { Layer::default() };
-        for (layer, within) in [(of_plane, plane % BRICK), (before, BRICK)] {
+        let before = if kept % BRICK == 0 && number > 0 { layer(number - 1) } else { Layer::default() };
+        for (layer, within) in [(of_plane, kept % BRICK), (before, BRICK)] {
             if layer.bricks == 0 {
                 continue;
             }
             let words = components(self.mode);
             let (kernel, chosen): (&'static Kernel, _) = match (words, mode::bends(self.mode)) {
                 (1, _) => (&kernels::sweep_collect_straight, mode::STRAIGHT),
-                (2, _) => (&kernels::sweep_collect_clear, mode::CENTRAL),
+                (2, _) => (&kernels::sweep_collect_clear, mode::CLEAR_CENTRAL),
                 (_, false) => (&kernels::sweep_collect_light, mode::STRAIGHT),
                 (_, true) => (&kernels::sweep_collect_light, mode::CENTRAL),
             };
             let size = [BRICKS_TOGETHER * LAYER, layer.bricks / BRICKS_TOGETHER];
+            // Where light bends, cells are found by where their nodes are on the plane.
+            let nodes = if mode::bends(self.mode) { projected } else { nodes };
             let pass = self.pass(kernel, size, chosen, plane, &layer, &[sums, nodes, bricks, light]);
             let start = u64::from(layer.start + within * plane_words(layer.bricks, words));
             passes.push(Pass { start, ..pass });
@@ -194,7 +217,7 @@ impl Wavefront {
         block.step.ahead = planes.depth(plane) as f32;
         block.step.distance = planes.step(plane) as f32;
         block.step.alike = planes.alike(plane) as f32;
-        block.wavefront.layer = plane / BRICK;
+        block.wavefront.layer = plane / self.frame.stride / BRICK;
         block.wavefront.list = layer.list;
         block.wavefront.observed = block.step.ahead;
         Pass {

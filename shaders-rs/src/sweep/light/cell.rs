@@ -1,0 +1,110 @@
+//! Cells of the wavefront on a plane, between four projected nodes.
+
+use crate::abi::record::{course, projected};
+use crate::abi::wavefront::Wavefront;
+use crate::field::access::read;
+use crate::math::absolute;
+use crate::sweep::light::wavefront::{columns, nodes};
+use spirv_std::glam::{Vec2, Vec3};
+
+/// The least area, in samples, of a cell whose light the sample in its place finds.
+const SMALLEST: f32 = 0.5;
+
+/// A node on the plane.
+#[derive(Clone, Copy)]
+pub struct Corner {
+    /// Place among the samples of the plane.
+    pub at: Vec2,
+    /// Fluence over that of unoccluded light.
+    pub fluence: Vec3,
+    /// Difference of the unit direction from the direction of unrefracted light, x and y.
+    pub aside: Vec2,
+    /// One of [`course`].
+    pub course: f32,
+}
+
+/// Node (x, y).
+#[inline(always)]
+pub fn corner(w: &Wavefront, buffer: &[f32], x: u32, y: u32) -> Corner {
+    let count = nodes(w) as i32;
+    let at = (y * columns(w) + x) as i32;
+    let component = |c: usize| read(buffer, c as i32 * count + at);
+    Corner {
+        at: Vec2::new(component(projected::X), component(projected::Y)),
+        fluence: Vec3::new(
+            component(projected::FLUENCE),
+            component(projected::FLUENCE + 1),
+            component(projected::FLUENCE + 2),
+        ),
+        aside: Vec2::new(component(projected::ASIDE_X), component(projected::ASIDE_Y)),
+        course: component(projected::COURSE),
+    }
+}
+
+/// The course of node (x, y).
+#[inline(always)]
+pub fn course_of(w: &Wavefront, buffer: &[f32], x: u32, y: u32) -> f32 {
+    read(buffer, projected::COURSE as i32 * nodes(w) as i32 + (y * columns(w) + x) as i32)
+}
+
+/// Four nodes: b beside a, c above a, d above b.
+#[derive(Clone, Copy)]
+pub struct Cell {
+    /// The first node.
+    pub a: Corner,
+    /// The node beside it.
+    pub b: Corner,
+    /// The node above it.
+    pub c: Corner,
+    /// The node above the second one.
+    pub d: Corner,
+}
+
+/// Cell (x, y).
+#[inline(always)]
+pub fn cell(w: &Wavefront, buffer: &[f32], x: u32, y: u32) -> Cell {
+    Cell {
+        a: corner(w, buffer, x, y),
+        b: corner(w, buffer, x + 1, y),
+        c: corner(w, buffer, x, y + 1),
+        d: corner(w, buffer, x + 1, y + 1),
+    }
+}
+
+/// Whether a corner is less than half a sample from where unrefracted light would be.
+#[inline(always)]
+fn is_near(corner: &Corner, x: f32, y: f32) -> bool {
+    (absolute(corner.at.x - x) < 0.5) & (absolute(corner.at.y - y) < 0.5) & (corner.course != course::TURNED)
+}
+
+impl Cell {
+    /// Its area, in samples.
+    #[inline(always)]
+    pub fn area(&self) -> f32 {
+        let (ad, bc) = (self.d.at - self.a.at, self.c.at - self.b.at);
+        0.5 * absolute(ad.x * bc.y - ad.y * bc.x)
+    }
+
+    /// Whether cell (x, y) covers the sample in its place and no other one: that sample then finds its light without a sum.
+    #[inline(always)]
+    pub fn stays(&self, x: u32, y: u32) -> bool {
+        let (left, below) = (x as i32 as f32 - 0.5, y as i32 as f32 - 0.5);
+        let near = is_near(&self.a, left, below)
+            & is_near(&self.b, left + 1.0, below)
+            & is_near(&self.c, left, below + 1.0)
+            & is_near(&self.d, left + 1.0, below + 1.0);
+        near & (self.area() >= SMALLEST)
+    }
+
+    /// Whether nothing has bent its light.
+    #[inline(always)]
+    pub fn is_straight(&self) -> bool {
+        (self.a.course + self.b.course) + (self.c.course + self.d.course) == course::STRAIGHT
+    }
+
+    /// The sum of its corners' fluence.
+    #[inline(always)]
+    pub fn fluence(&self) -> Vec3 {
+        (self.a.fluence + self.b.fluence) + (self.c.fluence + self.d.fluence)
+    }
+}
