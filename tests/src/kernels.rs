@@ -13,7 +13,7 @@ use vitrum::backend::{Backend, ReadBack as _};
 use vitrum::method::sweep::Sweep;
 use vitrum::method::{self, Cache, Job, PreparedFrame, Tools};
 use vitrum_io::{Mesh, Picture, Volume, Voxels};
-use vitrum_kernels::abi::record::{inscattered, sums};
+use vitrum_kernels::abi::record::{inscattered, landed, sums};
 use vitrum_kernels::field::sums::to_number;
 use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
 use vitrum_kernels::kernel::Access;
@@ -24,6 +24,9 @@ use crate::case::Case;
 use crate::raster::Raster;
 use crate::refraction;
 use crate::run::{About, Run};
+
+/// Light that a wavefront carries.
+const FORWARD: &str = "sweep.light=forward";
 
 /// Small cases that together run every kernel in every mode.
 ///
@@ -51,38 +54,30 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("phantom unshaded", "phantom", &["light.0.shadows=false", "sweep.refraction=false"])?,
         case("phantom", "phantom", &[])?,
         case("phantom straight hard", "phantom", &["sweep.refraction=false", "light.0.angular_radius=0"])?,
-        case("phantom sheets", "phantom", &["sweep.light=sheets"])?,
+        case("phantom forward", "phantom", &[FORWARD])?,
         case("phantom streamed", "phantom", &[])?.streamed(),
         case("phantom streamed straight", "phantom", &["sweep.refraction=false"])?.streamed(),
         case("ball without shadows", "ball", &["light.0.shadows=false"])?,
         case("luneburg chain hard", "luneburg", &["light.0.angular_radius=0", "sweep.gradient=chain"])?,
         case("combustion/mixture", "combustion/mixture", &[])?,
-        case("ball sheets", "ball", &["sweep.light=sheets"])?,
-        case(
-            "glass/straight sheets",
-            "glass/straight",
-            &["sweep.light=sheets", "light.0.angular_radius=1", "sweep.sheets=3"],
-        )?,
-        case("head u8 sheets", "head", &["sweep.light=sheets", "light.0.angular_radius=0"])?.in_bytes()?,
-        case(
-            "luneburg chain sheets",
-            "luneburg",
-            &["sweep.light=sheets", "light.0.angular_radius=0", "sweep.gradient=chain"],
-        )?,
+        case("phantom straight forward", "phantom", &[FORWARD, "sweep.refraction=false"])?,
+        case("ball forward", "ball", &[FORWARD])?,
+        case("glass forward", "glass", &[FORWARD])?,
+        case("glass/straight forward", "glass/straight", &[FORWARD])?,
+        case("head u8 forward", "head", &[FORWARD])?.in_bytes()?,
+        case("luneburg chain forward", "luneburg", &[FORWARD, "sweep.gradient=chain"])?,
         case("ball streamed", "ball", &[])?.streamed(),
         case("ball streamed chain", "ball", &["sweep.gradient=chain"])?.streamed(),
         case("ball streamed straight", "ball", &["sweep.refraction=false"])?.streamed(),
-        case("ball streamed sheets", "ball", &["sweep.light=sheets"])?.streamed(),
+        case("ball streamed forward", "ball", &[FORWARD])?.streamed(),
         case("ball streamed unshaded", "ball", &["light.0.shadows=false", "sweep.refraction=false"])?.streamed(),
         case("head u8 streamed", "head", &[])?.in_bytes()?.streamed(),
-        case("head u8 streamed sheets", "head", &["sweep.light=sheets", "light.0.angular_radius=0"])?
-            .in_bytes()?
-            .streamed(),
+        case("head u8 streamed forward", "head", &[FORWARD])?.in_bytes()?.streamed(),
         case("luneburg streamed", "luneburg", &["sweep.gradient=chain"])?.streamed(),
-        case("luneburg streamed sheets", "luneburg", &["sweep.light=sheets"])?.streamed(),
+        case("luneburg streamed forward", "luneburg", &[FORWARD])?.streamed(),
         case("combustion/mixture streamed", "combustion/mixture", &[])?.streamed(),
-        case("combustion/mixture streamed sheets", "combustion/mixture", &["sweep.light=sheets"])?.streamed(),
-        case("combustion/mixture sheets", "combustion/mixture", &["sweep.light=sheets", "light.0.angular_radius=0"])?,
+        case("combustion/mixture streamed forward", "combustion/mixture", &[FORWARD])?.streamed(),
+        case("combustion/mixture forward", "combustion/mixture", &[FORWARD])?,
     ]);
     cases.extend(meshes(edge, resolution)?);
     // A method without a case of its own shows a built-in volume or mesh.
@@ -453,7 +448,7 @@ impl<'a> Stepper<'a> {
         let bytes: Vec<u8> = self.backend.read_all(output)?;
         let declaration = &pass.kernel.declaration;
         if declaration.bindings.iter().any(|binding| binding.access == Access::Add) {
-            if !self.exact && [sums::SIZE, inscattered::SIZE].contains(&declaration.components) {
+            if !self.exact && [sums::SIZE, inscattered::SIZE, landed::SIZE].contains(&declaration.components) {
                 // A tolerance is for numbers: where one is a unit more, its lower half may be 65535 less.
                 let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
                 let numbers: Vec<f32> = words.chunks_exact(2).map(|pair| to_number(pair[0], pair[1])).collect();
@@ -466,6 +461,7 @@ impl<'a> Stepper<'a> {
         }
         let words: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
         let count = pass.width as usize * pass.height as usize * declaration.components;
-        Ok(Raster::stacked(pass.width, [&words[..count]]))
+        // Records of one plane or map of several, or of several pictures in a row.
+        Ok(Raster::stacked(pass.width, [&words[pass.start as usize..][..count]]))
     }
 }

@@ -117,7 +117,7 @@ fn arithmetic(threads: usize) -> f64 {
     operations / started.elapsed().as_secs_f64()
 }
 
-/// Float instructions of a kernel's module, all modes together. Kernels have no loops but in `scatter_sheet`.
+/// Float instructions of a kernel's module, all modes together. Kernels have no loops but in those that scatter cells.
 fn operations(kernel: &str) -> Result<u64, Failure> {
     let bytes = vitrum_shaders::spirv(kernel).ok_or_else(|| Failure::Setup(format!("{kernel} has no module")))?;
     let words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);

@@ -27,9 +27,9 @@ const LEAST: [(&str, [f64; 2]); 10] = [
     ("sweep_gather_light", [40.0, 40.0]),
     ("sweep_refract_light", [11.9, 2.8]),
     ("sweep_concentrate_light", [20.0, 20.0]),
-    // Without instructions for scattered reads that pay, AVX2 has no vector code for most of sheets' bodies, where they meet the box's
+    // Without instructions for scattered reads that pay, AVX2 has no vector code for most of the nodes' bodies, where they meet the box's
     // border as little as elsewhere.
-    ("sweep_advance_sheet", [17.0, 0.18]),
+    ("sweep_advance_nodes", [17.0, 0.18]),
     // With AVX2 the bodies at the border, and of two volumes in pages one more, stay scalar code.
     ("sweep_propagate_rays_f32_with_ior_paged", [17.0, 1.24]),
     ("sweep_propagate_rays_f32_with_ior", [17.0, 2.4]),

@@ -1,6 +1,9 @@
 //! Records: fields, components and names say the same.
 
-use vitrum_kernels::abi::record::{film, irradiance, light, mirror, path, probe, ray, sheet, trace, view};
+use vitrum_kernels::abi::record::{
+    carried, carried_clear, carried_straight, film, irradiance, light, mirror, node, path, probe, ray, received, trace,
+    view,
+};
 use vitrum_kernels::kernel::{ALL, Access};
 
 /// Component numbers as components.
@@ -16,14 +19,18 @@ fn records_are_stored_as_they_are_loaded() {
         };
     }
     hold!(
+        carried::Carried,
+        carried_clear::CarriedClear,
+        carried_straight::CarriedStraight,
         film::Pixel,
         irradiance::Irradiance,
         light::Light,
         mirror::Mirror,
+        node::Node,
         path::Path,
         probe::Results,
         ray::Ray,
-        sheet::SheetNode,
+        received::Received,
         trace::Trace,
         view::MeshPixel,
     );

@@ -20,6 +20,7 @@ use vitrum_kernels::abi::sweep::{Step, SweepUniforms};
 use vitrum_kernels::abi::vector::{Affine, Counts, Size, Vec3};
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
 use vitrum_kernels::abi::voxels::{ShadowMap, VoxelsUniforms};
+use vitrum_kernels::abi::wavefront::{ReceiverMap, Wavefront};
 use vitrum_kernels::kernel::ALL;
 use vitrum_shader_manifest::Manifest;
 
@@ -114,6 +115,19 @@ fn of_environment() -> Vec<Field> {
     })
 }
 
+fn of_size() -> Vec<Field> {
+    fields!(Size { width, height })
+}
+
+#[rustfmt::skip]
+fn of_wavefront() -> Vec<Field> {
+    let of_map = fields!(ReceiverMap { size: of_size(), texels, margin, ground, wall });
+    fields!(Wavefront {
+        row_x: of_affine(), row_y: of_affine(), row_z: of_affine(), spherical, cells: of_size(), corner_x, corner_y, cell, inverse_cell,
+        first_depth, inverse_step, first_sample, bricks: of_counts(), layer, list, map: of_map, source: of_vec3(), observed, softness,
+    })
+}
+
 #[rustfmt::skip]
 fn sweep_uniforms() -> Vec<Field> {
     let of_region = fields!(Region { first_column, first_row, end_column, end_row });
@@ -124,8 +138,8 @@ fn sweep_uniforms() -> Vec<Field> {
     let of_taps = fields!(Taps { first_x, first_y, second_x, second_y, third_x, third_y });
     let of_clip = || fields!(Clip { plane: of_affine(), everything });
     fields!(SweepUniforms {
-        dispatch: of_dispatch(), flags, region: of_region, picture: fields!(Size { width, height }), irradiance_start,
-        step: of_step, grid: of_grid(), ior_grid: of_grid(), light_grid: of_light_grid, light: of_light(), sheet_share, taps: of_taps,
+        dispatch: of_dispatch(), flags, region: of_region, picture: of_size(), irradiance_start,
+        step: of_step, grid: of_grid(), ior_grid: of_grid(), light_grid: of_light_grid, light: of_light(), wavefront: of_wavefront(), taps: of_taps,
         camera: of_camera(), receivers: of_receivers(), clip_0: of_clip(), clip_1: of_clip(), clip_2: of_clip(), clip_3: of_clip(),
         ambient: of_vec3(), roughness, specular, environment: of_environment(),
     })
@@ -176,7 +190,7 @@ fn beams_uniforms() -> Vec<Field> {
         nodes, columns, rows, layers, first, first_phase,
     });
     fields!(BeamsUniforms {
-        dispatch: of_dispatch(), picture: fields!(Size { width, height }), camera: of_camera(), right: of_vec3(), up: of_vec3(),
+        dispatch: of_dispatch(), picture: of_size(), camera: of_camera(), right: of_vec3(), up: of_vec3(),
         away: of_vec3(), eye: of_vec3(), voxel, low: of_vec3(), high: of_vec3(), light: of_light_source(), lattice: of_lattice,
         limits: of_limits, medium: of_medium, receivers: of_receivers(), environment: of_environment(), ambient: of_vec3(), flags,
         sums: fields!(Sums { scale, levels, pixels_1, pixels_2, pixels_3, pixels_4, rows_2, rows_3, rows_4, rows }),

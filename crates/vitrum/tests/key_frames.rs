@@ -14,9 +14,9 @@ fn keys(text: &str) -> KeyFrames {
 #[test]
 fn every_kind_of_key_moves() {
     let keys = keys(
-        "[[key]]\nframe = 0\ncamera.azimuth = -30\nlight.0.color = [0, 1, 2]\nsweep.sheets = 2\nshading.specular = 1\n\
-         environment.visible = true\nsweep.light = \"sheets\"\n\
-         [[key]]\ntime = 1\ncamera = { azimuth = 30 }\nlight.0.color = [1, 1, 0]\nsweep.sheets = 5\n\
+        "[[key]]\nframe = 0\ncamera.azimuth = -30\nlight.0.color = [0, 1, 2]\nsweep.wavelengths = 3\nshading.specular = 1\n\
+         environment.visible = true\nsweep.light = \"forward\"\n\
+         [[key]]\ntime = 1\ncamera = { azimuth = 30 }\nlight.0.color = [1, 1, 0]\nsweep.wavelengths = 6\n\
          environment.visible = false\n",
     );
     assert_eq!(keys.last_frame(), 10.0);
@@ -26,7 +26,7 @@ fn every_kind_of_key_moves() {
         assert!((at(frame).camera.azimuth - azimuth).abs() < 1e-5, "{frame}");
     }
     assert_eq!(at(5).light[0].color, [0.5, 1.0, 1.0]);
-    assert_eq!([at(0), at(1), at(2), at(5), at(10)].map(|scene| scene.sweep.sheets), [2, 2, 3, 4, 5]);
+    assert_eq!([at(0), at(1), at(2), at(5), at(10)].map(|scene| scene.sweep.wavelengths), [3, 3, 4, 5, 6]);
     assert_eq!([at(0), at(9), at(10)].map(|scene| scene.environment.visible), [true, true, false]);
     assert_eq!(at(7).shading.specular, 1.0);
     assert!(

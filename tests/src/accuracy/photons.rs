@@ -20,29 +20,44 @@ const REFERENCE: u32 = 8;
 /// The fewest photons of a reference.
 const FEWEST: u32 = 2_000_000;
 
+/// A count of photons.
+struct Reference {
+    photons: u32,
+    light: Vec<Vec<f64>>,
+}
+
+/// The photons of a subject, as many as it takes.
+fn referenced(subject: &Subject) -> Reference {
+    let count = |across: u32| subject.texels() * across * across;
+    let across = (REFERENCE..).find(|&across| count(across) >= FEWEST).unwrap_or(REFERENCE);
+    Reference { photons: count(across), light: subject.photons(across) }
+}
+
 /// Both comparisons with photons, for each scene.
 pub fn photons(_: &mut dyn Backend) -> Result<Section, Failure> {
     let mut rows = Vec::new();
     let mut series = Vec::new();
     for scene in SCENES {
-        let subject = Subject::new(scene, EDGE, RESOLUTION)?;
-        // As many as it takes.
+        let subject = Subject::new(scene, EDGE, RESOLUTION, Transport::Texels)?;
         let count = |across: u32| subject.texels() * across * across;
-        let across = (REFERENCE..).find(|&across| count(across) >= FEWEST).unwrap_or(REFERENCE);
-        let reference = subject.photons(across);
-        let [texels, sheets] =
-            [Transport::Texels, Transport::Sheets].map(|carried| subject.sweep_against(carried, &reference));
-        for ((plane, texels), sheets) in ["⅓", "⅔", "last"].into_iter().zip(texels).zip(sheets) {
+        let reference = referenced(&subject);
+        let texels = subject.sweep_against(&reference.light);
+        let forward = Subject::new(scene, EDGE, RESOLUTION, Transport::Forward)?;
+        let of_forward = referenced(&forward);
+        let forward = forward.sweep_against(&of_forward.light);
+        for ((plane, texels), forward) in ["⅓", "⅔", "last"].into_iter().zip(texels).zip(forward) {
             rows.push([
                 format!("`{scene}`"),
-                count(across).to_string(),
                 plane.to_owned(),
+                reference.photons.to_string(),
                 format!("{:.1} %", texels.misplaced * 100.0),
                 format!("{:.3}", texels.flux),
-                format!("{:.1} %", sheets.misplaced * 100.0),
-                format!("{:.3}", sheets.flux),
+                of_forward.photons.to_string(),
+                format!("{:.1} %", forward.misplaced * 100.0),
+                format!("{:.3}", forward.flux),
             ]);
         }
+        let reference = reference.light;
         let error = |across: u32| {
             let compared = subject.compare(&reference, &subject.photons(across));
             // All three planes, since a photon that strays does so on any of them.
@@ -53,11 +68,12 @@ pub fn photons(_: &mut dyn Backend) -> Result<Section, Failure> {
     }
     let header = [
         "scene",
-        "photons",
         "plane",
+        "photons",
         "texels: light in another place",
         "flux",
-        "sheets: light in another place",
+        "photons",
+        "forward: light in another place",
         "flux",
     ];
     let sweep = aligned(header.map(str::to_owned), rows);

@@ -55,7 +55,7 @@ const SLAB_SETUP: &str = "64 voxels and 49 light texels a period, planes every v
 const FINE_SLAB_SETUP: &str = "64 voxels and 98 light texels a period, planes every voxel";
 const SHEAR: &str = "slab η = 1 + a·x·y shears light: irradiance 1/(1 − (Z/f)²)";
 const FLUX: &str = "without absorption the flux is the same through all planes";
-const SPOT: &str = "share of a ball lens's light inside a radius, light as sheets";
+const SPOT: &str = "share of a ball lens's light inside a radius, light carried forward";
 const PRISM: &str = "60° prism of crown glass (n = 1.5168, V = 64.17) at 486.1 and 656.3 nm";
 const PRISM_SETUP: &str = "96³ voxels, faces twelve voxels thick";
 const BEER: &str = "Beer–Lambert through a box at 0°, 30°, 45°";
@@ -123,7 +123,7 @@ lines! {
     CUT_TURN: BLOCK, CUT_SETUP, PLATE_TURN, 1.05e-7, 2.1e-7;
     CUT_SIDE: BLOCK, CUT_SETUP, PLATE_SIDE, 1.24e-6, 2.4e-6;
     FILLED_SLAB_TEXELS: FILLED_SLAB, FILLED_SLAB_SETUP, "the irradiance on the axis, light on texels, relative", 0.026, 0.05;
-    FILLED_SLAB_SHEETS: FILLED_SLAB, FILLED_SLAB_SETUP, "the irradiance on the axis, light as sheets, relative", 0.0057, 0.011;
+    FILLED_SLAB_FORWARD: FILLED_SLAB, FILLED_SLAB_SETUP, "the irradiance on the axis, light carried forward, relative", 0.0057, 0.011;
 
     LUNEBURG_CENTRAL: LUNEBURG, "128³ voxels, central ∇η", MISS, 8.9e-4, 1.7e-3;
     LUNEBURG_CHAIN: LUNEBURG, "128³ voxels, ∇η by the chain rule", MISS, 8.2e-4, 1.6e-3;
@@ -159,7 +159,7 @@ lines! {
 
     FLUX_TEXELS: FLUX, "64³ voxels, a weak lens, light at 0° and 30°", "the flux, relative", 9.5e-9, 1.9e-8, elsewhere 1e-5;
     FLUX_FOCUS: FLUX, "`glass`, `ball` and a ball of index 2.4, 160² pixels, all planes, sources of up to 2°, planes every ½, 1, 2 voxels", "the flux where it is more than there was, relative", 2.0e-9, 4.0e-9, elsewhere 1e-5;
-    FLUX_SHEETS: FLUX, "48³ voxels, light as sheets at 0° and 30°, through a focus", "the flux, relative", 2.7e-8, 5.4e-8, elsewhere 1e-5;
+    FLUX_FORWARD: FLUX, "48³ voxels, light carried forward at 0° and 30°, through a focus", "the flux, relative", 2.7e-8, 5.4e-8, elsewhere 1e-5;
 
     SPOT_FOCUS: SPOT, "192³ voxels, surface five voxels thick; z = 1.5, a = 0.05 to 0.5: its focus", "the share, relative", 0.036, 0.04;
     SPOT_BEHIND: SPOT, "the same; z = 2, a = 0.1 to 0.5", "the share, relative", 0.023, 0.03;
@@ -175,7 +175,7 @@ lines! {
     COMPOSITING_OPACITY: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the opacity", 5.3e-7, 1e-6, elsewhere 2e-3;
     COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 0.010, 0.012;
 
-    OUTLIER_FILM: OUTLIER, "48³ voxels of 8 bits, 16 bits and floats; texels, sheets, pages, two volumes", "the film", 0.0, 0.0, elsewhere 1e-3;
+    OUTLIER_FILM: OUTLIER, "48³ voxels of 8 bits, 16 bits and floats; texels, forward, pages, two volumes", "the film", 0.0, 0.0, elsewhere 1e-3;
     OUTLIER_TURN: OUTLIER, "32³ voxels, η = 1 + 0.05 x (1 − y²)", "the direction, degrees", 0.0, 0.0, elsewhere 1e-3;
     PEAK_ALONE: PEAK, PEAK_SETUP, "the opacity", 6.7e-6, 1.3e-5, elsewhere 1e-4;
     PEAK_BESIDE: PEAK, "the same, with a ramp at the end of the range", "the opacity", 2.2e-3, 4.4e-3;

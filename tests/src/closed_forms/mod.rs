@@ -133,28 +133,40 @@ pub fn orthographic_frame(size: f64) -> (f64, f64) {
     (0.87 * radius, -4.0 * radius)
 }
 
-/// The red plane irradiance of the texels on the planes that `at` chooses, in the course of a frame.
+/// The red plane irradiance of the texels on the planes that `at` chooses, in the course of a frame. Where a wavefront carries the light, it is that of
+/// its cells on its own planes ([`Sweep::light_planes`]), and on up to [`BEYOND`] planes behind the last one, as it flies on.
 ///
 /// # Panics
 /// If the backend fails.
 pub fn light_on_planes(
-    sweep: &mut Sweep,
+    sweep: &Sweep,
     backend: &mut dyn Backend,
     at: impl Fn(u32) -> bool,
     mut look: impl FnMut(u32, &[f32]),
 ) {
     let texels = (sweep.light_grid.size[0] * sweep.light_grid.size[1]) as usize;
-    let mut plane = 0;
-    for pass in std::mem::take(&mut sweep.passes.passes) {
-        let ends_plane = pass.kernel.declaration.name == "sweep_concentrate_light";
-        sweep.passes.passes.push(pass);
-        if ends_plane {
-            if at(plane) {
-                sweep.run(backend, &mut |_| true).expect("the passes run");
-                sweep.passes.passes.clear();
-                look(plane, &sweep.irradiance_on(plane, backend).expect("the light can be read")[..texels]);
-            }
-            plane += 1;
+    let forward = sweep.light_view().is_some();
+    let ends = if forward { ["sweep_initialize_nodes", "sweep_advance_nodes"] } else { ["sweep_concentrate_light"; 2] };
+    let passes = &sweep.passes.passes;
+    let ends_plane = |pass: &usize| ends.contains(&passes[*pass].kernel.declaration.family);
+    let last = sweep.light_planes().count - 1;
+    let mut see = |plane: u32, backend: &mut dyn Backend| {
+        if at(plane) {
+            look(plane, &sweep.irradiance_on(plane, backend).expect("the light can be read")[..texels]);
         }
+    };
+    let mut done = 0;
+    for (plane, pass) in (0..).zip((0..passes.len()).filter(ends_plane)) {
+        if at(plane) || plane == last {
+            backend.run(&sweep.passes.part(done, pass + 1), &mut |_| true).expect("the passes run");
+            done = pass + 1;
+        }
+        see(plane, backend);
+    }
+    if forward {
+        (last + 1..=last + BEYOND).for_each(|plane| see(plane, backend));
     }
 }
+
+/// Planes behind the last plane of a wavefront on which its light is looked at.
+pub const BEYOND: u32 = 256;

@@ -1,12 +1,12 @@
 //! 8: a ball lens, R = 1, n = 1.5: the share of its light inside radius a on the plane at distance z behind its centre. At z = 1.5 is
-//! the focus; behind it light crosses, and only sheets can carry that.
+//! the focus; behind it light crosses, and only light carried forward is right there.
 
 use crate::setup::{backends, cube, light_on_planes, refracting};
 use vitrum::backend::Backend;
-use vitrum::method::View;
 use vitrum::method::sweep::Sweep;
-use vitrum::scene::{Transport, Wall};
+use vitrum::scene::Transport;
 use vitrum::{Assets, OutputRequest};
+use vitrum_conformance::closed_forms::BEYOND;
 use vitrum_conformance::closed_forms::table::{self, larger};
 
 /// (z, a, share).
@@ -53,24 +53,21 @@ fn ratios(n: u32, backend: &mut dyn Backend) -> Vec<f64> {
         1.0 + 0.5 * t * t * (3.0 - 2.0 * t)
     });
     // Not a multiple of the voxels': light that samples every voxel at the same place sees its interpolation's error everywhere.
-    let mut scene = refracting(&volume, 217);
-    scene.sweep.light = Transport::Sheets;
-    scene.sweep.light_resolution = 1.0;
-    // So that planes reach it.
-    scene.wall = Some(Wall { distance: Some(3.1), ..Wall::default() });
-    let assets = Assets::from(volume.clone());
-    let view = View::new(&scene, &volume);
-    let mut sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend).expect("the scene is sound");
-    let (planes, grid) = (sweep.planes, sweep.light_grid);
-    let centre = view.point(Default::default());
+    let mut scene = refracting(&volume, 16);
+    scene.sweep.light = Transport::Forward;
+    scene.sweep.light_cells = Some(217);
+    let assets = Assets::from(volume);
+    let sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend).expect("the scene is sound");
+    let (planes, grid) = (sweep.light_planes(), sweep.light_grid);
+    let centre = sweep.light_view().expect("light is carried forward").point(Default::default());
     let nearest = |z: f64| {
         let off = |plane: &u32| (planes.depth(*plane) - centre.z - z).abs();
-        (0..planes.count).min_by(|a, b| off(a).total_cmp(&off(b))).expect("there are planes")
+        (0..planes.count + BEYOND).min_by(|a, b| off(a).total_cmp(&off(b))).expect("there are planes")
     };
     let wanted = TRUTH.map(|(z, ..)| nearest(z));
     let mut found = Vec::new();
     light_on_planes(
-        &mut sweep,
+        &sweep,
         backend,
         |plane| wanted.contains(&plane),
         |plane, light| {
@@ -95,7 +92,7 @@ fn ratios(n: u32, backend: &mut dyn Backend) -> Vec<f64> {
 }
 
 #[test]
-fn sheets_have_the_spot_behind_the_focus() {
+fn light_carried_forward_has_the_spot_behind_the_focus() {
     for mut backend in backends() {
         let coarse = ratios(96, backend.as_mut());
         let fine = ratios(192, backend.as_mut());
