@@ -2,7 +2,7 @@
 
 use crate::setup::{backends, cube, light_on_planes, refracting};
 use vitrum::method::sweep::Sweep;
-use vitrum::scene::{IorPoint, Transport, Wall};
+use vitrum::scene::{IorPoint, Transport};
 use vitrum::{Assets, OutputRequest};
 use vitrum_conformance::closed_forms::table::{self, larger};
 
