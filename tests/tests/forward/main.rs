@@ -17,7 +17,7 @@ use vitrum::backend::{Backend, CpuBackend};
 use vitrum_conformance::{Failure, adapter};
 
 /// The carrier of light that is judged: a value of `sweep.light`.
-const CARRIER: &str = "sheets";
+const CARRIER: &str = "forward";
 
 /// The steepest angle between light and viewing direction that the carrier takes, in degrees: carriers that go with the planes of the
 /// view take no light towards the camera.

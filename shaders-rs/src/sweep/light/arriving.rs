@@ -3,14 +3,16 @@
 //! A texel of the plane behind is a cell, whose edges lie half-way between the texels' middles and move with them. Its light falls on the
 //! texels that the moved cell covers, on each as much as it covers of it: all shares of a cell add up to 1. So whatever a texel looks at, all
 //! texels together never get more light than there was behind. Where cells do not overlap they leave no gaps: the light of a smooth map is
-//! that of its Jacobian.
+//! that of its Jacobian. Within a cell light rises or falls as it does between its neighbours, or a peak would be blurred by each plane that
+//! makes it narrower.
 
 use crate::abi::record::{light as record, trace as traced};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::{read, read_inside};
-use crate::math::{absolute, floor_to_int, max, min, select, xyz};
+use crate::math::{absolute, clamp, floor_to_int, max, min, select, xyz};
 use crate::sweep::light::around::Way;
 use crate::sweep::light::look_up::shift;
+use crate::sweep::light::slopes::limited;
 use crate::sweep::light::unoccluded::stays_on_texel;
 use spirv_std::glam::Vec3;
 
@@ -75,15 +77,35 @@ unsafe fn component<const NEAR: bool>(
     }
 }
 
-/// The share of a cell's light that falls on a texel at 0, along one axis: the cell is at `at`, and moved by `own`, those before and behind
-/// it by `before` and `behind`.
+/// The part of a cell that falls on a texel, along one axis.
+#[derive(Clone, Copy)]
+struct Part {
+    /// Its width over that of the cell.
+    share: f32,
+    /// That times the distance of its middle from that of the cell, over the cell's width.
+    moment: f32,
+}
+
+/// The part of a cell that falls on a texel at 0: the cell is at `at`, and moved by `own`, those before and behind it by `before` and
+/// `behind`.
 #[inline(always)]
-fn share(at: f32, before: f32, own: f32, behind: f32) -> f32 {
+fn part(at: f32, before: f32, own: f32, behind: f32) -> Part {
     let low = at - 0.5 + 0.5 * (before + own);
     let high = at + 0.5 + 0.5 * (own + behind);
-    let (middle, half) = (0.5 * (low + high), 0.5 * max(absolute(high - low), NARROWEST));
-    let covered = min(middle + half, 0.5) - max(middle - half, -0.5);
-    max(covered, 0.0) / (half + half)
+    let middle = 0.5 * (low + high);
+    let inverse = 1.0 / max(absolute(high - low), NARROWEST);
+    let (first, last) = (max((-0.5 - middle) * inverse, -0.5), min((0.5 - middle) * inverse, 0.5));
+    let share = max(last - first, 0.0);
+    let offset = 0.5 * (first + last);
+    // What was before is behind in a cell that is turned over.
+    Part { share, moment: share * select(high < low, -offset, offset) }
+}
+
+/// How light rises across a cell of light `own`, over that light, between cells of light `before` and `behind`. At most 1, so that no part
+/// of a cell is darker than black.
+#[inline(always)]
+fn rise(before: f32, own: f32, behind: f32) -> f32 {
+    clamp(limited(own - before, behind - own) / max(own, 1e-20), -1.0, 1.0)
 }
 
 /// `sum`, and what arrives from the texel `across` columns and `up` rows from the middle one.
@@ -110,18 +132,23 @@ unsafe fn add<const NEAR: bool>(
     };
     // SAFETY: the caller's promise.
     let light = |c: usize| unsafe { component::<NEAR>(u, behind, at, middle, (across, up), c, middle.outside) };
-    let column = (middle.across + across) as f32;
-    let row = (middle.up + up) as f32;
-    let share = share(column, ahead_x(-1), ahead_x(0), ahead_x(1)) * share(row, ahead_y(-1), ahead_y(0), ahead_y(1));
+    // SAFETY: the caller's promise.
+    let concentration = |right: i32, above: i32| unsafe {
+        let texel = (across + right, up + above);
+        component::<NEAR>(u, behind, at, middle, texel, record::CONCENTRATION, middle.outside)
+    };
+    let x = part((middle.across + across) as f32, ahead_x(-1), ahead_x(0), ahead_x(1));
+    let y = part((middle.up + up) as f32, ahead_y(-1), ahead_y(0), ahead_y(1));
+    let here = concentration(0, 0);
+    let rise_x = rise(concentration(-1, 0), here, concentration(1, 0));
+    let rise_y = rise(concentration(0, -1), here, concentration(0, 1));
+    let share = max(x.share * y.share + (rise_x * x.moment * y.share + rise_y * x.share * y.moment), 0.0);
     let red = light(record::FLUX);
     let (mut green, mut blue) = (red, red);
     if !clear {
         (green, blue) = (light(record::FLUX + 1), light(record::FLUX + 2));
     }
-    Arriving {
-        flux: sum.flux + Vec3::new(red, green, blue) * share,
-        concentration: sum.concentration + light(record::CONCENTRATION) * share,
-    }
+    Arriving { flux: sum.flux + Vec3::new(red, green, blue) * share, concentration: sum.concentration + here * share }
 }
 
 /// The light that arrives at the texel that a way back starts from.
