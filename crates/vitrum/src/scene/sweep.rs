@@ -44,10 +44,10 @@ pub enum Gradient {
 #[serde(rename_all = "snake_case")]
 pub enum Transport {
     /// A wavefront whose nodes are followed forward, along the light's own direction: right behind a focus, too, and from any side.
+    #[default]
     Forward,
     /// Texels, each with one direction that is followed back (sweep §4.2, the paper's method): right before a focus, too dark behind it, and only for
     /// light that goes away from the camera.
-    #[default]
     Texels,
 }
 
@@ -95,7 +95,7 @@ impl Default for Sweep {
     fn default() -> Self {
         Self {
             sample_distance: 1.0,
-            light: Transport::Texels,
+            light: Transport::Forward,
             light_cells: None,
             light_resolution: 0.75,
             light_margin: 0.05,

@@ -195,7 +195,10 @@ pub fn scatter<S: Sums + ?Sized>(
                 );
                 if soft {
                     let size = Vec2::new(clamp(size.x, 1.0, WIDEST_SOFT), clamp(size.y, 1.0, WIDEST_SOFT));
-                    spread_softly::<S>(sums, target, (centre, size), edge, flux);
+                    // Variances add up: the part has some of that of the disc.
+                    let part = 0.5 * (size.x + size.y);
+                    let square = max(3.0 * blur * blur - part * part, SHORTEST * SHORTEST);
+                    spread_softly::<S>(sums, target, (centre, size), sqrt(square), flux);
                 } else {
                     let size = Vec2::new(clamp(size.x, NARROWEST, WIDEST), clamp(size.y, NARROWEST, WIDEST));
                     spread::<S>(sums, target, (centre, size), flux);
