@@ -1,7 +1,7 @@
 //! Records: fields, components and names say the same.
 
 use vitrum_kernels::abi::record::{
-    carried, carried_clear, carried_straight, film, irradiance, light, mirror, node, path, probe, ray, received, trace,
+    carried, carried_clear, carried_straight, film, irradiance, light, mirror, node, path, probe, projected, ray, received, trace,
     view,
 };
 use vitrum_kernels::kernel::{ALL, Access};
@@ -29,6 +29,7 @@ fn records_are_stored_as_they_are_loaded() {
         node::Node,
         path::Path,
         probe::Results,
+        projected::Projected,
         ray::Ray,
         received::Received,
         trace::Trace,
