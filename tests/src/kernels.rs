@@ -27,6 +27,8 @@ use crate::run::{About, Run};
 
 /// Light that a wavefront carries.
 const FORWARD: &str = "sweep.light=forward";
+/// Light on texels, which cases have that do not name a carrier.
+const TEXELS: &str = "sweep.light=texels";
 
 /// Small cases that together run every kernel in every mode.
 ///
@@ -34,7 +36,8 @@ const FORWARD: &str = "sweep.light=forward";
 /// None that built-in scenes cause.
 pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
     let case = |label: &str, scene: &str, settings: &[&str]| {
-        let case = Case::builtin(scene, edge, Some(resolution), settings)?;
+        let carrier: &[&str] = if settings.contains(&FORWARD) { &[] } else { &[TEXELS] };
+        let case = Case::builtin(scene, edge, Some(resolution), &[carrier, settings].concat())?;
         Ok::<_, Failure>(Case { name: label.to_owned(), ..case })
     };
     let euler = ["sweep.integrator=euler", "sweep.intensity=paper", "camera.projection=orthographic"];

@@ -21,7 +21,7 @@ struct Setup {
     resolution: u32,
     /// Sample distance in voxels of [`RESOLUTION`].
     sample_distance: f32,
-    light_resolution: f32,
+    light_cells: u32,
     threads: usize,
 }
 
@@ -29,8 +29,7 @@ impl Setup {
     fn case(self) -> Result<Case, Failure> {
         // The planes stay where they are when voxels become finer.
         let distance = self.sample_distance * self.resolution as f32 / RESOLUTION as f32;
-        let settings =
-            [format!("sweep.sample_distance={distance}"), format!("sweep.light_resolution={}", self.light_resolution)];
+        let settings = [format!("sweep.sample_distance={distance}"), format!("sweep.light_cells={}", self.light_cells)];
         Case::builtin("glass", self.edge, Some(self.resolution), &settings.each_ref().map(String::as_str))
             .map(Case::without_light)
     }
@@ -45,7 +44,7 @@ struct Quantity {
 }
 
 fn quantities(threads: usize) -> Vec<Quantity> {
-    let base = Setup { edge: EDGE, resolution: RESOLUTION, sample_distance: 1.0, light_resolution: 0.75, threads };
+    let base = Setup { edge: EDGE, resolution: RESOLUTION, sample_distance: 1.0, light_cells: 256, threads };
     let powers = |to: usize| (0..).map(|power| 1 << power).take_while(move |&count| count <= to);
     vec![
         Quantity {
@@ -64,8 +63,8 @@ fn quantities(threads: usize) -> Vec<Quantity> {
             amount: |setup, _| f64::from(setup.resolution).powi(3),
         },
         Quantity {
-            name: "light texels",
-            setups: [0.25, 0.5, 1.0, 2.0].map(|light_resolution| Setup { light_resolution, ..base }).to_vec(),
+            name: "cells of light",
+            setups: [64, 128, 256, 512].map(|light_cells| Setup { light_cells, ..base }).to_vec(),
             amount: |_, frame| frame.statistics.light_texels.unwrap_or_default().map(f64::from).iter().product(),
         },
         Quantity {

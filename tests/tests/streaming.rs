@@ -44,7 +44,7 @@ const FROM_ABOVE: &str = "camera.elevation=41";
 
 /// Scenes with planes across the voxels in all ways.
 fn cases() -> Result<Vec<Case>, Failure> {
-    let forward = "sweep.light=forward";
+    let texels = "sweep.light=texels";
     let no_skipping = "sweep.empty_space_skipping=false";
     Ok(vec![
         case("ball", &[])?,
@@ -52,22 +52,22 @@ fn cases() -> Result<Vec<Case>, Failure> {
         case("ball", &[OBLIQUE, no_skipping, "sweep.gradient=chain"])?,
         case(
             "ball",
-            &["camera.azimuth=45", "camera.elevation=35.26", "camera.roll=30", forward, "light.0.angular_radius=2"],
+            &["camera.azimuth=45", "camera.elevation=35.26", "camera.roll=30", texels, "light.0.angular_radius=2"],
         )?,
         case("ball", &["camera.zoom=5", "camera.elevation=-30", "sweep.sample_distance=0.5"])?,
         case("phantom", &[OBLIQUE, FROM_ABOVE])?,
         case("phantom", &["camera.projection=orthographic", FROM_ABOVE, no_skipping])?,
         case("phantom", &["light.0.shadows=false", "sweep.refraction=false", OBLIQUE])?,
-        case("phantom/translucent", &[OBLIQUE, "camera.elevation=-60", forward, "sweep.sample_distance=2"])?,
-        case("head", &["camera.azimuth=120", FROM_ABOVE, "sweep.integrator=euler", "sweep.intensity=paper"])?,
-        case("head", &[OBLIQUE, forward])?.in_bytes()?,
+        case("phantom/translucent", &[OBLIQUE, "camera.elevation=-60", texels, "sweep.sample_distance=2"])?,
+        case("head", &["camera.azimuth=120", FROM_ABOVE, "sweep.integrator=euler", texels, "sweep.intensity=paper"])?,
+        case("head", &[OBLIQUE, texels])?.in_bytes()?,
         noisy(case("phantom", &[OBLIQUE, FROM_ABOVE])?)?,
         noisy(case("phantom", &[FROM_ABOVE, "sweep.refraction=false", "camera.field_of_view=70"])?)?,
         case("luneburg", &[OBLIQUE, FROM_ABOVE])?,
-        case("luneburg", &[OBLIQUE, forward, no_skipping, "sweep.gradient=chain"])?,
+        case("luneburg", &[OBLIQUE, texels, no_skipping, "sweep.gradient=chain"])?,
         case("luneburg", &["camera.elevation=-50", "light.0.shadows=false", "sweep.refraction=false"])?,
         case("combustion/mixture", &[OBLIQUE, FROM_ABOVE])?,
-        case("combustion/mixture", &[FROM_ABOVE, forward, no_skipping])?,
+        case("combustion/mixture", &[FROM_ABOVE, texels, no_skipping])?,
         two_of_integers([RESOLUTION, 37], &[OBLIQUE, FROM_ABOVE])?,
         two_of_integers([RESOLUTION, 37], &["sweep.gradient=chain", "camera.azimuth=-30"])?,
         reshaped([3, 61, 40], [0.5, 0.04, 0.05])?,

@@ -18,6 +18,7 @@ fn every_plane_gets_the_same_flux() {
         for azimuth in [0.0f32, 30.0] {
             let mut scene = refracting(&volume, 128);
             scene.light[0].azimuth = azimuth;
+            scene.sweep.light = Transport::Texels;
             scene.sweep.light_margin = 0.3;
             let sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend.as_mut())
                 .expect("the scene is sound");
@@ -57,6 +58,7 @@ fn behind_a_focus_there_is_no_more_light_than_before() {
             scene.film.width = if ior > 2.0 { 160 } else { 110 };
             scene.film.height = scene.film.width;
             scene.volume.resolution = Some(resolution);
+            scene.sweep.light = Transport::Texels;
             if name == "ball" {
                 scene.transfer.ior = vec![IorPoint::new(0.0, 1.0), IorPoint::new(1.0, ior)];
             }

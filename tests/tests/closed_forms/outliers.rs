@@ -86,15 +86,15 @@ fn an_outlier_changes_nothing_beside_it() {
         for (volume, outlier) in [(&floats, 8e5), (&floats, -8e5), (&bytes, 255.0), (&words, 65_535.0)] {
             let changed = with_outlier(volume, outlier);
             let mut scenes = vec![everything(volume.range)];
-            let mut forward = everything(volume.range);
-            forward.sweep.light = Transport::Forward;
-            forward.sweep.gradient = Gradient::Chain;
+            let mut texels = everything(volume.range);
+            texels.sweep.light = Transport::Texels;
+            texels.sweep.gradient = Gradient::Chain;
             let mut default = everything(volume.range);
             default.transfer.opacity.clear();
             let mut straight = everything(volume.range);
             straight.sweep.refraction = false;
             straight.transfer.filter.clear();
-            scenes.extend([forward, default, straight]);
+            scenes.extend([texels, default, straight]);
             for scene in scenes {
                 for streamed in [false, true] {
                     let [one, other] = [volume, &changed]
