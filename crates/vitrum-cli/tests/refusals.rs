@@ -42,6 +42,7 @@ fn lights_that_cannot_be_rendered_exit_3() {
         ("kind = \"point\"", &["scene.toml, line 3", "a point light needs a `position`"][..]),
         ("kind = \"spot\"\nposition = [0, 0, 9]\ncone_angle = 0", &["line 6", "found 0", "0.1 to 89"]),
         ("kind = \"spot\"\nposition = [0, 0, 9]\ncone_angle = 180", &["line 6", "found 180", "0.1 to 89"]),
+        ("kind = \"spot\"\nposition = [0, 0, 9]\ncone_angle = 90", &["line 6", "found 90", "0.1 to 89"]),
         ("kind = \"point\"\nposition = [0, 0, 9]\nintensity = -1", &["line 6", "found -1"]),
         (
             "kind = \"point\"\nposition = [0.1, 0, 0.2]",
@@ -54,6 +55,22 @@ fn lights_that_cannot_be_rendered_exit_3() {
             format!("method = \"voxels\"\nmesh = [{{ builtin = \"torus\" }}]\n[[light]]\n{light}\n"),
         );
         folder.refuse(&["render", "scene.toml", "-o", "out.png"], 3, words);
+    }
+}
+
+#[test]
+fn more_lights_than_a_scene_has_room_for_exit_3() {
+    let folder = Folder::new();
+    let render = ["render", "scene.toml", "-o", "out.png"];
+    let lights = |count: usize| format!("volume.builtin = \"ball\"\n{}", "[[light]]\n".repeat(count));
+    folder.write("scene.toml", lights(17));
+    folder.refuse(&render, 3, &["scene.toml", "`light`", "a list of 17 items", "at most 16 items"]);
+    folder.write("scene.toml", "volume.builtin = \"ball\"\n[[light]]\nintensity = -0.5\n");
+    folder.refuse(&render, 3, &["line 3", "`light.0.intensity`", "found -0.5", "0 to 1"]);
+    for (value, words) in [("257", "found 257"), ("-1", "found -1"), ("2.5", "found 2.5"), ("\"all\"", "found \"all\"")]
+    {
+        folder.write("scene.toml", format!("volume.builtin = \"ball\"\n[environment]\nlights = {value}\n"));
+        folder.refuse(&render, 3, &["line 3", "`environment.lights`", words, "0 to 256"]);
     }
 }
 

@@ -31,7 +31,7 @@ impl Watch for Small {
 
 #[test]
 fn light_carried_forward_fits_into_buffers() {
-    let (mut scene, assets) = small("ball/forward");
+    let (mut scene, assets) = small("ball");
     let mut backend = Watched::new(Small::default());
     for setting in [format!("sweep.light_cells={CELLS}"), "sweep.sample_distance=0.25".to_owned()] {
         scene.set(&setting).expect("it is a key");

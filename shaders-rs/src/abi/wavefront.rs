@@ -44,6 +44,8 @@ pub struct Wavefront {
     pub source: Vec3,
     /// Depth of the plane on which the light is an output.
     pub observed: f32,
+    /// Units in 1 of the sums of light on a plane: so few that the light of all cells together is no number of more than 31 bits.
+    pub units: f32,
     /// Tangent of the light's angular radius; 0 for a crisp light.
     pub softness: f32,
 }

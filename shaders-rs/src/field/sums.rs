@@ -154,6 +154,21 @@ pub fn add<S: Sums + ?Sized>(sums: &mut S, index: i32, value: i32) {
     add_words(sums, index, value as u32, (value >> 31) as u32);
 }
 
+/// Adds to two sums of 32 bits each that share the 64 bits at `index`.
+#[inline(always)]
+pub fn add_both<S: Sums + ?Sized>(sums: &mut S, index: i32, first: i32, second: i32) {
+    add_words(sums, index, first as u32, second.wrapping_add(first >> 31) as u32);
+}
+
+/// The two sums that share the 64 bits at `index`, in units, as numbers.
+#[inline(always)]
+pub fn both(sums: &[u32], index: i32) -> (f32, f32) {
+    let first = read(sums, index) as i32;
+    // A negative first sum has borrowed from the second one.
+    let second = (read(sums, index + 1) as i32).wrapping_sub(first >> 31);
+    (first as f32, second as f32)
+}
+
 /// The two words, the low one first, that `value` units add to a sum: rounded to the nearest unit, or from 2³⁰ units on to the nearest 2²⁰; at most
 /// 2⁵⁰ units.
 #[inline(always)]

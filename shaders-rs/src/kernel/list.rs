@@ -48,7 +48,7 @@ kernels! {
         trace_light(light: f32) writes trace,
             levels [STILL NEAR FAR], skip [same];
         gather_light(behind: f32, trace: f32) writes light,
-            levels [STILL NEAR FAR], modes mode [STRAIGHT, CLEAR_STRAIGHT], skip [same];
+            levels [STILL NEAR FAR UNCONSERVED], modes mode [STRAIGHT, CLEAR_STRAIGHT], skip [same];
         refract_light<V>(volume, trace: f32) updates light,
             levels [FULL BORDER] few [BORDER],
             modes mode [STRAIGHT, CENTRAL, CHAIN, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL],

@@ -1,6 +1,6 @@
 //! The light on the texels of a receiver's map.
 
-use crate::abi::record::{Received, landed, received, sums};
+use crate::abi::record::{Received, landed, received};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::sums::sum;
 use crate::math::{floor_to_int, max, select, select_vector};
@@ -25,7 +25,7 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, landed: &[u32], nod
     let crisp = w.softness == 0.0;
     let unrefracted = select_vector(inside & crisp, there, Vec3::new(1.0, 1.0, 1.0));
     let base = ((y * u.dispatch.width + x) * landed::SIZE as u32) as i32;
-    let inverse = 1.0 / (area * sums::FLUX_SCALE);
+    let inverse = 1.0 / (area * landed::SCALE);
     let brought = Vec3::new(sum(landed, base), sum(landed, base + 2), sum(landed, base + 4)) * inverse;
     let share = unrefracted + brought;
     // Rounding must not leave a texel darker than black.

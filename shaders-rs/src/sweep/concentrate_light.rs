@@ -19,8 +19,8 @@ pub mod level {
     pub const BORDER: u32 = 3;
 }
 
-/// How far the product may exceed the Jacobian of the displacement. Approaching a focus both fall short of the truth, as
-/// interpolation blurs them, the product less: by 18 % at ¾ of the focal distance where the other misses 22 %.
+/// How far the concentration may exceed the Jacobian of the displacement. Approaching a focus both fall short of the truth, as
+/// interpolation blurs them, by 17 to 22 % at ¾ of the focal distance.
 const TRUSTED: f32 = 1.25;
 
 /// The level that texel (x, y) needs.
@@ -49,15 +49,11 @@ pub fn same(_u: &SweepUniforms) -> Option<Same<{ irradiance::SIZE }>> {
 
 /// The irradiance of texel (x, y), over that of unoccluded light, and its direction.
 ///
-/// The stored quantity is the irradiance E = L cos θ of the plane. Flux through the plane, E dS, is then conserved by the ratio of
-/// areas alone: E is that of unoccluded light, times what absorption has left, times the area that the texel's light would cover if
-/// it had not been refracted.
+/// The stored quantity is the irradiance E = L cos θ of the plane. Flux through the plane, E dS, is what texels carry: it is shared out
+/// from plane to plane so that none is created ([`super::light::arriving`]). Here it is only reduced.
 ///
-/// There are two measures of that area, equal where light spreads and gathers smoothly. The product over all planes (the
-/// paper's way) grows without bound behind a focus, where several sheets of light cross a texel that can carry one. The Jacobian
-/// of the whole displacement cannot: all texels together never come from much more than the whole grid. But where refracted
-/// light meets unrefracted light, interpolation has smoothed a jump of the displacement into a steep slope, whose light
-/// is not there. So the product counts, as far as the displacement agrees.
+/// Behind a focus several sheets of light cross a texel that can carry one direction, and their light gathers on few texels. The
+/// Jacobian of the whole displacement tells how much light there could be: where the light is denser than that, the rest does not count.
 #[inline(always)]
 pub fn invoke<const LEVEL: u32>(
     x: u32,
@@ -74,8 +70,8 @@ pub fn invoke<const LEVEL: u32>(
             slopes::<false>(u, light, record::DISPLACEMENT_X, 1.0, x, y)
         }
     };
-    let product = component::<LEVEL>(u, light, record::CONCENTRATION, x, y);
-    let bounded = min(1.0, jacobian(&slopes) * TRUSTED / max(product, 1e-20));
+    let concentration = component::<LEVEL>(u, light, record::CONCENTRATION, x, y);
+    let bounded = min(1.0, jacobian(&slopes) * TRUSTED / max(concentration, 1e-20));
     let as_it_is = u.flags & (flag::PAPER_INTENSITY | flag::NO_INTENSITY) != 0;
     let factor = select(as_it_is, 1.0, bounded);
     let v = Vec3::new(

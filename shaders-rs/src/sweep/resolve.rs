@@ -5,7 +5,7 @@ use crate::abi::receivers::ahead;
 use crate::abi::record::{Pixel, film, ray, status};
 use crate::abi::sweep::SweepUniforms;
 use crate::field::access::read;
-use crate::math::{length, lerp, max, normalize, select};
+use crate::math::{length, lerp, max, normalize, select, select_vector};
 use crate::optics::environment::{environment, in_environment};
 use crate::optics::receiver::{first_ahead, surface};
 use crate::optics::step::flight;
@@ -71,6 +71,7 @@ pub fn invoke(
     let at = position + unit * select(receiver.which == ahead::NOTHING, 0.0, receiver.distance);
     let seen = shade(u, normal, reflectance, &light_on(u, light, at, receiver.which == ahead::WALL));
     let met = (under_way | (fate == status::LEFT)) & (receiver.which != ahead::NOTHING);
+    let ended = select_vector(met, at, position);
     let clear = select(met, 1.0 - opacity, 0.0);
     color += (medium * seen) * clear;
     opacity += clear;
@@ -91,8 +92,8 @@ pub fn invoke(
         transmittance: medium,
         depth: depth_sum / max(opacity, 1e-12),
         direction: Vec3::new(unit.x, unit.y, -unit.z),
-        position: Vec3::new(position.x, position.y, -position.z),
-        status: select(fate == status::FOLLOWED, status::TURNED, fate),
+        position: Vec3::new(ended.x, ended.y, -ended.z),
+        status: select(met, status::ENDED, select(fate == status::FOLLOWED, status::TURNED, fate)),
     };
     pixel.store()
 }

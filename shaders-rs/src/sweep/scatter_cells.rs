@@ -1,24 +1,24 @@
 //! The light that refracted cells of the wavefront bring to the samples of a plane.
 //!
-//! A cell between four nodes is two triangles. Each gives its light to the samples inside, by area; one too small for that, as in a focus, to the
-//! samples around it. Cells that are less than half a sample from where unrefracted light is bring nothing here: [`super::collect_light`] finds their light
-//! in their place.
+//! A cell gives its light to the samples inside, by area; one too small for that, as in a focus, to the samples around it. A cell that is no convex
+//! quadrilateral is two triangles. Cells that are less than half a sample from where unrefracted light is bring nothing here:
+//! [`super::collect_light`] finds their light in their place.
 
 use crate::abi::record::{course, sums};
 use crate::abi::sweep::{SweepUniforms, mode};
-use crate::abi::wavefront::{BRICK, Wavefront};
-use crate::field::sums::{Sums, add, quantise};
+use crate::abi::wavefront::Wavefront;
+use crate::field::sums::{Sums, add_both, quantise};
 use crate::math::{absolute, floor_to_int, max, min};
 use crate::sweep::light::bricks::place;
-use crate::sweep::light::cell::{Cell, Corner, cell, course_of};
+use crate::sweep::light::cell::{Cell, Corner, cell, course_of, place_of};
 use spirv_std::glam::{Vec2, Vec3};
 
 /// Farther than any sample.
 const FAR: f32 = 65536.0;
-/// The least area of a triangle of which samples inside tell how much light it has, in samples.
+/// The least area of a shape of which the samples inside tell how much light it has, in samples.
 const SMALLEST: f32 = 0.25;
-/// The longest side of a triangle's box that is scattered, in samples. The light of a longer one is so thin that it is hardly seen. Besides, lavapipe ends the
-/// loops of eight invocations without a word after 65,535 rounds in all: two triangles of 64 × 64 / 2 samples make 33,000.
+/// The longest side of a shape's box that is scattered, in samples. The light of a longer one is so thin that it is hardly seen. Besides, lavapipe ends the
+/// loops of eight invocations without a word after 65,535 rounds in all: 64 × 64 samples make 33,000.
 const LONGEST: f32 = 64.0;
 
 /// Light, and the fluence times the difference of its direction.
@@ -39,17 +39,18 @@ fn bring<S: Sums + ?Sized>(
     share: f32,
 ) {
     let place = place(&u.wavefront, bricks, i, j);
-    if (place >= 0) & (share > 0.0) {
+    let units = u.wavefront.units * share;
+    if (place >= 0) & (units > 0.0) {
         let at = place * sums::SIZE as i32;
-        add(sums, at, quantise(light.fluence.x * share, sums::FLUX_SCALE));
+        let red = quantise(light.fluence.x, units);
+        let green = if mode::is_clear(chosen) { 0 } else { quantise(light.fluence.y, units) };
+        add_both(sums, at + sums::RED_AND_GREEN as i32, red, green);
         if !mode::is_clear(chosen) {
-            add(sums, at + 2, quantise(light.fluence.y * share, sums::FLUX_SCALE));
-            add(sums, at + 4, quantise(light.fluence.z * share, sums::FLUX_SCALE));
+            add_both(sums, at + sums::BLUE as i32, quantise(light.fluence.z, units), 0);
         }
         if u.specular > 0.0 {
-            let channel = 2 * sums::DIRECTION_X as i32;
-            add(sums, at + channel, quantise(light.aside.x * share, sums::DIRECTION_SCALE));
-            add(sums, at + channel + 2, quantise(light.aside.y * share, sums::DIRECTION_SCALE));
+            let (x, y) = (quantise(light.aside.x, units), quantise(light.aside.y, units));
+            add_both(sums, at + sums::DIRECTION as i32, x, y);
         }
     }
 }
@@ -66,10 +67,14 @@ fn bring_around<S: Sums + ?Sized>(
 ) {
     let (i, j) = (floor_to_int(at.x, -FAR, FAR), floor_to_int(at.y, -FAR, FAR));
     let (x, y) = (at.x - i as f32, at.y - j as f32);
-    bring::<S>(u, chosen, (bricks, sums), (i, j), light, share * (1.0 - x) * (1.0 - y));
-    bring::<S>(u, chosen, (bricks, sums), (i + 1, j), light, share * x * (1.0 - y));
-    bring::<S>(u, chosen, (bricks, sums), (i, j + 1), light, share * (1.0 - x) * y);
-    bring::<S>(u, chosen, (bricks, sums), (i + 1, j + 1), light, share * x * y);
+    let mut corner = 0;
+    while corner < 4 {
+        let (right, above) = (corner & 1, corner >> 1);
+        let across = if right != 0 { x } else { 1.0 - x };
+        let up = if above != 0 { y } else { 1.0 - y };
+        bring::<S>(u, chosen, (bricks, sums), (i + right, j + above), light, share * across * up);
+        corner += 1;
+    }
 }
 
 /// Where an edge crosses the line at height `y`: widens the range of places on that line.
@@ -80,6 +85,37 @@ fn crossed(p: Vec2, q: Vec2, y: f32, range: (f32, f32)) -> (f32, f32) {
         (min(range.0, x), max(range.1, x))
     } else {
         range
+    }
+}
+
+/// Adds light to the samples in the convex quadrilateral with these corners, one after the other around it; two of them may be the same.
+#[inline(always)]
+fn fill<S: Sums + ?Sized>(
+    u: &SweepUniforms,
+    chosen: u32,
+    (bricks, sums): (&[u32], &mut S),
+    corners: (Vec2, Vec2, Vec2, Vec2),
+    light: &Brought,
+    density: f32,
+) {
+    let (a, b, c, d) = corners;
+    let low = min(min(a.y, b.y), min(c.y, d.y));
+    let high = max(max(a.y, b.y), max(c.y, d.y));
+    let mut j = floor_to_int(low, -FAR, FAR) + 1;
+    let last = floor_to_int(high, -FAR, FAR);
+    while j <= last {
+        let y = j as f32;
+        let range = crossed(a, b, y, (FAR, -FAR));
+        let range = crossed(b, c, y, range);
+        let range = crossed(c, d, y, range);
+        let range = crossed(d, a, y, range);
+        // A sample on an edge belongs to the shape on its right.
+        let mut i = -floor_to_int(-range.0, -FAR, FAR);
+        while (i as f32) < range.1 {
+            bring::<S>(u, chosen, (bricks, sums), (i, j), light, density);
+            i += 1;
+        }
+        j += 1;
     }
 }
 
@@ -95,10 +131,7 @@ fn triangle<S: Sums + ?Sized>(
     let (in_a, in_b, in_c) = (counts(a), counts(b), counts(c));
     let followed = in_a + in_b + in_c;
     let fluence = a.fluence * in_a + b.fluence * in_b + c.fluence * in_c;
-    let of = |corner: &Corner, counted: f32| {
-        corner.aside * ((corner.fluence.x + corner.fluence.y + corner.fluence.z) * (1.0 / 3.0) * counted)
-    };
-    let aside = of(a, in_a) + of(b, in_b) + of(c, in_c);
+    let aside = a.fluence_aside() * in_a + b.fluence_aside() * in_b + c.fluence_aside() * in_c;
     let light = Brought { fluence: fluence * (1.0 / 6.0), aside: aside * (1.0 / 6.0) };
     let low = Vec2::new(min(min(a.at.x, b.at.x), c.at.x), min(min(a.at.y, b.at.y), c.at.y));
     let high = Vec2::new(max(max(a.at.x, b.at.x), c.at.x), max(max(a.at.y, b.at.y), c.at.y));
@@ -107,22 +140,7 @@ fn triangle<S: Sums + ?Sized>(
     let area = 0.5 * absolute(ab.x * ac.y - ab.y * ac.x);
     let whole = followed == 3.0;
     if whole & (area >= SMALLEST) & (extent <= LONGEST) {
-        let density = 1.0 / area;
-        let mut j = floor_to_int(low.y, -FAR, FAR) + 1;
-        let last = floor_to_int(high.y, -FAR, FAR);
-        while j <= last {
-            let y = j as f32;
-            let range = crossed(a.at, b.at, y, (FAR, -FAR));
-            let range = crossed(b.at, c.at, y, range);
-            let range = crossed(c.at, a.at, y, range);
-            // A sample on an edge belongs to the triangle on its right.
-            let mut i = -floor_to_int(-range.0, -FAR, FAR);
-            while (i as f32) < range.1 {
-                bring::<S>(u, chosen, (bricks, sums), (i, j), &light, density);
-                i += 1;
-            }
-            j += 1;
-        }
+        fill::<S>(u, chosen, (bricks, sums), (a.at, b.at, c.at, c.at), &light, 1.0 / area);
     } else if whole & (extent > 2.0) & (extent <= LONGEST) {
         // Long and thin: along the longest side.
         let (bc, size) = (c.at - b.at, |v: Vec2| absolute(v.x) + absolute(v.y));
@@ -154,12 +172,17 @@ fn triangle<S: Sums + ?Sized>(
 fn is_looked_at(w: &Wavefront, bricks: &[u32], low: Vec2, high: Vec2) -> bool {
     let (left, right) = (floor_to_int(low.x, -FAR, FAR), floor_to_int(high.x, -FAR, FAR) + 1);
     let (below, above) = (floor_to_int(low.y, -FAR, FAR), floor_to_int(high.y, -FAR, FAR) + 1);
-    let near = (right - left <= BRICK as i32) & (above - below <= BRICK as i32);
-    let any = (place(w, bricks, left, below) >= 0)
-        | (place(w, bricks, right, below) >= 0)
-        | (place(w, bricks, left, above) >= 0)
-        | (place(w, bricks, right, above) >= 0);
-    any | !near
+    let together = (left >> 3 == right >> 3) & (below >> 3 == above >> 3);
+    let near = (right - left <= 8) & (above - below <= 8);
+    if together {
+        place(w, bricks, left, below) >= 0
+    } else {
+        !near
+            | (place(w, bricks, left, below) >= 0)
+            | (place(w, bricks, right, below) >= 0)
+            | (place(w, bricks, left, above) >= 0)
+            | (place(w, bricks, right, above) >= 0)
+    }
 }
 
 /// Scatters cell (x, y).
@@ -177,17 +200,25 @@ pub fn invoke<S: Sums + ?Sized>(
     let courses = (course_of(w, projected, x, y) + course_of(w, projected, x + 1, y))
         + (course_of(w, projected, x, y + 1) + course_of(w, projected, x + 1, y + 1));
     if courses > 0.0 {
-        let cell = cell(w, projected, x, y);
-        let fluence = cell.fluence();
-        let dark = max(max(fluence.x, fluence.y), fluence.z) <= 0.0;
-        let Cell { a, b, c, d } = cell;
-        let low =
-            Vec2::new(min(min(a.at.x, b.at.x), min(c.at.x, d.at.x)), min(min(a.at.y, b.at.y), min(c.at.y, d.at.y)));
-        let high =
-            Vec2::new(max(max(a.at.x, b.at.x), max(c.at.x, d.at.x)), max(max(a.at.y, b.at.y), max(c.at.y, d.at.y)));
-        if !dark & !cell.stays(x, y) & is_looked_at(w, bricks, low, high) {
-            triangle::<S>(u, chosen, (bricks, sums), (&a, &b, &c));
-            triangle::<S>(u, chosen, (bricks, sums), (&d, &b, &c));
+        let (a, b) = (place_of(w, projected, x, y), place_of(w, projected, x + 1, y));
+        let (c, d) = (place_of(w, projected, x, y + 1), place_of(w, projected, x + 1, y + 1));
+        let low = Vec2::new(min(min(a.x, b.x), min(c.x, d.x)), min(min(a.y, b.y), min(c.y, d.y)));
+        let high = Vec2::new(max(max(a.x, b.x), max(c.x, d.x)), max(max(a.y, b.y), max(c.y, d.y)));
+        if is_looked_at(w, bricks, low, high) {
+            let cell = cell(w, projected, x, y);
+            let fluence = cell.fluence();
+            let dark = max(max(fluence.x, fluence.y), fluence.z) <= 0.0;
+            let extent = max(high.x - low.x, high.y - low.y);
+            if dark | cell.stays(x, y) {
+                // Nothing to bring.
+            } else if cell.is_convex() & (cell.area() >= 2.0 * SMALLEST) & (extent <= LONGEST) {
+                let light = Brought { fluence: fluence * 0.25, aside: cell.fluence_aside() * 0.25 };
+                fill::<S>(u, chosen, (bricks, sums), (a, b, d, c), &light, 1.0 / cell.area());
+            } else {
+                let Cell { a, b, c, d } = cell;
+                triangle::<S>(u, chosen, (bricks, sums), (&a, &b, &c));
+                triangle::<S>(u, chosen, (bricks, sums), (&d, &b, &c));
+            }
         }
     }
 }

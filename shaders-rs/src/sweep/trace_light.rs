@@ -21,7 +21,7 @@ pub mod level {
 }
 
 /// The way of light that stays on its texel.
-const STILL: Trace = Trace { across: 0.0, up: 0.0 };
+const STILL: Trace = Trace { across: 0.0, up: 0.0, ahead_x: 0.0, ahead_y: 0.0 };
 
 /// The direction at texel (x, y).
 #[inline(always)]
@@ -80,5 +80,11 @@ pub fn invoke<const LEVEL: u32>(x: u32, y: u32, u: &SweepUniforms, _mode: u32, l
     };
     let (second_x, second_y) = shift(u, v, u.step.distance);
     let euler = u.flags & flag::EULER != 0;
-    Trace { across: select(euler, first_x, second_x), up: select(euler, first_y, second_y) }.store()
+    Trace {
+        across: select(euler, first_x, second_x),
+        up: select(euler, first_y, second_y),
+        ahead_x: first_x,
+        ahead_y: first_y,
+    }
+    .store()
 }

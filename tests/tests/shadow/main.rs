@@ -2,6 +2,7 @@
 
 mod backends;
 mod coverage;
+mod environment;
 mod lights;
 mod pictures;
 mod points;

@@ -10,13 +10,12 @@ use vitrum_io::{Error, Volume};
 
 pub(super) const SCENES: &[SceneEntry] = &[
     ("ball", "a solid glass ball that casts its caustic on the ground", scene),
-    ("ball/forward", "the ball in light that is carried forward", forward),
+    ("ball/texels", "the ball in light on texels, as the paper carries it", texels),
 ];
 
-fn forward() -> Scene {
+fn texels() -> Scene {
     let mut scene = scene();
-    // Light that the rim deflects goes far.
-    scene.sweep.light = Transport::Forward;
+    scene.sweep.light = Transport::Texels;
     scene
 }
 

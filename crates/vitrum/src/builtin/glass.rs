@@ -26,7 +26,7 @@ pub(super) const SCENES: &[SceneEntry] = &[
     ("glass/beer", "medium colours and refraction, nothing opaque", beer),
     ("glass/juice", "a liquid dense with pigment, with a dark shadow on the wall", juice),
     ("glass/wine", "red wine in green glass", wine),
-    ("glass/forward", "the beer in crisp light that is carried forward: its foci are all there", forward),
+    ("glass/texels", "the beer in light on texels, as the paper carries it: its foci are missing", texels),
 ];
 
 fn base() -> Scene {
@@ -84,10 +84,9 @@ fn juice() -> Scene {
     scene
 }
 
-fn forward() -> Scene {
+fn texels() -> Scene {
     let mut scene = beer();
-    scene.light.iter_mut().for_each(|light| light.angular_radius = 0.0);
-    scene.sweep.light = Transport::Forward;
+    scene.sweep.light = Transport::Texels;
     scene
 }
 

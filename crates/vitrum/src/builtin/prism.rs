@@ -4,7 +4,7 @@ use super::SceneEntry;
 use super::curves::{colors, iors, opacities, procedural};
 use super::grid::Grid;
 use super::shapes::coverage;
-use crate::scene::{Camera, Ground, IorPoint, Light, Scene, Shading, TransferFunction, Transport, Wall};
+use crate::scene::{Camera, Ground, IorPoint, Light, Scene, Shading, TransferFunction, Wall};
 use glam::{Vec2, Vec3};
 use vitrum_io::{Error, Volume};
 
@@ -31,7 +31,6 @@ fn scene() -> Scene {
         wall: Some(Wall { distance: Some(2.2), azimuth: 0.0, color: [0.75, 0.75, 0.75] }),
         ..Scene::default()
     };
-    scene.sweep.light = Transport::Forward;
     scene.sweep.wavelengths = 7;
     scene
 }

@@ -1,27 +1,42 @@
 //! Frames with several lights: light adds up, so that such a frame is the sum of frames with one light each.
 
+use super::environment_lights::environment_lights;
 use super::sources::{ball, sources};
 use super::view::light::{axis, direction_of_light};
 use super::{Bounds, Exposure, Part, View};
 use crate::scene::{Attachment, Light, LightKind, Scene};
 use glam::DVec3;
+use vitrum_io::Picture;
 
 /// The exposures of a scene: the first has the first light and all radiance that is not of a light, each further one has a further
-/// light alone.
-pub(super) fn exposures(scene: &Scene) -> Vec<Exposure> {
-    let (first, others) = match scene.light.split_first() {
+/// light alone: one of the scene, or one in the place of its environment, whose map is `map`.
+pub(super) fn exposures(scene: &Scene, map: Option<&Picture>) -> Vec<Exposure> {
+    one_each(scene, &scene.light, &environment_lights(scene, map))
+}
+
+/// As [`exposures`], with crisp lights instead of soft ones. `bounds` are the subject's.
+pub(super) fn crisp_exposures(scene: &Scene, map: Option<&Picture>, bounds: Bounds) -> Vec<Exposure> {
+    let crisp = |lights: &[Light]| crisp(scene, lights, bounds);
+    one_each(scene, &crisp(&scene.light), &crisp(&environment_lights(scene, map)))
+}
+
+/// The exposures of a scene with these lights of its own and these in the place of its environment.
+fn one_each(scene: &Scene, own: &[Light], of_environment: &[Light]) -> Vec<Exposure> {
+    let mut scene = scene.clone();
+    scene.environment.lights = 0;
+    let (first, others) = match own.split_first() {
         Some((first, others)) => (vec![first.clone()], others),
-        None => (Vec::new(), &[][..]),
+        None => (Vec::new(), own),
     };
     let whole = Exposure::whole(Scene { light: first, ..scene.clone() });
-    let shining = others.iter().filter(|light| !is_black(light));
-    let alone = |light: &Light| Exposure { part: Part::Light, ..Exposure::whole(alone(scene, light)) };
+    let shining = others.iter().chain(of_environment).filter(|light| !is_black(light));
+    let alone = |light: &Light| Exposure { part: Part::Light, ..Exposure::whole(alone(&scene, light)) };
     std::iter::once(whole).chain(shining.map(alone)).collect()
 }
 
-/// The scene with crisp lights instead of soft ones: each light that casts soft shadows becomes `shadow.samples` lights that have its strength
+/// Crisp lights instead of soft ones: each of `lights` that casts soft shadows becomes `shadow.samples` lights that have its strength
 /// together, spread over its disc if it is distant, else over its ball. `bounds` are the subject's.
-pub(super) fn crisp(scene: &Scene, bounds: Bounds) -> Scene {
+pub(super) fn crisp(scene: &Scene, lights: &[Light], bounds: Bounds) -> Vec<Light> {
     let view = View::new(scene, bounds);
     let count = scene.shadow.samples;
     let split = |light: &Light| {
@@ -35,7 +50,7 @@ pub(super) fn crisp(scene: &Scene, bounds: Bounds) -> Scene {
         }
         .unwrap_or_else(|| vec![light.clone()])
     };
-    Scene { light: scene.light.iter().flat_map(split).collect(), ..scene.clone() }
+    lights.iter().flat_map(split).collect()
 }
 
 /// Distant lights over the disc of a soft distant light; `None` for a crisp one.
@@ -102,7 +117,7 @@ mod tests {
             (&[1.0, 2.0], &[Some(1.0), Some(2.0)]),
             (&[0.0, 0.0, 3.0], &[Some(0.0), Some(3.0)]),
         ] {
-            let exposures = exposures(&with(intensities));
+            let exposures = exposures(&with(intensities), None);
             let found: Vec<_> =
                 exposures.iter().map(|one| one.scene.light.first().map(|light| light.intensity)).collect();
             assert_eq!(found, expected);

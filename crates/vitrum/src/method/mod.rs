@@ -6,6 +6,7 @@
 pub mod beams;
 mod brick_distances;
 pub(crate) mod cache;
+mod environment_lights;
 mod lights;
 mod sources;
 pub mod spectrum;
@@ -44,8 +45,8 @@ pub trait Method: Sync {
     fn check(&self, scene: &Scene, assets: &Assets) -> Result<(), Error>;
 
     /// The exposures whose weighted sum is the frame: at least one; those of the part [`Part::Whole`] come first.
-    fn exposures(&self, scene: &Scene, _assets: &Assets) -> Vec<Exposure> {
-        lights::exposures(scene)
+    fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
+        lights::exposures(scene, assets.environment.as_deref())
     }
 
     /// Allocates the buffers of an exposure and lists its passes. Data that the next frame reads again stays in `cache`.

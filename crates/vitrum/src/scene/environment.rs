@@ -48,6 +48,10 @@ pub struct Environment {
     /// Factor on the environment's radiance.
     #[schemars(range(min = 0, max = 1e6))]
     pub intensity: f32,
+    /// Distant lights that shine in the place of the environment, each with the radiance of a region of it, whether it is visible or not; 0 if
+    /// it gives no light to surfaces. Each takes as long as a light of the scene.
+    #[schemars(range(min = 0, max = 256))]
+    pub lights: u32,
     /// Whether the environment shows in the picture; `false` makes the background transparent.
     pub visible: bool,
 }
@@ -63,6 +67,7 @@ impl Default for Environment {
             file: None,
             rotation: 0.0,
             intensity: 1.0,
+            lights: 0,
             visible: true,
         }
     }

@@ -44,10 +44,10 @@ pub enum Gradient {
 #[serde(rename_all = "snake_case")]
 pub enum Transport {
     /// A wavefront whose nodes are followed forward, along the light's own direction: right behind a focus, too, and from any side.
+    #[default]
     Forward,
     /// Texels, each with one direction that is followed back (sweep §4.2, the paper's method): right before a focus, too dark behind it, and only for
     /// light that goes away from the camera.
-    #[default]
     Texels,
 }
 
@@ -61,7 +61,7 @@ pub struct Sweep {
     /// Carrier of light from plane to plane.
     pub light: Transport,
     /// Cells along the longer side of the wavefront where `light` is `forward`; where none are given, as many as the volume has voxels there, at least
-    /// 192 and at most 512.
+    /// 160 and at most 400.
     #[schemars(range(min = 8, max = 4096), extend("x-unit" = "cells"))]
     pub light_cells: Option<u32>,
     /// Rule that advances a ray by one plane.
@@ -95,7 +95,7 @@ impl Default for Sweep {
     fn default() -> Self {
         Self {
             sample_distance: 1.0,
-            light: Transport::Texels,
+            light: Transport::Forward,
             light_cells: None,
             light_resolution: 0.75,
             light_margin: 0.05,

@@ -3,8 +3,7 @@
 record! {
     /// The light of a texel.
     light: Light {
-        /// Flux over that of unoccluded light, by absorption and by the product over the planes of how much denser refraction has
-        /// made it.
+        /// Flux over that of unoccluded light, by absorption and by how much denser refraction has made it.
         flux: Color,
         /// Optical direction v; z is depth.
         direction: Vec3,
@@ -12,7 +11,7 @@ record! {
         displacement_x: f32,
         /// Distance up from that texel, in texels.
         displacement_y: f32,
-        /// The product over the planes of how much denser refraction has made the light.
+        /// How much denser refraction has made the light: its flux without absorption.
         concentration: f32,
     }
 }
@@ -29,12 +28,16 @@ record! {
 }
 
 record! {
-    /// Where light comes from: the way to its texel from the plane behind.
+    /// The ways of light from the plane behind: the way to its texel from where its light comes, and that of the light on its texel there.
     trace: Trace {
         /// Across, in texels.
         across: f32,
         /// Up, in texels.
         up: f32,
+        /// The way from its texel of the plane behind on to this plane: across, in texels.
+        ahead_x: f32,
+        /// Up, in texels.
+        ahead_y: f32,
     }
 }
 

@@ -1,33 +1,19 @@
 //! Records of words and sums, whose components are no fields of a struct: bits, counts, and the halves of integers.
 
-/// Fixed-point sums of the light that refracted cells of the wavefront bring to a sample or a texel: for each channel a low and a high word, next to each other (not planar).
+/// Fixed-point sums of the light that refracted cells of the wavefront bring to a sample: pairs of sums of 32 bits, next to each other (not planar), in
+/// units of 1 / [`units`](crate::abi::wavefront::Wavefront::units).
 pub mod sums {
     /// Words.
-    pub const SIZE: usize = 2 * CHANNELS;
-    /// Channels.
-    pub const CHANNELS: usize = 5;
-    /// Flux over that of unoccluded light, red; green and blue follow.
-    pub const FLUX: usize = 0;
-    /// Flux (the mean of its colours) times the change of the unit direction's x; y follows.
-    pub const DIRECTION_X: usize = 3;
+    pub const SIZE: usize = 6;
+    /// Fluence over that of unoccluded light, red and green.
+    pub const RED_AND_GREEN: usize = 0;
+    /// Fluence (the mean of its colours) times the change of the unit direction's x, and of its y.
+    pub const DIRECTION: usize = 2;
+    /// Fluence, blue, and nothing.
+    pub const BLUE: usize = 4;
     /// The words' names.
     #[cfg(not(target_arch = "spirv"))]
-    pub const NAMES: [&str; SIZE] = [
-        "red, low",
-        "red, high",
-        "green, low",
-        "green, high",
-        "blue, low",
-        "blue, high",
-        "direction x, low",
-        "direction x, high",
-        "direction y, low",
-        "direction y, high",
-    ];
-    /// Units in 1, of flux.
-    pub const FLUX_SCALE: f32 = 16_777_216.0;
-    /// Units in 1, of flux times direction: a component changes by at most 2, so that one contribution has less than 2³¹ units.
-    pub const DIRECTION_SCALE: f32 = 8_388_608.0;
+    pub const NAMES: [&str; SIZE] = ["red", "green", "direction x", "direction y", "blue", "nothing"];
 }
 
 /// A single word a place: bits of a mask, or a count.
@@ -63,10 +49,12 @@ pub mod absorption {
 }
 
 /// Fixed-point sums of the light that refracted cells of the wavefront bring to a texel of a receiver: for each channel a low and a high word,
-/// next to each other (not planar), in units as in [`sums`].
+/// next to each other (not planar).
 pub mod landed {
     /// Words.
     pub const SIZE: usize = 6;
+    /// Units in 1.
+    pub const SCALE: f32 = 16_777_216.0;
     /// The words' names.
     #[cfg(not(target_arch = "spirv"))]
     pub const NAMES: [&str; SIZE] = ["red, low", "red, high", "green, low", "green, high", "blue, low", "blue, high"];

@@ -47,6 +47,28 @@ pub fn course_of(w: &Wavefront, buffer: &[f32], x: u32, y: u32) -> f32 {
     read(buffer, projected::COURSE as i32 * nodes(w) as i32 + (y * columns(w) + x) as i32)
 }
 
+/// The place of node (x, y) among the samples of the plane.
+#[inline(always)]
+pub fn place_of(w: &Wavefront, buffer: &[f32], x: u32, y: u32) -> Vec2 {
+    let count = nodes(w) as i32;
+    let at = (y * columns(w) + x) as i32;
+    Vec2::new(read(buffer, projected::X as i32 * count + at), read(buffer, projected::Y as i32 * count + at))
+}
+
+impl Corner {
+    /// Fluence, mean of the colours, times the difference of the direction.
+    #[inline(always)]
+    pub fn fluence_aside(&self) -> Vec2 {
+        self.aside * ((self.fluence.x + self.fluence.y + self.fluence.z) * (1.0 / 3.0))
+    }
+}
+
+/// Twice the signed area of a triangle.
+#[inline(always)]
+fn turn(a: Vec2, b: Vec2, c: Vec2) -> f32 {
+    (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
+}
+
 /// Four nodes: b beside a, c above a, d above b.
 #[derive(Clone, Copy)]
 pub struct Cell {
@@ -100,6 +122,24 @@ impl Cell {
     #[inline(always)]
     pub fn is_straight(&self) -> bool {
         (self.a.course + self.b.course) + (self.c.course + self.d.course) == course::STRAIGHT
+    }
+
+    /// Whether it is a convex quadrilateral, none of whose light turned back.
+    #[inline(always)]
+    pub fn is_convex(&self) -> bool {
+        let Self { a, b, c, d } = self;
+        let (at_a, at_b) = (turn(c.at, a.at, b.at), turn(a.at, b.at, d.at));
+        let (at_d, at_c) = (turn(b.at, d.at, c.at), turn(d.at, c.at, a.at));
+        let left = (at_a > 0.0) & (at_b > 0.0) & (at_c > 0.0) & (at_d > 0.0);
+        let right = (at_a < 0.0) & (at_b < 0.0) & (at_c < 0.0) & (at_d < 0.0);
+        let returns = |corner: &Corner| corner.course == course::TURNED;
+        (left | right) & !(returns(a) | returns(b) | returns(c) | returns(d))
+    }
+
+    /// The sum of its corners' fluence times the difference of the direction.
+    #[inline(always)]
+    pub fn fluence_aside(&self) -> Vec2 {
+        (self.a.fluence_aside() + self.b.fluence_aside()) + (self.c.fluence_aside() + self.d.fluence_aside())
     }
 
     /// The sum of its corners' fluence.

@@ -2,6 +2,7 @@
 //! between texels, the wavefront with the bricks and maps that it fills, and the light that nothing has changed.
 
 pub mod around;
+pub mod arriving;
 pub mod bricks;
 pub mod carried;
 pub mod cell;

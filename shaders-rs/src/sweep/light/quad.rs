@@ -4,7 +4,7 @@
 //! texel, each of which shares its flux among the texels under it by area. So flux is conserved whatever becomes of the cell, and any
 //! number of cells may cross a texel.
 
-use crate::abi::record::{landed, sums};
+use crate::abi::record::landed;
 use crate::abi::sweep::SweepUniforms;
 use crate::field::sums::{Sums, add, quantise};
 use crate::math::{absolute, clamp, floor_to_int, lerp, max, min, sqrt};
@@ -127,9 +127,9 @@ fn spread<S: Sums + ?Sized>(sums: &mut S, target: Target, (centre, size): (Vec2,
             let part = share(i, left, width) * part_y;
             if part > 0.0 {
                 let at = (j * target.columns + i) * landed::SIZE as i32;
-                add(sums, at, quantise(flux.x * part, sums::FLUX_SCALE));
-                add(sums, at + 2, quantise(flux.y * part, sums::FLUX_SCALE));
-                add(sums, at + 4, quantise(flux.z * part, sums::FLUX_SCALE));
+                add(sums, at, quantise(flux.x * part, landed::SCALE));
+                add(sums, at + 2, quantise(flux.y * part, landed::SCALE));
+                add(sums, at + 4, quantise(flux.z * part, landed::SCALE));
             }
             i += 1;
         }
@@ -195,7 +195,10 @@ pub fn scatter<S: Sums + ?Sized>(
                 );
                 if soft {
                     let size = Vec2::new(clamp(size.x, 1.0, WIDEST_SOFT), clamp(size.y, 1.0, WIDEST_SOFT));
-                    spread_softly::<S>(sums, target, (centre, size), edge, flux);
+                    // Variances add up: the part has some of that of the disc.
+                    let part = 0.5 * (size.x + size.y);
+                    let square = max(3.0 * blur * blur - part * part, SHORTEST * SHORTEST);
+                    spread_softly::<S>(sums, target, (centre, size), sqrt(square), flux);
                 } else {
                     let size = Vec2::new(clamp(size.x, NARROWEST, WIDEST), clamp(size.y, NARROWEST, WIDEST));
                     spread::<S>(sums, target, (centre, size), flux);

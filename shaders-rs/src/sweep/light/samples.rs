@@ -2,10 +2,10 @@
 
 use crate::abi::record::sums;
 use crate::abi::sweep::{SweepUniforms, mode};
-use crate::field::sums::sum;
+use crate::field::sums::both;
 use crate::math::{max, select, select_vector};
 use crate::sweep::light::bricks::{place, sample};
-use crate::sweep::light::cell::{Corner, cell};
+use crate::sweep::light::cell::cell;
 use crate::sweep::light::offset::pack_difference;
 use crate::sweep::light::wavefront::flux;
 use spirv_std::glam::{Vec2, Vec3};
@@ -37,10 +37,8 @@ fn of_cell(u: &SweepUniforms, projected: &[f32], x: i32, y: i32) -> (Vec3, Vec2)
     // Exactly 1 where nothing bends light, whatever rounding makes of the area.
     let area = select(cell.is_straight(), 1.0, max(cell.area(), 0.25));
     let counts = select(cell.stays(i, j), 0.25 / area, 0.0);
-    let aside = |corner: &Corner| corner.aside * (mean(corner.fluence) * counts);
-    let aside = (aside(&cell.a) + aside(&cell.b)) + (aside(&cell.c) + aside(&cell.d));
-    let open = select(inside, 1.0, 0.0);
-    (select_vector(inside, cell.fluence() * counts, UNOCCLUDED), aside * open)
+    let open = select(inside, counts, 0.0);
+    (select_vector(inside, cell.fluence() * counts, UNOCCLUDED), cell.fluence_aside() * open)
 }
 
 /// Light of the node in whose place sample (x, y) is, where nothing bends it.
@@ -61,20 +59,20 @@ pub fn light(u: &SweepUniforms, chosen: u32, sums_in: &[u32], nodes: &[f32], bri
         let (there, its_aside) = of_cell(u, nodes, x, y);
         let place = place(w, bricks, x, y);
         let base = place * sums::SIZE as i32;
-        let counts = select(place >= 0, 1.0, 0.0);
-        let change = |channel: usize, scale: f32| sum(sums_in, base + 2 * channel as i32) * (counts / scale);
-        let red = change(sums::FLUX, sums::FLUX_SCALE);
-        let (mut green, mut blue) = (red, red);
-        if !mode::is_clear(chosen) {
-            green = change(sums::FLUX + 1, sums::FLUX_SCALE);
-            blue = change(sums::FLUX + 2, sums::FLUX_SCALE);
-        }
-        let share = there + Vec3::new(red, green, blue);
+        let unit = select(place >= 0, 1.0, 0.0) / w.units;
+        let (red, green) = both(sums_in, base + sums::RED_AND_GREEN as i32);
+        let (x, y) = both(sums_in, base + sums::DIRECTION as i32);
+        let brought = if mode::is_clear(chosen) {
+            Vec3::new(red, red, red)
+        } else {
+            Vec3::new(red, green, both(sums_in, base + sums::BLUE as i32).0)
+        };
+        let share = there + brought * unit;
         let weight = mean(share);
-        // Less than a few units of flux tell no direction.
-        let inverse = select(weight > 1e-6, 1.0 / max(weight, 1e-6), 0.0);
-        let across = (its_aside.x + change(sums::DIRECTION_X, sums::DIRECTION_SCALE)) * inverse;
-        let up = (its_aside.y + change(sums::DIRECTION_X + 1, sums::DIRECTION_SCALE)) * inverse;
+        // Less than a few units of light tell no direction.
+        let inverse = select(weight > 1e-4, 1.0 / max(weight, 1e-4), 0.0);
+        let across = (its_aside.x + x * unit) * inverse;
+        let up = (its_aside.y + y * unit) * inverse;
         Sample { share, direction: pack_difference(across, up) }
     } else {
         Sample { share: of_node(u, nodes, x, y), direction: pack_difference(0.0, 0.0) }

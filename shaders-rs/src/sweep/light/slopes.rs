@@ -16,7 +16,7 @@ pub struct Slopes {
 /// The mean of two differences, limited to twice the smaller one and 0 where the signs differ: the mean where a map is
 /// smooth, almost nothing where it jumps (van Leer's monotonised central limiter).
 #[inline(always)]
-fn limited(a: f32, b: f32) -> f32 {
+pub fn limited(a: f32, b: f32) -> f32 {
     let mean = 0.5 * (a + b);
     let most = 2.0 * min(absolute(a), absolute(b));
     let size = min(absolute(mean), most);

@@ -1,7 +1,6 @@
 //! The wavefront's grid: nodes at the corners of cells, where unrefracted light would carry them, in the wavefront's own frame.
 
 use crate::abi::record::{Node, node as record, node_status};
-use crate::abi::sweep::SweepUniforms;
 use crate::abi::vector;
 use crate::abi::wavefront::Wavefront;
 use crate::field::access::read;
@@ -123,9 +122,3 @@ pub fn fluence_of_flux(w: &Wavefront, direction: Vec3, at: Vec3) -> f32 {
 
 /// The most fluence of flux along the planes.
 const MOST_FLUENCE: f32 = 8.0;
-
-/// The uniform block's wavefront, whose nodes a kernel reads.
-#[inline(always)]
-pub fn of(u: &SweepUniforms) -> &Wavefront {
-    &u.wavefront
-}

@@ -7,7 +7,7 @@ use super::SceneEntry;
 use super::curves::{colors, iors, opacities, procedural};
 use super::grid::Grid;
 use super::shapes::coverage;
-use crate::scene::{Camera, Clip, Environment, Intensity, Light, Removes, Scene, Shading, TransferFunction};
+use crate::scene::{Camera, Clip, Environment, Intensity, Light, Removes, Scene, Shading, TransferFunction, Transport};
 use anatomy::Anatomy;
 use glam::Vec3;
 use vitrum_io::{Error, Volume, Voxels};
@@ -67,6 +67,8 @@ fn no_refraction() -> Scene {
 
 fn no_intensity() -> Scene {
     let mut scene = unclipped();
+    // Light on texels alone has an intensity to correct.
+    scene.sweep.light = Transport::Texels;
     scene.sweep.intensity = Intensity::None;
     scene
 }

@@ -67,9 +67,10 @@ impl Method for PlaneSweep {
                 crate::method::voxels::check_mesh(mesh)?;
                 light::check(scene, &View::new(scene, &**mesh))
             }
-            Subject::Volume(_) | Subject::Volumes { .. } => {
-                assets.subject.volumes().map_or(Ok(()), |volumes| uniforms::check(scene, volumes))
-            }
+            Subject::Volume(_) | Subject::Volumes { .. } => assets
+                .subject
+                .volumes()
+                .map_or(Ok(()), |volumes| uniforms::check(scene, volumes, assets.environment.as_deref())),
         }
     }
 
@@ -78,7 +79,7 @@ impl Method for PlaneSweep {
         let disperses =
             assets.subject.mesh().map_or(scene.transfer.disperses(), |mesh| bodies::disperse(mesh, &scene.material));
         let wavelengths = (scene.sweep.refraction && disperses).then_some(scene.sweep.wavelengths);
-        spectrum::split(lights::exposures(scene), wavelengths)
+        spectrum::split(lights::exposures(scene, assets.environment.as_deref()), wavelengths)
     }
 
     fn prepare(

@@ -9,7 +9,7 @@ use super::uniforms::FramePlan;
 use super::unoccluded::Unoccluded;
 use super::uploaded::UploadedVolumes;
 use super::voxels::bricks;
-use super::wavefront::{STRIDE_OF_SURFACES, Wavefront};
+use super::wavefront::{Wavefront, stride};
 use super::{Buffers, Carried};
 
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
@@ -42,7 +42,9 @@ pub(super) fn build(
     let UploadedVolumes { ranges, ior_ranges, .. } = uploaded;
     let made = Arc::clone(&plan.tables);
     let tables = &*made;
-    let has_particles = tables.have_particles();
+    let has_particles = tables.densest > 0.0;
+    // The largest optical depth of particles from plane to plane.
+    let densest = tables.densest * plan.planes.distance * f64::from(plan.common().step.inverse_reference_length);
     let second = volumes.ior.zip(ior_ranges.as_ref());
     let role = if second.is_none() { VolumeRole::Both } else { VolumeRole::Shown };
     // A cut through matter of one index bends light, too.
@@ -65,7 +67,7 @@ pub(super) fn build(
         Some(frame) => {
             let boxes: Vec<_> =
                 queries.iter().flat_map(|query| query.looked_at(scene.shading.specular > 0.0)).collect();
-            let frame = frame.with_stride(if has_particles { 1 } else { STRIDE_OF_SURFACES });
+            let frame = frame.with_stride(stride(densest));
             let seen_by = (plan.common(), plan.mode);
             let largest = backend.largest_buffer();
             let wavefront = Wavefront::new(scene, rendered, (&plan.view, frame), seen_by, &boxes, largest)?;

@@ -36,6 +36,8 @@ pub struct Tables {
     pub refracts: bool,
     /// Whether the medium's transmittance is below 1 anywhere.
     pub colors: bool,
+    /// The largest optical depth of particles, for a layer of the reference length.
+    pub(super) densest: f64,
     /// What the normalised scalars of the shown volume stand for.
     pub(super) shown: Window,
     /// What the normalised scalars of the volume that gives η stand for.
@@ -150,6 +152,7 @@ impl Tables {
         Self {
             words,
             refracts: at_nodes.iter().any(|&eta| eta as f32 != 1.0),
+            densest: layers.values().map(|layer| depths(layer)[0]).fold(0.0, f64::max),
             colors: layers.values().any(|layer| depths(layer)[1..4].iter().any(|&depth| depth > 0.0)),
             shown,
             bending,
@@ -171,11 +174,6 @@ impl Tables {
             }
             _ => self.is_clear_at(low),
         }
-    }
-
-    /// Whether any scalar has opacity.
-    pub fn have_particles(&self) -> bool {
-        self.particles.last().is_some_and(|&last| last > 0)
     }
 
     /// Whether opacity is 0 for all normalised scalars from `low` to `high`.

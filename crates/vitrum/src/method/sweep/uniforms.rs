@@ -19,6 +19,7 @@ use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
 use glam::{DVec3, DVec4};
 use std::sync::Arc;
+use vitrum_io::Picture;
 use vitrum_kernels::abi::camera::Camera;
 use vitrum_kernels::abi::clip::{Clip, MOST_CLIPS};
 use vitrum_kernels::abi::dispatch::{Dispatch, Region};
@@ -106,10 +107,10 @@ impl Geometry {
 ///
 /// # Errors
 /// [`Error::Unrenderable`] where the light shines towards the camera, or planes or light texels would be too many.
-pub(super) fn check(scene: &Scene, volumes: Volumes<'_>) -> Result<(), Error> {
+pub(super) fn check(scene: &Scene, volumes: Volumes<'_>, map: Option<&Picture>) -> Result<(), Error> {
     let view = View::new(scene, volumes.shown);
     super::light::check(scene, &view)?;
-    for exposure in lights::exposures(scene) {
+    for exposure in lights::exposures(scene, map) {
         Geometry::new(&exposure.scene, volumes)?;
     }
     set_clips(&mut SweepUniforms::default(), scene, &view, volumes.shown)

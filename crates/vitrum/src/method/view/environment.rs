@@ -38,40 +38,57 @@ pub(in crate::method) struct EnvironmentUniforms {
     pub(in crate::method) mean: Rgb,
 }
 
+/// The axes of an environment in the world, where the camera has `up` and azimuth 0 looks from `front`: its side, its middle, up.
+pub(in crate::method) fn axes(environment: &Environment, up: DVec3, front: DVec3) -> [DVec3; 3] {
+    let facing = from_angles(up, front, environment.rotation, 0.0);
+    [up.cross(facing), facing, up]
+}
+
+/// The uniforms of an environment that say how bright it is, for rays in its own frame and an intensity of 1; without a map.
+pub(in crate::method) fn pattern(environment: &Environment) -> Block {
+    let kind = match environment.kind {
+        EnvironmentKind::Color => kind::COLOR,
+        EnvironmentKind::Gradient => kind::GRADIENT,
+        EnvironmentKind::Checkerboard => kind::CHECKERBOARD,
+        EnvironmentKind::Map => kind::MAP,
+    };
+    Block {
+        kind,
+        color: environment.color.into(),
+        horizon: environment.horizon.into(),
+        nadir: environment.nadir.into(),
+        square: environment.square.to_radians(),
+        intensity: 1.0,
+        ..Block::default()
+    }
+}
+
 fn scaled(color: Rgb, factor: f32) -> Vec3 {
     color.map(|channel| channel * factor).into()
 }
 
 impl EnvironmentUniforms {
     pub(in crate::method) fn new(environment: &Environment, map: &EnvironmentMap, view: &View) -> Self {
-        let pattern = match environment.kind {
-            EnvironmentKind::Color => kind::COLOR,
-            EnvironmentKind::Gradient => kind::GRADIENT,
-            EnvironmentKind::Checkerboard => kind::CHECKERBOARD,
-            EnvironmentKind::Map => kind::MAP,
-        };
         let [width, height, levels] = map.size;
-        let facing = from_angles(view.up, view.front, environment.rotation, 0.0);
-        let side = view.up.cross(facing);
+        let axes = axes(environment, view.up, view.front);
         let row = |axis: DVec3| Vec3::from(view.direction(axis).as_vec3());
         let factor = environment.intensity;
         Self {
             block: Block {
-                kind: pattern,
                 map_width: width,
                 map_height: height,
                 map_levels: levels,
-                row_x: row(side),
-                row_y: row(facing),
-                row_z: row(view.up),
+                row_x: row(axes[0]),
+                row_y: row(axes[1]),
+                row_z: row(axes[2]),
                 color: scaled(environment.color, factor),
                 horizon: scaled(environment.horizon, factor),
                 nadir: scaled(environment.nadir, factor),
-                square: environment.square.to_radians(),
                 intensity: factor,
                 visible: if environment.visible { 1.0 } else { 0.0 },
+                ..pattern(environment)
             },
-            axes: [side, facing, view.up],
+            axes,
             mean: mean_radiance(environment, map),
         }
     }

@@ -54,7 +54,7 @@ pub(in crate::method) fn point_between_voxels(volume: &Volume, at: DVec3) -> DVe
 }
 
 /// The world's up and, across it, the direction from which azimuth 0 looks.
-fn up_and_front(camera: &Camera) -> (DVec3, DVec3) {
+pub(in crate::method) fn up_and_front(camera: &Camera) -> (DVec3, DVec3) {
     let up = vector(camera.up).try_normalize().unwrap_or(DVec3::Z);
     let front = if up.y.abs() < 0.9 { DVec3::Y } else { DVec3::Z };
     (up, (front - up * front.dot(up)).normalize())

@@ -74,8 +74,7 @@ pub(in crate::method) fn check(scene: &Scene, assets: &Assets, mesh: &Mesh) -> R
         }
     }
     for (index, light) in scene.light.iter().enumerate().filter(|(_, light)| light.shadows) {
-        let alone = Scene { light: vec![light.clone()], ..scene.clone() };
-        for sample in &lights::crisp(&alone, bounds).light {
+        for sample in &lights::crisp(scene, std::slice::from_ref(light), bounds) {
             Source::of(sample, &view, bounds)?.check(corners, Some(index))?;
         }
     }

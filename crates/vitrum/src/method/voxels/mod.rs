@@ -65,7 +65,7 @@ pub(in crate::method) fn check(scene: &Scene, assets: &Assets, method: MethodNam
 /// The exposures of a scene of meshes: one for each light, or for each of the crisp ones that a soft light is made of, and of each for
 /// each of `wavelengths` wavelengths where the mesh's bodies disperse.
 pub(in crate::method) fn exposures(scene: &Scene, assets: &Assets, wavelengths: u32) -> Vec<Exposure> {
-    let lights = lights::exposures(&lights::crisp(scene, Bounds::from(&assets.subject)));
+    let lights = lights::crisp_exposures(scene, assets.environment.as_deref(), Bounds::from(&assets.subject));
     let disperse = assets.subject.mesh().is_some_and(|mesh| bodies::disperse(mesh, &scene.material));
     spectrum::split(lights, disperse.then_some(wavelengths))
 }

@@ -8,9 +8,9 @@ use crate::subject::Volumes;
 use glam::{DMat3, DVec2, DVec3};
 
 /// The fewest cells along the longer side of the grid that a small volume gets.
-const FEWEST: f64 = 192.0;
+const FEWEST: f64 = 160.0;
 /// The most cells along the longer side of the grid that a large volume gets.
-const MOST: f64 = 512.0;
+const MOST: f64 = 400.0;
 
 /// The frame of a wavefront of light from far away: z is the direction in which it travels.
 #[derive(Debug, Clone, Copy)]

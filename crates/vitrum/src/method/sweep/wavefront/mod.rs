@@ -31,13 +31,24 @@ use vitrum_kernels::sweep::light::carried::components;
 const MOST_BYTES: u64 = 192 << 20;
 /// By how much cells grow until their light fits.
 const COARSER: f64 = 1.189_207_115;
-/// Planes from one on which light is kept to the next where surfaces alone look at the light: their highlights show how bright it is, and no edge of a
-/// shadow.
-pub(super) const STRIDE_OF_SURFACES: u32 = 4;
-/// Texels of a receiver's map along the edge of a cell.
-pub(super) const TEXELS: u32 = 2;
+/// Texels of a receiver's map along the edge of a cell, for crisp light.
+const TEXELS: u32 = 2;
+/// Texels of a receiver's map along the edge of a cell, for soft light, whose edges are wider than a cell but for contacts.
+const SOFT_TEXELS: u32 = 1;
+/// The largest optical depth of particles from plane to plane with which light is kept on each second plane alone.
+const FAINT: f64 = 0.25;
 /// The margin of a receiver's map on each side, over the grid's size.
 const MARGIN: u32 = 4;
+
+/// Planes from one on which light is kept to the next. Where surfaces alone look at the light, their highlights show how bright it is, and no edge of a
+/// shadow; and in faint matter light falls slowly. `densest` is the largest optical depth of particles from plane to plane.
+pub(super) fn stride(densest: f64) -> u32 {
+    match densest {
+        0.0 => 4,
+        faint if faint < FAINT => 2,
+        _ => 1,
+    }
+}
 
 /// The plan of a wavefront: everything that is the same for all its planes.
 pub(super) struct Wavefront {
@@ -108,7 +119,8 @@ impl Wavefront {
             frame = frame.coarser(COARSER);
             looked = Looked::new(&frame, f64::from(first_sample), looked_at);
         }
-        let map = map(&frame);
+        let texels = if scene.first_light().angular_radius > 0.0 { SOFT_TEXELS } else { TEXELS };
+        let map = map(&frame, texels);
         let map_words = (map.size.width * map.size.height * 3).next_multiple_of(PLANE_ALIGNMENT);
         // The entries of the bricks come first, then the maps.
         let maps = (looked.bricks(components, 0).entries as u32).next_multiple_of(PLANE_ALIGNMENT);
@@ -119,6 +131,7 @@ impl Wavefront {
         let seen = abi::Wavefront {
             bricks: Counts { x, y, z },
             map: ReceiverMap { ground: maps, wall: maps + map_words, ..map },
+            units: units(&frame),
             softness: libm::tan(f64::from(scene.first_light().angular_radius).to_radians()) as f32,
             ..as_seen(view, &frame, first_sample)
         };
@@ -154,13 +167,23 @@ fn block(
     Ok(block)
 }
 
+/// Units of sums of light: light of all cells at once, twice as much where it is oblique, has fewer than 2³¹ of them.
+fn units(frame: &Frame) -> f32 {
+    let cells = f64::from(frame.cells[0]) * f64::from(frame.cells[1]);
+    (1..24)
+        .map(|bits| f64::from(1u32 << bits))
+        .take_while(|units| units * cells * 2.0 < f64::from(1u32 << 31))
+        .last()
+        .unwrap_or(1.0) as f32
+}
+
 /// The size of the maps of receivers.
-fn map(frame: &Frame) -> ReceiverMap {
+fn map(frame: &Frame, texels: u32) -> ReceiverMap {
     let [width, height] = frame.cells;
-    let margin = (width.max(height) * TEXELS).div_ceil(MARGIN);
+    let margin = (width.max(height) * texels).div_ceil(MARGIN);
     ReceiverMap {
-        size: Size { width: width * TEXELS + 2 * margin, height: height * TEXELS + 2 * margin },
-        texels: TEXELS as f32,
+        size: Size { width: width * texels + 2 * margin, height: height * texels + 2 * margin },
+        texels: texels as f32,
         margin: margin as f32,
         ..ReceiverMap::default()
     }

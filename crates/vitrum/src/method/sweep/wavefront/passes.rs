@@ -1,7 +1,7 @@
 //! The passes of a wavefront: from plane to plane, into bricks and onto receivers.
 
+use super::Wavefront;
 use super::bricks::Layer;
-use super::{TEXELS, Wavefront};
 use crate::backend::{BackendError, Buffer, Contents, Pass, Write};
 use crate::method::sweep::carrier::{BufferAllocator, VolumeBuffers};
 use std::ops::Range;
@@ -186,13 +186,13 @@ impl Wavefront {
     pub(in crate::method::sweep) fn of_cells(&self, map: &[f32]) -> Vec<f32> {
         let [width, height] = self.frame.cells;
         let Size { width: columns, height: rows } = self.seen.map.size;
-        let margin = self.seen.map.margin as u32;
-        let share = 1.0 / (TEXELS * TEXELS) as f32;
+        let (margin, edge) = (self.seen.map.margin as u32, self.seen.map.texels as u32);
+        let share = 1.0 / (edge * edge) as f32;
         let mut found = Vec::with_capacity((3 * width * height) as usize);
         for channel in map.chunks_exact((columns * rows) as usize) {
             for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
-                let texels = (0..TEXELS).flat_map(|j| (0..TEXELS).map(move |i| (i, j)));
-                let at = |(i, j): (u32, u32)| (margin + y * TEXELS + j) * columns + margin + x * TEXELS + i;
+                let texels = (0..edge).flat_map(|j| (0..edge).map(move |i| (i, j)));
+                let at = |(i, j): (u32, u32)| (margin + y * edge + j) * columns + margin + x * edge + i;
                 found.push(texels.map(|texel| channel[at(texel) as usize]).sum::<f32>() * share);
             }
         }
