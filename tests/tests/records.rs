@@ -1,8 +1,8 @@
 //! Records: fields, components and names say the same.
 
 use vitrum_kernels::abi::record::{
-    carried, carried_clear, carried_straight, film, irradiance, light, mirror, node, path, probe, projected, ray, received, trace,
-    view,
+    carried, carried_clear, carried_straight, film, irradiance, light, mirror, node, path, probe, projected, ray,
+    received, trace, view,
 };
 use vitrum_kernels::kernel::{ALL, Access};
 

@@ -3,7 +3,7 @@
 
 use vitrum::backend::Backend;
 use vitrum::method::sweep::Sweep;
-use vitrum::scene::{Intensity, Wall};
+use vitrum::scene::{Intensity, Transport, Wall};
 use vitrum::{Assets, OutputRequest};
 
 use super::{cuboid, refracting};
@@ -28,6 +28,7 @@ pub fn flux(strength: f64, intensity: Intensity, backend: &mut dyn Backend) -> R
         1.0 + strength * fade * x * z
     });
     let mut scene = refracting(&volume, 64);
+    scene.sweep.light = Transport::Texels;
     scene.sweep.intensity = intensity;
     scene.sweep.sample_distance = SAMPLE_DISTANCE;
     scene.wall = Some(Wall { distance: Some(1.0), azimuth: 0.0, color: [1.0; 3] });

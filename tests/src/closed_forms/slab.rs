@@ -1,7 +1,7 @@
 //! 9: a thin slab η = 1 + ε cos kx focuses parallel light: on-axis irradiance 1/(1 − Z/Z_f), Z_f = 1/(ε k² t).
 
 use vitrum::backend::Backend;
-use vitrum::scene::{Intensity, Wall};
+use vitrum::scene::{Intensity, Transport, Wall};
 
 use super::{cuboid, refracting, render};
 
@@ -33,6 +33,7 @@ pub fn irradiance(
     });
     let mut scene = refracting(&volume, 64);
     scene.sweep.intensity = intensity;
+    scene.sweep.light = Transport::Texels;
     scene.sweep.light_resolution = resolution;
     scene.sweep.sample_distance = sample_distance;
     let distance = share * focus;

@@ -18,6 +18,7 @@ fn every_plane_gets_the_same_flux() {
         for azimuth in [0.0f32, 30.0] {
             let mut scene = refracting(&volume, 128);
             scene.light[0].azimuth = azimuth;
+            scene.sweep.light = Transport::Texels;
             scene.sweep.light_margin = 0.3;
             let sweep = Sweep::prepare(&scene, &assets, OutputRequest::default(), backend.as_mut())
                 .expect("the scene is sound");
@@ -53,6 +54,7 @@ fn behind_a_focus_there_is_no_more_light_than_before() {
     for (name, resolution, ior) in [("ball", 48, 1.5), ("glass", 64, 1.33), ("ball", 32, 2.4)] {
         for absorbs in [false, true] {
             let mut scene = vitrum::builtin::scene(name).expect("the scene exists");
+            scene.sweep.light = Transport::Texels;
             // The narrower the texels, the more a map of points that light comes from folds.
             scene.film.width = if ior > 2.0 { 160 } else { 110 };
             scene.film.height = scene.film.width;
