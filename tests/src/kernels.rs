@@ -36,7 +36,7 @@ const FORWARD: &str = "sweep.light=forward";
 /// None that built-in scenes cause.
 pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
     let case = |label: &str, scene: &str, settings: &[&str]| {
-        let case = Case::builtin(scene, edge, Some(resolution), &[&[TEXELS], settings].concat())?;
+        let case = Case::builtin(scene, edge, Some(resolution), &[&[TEXELS][..], settings].concat())?;
         Ok::<_, Failure>(Case { name: label.to_owned(), ..case })
     };
     let euler = ["sweep.integrator=euler", "sweep.intensity=paper", "camera.projection=orthographic"];

@@ -113,7 +113,7 @@ fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
     let steep: &[&str] = &["light.0.azimuth=60", "light.0.elevation=20", "light.0.angular_radius=0"];
     let near: &[&str] = &["camera.azimuth=40", "camera.elevation=35", "camera.zoom=2.5", "light.0.angular_radius=6"];
     for (name, settings) in names.iter().flat_map(|name| [(name, &[][..]), (name, steep), (name, near)]) {
-        let mut case = Case::builtin(name, EDGE, Some(RESOLUTION), &[&["sweep.light=texels"], settings].concat())?;
+        let mut case = Case::builtin(name, EDGE, Some(RESOLUTION), &[&["sweep.light=texels"][..], settings].concat())?;
         (case.scene.ground, case.scene.wall) = (None, None);
         let all = frames::render(&case, &mut cpu)?;
         let case = case.without_light();
