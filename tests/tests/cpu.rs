@@ -134,10 +134,10 @@ fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
 fn light_goes_on_where_it_may_be_seen_again() -> Result<(), Failure> {
     let mut cpu = CpuBackend::new(None)?;
     let cases = [
-        Case::builtin("ball", EDGE, Some(RESOLUTION), &[])?,
-        Case::builtin("glass", EDGE, Some(RESOLUTION), &[])?.without_light(),
+        Case::builtin("ball", EDGE, Some(RESOLUTION), &["sweep.light=texels"])?,
+        Case::builtin("glass", EDGE, Some(RESOLUTION), &["sweep.light=texels"])?.without_light(),
         // So oblique that texels do not follow it, and light moves on to those that were seen before.
-        Case::builtin("head", EDGE, Some(RESOLUTION), &["light.0.azimuth=75"])?.without_light(),
+        Case::builtin("head", EDGE, Some(RESOLUTION), &["sweep.light=texels", "light.0.azimuth=75"])?.without_light(),
     ];
     for case in cases {
         let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut cpu)?;
