@@ -13,10 +13,10 @@ use vitrum::backend::{Backend, ReadBack as _};
 use vitrum::method::sweep::Sweep;
 use vitrum::method::{self, Cache, Job, PreparedFrame, Tools};
 use vitrum_io::{Mesh, Picture, Volume, Voxels};
-use vitrum_kernels::abi::record::{inscattered, landed, sums};
+use vitrum_kernels::abi::record::{inscattered, landed};
 use vitrum_kernels::field::sums::to_number;
 use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
-use vitrum_kernels::kernel::Access;
+use vitrum_kernels::kernel::{Access, kernels};
 
 use crate::Failure;
 use crate::bounds;
@@ -25,6 +25,8 @@ use crate::raster::Raster;
 use crate::refraction;
 use crate::run::{About, Run};
 
+/// Light on texels, as long as a case does not say otherwise.
+const TEXELS: &str = "sweep.light=texels";
 /// Light that a wavefront carries.
 const FORWARD: &str = "sweep.light=forward";
 /// Light on texels, which cases have that do not name a carrier.
@@ -36,8 +38,7 @@ const TEXELS: &str = "sweep.light=texels";
 /// None that built-in scenes cause.
 pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
     let case = |label: &str, scene: &str, settings: &[&str]| {
-        let carrier: &[&str] = if settings.contains(&FORWARD) { &[] } else { &[TEXELS] };
-        let case = Case::builtin(scene, edge, Some(resolution), &[carrier, settings].concat())?;
+        let case = Case::builtin(scene, edge, Some(resolution), &[&[TEXELS][..], settings].concat())?;
         Ok::<_, Failure>(Case { name: label.to_owned(), ..case })
     };
     let euler = ["sweep.integrator=euler", "sweep.intensity=paper", "camera.projection=orthographic"];
@@ -451,9 +452,13 @@ impl<'a> Stepper<'a> {
         let bytes: Vec<u8> = self.backend.read_all(output)?;
         let declaration = &pass.kernel.declaration;
         if declaration.bindings.iter().any(|binding| binding.access == Access::Add) {
-            if !self.exact && [sums::SIZE, inscattered::SIZE, landed::SIZE].contains(&declaration.components) {
-                // A tolerance is for numbers: where one is a unit more, its lower half may be 65535 less.
-                let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
+            // A tolerance is for numbers: where one is a unit more, its lower half may be 65535 less.
+            let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
+            if !self.exact && declaration.family == kernels::sweep_scatter_cells.declaration.family {
+                let numbers: Vec<f32> = words.iter().map(|&word| word.cast_signed() as f32).collect();
+                return Ok(Raster::stacked(pass.width, [numbers.as_slice()]));
+            }
+            if !self.exact && [inscattered::SIZE, landed::SIZE].contains(&declaration.components) {
                 let numbers: Vec<f32> = words.chunks_exact(2).map(|pair| to_number(pair[0], pair[1])).collect();
                 return Ok(Raster::stacked(pass.width, [numbers.as_slice()]));
             }

@@ -198,7 +198,7 @@ mod tests {
 
     #[test]
     fn every_kernel_of_a_frame_has_a_row() {
-        let case = Case::builtin("ball", 24, Some(16), &[]).unwrap();
+        let case = Case::builtin("ball", 24, Some(16), &["sweep.light=texels"]).unwrap();
         let mut backend = CpuBackend::new(Some(1)).unwrap();
         let table = markdown(&case, &mut backend, Ceilings { bytes: 1e10, operations: 1e11 }).unwrap();
         for kernel in ["sweep_propagate_rays_u16", "sweep_gather_light", "sweep_refract_light_u16", "sweep_resolve"] {
@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn a_pass_moves_at_least_its_records() {
-        let case = Case::builtin("ball", 24, Some(16), &[]).unwrap();
+        let case = Case::builtin("ball", 24, Some(16), &["sweep.light=texels"]).unwrap();
         let mut backend = CpuBackend::new(Some(1)).unwrap();
         let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut backend).unwrap();
         let rays = sweep.passes.passes.iter().find(|pass| pass.kernel.declaration.name.contains("propagate")).unwrap();

@@ -79,7 +79,12 @@ fn skipping_empty_space_does_not_change_the_picture() -> Result<(), Failure> {
 #[test]
 fn a_frame_that_ends_with_its_rays_is_the_same() -> Result<(), Failure> {
     // Opaque and close up, so that every ray ends long before the last plane.
-    let opaque = ["camera.zoom=8", "transfer.opacity=[{ value = 0, opacity = 1 }]", "sweep.sample_distance=0.2"];
+    let opaque = [
+        "sweep.light=texels",
+        "camera.zoom=8",
+        "transfer.opacity=[{ value = 0, opacity = 1 }]",
+        "sweep.sample_distance=0.2",
+    ];
     let case = Case::builtin("combustion/opaque", EDGE, Some(RESOLUTION), &opaque)?;
     let mut cpu = CpuBackend::new(None)?;
     let all = frames::render(&case, &mut cpu)?;
@@ -108,7 +113,7 @@ fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
     let steep: &[&str] = &["light.0.azimuth=60", "light.0.elevation=20", "light.0.angular_radius=0"];
     let near: &[&str] = &["camera.azimuth=40", "camera.elevation=35", "camera.zoom=2.5", "light.0.angular_radius=6"];
     for (name, settings) in names.iter().flat_map(|name| [(name, &[][..]), (name, steep), (name, near)]) {
-        let mut case = Case::builtin(name, EDGE, Some(RESOLUTION), settings)?;
+        let mut case = Case::builtin(name, EDGE, Some(RESOLUTION), &[&["sweep.light=texels"][..], settings].concat())?;
         (case.scene.ground, case.scene.wall) = (None, None);
         let all = frames::render(&case, &mut cpu)?;
         let case = case.without_light();
@@ -129,10 +134,10 @@ fn light_is_carried_where_rays_see_it() -> Result<(), Failure> {
 fn light_goes_on_where_it_may_be_seen_again() -> Result<(), Failure> {
     let mut cpu = CpuBackend::new(None)?;
     let cases = [
-        Case::builtin("ball", EDGE, Some(RESOLUTION), &[])?,
-        Case::builtin("glass", EDGE, Some(RESOLUTION), &[])?.without_light(),
+        Case::builtin("ball", EDGE, Some(RESOLUTION), &["sweep.light=texels"])?,
+        Case::builtin("glass", EDGE, Some(RESOLUTION), &["sweep.light=texels"])?.without_light(),
         // So oblique that texels do not follow it, and light moves on to those that were seen before.
-        Case::builtin("head", EDGE, Some(RESOLUTION), &["light.0.azimuth=75"])?.without_light(),
+        Case::builtin("head", EDGE, Some(RESOLUTION), &["sweep.light=texels", "light.0.azimuth=75"])?.without_light(),
     ];
     for case in cases {
         let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut cpu)?;

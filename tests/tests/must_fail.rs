@@ -32,7 +32,7 @@ fn a_wrong_bit_of_a_kernel_is_found() -> Result<(), Failure> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let (mut cpu, mut faulty) = backends()?;
     let mut run = Run::new(folder.path().to_owned());
-    kernels::compare(&Case::builtin("ball", 24, Some(16), &[])?, &mut cpu, &mut faulty, &mut run)?;
+    kernels::compare(&Case::builtin("ball", 24, Some(16), &["sweep.light=texels"])?, &mut cpu, &mut faulty, &mut run)?;
     assert_eq!(run.breaches().len(), run.rows().len(), "{}", run.summary());
     assert!(run.rows().iter().all(|row| row.comparison.ulps.first_difference == Some(FAULT)));
     assert!(folder.path().join("T1-ball-sweep-sweep_initialize_light_at_plane_0/reference.exr").exists());
@@ -44,7 +44,7 @@ fn a_wrong_bit_of_a_frame_is_found() -> Result<(), Failure> {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let (mut cpu, mut faulty) = backends()?;
     let mut run = Run::new(folder.path().to_owned());
-    frames::compare(&Case::builtin("ball", 24, Some(16), &[])?, &mut cpu, &mut faulty, &mut run)?;
+    frames::compare(&Case::builtin("ball", 24, Some(16), &["sweep.light=texels"])?, &mut cpu, &mut faulty, &mut run)?;
     let wrong: Vec<String> = run.breaches().into_iter().map(|row| row.item).collect();
     assert_eq!(wrong, ["color", "light"], "the first values of both buffers that are read are shown there");
     assert!(folder.path().join("T2-ball-sweep-color/difference.png").exists());

@@ -156,7 +156,7 @@ fn a_kernel_without_a_mistake_passes() -> Result<(), Failure> {
 
 #[test]
 fn a_frame_shows_the_mistake() -> Result<(), Failure> {
-    let case = Case::builtin("head", 48, Some(32), &[])?;
+    let case = Case::builtin("head", 48, Some(32), &["sweep.light=texels"])?;
     let outputs = |kernel: &'static Kernel| {
         let run = run(|run| frames::compare(&case, &mut CpuBackend::new(None)?, &mut stranger(kernel)?, run))?;
         Ok::<_, Failure>(run.breaches().into_iter().map(|row| row.item).collect::<Vec<_>>())

@@ -36,7 +36,7 @@ fn run(case: &Case, backend: &mut dyn Backend) -> Result<(Bits, usize), Failure>
 const TURNED_END: &str = "sweep.follow_turned_rays=false";
 
 fn case(name: &str, settings: &[&str]) -> Result<Case, Failure> {
-    Case::builtin(name, EDGE, Some(RESOLUTION), &[settings, &[TURNED_END]].concat())
+    Case::builtin(name, EDGE, Some(RESOLUTION), &[&["sweep.light=texels"][..], settings, &[TURNED_END]].concat())
 }
 
 const OBLIQUE: &str = "camera.azimuth=37";

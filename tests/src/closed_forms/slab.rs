@@ -35,6 +35,7 @@ pub fn irradiance(
     // Light on texels alone has an intensity to correct, and planes up to the wall.
     scene.sweep.light = Transport::Texels;
     scene.sweep.intensity = intensity;
+    scene.sweep.light = Transport::Texels;
     scene.sweep.light_resolution = resolution;
     scene.sweep.sample_distance = sample_distance;
     let distance = share * focus;

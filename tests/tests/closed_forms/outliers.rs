@@ -43,6 +43,7 @@ fn opacities(points: &[(f32, f32)]) -> Vec<OpacityPoint> {
 /// Depth makes opacity, colour, filter and η of a scalar between `low` and `high`; what is below a tenth is invisible.
 fn everything([low, high]: [f32; 2]) -> Scene {
     let mut scene = straight_on(PIXELS);
+    scene.sweep.light = Transport::Texels;
     let at = |share: f32| low + share * (high - low);
     scene.transfer.opacity = opacities(&[(at(0.1), 0.0), (at(0.6), 0.1), (at(0.7), 0.02), (at(0.9), 0.2)]);
     let color = |share: f32, color: [f32; 3]| ColorPoint { value: at(share), color };

@@ -48,10 +48,10 @@ impl Looked {
             let at = corners.map(|corner| frame.coordinates(corner) - DVec3::new(first_sample, first_sample, 0.0));
             let low = at.iter().copied().fold(DVec3::INFINITY, DVec3::min).to_array();
             let high = at.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max).to_array();
-            // A look-up between samples belongs to the brick of the one before it; casts cut off below 0.
+            // A look-up is between a sample and the next one, which may be in the next brick; casts cut off below 0.
             let first = low.map(|x| x.floor() as usize / brick);
             let last: [usize; 3] =
-                std::array::from_fn(|axis| (high[axis].floor() as usize / brick).min(counts[axis] - 1));
+                std::array::from_fn(|axis| ((high[axis].floor() + 1.0) as usize / brick).min(counts[axis] - 1));
             for z in first[2]..=last[2] {
                 for y in first[1]..=last[1] {
                     let row = (z * counts[1] + y) * counts[0];
@@ -62,6 +62,11 @@ impl Looked {
             }
         }
         Self { counts, looked }
+    }
+
+    /// Words that the entries take.
+    pub(super) fn entries(&self) -> u64 {
+        self.looked.len() as u64 * u64::from(ENTRY)
     }
 
     /// Words that the samples take, with `components` words each.

@@ -22,6 +22,7 @@ use bricks::{Bricks, Looked};
 use glam::DVec3;
 use vitrum_io::Volume;
 use vitrum_kernels::abi::grid::Grid;
+use vitrum_kernels::abi::record::landed;
 use vitrum_kernels::abi::sweep::{SweepUniforms, mode};
 use vitrum_kernels::abi::vector::{Affine, Counts, Size};
 use vitrum_kernels::abi::wavefront::{self as abi, PLANE_ALIGNMENT, ReceiverMap};
@@ -29,6 +30,8 @@ use vitrum_kernels::sweep::light::carried::components;
 
 /// The most bytes of the light around a volume.
 const MOST_BYTES: u64 = 192 << 20;
+/// The fewest cells across and up, where there is too little memory for any light.
+const FEWEST_CELLS: [u32; 2] = [3, 3];
 /// By how much cells grow until their light fits.
 const COARSER: f64 = 1.189_207_115;
 /// Texels of a receiver's map along the edge of a cell, for crisp light.
@@ -112,15 +115,20 @@ impl Wavefront {
         let bends = mode::bends(chosen);
         let first_sample = if bends { 0.5f32 } else { 0.0 };
         let components = components(chosen);
-        let most = MOST_BYTES.min(largest_buffer / 2) / 4;
-        let mut frame = frame;
-        let mut looked = Looked::new(&frame, f64::from(first_sample), looked_at);
-        while looked.words(components) > most {
-            frame = frame.coarser(COARSER);
-            looked = Looked::new(&frame, f64::from(first_sample), looked_at);
-        }
         let texels = if scene.first_light().angular_radius > 0.0 { SOFT_TEXELS } else { TEXELS };
-        let map = map(&frame, texels);
+        let mut frame = frame;
+        let (looked, map) = loop {
+            let looked = Looked::new(&frame, f64::from(first_sample), looked_at);
+            let map = map(&frame, texels);
+            let landed = u64::from(map.size.width * map.size.height) * landed::SIZE as u64 * 4;
+            // The buffer of light has three maps, each half as large as the sums that are made into it.
+            let bytes = (looked.words(components) + looked.entries()) * 4 + 2 * landed;
+            if (bytes <= MOST_BYTES + 2 * landed && bytes.max(landed) <= largest_buffer) || frame.cells == FEWEST_CELLS
+            {
+                break (looked, map);
+            }
+            frame = frame.coarser(COARSER);
+        };
         let map_words = (map.size.width * map.size.height * 3).next_multiple_of(PLANE_ALIGNMENT);
         // The entries of the bricks come first, then the maps.
         let maps = (looked.bricks(components, 0).entries as u32).next_multiple_of(PLANE_ALIGNMENT);

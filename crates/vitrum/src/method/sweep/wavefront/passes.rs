@@ -219,7 +219,8 @@ impl Wavefront {
         block.step.alike = planes.alike(plane) as f32;
         block.wavefront.layer = plane / self.frame.stride / BRICK;
         block.wavefront.list = layer.list;
-        block.wavefront.observed = block.step.ahead;
+        // A little behind the plane: light that was bent on it is in front.
+        block.wavefront.observed = block.step.ahead + 1e-3 * block.step.distance;
         Pass {
             kernel,
             uniforms: bytemuck::bytes_of(&block).to_vec(),
