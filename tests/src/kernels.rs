@@ -25,8 +25,6 @@ use crate::raster::Raster;
 use crate::refraction;
 use crate::run::{About, Run};
 
-/// Light on texels, as long as a case does not say otherwise.
-const TEXELS: &str = "sweep.light=texels";
 /// Light that a wavefront carries.
 const FORWARD: &str = "sweep.light=forward";
 /// Light on texels, which cases have that do not name a carrier.

@@ -122,31 +122,49 @@ unsafe fn add<const NEAR: bool>(
     (across, up): (i32, i32),
     clear: bool,
 ) -> Arriving {
+    // Written out: what a closure captures becomes a pointer that SPIR-V refuses.
     // SAFETY: the caller's promise.
-    let ahead_x = |beyond: i32| unsafe {
-        component::<NEAR>(u, trace, at, middle, (across + beyond, up), traced::AHEAD_X, middle.drift.0)
+    let (x, y) = unsafe {
+        (
+            part(
+                (middle.across + across) as f32,
+                component::<NEAR>(u, trace, at, middle, (across - 1, up), traced::AHEAD_X, middle.drift.0),
+                component::<NEAR>(u, trace, at, middle, (across, up), traced::AHEAD_X, middle.drift.0),
+                component::<NEAR>(u, trace, at, middle, (across + 1, up), traced::AHEAD_X, middle.drift.0),
+            ),
+            part(
+                (middle.up + up) as f32,
+                component::<NEAR>(u, trace, at, middle, (across, up - 1), traced::AHEAD_Y, middle.drift.1),
+                component::<NEAR>(u, trace, at, middle, (across, up), traced::AHEAD_Y, middle.drift.1),
+                component::<NEAR>(u, trace, at, middle, (across, up + 1), traced::AHEAD_Y, middle.drift.1),
+            ),
+        )
     };
+    let outside = middle.outside;
     // SAFETY: the caller's promise.
-    let ahead_y = |beyond: i32| unsafe {
-        component::<NEAR>(u, trace, at, middle, (across, up + beyond), traced::AHEAD_Y, middle.drift.1)
+    let (here, left, right, below, above) = unsafe {
+        (
+            component::<NEAR>(u, behind, at, middle, (across, up), record::CONCENTRATION, outside),
+            component::<NEAR>(u, behind, at, middle, (across - 1, up), record::CONCENTRATION, outside),
+            component::<NEAR>(u, behind, at, middle, (across + 1, up), record::CONCENTRATION, outside),
+            component::<NEAR>(u, behind, at, middle, (across, up - 1), record::CONCENTRATION, outside),
+            component::<NEAR>(u, behind, at, middle, (across, up + 1), record::CONCENTRATION, outside),
+        )
     };
-    // SAFETY: the caller's promise.
-    let light = |c: usize| unsafe { component::<NEAR>(u, behind, at, middle, (across, up), c, middle.outside) };
-    // SAFETY: the caller's promise.
-    let concentration = |right: i32, above: i32| unsafe {
-        let texel = (across + right, up + above);
-        component::<NEAR>(u, behind, at, middle, texel, record::CONCENTRATION, middle.outside)
-    };
-    let x = part((middle.across + across) as f32, ahead_x(-1), ahead_x(0), ahead_x(1));
-    let y = part((middle.up + up) as f32, ahead_y(-1), ahead_y(0), ahead_y(1));
-    let here = concentration(0, 0);
-    let rise_x = rise(concentration(-1, 0), here, concentration(1, 0));
-    let rise_y = rise(concentration(0, -1), here, concentration(0, 1));
+    let rise_x = rise(left, here, right);
+    let rise_y = rise(below, here, above);
     let share = max(x.share * y.share + (rise_x * x.moment * y.share + rise_y * x.share * y.moment), 0.0);
-    let red = light(record::FLUX);
+    // SAFETY: the caller's promise.
+    let red = unsafe { component::<NEAR>(u, behind, at, middle, (across, up), record::FLUX, outside) };
     let (mut green, mut blue) = (red, red);
     if !clear {
-        (green, blue) = (light(record::FLUX + 1), light(record::FLUX + 2));
+        // SAFETY: the caller's promise.
+        (green, blue) = unsafe {
+            (
+                component::<NEAR>(u, behind, at, middle, (across, up), record::FLUX + 1, outside),
+                component::<NEAR>(u, behind, at, middle, (across, up), record::FLUX + 2, outside),
+            )
+        };
     }
     Arriving { flux: sum.flux + Vec3::new(red, green, blue) * share, concentration: sum.concentration + here * share }
 }

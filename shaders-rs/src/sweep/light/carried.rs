@@ -63,30 +63,45 @@ fn around(w: &Wavefront, light: &[u32], inside: Vec3, chosen: u32) -> Around {
     }
 }
 
+/// A component between two samples, the first of which is word `at`.
+#[inline(always)]
+fn in_row(light: &[u32], at: i32, around: &Around) -> f32 {
+    lerp(read_float(light, at), read_float(light, at + 1), around.x)
+}
+
+/// A component between four samples of a plane.
+#[inline(always)]
+fn in_plane(light: &[u32], at: i32, around: &Around) -> f32 {
+    lerp(in_row(light, at, around), in_row(light, at + STORED as i32, around), around.y)
+}
+
 /// Component `component` between the samples.
 #[inline(always)]
 fn between(light: &[u32], around: &Around, component: i32) -> f32 {
     let at = around.at + component * around.component;
-    let row = |at: i32| lerp(read_float(light, at), read_float(light, at + 1), around.x);
-    let plane = |at: i32| lerp(row(at), row(at + STORED as i32), around.y);
-    lerp(plane(at), plane(at + around.plane), around.z)
+    lerp(in_plane(light, at, around), in_plane(light, at + around.plane, around), around.z)
 }
 
-/// The difference of the direction from the direction of unrefracted light, in units of [`offset`].
+/// The difference of the direction from the direction of unrefracted light between two samples, in units of [`offset`].
+#[inline(always)]
+fn aside_in_row(light: &[u32], at: i32, around: &Around) -> (f32, f32) {
+    let (a, b) = (offset::unpack(read_float(light, at)), offset::unpack(read_float(light, at + 1)));
+    (lerp(a.0, b.0, around.x), lerp(a.1, b.1, around.x))
+}
+
+/// As [`aside_in_row`], between four samples of a plane.
+#[inline(always)]
+fn aside_in_plane(light: &[u32], at: i32, around: &Around) -> (f32, f32) {
+    let (a, b) = (aside_in_row(light, at, around), aside_in_row(light, at + STORED as i32, around));
+    (lerp(a.0, b.0, around.y), lerp(a.1, b.1, around.y))
+}
+
+/// As [`aside_in_row`], between the eight samples; component `component` has the direction.
 #[inline(always)]
 fn aside(light: &[u32], around: &Around, component: i32) -> (f32, f32) {
     let at = around.at + component * around.component;
-    let corner = |beyond: i32| offset::unpack(read_float(light, at + beyond));
-    let rows = STORED as i32;
-    let plane = |at: i32| {
-        let (a, b, c, d) = (corner(at), corner(at + 1), corner(at + rows), corner(at + rows + 1));
-        (
-            lerp(lerp(a.0, b.0, around.x), lerp(c.0, d.0, around.x), around.y),
-            lerp(lerp(a.1, b.1, around.x), lerp(c.1, d.1, around.x), around.y),
-        )
-    };
-    let (near, far) = (plane(0), plane(around.plane));
-    (lerp(near.0, far.0, around.z), lerp(near.1, far.1, around.z))
+    let (a, b) = (aside_in_plane(light, at, around), aside_in_plane(light, at + around.plane, around));
+    (lerp(a.0, b.0, around.z), lerp(a.1, b.1, around.z))
 }
 
 /// The light at a point of the view frame: its flux is the radiance of light that has the same fluence. Where there are no samples, unoccluded light.

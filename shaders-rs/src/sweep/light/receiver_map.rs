@@ -55,10 +55,17 @@ pub fn place(w: &Wavefront, at: Vec2) -> Vec2 {
 #[inline(always)]
 pub fn texel(w: &Wavefront, x: u32, y: u32) -> (Vec2, f32) {
     let (i, j) = (x as i32 as f32, y as i32 as f32);
-    let at = |of: f32, count: u32| cells(w, of, count);
     let (width, height) = (w.cells.width, w.cells.height);
-    let area = (at(i + 1.0, width) - at(i, width)) * (at(j + 1.0, height) - at(j, height));
-    (Vec2::new(at(i + 0.5, width), at(j + 0.5, height)), area)
+    let area = (cells(w, i + 1.0, width) - cells(w, i, width)) * (cells(w, j + 1.0, height) - cells(w, j, height));
+    (Vec2::new(cells(w, i + 0.5, width), cells(w, j + 0.5, height)), area)
+}
+
+/// A component between four texels, the first of which is word `at`.
+#[inline(always)]
+fn between(light: &[u32], at: i32, columns: i32, (s, t): (f32, f32)) -> f32 {
+    let below = lerp(read_float(light, at), read_float(light, at + 1), s);
+    let above = lerp(read_float(light, at + columns), read_float(light, at + columns + 1), s);
+    lerp(below, above, t)
 }
 
 /// The light on a receiver at a point of the view frame: its flux is the radiance of light that has the same irradiance and the direction of
@@ -77,14 +84,12 @@ pub fn light_on(u: &SweepUniforms, light: &[u32], at: Vec3, wall: bool) -> Light
         let j = floor_to_int(place.y, 0.0, (rows - 2) as f32);
         let (s, t) = (min(max(place.x - i as f32, 0.0), 1.0), min(max(place.y - j as f32, 0.0), 1.0));
         let start = if wall { w.map.wall } else { w.map.ground } as i32 + j * columns + i;
-        let component = |c: usize| {
-            let at = start + c as i32 * columns * rows;
-            let below = lerp(read_float(light, at), read_float(light, at + 1), s);
-            let above = lerp(read_float(light, at + columns), read_float(light, at + columns + 1), s);
-            lerp(below, above, t)
-        };
-        let share =
-            Vec3::new(component(received::SHARE), component(received::SHARE + 1), component(received::SHARE + 2));
+        let texels = columns * rows;
+        let share = Vec3::new(
+            between(light, start + received::SHARE as i32 * texels, columns, (s, t)),
+            between(light, start + (received::SHARE + 1) as i32 * texels, columns, (s, t)),
+            between(light, start + (received::SHARE + 2) as i32 * texels, columns, (s, t)),
+        );
         let behind = (w.spherical != 0) & (inside.z <= 0.0);
         let flux = unoccluded * share;
         let flux = Vec3::new(
