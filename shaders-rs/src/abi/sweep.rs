@@ -114,12 +114,10 @@ pub mod mode {
     pub const CLEAR_STRAIGHT: u32 = 4;
     /// As [`CENTRAL`], where the medium is clear.
     pub const CLEAR_CENTRAL: u32 = 5;
-    /// As [`STRAIGHT`], for viewing rays that look at light on texels.
-    pub const TEXELS_STRAIGHT: u32 = 6;
     /// As [`CENTRAL`], for viewing rays that look at light on texels.
-    pub const TEXELS_CENTRAL: u32 = 7;
+    pub const TEXELS_CENTRAL: u32 = 6;
     /// As [`CHAIN`], for viewing rays that look at light on texels.
-    pub const TEXELS_CHAIN: u32 = 8;
+    pub const TEXELS_CHAIN: u32 = 7;
 
     /// Whether rays are bent in this mode.
     #[must_use]
@@ -139,15 +137,15 @@ pub mod mode {
     #[must_use]
     #[inline(always)]
     pub fn is_on_texels(mode: u32) -> bool {
-        mode >= TEXELS_STRAIGHT
+        mode >= TEXELS_CENTRAL
     }
 
     /// The mode of viewing rays that look at light on texels.
     #[must_use]
     pub fn on_texels(mode: u32) -> u32 {
         match any_medium(mode) {
-            STRAIGHT => TEXELS_STRAIGHT,
-            CENTRAL => TEXELS_CENTRAL,
+            // Where nothing bends rays, that mode leaves them straight.
+            STRAIGHT | CENTRAL => TEXELS_CENTRAL,
             CHAIN => TEXELS_CHAIN,
             other => other,
         }

@@ -32,6 +32,10 @@ pub struct Wavefront {
     pub inverse_step: f32,
     /// Position of the first sample of the light among the nodes: 0 at the first node, ½ in the middle of the first cell.
     pub first_sample: f32,
+    /// Colours of a sample: 1 in a clear medium, else 3.
+    pub colors: u32,
+    /// Words of a sample: its colours and, where light bends, its direction as the last one.
+    pub components: u32,
     /// Bricks of light along x, y and z.
     pub bricks: Counts,
     /// The bricks, counted along z, whose samples lie on the plane.

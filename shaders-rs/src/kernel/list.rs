@@ -58,11 +58,11 @@ kernels! {
         propagate_rays<V>(volume, light: u32) updates ray,
             levels [FULL MEETING BORDER],
             modes mode [
-                STRAIGHT, CENTRAL, CHAIN, UNSHADED, CLEAR_STRAIGHT, CLEAR_CENTRAL, TEXELS_STRAIGHT, TEXELS_CENTRAL, TEXELS_CHAIN
+                STRAIGHT, CENTRAL, CHAIN, UNSHADED, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL, TEXELS_CENTRAL, TEXELS_CHAIN
             ],
             skip [until];
         follow_rays<V>(volume, light: u32) updates ray,
-            levels [WORK], modes mode [CENTRAL, CHAIN, CLEAR_CENTRAL, TEXELS_CENTRAL, TEXELS_CHAIN], reports work;
+            levels [WORK], modes mode [CENTRAL, CHAIN, CLEAR_CENTRAL = CENTRAL, TEXELS_CENTRAL, TEXELS_CHAIN], reports work;
         initialize_nodes() writes node;
         advance_nodes<V>(volume) updates node,
             levels [FULL BORDER] few [BORDER],

@@ -28,7 +28,7 @@ fn plane(u: &SweepUniforms, which: u32) -> Affine {
 fn way(plane: Affine, from: glam::Vec3, direction: glam::Vec3) -> f32 {
     let height = affine(plane, from);
     let speed = -dot(xyz(plane.factors), direction);
-    select((height > 0.0) & (speed > 1e-6), height / max(speed, 1e-6), -1.0)
+    select((height >= 0.0) & (speed > 1e-6), height / max(speed, 1e-6), -1.0)
 }
 
 /// A corner of a cell where its light lands, in texels of the map, and the length of the way from where it last bent.

@@ -1,6 +1,5 @@
 //! Look-ups of the light that a wavefront has carried: between eight samples of a brick.
 
-use crate::abi::record::{carried, carried_clear};
 use crate::abi::sweep::{SweepUniforms, mode};
 use crate::abi::wavefront::{BRICK, LAYER, STORED, Wavefront, plane_words};
 use crate::field::access::read_float;
@@ -13,19 +12,6 @@ use spirv_std::glam::Vec3;
 
 /// Farther than any sample.
 const FAR: f32 = 65536.0;
-
-/// Words of a sample.
-#[must_use]
-#[inline(always)]
-pub fn components(chosen: u32) -> u32 {
-    if !mode::is_clear(chosen) {
-        carried::SIZE as u32
-    } else if mode::bends(chosen) {
-        carried_clear::SIZE as u32
-    } else {
-        1
-    }
-}
 
 /// The samples around a point.
 struct Around {
@@ -44,14 +30,14 @@ struct Around {
 }
 
 #[inline(always)]
-fn around(w: &Wavefront, light: &[u32], inside: Vec3, chosen: u32) -> Around {
+fn around(w: &Wavefront, light: &[u32], inside: Vec3) -> Around {
     let cells = coordinates(w, inside);
     let (x, y) = (cells.x - w.first_sample, cells.y - w.first_sample);
     let z = (inside.z - w.first_depth) * w.inverse_step;
     let (i, j, k) = (floor_to_int(x, -FAR, FAR), floor_to_int(y, -FAR, FAR), floor_to_int(z, -FAR, FAR));
     let brick = brick(w, light, i, j, k >> BRICK.trailing_zeros());
     let within = BRICK as i32 - 1;
-    let plane = plane_words(brick.bricks, components(chosen)) as i32;
+    let plane = plane_words(brick.bricks, w.components) as i32;
     Around {
         at: brick.start + (k & within) * plane + (j & within) * STORED as i32 + (i & within),
         component: (brick.bricks * LAYER) as i32,
@@ -109,17 +95,18 @@ fn aside(light: &[u32], around: &Around, component: i32) -> (f32, f32) {
 pub fn light_at(u: &SweepUniforms, light: &[u32], at: Vec3, chosen: u32) -> Light {
     let w = &u.wavefront;
     let inside = in_frame(w, at);
-    let around = around(w, light, inside, chosen);
+    let around = around(w, light, inside);
     let red = select(around.stored, between(light, &around, 0), 1.0);
     let mut share = Vec3::new(red, red, red);
     if !mode::is_clear(chosen) {
-        share.y = select(around.stored, between(light, &around, 1), 1.0);
-        share.z = select(around.stored, between(light, &around, 2), 1.0);
+        // In a clear medium there is one colour.
+        let (green, blue) = if w.colors > 1 { (1, 2) } else { (0, 0) };
+        share.y = select(around.stored, between(light, &around, green), 1.0);
+        share.z = select(around.stored, between(light, &around, blue), 1.0);
     }
     let mut direction = unrefracted_direction(w, inside);
     if mode::bends(chosen) {
-        let number = components(chosen) as i32 - 1;
-        let (across, up) = aside(light, &around, number);
+        let (across, up) = aside(light, &around, w.components as i32 - 1);
         let x = direction.x + select(around.stored, across * offset::UNIT, 0.0);
         let y = direction.y + select(around.stored, up * offset::UNIT, 0.0);
         // Light goes forward in its frame.

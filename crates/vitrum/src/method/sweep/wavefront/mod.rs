@@ -22,11 +22,10 @@ use bricks::{Bricks, Looked};
 use glam::DVec3;
 use vitrum_io::Volume;
 use vitrum_kernels::abi::grid::Grid;
-use vitrum_kernels::abi::record::landed;
+use vitrum_kernels::abi::record::{carried, carried_clear, carried_straight, landed};
 use vitrum_kernels::abi::sweep::{SweepUniforms, mode};
 use vitrum_kernels::abi::vector::{Affine, Counts, Size};
 use vitrum_kernels::abi::wavefront::{self as abi, PLANE_ALIGNMENT, ReceiverMap};
-use vitrum_kernels::sweep::light::carried::components;
 
 /// The most bytes of the light around a volume.
 const MOST_BYTES: u64 = 192 << 20;
@@ -114,7 +113,12 @@ impl Wavefront {
     ) -> Result<Self, Error> {
         let bends = mode::bends(chosen);
         let first_sample = if bends { 0.5f32 } else { 0.0 };
-        let components = components(chosen);
+        let (colors, components) = match (mode::is_clear(chosen), bends) {
+            (true, false) => (1, carried_straight::SIZE),
+            (true, true) => (1, carried_clear::SIZE),
+            (false, _) => (3, carried::SIZE),
+        };
+        let components = components as u32;
         let texels = if scene.first_light().angular_radius > 0.0 { SOFT_TEXELS } else { TEXELS };
         let mut frame = frame;
         let (looked, map) = loop {
@@ -139,6 +143,8 @@ impl Wavefront {
         let seen = abi::Wavefront {
             bricks: Counts { x, y, z },
             map: ReceiverMap { ground: maps, wall: maps + map_words, ..map },
+            colors,
+            components,
             units: units(&frame),
             softness: libm::tan(f64::from(scene.first_light().angular_radius).to_radians()) as f32,
             ..as_seen(view, &frame, first_sample)

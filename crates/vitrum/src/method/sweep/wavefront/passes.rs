@@ -13,7 +13,6 @@ use vitrum_kernels::abi::sweep::{along, mode, receiver};
 use vitrum_kernels::abi::vector::Size;
 use vitrum_kernels::abi::wavefront::{BRICK, BRICKS_TOGETHER, LAYER, plane_words};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
-use vitrum_kernels::sweep::light::carried::components;
 
 /// The buffers of a wavefront.
 pub(in crate::method::sweep) struct WavefrontBuffers {
@@ -130,7 +129,7 @@ impl Wavefront {
             if layer.bricks == 0 {
                 continue;
             }
-            let words = components(self.mode);
+            let words = self.seen.components;
             let (kernel, chosen): (&'static Kernel, _) = match (words, mode::bends(self.mode)) {
                 (1, _) => (&kernels::sweep_collect_straight, mode::STRAIGHT),
                 (2, _) => (&kernels::sweep_collect_clear, mode::CLEAR_CENTRAL),
@@ -219,8 +218,7 @@ impl Wavefront {
         block.step.alike = planes.alike(plane) as f32;
         block.wavefront.layer = plane / self.frame.stride / BRICK;
         block.wavefront.list = layer.list;
-        // A little behind the plane: light that was bent on it is in front.
-        block.wavefront.observed = block.step.ahead + 1e-3 * block.step.distance;
+        block.wavefront.observed = block.step.ahead;
         Pass {
             kernel,
             uniforms: bytemuck::bytes_of(&block).to_vec(),
