@@ -1,9 +1,11 @@
 //! Data that a sweep keeps from frame to frame: volumes, tables, the occupancy, the environment map.
 
+use super::Carried;
 use super::mesh_volumes::MeshVolumes;
 use super::occupancy::Occupancy;
 use super::tables::Tables;
 use super::uploaded::UploadedVolumes;
+use super::wavefront::LightKey;
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::error::Error;
@@ -15,7 +17,7 @@ use crate::subject::Volumes;
 use std::sync::Arc;
 
 /// The scene's values that tables depend on: the transfer functions, whether rays are refracted, and the index of the surroundings.
-type TablesKey = (TransferFunction, bool, f32);
+pub(super) type TablesKey = (TransferFunction, bool, f32);
 
 /// Data of a sweep that the next frame of the same assets uses again.
 #[derive(Default)]
@@ -33,6 +35,8 @@ pub(super) struct FrameCache {
     tables_buffer: Memo<TablesKey, Buffer>,
     pub(super) occupancy: Memo<(TablesKey, [u32; 2], bool), Occupancy>,
     pub(super) pictures: UploadedPictures,
+    /// The light that a wavefront has carried, which stays while the camera alone moves.
+    pub(super) carried: Option<(TablesKey, LightKey, Arc<Carried>)>,
     pub(super) scratch: Scratch,
 }
 

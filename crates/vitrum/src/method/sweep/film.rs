@@ -4,6 +4,7 @@ use super::Sweep;
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};
 use crate::film::{Output, PixelFilter, Statistics, rgb, rgba, xyz};
 use crate::method::PreparedFrame;
+use std::sync::atomic::Ordering;
 use vitrum_io::Picture;
 use vitrum_kernels::abi::record::{film, status};
 use vitrum_kernels::abi::sweep::SweepUniforms;
@@ -84,6 +85,10 @@ impl PreparedFrame for Sweep {
     ) -> Result<(), BackendError> {
         let rays = self.rays[0] as usize * self.rays[1] as usize;
         let terminated = records[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
+        // What is counted here has come to its end.
+        if let Some(carried) = &self.carried {
+            carried.is_done.store(true, Ordering::Relaxed);
+        }
         statistics.planes = Some(self.planes.count);
         statistics.light_texels = Some(self.light_grid.size);
         statistics.rays_terminated = Some(terminated as u64);

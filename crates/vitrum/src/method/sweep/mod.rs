@@ -43,6 +43,7 @@ use film::Voxelized;
 use irradiance_ring::IrradianceRing;
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use uniforms::FramePlan;
 use uploaded::UploadedVolumes;
 use wavefront::{Wavefront, WavefrontBuffers};
@@ -115,7 +116,7 @@ pub struct Sweep {
     pub rays: [u32; 2],
     buffers: Buffers,
     /// The wavefront that carries the light forward, if one does.
-    carried: Option<Carried>,
+    carried: Option<Arc<Carried>>,
     ring: IrradianceRing,
     /// The irradiance of unoccluded light.
     unoccluded: [f32; 3],
@@ -128,6 +129,8 @@ pub struct Sweep {
 pub(in crate::method::sweep) struct Carried {
     wavefront: Wavefront,
     buffers: WavefrontBuffers,
+    /// Whether its passes have run to the end: a frame may be cancelled on the way.
+    is_done: AtomicBool,
 }
 
 /// The buffers of a frame that are read.
@@ -232,7 +235,7 @@ impl Sweep {
     /// As [`Backend::read`] and [`Backend::run`].
     pub fn irradiance_on(&self, plane: u32, backend: &mut dyn Backend) -> Result<Vec<f32>, BackendError> {
         let texels = self.light_grid.size[0] as usize * self.light_grid.size[1] as usize;
-        let mut shares: Vec<f32> = if let Some(Carried { wavefront, buffers }) = &self.carried {
+        let mut shares: Vec<f32> = if let Some(Carried { wavefront, buffers, .. }) = self.carried.as_deref() {
             let (passes, map) = wavefront.observe(plane, buffers);
             backend.run(&PassList { passes, ..PassList::default() }, &mut |_| true)?;
             wavefront.of_cells(&backend.read_part::<f32>(&buffers.light, map)?)

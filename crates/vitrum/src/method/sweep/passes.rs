@@ -19,6 +19,7 @@ use crate::scene::{Removes, Scene};
 use crate::subject::Volumes;
 use std::collections::BTreeSet;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use vitrum_kernels::abi::record::{film, ray};
 use vitrum_kernels::abi::sweep::mode;
 use vitrum_kernels::kernel::kernels;
@@ -36,7 +37,7 @@ pub(super) fn build(
     request: OutputRequest,
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
-) -> Result<(PassList, Buffers, Option<Carried>), Error> {
+) -> Result<(PassList, Buffers, Option<Arc<Carried>>), Error> {
     let rendered = volumes;
     let shown = volumes.shown;
     let UploadedVolumes { ranges, ior_ranges, .. } = uploaded;
@@ -105,13 +106,23 @@ pub(super) fn build(
         }
         Some(_) => Box::new(Unoccluded::new(&mut buffers)?),
     };
-    let carried = match wavefront {
-        Some(wavefront) => {
+    // Streamed voxels are gone when the camera moves.
+    let keeps = !plan.format.is_paged();
+    let kept = wavefront.as_ref().filter(|_| keeps).map(|wavefront| (tables_key(scene), wavefront.key()));
+    let known = cache.carried.take().filter(|(tables, light, carried)| {
+        carried.is_done.load(Ordering::Relaxed)
+            && kept.as_ref().is_some_and(|(same_tables, same_light)| tables == same_tables && light == same_light)
+    });
+    let is_known = known.is_some();
+    let carried = match (wavefront, known) {
+        (_, Some((.., carried))) => Some(carried),
+        (Some(wavefront), None) => {
             let made = wavefront.buffers(&mut buffers, volumes.clone())?;
-            Some(Carried { wavefront, buffers: made })
+            Some(Arc::new(Carried { wavefront, buffers: made, is_done: AtomicBool::new(false) }))
         }
-        None => None,
+        (None, None) => None,
     };
+    cache.carried = kept.zip(carried.clone()).map(|((tables, light), carried)| (tables, light, carried));
     // What viewing rays look the light up in.
     let looked_up =
         carried.as_ref().map_or_else(|| light.irradiance().clone(), |carried| carried.buffers.light.clone());
@@ -121,11 +132,12 @@ pub(super) fn build(
 
     let ray_kernel = kernels::sweep_propagate_rays.get(plan.format);
     // The first pass of each plane, of the wavefront's planes first.
-    let (mut passes, mut starts) = match &carried {
-        Some(Carried { wavefront, buffers }) => wavefront.passes(buffers, plan.format),
+    let (mut passes, mut starts) = match carried.as_deref() {
+        Some(_) if is_known => (Vec::new(), Vec::new()),
+        Some(Carried { wavefront, buffers, .. }) => wavefront.passes(buffers, plan.format),
         None => (light.start(plan), Vec::new()),
     };
-    let entries = carried.as_ref().map(|carried| carried.wavefront.entries(&carried.buffers));
+    let entries = carried.as_ref().filter(|_| !is_known).map(|carried| carried.wavefront.entries(&carried.buffers));
     passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&looked_up, &rays]));
     starts.push(if carried.is_some() { passes.len() } else { 0 });
     let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &volumes;

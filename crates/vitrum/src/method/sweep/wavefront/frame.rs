@@ -42,7 +42,8 @@ impl Frame {
     ) -> Result<Self, Error> {
         let bounds = Bounds::from(volumes.shown);
         let (centre, radius) = bounds.sphere();
-        let away = (view.axes * towards).normalize();
+        // In single precision, so that one light has one frame, whichever camera has stated its direction.
+        let away = (view.axes * towards).as_vec3().as_dvec3().normalize();
         let right = away.cross(view.up).try_normalize().unwrap_or_else(|| away.any_orthonormal_vector());
         let axes = DMat3::from_cols(right, right.cross(away), away);
         let eye = centre - away * (4.0 * radius);

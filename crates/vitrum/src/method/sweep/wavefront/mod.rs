@@ -11,6 +11,7 @@ mod passes;
 pub(super) use frame::Frame;
 pub(super) use passes::WavefrontBuffers;
 
+use super::planes::Planes;
 use super::uniforms::set_clips;
 use super::voxels::rows;
 use crate::error::Error;
@@ -21,7 +22,10 @@ use crate::subject::Volumes;
 use bricks::{Bricks, Looked};
 use glam::DVec3;
 use vitrum_io::Volume;
+use vitrum_kernels::abi::camera::Camera;
+use vitrum_kernels::abi::environment::Environment;
 use vitrum_kernels::abi::grid::Grid;
+use vitrum_kernels::abi::light::LightGrid;
 use vitrum_kernels::abi::record::{carried, carried_clear, carried_straight, landed};
 use vitrum_kernels::abi::sweep::{SweepUniforms, mode};
 use vitrum_kernels::abi::vector::{Affine, Counts, Size};
@@ -68,6 +72,17 @@ pub(super) struct Wavefront {
     block: SweepUniforms,
     /// The wavefront as viewing rays know it.
     pub(super) seen: abi::Wavefront,
+}
+
+/// All that the light of a wavefront depends on, besides the volumes and their tables.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct LightKey {
+    block: SweepUniforms,
+    planes: Planes,
+    stride: u32,
+    bricks: Vec<u32>,
+    receivers: [bool; 2],
+    mode: u32,
 }
 
 /// A part of a uniform block that stands for a grid without light: viewing rays then look at unoccluded light.
@@ -155,6 +170,20 @@ impl Wavefront {
     }
 }
 
+impl Wavefront {
+    /// All that the light depends on, besides the volumes and their tables.
+    pub(super) fn key(&self) -> LightKey {
+        LightKey {
+            block: self.block,
+            planes: self.frame.planes,
+            stride: self.frame.stride,
+            bricks: self.bricks.words.clone(),
+            receivers: self.receivers,
+            mode: self.mode,
+        }
+    }
+}
+
 /// The uniform block of the passes that carry light: that of viewing rays, in the wavefront's frame.
 fn block(
     scene: &Scene,
@@ -169,7 +198,14 @@ fn block(
         Grid { row_x, row_y, row_z, ..*of }
     };
     let planes = Receivers::new(scene, &frame.view, bounds);
-    let mut block = *seen_by;
+    // Nothing of the camera, so that light stays what it is while the camera moves.
+    let mut block = SweepUniforms {
+        picture: Size::default(),
+        camera: Camera::default(),
+        environment: Environment::default(),
+        light_grid: LightGrid::default(),
+        ..*seen_by
+    };
     block.grid = turned(&seen_by.grid, volumes.shown);
     block.ior_grid = turned(&seen_by.ior_grid, volumes.ior.unwrap_or(volumes.shown));
     block.receivers.ground.plane = planes.ground.as_vec4().into();

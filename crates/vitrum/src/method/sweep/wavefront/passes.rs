@@ -53,7 +53,8 @@ impl Wavefront {
                 .create("bricks of light", Contents::Bytes(bytemuck::cast_slice(&self.bricks.words)))?,
             sums: buffers.planar("sums", if bends { [BRICK * BRICK, most] } else { [1, 1] }, sums::SIZE)?,
             landed: buffers.planar("landed light", [map.width, map.height], landed::SIZE)?,
-            light: buffers.planar("carried light", [self.words, 1], 1)?,
+            // Kept from frame to frame, and so none of the buffers that each frame writes anew.
+            light: buffers.backend.create("carried light", Contents::Zeros(u64::from(self.words) * 4))?,
         })
     }
 
