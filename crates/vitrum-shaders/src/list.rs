@@ -31,16 +31,20 @@ modules! {
     shadow_absorb_solid
     shadow_accumulate
     shadow_count_crossings
-    sweep_advance_sheet_f32
-    sweep_advance_sheet_f32_paged
-    sweep_advance_sheet_f32_with_ior
-    sweep_advance_sheet_f32_with_ior_paged
-    sweep_advance_sheet_u16
-    sweep_advance_sheet_u16_paged
-    sweep_advance_sheet_u8
-    sweep_advance_sheet_u8_paged
+    sweep_advance_nodes_f32
+    sweep_advance_nodes_f32_paged
+    sweep_advance_nodes_f32_with_ior
+    sweep_advance_nodes_f32_with_ior_paged
+    sweep_advance_nodes_u16
+    sweep_advance_nodes_u16_paged
+    sweep_advance_nodes_u8
+    sweep_advance_nodes_u8_paged
+    sweep_clear_landed
     sweep_clear_sums
+    sweep_collect_clear
     sweep_collect_light
+    sweep_collect_receiver
+    sweep_collect_straight
     sweep_concentrate_light
     sweep_filter_light
     sweep_follow_rays_f32
@@ -53,8 +57,11 @@ modules! {
     sweep_follow_rays_u8_paged
     sweep_gather_light
     sweep_initialize_light
+    sweep_initialize_nodes
     sweep_initialize_rays
-    sweep_initialize_sheet
+    sweep_integrate_landed
+    sweep_land_cells
+    sweep_project_nodes
     sweep_propagate_rays_f32
     sweep_propagate_rays_f32_paged
     sweep_propagate_rays_f32_with_ior
@@ -72,7 +79,7 @@ modules! {
     sweep_refract_light_u8
     sweep_refract_light_u8_paged
     sweep_resolve
-    sweep_scatter_sheet
+    sweep_scatter_cells
     sweep_trace_light
     voxelize_cross_columns
     voxelize_fill_rows

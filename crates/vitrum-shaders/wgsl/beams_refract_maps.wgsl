@@ -158,12 +158,12 @@ member_1: vec3<f32>,
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_24;
-@group(0) @binding(3)
-var<storage, read_write> global_2: type_13;
 @group(0) @binding(1)
-var<storage> global_3: type_13;
+var<storage> global_2: type_13;
 @group(0) @binding(2)
-var<storage> global_4: type_13;
+var<storage> global_3: type_13;
+@group(0) @binding(3)
+var<storage, read_write> global_4: type_13;
 fn function_() {
 var phi_312_: f32;
 var phi_765_: u32;
@@ -253,30 +253,30 @@ let _e83 = global_1.member.member.member_1;
 let _e87 = bitcast<i32>(((_e59.y * _e79) + _e59.x));
 let _e88 = bitcast<i32>((_e79 * _e83));
 let _e90 = ((4i * _e88) + _e87);
-let _e92 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e92 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
 let _e94 = select(_e92, _e90, (_e90 < _e92));
-let _e100 = global_3.member[bitcast<u32>(select(0i, _e94, (_e94 > 0i)))];
+let _e100 = global_2.member[bitcast<u32>(select(0i, _e94, (_e94 > 0i)))];
 let _e102 = ((5i * _e88) + _e87);
 let _e104 = select(_e92, _e102, (_e102 < _e92));
-let _e110 = global_3.member[bitcast<u32>(select(0i, _e104, (_e104 > 0i)))];
+let _e110 = global_2.member[bitcast<u32>(select(0i, _e104, (_e104 > 0i)))];
 let _e112 = ((6i * _e88) + _e87);
 let _e114 = select(_e92, _e112, (_e112 < _e92));
-let _e120 = global_3.member[bitcast<u32>(select(0i, _e114, (_e114 > 0i)))];
+let _e120 = global_2.member[bitcast<u32>(select(0i, _e114, (_e114 > 0i)))];
 let _e122 = ((7i * _e88) + _e87);
 let _e124 = select(_e92, _e122, (_e122 < _e92));
-let _e130 = global_3.member[bitcast<u32>(select(0i, _e124, (_e124 > 0i)))];
+let _e130 = global_2.member[bitcast<u32>(select(0i, _e124, (_e124 > 0i)))];
 let _e132 = ((8i * _e88) + _e87);
 let _e134 = select(_e92, _e132, (_e132 < _e92));
-let _e140 = global_3.member[bitcast<u32>(select(0i, _e134, (_e134 > 0i)))];
+let _e140 = global_2.member[bitcast<u32>(select(0i, _e134, (_e134 > 0i)))];
 let _e149 = ((9i * _e88) + _e87);
 let _e151 = select(_e92, _e149, (_e149 < _e92));
-let _e157 = global_3.member[bitcast<u32>(select(0i, _e151, (_e151 > 0i)))];
+let _e157 = global_2.member[bitcast<u32>(select(0i, _e151, (_e151 > 0i)))];
 let _e164 = select(0i, select(select(i32(_e157), i32(-2147483648), (_e157 < -2147483600f)), 2147483647i, (_e157 > 2147483500f)), (_e157 == _e157));
 if (select(0i, select(select(i32(_e140), i32(-2147483648), (_e140 < -2147483600f)), 2147483647i, (_e140 > 2147483500f)), (_e140 == _e140)) >= 0i) {
 let _e166 = (_e164 * 4i);
-let _e168 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
+let _e168 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e170 = select(_e168, _e166, (_e166 < _e168));
-let _e176 = global_4.member[bitcast<u32>(select(0i, _e170, (_e170 > 0i)))];
+let _e176 = global_3.member[bitcast<u32>(select(0i, _e170, (_e170 > 0i)))];
 phi_312_ = select(_e176, 1f, (_e164 == 16i));
 } else {
 phi_312_ = 0f;
@@ -465,20 +465,20 @@ let _e562 = phi_1034_;
 let _e563 = (_e558 * _e562);
 let _e572 = ((14i * _e438) + _e554);
 let _e574 = select(_e92, _e572, (_e572 < _e92));
-let _e580 = global_3.member[bitcast<u32>(select(0i, _e574, (_e574 > 0i)))];
+let _e580 = global_2.member[bitcast<u32>(select(0i, _e574, (_e574 > 0i)))];
 if (((((_e551 >= 0i) && (_e552 >= 0i)) && (_e551 < _e437)) && (_e552 < _e437)) && (select(0i, select(select(i32(_e580), i32(-2147483648), (_e580 < -2147483600f)), 2147483647i, (_e580 > 2147483500f)), (_e580 == _e580)) == _e164)) {
 let _e591 = ((10i * _e438) + _e554);
 let _e593 = select(_e92, _e591, (_e591 < _e92));
-let _e599 = global_3.member[bitcast<u32>(select(0i, _e593, (_e593 > 0i)))];
+let _e599 = global_2.member[bitcast<u32>(select(0i, _e593, (_e593 > 0i)))];
 let _e603 = ((11i * _e438) + _e554);
 let _e605 = select(_e92, _e603, (_e603 < _e92));
-let _e611 = global_3.member[bitcast<u32>(select(0i, _e605, (_e605 > 0i)))];
+let _e611 = global_2.member[bitcast<u32>(select(0i, _e605, (_e605 > 0i)))];
 let _e613 = ((12i * _e438) + _e554);
 let _e615 = select(_e92, _e613, (_e613 < _e92));
-let _e621 = global_3.member[bitcast<u32>(select(0i, _e615, (_e615 > 0i)))];
+let _e621 = global_2.member[bitcast<u32>(select(0i, _e615, (_e615 > 0i)))];
 let _e623 = ((13i * _e438) + _e554);
 let _e625 = select(_e92, _e623, (_e623 < _e92));
-let _e631 = global_3.member[bitcast<u32>(select(0i, _e625, (_e625 > 0i)))];
+let _e631 = global_2.member[bitcast<u32>(select(0i, _e625, (_e625 > 0i)))];
 phi_1164_ = vec3<f32>((_e540.x + (_e611 * _e563)), (_e540.y + (_e621 * _e563)), (_e540.z + (_e631 * _e563)));
 phi_1165_ = (_e544 + _e563);
 phi_1166_ = (_e546 + (_e599 * _e563));
@@ -657,20 +657,20 @@ let _e880 = phi_1466_;
 let _e881 = (_e876 * _e880);
 let _e890 = ((14i * _e756) + _e872);
 let _e892 = select(_e92, _e890, (_e890 < _e92));
-let _e898 = global_3.member[bitcast<u32>(select(0i, _e892, (_e892 > 0i)))];
+let _e898 = global_2.member[bitcast<u32>(select(0i, _e892, (_e892 > 0i)))];
 if (((((_e869 >= 0i) && (_e870 >= 0i)) && (_e869 < _e755)) && (_e870 < _e755)) && (select(0i, select(select(i32(_e898), i32(-2147483648), (_e898 < -2147483600f)), 2147483647i, (_e898 > 2147483500f)), (_e898 == _e898)) == _e164)) {
 let _e909 = ((10i * _e756) + _e872);
 let _e911 = select(_e92, _e909, (_e909 < _e92));
-let _e917 = global_3.member[bitcast<u32>(select(0i, _e911, (_e911 > 0i)))];
+let _e917 = global_2.member[bitcast<u32>(select(0i, _e911, (_e911 > 0i)))];
 let _e921 = ((11i * _e756) + _e872);
 let _e923 = select(_e92, _e921, (_e921 < _e92));
-let _e929 = global_3.member[bitcast<u32>(select(0i, _e923, (_e923 > 0i)))];
+let _e929 = global_2.member[bitcast<u32>(select(0i, _e923, (_e923 > 0i)))];
 let _e931 = ((12i * _e756) + _e872);
 let _e933 = select(_e92, _e931, (_e931 < _e92));
-let _e939 = global_3.member[bitcast<u32>(select(0i, _e933, (_e933 > 0i)))];
+let _e939 = global_2.member[bitcast<u32>(select(0i, _e933, (_e933 > 0i)))];
 let _e941 = ((13i * _e756) + _e872);
 let _e943 = select(_e92, _e941, (_e941 < _e92));
-let _e949 = global_3.member[bitcast<u32>(select(0i, _e943, (_e943 > 0i)))];
+let _e949 = global_2.member[bitcast<u32>(select(0i, _e943, (_e943 > 0i)))];
 phi_1596_ = vec3<f32>((_e858.x + (_e929 * _e881)), (_e858.y + (_e939 * _e881)), (_e858.z + (_e949 * _e881)));
 phi_1597_ = (_e862 + _e881);
 phi_1598_ = (_e864 + (_e917 * _e881));
@@ -763,17 +763,17 @@ phi_1801_ = _e1118;
 phi_1801_ = _e1120;
 }
 let _e1124 = phi_1801_;
-global_2.member[_e75] = _e1124[0];
-global_2.member[(_e73 + _e75)] = _e1124[1];
-global_2.member[((2u * _e73) + _e75)] = _e1124[2];
-global_2.member[((3u * _e73) + _e75)] = _e1124[3];
-global_2.member[((4u * _e73) + _e75)] = _e1124[4];
-global_2.member[((5u * _e73) + _e75)] = _e1124[5];
-global_2.member[((6u * _e73) + _e75)] = _e1124[6];
-global_2.member[((7u * _e73) + _e75)] = _e1124[7];
-global_2.member[((8u * _e73) + _e75)] = _e1124[8];
-global_2.member[((9u * _e73) + _e75)] = _e1124[9];
-global_2.member[((10u * _e73) + _e75)] = _e1124[10];
+global_4.member[_e75] = _e1124[0];
+global_4.member[(_e73 + _e75)] = _e1124[1];
+global_4.member[((2u * _e73) + _e75)] = _e1124[2];
+global_4.member[((3u * _e73) + _e75)] = _e1124[3];
+global_4.member[((4u * _e73) + _e75)] = _e1124[4];
+global_4.member[((5u * _e73) + _e75)] = _e1124[5];
+global_4.member[((6u * _e73) + _e75)] = _e1124[6];
+global_4.member[((7u * _e73) + _e75)] = _e1124[7];
+global_4.member[((8u * _e73) + _e75)] = _e1124[8];
+global_4.member[((9u * _e73) + _e75)] = _e1124[9];
+global_4.member[((10u * _e73) + _e75)] = _e1124[10];
 }
 }
 return;

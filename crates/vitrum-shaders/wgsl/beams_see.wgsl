@@ -166,14 +166,14 @@ member_9: vec3<f32>,
 struct type_26 {
 member: vec3<f32>,
 member_1: vec3<f32>,
-member_2: vec3<f32>,
-member_3: vec3<f32>,
-member_4: f32,
-member_5: bool,
 }
 struct type_27 {
 member: vec3<f32>,
 member_1: vec3<f32>,
+member_2: vec3<f32>,
+member_3: vec3<f32>,
+member_4: f32,
+member_5: bool,
 }
 struct type_28 {
 member: f32,
@@ -286,7 +286,7 @@ var phi_5511_: i32;
 var phi_5711_: f32;
 var phi_6302_: vec3<f32>;
 var phi_6305_: vec3<f32>;
-var phi_6318_: type_27;
+var phi_6318_: type_26;
 var phi_6514_: u32;
 var phi_6517_: f32;
 var phi_6655_: i32;
@@ -301,7 +301,7 @@ var phi_7233_: f32;
 var phi_7594_: f32;
 var phi_8148_: vec3<f32>;
 var phi_8151_: vec3<f32>;
-var phi_8164_: type_27;
+var phi_8164_: type_26;
 var phi_8360_: u32;
 var phi_8363_: f32;
 var phi_8501_: i32;
@@ -316,7 +316,7 @@ var phi_9079_: f32;
 var phi_9440_: f32;
 var phi_9997_: vec3<f32>;
 var phi_10000_: vec3<f32>;
-var phi_10013_: type_27;
+var phi_10013_: type_26;
 var phi_10209_: u32;
 var phi_10212_: f32;
 var phi_10350_: i32;
@@ -331,7 +331,7 @@ var phi_10928_: f32;
 var phi_11289_: f32;
 var phi_11843_: vec3<f32>;
 var phi_11846_: vec3<f32>;
-var phi_11859_: type_27;
+var phi_11859_: type_26;
 var phi_12055_: u32;
 var phi_12058_: f32;
 var phi_12196_: i32;
@@ -349,12 +349,12 @@ var phi_4141_: i32;
 var phi_4143_: f32;
 var phi_13196_: vec3<f32>;
 var phi_13211_: type_25;
-var phi_13946_: type_26;
+var phi_13946_: type_27;
 var phi_14010_: bool;
 var phi_14130_: type_25;
 var phi_16159_: vec3<f32>;
 var phi_16162_: vec3<f32>;
-var phi_16175_: type_27;
+var phi_16175_: type_26;
 var phi_16384_: u32;
 var phi_16387_: f32;
 var phi_16525_: i32;
@@ -1737,7 +1737,7 @@ let _e3384 = global_1.member.member_10.member;
 let _e3385 = (_e3384 == 0u);
 if _e3385 {
 let _e3723 = global_1.member.member_10.member_1;
-phi_6318_ = type_27(vec3<f32>(_e3723.member, _e3723.member_1, _e3723.member_2), _e3381);
+phi_6318_ = type_26(vec3<f32>(_e3723.member, _e3723.member_1, _e3723.member_2), _e3381);
 } else {
 let _e3388 = global_1.member.member_10.member_3;
 let _e3393 = (_e2252.x - _e3388.member);
@@ -1850,7 +1850,7 @@ phi_6305_ = _e3409;
 }
 let _e3711 = phi_6305_;
 let _e3715 = (1f / sqrt(select(0f, _e3404, (_e3404 > 0f))));
-phi_6318_ = type_27(vec3<f32>((_e3393 * _e3715), (_e3395 * _e3715), (_e3397 * _e3715)), _e3711);
+phi_6318_ = type_26(vec3<f32>((_e3393 * _e3715), (_e3395 * _e3715), (_e3397 * _e3715)), _e3711);
 }
 let _e3730 = phi_6318_;
 let _e3734 = global_1.member.member_10.member_3;
@@ -2190,7 +2190,7 @@ let _e4573 = global_1.member.member_13.member_1;
 let _e4583 = (_e3073 - _e881);
 if _e3385 {
 let _e4918 = global_1.member.member_10.member_1;
-phi_8164_ = type_27(vec3<f32>(_e4918.member, _e4918.member_1, _e4918.member_2), _e3381);
+phi_8164_ = type_26(vec3<f32>(_e4918.member, _e4918.member_1, _e4918.member_2), _e3381);
 } else {
 let _e4588 = (_e3082.x - _e3734.member);
 let _e4590 = (_e3082.y - _e3734.member_1);
@@ -2302,7 +2302,7 @@ phi_8151_ = _e4604;
 }
 let _e4906 = phi_8151_;
 let _e4910 = (1f / sqrt(select(0f, _e4599, (_e4599 > 0f))));
-phi_8164_ = type_27(vec3<f32>((_e4588 * _e4910), (_e4590 * _e4910), (_e4592 * _e4910)), _e4906);
+phi_8164_ = type_26(vec3<f32>((_e4588 * _e4910), (_e4590 * _e4910), (_e4592 * _e4910)), _e4906);
 }
 let _e4925 = phi_8164_;
 let _e4928 = (_e3734.member - _e3082.x);
@@ -2628,7 +2628,7 @@ let _e5721 = ((3.1415927f * (_e5717 * _e4559)) * (select((_e1684 * ((2f * (1f + 
 let _e5738 = (_e2523 - _e881);
 if _e3385 {
 let _e6073 = global_1.member.member_10.member_1;
-phi_10013_ = type_27(vec3<f32>(_e6073.member, _e6073.member_1, _e6073.member_2), _e3381);
+phi_10013_ = type_26(vec3<f32>(_e6073.member, _e6073.member_1, _e6073.member_2), _e3381);
 } else {
 let _e5743 = (_e2532.x - _e3734.member);
 let _e5745 = (_e2532.y - _e3734.member_1);
@@ -2740,7 +2740,7 @@ phi_10000_ = _e5759;
 }
 let _e6061 = phi_10000_;
 let _e6065 = (1f / sqrt(select(0f, _e5754, (_e5754 > 0f))));
-phi_10013_ = type_27(vec3<f32>((_e5743 * _e6065), (_e5745 * _e6065), (_e5747 * _e6065)), _e6061);
+phi_10013_ = type_26(vec3<f32>((_e5743 * _e6065), (_e5745 * _e6065), (_e5747 * _e6065)), _e6061);
 }
 let _e6080 = phi_10013_;
 let _e6083 = (_e3734.member - _e2532.x);
@@ -3066,7 +3066,7 @@ let _e6876 = ((3.1415927f * (_e6872 * _e4559)) * (select((_e1684 * ((2f * (1f + 
 let _e6890 = (_e2798 - _e881);
 if _e3385 {
 let _e7225 = global_1.member.member_10.member_1;
-phi_11859_ = type_27(vec3<f32>(_e7225.member, _e7225.member_1, _e7225.member_2), _e3381);
+phi_11859_ = type_26(vec3<f32>(_e7225.member, _e7225.member_1, _e7225.member_2), _e3381);
 } else {
 let _e6895 = (_e2807.x - _e3734.member);
 let _e6897 = (_e2807.y - _e3734.member_1);
@@ -3178,7 +3178,7 @@ phi_11846_ = _e6911;
 }
 let _e7213 = phi_11846_;
 let _e7217 = (1f / sqrt(select(0f, _e6906, (_e6906 > 0f))));
-phi_11859_ = type_27(vec3<f32>((_e6895 * _e7217), (_e6897 * _e7217), (_e6899 * _e7217)), _e7213);
+phi_11859_ = type_26(vec3<f32>((_e6895 * _e7217), (_e6897 * _e7217), (_e6899 * _e7217)), _e7213);
 }
 let _e7232 = phi_11859_;
 let _e7235 = (_e3734.member - _e2807.x);
@@ -3668,7 +3668,7 @@ let _e8550 = global_5.member[bitcast<u32>(select(0i, _e8544, (_e8544 > 0i)))];
 let _e8558 = (_e8459 + 9i);
 let _e8560 = select(_e8461, _e8558, (_e8558 < _e8461));
 let _e8566 = global_5.member[bitcast<u32>(select(0i, _e8560, (_e8560 > 0i)))];
-phi_13946_ = type_26(_e8106, vec3<f32>((_e8245 * _e8326), (_e8248 * _e8326), (_e8251 * _e8326)), vec3<f32>((_e8424 * _e8437), (_e8425 * _e8437), (_e8426 * _e8437)), vec3<f32>((((_e8469 * _e8313) + (_e8499 * _e8314)) + (_e8532 * _e8315)), (((_e8478 * _e8313) + (_e8508 * _e8314)) + (_e8541 * _e8315)), (((_e8487 * _e8313) + (_e8517 * _e8314)) + (_e8550 * _e8315))), _e8566, true);
+phi_13946_ = type_27(_e8106, vec3<f32>((_e8245 * _e8326), (_e8248 * _e8326), (_e8251 * _e8326)), vec3<f32>((_e8424 * _e8437), (_e8425 * _e8437), (_e8426 * _e8437)), vec3<f32>((((_e8469 * _e8313) + (_e8499 * _e8314)) + (_e8532 * _e8315)), (((_e8478 * _e8313) + (_e8508 * _e8314)) + (_e8541 * _e8315)), (((_e8487 * _e8313) + (_e8517 * _e8314)) + (_e8550 * _e8315))), _e8566, true);
 } else {
 let _e8110 = (_e708 == -3i);
 let _e8116 = global_1.member.member_14.member_1.member.member;
@@ -3676,7 +3676,7 @@ let _e8121 = global_1.member.member_14.member_1.member_1;
 let _e8127 = global_1.member.member_14.member.member.member;
 let _e8132 = global_1.member.member_14.member.member_1;
 let _e8142 = vec3<f32>(select(_e8127.member, _e8116.member, _e8110), select(_e8127.member_1, _e8116.member_1, _e8110), select(_e8127.member_2, _e8116.member_2, _e8110));
-phi_13946_ = type_26(_e8106, _e8142, _e8142, vec3<f32>(select(_e8132.member, _e8121.member, _e8110), select(_e8132.member_1, _e8121.member_1, _e8110), select(_e8132.member_2, _e8121.member_2, _e8110)), 0f, false);
+phi_13946_ = type_27(_e8106, _e8142, _e8142, vec3<f32>(select(_e8132.member, _e8121.member, _e8110), select(_e8132.member_1, _e8121.member_1, _e8110), select(_e8132.member_2, _e8121.member_2, _e8110)), 0f, false);
 }
 let _e8569 = phi_13946_;
 let _e8572 = ((select(0i, _e708, _e8109) * 19i) + 18i);
@@ -4225,7 +4225,7 @@ let _e8729 = global_1.member.member_10.member;
 let _e8730 = (_e8729 == 0u);
 if _e8730 {
 let _e9078 = global_1.member.member_10.member_1;
-phi_16175_ = type_27(vec3<f32>(_e9078.member, _e9078.member_1, _e9078.member_2), vec3<f32>(_e8721.member, _e8721.member_1, _e8721.member_2));
+phi_16175_ = type_26(vec3<f32>(_e9078.member, _e9078.member_1, _e9078.member_2), vec3<f32>(_e8721.member, _e8721.member_1, _e8721.member_2));
 } else {
 let _e8734 = global_1.member.member_10.member_3;
 let _e8739 = (_e8569.member.x - _e8734.member);
@@ -4338,7 +4338,7 @@ phi_16162_ = _e8755;
 }
 let _e9065 = phi_16162_;
 let _e9069 = (1f / sqrt(select(0f, _e8750, (_e8750 > 0f))));
-phi_16175_ = type_27(vec3<f32>((_e8739 * _e9069), (_e8741 * _e9069), (_e8743 * _e9069)), _e9065);
+phi_16175_ = type_26(vec3<f32>((_e8739 * _e9069), (_e8741 * _e9069), (_e8743 * _e9069)), _e9065);
 }
 let _e9085 = phi_16175_;
 let _e9087 = (bitcast<i32>(arrayLength((&global_8.member))) - 1i);

@@ -33,10 +33,10 @@ struct type_12 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(0)
-var<storage> global_1: type_9;
 @group(0) @binding(2)
-var<storage, read_write> global_2: type_12;
+var<storage, read_write> global_1: type_12;
+@group(0) @binding(0)
+var<storage> global_2: type_9;
 @group(0) @binding(1)
 var<storage> global_3: type_7;
 fn function_() {
@@ -55,15 +55,15 @@ var phi_230_: i32;
 var phi_233_: u32;
 let _e24 = global;
 let _e26 = arrayLength((&global_3.member));
-let _e28 = arrayLength((&global_2.member));
-let _e31 = global_1.member.member;
+let _e28 = arrayLength((&global_1.member));
+let _e31 = global_2.member.member;
 if (_e24.x < _e31.member) {
 if (_e24.y < _e31.member_1) {
-let _e41 = global_1.member.member.member;
+let _e41 = global_2.member.member.member;
 let _e43 = ((_e24.y * _e41) + _e24.x);
-let _e46 = global_1.member.member_1;
+let _e46 = global_2.member.member_1;
 if (_e43 < _e46) {
-let _e50 = global_1.member.member_2;
+let _e50 = global_2.member.member_2;
 let _e51 = bitcast<i32>(_e50);
 let _e52 = bitcast<i32>(_e43);
 let _e54 = (_e52 * (_e51 + 1i));
@@ -96,24 +96,24 @@ break if !(_e59);
 }
 let _e79 = local;
 if (_e79 == 0u) {
-let _e83 = global_1.member.member_3;
+let _e83 = global_2.member.member_3;
 let _e84 = bitcast<i32>(_e83);
 let _e88 = ((f32(_e52) + 0.5f) / f32(_e84));
-let _e91 = global_1.member.member_4;
+let _e91 = global_2.member.member_4;
 let _e93 = f32(bitcast<i32>(_e91));
 let _e95 = select(0f, _e88, (_e88 > 0f));
 let _e97 = select(_e93, _e95, (_e95 < _e93));
 let _e104 = select(0i, select(select(i32(_e97), i32(-2147483648), (_e97 < -2147483600f)), 2147483647i, (_e97 > 2147483500f)), (_e97 == _e97));
 let _e108 = (_e104 - select(0i, 1i, (_e97 < f32(_e104))));
-let _e113 = global_1.member.member_5;
-let _e123 = global_1.member.member_11.member;
-let _e127 = global_1.member.member_11.member_2;
+let _e113 = global_2.member.member_5;
+let _e123 = global_2.member.member_11.member;
+let _e127 = global_2.member.member_11.member_2;
 let _e129 = (_e123 + (_e127 * (f32((_e52 - (_e108 * _e84))) + 0.5f)));
-let _e133 = global_1.member.member_11.member_1;
+let _e133 = global_2.member.member_11.member_1;
 let _e135 = (_e133 + (_e127 * (f32((_e108 + bitcast<i32>(_e113))) + 0.5f)));
 let _e139 = ((1f + (_e129 * _e129)) + (_e135 * _e135));
-let _e145 = global_1.member.member_8;
-let _e153 = global_1.member.member_7;
+let _e145 = global_2.member.member_8;
+let _e153 = global_2.member.member_7;
 let _e154 = bitcast<i32>(_e153);
 phi_229_ = 0i;
 phi_232_ = 0u;
@@ -139,7 +139,7 @@ let _e177 = phi_267_;
 let _e179 = (f32(_e177) * (1f / f32((1u << bitcast<u32>((_e145 & 31u))))));
 let _e182 = (select(1f, _e179, (_e179 < 1f)) * sqrt(select(0f, _e139, (_e139 > 0f))));
 let _e186 = ((((_e52 * _e51) + _e156) * _e154) * 2i);
-let _e190 = global_1.member.member_10.member;
+let _e190 = global_2.member.member_10.member;
 let _e193 = (((_e190 * _e182) * 16777216f) + 0.5f);
 let _e195 = select(-1073741800f, _e193, (_e193 > -1073741800f));
 let _e197 = select(1073741800f, _e195, (_e195 < 1073741800f));
@@ -151,7 +151,7 @@ if ((_e209 | _e212) == 0u) {
 } else {
 let _e215 = bitcast<u32>(_e186);
 if (_e215 < _e28) {
-let _e219 = atomicAdd((&global_2.member[_e215]), _e209);
+let _e219 = atomicAdd((&global_1.member[_e215]), _e209);
 phi_326_ = _e219;
 } else {
 phi_326_ = 0u;
@@ -162,12 +162,12 @@ if (_e225 == 0u) {
 } else {
 let _e227 = (_e215 + 1u);
 if (_e227 < _e28) {
-let _e231 = atomicAdd((&global_2.member[_e227]), _e225);
+let _e231 = atomicAdd((&global_1.member[_e227]), _e225);
 }
 }
 }
 if (_e154 > 1i) {
-let _e237 = global_1.member.member_10.member_1;
+let _e237 = global_2.member.member_10.member_1;
 let _e240 = (((_e237 * _e182) * 16777216f) + 0.5f);
 let _e242 = select(-1073741800f, _e240, (_e240 > -1073741800f));
 let _e244 = select(1073741800f, _e242, (_e242 < 1073741800f));
@@ -179,7 +179,7 @@ if ((_e256 | _e259) == 0u) {
 } else {
 let _e262 = bitcast<u32>((_e186 + 2i));
 if (_e262 < _e28) {
-let _e266 = atomicAdd((&global_2.member[_e262]), _e256);
+let _e266 = atomicAdd((&global_1.member[_e262]), _e256);
 phi_391_ = _e266;
 } else {
 phi_391_ = 0u;
@@ -190,11 +190,11 @@ if (_e272 == 0u) {
 } else {
 let _e274 = (_e262 + 1u);
 if (_e274 < _e28) {
-let _e278 = atomicAdd((&global_2.member[_e274]), _e272);
+let _e278 = atomicAdd((&global_1.member[_e274]), _e272);
 }
 }
 }
-let _e283 = global_1.member.member_10.member_2;
+let _e283 = global_2.member.member_10.member_2;
 let _e286 = (((_e283 * _e182) * 16777216f) + 0.5f);
 let _e288 = select(-1073741800f, _e286, (_e286 > -1073741800f));
 let _e290 = select(1073741800f, _e288, (_e288 < 1073741800f));
@@ -206,7 +206,7 @@ if ((_e302 | _e305) == 0u) {
 } else {
 let _e308 = bitcast<u32>((_e186 + 4i));
 if (_e308 < _e28) {
-let _e312 = atomicAdd((&global_2.member[_e308]), _e302);
+let _e312 = atomicAdd((&global_1.member[_e308]), _e302);
 phi_452_ = _e312;
 } else {
 phi_452_ = 0u;
@@ -217,7 +217,7 @@ if (_e318 == 0u) {
 } else {
 let _e320 = (_e308 + 1u);
 if (_e320 < _e28) {
-let _e324 = atomicAdd((&global_2.member[_e320]), _e318);
+let _e324 = atomicAdd((&global_1.member[_e320]), _e318);
 }
 }
 }

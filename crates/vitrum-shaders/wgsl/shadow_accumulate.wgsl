@@ -33,12 +33,12 @@ struct type_12 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(0)
-var<storage> global_1: type_9;
-@group(0) @binding(1)
-var<storage> global_2: type_7;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_12;
+var<storage, read_write> global_1: type_12;
+@group(0) @binding(0)
+var<storage> global_2: type_9;
+@group(0) @binding(1)
+var<storage> global_3: type_7;
 fn function_() {
 var phi_141_: i32;
 var phi_144_: i32;
@@ -62,15 +62,15 @@ var phi_579_: type_2;
 var phi_178_: i32;
 var phi_181_: type_2;
 let _e42 = global;
-let _e49 = global_1.member.member;
+let _e49 = global_2.member.member;
 if (_e42.x < _e49.member) {
 if (_e42.y < _e49.member_1) {
-let _e60 = global_1.member.member.member;
+let _e60 = global_2.member.member.member;
 let _e62 = ((_e42.y * _e60) + _e42.x);
-let _e65 = global_1.member.member_1;
+let _e65 = global_2.member.member_1;
 if (_e62 < _e65) {
-let _e69 = global_1.member.member_3;
-let _e72 = global_1.member.member_4;
+let _e69 = global_2.member.member_3;
+let _e72 = global_2.member.member_4;
 let _e74 = bitcast<i32>((_e69 * _e72));
 phi_141_ = bitcast<i32>(_e62);
 phi_144_ = 0i;
@@ -99,12 +99,12 @@ phi_144_ = _e86;
 break if !(_e80);
 }
 }
-let _e90 = global_1.member.member_2;
+let _e90 = global_2.member.member_2;
 let _e91 = bitcast<i32>(_e90);
 let _e95 = bitcast<i32>(((_e90 + 2u) >> bitcast<u32>(1i)));
-let _e98 = global_1.member.member_6;
+let _e98 = global_2.member.member_6;
 let _e101 = local;
-let _e105 = global_1.member.member_5;
+let _e105 = global_2.member.member_5;
 let _e111 = local_1;
 phi_177_ = 0i;
 phi_180_ = type_2(0u, 0u, 65535u);
@@ -116,20 +116,20 @@ if _e118 {
 let _e119 = (2i * _e115);
 let _e122 = local_2;
 let _e123 = (_e122 * _e91);
-let _e128 = global_1.member.member_7;
+let _e128 = global_2.member.member_7;
 let _e129 = bitcast<i32>(_e128);
 let _e133 = local_3;
 let _e135 = ((((_e123 + _e119) * _e129) + _e133) * 2i);
-let _e137 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e137 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
 let _e139 = select(_e137, _e135, (_e135 < _e137));
-let _e145 = global_2.member[bitcast<u32>(select(0i, _e139, (_e139 > 0i)))];
+let _e145 = global_3.member[bitcast<u32>(select(0i, _e139, (_e139 > 0i)))];
 let _e146 = (_e135 + 1i);
 let _e148 = select(_e137, _e146, (_e146 < _e137));
-let _e154 = global_2.member[bitcast<u32>(select(0i, _e148, (_e148 > 0i)))];
+let _e154 = global_3.member[bitcast<u32>(select(0i, _e148, (_e148 > 0i)))];
 if ((_e119 < _e91) && ((_e145 | _e154) != 0u)) {
 let _e159 = (_e49.member_2 == 1u);
 if _e159 {
-let _e162 = global_1.member.member_9;
+let _e162 = global_2.member.member_9;
 phi_250_ = _e162;
 } else {
 phi_250_ = _e145;
@@ -174,14 +174,14 @@ let _e282 = (_e119 + 1i);
 let _e288 = local_4;
 let _e290 = ((((_e123 + _e282) * _e129) + _e288) * 2i);
 let _e292 = select(_e137, _e290, (_e290 < _e137));
-let _e298 = global_2.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
+let _e298 = global_3.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
 let _e299 = (_e290 + 1i);
 let _e301 = select(_e137, _e299, (_e299 < _e137));
-let _e307 = global_2.member[bitcast<u32>(select(0i, _e301, (_e301 > 0i)))];
+let _e307 = global_3.member[bitcast<u32>(select(0i, _e301, (_e301 > 0i)))];
 if ((_e282 < _e91) && ((_e298 | _e307) != 0u)) {
 let _e312 = (_e49.member_2 == 1u);
 if _e312 {
-let _e315 = global_1.member.member_9;
+let _e315 = global_2.member.member_9;
 phi_446_ = _e315;
 } else {
 phi_446_ = _e298;
@@ -223,8 +223,8 @@ phi_579_ = _e280;
 }
 let _e433 = phi_579_;
 let _e435 = bitcast<u32>(((((((_e101 * bitcast<i32>(_e98)) + bitcast<i32>(_e105)) * bitcast<i32>(_e69)) + _e111) * _e95) + _e115));
-if (_e435 < arrayLength((&global_3.member))) {
-let _e442 = atomicAdd((&global_3.member[_e435]), (_e117.member_2 | (_e280.member_2 << bitcast<u32>(16i))));
+if (_e435 < arrayLength((&global_1.member))) {
+let _e442 = atomicAdd((&global_1.member[_e435]), (_e117.member_2 | (_e280.member_2 << bitcast<u32>(16i))));
 }
 phi_178_ = (_e115 + 1i);
 phi_181_ = _e433;

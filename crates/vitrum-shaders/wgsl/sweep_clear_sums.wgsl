@@ -93,10 +93,41 @@ member: type_5,
 member_1: type_5,
 }
 struct type_19 {
+member: type_13,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+member_4: u32,
+}
+struct type_20 {
+member: type_7,
+member_1: type_7,
+member_2: type_7,
+member_3: u32,
+member_4: type_13,
+member_5: f32,
+member_6: f32,
+member_7: f32,
+member_8: f32,
+member_9: f32,
+member_10: f32,
+member_11: f32,
+member_12: u32,
+member_13: u32,
+member_14: type_2,
+member_15: u32,
+member_16: u32,
+member_17: type_19,
+member_18: type_5,
+member_19: f32,
+member_20: f32,
+member_21: f32,
+}
+struct type_21 {
 member: type_7,
 member_1: u32,
 }
-struct type_20 {
+struct type_22 {
 member: type_2,
 member_1: u32,
 member_2: type_14,
@@ -107,47 +138,43 @@ member_6: type_16,
 member_7: type_16,
 member_8: type_17,
 member_9: type_18,
-member_10: f32,
+member_10: type_20,
 member_11: type_15,
 member_12: type_4,
 member_13: type_9,
-member_14: type_19,
-member_15: type_19,
-member_16: type_19,
-member_17: type_19,
+member_14: type_21,
+member_15: type_21,
+member_16: type_21,
+member_17: type_21,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_21 {
-member: type_20,
+struct type_23 {
+member: type_22,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_21;
+var<storage> global_1: type_23;
 @group(0) @binding(1)
 var<storage, read_write> global_2: type_11;
 fn function_() {
-let _e12 = global;
-let _e15 = global_1.member.member_2;
-let _e18 = global_1.member.member;
-let _e26 = (_e12.x + _e15.member);
-let _e28 = (_e12.y + _e15.member_1);
-if (_e26 < _e15.member_2) {
-if (_e28 < _e15.member_3) {
-let _e31 = (_e18.member * _e18.member_1);
-let _e33 = ((_e28 * _e18.member) + _e26);
-global_2.member[_e33] = 0f;
-global_2.member[(_e31 + _e33)] = 0f;
-global_2.member[((2u * _e31) + _e33)] = 0f;
-global_2.member[((3u * _e31) + _e33)] = 0f;
-global_2.member[((4u * _e31) + _e33)] = 0f;
-global_2.member[((5u * _e31) + _e33)] = 0f;
-global_2.member[((6u * _e31) + _e33)] = 0f;
-global_2.member[((7u * _e31) + _e33)] = 0f;
-global_2.member[((8u * _e31) + _e33)] = 0f;
-global_2.member[((9u * _e31) + _e33)] = 0f;
+let _e8 = global;
+let _e11 = global_1.member.member_2;
+let _e14 = global_1.member.member;
+let _e22 = (_e8.x + _e11.member);
+let _e24 = (_e8.y + _e11.member_1);
+if (_e22 < _e11.member_2) {
+if (_e24 < _e11.member_3) {
+let _e27 = (_e14.member * _e14.member_1);
+let _e29 = ((_e24 * _e14.member) + _e22);
+global_2.member[_e29] = 0f;
+global_2.member[(_e27 + _e29)] = 0f;
+global_2.member[((2u * _e27) + _e29)] = 0f;
+global_2.member[((3u * _e27) + _e29)] = 0f;
+global_2.member[((4u * _e27) + _e29)] = 0f;
+global_2.member[((5u * _e27) + _e29)] = 0f;
 }
 }
 return;

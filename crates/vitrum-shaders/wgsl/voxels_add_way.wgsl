@@ -105,14 +105,14 @@ member: array<u32>,
 struct type_22 {
 member: vec3<f32>,
 member_1: vec3<f32>,
-member_2: vec3<f32>,
-member_3: vec3<f32>,
-member_4: f32,
-member_5: bool,
 }
 struct type_23 {
 member: vec3<f32>,
 member_1: vec3<f32>,
+member_2: vec3<f32>,
+member_3: vec3<f32>,
+member_4: f32,
+member_5: bool,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -235,10 +235,10 @@ var local_68: i32;
 var phi_4066_: vec3<f32>;
 var phi_4067_: vec3<f32>;
 var phi_4068_: vec3<f32>;
-var phi_4930_: type_22;
+var phi_4930_: type_23;
 var phi_5504_: vec3<f32>;
 var phi_5507_: vec3<f32>;
-var phi_5520_: type_23;
+var phi_5520_: type_22;
 var phi_5987_: f32;
 var phi_5990_: vec3<f32>;
 var phi_5992_: i32;
@@ -1187,7 +1187,7 @@ let _e2172 = global_1.member.member_18.member_1.member_1;
 let _e2178 = global_1.member.member_18.member.member.member;
 let _e2183 = global_1.member.member_18.member.member_1;
 let _e2193 = vec3<f32>(select(_e2178.member, _e2167.member, _e2161), select(_e2178.member_1, _e2167.member_1, _e2161), select(_e2178.member_2, _e2167.member_2, _e2161));
-phi_4930_ = type_22(_e2159, _e2193, _e2193, vec3<f32>(select(_e2183.member, _e2172.member, _e2161), select(_e2183.member_1, _e2172.member_1, _e2161), select(_e2183.member_2, _e2172.member_2, _e2161)), 0f, false);
+phi_4930_ = type_23(_e2159, _e2193, _e2193, vec3<f32>(select(_e2183.member, _e2172.member, _e2161), select(_e2183.member_1, _e2172.member_1, _e2161), select(_e2183.member_2, _e2172.member_2, _e2161)), 0f, false);
 } else {
 let _e2207 = global_1.member.member_1;
 let _e2210 = (_e2128 * 19i);
@@ -1317,7 +1317,7 @@ let _e2606 = global_5.member[bitcast<u32>(select(0i, _e2600, (_e2600 > 0i)))];
 let _e2614 = (_e2515 + 9i);
 let _e2616 = select(_e2517, _e2614, (_e2614 < _e2517));
 let _e2622 = global_5.member[bitcast<u32>(select(0i, _e2616, (_e2616 > 0i)))];
-phi_4930_ = type_22(_e2159, vec3<f32>((_e2301 * _e2382), (_e2304 * _e2382), (_e2307 * _e2382)), vec3<f32>((_e2480 * _e2493), (_e2481 * _e2493), (_e2482 * _e2493)), vec3<f32>((((_e2525 * _e2369) + (_e2555 * _e2370)) + (_e2588 * _e2371)), (((_e2534 * _e2369) + (_e2564 * _e2370)) + (_e2597 * _e2371)), (((_e2543 * _e2369) + (_e2573 * _e2370)) + (_e2606 * _e2371))), _e2622, true);
+phi_4930_ = type_23(_e2159, vec3<f32>((_e2301 * _e2382), (_e2304 * _e2382), (_e2307 * _e2382)), vec3<f32>((_e2480 * _e2493), (_e2481 * _e2493), (_e2482 * _e2493)), vec3<f32>((((_e2525 * _e2369) + (_e2555 * _e2370)) + (_e2588 * _e2371)), (((_e2534 * _e2369) + (_e2564 * _e2370)) + (_e2597 * _e2371)), (((_e2543 * _e2369) + (_e2573 * _e2370)) + (_e2606 * _e2371))), _e2622, true);
 }
 let _e2625 = phi_4930_;
 let _e2634 = (((_e2625.member_1.x * _e916) + (_e2625.member_1.y * _e927)) + (_e2625.member_1.z * _e938));
@@ -1331,7 +1331,7 @@ let _e2668 = global_1.member.member_19.member_2;
 let _e2676 = global_1.member.member_19.member;
 if (_e2676 == 0u) {
 let _e2681 = global_1.member.member_19.member_1;
-phi_5520_ = type_23(vec3<f32>(_e2681.member, _e2681.member_1, _e2681.member_2), vec3<f32>(_e2668.member, _e2668.member_1, _e2668.member_2));
+phi_5520_ = type_22(vec3<f32>(_e2681.member, _e2681.member_1, _e2681.member_2), vec3<f32>(_e2668.member, _e2668.member_1, _e2668.member_2));
 } else {
 let _e2690 = global_1.member.member_19.member_3;
 let _e2695 = (_e2625.member.x - _e2690.member);
@@ -1444,7 +1444,7 @@ phi_5507_ = _e2711;
 }
 let _e3021 = phi_5507_;
 let _e3025 = (1f / sqrt(select(0f, _e2706, (_e2706 > 0f))));
-phi_5520_ = type_23(vec3<f32>((_e2695 * _e3025), (_e2697 * _e3025), (_e2699 * _e3025)), _e3021);
+phi_5520_ = type_22(vec3<f32>((_e2695 * _e3025), (_e2697 * _e3025), (_e2699 * _e3025)), _e3021);
 }
 let _e3032 = phi_5520_;
 let _e3043 = -((((select(_e2649, (_e2625.member_1.x * _e2636), _e2660) * _e3032.member.x) + (select(_e2650, (_e2625.member_1.y * _e2636), _e2660) * _e3032.member.y)) + (select(_e2651, (_e2625.member_1.z * _e2636), _e2660) * _e3032.member.z)));

@@ -105,14 +105,14 @@ member: array<u32>,
 struct type_22 {
 member: vec3<f32>,
 member_1: vec3<f32>,
-member_2: vec3<f32>,
-member_3: vec3<f32>,
-member_4: f32,
-member_5: bool,
 }
 struct type_23 {
 member: vec3<f32>,
 member_1: vec3<f32>,
+member_2: vec3<f32>,
+member_3: vec3<f32>,
+member_4: f32,
+member_5: bool,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
@@ -250,10 +250,10 @@ var local_81: i32;
 var phi_3823_: vec3<f32>;
 var phi_3824_: vec3<f32>;
 var phi_3825_: vec3<f32>;
-var phi_4688_: type_22;
+var phi_4688_: type_23;
 var phi_5262_: vec3<f32>;
 var phi_5265_: vec3<f32>;
-var phi_5278_: type_23;
+var phi_5278_: type_22;
 var phi_5745_: f32;
 var phi_5748_: vec3<f32>;
 var phi_5750_: i32;
@@ -343,10 +343,10 @@ var local_118: i32;
 var phi_8180_: vec3<f32>;
 var phi_8181_: vec3<f32>;
 var phi_8182_: vec3<f32>;
-var phi_9157_: type_22;
+var phi_9157_: type_23;
 var phi_9731_: vec3<f32>;
 var phi_9734_: vec3<f32>;
-var phi_9747_: type_23;
+var phi_9747_: type_22;
 var phi_10214_: f32;
 var phi_10217_: vec3<f32>;
 var phi_10219_: i32;
@@ -1389,7 +1389,7 @@ let _e2331 = global_1.member.member_18.member_1.member_1;
 let _e2337 = global_1.member.member_18.member.member.member;
 let _e2342 = global_1.member.member_18.member.member_1;
 let _e2352 = vec3<f32>(select(_e2337.member, _e2326.member, _e2320), select(_e2337.member_1, _e2326.member_1, _e2320), select(_e2337.member_2, _e2326.member_2, _e2320));
-phi_4688_ = type_22(_e2318, _e2352, _e2352, vec3<f32>(select(_e2342.member, _e2331.member, _e2320), select(_e2342.member_1, _e2331.member_1, _e2320), select(_e2342.member_2, _e2331.member_2, _e2320)), 0f, false);
+phi_4688_ = type_23(_e2318, _e2352, _e2352, vec3<f32>(select(_e2342.member, _e2331.member, _e2320), select(_e2342.member_1, _e2331.member_1, _e2320), select(_e2342.member_2, _e2331.member_2, _e2320)), 0f, false);
 } else {
 let _e2366 = global_1.member.member_1;
 let _e2369 = (_e2287 * 19i);
@@ -1519,7 +1519,7 @@ let _e2765 = global_5.member[bitcast<u32>(select(0i, _e2759, (_e2759 > 0i)))];
 let _e2773 = (_e2674 + 9i);
 let _e2775 = select(_e2676, _e2773, (_e2773 < _e2676));
 let _e2781 = global_5.member[bitcast<u32>(select(0i, _e2775, (_e2775 > 0i)))];
-phi_4688_ = type_22(_e2318, vec3<f32>((_e2460 * _e2541), (_e2463 * _e2541), (_e2466 * _e2541)), vec3<f32>((_e2639 * _e2652), (_e2640 * _e2652), (_e2641 * _e2652)), vec3<f32>((((_e2684 * _e2528) + (_e2714 * _e2529)) + (_e2747 * _e2530)), (((_e2693 * _e2528) + (_e2723 * _e2529)) + (_e2756 * _e2530)), (((_e2702 * _e2528) + (_e2732 * _e2529)) + (_e2765 * _e2530))), _e2781, true);
+phi_4688_ = type_23(_e2318, vec3<f32>((_e2460 * _e2541), (_e2463 * _e2541), (_e2466 * _e2541)), vec3<f32>((_e2639 * _e2652), (_e2640 * _e2652), (_e2641 * _e2652)), vec3<f32>((((_e2684 * _e2528) + (_e2714 * _e2529)) + (_e2747 * _e2530)), (((_e2693 * _e2528) + (_e2723 * _e2529)) + (_e2756 * _e2530)), (((_e2702 * _e2528) + (_e2732 * _e2529)) + (_e2765 * _e2530))), _e2781, true);
 }
 let _e2784 = phi_4688_;
 let _e2793 = (((_e2784.member_1.x * _e1076) + (_e2784.member_1.y * _e1087)) + (_e2784.member_1.z * _e1098));
@@ -1536,7 +1536,7 @@ let _e2827 = global_1.member.member_19.member_2;
 let _e2835 = global_1.member.member_19.member;
 if (_e2835 == 0u) {
 let _e2840 = global_1.member.member_19.member_1;
-phi_5278_ = type_23(vec3<f32>(_e2840.member, _e2840.member_1, _e2840.member_2), vec3<f32>(_e2827.member, _e2827.member_1, _e2827.member_2));
+phi_5278_ = type_22(vec3<f32>(_e2840.member, _e2840.member_1, _e2840.member_2), vec3<f32>(_e2827.member, _e2827.member_1, _e2827.member_2));
 } else {
 let _e2849 = global_1.member.member_19.member_3;
 let _e2854 = (_e2784.member.x - _e2849.member);
@@ -1649,7 +1649,7 @@ phi_5265_ = _e2870;
 }
 let _e3180 = phi_5265_;
 let _e3184 = (1f / sqrt(select(0f, _e2865, (_e2865 > 0f))));
-phi_5278_ = type_23(vec3<f32>((_e2854 * _e3184), (_e2856 * _e3184), (_e2858 * _e3184)), _e3180);
+phi_5278_ = type_22(vec3<f32>((_e2854 * _e3184), (_e2856 * _e3184), (_e2858 * _e3184)), _e3180);
 }
 let _e3191 = phi_5278_;
 let _e3202 = -((((_e2820 * _e3191.member.x) + (_e2821 * _e3191.member.y)) + (_e2822 * _e3191.member.z)));
@@ -2493,7 +2493,7 @@ let _e5170 = global_1.member.member_18.member_1.member_1;
 let _e5176 = global_1.member.member_18.member.member.member;
 let _e5181 = global_1.member.member_18.member.member_1;
 let _e5191 = vec3<f32>(select(_e5176.member, _e5165.member, _e5159), select(_e5176.member_1, _e5165.member_1, _e5159), select(_e5176.member_2, _e5165.member_2, _e5159));
-phi_9157_ = type_22(_e5157, _e5191, _e5191, vec3<f32>(select(_e5181.member, _e5170.member, _e5159), select(_e5181.member_1, _e5170.member_1, _e5159), select(_e5181.member_2, _e5170.member_2, _e5159)), 0f, false);
+phi_9157_ = type_23(_e5157, _e5191, _e5191, vec3<f32>(select(_e5181.member, _e5170.member, _e5159), select(_e5181.member_1, _e5170.member_1, _e5159), select(_e5181.member_2, _e5170.member_2, _e5159)), 0f, false);
 } else {
 let _e5205 = global_1.member.member_1;
 let _e5208 = (_e5108 * 19i);
@@ -2623,7 +2623,7 @@ let _e5604 = global_5.member[bitcast<u32>(select(0i, _e5598, (_e5598 > 0i)))];
 let _e5612 = (_e5513 + 9i);
 let _e5614 = select(_e5515, _e5612, (_e5612 < _e5515));
 let _e5620 = global_5.member[bitcast<u32>(select(0i, _e5614, (_e5614 > 0i)))];
-phi_9157_ = type_22(_e5157, vec3<f32>((_e5299 * _e5380), (_e5302 * _e5380), (_e5305 * _e5380)), vec3<f32>((_e5478 * _e5491), (_e5479 * _e5491), (_e5480 * _e5491)), vec3<f32>((((_e5523 * _e5367) + (_e5553 * _e5368)) + (_e5586 * _e5369)), (((_e5532 * _e5367) + (_e5562 * _e5368)) + (_e5595 * _e5369)), (((_e5541 * _e5367) + (_e5571 * _e5368)) + (_e5604 * _e5369))), _e5620, true);
+phi_9157_ = type_23(_e5157, vec3<f32>((_e5299 * _e5380), (_e5302 * _e5380), (_e5305 * _e5380)), vec3<f32>((_e5478 * _e5491), (_e5479 * _e5491), (_e5480 * _e5491)), vec3<f32>((((_e5523 * _e5367) + (_e5553 * _e5368)) + (_e5586 * _e5369)), (((_e5532 * _e5367) + (_e5562 * _e5368)) + (_e5595 * _e5369)), (((_e5541 * _e5367) + (_e5571 * _e5368)) + (_e5604 * _e5369))), _e5620, true);
 }
 let _e5623 = phi_9157_;
 let _e5632 = (((_e5623.member_1.x * _e3980) + (_e5623.member_1.y * _e3981)) + (_e5623.member_1.z * _e3982));
@@ -2637,7 +2637,7 @@ let _e5666 = global_1.member.member_19.member_2;
 let _e5674 = global_1.member.member_19.member;
 if (_e5674 == 0u) {
 let _e5679 = global_1.member.member_19.member_1;
-phi_9747_ = type_23(vec3<f32>(_e5679.member, _e5679.member_1, _e5679.member_2), vec3<f32>(_e5666.member, _e5666.member_1, _e5666.member_2));
+phi_9747_ = type_22(vec3<f32>(_e5679.member, _e5679.member_1, _e5679.member_2), vec3<f32>(_e5666.member, _e5666.member_1, _e5666.member_2));
 } else {
 let _e5688 = global_1.member.member_19.member_3;
 let _e5693 = (_e5623.member.x - _e5688.member);
@@ -2750,7 +2750,7 @@ phi_9734_ = _e5709;
 }
 let _e6019 = phi_9734_;
 let _e6023 = (1f / sqrt(select(0f, _e5704, (_e5704 > 0f))));
-phi_9747_ = type_23(vec3<f32>((_e5693 * _e6023), (_e5695 * _e6023), (_e5697 * _e6023)), _e6019);
+phi_9747_ = type_22(vec3<f32>((_e5693 * _e6023), (_e5695 * _e6023), (_e5697 * _e6023)), _e6019);
 }
 let _e6030 = phi_9747_;
 let _e6041 = -((((select(_e5647, (_e5623.member_1.x * _e5634), _e5658) * _e6030.member.x) + (select(_e5648, (_e5623.member_1.y * _e5634), _e5658) * _e6030.member.y)) + (select(_e5649, (_e5623.member_1.z * _e5634), _e5658) * _e6030.member.z)));
