@@ -61,7 +61,7 @@ fn a_straight_edge_has_the_penumbra_of_a_disc() -> Result<(), Failure> {
                 format!("light.0.angular_radius={RADIUS}"),
                 format!("wall={{distance={wall},color=[1,1,1]}}"),
                 "transfer.opacity=[{value=0.49,opacity=0},{value=0.51,opacity=1}]".to_owned(),
-                "sweep.light_resolution=0.5".to_owned(),
+                "sweep.light_cells=320".to_owned(),
                 // The edge is seen from its lit side.
                 format!("camera.azimuth={AZIMUTH}"),
                 format!("camera.zoom={}", 0.87 * 0.75f64.sqrt() * EDGE / half),

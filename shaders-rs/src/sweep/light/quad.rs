@@ -84,6 +84,19 @@ fn share(i: i32, low: f32, width: f32) -> f32 {
     max(end - start, 0.0) / width
 }
 
+/// The box that stands for a parallelogram between two vectors: of the same area, so that the boxes of neighbouring ones lie side by side, as bricks do,
+/// where those around parallelograms would overlap. As wide as the first vector is, or as high as the second one, whichever leans less.
+#[inline(always)]
+fn boxed(s: Vec2, t: Vec2) -> Vec2 {
+    let area = absolute(s.x * t.y - s.y * t.x);
+    let (width, height) = (absolute(s.x), absolute(t.y));
+    let (most_x, most_y) = (width + absolute(t.x), height + absolute(s.y));
+    let upright = absolute(t.x) * height <= absolute(s.y) * width;
+    let high = min(area / max(width, NARROWEST * NARROWEST), most_y);
+    let wide = min(area / max(height, NARROWEST * NARROWEST), most_x);
+    if upright { Vec2::new(width, high) } else { Vec2::new(wide, height) }
+}
+
 /// The texels of a map across and up.
 #[derive(Clone, Copy)]
 pub struct Target {
@@ -182,10 +195,7 @@ pub fn scatter<S: Sums + ?Sized>(
                 let s = (p as f32 + 0.5) * step_s;
                 let along_t =
                     Vec2::new(lerp(c.at.x - a.at.x, d.at.x - b.at.x, s), lerp(c.at.y - a.at.y, d.at.y - b.at.y, s));
-                let size = Vec2::new(
-                    absolute(along_s.x) * step_s + absolute(along_t.x) * step_t,
-                    absolute(along_s.y) * step_s + absolute(along_t.y) * step_t,
-                );
+                let size = boxed(along_s * step_s, along_t * step_t);
                 let centre =
                     Vec2::new(blend(a.at.x, b.at.x, c.at.x, d.at.x, s, t), blend(a.at.y, b.at.y, c.at.y, d.at.y, s, t));
                 let flux = Vec3::new(
