@@ -42,6 +42,8 @@ impl Subject {
         let settings = ["light.0.angular_radius=0", "light.0.elevation=20"];
         let mut case = Case::builtin(scene, edge, Some(resolution), &settings)?;
         case.scene.sweep.light = carried;
+        // As many cells as light on texels has texels, so that blocks are as large.
+        case.scene.sweep.light_cells = Some(edge);
         let mut backend = CpuBackend::new(None)?;
         let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut backend)?;
         let planes = sweep.light_planes();

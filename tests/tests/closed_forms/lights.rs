@@ -3,7 +3,7 @@
 use crate::setup::{backends, cube, render, straight_on};
 use vitrum::Frame;
 use vitrum::io::Volume;
-use vitrum::scene::{Light, OpacityPoint, Scene, Wall};
+use vitrum::scene::{Light, OpacityPoint, Scene, Transport, Wall};
 use vitrum_conformance::closed_forms::table::{self, larger};
 
 const REFLECTANCE: [f32; 3] = [0.8, 0.5, 0.25];
@@ -136,10 +136,11 @@ fn without_lights_there_is_ambient_light_alone() {
     }
 }
 
-/// The light that is to blame is named.
+/// Light on texels goes with the planes of the view. The light that is to blame is named.
 #[test]
 fn a_light_towards_the_camera_is_refused_by_its_number() {
-    let (scene, volume) = before_a_wall(0.0, &[light(0.0, [1.0; 3]), light(120.0, [1.0; 3])]);
+    let (mut scene, volume) = before_a_wall(0.0, &[light(0.0, [1.0; 3]), light(120.0, [1.0; 3])]);
+    scene.sweep.light = Transport::Texels;
     let refusal = vitrum::check(&scene, &volume.into()).unwrap_err().to_string();
     assert!(refusal.contains("120.0°") && refusal.contains("light.1"), "{refusal}");
 }

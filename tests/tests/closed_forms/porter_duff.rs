@@ -54,10 +54,10 @@ fn the_defaults_are_plain_compositing() {
                 backend.name()
             );
             worst = larger(worst, (found / expected - 1.0).abs());
-            assert!((found - expected).abs() < 0.2 * (far - expected).abs(), "{name}: {far}, {found}, {expected}");
+            // Light is looked up where the opacity of a segment lies, so that a coarse distance is right to second order: this volume, rather opaque, was
+            // 7 % off when light was that of the plane behind.
+            assert!((far / expected - 1.0).abs() < 2e-3, "{name}: {far}, {found}, {expected}");
         }
-        // The light of the plane behind lights a segment (Algorithm 1): first order in the sample distance, 7 % at one
-        // voxel in this rather opaque volume.
         table::COMPOSITING_COLOR.hold(worst, backend.as_ref());
         let medium = frame.channel("transmittance", "R").expect("transmittance");
         assert!(medium.iter().all(|&m| m == 1.0), "a white medium stays exactly white");
