@@ -35,7 +35,9 @@ fn a_wrong_bit_of_a_kernel_is_found() -> Result<(), Failure> {
     kernels::compare(&Case::builtin("ball", 24, Some(16), &["sweep.light=texels"])?, &mut cpu, &mut faulty, &mut run)?;
     assert_eq!(run.breaches().len(), run.rows().len(), "{}", run.summary());
     assert!(run.rows().iter().all(|row| row.comparison.ulps.first_difference == Some(FAULT)));
-    assert!(folder.path().join("T1-ball-sweep-sweep_initialize_light_at_plane_0/reference.exr").exists());
+    assert!(
+        folder.path().join("T1-ball_sweep_light_texels-sweep-sweep_initialize_light_at_plane_0/reference.exr").exists()
+    );
     Ok(())
 }
 
@@ -47,7 +49,7 @@ fn a_wrong_bit_of_a_frame_is_found() -> Result<(), Failure> {
     frames::compare(&Case::builtin("ball", 24, Some(16), &["sweep.light=texels"])?, &mut cpu, &mut faulty, &mut run)?;
     let wrong: Vec<String> = run.breaches().into_iter().map(|row| row.item).collect();
     assert_eq!(wrong, ["color", "light"], "the first values of both buffers that are read are shown there");
-    assert!(folder.path().join("T2-ball-sweep-color/difference.png").exists());
+    assert!(folder.path().join("T2-ball_sweep_light_texels-sweep-color/difference.png").exists());
     Ok(())
 }
 

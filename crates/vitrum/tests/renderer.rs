@@ -69,8 +69,9 @@ fn exposures_of_several_lights_share_what_is_uploaded() {
         scene.light.push(other);
         renderer.render(&scene, request, &mut |_| true).expect("a picture");
         let of_another = uploaded.swap(0, Ordering::Relaxed);
-        // Through a mesh each light has a shadow map of its own.
-        assert!(of_one > 1000 && (of_another == 0 || name == "vase"), "{name}: {of_one}, then {of_another} bytes");
+        // Through a mesh each light has a shadow map of its own; in a volume the table of the bricks in which its light is kept.
+        let tables = of_one / 50;
+        assert!(of_one > 1000 && (of_another < tables || name == "vase"), "{name}: {of_one}, then {of_another} bytes");
     }
 }
 

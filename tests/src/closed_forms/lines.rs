@@ -123,7 +123,7 @@ lines! {
     CUT_TURN: BLOCK, CUT_SETUP, PLATE_TURN, 1.05e-7, 2.1e-7;
     CUT_SIDE: BLOCK, CUT_SETUP, PLATE_SIDE, 1.24e-6, 2.4e-6;
     FILLED_SLAB_TEXELS: FILLED_SLAB, FILLED_SLAB_SETUP, "the irradiance on the axis, light on texels, relative", 0.026, 0.05;
-    FILLED_SLAB_FORWARD: FILLED_SLAB, FILLED_SLAB_SETUP, "the irradiance on the axis, light carried forward, relative", 0.0057, 0.011;
+    FILLED_SLAB_FORWARD: FILLED_SLAB, FILLED_SLAB_SETUP, "the irradiance on the axis, light carried forward, relative", 0.0065, 0.013;
 
     LUNEBURG_CENTRAL: LUNEBURG, "128³ voxels, central ∇η", MISS, 8.9e-4, 1.7e-3;
     LUNEBURG_CHAIN: LUNEBURG, "128³ voxels, ∇η by the chain rule", MISS, 8.2e-4, 1.6e-3;
@@ -159,11 +159,11 @@ lines! {
 
     FLUX_TEXELS: FLUX, "64³ voxels, a weak lens, light at 0° and 30°", "the flux, relative", 9.7e-9, 1.9e-8, elsewhere 1e-5;
     FLUX_FOCUS: FLUX, "`glass`, `ball` and a ball of index 2.4, 110² and 160² pixels, all planes, sources of up to 2°, planes every ½, 1, 2 voxels", "the flux where it is more than there was by a millionth, relative", 0.0, 0.0;
-    FLUX_FORWARD: FLUX, "48³ voxels, light carried forward at 0° and 30°, through a focus", "the flux, relative", 2.7e-8, 5.4e-8, elsewhere 1e-5;
+    FLUX_FORWARD: FLUX, "48³ voxels, light carried forward at 0° and 30°, through a focus", "the flux, relative", 3.4e-6, 6.8e-6, elsewhere 1e-5;
 
-    SPOT_FOCUS: SPOT, "192³ voxels, surface five voxels thick; z = 1.5, a = 0.05 to 0.5: its focus", "the share, relative", 0.036, 0.04;
-    SPOT_BEHIND: SPOT, "the same; z = 2, a = 0.1 to 0.5", "the share, relative", 0.023, 0.03;
-    SPOT_FAR: SPOT, "the same; z = 3, a = 0.25, 0.5", "the share, relative", 0.013, 0.026;
+    SPOT_FOCUS: SPOT, "192³ voxels, surface five voxels thick; z = 1.5, a = 0.05 to 0.5: its focus", "the share, relative", 0.039, 0.04;
+    SPOT_BEHIND: SPOT, "the same; z = 2, a = 0.1 to 0.5", "the share, relative", 0.027, 0.03;
+    SPOT_FAR: SPOT, "the same; z = 3, a = 0.25, 0.5", "the share, relative", 0.015, 0.026;
 
     PRISM_LEAST: PRISM, PRISM_SETUP, "the smallest deviation, degrees", 0.0088, 0.017;
     PRISM_TURNED: PRISM, PRISM_SETUP, "the deviation of light met 5° off, degrees", 0.036, 0.05;
@@ -173,16 +173,16 @@ lines! {
     BEER_AROUND_THE_EYE: "Beer–Lambert from an eye within a box", "32³ voxels, planes every 0.37, 1, 2.5 voxels", "the opacity", 1.02e-5, 2.0e-5;
 
     COMPOSITING_OPACITY: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the opacity", 5.3e-7, 1e-6, elsewhere 2e-3;
-    COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 0.010, 0.012;
+    COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 3.3e-4, 6.6e-4;
 
     OUTLIER_FILM: OUTLIER, "48³ voxels of 8 bits, 16 bits and floats; texels, forward, pages, two volumes", "the film", 0.0, 0.0, elsewhere 1e-3;
     OUTLIER_TURN: OUTLIER, "32³ voxels, η = 1 + 0.05 x (1 − y²)", "the direction, degrees", 0.0, 0.0, elsewhere 1e-3;
     PEAK_ALONE: PEAK, PEAK_SETUP, "the opacity", 6.7e-6, 1.3e-5, elsewhere 1e-4;
     PEAK_BESIDE: PEAK, "the same, with a ramp at the end of the range", "the opacity", 2.2e-3, 4.4e-3;
 
-    LIGHTS_WALL: LIGHTS, "a wall lit from 30° and −40°", "the radiance E = Σ cᵢ cos θᵢ, relative", 1.0e-7, 2e-7, elsewhere 2e-6;
+    LIGHTS_WALL: LIGHTS, "a wall lit from 30° and −40°", "the radiance E = Σ cᵢ cos θᵢ, relative", 1.8e-8, 3.6e-8, elsewhere 2e-6;
     LIGHTS_HALVES: LIGHTS, "two lights of half the intensity against one", "the radiance", 6.0e-8, 1.2e-7, elsewhere 2e-7;
-    LIGHTS_SHADOWS: LIGHTS, "two shadows of an opaque ball, each lit by the other light", "the radiance", 8.2e-8, 1.6e-7, elsewhere 1e-3;
+    LIGHTS_SHADOWS: LIGHTS, "two shadows of an opaque ball, each lit by the other light", "the radiance", 2.3e-8, 4.6e-8, elsewhere 1e-3;
     LIGHTS_AMBIENT: LIGHTS, "ambient light alone", "the radiance", 0.0, 0.0, elsewhere 1e-6;
 
     STEP: LENS, "512 planes across", "the place where rays at heights 0.1, 0.3, 0.5 meet, radii", 2.3e-7, 4.6e-7;

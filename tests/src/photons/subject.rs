@@ -11,7 +11,7 @@ use crate::Failure;
 use crate::case::Case;
 use crate::closed_forms::light_on_planes;
 
-/// Texels along each side of the blocks over which light is compared: the sweep and a count of photons blur differently.
+/// Texels along each side of the blocks over which light on texels is compared: the sweep and a count of photons blur differently.
 const BLOCK: usize = 4;
 
 /// A scene, and the sweep's light on three of its planes: a third, two thirds and all of the way from the volume's middle to the last plane.
@@ -22,6 +22,8 @@ pub struct Subject {
     planes: Planes,
     at: [u32; 3],
     light: Vec<Vec<f64>>,
+    /// Texels, or cells, along each side of the blocks over which light is compared.
+    block: usize,
 }
 
 /// The difference of a plane's light from the photons'.
@@ -42,8 +44,9 @@ impl Subject {
         let settings = ["light.0.angular_radius=0", "light.0.elevation=20"];
         let mut case = Case::builtin(scene, edge, Some(resolution), &settings)?;
         case.scene.sweep.light = carried;
-        // As many cells as light on texels has texels, so that blocks are as large.
-        case.scene.sweep.light_cells = Some(edge);
+        // Two cells for a texel, as the default has for small volumes, and blocks of twice as many: they are as large.
+        case.scene.sweep.light_cells = Some(2 * edge);
+        let block = if carried == Transport::Forward { 2 * BLOCK } else { BLOCK };
         let mut backend = CpuBackend::new(None)?;
         let sweep = Sweep::prepare(&case.scene, &case.assets, case.request, &mut backend)?;
         let planes = sweep.light_planes();
@@ -54,7 +57,7 @@ impl Subject {
         let view = forward.unwrap_or_else(|| View::new(&case.scene, case.volume()));
         let at = at(&planes, last(&case, &planes, forward.is_some())?);
         let light = light(&sweep, &mut backend, at);
-        Ok(Self { case, view, grid, planes, at, light })
+        Ok(Self { case, view, grid, planes, at, light, block })
     }
 
     /// The texels of a plane, or the cells of a wavefront.
@@ -79,7 +82,7 @@ impl Subject {
     /// Light on the three planes against a reference, plane by plane.
     #[must_use]
     pub fn compare(&self, reference: &[Vec<f64>], found: &[Vec<f64>]) -> Vec<Compared> {
-        let of = |light: &[f64]| blocks(light, self.grid.size, BLOCK);
+        let of = |light: &[f64]| blocks(light, self.grid.size, self.block);
         let flux = |light: &[f64]| light.iter().sum::<f64>();
         let compared = |(reference, found): (&Vec<f64>, &Vec<f64>)| Compared {
             misplaced: misplaced(&of(reference), &of(found)),

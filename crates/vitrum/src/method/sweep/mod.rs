@@ -191,7 +191,10 @@ impl Sweep {
         Ok(Self {
             passes,
             planes: plan.planes,
-            light_grid: plan.light_grid,
+            // Cells may have grown until their light fitted the memory.
+            light_grid: carried.as_ref().map_or(plan.light_grid, |carried| {
+                LightGrid::of_frame(&carried.wavefront.frame, plan.light_grid.direction)
+            }),
             rays: plan.rays,
             buffers,
             carried,
