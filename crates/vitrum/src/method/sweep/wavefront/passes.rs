@@ -125,7 +125,7 @@ impl Wavefront {
             passes.push(self.pass(scatter, [width, height], chosen, plane, &of_plane, &bound));
         }
         // The first plane of a layer is the last one of the layer before, too.
-        let before = if kept % BRICK == 0 && number > 0 { layer(number - 1) } else { Layer::default() };
+        let before = if kept.is_multiple_of(BRICK) && number > 0 { layer(number - 1) } else { Layer::default() };
         for (layer, within) in [(of_plane, kept % BRICK), (before, BRICK)] {
             if layer.bricks == 0 {
                 continue;
