@@ -48,7 +48,8 @@ struct Middle {
 #[inline(always)]
 fn middle(way: f32) -> i32 {
     let nearest = floor_to_int(way + 0.5, -FAR, FAR);
-    if (way >= -1.0) & (way < 1.0) { 0 } else { nearest }
+    let (back, ahead) = (way >= -1.0, way < 1.0);
+    if back & ahead { 0 } else { nearest }
 }
 
 /// A component of the texel `across` columns and `up` rows from the middle one; beyond the grid, `outside`.
