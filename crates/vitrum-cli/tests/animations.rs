@@ -114,10 +114,16 @@ fn wrong_key_frames_are_refused_before_any_work() {
 #[test]
 fn a_film_that_would_break_off_is_refused_before_its_first_frame() {
     let folder = Folder::new();
-    let turning = ["builtin:ball", "--set", "light.0.attachment=world", "--set", "light.0.azimuth=0", "--frames", "12"];
-    let animation = [&["turntable"][..], &turning, &["-o", "animation"]].concat();
+    // Light on texels goes away from the camera alone.
+    let scene = ["builtin:ball", "--set", "sweep.light=texels"];
+    let turning = ["--set", "light.0.attachment=world", "--set", "light.0.azimuth=0", "--frames", "12"];
+    let animation = [&["turntable"][..], &scene, &turning, &["-o", "animation"]].concat();
     folder.refuse(&animation, 3, &["frame 4 of 12", "85"]);
-    folder.refuse(&["scene", "builtin:ball", "--set", "light.0.azimuth=180"], 3, &["85", "light.0.azimuth"]);
+    folder.refuse(
+        &["scene", "builtin:ball", "--set", "sweep.light=texels", "--set", "light.0.azimuth=180"],
+        3,
+        &["85", "light.0.azimuth"],
+    );
 }
 
 #[test]
