@@ -54,7 +54,8 @@ fn another_backend_makes_the_same_picture() {
             tells.lock().expect("nobody panics").push(failure.to_string());
             Ok(Box::new(cpu()) as Box<dyn Backend>)
         });
-        let mut renderer = Renderer::new(card(1, failure), assets.clone()).with_fallback(fallback);
+        // A frame is a run, and its light as an output another one.
+        let mut renderer = Renderer::new(card(2, failure), assets.clone()).with_fallback(fallback);
         for backend in ["gpu", "cpu", "cpu"] {
             let frame = renderer.render(&scene, OutputRequest::default(), &mut go_on).expect("a picture");
             assert_eq!(frame.statistics.backend, backend);

@@ -4,6 +4,7 @@
 
 use vitrum::backend::CpuBackend;
 use vitrum::io::{Shared, Volume, Voxels};
+use vitrum::scene::Transport;
 use vitrum::{builtin, render};
 
 /// The most memory that this process had, in bytes.
@@ -18,6 +19,8 @@ fn a_render_takes_the_volume_a_fifth_of_it_and_the_film() {
     let mut scene = builtin::scene("phantom").expect("it is built in");
     (scene.film.width, scene.film.height) = (32, 32);
     scene.sweep.sample_distance = 16.0;
+    // Light that is carried forward takes up to 192 MiB of its own.
+    scene.sweep.light = Transport::Texels;
     let mut backend = CpuBackend::new(Some(2)).expect("threads");
     let mut take = |edge: u32| {
         let count = edge.pow(3);

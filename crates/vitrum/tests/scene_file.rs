@@ -133,6 +133,7 @@ fn settings_reach_every_kind_of_key() {
         "transfer.opacity.1.value=7",
         "volume.file=C:\\scans\\2024=1.nrrd",
         "volume.builtin=none",
+        "sweep.light=texels",
         "sweep.intensity=none",
     ] {
         scene.set(setting).unwrap_or_else(|error| panic!("{setting}: {error}"));
