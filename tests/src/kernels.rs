@@ -64,6 +64,7 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("combustion/mixture", "combustion/mixture", &[])?,
         case("phantom chain forward", "phantom", &[FORWARD, "sweep.gradient=chain"])?,
         case("phantom straight forward", "phantom", &[FORWARD, "sweep.refraction=false"])?,
+        case("phantom soft forward", "phantom", &[FORWARD, "light.0.angular_radius=20"])?,
         case("ball forward", "ball", &[FORWARD])?,
         case("glass forward", "glass", &[FORWARD])?,
         case("glass/straight forward", "glass/straight", &[FORWARD])?,

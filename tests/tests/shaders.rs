@@ -124,7 +124,8 @@ fn of_wavefront() -> Vec<Field> {
     let of_map = fields!(ReceiverMap { size: of_size(), texels, margin, ground, wall });
     fields!(Wavefront {
         row_x: of_affine(), row_y: of_affine(), row_z: of_affine(), spherical, cells: of_size(), corner_x, corner_y, cell, inverse_cell,
-        first_depth, inverse_step, first_sample, colors, components, bricks: of_counts(), layer, list, map: of_map, source: of_vec3(), observed, units, softness,
+        first_depth, inverse_step, first_sample, colors, components, bricks: of_counts(), layer, list, wide: of_size(), map: of_map, source: of_vec3(), observed, units, softness,
+        blur,
     })
 }
 

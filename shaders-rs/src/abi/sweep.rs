@@ -201,6 +201,14 @@ pub mod receiver {
     pub const OBSERVED: u32 = 2;
 }
 
+/// The light that is blurred: modes of a pass.
+pub mod blurred {
+    /// The nodes themselves.
+    pub const NODES: u32 = 0;
+    /// The result of the pass before.
+    pub const AGAIN: u32 = 1;
+}
+
 /// The lines along which differences are summed up: modes of a pass.
 pub mod along {
     /// Each row from left to right.

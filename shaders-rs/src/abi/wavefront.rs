@@ -42,6 +42,8 @@ pub struct Wavefront {
     pub layer: u32,
     /// The first word of the list of the bricks to which a plane is written, in the buffer of bricks.
     pub list: u32,
+    /// Wide samples of a plane across and up: [`WIDE`] samples apart, and all over the grid. Their sums come before the ones of the bricks.
+    pub wide: Size,
     /// The maps of receivers.
     pub map: ReceiverMap,
     /// Position of the source in the view frame, if the wavefront is spherical.
@@ -52,6 +54,9 @@ pub struct Wavefront {
     pub units: f32,
     /// Tangent of the light's angular radius; 0 for a crisp light.
     pub softness: f32,
+    /// The share of the blur between two planes on which light is kept that one pass of [`blur_nodes`](crate::sweep::blur_nodes) gives; 0 if nodes are
+    /// not blurred.
+    pub blur: f32,
 }
 
 /// The maps of the light on ground and wall, which have the same size.
@@ -78,6 +83,8 @@ pub struct ReceiverMap {
 pub const BRICK: u32 = 8;
 /// Samples along the edge of a brick as it is stored: look-ups need no other brick.
 pub const STORED: u32 = BRICK + 1;
+/// Samples from a wide sample to the next one.
+pub const WIDE: u32 = 4;
 /// Samples of a brick on a plane.
 pub const LAYER: u32 = STORED * STORED;
 /// Words of a brick's entry in the buffer of bricks: its first word in the buffer of light, the bricks of its planes, and its number among them,

@@ -68,9 +68,12 @@ kernels! {
             levels [FULL BORDER] few [BORDER],
             modes mode [STRAIGHT, CENTRAL, CHAIN, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL],
             skip [until];
+        blur_nodes(nodes: f32, behind: f32) writes blurred, modes blurred [NODES, AGAIN];
+        take_blurred(blurred: f32) updates node, levels [WORK];
         clear_sums() writes sums;
         project_nodes(nodes: f32) writes projected;
-        scatter_cells(projected: f32, bricks: u32) adds sums, modes mode [CENTRAL, CLEAR_CENTRAL];
+        cover_samples(projected: f32, bricks: u32) writes covered, levels [UNSEEN WORK];
+        scatter_cells(covered: f32, projected: f32, bricks: u32) adds sums, modes mode [CENTRAL, CLEAR_CENTRAL];
         collect_light(sums: u32, nodes: f32, bricks: u32) writes carried,
             modes mode [STRAIGHT, CENTRAL];
         collect_clear(sums: u32, nodes: f32, bricks: u32) writes carried_clear,

@@ -148,9 +148,9 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let bent = crossing.bent | (out.x != v.x) | (out.y != v.y) | (out.z != v.z);
     // Up to a receiver light flies on as it is.
     let moves = bent & !met;
-    let fate = select(dark, status::DARK, select(turned, status::TURNED, status::ACTIVE));
-    // What is left goes off the straight way where it bends first.
-    let leaving = select(moves, mean, 0.0);
+    // Where light is blurred, some may come back.
+    let fate = select(dark & (u.wavefront.blur == 0.0), status::DARK, select(turned, status::TURNED, status::ACTIVE));
+    let absorbed_at = node.absorbed_at + loss * lerp(from.z, to.z, 0.5);
     let after = Node {
         position: select_vector(moves, to, node.position),
         direction: select_vector(moves, out, v),
@@ -158,7 +158,8 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         inside: select(crossing.inside, 1.0, 0.0),
         bent: select(moves, 1.0, node.bent),
         status: select(met, status::LANDED, fate),
-        lost_at: node.lost_at + select(node.bent == 0.0, loss * lerp(from.z, to.z, 0.5) + leaving * to.z, 0.0),
+        absorbed_at,
+        left_at: select(moves & (node.bent == 0.0), absorbed_at + mean * to.z, node.left_at),
     };
     after.store()
 }

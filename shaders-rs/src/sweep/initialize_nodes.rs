@@ -17,7 +17,8 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32) -> [f32; node::SIZE
         inside: 0.0,
         bent: 0.0,
         status: node_status::ACTIVE,
-        lost_at: 0.0,
+        absorbed_at: 0.0,
+        left_at: 0.0,
     };
     node.store()
 }

@@ -8,7 +8,7 @@ use crate::abi::record::{Node, node_status as status};
 use crate::abi::sweep::{SweepUniforms, receiver};
 use crate::abi::vector::{Affine, Vec3};
 use crate::field::sums::Sums;
-use crate::math::{affine, dot, length, max, select, xyz};
+use crate::math::{affine, dot, length, max, min, select, sqrt, xyz};
 use crate::sweep::light::quad::{Corner, Target, scatter};
 use crate::sweep::light::receiver_map::place;
 use crate::sweep::light::wavefront::{coordinates, is_cell_straight, node, unrefracted, unrefracted_direction};
@@ -63,6 +63,20 @@ fn lost(node: &Node) -> f32 {
     1.0 - select(node.bent != 0.0, 0.0, left)
 }
 
+/// The depth at which a node's light left its straight way, times how much of it did.
+#[inline(always)]
+fn lost_at(node: &Node) -> f32 {
+    select(node.bent != 0.0, node.left_at, node.absorbed_at)
+}
+
+/// The length of a way whose blur is still to come, of one of length `way` from `depth` on, as nodes were blurred up to the last plane or to the
+/// receiver: the difference of the variances.
+#[inline(always)]
+fn unblurred(u: &SweepUniforms, depth: f32, way: f32) -> f32 {
+    let done = max(min(u.step.ahead - depth, way), 0.0);
+    select(u.wavefront.blur > 0.0, sqrt(max(way * way - done * done, 0.0)), way)
+}
+
 /// Texels of the map that a soft light spreads over on a way of this length, as a radius.
 #[inline(always)]
 fn blur(u: &SweepUniforms, way: f32) -> f32 {
@@ -89,7 +103,7 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &SweepUniforms, which: u32, n
         }
         let all = (lost(&first) + lost(&second)) + (lost(&third) + lost(&fourth));
         if soft & (all > 0.0) {
-            let depth = ((first.lost_at + second.lost_at) + (third.lost_at + fourth.lost_at)) / all;
+            let depth = ((lost_at(&first) + lost_at(&second)) + (lost_at(&third) + lost_at(&fourth))) / all;
             let from = unrefracted(w, x as i32 as f32 + 0.5, y as i32 as f32 + 0.5, depth);
             let to = way(plane, from, unrefracted_direction(w, from));
             if to >= 0.0 {
@@ -97,7 +111,7 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &SweepUniforms, which: u32, n
                 let b = taking(u, x + 1, y, &second, straight);
                 let c = taking(u, x, y + 1, &third, straight);
                 let d = taking(u, x + 1, y + 1, &fourth, straight);
-                scatter::<S>(u, sums, target, (&a, &b, &c, &d), blur(u, to));
+                scatter::<S>(u, sums, target, (&a, &b, &c, &d), blur(u, unblurred(u, depth, to)));
             }
         }
     }

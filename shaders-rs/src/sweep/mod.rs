@@ -6,11 +6,12 @@
 //! [`initialize_light`] and [`initialize_rays`] come first, then, behind the last plane, [`follow_rays`] and [`resolve`]; [`tiles`] says which pixel a ray belongs to.
 //!
 //! Instead of on texels, light can be carried forward by a wavefront, along its own direction and before the viewing rays (not in the paper):
-//! [`initialize_nodes`] once, then for each of its planes [`advance_nodes`] and, where something looks at the light, [`clear_sums`],
-//! [`project_nodes`], [`scatter_cells`] and [`collect_light`] (or [`collect_clear`], [`collect_straight`]); behind the last one [`clear_landed`], [`land_cells`],
+//! [`initialize_nodes`] once, then for each of its planes [`advance_nodes`], [`blur_nodes`] and [`take_blurred`] where particles throw soft shadows, and, where something looks at the light, [`clear_sums`],
+//! [`project_nodes`], [`cover_samples`], [`scatter_cells`] and [`collect_light`] (or [`collect_clear`], [`collect_straight`]); behind the last one [`clear_landed`], [`land_cells`],
 //! [`integrate_landed`] where light is soft, and [`collect_receiver`] for each receiver.
 
 pub mod advance_nodes;
+pub mod blur_nodes;
 pub mod border;
 pub mod clear_landed;
 pub mod clear_sums;
@@ -20,6 +21,7 @@ pub mod collect_light;
 pub mod collect_receiver;
 pub mod collect_straight;
 pub mod concentrate_light;
+pub mod cover_samples;
 pub mod empty;
 pub mod filter_light;
 pub mod follow_rays;
@@ -35,6 +37,7 @@ pub mod propagate_rays;
 pub mod refract_light;
 pub mod resolve;
 pub mod scatter_cells;
+pub mod take_blurred;
 pub mod tiles;
 pub mod trace_light;
 pub mod turn;

@@ -11,6 +11,7 @@ mod grazing;
 mod penumbra;
 mod shot;
 mod slab;
+mod soft_inside;
 mod sources;
 
 use vitrum::backend::{Backend, CpuBackend};

@@ -23,7 +23,7 @@ fn plate() -> Cuboid {
 }
 
 /// The share of a disc of radius 1 on the one side of a chord, which is `t` on the other side of the middle.
-fn chord(t: f64) -> f64 {
+pub(crate) fn chord(t: f64) -> f64 {
     let t = t.clamp(-1.0, 1.0);
     0.5 + (t * (1.0 - t * t).sqrt() + t.asin()) / PI
 }
@@ -36,7 +36,7 @@ fn visible(x: f64, distance: f64) -> f64 {
 }
 
 #[test]
-fn chords_cut_discs() {
+pub(crate) fn chords_cut_discs() {
     assert!((chord(0.0) - 0.5).abs() < 1e-15 && chord(1.0) == 1.0 && chord(-2.0) == 0.0);
     // Half a radius beside the middle: a third of the circle less a triangle.
     assert!((chord(-0.5) - (1.0 / 3.0 - 3f64.sqrt() / (4.0 * PI))).abs() < 1e-12);

@@ -56,8 +56,20 @@ record! {
         bent: f32,
         /// One of [`node_status`](crate::abi::record::node_status).
         status: f32,
-        /// The sum of the depths at which light left its straight way, absorbed or bent, each weighted by the mean share of the colours that did.
-        lost_at: f32,
+        /// The sum of the depths at which light was absorbed, each weighted by the share that was, mean of the colours.
+        absorbed_at: f32,
+        /// That sum when the light bent first, with what was left then at the depth of that bend.
+        left_at: f32,
+    }
+}
+
+record! {
+    /// What a node of the wavefront has left of its light, blurred as by a light of some width.
+    blurred: Blurred {
+        /// The share of unoccluded light that is left.
+        flux: Color,
+        /// The sum of the depths at which light was absorbed, as of [`Node`].
+        absorbed_at: f32,
     }
 }
 
@@ -99,6 +111,43 @@ pub mod course {
     pub const BENT: f32 = 1.0;
     /// It turned back.
     pub const TURNED: f32 = 2.0;
+}
+
+record! {
+    /// The samples inside a cell of the wavefront, and the light that it brings to each of them: in units of the sums, or, if it is the sample in the
+    /// cell's place alone, over that of unoccluded light.
+    covered: Covered {
+        /// One of [`cover`](crate::abi::record::cover), or a sum of the samples' weights there.
+        samples: f32,
+        /// Column of the first one of four samples.
+        column: f32,
+        /// Row of the first one of four samples.
+        row: f32,
+        /// Fluence.
+        fluence: Color,
+        /// Fluence times the difference of its direction, x.
+        aside_x: f32,
+        /// Fluence times the difference of its direction, y.
+        aside_y: f32,
+    }
+}
+
+/// Which of the four samples from a cell's first one on are inside the cell.
+pub mod cover {
+    /// Nothing looks at the cell's light.
+    pub const NONE: f32 = 0.0;
+    /// Weight of the first sample.
+    pub const FIRST: f32 = 1.0;
+    /// Weight of the sample beside the first one.
+    pub const BESIDE: f32 = 2.0;
+    /// Weight of the sample above the first one.
+    pub const ABOVE: f32 = 4.0;
+    /// Weight of the sample beside that one.
+    pub const ACROSS: f32 = 8.0;
+    /// More samples may be inside, or the cell has no inside.
+    pub const OTHERS: f32 = 16.0;
+    /// The sample in the cell's place alone is inside.
+    pub const STAYS: f32 = 32.0;
 }
 
 record! {

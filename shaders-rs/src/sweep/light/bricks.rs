@@ -40,7 +40,17 @@ pub fn place(w: &Wavefront, bricks: &[u32], x: i32, y: i32) -> i32 {
     let number = read(bricks, at + 2) as i32;
     let within = BRICK as i32 - 1;
     let place = (number - 1) * (BRICK * BRICK) as i32 + (y & within) * BRICK as i32 + (x & within);
-    if (at < 0) | (number == 0) { -1 } else { place }
+    if (at < 0) | (number == 0) { -1 } else { (w.wide.width * w.wide.height) as i32 + place }
+}
+
+/// The number of the place of wide sample (x, y) of the plane among the sums; −1 beyond the grid.
+#[inline(always)]
+pub fn wide_place(w: &Wavefront, x: i32, y: i32) -> i32 {
+    let (width, height) = (w.wide.width as i32, w.wide.height as i32);
+    // One beyond each side of the grid counts, too.
+    let (column, row) = (x + 1, y + 1);
+    let inside = (column >= 0) & (column < width) & (row >= 0) & (row < height);
+    if inside { row * width + column } else { -1 }
 }
 
 /// Column and row of sample `index` of the bricks in the plane's list; a place that no grid has for one that only fills the list up.

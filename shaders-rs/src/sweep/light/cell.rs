@@ -3,12 +3,14 @@
 use crate::abi::record::{course, projected};
 use crate::abi::wavefront::Wavefront;
 use crate::field::access::read;
-use crate::math::absolute;
+use crate::math::{absolute, max, min, select};
 use crate::sweep::light::wavefront::{columns, nodes};
 use spirv_std::glam::{Vec2, Vec3};
 
-/// The least area, in samples, of a cell whose light the sample in its place finds.
-const SMALLEST: f32 = 0.5;
+/// The least area, in samples, of a cell whose light the samples inside find.
+pub const SMALLEST: f32 = 0.5;
+/// Farther than any sample.
+pub const FAR: f32 = 65536.0;
 
 /// A node on the plane.
 #[derive(Clone, Copy)]
@@ -39,20 +41,6 @@ pub fn corner(w: &Wavefront, buffer: &[f32], x: u32, y: u32) -> Corner {
         aside: Vec2::new(component(projected::ASIDE_X), component(projected::ASIDE_Y)),
         course: component(projected::COURSE),
     }
-}
-
-/// The course of node (x, y).
-#[inline(always)]
-pub fn course_of(w: &Wavefront, buffer: &[f32], x: u32, y: u32) -> f32 {
-    read(buffer, projected::COURSE as i32 * nodes(w) as i32 + (y * columns(w) + x) as i32)
-}
-
-/// The place of node (x, y) among the samples of the plane.
-#[inline(always)]
-pub fn place_of(w: &Wavefront, buffer: &[f32], x: u32, y: u32) -> Vec2 {
-    let count = nodes(w) as i32;
-    let at = (y * columns(w) + x) as i32;
-    Vec2::new(read(buffer, projected::X as i32 * count + at), read(buffer, projected::Y as i32 * count + at))
 }
 
 impl Corner {
@@ -99,7 +87,32 @@ fn is_near(corner: &Corner, x: f32, y: f32) -> bool {
     (absolute(corner.at.x - x) < 0.5) & (absolute(corner.at.y - y) < 0.5) & (corner.course != course::TURNED)
 }
 
+/// The range of places at which edges cross the line of samples at height `y`, widened by the edge from `p` to `q`.
+#[inline(always)]
+pub fn crossed(p: Vec2, q: Vec2, y: f32, range: (f32, f32)) -> (f32, f32) {
+    let x = p.x + (y - p.y) * ((q.x - p.x) / (q.y - p.y));
+    let crosses = (p.y <= y) != (q.y <= y);
+    (select(crosses, min(range.0, x), range.0), select(crosses, max(range.1, x), range.1))
+}
+
+/// The range of places at which the edges of a quadrilateral cross the line of samples at height `y`; its ends are in the wrong order if none does.
+#[inline(always)]
+pub fn crossed_by(cell: &Cell, y: f32) -> (f32, f32) {
+    let Cell { a, b, c, d } = cell;
+    let range = crossed(b.at, d.at, y, crossed(a.at, b.at, y, (FAR, -FAR)));
+    crossed(c.at, a.at, y, crossed(d.at, c.at, y, range))
+}
+
 impl Cell {
+    /// The least and the largest place of its corners.
+    #[inline(always)]
+    pub fn bounds(&self) -> (Vec2, Vec2) {
+        let (a, b, c, d) = (self.a.at, self.b.at, self.c.at, self.d.at);
+        let low = Vec2::new(min(min(a.x, b.x), min(c.x, d.x)), min(min(a.y, b.y), min(c.y, d.y)));
+        let high = Vec2::new(max(max(a.x, b.x), max(c.x, d.x)), max(max(a.y, b.y), max(c.y, d.y)));
+        (low, high)
+    }
+
     /// Its area, in samples.
     #[inline(always)]
     pub fn area(&self) -> f32 {

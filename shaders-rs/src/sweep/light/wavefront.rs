@@ -26,6 +26,12 @@ fn spread(w: &Wavefront, depth: f32) -> f32 {
     select(w.spherical != 0, depth, 1.0)
 }
 
+/// Edge of a cell at `depth`.
+#[inline(always)]
+pub fn edge(w: &Wavefront, depth: f32) -> f32 {
+    w.cell * spread(w, depth)
+}
+
 /// The point at `depth` of unrefracted light with coordinates (x, y), in cells.
 #[inline(always)]
 pub fn unrefracted(w: &Wavefront, x: f32, y: f32, depth: f32) -> Vec3 {
@@ -73,7 +79,8 @@ pub fn node(w: &Wavefront, nodes_in: &[f32], x: u32, y: u32) -> Node {
         inside: component(record::INSIDE),
         bent: component(record::BENT),
         status: component(record::STATUS),
-        lost_at: component(record::LOST_AT),
+        absorbed_at: component(record::ABSORBED_AT),
+        left_at: component(record::LEFT_AT),
     }
 }
 

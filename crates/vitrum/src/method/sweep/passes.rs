@@ -9,7 +9,7 @@ use super::uniforms::FramePlan;
 use super::unoccluded::Unoccluded;
 use super::uploaded::UploadedVolumes;
 use super::voxels::bricks;
-use super::wavefront::{Wavefront, stride};
+use super::wavefront::Wavefront;
 use super::{Buffers, Carried};
 
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
@@ -68,7 +68,7 @@ pub(super) fn build(
         Some(frame) => {
             let boxes: Vec<_> =
                 queries.iter().flat_map(|query| query.looked_at(scene.shading.specular > 0.0)).collect();
-            let frame = frame.with_stride(stride(densest));
+            let frame = frame.for_particles(densest);
             let seen_by = (plan.common(), plan.mode);
             let largest = backend.largest_buffer();
             let wavefront = Wavefront::new(scene, rendered, (&plan.view, frame), seen_by, &boxes, largest)?;

@@ -12,6 +12,18 @@ const FEWEST: f64 = 160.0;
 /// The most cells along the longer side of the grid that a large volume gets.
 const MOST: f64 = 400.0;
 
+/// The largest optical depth of particles from plane to plane with which light is kept on each second plane alone.
+const FAINT: f64 = 0.25;
+/// Planes from one on which light is kept to the next. Where surfaces alone look at the light, their highlights show how bright it is, and no edge of a
+/// shadow; and in faint matter light falls slowly. `densest` is the largest optical depth of particles from plane to plane.
+fn stride(densest: f64) -> u32 {
+    match densest {
+        0.0 => 4,
+        faint if faint < FAINT => 2,
+        _ => 1,
+    }
+}
+
 /// The frame of a wavefront of light from far away: z is the direction in which it travels.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::method::sweep) struct Frame {
@@ -27,6 +39,8 @@ pub(in crate::method::sweep) struct Frame {
     pub(in crate::method::sweep) cells: [u32; 2],
     /// Planes from one on which light is kept to the next.
     pub(in crate::method::sweep) stride: u32,
+    /// Whether particles throw shadows.
+    pub(in crate::method::sweep) has_particles: bool,
 }
 
 impl Frame {
@@ -59,7 +73,7 @@ impl Frame {
         let wanted = scene.sweep.light_cells.map_or((longer / voxel).clamp(FEWEST, MOST), f64::from);
         // Light that is the same everywhere needs no cells.
         let wanted = if scene.first_light().shadows { wanted } else { 4.0 };
-        Ok(Self { view, planes, corner: low, cell: 0.0, cells: [0; 2], stride: 1 }.with_cells(
+        Ok(Self { view, planes, corner: low, cell: 0.0, cells: [0; 2], stride: 1, has_particles: false }.with_cells(
             low,
             high,
             longer / wanted,
@@ -80,11 +94,13 @@ impl Frame {
         self.with_cells(low, low + size, self.cell * factor)
     }
 
-    /// The frame whose light is kept on every plane of number 0, `stride`, 2 `stride` and so on; the last plane is one of them.
-    pub(in crate::method::sweep) fn with_stride(self, stride: u32) -> Self {
+    /// The frame for particles whose largest optical depth from plane to plane is `densest`. Light is kept on every plane of number 0, `stride`,
+    /// 2 `stride` and so on; the last plane is one of them.
+    pub(in crate::method::sweep) fn for_particles(self, densest: f64) -> Self {
+        let stride = stride(densest);
         let last = (self.planes.count - 1).next_multiple_of(stride);
         let planes = Planes { count: last + 1, behind: last, ..self.planes };
-        Self { planes, stride, ..self }
+        Self { planes, stride, has_particles: densest > 0.0, ..self }
     }
 
     /// The number of planes on which light is kept.

@@ -29,7 +29,7 @@ use vitrum_kernels::abi::light::LightGrid;
 use vitrum_kernels::abi::record::{carried, carried_clear, carried_straight, landed};
 use vitrum_kernels::abi::sweep::{SweepUniforms, mode};
 use vitrum_kernels::abi::vector::{Affine, Counts, Size};
-use vitrum_kernels::abi::wavefront::{self as abi, PLANE_ALIGNMENT, ReceiverMap};
+use vitrum_kernels::abi::wavefront::{self as abi, BRICK, PLANE_ALIGNMENT, ReceiverMap, WIDE};
 
 /// The most bytes of the light around a volume.
 const MOST_BYTES: u64 = 192 << 20;
@@ -41,20 +41,8 @@ const COARSER: f64 = 1.189_207_115;
 const TEXELS: u32 = 2;
 /// Texels of a receiver's map along the edge of a cell, for soft light, whose edges are wider than a cell but for contacts.
 const SOFT_TEXELS: u32 = 1;
-/// The largest optical depth of particles from plane to plane with which light is kept on each second plane alone.
-const FAINT: f64 = 0.25;
 /// The margin of a receiver's map on each side, over the grid's size.
 const MARGIN: u32 = 4;
-
-/// Planes from one on which light is kept to the next. Where surfaces alone look at the light, their highlights show how bright it is, and no edge of a
-/// shadow; and in faint matter light falls slowly. `densest` is the largest optical depth of particles from plane to plane.
-pub(super) fn stride(densest: f64) -> u32 {
-    match densest {
-        0.0 => 4,
-        faint if faint < FAINT => 2,
-        _ => 1,
-    }
-}
 
 /// The plan of a wavefront: everything that is the same for all its planes.
 pub(super) struct Wavefront {
@@ -108,6 +96,7 @@ fn as_seen(view: &View, frame: &Frame, first_sample: f32) -> abi::Wavefront {
         first_depth: frame.planes.depth(0) as f32,
         inverse_step: (1.0 / (frame.planes.distance * f64::from(frame.stride))) as f32,
         first_sample,
+        wide: wide_samples(frame.cells),
         ..abi::Wavefront::default()
     }
 }
@@ -164,6 +153,8 @@ impl Wavefront {
             softness: libm::tan(f64::from(scene.first_light().angular_radius).to_radians()) as f32,
             ..as_seen(view, &frame, first_sample)
         };
+        let blurs = frame.has_particles && seen.softness > 0.0;
+        let seen = abi::Wavefront { blur: if blurs { 1.0 } else { 0.0 }, ..seen };
         let block = block(scene, volumes, &frame, seen_by, seen)?;
         let receivers = [scene.ground.is_some(), scene.wall.is_some()];
         Ok(Self { frame, bricks, observed: maps + 2 * map_words, words, mode: chosen, receivers, block, seen })
@@ -215,6 +206,12 @@ fn block(
         abi::Wavefront { row_x: Affine::default(), row_y: Affine::default(), row_z: Affine::default(), ..seen };
     set_clips(&mut block, scene, &frame.view, volumes.shown)?;
     Ok(block)
+}
+
+/// The wide samples of a plane: so many in a row that their sums fill places of bricks.
+fn wide_samples(cells: [u32; 2]) -> Size {
+    let [width, height] = cells.map(|count| (count / WIDE + 3).next_multiple_of(BRICK));
+    Size { width, height }
 }
 
 /// Units of sums of light: light of all cells at once, twice as much where it is oblique, has fewer than 2³¹ of them.

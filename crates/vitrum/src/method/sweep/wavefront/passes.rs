@@ -1,24 +1,34 @@
 //! The passes of a wavefront: from plane to plane, into bricks and onto receivers.
 
-use super::Wavefront;
 use super::bricks::Layer;
+use super::{Frame, Wavefront};
 use crate::backend::{BackendError, Buffer, Contents, Pass, Write};
 use crate::method::sweep::carrier::{BufferAllocator, VolumeBuffers};
 use std::ops::Range;
 use std::sync::Arc;
 use vitrum_kernels::abi::dispatch::{Dispatch, Region};
 use vitrum_kernels::abi::format::Format;
-use vitrum_kernels::abi::record::{landed, node, projected, sums};
-use vitrum_kernels::abi::sweep::{along, mode, receiver};
+use vitrum_kernels::abi::record::{blurred, covered, landed, node, projected, sums};
+use vitrum_kernels::abi::sweep::{SweepUniforms, along, blurred as blurring, mode, receiver};
 use vitrum_kernels::abi::vector::Size;
 use vitrum_kernels::abi::wavefront::{BRICK, BRICKS_TOGETHER, LAYER, plane_words};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
+
+/// The largest blur of one pass, as the share of its light that a node gives to a neighbour.
+const MOST_BLUR: f64 = 0.2;
+/// The least blur that is worth a pass: it widens what is a cell wide by a twentieth of a cell.
+const LEAST_BLUR: f64 = 0.05;
+/// The most passes that blur the nodes on one plane. Shadows of a light that needs more are less soft far behind the obstacle.
+const MOST_ROUNDS: f64 = 32.0;
 
 /// The buffers of a wavefront.
 pub(in crate::method::sweep) struct WavefrontBuffers {
     volumes: VolumeBuffers,
     nodes: Buffer,
+    /// What blurred nodes have left, of two passes.
+    blurred: [Buffer; 2],
     projected: Buffer,
+    covered: Buffer,
     bricks: Buffer,
     sums: Buffer,
     landed: Buffer,
@@ -40,22 +50,35 @@ impl Wavefront {
         let map = self.seen.map.size;
         let most = self.bricks.layers.iter().map(|layer| layer.bricks).max().unwrap_or(0).max(1);
         let bends = mode::bends(self.mode);
+        let blurred = if self.seen.blur > 0.0 { [width + 1, height + 1] } else { [1, 1] };
         Ok(WavefrontBuffers {
             volumes,
             nodes: buffers.planar("nodes", [width + 1, height + 1], node::SIZE)?,
+            blurred: [
+                buffers.planar("blurred nodes", blurred, blurred::SIZE)?,
+                buffers.planar("blurred nodes of the pass before", blurred, blurred::SIZE)?,
+            ],
             projected: buffers.planar(
                 "projected nodes",
                 if bends { [width + 1, height + 1] } else { [1, 1] },
                 projected::SIZE,
             )?,
+            covered: buffers.planar("covered samples", if bends { [width, height] } else { [1, 1] }, covered::SIZE)?,
             bricks: buffers
                 .backend
                 .create("bricks of light", Contents::Bytes(bytemuck::cast_slice(&self.bricks.words)))?,
-            sums: buffers.planar("sums", if bends { [BRICK * BRICK, most] } else { [1, 1] }, sums::SIZE)?,
+            sums: buffers.planar("sums", if bends { self.sums(most) } else { [1, 1] }, sums::SIZE)?,
             landed: buffers.planar("landed light", [map.width, map.height], landed::SIZE)?,
             // Kept from frame to frame, and so none of the buffers that each frame writes anew.
             light: buffers.backend.create("carried light", Contents::Zeros(u64::from(self.words) * 4))?,
         })
+    }
+
+    /// The size of the sums on a plane with that many bricks.
+    fn sums(&self, bricks: u32) -> [u32; 2] {
+        let Size { width, height } = self.seen.wide;
+        let in_brick = BRICK * BRICK;
+        [in_brick, width * height / in_brick + bricks]
     }
 
     /// The write that makes the entries of the bricks the beginning of the buffer of light.
@@ -86,12 +109,18 @@ impl Wavefront {
         let none = Layer::default();
         let mut passes = vec![self.pass(&kernels::sweep_initialize_nodes, nodes, 0, 0, &none, &[&buffers.nodes])];
         let mut starts = Vec::new();
+        // The plane up to which the nodes are blurred.
+        let mut blurred = 0;
         for plane in 0..self.frame.planes.count {
             starts.push(if plane > 0 { passes.len() } else { 0 });
             if plane > 0 {
                 let advance = kernels::sweep_advance_nodes.get(format);
                 let bound = [voxels, ior_voxels, occupancy, tables, &buffers.nodes];
                 passes.push(self.pass(advance, nodes, self.mode, plane, &none, &bound));
+            }
+            if self.is_blurred(blurred, plane) {
+                self.blur([blurred, plane], buffers, &mut passes);
+                blurred = plane;
             }
             self.collect(plane, buffers, &mut passes);
         }
@@ -100,6 +129,41 @@ impl Wavefront {
             self.land(which, map, last, buffers, &mut passes);
         }
         (passes, starts)
+    }
+
+    /// The share of its light that a node gives to a neighbour on the way between two planes, if it was absorbed on the first plane of all: the largest
+    /// share.
+    fn widest_blur(&self, [from, to]: [u32; 2]) -> f64 {
+        let planes = &self.frame.planes;
+        let (first, behind, ahead) = (planes.depth(0), planes.depth(from), planes.depth(to));
+        let radius = f64::from(self.seen.softness) / self.frame.cell;
+        0.125 * radius * radius * ((ahead - behind) * (ahead + behind - 2.0 * first))
+    }
+
+    /// Whether the nodes, which are blurred up to plane `from`, are blurred on plane `to`: on the last one, and as soon as it is worth a pass.
+    fn is_blurred(&self, from: u32, to: u32) -> bool {
+        let last = to + 1 == self.frame.planes.count;
+        self.seen.blur > 0.0 && to > from && (last || self.widest_blur([from, to]) >= LEAST_BLUR)
+    }
+
+    /// Appends the passes that blur the nodes on plane `plane`, which are blurred up to plane `from`.
+    fn blur(&self, [from, plane]: [u32; 2], buffers: &WavefrontBuffers, passes: &mut Vec<Pass>) {
+        let Frame { cells: [width, height], planes, .. } = &self.frame;
+        let rounds = (self.widest_blur([from, plane]) / MOST_BLUR).ceil().clamp(1.0, MOST_ROUNDS);
+        let WavefrontBuffers { nodes, blurred, .. } = buffers;
+        let none = Layer::default();
+        let size = [width + 1, height + 1];
+        for round in 0..rounds as usize {
+            let which = if round == 0 { blurring::NODES } else { blurring::AGAIN };
+            let bound = [nodes, &blurred[(round + 1) % 2], &blurred[round % 2]];
+            let edit = |block: &mut SweepUniforms| {
+                block.step.behind = planes.depth(from) as f32;
+                block.wavefront.blur = (1.0 / rounds) as f32;
+            };
+            passes.push(self.edited(&kernels::sweep_blur_nodes, size, which, plane, &none, &bound, edit));
+        }
+        let last = &blurred[(rounds as usize + 1) % 2];
+        passes.push(self.pass(&kernels::sweep_take_blurred, size, 0, plane, &none, &[last, nodes]));
     }
 
     /// Appends the passes that write the light of plane `plane` to bricks.
@@ -113,15 +177,17 @@ impl Wavefront {
         let number = kept / BRICK;
         let layer = |number: u32| self.bricks.layers.get(number as usize).copied().unwrap_or_default();
         let of_plane = layer(number);
-        let WavefrontBuffers { nodes, projected, bricks, sums, light, .. } = buffers;
+        let WavefrontBuffers { nodes, projected, covered, bricks, sums, light, .. } = buffers;
         if mode::bends(self.mode) && of_plane.bricks > 0 {
-            let places = [BRICK * BRICK, of_plane.bricks];
+            let places = self.sums(of_plane.bricks);
             passes.push(self.pass(&kernels::sweep_clear_sums, places, 0, plane, &of_plane, &[sums]));
             let project = &kernels::sweep_project_nodes;
             passes.push(self.pass(project, [width + 1, height + 1], 0, plane, &of_plane, &[nodes, projected]));
+            let cover = &kernels::sweep_cover_samples;
+            passes.push(self.pass(cover, [width, height], 0, plane, &of_plane, &[projected, bricks, covered]));
             let scatter = &kernels::sweep_scatter_cells;
             let chosen = if mode::is_clear(self.mode) { mode::CLEAR_CENTRAL } else { mode::CENTRAL };
-            let bound = [projected, bricks, sums];
+            let bound = [covered, projected, bricks, sums];
             passes.push(self.pass(scatter, [width, height], chosen, plane, &of_plane, &bound));
         }
         // The first plane of a layer is the last one of the layer before, too.
@@ -138,9 +204,9 @@ impl Wavefront {
                 (_, true) => (&kernels::sweep_collect_light, mode::CENTRAL),
             };
             let size = [BRICKS_TOGETHER * LAYER, layer.bricks / BRICKS_TOGETHER];
-            // Where light bends, cells are found by where their nodes are on the plane.
-            let nodes = if mode::bends(self.mode) { projected } else { nodes };
-            let pass = self.pass(kernel, size, chosen, plane, &layer, &[sums, nodes, bricks, light]);
+            // Where light bends, by the samples that cells cover on the plane.
+            let found = if mode::bends(self.mode) { covered } else { nodes };
+            let pass = self.pass(kernel, size, chosen, plane, &layer, &[sums, found, bricks, light]);
             let start = u64::from(layer.start + within * plane_words(layer.bricks, words));
             passes.push(Pass { start, ..pass });
         }
@@ -209,6 +275,21 @@ impl Wavefront {
         layer: &Layer,
         buffers: &[&Buffer],
     ) -> Pass {
+        self.edited(kernel, [width, height], mode, plane, layer, buffers, |_| {})
+    }
+
+    /// As [`Self::pass`], with a uniform block that `edit` has changed.
+    #[expect(clippy::too_many_arguments, reason = "all that makes a pass")]
+    fn edited(
+        &self,
+        kernel: &'static Kernel,
+        [width, height]: [u32; 2],
+        mode: u32,
+        plane: u32,
+        layer: &Layer,
+        buffers: &[&Buffer],
+        edit: impl FnOnce(&mut SweepUniforms),
+    ) -> Pass {
         let planes = &self.frame.planes;
         let mut block = self.block;
         block.dispatch = Dispatch { width, height, mode };
@@ -220,6 +301,7 @@ impl Wavefront {
         block.wavefront.layer = plane / self.frame.stride / BRICK;
         block.wavefront.list = layer.list;
         block.wavefront.observed = block.step.ahead;
+        edit(&mut block);
         Pass {
             kernel,
             uniforms: bytemuck::bytes_of(&block).to_vec(),
