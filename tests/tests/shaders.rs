@@ -20,7 +20,7 @@ use vitrum_kernels::abi::sweep::{Step, SweepUniforms};
 use vitrum_kernels::abi::vector::{Affine, Counts, Size, Vec3};
 use vitrum_kernels::abi::voxelize::VoxelizeUniforms;
 use vitrum_kernels::abi::voxels::{ShadowMap, VoxelsUniforms};
-use vitrum_kernels::abi::wavefront::{ReceiverMap, Wavefront};
+use vitrum_kernels::abi::wavefront::{ReceiverMap, SpotCone, Wavefront};
 use vitrum_kernels::kernel::ALL;
 use vitrum_shader_manifest::Manifest;
 
@@ -121,11 +121,12 @@ fn of_size() -> Vec<Field> {
 
 #[rustfmt::skip]
 fn of_wavefront() -> Vec<Field> {
+    let of_cone = fields!(SpotCone { axis: of_vec3(), tangent, slope });
     let of_map = fields!(ReceiverMap { size: of_size(), texels, margin, ground, wall });
     fields!(Wavefront {
         row_x: of_affine(), row_y: of_affine(), row_z: of_affine(), spherical, cells: of_size(), corner_x, corner_y, cell, inverse_cell,
-        first_depth, inverse_step, first_sample, colors, components, bricks: of_counts(), layer, list, wide: of_size(), map: of_map, source: of_vec3(), observed, units, softness,
-        blur,
+        first_depth, inverse_step, first_sample, colors, components, bricks: of_counts(), layer, list, wide: of_size(), map: of_map,
+        source: of_vec3(), cone: of_cone, observed, units, softness, blur,
     })
 }
 

@@ -92,8 +92,8 @@ fn wrong_flags_exit_2() {
         ),
         (&["--set", "light.0.kind=point"], &["`light.0`", "a point light needs a `position`"]),
         (
-            &["--set", "light.0.kind=spot", "--set", "light.0.position=[0, 0, 9]"],
-            &["the method `sweep` renders distant lights alone", "by the method `voxels`, which renders spot lights"],
+            &["--set", "sweep.light=texels", "--set", "light.0.kind=spot", "--set", "light.0.position=[0, 0, 9]"],
+            &["a sweep carries distant lights alone on texels", "set `sweep.light = \"forward\"`"],
         ),
         (
             &["--set", "medium.scattering=[1, 1, 1]"],

@@ -221,6 +221,19 @@ pub enum Unrenderable {
         /// The least distance from the box, in world units.
         distance: f32,
     },
+    /// A point or spot that casts shadows in a sweep stands in the box around the volume, or next to it.
+    #[error(
+        "{} at {position:?} stands inside the box around the volume, or so close to it that parts are seen from there more than {limit}° off the middle: light that casts shadows comes from outside",
+        light(.index)
+    )]
+    LightInVolume {
+        /// The number of the light, where it is known.
+        index: Option<usize>,
+        /// The light's position, in the world.
+        position: [f32; 3],
+        /// The widest angle, in degrees.
+        limit: f64,
+    },
     /// The picture that a spot projects is not among the assets.
     #[error("light.{index}.texture is {}, and the assets have no picture of that name", path.display())]
     NoTexture {
@@ -275,12 +288,13 @@ pub enum Unrenderable {
     },
     /// The light of a sweep shines across the viewing direction or against it.
     #[error(
-        "light.{index} travels at {}° to the viewing direction, at most {limit}° are possible: it must shine away from the camera",
+        "{} travels at {}° to the viewing direction, at most {limit}° are possible: it must shine away from the camera",
+        index.map_or("a light in the place of the environment".to_owned(), |index| format!("light.{index}")),
         beyond(.angle, .limit)
     )]
     ObliqueLight {
-        /// The number of the light.
-        index: usize,
+        /// The number of the light; none for one in the place of the environment.
+        index: Option<usize>,
         /// The angle, in degrees.
         angle: f64,
         /// The greatest angle, in degrees.
@@ -327,6 +341,12 @@ impl Unrenderable {
                 let key = index.map_or("its `".to_owned(), |index| format!("`light.{index}."));
                 format!("move the light out of the box, or set {key}shadows = false`: it then shines through the mesh")
             }
+            Self::LightInVolume { index, .. } => {
+                let key = index.map_or("its `".to_owned(), |index| format!("`light.{index}."));
+                format!(
+                    "move the light away from the volume, or set {key}shadows = false`: it then shines through the volume"
+                )
+            }
             Self::NoTexture { .. } => {
                 "add the picture to `Assets::textures`, or read the assets by `Assets::load`".to_owned()
             }
@@ -342,7 +362,11 @@ impl Unrenderable {
                 )
             }
             Self::PicturesTooLarge { .. } => "make it smaller".to_owned(),
-            Self::ObliqueLight { index, .. } => {
+            Self::ObliqueLight { index: None, .. } => {
+                "set `sweep.light = \"forward\"`, which carries light of all directions, or `environment.lights = 0`"
+                    .to_owned()
+            }
+            Self::ObliqueLight { index: Some(index), .. } => {
                 let key = format!("light.{index}");
                 format!("turn {key}.azimuth or {key}.elevation towards 0, or use {key}.attachment = \"camera\"")
             }
@@ -367,7 +391,7 @@ mod tests {
 
     #[test]
     fn an_angle_is_never_written_as_its_limit() {
-        let message = |angle| Unrenderable::ObliqueLight { index: 0, angle, limit: 85.0 }.to_string();
+        let message = |angle| Unrenderable::ObliqueLight { index: Some(0), angle, limit: 85.0 }.to_string();
         assert!(message(92.25).contains("at 92.2° to"));
         assert!(message(85.001).contains("at 85.001° to") && message(85.001).contains("at most 85° are"));
         assert!(message(85.04).contains("at 85.04° to"));

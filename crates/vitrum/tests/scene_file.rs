@@ -243,26 +243,28 @@ fn keys_of_another_kind_of_light_are_refused_and_a_change_of_the_kind_takes_them
 }
 
 #[test]
-fn lights_that_a_method_does_not_have_are_refused_by_name() {
+fn lights_that_texels_do_not_carry_are_refused_by_name() {
     let mesh = "mesh = [{ builtin = \"vase\" }]\n";
     for shown in [BALL, mesh] {
         for kind in ["point", "spot"] {
-            let text = |method: &str| {
-                format!("method = \"{method}\"\n{shown}[[light]]\n[[light]]\nkind = \"{kind}\"\nposition = [0, 0, 3]\n")
+            let text = |method: &str, sweep: &str| {
+                format!(
+                    "method = \"{method}\"\n{shown}{sweep}[[light]]\n[[light]]\nkind = \"{kind}\"\nposition = [0, 0, 3]\n"
+                )
             };
-            let error = Scene::from_toml(&text("sweep"), "scene.toml").expect_err(shown);
-            let words = format!("the method `sweep` renders distant lights alone, and this is a {kind} light");
+            let on_texels = text("sweep", "[sweep]\nlight = \"texels\"\n");
+            let error = Scene::from_toml(&on_texels, "scene.toml").expect_err(shown);
+            let words = format!("a sweep carries distant lights alone on texels, and this is a {kind} light");
             assert!(error.key == "light.1.kind" && error.to_string().contains(&words), "{error}");
-            assert!(
-                error.help().contains(&format!("by the method `voxels`, which renders {kind} lights")),
-                "{}",
-                error.help()
-            );
-            for method in ["voxels", "beams"].iter().filter(|_| shown == mesh) {
-                Scene::from_toml(&text(method), "scene.toml").expect("rays through meshes have all kinds of lights");
+            assert!(error.help().contains("set `sweep.light = \"forward\"`"), "{}", error.help());
+            for method in ["sweep", "voxels", "beams"].iter().filter(|method| shown == mesh || **method == "sweep") {
+                Scene::from_toml(&text(method, ""), "scene.toml").expect("every method has all kinds of lights");
             }
         }
     }
+    let spot = format!("{BALL}[[light]]\nkind = \"spot\"\nposition = [0, 0, 3]\ntexture = \"slide.png\"\n");
+    let error = Scene::from_toml(&spot, "scene.toml").expect_err("a sweep projects no pictures");
+    assert_eq!(error.key, "light.0.texture");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use super::vector::{Affine, Counts, Size, Vec3};
 
-/// A wavefront. In its own frame light travels along z: from far away along the axis itself, from a point at the origin to all sides of it.
+/// A wavefront. In its own frame light travels along z: from far away along the axis itself, from a point on the axis to all sides of it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
@@ -14,15 +14,15 @@ pub struct Wavefront {
     pub row_y: Affine,
     /// z in the wavefront's frame: the depth of a plane.
     pub row_z: Affine,
-    /// 1 if light comes from the origin of the frame; 0 if it comes from far away.
+    /// 1 if light comes from a point on the axis of the frame; 0 if it comes from far away.
     pub spherical: u32,
     /// Cells between nodes across and up.
     pub cells: Size,
-    /// Coordinate of the first column of nodes, over the depth if the wavefront is spherical.
+    /// Coordinate of the first column of nodes, over the depth from the source if the wavefront is spherical.
     pub corner_x: f32,
-    /// Coordinate of the first row of nodes, over the depth if the wavefront is spherical.
+    /// Coordinate of the first row of nodes, over the depth from the source if the wavefront is spherical.
     pub corner_y: f32,
-    /// Edge of a cell, over the depth if the wavefront is spherical.
+    /// Edge of a cell, over the depth from the source if the wavefront is spherical.
     pub cell: f32,
     /// 1 / `cell`.
     pub inverse_cell: f32,
@@ -46,8 +46,10 @@ pub struct Wavefront {
     pub wide: Size,
     /// The maps of receivers.
     pub map: ReceiverMap,
-    /// Position of the source in the view frame, if the wavefront is spherical.
+    /// Position of the source, on the axis, if the wavefront is spherical.
     pub source: Vec3,
+    /// The cone of a spot.
+    pub cone: SpotCone,
     /// Depth of the plane on which the light is an output.
     pub observed: f32,
     /// Units in 1 of the sums of light on a plane: so few that the light of all cells together is no number of more than 31 bits.
@@ -57,6 +59,19 @@ pub struct Wavefront {
     /// The share of the blur between two planes on which light is kept that one pass of [`blur_nodes`](crate::sweep::blur_nodes) gives; 0 if nodes are
     /// not blurred.
     pub blur: f32,
+}
+
+/// The cone of a spot, told by tangents, so that all is linear on a wall across its axis.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(not(target_arch = "spirv"), derive(bytemuck::Pod, bytemuck::Zeroable))]
+pub struct SpotCone {
+    /// The cone's unit axis in the wavefront's frame.
+    pub axis: Vec3,
+    /// Tangent of the half-angle at which the light ends.
+    pub tangent: f32,
+    /// 1 over the difference of the tangents between which the light fades; 0 for a light that shines to all sides.
+    pub slope: f32,
 }
 
 /// The maps of the light on ground and wall, which have the same size.

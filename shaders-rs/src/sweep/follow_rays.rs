@@ -102,7 +102,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         ray.direction -= here.acceleration * (due * sigma);
     }
     let none = Vec3::new(0.0, 0.0, 0.0);
-    let open = unoccluded(u);
+    let open = unoccluded(u, ray.position);
     let mut step = 0;
     while (step < STEPS) & (ray.status == status::FOLLOWED) {
         step += 1;

@@ -38,7 +38,7 @@ fn corner(u: &SweepUniforms, node: &Node, plane: Affine) -> (Corner, f32) {
     let way = way(plane, node.position, node.direction);
     let at = node.position + node.direction * max(way, 0.0);
     // A spherical wavefront has no coordinates behind its source.
-    let ahead = (w.spherical == 0) | (at.z > 0.0);
+    let ahead = (w.spherical == 0) | (at.z > w.source.z);
     let corner = Corner {
         at: place(w, coordinates(w, at)),
         flux: node.flux,

@@ -183,7 +183,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
 
     let met = if LEVEL >= level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
     let light = if chosen == mode::UNSHADED {
-        unoccluded(u)
+        unoccluded(u, met)
     } else if mode::is_on_texels(chosen) {
         let (mut texel_x, mut texel_y) = texel_coordinates(u, met);
         if LEVEL >= level::MEETING {

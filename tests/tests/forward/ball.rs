@@ -4,17 +4,17 @@ use vitrum_conformance::Failure;
 use vitrum_conformance::closed_forms::cube;
 use vitrum_kernels::glam::DVec3;
 
-use crate::field::{Left, follow};
+use crate::field::{Left, follow, follow_towards};
 use crate::on_both;
 use crate::shot::{Shot, vector};
 
-const IOR: f64 = 1.5;
+pub const IOR: f64 = 1.5;
 const EDGE: f64 = 2.4;
 const VOXELS: u32 = 64;
 /// The depth of the surface, from the index of one side to that of the other: five voxels.
 const SURFACE: f64 = 5.0 * EDGE / VOXELS as f64;
 /// The wall's distance behind the centre; the focus of rays near the axis is at 1.5.
-const WALL: f64 = 2.5;
+pub const WALL: f64 = 2.5;
 /// The view's azimuth: from the side, so that no viewing ray of interest goes through the ball.
 const AZIMUTH: f64 = 60.0;
 /// Rays of the reference over the largest disc, each for an equal area.
@@ -22,7 +22,7 @@ const RAYS: u32 = 8000;
 /// The radius of the beam of which the reference's rays are made.
 const BEAM: f64 = 2.0;
 /// The radius of the disc that has all the light but that of rays near the rim; no viewing ray of it goes through the ball.
-const DISC: f64 = 1.75;
+pub const DISC: f64 = 1.75;
 
 /// The index of refraction at a distance from the centre, and its slope.
 fn ior(r: f64, depth: f64) -> (f64, f64) {
@@ -47,6 +47,31 @@ fn landed() -> Vec<f64> {
     left.map(|ray| ray.across_at(WALL).abs()).collect()
 }
 
+/// The widest angle of the reference's rays from a point.
+const WIDEST: f64 = 0.5;
+
+/// Distances from the axis at which rays of equal flux from a point at `distance` from the centre meet the wall.
+pub fn landed_from(distance: f64) -> Vec<f64> {
+    let left = (0..RAYS).filter_map(|ray| {
+        let cosine = 1.0 - (1.0 - WIDEST.cos()) * (f64::from(ray) + 0.5) / f64::from(RAYS);
+        let sine = (1.0 - cosine * cosine).sqrt();
+        let (tangent, start) = (sine / cosine, -1.3);
+        let straight = Left { across: 0.0, at: -distance, slope: tangent };
+        if sine * distance < 1.0 + SURFACE {
+            follow_towards(&|at| slope(at, SURFACE), straight.across_at(start), [sine, cosine], [start, 1.3], 0.005)
+        } else {
+            Some(straight)
+        }
+    });
+    left.map(|ray| ray.across_at(WALL).abs()).collect()
+}
+
+/// The flux of a point of radiant intensity 1 through a disc, by [`landed_from`].
+pub fn flux_from(landed: &[f64], radius: f64) -> f64 {
+    let inside = landed.iter().filter(|distance| **distance < radius).count();
+    std::f64::consts::TAU * (1.0 - WIDEST.cos()) * inside as f64 / f64::from(RAYS)
+}
+
 /// The flux through a disc by the reference.
 fn flux(landed: &[f64], radius: f64) -> f64 {
     let inside = landed.iter().filter(|distance| **distance < radius).count();
@@ -68,7 +93,7 @@ fn the_rays_of_a_thin_surface_are_those_of_snell() {
 }
 
 /// The picture of the wall behind a ball of the index `ior` inside.
-fn shot(inside: f64) -> Result<Shot, Failure> {
+pub fn shot(inside: f64) -> Result<Shot, Failure> {
     let share = (inside - 1.0) / (IOR - 1.0);
     let volume =
         cube(VOXELS, EDGE as f32, |[x, y, z]| 1.0 + (ior((x * x + y * y + z * z).sqrt(), SURFACE).0 - 1.0) * share);
@@ -89,7 +114,7 @@ fn shot(inside: f64) -> Result<Shot, Failure> {
 }
 
 /// The flux through a disc of the wall by the picture.
-fn flux_of(shot: &Shot, red: &[f64], radius: f64) -> f64 {
+pub fn flux_of(shot: &Shot, red: &[f64], radius: f64) -> f64 {
     // A pixel's area on the wall, which is at right angles to the light.
     let area = shot.pixel_area() / AZIMUTH.to_radians().cos();
     let width = shot.scene.film.width as usize;

@@ -20,8 +20,19 @@ impl Left {
 
 /// Follows a ray in a plane from `across` at `along` = `from`, where η is 1 and light travels straight along, to where it has passed `to`, by
 /// the classical Runge–Kutta rule on dx/dσ = v, dv/dσ = ½∇η². `None` if it turns back.
-pub fn follow(slope: Slope<'_>, across: f64, [from, to]: [f64; 2], step: f64) -> Option<Left> {
-    let (mut x, mut v) = ([across, from], [0.0, 1.0]);
+pub fn follow(slope: Slope<'_>, across: f64, ends: [f64; 2], step: f64) -> Option<Left> {
+    follow_towards(slope, across, [0.0, 1.0], ends, step)
+}
+
+/// As [`follow`], for a ray that sets out in the unit direction `towards`.
+pub fn follow_towards(
+    slope: Slope<'_>,
+    across: f64,
+    towards: [f64; 2],
+    [from, to]: [f64; 2],
+    step: f64,
+) -> Option<Left> {
+    let (mut x, mut v) = ([across, from], towards);
     let moved = |a: [f64; 2], b: [f64; 2], by: f64| [a[0] + b[0] * by, a[1] + b[1] * by];
     while x[1] < to {
         let (k1, a1) = (v, slope(x));

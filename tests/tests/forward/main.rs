@@ -9,6 +9,7 @@ mod field;
 mod fit;
 mod grazing;
 mod penumbra;
+mod places;
 mod shot;
 mod slab;
 mod soft_inside;

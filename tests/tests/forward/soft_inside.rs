@@ -47,8 +47,7 @@ fn a_straight_edge_throws_a_disc_s_penumbra_on_matter_of_its_volume() -> Result<
             .filter(|(seen, _)| seen.z.abs() < 0.5 && seen.x.abs() < 0.8)
             .map(|(seen, red)| (seen.x, red))
             .collect();
-        let lit: Vec<f64> =
-            on_screen.iter().filter(|(x, _)| *x < -1.2 * radius).map(|(_, red)| *red).collect();
+        let lit: Vec<f64> = on_screen.iter().filter(|(x, _)| *x < -1.2 * radius).map(|(_, red)| *red).collect();
         let unoccluded = lit.iter().sum::<f64>() / lit.len() as f64;
         let (mut squares, mut count) = (0.0, 0);
         for (x, red) in on_screen.iter().filter(|(x, _)| x.abs() < 1.2 * radius) {

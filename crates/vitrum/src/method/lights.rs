@@ -14,6 +14,16 @@ pub(super) fn exposures(scene: &Scene, map: Option<&Picture>) -> Vec<Exposure> {
     one_each(scene, &scene.light, &environment_lights(scene, map))
 }
 
+/// As [`exposures`], with crisp lights instead of soft points and spots. `bounds` are the subject's.
+pub(super) fn sweep_exposures(scene: &Scene, map: Option<&Picture>, bounds: Bounds) -> Vec<Exposure> {
+    let crisp = |light: &Light| match light.kind {
+        LightKind::Distant => vec![light.clone()],
+        LightKind::Point | LightKind::Spot => crisp(scene, std::slice::from_ref(light), bounds),
+    };
+    let own: Vec<Light> = scene.light.iter().flat_map(crisp).collect();
+    one_each(scene, &own, &environment_lights(scene, map))
+}
+
 /// As [`exposures`], with crisp lights instead of soft ones. `bounds` are the subject's.
 pub(super) fn crisp_exposures(scene: &Scene, map: Option<&Picture>, bounds: Bounds) -> Vec<Exposure> {
     let crisp = |lights: &[Light]| crisp(scene, lights, bounds);

@@ -76,7 +76,8 @@ pub struct Light {
     #[schemars(range(min = 0, max = 45), extend("x-unit" = "degrees"))]
     pub angular_radius: f32,
     /// Place of a point or spot, which need one: in the world, or by `attachment` from the camera's target in the camera's axes. Where it casts
-    /// shadows it stands outside of the box around the mesh, at least 1/64 of the box's diagonal away.
+    /// shadows it stands outside of the box around the mesh, at least 1/64 of the box's diagonal away, or outside of that around the volume, all
+    /// of which it sees within 80° of one direction.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-unit" = "world units"))]
     pub position: Option<Vector>,
@@ -113,6 +114,11 @@ impl Light {
             (None, LightKind::Distant) => Attachment::Camera,
             (None, LightKind::Point | LightKind::Spot) => Attachment::World,
         }
+    }
+
+    /// The angular radius of a distant source, in degrees; 0 of the others, which have none.
+    pub(crate) fn disc(&self) -> f32 {
+        if self.kind == LightKind::Distant { self.angular_radius } else { 0.0 }
     }
 
     /// The first key that is given and that lights of its kind do not have.

@@ -41,7 +41,7 @@ impl MethodName {
                 opaque_bodies: false,
                 mirrors: false,
                 clipping: true,
-                placed_lights: false,
+                placed_lights: true,
                 medium: false,
                 medium_density: false,
             },

@@ -181,7 +181,7 @@ record! {
 record! {
     /// Light on a texel of a receiver.
     received: Received {
-        /// Irradiance over that of unoccluded light.
+        /// Irradiance over that of unoccluded light; of a point or spot, less what unoccluded light has.
         share: Color,
     }
 }

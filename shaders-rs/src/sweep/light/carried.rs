@@ -7,6 +7,7 @@ use crate::math::{floor_to_int, lerp, max, select, sqrt, xyz};
 use crate::sweep::light::bricks::brick;
 use crate::sweep::light::look_up::Light;
 use crate::sweep::light::offset;
+use crate::sweep::light::placed::{cone, strength};
 use crate::sweep::light::wavefront::{coordinates, from_frame, in_frame, unrefracted_direction};
 use spirv_std::glam::Vec3;
 
@@ -112,5 +113,7 @@ pub fn light_at(u: &SweepUniforms, light: &[u32], at: Vec3, chosen: u32) -> Ligh
         // Light goes forward in its frame.
         direction = Vec3::new(x, y, sqrt(max(1.0 - (x * x + y * y), 1e-4)));
     }
-    Light { flux: share * xyz(u.light.color), direction: from_frame(w, direction) }
+    // Where light bends, what is stored has a spot's cone.
+    let shaped = select(mode::bends(chosen) & around.stored, 1.0, cone(w, inside));
+    Light { flux: share * xyz(u.light.color) * (strength(w, inside) * shaped), direction: from_frame(w, direction) }
 }

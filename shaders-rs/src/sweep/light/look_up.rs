@@ -9,6 +9,8 @@ use crate::abi::sweep::{SweepUniforms, flag};
 use crate::field::access::read_float;
 use crate::math::{floor_to_int, length, lerp, max, select, xyz};
 use crate::optics::receiver::diffuse;
+use crate::sweep::light::placed::{cone, strength};
+use crate::sweep::light::wavefront::{from_frame, in_frame, unrefracted_direction};
 use spirv_std::glam::Vec3;
 
 /// Light at a point.
@@ -140,8 +142,15 @@ pub fn shade(u: &SweepUniforms, normal: Vec3, color: Vec3, light: &Light) -> Vec
     diffuse(color, normal, light.direction, radiance(u, light), xyz(u.ambient))
 }
 
-/// The light where nothing is in its way.
+/// The light at a point of the view frame where nothing is in its way.
 #[inline(always)]
-pub fn unoccluded(u: &SweepUniforms) -> Light {
-    Light { flux: xyz(u.light.color), direction: xyz(u.light.direction) }
+pub fn unoccluded(u: &SweepUniforms, at: Vec3) -> Light {
+    let w = &u.wavefront;
+    if w.spherical != 0 {
+        let inside = in_frame(w, at);
+        let flux = xyz(u.light.color) * (strength(w, inside) * cone(w, inside));
+        Light { flux, direction: from_frame(w, unrefracted_direction(w, inside)) }
+    } else {
+        Light { flux: xyz(u.light.color), direction: xyz(u.light.direction) }
+    }
 }

@@ -9,7 +9,8 @@ use crate::abi::wavefront::Wavefront;
 use crate::field::access::read_float;
 use crate::math::xyz;
 use crate::math::{floor_to_int, lerp, max, min, select};
-use crate::sweep::light::look_up::Light;
+use crate::sweep::light::look_up::{Light, unoccluded};
+use crate::sweep::light::placed::{cone, strength, way};
 use crate::sweep::light::wavefront::{coordinates, from_frame, in_frame, unrefracted_direction};
 use spirv_std::glam::{Vec2, Vec3};
 
@@ -69,14 +70,13 @@ fn between(light: &[u32], at: i32, columns: i32, (s, t): (f32, f32)) -> f32 {
 }
 
 /// The light on a receiver at a point of the view frame: its flux is the radiance of light that has the same irradiance and the direction of
-/// unrefracted light.
+/// unrefracted light. Of the light of a point or spot the map has what is changed.
 #[inline(always)]
 pub fn light_on(u: &SweepUniforms, light: &[u32], at: Vec3, wall: bool) -> Light {
     let w = &u.wavefront;
     let inside = in_frame(w, at);
     let direction = from_frame(w, unrefracted_direction(w, inside));
     let forward = u.flags & flag::FORWARD != 0;
-    let unoccluded = xyz(u.light.color);
     if forward {
         let (columns, rows) = (w.map.size.width as i32, w.map.size.height as i32);
         let place = place(w, coordinates(w, inside));
@@ -90,16 +90,18 @@ pub fn light_on(u: &SweepUniforms, light: &[u32], at: Vec3, wall: bool) -> Light
             between(light, start + (received::SHARE + 1) as i32 * texels, columns, (s, t)),
             between(light, start + (received::SHARE + 2) as i32 * texels, columns, (s, t)),
         );
-        let behind = (w.spherical != 0) & (inside.z <= 0.0);
-        let flux = unoccluded * share;
-        let flux = Vec3::new(
-            select(behind, unoccluded.x, flux.x),
-            select(behind, unoccluded.y, flux.y),
-            select(behind, unoccluded.z, flux.z),
-        );
-        Light { flux, direction }
+        let changed = if w.spherical != 0 {
+            let cone = cone(w, inside);
+            // A spherical wavefront has no coordinates behind its source.
+            let ahead = select(way(w, inside).z > 0.0, 1.0, 0.0);
+            let all = share * ahead + Vec3::new(cone, cone, cone);
+            Vec3::new(max(all.x, 0.0), max(all.y, 0.0), max(all.z, 0.0)) * strength(w, inside)
+        } else {
+            share
+        };
+        Light { flux: xyz(u.light.color) * changed, direction }
     } else {
-        Light { flux: unoccluded, direction: xyz(u.light.direction) }
+        unoccluded(u, at)
     }
 }
 

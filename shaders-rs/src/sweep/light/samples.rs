@@ -8,6 +8,7 @@ use crate::field::sums::both;
 use crate::math::{max, select, select_vector};
 use crate::sweep::light::bricks::{place, sample, wide_place};
 use crate::sweep::light::offset::pack_difference;
+use crate::sweep::light::placed::{cone_of, density_of_cell};
 use crate::sweep::light::wavefront::flux;
 use spirv_std::glam::{Vec2, Vec3};
 
@@ -105,22 +106,28 @@ fn brought_widely(w: &Wavefront, chosen: u32, sums_in: &[u32], x: i32, y: i32) -
 
 /// The light at sample `index` of the bricks in the plane's list. `light` are the wavefront's nodes where nothing bends it, else
 /// the samples that its cells cover.
+///
+/// Where nothing bends the light of a spot, its cone is not in it.
 #[inline(always)]
 pub fn light(u: &SweepUniforms, chosen: u32, sums_in: &[u32], light: &[f32], bricks: &[u32], index: u32) -> Sample {
     let w = &u.wavefront;
     let (x, y) = sample(w, bricks, index);
     if mode::bends(chosen) {
-        let (there, its_aside) = of_cell(u, light, x, y);
+        let (own, its_aside) = of_cell(u, light, x, y);
+        let (column, row) = (x as f32, y as f32);
+        let density = density_of_cell(w, column, row);
+        let inside = (x >= 0) & (x < w.cells.width as i32) & (y >= 0) & (y < w.cells.height as i32);
+        let there = own * select(inside, 1.0, density * cone_of(w, column + 0.5, row + 0.5));
         let near = brought(chosen, sums_in, place(w, bricks, x, y), 1.0);
         let found = sum(near, brought_widely(w, chosen, sums_in, x, y));
         let unit = 1.0 / w.units;
-        let share = there + found.fluence * unit;
-        let weight = mean(share);
+        let flux = there + found.fluence * unit;
+        let weight = mean(flux);
         // Less than a few units of light tell no direction.
         let inverse = select(weight > 1e-4, 1.0 / max(weight, 1e-4), 0.0);
         let across = (its_aside.x + found.aside.x * unit) * inverse;
         let up = (its_aside.y + found.aside.y * unit) * inverse;
-        Sample { share, direction: pack_difference(across, up) }
+        Sample { share: flux * (1.0 / density), direction: pack_difference(across, up) }
     } else {
         Sample { share: of_node(u, light, x, y), direction: pack_difference(0.0, 0.0) }
     }

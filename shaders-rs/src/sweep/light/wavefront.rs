@@ -6,6 +6,7 @@ use crate::abi::wavefront::Wavefront;
 use crate::field::access::read;
 use crate::math::{affine, length, max, normalize, select, select_vector};
 use crate::optics::step::flight;
+use crate::sweep::light::placed::{way, weight};
 use spirv_std::glam::{Vec2, Vec3};
 
 /// Nodes in a row.
@@ -23,7 +24,7 @@ pub fn nodes(w: &Wavefront) -> u32 {
 /// Length at `depth` over the length in the units of the grid.
 #[inline(always)]
 fn spread(w: &Wavefront, depth: f32) -> f32 {
-    select(w.spherical != 0, depth, 1.0)
+    select(w.spherical != 0, depth - w.source.z, 1.0)
 }
 
 /// Edge of a cell at `depth`.
@@ -49,7 +50,7 @@ pub fn coordinates(w: &Wavefront, at: Vec3) -> Vec2 {
 /// The unit direction of unrefracted light at a point of the wavefront's frame.
 #[inline(always)]
 pub fn unrefracted_direction(w: &Wavefront, at: Vec3) -> Vec3 {
-    select_vector(w.spherical != 0, normalize(at), Vec3::new(0.0, 0.0, 1.0))
+    select_vector(w.spherical != 0, normalize(way(w, at)), Vec3::new(0.0, 0.0, 1.0))
 }
 
 /// A point of the view frame in the wavefront's frame.
@@ -65,7 +66,7 @@ pub fn from_frame(w: &Wavefront, v: Vec3) -> Vec3 {
     turned(w.row_x.factors, v.x) + turned(w.row_y.factors, v.y) + turned(w.row_z.factors, v.z)
 }
 
-/// Node (x, y).
+/// Node (x, y); its flux is that of a cell around it, over the flux of one around the frame's axis.
 #[inline(always)]
 pub fn node(w: &Wavefront, nodes_in: &[f32], x: u32, y: u32) -> Node {
     let count = nodes(w) as i32;
@@ -75,7 +76,7 @@ pub fn node(w: &Wavefront, nodes_in: &[f32], x: u32, y: u32) -> Node {
     Node {
         position: vector(record::POSITION),
         direction: vector(record::DIRECTION),
-        flux: vector(record::FLUX),
+        flux: vector(record::FLUX) * weight(w, x, y),
         inside: component(record::INSIDE),
         bent: component(record::BENT),
         status: component(record::STATUS),

@@ -1,14 +1,17 @@
 //! The light's direction and its grid.
 
 use super::planes::Planes;
-use super::wavefront::Frame;
+use super::wavefront::{Frame, check_point};
 use crate::error::Error;
-use crate::method::view::light::direction_of_light;
+use crate::method::environment_lights::environment_lights;
+use crate::method::lights;
+use crate::method::view::light::{axis, direction_of_light, position};
 use crate::method::view::{Bounds, View};
-use crate::scene::{Light, Scene, Transport};
+use crate::scene::{Light, LightKind, Scene, Transport};
 use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
 use glam::{DVec2, DVec3};
+use vitrum_io::Picture;
 
 /// The steepest angle between light and viewing direction, in degrees (sweep §7).
 const STEEPEST: f64 = 85.0;
@@ -35,15 +38,33 @@ pub struct LightGrid {
 /// Checks that the sweep can carry each light of a scene.
 ///
 /// # Errors
-/// [`Error::Unrenderable`] where a light is too far from the viewing direction.
-pub(super) fn check(scene: &Scene, view: &View) -> Result<(), Error> {
-    let forward = scene.sweep.light == Transport::Forward;
-    let check = |(index, light)| if forward { direction_of_light(light, view) } else { direction(light, index, view) };
-    scene.light.iter().enumerate().try_for_each(|light| check(light).map(drop))
+/// [`Error::Unrenderable`] where a light on texels is too far from the viewing direction, and where a point or spot that casts shadows is inside the box
+/// with these bounds.
+pub(super) fn check(scene: &Scene, bounds: Bounds, map: Option<&Picture>) -> Result<(), Error> {
+    let view = View::new(scene, bounds);
+    if scene.sweep.light != Transport::Forward {
+        for (index, light) in scene.light.iter().enumerate() {
+            direction(light, Some(index), &view)?;
+        }
+        return environment_lights(scene, map).iter().try_for_each(|light| direction(light, None, &view).map(drop));
+    }
+    for (index, light) in scene.light.iter().enumerate() {
+        match light.kind {
+            LightKind::Distant => direction_of_light(light, &view).map(|_| ())?,
+            LightKind::Spot => axis(light, &view, bounds).map(|_| ())?,
+            LightKind::Point => {}
+        }
+        let samples =
+            if light.shadows { lights::crisp(scene, std::slice::from_ref(light), bounds) } else { Vec::new() };
+        for at in samples.iter().filter_map(|sample| position(sample, &view)) {
+            check_point(at, &bounds.corners, view.up, Some(index))?;
+        }
+    }
+    Ok(())
 }
 
-/// Unit direction of light `index` in the view frame; an error if its angle to the viewing direction is above [`STEEPEST`].
-pub(super) fn direction(light: &Light, index: usize, view: &View) -> Result<DVec3, Error> {
+/// Unit direction of light `index`, or of one in the place of the environment, in the view frame; an error if its angle to the viewing direction is above [`STEEPEST`].
+pub(super) fn direction(light: &Light, index: Option<usize>, view: &View) -> Result<DVec3, Error> {
     let unit = direction_of_light(light, view)?;
     let angle = libm::acos(unit.z.clamp(-1.0, 1.0)).to_degrees();
     if angle > STEEPEST {

@@ -33,7 +33,7 @@ use crate::backend::{Backend, BackendError, Buffer, PassList, ReadBack as _};
 use crate::error::Error;
 use crate::film::Output;
 use crate::method::voxels::bodies;
-use crate::method::{Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights, spectrum};
+use crate::method::{Bounds, Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights, spectrum};
 use crate::request::OutputRequest;
 use crate::scene::{MethodName, Scene};
 use crate::subject::{Subject, Volumes};
@@ -66,7 +66,7 @@ impl Method for PlaneSweep {
             Subject::Mesh(mesh) => {
                 scene.check_for_mesh()?;
                 crate::method::voxels::check_mesh(mesh)?;
-                light::check(scene, &View::new(scene, &**mesh))
+                light::check(scene, Bounds::from(&**mesh), assets.environment.as_deref())
             }
             Subject::Volume(_) | Subject::Volumes { .. } => assets
                 .subject
@@ -80,7 +80,8 @@ impl Method for PlaneSweep {
         let disperses =
             assets.subject.mesh().map_or(scene.transfer.disperses(), |mesh| bodies::disperse(mesh, &scene.material));
         let wavelengths = (scene.sweep.refraction && disperses).then_some(scene.sweep.wavelengths);
-        spectrum::split(lights::exposures(scene, assets.environment.as_deref()), wavelengths)
+        let bounds = Bounds::from(&assets.subject);
+        spectrum::split(lights::sweep_exposures(scene, assets.environment.as_deref(), bounds), wavelengths)
     }
 
     fn prepare(
@@ -241,7 +242,7 @@ impl Sweep {
         let mut shares: Vec<f32> = if let Some(Carried { wavefront, buffers, .. }) = self.carried.as_deref() {
             let (passes, map) = wavefront.observe(plane, buffers);
             backend.run(&PassList { passes, ..PassList::default() }, &mut |_| true)?;
-            wavefront.of_cells(&backend.read_part::<f32>(&buffers.light, map)?)
+            wavefront.of_cells(&backend.read_part::<f32>(&buffers.light, map)?, plane)
         } else {
             let bytes = (self.unoccluded.len() * texels * 4) as u64;
             let start = self.ring.start(plane) * 4;

@@ -11,7 +11,7 @@ use super::window::VisibleLight;
 use crate::error::Error;
 use crate::method::lights;
 use crate::method::view::environment::{EnvironmentMap, EnvironmentUniforms};
-use crate::method::view::light::direction_of_light;
+use crate::method::view::light::{direction_of_light, position};
 use crate::method::view::receivers::{Receivers, plane};
 use crate::method::view::{Bounds, View, vector};
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Rgb, Scene, Transport};
@@ -90,13 +90,20 @@ impl Geometry {
         let view = View::new(scene, bounds);
         let receivers = Receivers::new(scene, &view, bounds);
         if scene.sweep.light == Transport::Forward {
-            let towards = direction_of_light(scene.first_light(), &view)?;
+            let light = scene.first_light();
             let planes = Planes::within(scene, &view, volumes)?;
-            let frame = Frame::new(scene, &view, volumes, towards)?;
+            let (frame, towards) = if let Some(position) = position(light, &view) {
+                let frame = Frame::of_point(scene, &view, volumes, position)?;
+                (frame, view.direction(frame.view.axes.z_axis))
+            } else {
+                let towards = direction_of_light(light, &view)?;
+                (Frame::new(scene, &view, volumes, towards)?, towards)
+            };
             let light_grid = LightGrid::of_frame(&frame, towards);
             return Ok(Self { view, towards, planes, light_grid, receivers, frame: Some(frame) });
         }
-        let towards = direction(scene.first_light(), 0, &view)?;
+        // Lights of the scene are checked with their numbers before.
+        let towards = direction(scene.first_light(), None, &view)?;
         let planes = Planes::new(scene, &view, volumes, &receivers, towards)?;
         let light_grid = LightGrid::new(scene, &view, volumes, &planes, towards)?;
         Ok(Self { view, towards, planes, light_grid, receivers, frame: None })
@@ -109,8 +116,8 @@ impl Geometry {
 /// [`Error::Unrenderable`] where the light shines towards the camera, or planes or light texels would be too many.
 pub(super) fn check(scene: &Scene, volumes: Volumes<'_>, map: Option<&Picture>) -> Result<(), Error> {
     let view = View::new(scene, volumes.shown);
-    super::light::check(scene, &view)?;
-    for exposure in lights::exposures(scene, map) {
+    super::light::check(scene, Bounds::from(volumes.shown), map)?;
+    for exposure in lights::sweep_exposures(scene, map, Bounds::from(volumes.shown)) {
         Geometry::new(&exposure.scene, volumes)?;
     }
     set_clips(&mut SweepUniforms::default(), scene, &view, volumes.shown)
@@ -179,7 +186,7 @@ impl FramePlan {
         let sampled = std::iter::once(shown).chain(bending);
         let sampling = sampled.clone().map(|volume| Sampling::new(volume, &view, &planes, steepest)).collect();
         let of_frame = |frame: &Frame| {
-            let steepest = if tables.refracts { 1.0 / f64::from(SMALLEST_COSINE) } else { 0.0 };
+            let steepest = if tables.refracts { 1.0 / f64::from(SMALLEST_COSINE) } else { frame.steepest() };
             sampled.map(|volume| Sampling::new(volume, &frame.view, &frame.planes, steepest)).collect()
         };
         let light_sampling = frame.as_ref().map_or_else(Vec::new, of_frame);
@@ -220,7 +227,7 @@ impl FramePlan {
             view,
             lights_surroundings: scene.ground.is_some() || scene.wall.is_some(),
             block,
-            angular_radius: scene.first_light().angular_radius,
+            angular_radius: scene.first_light().disc(),
         })
     }
 

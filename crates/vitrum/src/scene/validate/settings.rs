@@ -196,23 +196,28 @@ fn check_light(key: &str, light: &Light) -> Result<(), Fault> {
 
 /// The lights that the scene's method has.
 fn check_lights_of_method(scene: &Scene) -> Result<(), Fault> {
-    if scene.method.capabilities().placed_lights {
+    if scene.method != MethodName::Sweep {
         return Ok(());
     }
-    let Some((index, light)) = scene.light.iter().enumerate().find(|(_, light)| light.kind != LightKind::Distant)
-    else {
-        return Ok(());
-    };
-    let (method, kind) = (scene.method.as_str(), light.kind.name());
-    let other = MethodName::that_renders(|shows| shows.placed_lights);
-    let other = other.map_or_else(String::new, |other| {
-        format!(", or show a mesh by the method `{}`, which renders {kind} lights", other.as_str())
-    });
-    Err(Fault::contradiction(
-        &format!("light.{index}.kind"),
-        format!("the method `{method}` renders distant lights alone, and this is a {kind} light"),
-        format!("set `light.{index}.kind = \"distant\"`{other}"),
-    ))
+    let on_texels = scene.sweep.light == Transport::Texels;
+    for (index, light) in scene.light.iter().enumerate() {
+        let kind = light.kind.name();
+        if on_texels && light.kind != LightKind::Distant {
+            return Err(Fault::contradiction(
+                &format!("light.{index}.kind"),
+                format!("a sweep carries distant lights alone on texels, and this is a {kind} light"),
+                format!("set `sweep.light = \"forward\"`, or `light.{index}.kind = \"distant\"`"),
+            ));
+        }
+        if light.texture.is_some() {
+            return Err(Fault::contradiction(
+                &format!("light.{index}.texture"),
+                "spots project no pictures in a sweep".to_owned(),
+                "leave it out, or show a mesh by the method `voxels`".to_owned(),
+            ));
+        }
+    }
+    Ok(())
 }
 
 fn check_sweep(sweep: &Sweep) -> Result<(), Fault> {

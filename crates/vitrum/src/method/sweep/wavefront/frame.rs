@@ -1,5 +1,6 @@
 //! The frame of a wavefront: its axes, its planes and the grid of its cells.
 
+use super::point::Source;
 use crate::error::Error;
 use crate::method::sweep::planes::Planes;
 use crate::method::view::{Bounds, View};
@@ -8,9 +9,9 @@ use crate::subject::Volumes;
 use glam::{DMat3, DVec2, DVec3};
 
 /// The fewest cells along the longer side of the grid that a small volume gets.
-const FEWEST: f64 = 160.0;
+pub(super) const FEWEST: f64 = 160.0;
 /// The most cells along the longer side of the grid that a large volume gets.
-const MOST: f64 = 400.0;
+pub(super) const MOST: f64 = 400.0;
 
 /// The largest optical depth of particles from plane to plane with which light is kept on each second plane alone.
 const FAINT: f64 = 0.25;
@@ -24,16 +25,18 @@ fn stride(densest: f64) -> u32 {
     }
 }
 
-/// The frame of a wavefront of light from far away: z is the direction in which it travels.
+/// The frame of a wavefront: z is the direction in which light from far away travels, or light along the middle of that from a point.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::method::sweep) struct Frame {
     /// The frame as a view along the light.
     pub(in crate::method::sweep) view: View,
     /// The planes over which the wavefront is carried.
     pub(in crate::method::sweep) planes: Planes,
-    /// The corner of the grid of cells.
+    /// The point from which light comes, if it does not come from far away.
+    pub(super) source: Option<Source>,
+    /// The corner of the grid of cells; of light from a point a tangent.
     pub(in crate::method::sweep) corner: DVec2,
-    /// Edge of a cell, world units.
+    /// Edge of a cell, world units; of light from a point a tangent.
     pub(in crate::method::sweep) cell: f64,
     /// Cells across and up.
     pub(in crate::method::sweep) cells: [u32; 2],
@@ -44,7 +47,7 @@ pub(in crate::method::sweep) struct Frame {
 }
 
 impl Frame {
-    /// The frame of light that travels along `towards`, a unit vector of the view frame `view`.
+    /// The frame of light from far away that travels along `towards`, a unit vector of the view frame `view`.
     ///
     /// # Errors
     /// As [`Planes::new`].
@@ -73,15 +76,12 @@ impl Frame {
         let wanted = scene.sweep.light_cells.map_or((longer / voxel).clamp(FEWEST, MOST), f64::from);
         // Light that is the same everywhere needs no cells.
         let wanted = if scene.first_light().shadows { wanted } else { 4.0 };
-        Ok(Self { view, planes, corner: low, cell: 0.0, cells: [0; 2], stride: 1, has_particles: false }.with_cells(
-            low,
-            high,
-            longer / wanted,
-        ))
+        Ok(Self { view, planes, source: None, corner: low, cell: 0.0, cells: [0; 2], stride: 1, has_particles: false }
+            .with_cells(low, high, longer / wanted))
     }
 
     /// The frame with cells of edge `cell` between `low` and `high`, and one more on each side, so that the outermost ones stay as they are.
-    fn with_cells(self, low: DVec2, high: DVec2, cell: f64) -> Self {
+    pub(super) fn with_cells(self, low: DVec2, high: DVec2, cell: f64) -> Self {
         let cells = ((high - low) / cell).ceil().max(DVec2::ONE) + 2.0;
         let corner = (low + high - cells * cell) * 0.5;
         Self { corner, cell, cells: [cells.x as u32, cells.y as u32], ..self }
@@ -111,7 +111,9 @@ impl Frame {
     /// The coordinates of a point of the world: cells across and up, and planes on which light is kept.
     pub(in crate::method::sweep) fn coordinates(&self, point: DVec3) -> DVec3 {
         let at = self.view.point(point);
-        let across = (at.truncate() - self.corner) / self.cell;
+        // Nothing has coordinates behind a light's place.
+        let spread = self.source.map_or(1.0, |source| (at.z - source.depth).max(1e-9));
+        let across = (at.truncate() / spread - self.corner) / self.cell;
         across.extend((at.z - self.planes.first_depth) / (self.planes.distance * f64::from(self.stride)))
     }
 }

@@ -7,9 +7,11 @@
 mod bricks;
 mod frame;
 mod passes;
+mod point;
 
 pub(super) use frame::Frame;
 pub(super) use passes::WavefrontBuffers;
+pub(super) use point::check as check_point;
 
 use super::planes::Planes;
 use super::uniforms::set_clips;
@@ -29,7 +31,7 @@ use vitrum_kernels::abi::light::LightGrid;
 use vitrum_kernels::abi::record::{carried, carried_clear, carried_straight, landed};
 use vitrum_kernels::abi::sweep::{SweepUniforms, mode};
 use vitrum_kernels::abi::vector::{Affine, Counts, Size};
-use vitrum_kernels::abi::wavefront::{self as abi, BRICK, PLANE_ALIGNMENT, ReceiverMap, WIDE};
+use vitrum_kernels::abi::wavefront::{self as abi, BRICK, PLANE_ALIGNMENT, ReceiverMap, SpotCone, WIDE};
 
 /// The most bytes of the light around a volume.
 const MOST_BYTES: u64 = 192 << 20;
@@ -87,7 +89,9 @@ fn as_seen(view: &View, frame: &Frame, first_sample: f32) -> abi::Wavefront {
         row_x: row(0),
         row_y: row(1),
         row_z: row(2),
-        spherical: 0,
+        spherical: u32::from(frame.source.is_some()),
+        source: DVec3::new(0.0, 0.0, frame.source.map_or(0.0, |source| source.depth)).as_vec3().into(),
+        cone: frame.source.map_or_else(SpotCone::default, |source| source.cone),
         cells: Size { width: frame.cells[0], height: frame.cells[1] },
         corner_x: frame.corner.x as f32,
         corner_y: frame.corner.y as f32,
@@ -123,7 +127,7 @@ impl Wavefront {
             (false, _) => (3, carried::SIZE),
         };
         let components = components as u32;
-        let texels = if scene.first_light().angular_radius > 0.0 { SOFT_TEXELS } else { TEXELS };
+        let texels = if scene.first_light().disc() > 0.0 { SOFT_TEXELS } else { TEXELS };
         let mut frame = frame;
         let (looked, map) = loop {
             let looked = Looked::new(&frame, f64::from(first_sample), looked_at);
@@ -150,7 +154,7 @@ impl Wavefront {
             colors,
             components,
             units: units(&frame),
-            softness: libm::tan(f64::from(scene.first_light().angular_radius).to_radians()) as f32,
+            softness: libm::tan(f64::from(scene.first_light().disc()).to_radians()) as f32,
             ..as_seen(view, &frame, first_sample)
         };
         let blurs = frame.has_particles && seen.softness > 0.0;

@@ -1,6 +1,7 @@
 //! The passes of a wavefront: from plane to plane, into bricks and onto receivers.
 
 use super::bricks::Layer;
+use super::point::Source;
 use super::{Frame, Wavefront};
 use crate::backend::{BackendError, Buffer, Contents, Pass, Write};
 use crate::method::sweep::carrier::{BufferAllocator, VolumeBuffers};
@@ -248,18 +249,26 @@ impl Wavefront {
         (passes, start * 4..(start + words) * 4)
     }
 
-    /// The irradiance of the cells' places over that of unoccluded light, red, green and blue one behind the other, from a map.
-    pub(in crate::method::sweep) fn of_cells(&self, map: &[f32]) -> Vec<f32> {
+    /// The irradiance of the cells' places on plane `plane` over that of unoccluded light, red, green and blue one behind the other, from a map; of a point
+    /// or spot, over that at a distance of 1.
+    pub(in crate::method::sweep) fn of_cells(&self, map: &[f32], plane: u32) -> Vec<f32> {
         let [width, height] = self.frame.cells;
         let Size { width: columns, height: rows } = self.seen.map.size;
         let (margin, edge) = (self.seen.map.margin as u32, self.seen.map.texels as u32);
         let share = 1.0 / (edge * edge) as f32;
+        let depth = self.frame.planes.depth(plane);
+        let (bare, open) = (Frame { source: self.frame.source.map(Source::bare), ..self.frame }, self.frame);
+        let is_placed = self.frame.source.is_some();
         let mut found = Vec::with_capacity((3 * width * height) as usize);
         for channel in map.chunks_exact((columns * rows) as usize) {
             for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
                 let texels = (0..edge).flat_map(|j| (0..edge).map(move |i| (i, j)));
                 let at = |(i, j): (u32, u32)| (margin + y * edge + j) * columns + margin + x * edge + i;
-                found.push(texels.map(|texel| channel[at(texel) as usize]).sum::<f32>() * share);
+                let mean = texels.map(|texel| channel[at(texel) as usize]).sum::<f32>() * share;
+                let place = [f64::from(x) + 0.5, f64::from(y) + 0.5];
+                // A map has the difference from unoccluded light of a point or spot.
+                let of = |frame: &Frame| frame.irradiance(place[0], place[1], depth) as f32;
+                found.push(if is_placed { (mean * of(&bare) + of(&open)).max(0.0) } else { mean });
             }
         }
         found
