@@ -39,6 +39,7 @@ modules! {
     sweep_advance_nodes_u16_paged
     sweep_advance_nodes_u8
     sweep_advance_nodes_u8_paged
+    sweep_blur_nodes
     sweep_clear_landed
     sweep_clear_sums
     sweep_collect_clear
@@ -46,6 +47,7 @@ modules! {
     sweep_collect_receiver
     sweep_collect_straight
     sweep_concentrate_light
+    sweep_cover_samples
     sweep_filter_light
     sweep_follow_rays_f32
     sweep_follow_rays_f32_paged
@@ -80,6 +82,7 @@ modules! {
     sweep_refract_light_u8_paged
     sweep_resolve
     sweep_scatter_cells
+    sweep_take_blurred
     sweep_trace_light
     voxelize_cross_columns
     voxelize_fill_rows

@@ -160,10 +160,10 @@ var<private> global: vec3<u32>;
 var<storage> global_1: type_24;
 @group(0) @binding(1)
 var<storage> global_2: type_13;
-@group(0) @binding(2)
-var<storage> global_3: type_13;
 @group(0) @binding(3)
-var<storage, read_write> global_4: type_13;
+var<storage, read_write> global_3: type_13;
+@group(0) @binding(2)
+var<storage> global_4: type_13;
 fn function_() {
 var phi_312_: f32;
 var phi_765_: u32;
@@ -274,9 +274,9 @@ let _e157 = global_2.member[bitcast<u32>(select(0i, _e151, (_e151 > 0i)))];
 let _e164 = select(0i, select(select(i32(_e157), i32(-2147483648), (_e157 < -2147483600f)), 2147483647i, (_e157 > 2147483500f)), (_e157 == _e157));
 if (select(0i, select(select(i32(_e140), i32(-2147483648), (_e140 < -2147483600f)), 2147483647i, (_e140 > 2147483500f)), (_e140 == _e140)) >= 0i) {
 let _e166 = (_e164 * 4i);
-let _e168 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e168 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e170 = select(_e168, _e166, (_e166 < _e168));
-let _e176 = global_3.member[bitcast<u32>(select(0i, _e170, (_e170 > 0i)))];
+let _e176 = global_4.member[bitcast<u32>(select(0i, _e170, (_e170 > 0i)))];
 phi_312_ = select(_e176, 1f, (_e164 == 16i));
 } else {
 phi_312_ = 0f;
@@ -763,17 +763,17 @@ phi_1801_ = _e1118;
 phi_1801_ = _e1120;
 }
 let _e1124 = phi_1801_;
-global_4.member[_e75] = _e1124[0];
-global_4.member[(_e73 + _e75)] = _e1124[1];
-global_4.member[((2u * _e73) + _e75)] = _e1124[2];
-global_4.member[((3u * _e73) + _e75)] = _e1124[3];
-global_4.member[((4u * _e73) + _e75)] = _e1124[4];
-global_4.member[((5u * _e73) + _e75)] = _e1124[5];
-global_4.member[((6u * _e73) + _e75)] = _e1124[6];
-global_4.member[((7u * _e73) + _e75)] = _e1124[7];
-global_4.member[((8u * _e73) + _e75)] = _e1124[8];
-global_4.member[((9u * _e73) + _e75)] = _e1124[9];
-global_4.member[((10u * _e73) + _e75)] = _e1124[10];
+global_3.member[_e75] = _e1124[0];
+global_3.member[(_e73 + _e75)] = _e1124[1];
+global_3.member[((2u * _e73) + _e75)] = _e1124[2];
+global_3.member[((3u * _e73) + _e75)] = _e1124[3];
+global_3.member[((4u * _e73) + _e75)] = _e1124[4];
+global_3.member[((5u * _e73) + _e75)] = _e1124[5];
+global_3.member[((6u * _e73) + _e75)] = _e1124[6];
+global_3.member[((7u * _e73) + _e75)] = _e1124[7];
+global_3.member[((8u * _e73) + _e75)] = _e1124[8];
+global_3.member[((9u * _e73) + _e75)] = _e1124[9];
+global_3.member[((10u * _e73) + _e75)] = _e1124[10];
 }
 }
 return;

@@ -100,6 +100,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_20 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_21 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -117,17 +122,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_19,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_13,
+member_18: type_19,
+member_19: type_5,
+member_20: type_20,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_7,
 member_1: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
 member_1: u32,
 member_2: type_14,
@@ -138,25 +146,25 @@ member_6: type_16,
 member_7: type_16,
 member_8: type_17,
 member_9: type_18,
-member_10: type_20,
+member_10: type_21,
 member_11: type_15,
 member_12: type_4,
 member_13: type_9,
-member_14: type_21,
-member_15: type_21,
-member_16: type_21,
-member_17: type_21,
+member_14: type_22,
+member_15: type_22,
+member_16: type_22,
+member_17: type_22,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_23 {
-member: type_22,
+struct type_24 {
+member: type_23,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(1)
 var<storage, read_write> global_2: type_11;
 fn function_() {

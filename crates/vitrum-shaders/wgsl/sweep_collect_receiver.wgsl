@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_22 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_23 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_21,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_13,
+member_18: type_21,
+member_19: type_5,
+member_20: type_22,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_23 {
+struct type_24 {
 member: type_7,
 member_1: u32,
 }
-struct type_24 {
+struct type_25 {
 member: type_2,
 member_1: u32,
 member_2: type_16,
@@ -141,25 +149,25 @@ member_6: type_18,
 member_7: type_18,
 member_8: type_19,
 member_9: type_20,
-member_10: type_22,
+member_10: type_23,
 member_11: type_17,
 member_12: type_4,
 member_13: type_9,
-member_14: type_23,
-member_15: type_23,
-member_16: type_23,
-member_17: type_23,
+member_14: type_24,
+member_15: type_24,
+member_16: type_24,
+member_17: type_24,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_25 {
-member: type_24,
+struct type_26 {
+member: type_25,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_25;
+var<storage> global_1: type_26;
 @group(0) @binding(2)
 var<storage> global_2: type_11;
 @group(0) @binding(3)
@@ -167,244 +175,284 @@ var<storage, read_write> global_3: type_11;
 @group(0) @binding(1)
 var<storage> global_4: type_15;
 fn function_() {
-var phi_1214_: u32;
-var phi_1220_: u32;
-var phi_1282_: u32;
-var phi_1288_: u32;
-var phi_1350_: u32;
-var phi_1356_: u32;
-let _e33 = global;
-let _e40 = global_1.member.member_2;
-let _e43 = global_1.member.member;
-let _e51 = (_e33.x + _e40.member);
-let _e53 = (_e33.y + _e40.member_1);
-if (_e51 < _e40.member_2) {
-if (_e53 < _e40.member_3) {
-let _e56 = (_e43.member * _e43.member_1);
-let _e58 = ((_e53 * _e43.member) + _e51);
-let _e60 = f32(bitcast<i32>(_e51));
-let _e62 = f32(bitcast<i32>(_e53));
-let _e67 = global_1.member.member_10.member_4.member;
-let _e72 = global_1.member.member_10.member_4.member_1;
-let _e75 = f32(bitcast<i32>(_e67));
-let _e80 = global_1.member.member_10.member_17.member_1;
-let _e81 = (_e75 * _e80);
-let _e86 = global_1.member.member_10.member_17.member_2;
-let _e87 = ((_e60 + 1f) - _e86);
-let _e89 = select(0f, _e87, (_e87 > 0f));
-let _e92 = (_e87 - _e81);
-let _e94 = select(0f, _e92, (_e92 > 0f));
-let _e96 = (_e86 - _e94);
-let _e97 = (_e86 * 1e-6f);
-let _e102 = -(_e87);
-let _e104 = select(0f, _e102, (_e102 > 0f));
-let _e106 = (_e86 - _e104);
-let _e112 = (_e60 - _e86);
-let _e114 = select(0f, _e112, (_e112 > 0f));
-let _e117 = (_e112 - _e81);
-let _e119 = select(0f, _e117, (_e117 > 0f));
-let _e121 = (_e86 - _e119);
-let _e126 = -(_e112);
-let _e128 = select(0f, _e126, (_e126 > 0f));
-let _e130 = (_e86 - _e128);
-let _e139 = f32(bitcast<i32>(_e72));
-let _e140 = (_e139 * _e80);
-let _e141 = ((_e62 + 1f) - _e86);
-let _e143 = select(0f, _e141, (_e141 > 0f));
-let _e146 = (_e141 - _e140);
-let _e148 = select(0f, _e146, (_e146 > 0f));
-let _e150 = (_e86 - _e148);
-let _e155 = -(_e141);
-let _e157 = select(0f, _e155, (_e155 > 0f));
-let _e159 = (_e86 - _e157);
-let _e165 = (_e62 - _e86);
-let _e167 = select(0f, _e165, (_e165 > 0f));
-let _e170 = (_e165 - _e140);
-let _e172 = select(0f, _e170, (_e170 > 0f));
-let _e174 = (_e86 - _e172);
-let _e179 = -(_e165);
-let _e181 = select(0f, _e179, (_e179 > 0f));
-let _e183 = (_e86 - _e181);
-let _e192 = ((_e60 + 0.5f) - _e86);
-let _e194 = select(0f, _e192, (_e192 > 0f));
-let _e197 = (_e192 - _e81);
-let _e199 = select(0f, _e197, (_e197 > 0f));
-let _e201 = (_e86 - _e199);
-let _e206 = -(_e192);
-let _e208 = select(0f, _e206, (_e206 > 0f));
-let _e210 = (_e86 - _e208);
-let _e215 = (((select(_e81, _e194, (_e194 < _e81)) + ((_e199 * _e86) / select(_e97, _e201, (_e201 > _e97)))) - ((_e208 * _e86) / select(_e97, _e210, (_e210 > _e97)))) / _e80);
-let _e217 = ((_e62 + 0.5f) - _e86);
-let _e219 = select(0f, _e217, (_e217 > 0f));
-let _e222 = (_e217 - _e140);
-let _e224 = select(0f, _e222, (_e222 > 0f));
-let _e226 = (_e86 - _e224);
-let _e231 = -(_e217);
-let _e233 = select(0f, _e231, (_e231 > 0f));
-let _e235 = (_e86 - _e233);
-let _e240 = (((select(_e140, _e219, (_e219 < _e140)) + ((_e224 * _e86) / select(_e97, _e226, (_e226 > _e97)))) - ((_e233 * _e86) / select(_e97, _e235, (_e235 > _e97)))) / _e80);
-let _e248 = (_e75 - 1f);
-let _e250 = select(0f, _e215, (_e215 > 0f));
-let _e252 = select(_e248, _e250, (_e250 < _e248));
-let _e259 = select(0i, select(select(i32(_e252), i32(-2147483648), (_e252 < -2147483600f)), 2147483647i, (_e252 > 2147483500f)), (_e252 == _e252));
-let _e263 = (_e259 - select(0i, 1i, (_e252 < f32(_e259))));
-let _e264 = (_e139 - 1f);
-let _e266 = select(0f, _e240, (_e240 > 0f));
-let _e268 = select(_e264, _e266, (_e266 < _e264));
-let _e275 = select(0i, select(select(i32(_e268), i32(-2147483648), (_e268 < -2147483600f)), 2147483647i, (_e268 > 2147483500f)), (_e268 == _e268));
-let _e279 = (_e275 - select(0i, 1i, (_e268 < f32(_e275))));
-let _e281 = (_e215 - f32(_e263));
-let _e283 = (_e240 - f32(_e279));
-let _e284 = bitcast<u32>(_e263);
-let _e285 = bitcast<u32>(_e279);
-let _e286 = (_e67 + 1u);
-let _e289 = bitcast<i32>((_e286 * (_e72 + 1u)));
-let _e290 = (6i * _e289);
-let _e291 = (_e285 * _e286);
-let _e293 = bitcast<i32>((_e291 + _e284));
-let _e294 = (_e290 + _e293);
-let _e296 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
-let _e298 = select(_e296, _e294, (_e294 < _e296));
-let _e304 = global_2.member[bitcast<u32>(select(0i, _e298, (_e298 > 0i)))];
-let _e305 = (_e294 + _e289);
-let _e307 = select(_e296, _e305, (_e305 < _e296));
-let _e313 = global_2.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
-let _e314 = (2i * _e289);
-let _e315 = (_e294 + _e314);
-let _e317 = select(_e296, _e315, (_e315 < _e296));
-let _e323 = global_2.member[bitcast<u32>(select(0i, _e317, (_e317 > 0i)))];
-let _e324 = (1f - _e281);
-let _e328 = (_e284 + 1u);
-let _e330 = bitcast<i32>((_e291 + _e328));
-let _e331 = (_e290 + _e330);
-let _e333 = select(_e296, _e331, (_e331 < _e296));
-let _e339 = global_2.member[bitcast<u32>(select(0i, _e333, (_e333 > 0i)))];
-let _e340 = (_e331 + _e289);
-let _e342 = select(_e296, _e340, (_e340 < _e296));
-let _e348 = global_2.member[bitcast<u32>(select(0i, _e342, (_e342 > 0i)))];
-let _e349 = (_e331 + _e314);
-let _e351 = select(_e296, _e349, (_e349 < _e296));
-let _e357 = global_2.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
-let _e365 = ((_e285 + 1u) * _e286);
-let _e367 = bitcast<i32>((_e365 + _e284));
-let _e368 = (_e290 + _e367);
-let _e370 = select(_e296, _e368, (_e368 < _e296));
-let _e376 = global_2.member[bitcast<u32>(select(0i, _e370, (_e370 > 0i)))];
-let _e377 = (_e368 + _e289);
-let _e379 = select(_e296, _e377, (_e377 < _e296));
-let _e385 = global_2.member[bitcast<u32>(select(0i, _e379, (_e379 > 0i)))];
-let _e386 = (_e368 + _e314);
-let _e388 = select(_e296, _e386, (_e386 < _e296));
-let _e394 = global_2.member[bitcast<u32>(select(0i, _e388, (_e388 > 0i)))];
-let _e399 = bitcast<i32>((_e365 + _e328));
-let _e400 = (_e290 + _e399);
-let _e402 = select(_e296, _e400, (_e400 < _e296));
-let _e408 = global_2.member[bitcast<u32>(select(0i, _e402, (_e402 > 0i)))];
-let _e409 = (_e400 + _e289);
-let _e411 = select(_e296, _e409, (_e409 < _e296));
-let _e417 = global_2.member[bitcast<u32>(select(0i, _e411, (_e411 > 0i)))];
-let _e418 = (_e400 + _e314);
-let _e420 = select(_e296, _e418, (_e418 < _e296));
-let _e426 = global_2.member[bitcast<u32>(select(0i, _e420, (_e420 > 0i)))];
-let _e433 = (1f - _e283);
-let _e443 = (10i * _e289);
-let _e444 = (_e443 + _e293);
-let _e446 = select(_e296, _e444, (_e444 < _e296));
-let _e452 = global_2.member[bitcast<u32>(select(0i, _e446, (_e446 > 0i)))];
-let _e453 = (11i * _e289);
-let _e454 = (_e453 + _e293);
-let _e456 = select(_e296, _e454, (_e454 < _e296));
-let _e462 = global_2.member[bitcast<u32>(select(0i, _e456, (_e456 > 0i)))];
-let _e466 = (_e443 + _e330);
-let _e468 = select(_e296, _e466, (_e466 < _e296));
-let _e474 = global_2.member[bitcast<u32>(select(0i, _e468, (_e468 > 0i)))];
-let _e475 = (_e453 + _e330);
-let _e477 = select(_e296, _e475, (_e475 < _e296));
-let _e483 = global_2.member[bitcast<u32>(select(0i, _e477, (_e477 > 0i)))];
-let _e488 = (_e443 + _e367);
-let _e490 = select(_e296, _e488, (_e488 < _e296));
-let _e496 = global_2.member[bitcast<u32>(select(0i, _e490, (_e490 > 0i)))];
-let _e497 = (_e453 + _e367);
-let _e499 = select(_e296, _e497, (_e497 < _e296));
-let _e505 = global_2.member[bitcast<u32>(select(0i, _e499, (_e499 > 0i)))];
-let _e510 = (_e443 + _e399);
-let _e512 = select(_e296, _e510, (_e510 < _e296));
-let _e518 = global_2.member[bitcast<u32>(select(0i, _e512, (_e512 > 0i)))];
-let _e519 = (_e453 + _e399);
-let _e521 = select(_e296, _e519, (_e519 < _e296));
-let _e527 = global_2.member[bitcast<u32>(select(0i, _e521, (_e521 > 0i)))];
-let _e532 = select(0f, 1f, (((((_e452 == 0f) && (_e462 != 1f)) && ((_e474 == 0f) && (_e483 != 1f))) && ((_e496 == 0f) && (_e505 != 1f))) && ((_e518 == 0f) && (_e527 != 1f))));
-let _e539 = global_1.member.member_10.member_21;
-let _e541 = (((((_e215 >= 0f) && (_e215 <= _e75)) && (_e240 >= 0f)) && (_e240 <= _e139)) && (_e539 == 0f));
-let _e548 = global_1.member.member.member;
-let _e552 = bitcast<i32>((((_e53 * _e548) + _e51) * 6u));
-let _e554 = (1f / ((((((select(_e81, _e89, (_e89 < _e81)) + ((_e94 * _e86) / select(_e97, _e96, (_e96 > _e97)))) - ((_e104 * _e86) / select(_e97, _e106, (_e106 > _e97)))) / _e80) - (((select(_e81, _e114, (_e114 < _e81)) + ((_e119 * _e86) / select(_e97, _e121, (_e121 > _e97)))) - ((_e128 * _e86) / select(_e97, _e130, (_e130 > _e97)))) / _e80)) * ((((select(_e140, _e143, (_e143 < _e140)) + ((_e148 * _e86) / select(_e97, _e150, (_e150 > _e97)))) - ((_e157 * _e86) / select(_e97, _e159, (_e159 > _e97)))) / _e80) - (((select(_e140, _e167, (_e167 < _e140)) + ((_e172 * _e86) / select(_e97, _e174, (_e174 > _e97)))) - ((_e181 * _e86) / select(_e97, _e183, (_e183 > _e97)))) / _e80))) * 16777216f));
-let _e556 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
-let _e558 = select(_e556, _e552, (_e552 < _e556));
-let _e564 = global_4.member[bitcast<u32>(select(0i, _e558, (_e558 > 0i)))];
-let _e565 = (_e552 + 1i);
-let _e567 = select(_e556, _e565, (_e565 < _e556));
-let _e573 = global_4.member[bitcast<u32>(select(0i, _e567, (_e567 > 0i)))];
-let _e576 = ((_e573 >> bitcast<u32>(31i)) != 0u);
-if _e576 {
-phi_1214_ = (~(_e564) + 1u);
+var phi_1254_: f32;
+var phi_1310_: f32;
+var phi_1353_: u32;
+var phi_1359_: u32;
+var phi_1421_: u32;
+var phi_1427_: u32;
+var phi_1489_: u32;
+var phi_1495_: u32;
+let _e36 = global;
+let _e43 = global_1.member.member_2;
+let _e46 = global_1.member.member;
+let _e54 = (_e36.x + _e43.member);
+let _e56 = (_e36.y + _e43.member_1);
+if (_e54 < _e43.member_2) {
+if (_e56 < _e43.member_3) {
+let _e59 = (_e46.member * _e46.member_1);
+let _e61 = ((_e56 * _e46.member) + _e54);
+let _e63 = f32(bitcast<i32>(_e54));
+let _e65 = f32(bitcast<i32>(_e56));
+let _e70 = global_1.member.member_10.member_4.member;
+let _e75 = global_1.member.member_10.member_4.member_1;
+let _e78 = f32(bitcast<i32>(_e70));
+let _e83 = global_1.member.member_10.member_18.member_1;
+let _e84 = (_e78 * _e83);
+let _e89 = global_1.member.member_10.member_18.member_2;
+let _e90 = ((_e63 + 1f) - _e89);
+let _e92 = select(0f, _e90, (_e90 > 0f));
+let _e95 = (_e90 - _e84);
+let _e97 = select(0f, _e95, (_e95 > 0f));
+let _e99 = (_e89 - _e97);
+let _e100 = (_e89 * 1e-6f);
+let _e105 = -(_e90);
+let _e107 = select(0f, _e105, (_e105 > 0f));
+let _e109 = (_e89 - _e107);
+let _e115 = (_e63 - _e89);
+let _e117 = select(0f, _e115, (_e115 > 0f));
+let _e120 = (_e115 - _e84);
+let _e122 = select(0f, _e120, (_e120 > 0f));
+let _e124 = (_e89 - _e122);
+let _e129 = -(_e115);
+let _e131 = select(0f, _e129, (_e129 > 0f));
+let _e133 = (_e89 - _e131);
+let _e142 = f32(bitcast<i32>(_e75));
+let _e143 = (_e142 * _e83);
+let _e144 = ((_e65 + 1f) - _e89);
+let _e146 = select(0f, _e144, (_e144 > 0f));
+let _e149 = (_e144 - _e143);
+let _e151 = select(0f, _e149, (_e149 > 0f));
+let _e153 = (_e89 - _e151);
+let _e158 = -(_e144);
+let _e160 = select(0f, _e158, (_e158 > 0f));
+let _e162 = (_e89 - _e160);
+let _e168 = (_e65 - _e89);
+let _e170 = select(0f, _e168, (_e168 > 0f));
+let _e173 = (_e168 - _e143);
+let _e175 = select(0f, _e173, (_e173 > 0f));
+let _e177 = (_e89 - _e175);
+let _e182 = -(_e168);
+let _e184 = select(0f, _e182, (_e182 > 0f));
+let _e186 = (_e89 - _e184);
+let _e195 = ((_e63 + 0.5f) - _e89);
+let _e197 = select(0f, _e195, (_e195 > 0f));
+let _e200 = (_e195 - _e84);
+let _e202 = select(0f, _e200, (_e200 > 0f));
+let _e204 = (_e89 - _e202);
+let _e209 = -(_e195);
+let _e211 = select(0f, _e209, (_e209 > 0f));
+let _e213 = (_e89 - _e211);
+let _e218 = (((select(_e84, _e197, (_e197 < _e84)) + ((_e202 * _e89) / select(_e100, _e204, (_e204 > _e100)))) - ((_e211 * _e89) / select(_e100, _e213, (_e213 > _e100)))) / _e83);
+let _e220 = ((_e65 + 0.5f) - _e89);
+let _e222 = select(0f, _e220, (_e220 > 0f));
+let _e225 = (_e220 - _e143);
+let _e227 = select(0f, _e225, (_e225 > 0f));
+let _e229 = (_e89 - _e227);
+let _e234 = -(_e220);
+let _e236 = select(0f, _e234, (_e234 > 0f));
+let _e238 = (_e89 - _e236);
+let _e243 = (((select(_e143, _e222, (_e222 < _e143)) + ((_e227 * _e89) / select(_e100, _e229, (_e229 > _e100)))) - ((_e236 * _e89) / select(_e100, _e238, (_e238 > _e100)))) / _e83);
+let _e251 = (_e78 - 1f);
+let _e253 = select(0f, _e218, (_e218 > 0f));
+let _e255 = select(_e251, _e253, (_e253 < _e251));
+let _e262 = select(0i, select(select(i32(_e255), i32(-2147483648), (_e255 < -2147483600f)), 2147483647i, (_e255 > 2147483500f)), (_e255 == _e255));
+let _e266 = (_e262 - select(0i, 1i, (_e255 < f32(_e262))));
+let _e267 = (_e142 - 1f);
+let _e269 = select(0f, _e243, (_e243 > 0f));
+let _e271 = select(_e267, _e269, (_e269 < _e267));
+let _e278 = select(0i, select(select(i32(_e271), i32(-2147483648), (_e271 < -2147483600f)), 2147483647i, (_e271 > 2147483500f)), (_e271 == _e271));
+let _e282 = (_e278 - select(0i, 1i, (_e271 < f32(_e278))));
+let _e284 = (_e218 - f32(_e266));
+let _e286 = (_e243 - f32(_e282));
+let _e287 = bitcast<u32>(_e266);
+let _e288 = bitcast<u32>(_e282);
+let _e289 = (_e70 + 1u);
+let _e292 = bitcast<i32>((_e289 * (_e75 + 1u)));
+let _e293 = (6i * _e292);
+let _e294 = (_e288 * _e289);
+let _e296 = bitcast<i32>((_e294 + _e287));
+let _e297 = (_e293 + _e296);
+let _e299 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e301 = select(_e299, _e297, (_e297 < _e299));
+let _e307 = global_2.member[bitcast<u32>(select(0i, _e301, (_e301 > 0i)))];
+let _e308 = (_e297 + _e292);
+let _e310 = select(_e299, _e308, (_e308 < _e299));
+let _e316 = global_2.member[bitcast<u32>(select(0i, _e310, (_e310 > 0i)))];
+let _e317 = (2i * _e292);
+let _e318 = (_e297 + _e317);
+let _e320 = select(_e299, _e318, (_e318 < _e299));
+let _e326 = global_2.member[bitcast<u32>(select(0i, _e320, (_e320 > 0i)))];
+let _e327 = (1f - _e284);
+let _e331 = (_e287 + 1u);
+let _e333 = bitcast<i32>((_e294 + _e331));
+let _e334 = (_e293 + _e333);
+let _e336 = select(_e299, _e334, (_e334 < _e299));
+let _e342 = global_2.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
+let _e343 = (_e334 + _e292);
+let _e345 = select(_e299, _e343, (_e343 < _e299));
+let _e351 = global_2.member[bitcast<u32>(select(0i, _e345, (_e345 > 0i)))];
+let _e352 = (_e334 + _e317);
+let _e354 = select(_e299, _e352, (_e352 < _e299));
+let _e360 = global_2.member[bitcast<u32>(select(0i, _e354, (_e354 > 0i)))];
+let _e368 = ((_e288 + 1u) * _e289);
+let _e370 = bitcast<i32>((_e368 + _e287));
+let _e371 = (_e293 + _e370);
+let _e373 = select(_e299, _e371, (_e371 < _e299));
+let _e379 = global_2.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
+let _e380 = (_e371 + _e292);
+let _e382 = select(_e299, _e380, (_e380 < _e299));
+let _e388 = global_2.member[bitcast<u32>(select(0i, _e382, (_e382 > 0i)))];
+let _e389 = (_e371 + _e317);
+let _e391 = select(_e299, _e389, (_e389 < _e299));
+let _e397 = global_2.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
+let _e402 = bitcast<i32>((_e368 + _e331));
+let _e403 = (_e293 + _e402);
+let _e405 = select(_e299, _e403, (_e403 < _e299));
+let _e411 = global_2.member[bitcast<u32>(select(0i, _e405, (_e405 > 0i)))];
+let _e412 = (_e403 + _e292);
+let _e414 = select(_e299, _e412, (_e412 < _e299));
+let _e420 = global_2.member[bitcast<u32>(select(0i, _e414, (_e414 > 0i)))];
+let _e421 = (_e403 + _e317);
+let _e423 = select(_e299, _e421, (_e421 < _e299));
+let _e429 = global_2.member[bitcast<u32>(select(0i, _e423, (_e423 > 0i)))];
+let _e436 = (1f - _e286);
+let _e446 = (10i * _e292);
+let _e447 = (_e446 + _e296);
+let _e449 = select(_e299, _e447, (_e447 < _e299));
+let _e455 = global_2.member[bitcast<u32>(select(0i, _e449, (_e449 > 0i)))];
+let _e456 = (11i * _e292);
+let _e457 = (_e456 + _e296);
+let _e459 = select(_e299, _e457, (_e457 < _e299));
+let _e465 = global_2.member[bitcast<u32>(select(0i, _e459, (_e459 > 0i)))];
+let _e469 = (_e446 + _e333);
+let _e471 = select(_e299, _e469, (_e469 < _e299));
+let _e477 = global_2.member[bitcast<u32>(select(0i, _e471, (_e471 > 0i)))];
+let _e478 = (_e456 + _e333);
+let _e480 = select(_e299, _e478, (_e478 < _e299));
+let _e486 = global_2.member[bitcast<u32>(select(0i, _e480, (_e480 > 0i)))];
+let _e491 = (_e446 + _e370);
+let _e493 = select(_e299, _e491, (_e491 < _e299));
+let _e499 = global_2.member[bitcast<u32>(select(0i, _e493, (_e493 > 0i)))];
+let _e500 = (_e456 + _e370);
+let _e502 = select(_e299, _e500, (_e500 < _e299));
+let _e508 = global_2.member[bitcast<u32>(select(0i, _e502, (_e502 > 0i)))];
+let _e513 = (_e446 + _e402);
+let _e515 = select(_e299, _e513, (_e513 < _e299));
+let _e521 = global_2.member[bitcast<u32>(select(0i, _e515, (_e515 > 0i)))];
+let _e522 = (_e456 + _e402);
+let _e524 = select(_e299, _e522, (_e522 < _e299));
+let _e530 = global_2.member[bitcast<u32>(select(0i, _e524, (_e524 > 0i)))];
+let _e535 = select(0f, 1f, (((((_e455 == 0f) && (_e465 != 1f)) && ((_e477 == 0f) && (_e486 != 1f))) && ((_e499 == 0f) && (_e508 != 1f))) && ((_e521 == 0f) && (_e530 != 1f))));
+let _e542 = global_1.member.member_10.member_23;
+let _e547 = global_1.member.member_10.member_3;
+let _e548 = (_e547 == 0u);
+if _e548 {
+phi_1254_ = 1f;
 } else {
-phi_1214_ = _e564;
+let _e552 = global_1.member.member_10.member_5;
+let _e556 = global_1.member.member_10.member_7;
+let _e558 = (_e552 + (_e218 * _e556));
+let _e562 = global_1.member.member_10.member_6;
+let _e564 = (_e562 + (_e243 * _e556));
+let _e569 = global_1.member.member_10.member_20.member;
+let _e577 = (((_e569.member * _e558) + (_e569.member_1 * _e564)) + (_e569.member_2 * 1f));
+let _e581 = (_e558 - (_e569.member * _e577));
+let _e582 = (_e564 - (_e569.member_1 * _e577));
+let _e583 = (1f - (_e569.member_2 * _e577));
+let _e588 = (((_e581 * _e581) + (_e582 * _e582)) + (_e583 * _e583));
+let _e599 = global_1.member.member_10.member_20.member_1;
+let _e605 = global_1.member.member_10.member_20.member_2;
+let _e606 = ((_e599 - (sqrt(select(0f, _e588, (_e588 > 0f))) / select(1e-20f, _e577, (_e577 > 1e-20f)))) * _e605);
+let _e608 = select(0f, _e606, (_e606 > 0f));
+let _e610 = select(1f, _e608, (_e608 < 1f));
+phi_1254_ = select(1f, select(0f, ((_e610 * _e610) * (3f - (2f * _e610))), (_e577 > 0f)), (_e605 > 0f));
 }
-let _e582 = phi_1214_;
-if _e576 {
-phi_1220_ = (~(_e573) + select(0u, 1u, (_e564 == 0u)));
+let _e620 = phi_1254_;
+let _e621 = (((((_e218 >= 0f) && (_e218 <= _e78)) && (_e243 >= 0f)) && (_e243 <= _e142)) && (_e542 == 0f));
+let _e631 = global_1.member.member.member;
+let _e635 = bitcast<i32>((((_e56 * _e631) + _e54) * 6u));
+if _e548 {
+phi_1310_ = 1f;
 } else {
-phi_1220_ = _e573;
+let _e640 = global_1.member.member_10.member_5;
+let _e644 = global_1.member.member_10.member_7;
+let _e646 = (_e640 + (_e218 * _e644));
+let _e650 = global_1.member.member_10.member_6;
+let _e652 = (_e650 + (_e243 * _e644));
+let _e657 = (((_e646 * _e646) + (_e652 * _e652)) + (1f * 1f));
+let _e661 = (1f / sqrt(select(0f, _e657, (_e657 > 0f))));
+phi_1310_ = ((_e661 * _e661) * _e661);
 }
-let _e586 = phi_1220_;
-let _e608 = ((((f32(bitcast<i32>(((_e586 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e586 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e582 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e582 & 65535u)))));
-let _e614 = (_e552 + 2i);
-let _e616 = select(_e556, _e614, (_e614 < _e556));
-let _e622 = global_4.member[bitcast<u32>(select(0i, _e616, (_e616 > 0i)))];
-let _e623 = (_e552 + 3i);
-let _e625 = select(_e556, _e623, (_e623 < _e556));
-let _e631 = global_4.member[bitcast<u32>(select(0i, _e625, (_e625 > 0i)))];
-let _e634 = ((_e631 >> bitcast<u32>(31i)) != 0u);
-if _e634 {
-phi_1282_ = (~(_e622) + 1u);
+let _e665 = phi_1310_;
+let _e667 = (1f / (((((((select(_e84, _e92, (_e92 < _e84)) + ((_e97 * _e89) / select(_e100, _e99, (_e99 > _e100)))) - ((_e107 * _e89) / select(_e100, _e109, (_e109 > _e100)))) / _e83) - (((select(_e84, _e117, (_e117 < _e84)) + ((_e122 * _e89) / select(_e100, _e124, (_e124 > _e100)))) - ((_e131 * _e89) / select(_e100, _e133, (_e133 > _e100)))) / _e83)) * ((((select(_e143, _e146, (_e146 < _e143)) + ((_e151 * _e89) / select(_e100, _e153, (_e153 > _e100)))) - ((_e160 * _e89) / select(_e100, _e162, (_e162 > _e100)))) / _e83) - (((select(_e143, _e170, (_e170 < _e143)) + ((_e175 * _e89) / select(_e100, _e177, (_e177 > _e100)))) - ((_e184 * _e89) / select(_e100, _e186, (_e186 > _e100)))) / _e83))) * 16777216f) * _e665));
+let _e669 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
+let _e671 = select(_e669, _e635, (_e635 < _e669));
+let _e677 = global_4.member[bitcast<u32>(select(0i, _e671, (_e671 > 0i)))];
+let _e678 = (_e635 + 1i);
+let _e680 = select(_e669, _e678, (_e678 < _e669));
+let _e686 = global_4.member[bitcast<u32>(select(0i, _e680, (_e680 > 0i)))];
+let _e689 = ((_e686 >> bitcast<u32>(31i)) != 0u);
+if _e689 {
+phi_1353_ = (~(_e677) + 1u);
 } else {
-phi_1282_ = _e622;
+phi_1353_ = _e677;
 }
-let _e640 = phi_1282_;
-if _e634 {
-phi_1288_ = (~(_e631) + select(0u, 1u, (_e622 == 0u)));
+let _e695 = phi_1353_;
+if _e689 {
+phi_1359_ = (~(_e686) + select(0u, 1u, (_e677 == 0u)));
 } else {
-phi_1288_ = _e631;
+phi_1359_ = _e686;
 }
-let _e644 = phi_1288_;
-let _e666 = ((((f32(bitcast<i32>(((_e644 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e644 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e640 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e640 & 65535u)))));
-let _e672 = (_e552 + 4i);
-let _e674 = select(_e556, _e672, (_e672 < _e556));
-let _e680 = global_4.member[bitcast<u32>(select(0i, _e674, (_e674 > 0i)))];
-let _e681 = (_e552 + 5i);
-let _e683 = select(_e556, _e681, (_e681 < _e556));
-let _e689 = global_4.member[bitcast<u32>(select(0i, _e683, (_e683 > 0i)))];
-let _e692 = ((_e689 >> bitcast<u32>(31i)) != 0u);
-if _e692 {
-phi_1350_ = (~(_e680) + 1u);
+let _e699 = phi_1359_;
+let _e721 = ((((f32(bitcast<i32>(((_e699 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e699 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e695 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e695 & 65535u)))));
+let _e727 = (_e635 + 2i);
+let _e729 = select(_e669, _e727, (_e727 < _e669));
+let _e735 = global_4.member[bitcast<u32>(select(0i, _e729, (_e729 > 0i)))];
+let _e736 = (_e635 + 3i);
+let _e738 = select(_e669, _e736, (_e736 < _e669));
+let _e744 = global_4.member[bitcast<u32>(select(0i, _e738, (_e738 > 0i)))];
+let _e747 = ((_e744 >> bitcast<u32>(31i)) != 0u);
+if _e747 {
+phi_1421_ = (~(_e735) + 1u);
 } else {
-phi_1350_ = _e680;
+phi_1421_ = _e735;
 }
-let _e698 = phi_1350_;
-if _e692 {
-phi_1356_ = (~(_e689) + select(0u, 1u, (_e680 == 0u)));
+let _e753 = phi_1421_;
+if _e747 {
+phi_1427_ = (~(_e744) + select(0u, 1u, (_e735 == 0u)));
 } else {
-phi_1356_ = _e689;
+phi_1427_ = _e744;
 }
-let _e702 = phi_1356_;
-let _e724 = ((((f32(bitcast<i32>(((_e702 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e702 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e698 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e698 & 65535u)))));
-let _e733 = (select(1f, (((((_e304 * _e324) + (_e339 * _e281)) * _e433) + (((_e376 * _e324) + (_e408 * _e281)) * _e283)) * _e532), _e541) + (select(_e608, -(bitcast<f32>((bitcast<u32>(_e608) & 2147483647u))), _e576) * _e554));
-let _e734 = (select(1f, (((((_e313 * _e324) + (_e348 * _e281)) * _e433) + (((_e385 * _e324) + (_e417 * _e281)) * _e283)) * _e532), _e541) + (select(_e666, -(bitcast<f32>((bitcast<u32>(_e666) & 2147483647u))), _e634) * _e554));
-let _e735 = (select(1f, (((((_e323 * _e324) + (_e357 * _e281)) * _e433) + (((_e394 * _e324) + (_e426 * _e281)) * _e283)) * _e532), _e541) + (select(_e724, -(bitcast<f32>((bitcast<u32>(_e724) & 2147483647u))), _e692) * _e554));
-global_3.member[_e58] = select(0f, _e733, (_e733 > 0f));
-global_3.member[(_e56 + _e58)] = select(0f, _e734, (_e734 > 0f));
-global_3.member[((2u * _e56) + _e58)] = select(0f, _e735, (_e735 > 0f));
+let _e757 = phi_1427_;
+let _e779 = ((((f32(bitcast<i32>(((_e757 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e757 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e753 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e753 & 65535u)))));
+let _e785 = (_e635 + 4i);
+let _e787 = select(_e669, _e785, (_e785 < _e669));
+let _e793 = global_4.member[bitcast<u32>(select(0i, _e787, (_e787 > 0i)))];
+let _e794 = (_e635 + 5i);
+let _e796 = select(_e669, _e794, (_e794 < _e669));
+let _e802 = global_4.member[bitcast<u32>(select(0i, _e796, (_e796 > 0i)))];
+let _e805 = ((_e802 >> bitcast<u32>(31i)) != 0u);
+if _e805 {
+phi_1489_ = (~(_e793) + 1u);
+} else {
+phi_1489_ = _e793;
+}
+let _e811 = phi_1489_;
+if _e805 {
+phi_1495_ = (~(_e802) + select(0u, 1u, (_e793 == 0u)));
+} else {
+phi_1495_ = _e802;
+}
+let _e815 = phi_1495_;
+let _e837 = ((((f32(bitcast<i32>(((_e815 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e815 & 65535u)))) * 4294967300f) + ((f32(bitcast<i32>(((_e811 >> bitcast<u32>(16i)) & 65535u))) * 65536f) + f32(bitcast<i32>((_e811 & 65535u)))));
+let _e846 = ((select(1f, (((((_e307 * _e327) + (_e342 * _e284)) * _e436) + (((_e379 * _e327) + (_e411 * _e284)) * _e286)) * _e535), _e621) * _e620) + (select(_e721, -(bitcast<f32>((bitcast<u32>(_e721) & 2147483647u))), _e689) * _e667));
+let _e847 = ((select(1f, (((((_e316 * _e327) + (_e351 * _e284)) * _e436) + (((_e388 * _e327) + (_e420 * _e284)) * _e286)) * _e535), _e621) * _e620) + (select(_e779, -(bitcast<f32>((bitcast<u32>(_e779) & 2147483647u))), _e747) * _e667));
+let _e848 = ((select(1f, (((((_e326 * _e327) + (_e360 * _e284)) * _e436) + (((_e397 * _e327) + (_e429 * _e284)) * _e286)) * _e535), _e621) * _e620) + (select(_e837, -(bitcast<f32>((bitcast<u32>(_e837) & 2147483647u))), _e805) * _e667));
+let _e856 = select(0f, _e620, (_e547 != 0u));
+global_3.member[_e61] = (select(0f, _e846, (_e846 > 0f)) - _e856);
+global_3.member[(_e59 + _e61)] = (select(0f, _e847, (_e847 > 0f)) - _e856);
+global_3.member[((2u * _e59) + _e61)] = (select(0f, _e848, (_e848 > 0f)) - _e856);
 }
 }
 return;

@@ -107,6 +107,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_24 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_25 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -124,17 +129,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_23,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_14,
+member_18: type_23,
+member_19: type_5,
+member_20: type_24,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_25 {
+struct type_26 {
 member: type_7,
 member_1: u32,
 }
-struct type_26 {
+struct type_27 {
 member: type_2,
 member_1: u32,
 member_2: type_18,
@@ -145,27 +153,27 @@ member_6: type_20,
 member_7: type_20,
 member_8: type_21,
 member_9: type_22,
-member_10: type_24,
+member_10: type_25,
 member_11: type_19,
 member_12: type_4,
 member_13: type_9,
-member_14: type_25,
-member_15: type_25,
-member_16: type_25,
-member_17: type_25,
+member_14: type_26,
+member_15: type_26,
+member_16: type_26,
+member_17: type_26,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
-member: type_26,
+struct type_28 {
+member: type_27,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(4)
 var<storage, read_write> global_1: type_11;
 @group(0) @binding(0)
-var<storage> global_2: type_27;
+var<storage> global_2: type_28;
 @group(0) @binding(2)
 var<storage> global_3: type_11;
 @group(0) @binding(1)
@@ -173,350 +181,432 @@ var<storage> global_4: type_16;
 @group(0) @binding(3)
 var<storage> global_5: type_16;
 fn function_() {
-var local: i32;
-var local_1: i32;
-var local_2: i32;
-var local_3: i32;
-var local_4: i32;
-var local_5: i32;
-var local_6: i32;
-var local_7: i32;
-var phi_1635_: u32;
-var phi_1636_: u32;
-var phi_281_: u32;
-var phi_282_: u32;
-var phi_1383_: i32;
-var phi_1553_: vec3<f32>;
-var phi_1597_: i32;
-var phi_1744_: type_17;
-let _e56 = global;
-let _e61 = arrayLength((&global_3.member));
-let _e66 = global_2.member.member_2;
-let _e69 = global_2.member.member;
-let _e76 = (_e56.x + _e66.member);
-let _e78 = (_e56.y + _e66.member_1);
-if (_e76 < _e66.member_2) {
-if (_e78 < _e66.member_3) {
-let _e87 = global_2.member.member.member;
-let _e89 = ((_e78 * _e87) + _e76);
-let _e90 = (_e89 / 81u);
-let _e92 = (_e89 - (_e90 * 81u));
-let _e93 = (_e92 / 9u);
-let _e97 = global_2.member.member_10.member_16;
-let _e99 = bitcast<i32>((_e97 + _e90));
-let _e101 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e103 = select(_e101, _e99, (_e99 < _e101));
-let _e109 = global_5.member[bitcast<u32>(select(0i, _e103, (_e103 > 0i)))];
-let _e119 = ((bitcast<i32>((_e109 & 65535u)) * 8i) + bitcast<i32>((_e92 - (_e93 * 9u))));
-let _e122 = ((bitcast<i32>((_e109 >> bitcast<u32>(16i))) * 8i) + bitcast<i32>(_e93));
-let _e124 = (_e69.member_2 == 5u);
-if ((((_e69.member_2 == 1u) || _e124) || (_e69.member_2 == 6u)) || ((_e69.member_2 == 2u) || (_e69.member_2 == 7u))) {
-let _e231 = global_2.member.member_10.member_4.member;
-let _e241 = global_2.member.member_10.member_4.member_1;
-let _e244 = ((((_e119 >= 0i) && (_e119 < bitcast<i32>(_e231))) && (_e122 >= 0i)) && (_e122 < bitcast<i32>(_e241)));
-if _e244 {
-phi_281_ = bitcast<u32>(_e122);
-phi_282_ = bitcast<u32>(_e119);
+var phi_1711_: u32;
+var phi_1712_: u32;
+var phi_275_: i32;
+var phi_452_: f32;
+var phi_486_: f32;
+var phi_521_: f32;
+var phi_556_: f32;
+var phi_666_: f32;
+var phi_720_: i32;
+var phi_764_: i32;
+var phi_890_: vec3<f32>;
+var phi_945_: i32;
+var phi_1074_: vec3<f32>;
+var phi_1109_: i32;
+var phi_1237_: vec3<f32>;
+var phi_1284_: i32;
+var phi_1412_: vec3<f32>;
+var phi_1448_: i32;
+var phi_1575_: vec3<f32>;
+var phi_1673_: i32;
+var phi_1820_: type_17;
+let _e51 = global;
+let _e55 = arrayLength((&global_3.member));
+let _e60 = global_2.member.member_2;
+let _e63 = global_2.member.member;
+let _e70 = (_e51.x + _e60.member);
+let _e72 = (_e51.y + _e60.member_1);
+if (_e70 < _e60.member_2) {
+if (_e72 < _e60.member_3) {
+let _e81 = global_2.member.member.member;
+let _e83 = ((_e72 * _e81) + _e70);
+let _e84 = (_e83 / 81u);
+let _e86 = (_e83 - (_e84 * 81u));
+let _e87 = (_e86 / 9u);
+let _e91 = global_2.member.member_10.member_16;
+let _e93 = bitcast<i32>((_e91 + _e84));
+let _e95 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e97 = select(_e95, _e93, (_e93 < _e95));
+let _e103 = global_5.member[bitcast<u32>(select(0i, _e97, (_e97 > 0i)))];
+let _e113 = ((bitcast<i32>((_e103 & 65535u)) * 8i) + bitcast<i32>((_e86 - (_e87 * 9u))));
+let _e116 = ((bitcast<i32>((_e103 >> bitcast<u32>(16i))) * 8i) + bitcast<i32>(_e87));
+let _e118 = (_e63.member_2 == 5u);
+if ((((_e63.member_2 == 1u) || _e118) || (_e63.member_2 == 6u)) || ((_e63.member_2 == 2u) || (_e63.member_2 == 7u))) {
+let _e224 = global_2.member.member_10.member_4.member;
+let _e225 = bitcast<i32>(_e224);
+let _e230 = global_2.member.member_10.member_4.member_1;
+let _e231 = bitcast<i32>(_e230);
+let _e238 = ((((_e113 >= 0i) && (_e113 < _e225)) && (_e116 >= 0i)) && (_e116 < _e231));
+if _e238 {
+phi_275_ = ((_e116 * _e225) + _e113);
 } else {
-phi_281_ = 0u;
-phi_282_ = 0u;
+phi_275_ = 0i;
 }
-let _e248 = phi_281_;
-let _e250 = phi_282_;
-let _e251 = (_e231 + 1u);
-let _e254 = bitcast<i32>((_e251 * (_e241 + 1u)));
-local_6 = _e254;
-let _e255 = (_e248 * _e251);
-local_7 = bitcast<i32>((_e255 + _e250));
-let _e258 = local_7;
-let _e260 = (bitcast<i32>(_e61) - 1i);
-let _e262 = select(_e260, _e258, (_e258 < _e260));
-let _e267 = global_3.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
-let _e268 = local_6;
-let _e269 = local_7;
-let _e270 = (_e268 + _e269);
-let _e272 = select(_e260, _e270, (_e270 < _e260));
-let _e277 = global_3.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
-let _e278 = local_6;
-let _e280 = local_7;
-let _e281 = ((2i * _e278) + _e280);
-let _e283 = select(_e260, _e281, (_e281 < _e260));
-let _e288 = global_3.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
-let _e289 = local_6;
-let _e291 = local_7;
-let _e292 = ((3i * _e289) + _e291);
-let _e294 = select(_e260, _e292, (_e292 < _e260));
-let _e299 = global_3.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
-let _e300 = local_6;
-let _e302 = local_7;
-let _e303 = ((4i * _e300) + _e302);
-let _e305 = select(_e260, _e303, (_e303 < _e260));
-let _e310 = global_3.member[bitcast<u32>(select(0i, _e305, (_e305 > 0i)))];
-let _e311 = local_6;
-let _e313 = local_7;
-let _e314 = ((5i * _e311) + _e313);
-let _e316 = select(_e260, _e314, (_e314 < _e260));
-let _e321 = global_3.member[bitcast<u32>(select(0i, _e316, (_e316 > 0i)))];
-let _e322 = local_6;
-let _e324 = local_7;
-let _e325 = ((6i * _e322) + _e324);
-let _e327 = select(_e260, _e325, (_e325 < _e260));
-let _e332 = global_3.member[bitcast<u32>(select(0i, _e327, (_e327 > 0i)))];
-let _e333 = local_6;
-let _e335 = local_7;
-let _e336 = ((7i * _e333) + _e335);
-let _e338 = select(_e260, _e336, (_e336 < _e260));
-let _e343 = global_3.member[bitcast<u32>(select(0i, _e338, (_e338 > 0i)))];
-let _e344 = (_e250 + 1u);
-local_4 = _e254;
-local_5 = bitcast<i32>((_e255 + _e344));
-let _e347 = local_5;
-let _e349 = select(_e260, _e347, (_e347 < _e260));
-let _e354 = global_3.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
-let _e355 = local_4;
-let _e356 = local_5;
-let _e357 = (_e355 + _e356);
-let _e359 = select(_e260, _e357, (_e357 < _e260));
-let _e364 = global_3.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
-let _e365 = local_4;
-let _e367 = local_5;
-let _e368 = ((2i * _e365) + _e367);
-let _e370 = select(_e260, _e368, (_e368 < _e260));
-let _e375 = global_3.member[bitcast<u32>(select(0i, _e370, (_e370 > 0i)))];
-let _e376 = local_4;
-let _e378 = local_5;
-let _e379 = ((3i * _e376) + _e378);
-let _e381 = select(_e260, _e379, (_e379 < _e260));
-let _e386 = global_3.member[bitcast<u32>(select(0i, _e381, (_e381 > 0i)))];
-let _e387 = local_4;
-let _e389 = local_5;
-let _e390 = ((4i * _e387) + _e389);
-let _e392 = select(_e260, _e390, (_e390 < _e260));
-let _e397 = global_3.member[bitcast<u32>(select(0i, _e392, (_e392 > 0i)))];
-let _e398 = local_4;
-let _e400 = local_5;
-let _e401 = ((5i * _e398) + _e400);
-let _e403 = select(_e260, _e401, (_e401 < _e260));
-let _e408 = global_3.member[bitcast<u32>(select(0i, _e403, (_e403 > 0i)))];
-let _e409 = local_4;
-let _e411 = local_5;
-let _e412 = ((6i * _e409) + _e411);
-let _e414 = select(_e260, _e412, (_e412 < _e260));
-let _e419 = global_3.member[bitcast<u32>(select(0i, _e414, (_e414 > 0i)))];
-let _e420 = local_4;
-let _e422 = local_5;
-let _e423 = ((7i * _e420) + _e422);
-let _e425 = select(_e260, _e423, (_e423 < _e260));
-let _e430 = global_3.member[bitcast<u32>(select(0i, _e425, (_e425 > 0i)))];
-local_2 = _e254;
-let _e432 = ((_e248 + 1u) * _e251);
-local_3 = bitcast<i32>((_e432 + _e250));
-let _e435 = local_3;
-let _e437 = select(_e260, _e435, (_e435 < _e260));
-let _e442 = global_3.member[bitcast<u32>(select(0i, _e437, (_e437 > 0i)))];
-let _e443 = local_2;
-let _e444 = local_3;
-let _e445 = (_e443 + _e444);
-let _e447 = select(_e260, _e445, (_e445 < _e260));
-let _e452 = global_3.member[bitcast<u32>(select(0i, _e447, (_e447 > 0i)))];
-let _e453 = local_2;
-let _e455 = local_3;
-let _e456 = ((2i * _e453) + _e455);
-let _e458 = select(_e260, _e456, (_e456 < _e260));
-let _e463 = global_3.member[bitcast<u32>(select(0i, _e458, (_e458 > 0i)))];
-let _e464 = local_2;
-let _e466 = local_3;
-let _e467 = ((3i * _e464) + _e466);
-let _e469 = select(_e260, _e467, (_e467 < _e260));
-let _e474 = global_3.member[bitcast<u32>(select(0i, _e469, (_e469 > 0i)))];
-let _e475 = local_2;
-let _e477 = local_3;
-let _e478 = ((4i * _e475) + _e477);
-let _e480 = select(_e260, _e478, (_e478 < _e260));
-let _e485 = global_3.member[bitcast<u32>(select(0i, _e480, (_e480 > 0i)))];
-let _e486 = local_2;
-let _e488 = local_3;
-let _e489 = ((5i * _e486) + _e488);
-let _e491 = select(_e260, _e489, (_e489 < _e260));
-let _e496 = global_3.member[bitcast<u32>(select(0i, _e491, (_e491 > 0i)))];
-let _e497 = local_2;
-let _e499 = local_3;
-let _e500 = ((6i * _e497) + _e499);
-let _e502 = select(_e260, _e500, (_e500 < _e260));
-let _e507 = global_3.member[bitcast<u32>(select(0i, _e502, (_e502 > 0i)))];
-let _e508 = local_2;
-let _e510 = local_3;
-let _e511 = ((7i * _e508) + _e510);
-let _e513 = select(_e260, _e511, (_e511 < _e260));
-let _e518 = global_3.member[bitcast<u32>(select(0i, _e513, (_e513 > 0i)))];
-local = _e254;
-local_1 = bitcast<i32>((_e432 + _e344));
-let _e521 = local_1;
-let _e523 = select(_e260, _e521, (_e521 < _e260));
-let _e528 = global_3.member[bitcast<u32>(select(0i, _e523, (_e523 > 0i)))];
-let _e529 = local;
-let _e530 = local_1;
-let _e531 = (_e529 + _e530);
-let _e533 = select(_e260, _e531, (_e531 < _e260));
-let _e538 = global_3.member[bitcast<u32>(select(0i, _e533, (_e533 > 0i)))];
-let _e539 = local;
-let _e541 = local_1;
-let _e542 = ((2i * _e539) + _e541);
-let _e544 = select(_e260, _e542, (_e542 < _e260));
-let _e549 = global_3.member[bitcast<u32>(select(0i, _e544, (_e544 > 0i)))];
-let _e550 = local;
-let _e552 = local_1;
-let _e553 = ((3i * _e550) + _e552);
-let _e555 = select(_e260, _e553, (_e553 < _e260));
-let _e560 = global_3.member[bitcast<u32>(select(0i, _e555, (_e555 > 0i)))];
-let _e561 = local;
-let _e563 = local_1;
-let _e564 = ((4i * _e561) + _e563);
-let _e566 = select(_e260, _e564, (_e564 < _e260));
-let _e571 = global_3.member[bitcast<u32>(select(0i, _e566, (_e566 > 0i)))];
-let _e572 = local;
-let _e574 = local_1;
-let _e575 = ((5i * _e572) + _e574);
-let _e577 = select(_e260, _e575, (_e575 < _e260));
-let _e582 = global_3.member[bitcast<u32>(select(0i, _e577, (_e577 > 0i)))];
-let _e583 = local;
-let _e585 = local_1;
-let _e586 = ((6i * _e583) + _e585);
-let _e588 = select(_e260, _e586, (_e586 < _e260));
-let _e593 = global_3.member[bitcast<u32>(select(0i, _e588, (_e588 > 0i)))];
-let _e594 = local;
-let _e596 = local_1;
-let _e597 = ((7i * _e594) + _e596);
-let _e599 = select(_e260, _e597, (_e597 < _e260));
-let _e604 = global_3.member[bitcast<u32>(select(0i, _e599, (_e599 > 0i)))];
-let _e619 = (0.5f * bitcast<f32>((bitcast<u32>((((_e528 - _e267) * (_e452 - _e364)) - ((_e538 - _e277) * (_e442 - _e354)))) & 2147483647u)));
-let _e625 = (f32(bitcast<i32>(_e250)) - 0.5f);
-let _e628 = (f32(bitcast<i32>(_e248)) - 0.5f);
-let _e642 = (_e625 + 1f);
-let _e657 = (_e628 + 1f);
-let _e689 = select(0f, (0.25f / select(select(0.25f, _e619, (_e619 > 0.25f)), 1f, (((_e343 + _e430) + (_e518 + _e604)) == 0f))), (((((((bitcast<f32>((bitcast<u32>((_e267 - _e625)) & 2147483647u)) < 0.5f) && (bitcast<f32>((bitcast<u32>((_e277 - _e628)) & 2147483647u)) < 0.5f)) && (_e343 != 2f)) && (((bitcast<f32>((bitcast<u32>((_e354 - _e642)) & 2147483647u)) < 0.5f) && (bitcast<f32>((bitcast<u32>((_e364 - _e628)) & 2147483647u)) < 0.5f)) && (_e430 != 2f))) && (((bitcast<f32>((bitcast<u32>((_e442 - _e625)) & 2147483647u)) < 0.5f) && (bitcast<f32>((bitcast<u32>((_e452 - _e657)) & 2147483647u)) < 0.5f)) && (_e518 != 2f))) && (((bitcast<f32>((bitcast<u32>((_e528 - _e642)) & 2147483647u)) < 0.5f) && (bitcast<f32>((bitcast<u32>((_e538 - _e657)) & 2147483647u)) < 0.5f)) && (_e604 != 2f))) && (_e619 >= 0.5f)));
-let _e690 = select(0f, _e689, _e244);
-let _e703 = select(1f, (((_e288 + _e375) + (_e463 + _e549)) * _e689), _e244);
-let _e704 = select(1f, (((_e299 + _e386) + (_e474 + _e560)) * _e689), _e244);
-let _e705 = select(1f, (((_e310 + _e397) + (_e485 + _e571)) * _e689), _e244);
-let _e709 = (1f / 3f);
-let _e710 = (((_e288 + _e299) + _e310) * _e709);
-let _e715 = (((_e375 + _e386) + _e397) * _e709);
-let _e722 = (((_e463 + _e474) + _e485) * _e709);
-let _e727 = (((_e549 + _e560) + _e571) * _e709);
-let _e739 = global_2.member.member_10.member_15;
-let _e740 = bitcast<i32>(_e739);
-let _e742 = (firstTrailingBit(8u) & 31u);
-let _e744 = (_e119 >> bitcast<u32>(_e742));
-let _e746 = (_e122 >> bitcast<u32>(_e742));
-let _e751 = global_2.member.member_10.member_14.member;
-let _e752 = bitcast<i32>(_e751);
-let _e757 = global_2.member.member_10.member_14.member_1;
-let _e758 = bitcast<i32>(_e757);
-let _e763 = global_2.member.member_10.member_14.member_2;
-if ((((((_e744 >= 0i) && (_e744 < _e752)) && (_e746 >= 0i)) && (_e746 < _e758)) && (_e740 >= 0i)) && (_e740 < bitcast<i32>(_e763))) {
-phi_1383_ = (((((_e740 * _e758) + _e746) * _e752) + _e744) * 3i);
+let _e242 = phi_275_;
+let _e243 = (_e225 * _e231);
+let _e245 = (bitcast<i32>(_e55) - 1i);
+let _e247 = select(_e245, _e242, (_e242 < _e245));
+let _e253 = global_3.member[bitcast<u32>(select(0i, _e247, (_e247 > 0i)))];
+let _e256 = select(0f, 1f, (_e238 && (_e253 == 32f)));
+let _e258 = ((3i * _e243) + _e242);
+let _e260 = select(_e245, _e258, (_e258 < _e245));
+let _e266 = global_3.member[bitcast<u32>(select(0i, _e260, (_e260 > 0i)))];
+let _e268 = ((4i * _e243) + _e242);
+let _e270 = select(_e245, _e268, (_e268 < _e245));
+let _e276 = global_3.member[bitcast<u32>(select(0i, _e270, (_e270 > 0i)))];
+let _e278 = ((5i * _e243) + _e242);
+let _e280 = select(_e245, _e278, (_e278 < _e245));
+let _e286 = global_3.member[bitcast<u32>(select(0i, _e280, (_e280 > 0i)))];
+let _e288 = ((6i * _e243) + _e242);
+let _e290 = select(_e245, _e288, (_e288 < _e245));
+let _e296 = global_3.member[bitcast<u32>(select(0i, _e290, (_e290 > 0i)))];
+let _e298 = ((7i * _e243) + _e242);
+let _e300 = select(_e245, _e298, (_e298 < _e245));
+let _e306 = global_3.member[bitcast<u32>(select(0i, _e300, (_e300 > 0i)))];
+let _e315 = f32(_e113);
+let _e316 = f32(_e116);
+let _e320 = global_2.member.member_10.member_3;
+let _e321 = (_e320 == 0u);
+if _e321 {
+phi_452_ = 1f;
 } else {
-phi_1383_ = -1i;
+let _e325 = global_2.member.member_10.member_5;
+let _e329 = global_2.member.member_10.member_7;
+let _e331 = (_e325 + (_e315 * _e329));
+let _e335 = global_2.member.member_10.member_6;
+let _e337 = (_e335 + (_e316 * _e329));
+let _e342 = (((_e331 * _e331) + (_e337 * _e337)) + (1f * 1f));
+let _e346 = (1f / sqrt(select(0f, _e342, (_e342 > 0f))));
+phi_452_ = ((_e346 * _e346) * _e346);
 }
-let _e782 = phi_1383_;
-let _e783 = (_e782 + 2i);
-let _e785 = select(_e101, _e783, (_e783 < _e101));
-let _e791 = global_5.member[bitcast<u32>(select(0i, _e785, (_e785 > 0i)))];
-let _e792 = bitcast<i32>(_e791);
-let _e803 = select(((((_e792 - 1i) * 64i) + ((_e122 & 7i) * 8i)) + (_e119 & 7i)), -1i, ((_e782 < 0i) || (_e792 == 0i)));
-let _e804 = (_e803 * 6i);
-let _e810 = global_2.member.member_10.member_20;
-let _e811 = (select(0f, 1f, (_e803 >= 0i)) / _e810);
-let _e813 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
-let _e815 = select(_e813, _e804, (_e804 < _e813));
-let _e821 = global_4.member[bitcast<u32>(select(0i, _e815, (_e815 > 0i)))];
-let _e822 = bitcast<i32>(_e821);
-let _e823 = (_e804 + 1i);
-let _e825 = select(_e813, _e823, (_e823 < _e813));
-let _e831 = global_4.member[bitcast<u32>(select(0i, _e825, (_e825 > 0i)))];
-let _e836 = f32(_e822);
-let _e838 = (_e804 + 2i);
-let _e840 = select(_e813, _e838, (_e838 < _e813));
-let _e846 = global_4.member[bitcast<u32>(select(0i, _e840, (_e840 > 0i)))];
-let _e847 = bitcast<i32>(_e846);
-let _e848 = (_e804 + 3i);
-let _e850 = select(_e813, _e848, (_e848 < _e813));
-let _e856 = global_4.member[bitcast<u32>(select(0i, _e850, (_e850 > 0i)))];
-if (((_e69.member_2 == 3u) || (_e69.member_2 == 4u)) || _e124) {
-phi_1553_ = vec3(_e836);
+let _e350 = phi_452_;
+let _e351 = (_e315 + 1f);
+if _e321 {
+phi_486_ = 1f;
 } else {
-let _e867 = (_e804 + 4i);
-let _e869 = select(_e813, _e867, (_e867 < _e813));
-let _e875 = global_4.member[bitcast<u32>(select(0i, _e869, (_e869 > 0i)))];
-phi_1553_ = vec3<f32>(_e836, f32((bitcast<i32>(_e831) - (_e822 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e875)));
+let _e355 = global_2.member.member_10.member_5;
+let _e359 = global_2.member.member_10.member_7;
+let _e361 = (_e355 + (_e351 * _e359));
+let _e365 = global_2.member.member_10.member_6;
+let _e367 = (_e365 + (_e316 * _e359));
+let _e372 = (((_e361 * _e361) + (_e367 * _e367)) + (1f * 1f));
+let _e376 = (1f / sqrt(select(0f, _e372, (_e372 > 0f))));
+phi_486_ = ((_e376 * _e376) * _e376);
 }
-let _e881 = phi_1553_;
-let _e883 = (_e881.x * _e811);
-let _e885 = (_e881.y * _e811);
-let _e887 = (_e881.z * _e811);
-let _e895 = ((((_e703 + _e883) + (_e704 + _e885)) + (_e705 + _e887)) * _e709);
-let _e896 = (_e895 > 1e-4f);
-let _e899 = select(0f, (1f / select(1e-4f, _e895, _e896)), _e896);
-let _e902 = ((((((_e321 * _e710) + (_e408 * _e715)) + ((_e496 * _e722) + (_e582 * _e727))) * _e690) + (f32(_e847) * _e811)) * _e899);
-let _e905 = ((((((_e332 * _e710) + (_e419 * _e715)) + ((_e507 * _e722) + (_e593 * _e727))) * _e690) + (f32((bitcast<i32>(_e856) - (_e847 >> bitcast<u32>(31i)))) * _e811)) * _e899);
-if (_e902 < 0f) {
-let _e933 = ((bitcast<f32>((bitcast<u32>(_e902) & 2147483647u)) * 16255f) + 0.5f);
-let _e934 = (2f * 16255f);
-let _e936 = select(0f, _e933, (_e933 > 0f));
-let _e938 = select(_e934, _e936, (_e936 < _e934));
-let _e945 = select(0i, select(select(i32(_e938), i32(-2147483648), (_e938 < -2147483600f)), 2147483647i, (_e938 > 2147483500f)), (_e938 == _e938));
-phi_1597_ = (32768i - (_e945 - select(0i, 1i, (_e938 < f32(_e945)))));
+let _e380 = phi_486_;
+let _e382 = (_e316 + 1f);
+if _e321 {
+phi_521_ = 1f;
 } else {
-let _e911 = ((bitcast<f32>((bitcast<u32>(_e902) & 2147483647u)) * 16255f) + 0.5f);
-let _e912 = (2f * 16255f);
-let _e914 = select(0f, _e911, (_e911 > 0f));
-let _e916 = select(_e912, _e914, (_e914 < _e912));
-let _e923 = select(0i, select(select(i32(_e916), i32(-2147483648), (_e916 < -2147483600f)), 2147483647i, (_e916 > 2147483500f)), (_e916 == _e916));
-phi_1597_ = (32768i + (_e923 - select(0i, 1i, (_e916 < f32(_e923)))));
+let _e386 = global_2.member.member_10.member_5;
+let _e390 = global_2.member.member_10.member_7;
+let _e392 = (_e386 + (_e315 * _e390));
+let _e396 = global_2.member.member_10.member_6;
+let _e398 = (_e396 + (_e382 * _e390));
+let _e403 = (((_e392 * _e392) + (_e398 * _e398)) + (1f * 1f));
+let _e407 = (1f / sqrt(select(0f, _e403, (_e403 > 0f))));
+phi_521_ = ((_e407 * _e407) * _e407);
 }
-let _e952 = phi_1597_;
-let _e959 = ((bitcast<f32>((bitcast<u32>(_e905) & 2147483647u)) * 16255f) + 0.5f);
-let _e960 = (2f * 16255f);
-let _e962 = select(0f, _e959, (_e959 > 0f));
-let _e964 = select(_e960, _e962, (_e962 < _e960));
-let _e971 = select(0i, select(select(i32(_e964), i32(-2147483648), (_e964 < -2147483600f)), 2147483647i, (_e964 > 2147483500f)), (_e964 == _e964));
-phi_1744_ = type_17((vec3<f32>(_e703, _e704, _e705) + vec3<f32>(_e883, _e885, _e887)), bitcast<f32>(((select(0u, 2147483648u, (_e905 < 0f)) | (bitcast<u32>(((_e971 - select(0i, 1i, (_e964 < f32(_e971)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e952))));
+let _e411 = phi_521_;
+if _e321 {
+phi_556_ = 1f;
 } else {
-let _e137 = global_2.member.member_10.member_4.member;
-let _e147 = global_2.member.member_10.member_4.member_1;
-let _e150 = ((((_e119 >= 0i) && (_e119 <= bitcast<i32>(_e137))) && (_e122 >= 0i)) && (_e122 <= bitcast<i32>(_e147)));
-if _e150 {
-phi_1635_ = bitcast<u32>(_e122);
-phi_1636_ = bitcast<u32>(_e119);
+let _e415 = global_2.member.member_10.member_5;
+let _e419 = global_2.member.member_10.member_7;
+let _e421 = (_e415 + (_e351 * _e419));
+let _e425 = global_2.member.member_10.member_6;
+let _e427 = (_e425 + (_e382 * _e419));
+let _e432 = (((_e421 * _e421) + (_e427 * _e427)) + (1f * 1f));
+let _e436 = (1f / sqrt(select(0f, _e432, (_e432 > 0f))));
+phi_556_ = ((_e436 * _e436) * _e436);
+}
+let _e440 = phi_556_;
+let _e443 = (((_e350 + _e380) + (_e411 + _e440)) * 0.25f);
+if _e321 {
+phi_666_ = 1f;
 } else {
-phi_1635_ = 0u;
-phi_1636_ = 0u;
+let _e449 = global_2.member.member_10.member_5;
+let _e453 = global_2.member.member_10.member_7;
+let _e455 = (_e449 + ((_e315 + 0.5f) * _e453));
+let _e459 = global_2.member.member_10.member_6;
+let _e461 = (_e459 + ((_e316 + 0.5f) * _e453));
+let _e466 = global_2.member.member_10.member_20.member;
+let _e474 = (((_e466.member * _e455) + (_e466.member_1 * _e461)) + (_e466.member_2 * 1f));
+let _e478 = (_e455 - (_e466.member * _e474));
+let _e479 = (_e461 - (_e466.member_1 * _e474));
+let _e480 = (1f - (_e466.member_2 * _e474));
+let _e485 = (((_e478 * _e478) + (_e479 * _e479)) + (_e480 * _e480));
+let _e496 = global_2.member.member_10.member_20.member_1;
+let _e502 = global_2.member.member_10.member_20.member_2;
+let _e503 = ((_e496 - (sqrt(select(0f, _e485, (_e485 > 0f))) / select(1e-20f, _e474, (_e474 > 1e-20f)))) * _e502);
+let _e505 = select(0f, _e503, (_e503 > 0f));
+let _e507 = select(1f, _e505, (_e505 < 1f));
+phi_666_ = select(1f, select(0f, ((_e507 * _e507) * (3f - (2f * _e507))), (_e474 > 0f)), (_e502 > 0f));
 }
-let _e154 = phi_1635_;
-let _e156 = phi_1636_;
-let _e157 = (_e137 + 1u);
-let _e160 = bitcast<i32>((_e157 * (_e147 + 1u)));
-let _e165 = ((6i * _e160) + bitcast<i32>(((_e154 * _e157) + _e156)));
-let _e167 = (bitcast<i32>(_e61) - 1i);
-let _e169 = select(_e167, _e165, (_e165 < _e167));
-let _e175 = global_3.member[bitcast<u32>(select(0i, _e169, (_e169 > 0i)))];
-let _e176 = (_e165 + _e160);
-let _e178 = select(_e167, _e176, (_e176 < _e167));
-let _e184 = global_3.member[bitcast<u32>(select(0i, _e178, (_e178 > 0i)))];
-let _e186 = (_e165 + (2i * _e160));
-let _e188 = select(_e167, _e186, (_e186 < _e167));
-let _e194 = global_3.member[bitcast<u32>(select(0i, _e188, (_e188 > 0i)))];
-let _e200 = ((0f * 16255f) + 0.5f);
-let _e201 = (2f * 16255f);
-let _e203 = select(0f, _e200, (_e200 > 0f));
-let _e205 = select(_e201, _e203, (_e203 < _e201));
-let _e212 = select(0i, select(select(i32(_e205), i32(-2147483648), (_e205 < -2147483600f)), 2147483647i, (_e205 > 2147483500f)), (_e205 == _e205));
-let _e216 = (_e212 - select(0i, 1i, (_e205 < f32(_e212))));
-phi_1744_ = type_17(vec3<f32>(select(1f, _e175, _e150), select(1f, _e184, _e150), select(1f, _e194, _e150)), bitcast<f32>(((bitcast<u32>((_e216 + 128i)) << bitcast<u32>(16i)) | bitcast<u32>((32768i + _e216)))));
+let _e517 = phi_666_;
+let _e519 = select((_e443 * _e517), 1f, _e238);
+let _e526 = global_2.member.member_10.member_15;
+let _e527 = bitcast<i32>(_e526);
+let _e529 = (firstTrailingBit(8u) & 31u);
+let _e531 = (_e113 >> bitcast<u32>(_e529));
+let _e533 = (_e116 >> bitcast<u32>(_e529));
+let _e538 = global_2.member.member_10.member_14.member;
+let _e539 = bitcast<i32>(_e538);
+let _e544 = global_2.member.member_10.member_14.member_1;
+let _e545 = bitcast<i32>(_e544);
+let _e550 = global_2.member.member_10.member_14.member_2;
+if ((((((_e531 >= 0i) && (_e531 < _e539)) && (_e533 >= 0i)) && (_e533 < _e545)) && (_e527 >= 0i)) && (_e527 < bitcast<i32>(_e550))) {
+phi_720_ = (((((_e527 * _e545) + _e533) * _e539) + _e531) * 3i);
+} else {
+phi_720_ = -1i;
 }
-let _e986 = phi_1744_;
-global_1.member[((_e78 * _e69.member) + _e76)] = _e986.member.x;
+let _e569 = phi_720_;
+let _e570 = (_e569 + 2i);
+let _e572 = select(_e95, _e570, (_e570 < _e95));
+let _e578 = global_5.member[bitcast<u32>(select(0i, _e572, (_e572 > 0i)))];
+let _e579 = bitcast<i32>(_e578);
+if ((_e569 < 0i) || (_e579 == 0i)) {
+phi_764_ = -1i;
+} else {
+let _e594 = global_2.member.member_10.member_17.member;
+let _e599 = global_2.member.member_10.member_17.member_1;
+phi_764_ = (bitcast<i32>((_e594 * _e599)) + ((((_e579 - 1i) * 64i) + ((_e116 & 7i) * 8i)) + (_e113 & 7i)));
+}
+let _e604 = phi_764_;
+let _e605 = (_e604 * 6i);
+let _e607 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
+let _e609 = select(_e607, _e605, (_e605 < _e607));
+let _e615 = global_4.member[bitcast<u32>(select(0i, _e609, (_e609 > 0i)))];
+let _e616 = bitcast<i32>(_e615);
+let _e617 = (_e605 + 1i);
+let _e619 = select(_e607, _e617, (_e617 < _e607));
+let _e625 = global_4.member[bitcast<u32>(select(0i, _e619, (_e619 > 0i)))];
+let _e630 = f32(_e616);
+let _e632 = (_e605 + 2i);
+let _e634 = select(_e607, _e632, (_e632 < _e607));
+let _e640 = global_4.member[bitcast<u32>(select(0i, _e634, (_e634 > 0i)))];
+let _e641 = bitcast<i32>(_e640);
+let _e642 = (_e605 + 3i);
+let _e644 = select(_e607, _e642, (_e642 < _e607));
+let _e650 = global_4.member[bitcast<u32>(select(0i, _e644, (_e644 > 0i)))];
+let _e660 = (((_e63.member_2 == 3u) || (_e63.member_2 == 4u)) || _e118);
+if _e660 {
+phi_890_ = vec3(_e630);
+} else {
+let _e661 = (_e605 + 4i);
+let _e663 = select(_e607, _e661, (_e661 < _e607));
+let _e669 = global_4.member[bitcast<u32>(select(0i, _e663, (_e663 > 0i)))];
+phi_890_ = vec3<f32>(_e630, f32((bitcast<i32>(_e625) - (_e616 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e669)));
+}
+let _e675 = phi_890_;
+let _e677 = select(0f, 1f, (_e604 >= 0i));
+let _e682 = (firstTrailingBit(4u) & 31u);
+let _e684 = (_e113 >> bitcast<u32>(_e682));
+let _e686 = (_e116 >> bitcast<u32>(_e682));
+let _e691 = (1f / 4f);
+let _e692 = (f32((_e113 - (_e684 << bitcast<u32>(_e682)))) * _e691);
+let _e697 = (f32((_e116 - (_e686 << bitcast<u32>(_e682)))) * _e691);
+let _e702 = global_2.member.member_10.member_17.member;
+let _e703 = bitcast<i32>(_e702);
+let _e708 = global_2.member.member_10.member_17.member_1;
+let _e709 = bitcast<i32>(_e708);
+let _e710 = (_e684 + 1i);
+let _e711 = (_e686 + 1i);
+let _e714 = ((_e710 >= 0i) && (_e710 < _e703));
+let _e715 = (_e711 >= 0i);
+let _e717 = (_e711 < _e709);
+if ((_e714 && _e715) && _e717) {
+phi_945_ = ((_e711 * _e703) + _e710);
+} else {
+phi_945_ = -1i;
+}
+let _e722 = phi_945_;
+let _e723 = (1f - _e692);
+let _e724 = (1f - _e697);
+let _e726 = (_e722 * 6i);
+let _e728 = select(_e607, _e726, (_e726 < _e607));
+let _e734 = global_4.member[bitcast<u32>(select(0i, _e728, (_e728 > 0i)))];
+let _e735 = bitcast<i32>(_e734);
+let _e736 = (_e726 + 1i);
+let _e738 = select(_e607, _e736, (_e736 < _e607));
+let _e744 = global_4.member[bitcast<u32>(select(0i, _e738, (_e738 > 0i)))];
+let _e749 = f32(_e735);
+let _e751 = (_e726 + 2i);
+let _e753 = select(_e607, _e751, (_e751 < _e607));
+let _e759 = global_4.member[bitcast<u32>(select(0i, _e753, (_e753 > 0i)))];
+let _e760 = bitcast<i32>(_e759);
+let _e761 = (_e726 + 3i);
+let _e763 = select(_e607, _e761, (_e761 < _e607));
+let _e769 = global_4.member[bitcast<u32>(select(0i, _e763, (_e763 > 0i)))];
+if _e660 {
+phi_1074_ = vec3(_e749);
+} else {
+let _e776 = (_e726 + 4i);
+let _e778 = select(_e607, _e776, (_e776 < _e607));
+let _e784 = global_4.member[bitcast<u32>(select(0i, _e778, (_e778 > 0i)))];
+phi_1074_ = vec3<f32>(_e749, f32((bitcast<i32>(_e744) - (_e735 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e784)));
+}
+let _e790 = phi_1074_;
+let _e792 = select(0f, (_e723 * _e724), (_e722 >= 0i));
+let _e796 = (_e684 + 2i);
+let _e799 = ((_e796 >= 0i) && (_e796 < _e703));
+if ((_e799 && _e715) && _e717) {
+phi_1109_ = ((_e711 * _e703) + _e796);
+} else {
+phi_1109_ = -1i;
+}
+let _e805 = phi_1109_;
+let _e807 = (_e805 * 6i);
+let _e809 = select(_e607, _e807, (_e807 < _e607));
+let _e815 = global_4.member[bitcast<u32>(select(0i, _e809, (_e809 > 0i)))];
+let _e816 = bitcast<i32>(_e815);
+let _e817 = (_e807 + 1i);
+let _e819 = select(_e607, _e817, (_e817 < _e607));
+let _e825 = global_4.member[bitcast<u32>(select(0i, _e819, (_e819 > 0i)))];
+let _e830 = f32(_e816);
+let _e832 = (_e807 + 2i);
+let _e834 = select(_e607, _e832, (_e832 < _e607));
+let _e840 = global_4.member[bitcast<u32>(select(0i, _e834, (_e834 > 0i)))];
+let _e841 = bitcast<i32>(_e840);
+let _e842 = (_e807 + 3i);
+let _e844 = select(_e607, _e842, (_e842 < _e607));
+let _e850 = global_4.member[bitcast<u32>(select(0i, _e844, (_e844 > 0i)))];
+if _e660 {
+phi_1237_ = vec3(_e830);
+} else {
+let _e857 = (_e807 + 4i);
+let _e859 = select(_e607, _e857, (_e857 < _e607));
+let _e865 = global_4.member[bitcast<u32>(select(0i, _e859, (_e859 > 0i)))];
+phi_1237_ = vec3<f32>(_e830, f32((bitcast<i32>(_e825) - (_e816 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e865)));
+}
+let _e871 = phi_1237_;
+let _e873 = select(0f, (_e692 * _e724), (_e805 >= 0i));
+let _e880 = (_e686 + 2i);
+let _e881 = (_e880 >= 0i);
+let _e883 = (_e880 < _e709);
+if ((_e714 && _e881) && _e883) {
+phi_1284_ = ((_e880 * _e703) + _e710);
+} else {
+phi_1284_ = -1i;
+}
+let _e888 = phi_1284_;
+let _e890 = (_e888 * 6i);
+let _e892 = select(_e607, _e890, (_e890 < _e607));
+let _e898 = global_4.member[bitcast<u32>(select(0i, _e892, (_e892 > 0i)))];
+let _e899 = bitcast<i32>(_e898);
+let _e900 = (_e890 + 1i);
+let _e902 = select(_e607, _e900, (_e900 < _e607));
+let _e908 = global_4.member[bitcast<u32>(select(0i, _e902, (_e902 > 0i)))];
+let _e913 = f32(_e899);
+let _e915 = (_e890 + 2i);
+let _e917 = select(_e607, _e915, (_e915 < _e607));
+let _e923 = global_4.member[bitcast<u32>(select(0i, _e917, (_e917 > 0i)))];
+let _e924 = bitcast<i32>(_e923);
+let _e925 = (_e890 + 3i);
+let _e927 = select(_e607, _e925, (_e925 < _e607));
+let _e933 = global_4.member[bitcast<u32>(select(0i, _e927, (_e927 > 0i)))];
+if _e660 {
+phi_1412_ = vec3(_e913);
+} else {
+let _e940 = (_e890 + 4i);
+let _e942 = select(_e607, _e940, (_e940 < _e607));
+let _e948 = global_4.member[bitcast<u32>(select(0i, _e942, (_e942 > 0i)))];
+phi_1412_ = vec3<f32>(_e913, f32((bitcast<i32>(_e908) - (_e899 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e948)));
+}
+let _e954 = phi_1412_;
+let _e956 = select(0f, (_e723 * _e697), (_e888 >= 0i));
+if ((_e799 && _e881) && _e883) {
+phi_1448_ = ((_e880 * _e703) + _e796);
+} else {
+phi_1448_ = -1i;
+}
+let _e965 = phi_1448_;
+let _e967 = (_e965 * 6i);
+let _e969 = select(_e607, _e967, (_e967 < _e607));
+let _e975 = global_4.member[bitcast<u32>(select(0i, _e969, (_e969 > 0i)))];
+let _e976 = bitcast<i32>(_e975);
+let _e977 = (_e967 + 1i);
+let _e979 = select(_e607, _e977, (_e977 < _e607));
+let _e985 = global_4.member[bitcast<u32>(select(0i, _e979, (_e979 > 0i)))];
+let _e990 = f32(_e976);
+let _e992 = (_e967 + 2i);
+let _e994 = select(_e607, _e992, (_e992 < _e607));
+let _e1000 = global_4.member[bitcast<u32>(select(0i, _e994, (_e994 > 0i)))];
+let _e1001 = bitcast<i32>(_e1000);
+let _e1002 = (_e967 + 3i);
+let _e1004 = select(_e607, _e1002, (_e1002 < _e607));
+let _e1010 = global_4.member[bitcast<u32>(select(0i, _e1004, (_e1004 > 0i)))];
+if _e660 {
+phi_1575_ = vec3(_e990);
+} else {
+let _e1017 = (_e967 + 4i);
+let _e1019 = select(_e607, _e1017, (_e1017 < _e607));
+let _e1025 = global_4.member[bitcast<u32>(select(0i, _e1019, (_e1019 > 0i)))];
+phi_1575_ = vec3<f32>(_e990, f32((bitcast<i32>(_e985) - (_e976 >> bitcast<u32>(31i)))), f32(bitcast<i32>(_e1025)));
+}
+let _e1031 = phi_1575_;
+let _e1033 = select(0f, (_e692 * _e697), (_e965 >= 0i));
+let _e1043 = ((_e675 * _e677) + (((_e790 * _e792) + (_e871 * _e873)) + ((_e954 * _e956) + (_e1031 * _e1033))));
+let _e1049 = global_2.member.member_10.member_22;
+let _e1050 = (1f / _e1049);
+let _e1057 = ((select(1f, (_e266 * _e256), _e238) * _e519) + (_e1043.x * _e1050));
+let _e1058 = ((select(1f, (_e276 * _e256), _e238) * _e519) + (_e1043.y * _e1050));
+let _e1059 = ((select(1f, (_e286 * _e256), _e238) * _e519) + (_e1043.z * _e1050));
+let _e1063 = (((_e1057 + _e1058) + _e1059) * (1f / 3f));
+let _e1064 = (_e1063 > 1e-4f);
+let _e1067 = select(0f, (1f / select(1e-4f, _e1063, _e1064)), _e1064);
+let _e1070 = (((_e296 * _e256) + (((f32(_e641) * _e677) + (((f32(_e760) * _e792) + (f32(_e841) * _e873)) + ((f32(_e924) * _e956) + (f32(_e1001) * _e1033)))) * _e1050)) * _e1067);
+let _e1073 = (((_e306 * _e256) + (((f32((bitcast<i32>(_e650) - (_e641 >> bitcast<u32>(31i)))) * _e677) + (((f32((bitcast<i32>(_e769) - (_e760 >> bitcast<u32>(31i)))) * _e792) + (f32((bitcast<i32>(_e850) - (_e841 >> bitcast<u32>(31i)))) * _e873)) + ((f32((bitcast<i32>(_e933) - (_e924 >> bitcast<u32>(31i)))) * _e956) + (f32((bitcast<i32>(_e1010) - (_e1001 >> bitcast<u32>(31i)))) * _e1033)))) * _e1050)) * _e1067);
+let _e1074 = (1f / _e443);
+if (_e1070 < 0f) {
+let _e1106 = ((bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u)) * 16255f) + 0.5f);
+let _e1107 = (2f * 16255f);
+let _e1109 = select(0f, _e1106, (_e1106 > 0f));
+let _e1111 = select(_e1107, _e1109, (_e1109 < _e1107));
+let _e1118 = select(0i, select(select(i32(_e1111), i32(-2147483648), (_e1111 < -2147483600f)), 2147483647i, (_e1111 > 2147483500f)), (_e1111 == _e1111));
+phi_1673_ = (32768i - (_e1118 - select(0i, 1i, (_e1111 < f32(_e1118)))));
+} else {
+let _e1084 = ((bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u)) * 16255f) + 0.5f);
+let _e1085 = (2f * 16255f);
+let _e1087 = select(0f, _e1084, (_e1084 > 0f));
+let _e1089 = select(_e1085, _e1087, (_e1087 < _e1085));
+let _e1096 = select(0i, select(select(i32(_e1089), i32(-2147483648), (_e1089 < -2147483600f)), 2147483647i, (_e1089 > 2147483500f)), (_e1089 == _e1089));
+phi_1673_ = (32768i + (_e1096 - select(0i, 1i, (_e1089 < f32(_e1096)))));
+}
+let _e1125 = phi_1673_;
+let _e1132 = ((bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u)) * 16255f) + 0.5f);
+let _e1133 = (2f * 16255f);
+let _e1135 = select(0f, _e1132, (_e1132 > 0f));
+let _e1137 = select(_e1133, _e1135, (_e1135 < _e1133));
+let _e1144 = select(0i, select(select(i32(_e1137), i32(-2147483648), (_e1137 < -2147483600f)), 2147483647i, (_e1137 > 2147483500f)), (_e1137 == _e1137));
+phi_1820_ = type_17(vec3<f32>((_e1057 * _e1074), (_e1058 * _e1074), (_e1059 * _e1074)), bitcast<f32>(((select(0u, 2147483648u, (_e1073 < 0f)) | (bitcast<u32>(((_e1144 - select(0i, 1i, (_e1137 < f32(_e1144)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1125))));
+} else {
+let _e131 = global_2.member.member_10.member_4.member;
+let _e141 = global_2.member.member_10.member_4.member_1;
+let _e144 = ((((_e113 >= 0i) && (_e113 <= bitcast<i32>(_e131))) && (_e116 >= 0i)) && (_e116 <= bitcast<i32>(_e141)));
+if _e144 {
+phi_1711_ = bitcast<u32>(_e116);
+phi_1712_ = bitcast<u32>(_e113);
+} else {
+phi_1711_ = 0u;
+phi_1712_ = 0u;
+}
+let _e148 = phi_1711_;
+let _e150 = phi_1712_;
+let _e151 = (_e131 + 1u);
+let _e154 = bitcast<i32>((_e151 * (_e141 + 1u)));
+let _e159 = ((6i * _e154) + bitcast<i32>(((_e148 * _e151) + _e150)));
+let _e161 = (bitcast<i32>(_e55) - 1i);
+let _e163 = select(_e161, _e159, (_e159 < _e161));
+let _e169 = global_3.member[bitcast<u32>(select(0i, _e163, (_e163 > 0i)))];
+let _e170 = (_e159 + _e154);
+let _e172 = select(_e161, _e170, (_e170 < _e161));
+let _e178 = global_3.member[bitcast<u32>(select(0i, _e172, (_e172 > 0i)))];
+let _e180 = (_e159 + (2i * _e154));
+let _e182 = select(_e161, _e180, (_e180 < _e161));
+let _e188 = global_3.member[bitcast<u32>(select(0i, _e182, (_e182 > 0i)))];
+let _e194 = ((0f * 16255f) + 0.5f);
+let _e195 = (2f * 16255f);
+let _e197 = select(0f, _e194, (_e194 > 0f));
+let _e199 = select(_e195, _e197, (_e197 < _e195));
+let _e206 = select(0i, select(select(i32(_e199), i32(-2147483648), (_e199 < -2147483600f)), 2147483647i, (_e199 > 2147483500f)), (_e199 == _e199));
+let _e210 = (_e206 - select(0i, 1i, (_e199 < f32(_e206))));
+phi_1820_ = type_17(vec3<f32>(select(1f, _e169, _e144), select(1f, _e178, _e144), select(1f, _e188, _e144)), bitcast<f32>(((bitcast<u32>((_e210 + 128i)) << bitcast<u32>(16i)) | bitcast<u32>((32768i + _e210)))));
+}
+let _e1159 = phi_1820_;
+global_1.member[((_e72 * _e63.member) + _e70)] = _e1159.member.x;
 }
 }
 return;

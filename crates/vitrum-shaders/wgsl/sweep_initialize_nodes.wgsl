@@ -100,6 +100,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_20 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_21 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -117,17 +122,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_19,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_13,
+member_18: type_19,
+member_19: type_5,
+member_20: type_20,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_7,
 member_1: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
 member_1: u32,
 member_2: type_14,
@@ -138,62 +146,68 @@ member_6: type_16,
 member_7: type_16,
 member_8: type_17,
 member_9: type_18,
-member_10: type_20,
+member_10: type_21,
 member_11: type_15,
 member_12: type_4,
 member_13: type_9,
-member_14: type_21,
-member_15: type_21,
-member_16: type_21,
-member_17: type_21,
+member_14: type_22,
+member_15: type_22,
+member_16: type_22,
+member_17: type_22,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_23 {
-member: type_22,
+struct type_24 {
+member: type_23,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(1)
 var<storage, read_write> global_2: type_11;
 fn function_() {
-let _e18 = global;
-let _e21 = global_1.member.member_2;
-let _e24 = global_1.member.member;
-let _e32 = (_e18.x + _e21.member);
-let _e34 = (_e18.y + _e21.member_1);
-if (_e32 < _e21.member_2) {
-if (_e34 < _e21.member_3) {
-let _e37 = (_e24.member * _e24.member_1);
-let _e39 = ((_e34 * _e24.member) + _e32);
-let _e47 = global_1.member.member_10.member_9;
-let _e51 = global_1.member.member_10.member_3;
-let _e52 = (_e51 != 0u);
-let _e53 = select(1f, _e47, _e52);
-let _e57 = global_1.member.member_10.member_5;
-let _e61 = global_1.member.member_10.member_7;
-let _e64 = ((_e57 + (f32(bitcast<i32>(_e32)) * _e61)) * _e53);
-let _e68 = global_1.member.member_10.member_6;
-let _e71 = ((_e68 + (f32(bitcast<i32>(_e34)) * _e61)) * _e53);
-let _e76 = (((_e64 * _e64) + (_e71 * _e71)) + (_e47 * _e47));
-let _e79 = sqrt(select(0f, _e76, (_e76 > 0f)));
-let _e82 = (1f / select(1e-20f, _e79, (_e79 > 1e-20f)));
-global_2.member[_e39] = _e64;
-global_2.member[(_e37 + _e39)] = _e71;
-global_2.member[((2u * _e37) + _e39)] = _e47;
-global_2.member[((3u * _e37) + _e39)] = select(0f, (_e64 * _e82), _e52);
-global_2.member[((4u * _e37) + _e39)] = select(0f, (_e71 * _e82), _e52);
-global_2.member[((5u * _e37) + _e39)] = select(1f, (_e47 * _e82), _e52);
-global_2.member[((6u * _e37) + _e39)] = 1f;
-global_2.member[((7u * _e37) + _e39)] = 1f;
-global_2.member[((8u * _e37) + _e39)] = 1f;
-global_2.member[((9u * _e37) + _e39)] = 0f;
-global_2.member[((10u * _e37) + _e39)] = 0f;
-global_2.member[((11u * _e37) + _e39)] = 0f;
-global_2.member[((12u * _e37) + _e39)] = 0f;
+let _e19 = global;
+let _e22 = global_1.member.member_2;
+let _e25 = global_1.member.member;
+let _e33 = (_e19.x + _e22.member);
+let _e35 = (_e19.y + _e22.member_1);
+if (_e33 < _e22.member_2) {
+if (_e35 < _e22.member_3) {
+let _e38 = (_e25.member * _e25.member_1);
+let _e40 = ((_e35 * _e25.member) + _e33);
+let _e48 = global_1.member.member_10.member_9;
+let _e52 = global_1.member.member_10.member_3;
+let _e53 = (_e52 != 0u);
+let _e61 = global_1.member.member_10.member_19.member_2;
+let _e63 = select(1f, (_e48 - _e61), _e53);
+let _e67 = global_1.member.member_10.member_5;
+let _e71 = global_1.member.member_10.member_7;
+let _e74 = ((_e67 + (f32(bitcast<i32>(_e33)) * _e71)) * _e63);
+let _e78 = global_1.member.member_10.member_6;
+let _e81 = ((_e78 + (f32(bitcast<i32>(_e35)) * _e71)) * _e63);
+let _e82 = global_1.member.member_10.member_19;
+let _e86 = (_e74 - _e82.member);
+let _e87 = (_e81 - _e82.member_1);
+let _e88 = (_e48 - _e82.member_2);
+let _e93 = (((_e86 * _e86) + (_e87 * _e87)) + (_e88 * _e88));
+let _e96 = sqrt(select(0f, _e93, (_e93 > 0f)));
+let _e99 = (1f / select(1e-20f, _e96, (_e96 > 1e-20f)));
+global_2.member[_e40] = _e74;
+global_2.member[(_e38 + _e40)] = _e81;
+global_2.member[((2u * _e38) + _e40)] = _e48;
+global_2.member[((3u * _e38) + _e40)] = select(0f, (_e86 * _e99), _e53);
+global_2.member[((4u * _e38) + _e40)] = select(0f, (_e87 * _e99), _e53);
+global_2.member[((5u * _e38) + _e40)] = select(1f, (_e88 * _e99), _e53);
+global_2.member[((6u * _e38) + _e40)] = 1f;
+global_2.member[((7u * _e38) + _e40)] = 1f;
+global_2.member[((8u * _e38) + _e40)] = 1f;
+global_2.member[((9u * _e38) + _e40)] = 0f;
+global_2.member[((10u * _e38) + _e40)] = 0f;
+global_2.member[((11u * _e38) + _e40)] = 0f;
+global_2.member[((12u * _e38) + _e40)] = 0f;
+global_2.member[((13u * _e38) + _e40)] = 0f;
 }
 }
 return;

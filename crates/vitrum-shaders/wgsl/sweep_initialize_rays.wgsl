@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_23 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_24 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_22,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_14,
+member_18: type_22,
+member_19: type_5,
+member_20: type_23,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_24 {
+struct type_25 {
 member: type_7,
 member_1: u32,
 }
-struct type_25 {
+struct type_26 {
 member: type_2,
 member_1: u32,
 member_2: type_17,
@@ -141,253 +149,334 @@ member_6: type_19,
 member_7: type_19,
 member_8: type_20,
 member_9: type_21,
-member_10: type_23,
+member_10: type_24,
 member_11: type_18,
 member_12: type_4,
 member_13: type_9,
-member_14: type_24,
-member_15: type_24,
-member_16: type_24,
-member_17: type_24,
+member_14: type_25,
+member_15: type_25,
+member_16: type_25,
+member_17: type_25,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_26 {
-member: type_25,
-}
 struct type_27 {
+member: type_26,
+}
+struct type_28 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_26;
+var<storage> global_1: type_27;
 @group(0) @binding(2)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
 var<storage> global_3: type_16;
 fn function_() {
-var phi_185_: type_14;
-var phi_780_: u32;
-var phi_1057_: type_27;
-let _e38 = global;
-let _e43 = global_1.member.member_2;
-let _e46 = global_1.member.member;
-let _e54 = (_e38.x + _e43.member);
-let _e56 = (_e38.y + _e43.member_1);
-if (_e54 < _e43.member_2) {
-if (_e56 < _e43.member_3) {
-let _e59 = (_e46.member * _e46.member_1);
-let _e61 = ((_e56 * _e46.member) + _e54);
-let _e65 = global_1.member.member_3.member;
-let _e69 = global_1.member.member_3.member_1;
-let _e70 = (_e54 % 16u);
-let _e71 = (_e56 % 4u);
-if ((_e54 < (_e65 - (_e65 % 16u))) && (_e56 < (_e69 - (_e69 % 4u)))) {
-phi_185_ = type_14((((_e54 - _e70) + (_e71 * 4u)) + (_e70 % 4u)), ((_e56 - _e71) + (_e70 / 4u)));
+var phi_191_: type_14;
+var phi_791_: u32;
+var phi_1128_: f32;
+var phi_1184_: f32;
+var phi_1189_: vec3<f32>;
+var phi_1292_: f32;
+var phi_1376_: f32;
+var phi_1448_: type_28;
+var phi_1449_: type_28;
+let _e39 = global;
+let _e44 = global_1.member.member_2;
+let _e47 = global_1.member.member;
+let _e55 = (_e39.x + _e44.member);
+let _e57 = (_e39.y + _e44.member_1);
+if (_e55 < _e44.member_2) {
+if (_e57 < _e44.member_3) {
+let _e60 = (_e47.member * _e47.member_1);
+let _e62 = ((_e57 * _e47.member) + _e55);
+let _e66 = global_1.member.member_3.member;
+let _e70 = global_1.member.member_3.member_1;
+let _e71 = (_e55 % 16u);
+let _e72 = (_e57 % 4u);
+if ((_e55 < (_e66 - (_e66 % 16u))) && (_e57 < (_e70 - (_e70 % 4u)))) {
+phi_191_ = type_14((((_e55 - _e71) + (_e72 * 4u)) + (_e71 % 4u)), ((_e57 - _e72) + (_e71 / 4u)));
 } else {
-phi_185_ = type_14(_e54, _e56);
+phi_191_ = type_14(_e55, _e57);
 }
-let _e90 = phi_185_;
-let _e104 = global_1.member.member_12.member;
-let _e105 = (((((f32(bitcast<i32>(_e90.member)) + 0.5f) / f32(bitcast<i32>(_e65))) * 2f) - 1f) * _e104);
-let _e117 = global_1.member.member_12.member_1;
-let _e118 = ((1f - (((f32(bitcast<i32>(_e90.member_1)) + 0.5f) / f32(bitcast<i32>(_e69))) * 2f)) * _e117);
-let _e122 = global_1.member.member_12.member_3;
-let _e123 = (_e122 != 0u);
-let _e127 = global_1.member.member_12.member_2;
-let _e128 = select(_e105, 0f, _e123);
-let _e129 = select(_e118, 0f, _e123);
-let _e130 = select(0f, _e105, _e123);
-let _e131 = select(0f, _e118, _e123);
-let _e135 = (_e130 + (_e128 * _e127));
-let _e136 = (_e131 + (_e129 * _e127));
-let _e137 = (0f + (1f * _e127));
-let _e142 = (((_e128 * _e128) + (_e129 * _e129)) + (1f * 1f));
-let _e145 = sqrt(select(0f, _e142, (_e142 > 0f)));
-let _e148 = (1f / select(1e-20f, _e145, (_e145 > 1e-20f)));
-let _e156 = global_1.member.member_13.member.member;
-let _e167 = ((((_e156.member.member * _e130) + (_e156.member.member_1 * _e131)) + (_e156.member.member_2 * 0f)) + _e156.member_1);
-let _e173 = ((((_e156.member.member * _e135) + (_e156.member.member_1 * _e136)) + (_e156.member.member_2 * _e137)) + _e156.member_1);
-let _e176 = ((_e167 > 0f) && (_e173 <= 0f));
-let _e177 = (_e167 - _e173);
-let _e180 = (_e167 / select(1e-20f, _e177, (_e177 > 1e-20f)));
-let _e185 = global_1.member.member_13.member_1.member;
-let _e196 = ((((_e185.member.member * _e130) + (_e185.member.member_1 * _e131)) + (_e185.member.member_2 * 0f)) + _e185.member_1);
-let _e202 = ((((_e185.member.member * _e135) + (_e185.member.member_1 * _e136)) + (_e185.member.member_2 * _e137)) + _e185.member_1);
-let _e205 = ((_e196 > 0f) && (_e202 <= 0f));
-let _e206 = (_e196 - _e202);
-let _e209 = (_e196 / select(1e-20f, _e206, (_e206 > 1e-20f)));
-let _e213 = (_e205 && (!(_e176) || (_e209 < _e180)));
-let _e219 = global_1.member.member_13.member_1.member.member;
-let _e224 = global_1.member.member_13.member_1.member_1;
-let _e230 = global_1.member.member_13.member.member.member;
-let _e235 = global_1.member.member_13.member.member_1;
-let _e254 = (_e176 || _e205);
-let _e255 = select(_e180, _e209, _e213);
-let _e260 = select(1f, _e255, (_e255 < 1f));
-let _e264 = (_e130 + ((_e135 - _e130) * _e260));
-let _e265 = (_e131 + ((_e136 - _e131) * _e260));
-let _e266 = (0f + ((_e137 - 0f) * _e260));
-let _e270 = global_1.member.member_10.member;
-let _e281 = ((((_e270.member.member * _e264) + (_e270.member.member_1 * _e265)) + (_e270.member.member_2 * _e266)) + _e270.member_1);
-let _e285 = global_1.member.member_10.member_1;
-let _e296 = ((((_e285.member.member * _e264) + (_e285.member.member_1 * _e265)) + (_e285.member.member_2 * _e266)) + _e285.member_1);
-let _e300 = global_1.member.member_10.member_2;
-let _e311 = ((((_e300.member.member * _e264) + (_e300.member.member_1 * _e265)) + (_e300.member.member_2 * _e266)) + _e300.member_1);
-let _e315 = global_1.member.member_10.member_3;
-let _e316 = (_e315 != 0u);
-let _e321 = (((_e281 * _e281) + (_e296 * _e296)) + (_e311 * _e311));
-let _e324 = sqrt(select(0f, _e321, (_e321 > 0f)));
-let _e327 = (1f / select(1e-20f, _e324, (_e324 > 1e-20f)));
-let _e331 = select(0f, (_e281 * _e327), _e316);
-let _e332 = select(0f, (_e296 * _e327), _e316);
-let _e333 = select(1f, (_e311 * _e327), _e316);
-let _e338 = global_1.member.member_10.member.member;
-let _e349 = global_1.member.member_10.member_1.member;
-let _e363 = global_1.member.member_10.member_2.member;
-let _e375 = global_1.member.member_1;
-let _e381 = global_1.member.member_9.member_1;
-if ((_e375 & 256u) != 0u) {
-let _e391 = global_1.member.member_10.member_17.member.member;
-let _e392 = bitcast<i32>(_e391);
-let _e398 = global_1.member.member_10.member_17.member.member_1;
-let _e399 = bitcast<i32>(_e398);
-let _e400 = select(1f, _e311, _e316);
-let _e403 = (1f / select(1e-12f, _e400, (_e400 > 1e-12f)));
-let _e408 = global_1.member.member_10.member_5;
-let _e413 = global_1.member.member_10.member_8;
-let _e414 = (((_e281 * _e403) - _e408) * _e413);
-let _e419 = global_1.member.member_10.member_6;
-let _e421 = (((_e296 * _e403) - _e419) * _e413);
-let _e426 = global_1.member.member_10.member_4.member;
-let _e428 = f32(bitcast<i32>(_e426));
-let _e430 = select(0f, _e414, (_e414 > 0f));
-let _e437 = global_1.member.member_10.member_17.member_1;
-let _e440 = ((_e414 - _e428) * _e437);
-let _e445 = global_1.member.member_10.member_17.member_2;
-let _e447 = select(0f, _e440, (_e440 > 0f));
-let _e449 = (_e445 + _e447);
-let _e454 = (-(_e414) * _e437);
-let _e456 = select(0f, _e454, (_e454 > 0f));
-let _e458 = (_e445 + _e456);
-let _e465 = (((_e445 + (select(_e428, _e430, (_e430 < _e428)) * _e437)) + (((_e447 * _e445) / select(1e-12f, _e449, (_e449 > 1e-12f))) - ((_e456 * _e445) / select(1e-12f, _e458, (_e458 > 1e-12f))))) - 0.5f);
-let _e470 = global_1.member.member_10.member_4.member_1;
-let _e472 = f32(bitcast<i32>(_e470));
-let _e474 = select(0f, _e421, (_e421 > 0f));
-let _e479 = ((_e421 - _e472) * _e437);
-let _e481 = select(0f, _e479, (_e479 > 0f));
-let _e483 = (_e445 + _e481);
-let _e488 = (-(_e421) * _e437);
+let _e91 = phi_191_;
+let _e105 = global_1.member.member_12.member;
+let _e106 = (((((f32(bitcast<i32>(_e91.member)) + 0.5f) / f32(bitcast<i32>(_e66))) * 2f) - 1f) * _e105);
+let _e118 = global_1.member.member_12.member_1;
+let _e119 = ((1f - (((f32(bitcast<i32>(_e91.member_1)) + 0.5f) / f32(bitcast<i32>(_e70))) * 2f)) * _e118);
+let _e123 = global_1.member.member_12.member_3;
+let _e124 = (_e123 != 0u);
+let _e128 = global_1.member.member_12.member_2;
+let _e129 = select(_e106, 0f, _e124);
+let _e130 = select(_e119, 0f, _e124);
+let _e131 = select(0f, _e106, _e124);
+let _e132 = select(0f, _e119, _e124);
+let _e136 = (_e131 + (_e129 * _e128));
+let _e137 = (_e132 + (_e130 * _e128));
+let _e138 = (0f + (1f * _e128));
+let _e143 = (((_e129 * _e129) + (_e130 * _e130)) + (1f * 1f));
+let _e146 = sqrt(select(0f, _e143, (_e143 > 0f)));
+let _e149 = (1f / select(1e-20f, _e146, (_e146 > 1e-20f)));
+let _e157 = global_1.member.member_13.member.member;
+let _e168 = ((((_e157.member.member * _e131) + (_e157.member.member_1 * _e132)) + (_e157.member.member_2 * 0f)) + _e157.member_1);
+let _e174 = ((((_e157.member.member * _e136) + (_e157.member.member_1 * _e137)) + (_e157.member.member_2 * _e138)) + _e157.member_1);
+let _e177 = ((_e168 > 0f) && (_e174 <= 0f));
+let _e178 = (_e168 - _e174);
+let _e181 = (_e168 / select(1e-20f, _e178, (_e178 > 1e-20f)));
+let _e186 = global_1.member.member_13.member_1.member;
+let _e197 = ((((_e186.member.member * _e131) + (_e186.member.member_1 * _e132)) + (_e186.member.member_2 * 0f)) + _e186.member_1);
+let _e203 = ((((_e186.member.member * _e136) + (_e186.member.member_1 * _e137)) + (_e186.member.member_2 * _e138)) + _e186.member_1);
+let _e206 = ((_e197 > 0f) && (_e203 <= 0f));
+let _e207 = (_e197 - _e203);
+let _e210 = (_e197 / select(1e-20f, _e207, (_e207 > 1e-20f)));
+let _e214 = (_e206 && (!(_e177) || (_e210 < _e181)));
+let _e220 = global_1.member.member_13.member_1.member.member;
+let _e225 = global_1.member.member_13.member_1.member_1;
+let _e231 = global_1.member.member_13.member.member.member;
+let _e236 = global_1.member.member_13.member.member_1;
+let _e255 = (_e177 || _e206);
+let _e256 = select(_e181, _e210, _e214);
+let _e261 = select(1f, _e256, (_e256 < 1f));
+let _e265 = (_e131 + ((_e136 - _e131) * _e261));
+let _e266 = (_e132 + ((_e137 - _e132) * _e261));
+let _e267 = (0f + ((_e138 - 0f) * _e261));
+let _e271 = global_1.member.member_10.member;
+let _e282 = ((((_e271.member.member * _e265) + (_e271.member.member_1 * _e266)) + (_e271.member.member_2 * _e267)) + _e271.member_1);
+let _e286 = global_1.member.member_10.member_1;
+let _e297 = ((((_e286.member.member * _e265) + (_e286.member.member_1 * _e266)) + (_e286.member.member_2 * _e267)) + _e286.member_1);
+let _e301 = global_1.member.member_10.member_2;
+let _e312 = ((((_e301.member.member * _e265) + (_e301.member.member_1 * _e266)) + (_e301.member.member_2 * _e267)) + _e301.member_1);
+let _e316 = global_1.member.member_10.member_3;
+let _e317 = (_e316 != 0u);
+let _e321 = global_1.member.member_10.member_19;
+let _e325 = (_e282 - _e321.member);
+let _e326 = (_e297 - _e321.member_1);
+let _e327 = (_e312 - _e321.member_2);
+let _e332 = (((_e325 * _e325) + (_e326 * _e326)) + (_e327 * _e327));
+let _e335 = sqrt(select(0f, _e332, (_e332 > 0f)));
+let _e338 = (1f / select(1e-20f, _e335, (_e335 > 1e-20f)));
+let _e342 = select(0f, (_e325 * _e338), _e317);
+let _e343 = select(0f, (_e326 * _e338), _e317);
+let _e344 = select(1f, (_e327 * _e338), _e317);
+let _e349 = global_1.member.member_10.member.member;
+let _e360 = global_1.member.member_10.member_1.member;
+let _e374 = global_1.member.member_10.member_2.member;
+let _e383 = (vec3<f32>(((_e349.member * _e342) + (_e360.member * _e343)), ((_e349.member_1 * _e342) + (_e360.member_1 * _e343)), ((_e349.member_2 * _e342) + (_e360.member_2 * _e343))) + vec3<f32>((_e374.member * _e344), (_e374.member_1 * _e344), (_e374.member_2 * _e344)));
+let _e386 = global_1.member.member_1;
+if ((_e386 & 256u) != 0u) {
+let _e394 = global_1.member.member_10.member_18.member.member;
+let _e395 = bitcast<i32>(_e394);
+let _e401 = global_1.member.member_10.member_18.member.member_1;
+let _e402 = bitcast<i32>(_e401);
+let _e407 = global_1.member.member_10.member_19.member_2;
+let _e409 = select(1f, (_e312 - _e407), _e317);
+let _e412 = (1f / select(1e-12f, _e409, (_e409 > 1e-12f)));
+let _e417 = global_1.member.member_10.member_5;
+let _e422 = global_1.member.member_10.member_8;
+let _e423 = (((_e282 * _e412) - _e417) * _e422);
+let _e428 = global_1.member.member_10.member_6;
+let _e430 = (((_e297 * _e412) - _e428) * _e422);
+let _e435 = global_1.member.member_10.member_4.member;
+let _e437 = f32(bitcast<i32>(_e435));
+let _e439 = select(0f, _e423, (_e423 > 0f));
+let _e446 = global_1.member.member_10.member_18.member_1;
+let _e449 = ((_e423 - _e437) * _e446);
+let _e454 = global_1.member.member_10.member_18.member_2;
+let _e456 = select(0f, _e449, (_e449 > 0f));
+let _e458 = (_e454 + _e456);
+let _e463 = (-(_e423) * _e446);
+let _e465 = select(0f, _e463, (_e463 > 0f));
+let _e467 = (_e454 + _e465);
+let _e474 = (((_e454 + (select(_e437, _e439, (_e439 < _e437)) * _e446)) + (((_e456 * _e454) / select(1e-12f, _e458, (_e458 > 1e-12f))) - ((_e465 * _e454) / select(1e-12f, _e467, (_e467 > 1e-12f))))) - 0.5f);
+let _e479 = global_1.member.member_10.member_4.member_1;
+let _e481 = f32(bitcast<i32>(_e479));
+let _e483 = select(0f, _e430, (_e430 > 0f));
+let _e488 = ((_e430 - _e481) * _e446);
 let _e490 = select(0f, _e488, (_e488 > 0f));
-let _e492 = (_e445 + _e490);
-let _e499 = (((_e445 + (select(_e472, _e474, (_e474 < _e472)) * _e437)) + (((_e481 * _e445) / select(1e-12f, _e483, (_e483 > 1e-12f))) - ((_e490 * _e445) / select(1e-12f, _e492, (_e492 > 1e-12f))))) - 0.5f);
-let _e501 = f32((_e392 - 2i));
-let _e503 = select(0f, _e465, (_e465 > 0f));
-let _e505 = select(_e501, _e503, (_e503 < _e501));
-let _e512 = select(0i, select(select(i32(_e505), i32(-2147483648), (_e505 < -2147483600f)), 2147483647i, (_e505 > 2147483500f)), (_e505 == _e505));
-let _e516 = (_e512 - select(0i, 1i, (_e505 < f32(_e512))));
-let _e518 = f32((_e399 - 2i));
-let _e520 = select(0f, _e499, (_e499 > 0f));
-let _e522 = select(_e518, _e520, (_e520 < _e518));
-let _e529 = select(0i, select(select(i32(_e522), i32(-2147483648), (_e522 < -2147483600f)), 2147483647i, (_e522 > 2147483500f)), (_e522 == _e522));
-let _e533 = (_e529 - select(0i, 1i, (_e522 < f32(_e529))));
-let _e535 = (_e465 - f32(_e516));
-let _e537 = select(0f, _e535, (_e535 > 0f));
-let _e539 = select(1f, _e537, (_e537 < 1f));
-let _e541 = (_e499 - f32(_e533));
-let _e543 = select(0f, _e541, (_e541 > 0f));
-let _e545 = select(1f, _e543, (_e543 < 1f));
-if _e213 {
-let _e550 = global_1.member.member_10.member_17.member_4;
-phi_780_ = _e550;
+let _e492 = (_e454 + _e490);
+let _e497 = (-(_e430) * _e446);
+let _e499 = select(0f, _e497, (_e497 > 0f));
+let _e501 = (_e454 + _e499);
+let _e508 = (((_e454 + (select(_e481, _e483, (_e483 < _e481)) * _e446)) + (((_e490 * _e454) / select(1e-12f, _e492, (_e492 > 1e-12f))) - ((_e499 * _e454) / select(1e-12f, _e501, (_e501 > 1e-12f))))) - 0.5f);
+let _e510 = f32((_e395 - 2i));
+let _e512 = select(0f, _e474, (_e474 > 0f));
+let _e514 = select(_e510, _e512, (_e512 < _e510));
+let _e521 = select(0i, select(select(i32(_e514), i32(-2147483648), (_e514 < -2147483600f)), 2147483647i, (_e514 > 2147483500f)), (_e514 == _e514));
+let _e525 = (_e521 - select(0i, 1i, (_e514 < f32(_e521))));
+let _e527 = f32((_e402 - 2i));
+let _e529 = select(0f, _e508, (_e508 > 0f));
+let _e531 = select(_e527, _e529, (_e529 < _e527));
+let _e538 = select(0i, select(select(i32(_e531), i32(-2147483648), (_e531 < -2147483600f)), 2147483647i, (_e531 > 2147483500f)), (_e531 == _e531));
+let _e542 = (_e538 - select(0i, 1i, (_e531 < f32(_e538))));
+let _e544 = (_e474 - f32(_e525));
+let _e546 = select(0f, _e544, (_e544 > 0f));
+let _e548 = select(1f, _e546, (_e546 < 1f));
+let _e550 = (_e508 - f32(_e542));
+let _e552 = select(0f, _e550, (_e550 > 0f));
+let _e554 = select(1f, _e552, (_e552 < 1f));
+if _e214 {
+let _e559 = global_1.member.member_10.member_18.member_4;
+phi_791_ = _e559;
 } else {
-let _e555 = global_1.member.member_10.member_17.member_3;
-phi_780_ = _e555;
+let _e564 = global_1.member.member_10.member_18.member_3;
+phi_791_ = _e564;
 }
-let _e557 = phi_780_;
-let _e561 = ((bitcast<i32>(_e557) + (_e533 * _e392)) + _e516);
-let _e562 = (_e392 * _e399);
-let _e564 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e566 = select(_e564, _e561, (_e561 < _e564));
-let _e572 = global_3.member[bitcast<u32>(select(0i, _e566, (_e566 > 0i)))];
-let _e573 = bitcast<f32>(_e572);
-let _e574 = (_e561 + 1i);
-let _e576 = select(_e564, _e574, (_e574 < _e564));
-let _e582 = global_3.member[bitcast<u32>(select(0i, _e576, (_e576 > 0i)))];
-let _e586 = (_e573 + ((bitcast<f32>(_e582) - _e573) * _e539));
-let _e587 = (_e561 + _e392);
-let _e589 = select(_e564, _e587, (_e587 < _e564));
-let _e595 = global_3.member[bitcast<u32>(select(0i, _e589, (_e589 > 0i)))];
-let _e596 = bitcast<f32>(_e595);
-let _e597 = (_e587 + 1i);
-let _e599 = select(_e564, _e597, (_e597 < _e564));
-let _e605 = global_3.member[bitcast<u32>(select(0i, _e599, (_e599 > 0i)))];
-let _e613 = (_e561 + _e562);
-let _e615 = select(_e564, _e613, (_e613 < _e564));
-let _e621 = global_3.member[bitcast<u32>(select(0i, _e615, (_e615 > 0i)))];
-let _e622 = bitcast<f32>(_e621);
-let _e623 = (_e613 + 1i);
-let _e625 = select(_e564, _e623, (_e623 < _e564));
-let _e631 = global_3.member[bitcast<u32>(select(0i, _e625, (_e625 > 0i)))];
-let _e635 = (_e622 + ((bitcast<f32>(_e631) - _e622) * _e539));
-let _e636 = (_e613 + _e392);
-let _e638 = select(_e564, _e636, (_e636 < _e564));
-let _e644 = global_3.member[bitcast<u32>(select(0i, _e638, (_e638 > 0i)))];
-let _e645 = bitcast<f32>(_e644);
-let _e646 = (_e636 + 1i);
-let _e648 = select(_e564, _e646, (_e646 < _e564));
-let _e654 = global_3.member[bitcast<u32>(select(0i, _e648, (_e648 > 0i)))];
-let _e663 = (_e561 + (2i * _e562));
-let _e665 = select(_e564, _e663, (_e663 < _e564));
-let _e671 = global_3.member[bitcast<u32>(select(0i, _e665, (_e665 > 0i)))];
-let _e672 = bitcast<f32>(_e671);
-let _e673 = (_e663 + 1i);
-let _e675 = select(_e564, _e673, (_e673 < _e564));
-let _e681 = global_3.member[bitcast<u32>(select(0i, _e675, (_e675 > 0i)))];
-let _e685 = (_e672 + ((bitcast<f32>(_e681) - _e672) * _e539));
-let _e686 = (_e663 + _e392);
-let _e688 = select(_e564, _e686, (_e686 < _e564));
-let _e694 = global_3.member[bitcast<u32>(select(0i, _e688, (_e688 > 0i)))];
-let _e695 = bitcast<f32>(_e694);
-let _e696 = (_e686 + 1i);
-let _e698 = select(_e564, _e696, (_e696 < _e564));
-let _e704 = global_3.member[bitcast<u32>(select(0i, _e698, (_e698 > 0i)))];
-let _e713 = (_e316 && (_e311 <= 0f));
-phi_1057_ = type_27(vec3<f32>(select((_e381.member * (_e586 + (((_e596 + ((bitcast<f32>(_e605) - _e596) * _e539)) - _e586) * _e545))), _e381.member, _e713), select((_e381.member_1 * (_e635 + (((_e645 + ((bitcast<f32>(_e654) - _e645) * _e539)) - _e635) * _e545))), _e381.member_1, _e713), select((_e381.member_2 * (_e685 + (((_e695 + ((bitcast<f32>(_e704) - _e695) * _e539)) - _e685) * _e545))), _e381.member_2, _e713)), (vec3<f32>(((_e338.member * _e331) + (_e349.member * _e332)), ((_e338.member_1 * _e331) + (_e349.member_1 * _e332)), ((_e338.member_2 * _e331) + (_e349.member_2 * _e332))) + vec3<f32>((_e363.member * _e333), (_e363.member_1 * _e333), (_e363.member_2 * _e333))));
+let _e566 = phi_791_;
+let _e570 = ((bitcast<i32>(_e566) + (_e542 * _e395)) + _e525);
+let _e571 = (_e395 * _e402);
+let _e573 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e575 = select(_e573, _e570, (_e570 < _e573));
+let _e581 = global_3.member[bitcast<u32>(select(0i, _e575, (_e575 > 0i)))];
+let _e582 = bitcast<f32>(_e581);
+let _e583 = (_e570 + 1i);
+let _e585 = select(_e573, _e583, (_e583 < _e573));
+let _e591 = global_3.member[bitcast<u32>(select(0i, _e585, (_e585 > 0i)))];
+let _e595 = (_e582 + ((bitcast<f32>(_e591) - _e582) * _e548));
+let _e596 = (_e570 + _e395);
+let _e598 = select(_e573, _e596, (_e596 < _e573));
+let _e604 = global_3.member[bitcast<u32>(select(0i, _e598, (_e598 > 0i)))];
+let _e605 = bitcast<f32>(_e604);
+let _e606 = (_e596 + 1i);
+let _e608 = select(_e573, _e606, (_e606 < _e573));
+let _e614 = global_3.member[bitcast<u32>(select(0i, _e608, (_e608 > 0i)))];
+let _e621 = (_e595 + (((_e605 + ((bitcast<f32>(_e614) - _e605) * _e548)) - _e595) * _e554));
+let _e622 = (_e570 + _e571);
+let _e624 = select(_e573, _e622, (_e622 < _e573));
+let _e630 = global_3.member[bitcast<u32>(select(0i, _e624, (_e624 > 0i)))];
+let _e631 = bitcast<f32>(_e630);
+let _e632 = (_e622 + 1i);
+let _e634 = select(_e573, _e632, (_e632 < _e573));
+let _e640 = global_3.member[bitcast<u32>(select(0i, _e634, (_e634 > 0i)))];
+let _e644 = (_e631 + ((bitcast<f32>(_e640) - _e631) * _e548));
+let _e645 = (_e622 + _e395);
+let _e647 = select(_e573, _e645, (_e645 < _e573));
+let _e653 = global_3.member[bitcast<u32>(select(0i, _e647, (_e647 > 0i)))];
+let _e654 = bitcast<f32>(_e653);
+let _e655 = (_e645 + 1i);
+let _e657 = select(_e573, _e655, (_e655 < _e573));
+let _e663 = global_3.member[bitcast<u32>(select(0i, _e657, (_e657 > 0i)))];
+let _e670 = (_e644 + (((_e654 + ((bitcast<f32>(_e663) - _e654) * _e548)) - _e644) * _e554));
+let _e672 = (_e570 + (2i * _e571));
+let _e674 = select(_e573, _e672, (_e672 < _e573));
+let _e680 = global_3.member[bitcast<u32>(select(0i, _e674, (_e674 > 0i)))];
+let _e681 = bitcast<f32>(_e680);
+let _e682 = (_e672 + 1i);
+let _e684 = select(_e573, _e682, (_e682 < _e573));
+let _e690 = global_3.member[bitcast<u32>(select(0i, _e684, (_e684 > 0i)))];
+let _e694 = (_e681 + ((bitcast<f32>(_e690) - _e681) * _e548));
+let _e695 = (_e672 + _e395);
+let _e697 = select(_e573, _e695, (_e695 < _e573));
+let _e703 = global_3.member[bitcast<u32>(select(0i, _e697, (_e697 > 0i)))];
+let _e704 = bitcast<f32>(_e703);
+let _e705 = (_e695 + 1i);
+let _e707 = select(_e573, _e705, (_e705 < _e573));
+let _e713 = global_3.member[bitcast<u32>(select(0i, _e707, (_e707 > 0i)))];
+let _e720 = (_e694 + (((_e704 + ((bitcast<f32>(_e713) - _e704) * _e548)) - _e694) * _e554));
+let _e722 = (_e316 == 0u);
+if _e722 {
+phi_1189_ = vec3<f32>(_e621, _e670, _e720);
 } else {
-let _e725 = global_1.member.member_9.member;
-phi_1057_ = type_27(vec3<f32>(_e381.member, _e381.member_1, _e381.member_2), vec3<f32>(_e725.member, _e725.member_1, _e725.member_2));
+if _e722 {
+phi_1128_ = 1f;
+} else {
+let _e727 = global_1.member.member_10.member_20.member;
+let _e735 = (((_e727.member * _e325) + (_e727.member_1 * _e326)) + (_e727.member_2 * _e327));
+let _e739 = (_e325 - (_e727.member * _e735));
+let _e740 = (_e326 - (_e727.member_1 * _e735));
+let _e741 = (_e327 - (_e727.member_2 * _e735));
+let _e746 = (((_e739 * _e739) + (_e740 * _e740)) + (_e741 * _e741));
+let _e757 = global_1.member.member_10.member_20.member_1;
+let _e763 = global_1.member.member_10.member_20.member_2;
+let _e764 = ((_e757 - (sqrt(select(0f, _e746, (_e746 > 0f))) / select(1e-20f, _e735, (_e735 > 1e-20f)))) * _e763);
+let _e766 = select(0f, _e764, (_e764 > 0f));
+let _e768 = select(1f, _e766, (_e766 < 1f));
+phi_1128_ = select(1f, select(0f, ((_e768 * _e768) * (3f - (2f * _e768))), (_e735 > 0f)), (_e763 > 0f));
 }
-let _e732 = phi_1057_;
-let _e741 = (((_e732.member_1.x * _e732.member_1.x) + (_e732.member_1.y * _e732.member_1.y)) + (_e732.member_1.z * _e732.member_1.z));
-let _e744 = sqrt(select(0f, _e741, (_e741 > 0f)));
-let _e750 = (1e-6f * _e744);
-let _e754 = select((_e744 / select(_e750, _e732.member_1.z, (_e732.member_1.z > _e750))), 1f, ((_e375 & 8u) != 0u));
-let _e763 = global_1.member.member_18;
-let _e775 = (-((((select(_e230.member, _e219.member, _e213) * _e732.member_1.x) + (select(_e230.member_1, _e219.member_1, _e213) * _e732.member_1.y)) + (select(_e230.member_2, _e219.member_2, _e213) * _e732.member_1.z))) / select(1e-20f, _e744, (_e744 > 1e-20f)));
-let _e780 = bitcast<f32>((bitcast<u32>(select(0f, _e775, (_e775 > 0f))) & 2147483647u));
-let _e790 = select(0f, 1f, _e254);
-global_2.member[_e61] = _e135;
-global_2.member[(_e59 + _e61)] = _e136;
-global_2.member[((2u * _e59) + _e61)] = _e137;
-global_2.member[((3u * _e59) + _e61)] = (_e128 * _e148);
-global_2.member[((4u * _e59) + _e61)] = (_e129 * _e148);
-global_2.member[((5u * _e59) + _e61)] = (1f * _e148);
-global_2.member[((6u * _e59) + _e61)] = 0f;
-global_2.member[((7u * _e59) + _e61)] = _e790;
-global_2.member[((8u * _e59) + _e61)] = select(0f, (_e255 * _e127), _e254);
-global_2.member[((9u * _e59) + _e61)] = select(0f, (select(_e235.member, _e224.member, _e213) * (((_e732.member.x * _e754) * _e780) + _e763.member)), _e254);
-global_2.member[((10u * _e59) + _e61)] = select(0f, (select(_e235.member_1, _e224.member_1, _e213) * (((_e732.member.y * _e754) * _e780) + _e763.member_1)), _e254);
-global_2.member[((11u * _e59) + _e61)] = select(0f, (select(_e235.member_2, _e224.member_2, _e213) * (((_e732.member.z * _e754) * _e780) + _e763.member_2)), _e254);
-global_2.member[((12u * _e59) + _e61)] = _e790;
-global_2.member[((13u * _e59) + _e61)] = 1f;
-global_2.member[((14u * _e59) + _e61)] = 1f;
-global_2.member[((15u * _e59) + _e61)] = 1f;
-global_2.member[((16u * _e59) + _e61)] = 0f;
-global_2.member[((17u * _e59) + _e61)] = -1.2676506e30f;
+let _e778 = phi_1128_;
+let _e780 = select(0f, 1f, (_e327 > 0f));
+let _e784 = ((_e621 * _e780) + _e778);
+let _e785 = ((_e670 * _e780) + _e778);
+let _e786 = ((_e720 * _e780) + _e778);
+if _e722 {
+phi_1184_ = 1f;
+} else {
+phi_1184_ = (1f / select(1e-12f, _e332, (_e332 > 1e-12f)));
+}
+let _e797 = phi_1184_;
+phi_1189_ = vec3<f32>((select(0f, _e784, (_e784 > 0f)) * _e797), (select(0f, _e785, (_e785 > 0f)) * _e797), (select(0f, _e786, (_e786 > 0f)) * _e797));
+}
+let _e803 = phi_1189_;
+let _e807 = global_1.member.member_9.member_1;
+phi_1449_ = type_28((vec3<f32>(_e807.member, _e807.member_1, _e807.member_2) * _e803), _e383);
+} else {
+let _e814 = (_e316 == 0u);
+if _e814 {
+let _e818 = global_1.member.member_9.member_1;
+let _e826 = global_1.member.member_9.member;
+phi_1448_ = type_28(vec3<f32>(_e818.member, _e818.member_1, _e818.member_2), vec3<f32>(_e826.member, _e826.member_1, _e826.member_2));
+} else {
+let _e835 = global_1.member.member_9.member_1;
+if _e814 {
+phi_1292_ = 1f;
+} else {
+phi_1292_ = (1f / select(1e-12f, _e332, (_e332 > 1e-12f)));
+}
+let _e843 = phi_1292_;
+if _e814 {
+phi_1376_ = 1f;
+} else {
+let _e848 = global_1.member.member_10.member_20.member;
+let _e856 = (((_e848.member * _e325) + (_e848.member_1 * _e326)) + (_e848.member_2 * _e327));
+let _e860 = (_e325 - (_e848.member * _e856));
+let _e861 = (_e326 - (_e848.member_1 * _e856));
+let _e862 = (_e327 - (_e848.member_2 * _e856));
+let _e867 = (((_e860 * _e860) + (_e861 * _e861)) + (_e862 * _e862));
+let _e878 = global_1.member.member_10.member_20.member_1;
+let _e884 = global_1.member.member_10.member_20.member_2;
+let _e885 = ((_e878 - (sqrt(select(0f, _e867, (_e867 > 0f))) / select(1e-20f, _e856, (_e856 > 1e-20f)))) * _e884);
+let _e887 = select(0f, _e885, (_e885 > 0f));
+let _e889 = select(1f, _e887, (_e887 < 1f));
+phi_1376_ = select(1f, select(0f, ((_e889 * _e889) * (3f - (2f * _e889))), (_e856 > 0f)), (_e884 > 0f));
+}
+let _e899 = phi_1376_;
+let _e900 = (_e843 * _e899);
+phi_1448_ = type_28(vec3<f32>((_e835.member * _e900), (_e835.member_1 * _e900), (_e835.member_2 * _e900)), _e383);
+}
+let _e907 = phi_1448_;
+phi_1449_ = _e907;
+}
+let _e909 = phi_1449_;
+let _e918 = (((_e909.member_1.x * _e909.member_1.x) + (_e909.member_1.y * _e909.member_1.y)) + (_e909.member_1.z * _e909.member_1.z));
+let _e921 = sqrt(select(0f, _e918, (_e918 > 0f)));
+let _e927 = (1e-6f * _e921);
+let _e931 = select((_e921 / select(_e927, _e909.member_1.z, (_e909.member_1.z > _e927))), 1f, ((_e386 & 8u) != 0u));
+let _e940 = global_1.member.member_18;
+let _e952 = (-((((select(_e231.member, _e220.member, _e214) * _e909.member_1.x) + (select(_e231.member_1, _e220.member_1, _e214) * _e909.member_1.y)) + (select(_e231.member_2, _e220.member_2, _e214) * _e909.member_1.z))) / select(1e-20f, _e921, (_e921 > 1e-20f)));
+let _e957 = bitcast<f32>((bitcast<u32>(select(0f, _e952, (_e952 > 0f))) & 2147483647u));
+let _e967 = select(0f, 1f, _e255);
+global_2.member[_e62] = _e136;
+global_2.member[(_e60 + _e62)] = _e137;
+global_2.member[((2u * _e60) + _e62)] = _e138;
+global_2.member[((3u * _e60) + _e62)] = (_e129 * _e149);
+global_2.member[((4u * _e60) + _e62)] = (_e130 * _e149);
+global_2.member[((5u * _e60) + _e62)] = (1f * _e149);
+global_2.member[((6u * _e60) + _e62)] = 0f;
+global_2.member[((7u * _e60) + _e62)] = _e967;
+global_2.member[((8u * _e60) + _e62)] = select(0f, (_e256 * _e128), _e255);
+global_2.member[((9u * _e60) + _e62)] = select(0f, (select(_e236.member, _e225.member, _e214) * (((_e909.member.x * _e931) * _e957) + _e940.member)), _e255);
+global_2.member[((10u * _e60) + _e62)] = select(0f, (select(_e236.member_1, _e225.member_1, _e214) * (((_e909.member.y * _e931) * _e957) + _e940.member_1)), _e255);
+global_2.member[((11u * _e60) + _e62)] = select(0f, (select(_e236.member_2, _e225.member_2, _e214) * (((_e909.member.z * _e931) * _e957) + _e940.member_2)), _e255);
+global_2.member[((12u * _e60) + _e62)] = _e967;
+global_2.member[((13u * _e60) + _e62)] = 1f;
+global_2.member[((14u * _e60) + _e62)] = 1f;
+global_2.member[((15u * _e60) + _e62)] = 1f;
+global_2.member[((16u * _e60) + _e62)] = 0f;
+global_2.member[((17u * _e60) + _e62)] = -1.2676506e30f;
 }
 }
 return;

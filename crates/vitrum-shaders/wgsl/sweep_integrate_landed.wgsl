@@ -97,6 +97,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_18 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_19 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -114,17 +119,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_17,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_11,
+member_18: type_17,
+member_19: type_5,
+member_20: type_18,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_19 {
+struct type_20 {
 member: type_7,
 member_1: u32,
 }
-struct type_20 {
+struct type_21 {
 member: type_2,
 member_1: u32,
 member_2: type_12,
@@ -135,45 +143,45 @@ member_6: type_14,
 member_7: type_14,
 member_8: type_15,
 member_9: type_16,
-member_10: type_18,
+member_10: type_19,
 member_11: type_13,
 member_12: type_4,
 member_13: type_9,
-member_14: type_19,
-member_15: type_19,
-member_16: type_19,
-member_17: type_19,
+member_14: type_20,
+member_15: type_20,
+member_16: type_20,
+member_17: type_20,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_21 {
-member: type_20,
+struct type_22 {
+member: type_21,
 }
-struct type_24 {
+struct type_25 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_21;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage, read_write> global_2: type_24;
+var<storage, read_write> global_2: type_25;
 fn function_() {
-var phi_103_: u32;
-var phi_105_: u32;
-var phi_117_: u32;
-var phi_120_: u32;
-var phi_122_: u32;
-var phi_124_: u32;
-var phi_138_: u32;
-var phi_146_: u32;
-var phi_153_: u32;
+var phi_104_: u32;
+var phi_106_: u32;
 var phi_118_: u32;
 var phi_121_: u32;
 var phi_123_: u32;
 var phi_125_: u32;
-var phi_106_: u32;
+var phi_139_: u32;
+var phi_147_: u32;
+var phi_154_: u32;
+var phi_119_: u32;
+var phi_122_: u32;
+var phi_124_: u32;
+var phi_126_: u32;
+var phi_107_: u32;
 let _e8 = global;
 let _e10 = arrayLength((&global_2.member));
 let _e13 = global_1.member.member_2;
@@ -181,55 +189,55 @@ let _e21 = (_e8.y + _e13.member_1);
 if ((_e8.x + _e13.member) < _e13.member_2) {
 if (_e21 < _e13.member_3) {
 let _e26 = global_1.member.member;
-let _e33 = global_1.member.member_10.member_17.member.member;
-let _e39 = global_1.member.member_10.member_17.member.member_1;
+let _e33 = global_1.member.member_10.member_18.member.member;
+let _e39 = global_1.member.member_10.member_18.member.member_1;
 let _e40 = (_e26.member_2 == 0u);
 if _e40 {
-phi_103_ = (_e21 * _e33);
+phi_104_ = (_e21 * _e33);
 } else {
-phi_103_ = _e21;
+phi_104_ = _e21;
 }
-let _e45 = phi_103_;
-phi_105_ = 0u;
+let _e45 = phi_104_;
+phi_106_ = 0u;
 loop {
-let _e47 = phi_105_;
+let _e47 = phi_106_;
 let _e48 = (_e47 < 6u);
 if _e48 {
-phi_117_ = 0u;
-phi_120_ = 0u;
-phi_122_ = ((_e45 * 6u) + _e47);
-phi_124_ = 0u;
+phi_118_ = 0u;
+phi_121_ = 0u;
+phi_123_ = ((_e45 * 6u) + _e47);
+phi_125_ = 0u;
 loop {
-let _e52 = phi_117_;
-let _e54 = phi_120_;
-let _e56 = phi_122_;
-let _e58 = phi_124_;
+let _e52 = phi_118_;
+let _e54 = phi_121_;
+let _e56 = phi_123_;
+let _e58 = phi_125_;
 let _e59 = (_e54 < select(_e39, _e33, _e40));
 if _e59 {
 let _e60 = (_e56 < _e10);
 if _e60 {
 let _e63 = atomicAdd((&global_2.member[_e56]), 0u);
-phi_138_ = _e63;
+phi_139_ = _e63;
 } else {
-phi_138_ = 0u;
+phi_139_ = 0u;
 }
-let _e65 = phi_138_;
+let _e65 = phi_139_;
 let _e66 = (_e56 + 1u);
 let _e67 = (_e66 < _e10);
 if _e67 {
 let _e70 = atomicAdd((&global_2.member[_e66]), 0u);
-phi_146_ = _e70;
+phi_147_ = _e70;
 } else {
-phi_146_ = 0u;
+phi_147_ = 0u;
 }
-let _e72 = phi_146_;
+let _e72 = phi_147_;
 if _e60 {
 let _e75 = atomicAdd((&global_2.member[_e56]), _e58);
-phi_153_ = _e75;
+phi_154_ = _e75;
 } else {
-phi_153_ = 0u;
+phi_154_ = 0u;
 }
-let _e77 = phi_153_;
+let _e77 = phi_154_;
 let _e81 = (_e52 + select(0u, 1u, ((_e77 + _e58) < _e58)));
 if (_e81 == 0u) {
 } else {
@@ -238,37 +246,37 @@ let _e85 = atomicAdd((&global_2.member[_e66]), _e81);
 }
 }
 let _e86 = (_e58 + _e65);
-phi_118_ = ((_e52 + _e72) + select(0u, 1u, (_e86 < _e58)));
-phi_121_ = (_e54 + 1u);
-phi_123_ = (_e56 + (select(_e33, 1u, _e40) * 6u));
-phi_125_ = _e86;
+phi_119_ = ((_e52 + _e72) + select(0u, 1u, (_e86 < _e58)));
+phi_122_ = (_e54 + 1u);
+phi_124_ = (_e56 + (select(_e33, 1u, _e40) * 6u));
+phi_126_ = _e86;
 } else {
-phi_118_ = u32();
-phi_121_ = u32();
-phi_123_ = u32();
-phi_125_ = u32();
+phi_119_ = u32();
+phi_122_ = u32();
+phi_124_ = u32();
+phi_126_ = u32();
 }
-let _e95 = phi_118_;
-let _e97 = phi_121_;
-let _e99 = phi_123_;
-let _e101 = phi_125_;
+let _e95 = phi_119_;
+let _e97 = phi_122_;
+let _e99 = phi_124_;
+let _e101 = phi_126_;
 continue;
 continuing {
-phi_117_ = _e95;
-phi_120_ = _e97;
-phi_122_ = _e99;
-phi_124_ = _e101;
+phi_118_ = _e95;
+phi_121_ = _e97;
+phi_123_ = _e99;
+phi_125_ = _e101;
 break if !(_e59);
 }
 }
-phi_106_ = (_e47 + 2u);
+phi_107_ = (_e47 + 2u);
 } else {
-phi_106_ = u32();
+phi_107_ = u32();
 }
-let _e105 = phi_106_;
+let _e105 = phi_107_;
 continue;
 continuing {
-phi_105_ = _e105;
+phi_106_ = _e105;
 break if !(_e48);
 }
 }

@@ -100,6 +100,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_22 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_23 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -117,17 +122,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_21,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_15,
+member_18: type_21,
+member_19: type_5,
+member_20: type_22,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_23 {
+struct type_24 {
 member: type_7,
 member_1: u32,
 }
-struct type_24 {
+struct type_25 {
 member: type_2,
 member_1: u32,
 member_2: type_16,
@@ -138,37 +146,37 @@ member_6: type_18,
 member_7: type_18,
 member_8: type_19,
 member_9: type_20,
-member_10: type_22,
+member_10: type_23,
 member_11: type_17,
 member_12: type_4,
 member_13: type_9,
-member_14: type_23,
-member_15: type_23,
-member_16: type_23,
-member_17: type_23,
+member_14: type_24,
+member_15: type_24,
+member_16: type_24,
+member_17: type_24,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_25 {
-member: type_24,
+struct type_26 {
+member: type_25,
 }
-struct type_27 {
+struct type_28 {
 member: vec2<f32>,
 member_1: vec3<f32>,
 member_2: bool,
 }
-struct type_30 {
+struct type_31 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
 var<storage> global_1: type_11;
 @group(0) @binding(0)
-var<storage> global_2: type_25;
+var<storage> global_2: type_26;
 @group(0) @binding(2)
-var<storage, read_write> global_3: type_30;
+var<storage, read_write> global_3: type_31;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -178,1577 +186,1777 @@ var local_4: i32;
 var local_5: i32;
 var local_6: i32;
 var local_7: i32;
-var phi_424_: type_7;
-var phi_434_: type_7;
-var phi_2754_: type_27;
-var phi_2758_: type_27;
-var phi_2763_: type_27;
-var phi_2767_: type_27;
-var phi_2771_: type_27;
-var phi_2776_: type_27;
-var phi_2781_: type_27;
-var phi_2785_: type_27;
-var phi_2790_: type_27;
-var phi_2794_: type_27;
-var phi_2798_: type_27;
-var phi_2803_: type_27;
-var phi_2808_: type_27;
-var phi_2812_: type_27;
-var phi_2841_: f32;
-var phi_3054_: i32;
-var phi_3089_: i32;
-var phi_3180_: vec2<f32>;
-var phi_3849_: i32;
-var phi_3881_: i32;
-var phi_3962_: u32;
-var phi_4020_: u32;
-var phi_4078_: u32;
-var phi_3882_: i32;
-var phi_3850_: i32;
-var phi_3309_: i32;
-var phi_3466_: i32;
-var phi_3498_: i32;
-var phi_3579_: u32;
-var phi_3637_: u32;
-var phi_3695_: u32;
-var phi_3499_: i32;
-var phi_3467_: i32;
-var phi_3310_: i32;
-var phi_3090_: i32;
-var phi_3055_: i32;
-var phi_4401_: vec3<f32>;
-var phi_4556_: vec3<f32>;
-var phi_4711_: vec3<f32>;
-var phi_4867_: vec3<f32>;
-var phi_5002_: f32;
-var phi_5215_: i32;
-var phi_5250_: i32;
-var phi_5341_: vec2<f32>;
-var phi_6010_: i32;
-var phi_6042_: i32;
-var phi_6123_: u32;
-var phi_6181_: u32;
-var phi_6239_: u32;
-var phi_6043_: i32;
-var phi_6011_: i32;
-var phi_5470_: i32;
-var phi_5627_: i32;
-var phi_5659_: i32;
-var phi_5740_: u32;
-var phi_5798_: u32;
-var phi_5856_: u32;
-var phi_5660_: i32;
-var phi_5628_: i32;
-var phi_5471_: i32;
-var phi_5251_: i32;
-var phi_5216_: i32;
-let _e57 = global;
-let _e62 = arrayLength((&global_3.member));
-let _e65 = global_2.member.member_2;
-let _e71 = (_e57.x + _e65.member);
-let _e73 = (_e57.y + _e65.member_1);
-if (_e71 < _e65.member_2) {
-if (_e73 < _e65.member_3) {
-let _e78 = global_2.member.member;
-let _e84 = global_2.member.member_10.member_4.member;
-let _e85 = (_e84 + 1u);
-let _e90 = global_2.member.member_10.member_4.member_1;
-let _e93 = bitcast<i32>((_e85 * (_e90 + 1u)));
-let _e94 = (_e73 * _e85);
-let _e96 = bitcast<i32>((_e94 + _e71));
-let _e97 = (10i * _e93);
-let _e98 = (_e97 + _e96);
-let _e100 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
-let _e102 = select(_e100, _e98, (_e98 < _e100));
-let _e108 = global_1.member[bitcast<u32>(select(0i, _e102, (_e102 > 0i)))];
-let _e109 = (11i * _e93);
-let _e110 = (_e109 + _e96);
-let _e112 = select(_e100, _e110, (_e110 < _e100));
-let _e118 = global_1.member[bitcast<u32>(select(0i, _e112, (_e112 > 0i)))];
-let _e122 = (_e71 + 1u);
-let _e124 = bitcast<i32>((_e94 + _e122));
-let _e125 = (_e97 + _e124);
-let _e127 = select(_e100, _e125, (_e125 < _e100));
-let _e133 = global_1.member[bitcast<u32>(select(0i, _e127, (_e127 > 0i)))];
-let _e134 = (_e109 + _e124);
-let _e136 = select(_e100, _e134, (_e134 < _e100));
-let _e142 = global_1.member[bitcast<u32>(select(0i, _e136, (_e136 > 0i)))];
-let _e147 = (_e73 + 1u);
-let _e148 = (_e147 * _e85);
-let _e150 = bitcast<i32>((_e148 + _e71));
-let _e151 = (_e97 + _e150);
-let _e153 = select(_e100, _e151, (_e151 < _e100));
-let _e159 = global_1.member[bitcast<u32>(select(0i, _e153, (_e153 > 0i)))];
-let _e160 = (_e109 + _e150);
-let _e162 = select(_e100, _e160, (_e160 < _e100));
-let _e168 = global_1.member[bitcast<u32>(select(0i, _e162, (_e162 > 0i)))];
-let _e174 = bitcast<i32>((_e148 + _e122));
-let _e175 = (_e97 + _e174);
-let _e177 = select(_e100, _e175, (_e175 < _e100));
-let _e183 = global_1.member[bitcast<u32>(select(0i, _e177, (_e177 > 0i)))];
-let _e184 = (_e109 + _e174);
-let _e186 = select(_e100, _e184, (_e184 < _e100));
-let _e192 = global_1.member[bitcast<u32>(select(0i, _e186, (_e186 > 0i)))];
-let _e196 = (((((_e108 == 0f) && (_e118 != 1f)) && ((_e133 == 0f) && (_e142 != 1f))) && ((_e159 == 0f) && (_e168 != 1f))) && ((_e183 == 0f) && (_e192 != 1f)));
-let _e200 = global_2.member.member_10.member_21;
-let _e201 = (_e200 > 0f);
-if (!(_e196) || _e201) {
-if (_e78.member_2 == 1u) {
-let _e214 = global_2.member.member_13.member_1.member;
-phi_424_ = _e214;
+var phi_432_: type_7;
+var phi_442_: type_7;
+var phi_714_: f32;
+var phi_802_: f32;
+var phi_1180_: f32;
+var phi_1268_: f32;
+var phi_1646_: f32;
+var phi_1734_: f32;
+var phi_2113_: f32;
+var phi_2201_: f32;
+var phi_3398_: type_28;
+var phi_3402_: type_28;
+var phi_3407_: type_28;
+var phi_3411_: type_28;
+var phi_3415_: type_28;
+var phi_3420_: type_28;
+var phi_3425_: type_28;
+var phi_3429_: type_28;
+var phi_3434_: type_28;
+var phi_3438_: type_28;
+var phi_3442_: type_28;
+var phi_3447_: type_28;
+var phi_3452_: type_28;
+var phi_3456_: type_28;
+var phi_3485_: f32;
+var phi_3698_: i32;
+var phi_3733_: i32;
+var phi_3824_: vec2<f32>;
+var phi_4493_: i32;
+var phi_4525_: i32;
+var phi_4606_: u32;
+var phi_4664_: u32;
+var phi_4722_: u32;
+var phi_4526_: i32;
+var phi_4494_: i32;
+var phi_3953_: i32;
+var phi_4110_: i32;
+var phi_4142_: i32;
+var phi_4223_: u32;
+var phi_4281_: u32;
+var phi_4339_: u32;
+var phi_4143_: i32;
+var phi_4111_: i32;
+var phi_3954_: i32;
+var phi_3734_: i32;
+var phi_3699_: i32;
+var phi_5077_: vec3<f32>;
+var phi_5232_: vec3<f32>;
+var phi_5387_: vec3<f32>;
+var phi_5543_: vec3<f32>;
+var phi_5714_: f32;
+var phi_5927_: i32;
+var phi_5962_: i32;
+var phi_6053_: vec2<f32>;
+var phi_6722_: i32;
+var phi_6754_: i32;
+var phi_6835_: u32;
+var phi_6893_: u32;
+var phi_6951_: u32;
+var phi_6755_: i32;
+var phi_6723_: i32;
+var phi_6182_: i32;
+var phi_6339_: i32;
+var phi_6371_: i32;
+var phi_6452_: u32;
+var phi_6510_: u32;
+var phi_6568_: u32;
+var phi_6372_: i32;
+var phi_6340_: i32;
+var phi_6183_: i32;
+var phi_5963_: i32;
+var phi_5928_: i32;
+let _e58 = global;
+let _e63 = arrayLength((&global_3.member));
+let _e66 = global_2.member.member_2;
+let _e72 = (_e58.x + _e66.member);
+let _e74 = (_e58.y + _e66.member_1);
+if (_e72 < _e66.member_2) {
+if (_e74 < _e66.member_3) {
+let _e79 = global_2.member.member;
+let _e85 = global_2.member.member_10.member_4.member;
+let _e86 = (_e85 + 1u);
+let _e91 = global_2.member.member_10.member_4.member_1;
+let _e94 = bitcast<i32>((_e86 * (_e91 + 1u)));
+let _e95 = (_e74 * _e86);
+let _e97 = bitcast<i32>((_e95 + _e72));
+let _e98 = (10i * _e94);
+let _e99 = (_e98 + _e97);
+let _e101 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e103 = select(_e101, _e99, (_e99 < _e101));
+let _e109 = global_1.member[bitcast<u32>(select(0i, _e103, (_e103 > 0i)))];
+let _e110 = (11i * _e94);
+let _e111 = (_e110 + _e97);
+let _e113 = select(_e101, _e111, (_e111 < _e101));
+let _e119 = global_1.member[bitcast<u32>(select(0i, _e113, (_e113 > 0i)))];
+let _e123 = (_e72 + 1u);
+let _e125 = bitcast<i32>((_e95 + _e123));
+let _e126 = (_e98 + _e125);
+let _e128 = select(_e101, _e126, (_e126 < _e101));
+let _e134 = global_1.member[bitcast<u32>(select(0i, _e128, (_e128 > 0i)))];
+let _e135 = (_e110 + _e125);
+let _e137 = select(_e101, _e135, (_e135 < _e101));
+let _e143 = global_1.member[bitcast<u32>(select(0i, _e137, (_e137 > 0i)))];
+let _e148 = (_e74 + 1u);
+let _e149 = (_e148 * _e86);
+let _e151 = bitcast<i32>((_e149 + _e72));
+let _e152 = (_e98 + _e151);
+let _e154 = select(_e101, _e152, (_e152 < _e101));
+let _e160 = global_1.member[bitcast<u32>(select(0i, _e154, (_e154 > 0i)))];
+let _e161 = (_e110 + _e151);
+let _e163 = select(_e101, _e161, (_e161 < _e101));
+let _e169 = global_1.member[bitcast<u32>(select(0i, _e163, (_e163 > 0i)))];
+let _e175 = bitcast<i32>((_e149 + _e123));
+let _e176 = (_e98 + _e175);
+let _e178 = select(_e101, _e176, (_e176 < _e101));
+let _e184 = global_1.member[bitcast<u32>(select(0i, _e178, (_e178 > 0i)))];
+let _e185 = (_e110 + _e175);
+let _e187 = select(_e101, _e185, (_e185 < _e101));
+let _e193 = global_1.member[bitcast<u32>(select(0i, _e187, (_e187 > 0i)))];
+let _e197 = (((((_e109 == 0f) && (_e119 != 1f)) && ((_e134 == 0f) && (_e143 != 1f))) && ((_e160 == 0f) && (_e169 != 1f))) && ((_e184 == 0f) && (_e193 != 1f)));
+let _e201 = global_2.member.member_10.member_23;
+let _e202 = (_e201 > 0f);
+if (!(_e197) || _e202) {
+if (_e79.member_2 == 1u) {
+let _e215 = global_2.member.member_13.member_1.member;
+phi_432_ = _e215;
 } else {
-let _e209 = global_2.member.member_13.member.member;
-phi_424_ = _e209;
+let _e210 = global_2.member.member_13.member.member;
+phi_432_ = _e210;
 }
-let _e216 = phi_424_;
-let _e220 = global_2.member.member_10.member_19;
-if (_e78.member_2 == 2u) {
-phi_434_ = type_7(type_5(0f, 0f, -1f), _e220);
+let _e217 = phi_432_;
+let _e221 = global_2.member.member_10.member_21;
+if (_e79.member_2 == 2u) {
+phi_442_ = type_7(type_5(0f, 0f, -1f), _e221);
 } else {
-phi_434_ = _e216;
+phi_442_ = _e217;
 }
-let _e224 = phi_434_;
-let _e230 = global_2.member.member_10.member_17.member.member;
-let _e231 = bitcast<i32>(_e230);
-let _e237 = global_2.member.member_10.member_17.member.member_1;
-let _e238 = bitcast<i32>(_e237);
-local_6 = _e93;
-local_7 = _e96;
-let _e239 = local_7;
-let _e241 = select(_e100, _e239, (_e239 < _e100));
-let _e246 = global_1.member[bitcast<u32>(select(0i, _e241, (_e241 > 0i)))];
-let _e247 = local_6;
-let _e248 = local_7;
-let _e249 = (_e247 + _e248);
-let _e251 = select(_e100, _e249, (_e249 < _e100));
-let _e256 = global_1.member[bitcast<u32>(select(0i, _e251, (_e251 > 0i)))];
-let _e257 = local_6;
-let _e259 = local_7;
-let _e260 = ((2i * _e257) + _e259);
-let _e262 = select(_e100, _e260, (_e260 < _e100));
-let _e267 = global_1.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
-let _e268 = local_6;
-let _e270 = local_7;
-let _e271 = ((3i * _e268) + _e270);
-let _e273 = select(_e100, _e271, (_e271 < _e100));
-let _e278 = global_1.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
-let _e279 = local_6;
-let _e281 = local_7;
-let _e282 = ((4i * _e279) + _e281);
-let _e284 = select(_e100, _e282, (_e282 < _e100));
-let _e289 = global_1.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
-let _e290 = local_6;
-let _e292 = local_7;
-let _e293 = ((5i * _e290) + _e292);
-let _e295 = select(_e100, _e293, (_e293 < _e100));
-let _e300 = global_1.member[bitcast<u32>(select(0i, _e295, (_e295 > 0i)))];
-let _e301 = local_6;
-let _e303 = local_7;
-let _e304 = ((6i * _e301) + _e303);
-let _e306 = select(_e100, _e304, (_e304 < _e100));
-let _e311 = global_1.member[bitcast<u32>(select(0i, _e306, (_e306 > 0i)))];
-let _e312 = local_6;
-let _e314 = local_7;
-let _e315 = ((7i * _e312) + _e314);
-let _e317 = select(_e100, _e315, (_e315 < _e100));
-let _e322 = global_1.member[bitcast<u32>(select(0i, _e317, (_e317 > 0i)))];
-let _e323 = local_6;
-let _e325 = local_7;
-let _e326 = ((8i * _e323) + _e325);
-let _e328 = select(_e100, _e326, (_e326 < _e100));
-let _e333 = global_1.member[bitcast<u32>(select(0i, _e328, (_e328 > 0i)))];
-let _e335 = local_6;
-let _e337 = local_7;
-let _e338 = ((10i * _e335) + _e337);
-let _e340 = select(_e100, _e338, (_e338 < _e100));
-let _e345 = global_1.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
-let _e346 = local_6;
-let _e348 = local_7;
-let _e349 = ((11i * _e346) + _e348);
-let _e351 = select(_e100, _e349, (_e349 < _e100));
-let _e356 = global_1.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
-let _e357 = local_6;
-let _e359 = local_7;
-let _e360 = ((12i * _e357) + _e359);
-let _e362 = select(_e100, _e360, (_e360 < _e100));
-let _e367 = global_1.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
-local_4 = _e93;
-local_5 = _e124;
-let _e368 = local_5;
-let _e370 = select(_e100, _e368, (_e368 < _e100));
-let _e375 = global_1.member[bitcast<u32>(select(0i, _e370, (_e370 > 0i)))];
-let _e376 = local_4;
-let _e377 = local_5;
-let _e378 = (_e376 + _e377);
-let _e380 = select(_e100, _e378, (_e378 < _e100));
-let _e385 = global_1.member[bitcast<u32>(select(0i, _e380, (_e380 > 0i)))];
-let _e386 = local_4;
-let _e388 = local_5;
-let _e389 = ((2i * _e386) + _e388);
-let _e391 = select(_e100, _e389, (_e389 < _e100));
-let _e396 = global_1.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
-let _e397 = local_4;
-let _e399 = local_5;
-let _e400 = ((3i * _e397) + _e399);
-let _e402 = select(_e100, _e400, (_e400 < _e100));
-let _e407 = global_1.member[bitcast<u32>(select(0i, _e402, (_e402 > 0i)))];
-let _e408 = local_4;
-let _e410 = local_5;
-let _e411 = ((4i * _e408) + _e410);
-let _e413 = select(_e100, _e411, (_e411 < _e100));
-let _e418 = global_1.member[bitcast<u32>(select(0i, _e413, (_e413 > 0i)))];
-let _e419 = local_4;
-let _e421 = local_5;
-let _e422 = ((5i * _e419) + _e421);
-let _e424 = select(_e100, _e422, (_e422 < _e100));
-let _e429 = global_1.member[bitcast<u32>(select(0i, _e424, (_e424 > 0i)))];
-let _e430 = local_4;
-let _e432 = local_5;
-let _e433 = ((6i * _e430) + _e432);
-let _e435 = select(_e100, _e433, (_e433 < _e100));
-let _e440 = global_1.member[bitcast<u32>(select(0i, _e435, (_e435 > 0i)))];
-let _e441 = local_4;
-let _e443 = local_5;
-let _e444 = ((7i * _e441) + _e443);
-let _e446 = select(_e100, _e444, (_e444 < _e100));
-let _e451 = global_1.member[bitcast<u32>(select(0i, _e446, (_e446 > 0i)))];
-let _e452 = local_4;
-let _e454 = local_5;
-let _e455 = ((8i * _e452) + _e454);
-let _e457 = select(_e100, _e455, (_e455 < _e100));
-let _e462 = global_1.member[bitcast<u32>(select(0i, _e457, (_e457 > 0i)))];
-let _e464 = local_4;
-let _e466 = local_5;
-let _e467 = ((10i * _e464) + _e466);
-let _e469 = select(_e100, _e467, (_e467 < _e100));
-let _e474 = global_1.member[bitcast<u32>(select(0i, _e469, (_e469 > 0i)))];
-let _e475 = local_4;
-let _e477 = local_5;
-let _e478 = ((11i * _e475) + _e477);
-let _e480 = select(_e100, _e478, (_e478 < _e100));
-let _e485 = global_1.member[bitcast<u32>(select(0i, _e480, (_e480 > 0i)))];
-let _e486 = local_4;
-let _e488 = local_5;
-let _e489 = ((12i * _e486) + _e488);
-let _e491 = select(_e100, _e489, (_e489 < _e100));
-let _e496 = global_1.member[bitcast<u32>(select(0i, _e491, (_e491 > 0i)))];
-local_2 = _e93;
-local_3 = _e150;
-let _e497 = local_3;
-let _e499 = select(_e100, _e497, (_e497 < _e100));
-let _e504 = global_1.member[bitcast<u32>(select(0i, _e499, (_e499 > 0i)))];
-let _e505 = local_2;
-let _e506 = local_3;
-let _e507 = (_e505 + _e506);
-let _e509 = select(_e100, _e507, (_e507 < _e100));
-let _e514 = global_1.member[bitcast<u32>(select(0i, _e509, (_e509 > 0i)))];
-let _e515 = local_2;
-let _e517 = local_3;
-let _e518 = ((2i * _e515) + _e517);
-let _e520 = select(_e100, _e518, (_e518 < _e100));
-let _e525 = global_1.member[bitcast<u32>(select(0i, _e520, (_e520 > 0i)))];
-let _e526 = local_2;
-let _e528 = local_3;
-let _e529 = ((3i * _e526) + _e528);
-let _e531 = select(_e100, _e529, (_e529 < _e100));
-let _e536 = global_1.member[bitcast<u32>(select(0i, _e531, (_e531 > 0i)))];
-let _e537 = local_2;
-let _e539 = local_3;
-let _e540 = ((4i * _e537) + _e539);
-let _e542 = select(_e100, _e540, (_e540 < _e100));
-let _e547 = global_1.member[bitcast<u32>(select(0i, _e542, (_e542 > 0i)))];
-let _e548 = local_2;
-let _e550 = local_3;
-let _e551 = ((5i * _e548) + _e550);
-let _e553 = select(_e100, _e551, (_e551 < _e100));
-let _e558 = global_1.member[bitcast<u32>(select(0i, _e553, (_e553 > 0i)))];
-let _e559 = local_2;
-let _e561 = local_3;
-let _e562 = ((6i * _e559) + _e561);
-let _e564 = select(_e100, _e562, (_e562 < _e100));
-let _e569 = global_1.member[bitcast<u32>(select(0i, _e564, (_e564 > 0i)))];
-let _e570 = local_2;
-let _e572 = local_3;
-let _e573 = ((7i * _e570) + _e572);
-let _e575 = select(_e100, _e573, (_e573 < _e100));
-let _e580 = global_1.member[bitcast<u32>(select(0i, _e575, (_e575 > 0i)))];
-let _e581 = local_2;
-let _e583 = local_3;
-let _e584 = ((8i * _e581) + _e583);
-let _e586 = select(_e100, _e584, (_e584 < _e100));
-let _e591 = global_1.member[bitcast<u32>(select(0i, _e586, (_e586 > 0i)))];
-let _e593 = local_2;
-let _e595 = local_3;
-let _e596 = ((10i * _e593) + _e595);
-let _e598 = select(_e100, _e596, (_e596 < _e100));
-let _e603 = global_1.member[bitcast<u32>(select(0i, _e598, (_e598 > 0i)))];
-let _e604 = local_2;
-let _e606 = local_3;
-let _e607 = ((11i * _e604) + _e606);
-let _e609 = select(_e100, _e607, (_e607 < _e100));
-let _e614 = global_1.member[bitcast<u32>(select(0i, _e609, (_e609 > 0i)))];
-let _e615 = local_2;
-let _e617 = local_3;
-let _e618 = ((12i * _e615) + _e617);
-let _e620 = select(_e100, _e618, (_e618 < _e100));
-let _e625 = global_1.member[bitcast<u32>(select(0i, _e620, (_e620 > 0i)))];
-local = _e93;
-local_1 = _e174;
-let _e626 = local_1;
-let _e628 = select(_e100, _e626, (_e626 < _e100));
-let _e633 = global_1.member[bitcast<u32>(select(0i, _e628, (_e628 > 0i)))];
-let _e634 = local;
-let _e635 = local_1;
-let _e636 = (_e634 + _e635);
-let _e638 = select(_e100, _e636, (_e636 < _e100));
-let _e643 = global_1.member[bitcast<u32>(select(0i, _e638, (_e638 > 0i)))];
-let _e644 = local;
-let _e646 = local_1;
-let _e647 = ((2i * _e644) + _e646);
-let _e649 = select(_e100, _e647, (_e647 < _e100));
-let _e654 = global_1.member[bitcast<u32>(select(0i, _e649, (_e649 > 0i)))];
-let _e655 = local;
-let _e657 = local_1;
-let _e658 = ((3i * _e655) + _e657);
-let _e660 = select(_e100, _e658, (_e658 < _e100));
-let _e665 = global_1.member[bitcast<u32>(select(0i, _e660, (_e660 > 0i)))];
-let _e666 = local;
-let _e668 = local_1;
-let _e669 = ((4i * _e666) + _e668);
-let _e671 = select(_e100, _e669, (_e669 < _e100));
-let _e676 = global_1.member[bitcast<u32>(select(0i, _e671, (_e671 > 0i)))];
-let _e677 = local;
-let _e679 = local_1;
-let _e680 = ((5i * _e677) + _e679);
-let _e682 = select(_e100, _e680, (_e680 < _e100));
-let _e687 = global_1.member[bitcast<u32>(select(0i, _e682, (_e682 > 0i)))];
-let _e688 = local;
-let _e690 = local_1;
-let _e691 = ((6i * _e688) + _e690);
-let _e693 = select(_e100, _e691, (_e691 < _e100));
-let _e698 = global_1.member[bitcast<u32>(select(0i, _e693, (_e693 > 0i)))];
-let _e699 = local;
-let _e701 = local_1;
-let _e702 = ((7i * _e699) + _e701);
-let _e704 = select(_e100, _e702, (_e702 < _e100));
-let _e709 = global_1.member[bitcast<u32>(select(0i, _e704, (_e704 > 0i)))];
-let _e710 = local;
-let _e712 = local_1;
-let _e713 = ((8i * _e710) + _e712);
-let _e715 = select(_e100, _e713, (_e713 < _e100));
-let _e720 = global_1.member[bitcast<u32>(select(0i, _e715, (_e715 > 0i)))];
-let _e722 = local;
-let _e724 = local_1;
-let _e725 = ((10i * _e722) + _e724);
-let _e727 = select(_e100, _e725, (_e725 < _e100));
-let _e732 = global_1.member[bitcast<u32>(select(0i, _e727, (_e727 > 0i)))];
-let _e733 = local;
-let _e735 = local_1;
-let _e736 = ((11i * _e733) + _e735);
-let _e738 = select(_e100, _e736, (_e736 < _e100));
-let _e743 = global_1.member[bitcast<u32>(select(0i, _e738, (_e738 > 0i)))];
-let _e744 = local;
-let _e746 = local_1;
-let _e747 = ((12i * _e744) + _e746);
-let _e749 = select(_e100, _e747, (_e747 < _e100));
-let _e754 = global_1.member[bitcast<u32>(select(0i, _e749, (_e749 > 0i)))];
-if _e196 {
+let _e225 = phi_442_;
+let _e231 = global_2.member.member_10.member_18.member.member;
+let _e232 = bitcast<i32>(_e231);
+let _e238 = global_2.member.member_10.member_18.member.member_1;
+let _e239 = bitcast<i32>(_e238);
+local_6 = _e94;
+local_7 = _e97;
+let _e240 = local_7;
+let _e242 = select(_e101, _e240, (_e240 < _e101));
+let _e247 = global_1.member[bitcast<u32>(select(0i, _e242, (_e242 > 0i)))];
+let _e248 = local_6;
+let _e249 = local_7;
+let _e250 = (_e248 + _e249);
+let _e252 = select(_e101, _e250, (_e250 < _e101));
+let _e257 = global_1.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
+let _e258 = local_6;
+let _e260 = local_7;
+let _e261 = ((2i * _e258) + _e260);
+let _e263 = select(_e101, _e261, (_e261 < _e101));
+let _e268 = global_1.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
+let _e269 = local_6;
+let _e271 = local_7;
+let _e272 = ((3i * _e269) + _e271);
+let _e274 = select(_e101, _e272, (_e272 < _e101));
+let _e279 = global_1.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
+let _e280 = local_6;
+let _e282 = local_7;
+let _e283 = ((4i * _e280) + _e282);
+let _e285 = select(_e101, _e283, (_e283 < _e101));
+let _e290 = global_1.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
+let _e291 = local_6;
+let _e293 = local_7;
+let _e294 = ((5i * _e291) + _e293);
+let _e296 = select(_e101, _e294, (_e294 < _e101));
+let _e301 = global_1.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
+let _e302 = local_6;
+let _e304 = local_7;
+let _e305 = ((6i * _e302) + _e304);
+let _e307 = select(_e101, _e305, (_e305 < _e101));
+let _e312 = global_1.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
+let _e313 = local_6;
+let _e315 = local_7;
+let _e316 = ((7i * _e313) + _e315);
+let _e318 = select(_e101, _e316, (_e316 < _e101));
+let _e323 = global_1.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
+let _e324 = local_6;
+let _e326 = local_7;
+let _e327 = ((8i * _e324) + _e326);
+let _e329 = select(_e101, _e327, (_e327 < _e101));
+let _e334 = global_1.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
+let _e336 = f32(bitcast<i32>(_e72));
+let _e338 = f32(bitcast<i32>(_e74));
+let _e342 = global_2.member.member_10.member_3;
+let _e343 = (_e342 == 0u);
+if _e343 {
+phi_714_ = 1f;
 } else {
-let _e765 = ((((_e224.member.member * _e246) + (_e224.member.member_1 * _e256)) + (_e224.member.member_2 * _e267)) + _e224.member_1);
-let _e771 = -((((_e224.member.member * _e278) + (_e224.member.member_1 * _e289)) + (_e224.member.member_2 * _e300)));
-let _e773 = (_e771 > 1e-6f);
-let _e777 = select(-1f, (_e765 / select(1e-6f, _e771, _e773)), ((_e765 >= 0f) && _e773));
-let _e779 = select(0f, _e777, (_e777 > 0f));
-let _e785 = (_e267 + (_e300 * _e779));
-let _e789 = global_2.member.member_10.member_3;
-let _e790 = (_e789 == 0u);
-let _e793 = (_e789 != 0u);
-let _e794 = select(1f, _e785, _e793);
-let _e797 = (1f / select(1e-12f, _e794, (_e794 > 1e-12f)));
-let _e802 = global_2.member.member_10.member_5;
-let _e807 = global_2.member.member_10.member_8;
-let _e808 = ((((_e246 + (_e278 * _e779)) * _e797) - _e802) * _e807);
-let _e813 = global_2.member.member_10.member_6;
-let _e815 = ((((_e256 + (_e289 * _e779)) * _e797) - _e813) * _e807);
-let _e817 = f32(bitcast<i32>(_e84));
-let _e819 = select(0f, _e808, (_e808 > 0f));
-let _e826 = global_2.member.member_10.member_17.member_1;
-let _e829 = ((_e808 - _e817) * _e826);
-let _e834 = global_2.member.member_10.member_17.member_2;
-let _e836 = select(0f, _e829, (_e829 > 0f));
-let _e838 = (_e834 + _e836);
-let _e843 = (-(_e808) * _e826);
-let _e845 = select(0f, _e843, (_e843 > 0f));
-let _e847 = (_e834 + _e845);
-let _e856 = f32(bitcast<i32>(_e90));
-let _e858 = select(0f, _e815, (_e815 > 0f));
-let _e863 = ((_e815 - _e856) * _e826);
-let _e865 = select(0f, _e863, (_e863 > 0f));
-let _e867 = (_e834 + _e865);
-let _e872 = (-(_e815) * _e826);
-let _e874 = select(0f, _e872, (_e872 > 0f));
-let _e876 = (_e834 + _e874);
-let _e888 = (((_e356 == 1f) || (_e777 < 0f)) || !((_e790 || (_e785 > 0f))));
-let _e890 = type_27(vec2<f32>((((_e834 + (select(_e817, _e819, (_e819 < _e817)) * _e826)) + (((_e836 * _e834) / select(1e-12f, _e838, (_e838 > 1e-12f))) - ((_e845 * _e834) / select(1e-12f, _e847, (_e847 > 1e-12f))))) - 0.5f), (((_e834 + (select(_e856, _e858, (_e858 < _e856)) * _e826)) + (((_e865 * _e834) / select(1e-12f, _e867, (_e867 > 1e-12f))) - ((_e874 * _e834) / select(1e-12f, _e876, (_e876 > 1e-12f))))) - 0.5f)), vec3<f32>(_e311, _e322, _e333), _e888);
-let _e895 = (((_e278 * _e278) + (_e289 * _e289)) + (_e300 * _e300));
-let _e902 = ((_e779 * sqrt(select(0f, _e895, (_e895 > 0f)))) * select(0f, 1f, (_e345 != 0f)));
-let _e908 = ((((_e224.member.member * _e375) + (_e224.member.member_1 * _e385)) + (_e224.member.member_2 * _e396)) + _e224.member_1);
-let _e914 = -((((_e224.member.member * _e407) + (_e224.member.member_1 * _e418)) + (_e224.member.member_2 * _e429)));
-let _e916 = (_e914 > 1e-6f);
-let _e920 = select(-1f, (_e908 / select(1e-6f, _e914, _e916)), ((_e908 >= 0f) && _e916));
-let _e922 = select(0f, _e920, (_e920 > 0f));
-let _e928 = (_e396 + (_e429 * _e922));
-let _e931 = select(1f, _e928, _e793);
-let _e934 = (1f / select(1e-12f, _e931, (_e931 > 1e-12f)));
-let _e937 = ((((_e375 + (_e407 * _e922)) * _e934) - _e802) * _e807);
-let _e940 = ((((_e385 + (_e418 * _e922)) * _e934) - _e813) * _e807);
-let _e942 = select(0f, _e937, (_e937 > 0f));
-let _e947 = ((_e937 - _e817) * _e826);
-let _e949 = select(0f, _e947, (_e947 > 0f));
-let _e951 = (_e834 + _e949);
-let _e956 = (-(_e937) * _e826);
-let _e958 = select(0f, _e956, (_e956 > 0f));
-let _e960 = (_e834 + _e958);
-let _e969 = select(0f, _e940, (_e940 > 0f));
-let _e974 = ((_e940 - _e856) * _e826);
-let _e976 = select(0f, _e974, (_e974 > 0f));
-let _e978 = (_e834 + _e976);
-let _e983 = (-(_e940) * _e826);
-let _e985 = select(0f, _e983, (_e983 > 0f));
-let _e987 = (_e834 + _e985);
-let _e999 = (((_e485 == 1f) || (_e920 < 0f)) || !((_e790 || (_e928 > 0f))));
-let _e1001 = type_27(vec2<f32>((((_e834 + (select(_e817, _e942, (_e942 < _e817)) * _e826)) + (((_e949 * _e834) / select(1e-12f, _e951, (_e951 > 1e-12f))) - ((_e958 * _e834) / select(1e-12f, _e960, (_e960 > 1e-12f))))) - 0.5f), (((_e834 + (select(_e856, _e969, (_e969 < _e856)) * _e826)) + (((_e976 * _e834) / select(1e-12f, _e978, (_e978 > 1e-12f))) - ((_e985 * _e834) / select(1e-12f, _e987, (_e987 > 1e-12f))))) - 0.5f)), vec3<f32>(_e440, _e451, _e462), _e999);
-let _e1006 = (((_e407 * _e407) + (_e418 * _e418)) + (_e429 * _e429));
-let _e1013 = ((_e922 * sqrt(select(0f, _e1006, (_e1006 > 0f)))) * select(0f, 1f, (_e474 != 0f)));
-let _e1019 = ((((_e224.member.member * _e504) + (_e224.member.member_1 * _e514)) + (_e224.member.member_2 * _e525)) + _e224.member_1);
-let _e1025 = -((((_e224.member.member * _e536) + (_e224.member.member_1 * _e547)) + (_e224.member.member_2 * _e558)));
-let _e1027 = (_e1025 > 1e-6f);
-let _e1031 = select(-1f, (_e1019 / select(1e-6f, _e1025, _e1027)), ((_e1019 >= 0f) && _e1027));
-let _e1033 = select(0f, _e1031, (_e1031 > 0f));
-let _e1039 = (_e525 + (_e558 * _e1033));
-let _e1042 = select(1f, _e1039, _e793);
-let _e1045 = (1f / select(1e-12f, _e1042, (_e1042 > 1e-12f)));
-let _e1048 = ((((_e504 + (_e536 * _e1033)) * _e1045) - _e802) * _e807);
-let _e1051 = ((((_e514 + (_e547 * _e1033)) * _e1045) - _e813) * _e807);
-let _e1053 = select(0f, _e1048, (_e1048 > 0f));
-let _e1058 = ((_e1048 - _e817) * _e826);
-let _e1060 = select(0f, _e1058, (_e1058 > 0f));
-let _e1062 = (_e834 + _e1060);
-let _e1067 = (-(_e1048) * _e826);
-let _e1069 = select(0f, _e1067, (_e1067 > 0f));
-let _e1071 = (_e834 + _e1069);
-let _e1080 = select(0f, _e1051, (_e1051 > 0f));
-let _e1085 = ((_e1051 - _e856) * _e826);
-let _e1087 = select(0f, _e1085, (_e1085 > 0f));
-let _e1089 = (_e834 + _e1087);
-let _e1094 = (-(_e1051) * _e826);
-let _e1096 = select(0f, _e1094, (_e1094 > 0f));
-let _e1098 = (_e834 + _e1096);
-let _e1110 = (((_e614 == 1f) || (_e1031 < 0f)) || !((_e790 || (_e1039 > 0f))));
-let _e1112 = type_27(vec2<f32>((((_e834 + (select(_e817, _e1053, (_e1053 < _e817)) * _e826)) + (((_e1060 * _e834) / select(1e-12f, _e1062, (_e1062 > 1e-12f))) - ((_e1069 * _e834) / select(1e-12f, _e1071, (_e1071 > 1e-12f))))) - 0.5f), (((_e834 + (select(_e856, _e1080, (_e1080 < _e856)) * _e826)) + (((_e1087 * _e834) / select(1e-12f, _e1089, (_e1089 > 1e-12f))) - ((_e1096 * _e834) / select(1e-12f, _e1098, (_e1098 > 1e-12f))))) - 0.5f)), vec3<f32>(_e569, _e580, _e591), _e1110);
-let _e1117 = (((_e536 * _e536) + (_e547 * _e547)) + (_e558 * _e558));
-let _e1124 = ((_e1033 * sqrt(select(0f, _e1117, (_e1117 > 0f)))) * select(0f, 1f, (_e603 != 0f)));
-let _e1130 = ((((_e224.member.member * _e633) + (_e224.member.member_1 * _e643)) + (_e224.member.member_2 * _e654)) + _e224.member_1);
-let _e1136 = -((((_e224.member.member * _e665) + (_e224.member.member_1 * _e676)) + (_e224.member.member_2 * _e687)));
-let _e1138 = (_e1136 > 1e-6f);
-let _e1142 = select(-1f, (_e1130 / select(1e-6f, _e1136, _e1138)), ((_e1130 >= 0f) && _e1138));
-let _e1144 = select(0f, _e1142, (_e1142 > 0f));
-let _e1150 = (_e654 + (_e687 * _e1144));
-let _e1153 = select(1f, _e1150, _e793);
-let _e1156 = (1f / select(1e-12f, _e1153, (_e1153 > 1e-12f)));
-let _e1159 = ((((_e633 + (_e665 * _e1144)) * _e1156) - _e802) * _e807);
-let _e1162 = ((((_e643 + (_e676 * _e1144)) * _e1156) - _e813) * _e807);
-let _e1164 = select(0f, _e1159, (_e1159 > 0f));
-let _e1169 = ((_e1159 - _e817) * _e826);
+let _e347 = global_2.member.member_10.member_5;
+let _e351 = global_2.member.member_10.member_7;
+let _e353 = (_e347 + (_e336 * _e351));
+let _e357 = global_2.member.member_10.member_6;
+let _e359 = (_e357 + (_e338 * _e351));
+let _e364 = (((_e353 * _e353) + (_e359 * _e359)) + (1f * 1f));
+let _e368 = (1f / sqrt(select(0f, _e364, (_e364 > 0f))));
+phi_714_ = ((_e368 * _e368) * _e368);
+}
+let _e372 = phi_714_;
+if _e343 {
+phi_802_ = 1f;
+} else {
+let _e376 = global_2.member.member_10.member_5;
+let _e380 = global_2.member.member_10.member_7;
+let _e382 = (_e376 + (_e336 * _e380));
+let _e386 = global_2.member.member_10.member_6;
+let _e388 = (_e386 + (_e338 * _e380));
+let _e393 = global_2.member.member_10.member_20.member;
+let _e401 = (((_e393.member * _e382) + (_e393.member_1 * _e388)) + (_e393.member_2 * 1f));
+let _e405 = (_e382 - (_e393.member * _e401));
+let _e406 = (_e388 - (_e393.member_1 * _e401));
+let _e407 = (1f - (_e393.member_2 * _e401));
+let _e412 = (((_e405 * _e405) + (_e406 * _e406)) + (_e407 * _e407));
+let _e423 = global_2.member.member_10.member_20.member_1;
+let _e429 = global_2.member.member_10.member_20.member_2;
+let _e430 = ((_e423 - (sqrt(select(0f, _e412, (_e412 > 0f))) / select(1e-20f, _e401, (_e401 > 1e-20f)))) * _e429);
+let _e432 = select(0f, _e430, (_e430 > 0f));
+let _e434 = select(1f, _e432, (_e432 < 1f));
+phi_802_ = select(1f, select(0f, ((_e434 * _e434) * (3f - (2f * _e434))), (_e401 > 0f)), (_e429 > 0f));
+}
+let _e444 = phi_802_;
+let _e445 = (_e372 * _e444);
+let _e446 = (_e312 * _e445);
+let _e447 = (_e323 * _e445);
+let _e448 = (_e334 * _e445);
+let _e450 = local_6;
+let _e452 = local_7;
+let _e453 = ((10i * _e450) + _e452);
+let _e455 = select(_e101, _e453, (_e453 < _e101));
+let _e460 = global_1.member[bitcast<u32>(select(0i, _e455, (_e455 > 0i)))];
+let _e461 = local_6;
+let _e463 = local_7;
+let _e464 = ((11i * _e461) + _e463);
+let _e466 = select(_e101, _e464, (_e464 < _e101));
+let _e471 = global_1.member[bitcast<u32>(select(0i, _e466, (_e466 > 0i)))];
+let _e472 = local_6;
+let _e474 = local_7;
+let _e475 = ((12i * _e472) + _e474);
+let _e477 = select(_e101, _e475, (_e475 < _e101));
+let _e482 = global_1.member[bitcast<u32>(select(0i, _e477, (_e477 > 0i)))];
+let _e483 = local_6;
+let _e485 = local_7;
+let _e486 = ((13i * _e483) + _e485);
+let _e488 = select(_e101, _e486, (_e486 < _e101));
+let _e493 = global_1.member[bitcast<u32>(select(0i, _e488, (_e488 > 0i)))];
+local_4 = _e94;
+local_5 = _e125;
+let _e494 = local_5;
+let _e496 = select(_e101, _e494, (_e494 < _e101));
+let _e501 = global_1.member[bitcast<u32>(select(0i, _e496, (_e496 > 0i)))];
+let _e502 = local_4;
+let _e503 = local_5;
+let _e504 = (_e502 + _e503);
+let _e506 = select(_e101, _e504, (_e504 < _e101));
+let _e511 = global_1.member[bitcast<u32>(select(0i, _e506, (_e506 > 0i)))];
+let _e512 = local_4;
+let _e514 = local_5;
+let _e515 = ((2i * _e512) + _e514);
+let _e517 = select(_e101, _e515, (_e515 < _e101));
+let _e522 = global_1.member[bitcast<u32>(select(0i, _e517, (_e517 > 0i)))];
+let _e523 = local_4;
+let _e525 = local_5;
+let _e526 = ((3i * _e523) + _e525);
+let _e528 = select(_e101, _e526, (_e526 < _e101));
+let _e533 = global_1.member[bitcast<u32>(select(0i, _e528, (_e528 > 0i)))];
+let _e534 = local_4;
+let _e536 = local_5;
+let _e537 = ((4i * _e534) + _e536);
+let _e539 = select(_e101, _e537, (_e537 < _e101));
+let _e544 = global_1.member[bitcast<u32>(select(0i, _e539, (_e539 > 0i)))];
+let _e545 = local_4;
+let _e547 = local_5;
+let _e548 = ((5i * _e545) + _e547);
+let _e550 = select(_e101, _e548, (_e548 < _e101));
+let _e555 = global_1.member[bitcast<u32>(select(0i, _e550, (_e550 > 0i)))];
+let _e556 = local_4;
+let _e558 = local_5;
+let _e559 = ((6i * _e556) + _e558);
+let _e561 = select(_e101, _e559, (_e559 < _e101));
+let _e566 = global_1.member[bitcast<u32>(select(0i, _e561, (_e561 > 0i)))];
+let _e567 = local_4;
+let _e569 = local_5;
+let _e570 = ((7i * _e567) + _e569);
+let _e572 = select(_e101, _e570, (_e570 < _e101));
+let _e577 = global_1.member[bitcast<u32>(select(0i, _e572, (_e572 > 0i)))];
+let _e578 = local_4;
+let _e580 = local_5;
+let _e581 = ((8i * _e578) + _e580);
+let _e583 = select(_e101, _e581, (_e581 < _e101));
+let _e588 = global_1.member[bitcast<u32>(select(0i, _e583, (_e583 > 0i)))];
+let _e590 = f32(bitcast<i32>(_e123));
+if _e343 {
+phi_1180_ = 1f;
+} else {
+let _e594 = global_2.member.member_10.member_5;
+let _e598 = global_2.member.member_10.member_7;
+let _e600 = (_e594 + (_e590 * _e598));
+let _e604 = global_2.member.member_10.member_6;
+let _e606 = (_e604 + (_e338 * _e598));
+let _e611 = (((_e600 * _e600) + (_e606 * _e606)) + (1f * 1f));
+let _e615 = (1f / sqrt(select(0f, _e611, (_e611 > 0f))));
+phi_1180_ = ((_e615 * _e615) * _e615);
+}
+let _e619 = phi_1180_;
+if _e343 {
+phi_1268_ = 1f;
+} else {
+let _e623 = global_2.member.member_10.member_5;
+let _e627 = global_2.member.member_10.member_7;
+let _e629 = (_e623 + (_e590 * _e627));
+let _e633 = global_2.member.member_10.member_6;
+let _e635 = (_e633 + (_e338 * _e627));
+let _e640 = global_2.member.member_10.member_20.member;
+let _e648 = (((_e640.member * _e629) + (_e640.member_1 * _e635)) + (_e640.member_2 * 1f));
+let _e652 = (_e629 - (_e640.member * _e648));
+let _e653 = (_e635 - (_e640.member_1 * _e648));
+let _e654 = (1f - (_e640.member_2 * _e648));
+let _e659 = (((_e652 * _e652) + (_e653 * _e653)) + (_e654 * _e654));
+let _e670 = global_2.member.member_10.member_20.member_1;
+let _e676 = global_2.member.member_10.member_20.member_2;
+let _e677 = ((_e670 - (sqrt(select(0f, _e659, (_e659 > 0f))) / select(1e-20f, _e648, (_e648 > 1e-20f)))) * _e676);
+let _e679 = select(0f, _e677, (_e677 > 0f));
+let _e681 = select(1f, _e679, (_e679 < 1f));
+phi_1268_ = select(1f, select(0f, ((_e681 * _e681) * (3f - (2f * _e681))), (_e648 > 0f)), (_e676 > 0f));
+}
+let _e691 = phi_1268_;
+let _e692 = (_e619 * _e691);
+let _e693 = (_e566 * _e692);
+let _e694 = (_e577 * _e692);
+let _e695 = (_e588 * _e692);
+let _e697 = local_4;
+let _e699 = local_5;
+let _e700 = ((10i * _e697) + _e699);
+let _e702 = select(_e101, _e700, (_e700 < _e101));
+let _e707 = global_1.member[bitcast<u32>(select(0i, _e702, (_e702 > 0i)))];
+let _e708 = local_4;
+let _e710 = local_5;
+let _e711 = ((11i * _e708) + _e710);
+let _e713 = select(_e101, _e711, (_e711 < _e101));
+let _e718 = global_1.member[bitcast<u32>(select(0i, _e713, (_e713 > 0i)))];
+let _e719 = local_4;
+let _e721 = local_5;
+let _e722 = ((12i * _e719) + _e721);
+let _e724 = select(_e101, _e722, (_e722 < _e101));
+let _e729 = global_1.member[bitcast<u32>(select(0i, _e724, (_e724 > 0i)))];
+let _e730 = local_4;
+let _e732 = local_5;
+let _e733 = ((13i * _e730) + _e732);
+let _e735 = select(_e101, _e733, (_e733 < _e101));
+let _e740 = global_1.member[bitcast<u32>(select(0i, _e735, (_e735 > 0i)))];
+local_2 = _e94;
+local_3 = _e151;
+let _e741 = local_3;
+let _e743 = select(_e101, _e741, (_e741 < _e101));
+let _e748 = global_1.member[bitcast<u32>(select(0i, _e743, (_e743 > 0i)))];
+let _e749 = local_2;
+let _e750 = local_3;
+let _e751 = (_e749 + _e750);
+let _e753 = select(_e101, _e751, (_e751 < _e101));
+let _e758 = global_1.member[bitcast<u32>(select(0i, _e753, (_e753 > 0i)))];
+let _e759 = local_2;
+let _e761 = local_3;
+let _e762 = ((2i * _e759) + _e761);
+let _e764 = select(_e101, _e762, (_e762 < _e101));
+let _e769 = global_1.member[bitcast<u32>(select(0i, _e764, (_e764 > 0i)))];
+let _e770 = local_2;
+let _e772 = local_3;
+let _e773 = ((3i * _e770) + _e772);
+let _e775 = select(_e101, _e773, (_e773 < _e101));
+let _e780 = global_1.member[bitcast<u32>(select(0i, _e775, (_e775 > 0i)))];
+let _e781 = local_2;
+let _e783 = local_3;
+let _e784 = ((4i * _e781) + _e783);
+let _e786 = select(_e101, _e784, (_e784 < _e101));
+let _e791 = global_1.member[bitcast<u32>(select(0i, _e786, (_e786 > 0i)))];
+let _e792 = local_2;
+let _e794 = local_3;
+let _e795 = ((5i * _e792) + _e794);
+let _e797 = select(_e101, _e795, (_e795 < _e101));
+let _e802 = global_1.member[bitcast<u32>(select(0i, _e797, (_e797 > 0i)))];
+let _e803 = local_2;
+let _e805 = local_3;
+let _e806 = ((6i * _e803) + _e805);
+let _e808 = select(_e101, _e806, (_e806 < _e101));
+let _e813 = global_1.member[bitcast<u32>(select(0i, _e808, (_e808 > 0i)))];
+let _e814 = local_2;
+let _e816 = local_3;
+let _e817 = ((7i * _e814) + _e816);
+let _e819 = select(_e101, _e817, (_e817 < _e101));
+let _e824 = global_1.member[bitcast<u32>(select(0i, _e819, (_e819 > 0i)))];
+let _e825 = local_2;
+let _e827 = local_3;
+let _e828 = ((8i * _e825) + _e827);
+let _e830 = select(_e101, _e828, (_e828 < _e101));
+let _e835 = global_1.member[bitcast<u32>(select(0i, _e830, (_e830 > 0i)))];
+let _e837 = f32(bitcast<i32>(_e148));
+if _e343 {
+phi_1646_ = 1f;
+} else {
+let _e841 = global_2.member.member_10.member_5;
+let _e845 = global_2.member.member_10.member_7;
+let _e847 = (_e841 + (_e336 * _e845));
+let _e851 = global_2.member.member_10.member_6;
+let _e853 = (_e851 + (_e837 * _e845));
+let _e858 = (((_e847 * _e847) + (_e853 * _e853)) + (1f * 1f));
+let _e862 = (1f / sqrt(select(0f, _e858, (_e858 > 0f))));
+phi_1646_ = ((_e862 * _e862) * _e862);
+}
+let _e866 = phi_1646_;
+if _e343 {
+phi_1734_ = 1f;
+} else {
+let _e870 = global_2.member.member_10.member_5;
+let _e874 = global_2.member.member_10.member_7;
+let _e876 = (_e870 + (_e336 * _e874));
+let _e880 = global_2.member.member_10.member_6;
+let _e882 = (_e880 + (_e837 * _e874));
+let _e887 = global_2.member.member_10.member_20.member;
+let _e895 = (((_e887.member * _e876) + (_e887.member_1 * _e882)) + (_e887.member_2 * 1f));
+let _e899 = (_e876 - (_e887.member * _e895));
+let _e900 = (_e882 - (_e887.member_1 * _e895));
+let _e901 = (1f - (_e887.member_2 * _e895));
+let _e906 = (((_e899 * _e899) + (_e900 * _e900)) + (_e901 * _e901));
+let _e917 = global_2.member.member_10.member_20.member_1;
+let _e923 = global_2.member.member_10.member_20.member_2;
+let _e924 = ((_e917 - (sqrt(select(0f, _e906, (_e906 > 0f))) / select(1e-20f, _e895, (_e895 > 1e-20f)))) * _e923);
+let _e926 = select(0f, _e924, (_e924 > 0f));
+let _e928 = select(1f, _e926, (_e926 < 1f));
+phi_1734_ = select(1f, select(0f, ((_e928 * _e928) * (3f - (2f * _e928))), (_e895 > 0f)), (_e923 > 0f));
+}
+let _e938 = phi_1734_;
+let _e939 = (_e866 * _e938);
+let _e940 = (_e813 * _e939);
+let _e941 = (_e824 * _e939);
+let _e942 = (_e835 * _e939);
+let _e944 = local_2;
+let _e946 = local_3;
+let _e947 = ((10i * _e944) + _e946);
+let _e949 = select(_e101, _e947, (_e947 < _e101));
+let _e954 = global_1.member[bitcast<u32>(select(0i, _e949, (_e949 > 0i)))];
+let _e955 = local_2;
+let _e957 = local_3;
+let _e958 = ((11i * _e955) + _e957);
+let _e960 = select(_e101, _e958, (_e958 < _e101));
+let _e965 = global_1.member[bitcast<u32>(select(0i, _e960, (_e960 > 0i)))];
+let _e966 = local_2;
+let _e968 = local_3;
+let _e969 = ((12i * _e966) + _e968);
+let _e971 = select(_e101, _e969, (_e969 < _e101));
+let _e976 = global_1.member[bitcast<u32>(select(0i, _e971, (_e971 > 0i)))];
+let _e977 = local_2;
+let _e979 = local_3;
+let _e980 = ((13i * _e977) + _e979);
+let _e982 = select(_e101, _e980, (_e980 < _e101));
+let _e987 = global_1.member[bitcast<u32>(select(0i, _e982, (_e982 > 0i)))];
+local = _e94;
+local_1 = _e175;
+let _e988 = local_1;
+let _e990 = select(_e101, _e988, (_e988 < _e101));
+let _e995 = global_1.member[bitcast<u32>(select(0i, _e990, (_e990 > 0i)))];
+let _e996 = local;
+let _e997 = local_1;
+let _e998 = (_e996 + _e997);
+let _e1000 = select(_e101, _e998, (_e998 < _e101));
+let _e1005 = global_1.member[bitcast<u32>(select(0i, _e1000, (_e1000 > 0i)))];
+let _e1006 = local;
+let _e1008 = local_1;
+let _e1009 = ((2i * _e1006) + _e1008);
+let _e1011 = select(_e101, _e1009, (_e1009 < _e101));
+let _e1016 = global_1.member[bitcast<u32>(select(0i, _e1011, (_e1011 > 0i)))];
+let _e1017 = local;
+let _e1019 = local_1;
+let _e1020 = ((3i * _e1017) + _e1019);
+let _e1022 = select(_e101, _e1020, (_e1020 < _e101));
+let _e1027 = global_1.member[bitcast<u32>(select(0i, _e1022, (_e1022 > 0i)))];
+let _e1028 = local;
+let _e1030 = local_1;
+let _e1031 = ((4i * _e1028) + _e1030);
+let _e1033 = select(_e101, _e1031, (_e1031 < _e101));
+let _e1038 = global_1.member[bitcast<u32>(select(0i, _e1033, (_e1033 > 0i)))];
+let _e1039 = local;
+let _e1041 = local_1;
+let _e1042 = ((5i * _e1039) + _e1041);
+let _e1044 = select(_e101, _e1042, (_e1042 < _e101));
+let _e1049 = global_1.member[bitcast<u32>(select(0i, _e1044, (_e1044 > 0i)))];
+let _e1050 = local;
+let _e1052 = local_1;
+let _e1053 = ((6i * _e1050) + _e1052);
+let _e1055 = select(_e101, _e1053, (_e1053 < _e101));
+let _e1060 = global_1.member[bitcast<u32>(select(0i, _e1055, (_e1055 > 0i)))];
+let _e1061 = local;
+let _e1063 = local_1;
+let _e1064 = ((7i * _e1061) + _e1063);
+let _e1066 = select(_e101, _e1064, (_e1064 < _e101));
+let _e1071 = global_1.member[bitcast<u32>(select(0i, _e1066, (_e1066 > 0i)))];
+let _e1072 = local;
+let _e1074 = local_1;
+let _e1075 = ((8i * _e1072) + _e1074);
+let _e1077 = select(_e101, _e1075, (_e1075 < _e101));
+let _e1082 = global_1.member[bitcast<u32>(select(0i, _e1077, (_e1077 > 0i)))];
+if _e343 {
+phi_2113_ = 1f;
+} else {
+let _e1086 = global_2.member.member_10.member_5;
+let _e1090 = global_2.member.member_10.member_7;
+let _e1092 = (_e1086 + (_e590 * _e1090));
+let _e1096 = global_2.member.member_10.member_6;
+let _e1098 = (_e1096 + (_e837 * _e1090));
+let _e1103 = (((_e1092 * _e1092) + (_e1098 * _e1098)) + (1f * 1f));
+let _e1107 = (1f / sqrt(select(0f, _e1103, (_e1103 > 0f))));
+phi_2113_ = ((_e1107 * _e1107) * _e1107);
+}
+let _e1111 = phi_2113_;
+if _e343 {
+phi_2201_ = 1f;
+} else {
+let _e1115 = global_2.member.member_10.member_5;
+let _e1119 = global_2.member.member_10.member_7;
+let _e1121 = (_e1115 + (_e590 * _e1119));
+let _e1125 = global_2.member.member_10.member_6;
+let _e1127 = (_e1125 + (_e837 * _e1119));
+let _e1132 = global_2.member.member_10.member_20.member;
+let _e1140 = (((_e1132.member * _e1121) + (_e1132.member_1 * _e1127)) + (_e1132.member_2 * 1f));
+let _e1144 = (_e1121 - (_e1132.member * _e1140));
+let _e1145 = (_e1127 - (_e1132.member_1 * _e1140));
+let _e1146 = (1f - (_e1132.member_2 * _e1140));
+let _e1151 = (((_e1144 * _e1144) + (_e1145 * _e1145)) + (_e1146 * _e1146));
+let _e1162 = global_2.member.member_10.member_20.member_1;
+let _e1168 = global_2.member.member_10.member_20.member_2;
+let _e1169 = ((_e1162 - (sqrt(select(0f, _e1151, (_e1151 > 0f))) / select(1e-20f, _e1140, (_e1140 > 1e-20f)))) * _e1168);
 let _e1171 = select(0f, _e1169, (_e1169 > 0f));
-let _e1173 = (_e834 + _e1171);
-let _e1178 = (-(_e1159) * _e826);
-let _e1180 = select(0f, _e1178, (_e1178 > 0f));
-let _e1182 = (_e834 + _e1180);
-let _e1191 = select(0f, _e1162, (_e1162 > 0f));
-let _e1196 = ((_e1162 - _e856) * _e826);
-let _e1198 = select(0f, _e1196, (_e1196 > 0f));
-let _e1200 = (_e834 + _e1198);
-let _e1205 = (-(_e1162) * _e826);
-let _e1207 = select(0f, _e1205, (_e1205 > 0f));
-let _e1209 = (_e834 + _e1207);
-let _e1221 = (((_e743 == 1f) || (_e1142 < 0f)) || !((_e790 || (_e1150 > 0f))));
-let _e1223 = type_27(vec2<f32>((((_e834 + (select(_e817, _e1164, (_e1164 < _e817)) * _e826)) + (((_e1171 * _e834) / select(1e-12f, _e1173, (_e1173 > 1e-12f))) - ((_e1180 * _e834) / select(1e-12f, _e1182, (_e1182 > 1e-12f))))) - 0.5f), (((_e834 + (select(_e856, _e1191, (_e1191 < _e856)) * _e826)) + (((_e1198 * _e834) / select(1e-12f, _e1200, (_e1200 > 1e-12f))) - ((_e1207 * _e834) / select(1e-12f, _e1209, (_e1209 > 1e-12f))))) - 0.5f)), vec3<f32>(_e698, _e709, _e720), _e1221);
-let _e1228 = (((_e665 * _e665) + (_e676 * _e676)) + (_e687 * _e687));
-let _e1235 = ((_e1144 * sqrt(select(0f, _e1228, (_e1228 > 0f)))) * select(0f, 1f, (_e732 != 0f)));
-let _e1237 = select(_e1013, _e902, (_e902 > _e1013));
-let _e1239 = select(_e1235, _e1124, (_e1124 > _e1235));
-let _e1244 = (((_e200 * select(_e1239, _e1237, (_e1237 > _e1239))) * _e807) * _e826);
-let _e1255 = (((select(0f, 1f, !(_e888)) + select(0f, 1f, !(_e999))) + select(0f, 1f, !(_e1110))) + select(0f, 1f, !(_e1221)));
-if (_e1255 > 0f) {
-if _e888 {
-phi_2754_ = _e1112;
-} else {
-phi_2754_ = _e890;
+let _e1173 = select(1f, _e1171, (_e1171 < 1f));
+phi_2201_ = select(1f, select(0f, ((_e1173 * _e1173) * (3f - (2f * _e1173))), (_e1140 > 0f)), (_e1168 > 0f));
 }
-let _e1258 = phi_2754_;
-if _e999 {
-phi_2758_ = _e1223;
+let _e1183 = phi_2201_;
+let _e1184 = (_e1111 * _e1183);
+let _e1185 = (_e1060 * _e1184);
+let _e1186 = (_e1071 * _e1184);
+let _e1187 = (_e1082 * _e1184);
+let _e1189 = local;
+let _e1191 = local_1;
+let _e1192 = ((10i * _e1189) + _e1191);
+let _e1194 = select(_e101, _e1192, (_e1192 < _e101));
+let _e1199 = global_1.member[bitcast<u32>(select(0i, _e1194, (_e1194 > 0i)))];
+let _e1200 = local;
+let _e1202 = local_1;
+let _e1203 = ((11i * _e1200) + _e1202);
+let _e1205 = select(_e101, _e1203, (_e1203 < _e101));
+let _e1210 = global_1.member[bitcast<u32>(select(0i, _e1205, (_e1205 > 0i)))];
+let _e1211 = local;
+let _e1213 = local_1;
+let _e1214 = ((12i * _e1211) + _e1213);
+let _e1216 = select(_e101, _e1214, (_e1214 < _e101));
+let _e1221 = global_1.member[bitcast<u32>(select(0i, _e1216, (_e1216 > 0i)))];
+let _e1222 = local;
+let _e1224 = local_1;
+let _e1225 = ((13i * _e1222) + _e1224);
+let _e1227 = select(_e101, _e1225, (_e1225 < _e101));
+let _e1232 = global_1.member[bitcast<u32>(select(0i, _e1227, (_e1227 > 0i)))];
+if _e197 {
 } else {
-phi_2758_ = _e1001;
-}
-let _e1260 = phi_2758_;
-if _e1258.member_2 {
-phi_2763_ = _e1260;
+let _e1243 = ((((_e225.member.member * _e247) + (_e225.member.member_1 * _e257)) + (_e225.member.member_2 * _e268)) + _e225.member_1);
+let _e1249 = -((((_e225.member.member * _e279) + (_e225.member.member_1 * _e290)) + (_e225.member.member_2 * _e301)));
+let _e1251 = (_e1249 > 1e-6f);
+let _e1255 = select(-1f, (_e1243 / select(1e-6f, _e1249, _e1251)), ((_e1243 >= 0f) && _e1251));
+let _e1257 = select(0f, _e1255, (_e1255 > 0f));
+let _e1263 = (_e268 + (_e301 * _e1257));
+let _e1268 = global_2.member.member_10.member_19.member_2;
+let _e1271 = (_e342 != 0u);
+let _e1273 = select(1f, (_e1263 - _e1268), _e1271);
+let _e1276 = (1f / select(1e-12f, _e1273, (_e1273 > 1e-12f)));
+let _e1281 = global_2.member.member_10.member_5;
+let _e1286 = global_2.member.member_10.member_8;
+let _e1287 = ((((_e247 + (_e279 * _e1257)) * _e1276) - _e1281) * _e1286);
+let _e1292 = global_2.member.member_10.member_6;
+let _e1294 = ((((_e257 + (_e290 * _e1257)) * _e1276) - _e1292) * _e1286);
+let _e1296 = f32(bitcast<i32>(_e85));
+let _e1298 = select(0f, _e1287, (_e1287 > 0f));
+let _e1305 = global_2.member.member_10.member_18.member_1;
+let _e1308 = ((_e1287 - _e1296) * _e1305);
+let _e1313 = global_2.member.member_10.member_18.member_2;
+let _e1315 = select(0f, _e1308, (_e1308 > 0f));
+let _e1317 = (_e1313 + _e1315);
+let _e1322 = (-(_e1287) * _e1305);
+let _e1324 = select(0f, _e1322, (_e1322 > 0f));
+let _e1326 = (_e1313 + _e1324);
+let _e1335 = f32(bitcast<i32>(_e91));
+let _e1337 = select(0f, _e1294, (_e1294 > 0f));
+let _e1342 = ((_e1294 - _e1335) * _e1305);
+let _e1344 = select(0f, _e1342, (_e1342 > 0f));
+let _e1346 = (_e1313 + _e1344);
+let _e1351 = (-(_e1294) * _e1305);
+let _e1353 = select(0f, _e1351, (_e1351 > 0f));
+let _e1355 = (_e1313 + _e1353);
+let _e1367 = (((_e471 == 1f) || (_e1255 < 0f)) || !((_e343 || (_e1263 > _e1268))));
+let _e1369 = type_28(vec2<f32>((((_e1313 + (select(_e1296, _e1298, (_e1298 < _e1296)) * _e1305)) + (((_e1315 * _e1313) / select(1e-12f, _e1317, (_e1317 > 1e-12f))) - ((_e1324 * _e1313) / select(1e-12f, _e1326, (_e1326 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1337, (_e1337 < _e1335)) * _e1305)) + (((_e1344 * _e1313) / select(1e-12f, _e1346, (_e1346 > 1e-12f))) - ((_e1353 * _e1313) / select(1e-12f, _e1355, (_e1355 > 1e-12f))))) - 0.5f)), vec3<f32>(_e446, _e447, _e448), _e1367);
+let _e1374 = (((_e279 * _e279) + (_e290 * _e290)) + (_e301 * _e301));
+let _e1381 = ((_e1257 * sqrt(select(0f, _e1374, (_e1374 > 0f)))) * select(0f, 1f, (_e460 != 0f)));
+let _e1387 = ((((_e225.member.member * _e501) + (_e225.member.member_1 * _e511)) + (_e225.member.member_2 * _e522)) + _e225.member_1);
+let _e1393 = -((((_e225.member.member * _e533) + (_e225.member.member_1 * _e544)) + (_e225.member.member_2 * _e555)));
+let _e1395 = (_e1393 > 1e-6f);
+let _e1399 = select(-1f, (_e1387 / select(1e-6f, _e1393, _e1395)), ((_e1387 >= 0f) && _e1395));
+let _e1401 = select(0f, _e1399, (_e1399 > 0f));
+let _e1407 = (_e522 + (_e555 * _e1401));
+let _e1411 = select(1f, (_e1407 - _e1268), _e1271);
+let _e1414 = (1f / select(1e-12f, _e1411, (_e1411 > 1e-12f)));
+let _e1417 = ((((_e501 + (_e533 * _e1401)) * _e1414) - _e1281) * _e1286);
+let _e1420 = ((((_e511 + (_e544 * _e1401)) * _e1414) - _e1292) * _e1286);
+let _e1422 = select(0f, _e1417, (_e1417 > 0f));
+let _e1427 = ((_e1417 - _e1296) * _e1305);
+let _e1429 = select(0f, _e1427, (_e1427 > 0f));
+let _e1431 = (_e1313 + _e1429);
+let _e1436 = (-(_e1417) * _e1305);
+let _e1438 = select(0f, _e1436, (_e1436 > 0f));
+let _e1440 = (_e1313 + _e1438);
+let _e1449 = select(0f, _e1420, (_e1420 > 0f));
+let _e1454 = ((_e1420 - _e1335) * _e1305);
+let _e1456 = select(0f, _e1454, (_e1454 > 0f));
+let _e1458 = (_e1313 + _e1456);
+let _e1463 = (-(_e1420) * _e1305);
+let _e1465 = select(0f, _e1463, (_e1463 > 0f));
+let _e1467 = (_e1313 + _e1465);
+let _e1479 = (((_e718 == 1f) || (_e1399 < 0f)) || !((_e343 || (_e1407 > _e1268))));
+let _e1481 = type_28(vec2<f32>((((_e1313 + (select(_e1296, _e1422, (_e1422 < _e1296)) * _e1305)) + (((_e1429 * _e1313) / select(1e-12f, _e1431, (_e1431 > 1e-12f))) - ((_e1438 * _e1313) / select(1e-12f, _e1440, (_e1440 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1449, (_e1449 < _e1335)) * _e1305)) + (((_e1456 * _e1313) / select(1e-12f, _e1458, (_e1458 > 1e-12f))) - ((_e1465 * _e1313) / select(1e-12f, _e1467, (_e1467 > 1e-12f))))) - 0.5f)), vec3<f32>(_e693, _e694, _e695), _e1479);
+let _e1486 = (((_e533 * _e533) + (_e544 * _e544)) + (_e555 * _e555));
+let _e1493 = ((_e1401 * sqrt(select(0f, _e1486, (_e1486 > 0f)))) * select(0f, 1f, (_e707 != 0f)));
+let _e1499 = ((((_e225.member.member * _e748) + (_e225.member.member_1 * _e758)) + (_e225.member.member_2 * _e769)) + _e225.member_1);
+let _e1505 = -((((_e225.member.member * _e780) + (_e225.member.member_1 * _e791)) + (_e225.member.member_2 * _e802)));
+let _e1507 = (_e1505 > 1e-6f);
+let _e1511 = select(-1f, (_e1499 / select(1e-6f, _e1505, _e1507)), ((_e1499 >= 0f) && _e1507));
+let _e1513 = select(0f, _e1511, (_e1511 > 0f));
+let _e1519 = (_e769 + (_e802 * _e1513));
+let _e1523 = select(1f, (_e1519 - _e1268), _e1271);
+let _e1526 = (1f / select(1e-12f, _e1523, (_e1523 > 1e-12f)));
+let _e1529 = ((((_e748 + (_e780 * _e1513)) * _e1526) - _e1281) * _e1286);
+let _e1532 = ((((_e758 + (_e791 * _e1513)) * _e1526) - _e1292) * _e1286);
+let _e1534 = select(0f, _e1529, (_e1529 > 0f));
+let _e1539 = ((_e1529 - _e1296) * _e1305);
+let _e1541 = select(0f, _e1539, (_e1539 > 0f));
+let _e1543 = (_e1313 + _e1541);
+let _e1548 = (-(_e1529) * _e1305);
+let _e1550 = select(0f, _e1548, (_e1548 > 0f));
+let _e1552 = (_e1313 + _e1550);
+let _e1561 = select(0f, _e1532, (_e1532 > 0f));
+let _e1566 = ((_e1532 - _e1335) * _e1305);
+let _e1568 = select(0f, _e1566, (_e1566 > 0f));
+let _e1570 = (_e1313 + _e1568);
+let _e1575 = (-(_e1532) * _e1305);
+let _e1577 = select(0f, _e1575, (_e1575 > 0f));
+let _e1579 = (_e1313 + _e1577);
+let _e1591 = (((_e965 == 1f) || (_e1511 < 0f)) || !((_e343 || (_e1519 > _e1268))));
+let _e1593 = type_28(vec2<f32>((((_e1313 + (select(_e1296, _e1534, (_e1534 < _e1296)) * _e1305)) + (((_e1541 * _e1313) / select(1e-12f, _e1543, (_e1543 > 1e-12f))) - ((_e1550 * _e1313) / select(1e-12f, _e1552, (_e1552 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1561, (_e1561 < _e1335)) * _e1305)) + (((_e1568 * _e1313) / select(1e-12f, _e1570, (_e1570 > 1e-12f))) - ((_e1577 * _e1313) / select(1e-12f, _e1579, (_e1579 > 1e-12f))))) - 0.5f)), vec3<f32>(_e940, _e941, _e942), _e1591);
+let _e1598 = (((_e780 * _e780) + (_e791 * _e791)) + (_e802 * _e802));
+let _e1605 = ((_e1513 * sqrt(select(0f, _e1598, (_e1598 > 0f)))) * select(0f, 1f, (_e954 != 0f)));
+let _e1611 = ((((_e225.member.member * _e995) + (_e225.member.member_1 * _e1005)) + (_e225.member.member_2 * _e1016)) + _e225.member_1);
+let _e1617 = -((((_e225.member.member * _e1027) + (_e225.member.member_1 * _e1038)) + (_e225.member.member_2 * _e1049)));
+let _e1619 = (_e1617 > 1e-6f);
+let _e1623 = select(-1f, (_e1611 / select(1e-6f, _e1617, _e1619)), ((_e1611 >= 0f) && _e1619));
+let _e1625 = select(0f, _e1623, (_e1623 > 0f));
+let _e1631 = (_e1016 + (_e1049 * _e1625));
+let _e1635 = select(1f, (_e1631 - _e1268), _e1271);
+let _e1638 = (1f / select(1e-12f, _e1635, (_e1635 > 1e-12f)));
+let _e1641 = ((((_e995 + (_e1027 * _e1625)) * _e1638) - _e1281) * _e1286);
+let _e1644 = ((((_e1005 + (_e1038 * _e1625)) * _e1638) - _e1292) * _e1286);
+let _e1646 = select(0f, _e1641, (_e1641 > 0f));
+let _e1651 = ((_e1641 - _e1296) * _e1305);
+let _e1653 = select(0f, _e1651, (_e1651 > 0f));
+let _e1655 = (_e1313 + _e1653);
+let _e1660 = (-(_e1641) * _e1305);
+let _e1662 = select(0f, _e1660, (_e1660 > 0f));
+let _e1664 = (_e1313 + _e1662);
+let _e1673 = select(0f, _e1644, (_e1644 > 0f));
+let _e1678 = ((_e1644 - _e1335) * _e1305);
+let _e1680 = select(0f, _e1678, (_e1678 > 0f));
+let _e1682 = (_e1313 + _e1680);
+let _e1687 = (-(_e1644) * _e1305);
+let _e1689 = select(0f, _e1687, (_e1687 > 0f));
+let _e1691 = (_e1313 + _e1689);
+let _e1703 = (((_e1210 == 1f) || (_e1623 < 0f)) || !((_e343 || (_e1631 > _e1268))));
+let _e1705 = type_28(vec2<f32>((((_e1313 + (select(_e1296, _e1646, (_e1646 < _e1296)) * _e1305)) + (((_e1653 * _e1313) / select(1e-12f, _e1655, (_e1655 > 1e-12f))) - ((_e1662 * _e1313) / select(1e-12f, _e1664, (_e1664 > 1e-12f))))) - 0.5f), (((_e1313 + (select(_e1335, _e1673, (_e1673 < _e1335)) * _e1305)) + (((_e1680 * _e1313) / select(1e-12f, _e1682, (_e1682 > 1e-12f))) - ((_e1689 * _e1313) / select(1e-12f, _e1691, (_e1691 > 1e-12f))))) - 0.5f)), vec3<f32>(_e1185, _e1186, _e1187), _e1703);
+let _e1710 = (((_e1027 * _e1027) + (_e1038 * _e1038)) + (_e1049 * _e1049));
+let _e1717 = ((_e1625 * sqrt(select(0f, _e1710, (_e1710 > 0f)))) * select(0f, 1f, (_e1199 != 0f)));
+let _e1719 = select(_e1493, _e1381, (_e1381 > _e1493));
+let _e1721 = select(_e1717, _e1605, (_e1605 > _e1717));
+let _e1726 = (((_e201 * select(_e1721, _e1719, (_e1719 > _e1721))) * _e1286) * _e1305);
+let _e1737 = (((select(0f, 1f, !(_e1367)) + select(0f, 1f, !(_e1479))) + select(0f, 1f, !(_e1591))) + select(0f, 1f, !(_e1703)));
+if (_e1737 > 0f) {
+if _e1367 {
+phi_3398_ = _e1593;
 } else {
-phi_2763_ = _e1258;
+phi_3398_ = _e1369;
 }
-let _e1263 = phi_2763_;
-if _e999 {
-phi_2767_ = _e1263;
+let _e1740 = phi_3398_;
+if _e1479 {
+phi_3402_ = _e1705;
 } else {
-phi_2767_ = _e1001;
+phi_3402_ = _e1481;
 }
-let _e1265 = phi_2767_;
-if _e888 {
-phi_2771_ = _e1265;
+let _e1742 = phi_3402_;
+if _e1740.member_2 {
+phi_3407_ = _e1742;
 } else {
-phi_2771_ = _e890;
+phi_3407_ = _e1740;
 }
-let _e1267 = phi_2771_;
-if _e1260.member_2 {
-phi_2776_ = _e1258;
+let _e1745 = phi_3407_;
+if _e1479 {
+phi_3411_ = _e1745;
 } else {
-phi_2776_ = _e1260;
+phi_3411_ = _e1481;
 }
-let _e1270 = phi_2776_;
-if _e1267.member_2 {
-phi_2781_ = _e1270;
+let _e1747 = phi_3411_;
+if _e1367 {
+phi_3415_ = _e1747;
 } else {
-phi_2781_ = _e1267;
+phi_3415_ = _e1369;
 }
-let _e1273 = phi_2781_;
-if _e999 {
-phi_2785_ = _e1273;
+let _e1749 = phi_3415_;
+if _e1742.member_2 {
+phi_3420_ = _e1740;
 } else {
-phi_2785_ = _e1001;
+phi_3420_ = _e1742;
 }
-let _e1275 = phi_2785_;
-if _e1258.member_2 {
-phi_2790_ = _e1260;
+let _e1752 = phi_3420_;
+if _e1749.member_2 {
+phi_3425_ = _e1752;
 } else {
-phi_2790_ = _e1258;
+phi_3425_ = _e1749;
 }
-let _e1277 = phi_2790_;
-if _e1221 {
-phi_2794_ = _e1277;
+let _e1755 = phi_3425_;
+if _e1479 {
+phi_3429_ = _e1755;
 } else {
-phi_2794_ = _e1223;
+phi_3429_ = _e1481;
 }
-let _e1279 = phi_2794_;
-if _e1110 {
-phi_2798_ = _e1279;
+let _e1757 = phi_3429_;
+if _e1740.member_2 {
+phi_3434_ = _e1742;
 } else {
-phi_2798_ = _e1112;
+phi_3434_ = _e1740;
 }
-let _e1281 = phi_2798_;
-if _e1260.member_2 {
-phi_2803_ = _e1258;
+let _e1759 = phi_3434_;
+if _e1703 {
+phi_3438_ = _e1759;
 } else {
-phi_2803_ = _e1260;
+phi_3438_ = _e1705;
 }
-let _e1283 = phi_2803_;
-if _e1281.member_2 {
-phi_2808_ = _e1283;
+let _e1761 = phi_3438_;
+if _e1591 {
+phi_3442_ = _e1761;
 } else {
-phi_2808_ = _e1281;
+phi_3442_ = _e1593;
 }
-let _e1286 = phi_2808_;
-if _e1221 {
-phi_2812_ = _e1286;
+let _e1763 = phi_3442_;
+if _e1742.member_2 {
+phi_3447_ = _e1740;
 } else {
-phi_2812_ = _e1223;
+phi_3447_ = _e1742;
 }
-let _e1288 = phi_2812_;
-let _e1289 = (1.7320508f * _e1244);
-if _e201 {
-let _e1292 = (0.5f * select(1f, _e1289, (_e1289 > 1f)));
-let _e1294 = select(_e826, _e1292, (_e1292 > _e826));
-phi_2841_ = select(8f, _e1294, (_e1294 < 8f));
+let _e1765 = phi_3447_;
+if _e1763.member_2 {
+phi_3452_ = _e1765;
 } else {
-phi_2841_ = 1f;
+phi_3452_ = _e1763;
 }
-let _e1298 = phi_2841_;
-let _e1308 = (_e1275.member.x - _e1267.member.x);
-let _e1309 = (_e1275.member.y - _e1267.member.y);
-let _e1312 = bitcast<f32>((bitcast<u32>(_e1308) & 2147483647u));
-let _e1315 = bitcast<f32>((bitcast<u32>(_e1309) & 2147483647u));
-let _e1317 = select(_e1315, _e1312, (_e1312 > _e1315));
-let _e1326 = (_e1288.member.x - _e1281.member.x);
-let _e1327 = (_e1288.member.y - _e1281.member.y);
-let _e1330 = bitcast<f32>((bitcast<u32>(_e1326) & 2147483647u));
-let _e1333 = bitcast<f32>((bitcast<u32>(_e1327) & 2147483647u));
-let _e1335 = select(_e1333, _e1330, (_e1330 > _e1333));
-let _e1339 = ((select(_e1335, _e1317, (_e1317 > _e1335)) / _e1298) - 1e-3f);
-let _e1340 = (128f - 1f);
-let _e1342 = select(0f, _e1339, (_e1339 > 0f));
-let _e1344 = select(_e1340, _e1342, (_e1342 < _e1340));
-let _e1351 = select(0i, select(select(i32(_e1344), i32(-2147483648), (_e1344 < -2147483600f)), 2147483647i, (_e1344 > 2147483500f)), (_e1344 == _e1344));
-let _e1357 = f32((1i + (_e1351 - select(0i, 1i, (_e1344 < f32(_e1351))))));
-let _e1358 = (_e1281.member.x - _e1267.member.x);
-let _e1359 = (_e1281.member.y - _e1267.member.y);
-let _e1362 = bitcast<f32>((bitcast<u32>(_e1358) & 2147483647u));
-let _e1365 = bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u));
-let _e1367 = select(_e1365, _e1362, (_e1362 > _e1365));
-let _e1368 = (_e1288.member.x - _e1275.member.x);
-let _e1369 = (_e1288.member.y - _e1275.member.y);
-let _e1372 = bitcast<f32>((bitcast<u32>(_e1368) & 2147483647u));
-let _e1375 = bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u));
-let _e1377 = select(_e1375, _e1372, (_e1372 > _e1375));
-let _e1381 = ((select(_e1377, _e1367, (_e1367 > _e1377)) / _e1298) - 1e-3f);
-let _e1383 = select(0f, _e1381, (_e1381 > 0f));
-let _e1385 = select(_e1340, _e1383, (_e1383 < _e1340));
-let _e1392 = select(0i, select(select(i32(_e1385), i32(-2147483648), (_e1385 < -2147483600f)), 2147483647i, (_e1385 > 2147483500f)), (_e1385 == _e1385));
-let _e1398 = f32((1i + (_e1392 - select(0i, 1i, (_e1385 < f32(_e1392))))));
-let _e1400 = (select(128f, 24f, _e201) / (_e1357 * _e1398));
-let _e1402 = select(_e1400, 1f, (1f < _e1400));
-let _e1405 = sqrt(select(0f, _e1402, (_e1402 > 0f)));
-let _e1406 = (_e1357 * _e1405);
-let _e1408 = select(1f, _e1406, (_e1406 > 1f));
-let _e1410 = select(128f, _e1408, (_e1408 < 128f));
-let _e1417 = select(0i, select(select(i32(_e1410), i32(-2147483648), (_e1410 < -2147483600f)), 2147483647i, (_e1410 > 2147483500f)), (_e1410 == _e1410));
-let _e1421 = (_e1417 - select(0i, 1i, (_e1410 < f32(_e1417))));
-let _e1422 = (_e1398 * _e1405);
-let _e1424 = select(1f, _e1422, (_e1422 > 1f));
-let _e1426 = select(128f, _e1424, (_e1424 < 128f));
-let _e1433 = select(0i, select(select(i32(_e1426), i32(-2147483648), (_e1426 < -2147483600f)), 2147483647i, (_e1426 > 2147483500f)), (_e1426 == _e1426));
-let _e1437 = (_e1433 - select(0i, 1i, (_e1426 < f32(_e1433))));
-let _e1439 = (1f / f32(_e1421));
-let _e1441 = (1f / f32(_e1437));
-let _e1444 = ((_e1439 * _e1441) * (_e1255 * 0.25f));
-phi_3054_ = 0i;
-loop {
-let _e1446 = phi_3054_;
-let _e1447 = (_e1446 < _e1437);
-if _e1447 {
-let _e1450 = ((f32(_e1446) + 0.5f) * _e1441);
-phi_3089_ = 0i;
-loop {
-let _e1458 = phi_3089_;
-let _e1459 = (_e1458 < _e1421);
-if _e1459 {
-let _e1462 = ((f32(_e1458) + 0.5f) * _e1439);
-let _e1469 = ((_e1308 + ((_e1326 - _e1308) * _e1450)) * _e1439);
-let _e1470 = ((_e1309 + ((_e1327 - _e1309) * _e1450)) * _e1439);
-let _e1471 = ((_e1358 + ((_e1368 - _e1358) * _e1462)) * _e1441);
-let _e1472 = ((_e1359 + ((_e1369 - _e1359) * _e1462)) * _e1441);
-let _e1478 = bitcast<f32>((bitcast<u32>(((_e1469 * _e1472) - (_e1470 * _e1471))) & 2147483647u));
-let _e1481 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
-let _e1484 = bitcast<f32>((bitcast<u32>(_e1472) & 2147483647u));
-let _e1487 = bitcast<f32>((bitcast<u32>(_e1471) & 2147483647u));
-let _e1488 = (_e1481 + _e1487);
-let _e1491 = bitcast<f32>((bitcast<u32>(_e1470) & 2147483647u));
-let _e1492 = (_e1484 + _e1491);
-let _e1496 = (9.765625e-4f * 9.765625e-4f);
-let _e1499 = (_e1478 / select(_e1496, _e1481, (_e1481 > _e1496)));
-let _e1504 = (_e1478 / select(_e1496, _e1484, (_e1484 > _e1496)));
-if ((_e1487 * _e1484) <= (_e1491 * _e1481)) {
-phi_3180_ = vec2<f32>(_e1481, select(_e1492, _e1499, (_e1499 < _e1492)));
+let _e1768 = phi_3452_;
+if _e1703 {
+phi_3456_ = _e1768;
 } else {
-phi_3180_ = vec2<f32>(select(_e1488, _e1504, (_e1504 < _e1488)), _e1484);
+phi_3456_ = _e1705;
 }
-let _e1510 = phi_3180_;
-let _e1514 = (_e1267.member.x + (_e1308 * _e1462));
-let _e1519 = (_e1514 + (((_e1281.member.x + (_e1326 * _e1462)) - _e1514) * _e1450));
-let _e1521 = (_e1267.member.y + (_e1309 * _e1462));
-let _e1526 = (_e1521 + (((_e1281.member.y + (_e1327 * _e1462)) - _e1521) * _e1450));
-let _e1537 = (_e1267.member_1.x + ((_e1275.member_1.x - _e1267.member_1.x) * _e1462));
-let _e1544 = ((_e1537 + (((_e1281.member_1.x + ((_e1288.member_1.x - _e1281.member_1.x) * _e1462)) - _e1537) * _e1450)) * _e1444);
-let _e1555 = (_e1267.member_1.y + ((_e1275.member_1.y - _e1267.member_1.y) * _e1462));
-let _e1562 = ((_e1555 + (((_e1281.member_1.y + ((_e1288.member_1.y - _e1281.member_1.y) * _e1462)) - _e1555) * _e1450)) * _e1444);
-let _e1573 = (_e1267.member_1.z + ((_e1275.member_1.z - _e1267.member_1.z) * _e1462));
-let _e1580 = ((_e1573 + (((_e1281.member_1.z + ((_e1288.member_1.z - _e1281.member_1.z) * _e1462)) - _e1573) * _e1450)) * _e1444);
-if _e201 {
-let _e1830 = select(1f, _e1510.x, (_e1510.x > 1f));
-let _e1832 = select(8f, _e1830, (_e1830 < 8f));
-let _e1834 = select(1f, _e1510.y, (_e1510.y > 1f));
-let _e1836 = select(8f, _e1834, (_e1834 < 8f));
-let _e1838 = (0.5f * (_e1832 + _e1836));
-let _e1842 = (((3f * _e1244) * _e1244) - (_e1838 * _e1838));
-let _e1843 = (1f * 1f);
-let _e1845 = select(_e1843, _e1842, (_e1842 > _e1843));
-let _e1848 = sqrt(select(0f, _e1845, (_e1845 > 0f)));
-let _e1850 = (1f / (_e1848 * _e1848));
-phi_3309_ = 0i;
-loop {
-let _e1855 = phi_3309_;
-let _e1856 = (_e1855 < 4i);
-if _e1856 {
-let _e1858 = f32((_e1855 & 1i));
-let _e1861 = f32((_e1855 >> bitcast<u32>(1i)));
-let _e1866 = ((1f - (2f * _e1858)) * (1f - (2f * _e1861)));
-let _e1870 = ((_e1519 + ((_e1858 - 0.5f) * _e1848)) + 0.5f);
-let _e1874 = ((_e1526 + ((_e1861 - 0.5f) * _e1848)) + 0.5f);
-let _e1875 = (0.5f * _e1832);
-let _e1876 = (_e1875 - 0.5f);
-let _e1879 = (0.5f * _e1836);
-let _e1880 = (_e1879 - 0.5f);
-let _e1886 = (select(_e1876, _e1870, (_e1870 > _e1876)) - _e1875);
-let _e1887 = (select(_e1880, _e1874, (_e1874 > _e1880)) - _e1879);
-let _e1888 = (_e1886 + 0.5f);
-let _e1890 = select(0f, _e1888, (_e1888 > 0f));
-let _e1892 = select(65536f, _e1890, (_e1890 < 65536f));
+let _e1770 = phi_3456_;
+let _e1771 = (1.7320508f * _e1726);
+if _e202 {
+let _e1774 = (0.5f * select(1f, _e1771, (_e1771 > 1f)));
+let _e1776 = select(_e1305, _e1774, (_e1774 > _e1305));
+phi_3485_ = select(8f, _e1776, (_e1776 < 8f));
+} else {
+phi_3485_ = 1f;
+}
+let _e1780 = phi_3485_;
+let _e1790 = (_e1757.member.x - _e1749.member.x);
+let _e1791 = (_e1757.member.y - _e1749.member.y);
+let _e1794 = bitcast<f32>((bitcast<u32>(_e1790) & 2147483647u));
+let _e1797 = bitcast<f32>((bitcast<u32>(_e1791) & 2147483647u));
+let _e1799 = select(_e1797, _e1794, (_e1794 > _e1797));
+let _e1808 = (_e1770.member.x - _e1763.member.x);
+let _e1809 = (_e1770.member.y - _e1763.member.y);
+let _e1812 = bitcast<f32>((bitcast<u32>(_e1808) & 2147483647u));
+let _e1815 = bitcast<f32>((bitcast<u32>(_e1809) & 2147483647u));
+let _e1817 = select(_e1815, _e1812, (_e1812 > _e1815));
+let _e1821 = ((select(_e1817, _e1799, (_e1799 > _e1817)) / _e1780) - 1e-3f);
+let _e1822 = (128f - 1f);
+let _e1824 = select(0f, _e1821, (_e1821 > 0f));
+let _e1826 = select(_e1822, _e1824, (_e1824 < _e1822));
+let _e1833 = select(0i, select(select(i32(_e1826), i32(-2147483648), (_e1826 < -2147483600f)), 2147483647i, (_e1826 > 2147483500f)), (_e1826 == _e1826));
+let _e1839 = f32((1i + (_e1833 - select(0i, 1i, (_e1826 < f32(_e1833))))));
+let _e1840 = (_e1763.member.x - _e1749.member.x);
+let _e1841 = (_e1763.member.y - _e1749.member.y);
+let _e1844 = bitcast<f32>((bitcast<u32>(_e1840) & 2147483647u));
+let _e1847 = bitcast<f32>((bitcast<u32>(_e1841) & 2147483647u));
+let _e1849 = select(_e1847, _e1844, (_e1844 > _e1847));
+let _e1850 = (_e1770.member.x - _e1757.member.x);
+let _e1851 = (_e1770.member.y - _e1757.member.y);
+let _e1854 = bitcast<f32>((bitcast<u32>(_e1850) & 2147483647u));
+let _e1857 = bitcast<f32>((bitcast<u32>(_e1851) & 2147483647u));
+let _e1859 = select(_e1857, _e1854, (_e1854 > _e1857));
+let _e1863 = ((select(_e1859, _e1849, (_e1849 > _e1859)) / _e1780) - 1e-3f);
+let _e1865 = select(0f, _e1863, (_e1863 > 0f));
+let _e1867 = select(_e1822, _e1865, (_e1865 < _e1822));
+let _e1874 = select(0i, select(select(i32(_e1867), i32(-2147483648), (_e1867 < -2147483600f)), 2147483647i, (_e1867 > 2147483500f)), (_e1867 == _e1867));
+let _e1880 = f32((1i + (_e1874 - select(0i, 1i, (_e1867 < f32(_e1874))))));
+let _e1882 = (select(128f, 24f, _e202) / (_e1839 * _e1880));
+let _e1884 = select(_e1882, 1f, (1f < _e1882));
+let _e1887 = sqrt(select(0f, _e1884, (_e1884 > 0f)));
+let _e1888 = (_e1839 * _e1887);
+let _e1890 = select(1f, _e1888, (_e1888 > 1f));
+let _e1892 = select(128f, _e1890, (_e1890 < 128f));
 let _e1899 = select(0i, select(select(i32(_e1892), i32(-2147483648), (_e1892 < -2147483600f)), 2147483647i, (_e1892 > 2147483500f)), (_e1892 == _e1892));
-let _e1904 = (_e1886 + _e1832);
-let _e1905 = (_e1904 + 0.5f);
-let _e1907 = f32((_e231 - 1i));
-let _e1909 = select(-1f, _e1905, (_e1905 > -1f));
-let _e1911 = select(_e1907, _e1909, (_e1909 < _e1907));
-let _e1918 = select(0i, select(select(i32(_e1911), i32(-2147483648), (_e1911 < -2147483600f)), 2147483647i, (_e1911 > 2147483500f)), (_e1911 == _e1911));
-let _e1923 = (_e1887 + _e1836);
-let _e1924 = (_e1923 + 0.5f);
-let _e1926 = f32((_e238 - 1i));
-let _e1928 = select(-1f, _e1924, (_e1924 > -1f));
-let _e1930 = select(_e1926, _e1928, (_e1928 < _e1926));
-let _e1937 = select(0i, select(select(i32(_e1930), i32(-2147483648), (_e1930 < -2147483600f)), 2147483647i, (_e1930 > 2147483500f)), (_e1930 == _e1930));
-let _e1942 = (_e1887 + 0.5f);
-let _e1944 = select(0f, _e1942, (_e1942 > 0f));
-let _e1946 = select(65536f, _e1944, (_e1944 < 65536f));
-let _e1953 = select(0i, select(select(i32(_e1946), i32(-2147483648), (_e1946 < -2147483600f)), 2147483647i, (_e1946 > 2147483500f)), (_e1946 == _e1946));
-phi_3466_ = (_e1953 - select(0i, 1i, (_e1946 < f32(_e1953))));
+let _e1903 = (_e1899 - select(0i, 1i, (_e1892 < f32(_e1899))));
+let _e1904 = (_e1880 * _e1887);
+let _e1906 = select(1f, _e1904, (_e1904 > 1f));
+let _e1908 = select(128f, _e1906, (_e1906 < 128f));
+let _e1915 = select(0i, select(select(i32(_e1908), i32(-2147483648), (_e1908 < -2147483600f)), 2147483647i, (_e1908 > 2147483500f)), (_e1908 == _e1908));
+let _e1919 = (_e1915 - select(0i, 1i, (_e1908 < f32(_e1915))));
+let _e1921 = (1f / f32(_e1903));
+let _e1923 = (1f / f32(_e1919));
+let _e1926 = ((_e1921 * _e1923) * (_e1737 * 0.25f));
+phi_3698_ = 0i;
 loop {
-let _e1959 = phi_3466_;
-let _e1960 = (_e1959 <= (_e1937 - select(0i, 1i, (_e1930 < f32(_e1937)))));
-if _e1960 {
-let _e1961 = f32(_e1959);
-let _e1962 = (_e1961 - 0.5f);
-let _e1965 = (_e1961 + 0.5f);
-let _e1968 = (select(_e1965, _e1923, (_e1923 < _e1965)) - select(_e1962, _e1887, (_e1887 > _e1962)));
-phi_3498_ = (_e1899 - select(0i, 1i, (_e1892 < f32(_e1899))));
+let _e1928 = phi_3698_;
+let _e1929 = (_e1928 < _e1919);
+if _e1929 {
+let _e1932 = ((f32(_e1928) + 0.5f) * _e1923);
+phi_3733_ = 0i;
 loop {
-let _e1973 = phi_3498_;
-let _e1974 = (_e1973 <= (_e1918 - select(0i, 1i, (_e1911 < f32(_e1918)))));
-if _e1974 {
-let _e1975 = f32(_e1973);
-let _e1976 = (_e1975 - 0.5f);
-let _e1979 = (_e1975 + 0.5f);
-let _e1982 = (select(_e1979, _e1904, (_e1904 < _e1979)) - select(_e1976, _e1886, (_e1886 > _e1976)));
-let _e1986 = ((select(0f, _e1982, (_e1982 > 0f)) / _e1832) * (select(0f, _e1968, (_e1968 > 0f)) / _e1836));
-if (_e1986 > 0f) {
-let _e1990 = (((_e1959 * _e231) + _e1973) * 6i);
-let _e1993 = (((((_e1544 * _e1850) * _e1866) * _e1986) * 16777216f) + 0.5f);
-let _e1995 = select(-1073741800f, _e1993, (_e1993 > -1073741800f));
-let _e1997 = select(1073741800f, _e1995, (_e1995 < 1073741800f));
-let _e2004 = select(0i, select(select(i32(_e1997), i32(-2147483648), (_e1997 < -2147483600f)), 2147483647i, (_e1997 > 2147483500f)), (_e1997 == _e1997));
-let _e2008 = (_e2004 - select(0i, 1i, (_e1997 < f32(_e2004))));
-let _e2009 = bitcast<u32>(_e2008);
-let _e2012 = bitcast<u32>((_e2008 >> bitcast<u32>(31i)));
-if ((_e2009 | _e2012) == 0u) {
+let _e1940 = phi_3733_;
+let _e1941 = (_e1940 < _e1903);
+if _e1941 {
+let _e1944 = ((f32(_e1940) + 0.5f) * _e1921);
+let _e1951 = ((_e1790 + ((_e1808 - _e1790) * _e1932)) * _e1921);
+let _e1952 = ((_e1791 + ((_e1809 - _e1791) * _e1932)) * _e1921);
+let _e1953 = ((_e1840 + ((_e1850 - _e1840) * _e1944)) * _e1923);
+let _e1954 = ((_e1841 + ((_e1851 - _e1841) * _e1944)) * _e1923);
+let _e1960 = bitcast<f32>((bitcast<u32>(((_e1951 * _e1954) - (_e1952 * _e1953))) & 2147483647u));
+let _e1963 = bitcast<f32>((bitcast<u32>(_e1951) & 2147483647u));
+let _e1966 = bitcast<f32>((bitcast<u32>(_e1954) & 2147483647u));
+let _e1969 = bitcast<f32>((bitcast<u32>(_e1953) & 2147483647u));
+let _e1970 = (_e1963 + _e1969);
+let _e1973 = bitcast<f32>((bitcast<u32>(_e1952) & 2147483647u));
+let _e1974 = (_e1966 + _e1973);
+let _e1978 = (9.765625e-4f * 9.765625e-4f);
+let _e1981 = (_e1960 / select(_e1978, _e1963, (_e1963 > _e1978)));
+let _e1986 = (_e1960 / select(_e1978, _e1966, (_e1966 > _e1978)));
+if ((_e1969 * _e1966) <= (_e1973 * _e1963)) {
+phi_3824_ = vec2<f32>(_e1963, select(_e1974, _e1981, (_e1981 < _e1974)));
 } else {
-let _e2015 = bitcast<u32>(_e1990);
-if (_e2015 < _e62) {
-let _e2019 = atomicAdd((&global_3.member[_e2015]), _e2009);
-phi_3579_ = _e2019;
+phi_3824_ = vec2<f32>(select(_e1970, _e1986, (_e1986 < _e1970)), _e1966);
+}
+let _e1992 = phi_3824_;
+let _e1996 = (_e1749.member.x + (_e1790 * _e1944));
+let _e2001 = (_e1996 + (((_e1763.member.x + (_e1808 * _e1944)) - _e1996) * _e1932));
+let _e2003 = (_e1749.member.y + (_e1791 * _e1944));
+let _e2008 = (_e2003 + (((_e1763.member.y + (_e1809 * _e1944)) - _e2003) * _e1932));
+let _e2019 = (_e1749.member_1.x + ((_e1757.member_1.x - _e1749.member_1.x) * _e1944));
+let _e2026 = ((_e2019 + (((_e1763.member_1.x + ((_e1770.member_1.x - _e1763.member_1.x) * _e1944)) - _e2019) * _e1932)) * _e1926);
+let _e2037 = (_e1749.member_1.y + ((_e1757.member_1.y - _e1749.member_1.y) * _e1944));
+let _e2044 = ((_e2037 + (((_e1763.member_1.y + ((_e1770.member_1.y - _e1763.member_1.y) * _e1944)) - _e2037) * _e1932)) * _e1926);
+let _e2055 = (_e1749.member_1.z + ((_e1757.member_1.z - _e1749.member_1.z) * _e1944));
+let _e2062 = ((_e2055 + (((_e1763.member_1.z + ((_e1770.member_1.z - _e1763.member_1.z) * _e1944)) - _e2055) * _e1932)) * _e1926);
+if _e202 {
+let _e2312 = select(1f, _e1992.x, (_e1992.x > 1f));
+let _e2314 = select(8f, _e2312, (_e2312 < 8f));
+let _e2316 = select(1f, _e1992.y, (_e1992.y > 1f));
+let _e2318 = select(8f, _e2316, (_e2316 < 8f));
+let _e2320 = (0.5f * (_e2314 + _e2318));
+let _e2324 = (((3f * _e1726) * _e1726) - (_e2320 * _e2320));
+let _e2325 = (1f * 1f);
+let _e2327 = select(_e2325, _e2324, (_e2324 > _e2325));
+let _e2330 = sqrt(select(0f, _e2327, (_e2327 > 0f)));
+let _e2332 = (1f / (_e2330 * _e2330));
+phi_3953_ = 0i;
+loop {
+let _e2337 = phi_3953_;
+let _e2338 = (_e2337 < 4i);
+if _e2338 {
+let _e2340 = f32((_e2337 & 1i));
+let _e2343 = f32((_e2337 >> bitcast<u32>(1i)));
+let _e2348 = ((1f - (2f * _e2340)) * (1f - (2f * _e2343)));
+let _e2352 = ((_e2001 + ((_e2340 - 0.5f) * _e2330)) + 0.5f);
+let _e2356 = ((_e2008 + ((_e2343 - 0.5f) * _e2330)) + 0.5f);
+let _e2357 = (0.5f * _e2314);
+let _e2358 = (_e2357 - 0.5f);
+let _e2361 = (0.5f * _e2318);
+let _e2362 = (_e2361 - 0.5f);
+let _e2368 = (select(_e2358, _e2352, (_e2352 > _e2358)) - _e2357);
+let _e2369 = (select(_e2362, _e2356, (_e2356 > _e2362)) - _e2361);
+let _e2370 = (_e2368 + 0.5f);
+let _e2372 = select(0f, _e2370, (_e2370 > 0f));
+let _e2374 = select(65536f, _e2372, (_e2372 < 65536f));
+let _e2381 = select(0i, select(select(i32(_e2374), i32(-2147483648), (_e2374 < -2147483600f)), 2147483647i, (_e2374 > 2147483500f)), (_e2374 == _e2374));
+let _e2386 = (_e2368 + _e2314);
+let _e2387 = (_e2386 + 0.5f);
+let _e2389 = f32((_e232 - 1i));
+let _e2391 = select(-1f, _e2387, (_e2387 > -1f));
+let _e2393 = select(_e2389, _e2391, (_e2391 < _e2389));
+let _e2400 = select(0i, select(select(i32(_e2393), i32(-2147483648), (_e2393 < -2147483600f)), 2147483647i, (_e2393 > 2147483500f)), (_e2393 == _e2393));
+let _e2405 = (_e2369 + _e2318);
+let _e2406 = (_e2405 + 0.5f);
+let _e2408 = f32((_e239 - 1i));
+let _e2410 = select(-1f, _e2406, (_e2406 > -1f));
+let _e2412 = select(_e2408, _e2410, (_e2410 < _e2408));
+let _e2419 = select(0i, select(select(i32(_e2412), i32(-2147483648), (_e2412 < -2147483600f)), 2147483647i, (_e2412 > 2147483500f)), (_e2412 == _e2412));
+let _e2424 = (_e2369 + 0.5f);
+let _e2426 = select(0f, _e2424, (_e2424 > 0f));
+let _e2428 = select(65536f, _e2426, (_e2426 < 65536f));
+let _e2435 = select(0i, select(select(i32(_e2428), i32(-2147483648), (_e2428 < -2147483600f)), 2147483647i, (_e2428 > 2147483500f)), (_e2428 == _e2428));
+phi_4110_ = (_e2435 - select(0i, 1i, (_e2428 < f32(_e2435))));
+loop {
+let _e2441 = phi_4110_;
+let _e2442 = (_e2441 <= (_e2419 - select(0i, 1i, (_e2412 < f32(_e2419)))));
+if _e2442 {
+let _e2443 = f32(_e2441);
+let _e2444 = (_e2443 - 0.5f);
+let _e2447 = (_e2443 + 0.5f);
+let _e2450 = (select(_e2447, _e2405, (_e2405 < _e2447)) - select(_e2444, _e2369, (_e2369 > _e2444)));
+phi_4142_ = (_e2381 - select(0i, 1i, (_e2374 < f32(_e2381))));
+loop {
+let _e2455 = phi_4142_;
+let _e2456 = (_e2455 <= (_e2400 - select(0i, 1i, (_e2393 < f32(_e2400)))));
+if _e2456 {
+let _e2457 = f32(_e2455);
+let _e2458 = (_e2457 - 0.5f);
+let _e2461 = (_e2457 + 0.5f);
+let _e2464 = (select(_e2461, _e2386, (_e2386 < _e2461)) - select(_e2458, _e2368, (_e2368 > _e2458)));
+let _e2468 = ((select(0f, _e2464, (_e2464 > 0f)) / _e2314) * (select(0f, _e2450, (_e2450 > 0f)) / _e2318));
+if (_e2468 > 0f) {
+let _e2472 = (((_e2441 * _e232) + _e2455) * 6i);
+let _e2475 = (((((_e2026 * _e2332) * _e2348) * _e2468) * 16777216f) + 0.5f);
+let _e2477 = select(-1073741800f, _e2475, (_e2475 > -1073741800f));
+let _e2479 = select(1073741800f, _e2477, (_e2477 < 1073741800f));
+let _e2486 = select(0i, select(select(i32(_e2479), i32(-2147483648), (_e2479 < -2147483600f)), 2147483647i, (_e2479 > 2147483500f)), (_e2479 == _e2479));
+let _e2490 = (_e2486 - select(0i, 1i, (_e2479 < f32(_e2486))));
+let _e2491 = bitcast<u32>(_e2490);
+let _e2494 = bitcast<u32>((_e2490 >> bitcast<u32>(31i)));
+if ((_e2491 | _e2494) == 0u) {
 } else {
-phi_3579_ = 0u;
-}
-let _e2021 = phi_3579_;
-let _e2025 = (_e2012 + select(0u, 1u, ((_e2021 + _e2009) < _e2009)));
-if (_e2025 == 0u) {
+let _e2497 = bitcast<u32>(_e2472);
+if (_e2497 < _e63) {
+let _e2501 = atomicAdd((&global_3.member[_e2497]), _e2491);
+phi_4223_ = _e2501;
 } else {
-let _e2027 = (_e2015 + 1u);
-if (_e2027 < _e62) {
-let _e2031 = atomicAdd((&global_3.member[_e2027]), _e2025);
+phi_4223_ = 0u;
 }
-}
-}
-let _e2035 = (((((_e1562 * _e1850) * _e1866) * _e1986) * 16777216f) + 0.5f);
-let _e2037 = select(-1073741800f, _e2035, (_e2035 > -1073741800f));
-let _e2039 = select(1073741800f, _e2037, (_e2037 < 1073741800f));
-let _e2046 = select(0i, select(select(i32(_e2039), i32(-2147483648), (_e2039 < -2147483600f)), 2147483647i, (_e2039 > 2147483500f)), (_e2039 == _e2039));
-let _e2050 = (_e2046 - select(0i, 1i, (_e2039 < f32(_e2046))));
-let _e2051 = bitcast<u32>(_e2050);
-let _e2054 = bitcast<u32>((_e2050 >> bitcast<u32>(31i)));
-if ((_e2051 | _e2054) == 0u) {
+let _e2503 = phi_4223_;
+let _e2507 = (_e2494 + select(0u, 1u, ((_e2503 + _e2491) < _e2491)));
+if (_e2507 == 0u) {
 } else {
-let _e2057 = bitcast<u32>((_e1990 + 2i));
-if (_e2057 < _e62) {
-let _e2061 = atomicAdd((&global_3.member[_e2057]), _e2051);
-phi_3637_ = _e2061;
+let _e2509 = (_e2497 + 1u);
+if (_e2509 < _e63) {
+let _e2513 = atomicAdd((&global_3.member[_e2509]), _e2507);
+}
+}
+}
+let _e2517 = (((((_e2044 * _e2332) * _e2348) * _e2468) * 16777216f) + 0.5f);
+let _e2519 = select(-1073741800f, _e2517, (_e2517 > -1073741800f));
+let _e2521 = select(1073741800f, _e2519, (_e2519 < 1073741800f));
+let _e2528 = select(0i, select(select(i32(_e2521), i32(-2147483648), (_e2521 < -2147483600f)), 2147483647i, (_e2521 > 2147483500f)), (_e2521 == _e2521));
+let _e2532 = (_e2528 - select(0i, 1i, (_e2521 < f32(_e2528))));
+let _e2533 = bitcast<u32>(_e2532);
+let _e2536 = bitcast<u32>((_e2532 >> bitcast<u32>(31i)));
+if ((_e2533 | _e2536) == 0u) {
 } else {
-phi_3637_ = 0u;
-}
-let _e2063 = phi_3637_;
-let _e2067 = (_e2054 + select(0u, 1u, ((_e2063 + _e2051) < _e2051)));
-if (_e2067 == 0u) {
+let _e2539 = bitcast<u32>((_e2472 + 2i));
+if (_e2539 < _e63) {
+let _e2543 = atomicAdd((&global_3.member[_e2539]), _e2533);
+phi_4281_ = _e2543;
 } else {
-let _e2069 = (_e2057 + 1u);
-if (_e2069 < _e62) {
-let _e2073 = atomicAdd((&global_3.member[_e2069]), _e2067);
+phi_4281_ = 0u;
 }
-}
-}
-let _e2077 = (((((_e1580 * _e1850) * _e1866) * _e1986) * 16777216f) + 0.5f);
-let _e2079 = select(-1073741800f, _e2077, (_e2077 > -1073741800f));
-let _e2081 = select(1073741800f, _e2079, (_e2079 < 1073741800f));
-let _e2088 = select(0i, select(select(i32(_e2081), i32(-2147483648), (_e2081 < -2147483600f)), 2147483647i, (_e2081 > 2147483500f)), (_e2081 == _e2081));
-let _e2092 = (_e2088 - select(0i, 1i, (_e2081 < f32(_e2088))));
-let _e2093 = bitcast<u32>(_e2092);
-let _e2096 = bitcast<u32>((_e2092 >> bitcast<u32>(31i)));
-if ((_e2093 | _e2096) == 0u) {
+let _e2545 = phi_4281_;
+let _e2549 = (_e2536 + select(0u, 1u, ((_e2545 + _e2533) < _e2533)));
+if (_e2549 == 0u) {
 } else {
-let _e2099 = bitcast<u32>((_e1990 + 4i));
-if (_e2099 < _e62) {
-let _e2103 = atomicAdd((&global_3.member[_e2099]), _e2093);
-phi_3695_ = _e2103;
+let _e2551 = (_e2539 + 1u);
+if (_e2551 < _e63) {
+let _e2555 = atomicAdd((&global_3.member[_e2551]), _e2549);
+}
+}
+}
+let _e2559 = (((((_e2062 * _e2332) * _e2348) * _e2468) * 16777216f) + 0.5f);
+let _e2561 = select(-1073741800f, _e2559, (_e2559 > -1073741800f));
+let _e2563 = select(1073741800f, _e2561, (_e2561 < 1073741800f));
+let _e2570 = select(0i, select(select(i32(_e2563), i32(-2147483648), (_e2563 < -2147483600f)), 2147483647i, (_e2563 > 2147483500f)), (_e2563 == _e2563));
+let _e2574 = (_e2570 - select(0i, 1i, (_e2563 < f32(_e2570))));
+let _e2575 = bitcast<u32>(_e2574);
+let _e2578 = bitcast<u32>((_e2574 >> bitcast<u32>(31i)));
+if ((_e2575 | _e2578) == 0u) {
 } else {
-phi_3695_ = 0u;
-}
-let _e2105 = phi_3695_;
-let _e2109 = (_e2096 + select(0u, 1u, ((_e2105 + _e2093) < _e2093)));
-if (_e2109 == 0u) {
+let _e2581 = bitcast<u32>((_e2472 + 4i));
+if (_e2581 < _e63) {
+let _e2585 = atomicAdd((&global_3.member[_e2581]), _e2575);
+phi_4339_ = _e2585;
 } else {
-let _e2111 = (_e2099 + 1u);
-if (_e2111 < _e62) {
-let _e2115 = atomicAdd((&global_3.member[_e2111]), _e2109);
+phi_4339_ = 0u;
 }
-}
-}
-}
-phi_3499_ = (_e1973 + 1i);
+let _e2587 = phi_4339_;
+let _e2591 = (_e2578 + select(0u, 1u, ((_e2587 + _e2575) < _e2575)));
+if (_e2591 == 0u) {
 } else {
-phi_3499_ = i32();
+let _e2593 = (_e2581 + 1u);
+if (_e2593 < _e63) {
+let _e2597 = atomicAdd((&global_3.member[_e2593]), _e2591);
 }
-let _e2118 = phi_3499_;
+}
+}
+}
+phi_4143_ = (_e2455 + 1i);
+} else {
+phi_4143_ = i32();
+}
+let _e2600 = phi_4143_;
 continue;
 continuing {
-phi_3498_ = _e2118;
-break if !(_e1974);
+phi_4142_ = _e2600;
+break if !(_e2456);
 }
 }
-phi_3467_ = (_e1959 + 1i);
+phi_4111_ = (_e2441 + 1i);
 } else {
-phi_3467_ = i32();
+phi_4111_ = i32();
 }
-let _e2122 = phi_3467_;
+let _e2604 = phi_4111_;
 continue;
 continuing {
-phi_3466_ = _e2122;
-break if !(_e1960);
+phi_4110_ = _e2604;
+break if !(_e2442);
 }
 }
-phi_3310_ = (_e1855 + 1i);
+phi_3954_ = (_e2337 + 1i);
 } else {
-phi_3310_ = i32();
+phi_3954_ = i32();
 }
-let _e2126 = phi_3310_;
+let _e2608 = phi_3954_;
 continue;
 continuing {
-phi_3309_ = _e2126;
-break if !(_e1856);
+phi_3953_ = _e2608;
+break if !(_e2338);
 }
 }
 } else {
-let _e1582 = select(9.765625e-4f, _e1510.x, (_e1510.x > 9.765625e-4f));
-let _e1584 = select(5f, _e1582, (_e1582 < 5f));
-let _e1586 = select(9.765625e-4f, _e1510.y, (_e1510.y > 9.765625e-4f));
-let _e1588 = select(5f, _e1586, (_e1586 < 5f));
-let _e1590 = (_e1519 - (0.5f * _e1584));
-let _e1592 = (_e1526 - (0.5f * _e1588));
-let _e1593 = (_e1590 + 0.5f);
-let _e1595 = select(0f, _e1593, (_e1593 > 0f));
-let _e1597 = select(65536f, _e1595, (_e1595 < 65536f));
-let _e1604 = select(0i, select(select(i32(_e1597), i32(-2147483648), (_e1597 < -2147483600f)), 2147483647i, (_e1597 > 2147483500f)), (_e1597 == _e1597));
-let _e1609 = (_e1590 + _e1584);
-let _e1610 = (_e1609 + 0.5f);
-let _e1612 = f32((_e231 - 1i));
-let _e1614 = select(-1f, _e1610, (_e1610 > -1f));
-let _e1616 = select(_e1612, _e1614, (_e1614 < _e1612));
-let _e1623 = select(0i, select(select(i32(_e1616), i32(-2147483648), (_e1616 < -2147483600f)), 2147483647i, (_e1616 > 2147483500f)), (_e1616 == _e1616));
-let _e1628 = (_e1592 + _e1588);
-let _e1629 = (_e1628 + 0.5f);
-let _e1631 = f32((_e238 - 1i));
-let _e1633 = select(-1f, _e1629, (_e1629 > -1f));
-let _e1635 = select(_e1631, _e1633, (_e1633 < _e1631));
-let _e1642 = select(0i, select(select(i32(_e1635), i32(-2147483648), (_e1635 < -2147483600f)), 2147483647i, (_e1635 > 2147483500f)), (_e1635 == _e1635));
-let _e1647 = (_e1592 + 0.5f);
-let _e1649 = select(0f, _e1647, (_e1647 > 0f));
-let _e1651 = select(65536f, _e1649, (_e1649 < 65536f));
-let _e1658 = select(0i, select(select(i32(_e1651), i32(-2147483648), (_e1651 < -2147483600f)), 2147483647i, (_e1651 > 2147483500f)), (_e1651 == _e1651));
-phi_3849_ = (_e1658 - select(0i, 1i, (_e1651 < f32(_e1658))));
+let _e2064 = select(9.765625e-4f, _e1992.x, (_e1992.x > 9.765625e-4f));
+let _e2066 = select(5f, _e2064, (_e2064 < 5f));
+let _e2068 = select(9.765625e-4f, _e1992.y, (_e1992.y > 9.765625e-4f));
+let _e2070 = select(5f, _e2068, (_e2068 < 5f));
+let _e2072 = (_e2001 - (0.5f * _e2066));
+let _e2074 = (_e2008 - (0.5f * _e2070));
+let _e2075 = (_e2072 + 0.5f);
+let _e2077 = select(0f, _e2075, (_e2075 > 0f));
+let _e2079 = select(65536f, _e2077, (_e2077 < 65536f));
+let _e2086 = select(0i, select(select(i32(_e2079), i32(-2147483648), (_e2079 < -2147483600f)), 2147483647i, (_e2079 > 2147483500f)), (_e2079 == _e2079));
+let _e2091 = (_e2072 + _e2066);
+let _e2092 = (_e2091 + 0.5f);
+let _e2094 = f32((_e232 - 1i));
+let _e2096 = select(-1f, _e2092, (_e2092 > -1f));
+let _e2098 = select(_e2094, _e2096, (_e2096 < _e2094));
+let _e2105 = select(0i, select(select(i32(_e2098), i32(-2147483648), (_e2098 < -2147483600f)), 2147483647i, (_e2098 > 2147483500f)), (_e2098 == _e2098));
+let _e2110 = (_e2074 + _e2070);
+let _e2111 = (_e2110 + 0.5f);
+let _e2113 = f32((_e239 - 1i));
+let _e2115 = select(-1f, _e2111, (_e2111 > -1f));
+let _e2117 = select(_e2113, _e2115, (_e2115 < _e2113));
+let _e2124 = select(0i, select(select(i32(_e2117), i32(-2147483648), (_e2117 < -2147483600f)), 2147483647i, (_e2117 > 2147483500f)), (_e2117 == _e2117));
+let _e2129 = (_e2074 + 0.5f);
+let _e2131 = select(0f, _e2129, (_e2129 > 0f));
+let _e2133 = select(65536f, _e2131, (_e2131 < 65536f));
+let _e2140 = select(0i, select(select(i32(_e2133), i32(-2147483648), (_e2133 < -2147483600f)), 2147483647i, (_e2133 > 2147483500f)), (_e2133 == _e2133));
+phi_4493_ = (_e2140 - select(0i, 1i, (_e2133 < f32(_e2140))));
 loop {
-let _e1664 = phi_3849_;
-let _e1665 = (_e1664 <= (_e1642 - select(0i, 1i, (_e1635 < f32(_e1642)))));
-if _e1665 {
-let _e1666 = f32(_e1664);
-let _e1667 = (_e1666 - 0.5f);
-let _e1670 = (_e1666 + 0.5f);
-let _e1673 = (select(_e1670, _e1628, (_e1628 < _e1670)) - select(_e1667, _e1592, (_e1592 > _e1667)));
-phi_3881_ = (_e1604 - select(0i, 1i, (_e1597 < f32(_e1604))));
+let _e2146 = phi_4493_;
+let _e2147 = (_e2146 <= (_e2124 - select(0i, 1i, (_e2117 < f32(_e2124)))));
+if _e2147 {
+let _e2148 = f32(_e2146);
+let _e2149 = (_e2148 - 0.5f);
+let _e2152 = (_e2148 + 0.5f);
+let _e2155 = (select(_e2152, _e2110, (_e2110 < _e2152)) - select(_e2149, _e2074, (_e2074 > _e2149)));
+phi_4525_ = (_e2086 - select(0i, 1i, (_e2079 < f32(_e2086))));
 loop {
-let _e1678 = phi_3881_;
-let _e1679 = (_e1678 <= (_e1623 - select(0i, 1i, (_e1616 < f32(_e1623)))));
-if _e1679 {
-let _e1680 = f32(_e1678);
-let _e1681 = (_e1680 - 0.5f);
-let _e1684 = (_e1680 + 0.5f);
-let _e1687 = (select(_e1684, _e1609, (_e1609 < _e1684)) - select(_e1681, _e1590, (_e1590 > _e1681)));
-let _e1691 = ((select(0f, _e1687, (_e1687 > 0f)) / _e1584) * (select(0f, _e1673, (_e1673 > 0f)) / _e1588));
-if (_e1691 > 0f) {
-let _e1695 = (((_e1664 * _e231) + _e1678) * 6i);
-let _e1698 = (((_e1544 * _e1691) * 16777216f) + 0.5f);
-let _e1700 = select(-1073741800f, _e1698, (_e1698 > -1073741800f));
-let _e1702 = select(1073741800f, _e1700, (_e1700 < 1073741800f));
-let _e1709 = select(0i, select(select(i32(_e1702), i32(-2147483648), (_e1702 < -2147483600f)), 2147483647i, (_e1702 > 2147483500f)), (_e1702 == _e1702));
-let _e1713 = (_e1709 - select(0i, 1i, (_e1702 < f32(_e1709))));
-let _e1714 = bitcast<u32>(_e1713);
-let _e1717 = bitcast<u32>((_e1713 >> bitcast<u32>(31i)));
-if ((_e1714 | _e1717) == 0u) {
+let _e2160 = phi_4525_;
+let _e2161 = (_e2160 <= (_e2105 - select(0i, 1i, (_e2098 < f32(_e2105)))));
+if _e2161 {
+let _e2162 = f32(_e2160);
+let _e2163 = (_e2162 - 0.5f);
+let _e2166 = (_e2162 + 0.5f);
+let _e2169 = (select(_e2166, _e2091, (_e2091 < _e2166)) - select(_e2163, _e2072, (_e2072 > _e2163)));
+let _e2173 = ((select(0f, _e2169, (_e2169 > 0f)) / _e2066) * (select(0f, _e2155, (_e2155 > 0f)) / _e2070));
+if (_e2173 > 0f) {
+let _e2177 = (((_e2146 * _e232) + _e2160) * 6i);
+let _e2180 = (((_e2026 * _e2173) * 16777216f) + 0.5f);
+let _e2182 = select(-1073741800f, _e2180, (_e2180 > -1073741800f));
+let _e2184 = select(1073741800f, _e2182, (_e2182 < 1073741800f));
+let _e2191 = select(0i, select(select(i32(_e2184), i32(-2147483648), (_e2184 < -2147483600f)), 2147483647i, (_e2184 > 2147483500f)), (_e2184 == _e2184));
+let _e2195 = (_e2191 - select(0i, 1i, (_e2184 < f32(_e2191))));
+let _e2196 = bitcast<u32>(_e2195);
+let _e2199 = bitcast<u32>((_e2195 >> bitcast<u32>(31i)));
+if ((_e2196 | _e2199) == 0u) {
 } else {
-let _e1720 = bitcast<u32>(_e1695);
-if (_e1720 < _e62) {
-let _e1724 = atomicAdd((&global_3.member[_e1720]), _e1714);
-phi_3962_ = _e1724;
+let _e2202 = bitcast<u32>(_e2177);
+if (_e2202 < _e63) {
+let _e2206 = atomicAdd((&global_3.member[_e2202]), _e2196);
+phi_4606_ = _e2206;
 } else {
-phi_3962_ = 0u;
+phi_4606_ = 0u;
 }
-let _e1726 = phi_3962_;
-let _e1730 = (_e1717 + select(0u, 1u, ((_e1726 + _e1714) < _e1714)));
-if (_e1730 == 0u) {
+let _e2208 = phi_4606_;
+let _e2212 = (_e2199 + select(0u, 1u, ((_e2208 + _e2196) < _e2196)));
+if (_e2212 == 0u) {
 } else {
-let _e1732 = (_e1720 + 1u);
-if (_e1732 < _e62) {
-let _e1736 = atomicAdd((&global_3.member[_e1732]), _e1730);
+let _e2214 = (_e2202 + 1u);
+if (_e2214 < _e63) {
+let _e2218 = atomicAdd((&global_3.member[_e2214]), _e2212);
 }
 }
 }
-let _e1740 = (((_e1562 * _e1691) * 16777216f) + 0.5f);
-let _e1742 = select(-1073741800f, _e1740, (_e1740 > -1073741800f));
-let _e1744 = select(1073741800f, _e1742, (_e1742 < 1073741800f));
-let _e1751 = select(0i, select(select(i32(_e1744), i32(-2147483648), (_e1744 < -2147483600f)), 2147483647i, (_e1744 > 2147483500f)), (_e1744 == _e1744));
-let _e1755 = (_e1751 - select(0i, 1i, (_e1744 < f32(_e1751))));
-let _e1756 = bitcast<u32>(_e1755);
-let _e1759 = bitcast<u32>((_e1755 >> bitcast<u32>(31i)));
-if ((_e1756 | _e1759) == 0u) {
+let _e2222 = (((_e2044 * _e2173) * 16777216f) + 0.5f);
+let _e2224 = select(-1073741800f, _e2222, (_e2222 > -1073741800f));
+let _e2226 = select(1073741800f, _e2224, (_e2224 < 1073741800f));
+let _e2233 = select(0i, select(select(i32(_e2226), i32(-2147483648), (_e2226 < -2147483600f)), 2147483647i, (_e2226 > 2147483500f)), (_e2226 == _e2226));
+let _e2237 = (_e2233 - select(0i, 1i, (_e2226 < f32(_e2233))));
+let _e2238 = bitcast<u32>(_e2237);
+let _e2241 = bitcast<u32>((_e2237 >> bitcast<u32>(31i)));
+if ((_e2238 | _e2241) == 0u) {
 } else {
-let _e1762 = bitcast<u32>((_e1695 + 2i));
-if (_e1762 < _e62) {
-let _e1766 = atomicAdd((&global_3.member[_e1762]), _e1756);
-phi_4020_ = _e1766;
+let _e2244 = bitcast<u32>((_e2177 + 2i));
+if (_e2244 < _e63) {
+let _e2248 = atomicAdd((&global_3.member[_e2244]), _e2238);
+phi_4664_ = _e2248;
 } else {
-phi_4020_ = 0u;
+phi_4664_ = 0u;
 }
-let _e1768 = phi_4020_;
-let _e1772 = (_e1759 + select(0u, 1u, ((_e1768 + _e1756) < _e1756)));
-if (_e1772 == 0u) {
+let _e2250 = phi_4664_;
+let _e2254 = (_e2241 + select(0u, 1u, ((_e2250 + _e2238) < _e2238)));
+if (_e2254 == 0u) {
 } else {
-let _e1774 = (_e1762 + 1u);
-if (_e1774 < _e62) {
-let _e1778 = atomicAdd((&global_3.member[_e1774]), _e1772);
+let _e2256 = (_e2244 + 1u);
+if (_e2256 < _e63) {
+let _e2260 = atomicAdd((&global_3.member[_e2256]), _e2254);
 }
 }
 }
-let _e1782 = (((_e1580 * _e1691) * 16777216f) + 0.5f);
-let _e1784 = select(-1073741800f, _e1782, (_e1782 > -1073741800f));
-let _e1786 = select(1073741800f, _e1784, (_e1784 < 1073741800f));
-let _e1793 = select(0i, select(select(i32(_e1786), i32(-2147483648), (_e1786 < -2147483600f)), 2147483647i, (_e1786 > 2147483500f)), (_e1786 == _e1786));
-let _e1797 = (_e1793 - select(0i, 1i, (_e1786 < f32(_e1793))));
-let _e1798 = bitcast<u32>(_e1797);
-let _e1801 = bitcast<u32>((_e1797 >> bitcast<u32>(31i)));
-if ((_e1798 | _e1801) == 0u) {
+let _e2264 = (((_e2062 * _e2173) * 16777216f) + 0.5f);
+let _e2266 = select(-1073741800f, _e2264, (_e2264 > -1073741800f));
+let _e2268 = select(1073741800f, _e2266, (_e2266 < 1073741800f));
+let _e2275 = select(0i, select(select(i32(_e2268), i32(-2147483648), (_e2268 < -2147483600f)), 2147483647i, (_e2268 > 2147483500f)), (_e2268 == _e2268));
+let _e2279 = (_e2275 - select(0i, 1i, (_e2268 < f32(_e2275))));
+let _e2280 = bitcast<u32>(_e2279);
+let _e2283 = bitcast<u32>((_e2279 >> bitcast<u32>(31i)));
+if ((_e2280 | _e2283) == 0u) {
 } else {
-let _e1804 = bitcast<u32>((_e1695 + 4i));
-if (_e1804 < _e62) {
-let _e1808 = atomicAdd((&global_3.member[_e1804]), _e1798);
-phi_4078_ = _e1808;
+let _e2286 = bitcast<u32>((_e2177 + 4i));
+if (_e2286 < _e63) {
+let _e2290 = atomicAdd((&global_3.member[_e2286]), _e2280);
+phi_4722_ = _e2290;
 } else {
-phi_4078_ = 0u;
+phi_4722_ = 0u;
 }
-let _e1810 = phi_4078_;
-let _e1814 = (_e1801 + select(0u, 1u, ((_e1810 + _e1798) < _e1798)));
-if (_e1814 == 0u) {
+let _e2292 = phi_4722_;
+let _e2296 = (_e2283 + select(0u, 1u, ((_e2292 + _e2280) < _e2280)));
+if (_e2296 == 0u) {
 } else {
-let _e1816 = (_e1804 + 1u);
-if (_e1816 < _e62) {
-let _e1820 = atomicAdd((&global_3.member[_e1816]), _e1814);
+let _e2298 = (_e2286 + 1u);
+if (_e2298 < _e63) {
+let _e2302 = atomicAdd((&global_3.member[_e2298]), _e2296);
 }
 }
 }
 }
-phi_3882_ = (_e1678 + 1i);
+phi_4526_ = (_e2160 + 1i);
 } else {
-phi_3882_ = i32();
+phi_4526_ = i32();
 }
-let _e1823 = phi_3882_;
+let _e2305 = phi_4526_;
 continue;
 continuing {
-phi_3881_ = _e1823;
-break if !(_e1679);
+phi_4525_ = _e2305;
+break if !(_e2161);
 }
 }
-phi_3850_ = (_e1664 + 1i);
+phi_4494_ = (_e2146 + 1i);
 } else {
-phi_3850_ = i32();
+phi_4494_ = i32();
 }
-let _e1827 = phi_3850_;
+let _e2309 = phi_4494_;
 continue;
 continuing {
-phi_3849_ = _e1827;
-break if !(_e1665);
+phi_4493_ = _e2309;
+break if !(_e2147);
 }
 }
 }
-phi_3090_ = (_e1458 + 1i);
+phi_3734_ = (_e1940 + 1i);
 } else {
-phi_3090_ = i32();
+phi_3734_ = i32();
 }
-let _e2130 = phi_3090_;
+let _e2612 = phi_3734_;
 continue;
 continuing {
-phi_3089_ = _e2130;
-break if !(_e1459);
+phi_3733_ = _e2612;
+break if !(_e1941);
 }
 }
-phi_3055_ = (_e1446 + 1i);
+phi_3699_ = (_e1928 + 1i);
 } else {
-phi_3055_ = i32();
+phi_3699_ = i32();
 }
-let _e2134 = phi_3055_;
+let _e2616 = phi_3699_;
 continue;
 continuing {
-phi_3054_ = _e2134;
-break if !(_e1447);
+phi_3698_ = _e2616;
+break if !(_e1929);
 }
 }
 }
 }
-let _e2138 = (1f / 3f);
-let _e2163 = (((1f - select((((_e311 + _e322) + _e333) * _e2138), 0f, (_e345 != 0f))) + (1f - select((((_e440 + _e451) + _e462) * _e2138), 0f, (_e474 != 0f)))) + ((1f - select((((_e569 + _e580) + _e591) * _e2138), 0f, (_e603 != 0f))) + (1f - select((((_e698 + _e709) + _e720) * _e2138), 0f, (_e732 != 0f)))));
-if (_e201 && (_e2163 > 0f)) {
-let _e2169 = (((_e367 + _e496) + (_e625 + _e754)) / _e2163);
-let _e2171 = f32(bitcast<i32>(_e71));
-let _e2174 = f32(bitcast<i32>(_e73));
-let _e2179 = global_2.member.member_10.member_3;
-let _e2180 = (_e2179 != 0u);
-let _e2181 = select(1f, _e2169, _e2180);
-let _e2185 = global_2.member.member_10.member_5;
-let _e2189 = global_2.member.member_10.member_7;
-let _e2192 = ((_e2185 + ((_e2171 + 0.5f) * _e2189)) * _e2181);
-let _e2196 = global_2.member.member_10.member_6;
-let _e2199 = ((_e2196 + ((_e2174 + 0.5f) * _e2189)) * _e2181);
-let _e2204 = (((_e2192 * _e2192) + (_e2199 * _e2199)) + (_e2169 * _e2169));
-let _e2207 = sqrt(select(0f, _e2204, (_e2204 > 0f)));
-let _e2210 = (1f / select(1e-20f, _e2207, (_e2207 > 1e-20f)));
-let _e2227 = ((((_e224.member.member * _e2192) + (_e224.member.member_1 * _e2199)) + (_e224.member.member_2 * _e2169)) + _e224.member_1);
-let _e2233 = -((((_e224.member.member * select(0f, (_e2192 * _e2210), _e2180)) + (_e224.member.member_1 * select(0f, (_e2199 * _e2210), _e2180))) + (_e224.member.member_2 * select(1f, (_e2169 * _e2210), _e2180))));
-let _e2235 = (_e2233 > 1e-6f);
-let _e2239 = select(-1f, (_e2227 / select(1e-6f, _e2233, _e2235)), ((_e2227 >= 0f) && _e2235));
-if (_e2239 >= 0f) {
-let _e2242 = f32(bitcast<i32>(_e84));
-let _e2244 = select(0f, _e2171, (_e2171 > 0f));
-let _e2251 = global_2.member.member_10.member_17.member_1;
-let _e2254 = ((_e2171 - _e2242) * _e2251);
-let _e2259 = global_2.member.member_10.member_17.member_2;
-let _e2261 = select(0f, _e2254, (_e2254 > 0f));
-let _e2263 = (_e2259 + _e2261);
-let _e2268 = (-(_e2171) * _e2251);
-let _e2270 = select(0f, _e2268, (_e2268 > 0f));
-let _e2272 = (_e2259 + _e2270);
-let _e2279 = (((_e2259 + (select(_e2242, _e2244, (_e2244 < _e2242)) * _e2251)) + (((_e2261 * _e2259) / select(1e-12f, _e2263, (_e2263 > 1e-12f))) - ((_e2270 * _e2259) / select(1e-12f, _e2272, (_e2272 > 1e-12f))))) - 0.5f);
-let _e2281 = f32(bitcast<i32>(_e90));
-let _e2283 = select(0f, _e2174, (_e2174 > 0f));
-let _e2288 = ((_e2174 - _e2281) * _e2251);
-let _e2290 = select(0f, _e2288, (_e2288 > 0f));
-let _e2292 = (_e2259 + _e2290);
-let _e2297 = (-(_e2174) * _e2251);
-let _e2299 = select(0f, _e2297, (_e2297 > 0f));
-let _e2301 = (_e2259 + _e2299);
-let _e2308 = (((_e2259 + (select(_e2281, _e2283, (_e2283 < _e2281)) * _e2251)) + (((_e2290 * _e2259) / select(1e-12f, _e2292, (_e2292 > 1e-12f))) - ((_e2299 * _e2259) / select(1e-12f, _e2301, (_e2301 > 1e-12f))))) - 0.5f);
-if _e196 {
-phi_4401_ = vec3<f32>((_e311 + -1f), (_e322 + -1f), (_e333 + -1f));
+let _e2620 = (1f / 3f);
+let _e2622 = (_e460 != 0f);
+let _e2628 = (_e707 != 0f);
+let _e2635 = (_e954 != 0f);
+let _e2641 = (_e1199 != 0f);
+let _e2645 = (((1f - select((((_e446 + _e447) + _e448) * _e2620), 0f, _e2622)) + (1f - select((((_e693 + _e694) + _e695) * _e2620), 0f, _e2628))) + ((1f - select((((_e940 + _e941) + _e942) * _e2620), 0f, _e2635)) + (1f - select((((_e1185 + _e1186) + _e1187) * _e2620), 0f, _e2641))));
+if (_e202 && (_e2645 > 0f)) {
+let _e2655 = (((select(_e482, _e493, _e2622) + select(_e729, _e740, _e2628)) + (select(_e976, _e987, _e2635) + select(_e1221, _e1232, _e2641))) / _e2645);
+let _e2658 = (_e342 != 0u);
+let _e2666 = global_2.member.member_10.member_19.member_2;
+let _e2668 = select(1f, (_e2655 - _e2666), _e2658);
+let _e2672 = global_2.member.member_10.member_5;
+let _e2676 = global_2.member.member_10.member_7;
+let _e2679 = ((_e2672 + ((_e336 + 0.5f) * _e2676)) * _e2668);
+let _e2683 = global_2.member.member_10.member_6;
+let _e2686 = ((_e2683 + ((_e338 + 0.5f) * _e2676)) * _e2668);
+let _e2687 = global_2.member.member_10.member_19;
+let _e2691 = (_e2679 - _e2687.member);
+let _e2692 = (_e2686 - _e2687.member_1);
+let _e2693 = (_e2655 - _e2687.member_2);
+let _e2698 = (((_e2691 * _e2691) + (_e2692 * _e2692)) + (_e2693 * _e2693));
+let _e2701 = sqrt(select(0f, _e2698, (_e2698 > 0f)));
+let _e2704 = (1f / select(1e-20f, _e2701, (_e2701 > 1e-20f)));
+let _e2721 = ((((_e225.member.member * _e2679) + (_e225.member.member_1 * _e2686)) + (_e225.member.member_2 * _e2655)) + _e225.member_1);
+let _e2727 = -((((_e225.member.member * select(0f, (_e2691 * _e2704), _e2658)) + (_e225.member.member_1 * select(0f, (_e2692 * _e2704), _e2658))) + (_e225.member.member_2 * select(1f, (_e2693 * _e2704), _e2658))));
+let _e2729 = (_e2727 > 1e-6f);
+let _e2733 = select(-1f, (_e2721 / select(1e-6f, _e2727, _e2729)), ((_e2721 >= 0f) && _e2729));
+if (_e2733 >= 0f) {
+let _e2736 = f32(bitcast<i32>(_e85));
+let _e2738 = select(0f, _e336, (_e336 > 0f));
+let _e2745 = global_2.member.member_10.member_18.member_1;
+let _e2748 = ((_e336 - _e2736) * _e2745);
+let _e2753 = global_2.member.member_10.member_18.member_2;
+let _e2755 = select(0f, _e2748, (_e2748 > 0f));
+let _e2757 = (_e2753 + _e2755);
+let _e2762 = (-(_e336) * _e2745);
+let _e2764 = select(0f, _e2762, (_e2762 > 0f));
+let _e2766 = (_e2753 + _e2764);
+let _e2773 = (((_e2753 + (select(_e2736, _e2738, (_e2738 < _e2736)) * _e2745)) + (((_e2755 * _e2753) / select(1e-12f, _e2757, (_e2757 > 1e-12f))) - ((_e2764 * _e2753) / select(1e-12f, _e2766, (_e2766 > 1e-12f))))) - 0.5f);
+let _e2775 = f32(bitcast<i32>(_e91));
+let _e2777 = select(0f, _e338, (_e338 > 0f));
+let _e2782 = ((_e338 - _e2775) * _e2745);
+let _e2784 = select(0f, _e2782, (_e2782 > 0f));
+let _e2786 = (_e2753 + _e2784);
+let _e2791 = (-(_e338) * _e2745);
+let _e2793 = select(0f, _e2791, (_e2791 > 0f));
+let _e2795 = (_e2753 + _e2793);
+let _e2802 = (((_e2753 + (select(_e2775, _e2777, (_e2777 < _e2775)) * _e2745)) + (((_e2784 * _e2753) / select(1e-12f, _e2786, (_e2786 > 1e-12f))) - ((_e2793 * _e2753) / select(1e-12f, _e2795, (_e2795 > 1e-12f))))) - 0.5f);
+if _e197 {
+phi_5077_ = vec3<f32>((_e446 + -1f), (_e447 + -1f), (_e448 + -1f));
 } else {
-phi_4401_ = vec3<f32>(-1f, -1f, -1f);
+phi_5077_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2314 = phi_4401_;
-let _e2316 = f32(bitcast<i32>(_e122));
-let _e2318 = select(0f, _e2316, (_e2316 > 0f));
-let _e2323 = ((_e2316 - _e2242) * _e2251);
-let _e2325 = select(0f, _e2323, (_e2323 > 0f));
-let _e2327 = (_e2259 + _e2325);
-let _e2332 = (-(_e2316) * _e2251);
-let _e2334 = select(0f, _e2332, (_e2332 > 0f));
-let _e2336 = (_e2259 + _e2334);
-let _e2343 = (((_e2259 + (select(_e2242, _e2318, (_e2318 < _e2242)) * _e2251)) + (((_e2325 * _e2259) / select(1e-12f, _e2327, (_e2327 > 1e-12f))) - ((_e2334 * _e2259) / select(1e-12f, _e2336, (_e2336 > 1e-12f))))) - 0.5f);
-if _e196 {
-phi_4556_ = vec3<f32>((_e440 + -1f), (_e451 + -1f), (_e462 + -1f));
+let _e2808 = phi_5077_;
+let _e2810 = select(0f, _e590, (_e590 > 0f));
+let _e2815 = ((_e590 - _e2736) * _e2745);
+let _e2817 = select(0f, _e2815, (_e2815 > 0f));
+let _e2819 = (_e2753 + _e2817);
+let _e2824 = (-(_e590) * _e2745);
+let _e2826 = select(0f, _e2824, (_e2824 > 0f));
+let _e2828 = (_e2753 + _e2826);
+let _e2835 = (((_e2753 + (select(_e2736, _e2810, (_e2810 < _e2736)) * _e2745)) + (((_e2817 * _e2753) / select(1e-12f, _e2819, (_e2819 > 1e-12f))) - ((_e2826 * _e2753) / select(1e-12f, _e2828, (_e2828 > 1e-12f))))) - 0.5f);
+if _e197 {
+phi_5232_ = vec3<f32>((_e693 + -1f), (_e694 + -1f), (_e695 + -1f));
 } else {
-phi_4556_ = vec3<f32>(-1f, -1f, -1f);
+phi_5232_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2349 = phi_4556_;
-let _e2351 = f32(bitcast<i32>(_e147));
-let _e2353 = select(0f, _e2351, (_e2351 > 0f));
-let _e2358 = ((_e2351 - _e2281) * _e2251);
-let _e2360 = select(0f, _e2358, (_e2358 > 0f));
-let _e2362 = (_e2259 + _e2360);
-let _e2367 = (-(_e2351) * _e2251);
-let _e2369 = select(0f, _e2367, (_e2367 > 0f));
-let _e2371 = (_e2259 + _e2369);
-let _e2378 = (((_e2259 + (select(_e2281, _e2353, (_e2353 < _e2281)) * _e2251)) + (((_e2360 * _e2259) / select(1e-12f, _e2362, (_e2362 > 1e-12f))) - ((_e2369 * _e2259) / select(1e-12f, _e2371, (_e2371 > 1e-12f))))) - 0.5f);
-if _e196 {
-phi_4711_ = vec3<f32>((_e569 + -1f), (_e580 + -1f), (_e591 + -1f));
+let _e2841 = phi_5232_;
+let _e2843 = select(0f, _e837, (_e837 > 0f));
+let _e2848 = ((_e837 - _e2775) * _e2745);
+let _e2850 = select(0f, _e2848, (_e2848 > 0f));
+let _e2852 = (_e2753 + _e2850);
+let _e2857 = (-(_e837) * _e2745);
+let _e2859 = select(0f, _e2857, (_e2857 > 0f));
+let _e2861 = (_e2753 + _e2859);
+let _e2868 = (((_e2753 + (select(_e2775, _e2843, (_e2843 < _e2775)) * _e2745)) + (((_e2850 * _e2753) / select(1e-12f, _e2852, (_e2852 > 1e-12f))) - ((_e2859 * _e2753) / select(1e-12f, _e2861, (_e2861 > 1e-12f))))) - 0.5f);
+if _e197 {
+phi_5387_ = vec3<f32>((_e940 + -1f), (_e941 + -1f), (_e942 + -1f));
 } else {
-phi_4711_ = vec3<f32>(-1f, -1f, -1f);
+phi_5387_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2384 = phi_4711_;
-if _e196 {
-phi_4867_ = vec3<f32>((_e698 + -1f), (_e709 + -1f), (_e720 + -1f));
+let _e2874 = phi_5387_;
+if _e197 {
+phi_5543_ = vec3<f32>((_e1185 + -1f), (_e1186 + -1f), (_e1187 + -1f));
 } else {
-phi_4867_ = vec3<f32>(-1f, -1f, -1f);
+phi_5543_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2390 = phi_4867_;
-let _e2395 = global_2.member.member_10.member_8;
-let _e2397 = (((_e200 * _e2239) * _e2395) * _e2251);
-let _e2400 = (((1f + 1f) + 1f) + 1f);
-if (_e2400 > 0f) {
-let _e2402 = (1.7320508f * _e2397);
-if _e201 {
-let _e2405 = (0.5f * select(1f, _e2402, (_e2402 > 1f)));
-let _e2407 = select(_e2251, _e2405, (_e2405 > _e2251));
-phi_5002_ = select(8f, _e2407, (_e2407 < 8f));
+let _e2880 = phi_5543_;
+let _e2884 = global_2.member.member_5.member_1;
+let _e2885 = (_e2884 - _e2655);
+let _e2887 = select(_e2733, _e2885, (_e2885 < _e2733));
+let _e2889 = select(0f, _e2887, (_e2887 > 0f));
+let _e2893 = global_2.member.member_10.member_24;
+let _e2897 = ((_e2733 * _e2733) - (_e2889 * _e2889));
+let _e2899 = select(0f, _e2897, (_e2897 > 0f));
+let _e2908 = global_2.member.member_10.member_8;
+let _e2910 = (((_e201 * select(_e2733, sqrt(select(0f, _e2899, (_e2899 > 0f))), (_e2893 > 0f))) * _e2908) * _e2745);
+let _e2913 = (((1f + 1f) + 1f) + 1f);
+if (_e2913 > 0f) {
+let _e2915 = (1.7320508f * _e2910);
+if _e202 {
+let _e2918 = (0.5f * select(1f, _e2915, (_e2915 > 1f)));
+let _e2920 = select(_e2745, _e2918, (_e2918 > _e2745));
+phi_5714_ = select(8f, _e2920, (_e2920 < 8f));
 } else {
-phi_5002_ = 1f;
+phi_5714_ = 1f;
 }
-let _e2411 = phi_5002_;
-let _e2413 = (_e2343 - _e2279);
-let _e2414 = (_e2308 - _e2308);
-let _e2417 = bitcast<f32>((bitcast<u32>(_e2413) & 2147483647u));
-let _e2420 = bitcast<f32>((bitcast<u32>(_e2414) & 2147483647u));
-let _e2422 = select(_e2420, _e2417, (_e2417 > _e2420));
-let _e2423 = (_e2378 - _e2378);
-let _e2426 = bitcast<f32>((bitcast<u32>(_e2423) & 2147483647u));
-let _e2428 = select(_e2426, _e2417, (_e2417 > _e2426));
-let _e2432 = ((select(_e2428, _e2422, (_e2422 > _e2428)) / _e2411) - 1e-3f);
-let _e2433 = (128f - 1f);
-let _e2435 = select(0f, _e2432, (_e2432 > 0f));
-let _e2437 = select(_e2433, _e2435, (_e2435 < _e2433));
-let _e2444 = select(0i, select(select(i32(_e2437), i32(-2147483648), (_e2437 < -2147483600f)), 2147483647i, (_e2437 > 2147483500f)), (_e2437 == _e2437));
-let _e2450 = f32((1i + (_e2444 - select(0i, 1i, (_e2437 < f32(_e2444))))));
-let _e2451 = (_e2279 - _e2279);
-let _e2452 = (_e2378 - _e2308);
-let _e2455 = bitcast<f32>((bitcast<u32>(_e2451) & 2147483647u));
-let _e2458 = bitcast<f32>((bitcast<u32>(_e2452) & 2147483647u));
-let _e2460 = select(_e2458, _e2455, (_e2455 > _e2458));
-let _e2461 = (_e2343 - _e2343);
-let _e2464 = bitcast<f32>((bitcast<u32>(_e2461) & 2147483647u));
-let _e2466 = select(_e2458, _e2464, (_e2464 > _e2458));
-let _e2470 = ((select(_e2466, _e2460, (_e2460 > _e2466)) / _e2411) - 1e-3f);
-let _e2472 = select(0f, _e2470, (_e2470 > 0f));
-let _e2474 = select(_e2433, _e2472, (_e2472 < _e2433));
-let _e2481 = select(0i, select(select(i32(_e2474), i32(-2147483648), (_e2474 < -2147483600f)), 2147483647i, (_e2474 > 2147483500f)), (_e2474 == _e2474));
-let _e2487 = f32((1i + (_e2481 - select(0i, 1i, (_e2474 < f32(_e2481))))));
-let _e2489 = (select(128f, 24f, _e201) / (_e2450 * _e2487));
-let _e2491 = select(_e2489, 1f, (1f < _e2489));
-let _e2494 = sqrt(select(0f, _e2491, (_e2491 > 0f)));
-let _e2495 = (_e2450 * _e2494);
-let _e2497 = select(1f, _e2495, (_e2495 > 1f));
-let _e2499 = select(128f, _e2497, (_e2497 < 128f));
-let _e2506 = select(0i, select(select(i32(_e2499), i32(-2147483648), (_e2499 < -2147483600f)), 2147483647i, (_e2499 > 2147483500f)), (_e2499 == _e2499));
-let _e2510 = (_e2506 - select(0i, 1i, (_e2499 < f32(_e2506))));
-let _e2511 = (_e2487 * _e2494);
-let _e2513 = select(1f, _e2511, (_e2511 > 1f));
-let _e2515 = select(128f, _e2513, (_e2513 < 128f));
-let _e2522 = select(0i, select(select(i32(_e2515), i32(-2147483648), (_e2515 < -2147483600f)), 2147483647i, (_e2515 > 2147483500f)), (_e2515 == _e2515));
-let _e2526 = (_e2522 - select(0i, 1i, (_e2515 < f32(_e2522))));
-let _e2528 = (1f / f32(_e2510));
-let _e2530 = (1f / f32(_e2526));
-let _e2533 = ((_e2528 * _e2530) * (_e2400 * 0.25f));
-phi_5215_ = 0i;
+let _e2924 = phi_5714_;
+let _e2926 = (_e2835 - _e2773);
+let _e2927 = (_e2802 - _e2802);
+let _e2930 = bitcast<f32>((bitcast<u32>(_e2926) & 2147483647u));
+let _e2933 = bitcast<f32>((bitcast<u32>(_e2927) & 2147483647u));
+let _e2935 = select(_e2933, _e2930, (_e2930 > _e2933));
+let _e2936 = (_e2868 - _e2868);
+let _e2939 = bitcast<f32>((bitcast<u32>(_e2936) & 2147483647u));
+let _e2941 = select(_e2939, _e2930, (_e2930 > _e2939));
+let _e2945 = ((select(_e2941, _e2935, (_e2935 > _e2941)) / _e2924) - 1e-3f);
+let _e2946 = (128f - 1f);
+let _e2948 = select(0f, _e2945, (_e2945 > 0f));
+let _e2950 = select(_e2946, _e2948, (_e2948 < _e2946));
+let _e2957 = select(0i, select(select(i32(_e2950), i32(-2147483648), (_e2950 < -2147483600f)), 2147483647i, (_e2950 > 2147483500f)), (_e2950 == _e2950));
+let _e2963 = f32((1i + (_e2957 - select(0i, 1i, (_e2950 < f32(_e2957))))));
+let _e2964 = (_e2773 - _e2773);
+let _e2965 = (_e2868 - _e2802);
+let _e2968 = bitcast<f32>((bitcast<u32>(_e2964) & 2147483647u));
+let _e2971 = bitcast<f32>((bitcast<u32>(_e2965) & 2147483647u));
+let _e2973 = select(_e2971, _e2968, (_e2968 > _e2971));
+let _e2974 = (_e2835 - _e2835);
+let _e2977 = bitcast<f32>((bitcast<u32>(_e2974) & 2147483647u));
+let _e2979 = select(_e2971, _e2977, (_e2977 > _e2971));
+let _e2983 = ((select(_e2979, _e2973, (_e2973 > _e2979)) / _e2924) - 1e-3f);
+let _e2985 = select(0f, _e2983, (_e2983 > 0f));
+let _e2987 = select(_e2946, _e2985, (_e2985 < _e2946));
+let _e2994 = select(0i, select(select(i32(_e2987), i32(-2147483648), (_e2987 < -2147483600f)), 2147483647i, (_e2987 > 2147483500f)), (_e2987 == _e2987));
+let _e3000 = f32((1i + (_e2994 - select(0i, 1i, (_e2987 < f32(_e2994))))));
+let _e3002 = (select(128f, 24f, _e202) / (_e2963 * _e3000));
+let _e3004 = select(_e3002, 1f, (1f < _e3002));
+let _e3007 = sqrt(select(0f, _e3004, (_e3004 > 0f)));
+let _e3008 = (_e2963 * _e3007);
+let _e3010 = select(1f, _e3008, (_e3008 > 1f));
+let _e3012 = select(128f, _e3010, (_e3010 < 128f));
+let _e3019 = select(0i, select(select(i32(_e3012), i32(-2147483648), (_e3012 < -2147483600f)), 2147483647i, (_e3012 > 2147483500f)), (_e3012 == _e3012));
+let _e3023 = (_e3019 - select(0i, 1i, (_e3012 < f32(_e3019))));
+let _e3024 = (_e3000 * _e3007);
+let _e3026 = select(1f, _e3024, (_e3024 > 1f));
+let _e3028 = select(128f, _e3026, (_e3026 < 128f));
+let _e3035 = select(0i, select(select(i32(_e3028), i32(-2147483648), (_e3028 < -2147483600f)), 2147483647i, (_e3028 > 2147483500f)), (_e3028 == _e3028));
+let _e3039 = (_e3035 - select(0i, 1i, (_e3028 < f32(_e3035))));
+let _e3041 = (1f / f32(_e3023));
+let _e3043 = (1f / f32(_e3039));
+let _e3046 = ((_e3041 * _e3043) * (_e2913 * 0.25f));
+phi_5927_ = 0i;
 loop {
-let _e2535 = phi_5215_;
-let _e2536 = (_e2535 < _e2526);
-if _e2536 {
-let _e2539 = ((f32(_e2535) + 0.5f) * _e2530);
-phi_5250_ = 0i;
-loop {
-let _e2547 = phi_5250_;
-let _e2548 = (_e2547 < _e2510);
-if _e2548 {
-let _e2551 = ((f32(_e2547) + 0.5f) * _e2528);
-let _e2558 = ((_e2413 + ((_e2413 - _e2413) * _e2539)) * _e2528);
-let _e2559 = ((_e2414 + ((_e2423 - _e2414) * _e2539)) * _e2528);
-let _e2560 = ((_e2451 + ((_e2461 - _e2451) * _e2551)) * _e2530);
-let _e2561 = ((_e2452 + ((_e2452 - _e2452) * _e2551)) * _e2530);
-let _e2567 = bitcast<f32>((bitcast<u32>(((_e2558 * _e2561) - (_e2559 * _e2560))) & 2147483647u));
-let _e2570 = bitcast<f32>((bitcast<u32>(_e2558) & 2147483647u));
-let _e2573 = bitcast<f32>((bitcast<u32>(_e2561) & 2147483647u));
-let _e2576 = bitcast<f32>((bitcast<u32>(_e2560) & 2147483647u));
-let _e2577 = (_e2570 + _e2576);
-let _e2580 = bitcast<f32>((bitcast<u32>(_e2559) & 2147483647u));
-let _e2581 = (_e2573 + _e2580);
-let _e2585 = (9.765625e-4f * 9.765625e-4f);
-let _e2588 = (_e2567 / select(_e2585, _e2570, (_e2570 > _e2585)));
-let _e2593 = (_e2567 / select(_e2585, _e2573, (_e2573 > _e2585)));
-if ((_e2576 * _e2573) <= (_e2580 * _e2570)) {
-phi_5341_ = vec2<f32>(_e2570, select(_e2581, _e2588, (_e2588 < _e2581)));
-} else {
-phi_5341_ = vec2<f32>(select(_e2577, _e2593, (_e2593 < _e2577)), _e2573);
-}
-let _e2599 = phi_5341_;
-let _e2603 = (_e2279 + (_e2413 * _e2551));
-let _e2606 = (_e2603 + ((_e2603 - _e2603) * _e2539));
-let _e2608 = (_e2308 + (_e2414 * _e2551));
-let _e2613 = (_e2608 + (((_e2378 + (_e2423 * _e2551)) - _e2608) * _e2539));
-let _e2620 = (_e2314.x + ((_e2349.x - _e2314.x) * _e2551));
-let _e2627 = ((_e2620 + (((_e2384.x + ((_e2390.x - _e2384.x) * _e2551)) - _e2620) * _e2539)) * _e2533);
-let _e2634 = (_e2314.y + ((_e2349.y - _e2314.y) * _e2551));
-let _e2641 = ((_e2634 + (((_e2384.y + ((_e2390.y - _e2384.y) * _e2551)) - _e2634) * _e2539)) * _e2533);
-let _e2648 = (_e2314.z + ((_e2349.z - _e2314.z) * _e2551));
-let _e2655 = ((_e2648 + (((_e2384.z + ((_e2390.z - _e2384.z) * _e2551)) - _e2648) * _e2539)) * _e2533);
-if _e201 {
-let _e2905 = select(1f, _e2599.x, (_e2599.x > 1f));
-let _e2907 = select(8f, _e2905, (_e2905 < 8f));
-let _e2909 = select(1f, _e2599.y, (_e2599.y > 1f));
-let _e2911 = select(8f, _e2909, (_e2909 < 8f));
-let _e2913 = (0.5f * (_e2907 + _e2911));
-let _e2917 = (((3f * _e2397) * _e2397) - (_e2913 * _e2913));
-let _e2918 = (1f * 1f);
-let _e2920 = select(_e2918, _e2917, (_e2917 > _e2918));
-let _e2923 = sqrt(select(0f, _e2920, (_e2920 > 0f)));
-let _e2925 = (1f / (_e2923 * _e2923));
-phi_5470_ = 0i;
-loop {
-let _e2930 = phi_5470_;
-let _e2931 = (_e2930 < 4i);
-if _e2931 {
-let _e2933 = f32((_e2930 & 1i));
-let _e2936 = f32((_e2930 >> bitcast<u32>(1i)));
-let _e2941 = ((1f - (2f * _e2933)) * (1f - (2f * _e2936)));
-let _e2945 = ((_e2606 + ((_e2933 - 0.5f) * _e2923)) + 0.5f);
-let _e2949 = ((_e2613 + ((_e2936 - 0.5f) * _e2923)) + 0.5f);
-let _e2950 = (0.5f * _e2907);
-let _e2951 = (_e2950 - 0.5f);
-let _e2954 = (0.5f * _e2911);
-let _e2955 = (_e2954 - 0.5f);
-let _e2961 = (select(_e2951, _e2945, (_e2945 > _e2951)) - _e2950);
-let _e2962 = (select(_e2955, _e2949, (_e2949 > _e2955)) - _e2954);
-let _e2963 = (_e2961 + 0.5f);
-let _e2965 = select(0f, _e2963, (_e2963 > 0f));
-let _e2967 = select(65536f, _e2965, (_e2965 < 65536f));
-let _e2974 = select(0i, select(select(i32(_e2967), i32(-2147483648), (_e2967 < -2147483600f)), 2147483647i, (_e2967 > 2147483500f)), (_e2967 == _e2967));
-let _e2979 = (_e2961 + _e2907);
-let _e2980 = (_e2979 + 0.5f);
-let _e2982 = f32((_e231 - 1i));
-let _e2984 = select(-1f, _e2980, (_e2980 > -1f));
-let _e2986 = select(_e2982, _e2984, (_e2984 < _e2982));
-let _e2993 = select(0i, select(select(i32(_e2986), i32(-2147483648), (_e2986 < -2147483600f)), 2147483647i, (_e2986 > 2147483500f)), (_e2986 == _e2986));
-let _e2998 = (_e2962 + _e2911);
-let _e2999 = (_e2998 + 0.5f);
-let _e3001 = f32((_e238 - 1i));
-let _e3003 = select(-1f, _e2999, (_e2999 > -1f));
-let _e3005 = select(_e3001, _e3003, (_e3003 < _e3001));
-let _e3012 = select(0i, select(select(i32(_e3005), i32(-2147483648), (_e3005 < -2147483600f)), 2147483647i, (_e3005 > 2147483500f)), (_e3005 == _e3005));
-let _e3017 = (_e2962 + 0.5f);
-let _e3019 = select(0f, _e3017, (_e3017 > 0f));
-let _e3021 = select(65536f, _e3019, (_e3019 < 65536f));
-let _e3028 = select(0i, select(select(i32(_e3021), i32(-2147483648), (_e3021 < -2147483600f)), 2147483647i, (_e3021 > 2147483500f)), (_e3021 == _e3021));
-phi_5627_ = (_e3028 - select(0i, 1i, (_e3021 < f32(_e3028))));
-loop {
-let _e3034 = phi_5627_;
-let _e3035 = (_e3034 <= (_e3012 - select(0i, 1i, (_e3005 < f32(_e3012)))));
-if _e3035 {
-let _e3036 = f32(_e3034);
-let _e3037 = (_e3036 - 0.5f);
-let _e3040 = (_e3036 + 0.5f);
-let _e3043 = (select(_e3040, _e2998, (_e2998 < _e3040)) - select(_e3037, _e2962, (_e2962 > _e3037)));
-phi_5659_ = (_e2974 - select(0i, 1i, (_e2967 < f32(_e2974))));
-loop {
-let _e3048 = phi_5659_;
-let _e3049 = (_e3048 <= (_e2993 - select(0i, 1i, (_e2986 < f32(_e2993)))));
+let _e3048 = phi_5927_;
+let _e3049 = (_e3048 < _e3039);
 if _e3049 {
-let _e3050 = f32(_e3048);
-let _e3051 = (_e3050 - 0.5f);
-let _e3054 = (_e3050 + 0.5f);
-let _e3057 = (select(_e3054, _e2979, (_e2979 < _e3054)) - select(_e3051, _e2961, (_e2961 > _e3051)));
-let _e3061 = ((select(0f, _e3057, (_e3057 > 0f)) / _e2907) * (select(0f, _e3043, (_e3043 > 0f)) / _e2911));
-if (_e3061 > 0f) {
-let _e3065 = (((_e3034 * _e231) + _e3048) * 6i);
-let _e3068 = (((((_e2627 * _e2925) * _e2941) * _e3061) * 16777216f) + 0.5f);
-let _e3070 = select(-1073741800f, _e3068, (_e3068 > -1073741800f));
-let _e3072 = select(1073741800f, _e3070, (_e3070 < 1073741800f));
-let _e3079 = select(0i, select(select(i32(_e3072), i32(-2147483648), (_e3072 < -2147483600f)), 2147483647i, (_e3072 > 2147483500f)), (_e3072 == _e3072));
-let _e3083 = (_e3079 - select(0i, 1i, (_e3072 < f32(_e3079))));
-let _e3084 = bitcast<u32>(_e3083);
-let _e3087 = bitcast<u32>((_e3083 >> bitcast<u32>(31i)));
-if ((_e3084 | _e3087) == 0u) {
+let _e3052 = ((f32(_e3048) + 0.5f) * _e3043);
+phi_5962_ = 0i;
+loop {
+let _e3060 = phi_5962_;
+let _e3061 = (_e3060 < _e3023);
+if _e3061 {
+let _e3064 = ((f32(_e3060) + 0.5f) * _e3041);
+let _e3071 = ((_e2926 + ((_e2926 - _e2926) * _e3052)) * _e3041);
+let _e3072 = ((_e2927 + ((_e2936 - _e2927) * _e3052)) * _e3041);
+let _e3073 = ((_e2964 + ((_e2974 - _e2964) * _e3064)) * _e3043);
+let _e3074 = ((_e2965 + ((_e2965 - _e2965) * _e3064)) * _e3043);
+let _e3080 = bitcast<f32>((bitcast<u32>(((_e3071 * _e3074) - (_e3072 * _e3073))) & 2147483647u));
+let _e3083 = bitcast<f32>((bitcast<u32>(_e3071) & 2147483647u));
+let _e3086 = bitcast<f32>((bitcast<u32>(_e3074) & 2147483647u));
+let _e3089 = bitcast<f32>((bitcast<u32>(_e3073) & 2147483647u));
+let _e3090 = (_e3083 + _e3089);
+let _e3093 = bitcast<f32>((bitcast<u32>(_e3072) & 2147483647u));
+let _e3094 = (_e3086 + _e3093);
+let _e3098 = (9.765625e-4f * 9.765625e-4f);
+let _e3101 = (_e3080 / select(_e3098, _e3083, (_e3083 > _e3098)));
+let _e3106 = (_e3080 / select(_e3098, _e3086, (_e3086 > _e3098)));
+if ((_e3089 * _e3086) <= (_e3093 * _e3083)) {
+phi_6053_ = vec2<f32>(_e3083, select(_e3094, _e3101, (_e3101 < _e3094)));
 } else {
-let _e3090 = bitcast<u32>(_e3065);
-if (_e3090 < _e62) {
-let _e3094 = atomicAdd((&global_3.member[_e3090]), _e3084);
-phi_5740_ = _e3094;
+phi_6053_ = vec2<f32>(select(_e3090, _e3106, (_e3106 < _e3090)), _e3086);
+}
+let _e3112 = phi_6053_;
+let _e3116 = (_e2773 + (_e2926 * _e3064));
+let _e3119 = (_e3116 + ((_e3116 - _e3116) * _e3052));
+let _e3121 = (_e2802 + (_e2927 * _e3064));
+let _e3126 = (_e3121 + (((_e2868 + (_e2936 * _e3064)) - _e3121) * _e3052));
+let _e3133 = (_e2808.x + ((_e2841.x - _e2808.x) * _e3064));
+let _e3140 = ((_e3133 + (((_e2874.x + ((_e2880.x - _e2874.x) * _e3064)) - _e3133) * _e3052)) * _e3046);
+let _e3147 = (_e2808.y + ((_e2841.y - _e2808.y) * _e3064));
+let _e3154 = ((_e3147 + (((_e2874.y + ((_e2880.y - _e2874.y) * _e3064)) - _e3147) * _e3052)) * _e3046);
+let _e3161 = (_e2808.z + ((_e2841.z - _e2808.z) * _e3064));
+let _e3168 = ((_e3161 + (((_e2874.z + ((_e2880.z - _e2874.z) * _e3064)) - _e3161) * _e3052)) * _e3046);
+if _e202 {
+let _e3418 = select(1f, _e3112.x, (_e3112.x > 1f));
+let _e3420 = select(8f, _e3418, (_e3418 < 8f));
+let _e3422 = select(1f, _e3112.y, (_e3112.y > 1f));
+let _e3424 = select(8f, _e3422, (_e3422 < 8f));
+let _e3426 = (0.5f * (_e3420 + _e3424));
+let _e3430 = (((3f * _e2910) * _e2910) - (_e3426 * _e3426));
+let _e3431 = (1f * 1f);
+let _e3433 = select(_e3431, _e3430, (_e3430 > _e3431));
+let _e3436 = sqrt(select(0f, _e3433, (_e3433 > 0f)));
+let _e3438 = (1f / (_e3436 * _e3436));
+phi_6182_ = 0i;
+loop {
+let _e3443 = phi_6182_;
+let _e3444 = (_e3443 < 4i);
+if _e3444 {
+let _e3446 = f32((_e3443 & 1i));
+let _e3449 = f32((_e3443 >> bitcast<u32>(1i)));
+let _e3454 = ((1f - (2f * _e3446)) * (1f - (2f * _e3449)));
+let _e3458 = ((_e3119 + ((_e3446 - 0.5f) * _e3436)) + 0.5f);
+let _e3462 = ((_e3126 + ((_e3449 - 0.5f) * _e3436)) + 0.5f);
+let _e3463 = (0.5f * _e3420);
+let _e3464 = (_e3463 - 0.5f);
+let _e3467 = (0.5f * _e3424);
+let _e3468 = (_e3467 - 0.5f);
+let _e3474 = (select(_e3464, _e3458, (_e3458 > _e3464)) - _e3463);
+let _e3475 = (select(_e3468, _e3462, (_e3462 > _e3468)) - _e3467);
+let _e3476 = (_e3474 + 0.5f);
+let _e3478 = select(0f, _e3476, (_e3476 > 0f));
+let _e3480 = select(65536f, _e3478, (_e3478 < 65536f));
+let _e3487 = select(0i, select(select(i32(_e3480), i32(-2147483648), (_e3480 < -2147483600f)), 2147483647i, (_e3480 > 2147483500f)), (_e3480 == _e3480));
+let _e3492 = (_e3474 + _e3420);
+let _e3493 = (_e3492 + 0.5f);
+let _e3495 = f32((_e232 - 1i));
+let _e3497 = select(-1f, _e3493, (_e3493 > -1f));
+let _e3499 = select(_e3495, _e3497, (_e3497 < _e3495));
+let _e3506 = select(0i, select(select(i32(_e3499), i32(-2147483648), (_e3499 < -2147483600f)), 2147483647i, (_e3499 > 2147483500f)), (_e3499 == _e3499));
+let _e3511 = (_e3475 + _e3424);
+let _e3512 = (_e3511 + 0.5f);
+let _e3514 = f32((_e239 - 1i));
+let _e3516 = select(-1f, _e3512, (_e3512 > -1f));
+let _e3518 = select(_e3514, _e3516, (_e3516 < _e3514));
+let _e3525 = select(0i, select(select(i32(_e3518), i32(-2147483648), (_e3518 < -2147483600f)), 2147483647i, (_e3518 > 2147483500f)), (_e3518 == _e3518));
+let _e3530 = (_e3475 + 0.5f);
+let _e3532 = select(0f, _e3530, (_e3530 > 0f));
+let _e3534 = select(65536f, _e3532, (_e3532 < 65536f));
+let _e3541 = select(0i, select(select(i32(_e3534), i32(-2147483648), (_e3534 < -2147483600f)), 2147483647i, (_e3534 > 2147483500f)), (_e3534 == _e3534));
+phi_6339_ = (_e3541 - select(0i, 1i, (_e3534 < f32(_e3541))));
+loop {
+let _e3547 = phi_6339_;
+let _e3548 = (_e3547 <= (_e3525 - select(0i, 1i, (_e3518 < f32(_e3525)))));
+if _e3548 {
+let _e3549 = f32(_e3547);
+let _e3550 = (_e3549 - 0.5f);
+let _e3553 = (_e3549 + 0.5f);
+let _e3556 = (select(_e3553, _e3511, (_e3511 < _e3553)) - select(_e3550, _e3475, (_e3475 > _e3550)));
+phi_6371_ = (_e3487 - select(0i, 1i, (_e3480 < f32(_e3487))));
+loop {
+let _e3561 = phi_6371_;
+let _e3562 = (_e3561 <= (_e3506 - select(0i, 1i, (_e3499 < f32(_e3506)))));
+if _e3562 {
+let _e3563 = f32(_e3561);
+let _e3564 = (_e3563 - 0.5f);
+let _e3567 = (_e3563 + 0.5f);
+let _e3570 = (select(_e3567, _e3492, (_e3492 < _e3567)) - select(_e3564, _e3474, (_e3474 > _e3564)));
+let _e3574 = ((select(0f, _e3570, (_e3570 > 0f)) / _e3420) * (select(0f, _e3556, (_e3556 > 0f)) / _e3424));
+if (_e3574 > 0f) {
+let _e3578 = (((_e3547 * _e232) + _e3561) * 6i);
+let _e3581 = (((((_e3140 * _e3438) * _e3454) * _e3574) * 16777216f) + 0.5f);
+let _e3583 = select(-1073741800f, _e3581, (_e3581 > -1073741800f));
+let _e3585 = select(1073741800f, _e3583, (_e3583 < 1073741800f));
+let _e3592 = select(0i, select(select(i32(_e3585), i32(-2147483648), (_e3585 < -2147483600f)), 2147483647i, (_e3585 > 2147483500f)), (_e3585 == _e3585));
+let _e3596 = (_e3592 - select(0i, 1i, (_e3585 < f32(_e3592))));
+let _e3597 = bitcast<u32>(_e3596);
+let _e3600 = bitcast<u32>((_e3596 >> bitcast<u32>(31i)));
+if ((_e3597 | _e3600) == 0u) {
 } else {
-phi_5740_ = 0u;
-}
-let _e3096 = phi_5740_;
-let _e3100 = (_e3087 + select(0u, 1u, ((_e3096 + _e3084) < _e3084)));
-if (_e3100 == 0u) {
+let _e3603 = bitcast<u32>(_e3578);
+if (_e3603 < _e63) {
+let _e3607 = atomicAdd((&global_3.member[_e3603]), _e3597);
+phi_6452_ = _e3607;
 } else {
-let _e3102 = (_e3090 + 1u);
-if (_e3102 < _e62) {
-let _e3106 = atomicAdd((&global_3.member[_e3102]), _e3100);
+phi_6452_ = 0u;
 }
-}
-}
-let _e3110 = (((((_e2641 * _e2925) * _e2941) * _e3061) * 16777216f) + 0.5f);
-let _e3112 = select(-1073741800f, _e3110, (_e3110 > -1073741800f));
-let _e3114 = select(1073741800f, _e3112, (_e3112 < 1073741800f));
-let _e3121 = select(0i, select(select(i32(_e3114), i32(-2147483648), (_e3114 < -2147483600f)), 2147483647i, (_e3114 > 2147483500f)), (_e3114 == _e3114));
-let _e3125 = (_e3121 - select(0i, 1i, (_e3114 < f32(_e3121))));
-let _e3126 = bitcast<u32>(_e3125);
-let _e3129 = bitcast<u32>((_e3125 >> bitcast<u32>(31i)));
-if ((_e3126 | _e3129) == 0u) {
+let _e3609 = phi_6452_;
+let _e3613 = (_e3600 + select(0u, 1u, ((_e3609 + _e3597) < _e3597)));
+if (_e3613 == 0u) {
 } else {
-let _e3132 = bitcast<u32>((_e3065 + 2i));
-if (_e3132 < _e62) {
-let _e3136 = atomicAdd((&global_3.member[_e3132]), _e3126);
-phi_5798_ = _e3136;
+let _e3615 = (_e3603 + 1u);
+if (_e3615 < _e63) {
+let _e3619 = atomicAdd((&global_3.member[_e3615]), _e3613);
+}
+}
+}
+let _e3623 = (((((_e3154 * _e3438) * _e3454) * _e3574) * 16777216f) + 0.5f);
+let _e3625 = select(-1073741800f, _e3623, (_e3623 > -1073741800f));
+let _e3627 = select(1073741800f, _e3625, (_e3625 < 1073741800f));
+let _e3634 = select(0i, select(select(i32(_e3627), i32(-2147483648), (_e3627 < -2147483600f)), 2147483647i, (_e3627 > 2147483500f)), (_e3627 == _e3627));
+let _e3638 = (_e3634 - select(0i, 1i, (_e3627 < f32(_e3634))));
+let _e3639 = bitcast<u32>(_e3638);
+let _e3642 = bitcast<u32>((_e3638 >> bitcast<u32>(31i)));
+if ((_e3639 | _e3642) == 0u) {
 } else {
-phi_5798_ = 0u;
-}
-let _e3138 = phi_5798_;
-let _e3142 = (_e3129 + select(0u, 1u, ((_e3138 + _e3126) < _e3126)));
-if (_e3142 == 0u) {
+let _e3645 = bitcast<u32>((_e3578 + 2i));
+if (_e3645 < _e63) {
+let _e3649 = atomicAdd((&global_3.member[_e3645]), _e3639);
+phi_6510_ = _e3649;
 } else {
-let _e3144 = (_e3132 + 1u);
-if (_e3144 < _e62) {
-let _e3148 = atomicAdd((&global_3.member[_e3144]), _e3142);
+phi_6510_ = 0u;
 }
-}
-}
-let _e3152 = (((((_e2655 * _e2925) * _e2941) * _e3061) * 16777216f) + 0.5f);
-let _e3154 = select(-1073741800f, _e3152, (_e3152 > -1073741800f));
-let _e3156 = select(1073741800f, _e3154, (_e3154 < 1073741800f));
-let _e3163 = select(0i, select(select(i32(_e3156), i32(-2147483648), (_e3156 < -2147483600f)), 2147483647i, (_e3156 > 2147483500f)), (_e3156 == _e3156));
-let _e3167 = (_e3163 - select(0i, 1i, (_e3156 < f32(_e3163))));
-let _e3168 = bitcast<u32>(_e3167);
-let _e3171 = bitcast<u32>((_e3167 >> bitcast<u32>(31i)));
-if ((_e3168 | _e3171) == 0u) {
+let _e3651 = phi_6510_;
+let _e3655 = (_e3642 + select(0u, 1u, ((_e3651 + _e3639) < _e3639)));
+if (_e3655 == 0u) {
 } else {
-let _e3174 = bitcast<u32>((_e3065 + 4i));
-if (_e3174 < _e62) {
-let _e3178 = atomicAdd((&global_3.member[_e3174]), _e3168);
-phi_5856_ = _e3178;
+let _e3657 = (_e3645 + 1u);
+if (_e3657 < _e63) {
+let _e3661 = atomicAdd((&global_3.member[_e3657]), _e3655);
+}
+}
+}
+let _e3665 = (((((_e3168 * _e3438) * _e3454) * _e3574) * 16777216f) + 0.5f);
+let _e3667 = select(-1073741800f, _e3665, (_e3665 > -1073741800f));
+let _e3669 = select(1073741800f, _e3667, (_e3667 < 1073741800f));
+let _e3676 = select(0i, select(select(i32(_e3669), i32(-2147483648), (_e3669 < -2147483600f)), 2147483647i, (_e3669 > 2147483500f)), (_e3669 == _e3669));
+let _e3680 = (_e3676 - select(0i, 1i, (_e3669 < f32(_e3676))));
+let _e3681 = bitcast<u32>(_e3680);
+let _e3684 = bitcast<u32>((_e3680 >> bitcast<u32>(31i)));
+if ((_e3681 | _e3684) == 0u) {
 } else {
-phi_5856_ = 0u;
-}
-let _e3180 = phi_5856_;
-let _e3184 = (_e3171 + select(0u, 1u, ((_e3180 + _e3168) < _e3168)));
-if (_e3184 == 0u) {
+let _e3687 = bitcast<u32>((_e3578 + 4i));
+if (_e3687 < _e63) {
+let _e3691 = atomicAdd((&global_3.member[_e3687]), _e3681);
+phi_6568_ = _e3691;
 } else {
-let _e3186 = (_e3174 + 1u);
-if (_e3186 < _e62) {
-let _e3190 = atomicAdd((&global_3.member[_e3186]), _e3184);
+phi_6568_ = 0u;
 }
-}
-}
-}
-phi_5660_ = (_e3048 + 1i);
+let _e3693 = phi_6568_;
+let _e3697 = (_e3684 + select(0u, 1u, ((_e3693 + _e3681) < _e3681)));
+if (_e3697 == 0u) {
 } else {
-phi_5660_ = i32();
+let _e3699 = (_e3687 + 1u);
+if (_e3699 < _e63) {
+let _e3703 = atomicAdd((&global_3.member[_e3699]), _e3697);
 }
-let _e3193 = phi_5660_;
+}
+}
+}
+phi_6372_ = (_e3561 + 1i);
+} else {
+phi_6372_ = i32();
+}
+let _e3706 = phi_6372_;
 continue;
 continuing {
-phi_5659_ = _e3193;
+phi_6371_ = _e3706;
+break if !(_e3562);
+}
+}
+phi_6340_ = (_e3547 + 1i);
+} else {
+phi_6340_ = i32();
+}
+let _e3710 = phi_6340_;
+continue;
+continuing {
+phi_6339_ = _e3710;
+break if !(_e3548);
+}
+}
+phi_6183_ = (_e3443 + 1i);
+} else {
+phi_6183_ = i32();
+}
+let _e3714 = phi_6183_;
+continue;
+continuing {
+phi_6182_ = _e3714;
+break if !(_e3444);
+}
+}
+} else {
+let _e3170 = select(9.765625e-4f, _e3112.x, (_e3112.x > 9.765625e-4f));
+let _e3172 = select(5f, _e3170, (_e3170 < 5f));
+let _e3174 = select(9.765625e-4f, _e3112.y, (_e3112.y > 9.765625e-4f));
+let _e3176 = select(5f, _e3174, (_e3174 < 5f));
+let _e3178 = (_e3119 - (0.5f * _e3172));
+let _e3180 = (_e3126 - (0.5f * _e3176));
+let _e3181 = (_e3178 + 0.5f);
+let _e3183 = select(0f, _e3181, (_e3181 > 0f));
+let _e3185 = select(65536f, _e3183, (_e3183 < 65536f));
+let _e3192 = select(0i, select(select(i32(_e3185), i32(-2147483648), (_e3185 < -2147483600f)), 2147483647i, (_e3185 > 2147483500f)), (_e3185 == _e3185));
+let _e3197 = (_e3178 + _e3172);
+let _e3198 = (_e3197 + 0.5f);
+let _e3200 = f32((_e232 - 1i));
+let _e3202 = select(-1f, _e3198, (_e3198 > -1f));
+let _e3204 = select(_e3200, _e3202, (_e3202 < _e3200));
+let _e3211 = select(0i, select(select(i32(_e3204), i32(-2147483648), (_e3204 < -2147483600f)), 2147483647i, (_e3204 > 2147483500f)), (_e3204 == _e3204));
+let _e3216 = (_e3180 + _e3176);
+let _e3217 = (_e3216 + 0.5f);
+let _e3219 = f32((_e239 - 1i));
+let _e3221 = select(-1f, _e3217, (_e3217 > -1f));
+let _e3223 = select(_e3219, _e3221, (_e3221 < _e3219));
+let _e3230 = select(0i, select(select(i32(_e3223), i32(-2147483648), (_e3223 < -2147483600f)), 2147483647i, (_e3223 > 2147483500f)), (_e3223 == _e3223));
+let _e3235 = (_e3180 + 0.5f);
+let _e3237 = select(0f, _e3235, (_e3235 > 0f));
+let _e3239 = select(65536f, _e3237, (_e3237 < 65536f));
+let _e3246 = select(0i, select(select(i32(_e3239), i32(-2147483648), (_e3239 < -2147483600f)), 2147483647i, (_e3239 > 2147483500f)), (_e3239 == _e3239));
+phi_6722_ = (_e3246 - select(0i, 1i, (_e3239 < f32(_e3246))));
+loop {
+let _e3252 = phi_6722_;
+let _e3253 = (_e3252 <= (_e3230 - select(0i, 1i, (_e3223 < f32(_e3230)))));
+if _e3253 {
+let _e3254 = f32(_e3252);
+let _e3255 = (_e3254 - 0.5f);
+let _e3258 = (_e3254 + 0.5f);
+let _e3261 = (select(_e3258, _e3216, (_e3216 < _e3258)) - select(_e3255, _e3180, (_e3180 > _e3255)));
+phi_6754_ = (_e3192 - select(0i, 1i, (_e3185 < f32(_e3192))));
+loop {
+let _e3266 = phi_6754_;
+let _e3267 = (_e3266 <= (_e3211 - select(0i, 1i, (_e3204 < f32(_e3211)))));
+if _e3267 {
+let _e3268 = f32(_e3266);
+let _e3269 = (_e3268 - 0.5f);
+let _e3272 = (_e3268 + 0.5f);
+let _e3275 = (select(_e3272, _e3197, (_e3197 < _e3272)) - select(_e3269, _e3178, (_e3178 > _e3269)));
+let _e3279 = ((select(0f, _e3275, (_e3275 > 0f)) / _e3172) * (select(0f, _e3261, (_e3261 > 0f)) / _e3176));
+if (_e3279 > 0f) {
+let _e3283 = (((_e3252 * _e232) + _e3266) * 6i);
+let _e3286 = (((_e3140 * _e3279) * 16777216f) + 0.5f);
+let _e3288 = select(-1073741800f, _e3286, (_e3286 > -1073741800f));
+let _e3290 = select(1073741800f, _e3288, (_e3288 < 1073741800f));
+let _e3297 = select(0i, select(select(i32(_e3290), i32(-2147483648), (_e3290 < -2147483600f)), 2147483647i, (_e3290 > 2147483500f)), (_e3290 == _e3290));
+let _e3301 = (_e3297 - select(0i, 1i, (_e3290 < f32(_e3297))));
+let _e3302 = bitcast<u32>(_e3301);
+let _e3305 = bitcast<u32>((_e3301 >> bitcast<u32>(31i)));
+if ((_e3302 | _e3305) == 0u) {
+} else {
+let _e3308 = bitcast<u32>(_e3283);
+if (_e3308 < _e63) {
+let _e3312 = atomicAdd((&global_3.member[_e3308]), _e3302);
+phi_6835_ = _e3312;
+} else {
+phi_6835_ = 0u;
+}
+let _e3314 = phi_6835_;
+let _e3318 = (_e3305 + select(0u, 1u, ((_e3314 + _e3302) < _e3302)));
+if (_e3318 == 0u) {
+} else {
+let _e3320 = (_e3308 + 1u);
+if (_e3320 < _e63) {
+let _e3324 = atomicAdd((&global_3.member[_e3320]), _e3318);
+}
+}
+}
+let _e3328 = (((_e3154 * _e3279) * 16777216f) + 0.5f);
+let _e3330 = select(-1073741800f, _e3328, (_e3328 > -1073741800f));
+let _e3332 = select(1073741800f, _e3330, (_e3330 < 1073741800f));
+let _e3339 = select(0i, select(select(i32(_e3332), i32(-2147483648), (_e3332 < -2147483600f)), 2147483647i, (_e3332 > 2147483500f)), (_e3332 == _e3332));
+let _e3343 = (_e3339 - select(0i, 1i, (_e3332 < f32(_e3339))));
+let _e3344 = bitcast<u32>(_e3343);
+let _e3347 = bitcast<u32>((_e3343 >> bitcast<u32>(31i)));
+if ((_e3344 | _e3347) == 0u) {
+} else {
+let _e3350 = bitcast<u32>((_e3283 + 2i));
+if (_e3350 < _e63) {
+let _e3354 = atomicAdd((&global_3.member[_e3350]), _e3344);
+phi_6893_ = _e3354;
+} else {
+phi_6893_ = 0u;
+}
+let _e3356 = phi_6893_;
+let _e3360 = (_e3347 + select(0u, 1u, ((_e3356 + _e3344) < _e3344)));
+if (_e3360 == 0u) {
+} else {
+let _e3362 = (_e3350 + 1u);
+if (_e3362 < _e63) {
+let _e3366 = atomicAdd((&global_3.member[_e3362]), _e3360);
+}
+}
+}
+let _e3370 = (((_e3168 * _e3279) * 16777216f) + 0.5f);
+let _e3372 = select(-1073741800f, _e3370, (_e3370 > -1073741800f));
+let _e3374 = select(1073741800f, _e3372, (_e3372 < 1073741800f));
+let _e3381 = select(0i, select(select(i32(_e3374), i32(-2147483648), (_e3374 < -2147483600f)), 2147483647i, (_e3374 > 2147483500f)), (_e3374 == _e3374));
+let _e3385 = (_e3381 - select(0i, 1i, (_e3374 < f32(_e3381))));
+let _e3386 = bitcast<u32>(_e3385);
+let _e3389 = bitcast<u32>((_e3385 >> bitcast<u32>(31i)));
+if ((_e3386 | _e3389) == 0u) {
+} else {
+let _e3392 = bitcast<u32>((_e3283 + 4i));
+if (_e3392 < _e63) {
+let _e3396 = atomicAdd((&global_3.member[_e3392]), _e3386);
+phi_6951_ = _e3396;
+} else {
+phi_6951_ = 0u;
+}
+let _e3398 = phi_6951_;
+let _e3402 = (_e3389 + select(0u, 1u, ((_e3398 + _e3386) < _e3386)));
+if (_e3402 == 0u) {
+} else {
+let _e3404 = (_e3392 + 1u);
+if (_e3404 < _e63) {
+let _e3408 = atomicAdd((&global_3.member[_e3404]), _e3402);
+}
+}
+}
+}
+phi_6755_ = (_e3266 + 1i);
+} else {
+phi_6755_ = i32();
+}
+let _e3411 = phi_6755_;
+continue;
+continuing {
+phi_6754_ = _e3411;
+break if !(_e3267);
+}
+}
+phi_6723_ = (_e3252 + 1i);
+} else {
+phi_6723_ = i32();
+}
+let _e3415 = phi_6723_;
+continue;
+continuing {
+phi_6722_ = _e3415;
+break if !(_e3253);
+}
+}
+}
+phi_5963_ = (_e3060 + 1i);
+} else {
+phi_5963_ = i32();
+}
+let _e3718 = phi_5963_;
+continue;
+continuing {
+phi_5962_ = _e3718;
+break if !(_e3061);
+}
+}
+phi_5928_ = (_e3048 + 1i);
+} else {
+phi_5928_ = i32();
+}
+let _e3722 = phi_5928_;
+continue;
+continuing {
+phi_5927_ = _e3722;
 break if !(_e3049);
-}
-}
-phi_5628_ = (_e3034 + 1i);
-} else {
-phi_5628_ = i32();
-}
-let _e3197 = phi_5628_;
-continue;
-continuing {
-phi_5627_ = _e3197;
-break if !(_e3035);
-}
-}
-phi_5471_ = (_e2930 + 1i);
-} else {
-phi_5471_ = i32();
-}
-let _e3201 = phi_5471_;
-continue;
-continuing {
-phi_5470_ = _e3201;
-break if !(_e2931);
-}
-}
-} else {
-let _e2657 = select(9.765625e-4f, _e2599.x, (_e2599.x > 9.765625e-4f));
-let _e2659 = select(5f, _e2657, (_e2657 < 5f));
-let _e2661 = select(9.765625e-4f, _e2599.y, (_e2599.y > 9.765625e-4f));
-let _e2663 = select(5f, _e2661, (_e2661 < 5f));
-let _e2665 = (_e2606 - (0.5f * _e2659));
-let _e2667 = (_e2613 - (0.5f * _e2663));
-let _e2668 = (_e2665 + 0.5f);
-let _e2670 = select(0f, _e2668, (_e2668 > 0f));
-let _e2672 = select(65536f, _e2670, (_e2670 < 65536f));
-let _e2679 = select(0i, select(select(i32(_e2672), i32(-2147483648), (_e2672 < -2147483600f)), 2147483647i, (_e2672 > 2147483500f)), (_e2672 == _e2672));
-let _e2684 = (_e2665 + _e2659);
-let _e2685 = (_e2684 + 0.5f);
-let _e2687 = f32((_e231 - 1i));
-let _e2689 = select(-1f, _e2685, (_e2685 > -1f));
-let _e2691 = select(_e2687, _e2689, (_e2689 < _e2687));
-let _e2698 = select(0i, select(select(i32(_e2691), i32(-2147483648), (_e2691 < -2147483600f)), 2147483647i, (_e2691 > 2147483500f)), (_e2691 == _e2691));
-let _e2703 = (_e2667 + _e2663);
-let _e2704 = (_e2703 + 0.5f);
-let _e2706 = f32((_e238 - 1i));
-let _e2708 = select(-1f, _e2704, (_e2704 > -1f));
-let _e2710 = select(_e2706, _e2708, (_e2708 < _e2706));
-let _e2717 = select(0i, select(select(i32(_e2710), i32(-2147483648), (_e2710 < -2147483600f)), 2147483647i, (_e2710 > 2147483500f)), (_e2710 == _e2710));
-let _e2722 = (_e2667 + 0.5f);
-let _e2724 = select(0f, _e2722, (_e2722 > 0f));
-let _e2726 = select(65536f, _e2724, (_e2724 < 65536f));
-let _e2733 = select(0i, select(select(i32(_e2726), i32(-2147483648), (_e2726 < -2147483600f)), 2147483647i, (_e2726 > 2147483500f)), (_e2726 == _e2726));
-phi_6010_ = (_e2733 - select(0i, 1i, (_e2726 < f32(_e2733))));
-loop {
-let _e2739 = phi_6010_;
-let _e2740 = (_e2739 <= (_e2717 - select(0i, 1i, (_e2710 < f32(_e2717)))));
-if _e2740 {
-let _e2741 = f32(_e2739);
-let _e2742 = (_e2741 - 0.5f);
-let _e2745 = (_e2741 + 0.5f);
-let _e2748 = (select(_e2745, _e2703, (_e2703 < _e2745)) - select(_e2742, _e2667, (_e2667 > _e2742)));
-phi_6042_ = (_e2679 - select(0i, 1i, (_e2672 < f32(_e2679))));
-loop {
-let _e2753 = phi_6042_;
-let _e2754 = (_e2753 <= (_e2698 - select(0i, 1i, (_e2691 < f32(_e2698)))));
-if _e2754 {
-let _e2755 = f32(_e2753);
-let _e2756 = (_e2755 - 0.5f);
-let _e2759 = (_e2755 + 0.5f);
-let _e2762 = (select(_e2759, _e2684, (_e2684 < _e2759)) - select(_e2756, _e2665, (_e2665 > _e2756)));
-let _e2766 = ((select(0f, _e2762, (_e2762 > 0f)) / _e2659) * (select(0f, _e2748, (_e2748 > 0f)) / _e2663));
-if (_e2766 > 0f) {
-let _e2770 = (((_e2739 * _e231) + _e2753) * 6i);
-let _e2773 = (((_e2627 * _e2766) * 16777216f) + 0.5f);
-let _e2775 = select(-1073741800f, _e2773, (_e2773 > -1073741800f));
-let _e2777 = select(1073741800f, _e2775, (_e2775 < 1073741800f));
-let _e2784 = select(0i, select(select(i32(_e2777), i32(-2147483648), (_e2777 < -2147483600f)), 2147483647i, (_e2777 > 2147483500f)), (_e2777 == _e2777));
-let _e2788 = (_e2784 - select(0i, 1i, (_e2777 < f32(_e2784))));
-let _e2789 = bitcast<u32>(_e2788);
-let _e2792 = bitcast<u32>((_e2788 >> bitcast<u32>(31i)));
-if ((_e2789 | _e2792) == 0u) {
-} else {
-let _e2795 = bitcast<u32>(_e2770);
-if (_e2795 < _e62) {
-let _e2799 = atomicAdd((&global_3.member[_e2795]), _e2789);
-phi_6123_ = _e2799;
-} else {
-phi_6123_ = 0u;
-}
-let _e2801 = phi_6123_;
-let _e2805 = (_e2792 + select(0u, 1u, ((_e2801 + _e2789) < _e2789)));
-if (_e2805 == 0u) {
-} else {
-let _e2807 = (_e2795 + 1u);
-if (_e2807 < _e62) {
-let _e2811 = atomicAdd((&global_3.member[_e2807]), _e2805);
-}
-}
-}
-let _e2815 = (((_e2641 * _e2766) * 16777216f) + 0.5f);
-let _e2817 = select(-1073741800f, _e2815, (_e2815 > -1073741800f));
-let _e2819 = select(1073741800f, _e2817, (_e2817 < 1073741800f));
-let _e2826 = select(0i, select(select(i32(_e2819), i32(-2147483648), (_e2819 < -2147483600f)), 2147483647i, (_e2819 > 2147483500f)), (_e2819 == _e2819));
-let _e2830 = (_e2826 - select(0i, 1i, (_e2819 < f32(_e2826))));
-let _e2831 = bitcast<u32>(_e2830);
-let _e2834 = bitcast<u32>((_e2830 >> bitcast<u32>(31i)));
-if ((_e2831 | _e2834) == 0u) {
-} else {
-let _e2837 = bitcast<u32>((_e2770 + 2i));
-if (_e2837 < _e62) {
-let _e2841 = atomicAdd((&global_3.member[_e2837]), _e2831);
-phi_6181_ = _e2841;
-} else {
-phi_6181_ = 0u;
-}
-let _e2843 = phi_6181_;
-let _e2847 = (_e2834 + select(0u, 1u, ((_e2843 + _e2831) < _e2831)));
-if (_e2847 == 0u) {
-} else {
-let _e2849 = (_e2837 + 1u);
-if (_e2849 < _e62) {
-let _e2853 = atomicAdd((&global_3.member[_e2849]), _e2847);
-}
-}
-}
-let _e2857 = (((_e2655 * _e2766) * 16777216f) + 0.5f);
-let _e2859 = select(-1073741800f, _e2857, (_e2857 > -1073741800f));
-let _e2861 = select(1073741800f, _e2859, (_e2859 < 1073741800f));
-let _e2868 = select(0i, select(select(i32(_e2861), i32(-2147483648), (_e2861 < -2147483600f)), 2147483647i, (_e2861 > 2147483500f)), (_e2861 == _e2861));
-let _e2872 = (_e2868 - select(0i, 1i, (_e2861 < f32(_e2868))));
-let _e2873 = bitcast<u32>(_e2872);
-let _e2876 = bitcast<u32>((_e2872 >> bitcast<u32>(31i)));
-if ((_e2873 | _e2876) == 0u) {
-} else {
-let _e2879 = bitcast<u32>((_e2770 + 4i));
-if (_e2879 < _e62) {
-let _e2883 = atomicAdd((&global_3.member[_e2879]), _e2873);
-phi_6239_ = _e2883;
-} else {
-phi_6239_ = 0u;
-}
-let _e2885 = phi_6239_;
-let _e2889 = (_e2876 + select(0u, 1u, ((_e2885 + _e2873) < _e2873)));
-if (_e2889 == 0u) {
-} else {
-let _e2891 = (_e2879 + 1u);
-if (_e2891 < _e62) {
-let _e2895 = atomicAdd((&global_3.member[_e2891]), _e2889);
-}
-}
-}
-}
-phi_6043_ = (_e2753 + 1i);
-} else {
-phi_6043_ = i32();
-}
-let _e2898 = phi_6043_;
-continue;
-continuing {
-phi_6042_ = _e2898;
-break if !(_e2754);
-}
-}
-phi_6011_ = (_e2739 + 1i);
-} else {
-phi_6011_ = i32();
-}
-let _e2902 = phi_6011_;
-continue;
-continuing {
-phi_6010_ = _e2902;
-break if !(_e2740);
-}
-}
-}
-phi_5251_ = (_e2547 + 1i);
-} else {
-phi_5251_ = i32();
-}
-let _e3205 = phi_5251_;
-continue;
-continuing {
-phi_5250_ = _e3205;
-break if !(_e2548);
-}
-}
-phi_5216_ = (_e2535 + 1i);
-} else {
-phi_5216_ = i32();
-}
-let _e3209 = phi_5216_;
-continue;
-continuing {
-phi_5215_ = _e3209;
-break if !(_e2536);
 }
 }
 }

@@ -100,6 +100,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_20 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_21 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -117,17 +122,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_19,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_13,
+member_18: type_19,
+member_19: type_5,
+member_20: type_20,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_7,
 member_1: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
 member_1: u32,
 member_2: type_14,
@@ -138,32 +146,34 @@ member_6: type_16,
 member_7: type_16,
 member_8: type_17,
 member_9: type_18,
-member_10: type_20,
+member_10: type_21,
 member_11: type_15,
 member_12: type_4,
 member_13: type_9,
-member_14: type_21,
-member_15: type_21,
-member_16: type_21,
-member_17: type_21,
+member_14: type_22,
+member_15: type_22,
+member_16: type_22,
+member_17: type_22,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_23 {
-member: type_22,
+struct type_24 {
+member: type_23,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(1)
 var<storage> global_1: type_11;
 @group(0) @binding(0)
-var<storage> global_2: type_23;
+var<storage> global_2: type_24;
 @group(0) @binding(2)
 var<storage, read_write> global_3: type_11;
 fn function_() {
 var local: i32;
 var local_1: i32;
+var phi_389_: f32;
+var phi_477_: f32;
 let _e33 = global;
 let _e39 = global_2.member.member_2;
 let _e42 = global_2.member.member;
@@ -222,45 +232,89 @@ let _e163 = local_1;
 let _e164 = ((8i * _e161) + _e163);
 let _e166 = select(_e77, _e164, (_e164 < _e77));
 let _e171 = global_1.member[bitcast<u32>(select(0i, _e166, (_e166 > 0i)))];
-let _e172 = local;
-let _e174 = local_1;
-let _e175 = ((10i * _e172) + _e174);
-let _e177 = select(_e77, _e175, (_e175 < _e77));
-let _e182 = global_1.member[bitcast<u32>(select(0i, _e177, (_e177 > 0i)))];
-let _e183 = local;
-let _e185 = local_1;
-let _e186 = ((11i * _e183) + _e185);
-let _e188 = select(_e77, _e186, (_e186 < _e77));
-let _e193 = global_1.member[bitcast<u32>(select(0i, _e188, (_e188 > 0i)))];
-let _e197 = global_2.member.member_5.member_1;
-let _e199 = ((_e197 - _e105) / _e138);
-let _e201 = (_e84 + (_e116 * _e199));
-let _e203 = (_e94 + (_e127 * _e199));
-let _e207 = global_2.member.member_10.member_3;
-let _e208 = (_e207 != 0u);
-let _e209 = select(1f, _e197, _e208);
-let _e212 = (1f / select(1e-12f, _e209, (_e209 > 1e-12f)));
-let _e217 = global_2.member.member_10.member_5;
-let _e222 = global_2.member.member_10.member_8;
-let _e228 = global_2.member.member_10.member_6;
-let _e235 = (((_e201 * _e201) + (_e203 * _e203)) + (_e197 * _e197));
-let _e238 = sqrt(select(0f, _e235, (_e235 > 0f)));
-let _e241 = (1f / select(1e-20f, _e238, (_e238 > 1e-20f)));
-let _e250 = (((_e116 * _e116) + (_e127 * _e127)) + (_e138 * _e138));
-let _e253 = sqrt(select(0f, _e250, (_e250 > 0f)));
-let _e256 = (1f / select(1e-20f, _e253, (_e253 > 1e-20f)));
-let _e259 = (_e193 == 3f);
-let _e265 = (select(1f, (_e197 * _e241), _e208) * (_e253 / select(1e-6f, _e138, (_e138 > 1e-6f))));
-let _e267 = select(8f, _e265, (_e265 < 8f));
-let _e276 = global_2.member.member_10.member_11;
-global_3.member[_e57] = ((((_e201 * _e212) - _e217) * _e222) - _e276);
-global_3.member[(_e55 + _e57)] = ((((_e203 * _e212) - _e228) * _e222) - _e276);
-global_3.member[((2u * _e55) + _e57)] = select((_e149 * _e267), 0f, _e259);
-global_3.member[((3u * _e55) + _e57)] = select((_e160 * _e267), 0f, _e259);
-global_3.member[((4u * _e55) + _e57)] = select((_e171 * _e267), 0f, _e259);
-global_3.member[((5u * _e55) + _e57)] = ((_e116 * _e256) - select(0f, (_e201 * _e241), _e208));
-global_3.member[((6u * _e55) + _e57)] = ((_e127 * _e256) - select(0f, (_e203 * _e241), _e208));
-global_3.member[((7u * _e55) + _e57)] = select(select(0f, 1f, (_e182 != 0f)), 2f, (_e193 == 1f));
+let _e173 = f32(bitcast<i32>(_e50));
+let _e175 = f32(bitcast<i32>(_e52));
+let _e179 = global_2.member.member_10.member_3;
+let _e180 = (_e179 == 0u);
+if _e180 {
+phi_389_ = 1f;
+} else {
+let _e184 = global_2.member.member_10.member_5;
+let _e188 = global_2.member.member_10.member_7;
+let _e190 = (_e184 + (_e173 * _e188));
+let _e194 = global_2.member.member_10.member_6;
+let _e196 = (_e194 + (_e175 * _e188));
+let _e201 = (((_e190 * _e190) + (_e196 * _e196)) + (1f * 1f));
+let _e205 = (1f / sqrt(select(0f, _e201, (_e201 > 0f))));
+phi_389_ = ((_e205 * _e205) * _e205);
+}
+let _e209 = phi_389_;
+if _e180 {
+phi_477_ = 1f;
+} else {
+let _e213 = global_2.member.member_10.member_5;
+let _e217 = global_2.member.member_10.member_7;
+let _e219 = (_e213 + (_e173 * _e217));
+let _e223 = global_2.member.member_10.member_6;
+let _e225 = (_e223 + (_e175 * _e217));
+let _e230 = global_2.member.member_10.member_20.member;
+let _e238 = (((_e230.member * _e219) + (_e230.member_1 * _e225)) + (_e230.member_2 * 1f));
+let _e242 = (_e219 - (_e230.member * _e238));
+let _e243 = (_e225 - (_e230.member_1 * _e238));
+let _e244 = (1f - (_e230.member_2 * _e238));
+let _e249 = (((_e242 * _e242) + (_e243 * _e243)) + (_e244 * _e244));
+let _e260 = global_2.member.member_10.member_20.member_1;
+let _e266 = global_2.member.member_10.member_20.member_2;
+let _e267 = ((_e260 - (sqrt(select(0f, _e249, (_e249 > 0f))) / select(1e-20f, _e238, (_e238 > 1e-20f)))) * _e266);
+let _e269 = select(0f, _e267, (_e267 > 0f));
+let _e271 = select(1f, _e269, (_e269 < 1f));
+phi_477_ = select(1f, select(0f, ((_e271 * _e271) * (3f - (2f * _e271))), (_e238 > 0f)), (_e266 > 0f));
+}
+let _e281 = phi_477_;
+let _e282 = (_e209 * _e281);
+let _e286 = local;
+let _e288 = local_1;
+let _e289 = ((10i * _e286) + _e288);
+let _e291 = select(_e77, _e289, (_e289 < _e77));
+let _e296 = global_1.member[bitcast<u32>(select(0i, _e291, (_e291 > 0i)))];
+let _e297 = local;
+let _e299 = local_1;
+let _e300 = ((11i * _e297) + _e299);
+let _e302 = select(_e77, _e300, (_e300 < _e77));
+let _e307 = global_1.member[bitcast<u32>(select(0i, _e302, (_e302 > 0i)))];
+let _e311 = global_2.member.member_5.member_1;
+let _e313 = ((_e311 - _e105) / _e138);
+let _e315 = (_e84 + (_e116 * _e313));
+let _e317 = (_e94 + (_e127 * _e313));
+let _e318 = (_e179 != 0u);
+let _e326 = global_2.member.member_10.member_19.member_2;
+let _e328 = select(1f, (_e311 - _e326), _e318);
+let _e331 = (1f / select(1e-12f, _e328, (_e328 > 1e-12f)));
+let _e336 = global_2.member.member_10.member_5;
+let _e341 = global_2.member.member_10.member_8;
+let _e347 = global_2.member.member_10.member_6;
+let _e350 = global_2.member.member_10.member_19;
+let _e354 = (_e315 - _e350.member);
+let _e355 = (_e317 - _e350.member_1);
+let _e356 = (_e311 - _e350.member_2);
+let _e361 = (((_e354 * _e354) + (_e355 * _e355)) + (_e356 * _e356));
+let _e364 = sqrt(select(0f, _e361, (_e361 > 0f)));
+let _e367 = (1f / select(1e-20f, _e364, (_e364 > 1e-20f)));
+let _e376 = (((_e116 * _e116) + (_e127 * _e127)) + (_e138 * _e138));
+let _e379 = sqrt(select(0f, _e376, (_e376 > 0f)));
+let _e382 = (1f / select(1e-20f, _e379, (_e379 > 1e-20f)));
+let _e385 = (_e307 == 3f);
+let _e391 = (select(1f, (_e356 * _e367), _e318) * (_e379 / select(1e-6f, _e138, (_e138 > 1e-6f))));
+let _e393 = select(8f, _e391, (_e391 < 8f));
+let _e402 = global_2.member.member_10.member_11;
+global_3.member[_e57] = ((((_e315 * _e331) - _e336) * _e341) - _e402);
+global_3.member[(_e55 + _e57)] = ((((_e317 * _e331) - _e347) * _e341) - _e402);
+global_3.member[((2u * _e55) + _e57)] = select(((_e149 * _e282) * _e393), 0f, _e385);
+global_3.member[((3u * _e55) + _e57)] = select(((_e160 * _e282) * _e393), 0f, _e385);
+global_3.member[((4u * _e55) + _e57)] = select(((_e171 * _e282) * _e393), 0f, _e385);
+global_3.member[((5u * _e55) + _e57)] = ((_e116 * _e382) - select(0f, (_e354 * _e367), _e318));
+global_3.member[((6u * _e55) + _e57)] = ((_e127 * _e382) - select(0f, (_e355 * _e367), _e318));
+global_3.member[((7u * _e55) + _e57)] = select(select(0f, 1f, (_e296 != 0f)), 2f, (_e307 == 1f));
 }
 }
 return;

@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_24 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_25 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_23,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_15,
+member_18: type_23,
+member_19: type_5,
+member_20: type_24,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_25 {
+struct type_26 {
 member: type_7,
 member_1: u32,
 }
-struct type_26 {
+struct type_27 {
 member: type_2,
 member_1: u32,
 member_2: type_18,
@@ -141,39 +149,39 @@ member_6: type_20,
 member_7: type_20,
 member_8: type_21,
 member_9: type_22,
-member_10: type_24,
+member_10: type_25,
 member_11: type_19,
 member_12: type_4,
 member_13: type_9,
-member_14: type_25,
-member_15: type_25,
-member_16: type_25,
-member_17: type_25,
+member_14: type_26,
+member_15: type_26,
+member_16: type_26,
+member_17: type_26,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
-member: type_26,
+struct type_28 {
+member: type_27,
 }
-struct type_30 {
+struct type_31 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -182,7 +190,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_34 {
+struct type_35 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
@@ -190,7 +198,7 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_27;
+var<storage> global_1: type_28;
 @group(0) @binding(6)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
@@ -204,15 +212,15 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_30;
+var local_2: type_31;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_30;
+var local_8: type_31;
 var local_9: vec3<f32>;
-var local_10: type_30;
+var local_10: type_31;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -228,23 +236,23 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_30;
+var local_26: type_31;
 var local_27: vec3<f32>;
-var phi_897_: bool;
-var phi_1077_: bool;
-var phi_1080_: bool;
-var phi_1264_: bool;
-var phi_1587_: u32;
-var phi_7050_: type_31;
-var phi_7697_: type_32;
-var phi_8531_: type_5;
-var phi_12259_: type_34;
-var phi_13578_: type_33;
-var phi_13591_: vec3<f32>;
-var phi_13592_: f32;
-var phi_16208_: type_33;
-var phi_16360_: vec3<f32>;
-var phi_16361_: f32;
+var phi_898_: bool;
+var phi_1078_: bool;
+var phi_1081_: bool;
+var phi_1265_: bool;
+var phi_1588_: u32;
+var phi_7051_: type_32;
+var phi_7698_: type_33;
+var phi_8532_: type_5;
+var phi_12260_: type_35;
+var phi_13579_: type_34;
+var phi_13592_: vec3<f32>;
+var phi_13593_: f32;
+var phi_16209_: type_34;
+var phi_16361_: vec3<f32>;
+var phi_16362_: f32;
 let _e155 = global;
 let _e158 = arrayLength((&global_3.member));
 let _e163 = arrayLength((&global_4.member));
@@ -355,7 +363,7 @@ let _e538 = ((((_e424 >= _e523) && (_e424 <= _e526)) && ((_e439 >= _e523) && (_e
 let _e541 = global_1.member.member_1;
 let _e543 = ((_e541 & 16u) == 0u);
 if _e543 {
-phi_897_ = _e538;
+phi_898_ = _e538;
 } else {
 let _e548 = global_1.member.member_14.member;
 let _e560 = -((_e396 / _e389));
@@ -366,9 +374,9 @@ let _e594 = global_1.member.member_16.member;
 let _e610 = global_1.member.member_16.member_1;
 let _e617 = global_1.member.member_17.member;
 let _e633 = global_1.member.member_17.member_1;
-phi_897_ = (_e538 && (((((((((_e548.member.member * _e344) + (_e548.member.member_1 * _e357)) + (_e548.member.member_2 * _e322)) + _e548.member_1) <= _e560) || (_e565 == 0u)) && ((((((_e571.member.member * _e344) + (_e571.member.member_1 * _e357)) + (_e571.member.member_2 * _e322)) + _e571.member_1) <= _e560) || (_e587 == 0u))) && ((((((_e594.member.member * _e344) + (_e594.member.member_1 * _e357)) + (_e594.member.member_2 * _e322)) + _e594.member_1) <= _e560) || (_e610 == 0u))) && ((((((_e617.member.member * _e344) + (_e617.member.member_1 * _e357)) + (_e617.member.member_2 * _e322)) + _e617.member_1) <= _e560) || (_e633 == 0u))));
+phi_898_ = (_e538 && (((((((((_e548.member.member * _e344) + (_e548.member.member_1 * _e357)) + (_e548.member.member_2 * _e322)) + _e548.member_1) <= _e560) || (_e565 == 0u)) && ((((((_e571.member.member * _e344) + (_e571.member.member_1 * _e357)) + (_e571.member.member_2 * _e322)) + _e571.member_1) <= _e560) || (_e587 == 0u))) && ((((((_e594.member.member * _e344) + (_e594.member.member_1 * _e357)) + (_e594.member.member_2 * _e322)) + _e594.member_1) <= _e560) || (_e610 == 0u))) && ((((((_e617.member.member * _e344) + (_e617.member.member_1 * _e357)) + (_e617.member.member_2 * _e322)) + _e617.member_1) <= _e560) || (_e633 == 0u))));
 }
-let _e639 = phi_897_;
+let _e639 = phi_898_;
 let _e643 = (_e367 + (_e367 - _e344));
 let _e644 = (_e372 + (_e372 - _e357));
 let _e645 = (_e361 + (_e361 - _e322));
@@ -377,7 +385,7 @@ let _e657 = ((((_e428.member.member * _e643) + (_e428.member.member_1 * _e644)) 
 let _e663 = ((((_e443.member.member * _e643) + (_e443.member.member_1 * _e644)) + (_e443.member.member_2 * _e645)) + _e443.member_1);
 let _e674 = ((((_e651 >= _e523) && (_e651 <= _e526)) && ((_e657 >= _e523) && (_e657 <= _e530))) && ((_e663 >= _e523) && (_e663 <= _e535)));
 if _e543 {
-phi_1077_ = _e674;
+phi_1078_ = _e674;
 } else {
 let _e679 = global_1.member.member_14.member;
 let _e691 = -((_e396 / _e389));
@@ -388,14 +396,14 @@ let _e725 = global_1.member.member_16.member;
 let _e741 = global_1.member.member_16.member_1;
 let _e748 = global_1.member.member_17.member;
 let _e764 = global_1.member.member_17.member_1;
-phi_1077_ = (_e674 && (((((((((_e679.member.member * _e643) + (_e679.member.member_1 * _e644)) + (_e679.member.member_2 * _e645)) + _e679.member_1) <= _e691) || (_e696 == 0u)) && ((((((_e702.member.member * _e643) + (_e702.member.member_1 * _e644)) + (_e702.member.member_2 * _e645)) + _e702.member_1) <= _e691) || (_e718 == 0u))) && ((((((_e725.member.member * _e643) + (_e725.member.member_1 * _e644)) + (_e725.member.member_2 * _e645)) + _e725.member_1) <= _e691) || (_e741 == 0u))) && ((((((_e748.member.member * _e643) + (_e748.member.member_1 * _e644)) + (_e748.member.member_2 * _e645)) + _e748.member_1) <= _e691) || (_e764 == 0u))));
+phi_1078_ = (_e674 && (((((((((_e679.member.member * _e643) + (_e679.member.member_1 * _e644)) + (_e679.member.member_2 * _e645)) + _e679.member_1) <= _e691) || (_e696 == 0u)) && ((((((_e702.member.member * _e643) + (_e702.member.member_1 * _e644)) + (_e702.member.member_2 * _e645)) + _e702.member_1) <= _e691) || (_e718 == 0u))) && ((((((_e725.member.member * _e643) + (_e725.member.member_1 * _e644)) + (_e725.member.member_2 * _e645)) + _e725.member_1) <= _e691) || (_e741 == 0u))) && ((((((_e748.member.member * _e643) + (_e748.member.member_1 * _e644)) + (_e748.member.member_2 * _e645)) + _e748.member_1) <= _e691) || (_e764 == 0u))));
 }
-let _e770 = phi_1077_;
-phi_1080_ = (_e513 && (_e639 && _e770));
+let _e770 = phi_1078_;
+phi_1081_ = (_e513 && (_e639 && _e770));
 } else {
-phi_1080_ = _e513;
+phi_1081_ = _e513;
 }
-let _e774 = phi_1080_;
+let _e774 = phi_1081_;
 let _e781 = ((((_e413.member.member * _e407) + (_e413.member.member_1 * _e408)) + (_e413.member.member_2 * _e409)) + _e413.member_1);
 let _e787 = ((((_e428.member.member * _e407) + (_e428.member.member_1 * _e408)) + (_e428.member.member_2 * _e409)) + _e428.member_1);
 let _e793 = ((((_e443.member.member * _e407) + (_e443.member.member_1 * _e408)) + (_e443.member.member_2 * _e409)) + _e443.member_1);
@@ -404,7 +412,7 @@ let _e795 = (_e396 + 0.5f);
 let _e809 = ((((_e781 >= _e794) && (_e781 <= (_e478 - _e795))) && ((_e787 >= _e794) && (_e787 <= (_e488 - _e795)))) && ((_e793 >= _e794) && (_e793 <= (_e498 - _e795))));
 let _e812 = global_1.member.member_1;
 if ((_e812 & 16u) == 0u) {
-phi_1264_ = _e809;
+phi_1265_ = _e809;
 } else {
 let _e819 = global_1.member.member_14.member;
 let _e831 = -((_e396 / _e389));
@@ -415,9 +423,9 @@ let _e865 = global_1.member.member_16.member;
 let _e881 = global_1.member.member_16.member_1;
 let _e888 = global_1.member.member_17.member;
 let _e904 = global_1.member.member_17.member_1;
-phi_1264_ = (_e809 && (((((((((_e819.member.member * _e407) + (_e819.member.member_1 * _e408)) + (_e819.member.member_2 * _e409)) + _e819.member_1) <= _e831) || (_e836 == 0u)) && ((((((_e842.member.member * _e407) + (_e842.member.member_1 * _e408)) + (_e842.member.member_2 * _e409)) + _e842.member_1) <= _e831) || (_e858 == 0u))) && ((((((_e865.member.member * _e407) + (_e865.member.member_1 * _e408)) + (_e865.member.member_2 * _e409)) + _e865.member_1) <= _e831) || (_e881 == 0u))) && ((((((_e888.member.member * _e407) + (_e888.member.member_1 * _e408)) + (_e888.member.member_2 * _e409)) + _e888.member_1) <= _e831) || (_e904 == 0u))));
+phi_1265_ = (_e809 && (((((((((_e819.member.member * _e407) + (_e819.member.member_1 * _e408)) + (_e819.member.member_2 * _e409)) + _e819.member_1) <= _e831) || (_e836 == 0u)) && ((((((_e842.member.member * _e407) + (_e842.member.member_1 * _e408)) + (_e842.member.member_2 * _e409)) + _e842.member_1) <= _e831) || (_e858 == 0u))) && ((((((_e865.member.member * _e407) + (_e865.member.member_1 * _e408)) + (_e865.member.member_2 * _e409)) + _e865.member_1) <= _e831) || (_e881 == 0u))) && ((((((_e888.member.member * _e407) + (_e888.member.member_1 * _e408)) + (_e888.member.member_2 * _e409)) + _e888.member_1) <= _e831) || (_e904 == 0u))));
 }
-let _e910 = phi_1264_;
+let _e910 = phi_1265_;
 let _e917 = global_1.member.member_6.member_4;
 let _e918 = (_e478 - 0.5f);
 let _e920 = select(-0.5f, _e460, (_e460 > -0.5f));
@@ -457,11 +465,11 @@ let _e1047 = ((bitcast<i32>(_e1041) + ((_e978 - select(0i, 1i, (_e971 < f32(_e97
 let _e1049 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1051 = select(_e1049, _e1047, (_e1047 < _e1049));
 let _e1057 = global_5.member[bitcast<u32>(select(0i, _e1051, (_e1051 > 0i)))];
-phi_1587_ = select(select(7u, 3u, (_e774 && (!(_e522) || _e910))), 1u, (((_e812 & 64u) != 0u) || ((((select(_e946, _e943, (_e943 > _e946)) <= _e917) && ((select(_e963, _e960, (_e960 > _e963)) > _e917) || (_e1057 != 0u))) && true) && ((_e812 & 32u) != 0u))));
+phi_1588_ = select(select(7u, 3u, (_e774 && (!(_e522) || _e910))), 1u, (((_e812 & 64u) != 0u) || ((((select(_e946, _e943, (_e943 > _e946)) <= _e917) && ((select(_e963, _e960, (_e960 > _e963)) > _e917) || (_e1057 != 0u))) && true) && ((_e812 & 32u) != 0u))));
 } else {
-phi_1587_ = 7u;
+phi_1588_ = 7u;
 }
-let _e1070 = phi_1587_;
+let _e1070 = phi_1588_;
 if (_e1070 > 1u) {
 let _e1075 = bitcast<i32>(((_e183 * _e291) + _e181));
 let _e1078 = (bitcast<i32>(_e165) - 1i);
@@ -545,7 +553,7 @@ let _e1372 = (select(0i, _e1338, (_e1338 > 0i)) * _e1310);
 let _e1373 = (select(0i, _e1302, (_e1302 > 0i)) * _e1310);
 let _e1374 = (select(_e1337, _e1343, (_e1343 < _e1337)) * _e1310);
 let _e1375 = (select(_e1337, _e1346, (_e1346 < _e1337)) * _e1310);
-local_26 = type_30(array<i32, 4>(select(0i, _e1357, (_e1357 > 0i)), select(0i, _e1272, (_e1272 > 0i)), select(_e1356, _e1362, (_e1362 < _e1356)), select(_e1356, _e1365, (_e1365 < _e1356))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_26 = type_31(array<i32, 4>(select(0i, _e1357, (_e1357 > 0i)), select(0i, _e1272, (_e1272 > 0i)), select(_e1356, _e1362, (_e1362 < _e1356)), select(_e1356, _e1365, (_e1365 < _e1356))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_27 = vec3<f32>((_e1237 - f32(_e1272)), (_e1247 - f32(_e1287)), (_e1257 - f32(_e1302)));
 let _e1386 = (_e1373 + _e1369);
 let _e1389 = local_26.member[0u];
@@ -877,7 +885,7 @@ if _e1226 {
 let _e2177 = ((0.5f * (_e1912 - _e1906)) * _e2170);
 let _e2178 = ((0.5f * (_e1924 - _e1918)) * _e2170);
 let _e2179 = ((0.5f * (_e1936 - _e1930)) * _e2170);
-phi_7050_ = type_31(_e2132, vec3<f32>(_e2177, _e2178, _e2179), vec3<f32>((_e2177 * _e2132), (_e2178 * _e2132), (_e2179 * _e2132)));
+phi_7051_ = type_32(_e2132, vec3<f32>(_e2177, _e2178, _e2179), vec3<f32>((_e2177 * _e2132), (_e2178 * _e2132), (_e2179 * _e2132)));
 } else {
 local_22 = _e1906;
 let _e2186 = local_22;
@@ -1026,9 +1034,9 @@ let _e2611 = ((_e2117 + (f32(bitcast<i32>((_e2596 >> bitcast<u32>(12u)))) * _e21
 let _e2612 = (_e2327 - _e2256);
 let _e2614 = (_e2469 - _e2398);
 let _e2616 = (_e2611 - _e2540);
-phi_7050_ = type_31(_e2132, vec3<f32>((0.5f * _e2612), (0.5f * _e2614), (0.5f * _e2616)), vec3<f32>((0.25f * (_e2612 * (_e2327 + _e2256))), (0.25f * (_e2614 * (_e2469 + _e2398))), (0.25f * (_e2616 * (_e2611 + _e2540)))));
+phi_7051_ = type_32(_e2132, vec3<f32>((0.5f * _e2612), (0.5f * _e2614), (0.5f * _e2616)), vec3<f32>((0.25f * (_e2612 * (_e2327 + _e2256))), (0.25f * (_e2614 * (_e2469 + _e2398))), (0.25f * (_e2616 * (_e2611 + _e2540)))));
 }
-let _e2631 = phi_7050_;
+let _e2631 = phi_7051_;
 let _e2646 = select(0f, 1f, ((((((_e1206 >= -0.5f) && (_e1206 <= _e1233)) && (_e1212 >= -0.5f)) && (_e1212 <= _e1243)) && (_e1218 >= -0.5f)) && (_e1218 <= _e1253)));
 let _e2648 = (0.5f * (_e1912 - _e1906));
 let _e2650 = (0.5f * (_e1924 - _e1918));
@@ -1042,7 +1050,7 @@ let _e2688 = global_1.member.member_6.member_1.member.member_2;
 let _e2694 = global_1.member.member_6.member_2.member.member;
 let _e2700 = global_1.member.member_6.member_2.member.member_1;
 let _e2706 = global_1.member.member_6.member_2.member.member_2;
-phi_7697_ = type_32(_e1900, vec3<f32>(((((_e2658 * _e2648) + (_e2676 * _e2650)) + (_e2694 * _e2652)) * _e2646), ((((_e2664 * _e2648) + (_e2682 * _e2650)) + (_e2700 * _e2652)) * _e2646), ((((_e2670 * _e2648) + (_e2688 * _e2650)) + (_e2706 * _e2652)) * _e2646)), _e2631.member, vec3<f32>(((((_e2658 * _e2631.member_2.x) + (_e2676 * _e2631.member_2.y)) + (_e2694 * _e2631.member_2.z)) * _e2646), ((((_e2664 * _e2631.member_2.x) + (_e2682 * _e2631.member_2.y)) + (_e2700 * _e2631.member_2.z)) * _e2646), ((((_e2670 * _e2631.member_2.x) + (_e2688 * _e2631.member_2.y)) + (_e2706 * _e2631.member_2.z)) * _e2646)), vec3<f32>(((((_e2658 * _e2631.member_1.x) + (_e2676 * _e2631.member_1.y)) + (_e2694 * _e2631.member_1.z)) * _e2646), ((((_e2664 * _e2631.member_1.x) + (_e2682 * _e2631.member_1.y)) + (_e2700 * _e2631.member_1.z)) * _e2646), ((((_e2670 * _e2631.member_1.x) + (_e2688 * _e2631.member_1.y)) + (_e2706 * _e2631.member_1.z)) * _e2646)));
+phi_7698_ = type_33(_e1900, vec3<f32>(((((_e2658 * _e2648) + (_e2676 * _e2650)) + (_e2694 * _e2652)) * _e2646), ((((_e2664 * _e2648) + (_e2682 * _e2650)) + (_e2700 * _e2652)) * _e2646), ((((_e2670 * _e2648) + (_e2688 * _e2650)) + (_e2706 * _e2652)) * _e2646)), _e2631.member, vec3<f32>(((((_e2658 * _e2631.member_2.x) + (_e2676 * _e2631.member_2.y)) + (_e2694 * _e2631.member_2.z)) * _e2646), ((((_e2664 * _e2631.member_2.x) + (_e2682 * _e2631.member_2.y)) + (_e2700 * _e2631.member_2.z)) * _e2646), ((((_e2670 * _e2631.member_2.x) + (_e2688 * _e2631.member_2.y)) + (_e2706 * _e2631.member_2.z)) * _e2646)), vec3<f32>(((((_e2658 * _e2631.member_1.x) + (_e2676 * _e2631.member_1.y)) + (_e2694 * _e2631.member_1.z)) * _e2646), ((((_e2664 * _e2631.member_1.x) + (_e2682 * _e2631.member_1.y)) + (_e2700 * _e2631.member_1.z)) * _e2646), ((((_e2670 * _e2631.member_1.x) + (_e2688 * _e2631.member_1.y)) + (_e2706 * _e2631.member_1.z)) * _e2646)));
 } else {
 let _e2775 = global_1.member.member_6.member_3.member;
 let _e2776 = (_e2775 - 0.5f);
@@ -1082,7 +1090,7 @@ let _e2899 = (select(0i, _e2830, (_e2830 > 0i)) * _e2849);
 let _e2900 = (select(_e2861, _e2864, (_e2864 < _e2861)) * _e2849);
 let _e2901 = (select(0i, _e2845, (_e2845 > 0i)) * _e2853);
 let _e2902 = (select(_e2874, _e2877, (_e2877 < _e2874)) * _e2853);
-local_10 = type_30(array<i32, 4>(select(0i, _e2888, (_e2888 > 0i)), select(0i, _e2815, (_e2815 > 0i)), select(_e2887, _e2893, (_e2893 < _e2887)), select(_e2887, _e2896, (_e2896 < _e2887))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_10 = type_31(array<i32, 4>(select(0i, _e2888, (_e2888 > 0i)), select(0i, _e2815, (_e2815 > 0i)), select(_e2887, _e2893, (_e2893 < _e2887)), select(_e2887, _e2896, (_e2896 < _e2887))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_11 = vec3<f32>((_e2780 - f32(_e2815)), (_e2790 - f32(_e2830)), (_e2800 - f32(_e2845)));
 let _e2913 = (_e2901 + _e2899);
 let _e2916 = local_10.member[1u];
@@ -1140,9 +1148,9 @@ let _e3040 = global_1.member.member_6.member_5;
 let _e3042 = (((_e2973 + (((_e2998 + (((_e3009 + ((bitcast<f32>(_e3018) - _e3009) * _e3020)) - _e2998) * _e3024)) - _e2973) * _e3029)) - _e3036) * _e3040);
 let _e3043 = -(1e9f);
 let _e3045 = select(_e3043, _e3042, (_e3042 > _e3043));
-phi_7697_ = type_32(select(1e9f, _e3045, (_e3045 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_7698_ = type_33(select(1e9f, _e3045, (_e3045 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3050 = phi_7697_;
+let _e3050 = phi_7698_;
 let _e3055 = global_1.member.member_6.member_3.member;
 let _e3056 = (_e3055 - 0.5f);
 let _e3058 = select(-0.5f, _e1170, (_e1170 > -0.5f));
@@ -1181,7 +1189,7 @@ let _e3179 = (select(0i, _e3110, (_e3110 > 0i)) * _e3129);
 let _e3180 = (select(_e3141, _e3144, (_e3144 < _e3141)) * _e3129);
 let _e3181 = (select(0i, _e3125, (_e3125 > 0i)) * _e3133);
 let _e3182 = (select(_e3154, _e3157, (_e3157 < _e3154)) * _e3133);
-local_8 = type_30(array<i32, 4>(select(0i, _e3168, (_e3168 > 0i)), select(0i, _e3095, (_e3095 > 0i)), select(_e3167, _e3173, (_e3173 < _e3167)), select(_e3167, _e3176, (_e3176 < _e3167))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_8 = type_31(array<i32, 4>(select(0i, _e3168, (_e3168 > 0i)), select(0i, _e3095, (_e3095 > 0i)), select(_e3167, _e3173, (_e3173 < _e3167)), select(_e3167, _e3176, (_e3176 < _e3167))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_9 = vec3<f32>((_e3060 - f32(_e3095)), (_e3070 - f32(_e3110)), (_e3080 - f32(_e3125)));
 let _e3193 = (_e3181 + _e3179);
 let _e3196 = local_8.member[1u];
@@ -1243,7 +1251,7 @@ let _e3327 = select(1e9f, _e3325, (_e3325 < 1e9f));
 let _e3330 = global_1.member.member_1;
 let _e3332 = ((_e3330 & 16u) == 0u);
 if _e3332 {
-phi_8531_ = type_5(1f, 1f, 1f);
+phi_8532_ = type_5(1f, 1f, 1f);
 } else {
 let _e3336 = global_1.member.member_14.member;
 let _e3347 = ((((_e3336.member.member * _e1127) + (_e3336.member.member_1 * _e1140)) + (_e3336.member.member_2 * _e1105)) + _e3336.member_1);
@@ -1289,9 +1297,9 @@ let _e3514 = select(0f, _e3512, (_e3512 > 0f));
 let _e3520 = select(select(select(1f, _e3514, (_e3514 < 1f)), 1f, (_e3507 <= 0f)), 0f, (_e3505 > 0f));
 let _e3525 = global_1.member.member_17.member_1;
 let _e3526 = (_e3525 != 0u);
-phi_8531_ = type_5(((((1f * _e3370) * _e3420) * _e3470) * _e3520), ((((1f * select(1f, _e3370, _e3376)) * select(1f, _e3420, _e3426)) * select(1f, _e3470, _e3476)) * select(1f, _e3520, _e3526)), ((((1f * select(1f, 0f, (_e3376 && (_e3353 > 0f)))) * select(1f, 0f, (_e3426 && (_e3403 > 0f)))) * select(1f, 0f, (_e3476 && (_e3453 > 0f)))) * select(1f, 0f, (_e3526 && (_e3503 > 0f)))));
+phi_8532_ = type_5(((((1f * _e3370) * _e3420) * _e3470) * _e3520), ((((1f * select(1f, _e3370, _e3376)) * select(1f, _e3420, _e3426)) * select(1f, _e3470, _e3476)) * select(1f, _e3520, _e3526)), ((((1f * select(1f, 0f, (_e3376 && (_e3353 > 0f)))) * select(1f, 0f, (_e3426 && (_e3403 > 0f)))) * select(1f, 0f, (_e3476 && (_e3453 > 0f)))) * select(1f, 0f, (_e3526 && (_e3503 > 0f)))));
 }
-let _e3535 = phi_8531_;
+let _e3535 = phi_8532_;
 let _e3536 = (_e1206 - _e1170);
 let _e3540 = (bitcast<f32>((bitcast<u32>(_e3536) & 2147483647u)) < 1e-12f);
 let _e3542 = (1f / select(_e3536, 1f, _e3540));
@@ -1515,7 +1523,7 @@ let _e4173 = f32(_e4172);
 let _e4177 = ((_e4155 - (_e4173 * 0.6933594f)) - (_e4173 * -2.1219444e-4f));
 let _e4197 = ((1f + (_e4177 * (1f + (_e4177 * (0.5f + (_e4177 * (0.16666667f + (_e4177 * (0.041666668f + (_e4177 * (0.008333334f + (_e4177 * (0.001388889f + (_e4177 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4172 + 127i)) << bitcast<u32>(23i))));
 let _e4198 = (1f - _e4197);
-phi_12259_ = type_34(_e4197, _e4198, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4198 / select(1e-12f, _e4147, (_e4147 > 1e-12f))))));
+phi_12260_ = type_35(_e4197, _e4198, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4198 / select(1e-12f, _e4147, (_e4147 > 1e-12f))))));
 } else {
 local_5 = _e3327;
 let _e4206 = local_5;
@@ -1752,9 +1760,9 @@ let _e5078 = f32(_e5077);
 let _e5082 = ((_e5060 - (_e5078 * 0.6933594f)) - (_e5078 * -2.1219444e-4f));
 let _e5102 = ((1f + (_e5082 * (1f + (_e5082 * (0.5f + (_e5082 * (0.16666667f + (_e5082 * (0.041666668f + (_e5082 * (0.008333334f + (_e5082 * (0.001388889f + (_e5082 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5077 + 127i)) << bitcast<u32>(23i))));
 let _e5103 = (1f - _e5102);
-phi_12259_ = type_34(_e5102, _e5103, vec3<f32>(((1f + (_e4937 * (1f + (_e4937 * (0.5f + (_e4937 * (0.16666667f + (_e4937 * (0.041666668f + (_e4937 * (0.008333334f + (_e4937 * (0.001388889f + (_e4937 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4932 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4985 * (1f + (_e4985 * (0.5f + (_e4985 * (0.16666667f + (_e4985 * (0.041666668f + (_e4985 * (0.008333334f + (_e4985 * (0.001388889f + (_e4985 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4980 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5033 * (1f + (_e5033 * (0.5f + (_e5033 * (0.16666667f + (_e5033 * (0.041666668f + (_e5033 * (0.008333334f + (_e5033 * (0.001388889f + (_e5033 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5028 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5103 / select(1e-12f, _e4697, (_e4697 > 1e-12f))))));
+phi_12260_ = type_35(_e5102, _e5103, vec3<f32>(((1f + (_e4937 * (1f + (_e4937 * (0.5f + (_e4937 * (0.16666667f + (_e4937 * (0.041666668f + (_e4937 * (0.008333334f + (_e4937 * (0.001388889f + (_e4937 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4932 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4985 * (1f + (_e4985 * (0.5f + (_e4985 * (0.16666667f + (_e4985 * (0.041666668f + (_e4985 * (0.008333334f + (_e4985 * (0.001388889f + (_e4985 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4980 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5033 * (1f + (_e5033 * (0.5f + (_e5033 * (0.16666667f + (_e5033 * (0.041666668f + (_e5033 * (0.008333334f + (_e5033 * (0.001388889f + (_e5033 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5028 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5103 / select(1e-12f, _e4697, (_e4697 > 1e-12f))))));
 }
-let _e5111 = phi_12259_;
+let _e5111 = phi_12260_;
 if _e1227 {
 let _e5116 = global_1.member.member_6.member.member;
 let _e5124 = global_1.member.member_6.member_1.member;
@@ -1880,7 +1888,7 @@ let _e5372 = select(select(select(select(select(select(0f, _e5116.member, _e5155
 let _e5373 = select(select(select(select(select(select(0f, _e5116.member_1, _e5155), _e5116.member_1, _e5195), _e5124.member_1, _e5234), _e5124.member_1, _e5274), _e5132.member_1, _e5313), _e5132.member_1, _e5353);
 let _e5374 = select(select(select(select(select(select(1f, _e5116.member_2, _e5155), _e5116.member_2, _e5195), _e5124.member_2, _e5234), _e5124.member_2, _e5274), _e5132.member_2, _e5313), _e5132.member_2, _e5353);
 if _e3332 {
-phi_13578_ = type_33(_e5359, vec3<f32>(_e5360, _e5361, _e5362), _e5364, vec3<f32>(_e5365, _e5366, _e5367), _e5369, _e5371, vec3<f32>(_e5372, _e5373, _e5374));
+phi_13579_ = type_34(_e5359, vec3<f32>(_e5360, _e5361, _e5362), _e5364, vec3<f32>(_e5365, _e5366, _e5367), _e5369, _e5371, vec3<f32>(_e5372, _e5373, _e5374));
 } else {
 let _e5381 = (((_e5116.member * _e5116.member) + (_e5116.member_1 * _e5116.member_1)) + (_e5116.member_2 * _e5116.member_2));
 let _e5384 = sqrt(select(0f, _e5381, (_e5381 > 0f)));
@@ -1960,21 +1968,21 @@ let _e5668 = select(2f, select(0f, _e5660, (_e5641 < 0f)), (_e5642 > 0f));
 let _e5669 = (_e5641 > _e5607);
 let _e5673 = ((_e5664 > _e5599) || ((_e5664 == _e5599) && _e5669));
 let _e5674 = (_e5668 < _e5603);
-phi_13578_ = type_33(select(_e5599, _e5664, _e5673), vec3<f32>(select(select(select(select(_e5360, _e5419.member, _e5445), _e5495.member, _e5521), _e5571.member, _e5597), _e5647.member, _e5673), select(select(select(select(_e5361, _e5419.member_1, _e5445), _e5495.member_1, _e5521), _e5571.member_1, _e5597), _e5647.member_1, _e5673), select(select(select(select(_e5362, _e5419.member_2, _e5445), _e5495.member_2, _e5521), _e5571.member_2, _e5597), _e5647.member_2, _e5673)), select(_e5603, _e5668, _e5674), vec3<f32>(select(select(select(select(_e5365, _e5419.member, _e5446), _e5495.member, _e5522), _e5571.member, _e5598), _e5647.member, _e5674), select(select(select(select(_e5366, _e5419.member_1, _e5446), _e5495.member_1, _e5522), _e5571.member_1, _e5598), _e5647.member_1, _e5674), select(select(select(select(_e5367, _e5419.member_2, _e5446), _e5495.member_2, _e5522), _e5571.member_2, _e5598), _e5647.member_2, _e5674)), select(_e5607, _e5641, _e5669), select(_e5609, _e5642, (_e5642 > _e5609)), vec3<f32>(select(select(select(select(_e5372, _e5419.member, _e5441), _e5495.member, _e5517), _e5571.member, _e5593), _e5647.member, _e5669), select(select(select(select(_e5373, _e5419.member_1, _e5441), _e5495.member_1, _e5517), _e5571.member_1, _e5593), _e5647.member_1, _e5669), select(select(select(select(_e5374, _e5419.member_2, _e5441), _e5495.member_2, _e5517), _e5571.member_2, _e5593), _e5647.member_2, _e5669)));
+phi_13579_ = type_34(select(_e5599, _e5664, _e5673), vec3<f32>(select(select(select(select(_e5360, _e5419.member, _e5445), _e5495.member, _e5521), _e5571.member, _e5597), _e5647.member, _e5673), select(select(select(select(_e5361, _e5419.member_1, _e5445), _e5495.member_1, _e5521), _e5571.member_1, _e5597), _e5647.member_1, _e5673), select(select(select(select(_e5362, _e5419.member_2, _e5445), _e5495.member_2, _e5521), _e5571.member_2, _e5597), _e5647.member_2, _e5673)), select(_e5603, _e5668, _e5674), vec3<f32>(select(select(select(select(_e5365, _e5419.member, _e5446), _e5495.member, _e5522), _e5571.member, _e5598), _e5647.member, _e5674), select(select(select(select(_e5366, _e5419.member_1, _e5446), _e5495.member_1, _e5522), _e5571.member_1, _e5598), _e5647.member_1, _e5674), select(select(select(select(_e5367, _e5419.member_2, _e5446), _e5495.member_2, _e5522), _e5571.member_2, _e5598), _e5647.member_2, _e5674)), select(_e5607, _e5641, _e5669), select(_e5609, _e5642, (_e5642 > _e5609)), vec3<f32>(select(select(select(select(_e5372, _e5419.member, _e5441), _e5495.member, _e5517), _e5571.member, _e5593), _e5647.member, _e5669), select(select(select(select(_e5373, _e5419.member_1, _e5441), _e5495.member_1, _e5517), _e5571.member_1, _e5593), _e5647.member_1, _e5669), select(select(select(select(_e5374, _e5419.member_2, _e5441), _e5495.member_2, _e5517), _e5571.member_2, _e5593), _e5647.member_2, _e5669)));
 }
-let _e5694 = phi_13578_;
+let _e5694 = phi_13579_;
 let _e5696 = (_e5694.member_4 < 0f);
 let _e5698 = (_e5694.member_5 < 0f);
 let _e5699 = (_e5696 != _e5698);
 if _e5696 {
-phi_13591_ = _e5694.member_3;
-phi_13592_ = _e5694.member_2;
+phi_13592_ = _e5694.member_3;
+phi_13593_ = _e5694.member_2;
 } else {
-phi_13591_ = _e5694.member_1;
-phi_13592_ = _e5694.member;
+phi_13592_ = _e5694.member_1;
+phi_13593_ = _e5694.member;
 }
-let _e5705 = phi_13591_;
-let _e5707 = phi_13592_;
+let _e5705 = phi_13592_;
+let _e5707 = phi_13593_;
 let _e5716 = (((_e5116.member * _e5116.member) + (_e5116.member_1 * _e5116.member_1)) + (_e5116.member_2 * _e5116.member_2));
 let _e5719 = sqrt(select(0f, _e5716, (_e5716 > 0f)));
 let _e5720 = ((1.5f * _e1125) * _e5719);
@@ -2012,7 +2020,7 @@ let _e5828 = (select(0i, _e5791, (_e5791 > 0i)) * _e3129);
 let _e5829 = (select(_e3141, _e5809, (_e5809 < _e3141)) * _e3129);
 let _e5830 = (select(0i, _e5806, (_e5806 > 0i)) * _e3133);
 let _e5831 = (select(_e3154, _e5814, (_e5814 < _e3154)) * _e3133);
-local_2 = type_30(array<i32, 4>(select(0i, _e5817, (_e5817 > 0i)), select(0i, _e5776, (_e5776 > 0i)), select(_e3167, _e5822, (_e5822 < _e3167)), select(_e3167, _e5825, (_e5825 < _e3167))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_2 = type_31(array<i32, 4>(select(0i, _e5817, (_e5817 > 0i)), select(0i, _e5776, (_e5776 > 0i)), select(_e3167, _e5822, (_e5822 < _e3167)), select(_e3167, _e5825, (_e5825 < _e3167))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_3 = vec3<f32>((_e5753 - f32(_e5776)), (_e5757 - f32(_e5791)), (_e5761 - f32(_e5806)));
 let _e5842 = (_e5830 + _e5828);
 let _e5845 = local_2.member[1u];
@@ -2248,7 +2256,7 @@ let _e6498 = select(select(select(select(select(select(0f, _e5116.member, _e5170
 let _e6499 = select(select(select(select(select(select(0f, _e5116.member_1, _e5170), _e5116.member_1, _e5210), _e5124.member_1, _e5249), _e5124.member_1, _e5289), _e5132.member_1, _e5328), _e5132.member_1, _e5370);
 let _e6500 = select(select(select(select(select(select(1f, _e5116.member_2, _e5170), _e5116.member_2, _e5210), _e5124.member_2, _e5249), _e5124.member_2, _e5289), _e5132.member_2, _e5328), _e5132.member_2, _e5370);
 if _e3332 {
-phi_16208_ = type_33(_e6486, vec3<f32>(_e6487, _e6488, _e6489), _e6491, vec3<f32>(_e6492, _e6493, _e6494), _e5371, _e6497, vec3<f32>(_e6498, _e6499, _e6500));
+phi_16209_ = type_34(_e6486, vec3<f32>(_e6487, _e6488, _e6489), _e6491, vec3<f32>(_e6492, _e6493, _e6494), _e5371, _e6497, vec3<f32>(_e6498, _e6499, _e6500));
 } else {
 let _e6506 = global_1.member.member_14.member_1;
 let _e6507 = (_e6506 != 0u);
@@ -2326,9 +2334,9 @@ let _e6786 = select(2f, select(0f, _e6778, (_e6759 < 0f)), (_e6760 > 0f));
 let _e6787 = (_e6759 > _e6725);
 let _e6791 = ((_e6782 > _e6717) || ((_e6782 == _e6717) && _e6787));
 let _e6792 = (_e6786 < _e6721);
-phi_16208_ = type_33(select(_e6717, _e6782, _e6791), vec3<f32>(select(select(select(select(_e6487, _e6537.member, _e6563), _e6613.member, _e6639), _e6689.member, _e6715), _e6765.member, _e6791), select(select(select(select(_e6488, _e6537.member_1, _e6563), _e6613.member_1, _e6639), _e6689.member_1, _e6715), _e6765.member_1, _e6791), select(select(select(select(_e6489, _e6537.member_2, _e6563), _e6613.member_2, _e6639), _e6689.member_2, _e6715), _e6765.member_2, _e6791)), select(_e6721, _e6786, _e6792), vec3<f32>(select(select(select(select(_e6492, _e6537.member, _e6564), _e6613.member, _e6640), _e6689.member, _e6716), _e6765.member, _e6792), select(select(select(select(_e6493, _e6537.member_1, _e6564), _e6613.member_1, _e6640), _e6689.member_1, _e6716), _e6765.member_1, _e6792), select(select(select(select(_e6494, _e6537.member_2, _e6564), _e6613.member_2, _e6640), _e6689.member_2, _e6716), _e6765.member_2, _e6792)), select(_e6725, _e6759, _e6787), select(_e6727, _e6760, (_e6760 > _e6727)), vec3<f32>(select(select(select(select(_e6498, _e6537.member, _e6559), _e6613.member, _e6635), _e6689.member, _e6711), _e6765.member, _e6787), select(select(select(select(_e6499, _e6537.member_1, _e6559), _e6613.member_1, _e6635), _e6689.member_1, _e6711), _e6765.member_1, _e6787), select(select(select(select(_e6500, _e6537.member_2, _e6559), _e6613.member_2, _e6635), _e6689.member_2, _e6711), _e6765.member_2, _e6787)));
+phi_16209_ = type_34(select(_e6717, _e6782, _e6791), vec3<f32>(select(select(select(select(_e6487, _e6537.member, _e6563), _e6613.member, _e6639), _e6689.member, _e6715), _e6765.member, _e6791), select(select(select(select(_e6488, _e6537.member_1, _e6563), _e6613.member_1, _e6639), _e6689.member_1, _e6715), _e6765.member_1, _e6791), select(select(select(select(_e6489, _e6537.member_2, _e6563), _e6613.member_2, _e6639), _e6689.member_2, _e6715), _e6765.member_2, _e6791)), select(_e6721, _e6786, _e6792), vec3<f32>(select(select(select(select(_e6492, _e6537.member, _e6564), _e6613.member, _e6640), _e6689.member, _e6716), _e6765.member, _e6792), select(select(select(select(_e6493, _e6537.member_1, _e6564), _e6613.member_1, _e6640), _e6689.member_1, _e6716), _e6765.member_1, _e6792), select(select(select(select(_e6494, _e6537.member_2, _e6564), _e6613.member_2, _e6640), _e6689.member_2, _e6716), _e6765.member_2, _e6792)), select(_e6725, _e6759, _e6787), select(_e6727, _e6760, (_e6760 > _e6727)), vec3<f32>(select(select(select(select(_e6498, _e6537.member, _e6559), _e6613.member, _e6635), _e6689.member, _e6711), _e6765.member, _e6787), select(select(select(select(_e6499, _e6537.member_1, _e6559), _e6613.member_1, _e6635), _e6689.member_1, _e6711), _e6765.member_1, _e6787), select(select(select(select(_e6500, _e6537.member_2, _e6559), _e6613.member_2, _e6635), _e6689.member_2, _e6711), _e6765.member_2, _e6787)));
 }
-let _e6812 = phi_16208_;
+let _e6812 = phi_16209_;
 let _e6821 = global_1.member.member_5.member_4;
 let _e6824 = (_e3050.member_3.x * _e3535.member_2);
 let _e6826 = (_e3050.member_3.y * _e3535.member_2);
@@ -2353,14 +2361,14 @@ let _e6883 = (_e6249 + ((_e3050.member_4.z * _e3535.member_2) * _e6261));
 let _e6885 = (_e6883 * _e6883);
 let _e6894 = ((_e3330 & 1u) != 0u);
 let _e6899 = (select(_e6867, ((_e6883 <= 0f) || (_e6885 <= (_e6857 * (((_e6881 * _e6881) + (_e6882 * _e6882)) + _e6885)))), _e6894) || (_e6246 && ((_e6222 && _e5699) || (_e5699 && (_e6249 <= 0f)))));
-phi_16360_ = vec3<f32>(select(select(select(_e6851, _e6833, _e6867), _e6881, _e6894), _e231, _e6899), select(select(select(_e6852, _e6834, _e6867), _e6882, _e6894), _e242, _e6899), select(select(select(_e6853, _e6835, _e6867), _e6883, _e6894), _e253, _e6899));
-phi_16361_ = select(1f, 0f, _e6899);
+phi_16361_ = vec3<f32>(select(select(select(_e6851, _e6833, _e6867), _e6881, _e6894), _e231, _e6899), select(select(select(_e6852, _e6834, _e6867), _e6882, _e6894), _e242, _e6899), select(select(select(_e6853, _e6835, _e6867), _e6883, _e6894), _e253, _e6899));
+phi_16362_ = select(1f, 0f, _e6899);
 } else {
-phi_16360_ = vec3<f32>(_e231, _e242, _e253);
-phi_16361_ = 1f;
+phi_16361_ = vec3<f32>(_e231, _e242, _e253);
+phi_16362_ = 1f;
 }
-let _e6906 = phi_16360_;
-let _e6908 = phi_16361_;
+let _e6906 = phi_16361_;
+let _e6908 = phi_16362_;
 let _e6911 = (_e5111.member * _e6908);
 global_2.member[_e188] = (_e199 * (_e5111.member_2.x * _e6911));
 global_2.member[_e200] = (_e209 * (_e5111.member_2.y * _e6911));

@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_24 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_25 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_23,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_15,
+member_18: type_23,
+member_19: type_5,
+member_20: type_24,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_25 {
+struct type_26 {
 member: type_7,
 member_1: u32,
 }
-struct type_26 {
+struct type_27 {
 member: type_2,
 member_1: u32,
 member_2: type_18,
@@ -141,39 +149,39 @@ member_6: type_20,
 member_7: type_20,
 member_8: type_21,
 member_9: type_22,
-member_10: type_24,
+member_10: type_25,
 member_11: type_19,
 member_12: type_4,
 member_13: type_9,
-member_14: type_25,
-member_15: type_25,
-member_16: type_25,
-member_17: type_25,
+member_14: type_26,
+member_15: type_26,
+member_16: type_26,
+member_17: type_26,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
-member: type_26,
+struct type_28 {
+member: type_27,
 }
-struct type_30 {
+struct type_31 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -182,7 +190,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_34 {
+struct type_35 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
@@ -190,7 +198,7 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_27;
+var<storage> global_1: type_28;
 @group(0) @binding(6)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
@@ -204,15 +212,15 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_30;
+var local_2: type_31;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_30;
+var local_8: type_31;
 var local_9: vec3<f32>;
-var local_10: type_30;
+var local_10: type_31;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -228,23 +236,23 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_30;
+var local_26: type_31;
 var local_27: vec3<f32>;
-var phi_900_: bool;
-var phi_1080_: bool;
-var phi_1083_: bool;
-var phi_1267_: bool;
-var phi_1590_: u32;
-var phi_6992_: type_31;
-var phi_7602_: type_32;
-var phi_8399_: type_5;
-var phi_12127_: type_34;
-var phi_13446_: type_33;
-var phi_13459_: vec3<f32>;
-var phi_13460_: f32;
-var phi_16039_: type_33;
-var phi_16191_: vec3<f32>;
-var phi_16192_: f32;
+var phi_901_: bool;
+var phi_1081_: bool;
+var phi_1084_: bool;
+var phi_1268_: bool;
+var phi_1591_: u32;
+var phi_6993_: type_32;
+var phi_7603_: type_33;
+var phi_8400_: type_5;
+var phi_12128_: type_35;
+var phi_13447_: type_34;
+var phi_13460_: vec3<f32>;
+var phi_13461_: f32;
+var phi_16040_: type_34;
+var phi_16192_: vec3<f32>;
+var phi_16193_: f32;
 let _e157 = global;
 let _e160 = arrayLength((&global_3.member));
 let _e165 = arrayLength((&global_4.member));
@@ -355,7 +363,7 @@ let _e540 = ((((_e426 >= _e525) && (_e426 <= _e528)) && ((_e441 >= _e525) && (_e
 let _e543 = global_1.member.member_1;
 let _e545 = ((_e543 & 16u) == 0u);
 if _e545 {
-phi_900_ = _e540;
+phi_901_ = _e540;
 } else {
 let _e550 = global_1.member.member_14.member;
 let _e562 = -((_e398 / _e391));
@@ -366,9 +374,9 @@ let _e596 = global_1.member.member_16.member;
 let _e612 = global_1.member.member_16.member_1;
 let _e619 = global_1.member.member_17.member;
 let _e635 = global_1.member.member_17.member_1;
-phi_900_ = (_e540 && (((((((((_e550.member.member * _e346) + (_e550.member.member_1 * _e359)) + (_e550.member.member_2 * _e324)) + _e550.member_1) <= _e562) || (_e567 == 0u)) && ((((((_e573.member.member * _e346) + (_e573.member.member_1 * _e359)) + (_e573.member.member_2 * _e324)) + _e573.member_1) <= _e562) || (_e589 == 0u))) && ((((((_e596.member.member * _e346) + (_e596.member.member_1 * _e359)) + (_e596.member.member_2 * _e324)) + _e596.member_1) <= _e562) || (_e612 == 0u))) && ((((((_e619.member.member * _e346) + (_e619.member.member_1 * _e359)) + (_e619.member.member_2 * _e324)) + _e619.member_1) <= _e562) || (_e635 == 0u))));
+phi_901_ = (_e540 && (((((((((_e550.member.member * _e346) + (_e550.member.member_1 * _e359)) + (_e550.member.member_2 * _e324)) + _e550.member_1) <= _e562) || (_e567 == 0u)) && ((((((_e573.member.member * _e346) + (_e573.member.member_1 * _e359)) + (_e573.member.member_2 * _e324)) + _e573.member_1) <= _e562) || (_e589 == 0u))) && ((((((_e596.member.member * _e346) + (_e596.member.member_1 * _e359)) + (_e596.member.member_2 * _e324)) + _e596.member_1) <= _e562) || (_e612 == 0u))) && ((((((_e619.member.member * _e346) + (_e619.member.member_1 * _e359)) + (_e619.member.member_2 * _e324)) + _e619.member_1) <= _e562) || (_e635 == 0u))));
 }
-let _e641 = phi_900_;
+let _e641 = phi_901_;
 let _e645 = (_e369 + (_e369 - _e346));
 let _e646 = (_e374 + (_e374 - _e359));
 let _e647 = (_e363 + (_e363 - _e324));
@@ -377,7 +385,7 @@ let _e659 = ((((_e430.member.member * _e645) + (_e430.member.member_1 * _e646)) 
 let _e665 = ((((_e445.member.member * _e645) + (_e445.member.member_1 * _e646)) + (_e445.member.member_2 * _e647)) + _e445.member_1);
 let _e676 = ((((_e653 >= _e525) && (_e653 <= _e528)) && ((_e659 >= _e525) && (_e659 <= _e532))) && ((_e665 >= _e525) && (_e665 <= _e537)));
 if _e545 {
-phi_1080_ = _e676;
+phi_1081_ = _e676;
 } else {
 let _e681 = global_1.member.member_14.member;
 let _e693 = -((_e398 / _e391));
@@ -388,14 +396,14 @@ let _e727 = global_1.member.member_16.member;
 let _e743 = global_1.member.member_16.member_1;
 let _e750 = global_1.member.member_17.member;
 let _e766 = global_1.member.member_17.member_1;
-phi_1080_ = (_e676 && (((((((((_e681.member.member * _e645) + (_e681.member.member_1 * _e646)) + (_e681.member.member_2 * _e647)) + _e681.member_1) <= _e693) || (_e698 == 0u)) && ((((((_e704.member.member * _e645) + (_e704.member.member_1 * _e646)) + (_e704.member.member_2 * _e647)) + _e704.member_1) <= _e693) || (_e720 == 0u))) && ((((((_e727.member.member * _e645) + (_e727.member.member_1 * _e646)) + (_e727.member.member_2 * _e647)) + _e727.member_1) <= _e693) || (_e743 == 0u))) && ((((((_e750.member.member * _e645) + (_e750.member.member_1 * _e646)) + (_e750.member.member_2 * _e647)) + _e750.member_1) <= _e693) || (_e766 == 0u))));
+phi_1081_ = (_e676 && (((((((((_e681.member.member * _e645) + (_e681.member.member_1 * _e646)) + (_e681.member.member_2 * _e647)) + _e681.member_1) <= _e693) || (_e698 == 0u)) && ((((((_e704.member.member * _e645) + (_e704.member.member_1 * _e646)) + (_e704.member.member_2 * _e647)) + _e704.member_1) <= _e693) || (_e720 == 0u))) && ((((((_e727.member.member * _e645) + (_e727.member.member_1 * _e646)) + (_e727.member.member_2 * _e647)) + _e727.member_1) <= _e693) || (_e743 == 0u))) && ((((((_e750.member.member * _e645) + (_e750.member.member_1 * _e646)) + (_e750.member.member_2 * _e647)) + _e750.member_1) <= _e693) || (_e766 == 0u))));
 }
-let _e772 = phi_1080_;
-phi_1083_ = (_e515 && (_e641 && _e772));
+let _e772 = phi_1081_;
+phi_1084_ = (_e515 && (_e641 && _e772));
 } else {
-phi_1083_ = _e515;
+phi_1084_ = _e515;
 }
-let _e776 = phi_1083_;
+let _e776 = phi_1084_;
 let _e783 = ((((_e415.member.member * _e409) + (_e415.member.member_1 * _e410)) + (_e415.member.member_2 * _e411)) + _e415.member_1);
 let _e789 = ((((_e430.member.member * _e409) + (_e430.member.member_1 * _e410)) + (_e430.member.member_2 * _e411)) + _e430.member_1);
 let _e795 = ((((_e445.member.member * _e409) + (_e445.member.member_1 * _e410)) + (_e445.member.member_2 * _e411)) + _e445.member_1);
@@ -404,7 +412,7 @@ let _e797 = (_e398 + 0.5f);
 let _e811 = ((((_e783 >= _e796) && (_e783 <= (_e480 - _e797))) && ((_e789 >= _e796) && (_e789 <= (_e490 - _e797)))) && ((_e795 >= _e796) && (_e795 <= (_e500 - _e797))));
 let _e814 = global_1.member.member_1;
 if ((_e814 & 16u) == 0u) {
-phi_1267_ = _e811;
+phi_1268_ = _e811;
 } else {
 let _e821 = global_1.member.member_14.member;
 let _e833 = -((_e398 / _e391));
@@ -415,9 +423,9 @@ let _e867 = global_1.member.member_16.member;
 let _e883 = global_1.member.member_16.member_1;
 let _e890 = global_1.member.member_17.member;
 let _e906 = global_1.member.member_17.member_1;
-phi_1267_ = (_e811 && (((((((((_e821.member.member * _e409) + (_e821.member.member_1 * _e410)) + (_e821.member.member_2 * _e411)) + _e821.member_1) <= _e833) || (_e838 == 0u)) && ((((((_e844.member.member * _e409) + (_e844.member.member_1 * _e410)) + (_e844.member.member_2 * _e411)) + _e844.member_1) <= _e833) || (_e860 == 0u))) && ((((((_e867.member.member * _e409) + (_e867.member.member_1 * _e410)) + (_e867.member.member_2 * _e411)) + _e867.member_1) <= _e833) || (_e883 == 0u))) && ((((((_e890.member.member * _e409) + (_e890.member.member_1 * _e410)) + (_e890.member.member_2 * _e411)) + _e890.member_1) <= _e833) || (_e906 == 0u))));
+phi_1268_ = (_e811 && (((((((((_e821.member.member * _e409) + (_e821.member.member_1 * _e410)) + (_e821.member.member_2 * _e411)) + _e821.member_1) <= _e833) || (_e838 == 0u)) && ((((((_e844.member.member * _e409) + (_e844.member.member_1 * _e410)) + (_e844.member.member_2 * _e411)) + _e844.member_1) <= _e833) || (_e860 == 0u))) && ((((((_e867.member.member * _e409) + (_e867.member.member_1 * _e410)) + (_e867.member.member_2 * _e411)) + _e867.member_1) <= _e833) || (_e883 == 0u))) && ((((((_e890.member.member * _e409) + (_e890.member.member_1 * _e410)) + (_e890.member.member_2 * _e411)) + _e890.member_1) <= _e833) || (_e906 == 0u))));
 }
-let _e912 = phi_1267_;
+let _e912 = phi_1268_;
 let _e919 = global_1.member.member_6.member_4;
 let _e920 = (_e480 - 0.5f);
 let _e922 = select(-0.5f, _e462, (_e462 > -0.5f));
@@ -457,11 +465,11 @@ let _e1049 = ((bitcast<i32>(_e1043) + ((_e980 - select(0i, 1i, (_e973 < f32(_e98
 let _e1051 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1053 = select(_e1051, _e1049, (_e1049 < _e1051));
 let _e1059 = global_5.member[bitcast<u32>(select(0i, _e1053, (_e1053 > 0i)))];
-phi_1590_ = select(select(7u, 3u, (_e776 && (!(_e524) || _e912))), 1u, (((_e814 & 64u) != 0u) || ((((select(_e948, _e945, (_e945 > _e948)) <= _e919) && ((select(_e965, _e962, (_e962 > _e965)) > _e919) || (_e1059 != 0u))) && true) && ((_e814 & 32u) != 0u))));
+phi_1591_ = select(select(7u, 3u, (_e776 && (!(_e524) || _e912))), 1u, (((_e814 & 64u) != 0u) || ((((select(_e948, _e945, (_e945 > _e948)) <= _e919) && ((select(_e965, _e962, (_e962 > _e965)) > _e919) || (_e1059 != 0u))) && true) && ((_e814 & 32u) != 0u))));
 } else {
-phi_1590_ = 7u;
+phi_1591_ = 7u;
 }
-let _e1072 = phi_1590_;
+let _e1072 = phi_1591_;
 if (_e1072 > 1u) {
 let _e1077 = bitcast<i32>(((_e185 * _e293) + _e183));
 let _e1080 = (bitcast<i32>(_e167) - 1i);
@@ -543,7 +551,7 @@ let _e1362 = (_e1352 + (3i * _e1308));
 let _e1363 = (_e1354 + _e1312);
 let _e1365 = (_e1354 + (2i * _e1312));
 let _e1367 = (_e1354 + (3i * _e1312));
-local_26 = type_30(array<i32, 4>(_e1349, (_e1349 + 1i), (_e1349 + 2i), (_e1349 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_31(array<i32, 4>(_e1349, (_e1349 + 1i), (_e1349 + 2i), (_e1349 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e1239 - f32(_e1274)), (_e1249 - f32(_e1289)), (_e1259 - f32(_e1304)));
 let _e1378 = (_e1363 + _e1358);
 let _e1381 = local_26.member[0u];
@@ -874,7 +882,7 @@ if _e1228 {
 let _e2167 = ((0.5f * (_e1902 - _e1896)) * _e2160);
 let _e2168 = ((0.5f * (_e1914 - _e1908)) * _e2160);
 let _e2169 = ((0.5f * (_e1926 - _e1920)) * _e2160);
-phi_6992_ = type_31(_e2122, vec3<f32>(_e2167, _e2168, _e2169), vec3<f32>((_e2167 * _e2122), (_e2168 * _e2122), (_e2169 * _e2122)));
+phi_6993_ = type_32(_e2122, vec3<f32>(_e2167, _e2168, _e2169), vec3<f32>((_e2167 * _e2122), (_e2168 * _e2122), (_e2169 * _e2122)));
 } else {
 local_22 = _e1896;
 let _e2176 = local_22;
@@ -1023,9 +1031,9 @@ let _e2601 = ((_e2107 + (f32(bitcast<i32>((_e2586 >> bitcast<u32>(12u)))) * _e21
 let _e2602 = (_e2317 - _e2246);
 let _e2604 = (_e2459 - _e2388);
 let _e2606 = (_e2601 - _e2530);
-phi_6992_ = type_31(_e2122, vec3<f32>((0.5f * _e2602), (0.5f * _e2604), (0.5f * _e2606)), vec3<f32>((0.25f * (_e2602 * (_e2317 + _e2246))), (0.25f * (_e2604 * (_e2459 + _e2388))), (0.25f * (_e2606 * (_e2601 + _e2530)))));
+phi_6993_ = type_32(_e2122, vec3<f32>((0.5f * _e2602), (0.5f * _e2604), (0.5f * _e2606)), vec3<f32>((0.25f * (_e2602 * (_e2317 + _e2246))), (0.25f * (_e2604 * (_e2459 + _e2388))), (0.25f * (_e2606 * (_e2601 + _e2530)))));
 }
-let _e2621 = phi_6992_;
+let _e2621 = phi_6993_;
 let _e2636 = select(0f, 1f, ((((((_e1208 >= -0.5f) && (_e1208 <= _e1235)) && (_e1214 >= -0.5f)) && (_e1214 <= _e1245)) && (_e1220 >= -0.5f)) && (_e1220 <= _e1255)));
 let _e2638 = (0.5f * (_e1902 - _e1896));
 let _e2640 = (0.5f * (_e1914 - _e1908));
@@ -1039,7 +1047,7 @@ let _e2678 = global_1.member.member_6.member_1.member.member_2;
 let _e2684 = global_1.member.member_6.member_2.member.member;
 let _e2690 = global_1.member.member_6.member_2.member.member_1;
 let _e2696 = global_1.member.member_6.member_2.member.member_2;
-phi_7602_ = type_32(_e1890, vec3<f32>(((((_e2648 * _e2638) + (_e2666 * _e2640)) + (_e2684 * _e2642)) * _e2636), ((((_e2654 * _e2638) + (_e2672 * _e2640)) + (_e2690 * _e2642)) * _e2636), ((((_e2660 * _e2638) + (_e2678 * _e2640)) + (_e2696 * _e2642)) * _e2636)), _e2621.member, vec3<f32>(((((_e2648 * _e2621.member_2.x) + (_e2666 * _e2621.member_2.y)) + (_e2684 * _e2621.member_2.z)) * _e2636), ((((_e2654 * _e2621.member_2.x) + (_e2672 * _e2621.member_2.y)) + (_e2690 * _e2621.member_2.z)) * _e2636), ((((_e2660 * _e2621.member_2.x) + (_e2678 * _e2621.member_2.y)) + (_e2696 * _e2621.member_2.z)) * _e2636)), vec3<f32>(((((_e2648 * _e2621.member_1.x) + (_e2666 * _e2621.member_1.y)) + (_e2684 * _e2621.member_1.z)) * _e2636), ((((_e2654 * _e2621.member_1.x) + (_e2672 * _e2621.member_1.y)) + (_e2690 * _e2621.member_1.z)) * _e2636), ((((_e2660 * _e2621.member_1.x) + (_e2678 * _e2621.member_1.y)) + (_e2696 * _e2621.member_1.z)) * _e2636)));
+phi_7603_ = type_33(_e1890, vec3<f32>(((((_e2648 * _e2638) + (_e2666 * _e2640)) + (_e2684 * _e2642)) * _e2636), ((((_e2654 * _e2638) + (_e2672 * _e2640)) + (_e2690 * _e2642)) * _e2636), ((((_e2660 * _e2638) + (_e2678 * _e2640)) + (_e2696 * _e2642)) * _e2636)), _e2621.member, vec3<f32>(((((_e2648 * _e2621.member_2.x) + (_e2666 * _e2621.member_2.y)) + (_e2684 * _e2621.member_2.z)) * _e2636), ((((_e2654 * _e2621.member_2.x) + (_e2672 * _e2621.member_2.y)) + (_e2690 * _e2621.member_2.z)) * _e2636), ((((_e2660 * _e2621.member_2.x) + (_e2678 * _e2621.member_2.y)) + (_e2696 * _e2621.member_2.z)) * _e2636)), vec3<f32>(((((_e2648 * _e2621.member_1.x) + (_e2666 * _e2621.member_1.y)) + (_e2684 * _e2621.member_1.z)) * _e2636), ((((_e2654 * _e2621.member_1.x) + (_e2672 * _e2621.member_1.y)) + (_e2690 * _e2621.member_1.z)) * _e2636), ((((_e2660 * _e2621.member_1.x) + (_e2678 * _e2621.member_1.y)) + (_e2696 * _e2621.member_1.z)) * _e2636)));
 } else {
 let _e2765 = global_1.member.member_6.member_3.member;
 let _e2766 = (_e2765 - 0.5f);
@@ -1083,7 +1091,7 @@ let _e2889 = (_e2883 + _e2839);
 let _e2891 = (_e2883 + (2i * _e2839));
 let _e2892 = (_e2885 + _e2843);
 let _e2894 = (_e2885 + (2i * _e2843));
-local_10 = type_30(array<i32, 4>(_e2880, (_e2880 + 1i), (_e2880 + 2i), (_e2880 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_10 = type_31(array<i32, 4>(_e2880, (_e2880 + 1i), (_e2880 + 2i), (_e2880 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_11 = vec3<f32>((_e2770 - f32(_e2805)), (_e2780 - f32(_e2820)), (_e2790 - f32(_e2835)));
 let _e2905 = (_e2892 + _e2889);
 let _e2908 = local_10.member[1u];
@@ -1140,9 +1148,9 @@ let _e3030 = global_1.member.member_6.member_5;
 let _e3032 = (((_e2963 + (((_e2988 + (((_e2999 + ((bitcast<f32>(_e3008) - _e2999) * _e3010)) - _e2988) * _e3014)) - _e2963) * _e3019)) - _e3026) * _e3030);
 let _e3033 = -(1e9f);
 let _e3035 = select(_e3033, _e3032, (_e3032 > _e3033));
-phi_7602_ = type_32(select(1e9f, _e3035, (_e3035 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_7603_ = type_33(select(1e9f, _e3035, (_e3035 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3040 = phi_7602_;
+let _e3040 = phi_7603_;
 let _e3045 = global_1.member.member_6.member_3.member;
 let _e3046 = (_e3045 - 0.5f);
 let _e3048 = select(-0.5f, _e1172, (_e1172 > -0.5f));
@@ -1189,7 +1197,7 @@ let _e3171 = (_e3163 + _e3170);
 let _e3172 = (_e3165 + _e3123);
 let _e3173 = (2i * _e3123);
 let _e3174 = (_e3165 + _e3173);
-local_8 = type_30(array<i32, 4>(_e3160, (_e3160 + 1i), (_e3160 + 2i), (_e3160 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_8 = type_31(array<i32, 4>(_e3160, (_e3160 + 1i), (_e3160 + 2i), (_e3160 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_9 = vec3<f32>((_e3050 - f32(_e3085)), (_e3060 - f32(_e3100)), (_e3070 - f32(_e3115)));
 let _e3185 = (_e3172 + _e3169);
 let _e3188 = local_8.member[1u];
@@ -1250,7 +1258,7 @@ let _e3317 = select(1e9f, _e3315, (_e3315 < 1e9f));
 let _e3320 = global_1.member.member_1;
 let _e3322 = ((_e3320 & 16u) == 0u);
 if _e3322 {
-phi_8399_ = type_5(1f, 1f, 1f);
+phi_8400_ = type_5(1f, 1f, 1f);
 } else {
 let _e3326 = global_1.member.member_14.member;
 let _e3337 = ((((_e3326.member.member * _e1129) + (_e3326.member.member_1 * _e1142)) + (_e3326.member.member_2 * _e1107)) + _e3326.member_1);
@@ -1296,9 +1304,9 @@ let _e3504 = select(0f, _e3502, (_e3502 > 0f));
 let _e3510 = select(select(select(1f, _e3504, (_e3504 < 1f)), 1f, (_e3497 <= 0f)), 0f, (_e3495 > 0f));
 let _e3515 = global_1.member.member_17.member_1;
 let _e3516 = (_e3515 != 0u);
-phi_8399_ = type_5(((((1f * _e3360) * _e3410) * _e3460) * _e3510), ((((1f * select(1f, _e3360, _e3366)) * select(1f, _e3410, _e3416)) * select(1f, _e3460, _e3466)) * select(1f, _e3510, _e3516)), ((((1f * select(1f, 0f, (_e3366 && (_e3343 > 0f)))) * select(1f, 0f, (_e3416 && (_e3393 > 0f)))) * select(1f, 0f, (_e3466 && (_e3443 > 0f)))) * select(1f, 0f, (_e3516 && (_e3493 > 0f)))));
+phi_8400_ = type_5(((((1f * _e3360) * _e3410) * _e3460) * _e3510), ((((1f * select(1f, _e3360, _e3366)) * select(1f, _e3410, _e3416)) * select(1f, _e3460, _e3466)) * select(1f, _e3510, _e3516)), ((((1f * select(1f, 0f, (_e3366 && (_e3343 > 0f)))) * select(1f, 0f, (_e3416 && (_e3393 > 0f)))) * select(1f, 0f, (_e3466 && (_e3443 > 0f)))) * select(1f, 0f, (_e3516 && (_e3493 > 0f)))));
 }
-let _e3525 = phi_8399_;
+let _e3525 = phi_8400_;
 let _e3526 = (_e1208 - _e1172);
 let _e3530 = (bitcast<f32>((bitcast<u32>(_e3526) & 2147483647u)) < 1e-12f);
 let _e3532 = (1f / select(_e3526, 1f, _e3530));
@@ -1522,7 +1530,7 @@ let _e4163 = f32(_e4162);
 let _e4167 = ((_e4145 - (_e4163 * 0.6933594f)) - (_e4163 * -2.1219444e-4f));
 let _e4187 = ((1f + (_e4167 * (1f + (_e4167 * (0.5f + (_e4167 * (0.16666667f + (_e4167 * (0.041666668f + (_e4167 * (0.008333334f + (_e4167 * (0.001388889f + (_e4167 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4162 + 127i)) << bitcast<u32>(23i))));
 let _e4188 = (1f - _e4187);
-phi_12127_ = type_34(_e4187, _e4188, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4188 / select(1e-12f, _e4137, (_e4137 > 1e-12f))))));
+phi_12128_ = type_35(_e4187, _e4188, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4188 / select(1e-12f, _e4137, (_e4137 > 1e-12f))))));
 } else {
 local_5 = _e3317;
 let _e4196 = local_5;
@@ -1759,9 +1767,9 @@ let _e5068 = f32(_e5067);
 let _e5072 = ((_e5050 - (_e5068 * 0.6933594f)) - (_e5068 * -2.1219444e-4f));
 let _e5092 = ((1f + (_e5072 * (1f + (_e5072 * (0.5f + (_e5072 * (0.16666667f + (_e5072 * (0.041666668f + (_e5072 * (0.008333334f + (_e5072 * (0.001388889f + (_e5072 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5067 + 127i)) << bitcast<u32>(23i))));
 let _e5093 = (1f - _e5092);
-phi_12127_ = type_34(_e5092, _e5093, vec3<f32>(((1f + (_e4927 * (1f + (_e4927 * (0.5f + (_e4927 * (0.16666667f + (_e4927 * (0.041666668f + (_e4927 * (0.008333334f + (_e4927 * (0.001388889f + (_e4927 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4922 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4975 * (1f + (_e4975 * (0.5f + (_e4975 * (0.16666667f + (_e4975 * (0.041666668f + (_e4975 * (0.008333334f + (_e4975 * (0.001388889f + (_e4975 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4970 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5023 * (1f + (_e5023 * (0.5f + (_e5023 * (0.16666667f + (_e5023 * (0.041666668f + (_e5023 * (0.008333334f + (_e5023 * (0.001388889f + (_e5023 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5018 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5093 / select(1e-12f, _e4687, (_e4687 > 1e-12f))))));
+phi_12128_ = type_35(_e5092, _e5093, vec3<f32>(((1f + (_e4927 * (1f + (_e4927 * (0.5f + (_e4927 * (0.16666667f + (_e4927 * (0.041666668f + (_e4927 * (0.008333334f + (_e4927 * (0.001388889f + (_e4927 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4922 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e4975 * (1f + (_e4975 * (0.5f + (_e4975 * (0.16666667f + (_e4975 * (0.041666668f + (_e4975 * (0.008333334f + (_e4975 * (0.001388889f + (_e4975 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4970 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5023 * (1f + (_e5023 * (0.5f + (_e5023 * (0.16666667f + (_e5023 * (0.041666668f + (_e5023 * (0.008333334f + (_e5023 * (0.001388889f + (_e5023 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5018 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5093 / select(1e-12f, _e4687, (_e4687 > 1e-12f))))));
 }
-let _e5101 = phi_12127_;
+let _e5101 = phi_12128_;
 if _e1229 {
 let _e5106 = global_1.member.member_6.member.member;
 let _e5114 = global_1.member.member_6.member_1.member;
@@ -1887,7 +1895,7 @@ let _e5362 = select(select(select(select(select(select(0f, _e5106.member, _e5145
 let _e5363 = select(select(select(select(select(select(0f, _e5106.member_1, _e5145), _e5106.member_1, _e5185), _e5114.member_1, _e5224), _e5114.member_1, _e5264), _e5122.member_1, _e5303), _e5122.member_1, _e5343);
 let _e5364 = select(select(select(select(select(select(1f, _e5106.member_2, _e5145), _e5106.member_2, _e5185), _e5114.member_2, _e5224), _e5114.member_2, _e5264), _e5122.member_2, _e5303), _e5122.member_2, _e5343);
 if _e3322 {
-phi_13446_ = type_33(_e5349, vec3<f32>(_e5350, _e5351, _e5352), _e5354, vec3<f32>(_e5355, _e5356, _e5357), _e5359, _e5361, vec3<f32>(_e5362, _e5363, _e5364));
+phi_13447_ = type_34(_e5349, vec3<f32>(_e5350, _e5351, _e5352), _e5354, vec3<f32>(_e5355, _e5356, _e5357), _e5359, _e5361, vec3<f32>(_e5362, _e5363, _e5364));
 } else {
 let _e5371 = (((_e5106.member * _e5106.member) + (_e5106.member_1 * _e5106.member_1)) + (_e5106.member_2 * _e5106.member_2));
 let _e5374 = sqrt(select(0f, _e5371, (_e5371 > 0f)));
@@ -1967,21 +1975,21 @@ let _e5658 = select(2f, select(0f, _e5650, (_e5631 < 0f)), (_e5632 > 0f));
 let _e5659 = (_e5631 > _e5597);
 let _e5663 = ((_e5654 > _e5589) || ((_e5654 == _e5589) && _e5659));
 let _e5664 = (_e5658 < _e5593);
-phi_13446_ = type_33(select(_e5589, _e5654, _e5663), vec3<f32>(select(select(select(select(_e5350, _e5409.member, _e5435), _e5485.member, _e5511), _e5561.member, _e5587), _e5637.member, _e5663), select(select(select(select(_e5351, _e5409.member_1, _e5435), _e5485.member_1, _e5511), _e5561.member_1, _e5587), _e5637.member_1, _e5663), select(select(select(select(_e5352, _e5409.member_2, _e5435), _e5485.member_2, _e5511), _e5561.member_2, _e5587), _e5637.member_2, _e5663)), select(_e5593, _e5658, _e5664), vec3<f32>(select(select(select(select(_e5355, _e5409.member, _e5436), _e5485.member, _e5512), _e5561.member, _e5588), _e5637.member, _e5664), select(select(select(select(_e5356, _e5409.member_1, _e5436), _e5485.member_1, _e5512), _e5561.member_1, _e5588), _e5637.member_1, _e5664), select(select(select(select(_e5357, _e5409.member_2, _e5436), _e5485.member_2, _e5512), _e5561.member_2, _e5588), _e5637.member_2, _e5664)), select(_e5597, _e5631, _e5659), select(_e5599, _e5632, (_e5632 > _e5599)), vec3<f32>(select(select(select(select(_e5362, _e5409.member, _e5431), _e5485.member, _e5507), _e5561.member, _e5583), _e5637.member, _e5659), select(select(select(select(_e5363, _e5409.member_1, _e5431), _e5485.member_1, _e5507), _e5561.member_1, _e5583), _e5637.member_1, _e5659), select(select(select(select(_e5364, _e5409.member_2, _e5431), _e5485.member_2, _e5507), _e5561.member_2, _e5583), _e5637.member_2, _e5659)));
+phi_13447_ = type_34(select(_e5589, _e5654, _e5663), vec3<f32>(select(select(select(select(_e5350, _e5409.member, _e5435), _e5485.member, _e5511), _e5561.member, _e5587), _e5637.member, _e5663), select(select(select(select(_e5351, _e5409.member_1, _e5435), _e5485.member_1, _e5511), _e5561.member_1, _e5587), _e5637.member_1, _e5663), select(select(select(select(_e5352, _e5409.member_2, _e5435), _e5485.member_2, _e5511), _e5561.member_2, _e5587), _e5637.member_2, _e5663)), select(_e5593, _e5658, _e5664), vec3<f32>(select(select(select(select(_e5355, _e5409.member, _e5436), _e5485.member, _e5512), _e5561.member, _e5588), _e5637.member, _e5664), select(select(select(select(_e5356, _e5409.member_1, _e5436), _e5485.member_1, _e5512), _e5561.member_1, _e5588), _e5637.member_1, _e5664), select(select(select(select(_e5357, _e5409.member_2, _e5436), _e5485.member_2, _e5512), _e5561.member_2, _e5588), _e5637.member_2, _e5664)), select(_e5597, _e5631, _e5659), select(_e5599, _e5632, (_e5632 > _e5599)), vec3<f32>(select(select(select(select(_e5362, _e5409.member, _e5431), _e5485.member, _e5507), _e5561.member, _e5583), _e5637.member, _e5659), select(select(select(select(_e5363, _e5409.member_1, _e5431), _e5485.member_1, _e5507), _e5561.member_1, _e5583), _e5637.member_1, _e5659), select(select(select(select(_e5364, _e5409.member_2, _e5431), _e5485.member_2, _e5507), _e5561.member_2, _e5583), _e5637.member_2, _e5659)));
 }
-let _e5684 = phi_13446_;
+let _e5684 = phi_13447_;
 let _e5686 = (_e5684.member_4 < 0f);
 let _e5688 = (_e5684.member_5 < 0f);
 let _e5689 = (_e5686 != _e5688);
 if _e5686 {
-phi_13459_ = _e5684.member_3;
-phi_13460_ = _e5684.member_2;
+phi_13460_ = _e5684.member_3;
+phi_13461_ = _e5684.member_2;
 } else {
-phi_13459_ = _e5684.member_1;
-phi_13460_ = _e5684.member;
+phi_13460_ = _e5684.member_1;
+phi_13461_ = _e5684.member;
 }
-let _e5695 = phi_13459_;
-let _e5697 = phi_13460_;
+let _e5695 = phi_13460_;
+let _e5697 = phi_13461_;
 let _e5706 = (((_e5106.member * _e5106.member) + (_e5106.member_1 * _e5106.member_1)) + (_e5106.member_2 * _e5106.member_2));
 let _e5709 = sqrt(select(0f, _e5706, (_e5706 > 0f)));
 let _e5710 = ((1.5f * _e1127) * _e5709);
@@ -2023,7 +2031,7 @@ let _e5828 = (_e5822 + _e3119);
 let _e5829 = (_e5822 + _e3170);
 let _e5830 = (_e5824 + _e3123);
 let _e5831 = (_e5824 + _e3173);
-local_2 = type_30(array<i32, 4>(_e5819, (_e5819 + 1i), (_e5819 + 2i), (_e5819 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_31(array<i32, 4>(_e5819, (_e5819 + 1i), (_e5819 + 2i), (_e5819 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e5743 - f32(_e5766)), (_e5747 - f32(_e5781)), (_e5751 - f32(_e5796)));
 let _e5842 = (_e5830 + _e5828);
 let _e5845 = local_2.member[1u];
@@ -2259,7 +2267,7 @@ let _e6498 = select(select(select(select(select(select(0f, _e5106.member, _e5160
 let _e6499 = select(select(select(select(select(select(0f, _e5106.member_1, _e5160), _e5106.member_1, _e5200), _e5114.member_1, _e5239), _e5114.member_1, _e5279), _e5122.member_1, _e5318), _e5122.member_1, _e5360);
 let _e6500 = select(select(select(select(select(select(1f, _e5106.member_2, _e5160), _e5106.member_2, _e5200), _e5114.member_2, _e5239), _e5114.member_2, _e5279), _e5122.member_2, _e5318), _e5122.member_2, _e5360);
 if _e3322 {
-phi_16039_ = type_33(_e6486, vec3<f32>(_e6487, _e6488, _e6489), _e6491, vec3<f32>(_e6492, _e6493, _e6494), _e5361, _e6497, vec3<f32>(_e6498, _e6499, _e6500));
+phi_16040_ = type_34(_e6486, vec3<f32>(_e6487, _e6488, _e6489), _e6491, vec3<f32>(_e6492, _e6493, _e6494), _e5361, _e6497, vec3<f32>(_e6498, _e6499, _e6500));
 } else {
 let _e6506 = global_1.member.member_14.member_1;
 let _e6507 = (_e6506 != 0u);
@@ -2337,9 +2345,9 @@ let _e6786 = select(2f, select(0f, _e6778, (_e6759 < 0f)), (_e6760 > 0f));
 let _e6787 = (_e6759 > _e6725);
 let _e6791 = ((_e6782 > _e6717) || ((_e6782 == _e6717) && _e6787));
 let _e6792 = (_e6786 < _e6721);
-phi_16039_ = type_33(select(_e6717, _e6782, _e6791), vec3<f32>(select(select(select(select(_e6487, _e6537.member, _e6563), _e6613.member, _e6639), _e6689.member, _e6715), _e6765.member, _e6791), select(select(select(select(_e6488, _e6537.member_1, _e6563), _e6613.member_1, _e6639), _e6689.member_1, _e6715), _e6765.member_1, _e6791), select(select(select(select(_e6489, _e6537.member_2, _e6563), _e6613.member_2, _e6639), _e6689.member_2, _e6715), _e6765.member_2, _e6791)), select(_e6721, _e6786, _e6792), vec3<f32>(select(select(select(select(_e6492, _e6537.member, _e6564), _e6613.member, _e6640), _e6689.member, _e6716), _e6765.member, _e6792), select(select(select(select(_e6493, _e6537.member_1, _e6564), _e6613.member_1, _e6640), _e6689.member_1, _e6716), _e6765.member_1, _e6792), select(select(select(select(_e6494, _e6537.member_2, _e6564), _e6613.member_2, _e6640), _e6689.member_2, _e6716), _e6765.member_2, _e6792)), select(_e6725, _e6759, _e6787), select(_e6727, _e6760, (_e6760 > _e6727)), vec3<f32>(select(select(select(select(_e6498, _e6537.member, _e6559), _e6613.member, _e6635), _e6689.member, _e6711), _e6765.member, _e6787), select(select(select(select(_e6499, _e6537.member_1, _e6559), _e6613.member_1, _e6635), _e6689.member_1, _e6711), _e6765.member_1, _e6787), select(select(select(select(_e6500, _e6537.member_2, _e6559), _e6613.member_2, _e6635), _e6689.member_2, _e6711), _e6765.member_2, _e6787)));
+phi_16040_ = type_34(select(_e6717, _e6782, _e6791), vec3<f32>(select(select(select(select(_e6487, _e6537.member, _e6563), _e6613.member, _e6639), _e6689.member, _e6715), _e6765.member, _e6791), select(select(select(select(_e6488, _e6537.member_1, _e6563), _e6613.member_1, _e6639), _e6689.member_1, _e6715), _e6765.member_1, _e6791), select(select(select(select(_e6489, _e6537.member_2, _e6563), _e6613.member_2, _e6639), _e6689.member_2, _e6715), _e6765.member_2, _e6791)), select(_e6721, _e6786, _e6792), vec3<f32>(select(select(select(select(_e6492, _e6537.member, _e6564), _e6613.member, _e6640), _e6689.member, _e6716), _e6765.member, _e6792), select(select(select(select(_e6493, _e6537.member_1, _e6564), _e6613.member_1, _e6640), _e6689.member_1, _e6716), _e6765.member_1, _e6792), select(select(select(select(_e6494, _e6537.member_2, _e6564), _e6613.member_2, _e6640), _e6689.member_2, _e6716), _e6765.member_2, _e6792)), select(_e6725, _e6759, _e6787), select(_e6727, _e6760, (_e6760 > _e6727)), vec3<f32>(select(select(select(select(_e6498, _e6537.member, _e6559), _e6613.member, _e6635), _e6689.member, _e6711), _e6765.member, _e6787), select(select(select(select(_e6499, _e6537.member_1, _e6559), _e6613.member_1, _e6635), _e6689.member_1, _e6711), _e6765.member_1, _e6787), select(select(select(select(_e6500, _e6537.member_2, _e6559), _e6613.member_2, _e6635), _e6689.member_2, _e6711), _e6765.member_2, _e6787)));
 }
-let _e6812 = phi_16039_;
+let _e6812 = phi_16040_;
 let _e6821 = global_1.member.member_5.member_4;
 let _e6824 = (_e3040.member_3.x * _e3525.member_2);
 let _e6826 = (_e3040.member_3.y * _e3525.member_2);
@@ -2364,14 +2372,14 @@ let _e6883 = (_e6249 + ((_e3040.member_4.z * _e3525.member_2) * _e6261));
 let _e6885 = (_e6883 * _e6883);
 let _e6894 = ((_e3320 & 1u) != 0u);
 let _e6899 = (select(_e6867, ((_e6883 <= 0f) || (_e6885 <= (_e6857 * (((_e6881 * _e6881) + (_e6882 * _e6882)) + _e6885)))), _e6894) || (_e6246 && ((_e6222 && _e5689) || (_e5689 && (_e6249 <= 0f)))));
-phi_16191_ = vec3<f32>(select(select(select(_e6851, _e6833, _e6867), _e6881, _e6894), _e233, _e6899), select(select(select(_e6852, _e6834, _e6867), _e6882, _e6894), _e244, _e6899), select(select(select(_e6853, _e6835, _e6867), _e6883, _e6894), _e255, _e6899));
-phi_16192_ = select(1f, 0f, _e6899);
+phi_16192_ = vec3<f32>(select(select(select(_e6851, _e6833, _e6867), _e6881, _e6894), _e233, _e6899), select(select(select(_e6852, _e6834, _e6867), _e6882, _e6894), _e244, _e6899), select(select(select(_e6853, _e6835, _e6867), _e6883, _e6894), _e255, _e6899));
+phi_16193_ = select(1f, 0f, _e6899);
 } else {
-phi_16191_ = vec3<f32>(_e233, _e244, _e255);
-phi_16192_ = 1f;
+phi_16192_ = vec3<f32>(_e233, _e244, _e255);
+phi_16193_ = 1f;
 }
-let _e6906 = phi_16191_;
-let _e6908 = phi_16192_;
+let _e6906 = phi_16192_;
+let _e6908 = phi_16193_;
 let _e6911 = (_e5101.member * _e6908);
 global_2.member[_e190] = (_e201 * (_e5101.member_2.x * _e6911));
 global_2.member[_e202] = (_e211 * (_e5101.member_2.y * _e6911));

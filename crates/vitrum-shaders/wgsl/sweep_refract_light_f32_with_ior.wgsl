@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_24 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_25 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_23,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_15,
+member_18: type_23,
+member_19: type_5,
+member_20: type_24,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_25 {
+struct type_26 {
 member: type_7,
 member_1: u32,
 }
-struct type_26 {
+struct type_27 {
 member: type_2,
 member_1: u32,
 member_2: type_18,
@@ -141,39 +149,39 @@ member_6: type_20,
 member_7: type_20,
 member_8: type_21,
 member_9: type_22,
-member_10: type_24,
+member_10: type_25,
 member_11: type_19,
 member_12: type_4,
 member_13: type_9,
-member_14: type_25,
-member_15: type_25,
-member_16: type_25,
-member_17: type_25,
+member_14: type_26,
+member_15: type_26,
+member_16: type_26,
+member_17: type_26,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
-member: type_26,
+struct type_28 {
+member: type_27,
 }
-struct type_30 {
+struct type_31 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -182,7 +190,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_34 {
+struct type_35 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
@@ -190,7 +198,7 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_27;
+var<storage> global_1: type_28;
 @group(0) @binding(6)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
@@ -206,15 +214,15 @@ var<storage> global_7: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_30;
+var local_2: type_31;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_30;
+var local_8: type_31;
 var local_9: vec3<f32>;
-var local_10: type_30;
+var local_10: type_31;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -230,25 +238,25 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_30;
+var local_26: type_31;
 var local_27: vec3<f32>;
-var local_28: type_30;
+var local_28: type_31;
 var local_29: vec3<f32>;
-var phi_901_: bool;
-var phi_1081_: bool;
-var phi_1084_: bool;
-var phi_1268_: bool;
-var phi_1892_: u32;
-var phi_8608_: type_31;
-var phi_9255_: type_32;
-var phi_10089_: type_5;
-var phi_13817_: type_34;
-var phi_15136_: type_33;
-var phi_15149_: vec3<f32>;
-var phi_15150_: f32;
-var phi_17766_: type_33;
-var phi_17918_: vec3<f32>;
-var phi_17919_: f32;
+var phi_902_: bool;
+var phi_1082_: bool;
+var phi_1085_: bool;
+var phi_1269_: bool;
+var phi_1893_: u32;
+var phi_8609_: type_32;
+var phi_9256_: type_33;
+var phi_10090_: type_5;
+var phi_13818_: type_35;
+var phi_15137_: type_34;
+var phi_15150_: vec3<f32>;
+var phi_15151_: f32;
+var phi_17767_: type_34;
+var phi_17919_: vec3<f32>;
+var phi_17920_: f32;
 let _e157 = global;
 let _e160 = arrayLength((&global_3.member));
 let _e163 = arrayLength((&global_5.member));
@@ -369,7 +377,7 @@ let _e603 = ((((_e542 >= _e573) && (_e542 <= _e581)) && ((_e557 >= _e573) && (_e
 let _e606 = global_1.member.member_1;
 let _e608 = ((_e606 & 16u) == 0u);
 if _e608 {
-phi_901_ = _e603;
+phi_902_ = _e603;
 } else {
 let _e613 = global_1.member.member_14.member;
 let _e625 = -((_e401 / _e394));
@@ -380,9 +388,9 @@ let _e659 = global_1.member.member_16.member;
 let _e675 = global_1.member.member_16.member_1;
 let _e682 = global_1.member.member_17.member;
 let _e698 = global_1.member.member_17.member_1;
-phi_901_ = (_e603 && (((((((((_e613.member.member * _e349) + (_e613.member.member_1 * _e362)) + (_e613.member.member_2 * _e327)) + _e613.member_1) <= _e625) || (_e630 == 0u)) && ((((((_e636.member.member * _e349) + (_e636.member.member_1 * _e362)) + (_e636.member.member_2 * _e327)) + _e636.member_1) <= _e625) || (_e652 == 0u))) && ((((((_e659.member.member * _e349) + (_e659.member.member_1 * _e362)) + (_e659.member.member_2 * _e327)) + _e659.member_1) <= _e625) || (_e675 == 0u))) && ((((((_e682.member.member * _e349) + (_e682.member.member_1 * _e362)) + (_e682.member.member_2 * _e327)) + _e682.member_1) <= _e625) || (_e698 == 0u))));
+phi_902_ = (_e603 && (((((((((_e613.member.member * _e349) + (_e613.member.member_1 * _e362)) + (_e613.member.member_2 * _e327)) + _e613.member_1) <= _e625) || (_e630 == 0u)) && ((((((_e636.member.member * _e349) + (_e636.member.member_1 * _e362)) + (_e636.member.member_2 * _e327)) + _e636.member_1) <= _e625) || (_e652 == 0u))) && ((((((_e659.member.member * _e349) + (_e659.member.member_1 * _e362)) + (_e659.member.member_2 * _e327)) + _e659.member_1) <= _e625) || (_e675 == 0u))) && ((((((_e682.member.member * _e349) + (_e682.member.member_1 * _e362)) + (_e682.member.member_2 * _e327)) + _e682.member_1) <= _e625) || (_e698 == 0u))));
 }
-let _e704 = phi_901_;
+let _e704 = phi_902_;
 let _e708 = (_e372 + (_e372 - _e349));
 let _e709 = (_e377 + (_e377 - _e362));
 let _e710 = (_e366 + (_e366 - _e327));
@@ -391,7 +399,7 @@ let _e722 = ((((_e546.member.member * _e708) + (_e546.member.member_1 * _e709)) 
 let _e728 = ((((_e561.member.member * _e708) + (_e561.member.member_1 * _e709)) + (_e561.member.member_2 * _e710)) + _e561.member_1);
 let _e739 = ((((_e716 >= _e573) && (_e716 <= _e581)) && ((_e722 >= _e573) && (_e722 <= _e590))) && ((_e728 >= _e573) && (_e728 <= _e600)));
 if _e608 {
-phi_1081_ = _e739;
+phi_1082_ = _e739;
 } else {
 let _e744 = global_1.member.member_14.member;
 let _e756 = -((_e401 / _e394));
@@ -402,14 +410,14 @@ let _e790 = global_1.member.member_16.member;
 let _e806 = global_1.member.member_16.member_1;
 let _e813 = global_1.member.member_17.member;
 let _e829 = global_1.member.member_17.member_1;
-phi_1081_ = (_e739 && (((((((((_e744.member.member * _e708) + (_e744.member.member_1 * _e709)) + (_e744.member.member_2 * _e710)) + _e744.member_1) <= _e756) || (_e761 == 0u)) && ((((((_e767.member.member * _e708) + (_e767.member.member_1 * _e709)) + (_e767.member.member_2 * _e710)) + _e767.member_1) <= _e756) || (_e783 == 0u))) && ((((((_e790.member.member * _e708) + (_e790.member.member_1 * _e709)) + (_e790.member.member_2 * _e710)) + _e790.member_1) <= _e756) || (_e806 == 0u))) && ((((((_e813.member.member * _e708) + (_e813.member.member_1 * _e709)) + (_e813.member.member_2 * _e710)) + _e813.member_1) <= _e756) || (_e829 == 0u))));
+phi_1082_ = (_e739 && (((((((((_e744.member.member * _e708) + (_e744.member.member_1 * _e709)) + (_e744.member.member_2 * _e710)) + _e744.member_1) <= _e756) || (_e761 == 0u)) && ((((((_e767.member.member * _e708) + (_e767.member.member_1 * _e709)) + (_e767.member.member_2 * _e710)) + _e767.member_1) <= _e756) || (_e783 == 0u))) && ((((((_e790.member.member * _e708) + (_e790.member.member_1 * _e709)) + (_e790.member.member_2 * _e710)) + _e790.member_1) <= _e756) || (_e806 == 0u))) && ((((((_e813.member.member * _e708) + (_e813.member.member_1 * _e709)) + (_e813.member.member_2 * _e710)) + _e813.member_1) <= _e756) || (_e829 == 0u))));
 }
-let _e835 = phi_1081_;
-phi_1084_ = (_e518 && (_e704 && _e835));
+let _e835 = phi_1082_;
+phi_1085_ = (_e518 && (_e704 && _e835));
 } else {
-phi_1084_ = _e518;
+phi_1085_ = _e518;
 }
-let _e839 = phi_1084_;
+let _e839 = phi_1085_;
 let _e844 = global_1.member.member_7.member;
 let _e855 = ((((_e844.member.member * _e412) + (_e844.member.member_1 * _e413)) + (_e844.member.member_2 * _e414)) + _e844.member_1);
 let _e859 = global_1.member.member_7.member_1;
@@ -424,7 +432,7 @@ let _e911 = global_1.member.member_7.member_3.member_2;
 let _e916 = ((((_e855 >= _e886) && (_e855 <= (_e892 - _e887))) && ((_e870 >= _e886) && (_e870 <= (_e901 - _e887)))) && ((_e885 >= _e886) && (_e885 <= (_e911 - _e887))));
 let _e919 = global_1.member.member_1;
 if ((_e919 & 16u) == 0u) {
-phi_1268_ = _e916;
+phi_1269_ = _e916;
 } else {
 let _e926 = global_1.member.member_14.member;
 let _e938 = -((_e401 / _e394));
@@ -435,9 +443,9 @@ let _e972 = global_1.member.member_16.member;
 let _e988 = global_1.member.member_16.member_1;
 let _e995 = global_1.member.member_17.member;
 let _e1011 = global_1.member.member_17.member_1;
-phi_1268_ = (_e916 && (((((((((_e926.member.member * _e412) + (_e926.member.member_1 * _e413)) + (_e926.member.member_2 * _e414)) + _e926.member_1) <= _e938) || (_e943 == 0u)) && ((((((_e949.member.member * _e412) + (_e949.member.member_1 * _e413)) + (_e949.member.member_2 * _e414)) + _e949.member_1) <= _e938) || (_e965 == 0u))) && ((((((_e972.member.member * _e412) + (_e972.member.member_1 * _e413)) + (_e972.member.member_2 * _e414)) + _e972.member_1) <= _e938) || (_e988 == 0u))) && ((((((_e995.member.member * _e412) + (_e995.member.member_1 * _e413)) + (_e995.member.member_2 * _e414)) + _e995.member_1) <= _e938) || (_e1011 == 0u))));
+phi_1269_ = (_e916 && (((((((((_e926.member.member * _e412) + (_e926.member.member_1 * _e413)) + (_e926.member.member_2 * _e414)) + _e926.member_1) <= _e938) || (_e943 == 0u)) && ((((((_e949.member.member * _e412) + (_e949.member.member_1 * _e413)) + (_e949.member.member_2 * _e414)) + _e949.member_1) <= _e938) || (_e965 == 0u))) && ((((((_e972.member.member * _e412) + (_e972.member.member_1 * _e413)) + (_e972.member.member_2 * _e414)) + _e972.member_1) <= _e938) || (_e988 == 0u))) && ((((((_e995.member.member * _e412) + (_e995.member.member_1 * _e413)) + (_e995.member.member_2 * _e414)) + _e995.member_1) <= _e938) || (_e1011 == 0u))));
 }
-let _e1017 = phi_1268_;
+let _e1017 = phi_1269_;
 let _e1024 = global_1.member.member_6.member_4;
 let _e1025 = (_e483 - 0.5f);
 let _e1027 = select(-0.5f, _e465, (_e465 > -0.5f));
@@ -521,11 +529,11 @@ let _e1334 = global_1.member.member_7.member_10;
 let _e1340 = ((bitcast<i32>(_e1334) + ((_e1269 - select(0i, 1i, (_e1262 < f32(_e1269)))) >> bitcast<u32>(_e1278))) + (bitcast<i32>(_e1323) * (((_e1293 - select(0i, 1i, (_e1286 < f32(_e1293)))) >> bitcast<u32>(_e1278)) + (bitcast<i32>(_e1329) * ((_e1312 - select(0i, 1i, (_e1305 < f32(_e1312)))) >> bitcast<u32>(_e1278))))));
 let _e1342 = select(_e1156, _e1340, (_e1340 < _e1156));
 let _e1348 = global_6.member[bitcast<u32>(select(0i, _e1342, (_e1342 > 0i)))];
-phi_1892_ = select(select(7u, 3u, (_e839 && (!(_e527) || _e1017))), 1u, (((_e919 & 64u) != 0u) || ((((select(_e1053, _e1050, (_e1050 > _e1053)) <= _e1024) && ((select(_e1070, _e1067, (_e1067 > _e1070)) > _e1024) || (_e1164 != 0u))) && ((select(_e1236, _e1233, (_e1233 > _e1236)) <= _e1207) && ((select(_e1253, _e1250, (_e1250 > _e1253)) > _e1207) || (_e1348 != 0u)))) && ((_e919 & 32u) != 0u))));
+phi_1893_ = select(select(7u, 3u, (_e839 && (!(_e527) || _e1017))), 1u, (((_e919 & 64u) != 0u) || ((((select(_e1053, _e1050, (_e1050 > _e1053)) <= _e1024) && ((select(_e1070, _e1067, (_e1067 > _e1070)) > _e1024) || (_e1164 != 0u))) && ((select(_e1236, _e1233, (_e1233 > _e1236)) <= _e1207) && ((select(_e1253, _e1250, (_e1250 > _e1253)) > _e1207) || (_e1348 != 0u)))) && ((_e919 & 32u) != 0u))));
 } else {
-phi_1892_ = 7u;
+phi_1893_ = 7u;
 }
-let _e1361 = phi_1892_;
+let _e1361 = phi_1893_;
 if (_e1361 > 1u) {
 let _e1366 = bitcast<i32>(((_e188 * _e296) + _e186));
 let _e1369 = (bitcast<i32>(_e170) - 1i);
@@ -607,7 +615,7 @@ let _e1692 = (select(0i, _e1623, (_e1623 > 0i)) * _e1642);
 let _e1693 = (select(_e1654, _e1657, (_e1657 < _e1654)) * _e1642);
 let _e1694 = (select(0i, _e1638, (_e1638 > 0i)) * _e1646);
 let _e1695 = (select(_e1667, _e1670, (_e1670 < _e1667)) * _e1646);
-local_28 = type_30(array<i32, 4>(select(0i, _e1681, (_e1681 > 0i)), select(0i, _e1608, (_e1608 > 0i)), select(_e1680, _e1686, (_e1686 < _e1680)), select(_e1680, _e1689, (_e1689 < _e1680))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_28 = type_31(array<i32, 4>(select(0i, _e1681, (_e1681 > 0i)), select(0i, _e1608, (_e1608 > 0i)), select(_e1680, _e1686, (_e1686 < _e1680)), select(_e1680, _e1689, (_e1689 < _e1680))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_29 = vec3<f32>((_e1573 - f32(_e1608)), (_e1583 - f32(_e1623)), (_e1593 - f32(_e1638)));
 let _e1706 = (_e1694 + _e1692);
 let _e1708 = (bitcast<i32>(_e160) - 1i);
@@ -711,7 +719,7 @@ let _e1985 = (select(0i, _e1951, (_e1951 > 0i)) * _e1923);
 let _e1986 = (select(0i, _e1915, (_e1915 > 0i)) * _e1923);
 let _e1987 = (select(_e1950, _e1956, (_e1956 < _e1950)) * _e1923);
 let _e1988 = (select(_e1950, _e1959, (_e1959 < _e1950)) * _e1923);
-local_26 = type_30(array<i32, 4>(select(0i, _e1970, (_e1970 > 0i)), select(0i, _e1885, (_e1885 > 0i)), select(_e1969, _e1975, (_e1975 < _e1969)), select(_e1969, _e1978, (_e1978 < _e1969))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_26 = type_31(array<i32, 4>(select(0i, _e1970, (_e1970 > 0i)), select(0i, _e1885, (_e1885 > 0i)), select(_e1969, _e1975, (_e1975 < _e1969)), select(_e1969, _e1978, (_e1978 < _e1969))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_27 = vec3<f32>((_e1850 - f32(_e1885)), (_e1860 - f32(_e1900)), (_e1870 - f32(_e1915)));
 let _e1999 = (_e1986 + _e1982);
 let _e2002 = local_26.member[0u];
@@ -1041,7 +1049,7 @@ if _e1562 {
 let _e2789 = ((0.5f * (_e2524 - _e2518)) * _e2782);
 let _e2790 = ((0.5f * (_e2536 - _e2530)) * _e2782);
 let _e2791 = ((0.5f * (_e2548 - _e2542)) * _e2782);
-phi_8608_ = type_31(_e2744, vec3<f32>(_e2789, _e2790, _e2791), vec3<f32>((_e2789 * _e2744), (_e2790 * _e2744), (_e2791 * _e2744)));
+phi_8609_ = type_32(_e2744, vec3<f32>(_e2789, _e2790, _e2791), vec3<f32>((_e2789 * _e2744), (_e2790 * _e2744), (_e2791 * _e2744)));
 } else {
 local_22 = _e2518;
 let _e2798 = local_22;
@@ -1190,9 +1198,9 @@ let _e3223 = ((_e2729 + (f32(bitcast<i32>((_e3208 >> bitcast<u32>(12u)))) * _e27
 let _e3224 = (_e2939 - _e2868);
 let _e3226 = (_e3081 - _e3010);
 let _e3228 = (_e3223 - _e3152);
-phi_8608_ = type_31(_e2744, vec3<f32>((0.5f * _e3224), (0.5f * _e3226), (0.5f * _e3228)), vec3<f32>((0.25f * (_e3224 * (_e2939 + _e2868))), (0.25f * (_e3226 * (_e3081 + _e3010))), (0.25f * (_e3228 * (_e3223 + _e3152)))));
+phi_8609_ = type_32(_e2744, vec3<f32>((0.5f * _e3224), (0.5f * _e3226), (0.5f * _e3228)), vec3<f32>((0.25f * (_e3224 * (_e2939 + _e2868))), (0.25f * (_e3226 * (_e3081 + _e3010))), (0.25f * (_e3228 * (_e3223 + _e3152)))));
 }
-let _e3243 = phi_8608_;
+let _e3243 = phi_8609_;
 let _e3258 = select(0f, 1f, ((((((_e1524 >= -0.5f) && (_e1524 <= _e1846)) && (_e1539 >= -0.5f)) && (_e1539 <= _e1856)) && (_e1554 >= -0.5f)) && (_e1554 <= _e1866)));
 let _e3260 = (0.5f * (_e2524 - _e2518));
 let _e3262 = (0.5f * (_e2536 - _e2530));
@@ -1206,7 +1214,7 @@ let _e3300 = global_1.member.member_7.member_1.member.member_2;
 let _e3306 = global_1.member.member_7.member_2.member.member;
 let _e3312 = global_1.member.member_7.member_2.member.member_1;
 let _e3318 = global_1.member.member_7.member_2.member.member_2;
-phi_9255_ = type_32(select(1e9f, _e1838, (_e1838 < 1e9f)), vec3<f32>(((((_e3270 * _e3260) + (_e3288 * _e3262)) + (_e3306 * _e3264)) * _e3258), ((((_e3276 * _e3260) + (_e3294 * _e3262)) + (_e3312 * _e3264)) * _e3258), ((((_e3282 * _e3260) + (_e3300 * _e3262)) + (_e3318 * _e3264)) * _e3258)), _e3243.member, vec3<f32>(((((_e3270 * _e3243.member_2.x) + (_e3288 * _e3243.member_2.y)) + (_e3306 * _e3243.member_2.z)) * _e3258), ((((_e3276 * _e3243.member_2.x) + (_e3294 * _e3243.member_2.y)) + (_e3312 * _e3243.member_2.z)) * _e3258), ((((_e3282 * _e3243.member_2.x) + (_e3300 * _e3243.member_2.y)) + (_e3318 * _e3243.member_2.z)) * _e3258)), vec3<f32>(((((_e3270 * _e3243.member_1.x) + (_e3288 * _e3243.member_1.y)) + (_e3306 * _e3243.member_1.z)) * _e3258), ((((_e3276 * _e3243.member_1.x) + (_e3294 * _e3243.member_1.y)) + (_e3312 * _e3243.member_1.z)) * _e3258), ((((_e3282 * _e3243.member_1.x) + (_e3300 * _e3243.member_1.y)) + (_e3318 * _e3243.member_1.z)) * _e3258)));
+phi_9256_ = type_33(select(1e9f, _e1838, (_e1838 < 1e9f)), vec3<f32>(((((_e3270 * _e3260) + (_e3288 * _e3262)) + (_e3306 * _e3264)) * _e3258), ((((_e3276 * _e3260) + (_e3294 * _e3262)) + (_e3312 * _e3264)) * _e3258), ((((_e3282 * _e3260) + (_e3300 * _e3262)) + (_e3318 * _e3264)) * _e3258)), _e3243.member, vec3<f32>(((((_e3270 * _e3243.member_2.x) + (_e3288 * _e3243.member_2.y)) + (_e3306 * _e3243.member_2.z)) * _e3258), ((((_e3276 * _e3243.member_2.x) + (_e3294 * _e3243.member_2.y)) + (_e3312 * _e3243.member_2.z)) * _e3258), ((((_e3282 * _e3243.member_2.x) + (_e3300 * _e3243.member_2.y)) + (_e3318 * _e3243.member_2.z)) * _e3258)), vec3<f32>(((((_e3270 * _e3243.member_1.x) + (_e3288 * _e3243.member_1.y)) + (_e3306 * _e3243.member_1.z)) * _e3258), ((((_e3276 * _e3243.member_1.x) + (_e3294 * _e3243.member_1.y)) + (_e3312 * _e3243.member_1.z)) * _e3258), ((((_e3282 * _e3243.member_1.x) + (_e3300 * _e3243.member_1.y)) + (_e3318 * _e3243.member_1.z)) * _e3258)));
 } else {
 let _e3387 = global_1.member.member_6.member_3.member;
 let _e3388 = (_e3387 - 0.5f);
@@ -1246,7 +1254,7 @@ let _e3511 = (select(0i, _e3442, (_e3442 > 0i)) * _e3461);
 let _e3512 = (select(_e3473, _e3476, (_e3476 < _e3473)) * _e3461);
 let _e3513 = (select(0i, _e3457, (_e3457 > 0i)) * _e3465);
 let _e3514 = (select(_e3486, _e3489, (_e3489 < _e3486)) * _e3465);
-local_10 = type_30(array<i32, 4>(select(0i, _e3500, (_e3500 > 0i)), select(0i, _e3427, (_e3427 > 0i)), select(_e3499, _e3505, (_e3505 < _e3499)), select(_e3499, _e3508, (_e3508 < _e3499))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_10 = type_31(array<i32, 4>(select(0i, _e3500, (_e3500 > 0i)), select(0i, _e3427, (_e3427 > 0i)), select(_e3499, _e3505, (_e3505 < _e3499)), select(_e3499, _e3508, (_e3508 < _e3499))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_11 = vec3<f32>((_e3392 - f32(_e3427)), (_e3402 - f32(_e3442)), (_e3412 - f32(_e3457)));
 let _e3525 = (_e3513 + _e3511);
 let _e3528 = local_10.member[1u];
@@ -1304,9 +1312,9 @@ let _e3652 = global_1.member.member_6.member_5;
 let _e3654 = (((_e3585 + (((_e3610 + (((_e3621 + ((bitcast<f32>(_e3630) - _e3621) * _e3632)) - _e3610) * _e3636)) - _e3585) * _e3641)) - _e3648) * _e3652);
 let _e3655 = -(1e9f);
 let _e3657 = select(_e3655, _e3654, (_e3654 > _e3655));
-phi_9255_ = type_32(select(1e9f, _e3657, (_e3657 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_9256_ = type_33(select(1e9f, _e3657, (_e3657 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3662 = phi_9255_;
+let _e3662 = phi_9256_;
 let _e3667 = global_1.member.member_6.member_3.member;
 let _e3668 = (_e3667 - 0.5f);
 let _e3670 = select(-0.5f, _e1461, (_e1461 > -0.5f));
@@ -1345,7 +1353,7 @@ let _e3791 = (select(0i, _e3722, (_e3722 > 0i)) * _e3741);
 let _e3792 = (select(_e3753, _e3756, (_e3756 < _e3753)) * _e3741);
 let _e3793 = (select(0i, _e3737, (_e3737 > 0i)) * _e3745);
 let _e3794 = (select(_e3766, _e3769, (_e3769 < _e3766)) * _e3745);
-local_8 = type_30(array<i32, 4>(select(0i, _e3780, (_e3780 > 0i)), select(0i, _e3707, (_e3707 > 0i)), select(_e3779, _e3785, (_e3785 < _e3779)), select(_e3779, _e3788, (_e3788 < _e3779))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_8 = type_31(array<i32, 4>(select(0i, _e3780, (_e3780 > 0i)), select(0i, _e3707, (_e3707 > 0i)), select(_e3779, _e3785, (_e3785 < _e3779)), select(_e3779, _e3788, (_e3788 < _e3779))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_9 = vec3<f32>((_e3672 - f32(_e3707)), (_e3682 - f32(_e3722)), (_e3692 - f32(_e3737)));
 let _e3805 = (_e3793 + _e3791);
 let _e3808 = local_8.member[1u];
@@ -1407,7 +1415,7 @@ let _e3939 = select(1e9f, _e3937, (_e3937 < 1e9f));
 let _e3942 = global_1.member.member_1;
 let _e3944 = ((_e3942 & 16u) == 0u);
 if _e3944 {
-phi_10089_ = type_5(1f, 1f, 1f);
+phi_10090_ = type_5(1f, 1f, 1f);
 } else {
 let _e3948 = global_1.member.member_14.member;
 let _e3959 = ((((_e3948.member.member * _e1418) + (_e3948.member.member_1 * _e1431)) + (_e3948.member.member_2 * _e1396)) + _e3948.member_1);
@@ -1453,9 +1461,9 @@ let _e4126 = select(0f, _e4124, (_e4124 > 0f));
 let _e4132 = select(select(select(1f, _e4126, (_e4126 < 1f)), 1f, (_e4119 <= 0f)), 0f, (_e4117 > 0f));
 let _e4137 = global_1.member.member_17.member_1;
 let _e4138 = (_e4137 != 0u);
-phi_10089_ = type_5(((((1f * _e3982) * _e4032) * _e4082) * _e4132), ((((1f * select(1f, _e3982, _e3988)) * select(1f, _e4032, _e4038)) * select(1f, _e4082, _e4088)) * select(1f, _e4132, _e4138)), ((((1f * select(1f, 0f, (_e3988 && (_e3965 > 0f)))) * select(1f, 0f, (_e4038 && (_e4015 > 0f)))) * select(1f, 0f, (_e4088 && (_e4065 > 0f)))) * select(1f, 0f, (_e4138 && (_e4115 > 0f)))));
+phi_10090_ = type_5(((((1f * _e3982) * _e4032) * _e4082) * _e4132), ((((1f * select(1f, _e3982, _e3988)) * select(1f, _e4032, _e4038)) * select(1f, _e4082, _e4088)) * select(1f, _e4132, _e4138)), ((((1f * select(1f, 0f, (_e3988 && (_e3965 > 0f)))) * select(1f, 0f, (_e4038 && (_e4015 > 0f)))) * select(1f, 0f, (_e4088 && (_e4065 > 0f)))) * select(1f, 0f, (_e4138 && (_e4115 > 0f)))));
 }
-let _e4147 = phi_10089_;
+let _e4147 = phi_10090_;
 let _e4148 = (_e1497 - _e1461);
 let _e4152 = (bitcast<f32>((bitcast<u32>(_e4148) & 2147483647u)) < 1e-12f);
 let _e4154 = (1f / select(_e4148, 1f, _e4152));
@@ -1676,7 +1684,7 @@ let _e4785 = f32(_e4784);
 let _e4789 = ((_e4767 - (_e4785 * 0.6933594f)) - (_e4785 * -2.1219444e-4f));
 let _e4809 = ((1f + (_e4789 * (1f + (_e4789 * (0.5f + (_e4789 * (0.16666667f + (_e4789 * (0.041666668f + (_e4789 * (0.008333334f + (_e4789 * (0.001388889f + (_e4789 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4784 + 127i)) << bitcast<u32>(23i))));
 let _e4810 = (1f - _e4809);
-phi_13817_ = type_34(_e4809, _e4810, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4810 / select(1e-12f, _e4759, (_e4759 > 1e-12f))))));
+phi_13818_ = type_35(_e4809, _e4810, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4810 / select(1e-12f, _e4759, (_e4759 > 1e-12f))))));
 } else {
 local_5 = _e3939;
 let _e4818 = local_5;
@@ -1913,9 +1921,9 @@ let _e5690 = f32(_e5689);
 let _e5694 = ((_e5672 - (_e5690 * 0.6933594f)) - (_e5690 * -2.1219444e-4f));
 let _e5714 = ((1f + (_e5694 * (1f + (_e5694 * (0.5f + (_e5694 * (0.16666667f + (_e5694 * (0.041666668f + (_e5694 * (0.008333334f + (_e5694 * (0.001388889f + (_e5694 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5689 + 127i)) << bitcast<u32>(23i))));
 let _e5715 = (1f - _e5714);
-phi_13817_ = type_34(_e5714, _e5715, vec3<f32>(((1f + (_e5549 * (1f + (_e5549 * (0.5f + (_e5549 * (0.16666667f + (_e5549 * (0.041666668f + (_e5549 * (0.008333334f + (_e5549 * (0.001388889f + (_e5549 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5544 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5597 * (1f + (_e5597 * (0.5f + (_e5597 * (0.16666667f + (_e5597 * (0.041666668f + (_e5597 * (0.008333334f + (_e5597 * (0.001388889f + (_e5597 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5592 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5645 * (1f + (_e5645 * (0.5f + (_e5645 * (0.16666667f + (_e5645 * (0.041666668f + (_e5645 * (0.008333334f + (_e5645 * (0.001388889f + (_e5645 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5640 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5715 / select(1e-12f, _e5309, (_e5309 > 1e-12f))))));
+phi_13818_ = type_35(_e5714, _e5715, vec3<f32>(((1f + (_e5549 * (1f + (_e5549 * (0.5f + (_e5549 * (0.16666667f + (_e5549 * (0.041666668f + (_e5549 * (0.008333334f + (_e5549 * (0.001388889f + (_e5549 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5544 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5597 * (1f + (_e5597 * (0.5f + (_e5597 * (0.16666667f + (_e5597 * (0.041666668f + (_e5597 * (0.008333334f + (_e5597 * (0.001388889f + (_e5597 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5592 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5645 * (1f + (_e5645 * (0.5f + (_e5645 * (0.16666667f + (_e5645 * (0.041666668f + (_e5645 * (0.008333334f + (_e5645 * (0.001388889f + (_e5645 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5640 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5715 / select(1e-12f, _e5309, (_e5309 > 1e-12f))))));
 }
-let _e5723 = phi_13817_;
+let _e5723 = phi_13818_;
 if _e1563 {
 let _e5729 = ((((_e1513.member.member * _e1418) + (_e1513.member.member_1 * _e1431)) + (_e1513.member.member_2 * _e1396)) + _e1513.member_1);
 let _e5735 = ((((_e1528.member.member * _e1418) + (_e1528.member.member_1 * _e1431)) + (_e1528.member.member_2 * _e1396)) + _e1528.member_1);
@@ -2053,7 +2061,7 @@ let _e6023 = select(select(select(select(select(select(0f, _e5746.member, _e5792
 let _e6024 = select(select(select(select(select(select(0f, _e5746.member_1, _e5792), _e5746.member_1, _e5832), _e5754.member_1, _e5878), _e5754.member_1, _e5918), _e5762.member_1, _e5964), _e5762.member_1, _e6004);
 let _e6025 = select(select(select(select(select(select(1f, _e5746.member_2, _e5792), _e5746.member_2, _e5832), _e5754.member_2, _e5878), _e5754.member_2, _e5918), _e5762.member_2, _e5964), _e5762.member_2, _e6004);
 if _e3944 {
-phi_15136_ = type_33(_e6010, vec3<f32>(_e6011, _e6012, _e6013), _e6015, vec3<f32>(_e6016, _e6017, _e6018), _e6020, _e6022, vec3<f32>(_e6023, _e6024, _e6025));
+phi_15137_ = type_34(_e6010, vec3<f32>(_e6011, _e6012, _e6013), _e6015, vec3<f32>(_e6016, _e6017, _e6018), _e6020, _e6022, vec3<f32>(_e6023, _e6024, _e6025));
 } else {
 let _e6032 = (((_e5746.member * _e5746.member) + (_e5746.member_1 * _e5746.member_1)) + (_e5746.member_2 * _e5746.member_2));
 let _e6035 = sqrt(select(0f, _e6032, (_e6032 > 0f)));
@@ -2133,21 +2141,21 @@ let _e6319 = select(2f, select(0f, _e6311, (_e6292 < 0f)), (_e6293 > 0f));
 let _e6320 = (_e6292 > _e6258);
 let _e6324 = ((_e6315 > _e6250) || ((_e6315 == _e6250) && _e6320));
 let _e6325 = (_e6319 < _e6254);
-phi_15136_ = type_33(select(_e6250, _e6315, _e6324), vec3<f32>(select(select(select(select(_e6011, _e6070.member, _e6096), _e6146.member, _e6172), _e6222.member, _e6248), _e6298.member, _e6324), select(select(select(select(_e6012, _e6070.member_1, _e6096), _e6146.member_1, _e6172), _e6222.member_1, _e6248), _e6298.member_1, _e6324), select(select(select(select(_e6013, _e6070.member_2, _e6096), _e6146.member_2, _e6172), _e6222.member_2, _e6248), _e6298.member_2, _e6324)), select(_e6254, _e6319, _e6325), vec3<f32>(select(select(select(select(_e6016, _e6070.member, _e6097), _e6146.member, _e6173), _e6222.member, _e6249), _e6298.member, _e6325), select(select(select(select(_e6017, _e6070.member_1, _e6097), _e6146.member_1, _e6173), _e6222.member_1, _e6249), _e6298.member_1, _e6325), select(select(select(select(_e6018, _e6070.member_2, _e6097), _e6146.member_2, _e6173), _e6222.member_2, _e6249), _e6298.member_2, _e6325)), select(_e6258, _e6292, _e6320), select(_e6260, _e6293, (_e6293 > _e6260)), vec3<f32>(select(select(select(select(_e6023, _e6070.member, _e6092), _e6146.member, _e6168), _e6222.member, _e6244), _e6298.member, _e6320), select(select(select(select(_e6024, _e6070.member_1, _e6092), _e6146.member_1, _e6168), _e6222.member_1, _e6244), _e6298.member_1, _e6320), select(select(select(select(_e6025, _e6070.member_2, _e6092), _e6146.member_2, _e6168), _e6222.member_2, _e6244), _e6298.member_2, _e6320)));
+phi_15137_ = type_34(select(_e6250, _e6315, _e6324), vec3<f32>(select(select(select(select(_e6011, _e6070.member, _e6096), _e6146.member, _e6172), _e6222.member, _e6248), _e6298.member, _e6324), select(select(select(select(_e6012, _e6070.member_1, _e6096), _e6146.member_1, _e6172), _e6222.member_1, _e6248), _e6298.member_1, _e6324), select(select(select(select(_e6013, _e6070.member_2, _e6096), _e6146.member_2, _e6172), _e6222.member_2, _e6248), _e6298.member_2, _e6324)), select(_e6254, _e6319, _e6325), vec3<f32>(select(select(select(select(_e6016, _e6070.member, _e6097), _e6146.member, _e6173), _e6222.member, _e6249), _e6298.member, _e6325), select(select(select(select(_e6017, _e6070.member_1, _e6097), _e6146.member_1, _e6173), _e6222.member_1, _e6249), _e6298.member_1, _e6325), select(select(select(select(_e6018, _e6070.member_2, _e6097), _e6146.member_2, _e6173), _e6222.member_2, _e6249), _e6298.member_2, _e6325)), select(_e6258, _e6292, _e6320), select(_e6260, _e6293, (_e6293 > _e6260)), vec3<f32>(select(select(select(select(_e6023, _e6070.member, _e6092), _e6146.member, _e6168), _e6222.member, _e6244), _e6298.member, _e6320), select(select(select(select(_e6024, _e6070.member_1, _e6092), _e6146.member_1, _e6168), _e6222.member_1, _e6244), _e6298.member_1, _e6320), select(select(select(select(_e6025, _e6070.member_2, _e6092), _e6146.member_2, _e6168), _e6222.member_2, _e6244), _e6298.member_2, _e6320)));
 }
-let _e6345 = phi_15136_;
+let _e6345 = phi_15137_;
 let _e6347 = (_e6345.member_4 < 0f);
 let _e6349 = (_e6345.member_5 < 0f);
 let _e6350 = (_e6347 != _e6349);
 if _e6347 {
-phi_15149_ = _e6345.member_3;
-phi_15150_ = _e6345.member_2;
+phi_15150_ = _e6345.member_3;
+phi_15151_ = _e6345.member_2;
 } else {
-phi_15149_ = _e6345.member_1;
-phi_15150_ = _e6345.member;
+phi_15150_ = _e6345.member_1;
+phi_15151_ = _e6345.member;
 }
-let _e6356 = phi_15149_;
-let _e6358 = phi_15150_;
+let _e6356 = phi_15150_;
+let _e6358 = phi_15151_;
 let _e6367 = (((_e5746.member * _e5746.member) + (_e5746.member_1 * _e5746.member_1)) + (_e5746.member_2 * _e5746.member_2));
 let _e6370 = sqrt(select(0f, _e6367, (_e6367 > 0f)));
 let _e6371 = ((1.5f * _e1416) * _e6370);
@@ -2190,7 +2198,7 @@ let _e6511 = (select(0i, _e6442, (_e6442 > 0i)) * _e6461);
 let _e6512 = (select(_e6473, _e6476, (_e6476 < _e6473)) * _e6461);
 let _e6513 = (select(0i, _e6457, (_e6457 > 0i)) * _e6465);
 let _e6514 = (select(_e6486, _e6489, (_e6489 < _e6486)) * _e6465);
-local_2 = type_30(array<i32, 4>(select(0i, _e6500, (_e6500 > 0i)), select(0i, _e6427, (_e6427 > 0i)), select(_e6499, _e6505, (_e6505 < _e6499)), select(_e6499, _e6508, (_e6508 < _e6499))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_2 = type_31(array<i32, 4>(select(0i, _e6500, (_e6500 > 0i)), select(0i, _e6427, (_e6427 > 0i)), select(_e6499, _e6505, (_e6505 < _e6499)), select(_e6499, _e6508, (_e6508 < _e6499))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_3 = vec3<f32>((_e6404 - f32(_e6427)), (_e6408 - f32(_e6442)), (_e6412 - f32(_e6457)));
 let _e6525 = (_e6513 + _e6511);
 let _e6528 = local_2.member[1u];
@@ -2429,7 +2437,7 @@ let _e7191 = select(select(select(select(select(select(0f, _e5746.member, _e5807
 let _e7192 = select(select(select(select(select(select(0f, _e5746.member_1, _e5807), _e5746.member_1, _e5847), _e5754.member_1, _e5893), _e5754.member_1, _e5933), _e5762.member_1, _e5979), _e5762.member_1, _e6021);
 let _e7193 = select(select(select(select(select(select(1f, _e5746.member_2, _e5807), _e5746.member_2, _e5847), _e5754.member_2, _e5893), _e5754.member_2, _e5933), _e5762.member_2, _e5979), _e5762.member_2, _e6021);
 if _e3944 {
-phi_17766_ = type_33(_e7179, vec3<f32>(_e7180, _e7181, _e7182), _e7184, vec3<f32>(_e7185, _e7186, _e7187), _e6022, _e7190, vec3<f32>(_e7191, _e7192, _e7193));
+phi_17767_ = type_34(_e7179, vec3<f32>(_e7180, _e7181, _e7182), _e7184, vec3<f32>(_e7185, _e7186, _e7187), _e6022, _e7190, vec3<f32>(_e7191, _e7192, _e7193));
 } else {
 let _e7199 = global_1.member.member_14.member_1;
 let _e7200 = (_e7199 != 0u);
@@ -2507,9 +2515,9 @@ let _e7479 = select(2f, select(0f, _e7471, (_e7452 < 0f)), (_e7453 > 0f));
 let _e7480 = (_e7452 > _e7418);
 let _e7484 = ((_e7475 > _e7410) || ((_e7475 == _e7410) && _e7480));
 let _e7485 = (_e7479 < _e7414);
-phi_17766_ = type_33(select(_e7410, _e7475, _e7484), vec3<f32>(select(select(select(select(_e7180, _e7230.member, _e7256), _e7306.member, _e7332), _e7382.member, _e7408), _e7458.member, _e7484), select(select(select(select(_e7181, _e7230.member_1, _e7256), _e7306.member_1, _e7332), _e7382.member_1, _e7408), _e7458.member_1, _e7484), select(select(select(select(_e7182, _e7230.member_2, _e7256), _e7306.member_2, _e7332), _e7382.member_2, _e7408), _e7458.member_2, _e7484)), select(_e7414, _e7479, _e7485), vec3<f32>(select(select(select(select(_e7185, _e7230.member, _e7257), _e7306.member, _e7333), _e7382.member, _e7409), _e7458.member, _e7485), select(select(select(select(_e7186, _e7230.member_1, _e7257), _e7306.member_1, _e7333), _e7382.member_1, _e7409), _e7458.member_1, _e7485), select(select(select(select(_e7187, _e7230.member_2, _e7257), _e7306.member_2, _e7333), _e7382.member_2, _e7409), _e7458.member_2, _e7485)), select(_e7418, _e7452, _e7480), select(_e7420, _e7453, (_e7453 > _e7420)), vec3<f32>(select(select(select(select(_e7191, _e7230.member, _e7252), _e7306.member, _e7328), _e7382.member, _e7404), _e7458.member, _e7480), select(select(select(select(_e7192, _e7230.member_1, _e7252), _e7306.member_1, _e7328), _e7382.member_1, _e7404), _e7458.member_1, _e7480), select(select(select(select(_e7193, _e7230.member_2, _e7252), _e7306.member_2, _e7328), _e7382.member_2, _e7404), _e7458.member_2, _e7480)));
+phi_17767_ = type_34(select(_e7410, _e7475, _e7484), vec3<f32>(select(select(select(select(_e7180, _e7230.member, _e7256), _e7306.member, _e7332), _e7382.member, _e7408), _e7458.member, _e7484), select(select(select(select(_e7181, _e7230.member_1, _e7256), _e7306.member_1, _e7332), _e7382.member_1, _e7408), _e7458.member_1, _e7484), select(select(select(select(_e7182, _e7230.member_2, _e7256), _e7306.member_2, _e7332), _e7382.member_2, _e7408), _e7458.member_2, _e7484)), select(_e7414, _e7479, _e7485), vec3<f32>(select(select(select(select(_e7185, _e7230.member, _e7257), _e7306.member, _e7333), _e7382.member, _e7409), _e7458.member, _e7485), select(select(select(select(_e7186, _e7230.member_1, _e7257), _e7306.member_1, _e7333), _e7382.member_1, _e7409), _e7458.member_1, _e7485), select(select(select(select(_e7187, _e7230.member_2, _e7257), _e7306.member_2, _e7333), _e7382.member_2, _e7409), _e7458.member_2, _e7485)), select(_e7418, _e7452, _e7480), select(_e7420, _e7453, (_e7453 > _e7420)), vec3<f32>(select(select(select(select(_e7191, _e7230.member, _e7252), _e7306.member, _e7328), _e7382.member, _e7404), _e7458.member, _e7480), select(select(select(select(_e7192, _e7230.member_1, _e7252), _e7306.member_1, _e7328), _e7382.member_1, _e7404), _e7458.member_1, _e7480), select(select(select(select(_e7193, _e7230.member_2, _e7252), _e7306.member_2, _e7328), _e7382.member_2, _e7404), _e7458.member_2, _e7480)));
 }
-let _e7505 = phi_17766_;
+let _e7505 = phi_17767_;
 let _e7514 = global_1.member.member_5.member_4;
 let _e7517 = (_e3662.member_3.x * _e4147.member_2);
 let _e7519 = (_e3662.member_3.y * _e4147.member_2);
@@ -2534,14 +2542,14 @@ let _e7576 = (_e6942 + ((_e3662.member_4.z * _e4147.member_2) * _e6954));
 let _e7578 = (_e7576 * _e7576);
 let _e7587 = ((_e3942 & 1u) != 0u);
 let _e7592 = (select(_e7560, ((_e7576 <= 0f) || (_e7578 <= (_e7550 * (((_e7574 * _e7574) + (_e7575 * _e7575)) + _e7578)))), _e7587) || (_e6939 && ((_e6915 && _e6350) || (_e6350 && (_e6942 <= 0f)))));
-phi_17918_ = vec3<f32>(select(select(select(_e7544, _e7526, _e7560), _e7574, _e7587), _e236, _e7592), select(select(select(_e7545, _e7527, _e7560), _e7575, _e7587), _e247, _e7592), select(select(select(_e7546, _e7528, _e7560), _e7576, _e7587), _e258, _e7592));
-phi_17919_ = select(1f, 0f, _e7592);
+phi_17919_ = vec3<f32>(select(select(select(_e7544, _e7526, _e7560), _e7574, _e7587), _e236, _e7592), select(select(select(_e7545, _e7527, _e7560), _e7575, _e7587), _e247, _e7592), select(select(select(_e7546, _e7528, _e7560), _e7576, _e7587), _e258, _e7592));
+phi_17920_ = select(1f, 0f, _e7592);
 } else {
-phi_17918_ = vec3<f32>(_e236, _e247, _e258);
-phi_17919_ = 1f;
+phi_17919_ = vec3<f32>(_e236, _e247, _e258);
+phi_17920_ = 1f;
 }
-let _e7599 = phi_17918_;
-let _e7601 = phi_17919_;
+let _e7599 = phi_17919_;
+let _e7601 = phi_17920_;
 let _e7604 = (_e5723.member * _e7601);
 global_2.member[_e193] = (_e204 * (_e5723.member_2.x * _e7604));
 global_2.member[_e205] = (_e214 * (_e5723.member_2.y * _e7604));

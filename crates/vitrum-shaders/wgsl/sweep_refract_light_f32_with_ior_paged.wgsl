@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_24 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_25 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_23,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_15,
+member_18: type_23,
+member_19: type_5,
+member_20: type_24,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_25 {
+struct type_26 {
 member: type_7,
 member_1: u32,
 }
-struct type_26 {
+struct type_27 {
 member: type_2,
 member_1: u32,
 member_2: type_18,
@@ -141,39 +149,39 @@ member_6: type_20,
 member_7: type_20,
 member_8: type_21,
 member_9: type_22,
-member_10: type_24,
+member_10: type_25,
 member_11: type_19,
 member_12: type_4,
 member_13: type_9,
-member_14: type_25,
-member_15: type_25,
-member_16: type_25,
-member_17: type_25,
+member_14: type_26,
+member_15: type_26,
+member_16: type_26,
+member_17: type_26,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
-member: type_26,
+struct type_28 {
+member: type_27,
 }
-struct type_30 {
+struct type_31 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -182,7 +190,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_34 {
+struct type_35 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
@@ -190,7 +198,7 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_27;
+var<storage> global_1: type_28;
 @group(0) @binding(6)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
@@ -206,15 +214,15 @@ var<storage> global_7: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_30;
+var local_2: type_31;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_30;
+var local_8: type_31;
 var local_9: vec3<f32>;
-var local_10: type_30;
+var local_10: type_31;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -230,25 +238,25 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_30;
+var local_26: type_31;
 var local_27: vec3<f32>;
-var local_28: type_30;
+var local_28: type_31;
 var local_29: vec3<f32>;
-var phi_904_: bool;
-var phi_1084_: bool;
-var phi_1087_: bool;
-var phi_1271_: bool;
-var phi_1895_: u32;
-var phi_8489_: type_31;
-var phi_9099_: type_32;
-var phi_9896_: type_5;
-var phi_13624_: type_34;
-var phi_14943_: type_33;
-var phi_14956_: vec3<f32>;
-var phi_14957_: f32;
-var phi_17536_: type_33;
-var phi_17688_: vec3<f32>;
-var phi_17689_: f32;
+var phi_905_: bool;
+var phi_1085_: bool;
+var phi_1088_: bool;
+var phi_1272_: bool;
+var phi_1896_: u32;
+var phi_8490_: type_32;
+var phi_9100_: type_33;
+var phi_9897_: type_5;
+var phi_13625_: type_35;
+var phi_14944_: type_34;
+var phi_14957_: vec3<f32>;
+var phi_14958_: f32;
+var phi_17537_: type_34;
+var phi_17689_: vec3<f32>;
+var phi_17690_: f32;
 let _e159 = global;
 let _e162 = arrayLength((&global_3.member));
 let _e165 = arrayLength((&global_5.member));
@@ -369,7 +377,7 @@ let _e605 = ((((_e544 >= _e575) && (_e544 <= _e583)) && ((_e559 >= _e575) && (_e
 let _e608 = global_1.member.member_1;
 let _e610 = ((_e608 & 16u) == 0u);
 if _e610 {
-phi_904_ = _e605;
+phi_905_ = _e605;
 } else {
 let _e615 = global_1.member.member_14.member;
 let _e627 = -((_e403 / _e396));
@@ -380,9 +388,9 @@ let _e661 = global_1.member.member_16.member;
 let _e677 = global_1.member.member_16.member_1;
 let _e684 = global_1.member.member_17.member;
 let _e700 = global_1.member.member_17.member_1;
-phi_904_ = (_e605 && (((((((((_e615.member.member * _e351) + (_e615.member.member_1 * _e364)) + (_e615.member.member_2 * _e329)) + _e615.member_1) <= _e627) || (_e632 == 0u)) && ((((((_e638.member.member * _e351) + (_e638.member.member_1 * _e364)) + (_e638.member.member_2 * _e329)) + _e638.member_1) <= _e627) || (_e654 == 0u))) && ((((((_e661.member.member * _e351) + (_e661.member.member_1 * _e364)) + (_e661.member.member_2 * _e329)) + _e661.member_1) <= _e627) || (_e677 == 0u))) && ((((((_e684.member.member * _e351) + (_e684.member.member_1 * _e364)) + (_e684.member.member_2 * _e329)) + _e684.member_1) <= _e627) || (_e700 == 0u))));
+phi_905_ = (_e605 && (((((((((_e615.member.member * _e351) + (_e615.member.member_1 * _e364)) + (_e615.member.member_2 * _e329)) + _e615.member_1) <= _e627) || (_e632 == 0u)) && ((((((_e638.member.member * _e351) + (_e638.member.member_1 * _e364)) + (_e638.member.member_2 * _e329)) + _e638.member_1) <= _e627) || (_e654 == 0u))) && ((((((_e661.member.member * _e351) + (_e661.member.member_1 * _e364)) + (_e661.member.member_2 * _e329)) + _e661.member_1) <= _e627) || (_e677 == 0u))) && ((((((_e684.member.member * _e351) + (_e684.member.member_1 * _e364)) + (_e684.member.member_2 * _e329)) + _e684.member_1) <= _e627) || (_e700 == 0u))));
 }
-let _e706 = phi_904_;
+let _e706 = phi_905_;
 let _e710 = (_e374 + (_e374 - _e351));
 let _e711 = (_e379 + (_e379 - _e364));
 let _e712 = (_e368 + (_e368 - _e329));
@@ -391,7 +399,7 @@ let _e724 = ((((_e548.member.member * _e710) + (_e548.member.member_1 * _e711)) 
 let _e730 = ((((_e563.member.member * _e710) + (_e563.member.member_1 * _e711)) + (_e563.member.member_2 * _e712)) + _e563.member_1);
 let _e741 = ((((_e718 >= _e575) && (_e718 <= _e583)) && ((_e724 >= _e575) && (_e724 <= _e592))) && ((_e730 >= _e575) && (_e730 <= _e602)));
 if _e610 {
-phi_1084_ = _e741;
+phi_1085_ = _e741;
 } else {
 let _e746 = global_1.member.member_14.member;
 let _e758 = -((_e403 / _e396));
@@ -402,14 +410,14 @@ let _e792 = global_1.member.member_16.member;
 let _e808 = global_1.member.member_16.member_1;
 let _e815 = global_1.member.member_17.member;
 let _e831 = global_1.member.member_17.member_1;
-phi_1084_ = (_e741 && (((((((((_e746.member.member * _e710) + (_e746.member.member_1 * _e711)) + (_e746.member.member_2 * _e712)) + _e746.member_1) <= _e758) || (_e763 == 0u)) && ((((((_e769.member.member * _e710) + (_e769.member.member_1 * _e711)) + (_e769.member.member_2 * _e712)) + _e769.member_1) <= _e758) || (_e785 == 0u))) && ((((((_e792.member.member * _e710) + (_e792.member.member_1 * _e711)) + (_e792.member.member_2 * _e712)) + _e792.member_1) <= _e758) || (_e808 == 0u))) && ((((((_e815.member.member * _e710) + (_e815.member.member_1 * _e711)) + (_e815.member.member_2 * _e712)) + _e815.member_1) <= _e758) || (_e831 == 0u))));
+phi_1085_ = (_e741 && (((((((((_e746.member.member * _e710) + (_e746.member.member_1 * _e711)) + (_e746.member.member_2 * _e712)) + _e746.member_1) <= _e758) || (_e763 == 0u)) && ((((((_e769.member.member * _e710) + (_e769.member.member_1 * _e711)) + (_e769.member.member_2 * _e712)) + _e769.member_1) <= _e758) || (_e785 == 0u))) && ((((((_e792.member.member * _e710) + (_e792.member.member_1 * _e711)) + (_e792.member.member_2 * _e712)) + _e792.member_1) <= _e758) || (_e808 == 0u))) && ((((((_e815.member.member * _e710) + (_e815.member.member_1 * _e711)) + (_e815.member.member_2 * _e712)) + _e815.member_1) <= _e758) || (_e831 == 0u))));
 }
-let _e837 = phi_1084_;
-phi_1087_ = (_e520 && (_e706 && _e837));
+let _e837 = phi_1085_;
+phi_1088_ = (_e520 && (_e706 && _e837));
 } else {
-phi_1087_ = _e520;
+phi_1088_ = _e520;
 }
-let _e841 = phi_1087_;
+let _e841 = phi_1088_;
 let _e846 = global_1.member.member_7.member;
 let _e857 = ((((_e846.member.member * _e414) + (_e846.member.member_1 * _e415)) + (_e846.member.member_2 * _e416)) + _e846.member_1);
 let _e861 = global_1.member.member_7.member_1;
@@ -424,7 +432,7 @@ let _e913 = global_1.member.member_7.member_3.member_2;
 let _e918 = ((((_e857 >= _e888) && (_e857 <= (_e894 - _e889))) && ((_e872 >= _e888) && (_e872 <= (_e903 - _e889)))) && ((_e887 >= _e888) && (_e887 <= (_e913 - _e889))));
 let _e921 = global_1.member.member_1;
 if ((_e921 & 16u) == 0u) {
-phi_1271_ = _e918;
+phi_1272_ = _e918;
 } else {
 let _e928 = global_1.member.member_14.member;
 let _e940 = -((_e403 / _e396));
@@ -435,9 +443,9 @@ let _e974 = global_1.member.member_16.member;
 let _e990 = global_1.member.member_16.member_1;
 let _e997 = global_1.member.member_17.member;
 let _e1013 = global_1.member.member_17.member_1;
-phi_1271_ = (_e918 && (((((((((_e928.member.member * _e414) + (_e928.member.member_1 * _e415)) + (_e928.member.member_2 * _e416)) + _e928.member_1) <= _e940) || (_e945 == 0u)) && ((((((_e951.member.member * _e414) + (_e951.member.member_1 * _e415)) + (_e951.member.member_2 * _e416)) + _e951.member_1) <= _e940) || (_e967 == 0u))) && ((((((_e974.member.member * _e414) + (_e974.member.member_1 * _e415)) + (_e974.member.member_2 * _e416)) + _e974.member_1) <= _e940) || (_e990 == 0u))) && ((((((_e997.member.member * _e414) + (_e997.member.member_1 * _e415)) + (_e997.member.member_2 * _e416)) + _e997.member_1) <= _e940) || (_e1013 == 0u))));
+phi_1272_ = (_e918 && (((((((((_e928.member.member * _e414) + (_e928.member.member_1 * _e415)) + (_e928.member.member_2 * _e416)) + _e928.member_1) <= _e940) || (_e945 == 0u)) && ((((((_e951.member.member * _e414) + (_e951.member.member_1 * _e415)) + (_e951.member.member_2 * _e416)) + _e951.member_1) <= _e940) || (_e967 == 0u))) && ((((((_e974.member.member * _e414) + (_e974.member.member_1 * _e415)) + (_e974.member.member_2 * _e416)) + _e974.member_1) <= _e940) || (_e990 == 0u))) && ((((((_e997.member.member * _e414) + (_e997.member.member_1 * _e415)) + (_e997.member.member_2 * _e416)) + _e997.member_1) <= _e940) || (_e1013 == 0u))));
 }
-let _e1019 = phi_1271_;
+let _e1019 = phi_1272_;
 let _e1026 = global_1.member.member_6.member_4;
 let _e1027 = (_e485 - 0.5f);
 let _e1029 = select(-0.5f, _e467, (_e467 > -0.5f));
@@ -521,11 +529,11 @@ let _e1336 = global_1.member.member_7.member_10;
 let _e1342 = ((bitcast<i32>(_e1336) + ((_e1271 - select(0i, 1i, (_e1264 < f32(_e1271)))) >> bitcast<u32>(_e1280))) + (bitcast<i32>(_e1325) * (((_e1295 - select(0i, 1i, (_e1288 < f32(_e1295)))) >> bitcast<u32>(_e1280)) + (bitcast<i32>(_e1331) * ((_e1314 - select(0i, 1i, (_e1307 < f32(_e1314)))) >> bitcast<u32>(_e1280))))));
 let _e1344 = select(_e1158, _e1342, (_e1342 < _e1158));
 let _e1350 = global_6.member[bitcast<u32>(select(0i, _e1344, (_e1344 > 0i)))];
-phi_1895_ = select(select(7u, 3u, (_e841 && (!(_e529) || _e1019))), 1u, (((_e921 & 64u) != 0u) || ((((select(_e1055, _e1052, (_e1052 > _e1055)) <= _e1026) && ((select(_e1072, _e1069, (_e1069 > _e1072)) > _e1026) || (_e1166 != 0u))) && ((select(_e1238, _e1235, (_e1235 > _e1238)) <= _e1209) && ((select(_e1255, _e1252, (_e1252 > _e1255)) > _e1209) || (_e1350 != 0u)))) && ((_e921 & 32u) != 0u))));
+phi_1896_ = select(select(7u, 3u, (_e841 && (!(_e529) || _e1019))), 1u, (((_e921 & 64u) != 0u) || ((((select(_e1055, _e1052, (_e1052 > _e1055)) <= _e1026) && ((select(_e1072, _e1069, (_e1069 > _e1072)) > _e1026) || (_e1166 != 0u))) && ((select(_e1238, _e1235, (_e1235 > _e1238)) <= _e1209) && ((select(_e1255, _e1252, (_e1252 > _e1255)) > _e1209) || (_e1350 != 0u)))) && ((_e921 & 32u) != 0u))));
 } else {
-phi_1895_ = 7u;
+phi_1896_ = 7u;
 }
-let _e1363 = phi_1895_;
+let _e1363 = phi_1896_;
 if (_e1363 > 1u) {
 let _e1368 = bitcast<i32>(((_e190 * _e298) + _e188));
 let _e1371 = (bitcast<i32>(_e172) - 1i);
@@ -611,7 +619,7 @@ let _e1694 = (_e1688 + _e1644);
 let _e1696 = (_e1688 + (2i * _e1644));
 let _e1697 = (_e1690 + _e1648);
 let _e1699 = (_e1690 + (2i * _e1648));
-local_28 = type_30(array<i32, 4>(_e1685, (_e1685 + 1i), (_e1685 + 2i), (_e1685 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_28 = type_31(array<i32, 4>(_e1685, (_e1685 + 1i), (_e1685 + 2i), (_e1685 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_29 = vec3<f32>((_e1575 - f32(_e1610)), (_e1585 - f32(_e1625)), (_e1595 - f32(_e1640)));
 let _e1710 = (_e1697 + _e1694);
 let _e1713 = local_28.member[1u];
@@ -712,7 +720,7 @@ let _e1975 = (_e1965 + (3i * _e1921));
 let _e1976 = (_e1967 + _e1925);
 let _e1978 = (_e1967 + (2i * _e1925));
 let _e1980 = (_e1967 + (3i * _e1925));
-local_26 = type_30(array<i32, 4>(_e1962, (_e1962 + 1i), (_e1962 + 2i), (_e1962 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_31(array<i32, 4>(_e1962, (_e1962 + 1i), (_e1962 + 2i), (_e1962 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e1852 - f32(_e1887)), (_e1862 - f32(_e1902)), (_e1872 - f32(_e1917)));
 let _e1991 = (_e1976 + _e1971);
 let _e1994 = local_26.member[0u];
@@ -1041,7 +1049,7 @@ if _e1564 {
 let _e2779 = ((0.5f * (_e2514 - _e2508)) * _e2772);
 let _e2780 = ((0.5f * (_e2526 - _e2520)) * _e2772);
 let _e2781 = ((0.5f * (_e2538 - _e2532)) * _e2772);
-phi_8489_ = type_31(_e2734, vec3<f32>(_e2779, _e2780, _e2781), vec3<f32>((_e2779 * _e2734), (_e2780 * _e2734), (_e2781 * _e2734)));
+phi_8490_ = type_32(_e2734, vec3<f32>(_e2779, _e2780, _e2781), vec3<f32>((_e2779 * _e2734), (_e2780 * _e2734), (_e2781 * _e2734)));
 } else {
 local_22 = _e2508;
 let _e2788 = local_22;
@@ -1190,9 +1198,9 @@ let _e3213 = ((_e2719 + (f32(bitcast<i32>((_e3198 >> bitcast<u32>(12u)))) * _e27
 let _e3214 = (_e2929 - _e2858);
 let _e3216 = (_e3071 - _e3000);
 let _e3218 = (_e3213 - _e3142);
-phi_8489_ = type_31(_e2734, vec3<f32>((0.5f * _e3214), (0.5f * _e3216), (0.5f * _e3218)), vec3<f32>((0.25f * (_e3214 * (_e2929 + _e2858))), (0.25f * (_e3216 * (_e3071 + _e3000))), (0.25f * (_e3218 * (_e3213 + _e3142)))));
+phi_8490_ = type_32(_e2734, vec3<f32>((0.5f * _e3214), (0.5f * _e3216), (0.5f * _e3218)), vec3<f32>((0.25f * (_e3214 * (_e2929 + _e2858))), (0.25f * (_e3216 * (_e3071 + _e3000))), (0.25f * (_e3218 * (_e3213 + _e3142)))));
 }
-let _e3233 = phi_8489_;
+let _e3233 = phi_8490_;
 let _e3248 = select(0f, 1f, ((((((_e1526 >= -0.5f) && (_e1526 <= _e1848)) && (_e1541 >= -0.5f)) && (_e1541 <= _e1858)) && (_e1556 >= -0.5f)) && (_e1556 <= _e1868)));
 let _e3250 = (0.5f * (_e2514 - _e2508));
 let _e3252 = (0.5f * (_e2526 - _e2520));
@@ -1206,7 +1214,7 @@ let _e3290 = global_1.member.member_7.member_1.member.member_2;
 let _e3296 = global_1.member.member_7.member_2.member.member;
 let _e3302 = global_1.member.member_7.member_2.member.member_1;
 let _e3308 = global_1.member.member_7.member_2.member.member_2;
-phi_9099_ = type_32(select(1e9f, _e1840, (_e1840 < 1e9f)), vec3<f32>(((((_e3260 * _e3250) + (_e3278 * _e3252)) + (_e3296 * _e3254)) * _e3248), ((((_e3266 * _e3250) + (_e3284 * _e3252)) + (_e3302 * _e3254)) * _e3248), ((((_e3272 * _e3250) + (_e3290 * _e3252)) + (_e3308 * _e3254)) * _e3248)), _e3233.member, vec3<f32>(((((_e3260 * _e3233.member_2.x) + (_e3278 * _e3233.member_2.y)) + (_e3296 * _e3233.member_2.z)) * _e3248), ((((_e3266 * _e3233.member_2.x) + (_e3284 * _e3233.member_2.y)) + (_e3302 * _e3233.member_2.z)) * _e3248), ((((_e3272 * _e3233.member_2.x) + (_e3290 * _e3233.member_2.y)) + (_e3308 * _e3233.member_2.z)) * _e3248)), vec3<f32>(((((_e3260 * _e3233.member_1.x) + (_e3278 * _e3233.member_1.y)) + (_e3296 * _e3233.member_1.z)) * _e3248), ((((_e3266 * _e3233.member_1.x) + (_e3284 * _e3233.member_1.y)) + (_e3302 * _e3233.member_1.z)) * _e3248), ((((_e3272 * _e3233.member_1.x) + (_e3290 * _e3233.member_1.y)) + (_e3308 * _e3233.member_1.z)) * _e3248)));
+phi_9100_ = type_33(select(1e9f, _e1840, (_e1840 < 1e9f)), vec3<f32>(((((_e3260 * _e3250) + (_e3278 * _e3252)) + (_e3296 * _e3254)) * _e3248), ((((_e3266 * _e3250) + (_e3284 * _e3252)) + (_e3302 * _e3254)) * _e3248), ((((_e3272 * _e3250) + (_e3290 * _e3252)) + (_e3308 * _e3254)) * _e3248)), _e3233.member, vec3<f32>(((((_e3260 * _e3233.member_2.x) + (_e3278 * _e3233.member_2.y)) + (_e3296 * _e3233.member_2.z)) * _e3248), ((((_e3266 * _e3233.member_2.x) + (_e3284 * _e3233.member_2.y)) + (_e3302 * _e3233.member_2.z)) * _e3248), ((((_e3272 * _e3233.member_2.x) + (_e3290 * _e3233.member_2.y)) + (_e3308 * _e3233.member_2.z)) * _e3248)), vec3<f32>(((((_e3260 * _e3233.member_1.x) + (_e3278 * _e3233.member_1.y)) + (_e3296 * _e3233.member_1.z)) * _e3248), ((((_e3266 * _e3233.member_1.x) + (_e3284 * _e3233.member_1.y)) + (_e3302 * _e3233.member_1.z)) * _e3248), ((((_e3272 * _e3233.member_1.x) + (_e3290 * _e3233.member_1.y)) + (_e3308 * _e3233.member_1.z)) * _e3248)));
 } else {
 let _e3377 = global_1.member.member_6.member_3.member;
 let _e3378 = (_e3377 - 0.5f);
@@ -1250,7 +1258,7 @@ let _e3501 = (_e3495 + _e3451);
 let _e3503 = (_e3495 + (2i * _e3451));
 let _e3504 = (_e3497 + _e3455);
 let _e3506 = (_e3497 + (2i * _e3455));
-local_10 = type_30(array<i32, 4>(_e3492, (_e3492 + 1i), (_e3492 + 2i), (_e3492 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_10 = type_31(array<i32, 4>(_e3492, (_e3492 + 1i), (_e3492 + 2i), (_e3492 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_11 = vec3<f32>((_e3382 - f32(_e3417)), (_e3392 - f32(_e3432)), (_e3402 - f32(_e3447)));
 let _e3517 = (_e3504 + _e3501);
 let _e3520 = local_10.member[1u];
@@ -1307,9 +1315,9 @@ let _e3642 = global_1.member.member_6.member_5;
 let _e3644 = (((_e3575 + (((_e3600 + (((_e3611 + ((bitcast<f32>(_e3620) - _e3611) * _e3622)) - _e3600) * _e3626)) - _e3575) * _e3631)) - _e3638) * _e3642);
 let _e3645 = -(1e9f);
 let _e3647 = select(_e3645, _e3644, (_e3644 > _e3645));
-phi_9099_ = type_32(select(1e9f, _e3647, (_e3647 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_9100_ = type_33(select(1e9f, _e3647, (_e3647 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3652 = phi_9099_;
+let _e3652 = phi_9100_;
 let _e3657 = global_1.member.member_6.member_3.member;
 let _e3658 = (_e3657 - 0.5f);
 let _e3660 = select(-0.5f, _e1463, (_e1463 > -0.5f));
@@ -1352,7 +1360,7 @@ let _e3781 = (_e3775 + _e3731);
 let _e3783 = (_e3775 + (2i * _e3731));
 let _e3784 = (_e3777 + _e3735);
 let _e3786 = (_e3777 + (2i * _e3735));
-local_8 = type_30(array<i32, 4>(_e3772, (_e3772 + 1i), (_e3772 + 2i), (_e3772 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_8 = type_31(array<i32, 4>(_e3772, (_e3772 + 1i), (_e3772 + 2i), (_e3772 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_9 = vec3<f32>((_e3662 - f32(_e3697)), (_e3672 - f32(_e3712)), (_e3682 - f32(_e3727)));
 let _e3797 = (_e3784 + _e3781);
 let _e3800 = local_8.member[1u];
@@ -1413,7 +1421,7 @@ let _e3929 = select(1e9f, _e3927, (_e3927 < 1e9f));
 let _e3932 = global_1.member.member_1;
 let _e3934 = ((_e3932 & 16u) == 0u);
 if _e3934 {
-phi_9896_ = type_5(1f, 1f, 1f);
+phi_9897_ = type_5(1f, 1f, 1f);
 } else {
 let _e3938 = global_1.member.member_14.member;
 let _e3949 = ((((_e3938.member.member * _e1420) + (_e3938.member.member_1 * _e1433)) + (_e3938.member.member_2 * _e1398)) + _e3938.member_1);
@@ -1459,9 +1467,9 @@ let _e4116 = select(0f, _e4114, (_e4114 > 0f));
 let _e4122 = select(select(select(1f, _e4116, (_e4116 < 1f)), 1f, (_e4109 <= 0f)), 0f, (_e4107 > 0f));
 let _e4127 = global_1.member.member_17.member_1;
 let _e4128 = (_e4127 != 0u);
-phi_9896_ = type_5(((((1f * _e3972) * _e4022) * _e4072) * _e4122), ((((1f * select(1f, _e3972, _e3978)) * select(1f, _e4022, _e4028)) * select(1f, _e4072, _e4078)) * select(1f, _e4122, _e4128)), ((((1f * select(1f, 0f, (_e3978 && (_e3955 > 0f)))) * select(1f, 0f, (_e4028 && (_e4005 > 0f)))) * select(1f, 0f, (_e4078 && (_e4055 > 0f)))) * select(1f, 0f, (_e4128 && (_e4105 > 0f)))));
+phi_9897_ = type_5(((((1f * _e3972) * _e4022) * _e4072) * _e4122), ((((1f * select(1f, _e3972, _e3978)) * select(1f, _e4022, _e4028)) * select(1f, _e4072, _e4078)) * select(1f, _e4122, _e4128)), ((((1f * select(1f, 0f, (_e3978 && (_e3955 > 0f)))) * select(1f, 0f, (_e4028 && (_e4005 > 0f)))) * select(1f, 0f, (_e4078 && (_e4055 > 0f)))) * select(1f, 0f, (_e4128 && (_e4105 > 0f)))));
 }
-let _e4137 = phi_9896_;
+let _e4137 = phi_9897_;
 let _e4138 = (_e1499 - _e1463);
 let _e4142 = (bitcast<f32>((bitcast<u32>(_e4138) & 2147483647u)) < 1e-12f);
 let _e4144 = (1f / select(_e4138, 1f, _e4142));
@@ -1682,7 +1690,7 @@ let _e4775 = f32(_e4774);
 let _e4779 = ((_e4757 - (_e4775 * 0.6933594f)) - (_e4775 * -2.1219444e-4f));
 let _e4799 = ((1f + (_e4779 * (1f + (_e4779 * (0.5f + (_e4779 * (0.16666667f + (_e4779 * (0.041666668f + (_e4779 * (0.008333334f + (_e4779 * (0.001388889f + (_e4779 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4774 + 127i)) << bitcast<u32>(23i))));
 let _e4800 = (1f - _e4799);
-phi_13624_ = type_34(_e4799, _e4800, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4800 / select(1e-12f, _e4749, (_e4749 > 1e-12f))))));
+phi_13625_ = type_35(_e4799, _e4800, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4800 / select(1e-12f, _e4749, (_e4749 > 1e-12f))))));
 } else {
 local_5 = _e3929;
 let _e4808 = local_5;
@@ -1919,9 +1927,9 @@ let _e5680 = f32(_e5679);
 let _e5684 = ((_e5662 - (_e5680 * 0.6933594f)) - (_e5680 * -2.1219444e-4f));
 let _e5704 = ((1f + (_e5684 * (1f + (_e5684 * (0.5f + (_e5684 * (0.16666667f + (_e5684 * (0.041666668f + (_e5684 * (0.008333334f + (_e5684 * (0.001388889f + (_e5684 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5679 + 127i)) << bitcast<u32>(23i))));
 let _e5705 = (1f - _e5704);
-phi_13624_ = type_34(_e5704, _e5705, vec3<f32>(((1f + (_e5539 * (1f + (_e5539 * (0.5f + (_e5539 * (0.16666667f + (_e5539 * (0.041666668f + (_e5539 * (0.008333334f + (_e5539 * (0.001388889f + (_e5539 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5534 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5587 * (1f + (_e5587 * (0.5f + (_e5587 * (0.16666667f + (_e5587 * (0.041666668f + (_e5587 * (0.008333334f + (_e5587 * (0.001388889f + (_e5587 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5582 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5635 * (1f + (_e5635 * (0.5f + (_e5635 * (0.16666667f + (_e5635 * (0.041666668f + (_e5635 * (0.008333334f + (_e5635 * (0.001388889f + (_e5635 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5630 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5705 / select(1e-12f, _e5299, (_e5299 > 1e-12f))))));
+phi_13625_ = type_35(_e5704, _e5705, vec3<f32>(((1f + (_e5539 * (1f + (_e5539 * (0.5f + (_e5539 * (0.16666667f + (_e5539 * (0.041666668f + (_e5539 * (0.008333334f + (_e5539 * (0.001388889f + (_e5539 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5534 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5587 * (1f + (_e5587 * (0.5f + (_e5587 * (0.16666667f + (_e5587 * (0.041666668f + (_e5587 * (0.008333334f + (_e5587 * (0.001388889f + (_e5587 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5582 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5635 * (1f + (_e5635 * (0.5f + (_e5635 * (0.16666667f + (_e5635 * (0.041666668f + (_e5635 * (0.008333334f + (_e5635 * (0.001388889f + (_e5635 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5630 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5705 / select(1e-12f, _e5299, (_e5299 > 1e-12f))))));
 }
-let _e5713 = phi_13624_;
+let _e5713 = phi_13625_;
 if _e1565 {
 let _e5719 = ((((_e1515.member.member * _e1420) + (_e1515.member.member_1 * _e1433)) + (_e1515.member.member_2 * _e1398)) + _e1515.member_1);
 let _e5725 = ((((_e1530.member.member * _e1420) + (_e1530.member.member_1 * _e1433)) + (_e1530.member.member_2 * _e1398)) + _e1530.member_1);
@@ -2059,7 +2067,7 @@ let _e6013 = select(select(select(select(select(select(0f, _e5736.member, _e5782
 let _e6014 = select(select(select(select(select(select(0f, _e5736.member_1, _e5782), _e5736.member_1, _e5822), _e5744.member_1, _e5868), _e5744.member_1, _e5908), _e5752.member_1, _e5954), _e5752.member_1, _e5994);
 let _e6015 = select(select(select(select(select(select(1f, _e5736.member_2, _e5782), _e5736.member_2, _e5822), _e5744.member_2, _e5868), _e5744.member_2, _e5908), _e5752.member_2, _e5954), _e5752.member_2, _e5994);
 if _e3934 {
-phi_14943_ = type_33(_e6000, vec3<f32>(_e6001, _e6002, _e6003), _e6005, vec3<f32>(_e6006, _e6007, _e6008), _e6010, _e6012, vec3<f32>(_e6013, _e6014, _e6015));
+phi_14944_ = type_34(_e6000, vec3<f32>(_e6001, _e6002, _e6003), _e6005, vec3<f32>(_e6006, _e6007, _e6008), _e6010, _e6012, vec3<f32>(_e6013, _e6014, _e6015));
 } else {
 let _e6022 = (((_e5736.member * _e5736.member) + (_e5736.member_1 * _e5736.member_1)) + (_e5736.member_2 * _e5736.member_2));
 let _e6025 = sqrt(select(0f, _e6022, (_e6022 > 0f)));
@@ -2139,21 +2147,21 @@ let _e6309 = select(2f, select(0f, _e6301, (_e6282 < 0f)), (_e6283 > 0f));
 let _e6310 = (_e6282 > _e6248);
 let _e6314 = ((_e6305 > _e6240) || ((_e6305 == _e6240) && _e6310));
 let _e6315 = (_e6309 < _e6244);
-phi_14943_ = type_33(select(_e6240, _e6305, _e6314), vec3<f32>(select(select(select(select(_e6001, _e6060.member, _e6086), _e6136.member, _e6162), _e6212.member, _e6238), _e6288.member, _e6314), select(select(select(select(_e6002, _e6060.member_1, _e6086), _e6136.member_1, _e6162), _e6212.member_1, _e6238), _e6288.member_1, _e6314), select(select(select(select(_e6003, _e6060.member_2, _e6086), _e6136.member_2, _e6162), _e6212.member_2, _e6238), _e6288.member_2, _e6314)), select(_e6244, _e6309, _e6315), vec3<f32>(select(select(select(select(_e6006, _e6060.member, _e6087), _e6136.member, _e6163), _e6212.member, _e6239), _e6288.member, _e6315), select(select(select(select(_e6007, _e6060.member_1, _e6087), _e6136.member_1, _e6163), _e6212.member_1, _e6239), _e6288.member_1, _e6315), select(select(select(select(_e6008, _e6060.member_2, _e6087), _e6136.member_2, _e6163), _e6212.member_2, _e6239), _e6288.member_2, _e6315)), select(_e6248, _e6282, _e6310), select(_e6250, _e6283, (_e6283 > _e6250)), vec3<f32>(select(select(select(select(_e6013, _e6060.member, _e6082), _e6136.member, _e6158), _e6212.member, _e6234), _e6288.member, _e6310), select(select(select(select(_e6014, _e6060.member_1, _e6082), _e6136.member_1, _e6158), _e6212.member_1, _e6234), _e6288.member_1, _e6310), select(select(select(select(_e6015, _e6060.member_2, _e6082), _e6136.member_2, _e6158), _e6212.member_2, _e6234), _e6288.member_2, _e6310)));
+phi_14944_ = type_34(select(_e6240, _e6305, _e6314), vec3<f32>(select(select(select(select(_e6001, _e6060.member, _e6086), _e6136.member, _e6162), _e6212.member, _e6238), _e6288.member, _e6314), select(select(select(select(_e6002, _e6060.member_1, _e6086), _e6136.member_1, _e6162), _e6212.member_1, _e6238), _e6288.member_1, _e6314), select(select(select(select(_e6003, _e6060.member_2, _e6086), _e6136.member_2, _e6162), _e6212.member_2, _e6238), _e6288.member_2, _e6314)), select(_e6244, _e6309, _e6315), vec3<f32>(select(select(select(select(_e6006, _e6060.member, _e6087), _e6136.member, _e6163), _e6212.member, _e6239), _e6288.member, _e6315), select(select(select(select(_e6007, _e6060.member_1, _e6087), _e6136.member_1, _e6163), _e6212.member_1, _e6239), _e6288.member_1, _e6315), select(select(select(select(_e6008, _e6060.member_2, _e6087), _e6136.member_2, _e6163), _e6212.member_2, _e6239), _e6288.member_2, _e6315)), select(_e6248, _e6282, _e6310), select(_e6250, _e6283, (_e6283 > _e6250)), vec3<f32>(select(select(select(select(_e6013, _e6060.member, _e6082), _e6136.member, _e6158), _e6212.member, _e6234), _e6288.member, _e6310), select(select(select(select(_e6014, _e6060.member_1, _e6082), _e6136.member_1, _e6158), _e6212.member_1, _e6234), _e6288.member_1, _e6310), select(select(select(select(_e6015, _e6060.member_2, _e6082), _e6136.member_2, _e6158), _e6212.member_2, _e6234), _e6288.member_2, _e6310)));
 }
-let _e6335 = phi_14943_;
+let _e6335 = phi_14944_;
 let _e6337 = (_e6335.member_4 < 0f);
 let _e6339 = (_e6335.member_5 < 0f);
 let _e6340 = (_e6337 != _e6339);
 if _e6337 {
-phi_14956_ = _e6335.member_3;
-phi_14957_ = _e6335.member_2;
+phi_14957_ = _e6335.member_3;
+phi_14958_ = _e6335.member_2;
 } else {
-phi_14956_ = _e6335.member_1;
-phi_14957_ = _e6335.member;
+phi_14957_ = _e6335.member_1;
+phi_14958_ = _e6335.member;
 }
-let _e6346 = phi_14956_;
-let _e6348 = phi_14957_;
+let _e6346 = phi_14957_;
+let _e6348 = phi_14958_;
 let _e6357 = (((_e5736.member * _e5736.member) + (_e5736.member_1 * _e5736.member_1)) + (_e5736.member_2 * _e5736.member_2));
 let _e6360 = sqrt(select(0f, _e6357, (_e6357 > 0f)));
 let _e6361 = ((1.5f * _e1418) * _e6360);
@@ -2200,7 +2208,7 @@ let _e6501 = (_e6495 + _e6451);
 let _e6503 = (_e6495 + (2i * _e6451));
 let _e6504 = (_e6497 + _e6455);
 let _e6506 = (_e6497 + (2i * _e6455));
-local_2 = type_30(array<i32, 4>(_e6492, (_e6492 + 1i), (_e6492 + 2i), (_e6492 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_31(array<i32, 4>(_e6492, (_e6492 + 1i), (_e6492 + 2i), (_e6492 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e6394 - f32(_e6417)), (_e6398 - f32(_e6432)), (_e6402 - f32(_e6447)));
 let _e6517 = (_e6504 + _e6501);
 let _e6520 = local_2.member[1u];
@@ -2438,7 +2446,7 @@ let _e7181 = select(select(select(select(select(select(0f, _e5736.member, _e5797
 let _e7182 = select(select(select(select(select(select(0f, _e5736.member_1, _e5797), _e5736.member_1, _e5837), _e5744.member_1, _e5883), _e5744.member_1, _e5923), _e5752.member_1, _e5969), _e5752.member_1, _e6011);
 let _e7183 = select(select(select(select(select(select(1f, _e5736.member_2, _e5797), _e5736.member_2, _e5837), _e5744.member_2, _e5883), _e5744.member_2, _e5923), _e5752.member_2, _e5969), _e5752.member_2, _e6011);
 if _e3934 {
-phi_17536_ = type_33(_e7169, vec3<f32>(_e7170, _e7171, _e7172), _e7174, vec3<f32>(_e7175, _e7176, _e7177), _e6012, _e7180, vec3<f32>(_e7181, _e7182, _e7183));
+phi_17537_ = type_34(_e7169, vec3<f32>(_e7170, _e7171, _e7172), _e7174, vec3<f32>(_e7175, _e7176, _e7177), _e6012, _e7180, vec3<f32>(_e7181, _e7182, _e7183));
 } else {
 let _e7189 = global_1.member.member_14.member_1;
 let _e7190 = (_e7189 != 0u);
@@ -2516,9 +2524,9 @@ let _e7469 = select(2f, select(0f, _e7461, (_e7442 < 0f)), (_e7443 > 0f));
 let _e7470 = (_e7442 > _e7408);
 let _e7474 = ((_e7465 > _e7400) || ((_e7465 == _e7400) && _e7470));
 let _e7475 = (_e7469 < _e7404);
-phi_17536_ = type_33(select(_e7400, _e7465, _e7474), vec3<f32>(select(select(select(select(_e7170, _e7220.member, _e7246), _e7296.member, _e7322), _e7372.member, _e7398), _e7448.member, _e7474), select(select(select(select(_e7171, _e7220.member_1, _e7246), _e7296.member_1, _e7322), _e7372.member_1, _e7398), _e7448.member_1, _e7474), select(select(select(select(_e7172, _e7220.member_2, _e7246), _e7296.member_2, _e7322), _e7372.member_2, _e7398), _e7448.member_2, _e7474)), select(_e7404, _e7469, _e7475), vec3<f32>(select(select(select(select(_e7175, _e7220.member, _e7247), _e7296.member, _e7323), _e7372.member, _e7399), _e7448.member, _e7475), select(select(select(select(_e7176, _e7220.member_1, _e7247), _e7296.member_1, _e7323), _e7372.member_1, _e7399), _e7448.member_1, _e7475), select(select(select(select(_e7177, _e7220.member_2, _e7247), _e7296.member_2, _e7323), _e7372.member_2, _e7399), _e7448.member_2, _e7475)), select(_e7408, _e7442, _e7470), select(_e7410, _e7443, (_e7443 > _e7410)), vec3<f32>(select(select(select(select(_e7181, _e7220.member, _e7242), _e7296.member, _e7318), _e7372.member, _e7394), _e7448.member, _e7470), select(select(select(select(_e7182, _e7220.member_1, _e7242), _e7296.member_1, _e7318), _e7372.member_1, _e7394), _e7448.member_1, _e7470), select(select(select(select(_e7183, _e7220.member_2, _e7242), _e7296.member_2, _e7318), _e7372.member_2, _e7394), _e7448.member_2, _e7470)));
+phi_17537_ = type_34(select(_e7400, _e7465, _e7474), vec3<f32>(select(select(select(select(_e7170, _e7220.member, _e7246), _e7296.member, _e7322), _e7372.member, _e7398), _e7448.member, _e7474), select(select(select(select(_e7171, _e7220.member_1, _e7246), _e7296.member_1, _e7322), _e7372.member_1, _e7398), _e7448.member_1, _e7474), select(select(select(select(_e7172, _e7220.member_2, _e7246), _e7296.member_2, _e7322), _e7372.member_2, _e7398), _e7448.member_2, _e7474)), select(_e7404, _e7469, _e7475), vec3<f32>(select(select(select(select(_e7175, _e7220.member, _e7247), _e7296.member, _e7323), _e7372.member, _e7399), _e7448.member, _e7475), select(select(select(select(_e7176, _e7220.member_1, _e7247), _e7296.member_1, _e7323), _e7372.member_1, _e7399), _e7448.member_1, _e7475), select(select(select(select(_e7177, _e7220.member_2, _e7247), _e7296.member_2, _e7323), _e7372.member_2, _e7399), _e7448.member_2, _e7475)), select(_e7408, _e7442, _e7470), select(_e7410, _e7443, (_e7443 > _e7410)), vec3<f32>(select(select(select(select(_e7181, _e7220.member, _e7242), _e7296.member, _e7318), _e7372.member, _e7394), _e7448.member, _e7470), select(select(select(select(_e7182, _e7220.member_1, _e7242), _e7296.member_1, _e7318), _e7372.member_1, _e7394), _e7448.member_1, _e7470), select(select(select(select(_e7183, _e7220.member_2, _e7242), _e7296.member_2, _e7318), _e7372.member_2, _e7394), _e7448.member_2, _e7470)));
 }
-let _e7495 = phi_17536_;
+let _e7495 = phi_17537_;
 let _e7504 = global_1.member.member_5.member_4;
 let _e7507 = (_e3652.member_3.x * _e4137.member_2);
 let _e7509 = (_e3652.member_3.y * _e4137.member_2);
@@ -2543,14 +2551,14 @@ let _e7566 = (_e6932 + ((_e3652.member_4.z * _e4137.member_2) * _e6944));
 let _e7568 = (_e7566 * _e7566);
 let _e7577 = ((_e3932 & 1u) != 0u);
 let _e7582 = (select(_e7550, ((_e7566 <= 0f) || (_e7568 <= (_e7540 * (((_e7564 * _e7564) + (_e7565 * _e7565)) + _e7568)))), _e7577) || (_e6929 && ((_e6905 && _e6340) || (_e6340 && (_e6932 <= 0f)))));
-phi_17688_ = vec3<f32>(select(select(select(_e7534, _e7516, _e7550), _e7564, _e7577), _e238, _e7582), select(select(select(_e7535, _e7517, _e7550), _e7565, _e7577), _e249, _e7582), select(select(select(_e7536, _e7518, _e7550), _e7566, _e7577), _e260, _e7582));
-phi_17689_ = select(1f, 0f, _e7582);
+phi_17689_ = vec3<f32>(select(select(select(_e7534, _e7516, _e7550), _e7564, _e7577), _e238, _e7582), select(select(select(_e7535, _e7517, _e7550), _e7565, _e7577), _e249, _e7582), select(select(select(_e7536, _e7518, _e7550), _e7566, _e7577), _e260, _e7582));
+phi_17690_ = select(1f, 0f, _e7582);
 } else {
-phi_17688_ = vec3<f32>(_e238, _e249, _e260);
-phi_17689_ = 1f;
+phi_17689_ = vec3<f32>(_e238, _e249, _e260);
+phi_17690_ = 1f;
 }
-let _e7589 = phi_17688_;
-let _e7591 = phi_17689_;
+let _e7589 = phi_17689_;
+let _e7591 = phi_17690_;
 let _e7594 = (_e5713.member * _e7591);
 global_2.member[_e195] = (_e206 * (_e5713.member_2.x * _e7594));
 global_2.member[_e207] = (_e216 * (_e5713.member_2.y * _e7594));

@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_24 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_25 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_23,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_15,
+member_18: type_23,
+member_19: type_5,
+member_20: type_24,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_25 {
+struct type_26 {
 member: type_7,
 member_1: u32,
 }
-struct type_26 {
+struct type_27 {
 member: type_2,
 member_1: u32,
 member_2: type_18,
@@ -141,39 +149,39 @@ member_6: type_20,
 member_7: type_20,
 member_8: type_21,
 member_9: type_22,
-member_10: type_24,
+member_10: type_25,
 member_11: type_19,
 member_12: type_4,
 member_13: type_9,
-member_14: type_25,
-member_15: type_25,
-member_16: type_25,
-member_17: type_25,
+member_14: type_26,
+member_15: type_26,
+member_16: type_26,
+member_17: type_26,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
-member: type_26,
+struct type_28 {
+member: type_27,
 }
-struct type_30 {
+struct type_31 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -182,7 +190,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_34 {
+struct type_35 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
@@ -190,7 +198,7 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_27;
+var<storage> global_1: type_28;
 @group(0) @binding(6)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
@@ -204,15 +212,15 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_30;
+var local_2: type_31;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_30;
+var local_8: type_31;
 var local_9: vec3<f32>;
-var local_10: type_30;
+var local_10: type_31;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -228,23 +236,23 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_30;
+var local_26: type_31;
 var local_27: vec3<f32>;
-var phi_898_: bool;
-var phi_1078_: bool;
-var phi_1081_: bool;
-var phi_1265_: bool;
-var phi_1588_: u32;
-var phi_7459_: type_31;
-var phi_8238_: type_32;
-var phi_9204_: type_5;
-var phi_12932_: type_34;
-var phi_14251_: type_33;
-var phi_14264_: vec3<f32>;
-var phi_14265_: f32;
-var phi_17013_: type_33;
-var phi_17165_: vec3<f32>;
-var phi_17166_: f32;
+var phi_899_: bool;
+var phi_1079_: bool;
+var phi_1082_: bool;
+var phi_1266_: bool;
+var phi_1589_: u32;
+var phi_7460_: type_32;
+var phi_8239_: type_33;
+var phi_9205_: type_5;
+var phi_12933_: type_35;
+var phi_14252_: type_34;
+var phi_14265_: vec3<f32>;
+var phi_14266_: f32;
+var phi_17014_: type_34;
+var phi_17166_: vec3<f32>;
+var phi_17167_: f32;
 let _e155 = global;
 let _e158 = arrayLength((&global_3.member));
 let _e163 = arrayLength((&global_4.member));
@@ -355,7 +363,7 @@ let _e538 = ((((_e424 >= _e523) && (_e424 <= _e526)) && ((_e439 >= _e523) && (_e
 let _e541 = global_1.member.member_1;
 let _e543 = ((_e541 & 16u) == 0u);
 if _e543 {
-phi_898_ = _e538;
+phi_899_ = _e538;
 } else {
 let _e548 = global_1.member.member_14.member;
 let _e560 = -((_e396 / _e389));
@@ -366,9 +374,9 @@ let _e594 = global_1.member.member_16.member;
 let _e610 = global_1.member.member_16.member_1;
 let _e617 = global_1.member.member_17.member;
 let _e633 = global_1.member.member_17.member_1;
-phi_898_ = (_e538 && (((((((((_e548.member.member * _e344) + (_e548.member.member_1 * _e357)) + (_e548.member.member_2 * _e322)) + _e548.member_1) <= _e560) || (_e565 == 0u)) && ((((((_e571.member.member * _e344) + (_e571.member.member_1 * _e357)) + (_e571.member.member_2 * _e322)) + _e571.member_1) <= _e560) || (_e587 == 0u))) && ((((((_e594.member.member * _e344) + (_e594.member.member_1 * _e357)) + (_e594.member.member_2 * _e322)) + _e594.member_1) <= _e560) || (_e610 == 0u))) && ((((((_e617.member.member * _e344) + (_e617.member.member_1 * _e357)) + (_e617.member.member_2 * _e322)) + _e617.member_1) <= _e560) || (_e633 == 0u))));
+phi_899_ = (_e538 && (((((((((_e548.member.member * _e344) + (_e548.member.member_1 * _e357)) + (_e548.member.member_2 * _e322)) + _e548.member_1) <= _e560) || (_e565 == 0u)) && ((((((_e571.member.member * _e344) + (_e571.member.member_1 * _e357)) + (_e571.member.member_2 * _e322)) + _e571.member_1) <= _e560) || (_e587 == 0u))) && ((((((_e594.member.member * _e344) + (_e594.member.member_1 * _e357)) + (_e594.member.member_2 * _e322)) + _e594.member_1) <= _e560) || (_e610 == 0u))) && ((((((_e617.member.member * _e344) + (_e617.member.member_1 * _e357)) + (_e617.member.member_2 * _e322)) + _e617.member_1) <= _e560) || (_e633 == 0u))));
 }
-let _e639 = phi_898_;
+let _e639 = phi_899_;
 let _e643 = (_e367 + (_e367 - _e344));
 let _e644 = (_e372 + (_e372 - _e357));
 let _e645 = (_e361 + (_e361 - _e322));
@@ -377,7 +385,7 @@ let _e657 = ((((_e428.member.member * _e643) + (_e428.member.member_1 * _e644)) 
 let _e663 = ((((_e443.member.member * _e643) + (_e443.member.member_1 * _e644)) + (_e443.member.member_2 * _e645)) + _e443.member_1);
 let _e674 = ((((_e651 >= _e523) && (_e651 <= _e526)) && ((_e657 >= _e523) && (_e657 <= _e530))) && ((_e663 >= _e523) && (_e663 <= _e535)));
 if _e543 {
-phi_1078_ = _e674;
+phi_1079_ = _e674;
 } else {
 let _e679 = global_1.member.member_14.member;
 let _e691 = -((_e396 / _e389));
@@ -388,14 +396,14 @@ let _e725 = global_1.member.member_16.member;
 let _e741 = global_1.member.member_16.member_1;
 let _e748 = global_1.member.member_17.member;
 let _e764 = global_1.member.member_17.member_1;
-phi_1078_ = (_e674 && (((((((((_e679.member.member * _e643) + (_e679.member.member_1 * _e644)) + (_e679.member.member_2 * _e645)) + _e679.member_1) <= _e691) || (_e696 == 0u)) && ((((((_e702.member.member * _e643) + (_e702.member.member_1 * _e644)) + (_e702.member.member_2 * _e645)) + _e702.member_1) <= _e691) || (_e718 == 0u))) && ((((((_e725.member.member * _e643) + (_e725.member.member_1 * _e644)) + (_e725.member.member_2 * _e645)) + _e725.member_1) <= _e691) || (_e741 == 0u))) && ((((((_e748.member.member * _e643) + (_e748.member.member_1 * _e644)) + (_e748.member.member_2 * _e645)) + _e748.member_1) <= _e691) || (_e764 == 0u))));
+phi_1079_ = (_e674 && (((((((((_e679.member.member * _e643) + (_e679.member.member_1 * _e644)) + (_e679.member.member_2 * _e645)) + _e679.member_1) <= _e691) || (_e696 == 0u)) && ((((((_e702.member.member * _e643) + (_e702.member.member_1 * _e644)) + (_e702.member.member_2 * _e645)) + _e702.member_1) <= _e691) || (_e718 == 0u))) && ((((((_e725.member.member * _e643) + (_e725.member.member_1 * _e644)) + (_e725.member.member_2 * _e645)) + _e725.member_1) <= _e691) || (_e741 == 0u))) && ((((((_e748.member.member * _e643) + (_e748.member.member_1 * _e644)) + (_e748.member.member_2 * _e645)) + _e748.member_1) <= _e691) || (_e764 == 0u))));
 }
-let _e770 = phi_1078_;
-phi_1081_ = (_e513 && (_e639 && _e770));
+let _e770 = phi_1079_;
+phi_1082_ = (_e513 && (_e639 && _e770));
 } else {
-phi_1081_ = _e513;
+phi_1082_ = _e513;
 }
-let _e774 = phi_1081_;
+let _e774 = phi_1082_;
 let _e781 = ((((_e413.member.member * _e407) + (_e413.member.member_1 * _e408)) + (_e413.member.member_2 * _e409)) + _e413.member_1);
 let _e787 = ((((_e428.member.member * _e407) + (_e428.member.member_1 * _e408)) + (_e428.member.member_2 * _e409)) + _e428.member_1);
 let _e793 = ((((_e443.member.member * _e407) + (_e443.member.member_1 * _e408)) + (_e443.member.member_2 * _e409)) + _e443.member_1);
@@ -404,7 +412,7 @@ let _e795 = (_e396 + 0.5f);
 let _e809 = ((((_e781 >= _e794) && (_e781 <= (_e478 - _e795))) && ((_e787 >= _e794) && (_e787 <= (_e488 - _e795)))) && ((_e793 >= _e794) && (_e793 <= (_e498 - _e795))));
 let _e812 = global_1.member.member_1;
 if ((_e812 & 16u) == 0u) {
-phi_1265_ = _e809;
+phi_1266_ = _e809;
 } else {
 let _e819 = global_1.member.member_14.member;
 let _e831 = -((_e396 / _e389));
@@ -415,9 +423,9 @@ let _e865 = global_1.member.member_16.member;
 let _e881 = global_1.member.member_16.member_1;
 let _e888 = global_1.member.member_17.member;
 let _e904 = global_1.member.member_17.member_1;
-phi_1265_ = (_e809 && (((((((((_e819.member.member * _e407) + (_e819.member.member_1 * _e408)) + (_e819.member.member_2 * _e409)) + _e819.member_1) <= _e831) || (_e836 == 0u)) && ((((((_e842.member.member * _e407) + (_e842.member.member_1 * _e408)) + (_e842.member.member_2 * _e409)) + _e842.member_1) <= _e831) || (_e858 == 0u))) && ((((((_e865.member.member * _e407) + (_e865.member.member_1 * _e408)) + (_e865.member.member_2 * _e409)) + _e865.member_1) <= _e831) || (_e881 == 0u))) && ((((((_e888.member.member * _e407) + (_e888.member.member_1 * _e408)) + (_e888.member.member_2 * _e409)) + _e888.member_1) <= _e831) || (_e904 == 0u))));
+phi_1266_ = (_e809 && (((((((((_e819.member.member * _e407) + (_e819.member.member_1 * _e408)) + (_e819.member.member_2 * _e409)) + _e819.member_1) <= _e831) || (_e836 == 0u)) && ((((((_e842.member.member * _e407) + (_e842.member.member_1 * _e408)) + (_e842.member.member_2 * _e409)) + _e842.member_1) <= _e831) || (_e858 == 0u))) && ((((((_e865.member.member * _e407) + (_e865.member.member_1 * _e408)) + (_e865.member.member_2 * _e409)) + _e865.member_1) <= _e831) || (_e881 == 0u))) && ((((((_e888.member.member * _e407) + (_e888.member.member_1 * _e408)) + (_e888.member.member_2 * _e409)) + _e888.member_1) <= _e831) || (_e904 == 0u))));
 }
-let _e910 = phi_1265_;
+let _e910 = phi_1266_;
 let _e917 = global_1.member.member_6.member_4;
 let _e918 = (_e478 - 0.5f);
 let _e920 = select(-0.5f, _e460, (_e460 > -0.5f));
@@ -457,11 +465,11 @@ let _e1047 = ((bitcast<i32>(_e1041) + ((_e978 - select(0i, 1i, (_e971 < f32(_e97
 let _e1049 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1051 = select(_e1049, _e1047, (_e1047 < _e1049));
 let _e1057 = global_5.member[bitcast<u32>(select(0i, _e1051, (_e1051 > 0i)))];
-phi_1588_ = select(select(7u, 3u, (_e774 && (!(_e522) || _e910))), 1u, (((_e812 & 64u) != 0u) || ((((select(_e946, _e943, (_e943 > _e946)) <= _e917) && ((select(_e963, _e960, (_e960 > _e963)) > _e917) || (_e1057 != 0u))) && true) && ((_e812 & 32u) != 0u))));
+phi_1589_ = select(select(7u, 3u, (_e774 && (!(_e522) || _e910))), 1u, (((_e812 & 64u) != 0u) || ((((select(_e946, _e943, (_e943 > _e946)) <= _e917) && ((select(_e963, _e960, (_e960 > _e963)) > _e917) || (_e1057 != 0u))) && true) && ((_e812 & 32u) != 0u))));
 } else {
-phi_1588_ = 7u;
+phi_1589_ = 7u;
 }
-let _e1070 = phi_1588_;
+let _e1070 = phi_1589_;
 if (_e1070 > 1u) {
 let _e1075 = bitcast<i32>(((_e183 * _e291) + _e181));
 let _e1078 = (bitcast<i32>(_e165) - 1i);
@@ -554,7 +562,7 @@ let _e1399 = (select(0i, _e1338, (_e1338 > 0i)) * _e1310);
 let _e1400 = (select(0i, _e1302, (_e1302 > 0i)) * _e1310);
 let _e1401 = (select(_e1337, _e1343, (_e1343 < _e1337)) * _e1310);
 let _e1402 = (select(_e1337, _e1346, (_e1346 < _e1337)) * _e1310);
-local_26 = type_30(array<i32, 4>(_e1372, _e1374, _e1376, 0i), array<u32, 6>(bitcast<u32>(((_e1359 - _e1372) * 16i)), bitcast<u32>(((_e1361 - _e1372) * 16i)), bitcast<u32>(((_e1361 - _e1374) * 16i)), bitcast<u32>(((_e1364 - _e1374) * 16i)), bitcast<u32>(((_e1364 - _e1376) * 16i)), bitcast<u32>(((select(_e1356, _e1365, (_e1365 < _e1356)) - _e1376) * 16i))));
+local_26 = type_31(array<i32, 4>(_e1372, _e1374, _e1376, 0i), array<u32, 6>(bitcast<u32>(((_e1359 - _e1372) * 16i)), bitcast<u32>(((_e1361 - _e1372) * 16i)), bitcast<u32>(((_e1361 - _e1374) * 16i)), bitcast<u32>(((_e1364 - _e1374) * 16i)), bitcast<u32>(((_e1364 - _e1376) * 16i)), bitcast<u32>(((select(_e1356, _e1365, (_e1365 < _e1356)) - _e1376) * 16i))));
 local_27 = vec3<f32>((_e1237 - f32(_e1272)), (_e1247 - f32(_e1287)), (_e1257 - f32(_e1302)));
 let _e1414 = (_e1400 + _e1396);
 let _e1417 = local_26.member[0u];
@@ -942,7 +950,7 @@ if _e1226 {
 let _e2631 = ((0.5f * (_e2366 - _e2360)) * _e2624);
 let _e2632 = ((0.5f * (_e2378 - _e2372)) * _e2624);
 let _e2633 = ((0.5f * (_e2390 - _e2384)) * _e2624);
-phi_7459_ = type_31(_e2586, vec3<f32>(_e2631, _e2632, _e2633), vec3<f32>((_e2631 * _e2586), (_e2632 * _e2586), (_e2633 * _e2586)));
+phi_7460_ = type_32(_e2586, vec3<f32>(_e2631, _e2632, _e2633), vec3<f32>((_e2631 * _e2586), (_e2632 * _e2586), (_e2633 * _e2586)));
 } else {
 local_22 = _e2360;
 let _e2640 = local_22;
@@ -1091,9 +1099,9 @@ let _e3065 = ((_e2571 + (f32(bitcast<i32>((_e3050 >> bitcast<u32>(12u)))) * _e25
 let _e3066 = (_e2781 - _e2710);
 let _e3068 = (_e2923 - _e2852);
 let _e3070 = (_e3065 - _e2994);
-phi_7459_ = type_31(_e2586, vec3<f32>((0.5f * _e3066), (0.5f * _e3068), (0.5f * _e3070)), vec3<f32>((0.25f * (_e3066 * (_e2781 + _e2710))), (0.25f * (_e3068 * (_e2923 + _e2852))), (0.25f * (_e3070 * (_e3065 + _e2994)))));
+phi_7460_ = type_32(_e2586, vec3<f32>((0.5f * _e3066), (0.5f * _e3068), (0.5f * _e3070)), vec3<f32>((0.25f * (_e3066 * (_e2781 + _e2710))), (0.25f * (_e3068 * (_e2923 + _e2852))), (0.25f * (_e3070 * (_e3065 + _e2994)))));
 }
-let _e3085 = phi_7459_;
+let _e3085 = phi_7460_;
 let _e3100 = select(0f, 1f, ((((((_e1206 >= -0.5f) && (_e1206 <= _e1233)) && (_e1212 >= -0.5f)) && (_e1212 <= _e1243)) && (_e1218 >= -0.5f)) && (_e1218 <= _e1253)));
 let _e3102 = (0.5f * (_e2366 - _e2360));
 let _e3104 = (0.5f * (_e2378 - _e2372));
@@ -1107,7 +1115,7 @@ let _e3142 = global_1.member.member_6.member_1.member.member_2;
 let _e3148 = global_1.member.member_6.member_2.member.member;
 let _e3154 = global_1.member.member_6.member_2.member.member_1;
 let _e3160 = global_1.member.member_6.member_2.member.member_2;
-phi_8238_ = type_32(_e2354, vec3<f32>(((((_e3112 * _e3102) + (_e3130 * _e3104)) + (_e3148 * _e3106)) * _e3100), ((((_e3118 * _e3102) + (_e3136 * _e3104)) + (_e3154 * _e3106)) * _e3100), ((((_e3124 * _e3102) + (_e3142 * _e3104)) + (_e3160 * _e3106)) * _e3100)), _e3085.member, vec3<f32>(((((_e3112 * _e3085.member_2.x) + (_e3130 * _e3085.member_2.y)) + (_e3148 * _e3085.member_2.z)) * _e3100), ((((_e3118 * _e3085.member_2.x) + (_e3136 * _e3085.member_2.y)) + (_e3154 * _e3085.member_2.z)) * _e3100), ((((_e3124 * _e3085.member_2.x) + (_e3142 * _e3085.member_2.y)) + (_e3160 * _e3085.member_2.z)) * _e3100)), vec3<f32>(((((_e3112 * _e3085.member_1.x) + (_e3130 * _e3085.member_1.y)) + (_e3148 * _e3085.member_1.z)) * _e3100), ((((_e3118 * _e3085.member_1.x) + (_e3136 * _e3085.member_1.y)) + (_e3154 * _e3085.member_1.z)) * _e3100), ((((_e3124 * _e3085.member_1.x) + (_e3142 * _e3085.member_1.y)) + (_e3160 * _e3085.member_1.z)) * _e3100)));
+phi_8239_ = type_33(_e2354, vec3<f32>(((((_e3112 * _e3102) + (_e3130 * _e3104)) + (_e3148 * _e3106)) * _e3100), ((((_e3118 * _e3102) + (_e3136 * _e3104)) + (_e3154 * _e3106)) * _e3100), ((((_e3124 * _e3102) + (_e3142 * _e3104)) + (_e3160 * _e3106)) * _e3100)), _e3085.member, vec3<f32>(((((_e3112 * _e3085.member_2.x) + (_e3130 * _e3085.member_2.y)) + (_e3148 * _e3085.member_2.z)) * _e3100), ((((_e3118 * _e3085.member_2.x) + (_e3136 * _e3085.member_2.y)) + (_e3154 * _e3085.member_2.z)) * _e3100), ((((_e3124 * _e3085.member_2.x) + (_e3142 * _e3085.member_2.y)) + (_e3160 * _e3085.member_2.z)) * _e3100)), vec3<f32>(((((_e3112 * _e3085.member_1.x) + (_e3130 * _e3085.member_1.y)) + (_e3148 * _e3085.member_1.z)) * _e3100), ((((_e3118 * _e3085.member_1.x) + (_e3136 * _e3085.member_1.y)) + (_e3154 * _e3085.member_1.z)) * _e3100), ((((_e3124 * _e3085.member_1.x) + (_e3142 * _e3085.member_1.y)) + (_e3160 * _e3085.member_1.z)) * _e3100)));
 } else {
 let _e3229 = global_1.member.member_6.member_3.member;
 let _e3230 = (_e3229 - 0.5f);
@@ -1156,7 +1164,7 @@ let _e3380 = (select(0i, _e3284, (_e3284 > 0i)) * _e3303);
 let _e3381 = (select(_e3315, _e3318, (_e3318 < _e3315)) * _e3303);
 let _e3382 = (select(0i, _e3299, (_e3299 > 0i)) * _e3307);
 let _e3383 = (select(_e3328, _e3331, (_e3331 < _e3328)) * _e3307);
-local_10 = type_30(array<i32, 4>(_e3357, _e3359, _e3361, 0i), array<u32, 6>(bitcast<u32>(((_e3344 - _e3357) * 16i)), bitcast<u32>(((_e3346 - _e3357) * 16i)), bitcast<u32>(((_e3346 - _e3359) * 16i)), bitcast<u32>(((_e3349 - _e3359) * 16i)), bitcast<u32>(((_e3349 - _e3361) * 16i)), bitcast<u32>(((select(_e3341, _e3350, (_e3350 < _e3341)) - _e3361) * 16i))));
+local_10 = type_31(array<i32, 4>(_e3357, _e3359, _e3361, 0i), array<u32, 6>(bitcast<u32>(((_e3344 - _e3357) * 16i)), bitcast<u32>(((_e3346 - _e3357) * 16i)), bitcast<u32>(((_e3346 - _e3359) * 16i)), bitcast<u32>(((_e3349 - _e3359) * 16i)), bitcast<u32>(((_e3349 - _e3361) * 16i)), bitcast<u32>(((select(_e3341, _e3350, (_e3350 < _e3341)) - _e3361) * 16i))));
 local_11 = vec3<f32>((_e3234 - f32(_e3269)), (_e3244 - f32(_e3284)), (_e3254 - f32(_e3299)));
 let _e3398 = local_10.member[1u];
 let _e3399 = ((_e3382 + _e3380) + _e3398);
@@ -1226,9 +1234,9 @@ let _e3628 = global_1.member.member_6.member_5;
 let _e3630 = (((_e3509 + (((_e3560 + (((_e3600 + ((f32(bitcast<i32>(((_e3593 >> bitcast<u32>((_e3601 & 31u))) & 65535u))) - _e3600) * _e3608)) - _e3560) * _e3612)) - _e3509) * _e3617)) - _e3624) * _e3628);
 let _e3631 = -(1e9f);
 let _e3633 = select(_e3631, _e3630, (_e3630 > _e3631));
-phi_8238_ = type_32(select(1e9f, _e3633, (_e3633 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_8239_ = type_33(select(1e9f, _e3633, (_e3633 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3638 = phi_8238_;
+let _e3638 = phi_8239_;
 let _e3643 = global_1.member.member_6.member_3.member;
 let _e3644 = (_e3643 - 0.5f);
 let _e3646 = select(-0.5f, _e1170, (_e1170 > -0.5f));
@@ -1276,7 +1284,7 @@ let _e3794 = (select(0i, _e3698, (_e3698 > 0i)) * _e3717);
 let _e3795 = (select(_e3729, _e3732, (_e3732 < _e3729)) * _e3717);
 let _e3796 = (select(0i, _e3713, (_e3713 > 0i)) * _e3721);
 let _e3797 = (select(_e3742, _e3745, (_e3745 < _e3742)) * _e3721);
-local_8 = type_30(array<i32, 4>(_e3771, _e3773, _e3775, 0i), array<u32, 6>(bitcast<u32>(((_e3758 - _e3771) * 16i)), bitcast<u32>(((_e3760 - _e3771) * 16i)), bitcast<u32>(((_e3760 - _e3773) * 16i)), bitcast<u32>(((_e3763 - _e3773) * 16i)), bitcast<u32>(((_e3763 - _e3775) * 16i)), bitcast<u32>(((select(_e3755, _e3764, (_e3764 < _e3755)) - _e3775) * 16i))));
+local_8 = type_31(array<i32, 4>(_e3771, _e3773, _e3775, 0i), array<u32, 6>(bitcast<u32>(((_e3758 - _e3771) * 16i)), bitcast<u32>(((_e3760 - _e3771) * 16i)), bitcast<u32>(((_e3760 - _e3773) * 16i)), bitcast<u32>(((_e3763 - _e3773) * 16i)), bitcast<u32>(((_e3763 - _e3775) * 16i)), bitcast<u32>(((select(_e3755, _e3764, (_e3764 < _e3755)) - _e3775) * 16i))));
 local_9 = vec3<f32>((_e3648 - f32(_e3683)), (_e3658 - f32(_e3698)), (_e3668 - f32(_e3713)));
 let _e3812 = local_8.member[1u];
 let _e3813 = ((_e3796 + _e3794) + _e3812);
@@ -1350,7 +1358,7 @@ let _e4049 = select(1e9f, _e4047, (_e4047 < 1e9f));
 let _e4052 = global_1.member.member_1;
 let _e4054 = ((_e4052 & 16u) == 0u);
 if _e4054 {
-phi_9204_ = type_5(1f, 1f, 1f);
+phi_9205_ = type_5(1f, 1f, 1f);
 } else {
 let _e4058 = global_1.member.member_14.member;
 let _e4069 = ((((_e4058.member.member * _e1127) + (_e4058.member.member_1 * _e1140)) + (_e4058.member.member_2 * _e1105)) + _e4058.member_1);
@@ -1396,9 +1404,9 @@ let _e4236 = select(0f, _e4234, (_e4234 > 0f));
 let _e4242 = select(select(select(1f, _e4236, (_e4236 < 1f)), 1f, (_e4229 <= 0f)), 0f, (_e4227 > 0f));
 let _e4247 = global_1.member.member_17.member_1;
 let _e4248 = (_e4247 != 0u);
-phi_9204_ = type_5(((((1f * _e4092) * _e4142) * _e4192) * _e4242), ((((1f * select(1f, _e4092, _e4098)) * select(1f, _e4142, _e4148)) * select(1f, _e4192, _e4198)) * select(1f, _e4242, _e4248)), ((((1f * select(1f, 0f, (_e4098 && (_e4075 > 0f)))) * select(1f, 0f, (_e4148 && (_e4125 > 0f)))) * select(1f, 0f, (_e4198 && (_e4175 > 0f)))) * select(1f, 0f, (_e4248 && (_e4225 > 0f)))));
+phi_9205_ = type_5(((((1f * _e4092) * _e4142) * _e4192) * _e4242), ((((1f * select(1f, _e4092, _e4098)) * select(1f, _e4142, _e4148)) * select(1f, _e4192, _e4198)) * select(1f, _e4242, _e4248)), ((((1f * select(1f, 0f, (_e4098 && (_e4075 > 0f)))) * select(1f, 0f, (_e4148 && (_e4125 > 0f)))) * select(1f, 0f, (_e4198 && (_e4175 > 0f)))) * select(1f, 0f, (_e4248 && (_e4225 > 0f)))));
 }
-let _e4257 = phi_9204_;
+let _e4257 = phi_9205_;
 let _e4258 = (_e1206 - _e1170);
 let _e4262 = (bitcast<f32>((bitcast<u32>(_e4258) & 2147483647u)) < 1e-12f);
 let _e4264 = (1f / select(_e4258, 1f, _e4262));
@@ -1622,7 +1630,7 @@ let _e4895 = f32(_e4894);
 let _e4899 = ((_e4877 - (_e4895 * 0.6933594f)) - (_e4895 * -2.1219444e-4f));
 let _e4919 = ((1f + (_e4899 * (1f + (_e4899 * (0.5f + (_e4899 * (0.16666667f + (_e4899 * (0.041666668f + (_e4899 * (0.008333334f + (_e4899 * (0.001388889f + (_e4899 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4894 + 127i)) << bitcast<u32>(23i))));
 let _e4920 = (1f - _e4919);
-phi_12932_ = type_34(_e4919, _e4920, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4920 / select(1e-12f, _e4869, (_e4869 > 1e-12f))))));
+phi_12933_ = type_35(_e4919, _e4920, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4920 / select(1e-12f, _e4869, (_e4869 > 1e-12f))))));
 } else {
 local_5 = _e4049;
 let _e4928 = local_5;
@@ -1859,9 +1867,9 @@ let _e5800 = f32(_e5799);
 let _e5804 = ((_e5782 - (_e5800 * 0.6933594f)) - (_e5800 * -2.1219444e-4f));
 let _e5824 = ((1f + (_e5804 * (1f + (_e5804 * (0.5f + (_e5804 * (0.16666667f + (_e5804 * (0.041666668f + (_e5804 * (0.008333334f + (_e5804 * (0.001388889f + (_e5804 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5799 + 127i)) << bitcast<u32>(23i))));
 let _e5825 = (1f - _e5824);
-phi_12932_ = type_34(_e5824, _e5825, vec3<f32>(((1f + (_e5659 * (1f + (_e5659 * (0.5f + (_e5659 * (0.16666667f + (_e5659 * (0.041666668f + (_e5659 * (0.008333334f + (_e5659 * (0.001388889f + (_e5659 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5654 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5707 * (1f + (_e5707 * (0.5f + (_e5707 * (0.16666667f + (_e5707 * (0.041666668f + (_e5707 * (0.008333334f + (_e5707 * (0.001388889f + (_e5707 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5702 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5755 * (1f + (_e5755 * (0.5f + (_e5755 * (0.16666667f + (_e5755 * (0.041666668f + (_e5755 * (0.008333334f + (_e5755 * (0.001388889f + (_e5755 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5750 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5825 / select(1e-12f, _e5419, (_e5419 > 1e-12f))))));
+phi_12933_ = type_35(_e5824, _e5825, vec3<f32>(((1f + (_e5659 * (1f + (_e5659 * (0.5f + (_e5659 * (0.16666667f + (_e5659 * (0.041666668f + (_e5659 * (0.008333334f + (_e5659 * (0.001388889f + (_e5659 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5654 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5707 * (1f + (_e5707 * (0.5f + (_e5707 * (0.16666667f + (_e5707 * (0.041666668f + (_e5707 * (0.008333334f + (_e5707 * (0.001388889f + (_e5707 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5702 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5755 * (1f + (_e5755 * (0.5f + (_e5755 * (0.16666667f + (_e5755 * (0.041666668f + (_e5755 * (0.008333334f + (_e5755 * (0.001388889f + (_e5755 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5750 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5825 / select(1e-12f, _e5419, (_e5419 > 1e-12f))))));
 }
-let _e5833 = phi_12932_;
+let _e5833 = phi_12933_;
 if _e1227 {
 let _e5838 = global_1.member.member_6.member.member;
 let _e5846 = global_1.member.member_6.member_1.member;
@@ -1987,7 +1995,7 @@ let _e6094 = select(select(select(select(select(select(0f, _e5838.member, _e5877
 let _e6095 = select(select(select(select(select(select(0f, _e5838.member_1, _e5877), _e5838.member_1, _e5917), _e5846.member_1, _e5956), _e5846.member_1, _e5996), _e5854.member_1, _e6035), _e5854.member_1, _e6075);
 let _e6096 = select(select(select(select(select(select(1f, _e5838.member_2, _e5877), _e5838.member_2, _e5917), _e5846.member_2, _e5956), _e5846.member_2, _e5996), _e5854.member_2, _e6035), _e5854.member_2, _e6075);
 if _e4054 {
-phi_14251_ = type_33(_e6081, vec3<f32>(_e6082, _e6083, _e6084), _e6086, vec3<f32>(_e6087, _e6088, _e6089), _e6091, _e6093, vec3<f32>(_e6094, _e6095, _e6096));
+phi_14252_ = type_34(_e6081, vec3<f32>(_e6082, _e6083, _e6084), _e6086, vec3<f32>(_e6087, _e6088, _e6089), _e6091, _e6093, vec3<f32>(_e6094, _e6095, _e6096));
 } else {
 let _e6103 = (((_e5838.member * _e5838.member) + (_e5838.member_1 * _e5838.member_1)) + (_e5838.member_2 * _e5838.member_2));
 let _e6106 = sqrt(select(0f, _e6103, (_e6103 > 0f)));
@@ -2067,21 +2075,21 @@ let _e6390 = select(2f, select(0f, _e6382, (_e6363 < 0f)), (_e6364 > 0f));
 let _e6391 = (_e6363 > _e6329);
 let _e6395 = ((_e6386 > _e6321) || ((_e6386 == _e6321) && _e6391));
 let _e6396 = (_e6390 < _e6325);
-phi_14251_ = type_33(select(_e6321, _e6386, _e6395), vec3<f32>(select(select(select(select(_e6082, _e6141.member, _e6167), _e6217.member, _e6243), _e6293.member, _e6319), _e6369.member, _e6395), select(select(select(select(_e6083, _e6141.member_1, _e6167), _e6217.member_1, _e6243), _e6293.member_1, _e6319), _e6369.member_1, _e6395), select(select(select(select(_e6084, _e6141.member_2, _e6167), _e6217.member_2, _e6243), _e6293.member_2, _e6319), _e6369.member_2, _e6395)), select(_e6325, _e6390, _e6396), vec3<f32>(select(select(select(select(_e6087, _e6141.member, _e6168), _e6217.member, _e6244), _e6293.member, _e6320), _e6369.member, _e6396), select(select(select(select(_e6088, _e6141.member_1, _e6168), _e6217.member_1, _e6244), _e6293.member_1, _e6320), _e6369.member_1, _e6396), select(select(select(select(_e6089, _e6141.member_2, _e6168), _e6217.member_2, _e6244), _e6293.member_2, _e6320), _e6369.member_2, _e6396)), select(_e6329, _e6363, _e6391), select(_e6331, _e6364, (_e6364 > _e6331)), vec3<f32>(select(select(select(select(_e6094, _e6141.member, _e6163), _e6217.member, _e6239), _e6293.member, _e6315), _e6369.member, _e6391), select(select(select(select(_e6095, _e6141.member_1, _e6163), _e6217.member_1, _e6239), _e6293.member_1, _e6315), _e6369.member_1, _e6391), select(select(select(select(_e6096, _e6141.member_2, _e6163), _e6217.member_2, _e6239), _e6293.member_2, _e6315), _e6369.member_2, _e6391)));
+phi_14252_ = type_34(select(_e6321, _e6386, _e6395), vec3<f32>(select(select(select(select(_e6082, _e6141.member, _e6167), _e6217.member, _e6243), _e6293.member, _e6319), _e6369.member, _e6395), select(select(select(select(_e6083, _e6141.member_1, _e6167), _e6217.member_1, _e6243), _e6293.member_1, _e6319), _e6369.member_1, _e6395), select(select(select(select(_e6084, _e6141.member_2, _e6167), _e6217.member_2, _e6243), _e6293.member_2, _e6319), _e6369.member_2, _e6395)), select(_e6325, _e6390, _e6396), vec3<f32>(select(select(select(select(_e6087, _e6141.member, _e6168), _e6217.member, _e6244), _e6293.member, _e6320), _e6369.member, _e6396), select(select(select(select(_e6088, _e6141.member_1, _e6168), _e6217.member_1, _e6244), _e6293.member_1, _e6320), _e6369.member_1, _e6396), select(select(select(select(_e6089, _e6141.member_2, _e6168), _e6217.member_2, _e6244), _e6293.member_2, _e6320), _e6369.member_2, _e6396)), select(_e6329, _e6363, _e6391), select(_e6331, _e6364, (_e6364 > _e6331)), vec3<f32>(select(select(select(select(_e6094, _e6141.member, _e6163), _e6217.member, _e6239), _e6293.member, _e6315), _e6369.member, _e6391), select(select(select(select(_e6095, _e6141.member_1, _e6163), _e6217.member_1, _e6239), _e6293.member_1, _e6315), _e6369.member_1, _e6391), select(select(select(select(_e6096, _e6141.member_2, _e6163), _e6217.member_2, _e6239), _e6293.member_2, _e6315), _e6369.member_2, _e6391)));
 }
-let _e6416 = phi_14251_;
+let _e6416 = phi_14252_;
 let _e6418 = (_e6416.member_4 < 0f);
 let _e6420 = (_e6416.member_5 < 0f);
 let _e6421 = (_e6418 != _e6420);
 if _e6418 {
-phi_14264_ = _e6416.member_3;
-phi_14265_ = _e6416.member_2;
+phi_14265_ = _e6416.member_3;
+phi_14266_ = _e6416.member_2;
 } else {
-phi_14264_ = _e6416.member_1;
-phi_14265_ = _e6416.member;
+phi_14265_ = _e6416.member_1;
+phi_14266_ = _e6416.member;
 }
-let _e6427 = phi_14264_;
-let _e6429 = phi_14265_;
+let _e6427 = phi_14265_;
+let _e6429 = phi_14266_;
 let _e6438 = (((_e5838.member * _e5838.member) + (_e5838.member_1 * _e5838.member_1)) + (_e5838.member_2 * _e5838.member_2));
 let _e6441 = sqrt(select(0f, _e6438, (_e6438 > 0f)));
 let _e6442 = ((1.5f * _e1125) * _e6441);
@@ -2125,7 +2133,7 @@ let _e6574 = (select(0i, _e6513, (_e6513 > 0i)) * _e3717);
 let _e6575 = (select(_e3729, _e6531, (_e6531 < _e3729)) * _e3717);
 let _e6576 = (select(0i, _e6528, (_e6528 > 0i)) * _e3721);
 let _e6577 = (select(_e3742, _e6536, (_e6536 < _e3742)) * _e3721);
-local_2 = type_30(array<i32, 4>(_e6551, _e6553, _e6555, 0i), array<u32, 6>(bitcast<u32>(((_e6541 - _e6551) * 16i)), bitcast<u32>(((_e6543 - _e6551) * 16i)), bitcast<u32>(((_e6543 - _e6553) * 16i)), bitcast<u32>(((_e6546 - _e6553) * 16i)), bitcast<u32>(((_e6546 - _e6555) * 16i)), bitcast<u32>(((select(_e3755, _e6547, (_e6547 < _e3755)) - _e6555) * 16i))));
+local_2 = type_31(array<i32, 4>(_e6551, _e6553, _e6555, 0i), array<u32, 6>(bitcast<u32>(((_e6541 - _e6551) * 16i)), bitcast<u32>(((_e6543 - _e6551) * 16i)), bitcast<u32>(((_e6543 - _e6553) * 16i)), bitcast<u32>(((_e6546 - _e6553) * 16i)), bitcast<u32>(((_e6546 - _e6555) * 16i)), bitcast<u32>(((select(_e3755, _e6547, (_e6547 < _e3755)) - _e6555) * 16i))));
 local_3 = vec3<f32>((_e6475 - f32(_e6498)), (_e6479 - f32(_e6513)), (_e6483 - f32(_e6528)));
 let _e6592 = local_2.member[1u];
 let _e6593 = ((_e6576 + _e6574) + _e6592);
@@ -2373,7 +2381,7 @@ let _e7351 = select(select(select(select(select(select(0f, _e5838.member, _e5892
 let _e7352 = select(select(select(select(select(select(0f, _e5838.member_1, _e5892), _e5838.member_1, _e5932), _e5846.member_1, _e5971), _e5846.member_1, _e6011), _e5854.member_1, _e6050), _e5854.member_1, _e6092);
 let _e7353 = select(select(select(select(select(select(1f, _e5838.member_2, _e5892), _e5838.member_2, _e5932), _e5846.member_2, _e5971), _e5846.member_2, _e6011), _e5854.member_2, _e6050), _e5854.member_2, _e6092);
 if _e4054 {
-phi_17013_ = type_33(_e7339, vec3<f32>(_e7340, _e7341, _e7342), _e7344, vec3<f32>(_e7345, _e7346, _e7347), _e6093, _e7350, vec3<f32>(_e7351, _e7352, _e7353));
+phi_17014_ = type_34(_e7339, vec3<f32>(_e7340, _e7341, _e7342), _e7344, vec3<f32>(_e7345, _e7346, _e7347), _e6093, _e7350, vec3<f32>(_e7351, _e7352, _e7353));
 } else {
 let _e7359 = global_1.member.member_14.member_1;
 let _e7360 = (_e7359 != 0u);
@@ -2451,9 +2459,9 @@ let _e7639 = select(2f, select(0f, _e7631, (_e7612 < 0f)), (_e7613 > 0f));
 let _e7640 = (_e7612 > _e7578);
 let _e7644 = ((_e7635 > _e7570) || ((_e7635 == _e7570) && _e7640));
 let _e7645 = (_e7639 < _e7574);
-phi_17013_ = type_33(select(_e7570, _e7635, _e7644), vec3<f32>(select(select(select(select(_e7340, _e7390.member, _e7416), _e7466.member, _e7492), _e7542.member, _e7568), _e7618.member, _e7644), select(select(select(select(_e7341, _e7390.member_1, _e7416), _e7466.member_1, _e7492), _e7542.member_1, _e7568), _e7618.member_1, _e7644), select(select(select(select(_e7342, _e7390.member_2, _e7416), _e7466.member_2, _e7492), _e7542.member_2, _e7568), _e7618.member_2, _e7644)), select(_e7574, _e7639, _e7645), vec3<f32>(select(select(select(select(_e7345, _e7390.member, _e7417), _e7466.member, _e7493), _e7542.member, _e7569), _e7618.member, _e7645), select(select(select(select(_e7346, _e7390.member_1, _e7417), _e7466.member_1, _e7493), _e7542.member_1, _e7569), _e7618.member_1, _e7645), select(select(select(select(_e7347, _e7390.member_2, _e7417), _e7466.member_2, _e7493), _e7542.member_2, _e7569), _e7618.member_2, _e7645)), select(_e7578, _e7612, _e7640), select(_e7580, _e7613, (_e7613 > _e7580)), vec3<f32>(select(select(select(select(_e7351, _e7390.member, _e7412), _e7466.member, _e7488), _e7542.member, _e7564), _e7618.member, _e7640), select(select(select(select(_e7352, _e7390.member_1, _e7412), _e7466.member_1, _e7488), _e7542.member_1, _e7564), _e7618.member_1, _e7640), select(select(select(select(_e7353, _e7390.member_2, _e7412), _e7466.member_2, _e7488), _e7542.member_2, _e7564), _e7618.member_2, _e7640)));
+phi_17014_ = type_34(select(_e7570, _e7635, _e7644), vec3<f32>(select(select(select(select(_e7340, _e7390.member, _e7416), _e7466.member, _e7492), _e7542.member, _e7568), _e7618.member, _e7644), select(select(select(select(_e7341, _e7390.member_1, _e7416), _e7466.member_1, _e7492), _e7542.member_1, _e7568), _e7618.member_1, _e7644), select(select(select(select(_e7342, _e7390.member_2, _e7416), _e7466.member_2, _e7492), _e7542.member_2, _e7568), _e7618.member_2, _e7644)), select(_e7574, _e7639, _e7645), vec3<f32>(select(select(select(select(_e7345, _e7390.member, _e7417), _e7466.member, _e7493), _e7542.member, _e7569), _e7618.member, _e7645), select(select(select(select(_e7346, _e7390.member_1, _e7417), _e7466.member_1, _e7493), _e7542.member_1, _e7569), _e7618.member_1, _e7645), select(select(select(select(_e7347, _e7390.member_2, _e7417), _e7466.member_2, _e7493), _e7542.member_2, _e7569), _e7618.member_2, _e7645)), select(_e7578, _e7612, _e7640), select(_e7580, _e7613, (_e7613 > _e7580)), vec3<f32>(select(select(select(select(_e7351, _e7390.member, _e7412), _e7466.member, _e7488), _e7542.member, _e7564), _e7618.member, _e7640), select(select(select(select(_e7352, _e7390.member_1, _e7412), _e7466.member_1, _e7488), _e7542.member_1, _e7564), _e7618.member_1, _e7640), select(select(select(select(_e7353, _e7390.member_2, _e7412), _e7466.member_2, _e7488), _e7542.member_2, _e7564), _e7618.member_2, _e7640)));
 }
-let _e7665 = phi_17013_;
+let _e7665 = phi_17014_;
 let _e7674 = global_1.member.member_5.member_4;
 let _e7677 = (_e3638.member_3.x * _e4257.member_2);
 let _e7679 = (_e3638.member_3.y * _e4257.member_2);
@@ -2478,14 +2486,14 @@ let _e7736 = (_e7102 + ((_e3638.member_4.z * _e4257.member_2) * _e7114));
 let _e7738 = (_e7736 * _e7736);
 let _e7747 = ((_e4052 & 1u) != 0u);
 let _e7752 = (select(_e7720, ((_e7736 <= 0f) || (_e7738 <= (_e7710 * (((_e7734 * _e7734) + (_e7735 * _e7735)) + _e7738)))), _e7747) || (_e7099 && ((_e7075 && _e6421) || (_e6421 && (_e7102 <= 0f)))));
-phi_17165_ = vec3<f32>(select(select(select(_e7704, _e7686, _e7720), _e7734, _e7747), _e231, _e7752), select(select(select(_e7705, _e7687, _e7720), _e7735, _e7747), _e242, _e7752), select(select(select(_e7706, _e7688, _e7720), _e7736, _e7747), _e253, _e7752));
-phi_17166_ = select(1f, 0f, _e7752);
+phi_17166_ = vec3<f32>(select(select(select(_e7704, _e7686, _e7720), _e7734, _e7747), _e231, _e7752), select(select(select(_e7705, _e7687, _e7720), _e7735, _e7747), _e242, _e7752), select(select(select(_e7706, _e7688, _e7720), _e7736, _e7747), _e253, _e7752));
+phi_17167_ = select(1f, 0f, _e7752);
 } else {
-phi_17165_ = vec3<f32>(_e231, _e242, _e253);
-phi_17166_ = 1f;
+phi_17166_ = vec3<f32>(_e231, _e242, _e253);
+phi_17167_ = 1f;
 }
-let _e7759 = phi_17165_;
-let _e7761 = phi_17166_;
+let _e7759 = phi_17166_;
+let _e7761 = phi_17167_;
 let _e7764 = (_e5833.member * _e7761);
 global_2.member[_e188] = (_e199 * (_e5833.member_2.x * _e7764));
 global_2.member[_e200] = (_e209 * (_e5833.member_2.y * _e7764));

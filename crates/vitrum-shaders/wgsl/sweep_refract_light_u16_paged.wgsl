@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_24 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_25 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_23,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_15,
+member_18: type_23,
+member_19: type_5,
+member_20: type_24,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_25 {
+struct type_26 {
 member: type_7,
 member_1: u32,
 }
-struct type_26 {
+struct type_27 {
 member: type_2,
 member_1: u32,
 member_2: type_18,
@@ -141,39 +149,39 @@ member_6: type_20,
 member_7: type_20,
 member_8: type_21,
 member_9: type_22,
-member_10: type_24,
+member_10: type_25,
 member_11: type_19,
 member_12: type_4,
 member_13: type_9,
-member_14: type_25,
-member_15: type_25,
-member_16: type_25,
-member_17: type_25,
+member_14: type_26,
+member_15: type_26,
+member_16: type_26,
+member_17: type_26,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
-member: type_26,
+struct type_28 {
+member: type_27,
 }
-struct type_30 {
+struct type_31 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -182,7 +190,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_34 {
+struct type_35 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
@@ -190,7 +198,7 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_27;
+var<storage> global_1: type_28;
 @group(0) @binding(6)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
@@ -204,15 +212,15 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_30;
+var local_2: type_31;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_30;
+var local_8: type_31;
 var local_9: vec3<f32>;
-var local_10: type_30;
+var local_10: type_31;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -228,23 +236,23 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_30;
+var local_26: type_31;
 var local_27: vec3<f32>;
-var phi_902_: bool;
-var phi_1082_: bool;
-var phi_1085_: bool;
-var phi_1269_: bool;
-var phi_1592_: u32;
-var phi_7362_: type_31;
-var phi_8064_: type_32;
-var phi_8953_: type_5;
-var phi_12681_: type_34;
-var phi_14000_: type_33;
-var phi_14013_: vec3<f32>;
-var phi_14014_: f32;
-var phi_16685_: type_33;
-var phi_16837_: vec3<f32>;
-var phi_16838_: f32;
+var phi_903_: bool;
+var phi_1083_: bool;
+var phi_1086_: bool;
+var phi_1270_: bool;
+var phi_1593_: u32;
+var phi_7363_: type_32;
+var phi_8065_: type_33;
+var phi_8954_: type_5;
+var phi_12682_: type_35;
+var phi_14001_: type_34;
+var phi_14014_: vec3<f32>;
+var phi_14015_: f32;
+var phi_16686_: type_34;
+var phi_16838_: vec3<f32>;
+var phi_16839_: f32;
 let _e158 = global;
 let _e161 = arrayLength((&global_3.member));
 let _e166 = arrayLength((&global_4.member));
@@ -355,7 +363,7 @@ let _e541 = ((((_e427 >= _e526) && (_e427 <= _e529)) && ((_e442 >= _e526) && (_e
 let _e544 = global_1.member.member_1;
 let _e546 = ((_e544 & 16u) == 0u);
 if _e546 {
-phi_902_ = _e541;
+phi_903_ = _e541;
 } else {
 let _e551 = global_1.member.member_14.member;
 let _e563 = -((_e399 / _e392));
@@ -366,9 +374,9 @@ let _e597 = global_1.member.member_16.member;
 let _e613 = global_1.member.member_16.member_1;
 let _e620 = global_1.member.member_17.member;
 let _e636 = global_1.member.member_17.member_1;
-phi_902_ = (_e541 && (((((((((_e551.member.member * _e347) + (_e551.member.member_1 * _e360)) + (_e551.member.member_2 * _e325)) + _e551.member_1) <= _e563) || (_e568 == 0u)) && ((((((_e574.member.member * _e347) + (_e574.member.member_1 * _e360)) + (_e574.member.member_2 * _e325)) + _e574.member_1) <= _e563) || (_e590 == 0u))) && ((((((_e597.member.member * _e347) + (_e597.member.member_1 * _e360)) + (_e597.member.member_2 * _e325)) + _e597.member_1) <= _e563) || (_e613 == 0u))) && ((((((_e620.member.member * _e347) + (_e620.member.member_1 * _e360)) + (_e620.member.member_2 * _e325)) + _e620.member_1) <= _e563) || (_e636 == 0u))));
+phi_903_ = (_e541 && (((((((((_e551.member.member * _e347) + (_e551.member.member_1 * _e360)) + (_e551.member.member_2 * _e325)) + _e551.member_1) <= _e563) || (_e568 == 0u)) && ((((((_e574.member.member * _e347) + (_e574.member.member_1 * _e360)) + (_e574.member.member_2 * _e325)) + _e574.member_1) <= _e563) || (_e590 == 0u))) && ((((((_e597.member.member * _e347) + (_e597.member.member_1 * _e360)) + (_e597.member.member_2 * _e325)) + _e597.member_1) <= _e563) || (_e613 == 0u))) && ((((((_e620.member.member * _e347) + (_e620.member.member_1 * _e360)) + (_e620.member.member_2 * _e325)) + _e620.member_1) <= _e563) || (_e636 == 0u))));
 }
-let _e642 = phi_902_;
+let _e642 = phi_903_;
 let _e646 = (_e370 + (_e370 - _e347));
 let _e647 = (_e375 + (_e375 - _e360));
 let _e648 = (_e364 + (_e364 - _e325));
@@ -377,7 +385,7 @@ let _e660 = ((((_e431.member.member * _e646) + (_e431.member.member_1 * _e647)) 
 let _e666 = ((((_e446.member.member * _e646) + (_e446.member.member_1 * _e647)) + (_e446.member.member_2 * _e648)) + _e446.member_1);
 let _e677 = ((((_e654 >= _e526) && (_e654 <= _e529)) && ((_e660 >= _e526) && (_e660 <= _e533))) && ((_e666 >= _e526) && (_e666 <= _e538)));
 if _e546 {
-phi_1082_ = _e677;
+phi_1083_ = _e677;
 } else {
 let _e682 = global_1.member.member_14.member;
 let _e694 = -((_e399 / _e392));
@@ -388,14 +396,14 @@ let _e728 = global_1.member.member_16.member;
 let _e744 = global_1.member.member_16.member_1;
 let _e751 = global_1.member.member_17.member;
 let _e767 = global_1.member.member_17.member_1;
-phi_1082_ = (_e677 && (((((((((_e682.member.member * _e646) + (_e682.member.member_1 * _e647)) + (_e682.member.member_2 * _e648)) + _e682.member_1) <= _e694) || (_e699 == 0u)) && ((((((_e705.member.member * _e646) + (_e705.member.member_1 * _e647)) + (_e705.member.member_2 * _e648)) + _e705.member_1) <= _e694) || (_e721 == 0u))) && ((((((_e728.member.member * _e646) + (_e728.member.member_1 * _e647)) + (_e728.member.member_2 * _e648)) + _e728.member_1) <= _e694) || (_e744 == 0u))) && ((((((_e751.member.member * _e646) + (_e751.member.member_1 * _e647)) + (_e751.member.member_2 * _e648)) + _e751.member_1) <= _e694) || (_e767 == 0u))));
+phi_1083_ = (_e677 && (((((((((_e682.member.member * _e646) + (_e682.member.member_1 * _e647)) + (_e682.member.member_2 * _e648)) + _e682.member_1) <= _e694) || (_e699 == 0u)) && ((((((_e705.member.member * _e646) + (_e705.member.member_1 * _e647)) + (_e705.member.member_2 * _e648)) + _e705.member_1) <= _e694) || (_e721 == 0u))) && ((((((_e728.member.member * _e646) + (_e728.member.member_1 * _e647)) + (_e728.member.member_2 * _e648)) + _e728.member_1) <= _e694) || (_e744 == 0u))) && ((((((_e751.member.member * _e646) + (_e751.member.member_1 * _e647)) + (_e751.member.member_2 * _e648)) + _e751.member_1) <= _e694) || (_e767 == 0u))));
 }
-let _e773 = phi_1082_;
-phi_1085_ = (_e516 && (_e642 && _e773));
+let _e773 = phi_1083_;
+phi_1086_ = (_e516 && (_e642 && _e773));
 } else {
-phi_1085_ = _e516;
+phi_1086_ = _e516;
 }
-let _e777 = phi_1085_;
+let _e777 = phi_1086_;
 let _e784 = ((((_e416.member.member * _e410) + (_e416.member.member_1 * _e411)) + (_e416.member.member_2 * _e412)) + _e416.member_1);
 let _e790 = ((((_e431.member.member * _e410) + (_e431.member.member_1 * _e411)) + (_e431.member.member_2 * _e412)) + _e431.member_1);
 let _e796 = ((((_e446.member.member * _e410) + (_e446.member.member_1 * _e411)) + (_e446.member.member_2 * _e412)) + _e446.member_1);
@@ -404,7 +412,7 @@ let _e798 = (_e399 + 0.5f);
 let _e812 = ((((_e784 >= _e797) && (_e784 <= (_e481 - _e798))) && ((_e790 >= _e797) && (_e790 <= (_e491 - _e798)))) && ((_e796 >= _e797) && (_e796 <= (_e501 - _e798))));
 let _e815 = global_1.member.member_1;
 if ((_e815 & 16u) == 0u) {
-phi_1269_ = _e812;
+phi_1270_ = _e812;
 } else {
 let _e822 = global_1.member.member_14.member;
 let _e834 = -((_e399 / _e392));
@@ -415,9 +423,9 @@ let _e868 = global_1.member.member_16.member;
 let _e884 = global_1.member.member_16.member_1;
 let _e891 = global_1.member.member_17.member;
 let _e907 = global_1.member.member_17.member_1;
-phi_1269_ = (_e812 && (((((((((_e822.member.member * _e410) + (_e822.member.member_1 * _e411)) + (_e822.member.member_2 * _e412)) + _e822.member_1) <= _e834) || (_e839 == 0u)) && ((((((_e845.member.member * _e410) + (_e845.member.member_1 * _e411)) + (_e845.member.member_2 * _e412)) + _e845.member_1) <= _e834) || (_e861 == 0u))) && ((((((_e868.member.member * _e410) + (_e868.member.member_1 * _e411)) + (_e868.member.member_2 * _e412)) + _e868.member_1) <= _e834) || (_e884 == 0u))) && ((((((_e891.member.member * _e410) + (_e891.member.member_1 * _e411)) + (_e891.member.member_2 * _e412)) + _e891.member_1) <= _e834) || (_e907 == 0u))));
+phi_1270_ = (_e812 && (((((((((_e822.member.member * _e410) + (_e822.member.member_1 * _e411)) + (_e822.member.member_2 * _e412)) + _e822.member_1) <= _e834) || (_e839 == 0u)) && ((((((_e845.member.member * _e410) + (_e845.member.member_1 * _e411)) + (_e845.member.member_2 * _e412)) + _e845.member_1) <= _e834) || (_e861 == 0u))) && ((((((_e868.member.member * _e410) + (_e868.member.member_1 * _e411)) + (_e868.member.member_2 * _e412)) + _e868.member_1) <= _e834) || (_e884 == 0u))) && ((((((_e891.member.member * _e410) + (_e891.member.member_1 * _e411)) + (_e891.member.member_2 * _e412)) + _e891.member_1) <= _e834) || (_e907 == 0u))));
 }
-let _e913 = phi_1269_;
+let _e913 = phi_1270_;
 let _e920 = global_1.member.member_6.member_4;
 let _e921 = (_e481 - 0.5f);
 let _e923 = select(-0.5f, _e463, (_e463 > -0.5f));
@@ -457,11 +465,11 @@ let _e1050 = ((bitcast<i32>(_e1044) + ((_e981 - select(0i, 1i, (_e974 < f32(_e98
 let _e1052 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1054 = select(_e1052, _e1050, (_e1050 < _e1052));
 let _e1060 = global_5.member[bitcast<u32>(select(0i, _e1054, (_e1054 > 0i)))];
-phi_1592_ = select(select(7u, 3u, (_e777 && (!(_e525) || _e913))), 1u, (((_e815 & 64u) != 0u) || ((((select(_e949, _e946, (_e946 > _e949)) <= _e920) && ((select(_e966, _e963, (_e963 > _e966)) > _e920) || (_e1060 != 0u))) && true) && ((_e815 & 32u) != 0u))));
+phi_1593_ = select(select(7u, 3u, (_e777 && (!(_e525) || _e913))), 1u, (((_e815 & 64u) != 0u) || ((((select(_e949, _e946, (_e946 > _e949)) <= _e920) && ((select(_e966, _e963, (_e963 > _e966)) > _e920) || (_e1060 != 0u))) && true) && ((_e815 & 32u) != 0u))));
 } else {
-phi_1592_ = 7u;
+phi_1593_ = 7u;
 }
-let _e1073 = phi_1592_;
+let _e1073 = phi_1593_;
 if (_e1073 > 1u) {
 let _e1078 = bitcast<i32>(((_e186 * _e294) + _e184));
 let _e1081 = (bitcast<i32>(_e168) - 1i);
@@ -543,7 +551,7 @@ let _e1363 = (_e1353 + (3i * _e1309));
 let _e1364 = (_e1355 + _e1313);
 let _e1366 = (_e1355 + (2i * _e1313));
 let _e1368 = (_e1355 + (3i * _e1313));
-local_26 = type_30(array<i32, 4>(_e1350, (_e1350 + 1i), (_e1350 + 2i), (_e1350 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_31(array<i32, 4>(_e1350, (_e1350 + 1i), (_e1350 + 2i), (_e1350 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e1240 - f32(_e1275)), (_e1250 - f32(_e1290)), (_e1260 - f32(_e1305)));
 let _e1379 = (_e1364 + _e1359);
 let _e1382 = local_26.member[0u];
@@ -930,7 +938,7 @@ if _e1229 {
 let _e2594 = ((0.5f * (_e2329 - _e2323)) * _e2587);
 let _e2595 = ((0.5f * (_e2341 - _e2335)) * _e2587);
 let _e2596 = ((0.5f * (_e2353 - _e2347)) * _e2587);
-phi_7362_ = type_31(_e2549, vec3<f32>(_e2594, _e2595, _e2596), vec3<f32>((_e2594 * _e2549), (_e2595 * _e2549), (_e2596 * _e2549)));
+phi_7363_ = type_32(_e2549, vec3<f32>(_e2594, _e2595, _e2596), vec3<f32>((_e2594 * _e2549), (_e2595 * _e2549), (_e2596 * _e2549)));
 } else {
 local_22 = _e2323;
 let _e2603 = local_22;
@@ -1079,9 +1087,9 @@ let _e3028 = ((_e2534 + (f32(bitcast<i32>((_e3013 >> bitcast<u32>(12u)))) * _e25
 let _e3029 = (_e2744 - _e2673);
 let _e3031 = (_e2886 - _e2815);
 let _e3033 = (_e3028 - _e2957);
-phi_7362_ = type_31(_e2549, vec3<f32>((0.5f * _e3029), (0.5f * _e3031), (0.5f * _e3033)), vec3<f32>((0.25f * (_e3029 * (_e2744 + _e2673))), (0.25f * (_e3031 * (_e2886 + _e2815))), (0.25f * (_e3033 * (_e3028 + _e2957)))));
+phi_7363_ = type_32(_e2549, vec3<f32>((0.5f * _e3029), (0.5f * _e3031), (0.5f * _e3033)), vec3<f32>((0.25f * (_e3029 * (_e2744 + _e2673))), (0.25f * (_e3031 * (_e2886 + _e2815))), (0.25f * (_e3033 * (_e3028 + _e2957)))));
 }
-let _e3048 = phi_7362_;
+let _e3048 = phi_7363_;
 let _e3063 = select(0f, 1f, ((((((_e1209 >= -0.5f) && (_e1209 <= _e1236)) && (_e1215 >= -0.5f)) && (_e1215 <= _e1246)) && (_e1221 >= -0.5f)) && (_e1221 <= _e1256)));
 let _e3065 = (0.5f * (_e2329 - _e2323));
 let _e3067 = (0.5f * (_e2341 - _e2335));
@@ -1095,7 +1103,7 @@ let _e3105 = global_1.member.member_6.member_1.member.member_2;
 let _e3111 = global_1.member.member_6.member_2.member.member;
 let _e3117 = global_1.member.member_6.member_2.member.member_1;
 let _e3123 = global_1.member.member_6.member_2.member.member_2;
-phi_8064_ = type_32(_e2317, vec3<f32>(((((_e3075 * _e3065) + (_e3093 * _e3067)) + (_e3111 * _e3069)) * _e3063), ((((_e3081 * _e3065) + (_e3099 * _e3067)) + (_e3117 * _e3069)) * _e3063), ((((_e3087 * _e3065) + (_e3105 * _e3067)) + (_e3123 * _e3069)) * _e3063)), _e3048.member, vec3<f32>(((((_e3075 * _e3048.member_2.x) + (_e3093 * _e3048.member_2.y)) + (_e3111 * _e3048.member_2.z)) * _e3063), ((((_e3081 * _e3048.member_2.x) + (_e3099 * _e3048.member_2.y)) + (_e3117 * _e3048.member_2.z)) * _e3063), ((((_e3087 * _e3048.member_2.x) + (_e3105 * _e3048.member_2.y)) + (_e3123 * _e3048.member_2.z)) * _e3063)), vec3<f32>(((((_e3075 * _e3048.member_1.x) + (_e3093 * _e3048.member_1.y)) + (_e3111 * _e3048.member_1.z)) * _e3063), ((((_e3081 * _e3048.member_1.x) + (_e3099 * _e3048.member_1.y)) + (_e3117 * _e3048.member_1.z)) * _e3063), ((((_e3087 * _e3048.member_1.x) + (_e3105 * _e3048.member_1.y)) + (_e3123 * _e3048.member_1.z)) * _e3063)));
+phi_8065_ = type_33(_e2317, vec3<f32>(((((_e3075 * _e3065) + (_e3093 * _e3067)) + (_e3111 * _e3069)) * _e3063), ((((_e3081 * _e3065) + (_e3099 * _e3067)) + (_e3117 * _e3069)) * _e3063), ((((_e3087 * _e3065) + (_e3105 * _e3067)) + (_e3123 * _e3069)) * _e3063)), _e3048.member, vec3<f32>(((((_e3075 * _e3048.member_2.x) + (_e3093 * _e3048.member_2.y)) + (_e3111 * _e3048.member_2.z)) * _e3063), ((((_e3081 * _e3048.member_2.x) + (_e3099 * _e3048.member_2.y)) + (_e3117 * _e3048.member_2.z)) * _e3063), ((((_e3087 * _e3048.member_2.x) + (_e3105 * _e3048.member_2.y)) + (_e3123 * _e3048.member_2.z)) * _e3063)), vec3<f32>(((((_e3075 * _e3048.member_1.x) + (_e3093 * _e3048.member_1.y)) + (_e3111 * _e3048.member_1.z)) * _e3063), ((((_e3081 * _e3048.member_1.x) + (_e3099 * _e3048.member_1.y)) + (_e3117 * _e3048.member_1.z)) * _e3063), ((((_e3087 * _e3048.member_1.x) + (_e3105 * _e3048.member_1.y)) + (_e3123 * _e3048.member_1.z)) * _e3063)));
 } else {
 let _e3192 = global_1.member.member_6.member_3.member;
 let _e3193 = (_e3192 - 0.5f);
@@ -1139,7 +1147,7 @@ let _e3316 = (_e3310 + _e3266);
 let _e3318 = (_e3310 + (2i * _e3266));
 let _e3319 = (_e3312 + _e3270);
 let _e3321 = (_e3312 + (2i * _e3270));
-local_10 = type_30(array<i32, 4>(_e3307, (_e3307 + 1i), (_e3307 + 2i), (_e3307 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_10 = type_31(array<i32, 4>(_e3307, (_e3307 + 1i), (_e3307 + 2i), (_e3307 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_11 = vec3<f32>((_e3197 - f32(_e3232)), (_e3207 - f32(_e3247)), (_e3217 - f32(_e3262)));
 let _e3335 = local_10.member[1u];
 let _e3336 = ((_e3319 + _e3316) + _e3335);
@@ -1208,9 +1216,9 @@ let _e3563 = global_1.member.member_6.member_5;
 let _e3565 = (((_e3444 + (((_e3495 + (((_e3535 + ((f32(bitcast<i32>(((_e3528 >> bitcast<u32>((_e3536 & 31u))) & 65535u))) - _e3535) * _e3543)) - _e3495) * _e3547)) - _e3444) * _e3552)) - _e3559) * _e3563);
 let _e3566 = -(1e9f);
 let _e3568 = select(_e3566, _e3565, (_e3565 > _e3566));
-phi_8064_ = type_32(select(1e9f, _e3568, (_e3568 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_8065_ = type_33(select(1e9f, _e3568, (_e3568 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3573 = phi_8064_;
+let _e3573 = phi_8065_;
 let _e3578 = global_1.member.member_6.member_3.member;
 let _e3579 = (_e3578 - 0.5f);
 let _e3581 = select(-0.5f, _e1173, (_e1173 > -0.5f));
@@ -1257,7 +1265,7 @@ let _e3704 = (_e3696 + _e3703);
 let _e3705 = (_e3698 + _e3656);
 let _e3706 = (2i * _e3656);
 let _e3707 = (_e3698 + _e3706);
-local_8 = type_30(array<i32, 4>(_e3693, (_e3693 + 1i), (_e3693 + 2i), (_e3693 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_8 = type_31(array<i32, 4>(_e3693, (_e3693 + 1i), (_e3693 + 2i), (_e3693 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_9 = vec3<f32>((_e3583 - f32(_e3618)), (_e3593 - f32(_e3633)), (_e3603 - f32(_e3648)));
 let _e3721 = local_8.member[1u];
 let _e3722 = ((_e3705 + _e3702) + _e3721);
@@ -1330,7 +1338,7 @@ let _e3956 = select(1e9f, _e3954, (_e3954 < 1e9f));
 let _e3959 = global_1.member.member_1;
 let _e3961 = ((_e3959 & 16u) == 0u);
 if _e3961 {
-phi_8953_ = type_5(1f, 1f, 1f);
+phi_8954_ = type_5(1f, 1f, 1f);
 } else {
 let _e3965 = global_1.member.member_14.member;
 let _e3976 = ((((_e3965.member.member * _e1130) + (_e3965.member.member_1 * _e1143)) + (_e3965.member.member_2 * _e1108)) + _e3965.member_1);
@@ -1376,9 +1384,9 @@ let _e4143 = select(0f, _e4141, (_e4141 > 0f));
 let _e4149 = select(select(select(1f, _e4143, (_e4143 < 1f)), 1f, (_e4136 <= 0f)), 0f, (_e4134 > 0f));
 let _e4154 = global_1.member.member_17.member_1;
 let _e4155 = (_e4154 != 0u);
-phi_8953_ = type_5(((((1f * _e3999) * _e4049) * _e4099) * _e4149), ((((1f * select(1f, _e3999, _e4005)) * select(1f, _e4049, _e4055)) * select(1f, _e4099, _e4105)) * select(1f, _e4149, _e4155)), ((((1f * select(1f, 0f, (_e4005 && (_e3982 > 0f)))) * select(1f, 0f, (_e4055 && (_e4032 > 0f)))) * select(1f, 0f, (_e4105 && (_e4082 > 0f)))) * select(1f, 0f, (_e4155 && (_e4132 > 0f)))));
+phi_8954_ = type_5(((((1f * _e3999) * _e4049) * _e4099) * _e4149), ((((1f * select(1f, _e3999, _e4005)) * select(1f, _e4049, _e4055)) * select(1f, _e4099, _e4105)) * select(1f, _e4149, _e4155)), ((((1f * select(1f, 0f, (_e4005 && (_e3982 > 0f)))) * select(1f, 0f, (_e4055 && (_e4032 > 0f)))) * select(1f, 0f, (_e4105 && (_e4082 > 0f)))) * select(1f, 0f, (_e4155 && (_e4132 > 0f)))));
 }
-let _e4164 = phi_8953_;
+let _e4164 = phi_8954_;
 let _e4165 = (_e1209 - _e1173);
 let _e4169 = (bitcast<f32>((bitcast<u32>(_e4165) & 2147483647u)) < 1e-12f);
 let _e4171 = (1f / select(_e4165, 1f, _e4169));
@@ -1602,7 +1610,7 @@ let _e4802 = f32(_e4801);
 let _e4806 = ((_e4784 - (_e4802 * 0.6933594f)) - (_e4802 * -2.1219444e-4f));
 let _e4826 = ((1f + (_e4806 * (1f + (_e4806 * (0.5f + (_e4806 * (0.16666667f + (_e4806 * (0.041666668f + (_e4806 * (0.008333334f + (_e4806 * (0.001388889f + (_e4806 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4801 + 127i)) << bitcast<u32>(23i))));
 let _e4827 = (1f - _e4826);
-phi_12681_ = type_34(_e4826, _e4827, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4827 / select(1e-12f, _e4776, (_e4776 > 1e-12f))))));
+phi_12682_ = type_35(_e4826, _e4827, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4827 / select(1e-12f, _e4776, (_e4776 > 1e-12f))))));
 } else {
 local_5 = _e3956;
 let _e4835 = local_5;
@@ -1839,9 +1847,9 @@ let _e5707 = f32(_e5706);
 let _e5711 = ((_e5689 - (_e5707 * 0.6933594f)) - (_e5707 * -2.1219444e-4f));
 let _e5731 = ((1f + (_e5711 * (1f + (_e5711 * (0.5f + (_e5711 * (0.16666667f + (_e5711 * (0.041666668f + (_e5711 * (0.008333334f + (_e5711 * (0.001388889f + (_e5711 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5706 + 127i)) << bitcast<u32>(23i))));
 let _e5732 = (1f - _e5731);
-phi_12681_ = type_34(_e5731, _e5732, vec3<f32>(((1f + (_e5566 * (1f + (_e5566 * (0.5f + (_e5566 * (0.16666667f + (_e5566 * (0.041666668f + (_e5566 * (0.008333334f + (_e5566 * (0.001388889f + (_e5566 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5561 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5614 * (1f + (_e5614 * (0.5f + (_e5614 * (0.16666667f + (_e5614 * (0.041666668f + (_e5614 * (0.008333334f + (_e5614 * (0.001388889f + (_e5614 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5609 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5662 * (1f + (_e5662 * (0.5f + (_e5662 * (0.16666667f + (_e5662 * (0.041666668f + (_e5662 * (0.008333334f + (_e5662 * (0.001388889f + (_e5662 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5657 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5732 / select(1e-12f, _e5326, (_e5326 > 1e-12f))))));
+phi_12682_ = type_35(_e5731, _e5732, vec3<f32>(((1f + (_e5566 * (1f + (_e5566 * (0.5f + (_e5566 * (0.16666667f + (_e5566 * (0.041666668f + (_e5566 * (0.008333334f + (_e5566 * (0.001388889f + (_e5566 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5561 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5614 * (1f + (_e5614 * (0.5f + (_e5614 * (0.16666667f + (_e5614 * (0.041666668f + (_e5614 * (0.008333334f + (_e5614 * (0.001388889f + (_e5614 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5609 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5662 * (1f + (_e5662 * (0.5f + (_e5662 * (0.16666667f + (_e5662 * (0.041666668f + (_e5662 * (0.008333334f + (_e5662 * (0.001388889f + (_e5662 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5657 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5732 / select(1e-12f, _e5326, (_e5326 > 1e-12f))))));
 }
-let _e5740 = phi_12681_;
+let _e5740 = phi_12682_;
 if _e1230 {
 let _e5745 = global_1.member.member_6.member.member;
 let _e5753 = global_1.member.member_6.member_1.member;
@@ -1967,7 +1975,7 @@ let _e6001 = select(select(select(select(select(select(0f, _e5745.member, _e5784
 let _e6002 = select(select(select(select(select(select(0f, _e5745.member_1, _e5784), _e5745.member_1, _e5824), _e5753.member_1, _e5863), _e5753.member_1, _e5903), _e5761.member_1, _e5942), _e5761.member_1, _e5982);
 let _e6003 = select(select(select(select(select(select(1f, _e5745.member_2, _e5784), _e5745.member_2, _e5824), _e5753.member_2, _e5863), _e5753.member_2, _e5903), _e5761.member_2, _e5942), _e5761.member_2, _e5982);
 if _e3961 {
-phi_14000_ = type_33(_e5988, vec3<f32>(_e5989, _e5990, _e5991), _e5993, vec3<f32>(_e5994, _e5995, _e5996), _e5998, _e6000, vec3<f32>(_e6001, _e6002, _e6003));
+phi_14001_ = type_34(_e5988, vec3<f32>(_e5989, _e5990, _e5991), _e5993, vec3<f32>(_e5994, _e5995, _e5996), _e5998, _e6000, vec3<f32>(_e6001, _e6002, _e6003));
 } else {
 let _e6010 = (((_e5745.member * _e5745.member) + (_e5745.member_1 * _e5745.member_1)) + (_e5745.member_2 * _e5745.member_2));
 let _e6013 = sqrt(select(0f, _e6010, (_e6010 > 0f)));
@@ -2047,21 +2055,21 @@ let _e6297 = select(2f, select(0f, _e6289, (_e6270 < 0f)), (_e6271 > 0f));
 let _e6298 = (_e6270 > _e6236);
 let _e6302 = ((_e6293 > _e6228) || ((_e6293 == _e6228) && _e6298));
 let _e6303 = (_e6297 < _e6232);
-phi_14000_ = type_33(select(_e6228, _e6293, _e6302), vec3<f32>(select(select(select(select(_e5989, _e6048.member, _e6074), _e6124.member, _e6150), _e6200.member, _e6226), _e6276.member, _e6302), select(select(select(select(_e5990, _e6048.member_1, _e6074), _e6124.member_1, _e6150), _e6200.member_1, _e6226), _e6276.member_1, _e6302), select(select(select(select(_e5991, _e6048.member_2, _e6074), _e6124.member_2, _e6150), _e6200.member_2, _e6226), _e6276.member_2, _e6302)), select(_e6232, _e6297, _e6303), vec3<f32>(select(select(select(select(_e5994, _e6048.member, _e6075), _e6124.member, _e6151), _e6200.member, _e6227), _e6276.member, _e6303), select(select(select(select(_e5995, _e6048.member_1, _e6075), _e6124.member_1, _e6151), _e6200.member_1, _e6227), _e6276.member_1, _e6303), select(select(select(select(_e5996, _e6048.member_2, _e6075), _e6124.member_2, _e6151), _e6200.member_2, _e6227), _e6276.member_2, _e6303)), select(_e6236, _e6270, _e6298), select(_e6238, _e6271, (_e6271 > _e6238)), vec3<f32>(select(select(select(select(_e6001, _e6048.member, _e6070), _e6124.member, _e6146), _e6200.member, _e6222), _e6276.member, _e6298), select(select(select(select(_e6002, _e6048.member_1, _e6070), _e6124.member_1, _e6146), _e6200.member_1, _e6222), _e6276.member_1, _e6298), select(select(select(select(_e6003, _e6048.member_2, _e6070), _e6124.member_2, _e6146), _e6200.member_2, _e6222), _e6276.member_2, _e6298)));
+phi_14001_ = type_34(select(_e6228, _e6293, _e6302), vec3<f32>(select(select(select(select(_e5989, _e6048.member, _e6074), _e6124.member, _e6150), _e6200.member, _e6226), _e6276.member, _e6302), select(select(select(select(_e5990, _e6048.member_1, _e6074), _e6124.member_1, _e6150), _e6200.member_1, _e6226), _e6276.member_1, _e6302), select(select(select(select(_e5991, _e6048.member_2, _e6074), _e6124.member_2, _e6150), _e6200.member_2, _e6226), _e6276.member_2, _e6302)), select(_e6232, _e6297, _e6303), vec3<f32>(select(select(select(select(_e5994, _e6048.member, _e6075), _e6124.member, _e6151), _e6200.member, _e6227), _e6276.member, _e6303), select(select(select(select(_e5995, _e6048.member_1, _e6075), _e6124.member_1, _e6151), _e6200.member_1, _e6227), _e6276.member_1, _e6303), select(select(select(select(_e5996, _e6048.member_2, _e6075), _e6124.member_2, _e6151), _e6200.member_2, _e6227), _e6276.member_2, _e6303)), select(_e6236, _e6270, _e6298), select(_e6238, _e6271, (_e6271 > _e6238)), vec3<f32>(select(select(select(select(_e6001, _e6048.member, _e6070), _e6124.member, _e6146), _e6200.member, _e6222), _e6276.member, _e6298), select(select(select(select(_e6002, _e6048.member_1, _e6070), _e6124.member_1, _e6146), _e6200.member_1, _e6222), _e6276.member_1, _e6298), select(select(select(select(_e6003, _e6048.member_2, _e6070), _e6124.member_2, _e6146), _e6200.member_2, _e6222), _e6276.member_2, _e6298)));
 }
-let _e6323 = phi_14000_;
+let _e6323 = phi_14001_;
 let _e6325 = (_e6323.member_4 < 0f);
 let _e6327 = (_e6323.member_5 < 0f);
 let _e6328 = (_e6325 != _e6327);
 if _e6325 {
-phi_14013_ = _e6323.member_3;
-phi_14014_ = _e6323.member_2;
+phi_14014_ = _e6323.member_3;
+phi_14015_ = _e6323.member_2;
 } else {
-phi_14013_ = _e6323.member_1;
-phi_14014_ = _e6323.member;
+phi_14014_ = _e6323.member_1;
+phi_14015_ = _e6323.member;
 }
-let _e6334 = phi_14013_;
-let _e6336 = phi_14014_;
+let _e6334 = phi_14014_;
+let _e6336 = phi_14015_;
 let _e6345 = (((_e5745.member * _e5745.member) + (_e5745.member_1 * _e5745.member_1)) + (_e5745.member_2 * _e5745.member_2));
 let _e6348 = sqrt(select(0f, _e6345, (_e6345 > 0f)));
 let _e6349 = ((1.5f * _e1128) * _e6348);
@@ -2103,7 +2111,7 @@ let _e6467 = (_e6461 + _e3652);
 let _e6468 = (_e6461 + _e3703);
 let _e6469 = (_e6463 + _e3656);
 let _e6470 = (_e6463 + _e3706);
-local_2 = type_30(array<i32, 4>(_e6458, (_e6458 + 1i), (_e6458 + 2i), (_e6458 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_31(array<i32, 4>(_e6458, (_e6458 + 1i), (_e6458 + 2i), (_e6458 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e6382 - f32(_e6405)), (_e6386 - f32(_e6420)), (_e6390 - f32(_e6435)));
 let _e6484 = local_2.member[1u];
 let _e6485 = ((_e6469 + _e6467) + _e6484);
@@ -2351,7 +2359,7 @@ let _e7243 = select(select(select(select(select(select(0f, _e5745.member, _e5799
 let _e7244 = select(select(select(select(select(select(0f, _e5745.member_1, _e5799), _e5745.member_1, _e5839), _e5753.member_1, _e5878), _e5753.member_1, _e5918), _e5761.member_1, _e5957), _e5761.member_1, _e5999);
 let _e7245 = select(select(select(select(select(select(1f, _e5745.member_2, _e5799), _e5745.member_2, _e5839), _e5753.member_2, _e5878), _e5753.member_2, _e5918), _e5761.member_2, _e5957), _e5761.member_2, _e5999);
 if _e3961 {
-phi_16685_ = type_33(_e7231, vec3<f32>(_e7232, _e7233, _e7234), _e7236, vec3<f32>(_e7237, _e7238, _e7239), _e6000, _e7242, vec3<f32>(_e7243, _e7244, _e7245));
+phi_16686_ = type_34(_e7231, vec3<f32>(_e7232, _e7233, _e7234), _e7236, vec3<f32>(_e7237, _e7238, _e7239), _e6000, _e7242, vec3<f32>(_e7243, _e7244, _e7245));
 } else {
 let _e7251 = global_1.member.member_14.member_1;
 let _e7252 = (_e7251 != 0u);
@@ -2429,9 +2437,9 @@ let _e7531 = select(2f, select(0f, _e7523, (_e7504 < 0f)), (_e7505 > 0f));
 let _e7532 = (_e7504 > _e7470);
 let _e7536 = ((_e7527 > _e7462) || ((_e7527 == _e7462) && _e7532));
 let _e7537 = (_e7531 < _e7466);
-phi_16685_ = type_33(select(_e7462, _e7527, _e7536), vec3<f32>(select(select(select(select(_e7232, _e7282.member, _e7308), _e7358.member, _e7384), _e7434.member, _e7460), _e7510.member, _e7536), select(select(select(select(_e7233, _e7282.member_1, _e7308), _e7358.member_1, _e7384), _e7434.member_1, _e7460), _e7510.member_1, _e7536), select(select(select(select(_e7234, _e7282.member_2, _e7308), _e7358.member_2, _e7384), _e7434.member_2, _e7460), _e7510.member_2, _e7536)), select(_e7466, _e7531, _e7537), vec3<f32>(select(select(select(select(_e7237, _e7282.member, _e7309), _e7358.member, _e7385), _e7434.member, _e7461), _e7510.member, _e7537), select(select(select(select(_e7238, _e7282.member_1, _e7309), _e7358.member_1, _e7385), _e7434.member_1, _e7461), _e7510.member_1, _e7537), select(select(select(select(_e7239, _e7282.member_2, _e7309), _e7358.member_2, _e7385), _e7434.member_2, _e7461), _e7510.member_2, _e7537)), select(_e7470, _e7504, _e7532), select(_e7472, _e7505, (_e7505 > _e7472)), vec3<f32>(select(select(select(select(_e7243, _e7282.member, _e7304), _e7358.member, _e7380), _e7434.member, _e7456), _e7510.member, _e7532), select(select(select(select(_e7244, _e7282.member_1, _e7304), _e7358.member_1, _e7380), _e7434.member_1, _e7456), _e7510.member_1, _e7532), select(select(select(select(_e7245, _e7282.member_2, _e7304), _e7358.member_2, _e7380), _e7434.member_2, _e7456), _e7510.member_2, _e7532)));
+phi_16686_ = type_34(select(_e7462, _e7527, _e7536), vec3<f32>(select(select(select(select(_e7232, _e7282.member, _e7308), _e7358.member, _e7384), _e7434.member, _e7460), _e7510.member, _e7536), select(select(select(select(_e7233, _e7282.member_1, _e7308), _e7358.member_1, _e7384), _e7434.member_1, _e7460), _e7510.member_1, _e7536), select(select(select(select(_e7234, _e7282.member_2, _e7308), _e7358.member_2, _e7384), _e7434.member_2, _e7460), _e7510.member_2, _e7536)), select(_e7466, _e7531, _e7537), vec3<f32>(select(select(select(select(_e7237, _e7282.member, _e7309), _e7358.member, _e7385), _e7434.member, _e7461), _e7510.member, _e7537), select(select(select(select(_e7238, _e7282.member_1, _e7309), _e7358.member_1, _e7385), _e7434.member_1, _e7461), _e7510.member_1, _e7537), select(select(select(select(_e7239, _e7282.member_2, _e7309), _e7358.member_2, _e7385), _e7434.member_2, _e7461), _e7510.member_2, _e7537)), select(_e7470, _e7504, _e7532), select(_e7472, _e7505, (_e7505 > _e7472)), vec3<f32>(select(select(select(select(_e7243, _e7282.member, _e7304), _e7358.member, _e7380), _e7434.member, _e7456), _e7510.member, _e7532), select(select(select(select(_e7244, _e7282.member_1, _e7304), _e7358.member_1, _e7380), _e7434.member_1, _e7456), _e7510.member_1, _e7532), select(select(select(select(_e7245, _e7282.member_2, _e7304), _e7358.member_2, _e7380), _e7434.member_2, _e7456), _e7510.member_2, _e7532)));
 }
-let _e7557 = phi_16685_;
+let _e7557 = phi_16686_;
 let _e7566 = global_1.member.member_5.member_4;
 let _e7569 = (_e3573.member_3.x * _e4164.member_2);
 let _e7571 = (_e3573.member_3.y * _e4164.member_2);
@@ -2456,14 +2464,14 @@ let _e7628 = (_e6994 + ((_e3573.member_4.z * _e4164.member_2) * _e7006));
 let _e7630 = (_e7628 * _e7628);
 let _e7639 = ((_e3959 & 1u) != 0u);
 let _e7644 = (select(_e7612, ((_e7628 <= 0f) || (_e7630 <= (_e7602 * (((_e7626 * _e7626) + (_e7627 * _e7627)) + _e7630)))), _e7639) || (_e6991 && ((_e6967 && _e6328) || (_e6328 && (_e6994 <= 0f)))));
-phi_16837_ = vec3<f32>(select(select(select(_e7596, _e7578, _e7612), _e7626, _e7639), _e234, _e7644), select(select(select(_e7597, _e7579, _e7612), _e7627, _e7639), _e245, _e7644), select(select(select(_e7598, _e7580, _e7612), _e7628, _e7639), _e256, _e7644));
-phi_16838_ = select(1f, 0f, _e7644);
+phi_16838_ = vec3<f32>(select(select(select(_e7596, _e7578, _e7612), _e7626, _e7639), _e234, _e7644), select(select(select(_e7597, _e7579, _e7612), _e7627, _e7639), _e245, _e7644), select(select(select(_e7598, _e7580, _e7612), _e7628, _e7639), _e256, _e7644));
+phi_16839_ = select(1f, 0f, _e7644);
 } else {
-phi_16837_ = vec3<f32>(_e234, _e245, _e256);
-phi_16838_ = 1f;
+phi_16838_ = vec3<f32>(_e234, _e245, _e256);
+phi_16839_ = 1f;
 }
-let _e7651 = phi_16837_;
-let _e7653 = phi_16838_;
+let _e7651 = phi_16838_;
+let _e7653 = phi_16839_;
 let _e7656 = (_e5740.member * _e7653);
 global_2.member[_e191] = (_e202 * (_e5740.member_2.x * _e7656));
 global_2.member[_e203] = (_e212 * (_e5740.member_2.y * _e7656));

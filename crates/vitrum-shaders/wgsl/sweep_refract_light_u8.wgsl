@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_24 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_25 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_23,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_15,
+member_18: type_23,
+member_19: type_5,
+member_20: type_24,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_25 {
+struct type_26 {
 member: type_7,
 member_1: u32,
 }
-struct type_26 {
+struct type_27 {
 member: type_2,
 member_1: u32,
 member_2: type_18,
@@ -141,39 +149,39 @@ member_6: type_20,
 member_7: type_20,
 member_8: type_21,
 member_9: type_22,
-member_10: type_24,
+member_10: type_25,
 member_11: type_19,
 member_12: type_4,
 member_13: type_9,
-member_14: type_25,
-member_15: type_25,
-member_16: type_25,
-member_17: type_25,
+member_14: type_26,
+member_15: type_26,
+member_16: type_26,
+member_17: type_26,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
-member: type_26,
+struct type_28 {
+member: type_27,
 }
-struct type_30 {
+struct type_31 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -182,7 +190,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_34 {
+struct type_35 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
@@ -190,7 +198,7 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_27;
+var<storage> global_1: type_28;
 @group(0) @binding(6)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
@@ -204,15 +212,15 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_30;
+var local_2: type_31;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_30;
+var local_8: type_31;
 var local_9: vec3<f32>;
-var local_10: type_30;
+var local_10: type_31;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -228,23 +236,23 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_30;
+var local_26: type_31;
 var local_27: vec3<f32>;
-var phi_901_: bool;
-var phi_1081_: bool;
-var phi_1084_: bool;
-var phi_1268_: bool;
-var phi_1591_: u32;
-var phi_7266_: type_31;
-var phi_8029_: type_32;
-var phi_8979_: type_5;
-var phi_12707_: type_34;
-var phi_14026_: type_33;
-var phi_14039_: vec3<f32>;
-var phi_14040_: f32;
-var phi_16772_: type_33;
-var phi_16924_: vec3<f32>;
-var phi_16925_: f32;
+var phi_902_: bool;
+var phi_1082_: bool;
+var phi_1085_: bool;
+var phi_1269_: bool;
+var phi_1592_: u32;
+var phi_7267_: type_32;
+var phi_8030_: type_33;
+var phi_8980_: type_5;
+var phi_12708_: type_35;
+var phi_14027_: type_34;
+var phi_14040_: vec3<f32>;
+var phi_14041_: f32;
+var phi_16773_: type_34;
+var phi_16925_: vec3<f32>;
+var phi_16926_: f32;
 let _e157 = global;
 let _e160 = arrayLength((&global_3.member));
 let _e165 = arrayLength((&global_4.member));
@@ -355,7 +363,7 @@ let _e540 = ((((_e426 >= _e525) && (_e426 <= _e528)) && ((_e441 >= _e525) && (_e
 let _e543 = global_1.member.member_1;
 let _e545 = ((_e543 & 16u) == 0u);
 if _e545 {
-phi_901_ = _e540;
+phi_902_ = _e540;
 } else {
 let _e550 = global_1.member.member_14.member;
 let _e562 = -((_e398 / _e391));
@@ -366,9 +374,9 @@ let _e596 = global_1.member.member_16.member;
 let _e612 = global_1.member.member_16.member_1;
 let _e619 = global_1.member.member_17.member;
 let _e635 = global_1.member.member_17.member_1;
-phi_901_ = (_e540 && (((((((((_e550.member.member * _e346) + (_e550.member.member_1 * _e359)) + (_e550.member.member_2 * _e324)) + _e550.member_1) <= _e562) || (_e567 == 0u)) && ((((((_e573.member.member * _e346) + (_e573.member.member_1 * _e359)) + (_e573.member.member_2 * _e324)) + _e573.member_1) <= _e562) || (_e589 == 0u))) && ((((((_e596.member.member * _e346) + (_e596.member.member_1 * _e359)) + (_e596.member.member_2 * _e324)) + _e596.member_1) <= _e562) || (_e612 == 0u))) && ((((((_e619.member.member * _e346) + (_e619.member.member_1 * _e359)) + (_e619.member.member_2 * _e324)) + _e619.member_1) <= _e562) || (_e635 == 0u))));
+phi_902_ = (_e540 && (((((((((_e550.member.member * _e346) + (_e550.member.member_1 * _e359)) + (_e550.member.member_2 * _e324)) + _e550.member_1) <= _e562) || (_e567 == 0u)) && ((((((_e573.member.member * _e346) + (_e573.member.member_1 * _e359)) + (_e573.member.member_2 * _e324)) + _e573.member_1) <= _e562) || (_e589 == 0u))) && ((((((_e596.member.member * _e346) + (_e596.member.member_1 * _e359)) + (_e596.member.member_2 * _e324)) + _e596.member_1) <= _e562) || (_e612 == 0u))) && ((((((_e619.member.member * _e346) + (_e619.member.member_1 * _e359)) + (_e619.member.member_2 * _e324)) + _e619.member_1) <= _e562) || (_e635 == 0u))));
 }
-let _e641 = phi_901_;
+let _e641 = phi_902_;
 let _e645 = (_e369 + (_e369 - _e346));
 let _e646 = (_e374 + (_e374 - _e359));
 let _e647 = (_e363 + (_e363 - _e324));
@@ -377,7 +385,7 @@ let _e659 = ((((_e430.member.member * _e645) + (_e430.member.member_1 * _e646)) 
 let _e665 = ((((_e445.member.member * _e645) + (_e445.member.member_1 * _e646)) + (_e445.member.member_2 * _e647)) + _e445.member_1);
 let _e676 = ((((_e653 >= _e525) && (_e653 <= _e528)) && ((_e659 >= _e525) && (_e659 <= _e532))) && ((_e665 >= _e525) && (_e665 <= _e537)));
 if _e545 {
-phi_1081_ = _e676;
+phi_1082_ = _e676;
 } else {
 let _e681 = global_1.member.member_14.member;
 let _e693 = -((_e398 / _e391));
@@ -388,14 +396,14 @@ let _e727 = global_1.member.member_16.member;
 let _e743 = global_1.member.member_16.member_1;
 let _e750 = global_1.member.member_17.member;
 let _e766 = global_1.member.member_17.member_1;
-phi_1081_ = (_e676 && (((((((((_e681.member.member * _e645) + (_e681.member.member_1 * _e646)) + (_e681.member.member_2 * _e647)) + _e681.member_1) <= _e693) || (_e698 == 0u)) && ((((((_e704.member.member * _e645) + (_e704.member.member_1 * _e646)) + (_e704.member.member_2 * _e647)) + _e704.member_1) <= _e693) || (_e720 == 0u))) && ((((((_e727.member.member * _e645) + (_e727.member.member_1 * _e646)) + (_e727.member.member_2 * _e647)) + _e727.member_1) <= _e693) || (_e743 == 0u))) && ((((((_e750.member.member * _e645) + (_e750.member.member_1 * _e646)) + (_e750.member.member_2 * _e647)) + _e750.member_1) <= _e693) || (_e766 == 0u))));
+phi_1082_ = (_e676 && (((((((((_e681.member.member * _e645) + (_e681.member.member_1 * _e646)) + (_e681.member.member_2 * _e647)) + _e681.member_1) <= _e693) || (_e698 == 0u)) && ((((((_e704.member.member * _e645) + (_e704.member.member_1 * _e646)) + (_e704.member.member_2 * _e647)) + _e704.member_1) <= _e693) || (_e720 == 0u))) && ((((((_e727.member.member * _e645) + (_e727.member.member_1 * _e646)) + (_e727.member.member_2 * _e647)) + _e727.member_1) <= _e693) || (_e743 == 0u))) && ((((((_e750.member.member * _e645) + (_e750.member.member_1 * _e646)) + (_e750.member.member_2 * _e647)) + _e750.member_1) <= _e693) || (_e766 == 0u))));
 }
-let _e772 = phi_1081_;
-phi_1084_ = (_e515 && (_e641 && _e772));
+let _e772 = phi_1082_;
+phi_1085_ = (_e515 && (_e641 && _e772));
 } else {
-phi_1084_ = _e515;
+phi_1085_ = _e515;
 }
-let _e776 = phi_1084_;
+let _e776 = phi_1085_;
 let _e783 = ((((_e415.member.member * _e409) + (_e415.member.member_1 * _e410)) + (_e415.member.member_2 * _e411)) + _e415.member_1);
 let _e789 = ((((_e430.member.member * _e409) + (_e430.member.member_1 * _e410)) + (_e430.member.member_2 * _e411)) + _e430.member_1);
 let _e795 = ((((_e445.member.member * _e409) + (_e445.member.member_1 * _e410)) + (_e445.member.member_2 * _e411)) + _e445.member_1);
@@ -404,7 +412,7 @@ let _e797 = (_e398 + 0.5f);
 let _e811 = ((((_e783 >= _e796) && (_e783 <= (_e480 - _e797))) && ((_e789 >= _e796) && (_e789 <= (_e490 - _e797)))) && ((_e795 >= _e796) && (_e795 <= (_e500 - _e797))));
 let _e814 = global_1.member.member_1;
 if ((_e814 & 16u) == 0u) {
-phi_1268_ = _e811;
+phi_1269_ = _e811;
 } else {
 let _e821 = global_1.member.member_14.member;
 let _e833 = -((_e398 / _e391));
@@ -415,9 +423,9 @@ let _e867 = global_1.member.member_16.member;
 let _e883 = global_1.member.member_16.member_1;
 let _e890 = global_1.member.member_17.member;
 let _e906 = global_1.member.member_17.member_1;
-phi_1268_ = (_e811 && (((((((((_e821.member.member * _e409) + (_e821.member.member_1 * _e410)) + (_e821.member.member_2 * _e411)) + _e821.member_1) <= _e833) || (_e838 == 0u)) && ((((((_e844.member.member * _e409) + (_e844.member.member_1 * _e410)) + (_e844.member.member_2 * _e411)) + _e844.member_1) <= _e833) || (_e860 == 0u))) && ((((((_e867.member.member * _e409) + (_e867.member.member_1 * _e410)) + (_e867.member.member_2 * _e411)) + _e867.member_1) <= _e833) || (_e883 == 0u))) && ((((((_e890.member.member * _e409) + (_e890.member.member_1 * _e410)) + (_e890.member.member_2 * _e411)) + _e890.member_1) <= _e833) || (_e906 == 0u))));
+phi_1269_ = (_e811 && (((((((((_e821.member.member * _e409) + (_e821.member.member_1 * _e410)) + (_e821.member.member_2 * _e411)) + _e821.member_1) <= _e833) || (_e838 == 0u)) && ((((((_e844.member.member * _e409) + (_e844.member.member_1 * _e410)) + (_e844.member.member_2 * _e411)) + _e844.member_1) <= _e833) || (_e860 == 0u))) && ((((((_e867.member.member * _e409) + (_e867.member.member_1 * _e410)) + (_e867.member.member_2 * _e411)) + _e867.member_1) <= _e833) || (_e883 == 0u))) && ((((((_e890.member.member * _e409) + (_e890.member.member_1 * _e410)) + (_e890.member.member_2 * _e411)) + _e890.member_1) <= _e833) || (_e906 == 0u))));
 }
-let _e912 = phi_1268_;
+let _e912 = phi_1269_;
 let _e919 = global_1.member.member_6.member_4;
 let _e920 = (_e480 - 0.5f);
 let _e922 = select(-0.5f, _e462, (_e462 > -0.5f));
@@ -457,11 +465,11 @@ let _e1049 = ((bitcast<i32>(_e1043) + ((_e980 - select(0i, 1i, (_e973 < f32(_e98
 let _e1051 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1053 = select(_e1051, _e1049, (_e1049 < _e1051));
 let _e1059 = global_5.member[bitcast<u32>(select(0i, _e1053, (_e1053 > 0i)))];
-phi_1591_ = select(select(7u, 3u, (_e776 && (!(_e524) || _e912))), 1u, (((_e814 & 64u) != 0u) || ((((select(_e948, _e945, (_e945 > _e948)) <= _e919) && ((select(_e965, _e962, (_e962 > _e965)) > _e919) || (_e1059 != 0u))) && true) && ((_e814 & 32u) != 0u))));
+phi_1592_ = select(select(7u, 3u, (_e776 && (!(_e524) || _e912))), 1u, (((_e814 & 64u) != 0u) || ((((select(_e948, _e945, (_e945 > _e948)) <= _e919) && ((select(_e965, _e962, (_e962 > _e965)) > _e919) || (_e1059 != 0u))) && true) && ((_e814 & 32u) != 0u))));
 } else {
-phi_1591_ = 7u;
+phi_1592_ = 7u;
 }
-let _e1072 = phi_1591_;
+let _e1072 = phi_1592_;
 if (_e1072 > 1u) {
 let _e1077 = bitcast<i32>(((_e185 * _e293) + _e183));
 let _e1080 = (bitcast<i32>(_e167) - 1i);
@@ -550,7 +558,7 @@ let _e1391 = (select(0i, _e1340, (_e1340 > 0i)) * _e1312);
 let _e1392 = (select(0i, _e1304, (_e1304 > 0i)) * _e1312);
 let _e1393 = (select(_e1339, _e1345, (_e1345 < _e1339)) * _e1312);
 let _e1394 = (select(_e1339, _e1348, (_e1348 < _e1339)) * _e1312);
-local_26 = type_30(array<i32, 4>(_e1374, _e1374, _e1374, _e1374), array<u32, 6>(bitcast<u32>(((_e1361 - _e1374) * 8i)), bitcast<u32>(((select(0i, _e1274, (_e1274 > 0i)) - _e1374) * 8i)), bitcast<u32>(((select(_e1358, _e1364, (_e1364 < _e1358)) - _e1374) * 8i)), bitcast<u32>(((select(_e1358, _e1367, (_e1367 < _e1358)) - _e1374) * 8i)), 0u, 0u));
+local_26 = type_31(array<i32, 4>(_e1374, _e1374, _e1374, _e1374), array<u32, 6>(bitcast<u32>(((_e1361 - _e1374) * 8i)), bitcast<u32>(((select(0i, _e1274, (_e1274 > 0i)) - _e1374) * 8i)), bitcast<u32>(((select(_e1358, _e1364, (_e1364 < _e1358)) - _e1374) * 8i)), bitcast<u32>(((select(_e1358, _e1367, (_e1367 < _e1358)) - _e1374) * 8i)), 0u, 0u));
 local_27 = vec3<f32>((_e1239 - f32(_e1274)), (_e1249 - f32(_e1289)), (_e1259 - f32(_e1304)));
 let _e1409 = local_26.member[0u];
 let _e1410 = ((_e1392 + _e1388) + _e1409);
@@ -894,7 +902,7 @@ if _e1228 {
 let _e2487 = ((0.5f * (_e2222 - _e2216)) * _e2480);
 let _e2488 = ((0.5f * (_e2234 - _e2228)) * _e2480);
 let _e2489 = ((0.5f * (_e2246 - _e2240)) * _e2480);
-phi_7266_ = type_31(_e2442, vec3<f32>(_e2487, _e2488, _e2489), vec3<f32>((_e2487 * _e2442), (_e2488 * _e2442), (_e2489 * _e2442)));
+phi_7267_ = type_32(_e2442, vec3<f32>(_e2487, _e2488, _e2489), vec3<f32>((_e2487 * _e2442), (_e2488 * _e2442), (_e2489 * _e2442)));
 } else {
 local_22 = _e2216;
 let _e2496 = local_22;
@@ -1043,9 +1051,9 @@ let _e2921 = ((_e2427 + (f32(bitcast<i32>((_e2906 >> bitcast<u32>(12u)))) * _e24
 let _e2922 = (_e2637 - _e2566);
 let _e2924 = (_e2779 - _e2708);
 let _e2926 = (_e2921 - _e2850);
-phi_7266_ = type_31(_e2442, vec3<f32>((0.5f * _e2922), (0.5f * _e2924), (0.5f * _e2926)), vec3<f32>((0.25f * (_e2922 * (_e2637 + _e2566))), (0.25f * (_e2924 * (_e2779 + _e2708))), (0.25f * (_e2926 * (_e2921 + _e2850)))));
+phi_7267_ = type_32(_e2442, vec3<f32>((0.5f * _e2922), (0.5f * _e2924), (0.5f * _e2926)), vec3<f32>((0.25f * (_e2922 * (_e2637 + _e2566))), (0.25f * (_e2924 * (_e2779 + _e2708))), (0.25f * (_e2926 * (_e2921 + _e2850)))));
 }
-let _e2941 = phi_7266_;
+let _e2941 = phi_7267_;
 let _e2956 = select(0f, 1f, ((((((_e1208 >= -0.5f) && (_e1208 <= _e1235)) && (_e1214 >= -0.5f)) && (_e1214 <= _e1245)) && (_e1220 >= -0.5f)) && (_e1220 <= _e1255)));
 let _e2958 = (0.5f * (_e2222 - _e2216));
 let _e2960 = (0.5f * (_e2234 - _e2228));
@@ -1059,7 +1067,7 @@ let _e2998 = global_1.member.member_6.member_1.member.member_2;
 let _e3004 = global_1.member.member_6.member_2.member.member;
 let _e3010 = global_1.member.member_6.member_2.member.member_1;
 let _e3016 = global_1.member.member_6.member_2.member.member_2;
-phi_8029_ = type_32(_e2210, vec3<f32>(((((_e2968 * _e2958) + (_e2986 * _e2960)) + (_e3004 * _e2962)) * _e2956), ((((_e2974 * _e2958) + (_e2992 * _e2960)) + (_e3010 * _e2962)) * _e2956), ((((_e2980 * _e2958) + (_e2998 * _e2960)) + (_e3016 * _e2962)) * _e2956)), _e2941.member, vec3<f32>(((((_e2968 * _e2941.member_2.x) + (_e2986 * _e2941.member_2.y)) + (_e3004 * _e2941.member_2.z)) * _e2956), ((((_e2974 * _e2941.member_2.x) + (_e2992 * _e2941.member_2.y)) + (_e3010 * _e2941.member_2.z)) * _e2956), ((((_e2980 * _e2941.member_2.x) + (_e2998 * _e2941.member_2.y)) + (_e3016 * _e2941.member_2.z)) * _e2956)), vec3<f32>(((((_e2968 * _e2941.member_1.x) + (_e2986 * _e2941.member_1.y)) + (_e3004 * _e2941.member_1.z)) * _e2956), ((((_e2974 * _e2941.member_1.x) + (_e2992 * _e2941.member_1.y)) + (_e3010 * _e2941.member_1.z)) * _e2956), ((((_e2980 * _e2941.member_1.x) + (_e2998 * _e2941.member_1.y)) + (_e3016 * _e2941.member_1.z)) * _e2956)));
+phi_8030_ = type_33(_e2210, vec3<f32>(((((_e2968 * _e2958) + (_e2986 * _e2960)) + (_e3004 * _e2962)) * _e2956), ((((_e2974 * _e2958) + (_e2992 * _e2960)) + (_e3010 * _e2962)) * _e2956), ((((_e2980 * _e2958) + (_e2998 * _e2960)) + (_e3016 * _e2962)) * _e2956)), _e2941.member, vec3<f32>(((((_e2968 * _e2941.member_2.x) + (_e2986 * _e2941.member_2.y)) + (_e3004 * _e2941.member_2.z)) * _e2956), ((((_e2974 * _e2941.member_2.x) + (_e2992 * _e2941.member_2.y)) + (_e3010 * _e2941.member_2.z)) * _e2956), ((((_e2980 * _e2941.member_2.x) + (_e2998 * _e2941.member_2.y)) + (_e3016 * _e2941.member_2.z)) * _e2956)), vec3<f32>(((((_e2968 * _e2941.member_1.x) + (_e2986 * _e2941.member_1.y)) + (_e3004 * _e2941.member_1.z)) * _e2956), ((((_e2974 * _e2941.member_1.x) + (_e2992 * _e2941.member_1.y)) + (_e3010 * _e2941.member_1.z)) * _e2956), ((((_e2980 * _e2941.member_1.x) + (_e2998 * _e2941.member_1.y)) + (_e3016 * _e2941.member_1.z)) * _e2956)));
 } else {
 let _e3085 = global_1.member.member_6.member_3.member;
 let _e3086 = (_e3085 - 0.5f);
@@ -1104,7 +1112,7 @@ let _e3226 = (select(0i, _e3140, (_e3140 > 0i)) * _e3159);
 let _e3227 = (select(_e3171, _e3174, (_e3174 < _e3171)) * _e3159);
 let _e3228 = (select(0i, _e3155, (_e3155 > 0i)) * _e3163);
 let _e3229 = (select(_e3184, _e3187, (_e3187 < _e3184)) * _e3163);
-local_10 = type_30(array<i32, 4>(_e3213, _e3213, _e3213, _e3213), array<u32, 6>(bitcast<u32>(((_e3200 - _e3213) * 8i)), bitcast<u32>(((select(0i, _e3125, (_e3125 > 0i)) - _e3213) * 8i)), bitcast<u32>(((select(_e3197, _e3203, (_e3203 < _e3197)) - _e3213) * 8i)), bitcast<u32>(((select(_e3197, _e3206, (_e3206 < _e3197)) - _e3213) * 8i)), 0u, 0u));
+local_10 = type_31(array<i32, 4>(_e3213, _e3213, _e3213, _e3213), array<u32, 6>(bitcast<u32>(((_e3200 - _e3213) * 8i)), bitcast<u32>(((select(0i, _e3125, (_e3125 > 0i)) - _e3213) * 8i)), bitcast<u32>(((select(_e3197, _e3203, (_e3203 < _e3197)) - _e3213) * 8i)), bitcast<u32>(((select(_e3197, _e3206, (_e3206 < _e3197)) - _e3213) * 8i)), 0u, 0u));
 local_11 = vec3<f32>((_e3090 - f32(_e3125)), (_e3100 - f32(_e3140)), (_e3110 - f32(_e3155)));
 let _e3244 = local_10.member[0u];
 let _e3245 = ((_e3228 + _e3226) + _e3244);
@@ -1174,9 +1182,9 @@ let _e3474 = global_1.member.member_6.member_5;
 let _e3476 = (((_e3355 + (((_e3406 + (((_e3446 + ((f32(bitcast<i32>(((_e3439 >> bitcast<u32>((_e3447 & 31u))) & 255u))) - _e3446) * _e3454)) - _e3406) * _e3458)) - _e3355) * _e3463)) - _e3470) * _e3474);
 let _e3477 = -(1e9f);
 let _e3479 = select(_e3477, _e3476, (_e3476 > _e3477));
-phi_8029_ = type_32(select(1e9f, _e3479, (_e3479 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_8030_ = type_33(select(1e9f, _e3479, (_e3479 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3484 = phi_8029_;
+let _e3484 = phi_8030_;
 let _e3489 = global_1.member.member_6.member_3.member;
 let _e3490 = (_e3489 - 0.5f);
 let _e3492 = select(-0.5f, _e1172, (_e1172 > -0.5f));
@@ -1220,7 +1228,7 @@ let _e3630 = (select(0i, _e3544, (_e3544 > 0i)) * _e3563);
 let _e3631 = (select(_e3575, _e3578, (_e3578 < _e3575)) * _e3563);
 let _e3632 = (select(0i, _e3559, (_e3559 > 0i)) * _e3567);
 let _e3633 = (select(_e3588, _e3591, (_e3591 < _e3588)) * _e3567);
-local_8 = type_30(array<i32, 4>(_e3617, _e3617, _e3617, _e3617), array<u32, 6>(bitcast<u32>(((_e3604 - _e3617) * 8i)), bitcast<u32>(((select(0i, _e3529, (_e3529 > 0i)) - _e3617) * 8i)), bitcast<u32>(((select(_e3601, _e3607, (_e3607 < _e3601)) - _e3617) * 8i)), bitcast<u32>(((select(_e3601, _e3610, (_e3610 < _e3601)) - _e3617) * 8i)), 0u, 0u));
+local_8 = type_31(array<i32, 4>(_e3617, _e3617, _e3617, _e3617), array<u32, 6>(bitcast<u32>(((_e3604 - _e3617) * 8i)), bitcast<u32>(((select(0i, _e3529, (_e3529 > 0i)) - _e3617) * 8i)), bitcast<u32>(((select(_e3601, _e3607, (_e3607 < _e3601)) - _e3617) * 8i)), bitcast<u32>(((select(_e3601, _e3610, (_e3610 < _e3601)) - _e3617) * 8i)), 0u, 0u));
 local_9 = vec3<f32>((_e3494 - f32(_e3529)), (_e3504 - f32(_e3544)), (_e3514 - f32(_e3559)));
 let _e3648 = local_8.member[0u];
 let _e3649 = ((_e3632 + _e3630) + _e3648);
@@ -1294,7 +1302,7 @@ let _e3885 = select(1e9f, _e3883, (_e3883 < 1e9f));
 let _e3888 = global_1.member.member_1;
 let _e3890 = ((_e3888 & 16u) == 0u);
 if _e3890 {
-phi_8979_ = type_5(1f, 1f, 1f);
+phi_8980_ = type_5(1f, 1f, 1f);
 } else {
 let _e3894 = global_1.member.member_14.member;
 let _e3905 = ((((_e3894.member.member * _e1129) + (_e3894.member.member_1 * _e1142)) + (_e3894.member.member_2 * _e1107)) + _e3894.member_1);
@@ -1340,9 +1348,9 @@ let _e4072 = select(0f, _e4070, (_e4070 > 0f));
 let _e4078 = select(select(select(1f, _e4072, (_e4072 < 1f)), 1f, (_e4065 <= 0f)), 0f, (_e4063 > 0f));
 let _e4083 = global_1.member.member_17.member_1;
 let _e4084 = (_e4083 != 0u);
-phi_8979_ = type_5(((((1f * _e3928) * _e3978) * _e4028) * _e4078), ((((1f * select(1f, _e3928, _e3934)) * select(1f, _e3978, _e3984)) * select(1f, _e4028, _e4034)) * select(1f, _e4078, _e4084)), ((((1f * select(1f, 0f, (_e3934 && (_e3911 > 0f)))) * select(1f, 0f, (_e3984 && (_e3961 > 0f)))) * select(1f, 0f, (_e4034 && (_e4011 > 0f)))) * select(1f, 0f, (_e4084 && (_e4061 > 0f)))));
+phi_8980_ = type_5(((((1f * _e3928) * _e3978) * _e4028) * _e4078), ((((1f * select(1f, _e3928, _e3934)) * select(1f, _e3978, _e3984)) * select(1f, _e4028, _e4034)) * select(1f, _e4078, _e4084)), ((((1f * select(1f, 0f, (_e3934 && (_e3911 > 0f)))) * select(1f, 0f, (_e3984 && (_e3961 > 0f)))) * select(1f, 0f, (_e4034 && (_e4011 > 0f)))) * select(1f, 0f, (_e4084 && (_e4061 > 0f)))));
 }
-let _e4093 = phi_8979_;
+let _e4093 = phi_8980_;
 let _e4094 = (_e1208 - _e1172);
 let _e4098 = (bitcast<f32>((bitcast<u32>(_e4094) & 2147483647u)) < 1e-12f);
 let _e4100 = (1f / select(_e4094, 1f, _e4098));
@@ -1566,7 +1574,7 @@ let _e4731 = f32(_e4730);
 let _e4735 = ((_e4713 - (_e4731 * 0.6933594f)) - (_e4731 * -2.1219444e-4f));
 let _e4755 = ((1f + (_e4735 * (1f + (_e4735 * (0.5f + (_e4735 * (0.16666667f + (_e4735 * (0.041666668f + (_e4735 * (0.008333334f + (_e4735 * (0.001388889f + (_e4735 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4730 + 127i)) << bitcast<u32>(23i))));
 let _e4756 = (1f - _e4755);
-phi_12707_ = type_34(_e4755, _e4756, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4756 / select(1e-12f, _e4705, (_e4705 > 1e-12f))))));
+phi_12708_ = type_35(_e4755, _e4756, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4756 / select(1e-12f, _e4705, (_e4705 > 1e-12f))))));
 } else {
 local_5 = _e3885;
 let _e4764 = local_5;
@@ -1803,9 +1811,9 @@ let _e5636 = f32(_e5635);
 let _e5640 = ((_e5618 - (_e5636 * 0.6933594f)) - (_e5636 * -2.1219444e-4f));
 let _e5660 = ((1f + (_e5640 * (1f + (_e5640 * (0.5f + (_e5640 * (0.16666667f + (_e5640 * (0.041666668f + (_e5640 * (0.008333334f + (_e5640 * (0.001388889f + (_e5640 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5635 + 127i)) << bitcast<u32>(23i))));
 let _e5661 = (1f - _e5660);
-phi_12707_ = type_34(_e5660, _e5661, vec3<f32>(((1f + (_e5495 * (1f + (_e5495 * (0.5f + (_e5495 * (0.16666667f + (_e5495 * (0.041666668f + (_e5495 * (0.008333334f + (_e5495 * (0.001388889f + (_e5495 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5490 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5543 * (1f + (_e5543 * (0.5f + (_e5543 * (0.16666667f + (_e5543 * (0.041666668f + (_e5543 * (0.008333334f + (_e5543 * (0.001388889f + (_e5543 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5538 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5591 * (1f + (_e5591 * (0.5f + (_e5591 * (0.16666667f + (_e5591 * (0.041666668f + (_e5591 * (0.008333334f + (_e5591 * (0.001388889f + (_e5591 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5586 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5661 / select(1e-12f, _e5255, (_e5255 > 1e-12f))))));
+phi_12708_ = type_35(_e5660, _e5661, vec3<f32>(((1f + (_e5495 * (1f + (_e5495 * (0.5f + (_e5495 * (0.16666667f + (_e5495 * (0.041666668f + (_e5495 * (0.008333334f + (_e5495 * (0.001388889f + (_e5495 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5490 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5543 * (1f + (_e5543 * (0.5f + (_e5543 * (0.16666667f + (_e5543 * (0.041666668f + (_e5543 * (0.008333334f + (_e5543 * (0.001388889f + (_e5543 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5538 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5591 * (1f + (_e5591 * (0.5f + (_e5591 * (0.16666667f + (_e5591 * (0.041666668f + (_e5591 * (0.008333334f + (_e5591 * (0.001388889f + (_e5591 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5586 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5661 / select(1e-12f, _e5255, (_e5255 > 1e-12f))))));
 }
-let _e5669 = phi_12707_;
+let _e5669 = phi_12708_;
 if _e1229 {
 let _e5674 = global_1.member.member_6.member.member;
 let _e5682 = global_1.member.member_6.member_1.member;
@@ -1931,7 +1939,7 @@ let _e5930 = select(select(select(select(select(select(0f, _e5674.member, _e5713
 let _e5931 = select(select(select(select(select(select(0f, _e5674.member_1, _e5713), _e5674.member_1, _e5753), _e5682.member_1, _e5792), _e5682.member_1, _e5832), _e5690.member_1, _e5871), _e5690.member_1, _e5911);
 let _e5932 = select(select(select(select(select(select(1f, _e5674.member_2, _e5713), _e5674.member_2, _e5753), _e5682.member_2, _e5792), _e5682.member_2, _e5832), _e5690.member_2, _e5871), _e5690.member_2, _e5911);
 if _e3890 {
-phi_14026_ = type_33(_e5917, vec3<f32>(_e5918, _e5919, _e5920), _e5922, vec3<f32>(_e5923, _e5924, _e5925), _e5927, _e5929, vec3<f32>(_e5930, _e5931, _e5932));
+phi_14027_ = type_34(_e5917, vec3<f32>(_e5918, _e5919, _e5920), _e5922, vec3<f32>(_e5923, _e5924, _e5925), _e5927, _e5929, vec3<f32>(_e5930, _e5931, _e5932));
 } else {
 let _e5939 = (((_e5674.member * _e5674.member) + (_e5674.member_1 * _e5674.member_1)) + (_e5674.member_2 * _e5674.member_2));
 let _e5942 = sqrt(select(0f, _e5939, (_e5939 > 0f)));
@@ -2011,21 +2019,21 @@ let _e6226 = select(2f, select(0f, _e6218, (_e6199 < 0f)), (_e6200 > 0f));
 let _e6227 = (_e6199 > _e6165);
 let _e6231 = ((_e6222 > _e6157) || ((_e6222 == _e6157) && _e6227));
 let _e6232 = (_e6226 < _e6161);
-phi_14026_ = type_33(select(_e6157, _e6222, _e6231), vec3<f32>(select(select(select(select(_e5918, _e5977.member, _e6003), _e6053.member, _e6079), _e6129.member, _e6155), _e6205.member, _e6231), select(select(select(select(_e5919, _e5977.member_1, _e6003), _e6053.member_1, _e6079), _e6129.member_1, _e6155), _e6205.member_1, _e6231), select(select(select(select(_e5920, _e5977.member_2, _e6003), _e6053.member_2, _e6079), _e6129.member_2, _e6155), _e6205.member_2, _e6231)), select(_e6161, _e6226, _e6232), vec3<f32>(select(select(select(select(_e5923, _e5977.member, _e6004), _e6053.member, _e6080), _e6129.member, _e6156), _e6205.member, _e6232), select(select(select(select(_e5924, _e5977.member_1, _e6004), _e6053.member_1, _e6080), _e6129.member_1, _e6156), _e6205.member_1, _e6232), select(select(select(select(_e5925, _e5977.member_2, _e6004), _e6053.member_2, _e6080), _e6129.member_2, _e6156), _e6205.member_2, _e6232)), select(_e6165, _e6199, _e6227), select(_e6167, _e6200, (_e6200 > _e6167)), vec3<f32>(select(select(select(select(_e5930, _e5977.member, _e5999), _e6053.member, _e6075), _e6129.member, _e6151), _e6205.member, _e6227), select(select(select(select(_e5931, _e5977.member_1, _e5999), _e6053.member_1, _e6075), _e6129.member_1, _e6151), _e6205.member_1, _e6227), select(select(select(select(_e5932, _e5977.member_2, _e5999), _e6053.member_2, _e6075), _e6129.member_2, _e6151), _e6205.member_2, _e6227)));
+phi_14027_ = type_34(select(_e6157, _e6222, _e6231), vec3<f32>(select(select(select(select(_e5918, _e5977.member, _e6003), _e6053.member, _e6079), _e6129.member, _e6155), _e6205.member, _e6231), select(select(select(select(_e5919, _e5977.member_1, _e6003), _e6053.member_1, _e6079), _e6129.member_1, _e6155), _e6205.member_1, _e6231), select(select(select(select(_e5920, _e5977.member_2, _e6003), _e6053.member_2, _e6079), _e6129.member_2, _e6155), _e6205.member_2, _e6231)), select(_e6161, _e6226, _e6232), vec3<f32>(select(select(select(select(_e5923, _e5977.member, _e6004), _e6053.member, _e6080), _e6129.member, _e6156), _e6205.member, _e6232), select(select(select(select(_e5924, _e5977.member_1, _e6004), _e6053.member_1, _e6080), _e6129.member_1, _e6156), _e6205.member_1, _e6232), select(select(select(select(_e5925, _e5977.member_2, _e6004), _e6053.member_2, _e6080), _e6129.member_2, _e6156), _e6205.member_2, _e6232)), select(_e6165, _e6199, _e6227), select(_e6167, _e6200, (_e6200 > _e6167)), vec3<f32>(select(select(select(select(_e5930, _e5977.member, _e5999), _e6053.member, _e6075), _e6129.member, _e6151), _e6205.member, _e6227), select(select(select(select(_e5931, _e5977.member_1, _e5999), _e6053.member_1, _e6075), _e6129.member_1, _e6151), _e6205.member_1, _e6227), select(select(select(select(_e5932, _e5977.member_2, _e5999), _e6053.member_2, _e6075), _e6129.member_2, _e6151), _e6205.member_2, _e6227)));
 }
-let _e6252 = phi_14026_;
+let _e6252 = phi_14027_;
 let _e6254 = (_e6252.member_4 < 0f);
 let _e6256 = (_e6252.member_5 < 0f);
 let _e6257 = (_e6254 != _e6256);
 if _e6254 {
-phi_14039_ = _e6252.member_3;
-phi_14040_ = _e6252.member_2;
+phi_14040_ = _e6252.member_3;
+phi_14041_ = _e6252.member_2;
 } else {
-phi_14039_ = _e6252.member_1;
-phi_14040_ = _e6252.member;
+phi_14040_ = _e6252.member_1;
+phi_14041_ = _e6252.member;
 }
-let _e6263 = phi_14039_;
-let _e6265 = phi_14040_;
+let _e6263 = phi_14040_;
+let _e6265 = phi_14041_;
 let _e6274 = (((_e5674.member * _e5674.member) + (_e5674.member_1 * _e5674.member_1)) + (_e5674.member_2 * _e5674.member_2));
 let _e6277 = sqrt(select(0f, _e6274, (_e6274 > 0f)));
 let _e6278 = ((1.5f * _e1127) * _e6277);
@@ -2065,7 +2073,7 @@ let _e6400 = (select(0i, _e6349, (_e6349 > 0i)) * _e3563);
 let _e6401 = (select(_e3575, _e6367, (_e6367 < _e3575)) * _e3563);
 let _e6402 = (select(0i, _e6364, (_e6364 > 0i)) * _e3567);
 let _e6403 = (select(_e3588, _e6372, (_e6372 < _e3588)) * _e3567);
-local_2 = type_30(array<i32, 4>(_e6387, _e6387, _e6387, _e6387), array<u32, 6>(bitcast<u32>(((_e6377 - _e6387) * 8i)), bitcast<u32>(((select(0i, _e6334, (_e6334 > 0i)) - _e6387) * 8i)), bitcast<u32>(((select(_e3601, _e6380, (_e6380 < _e3601)) - _e6387) * 8i)), bitcast<u32>(((select(_e3601, _e6383, (_e6383 < _e3601)) - _e6387) * 8i)), 0u, 0u));
+local_2 = type_31(array<i32, 4>(_e6387, _e6387, _e6387, _e6387), array<u32, 6>(bitcast<u32>(((_e6377 - _e6387) * 8i)), bitcast<u32>(((select(0i, _e6334, (_e6334 > 0i)) - _e6387) * 8i)), bitcast<u32>(((select(_e3601, _e6380, (_e6380 < _e3601)) - _e6387) * 8i)), bitcast<u32>(((select(_e3601, _e6383, (_e6383 < _e3601)) - _e6387) * 8i)), 0u, 0u));
 local_3 = vec3<f32>((_e6311 - f32(_e6334)), (_e6315 - f32(_e6349)), (_e6319 - f32(_e6364)));
 let _e6418 = local_2.member[0u];
 let _e6419 = ((_e6402 + _e6400) + _e6418);
@@ -2313,7 +2321,7 @@ let _e7177 = select(select(select(select(select(select(0f, _e5674.member, _e5728
 let _e7178 = select(select(select(select(select(select(0f, _e5674.member_1, _e5728), _e5674.member_1, _e5768), _e5682.member_1, _e5807), _e5682.member_1, _e5847), _e5690.member_1, _e5886), _e5690.member_1, _e5928);
 let _e7179 = select(select(select(select(select(select(1f, _e5674.member_2, _e5728), _e5674.member_2, _e5768), _e5682.member_2, _e5807), _e5682.member_2, _e5847), _e5690.member_2, _e5886), _e5690.member_2, _e5928);
 if _e3890 {
-phi_16772_ = type_33(_e7165, vec3<f32>(_e7166, _e7167, _e7168), _e7170, vec3<f32>(_e7171, _e7172, _e7173), _e5929, _e7176, vec3<f32>(_e7177, _e7178, _e7179));
+phi_16773_ = type_34(_e7165, vec3<f32>(_e7166, _e7167, _e7168), _e7170, vec3<f32>(_e7171, _e7172, _e7173), _e5929, _e7176, vec3<f32>(_e7177, _e7178, _e7179));
 } else {
 let _e7185 = global_1.member.member_14.member_1;
 let _e7186 = (_e7185 != 0u);
@@ -2391,9 +2399,9 @@ let _e7465 = select(2f, select(0f, _e7457, (_e7438 < 0f)), (_e7439 > 0f));
 let _e7466 = (_e7438 > _e7404);
 let _e7470 = ((_e7461 > _e7396) || ((_e7461 == _e7396) && _e7466));
 let _e7471 = (_e7465 < _e7400);
-phi_16772_ = type_33(select(_e7396, _e7461, _e7470), vec3<f32>(select(select(select(select(_e7166, _e7216.member, _e7242), _e7292.member, _e7318), _e7368.member, _e7394), _e7444.member, _e7470), select(select(select(select(_e7167, _e7216.member_1, _e7242), _e7292.member_1, _e7318), _e7368.member_1, _e7394), _e7444.member_1, _e7470), select(select(select(select(_e7168, _e7216.member_2, _e7242), _e7292.member_2, _e7318), _e7368.member_2, _e7394), _e7444.member_2, _e7470)), select(_e7400, _e7465, _e7471), vec3<f32>(select(select(select(select(_e7171, _e7216.member, _e7243), _e7292.member, _e7319), _e7368.member, _e7395), _e7444.member, _e7471), select(select(select(select(_e7172, _e7216.member_1, _e7243), _e7292.member_1, _e7319), _e7368.member_1, _e7395), _e7444.member_1, _e7471), select(select(select(select(_e7173, _e7216.member_2, _e7243), _e7292.member_2, _e7319), _e7368.member_2, _e7395), _e7444.member_2, _e7471)), select(_e7404, _e7438, _e7466), select(_e7406, _e7439, (_e7439 > _e7406)), vec3<f32>(select(select(select(select(_e7177, _e7216.member, _e7238), _e7292.member, _e7314), _e7368.member, _e7390), _e7444.member, _e7466), select(select(select(select(_e7178, _e7216.member_1, _e7238), _e7292.member_1, _e7314), _e7368.member_1, _e7390), _e7444.member_1, _e7466), select(select(select(select(_e7179, _e7216.member_2, _e7238), _e7292.member_2, _e7314), _e7368.member_2, _e7390), _e7444.member_2, _e7466)));
+phi_16773_ = type_34(select(_e7396, _e7461, _e7470), vec3<f32>(select(select(select(select(_e7166, _e7216.member, _e7242), _e7292.member, _e7318), _e7368.member, _e7394), _e7444.member, _e7470), select(select(select(select(_e7167, _e7216.member_1, _e7242), _e7292.member_1, _e7318), _e7368.member_1, _e7394), _e7444.member_1, _e7470), select(select(select(select(_e7168, _e7216.member_2, _e7242), _e7292.member_2, _e7318), _e7368.member_2, _e7394), _e7444.member_2, _e7470)), select(_e7400, _e7465, _e7471), vec3<f32>(select(select(select(select(_e7171, _e7216.member, _e7243), _e7292.member, _e7319), _e7368.member, _e7395), _e7444.member, _e7471), select(select(select(select(_e7172, _e7216.member_1, _e7243), _e7292.member_1, _e7319), _e7368.member_1, _e7395), _e7444.member_1, _e7471), select(select(select(select(_e7173, _e7216.member_2, _e7243), _e7292.member_2, _e7319), _e7368.member_2, _e7395), _e7444.member_2, _e7471)), select(_e7404, _e7438, _e7466), select(_e7406, _e7439, (_e7439 > _e7406)), vec3<f32>(select(select(select(select(_e7177, _e7216.member, _e7238), _e7292.member, _e7314), _e7368.member, _e7390), _e7444.member, _e7466), select(select(select(select(_e7178, _e7216.member_1, _e7238), _e7292.member_1, _e7314), _e7368.member_1, _e7390), _e7444.member_1, _e7466), select(select(select(select(_e7179, _e7216.member_2, _e7238), _e7292.member_2, _e7314), _e7368.member_2, _e7390), _e7444.member_2, _e7466)));
 }
-let _e7491 = phi_16772_;
+let _e7491 = phi_16773_;
 let _e7500 = global_1.member.member_5.member_4;
 let _e7503 = (_e3484.member_3.x * _e4093.member_2);
 let _e7505 = (_e3484.member_3.y * _e4093.member_2);
@@ -2418,14 +2426,14 @@ let _e7562 = (_e6928 + ((_e3484.member_4.z * _e4093.member_2) * _e6940));
 let _e7564 = (_e7562 * _e7562);
 let _e7573 = ((_e3888 & 1u) != 0u);
 let _e7578 = (select(_e7546, ((_e7562 <= 0f) || (_e7564 <= (_e7536 * (((_e7560 * _e7560) + (_e7561 * _e7561)) + _e7564)))), _e7573) || (_e6925 && ((_e6901 && _e6257) || (_e6257 && (_e6928 <= 0f)))));
-phi_16924_ = vec3<f32>(select(select(select(_e7530, _e7512, _e7546), _e7560, _e7573), _e233, _e7578), select(select(select(_e7531, _e7513, _e7546), _e7561, _e7573), _e244, _e7578), select(select(select(_e7532, _e7514, _e7546), _e7562, _e7573), _e255, _e7578));
-phi_16925_ = select(1f, 0f, _e7578);
+phi_16925_ = vec3<f32>(select(select(select(_e7530, _e7512, _e7546), _e7560, _e7573), _e233, _e7578), select(select(select(_e7531, _e7513, _e7546), _e7561, _e7573), _e244, _e7578), select(select(select(_e7532, _e7514, _e7546), _e7562, _e7573), _e255, _e7578));
+phi_16926_ = select(1f, 0f, _e7578);
 } else {
-phi_16924_ = vec3<f32>(_e233, _e244, _e255);
-phi_16925_ = 1f;
+phi_16925_ = vec3<f32>(_e233, _e244, _e255);
+phi_16926_ = 1f;
 }
-let _e7585 = phi_16924_;
-let _e7587 = phi_16925_;
+let _e7585 = phi_16925_;
+let _e7587 = phi_16926_;
 let _e7590 = (_e5669.member * _e7587);
 global_2.member[_e190] = (_e201 * (_e5669.member_2.x * _e7590));
 global_2.member[_e202] = (_e211 * (_e5669.member_2.y * _e7590));

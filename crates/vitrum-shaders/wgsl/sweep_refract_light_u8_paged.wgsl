@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_24 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_25 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_23,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_15,
+member_18: type_23,
+member_19: type_5,
+member_20: type_24,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_25 {
+struct type_26 {
 member: type_7,
 member_1: u32,
 }
-struct type_26 {
+struct type_27 {
 member: type_2,
 member_1: u32,
 member_2: type_18,
@@ -141,39 +149,39 @@ member_6: type_20,
 member_7: type_20,
 member_8: type_21,
 member_9: type_22,
-member_10: type_24,
+member_10: type_25,
 member_11: type_19,
 member_12: type_4,
 member_13: type_9,
-member_14: type_25,
-member_15: type_25,
-member_16: type_25,
-member_17: type_25,
+member_14: type_26,
+member_15: type_26,
+member_16: type_26,
+member_17: type_26,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_27 {
-member: type_26,
+struct type_28 {
+member: type_27,
 }
-struct type_30 {
+struct type_31 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_31 {
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_32 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_33 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -182,7 +190,7 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_34 {
+struct type_35 {
 member: f32,
 member_1: f32,
 member_2: vec3<f32>,
@@ -190,7 +198,7 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_27;
+var<storage> global_1: type_28;
 @group(0) @binding(6)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
@@ -204,15 +212,15 @@ var<storage> global_6: type_11;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_30;
+var local_2: type_31;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_30;
+var local_8: type_31;
 var local_9: vec3<f32>;
-var local_10: type_30;
+var local_10: type_31;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -228,23 +236,23 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_30;
+var local_26: type_31;
 var local_27: vec3<f32>;
-var phi_904_: bool;
-var phi_1084_: bool;
-var phi_1087_: bool;
-var phi_1271_: bool;
-var phi_1594_: u32;
-var phi_7185_: type_31;
-var phi_7888_: type_32;
-var phi_8778_: type_5;
-var phi_12506_: type_34;
-var phi_13825_: type_33;
-var phi_13838_: vec3<f32>;
-var phi_13839_: f32;
-var phi_16511_: type_33;
-var phi_16663_: vec3<f32>;
-var phi_16664_: f32;
+var phi_905_: bool;
+var phi_1085_: bool;
+var phi_1088_: bool;
+var phi_1272_: bool;
+var phi_1595_: u32;
+var phi_7186_: type_32;
+var phi_7889_: type_33;
+var phi_8779_: type_5;
+var phi_12507_: type_35;
+var phi_13826_: type_34;
+var phi_13839_: vec3<f32>;
+var phi_13840_: f32;
+var phi_16512_: type_34;
+var phi_16664_: vec3<f32>;
+var phi_16665_: f32;
 let _e159 = global;
 let _e162 = arrayLength((&global_3.member));
 let _e167 = arrayLength((&global_4.member));
@@ -355,7 +363,7 @@ let _e542 = ((((_e428 >= _e527) && (_e428 <= _e530)) && ((_e443 >= _e527) && (_e
 let _e545 = global_1.member.member_1;
 let _e547 = ((_e545 & 16u) == 0u);
 if _e547 {
-phi_904_ = _e542;
+phi_905_ = _e542;
 } else {
 let _e552 = global_1.member.member_14.member;
 let _e564 = -((_e400 / _e393));
@@ -366,9 +374,9 @@ let _e598 = global_1.member.member_16.member;
 let _e614 = global_1.member.member_16.member_1;
 let _e621 = global_1.member.member_17.member;
 let _e637 = global_1.member.member_17.member_1;
-phi_904_ = (_e542 && (((((((((_e552.member.member * _e348) + (_e552.member.member_1 * _e361)) + (_e552.member.member_2 * _e326)) + _e552.member_1) <= _e564) || (_e569 == 0u)) && ((((((_e575.member.member * _e348) + (_e575.member.member_1 * _e361)) + (_e575.member.member_2 * _e326)) + _e575.member_1) <= _e564) || (_e591 == 0u))) && ((((((_e598.member.member * _e348) + (_e598.member.member_1 * _e361)) + (_e598.member.member_2 * _e326)) + _e598.member_1) <= _e564) || (_e614 == 0u))) && ((((((_e621.member.member * _e348) + (_e621.member.member_1 * _e361)) + (_e621.member.member_2 * _e326)) + _e621.member_1) <= _e564) || (_e637 == 0u))));
+phi_905_ = (_e542 && (((((((((_e552.member.member * _e348) + (_e552.member.member_1 * _e361)) + (_e552.member.member_2 * _e326)) + _e552.member_1) <= _e564) || (_e569 == 0u)) && ((((((_e575.member.member * _e348) + (_e575.member.member_1 * _e361)) + (_e575.member.member_2 * _e326)) + _e575.member_1) <= _e564) || (_e591 == 0u))) && ((((((_e598.member.member * _e348) + (_e598.member.member_1 * _e361)) + (_e598.member.member_2 * _e326)) + _e598.member_1) <= _e564) || (_e614 == 0u))) && ((((((_e621.member.member * _e348) + (_e621.member.member_1 * _e361)) + (_e621.member.member_2 * _e326)) + _e621.member_1) <= _e564) || (_e637 == 0u))));
 }
-let _e643 = phi_904_;
+let _e643 = phi_905_;
 let _e647 = (_e371 + (_e371 - _e348));
 let _e648 = (_e376 + (_e376 - _e361));
 let _e649 = (_e365 + (_e365 - _e326));
@@ -377,7 +385,7 @@ let _e661 = ((((_e432.member.member * _e647) + (_e432.member.member_1 * _e648)) 
 let _e667 = ((((_e447.member.member * _e647) + (_e447.member.member_1 * _e648)) + (_e447.member.member_2 * _e649)) + _e447.member_1);
 let _e678 = ((((_e655 >= _e527) && (_e655 <= _e530)) && ((_e661 >= _e527) && (_e661 <= _e534))) && ((_e667 >= _e527) && (_e667 <= _e539)));
 if _e547 {
-phi_1084_ = _e678;
+phi_1085_ = _e678;
 } else {
 let _e683 = global_1.member.member_14.member;
 let _e695 = -((_e400 / _e393));
@@ -388,14 +396,14 @@ let _e729 = global_1.member.member_16.member;
 let _e745 = global_1.member.member_16.member_1;
 let _e752 = global_1.member.member_17.member;
 let _e768 = global_1.member.member_17.member_1;
-phi_1084_ = (_e678 && (((((((((_e683.member.member * _e647) + (_e683.member.member_1 * _e648)) + (_e683.member.member_2 * _e649)) + _e683.member_1) <= _e695) || (_e700 == 0u)) && ((((((_e706.member.member * _e647) + (_e706.member.member_1 * _e648)) + (_e706.member.member_2 * _e649)) + _e706.member_1) <= _e695) || (_e722 == 0u))) && ((((((_e729.member.member * _e647) + (_e729.member.member_1 * _e648)) + (_e729.member.member_2 * _e649)) + _e729.member_1) <= _e695) || (_e745 == 0u))) && ((((((_e752.member.member * _e647) + (_e752.member.member_1 * _e648)) + (_e752.member.member_2 * _e649)) + _e752.member_1) <= _e695) || (_e768 == 0u))));
+phi_1085_ = (_e678 && (((((((((_e683.member.member * _e647) + (_e683.member.member_1 * _e648)) + (_e683.member.member_2 * _e649)) + _e683.member_1) <= _e695) || (_e700 == 0u)) && ((((((_e706.member.member * _e647) + (_e706.member.member_1 * _e648)) + (_e706.member.member_2 * _e649)) + _e706.member_1) <= _e695) || (_e722 == 0u))) && ((((((_e729.member.member * _e647) + (_e729.member.member_1 * _e648)) + (_e729.member.member_2 * _e649)) + _e729.member_1) <= _e695) || (_e745 == 0u))) && ((((((_e752.member.member * _e647) + (_e752.member.member_1 * _e648)) + (_e752.member.member_2 * _e649)) + _e752.member_1) <= _e695) || (_e768 == 0u))));
 }
-let _e774 = phi_1084_;
-phi_1087_ = (_e517 && (_e643 && _e774));
+let _e774 = phi_1085_;
+phi_1088_ = (_e517 && (_e643 && _e774));
 } else {
-phi_1087_ = _e517;
+phi_1088_ = _e517;
 }
-let _e778 = phi_1087_;
+let _e778 = phi_1088_;
 let _e785 = ((((_e417.member.member * _e411) + (_e417.member.member_1 * _e412)) + (_e417.member.member_2 * _e413)) + _e417.member_1);
 let _e791 = ((((_e432.member.member * _e411) + (_e432.member.member_1 * _e412)) + (_e432.member.member_2 * _e413)) + _e432.member_1);
 let _e797 = ((((_e447.member.member * _e411) + (_e447.member.member_1 * _e412)) + (_e447.member.member_2 * _e413)) + _e447.member_1);
@@ -404,7 +412,7 @@ let _e799 = (_e400 + 0.5f);
 let _e813 = ((((_e785 >= _e798) && (_e785 <= (_e482 - _e799))) && ((_e791 >= _e798) && (_e791 <= (_e492 - _e799)))) && ((_e797 >= _e798) && (_e797 <= (_e502 - _e799))));
 let _e816 = global_1.member.member_1;
 if ((_e816 & 16u) == 0u) {
-phi_1271_ = _e813;
+phi_1272_ = _e813;
 } else {
 let _e823 = global_1.member.member_14.member;
 let _e835 = -((_e400 / _e393));
@@ -415,9 +423,9 @@ let _e869 = global_1.member.member_16.member;
 let _e885 = global_1.member.member_16.member_1;
 let _e892 = global_1.member.member_17.member;
 let _e908 = global_1.member.member_17.member_1;
-phi_1271_ = (_e813 && (((((((((_e823.member.member * _e411) + (_e823.member.member_1 * _e412)) + (_e823.member.member_2 * _e413)) + _e823.member_1) <= _e835) || (_e840 == 0u)) && ((((((_e846.member.member * _e411) + (_e846.member.member_1 * _e412)) + (_e846.member.member_2 * _e413)) + _e846.member_1) <= _e835) || (_e862 == 0u))) && ((((((_e869.member.member * _e411) + (_e869.member.member_1 * _e412)) + (_e869.member.member_2 * _e413)) + _e869.member_1) <= _e835) || (_e885 == 0u))) && ((((((_e892.member.member * _e411) + (_e892.member.member_1 * _e412)) + (_e892.member.member_2 * _e413)) + _e892.member_1) <= _e835) || (_e908 == 0u))));
+phi_1272_ = (_e813 && (((((((((_e823.member.member * _e411) + (_e823.member.member_1 * _e412)) + (_e823.member.member_2 * _e413)) + _e823.member_1) <= _e835) || (_e840 == 0u)) && ((((((_e846.member.member * _e411) + (_e846.member.member_1 * _e412)) + (_e846.member.member_2 * _e413)) + _e846.member_1) <= _e835) || (_e862 == 0u))) && ((((((_e869.member.member * _e411) + (_e869.member.member_1 * _e412)) + (_e869.member.member_2 * _e413)) + _e869.member_1) <= _e835) || (_e885 == 0u))) && ((((((_e892.member.member * _e411) + (_e892.member.member_1 * _e412)) + (_e892.member.member_2 * _e413)) + _e892.member_1) <= _e835) || (_e908 == 0u))));
 }
-let _e914 = phi_1271_;
+let _e914 = phi_1272_;
 let _e921 = global_1.member.member_6.member_4;
 let _e922 = (_e482 - 0.5f);
 let _e924 = select(-0.5f, _e464, (_e464 > -0.5f));
@@ -457,11 +465,11 @@ let _e1051 = ((bitcast<i32>(_e1045) + ((_e982 - select(0i, 1i, (_e975 < f32(_e98
 let _e1053 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1055 = select(_e1053, _e1051, (_e1051 < _e1053));
 let _e1061 = global_5.member[bitcast<u32>(select(0i, _e1055, (_e1055 > 0i)))];
-phi_1594_ = select(select(7u, 3u, (_e778 && (!(_e526) || _e914))), 1u, (((_e816 & 64u) != 0u) || ((((select(_e950, _e947, (_e947 > _e950)) <= _e921) && ((select(_e967, _e964, (_e964 > _e967)) > _e921) || (_e1061 != 0u))) && true) && ((_e816 & 32u) != 0u))));
+phi_1595_ = select(select(7u, 3u, (_e778 && (!(_e526) || _e914))), 1u, (((_e816 & 64u) != 0u) || ((((select(_e950, _e947, (_e947 > _e950)) <= _e921) && ((select(_e967, _e964, (_e964 > _e967)) > _e921) || (_e1061 != 0u))) && true) && ((_e816 & 32u) != 0u))));
 } else {
-phi_1594_ = 7u;
+phi_1595_ = 7u;
 }
-let _e1074 = phi_1594_;
+let _e1074 = phi_1595_;
 if (_e1074 > 1u) {
 let _e1079 = bitcast<i32>(((_e187 * _e295) + _e185));
 let _e1082 = (bitcast<i32>(_e169) - 1i);
@@ -543,7 +551,7 @@ let _e1361 = (_e1354 + (3i * _e1310));
 let _e1362 = (_e1356 + _e1314);
 let _e1364 = (_e1356 + (2i * _e1314));
 let _e1366 = (_e1356 + (3i * _e1314));
-local_26 = type_30(array<i32, 4>(_e1351, _e1351, _e1351, _e1351), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_26 = type_31(array<i32, 4>(_e1351, _e1351, _e1351, _e1351), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_27 = vec3<f32>((_e1241 - f32(_e1276)), (_e1251 - f32(_e1291)), (_e1261 - f32(_e1306)));
 let _e1380 = local_26.member[0u];
 let _e1381 = ((_e1362 + _e1357) + _e1380);
@@ -886,7 +894,7 @@ if _e1230 {
 let _e2456 = ((0.5f * (_e2191 - _e2185)) * _e2449);
 let _e2457 = ((0.5f * (_e2203 - _e2197)) * _e2449);
 let _e2458 = ((0.5f * (_e2215 - _e2209)) * _e2449);
-phi_7185_ = type_31(_e2411, vec3<f32>(_e2456, _e2457, _e2458), vec3<f32>((_e2456 * _e2411), (_e2457 * _e2411), (_e2458 * _e2411)));
+phi_7186_ = type_32(_e2411, vec3<f32>(_e2456, _e2457, _e2458), vec3<f32>((_e2456 * _e2411), (_e2457 * _e2411), (_e2458 * _e2411)));
 } else {
 local_22 = _e2185;
 let _e2465 = local_22;
@@ -1035,9 +1043,9 @@ let _e2890 = ((_e2396 + (f32(bitcast<i32>((_e2875 >> bitcast<u32>(12u)))) * _e24
 let _e2891 = (_e2606 - _e2535);
 let _e2893 = (_e2748 - _e2677);
 let _e2895 = (_e2890 - _e2819);
-phi_7185_ = type_31(_e2411, vec3<f32>((0.5f * _e2891), (0.5f * _e2893), (0.5f * _e2895)), vec3<f32>((0.25f * (_e2891 * (_e2606 + _e2535))), (0.25f * (_e2893 * (_e2748 + _e2677))), (0.25f * (_e2895 * (_e2890 + _e2819)))));
+phi_7186_ = type_32(_e2411, vec3<f32>((0.5f * _e2891), (0.5f * _e2893), (0.5f * _e2895)), vec3<f32>((0.25f * (_e2891 * (_e2606 + _e2535))), (0.25f * (_e2893 * (_e2748 + _e2677))), (0.25f * (_e2895 * (_e2890 + _e2819)))));
 }
-let _e2910 = phi_7185_;
+let _e2910 = phi_7186_;
 let _e2925 = select(0f, 1f, ((((((_e1210 >= -0.5f) && (_e1210 <= _e1237)) && (_e1216 >= -0.5f)) && (_e1216 <= _e1247)) && (_e1222 >= -0.5f)) && (_e1222 <= _e1257)));
 let _e2927 = (0.5f * (_e2191 - _e2185));
 let _e2929 = (0.5f * (_e2203 - _e2197));
@@ -1051,7 +1059,7 @@ let _e2967 = global_1.member.member_6.member_1.member.member_2;
 let _e2973 = global_1.member.member_6.member_2.member.member;
 let _e2979 = global_1.member.member_6.member_2.member.member_1;
 let _e2985 = global_1.member.member_6.member_2.member.member_2;
-phi_7888_ = type_32(_e2179, vec3<f32>(((((_e2937 * _e2927) + (_e2955 * _e2929)) + (_e2973 * _e2931)) * _e2925), ((((_e2943 * _e2927) + (_e2961 * _e2929)) + (_e2979 * _e2931)) * _e2925), ((((_e2949 * _e2927) + (_e2967 * _e2929)) + (_e2985 * _e2931)) * _e2925)), _e2910.member, vec3<f32>(((((_e2937 * _e2910.member_2.x) + (_e2955 * _e2910.member_2.y)) + (_e2973 * _e2910.member_2.z)) * _e2925), ((((_e2943 * _e2910.member_2.x) + (_e2961 * _e2910.member_2.y)) + (_e2979 * _e2910.member_2.z)) * _e2925), ((((_e2949 * _e2910.member_2.x) + (_e2967 * _e2910.member_2.y)) + (_e2985 * _e2910.member_2.z)) * _e2925)), vec3<f32>(((((_e2937 * _e2910.member_1.x) + (_e2955 * _e2910.member_1.y)) + (_e2973 * _e2910.member_1.z)) * _e2925), ((((_e2943 * _e2910.member_1.x) + (_e2961 * _e2910.member_1.y)) + (_e2979 * _e2910.member_1.z)) * _e2925), ((((_e2949 * _e2910.member_1.x) + (_e2967 * _e2910.member_1.y)) + (_e2985 * _e2910.member_1.z)) * _e2925)));
+phi_7889_ = type_33(_e2179, vec3<f32>(((((_e2937 * _e2927) + (_e2955 * _e2929)) + (_e2973 * _e2931)) * _e2925), ((((_e2943 * _e2927) + (_e2961 * _e2929)) + (_e2979 * _e2931)) * _e2925), ((((_e2949 * _e2927) + (_e2967 * _e2929)) + (_e2985 * _e2931)) * _e2925)), _e2910.member, vec3<f32>(((((_e2937 * _e2910.member_2.x) + (_e2955 * _e2910.member_2.y)) + (_e2973 * _e2910.member_2.z)) * _e2925), ((((_e2943 * _e2910.member_2.x) + (_e2961 * _e2910.member_2.y)) + (_e2979 * _e2910.member_2.z)) * _e2925), ((((_e2949 * _e2910.member_2.x) + (_e2967 * _e2910.member_2.y)) + (_e2985 * _e2910.member_2.z)) * _e2925)), vec3<f32>(((((_e2937 * _e2910.member_1.x) + (_e2955 * _e2910.member_1.y)) + (_e2973 * _e2910.member_1.z)) * _e2925), ((((_e2943 * _e2910.member_1.x) + (_e2961 * _e2910.member_1.y)) + (_e2979 * _e2910.member_1.z)) * _e2925), ((((_e2949 * _e2910.member_1.x) + (_e2967 * _e2910.member_1.y)) + (_e2985 * _e2910.member_1.z)) * _e2925)));
 } else {
 let _e3054 = global_1.member.member_6.member_3.member;
 let _e3055 = (_e3054 - 0.5f);
@@ -1095,7 +1103,7 @@ let _e3175 = (_e3172 + _e3128);
 let _e3177 = (_e3172 + (2i * _e3128));
 let _e3178 = (_e3174 + _e3132);
 let _e3180 = (_e3174 + (2i * _e3132));
-local_10 = type_30(array<i32, 4>(_e3169, _e3169, _e3169, _e3169), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_10 = type_31(array<i32, 4>(_e3169, _e3169, _e3169, _e3169), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_11 = vec3<f32>((_e3059 - f32(_e3094)), (_e3069 - f32(_e3109)), (_e3079 - f32(_e3124)));
 let _e3194 = local_10.member[0u];
 let _e3195 = ((_e3178 + _e3175) + _e3194);
@@ -1164,9 +1172,9 @@ let _e3422 = global_1.member.member_6.member_5;
 let _e3424 = (((_e3303 + (((_e3354 + (((_e3394 + ((f32(bitcast<i32>(((_e3387 >> bitcast<u32>((_e3395 & 31u))) & 255u))) - _e3394) * _e3402)) - _e3354) * _e3406)) - _e3303) * _e3411)) - _e3418) * _e3422);
 let _e3425 = -(1e9f);
 let _e3427 = select(_e3425, _e3424, (_e3424 > _e3425));
-phi_7888_ = type_32(select(1e9f, _e3427, (_e3427 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_7889_ = type_33(select(1e9f, _e3427, (_e3427 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e3432 = phi_7888_;
+let _e3432 = phi_7889_;
 let _e3437 = global_1.member.member_6.member_3.member;
 let _e3438 = (_e3437 - 0.5f);
 let _e3440 = select(-0.5f, _e1174, (_e1174 > -0.5f));
@@ -1213,7 +1221,7 @@ let _e3560 = (_e3555 + _e3559);
 let _e3561 = (_e3557 + _e3515);
 let _e3562 = (2i * _e3515);
 let _e3563 = (_e3557 + _e3562);
-local_8 = type_30(array<i32, 4>(_e3552, _e3552, _e3552, _e3552), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_8 = type_31(array<i32, 4>(_e3552, _e3552, _e3552, _e3552), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_9 = vec3<f32>((_e3442 - f32(_e3477)), (_e3452 - f32(_e3492)), (_e3462 - f32(_e3507)));
 let _e3577 = local_8.member[0u];
 let _e3578 = ((_e3561 + _e3558) + _e3577);
@@ -1286,7 +1294,7 @@ let _e3812 = select(1e9f, _e3810, (_e3810 < 1e9f));
 let _e3815 = global_1.member.member_1;
 let _e3817 = ((_e3815 & 16u) == 0u);
 if _e3817 {
-phi_8778_ = type_5(1f, 1f, 1f);
+phi_8779_ = type_5(1f, 1f, 1f);
 } else {
 let _e3821 = global_1.member.member_14.member;
 let _e3832 = ((((_e3821.member.member * _e1131) + (_e3821.member.member_1 * _e1144)) + (_e3821.member.member_2 * _e1109)) + _e3821.member_1);
@@ -1332,9 +1340,9 @@ let _e3999 = select(0f, _e3997, (_e3997 > 0f));
 let _e4005 = select(select(select(1f, _e3999, (_e3999 < 1f)), 1f, (_e3992 <= 0f)), 0f, (_e3990 > 0f));
 let _e4010 = global_1.member.member_17.member_1;
 let _e4011 = (_e4010 != 0u);
-phi_8778_ = type_5(((((1f * _e3855) * _e3905) * _e3955) * _e4005), ((((1f * select(1f, _e3855, _e3861)) * select(1f, _e3905, _e3911)) * select(1f, _e3955, _e3961)) * select(1f, _e4005, _e4011)), ((((1f * select(1f, 0f, (_e3861 && (_e3838 > 0f)))) * select(1f, 0f, (_e3911 && (_e3888 > 0f)))) * select(1f, 0f, (_e3961 && (_e3938 > 0f)))) * select(1f, 0f, (_e4011 && (_e3988 > 0f)))));
+phi_8779_ = type_5(((((1f * _e3855) * _e3905) * _e3955) * _e4005), ((((1f * select(1f, _e3855, _e3861)) * select(1f, _e3905, _e3911)) * select(1f, _e3955, _e3961)) * select(1f, _e4005, _e4011)), ((((1f * select(1f, 0f, (_e3861 && (_e3838 > 0f)))) * select(1f, 0f, (_e3911 && (_e3888 > 0f)))) * select(1f, 0f, (_e3961 && (_e3938 > 0f)))) * select(1f, 0f, (_e4011 && (_e3988 > 0f)))));
 }
-let _e4020 = phi_8778_;
+let _e4020 = phi_8779_;
 let _e4021 = (_e1210 - _e1174);
 let _e4025 = (bitcast<f32>((bitcast<u32>(_e4021) & 2147483647u)) < 1e-12f);
 let _e4027 = (1f / select(_e4021, 1f, _e4025));
@@ -1558,7 +1566,7 @@ let _e4658 = f32(_e4657);
 let _e4662 = ((_e4640 - (_e4658 * 0.6933594f)) - (_e4658 * -2.1219444e-4f));
 let _e4682 = ((1f + (_e4662 * (1f + (_e4662 * (0.5f + (_e4662 * (0.16666667f + (_e4662 * (0.041666668f + (_e4662 * (0.008333334f + (_e4662 * (0.001388889f + (_e4662 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e4657 + 127i)) << bitcast<u32>(23i))));
 let _e4683 = (1f - _e4682);
-phi_12506_ = type_34(_e4682, _e4683, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4683 / select(1e-12f, _e4632, (_e4632 > 1e-12f))))));
+phi_12507_ = type_35(_e4682, _e4683, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e4683 / select(1e-12f, _e4632, (_e4632 > 1e-12f))))));
 } else {
 local_5 = _e3812;
 let _e4691 = local_5;
@@ -1795,9 +1803,9 @@ let _e5563 = f32(_e5562);
 let _e5567 = ((_e5545 - (_e5563 * 0.6933594f)) - (_e5563 * -2.1219444e-4f));
 let _e5587 = ((1f + (_e5567 * (1f + (_e5567 * (0.5f + (_e5567 * (0.16666667f + (_e5567 * (0.041666668f + (_e5567 * (0.008333334f + (_e5567 * (0.001388889f + (_e5567 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5562 + 127i)) << bitcast<u32>(23i))));
 let _e5588 = (1f - _e5587);
-phi_12506_ = type_34(_e5587, _e5588, vec3<f32>(((1f + (_e5422 * (1f + (_e5422 * (0.5f + (_e5422 * (0.16666667f + (_e5422 * (0.041666668f + (_e5422 * (0.008333334f + (_e5422 * (0.001388889f + (_e5422 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5417 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5470 * (1f + (_e5470 * (0.5f + (_e5470 * (0.16666667f + (_e5470 * (0.041666668f + (_e5470 * (0.008333334f + (_e5470 * (0.001388889f + (_e5470 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5465 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5518 * (1f + (_e5518 * (0.5f + (_e5518 * (0.16666667f + (_e5518 * (0.041666668f + (_e5518 * (0.008333334f + (_e5518 * (0.001388889f + (_e5518 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5513 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5588 / select(1e-12f, _e5182, (_e5182 > 1e-12f))))));
+phi_12507_ = type_35(_e5587, _e5588, vec3<f32>(((1f + (_e5422 * (1f + (_e5422 * (0.5f + (_e5422 * (0.16666667f + (_e5422 * (0.041666668f + (_e5422 * (0.008333334f + (_e5422 * (0.001388889f + (_e5422 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5417 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5470 * (1f + (_e5470 * (0.5f + (_e5470 * (0.16666667f + (_e5470 * (0.041666668f + (_e5470 * (0.008333334f + (_e5470 * (0.001388889f + (_e5470 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5465 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e5518 * (1f + (_e5518 * (0.5f + (_e5518 * (0.16666667f + (_e5518 * (0.041666668f + (_e5518 * (0.008333334f + (_e5518 * (0.001388889f + (_e5518 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e5513 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e5588 / select(1e-12f, _e5182, (_e5182 > 1e-12f))))));
 }
-let _e5596 = phi_12506_;
+let _e5596 = phi_12507_;
 if _e1231 {
 let _e5601 = global_1.member.member_6.member.member;
 let _e5609 = global_1.member.member_6.member_1.member;
@@ -1923,7 +1931,7 @@ let _e5857 = select(select(select(select(select(select(0f, _e5601.member, _e5640
 let _e5858 = select(select(select(select(select(select(0f, _e5601.member_1, _e5640), _e5601.member_1, _e5680), _e5609.member_1, _e5719), _e5609.member_1, _e5759), _e5617.member_1, _e5798), _e5617.member_1, _e5838);
 let _e5859 = select(select(select(select(select(select(1f, _e5601.member_2, _e5640), _e5601.member_2, _e5680), _e5609.member_2, _e5719), _e5609.member_2, _e5759), _e5617.member_2, _e5798), _e5617.member_2, _e5838);
 if _e3817 {
-phi_13825_ = type_33(_e5844, vec3<f32>(_e5845, _e5846, _e5847), _e5849, vec3<f32>(_e5850, _e5851, _e5852), _e5854, _e5856, vec3<f32>(_e5857, _e5858, _e5859));
+phi_13826_ = type_34(_e5844, vec3<f32>(_e5845, _e5846, _e5847), _e5849, vec3<f32>(_e5850, _e5851, _e5852), _e5854, _e5856, vec3<f32>(_e5857, _e5858, _e5859));
 } else {
 let _e5866 = (((_e5601.member * _e5601.member) + (_e5601.member_1 * _e5601.member_1)) + (_e5601.member_2 * _e5601.member_2));
 let _e5869 = sqrt(select(0f, _e5866, (_e5866 > 0f)));
@@ -2003,21 +2011,21 @@ let _e6153 = select(2f, select(0f, _e6145, (_e6126 < 0f)), (_e6127 > 0f));
 let _e6154 = (_e6126 > _e6092);
 let _e6158 = ((_e6149 > _e6084) || ((_e6149 == _e6084) && _e6154));
 let _e6159 = (_e6153 < _e6088);
-phi_13825_ = type_33(select(_e6084, _e6149, _e6158), vec3<f32>(select(select(select(select(_e5845, _e5904.member, _e5930), _e5980.member, _e6006), _e6056.member, _e6082), _e6132.member, _e6158), select(select(select(select(_e5846, _e5904.member_1, _e5930), _e5980.member_1, _e6006), _e6056.member_1, _e6082), _e6132.member_1, _e6158), select(select(select(select(_e5847, _e5904.member_2, _e5930), _e5980.member_2, _e6006), _e6056.member_2, _e6082), _e6132.member_2, _e6158)), select(_e6088, _e6153, _e6159), vec3<f32>(select(select(select(select(_e5850, _e5904.member, _e5931), _e5980.member, _e6007), _e6056.member, _e6083), _e6132.member, _e6159), select(select(select(select(_e5851, _e5904.member_1, _e5931), _e5980.member_1, _e6007), _e6056.member_1, _e6083), _e6132.member_1, _e6159), select(select(select(select(_e5852, _e5904.member_2, _e5931), _e5980.member_2, _e6007), _e6056.member_2, _e6083), _e6132.member_2, _e6159)), select(_e6092, _e6126, _e6154), select(_e6094, _e6127, (_e6127 > _e6094)), vec3<f32>(select(select(select(select(_e5857, _e5904.member, _e5926), _e5980.member, _e6002), _e6056.member, _e6078), _e6132.member, _e6154), select(select(select(select(_e5858, _e5904.member_1, _e5926), _e5980.member_1, _e6002), _e6056.member_1, _e6078), _e6132.member_1, _e6154), select(select(select(select(_e5859, _e5904.member_2, _e5926), _e5980.member_2, _e6002), _e6056.member_2, _e6078), _e6132.member_2, _e6154)));
+phi_13826_ = type_34(select(_e6084, _e6149, _e6158), vec3<f32>(select(select(select(select(_e5845, _e5904.member, _e5930), _e5980.member, _e6006), _e6056.member, _e6082), _e6132.member, _e6158), select(select(select(select(_e5846, _e5904.member_1, _e5930), _e5980.member_1, _e6006), _e6056.member_1, _e6082), _e6132.member_1, _e6158), select(select(select(select(_e5847, _e5904.member_2, _e5930), _e5980.member_2, _e6006), _e6056.member_2, _e6082), _e6132.member_2, _e6158)), select(_e6088, _e6153, _e6159), vec3<f32>(select(select(select(select(_e5850, _e5904.member, _e5931), _e5980.member, _e6007), _e6056.member, _e6083), _e6132.member, _e6159), select(select(select(select(_e5851, _e5904.member_1, _e5931), _e5980.member_1, _e6007), _e6056.member_1, _e6083), _e6132.member_1, _e6159), select(select(select(select(_e5852, _e5904.member_2, _e5931), _e5980.member_2, _e6007), _e6056.member_2, _e6083), _e6132.member_2, _e6159)), select(_e6092, _e6126, _e6154), select(_e6094, _e6127, (_e6127 > _e6094)), vec3<f32>(select(select(select(select(_e5857, _e5904.member, _e5926), _e5980.member, _e6002), _e6056.member, _e6078), _e6132.member, _e6154), select(select(select(select(_e5858, _e5904.member_1, _e5926), _e5980.member_1, _e6002), _e6056.member_1, _e6078), _e6132.member_1, _e6154), select(select(select(select(_e5859, _e5904.member_2, _e5926), _e5980.member_2, _e6002), _e6056.member_2, _e6078), _e6132.member_2, _e6154)));
 }
-let _e6179 = phi_13825_;
+let _e6179 = phi_13826_;
 let _e6181 = (_e6179.member_4 < 0f);
 let _e6183 = (_e6179.member_5 < 0f);
 let _e6184 = (_e6181 != _e6183);
 if _e6181 {
-phi_13838_ = _e6179.member_3;
-phi_13839_ = _e6179.member_2;
+phi_13839_ = _e6179.member_3;
+phi_13840_ = _e6179.member_2;
 } else {
-phi_13838_ = _e6179.member_1;
-phi_13839_ = _e6179.member;
+phi_13839_ = _e6179.member_1;
+phi_13840_ = _e6179.member;
 }
-let _e6190 = phi_13838_;
-let _e6192 = phi_13839_;
+let _e6190 = phi_13839_;
+let _e6192 = phi_13840_;
 let _e6201 = (((_e5601.member * _e5601.member) + (_e5601.member_1 * _e5601.member_1)) + (_e5601.member_2 * _e5601.member_2));
 let _e6204 = sqrt(select(0f, _e6201, (_e6201 > 0f)));
 let _e6205 = ((1.5f * _e1129) * _e6204);
@@ -2059,7 +2067,7 @@ let _e6320 = (_e6317 + _e3511);
 let _e6321 = (_e6317 + _e3559);
 let _e6322 = (_e6319 + _e3515);
 let _e6323 = (_e6319 + _e3562);
-local_2 = type_30(array<i32, 4>(_e6314, _e6314, _e6314, _e6314), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_2 = type_31(array<i32, 4>(_e6314, _e6314, _e6314, _e6314), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_3 = vec3<f32>((_e6238 - f32(_e6261)), (_e6242 - f32(_e6276)), (_e6246 - f32(_e6291)));
 let _e6337 = local_2.member[0u];
 let _e6338 = ((_e6322 + _e6320) + _e6337);
@@ -2307,7 +2315,7 @@ let _e7096 = select(select(select(select(select(select(0f, _e5601.member, _e5655
 let _e7097 = select(select(select(select(select(select(0f, _e5601.member_1, _e5655), _e5601.member_1, _e5695), _e5609.member_1, _e5734), _e5609.member_1, _e5774), _e5617.member_1, _e5813), _e5617.member_1, _e5855);
 let _e7098 = select(select(select(select(select(select(1f, _e5601.member_2, _e5655), _e5601.member_2, _e5695), _e5609.member_2, _e5734), _e5609.member_2, _e5774), _e5617.member_2, _e5813), _e5617.member_2, _e5855);
 if _e3817 {
-phi_16511_ = type_33(_e7084, vec3<f32>(_e7085, _e7086, _e7087), _e7089, vec3<f32>(_e7090, _e7091, _e7092), _e5856, _e7095, vec3<f32>(_e7096, _e7097, _e7098));
+phi_16512_ = type_34(_e7084, vec3<f32>(_e7085, _e7086, _e7087), _e7089, vec3<f32>(_e7090, _e7091, _e7092), _e5856, _e7095, vec3<f32>(_e7096, _e7097, _e7098));
 } else {
 let _e7104 = global_1.member.member_14.member_1;
 let _e7105 = (_e7104 != 0u);
@@ -2385,9 +2393,9 @@ let _e7384 = select(2f, select(0f, _e7376, (_e7357 < 0f)), (_e7358 > 0f));
 let _e7385 = (_e7357 > _e7323);
 let _e7389 = ((_e7380 > _e7315) || ((_e7380 == _e7315) && _e7385));
 let _e7390 = (_e7384 < _e7319);
-phi_16511_ = type_33(select(_e7315, _e7380, _e7389), vec3<f32>(select(select(select(select(_e7085, _e7135.member, _e7161), _e7211.member, _e7237), _e7287.member, _e7313), _e7363.member, _e7389), select(select(select(select(_e7086, _e7135.member_1, _e7161), _e7211.member_1, _e7237), _e7287.member_1, _e7313), _e7363.member_1, _e7389), select(select(select(select(_e7087, _e7135.member_2, _e7161), _e7211.member_2, _e7237), _e7287.member_2, _e7313), _e7363.member_2, _e7389)), select(_e7319, _e7384, _e7390), vec3<f32>(select(select(select(select(_e7090, _e7135.member, _e7162), _e7211.member, _e7238), _e7287.member, _e7314), _e7363.member, _e7390), select(select(select(select(_e7091, _e7135.member_1, _e7162), _e7211.member_1, _e7238), _e7287.member_1, _e7314), _e7363.member_1, _e7390), select(select(select(select(_e7092, _e7135.member_2, _e7162), _e7211.member_2, _e7238), _e7287.member_2, _e7314), _e7363.member_2, _e7390)), select(_e7323, _e7357, _e7385), select(_e7325, _e7358, (_e7358 > _e7325)), vec3<f32>(select(select(select(select(_e7096, _e7135.member, _e7157), _e7211.member, _e7233), _e7287.member, _e7309), _e7363.member, _e7385), select(select(select(select(_e7097, _e7135.member_1, _e7157), _e7211.member_1, _e7233), _e7287.member_1, _e7309), _e7363.member_1, _e7385), select(select(select(select(_e7098, _e7135.member_2, _e7157), _e7211.member_2, _e7233), _e7287.member_2, _e7309), _e7363.member_2, _e7385)));
+phi_16512_ = type_34(select(_e7315, _e7380, _e7389), vec3<f32>(select(select(select(select(_e7085, _e7135.member, _e7161), _e7211.member, _e7237), _e7287.member, _e7313), _e7363.member, _e7389), select(select(select(select(_e7086, _e7135.member_1, _e7161), _e7211.member_1, _e7237), _e7287.member_1, _e7313), _e7363.member_1, _e7389), select(select(select(select(_e7087, _e7135.member_2, _e7161), _e7211.member_2, _e7237), _e7287.member_2, _e7313), _e7363.member_2, _e7389)), select(_e7319, _e7384, _e7390), vec3<f32>(select(select(select(select(_e7090, _e7135.member, _e7162), _e7211.member, _e7238), _e7287.member, _e7314), _e7363.member, _e7390), select(select(select(select(_e7091, _e7135.member_1, _e7162), _e7211.member_1, _e7238), _e7287.member_1, _e7314), _e7363.member_1, _e7390), select(select(select(select(_e7092, _e7135.member_2, _e7162), _e7211.member_2, _e7238), _e7287.member_2, _e7314), _e7363.member_2, _e7390)), select(_e7323, _e7357, _e7385), select(_e7325, _e7358, (_e7358 > _e7325)), vec3<f32>(select(select(select(select(_e7096, _e7135.member, _e7157), _e7211.member, _e7233), _e7287.member, _e7309), _e7363.member, _e7385), select(select(select(select(_e7097, _e7135.member_1, _e7157), _e7211.member_1, _e7233), _e7287.member_1, _e7309), _e7363.member_1, _e7385), select(select(select(select(_e7098, _e7135.member_2, _e7157), _e7211.member_2, _e7233), _e7287.member_2, _e7309), _e7363.member_2, _e7385)));
 }
-let _e7410 = phi_16511_;
+let _e7410 = phi_16512_;
 let _e7419 = global_1.member.member_5.member_4;
 let _e7422 = (_e3432.member_3.x * _e4020.member_2);
 let _e7424 = (_e3432.member_3.y * _e4020.member_2);
@@ -2412,14 +2420,14 @@ let _e7481 = (_e6847 + ((_e3432.member_4.z * _e4020.member_2) * _e6859));
 let _e7483 = (_e7481 * _e7481);
 let _e7492 = ((_e3815 & 1u) != 0u);
 let _e7497 = (select(_e7465, ((_e7481 <= 0f) || (_e7483 <= (_e7455 * (((_e7479 * _e7479) + (_e7480 * _e7480)) + _e7483)))), _e7492) || (_e6844 && ((_e6820 && _e6184) || (_e6184 && (_e6847 <= 0f)))));
-phi_16663_ = vec3<f32>(select(select(select(_e7449, _e7431, _e7465), _e7479, _e7492), _e235, _e7497), select(select(select(_e7450, _e7432, _e7465), _e7480, _e7492), _e246, _e7497), select(select(select(_e7451, _e7433, _e7465), _e7481, _e7492), _e257, _e7497));
-phi_16664_ = select(1f, 0f, _e7497);
+phi_16664_ = vec3<f32>(select(select(select(_e7449, _e7431, _e7465), _e7479, _e7492), _e235, _e7497), select(select(select(_e7450, _e7432, _e7465), _e7480, _e7492), _e246, _e7497), select(select(select(_e7451, _e7433, _e7465), _e7481, _e7492), _e257, _e7497));
+phi_16665_ = select(1f, 0f, _e7497);
 } else {
-phi_16663_ = vec3<f32>(_e235, _e246, _e257);
-phi_16664_ = 1f;
+phi_16664_ = vec3<f32>(_e235, _e246, _e257);
+phi_16665_ = 1f;
 }
-let _e7504 = phi_16663_;
-let _e7506 = phi_16664_;
+let _e7504 = phi_16664_;
+let _e7506 = phi_16665_;
 let _e7509 = (_e5596.member * _e7506);
 global_2.member[_e192] = (_e203 * (_e5596.member_2.x * _e7509));
 global_2.member[_e204] = (_e213 * (_e5596.member_2.y * _e7509));

@@ -103,6 +103,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_23 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_24 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -120,17 +125,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_22,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_14,
+member_18: type_22,
+member_19: type_5,
+member_20: type_23,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_24 {
+struct type_25 {
 member: type_7,
 member_1: u32,
 }
-struct type_25 {
+struct type_26 {
 member: type_2,
 member_1: u32,
 member_2: type_17,
@@ -141,23 +149,23 @@ member_6: type_19,
 member_7: type_19,
 member_8: type_20,
 member_9: type_21,
-member_10: type_23,
+member_10: type_24,
 member_11: type_18,
 member_12: type_4,
 member_13: type_9,
-member_14: type_24,
-member_15: type_24,
-member_16: type_24,
-member_17: type_24,
+member_14: type_25,
+member_15: type_25,
+member_16: type_25,
+member_17: type_25,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_26 {
-member: type_25,
-}
 struct type_27 {
+member: type_26,
+}
+struct type_28 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 }
@@ -165,7 +173,7 @@ var<private> global: vec3<u32>;
 @group(0) @binding(4)
 var<storage, read_write> global_1: type_11;
 @group(0) @binding(0)
-var<storage> global_2: type_26;
+var<storage> global_2: type_27;
 @group(0) @binding(1)
 var<storage> global_3: type_11;
 @group(0) @binding(2)
@@ -185,85 +193,91 @@ var local_8: i32;
 var local_9: i32;
 var local_10: i32;
 var local_11: i32;
-var phi_243_: u32;
-var phi_1168_: u32;
-var phi_1445_: type_27;
-var phi_1726_: i32;
-var phi_1734_: i32;
-var phi_1740_: i32;
-var phi_1748_: i32;
-var phi_1789_: u32;
-var phi_1959_: u32;
-var phi_2143_: u32;
-var phi_2313_: u32;
-var phi_2522_: vec3<f32>;
-var phi_3124_: i32;
-var phi_3127_: i32;
-var phi_3129_: i32;
-var phi_3131_: i32;
-var phi_3146_: i32;
-var phi_3152_: i32;
-var phi_3125_: i32;
-var phi_3128_: i32;
-var phi_3130_: i32;
-var phi_3132_: i32;
+var phi_247_: u32;
+var phi_1177_: u32;
+var phi_1514_: f32;
+var phi_1570_: f32;
+var phi_1575_: vec3<f32>;
+var phi_1678_: f32;
+var phi_1762_: f32;
+var phi_1834_: type_28;
+var phi_1835_: type_28;
+var phi_2116_: i32;
+var phi_2124_: i32;
+var phi_2130_: i32;
+var phi_2138_: i32;
+var phi_2179_: u32;
+var phi_2349_: u32;
+var phi_2533_: u32;
+var phi_2703_: u32;
+var phi_2912_: vec3<f32>;
+var phi_3514_: i32;
+var phi_3517_: i32;
+var phi_3519_: i32;
+var phi_3521_: i32;
+var phi_3536_: i32;
+var phi_3542_: i32;
+var phi_3515_: i32;
+var phi_3518_: i32;
+var phi_3520_: i32;
+var phi_3522_: i32;
 var local_12: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_3227_: i32;
+var phi_3617_: i32;
 var local_15: i32;
 var local_16: i32;
-var phi_3233_: i32;
+var phi_3623_: i32;
 var local_17: i32;
-var phi_3240_: i32;
+var phi_3630_: i32;
 var local_18: i32;
 var local_19: i32;
-var phi_3246_: i32;
+var phi_3636_: i32;
 var local_20: i32;
 var local_21: i32;
-var phi_3257_: i32;
+var phi_3647_: i32;
 var local_22: i32;
 var local_23: i32;
-var phi_3269_: i32;
+var phi_3659_: i32;
 var local_24: i32;
 var local_25: i32;
 var local_26: i32;
 var local_27: i32;
-var phi_3505_: i32;
-var phi_3508_: i32;
-var phi_3510_: i32;
-var phi_3512_: i32;
-var phi_3527_: i32;
-var phi_3533_: i32;
-var phi_3506_: i32;
-var phi_3509_: i32;
-var phi_3511_: i32;
-var phi_3513_: i32;
+var phi_3895_: i32;
+var phi_3898_: i32;
+var phi_3900_: i32;
+var phi_3902_: i32;
+var phi_3917_: i32;
+var phi_3923_: i32;
+var phi_3896_: i32;
+var phi_3899_: i32;
+var phi_3901_: i32;
+var phi_3903_: i32;
 var local_28: i32;
 var local_29: i32;
 var local_30: i32;
-var phi_3608_: i32;
+var phi_3998_: i32;
 var local_31: i32;
 var local_32: i32;
-var phi_3614_: i32;
+var phi_4004_: i32;
 var local_33: i32;
-var phi_3621_: i32;
+var phi_4011_: i32;
 var local_34: i32;
 var local_35: i32;
-var phi_3627_: i32;
+var phi_4017_: i32;
 var local_36: i32;
 var local_37: i32;
-var phi_3638_: i32;
+var phi_4028_: i32;
 var local_38: i32;
 var local_39: i32;
-var phi_3650_: i32;
+var phi_4040_: i32;
 var local_40: i32;
 var local_41: i32;
 var local_42: i32;
 var local_43: i32;
-var phi_3905_: vec3<f32>;
-var phi_3906_: vec3<f32>;
-var phi_3907_: vec3<f32>;
+var phi_4295_: vec3<f32>;
+var phi_4296_: vec3<f32>;
+var phi_4297_: vec3<f32>;
 let _e99 = global;
 let _e110 = global_2.member.member_2;
 let _e113 = global_2.member.member;
@@ -278,11 +292,11 @@ let _e136 = global_2.member.member_3.member_1;
 let _e137 = (_e121 % 16u);
 let _e138 = (_e123 % 4u);
 if ((_e121 < (_e132 - (_e132 % 16u))) && (_e123 < (_e136 - (_e136 % 4u)))) {
-phi_243_ = ((((_e123 - _e138) + (_e137 / 4u)) * _e132) + (((_e121 - _e137) + (_e138 * 4u)) + (_e137 % 4u)));
+phi_247_ = ((((_e123 - _e138) + (_e137 / 4u)) * _e132) + (((_e121 - _e137) + (_e138 * 4u)) + (_e137 % 4u)));
 } else {
-phi_243_ = ((_e123 * _e132) + _e121);
+phi_247_ = ((_e123 * _e132) + _e121);
 }
-let _e159 = phi_243_;
+let _e159 = phi_247_;
 local_10 = bitcast<i32>(_e159);
 let _e162 = bitcast<i32>((_e132 * _e136));
 local_11 = _e162;
@@ -404,331 +418,337 @@ let _e505 = global_2.member.member_10.member_2;
 let _e516 = ((((_e505.member.member * _e469) + (_e505.member.member_1 * _e470)) + (_e505.member.member_2 * _e471)) + _e505.member_1);
 let _e520 = global_2.member.member_10.member_3;
 let _e521 = (_e520 != 0u);
-let _e526 = (((_e486 * _e486) + (_e501 * _e501)) + (_e516 * _e516));
-let _e529 = sqrt(select(0f, _e526, (_e526 > 0f)));
-let _e532 = (1f / select(1e-20f, _e529, (_e529 > 1e-20f)));
-let _e536 = select(0f, (_e486 * _e532), _e521);
-let _e537 = select(0f, (_e501 * _e532), _e521);
-let _e538 = select(1f, (_e516 * _e532), _e521);
-let _e543 = global_2.member.member_10.member.member;
-let _e554 = global_2.member.member_10.member_1.member;
-let _e568 = global_2.member.member_10.member_2.member;
-let _e580 = global_2.member.member_1;
-let _e586 = global_2.member.member_9.member_1;
-if ((_e580 & 256u) != 0u) {
-let _e596 = global_2.member.member_10.member_17.member.member;
-let _e597 = bitcast<i32>(_e596);
-let _e603 = global_2.member.member_10.member_17.member.member_1;
-let _e604 = bitcast<i32>(_e603);
-let _e605 = select(1f, _e516, _e521);
-let _e608 = (1f / select(1e-12f, _e605, (_e605 > 1e-12f)));
-let _e613 = global_2.member.member_10.member_5;
-let _e618 = global_2.member.member_10.member_8;
-let _e619 = (((_e486 * _e608) - _e613) * _e618);
-let _e624 = global_2.member.member_10.member_6;
-let _e626 = (((_e501 * _e608) - _e624) * _e618);
-let _e631 = global_2.member.member_10.member_4.member;
-let _e633 = f32(bitcast<i32>(_e631));
-let _e635 = select(0f, _e619, (_e619 > 0f));
-let _e642 = global_2.member.member_10.member_17.member_1;
-let _e645 = ((_e619 - _e633) * _e642);
-let _e650 = global_2.member.member_10.member_17.member_2;
-let _e652 = select(0f, _e645, (_e645 > 0f));
-let _e654 = (_e650 + _e652);
-let _e659 = (-(_e619) * _e642);
-let _e661 = select(0f, _e659, (_e659 > 0f));
-let _e663 = (_e650 + _e661);
-let _e670 = (((_e650 + (select(_e633, _e635, (_e635 < _e633)) * _e642)) + (((_e652 * _e650) / select(1e-12f, _e654, (_e654 > 1e-12f))) - ((_e661 * _e650) / select(1e-12f, _e663, (_e663 > 1e-12f))))) - 0.5f);
-let _e675 = global_2.member.member_10.member_4.member_1;
-let _e677 = f32(bitcast<i32>(_e675));
-let _e679 = select(0f, _e626, (_e626 > 0f));
-let _e684 = ((_e626 - _e677) * _e642);
-let _e686 = select(0f, _e684, (_e684 > 0f));
-let _e688 = (_e650 + _e686);
-let _e693 = (-(_e626) * _e642);
-let _e695 = select(0f, _e693, (_e693 > 0f));
-let _e697 = (_e650 + _e695);
-let _e704 = (((_e650 + (select(_e677, _e679, (_e679 < _e677)) * _e642)) + (((_e686 * _e650) / select(1e-12f, _e688, (_e688 > 1e-12f))) - ((_e695 * _e650) / select(1e-12f, _e697, (_e697 > 1e-12f))))) - 0.5f);
-let _e706 = f32((_e597 - 2i));
-let _e708 = select(0f, _e670, (_e670 > 0f));
-let _e710 = select(_e706, _e708, (_e708 < _e706));
-let _e717 = select(0i, select(select(i32(_e710), i32(-2147483648), (_e710 < -2147483600f)), 2147483647i, (_e710 > 2147483500f)), (_e710 == _e710));
-let _e721 = (_e717 - select(0i, 1i, (_e710 < f32(_e717))));
-let _e723 = f32((_e604 - 2i));
-let _e725 = select(0f, _e704, (_e704 > 0f));
-let _e727 = select(_e723, _e725, (_e725 < _e723));
-let _e734 = select(0i, select(select(i32(_e727), i32(-2147483648), (_e727 < -2147483600f)), 2147483647i, (_e727 > 2147483500f)), (_e727 == _e727));
-let _e738 = (_e734 - select(0i, 1i, (_e727 < f32(_e734))));
-let _e740 = (_e670 - f32(_e721));
-let _e742 = select(0f, _e740, (_e740 > 0f));
-let _e744 = select(1f, _e742, (_e742 < 1f));
-let _e746 = (_e704 - f32(_e738));
-let _e748 = select(0f, _e746, (_e746 > 0f));
-let _e750 = select(1f, _e748, (_e748 < 1f));
+let _e525 = global_2.member.member_10.member_19;
+let _e529 = (_e486 - _e525.member);
+let _e530 = (_e501 - _e525.member_1);
+let _e531 = (_e516 - _e525.member_2);
+let _e536 = (((_e529 * _e529) + (_e530 * _e530)) + (_e531 * _e531));
+let _e539 = sqrt(select(0f, _e536, (_e536 > 0f)));
+let _e542 = (1f / select(1e-20f, _e539, (_e539 > 1e-20f)));
+let _e546 = select(0f, (_e529 * _e542), _e521);
+let _e547 = select(0f, (_e530 * _e542), _e521);
+let _e548 = select(1f, (_e531 * _e542), _e521);
+let _e553 = global_2.member.member_10.member.member;
+let _e564 = global_2.member.member_10.member_1.member;
+let _e578 = global_2.member.member_10.member_2.member;
+let _e587 = (vec3<f32>(((_e553.member * _e546) + (_e564.member * _e547)), ((_e553.member_1 * _e546) + (_e564.member_1 * _e547)), ((_e553.member_2 * _e546) + (_e564.member_2 * _e547))) + vec3<f32>((_e578.member * _e548), (_e578.member_1 * _e548), (_e578.member_2 * _e548)));
+let _e590 = global_2.member.member_1;
+if ((_e590 & 256u) != 0u) {
+let _e598 = global_2.member.member_10.member_18.member.member;
+let _e599 = bitcast<i32>(_e598);
+let _e605 = global_2.member.member_10.member_18.member.member_1;
+let _e606 = bitcast<i32>(_e605);
+let _e611 = global_2.member.member_10.member_19.member_2;
+let _e613 = select(1f, (_e516 - _e611), _e521);
+let _e616 = (1f / select(1e-12f, _e613, (_e613 > 1e-12f)));
+let _e621 = global_2.member.member_10.member_5;
+let _e626 = global_2.member.member_10.member_8;
+let _e627 = (((_e486 * _e616) - _e621) * _e626);
+let _e632 = global_2.member.member_10.member_6;
+let _e634 = (((_e501 * _e616) - _e632) * _e626);
+let _e639 = global_2.member.member_10.member_4.member;
+let _e641 = f32(bitcast<i32>(_e639));
+let _e643 = select(0f, _e627, (_e627 > 0f));
+let _e650 = global_2.member.member_10.member_18.member_1;
+let _e653 = ((_e627 - _e641) * _e650);
+let _e658 = global_2.member.member_10.member_18.member_2;
+let _e660 = select(0f, _e653, (_e653 > 0f));
+let _e662 = (_e658 + _e660);
+let _e667 = (-(_e627) * _e650);
+let _e669 = select(0f, _e667, (_e667 > 0f));
+let _e671 = (_e658 + _e669);
+let _e678 = (((_e658 + (select(_e641, _e643, (_e643 < _e641)) * _e650)) + (((_e660 * _e658) / select(1e-12f, _e662, (_e662 > 1e-12f))) - ((_e669 * _e658) / select(1e-12f, _e671, (_e671 > 1e-12f))))) - 0.5f);
+let _e683 = global_2.member.member_10.member_4.member_1;
+let _e685 = f32(bitcast<i32>(_e683));
+let _e687 = select(0f, _e634, (_e634 > 0f));
+let _e692 = ((_e634 - _e685) * _e650);
+let _e694 = select(0f, _e692, (_e692 > 0f));
+let _e696 = (_e658 + _e694);
+let _e701 = (-(_e634) * _e650);
+let _e703 = select(0f, _e701, (_e701 > 0f));
+let _e705 = (_e658 + _e703);
+let _e712 = (((_e658 + (select(_e685, _e687, (_e687 < _e685)) * _e650)) + (((_e694 * _e658) / select(1e-12f, _e696, (_e696 > 1e-12f))) - ((_e703 * _e658) / select(1e-12f, _e705, (_e705 > 1e-12f))))) - 0.5f);
+let _e714 = f32((_e599 - 2i));
+let _e716 = select(0f, _e678, (_e678 > 0f));
+let _e718 = select(_e714, _e716, (_e716 < _e714));
+let _e725 = select(0i, select(select(i32(_e718), i32(-2147483648), (_e718 < -2147483600f)), 2147483647i, (_e718 > 2147483500f)), (_e718 == _e718));
+let _e729 = (_e725 - select(0i, 1i, (_e718 < f32(_e725))));
+let _e731 = f32((_e606 - 2i));
+let _e733 = select(0f, _e712, (_e712 > 0f));
+let _e735 = select(_e731, _e733, (_e733 < _e731));
+let _e742 = select(0i, select(select(i32(_e735), i32(-2147483648), (_e735 < -2147483600f)), 2147483647i, (_e735 > 2147483500f)), (_e735 == _e735));
+let _e746 = (_e742 - select(0i, 1i, (_e735 < f32(_e742))));
+let _e748 = (_e678 - f32(_e729));
+let _e750 = select(0f, _e748, (_e748 > 0f));
+let _e752 = select(1f, _e750, (_e750 < 1f));
+let _e754 = (_e712 - f32(_e746));
+let _e756 = select(0f, _e754, (_e754 > 0f));
+let _e758 = select(1f, _e756, (_e756 < 1f));
 if _e423 {
-let _e755 = global_2.member.member_10.member_17.member_4;
-phi_1168_ = _e755;
+let _e763 = global_2.member.member_10.member_18.member_4;
+phi_1177_ = _e763;
 } else {
-let _e760 = global_2.member.member_10.member_17.member_3;
-phi_1168_ = _e760;
+let _e768 = global_2.member.member_10.member_18.member_3;
+phi_1177_ = _e768;
 }
-let _e762 = phi_1168_;
-let _e766 = ((bitcast<i32>(_e762) + (_e738 * _e597)) + _e721);
-let _e767 = (_e597 * _e604);
-let _e769 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e771 = select(_e769, _e766, (_e766 < _e769));
-let _e777 = global_5.member[bitcast<u32>(select(0i, _e771, (_e771 > 0i)))];
-let _e778 = bitcast<f32>(_e777);
-let _e779 = (_e766 + 1i);
-let _e781 = select(_e769, _e779, (_e779 < _e769));
-let _e787 = global_5.member[bitcast<u32>(select(0i, _e781, (_e781 > 0i)))];
-let _e791 = (_e778 + ((bitcast<f32>(_e787) - _e778) * _e744));
-let _e792 = (_e766 + _e597);
-let _e794 = select(_e769, _e792, (_e792 < _e769));
-let _e800 = global_5.member[bitcast<u32>(select(0i, _e794, (_e794 > 0i)))];
-let _e801 = bitcast<f32>(_e800);
-let _e802 = (_e792 + 1i);
-let _e804 = select(_e769, _e802, (_e802 < _e769));
-let _e810 = global_5.member[bitcast<u32>(select(0i, _e804, (_e804 > 0i)))];
-let _e818 = (_e766 + _e767);
-let _e820 = select(_e769, _e818, (_e818 < _e769));
-let _e826 = global_5.member[bitcast<u32>(select(0i, _e820, (_e820 > 0i)))];
-let _e827 = bitcast<f32>(_e826);
-let _e828 = (_e818 + 1i);
-let _e830 = select(_e769, _e828, (_e828 < _e769));
-let _e836 = global_5.member[bitcast<u32>(select(0i, _e830, (_e830 > 0i)))];
-let _e840 = (_e827 + ((bitcast<f32>(_e836) - _e827) * _e744));
-let _e841 = (_e818 + _e597);
-let _e843 = select(_e769, _e841, (_e841 < _e769));
-let _e849 = global_5.member[bitcast<u32>(select(0i, _e843, (_e843 > 0i)))];
-let _e850 = bitcast<f32>(_e849);
-let _e851 = (_e841 + 1i);
-let _e853 = select(_e769, _e851, (_e851 < _e769));
-let _e859 = global_5.member[bitcast<u32>(select(0i, _e853, (_e853 > 0i)))];
-let _e868 = (_e766 + (2i * _e767));
-let _e870 = select(_e769, _e868, (_e868 < _e769));
-let _e876 = global_5.member[bitcast<u32>(select(0i, _e870, (_e870 > 0i)))];
-let _e877 = bitcast<f32>(_e876);
-let _e878 = (_e868 + 1i);
-let _e880 = select(_e769, _e878, (_e878 < _e769));
-let _e886 = global_5.member[bitcast<u32>(select(0i, _e880, (_e880 > 0i)))];
-let _e890 = (_e877 + ((bitcast<f32>(_e886) - _e877) * _e744));
-let _e891 = (_e868 + _e597);
-let _e893 = select(_e769, _e891, (_e891 < _e769));
-let _e899 = global_5.member[bitcast<u32>(select(0i, _e893, (_e893 > 0i)))];
-let _e900 = bitcast<f32>(_e899);
-let _e901 = (_e891 + 1i);
-let _e903 = select(_e769, _e901, (_e901 < _e769));
-let _e909 = global_5.member[bitcast<u32>(select(0i, _e903, (_e903 > 0i)))];
-let _e918 = (_e521 && (_e516 <= 0f));
-phi_1445_ = type_27(vec3<f32>(select((_e586.member * (_e791 + (((_e801 + ((bitcast<f32>(_e810) - _e801) * _e744)) - _e791) * _e750))), _e586.member, _e918), select((_e586.member_1 * (_e840 + (((_e850 + ((bitcast<f32>(_e859) - _e850) * _e744)) - _e840) * _e750))), _e586.member_1, _e918), select((_e586.member_2 * (_e890 + (((_e900 + ((bitcast<f32>(_e909) - _e900) * _e744)) - _e890) * _e750))), _e586.member_2, _e918)), (vec3<f32>(((_e543.member * _e536) + (_e554.member * _e537)), ((_e543.member_1 * _e536) + (_e554.member_1 * _e537)), ((_e543.member_2 * _e536) + (_e554.member_2 * _e537))) + vec3<f32>((_e568.member * _e538), (_e568.member_1 * _e538), (_e568.member_2 * _e538))));
+let _e770 = phi_1177_;
+let _e774 = ((bitcast<i32>(_e770) + (_e746 * _e599)) + _e729);
+let _e775 = (_e599 * _e606);
+let _e777 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e779 = select(_e777, _e774, (_e774 < _e777));
+let _e785 = global_5.member[bitcast<u32>(select(0i, _e779, (_e779 > 0i)))];
+let _e786 = bitcast<f32>(_e785);
+let _e787 = (_e774 + 1i);
+let _e789 = select(_e777, _e787, (_e787 < _e777));
+let _e795 = global_5.member[bitcast<u32>(select(0i, _e789, (_e789 > 0i)))];
+let _e799 = (_e786 + ((bitcast<f32>(_e795) - _e786) * _e752));
+let _e800 = (_e774 + _e599);
+let _e802 = select(_e777, _e800, (_e800 < _e777));
+let _e808 = global_5.member[bitcast<u32>(select(0i, _e802, (_e802 > 0i)))];
+let _e809 = bitcast<f32>(_e808);
+let _e810 = (_e800 + 1i);
+let _e812 = select(_e777, _e810, (_e810 < _e777));
+let _e818 = global_5.member[bitcast<u32>(select(0i, _e812, (_e812 > 0i)))];
+let _e825 = (_e799 + (((_e809 + ((bitcast<f32>(_e818) - _e809) * _e752)) - _e799) * _e758));
+let _e826 = (_e774 + _e775);
+let _e828 = select(_e777, _e826, (_e826 < _e777));
+let _e834 = global_5.member[bitcast<u32>(select(0i, _e828, (_e828 > 0i)))];
+let _e835 = bitcast<f32>(_e834);
+let _e836 = (_e826 + 1i);
+let _e838 = select(_e777, _e836, (_e836 < _e777));
+let _e844 = global_5.member[bitcast<u32>(select(0i, _e838, (_e838 > 0i)))];
+let _e848 = (_e835 + ((bitcast<f32>(_e844) - _e835) * _e752));
+let _e849 = (_e826 + _e599);
+let _e851 = select(_e777, _e849, (_e849 < _e777));
+let _e857 = global_5.member[bitcast<u32>(select(0i, _e851, (_e851 > 0i)))];
+let _e858 = bitcast<f32>(_e857);
+let _e859 = (_e849 + 1i);
+let _e861 = select(_e777, _e859, (_e859 < _e777));
+let _e867 = global_5.member[bitcast<u32>(select(0i, _e861, (_e861 > 0i)))];
+let _e874 = (_e848 + (((_e858 + ((bitcast<f32>(_e867) - _e858) * _e752)) - _e848) * _e758));
+let _e876 = (_e774 + (2i * _e775));
+let _e878 = select(_e777, _e876, (_e876 < _e777));
+let _e884 = global_5.member[bitcast<u32>(select(0i, _e878, (_e878 > 0i)))];
+let _e885 = bitcast<f32>(_e884);
+let _e886 = (_e876 + 1i);
+let _e888 = select(_e777, _e886, (_e886 < _e777));
+let _e894 = global_5.member[bitcast<u32>(select(0i, _e888, (_e888 > 0i)))];
+let _e898 = (_e885 + ((bitcast<f32>(_e894) - _e885) * _e752));
+let _e899 = (_e876 + _e599);
+let _e901 = select(_e777, _e899, (_e899 < _e777));
+let _e907 = global_5.member[bitcast<u32>(select(0i, _e901, (_e901 > 0i)))];
+let _e908 = bitcast<f32>(_e907);
+let _e909 = (_e899 + 1i);
+let _e911 = select(_e777, _e909, (_e909 < _e777));
+let _e917 = global_5.member[bitcast<u32>(select(0i, _e911, (_e911 > 0i)))];
+let _e924 = (_e898 + (((_e908 + ((bitcast<f32>(_e917) - _e908) * _e752)) - _e898) * _e758));
+let _e926 = (_e520 == 0u);
+if _e926 {
+phi_1575_ = vec3<f32>(_e825, _e874, _e924);
 } else {
-let _e930 = global_2.member.member_9.member;
-phi_1445_ = type_27(vec3<f32>(_e586.member, _e586.member_1, _e586.member_2), vec3<f32>(_e930.member, _e930.member_1, _e930.member_2));
+if _e926 {
+phi_1514_ = 1f;
+} else {
+let _e931 = global_2.member.member_10.member_20.member;
+let _e939 = (((_e931.member * _e529) + (_e931.member_1 * _e530)) + (_e931.member_2 * _e531));
+let _e943 = (_e529 - (_e931.member * _e939));
+let _e944 = (_e530 - (_e931.member_1 * _e939));
+let _e945 = (_e531 - (_e931.member_2 * _e939));
+let _e950 = (((_e943 * _e943) + (_e944 * _e944)) + (_e945 * _e945));
+let _e961 = global_2.member.member_10.member_20.member_1;
+let _e967 = global_2.member.member_10.member_20.member_2;
+let _e968 = ((_e961 - (sqrt(select(0f, _e950, (_e950 > 0f))) / select(1e-20f, _e939, (_e939 > 1e-20f)))) * _e967);
+let _e970 = select(0f, _e968, (_e968 > 0f));
+let _e972 = select(1f, _e970, (_e970 < 1f));
+phi_1514_ = select(1f, select(0f, ((_e972 * _e972) * (3f - (2f * _e972))), (_e939 > 0f)), (_e967 > 0f));
 }
-let _e937 = phi_1445_;
-let _e946 = (((_e937.member_1.x * _e937.member_1.x) + (_e937.member_1.y * _e937.member_1.y)) + (_e937.member_1.z * _e937.member_1.z));
-let _e949 = sqrt(select(0f, _e946, (_e946 > 0f)));
-let _e955 = (1e-6f * _e949);
-let _e959 = select((_e949 / select(_e955, _e937.member_1.z, (_e937.member_1.z > _e955))), 1f, ((_e580 & 8u) != 0u));
-let _e968 = global_2.member.member_18;
-let _e980 = (-((((select(_e440.member, _e429.member, _e423) * _e937.member_1.x) + (select(_e440.member_1, _e429.member_1, _e423) * _e937.member_1.y)) + (select(_e440.member_2, _e429.member_2, _e423) * _e937.member_1.z))) / select(1e-20f, _e949, (_e949 > 1e-20f)));
-let _e985 = bitcast<f32>((bitcast<u32>(select(0f, _e980, (_e980 > 0f))) & 2147483647u));
-let _e998 = ((_e311 || (_e175 == 3f)) && (_e421 != -1i));
-let _e1003 = select(0f, (1f - _e219), _e998);
-let _e1013 = (_e219 + _e1003);
-let _e1018 = (1f - _e1013);
-let _e1019 = local_10;
-local_8 = _e1019;
+let _e982 = phi_1514_;
+let _e984 = select(0f, 1f, (_e531 > 0f));
+let _e988 = ((_e825 * _e984) + _e982);
+let _e989 = ((_e874 * _e984) + _e982);
+let _e990 = ((_e924 * _e984) + _e982);
+if _e926 {
+phi_1570_ = 1f;
+} else {
+phi_1570_ = (1f / select(1e-12f, _e536, (_e536 > 1e-12f)));
+}
+let _e1001 = phi_1570_;
+phi_1575_ = vec3<f32>((select(0f, _e988, (_e988 > 0f)) * _e1001), (select(0f, _e989, (_e989 > 0f)) * _e1001), (select(0f, _e990, (_e990 > 0f)) * _e1001));
+}
+let _e1007 = phi_1575_;
+let _e1011 = global_2.member.member_9.member_1;
+phi_1835_ = type_28((vec3<f32>(_e1011.member, _e1011.member_1, _e1011.member_2) * _e1007), _e587);
+} else {
+let _e1018 = (_e520 == 0u);
+if _e1018 {
+let _e1022 = global_2.member.member_9.member_1;
+let _e1030 = global_2.member.member_9.member;
+phi_1834_ = type_28(vec3<f32>(_e1022.member, _e1022.member_1, _e1022.member_2), vec3<f32>(_e1030.member, _e1030.member_1, _e1030.member_2));
+} else {
+let _e1039 = global_2.member.member_9.member_1;
+if _e1018 {
+phi_1678_ = 1f;
+} else {
+phi_1678_ = (1f / select(1e-12f, _e536, (_e536 > 1e-12f)));
+}
+let _e1047 = phi_1678_;
+if _e1018 {
+phi_1762_ = 1f;
+} else {
+let _e1052 = global_2.member.member_10.member_20.member;
+let _e1060 = (((_e1052.member * _e529) + (_e1052.member_1 * _e530)) + (_e1052.member_2 * _e531));
+let _e1064 = (_e529 - (_e1052.member * _e1060));
+let _e1065 = (_e530 - (_e1052.member_1 * _e1060));
+let _e1066 = (_e531 - (_e1052.member_2 * _e1060));
+let _e1071 = (((_e1064 * _e1064) + (_e1065 * _e1065)) + (_e1066 * _e1066));
+let _e1082 = global_2.member.member_10.member_20.member_1;
+let _e1088 = global_2.member.member_10.member_20.member_2;
+let _e1089 = ((_e1082 - (sqrt(select(0f, _e1071, (_e1071 > 0f))) / select(1e-20f, _e1060, (_e1060 > 1e-20f)))) * _e1088);
+let _e1091 = select(0f, _e1089, (_e1089 > 0f));
+let _e1093 = select(1f, _e1091, (_e1091 < 1f));
+phi_1762_ = select(1f, select(0f, ((_e1093 * _e1093) * (3f - (2f * _e1093))), (_e1060 > 0f)), (_e1088 > 0f));
+}
+let _e1103 = phi_1762_;
+let _e1104 = (_e1047 * _e1103);
+phi_1834_ = type_28(vec3<f32>((_e1039.member * _e1104), (_e1039.member_1 * _e1104), (_e1039.member_2 * _e1104)), _e587);
+}
+let _e1111 = phi_1834_;
+phi_1835_ = _e1111;
+}
+let _e1113 = phi_1835_;
+let _e1122 = (((_e1113.member_1.x * _e1113.member_1.x) + (_e1113.member_1.y * _e1113.member_1.y)) + (_e1113.member_1.z * _e1113.member_1.z));
+let _e1125 = sqrt(select(0f, _e1122, (_e1122 > 0f)));
+let _e1131 = (1e-6f * _e1125);
+let _e1135 = select((_e1125 / select(_e1131, _e1113.member_1.z, (_e1113.member_1.z > _e1131))), 1f, ((_e590 & 8u) != 0u));
+let _e1144 = global_2.member.member_18;
+let _e1156 = (-((((select(_e440.member, _e429.member, _e423) * _e1113.member_1.x) + (select(_e440.member_1, _e429.member_1, _e423) * _e1113.member_1.y)) + (select(_e440.member_2, _e429.member_2, _e423) * _e1113.member_1.z))) / select(1e-20f, _e1125, (_e1125 > 1e-20f)));
+let _e1161 = bitcast<f32>((bitcast<u32>(select(0f, _e1156, (_e1156 > 0f))) & 2147483647u));
+let _e1174 = ((_e311 || (_e175 == 3f)) && (_e421 != -1i));
+let _e1179 = select(0f, (1f - _e219), _e1174);
+let _e1189 = (_e219 + _e1179);
+let _e1194 = (1f - _e1189);
+let _e1195 = local_10;
+local_8 = _e1195;
 local_9 = _e162;
-let _e1020 = local_9;
-let _e1022 = local_8;
-let _e1023 = ((3i * _e1020) + _e1022);
-let _e1025 = select(_e168, _e1023, (_e1023 < _e168));
-let _e1030 = global_3.member[bitcast<u32>(select(0i, _e1025, (_e1025 > 0i)))];
-let _e1031 = local_9;
-let _e1033 = local_8;
-let _e1034 = ((4i * _e1031) + _e1033);
-let _e1036 = select(_e168, _e1034, (_e1034 < _e168));
-let _e1041 = global_3.member[bitcast<u32>(select(0i, _e1036, (_e1036 > 0i)))];
-let _e1042 = local_9;
-let _e1044 = local_8;
-let _e1045 = ((5i * _e1042) + _e1044);
-let _e1047 = select(_e168, _e1045, (_e1045 < _e168));
-let _e1052 = global_3.member[bitcast<u32>(select(0i, _e1047, (_e1047 > 0i)))];
-let _e1057 = (((_e1030 * _e1030) + (_e1041 * _e1041)) + (_e1052 * _e1052));
-let _e1060 = sqrt(select(0f, _e1057, (_e1057 > 0f)));
-let _e1063 = (1f / select(1e-20f, _e1060, (_e1060 > 1e-20f)));
-let _e1064 = (_e1030 * _e1063);
-let _e1065 = (_e1041 * _e1063);
-let _e1066 = (_e1052 * _e1063);
-let _e1070 = global_2.member.member_21.member_4;
-let _e1078 = (((_e1070.member * _e1064) + (_e1070.member_1 * _e1065)) + (_e1070.member_2 * _e1066));
-let _e1082 = global_2.member.member_21.member_5;
-let _e1090 = (((_e1082.member * _e1064) + (_e1082.member_1 * _e1065)) + (_e1082.member_2 * _e1066));
-let _e1094 = global_2.member.member_21.member_6;
-let _e1102 = (((_e1094.member * _e1064) + (_e1094.member_1 * _e1065)) + (_e1094.member_2 * _e1066));
-let _e1103 = bitcast<i32>(_e121);
-let _e1104 = bitcast<i32>(_e123);
-if (_e1103 > 0i) {
-phi_1726_ = (_e1103 - 1i);
+let _e1196 = local_9;
+let _e1198 = local_8;
+let _e1199 = ((3i * _e1196) + _e1198);
+let _e1201 = select(_e168, _e1199, (_e1199 < _e168));
+let _e1206 = global_3.member[bitcast<u32>(select(0i, _e1201, (_e1201 > 0i)))];
+let _e1207 = local_9;
+let _e1209 = local_8;
+let _e1210 = ((4i * _e1207) + _e1209);
+let _e1212 = select(_e168, _e1210, (_e1210 < _e168));
+let _e1217 = global_3.member[bitcast<u32>(select(0i, _e1212, (_e1212 > 0i)))];
+let _e1218 = local_9;
+let _e1220 = local_8;
+let _e1221 = ((5i * _e1218) + _e1220);
+let _e1223 = select(_e168, _e1221, (_e1221 < _e168));
+let _e1228 = global_3.member[bitcast<u32>(select(0i, _e1223, (_e1223 > 0i)))];
+let _e1233 = (((_e1206 * _e1206) + (_e1217 * _e1217)) + (_e1228 * _e1228));
+let _e1236 = sqrt(select(0f, _e1233, (_e1233 > 0f)));
+let _e1239 = (1f / select(1e-20f, _e1236, (_e1236 > 1e-20f)));
+let _e1240 = (_e1206 * _e1239);
+let _e1241 = (_e1217 * _e1239);
+let _e1242 = (_e1228 * _e1239);
+let _e1246 = global_2.member.member_21.member_4;
+let _e1254 = (((_e1246.member * _e1240) + (_e1246.member_1 * _e1241)) + (_e1246.member_2 * _e1242));
+let _e1258 = global_2.member.member_21.member_5;
+let _e1266 = (((_e1258.member * _e1240) + (_e1258.member_1 * _e1241)) + (_e1258.member_2 * _e1242));
+let _e1270 = global_2.member.member_21.member_6;
+let _e1278 = (((_e1270.member * _e1240) + (_e1270.member_1 * _e1241)) + (_e1270.member_2 * _e1242));
+let _e1279 = bitcast<i32>(_e121);
+let _e1280 = bitcast<i32>(_e123);
+if (_e1279 > 0i) {
+phi_2116_ = (_e1279 - 1i);
 } else {
-phi_1726_ = 0i;
+phi_2116_ = 0i;
 }
-let _e1110 = phi_1726_;
-let _e1111 = (bitcast<i32>(_e132) - 1i);
-if (_e1103 < _e1111) {
-phi_1734_ = (_e1103 + 1i);
+let _e1286 = phi_2116_;
+let _e1287 = (bitcast<i32>(_e132) - 1i);
+if (_e1279 < _e1287) {
+phi_2124_ = (_e1279 + 1i);
 } else {
-phi_1734_ = _e1111;
+phi_2124_ = _e1287;
 }
-let _e1115 = phi_1734_;
-if (_e1104 > 0i) {
-phi_1740_ = (_e1104 - 1i);
+let _e1291 = phi_2124_;
+if (_e1280 > 0i) {
+phi_2130_ = (_e1280 - 1i);
 } else {
-phi_1740_ = 0i;
+phi_2130_ = 0i;
 }
-let _e1119 = phi_1740_;
-let _e1120 = (bitcast<i32>(_e136) - 1i);
-if (_e1104 < _e1120) {
-phi_1748_ = (_e1104 + 1i);
+let _e1295 = phi_2130_;
+let _e1296 = (bitcast<i32>(_e136) - 1i);
+if (_e1280 < _e1296) {
+phi_2138_ = (_e1280 + 1i);
 } else {
-phi_1748_ = _e1120;
+phi_2138_ = _e1296;
 }
-let _e1124 = phi_1748_;
-let _e1127 = global_2.member.member_3.member;
-let _e1130 = global_2.member.member_3.member_1;
-let _e1131 = bitcast<u32>(_e1115);
-let _e1132 = bitcast<u32>(_e1104);
-let _e1133 = (_e1131 % 16u);
-let _e1134 = (_e1132 % 4u);
-let _e1136 = (_e1127 - (_e1127 % 16u));
-let _e1139 = (_e1130 - (_e1130 % 4u));
-let _e1140 = (_e1132 < _e1139);
-if ((_e1131 < _e1136) && _e1140) {
-phi_1789_ = ((((_e1132 - _e1134) + (_e1133 / 4u)) * _e1127) + (((_e1131 - _e1133) + (_e1134 * 4u)) + (_e1133 % 4u)));
+let _e1300 = phi_2138_;
+let _e1303 = global_2.member.member_3.member;
+let _e1306 = global_2.member.member_3.member_1;
+let _e1307 = bitcast<u32>(_e1291);
+let _e1308 = bitcast<u32>(_e1280);
+let _e1309 = (_e1307 % 16u);
+let _e1310 = (_e1308 % 4u);
+let _e1312 = (_e1303 - (_e1303 % 16u));
+let _e1315 = (_e1306 - (_e1306 % 4u));
+let _e1316 = (_e1308 < _e1315);
+if ((_e1307 < _e1312) && _e1316) {
+phi_2179_ = ((((_e1308 - _e1310) + (_e1309 / 4u)) * _e1303) + (((_e1307 - _e1309) + (_e1310 * 4u)) + (_e1309 % 4u)));
 } else {
-phi_1789_ = ((_e1132 * _e1127) + _e1131);
+phi_2179_ = ((_e1308 * _e1303) + _e1307);
 }
-let _e1155 = phi_1789_;
-local_6 = bitcast<i32>(_e1155);
-let _e1158 = bitcast<i32>((_e1127 * _e1130));
-local_7 = _e1158;
-let _e1159 = local_7;
-let _e1161 = local_6;
-let _e1162 = ((3i * _e1159) + _e1161);
-let _e1164 = select(_e168, _e1162, (_e1162 < _e168));
-let _e1169 = global_3.member[bitcast<u32>(select(0i, _e1164, (_e1164 > 0i)))];
-let _e1170 = local_7;
-let _e1172 = local_6;
-let _e1173 = ((4i * _e1170) + _e1172);
-let _e1175 = select(_e168, _e1173, (_e1173 < _e168));
-let _e1180 = global_3.member[bitcast<u32>(select(0i, _e1175, (_e1175 > 0i)))];
-let _e1181 = local_7;
-let _e1183 = local_6;
-let _e1184 = ((5i * _e1181) + _e1183);
-let _e1186 = select(_e168, _e1184, (_e1184 < _e168));
-let _e1191 = global_3.member[bitcast<u32>(select(0i, _e1186, (_e1186 > 0i)))];
-let _e1196 = (((_e1169 * _e1169) + (_e1180 * _e1180)) + (_e1191 * _e1191));
-let _e1199 = sqrt(select(0f, _e1196, (_e1196 > 0f)));
-let _e1202 = (1f / select(1e-20f, _e1199, (_e1199 > 1e-20f)));
-let _e1203 = (_e1169 * _e1202);
-let _e1204 = (_e1180 * _e1202);
-let _e1205 = (_e1191 * _e1202);
-let _e1208 = global_2.member.member_21.member_4;
-let _e1219 = global_2.member.member_21.member_5;
-let _e1230 = global_2.member.member_21.member_6;
-let _e1239 = bitcast<u32>(_e1110);
-let _e1240 = (_e1239 % 16u);
-if ((_e1239 < _e1136) && _e1140) {
-phi_1959_ = ((((_e1132 - _e1134) + (_e1240 / 4u)) * _e1127) + (((_e1239 - _e1240) + (_e1134 * 4u)) + (_e1240 % 4u)));
+let _e1331 = phi_2179_;
+local_6 = bitcast<i32>(_e1331);
+let _e1334 = bitcast<i32>((_e1303 * _e1306));
+local_7 = _e1334;
+let _e1335 = local_7;
+let _e1337 = local_6;
+let _e1338 = ((3i * _e1335) + _e1337);
+let _e1340 = select(_e168, _e1338, (_e1338 < _e168));
+let _e1345 = global_3.member[bitcast<u32>(select(0i, _e1340, (_e1340 > 0i)))];
+let _e1346 = local_7;
+let _e1348 = local_6;
+let _e1349 = ((4i * _e1346) + _e1348);
+let _e1351 = select(_e168, _e1349, (_e1349 < _e168));
+let _e1356 = global_3.member[bitcast<u32>(select(0i, _e1351, (_e1351 > 0i)))];
+let _e1357 = local_7;
+let _e1359 = local_6;
+let _e1360 = ((5i * _e1357) + _e1359);
+let _e1362 = select(_e168, _e1360, (_e1360 < _e168));
+let _e1367 = global_3.member[bitcast<u32>(select(0i, _e1362, (_e1362 > 0i)))];
+let _e1372 = (((_e1345 * _e1345) + (_e1356 * _e1356)) + (_e1367 * _e1367));
+let _e1375 = sqrt(select(0f, _e1372, (_e1372 > 0f)));
+let _e1378 = (1f / select(1e-20f, _e1375, (_e1375 > 1e-20f)));
+let _e1379 = (_e1345 * _e1378);
+let _e1380 = (_e1356 * _e1378);
+let _e1381 = (_e1367 * _e1378);
+let _e1384 = global_2.member.member_21.member_4;
+let _e1395 = global_2.member.member_21.member_5;
+let _e1406 = global_2.member.member_21.member_6;
+let _e1415 = bitcast<u32>(_e1286);
+let _e1416 = (_e1415 % 16u);
+if ((_e1415 < _e1312) && _e1316) {
+phi_2349_ = ((((_e1308 - _e1310) + (_e1416 / 4u)) * _e1303) + (((_e1415 - _e1416) + (_e1310 * 4u)) + (_e1416 % 4u)));
 } else {
-phi_1959_ = ((_e1132 * _e1127) + _e1239);
+phi_2349_ = ((_e1308 * _e1303) + _e1415);
 }
-let _e1256 = phi_1959_;
-local_4 = bitcast<i32>(_e1256);
-local_5 = _e1158;
-let _e1258 = local_5;
-let _e1260 = local_4;
-let _e1261 = ((3i * _e1258) + _e1260);
-let _e1263 = select(_e168, _e1261, (_e1261 < _e168));
-let _e1268 = global_3.member[bitcast<u32>(select(0i, _e1263, (_e1263 > 0i)))];
-let _e1269 = local_5;
-let _e1271 = local_4;
-let _e1272 = ((4i * _e1269) + _e1271);
-let _e1274 = select(_e168, _e1272, (_e1272 < _e168));
-let _e1279 = global_3.member[bitcast<u32>(select(0i, _e1274, (_e1274 > 0i)))];
-let _e1280 = local_5;
-let _e1282 = local_4;
-let _e1283 = ((5i * _e1280) + _e1282);
-let _e1285 = select(_e168, _e1283, (_e1283 < _e168));
-let _e1290 = global_3.member[bitcast<u32>(select(0i, _e1285, (_e1285 > 0i)))];
-let _e1295 = (((_e1268 * _e1268) + (_e1279 * _e1279)) + (_e1290 * _e1290));
-let _e1298 = sqrt(select(0f, _e1295, (_e1295 > 0f)));
-let _e1301 = (1f / select(1e-20f, _e1298, (_e1298 > 1e-20f)));
-let _e1302 = (_e1268 * _e1301);
-let _e1303 = (_e1279 * _e1301);
-let _e1304 = (_e1290 * _e1301);
-let _e1320 = ((((_e1208.member * _e1203) + (_e1208.member_1 * _e1204)) + (_e1208.member_2 * _e1205)) - (((_e1208.member * _e1302) + (_e1208.member_1 * _e1303)) + (_e1208.member_2 * _e1304)));
-let _e1321 = ((((_e1219.member * _e1203) + (_e1219.member_1 * _e1204)) + (_e1219.member_2 * _e1205)) - (((_e1219.member * _e1302) + (_e1219.member_1 * _e1303)) + (_e1219.member_2 * _e1304)));
-let _e1322 = ((((_e1230.member * _e1203) + (_e1230.member_1 * _e1204)) + (_e1230.member_2 * _e1205)) - (((_e1230.member * _e1302) + (_e1230.member_1 * _e1303)) + (_e1230.member_2 * _e1304)));
-let _e1327 = (((_e1320 * _e1320) + (_e1321 * _e1321)) + (_e1322 * _e1322));
-let _e1331 = bitcast<u32>(_e1103);
-let _e1332 = bitcast<u32>(_e1124);
-let _e1333 = (_e1331 % 16u);
-let _e1334 = (_e1332 % 4u);
-let _e1335 = (_e1331 < _e1136);
-if (_e1335 && (_e1332 < _e1139)) {
-phi_2143_ = ((((_e1332 - _e1334) + (_e1333 / 4u)) * _e1127) + (((_e1331 - _e1333) + (_e1334 * 4u)) + (_e1333 % 4u)));
-} else {
-phi_2143_ = ((_e1332 * _e1127) + _e1331);
-}
-let _e1351 = phi_2143_;
-local_2 = bitcast<i32>(_e1351);
-local_3 = _e1158;
-let _e1353 = local_3;
-let _e1355 = local_2;
-let _e1356 = ((3i * _e1353) + _e1355);
-let _e1358 = select(_e168, _e1356, (_e1356 < _e168));
-let _e1363 = global_3.member[bitcast<u32>(select(0i, _e1358, (_e1358 > 0i)))];
-let _e1364 = local_3;
-let _e1366 = local_2;
-let _e1367 = ((4i * _e1364) + _e1366);
-let _e1369 = select(_e168, _e1367, (_e1367 < _e168));
-let _e1374 = global_3.member[bitcast<u32>(select(0i, _e1369, (_e1369 > 0i)))];
-let _e1375 = local_3;
-let _e1377 = local_2;
-let _e1378 = ((5i * _e1375) + _e1377);
-let _e1380 = select(_e168, _e1378, (_e1378 < _e168));
-let _e1385 = global_3.member[bitcast<u32>(select(0i, _e1380, (_e1380 > 0i)))];
-let _e1390 = (((_e1363 * _e1363) + (_e1374 * _e1374)) + (_e1385 * _e1385));
-let _e1393 = sqrt(select(0f, _e1390, (_e1390 > 0f)));
-let _e1396 = (1f / select(1e-20f, _e1393, (_e1393 > 1e-20f)));
-let _e1397 = (_e1363 * _e1396);
-let _e1398 = (_e1374 * _e1396);
-let _e1399 = (_e1385 * _e1396);
-let _e1415 = bitcast<u32>(_e1119);
-let _e1416 = (_e1415 % 4u);
-if (_e1335 && (_e1415 < _e1139)) {
-phi_2313_ = ((((_e1415 - _e1416) + (_e1333 / 4u)) * _e1127) + (((_e1331 - _e1333) + (_e1416 * 4u)) + (_e1333 % 4u)));
-} else {
-phi_2313_ = ((_e1415 * _e1127) + _e1331);
-}
-let _e1432 = phi_2313_;
-local = bitcast<i32>(_e1432);
-local_1 = _e1158;
-let _e1434 = local_1;
-let _e1436 = local;
+let _e1432 = phi_2349_;
+local_4 = bitcast<i32>(_e1432);
+local_5 = _e1334;
+let _e1434 = local_5;
+let _e1436 = local_4;
 let _e1437 = ((3i * _e1434) + _e1436);
 let _e1439 = select(_e168, _e1437, (_e1437 < _e168));
 let _e1444 = global_3.member[bitcast<u32>(select(0i, _e1439, (_e1439 > 0i)))];
-let _e1445 = local_1;
-let _e1447 = local;
+let _e1445 = local_5;
+let _e1447 = local_4;
 let _e1448 = ((4i * _e1445) + _e1447);
 let _e1450 = select(_e168, _e1448, (_e1448 < _e168));
 let _e1455 = global_3.member[bitcast<u32>(select(0i, _e1450, (_e1450 > 0i)))];
-let _e1456 = local_1;
-let _e1458 = local;
+let _e1456 = local_5;
+let _e1458 = local_4;
 let _e1459 = ((5i * _e1456) + _e1458);
 let _e1461 = select(_e168, _e1459, (_e1459 < _e168));
 let _e1466 = global_3.member[bitcast<u32>(select(0i, _e1461, (_e1461 > 0i)))];
@@ -738,525 +758,594 @@ let _e1477 = (1f / select(1e-20f, _e1474, (_e1474 > 1e-20f)));
 let _e1478 = (_e1444 * _e1477);
 let _e1479 = (_e1455 * _e1477);
 let _e1480 = (_e1466 * _e1477);
-let _e1496 = ((((_e1208.member * _e1397) + (_e1208.member_1 * _e1398)) + (_e1208.member_2 * _e1399)) - (((_e1208.member * _e1478) + (_e1208.member_1 * _e1479)) + (_e1208.member_2 * _e1480)));
-let _e1497 = ((((_e1219.member * _e1397) + (_e1219.member_1 * _e1398)) + (_e1219.member_2 * _e1399)) - (((_e1219.member * _e1478) + (_e1219.member_1 * _e1479)) + (_e1219.member_2 * _e1480)));
-let _e1498 = ((((_e1230.member * _e1397) + (_e1230.member_1 * _e1398)) + (_e1230.member_2 * _e1399)) - (((_e1230.member * _e1478) + (_e1230.member_1 * _e1479)) + (_e1230.member_2 * _e1480)));
+let _e1496 = ((((_e1384.member * _e1379) + (_e1384.member_1 * _e1380)) + (_e1384.member_2 * _e1381)) - (((_e1384.member * _e1478) + (_e1384.member_1 * _e1479)) + (_e1384.member_2 * _e1480)));
+let _e1497 = ((((_e1395.member * _e1379) + (_e1395.member_1 * _e1380)) + (_e1395.member_2 * _e1381)) - (((_e1395.member * _e1478) + (_e1395.member_1 * _e1479)) + (_e1395.member_2 * _e1480)));
+let _e1498 = ((((_e1406.member * _e1379) + (_e1406.member_1 * _e1380)) + (_e1406.member_2 * _e1381)) - (((_e1406.member * _e1478) + (_e1406.member_1 * _e1479)) + (_e1406.member_2 * _e1480)));
 let _e1503 = (((_e1496 * _e1496) + (_e1497 * _e1497)) + (_e1498 * _e1498));
-let _e1508 = f32((_e1115 - _e1110));
-let _e1511 = (sqrt(select(0f, _e1327, (_e1327 > 0f))) / select(1f, _e1508, (_e1508 > 1f)));
-let _e1513 = f32((_e1124 - _e1119));
-let _e1516 = (sqrt(select(0f, _e1503, (_e1503 > 0f))) / select(1f, _e1513, (_e1513 > 1f)));
-let _e1518 = select(_e1516, _e1511, (_e1511 > _e1516));
-let _e1522 = global_2.member.member_21.member;
-let _e1526 = global_2.member.member_21.member_7;
-let _e1530 = vec3<f32>(_e1526.member, _e1526.member_1, _e1526.member_2);
-let _e1534 = global_2.member.member_21.member_8;
-if (_e1522 == 0u) {
-phi_3907_ = _e1530;
+let _e1507 = bitcast<u32>(_e1279);
+let _e1508 = bitcast<u32>(_e1300);
+let _e1509 = (_e1507 % 16u);
+let _e1510 = (_e1508 % 4u);
+let _e1511 = (_e1507 < _e1312);
+if (_e1511 && (_e1508 < _e1315)) {
+phi_2533_ = ((((_e1508 - _e1510) + (_e1509 / 4u)) * _e1303) + (((_e1507 - _e1509) + (_e1510 * 4u)) + (_e1509 % 4u)));
 } else {
-if (_e1522 == 1u) {
-let _e1541 = select(-1f, _e1102, (_e1102 > -1f));
-let _e1543 = select(1f, _e1541, (_e1541 < 1f));
-if (_e1543 > 0f) {
-phi_2522_ = _e1530;
-} else {
-let _e1548 = global_2.member.member_21.member_9;
-phi_2522_ = vec3<f32>(_e1548.member, _e1548.member_1, _e1548.member_2);
+phi_2533_ = ((_e1508 * _e1303) + _e1507);
 }
-let _e1554 = phi_2522_;
-let _e1563 = bitcast<f32>((bitcast<u32>(_e1543) & 2147483647u));
-let _e1566 = sqrt(select(0f, _e1563, (_e1563 > 0f)));
-phi_3906_ = vec3<f32>((_e1534.member + ((_e1554.x - _e1534.member) * _e1566)), (_e1534.member_1 + ((_e1554.y - _e1534.member_1) * _e1566)), (_e1534.member_2 + ((_e1554.z - _e1534.member_2) * _e1566)));
+let _e1527 = phi_2533_;
+local_2 = bitcast<i32>(_e1527);
+local_3 = _e1334;
+let _e1529 = local_3;
+let _e1531 = local_2;
+let _e1532 = ((3i * _e1529) + _e1531);
+let _e1534 = select(_e168, _e1532, (_e1532 < _e168));
+let _e1539 = global_3.member[bitcast<u32>(select(0i, _e1534, (_e1534 > 0i)))];
+let _e1540 = local_3;
+let _e1542 = local_2;
+let _e1543 = ((4i * _e1540) + _e1542);
+let _e1545 = select(_e168, _e1543, (_e1543 < _e168));
+let _e1550 = global_3.member[bitcast<u32>(select(0i, _e1545, (_e1545 > 0i)))];
+let _e1551 = local_3;
+let _e1553 = local_2;
+let _e1554 = ((5i * _e1551) + _e1553);
+let _e1556 = select(_e168, _e1554, (_e1554 < _e168));
+let _e1561 = global_3.member[bitcast<u32>(select(0i, _e1556, (_e1556 > 0i)))];
+let _e1566 = (((_e1539 * _e1539) + (_e1550 * _e1550)) + (_e1561 * _e1561));
+let _e1569 = sqrt(select(0f, _e1566, (_e1566 > 0f)));
+let _e1572 = (1f / select(1e-20f, _e1569, (_e1569 > 1e-20f)));
+let _e1573 = (_e1539 * _e1572);
+let _e1574 = (_e1550 * _e1572);
+let _e1575 = (_e1561 * _e1572);
+let _e1591 = bitcast<u32>(_e1295);
+let _e1592 = (_e1591 % 4u);
+if (_e1511 && (_e1591 < _e1315)) {
+phi_2703_ = ((((_e1591 - _e1592) + (_e1509 / 4u)) * _e1303) + (((_e1507 - _e1509) + (_e1592 * 4u)) + (_e1509 % 4u)));
 } else {
-if (_e1522 == 2u) {
-let _e1578 = global_2.member.member_21.member_10;
-let _e1579 = (_e1518 / _e1578);
-let _e1581 = select(1e-4f, _e1579, (_e1579 > 1e-4f));
-let _e1584 = bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u));
-let _e1587 = bitcast<f32>((bitcast<u32>(_e1090) & 2147483647u));
-let _e1591 = select(_e1587, _e1584, (_e1584 > _e1587));
-let _e1594 = (select(_e1587, _e1584, (_e1584 < _e1587)) / select(1.1754944e-38f, _e1591, (_e1591 > 1.1754944e-38f)));
-let _e1595 = (_e1594 > 0.41421357f);
-let _e1599 = select(_e1594, ((_e1594 - 1f) / (_e1594 + 1f)), _e1595);
-let _e1600 = (_e1599 * _e1599);
-let _e1615 = (select(0f, 0.7853982f, _e1595) + (_e1599 + ((_e1599 * _e1600) * (-0.33333334f + (_e1600 * (0.2f + (_e1600 * (-0.14285713f + (_e1600 * (0.11111111f + (_e1600 * (-0.09090909f + (_e1600 * 0.0585f)))))))))))));
-let _e1618 = select(_e1615, (1.5707964f - _e1615), (_e1587 > _e1584));
-let _e1621 = select(_e1618, (3.1415927f - _e1618), (_e1078 < 0f));
-let _e1627 = (1f - (_e1102 * _e1102));
-let _e1630 = sqrt(select(0f, _e1627, (_e1627 > 0f)));
-let _e1633 = (_e1581 / select(1e-3f, _e1630, (_e1630 > 1e-3f)));
-let _e1634 = ((select(_e1621, -(_e1621), (_e1090 < 0f)) / _e1578) * 0.5f);
-let _e1636 = select(-8e6f, _e1634, (_e1634 > -8e6f));
-let _e1638 = select(8e6f, _e1636, (_e1636 < 8e6f));
-let _e1645 = select(0i, select(select(i32(_e1638), i32(-2147483648), (_e1638 < -2147483600f)), 2147483647i, (_e1638 > 2147483500f)), (_e1638 == _e1638));
-let _e1652 = ((_e1634 - f32((_e1645 - select(0i, 1i, (_e1638 < f32(_e1645)))))) * 2f);
-let _e1660 = ((select(select((_e1652 - 2f), (1f - _e1652), (_e1652 < 1.5f)), _e1652, (_e1652 < 0.5f)) * 2f) / _e1633);
-let _e1662 = select(-1f, _e1660, (_e1660 > -1f));
-let _e1665 = (2f - _e1633);
-let _e1667 = select(0f, _e1665, (_e1665 > 0f));
-let _e1672 = select(-1f, _e1102, (_e1102 > -1f));
-let _e1674 = select(1f, _e1672, (_e1672 < 1f));
-let _e1677 = ((1f - _e1674) * (1f + _e1674));
-let _e1680 = sqrt(select(0f, _e1677, (_e1677 > 0f)));
-let _e1683 = bitcast<f32>((bitcast<u32>(_e1680) & 2147483647u));
-let _e1686 = bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u));
-let _e1690 = select(_e1686, _e1683, (_e1683 > _e1686));
-let _e1693 = (select(_e1686, _e1683, (_e1683 < _e1686)) / select(1.1754944e-38f, _e1690, (_e1690 > 1.1754944e-38f)));
-let _e1694 = (_e1693 > 0.41421357f);
-let _e1698 = select(_e1693, ((_e1693 - 1f) / (_e1693 + 1f)), _e1694);
-let _e1699 = (_e1698 * _e1698);
-let _e1714 = (select(0f, 0.7853982f, _e1694) + (_e1698 + ((_e1698 * _e1699) * (-0.33333334f + (_e1699 * (0.2f + (_e1699 * (-0.14285713f + (_e1699 * (0.11111111f + (_e1699 * (-0.09090909f + (_e1699 * 0.0585f)))))))))))));
-let _e1717 = select(_e1714, (1.5707964f - _e1714), (_e1686 > _e1683));
-let _e1720 = select(_e1717, (3.1415927f - _e1717), (_e1680 < 0f));
-let _e1725 = ((select(_e1720, -(_e1720), (_e1674 < 0f)) / _e1578) * 0.5f);
-let _e1727 = select(-8e6f, _e1725, (_e1725 > -8e6f));
-let _e1729 = select(8e6f, _e1727, (_e1727 < 8e6f));
-let _e1736 = select(0i, select(select(i32(_e1729), i32(-2147483648), (_e1729 < -2147483600f)), 2147483647i, (_e1729 > 2147483500f)), (_e1729 == _e1729));
-let _e1743 = ((_e1725 - f32((_e1736 - select(0i, 1i, (_e1729 < f32(_e1736)))))) * 2f);
-let _e1751 = ((select(select((_e1743 - 2f), (1f - _e1743), (_e1743 < 1.5f)), _e1743, (_e1743 < 0.5f)) * 2f) / _e1581);
-let _e1753 = select(-1f, _e1751, (_e1751 > -1f));
-let _e1756 = (2f - _e1581);
-let _e1758 = select(0f, _e1756, (_e1756 > 0f));
-let _e1764 = (0.5f + ((0.5f * (select(1f, _e1662, (_e1662 < 1f)) * select(1f, _e1667, (_e1667 < 1f)))) * (select(1f, _e1753, (_e1753 < 1f)) * select(1f, _e1758, (_e1758 < 1f)))));
-phi_3905_ = vec3<f32>((_e1526.member + ((_e1534.member - _e1526.member) * _e1764)), (_e1526.member_1 + ((_e1534.member_1 - _e1526.member_1) * _e1764)), (_e1526.member_2 + ((_e1534.member_2 - _e1526.member_2) * _e1764)));
+phi_2703_ = ((_e1591 * _e1303) + _e1507);
+}
+let _e1608 = phi_2703_;
+local = bitcast<i32>(_e1608);
+local_1 = _e1334;
+let _e1610 = local_1;
+let _e1612 = local;
+let _e1613 = ((3i * _e1610) + _e1612);
+let _e1615 = select(_e168, _e1613, (_e1613 < _e168));
+let _e1620 = global_3.member[bitcast<u32>(select(0i, _e1615, (_e1615 > 0i)))];
+let _e1621 = local_1;
+let _e1623 = local;
+let _e1624 = ((4i * _e1621) + _e1623);
+let _e1626 = select(_e168, _e1624, (_e1624 < _e168));
+let _e1631 = global_3.member[bitcast<u32>(select(0i, _e1626, (_e1626 > 0i)))];
+let _e1632 = local_1;
+let _e1634 = local;
+let _e1635 = ((5i * _e1632) + _e1634);
+let _e1637 = select(_e168, _e1635, (_e1635 < _e168));
+let _e1642 = global_3.member[bitcast<u32>(select(0i, _e1637, (_e1637 > 0i)))];
+let _e1647 = (((_e1620 * _e1620) + (_e1631 * _e1631)) + (_e1642 * _e1642));
+let _e1650 = sqrt(select(0f, _e1647, (_e1647 > 0f)));
+let _e1653 = (1f / select(1e-20f, _e1650, (_e1650 > 1e-20f)));
+let _e1654 = (_e1620 * _e1653);
+let _e1655 = (_e1631 * _e1653);
+let _e1656 = (_e1642 * _e1653);
+let _e1672 = ((((_e1384.member * _e1573) + (_e1384.member_1 * _e1574)) + (_e1384.member_2 * _e1575)) - (((_e1384.member * _e1654) + (_e1384.member_1 * _e1655)) + (_e1384.member_2 * _e1656)));
+let _e1673 = ((((_e1395.member * _e1573) + (_e1395.member_1 * _e1574)) + (_e1395.member_2 * _e1575)) - (((_e1395.member * _e1654) + (_e1395.member_1 * _e1655)) + (_e1395.member_2 * _e1656)));
+let _e1674 = ((((_e1406.member * _e1573) + (_e1406.member_1 * _e1574)) + (_e1406.member_2 * _e1575)) - (((_e1406.member * _e1654) + (_e1406.member_1 * _e1655)) + (_e1406.member_2 * _e1656)));
+let _e1679 = (((_e1672 * _e1672) + (_e1673 * _e1673)) + (_e1674 * _e1674));
+let _e1684 = f32((_e1291 - _e1286));
+let _e1687 = (sqrt(select(0f, _e1503, (_e1503 > 0f))) / select(1f, _e1684, (_e1684 > 1f)));
+let _e1689 = f32((_e1300 - _e1295));
+let _e1692 = (sqrt(select(0f, _e1679, (_e1679 > 0f))) / select(1f, _e1689, (_e1689 > 1f)));
+let _e1694 = select(_e1692, _e1687, (_e1687 > _e1692));
+let _e1698 = global_2.member.member_21.member;
+let _e1702 = global_2.member.member_21.member_7;
+let _e1706 = vec3<f32>(_e1702.member, _e1702.member_1, _e1702.member_2);
+let _e1710 = global_2.member.member_21.member_8;
+if (_e1698 == 0u) {
+phi_4297_ = _e1706;
 } else {
-let _e1778 = global_2.member.member_21.member_1;
-let _e1779 = bitcast<i32>(_e1778);
-let _e1784 = global_2.member.member_21.member_3;
-let _e1786 = f32(bitcast<i32>(_e1784));
-let _e1788 = (2f * 3.1415927f);
-let _e1789 = ((_e1518 * f32(_e1779)) / _e1788);
-let _e1791 = select(1e-6f, _e1789, (_e1789 > 1e-6f));
-let _e1794 = bitcast<u32>(select(1.1754944e-38f, _e1791, (_e1791 > 1.1754944e-38f)));
-let _e1795 = (_e1794 & 8388607u);
-let _e1797 = select(0u, 1u, (_e1795 > 3474675u));
-let _e1808 = bitcast<f32>((_e1795 | ((127u - _e1797) << bitcast<u32>(23i))));
-let _e1811 = ((_e1808 - 1f) / (_e1808 + 1f));
-let _e1812 = (_e1811 * _e1811);
-let _e1827 = (f32(((bitcast<i32>((_e1794 >> bitcast<u32>(23i))) - 127i) + bitcast<i32>(_e1797))) + (((2f * _e1811) + ((_e1811 * _e1812) * (0.6666667f + (_e1812 * (0.4f + (_e1812 * (0.2857143f + (_e1812 * (0.22222222f + (_e1812 * 0.18181819f)))))))))) * 1.442695f));
-let _e1828 = (_e1786 - 1f);
-let _e1830 = select(0f, _e1827, (_e1827 > 0f));
-let _e1832 = select(_e1828, _e1830, (_e1830 < _e1828));
-let _e1833 = (_e1786 - 2f);
-let _e1835 = select(0f, _e1833, (_e1833 > 0f));
-let _e1837 = select(0f, _e1832, (_e1832 > 0f));
-let _e1839 = select(_e1835, _e1837, (_e1837 < _e1835));
-let _e1846 = select(0i, select(select(i32(_e1839), i32(-2147483648), (_e1839 < -2147483600f)), 2147483647i, (_e1839 > 2147483500f)), (_e1839 == _e1839));
-let _e1850 = (_e1846 - select(0i, 1i, (_e1839 < f32(_e1846))));
-let _e1853 = bitcast<f32>((bitcast<u32>(_e1090) & 2147483647u));
-let _e1856 = bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u));
-let _e1860 = select(_e1856, _e1853, (_e1853 > _e1856));
-let _e1863 = (select(_e1856, _e1853, (_e1853 < _e1856)) / select(1.1754944e-38f, _e1860, (_e1860 > 1.1754944e-38f)));
-let _e1864 = (_e1863 > 0.41421357f);
-let _e1868 = select(_e1863, ((_e1863 - 1f) / (_e1863 + 1f)), _e1864);
-let _e1869 = (_e1868 * _e1868);
-let _e1884 = (select(0f, 0.7853982f, _e1864) + (_e1868 + ((_e1868 * _e1869) * (-0.33333334f + (_e1869 * (0.2f + (_e1869 * (-0.14285713f + (_e1869 * (0.11111111f + (_e1869 * (-0.09090909f + (_e1869 * 0.0585f)))))))))))));
-let _e1887 = select(_e1884, (1.5707964f - _e1884), (_e1856 > _e1853));
-let _e1890 = select(_e1887, (3.1415927f - _e1887), (_e1090 < 0f));
-let _e1895 = (0.5f - (select(_e1890, -(_e1890), (_e1078 < 0f)) / _e1788));
-let _e1897 = select(-1f, _e1102, (_e1102 > -1f));
-let _e1899 = select(1f, _e1897, (_e1897 < 1f));
-let _e1902 = ((1f - _e1899) * (1f + _e1899));
-let _e1905 = sqrt(select(0f, _e1902, (_e1902 > 0f)));
-let _e1908 = bitcast<f32>((bitcast<u32>(_e1905) & 2147483647u));
-let _e1911 = bitcast<f32>((bitcast<u32>(_e1899) & 2147483647u));
-let _e1915 = select(_e1911, _e1908, (_e1908 > _e1911));
-let _e1918 = (select(_e1911, _e1908, (_e1908 < _e1911)) / select(1.1754944e-38f, _e1915, (_e1915 > 1.1754944e-38f)));
-let _e1919 = (_e1918 > 0.41421357f);
-let _e1923 = select(_e1918, ((_e1918 - 1f) / (_e1918 + 1f)), _e1919);
-let _e1924 = (_e1923 * _e1923);
-let _e1939 = (select(0f, 0.7853982f, _e1919) + (_e1923 + ((_e1923 * _e1924) * (-0.33333334f + (_e1924 * (0.2f + (_e1924 * (-0.14285713f + (_e1924 * (0.11111111f + (_e1924 * (-0.09090909f + (_e1924 * 0.0585f)))))))))))));
-let _e1942 = select(_e1939, (1.5707964f - _e1939), (_e1911 > _e1908));
-let _e1945 = select(_e1942, (3.1415927f - _e1942), (_e1905 < 0f));
-let _e1950 = (0.5f - (select(_e1945, -(_e1945), (_e1899 < 0f)) / 3.1415927f));
-let _e1954 = global_2.member.member_21.member_2;
+if (_e1698 == 1u) {
+let _e1717 = select(-1f, _e1278, (_e1278 > -1f));
+let _e1719 = select(1f, _e1717, (_e1717 < 1f));
+if (_e1719 > 0f) {
+phi_2912_ = _e1706;
+} else {
+let _e1724 = global_2.member.member_21.member_9;
+phi_2912_ = vec3<f32>(_e1724.member, _e1724.member_1, _e1724.member_2);
+}
+let _e1730 = phi_2912_;
+let _e1739 = bitcast<f32>((bitcast<u32>(_e1719) & 2147483647u));
+let _e1742 = sqrt(select(0f, _e1739, (_e1739 > 0f)));
+phi_4296_ = vec3<f32>((_e1710.member + ((_e1730.x - _e1710.member) * _e1742)), (_e1710.member_1 + ((_e1730.y - _e1710.member_1) * _e1742)), (_e1710.member_2 + ((_e1730.z - _e1710.member_2) * _e1742)));
+} else {
+if (_e1698 == 2u) {
+let _e1754 = global_2.member.member_21.member_10;
+let _e1755 = (_e1694 / _e1754);
+let _e1757 = select(1e-4f, _e1755, (_e1755 > 1e-4f));
+let _e1760 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
+let _e1763 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
+let _e1767 = select(_e1763, _e1760, (_e1760 > _e1763));
+let _e1770 = (select(_e1763, _e1760, (_e1760 < _e1763)) / select(1.1754944e-38f, _e1767, (_e1767 > 1.1754944e-38f)));
+let _e1771 = (_e1770 > 0.41421357f);
+let _e1775 = select(_e1770, ((_e1770 - 1f) / (_e1770 + 1f)), _e1771);
+let _e1776 = (_e1775 * _e1775);
+let _e1791 = (select(0f, 0.7853982f, _e1771) + (_e1775 + ((_e1775 * _e1776) * (-0.33333334f + (_e1776 * (0.2f + (_e1776 * (-0.14285713f + (_e1776 * (0.11111111f + (_e1776 * (-0.09090909f + (_e1776 * 0.0585f)))))))))))));
+let _e1794 = select(_e1791, (1.5707964f - _e1791), (_e1763 > _e1760));
+let _e1797 = select(_e1794, (3.1415927f - _e1794), (_e1254 < 0f));
+let _e1803 = (1f - (_e1278 * _e1278));
+let _e1806 = sqrt(select(0f, _e1803, (_e1803 > 0f)));
+let _e1809 = (_e1757 / select(1e-3f, _e1806, (_e1806 > 1e-3f)));
+let _e1810 = ((select(_e1797, -(_e1797), (_e1266 < 0f)) / _e1754) * 0.5f);
+let _e1812 = select(-8e6f, _e1810, (_e1810 > -8e6f));
+let _e1814 = select(8e6f, _e1812, (_e1812 < 8e6f));
+let _e1821 = select(0i, select(select(i32(_e1814), i32(-2147483648), (_e1814 < -2147483600f)), 2147483647i, (_e1814 > 2147483500f)), (_e1814 == _e1814));
+let _e1828 = ((_e1810 - f32((_e1821 - select(0i, 1i, (_e1814 < f32(_e1821)))))) * 2f);
+let _e1836 = ((select(select((_e1828 - 2f), (1f - _e1828), (_e1828 < 1.5f)), _e1828, (_e1828 < 0.5f)) * 2f) / _e1809);
+let _e1838 = select(-1f, _e1836, (_e1836 > -1f));
+let _e1841 = (2f - _e1809);
+let _e1843 = select(0f, _e1841, (_e1841 > 0f));
+let _e1848 = select(-1f, _e1278, (_e1278 > -1f));
+let _e1850 = select(1f, _e1848, (_e1848 < 1f));
+let _e1853 = ((1f - _e1850) * (1f + _e1850));
+let _e1856 = sqrt(select(0f, _e1853, (_e1853 > 0f)));
+let _e1859 = bitcast<f32>((bitcast<u32>(_e1856) & 2147483647u));
+let _e1862 = bitcast<f32>((bitcast<u32>(_e1850) & 2147483647u));
+let _e1866 = select(_e1862, _e1859, (_e1859 > _e1862));
+let _e1869 = (select(_e1862, _e1859, (_e1859 < _e1862)) / select(1.1754944e-38f, _e1866, (_e1866 > 1.1754944e-38f)));
+let _e1870 = (_e1869 > 0.41421357f);
+let _e1874 = select(_e1869, ((_e1869 - 1f) / (_e1869 + 1f)), _e1870);
+let _e1875 = (_e1874 * _e1874);
+let _e1890 = (select(0f, 0.7853982f, _e1870) + (_e1874 + ((_e1874 * _e1875) * (-0.33333334f + (_e1875 * (0.2f + (_e1875 * (-0.14285713f + (_e1875 * (0.11111111f + (_e1875 * (-0.09090909f + (_e1875 * 0.0585f)))))))))))));
+let _e1893 = select(_e1890, (1.5707964f - _e1890), (_e1862 > _e1859));
+let _e1896 = select(_e1893, (3.1415927f - _e1893), (_e1856 < 0f));
+let _e1901 = ((select(_e1896, -(_e1896), (_e1850 < 0f)) / _e1754) * 0.5f);
+let _e1903 = select(-8e6f, _e1901, (_e1901 > -8e6f));
+let _e1905 = select(8e6f, _e1903, (_e1903 < 8e6f));
+let _e1912 = select(0i, select(select(i32(_e1905), i32(-2147483648), (_e1905 < -2147483600f)), 2147483647i, (_e1905 > 2147483500f)), (_e1905 == _e1905));
+let _e1919 = ((_e1901 - f32((_e1912 - select(0i, 1i, (_e1905 < f32(_e1912)))))) * 2f);
+let _e1927 = ((select(select((_e1919 - 2f), (1f - _e1919), (_e1919 < 1.5f)), _e1919, (_e1919 < 0.5f)) * 2f) / _e1757);
+let _e1929 = select(-1f, _e1927, (_e1927 > -1f));
+let _e1932 = (2f - _e1757);
+let _e1934 = select(0f, _e1932, (_e1932 > 0f));
+let _e1940 = (0.5f + ((0.5f * (select(1f, _e1838, (_e1838 < 1f)) * select(1f, _e1843, (_e1843 < 1f)))) * (select(1f, _e1929, (_e1929 < 1f)) * select(1f, _e1934, (_e1934 < 1f)))));
+phi_4295_ = vec3<f32>((_e1702.member + ((_e1710.member - _e1702.member) * _e1940)), (_e1702.member_1 + ((_e1710.member_1 - _e1702.member_1) * _e1940)), (_e1702.member_2 + ((_e1710.member_2 - _e1702.member_2) * _e1940)));
+} else {
+let _e1954 = global_2.member.member_21.member_1;
 let _e1955 = bitcast<i32>(_e1954);
-phi_3124_ = 0i;
-phi_3127_ = 0i;
-phi_3129_ = _e1955;
-phi_3131_ = _e1779;
-loop {
-let _e1957 = phi_3124_;
-let _e1959 = phi_3127_;
-let _e1961 = phi_3129_;
-let _e1963 = phi_3131_;
-local_12 = _e1963;
-local_13 = _e1961;
-local_14 = _e1963;
-local_15 = _e1963;
-local_16 = _e1963;
-local_17 = _e1963;
-local_18 = _e1963;
-local_19 = _e1963;
-local_20 = _e1961;
-local_21 = _e1961;
-local_22 = _e1961;
-local_23 = _e1961;
-local_24 = _e1963;
-local_25 = _e1959;
-local_26 = _e1963;
-local_27 = _e1959;
-let _e1964 = (_e1957 < _e1850);
-if _e1964 {
-if (_e1963 > 1i) {
-phi_3146_ = (_e1963 >> bitcast<u32>(1i));
-} else {
-phi_3146_ = 1i;
-}
-let _e1971 = phi_3146_;
-if (_e1961 > 1i) {
-phi_3152_ = (_e1961 >> bitcast<u32>(1i));
-} else {
-phi_3152_ = 1i;
-}
-let _e1976 = phi_3152_;
-phi_3125_ = (_e1957 + 1i);
-phi_3128_ = (_e1959 + (_e1963 * _e1961));
-phi_3130_ = _e1976;
-phi_3132_ = _e1971;
-} else {
-phi_3125_ = i32();
-phi_3128_ = i32();
-phi_3130_ = i32();
-phi_3132_ = i32();
-}
-let _e1979 = phi_3125_;
-let _e1981 = phi_3128_;
-let _e1983 = phi_3130_;
-let _e1985 = phi_3132_;
-continue;
-continuing {
-phi_3124_ = _e1979;
-phi_3127_ = _e1981;
-phi_3129_ = _e1983;
-phi_3131_ = _e1985;
-break if !(_e1964);
-}
-}
-let _e1988 = local_12;
-let _e1989 = f32(_e1988);
-let _e1991 = ((_e1895 * _e1989) - 0.5f);
-let _e1993 = local_13;
-let _e1994 = f32(_e1993);
-let _e1996 = ((_e1950 * _e1994) - 0.5f);
-let _e1998 = select(-1f, _e1991, (_e1991 > -1f));
-let _e2000 = select(_e1989, _e1998, (_e1998 < _e1989));
-let _e2007 = select(0i, select(select(i32(_e2000), i32(-2147483648), (_e2000 < -2147483600f)), 2147483647i, (_e2000 > 2147483500f)), (_e2000 == _e2000));
-let _e2011 = (_e2007 - select(0i, 1i, (_e2000 < f32(_e2007))));
-let _e2013 = select(-1f, _e1996, (_e1996 > -1f));
-let _e2015 = select(_e1994, _e2013, (_e2013 < _e1994));
+let _e1960 = global_2.member.member_21.member_3;
+let _e1962 = f32(bitcast<i32>(_e1960));
+let _e1964 = (2f * 3.1415927f);
+let _e1965 = ((_e1694 * f32(_e1955)) / _e1964);
+let _e1967 = select(1e-6f, _e1965, (_e1965 > 1e-6f));
+let _e1970 = bitcast<u32>(select(1.1754944e-38f, _e1967, (_e1967 > 1.1754944e-38f)));
+let _e1971 = (_e1970 & 8388607u);
+let _e1973 = select(0u, 1u, (_e1971 > 3474675u));
+let _e1984 = bitcast<f32>((_e1971 | ((127u - _e1973) << bitcast<u32>(23i))));
+let _e1987 = ((_e1984 - 1f) / (_e1984 + 1f));
+let _e1988 = (_e1987 * _e1987);
+let _e2003 = (f32(((bitcast<i32>((_e1970 >> bitcast<u32>(23i))) - 127i) + bitcast<i32>(_e1973))) + (((2f * _e1987) + ((_e1987 * _e1988) * (0.6666667f + (_e1988 * (0.4f + (_e1988 * (0.2857143f + (_e1988 * (0.22222222f + (_e1988 * 0.18181819f)))))))))) * 1.442695f));
+let _e2004 = (_e1962 - 1f);
+let _e2006 = select(0f, _e2003, (_e2003 > 0f));
+let _e2008 = select(_e2004, _e2006, (_e2006 < _e2004));
+let _e2009 = (_e1962 - 2f);
+let _e2011 = select(0f, _e2009, (_e2009 > 0f));
+let _e2013 = select(0f, _e2008, (_e2008 > 0f));
+let _e2015 = select(_e2011, _e2013, (_e2013 < _e2011));
 let _e2022 = select(0i, select(select(i32(_e2015), i32(-2147483648), (_e2015 < -2147483600f)), 2147483647i, (_e2015 > 2147483500f)), (_e2015 == _e2015));
 let _e2026 = (_e2022 - select(0i, 1i, (_e2015 < f32(_e2022))));
-let _e2028 = (_e1991 - f32(_e2011));
-let _e2030 = (_e1996 - f32(_e2026));
-let _e2032 = select(0f, _e2030, (_e2030 > 0f));
-let _e2034 = select(1f, _e2032, (_e2032 < 1f));
-if (_e2011 < 0i) {
-let _e2037 = local_14;
-phi_3227_ = (_e2011 + _e2037);
-} else {
-phi_3227_ = _e2011;
-}
-let _e2040 = phi_3227_;
-let _e2042 = local_15;
-if (_e2040 >= _e2042) {
-let _e2045 = local_16;
-phi_3233_ = (_e2040 - _e2045);
-} else {
-phi_3233_ = _e2040;
-}
-let _e2048 = phi_3233_;
-let _e2049 = (_e2011 + 1i);
-if (_e2049 < 0i) {
-let _e2052 = local_17;
-phi_3240_ = (_e2049 + _e2052);
-} else {
-phi_3240_ = _e2049;
-}
-let _e2055 = phi_3240_;
-let _e2057 = local_18;
-if (_e2055 >= _e2057) {
-let _e2060 = local_19;
-phi_3246_ = (_e2055 - _e2060);
-} else {
-phi_3246_ = _e2055;
-}
-let _e2063 = phi_3246_;
-let _e2065 = select(_e2026, 0i, (_e2026 < 0i));
-let _e2067 = local_20;
-if (_e2065 >= _e2067) {
-let _e2070 = local_21;
-phi_3257_ = (_e2070 - 1i);
-} else {
-phi_3257_ = _e2065;
-}
-let _e2073 = phi_3257_;
-let _e2074 = (_e2026 + 1i);
-let _e2076 = select(_e2074, 0i, (_e2074 < 0i));
-let _e2078 = local_22;
-if (_e2076 >= _e2078) {
-let _e2081 = local_23;
-phi_3269_ = (_e2081 - 1i);
-} else {
-phi_3269_ = _e2076;
-}
-let _e2084 = phi_3269_;
-let _e2086 = local_24;
-let _e2089 = local_25;
-let _e2090 = (_e2089 + (_e2073 * _e2086));
-let _e2092 = local_26;
-let _e2095 = local_27;
-let _e2096 = (_e2095 + (_e2084 * _e2092));
-let _e2098 = (3i * (_e2090 + _e2048));
-let _e2100 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
-let _e2102 = select(_e2100, _e2098, (_e2098 < _e2100));
-let _e2108 = global_4.member[bitcast<u32>(select(0i, _e2102, (_e2102 > 0i)))];
-let _e2109 = (_e2098 + 1i);
-let _e2111 = select(_e2100, _e2109, (_e2109 < _e2100));
-let _e2117 = global_4.member[bitcast<u32>(select(0i, _e2111, (_e2111 > 0i)))];
-let _e2118 = (_e2098 + 2i);
-let _e2120 = select(_e2100, _e2118, (_e2118 < _e2100));
-let _e2126 = global_4.member[bitcast<u32>(select(0i, _e2120, (_e2120 > 0i)))];
-let _e2128 = (3i * (_e2090 + _e2063));
-let _e2130 = select(_e2100, _e2128, (_e2128 < _e2100));
-let _e2136 = global_4.member[bitcast<u32>(select(0i, _e2130, (_e2130 > 0i)))];
-let _e2137 = (_e2128 + 1i);
-let _e2139 = select(_e2100, _e2137, (_e2137 < _e2100));
-let _e2145 = global_4.member[bitcast<u32>(select(0i, _e2139, (_e2139 > 0i)))];
-let _e2146 = (_e2128 + 2i);
-let _e2148 = select(_e2100, _e2146, (_e2146 < _e2100));
-let _e2154 = global_4.member[bitcast<u32>(select(0i, _e2148, (_e2148 > 0i)))];
-let _e2156 = (3i * (_e2096 + _e2048));
-let _e2158 = select(_e2100, _e2156, (_e2156 < _e2100));
-let _e2164 = global_4.member[bitcast<u32>(select(0i, _e2158, (_e2158 > 0i)))];
-let _e2165 = (_e2156 + 1i);
-let _e2167 = select(_e2100, _e2165, (_e2165 < _e2100));
-let _e2173 = global_4.member[bitcast<u32>(select(0i, _e2167, (_e2167 > 0i)))];
-let _e2174 = (_e2156 + 2i);
-let _e2176 = select(_e2100, _e2174, (_e2174 < _e2100));
-let _e2182 = global_4.member[bitcast<u32>(select(0i, _e2176, (_e2176 > 0i)))];
-let _e2184 = (3i * (_e2096 + _e2063));
-let _e2186 = select(_e2100, _e2184, (_e2184 < _e2100));
-let _e2192 = global_4.member[bitcast<u32>(select(0i, _e2186, (_e2186 > 0i)))];
-let _e2193 = (_e2184 + 1i);
-let _e2195 = select(_e2100, _e2193, (_e2193 < _e2100));
-let _e2201 = global_4.member[bitcast<u32>(select(0i, _e2195, (_e2195 > 0i)))];
-let _e2202 = (_e2184 + 2i);
-let _e2204 = select(_e2100, _e2202, (_e2202 < _e2100));
-let _e2210 = global_4.member[bitcast<u32>(select(0i, _e2204, (_e2204 > 0i)))];
-let _e2217 = (_e2108 + ((_e2136 - _e2108) * _e2028));
-let _e2218 = (_e2117 + ((_e2145 - _e2117) * _e2028));
-let _e2219 = (_e2126 + ((_e2154 - _e2126) * _e2028));
-let _e2235 = (_e2217 + (((_e2164 + ((_e2192 - _e2164) * _e2028)) - _e2217) * _e2034));
-let _e2236 = (_e2218 + (((_e2173 + ((_e2201 - _e2173) * _e2028)) - _e2218) * _e2034));
-let _e2237 = (_e2219 + (((_e2182 + ((_e2210 - _e2182) * _e2028)) - _e2219) * _e2034));
-phi_3505_ = 0i;
-phi_3508_ = 0i;
-phi_3510_ = _e1955;
-phi_3512_ = _e1779;
+let _e2029 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
+let _e2032 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
+let _e2036 = select(_e2032, _e2029, (_e2029 > _e2032));
+let _e2039 = (select(_e2032, _e2029, (_e2029 < _e2032)) / select(1.1754944e-38f, _e2036, (_e2036 > 1.1754944e-38f)));
+let _e2040 = (_e2039 > 0.41421357f);
+let _e2044 = select(_e2039, ((_e2039 - 1f) / (_e2039 + 1f)), _e2040);
+let _e2045 = (_e2044 * _e2044);
+let _e2060 = (select(0f, 0.7853982f, _e2040) + (_e2044 + ((_e2044 * _e2045) * (-0.33333334f + (_e2045 * (0.2f + (_e2045 * (-0.14285713f + (_e2045 * (0.11111111f + (_e2045 * (-0.09090909f + (_e2045 * 0.0585f)))))))))))));
+let _e2063 = select(_e2060, (1.5707964f - _e2060), (_e2032 > _e2029));
+let _e2066 = select(_e2063, (3.1415927f - _e2063), (_e1266 < 0f));
+let _e2071 = (0.5f - (select(_e2066, -(_e2066), (_e1254 < 0f)) / _e1964));
+let _e2073 = select(-1f, _e1278, (_e1278 > -1f));
+let _e2075 = select(1f, _e2073, (_e2073 < 1f));
+let _e2078 = ((1f - _e2075) * (1f + _e2075));
+let _e2081 = sqrt(select(0f, _e2078, (_e2078 > 0f)));
+let _e2084 = bitcast<f32>((bitcast<u32>(_e2081) & 2147483647u));
+let _e2087 = bitcast<f32>((bitcast<u32>(_e2075) & 2147483647u));
+let _e2091 = select(_e2087, _e2084, (_e2084 > _e2087));
+let _e2094 = (select(_e2087, _e2084, (_e2084 < _e2087)) / select(1.1754944e-38f, _e2091, (_e2091 > 1.1754944e-38f)));
+let _e2095 = (_e2094 > 0.41421357f);
+let _e2099 = select(_e2094, ((_e2094 - 1f) / (_e2094 + 1f)), _e2095);
+let _e2100 = (_e2099 * _e2099);
+let _e2115 = (select(0f, 0.7853982f, _e2095) + (_e2099 + ((_e2099 * _e2100) * (-0.33333334f + (_e2100 * (0.2f + (_e2100 * (-0.14285713f + (_e2100 * (0.11111111f + (_e2100 * (-0.09090909f + (_e2100 * 0.0585f)))))))))))));
+let _e2118 = select(_e2115, (1.5707964f - _e2115), (_e2087 > _e2084));
+let _e2121 = select(_e2118, (3.1415927f - _e2118), (_e2081 < 0f));
+let _e2126 = (0.5f - (select(_e2121, -(_e2121), (_e2075 < 0f)) / 3.1415927f));
+let _e2130 = global_2.member.member_21.member_2;
+let _e2131 = bitcast<i32>(_e2130);
+phi_3514_ = 0i;
+phi_3517_ = 0i;
+phi_3519_ = _e2131;
+phi_3521_ = _e1955;
 loop {
-let _e2240 = phi_3505_;
-let _e2242 = phi_3508_;
-let _e2244 = phi_3510_;
-let _e2246 = phi_3512_;
-local_28 = _e2246;
-local_29 = _e2244;
-local_30 = _e2246;
-local_31 = _e2246;
-local_32 = _e2246;
-local_33 = _e2246;
-local_34 = _e2246;
-local_35 = _e2246;
-local_36 = _e2244;
-local_37 = _e2244;
-local_38 = _e2244;
-local_39 = _e2244;
-local_40 = _e2246;
-local_41 = _e2242;
-local_42 = _e2246;
-local_43 = _e2242;
-let _e2247 = (_e2240 < (_e1850 + 1i));
-if _e2247 {
-if (_e2246 > 1i) {
-phi_3527_ = (_e2246 >> bitcast<u32>(1i));
+let _e2133 = phi_3514_;
+let _e2135 = phi_3517_;
+let _e2137 = phi_3519_;
+let _e2139 = phi_3521_;
+local_12 = _e2139;
+local_13 = _e2137;
+local_14 = _e2139;
+local_15 = _e2139;
+local_16 = _e2139;
+local_17 = _e2139;
+local_18 = _e2139;
+local_19 = _e2139;
+local_20 = _e2137;
+local_21 = _e2137;
+local_22 = _e2137;
+local_23 = _e2137;
+local_24 = _e2139;
+local_25 = _e2135;
+local_26 = _e2139;
+local_27 = _e2135;
+let _e2140 = (_e2133 < _e2026);
+if _e2140 {
+if (_e2139 > 1i) {
+phi_3536_ = (_e2139 >> bitcast<u32>(1i));
 } else {
-phi_3527_ = 1i;
+phi_3536_ = 1i;
 }
-let _e2254 = phi_3527_;
-if (_e2244 > 1i) {
-phi_3533_ = (_e2244 >> bitcast<u32>(1i));
+let _e2147 = phi_3536_;
+if (_e2137 > 1i) {
+phi_3542_ = (_e2137 >> bitcast<u32>(1i));
 } else {
-phi_3533_ = 1i;
+phi_3542_ = 1i;
 }
-let _e2259 = phi_3533_;
-phi_3506_ = (_e2240 + 1i);
-phi_3509_ = (_e2242 + (_e2246 * _e2244));
-phi_3511_ = _e2259;
-phi_3513_ = _e2254;
+let _e2152 = phi_3542_;
+phi_3515_ = (_e2133 + 1i);
+phi_3518_ = (_e2135 + (_e2139 * _e2137));
+phi_3520_ = _e2152;
+phi_3522_ = _e2147;
 } else {
-phi_3506_ = i32();
-phi_3509_ = i32();
-phi_3511_ = i32();
-phi_3513_ = i32();
+phi_3515_ = i32();
+phi_3518_ = i32();
+phi_3520_ = i32();
+phi_3522_ = i32();
 }
-let _e2262 = phi_3506_;
-let _e2264 = phi_3509_;
-let _e2266 = phi_3511_;
-let _e2268 = phi_3513_;
+let _e2155 = phi_3515_;
+let _e2157 = phi_3518_;
+let _e2159 = phi_3520_;
+let _e2161 = phi_3522_;
 continue;
 continuing {
-phi_3505_ = _e2262;
-phi_3508_ = _e2264;
-phi_3510_ = _e2266;
-phi_3512_ = _e2268;
-break if !(_e2247);
+phi_3514_ = _e2155;
+phi_3517_ = _e2157;
+phi_3519_ = _e2159;
+phi_3521_ = _e2161;
+break if !(_e2140);
 }
 }
-let _e2271 = local_28;
-let _e2272 = f32(_e2271);
-let _e2274 = ((_e1895 * _e2272) - 0.5f);
-let _e2276 = local_29;
-let _e2277 = f32(_e2276);
-let _e2279 = ((_e1950 * _e2277) - 0.5f);
-let _e2281 = select(-1f, _e2274, (_e2274 > -1f));
-let _e2283 = select(_e2272, _e2281, (_e2281 < _e2272));
-let _e2290 = select(0i, select(select(i32(_e2283), i32(-2147483648), (_e2283 < -2147483600f)), 2147483647i, (_e2283 > 2147483500f)), (_e2283 == _e2283));
-let _e2294 = (_e2290 - select(0i, 1i, (_e2283 < f32(_e2290))));
-let _e2296 = select(-1f, _e2279, (_e2279 > -1f));
-let _e2298 = select(_e2277, _e2296, (_e2296 < _e2277));
-let _e2305 = select(0i, select(select(i32(_e2298), i32(-2147483648), (_e2298 < -2147483600f)), 2147483647i, (_e2298 > 2147483500f)), (_e2298 == _e2298));
-let _e2309 = (_e2305 - select(0i, 1i, (_e2298 < f32(_e2305))));
-let _e2311 = (_e2274 - f32(_e2294));
-let _e2313 = (_e2279 - f32(_e2309));
-let _e2315 = select(0f, _e2313, (_e2313 > 0f));
-let _e2317 = select(1f, _e2315, (_e2315 < 1f));
-if (_e2294 < 0i) {
-let _e2320 = local_30;
-phi_3608_ = (_e2294 + _e2320);
+let _e2164 = local_12;
+let _e2165 = f32(_e2164);
+let _e2167 = ((_e2071 * _e2165) - 0.5f);
+let _e2169 = local_13;
+let _e2170 = f32(_e2169);
+let _e2172 = ((_e2126 * _e2170) - 0.5f);
+let _e2174 = select(-1f, _e2167, (_e2167 > -1f));
+let _e2176 = select(_e2165, _e2174, (_e2174 < _e2165));
+let _e2183 = select(0i, select(select(i32(_e2176), i32(-2147483648), (_e2176 < -2147483600f)), 2147483647i, (_e2176 > 2147483500f)), (_e2176 == _e2176));
+let _e2187 = (_e2183 - select(0i, 1i, (_e2176 < f32(_e2183))));
+let _e2189 = select(-1f, _e2172, (_e2172 > -1f));
+let _e2191 = select(_e2170, _e2189, (_e2189 < _e2170));
+let _e2198 = select(0i, select(select(i32(_e2191), i32(-2147483648), (_e2191 < -2147483600f)), 2147483647i, (_e2191 > 2147483500f)), (_e2191 == _e2191));
+let _e2202 = (_e2198 - select(0i, 1i, (_e2191 < f32(_e2198))));
+let _e2204 = (_e2167 - f32(_e2187));
+let _e2206 = (_e2172 - f32(_e2202));
+let _e2208 = select(0f, _e2206, (_e2206 > 0f));
+let _e2210 = select(1f, _e2208, (_e2208 < 1f));
+if (_e2187 < 0i) {
+let _e2213 = local_14;
+phi_3617_ = (_e2187 + _e2213);
 } else {
-phi_3608_ = _e2294;
+phi_3617_ = _e2187;
 }
-let _e2323 = phi_3608_;
-let _e2325 = local_31;
-if (_e2323 >= _e2325) {
-let _e2328 = local_32;
-phi_3614_ = (_e2323 - _e2328);
+let _e2216 = phi_3617_;
+let _e2218 = local_15;
+if (_e2216 >= _e2218) {
+let _e2221 = local_16;
+phi_3623_ = (_e2216 - _e2221);
 } else {
-phi_3614_ = _e2323;
+phi_3623_ = _e2216;
 }
-let _e2331 = phi_3614_;
-let _e2332 = (_e2294 + 1i);
-if (_e2332 < 0i) {
-let _e2335 = local_33;
-phi_3621_ = (_e2332 + _e2335);
+let _e2224 = phi_3623_;
+let _e2225 = (_e2187 + 1i);
+if (_e2225 < 0i) {
+let _e2228 = local_17;
+phi_3630_ = (_e2225 + _e2228);
 } else {
-phi_3621_ = _e2332;
+phi_3630_ = _e2225;
 }
-let _e2338 = phi_3621_;
-let _e2340 = local_34;
-if (_e2338 >= _e2340) {
-let _e2343 = local_35;
-phi_3627_ = (_e2338 - _e2343);
+let _e2231 = phi_3630_;
+let _e2233 = local_18;
+if (_e2231 >= _e2233) {
+let _e2236 = local_19;
+phi_3636_ = (_e2231 - _e2236);
 } else {
-phi_3627_ = _e2338;
+phi_3636_ = _e2231;
 }
-let _e2346 = phi_3627_;
-let _e2348 = select(_e2309, 0i, (_e2309 < 0i));
-let _e2350 = local_36;
-if (_e2348 >= _e2350) {
-let _e2353 = local_37;
-phi_3638_ = (_e2353 - 1i);
+let _e2239 = phi_3636_;
+let _e2241 = select(_e2202, 0i, (_e2202 < 0i));
+let _e2243 = local_20;
+if (_e2241 >= _e2243) {
+let _e2246 = local_21;
+phi_3647_ = (_e2246 - 1i);
 } else {
-phi_3638_ = _e2348;
+phi_3647_ = _e2241;
 }
-let _e2356 = phi_3638_;
-let _e2357 = (_e2309 + 1i);
-let _e2359 = select(_e2357, 0i, (_e2357 < 0i));
-let _e2361 = local_38;
-if (_e2359 >= _e2361) {
-let _e2364 = local_39;
-phi_3650_ = (_e2364 - 1i);
+let _e2249 = phi_3647_;
+let _e2250 = (_e2202 + 1i);
+let _e2252 = select(_e2250, 0i, (_e2250 < 0i));
+let _e2254 = local_22;
+if (_e2252 >= _e2254) {
+let _e2257 = local_23;
+phi_3659_ = (_e2257 - 1i);
 } else {
-phi_3650_ = _e2359;
+phi_3659_ = _e2252;
 }
-let _e2367 = phi_3650_;
-let _e2369 = local_40;
-let _e2372 = local_41;
-let _e2373 = (_e2372 + (_e2356 * _e2369));
-let _e2375 = local_42;
-let _e2378 = local_43;
-let _e2379 = (_e2378 + (_e2367 * _e2375));
-let _e2381 = (3i * (_e2373 + _e2331));
-let _e2383 = select(_e2100, _e2381, (_e2381 < _e2100));
-let _e2389 = global_4.member[bitcast<u32>(select(0i, _e2383, (_e2383 > 0i)))];
-let _e2390 = (_e2381 + 1i);
-let _e2392 = select(_e2100, _e2390, (_e2390 < _e2100));
-let _e2398 = global_4.member[bitcast<u32>(select(0i, _e2392, (_e2392 > 0i)))];
-let _e2399 = (_e2381 + 2i);
-let _e2401 = select(_e2100, _e2399, (_e2399 < _e2100));
-let _e2407 = global_4.member[bitcast<u32>(select(0i, _e2401, (_e2401 > 0i)))];
-let _e2409 = (3i * (_e2373 + _e2346));
-let _e2411 = select(_e2100, _e2409, (_e2409 < _e2100));
-let _e2417 = global_4.member[bitcast<u32>(select(0i, _e2411, (_e2411 > 0i)))];
-let _e2418 = (_e2409 + 1i);
-let _e2420 = select(_e2100, _e2418, (_e2418 < _e2100));
-let _e2426 = global_4.member[bitcast<u32>(select(0i, _e2420, (_e2420 > 0i)))];
-let _e2427 = (_e2409 + 2i);
-let _e2429 = select(_e2100, _e2427, (_e2427 < _e2100));
-let _e2435 = global_4.member[bitcast<u32>(select(0i, _e2429, (_e2429 > 0i)))];
-let _e2437 = (3i * (_e2379 + _e2331));
-let _e2439 = select(_e2100, _e2437, (_e2437 < _e2100));
-let _e2445 = global_4.member[bitcast<u32>(select(0i, _e2439, (_e2439 > 0i)))];
-let _e2446 = (_e2437 + 1i);
-let _e2448 = select(_e2100, _e2446, (_e2446 < _e2100));
-let _e2454 = global_4.member[bitcast<u32>(select(0i, _e2448, (_e2448 > 0i)))];
-let _e2455 = (_e2437 + 2i);
-let _e2457 = select(_e2100, _e2455, (_e2455 < _e2100));
-let _e2463 = global_4.member[bitcast<u32>(select(0i, _e2457, (_e2457 > 0i)))];
-let _e2465 = (3i * (_e2379 + _e2346));
-let _e2467 = select(_e2100, _e2465, (_e2465 < _e2100));
-let _e2473 = global_4.member[bitcast<u32>(select(0i, _e2467, (_e2467 > 0i)))];
-let _e2474 = (_e2465 + 1i);
-let _e2476 = select(_e2100, _e2474, (_e2474 < _e2100));
-let _e2482 = global_4.member[bitcast<u32>(select(0i, _e2476, (_e2476 > 0i)))];
-let _e2483 = (_e2465 + 2i);
-let _e2485 = select(_e2100, _e2483, (_e2483 < _e2100));
-let _e2491 = global_4.member[bitcast<u32>(select(0i, _e2485, (_e2485 > 0i)))];
-let _e2498 = (_e2389 + ((_e2417 - _e2389) * _e2311));
-let _e2499 = (_e2398 + ((_e2426 - _e2398) * _e2311));
-let _e2500 = (_e2407 + ((_e2435 - _e2407) * _e2311));
-let _e2523 = (_e1832 - f32(_e1850));
-let _e2525 = select(0f, _e2523, (_e2523 > 0f));
-let _e2527 = select(1f, _e2525, (_e2525 < 1f));
-let _e2537 = global_2.member.member_21.member_11;
-phi_3905_ = vec3<f32>(((_e2235 + (((_e2498 + (((_e2445 + ((_e2473 - _e2445) * _e2311)) - _e2498) * _e2317)) - _e2235) * _e2527)) * _e2537), ((_e2236 + (((_e2499 + (((_e2454 + ((_e2482 - _e2454) * _e2311)) - _e2499) * _e2317)) - _e2236) * _e2527)) * _e2537), ((_e2237 + (((_e2500 + (((_e2463 + ((_e2491 - _e2463) * _e2311)) - _e2500) * _e2317)) - _e2237) * _e2527)) * _e2537));
+let _e2260 = phi_3659_;
+let _e2262 = local_24;
+let _e2265 = local_25;
+let _e2266 = (_e2265 + (_e2249 * _e2262));
+let _e2268 = local_26;
+let _e2271 = local_27;
+let _e2272 = (_e2271 + (_e2260 * _e2268));
+let _e2274 = (3i * (_e2266 + _e2224));
+let _e2276 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
+let _e2278 = select(_e2276, _e2274, (_e2274 < _e2276));
+let _e2284 = global_4.member[bitcast<u32>(select(0i, _e2278, (_e2278 > 0i)))];
+let _e2285 = (_e2274 + 1i);
+let _e2287 = select(_e2276, _e2285, (_e2285 < _e2276));
+let _e2293 = global_4.member[bitcast<u32>(select(0i, _e2287, (_e2287 > 0i)))];
+let _e2294 = (_e2274 + 2i);
+let _e2296 = select(_e2276, _e2294, (_e2294 < _e2276));
+let _e2302 = global_4.member[bitcast<u32>(select(0i, _e2296, (_e2296 > 0i)))];
+let _e2304 = (3i * (_e2266 + _e2239));
+let _e2306 = select(_e2276, _e2304, (_e2304 < _e2276));
+let _e2312 = global_4.member[bitcast<u32>(select(0i, _e2306, (_e2306 > 0i)))];
+let _e2313 = (_e2304 + 1i);
+let _e2315 = select(_e2276, _e2313, (_e2313 < _e2276));
+let _e2321 = global_4.member[bitcast<u32>(select(0i, _e2315, (_e2315 > 0i)))];
+let _e2322 = (_e2304 + 2i);
+let _e2324 = select(_e2276, _e2322, (_e2322 < _e2276));
+let _e2330 = global_4.member[bitcast<u32>(select(0i, _e2324, (_e2324 > 0i)))];
+let _e2332 = (3i * (_e2272 + _e2224));
+let _e2334 = select(_e2276, _e2332, (_e2332 < _e2276));
+let _e2340 = global_4.member[bitcast<u32>(select(0i, _e2334, (_e2334 > 0i)))];
+let _e2341 = (_e2332 + 1i);
+let _e2343 = select(_e2276, _e2341, (_e2341 < _e2276));
+let _e2349 = global_4.member[bitcast<u32>(select(0i, _e2343, (_e2343 > 0i)))];
+let _e2350 = (_e2332 + 2i);
+let _e2352 = select(_e2276, _e2350, (_e2350 < _e2276));
+let _e2358 = global_4.member[bitcast<u32>(select(0i, _e2352, (_e2352 > 0i)))];
+let _e2360 = (3i * (_e2272 + _e2239));
+let _e2362 = select(_e2276, _e2360, (_e2360 < _e2276));
+let _e2368 = global_4.member[bitcast<u32>(select(0i, _e2362, (_e2362 > 0i)))];
+let _e2369 = (_e2360 + 1i);
+let _e2371 = select(_e2276, _e2369, (_e2369 < _e2276));
+let _e2377 = global_4.member[bitcast<u32>(select(0i, _e2371, (_e2371 > 0i)))];
+let _e2378 = (_e2360 + 2i);
+let _e2380 = select(_e2276, _e2378, (_e2378 < _e2276));
+let _e2386 = global_4.member[bitcast<u32>(select(0i, _e2380, (_e2380 > 0i)))];
+let _e2393 = (_e2284 + ((_e2312 - _e2284) * _e2204));
+let _e2394 = (_e2293 + ((_e2321 - _e2293) * _e2204));
+let _e2395 = (_e2302 + ((_e2330 - _e2302) * _e2204));
+let _e2411 = (_e2393 + (((_e2340 + ((_e2368 - _e2340) * _e2204)) - _e2393) * _e2210));
+let _e2412 = (_e2394 + (((_e2349 + ((_e2377 - _e2349) * _e2204)) - _e2394) * _e2210));
+let _e2413 = (_e2395 + (((_e2358 + ((_e2386 - _e2358) * _e2204)) - _e2395) * _e2210));
+phi_3895_ = 0i;
+phi_3898_ = 0i;
+phi_3900_ = _e2131;
+phi_3902_ = _e1955;
+loop {
+let _e2416 = phi_3895_;
+let _e2418 = phi_3898_;
+let _e2420 = phi_3900_;
+let _e2422 = phi_3902_;
+local_28 = _e2422;
+local_29 = _e2420;
+local_30 = _e2422;
+local_31 = _e2422;
+local_32 = _e2422;
+local_33 = _e2422;
+local_34 = _e2422;
+local_35 = _e2422;
+local_36 = _e2420;
+local_37 = _e2420;
+local_38 = _e2420;
+local_39 = _e2420;
+local_40 = _e2422;
+local_41 = _e2418;
+local_42 = _e2422;
+local_43 = _e2418;
+let _e2423 = (_e2416 < (_e2026 + 1i));
+if _e2423 {
+if (_e2422 > 1i) {
+phi_3917_ = (_e2422 >> bitcast<u32>(1i));
+} else {
+phi_3917_ = 1i;
 }
-let _e2543 = phi_3905_;
-phi_3906_ = _e2543;
+let _e2430 = phi_3917_;
+if (_e2420 > 1i) {
+phi_3923_ = (_e2420 >> bitcast<u32>(1i));
+} else {
+phi_3923_ = 1i;
 }
-let _e2545 = phi_3906_;
-phi_3907_ = _e2545;
+let _e2435 = phi_3923_;
+phi_3896_ = (_e2416 + 1i);
+phi_3899_ = (_e2418 + (_e2422 * _e2420));
+phi_3901_ = _e2435;
+phi_3903_ = _e2430;
+} else {
+phi_3896_ = i32();
+phi_3899_ = i32();
+phi_3901_ = i32();
+phi_3903_ = i32();
 }
-let _e2547 = phi_3907_;
-let _e2551 = global_2.member.member_21.member_12;
-let _e2558 = (_e1018 * _e2551);
-let _e2570 = (1f - ((_e1018 * ((_e241 + _e252) + _e263)) * (1f / 3f)));
-global_1.member[_e128] = ((_e186 + ((_e241 * (select(_e445.member, _e434.member, _e423) * (((_e937.member.x * _e959) * _e985) + _e968.member))) * _e1003)) + ((_e241 * _e2547.x) * _e2558));
-global_1.member[(_e126 + _e128)] = ((_e197 + ((_e252 * (select(_e445.member_1, _e434.member_1, _e423) * (((_e937.member.y * _e959) * _e985) + _e968.member_1))) * _e1003)) + ((_e252 * _e2547.y) * _e2558));
-global_1.member[((2u * _e126) + _e128)] = ((_e208 + ((_e263 * (select(_e445.member_2, _e434.member_2, _e423) * (((_e937.member.z * _e959) * _e985) + _e968.member_2))) * _e1003)) + ((_e263 * _e2547.z) * _e2558));
-global_1.member[((3u * _e126) + _e128)] = (_e2570 + ((1f - _e2570) * _e2551));
-global_1.member[((4u * _e126) + _e128)] = _e1013;
+let _e2438 = phi_3896_;
+let _e2440 = phi_3899_;
+let _e2442 = phi_3901_;
+let _e2444 = phi_3903_;
+continue;
+continuing {
+phi_3895_ = _e2438;
+phi_3898_ = _e2440;
+phi_3900_ = _e2442;
+phi_3902_ = _e2444;
+break if !(_e2423);
+}
+}
+let _e2447 = local_28;
+let _e2448 = f32(_e2447);
+let _e2450 = ((_e2071 * _e2448) - 0.5f);
+let _e2452 = local_29;
+let _e2453 = f32(_e2452);
+let _e2455 = ((_e2126 * _e2453) - 0.5f);
+let _e2457 = select(-1f, _e2450, (_e2450 > -1f));
+let _e2459 = select(_e2448, _e2457, (_e2457 < _e2448));
+let _e2466 = select(0i, select(select(i32(_e2459), i32(-2147483648), (_e2459 < -2147483600f)), 2147483647i, (_e2459 > 2147483500f)), (_e2459 == _e2459));
+let _e2470 = (_e2466 - select(0i, 1i, (_e2459 < f32(_e2466))));
+let _e2472 = select(-1f, _e2455, (_e2455 > -1f));
+let _e2474 = select(_e2453, _e2472, (_e2472 < _e2453));
+let _e2481 = select(0i, select(select(i32(_e2474), i32(-2147483648), (_e2474 < -2147483600f)), 2147483647i, (_e2474 > 2147483500f)), (_e2474 == _e2474));
+let _e2485 = (_e2481 - select(0i, 1i, (_e2474 < f32(_e2481))));
+let _e2487 = (_e2450 - f32(_e2470));
+let _e2489 = (_e2455 - f32(_e2485));
+let _e2491 = select(0f, _e2489, (_e2489 > 0f));
+let _e2493 = select(1f, _e2491, (_e2491 < 1f));
+if (_e2470 < 0i) {
+let _e2496 = local_30;
+phi_3998_ = (_e2470 + _e2496);
+} else {
+phi_3998_ = _e2470;
+}
+let _e2499 = phi_3998_;
+let _e2501 = local_31;
+if (_e2499 >= _e2501) {
+let _e2504 = local_32;
+phi_4004_ = (_e2499 - _e2504);
+} else {
+phi_4004_ = _e2499;
+}
+let _e2507 = phi_4004_;
+let _e2508 = (_e2470 + 1i);
+if (_e2508 < 0i) {
+let _e2511 = local_33;
+phi_4011_ = (_e2508 + _e2511);
+} else {
+phi_4011_ = _e2508;
+}
+let _e2514 = phi_4011_;
+let _e2516 = local_34;
+if (_e2514 >= _e2516) {
+let _e2519 = local_35;
+phi_4017_ = (_e2514 - _e2519);
+} else {
+phi_4017_ = _e2514;
+}
+let _e2522 = phi_4017_;
+let _e2524 = select(_e2485, 0i, (_e2485 < 0i));
+let _e2526 = local_36;
+if (_e2524 >= _e2526) {
+let _e2529 = local_37;
+phi_4028_ = (_e2529 - 1i);
+} else {
+phi_4028_ = _e2524;
+}
+let _e2532 = phi_4028_;
+let _e2533 = (_e2485 + 1i);
+let _e2535 = select(_e2533, 0i, (_e2533 < 0i));
+let _e2537 = local_38;
+if (_e2535 >= _e2537) {
+let _e2540 = local_39;
+phi_4040_ = (_e2540 - 1i);
+} else {
+phi_4040_ = _e2535;
+}
+let _e2543 = phi_4040_;
+let _e2545 = local_40;
+let _e2548 = local_41;
+let _e2549 = (_e2548 + (_e2532 * _e2545));
+let _e2551 = local_42;
+let _e2554 = local_43;
+let _e2555 = (_e2554 + (_e2543 * _e2551));
+let _e2557 = (3i * (_e2549 + _e2507));
+let _e2559 = select(_e2276, _e2557, (_e2557 < _e2276));
+let _e2565 = global_4.member[bitcast<u32>(select(0i, _e2559, (_e2559 > 0i)))];
+let _e2566 = (_e2557 + 1i);
+let _e2568 = select(_e2276, _e2566, (_e2566 < _e2276));
+let _e2574 = global_4.member[bitcast<u32>(select(0i, _e2568, (_e2568 > 0i)))];
+let _e2575 = (_e2557 + 2i);
+let _e2577 = select(_e2276, _e2575, (_e2575 < _e2276));
+let _e2583 = global_4.member[bitcast<u32>(select(0i, _e2577, (_e2577 > 0i)))];
+let _e2585 = (3i * (_e2549 + _e2522));
+let _e2587 = select(_e2276, _e2585, (_e2585 < _e2276));
+let _e2593 = global_4.member[bitcast<u32>(select(0i, _e2587, (_e2587 > 0i)))];
+let _e2594 = (_e2585 + 1i);
+let _e2596 = select(_e2276, _e2594, (_e2594 < _e2276));
+let _e2602 = global_4.member[bitcast<u32>(select(0i, _e2596, (_e2596 > 0i)))];
+let _e2603 = (_e2585 + 2i);
+let _e2605 = select(_e2276, _e2603, (_e2603 < _e2276));
+let _e2611 = global_4.member[bitcast<u32>(select(0i, _e2605, (_e2605 > 0i)))];
+let _e2613 = (3i * (_e2555 + _e2507));
+let _e2615 = select(_e2276, _e2613, (_e2613 < _e2276));
+let _e2621 = global_4.member[bitcast<u32>(select(0i, _e2615, (_e2615 > 0i)))];
+let _e2622 = (_e2613 + 1i);
+let _e2624 = select(_e2276, _e2622, (_e2622 < _e2276));
+let _e2630 = global_4.member[bitcast<u32>(select(0i, _e2624, (_e2624 > 0i)))];
+let _e2631 = (_e2613 + 2i);
+let _e2633 = select(_e2276, _e2631, (_e2631 < _e2276));
+let _e2639 = global_4.member[bitcast<u32>(select(0i, _e2633, (_e2633 > 0i)))];
+let _e2641 = (3i * (_e2555 + _e2522));
+let _e2643 = select(_e2276, _e2641, (_e2641 < _e2276));
+let _e2649 = global_4.member[bitcast<u32>(select(0i, _e2643, (_e2643 > 0i)))];
+let _e2650 = (_e2641 + 1i);
+let _e2652 = select(_e2276, _e2650, (_e2650 < _e2276));
+let _e2658 = global_4.member[bitcast<u32>(select(0i, _e2652, (_e2652 > 0i)))];
+let _e2659 = (_e2641 + 2i);
+let _e2661 = select(_e2276, _e2659, (_e2659 < _e2276));
+let _e2667 = global_4.member[bitcast<u32>(select(0i, _e2661, (_e2661 > 0i)))];
+let _e2674 = (_e2565 + ((_e2593 - _e2565) * _e2487));
+let _e2675 = (_e2574 + ((_e2602 - _e2574) * _e2487));
+let _e2676 = (_e2583 + ((_e2611 - _e2583) * _e2487));
+let _e2699 = (_e2008 - f32(_e2026));
+let _e2701 = select(0f, _e2699, (_e2699 > 0f));
+let _e2703 = select(1f, _e2701, (_e2701 < 1f));
+let _e2713 = global_2.member.member_21.member_11;
+phi_4295_ = vec3<f32>(((_e2411 + (((_e2674 + (((_e2621 + ((_e2649 - _e2621) * _e2487)) - _e2674) * _e2493)) - _e2411) * _e2703)) * _e2713), ((_e2412 + (((_e2675 + (((_e2630 + ((_e2658 - _e2630) * _e2487)) - _e2675) * _e2493)) - _e2412) * _e2703)) * _e2713), ((_e2413 + (((_e2676 + (((_e2639 + ((_e2667 - _e2639) * _e2487)) - _e2676) * _e2493)) - _e2413) * _e2703)) * _e2713));
+}
+let _e2719 = phi_4295_;
+phi_4296_ = _e2719;
+}
+let _e2721 = phi_4296_;
+phi_4297_ = _e2721;
+}
+let _e2723 = phi_4297_;
+let _e2727 = global_2.member.member_21.member_12;
+let _e2734 = (_e1194 * _e2727);
+let _e2746 = (1f - ((_e1194 * ((_e241 + _e252) + _e263)) * (1f / 3f)));
+global_1.member[_e128] = ((_e186 + ((_e241 * (select(_e445.member, _e434.member, _e423) * (((_e1113.member.x * _e1135) * _e1161) + _e1144.member))) * _e1179)) + ((_e241 * _e2723.x) * _e2734));
+global_1.member[(_e126 + _e128)] = ((_e197 + ((_e252 * (select(_e445.member_1, _e434.member_1, _e423) * (((_e1113.member.y * _e1135) * _e1161) + _e1144.member_1))) * _e1179)) + ((_e252 * _e2723.y) * _e2734));
+global_1.member[((2u * _e126) + _e128)] = ((_e208 + ((_e263 * (select(_e445.member_2, _e434.member_2, _e423) * (((_e1113.member.z * _e1135) * _e1161) + _e1144.member_2))) * _e1179)) + ((_e263 * _e2723.z) * _e2734));
+global_1.member[((3u * _e126) + _e128)] = (_e2746 + ((1f - _e2746) * _e2727));
+global_1.member[((4u * _e126) + _e128)] = _e1189;
 global_1.member[((5u * _e126) + _e128)] = _e241;
 global_1.member[((6u * _e126) + _e128)] = _e252;
 global_1.member[((7u * _e126) + _e128)] = _e263;
-global_1.member[((8u * _e126) + _e128)] = ((_e230 + (_e1003 * (_e353 + (_e310 * _e422)))) / select(1e-12f, _e1013, (_e1013 > 1e-12f)));
+global_1.member[((8u * _e126) + _e128)] = ((_e230 + (_e1179 * (_e353 + (_e310 * _e422)))) / select(1e-12f, _e1189, (_e1189 > 1e-12f)));
 global_1.member[((9u * _e126) + _e128)] = _e308;
 global_1.member[((10u * _e126) + _e128)] = _e309;
 global_1.member[((11u * _e126) + _e128)] = -(_e310);
-global_1.member[((12u * _e126) + _e128)] = select(_e351, _e469, _e998);
-global_1.member[((13u * _e126) + _e128)] = select(_e352, _e470, _e998);
-global_1.member[((14u * _e126) + _e128)] = -(select(_e353, _e471, _e998));
-global_1.member[((15u * _e126) + _e128)] = select(select(_e175, 2f, (_e175 == 4f)), 1f, _e998);
+global_1.member[((12u * _e126) + _e128)] = select(_e351, _e469, _e1174);
+global_1.member[((13u * _e126) + _e128)] = select(_e352, _e470, _e1174);
+global_1.member[((14u * _e126) + _e128)] = -(select(_e353, _e471, _e1174));
+global_1.member[((15u * _e126) + _e128)] = select(select(_e175, 2f, (_e175 == 4f)), 1f, _e1174);
 }
 }
 return;

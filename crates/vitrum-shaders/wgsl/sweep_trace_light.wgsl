@@ -100,6 +100,11 @@ member_3: u32,
 member_4: u32,
 }
 struct type_20 {
+member: type_5,
+member_1: f32,
+member_2: f32,
+}
+struct type_21 {
 member: type_7,
 member_1: type_7,
 member_2: type_7,
@@ -117,17 +122,20 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_19,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
+member_17: type_13,
+member_18: type_19,
+member_19: type_5,
+member_20: type_20,
 member_21: f32,
+member_22: f32,
+member_23: f32,
+member_24: f32,
 }
-struct type_21 {
+struct type_22 {
 member: type_7,
 member_1: u32,
 }
-struct type_22 {
+struct type_23 {
 member: type_2,
 member_1: u32,
 member_2: type_14,
@@ -138,23 +146,23 @@ member_6: type_16,
 member_7: type_16,
 member_8: type_17,
 member_9: type_18,
-member_10: type_20,
+member_10: type_21,
 member_11: type_15,
 member_12: type_4,
 member_13: type_9,
-member_14: type_21,
-member_15: type_21,
-member_16: type_21,
-member_17: type_21,
+member_14: type_22,
+member_15: type_22,
+member_16: type_22,
+member_17: type_22,
 member_18: type_5,
 member_19: f32,
 member_20: f32,
 member_21: type_6,
 }
-struct type_23 {
-member: type_22,
-}
 struct type_24 {
+member: type_23,
+}
+struct type_25 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -162,7 +170,7 @@ member_3: f32,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_23;
+var<storage> global_1: type_24;
 @group(0) @binding(2)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
@@ -171,13 +179,13 @@ fn function_() {
 var local: u32;
 var local_1: i32;
 var local_2: i32;
-var local_3: type_24;
-var phi_309_: i32;
-var phi_352_: i32;
-var phi_545_: i32;
-var phi_588_: i32;
-var phi_781_: i32;
-var phi_824_: i32;
+var local_3: type_25;
+var phi_310_: i32;
+var phi_353_: i32;
+var phi_546_: i32;
+var phi_589_: i32;
+var phi_782_: i32;
+var phi_825_: i32;
 let _e26 = global;
 let _e33 = global_1.member.member_2;
 let _e36 = global_1.member.member;
@@ -239,11 +247,11 @@ let _e175 = (_e171 - select(0i, 1i, (_e164 < f32(_e171))));
 let _e177 = (_e159 - f32(_e175));
 let _e178 = (_e175 < 0i);
 if _e178 {
-phi_309_ = (_e175 + 1i);
+phi_310_ = (_e175 + 1i);
 } else {
-phi_309_ = _e175;
+phi_310_ = _e175;
 }
-let _e181 = phi_309_;
+let _e181 = phi_310_;
 let _e182 = select(1i, -1i, _e178);
 let _e184 = select(_e177, (1f - _e177), _e178);
 let _e185 = local_3.member_3;
@@ -254,11 +262,11 @@ let _e200 = (_e196 - select(0i, 1i, (_e189 < f32(_e196))));
 let _e202 = (_e185 - f32(_e200));
 let _e203 = (_e200 < 0i);
 if _e203 {
-phi_352_ = (_e200 + 1i);
+phi_353_ = (_e200 + 1i);
 } else {
-phi_352_ = _e200;
+phi_353_ = _e200;
 }
-let _e206 = phi_352_;
+let _e206 = phi_353_;
 let _e212 = local_3.member;
 let _e215 = (((_e158 + (_e206 * _e148)) + bitcast<i32>(_e212)) + _e181);
 let _e217 = select(_e72, _e215, (_e215 < _e72));
@@ -293,11 +301,11 @@ let _e310 = (_e306 - select(0i, 1i, (_e299 < f32(_e306))));
 let _e312 = (_e295 - f32(_e310));
 let _e313 = (_e310 < 0i);
 if _e313 {
-phi_545_ = (_e310 + 1i);
+phi_546_ = (_e310 + 1i);
 } else {
-phi_545_ = _e310;
+phi_546_ = _e310;
 }
-let _e316 = phi_545_;
+let _e316 = phi_546_;
 let _e317 = select(1i, -1i, _e313);
 let _e319 = select(_e312, (1f - _e312), _e313);
 let _e320 = local_3.member_3;
@@ -308,11 +316,11 @@ let _e335 = (_e331 - select(0i, 1i, (_e324 < f32(_e331))));
 let _e337 = (_e320 - f32(_e335));
 let _e338 = (_e335 < 0i);
 if _e338 {
-phi_588_ = (_e335 + 1i);
+phi_589_ = (_e335 + 1i);
 } else {
-phi_588_ = _e335;
+phi_589_ = _e335;
 }
-let _e341 = phi_588_;
+let _e341 = phi_589_;
 let _e347 = local_3.member;
 let _e350 = (((_e294 + (_e341 * _e148)) + bitcast<i32>(_e347)) + _e316);
 let _e352 = select(_e72, _e350, (_e350 < _e72));
@@ -345,11 +353,11 @@ let _e440 = (_e436 - select(0i, 1i, (_e429 < f32(_e436))));
 let _e442 = (_e425 - f32(_e440));
 let _e443 = (_e440 < 0i);
 if _e443 {
-phi_781_ = (_e440 + 1i);
+phi_782_ = (_e440 + 1i);
 } else {
-phi_781_ = _e440;
+phi_782_ = _e440;
 }
-let _e446 = phi_781_;
+let _e446 = phi_782_;
 let _e447 = select(1i, -1i, _e443);
 let _e449 = select(_e442, (1f - _e442), _e443);
 let _e450 = local_3.member_3;
@@ -360,11 +368,11 @@ let _e465 = (_e461 - select(0i, 1i, (_e454 < f32(_e461))));
 let _e467 = (_e450 - f32(_e465));
 let _e468 = (_e465 < 0i);
 if _e468 {
-phi_824_ = (_e465 + 1i);
+phi_825_ = (_e465 + 1i);
 } else {
-phi_824_ = _e465;
+phi_825_ = _e465;
 }
-let _e471 = phi_824_;
+let _e471 = phi_825_;
 let _e477 = local_3.member;
 let _e480 = (((_e424 + (_e471 * _e148)) + bitcast<i32>(_e477)) + _e446);
 let _e482 = select(_e72, _e480, (_e480 < _e72));

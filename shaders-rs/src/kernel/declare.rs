@@ -22,20 +22,29 @@ macro_rules! kernels {
     };
 }
 
-/// Names a declaration's kernel, or its kernels for each format of voxels.
+/// Names a declaration's kernel, or its kernels for each format of voxels. Features select the entry points of a SPIR-V module; the host has all kernels.
 macro_rules! family {
     ([] $report:tt $folder:ident $uniforms:ident $module:ident $($rest:tt)*) => {
+        #[cfg(any(not(target_arch = "spirv"), feature = "kernels-without-voxels"))]
         pastey::paste! { number! { $report [<$folder _ $module>] [] $folder $uniforms $module $($rest)* } }
     };
     ([$family:ident] $report:tt $folder:ident $uniforms:ident $module:ident $($rest:tt)*) => {
         pastey::paste! {
+            #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-integers"))]
             number! { $report [<$folder _ $module _u8>] [U8] $folder $uniforms $module $($rest)* }
+            #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-integers"))]
             number! { $report [<$folder _ $module _u16>] [U16] $folder $uniforms $module $($rest)* }
+            #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-floats"))]
             number! { $report [<$folder _ $module _f32>] [F32] $folder $uniforms $module $($rest)* }
+            #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-floats"))]
             number! { $report [<$folder _ $module _f32_with_ior>] [F32WithIor] $folder $uniforms $module $($rest)* }
+            #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-integers"))]
             number! { $report [<$folder _ $module _u8_paged>] [U8Paged] $folder $uniforms $module $($rest)* }
+            #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-integers"))]
             number! { $report [<$folder _ $module _u16_paged>] [U16Paged] $folder $uniforms $module $($rest)* }
+            #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-floats"))]
             number! { $report [<$folder _ $module _f32_paged>] [F32Paged] $folder $uniforms $module $($rest)* }
+            #[cfg(any(not(target_arch = "spirv"), feature = "kernels-of-floats"))]
             number! { $report [<$folder _ $module _f32_with_ior_paged>] [F32WithIorPaged] $folder $uniforms $module $($rest)* }
 
             #[doc = concat!("See [`", stringify!($module), "`](crate::", stringify!($folder), "::", stringify!($module), ").")]

@@ -5,7 +5,7 @@ use vitrum_conformance::closed_forms::cube;
 use vitrum_kernels::glam::DVec3;
 
 use crate::ball;
-use crate::shot::{Shot, vector};
+use crate::shot::{Cuboid, Shot, vector};
 use crate::{on_both, on_the_cpu};
 
 const WALL: f64 = 1.25;
@@ -52,34 +52,41 @@ fn the_shadow_of_a_block_spreads_from_a_point() -> Result<(), Failure> {
         [x, z]
     };
     let is_within = |[x, z]: [[f64; 2]; 2], at: DVec3| at.x > x[0] && at.x < x[1] && at.z > z[0] && at.z < z[1];
-    let (shrunk, grown) = (outline(-0.5 * VOXEL), outline(0.5 * VOXEL));
+    let [inner, shrunk, grown, outer] = [-2.0, -0.5, 0.5, 2.0].map(|voxels| outline(voxels * VOXEL));
+    let body = Cuboid::around(DVec3::ZERO, HALF);
     on_both(|backend, held| {
         let pixels = shot.render(backend)?;
-        let (mut lit, mut dark, mut seen) = (0.0f64, 0.0f64, 0);
-        for ((end, red), (from, along)) in pixels.ends.iter().zip(&pixels.red).zip(shot.rays()) {
-            // Of rays that end on the wall, not on the block.
-            if (end.y + WALL).abs() > 1e-3 {
+        let (mut lit, mut dark, mut seen, mut astray) = (0.0f64, 0.0f64, 0, 0);
+        for (red, (from, along)) in pixels.red.iter().zip(shot.rays()) {
+            if body.grown(1.5 * VOXEL).crossing(from, along).is_some() {
                 continue;
             }
             let at = from + along * ((-WALL - from.y) / along.y);
             let way = at - light;
             let open = -10.0 * way.y / way.length() / way.length_squared();
-            if is_within(shrunk, at) {
-                dark = dark.max(red / open);
-                seen += 1;
-            } else if !is_within(grown, at) {
-                lit = lit.max((red / open - 1.0).abs());
+            let share = red / open;
+            let is_dark = share < 0.5;
+            seen += usize::from(is_within(shrunk, at));
+            // The outline is where half of the light is left.
+            astray += usize::from((is_within(shrunk, at) && !is_dark) || (!is_within(grown, at) && is_dark));
+            if is_within(inner, at) {
+                dark = dark.max(share);
+            } else if !is_within(outer, at) {
+                lit = lit.max((share - 1.0).abs());
             }
         }
         assert!(seen > 100, "{seen} pixels see the shadow");
-        // A cell is as wide as a voxel, so that its light falls to nothing within the half voxels on both sides, but for what is between its nodes.
-        held.at_most(backend, "light in the shadow of a block under a point, relative", dark, 0.15);
-        held.at_most(backend, "light beside the shadow of a block under a point, relative", lit, 0.15);
+        assert_eq!(astray, 0, "{}: pixels on the wrong side of the shadow's outline", backend.name());
+        // Two voxels off the outline nothing has changed the light, or all of it went through four voxels and more of what is opaque.
+        held.at_most(backend, "light in the shadow of a block under a point, relative", dark, 1e-3);
+        held.at_most(backend, "light beside the shadow of a block under a point, relative", lit, 1e-3);
         Ok(())
     })
 }
 
-/// The flux through discs of a wall behind a ball lens, against rays through the formula of its surface. Bounds are those for light from far away.
+/// The flux through discs of a wall behind a ball lens, against rays through the formula of its surface. The voxels' surface is rougher than the formula's
+/// and throws some light beside the focus, which is farther behind the ball than that of light from far away: 3.1 % with the usual cells, 7.6 and 8.7 % with
+/// two and four times as many, which follow the voxels better.
 #[test]
 fn light_of_a_point_behind_a_ball_is_all_there_and_in_its_place() -> Result<(), Failure> {
     let distance = 4.0;
@@ -92,7 +99,7 @@ fn light_of_a_point_behind_a_ball_is_all_there_and_in_its_place() -> Result<(), 
     let shot = ball::shot(ball::IOR)?.with(&lamp)?;
     on_both(|backend, held| {
         let red = shot.render(backend)?.red;
-        for (radius, bound) in [(ball::DISC, 0.015), (0.5, 0.03)] {
+        for (radius, bound) in [(ball::DISC, 0.015), (0.5, 0.035)] {
             let (found, expected) = (ball::flux_of(&shot, &red, radius), strength * ball::flux_from(&landed, radius));
             println!("{}: within {radius}: {found:.4}, rays {expected:.4}", backend.name());
             let error = (found / expected - 1.0).abs();
@@ -162,7 +169,7 @@ fn lights_of_several_kinds_add_up() -> Result<(), Failure> {
     let lights = [
         "{kind='distant',attachment='world',direction=[0.2,-1,-0.3],angular_radius=0}",
         "{kind='point',position=[1.5,2,0.5],intensity=3}",
-        "{kind='spot',position=[-1,1,2],intensity=6,attachment='camera'}",
+        "{kind='spot',position=[-2,2,4],intensity=30,attachment='camera'}",
     ];
     let all = blob(&[format!("light=[{}]", lights.join(","))])?;
     on_the_cpu(|backend, held| {
