@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 
 use crate::circles;
-use crate::command::{cargo, run as run_command};
+use crate::command::{cargo, run as run_command, this_program};
 use crate::diff;
 use crate::failure::Failure;
 use crate::features;
@@ -27,12 +27,12 @@ pub struct Arguments {
 enum Step {
     Fmt,
     Circles,
+    Test,
+    Shaders,
     Clippy,
     Doc,
     Features,
     Wasm,
-    Test,
-    Shaders,
     Diff,
     Package,
     Peers,
@@ -88,10 +88,16 @@ fn for_all_packages(command: impl Fn(&[&str]) -> Result<(), Failure>) -> Result<
 }
 
 /// Runs all steps, also after one has failed.
+///
+/// The shaders are compiled beside the steps that follow: most of that is one compiler run of minutes on a single core, in a folder of its own.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut steps = Steps::default();
     for &step in Step::value_variants().iter().filter(|step| !arguments.skip.contains(step)) {
-        steps.run(step.name(), || step.run());
+        if step == Step::Shaders {
+            steps.start(step.name(), this_program(["shaders", "--check"])?);
+        } else {
+            steps.run(step.name(), || step.run());
+        }
     }
     steps.finish()
 }

@@ -31,6 +31,14 @@ pub fn cargo<'a>(arguments: impl IntoIterator<Item = &'a str>) -> Command {
     command
 }
 
+/// A task of this program, as a process of its own.
+pub fn this_program<'a>(arguments: impl IntoIterator<Item = &'a str>) -> Result<Command, Failure> {
+    let path = env::current_exe().map_err(|error| Failure::setup(format!("the program's own path: {error}")))?;
+    let mut command = program(&path.to_string_lossy());
+    command.args(arguments);
+    Ok(command)
+}
+
 /// Shows the command, runs it, and fails with its exit code if it fails.
 pub fn run(command: &mut Command) -> Result<(), Failure> {
     announce(command);

@@ -1,9 +1,8 @@
-//! `cargo xtask ci`, step `package`: every published package builds from its archive alone.
+//! `cargo xtask ci`, step `package`: every published package compiles from its archive alone.
 
-use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::fs;
+use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
-use std::{env, fs};
 
 use crate::command::{self, cargo, run};
 use crate::failure::Failure;
@@ -12,44 +11,94 @@ use crate::failure::Failure;
 const UNPUBLISHED: [&str; 5] =
     ["vitrum-conformance", "vitrum-shader-compiler", "vitrum-shader-manifest", "vitrum-shader-translation", "xtask"];
 
-/// Packs the published crates, and builds each package from its archive, with the other crates from theirs.
+/// Packs the published crates, and compiles each package from its archive, with the other crates from theirs.
 ///
-/// Cargo knows an unpacked archive by the place of its registry, its name and its version, never by its contents
-/// (rust-lang/cargo, `sources/registry`): at a place that an earlier run used it would build that run's archives. Each run
-/// therefore packs at a place of its own, and removes the place and the unpacked archives afterwards.
+/// Cargo's own verification would generate code, too, for every dependency: that takes twice as long and finds nothing more about an archive, whose sources the
+/// tests have compiled. Here compilation ends before, as `cargo check` has it.
 pub fn verify() -> Result<(), Failure> {
     let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_nanos());
     let folder = command::target().join(format!("package-{now}"));
-    let unpacked_before = local_registries();
-    let mut command = cargo(["package", "--workspace", "--allow-dirty"]);
-    command.args(UNPUBLISHED.iter().flat_map(|package| ["--exclude", package]));
-    // One folder for all packages, so that their dependencies are compiled once; cargo would take one for each.
-    command.env("CARGO_TARGET_DIR", &folder);
-    // It has to compile; nobody runs or debugs it.
-    command.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0").env("CARGO_PROFILE_DEV_DEBUG", "false");
-    let result = run(&mut command);
-    for leftover in local_registries().difference(&unpacked_before).chain([&folder]) {
-        if let Err(error) = fs::remove_dir_all(leftover) {
-            eprintln!("{} could not be removed: {error}", leftover.display());
-        }
+    let result = verify_in(&folder);
+    if let Err(error) = fs::remove_dir_all(&folder) {
+        eprintln!("{} could not be removed: {error}", folder.display());
     }
     result
 }
 
-/// The folders with the unpacked archives of local registries: cargo names each `-` and a hash, without a host's name before it.
-fn local_registries() -> BTreeSet<PathBuf> {
-    let home = env::var_os("CARGO_HOME").map(PathBuf::from);
-    let home = home.or_else(|| Some(Path::new(&env::var_os("HOME")?).join(".cargo")));
-    let Some(entries) = home.and_then(|home| fs::read_dir(home.join("registry/src")).ok()) else {
-        return BTreeSet::new();
+/// Does so in a folder of its own.
+fn verify_in(folder: &Path) -> Result<(), Failure> {
+    let mut command = cargo(["package", "--workspace", "--allow-dirty", "--no-verify"]);
+    command.args(UNPUBLISHED.iter().flat_map(|package| ["--exclude", package]));
+    run(command.env("CARGO_TARGET_DIR", folder))?;
+    let unpacked = folder.join("unpacked");
+    let names = unpack(&folder.join("package"), &unpacked)?;
+    let write = |name: &str, text: String| {
+        let path = unpacked.join(name);
+        fs::write(&path, text).map_err(|error| Failure::setup(format!("{}: {error}", path.display())))
     };
-    let folders = entries.flatten().filter(|entry| entry.file_name().to_string_lossy().starts_with('-'));
-    folders.map(|entry| entry.path()).collect()
+    write("Cargo.toml", workspace(&names))?;
+    let lock = command::root().join("Cargo.lock");
+    write(
+        "Cargo.lock",
+        fs::read_to_string(&lock).map_err(|error| Failure::setup(format!("{}: {error}", lock.display())))?,
+    )?;
+    // One after the other, so that each has the features that it asks for itself, and in one folder, so that their dependencies are compiled once.
+    for name in &names {
+        let mut check = cargo(["check", "--package", package(name)]);
+        run(check.current_dir(&unpacked).env("CARGO_TARGET_DIR", folder))?;
+    }
+    Ok(())
+}
+
+/// Unpacks the archives in a folder, and gives the names of the folders that they make: those of the packages, and their versions.
+fn unpack(archives: &Path, into: &Path) -> Result<Vec<String>, Failure> {
+    let unreadable = |error| Failure::setup(format!("{}: {error}", archives.display()));
+    fs::create_dir_all(into).map_err(|error| Failure::setup(format!("{}: {error}", into.display())))?;
+    let mut names = Vec::new();
+    for entry in fs::read_dir(archives).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        if path.extension().is_some_and(|extension| extension == "crate") {
+            run(command::program("tar").arg("-xzf").arg(&path).arg("-C").arg(into))?;
+            names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+        }
+    }
+    names.sort();
+    if names.is_empty() {
+        return Err(Failure::check(format!("{}: no archive was made", archives.display())));
+    }
+    Ok(names)
+}
+
+/// The package in a folder of an archive.
+fn package(name: &str) -> &str {
+    name.rsplit_once('-').map_or(name, |(package, _)| package)
+}
+
+/// The manifest of a workspace of unpacked archives, in which each stands for the published package.
+fn workspace(names: &[String]) -> String {
+    let members: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
+    let patches: Vec<String> =
+        names.iter().map(|name| format!("{} = {{ path = {name:?} }}\n", package(name))).collect();
+    format!(
+        "[workspace]\nresolver = \"3\"\nmembers = [{}]\n\n[patch.crates-io]\n{}",
+        members.join(", "),
+        patches.concat()
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_archive_stands_for_its_package() {
+        let text = workspace(&["vitrum-0.1.0".to_owned(), "vitrum-io-0.1.0".to_owned()]);
+        assert!(text.contains("members = [\"vitrum-0.1.0\", \"vitrum-io-0.1.0\"]"), "{text}");
+        assert!(
+            text.ends_with("\nvitrum = { path = \"vitrum-0.1.0\" }\nvitrum-io = { path = \"vitrum-io-0.1.0\" }\n"),
+            "{text}"
+        );
+    }
 
     #[test]
     fn what_is_not_published_is_known() {

@@ -1,9 +1,8 @@
 //! Texels that are split where the curvature of their light shows (`beams.adaptive`).
 
 use super::picture::{errors, picture};
-use super::{LAMP, SUN, case, on_both, on_the_cpu};
+use super::{LAMP, SUN, case, light, on_both, on_the_cpu};
 use vitrum::backend::{Backend, CpuBackend};
-use vitrum::method::PreparedFrame as _;
 use vitrum::method::beams::{self, Drawn};
 use vitrum_conformance::case::Case;
 use vitrum_conformance::refraction::{ball, cuboid};
@@ -25,7 +24,7 @@ fn with(case: &Case, adaptive: bool) -> Result<Case, Failure> {
 /// The beams of a case, and the texels that are split.
 fn trace(case: &Case, backend: &mut dyn Backend) -> Result<(Vec<Drawn>, Vec<bool>), Failure> {
     let frame = beams::prepare(&case.scene, &case.assets, backend).map_err(Failure::from)?;
-    frame.run(backend, &mut |_, _| true)?;
+    light::trace(&frame, backend)?;
     let curved = frame.curved(backend)?.iter().map(|&flag| flag > 0.0).collect();
     Ok((frame.beams(backend)?, curved))
 }

@@ -1,9 +1,9 @@
 //! Flux: what becomes of a texel's light adds up to all of it, and what the fog scatters out of beams is in the picture.
 
-use super::{LAMP, SUN, case, on_both, red, sheet};
+use super::{LAMP, SUN, case, light, on_both, red, sheet};
 use std::f64::consts::PI;
 use vitrum::backend::Backend;
-use vitrum::method::{PreparedFrame as _, beams};
+use vitrum::method::beams;
 use vitrum_conformance::case::Case;
 use vitrum_conformance::closed_forms::table::{self, larger};
 use vitrum_conformance::refraction::{ball, cuboid};
@@ -26,7 +26,7 @@ const PICTURE: f64 = 1e-3;
 /// The sums of the shares of all texels whose ray comes to the bodies' box, and the shares: escaped, received, absorbed, extinguished, lost.
 pub fn shares(case: &Case, backend: &mut dyn Backend) -> Result<Vec<[f64; 5]>, Failure> {
     let frame = beams::prepare(&case.scene, &case.assets, backend).map_err(Failure::from)?;
-    frame.run(backend, &mut |_, _| true)?;
+    light::trace(&frame, backend)?;
     let records = frame.pencils(backend)?;
     let count = records.len() / pencil::SIZE;
     let of = |component: usize, texel: usize| f64::from(records[component * count + texel]);

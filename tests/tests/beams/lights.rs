@@ -15,9 +15,14 @@ const INTENSITY: f64 = 4.0;
 /// Half a unit in the last place of an f32 of 1: the rounding of a sum, as a share of it.
 const ROUNDING: f64 = 1.0 / 16_777_216.0;
 
+/// Rays along each edge of a light's lattice, and pixels along each edge of the picture: few, since what is said of a picture is said of each pixel by itself,
+/// and to the last bit.
+const RAYS: u32 = 16;
+const EDGE: u32 = 32;
+
 /// A clear ball above a floor in fog of three colours.
 fn in_fog(lights: &[String]) -> Result<Case, Failure> {
-    let lights = format!("light=[{}]", lights.join(","));
+    let (lights, rays) = (format!("light=[{}]", lights.join(",")), format!("beams.rays={RAYS}"));
     let settings = [
         lights.as_str(),
         "material=[{ior=1.5}]",
@@ -26,10 +31,10 @@ fn in_fog(lights: &[String]) -> Result<Case, Failure> {
         "camera.position=[0,-9,0.5]",
         "camera.target=[0,0,-0.3]",
         "camera.field_of_view=40",
-        "beams.rays=32",
+        &rays,
         "beams.views=3",
     ];
-    case(ball(64), 48, &settings)
+    case(ball(64), EDGE, &settings)
 }
 
 fn lamp([x, y, z]: [f64; 3], intensity: f64) -> String {

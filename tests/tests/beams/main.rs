@@ -8,6 +8,7 @@ mod density;
 mod dispersion;
 mod flux;
 mod inside;
+mod light;
 mod lights;
 mod map_table;
 mod maps;

@@ -53,12 +53,14 @@ fn soft_lights_become_crisp_ones() -> Result<(), Failure> {
         let kinds: [(&str, Soft); 2] = [("a lamp", lamp), ("distant light", sun)];
         for (name, light) in kinds {
             let crisp = frames::render(&in_fog(&light(0.0), 1)?, backend)?;
+            let soft = RADII.map(|radius| frames::render(&in_fog(&light(radius), SAMPLES)?, backend));
+            let soft = soft.into_iter().collect::<Result<Vec<_>, _>>()?;
             for output in ["caustics", "shadow"] {
                 let expected = red(&crisp, output);
                 let brightest = expected.iter().copied().fold(0.0, f64::max);
                 let mut before = f64::INFINITY;
-                for radius in RADII {
-                    let soft = red(&frames::render(&in_fog(&light(radius), SAMPLES)?, backend)?, output);
+                for (radius, soft) in RADII.iter().zip(&soft) {
+                    let soft = red(soft, output);
                     let error = rms(soft.iter().zip(&expected).map(|(soft, crisp)| soft - crisp)) / brightest;
                     println!("{name}, {radius}, {output}: {error:.2e}");
                     assert!(
