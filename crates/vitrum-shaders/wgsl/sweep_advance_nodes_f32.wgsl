@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,68 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_29 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_32 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -195,11 +191,11 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_37 {
-member: array<type_27>,
+struct type_36 {
+member: array<type_21>,
 }
-struct type_39 {
-member: type_28,
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -209,6 +205,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -216,24 +216,24 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(5)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(0)
-var<storage> global_4: type_37;
+var<storage> global_3: type_36;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_4: type_23;
+@group(0) @binding(5)
+var<storage, read_write> global_5: type_25;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -249,23 +249,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_32;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_32;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_32;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_32;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_550_: u32;
 var phi_553_: bool;
@@ -273,23 +273,23 @@ var phi_555_: array<f32, 14>;
 var phi_994_: bool;
 var phi_1174_: bool;
 var phi_1177_: bool;
-var phi_3019_: type_35;
+var phi_3019_: type_34;
 var phi_3032_: bool;
-var phi_4117_: type_29;
+var phi_4117_: type_39;
 var phi_4129_: bool;
-var phi_5209_: type_28;
-var phi_6732_: type_35;
-var phi_7844_: type_28;
-var phi_9382_: type_35;
-var phi_10494_: type_28;
-var phi_12032_: type_35;
-var phi_13780_: type_28;
-var phi_14052_: type_39;
-var phi_19357_: type_33;
-var phi_20004_: type_34;
-var phi_20862_: type_5;
+var phi_5209_: type_31;
+var phi_6732_: type_34;
+var phi_7844_: type_31;
+var phi_9382_: type_34;
+var phi_10494_: type_31;
+var phi_12032_: type_34;
+var phi_13780_: type_31;
+var phi_14052_: type_38;
+var phi_19357_: type_32;
+var phi_20004_: type_33;
+var phi_20862_: type_7;
 var phi_24360_: type_40;
-var phi_25753_: type_35;
+var phi_25753_: type_34;
 var phi_25909_: vec3<f32>;
 var phi_25910_: bool;
 var phi_26008_: array<f32, 14>;
@@ -315,15 +315,15 @@ var local_54: array<f32, 14>;
 switch bitcast<i32>(0u) {
 default: {
 let _e175 = global;
-let _e177 = arrayLength((&global_4.member));
-let _e180 = arrayLength((&global_2.member));
-let _e185 = arrayLength((&global_3.member));
+let _e177 = arrayLength((&global_3.member));
+let _e180 = arrayLength((&global_1.member));
+let _e185 = arrayLength((&global_2.member));
 if (0u < _e177) {
 } else {
 break;
 }
-let _e192 = global_4.member[0u].member_2;
-let _e196 = global_4.member[0u].member;
+let _e192 = global_3.member[0u].member_2;
+let _e196 = global_3.member[0u].member;
 let _e204 = (_e175.x + _e192.member);
 let _e206 = (_e175.y + _e192.member_1);
 if (_e204 < _e192.member_2) {
@@ -331,61 +331,61 @@ if (_e206 < _e192.member_3) {
 let _e209 = (_e196.member * _e196.member_1);
 let _e211 = ((_e206 * _e196.member) + _e204);
 let _e212 = bitcast<i32>(_e211);
-let _e214 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e214 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e216 = select(_e214, _e212, (_e212 < _e214));
-let _e222 = global_1.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
+let _e222 = global_5.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
 let _e223 = (_e209 + _e211);
 let _e224 = bitcast<i32>(_e223);
 let _e226 = select(_e214, _e224, (_e224 < _e214));
-let _e232 = global_1.member[bitcast<u32>(select(0i, _e226, (_e226 > 0i)))];
+let _e232 = global_5.member[bitcast<u32>(select(0i, _e226, (_e226 > 0i)))];
 let _e234 = ((2u * _e209) + _e211);
 let _e235 = bitcast<i32>(_e234);
 let _e237 = select(_e214, _e235, (_e235 < _e214));
-let _e243 = global_1.member[bitcast<u32>(select(0i, _e237, (_e237 > 0i)))];
+let _e243 = global_5.member[bitcast<u32>(select(0i, _e237, (_e237 > 0i)))];
 let _e245 = ((3u * _e209) + _e211);
 let _e246 = bitcast<i32>(_e245);
 let _e248 = select(_e214, _e246, (_e246 < _e214));
-let _e254 = global_1.member[bitcast<u32>(select(0i, _e248, (_e248 > 0i)))];
+let _e254 = global_5.member[bitcast<u32>(select(0i, _e248, (_e248 > 0i)))];
 let _e256 = ((4u * _e209) + _e211);
 let _e257 = bitcast<i32>(_e256);
 let _e259 = select(_e214, _e257, (_e257 < _e214));
-let _e265 = global_1.member[bitcast<u32>(select(0i, _e259, (_e259 > 0i)))];
+let _e265 = global_5.member[bitcast<u32>(select(0i, _e259, (_e259 > 0i)))];
 let _e267 = ((5u * _e209) + _e211);
 let _e268 = bitcast<i32>(_e267);
 let _e270 = select(_e214, _e268, (_e268 < _e214));
-let _e276 = global_1.member[bitcast<u32>(select(0i, _e270, (_e270 > 0i)))];
+let _e276 = global_5.member[bitcast<u32>(select(0i, _e270, (_e270 > 0i)))];
 let _e278 = ((6u * _e209) + _e211);
 let _e279 = bitcast<i32>(_e278);
 let _e281 = select(_e214, _e279, (_e279 < _e214));
-let _e287 = global_1.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
+let _e287 = global_5.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
 let _e289 = ((7u * _e209) + _e211);
 let _e290 = bitcast<i32>(_e289);
 let _e292 = select(_e214, _e290, (_e290 < _e214));
-let _e298 = global_1.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
+let _e298 = global_5.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
 let _e300 = ((8u * _e209) + _e211);
 let _e301 = bitcast<i32>(_e300);
 let _e303 = select(_e214, _e301, (_e301 < _e214));
-let _e309 = global_1.member[bitcast<u32>(select(0i, _e303, (_e303 > 0i)))];
+let _e309 = global_5.member[bitcast<u32>(select(0i, _e303, (_e303 > 0i)))];
 let _e311 = ((9u * _e209) + _e211);
 let _e312 = bitcast<i32>(_e311);
 let _e314 = select(_e214, _e312, (_e312 < _e214));
-let _e320 = global_1.member[bitcast<u32>(select(0i, _e314, (_e314 > 0i)))];
+let _e320 = global_5.member[bitcast<u32>(select(0i, _e314, (_e314 > 0i)))];
 let _e322 = ((10u * _e209) + _e211);
 let _e323 = bitcast<i32>(_e322);
 let _e325 = select(_e214, _e323, (_e323 < _e214));
-let _e331 = global_1.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
+let _e331 = global_5.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
 let _e333 = ((11u * _e209) + _e211);
 let _e334 = bitcast<i32>(_e333);
 let _e336 = select(_e214, _e334, (_e334 < _e214));
-let _e342 = global_1.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
+let _e342 = global_5.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
 let _e344 = ((12u * _e209) + _e211);
 let _e345 = bitcast<i32>(_e344);
 let _e347 = select(_e214, _e345, (_e345 < _e214));
-let _e353 = global_1.member[bitcast<u32>(select(0i, _e347, (_e347 > 0i)))];
+let _e353 = global_5.member[bitcast<u32>(select(0i, _e347, (_e347 > 0i)))];
 let _e355 = ((13u * _e209) + _e211);
 let _e356 = bitcast<i32>(_e355);
 let _e358 = select(_e214, _e356, (_e356 < _e214));
-let _e364 = global_1.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
+let _e364 = global_5.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
 phi_550_ = 0u;
 phi_553_ = false;
 phi_555_ = array<f32, 14>(_e222, _e232, _e243, _e254, _e265, _e276, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364);
@@ -415,33 +415,33 @@ if _e372 {
 phi_26075_ = true;
 break;
 }
-let _e376 = global_4.member[_e367].member;
-let _e389 = global_4.member[_e367].member_5.member;
+let _e376 = global_3.member[_e367].member;
+let _e389 = global_3.member[_e367].member_5.member;
 let _e391 = ((_e389 - _e371[2]) / _e371[5]);
 let _e393 = (_e371[0] + (_e371[3] * _e391));
 let _e395 = (_e371[1] + (_e371[4] * _e391));
-let _e400 = global_4.member[_e367].member_5.member_2;
+let _e400 = global_3.member[_e367].member_5.member_2;
 let _e401 = (_e400 / _e371[5]);
 let _e403 = (_e393 + (_e371[3] * _e401));
 let _e405 = (_e395 + (_e371[4] * _e401));
-let _e410 = global_4.member[_e367].member_5.member_1;
-let _e416 = global_4.member[_e367].member_13.member.member;
-let _e442 = global_4.member[_e367].member_13.member_1.member;
+let _e410 = global_3.member[_e367].member_5.member_1;
+let _e416 = global_3.member[_e367].member_13.member.member;
+let _e442 = global_3.member[_e367].member_13.member_1.member;
 let _e463 = (((((((_e416.member.member * _e393) + (_e416.member.member_1 * _e395)) + (_e416.member.member_2 * _e389)) + _e416.member_1) > 0f) && (((((_e416.member.member * _e403) + (_e416.member.member_1 * _e405)) + (_e416.member.member_2 * _e410)) + _e416.member_1) <= 0f)) || ((((((_e442.member.member * _e393) + (_e442.member.member_1 * _e395)) + (_e442.member.member_2 * _e389)) + _e442.member_1) > 0f) && (((((_e442.member.member * _e403) + (_e442.member.member_1 * _e405)) + (_e442.member.member_2 * _e410)) + _e442.member_1) <= 0f)));
-let _e468 = global_4.member[_e367].member_6.member;
+let _e468 = global_3.member[_e367].member_6.member;
 let _e479 = ((((_e468.member.member * _e393) + (_e468.member.member_1 * _e395)) + (_e468.member.member_2 * _e389)) + _e468.member_1);
-let _e484 = global_4.member[_e367].member_6.member_1;
+let _e484 = global_3.member[_e367].member_6.member_1;
 let _e495 = ((((_e484.member.member * _e393) + (_e484.member.member_1 * _e395)) + (_e484.member.member_2 * _e389)) + _e484.member_1);
-let _e500 = global_4.member[_e367].member_6.member_2;
+let _e500 = global_3.member[_e367].member_6.member_2;
 let _e511 = ((((_e500.member.member * _e393) + (_e500.member.member_1 * _e395)) + (_e500.member.member_2 * _e389)) + _e500.member_1);
 let _e517 = ((((_e468.member.member * _e403) + (_e468.member.member_1 * _e405)) + (_e468.member.member_2 * _e410)) + _e468.member_1);
 let _e523 = ((((_e484.member.member * _e403) + (_e484.member.member_1 * _e405)) + (_e484.member.member_2 * _e410)) + _e484.member_1);
 let _e529 = ((((_e500.member.member * _e403) + (_e500.member.member_1 * _e405)) + (_e500.member.member_2 * _e410)) + _e500.member_1);
-let _e536 = global_4.member[_e367].member_6.member_3.member;
+let _e536 = global_3.member[_e367].member_6.member_3.member;
 let _e537 = (_e536 - 1f);
-let _e547 = global_4.member[_e367].member_6.member_3.member_1;
+let _e547 = global_3.member[_e367].member_6.member_3.member_1;
 let _e548 = (_e547 - 1f);
-let _e558 = global_4.member[_e367].member_6.member_3.member_2;
+let _e558 = global_3.member[_e367].member_6.member_3.member_2;
 let _e559 = (_e558 - 1f);
 let _e573 = (((((((_e479 >= 0f) && (_e479 <= _e537)) && (_e495 >= 0f)) && (_e495 <= _e548)) && (_e511 >= 0f)) && (_e511 <= _e559)) && ((((((_e517 >= 0f) && (_e517 <= _e537)) && (_e523 >= 0f)) && (_e523 <= _e548)) && (_e529 >= 0f)) && (_e529 <= _e559)));
 let _e575 = (_e376.member_2 == 5u);
@@ -454,22 +454,22 @@ let _e586 = (_e536 - _e584);
 let _e590 = (_e547 - _e584);
 let _e595 = (_e558 - _e584);
 let _e598 = ((((_e479 >= _e583) && (_e479 <= _e586)) && ((_e495 >= _e583) && (_e495 <= _e590))) && ((_e511 >= _e583) && (_e511 <= _e595)));
-let _e602 = global_4.member[_e367].member_1;
+let _e602 = global_3.member[_e367].member_1;
 let _e604 = ((_e602 & 16u) == 0u);
 if _e604 {
 phi_994_ = _e598;
 } else {
-let _e610 = global_4.member[_e367].member_6.member.member;
+let _e610 = global_3.member[_e367].member_6.member.member;
 let _e618 = (((_e610.member * _e610.member) + (_e610.member_1 * _e610.member_1)) + (_e610.member_2 * _e610.member_2));
-let _e627 = global_4.member[_e367].member_14.member;
+let _e627 = global_3.member[_e367].member_14.member;
 let _e639 = -((0.5f / sqrt(select(0f, _e618, (_e618 > 0f)))));
-let _e645 = global_4.member[_e367].member_14.member_1;
-let _e652 = global_4.member[_e367].member_15.member;
-let _e669 = global_4.member[_e367].member_15.member_1;
-let _e677 = global_4.member[_e367].member_16.member;
-let _e694 = global_4.member[_e367].member_16.member_1;
-let _e702 = global_4.member[_e367].member_17.member;
-let _e719 = global_4.member[_e367].member_17.member_1;
+let _e645 = global_3.member[_e367].member_14.member_1;
+let _e652 = global_3.member[_e367].member_15.member;
+let _e669 = global_3.member[_e367].member_15.member_1;
+let _e677 = global_3.member[_e367].member_16.member;
+let _e694 = global_3.member[_e367].member_16.member_1;
+let _e702 = global_3.member[_e367].member_17.member;
+let _e719 = global_3.member[_e367].member_17.member_1;
 phi_994_ = (_e598 && (((((((((_e627.member.member * _e393) + (_e627.member.member_1 * _e395)) + (_e627.member.member_2 * _e389)) + _e627.member_1) <= _e639) || (_e645 == 0u)) && ((((((_e652.member.member * _e393) + (_e652.member.member_1 * _e395)) + (_e652.member.member_2 * _e389)) + _e652.member_1) <= _e639) || (_e669 == 0u))) && ((((((_e677.member.member * _e393) + (_e677.member.member_1 * _e395)) + (_e677.member.member_2 * _e389)) + _e677.member_1) <= _e639) || (_e694 == 0u))) && ((((((_e702.member.member * _e393) + (_e702.member.member_1 * _e395)) + (_e702.member.member_2 * _e389)) + _e702.member_1) <= _e639) || (_e719 == 0u))));
 }
 let _e725 = phi_994_;
@@ -483,17 +483,17 @@ let _e760 = ((((_e737 >= _e583) && (_e737 <= _e586)) && ((_e743 >= _e583) && (_e
 if _e604 {
 phi_1174_ = _e760;
 } else {
-let _e766 = global_4.member[_e367].member_6.member.member;
+let _e766 = global_3.member[_e367].member_6.member.member;
 let _e774 = (((_e766.member * _e766.member) + (_e766.member_1 * _e766.member_1)) + (_e766.member_2 * _e766.member_2));
-let _e783 = global_4.member[_e367].member_14.member;
+let _e783 = global_3.member[_e367].member_14.member;
 let _e795 = -((0.5f / sqrt(select(0f, _e774, (_e774 > 0f)))));
-let _e801 = global_4.member[_e367].member_14.member_1;
-let _e808 = global_4.member[_e367].member_15.member;
-let _e825 = global_4.member[_e367].member_15.member_1;
-let _e833 = global_4.member[_e367].member_16.member;
-let _e850 = global_4.member[_e367].member_16.member_1;
-let _e858 = global_4.member[_e367].member_17.member;
-let _e875 = global_4.member[_e367].member_17.member_1;
+let _e801 = global_3.member[_e367].member_14.member_1;
+let _e808 = global_3.member[_e367].member_15.member;
+let _e825 = global_3.member[_e367].member_15.member_1;
+let _e833 = global_3.member[_e367].member_16.member;
+let _e850 = global_3.member[_e367].member_16.member_1;
+let _e858 = global_3.member[_e367].member_17.member;
+let _e875 = global_3.member[_e367].member_17.member_1;
 phi_1174_ = (_e760 && (((((((((_e783.member.member * _e729) + (_e783.member.member_1 * _e730)) + (_e783.member.member_2 * _e731)) + _e783.member_1) <= _e795) || (_e801 == 0u)) && ((((((_e808.member.member * _e729) + (_e808.member.member_1 * _e730)) + (_e808.member.member_2 * _e731)) + _e808.member_1) <= _e795) || (_e825 == 0u))) && ((((((_e833.member.member * _e729) + (_e833.member.member_1 * _e730)) + (_e833.member.member_2 * _e731)) + _e833.member_1) <= _e795) || (_e850 == 0u))) && ((((((_e858.member.member * _e729) + (_e858.member.member_1 * _e730)) + (_e858.member.member_2 * _e731)) + _e858.member_1) <= _e795) || (_e875 == 0u))));
 }
 let _e881 = phi_1174_;
@@ -503,7 +503,7 @@ phi_1177_ = _e573;
 }
 let _e885 = phi_1177_;
 let _e886 = !(_e463);
-let _e894 = global_4.member[_e367].member_6.member_4;
+let _e894 = global_3.member[_e367].member_6.member_4;
 let _e895 = (_e536 - 0.5f);
 let _e897 = select(-0.5f, _e517, (_e517 > -0.5f));
 let _e899 = select(_e895, _e897, (_e897 < _e895));
@@ -528,7 +528,7 @@ let _e944 = (_e899 + 0.5f);
 let _e946 = select(0f, _e944, (_e944 > 0f));
 let _e948 = select(_e537, _e946, (_e946 < _e537));
 let _e955 = select(0i, select(select(i32(_e948), i32(-2147483648), (_e948 < -2147483600f)), 2147483647i, (_e948 > 2147483500f)), (_e948 == _e948));
-let _e964 = global_4.member[_e367].member_6.member_12;
+let _e964 = global_3.member[_e367].member_6.member_12;
 let _e965 = (_e964 & 31u);
 let _e968 = (_e904 + 0.5f);
 let _e970 = select(0f, _e968, (_e968 > 0f));
@@ -538,14 +538,14 @@ let _e986 = (_e909 + 0.5f);
 let _e988 = select(0f, _e986, (_e986 > 0f));
 let _e990 = select(_e559, _e988, (_e988 < _e559));
 let _e997 = select(0i, select(select(i32(_e990), i32(-2147483648), (_e990 < -2147483600f)), 2147483647i, (_e990 > 2147483500f)), (_e990 == _e990));
-let _e1009 = global_4.member[_e367].member_6.member_9.member;
-let _e1016 = global_4.member[_e367].member_6.member_9.member_1;
-let _e1022 = global_4.member[_e367].member_6.member_10;
+let _e1009 = global_3.member[_e367].member_6.member_9.member;
+let _e1016 = global_3.member[_e367].member_6.member_9.member_1;
+let _e1022 = global_3.member[_e367].member_6.member_10;
 let _e1028 = ((bitcast<i32>(_e1022) + ((_e955 - select(0i, 1i, (_e948 < f32(_e955)))) >> bitcast<u32>(_e965))) + (bitcast<i32>(_e1009) * (((_e979 - select(0i, 1i, (_e972 < f32(_e979)))) >> bitcast<u32>(_e965)) + (bitcast<i32>(_e1016) * ((_e997 - select(0i, 1i, (_e990 < f32(_e997)))) >> bitcast<u32>(_e965))))));
-let _e1030 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e1030 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1032 = select(_e1030, _e1028, (_e1028 < _e1030));
-let _e1038 = global_5.member[bitcast<u32>(select(0i, _e1032, (_e1032 > 0i)))];
-let _e1045 = global_4.member[_e367].member_1;
+let _e1038 = global_4.member[bitcast<u32>(select(0i, _e1032, (_e1032 > 0i)))];
+let _e1045 = global_3.member[_e367].member_1;
 let _e1056 = (select(0u, select(select(7u, 3u, (_e885 && _e886)), select(1u, 7u, _e463), (((_e1045 & 64u) != 0u) || ((((select(_e923, _e920, (_e920 > _e923)) <= _e894) && ((select(_e940, _e937, (_e937 > _e940)) > _e894) || (_e1038 != 0u))) && true) && ((_e1045 & 32u) != 0u)))), (_e371[11] == 0f)) > 1u);
 if _e1056 {
 let _e1057 = vec3<f32>(_e371[3], _e371[4], _e371[5]);
@@ -554,11 +554,11 @@ let _e1067 = (_e405 - _e395);
 let _e1068 = (_e410 - _e389);
 let _e1073 = (((_e1066 * _e1066) + (_e1067 * _e1067)) + (_e1068 * _e1068));
 let _e1076 = sqrt(select(0f, _e1073, (_e1073 > 0f)));
-let _e1077 = type_39(type_28(1f, 1f), vec3<f32>(_e403, _e405, _e410), _e1057, _e1076, _e401, _e1057, true, false, false);
+let _e1077 = type_38(type_31(1f, 1f), vec3<f32>(_e403, _e405, _e410), _e1057, _e1076, _e401, _e1057, true, false, false);
 if _e582 {
-let _e1179 = global_4.member[_e367].member_6.member.member;
-let _e1188 = global_4.member[_e367].member_6.member_1.member;
-let _e1197 = global_4.member[_e367].member_6.member_2.member;
+let _e1179 = global_3.member[_e367].member_6.member.member;
+let _e1188 = global_3.member[_e367].member_6.member_1.member;
+let _e1197 = global_3.member[_e367].member_6.member_2.member;
 let _e1201 = (-0.5f - _e479);
 let _e1202 = (-0.5f - _e517);
 let _e1203 = -(_e1201);
@@ -666,16 +666,16 @@ let _e1441 = select(select(select(select(select(select(0f, _e1179.member_1, _e12
 let _e1442 = select(select(select(select(select(select(1f, _e1179.member_2, _e1221), _e1179.member_2, _e1261), _e1188.member_2, _e1301), _e1188.member_2, _e1341), _e1197.member_2, _e1381), _e1197.member_2, _e1421);
 let _e1446 = ((_e1045 & 16u) == 0u);
 if _e1446 {
-phi_3019_ = type_35(_e1427, vec3<f32>(_e1428, _e1429, _e1430), _e1432, vec3<f32>(_e1433, _e1434, _e1435), _e1437, _e1439, vec3<f32>(_e1440, _e1441, _e1442));
+phi_3019_ = type_34(_e1427, vec3<f32>(_e1428, _e1429, _e1430), _e1432, vec3<f32>(_e1433, _e1434, _e1435), _e1437, _e1439, vec3<f32>(_e1440, _e1441, _e1442));
 } else {
 let _e1451 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e1454 = sqrt(select(0f, _e1451, (_e1451 > 0f)));
-let _e1459 = global_4.member[_e367].member_14.member_1;
+let _e1459 = global_3.member[_e367].member_14.member_1;
 let _e1460 = (_e1459 != 0u);
-let _e1465 = global_4.member[_e367].member_14.member;
+let _e1465 = global_3.member[_e367].member_14.member;
 let _e1485 = select(-1e6f, (((((_e1465.member.member * _e393) + (_e1465.member.member_1 * _e395)) + (_e1465.member.member_2 * _e389)) + _e1465.member_1) * _e1454), _e1460);
 let _e1486 = select(-1e6f, (((((_e1465.member.member * _e403) + (_e1465.member.member_1 * _e405)) + (_e1465.member.member_2 * _e410)) + _e1465.member_1) * _e1454), _e1460);
-let _e1492 = global_4.member[_e367].member_14.member.member;
+let _e1492 = global_3.member[_e367].member_14.member.member;
 let _e1496 = -(_e1485);
 let _e1499 = (_e1485 - _e1486);
 let _e1500 = (_e1486 - _e1485);
@@ -690,12 +690,12 @@ let _e1520 = select(_e1427, _e1509, _e1518);
 let _e1524 = select(_e1432, _e1513, _e1519);
 let _e1528 = select(_e1437, _e1485, _e1514);
 let _e1530 = select(_e1439, _e1486, (_e1486 > _e1439));
-let _e1538 = global_4.member[_e367].member_15.member_1;
+let _e1538 = global_3.member[_e367].member_15.member_1;
 let _e1539 = (_e1538 != 0u);
-let _e1544 = global_4.member[_e367].member_15.member;
+let _e1544 = global_3.member[_e367].member_15.member;
 let _e1564 = select(-1e6f, (((((_e1544.member.member * _e393) + (_e1544.member.member_1 * _e395)) + (_e1544.member.member_2 * _e389)) + _e1544.member_1) * _e1454), _e1539);
 let _e1565 = select(-1e6f, (((((_e1544.member.member * _e403) + (_e1544.member.member_1 * _e405)) + (_e1544.member.member_2 * _e410)) + _e1544.member_1) * _e1454), _e1539);
-let _e1571 = global_4.member[_e367].member_15.member.member;
+let _e1571 = global_3.member[_e367].member_15.member.member;
 let _e1575 = -(_e1564);
 let _e1578 = (_e1564 - _e1565);
 let _e1579 = (_e1565 - _e1564);
@@ -710,12 +710,12 @@ let _e1599 = select(_e1520, _e1588, _e1597);
 let _e1603 = select(_e1524, _e1592, _e1598);
 let _e1607 = select(_e1528, _e1564, _e1593);
 let _e1609 = select(_e1530, _e1565, (_e1565 > _e1530));
-let _e1617 = global_4.member[_e367].member_16.member_1;
+let _e1617 = global_3.member[_e367].member_16.member_1;
 let _e1618 = (_e1617 != 0u);
-let _e1623 = global_4.member[_e367].member_16.member;
+let _e1623 = global_3.member[_e367].member_16.member;
 let _e1643 = select(-1e6f, (((((_e1623.member.member * _e393) + (_e1623.member.member_1 * _e395)) + (_e1623.member.member_2 * _e389)) + _e1623.member_1) * _e1454), _e1618);
 let _e1644 = select(-1e6f, (((((_e1623.member.member * _e403) + (_e1623.member.member_1 * _e405)) + (_e1623.member.member_2 * _e410)) + _e1623.member_1) * _e1454), _e1618);
-let _e1650 = global_4.member[_e367].member_16.member.member;
+let _e1650 = global_3.member[_e367].member_16.member.member;
 let _e1654 = -(_e1643);
 let _e1657 = (_e1643 - _e1644);
 let _e1658 = (_e1644 - _e1643);
@@ -730,12 +730,12 @@ let _e1678 = select(_e1599, _e1667, _e1676);
 let _e1682 = select(_e1603, _e1671, _e1677);
 let _e1686 = select(_e1607, _e1643, _e1672);
 let _e1688 = select(_e1609, _e1644, (_e1644 > _e1609));
-let _e1696 = global_4.member[_e367].member_17.member_1;
+let _e1696 = global_3.member[_e367].member_17.member_1;
 let _e1697 = (_e1696 != 0u);
-let _e1702 = global_4.member[_e367].member_17.member;
+let _e1702 = global_3.member[_e367].member_17.member;
 let _e1722 = select(-1e6f, (((((_e1702.member.member * _e393) + (_e1702.member.member_1 * _e395)) + (_e1702.member.member_2 * _e389)) + _e1702.member_1) * _e1454), _e1697);
 let _e1723 = select(-1e6f, (((((_e1702.member.member * _e403) + (_e1702.member.member_1 * _e405)) + (_e1702.member.member_2 * _e410)) + _e1702.member_1) * _e1454), _e1697);
-let _e1729 = global_4.member[_e367].member_17.member.member;
+let _e1729 = global_3.member[_e367].member_17.member.member;
 let _e1733 = -(_e1722);
 let _e1736 = (_e1722 - _e1723);
 let _e1737 = (_e1723 - _e1722);
@@ -746,7 +746,7 @@ let _e1750 = select(2f, select(0f, _e1742, (_e1722 < 0f)), (_e1723 > 0f));
 let _e1751 = (_e1722 > _e1686);
 let _e1755 = ((_e1746 > _e1678) || ((_e1746 == _e1678) && _e1751));
 let _e1756 = (_e1750 < _e1682);
-phi_3019_ = type_35(select(_e1678, _e1746, _e1755), vec3<f32>(select(select(select(select(_e1428, _e1492.member, _e1518), _e1571.member, _e1597), _e1650.member, _e1676), _e1729.member, _e1755), select(select(select(select(_e1429, _e1492.member_1, _e1518), _e1571.member_1, _e1597), _e1650.member_1, _e1676), _e1729.member_1, _e1755), select(select(select(select(_e1430, _e1492.member_2, _e1518), _e1571.member_2, _e1597), _e1650.member_2, _e1676), _e1729.member_2, _e1755)), select(_e1682, _e1750, _e1756), vec3<f32>(select(select(select(select(_e1433, _e1492.member, _e1519), _e1571.member, _e1598), _e1650.member, _e1677), _e1729.member, _e1756), select(select(select(select(_e1434, _e1492.member_1, _e1519), _e1571.member_1, _e1598), _e1650.member_1, _e1677), _e1729.member_1, _e1756), select(select(select(select(_e1435, _e1492.member_2, _e1519), _e1571.member_2, _e1598), _e1650.member_2, _e1677), _e1729.member_2, _e1756)), select(_e1686, _e1722, _e1751), select(_e1688, _e1723, (_e1723 > _e1688)), vec3<f32>(select(select(select(select(_e1440, _e1492.member, _e1514), _e1571.member, _e1593), _e1650.member, _e1672), _e1729.member, _e1751), select(select(select(select(_e1441, _e1492.member_1, _e1514), _e1571.member_1, _e1593), _e1650.member_1, _e1672), _e1729.member_1, _e1751), select(select(select(select(_e1442, _e1492.member_2, _e1514), _e1571.member_2, _e1593), _e1650.member_2, _e1672), _e1729.member_2, _e1751)));
+phi_3019_ = type_34(select(_e1678, _e1746, _e1755), vec3<f32>(select(select(select(select(_e1428, _e1492.member, _e1518), _e1571.member, _e1597), _e1650.member, _e1676), _e1729.member, _e1755), select(select(select(select(_e1429, _e1492.member_1, _e1518), _e1571.member_1, _e1597), _e1650.member_1, _e1676), _e1729.member_1, _e1755), select(select(select(select(_e1430, _e1492.member_2, _e1518), _e1571.member_2, _e1597), _e1650.member_2, _e1676), _e1729.member_2, _e1755)), select(_e1682, _e1750, _e1756), vec3<f32>(select(select(select(select(_e1433, _e1492.member, _e1519), _e1571.member, _e1598), _e1650.member, _e1677), _e1729.member, _e1756), select(select(select(select(_e1434, _e1492.member_1, _e1519), _e1571.member_1, _e1598), _e1650.member_1, _e1677), _e1729.member_1, _e1756), select(select(select(select(_e1435, _e1492.member_2, _e1519), _e1571.member_2, _e1598), _e1650.member_2, _e1677), _e1729.member_2, _e1756)), select(_e1686, _e1722, _e1751), select(_e1688, _e1723, (_e1723 > _e1688)), vec3<f32>(select(select(select(select(_e1440, _e1492.member, _e1514), _e1571.member, _e1593), _e1650.member, _e1672), _e1729.member, _e1751), select(select(select(select(_e1441, _e1492.member_1, _e1514), _e1571.member_1, _e1593), _e1650.member_1, _e1672), _e1729.member_1, _e1751), select(select(select(select(_e1442, _e1492.member_2, _e1514), _e1571.member_2, _e1593), _e1650.member_2, _e1672), _e1729.member_2, _e1751)));
 }
 let _e1776 = phi_3019_;
 if ((_e1776.member_4 > -(0.015625f)) && (_e1776.member_4 < 0.015625f)) {
@@ -755,7 +755,7 @@ phi_3032_ = (_e371[9] != 0f);
 phi_3032_ = (_e1776.member_4 < 0f);
 }
 let _e1785 = phi_3032_;
-let _e1790 = global_4.member[_e367].member_10.member_9;
+let _e1790 = global_3.member[_e367].member_10.member_9;
 let _e1794 = select(-0.5f, _e479, (_e479 > -0.5f));
 let _e1796 = select(_e895, _e1794, (_e1794 < _e895));
 let _e1798 = select(-0.5f, _e495, (_e495 > -0.5f));
@@ -774,8 +774,8 @@ let _e1836 = select(-1f, _e1804, (_e1804 > -1f));
 let _e1838 = select(_e558, _e1836, (_e1836 < _e558));
 let _e1845 = select(0i, select(select(i32(_e1838), i32(-2147483648), (_e1838 < -2147483600f)), 2147483647i, (_e1838 > 2147483500f)), (_e1838 == _e1838));
 let _e1849 = (_e1845 - select(0i, 1i, (_e1838 < f32(_e1845))));
-let _e1854 = global_4.member[_e367].member_6.member_7;
-let _e1859 = global_4.member[_e367].member_6.member_8;
+let _e1854 = global_3.member[_e367].member_6.member_7;
+let _e1859 = global_3.member[_e367].member_6.member_8;
 let _e1867 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e1870 = (_e1834 + 1i);
 let _e1880 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -788,31 +788,31 @@ let _e1905 = (select(0i, _e1834, (_e1834 > 0i)) * _e1854);
 let _e1906 = (select(_e1867, _e1870, (_e1870 < _e1867)) * _e1854);
 let _e1907 = (select(0i, _e1849, (_e1849 > 0i)) * _e1859);
 let _e1908 = (select(_e1880, _e1883, (_e1883 < _e1880)) * _e1859);
-local_38 = type_32(array<i32, 4>(select(0i, _e1894, (_e1894 > 0i)), select(0i, _e1819, (_e1819 > 0i)), select(_e1893, _e1899, (_e1899 < _e1893)), select(_e1893, _e1902, (_e1902 < _e1893))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_38 = type_28(array<i32, 4>(select(0i, _e1894, (_e1894 > 0i)), select(0i, _e1819, (_e1819 > 0i)), select(_e1893, _e1899, (_e1899 < _e1893)), select(_e1893, _e1902, (_e1902 < _e1893))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_39 = vec3<f32>((_e1796 - f32(_e1819)), (_e1800 - f32(_e1834)), (_e1804 - f32(_e1849)));
 let _e1919 = (_e1907 + _e1905);
 let _e1922 = local_38.member[1u];
 let _e1923 = (_e1919 + _e1922);
 let _e1925 = (bitcast<i32>(_e180) - 1i);
 let _e1927 = select(_e1925, _e1923, (_e1923 < _e1925));
-let _e1932 = global_2.member[bitcast<u32>(select(0i, _e1927, (_e1927 > 0i)))];
+let _e1932 = global_1.member[bitcast<u32>(select(0i, _e1927, (_e1927 > 0i)))];
 let _e1933 = bitcast<f32>(_e1932);
 let _e1936 = local_38.member[2u];
 let _e1937 = (_e1919 + _e1936);
 let _e1939 = select(_e1925, _e1937, (_e1937 < _e1925));
-let _e1944 = global_2.member[bitcast<u32>(select(0i, _e1939, (_e1939 > 0i)))];
+let _e1944 = global_1.member[bitcast<u32>(select(0i, _e1939, (_e1939 > 0i)))];
 let _e1946 = local_39[0u];
 let _e1949 = (_e1933 + ((bitcast<f32>(_e1944) - _e1933) * _e1946));
 let _e1950 = (_e1907 + _e1906);
 let _e1951 = local_38.member[1u];
 let _e1952 = (_e1950 + _e1951);
 let _e1954 = select(_e1925, _e1952, (_e1952 < _e1925));
-let _e1959 = global_2.member[bitcast<u32>(select(0i, _e1954, (_e1954 > 0i)))];
+let _e1959 = global_1.member[bitcast<u32>(select(0i, _e1954, (_e1954 > 0i)))];
 let _e1960 = bitcast<f32>(_e1959);
 let _e1961 = local_38.member[2u];
 let _e1962 = (_e1950 + _e1961);
 let _e1964 = select(_e1925, _e1962, (_e1962 < _e1925));
-let _e1969 = global_2.member[bitcast<u32>(select(0i, _e1964, (_e1964 > 0i)))];
+let _e1969 = global_1.member[bitcast<u32>(select(0i, _e1964, (_e1964 > 0i)))];
 let _e1971 = local_39[0u];
 let _e1976 = local_39[1u];
 let _e1979 = (_e1949 + (((_e1960 + ((bitcast<f32>(_e1969) - _e1960) * _e1971)) - _e1949) * _e1976));
@@ -820,29 +820,29 @@ let _e1980 = (_e1908 + _e1905);
 let _e1981 = local_38.member[1u];
 let _e1982 = (_e1980 + _e1981);
 let _e1984 = select(_e1925, _e1982, (_e1982 < _e1925));
-let _e1989 = global_2.member[bitcast<u32>(select(0i, _e1984, (_e1984 > 0i)))];
+let _e1989 = global_1.member[bitcast<u32>(select(0i, _e1984, (_e1984 > 0i)))];
 let _e1990 = bitcast<f32>(_e1989);
 let _e1991 = local_38.member[2u];
 let _e1992 = (_e1980 + _e1991);
 let _e1994 = select(_e1925, _e1992, (_e1992 < _e1925));
-let _e1999 = global_2.member[bitcast<u32>(select(0i, _e1994, (_e1994 > 0i)))];
+let _e1999 = global_1.member[bitcast<u32>(select(0i, _e1994, (_e1994 > 0i)))];
 let _e2001 = local_39[0u];
 let _e2004 = (_e1990 + ((bitcast<f32>(_e1999) - _e1990) * _e2001));
 let _e2005 = (_e1908 + _e1906);
 let _e2006 = local_38.member[1u];
 let _e2007 = (_e2005 + _e2006);
 let _e2009 = select(_e1925, _e2007, (_e2007 < _e1925));
-let _e2014 = global_2.member[bitcast<u32>(select(0i, _e2009, (_e2009 > 0i)))];
+let _e2014 = global_1.member[bitcast<u32>(select(0i, _e2009, (_e2009 > 0i)))];
 let _e2015 = bitcast<f32>(_e2014);
 let _e2016 = local_38.member[2u];
 let _e2017 = (_e2005 + _e2016);
 let _e2019 = select(_e1925, _e2017, (_e2017 < _e1925));
-let _e2024 = global_2.member[bitcast<u32>(select(0i, _e2019, (_e2019 > 0i)))];
+let _e2024 = global_1.member[bitcast<u32>(select(0i, _e2019, (_e2019 > 0i)))];
 let _e2026 = local_39[0u];
 let _e2030 = local_39[1u];
 let _e2035 = local_39[2u];
-let _e2043 = global_4.member[_e367].member_6.member_6;
-let _e2048 = global_4.member[_e367].member_6.member_5;
+let _e2043 = global_3.member[_e367].member_6.member_6;
+let _e2048 = global_3.member[_e367].member_6.member_5;
 let _e2050 = (((_e1979 + (((_e2004 + (((_e2015 + ((bitcast<f32>(_e2024) - _e2015) * _e2026)) - _e2004) * _e2030)) - _e1979) * _e2035)) - _e2043) * _e2048);
 let _e2051 = -(1e9f);
 let _e2053 = select(_e2051, _e2050, (_e2050 > _e2051));
@@ -852,49 +852,49 @@ local_37 = _e2056;
 let _e2057 = local_37;
 let _e2059 = (bitcast<i32>(_e185) - 1i);
 let _e2061 = select(_e2059, 263197i, (263197i < _e2059));
-let _e2066 = global_3.member[bitcast<u32>(select(0i, _e2061, (_e2061 > 0i)))];
+let _e2066 = global_2.member[bitcast<u32>(select(0i, _e2061, (_e2061 > 0i)))];
 let _e2067 = bitcast<f32>(_e2066);
 let _e2069 = select(_e2059, 263198i, (263198i < _e2059));
-let _e2074 = global_3.member[bitcast<u32>(select(0i, _e2069, (_e2069 > 0i)))];
+let _e2074 = global_2.member[bitcast<u32>(select(0i, _e2069, (_e2069 > 0i)))];
 let _e2075 = bitcast<f32>(_e2074);
 let _e2077 = select(_e2059, 263199i, (263199i < _e2059));
-let _e2082 = global_3.member[bitcast<u32>(select(0i, _e2077, (_e2077 > 0i)))];
+let _e2082 = global_2.member[bitcast<u32>(select(0i, _e2077, (_e2077 > 0i)))];
 let _e2083 = bitcast<f32>(_e2082);
 let _e2085 = ((_e2057 - _e2067) * _e2075);
 let _e2087 = select(0f, _e2085, (_e2085 > 0f));
 let _e2090 = local_37;
 let _e2092 = select(_e2059, 263200i, (263200i < _e2059));
-let _e2097 = global_3.member[bitcast<u32>(select(0i, _e2092, (_e2092 > 0i)))];
+let _e2097 = global_2.member[bitcast<u32>(select(0i, _e2092, (_e2092 > 0i)))];
 let _e2098 = bitcast<f32>(_e2097);
 let _e2100 = select(_e2059, 263201i, (263201i < _e2059));
-let _e2105 = global_3.member[bitcast<u32>(select(0i, _e2100, (_e2100 > 0i)))];
+let _e2105 = global_2.member[bitcast<u32>(select(0i, _e2100, (_e2100 > 0i)))];
 let _e2106 = bitcast<f32>(_e2105);
 let _e2108 = select(_e2059, 263202i, (263202i < _e2059));
-let _e2113 = global_3.member[bitcast<u32>(select(0i, _e2108, (_e2108 > 0i)))];
+let _e2113 = global_2.member[bitcast<u32>(select(0i, _e2108, (_e2108 > 0i)))];
 let _e2114 = bitcast<f32>(_e2113);
 let _e2116 = ((_e2090 - _e2098) * _e2106);
 let _e2118 = select(0f, _e2116, (_e2116 > 0f));
 let _e2122 = local_37;
 let _e2124 = select(_e2059, 263203i, (263203i < _e2059));
-let _e2129 = global_3.member[bitcast<u32>(select(0i, _e2124, (_e2124 > 0i)))];
+let _e2129 = global_2.member[bitcast<u32>(select(0i, _e2124, (_e2124 > 0i)))];
 let _e2130 = bitcast<f32>(_e2129);
 let _e2132 = select(_e2059, 263204i, (263204i < _e2059));
-let _e2137 = global_3.member[bitcast<u32>(select(0i, _e2132, (_e2132 > 0i)))];
+let _e2137 = global_2.member[bitcast<u32>(select(0i, _e2132, (_e2132 > 0i)))];
 let _e2138 = bitcast<f32>(_e2137);
 let _e2140 = select(_e2059, 263205i, (263205i < _e2059));
-let _e2145 = global_3.member[bitcast<u32>(select(0i, _e2140, (_e2140 > 0i)))];
+let _e2145 = global_2.member[bitcast<u32>(select(0i, _e2140, (_e2140 > 0i)))];
 let _e2146 = bitcast<f32>(_e2145);
 let _e2148 = ((_e2122 - _e2130) * _e2138);
 let _e2150 = select(0f, _e2148, (_e2148 > 0f));
 let _e2153 = local_37;
 let _e2155 = select(_e2059, 263206i, (263206i < _e2059));
-let _e2160 = global_3.member[bitcast<u32>(select(0i, _e2155, (_e2155 > 0i)))];
+let _e2160 = global_2.member[bitcast<u32>(select(0i, _e2155, (_e2155 > 0i)))];
 let _e2161 = bitcast<f32>(_e2160);
 let _e2163 = select(_e2059, 263207i, (263207i < _e2059));
-let _e2168 = global_3.member[bitcast<u32>(select(0i, _e2163, (_e2163 > 0i)))];
+let _e2168 = global_2.member[bitcast<u32>(select(0i, _e2163, (_e2163 > 0i)))];
 let _e2169 = bitcast<f32>(_e2168);
 let _e2171 = select(_e2059, 263208i, (263208i < _e2059));
-let _e2176 = global_3.member[bitcast<u32>(select(0i, _e2171, (_e2171 > 0i)))];
+let _e2176 = global_2.member[bitcast<u32>(select(0i, _e2171, (_e2171 > 0i)))];
 let _e2177 = bitcast<f32>(_e2176);
 let _e2179 = ((_e2153 - _e2161) * _e2169);
 let _e2181 = select(0f, _e2179, (_e2179 > 0f));
@@ -905,24 +905,24 @@ let _e2196 = select(0i, select(select(i32(_e2189), i32(-2147483648), (_e2189 < -
 let _e2200 = (_e2196 - select(0i, 1i, (_e2189 < f32(_e2196))));
 let _e2201 = (262147i + _e2200);
 let _e2203 = select(_e2059, _e2201, (_e2201 < _e2059));
-let _e2209 = global_3.member[bitcast<u32>(select(0i, _e2203, (_e2203 > 0i)))];
+let _e2209 = global_2.member[bitcast<u32>(select(0i, _e2203, (_e2203 > 0i)))];
 let _e2219 = select(_e2059, 262146i, (262146i < _e2059));
 let _e2222 = bitcast<u32>(select(0i, _e2219, (_e2219 > 0i)));
-let _e2225 = global_3.member[_e2222];
+let _e2225 = global_2.member[_e2222];
 let _e2229 = select(_e2059, 262144i, (262144i < _e2059));
 let _e2232 = bitcast<u32>(select(0i, _e2229, (_e2229 > 0i)));
-let _e2235 = global_3.member[_e2232];
+let _e2235 = global_2.member[_e2232];
 let _e2238 = select(_e2059, 262145i, (262145i < _e2059));
 let _e2241 = bitcast<u32>(select(0i, _e2238, (_e2238 > 0i)));
-let _e2244 = global_3.member[_e2241];
+let _e2244 = global_2.member[_e2241];
 let _e2252 = select(1f, ((bitcast<f32>(_e2235) + (f32(bitcast<i32>((_e2209 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2244))) + ((f32((bitcast<i32>((_e2209 & 4095u)) - 2048i)) * bitcast<f32>(_e2225)) * (_e2185 - f32(_e2200)))), (_e1785 && (_e389 == _e1790)));
 let _e2253 = (_e371[3] * _e2252);
 let _e2254 = (_e371[4] * _e2252);
 let _e2255 = (_e371[5] * _e2252);
 if _e1785 {
-phi_4117_ = type_29(_e1776.member_2, _e1776.member_3);
+phi_4117_ = type_39(_e1776.member_2, _e1776.member_3);
 } else {
-phi_4117_ = type_29(_e1776.member, _e1776.member_1);
+phi_4117_ = type_39(_e1776.member, _e1776.member_1);
 }
 let _e2263 = phi_4117_;
 if _e1785 {
@@ -965,30 +965,30 @@ let _e2378 = (select(0i, _e2341, (_e2341 > 0i)) * _e1854);
 let _e2379 = (select(_e1867, _e2359, (_e2359 < _e1867)) * _e1854);
 let _e2380 = (select(0i, _e2356, (_e2356 > 0i)) * _e1859);
 let _e2381 = (select(_e1880, _e2364, (_e2364 < _e1880)) * _e1859);
-local_34 = type_32(array<i32, 4>(select(0i, _e2367, (_e2367 > 0i)), select(0i, _e2326, (_e2326 > 0i)), select(_e1893, _e2372, (_e2372 < _e1893)), select(_e1893, _e2375, (_e2375 < _e1893))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_34 = type_28(array<i32, 4>(select(0i, _e2367, (_e2367 > 0i)), select(0i, _e2326, (_e2326 > 0i)), select(_e1893, _e2372, (_e2372 < _e1893)), select(_e1893, _e2375, (_e2375 < _e1893))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_35 = vec3<f32>((_e2303 - f32(_e2326)), (_e2307 - f32(_e2341)), (_e2311 - f32(_e2356)));
 let _e2392 = (_e2380 + _e2378);
 let _e2395 = local_34.member[1u];
 let _e2396 = (_e2392 + _e2395);
 let _e2398 = select(_e1925, _e2396, (_e2396 < _e1925));
-let _e2403 = global_2.member[bitcast<u32>(select(0i, _e2398, (_e2398 > 0i)))];
+let _e2403 = global_1.member[bitcast<u32>(select(0i, _e2398, (_e2398 > 0i)))];
 let _e2404 = bitcast<f32>(_e2403);
 let _e2407 = local_34.member[2u];
 let _e2408 = (_e2392 + _e2407);
 let _e2410 = select(_e1925, _e2408, (_e2408 < _e1925));
-let _e2415 = global_2.member[bitcast<u32>(select(0i, _e2410, (_e2410 > 0i)))];
+let _e2415 = global_1.member[bitcast<u32>(select(0i, _e2410, (_e2410 > 0i)))];
 let _e2417 = local_35[0u];
 let _e2420 = (_e2404 + ((bitcast<f32>(_e2415) - _e2404) * _e2417));
 let _e2421 = (_e2380 + _e2379);
 let _e2422 = local_34.member[1u];
 let _e2423 = (_e2421 + _e2422);
 let _e2425 = select(_e1925, _e2423, (_e2423 < _e1925));
-let _e2430 = global_2.member[bitcast<u32>(select(0i, _e2425, (_e2425 > 0i)))];
+let _e2430 = global_1.member[bitcast<u32>(select(0i, _e2425, (_e2425 > 0i)))];
 let _e2431 = bitcast<f32>(_e2430);
 let _e2432 = local_34.member[2u];
 let _e2433 = (_e2421 + _e2432);
 let _e2435 = select(_e1925, _e2433, (_e2433 < _e1925));
-let _e2440 = global_2.member[bitcast<u32>(select(0i, _e2435, (_e2435 > 0i)))];
+let _e2440 = global_1.member[bitcast<u32>(select(0i, _e2435, (_e2435 > 0i)))];
 let _e2442 = local_35[0u];
 let _e2447 = local_35[1u];
 let _e2450 = (_e2420 + (((_e2431 + ((bitcast<f32>(_e2440) - _e2431) * _e2442)) - _e2420) * _e2447));
@@ -996,24 +996,24 @@ let _e2451 = (_e2381 + _e2378);
 let _e2452 = local_34.member[1u];
 let _e2453 = (_e2451 + _e2452);
 let _e2455 = select(_e1925, _e2453, (_e2453 < _e1925));
-let _e2460 = global_2.member[bitcast<u32>(select(0i, _e2455, (_e2455 > 0i)))];
+let _e2460 = global_1.member[bitcast<u32>(select(0i, _e2455, (_e2455 > 0i)))];
 let _e2461 = bitcast<f32>(_e2460);
 let _e2462 = local_34.member[2u];
 let _e2463 = (_e2451 + _e2462);
 let _e2465 = select(_e1925, _e2463, (_e2463 < _e1925));
-let _e2470 = global_2.member[bitcast<u32>(select(0i, _e2465, (_e2465 > 0i)))];
+let _e2470 = global_1.member[bitcast<u32>(select(0i, _e2465, (_e2465 > 0i)))];
 let _e2472 = local_35[0u];
 let _e2475 = (_e2461 + ((bitcast<f32>(_e2470) - _e2461) * _e2472));
 let _e2476 = (_e2381 + _e2379);
 let _e2477 = local_34.member[1u];
 let _e2478 = (_e2476 + _e2477);
 let _e2480 = select(_e1925, _e2478, (_e2478 < _e1925));
-let _e2485 = global_2.member[bitcast<u32>(select(0i, _e2480, (_e2480 > 0i)))];
+let _e2485 = global_1.member[bitcast<u32>(select(0i, _e2480, (_e2480 > 0i)))];
 let _e2486 = bitcast<f32>(_e2485);
 let _e2487 = local_34.member[2u];
 let _e2488 = (_e2476 + _e2487);
 let _e2490 = select(_e1925, _e2488, (_e2488 < _e1925));
-let _e2495 = global_2.member[bitcast<u32>(select(0i, _e2490, (_e2490 > 0i)))];
+let _e2495 = global_1.member[bitcast<u32>(select(0i, _e2490, (_e2490 > 0i)))];
 let _e2497 = local_35[0u];
 let _e2501 = local_35[1u];
 let _e2506 = local_35[2u];
@@ -1041,18 +1041,18 @@ let _e2558 = select(0i, select(select(i32(_e2551), i32(-2147483648), (_e2551 < -
 let _e2562 = (_e2558 - select(0i, 1i, (_e2551 < f32(_e2558))));
 let _e2563 = (262147i + _e2562);
 let _e2565 = select(_e2059, _e2563, (_e2563 < _e2059));
-let _e2570 = global_3.member[bitcast<u32>(select(0i, _e2565, (_e2565 > 0i)))];
-let _e2580 = global_3.member[_e2222];
+let _e2570 = global_2.member[bitcast<u32>(select(0i, _e2565, (_e2565 > 0i)))];
+let _e2580 = global_2.member[_e2222];
 let _e2581 = bitcast<f32>(_e2580);
-let _e2584 = global_3.member[_e2232];
+let _e2584 = global_2.member[_e2232];
 let _e2585 = bitcast<f32>(_e2584);
-let _e2587 = global_3.member[_e2241];
+let _e2587 = global_2.member[_e2241];
 let _e2588 = bitcast<f32>(_e2587);
 let _e2594 = ((_e2585 + (f32(bitcast<i32>((_e2570 >> bitcast<u32>(12u)))) * _e2588)) + ((f32((bitcast<i32>((_e2570 & 4095u)) - 2048i)) * _e2581) * (_e2547 - f32(_e2562))));
 if _e1785 {
-phi_5209_ = type_28(_e2594, 1f);
+phi_5209_ = type_31(_e2594, 1f);
 } else {
-phi_5209_ = type_28(1f, _e2594);
+phi_5209_ = type_31(1f, _e2594);
 }
 let _e2598 = phi_5209_;
 let _e2603 = ((_e2598.member_1 * _e2598.member_1) - (_e2598.member * _e2598.member));
@@ -1071,7 +1071,7 @@ let _e2638 = (_e2603 == 0f);
 let _e2650 = select(_e2253, select((_e2253 + (_e2618 * _e2637)), _e2253, _e2638), _e2271);
 let _e2651 = select(_e2254, select((_e2254 + (_e2619 * _e2637)), _e2254, _e2638), _e2271);
 let _e2652 = select(_e2255, select((_e2255 + (_e2620 * _e2637)), _e2255, _e2638), _e2271);
-let _e2657 = global_4.member[_e367].member_5.member_4;
+let _e2657 = global_3.member[_e367].member_5.member_4;
 let _e2658 = (_e2657 * _e2657);
 let _e2662 = (_e2652 * _e2652);
 let _e2666 = (_e2271 && (_e2598.member != _e2598.member_1));
@@ -1190,16 +1190,16 @@ let _e2943 = select(select(select(select(select(select(0f, _e1179.member, _e2724
 let _e2944 = select(select(select(select(select(select(0f, _e1179.member_1, _e2724), _e1179.member_1, _e2764), _e1188.member_1, _e2804), _e1188.member_1, _e2844), _e1197.member_1, _e2884), _e1197.member_1, _e2924);
 let _e2945 = select(select(select(select(select(select(1f, _e1179.member_2, _e2724), _e1179.member_2, _e2764), _e1188.member_2, _e2804), _e1188.member_2, _e2844), _e1197.member_2, _e2884), _e1197.member_2, _e2924);
 if _e1446 {
-phi_6732_ = type_35(_e2930, vec3<f32>(_e2931, _e2932, _e2933), _e2935, vec3<f32>(_e2936, _e2937, _e2938), _e2940, _e2942, vec3<f32>(_e2943, _e2944, _e2945));
+phi_6732_ = type_34(_e2930, vec3<f32>(_e2931, _e2932, _e2933), _e2935, vec3<f32>(_e2936, _e2937, _e2938), _e2940, _e2942, vec3<f32>(_e2943, _e2944, _e2945));
 } else {
 let _e2952 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e2955 = sqrt(select(0f, _e2952, (_e2952 > 0f)));
-let _e2960 = global_4.member[_e367].member_14.member_1;
+let _e2960 = global_3.member[_e367].member_14.member_1;
 let _e2961 = (_e2960 != 0u);
-let _e2966 = global_4.member[_e367].member_14.member;
+let _e2966 = global_3.member[_e367].member_14.member;
 let _e2986 = select(-1e6f, (((((_e2966.member.member * _e2278) + (_e2966.member.member_1 * _e2279)) + (_e2966.member.member_2 * _e2280)) + _e2966.member_1) * _e2955), _e2961);
 let _e2987 = select(-1e6f, (((((_e2966.member.member * _e2680) + (_e2966.member.member_1 * _e2681)) + (_e2966.member.member_2 * _e2682)) + _e2966.member_1) * _e2955), _e2961);
-let _e2993 = global_4.member[_e367].member_14.member.member;
+let _e2993 = global_3.member[_e367].member_14.member.member;
 let _e2997 = -(_e2986);
 let _e3000 = (_e2986 - _e2987);
 let _e3001 = (_e2987 - _e2986);
@@ -1214,12 +1214,12 @@ let _e3021 = select(_e2930, _e3010, _e3019);
 let _e3025 = select(_e2935, _e3014, _e3020);
 let _e3029 = select(_e2940, _e2986, _e3015);
 let _e3031 = select(_e2942, _e2987, (_e2987 > _e2942));
-let _e3039 = global_4.member[_e367].member_15.member_1;
+let _e3039 = global_3.member[_e367].member_15.member_1;
 let _e3040 = (_e3039 != 0u);
-let _e3045 = global_4.member[_e367].member_15.member;
+let _e3045 = global_3.member[_e367].member_15.member;
 let _e3065 = select(-1e6f, (((((_e3045.member.member * _e2278) + (_e3045.member.member_1 * _e2279)) + (_e3045.member.member_2 * _e2280)) + _e3045.member_1) * _e2955), _e3040);
 let _e3066 = select(-1e6f, (((((_e3045.member.member * _e2680) + (_e3045.member.member_1 * _e2681)) + (_e3045.member.member_2 * _e2682)) + _e3045.member_1) * _e2955), _e3040);
-let _e3072 = global_4.member[_e367].member_15.member.member;
+let _e3072 = global_3.member[_e367].member_15.member.member;
 let _e3076 = -(_e3065);
 let _e3079 = (_e3065 - _e3066);
 let _e3080 = (_e3066 - _e3065);
@@ -1234,12 +1234,12 @@ let _e3100 = select(_e3021, _e3089, _e3098);
 let _e3104 = select(_e3025, _e3093, _e3099);
 let _e3108 = select(_e3029, _e3065, _e3094);
 let _e3110 = select(_e3031, _e3066, (_e3066 > _e3031));
-let _e3118 = global_4.member[_e367].member_16.member_1;
+let _e3118 = global_3.member[_e367].member_16.member_1;
 let _e3119 = (_e3118 != 0u);
-let _e3124 = global_4.member[_e367].member_16.member;
+let _e3124 = global_3.member[_e367].member_16.member;
 let _e3144 = select(-1e6f, (((((_e3124.member.member * _e2278) + (_e3124.member.member_1 * _e2279)) + (_e3124.member.member_2 * _e2280)) + _e3124.member_1) * _e2955), _e3119);
 let _e3145 = select(-1e6f, (((((_e3124.member.member * _e2680) + (_e3124.member.member_1 * _e2681)) + (_e3124.member.member_2 * _e2682)) + _e3124.member_1) * _e2955), _e3119);
-let _e3151 = global_4.member[_e367].member_16.member.member;
+let _e3151 = global_3.member[_e367].member_16.member.member;
 let _e3155 = -(_e3144);
 let _e3158 = (_e3144 - _e3145);
 let _e3159 = (_e3145 - _e3144);
@@ -1254,12 +1254,12 @@ let _e3179 = select(_e3100, _e3168, _e3177);
 let _e3183 = select(_e3104, _e3172, _e3178);
 let _e3187 = select(_e3108, _e3144, _e3173);
 let _e3189 = select(_e3110, _e3145, (_e3145 > _e3110));
-let _e3197 = global_4.member[_e367].member_17.member_1;
+let _e3197 = global_3.member[_e367].member_17.member_1;
 let _e3198 = (_e3197 != 0u);
-let _e3203 = global_4.member[_e367].member_17.member;
+let _e3203 = global_3.member[_e367].member_17.member;
 let _e3223 = select(-1e6f, (((((_e3203.member.member * _e2278) + (_e3203.member.member_1 * _e2279)) + (_e3203.member.member_2 * _e2280)) + _e3203.member_1) * _e2955), _e3198);
 let _e3224 = select(-1e6f, (((((_e3203.member.member * _e2680) + (_e3203.member.member_1 * _e2681)) + (_e3203.member.member_2 * _e2682)) + _e3203.member_1) * _e2955), _e3198);
-let _e3230 = global_4.member[_e367].member_17.member.member;
+let _e3230 = global_3.member[_e367].member_17.member.member;
 let _e3234 = -(_e3223);
 let _e3237 = (_e3223 - _e3224);
 let _e3238 = (_e3224 - _e3223);
@@ -1270,7 +1270,7 @@ let _e3251 = select(2f, select(0f, _e3243, (_e3223 < 0f)), (_e3224 > 0f));
 let _e3252 = (_e3223 > _e3187);
 let _e3256 = ((_e3247 > _e3179) || ((_e3247 == _e3179) && _e3252));
 let _e3257 = (_e3251 < _e3183);
-phi_6732_ = type_35(select(_e3179, _e3247, _e3256), vec3<f32>(select(select(select(select(_e2931, _e2993.member, _e3019), _e3072.member, _e3098), _e3151.member, _e3177), _e3230.member, _e3256), select(select(select(select(_e2932, _e2993.member_1, _e3019), _e3072.member_1, _e3098), _e3151.member_1, _e3177), _e3230.member_1, _e3256), select(select(select(select(_e2933, _e2993.member_2, _e3019), _e3072.member_2, _e3098), _e3151.member_2, _e3177), _e3230.member_2, _e3256)), select(_e3183, _e3251, _e3257), vec3<f32>(select(select(select(select(_e2936, _e2993.member, _e3020), _e3072.member, _e3099), _e3151.member, _e3178), _e3230.member, _e3257), select(select(select(select(_e2937, _e2993.member_1, _e3020), _e3072.member_1, _e3099), _e3151.member_1, _e3178), _e3230.member_1, _e3257), select(select(select(select(_e2938, _e2993.member_2, _e3020), _e3072.member_2, _e3099), _e3151.member_2, _e3178), _e3230.member_2, _e3257)), select(_e3187, _e3223, _e3252), select(_e3189, _e3224, (_e3224 > _e3189)), vec3<f32>(select(select(select(select(_e2943, _e2993.member, _e3015), _e3072.member, _e3094), _e3151.member, _e3173), _e3230.member, _e3252), select(select(select(select(_e2944, _e2993.member_1, _e3015), _e3072.member_1, _e3094), _e3151.member_1, _e3173), _e3230.member_1, _e3252), select(select(select(select(_e2945, _e2993.member_2, _e3015), _e3072.member_2, _e3094), _e3151.member_2, _e3173), _e3230.member_2, _e3252)));
+phi_6732_ = type_34(select(_e3179, _e3247, _e3256), vec3<f32>(select(select(select(select(_e2931, _e2993.member, _e3019), _e3072.member, _e3098), _e3151.member, _e3177), _e3230.member, _e3256), select(select(select(select(_e2932, _e2993.member_1, _e3019), _e3072.member_1, _e3098), _e3151.member_1, _e3177), _e3230.member_1, _e3256), select(select(select(select(_e2933, _e2993.member_2, _e3019), _e3072.member_2, _e3098), _e3151.member_2, _e3177), _e3230.member_2, _e3256)), select(_e3183, _e3251, _e3257), vec3<f32>(select(select(select(select(_e2936, _e2993.member, _e3020), _e3072.member, _e3099), _e3151.member, _e3178), _e3230.member, _e3257), select(select(select(select(_e2937, _e2993.member_1, _e3020), _e3072.member_1, _e3099), _e3151.member_1, _e3178), _e3230.member_1, _e3257), select(select(select(select(_e2938, _e2993.member_2, _e3020), _e3072.member_2, _e3099), _e3151.member_2, _e3178), _e3230.member_2, _e3257)), select(_e3187, _e3223, _e3252), select(_e3189, _e3224, (_e3224 > _e3189)), vec3<f32>(select(select(select(select(_e2943, _e2993.member, _e3015), _e3072.member, _e3094), _e3151.member, _e3173), _e3230.member, _e3252), select(select(select(select(_e2944, _e2993.member_1, _e3015), _e3072.member_1, _e3094), _e3151.member_1, _e3173), _e3230.member_1, _e3252), select(select(select(select(_e2945, _e2993.member_2, _e3015), _e3072.member_2, _e3094), _e3151.member_2, _e3173), _e3230.member_2, _e3252)));
 }
 let _e3277 = phi_6732_;
 let _e3283 = (((_e2271 && _e2685) && !(_e2670)) && (_e3277.member_2 <= 1f));
@@ -1313,30 +1313,30 @@ let _e3393 = (select(0i, _e3356, (_e3356 > 0i)) * _e1854);
 let _e3394 = (select(_e1867, _e3374, (_e3374 < _e1867)) * _e1854);
 let _e3395 = (select(0i, _e3371, (_e3371 > 0i)) * _e1859);
 let _e3396 = (select(_e1880, _e3379, (_e3379 < _e1880)) * _e1859);
-local_30 = type_32(array<i32, 4>(select(0i, _e3382, (_e3382 > 0i)), select(0i, _e3341, (_e3341 > 0i)), select(_e1893, _e3387, (_e3387 < _e1893)), select(_e1893, _e3390, (_e3390 < _e1893))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_30 = type_28(array<i32, 4>(select(0i, _e3382, (_e3382 > 0i)), select(0i, _e3341, (_e3341 > 0i)), select(_e1893, _e3387, (_e3387 < _e1893)), select(_e1893, _e3390, (_e3390 < _e1893))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_31 = vec3<f32>((_e3318 - f32(_e3341)), (_e3322 - f32(_e3356)), (_e3326 - f32(_e3371)));
 let _e3407 = (_e3395 + _e3393);
 let _e3410 = local_30.member[1u];
 let _e3411 = (_e3407 + _e3410);
 let _e3413 = select(_e1925, _e3411, (_e3411 < _e1925));
-let _e3418 = global_2.member[bitcast<u32>(select(0i, _e3413, (_e3413 > 0i)))];
+let _e3418 = global_1.member[bitcast<u32>(select(0i, _e3413, (_e3413 > 0i)))];
 let _e3419 = bitcast<f32>(_e3418);
 let _e3422 = local_30.member[2u];
 let _e3423 = (_e3407 + _e3422);
 let _e3425 = select(_e1925, _e3423, (_e3423 < _e1925));
-let _e3430 = global_2.member[bitcast<u32>(select(0i, _e3425, (_e3425 > 0i)))];
+let _e3430 = global_1.member[bitcast<u32>(select(0i, _e3425, (_e3425 > 0i)))];
 let _e3432 = local_31[0u];
 let _e3435 = (_e3419 + ((bitcast<f32>(_e3430) - _e3419) * _e3432));
 let _e3436 = (_e3395 + _e3394);
 let _e3437 = local_30.member[1u];
 let _e3438 = (_e3436 + _e3437);
 let _e3440 = select(_e1925, _e3438, (_e3438 < _e1925));
-let _e3445 = global_2.member[bitcast<u32>(select(0i, _e3440, (_e3440 > 0i)))];
+let _e3445 = global_1.member[bitcast<u32>(select(0i, _e3440, (_e3440 > 0i)))];
 let _e3446 = bitcast<f32>(_e3445);
 let _e3447 = local_30.member[2u];
 let _e3448 = (_e3436 + _e3447);
 let _e3450 = select(_e1925, _e3448, (_e3448 < _e1925));
-let _e3455 = global_2.member[bitcast<u32>(select(0i, _e3450, (_e3450 > 0i)))];
+let _e3455 = global_1.member[bitcast<u32>(select(0i, _e3450, (_e3450 > 0i)))];
 let _e3457 = local_31[0u];
 let _e3462 = local_31[1u];
 let _e3465 = (_e3435 + (((_e3446 + ((bitcast<f32>(_e3455) - _e3446) * _e3457)) - _e3435) * _e3462));
@@ -1344,24 +1344,24 @@ let _e3466 = (_e3396 + _e3393);
 let _e3467 = local_30.member[1u];
 let _e3468 = (_e3466 + _e3467);
 let _e3470 = select(_e1925, _e3468, (_e3468 < _e1925));
-let _e3475 = global_2.member[bitcast<u32>(select(0i, _e3470, (_e3470 > 0i)))];
+let _e3475 = global_1.member[bitcast<u32>(select(0i, _e3470, (_e3470 > 0i)))];
 let _e3476 = bitcast<f32>(_e3475);
 let _e3477 = local_30.member[2u];
 let _e3478 = (_e3466 + _e3477);
 let _e3480 = select(_e1925, _e3478, (_e3478 < _e1925));
-let _e3485 = global_2.member[bitcast<u32>(select(0i, _e3480, (_e3480 > 0i)))];
+let _e3485 = global_1.member[bitcast<u32>(select(0i, _e3480, (_e3480 > 0i)))];
 let _e3487 = local_31[0u];
 let _e3490 = (_e3476 + ((bitcast<f32>(_e3485) - _e3476) * _e3487));
 let _e3491 = (_e3396 + _e3394);
 let _e3492 = local_30.member[1u];
 let _e3493 = (_e3491 + _e3492);
 let _e3495 = select(_e1925, _e3493, (_e3493 < _e1925));
-let _e3500 = global_2.member[bitcast<u32>(select(0i, _e3495, (_e3495 > 0i)))];
+let _e3500 = global_1.member[bitcast<u32>(select(0i, _e3495, (_e3495 > 0i)))];
 let _e3501 = bitcast<f32>(_e3500);
 let _e3502 = local_30.member[2u];
 let _e3503 = (_e3491 + _e3502);
 let _e3505 = select(_e1925, _e3503, (_e3503 < _e1925));
-let _e3510 = global_2.member[bitcast<u32>(select(0i, _e3505, (_e3505 > 0i)))];
+let _e3510 = global_1.member[bitcast<u32>(select(0i, _e3505, (_e3505 > 0i)))];
 let _e3512 = local_31[0u];
 let _e3516 = local_31[1u];
 let _e3521 = local_31[2u];
@@ -1389,12 +1389,12 @@ let _e3573 = select(0i, select(select(i32(_e3566), i32(-2147483648), (_e3566 < -
 let _e3577 = (_e3573 - select(0i, 1i, (_e3566 < f32(_e3573))));
 let _e3578 = (262147i + _e3577);
 let _e3580 = select(_e2059, _e3578, (_e3578 < _e2059));
-let _e3585 = global_3.member[bitcast<u32>(select(0i, _e3580, (_e3580 > 0i)))];
+let _e3585 = global_2.member[bitcast<u32>(select(0i, _e3580, (_e3580 > 0i)))];
 let _e3600 = ((_e2585 + (f32(bitcast<i32>((_e3585 >> bitcast<u32>(12u)))) * _e2588)) + ((f32((bitcast<i32>((_e3585 & 4095u)) - 2048i)) * _e2581) * (_e3562 - f32(_e3577))));
 if _e2685 {
-phi_7844_ = type_28(_e3600, 1f);
+phi_7844_ = type_31(_e3600, 1f);
 } else {
-phi_7844_ = type_28(1f, _e3600);
+phi_7844_ = type_31(1f, _e3600);
 }
 let _e3604 = phi_7844_;
 let _e3609 = ((_e3604.member_1 * _e3604.member_1) - (_e3604.member * _e3604.member));
@@ -1533,16 +1533,16 @@ let _e3965 = select(select(select(select(select(select(0f, _e1179.member, _e3746
 let _e3966 = select(select(select(select(select(select(0f, _e1179.member_1, _e3746), _e1179.member_1, _e3786), _e1188.member_1, _e3826), _e1188.member_1, _e3866), _e1197.member_1, _e3906), _e1197.member_1, _e3946);
 let _e3967 = select(select(select(select(select(select(1f, _e1179.member_2, _e3746), _e1179.member_2, _e3786), _e1188.member_2, _e3826), _e1188.member_2, _e3866), _e1197.member_2, _e3906), _e1197.member_2, _e3946);
 if _e1446 {
-phi_9382_ = type_35(_e3952, vec3<f32>(_e3953, _e3954, _e3955), _e3957, vec3<f32>(_e3958, _e3959, _e3960), _e3962, _e3964, vec3<f32>(_e3965, _e3966, _e3967));
+phi_9382_ = type_34(_e3952, vec3<f32>(_e3953, _e3954, _e3955), _e3957, vec3<f32>(_e3958, _e3959, _e3960), _e3962, _e3964, vec3<f32>(_e3965, _e3966, _e3967));
 } else {
 let _e3974 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e3977 = sqrt(select(0f, _e3974, (_e3974 > 0f)));
-let _e3982 = global_4.member[_e367].member_14.member_1;
+let _e3982 = global_3.member[_e367].member_14.member_1;
 let _e3983 = (_e3982 != 0u);
-let _e3988 = global_4.member[_e367].member_14.member;
+let _e3988 = global_3.member[_e367].member_14.member;
 let _e4008 = select(-1e6f, (((((_e3988.member.member * _e3296.x) + (_e3988.member.member_1 * _e3296.y)) + (_e3988.member.member_2 * _e3296.z)) + _e3988.member_1) * _e3977), _e3983);
 let _e4009 = select(-1e6f, (((((_e3988.member.member * _e3681) + (_e3988.member.member_1 * _e3682)) + (_e3988.member.member_2 * _e3683)) + _e3988.member_1) * _e3977), _e3983);
-let _e4015 = global_4.member[_e367].member_14.member.member;
+let _e4015 = global_3.member[_e367].member_14.member.member;
 let _e4019 = -(_e4008);
 let _e4022 = (_e4008 - _e4009);
 let _e4023 = (_e4009 - _e4008);
@@ -1557,12 +1557,12 @@ let _e4043 = select(_e3952, _e4032, _e4041);
 let _e4047 = select(_e3957, _e4036, _e4042);
 let _e4051 = select(_e3962, _e4008, _e4037);
 let _e4053 = select(_e3964, _e4009, (_e4009 > _e3964));
-let _e4061 = global_4.member[_e367].member_15.member_1;
+let _e4061 = global_3.member[_e367].member_15.member_1;
 let _e4062 = (_e4061 != 0u);
-let _e4067 = global_4.member[_e367].member_15.member;
+let _e4067 = global_3.member[_e367].member_15.member;
 let _e4087 = select(-1e6f, (((((_e4067.member.member * _e3296.x) + (_e4067.member.member_1 * _e3296.y)) + (_e4067.member.member_2 * _e3296.z)) + _e4067.member_1) * _e3977), _e4062);
 let _e4088 = select(-1e6f, (((((_e4067.member.member * _e3681) + (_e4067.member.member_1 * _e3682)) + (_e4067.member.member_2 * _e3683)) + _e4067.member_1) * _e3977), _e4062);
-let _e4094 = global_4.member[_e367].member_15.member.member;
+let _e4094 = global_3.member[_e367].member_15.member.member;
 let _e4098 = -(_e4087);
 let _e4101 = (_e4087 - _e4088);
 let _e4102 = (_e4088 - _e4087);
@@ -1577,12 +1577,12 @@ let _e4122 = select(_e4043, _e4111, _e4120);
 let _e4126 = select(_e4047, _e4115, _e4121);
 let _e4130 = select(_e4051, _e4087, _e4116);
 let _e4132 = select(_e4053, _e4088, (_e4088 > _e4053));
-let _e4140 = global_4.member[_e367].member_16.member_1;
+let _e4140 = global_3.member[_e367].member_16.member_1;
 let _e4141 = (_e4140 != 0u);
-let _e4146 = global_4.member[_e367].member_16.member;
+let _e4146 = global_3.member[_e367].member_16.member;
 let _e4166 = select(-1e6f, (((((_e4146.member.member * _e3296.x) + (_e4146.member.member_1 * _e3296.y)) + (_e4146.member.member_2 * _e3296.z)) + _e4146.member_1) * _e3977), _e4141);
 let _e4167 = select(-1e6f, (((((_e4146.member.member * _e3681) + (_e4146.member.member_1 * _e3682)) + (_e4146.member.member_2 * _e3683)) + _e4146.member_1) * _e3977), _e4141);
-let _e4173 = global_4.member[_e367].member_16.member.member;
+let _e4173 = global_3.member[_e367].member_16.member.member;
 let _e4177 = -(_e4166);
 let _e4180 = (_e4166 - _e4167);
 let _e4181 = (_e4167 - _e4166);
@@ -1597,12 +1597,12 @@ let _e4201 = select(_e4122, _e4190, _e4199);
 let _e4205 = select(_e4126, _e4194, _e4200);
 let _e4209 = select(_e4130, _e4166, _e4195);
 let _e4211 = select(_e4132, _e4167, (_e4167 > _e4132));
-let _e4219 = global_4.member[_e367].member_17.member_1;
+let _e4219 = global_3.member[_e367].member_17.member_1;
 let _e4220 = (_e4219 != 0u);
-let _e4225 = global_4.member[_e367].member_17.member;
+let _e4225 = global_3.member[_e367].member_17.member;
 let _e4245 = select(-1e6f, (((((_e4225.member.member * _e3296.x) + (_e4225.member.member_1 * _e3296.y)) + (_e4225.member.member_2 * _e3296.z)) + _e4225.member_1) * _e3977), _e4220);
 let _e4246 = select(-1e6f, (((((_e4225.member.member * _e3681) + (_e4225.member.member_1 * _e3682)) + (_e4225.member.member_2 * _e3683)) + _e4225.member_1) * _e3977), _e4220);
-let _e4252 = global_4.member[_e367].member_17.member.member;
+let _e4252 = global_3.member[_e367].member_17.member.member;
 let _e4256 = -(_e4245);
 let _e4259 = (_e4245 - _e4246);
 let _e4260 = (_e4246 - _e4245);
@@ -1613,7 +1613,7 @@ let _e4273 = select(2f, select(0f, _e4265, (_e4245 < 0f)), (_e4246 > 0f));
 let _e4274 = (_e4245 > _e4209);
 let _e4278 = ((_e4269 > _e4201) || ((_e4269 == _e4201) && _e4274));
 let _e4279 = (_e4273 < _e4205);
-phi_9382_ = type_35(select(_e4201, _e4269, _e4278), vec3<f32>(select(select(select(select(_e3953, _e4015.member, _e4041), _e4094.member, _e4120), _e4173.member, _e4199), _e4252.member, _e4278), select(select(select(select(_e3954, _e4015.member_1, _e4041), _e4094.member_1, _e4120), _e4173.member_1, _e4199), _e4252.member_1, _e4278), select(select(select(select(_e3955, _e4015.member_2, _e4041), _e4094.member_2, _e4120), _e4173.member_2, _e4199), _e4252.member_2, _e4278)), select(_e4205, _e4273, _e4279), vec3<f32>(select(select(select(select(_e3958, _e4015.member, _e4042), _e4094.member, _e4121), _e4173.member, _e4200), _e4252.member, _e4279), select(select(select(select(_e3959, _e4015.member_1, _e4042), _e4094.member_1, _e4121), _e4173.member_1, _e4200), _e4252.member_1, _e4279), select(select(select(select(_e3960, _e4015.member_2, _e4042), _e4094.member_2, _e4121), _e4173.member_2, _e4200), _e4252.member_2, _e4279)), select(_e4209, _e4245, _e4274), select(_e4211, _e4246, (_e4246 > _e4211)), vec3<f32>(select(select(select(select(_e3965, _e4015.member, _e4037), _e4094.member, _e4116), _e4173.member, _e4195), _e4252.member, _e4274), select(select(select(select(_e3966, _e4015.member_1, _e4037), _e4094.member_1, _e4116), _e4173.member_1, _e4195), _e4252.member_1, _e4274), select(select(select(select(_e3967, _e4015.member_2, _e4037), _e4094.member_2, _e4116), _e4173.member_2, _e4195), _e4252.member_2, _e4274)));
+phi_9382_ = type_34(select(_e4201, _e4269, _e4278), vec3<f32>(select(select(select(select(_e3953, _e4015.member, _e4041), _e4094.member, _e4120), _e4173.member, _e4199), _e4252.member, _e4278), select(select(select(select(_e3954, _e4015.member_1, _e4041), _e4094.member_1, _e4120), _e4173.member_1, _e4199), _e4252.member_1, _e4278), select(select(select(select(_e3955, _e4015.member_2, _e4041), _e4094.member_2, _e4120), _e4173.member_2, _e4199), _e4252.member_2, _e4278)), select(_e4205, _e4273, _e4279), vec3<f32>(select(select(select(select(_e3958, _e4015.member, _e4042), _e4094.member, _e4121), _e4173.member, _e4200), _e4252.member, _e4279), select(select(select(select(_e3959, _e4015.member_1, _e4042), _e4094.member_1, _e4121), _e4173.member_1, _e4200), _e4252.member_1, _e4279), select(select(select(select(_e3960, _e4015.member_2, _e4042), _e4094.member_2, _e4121), _e4173.member_2, _e4200), _e4252.member_2, _e4279)), select(_e4209, _e4245, _e4274), select(_e4211, _e4246, (_e4246 > _e4211)), vec3<f32>(select(select(select(select(_e3965, _e4015.member, _e4037), _e4094.member, _e4116), _e4173.member, _e4195), _e4252.member, _e4274), select(select(select(select(_e3966, _e4015.member_1, _e4037), _e4094.member_1, _e4116), _e4173.member_1, _e4195), _e4252.member_1, _e4274), select(select(select(select(_e3967, _e4015.member_2, _e4037), _e4094.member_2, _e4116), _e4173.member_2, _e4195), _e4252.member_2, _e4274)));
 }
 let _e4299 = phi_9382_;
 let _e4305 = (((_e3283 && _e3686) && !(_e3670)) && (_e4299.member_2 <= 1f));
@@ -1655,30 +1655,30 @@ let _e4415 = (select(0i, _e4378, (_e4378 > 0i)) * _e1854);
 let _e4416 = (select(_e1867, _e4396, (_e4396 < _e1867)) * _e1854);
 let _e4417 = (select(0i, _e4393, (_e4393 > 0i)) * _e1859);
 let _e4418 = (select(_e1880, _e4401, (_e4401 < _e1880)) * _e1859);
-local_26 = type_32(array<i32, 4>(select(0i, _e4404, (_e4404 > 0i)), select(0i, _e4363, (_e4363 > 0i)), select(_e1893, _e4409, (_e4409 < _e1893)), select(_e1893, _e4412, (_e4412 < _e1893))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_26 = type_28(array<i32, 4>(select(0i, _e4404, (_e4404 > 0i)), select(0i, _e4363, (_e4363 > 0i)), select(_e1893, _e4409, (_e4409 < _e1893)), select(_e1893, _e4412, (_e4412 < _e1893))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_27 = vec3<f32>((_e4340 - f32(_e4363)), (_e4344 - f32(_e4378)), (_e4348 - f32(_e4393)));
 let _e4429 = (_e4417 + _e4415);
 let _e4432 = local_26.member[1u];
 let _e4433 = (_e4429 + _e4432);
 let _e4435 = select(_e1925, _e4433, (_e4433 < _e1925));
-let _e4440 = global_2.member[bitcast<u32>(select(0i, _e4435, (_e4435 > 0i)))];
+let _e4440 = global_1.member[bitcast<u32>(select(0i, _e4435, (_e4435 > 0i)))];
 let _e4441 = bitcast<f32>(_e4440);
 let _e4444 = local_26.member[2u];
 let _e4445 = (_e4429 + _e4444);
 let _e4447 = select(_e1925, _e4445, (_e4445 < _e1925));
-let _e4452 = global_2.member[bitcast<u32>(select(0i, _e4447, (_e4447 > 0i)))];
+let _e4452 = global_1.member[bitcast<u32>(select(0i, _e4447, (_e4447 > 0i)))];
 let _e4454 = local_27[0u];
 let _e4457 = (_e4441 + ((bitcast<f32>(_e4452) - _e4441) * _e4454));
 let _e4458 = (_e4417 + _e4416);
 let _e4459 = local_26.member[1u];
 let _e4460 = (_e4458 + _e4459);
 let _e4462 = select(_e1925, _e4460, (_e4460 < _e1925));
-let _e4467 = global_2.member[bitcast<u32>(select(0i, _e4462, (_e4462 > 0i)))];
+let _e4467 = global_1.member[bitcast<u32>(select(0i, _e4462, (_e4462 > 0i)))];
 let _e4468 = bitcast<f32>(_e4467);
 let _e4469 = local_26.member[2u];
 let _e4470 = (_e4458 + _e4469);
 let _e4472 = select(_e1925, _e4470, (_e4470 < _e1925));
-let _e4477 = global_2.member[bitcast<u32>(select(0i, _e4472, (_e4472 > 0i)))];
+let _e4477 = global_1.member[bitcast<u32>(select(0i, _e4472, (_e4472 > 0i)))];
 let _e4479 = local_27[0u];
 let _e4484 = local_27[1u];
 let _e4487 = (_e4457 + (((_e4468 + ((bitcast<f32>(_e4477) - _e4468) * _e4479)) - _e4457) * _e4484));
@@ -1686,24 +1686,24 @@ let _e4488 = (_e4418 + _e4415);
 let _e4489 = local_26.member[1u];
 let _e4490 = (_e4488 + _e4489);
 let _e4492 = select(_e1925, _e4490, (_e4490 < _e1925));
-let _e4497 = global_2.member[bitcast<u32>(select(0i, _e4492, (_e4492 > 0i)))];
+let _e4497 = global_1.member[bitcast<u32>(select(0i, _e4492, (_e4492 > 0i)))];
 let _e4498 = bitcast<f32>(_e4497);
 let _e4499 = local_26.member[2u];
 let _e4500 = (_e4488 + _e4499);
 let _e4502 = select(_e1925, _e4500, (_e4500 < _e1925));
-let _e4507 = global_2.member[bitcast<u32>(select(0i, _e4502, (_e4502 > 0i)))];
+let _e4507 = global_1.member[bitcast<u32>(select(0i, _e4502, (_e4502 > 0i)))];
 let _e4509 = local_27[0u];
 let _e4512 = (_e4498 + ((bitcast<f32>(_e4507) - _e4498) * _e4509));
 let _e4513 = (_e4418 + _e4416);
 let _e4514 = local_26.member[1u];
 let _e4515 = (_e4513 + _e4514);
 let _e4517 = select(_e1925, _e4515, (_e4515 < _e1925));
-let _e4522 = global_2.member[bitcast<u32>(select(0i, _e4517, (_e4517 > 0i)))];
+let _e4522 = global_1.member[bitcast<u32>(select(0i, _e4517, (_e4517 > 0i)))];
 let _e4523 = bitcast<f32>(_e4522);
 let _e4524 = local_26.member[2u];
 let _e4525 = (_e4513 + _e4524);
 let _e4527 = select(_e1925, _e4525, (_e4525 < _e1925));
-let _e4532 = global_2.member[bitcast<u32>(select(0i, _e4527, (_e4527 > 0i)))];
+let _e4532 = global_1.member[bitcast<u32>(select(0i, _e4527, (_e4527 > 0i)))];
 let _e4534 = local_27[0u];
 let _e4538 = local_27[1u];
 let _e4543 = local_27[2u];
@@ -1731,12 +1731,12 @@ let _e4595 = select(0i, select(select(i32(_e4588), i32(-2147483648), (_e4588 < -
 let _e4599 = (_e4595 - select(0i, 1i, (_e4588 < f32(_e4595))));
 let _e4600 = (262147i + _e4599);
 let _e4602 = select(_e2059, _e4600, (_e4600 < _e2059));
-let _e4607 = global_3.member[bitcast<u32>(select(0i, _e4602, (_e4602 > 0i)))];
+let _e4607 = global_2.member[bitcast<u32>(select(0i, _e4602, (_e4602 > 0i)))];
 let _e4622 = ((_e2585 + (f32(bitcast<i32>((_e4607 >> bitcast<u32>(12u)))) * _e2588)) + ((f32((bitcast<i32>((_e4607 & 4095u)) - 2048i)) * _e2581) * (_e4584 - f32(_e4599))));
 if _e3686 {
-phi_10494_ = type_28(_e4622, 1f);
+phi_10494_ = type_31(_e4622, 1f);
 } else {
-phi_10494_ = type_28(1f, _e4622);
+phi_10494_ = type_31(1f, _e4622);
 }
 let _e4626 = phi_10494_;
 let _e4631 = ((_e4626.member_1 * _e4626.member_1) - (_e4626.member * _e4626.member));
@@ -1875,16 +1875,16 @@ let _e4988 = select(select(select(select(select(select(0f, _e1179.member, _e4769
 let _e4989 = select(select(select(select(select(select(0f, _e1179.member_1, _e4769), _e1179.member_1, _e4809), _e1188.member_1, _e4849), _e1188.member_1, _e4889), _e1197.member_1, _e4929), _e1197.member_1, _e4969);
 let _e4990 = select(select(select(select(select(select(1f, _e1179.member_2, _e4769), _e1179.member_2, _e4809), _e1188.member_2, _e4849), _e1188.member_2, _e4889), _e1197.member_2, _e4929), _e1197.member_2, _e4969);
 if _e1446 {
-phi_12032_ = type_35(_e4975, vec3<f32>(_e4976, _e4977, _e4978), _e4980, vec3<f32>(_e4981, _e4982, _e4983), _e4985, _e4987, vec3<f32>(_e4988, _e4989, _e4990));
+phi_12032_ = type_34(_e4975, vec3<f32>(_e4976, _e4977, _e4978), _e4980, vec3<f32>(_e4981, _e4982, _e4983), _e4985, _e4987, vec3<f32>(_e4988, _e4989, _e4990));
 } else {
 let _e4997 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e5000 = sqrt(select(0f, _e4997, (_e4997 > 0f)));
-let _e5005 = global_4.member[_e367].member_14.member_1;
+let _e5005 = global_3.member[_e367].member_14.member_1;
 let _e5006 = (_e5005 != 0u);
-let _e5011 = global_4.member[_e367].member_14.member;
+let _e5011 = global_3.member[_e367].member_14.member;
 let _e5031 = select(-1e6f, (((((_e5011.member.member * _e4318.x) + (_e5011.member.member_1 * _e4318.y)) + (_e5011.member.member_2 * _e4318.z)) + _e5011.member_1) * _e5000), _e5006);
 let _e5032 = select(-1e6f, (((((_e5011.member.member * _e4704) + (_e5011.member.member_1 * _e4705)) + (_e5011.member.member_2 * _e4706)) + _e5011.member_1) * _e5000), _e5006);
-let _e5038 = global_4.member[_e367].member_14.member.member;
+let _e5038 = global_3.member[_e367].member_14.member.member;
 let _e5042 = -(_e5031);
 let _e5045 = (_e5031 - _e5032);
 let _e5046 = (_e5032 - _e5031);
@@ -1899,12 +1899,12 @@ let _e5066 = select(_e4975, _e5055, _e5064);
 let _e5070 = select(_e4980, _e5059, _e5065);
 let _e5074 = select(_e4985, _e5031, _e5060);
 let _e5076 = select(_e4987, _e5032, (_e5032 > _e4987));
-let _e5084 = global_4.member[_e367].member_15.member_1;
+let _e5084 = global_3.member[_e367].member_15.member_1;
 let _e5085 = (_e5084 != 0u);
-let _e5090 = global_4.member[_e367].member_15.member;
+let _e5090 = global_3.member[_e367].member_15.member;
 let _e5110 = select(-1e6f, (((((_e5090.member.member * _e4318.x) + (_e5090.member.member_1 * _e4318.y)) + (_e5090.member.member_2 * _e4318.z)) + _e5090.member_1) * _e5000), _e5085);
 let _e5111 = select(-1e6f, (((((_e5090.member.member * _e4704) + (_e5090.member.member_1 * _e4705)) + (_e5090.member.member_2 * _e4706)) + _e5090.member_1) * _e5000), _e5085);
-let _e5117 = global_4.member[_e367].member_15.member.member;
+let _e5117 = global_3.member[_e367].member_15.member.member;
 let _e5121 = -(_e5110);
 let _e5124 = (_e5110 - _e5111);
 let _e5125 = (_e5111 - _e5110);
@@ -1919,12 +1919,12 @@ let _e5145 = select(_e5066, _e5134, _e5143);
 let _e5149 = select(_e5070, _e5138, _e5144);
 let _e5153 = select(_e5074, _e5110, _e5139);
 let _e5155 = select(_e5076, _e5111, (_e5111 > _e5076));
-let _e5163 = global_4.member[_e367].member_16.member_1;
+let _e5163 = global_3.member[_e367].member_16.member_1;
 let _e5164 = (_e5163 != 0u);
-let _e5169 = global_4.member[_e367].member_16.member;
+let _e5169 = global_3.member[_e367].member_16.member;
 let _e5189 = select(-1e6f, (((((_e5169.member.member * _e4318.x) + (_e5169.member.member_1 * _e4318.y)) + (_e5169.member.member_2 * _e4318.z)) + _e5169.member_1) * _e5000), _e5164);
 let _e5190 = select(-1e6f, (((((_e5169.member.member * _e4704) + (_e5169.member.member_1 * _e4705)) + (_e5169.member.member_2 * _e4706)) + _e5169.member_1) * _e5000), _e5164);
-let _e5196 = global_4.member[_e367].member_16.member.member;
+let _e5196 = global_3.member[_e367].member_16.member.member;
 let _e5200 = -(_e5189);
 let _e5203 = (_e5189 - _e5190);
 let _e5204 = (_e5190 - _e5189);
@@ -1939,12 +1939,12 @@ let _e5224 = select(_e5145, _e5213, _e5222);
 let _e5228 = select(_e5149, _e5217, _e5223);
 let _e5232 = select(_e5153, _e5189, _e5218);
 let _e5234 = select(_e5155, _e5190, (_e5190 > _e5155));
-let _e5242 = global_4.member[_e367].member_17.member_1;
+let _e5242 = global_3.member[_e367].member_17.member_1;
 let _e5243 = (_e5242 != 0u);
-let _e5248 = global_4.member[_e367].member_17.member;
+let _e5248 = global_3.member[_e367].member_17.member;
 let _e5268 = select(-1e6f, (((((_e5248.member.member * _e4318.x) + (_e5248.member.member_1 * _e4318.y)) + (_e5248.member.member_2 * _e4318.z)) + _e5248.member_1) * _e5000), _e5243);
 let _e5269 = select(-1e6f, (((((_e5248.member.member * _e4704) + (_e5248.member.member_1 * _e4705)) + (_e5248.member.member_2 * _e4706)) + _e5248.member_1) * _e5000), _e5243);
-let _e5275 = global_4.member[_e367].member_17.member.member;
+let _e5275 = global_3.member[_e367].member_17.member.member;
 let _e5279 = -(_e5268);
 let _e5282 = (_e5268 - _e5269);
 let _e5283 = (_e5269 - _e5268);
@@ -1955,7 +1955,7 @@ let _e5296 = select(2f, select(0f, _e5288, (_e5268 < 0f)), (_e5269 > 0f));
 let _e5297 = (_e5268 > _e5232);
 let _e5301 = ((_e5292 > _e5224) || ((_e5292 == _e5224) && _e5297));
 let _e5302 = (_e5296 < _e5228);
-phi_12032_ = type_35(select(_e5224, _e5292, _e5301), vec3<f32>(select(select(select(select(_e4976, _e5038.member, _e5064), _e5117.member, _e5143), _e5196.member, _e5222), _e5275.member, _e5301), select(select(select(select(_e4977, _e5038.member_1, _e5064), _e5117.member_1, _e5143), _e5196.member_1, _e5222), _e5275.member_1, _e5301), select(select(select(select(_e4978, _e5038.member_2, _e5064), _e5117.member_2, _e5143), _e5196.member_2, _e5222), _e5275.member_2, _e5301)), select(_e5228, _e5296, _e5302), vec3<f32>(select(select(select(select(_e4981, _e5038.member, _e5065), _e5117.member, _e5144), _e5196.member, _e5223), _e5275.member, _e5302), select(select(select(select(_e4982, _e5038.member_1, _e5065), _e5117.member_1, _e5144), _e5196.member_1, _e5223), _e5275.member_1, _e5302), select(select(select(select(_e4983, _e5038.member_2, _e5065), _e5117.member_2, _e5144), _e5196.member_2, _e5223), _e5275.member_2, _e5302)), select(_e5232, _e5268, _e5297), select(_e5234, _e5269, (_e5269 > _e5234)), vec3<f32>(select(select(select(select(_e4988, _e5038.member, _e5060), _e5117.member, _e5139), _e5196.member, _e5218), _e5275.member, _e5297), select(select(select(select(_e4989, _e5038.member_1, _e5060), _e5117.member_1, _e5139), _e5196.member_1, _e5218), _e5275.member_1, _e5297), select(select(select(select(_e4990, _e5038.member_2, _e5060), _e5117.member_2, _e5139), _e5196.member_2, _e5218), _e5275.member_2, _e5297)));
+phi_12032_ = type_34(select(_e5224, _e5292, _e5301), vec3<f32>(select(select(select(select(_e4976, _e5038.member, _e5064), _e5117.member, _e5143), _e5196.member, _e5222), _e5275.member, _e5301), select(select(select(select(_e4977, _e5038.member_1, _e5064), _e5117.member_1, _e5143), _e5196.member_1, _e5222), _e5275.member_1, _e5301), select(select(select(select(_e4978, _e5038.member_2, _e5064), _e5117.member_2, _e5143), _e5196.member_2, _e5222), _e5275.member_2, _e5301)), select(_e5228, _e5296, _e5302), vec3<f32>(select(select(select(select(_e4981, _e5038.member, _e5065), _e5117.member, _e5144), _e5196.member, _e5223), _e5275.member, _e5302), select(select(select(select(_e4982, _e5038.member_1, _e5065), _e5117.member_1, _e5144), _e5196.member_1, _e5223), _e5275.member_1, _e5302), select(select(select(select(_e4983, _e5038.member_2, _e5065), _e5117.member_2, _e5144), _e5196.member_2, _e5223), _e5275.member_2, _e5302)), select(_e5232, _e5268, _e5297), select(_e5234, _e5269, (_e5269 > _e5234)), vec3<f32>(select(select(select(select(_e4988, _e5038.member, _e5060), _e5117.member, _e5139), _e5196.member, _e5218), _e5275.member, _e5297), select(select(select(select(_e4989, _e5038.member_1, _e5060), _e5117.member_1, _e5139), _e5196.member_1, _e5218), _e5275.member_1, _e5297), select(select(select(select(_e4990, _e5038.member_2, _e5060), _e5117.member_2, _e5139), _e5196.member_2, _e5218), _e5275.member_2, _e5297)));
 }
 let _e5322 = phi_12032_;
 let _e5328 = (((_e4305 && _e4709) && !(_e4693)) && (_e5322.member_2 <= 1f));
@@ -2165,7 +2165,7 @@ phi_13780_ = _e2598;
 phi_13780_ = _e3604;
 }
 let _e5852 = phi_13780_;
-phi_14052_ = type_39(_e5852, vec3<f32>(select(_e4704, _e4318.x, _e5328), select(_e4705, _e4318.y, _e5328), select(_e4706, _e4318.z, _e5328)), vec3<f32>(_e4678, _e4679, _e4680), select((_e1076 * select(0f, _e5409, (_e5409 > 0f))), ((((sqrt(select(0f, _e5420, (_e5420 > 0f))) * select(0f, _e5501, (_e5501 > 0f))) + (sqrt(select(0f, _e5512, (_e5512 > 0f))) * select(0f, _e5608, (_e5608 > 0f)))) + (sqrt(select(0f, _e5620, (_e5620 > 0f))) * select(0f, _e5716, (_e5716 > 0f)))) + select(0f, (sqrt(select(0f, _e5728, (_e5728 > 0f))) * select(0f, _e5824, (_e5824 > 0f))), _e4305)), _e5831), select((_e400 / _e4680), (2f * (_e3287 / _e2652)), (((_e2271 && !(_e1785)) && _e2685) && !(_e3283))), select(_e3277.member_3, _e2263.member_1, vec3(_e2666)), _e4709, _e5831, (((_e2670 || _e3670) || _e4693) || _e5328));
+phi_14052_ = type_38(_e5852, vec3<f32>(select(_e4704, _e4318.x, _e5328), select(_e4705, _e4318.y, _e5328), select(_e4706, _e4318.z, _e5328)), vec3<f32>(_e4678, _e4679, _e4680), select((_e1076 * select(0f, _e5409, (_e5409 > 0f))), ((((sqrt(select(0f, _e5420, (_e5420 > 0f))) * select(0f, _e5501, (_e5501 > 0f))) + (sqrt(select(0f, _e5512, (_e5512 > 0f))) * select(0f, _e5608, (_e5608 > 0f)))) + (sqrt(select(0f, _e5620, (_e5620 > 0f))) * select(0f, _e5716, (_e5716 > 0f)))) + select(0f, (sqrt(select(0f, _e5728, (_e5728 > 0f))) * select(0f, _e5824, (_e5824 > 0f))), _e4305)), _e5831), select((_e400 / _e4680), (2f * (_e3287 / _e2652)), (((_e2271 && !(_e1785)) && _e2685) && !(_e3283))), select(_e3277.member_3, _e2263.member_1, vec3(_e2666)), _e4709, _e5831, (((_e2670 || _e3670) || _e4693) || _e5328));
 } else {
 let _e1078 = (_e915 < 1e-12f);
 let _e1080 = (1f / select(_e910, 1f, _e1078));
@@ -2200,7 +2200,7 @@ let _e1152 = select(select(1f, _e1149, (_e1149 < 1f)), 1f, _e1128);
 let _e1154 = select(_e1127, _e1102, (_e1102 < _e1127));
 let _e1158 = select(_e1120, _e1095, (_e1095 > _e1120));
 let _e1161 = (select(_e1152, _e1154, (_e1154 < _e1152)) - select(_e1145, _e1158, (_e1158 > _e1145)));
-phi_14052_ = type_39(_e1077.member, _e1077.member_1, _e1077.member_2, (_e1076 * select(0f, _e1161, (_e1161 > 0f))), _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8);
+phi_14052_ = type_38(_e1077.member, _e1077.member_1, _e1077.member_2, (_e1076 * select(0f, _e1161, (_e1161 > 0f))), _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8);
 }
 let _e5855 = phi_14052_;
 let _e5866 = ((((_e468.member.member * _e5855.member_1.x) + (_e468.member.member_1 * _e5855.member_1.y)) + (_e468.member.member_2 * _e5855.member_1.z)) + _e468.member_1);
@@ -2225,8 +2225,8 @@ let _e6186 = select(-1f, _e6154, (_e6154 > -1f));
 let _e6188 = select(_e558, _e6186, (_e6186 < _e558));
 let _e6195 = select(0i, select(select(i32(_e6188), i32(-2147483648), (_e6188 < -2147483600f)), 2147483647i, (_e6188 > 2147483500f)), (_e6188 == _e6188));
 let _e6199 = (_e6195 - select(0i, 1i, (_e6188 < f32(_e6195))));
-let _e6204 = global_4.member[_e367].member_6.member_7;
-let _e6209 = global_4.member[_e367].member_6.member_8;
+let _e6204 = global_3.member[_e367].member_6.member_7;
+let _e6209 = global_3.member[_e367].member_6.member_8;
 let _e6217 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e6218 = (_e6184 - 1i);
 let _e6223 = (_e6184 + 1i);
@@ -2247,29 +2247,29 @@ let _e6271 = (select(0i, _e6237, (_e6237 > 0i)) * _e6209);
 let _e6272 = (select(0i, _e6199, (_e6199 > 0i)) * _e6209);
 let _e6273 = (select(_e6236, _e6242, (_e6242 < _e6236)) * _e6209);
 let _e6274 = (select(_e6236, _e6245, (_e6245 < _e6236)) * _e6209);
-local_22 = type_32(array<i32, 4>(select(0i, _e6256, (_e6256 > 0i)), select(0i, _e6169, (_e6169 > 0i)), select(_e6255, _e6261, (_e6261 < _e6255)), select(_e6255, _e6264, (_e6264 < _e6255))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_22 = type_28(array<i32, 4>(select(0i, _e6256, (_e6256 > 0i)), select(0i, _e6169, (_e6169 > 0i)), select(_e6255, _e6261, (_e6261 < _e6255)), select(_e6255, _e6264, (_e6264 < _e6255))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_23 = vec3<f32>((_e6146 - f32(_e6169)), (_e6150 - f32(_e6184)), (_e6154 - f32(_e6199)));
 let _e6285 = (_e6272 + _e6268);
 let _e6288 = local_22.member[0u];
 let _e6289 = (_e6285 + _e6288);
 let _e6291 = (bitcast<i32>(_e180) - 1i);
 let _e6293 = select(_e6291, _e6289, (_e6289 < _e6291));
-let _e6298 = global_2.member[bitcast<u32>(select(0i, _e6293, (_e6293 > 0i)))];
+let _e6298 = global_1.member[bitcast<u32>(select(0i, _e6293, (_e6293 > 0i)))];
 let _e6299 = bitcast<f32>(_e6298);
 let _e6302 = local_22.member[1u];
 let _e6303 = (_e6285 + _e6302);
 let _e6305 = select(_e6291, _e6303, (_e6303 < _e6291));
-let _e6310 = global_2.member[bitcast<u32>(select(0i, _e6305, (_e6305 > 0i)))];
+let _e6310 = global_1.member[bitcast<u32>(select(0i, _e6305, (_e6305 > 0i)))];
 let _e6311 = bitcast<f32>(_e6310);
 let _e6314 = local_22.member[2u];
 let _e6315 = (_e6285 + _e6314);
 let _e6317 = select(_e6291, _e6315, (_e6315 < _e6291));
-let _e6322 = global_2.member[bitcast<u32>(select(0i, _e6317, (_e6317 > 0i)))];
+let _e6322 = global_1.member[bitcast<u32>(select(0i, _e6317, (_e6317 > 0i)))];
 let _e6323 = bitcast<f32>(_e6322);
 let _e6326 = local_22.member[3u];
 let _e6327 = (_e6285 + _e6326);
 let _e6329 = select(_e6291, _e6327, (_e6327 < _e6291));
-let _e6334 = global_2.member[bitcast<u32>(select(0i, _e6329, (_e6329 > 0i)))];
+let _e6334 = global_1.member[bitcast<u32>(select(0i, _e6329, (_e6329 > 0i)))];
 let _e6336 = local_23[0u];
 let _e6339 = (_e6299 + ((_e6311 - _e6299) * _e6336));
 let _e6340 = local_23[0u];
@@ -2280,22 +2280,22 @@ let _e6348 = (_e6272 + _e6269);
 let _e6349 = local_22.member[0u];
 let _e6350 = (_e6348 + _e6349);
 let _e6352 = select(_e6291, _e6350, (_e6350 < _e6291));
-let _e6357 = global_2.member[bitcast<u32>(select(0i, _e6352, (_e6352 > 0i)))];
+let _e6357 = global_1.member[bitcast<u32>(select(0i, _e6352, (_e6352 > 0i)))];
 let _e6358 = bitcast<f32>(_e6357);
 let _e6359 = local_22.member[1u];
 let _e6360 = (_e6348 + _e6359);
 let _e6362 = select(_e6291, _e6360, (_e6360 < _e6291));
-let _e6367 = global_2.member[bitcast<u32>(select(0i, _e6362, (_e6362 > 0i)))];
+let _e6367 = global_1.member[bitcast<u32>(select(0i, _e6362, (_e6362 > 0i)))];
 let _e6368 = bitcast<f32>(_e6367);
 let _e6369 = local_22.member[2u];
 let _e6370 = (_e6348 + _e6369);
 let _e6372 = select(_e6291, _e6370, (_e6370 < _e6291));
-let _e6377 = global_2.member[bitcast<u32>(select(0i, _e6372, (_e6372 > 0i)))];
+let _e6377 = global_1.member[bitcast<u32>(select(0i, _e6372, (_e6372 > 0i)))];
 let _e6378 = bitcast<f32>(_e6377);
 let _e6379 = local_22.member[3u];
 let _e6380 = (_e6348 + _e6379);
 let _e6382 = select(_e6291, _e6380, (_e6380 < _e6291));
-let _e6387 = global_2.member[bitcast<u32>(select(0i, _e6382, (_e6382 > 0i)))];
+let _e6387 = global_1.member[bitcast<u32>(select(0i, _e6382, (_e6382 > 0i)))];
 let _e6389 = local_23[0u];
 let _e6393 = local_23[0u];
 let _e6396 = (_e6368 + ((_e6378 - _e6368) * _e6393));
@@ -2304,22 +2304,22 @@ let _e6401 = (_e6273 + _e6268);
 let _e6402 = local_22.member[0u];
 let _e6403 = (_e6401 + _e6402);
 let _e6405 = select(_e6291, _e6403, (_e6403 < _e6291));
-let _e6410 = global_2.member[bitcast<u32>(select(0i, _e6405, (_e6405 > 0i)))];
+let _e6410 = global_1.member[bitcast<u32>(select(0i, _e6405, (_e6405 > 0i)))];
 let _e6411 = bitcast<f32>(_e6410);
 let _e6412 = local_22.member[1u];
 let _e6413 = (_e6401 + _e6412);
 let _e6415 = select(_e6291, _e6413, (_e6413 < _e6291));
-let _e6420 = global_2.member[bitcast<u32>(select(0i, _e6415, (_e6415 > 0i)))];
+let _e6420 = global_1.member[bitcast<u32>(select(0i, _e6415, (_e6415 > 0i)))];
 let _e6421 = bitcast<f32>(_e6420);
 let _e6422 = local_22.member[2u];
 let _e6423 = (_e6401 + _e6422);
 let _e6425 = select(_e6291, _e6423, (_e6423 < _e6291));
-let _e6430 = global_2.member[bitcast<u32>(select(0i, _e6425, (_e6425 > 0i)))];
+let _e6430 = global_1.member[bitcast<u32>(select(0i, _e6425, (_e6425 > 0i)))];
 let _e6431 = bitcast<f32>(_e6430);
 let _e6432 = local_22.member[3u];
 let _e6433 = (_e6401 + _e6432);
 let _e6435 = select(_e6291, _e6433, (_e6433 < _e6291));
-let _e6440 = global_2.member[bitcast<u32>(select(0i, _e6435, (_e6435 > 0i)))];
+let _e6440 = global_1.member[bitcast<u32>(select(0i, _e6435, (_e6435 > 0i)))];
 let _e6442 = local_23[0u];
 let _e6445 = (_e6411 + ((_e6421 - _e6411) * _e6442));
 let _e6446 = local_23[0u];
@@ -2330,22 +2330,22 @@ let _e6454 = (_e6273 + _e6269);
 let _e6455 = local_22.member[0u];
 let _e6456 = (_e6454 + _e6455);
 let _e6458 = select(_e6291, _e6456, (_e6456 < _e6291));
-let _e6463 = global_2.member[bitcast<u32>(select(0i, _e6458, (_e6458 > 0i)))];
+let _e6463 = global_1.member[bitcast<u32>(select(0i, _e6458, (_e6458 > 0i)))];
 let _e6464 = bitcast<f32>(_e6463);
 let _e6465 = local_22.member[1u];
 let _e6466 = (_e6454 + _e6465);
 let _e6468 = select(_e6291, _e6466, (_e6466 < _e6291));
-let _e6473 = global_2.member[bitcast<u32>(select(0i, _e6468, (_e6468 > 0i)))];
+let _e6473 = global_1.member[bitcast<u32>(select(0i, _e6468, (_e6468 > 0i)))];
 let _e6474 = bitcast<f32>(_e6473);
 let _e6475 = local_22.member[2u];
 let _e6476 = (_e6454 + _e6475);
 let _e6478 = select(_e6291, _e6476, (_e6476 < _e6291));
-let _e6483 = global_2.member[bitcast<u32>(select(0i, _e6478, (_e6478 > 0i)))];
+let _e6483 = global_1.member[bitcast<u32>(select(0i, _e6478, (_e6478 > 0i)))];
 let _e6484 = bitcast<f32>(_e6483);
 let _e6485 = local_22.member[3u];
 let _e6486 = (_e6454 + _e6485);
 let _e6488 = select(_e6291, _e6486, (_e6486 < _e6291));
-let _e6493 = global_2.member[bitcast<u32>(select(0i, _e6488, (_e6488 > 0i)))];
+let _e6493 = global_1.member[bitcast<u32>(select(0i, _e6488, (_e6488 > 0i)))];
 let _e6495 = local_23[0u];
 let _e6499 = local_23[0u];
 let _e6502 = (_e6474 + ((_e6484 - _e6474) * _e6499));
@@ -2354,93 +2354,93 @@ let _e6507 = (_e6272 + _e6267);
 let _e6508 = local_22.member[1u];
 let _e6509 = (_e6507 + _e6508);
 let _e6511 = select(_e6291, _e6509, (_e6509 < _e6291));
-let _e6516 = global_2.member[bitcast<u32>(select(0i, _e6511, (_e6511 > 0i)))];
+let _e6516 = global_1.member[bitcast<u32>(select(0i, _e6511, (_e6511 > 0i)))];
 let _e6517 = bitcast<f32>(_e6516);
 let _e6518 = local_22.member[2u];
 let _e6519 = (_e6507 + _e6518);
 let _e6521 = select(_e6291, _e6519, (_e6519 < _e6291));
-let _e6526 = global_2.member[bitcast<u32>(select(0i, _e6521, (_e6521 > 0i)))];
+let _e6526 = global_1.member[bitcast<u32>(select(0i, _e6521, (_e6521 > 0i)))];
 let _e6528 = local_23[0u];
 let _e6531 = (_e6517 + ((bitcast<f32>(_e6526) - _e6517) * _e6528));
 let _e6532 = (_e6272 + _e6270);
 let _e6533 = local_22.member[1u];
 let _e6534 = (_e6532 + _e6533);
 let _e6536 = select(_e6291, _e6534, (_e6534 < _e6291));
-let _e6541 = global_2.member[bitcast<u32>(select(0i, _e6536, (_e6536 > 0i)))];
+let _e6541 = global_1.member[bitcast<u32>(select(0i, _e6536, (_e6536 > 0i)))];
 let _e6542 = bitcast<f32>(_e6541);
 let _e6543 = local_22.member[2u];
 let _e6544 = (_e6532 + _e6543);
 let _e6546 = select(_e6291, _e6544, (_e6544 < _e6291));
-let _e6551 = global_2.member[bitcast<u32>(select(0i, _e6546, (_e6546 > 0i)))];
+let _e6551 = global_1.member[bitcast<u32>(select(0i, _e6546, (_e6546 > 0i)))];
 let _e6553 = local_23[0u];
 let _e6557 = (_e6273 + _e6267);
 let _e6558 = local_22.member[1u];
 let _e6559 = (_e6557 + _e6558);
 let _e6561 = select(_e6291, _e6559, (_e6559 < _e6291));
-let _e6566 = global_2.member[bitcast<u32>(select(0i, _e6561, (_e6561 > 0i)))];
+let _e6566 = global_1.member[bitcast<u32>(select(0i, _e6561, (_e6561 > 0i)))];
 let _e6567 = bitcast<f32>(_e6566);
 let _e6568 = local_22.member[2u];
 let _e6569 = (_e6557 + _e6568);
 let _e6571 = select(_e6291, _e6569, (_e6569 < _e6291));
-let _e6576 = global_2.member[bitcast<u32>(select(0i, _e6571, (_e6571 > 0i)))];
+let _e6576 = global_1.member[bitcast<u32>(select(0i, _e6571, (_e6571 > 0i)))];
 let _e6578 = local_23[0u];
 let _e6581 = (_e6567 + ((bitcast<f32>(_e6576) - _e6567) * _e6578));
 let _e6582 = (_e6273 + _e6270);
 let _e6583 = local_22.member[1u];
 let _e6584 = (_e6582 + _e6583);
 let _e6586 = select(_e6291, _e6584, (_e6584 < _e6291));
-let _e6591 = global_2.member[bitcast<u32>(select(0i, _e6586, (_e6586 > 0i)))];
+let _e6591 = global_1.member[bitcast<u32>(select(0i, _e6586, (_e6586 > 0i)))];
 let _e6592 = bitcast<f32>(_e6591);
 let _e6593 = local_22.member[2u];
 let _e6594 = (_e6582 + _e6593);
 let _e6596 = select(_e6291, _e6594, (_e6594 < _e6291));
-let _e6601 = global_2.member[bitcast<u32>(select(0i, _e6596, (_e6596 > 0i)))];
+let _e6601 = global_1.member[bitcast<u32>(select(0i, _e6596, (_e6596 > 0i)))];
 let _e6603 = local_23[0u];
 let _e6607 = (_e6271 + _e6268);
 let _e6608 = local_22.member[1u];
 let _e6609 = (_e6607 + _e6608);
 let _e6611 = select(_e6291, _e6609, (_e6609 < _e6291));
-let _e6616 = global_2.member[bitcast<u32>(select(0i, _e6611, (_e6611 > 0i)))];
+let _e6616 = global_1.member[bitcast<u32>(select(0i, _e6611, (_e6611 > 0i)))];
 let _e6617 = bitcast<f32>(_e6616);
 let _e6618 = local_22.member[2u];
 let _e6619 = (_e6607 + _e6618);
 let _e6621 = select(_e6291, _e6619, (_e6619 < _e6291));
-let _e6626 = global_2.member[bitcast<u32>(select(0i, _e6621, (_e6621 > 0i)))];
+let _e6626 = global_1.member[bitcast<u32>(select(0i, _e6621, (_e6621 > 0i)))];
 let _e6628 = local_23[0u];
 let _e6631 = (_e6617 + ((bitcast<f32>(_e6626) - _e6617) * _e6628));
 let _e6632 = (_e6274 + _e6268);
 let _e6633 = local_22.member[1u];
 let _e6634 = (_e6632 + _e6633);
 let _e6636 = select(_e6291, _e6634, (_e6634 < _e6291));
-let _e6641 = global_2.member[bitcast<u32>(select(0i, _e6636, (_e6636 > 0i)))];
+let _e6641 = global_1.member[bitcast<u32>(select(0i, _e6636, (_e6636 > 0i)))];
 let _e6642 = bitcast<f32>(_e6641);
 let _e6643 = local_22.member[2u];
 let _e6644 = (_e6632 + _e6643);
 let _e6646 = select(_e6291, _e6644, (_e6644 < _e6291));
-let _e6651 = global_2.member[bitcast<u32>(select(0i, _e6646, (_e6646 > 0i)))];
+let _e6651 = global_1.member[bitcast<u32>(select(0i, _e6646, (_e6646 > 0i)))];
 let _e6653 = local_23[0u];
 let _e6656 = (_e6642 + ((bitcast<f32>(_e6651) - _e6642) * _e6653));
 let _e6657 = (_e6271 + _e6269);
 let _e6658 = local_22.member[1u];
 let _e6659 = (_e6657 + _e6658);
 let _e6661 = select(_e6291, _e6659, (_e6659 < _e6291));
-let _e6666 = global_2.member[bitcast<u32>(select(0i, _e6661, (_e6661 > 0i)))];
+let _e6666 = global_1.member[bitcast<u32>(select(0i, _e6661, (_e6661 > 0i)))];
 let _e6667 = bitcast<f32>(_e6666);
 let _e6668 = local_22.member[2u];
 let _e6669 = (_e6657 + _e6668);
 let _e6671 = select(_e6291, _e6669, (_e6669 < _e6291));
-let _e6676 = global_2.member[bitcast<u32>(select(0i, _e6671, (_e6671 > 0i)))];
+let _e6676 = global_1.member[bitcast<u32>(select(0i, _e6671, (_e6671 > 0i)))];
 let _e6678 = local_23[0u];
 let _e6682 = (_e6274 + _e6269);
 let _e6683 = local_22.member[1u];
 let _e6684 = (_e6682 + _e6683);
 let _e6686 = select(_e6291, _e6684, (_e6684 < _e6291));
-let _e6691 = global_2.member[bitcast<u32>(select(0i, _e6686, (_e6686 > 0i)))];
+let _e6691 = global_1.member[bitcast<u32>(select(0i, _e6686, (_e6686 > 0i)))];
 let _e6692 = bitcast<f32>(_e6691);
 let _e6693 = local_22.member[2u];
 let _e6694 = (_e6682 + _e6693);
 let _e6696 = select(_e6291, _e6694, (_e6694 < _e6291));
-let _e6701 = global_2.member[bitcast<u32>(select(0i, _e6696, (_e6696 > 0i)))];
+let _e6701 = global_1.member[bitcast<u32>(select(0i, _e6696, (_e6696 > 0i)))];
 let _e6703 = local_23[0u];
 let _e6708 = local_23[1u];
 let _e6711 = (_e6343 + ((_e6396 - _e6343) * _e6708));
@@ -2468,8 +2468,8 @@ let _e6769 = local_23[2u];
 let _e6773 = local_23[1u];
 let _e6777 = local_23[2u];
 let _e6781 = local_23[2u];
-let _e6789 = global_4.member[_e367].member_6.member_6;
-let _e6794 = global_4.member[_e367].member_6.member_5;
+let _e6789 = global_3.member[_e367].member_6.member_6;
+let _e6794 = global_3.member[_e367].member_6.member_5;
 let _e6796 = (((_e6711 + ((_e6715 - _e6711) * _e6781)) - _e6789) * _e6794);
 let _e6797 = -(1e9f);
 let _e6799 = select(_e6797, _e6796, (_e6796 > _e6797));
@@ -2498,50 +2498,50 @@ local_21 = _e6838;
 let _e6839 = local_21;
 let _e6841 = (bitcast<i32>(_e185) - 1i);
 let _e6843 = select(_e6841, 263197i, (263197i < _e6841));
-let _e6848 = global_3.member[bitcast<u32>(select(0i, _e6843, (_e6843 > 0i)))];
+let _e6848 = global_2.member[bitcast<u32>(select(0i, _e6843, (_e6843 > 0i)))];
 let _e6849 = bitcast<f32>(_e6848);
 let _e6851 = select(_e6841, 263198i, (263198i < _e6841));
 let _e6854 = bitcast<u32>(select(0i, _e6851, (_e6851 > 0i)));
-let _e6856 = global_3.member[_e6854];
+let _e6856 = global_2.member[_e6854];
 let _e6857 = bitcast<f32>(_e6856);
 let _e6859 = select(_e6841, 263199i, (263199i < _e6841));
-let _e6864 = global_3.member[bitcast<u32>(select(0i, _e6859, (_e6859 > 0i)))];
+let _e6864 = global_2.member[bitcast<u32>(select(0i, _e6859, (_e6859 > 0i)))];
 let _e6865 = bitcast<f32>(_e6864);
 let _e6867 = ((_e6839 - _e6849) * _e6857);
 let _e6869 = select(0f, _e6867, (_e6867 > 0f));
 let _e6872 = local_21;
 let _e6874 = select(_e6841, 263200i, (263200i < _e6841));
-let _e6879 = global_3.member[bitcast<u32>(select(0i, _e6874, (_e6874 > 0i)))];
+let _e6879 = global_2.member[bitcast<u32>(select(0i, _e6874, (_e6874 > 0i)))];
 let _e6880 = bitcast<f32>(_e6879);
 let _e6882 = select(_e6841, 263201i, (263201i < _e6841));
-let _e6887 = global_3.member[bitcast<u32>(select(0i, _e6882, (_e6882 > 0i)))];
+let _e6887 = global_2.member[bitcast<u32>(select(0i, _e6882, (_e6882 > 0i)))];
 let _e6888 = bitcast<f32>(_e6887);
 let _e6890 = select(_e6841, 263202i, (263202i < _e6841));
-let _e6895 = global_3.member[bitcast<u32>(select(0i, _e6890, (_e6890 > 0i)))];
+let _e6895 = global_2.member[bitcast<u32>(select(0i, _e6890, (_e6890 > 0i)))];
 let _e6896 = bitcast<f32>(_e6895);
 let _e6898 = ((_e6872 - _e6880) * _e6888);
 let _e6900 = select(0f, _e6898, (_e6898 > 0f));
 let _e6904 = local_21;
 let _e6906 = select(_e6841, 263203i, (263203i < _e6841));
-let _e6911 = global_3.member[bitcast<u32>(select(0i, _e6906, (_e6906 > 0i)))];
+let _e6911 = global_2.member[bitcast<u32>(select(0i, _e6906, (_e6906 > 0i)))];
 let _e6912 = bitcast<f32>(_e6911);
 let _e6914 = select(_e6841, 263204i, (263204i < _e6841));
-let _e6919 = global_3.member[bitcast<u32>(select(0i, _e6914, (_e6914 > 0i)))];
+let _e6919 = global_2.member[bitcast<u32>(select(0i, _e6914, (_e6914 > 0i)))];
 let _e6920 = bitcast<f32>(_e6919);
 let _e6922 = select(_e6841, 263205i, (263205i < _e6841));
-let _e6927 = global_3.member[bitcast<u32>(select(0i, _e6922, (_e6922 > 0i)))];
+let _e6927 = global_2.member[bitcast<u32>(select(0i, _e6922, (_e6922 > 0i)))];
 let _e6928 = bitcast<f32>(_e6927);
 let _e6930 = ((_e6904 - _e6912) * _e6920);
 let _e6932 = select(0f, _e6930, (_e6930 > 0f));
 let _e6935 = local_21;
 let _e6937 = select(_e6841, 263206i, (263206i < _e6841));
-let _e6942 = global_3.member[bitcast<u32>(select(0i, _e6937, (_e6937 > 0i)))];
+let _e6942 = global_2.member[bitcast<u32>(select(0i, _e6937, (_e6937 > 0i)))];
 let _e6943 = bitcast<f32>(_e6942);
 let _e6945 = select(_e6841, 263207i, (263207i < _e6841));
-let _e6950 = global_3.member[bitcast<u32>(select(0i, _e6945, (_e6945 > 0i)))];
+let _e6950 = global_2.member[bitcast<u32>(select(0i, _e6945, (_e6945 > 0i)))];
 let _e6951 = bitcast<f32>(_e6950);
 let _e6953 = select(_e6841, 263208i, (263208i < _e6841));
-let _e6958 = global_3.member[bitcast<u32>(select(0i, _e6953, (_e6953 > 0i)))];
+let _e6958 = global_2.member[bitcast<u32>(select(0i, _e6953, (_e6953 > 0i)))];
 let _e6959 = bitcast<f32>(_e6958);
 let _e6961 = ((_e6935 - _e6943) * _e6951);
 let _e6963 = select(0f, _e6961, (_e6961 > 0f));
@@ -2552,34 +2552,34 @@ let _e6978 = select(0i, select(select(i32(_e6971), i32(-2147483648), (_e6971 < -
 let _e6982 = (_e6978 - select(0i, 1i, (_e6971 < f32(_e6978))));
 let _e6983 = (262147i + _e6982);
 let _e6985 = select(_e6841, _e6983, (_e6983 < _e6841));
-let _e6991 = global_3.member[bitcast<u32>(select(0i, _e6985, (_e6985 > 0i)))];
+let _e6991 = global_2.member[bitcast<u32>(select(0i, _e6985, (_e6985 > 0i)))];
 let _e7001 = select(_e6841, 262146i, (262146i < _e6841));
-let _e7007 = global_3.member[bitcast<u32>(select(0i, _e7001, (_e7001 > 0i)))];
+let _e7007 = global_2.member[bitcast<u32>(select(0i, _e7001, (_e7001 > 0i)))];
 let _e7008 = bitcast<f32>(_e7007);
 let _e7009 = (f32((bitcast<i32>((_e6991 & 4095u)) - 2048i)) * _e7008);
 let _e7011 = select(_e6841, 262144i, (262144i < _e6841));
-let _e7017 = global_3.member[bitcast<u32>(select(0i, _e7011, (_e7011 > 0i)))];
+let _e7017 = global_2.member[bitcast<u32>(select(0i, _e7011, (_e7011 > 0i)))];
 let _e7018 = bitcast<f32>(_e7017);
 let _e7020 = select(_e6841, 262145i, (262145i < _e6841));
-let _e7026 = global_3.member[bitcast<u32>(select(0i, _e7020, (_e7020 > 0i)))];
+let _e7026 = global_2.member[bitcast<u32>(select(0i, _e7020, (_e7020 > 0i)))];
 let _e7027 = bitcast<f32>(_e7026);
 let _e7033 = ((_e7018 + (f32(bitcast<i32>((_e6991 >> bitcast<u32>(12u)))) * _e7027)) + (_e7009 * (_e6967 - f32(_e6982))));
-let _e7036 = global_3.member[_e6854];
+let _e7036 = global_2.member[_e6854];
 let _e7038 = local_20;
 let _e7041 = local_20;
 let _e7044 = local_20;
 let _e7048 = select(_e6841, 263209i, (263209i < _e6841));
-let _e7054 = global_3.member[bitcast<u32>(select(0i, _e7048, (_e7048 > 0i)))];
+let _e7054 = global_2.member[bitcast<u32>(select(0i, _e7048, (_e7048 > 0i)))];
 let _e7056 = local_20;
 let _e7059 = select(_e6841, 263210i, (263210i < _e6841));
-let _e7065 = global_3.member[bitcast<u32>(select(0i, _e7059, (_e7059 > 0i)))];
+let _e7065 = global_2.member[bitcast<u32>(select(0i, _e7059, (_e7059 > 0i)))];
 let _e7067 = local_20;
 let _e7071 = (_e7009 * select(0f, select(select(select(bitcast<f32>(_e7036), _e6888, (_e7038 >= _e6880)), _e6920, (_e7041 >= _e6912)), _e6951, (_e7044 >= _e6943)), ((_e7056 >= bitcast<f32>(_e7054)) && (_e7067 <= bitcast<f32>(_e7065)))));
 if _e581 {
 let _e7522 = ((0.5f * (_e6813 - _e6807)) * _e7071);
 let _e7523 = ((0.5f * (_e6825 - _e6819)) * _e7071);
 let _e7524 = ((0.5f * (_e6837 - _e6831)) * _e7071);
-phi_19357_ = type_33(_e7033, vec3<f32>(_e7522, _e7523, _e7524), vec3<f32>((_e7522 * _e7033), (_e7523 * _e7033), (_e7524 * _e7033)));
+phi_19357_ = type_32(_e7033, vec3<f32>(_e7522, _e7523, _e7524), vec3<f32>((_e7522 * _e7033), (_e7523 * _e7033), (_e7524 * _e7033)));
 } else {
 local_18 = _e6807;
 let _e7072 = local_18;
@@ -2603,7 +2603,7 @@ let _e7114 = select(0i, select(select(i32(_e7107), i32(-2147483648), (_e7107 < -
 let _e7118 = (_e7114 - select(0i, 1i, (_e7107 < f32(_e7114))));
 let _e7119 = (262147i + _e7118);
 let _e7121 = select(_e6841, _e7119, (_e7119 < _e6841));
-let _e7127 = global_3.member[bitcast<u32>(select(0i, _e7121, (_e7121 > 0i)))];
+let _e7127 = global_2.member[bitcast<u32>(select(0i, _e7121, (_e7121 > 0i)))];
 let _e7142 = ((_e7018 + (f32(bitcast<i32>((_e7127 >> bitcast<u32>(12u)))) * _e7027)) + ((f32((bitcast<i32>((_e7127 & 4095u)) - 2048i)) * _e7008) * (_e7103 - f32(_e7118))));
 local_16 = _e6813;
 let _e7143 = local_16;
@@ -2627,7 +2627,7 @@ let _e7185 = select(0i, select(select(i32(_e7178), i32(-2147483648), (_e7178 < -
 let _e7189 = (_e7185 - select(0i, 1i, (_e7178 < f32(_e7185))));
 let _e7190 = (262147i + _e7189);
 let _e7192 = select(_e6841, _e7190, (_e7190 < _e6841));
-let _e7198 = global_3.member[bitcast<u32>(select(0i, _e7192, (_e7192 > 0i)))];
+let _e7198 = global_2.member[bitcast<u32>(select(0i, _e7192, (_e7192 > 0i)))];
 let _e7213 = ((_e7018 + (f32(bitcast<i32>((_e7198 >> bitcast<u32>(12u)))) * _e7027)) + ((f32((bitcast<i32>((_e7198 & 4095u)) - 2048i)) * _e7008) * (_e7174 - f32(_e7189))));
 local_14 = _e6819;
 let _e7214 = local_14;
@@ -2651,7 +2651,7 @@ let _e7256 = select(0i, select(select(i32(_e7249), i32(-2147483648), (_e7249 < -
 let _e7260 = (_e7256 - select(0i, 1i, (_e7249 < f32(_e7256))));
 let _e7261 = (262147i + _e7260);
 let _e7263 = select(_e6841, _e7261, (_e7261 < _e6841));
-let _e7269 = global_3.member[bitcast<u32>(select(0i, _e7263, (_e7263 > 0i)))];
+let _e7269 = global_2.member[bitcast<u32>(select(0i, _e7263, (_e7263 > 0i)))];
 let _e7284 = ((_e7018 + (f32(bitcast<i32>((_e7269 >> bitcast<u32>(12u)))) * _e7027)) + ((f32((bitcast<i32>((_e7269 & 4095u)) - 2048i)) * _e7008) * (_e7245 - f32(_e7260))));
 local_12 = _e6825;
 let _e7285 = local_12;
@@ -2675,7 +2675,7 @@ let _e7327 = select(0i, select(select(i32(_e7320), i32(-2147483648), (_e7320 < -
 let _e7331 = (_e7327 - select(0i, 1i, (_e7320 < f32(_e7327))));
 let _e7332 = (262147i + _e7331);
 let _e7334 = select(_e6841, _e7332, (_e7332 < _e6841));
-let _e7340 = global_3.member[bitcast<u32>(select(0i, _e7334, (_e7334 > 0i)))];
+let _e7340 = global_2.member[bitcast<u32>(select(0i, _e7334, (_e7334 > 0i)))];
 let _e7355 = ((_e7018 + (f32(bitcast<i32>((_e7340 >> bitcast<u32>(12u)))) * _e7027)) + ((f32((bitcast<i32>((_e7340 & 4095u)) - 2048i)) * _e7008) * (_e7316 - f32(_e7331))));
 local_10 = _e6831;
 let _e7356 = local_10;
@@ -2699,7 +2699,7 @@ let _e7398 = select(0i, select(select(i32(_e7391), i32(-2147483648), (_e7391 < -
 let _e7402 = (_e7398 - select(0i, 1i, (_e7391 < f32(_e7398))));
 let _e7403 = (262147i + _e7402);
 let _e7405 = select(_e6841, _e7403, (_e7403 < _e6841));
-let _e7411 = global_3.member[bitcast<u32>(select(0i, _e7405, (_e7405 > 0i)))];
+let _e7411 = global_2.member[bitcast<u32>(select(0i, _e7405, (_e7405 > 0i)))];
 let _e7426 = ((_e7018 + (f32(bitcast<i32>((_e7411 >> bitcast<u32>(12u)))) * _e7027)) + ((f32((bitcast<i32>((_e7411 & 4095u)) - 2048i)) * _e7008) * (_e7387 - f32(_e7402))));
 local_8 = _e6837;
 let _e7427 = local_8;
@@ -2723,28 +2723,28 @@ let _e7469 = select(0i, select(select(i32(_e7462), i32(-2147483648), (_e7462 < -
 let _e7473 = (_e7469 - select(0i, 1i, (_e7462 < f32(_e7469))));
 let _e7474 = (262147i + _e7473);
 let _e7476 = select(_e6841, _e7474, (_e7474 < _e6841));
-let _e7482 = global_3.member[bitcast<u32>(select(0i, _e7476, (_e7476 > 0i)))];
+let _e7482 = global_2.member[bitcast<u32>(select(0i, _e7476, (_e7476 > 0i)))];
 let _e7497 = ((_e7018 + (f32(bitcast<i32>((_e7482 >> bitcast<u32>(12u)))) * _e7027)) + ((f32((bitcast<i32>((_e7482 & 4095u)) - 2048i)) * _e7008) * (_e7458 - f32(_e7473))));
 let _e7498 = (_e7213 - _e7142);
 let _e7500 = (_e7355 - _e7284);
 let _e7502 = (_e7497 - _e7426);
-phi_19357_ = type_33(_e7033, vec3<f32>((0.5f * _e7498), (0.5f * _e7500), (0.5f * _e7502)), vec3<f32>((0.25f * (_e7498 * (_e7213 + _e7142))), (0.25f * (_e7500 * (_e7355 + _e7284))), (0.25f * (_e7502 * (_e7497 + _e7426)))));
+phi_19357_ = type_32(_e7033, vec3<f32>((0.5f * _e7498), (0.5f * _e7500), (0.5f * _e7502)), vec3<f32>((0.25f * (_e7498 * (_e7213 + _e7142))), (0.25f * (_e7500 * (_e7355 + _e7284))), (0.25f * (_e7502 * (_e7497 + _e7426)))));
 }
 let _e7532 = phi_19357_;
 let _e7547 = select(0f, 1f, ((((((_e5866 >= -0.5f) && (_e5866 <= _e895)) && (_e5872 >= -0.5f)) && (_e5872 <= _e900)) && (_e5878 >= -0.5f)) && (_e5878 <= _e905)));
 let _e7549 = (0.5f * (_e6813 - _e6807));
 let _e7551 = (0.5f * (_e6825 - _e6819));
 let _e7553 = (0.5f * (_e6837 - _e6831));
-let _e7560 = global_4.member[_e367].member_6.member.member.member;
-let _e7567 = global_4.member[_e367].member_6.member.member.member_1;
-let _e7574 = global_4.member[_e367].member_6.member.member.member_2;
-let _e7581 = global_4.member[_e367].member_6.member_1.member.member;
-let _e7588 = global_4.member[_e367].member_6.member_1.member.member_1;
-let _e7595 = global_4.member[_e367].member_6.member_1.member.member_2;
-let _e7602 = global_4.member[_e367].member_6.member_2.member.member;
-let _e7609 = global_4.member[_e367].member_6.member_2.member.member_1;
-let _e7616 = global_4.member[_e367].member_6.member_2.member.member_2;
-phi_20004_ = type_34(_e6801, vec3<f32>(((((_e7560 * _e7549) + (_e7581 * _e7551)) + (_e7602 * _e7553)) * _e7547), ((((_e7567 * _e7549) + (_e7588 * _e7551)) + (_e7609 * _e7553)) * _e7547), ((((_e7574 * _e7549) + (_e7595 * _e7551)) + (_e7616 * _e7553)) * _e7547)), _e7532.member, vec3<f32>(((((_e7560 * _e7532.member_2.x) + (_e7581 * _e7532.member_2.y)) + (_e7602 * _e7532.member_2.z)) * _e7547), ((((_e7567 * _e7532.member_2.x) + (_e7588 * _e7532.member_2.y)) + (_e7609 * _e7532.member_2.z)) * _e7547), ((((_e7574 * _e7532.member_2.x) + (_e7595 * _e7532.member_2.y)) + (_e7616 * _e7532.member_2.z)) * _e7547)), vec3<f32>(((((_e7560 * _e7532.member_1.x) + (_e7581 * _e7532.member_1.y)) + (_e7602 * _e7532.member_1.z)) * _e7547), ((((_e7567 * _e7532.member_1.x) + (_e7588 * _e7532.member_1.y)) + (_e7609 * _e7532.member_1.z)) * _e7547), ((((_e7574 * _e7532.member_1.x) + (_e7595 * _e7532.member_1.y)) + (_e7616 * _e7532.member_1.z)) * _e7547)));
+let _e7560 = global_3.member[_e367].member_6.member.member.member;
+let _e7567 = global_3.member[_e367].member_6.member.member.member_1;
+let _e7574 = global_3.member[_e367].member_6.member.member.member_2;
+let _e7581 = global_3.member[_e367].member_6.member_1.member.member;
+let _e7588 = global_3.member[_e367].member_6.member_1.member.member_1;
+let _e7595 = global_3.member[_e367].member_6.member_1.member.member_2;
+let _e7602 = global_3.member[_e367].member_6.member_2.member.member;
+let _e7609 = global_3.member[_e367].member_6.member_2.member.member_1;
+let _e7616 = global_3.member[_e367].member_6.member_2.member.member_2;
+phi_20004_ = type_33(_e6801, vec3<f32>(((((_e7560 * _e7549) + (_e7581 * _e7551)) + (_e7602 * _e7553)) * _e7547), ((((_e7567 * _e7549) + (_e7588 * _e7551)) + (_e7609 * _e7553)) * _e7547), ((((_e7574 * _e7549) + (_e7595 * _e7551)) + (_e7616 * _e7553)) * _e7547)), _e7532.member, vec3<f32>(((((_e7560 * _e7532.member_2.x) + (_e7581 * _e7532.member_2.y)) + (_e7602 * _e7532.member_2.z)) * _e7547), ((((_e7567 * _e7532.member_2.x) + (_e7588 * _e7532.member_2.y)) + (_e7609 * _e7532.member_2.z)) * _e7547), ((((_e7574 * _e7532.member_2.x) + (_e7595 * _e7532.member_2.y)) + (_e7616 * _e7532.member_2.z)) * _e7547)), vec3<f32>(((((_e7560 * _e7532.member_1.x) + (_e7581 * _e7532.member_1.y)) + (_e7602 * _e7532.member_1.z)) * _e7547), ((((_e7567 * _e7532.member_1.x) + (_e7588 * _e7532.member_1.y)) + (_e7609 * _e7532.member_1.z)) * _e7547), ((((_e7574 * _e7532.member_1.x) + (_e7595 * _e7532.member_1.y)) + (_e7616 * _e7532.member_1.z)) * _e7547)));
 } else {
 let _e5880 = select(-0.5f, _e5866, (_e5866 > -0.5f));
 let _e5882 = select(_e895, _e5880, (_e5880 < _e895));
@@ -2764,8 +2764,8 @@ let _e5922 = select(-1f, _e5890, (_e5890 > -1f));
 let _e5924 = select(_e558, _e5922, (_e5922 < _e558));
 let _e5931 = select(0i, select(select(i32(_e5924), i32(-2147483648), (_e5924 < -2147483600f)), 2147483647i, (_e5924 > 2147483500f)), (_e5924 == _e5924));
 let _e5935 = (_e5931 - select(0i, 1i, (_e5924 < f32(_e5931))));
-let _e5940 = global_4.member[_e367].member_6.member_7;
-let _e5945 = global_4.member[_e367].member_6.member_8;
+let _e5940 = global_3.member[_e367].member_6.member_7;
+let _e5945 = global_3.member[_e367].member_6.member_8;
 let _e5953 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e5956 = (_e5920 + 1i);
 let _e5966 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -2778,31 +2778,31 @@ let _e5991 = (select(0i, _e5920, (_e5920 > 0i)) * _e5940);
 let _e5992 = (select(_e5953, _e5956, (_e5956 < _e5953)) * _e5940);
 let _e5993 = (select(0i, _e5935, (_e5935 > 0i)) * _e5945);
 let _e5994 = (select(_e5966, _e5969, (_e5969 < _e5966)) * _e5945);
-local_6 = type_32(array<i32, 4>(select(0i, _e5980, (_e5980 > 0i)), select(0i, _e5905, (_e5905 > 0i)), select(_e5979, _e5985, (_e5985 < _e5979)), select(_e5979, _e5988, (_e5988 < _e5979))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_28(array<i32, 4>(select(0i, _e5980, (_e5980 > 0i)), select(0i, _e5905, (_e5905 > 0i)), select(_e5979, _e5985, (_e5985 < _e5979)), select(_e5979, _e5988, (_e5988 < _e5979))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = vec3<f32>((_e5882 - f32(_e5905)), (_e5886 - f32(_e5920)), (_e5890 - f32(_e5935)));
 let _e6005 = (_e5993 + _e5991);
 let _e6008 = local_6.member[1u];
 let _e6009 = (_e6005 + _e6008);
 let _e6011 = (bitcast<i32>(_e180) - 1i);
 let _e6013 = select(_e6011, _e6009, (_e6009 < _e6011));
-let _e6018 = global_2.member[bitcast<u32>(select(0i, _e6013, (_e6013 > 0i)))];
+let _e6018 = global_1.member[bitcast<u32>(select(0i, _e6013, (_e6013 > 0i)))];
 let _e6019 = bitcast<f32>(_e6018);
 let _e6022 = local_6.member[2u];
 let _e6023 = (_e6005 + _e6022);
 let _e6025 = select(_e6011, _e6023, (_e6023 < _e6011));
-let _e6030 = global_2.member[bitcast<u32>(select(0i, _e6025, (_e6025 > 0i)))];
+let _e6030 = global_1.member[bitcast<u32>(select(0i, _e6025, (_e6025 > 0i)))];
 let _e6032 = local_7[0u];
 let _e6035 = (_e6019 + ((bitcast<f32>(_e6030) - _e6019) * _e6032));
 let _e6036 = (_e5993 + _e5992);
 let _e6037 = local_6.member[1u];
 let _e6038 = (_e6036 + _e6037);
 let _e6040 = select(_e6011, _e6038, (_e6038 < _e6011));
-let _e6045 = global_2.member[bitcast<u32>(select(0i, _e6040, (_e6040 > 0i)))];
+let _e6045 = global_1.member[bitcast<u32>(select(0i, _e6040, (_e6040 > 0i)))];
 let _e6046 = bitcast<f32>(_e6045);
 let _e6047 = local_6.member[2u];
 let _e6048 = (_e6036 + _e6047);
 let _e6050 = select(_e6011, _e6048, (_e6048 < _e6011));
-let _e6055 = global_2.member[bitcast<u32>(select(0i, _e6050, (_e6050 > 0i)))];
+let _e6055 = global_1.member[bitcast<u32>(select(0i, _e6050, (_e6050 > 0i)))];
 let _e6057 = local_7[0u];
 let _e6062 = local_7[1u];
 let _e6065 = (_e6035 + (((_e6046 + ((bitcast<f32>(_e6055) - _e6046) * _e6057)) - _e6035) * _e6062));
@@ -2810,33 +2810,33 @@ let _e6066 = (_e5994 + _e5991);
 let _e6067 = local_6.member[1u];
 let _e6068 = (_e6066 + _e6067);
 let _e6070 = select(_e6011, _e6068, (_e6068 < _e6011));
-let _e6075 = global_2.member[bitcast<u32>(select(0i, _e6070, (_e6070 > 0i)))];
+let _e6075 = global_1.member[bitcast<u32>(select(0i, _e6070, (_e6070 > 0i)))];
 let _e6076 = bitcast<f32>(_e6075);
 let _e6077 = local_6.member[2u];
 let _e6078 = (_e6066 + _e6077);
 let _e6080 = select(_e6011, _e6078, (_e6078 < _e6011));
-let _e6085 = global_2.member[bitcast<u32>(select(0i, _e6080, (_e6080 > 0i)))];
+let _e6085 = global_1.member[bitcast<u32>(select(0i, _e6080, (_e6080 > 0i)))];
 let _e6087 = local_7[0u];
 let _e6090 = (_e6076 + ((bitcast<f32>(_e6085) - _e6076) * _e6087));
 let _e6091 = (_e5994 + _e5992);
 let _e6092 = local_6.member[1u];
 let _e6093 = (_e6091 + _e6092);
 let _e6095 = select(_e6011, _e6093, (_e6093 < _e6011));
-let _e6100 = global_2.member[bitcast<u32>(select(0i, _e6095, (_e6095 > 0i)))];
+let _e6100 = global_1.member[bitcast<u32>(select(0i, _e6095, (_e6095 > 0i)))];
 let _e6101 = bitcast<f32>(_e6100);
 let _e6102 = local_6.member[2u];
 let _e6103 = (_e6091 + _e6102);
 let _e6105 = select(_e6011, _e6103, (_e6103 < _e6011));
-let _e6110 = global_2.member[bitcast<u32>(select(0i, _e6105, (_e6105 > 0i)))];
+let _e6110 = global_1.member[bitcast<u32>(select(0i, _e6105, (_e6105 > 0i)))];
 let _e6112 = local_7[0u];
 let _e6116 = local_7[1u];
 let _e6121 = local_7[2u];
-let _e6129 = global_4.member[_e367].member_6.member_6;
-let _e6134 = global_4.member[_e367].member_6.member_5;
+let _e6129 = global_3.member[_e367].member_6.member_6;
+let _e6134 = global_3.member[_e367].member_6.member_5;
 let _e6136 = (((_e6065 + (((_e6090 + (((_e6101 + ((bitcast<f32>(_e6110) - _e6101) * _e6112)) - _e6090) * _e6116)) - _e6065) * _e6121)) - _e6129) * _e6134);
 let _e6137 = -(1e9f);
 let _e6139 = select(_e6137, _e6136, (_e6136 > _e6137));
-phi_20004_ = type_34(select(1e9f, _e6139, (_e6139 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20004_ = type_33(select(1e9f, _e6139, (_e6139 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7682 = phi_20004_;
 let _e7684 = select(-0.5f, _e479, (_e479 > -0.5f));
@@ -2857,8 +2857,8 @@ let _e7726 = select(-1f, _e7694, (_e7694 > -1f));
 let _e7728 = select(_e558, _e7726, (_e7726 < _e558));
 let _e7735 = select(0i, select(select(i32(_e7728), i32(-2147483648), (_e7728 < -2147483600f)), 2147483647i, (_e7728 > 2147483500f)), (_e7728 == _e7728));
 let _e7739 = (_e7735 - select(0i, 1i, (_e7728 < f32(_e7735))));
-let _e7744 = global_4.member[_e367].member_6.member_7;
-let _e7749 = global_4.member[_e367].member_6.member_8;
+let _e7744 = global_3.member[_e367].member_6.member_7;
+let _e7749 = global_3.member[_e367].member_6.member_8;
 let _e7757 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e7760 = (_e7724 + 1i);
 let _e7770 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -2871,31 +2871,31 @@ let _e7795 = (select(0i, _e7724, (_e7724 > 0i)) * _e7744);
 let _e7796 = (select(_e7757, _e7760, (_e7760 < _e7757)) * _e7744);
 let _e7797 = (select(0i, _e7739, (_e7739 > 0i)) * _e7749);
 let _e7798 = (select(_e7770, _e7773, (_e7773 < _e7770)) * _e7749);
-local_4 = type_32(array<i32, 4>(select(0i, _e7784, (_e7784 > 0i)), select(0i, _e7709, (_e7709 > 0i)), select(_e7783, _e7789, (_e7789 < _e7783)), select(_e7783, _e7792, (_e7792 < _e7783))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_4 = type_28(array<i32, 4>(select(0i, _e7784, (_e7784 > 0i)), select(0i, _e7709, (_e7709 > 0i)), select(_e7783, _e7789, (_e7789 < _e7783)), select(_e7783, _e7792, (_e7792 < _e7783))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_5 = vec3<f32>((_e7686 - f32(_e7709)), (_e7690 - f32(_e7724)), (_e7694 - f32(_e7739)));
 let _e7809 = (_e7797 + _e7795);
 let _e7812 = local_4.member[1u];
 let _e7813 = (_e7809 + _e7812);
 let _e7815 = (bitcast<i32>(_e180) - 1i);
 let _e7817 = select(_e7815, _e7813, (_e7813 < _e7815));
-let _e7822 = global_2.member[bitcast<u32>(select(0i, _e7817, (_e7817 > 0i)))];
+let _e7822 = global_1.member[bitcast<u32>(select(0i, _e7817, (_e7817 > 0i)))];
 let _e7823 = bitcast<f32>(_e7822);
 let _e7826 = local_4.member[2u];
 let _e7827 = (_e7809 + _e7826);
 let _e7829 = select(_e7815, _e7827, (_e7827 < _e7815));
-let _e7834 = global_2.member[bitcast<u32>(select(0i, _e7829, (_e7829 > 0i)))];
+let _e7834 = global_1.member[bitcast<u32>(select(0i, _e7829, (_e7829 > 0i)))];
 let _e7836 = local_5[0u];
 let _e7839 = (_e7823 + ((bitcast<f32>(_e7834) - _e7823) * _e7836));
 let _e7840 = (_e7797 + _e7796);
 let _e7841 = local_4.member[1u];
 let _e7842 = (_e7840 + _e7841);
 let _e7844 = select(_e7815, _e7842, (_e7842 < _e7815));
-let _e7849 = global_2.member[bitcast<u32>(select(0i, _e7844, (_e7844 > 0i)))];
+let _e7849 = global_1.member[bitcast<u32>(select(0i, _e7844, (_e7844 > 0i)))];
 let _e7850 = bitcast<f32>(_e7849);
 let _e7851 = local_4.member[2u];
 let _e7852 = (_e7840 + _e7851);
 let _e7854 = select(_e7815, _e7852, (_e7852 < _e7815));
-let _e7859 = global_2.member[bitcast<u32>(select(0i, _e7854, (_e7854 > 0i)))];
+let _e7859 = global_1.member[bitcast<u32>(select(0i, _e7854, (_e7854 > 0i)))];
 let _e7861 = local_5[0u];
 let _e7866 = local_5[1u];
 let _e7869 = (_e7839 + (((_e7850 + ((bitcast<f32>(_e7859) - _e7850) * _e7861)) - _e7839) * _e7866));
@@ -2903,38 +2903,38 @@ let _e7870 = (_e7798 + _e7795);
 let _e7871 = local_4.member[1u];
 let _e7872 = (_e7870 + _e7871);
 let _e7874 = select(_e7815, _e7872, (_e7872 < _e7815));
-let _e7879 = global_2.member[bitcast<u32>(select(0i, _e7874, (_e7874 > 0i)))];
+let _e7879 = global_1.member[bitcast<u32>(select(0i, _e7874, (_e7874 > 0i)))];
 let _e7880 = bitcast<f32>(_e7879);
 let _e7881 = local_4.member[2u];
 let _e7882 = (_e7870 + _e7881);
 let _e7884 = select(_e7815, _e7882, (_e7882 < _e7815));
-let _e7889 = global_2.member[bitcast<u32>(select(0i, _e7884, (_e7884 > 0i)))];
+let _e7889 = global_1.member[bitcast<u32>(select(0i, _e7884, (_e7884 > 0i)))];
 let _e7891 = local_5[0u];
 let _e7894 = (_e7880 + ((bitcast<f32>(_e7889) - _e7880) * _e7891));
 let _e7895 = (_e7798 + _e7796);
 let _e7896 = local_4.member[1u];
 let _e7897 = (_e7895 + _e7896);
 let _e7899 = select(_e7815, _e7897, (_e7897 < _e7815));
-let _e7904 = global_2.member[bitcast<u32>(select(0i, _e7899, (_e7899 > 0i)))];
+let _e7904 = global_1.member[bitcast<u32>(select(0i, _e7899, (_e7899 > 0i)))];
 let _e7905 = bitcast<f32>(_e7904);
 let _e7906 = local_4.member[2u];
 let _e7907 = (_e7895 + _e7906);
 let _e7909 = select(_e7815, _e7907, (_e7907 < _e7815));
-let _e7914 = global_2.member[bitcast<u32>(select(0i, _e7909, (_e7909 > 0i)))];
+let _e7914 = global_1.member[bitcast<u32>(select(0i, _e7909, (_e7909 > 0i)))];
 let _e7916 = local_5[0u];
 let _e7920 = local_5[1u];
 let _e7925 = local_5[2u];
-let _e7933 = global_4.member[_e367].member_6.member_6;
-let _e7938 = global_4.member[_e367].member_6.member_5;
+let _e7933 = global_3.member[_e367].member_6.member_6;
+let _e7938 = global_3.member[_e367].member_6.member_5;
 let _e7940 = (((_e7869 + (((_e7894 + (((_e7905 + ((bitcast<f32>(_e7914) - _e7905) * _e7916)) - _e7894) * _e7920)) - _e7869) * _e7925)) - _e7933) * _e7938);
 let _e7941 = -(1e9f);
 let _e7943 = select(_e7941, _e7940, (_e7940 > _e7941));
 let _e7945 = select(1e9f, _e7943, (_e7943 < 1e9f));
 let _e7947 = ((_e1045 & 16u) == 0u);
 if _e7947 {
-phi_20862_ = type_5(1f, 1f, 1f);
+phi_20862_ = type_7(1f, 1f, 1f);
 } else {
-let _e7952 = global_4.member[_e367].member_14.member;
+let _e7952 = global_3.member[_e367].member_14.member;
 let _e7963 = ((((_e7952.member.member * _e393) + (_e7952.member.member_1 * _e395)) + (_e7952.member.member_2 * _e389)) + _e7952.member_1);
 let _e7969 = ((((_e7952.member.member * _e5855.member_1.x) + (_e7952.member.member_1 * _e5855.member_1.y)) + (_e7952.member.member_2 * _e5855.member_1.z)) + _e7952.member_1);
 let _e7971 = select(_e7969, _e7963, (_e7963 < _e7969));
@@ -2943,9 +2943,9 @@ let _e7975 = (_e7973 - _e7971);
 let _e7978 = (-(_e7971) / select(1e-30f, _e7975, (_e7975 > 1e-30f)));
 let _e7980 = select(0f, _e7978, (_e7978 > 0f));
 let _e7986 = select(select(select(1f, _e7980, (_e7980 < 1f)), 1f, (_e7973 <= 0f)), 0f, (_e7971 > 0f));
-let _e7992 = global_4.member[_e367].member_14.member_1;
+let _e7992 = global_3.member[_e367].member_14.member_1;
 let _e7993 = (_e7992 != 0u);
-let _e8004 = global_4.member[_e367].member_15.member;
+let _e8004 = global_3.member[_e367].member_15.member;
 let _e8015 = ((((_e8004.member.member * _e393) + (_e8004.member.member_1 * _e395)) + (_e8004.member.member_2 * _e389)) + _e8004.member_1);
 let _e8021 = ((((_e8004.member.member * _e5855.member_1.x) + (_e8004.member.member_1 * _e5855.member_1.y)) + (_e8004.member.member_2 * _e5855.member_1.z)) + _e8004.member_1);
 let _e8023 = select(_e8021, _e8015, (_e8015 < _e8021));
@@ -2954,9 +2954,9 @@ let _e8027 = (_e8025 - _e8023);
 let _e8030 = (-(_e8023) / select(1e-30f, _e8027, (_e8027 > 1e-30f)));
 let _e8032 = select(0f, _e8030, (_e8030 > 0f));
 let _e8038 = select(select(select(1f, _e8032, (_e8032 < 1f)), 1f, (_e8025 <= 0f)), 0f, (_e8023 > 0f));
-let _e8044 = global_4.member[_e367].member_15.member_1;
+let _e8044 = global_3.member[_e367].member_15.member_1;
 let _e8045 = (_e8044 != 0u);
-let _e8056 = global_4.member[_e367].member_16.member;
+let _e8056 = global_3.member[_e367].member_16.member;
 let _e8067 = ((((_e8056.member.member * _e393) + (_e8056.member.member_1 * _e395)) + (_e8056.member.member_2 * _e389)) + _e8056.member_1);
 let _e8073 = ((((_e8056.member.member * _e5855.member_1.x) + (_e8056.member.member_1 * _e5855.member_1.y)) + (_e8056.member.member_2 * _e5855.member_1.z)) + _e8056.member_1);
 let _e8075 = select(_e8073, _e8067, (_e8067 < _e8073));
@@ -2965,9 +2965,9 @@ let _e8079 = (_e8077 - _e8075);
 let _e8082 = (-(_e8075) / select(1e-30f, _e8079, (_e8079 > 1e-30f)));
 let _e8084 = select(0f, _e8082, (_e8082 > 0f));
 let _e8090 = select(select(select(1f, _e8084, (_e8084 < 1f)), 1f, (_e8077 <= 0f)), 0f, (_e8075 > 0f));
-let _e8096 = global_4.member[_e367].member_16.member_1;
+let _e8096 = global_3.member[_e367].member_16.member_1;
 let _e8097 = (_e8096 != 0u);
-let _e8108 = global_4.member[_e367].member_17.member;
+let _e8108 = global_3.member[_e367].member_17.member;
 let _e8119 = ((((_e8108.member.member * _e393) + (_e8108.member.member_1 * _e395)) + (_e8108.member.member_2 * _e389)) + _e8108.member_1);
 let _e8125 = ((((_e8108.member.member * _e5855.member_1.x) + (_e8108.member.member_1 * _e5855.member_1.y)) + (_e8108.member.member_2 * _e5855.member_1.z)) + _e8108.member_1);
 let _e8127 = select(_e8125, _e8119, (_e8119 < _e8125));
@@ -2976,109 +2976,109 @@ let _e8131 = (_e8129 - _e8127);
 let _e8134 = (-(_e8127) / select(1e-30f, _e8131, (_e8131 > 1e-30f)));
 let _e8136 = select(0f, _e8134, (_e8134 > 0f));
 let _e8142 = select(select(select(1f, _e8136, (_e8136 < 1f)), 1f, (_e8129 <= 0f)), 0f, (_e8127 > 0f));
-let _e8148 = global_4.member[_e367].member_17.member_1;
+let _e8148 = global_3.member[_e367].member_17.member_1;
 let _e8149 = (_e8148 != 0u);
-phi_20862_ = type_5(((((1f * _e7986) * _e8038) * _e8090) * _e8142), ((((1f * select(1f, _e7986, _e7993)) * select(1f, _e8038, _e8045)) * select(1f, _e8090, _e8097)) * select(1f, _e8142, _e8149)), ((((1f * select(1f, 0f, (_e7993 && (_e7969 > 0f)))) * select(1f, 0f, (_e8045 && (_e8021 > 0f)))) * select(1f, 0f, (_e8097 && (_e8073 > 0f)))) * select(1f, 0f, (_e8149 && (_e8125 > 0f)))));
+phi_20862_ = type_7(((((1f * _e7986) * _e8038) * _e8090) * _e8142), ((((1f * select(1f, _e7986, _e7993)) * select(1f, _e8038, _e8045)) * select(1f, _e8090, _e8097)) * select(1f, _e8142, _e8149)), ((((1f * select(1f, 0f, (_e7993 && (_e7969 > 0f)))) * select(1f, 0f, (_e8045 && (_e8021 > 0f)))) * select(1f, 0f, (_e8097 && (_e8073 > 0f)))) * select(1f, 0f, (_e8149 && (_e8125 > 0f)))));
 }
 let _e8158 = phi_20862_;
-let _e8164 = global_4.member[_e367].member_5.member_3;
+let _e8164 = global_3.member[_e367].member_5.member_3;
 let _e8165 = (_e5855.member_3 * _e8164);
 if (((_e376.member_2 == 3u) || (_e376.member_2 == 4u)) || _e575) {
 local_3 = _e7945;
 let _e9076 = local_3;
 let _e9078 = (bitcast<i32>(_e185) - 1i);
 let _e9080 = select(_e9078, 263171i, (263171i < _e9078));
-let _e9085 = global_3.member[bitcast<u32>(select(0i, _e9080, (_e9080 > 0i)))];
+let _e9085 = global_2.member[bitcast<u32>(select(0i, _e9080, (_e9080 > 0i)))];
 let _e9086 = bitcast<f32>(_e9085);
 let _e9088 = select(_e9078, 263172i, (263172i < _e9078));
-let _e9093 = global_3.member[bitcast<u32>(select(0i, _e9088, (_e9088 > 0i)))];
+let _e9093 = global_2.member[bitcast<u32>(select(0i, _e9088, (_e9088 > 0i)))];
 let _e9094 = bitcast<f32>(_e9093);
 let _e9096 = select(_e9078, 263173i, (263173i < _e9078));
-let _e9101 = global_3.member[bitcast<u32>(select(0i, _e9096, (_e9096 > 0i)))];
+let _e9101 = global_2.member[bitcast<u32>(select(0i, _e9096, (_e9096 > 0i)))];
 let _e9102 = bitcast<f32>(_e9101);
 let _e9104 = ((_e9076 - _e9086) * _e9094);
 let _e9106 = select(0f, _e9104, (_e9104 > 0f));
 let _e9109 = local_3;
 let _e9111 = select(_e9078, 263174i, (263174i < _e9078));
-let _e9116 = global_3.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
+let _e9116 = global_2.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
 let _e9117 = bitcast<f32>(_e9116);
 let _e9119 = select(_e9078, 263175i, (263175i < _e9078));
-let _e9124 = global_3.member[bitcast<u32>(select(0i, _e9119, (_e9119 > 0i)))];
+let _e9124 = global_2.member[bitcast<u32>(select(0i, _e9119, (_e9119 > 0i)))];
 let _e9125 = bitcast<f32>(_e9124);
 let _e9127 = select(_e9078, 263176i, (263176i < _e9078));
-let _e9132 = global_3.member[bitcast<u32>(select(0i, _e9127, (_e9127 > 0i)))];
+let _e9132 = global_2.member[bitcast<u32>(select(0i, _e9127, (_e9127 > 0i)))];
 let _e9133 = bitcast<f32>(_e9132);
 let _e9135 = ((_e9109 - _e9117) * _e9125);
 let _e9137 = select(0f, _e9135, (_e9135 > 0f));
 let _e9141 = local_3;
 let _e9143 = select(_e9078, 263177i, (263177i < _e9078));
-let _e9148 = global_3.member[bitcast<u32>(select(0i, _e9143, (_e9143 > 0i)))];
+let _e9148 = global_2.member[bitcast<u32>(select(0i, _e9143, (_e9143 > 0i)))];
 let _e9149 = bitcast<f32>(_e9148);
 let _e9151 = select(_e9078, 263178i, (263178i < _e9078));
-let _e9156 = global_3.member[bitcast<u32>(select(0i, _e9151, (_e9151 > 0i)))];
+let _e9156 = global_2.member[bitcast<u32>(select(0i, _e9151, (_e9151 > 0i)))];
 let _e9157 = bitcast<f32>(_e9156);
 let _e9159 = select(_e9078, 263179i, (263179i < _e9078));
-let _e9164 = global_3.member[bitcast<u32>(select(0i, _e9159, (_e9159 > 0i)))];
+let _e9164 = global_2.member[bitcast<u32>(select(0i, _e9159, (_e9159 > 0i)))];
 let _e9165 = bitcast<f32>(_e9164);
 let _e9167 = ((_e9141 - _e9149) * _e9157);
 let _e9169 = select(0f, _e9167, (_e9167 > 0f));
 let _e9172 = local_3;
 let _e9174 = select(_e9078, 263180i, (263180i < _e9078));
-let _e9179 = global_3.member[bitcast<u32>(select(0i, _e9174, (_e9174 > 0i)))];
+let _e9179 = global_2.member[bitcast<u32>(select(0i, _e9174, (_e9174 > 0i)))];
 let _e9180 = bitcast<f32>(_e9179);
 let _e9182 = select(_e9078, 263181i, (263181i < _e9078));
-let _e9187 = global_3.member[bitcast<u32>(select(0i, _e9182, (_e9182 > 0i)))];
+let _e9187 = global_2.member[bitcast<u32>(select(0i, _e9182, (_e9182 > 0i)))];
 let _e9188 = bitcast<f32>(_e9187);
 let _e9190 = select(_e9078, 263182i, (263182i < _e9078));
-let _e9195 = global_3.member[bitcast<u32>(select(0i, _e9190, (_e9190 > 0i)))];
+let _e9195 = global_2.member[bitcast<u32>(select(0i, _e9190, (_e9190 > 0i)))];
 let _e9196 = bitcast<f32>(_e9195);
 let _e9198 = ((_e9172 - _e9180) * _e9188);
 let _e9200 = select(0f, _e9198, (_e9198 > 0f));
 let _e9205 = local_3;
 let _e9207 = select(_e9078, 263183i, (263183i < _e9078));
-let _e9212 = global_3.member[bitcast<u32>(select(0i, _e9207, (_e9207 > 0i)))];
+let _e9212 = global_2.member[bitcast<u32>(select(0i, _e9207, (_e9207 > 0i)))];
 let _e9213 = bitcast<f32>(_e9212);
 let _e9215 = select(_e9078, 263184i, (263184i < _e9078));
-let _e9220 = global_3.member[bitcast<u32>(select(0i, _e9215, (_e9215 > 0i)))];
+let _e9220 = global_2.member[bitcast<u32>(select(0i, _e9215, (_e9215 > 0i)))];
 let _e9221 = bitcast<f32>(_e9220);
 let _e9223 = select(_e9078, 263185i, (263185i < _e9078));
-let _e9228 = global_3.member[bitcast<u32>(select(0i, _e9223, (_e9223 > 0i)))];
+let _e9228 = global_2.member[bitcast<u32>(select(0i, _e9223, (_e9223 > 0i)))];
 let _e9229 = bitcast<f32>(_e9228);
 let _e9231 = ((_e9205 - _e9213) * _e9221);
 let _e9233 = select(0f, _e9231, (_e9231 > 0f));
 let _e9236 = local_3;
 let _e9238 = select(_e9078, 263186i, (263186i < _e9078));
-let _e9243 = global_3.member[bitcast<u32>(select(0i, _e9238, (_e9238 > 0i)))];
+let _e9243 = global_2.member[bitcast<u32>(select(0i, _e9238, (_e9238 > 0i)))];
 let _e9244 = bitcast<f32>(_e9243);
 let _e9246 = select(_e9078, 263187i, (263187i < _e9078));
-let _e9251 = global_3.member[bitcast<u32>(select(0i, _e9246, (_e9246 > 0i)))];
+let _e9251 = global_2.member[bitcast<u32>(select(0i, _e9246, (_e9246 > 0i)))];
 let _e9252 = bitcast<f32>(_e9251);
 let _e9254 = select(_e9078, 263188i, (263188i < _e9078));
-let _e9259 = global_3.member[bitcast<u32>(select(0i, _e9254, (_e9254 > 0i)))];
+let _e9259 = global_2.member[bitcast<u32>(select(0i, _e9254, (_e9254 > 0i)))];
 let _e9260 = bitcast<f32>(_e9259);
 let _e9262 = ((_e9236 - _e9244) * _e9252);
 let _e9264 = select(0f, _e9262, (_e9262 > 0f));
 let _e9268 = local_3;
 let _e9270 = select(_e9078, 263189i, (263189i < _e9078));
-let _e9275 = global_3.member[bitcast<u32>(select(0i, _e9270, (_e9270 > 0i)))];
+let _e9275 = global_2.member[bitcast<u32>(select(0i, _e9270, (_e9270 > 0i)))];
 let _e9276 = bitcast<f32>(_e9275);
 let _e9278 = select(_e9078, 263190i, (263190i < _e9078));
-let _e9283 = global_3.member[bitcast<u32>(select(0i, _e9278, (_e9278 > 0i)))];
+let _e9283 = global_2.member[bitcast<u32>(select(0i, _e9278, (_e9278 > 0i)))];
 let _e9284 = bitcast<f32>(_e9283);
 let _e9286 = select(_e9078, 263191i, (263191i < _e9078));
-let _e9291 = global_3.member[bitcast<u32>(select(0i, _e9286, (_e9286 > 0i)))];
+let _e9291 = global_2.member[bitcast<u32>(select(0i, _e9286, (_e9286 > 0i)))];
 let _e9292 = bitcast<f32>(_e9291);
 let _e9294 = ((_e9268 - _e9276) * _e9284);
 let _e9296 = select(0f, _e9294, (_e9294 > 0f));
 let _e9299 = local_3;
 let _e9301 = select(_e9078, 263192i, (263192i < _e9078));
-let _e9306 = global_3.member[bitcast<u32>(select(0i, _e9301, (_e9301 > 0i)))];
+let _e9306 = global_2.member[bitcast<u32>(select(0i, _e9301, (_e9301 > 0i)))];
 let _e9307 = bitcast<f32>(_e9306);
 let _e9309 = select(_e9078, 263193i, (263193i < _e9078));
-let _e9314 = global_3.member[bitcast<u32>(select(0i, _e9309, (_e9309 > 0i)))];
+let _e9314 = global_2.member[bitcast<u32>(select(0i, _e9309, (_e9309 > 0i)))];
 let _e9315 = bitcast<f32>(_e9314);
 let _e9317 = select(_e9078, 263194i, (263194i < _e9078));
-let _e9322 = global_3.member[bitcast<u32>(select(0i, _e9317, (_e9317 > 0i)))];
+let _e9322 = global_2.member[bitcast<u32>(select(0i, _e9317, (_e9317 > 0i)))];
 let _e9323 = bitcast<f32>(_e9322);
 let _e9325 = ((_e9299 - _e9307) * _e9315);
 let _e9327 = select(0f, _e9325, (_e9325 > 0f));
@@ -3119,10 +3119,10 @@ let _e9415 = select(_e9396, _e9413, (_e9413 < _e9396));
 let _e9422 = select(0i, select(select(i32(_e9415), i32(-2147483648), (_e9415 < -2147483600f)), 2147483647i, (_e9415 > 2147483500f)), (_e9415 == _e9415));
 let _e9426 = (_e9422 - select(0i, 1i, (_e9415 < f32(_e9422))));
 let _e9428 = select(_e9078, 263195i, (263195i < _e9078));
-let _e9434 = global_3.member[bitcast<u32>(select(0i, _e9428, (_e9428 > 0i)))];
+let _e9434 = global_2.member[bitcast<u32>(select(0i, _e9428, (_e9428 > 0i)))];
 let _e9435 = bitcast<f32>(_e9434);
 let _e9437 = select(_e9078, 263196i, (263196i < _e9078));
-let _e9443 = global_3.member[bitcast<u32>(select(0i, _e9437, (_e9437 > 0i)))];
+let _e9443 = global_2.member[bitcast<u32>(select(0i, _e9437, (_e9437 > 0i)))];
 let _e9444 = bitcast<f32>(_e9443);
 let _e9445 = (_e7682.member - _e7945);
 let _e9451 = (1f / select(_e9445, 1f, (bitcast<f32>((bitcast<u32>(_e9445) & 2147483647u)) < 1e-20f)));
@@ -3131,20 +3131,20 @@ let _e9463 = ((select(_e9444, _e7682.member, (_e7682.member > _e9444)) - select(
 let _e9466 = (((_e9411 * 256i) + _e9426) * 4i);
 let _e9470 = (_e9395 - f32(_e9426));
 let _e9474 = select(_e9078, _e9466, (_e9466 < _e9078));
-let _e9480 = global_3.member[bitcast<u32>(select(0i, _e9474, (_e9474 > 0i)))];
+let _e9480 = global_2.member[bitcast<u32>(select(0i, _e9474, (_e9474 > 0i)))];
 let _e9481 = (_e9466 + 4i);
 let _e9483 = select(_e9078, _e9481, (_e9481 < _e9078));
-let _e9489 = global_3.member[bitcast<u32>(select(0i, _e9483, (_e9483 > 0i)))];
+let _e9489 = global_2.member[bitcast<u32>(select(0i, _e9483, (_e9483 > 0i)))];
 let _e9490 = (_e9466 + 1024i);
 let _e9492 = select(_e9078, _e9490, (_e9490 < _e9078));
-let _e9498 = global_3.member[bitcast<u32>(select(0i, _e9492, (_e9492 > 0i)))];
+let _e9498 = global_2.member[bitcast<u32>(select(0i, _e9492, (_e9492 > 0i)))];
 let _e9499 = (_e9466 + 1028i);
 let _e9501 = select(_e9078, _e9499, (_e9499 < _e9078));
-let _e9507 = global_3.member[bitcast<u32>(select(0i, _e9501, (_e9501 > 0i)))];
+let _e9507 = global_2.member[bitcast<u32>(select(0i, _e9501, (_e9501 > 0i)))];
 let _e9509 = select(_e9078, 0i, (0i < _e9078));
-let _e9515 = global_3.member[bitcast<u32>(select(0i, _e9509, (_e9509 > 0i)))];
+let _e9515 = global_2.member[bitcast<u32>(select(0i, _e9509, (_e9509 > 0i)))];
 let _e9517 = select(_e9078, 262140i, (262140i < _e9078));
-let _e9523 = global_3.member[bitcast<u32>(select(0i, _e9517, (_e9517 > 0i)))];
+let _e9523 = global_2.member[bitcast<u32>(select(0i, _e9517, (_e9517 > 0i)))];
 let _e9528 = (bitcast<f32>(((_e9480 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9536 = (_e9528 + (((bitcast<f32>(((_e9489 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9528) * _e9470));
 let _e9541 = (bitcast<f32>(((_e9498 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3167,97 +3167,97 @@ local_1 = _e7945;
 let _e8171 = local_1;
 let _e8173 = (bitcast<i32>(_e185) - 1i);
 let _e8175 = select(_e8173, 263171i, (263171i < _e8173));
-let _e8180 = global_3.member[bitcast<u32>(select(0i, _e8175, (_e8175 > 0i)))];
+let _e8180 = global_2.member[bitcast<u32>(select(0i, _e8175, (_e8175 > 0i)))];
 let _e8181 = bitcast<f32>(_e8180);
 let _e8183 = select(_e8173, 263172i, (263172i < _e8173));
-let _e8188 = global_3.member[bitcast<u32>(select(0i, _e8183, (_e8183 > 0i)))];
+let _e8188 = global_2.member[bitcast<u32>(select(0i, _e8183, (_e8183 > 0i)))];
 let _e8189 = bitcast<f32>(_e8188);
 let _e8191 = select(_e8173, 263173i, (263173i < _e8173));
-let _e8196 = global_3.member[bitcast<u32>(select(0i, _e8191, (_e8191 > 0i)))];
+let _e8196 = global_2.member[bitcast<u32>(select(0i, _e8191, (_e8191 > 0i)))];
 let _e8197 = bitcast<f32>(_e8196);
 let _e8199 = ((_e8171 - _e8181) * _e8189);
 let _e8201 = select(0f, _e8199, (_e8199 > 0f));
 let _e8204 = local_1;
 let _e8206 = select(_e8173, 263174i, (263174i < _e8173));
-let _e8211 = global_3.member[bitcast<u32>(select(0i, _e8206, (_e8206 > 0i)))];
+let _e8211 = global_2.member[bitcast<u32>(select(0i, _e8206, (_e8206 > 0i)))];
 let _e8212 = bitcast<f32>(_e8211);
 let _e8214 = select(_e8173, 263175i, (263175i < _e8173));
-let _e8219 = global_3.member[bitcast<u32>(select(0i, _e8214, (_e8214 > 0i)))];
+let _e8219 = global_2.member[bitcast<u32>(select(0i, _e8214, (_e8214 > 0i)))];
 let _e8220 = bitcast<f32>(_e8219);
 let _e8222 = select(_e8173, 263176i, (263176i < _e8173));
-let _e8227 = global_3.member[bitcast<u32>(select(0i, _e8222, (_e8222 > 0i)))];
+let _e8227 = global_2.member[bitcast<u32>(select(0i, _e8222, (_e8222 > 0i)))];
 let _e8228 = bitcast<f32>(_e8227);
 let _e8230 = ((_e8204 - _e8212) * _e8220);
 let _e8232 = select(0f, _e8230, (_e8230 > 0f));
 let _e8236 = local_1;
 let _e8238 = select(_e8173, 263177i, (263177i < _e8173));
-let _e8243 = global_3.member[bitcast<u32>(select(0i, _e8238, (_e8238 > 0i)))];
+let _e8243 = global_2.member[bitcast<u32>(select(0i, _e8238, (_e8238 > 0i)))];
 let _e8244 = bitcast<f32>(_e8243);
 let _e8246 = select(_e8173, 263178i, (263178i < _e8173));
-let _e8251 = global_3.member[bitcast<u32>(select(0i, _e8246, (_e8246 > 0i)))];
+let _e8251 = global_2.member[bitcast<u32>(select(0i, _e8246, (_e8246 > 0i)))];
 let _e8252 = bitcast<f32>(_e8251);
 let _e8254 = select(_e8173, 263179i, (263179i < _e8173));
-let _e8259 = global_3.member[bitcast<u32>(select(0i, _e8254, (_e8254 > 0i)))];
+let _e8259 = global_2.member[bitcast<u32>(select(0i, _e8254, (_e8254 > 0i)))];
 let _e8260 = bitcast<f32>(_e8259);
 let _e8262 = ((_e8236 - _e8244) * _e8252);
 let _e8264 = select(0f, _e8262, (_e8262 > 0f));
 let _e8267 = local_1;
 let _e8269 = select(_e8173, 263180i, (263180i < _e8173));
-let _e8274 = global_3.member[bitcast<u32>(select(0i, _e8269, (_e8269 > 0i)))];
+let _e8274 = global_2.member[bitcast<u32>(select(0i, _e8269, (_e8269 > 0i)))];
 let _e8275 = bitcast<f32>(_e8274);
 let _e8277 = select(_e8173, 263181i, (263181i < _e8173));
-let _e8282 = global_3.member[bitcast<u32>(select(0i, _e8277, (_e8277 > 0i)))];
+let _e8282 = global_2.member[bitcast<u32>(select(0i, _e8277, (_e8277 > 0i)))];
 let _e8283 = bitcast<f32>(_e8282);
 let _e8285 = select(_e8173, 263182i, (263182i < _e8173));
-let _e8290 = global_3.member[bitcast<u32>(select(0i, _e8285, (_e8285 > 0i)))];
+let _e8290 = global_2.member[bitcast<u32>(select(0i, _e8285, (_e8285 > 0i)))];
 let _e8291 = bitcast<f32>(_e8290);
 let _e8293 = ((_e8267 - _e8275) * _e8283);
 let _e8295 = select(0f, _e8293, (_e8293 > 0f));
 let _e8300 = local_1;
 let _e8302 = select(_e8173, 263183i, (263183i < _e8173));
-let _e8307 = global_3.member[bitcast<u32>(select(0i, _e8302, (_e8302 > 0i)))];
+let _e8307 = global_2.member[bitcast<u32>(select(0i, _e8302, (_e8302 > 0i)))];
 let _e8308 = bitcast<f32>(_e8307);
 let _e8310 = select(_e8173, 263184i, (263184i < _e8173));
-let _e8315 = global_3.member[bitcast<u32>(select(0i, _e8310, (_e8310 > 0i)))];
+let _e8315 = global_2.member[bitcast<u32>(select(0i, _e8310, (_e8310 > 0i)))];
 let _e8316 = bitcast<f32>(_e8315);
 let _e8318 = select(_e8173, 263185i, (263185i < _e8173));
-let _e8323 = global_3.member[bitcast<u32>(select(0i, _e8318, (_e8318 > 0i)))];
+let _e8323 = global_2.member[bitcast<u32>(select(0i, _e8318, (_e8318 > 0i)))];
 let _e8324 = bitcast<f32>(_e8323);
 let _e8326 = ((_e8300 - _e8308) * _e8316);
 let _e8328 = select(0f, _e8326, (_e8326 > 0f));
 let _e8331 = local_1;
 let _e8333 = select(_e8173, 263186i, (263186i < _e8173));
-let _e8338 = global_3.member[bitcast<u32>(select(0i, _e8333, (_e8333 > 0i)))];
+let _e8338 = global_2.member[bitcast<u32>(select(0i, _e8333, (_e8333 > 0i)))];
 let _e8339 = bitcast<f32>(_e8338);
 let _e8341 = select(_e8173, 263187i, (263187i < _e8173));
-let _e8346 = global_3.member[bitcast<u32>(select(0i, _e8341, (_e8341 > 0i)))];
+let _e8346 = global_2.member[bitcast<u32>(select(0i, _e8341, (_e8341 > 0i)))];
 let _e8347 = bitcast<f32>(_e8346);
 let _e8349 = select(_e8173, 263188i, (263188i < _e8173));
-let _e8354 = global_3.member[bitcast<u32>(select(0i, _e8349, (_e8349 > 0i)))];
+let _e8354 = global_2.member[bitcast<u32>(select(0i, _e8349, (_e8349 > 0i)))];
 let _e8355 = bitcast<f32>(_e8354);
 let _e8357 = ((_e8331 - _e8339) * _e8347);
 let _e8359 = select(0f, _e8357, (_e8357 > 0f));
 let _e8363 = local_1;
 let _e8365 = select(_e8173, 263189i, (263189i < _e8173));
-let _e8370 = global_3.member[bitcast<u32>(select(0i, _e8365, (_e8365 > 0i)))];
+let _e8370 = global_2.member[bitcast<u32>(select(0i, _e8365, (_e8365 > 0i)))];
 let _e8371 = bitcast<f32>(_e8370);
 let _e8373 = select(_e8173, 263190i, (263190i < _e8173));
-let _e8378 = global_3.member[bitcast<u32>(select(0i, _e8373, (_e8373 > 0i)))];
+let _e8378 = global_2.member[bitcast<u32>(select(0i, _e8373, (_e8373 > 0i)))];
 let _e8379 = bitcast<f32>(_e8378);
 let _e8381 = select(_e8173, 263191i, (263191i < _e8173));
-let _e8386 = global_3.member[bitcast<u32>(select(0i, _e8381, (_e8381 > 0i)))];
+let _e8386 = global_2.member[bitcast<u32>(select(0i, _e8381, (_e8381 > 0i)))];
 let _e8387 = bitcast<f32>(_e8386);
 let _e8389 = ((_e8363 - _e8371) * _e8379);
 let _e8391 = select(0f, _e8389, (_e8389 > 0f));
 let _e8394 = local_1;
 let _e8396 = select(_e8173, 263192i, (263192i < _e8173));
-let _e8401 = global_3.member[bitcast<u32>(select(0i, _e8396, (_e8396 > 0i)))];
+let _e8401 = global_2.member[bitcast<u32>(select(0i, _e8396, (_e8396 > 0i)))];
 let _e8402 = bitcast<f32>(_e8401);
 let _e8404 = select(_e8173, 263193i, (263193i < _e8173));
-let _e8409 = global_3.member[bitcast<u32>(select(0i, _e8404, (_e8404 > 0i)))];
+let _e8409 = global_2.member[bitcast<u32>(select(0i, _e8404, (_e8404 > 0i)))];
 let _e8410 = bitcast<f32>(_e8409);
 let _e8412 = select(_e8173, 263194i, (263194i < _e8173));
-let _e8417 = global_3.member[bitcast<u32>(select(0i, _e8412, (_e8412 > 0i)))];
+let _e8417 = global_2.member[bitcast<u32>(select(0i, _e8412, (_e8412 > 0i)))];
 let _e8418 = bitcast<f32>(_e8417);
 let _e8420 = ((_e8394 - _e8402) * _e8410);
 let _e8422 = select(0f, _e8420, (_e8420 > 0f));
@@ -3298,10 +3298,10 @@ let _e8510 = select(_e8491, _e8508, (_e8508 < _e8491));
 let _e8517 = select(0i, select(select(i32(_e8510), i32(-2147483648), (_e8510 < -2147483600f)), 2147483647i, (_e8510 > 2147483500f)), (_e8510 == _e8510));
 let _e8521 = (_e8517 - select(0i, 1i, (_e8510 < f32(_e8517))));
 let _e8523 = select(_e8173, 263195i, (263195i < _e8173));
-let _e8529 = global_3.member[bitcast<u32>(select(0i, _e8523, (_e8523 > 0i)))];
+let _e8529 = global_2.member[bitcast<u32>(select(0i, _e8523, (_e8523 > 0i)))];
 let _e8530 = bitcast<f32>(_e8529);
 let _e8532 = select(_e8173, 263196i, (263196i < _e8173));
-let _e8538 = global_3.member[bitcast<u32>(select(0i, _e8532, (_e8532 > 0i)))];
+let _e8538 = global_2.member[bitcast<u32>(select(0i, _e8532, (_e8532 > 0i)))];
 let _e8539 = bitcast<f32>(_e8538);
 let _e8540 = (_e7682.member - _e7945);
 let _e8546 = (1f / select(_e8540, 1f, (bitcast<f32>((bitcast<u32>(_e8540) & 2147483647u)) < 1e-20f)));
@@ -3312,20 +3312,20 @@ let _e8563 = (_e8427 - f32(_e8506));
 let _e8565 = (_e8490 - f32(_e8521));
 let _e8567 = (1f - (_e8552 + _e8558));
 let _e8569 = select(_e8173, _e8561, (_e8561 < _e8173));
-let _e8575 = global_3.member[bitcast<u32>(select(0i, _e8569, (_e8569 > 0i)))];
+let _e8575 = global_2.member[bitcast<u32>(select(0i, _e8569, (_e8569 > 0i)))];
 let _e8576 = (_e8561 + 4i);
 let _e8578 = select(_e8173, _e8576, (_e8576 < _e8173));
-let _e8584 = global_3.member[bitcast<u32>(select(0i, _e8578, (_e8578 > 0i)))];
+let _e8584 = global_2.member[bitcast<u32>(select(0i, _e8578, (_e8578 > 0i)))];
 let _e8585 = (_e8561 + 1024i);
 let _e8587 = select(_e8173, _e8585, (_e8585 < _e8173));
-let _e8593 = global_3.member[bitcast<u32>(select(0i, _e8587, (_e8587 > 0i)))];
+let _e8593 = global_2.member[bitcast<u32>(select(0i, _e8587, (_e8587 > 0i)))];
 let _e8594 = (_e8561 + 1028i);
 let _e8596 = select(_e8173, _e8594, (_e8594 < _e8173));
-let _e8602 = global_3.member[bitcast<u32>(select(0i, _e8596, (_e8596 > 0i)))];
+let _e8602 = global_2.member[bitcast<u32>(select(0i, _e8596, (_e8596 > 0i)))];
 let _e8604 = select(_e8173, 0i, (0i < _e8173));
-let _e8610 = global_3.member[bitcast<u32>(select(0i, _e8604, (_e8604 > 0i)))];
+let _e8610 = global_2.member[bitcast<u32>(select(0i, _e8604, (_e8604 > 0i)))];
 let _e8612 = select(_e8173, 262140i, (262140i < _e8173));
-let _e8618 = global_3.member[bitcast<u32>(select(0i, _e8612, (_e8612 > 0i)))];
+let _e8618 = global_2.member[bitcast<u32>(select(0i, _e8612, (_e8612 > 0i)))];
 let _e8623 = (bitcast<f32>(((_e8575 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8631 = (_e8623 + (((bitcast<f32>(((_e8584 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8623) * _e8565));
 let _e8636 = (bitcast<f32>(((_e8593 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3335,20 +3335,20 @@ let _e8687 = (_e8679 + (((bitcast<f32>((((_e8584 >> bitcast<u32>(16i)) & 32767u)
 let _e8692 = (bitcast<f32>((((_e8593 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8719 = (_e8561 + 1i);
 let _e8721 = select(_e8173, _e8719, (_e8719 < _e8173));
-let _e8727 = global_3.member[bitcast<u32>(select(0i, _e8721, (_e8721 > 0i)))];
+let _e8727 = global_2.member[bitcast<u32>(select(0i, _e8721, (_e8721 > 0i)))];
 let _e8728 = (_e8561 + 5i);
 let _e8730 = select(_e8173, _e8728, (_e8728 < _e8173));
-let _e8736 = global_3.member[bitcast<u32>(select(0i, _e8730, (_e8730 > 0i)))];
+let _e8736 = global_2.member[bitcast<u32>(select(0i, _e8730, (_e8730 > 0i)))];
 let _e8737 = (_e8561 + 1025i);
 let _e8739 = select(_e8173, _e8737, (_e8737 < _e8173));
-let _e8745 = global_3.member[bitcast<u32>(select(0i, _e8739, (_e8739 > 0i)))];
+let _e8745 = global_2.member[bitcast<u32>(select(0i, _e8739, (_e8739 > 0i)))];
 let _e8746 = (_e8561 + 1029i);
 let _e8748 = select(_e8173, _e8746, (_e8746 < _e8173));
-let _e8754 = global_3.member[bitcast<u32>(select(0i, _e8748, (_e8748 > 0i)))];
+let _e8754 = global_2.member[bitcast<u32>(select(0i, _e8748, (_e8748 > 0i)))];
 let _e8756 = select(_e8173, 1i, (1i < _e8173));
-let _e8762 = global_3.member[bitcast<u32>(select(0i, _e8756, (_e8756 > 0i)))];
+let _e8762 = global_2.member[bitcast<u32>(select(0i, _e8756, (_e8756 > 0i)))];
 let _e8764 = select(_e8173, 262141i, (262141i < _e8173));
-let _e8770 = global_3.member[bitcast<u32>(select(0i, _e8764, (_e8764 > 0i)))];
+let _e8770 = global_2.member[bitcast<u32>(select(0i, _e8764, (_e8764 > 0i)))];
 let _e8775 = (bitcast<f32>(((_e8727 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8783 = (_e8775 + (((bitcast<f32>(((_e8736 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8775) * _e8565));
 let _e8788 = (bitcast<f32>(((_e8745 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3416,9 +3416,9 @@ let _e9662 = (_e5855.member_1.z + (_e5855.member_2.z * _e9654));
 let _e9668 = ((((_e468.member.member * _e9660) + (_e468.member.member_1 * _e9661)) + (_e468.member.member_2 * _e9662)) + _e468.member_1);
 let _e9674 = ((((_e484.member.member * _e9660) + (_e484.member.member_1 * _e9661)) + (_e484.member.member_2 * _e9662)) + _e484.member_1);
 let _e9680 = ((((_e500.member.member * _e9660) + (_e500.member.member_1 * _e9661)) + (_e500.member.member_2 * _e9662)) + _e500.member_1);
-let _e9686 = global_4.member[_e367].member_6.member.member;
-let _e9695 = global_4.member[_e367].member_6.member_1.member;
-let _e9704 = global_4.member[_e367].member_6.member_2.member;
+let _e9686 = global_3.member[_e367].member_6.member.member;
+let _e9695 = global_3.member[_e367].member_6.member_1.member;
+let _e9704 = global_3.member[_e367].member_6.member_2.member;
 let _e9708 = (-0.5f - _e5866);
 let _e9709 = (-0.5f - _e9668);
 let _e9710 = -(_e9708);
@@ -3525,16 +3525,16 @@ let _e9947 = select(select(select(select(select(select(0f, _e9686.member, _e9728
 let _e9948 = select(select(select(select(select(select(0f, _e9686.member_1, _e9728), _e9686.member_1, _e9768), _e9695.member_1, _e9808), _e9695.member_1, _e9848), _e9704.member_1, _e9888), _e9704.member_1, _e9928);
 let _e9949 = select(select(select(select(select(select(1f, _e9686.member_2, _e9728), _e9686.member_2, _e9768), _e9695.member_2, _e9808), _e9695.member_2, _e9848), _e9704.member_2, _e9888), _e9704.member_2, _e9928);
 if _e7947 {
-phi_25753_ = type_35(_e9934, vec3<f32>(_e9935, _e9936, _e9937), _e9939, vec3<f32>(_e9940, _e9941, _e9942), _e9944, _e9946, vec3<f32>(_e9947, _e9948, _e9949));
+phi_25753_ = type_34(_e9934, vec3<f32>(_e9935, _e9936, _e9937), _e9939, vec3<f32>(_e9940, _e9941, _e9942), _e9944, _e9946, vec3<f32>(_e9947, _e9948, _e9949));
 } else {
 let _e9956 = (((_e9686.member * _e9686.member) + (_e9686.member_1 * _e9686.member_1)) + (_e9686.member_2 * _e9686.member_2));
 let _e9959 = sqrt(select(0f, _e9956, (_e9956 > 0f)));
-let _e9964 = global_4.member[_e367].member_14.member_1;
+let _e9964 = global_3.member[_e367].member_14.member_1;
 let _e9965 = (_e9964 != 0u);
-let _e9970 = global_4.member[_e367].member_14.member;
+let _e9970 = global_3.member[_e367].member_14.member;
 let _e9990 = select(-1e6f, (((((_e9970.member.member * _e5855.member_1.x) + (_e9970.member.member_1 * _e5855.member_1.y)) + (_e9970.member.member_2 * _e5855.member_1.z)) + _e9970.member_1) * _e9959), _e9965);
 let _e9991 = select(-1e6f, (((((_e9970.member.member * _e9660) + (_e9970.member.member_1 * _e9661)) + (_e9970.member.member_2 * _e9662)) + _e9970.member_1) * _e9959), _e9965);
-let _e9997 = global_4.member[_e367].member_14.member.member;
+let _e9997 = global_3.member[_e367].member_14.member.member;
 let _e10001 = -(_e9990);
 let _e10004 = (_e9990 - _e9991);
 let _e10005 = (_e9991 - _e9990);
@@ -3549,12 +3549,12 @@ let _e10025 = select(_e9934, _e10014, _e10023);
 let _e10029 = select(_e9939, _e10018, _e10024);
 let _e10033 = select(_e9944, _e9990, _e10019);
 let _e10035 = select(_e9946, _e9991, (_e9991 > _e9946));
-let _e10043 = global_4.member[_e367].member_15.member_1;
+let _e10043 = global_3.member[_e367].member_15.member_1;
 let _e10044 = (_e10043 != 0u);
-let _e10049 = global_4.member[_e367].member_15.member;
+let _e10049 = global_3.member[_e367].member_15.member;
 let _e10069 = select(-1e6f, (((((_e10049.member.member * _e5855.member_1.x) + (_e10049.member.member_1 * _e5855.member_1.y)) + (_e10049.member.member_2 * _e5855.member_1.z)) + _e10049.member_1) * _e9959), _e10044);
 let _e10070 = select(-1e6f, (((((_e10049.member.member * _e9660) + (_e10049.member.member_1 * _e9661)) + (_e10049.member.member_2 * _e9662)) + _e10049.member_1) * _e9959), _e10044);
-let _e10076 = global_4.member[_e367].member_15.member.member;
+let _e10076 = global_3.member[_e367].member_15.member.member;
 let _e10080 = -(_e10069);
 let _e10083 = (_e10069 - _e10070);
 let _e10084 = (_e10070 - _e10069);
@@ -3569,12 +3569,12 @@ let _e10104 = select(_e10025, _e10093, _e10102);
 let _e10108 = select(_e10029, _e10097, _e10103);
 let _e10112 = select(_e10033, _e10069, _e10098);
 let _e10114 = select(_e10035, _e10070, (_e10070 > _e10035));
-let _e10122 = global_4.member[_e367].member_16.member_1;
+let _e10122 = global_3.member[_e367].member_16.member_1;
 let _e10123 = (_e10122 != 0u);
-let _e10128 = global_4.member[_e367].member_16.member;
+let _e10128 = global_3.member[_e367].member_16.member;
 let _e10148 = select(-1e6f, (((((_e10128.member.member * _e5855.member_1.x) + (_e10128.member.member_1 * _e5855.member_1.y)) + (_e10128.member.member_2 * _e5855.member_1.z)) + _e10128.member_1) * _e9959), _e10123);
 let _e10149 = select(-1e6f, (((((_e10128.member.member * _e9660) + (_e10128.member.member_1 * _e9661)) + (_e10128.member.member_2 * _e9662)) + _e10128.member_1) * _e9959), _e10123);
-let _e10155 = global_4.member[_e367].member_16.member.member;
+let _e10155 = global_3.member[_e367].member_16.member.member;
 let _e10159 = -(_e10148);
 let _e10162 = (_e10148 - _e10149);
 let _e10163 = (_e10149 - _e10148);
@@ -3589,12 +3589,12 @@ let _e10183 = select(_e10104, _e10172, _e10181);
 let _e10187 = select(_e10108, _e10176, _e10182);
 let _e10191 = select(_e10112, _e10148, _e10177);
 let _e10193 = select(_e10114, _e10149, (_e10149 > _e10114));
-let _e10201 = global_4.member[_e367].member_17.member_1;
+let _e10201 = global_3.member[_e367].member_17.member_1;
 let _e10202 = (_e10201 != 0u);
-let _e10207 = global_4.member[_e367].member_17.member;
+let _e10207 = global_3.member[_e367].member_17.member;
 let _e10227 = select(-1e6f, (((((_e10207.member.member * _e5855.member_1.x) + (_e10207.member.member_1 * _e5855.member_1.y)) + (_e10207.member.member_2 * _e5855.member_1.z)) + _e10207.member_1) * _e9959), _e10202);
 let _e10228 = select(-1e6f, (((((_e10207.member.member * _e9660) + (_e10207.member.member_1 * _e9661)) + (_e10207.member.member_2 * _e9662)) + _e10207.member_1) * _e9959), _e10202);
-let _e10234 = global_4.member[_e367].member_17.member.member;
+let _e10234 = global_3.member[_e367].member_17.member.member;
 let _e10238 = -(_e10227);
 let _e10241 = (_e10227 - _e10228);
 let _e10242 = (_e10228 - _e10227);
@@ -3605,11 +3605,11 @@ let _e10255 = select(2f, select(0f, _e10247, (_e10227 < 0f)), (_e10228 > 0f));
 let _e10256 = (_e10227 > _e10191);
 let _e10260 = ((_e10251 > _e10183) || ((_e10251 == _e10183) && _e10256));
 let _e10261 = (_e10255 < _e10187);
-phi_25753_ = type_35(select(_e10183, _e10251, _e10260), vec3<f32>(select(select(select(select(_e9935, _e9997.member, _e10023), _e10076.member, _e10102), _e10155.member, _e10181), _e10234.member, _e10260), select(select(select(select(_e9936, _e9997.member_1, _e10023), _e10076.member_1, _e10102), _e10155.member_1, _e10181), _e10234.member_1, _e10260), select(select(select(select(_e9937, _e9997.member_2, _e10023), _e10076.member_2, _e10102), _e10155.member_2, _e10181), _e10234.member_2, _e10260)), select(_e10187, _e10255, _e10261), vec3<f32>(select(select(select(select(_e9940, _e9997.member, _e10024), _e10076.member, _e10103), _e10155.member, _e10182), _e10234.member, _e10261), select(select(select(select(_e9941, _e9997.member_1, _e10024), _e10076.member_1, _e10103), _e10155.member_1, _e10182), _e10234.member_1, _e10261), select(select(select(select(_e9942, _e9997.member_2, _e10024), _e10076.member_2, _e10103), _e10155.member_2, _e10182), _e10234.member_2, _e10261)), select(_e10191, _e10227, _e10256), select(_e10193, _e10228, (_e10228 > _e10193)), vec3<f32>(select(select(select(select(_e9947, _e9997.member, _e10019), _e10076.member, _e10098), _e10155.member, _e10177), _e10234.member, _e10256), select(select(select(select(_e9948, _e9997.member_1, _e10019), _e10076.member_1, _e10098), _e10155.member_1, _e10177), _e10234.member_1, _e10256), select(select(select(select(_e9949, _e9997.member_2, _e10019), _e10076.member_2, _e10098), _e10155.member_2, _e10177), _e10234.member_2, _e10256)));
+phi_25753_ = type_34(select(_e10183, _e10251, _e10260), vec3<f32>(select(select(select(select(_e9935, _e9997.member, _e10023), _e10076.member, _e10102), _e10155.member, _e10181), _e10234.member, _e10260), select(select(select(select(_e9936, _e9997.member_1, _e10023), _e10076.member_1, _e10102), _e10155.member_1, _e10181), _e10234.member_1, _e10260), select(select(select(select(_e9937, _e9997.member_2, _e10023), _e10076.member_2, _e10102), _e10155.member_2, _e10181), _e10234.member_2, _e10260)), select(_e10187, _e10255, _e10261), vec3<f32>(select(select(select(select(_e9940, _e9997.member, _e10024), _e10076.member, _e10103), _e10155.member, _e10182), _e10234.member, _e10261), select(select(select(select(_e9941, _e9997.member_1, _e10024), _e10076.member_1, _e10103), _e10155.member_1, _e10182), _e10234.member_1, _e10261), select(select(select(select(_e9942, _e9997.member_2, _e10024), _e10076.member_2, _e10103), _e10155.member_2, _e10182), _e10234.member_2, _e10261)), select(_e10191, _e10227, _e10256), select(_e10193, _e10228, (_e10228 > _e10193)), vec3<f32>(select(select(select(select(_e9947, _e9997.member, _e10019), _e10076.member, _e10098), _e10155.member, _e10177), _e10234.member, _e10256), select(select(select(select(_e9948, _e9997.member_1, _e10019), _e10076.member_1, _e10098), _e10155.member_1, _e10177), _e10234.member_1, _e10256), select(select(select(select(_e9949, _e9997.member_2, _e10019), _e10076.member_2, _e10098), _e10155.member_2, _e10177), _e10234.member_2, _e10256)));
 }
 let _e10281 = phi_25753_;
 let _e10288 = (_e8158.member_2 * select(0f, 1f, _e5855.member_6));
-let _e10294 = global_4.member[_e367].member_5.member_4;
+let _e10294 = global_3.member[_e367].member_5.member_4;
 let _e10297 = (_e7682.member_3.x * _e10288);
 let _e10299 = (_e7682.member_3.y * _e10288);
 let _e10301 = (_e7682.member_3.z * _e10288);
@@ -3641,7 +3641,7 @@ phi_25910_ = false;
 let _e10379 = phi_25909_;
 let _e10381 = phi_25910_;
 let _e10392 = ((((_e5855.member_7 || (_e10379.x != _e371[3])) || (_e10379.y != _e371[4])) || (_e10379.z != _e371[5])) && _e886);
-let _e10397 = global_4.member[_e367].member_10.member_24;
+let _e10397 = global_3.member[_e367].member_10.member_24;
 let _e10406 = (_e371[12] + (((((_e371[6] + _e371[7]) + _e371[8]) * _e9640) - _e9641) * (_e389 + ((_e5855.member_1.z - _e389) * 0.5f))));
 phi_26008_ = array<f32, 14>(select(_e371[0], _e5855.member_1.x, _e10392), select(_e371[1], _e5855.member_1.y, _e10392), select(_e371[2], _e5855.member_1.z, _e10392), select(_e371[3], _e10379.x, _e10392), select(_e371[4], _e10379.y, _e10392), select(_e371[5], _e10379.z, _e10392), select(_e9635, 0f, _e9650), select(_e9636, 0f, _e9650), select(_e9637, 0f, _e9650), select(0f, 1f, _e5855.member_6), select(_e371[10], 1f, _e10392), select(select(select(0f, 1f, _e10381), 2f, (_e9650 && (_e10397 == 0f))), 3f, _e463), _e10406, select(_e371[13], (_e10406 + (_e9641 * _e5855.member_1.z)), (_e10392 && (_e371[10] == 0f))));
 } else {
@@ -3675,33 +3675,33 @@ break;
 let _e10440 = local_40;
 if _e10440 {
 let _e10442 = local_41;
-global_1.member[_e211] = _e10442[0];
+global_5.member[_e211] = _e10442[0];
 let _e10447 = local_42;
-global_1.member[_e223] = _e10447[1];
+global_5.member[_e223] = _e10447[1];
 let _e10452 = local_43;
-global_1.member[_e234] = _e10452[2];
+global_5.member[_e234] = _e10452[2];
 let _e10457 = local_44;
-global_1.member[_e245] = _e10457[3];
+global_5.member[_e245] = _e10457[3];
 let _e10462 = local_45;
-global_1.member[_e256] = _e10462[4];
+global_5.member[_e256] = _e10462[4];
 let _e10467 = local_46;
-global_1.member[_e267] = _e10467[5];
+global_5.member[_e267] = _e10467[5];
 let _e10472 = local_47;
-global_1.member[_e278] = _e10472[6];
+global_5.member[_e278] = _e10472[6];
 let _e10477 = local_48;
-global_1.member[_e289] = _e10477[7];
+global_5.member[_e289] = _e10477[7];
 let _e10482 = local_49;
-global_1.member[_e300] = _e10482[8];
+global_5.member[_e300] = _e10482[8];
 let _e10487 = local_50;
-global_1.member[_e311] = _e10487[9];
+global_5.member[_e311] = _e10487[9];
 let _e10492 = local_51;
-global_1.member[_e322] = _e10492[10];
+global_5.member[_e322] = _e10492[10];
 let _e10497 = local_52;
-global_1.member[_e333] = _e10497[11];
+global_5.member[_e333] = _e10497[11];
 let _e10502 = local_53;
-global_1.member[_e344] = _e10502[12];
+global_5.member[_e344] = _e10502[12];
 let _e10507 = local_54;
-global_1.member[_e355] = _e10507[13];
+global_5.member[_e355] = _e10507[13];
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,68 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_29 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_32 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -195,11 +191,11 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_37 {
-member: array<type_27>,
+struct type_36 {
+member: array<type_21>,
 }
-struct type_39 {
-member: type_28,
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -209,6 +205,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -216,24 +216,24 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(5)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(0)
-var<storage> global_4: type_37;
+var<storage> global_3: type_36;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_4: type_23;
+@group(0) @binding(5)
+var<storage, read_write> global_5: type_25;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -249,23 +249,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_32;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_32;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_32;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_32;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_552_: u32;
 var phi_555_: bool;
@@ -273,23 +273,23 @@ var phi_557_: array<f32, 14>;
 var phi_996_: bool;
 var phi_1176_: bool;
 var phi_1179_: bool;
-var phi_3021_: type_35;
+var phi_3021_: type_34;
 var phi_3034_: bool;
-var phi_4082_: type_29;
+var phi_4082_: type_39;
 var phi_4094_: bool;
-var phi_5137_: type_28;
-var phi_6660_: type_35;
-var phi_7735_: type_28;
-var phi_9273_: type_35;
-var phi_10348_: type_28;
-var phi_11886_: type_35;
-var phi_13634_: type_28;
-var phi_13906_: type_39;
-var phi_19150_: type_33;
-var phi_19760_: type_34;
-var phi_20581_: type_5;
+var phi_5137_: type_31;
+var phi_6660_: type_34;
+var phi_7735_: type_31;
+var phi_9273_: type_34;
+var phi_10348_: type_31;
+var phi_11886_: type_34;
+var phi_13634_: type_31;
+var phi_13906_: type_38;
+var phi_19150_: type_32;
+var phi_19760_: type_33;
+var phi_20581_: type_7;
 var phi_24079_: type_40;
-var phi_25472_: type_35;
+var phi_25472_: type_34;
 var phi_25628_: vec3<f32>;
 var phi_25629_: bool;
 var phi_25727_: array<f32, 14>;
@@ -315,15 +315,15 @@ var local_54: array<f32, 14>;
 switch bitcast<i32>(0u) {
 default: {
 let _e177 = global;
-let _e179 = arrayLength((&global_4.member));
-let _e182 = arrayLength((&global_2.member));
-let _e187 = arrayLength((&global_3.member));
+let _e179 = arrayLength((&global_3.member));
+let _e182 = arrayLength((&global_1.member));
+let _e187 = arrayLength((&global_2.member));
 if (0u < _e179) {
 } else {
 break;
 }
-let _e194 = global_4.member[0u].member_2;
-let _e198 = global_4.member[0u].member;
+let _e194 = global_3.member[0u].member_2;
+let _e198 = global_3.member[0u].member;
 let _e206 = (_e177.x + _e194.member);
 let _e208 = (_e177.y + _e194.member_1);
 if (_e206 < _e194.member_2) {
@@ -331,61 +331,61 @@ if (_e208 < _e194.member_3) {
 let _e211 = (_e198.member * _e198.member_1);
 let _e213 = ((_e208 * _e198.member) + _e206);
 let _e214 = bitcast<i32>(_e213);
-let _e216 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e216 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e218 = select(_e216, _e214, (_e214 < _e216));
-let _e224 = global_1.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
+let _e224 = global_5.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
 let _e225 = (_e211 + _e213);
 let _e226 = bitcast<i32>(_e225);
 let _e228 = select(_e216, _e226, (_e226 < _e216));
-let _e234 = global_1.member[bitcast<u32>(select(0i, _e228, (_e228 > 0i)))];
+let _e234 = global_5.member[bitcast<u32>(select(0i, _e228, (_e228 > 0i)))];
 let _e236 = ((2u * _e211) + _e213);
 let _e237 = bitcast<i32>(_e236);
 let _e239 = select(_e216, _e237, (_e237 < _e216));
-let _e245 = global_1.member[bitcast<u32>(select(0i, _e239, (_e239 > 0i)))];
+let _e245 = global_5.member[bitcast<u32>(select(0i, _e239, (_e239 > 0i)))];
 let _e247 = ((3u * _e211) + _e213);
 let _e248 = bitcast<i32>(_e247);
 let _e250 = select(_e216, _e248, (_e248 < _e216));
-let _e256 = global_1.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
+let _e256 = global_5.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
 let _e258 = ((4u * _e211) + _e213);
 let _e259 = bitcast<i32>(_e258);
 let _e261 = select(_e216, _e259, (_e259 < _e216));
-let _e267 = global_1.member[bitcast<u32>(select(0i, _e261, (_e261 > 0i)))];
+let _e267 = global_5.member[bitcast<u32>(select(0i, _e261, (_e261 > 0i)))];
 let _e269 = ((5u * _e211) + _e213);
 let _e270 = bitcast<i32>(_e269);
 let _e272 = select(_e216, _e270, (_e270 < _e216));
-let _e278 = global_1.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
+let _e278 = global_5.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
 let _e280 = ((6u * _e211) + _e213);
 let _e281 = bitcast<i32>(_e280);
 let _e283 = select(_e216, _e281, (_e281 < _e216));
-let _e289 = global_1.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
+let _e289 = global_5.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
 let _e291 = ((7u * _e211) + _e213);
 let _e292 = bitcast<i32>(_e291);
 let _e294 = select(_e216, _e292, (_e292 < _e216));
-let _e300 = global_1.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
+let _e300 = global_5.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
 let _e302 = ((8u * _e211) + _e213);
 let _e303 = bitcast<i32>(_e302);
 let _e305 = select(_e216, _e303, (_e303 < _e216));
-let _e311 = global_1.member[bitcast<u32>(select(0i, _e305, (_e305 > 0i)))];
+let _e311 = global_5.member[bitcast<u32>(select(0i, _e305, (_e305 > 0i)))];
 let _e313 = ((9u * _e211) + _e213);
 let _e314 = bitcast<i32>(_e313);
 let _e316 = select(_e216, _e314, (_e314 < _e216));
-let _e322 = global_1.member[bitcast<u32>(select(0i, _e316, (_e316 > 0i)))];
+let _e322 = global_5.member[bitcast<u32>(select(0i, _e316, (_e316 > 0i)))];
 let _e324 = ((10u * _e211) + _e213);
 let _e325 = bitcast<i32>(_e324);
 let _e327 = select(_e216, _e325, (_e325 < _e216));
-let _e333 = global_1.member[bitcast<u32>(select(0i, _e327, (_e327 > 0i)))];
+let _e333 = global_5.member[bitcast<u32>(select(0i, _e327, (_e327 > 0i)))];
 let _e335 = ((11u * _e211) + _e213);
 let _e336 = bitcast<i32>(_e335);
 let _e338 = select(_e216, _e336, (_e336 < _e216));
-let _e344 = global_1.member[bitcast<u32>(select(0i, _e338, (_e338 > 0i)))];
+let _e344 = global_5.member[bitcast<u32>(select(0i, _e338, (_e338 > 0i)))];
 let _e346 = ((12u * _e211) + _e213);
 let _e347 = bitcast<i32>(_e346);
 let _e349 = select(_e216, _e347, (_e347 < _e216));
-let _e355 = global_1.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
+let _e355 = global_5.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
 let _e357 = ((13u * _e211) + _e213);
 let _e358 = bitcast<i32>(_e357);
 let _e360 = select(_e216, _e358, (_e358 < _e216));
-let _e366 = global_1.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
+let _e366 = global_5.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
 phi_552_ = 0u;
 phi_555_ = false;
 phi_557_ = array<f32, 14>(_e224, _e234, _e245, _e256, _e267, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366);
@@ -415,33 +415,33 @@ if _e374 {
 phi_25794_ = true;
 break;
 }
-let _e378 = global_4.member[_e369].member;
-let _e391 = global_4.member[_e369].member_5.member;
+let _e378 = global_3.member[_e369].member;
+let _e391 = global_3.member[_e369].member_5.member;
 let _e393 = ((_e391 - _e373[2]) / _e373[5]);
 let _e395 = (_e373[0] + (_e373[3] * _e393));
 let _e397 = (_e373[1] + (_e373[4] * _e393));
-let _e402 = global_4.member[_e369].member_5.member_2;
+let _e402 = global_3.member[_e369].member_5.member_2;
 let _e403 = (_e402 / _e373[5]);
 let _e405 = (_e395 + (_e373[3] * _e403));
 let _e407 = (_e397 + (_e373[4] * _e403));
-let _e412 = global_4.member[_e369].member_5.member_1;
-let _e418 = global_4.member[_e369].member_13.member.member;
-let _e444 = global_4.member[_e369].member_13.member_1.member;
+let _e412 = global_3.member[_e369].member_5.member_1;
+let _e418 = global_3.member[_e369].member_13.member.member;
+let _e444 = global_3.member[_e369].member_13.member_1.member;
 let _e465 = (((((((_e418.member.member * _e395) + (_e418.member.member_1 * _e397)) + (_e418.member.member_2 * _e391)) + _e418.member_1) > 0f) && (((((_e418.member.member * _e405) + (_e418.member.member_1 * _e407)) + (_e418.member.member_2 * _e412)) + _e418.member_1) <= 0f)) || ((((((_e444.member.member * _e395) + (_e444.member.member_1 * _e397)) + (_e444.member.member_2 * _e391)) + _e444.member_1) > 0f) && (((((_e444.member.member * _e405) + (_e444.member.member_1 * _e407)) + (_e444.member.member_2 * _e412)) + _e444.member_1) <= 0f)));
-let _e470 = global_4.member[_e369].member_6.member;
+let _e470 = global_3.member[_e369].member_6.member;
 let _e481 = ((((_e470.member.member * _e395) + (_e470.member.member_1 * _e397)) + (_e470.member.member_2 * _e391)) + _e470.member_1);
-let _e486 = global_4.member[_e369].member_6.member_1;
+let _e486 = global_3.member[_e369].member_6.member_1;
 let _e497 = ((((_e486.member.member * _e395) + (_e486.member.member_1 * _e397)) + (_e486.member.member_2 * _e391)) + _e486.member_1);
-let _e502 = global_4.member[_e369].member_6.member_2;
+let _e502 = global_3.member[_e369].member_6.member_2;
 let _e513 = ((((_e502.member.member * _e395) + (_e502.member.member_1 * _e397)) + (_e502.member.member_2 * _e391)) + _e502.member_1);
 let _e519 = ((((_e470.member.member * _e405) + (_e470.member.member_1 * _e407)) + (_e470.member.member_2 * _e412)) + _e470.member_1);
 let _e525 = ((((_e486.member.member * _e405) + (_e486.member.member_1 * _e407)) + (_e486.member.member_2 * _e412)) + _e486.member_1);
 let _e531 = ((((_e502.member.member * _e405) + (_e502.member.member_1 * _e407)) + (_e502.member.member_2 * _e412)) + _e502.member_1);
-let _e538 = global_4.member[_e369].member_6.member_3.member;
+let _e538 = global_3.member[_e369].member_6.member_3.member;
 let _e539 = (_e538 - 1f);
-let _e549 = global_4.member[_e369].member_6.member_3.member_1;
+let _e549 = global_3.member[_e369].member_6.member_3.member_1;
 let _e550 = (_e549 - 1f);
-let _e560 = global_4.member[_e369].member_6.member_3.member_2;
+let _e560 = global_3.member[_e369].member_6.member_3.member_2;
 let _e561 = (_e560 - 1f);
 let _e575 = (((((((_e481 >= 0f) && (_e481 <= _e539)) && (_e497 >= 0f)) && (_e497 <= _e550)) && (_e513 >= 0f)) && (_e513 <= _e561)) && ((((((_e519 >= 0f) && (_e519 <= _e539)) && (_e525 >= 0f)) && (_e525 <= _e550)) && (_e531 >= 0f)) && (_e531 <= _e561)));
 let _e577 = (_e378.member_2 == 5u);
@@ -454,22 +454,22 @@ let _e588 = (_e538 - _e586);
 let _e592 = (_e549 - _e586);
 let _e597 = (_e560 - _e586);
 let _e600 = ((((_e481 >= _e585) && (_e481 <= _e588)) && ((_e497 >= _e585) && (_e497 <= _e592))) && ((_e513 >= _e585) && (_e513 <= _e597)));
-let _e604 = global_4.member[_e369].member_1;
+let _e604 = global_3.member[_e369].member_1;
 let _e606 = ((_e604 & 16u) == 0u);
 if _e606 {
 phi_996_ = _e600;
 } else {
-let _e612 = global_4.member[_e369].member_6.member.member;
+let _e612 = global_3.member[_e369].member_6.member.member;
 let _e620 = (((_e612.member * _e612.member) + (_e612.member_1 * _e612.member_1)) + (_e612.member_2 * _e612.member_2));
-let _e629 = global_4.member[_e369].member_14.member;
+let _e629 = global_3.member[_e369].member_14.member;
 let _e641 = -((0.5f / sqrt(select(0f, _e620, (_e620 > 0f)))));
-let _e647 = global_4.member[_e369].member_14.member_1;
-let _e654 = global_4.member[_e369].member_15.member;
-let _e671 = global_4.member[_e369].member_15.member_1;
-let _e679 = global_4.member[_e369].member_16.member;
-let _e696 = global_4.member[_e369].member_16.member_1;
-let _e704 = global_4.member[_e369].member_17.member;
-let _e721 = global_4.member[_e369].member_17.member_1;
+let _e647 = global_3.member[_e369].member_14.member_1;
+let _e654 = global_3.member[_e369].member_15.member;
+let _e671 = global_3.member[_e369].member_15.member_1;
+let _e679 = global_3.member[_e369].member_16.member;
+let _e696 = global_3.member[_e369].member_16.member_1;
+let _e704 = global_3.member[_e369].member_17.member;
+let _e721 = global_3.member[_e369].member_17.member_1;
 phi_996_ = (_e600 && (((((((((_e629.member.member * _e395) + (_e629.member.member_1 * _e397)) + (_e629.member.member_2 * _e391)) + _e629.member_1) <= _e641) || (_e647 == 0u)) && ((((((_e654.member.member * _e395) + (_e654.member.member_1 * _e397)) + (_e654.member.member_2 * _e391)) + _e654.member_1) <= _e641) || (_e671 == 0u))) && ((((((_e679.member.member * _e395) + (_e679.member.member_1 * _e397)) + (_e679.member.member_2 * _e391)) + _e679.member_1) <= _e641) || (_e696 == 0u))) && ((((((_e704.member.member * _e395) + (_e704.member.member_1 * _e397)) + (_e704.member.member_2 * _e391)) + _e704.member_1) <= _e641) || (_e721 == 0u))));
 }
 let _e727 = phi_996_;
@@ -483,17 +483,17 @@ let _e762 = ((((_e739 >= _e585) && (_e739 <= _e588)) && ((_e745 >= _e585) && (_e
 if _e606 {
 phi_1176_ = _e762;
 } else {
-let _e768 = global_4.member[_e369].member_6.member.member;
+let _e768 = global_3.member[_e369].member_6.member.member;
 let _e776 = (((_e768.member * _e768.member) + (_e768.member_1 * _e768.member_1)) + (_e768.member_2 * _e768.member_2));
-let _e785 = global_4.member[_e369].member_14.member;
+let _e785 = global_3.member[_e369].member_14.member;
 let _e797 = -((0.5f / sqrt(select(0f, _e776, (_e776 > 0f)))));
-let _e803 = global_4.member[_e369].member_14.member_1;
-let _e810 = global_4.member[_e369].member_15.member;
-let _e827 = global_4.member[_e369].member_15.member_1;
-let _e835 = global_4.member[_e369].member_16.member;
-let _e852 = global_4.member[_e369].member_16.member_1;
-let _e860 = global_4.member[_e369].member_17.member;
-let _e877 = global_4.member[_e369].member_17.member_1;
+let _e803 = global_3.member[_e369].member_14.member_1;
+let _e810 = global_3.member[_e369].member_15.member;
+let _e827 = global_3.member[_e369].member_15.member_1;
+let _e835 = global_3.member[_e369].member_16.member;
+let _e852 = global_3.member[_e369].member_16.member_1;
+let _e860 = global_3.member[_e369].member_17.member;
+let _e877 = global_3.member[_e369].member_17.member_1;
 phi_1176_ = (_e762 && (((((((((_e785.member.member * _e731) + (_e785.member.member_1 * _e732)) + (_e785.member.member_2 * _e733)) + _e785.member_1) <= _e797) || (_e803 == 0u)) && ((((((_e810.member.member * _e731) + (_e810.member.member_1 * _e732)) + (_e810.member.member_2 * _e733)) + _e810.member_1) <= _e797) || (_e827 == 0u))) && ((((((_e835.member.member * _e731) + (_e835.member.member_1 * _e732)) + (_e835.member.member_2 * _e733)) + _e835.member_1) <= _e797) || (_e852 == 0u))) && ((((((_e860.member.member * _e731) + (_e860.member.member_1 * _e732)) + (_e860.member.member_2 * _e733)) + _e860.member_1) <= _e797) || (_e877 == 0u))));
 }
 let _e883 = phi_1176_;
@@ -503,7 +503,7 @@ phi_1179_ = _e575;
 }
 let _e887 = phi_1179_;
 let _e888 = !(_e465);
-let _e896 = global_4.member[_e369].member_6.member_4;
+let _e896 = global_3.member[_e369].member_6.member_4;
 let _e897 = (_e538 - 0.5f);
 let _e899 = select(-0.5f, _e519, (_e519 > -0.5f));
 let _e901 = select(_e897, _e899, (_e899 < _e897));
@@ -528,7 +528,7 @@ let _e946 = (_e901 + 0.5f);
 let _e948 = select(0f, _e946, (_e946 > 0f));
 let _e950 = select(_e539, _e948, (_e948 < _e539));
 let _e957 = select(0i, select(select(i32(_e950), i32(-2147483648), (_e950 < -2147483600f)), 2147483647i, (_e950 > 2147483500f)), (_e950 == _e950));
-let _e966 = global_4.member[_e369].member_6.member_12;
+let _e966 = global_3.member[_e369].member_6.member_12;
 let _e967 = (_e966 & 31u);
 let _e970 = (_e906 + 0.5f);
 let _e972 = select(0f, _e970, (_e970 > 0f));
@@ -538,14 +538,14 @@ let _e988 = (_e911 + 0.5f);
 let _e990 = select(0f, _e988, (_e988 > 0f));
 let _e992 = select(_e561, _e990, (_e990 < _e561));
 let _e999 = select(0i, select(select(i32(_e992), i32(-2147483648), (_e992 < -2147483600f)), 2147483647i, (_e992 > 2147483500f)), (_e992 == _e992));
-let _e1011 = global_4.member[_e369].member_6.member_9.member;
-let _e1018 = global_4.member[_e369].member_6.member_9.member_1;
-let _e1024 = global_4.member[_e369].member_6.member_10;
+let _e1011 = global_3.member[_e369].member_6.member_9.member;
+let _e1018 = global_3.member[_e369].member_6.member_9.member_1;
+let _e1024 = global_3.member[_e369].member_6.member_10;
 let _e1030 = ((bitcast<i32>(_e1024) + ((_e957 - select(0i, 1i, (_e950 < f32(_e957)))) >> bitcast<u32>(_e967))) + (bitcast<i32>(_e1011) * (((_e981 - select(0i, 1i, (_e974 < f32(_e981)))) >> bitcast<u32>(_e967)) + (bitcast<i32>(_e1018) * ((_e999 - select(0i, 1i, (_e992 < f32(_e999)))) >> bitcast<u32>(_e967))))));
-let _e1032 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e1032 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1034 = select(_e1032, _e1030, (_e1030 < _e1032));
-let _e1040 = global_5.member[bitcast<u32>(select(0i, _e1034, (_e1034 > 0i)))];
-let _e1047 = global_4.member[_e369].member_1;
+let _e1040 = global_4.member[bitcast<u32>(select(0i, _e1034, (_e1034 > 0i)))];
+let _e1047 = global_3.member[_e369].member_1;
 let _e1058 = (select(0u, select(select(7u, 3u, (_e887 && _e888)), select(1u, 7u, _e465), (((_e1047 & 64u) != 0u) || ((((select(_e925, _e922, (_e922 > _e925)) <= _e896) && ((select(_e942, _e939, (_e939 > _e942)) > _e896) || (_e1040 != 0u))) && true) && ((_e1047 & 32u) != 0u)))), (_e373[11] == 0f)) > 1u);
 if _e1058 {
 let _e1059 = vec3<f32>(_e373[3], _e373[4], _e373[5]);
@@ -554,11 +554,11 @@ let _e1069 = (_e407 - _e397);
 let _e1070 = (_e412 - _e391);
 let _e1075 = (((_e1068 * _e1068) + (_e1069 * _e1069)) + (_e1070 * _e1070));
 let _e1078 = sqrt(select(0f, _e1075, (_e1075 > 0f)));
-let _e1079 = type_39(type_28(1f, 1f), vec3<f32>(_e405, _e407, _e412), _e1059, _e1078, _e403, _e1059, true, false, false);
+let _e1079 = type_38(type_31(1f, 1f), vec3<f32>(_e405, _e407, _e412), _e1059, _e1078, _e403, _e1059, true, false, false);
 if _e584 {
-let _e1181 = global_4.member[_e369].member_6.member.member;
-let _e1190 = global_4.member[_e369].member_6.member_1.member;
-let _e1199 = global_4.member[_e369].member_6.member_2.member;
+let _e1181 = global_3.member[_e369].member_6.member.member;
+let _e1190 = global_3.member[_e369].member_6.member_1.member;
+let _e1199 = global_3.member[_e369].member_6.member_2.member;
 let _e1203 = (-0.5f - _e481);
 let _e1204 = (-0.5f - _e519);
 let _e1205 = -(_e1203);
@@ -666,16 +666,16 @@ let _e1443 = select(select(select(select(select(select(0f, _e1181.member_1, _e12
 let _e1444 = select(select(select(select(select(select(1f, _e1181.member_2, _e1223), _e1181.member_2, _e1263), _e1190.member_2, _e1303), _e1190.member_2, _e1343), _e1199.member_2, _e1383), _e1199.member_2, _e1423);
 let _e1448 = ((_e1047 & 16u) == 0u);
 if _e1448 {
-phi_3021_ = type_35(_e1429, vec3<f32>(_e1430, _e1431, _e1432), _e1434, vec3<f32>(_e1435, _e1436, _e1437), _e1439, _e1441, vec3<f32>(_e1442, _e1443, _e1444));
+phi_3021_ = type_34(_e1429, vec3<f32>(_e1430, _e1431, _e1432), _e1434, vec3<f32>(_e1435, _e1436, _e1437), _e1439, _e1441, vec3<f32>(_e1442, _e1443, _e1444));
 } else {
 let _e1453 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e1456 = sqrt(select(0f, _e1453, (_e1453 > 0f)));
-let _e1461 = global_4.member[_e369].member_14.member_1;
+let _e1461 = global_3.member[_e369].member_14.member_1;
 let _e1462 = (_e1461 != 0u);
-let _e1467 = global_4.member[_e369].member_14.member;
+let _e1467 = global_3.member[_e369].member_14.member;
 let _e1487 = select(-1e6f, (((((_e1467.member.member * _e395) + (_e1467.member.member_1 * _e397)) + (_e1467.member.member_2 * _e391)) + _e1467.member_1) * _e1456), _e1462);
 let _e1488 = select(-1e6f, (((((_e1467.member.member * _e405) + (_e1467.member.member_1 * _e407)) + (_e1467.member.member_2 * _e412)) + _e1467.member_1) * _e1456), _e1462);
-let _e1494 = global_4.member[_e369].member_14.member.member;
+let _e1494 = global_3.member[_e369].member_14.member.member;
 let _e1498 = -(_e1487);
 let _e1501 = (_e1487 - _e1488);
 let _e1502 = (_e1488 - _e1487);
@@ -690,12 +690,12 @@ let _e1522 = select(_e1429, _e1511, _e1520);
 let _e1526 = select(_e1434, _e1515, _e1521);
 let _e1530 = select(_e1439, _e1487, _e1516);
 let _e1532 = select(_e1441, _e1488, (_e1488 > _e1441));
-let _e1540 = global_4.member[_e369].member_15.member_1;
+let _e1540 = global_3.member[_e369].member_15.member_1;
 let _e1541 = (_e1540 != 0u);
-let _e1546 = global_4.member[_e369].member_15.member;
+let _e1546 = global_3.member[_e369].member_15.member;
 let _e1566 = select(-1e6f, (((((_e1546.member.member * _e395) + (_e1546.member.member_1 * _e397)) + (_e1546.member.member_2 * _e391)) + _e1546.member_1) * _e1456), _e1541);
 let _e1567 = select(-1e6f, (((((_e1546.member.member * _e405) + (_e1546.member.member_1 * _e407)) + (_e1546.member.member_2 * _e412)) + _e1546.member_1) * _e1456), _e1541);
-let _e1573 = global_4.member[_e369].member_15.member.member;
+let _e1573 = global_3.member[_e369].member_15.member.member;
 let _e1577 = -(_e1566);
 let _e1580 = (_e1566 - _e1567);
 let _e1581 = (_e1567 - _e1566);
@@ -710,12 +710,12 @@ let _e1601 = select(_e1522, _e1590, _e1599);
 let _e1605 = select(_e1526, _e1594, _e1600);
 let _e1609 = select(_e1530, _e1566, _e1595);
 let _e1611 = select(_e1532, _e1567, (_e1567 > _e1532));
-let _e1619 = global_4.member[_e369].member_16.member_1;
+let _e1619 = global_3.member[_e369].member_16.member_1;
 let _e1620 = (_e1619 != 0u);
-let _e1625 = global_4.member[_e369].member_16.member;
+let _e1625 = global_3.member[_e369].member_16.member;
 let _e1645 = select(-1e6f, (((((_e1625.member.member * _e395) + (_e1625.member.member_1 * _e397)) + (_e1625.member.member_2 * _e391)) + _e1625.member_1) * _e1456), _e1620);
 let _e1646 = select(-1e6f, (((((_e1625.member.member * _e405) + (_e1625.member.member_1 * _e407)) + (_e1625.member.member_2 * _e412)) + _e1625.member_1) * _e1456), _e1620);
-let _e1652 = global_4.member[_e369].member_16.member.member;
+let _e1652 = global_3.member[_e369].member_16.member.member;
 let _e1656 = -(_e1645);
 let _e1659 = (_e1645 - _e1646);
 let _e1660 = (_e1646 - _e1645);
@@ -730,12 +730,12 @@ let _e1680 = select(_e1601, _e1669, _e1678);
 let _e1684 = select(_e1605, _e1673, _e1679);
 let _e1688 = select(_e1609, _e1645, _e1674);
 let _e1690 = select(_e1611, _e1646, (_e1646 > _e1611));
-let _e1698 = global_4.member[_e369].member_17.member_1;
+let _e1698 = global_3.member[_e369].member_17.member_1;
 let _e1699 = (_e1698 != 0u);
-let _e1704 = global_4.member[_e369].member_17.member;
+let _e1704 = global_3.member[_e369].member_17.member;
 let _e1724 = select(-1e6f, (((((_e1704.member.member * _e395) + (_e1704.member.member_1 * _e397)) + (_e1704.member.member_2 * _e391)) + _e1704.member_1) * _e1456), _e1699);
 let _e1725 = select(-1e6f, (((((_e1704.member.member * _e405) + (_e1704.member.member_1 * _e407)) + (_e1704.member.member_2 * _e412)) + _e1704.member_1) * _e1456), _e1699);
-let _e1731 = global_4.member[_e369].member_17.member.member;
+let _e1731 = global_3.member[_e369].member_17.member.member;
 let _e1735 = -(_e1724);
 let _e1738 = (_e1724 - _e1725);
 let _e1739 = (_e1725 - _e1724);
@@ -746,7 +746,7 @@ let _e1752 = select(2f, select(0f, _e1744, (_e1724 < 0f)), (_e1725 > 0f));
 let _e1753 = (_e1724 > _e1688);
 let _e1757 = ((_e1748 > _e1680) || ((_e1748 == _e1680) && _e1753));
 let _e1758 = (_e1752 < _e1684);
-phi_3021_ = type_35(select(_e1680, _e1748, _e1757), vec3<f32>(select(select(select(select(_e1430, _e1494.member, _e1520), _e1573.member, _e1599), _e1652.member, _e1678), _e1731.member, _e1757), select(select(select(select(_e1431, _e1494.member_1, _e1520), _e1573.member_1, _e1599), _e1652.member_1, _e1678), _e1731.member_1, _e1757), select(select(select(select(_e1432, _e1494.member_2, _e1520), _e1573.member_2, _e1599), _e1652.member_2, _e1678), _e1731.member_2, _e1757)), select(_e1684, _e1752, _e1758), vec3<f32>(select(select(select(select(_e1435, _e1494.member, _e1521), _e1573.member, _e1600), _e1652.member, _e1679), _e1731.member, _e1758), select(select(select(select(_e1436, _e1494.member_1, _e1521), _e1573.member_1, _e1600), _e1652.member_1, _e1679), _e1731.member_1, _e1758), select(select(select(select(_e1437, _e1494.member_2, _e1521), _e1573.member_2, _e1600), _e1652.member_2, _e1679), _e1731.member_2, _e1758)), select(_e1688, _e1724, _e1753), select(_e1690, _e1725, (_e1725 > _e1690)), vec3<f32>(select(select(select(select(_e1442, _e1494.member, _e1516), _e1573.member, _e1595), _e1652.member, _e1674), _e1731.member, _e1753), select(select(select(select(_e1443, _e1494.member_1, _e1516), _e1573.member_1, _e1595), _e1652.member_1, _e1674), _e1731.member_1, _e1753), select(select(select(select(_e1444, _e1494.member_2, _e1516), _e1573.member_2, _e1595), _e1652.member_2, _e1674), _e1731.member_2, _e1753)));
+phi_3021_ = type_34(select(_e1680, _e1748, _e1757), vec3<f32>(select(select(select(select(_e1430, _e1494.member, _e1520), _e1573.member, _e1599), _e1652.member, _e1678), _e1731.member, _e1757), select(select(select(select(_e1431, _e1494.member_1, _e1520), _e1573.member_1, _e1599), _e1652.member_1, _e1678), _e1731.member_1, _e1757), select(select(select(select(_e1432, _e1494.member_2, _e1520), _e1573.member_2, _e1599), _e1652.member_2, _e1678), _e1731.member_2, _e1757)), select(_e1684, _e1752, _e1758), vec3<f32>(select(select(select(select(_e1435, _e1494.member, _e1521), _e1573.member, _e1600), _e1652.member, _e1679), _e1731.member, _e1758), select(select(select(select(_e1436, _e1494.member_1, _e1521), _e1573.member_1, _e1600), _e1652.member_1, _e1679), _e1731.member_1, _e1758), select(select(select(select(_e1437, _e1494.member_2, _e1521), _e1573.member_2, _e1600), _e1652.member_2, _e1679), _e1731.member_2, _e1758)), select(_e1688, _e1724, _e1753), select(_e1690, _e1725, (_e1725 > _e1690)), vec3<f32>(select(select(select(select(_e1442, _e1494.member, _e1516), _e1573.member, _e1595), _e1652.member, _e1674), _e1731.member, _e1753), select(select(select(select(_e1443, _e1494.member_1, _e1516), _e1573.member_1, _e1595), _e1652.member_1, _e1674), _e1731.member_1, _e1753), select(select(select(select(_e1444, _e1494.member_2, _e1516), _e1573.member_2, _e1595), _e1652.member_2, _e1674), _e1731.member_2, _e1753)));
 }
 let _e1778 = phi_3021_;
 if ((_e1778.member_4 > -(0.015625f)) && (_e1778.member_4 < 0.015625f)) {
@@ -755,7 +755,7 @@ phi_3034_ = (_e373[9] != 0f);
 phi_3034_ = (_e1778.member_4 < 0f);
 }
 let _e1787 = phi_3034_;
-let _e1792 = global_4.member[_e369].member_10.member_9;
+let _e1792 = global_3.member[_e369].member_10.member_9;
 let _e1796 = select(-0.5f, _e481, (_e481 > -0.5f));
 let _e1798 = select(_e897, _e1796, (_e1796 < _e897));
 let _e1800 = select(-0.5f, _e497, (_e497 > -0.5f));
@@ -774,19 +774,19 @@ let _e1838 = select(-1f, _e1806, (_e1806 > -1f));
 let _e1840 = select(_e560, _e1838, (_e1838 < _e560));
 let _e1847 = select(0i, select(select(i32(_e1840), i32(-2147483648), (_e1840 < -2147483600f)), 2147483647i, (_e1840 > 2147483500f)), (_e1840 == _e1840));
 let _e1851 = (_e1847 - select(0i, 1i, (_e1840 < f32(_e1847))));
-let _e1856 = global_4.member[_e369].member_6.member_7;
-let _e1861 = global_4.member[_e369].member_6.member_8;
+let _e1856 = global_3.member[_e369].member_6.member_7;
+let _e1861 = global_3.member[_e369].member_6.member_8;
 let _e1862 = (_e1821 + 1i);
 let _e1863 = (_e1836 + 1i);
 let _e1864 = (_e1851 + 1i);
-let _e1870 = global_4.member[_e369].member_6.member_11.member;
+let _e1870 = global_3.member[_e369].member_6.member_11.member;
 let _e1871 = bitcast<i32>(_e1870);
-let _e1877 = global_4.member[_e369].member_6.member_11.member_1;
+let _e1877 = global_3.member[_e369].member_6.member_11.member_1;
 let _e1878 = bitcast<i32>(_e1877);
 let _e1888 = ((_e1862 >> bitcast<u32>(4i)) + (_e1871 * ((_e1863 >> bitcast<u32>(4i)) + (_e1878 * (_e1864 >> bitcast<u32>(4i))))));
 let _e1890 = (bitcast<i32>(_e182) - 1i);
 let _e1892 = select(_e1890, _e1888, (_e1888 < _e1890));
-let _e1898 = global_2.member[bitcast<u32>(select(0i, _e1892, (_e1892 > 0i)))];
+let _e1898 = global_1.member[bitcast<u32>(select(0i, _e1892, (_e1892 > 0i)))];
 let _e1900 = (_e1862 & 15i);
 let _e1903 = ((_e1863 & 15i) * _e1856);
 let _e1905 = (bitcast<i32>(_e1898) + ((_e1864 & 15i) * _e1861));
@@ -796,30 +796,30 @@ let _e1911 = (_e1903 + _e1910);
 let _e1912 = (_e1905 + _e1861);
 let _e1913 = (2i * _e1861);
 let _e1914 = (_e1905 + _e1913);
-local_38 = type_32(array<i32, 4>(_e1900, (_e1900 + 1i), (_e1900 + 2i), (_e1900 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_38 = type_28(array<i32, 4>(_e1900, (_e1900 + 1i), (_e1900 + 2i), (_e1900 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_39 = vec3<f32>((_e1798 - f32(_e1821)), (_e1802 - f32(_e1836)), (_e1806 - f32(_e1851)));
 let _e1925 = (_e1912 + _e1909);
 let _e1928 = local_38.member[1u];
 let _e1929 = (_e1925 + _e1928);
 let _e1931 = select(_e1890, _e1929, (_e1929 < _e1890));
-let _e1936 = global_2.member[bitcast<u32>(select(0i, _e1931, (_e1931 > 0i)))];
+let _e1936 = global_1.member[bitcast<u32>(select(0i, _e1931, (_e1931 > 0i)))];
 let _e1937 = bitcast<f32>(_e1936);
 let _e1940 = local_38.member[2u];
 let _e1941 = (_e1925 + _e1940);
 let _e1943 = select(_e1890, _e1941, (_e1941 < _e1890));
-let _e1948 = global_2.member[bitcast<u32>(select(0i, _e1943, (_e1943 > 0i)))];
+let _e1948 = global_1.member[bitcast<u32>(select(0i, _e1943, (_e1943 > 0i)))];
 let _e1950 = local_39[0u];
 let _e1953 = (_e1937 + ((bitcast<f32>(_e1948) - _e1937) * _e1950));
 let _e1954 = (_e1912 + _e1911);
 let _e1955 = local_38.member[1u];
 let _e1956 = (_e1954 + _e1955);
 let _e1958 = select(_e1890, _e1956, (_e1956 < _e1890));
-let _e1963 = global_2.member[bitcast<u32>(select(0i, _e1958, (_e1958 > 0i)))];
+let _e1963 = global_1.member[bitcast<u32>(select(0i, _e1958, (_e1958 > 0i)))];
 let _e1964 = bitcast<f32>(_e1963);
 let _e1965 = local_38.member[2u];
 let _e1966 = (_e1954 + _e1965);
 let _e1968 = select(_e1890, _e1966, (_e1966 < _e1890));
-let _e1973 = global_2.member[bitcast<u32>(select(0i, _e1968, (_e1968 > 0i)))];
+let _e1973 = global_1.member[bitcast<u32>(select(0i, _e1968, (_e1968 > 0i)))];
 let _e1975 = local_39[0u];
 let _e1980 = local_39[1u];
 let _e1983 = (_e1953 + (((_e1964 + ((bitcast<f32>(_e1973) - _e1964) * _e1975)) - _e1953) * _e1980));
@@ -827,29 +827,29 @@ let _e1984 = (_e1914 + _e1909);
 let _e1985 = local_38.member[1u];
 let _e1986 = (_e1984 + _e1985);
 let _e1988 = select(_e1890, _e1986, (_e1986 < _e1890));
-let _e1993 = global_2.member[bitcast<u32>(select(0i, _e1988, (_e1988 > 0i)))];
+let _e1993 = global_1.member[bitcast<u32>(select(0i, _e1988, (_e1988 > 0i)))];
 let _e1994 = bitcast<f32>(_e1993);
 let _e1995 = local_38.member[2u];
 let _e1996 = (_e1984 + _e1995);
 let _e1998 = select(_e1890, _e1996, (_e1996 < _e1890));
-let _e2003 = global_2.member[bitcast<u32>(select(0i, _e1998, (_e1998 > 0i)))];
+let _e2003 = global_1.member[bitcast<u32>(select(0i, _e1998, (_e1998 > 0i)))];
 let _e2005 = local_39[0u];
 let _e2008 = (_e1994 + ((bitcast<f32>(_e2003) - _e1994) * _e2005));
 let _e2009 = (_e1914 + _e1911);
 let _e2010 = local_38.member[1u];
 let _e2011 = (_e2009 + _e2010);
 let _e2013 = select(_e1890, _e2011, (_e2011 < _e1890));
-let _e2018 = global_2.member[bitcast<u32>(select(0i, _e2013, (_e2013 > 0i)))];
+let _e2018 = global_1.member[bitcast<u32>(select(0i, _e2013, (_e2013 > 0i)))];
 let _e2019 = bitcast<f32>(_e2018);
 let _e2020 = local_38.member[2u];
 let _e2021 = (_e2009 + _e2020);
 let _e2023 = select(_e1890, _e2021, (_e2021 < _e1890));
-let _e2028 = global_2.member[bitcast<u32>(select(0i, _e2023, (_e2023 > 0i)))];
+let _e2028 = global_1.member[bitcast<u32>(select(0i, _e2023, (_e2023 > 0i)))];
 let _e2030 = local_39[0u];
 let _e2034 = local_39[1u];
 let _e2039 = local_39[2u];
-let _e2047 = global_4.member[_e369].member_6.member_6;
-let _e2052 = global_4.member[_e369].member_6.member_5;
+let _e2047 = global_3.member[_e369].member_6.member_6;
+let _e2052 = global_3.member[_e369].member_6.member_5;
 let _e2054 = (((_e1983 + (((_e2008 + (((_e2019 + ((bitcast<f32>(_e2028) - _e2019) * _e2030)) - _e2008) * _e2034)) - _e1983) * _e2039)) - _e2047) * _e2052);
 let _e2055 = -(1e9f);
 let _e2057 = select(_e2055, _e2054, (_e2054 > _e2055));
@@ -859,49 +859,49 @@ local_37 = _e2060;
 let _e2061 = local_37;
 let _e2063 = (bitcast<i32>(_e187) - 1i);
 let _e2065 = select(_e2063, 263197i, (263197i < _e2063));
-let _e2070 = global_3.member[bitcast<u32>(select(0i, _e2065, (_e2065 > 0i)))];
+let _e2070 = global_2.member[bitcast<u32>(select(0i, _e2065, (_e2065 > 0i)))];
 let _e2071 = bitcast<f32>(_e2070);
 let _e2073 = select(_e2063, 263198i, (263198i < _e2063));
-let _e2078 = global_3.member[bitcast<u32>(select(0i, _e2073, (_e2073 > 0i)))];
+let _e2078 = global_2.member[bitcast<u32>(select(0i, _e2073, (_e2073 > 0i)))];
 let _e2079 = bitcast<f32>(_e2078);
 let _e2081 = select(_e2063, 263199i, (263199i < _e2063));
-let _e2086 = global_3.member[bitcast<u32>(select(0i, _e2081, (_e2081 > 0i)))];
+let _e2086 = global_2.member[bitcast<u32>(select(0i, _e2081, (_e2081 > 0i)))];
 let _e2087 = bitcast<f32>(_e2086);
 let _e2089 = ((_e2061 - _e2071) * _e2079);
 let _e2091 = select(0f, _e2089, (_e2089 > 0f));
 let _e2094 = local_37;
 let _e2096 = select(_e2063, 263200i, (263200i < _e2063));
-let _e2101 = global_3.member[bitcast<u32>(select(0i, _e2096, (_e2096 > 0i)))];
+let _e2101 = global_2.member[bitcast<u32>(select(0i, _e2096, (_e2096 > 0i)))];
 let _e2102 = bitcast<f32>(_e2101);
 let _e2104 = select(_e2063, 263201i, (263201i < _e2063));
-let _e2109 = global_3.member[bitcast<u32>(select(0i, _e2104, (_e2104 > 0i)))];
+let _e2109 = global_2.member[bitcast<u32>(select(0i, _e2104, (_e2104 > 0i)))];
 let _e2110 = bitcast<f32>(_e2109);
 let _e2112 = select(_e2063, 263202i, (263202i < _e2063));
-let _e2117 = global_3.member[bitcast<u32>(select(0i, _e2112, (_e2112 > 0i)))];
+let _e2117 = global_2.member[bitcast<u32>(select(0i, _e2112, (_e2112 > 0i)))];
 let _e2118 = bitcast<f32>(_e2117);
 let _e2120 = ((_e2094 - _e2102) * _e2110);
 let _e2122 = select(0f, _e2120, (_e2120 > 0f));
 let _e2126 = local_37;
 let _e2128 = select(_e2063, 263203i, (263203i < _e2063));
-let _e2133 = global_3.member[bitcast<u32>(select(0i, _e2128, (_e2128 > 0i)))];
+let _e2133 = global_2.member[bitcast<u32>(select(0i, _e2128, (_e2128 > 0i)))];
 let _e2134 = bitcast<f32>(_e2133);
 let _e2136 = select(_e2063, 263204i, (263204i < _e2063));
-let _e2141 = global_3.member[bitcast<u32>(select(0i, _e2136, (_e2136 > 0i)))];
+let _e2141 = global_2.member[bitcast<u32>(select(0i, _e2136, (_e2136 > 0i)))];
 let _e2142 = bitcast<f32>(_e2141);
 let _e2144 = select(_e2063, 263205i, (263205i < _e2063));
-let _e2149 = global_3.member[bitcast<u32>(select(0i, _e2144, (_e2144 > 0i)))];
+let _e2149 = global_2.member[bitcast<u32>(select(0i, _e2144, (_e2144 > 0i)))];
 let _e2150 = bitcast<f32>(_e2149);
 let _e2152 = ((_e2126 - _e2134) * _e2142);
 let _e2154 = select(0f, _e2152, (_e2152 > 0f));
 let _e2157 = local_37;
 let _e2159 = select(_e2063, 263206i, (263206i < _e2063));
-let _e2164 = global_3.member[bitcast<u32>(select(0i, _e2159, (_e2159 > 0i)))];
+let _e2164 = global_2.member[bitcast<u32>(select(0i, _e2159, (_e2159 > 0i)))];
 let _e2165 = bitcast<f32>(_e2164);
 let _e2167 = select(_e2063, 263207i, (263207i < _e2063));
-let _e2172 = global_3.member[bitcast<u32>(select(0i, _e2167, (_e2167 > 0i)))];
+let _e2172 = global_2.member[bitcast<u32>(select(0i, _e2167, (_e2167 > 0i)))];
 let _e2173 = bitcast<f32>(_e2172);
 let _e2175 = select(_e2063, 263208i, (263208i < _e2063));
-let _e2180 = global_3.member[bitcast<u32>(select(0i, _e2175, (_e2175 > 0i)))];
+let _e2180 = global_2.member[bitcast<u32>(select(0i, _e2175, (_e2175 > 0i)))];
 let _e2181 = bitcast<f32>(_e2180);
 let _e2183 = ((_e2157 - _e2165) * _e2173);
 let _e2185 = select(0f, _e2183, (_e2183 > 0f));
@@ -912,24 +912,24 @@ let _e2200 = select(0i, select(select(i32(_e2193), i32(-2147483648), (_e2193 < -
 let _e2204 = (_e2200 - select(0i, 1i, (_e2193 < f32(_e2200))));
 let _e2205 = (262147i + _e2204);
 let _e2207 = select(_e2063, _e2205, (_e2205 < _e2063));
-let _e2213 = global_3.member[bitcast<u32>(select(0i, _e2207, (_e2207 > 0i)))];
+let _e2213 = global_2.member[bitcast<u32>(select(0i, _e2207, (_e2207 > 0i)))];
 let _e2223 = select(_e2063, 262146i, (262146i < _e2063));
 let _e2226 = bitcast<u32>(select(0i, _e2223, (_e2223 > 0i)));
-let _e2229 = global_3.member[_e2226];
+let _e2229 = global_2.member[_e2226];
 let _e2233 = select(_e2063, 262144i, (262144i < _e2063));
 let _e2236 = bitcast<u32>(select(0i, _e2233, (_e2233 > 0i)));
-let _e2239 = global_3.member[_e2236];
+let _e2239 = global_2.member[_e2236];
 let _e2242 = select(_e2063, 262145i, (262145i < _e2063));
 let _e2245 = bitcast<u32>(select(0i, _e2242, (_e2242 > 0i)));
-let _e2248 = global_3.member[_e2245];
+let _e2248 = global_2.member[_e2245];
 let _e2256 = select(1f, ((bitcast<f32>(_e2239) + (f32(bitcast<i32>((_e2213 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2248))) + ((f32((bitcast<i32>((_e2213 & 4095u)) - 2048i)) * bitcast<f32>(_e2229)) * (_e2189 - f32(_e2204)))), (_e1787 && (_e391 == _e1792)));
 let _e2257 = (_e373[3] * _e2256);
 let _e2258 = (_e373[4] * _e2256);
 let _e2259 = (_e373[5] * _e2256);
 if _e1787 {
-phi_4082_ = type_29(_e1778.member_2, _e1778.member_3);
+phi_4082_ = type_39(_e1778.member_2, _e1778.member_3);
 } else {
-phi_4082_ = type_29(_e1778.member, _e1778.member_1);
+phi_4082_ = type_39(_e1778.member, _e1778.member_1);
 }
 let _e2267 = phi_4082_;
 if _e1787 {
@@ -968,7 +968,7 @@ let _e2362 = (_e2345 + 1i);
 let _e2363 = (_e2360 + 1i);
 let _e2373 = ((_e2361 >> bitcast<u32>(4i)) + (_e1871 * ((_e2362 >> bitcast<u32>(4i)) + (_e1878 * (_e2363 >> bitcast<u32>(4i))))));
 let _e2375 = select(_e1890, _e2373, (_e2373 < _e1890));
-let _e2380 = global_2.member[bitcast<u32>(select(0i, _e2375, (_e2375 > 0i)))];
+let _e2380 = global_1.member[bitcast<u32>(select(0i, _e2375, (_e2375 > 0i)))];
 let _e2382 = (_e2361 & 15i);
 let _e2385 = ((_e2362 & 15i) * _e1856);
 let _e2387 = (bitcast<i32>(_e2380) + ((_e2363 & 15i) * _e1861));
@@ -976,30 +976,30 @@ let _e2391 = (_e2385 + _e1856);
 let _e2392 = (_e2385 + _e1910);
 let _e2393 = (_e2387 + _e1861);
 let _e2394 = (_e2387 + _e1913);
-local_34 = type_32(array<i32, 4>(_e2382, (_e2382 + 1i), (_e2382 + 2i), (_e2382 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_34 = type_28(array<i32, 4>(_e2382, (_e2382 + 1i), (_e2382 + 2i), (_e2382 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_35 = vec3<f32>((_e2307 - f32(_e2330)), (_e2311 - f32(_e2345)), (_e2315 - f32(_e2360)));
 let _e2405 = (_e2393 + _e2391);
 let _e2408 = local_34.member[1u];
 let _e2409 = (_e2405 + _e2408);
 let _e2411 = select(_e1890, _e2409, (_e2409 < _e1890));
-let _e2416 = global_2.member[bitcast<u32>(select(0i, _e2411, (_e2411 > 0i)))];
+let _e2416 = global_1.member[bitcast<u32>(select(0i, _e2411, (_e2411 > 0i)))];
 let _e2417 = bitcast<f32>(_e2416);
 let _e2420 = local_34.member[2u];
 let _e2421 = (_e2405 + _e2420);
 let _e2423 = select(_e1890, _e2421, (_e2421 < _e1890));
-let _e2428 = global_2.member[bitcast<u32>(select(0i, _e2423, (_e2423 > 0i)))];
+let _e2428 = global_1.member[bitcast<u32>(select(0i, _e2423, (_e2423 > 0i)))];
 let _e2430 = local_35[0u];
 let _e2433 = (_e2417 + ((bitcast<f32>(_e2428) - _e2417) * _e2430));
 let _e2434 = (_e2393 + _e2392);
 let _e2435 = local_34.member[1u];
 let _e2436 = (_e2434 + _e2435);
 let _e2438 = select(_e1890, _e2436, (_e2436 < _e1890));
-let _e2443 = global_2.member[bitcast<u32>(select(0i, _e2438, (_e2438 > 0i)))];
+let _e2443 = global_1.member[bitcast<u32>(select(0i, _e2438, (_e2438 > 0i)))];
 let _e2444 = bitcast<f32>(_e2443);
 let _e2445 = local_34.member[2u];
 let _e2446 = (_e2434 + _e2445);
 let _e2448 = select(_e1890, _e2446, (_e2446 < _e1890));
-let _e2453 = global_2.member[bitcast<u32>(select(0i, _e2448, (_e2448 > 0i)))];
+let _e2453 = global_1.member[bitcast<u32>(select(0i, _e2448, (_e2448 > 0i)))];
 let _e2455 = local_35[0u];
 let _e2460 = local_35[1u];
 let _e2463 = (_e2433 + (((_e2444 + ((bitcast<f32>(_e2453) - _e2444) * _e2455)) - _e2433) * _e2460));
@@ -1007,24 +1007,24 @@ let _e2464 = (_e2394 + _e2391);
 let _e2465 = local_34.member[1u];
 let _e2466 = (_e2464 + _e2465);
 let _e2468 = select(_e1890, _e2466, (_e2466 < _e1890));
-let _e2473 = global_2.member[bitcast<u32>(select(0i, _e2468, (_e2468 > 0i)))];
+let _e2473 = global_1.member[bitcast<u32>(select(0i, _e2468, (_e2468 > 0i)))];
 let _e2474 = bitcast<f32>(_e2473);
 let _e2475 = local_34.member[2u];
 let _e2476 = (_e2464 + _e2475);
 let _e2478 = select(_e1890, _e2476, (_e2476 < _e1890));
-let _e2483 = global_2.member[bitcast<u32>(select(0i, _e2478, (_e2478 > 0i)))];
+let _e2483 = global_1.member[bitcast<u32>(select(0i, _e2478, (_e2478 > 0i)))];
 let _e2485 = local_35[0u];
 let _e2488 = (_e2474 + ((bitcast<f32>(_e2483) - _e2474) * _e2485));
 let _e2489 = (_e2394 + _e2392);
 let _e2490 = local_34.member[1u];
 let _e2491 = (_e2489 + _e2490);
 let _e2493 = select(_e1890, _e2491, (_e2491 < _e1890));
-let _e2498 = global_2.member[bitcast<u32>(select(0i, _e2493, (_e2493 > 0i)))];
+let _e2498 = global_1.member[bitcast<u32>(select(0i, _e2493, (_e2493 > 0i)))];
 let _e2499 = bitcast<f32>(_e2498);
 let _e2500 = local_34.member[2u];
 let _e2501 = (_e2489 + _e2500);
 let _e2503 = select(_e1890, _e2501, (_e2501 < _e1890));
-let _e2508 = global_2.member[bitcast<u32>(select(0i, _e2503, (_e2503 > 0i)))];
+let _e2508 = global_1.member[bitcast<u32>(select(0i, _e2503, (_e2503 > 0i)))];
 let _e2510 = local_35[0u];
 let _e2514 = local_35[1u];
 let _e2519 = local_35[2u];
@@ -1052,18 +1052,18 @@ let _e2571 = select(0i, select(select(i32(_e2564), i32(-2147483648), (_e2564 < -
 let _e2575 = (_e2571 - select(0i, 1i, (_e2564 < f32(_e2571))));
 let _e2576 = (262147i + _e2575);
 let _e2578 = select(_e2063, _e2576, (_e2576 < _e2063));
-let _e2583 = global_3.member[bitcast<u32>(select(0i, _e2578, (_e2578 > 0i)))];
-let _e2593 = global_3.member[_e2226];
+let _e2583 = global_2.member[bitcast<u32>(select(0i, _e2578, (_e2578 > 0i)))];
+let _e2593 = global_2.member[_e2226];
 let _e2594 = bitcast<f32>(_e2593);
-let _e2597 = global_3.member[_e2236];
+let _e2597 = global_2.member[_e2236];
 let _e2598 = bitcast<f32>(_e2597);
-let _e2600 = global_3.member[_e2245];
+let _e2600 = global_2.member[_e2245];
 let _e2601 = bitcast<f32>(_e2600);
 let _e2607 = ((_e2598 + (f32(bitcast<i32>((_e2583 >> bitcast<u32>(12u)))) * _e2601)) + ((f32((bitcast<i32>((_e2583 & 4095u)) - 2048i)) * _e2594) * (_e2560 - f32(_e2575))));
 if _e1787 {
-phi_5137_ = type_28(_e2607, 1f);
+phi_5137_ = type_31(_e2607, 1f);
 } else {
-phi_5137_ = type_28(1f, _e2607);
+phi_5137_ = type_31(1f, _e2607);
 }
 let _e2611 = phi_5137_;
 let _e2616 = ((_e2611.member_1 * _e2611.member_1) - (_e2611.member * _e2611.member));
@@ -1082,7 +1082,7 @@ let _e2651 = (_e2616 == 0f);
 let _e2663 = select(_e2257, select((_e2257 + (_e2631 * _e2650)), _e2257, _e2651), _e2275);
 let _e2664 = select(_e2258, select((_e2258 + (_e2632 * _e2650)), _e2258, _e2651), _e2275);
 let _e2665 = select(_e2259, select((_e2259 + (_e2633 * _e2650)), _e2259, _e2651), _e2275);
-let _e2670 = global_4.member[_e369].member_5.member_4;
+let _e2670 = global_3.member[_e369].member_5.member_4;
 let _e2671 = (_e2670 * _e2670);
 let _e2675 = (_e2665 * _e2665);
 let _e2679 = (_e2275 && (_e2611.member != _e2611.member_1));
@@ -1201,16 +1201,16 @@ let _e2956 = select(select(select(select(select(select(0f, _e1181.member, _e2737
 let _e2957 = select(select(select(select(select(select(0f, _e1181.member_1, _e2737), _e1181.member_1, _e2777), _e1190.member_1, _e2817), _e1190.member_1, _e2857), _e1199.member_1, _e2897), _e1199.member_1, _e2937);
 let _e2958 = select(select(select(select(select(select(1f, _e1181.member_2, _e2737), _e1181.member_2, _e2777), _e1190.member_2, _e2817), _e1190.member_2, _e2857), _e1199.member_2, _e2897), _e1199.member_2, _e2937);
 if _e1448 {
-phi_6660_ = type_35(_e2943, vec3<f32>(_e2944, _e2945, _e2946), _e2948, vec3<f32>(_e2949, _e2950, _e2951), _e2953, _e2955, vec3<f32>(_e2956, _e2957, _e2958));
+phi_6660_ = type_34(_e2943, vec3<f32>(_e2944, _e2945, _e2946), _e2948, vec3<f32>(_e2949, _e2950, _e2951), _e2953, _e2955, vec3<f32>(_e2956, _e2957, _e2958));
 } else {
 let _e2965 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e2968 = sqrt(select(0f, _e2965, (_e2965 > 0f)));
-let _e2973 = global_4.member[_e369].member_14.member_1;
+let _e2973 = global_3.member[_e369].member_14.member_1;
 let _e2974 = (_e2973 != 0u);
-let _e2979 = global_4.member[_e369].member_14.member;
+let _e2979 = global_3.member[_e369].member_14.member;
 let _e2999 = select(-1e6f, (((((_e2979.member.member * _e2282) + (_e2979.member.member_1 * _e2283)) + (_e2979.member.member_2 * _e2284)) + _e2979.member_1) * _e2968), _e2974);
 let _e3000 = select(-1e6f, (((((_e2979.member.member * _e2693) + (_e2979.member.member_1 * _e2694)) + (_e2979.member.member_2 * _e2695)) + _e2979.member_1) * _e2968), _e2974);
-let _e3006 = global_4.member[_e369].member_14.member.member;
+let _e3006 = global_3.member[_e369].member_14.member.member;
 let _e3010 = -(_e2999);
 let _e3013 = (_e2999 - _e3000);
 let _e3014 = (_e3000 - _e2999);
@@ -1225,12 +1225,12 @@ let _e3034 = select(_e2943, _e3023, _e3032);
 let _e3038 = select(_e2948, _e3027, _e3033);
 let _e3042 = select(_e2953, _e2999, _e3028);
 let _e3044 = select(_e2955, _e3000, (_e3000 > _e2955));
-let _e3052 = global_4.member[_e369].member_15.member_1;
+let _e3052 = global_3.member[_e369].member_15.member_1;
 let _e3053 = (_e3052 != 0u);
-let _e3058 = global_4.member[_e369].member_15.member;
+let _e3058 = global_3.member[_e369].member_15.member;
 let _e3078 = select(-1e6f, (((((_e3058.member.member * _e2282) + (_e3058.member.member_1 * _e2283)) + (_e3058.member.member_2 * _e2284)) + _e3058.member_1) * _e2968), _e3053);
 let _e3079 = select(-1e6f, (((((_e3058.member.member * _e2693) + (_e3058.member.member_1 * _e2694)) + (_e3058.member.member_2 * _e2695)) + _e3058.member_1) * _e2968), _e3053);
-let _e3085 = global_4.member[_e369].member_15.member.member;
+let _e3085 = global_3.member[_e369].member_15.member.member;
 let _e3089 = -(_e3078);
 let _e3092 = (_e3078 - _e3079);
 let _e3093 = (_e3079 - _e3078);
@@ -1245,12 +1245,12 @@ let _e3113 = select(_e3034, _e3102, _e3111);
 let _e3117 = select(_e3038, _e3106, _e3112);
 let _e3121 = select(_e3042, _e3078, _e3107);
 let _e3123 = select(_e3044, _e3079, (_e3079 > _e3044));
-let _e3131 = global_4.member[_e369].member_16.member_1;
+let _e3131 = global_3.member[_e369].member_16.member_1;
 let _e3132 = (_e3131 != 0u);
-let _e3137 = global_4.member[_e369].member_16.member;
+let _e3137 = global_3.member[_e369].member_16.member;
 let _e3157 = select(-1e6f, (((((_e3137.member.member * _e2282) + (_e3137.member.member_1 * _e2283)) + (_e3137.member.member_2 * _e2284)) + _e3137.member_1) * _e2968), _e3132);
 let _e3158 = select(-1e6f, (((((_e3137.member.member * _e2693) + (_e3137.member.member_1 * _e2694)) + (_e3137.member.member_2 * _e2695)) + _e3137.member_1) * _e2968), _e3132);
-let _e3164 = global_4.member[_e369].member_16.member.member;
+let _e3164 = global_3.member[_e369].member_16.member.member;
 let _e3168 = -(_e3157);
 let _e3171 = (_e3157 - _e3158);
 let _e3172 = (_e3158 - _e3157);
@@ -1265,12 +1265,12 @@ let _e3192 = select(_e3113, _e3181, _e3190);
 let _e3196 = select(_e3117, _e3185, _e3191);
 let _e3200 = select(_e3121, _e3157, _e3186);
 let _e3202 = select(_e3123, _e3158, (_e3158 > _e3123));
-let _e3210 = global_4.member[_e369].member_17.member_1;
+let _e3210 = global_3.member[_e369].member_17.member_1;
 let _e3211 = (_e3210 != 0u);
-let _e3216 = global_4.member[_e369].member_17.member;
+let _e3216 = global_3.member[_e369].member_17.member;
 let _e3236 = select(-1e6f, (((((_e3216.member.member * _e2282) + (_e3216.member.member_1 * _e2283)) + (_e3216.member.member_2 * _e2284)) + _e3216.member_1) * _e2968), _e3211);
 let _e3237 = select(-1e6f, (((((_e3216.member.member * _e2693) + (_e3216.member.member_1 * _e2694)) + (_e3216.member.member_2 * _e2695)) + _e3216.member_1) * _e2968), _e3211);
-let _e3243 = global_4.member[_e369].member_17.member.member;
+let _e3243 = global_3.member[_e369].member_17.member.member;
 let _e3247 = -(_e3236);
 let _e3250 = (_e3236 - _e3237);
 let _e3251 = (_e3237 - _e3236);
@@ -1281,7 +1281,7 @@ let _e3264 = select(2f, select(0f, _e3256, (_e3236 < 0f)), (_e3237 > 0f));
 let _e3265 = (_e3236 > _e3200);
 let _e3269 = ((_e3260 > _e3192) || ((_e3260 == _e3192) && _e3265));
 let _e3270 = (_e3264 < _e3196);
-phi_6660_ = type_35(select(_e3192, _e3260, _e3269), vec3<f32>(select(select(select(select(_e2944, _e3006.member, _e3032), _e3085.member, _e3111), _e3164.member, _e3190), _e3243.member, _e3269), select(select(select(select(_e2945, _e3006.member_1, _e3032), _e3085.member_1, _e3111), _e3164.member_1, _e3190), _e3243.member_1, _e3269), select(select(select(select(_e2946, _e3006.member_2, _e3032), _e3085.member_2, _e3111), _e3164.member_2, _e3190), _e3243.member_2, _e3269)), select(_e3196, _e3264, _e3270), vec3<f32>(select(select(select(select(_e2949, _e3006.member, _e3033), _e3085.member, _e3112), _e3164.member, _e3191), _e3243.member, _e3270), select(select(select(select(_e2950, _e3006.member_1, _e3033), _e3085.member_1, _e3112), _e3164.member_1, _e3191), _e3243.member_1, _e3270), select(select(select(select(_e2951, _e3006.member_2, _e3033), _e3085.member_2, _e3112), _e3164.member_2, _e3191), _e3243.member_2, _e3270)), select(_e3200, _e3236, _e3265), select(_e3202, _e3237, (_e3237 > _e3202)), vec3<f32>(select(select(select(select(_e2956, _e3006.member, _e3028), _e3085.member, _e3107), _e3164.member, _e3186), _e3243.member, _e3265), select(select(select(select(_e2957, _e3006.member_1, _e3028), _e3085.member_1, _e3107), _e3164.member_1, _e3186), _e3243.member_1, _e3265), select(select(select(select(_e2958, _e3006.member_2, _e3028), _e3085.member_2, _e3107), _e3164.member_2, _e3186), _e3243.member_2, _e3265)));
+phi_6660_ = type_34(select(_e3192, _e3260, _e3269), vec3<f32>(select(select(select(select(_e2944, _e3006.member, _e3032), _e3085.member, _e3111), _e3164.member, _e3190), _e3243.member, _e3269), select(select(select(select(_e2945, _e3006.member_1, _e3032), _e3085.member_1, _e3111), _e3164.member_1, _e3190), _e3243.member_1, _e3269), select(select(select(select(_e2946, _e3006.member_2, _e3032), _e3085.member_2, _e3111), _e3164.member_2, _e3190), _e3243.member_2, _e3269)), select(_e3196, _e3264, _e3270), vec3<f32>(select(select(select(select(_e2949, _e3006.member, _e3033), _e3085.member, _e3112), _e3164.member, _e3191), _e3243.member, _e3270), select(select(select(select(_e2950, _e3006.member_1, _e3033), _e3085.member_1, _e3112), _e3164.member_1, _e3191), _e3243.member_1, _e3270), select(select(select(select(_e2951, _e3006.member_2, _e3033), _e3085.member_2, _e3112), _e3164.member_2, _e3191), _e3243.member_2, _e3270)), select(_e3200, _e3236, _e3265), select(_e3202, _e3237, (_e3237 > _e3202)), vec3<f32>(select(select(select(select(_e2956, _e3006.member, _e3028), _e3085.member, _e3107), _e3164.member, _e3186), _e3243.member, _e3265), select(select(select(select(_e2957, _e3006.member_1, _e3028), _e3085.member_1, _e3107), _e3164.member_1, _e3186), _e3243.member_1, _e3265), select(select(select(select(_e2958, _e3006.member_2, _e3028), _e3085.member_2, _e3107), _e3164.member_2, _e3186), _e3243.member_2, _e3265)));
 }
 let _e3290 = phi_6660_;
 let _e3296 = (((_e2275 && _e2698) && !(_e2683)) && (_e3290.member_2 <= 1f));
@@ -1320,7 +1320,7 @@ let _e3386 = (_e3369 + 1i);
 let _e3387 = (_e3384 + 1i);
 let _e3397 = ((_e3385 >> bitcast<u32>(4i)) + (_e1871 * ((_e3386 >> bitcast<u32>(4i)) + (_e1878 * (_e3387 >> bitcast<u32>(4i))))));
 let _e3399 = select(_e1890, _e3397, (_e3397 < _e1890));
-let _e3404 = global_2.member[bitcast<u32>(select(0i, _e3399, (_e3399 > 0i)))];
+let _e3404 = global_1.member[bitcast<u32>(select(0i, _e3399, (_e3399 > 0i)))];
 let _e3406 = (_e3385 & 15i);
 let _e3409 = ((_e3386 & 15i) * _e1856);
 let _e3411 = (bitcast<i32>(_e3404) + ((_e3387 & 15i) * _e1861));
@@ -1328,30 +1328,30 @@ let _e3415 = (_e3409 + _e1856);
 let _e3416 = (_e3409 + _e1910);
 let _e3417 = (_e3411 + _e1861);
 let _e3418 = (_e3411 + _e1913);
-local_30 = type_32(array<i32, 4>(_e3406, (_e3406 + 1i), (_e3406 + 2i), (_e3406 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_30 = type_28(array<i32, 4>(_e3406, (_e3406 + 1i), (_e3406 + 2i), (_e3406 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_31 = vec3<f32>((_e3331 - f32(_e3354)), (_e3335 - f32(_e3369)), (_e3339 - f32(_e3384)));
 let _e3429 = (_e3417 + _e3415);
 let _e3432 = local_30.member[1u];
 let _e3433 = (_e3429 + _e3432);
 let _e3435 = select(_e1890, _e3433, (_e3433 < _e1890));
-let _e3440 = global_2.member[bitcast<u32>(select(0i, _e3435, (_e3435 > 0i)))];
+let _e3440 = global_1.member[bitcast<u32>(select(0i, _e3435, (_e3435 > 0i)))];
 let _e3441 = bitcast<f32>(_e3440);
 let _e3444 = local_30.member[2u];
 let _e3445 = (_e3429 + _e3444);
 let _e3447 = select(_e1890, _e3445, (_e3445 < _e1890));
-let _e3452 = global_2.member[bitcast<u32>(select(0i, _e3447, (_e3447 > 0i)))];
+let _e3452 = global_1.member[bitcast<u32>(select(0i, _e3447, (_e3447 > 0i)))];
 let _e3454 = local_31[0u];
 let _e3457 = (_e3441 + ((bitcast<f32>(_e3452) - _e3441) * _e3454));
 let _e3458 = (_e3417 + _e3416);
 let _e3459 = local_30.member[1u];
 let _e3460 = (_e3458 + _e3459);
 let _e3462 = select(_e1890, _e3460, (_e3460 < _e1890));
-let _e3467 = global_2.member[bitcast<u32>(select(0i, _e3462, (_e3462 > 0i)))];
+let _e3467 = global_1.member[bitcast<u32>(select(0i, _e3462, (_e3462 > 0i)))];
 let _e3468 = bitcast<f32>(_e3467);
 let _e3469 = local_30.member[2u];
 let _e3470 = (_e3458 + _e3469);
 let _e3472 = select(_e1890, _e3470, (_e3470 < _e1890));
-let _e3477 = global_2.member[bitcast<u32>(select(0i, _e3472, (_e3472 > 0i)))];
+let _e3477 = global_1.member[bitcast<u32>(select(0i, _e3472, (_e3472 > 0i)))];
 let _e3479 = local_31[0u];
 let _e3484 = local_31[1u];
 let _e3487 = (_e3457 + (((_e3468 + ((bitcast<f32>(_e3477) - _e3468) * _e3479)) - _e3457) * _e3484));
@@ -1359,24 +1359,24 @@ let _e3488 = (_e3418 + _e3415);
 let _e3489 = local_30.member[1u];
 let _e3490 = (_e3488 + _e3489);
 let _e3492 = select(_e1890, _e3490, (_e3490 < _e1890));
-let _e3497 = global_2.member[bitcast<u32>(select(0i, _e3492, (_e3492 > 0i)))];
+let _e3497 = global_1.member[bitcast<u32>(select(0i, _e3492, (_e3492 > 0i)))];
 let _e3498 = bitcast<f32>(_e3497);
 let _e3499 = local_30.member[2u];
 let _e3500 = (_e3488 + _e3499);
 let _e3502 = select(_e1890, _e3500, (_e3500 < _e1890));
-let _e3507 = global_2.member[bitcast<u32>(select(0i, _e3502, (_e3502 > 0i)))];
+let _e3507 = global_1.member[bitcast<u32>(select(0i, _e3502, (_e3502 > 0i)))];
 let _e3509 = local_31[0u];
 let _e3512 = (_e3498 + ((bitcast<f32>(_e3507) - _e3498) * _e3509));
 let _e3513 = (_e3418 + _e3416);
 let _e3514 = local_30.member[1u];
 let _e3515 = (_e3513 + _e3514);
 let _e3517 = select(_e1890, _e3515, (_e3515 < _e1890));
-let _e3522 = global_2.member[bitcast<u32>(select(0i, _e3517, (_e3517 > 0i)))];
+let _e3522 = global_1.member[bitcast<u32>(select(0i, _e3517, (_e3517 > 0i)))];
 let _e3523 = bitcast<f32>(_e3522);
 let _e3524 = local_30.member[2u];
 let _e3525 = (_e3513 + _e3524);
 let _e3527 = select(_e1890, _e3525, (_e3525 < _e1890));
-let _e3532 = global_2.member[bitcast<u32>(select(0i, _e3527, (_e3527 > 0i)))];
+let _e3532 = global_1.member[bitcast<u32>(select(0i, _e3527, (_e3527 > 0i)))];
 let _e3534 = local_31[0u];
 let _e3538 = local_31[1u];
 let _e3543 = local_31[2u];
@@ -1404,12 +1404,12 @@ let _e3595 = select(0i, select(select(i32(_e3588), i32(-2147483648), (_e3588 < -
 let _e3599 = (_e3595 - select(0i, 1i, (_e3588 < f32(_e3595))));
 let _e3600 = (262147i + _e3599);
 let _e3602 = select(_e2063, _e3600, (_e3600 < _e2063));
-let _e3607 = global_3.member[bitcast<u32>(select(0i, _e3602, (_e3602 > 0i)))];
+let _e3607 = global_2.member[bitcast<u32>(select(0i, _e3602, (_e3602 > 0i)))];
 let _e3622 = ((_e2598 + (f32(bitcast<i32>((_e3607 >> bitcast<u32>(12u)))) * _e2601)) + ((f32((bitcast<i32>((_e3607 & 4095u)) - 2048i)) * _e2594) * (_e3584 - f32(_e3599))));
 if _e2698 {
-phi_7735_ = type_28(_e3622, 1f);
+phi_7735_ = type_31(_e3622, 1f);
 } else {
-phi_7735_ = type_28(1f, _e3622);
+phi_7735_ = type_31(1f, _e3622);
 }
 let _e3626 = phi_7735_;
 let _e3631 = ((_e3626.member_1 * _e3626.member_1) - (_e3626.member * _e3626.member));
@@ -1548,16 +1548,16 @@ let _e3987 = select(select(select(select(select(select(0f, _e1181.member, _e3768
 let _e3988 = select(select(select(select(select(select(0f, _e1181.member_1, _e3768), _e1181.member_1, _e3808), _e1190.member_1, _e3848), _e1190.member_1, _e3888), _e1199.member_1, _e3928), _e1199.member_1, _e3968);
 let _e3989 = select(select(select(select(select(select(1f, _e1181.member_2, _e3768), _e1181.member_2, _e3808), _e1190.member_2, _e3848), _e1190.member_2, _e3888), _e1199.member_2, _e3928), _e1199.member_2, _e3968);
 if _e1448 {
-phi_9273_ = type_35(_e3974, vec3<f32>(_e3975, _e3976, _e3977), _e3979, vec3<f32>(_e3980, _e3981, _e3982), _e3984, _e3986, vec3<f32>(_e3987, _e3988, _e3989));
+phi_9273_ = type_34(_e3974, vec3<f32>(_e3975, _e3976, _e3977), _e3979, vec3<f32>(_e3980, _e3981, _e3982), _e3984, _e3986, vec3<f32>(_e3987, _e3988, _e3989));
 } else {
 let _e3996 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e3999 = sqrt(select(0f, _e3996, (_e3996 > 0f)));
-let _e4004 = global_4.member[_e369].member_14.member_1;
+let _e4004 = global_3.member[_e369].member_14.member_1;
 let _e4005 = (_e4004 != 0u);
-let _e4010 = global_4.member[_e369].member_14.member;
+let _e4010 = global_3.member[_e369].member_14.member;
 let _e4030 = select(-1e6f, (((((_e4010.member.member * _e3309.x) + (_e4010.member.member_1 * _e3309.y)) + (_e4010.member.member_2 * _e3309.z)) + _e4010.member_1) * _e3999), _e4005);
 let _e4031 = select(-1e6f, (((((_e4010.member.member * _e3703) + (_e4010.member.member_1 * _e3704)) + (_e4010.member.member_2 * _e3705)) + _e4010.member_1) * _e3999), _e4005);
-let _e4037 = global_4.member[_e369].member_14.member.member;
+let _e4037 = global_3.member[_e369].member_14.member.member;
 let _e4041 = -(_e4030);
 let _e4044 = (_e4030 - _e4031);
 let _e4045 = (_e4031 - _e4030);
@@ -1572,12 +1572,12 @@ let _e4065 = select(_e3974, _e4054, _e4063);
 let _e4069 = select(_e3979, _e4058, _e4064);
 let _e4073 = select(_e3984, _e4030, _e4059);
 let _e4075 = select(_e3986, _e4031, (_e4031 > _e3986));
-let _e4083 = global_4.member[_e369].member_15.member_1;
+let _e4083 = global_3.member[_e369].member_15.member_1;
 let _e4084 = (_e4083 != 0u);
-let _e4089 = global_4.member[_e369].member_15.member;
+let _e4089 = global_3.member[_e369].member_15.member;
 let _e4109 = select(-1e6f, (((((_e4089.member.member * _e3309.x) + (_e4089.member.member_1 * _e3309.y)) + (_e4089.member.member_2 * _e3309.z)) + _e4089.member_1) * _e3999), _e4084);
 let _e4110 = select(-1e6f, (((((_e4089.member.member * _e3703) + (_e4089.member.member_1 * _e3704)) + (_e4089.member.member_2 * _e3705)) + _e4089.member_1) * _e3999), _e4084);
-let _e4116 = global_4.member[_e369].member_15.member.member;
+let _e4116 = global_3.member[_e369].member_15.member.member;
 let _e4120 = -(_e4109);
 let _e4123 = (_e4109 - _e4110);
 let _e4124 = (_e4110 - _e4109);
@@ -1592,12 +1592,12 @@ let _e4144 = select(_e4065, _e4133, _e4142);
 let _e4148 = select(_e4069, _e4137, _e4143);
 let _e4152 = select(_e4073, _e4109, _e4138);
 let _e4154 = select(_e4075, _e4110, (_e4110 > _e4075));
-let _e4162 = global_4.member[_e369].member_16.member_1;
+let _e4162 = global_3.member[_e369].member_16.member_1;
 let _e4163 = (_e4162 != 0u);
-let _e4168 = global_4.member[_e369].member_16.member;
+let _e4168 = global_3.member[_e369].member_16.member;
 let _e4188 = select(-1e6f, (((((_e4168.member.member * _e3309.x) + (_e4168.member.member_1 * _e3309.y)) + (_e4168.member.member_2 * _e3309.z)) + _e4168.member_1) * _e3999), _e4163);
 let _e4189 = select(-1e6f, (((((_e4168.member.member * _e3703) + (_e4168.member.member_1 * _e3704)) + (_e4168.member.member_2 * _e3705)) + _e4168.member_1) * _e3999), _e4163);
-let _e4195 = global_4.member[_e369].member_16.member.member;
+let _e4195 = global_3.member[_e369].member_16.member.member;
 let _e4199 = -(_e4188);
 let _e4202 = (_e4188 - _e4189);
 let _e4203 = (_e4189 - _e4188);
@@ -1612,12 +1612,12 @@ let _e4223 = select(_e4144, _e4212, _e4221);
 let _e4227 = select(_e4148, _e4216, _e4222);
 let _e4231 = select(_e4152, _e4188, _e4217);
 let _e4233 = select(_e4154, _e4189, (_e4189 > _e4154));
-let _e4241 = global_4.member[_e369].member_17.member_1;
+let _e4241 = global_3.member[_e369].member_17.member_1;
 let _e4242 = (_e4241 != 0u);
-let _e4247 = global_4.member[_e369].member_17.member;
+let _e4247 = global_3.member[_e369].member_17.member;
 let _e4267 = select(-1e6f, (((((_e4247.member.member * _e3309.x) + (_e4247.member.member_1 * _e3309.y)) + (_e4247.member.member_2 * _e3309.z)) + _e4247.member_1) * _e3999), _e4242);
 let _e4268 = select(-1e6f, (((((_e4247.member.member * _e3703) + (_e4247.member.member_1 * _e3704)) + (_e4247.member.member_2 * _e3705)) + _e4247.member_1) * _e3999), _e4242);
-let _e4274 = global_4.member[_e369].member_17.member.member;
+let _e4274 = global_3.member[_e369].member_17.member.member;
 let _e4278 = -(_e4267);
 let _e4281 = (_e4267 - _e4268);
 let _e4282 = (_e4268 - _e4267);
@@ -1628,7 +1628,7 @@ let _e4295 = select(2f, select(0f, _e4287, (_e4267 < 0f)), (_e4268 > 0f));
 let _e4296 = (_e4267 > _e4231);
 let _e4300 = ((_e4291 > _e4223) || ((_e4291 == _e4223) && _e4296));
 let _e4301 = (_e4295 < _e4227);
-phi_9273_ = type_35(select(_e4223, _e4291, _e4300), vec3<f32>(select(select(select(select(_e3975, _e4037.member, _e4063), _e4116.member, _e4142), _e4195.member, _e4221), _e4274.member, _e4300), select(select(select(select(_e3976, _e4037.member_1, _e4063), _e4116.member_1, _e4142), _e4195.member_1, _e4221), _e4274.member_1, _e4300), select(select(select(select(_e3977, _e4037.member_2, _e4063), _e4116.member_2, _e4142), _e4195.member_2, _e4221), _e4274.member_2, _e4300)), select(_e4227, _e4295, _e4301), vec3<f32>(select(select(select(select(_e3980, _e4037.member, _e4064), _e4116.member, _e4143), _e4195.member, _e4222), _e4274.member, _e4301), select(select(select(select(_e3981, _e4037.member_1, _e4064), _e4116.member_1, _e4143), _e4195.member_1, _e4222), _e4274.member_1, _e4301), select(select(select(select(_e3982, _e4037.member_2, _e4064), _e4116.member_2, _e4143), _e4195.member_2, _e4222), _e4274.member_2, _e4301)), select(_e4231, _e4267, _e4296), select(_e4233, _e4268, (_e4268 > _e4233)), vec3<f32>(select(select(select(select(_e3987, _e4037.member, _e4059), _e4116.member, _e4138), _e4195.member, _e4217), _e4274.member, _e4296), select(select(select(select(_e3988, _e4037.member_1, _e4059), _e4116.member_1, _e4138), _e4195.member_1, _e4217), _e4274.member_1, _e4296), select(select(select(select(_e3989, _e4037.member_2, _e4059), _e4116.member_2, _e4138), _e4195.member_2, _e4217), _e4274.member_2, _e4296)));
+phi_9273_ = type_34(select(_e4223, _e4291, _e4300), vec3<f32>(select(select(select(select(_e3975, _e4037.member, _e4063), _e4116.member, _e4142), _e4195.member, _e4221), _e4274.member, _e4300), select(select(select(select(_e3976, _e4037.member_1, _e4063), _e4116.member_1, _e4142), _e4195.member_1, _e4221), _e4274.member_1, _e4300), select(select(select(select(_e3977, _e4037.member_2, _e4063), _e4116.member_2, _e4142), _e4195.member_2, _e4221), _e4274.member_2, _e4300)), select(_e4227, _e4295, _e4301), vec3<f32>(select(select(select(select(_e3980, _e4037.member, _e4064), _e4116.member, _e4143), _e4195.member, _e4222), _e4274.member, _e4301), select(select(select(select(_e3981, _e4037.member_1, _e4064), _e4116.member_1, _e4143), _e4195.member_1, _e4222), _e4274.member_1, _e4301), select(select(select(select(_e3982, _e4037.member_2, _e4064), _e4116.member_2, _e4143), _e4195.member_2, _e4222), _e4274.member_2, _e4301)), select(_e4231, _e4267, _e4296), select(_e4233, _e4268, (_e4268 > _e4233)), vec3<f32>(select(select(select(select(_e3987, _e4037.member, _e4059), _e4116.member, _e4138), _e4195.member, _e4217), _e4274.member, _e4296), select(select(select(select(_e3988, _e4037.member_1, _e4059), _e4116.member_1, _e4138), _e4195.member_1, _e4217), _e4274.member_1, _e4296), select(select(select(select(_e3989, _e4037.member_2, _e4059), _e4116.member_2, _e4138), _e4195.member_2, _e4217), _e4274.member_2, _e4296)));
 }
 let _e4321 = phi_9273_;
 let _e4327 = (((_e3296 && _e3708) && !(_e3692)) && (_e4321.member_2 <= 1f));
@@ -1666,7 +1666,7 @@ let _e4417 = (_e4400 + 1i);
 let _e4418 = (_e4415 + 1i);
 let _e4428 = ((_e4416 >> bitcast<u32>(4i)) + (_e1871 * ((_e4417 >> bitcast<u32>(4i)) + (_e1878 * (_e4418 >> bitcast<u32>(4i))))));
 let _e4430 = select(_e1890, _e4428, (_e4428 < _e1890));
-let _e4435 = global_2.member[bitcast<u32>(select(0i, _e4430, (_e4430 > 0i)))];
+let _e4435 = global_1.member[bitcast<u32>(select(0i, _e4430, (_e4430 > 0i)))];
 let _e4437 = (_e4416 & 15i);
 let _e4440 = ((_e4417 & 15i) * _e1856);
 let _e4442 = (bitcast<i32>(_e4435) + ((_e4418 & 15i) * _e1861));
@@ -1674,30 +1674,30 @@ let _e4446 = (_e4440 + _e1856);
 let _e4447 = (_e4440 + _e1910);
 let _e4448 = (_e4442 + _e1861);
 let _e4449 = (_e4442 + _e1913);
-local_26 = type_32(array<i32, 4>(_e4437, (_e4437 + 1i), (_e4437 + 2i), (_e4437 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_28(array<i32, 4>(_e4437, (_e4437 + 1i), (_e4437 + 2i), (_e4437 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e4362 - f32(_e4385)), (_e4366 - f32(_e4400)), (_e4370 - f32(_e4415)));
 let _e4460 = (_e4448 + _e4446);
 let _e4463 = local_26.member[1u];
 let _e4464 = (_e4460 + _e4463);
 let _e4466 = select(_e1890, _e4464, (_e4464 < _e1890));
-let _e4471 = global_2.member[bitcast<u32>(select(0i, _e4466, (_e4466 > 0i)))];
+let _e4471 = global_1.member[bitcast<u32>(select(0i, _e4466, (_e4466 > 0i)))];
 let _e4472 = bitcast<f32>(_e4471);
 let _e4475 = local_26.member[2u];
 let _e4476 = (_e4460 + _e4475);
 let _e4478 = select(_e1890, _e4476, (_e4476 < _e1890));
-let _e4483 = global_2.member[bitcast<u32>(select(0i, _e4478, (_e4478 > 0i)))];
+let _e4483 = global_1.member[bitcast<u32>(select(0i, _e4478, (_e4478 > 0i)))];
 let _e4485 = local_27[0u];
 let _e4488 = (_e4472 + ((bitcast<f32>(_e4483) - _e4472) * _e4485));
 let _e4489 = (_e4448 + _e4447);
 let _e4490 = local_26.member[1u];
 let _e4491 = (_e4489 + _e4490);
 let _e4493 = select(_e1890, _e4491, (_e4491 < _e1890));
-let _e4498 = global_2.member[bitcast<u32>(select(0i, _e4493, (_e4493 > 0i)))];
+let _e4498 = global_1.member[bitcast<u32>(select(0i, _e4493, (_e4493 > 0i)))];
 let _e4499 = bitcast<f32>(_e4498);
 let _e4500 = local_26.member[2u];
 let _e4501 = (_e4489 + _e4500);
 let _e4503 = select(_e1890, _e4501, (_e4501 < _e1890));
-let _e4508 = global_2.member[bitcast<u32>(select(0i, _e4503, (_e4503 > 0i)))];
+let _e4508 = global_1.member[bitcast<u32>(select(0i, _e4503, (_e4503 > 0i)))];
 let _e4510 = local_27[0u];
 let _e4515 = local_27[1u];
 let _e4518 = (_e4488 + (((_e4499 + ((bitcast<f32>(_e4508) - _e4499) * _e4510)) - _e4488) * _e4515));
@@ -1705,24 +1705,24 @@ let _e4519 = (_e4449 + _e4446);
 let _e4520 = local_26.member[1u];
 let _e4521 = (_e4519 + _e4520);
 let _e4523 = select(_e1890, _e4521, (_e4521 < _e1890));
-let _e4528 = global_2.member[bitcast<u32>(select(0i, _e4523, (_e4523 > 0i)))];
+let _e4528 = global_1.member[bitcast<u32>(select(0i, _e4523, (_e4523 > 0i)))];
 let _e4529 = bitcast<f32>(_e4528);
 let _e4530 = local_26.member[2u];
 let _e4531 = (_e4519 + _e4530);
 let _e4533 = select(_e1890, _e4531, (_e4531 < _e1890));
-let _e4538 = global_2.member[bitcast<u32>(select(0i, _e4533, (_e4533 > 0i)))];
+let _e4538 = global_1.member[bitcast<u32>(select(0i, _e4533, (_e4533 > 0i)))];
 let _e4540 = local_27[0u];
 let _e4543 = (_e4529 + ((bitcast<f32>(_e4538) - _e4529) * _e4540));
 let _e4544 = (_e4449 + _e4447);
 let _e4545 = local_26.member[1u];
 let _e4546 = (_e4544 + _e4545);
 let _e4548 = select(_e1890, _e4546, (_e4546 < _e1890));
-let _e4553 = global_2.member[bitcast<u32>(select(0i, _e4548, (_e4548 > 0i)))];
+let _e4553 = global_1.member[bitcast<u32>(select(0i, _e4548, (_e4548 > 0i)))];
 let _e4554 = bitcast<f32>(_e4553);
 let _e4555 = local_26.member[2u];
 let _e4556 = (_e4544 + _e4555);
 let _e4558 = select(_e1890, _e4556, (_e4556 < _e1890));
-let _e4563 = global_2.member[bitcast<u32>(select(0i, _e4558, (_e4558 > 0i)))];
+let _e4563 = global_1.member[bitcast<u32>(select(0i, _e4558, (_e4558 > 0i)))];
 let _e4565 = local_27[0u];
 let _e4569 = local_27[1u];
 let _e4574 = local_27[2u];
@@ -1750,12 +1750,12 @@ let _e4626 = select(0i, select(select(i32(_e4619), i32(-2147483648), (_e4619 < -
 let _e4630 = (_e4626 - select(0i, 1i, (_e4619 < f32(_e4626))));
 let _e4631 = (262147i + _e4630);
 let _e4633 = select(_e2063, _e4631, (_e4631 < _e2063));
-let _e4638 = global_3.member[bitcast<u32>(select(0i, _e4633, (_e4633 > 0i)))];
+let _e4638 = global_2.member[bitcast<u32>(select(0i, _e4633, (_e4633 > 0i)))];
 let _e4653 = ((_e2598 + (f32(bitcast<i32>((_e4638 >> bitcast<u32>(12u)))) * _e2601)) + ((f32((bitcast<i32>((_e4638 & 4095u)) - 2048i)) * _e2594) * (_e4615 - f32(_e4630))));
 if _e3708 {
-phi_10348_ = type_28(_e4653, 1f);
+phi_10348_ = type_31(_e4653, 1f);
 } else {
-phi_10348_ = type_28(1f, _e4653);
+phi_10348_ = type_31(1f, _e4653);
 }
 let _e4657 = phi_10348_;
 let _e4662 = ((_e4657.member_1 * _e4657.member_1) - (_e4657.member * _e4657.member));
@@ -1894,16 +1894,16 @@ let _e5019 = select(select(select(select(select(select(0f, _e1181.member, _e4800
 let _e5020 = select(select(select(select(select(select(0f, _e1181.member_1, _e4800), _e1181.member_1, _e4840), _e1190.member_1, _e4880), _e1190.member_1, _e4920), _e1199.member_1, _e4960), _e1199.member_1, _e5000);
 let _e5021 = select(select(select(select(select(select(1f, _e1181.member_2, _e4800), _e1181.member_2, _e4840), _e1190.member_2, _e4880), _e1190.member_2, _e4920), _e1199.member_2, _e4960), _e1199.member_2, _e5000);
 if _e1448 {
-phi_11886_ = type_35(_e5006, vec3<f32>(_e5007, _e5008, _e5009), _e5011, vec3<f32>(_e5012, _e5013, _e5014), _e5016, _e5018, vec3<f32>(_e5019, _e5020, _e5021));
+phi_11886_ = type_34(_e5006, vec3<f32>(_e5007, _e5008, _e5009), _e5011, vec3<f32>(_e5012, _e5013, _e5014), _e5016, _e5018, vec3<f32>(_e5019, _e5020, _e5021));
 } else {
 let _e5028 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e5031 = sqrt(select(0f, _e5028, (_e5028 > 0f)));
-let _e5036 = global_4.member[_e369].member_14.member_1;
+let _e5036 = global_3.member[_e369].member_14.member_1;
 let _e5037 = (_e5036 != 0u);
-let _e5042 = global_4.member[_e369].member_14.member;
+let _e5042 = global_3.member[_e369].member_14.member;
 let _e5062 = select(-1e6f, (((((_e5042.member.member * _e4340.x) + (_e5042.member.member_1 * _e4340.y)) + (_e5042.member.member_2 * _e4340.z)) + _e5042.member_1) * _e5031), _e5037);
 let _e5063 = select(-1e6f, (((((_e5042.member.member * _e4735) + (_e5042.member.member_1 * _e4736)) + (_e5042.member.member_2 * _e4737)) + _e5042.member_1) * _e5031), _e5037);
-let _e5069 = global_4.member[_e369].member_14.member.member;
+let _e5069 = global_3.member[_e369].member_14.member.member;
 let _e5073 = -(_e5062);
 let _e5076 = (_e5062 - _e5063);
 let _e5077 = (_e5063 - _e5062);
@@ -1918,12 +1918,12 @@ let _e5097 = select(_e5006, _e5086, _e5095);
 let _e5101 = select(_e5011, _e5090, _e5096);
 let _e5105 = select(_e5016, _e5062, _e5091);
 let _e5107 = select(_e5018, _e5063, (_e5063 > _e5018));
-let _e5115 = global_4.member[_e369].member_15.member_1;
+let _e5115 = global_3.member[_e369].member_15.member_1;
 let _e5116 = (_e5115 != 0u);
-let _e5121 = global_4.member[_e369].member_15.member;
+let _e5121 = global_3.member[_e369].member_15.member;
 let _e5141 = select(-1e6f, (((((_e5121.member.member * _e4340.x) + (_e5121.member.member_1 * _e4340.y)) + (_e5121.member.member_2 * _e4340.z)) + _e5121.member_1) * _e5031), _e5116);
 let _e5142 = select(-1e6f, (((((_e5121.member.member * _e4735) + (_e5121.member.member_1 * _e4736)) + (_e5121.member.member_2 * _e4737)) + _e5121.member_1) * _e5031), _e5116);
-let _e5148 = global_4.member[_e369].member_15.member.member;
+let _e5148 = global_3.member[_e369].member_15.member.member;
 let _e5152 = -(_e5141);
 let _e5155 = (_e5141 - _e5142);
 let _e5156 = (_e5142 - _e5141);
@@ -1938,12 +1938,12 @@ let _e5176 = select(_e5097, _e5165, _e5174);
 let _e5180 = select(_e5101, _e5169, _e5175);
 let _e5184 = select(_e5105, _e5141, _e5170);
 let _e5186 = select(_e5107, _e5142, (_e5142 > _e5107));
-let _e5194 = global_4.member[_e369].member_16.member_1;
+let _e5194 = global_3.member[_e369].member_16.member_1;
 let _e5195 = (_e5194 != 0u);
-let _e5200 = global_4.member[_e369].member_16.member;
+let _e5200 = global_3.member[_e369].member_16.member;
 let _e5220 = select(-1e6f, (((((_e5200.member.member * _e4340.x) + (_e5200.member.member_1 * _e4340.y)) + (_e5200.member.member_2 * _e4340.z)) + _e5200.member_1) * _e5031), _e5195);
 let _e5221 = select(-1e6f, (((((_e5200.member.member * _e4735) + (_e5200.member.member_1 * _e4736)) + (_e5200.member.member_2 * _e4737)) + _e5200.member_1) * _e5031), _e5195);
-let _e5227 = global_4.member[_e369].member_16.member.member;
+let _e5227 = global_3.member[_e369].member_16.member.member;
 let _e5231 = -(_e5220);
 let _e5234 = (_e5220 - _e5221);
 let _e5235 = (_e5221 - _e5220);
@@ -1958,12 +1958,12 @@ let _e5255 = select(_e5176, _e5244, _e5253);
 let _e5259 = select(_e5180, _e5248, _e5254);
 let _e5263 = select(_e5184, _e5220, _e5249);
 let _e5265 = select(_e5186, _e5221, (_e5221 > _e5186));
-let _e5273 = global_4.member[_e369].member_17.member_1;
+let _e5273 = global_3.member[_e369].member_17.member_1;
 let _e5274 = (_e5273 != 0u);
-let _e5279 = global_4.member[_e369].member_17.member;
+let _e5279 = global_3.member[_e369].member_17.member;
 let _e5299 = select(-1e6f, (((((_e5279.member.member * _e4340.x) + (_e5279.member.member_1 * _e4340.y)) + (_e5279.member.member_2 * _e4340.z)) + _e5279.member_1) * _e5031), _e5274);
 let _e5300 = select(-1e6f, (((((_e5279.member.member * _e4735) + (_e5279.member.member_1 * _e4736)) + (_e5279.member.member_2 * _e4737)) + _e5279.member_1) * _e5031), _e5274);
-let _e5306 = global_4.member[_e369].member_17.member.member;
+let _e5306 = global_3.member[_e369].member_17.member.member;
 let _e5310 = -(_e5299);
 let _e5313 = (_e5299 - _e5300);
 let _e5314 = (_e5300 - _e5299);
@@ -1974,7 +1974,7 @@ let _e5327 = select(2f, select(0f, _e5319, (_e5299 < 0f)), (_e5300 > 0f));
 let _e5328 = (_e5299 > _e5263);
 let _e5332 = ((_e5323 > _e5255) || ((_e5323 == _e5255) && _e5328));
 let _e5333 = (_e5327 < _e5259);
-phi_11886_ = type_35(select(_e5255, _e5323, _e5332), vec3<f32>(select(select(select(select(_e5007, _e5069.member, _e5095), _e5148.member, _e5174), _e5227.member, _e5253), _e5306.member, _e5332), select(select(select(select(_e5008, _e5069.member_1, _e5095), _e5148.member_1, _e5174), _e5227.member_1, _e5253), _e5306.member_1, _e5332), select(select(select(select(_e5009, _e5069.member_2, _e5095), _e5148.member_2, _e5174), _e5227.member_2, _e5253), _e5306.member_2, _e5332)), select(_e5259, _e5327, _e5333), vec3<f32>(select(select(select(select(_e5012, _e5069.member, _e5096), _e5148.member, _e5175), _e5227.member, _e5254), _e5306.member, _e5333), select(select(select(select(_e5013, _e5069.member_1, _e5096), _e5148.member_1, _e5175), _e5227.member_1, _e5254), _e5306.member_1, _e5333), select(select(select(select(_e5014, _e5069.member_2, _e5096), _e5148.member_2, _e5175), _e5227.member_2, _e5254), _e5306.member_2, _e5333)), select(_e5263, _e5299, _e5328), select(_e5265, _e5300, (_e5300 > _e5265)), vec3<f32>(select(select(select(select(_e5019, _e5069.member, _e5091), _e5148.member, _e5170), _e5227.member, _e5249), _e5306.member, _e5328), select(select(select(select(_e5020, _e5069.member_1, _e5091), _e5148.member_1, _e5170), _e5227.member_1, _e5249), _e5306.member_1, _e5328), select(select(select(select(_e5021, _e5069.member_2, _e5091), _e5148.member_2, _e5170), _e5227.member_2, _e5249), _e5306.member_2, _e5328)));
+phi_11886_ = type_34(select(_e5255, _e5323, _e5332), vec3<f32>(select(select(select(select(_e5007, _e5069.member, _e5095), _e5148.member, _e5174), _e5227.member, _e5253), _e5306.member, _e5332), select(select(select(select(_e5008, _e5069.member_1, _e5095), _e5148.member_1, _e5174), _e5227.member_1, _e5253), _e5306.member_1, _e5332), select(select(select(select(_e5009, _e5069.member_2, _e5095), _e5148.member_2, _e5174), _e5227.member_2, _e5253), _e5306.member_2, _e5332)), select(_e5259, _e5327, _e5333), vec3<f32>(select(select(select(select(_e5012, _e5069.member, _e5096), _e5148.member, _e5175), _e5227.member, _e5254), _e5306.member, _e5333), select(select(select(select(_e5013, _e5069.member_1, _e5096), _e5148.member_1, _e5175), _e5227.member_1, _e5254), _e5306.member_1, _e5333), select(select(select(select(_e5014, _e5069.member_2, _e5096), _e5148.member_2, _e5175), _e5227.member_2, _e5254), _e5306.member_2, _e5333)), select(_e5263, _e5299, _e5328), select(_e5265, _e5300, (_e5300 > _e5265)), vec3<f32>(select(select(select(select(_e5019, _e5069.member, _e5091), _e5148.member, _e5170), _e5227.member, _e5249), _e5306.member, _e5328), select(select(select(select(_e5020, _e5069.member_1, _e5091), _e5148.member_1, _e5170), _e5227.member_1, _e5249), _e5306.member_1, _e5328), select(select(select(select(_e5021, _e5069.member_2, _e5091), _e5148.member_2, _e5170), _e5227.member_2, _e5249), _e5306.member_2, _e5328)));
 }
 let _e5353 = phi_11886_;
 let _e5359 = (((_e4327 && _e4740) && !(_e4724)) && (_e5353.member_2 <= 1f));
@@ -2184,7 +2184,7 @@ phi_13634_ = _e2611;
 phi_13634_ = _e3626;
 }
 let _e5883 = phi_13634_;
-phi_13906_ = type_39(_e5883, vec3<f32>(select(_e4735, _e4340.x, _e5359), select(_e4736, _e4340.y, _e5359), select(_e4737, _e4340.z, _e5359)), vec3<f32>(_e4709, _e4710, _e4711), select((_e1078 * select(0f, _e5440, (_e5440 > 0f))), ((((sqrt(select(0f, _e5451, (_e5451 > 0f))) * select(0f, _e5532, (_e5532 > 0f))) + (sqrt(select(0f, _e5543, (_e5543 > 0f))) * select(0f, _e5639, (_e5639 > 0f)))) + (sqrt(select(0f, _e5651, (_e5651 > 0f))) * select(0f, _e5747, (_e5747 > 0f)))) + select(0f, (sqrt(select(0f, _e5759, (_e5759 > 0f))) * select(0f, _e5855, (_e5855 > 0f))), _e4327)), _e5862), select((_e402 / _e4711), (2f * (_e3300 / _e2665)), (((_e2275 && !(_e1787)) && _e2698) && !(_e3296))), select(_e3290.member_3, _e2267.member_1, vec3(_e2679)), _e4740, _e5862, (((_e2683 || _e3692) || _e4724) || _e5359));
+phi_13906_ = type_38(_e5883, vec3<f32>(select(_e4735, _e4340.x, _e5359), select(_e4736, _e4340.y, _e5359), select(_e4737, _e4340.z, _e5359)), vec3<f32>(_e4709, _e4710, _e4711), select((_e1078 * select(0f, _e5440, (_e5440 > 0f))), ((((sqrt(select(0f, _e5451, (_e5451 > 0f))) * select(0f, _e5532, (_e5532 > 0f))) + (sqrt(select(0f, _e5543, (_e5543 > 0f))) * select(0f, _e5639, (_e5639 > 0f)))) + (sqrt(select(0f, _e5651, (_e5651 > 0f))) * select(0f, _e5747, (_e5747 > 0f)))) + select(0f, (sqrt(select(0f, _e5759, (_e5759 > 0f))) * select(0f, _e5855, (_e5855 > 0f))), _e4327)), _e5862), select((_e402 / _e4711), (2f * (_e3300 / _e2665)), (((_e2275 && !(_e1787)) && _e2698) && !(_e3296))), select(_e3290.member_3, _e2267.member_1, vec3(_e2679)), _e4740, _e5862, (((_e2683 || _e3692) || _e4724) || _e5359));
 } else {
 let _e1080 = (_e917 < 1e-12f);
 let _e1082 = (1f / select(_e912, 1f, _e1080));
@@ -2219,7 +2219,7 @@ let _e1154 = select(select(1f, _e1151, (_e1151 < 1f)), 1f, _e1130);
 let _e1156 = select(_e1129, _e1104, (_e1104 < _e1129));
 let _e1160 = select(_e1122, _e1097, (_e1097 > _e1122));
 let _e1163 = (select(_e1154, _e1156, (_e1156 < _e1154)) - select(_e1147, _e1160, (_e1160 > _e1147)));
-phi_13906_ = type_39(_e1079.member, _e1079.member_1, _e1079.member_2, (_e1078 * select(0f, _e1163, (_e1163 > 0f))), _e1079.member_4, _e1079.member_5, _e1079.member_6, _e1079.member_7, _e1079.member_8);
+phi_13906_ = type_38(_e1079.member, _e1079.member_1, _e1079.member_2, (_e1078 * select(0f, _e1163, (_e1163 > 0f))), _e1079.member_4, _e1079.member_5, _e1079.member_6, _e1079.member_7, _e1079.member_8);
 }
 let _e5886 = phi_13906_;
 let _e5897 = ((((_e470.member.member * _e5886.member_1.x) + (_e470.member.member_1 * _e5886.member_1.y)) + (_e470.member.member_2 * _e5886.member_1.z)) + _e470.member_1);
@@ -2244,17 +2244,17 @@ let _e6219 = select(-1f, _e6187, (_e6187 > -1f));
 let _e6221 = select(_e560, _e6219, (_e6219 < _e560));
 let _e6228 = select(0i, select(select(i32(_e6221), i32(-2147483648), (_e6221 < -2147483600f)), 2147483647i, (_e6221 > 2147483500f)), (_e6221 == _e6221));
 let _e6232 = (_e6228 - select(0i, 1i, (_e6221 < f32(_e6228))));
-let _e6237 = global_4.member[_e369].member_6.member_7;
-let _e6242 = global_4.member[_e369].member_6.member_8;
+let _e6237 = global_3.member[_e369].member_6.member_7;
+let _e6242 = global_3.member[_e369].member_6.member_8;
 let _e6243 = (_e6202 + 1i);
 let _e6244 = (_e6217 + 1i);
 let _e6245 = (_e6232 + 1i);
-let _e6251 = global_4.member[_e369].member_6.member_11.member;
-let _e6258 = global_4.member[_e369].member_6.member_11.member_1;
+let _e6251 = global_3.member[_e369].member_6.member_11.member;
+let _e6258 = global_3.member[_e369].member_6.member_11.member_1;
 let _e6269 = ((_e6243 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6251) * ((_e6244 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6258) * (_e6245 >> bitcast<u32>(4i))))));
 let _e6271 = (bitcast<i32>(_e182) - 1i);
 let _e6273 = select(_e6271, _e6269, (_e6269 < _e6271));
-let _e6279 = global_2.member[bitcast<u32>(select(0i, _e6273, (_e6273 > 0i)))];
+let _e6279 = global_1.member[bitcast<u32>(select(0i, _e6273, (_e6273 > 0i)))];
 let _e6281 = (_e6243 & 15i);
 let _e6284 = ((_e6244 & 15i) * _e6237);
 let _e6286 = (bitcast<i32>(_e6279) + ((_e6245 & 15i) * _e6242));
@@ -2264,28 +2264,28 @@ let _e6294 = (_e6284 + (3i * _e6237));
 let _e6295 = (_e6286 + _e6242);
 let _e6297 = (_e6286 + (2i * _e6242));
 let _e6299 = (_e6286 + (3i * _e6242));
-local_22 = type_32(array<i32, 4>(_e6281, (_e6281 + 1i), (_e6281 + 2i), (_e6281 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_28(array<i32, 4>(_e6281, (_e6281 + 1i), (_e6281 + 2i), (_e6281 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e6179 - f32(_e6202)), (_e6183 - f32(_e6217)), (_e6187 - f32(_e6232)));
 let _e6310 = (_e6295 + _e6290);
 let _e6313 = local_22.member[0u];
 let _e6314 = (_e6310 + _e6313);
 let _e6316 = select(_e6271, _e6314, (_e6314 < _e6271));
-let _e6321 = global_2.member[bitcast<u32>(select(0i, _e6316, (_e6316 > 0i)))];
+let _e6321 = global_1.member[bitcast<u32>(select(0i, _e6316, (_e6316 > 0i)))];
 let _e6322 = bitcast<f32>(_e6321);
 let _e6325 = local_22.member[1u];
 let _e6326 = (_e6310 + _e6325);
 let _e6328 = select(_e6271, _e6326, (_e6326 < _e6271));
-let _e6333 = global_2.member[bitcast<u32>(select(0i, _e6328, (_e6328 > 0i)))];
+let _e6333 = global_1.member[bitcast<u32>(select(0i, _e6328, (_e6328 > 0i)))];
 let _e6334 = bitcast<f32>(_e6333);
 let _e6337 = local_22.member[2u];
 let _e6338 = (_e6310 + _e6337);
 let _e6340 = select(_e6271, _e6338, (_e6338 < _e6271));
-let _e6345 = global_2.member[bitcast<u32>(select(0i, _e6340, (_e6340 > 0i)))];
+let _e6345 = global_1.member[bitcast<u32>(select(0i, _e6340, (_e6340 > 0i)))];
 let _e6346 = bitcast<f32>(_e6345);
 let _e6349 = local_22.member[3u];
 let _e6350 = (_e6310 + _e6349);
 let _e6352 = select(_e6271, _e6350, (_e6350 < _e6271));
-let _e6357 = global_2.member[bitcast<u32>(select(0i, _e6352, (_e6352 > 0i)))];
+let _e6357 = global_1.member[bitcast<u32>(select(0i, _e6352, (_e6352 > 0i)))];
 let _e6359 = local_23[0u];
 let _e6362 = (_e6322 + ((_e6334 - _e6322) * _e6359));
 let _e6363 = local_23[0u];
@@ -2296,22 +2296,22 @@ let _e6371 = (_e6295 + _e6292);
 let _e6372 = local_22.member[0u];
 let _e6373 = (_e6371 + _e6372);
 let _e6375 = select(_e6271, _e6373, (_e6373 < _e6271));
-let _e6380 = global_2.member[bitcast<u32>(select(0i, _e6375, (_e6375 > 0i)))];
+let _e6380 = global_1.member[bitcast<u32>(select(0i, _e6375, (_e6375 > 0i)))];
 let _e6381 = bitcast<f32>(_e6380);
 let _e6382 = local_22.member[1u];
 let _e6383 = (_e6371 + _e6382);
 let _e6385 = select(_e6271, _e6383, (_e6383 < _e6271));
-let _e6390 = global_2.member[bitcast<u32>(select(0i, _e6385, (_e6385 > 0i)))];
+let _e6390 = global_1.member[bitcast<u32>(select(0i, _e6385, (_e6385 > 0i)))];
 let _e6391 = bitcast<f32>(_e6390);
 let _e6392 = local_22.member[2u];
 let _e6393 = (_e6371 + _e6392);
 let _e6395 = select(_e6271, _e6393, (_e6393 < _e6271));
-let _e6400 = global_2.member[bitcast<u32>(select(0i, _e6395, (_e6395 > 0i)))];
+let _e6400 = global_1.member[bitcast<u32>(select(0i, _e6395, (_e6395 > 0i)))];
 let _e6401 = bitcast<f32>(_e6400);
 let _e6402 = local_22.member[3u];
 let _e6403 = (_e6371 + _e6402);
 let _e6405 = select(_e6271, _e6403, (_e6403 < _e6271));
-let _e6410 = global_2.member[bitcast<u32>(select(0i, _e6405, (_e6405 > 0i)))];
+let _e6410 = global_1.member[bitcast<u32>(select(0i, _e6405, (_e6405 > 0i)))];
 let _e6412 = local_23[0u];
 let _e6416 = local_23[0u];
 let _e6419 = (_e6391 + ((_e6401 - _e6391) * _e6416));
@@ -2320,22 +2320,22 @@ let _e6424 = (_e6297 + _e6290);
 let _e6425 = local_22.member[0u];
 let _e6426 = (_e6424 + _e6425);
 let _e6428 = select(_e6271, _e6426, (_e6426 < _e6271));
-let _e6433 = global_2.member[bitcast<u32>(select(0i, _e6428, (_e6428 > 0i)))];
+let _e6433 = global_1.member[bitcast<u32>(select(0i, _e6428, (_e6428 > 0i)))];
 let _e6434 = bitcast<f32>(_e6433);
 let _e6435 = local_22.member[1u];
 let _e6436 = (_e6424 + _e6435);
 let _e6438 = select(_e6271, _e6436, (_e6436 < _e6271));
-let _e6443 = global_2.member[bitcast<u32>(select(0i, _e6438, (_e6438 > 0i)))];
+let _e6443 = global_1.member[bitcast<u32>(select(0i, _e6438, (_e6438 > 0i)))];
 let _e6444 = bitcast<f32>(_e6443);
 let _e6445 = local_22.member[2u];
 let _e6446 = (_e6424 + _e6445);
 let _e6448 = select(_e6271, _e6446, (_e6446 < _e6271));
-let _e6453 = global_2.member[bitcast<u32>(select(0i, _e6448, (_e6448 > 0i)))];
+let _e6453 = global_1.member[bitcast<u32>(select(0i, _e6448, (_e6448 > 0i)))];
 let _e6454 = bitcast<f32>(_e6453);
 let _e6455 = local_22.member[3u];
 let _e6456 = (_e6424 + _e6455);
 let _e6458 = select(_e6271, _e6456, (_e6456 < _e6271));
-let _e6463 = global_2.member[bitcast<u32>(select(0i, _e6458, (_e6458 > 0i)))];
+let _e6463 = global_1.member[bitcast<u32>(select(0i, _e6458, (_e6458 > 0i)))];
 let _e6465 = local_23[0u];
 let _e6468 = (_e6434 + ((_e6444 - _e6434) * _e6465));
 let _e6469 = local_23[0u];
@@ -2346,22 +2346,22 @@ let _e6477 = (_e6297 + _e6292);
 let _e6478 = local_22.member[0u];
 let _e6479 = (_e6477 + _e6478);
 let _e6481 = select(_e6271, _e6479, (_e6479 < _e6271));
-let _e6486 = global_2.member[bitcast<u32>(select(0i, _e6481, (_e6481 > 0i)))];
+let _e6486 = global_1.member[bitcast<u32>(select(0i, _e6481, (_e6481 > 0i)))];
 let _e6487 = bitcast<f32>(_e6486);
 let _e6488 = local_22.member[1u];
 let _e6489 = (_e6477 + _e6488);
 let _e6491 = select(_e6271, _e6489, (_e6489 < _e6271));
-let _e6496 = global_2.member[bitcast<u32>(select(0i, _e6491, (_e6491 > 0i)))];
+let _e6496 = global_1.member[bitcast<u32>(select(0i, _e6491, (_e6491 > 0i)))];
 let _e6497 = bitcast<f32>(_e6496);
 let _e6498 = local_22.member[2u];
 let _e6499 = (_e6477 + _e6498);
 let _e6501 = select(_e6271, _e6499, (_e6499 < _e6271));
-let _e6506 = global_2.member[bitcast<u32>(select(0i, _e6501, (_e6501 > 0i)))];
+let _e6506 = global_1.member[bitcast<u32>(select(0i, _e6501, (_e6501 > 0i)))];
 let _e6507 = bitcast<f32>(_e6506);
 let _e6508 = local_22.member[3u];
 let _e6509 = (_e6477 + _e6508);
 let _e6511 = select(_e6271, _e6509, (_e6509 < _e6271));
-let _e6516 = global_2.member[bitcast<u32>(select(0i, _e6511, (_e6511 > 0i)))];
+let _e6516 = global_1.member[bitcast<u32>(select(0i, _e6511, (_e6511 > 0i)))];
 let _e6518 = local_23[0u];
 let _e6522 = local_23[0u];
 let _e6525 = (_e6497 + ((_e6507 - _e6497) * _e6522));
@@ -2370,93 +2370,93 @@ let _e6530 = (_e6295 + _e6284);
 let _e6531 = local_22.member[1u];
 let _e6532 = (_e6530 + _e6531);
 let _e6534 = select(_e6271, _e6532, (_e6532 < _e6271));
-let _e6539 = global_2.member[bitcast<u32>(select(0i, _e6534, (_e6534 > 0i)))];
+let _e6539 = global_1.member[bitcast<u32>(select(0i, _e6534, (_e6534 > 0i)))];
 let _e6540 = bitcast<f32>(_e6539);
 let _e6541 = local_22.member[2u];
 let _e6542 = (_e6530 + _e6541);
 let _e6544 = select(_e6271, _e6542, (_e6542 < _e6271));
-let _e6549 = global_2.member[bitcast<u32>(select(0i, _e6544, (_e6544 > 0i)))];
+let _e6549 = global_1.member[bitcast<u32>(select(0i, _e6544, (_e6544 > 0i)))];
 let _e6551 = local_23[0u];
 let _e6554 = (_e6540 + ((bitcast<f32>(_e6549) - _e6540) * _e6551));
 let _e6555 = (_e6295 + _e6294);
 let _e6556 = local_22.member[1u];
 let _e6557 = (_e6555 + _e6556);
 let _e6559 = select(_e6271, _e6557, (_e6557 < _e6271));
-let _e6564 = global_2.member[bitcast<u32>(select(0i, _e6559, (_e6559 > 0i)))];
+let _e6564 = global_1.member[bitcast<u32>(select(0i, _e6559, (_e6559 > 0i)))];
 let _e6565 = bitcast<f32>(_e6564);
 let _e6566 = local_22.member[2u];
 let _e6567 = (_e6555 + _e6566);
 let _e6569 = select(_e6271, _e6567, (_e6567 < _e6271));
-let _e6574 = global_2.member[bitcast<u32>(select(0i, _e6569, (_e6569 > 0i)))];
+let _e6574 = global_1.member[bitcast<u32>(select(0i, _e6569, (_e6569 > 0i)))];
 let _e6576 = local_23[0u];
 let _e6580 = (_e6297 + _e6284);
 let _e6581 = local_22.member[1u];
 let _e6582 = (_e6580 + _e6581);
 let _e6584 = select(_e6271, _e6582, (_e6582 < _e6271));
-let _e6589 = global_2.member[bitcast<u32>(select(0i, _e6584, (_e6584 > 0i)))];
+let _e6589 = global_1.member[bitcast<u32>(select(0i, _e6584, (_e6584 > 0i)))];
 let _e6590 = bitcast<f32>(_e6589);
 let _e6591 = local_22.member[2u];
 let _e6592 = (_e6580 + _e6591);
 let _e6594 = select(_e6271, _e6592, (_e6592 < _e6271));
-let _e6599 = global_2.member[bitcast<u32>(select(0i, _e6594, (_e6594 > 0i)))];
+let _e6599 = global_1.member[bitcast<u32>(select(0i, _e6594, (_e6594 > 0i)))];
 let _e6601 = local_23[0u];
 let _e6604 = (_e6590 + ((bitcast<f32>(_e6599) - _e6590) * _e6601));
 let _e6605 = (_e6297 + _e6294);
 let _e6606 = local_22.member[1u];
 let _e6607 = (_e6605 + _e6606);
 let _e6609 = select(_e6271, _e6607, (_e6607 < _e6271));
-let _e6614 = global_2.member[bitcast<u32>(select(0i, _e6609, (_e6609 > 0i)))];
+let _e6614 = global_1.member[bitcast<u32>(select(0i, _e6609, (_e6609 > 0i)))];
 let _e6615 = bitcast<f32>(_e6614);
 let _e6616 = local_22.member[2u];
 let _e6617 = (_e6605 + _e6616);
 let _e6619 = select(_e6271, _e6617, (_e6617 < _e6271));
-let _e6624 = global_2.member[bitcast<u32>(select(0i, _e6619, (_e6619 > 0i)))];
+let _e6624 = global_1.member[bitcast<u32>(select(0i, _e6619, (_e6619 > 0i)))];
 let _e6626 = local_23[0u];
 let _e6630 = (_e6286 + _e6290);
 let _e6631 = local_22.member[1u];
 let _e6632 = (_e6630 + _e6631);
 let _e6634 = select(_e6271, _e6632, (_e6632 < _e6271));
-let _e6639 = global_2.member[bitcast<u32>(select(0i, _e6634, (_e6634 > 0i)))];
+let _e6639 = global_1.member[bitcast<u32>(select(0i, _e6634, (_e6634 > 0i)))];
 let _e6640 = bitcast<f32>(_e6639);
 let _e6641 = local_22.member[2u];
 let _e6642 = (_e6630 + _e6641);
 let _e6644 = select(_e6271, _e6642, (_e6642 < _e6271));
-let _e6649 = global_2.member[bitcast<u32>(select(0i, _e6644, (_e6644 > 0i)))];
+let _e6649 = global_1.member[bitcast<u32>(select(0i, _e6644, (_e6644 > 0i)))];
 let _e6651 = local_23[0u];
 let _e6654 = (_e6640 + ((bitcast<f32>(_e6649) - _e6640) * _e6651));
 let _e6655 = (_e6299 + _e6290);
 let _e6656 = local_22.member[1u];
 let _e6657 = (_e6655 + _e6656);
 let _e6659 = select(_e6271, _e6657, (_e6657 < _e6271));
-let _e6664 = global_2.member[bitcast<u32>(select(0i, _e6659, (_e6659 > 0i)))];
+let _e6664 = global_1.member[bitcast<u32>(select(0i, _e6659, (_e6659 > 0i)))];
 let _e6665 = bitcast<f32>(_e6664);
 let _e6666 = local_22.member[2u];
 let _e6667 = (_e6655 + _e6666);
 let _e6669 = select(_e6271, _e6667, (_e6667 < _e6271));
-let _e6674 = global_2.member[bitcast<u32>(select(0i, _e6669, (_e6669 > 0i)))];
+let _e6674 = global_1.member[bitcast<u32>(select(0i, _e6669, (_e6669 > 0i)))];
 let _e6676 = local_23[0u];
 let _e6679 = (_e6665 + ((bitcast<f32>(_e6674) - _e6665) * _e6676));
 let _e6680 = (_e6286 + _e6292);
 let _e6681 = local_22.member[1u];
 let _e6682 = (_e6680 + _e6681);
 let _e6684 = select(_e6271, _e6682, (_e6682 < _e6271));
-let _e6689 = global_2.member[bitcast<u32>(select(0i, _e6684, (_e6684 > 0i)))];
+let _e6689 = global_1.member[bitcast<u32>(select(0i, _e6684, (_e6684 > 0i)))];
 let _e6690 = bitcast<f32>(_e6689);
 let _e6691 = local_22.member[2u];
 let _e6692 = (_e6680 + _e6691);
 let _e6694 = select(_e6271, _e6692, (_e6692 < _e6271));
-let _e6699 = global_2.member[bitcast<u32>(select(0i, _e6694, (_e6694 > 0i)))];
+let _e6699 = global_1.member[bitcast<u32>(select(0i, _e6694, (_e6694 > 0i)))];
 let _e6701 = local_23[0u];
 let _e6705 = (_e6299 + _e6292);
 let _e6706 = local_22.member[1u];
 let _e6707 = (_e6705 + _e6706);
 let _e6709 = select(_e6271, _e6707, (_e6707 < _e6271));
-let _e6714 = global_2.member[bitcast<u32>(select(0i, _e6709, (_e6709 > 0i)))];
+let _e6714 = global_1.member[bitcast<u32>(select(0i, _e6709, (_e6709 > 0i)))];
 let _e6715 = bitcast<f32>(_e6714);
 let _e6716 = local_22.member[2u];
 let _e6717 = (_e6705 + _e6716);
 let _e6719 = select(_e6271, _e6717, (_e6717 < _e6271));
-let _e6724 = global_2.member[bitcast<u32>(select(0i, _e6719, (_e6719 > 0i)))];
+let _e6724 = global_1.member[bitcast<u32>(select(0i, _e6719, (_e6719 > 0i)))];
 let _e6726 = local_23[0u];
 let _e6731 = local_23[1u];
 let _e6734 = (_e6366 + ((_e6419 - _e6366) * _e6731));
@@ -2484,8 +2484,8 @@ let _e6792 = local_23[2u];
 let _e6796 = local_23[1u];
 let _e6800 = local_23[2u];
 let _e6804 = local_23[2u];
-let _e6812 = global_4.member[_e369].member_6.member_6;
-let _e6817 = global_4.member[_e369].member_6.member_5;
+let _e6812 = global_3.member[_e369].member_6.member_6;
+let _e6817 = global_3.member[_e369].member_6.member_5;
 let _e6819 = (((_e6734 + ((_e6738 - _e6734) * _e6804)) - _e6812) * _e6817);
 let _e6820 = -(1e9f);
 let _e6822 = select(_e6820, _e6819, (_e6819 > _e6820));
@@ -2514,50 +2514,50 @@ local_21 = _e6861;
 let _e6862 = local_21;
 let _e6864 = (bitcast<i32>(_e187) - 1i);
 let _e6866 = select(_e6864, 263197i, (263197i < _e6864));
-let _e6871 = global_3.member[bitcast<u32>(select(0i, _e6866, (_e6866 > 0i)))];
+let _e6871 = global_2.member[bitcast<u32>(select(0i, _e6866, (_e6866 > 0i)))];
 let _e6872 = bitcast<f32>(_e6871);
 let _e6874 = select(_e6864, 263198i, (263198i < _e6864));
 let _e6877 = bitcast<u32>(select(0i, _e6874, (_e6874 > 0i)));
-let _e6879 = global_3.member[_e6877];
+let _e6879 = global_2.member[_e6877];
 let _e6880 = bitcast<f32>(_e6879);
 let _e6882 = select(_e6864, 263199i, (263199i < _e6864));
-let _e6887 = global_3.member[bitcast<u32>(select(0i, _e6882, (_e6882 > 0i)))];
+let _e6887 = global_2.member[bitcast<u32>(select(0i, _e6882, (_e6882 > 0i)))];
 let _e6888 = bitcast<f32>(_e6887);
 let _e6890 = ((_e6862 - _e6872) * _e6880);
 let _e6892 = select(0f, _e6890, (_e6890 > 0f));
 let _e6895 = local_21;
 let _e6897 = select(_e6864, 263200i, (263200i < _e6864));
-let _e6902 = global_3.member[bitcast<u32>(select(0i, _e6897, (_e6897 > 0i)))];
+let _e6902 = global_2.member[bitcast<u32>(select(0i, _e6897, (_e6897 > 0i)))];
 let _e6903 = bitcast<f32>(_e6902);
 let _e6905 = select(_e6864, 263201i, (263201i < _e6864));
-let _e6910 = global_3.member[bitcast<u32>(select(0i, _e6905, (_e6905 > 0i)))];
+let _e6910 = global_2.member[bitcast<u32>(select(0i, _e6905, (_e6905 > 0i)))];
 let _e6911 = bitcast<f32>(_e6910);
 let _e6913 = select(_e6864, 263202i, (263202i < _e6864));
-let _e6918 = global_3.member[bitcast<u32>(select(0i, _e6913, (_e6913 > 0i)))];
+let _e6918 = global_2.member[bitcast<u32>(select(0i, _e6913, (_e6913 > 0i)))];
 let _e6919 = bitcast<f32>(_e6918);
 let _e6921 = ((_e6895 - _e6903) * _e6911);
 let _e6923 = select(0f, _e6921, (_e6921 > 0f));
 let _e6927 = local_21;
 let _e6929 = select(_e6864, 263203i, (263203i < _e6864));
-let _e6934 = global_3.member[bitcast<u32>(select(0i, _e6929, (_e6929 > 0i)))];
+let _e6934 = global_2.member[bitcast<u32>(select(0i, _e6929, (_e6929 > 0i)))];
 let _e6935 = bitcast<f32>(_e6934);
 let _e6937 = select(_e6864, 263204i, (263204i < _e6864));
-let _e6942 = global_3.member[bitcast<u32>(select(0i, _e6937, (_e6937 > 0i)))];
+let _e6942 = global_2.member[bitcast<u32>(select(0i, _e6937, (_e6937 > 0i)))];
 let _e6943 = bitcast<f32>(_e6942);
 let _e6945 = select(_e6864, 263205i, (263205i < _e6864));
-let _e6950 = global_3.member[bitcast<u32>(select(0i, _e6945, (_e6945 > 0i)))];
+let _e6950 = global_2.member[bitcast<u32>(select(0i, _e6945, (_e6945 > 0i)))];
 let _e6951 = bitcast<f32>(_e6950);
 let _e6953 = ((_e6927 - _e6935) * _e6943);
 let _e6955 = select(0f, _e6953, (_e6953 > 0f));
 let _e6958 = local_21;
 let _e6960 = select(_e6864, 263206i, (263206i < _e6864));
-let _e6965 = global_3.member[bitcast<u32>(select(0i, _e6960, (_e6960 > 0i)))];
+let _e6965 = global_2.member[bitcast<u32>(select(0i, _e6960, (_e6960 > 0i)))];
 let _e6966 = bitcast<f32>(_e6965);
 let _e6968 = select(_e6864, 263207i, (263207i < _e6864));
-let _e6973 = global_3.member[bitcast<u32>(select(0i, _e6968, (_e6968 > 0i)))];
+let _e6973 = global_2.member[bitcast<u32>(select(0i, _e6968, (_e6968 > 0i)))];
 let _e6974 = bitcast<f32>(_e6973);
 let _e6976 = select(_e6864, 263208i, (263208i < _e6864));
-let _e6981 = global_3.member[bitcast<u32>(select(0i, _e6976, (_e6976 > 0i)))];
+let _e6981 = global_2.member[bitcast<u32>(select(0i, _e6976, (_e6976 > 0i)))];
 let _e6982 = bitcast<f32>(_e6981);
 let _e6984 = ((_e6958 - _e6966) * _e6974);
 let _e6986 = select(0f, _e6984, (_e6984 > 0f));
@@ -2568,34 +2568,34 @@ let _e7001 = select(0i, select(select(i32(_e6994), i32(-2147483648), (_e6994 < -
 let _e7005 = (_e7001 - select(0i, 1i, (_e6994 < f32(_e7001))));
 let _e7006 = (262147i + _e7005);
 let _e7008 = select(_e6864, _e7006, (_e7006 < _e6864));
-let _e7014 = global_3.member[bitcast<u32>(select(0i, _e7008, (_e7008 > 0i)))];
+let _e7014 = global_2.member[bitcast<u32>(select(0i, _e7008, (_e7008 > 0i)))];
 let _e7024 = select(_e6864, 262146i, (262146i < _e6864));
-let _e7030 = global_3.member[bitcast<u32>(select(0i, _e7024, (_e7024 > 0i)))];
+let _e7030 = global_2.member[bitcast<u32>(select(0i, _e7024, (_e7024 > 0i)))];
 let _e7031 = bitcast<f32>(_e7030);
 let _e7032 = (f32((bitcast<i32>((_e7014 & 4095u)) - 2048i)) * _e7031);
 let _e7034 = select(_e6864, 262144i, (262144i < _e6864));
-let _e7040 = global_3.member[bitcast<u32>(select(0i, _e7034, (_e7034 > 0i)))];
+let _e7040 = global_2.member[bitcast<u32>(select(0i, _e7034, (_e7034 > 0i)))];
 let _e7041 = bitcast<f32>(_e7040);
 let _e7043 = select(_e6864, 262145i, (262145i < _e6864));
-let _e7049 = global_3.member[bitcast<u32>(select(0i, _e7043, (_e7043 > 0i)))];
+let _e7049 = global_2.member[bitcast<u32>(select(0i, _e7043, (_e7043 > 0i)))];
 let _e7050 = bitcast<f32>(_e7049);
 let _e7056 = ((_e7041 + (f32(bitcast<i32>((_e7014 >> bitcast<u32>(12u)))) * _e7050)) + (_e7032 * (_e6990 - f32(_e7005))));
-let _e7059 = global_3.member[_e6877];
+let _e7059 = global_2.member[_e6877];
 let _e7061 = local_20;
 let _e7064 = local_20;
 let _e7067 = local_20;
 let _e7071 = select(_e6864, 263209i, (263209i < _e6864));
-let _e7077 = global_3.member[bitcast<u32>(select(0i, _e7071, (_e7071 > 0i)))];
+let _e7077 = global_2.member[bitcast<u32>(select(0i, _e7071, (_e7071 > 0i)))];
 let _e7079 = local_20;
 let _e7082 = select(_e6864, 263210i, (263210i < _e6864));
-let _e7088 = global_3.member[bitcast<u32>(select(0i, _e7082, (_e7082 > 0i)))];
+let _e7088 = global_2.member[bitcast<u32>(select(0i, _e7082, (_e7082 > 0i)))];
 let _e7090 = local_20;
 let _e7094 = (_e7032 * select(0f, select(select(select(bitcast<f32>(_e7059), _e6911, (_e7061 >= _e6903)), _e6943, (_e7064 >= _e6935)), _e6974, (_e7067 >= _e6966)), ((_e7079 >= bitcast<f32>(_e7077)) && (_e7090 <= bitcast<f32>(_e7088)))));
 if _e583 {
 let _e7545 = ((0.5f * (_e6836 - _e6830)) * _e7094);
 let _e7546 = ((0.5f * (_e6848 - _e6842)) * _e7094);
 let _e7547 = ((0.5f * (_e6860 - _e6854)) * _e7094);
-phi_19150_ = type_33(_e7056, vec3<f32>(_e7545, _e7546, _e7547), vec3<f32>((_e7545 * _e7056), (_e7546 * _e7056), (_e7547 * _e7056)));
+phi_19150_ = type_32(_e7056, vec3<f32>(_e7545, _e7546, _e7547), vec3<f32>((_e7545 * _e7056), (_e7546 * _e7056), (_e7547 * _e7056)));
 } else {
 local_18 = _e6830;
 let _e7095 = local_18;
@@ -2619,7 +2619,7 @@ let _e7137 = select(0i, select(select(i32(_e7130), i32(-2147483648), (_e7130 < -
 let _e7141 = (_e7137 - select(0i, 1i, (_e7130 < f32(_e7137))));
 let _e7142 = (262147i + _e7141);
 let _e7144 = select(_e6864, _e7142, (_e7142 < _e6864));
-let _e7150 = global_3.member[bitcast<u32>(select(0i, _e7144, (_e7144 > 0i)))];
+let _e7150 = global_2.member[bitcast<u32>(select(0i, _e7144, (_e7144 > 0i)))];
 let _e7165 = ((_e7041 + (f32(bitcast<i32>((_e7150 >> bitcast<u32>(12u)))) * _e7050)) + ((f32((bitcast<i32>((_e7150 & 4095u)) - 2048i)) * _e7031) * (_e7126 - f32(_e7141))));
 local_16 = _e6836;
 let _e7166 = local_16;
@@ -2643,7 +2643,7 @@ let _e7208 = select(0i, select(select(i32(_e7201), i32(-2147483648), (_e7201 < -
 let _e7212 = (_e7208 - select(0i, 1i, (_e7201 < f32(_e7208))));
 let _e7213 = (262147i + _e7212);
 let _e7215 = select(_e6864, _e7213, (_e7213 < _e6864));
-let _e7221 = global_3.member[bitcast<u32>(select(0i, _e7215, (_e7215 > 0i)))];
+let _e7221 = global_2.member[bitcast<u32>(select(0i, _e7215, (_e7215 > 0i)))];
 let _e7236 = ((_e7041 + (f32(bitcast<i32>((_e7221 >> bitcast<u32>(12u)))) * _e7050)) + ((f32((bitcast<i32>((_e7221 & 4095u)) - 2048i)) * _e7031) * (_e7197 - f32(_e7212))));
 local_14 = _e6842;
 let _e7237 = local_14;
@@ -2667,7 +2667,7 @@ let _e7279 = select(0i, select(select(i32(_e7272), i32(-2147483648), (_e7272 < -
 let _e7283 = (_e7279 - select(0i, 1i, (_e7272 < f32(_e7279))));
 let _e7284 = (262147i + _e7283);
 let _e7286 = select(_e6864, _e7284, (_e7284 < _e6864));
-let _e7292 = global_3.member[bitcast<u32>(select(0i, _e7286, (_e7286 > 0i)))];
+let _e7292 = global_2.member[bitcast<u32>(select(0i, _e7286, (_e7286 > 0i)))];
 let _e7307 = ((_e7041 + (f32(bitcast<i32>((_e7292 >> bitcast<u32>(12u)))) * _e7050)) + ((f32((bitcast<i32>((_e7292 & 4095u)) - 2048i)) * _e7031) * (_e7268 - f32(_e7283))));
 local_12 = _e6848;
 let _e7308 = local_12;
@@ -2691,7 +2691,7 @@ let _e7350 = select(0i, select(select(i32(_e7343), i32(-2147483648), (_e7343 < -
 let _e7354 = (_e7350 - select(0i, 1i, (_e7343 < f32(_e7350))));
 let _e7355 = (262147i + _e7354);
 let _e7357 = select(_e6864, _e7355, (_e7355 < _e6864));
-let _e7363 = global_3.member[bitcast<u32>(select(0i, _e7357, (_e7357 > 0i)))];
+let _e7363 = global_2.member[bitcast<u32>(select(0i, _e7357, (_e7357 > 0i)))];
 let _e7378 = ((_e7041 + (f32(bitcast<i32>((_e7363 >> bitcast<u32>(12u)))) * _e7050)) + ((f32((bitcast<i32>((_e7363 & 4095u)) - 2048i)) * _e7031) * (_e7339 - f32(_e7354))));
 local_10 = _e6854;
 let _e7379 = local_10;
@@ -2715,7 +2715,7 @@ let _e7421 = select(0i, select(select(i32(_e7414), i32(-2147483648), (_e7414 < -
 let _e7425 = (_e7421 - select(0i, 1i, (_e7414 < f32(_e7421))));
 let _e7426 = (262147i + _e7425);
 let _e7428 = select(_e6864, _e7426, (_e7426 < _e6864));
-let _e7434 = global_3.member[bitcast<u32>(select(0i, _e7428, (_e7428 > 0i)))];
+let _e7434 = global_2.member[bitcast<u32>(select(0i, _e7428, (_e7428 > 0i)))];
 let _e7449 = ((_e7041 + (f32(bitcast<i32>((_e7434 >> bitcast<u32>(12u)))) * _e7050)) + ((f32((bitcast<i32>((_e7434 & 4095u)) - 2048i)) * _e7031) * (_e7410 - f32(_e7425))));
 local_8 = _e6860;
 let _e7450 = local_8;
@@ -2739,28 +2739,28 @@ let _e7492 = select(0i, select(select(i32(_e7485), i32(-2147483648), (_e7485 < -
 let _e7496 = (_e7492 - select(0i, 1i, (_e7485 < f32(_e7492))));
 let _e7497 = (262147i + _e7496);
 let _e7499 = select(_e6864, _e7497, (_e7497 < _e6864));
-let _e7505 = global_3.member[bitcast<u32>(select(0i, _e7499, (_e7499 > 0i)))];
+let _e7505 = global_2.member[bitcast<u32>(select(0i, _e7499, (_e7499 > 0i)))];
 let _e7520 = ((_e7041 + (f32(bitcast<i32>((_e7505 >> bitcast<u32>(12u)))) * _e7050)) + ((f32((bitcast<i32>((_e7505 & 4095u)) - 2048i)) * _e7031) * (_e7481 - f32(_e7496))));
 let _e7521 = (_e7236 - _e7165);
 let _e7523 = (_e7378 - _e7307);
 let _e7525 = (_e7520 - _e7449);
-phi_19150_ = type_33(_e7056, vec3<f32>((0.5f * _e7521), (0.5f * _e7523), (0.5f * _e7525)), vec3<f32>((0.25f * (_e7521 * (_e7236 + _e7165))), (0.25f * (_e7523 * (_e7378 + _e7307))), (0.25f * (_e7525 * (_e7520 + _e7449)))));
+phi_19150_ = type_32(_e7056, vec3<f32>((0.5f * _e7521), (0.5f * _e7523), (0.5f * _e7525)), vec3<f32>((0.25f * (_e7521 * (_e7236 + _e7165))), (0.25f * (_e7523 * (_e7378 + _e7307))), (0.25f * (_e7525 * (_e7520 + _e7449)))));
 }
 let _e7555 = phi_19150_;
 let _e7570 = select(0f, 1f, ((((((_e5897 >= -0.5f) && (_e5897 <= _e897)) && (_e5903 >= -0.5f)) && (_e5903 <= _e902)) && (_e5909 >= -0.5f)) && (_e5909 <= _e907)));
 let _e7572 = (0.5f * (_e6836 - _e6830));
 let _e7574 = (0.5f * (_e6848 - _e6842));
 let _e7576 = (0.5f * (_e6860 - _e6854));
-let _e7583 = global_4.member[_e369].member_6.member.member.member;
-let _e7590 = global_4.member[_e369].member_6.member.member.member_1;
-let _e7597 = global_4.member[_e369].member_6.member.member.member_2;
-let _e7604 = global_4.member[_e369].member_6.member_1.member.member;
-let _e7611 = global_4.member[_e369].member_6.member_1.member.member_1;
-let _e7618 = global_4.member[_e369].member_6.member_1.member.member_2;
-let _e7625 = global_4.member[_e369].member_6.member_2.member.member;
-let _e7632 = global_4.member[_e369].member_6.member_2.member.member_1;
-let _e7639 = global_4.member[_e369].member_6.member_2.member.member_2;
-phi_19760_ = type_34(_e6824, vec3<f32>(((((_e7583 * _e7572) + (_e7604 * _e7574)) + (_e7625 * _e7576)) * _e7570), ((((_e7590 * _e7572) + (_e7611 * _e7574)) + (_e7632 * _e7576)) * _e7570), ((((_e7597 * _e7572) + (_e7618 * _e7574)) + (_e7639 * _e7576)) * _e7570)), _e7555.member, vec3<f32>(((((_e7583 * _e7555.member_2.x) + (_e7604 * _e7555.member_2.y)) + (_e7625 * _e7555.member_2.z)) * _e7570), ((((_e7590 * _e7555.member_2.x) + (_e7611 * _e7555.member_2.y)) + (_e7632 * _e7555.member_2.z)) * _e7570), ((((_e7597 * _e7555.member_2.x) + (_e7618 * _e7555.member_2.y)) + (_e7639 * _e7555.member_2.z)) * _e7570)), vec3<f32>(((((_e7583 * _e7555.member_1.x) + (_e7604 * _e7555.member_1.y)) + (_e7625 * _e7555.member_1.z)) * _e7570), ((((_e7590 * _e7555.member_1.x) + (_e7611 * _e7555.member_1.y)) + (_e7632 * _e7555.member_1.z)) * _e7570), ((((_e7597 * _e7555.member_1.x) + (_e7618 * _e7555.member_1.y)) + (_e7639 * _e7555.member_1.z)) * _e7570)));
+let _e7583 = global_3.member[_e369].member_6.member.member.member;
+let _e7590 = global_3.member[_e369].member_6.member.member.member_1;
+let _e7597 = global_3.member[_e369].member_6.member.member.member_2;
+let _e7604 = global_3.member[_e369].member_6.member_1.member.member;
+let _e7611 = global_3.member[_e369].member_6.member_1.member.member_1;
+let _e7618 = global_3.member[_e369].member_6.member_1.member.member_2;
+let _e7625 = global_3.member[_e369].member_6.member_2.member.member;
+let _e7632 = global_3.member[_e369].member_6.member_2.member.member_1;
+let _e7639 = global_3.member[_e369].member_6.member_2.member.member_2;
+phi_19760_ = type_33(_e6824, vec3<f32>(((((_e7583 * _e7572) + (_e7604 * _e7574)) + (_e7625 * _e7576)) * _e7570), ((((_e7590 * _e7572) + (_e7611 * _e7574)) + (_e7632 * _e7576)) * _e7570), ((((_e7597 * _e7572) + (_e7618 * _e7574)) + (_e7639 * _e7576)) * _e7570)), _e7555.member, vec3<f32>(((((_e7583 * _e7555.member_2.x) + (_e7604 * _e7555.member_2.y)) + (_e7625 * _e7555.member_2.z)) * _e7570), ((((_e7590 * _e7555.member_2.x) + (_e7611 * _e7555.member_2.y)) + (_e7632 * _e7555.member_2.z)) * _e7570), ((((_e7597 * _e7555.member_2.x) + (_e7618 * _e7555.member_2.y)) + (_e7639 * _e7555.member_2.z)) * _e7570)), vec3<f32>(((((_e7583 * _e7555.member_1.x) + (_e7604 * _e7555.member_1.y)) + (_e7625 * _e7555.member_1.z)) * _e7570), ((((_e7590 * _e7555.member_1.x) + (_e7611 * _e7555.member_1.y)) + (_e7632 * _e7555.member_1.z)) * _e7570), ((((_e7597 * _e7555.member_1.x) + (_e7618 * _e7555.member_1.y)) + (_e7639 * _e7555.member_1.z)) * _e7570)));
 } else {
 let _e5911 = select(-0.5f, _e5897, (_e5897 > -0.5f));
 let _e5913 = select(_e897, _e5911, (_e5911 < _e897));
@@ -2780,17 +2780,17 @@ let _e5953 = select(-1f, _e5921, (_e5921 > -1f));
 let _e5955 = select(_e560, _e5953, (_e5953 < _e560));
 let _e5962 = select(0i, select(select(i32(_e5955), i32(-2147483648), (_e5955 < -2147483600f)), 2147483647i, (_e5955 > 2147483500f)), (_e5955 == _e5955));
 let _e5966 = (_e5962 - select(0i, 1i, (_e5955 < f32(_e5962))));
-let _e5971 = global_4.member[_e369].member_6.member_7;
-let _e5976 = global_4.member[_e369].member_6.member_8;
+let _e5971 = global_3.member[_e369].member_6.member_7;
+let _e5976 = global_3.member[_e369].member_6.member_8;
 let _e5977 = (_e5936 + 1i);
 let _e5978 = (_e5951 + 1i);
 let _e5979 = (_e5966 + 1i);
-let _e5985 = global_4.member[_e369].member_6.member_11.member;
-let _e5992 = global_4.member[_e369].member_6.member_11.member_1;
+let _e5985 = global_3.member[_e369].member_6.member_11.member;
+let _e5992 = global_3.member[_e369].member_6.member_11.member_1;
 let _e6003 = ((_e5977 >> bitcast<u32>(4i)) + (bitcast<i32>(_e5985) * ((_e5978 >> bitcast<u32>(4i)) + (bitcast<i32>(_e5992) * (_e5979 >> bitcast<u32>(4i))))));
 let _e6005 = (bitcast<i32>(_e182) - 1i);
 let _e6007 = select(_e6005, _e6003, (_e6003 < _e6005));
-let _e6013 = global_2.member[bitcast<u32>(select(0i, _e6007, (_e6007 > 0i)))];
+let _e6013 = global_1.member[bitcast<u32>(select(0i, _e6007, (_e6007 > 0i)))];
 let _e6015 = (_e5977 & 15i);
 let _e6018 = ((_e5978 & 15i) * _e5971);
 let _e6020 = (bitcast<i32>(_e6013) + ((_e5979 & 15i) * _e5976));
@@ -2798,30 +2798,30 @@ let _e6024 = (_e6018 + _e5971);
 let _e6026 = (_e6018 + (2i * _e5971));
 let _e6027 = (_e6020 + _e5976);
 let _e6029 = (_e6020 + (2i * _e5976));
-local_6 = type_32(array<i32, 4>(_e6015, (_e6015 + 1i), (_e6015 + 2i), (_e6015 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_28(array<i32, 4>(_e6015, (_e6015 + 1i), (_e6015 + 2i), (_e6015 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e5913 - f32(_e5936)), (_e5917 - f32(_e5951)), (_e5921 - f32(_e5966)));
 let _e6040 = (_e6027 + _e6024);
 let _e6043 = local_6.member[1u];
 let _e6044 = (_e6040 + _e6043);
 let _e6046 = select(_e6005, _e6044, (_e6044 < _e6005));
-let _e6051 = global_2.member[bitcast<u32>(select(0i, _e6046, (_e6046 > 0i)))];
+let _e6051 = global_1.member[bitcast<u32>(select(0i, _e6046, (_e6046 > 0i)))];
 let _e6052 = bitcast<f32>(_e6051);
 let _e6055 = local_6.member[2u];
 let _e6056 = (_e6040 + _e6055);
 let _e6058 = select(_e6005, _e6056, (_e6056 < _e6005));
-let _e6063 = global_2.member[bitcast<u32>(select(0i, _e6058, (_e6058 > 0i)))];
+let _e6063 = global_1.member[bitcast<u32>(select(0i, _e6058, (_e6058 > 0i)))];
 let _e6065 = local_7[0u];
 let _e6068 = (_e6052 + ((bitcast<f32>(_e6063) - _e6052) * _e6065));
 let _e6069 = (_e6027 + _e6026);
 let _e6070 = local_6.member[1u];
 let _e6071 = (_e6069 + _e6070);
 let _e6073 = select(_e6005, _e6071, (_e6071 < _e6005));
-let _e6078 = global_2.member[bitcast<u32>(select(0i, _e6073, (_e6073 > 0i)))];
+let _e6078 = global_1.member[bitcast<u32>(select(0i, _e6073, (_e6073 > 0i)))];
 let _e6079 = bitcast<f32>(_e6078);
 let _e6080 = local_6.member[2u];
 let _e6081 = (_e6069 + _e6080);
 let _e6083 = select(_e6005, _e6081, (_e6081 < _e6005));
-let _e6088 = global_2.member[bitcast<u32>(select(0i, _e6083, (_e6083 > 0i)))];
+let _e6088 = global_1.member[bitcast<u32>(select(0i, _e6083, (_e6083 > 0i)))];
 let _e6090 = local_7[0u];
 let _e6095 = local_7[1u];
 let _e6098 = (_e6068 + (((_e6079 + ((bitcast<f32>(_e6088) - _e6079) * _e6090)) - _e6068) * _e6095));
@@ -2829,33 +2829,33 @@ let _e6099 = (_e6029 + _e6024);
 let _e6100 = local_6.member[1u];
 let _e6101 = (_e6099 + _e6100);
 let _e6103 = select(_e6005, _e6101, (_e6101 < _e6005));
-let _e6108 = global_2.member[bitcast<u32>(select(0i, _e6103, (_e6103 > 0i)))];
+let _e6108 = global_1.member[bitcast<u32>(select(0i, _e6103, (_e6103 > 0i)))];
 let _e6109 = bitcast<f32>(_e6108);
 let _e6110 = local_6.member[2u];
 let _e6111 = (_e6099 + _e6110);
 let _e6113 = select(_e6005, _e6111, (_e6111 < _e6005));
-let _e6118 = global_2.member[bitcast<u32>(select(0i, _e6113, (_e6113 > 0i)))];
+let _e6118 = global_1.member[bitcast<u32>(select(0i, _e6113, (_e6113 > 0i)))];
 let _e6120 = local_7[0u];
 let _e6123 = (_e6109 + ((bitcast<f32>(_e6118) - _e6109) * _e6120));
 let _e6124 = (_e6029 + _e6026);
 let _e6125 = local_6.member[1u];
 let _e6126 = (_e6124 + _e6125);
 let _e6128 = select(_e6005, _e6126, (_e6126 < _e6005));
-let _e6133 = global_2.member[bitcast<u32>(select(0i, _e6128, (_e6128 > 0i)))];
+let _e6133 = global_1.member[bitcast<u32>(select(0i, _e6128, (_e6128 > 0i)))];
 let _e6134 = bitcast<f32>(_e6133);
 let _e6135 = local_6.member[2u];
 let _e6136 = (_e6124 + _e6135);
 let _e6138 = select(_e6005, _e6136, (_e6136 < _e6005));
-let _e6143 = global_2.member[bitcast<u32>(select(0i, _e6138, (_e6138 > 0i)))];
+let _e6143 = global_1.member[bitcast<u32>(select(0i, _e6138, (_e6138 > 0i)))];
 let _e6145 = local_7[0u];
 let _e6149 = local_7[1u];
 let _e6154 = local_7[2u];
-let _e6162 = global_4.member[_e369].member_6.member_6;
-let _e6167 = global_4.member[_e369].member_6.member_5;
+let _e6162 = global_3.member[_e369].member_6.member_6;
+let _e6167 = global_3.member[_e369].member_6.member_5;
 let _e6169 = (((_e6098 + (((_e6123 + (((_e6134 + ((bitcast<f32>(_e6143) - _e6134) * _e6145)) - _e6123) * _e6149)) - _e6098) * _e6154)) - _e6162) * _e6167);
 let _e6170 = -(1e9f);
 let _e6172 = select(_e6170, _e6169, (_e6169 > _e6170));
-phi_19760_ = type_34(select(1e9f, _e6172, (_e6172 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_19760_ = type_33(select(1e9f, _e6172, (_e6172 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7705 = phi_19760_;
 let _e7707 = select(-0.5f, _e481, (_e481 > -0.5f));
@@ -2876,17 +2876,17 @@ let _e7749 = select(-1f, _e7717, (_e7717 > -1f));
 let _e7751 = select(_e560, _e7749, (_e7749 < _e560));
 let _e7758 = select(0i, select(select(i32(_e7751), i32(-2147483648), (_e7751 < -2147483600f)), 2147483647i, (_e7751 > 2147483500f)), (_e7751 == _e7751));
 let _e7762 = (_e7758 - select(0i, 1i, (_e7751 < f32(_e7758))));
-let _e7767 = global_4.member[_e369].member_6.member_7;
-let _e7772 = global_4.member[_e369].member_6.member_8;
+let _e7767 = global_3.member[_e369].member_6.member_7;
+let _e7772 = global_3.member[_e369].member_6.member_8;
 let _e7773 = (_e7732 + 1i);
 let _e7774 = (_e7747 + 1i);
 let _e7775 = (_e7762 + 1i);
-let _e7781 = global_4.member[_e369].member_6.member_11.member;
-let _e7788 = global_4.member[_e369].member_6.member_11.member_1;
+let _e7781 = global_3.member[_e369].member_6.member_11.member;
+let _e7788 = global_3.member[_e369].member_6.member_11.member_1;
 let _e7799 = ((_e7773 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7781) * ((_e7774 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7788) * (_e7775 >> bitcast<u32>(4i))))));
 let _e7801 = (bitcast<i32>(_e182) - 1i);
 let _e7803 = select(_e7801, _e7799, (_e7799 < _e7801));
-let _e7809 = global_2.member[bitcast<u32>(select(0i, _e7803, (_e7803 > 0i)))];
+let _e7809 = global_1.member[bitcast<u32>(select(0i, _e7803, (_e7803 > 0i)))];
 let _e7811 = (_e7773 & 15i);
 let _e7814 = ((_e7774 & 15i) * _e7767);
 let _e7816 = (bitcast<i32>(_e7809) + ((_e7775 & 15i) * _e7772));
@@ -2894,30 +2894,30 @@ let _e7820 = (_e7814 + _e7767);
 let _e7822 = (_e7814 + (2i * _e7767));
 let _e7823 = (_e7816 + _e7772);
 let _e7825 = (_e7816 + (2i * _e7772));
-local_4 = type_32(array<i32, 4>(_e7811, (_e7811 + 1i), (_e7811 + 2i), (_e7811 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_28(array<i32, 4>(_e7811, (_e7811 + 1i), (_e7811 + 2i), (_e7811 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e7709 - f32(_e7732)), (_e7713 - f32(_e7747)), (_e7717 - f32(_e7762)));
 let _e7836 = (_e7823 + _e7820);
 let _e7839 = local_4.member[1u];
 let _e7840 = (_e7836 + _e7839);
 let _e7842 = select(_e7801, _e7840, (_e7840 < _e7801));
-let _e7847 = global_2.member[bitcast<u32>(select(0i, _e7842, (_e7842 > 0i)))];
+let _e7847 = global_1.member[bitcast<u32>(select(0i, _e7842, (_e7842 > 0i)))];
 let _e7848 = bitcast<f32>(_e7847);
 let _e7851 = local_4.member[2u];
 let _e7852 = (_e7836 + _e7851);
 let _e7854 = select(_e7801, _e7852, (_e7852 < _e7801));
-let _e7859 = global_2.member[bitcast<u32>(select(0i, _e7854, (_e7854 > 0i)))];
+let _e7859 = global_1.member[bitcast<u32>(select(0i, _e7854, (_e7854 > 0i)))];
 let _e7861 = local_5[0u];
 let _e7864 = (_e7848 + ((bitcast<f32>(_e7859) - _e7848) * _e7861));
 let _e7865 = (_e7823 + _e7822);
 let _e7866 = local_4.member[1u];
 let _e7867 = (_e7865 + _e7866);
 let _e7869 = select(_e7801, _e7867, (_e7867 < _e7801));
-let _e7874 = global_2.member[bitcast<u32>(select(0i, _e7869, (_e7869 > 0i)))];
+let _e7874 = global_1.member[bitcast<u32>(select(0i, _e7869, (_e7869 > 0i)))];
 let _e7875 = bitcast<f32>(_e7874);
 let _e7876 = local_4.member[2u];
 let _e7877 = (_e7865 + _e7876);
 let _e7879 = select(_e7801, _e7877, (_e7877 < _e7801));
-let _e7884 = global_2.member[bitcast<u32>(select(0i, _e7879, (_e7879 > 0i)))];
+let _e7884 = global_1.member[bitcast<u32>(select(0i, _e7879, (_e7879 > 0i)))];
 let _e7886 = local_5[0u];
 let _e7891 = local_5[1u];
 let _e7894 = (_e7864 + (((_e7875 + ((bitcast<f32>(_e7884) - _e7875) * _e7886)) - _e7864) * _e7891));
@@ -2925,38 +2925,38 @@ let _e7895 = (_e7825 + _e7820);
 let _e7896 = local_4.member[1u];
 let _e7897 = (_e7895 + _e7896);
 let _e7899 = select(_e7801, _e7897, (_e7897 < _e7801));
-let _e7904 = global_2.member[bitcast<u32>(select(0i, _e7899, (_e7899 > 0i)))];
+let _e7904 = global_1.member[bitcast<u32>(select(0i, _e7899, (_e7899 > 0i)))];
 let _e7905 = bitcast<f32>(_e7904);
 let _e7906 = local_4.member[2u];
 let _e7907 = (_e7895 + _e7906);
 let _e7909 = select(_e7801, _e7907, (_e7907 < _e7801));
-let _e7914 = global_2.member[bitcast<u32>(select(0i, _e7909, (_e7909 > 0i)))];
+let _e7914 = global_1.member[bitcast<u32>(select(0i, _e7909, (_e7909 > 0i)))];
 let _e7916 = local_5[0u];
 let _e7919 = (_e7905 + ((bitcast<f32>(_e7914) - _e7905) * _e7916));
 let _e7920 = (_e7825 + _e7822);
 let _e7921 = local_4.member[1u];
 let _e7922 = (_e7920 + _e7921);
 let _e7924 = select(_e7801, _e7922, (_e7922 < _e7801));
-let _e7929 = global_2.member[bitcast<u32>(select(0i, _e7924, (_e7924 > 0i)))];
+let _e7929 = global_1.member[bitcast<u32>(select(0i, _e7924, (_e7924 > 0i)))];
 let _e7930 = bitcast<f32>(_e7929);
 let _e7931 = local_4.member[2u];
 let _e7932 = (_e7920 + _e7931);
 let _e7934 = select(_e7801, _e7932, (_e7932 < _e7801));
-let _e7939 = global_2.member[bitcast<u32>(select(0i, _e7934, (_e7934 > 0i)))];
+let _e7939 = global_1.member[bitcast<u32>(select(0i, _e7934, (_e7934 > 0i)))];
 let _e7941 = local_5[0u];
 let _e7945 = local_5[1u];
 let _e7950 = local_5[2u];
-let _e7958 = global_4.member[_e369].member_6.member_6;
-let _e7963 = global_4.member[_e369].member_6.member_5;
+let _e7958 = global_3.member[_e369].member_6.member_6;
+let _e7963 = global_3.member[_e369].member_6.member_5;
 let _e7965 = (((_e7894 + (((_e7919 + (((_e7930 + ((bitcast<f32>(_e7939) - _e7930) * _e7941)) - _e7919) * _e7945)) - _e7894) * _e7950)) - _e7958) * _e7963);
 let _e7966 = -(1e9f);
 let _e7968 = select(_e7966, _e7965, (_e7965 > _e7966));
 let _e7970 = select(1e9f, _e7968, (_e7968 < 1e9f));
 let _e7972 = ((_e1047 & 16u) == 0u);
 if _e7972 {
-phi_20581_ = type_5(1f, 1f, 1f);
+phi_20581_ = type_7(1f, 1f, 1f);
 } else {
-let _e7977 = global_4.member[_e369].member_14.member;
+let _e7977 = global_3.member[_e369].member_14.member;
 let _e7988 = ((((_e7977.member.member * _e395) + (_e7977.member.member_1 * _e397)) + (_e7977.member.member_2 * _e391)) + _e7977.member_1);
 let _e7994 = ((((_e7977.member.member * _e5886.member_1.x) + (_e7977.member.member_1 * _e5886.member_1.y)) + (_e7977.member.member_2 * _e5886.member_1.z)) + _e7977.member_1);
 let _e7996 = select(_e7994, _e7988, (_e7988 < _e7994));
@@ -2965,9 +2965,9 @@ let _e8000 = (_e7998 - _e7996);
 let _e8003 = (-(_e7996) / select(1e-30f, _e8000, (_e8000 > 1e-30f)));
 let _e8005 = select(0f, _e8003, (_e8003 > 0f));
 let _e8011 = select(select(select(1f, _e8005, (_e8005 < 1f)), 1f, (_e7998 <= 0f)), 0f, (_e7996 > 0f));
-let _e8017 = global_4.member[_e369].member_14.member_1;
+let _e8017 = global_3.member[_e369].member_14.member_1;
 let _e8018 = (_e8017 != 0u);
-let _e8029 = global_4.member[_e369].member_15.member;
+let _e8029 = global_3.member[_e369].member_15.member;
 let _e8040 = ((((_e8029.member.member * _e395) + (_e8029.member.member_1 * _e397)) + (_e8029.member.member_2 * _e391)) + _e8029.member_1);
 let _e8046 = ((((_e8029.member.member * _e5886.member_1.x) + (_e8029.member.member_1 * _e5886.member_1.y)) + (_e8029.member.member_2 * _e5886.member_1.z)) + _e8029.member_1);
 let _e8048 = select(_e8046, _e8040, (_e8040 < _e8046));
@@ -2976,9 +2976,9 @@ let _e8052 = (_e8050 - _e8048);
 let _e8055 = (-(_e8048) / select(1e-30f, _e8052, (_e8052 > 1e-30f)));
 let _e8057 = select(0f, _e8055, (_e8055 > 0f));
 let _e8063 = select(select(select(1f, _e8057, (_e8057 < 1f)), 1f, (_e8050 <= 0f)), 0f, (_e8048 > 0f));
-let _e8069 = global_4.member[_e369].member_15.member_1;
+let _e8069 = global_3.member[_e369].member_15.member_1;
 let _e8070 = (_e8069 != 0u);
-let _e8081 = global_4.member[_e369].member_16.member;
+let _e8081 = global_3.member[_e369].member_16.member;
 let _e8092 = ((((_e8081.member.member * _e395) + (_e8081.member.member_1 * _e397)) + (_e8081.member.member_2 * _e391)) + _e8081.member_1);
 let _e8098 = ((((_e8081.member.member * _e5886.member_1.x) + (_e8081.member.member_1 * _e5886.member_1.y)) + (_e8081.member.member_2 * _e5886.member_1.z)) + _e8081.member_1);
 let _e8100 = select(_e8098, _e8092, (_e8092 < _e8098));
@@ -2987,9 +2987,9 @@ let _e8104 = (_e8102 - _e8100);
 let _e8107 = (-(_e8100) / select(1e-30f, _e8104, (_e8104 > 1e-30f)));
 let _e8109 = select(0f, _e8107, (_e8107 > 0f));
 let _e8115 = select(select(select(1f, _e8109, (_e8109 < 1f)), 1f, (_e8102 <= 0f)), 0f, (_e8100 > 0f));
-let _e8121 = global_4.member[_e369].member_16.member_1;
+let _e8121 = global_3.member[_e369].member_16.member_1;
 let _e8122 = (_e8121 != 0u);
-let _e8133 = global_4.member[_e369].member_17.member;
+let _e8133 = global_3.member[_e369].member_17.member;
 let _e8144 = ((((_e8133.member.member * _e395) + (_e8133.member.member_1 * _e397)) + (_e8133.member.member_2 * _e391)) + _e8133.member_1);
 let _e8150 = ((((_e8133.member.member * _e5886.member_1.x) + (_e8133.member.member_1 * _e5886.member_1.y)) + (_e8133.member.member_2 * _e5886.member_1.z)) + _e8133.member_1);
 let _e8152 = select(_e8150, _e8144, (_e8144 < _e8150));
@@ -2998,109 +2998,109 @@ let _e8156 = (_e8154 - _e8152);
 let _e8159 = (-(_e8152) / select(1e-30f, _e8156, (_e8156 > 1e-30f)));
 let _e8161 = select(0f, _e8159, (_e8159 > 0f));
 let _e8167 = select(select(select(1f, _e8161, (_e8161 < 1f)), 1f, (_e8154 <= 0f)), 0f, (_e8152 > 0f));
-let _e8173 = global_4.member[_e369].member_17.member_1;
+let _e8173 = global_3.member[_e369].member_17.member_1;
 let _e8174 = (_e8173 != 0u);
-phi_20581_ = type_5(((((1f * _e8011) * _e8063) * _e8115) * _e8167), ((((1f * select(1f, _e8011, _e8018)) * select(1f, _e8063, _e8070)) * select(1f, _e8115, _e8122)) * select(1f, _e8167, _e8174)), ((((1f * select(1f, 0f, (_e8018 && (_e7994 > 0f)))) * select(1f, 0f, (_e8070 && (_e8046 > 0f)))) * select(1f, 0f, (_e8122 && (_e8098 > 0f)))) * select(1f, 0f, (_e8174 && (_e8150 > 0f)))));
+phi_20581_ = type_7(((((1f * _e8011) * _e8063) * _e8115) * _e8167), ((((1f * select(1f, _e8011, _e8018)) * select(1f, _e8063, _e8070)) * select(1f, _e8115, _e8122)) * select(1f, _e8167, _e8174)), ((((1f * select(1f, 0f, (_e8018 && (_e7994 > 0f)))) * select(1f, 0f, (_e8070 && (_e8046 > 0f)))) * select(1f, 0f, (_e8122 && (_e8098 > 0f)))) * select(1f, 0f, (_e8174 && (_e8150 > 0f)))));
 }
 let _e8183 = phi_20581_;
-let _e8189 = global_4.member[_e369].member_5.member_3;
+let _e8189 = global_3.member[_e369].member_5.member_3;
 let _e8190 = (_e5886.member_3 * _e8189);
 if (((_e378.member_2 == 3u) || (_e378.member_2 == 4u)) || _e577) {
 local_3 = _e7970;
 let _e9101 = local_3;
 let _e9103 = (bitcast<i32>(_e187) - 1i);
 let _e9105 = select(_e9103, 263171i, (263171i < _e9103));
-let _e9110 = global_3.member[bitcast<u32>(select(0i, _e9105, (_e9105 > 0i)))];
+let _e9110 = global_2.member[bitcast<u32>(select(0i, _e9105, (_e9105 > 0i)))];
 let _e9111 = bitcast<f32>(_e9110);
 let _e9113 = select(_e9103, 263172i, (263172i < _e9103));
-let _e9118 = global_3.member[bitcast<u32>(select(0i, _e9113, (_e9113 > 0i)))];
+let _e9118 = global_2.member[bitcast<u32>(select(0i, _e9113, (_e9113 > 0i)))];
 let _e9119 = bitcast<f32>(_e9118);
 let _e9121 = select(_e9103, 263173i, (263173i < _e9103));
-let _e9126 = global_3.member[bitcast<u32>(select(0i, _e9121, (_e9121 > 0i)))];
+let _e9126 = global_2.member[bitcast<u32>(select(0i, _e9121, (_e9121 > 0i)))];
 let _e9127 = bitcast<f32>(_e9126);
 let _e9129 = ((_e9101 - _e9111) * _e9119);
 let _e9131 = select(0f, _e9129, (_e9129 > 0f));
 let _e9134 = local_3;
 let _e9136 = select(_e9103, 263174i, (263174i < _e9103));
-let _e9141 = global_3.member[bitcast<u32>(select(0i, _e9136, (_e9136 > 0i)))];
+let _e9141 = global_2.member[bitcast<u32>(select(0i, _e9136, (_e9136 > 0i)))];
 let _e9142 = bitcast<f32>(_e9141);
 let _e9144 = select(_e9103, 263175i, (263175i < _e9103));
-let _e9149 = global_3.member[bitcast<u32>(select(0i, _e9144, (_e9144 > 0i)))];
+let _e9149 = global_2.member[bitcast<u32>(select(0i, _e9144, (_e9144 > 0i)))];
 let _e9150 = bitcast<f32>(_e9149);
 let _e9152 = select(_e9103, 263176i, (263176i < _e9103));
-let _e9157 = global_3.member[bitcast<u32>(select(0i, _e9152, (_e9152 > 0i)))];
+let _e9157 = global_2.member[bitcast<u32>(select(0i, _e9152, (_e9152 > 0i)))];
 let _e9158 = bitcast<f32>(_e9157);
 let _e9160 = ((_e9134 - _e9142) * _e9150);
 let _e9162 = select(0f, _e9160, (_e9160 > 0f));
 let _e9166 = local_3;
 let _e9168 = select(_e9103, 263177i, (263177i < _e9103));
-let _e9173 = global_3.member[bitcast<u32>(select(0i, _e9168, (_e9168 > 0i)))];
+let _e9173 = global_2.member[bitcast<u32>(select(0i, _e9168, (_e9168 > 0i)))];
 let _e9174 = bitcast<f32>(_e9173);
 let _e9176 = select(_e9103, 263178i, (263178i < _e9103));
-let _e9181 = global_3.member[bitcast<u32>(select(0i, _e9176, (_e9176 > 0i)))];
+let _e9181 = global_2.member[bitcast<u32>(select(0i, _e9176, (_e9176 > 0i)))];
 let _e9182 = bitcast<f32>(_e9181);
 let _e9184 = select(_e9103, 263179i, (263179i < _e9103));
-let _e9189 = global_3.member[bitcast<u32>(select(0i, _e9184, (_e9184 > 0i)))];
+let _e9189 = global_2.member[bitcast<u32>(select(0i, _e9184, (_e9184 > 0i)))];
 let _e9190 = bitcast<f32>(_e9189);
 let _e9192 = ((_e9166 - _e9174) * _e9182);
 let _e9194 = select(0f, _e9192, (_e9192 > 0f));
 let _e9197 = local_3;
 let _e9199 = select(_e9103, 263180i, (263180i < _e9103));
-let _e9204 = global_3.member[bitcast<u32>(select(0i, _e9199, (_e9199 > 0i)))];
+let _e9204 = global_2.member[bitcast<u32>(select(0i, _e9199, (_e9199 > 0i)))];
 let _e9205 = bitcast<f32>(_e9204);
 let _e9207 = select(_e9103, 263181i, (263181i < _e9103));
-let _e9212 = global_3.member[bitcast<u32>(select(0i, _e9207, (_e9207 > 0i)))];
+let _e9212 = global_2.member[bitcast<u32>(select(0i, _e9207, (_e9207 > 0i)))];
 let _e9213 = bitcast<f32>(_e9212);
 let _e9215 = select(_e9103, 263182i, (263182i < _e9103));
-let _e9220 = global_3.member[bitcast<u32>(select(0i, _e9215, (_e9215 > 0i)))];
+let _e9220 = global_2.member[bitcast<u32>(select(0i, _e9215, (_e9215 > 0i)))];
 let _e9221 = bitcast<f32>(_e9220);
 let _e9223 = ((_e9197 - _e9205) * _e9213);
 let _e9225 = select(0f, _e9223, (_e9223 > 0f));
 let _e9230 = local_3;
 let _e9232 = select(_e9103, 263183i, (263183i < _e9103));
-let _e9237 = global_3.member[bitcast<u32>(select(0i, _e9232, (_e9232 > 0i)))];
+let _e9237 = global_2.member[bitcast<u32>(select(0i, _e9232, (_e9232 > 0i)))];
 let _e9238 = bitcast<f32>(_e9237);
 let _e9240 = select(_e9103, 263184i, (263184i < _e9103));
-let _e9245 = global_3.member[bitcast<u32>(select(0i, _e9240, (_e9240 > 0i)))];
+let _e9245 = global_2.member[bitcast<u32>(select(0i, _e9240, (_e9240 > 0i)))];
 let _e9246 = bitcast<f32>(_e9245);
 let _e9248 = select(_e9103, 263185i, (263185i < _e9103));
-let _e9253 = global_3.member[bitcast<u32>(select(0i, _e9248, (_e9248 > 0i)))];
+let _e9253 = global_2.member[bitcast<u32>(select(0i, _e9248, (_e9248 > 0i)))];
 let _e9254 = bitcast<f32>(_e9253);
 let _e9256 = ((_e9230 - _e9238) * _e9246);
 let _e9258 = select(0f, _e9256, (_e9256 > 0f));
 let _e9261 = local_3;
 let _e9263 = select(_e9103, 263186i, (263186i < _e9103));
-let _e9268 = global_3.member[bitcast<u32>(select(0i, _e9263, (_e9263 > 0i)))];
+let _e9268 = global_2.member[bitcast<u32>(select(0i, _e9263, (_e9263 > 0i)))];
 let _e9269 = bitcast<f32>(_e9268);
 let _e9271 = select(_e9103, 263187i, (263187i < _e9103));
-let _e9276 = global_3.member[bitcast<u32>(select(0i, _e9271, (_e9271 > 0i)))];
+let _e9276 = global_2.member[bitcast<u32>(select(0i, _e9271, (_e9271 > 0i)))];
 let _e9277 = bitcast<f32>(_e9276);
 let _e9279 = select(_e9103, 263188i, (263188i < _e9103));
-let _e9284 = global_3.member[bitcast<u32>(select(0i, _e9279, (_e9279 > 0i)))];
+let _e9284 = global_2.member[bitcast<u32>(select(0i, _e9279, (_e9279 > 0i)))];
 let _e9285 = bitcast<f32>(_e9284);
 let _e9287 = ((_e9261 - _e9269) * _e9277);
 let _e9289 = select(0f, _e9287, (_e9287 > 0f));
 let _e9293 = local_3;
 let _e9295 = select(_e9103, 263189i, (263189i < _e9103));
-let _e9300 = global_3.member[bitcast<u32>(select(0i, _e9295, (_e9295 > 0i)))];
+let _e9300 = global_2.member[bitcast<u32>(select(0i, _e9295, (_e9295 > 0i)))];
 let _e9301 = bitcast<f32>(_e9300);
 let _e9303 = select(_e9103, 263190i, (263190i < _e9103));
-let _e9308 = global_3.member[bitcast<u32>(select(0i, _e9303, (_e9303 > 0i)))];
+let _e9308 = global_2.member[bitcast<u32>(select(0i, _e9303, (_e9303 > 0i)))];
 let _e9309 = bitcast<f32>(_e9308);
 let _e9311 = select(_e9103, 263191i, (263191i < _e9103));
-let _e9316 = global_3.member[bitcast<u32>(select(0i, _e9311, (_e9311 > 0i)))];
+let _e9316 = global_2.member[bitcast<u32>(select(0i, _e9311, (_e9311 > 0i)))];
 let _e9317 = bitcast<f32>(_e9316);
 let _e9319 = ((_e9293 - _e9301) * _e9309);
 let _e9321 = select(0f, _e9319, (_e9319 > 0f));
 let _e9324 = local_3;
 let _e9326 = select(_e9103, 263192i, (263192i < _e9103));
-let _e9331 = global_3.member[bitcast<u32>(select(0i, _e9326, (_e9326 > 0i)))];
+let _e9331 = global_2.member[bitcast<u32>(select(0i, _e9326, (_e9326 > 0i)))];
 let _e9332 = bitcast<f32>(_e9331);
 let _e9334 = select(_e9103, 263193i, (263193i < _e9103));
-let _e9339 = global_3.member[bitcast<u32>(select(0i, _e9334, (_e9334 > 0i)))];
+let _e9339 = global_2.member[bitcast<u32>(select(0i, _e9334, (_e9334 > 0i)))];
 let _e9340 = bitcast<f32>(_e9339);
 let _e9342 = select(_e9103, 263194i, (263194i < _e9103));
-let _e9347 = global_3.member[bitcast<u32>(select(0i, _e9342, (_e9342 > 0i)))];
+let _e9347 = global_2.member[bitcast<u32>(select(0i, _e9342, (_e9342 > 0i)))];
 let _e9348 = bitcast<f32>(_e9347);
 let _e9350 = ((_e9324 - _e9332) * _e9340);
 let _e9352 = select(0f, _e9350, (_e9350 > 0f));
@@ -3141,10 +3141,10 @@ let _e9440 = select(_e9421, _e9438, (_e9438 < _e9421));
 let _e9447 = select(0i, select(select(i32(_e9440), i32(-2147483648), (_e9440 < -2147483600f)), 2147483647i, (_e9440 > 2147483500f)), (_e9440 == _e9440));
 let _e9451 = (_e9447 - select(0i, 1i, (_e9440 < f32(_e9447))));
 let _e9453 = select(_e9103, 263195i, (263195i < _e9103));
-let _e9459 = global_3.member[bitcast<u32>(select(0i, _e9453, (_e9453 > 0i)))];
+let _e9459 = global_2.member[bitcast<u32>(select(0i, _e9453, (_e9453 > 0i)))];
 let _e9460 = bitcast<f32>(_e9459);
 let _e9462 = select(_e9103, 263196i, (263196i < _e9103));
-let _e9468 = global_3.member[bitcast<u32>(select(0i, _e9462, (_e9462 > 0i)))];
+let _e9468 = global_2.member[bitcast<u32>(select(0i, _e9462, (_e9462 > 0i)))];
 let _e9469 = bitcast<f32>(_e9468);
 let _e9470 = (_e7705.member - _e7970);
 let _e9476 = (1f / select(_e9470, 1f, (bitcast<f32>((bitcast<u32>(_e9470) & 2147483647u)) < 1e-20f)));
@@ -3153,20 +3153,20 @@ let _e9488 = ((select(_e9469, _e7705.member, (_e7705.member > _e9469)) - select(
 let _e9491 = (((_e9436 * 256i) + _e9451) * 4i);
 let _e9495 = (_e9420 - f32(_e9451));
 let _e9499 = select(_e9103, _e9491, (_e9491 < _e9103));
-let _e9505 = global_3.member[bitcast<u32>(select(0i, _e9499, (_e9499 > 0i)))];
+let _e9505 = global_2.member[bitcast<u32>(select(0i, _e9499, (_e9499 > 0i)))];
 let _e9506 = (_e9491 + 4i);
 let _e9508 = select(_e9103, _e9506, (_e9506 < _e9103));
-let _e9514 = global_3.member[bitcast<u32>(select(0i, _e9508, (_e9508 > 0i)))];
+let _e9514 = global_2.member[bitcast<u32>(select(0i, _e9508, (_e9508 > 0i)))];
 let _e9515 = (_e9491 + 1024i);
 let _e9517 = select(_e9103, _e9515, (_e9515 < _e9103));
-let _e9523 = global_3.member[bitcast<u32>(select(0i, _e9517, (_e9517 > 0i)))];
+let _e9523 = global_2.member[bitcast<u32>(select(0i, _e9517, (_e9517 > 0i)))];
 let _e9524 = (_e9491 + 1028i);
 let _e9526 = select(_e9103, _e9524, (_e9524 < _e9103));
-let _e9532 = global_3.member[bitcast<u32>(select(0i, _e9526, (_e9526 > 0i)))];
+let _e9532 = global_2.member[bitcast<u32>(select(0i, _e9526, (_e9526 > 0i)))];
 let _e9534 = select(_e9103, 0i, (0i < _e9103));
-let _e9540 = global_3.member[bitcast<u32>(select(0i, _e9534, (_e9534 > 0i)))];
+let _e9540 = global_2.member[bitcast<u32>(select(0i, _e9534, (_e9534 > 0i)))];
 let _e9542 = select(_e9103, 262140i, (262140i < _e9103));
-let _e9548 = global_3.member[bitcast<u32>(select(0i, _e9542, (_e9542 > 0i)))];
+let _e9548 = global_2.member[bitcast<u32>(select(0i, _e9542, (_e9542 > 0i)))];
 let _e9553 = (bitcast<f32>(((_e9505 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9561 = (_e9553 + (((bitcast<f32>(((_e9514 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9553) * _e9495));
 let _e9566 = (bitcast<f32>(((_e9523 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3189,97 +3189,97 @@ local_1 = _e7970;
 let _e8196 = local_1;
 let _e8198 = (bitcast<i32>(_e187) - 1i);
 let _e8200 = select(_e8198, 263171i, (263171i < _e8198));
-let _e8205 = global_3.member[bitcast<u32>(select(0i, _e8200, (_e8200 > 0i)))];
+let _e8205 = global_2.member[bitcast<u32>(select(0i, _e8200, (_e8200 > 0i)))];
 let _e8206 = bitcast<f32>(_e8205);
 let _e8208 = select(_e8198, 263172i, (263172i < _e8198));
-let _e8213 = global_3.member[bitcast<u32>(select(0i, _e8208, (_e8208 > 0i)))];
+let _e8213 = global_2.member[bitcast<u32>(select(0i, _e8208, (_e8208 > 0i)))];
 let _e8214 = bitcast<f32>(_e8213);
 let _e8216 = select(_e8198, 263173i, (263173i < _e8198));
-let _e8221 = global_3.member[bitcast<u32>(select(0i, _e8216, (_e8216 > 0i)))];
+let _e8221 = global_2.member[bitcast<u32>(select(0i, _e8216, (_e8216 > 0i)))];
 let _e8222 = bitcast<f32>(_e8221);
 let _e8224 = ((_e8196 - _e8206) * _e8214);
 let _e8226 = select(0f, _e8224, (_e8224 > 0f));
 let _e8229 = local_1;
 let _e8231 = select(_e8198, 263174i, (263174i < _e8198));
-let _e8236 = global_3.member[bitcast<u32>(select(0i, _e8231, (_e8231 > 0i)))];
+let _e8236 = global_2.member[bitcast<u32>(select(0i, _e8231, (_e8231 > 0i)))];
 let _e8237 = bitcast<f32>(_e8236);
 let _e8239 = select(_e8198, 263175i, (263175i < _e8198));
-let _e8244 = global_3.member[bitcast<u32>(select(0i, _e8239, (_e8239 > 0i)))];
+let _e8244 = global_2.member[bitcast<u32>(select(0i, _e8239, (_e8239 > 0i)))];
 let _e8245 = bitcast<f32>(_e8244);
 let _e8247 = select(_e8198, 263176i, (263176i < _e8198));
-let _e8252 = global_3.member[bitcast<u32>(select(0i, _e8247, (_e8247 > 0i)))];
+let _e8252 = global_2.member[bitcast<u32>(select(0i, _e8247, (_e8247 > 0i)))];
 let _e8253 = bitcast<f32>(_e8252);
 let _e8255 = ((_e8229 - _e8237) * _e8245);
 let _e8257 = select(0f, _e8255, (_e8255 > 0f));
 let _e8261 = local_1;
 let _e8263 = select(_e8198, 263177i, (263177i < _e8198));
-let _e8268 = global_3.member[bitcast<u32>(select(0i, _e8263, (_e8263 > 0i)))];
+let _e8268 = global_2.member[bitcast<u32>(select(0i, _e8263, (_e8263 > 0i)))];
 let _e8269 = bitcast<f32>(_e8268);
 let _e8271 = select(_e8198, 263178i, (263178i < _e8198));
-let _e8276 = global_3.member[bitcast<u32>(select(0i, _e8271, (_e8271 > 0i)))];
+let _e8276 = global_2.member[bitcast<u32>(select(0i, _e8271, (_e8271 > 0i)))];
 let _e8277 = bitcast<f32>(_e8276);
 let _e8279 = select(_e8198, 263179i, (263179i < _e8198));
-let _e8284 = global_3.member[bitcast<u32>(select(0i, _e8279, (_e8279 > 0i)))];
+let _e8284 = global_2.member[bitcast<u32>(select(0i, _e8279, (_e8279 > 0i)))];
 let _e8285 = bitcast<f32>(_e8284);
 let _e8287 = ((_e8261 - _e8269) * _e8277);
 let _e8289 = select(0f, _e8287, (_e8287 > 0f));
 let _e8292 = local_1;
 let _e8294 = select(_e8198, 263180i, (263180i < _e8198));
-let _e8299 = global_3.member[bitcast<u32>(select(0i, _e8294, (_e8294 > 0i)))];
+let _e8299 = global_2.member[bitcast<u32>(select(0i, _e8294, (_e8294 > 0i)))];
 let _e8300 = bitcast<f32>(_e8299);
 let _e8302 = select(_e8198, 263181i, (263181i < _e8198));
-let _e8307 = global_3.member[bitcast<u32>(select(0i, _e8302, (_e8302 > 0i)))];
+let _e8307 = global_2.member[bitcast<u32>(select(0i, _e8302, (_e8302 > 0i)))];
 let _e8308 = bitcast<f32>(_e8307);
 let _e8310 = select(_e8198, 263182i, (263182i < _e8198));
-let _e8315 = global_3.member[bitcast<u32>(select(0i, _e8310, (_e8310 > 0i)))];
+let _e8315 = global_2.member[bitcast<u32>(select(0i, _e8310, (_e8310 > 0i)))];
 let _e8316 = bitcast<f32>(_e8315);
 let _e8318 = ((_e8292 - _e8300) * _e8308);
 let _e8320 = select(0f, _e8318, (_e8318 > 0f));
 let _e8325 = local_1;
 let _e8327 = select(_e8198, 263183i, (263183i < _e8198));
-let _e8332 = global_3.member[bitcast<u32>(select(0i, _e8327, (_e8327 > 0i)))];
+let _e8332 = global_2.member[bitcast<u32>(select(0i, _e8327, (_e8327 > 0i)))];
 let _e8333 = bitcast<f32>(_e8332);
 let _e8335 = select(_e8198, 263184i, (263184i < _e8198));
-let _e8340 = global_3.member[bitcast<u32>(select(0i, _e8335, (_e8335 > 0i)))];
+let _e8340 = global_2.member[bitcast<u32>(select(0i, _e8335, (_e8335 > 0i)))];
 let _e8341 = bitcast<f32>(_e8340);
 let _e8343 = select(_e8198, 263185i, (263185i < _e8198));
-let _e8348 = global_3.member[bitcast<u32>(select(0i, _e8343, (_e8343 > 0i)))];
+let _e8348 = global_2.member[bitcast<u32>(select(0i, _e8343, (_e8343 > 0i)))];
 let _e8349 = bitcast<f32>(_e8348);
 let _e8351 = ((_e8325 - _e8333) * _e8341);
 let _e8353 = select(0f, _e8351, (_e8351 > 0f));
 let _e8356 = local_1;
 let _e8358 = select(_e8198, 263186i, (263186i < _e8198));
-let _e8363 = global_3.member[bitcast<u32>(select(0i, _e8358, (_e8358 > 0i)))];
+let _e8363 = global_2.member[bitcast<u32>(select(0i, _e8358, (_e8358 > 0i)))];
 let _e8364 = bitcast<f32>(_e8363);
 let _e8366 = select(_e8198, 263187i, (263187i < _e8198));
-let _e8371 = global_3.member[bitcast<u32>(select(0i, _e8366, (_e8366 > 0i)))];
+let _e8371 = global_2.member[bitcast<u32>(select(0i, _e8366, (_e8366 > 0i)))];
 let _e8372 = bitcast<f32>(_e8371);
 let _e8374 = select(_e8198, 263188i, (263188i < _e8198));
-let _e8379 = global_3.member[bitcast<u32>(select(0i, _e8374, (_e8374 > 0i)))];
+let _e8379 = global_2.member[bitcast<u32>(select(0i, _e8374, (_e8374 > 0i)))];
 let _e8380 = bitcast<f32>(_e8379);
 let _e8382 = ((_e8356 - _e8364) * _e8372);
 let _e8384 = select(0f, _e8382, (_e8382 > 0f));
 let _e8388 = local_1;
 let _e8390 = select(_e8198, 263189i, (263189i < _e8198));
-let _e8395 = global_3.member[bitcast<u32>(select(0i, _e8390, (_e8390 > 0i)))];
+let _e8395 = global_2.member[bitcast<u32>(select(0i, _e8390, (_e8390 > 0i)))];
 let _e8396 = bitcast<f32>(_e8395);
 let _e8398 = select(_e8198, 263190i, (263190i < _e8198));
-let _e8403 = global_3.member[bitcast<u32>(select(0i, _e8398, (_e8398 > 0i)))];
+let _e8403 = global_2.member[bitcast<u32>(select(0i, _e8398, (_e8398 > 0i)))];
 let _e8404 = bitcast<f32>(_e8403);
 let _e8406 = select(_e8198, 263191i, (263191i < _e8198));
-let _e8411 = global_3.member[bitcast<u32>(select(0i, _e8406, (_e8406 > 0i)))];
+let _e8411 = global_2.member[bitcast<u32>(select(0i, _e8406, (_e8406 > 0i)))];
 let _e8412 = bitcast<f32>(_e8411);
 let _e8414 = ((_e8388 - _e8396) * _e8404);
 let _e8416 = select(0f, _e8414, (_e8414 > 0f));
 let _e8419 = local_1;
 let _e8421 = select(_e8198, 263192i, (263192i < _e8198));
-let _e8426 = global_3.member[bitcast<u32>(select(0i, _e8421, (_e8421 > 0i)))];
+let _e8426 = global_2.member[bitcast<u32>(select(0i, _e8421, (_e8421 > 0i)))];
 let _e8427 = bitcast<f32>(_e8426);
 let _e8429 = select(_e8198, 263193i, (263193i < _e8198));
-let _e8434 = global_3.member[bitcast<u32>(select(0i, _e8429, (_e8429 > 0i)))];
+let _e8434 = global_2.member[bitcast<u32>(select(0i, _e8429, (_e8429 > 0i)))];
 let _e8435 = bitcast<f32>(_e8434);
 let _e8437 = select(_e8198, 263194i, (263194i < _e8198));
-let _e8442 = global_3.member[bitcast<u32>(select(0i, _e8437, (_e8437 > 0i)))];
+let _e8442 = global_2.member[bitcast<u32>(select(0i, _e8437, (_e8437 > 0i)))];
 let _e8443 = bitcast<f32>(_e8442);
 let _e8445 = ((_e8419 - _e8427) * _e8435);
 let _e8447 = select(0f, _e8445, (_e8445 > 0f));
@@ -3320,10 +3320,10 @@ let _e8535 = select(_e8516, _e8533, (_e8533 < _e8516));
 let _e8542 = select(0i, select(select(i32(_e8535), i32(-2147483648), (_e8535 < -2147483600f)), 2147483647i, (_e8535 > 2147483500f)), (_e8535 == _e8535));
 let _e8546 = (_e8542 - select(0i, 1i, (_e8535 < f32(_e8542))));
 let _e8548 = select(_e8198, 263195i, (263195i < _e8198));
-let _e8554 = global_3.member[bitcast<u32>(select(0i, _e8548, (_e8548 > 0i)))];
+let _e8554 = global_2.member[bitcast<u32>(select(0i, _e8548, (_e8548 > 0i)))];
 let _e8555 = bitcast<f32>(_e8554);
 let _e8557 = select(_e8198, 263196i, (263196i < _e8198));
-let _e8563 = global_3.member[bitcast<u32>(select(0i, _e8557, (_e8557 > 0i)))];
+let _e8563 = global_2.member[bitcast<u32>(select(0i, _e8557, (_e8557 > 0i)))];
 let _e8564 = bitcast<f32>(_e8563);
 let _e8565 = (_e7705.member - _e7970);
 let _e8571 = (1f / select(_e8565, 1f, (bitcast<f32>((bitcast<u32>(_e8565) & 2147483647u)) < 1e-20f)));
@@ -3334,20 +3334,20 @@ let _e8588 = (_e8452 - f32(_e8531));
 let _e8590 = (_e8515 - f32(_e8546));
 let _e8592 = (1f - (_e8577 + _e8583));
 let _e8594 = select(_e8198, _e8586, (_e8586 < _e8198));
-let _e8600 = global_3.member[bitcast<u32>(select(0i, _e8594, (_e8594 > 0i)))];
+let _e8600 = global_2.member[bitcast<u32>(select(0i, _e8594, (_e8594 > 0i)))];
 let _e8601 = (_e8586 + 4i);
 let _e8603 = select(_e8198, _e8601, (_e8601 < _e8198));
-let _e8609 = global_3.member[bitcast<u32>(select(0i, _e8603, (_e8603 > 0i)))];
+let _e8609 = global_2.member[bitcast<u32>(select(0i, _e8603, (_e8603 > 0i)))];
 let _e8610 = (_e8586 + 1024i);
 let _e8612 = select(_e8198, _e8610, (_e8610 < _e8198));
-let _e8618 = global_3.member[bitcast<u32>(select(0i, _e8612, (_e8612 > 0i)))];
+let _e8618 = global_2.member[bitcast<u32>(select(0i, _e8612, (_e8612 > 0i)))];
 let _e8619 = (_e8586 + 1028i);
 let _e8621 = select(_e8198, _e8619, (_e8619 < _e8198));
-let _e8627 = global_3.member[bitcast<u32>(select(0i, _e8621, (_e8621 > 0i)))];
+let _e8627 = global_2.member[bitcast<u32>(select(0i, _e8621, (_e8621 > 0i)))];
 let _e8629 = select(_e8198, 0i, (0i < _e8198));
-let _e8635 = global_3.member[bitcast<u32>(select(0i, _e8629, (_e8629 > 0i)))];
+let _e8635 = global_2.member[bitcast<u32>(select(0i, _e8629, (_e8629 > 0i)))];
 let _e8637 = select(_e8198, 262140i, (262140i < _e8198));
-let _e8643 = global_3.member[bitcast<u32>(select(0i, _e8637, (_e8637 > 0i)))];
+let _e8643 = global_2.member[bitcast<u32>(select(0i, _e8637, (_e8637 > 0i)))];
 let _e8648 = (bitcast<f32>(((_e8600 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8656 = (_e8648 + (((bitcast<f32>(((_e8609 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8648) * _e8590));
 let _e8661 = (bitcast<f32>(((_e8618 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3357,20 +3357,20 @@ let _e8712 = (_e8704 + (((bitcast<f32>((((_e8609 >> bitcast<u32>(16i)) & 32767u)
 let _e8717 = (bitcast<f32>((((_e8618 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8744 = (_e8586 + 1i);
 let _e8746 = select(_e8198, _e8744, (_e8744 < _e8198));
-let _e8752 = global_3.member[bitcast<u32>(select(0i, _e8746, (_e8746 > 0i)))];
+let _e8752 = global_2.member[bitcast<u32>(select(0i, _e8746, (_e8746 > 0i)))];
 let _e8753 = (_e8586 + 5i);
 let _e8755 = select(_e8198, _e8753, (_e8753 < _e8198));
-let _e8761 = global_3.member[bitcast<u32>(select(0i, _e8755, (_e8755 > 0i)))];
+let _e8761 = global_2.member[bitcast<u32>(select(0i, _e8755, (_e8755 > 0i)))];
 let _e8762 = (_e8586 + 1025i);
 let _e8764 = select(_e8198, _e8762, (_e8762 < _e8198));
-let _e8770 = global_3.member[bitcast<u32>(select(0i, _e8764, (_e8764 > 0i)))];
+let _e8770 = global_2.member[bitcast<u32>(select(0i, _e8764, (_e8764 > 0i)))];
 let _e8771 = (_e8586 + 1029i);
 let _e8773 = select(_e8198, _e8771, (_e8771 < _e8198));
-let _e8779 = global_3.member[bitcast<u32>(select(0i, _e8773, (_e8773 > 0i)))];
+let _e8779 = global_2.member[bitcast<u32>(select(0i, _e8773, (_e8773 > 0i)))];
 let _e8781 = select(_e8198, 1i, (1i < _e8198));
-let _e8787 = global_3.member[bitcast<u32>(select(0i, _e8781, (_e8781 > 0i)))];
+let _e8787 = global_2.member[bitcast<u32>(select(0i, _e8781, (_e8781 > 0i)))];
 let _e8789 = select(_e8198, 262141i, (262141i < _e8198));
-let _e8795 = global_3.member[bitcast<u32>(select(0i, _e8789, (_e8789 > 0i)))];
+let _e8795 = global_2.member[bitcast<u32>(select(0i, _e8789, (_e8789 > 0i)))];
 let _e8800 = (bitcast<f32>(((_e8752 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8808 = (_e8800 + (((bitcast<f32>(((_e8761 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8800) * _e8590));
 let _e8813 = (bitcast<f32>(((_e8770 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3438,9 +3438,9 @@ let _e9687 = (_e5886.member_1.z + (_e5886.member_2.z * _e9679));
 let _e9693 = ((((_e470.member.member * _e9685) + (_e470.member.member_1 * _e9686)) + (_e470.member.member_2 * _e9687)) + _e470.member_1);
 let _e9699 = ((((_e486.member.member * _e9685) + (_e486.member.member_1 * _e9686)) + (_e486.member.member_2 * _e9687)) + _e486.member_1);
 let _e9705 = ((((_e502.member.member * _e9685) + (_e502.member.member_1 * _e9686)) + (_e502.member.member_2 * _e9687)) + _e502.member_1);
-let _e9711 = global_4.member[_e369].member_6.member.member;
-let _e9720 = global_4.member[_e369].member_6.member_1.member;
-let _e9729 = global_4.member[_e369].member_6.member_2.member;
+let _e9711 = global_3.member[_e369].member_6.member.member;
+let _e9720 = global_3.member[_e369].member_6.member_1.member;
+let _e9729 = global_3.member[_e369].member_6.member_2.member;
 let _e9733 = (-0.5f - _e5897);
 let _e9734 = (-0.5f - _e9693);
 let _e9735 = -(_e9733);
@@ -3547,16 +3547,16 @@ let _e9972 = select(select(select(select(select(select(0f, _e9711.member, _e9753
 let _e9973 = select(select(select(select(select(select(0f, _e9711.member_1, _e9753), _e9711.member_1, _e9793), _e9720.member_1, _e9833), _e9720.member_1, _e9873), _e9729.member_1, _e9913), _e9729.member_1, _e9953);
 let _e9974 = select(select(select(select(select(select(1f, _e9711.member_2, _e9753), _e9711.member_2, _e9793), _e9720.member_2, _e9833), _e9720.member_2, _e9873), _e9729.member_2, _e9913), _e9729.member_2, _e9953);
 if _e7972 {
-phi_25472_ = type_35(_e9959, vec3<f32>(_e9960, _e9961, _e9962), _e9964, vec3<f32>(_e9965, _e9966, _e9967), _e9969, _e9971, vec3<f32>(_e9972, _e9973, _e9974));
+phi_25472_ = type_34(_e9959, vec3<f32>(_e9960, _e9961, _e9962), _e9964, vec3<f32>(_e9965, _e9966, _e9967), _e9969, _e9971, vec3<f32>(_e9972, _e9973, _e9974));
 } else {
 let _e9981 = (((_e9711.member * _e9711.member) + (_e9711.member_1 * _e9711.member_1)) + (_e9711.member_2 * _e9711.member_2));
 let _e9984 = sqrt(select(0f, _e9981, (_e9981 > 0f)));
-let _e9989 = global_4.member[_e369].member_14.member_1;
+let _e9989 = global_3.member[_e369].member_14.member_1;
 let _e9990 = (_e9989 != 0u);
-let _e9995 = global_4.member[_e369].member_14.member;
+let _e9995 = global_3.member[_e369].member_14.member;
 let _e10015 = select(-1e6f, (((((_e9995.member.member * _e5886.member_1.x) + (_e9995.member.member_1 * _e5886.member_1.y)) + (_e9995.member.member_2 * _e5886.member_1.z)) + _e9995.member_1) * _e9984), _e9990);
 let _e10016 = select(-1e6f, (((((_e9995.member.member * _e9685) + (_e9995.member.member_1 * _e9686)) + (_e9995.member.member_2 * _e9687)) + _e9995.member_1) * _e9984), _e9990);
-let _e10022 = global_4.member[_e369].member_14.member.member;
+let _e10022 = global_3.member[_e369].member_14.member.member;
 let _e10026 = -(_e10015);
 let _e10029 = (_e10015 - _e10016);
 let _e10030 = (_e10016 - _e10015);
@@ -3571,12 +3571,12 @@ let _e10050 = select(_e9959, _e10039, _e10048);
 let _e10054 = select(_e9964, _e10043, _e10049);
 let _e10058 = select(_e9969, _e10015, _e10044);
 let _e10060 = select(_e9971, _e10016, (_e10016 > _e9971));
-let _e10068 = global_4.member[_e369].member_15.member_1;
+let _e10068 = global_3.member[_e369].member_15.member_1;
 let _e10069 = (_e10068 != 0u);
-let _e10074 = global_4.member[_e369].member_15.member;
+let _e10074 = global_3.member[_e369].member_15.member;
 let _e10094 = select(-1e6f, (((((_e10074.member.member * _e5886.member_1.x) + (_e10074.member.member_1 * _e5886.member_1.y)) + (_e10074.member.member_2 * _e5886.member_1.z)) + _e10074.member_1) * _e9984), _e10069);
 let _e10095 = select(-1e6f, (((((_e10074.member.member * _e9685) + (_e10074.member.member_1 * _e9686)) + (_e10074.member.member_2 * _e9687)) + _e10074.member_1) * _e9984), _e10069);
-let _e10101 = global_4.member[_e369].member_15.member.member;
+let _e10101 = global_3.member[_e369].member_15.member.member;
 let _e10105 = -(_e10094);
 let _e10108 = (_e10094 - _e10095);
 let _e10109 = (_e10095 - _e10094);
@@ -3591,12 +3591,12 @@ let _e10129 = select(_e10050, _e10118, _e10127);
 let _e10133 = select(_e10054, _e10122, _e10128);
 let _e10137 = select(_e10058, _e10094, _e10123);
 let _e10139 = select(_e10060, _e10095, (_e10095 > _e10060));
-let _e10147 = global_4.member[_e369].member_16.member_1;
+let _e10147 = global_3.member[_e369].member_16.member_1;
 let _e10148 = (_e10147 != 0u);
-let _e10153 = global_4.member[_e369].member_16.member;
+let _e10153 = global_3.member[_e369].member_16.member;
 let _e10173 = select(-1e6f, (((((_e10153.member.member * _e5886.member_1.x) + (_e10153.member.member_1 * _e5886.member_1.y)) + (_e10153.member.member_2 * _e5886.member_1.z)) + _e10153.member_1) * _e9984), _e10148);
 let _e10174 = select(-1e6f, (((((_e10153.member.member * _e9685) + (_e10153.member.member_1 * _e9686)) + (_e10153.member.member_2 * _e9687)) + _e10153.member_1) * _e9984), _e10148);
-let _e10180 = global_4.member[_e369].member_16.member.member;
+let _e10180 = global_3.member[_e369].member_16.member.member;
 let _e10184 = -(_e10173);
 let _e10187 = (_e10173 - _e10174);
 let _e10188 = (_e10174 - _e10173);
@@ -3611,12 +3611,12 @@ let _e10208 = select(_e10129, _e10197, _e10206);
 let _e10212 = select(_e10133, _e10201, _e10207);
 let _e10216 = select(_e10137, _e10173, _e10202);
 let _e10218 = select(_e10139, _e10174, (_e10174 > _e10139));
-let _e10226 = global_4.member[_e369].member_17.member_1;
+let _e10226 = global_3.member[_e369].member_17.member_1;
 let _e10227 = (_e10226 != 0u);
-let _e10232 = global_4.member[_e369].member_17.member;
+let _e10232 = global_3.member[_e369].member_17.member;
 let _e10252 = select(-1e6f, (((((_e10232.member.member * _e5886.member_1.x) + (_e10232.member.member_1 * _e5886.member_1.y)) + (_e10232.member.member_2 * _e5886.member_1.z)) + _e10232.member_1) * _e9984), _e10227);
 let _e10253 = select(-1e6f, (((((_e10232.member.member * _e9685) + (_e10232.member.member_1 * _e9686)) + (_e10232.member.member_2 * _e9687)) + _e10232.member_1) * _e9984), _e10227);
-let _e10259 = global_4.member[_e369].member_17.member.member;
+let _e10259 = global_3.member[_e369].member_17.member.member;
 let _e10263 = -(_e10252);
 let _e10266 = (_e10252 - _e10253);
 let _e10267 = (_e10253 - _e10252);
@@ -3627,11 +3627,11 @@ let _e10280 = select(2f, select(0f, _e10272, (_e10252 < 0f)), (_e10253 > 0f));
 let _e10281 = (_e10252 > _e10216);
 let _e10285 = ((_e10276 > _e10208) || ((_e10276 == _e10208) && _e10281));
 let _e10286 = (_e10280 < _e10212);
-phi_25472_ = type_35(select(_e10208, _e10276, _e10285), vec3<f32>(select(select(select(select(_e9960, _e10022.member, _e10048), _e10101.member, _e10127), _e10180.member, _e10206), _e10259.member, _e10285), select(select(select(select(_e9961, _e10022.member_1, _e10048), _e10101.member_1, _e10127), _e10180.member_1, _e10206), _e10259.member_1, _e10285), select(select(select(select(_e9962, _e10022.member_2, _e10048), _e10101.member_2, _e10127), _e10180.member_2, _e10206), _e10259.member_2, _e10285)), select(_e10212, _e10280, _e10286), vec3<f32>(select(select(select(select(_e9965, _e10022.member, _e10049), _e10101.member, _e10128), _e10180.member, _e10207), _e10259.member, _e10286), select(select(select(select(_e9966, _e10022.member_1, _e10049), _e10101.member_1, _e10128), _e10180.member_1, _e10207), _e10259.member_1, _e10286), select(select(select(select(_e9967, _e10022.member_2, _e10049), _e10101.member_2, _e10128), _e10180.member_2, _e10207), _e10259.member_2, _e10286)), select(_e10216, _e10252, _e10281), select(_e10218, _e10253, (_e10253 > _e10218)), vec3<f32>(select(select(select(select(_e9972, _e10022.member, _e10044), _e10101.member, _e10123), _e10180.member, _e10202), _e10259.member, _e10281), select(select(select(select(_e9973, _e10022.member_1, _e10044), _e10101.member_1, _e10123), _e10180.member_1, _e10202), _e10259.member_1, _e10281), select(select(select(select(_e9974, _e10022.member_2, _e10044), _e10101.member_2, _e10123), _e10180.member_2, _e10202), _e10259.member_2, _e10281)));
+phi_25472_ = type_34(select(_e10208, _e10276, _e10285), vec3<f32>(select(select(select(select(_e9960, _e10022.member, _e10048), _e10101.member, _e10127), _e10180.member, _e10206), _e10259.member, _e10285), select(select(select(select(_e9961, _e10022.member_1, _e10048), _e10101.member_1, _e10127), _e10180.member_1, _e10206), _e10259.member_1, _e10285), select(select(select(select(_e9962, _e10022.member_2, _e10048), _e10101.member_2, _e10127), _e10180.member_2, _e10206), _e10259.member_2, _e10285)), select(_e10212, _e10280, _e10286), vec3<f32>(select(select(select(select(_e9965, _e10022.member, _e10049), _e10101.member, _e10128), _e10180.member, _e10207), _e10259.member, _e10286), select(select(select(select(_e9966, _e10022.member_1, _e10049), _e10101.member_1, _e10128), _e10180.member_1, _e10207), _e10259.member_1, _e10286), select(select(select(select(_e9967, _e10022.member_2, _e10049), _e10101.member_2, _e10128), _e10180.member_2, _e10207), _e10259.member_2, _e10286)), select(_e10216, _e10252, _e10281), select(_e10218, _e10253, (_e10253 > _e10218)), vec3<f32>(select(select(select(select(_e9972, _e10022.member, _e10044), _e10101.member, _e10123), _e10180.member, _e10202), _e10259.member, _e10281), select(select(select(select(_e9973, _e10022.member_1, _e10044), _e10101.member_1, _e10123), _e10180.member_1, _e10202), _e10259.member_1, _e10281), select(select(select(select(_e9974, _e10022.member_2, _e10044), _e10101.member_2, _e10123), _e10180.member_2, _e10202), _e10259.member_2, _e10281)));
 }
 let _e10306 = phi_25472_;
 let _e10313 = (_e8183.member_2 * select(0f, 1f, _e5886.member_6));
-let _e10319 = global_4.member[_e369].member_5.member_4;
+let _e10319 = global_3.member[_e369].member_5.member_4;
 let _e10322 = (_e7705.member_3.x * _e10313);
 let _e10324 = (_e7705.member_3.y * _e10313);
 let _e10326 = (_e7705.member_3.z * _e10313);
@@ -3663,7 +3663,7 @@ phi_25629_ = false;
 let _e10404 = phi_25628_;
 let _e10406 = phi_25629_;
 let _e10417 = ((((_e5886.member_7 || (_e10404.x != _e373[3])) || (_e10404.y != _e373[4])) || (_e10404.z != _e373[5])) && _e888);
-let _e10422 = global_4.member[_e369].member_10.member_24;
+let _e10422 = global_3.member[_e369].member_10.member_24;
 let _e10431 = (_e373[12] + (((((_e373[6] + _e373[7]) + _e373[8]) * _e9665) - _e9666) * (_e391 + ((_e5886.member_1.z - _e391) * 0.5f))));
 phi_25727_ = array<f32, 14>(select(_e373[0], _e5886.member_1.x, _e10417), select(_e373[1], _e5886.member_1.y, _e10417), select(_e373[2], _e5886.member_1.z, _e10417), select(_e373[3], _e10404.x, _e10417), select(_e373[4], _e10404.y, _e10417), select(_e373[5], _e10404.z, _e10417), select(_e9660, 0f, _e9675), select(_e9661, 0f, _e9675), select(_e9662, 0f, _e9675), select(0f, 1f, _e5886.member_6), select(_e373[10], 1f, _e10417), select(select(select(0f, 1f, _e10406), 2f, (_e9675 && (_e10422 == 0f))), 3f, _e465), _e10431, select(_e373[13], (_e10431 + (_e9666 * _e5886.member_1.z)), (_e10417 && (_e373[10] == 0f))));
 } else {
@@ -3697,33 +3697,33 @@ break;
 let _e10465 = local_40;
 if _e10465 {
 let _e10467 = local_41;
-global_1.member[_e213] = _e10467[0];
+global_5.member[_e213] = _e10467[0];
 let _e10472 = local_42;
-global_1.member[_e225] = _e10472[1];
+global_5.member[_e225] = _e10472[1];
 let _e10477 = local_43;
-global_1.member[_e236] = _e10477[2];
+global_5.member[_e236] = _e10477[2];
 let _e10482 = local_44;
-global_1.member[_e247] = _e10482[3];
+global_5.member[_e247] = _e10482[3];
 let _e10487 = local_45;
-global_1.member[_e258] = _e10487[4];
+global_5.member[_e258] = _e10487[4];
 let _e10492 = local_46;
-global_1.member[_e269] = _e10492[5];
+global_5.member[_e269] = _e10492[5];
 let _e10497 = local_47;
-global_1.member[_e280] = _e10497[6];
+global_5.member[_e280] = _e10497[6];
 let _e10502 = local_48;
-global_1.member[_e291] = _e10502[7];
+global_5.member[_e291] = _e10502[7];
 let _e10507 = local_49;
-global_1.member[_e302] = _e10507[8];
+global_5.member[_e302] = _e10507[8];
 let _e10512 = local_50;
-global_1.member[_e313] = _e10512[9];
+global_5.member[_e313] = _e10512[9];
 let _e10517 = local_51;
-global_1.member[_e324] = _e10517[10];
+global_5.member[_e324] = _e10517[10];
 let _e10522 = local_52;
-global_1.member[_e335] = _e10522[11];
+global_5.member[_e335] = _e10522[11];
 let _e10527 = local_53;
-global_1.member[_e346] = _e10527[12];
+global_5.member[_e346] = _e10527[12];
 let _e10532 = local_54;
-global_1.member[_e357] = _e10532[13];
+global_5.member[_e357] = _e10532[13];
 }
 }
 }

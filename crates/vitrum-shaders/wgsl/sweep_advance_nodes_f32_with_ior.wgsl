@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,68 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_29 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_32 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -195,11 +191,11 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_37 {
-member: array<type_27>,
+struct type_36 {
+member: array<type_21>,
 }
-struct type_39 {
-member: type_28,
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -209,6 +205,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -216,26 +216,26 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(5)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(0)
-var<storage> global_4: type_37;
+var<storage> global_3: type_36;
 @group(0) @binding(2)
-var<storage> global_5: type_17;
+var<storage> global_4: type_23;
 @group(0) @binding(3)
-var<storage> global_6: type_17;
+var<storage> global_5: type_23;
+@group(0) @binding(5)
+var<storage, read_write> global_6: type_25;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -251,25 +251,25 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_28;
 var local_23: vec3<f32>;
-var local_24: type_32;
+var local_24: type_28;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_32;
+var local_28: type_28;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_32;
+var local_32: type_28;
 var local_33: vec3<f32>;
 var local_34: f32;
 var local_35: f32;
-var local_36: type_32;
+var local_36: type_28;
 var local_37: vec3<f32>;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_32;
+var local_40: type_28;
 var local_41: vec3<f32>;
 var phi_552_: u32;
 var phi_555_: bool;
@@ -277,23 +277,23 @@ var phi_557_: array<f32, 14>;
 var phi_996_: bool;
 var phi_1176_: bool;
 var phi_1179_: bool;
-var phi_3322_: type_35;
+var phi_3322_: type_34;
 var phi_3335_: bool;
-var phi_4420_: type_29;
+var phi_4420_: type_39;
 var phi_4432_: bool;
-var phi_5512_: type_28;
-var phi_7035_: type_35;
-var phi_8147_: type_28;
-var phi_9685_: type_35;
-var phi_10797_: type_28;
-var phi_12335_: type_35;
-var phi_14083_: type_28;
-var phi_14355_: type_39;
-var phi_20922_: type_33;
-var phi_21569_: type_34;
-var phi_22427_: type_5;
+var phi_5512_: type_31;
+var phi_7035_: type_34;
+var phi_8147_: type_31;
+var phi_9685_: type_34;
+var phi_10797_: type_31;
+var phi_12335_: type_34;
+var phi_14083_: type_31;
+var phi_14355_: type_38;
+var phi_20922_: type_32;
+var phi_21569_: type_33;
+var phi_22427_: type_7;
 var phi_25925_: type_40;
-var phi_27318_: type_35;
+var phi_27318_: type_34;
 var phi_27474_: vec3<f32>;
 var phi_27475_: bool;
 var phi_27573_: array<f32, 14>;
@@ -319,16 +319,16 @@ var local_56: array<f32, 14>;
 switch bitcast<i32>(0u) {
 default: {
 let _e178 = global;
-let _e180 = arrayLength((&global_4.member));
-let _e183 = arrayLength((&global_2.member));
-let _e186 = arrayLength((&global_5.member));
-let _e191 = arrayLength((&global_3.member));
+let _e180 = arrayLength((&global_3.member));
+let _e183 = arrayLength((&global_1.member));
+let _e186 = arrayLength((&global_4.member));
+let _e191 = arrayLength((&global_2.member));
 if (0u < _e180) {
 } else {
 break;
 }
-let _e198 = global_4.member[0u].member_2;
-let _e202 = global_4.member[0u].member;
+let _e198 = global_3.member[0u].member_2;
+let _e202 = global_3.member[0u].member;
 let _e210 = (_e178.x + _e198.member);
 let _e212 = (_e178.y + _e198.member_1);
 if (_e210 < _e198.member_2) {
@@ -336,61 +336,61 @@ if (_e212 < _e198.member_3) {
 let _e215 = (_e202.member * _e202.member_1);
 let _e217 = ((_e212 * _e202.member) + _e210);
 let _e218 = bitcast<i32>(_e217);
-let _e220 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e220 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
 let _e222 = select(_e220, _e218, (_e218 < _e220));
-let _e228 = global_1.member[bitcast<u32>(select(0i, _e222, (_e222 > 0i)))];
+let _e228 = global_6.member[bitcast<u32>(select(0i, _e222, (_e222 > 0i)))];
 let _e229 = (_e215 + _e217);
 let _e230 = bitcast<i32>(_e229);
 let _e232 = select(_e220, _e230, (_e230 < _e220));
-let _e238 = global_1.member[bitcast<u32>(select(0i, _e232, (_e232 > 0i)))];
+let _e238 = global_6.member[bitcast<u32>(select(0i, _e232, (_e232 > 0i)))];
 let _e240 = ((2u * _e215) + _e217);
 let _e241 = bitcast<i32>(_e240);
 let _e243 = select(_e220, _e241, (_e241 < _e220));
-let _e249 = global_1.member[bitcast<u32>(select(0i, _e243, (_e243 > 0i)))];
+let _e249 = global_6.member[bitcast<u32>(select(0i, _e243, (_e243 > 0i)))];
 let _e251 = ((3u * _e215) + _e217);
 let _e252 = bitcast<i32>(_e251);
 let _e254 = select(_e220, _e252, (_e252 < _e220));
-let _e260 = global_1.member[bitcast<u32>(select(0i, _e254, (_e254 > 0i)))];
+let _e260 = global_6.member[bitcast<u32>(select(0i, _e254, (_e254 > 0i)))];
 let _e262 = ((4u * _e215) + _e217);
 let _e263 = bitcast<i32>(_e262);
 let _e265 = select(_e220, _e263, (_e263 < _e220));
-let _e271 = global_1.member[bitcast<u32>(select(0i, _e265, (_e265 > 0i)))];
+let _e271 = global_6.member[bitcast<u32>(select(0i, _e265, (_e265 > 0i)))];
 let _e273 = ((5u * _e215) + _e217);
 let _e274 = bitcast<i32>(_e273);
 let _e276 = select(_e220, _e274, (_e274 < _e220));
-let _e282 = global_1.member[bitcast<u32>(select(0i, _e276, (_e276 > 0i)))];
+let _e282 = global_6.member[bitcast<u32>(select(0i, _e276, (_e276 > 0i)))];
 let _e284 = ((6u * _e215) + _e217);
 let _e285 = bitcast<i32>(_e284);
 let _e287 = select(_e220, _e285, (_e285 < _e220));
-let _e293 = global_1.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
+let _e293 = global_6.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
 let _e295 = ((7u * _e215) + _e217);
 let _e296 = bitcast<i32>(_e295);
 let _e298 = select(_e220, _e296, (_e296 < _e220));
-let _e304 = global_1.member[bitcast<u32>(select(0i, _e298, (_e298 > 0i)))];
+let _e304 = global_6.member[bitcast<u32>(select(0i, _e298, (_e298 > 0i)))];
 let _e306 = ((8u * _e215) + _e217);
 let _e307 = bitcast<i32>(_e306);
 let _e309 = select(_e220, _e307, (_e307 < _e220));
-let _e315 = global_1.member[bitcast<u32>(select(0i, _e309, (_e309 > 0i)))];
+let _e315 = global_6.member[bitcast<u32>(select(0i, _e309, (_e309 > 0i)))];
 let _e317 = ((9u * _e215) + _e217);
 let _e318 = bitcast<i32>(_e317);
 let _e320 = select(_e220, _e318, (_e318 < _e220));
-let _e326 = global_1.member[bitcast<u32>(select(0i, _e320, (_e320 > 0i)))];
+let _e326 = global_6.member[bitcast<u32>(select(0i, _e320, (_e320 > 0i)))];
 let _e328 = ((10u * _e215) + _e217);
 let _e329 = bitcast<i32>(_e328);
 let _e331 = select(_e220, _e329, (_e329 < _e220));
-let _e337 = global_1.member[bitcast<u32>(select(0i, _e331, (_e331 > 0i)))];
+let _e337 = global_6.member[bitcast<u32>(select(0i, _e331, (_e331 > 0i)))];
 let _e339 = ((11u * _e215) + _e217);
 let _e340 = bitcast<i32>(_e339);
 let _e342 = select(_e220, _e340, (_e340 < _e220));
-let _e348 = global_1.member[bitcast<u32>(select(0i, _e342, (_e342 > 0i)))];
+let _e348 = global_6.member[bitcast<u32>(select(0i, _e342, (_e342 > 0i)))];
 let _e350 = ((12u * _e215) + _e217);
 let _e351 = bitcast<i32>(_e350);
 let _e353 = select(_e220, _e351, (_e351 < _e220));
-let _e359 = global_1.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
+let _e359 = global_6.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
 let _e361 = ((13u * _e215) + _e217);
 let _e362 = bitcast<i32>(_e361);
 let _e364 = select(_e220, _e362, (_e362 < _e220));
-let _e370 = global_1.member[bitcast<u32>(select(0i, _e364, (_e364 > 0i)))];
+let _e370 = global_6.member[bitcast<u32>(select(0i, _e364, (_e364 > 0i)))];
 phi_552_ = 0u;
 phi_555_ = false;
 phi_557_ = array<f32, 14>(_e228, _e238, _e249, _e260, _e271, _e282, _e293, _e304, _e315, _e326, _e337, _e348, _e359, _e370);
@@ -420,70 +420,70 @@ if _e378 {
 phi_27640_ = true;
 break;
 }
-let _e382 = global_4.member[_e373].member;
-let _e395 = global_4.member[_e373].member_5.member;
+let _e382 = global_3.member[_e373].member;
+let _e395 = global_3.member[_e373].member_5.member;
 let _e397 = ((_e395 - _e377[2]) / _e377[5]);
 let _e399 = (_e377[0] + (_e377[3] * _e397));
 let _e401 = (_e377[1] + (_e377[4] * _e397));
-let _e406 = global_4.member[_e373].member_5.member_2;
+let _e406 = global_3.member[_e373].member_5.member_2;
 let _e407 = (_e406 / _e377[5]);
 let _e409 = (_e399 + (_e377[3] * _e407));
 let _e411 = (_e401 + (_e377[4] * _e407));
-let _e416 = global_4.member[_e373].member_5.member_1;
-let _e422 = global_4.member[_e373].member_13.member.member;
-let _e448 = global_4.member[_e373].member_13.member_1.member;
+let _e416 = global_3.member[_e373].member_5.member_1;
+let _e422 = global_3.member[_e373].member_13.member.member;
+let _e448 = global_3.member[_e373].member_13.member_1.member;
 let _e469 = (((((((_e422.member.member * _e399) + (_e422.member.member_1 * _e401)) + (_e422.member.member_2 * _e395)) + _e422.member_1) > 0f) && (((((_e422.member.member * _e409) + (_e422.member.member_1 * _e411)) + (_e422.member.member_2 * _e416)) + _e422.member_1) <= 0f)) || ((((((_e448.member.member * _e399) + (_e448.member.member_1 * _e401)) + (_e448.member.member_2 * _e395)) + _e448.member_1) > 0f) && (((((_e448.member.member * _e409) + (_e448.member.member_1 * _e411)) + (_e448.member.member_2 * _e416)) + _e448.member_1) <= 0f)));
-let _e474 = global_4.member[_e373].member_6.member;
+let _e474 = global_3.member[_e373].member_6.member;
 let _e485 = ((((_e474.member.member * _e399) + (_e474.member.member_1 * _e401)) + (_e474.member.member_2 * _e395)) + _e474.member_1);
-let _e490 = global_4.member[_e373].member_6.member_1;
+let _e490 = global_3.member[_e373].member_6.member_1;
 let _e501 = ((((_e490.member.member * _e399) + (_e490.member.member_1 * _e401)) + (_e490.member.member_2 * _e395)) + _e490.member_1);
-let _e506 = global_4.member[_e373].member_6.member_2;
+let _e506 = global_3.member[_e373].member_6.member_2;
 let _e517 = ((((_e506.member.member * _e399) + (_e506.member.member_1 * _e401)) + (_e506.member.member_2 * _e395)) + _e506.member_1);
 let _e523 = ((((_e474.member.member * _e409) + (_e474.member.member_1 * _e411)) + (_e474.member.member_2 * _e416)) + _e474.member_1);
 let _e529 = ((((_e490.member.member * _e409) + (_e490.member.member_1 * _e411)) + (_e490.member.member_2 * _e416)) + _e490.member_1);
 let _e535 = ((((_e506.member.member * _e409) + (_e506.member.member_1 * _e411)) + (_e506.member.member_2 * _e416)) + _e506.member_1);
-let _e542 = global_4.member[_e373].member_6.member_3.member;
+let _e542 = global_3.member[_e373].member_6.member_3.member;
 let _e543 = (_e542 - 1f);
-let _e553 = global_4.member[_e373].member_6.member_3.member_1;
+let _e553 = global_3.member[_e373].member_6.member_3.member_1;
 let _e554 = (_e553 - 1f);
-let _e564 = global_4.member[_e373].member_6.member_3.member_2;
+let _e564 = global_3.member[_e373].member_6.member_3.member_2;
 let _e565 = (_e564 - 1f);
 let _e579 = (((((((_e485 >= 0f) && (_e485 <= _e543)) && (_e501 >= 0f)) && (_e501 <= _e554)) && (_e517 >= 0f)) && (_e517 <= _e565)) && ((((((_e523 >= 0f) && (_e523 <= _e543)) && (_e529 >= 0f)) && (_e529 <= _e554)) && (_e535 >= 0f)) && (_e535 <= _e565)));
 let _e581 = (_e382.member_2 == 5u);
 let _e587 = ((_e382.member_2 == 2u) || (_e382.member_2 == 7u));
 let _e588 = ((((_e382.member_2 == 1u) || _e581) || (_e382.member_2 == 6u)) || _e587);
 if _e588 {
-let _e593 = global_4.member[_e373].member_7.member;
+let _e593 = global_3.member[_e373].member_7.member;
 let _e604 = ((((_e593.member.member * _e399) + (_e593.member.member_1 * _e401)) + (_e593.member.member_2 * _e395)) + _e593.member_1);
-let _e609 = global_4.member[_e373].member_7.member_1;
+let _e609 = global_3.member[_e373].member_7.member_1;
 let _e620 = ((((_e609.member.member * _e399) + (_e609.member.member_1 * _e401)) + (_e609.member.member_2 * _e395)) + _e609.member_1);
-let _e625 = global_4.member[_e373].member_7.member_2;
+let _e625 = global_3.member[_e373].member_7.member_2;
 let _e636 = ((((_e625.member.member * _e399) + (_e625.member.member_1 * _e401)) + (_e625.member.member_2 * _e395)) + _e625.member_1);
 let _e637 = (0.5f - 0.5f);
 let _e638 = (0.5f + 0.5f);
-let _e644 = global_4.member[_e373].member_7.member_3.member;
+let _e644 = global_3.member[_e373].member_7.member_3.member;
 let _e646 = (_e644 - _e638);
-let _e654 = global_4.member[_e373].member_7.member_3.member_1;
+let _e654 = global_3.member[_e373].member_7.member_3.member_1;
 let _e656 = (_e654 - _e638);
-let _e665 = global_4.member[_e373].member_7.member_3.member_2;
+let _e665 = global_3.member[_e373].member_7.member_3.member_2;
 let _e667 = (_e665 - _e638);
 let _e670 = ((((_e604 >= _e637) && (_e604 <= _e646)) && ((_e620 >= _e637) && (_e620 <= _e656))) && ((_e636 >= _e637) && (_e636 <= _e667)));
-let _e674 = global_4.member[_e373].member_1;
+let _e674 = global_3.member[_e373].member_1;
 let _e676 = ((_e674 & 16u) == 0u);
 if _e676 {
 phi_996_ = _e670;
 } else {
-let _e682 = global_4.member[_e373].member_7.member.member;
+let _e682 = global_3.member[_e373].member_7.member.member;
 let _e690 = (((_e682.member * _e682.member) + (_e682.member_1 * _e682.member_1)) + (_e682.member_2 * _e682.member_2));
-let _e699 = global_4.member[_e373].member_14.member;
+let _e699 = global_3.member[_e373].member_14.member;
 let _e711 = -((0.5f / sqrt(select(0f, _e690, (_e690 > 0f)))));
-let _e717 = global_4.member[_e373].member_14.member_1;
-let _e724 = global_4.member[_e373].member_15.member;
-let _e741 = global_4.member[_e373].member_15.member_1;
-let _e749 = global_4.member[_e373].member_16.member;
-let _e766 = global_4.member[_e373].member_16.member_1;
-let _e774 = global_4.member[_e373].member_17.member;
-let _e791 = global_4.member[_e373].member_17.member_1;
+let _e717 = global_3.member[_e373].member_14.member_1;
+let _e724 = global_3.member[_e373].member_15.member;
+let _e741 = global_3.member[_e373].member_15.member_1;
+let _e749 = global_3.member[_e373].member_16.member;
+let _e766 = global_3.member[_e373].member_16.member_1;
+let _e774 = global_3.member[_e373].member_17.member;
+let _e791 = global_3.member[_e373].member_17.member_1;
 phi_996_ = (_e670 && (((((((((_e699.member.member * _e399) + (_e699.member.member_1 * _e401)) + (_e699.member.member_2 * _e395)) + _e699.member_1) <= _e711) || (_e717 == 0u)) && ((((((_e724.member.member * _e399) + (_e724.member.member_1 * _e401)) + (_e724.member.member_2 * _e395)) + _e724.member_1) <= _e711) || (_e741 == 0u))) && ((((((_e749.member.member * _e399) + (_e749.member.member_1 * _e401)) + (_e749.member.member_2 * _e395)) + _e749.member_1) <= _e711) || (_e766 == 0u))) && ((((((_e774.member.member * _e399) + (_e774.member.member_1 * _e401)) + (_e774.member.member_2 * _e395)) + _e774.member_1) <= _e711) || (_e791 == 0u))));
 }
 let _e797 = phi_996_;
@@ -497,17 +497,17 @@ let _e832 = ((((_e809 >= _e637) && (_e809 <= _e646)) && ((_e815 >= _e637) && (_e
 if _e676 {
 phi_1176_ = _e832;
 } else {
-let _e838 = global_4.member[_e373].member_7.member.member;
+let _e838 = global_3.member[_e373].member_7.member.member;
 let _e846 = (((_e838.member * _e838.member) + (_e838.member_1 * _e838.member_1)) + (_e838.member_2 * _e838.member_2));
-let _e855 = global_4.member[_e373].member_14.member;
+let _e855 = global_3.member[_e373].member_14.member;
 let _e867 = -((0.5f / sqrt(select(0f, _e846, (_e846 > 0f)))));
-let _e873 = global_4.member[_e373].member_14.member_1;
-let _e880 = global_4.member[_e373].member_15.member;
-let _e897 = global_4.member[_e373].member_15.member_1;
-let _e905 = global_4.member[_e373].member_16.member;
-let _e922 = global_4.member[_e373].member_16.member_1;
-let _e930 = global_4.member[_e373].member_17.member;
-let _e947 = global_4.member[_e373].member_17.member_1;
+let _e873 = global_3.member[_e373].member_14.member_1;
+let _e880 = global_3.member[_e373].member_15.member;
+let _e897 = global_3.member[_e373].member_15.member_1;
+let _e905 = global_3.member[_e373].member_16.member;
+let _e922 = global_3.member[_e373].member_16.member_1;
+let _e930 = global_3.member[_e373].member_17.member;
+let _e947 = global_3.member[_e373].member_17.member_1;
 phi_1176_ = (_e832 && (((((((((_e855.member.member * _e801) + (_e855.member.member_1 * _e802)) + (_e855.member.member_2 * _e803)) + _e855.member_1) <= _e867) || (_e873 == 0u)) && ((((((_e880.member.member * _e801) + (_e880.member.member_1 * _e802)) + (_e880.member.member_2 * _e803)) + _e880.member_1) <= _e867) || (_e897 == 0u))) && ((((((_e905.member.member * _e801) + (_e905.member.member_1 * _e802)) + (_e905.member.member_2 * _e803)) + _e905.member_1) <= _e867) || (_e922 == 0u))) && ((((((_e930.member.member * _e801) + (_e930.member.member_1 * _e802)) + (_e930.member.member_2 * _e803)) + _e930.member_1) <= _e867) || (_e947 == 0u))));
 }
 let _e953 = phi_1176_;
@@ -517,7 +517,7 @@ phi_1179_ = _e579;
 }
 let _e957 = phi_1179_;
 let _e958 = !(_e469);
-let _e966 = global_4.member[_e373].member_6.member_4;
+let _e966 = global_3.member[_e373].member_6.member_4;
 let _e967 = (_e542 - 0.5f);
 let _e969 = select(-0.5f, _e523, (_e523 > -0.5f));
 let _e971 = select(_e967, _e969, (_e969 < _e967));
@@ -542,7 +542,7 @@ let _e1016 = (_e971 + 0.5f);
 let _e1018 = select(0f, _e1016, (_e1016 > 0f));
 let _e1020 = select(_e543, _e1018, (_e1018 < _e543));
 let _e1027 = select(0i, select(select(i32(_e1020), i32(-2147483648), (_e1020 < -2147483600f)), 2147483647i, (_e1020 > 2147483500f)), (_e1020 == _e1020));
-let _e1036 = global_4.member[_e373].member_6.member_12;
+let _e1036 = global_3.member[_e373].member_6.member_12;
 let _e1037 = (_e1036 & 31u);
 let _e1040 = (_e976 + 0.5f);
 let _e1042 = select(0f, _e1040, (_e1040 > 0f));
@@ -552,32 +552,32 @@ let _e1058 = (_e981 + 0.5f);
 let _e1060 = select(0f, _e1058, (_e1058 > 0f));
 let _e1062 = select(_e565, _e1060, (_e1060 < _e565));
 let _e1069 = select(0i, select(select(i32(_e1062), i32(-2147483648), (_e1062 < -2147483600f)), 2147483647i, (_e1062 > 2147483500f)), (_e1062 == _e1062));
-let _e1081 = global_4.member[_e373].member_6.member_9.member;
-let _e1088 = global_4.member[_e373].member_6.member_9.member_1;
-let _e1094 = global_4.member[_e373].member_6.member_10;
+let _e1081 = global_3.member[_e373].member_6.member_9.member;
+let _e1088 = global_3.member[_e373].member_6.member_9.member_1;
+let _e1094 = global_3.member[_e373].member_6.member_10;
 let _e1100 = ((bitcast<i32>(_e1094) + ((_e1027 - select(0i, 1i, (_e1020 < f32(_e1027)))) >> bitcast<u32>(_e1037))) + (bitcast<i32>(_e1081) * (((_e1051 - select(0i, 1i, (_e1044 < f32(_e1051)))) >> bitcast<u32>(_e1037)) + (bitcast<i32>(_e1088) * ((_e1069 - select(0i, 1i, (_e1062 < f32(_e1069)))) >> bitcast<u32>(_e1037))))));
-let _e1102 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e1102 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1104 = select(_e1102, _e1100, (_e1100 < _e1102));
-let _e1110 = global_6.member[bitcast<u32>(select(0i, _e1104, (_e1104 > 0i)))];
-let _e1118 = global_4.member[_e373].member_7.member;
+let _e1110 = global_5.member[bitcast<u32>(select(0i, _e1104, (_e1104 > 0i)))];
+let _e1118 = global_3.member[_e373].member_7.member;
 let _e1129 = ((((_e1118.member.member * _e399) + (_e1118.member.member_1 * _e401)) + (_e1118.member.member_2 * _e395)) + _e1118.member_1);
-let _e1134 = global_4.member[_e373].member_7.member_1;
+let _e1134 = global_3.member[_e373].member_7.member_1;
 let _e1145 = ((((_e1134.member.member * _e399) + (_e1134.member.member_1 * _e401)) + (_e1134.member.member_2 * _e395)) + _e1134.member_1);
-let _e1150 = global_4.member[_e373].member_7.member_2;
+let _e1150 = global_3.member[_e373].member_7.member_2;
 let _e1161 = ((((_e1150.member.member * _e399) + (_e1150.member.member_1 * _e401)) + (_e1150.member.member_2 * _e395)) + _e1150.member_1);
 let _e1167 = ((((_e1118.member.member * _e409) + (_e1118.member.member_1 * _e411)) + (_e1118.member.member_2 * _e416)) + _e1118.member_1);
 let _e1173 = ((((_e1134.member.member * _e409) + (_e1134.member.member_1 * _e411)) + (_e1134.member.member_2 * _e416)) + _e1134.member_1);
 let _e1179 = ((((_e1150.member.member * _e409) + (_e1150.member.member_1 * _e411)) + (_e1150.member.member_2 * _e416)) + _e1150.member_1);
-let _e1184 = global_4.member[_e373].member_7.member_4;
-let _e1190 = global_4.member[_e373].member_7.member_3.member;
+let _e1184 = global_3.member[_e373].member_7.member_4;
+let _e1190 = global_3.member[_e373].member_7.member_3.member;
 let _e1191 = (_e1190 - 0.5f);
 let _e1193 = select(-0.5f, _e1167, (_e1167 > -0.5f));
 let _e1195 = select(_e1191, _e1193, (_e1193 < _e1191));
-let _e1201 = global_4.member[_e373].member_7.member_3.member_1;
+let _e1201 = global_3.member[_e373].member_7.member_3.member_1;
 let _e1202 = (_e1201 - 0.5f);
 let _e1204 = select(-0.5f, _e1173, (_e1173 > -0.5f));
 let _e1206 = select(_e1202, _e1204, (_e1204 < _e1202));
-let _e1212 = global_4.member[_e373].member_7.member_3.member_2;
+let _e1212 = global_3.member[_e373].member_7.member_3.member_2;
 let _e1213 = (_e1212 - 0.5f);
 let _e1215 = select(-0.5f, _e1179, (_e1179 > -0.5f));
 let _e1217 = select(_e1213, _e1215, (_e1215 < _e1213));
@@ -594,7 +594,7 @@ let _e1253 = (_e1190 - 1f);
 let _e1255 = select(0f, _e1252, (_e1252 > 0f));
 let _e1257 = select(_e1253, _e1255, (_e1255 < _e1253));
 let _e1264 = select(0i, select(select(i32(_e1257), i32(-2147483648), (_e1257 < -2147483600f)), 2147483647i, (_e1257 > 2147483500f)), (_e1257 == _e1257));
-let _e1273 = global_4.member[_e373].member_7.member_12;
+let _e1273 = global_3.member[_e373].member_7.member_12;
 let _e1274 = (_e1273 & 31u);
 let _e1277 = (_e1206 + 0.5f);
 let _e1278 = (_e1201 - 1f);
@@ -606,13 +606,13 @@ let _e1297 = (_e1212 - 1f);
 let _e1299 = select(0f, _e1296, (_e1296 > 0f));
 let _e1301 = select(_e1297, _e1299, (_e1299 < _e1297));
 let _e1308 = select(0i, select(select(i32(_e1301), i32(-2147483648), (_e1301 < -2147483600f)), 2147483647i, (_e1301 > 2147483500f)), (_e1301 == _e1301));
-let _e1320 = global_4.member[_e373].member_7.member_9.member;
-let _e1327 = global_4.member[_e373].member_7.member_9.member_1;
-let _e1333 = global_4.member[_e373].member_7.member_10;
+let _e1320 = global_3.member[_e373].member_7.member_9.member;
+let _e1327 = global_3.member[_e373].member_7.member_9.member_1;
+let _e1333 = global_3.member[_e373].member_7.member_10;
 let _e1339 = ((bitcast<i32>(_e1333) + ((_e1264 - select(0i, 1i, (_e1257 < f32(_e1264)))) >> bitcast<u32>(_e1274))) + (bitcast<i32>(_e1320) * (((_e1289 - select(0i, 1i, (_e1282 < f32(_e1289)))) >> bitcast<u32>(_e1274)) + (bitcast<i32>(_e1327) * ((_e1308 - select(0i, 1i, (_e1301 < f32(_e1308)))) >> bitcast<u32>(_e1274))))));
 let _e1341 = select(_e1102, _e1339, (_e1339 < _e1102));
-let _e1347 = global_6.member[bitcast<u32>(select(0i, _e1341, (_e1341 > 0i)))];
-let _e1354 = global_4.member[_e373].member_1;
+let _e1347 = global_5.member[bitcast<u32>(select(0i, _e1341, (_e1341 > 0i)))];
+let _e1354 = global_3.member[_e373].member_1;
 let _e1365 = (select(0u, select(select(7u, 3u, (_e957 && _e958)), select(1u, 7u, _e469), (((_e1354 & 64u) != 0u) || ((((select(_e995, _e992, (_e992 > _e995)) <= _e966) && ((select(_e1012, _e1009, (_e1009 > _e1012)) > _e966) || (_e1110 != 0u))) && ((select(_e1231, _e1228, (_e1228 > _e1231)) <= _e1184) && ((select(_e1248, _e1245, (_e1245 > _e1248)) > _e1184) || (_e1347 != 0u)))) && ((_e1354 & 32u) != 0u)))), (_e377[11] == 0f)) > 1u);
 if _e1365 {
 let _e1366 = vec3<f32>(_e377[3], _e377[4], _e377[5]);
@@ -621,11 +621,11 @@ let _e1376 = (_e411 - _e401);
 let _e1377 = (_e416 - _e395);
 let _e1382 = (((_e1375 * _e1375) + (_e1376 * _e1376)) + (_e1377 * _e1377));
 let _e1385 = sqrt(select(0f, _e1382, (_e1382 > 0f)));
-let _e1386 = type_39(type_28(1f, 1f), vec3<f32>(_e409, _e411, _e416), _e1366, _e1385, _e407, _e1366, true, false, false);
+let _e1386 = type_38(type_31(1f, 1f), vec3<f32>(_e409, _e411, _e416), _e1366, _e1385, _e407, _e1366, true, false, false);
 if _e588 {
-let _e1488 = global_4.member[_e373].member_7.member.member;
-let _e1497 = global_4.member[_e373].member_7.member_1.member;
-let _e1506 = global_4.member[_e373].member_7.member_2.member;
+let _e1488 = global_3.member[_e373].member_7.member.member;
+let _e1497 = global_3.member[_e373].member_7.member_1.member;
+let _e1506 = global_3.member[_e373].member_7.member_2.member;
 let _e1510 = (-0.5f - _e1129);
 let _e1511 = (-0.5f - _e1167);
 let _e1512 = -(_e1510);
@@ -733,16 +733,16 @@ let _e1750 = select(select(select(select(select(select(0f, _e1488.member_1, _e15
 let _e1751 = select(select(select(select(select(select(1f, _e1488.member_2, _e1530), _e1488.member_2, _e1570), _e1497.member_2, _e1610), _e1497.member_2, _e1650), _e1506.member_2, _e1690), _e1506.member_2, _e1730);
 let _e1755 = ((_e1354 & 16u) == 0u);
 if _e1755 {
-phi_3322_ = type_35(_e1736, vec3<f32>(_e1737, _e1738, _e1739), _e1741, vec3<f32>(_e1742, _e1743, _e1744), _e1746, _e1748, vec3<f32>(_e1749, _e1750, _e1751));
+phi_3322_ = type_34(_e1736, vec3<f32>(_e1737, _e1738, _e1739), _e1741, vec3<f32>(_e1742, _e1743, _e1744), _e1746, _e1748, vec3<f32>(_e1749, _e1750, _e1751));
 } else {
 let _e1760 = (((_e1488.member * _e1488.member) + (_e1488.member_1 * _e1488.member_1)) + (_e1488.member_2 * _e1488.member_2));
 let _e1763 = sqrt(select(0f, _e1760, (_e1760 > 0f)));
-let _e1768 = global_4.member[_e373].member_14.member_1;
+let _e1768 = global_3.member[_e373].member_14.member_1;
 let _e1769 = (_e1768 != 0u);
-let _e1774 = global_4.member[_e373].member_14.member;
+let _e1774 = global_3.member[_e373].member_14.member;
 let _e1794 = select(-1e6f, (((((_e1774.member.member * _e399) + (_e1774.member.member_1 * _e401)) + (_e1774.member.member_2 * _e395)) + _e1774.member_1) * _e1763), _e1769);
 let _e1795 = select(-1e6f, (((((_e1774.member.member * _e409) + (_e1774.member.member_1 * _e411)) + (_e1774.member.member_2 * _e416)) + _e1774.member_1) * _e1763), _e1769);
-let _e1801 = global_4.member[_e373].member_14.member.member;
+let _e1801 = global_3.member[_e373].member_14.member.member;
 let _e1805 = -(_e1794);
 let _e1808 = (_e1794 - _e1795);
 let _e1809 = (_e1795 - _e1794);
@@ -757,12 +757,12 @@ let _e1829 = select(_e1736, _e1818, _e1827);
 let _e1833 = select(_e1741, _e1822, _e1828);
 let _e1837 = select(_e1746, _e1794, _e1823);
 let _e1839 = select(_e1748, _e1795, (_e1795 > _e1748));
-let _e1847 = global_4.member[_e373].member_15.member_1;
+let _e1847 = global_3.member[_e373].member_15.member_1;
 let _e1848 = (_e1847 != 0u);
-let _e1853 = global_4.member[_e373].member_15.member;
+let _e1853 = global_3.member[_e373].member_15.member;
 let _e1873 = select(-1e6f, (((((_e1853.member.member * _e399) + (_e1853.member.member_1 * _e401)) + (_e1853.member.member_2 * _e395)) + _e1853.member_1) * _e1763), _e1848);
 let _e1874 = select(-1e6f, (((((_e1853.member.member * _e409) + (_e1853.member.member_1 * _e411)) + (_e1853.member.member_2 * _e416)) + _e1853.member_1) * _e1763), _e1848);
-let _e1880 = global_4.member[_e373].member_15.member.member;
+let _e1880 = global_3.member[_e373].member_15.member.member;
 let _e1884 = -(_e1873);
 let _e1887 = (_e1873 - _e1874);
 let _e1888 = (_e1874 - _e1873);
@@ -777,12 +777,12 @@ let _e1908 = select(_e1829, _e1897, _e1906);
 let _e1912 = select(_e1833, _e1901, _e1907);
 let _e1916 = select(_e1837, _e1873, _e1902);
 let _e1918 = select(_e1839, _e1874, (_e1874 > _e1839));
-let _e1926 = global_4.member[_e373].member_16.member_1;
+let _e1926 = global_3.member[_e373].member_16.member_1;
 let _e1927 = (_e1926 != 0u);
-let _e1932 = global_4.member[_e373].member_16.member;
+let _e1932 = global_3.member[_e373].member_16.member;
 let _e1952 = select(-1e6f, (((((_e1932.member.member * _e399) + (_e1932.member.member_1 * _e401)) + (_e1932.member.member_2 * _e395)) + _e1932.member_1) * _e1763), _e1927);
 let _e1953 = select(-1e6f, (((((_e1932.member.member * _e409) + (_e1932.member.member_1 * _e411)) + (_e1932.member.member_2 * _e416)) + _e1932.member_1) * _e1763), _e1927);
-let _e1959 = global_4.member[_e373].member_16.member.member;
+let _e1959 = global_3.member[_e373].member_16.member.member;
 let _e1963 = -(_e1952);
 let _e1966 = (_e1952 - _e1953);
 let _e1967 = (_e1953 - _e1952);
@@ -797,12 +797,12 @@ let _e1987 = select(_e1908, _e1976, _e1985);
 let _e1991 = select(_e1912, _e1980, _e1986);
 let _e1995 = select(_e1916, _e1952, _e1981);
 let _e1997 = select(_e1918, _e1953, (_e1953 > _e1918));
-let _e2005 = global_4.member[_e373].member_17.member_1;
+let _e2005 = global_3.member[_e373].member_17.member_1;
 let _e2006 = (_e2005 != 0u);
-let _e2011 = global_4.member[_e373].member_17.member;
+let _e2011 = global_3.member[_e373].member_17.member;
 let _e2031 = select(-1e6f, (((((_e2011.member.member * _e399) + (_e2011.member.member_1 * _e401)) + (_e2011.member.member_2 * _e395)) + _e2011.member_1) * _e1763), _e2006);
 let _e2032 = select(-1e6f, (((((_e2011.member.member * _e409) + (_e2011.member.member_1 * _e411)) + (_e2011.member.member_2 * _e416)) + _e2011.member_1) * _e1763), _e2006);
-let _e2038 = global_4.member[_e373].member_17.member.member;
+let _e2038 = global_3.member[_e373].member_17.member.member;
 let _e2042 = -(_e2031);
 let _e2045 = (_e2031 - _e2032);
 let _e2046 = (_e2032 - _e2031);
@@ -813,7 +813,7 @@ let _e2059 = select(2f, select(0f, _e2051, (_e2031 < 0f)), (_e2032 > 0f));
 let _e2060 = (_e2031 > _e1995);
 let _e2064 = ((_e2055 > _e1987) || ((_e2055 == _e1987) && _e2060));
 let _e2065 = (_e2059 < _e1991);
-phi_3322_ = type_35(select(_e1987, _e2055, _e2064), vec3<f32>(select(select(select(select(_e1737, _e1801.member, _e1827), _e1880.member, _e1906), _e1959.member, _e1985), _e2038.member, _e2064), select(select(select(select(_e1738, _e1801.member_1, _e1827), _e1880.member_1, _e1906), _e1959.member_1, _e1985), _e2038.member_1, _e2064), select(select(select(select(_e1739, _e1801.member_2, _e1827), _e1880.member_2, _e1906), _e1959.member_2, _e1985), _e2038.member_2, _e2064)), select(_e1991, _e2059, _e2065), vec3<f32>(select(select(select(select(_e1742, _e1801.member, _e1828), _e1880.member, _e1907), _e1959.member, _e1986), _e2038.member, _e2065), select(select(select(select(_e1743, _e1801.member_1, _e1828), _e1880.member_1, _e1907), _e1959.member_1, _e1986), _e2038.member_1, _e2065), select(select(select(select(_e1744, _e1801.member_2, _e1828), _e1880.member_2, _e1907), _e1959.member_2, _e1986), _e2038.member_2, _e2065)), select(_e1995, _e2031, _e2060), select(_e1997, _e2032, (_e2032 > _e1997)), vec3<f32>(select(select(select(select(_e1749, _e1801.member, _e1823), _e1880.member, _e1902), _e1959.member, _e1981), _e2038.member, _e2060), select(select(select(select(_e1750, _e1801.member_1, _e1823), _e1880.member_1, _e1902), _e1959.member_1, _e1981), _e2038.member_1, _e2060), select(select(select(select(_e1751, _e1801.member_2, _e1823), _e1880.member_2, _e1902), _e1959.member_2, _e1981), _e2038.member_2, _e2060)));
+phi_3322_ = type_34(select(_e1987, _e2055, _e2064), vec3<f32>(select(select(select(select(_e1737, _e1801.member, _e1827), _e1880.member, _e1906), _e1959.member, _e1985), _e2038.member, _e2064), select(select(select(select(_e1738, _e1801.member_1, _e1827), _e1880.member_1, _e1906), _e1959.member_1, _e1985), _e2038.member_1, _e2064), select(select(select(select(_e1739, _e1801.member_2, _e1827), _e1880.member_2, _e1906), _e1959.member_2, _e1985), _e2038.member_2, _e2064)), select(_e1991, _e2059, _e2065), vec3<f32>(select(select(select(select(_e1742, _e1801.member, _e1828), _e1880.member, _e1907), _e1959.member, _e1986), _e2038.member, _e2065), select(select(select(select(_e1743, _e1801.member_1, _e1828), _e1880.member_1, _e1907), _e1959.member_1, _e1986), _e2038.member_1, _e2065), select(select(select(select(_e1744, _e1801.member_2, _e1828), _e1880.member_2, _e1907), _e1959.member_2, _e1986), _e2038.member_2, _e2065)), select(_e1995, _e2031, _e2060), select(_e1997, _e2032, (_e2032 > _e1997)), vec3<f32>(select(select(select(select(_e1749, _e1801.member, _e1823), _e1880.member, _e1902), _e1959.member, _e1981), _e2038.member, _e2060), select(select(select(select(_e1750, _e1801.member_1, _e1823), _e1880.member_1, _e1902), _e1959.member_1, _e1981), _e2038.member_1, _e2060), select(select(select(select(_e1751, _e1801.member_2, _e1823), _e1880.member_2, _e1902), _e1959.member_2, _e1981), _e2038.member_2, _e2060)));
 }
 let _e2085 = phi_3322_;
 if ((_e2085.member_4 > -(0.015625f)) && (_e2085.member_4 < 0.015625f)) {
@@ -822,7 +822,7 @@ phi_3335_ = (_e377[9] != 0f);
 phi_3335_ = (_e2085.member_4 < 0f);
 }
 let _e2094 = phi_3335_;
-let _e2099 = global_4.member[_e373].member_10.member_9;
+let _e2099 = global_3.member[_e373].member_10.member_9;
 let _e2103 = select(-0.5f, _e1129, (_e1129 > -0.5f));
 let _e2105 = select(_e1191, _e2103, (_e2103 < _e1191));
 let _e2107 = select(-0.5f, _e1145, (_e1145 > -0.5f));
@@ -841,8 +841,8 @@ let _e2145 = select(-1f, _e2113, (_e2113 > -1f));
 let _e2147 = select(_e1212, _e2145, (_e2145 < _e1212));
 let _e2154 = select(0i, select(select(i32(_e2147), i32(-2147483648), (_e2147 < -2147483600f)), 2147483647i, (_e2147 > 2147483500f)), (_e2147 == _e2147));
 let _e2158 = (_e2154 - select(0i, 1i, (_e2147 < f32(_e2154))));
-let _e2163 = global_4.member[_e373].member_7.member_7;
-let _e2168 = global_4.member[_e373].member_7.member_8;
+let _e2163 = global_3.member[_e373].member_7.member_7;
+let _e2168 = global_3.member[_e373].member_7.member_8;
 let _e2176 = (select(0i, select(select(i32(_e1201), i32(-2147483648), (_e1201 < -2147483600f)), 2147483647i, (_e1201 > 2147483500f)), (_e1201 == _e1201)) - 1i);
 let _e2179 = (_e2143 + 1i);
 let _e2189 = (select(0i, select(select(i32(_e1212), i32(-2147483648), (_e1212 < -2147483600f)), 2147483647i, (_e1212 > 2147483500f)), (_e1212 == _e1212)) - 1i);
@@ -855,31 +855,31 @@ let _e2214 = (select(0i, _e2143, (_e2143 > 0i)) * _e2163);
 let _e2215 = (select(_e2176, _e2179, (_e2179 < _e2176)) * _e2163);
 let _e2216 = (select(0i, _e2158, (_e2158 > 0i)) * _e2168);
 let _e2217 = (select(_e2189, _e2192, (_e2192 < _e2189)) * _e2168);
-local_40 = type_32(array<i32, 4>(select(0i, _e2203, (_e2203 > 0i)), select(0i, _e2128, (_e2128 > 0i)), select(_e2202, _e2208, (_e2208 < _e2202)), select(_e2202, _e2211, (_e2211 < _e2202))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_40 = type_28(array<i32, 4>(select(0i, _e2203, (_e2203 > 0i)), select(0i, _e2128, (_e2128 > 0i)), select(_e2202, _e2208, (_e2208 < _e2202)), select(_e2202, _e2211, (_e2211 < _e2202))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_41 = vec3<f32>((_e2105 - f32(_e2128)), (_e2109 - f32(_e2143)), (_e2113 - f32(_e2158)));
 let _e2228 = (_e2216 + _e2214);
 let _e2231 = local_40.member[1u];
 let _e2232 = (_e2228 + _e2231);
 let _e2234 = (bitcast<i32>(_e186) - 1i);
 let _e2236 = select(_e2234, _e2232, (_e2232 < _e2234));
-let _e2241 = global_5.member[bitcast<u32>(select(0i, _e2236, (_e2236 > 0i)))];
+let _e2241 = global_4.member[bitcast<u32>(select(0i, _e2236, (_e2236 > 0i)))];
 let _e2242 = bitcast<f32>(_e2241);
 let _e2245 = local_40.member[2u];
 let _e2246 = (_e2228 + _e2245);
 let _e2248 = select(_e2234, _e2246, (_e2246 < _e2234));
-let _e2253 = global_5.member[bitcast<u32>(select(0i, _e2248, (_e2248 > 0i)))];
+let _e2253 = global_4.member[bitcast<u32>(select(0i, _e2248, (_e2248 > 0i)))];
 let _e2255 = local_41[0u];
 let _e2258 = (_e2242 + ((bitcast<f32>(_e2253) - _e2242) * _e2255));
 let _e2259 = (_e2216 + _e2215);
 let _e2260 = local_40.member[1u];
 let _e2261 = (_e2259 + _e2260);
 let _e2263 = select(_e2234, _e2261, (_e2261 < _e2234));
-let _e2268 = global_5.member[bitcast<u32>(select(0i, _e2263, (_e2263 > 0i)))];
+let _e2268 = global_4.member[bitcast<u32>(select(0i, _e2263, (_e2263 > 0i)))];
 let _e2269 = bitcast<f32>(_e2268);
 let _e2270 = local_40.member[2u];
 let _e2271 = (_e2259 + _e2270);
 let _e2273 = select(_e2234, _e2271, (_e2271 < _e2234));
-let _e2278 = global_5.member[bitcast<u32>(select(0i, _e2273, (_e2273 > 0i)))];
+let _e2278 = global_4.member[bitcast<u32>(select(0i, _e2273, (_e2273 > 0i)))];
 let _e2280 = local_41[0u];
 let _e2285 = local_41[1u];
 let _e2288 = (_e2258 + (((_e2269 + ((bitcast<f32>(_e2278) - _e2269) * _e2280)) - _e2258) * _e2285));
@@ -887,29 +887,29 @@ let _e2289 = (_e2217 + _e2214);
 let _e2290 = local_40.member[1u];
 let _e2291 = (_e2289 + _e2290);
 let _e2293 = select(_e2234, _e2291, (_e2291 < _e2234));
-let _e2298 = global_5.member[bitcast<u32>(select(0i, _e2293, (_e2293 > 0i)))];
+let _e2298 = global_4.member[bitcast<u32>(select(0i, _e2293, (_e2293 > 0i)))];
 let _e2299 = bitcast<f32>(_e2298);
 let _e2300 = local_40.member[2u];
 let _e2301 = (_e2289 + _e2300);
 let _e2303 = select(_e2234, _e2301, (_e2301 < _e2234));
-let _e2308 = global_5.member[bitcast<u32>(select(0i, _e2303, (_e2303 > 0i)))];
+let _e2308 = global_4.member[bitcast<u32>(select(0i, _e2303, (_e2303 > 0i)))];
 let _e2310 = local_41[0u];
 let _e2313 = (_e2299 + ((bitcast<f32>(_e2308) - _e2299) * _e2310));
 let _e2314 = (_e2217 + _e2215);
 let _e2315 = local_40.member[1u];
 let _e2316 = (_e2314 + _e2315);
 let _e2318 = select(_e2234, _e2316, (_e2316 < _e2234));
-let _e2323 = global_5.member[bitcast<u32>(select(0i, _e2318, (_e2318 > 0i)))];
+let _e2323 = global_4.member[bitcast<u32>(select(0i, _e2318, (_e2318 > 0i)))];
 let _e2324 = bitcast<f32>(_e2323);
 let _e2325 = local_40.member[2u];
 let _e2326 = (_e2314 + _e2325);
 let _e2328 = select(_e2234, _e2326, (_e2326 < _e2234));
-let _e2333 = global_5.member[bitcast<u32>(select(0i, _e2328, (_e2328 > 0i)))];
+let _e2333 = global_4.member[bitcast<u32>(select(0i, _e2328, (_e2328 > 0i)))];
 let _e2335 = local_41[0u];
 let _e2339 = local_41[1u];
 let _e2344 = local_41[2u];
-let _e2352 = global_4.member[_e373].member_7.member_6;
-let _e2357 = global_4.member[_e373].member_7.member_5;
+let _e2352 = global_3.member[_e373].member_7.member_6;
+let _e2357 = global_3.member[_e373].member_7.member_5;
 let _e2359 = (((_e2288 + (((_e2313 + (((_e2324 + ((bitcast<f32>(_e2333) - _e2324) * _e2335)) - _e2313) * _e2339)) - _e2288) * _e2344)) - _e2352) * _e2357);
 let _e2360 = -(1e9f);
 let _e2362 = select(_e2360, _e2359, (_e2359 > _e2360));
@@ -919,49 +919,49 @@ local_39 = _e2365;
 let _e2366 = local_39;
 let _e2368 = (bitcast<i32>(_e191) - 1i);
 let _e2370 = select(_e2368, 263197i, (263197i < _e2368));
-let _e2375 = global_3.member[bitcast<u32>(select(0i, _e2370, (_e2370 > 0i)))];
+let _e2375 = global_2.member[bitcast<u32>(select(0i, _e2370, (_e2370 > 0i)))];
 let _e2376 = bitcast<f32>(_e2375);
 let _e2378 = select(_e2368, 263198i, (263198i < _e2368));
-let _e2383 = global_3.member[bitcast<u32>(select(0i, _e2378, (_e2378 > 0i)))];
+let _e2383 = global_2.member[bitcast<u32>(select(0i, _e2378, (_e2378 > 0i)))];
 let _e2384 = bitcast<f32>(_e2383);
 let _e2386 = select(_e2368, 263199i, (263199i < _e2368));
-let _e2391 = global_3.member[bitcast<u32>(select(0i, _e2386, (_e2386 > 0i)))];
+let _e2391 = global_2.member[bitcast<u32>(select(0i, _e2386, (_e2386 > 0i)))];
 let _e2392 = bitcast<f32>(_e2391);
 let _e2394 = ((_e2366 - _e2376) * _e2384);
 let _e2396 = select(0f, _e2394, (_e2394 > 0f));
 let _e2399 = local_39;
 let _e2401 = select(_e2368, 263200i, (263200i < _e2368));
-let _e2406 = global_3.member[bitcast<u32>(select(0i, _e2401, (_e2401 > 0i)))];
+let _e2406 = global_2.member[bitcast<u32>(select(0i, _e2401, (_e2401 > 0i)))];
 let _e2407 = bitcast<f32>(_e2406);
 let _e2409 = select(_e2368, 263201i, (263201i < _e2368));
-let _e2414 = global_3.member[bitcast<u32>(select(0i, _e2409, (_e2409 > 0i)))];
+let _e2414 = global_2.member[bitcast<u32>(select(0i, _e2409, (_e2409 > 0i)))];
 let _e2415 = bitcast<f32>(_e2414);
 let _e2417 = select(_e2368, 263202i, (263202i < _e2368));
-let _e2422 = global_3.member[bitcast<u32>(select(0i, _e2417, (_e2417 > 0i)))];
+let _e2422 = global_2.member[bitcast<u32>(select(0i, _e2417, (_e2417 > 0i)))];
 let _e2423 = bitcast<f32>(_e2422);
 let _e2425 = ((_e2399 - _e2407) * _e2415);
 let _e2427 = select(0f, _e2425, (_e2425 > 0f));
 let _e2431 = local_39;
 let _e2433 = select(_e2368, 263203i, (263203i < _e2368));
-let _e2438 = global_3.member[bitcast<u32>(select(0i, _e2433, (_e2433 > 0i)))];
+let _e2438 = global_2.member[bitcast<u32>(select(0i, _e2433, (_e2433 > 0i)))];
 let _e2439 = bitcast<f32>(_e2438);
 let _e2441 = select(_e2368, 263204i, (263204i < _e2368));
-let _e2446 = global_3.member[bitcast<u32>(select(0i, _e2441, (_e2441 > 0i)))];
+let _e2446 = global_2.member[bitcast<u32>(select(0i, _e2441, (_e2441 > 0i)))];
 let _e2447 = bitcast<f32>(_e2446);
 let _e2449 = select(_e2368, 263205i, (263205i < _e2368));
-let _e2454 = global_3.member[bitcast<u32>(select(0i, _e2449, (_e2449 > 0i)))];
+let _e2454 = global_2.member[bitcast<u32>(select(0i, _e2449, (_e2449 > 0i)))];
 let _e2455 = bitcast<f32>(_e2454);
 let _e2457 = ((_e2431 - _e2439) * _e2447);
 let _e2459 = select(0f, _e2457, (_e2457 > 0f));
 let _e2462 = local_39;
 let _e2464 = select(_e2368, 263206i, (263206i < _e2368));
-let _e2469 = global_3.member[bitcast<u32>(select(0i, _e2464, (_e2464 > 0i)))];
+let _e2469 = global_2.member[bitcast<u32>(select(0i, _e2464, (_e2464 > 0i)))];
 let _e2470 = bitcast<f32>(_e2469);
 let _e2472 = select(_e2368, 263207i, (263207i < _e2368));
-let _e2477 = global_3.member[bitcast<u32>(select(0i, _e2472, (_e2472 > 0i)))];
+let _e2477 = global_2.member[bitcast<u32>(select(0i, _e2472, (_e2472 > 0i)))];
 let _e2478 = bitcast<f32>(_e2477);
 let _e2480 = select(_e2368, 263208i, (263208i < _e2368));
-let _e2485 = global_3.member[bitcast<u32>(select(0i, _e2480, (_e2480 > 0i)))];
+let _e2485 = global_2.member[bitcast<u32>(select(0i, _e2480, (_e2480 > 0i)))];
 let _e2486 = bitcast<f32>(_e2485);
 let _e2488 = ((_e2462 - _e2470) * _e2478);
 let _e2490 = select(0f, _e2488, (_e2488 > 0f));
@@ -972,24 +972,24 @@ let _e2505 = select(0i, select(select(i32(_e2498), i32(-2147483648), (_e2498 < -
 let _e2509 = (_e2505 - select(0i, 1i, (_e2498 < f32(_e2505))));
 let _e2510 = (262147i + _e2509);
 let _e2512 = select(_e2368, _e2510, (_e2510 < _e2368));
-let _e2518 = global_3.member[bitcast<u32>(select(0i, _e2512, (_e2512 > 0i)))];
+let _e2518 = global_2.member[bitcast<u32>(select(0i, _e2512, (_e2512 > 0i)))];
 let _e2528 = select(_e2368, 262146i, (262146i < _e2368));
 let _e2531 = bitcast<u32>(select(0i, _e2528, (_e2528 > 0i)));
-let _e2534 = global_3.member[_e2531];
+let _e2534 = global_2.member[_e2531];
 let _e2538 = select(_e2368, 262144i, (262144i < _e2368));
 let _e2541 = bitcast<u32>(select(0i, _e2538, (_e2538 > 0i)));
-let _e2544 = global_3.member[_e2541];
+let _e2544 = global_2.member[_e2541];
 let _e2547 = select(_e2368, 262145i, (262145i < _e2368));
 let _e2550 = bitcast<u32>(select(0i, _e2547, (_e2547 > 0i)));
-let _e2553 = global_3.member[_e2550];
+let _e2553 = global_2.member[_e2550];
 let _e2561 = select(1f, ((bitcast<f32>(_e2544) + (f32(bitcast<i32>((_e2518 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2553))) + ((f32((bitcast<i32>((_e2518 & 4095u)) - 2048i)) * bitcast<f32>(_e2534)) * (_e2494 - f32(_e2509)))), (_e2094 && (_e395 == _e2099)));
 let _e2562 = (_e377[3] * _e2561);
 let _e2563 = (_e377[4] * _e2561);
 let _e2564 = (_e377[5] * _e2561);
 if _e2094 {
-phi_4420_ = type_29(_e2085.member_2, _e2085.member_3);
+phi_4420_ = type_39(_e2085.member_2, _e2085.member_3);
 } else {
-phi_4420_ = type_29(_e2085.member, _e2085.member_1);
+phi_4420_ = type_39(_e2085.member, _e2085.member_1);
 }
 let _e2572 = phi_4420_;
 if _e2094 {
@@ -1032,30 +1032,30 @@ let _e2687 = (select(0i, _e2650, (_e2650 > 0i)) * _e2163);
 let _e2688 = (select(_e2176, _e2668, (_e2668 < _e2176)) * _e2163);
 let _e2689 = (select(0i, _e2665, (_e2665 > 0i)) * _e2168);
 let _e2690 = (select(_e2189, _e2673, (_e2673 < _e2189)) * _e2168);
-local_36 = type_32(array<i32, 4>(select(0i, _e2676, (_e2676 > 0i)), select(0i, _e2635, (_e2635 > 0i)), select(_e2202, _e2681, (_e2681 < _e2202)), select(_e2202, _e2684, (_e2684 < _e2202))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_36 = type_28(array<i32, 4>(select(0i, _e2676, (_e2676 > 0i)), select(0i, _e2635, (_e2635 > 0i)), select(_e2202, _e2681, (_e2681 < _e2202)), select(_e2202, _e2684, (_e2684 < _e2202))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_37 = vec3<f32>((_e2612 - f32(_e2635)), (_e2616 - f32(_e2650)), (_e2620 - f32(_e2665)));
 let _e2701 = (_e2689 + _e2687);
 let _e2704 = local_36.member[1u];
 let _e2705 = (_e2701 + _e2704);
 let _e2707 = select(_e2234, _e2705, (_e2705 < _e2234));
-let _e2712 = global_5.member[bitcast<u32>(select(0i, _e2707, (_e2707 > 0i)))];
+let _e2712 = global_4.member[bitcast<u32>(select(0i, _e2707, (_e2707 > 0i)))];
 let _e2713 = bitcast<f32>(_e2712);
 let _e2716 = local_36.member[2u];
 let _e2717 = (_e2701 + _e2716);
 let _e2719 = select(_e2234, _e2717, (_e2717 < _e2234));
-let _e2724 = global_5.member[bitcast<u32>(select(0i, _e2719, (_e2719 > 0i)))];
+let _e2724 = global_4.member[bitcast<u32>(select(0i, _e2719, (_e2719 > 0i)))];
 let _e2726 = local_37[0u];
 let _e2729 = (_e2713 + ((bitcast<f32>(_e2724) - _e2713) * _e2726));
 let _e2730 = (_e2689 + _e2688);
 let _e2731 = local_36.member[1u];
 let _e2732 = (_e2730 + _e2731);
 let _e2734 = select(_e2234, _e2732, (_e2732 < _e2234));
-let _e2739 = global_5.member[bitcast<u32>(select(0i, _e2734, (_e2734 > 0i)))];
+let _e2739 = global_4.member[bitcast<u32>(select(0i, _e2734, (_e2734 > 0i)))];
 let _e2740 = bitcast<f32>(_e2739);
 let _e2741 = local_36.member[2u];
 let _e2742 = (_e2730 + _e2741);
 let _e2744 = select(_e2234, _e2742, (_e2742 < _e2234));
-let _e2749 = global_5.member[bitcast<u32>(select(0i, _e2744, (_e2744 > 0i)))];
+let _e2749 = global_4.member[bitcast<u32>(select(0i, _e2744, (_e2744 > 0i)))];
 let _e2751 = local_37[0u];
 let _e2756 = local_37[1u];
 let _e2759 = (_e2729 + (((_e2740 + ((bitcast<f32>(_e2749) - _e2740) * _e2751)) - _e2729) * _e2756));
@@ -1063,24 +1063,24 @@ let _e2760 = (_e2690 + _e2687);
 let _e2761 = local_36.member[1u];
 let _e2762 = (_e2760 + _e2761);
 let _e2764 = select(_e2234, _e2762, (_e2762 < _e2234));
-let _e2769 = global_5.member[bitcast<u32>(select(0i, _e2764, (_e2764 > 0i)))];
+let _e2769 = global_4.member[bitcast<u32>(select(0i, _e2764, (_e2764 > 0i)))];
 let _e2770 = bitcast<f32>(_e2769);
 let _e2771 = local_36.member[2u];
 let _e2772 = (_e2760 + _e2771);
 let _e2774 = select(_e2234, _e2772, (_e2772 < _e2234));
-let _e2779 = global_5.member[bitcast<u32>(select(0i, _e2774, (_e2774 > 0i)))];
+let _e2779 = global_4.member[bitcast<u32>(select(0i, _e2774, (_e2774 > 0i)))];
 let _e2781 = local_37[0u];
 let _e2784 = (_e2770 + ((bitcast<f32>(_e2779) - _e2770) * _e2781));
 let _e2785 = (_e2690 + _e2688);
 let _e2786 = local_36.member[1u];
 let _e2787 = (_e2785 + _e2786);
 let _e2789 = select(_e2234, _e2787, (_e2787 < _e2234));
-let _e2794 = global_5.member[bitcast<u32>(select(0i, _e2789, (_e2789 > 0i)))];
+let _e2794 = global_4.member[bitcast<u32>(select(0i, _e2789, (_e2789 > 0i)))];
 let _e2795 = bitcast<f32>(_e2794);
 let _e2796 = local_36.member[2u];
 let _e2797 = (_e2785 + _e2796);
 let _e2799 = select(_e2234, _e2797, (_e2797 < _e2234));
-let _e2804 = global_5.member[bitcast<u32>(select(0i, _e2799, (_e2799 > 0i)))];
+let _e2804 = global_4.member[bitcast<u32>(select(0i, _e2799, (_e2799 > 0i)))];
 let _e2806 = local_37[0u];
 let _e2810 = local_37[1u];
 let _e2815 = local_37[2u];
@@ -1108,18 +1108,18 @@ let _e2867 = select(0i, select(select(i32(_e2860), i32(-2147483648), (_e2860 < -
 let _e2871 = (_e2867 - select(0i, 1i, (_e2860 < f32(_e2867))));
 let _e2872 = (262147i + _e2871);
 let _e2874 = select(_e2368, _e2872, (_e2872 < _e2368));
-let _e2879 = global_3.member[bitcast<u32>(select(0i, _e2874, (_e2874 > 0i)))];
-let _e2889 = global_3.member[_e2531];
+let _e2879 = global_2.member[bitcast<u32>(select(0i, _e2874, (_e2874 > 0i)))];
+let _e2889 = global_2.member[_e2531];
 let _e2890 = bitcast<f32>(_e2889);
-let _e2893 = global_3.member[_e2541];
+let _e2893 = global_2.member[_e2541];
 let _e2894 = bitcast<f32>(_e2893);
-let _e2896 = global_3.member[_e2550];
+let _e2896 = global_2.member[_e2550];
 let _e2897 = bitcast<f32>(_e2896);
 let _e2903 = ((_e2894 + (f32(bitcast<i32>((_e2879 >> bitcast<u32>(12u)))) * _e2897)) + ((f32((bitcast<i32>((_e2879 & 4095u)) - 2048i)) * _e2890) * (_e2856 - f32(_e2871))));
 if _e2094 {
-phi_5512_ = type_28(_e2903, 1f);
+phi_5512_ = type_31(_e2903, 1f);
 } else {
-phi_5512_ = type_28(1f, _e2903);
+phi_5512_ = type_31(1f, _e2903);
 }
 let _e2907 = phi_5512_;
 let _e2912 = ((_e2907.member_1 * _e2907.member_1) - (_e2907.member * _e2907.member));
@@ -1138,7 +1138,7 @@ let _e2947 = (_e2912 == 0f);
 let _e2959 = select(_e2562, select((_e2562 + (_e2927 * _e2946)), _e2562, _e2947), _e2580);
 let _e2960 = select(_e2563, select((_e2563 + (_e2928 * _e2946)), _e2563, _e2947), _e2580);
 let _e2961 = select(_e2564, select((_e2564 + (_e2929 * _e2946)), _e2564, _e2947), _e2580);
-let _e2966 = global_4.member[_e373].member_5.member_4;
+let _e2966 = global_3.member[_e373].member_5.member_4;
 let _e2967 = (_e2966 * _e2966);
 let _e2971 = (_e2961 * _e2961);
 let _e2975 = (_e2580 && (_e2907.member != _e2907.member_1));
@@ -1257,16 +1257,16 @@ let _e3252 = select(select(select(select(select(select(0f, _e1488.member, _e3033
 let _e3253 = select(select(select(select(select(select(0f, _e1488.member_1, _e3033), _e1488.member_1, _e3073), _e1497.member_1, _e3113), _e1497.member_1, _e3153), _e1506.member_1, _e3193), _e1506.member_1, _e3233);
 let _e3254 = select(select(select(select(select(select(1f, _e1488.member_2, _e3033), _e1488.member_2, _e3073), _e1497.member_2, _e3113), _e1497.member_2, _e3153), _e1506.member_2, _e3193), _e1506.member_2, _e3233);
 if _e1755 {
-phi_7035_ = type_35(_e3239, vec3<f32>(_e3240, _e3241, _e3242), _e3244, vec3<f32>(_e3245, _e3246, _e3247), _e3249, _e3251, vec3<f32>(_e3252, _e3253, _e3254));
+phi_7035_ = type_34(_e3239, vec3<f32>(_e3240, _e3241, _e3242), _e3244, vec3<f32>(_e3245, _e3246, _e3247), _e3249, _e3251, vec3<f32>(_e3252, _e3253, _e3254));
 } else {
 let _e3261 = (((_e1488.member * _e1488.member) + (_e1488.member_1 * _e1488.member_1)) + (_e1488.member_2 * _e1488.member_2));
 let _e3264 = sqrt(select(0f, _e3261, (_e3261 > 0f)));
-let _e3269 = global_4.member[_e373].member_14.member_1;
+let _e3269 = global_3.member[_e373].member_14.member_1;
 let _e3270 = (_e3269 != 0u);
-let _e3275 = global_4.member[_e373].member_14.member;
+let _e3275 = global_3.member[_e373].member_14.member;
 let _e3295 = select(-1e6f, (((((_e3275.member.member * _e2587) + (_e3275.member.member_1 * _e2588)) + (_e3275.member.member_2 * _e2589)) + _e3275.member_1) * _e3264), _e3270);
 let _e3296 = select(-1e6f, (((((_e3275.member.member * _e2989) + (_e3275.member.member_1 * _e2990)) + (_e3275.member.member_2 * _e2991)) + _e3275.member_1) * _e3264), _e3270);
-let _e3302 = global_4.member[_e373].member_14.member.member;
+let _e3302 = global_3.member[_e373].member_14.member.member;
 let _e3306 = -(_e3295);
 let _e3309 = (_e3295 - _e3296);
 let _e3310 = (_e3296 - _e3295);
@@ -1281,12 +1281,12 @@ let _e3330 = select(_e3239, _e3319, _e3328);
 let _e3334 = select(_e3244, _e3323, _e3329);
 let _e3338 = select(_e3249, _e3295, _e3324);
 let _e3340 = select(_e3251, _e3296, (_e3296 > _e3251));
-let _e3348 = global_4.member[_e373].member_15.member_1;
+let _e3348 = global_3.member[_e373].member_15.member_1;
 let _e3349 = (_e3348 != 0u);
-let _e3354 = global_4.member[_e373].member_15.member;
+let _e3354 = global_3.member[_e373].member_15.member;
 let _e3374 = select(-1e6f, (((((_e3354.member.member * _e2587) + (_e3354.member.member_1 * _e2588)) + (_e3354.member.member_2 * _e2589)) + _e3354.member_1) * _e3264), _e3349);
 let _e3375 = select(-1e6f, (((((_e3354.member.member * _e2989) + (_e3354.member.member_1 * _e2990)) + (_e3354.member.member_2 * _e2991)) + _e3354.member_1) * _e3264), _e3349);
-let _e3381 = global_4.member[_e373].member_15.member.member;
+let _e3381 = global_3.member[_e373].member_15.member.member;
 let _e3385 = -(_e3374);
 let _e3388 = (_e3374 - _e3375);
 let _e3389 = (_e3375 - _e3374);
@@ -1301,12 +1301,12 @@ let _e3409 = select(_e3330, _e3398, _e3407);
 let _e3413 = select(_e3334, _e3402, _e3408);
 let _e3417 = select(_e3338, _e3374, _e3403);
 let _e3419 = select(_e3340, _e3375, (_e3375 > _e3340));
-let _e3427 = global_4.member[_e373].member_16.member_1;
+let _e3427 = global_3.member[_e373].member_16.member_1;
 let _e3428 = (_e3427 != 0u);
-let _e3433 = global_4.member[_e373].member_16.member;
+let _e3433 = global_3.member[_e373].member_16.member;
 let _e3453 = select(-1e6f, (((((_e3433.member.member * _e2587) + (_e3433.member.member_1 * _e2588)) + (_e3433.member.member_2 * _e2589)) + _e3433.member_1) * _e3264), _e3428);
 let _e3454 = select(-1e6f, (((((_e3433.member.member * _e2989) + (_e3433.member.member_1 * _e2990)) + (_e3433.member.member_2 * _e2991)) + _e3433.member_1) * _e3264), _e3428);
-let _e3460 = global_4.member[_e373].member_16.member.member;
+let _e3460 = global_3.member[_e373].member_16.member.member;
 let _e3464 = -(_e3453);
 let _e3467 = (_e3453 - _e3454);
 let _e3468 = (_e3454 - _e3453);
@@ -1321,12 +1321,12 @@ let _e3488 = select(_e3409, _e3477, _e3486);
 let _e3492 = select(_e3413, _e3481, _e3487);
 let _e3496 = select(_e3417, _e3453, _e3482);
 let _e3498 = select(_e3419, _e3454, (_e3454 > _e3419));
-let _e3506 = global_4.member[_e373].member_17.member_1;
+let _e3506 = global_3.member[_e373].member_17.member_1;
 let _e3507 = (_e3506 != 0u);
-let _e3512 = global_4.member[_e373].member_17.member;
+let _e3512 = global_3.member[_e373].member_17.member;
 let _e3532 = select(-1e6f, (((((_e3512.member.member * _e2587) + (_e3512.member.member_1 * _e2588)) + (_e3512.member.member_2 * _e2589)) + _e3512.member_1) * _e3264), _e3507);
 let _e3533 = select(-1e6f, (((((_e3512.member.member * _e2989) + (_e3512.member.member_1 * _e2990)) + (_e3512.member.member_2 * _e2991)) + _e3512.member_1) * _e3264), _e3507);
-let _e3539 = global_4.member[_e373].member_17.member.member;
+let _e3539 = global_3.member[_e373].member_17.member.member;
 let _e3543 = -(_e3532);
 let _e3546 = (_e3532 - _e3533);
 let _e3547 = (_e3533 - _e3532);
@@ -1337,7 +1337,7 @@ let _e3560 = select(2f, select(0f, _e3552, (_e3532 < 0f)), (_e3533 > 0f));
 let _e3561 = (_e3532 > _e3496);
 let _e3565 = ((_e3556 > _e3488) || ((_e3556 == _e3488) && _e3561));
 let _e3566 = (_e3560 < _e3492);
-phi_7035_ = type_35(select(_e3488, _e3556, _e3565), vec3<f32>(select(select(select(select(_e3240, _e3302.member, _e3328), _e3381.member, _e3407), _e3460.member, _e3486), _e3539.member, _e3565), select(select(select(select(_e3241, _e3302.member_1, _e3328), _e3381.member_1, _e3407), _e3460.member_1, _e3486), _e3539.member_1, _e3565), select(select(select(select(_e3242, _e3302.member_2, _e3328), _e3381.member_2, _e3407), _e3460.member_2, _e3486), _e3539.member_2, _e3565)), select(_e3492, _e3560, _e3566), vec3<f32>(select(select(select(select(_e3245, _e3302.member, _e3329), _e3381.member, _e3408), _e3460.member, _e3487), _e3539.member, _e3566), select(select(select(select(_e3246, _e3302.member_1, _e3329), _e3381.member_1, _e3408), _e3460.member_1, _e3487), _e3539.member_1, _e3566), select(select(select(select(_e3247, _e3302.member_2, _e3329), _e3381.member_2, _e3408), _e3460.member_2, _e3487), _e3539.member_2, _e3566)), select(_e3496, _e3532, _e3561), select(_e3498, _e3533, (_e3533 > _e3498)), vec3<f32>(select(select(select(select(_e3252, _e3302.member, _e3324), _e3381.member, _e3403), _e3460.member, _e3482), _e3539.member, _e3561), select(select(select(select(_e3253, _e3302.member_1, _e3324), _e3381.member_1, _e3403), _e3460.member_1, _e3482), _e3539.member_1, _e3561), select(select(select(select(_e3254, _e3302.member_2, _e3324), _e3381.member_2, _e3403), _e3460.member_2, _e3482), _e3539.member_2, _e3561)));
+phi_7035_ = type_34(select(_e3488, _e3556, _e3565), vec3<f32>(select(select(select(select(_e3240, _e3302.member, _e3328), _e3381.member, _e3407), _e3460.member, _e3486), _e3539.member, _e3565), select(select(select(select(_e3241, _e3302.member_1, _e3328), _e3381.member_1, _e3407), _e3460.member_1, _e3486), _e3539.member_1, _e3565), select(select(select(select(_e3242, _e3302.member_2, _e3328), _e3381.member_2, _e3407), _e3460.member_2, _e3486), _e3539.member_2, _e3565)), select(_e3492, _e3560, _e3566), vec3<f32>(select(select(select(select(_e3245, _e3302.member, _e3329), _e3381.member, _e3408), _e3460.member, _e3487), _e3539.member, _e3566), select(select(select(select(_e3246, _e3302.member_1, _e3329), _e3381.member_1, _e3408), _e3460.member_1, _e3487), _e3539.member_1, _e3566), select(select(select(select(_e3247, _e3302.member_2, _e3329), _e3381.member_2, _e3408), _e3460.member_2, _e3487), _e3539.member_2, _e3566)), select(_e3496, _e3532, _e3561), select(_e3498, _e3533, (_e3533 > _e3498)), vec3<f32>(select(select(select(select(_e3252, _e3302.member, _e3324), _e3381.member, _e3403), _e3460.member, _e3482), _e3539.member, _e3561), select(select(select(select(_e3253, _e3302.member_1, _e3324), _e3381.member_1, _e3403), _e3460.member_1, _e3482), _e3539.member_1, _e3561), select(select(select(select(_e3254, _e3302.member_2, _e3324), _e3381.member_2, _e3403), _e3460.member_2, _e3482), _e3539.member_2, _e3561)));
 }
 let _e3586 = phi_7035_;
 let _e3592 = (((_e2580 && _e2994) && !(_e2979)) && (_e3586.member_2 <= 1f));
@@ -1380,30 +1380,30 @@ let _e3702 = (select(0i, _e3665, (_e3665 > 0i)) * _e2163);
 let _e3703 = (select(_e2176, _e3683, (_e3683 < _e2176)) * _e2163);
 let _e3704 = (select(0i, _e3680, (_e3680 > 0i)) * _e2168);
 let _e3705 = (select(_e2189, _e3688, (_e3688 < _e2189)) * _e2168);
-local_32 = type_32(array<i32, 4>(select(0i, _e3691, (_e3691 > 0i)), select(0i, _e3650, (_e3650 > 0i)), select(_e2202, _e3696, (_e3696 < _e2202)), select(_e2202, _e3699, (_e3699 < _e2202))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_32 = type_28(array<i32, 4>(select(0i, _e3691, (_e3691 > 0i)), select(0i, _e3650, (_e3650 > 0i)), select(_e2202, _e3696, (_e3696 < _e2202)), select(_e2202, _e3699, (_e3699 < _e2202))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_33 = vec3<f32>((_e3627 - f32(_e3650)), (_e3631 - f32(_e3665)), (_e3635 - f32(_e3680)));
 let _e3716 = (_e3704 + _e3702);
 let _e3719 = local_32.member[1u];
 let _e3720 = (_e3716 + _e3719);
 let _e3722 = select(_e2234, _e3720, (_e3720 < _e2234));
-let _e3727 = global_5.member[bitcast<u32>(select(0i, _e3722, (_e3722 > 0i)))];
+let _e3727 = global_4.member[bitcast<u32>(select(0i, _e3722, (_e3722 > 0i)))];
 let _e3728 = bitcast<f32>(_e3727);
 let _e3731 = local_32.member[2u];
 let _e3732 = (_e3716 + _e3731);
 let _e3734 = select(_e2234, _e3732, (_e3732 < _e2234));
-let _e3739 = global_5.member[bitcast<u32>(select(0i, _e3734, (_e3734 > 0i)))];
+let _e3739 = global_4.member[bitcast<u32>(select(0i, _e3734, (_e3734 > 0i)))];
 let _e3741 = local_33[0u];
 let _e3744 = (_e3728 + ((bitcast<f32>(_e3739) - _e3728) * _e3741));
 let _e3745 = (_e3704 + _e3703);
 let _e3746 = local_32.member[1u];
 let _e3747 = (_e3745 + _e3746);
 let _e3749 = select(_e2234, _e3747, (_e3747 < _e2234));
-let _e3754 = global_5.member[bitcast<u32>(select(0i, _e3749, (_e3749 > 0i)))];
+let _e3754 = global_4.member[bitcast<u32>(select(0i, _e3749, (_e3749 > 0i)))];
 let _e3755 = bitcast<f32>(_e3754);
 let _e3756 = local_32.member[2u];
 let _e3757 = (_e3745 + _e3756);
 let _e3759 = select(_e2234, _e3757, (_e3757 < _e2234));
-let _e3764 = global_5.member[bitcast<u32>(select(0i, _e3759, (_e3759 > 0i)))];
+let _e3764 = global_4.member[bitcast<u32>(select(0i, _e3759, (_e3759 > 0i)))];
 let _e3766 = local_33[0u];
 let _e3771 = local_33[1u];
 let _e3774 = (_e3744 + (((_e3755 + ((bitcast<f32>(_e3764) - _e3755) * _e3766)) - _e3744) * _e3771));
@@ -1411,24 +1411,24 @@ let _e3775 = (_e3705 + _e3702);
 let _e3776 = local_32.member[1u];
 let _e3777 = (_e3775 + _e3776);
 let _e3779 = select(_e2234, _e3777, (_e3777 < _e2234));
-let _e3784 = global_5.member[bitcast<u32>(select(0i, _e3779, (_e3779 > 0i)))];
+let _e3784 = global_4.member[bitcast<u32>(select(0i, _e3779, (_e3779 > 0i)))];
 let _e3785 = bitcast<f32>(_e3784);
 let _e3786 = local_32.member[2u];
 let _e3787 = (_e3775 + _e3786);
 let _e3789 = select(_e2234, _e3787, (_e3787 < _e2234));
-let _e3794 = global_5.member[bitcast<u32>(select(0i, _e3789, (_e3789 > 0i)))];
+let _e3794 = global_4.member[bitcast<u32>(select(0i, _e3789, (_e3789 > 0i)))];
 let _e3796 = local_33[0u];
 let _e3799 = (_e3785 + ((bitcast<f32>(_e3794) - _e3785) * _e3796));
 let _e3800 = (_e3705 + _e3703);
 let _e3801 = local_32.member[1u];
 let _e3802 = (_e3800 + _e3801);
 let _e3804 = select(_e2234, _e3802, (_e3802 < _e2234));
-let _e3809 = global_5.member[bitcast<u32>(select(0i, _e3804, (_e3804 > 0i)))];
+let _e3809 = global_4.member[bitcast<u32>(select(0i, _e3804, (_e3804 > 0i)))];
 let _e3810 = bitcast<f32>(_e3809);
 let _e3811 = local_32.member[2u];
 let _e3812 = (_e3800 + _e3811);
 let _e3814 = select(_e2234, _e3812, (_e3812 < _e2234));
-let _e3819 = global_5.member[bitcast<u32>(select(0i, _e3814, (_e3814 > 0i)))];
+let _e3819 = global_4.member[bitcast<u32>(select(0i, _e3814, (_e3814 > 0i)))];
 let _e3821 = local_33[0u];
 let _e3825 = local_33[1u];
 let _e3830 = local_33[2u];
@@ -1456,12 +1456,12 @@ let _e3882 = select(0i, select(select(i32(_e3875), i32(-2147483648), (_e3875 < -
 let _e3886 = (_e3882 - select(0i, 1i, (_e3875 < f32(_e3882))));
 let _e3887 = (262147i + _e3886);
 let _e3889 = select(_e2368, _e3887, (_e3887 < _e2368));
-let _e3894 = global_3.member[bitcast<u32>(select(0i, _e3889, (_e3889 > 0i)))];
+let _e3894 = global_2.member[bitcast<u32>(select(0i, _e3889, (_e3889 > 0i)))];
 let _e3909 = ((_e2894 + (f32(bitcast<i32>((_e3894 >> bitcast<u32>(12u)))) * _e2897)) + ((f32((bitcast<i32>((_e3894 & 4095u)) - 2048i)) * _e2890) * (_e3871 - f32(_e3886))));
 if _e2994 {
-phi_8147_ = type_28(_e3909, 1f);
+phi_8147_ = type_31(_e3909, 1f);
 } else {
-phi_8147_ = type_28(1f, _e3909);
+phi_8147_ = type_31(1f, _e3909);
 }
 let _e3913 = phi_8147_;
 let _e3918 = ((_e3913.member_1 * _e3913.member_1) - (_e3913.member * _e3913.member));
@@ -1600,16 +1600,16 @@ let _e4274 = select(select(select(select(select(select(0f, _e1488.member, _e4055
 let _e4275 = select(select(select(select(select(select(0f, _e1488.member_1, _e4055), _e1488.member_1, _e4095), _e1497.member_1, _e4135), _e1497.member_1, _e4175), _e1506.member_1, _e4215), _e1506.member_1, _e4255);
 let _e4276 = select(select(select(select(select(select(1f, _e1488.member_2, _e4055), _e1488.member_2, _e4095), _e1497.member_2, _e4135), _e1497.member_2, _e4175), _e1506.member_2, _e4215), _e1506.member_2, _e4255);
 if _e1755 {
-phi_9685_ = type_35(_e4261, vec3<f32>(_e4262, _e4263, _e4264), _e4266, vec3<f32>(_e4267, _e4268, _e4269), _e4271, _e4273, vec3<f32>(_e4274, _e4275, _e4276));
+phi_9685_ = type_34(_e4261, vec3<f32>(_e4262, _e4263, _e4264), _e4266, vec3<f32>(_e4267, _e4268, _e4269), _e4271, _e4273, vec3<f32>(_e4274, _e4275, _e4276));
 } else {
 let _e4283 = (((_e1488.member * _e1488.member) + (_e1488.member_1 * _e1488.member_1)) + (_e1488.member_2 * _e1488.member_2));
 let _e4286 = sqrt(select(0f, _e4283, (_e4283 > 0f)));
-let _e4291 = global_4.member[_e373].member_14.member_1;
+let _e4291 = global_3.member[_e373].member_14.member_1;
 let _e4292 = (_e4291 != 0u);
-let _e4297 = global_4.member[_e373].member_14.member;
+let _e4297 = global_3.member[_e373].member_14.member;
 let _e4317 = select(-1e6f, (((((_e4297.member.member * _e3605.x) + (_e4297.member.member_1 * _e3605.y)) + (_e4297.member.member_2 * _e3605.z)) + _e4297.member_1) * _e4286), _e4292);
 let _e4318 = select(-1e6f, (((((_e4297.member.member * _e3990) + (_e4297.member.member_1 * _e3991)) + (_e4297.member.member_2 * _e3992)) + _e4297.member_1) * _e4286), _e4292);
-let _e4324 = global_4.member[_e373].member_14.member.member;
+let _e4324 = global_3.member[_e373].member_14.member.member;
 let _e4328 = -(_e4317);
 let _e4331 = (_e4317 - _e4318);
 let _e4332 = (_e4318 - _e4317);
@@ -1624,12 +1624,12 @@ let _e4352 = select(_e4261, _e4341, _e4350);
 let _e4356 = select(_e4266, _e4345, _e4351);
 let _e4360 = select(_e4271, _e4317, _e4346);
 let _e4362 = select(_e4273, _e4318, (_e4318 > _e4273));
-let _e4370 = global_4.member[_e373].member_15.member_1;
+let _e4370 = global_3.member[_e373].member_15.member_1;
 let _e4371 = (_e4370 != 0u);
-let _e4376 = global_4.member[_e373].member_15.member;
+let _e4376 = global_3.member[_e373].member_15.member;
 let _e4396 = select(-1e6f, (((((_e4376.member.member * _e3605.x) + (_e4376.member.member_1 * _e3605.y)) + (_e4376.member.member_2 * _e3605.z)) + _e4376.member_1) * _e4286), _e4371);
 let _e4397 = select(-1e6f, (((((_e4376.member.member * _e3990) + (_e4376.member.member_1 * _e3991)) + (_e4376.member.member_2 * _e3992)) + _e4376.member_1) * _e4286), _e4371);
-let _e4403 = global_4.member[_e373].member_15.member.member;
+let _e4403 = global_3.member[_e373].member_15.member.member;
 let _e4407 = -(_e4396);
 let _e4410 = (_e4396 - _e4397);
 let _e4411 = (_e4397 - _e4396);
@@ -1644,12 +1644,12 @@ let _e4431 = select(_e4352, _e4420, _e4429);
 let _e4435 = select(_e4356, _e4424, _e4430);
 let _e4439 = select(_e4360, _e4396, _e4425);
 let _e4441 = select(_e4362, _e4397, (_e4397 > _e4362));
-let _e4449 = global_4.member[_e373].member_16.member_1;
+let _e4449 = global_3.member[_e373].member_16.member_1;
 let _e4450 = (_e4449 != 0u);
-let _e4455 = global_4.member[_e373].member_16.member;
+let _e4455 = global_3.member[_e373].member_16.member;
 let _e4475 = select(-1e6f, (((((_e4455.member.member * _e3605.x) + (_e4455.member.member_1 * _e3605.y)) + (_e4455.member.member_2 * _e3605.z)) + _e4455.member_1) * _e4286), _e4450);
 let _e4476 = select(-1e6f, (((((_e4455.member.member * _e3990) + (_e4455.member.member_1 * _e3991)) + (_e4455.member.member_2 * _e3992)) + _e4455.member_1) * _e4286), _e4450);
-let _e4482 = global_4.member[_e373].member_16.member.member;
+let _e4482 = global_3.member[_e373].member_16.member.member;
 let _e4486 = -(_e4475);
 let _e4489 = (_e4475 - _e4476);
 let _e4490 = (_e4476 - _e4475);
@@ -1664,12 +1664,12 @@ let _e4510 = select(_e4431, _e4499, _e4508);
 let _e4514 = select(_e4435, _e4503, _e4509);
 let _e4518 = select(_e4439, _e4475, _e4504);
 let _e4520 = select(_e4441, _e4476, (_e4476 > _e4441));
-let _e4528 = global_4.member[_e373].member_17.member_1;
+let _e4528 = global_3.member[_e373].member_17.member_1;
 let _e4529 = (_e4528 != 0u);
-let _e4534 = global_4.member[_e373].member_17.member;
+let _e4534 = global_3.member[_e373].member_17.member;
 let _e4554 = select(-1e6f, (((((_e4534.member.member * _e3605.x) + (_e4534.member.member_1 * _e3605.y)) + (_e4534.member.member_2 * _e3605.z)) + _e4534.member_1) * _e4286), _e4529);
 let _e4555 = select(-1e6f, (((((_e4534.member.member * _e3990) + (_e4534.member.member_1 * _e3991)) + (_e4534.member.member_2 * _e3992)) + _e4534.member_1) * _e4286), _e4529);
-let _e4561 = global_4.member[_e373].member_17.member.member;
+let _e4561 = global_3.member[_e373].member_17.member.member;
 let _e4565 = -(_e4554);
 let _e4568 = (_e4554 - _e4555);
 let _e4569 = (_e4555 - _e4554);
@@ -1680,7 +1680,7 @@ let _e4582 = select(2f, select(0f, _e4574, (_e4554 < 0f)), (_e4555 > 0f));
 let _e4583 = (_e4554 > _e4518);
 let _e4587 = ((_e4578 > _e4510) || ((_e4578 == _e4510) && _e4583));
 let _e4588 = (_e4582 < _e4514);
-phi_9685_ = type_35(select(_e4510, _e4578, _e4587), vec3<f32>(select(select(select(select(_e4262, _e4324.member, _e4350), _e4403.member, _e4429), _e4482.member, _e4508), _e4561.member, _e4587), select(select(select(select(_e4263, _e4324.member_1, _e4350), _e4403.member_1, _e4429), _e4482.member_1, _e4508), _e4561.member_1, _e4587), select(select(select(select(_e4264, _e4324.member_2, _e4350), _e4403.member_2, _e4429), _e4482.member_2, _e4508), _e4561.member_2, _e4587)), select(_e4514, _e4582, _e4588), vec3<f32>(select(select(select(select(_e4267, _e4324.member, _e4351), _e4403.member, _e4430), _e4482.member, _e4509), _e4561.member, _e4588), select(select(select(select(_e4268, _e4324.member_1, _e4351), _e4403.member_1, _e4430), _e4482.member_1, _e4509), _e4561.member_1, _e4588), select(select(select(select(_e4269, _e4324.member_2, _e4351), _e4403.member_2, _e4430), _e4482.member_2, _e4509), _e4561.member_2, _e4588)), select(_e4518, _e4554, _e4583), select(_e4520, _e4555, (_e4555 > _e4520)), vec3<f32>(select(select(select(select(_e4274, _e4324.member, _e4346), _e4403.member, _e4425), _e4482.member, _e4504), _e4561.member, _e4583), select(select(select(select(_e4275, _e4324.member_1, _e4346), _e4403.member_1, _e4425), _e4482.member_1, _e4504), _e4561.member_1, _e4583), select(select(select(select(_e4276, _e4324.member_2, _e4346), _e4403.member_2, _e4425), _e4482.member_2, _e4504), _e4561.member_2, _e4583)));
+phi_9685_ = type_34(select(_e4510, _e4578, _e4587), vec3<f32>(select(select(select(select(_e4262, _e4324.member, _e4350), _e4403.member, _e4429), _e4482.member, _e4508), _e4561.member, _e4587), select(select(select(select(_e4263, _e4324.member_1, _e4350), _e4403.member_1, _e4429), _e4482.member_1, _e4508), _e4561.member_1, _e4587), select(select(select(select(_e4264, _e4324.member_2, _e4350), _e4403.member_2, _e4429), _e4482.member_2, _e4508), _e4561.member_2, _e4587)), select(_e4514, _e4582, _e4588), vec3<f32>(select(select(select(select(_e4267, _e4324.member, _e4351), _e4403.member, _e4430), _e4482.member, _e4509), _e4561.member, _e4588), select(select(select(select(_e4268, _e4324.member_1, _e4351), _e4403.member_1, _e4430), _e4482.member_1, _e4509), _e4561.member_1, _e4588), select(select(select(select(_e4269, _e4324.member_2, _e4351), _e4403.member_2, _e4430), _e4482.member_2, _e4509), _e4561.member_2, _e4588)), select(_e4518, _e4554, _e4583), select(_e4520, _e4555, (_e4555 > _e4520)), vec3<f32>(select(select(select(select(_e4274, _e4324.member, _e4346), _e4403.member, _e4425), _e4482.member, _e4504), _e4561.member, _e4583), select(select(select(select(_e4275, _e4324.member_1, _e4346), _e4403.member_1, _e4425), _e4482.member_1, _e4504), _e4561.member_1, _e4583), select(select(select(select(_e4276, _e4324.member_2, _e4346), _e4403.member_2, _e4425), _e4482.member_2, _e4504), _e4561.member_2, _e4583)));
 }
 let _e4608 = phi_9685_;
 let _e4614 = (((_e3592 && _e3995) && !(_e3979)) && (_e4608.member_2 <= 1f));
@@ -1722,30 +1722,30 @@ let _e4724 = (select(0i, _e4687, (_e4687 > 0i)) * _e2163);
 let _e4725 = (select(_e2176, _e4705, (_e4705 < _e2176)) * _e2163);
 let _e4726 = (select(0i, _e4702, (_e4702 > 0i)) * _e2168);
 let _e4727 = (select(_e2189, _e4710, (_e4710 < _e2189)) * _e2168);
-local_28 = type_32(array<i32, 4>(select(0i, _e4713, (_e4713 > 0i)), select(0i, _e4672, (_e4672 > 0i)), select(_e2202, _e4718, (_e4718 < _e2202)), select(_e2202, _e4721, (_e4721 < _e2202))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_28 = type_28(array<i32, 4>(select(0i, _e4713, (_e4713 > 0i)), select(0i, _e4672, (_e4672 > 0i)), select(_e2202, _e4718, (_e4718 < _e2202)), select(_e2202, _e4721, (_e4721 < _e2202))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_29 = vec3<f32>((_e4649 - f32(_e4672)), (_e4653 - f32(_e4687)), (_e4657 - f32(_e4702)));
 let _e4738 = (_e4726 + _e4724);
 let _e4741 = local_28.member[1u];
 let _e4742 = (_e4738 + _e4741);
 let _e4744 = select(_e2234, _e4742, (_e4742 < _e2234));
-let _e4749 = global_5.member[bitcast<u32>(select(0i, _e4744, (_e4744 > 0i)))];
+let _e4749 = global_4.member[bitcast<u32>(select(0i, _e4744, (_e4744 > 0i)))];
 let _e4750 = bitcast<f32>(_e4749);
 let _e4753 = local_28.member[2u];
 let _e4754 = (_e4738 + _e4753);
 let _e4756 = select(_e2234, _e4754, (_e4754 < _e2234));
-let _e4761 = global_5.member[bitcast<u32>(select(0i, _e4756, (_e4756 > 0i)))];
+let _e4761 = global_4.member[bitcast<u32>(select(0i, _e4756, (_e4756 > 0i)))];
 let _e4763 = local_29[0u];
 let _e4766 = (_e4750 + ((bitcast<f32>(_e4761) - _e4750) * _e4763));
 let _e4767 = (_e4726 + _e4725);
 let _e4768 = local_28.member[1u];
 let _e4769 = (_e4767 + _e4768);
 let _e4771 = select(_e2234, _e4769, (_e4769 < _e2234));
-let _e4776 = global_5.member[bitcast<u32>(select(0i, _e4771, (_e4771 > 0i)))];
+let _e4776 = global_4.member[bitcast<u32>(select(0i, _e4771, (_e4771 > 0i)))];
 let _e4777 = bitcast<f32>(_e4776);
 let _e4778 = local_28.member[2u];
 let _e4779 = (_e4767 + _e4778);
 let _e4781 = select(_e2234, _e4779, (_e4779 < _e2234));
-let _e4786 = global_5.member[bitcast<u32>(select(0i, _e4781, (_e4781 > 0i)))];
+let _e4786 = global_4.member[bitcast<u32>(select(0i, _e4781, (_e4781 > 0i)))];
 let _e4788 = local_29[0u];
 let _e4793 = local_29[1u];
 let _e4796 = (_e4766 + (((_e4777 + ((bitcast<f32>(_e4786) - _e4777) * _e4788)) - _e4766) * _e4793));
@@ -1753,24 +1753,24 @@ let _e4797 = (_e4727 + _e4724);
 let _e4798 = local_28.member[1u];
 let _e4799 = (_e4797 + _e4798);
 let _e4801 = select(_e2234, _e4799, (_e4799 < _e2234));
-let _e4806 = global_5.member[bitcast<u32>(select(0i, _e4801, (_e4801 > 0i)))];
+let _e4806 = global_4.member[bitcast<u32>(select(0i, _e4801, (_e4801 > 0i)))];
 let _e4807 = bitcast<f32>(_e4806);
 let _e4808 = local_28.member[2u];
 let _e4809 = (_e4797 + _e4808);
 let _e4811 = select(_e2234, _e4809, (_e4809 < _e2234));
-let _e4816 = global_5.member[bitcast<u32>(select(0i, _e4811, (_e4811 > 0i)))];
+let _e4816 = global_4.member[bitcast<u32>(select(0i, _e4811, (_e4811 > 0i)))];
 let _e4818 = local_29[0u];
 let _e4821 = (_e4807 + ((bitcast<f32>(_e4816) - _e4807) * _e4818));
 let _e4822 = (_e4727 + _e4725);
 let _e4823 = local_28.member[1u];
 let _e4824 = (_e4822 + _e4823);
 let _e4826 = select(_e2234, _e4824, (_e4824 < _e2234));
-let _e4831 = global_5.member[bitcast<u32>(select(0i, _e4826, (_e4826 > 0i)))];
+let _e4831 = global_4.member[bitcast<u32>(select(0i, _e4826, (_e4826 > 0i)))];
 let _e4832 = bitcast<f32>(_e4831);
 let _e4833 = local_28.member[2u];
 let _e4834 = (_e4822 + _e4833);
 let _e4836 = select(_e2234, _e4834, (_e4834 < _e2234));
-let _e4841 = global_5.member[bitcast<u32>(select(0i, _e4836, (_e4836 > 0i)))];
+let _e4841 = global_4.member[bitcast<u32>(select(0i, _e4836, (_e4836 > 0i)))];
 let _e4843 = local_29[0u];
 let _e4847 = local_29[1u];
 let _e4852 = local_29[2u];
@@ -1798,12 +1798,12 @@ let _e4904 = select(0i, select(select(i32(_e4897), i32(-2147483648), (_e4897 < -
 let _e4908 = (_e4904 - select(0i, 1i, (_e4897 < f32(_e4904))));
 let _e4909 = (262147i + _e4908);
 let _e4911 = select(_e2368, _e4909, (_e4909 < _e2368));
-let _e4916 = global_3.member[bitcast<u32>(select(0i, _e4911, (_e4911 > 0i)))];
+let _e4916 = global_2.member[bitcast<u32>(select(0i, _e4911, (_e4911 > 0i)))];
 let _e4931 = ((_e2894 + (f32(bitcast<i32>((_e4916 >> bitcast<u32>(12u)))) * _e2897)) + ((f32((bitcast<i32>((_e4916 & 4095u)) - 2048i)) * _e2890) * (_e4893 - f32(_e4908))));
 if _e3995 {
-phi_10797_ = type_28(_e4931, 1f);
+phi_10797_ = type_31(_e4931, 1f);
 } else {
-phi_10797_ = type_28(1f, _e4931);
+phi_10797_ = type_31(1f, _e4931);
 }
 let _e4935 = phi_10797_;
 let _e4940 = ((_e4935.member_1 * _e4935.member_1) - (_e4935.member * _e4935.member));
@@ -1942,16 +1942,16 @@ let _e5297 = select(select(select(select(select(select(0f, _e1488.member, _e5078
 let _e5298 = select(select(select(select(select(select(0f, _e1488.member_1, _e5078), _e1488.member_1, _e5118), _e1497.member_1, _e5158), _e1497.member_1, _e5198), _e1506.member_1, _e5238), _e1506.member_1, _e5278);
 let _e5299 = select(select(select(select(select(select(1f, _e1488.member_2, _e5078), _e1488.member_2, _e5118), _e1497.member_2, _e5158), _e1497.member_2, _e5198), _e1506.member_2, _e5238), _e1506.member_2, _e5278);
 if _e1755 {
-phi_12335_ = type_35(_e5284, vec3<f32>(_e5285, _e5286, _e5287), _e5289, vec3<f32>(_e5290, _e5291, _e5292), _e5294, _e5296, vec3<f32>(_e5297, _e5298, _e5299));
+phi_12335_ = type_34(_e5284, vec3<f32>(_e5285, _e5286, _e5287), _e5289, vec3<f32>(_e5290, _e5291, _e5292), _e5294, _e5296, vec3<f32>(_e5297, _e5298, _e5299));
 } else {
 let _e5306 = (((_e1488.member * _e1488.member) + (_e1488.member_1 * _e1488.member_1)) + (_e1488.member_2 * _e1488.member_2));
 let _e5309 = sqrt(select(0f, _e5306, (_e5306 > 0f)));
-let _e5314 = global_4.member[_e373].member_14.member_1;
+let _e5314 = global_3.member[_e373].member_14.member_1;
 let _e5315 = (_e5314 != 0u);
-let _e5320 = global_4.member[_e373].member_14.member;
+let _e5320 = global_3.member[_e373].member_14.member;
 let _e5340 = select(-1e6f, (((((_e5320.member.member * _e4627.x) + (_e5320.member.member_1 * _e4627.y)) + (_e5320.member.member_2 * _e4627.z)) + _e5320.member_1) * _e5309), _e5315);
 let _e5341 = select(-1e6f, (((((_e5320.member.member * _e5013) + (_e5320.member.member_1 * _e5014)) + (_e5320.member.member_2 * _e5015)) + _e5320.member_1) * _e5309), _e5315);
-let _e5347 = global_4.member[_e373].member_14.member.member;
+let _e5347 = global_3.member[_e373].member_14.member.member;
 let _e5351 = -(_e5340);
 let _e5354 = (_e5340 - _e5341);
 let _e5355 = (_e5341 - _e5340);
@@ -1966,12 +1966,12 @@ let _e5375 = select(_e5284, _e5364, _e5373);
 let _e5379 = select(_e5289, _e5368, _e5374);
 let _e5383 = select(_e5294, _e5340, _e5369);
 let _e5385 = select(_e5296, _e5341, (_e5341 > _e5296));
-let _e5393 = global_4.member[_e373].member_15.member_1;
+let _e5393 = global_3.member[_e373].member_15.member_1;
 let _e5394 = (_e5393 != 0u);
-let _e5399 = global_4.member[_e373].member_15.member;
+let _e5399 = global_3.member[_e373].member_15.member;
 let _e5419 = select(-1e6f, (((((_e5399.member.member * _e4627.x) + (_e5399.member.member_1 * _e4627.y)) + (_e5399.member.member_2 * _e4627.z)) + _e5399.member_1) * _e5309), _e5394);
 let _e5420 = select(-1e6f, (((((_e5399.member.member * _e5013) + (_e5399.member.member_1 * _e5014)) + (_e5399.member.member_2 * _e5015)) + _e5399.member_1) * _e5309), _e5394);
-let _e5426 = global_4.member[_e373].member_15.member.member;
+let _e5426 = global_3.member[_e373].member_15.member.member;
 let _e5430 = -(_e5419);
 let _e5433 = (_e5419 - _e5420);
 let _e5434 = (_e5420 - _e5419);
@@ -1986,12 +1986,12 @@ let _e5454 = select(_e5375, _e5443, _e5452);
 let _e5458 = select(_e5379, _e5447, _e5453);
 let _e5462 = select(_e5383, _e5419, _e5448);
 let _e5464 = select(_e5385, _e5420, (_e5420 > _e5385));
-let _e5472 = global_4.member[_e373].member_16.member_1;
+let _e5472 = global_3.member[_e373].member_16.member_1;
 let _e5473 = (_e5472 != 0u);
-let _e5478 = global_4.member[_e373].member_16.member;
+let _e5478 = global_3.member[_e373].member_16.member;
 let _e5498 = select(-1e6f, (((((_e5478.member.member * _e4627.x) + (_e5478.member.member_1 * _e4627.y)) + (_e5478.member.member_2 * _e4627.z)) + _e5478.member_1) * _e5309), _e5473);
 let _e5499 = select(-1e6f, (((((_e5478.member.member * _e5013) + (_e5478.member.member_1 * _e5014)) + (_e5478.member.member_2 * _e5015)) + _e5478.member_1) * _e5309), _e5473);
-let _e5505 = global_4.member[_e373].member_16.member.member;
+let _e5505 = global_3.member[_e373].member_16.member.member;
 let _e5509 = -(_e5498);
 let _e5512 = (_e5498 - _e5499);
 let _e5513 = (_e5499 - _e5498);
@@ -2006,12 +2006,12 @@ let _e5533 = select(_e5454, _e5522, _e5531);
 let _e5537 = select(_e5458, _e5526, _e5532);
 let _e5541 = select(_e5462, _e5498, _e5527);
 let _e5543 = select(_e5464, _e5499, (_e5499 > _e5464));
-let _e5551 = global_4.member[_e373].member_17.member_1;
+let _e5551 = global_3.member[_e373].member_17.member_1;
 let _e5552 = (_e5551 != 0u);
-let _e5557 = global_4.member[_e373].member_17.member;
+let _e5557 = global_3.member[_e373].member_17.member;
 let _e5577 = select(-1e6f, (((((_e5557.member.member * _e4627.x) + (_e5557.member.member_1 * _e4627.y)) + (_e5557.member.member_2 * _e4627.z)) + _e5557.member_1) * _e5309), _e5552);
 let _e5578 = select(-1e6f, (((((_e5557.member.member * _e5013) + (_e5557.member.member_1 * _e5014)) + (_e5557.member.member_2 * _e5015)) + _e5557.member_1) * _e5309), _e5552);
-let _e5584 = global_4.member[_e373].member_17.member.member;
+let _e5584 = global_3.member[_e373].member_17.member.member;
 let _e5588 = -(_e5577);
 let _e5591 = (_e5577 - _e5578);
 let _e5592 = (_e5578 - _e5577);
@@ -2022,7 +2022,7 @@ let _e5605 = select(2f, select(0f, _e5597, (_e5577 < 0f)), (_e5578 > 0f));
 let _e5606 = (_e5577 > _e5541);
 let _e5610 = ((_e5601 > _e5533) || ((_e5601 == _e5533) && _e5606));
 let _e5611 = (_e5605 < _e5537);
-phi_12335_ = type_35(select(_e5533, _e5601, _e5610), vec3<f32>(select(select(select(select(_e5285, _e5347.member, _e5373), _e5426.member, _e5452), _e5505.member, _e5531), _e5584.member, _e5610), select(select(select(select(_e5286, _e5347.member_1, _e5373), _e5426.member_1, _e5452), _e5505.member_1, _e5531), _e5584.member_1, _e5610), select(select(select(select(_e5287, _e5347.member_2, _e5373), _e5426.member_2, _e5452), _e5505.member_2, _e5531), _e5584.member_2, _e5610)), select(_e5537, _e5605, _e5611), vec3<f32>(select(select(select(select(_e5290, _e5347.member, _e5374), _e5426.member, _e5453), _e5505.member, _e5532), _e5584.member, _e5611), select(select(select(select(_e5291, _e5347.member_1, _e5374), _e5426.member_1, _e5453), _e5505.member_1, _e5532), _e5584.member_1, _e5611), select(select(select(select(_e5292, _e5347.member_2, _e5374), _e5426.member_2, _e5453), _e5505.member_2, _e5532), _e5584.member_2, _e5611)), select(_e5541, _e5577, _e5606), select(_e5543, _e5578, (_e5578 > _e5543)), vec3<f32>(select(select(select(select(_e5297, _e5347.member, _e5369), _e5426.member, _e5448), _e5505.member, _e5527), _e5584.member, _e5606), select(select(select(select(_e5298, _e5347.member_1, _e5369), _e5426.member_1, _e5448), _e5505.member_1, _e5527), _e5584.member_1, _e5606), select(select(select(select(_e5299, _e5347.member_2, _e5369), _e5426.member_2, _e5448), _e5505.member_2, _e5527), _e5584.member_2, _e5606)));
+phi_12335_ = type_34(select(_e5533, _e5601, _e5610), vec3<f32>(select(select(select(select(_e5285, _e5347.member, _e5373), _e5426.member, _e5452), _e5505.member, _e5531), _e5584.member, _e5610), select(select(select(select(_e5286, _e5347.member_1, _e5373), _e5426.member_1, _e5452), _e5505.member_1, _e5531), _e5584.member_1, _e5610), select(select(select(select(_e5287, _e5347.member_2, _e5373), _e5426.member_2, _e5452), _e5505.member_2, _e5531), _e5584.member_2, _e5610)), select(_e5537, _e5605, _e5611), vec3<f32>(select(select(select(select(_e5290, _e5347.member, _e5374), _e5426.member, _e5453), _e5505.member, _e5532), _e5584.member, _e5611), select(select(select(select(_e5291, _e5347.member_1, _e5374), _e5426.member_1, _e5453), _e5505.member_1, _e5532), _e5584.member_1, _e5611), select(select(select(select(_e5292, _e5347.member_2, _e5374), _e5426.member_2, _e5453), _e5505.member_2, _e5532), _e5584.member_2, _e5611)), select(_e5541, _e5577, _e5606), select(_e5543, _e5578, (_e5578 > _e5543)), vec3<f32>(select(select(select(select(_e5297, _e5347.member, _e5369), _e5426.member, _e5448), _e5505.member, _e5527), _e5584.member, _e5606), select(select(select(select(_e5298, _e5347.member_1, _e5369), _e5426.member_1, _e5448), _e5505.member_1, _e5527), _e5584.member_1, _e5606), select(select(select(select(_e5299, _e5347.member_2, _e5369), _e5426.member_2, _e5448), _e5505.member_2, _e5527), _e5584.member_2, _e5606)));
 }
 let _e5631 = phi_12335_;
 let _e5637 = (((_e4614 && _e5018) && !(_e5002)) && (_e5631.member_2 <= 1f));
@@ -2244,7 +2244,7 @@ phi_14083_ = _e2907;
 phi_14083_ = _e3913;
 }
 let _e6245 = phi_14083_;
-phi_14355_ = type_39(_e6245, vec3<f32>(select(_e5013, _e4627.x, _e5637), select(_e5014, _e4627.y, _e5637), select(_e5015, _e4627.z, _e5637)), vec3<f32>(_e4987, _e4988, _e4989), select((_e1385 * select(0f, _e5721, (_e5721 > 0f))), ((((sqrt(select(0f, _e5732, (_e5732 > 0f))) * select(0f, _e5831, (_e5831 > 0f))) + (sqrt(select(0f, _e5842, (_e5842 > 0f))) * select(0f, _e5959, (_e5959 > 0f)))) + (sqrt(select(0f, _e5971, (_e5971 > 0f))) * select(0f, _e6088, (_e6088 > 0f)))) + select(0f, (sqrt(select(0f, _e6100, (_e6100 > 0f))) * select(0f, _e6217, (_e6217 > 0f))), _e4614)), _e6224), select((_e406 / _e4989), (2f * (_e3596 / _e2961)), (((_e2580 && !(_e2094)) && _e2994) && !(_e3592))), select(_e3586.member_3, _e2572.member_1, vec3(_e2975)), _e5018, _e6224, (((_e2979 || _e3979) || _e5002) || _e5637));
+phi_14355_ = type_38(_e6245, vec3<f32>(select(_e5013, _e4627.x, _e5637), select(_e5014, _e4627.y, _e5637), select(_e5015, _e4627.z, _e5637)), vec3<f32>(_e4987, _e4988, _e4989), select((_e1385 * select(0f, _e5721, (_e5721 > 0f))), ((((sqrt(select(0f, _e5732, (_e5732 > 0f))) * select(0f, _e5831, (_e5831 > 0f))) + (sqrt(select(0f, _e5842, (_e5842 > 0f))) * select(0f, _e5959, (_e5959 > 0f)))) + (sqrt(select(0f, _e5971, (_e5971 > 0f))) * select(0f, _e6088, (_e6088 > 0f)))) + select(0f, (sqrt(select(0f, _e6100, (_e6100 > 0f))) * select(0f, _e6217, (_e6217 > 0f))), _e4614)), _e6224), select((_e406 / _e4989), (2f * (_e3596 / _e2961)), (((_e2580 && !(_e2094)) && _e2994) && !(_e3592))), select(_e3586.member_3, _e2572.member_1, vec3(_e2975)), _e5018, _e6224, (((_e2979 || _e3979) || _e5002) || _e5637));
 } else {
 let _e1387 = (_e987 < 1e-12f);
 let _e1389 = (1f / select(_e982, 1f, _e1387));
@@ -2279,7 +2279,7 @@ let _e1461 = select(select(1f, _e1458, (_e1458 < 1f)), 1f, _e1437);
 let _e1463 = select(_e1436, _e1411, (_e1411 < _e1436));
 let _e1467 = select(_e1429, _e1404, (_e1404 > _e1429));
 let _e1470 = (select(_e1461, _e1463, (_e1463 < _e1461)) - select(_e1454, _e1467, (_e1467 > _e1454)));
-phi_14355_ = type_39(_e1386.member, _e1386.member_1, _e1386.member_2, (_e1385 * select(0f, _e1470, (_e1470 > 0f))), _e1386.member_4, _e1386.member_5, _e1386.member_6, _e1386.member_7, _e1386.member_8);
+phi_14355_ = type_38(_e1386.member, _e1386.member_1, _e1386.member_2, (_e1385 * select(0f, _e1470, (_e1470 > 0f))), _e1386.member_4, _e1386.member_5, _e1386.member_6, _e1386.member_7, _e1386.member_8);
 }
 let _e6248 = phi_14355_;
 let _e6259 = ((((_e474.member.member * _e6248.member_1.x) + (_e474.member.member_1 * _e6248.member_1.y)) + (_e474.member.member_2 * _e6248.member_1.z)) + _e474.member_1);
@@ -2307,8 +2307,8 @@ let _e6597 = select(-1f, _e6565, (_e6565 > -1f));
 let _e6599 = select(_e564, _e6597, (_e6597 < _e564));
 let _e6606 = select(0i, select(select(i32(_e6599), i32(-2147483648), (_e6599 < -2147483600f)), 2147483647i, (_e6599 > 2147483500f)), (_e6599 == _e6599));
 let _e6610 = (_e6606 - select(0i, 1i, (_e6599 < f32(_e6606))));
-let _e6615 = global_4.member[_e373].member_6.member_7;
-let _e6620 = global_4.member[_e373].member_6.member_8;
+let _e6615 = global_3.member[_e373].member_6.member_7;
+let _e6620 = global_3.member[_e373].member_6.member_8;
 let _e6628 = (select(0i, select(select(i32(_e553), i32(-2147483648), (_e553 < -2147483600f)), 2147483647i, (_e553 > 2147483500f)), (_e553 == _e553)) - 1i);
 let _e6631 = (_e6595 + 1i);
 let _e6641 = (select(0i, select(select(i32(_e564), i32(-2147483648), (_e564 < -2147483600f)), 2147483647i, (_e564 > 2147483500f)), (_e564 == _e564)) - 1i);
@@ -2321,61 +2321,61 @@ let _e6666 = (select(0i, _e6595, (_e6595 > 0i)) * _e6615);
 let _e6667 = (select(_e6628, _e6631, (_e6631 < _e6628)) * _e6615);
 let _e6668 = (select(0i, _e6610, (_e6610 > 0i)) * _e6620);
 let _e6669 = (select(_e6641, _e6644, (_e6644 < _e6641)) * _e6620);
-local_24 = type_32(array<i32, 4>(select(0i, _e6655, (_e6655 > 0i)), select(0i, _e6580, (_e6580 > 0i)), select(_e6654, _e6660, (_e6660 < _e6654)), select(_e6654, _e6663, (_e6663 < _e6654))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_24 = type_28(array<i32, 4>(select(0i, _e6655, (_e6655 > 0i)), select(0i, _e6580, (_e6580 > 0i)), select(_e6654, _e6660, (_e6660 < _e6654)), select(_e6654, _e6663, (_e6663 < _e6654))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_25 = vec3<f32>((_e6557 - f32(_e6580)), (_e6561 - f32(_e6595)), (_e6565 - f32(_e6610)));
 let _e6680 = (_e6668 + _e6666);
 let _e6682 = (bitcast<i32>(_e183) - 1i);
 let _e6685 = local_24.member[1u];
 let _e6686 = (_e6680 + _e6685);
 let _e6688 = select(_e6682, _e6686, (_e6686 < _e6682));
-let _e6693 = global_2.member[bitcast<u32>(select(0i, _e6688, (_e6688 > 0i)))];
+let _e6693 = global_1.member[bitcast<u32>(select(0i, _e6688, (_e6688 > 0i)))];
 let _e6694 = bitcast<f32>(_e6693);
 let _e6697 = local_24.member[2u];
 let _e6698 = (_e6680 + _e6697);
 let _e6700 = select(_e6682, _e6698, (_e6698 < _e6682));
-let _e6705 = global_2.member[bitcast<u32>(select(0i, _e6700, (_e6700 > 0i)))];
+let _e6705 = global_1.member[bitcast<u32>(select(0i, _e6700, (_e6700 > 0i)))];
 let _e6707 = local_25[0u];
 let _e6710 = (_e6694 + ((bitcast<f32>(_e6705) - _e6694) * _e6707));
 let _e6711 = (_e6668 + _e6667);
 let _e6712 = local_24.member[1u];
 let _e6713 = (_e6711 + _e6712);
 let _e6715 = select(_e6682, _e6713, (_e6713 < _e6682));
-let _e6720 = global_2.member[bitcast<u32>(select(0i, _e6715, (_e6715 > 0i)))];
+let _e6720 = global_1.member[bitcast<u32>(select(0i, _e6715, (_e6715 > 0i)))];
 let _e6721 = bitcast<f32>(_e6720);
 let _e6722 = local_24.member[2u];
 let _e6723 = (_e6711 + _e6722);
 let _e6725 = select(_e6682, _e6723, (_e6723 < _e6682));
-let _e6730 = global_2.member[bitcast<u32>(select(0i, _e6725, (_e6725 > 0i)))];
+let _e6730 = global_1.member[bitcast<u32>(select(0i, _e6725, (_e6725 > 0i)))];
 let _e6732 = local_25[0u];
 let _e6736 = (_e6669 + _e6666);
 let _e6737 = local_24.member[1u];
 let _e6738 = (_e6736 + _e6737);
 let _e6740 = select(_e6682, _e6738, (_e6738 < _e6682));
-let _e6745 = global_2.member[bitcast<u32>(select(0i, _e6740, (_e6740 > 0i)))];
+let _e6745 = global_1.member[bitcast<u32>(select(0i, _e6740, (_e6740 > 0i)))];
 let _e6746 = bitcast<f32>(_e6745);
 let _e6747 = local_24.member[2u];
 let _e6748 = (_e6736 + _e6747);
 let _e6750 = select(_e6682, _e6748, (_e6748 < _e6682));
-let _e6755 = global_2.member[bitcast<u32>(select(0i, _e6750, (_e6750 > 0i)))];
+let _e6755 = global_1.member[bitcast<u32>(select(0i, _e6750, (_e6750 > 0i)))];
 let _e6757 = local_25[0u];
 let _e6760 = (_e6746 + ((bitcast<f32>(_e6755) - _e6746) * _e6757));
 let _e6761 = (_e6669 + _e6667);
 let _e6762 = local_24.member[1u];
 let _e6763 = (_e6761 + _e6762);
 let _e6765 = select(_e6682, _e6763, (_e6763 < _e6682));
-let _e6770 = global_2.member[bitcast<u32>(select(0i, _e6765, (_e6765 > 0i)))];
+let _e6770 = global_1.member[bitcast<u32>(select(0i, _e6765, (_e6765 > 0i)))];
 let _e6771 = bitcast<f32>(_e6770);
 let _e6772 = local_24.member[2u];
 let _e6773 = (_e6761 + _e6772);
 let _e6775 = select(_e6682, _e6773, (_e6773 < _e6682));
-let _e6780 = global_2.member[bitcast<u32>(select(0i, _e6775, (_e6775 > 0i)))];
+let _e6780 = global_1.member[bitcast<u32>(select(0i, _e6775, (_e6775 > 0i)))];
 let _e6782 = local_25[0u];
 let _e6787 = local_25[1u];
 let _e6790 = (_e6710 + (((_e6721 + ((bitcast<f32>(_e6730) - _e6721) * _e6732)) - _e6710) * _e6787));
 let _e6791 = local_25[1u];
 let _e6796 = local_25[2u];
-let _e6804 = global_4.member[_e373].member_6.member_6;
-let _e6809 = global_4.member[_e373].member_6.member_5;
+let _e6804 = global_3.member[_e373].member_6.member_6;
+let _e6809 = global_3.member[_e373].member_6.member_5;
 let _e6811 = (((_e6790 + (((_e6760 + (((_e6771 + ((bitcast<f32>(_e6780) - _e6771) * _e6782)) - _e6760) * _e6791)) - _e6790) * _e6796)) - _e6804) * _e6809);
 let _e6812 = -(1e9f);
 let _e6814 = select(_e6812, _e6811, (_e6811 > _e6812));
@@ -2397,8 +2397,8 @@ let _e6860 = select(-1f, _e6828, (_e6828 > -1f));
 let _e6862 = select(_e1212, _e6860, (_e6860 < _e1212));
 let _e6869 = select(0i, select(select(i32(_e6862), i32(-2147483648), (_e6862 < -2147483600f)), 2147483647i, (_e6862 > 2147483500f)), (_e6862 == _e6862));
 let _e6873 = (_e6869 - select(0i, 1i, (_e6862 < f32(_e6869))));
-let _e6878 = global_4.member[_e373].member_7.member_7;
-let _e6883 = global_4.member[_e373].member_7.member_8;
+let _e6878 = global_3.member[_e373].member_7.member_7;
+let _e6883 = global_3.member[_e373].member_7.member_8;
 let _e6891 = (select(0i, select(select(i32(_e1201), i32(-2147483648), (_e1201 < -2147483600f)), 2147483647i, (_e1201 > 2147483500f)), (_e1201 == _e1201)) - 1i);
 let _e6892 = (_e6858 - 1i);
 let _e6897 = (_e6858 + 1i);
@@ -2419,29 +2419,29 @@ let _e6945 = (select(0i, _e6911, (_e6911 > 0i)) * _e6883);
 let _e6946 = (select(0i, _e6873, (_e6873 > 0i)) * _e6883);
 let _e6947 = (select(_e6910, _e6916, (_e6916 < _e6910)) * _e6883);
 let _e6948 = (select(_e6910, _e6919, (_e6919 < _e6910)) * _e6883);
-local_22 = type_32(array<i32, 4>(select(0i, _e6930, (_e6930 > 0i)), select(0i, _e6843, (_e6843 > 0i)), select(_e6929, _e6935, (_e6935 < _e6929)), select(_e6929, _e6938, (_e6938 < _e6929))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_22 = type_28(array<i32, 4>(select(0i, _e6930, (_e6930 > 0i)), select(0i, _e6843, (_e6843 > 0i)), select(_e6929, _e6935, (_e6935 < _e6929)), select(_e6929, _e6938, (_e6938 < _e6929))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_23 = vec3<f32>((_e6820 - f32(_e6843)), (_e6824 - f32(_e6858)), (_e6828 - f32(_e6873)));
 let _e6959 = (_e6946 + _e6942);
 let _e6962 = local_22.member[0u];
 let _e6963 = (_e6959 + _e6962);
 let _e6965 = (bitcast<i32>(_e186) - 1i);
 let _e6967 = select(_e6965, _e6963, (_e6963 < _e6965));
-let _e6972 = global_5.member[bitcast<u32>(select(0i, _e6967, (_e6967 > 0i)))];
+let _e6972 = global_4.member[bitcast<u32>(select(0i, _e6967, (_e6967 > 0i)))];
 let _e6973 = bitcast<f32>(_e6972);
 let _e6976 = local_22.member[1u];
 let _e6977 = (_e6959 + _e6976);
 let _e6979 = select(_e6965, _e6977, (_e6977 < _e6965));
-let _e6984 = global_5.member[bitcast<u32>(select(0i, _e6979, (_e6979 > 0i)))];
+let _e6984 = global_4.member[bitcast<u32>(select(0i, _e6979, (_e6979 > 0i)))];
 let _e6985 = bitcast<f32>(_e6984);
 let _e6988 = local_22.member[2u];
 let _e6989 = (_e6959 + _e6988);
 let _e6991 = select(_e6965, _e6989, (_e6989 < _e6965));
-let _e6996 = global_5.member[bitcast<u32>(select(0i, _e6991, (_e6991 > 0i)))];
+let _e6996 = global_4.member[bitcast<u32>(select(0i, _e6991, (_e6991 > 0i)))];
 let _e6997 = bitcast<f32>(_e6996);
 let _e7000 = local_22.member[3u];
 let _e7001 = (_e6959 + _e7000);
 let _e7003 = select(_e6965, _e7001, (_e7001 < _e6965));
-let _e7008 = global_5.member[bitcast<u32>(select(0i, _e7003, (_e7003 > 0i)))];
+let _e7008 = global_4.member[bitcast<u32>(select(0i, _e7003, (_e7003 > 0i)))];
 let _e7010 = local_23[0u];
 let _e7013 = (_e6973 + ((_e6985 - _e6973) * _e7010));
 let _e7014 = local_23[0u];
@@ -2452,22 +2452,22 @@ let _e7022 = (_e6946 + _e6943);
 let _e7023 = local_22.member[0u];
 let _e7024 = (_e7022 + _e7023);
 let _e7026 = select(_e6965, _e7024, (_e7024 < _e6965));
-let _e7031 = global_5.member[bitcast<u32>(select(0i, _e7026, (_e7026 > 0i)))];
+let _e7031 = global_4.member[bitcast<u32>(select(0i, _e7026, (_e7026 > 0i)))];
 let _e7032 = bitcast<f32>(_e7031);
 let _e7033 = local_22.member[1u];
 let _e7034 = (_e7022 + _e7033);
 let _e7036 = select(_e6965, _e7034, (_e7034 < _e6965));
-let _e7041 = global_5.member[bitcast<u32>(select(0i, _e7036, (_e7036 > 0i)))];
+let _e7041 = global_4.member[bitcast<u32>(select(0i, _e7036, (_e7036 > 0i)))];
 let _e7042 = bitcast<f32>(_e7041);
 let _e7043 = local_22.member[2u];
 let _e7044 = (_e7022 + _e7043);
 let _e7046 = select(_e6965, _e7044, (_e7044 < _e6965));
-let _e7051 = global_5.member[bitcast<u32>(select(0i, _e7046, (_e7046 > 0i)))];
+let _e7051 = global_4.member[bitcast<u32>(select(0i, _e7046, (_e7046 > 0i)))];
 let _e7052 = bitcast<f32>(_e7051);
 let _e7053 = local_22.member[3u];
 let _e7054 = (_e7022 + _e7053);
 let _e7056 = select(_e6965, _e7054, (_e7054 < _e6965));
-let _e7061 = global_5.member[bitcast<u32>(select(0i, _e7056, (_e7056 > 0i)))];
+let _e7061 = global_4.member[bitcast<u32>(select(0i, _e7056, (_e7056 > 0i)))];
 let _e7063 = local_23[0u];
 let _e7067 = local_23[0u];
 let _e7070 = (_e7042 + ((_e7052 - _e7042) * _e7067));
@@ -2476,22 +2476,22 @@ let _e7075 = (_e6947 + _e6942);
 let _e7076 = local_22.member[0u];
 let _e7077 = (_e7075 + _e7076);
 let _e7079 = select(_e6965, _e7077, (_e7077 < _e6965));
-let _e7084 = global_5.member[bitcast<u32>(select(0i, _e7079, (_e7079 > 0i)))];
+let _e7084 = global_4.member[bitcast<u32>(select(0i, _e7079, (_e7079 > 0i)))];
 let _e7085 = bitcast<f32>(_e7084);
 let _e7086 = local_22.member[1u];
 let _e7087 = (_e7075 + _e7086);
 let _e7089 = select(_e6965, _e7087, (_e7087 < _e6965));
-let _e7094 = global_5.member[bitcast<u32>(select(0i, _e7089, (_e7089 > 0i)))];
+let _e7094 = global_4.member[bitcast<u32>(select(0i, _e7089, (_e7089 > 0i)))];
 let _e7095 = bitcast<f32>(_e7094);
 let _e7096 = local_22.member[2u];
 let _e7097 = (_e7075 + _e7096);
 let _e7099 = select(_e6965, _e7097, (_e7097 < _e6965));
-let _e7104 = global_5.member[bitcast<u32>(select(0i, _e7099, (_e7099 > 0i)))];
+let _e7104 = global_4.member[bitcast<u32>(select(0i, _e7099, (_e7099 > 0i)))];
 let _e7105 = bitcast<f32>(_e7104);
 let _e7106 = local_22.member[3u];
 let _e7107 = (_e7075 + _e7106);
 let _e7109 = select(_e6965, _e7107, (_e7107 < _e6965));
-let _e7114 = global_5.member[bitcast<u32>(select(0i, _e7109, (_e7109 > 0i)))];
+let _e7114 = global_4.member[bitcast<u32>(select(0i, _e7109, (_e7109 > 0i)))];
 let _e7116 = local_23[0u];
 let _e7119 = (_e7085 + ((_e7095 - _e7085) * _e7116));
 let _e7120 = local_23[0u];
@@ -2502,22 +2502,22 @@ let _e7128 = (_e6947 + _e6943);
 let _e7129 = local_22.member[0u];
 let _e7130 = (_e7128 + _e7129);
 let _e7132 = select(_e6965, _e7130, (_e7130 < _e6965));
-let _e7137 = global_5.member[bitcast<u32>(select(0i, _e7132, (_e7132 > 0i)))];
+let _e7137 = global_4.member[bitcast<u32>(select(0i, _e7132, (_e7132 > 0i)))];
 let _e7138 = bitcast<f32>(_e7137);
 let _e7139 = local_22.member[1u];
 let _e7140 = (_e7128 + _e7139);
 let _e7142 = select(_e6965, _e7140, (_e7140 < _e6965));
-let _e7147 = global_5.member[bitcast<u32>(select(0i, _e7142, (_e7142 > 0i)))];
+let _e7147 = global_4.member[bitcast<u32>(select(0i, _e7142, (_e7142 > 0i)))];
 let _e7148 = bitcast<f32>(_e7147);
 let _e7149 = local_22.member[2u];
 let _e7150 = (_e7128 + _e7149);
 let _e7152 = select(_e6965, _e7150, (_e7150 < _e6965));
-let _e7157 = global_5.member[bitcast<u32>(select(0i, _e7152, (_e7152 > 0i)))];
+let _e7157 = global_4.member[bitcast<u32>(select(0i, _e7152, (_e7152 > 0i)))];
 let _e7158 = bitcast<f32>(_e7157);
 let _e7159 = local_22.member[3u];
 let _e7160 = (_e7128 + _e7159);
 let _e7162 = select(_e6965, _e7160, (_e7160 < _e6965));
-let _e7167 = global_5.member[bitcast<u32>(select(0i, _e7162, (_e7162 > 0i)))];
+let _e7167 = global_4.member[bitcast<u32>(select(0i, _e7162, (_e7162 > 0i)))];
 let _e7169 = local_23[0u];
 let _e7173 = local_23[0u];
 let _e7176 = (_e7148 + ((_e7158 - _e7148) * _e7173));
@@ -2526,93 +2526,93 @@ let _e7181 = (_e6946 + _e6941);
 let _e7182 = local_22.member[1u];
 let _e7183 = (_e7181 + _e7182);
 let _e7185 = select(_e6965, _e7183, (_e7183 < _e6965));
-let _e7190 = global_5.member[bitcast<u32>(select(0i, _e7185, (_e7185 > 0i)))];
+let _e7190 = global_4.member[bitcast<u32>(select(0i, _e7185, (_e7185 > 0i)))];
 let _e7191 = bitcast<f32>(_e7190);
 let _e7192 = local_22.member[2u];
 let _e7193 = (_e7181 + _e7192);
 let _e7195 = select(_e6965, _e7193, (_e7193 < _e6965));
-let _e7200 = global_5.member[bitcast<u32>(select(0i, _e7195, (_e7195 > 0i)))];
+let _e7200 = global_4.member[bitcast<u32>(select(0i, _e7195, (_e7195 > 0i)))];
 let _e7202 = local_23[0u];
 let _e7205 = (_e7191 + ((bitcast<f32>(_e7200) - _e7191) * _e7202));
 let _e7206 = (_e6946 + _e6944);
 let _e7207 = local_22.member[1u];
 let _e7208 = (_e7206 + _e7207);
 let _e7210 = select(_e6965, _e7208, (_e7208 < _e6965));
-let _e7215 = global_5.member[bitcast<u32>(select(0i, _e7210, (_e7210 > 0i)))];
+let _e7215 = global_4.member[bitcast<u32>(select(0i, _e7210, (_e7210 > 0i)))];
 let _e7216 = bitcast<f32>(_e7215);
 let _e7217 = local_22.member[2u];
 let _e7218 = (_e7206 + _e7217);
 let _e7220 = select(_e6965, _e7218, (_e7218 < _e6965));
-let _e7225 = global_5.member[bitcast<u32>(select(0i, _e7220, (_e7220 > 0i)))];
+let _e7225 = global_4.member[bitcast<u32>(select(0i, _e7220, (_e7220 > 0i)))];
 let _e7227 = local_23[0u];
 let _e7231 = (_e6947 + _e6941);
 let _e7232 = local_22.member[1u];
 let _e7233 = (_e7231 + _e7232);
 let _e7235 = select(_e6965, _e7233, (_e7233 < _e6965));
-let _e7240 = global_5.member[bitcast<u32>(select(0i, _e7235, (_e7235 > 0i)))];
+let _e7240 = global_4.member[bitcast<u32>(select(0i, _e7235, (_e7235 > 0i)))];
 let _e7241 = bitcast<f32>(_e7240);
 let _e7242 = local_22.member[2u];
 let _e7243 = (_e7231 + _e7242);
 let _e7245 = select(_e6965, _e7243, (_e7243 < _e6965));
-let _e7250 = global_5.member[bitcast<u32>(select(0i, _e7245, (_e7245 > 0i)))];
+let _e7250 = global_4.member[bitcast<u32>(select(0i, _e7245, (_e7245 > 0i)))];
 let _e7252 = local_23[0u];
 let _e7255 = (_e7241 + ((bitcast<f32>(_e7250) - _e7241) * _e7252));
 let _e7256 = (_e6947 + _e6944);
 let _e7257 = local_22.member[1u];
 let _e7258 = (_e7256 + _e7257);
 let _e7260 = select(_e6965, _e7258, (_e7258 < _e6965));
-let _e7265 = global_5.member[bitcast<u32>(select(0i, _e7260, (_e7260 > 0i)))];
+let _e7265 = global_4.member[bitcast<u32>(select(0i, _e7260, (_e7260 > 0i)))];
 let _e7266 = bitcast<f32>(_e7265);
 let _e7267 = local_22.member[2u];
 let _e7268 = (_e7256 + _e7267);
 let _e7270 = select(_e6965, _e7268, (_e7268 < _e6965));
-let _e7275 = global_5.member[bitcast<u32>(select(0i, _e7270, (_e7270 > 0i)))];
+let _e7275 = global_4.member[bitcast<u32>(select(0i, _e7270, (_e7270 > 0i)))];
 let _e7277 = local_23[0u];
 let _e7281 = (_e6945 + _e6942);
 let _e7282 = local_22.member[1u];
 let _e7283 = (_e7281 + _e7282);
 let _e7285 = select(_e6965, _e7283, (_e7283 < _e6965));
-let _e7290 = global_5.member[bitcast<u32>(select(0i, _e7285, (_e7285 > 0i)))];
+let _e7290 = global_4.member[bitcast<u32>(select(0i, _e7285, (_e7285 > 0i)))];
 let _e7291 = bitcast<f32>(_e7290);
 let _e7292 = local_22.member[2u];
 let _e7293 = (_e7281 + _e7292);
 let _e7295 = select(_e6965, _e7293, (_e7293 < _e6965));
-let _e7300 = global_5.member[bitcast<u32>(select(0i, _e7295, (_e7295 > 0i)))];
+let _e7300 = global_4.member[bitcast<u32>(select(0i, _e7295, (_e7295 > 0i)))];
 let _e7302 = local_23[0u];
 let _e7305 = (_e7291 + ((bitcast<f32>(_e7300) - _e7291) * _e7302));
 let _e7306 = (_e6948 + _e6942);
 let _e7307 = local_22.member[1u];
 let _e7308 = (_e7306 + _e7307);
 let _e7310 = select(_e6965, _e7308, (_e7308 < _e6965));
-let _e7315 = global_5.member[bitcast<u32>(select(0i, _e7310, (_e7310 > 0i)))];
+let _e7315 = global_4.member[bitcast<u32>(select(0i, _e7310, (_e7310 > 0i)))];
 let _e7316 = bitcast<f32>(_e7315);
 let _e7317 = local_22.member[2u];
 let _e7318 = (_e7306 + _e7317);
 let _e7320 = select(_e6965, _e7318, (_e7318 < _e6965));
-let _e7325 = global_5.member[bitcast<u32>(select(0i, _e7320, (_e7320 > 0i)))];
+let _e7325 = global_4.member[bitcast<u32>(select(0i, _e7320, (_e7320 > 0i)))];
 let _e7327 = local_23[0u];
 let _e7330 = (_e7316 + ((bitcast<f32>(_e7325) - _e7316) * _e7327));
 let _e7331 = (_e6945 + _e6943);
 let _e7332 = local_22.member[1u];
 let _e7333 = (_e7331 + _e7332);
 let _e7335 = select(_e6965, _e7333, (_e7333 < _e6965));
-let _e7340 = global_5.member[bitcast<u32>(select(0i, _e7335, (_e7335 > 0i)))];
+let _e7340 = global_4.member[bitcast<u32>(select(0i, _e7335, (_e7335 > 0i)))];
 let _e7341 = bitcast<f32>(_e7340);
 let _e7342 = local_22.member[2u];
 let _e7343 = (_e7331 + _e7342);
 let _e7345 = select(_e6965, _e7343, (_e7343 < _e6965));
-let _e7350 = global_5.member[bitcast<u32>(select(0i, _e7345, (_e7345 > 0i)))];
+let _e7350 = global_4.member[bitcast<u32>(select(0i, _e7345, (_e7345 > 0i)))];
 let _e7352 = local_23[0u];
 let _e7356 = (_e6948 + _e6943);
 let _e7357 = local_22.member[1u];
 let _e7358 = (_e7356 + _e7357);
 let _e7360 = select(_e6965, _e7358, (_e7358 < _e6965));
-let _e7365 = global_5.member[bitcast<u32>(select(0i, _e7360, (_e7360 > 0i)))];
+let _e7365 = global_4.member[bitcast<u32>(select(0i, _e7360, (_e7360 > 0i)))];
 let _e7366 = bitcast<f32>(_e7365);
 let _e7367 = local_22.member[2u];
 let _e7368 = (_e7356 + _e7367);
 let _e7370 = select(_e6965, _e7368, (_e7368 < _e6965));
-let _e7375 = global_5.member[bitcast<u32>(select(0i, _e7370, (_e7370 > 0i)))];
+let _e7375 = global_4.member[bitcast<u32>(select(0i, _e7370, (_e7370 > 0i)))];
 let _e7377 = local_23[0u];
 let _e7382 = local_23[1u];
 let _e7385 = (_e7017 + ((_e7070 - _e7017) * _e7382));
@@ -2640,8 +2640,8 @@ let _e7443 = local_23[2u];
 let _e7447 = local_23[1u];
 let _e7451 = local_23[2u];
 let _e7455 = local_23[2u];
-let _e7463 = global_4.member[_e373].member_7.member_6;
-let _e7468 = global_4.member[_e373].member_7.member_5;
+let _e7463 = global_3.member[_e373].member_7.member_6;
+let _e7468 = global_3.member[_e373].member_7.member_5;
 let _e7470 = (((_e7385 + ((_e7389 - _e7385) * _e7455)) - _e7463) * _e7468);
 let _e7472 = select(_e6812, _e7470, (_e7470 > _e6812));
 let _e7476 = (((_e7393 + (((_e7119 + (((_e7138 + ((_e7148 - _e7138) * _e7169)) - _e7119) * _e7394)) - _e7393) * _e7399)) - _e7463) * _e7468);
@@ -2668,50 +2668,50 @@ local_21 = _e7511;
 let _e7512 = local_21;
 let _e7514 = (bitcast<i32>(_e191) - 1i);
 let _e7516 = select(_e7514, 263197i, (263197i < _e7514));
-let _e7521 = global_3.member[bitcast<u32>(select(0i, _e7516, (_e7516 > 0i)))];
+let _e7521 = global_2.member[bitcast<u32>(select(0i, _e7516, (_e7516 > 0i)))];
 let _e7522 = bitcast<f32>(_e7521);
 let _e7524 = select(_e7514, 263198i, (263198i < _e7514));
 let _e7527 = bitcast<u32>(select(0i, _e7524, (_e7524 > 0i)));
-let _e7529 = global_3.member[_e7527];
+let _e7529 = global_2.member[_e7527];
 let _e7530 = bitcast<f32>(_e7529);
 let _e7532 = select(_e7514, 263199i, (263199i < _e7514));
-let _e7537 = global_3.member[bitcast<u32>(select(0i, _e7532, (_e7532 > 0i)))];
+let _e7537 = global_2.member[bitcast<u32>(select(0i, _e7532, (_e7532 > 0i)))];
 let _e7538 = bitcast<f32>(_e7537);
 let _e7540 = ((_e7512 - _e7522) * _e7530);
 let _e7542 = select(0f, _e7540, (_e7540 > 0f));
 let _e7545 = local_21;
 let _e7547 = select(_e7514, 263200i, (263200i < _e7514));
-let _e7552 = global_3.member[bitcast<u32>(select(0i, _e7547, (_e7547 > 0i)))];
+let _e7552 = global_2.member[bitcast<u32>(select(0i, _e7547, (_e7547 > 0i)))];
 let _e7553 = bitcast<f32>(_e7552);
 let _e7555 = select(_e7514, 263201i, (263201i < _e7514));
-let _e7560 = global_3.member[bitcast<u32>(select(0i, _e7555, (_e7555 > 0i)))];
+let _e7560 = global_2.member[bitcast<u32>(select(0i, _e7555, (_e7555 > 0i)))];
 let _e7561 = bitcast<f32>(_e7560);
 let _e7563 = select(_e7514, 263202i, (263202i < _e7514));
-let _e7568 = global_3.member[bitcast<u32>(select(0i, _e7563, (_e7563 > 0i)))];
+let _e7568 = global_2.member[bitcast<u32>(select(0i, _e7563, (_e7563 > 0i)))];
 let _e7569 = bitcast<f32>(_e7568);
 let _e7571 = ((_e7545 - _e7553) * _e7561);
 let _e7573 = select(0f, _e7571, (_e7571 > 0f));
 let _e7577 = local_21;
 let _e7579 = select(_e7514, 263203i, (263203i < _e7514));
-let _e7584 = global_3.member[bitcast<u32>(select(0i, _e7579, (_e7579 > 0i)))];
+let _e7584 = global_2.member[bitcast<u32>(select(0i, _e7579, (_e7579 > 0i)))];
 let _e7585 = bitcast<f32>(_e7584);
 let _e7587 = select(_e7514, 263204i, (263204i < _e7514));
-let _e7592 = global_3.member[bitcast<u32>(select(0i, _e7587, (_e7587 > 0i)))];
+let _e7592 = global_2.member[bitcast<u32>(select(0i, _e7587, (_e7587 > 0i)))];
 let _e7593 = bitcast<f32>(_e7592);
 let _e7595 = select(_e7514, 263205i, (263205i < _e7514));
-let _e7600 = global_3.member[bitcast<u32>(select(0i, _e7595, (_e7595 > 0i)))];
+let _e7600 = global_2.member[bitcast<u32>(select(0i, _e7595, (_e7595 > 0i)))];
 let _e7601 = bitcast<f32>(_e7600);
 let _e7603 = ((_e7577 - _e7585) * _e7593);
 let _e7605 = select(0f, _e7603, (_e7603 > 0f));
 let _e7608 = local_21;
 let _e7610 = select(_e7514, 263206i, (263206i < _e7514));
-let _e7615 = global_3.member[bitcast<u32>(select(0i, _e7610, (_e7610 > 0i)))];
+let _e7615 = global_2.member[bitcast<u32>(select(0i, _e7610, (_e7610 > 0i)))];
 let _e7616 = bitcast<f32>(_e7615);
 let _e7618 = select(_e7514, 263207i, (263207i < _e7514));
-let _e7623 = global_3.member[bitcast<u32>(select(0i, _e7618, (_e7618 > 0i)))];
+let _e7623 = global_2.member[bitcast<u32>(select(0i, _e7618, (_e7618 > 0i)))];
 let _e7624 = bitcast<f32>(_e7623);
 let _e7626 = select(_e7514, 263208i, (263208i < _e7514));
-let _e7631 = global_3.member[bitcast<u32>(select(0i, _e7626, (_e7626 > 0i)))];
+let _e7631 = global_2.member[bitcast<u32>(select(0i, _e7626, (_e7626 > 0i)))];
 let _e7632 = bitcast<f32>(_e7631);
 let _e7634 = ((_e7608 - _e7616) * _e7624);
 let _e7636 = select(0f, _e7634, (_e7634 > 0f));
@@ -2722,34 +2722,34 @@ let _e7651 = select(0i, select(select(i32(_e7644), i32(-2147483648), (_e7644 < -
 let _e7655 = (_e7651 - select(0i, 1i, (_e7644 < f32(_e7651))));
 let _e7656 = (262147i + _e7655);
 let _e7658 = select(_e7514, _e7656, (_e7656 < _e7514));
-let _e7664 = global_3.member[bitcast<u32>(select(0i, _e7658, (_e7658 > 0i)))];
+let _e7664 = global_2.member[bitcast<u32>(select(0i, _e7658, (_e7658 > 0i)))];
 let _e7674 = select(_e7514, 262146i, (262146i < _e7514));
-let _e7680 = global_3.member[bitcast<u32>(select(0i, _e7674, (_e7674 > 0i)))];
+let _e7680 = global_2.member[bitcast<u32>(select(0i, _e7674, (_e7674 > 0i)))];
 let _e7681 = bitcast<f32>(_e7680);
 let _e7682 = (f32((bitcast<i32>((_e7664 & 4095u)) - 2048i)) * _e7681);
 let _e7684 = select(_e7514, 262144i, (262144i < _e7514));
-let _e7690 = global_3.member[bitcast<u32>(select(0i, _e7684, (_e7684 > 0i)))];
+let _e7690 = global_2.member[bitcast<u32>(select(0i, _e7684, (_e7684 > 0i)))];
 let _e7691 = bitcast<f32>(_e7690);
 let _e7693 = select(_e7514, 262145i, (262145i < _e7514));
-let _e7699 = global_3.member[bitcast<u32>(select(0i, _e7693, (_e7693 > 0i)))];
+let _e7699 = global_2.member[bitcast<u32>(select(0i, _e7693, (_e7693 > 0i)))];
 let _e7700 = bitcast<f32>(_e7699);
 let _e7706 = ((_e7691 + (f32(bitcast<i32>((_e7664 >> bitcast<u32>(12u)))) * _e7700)) + (_e7682 * (_e7640 - f32(_e7655))));
-let _e7709 = global_3.member[_e7527];
+let _e7709 = global_2.member[_e7527];
 let _e7711 = local_20;
 let _e7714 = local_20;
 let _e7717 = local_20;
 let _e7721 = select(_e7514, 263209i, (263209i < _e7514));
-let _e7727 = global_3.member[bitcast<u32>(select(0i, _e7721, (_e7721 > 0i)))];
+let _e7727 = global_2.member[bitcast<u32>(select(0i, _e7721, (_e7721 > 0i)))];
 let _e7729 = local_20;
 let _e7732 = select(_e7514, 263210i, (263210i < _e7514));
-let _e7738 = global_3.member[bitcast<u32>(select(0i, _e7732, (_e7732 > 0i)))];
+let _e7738 = global_2.member[bitcast<u32>(select(0i, _e7732, (_e7732 > 0i)))];
 let _e7740 = local_20;
 let _e7744 = (_e7682 * select(0f, select(select(select(bitcast<f32>(_e7709), _e7561, (_e7711 >= _e7553)), _e7593, (_e7714 >= _e7585)), _e7624, (_e7717 >= _e7616)), ((_e7729 >= bitcast<f32>(_e7727)) && (_e7740 <= bitcast<f32>(_e7738)))));
 if _e587 {
 let _e8195 = ((0.5f * (_e7486 - _e7480)) * _e7744);
 let _e8196 = ((0.5f * (_e7498 - _e7492)) * _e7744);
 let _e8197 = ((0.5f * (_e7510 - _e7504)) * _e7744);
-phi_20922_ = type_33(_e7706, vec3<f32>(_e8195, _e8196, _e8197), vec3<f32>((_e8195 * _e7706), (_e8196 * _e7706), (_e8197 * _e7706)));
+phi_20922_ = type_32(_e7706, vec3<f32>(_e8195, _e8196, _e8197), vec3<f32>((_e8195 * _e7706), (_e8196 * _e7706), (_e8197 * _e7706)));
 } else {
 local_18 = _e7480;
 let _e7745 = local_18;
@@ -2773,7 +2773,7 @@ let _e7787 = select(0i, select(select(i32(_e7780), i32(-2147483648), (_e7780 < -
 let _e7791 = (_e7787 - select(0i, 1i, (_e7780 < f32(_e7787))));
 let _e7792 = (262147i + _e7791);
 let _e7794 = select(_e7514, _e7792, (_e7792 < _e7514));
-let _e7800 = global_3.member[bitcast<u32>(select(0i, _e7794, (_e7794 > 0i)))];
+let _e7800 = global_2.member[bitcast<u32>(select(0i, _e7794, (_e7794 > 0i)))];
 let _e7815 = ((_e7691 + (f32(bitcast<i32>((_e7800 >> bitcast<u32>(12u)))) * _e7700)) + ((f32((bitcast<i32>((_e7800 & 4095u)) - 2048i)) * _e7681) * (_e7776 - f32(_e7791))));
 local_16 = _e7486;
 let _e7816 = local_16;
@@ -2797,7 +2797,7 @@ let _e7858 = select(0i, select(select(i32(_e7851), i32(-2147483648), (_e7851 < -
 let _e7862 = (_e7858 - select(0i, 1i, (_e7851 < f32(_e7858))));
 let _e7863 = (262147i + _e7862);
 let _e7865 = select(_e7514, _e7863, (_e7863 < _e7514));
-let _e7871 = global_3.member[bitcast<u32>(select(0i, _e7865, (_e7865 > 0i)))];
+let _e7871 = global_2.member[bitcast<u32>(select(0i, _e7865, (_e7865 > 0i)))];
 let _e7886 = ((_e7691 + (f32(bitcast<i32>((_e7871 >> bitcast<u32>(12u)))) * _e7700)) + ((f32((bitcast<i32>((_e7871 & 4095u)) - 2048i)) * _e7681) * (_e7847 - f32(_e7862))));
 local_14 = _e7492;
 let _e7887 = local_14;
@@ -2821,7 +2821,7 @@ let _e7929 = select(0i, select(select(i32(_e7922), i32(-2147483648), (_e7922 < -
 let _e7933 = (_e7929 - select(0i, 1i, (_e7922 < f32(_e7929))));
 let _e7934 = (262147i + _e7933);
 let _e7936 = select(_e7514, _e7934, (_e7934 < _e7514));
-let _e7942 = global_3.member[bitcast<u32>(select(0i, _e7936, (_e7936 > 0i)))];
+let _e7942 = global_2.member[bitcast<u32>(select(0i, _e7936, (_e7936 > 0i)))];
 let _e7957 = ((_e7691 + (f32(bitcast<i32>((_e7942 >> bitcast<u32>(12u)))) * _e7700)) + ((f32((bitcast<i32>((_e7942 & 4095u)) - 2048i)) * _e7681) * (_e7918 - f32(_e7933))));
 local_12 = _e7498;
 let _e7958 = local_12;
@@ -2845,7 +2845,7 @@ let _e8000 = select(0i, select(select(i32(_e7993), i32(-2147483648), (_e7993 < -
 let _e8004 = (_e8000 - select(0i, 1i, (_e7993 < f32(_e8000))));
 let _e8005 = (262147i + _e8004);
 let _e8007 = select(_e7514, _e8005, (_e8005 < _e7514));
-let _e8013 = global_3.member[bitcast<u32>(select(0i, _e8007, (_e8007 > 0i)))];
+let _e8013 = global_2.member[bitcast<u32>(select(0i, _e8007, (_e8007 > 0i)))];
 let _e8028 = ((_e7691 + (f32(bitcast<i32>((_e8013 >> bitcast<u32>(12u)))) * _e7700)) + ((f32((bitcast<i32>((_e8013 & 4095u)) - 2048i)) * _e7681) * (_e7989 - f32(_e8004))));
 local_10 = _e7504;
 let _e8029 = local_10;
@@ -2869,7 +2869,7 @@ let _e8071 = select(0i, select(select(i32(_e8064), i32(-2147483648), (_e8064 < -
 let _e8075 = (_e8071 - select(0i, 1i, (_e8064 < f32(_e8071))));
 let _e8076 = (262147i + _e8075);
 let _e8078 = select(_e7514, _e8076, (_e8076 < _e7514));
-let _e8084 = global_3.member[bitcast<u32>(select(0i, _e8078, (_e8078 > 0i)))];
+let _e8084 = global_2.member[bitcast<u32>(select(0i, _e8078, (_e8078 > 0i)))];
 let _e8099 = ((_e7691 + (f32(bitcast<i32>((_e8084 >> bitcast<u32>(12u)))) * _e7700)) + ((f32((bitcast<i32>((_e8084 & 4095u)) - 2048i)) * _e7681) * (_e8060 - f32(_e8075))));
 local_8 = _e7510;
 let _e8100 = local_8;
@@ -2893,28 +2893,28 @@ let _e8142 = select(0i, select(select(i32(_e8135), i32(-2147483648), (_e8135 < -
 let _e8146 = (_e8142 - select(0i, 1i, (_e8135 < f32(_e8142))));
 let _e8147 = (262147i + _e8146);
 let _e8149 = select(_e7514, _e8147, (_e8147 < _e7514));
-let _e8155 = global_3.member[bitcast<u32>(select(0i, _e8149, (_e8149 > 0i)))];
+let _e8155 = global_2.member[bitcast<u32>(select(0i, _e8149, (_e8149 > 0i)))];
 let _e8170 = ((_e7691 + (f32(bitcast<i32>((_e8155 >> bitcast<u32>(12u)))) * _e7700)) + ((f32((bitcast<i32>((_e8155 & 4095u)) - 2048i)) * _e7681) * (_e8131 - f32(_e8146))));
 let _e8171 = (_e7886 - _e7815);
 let _e8173 = (_e8028 - _e7957);
 let _e8175 = (_e8170 - _e8099);
-phi_20922_ = type_33(_e7706, vec3<f32>((0.5f * _e8171), (0.5f * _e8173), (0.5f * _e8175)), vec3<f32>((0.25f * (_e8171 * (_e7886 + _e7815))), (0.25f * (_e8173 * (_e8028 + _e7957))), (0.25f * (_e8175 * (_e8170 + _e8099)))));
+phi_20922_ = type_32(_e7706, vec3<f32>((0.5f * _e8171), (0.5f * _e8173), (0.5f * _e8175)), vec3<f32>((0.25f * (_e8171 * (_e7886 + _e7815))), (0.25f * (_e8173 * (_e8028 + _e7957))), (0.25f * (_e8175 * (_e8170 + _e8099)))));
 }
 let _e8205 = phi_20922_;
 let _e8220 = select(0f, 1f, ((((((_e6277 >= -0.5f) && (_e6277 <= _e1191)) && (_e6283 >= -0.5f)) && (_e6283 <= _e1202)) && (_e6289 >= -0.5f)) && (_e6289 <= _e1213)));
 let _e8222 = (0.5f * (_e7486 - _e7480));
 let _e8224 = (0.5f * (_e7498 - _e7492));
 let _e8226 = (0.5f * (_e7510 - _e7504));
-let _e8233 = global_4.member[_e373].member_7.member.member.member;
-let _e8240 = global_4.member[_e373].member_7.member.member.member_1;
-let _e8247 = global_4.member[_e373].member_7.member.member.member_2;
-let _e8254 = global_4.member[_e373].member_7.member_1.member.member;
-let _e8261 = global_4.member[_e373].member_7.member_1.member.member_1;
-let _e8268 = global_4.member[_e373].member_7.member_1.member.member_2;
-let _e8275 = global_4.member[_e373].member_7.member_2.member.member;
-let _e8282 = global_4.member[_e373].member_7.member_2.member.member_1;
-let _e8289 = global_4.member[_e373].member_7.member_2.member.member_2;
-phi_21569_ = type_34(select(1e9f, _e6814, (_e6814 < 1e9f)), vec3<f32>(((((_e8233 * _e8222) + (_e8254 * _e8224)) + (_e8275 * _e8226)) * _e8220), ((((_e8240 * _e8222) + (_e8261 * _e8224)) + (_e8282 * _e8226)) * _e8220), ((((_e8247 * _e8222) + (_e8268 * _e8224)) + (_e8289 * _e8226)) * _e8220)), _e8205.member, vec3<f32>(((((_e8233 * _e8205.member_2.x) + (_e8254 * _e8205.member_2.y)) + (_e8275 * _e8205.member_2.z)) * _e8220), ((((_e8240 * _e8205.member_2.x) + (_e8261 * _e8205.member_2.y)) + (_e8282 * _e8205.member_2.z)) * _e8220), ((((_e8247 * _e8205.member_2.x) + (_e8268 * _e8205.member_2.y)) + (_e8289 * _e8205.member_2.z)) * _e8220)), vec3<f32>(((((_e8233 * _e8205.member_1.x) + (_e8254 * _e8205.member_1.y)) + (_e8275 * _e8205.member_1.z)) * _e8220), ((((_e8240 * _e8205.member_1.x) + (_e8261 * _e8205.member_1.y)) + (_e8282 * _e8205.member_1.z)) * _e8220), ((((_e8247 * _e8205.member_1.x) + (_e8268 * _e8205.member_1.y)) + (_e8289 * _e8205.member_1.z)) * _e8220)));
+let _e8233 = global_3.member[_e373].member_7.member.member.member;
+let _e8240 = global_3.member[_e373].member_7.member.member.member_1;
+let _e8247 = global_3.member[_e373].member_7.member.member.member_2;
+let _e8254 = global_3.member[_e373].member_7.member_1.member.member;
+let _e8261 = global_3.member[_e373].member_7.member_1.member.member_1;
+let _e8268 = global_3.member[_e373].member_7.member_1.member.member_2;
+let _e8275 = global_3.member[_e373].member_7.member_2.member.member;
+let _e8282 = global_3.member[_e373].member_7.member_2.member.member_1;
+let _e8289 = global_3.member[_e373].member_7.member_2.member.member_2;
+phi_21569_ = type_33(select(1e9f, _e6814, (_e6814 < 1e9f)), vec3<f32>(((((_e8233 * _e8222) + (_e8254 * _e8224)) + (_e8275 * _e8226)) * _e8220), ((((_e8240 * _e8222) + (_e8261 * _e8224)) + (_e8282 * _e8226)) * _e8220), ((((_e8247 * _e8222) + (_e8268 * _e8224)) + (_e8289 * _e8226)) * _e8220)), _e8205.member, vec3<f32>(((((_e8233 * _e8205.member_2.x) + (_e8254 * _e8205.member_2.y)) + (_e8275 * _e8205.member_2.z)) * _e8220), ((((_e8240 * _e8205.member_2.x) + (_e8261 * _e8205.member_2.y)) + (_e8282 * _e8205.member_2.z)) * _e8220), ((((_e8247 * _e8205.member_2.x) + (_e8268 * _e8205.member_2.y)) + (_e8289 * _e8205.member_2.z)) * _e8220)), vec3<f32>(((((_e8233 * _e8205.member_1.x) + (_e8254 * _e8205.member_1.y)) + (_e8275 * _e8205.member_1.z)) * _e8220), ((((_e8240 * _e8205.member_1.x) + (_e8261 * _e8205.member_1.y)) + (_e8282 * _e8205.member_1.z)) * _e8220), ((((_e8247 * _e8205.member_1.x) + (_e8268 * _e8205.member_1.y)) + (_e8289 * _e8205.member_1.z)) * _e8220)));
 } else {
 let _e6291 = select(-0.5f, _e6259, (_e6259 > -0.5f));
 let _e6293 = select(_e967, _e6291, (_e6291 < _e967));
@@ -2934,8 +2934,8 @@ let _e6333 = select(-1f, _e6301, (_e6301 > -1f));
 let _e6335 = select(_e564, _e6333, (_e6333 < _e564));
 let _e6342 = select(0i, select(select(i32(_e6335), i32(-2147483648), (_e6335 < -2147483600f)), 2147483647i, (_e6335 > 2147483500f)), (_e6335 == _e6335));
 let _e6346 = (_e6342 - select(0i, 1i, (_e6335 < f32(_e6342))));
-let _e6351 = global_4.member[_e373].member_6.member_7;
-let _e6356 = global_4.member[_e373].member_6.member_8;
+let _e6351 = global_3.member[_e373].member_6.member_7;
+let _e6356 = global_3.member[_e373].member_6.member_8;
 let _e6364 = (select(0i, select(select(i32(_e553), i32(-2147483648), (_e553 < -2147483600f)), 2147483647i, (_e553 > 2147483500f)), (_e553 == _e553)) - 1i);
 let _e6367 = (_e6331 + 1i);
 let _e6377 = (select(0i, select(select(i32(_e564), i32(-2147483648), (_e564 < -2147483600f)), 2147483647i, (_e564 > 2147483500f)), (_e564 == _e564)) - 1i);
@@ -2948,31 +2948,31 @@ let _e6402 = (select(0i, _e6331, (_e6331 > 0i)) * _e6351);
 let _e6403 = (select(_e6364, _e6367, (_e6367 < _e6364)) * _e6351);
 let _e6404 = (select(0i, _e6346, (_e6346 > 0i)) * _e6356);
 let _e6405 = (select(_e6377, _e6380, (_e6380 < _e6377)) * _e6356);
-local_6 = type_32(array<i32, 4>(select(0i, _e6391, (_e6391 > 0i)), select(0i, _e6316, (_e6316 > 0i)), select(_e6390, _e6396, (_e6396 < _e6390)), select(_e6390, _e6399, (_e6399 < _e6390))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_28(array<i32, 4>(select(0i, _e6391, (_e6391 > 0i)), select(0i, _e6316, (_e6316 > 0i)), select(_e6390, _e6396, (_e6396 < _e6390)), select(_e6390, _e6399, (_e6399 < _e6390))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = vec3<f32>((_e6293 - f32(_e6316)), (_e6297 - f32(_e6331)), (_e6301 - f32(_e6346)));
 let _e6416 = (_e6404 + _e6402);
 let _e6419 = local_6.member[1u];
 let _e6420 = (_e6416 + _e6419);
 let _e6422 = (bitcast<i32>(_e183) - 1i);
 let _e6424 = select(_e6422, _e6420, (_e6420 < _e6422));
-let _e6429 = global_2.member[bitcast<u32>(select(0i, _e6424, (_e6424 > 0i)))];
+let _e6429 = global_1.member[bitcast<u32>(select(0i, _e6424, (_e6424 > 0i)))];
 let _e6430 = bitcast<f32>(_e6429);
 let _e6433 = local_6.member[2u];
 let _e6434 = (_e6416 + _e6433);
 let _e6436 = select(_e6422, _e6434, (_e6434 < _e6422));
-let _e6441 = global_2.member[bitcast<u32>(select(0i, _e6436, (_e6436 > 0i)))];
+let _e6441 = global_1.member[bitcast<u32>(select(0i, _e6436, (_e6436 > 0i)))];
 let _e6443 = local_7[0u];
 let _e6446 = (_e6430 + ((bitcast<f32>(_e6441) - _e6430) * _e6443));
 let _e6447 = (_e6404 + _e6403);
 let _e6448 = local_6.member[1u];
 let _e6449 = (_e6447 + _e6448);
 let _e6451 = select(_e6422, _e6449, (_e6449 < _e6422));
-let _e6456 = global_2.member[bitcast<u32>(select(0i, _e6451, (_e6451 > 0i)))];
+let _e6456 = global_1.member[bitcast<u32>(select(0i, _e6451, (_e6451 > 0i)))];
 let _e6457 = bitcast<f32>(_e6456);
 let _e6458 = local_6.member[2u];
 let _e6459 = (_e6447 + _e6458);
 let _e6461 = select(_e6422, _e6459, (_e6459 < _e6422));
-let _e6466 = global_2.member[bitcast<u32>(select(0i, _e6461, (_e6461 > 0i)))];
+let _e6466 = global_1.member[bitcast<u32>(select(0i, _e6461, (_e6461 > 0i)))];
 let _e6468 = local_7[0u];
 let _e6473 = local_7[1u];
 let _e6476 = (_e6446 + (((_e6457 + ((bitcast<f32>(_e6466) - _e6457) * _e6468)) - _e6446) * _e6473));
@@ -2980,33 +2980,33 @@ let _e6477 = (_e6405 + _e6402);
 let _e6478 = local_6.member[1u];
 let _e6479 = (_e6477 + _e6478);
 let _e6481 = select(_e6422, _e6479, (_e6479 < _e6422));
-let _e6486 = global_2.member[bitcast<u32>(select(0i, _e6481, (_e6481 > 0i)))];
+let _e6486 = global_1.member[bitcast<u32>(select(0i, _e6481, (_e6481 > 0i)))];
 let _e6487 = bitcast<f32>(_e6486);
 let _e6488 = local_6.member[2u];
 let _e6489 = (_e6477 + _e6488);
 let _e6491 = select(_e6422, _e6489, (_e6489 < _e6422));
-let _e6496 = global_2.member[bitcast<u32>(select(0i, _e6491, (_e6491 > 0i)))];
+let _e6496 = global_1.member[bitcast<u32>(select(0i, _e6491, (_e6491 > 0i)))];
 let _e6498 = local_7[0u];
 let _e6501 = (_e6487 + ((bitcast<f32>(_e6496) - _e6487) * _e6498));
 let _e6502 = (_e6405 + _e6403);
 let _e6503 = local_6.member[1u];
 let _e6504 = (_e6502 + _e6503);
 let _e6506 = select(_e6422, _e6504, (_e6504 < _e6422));
-let _e6511 = global_2.member[bitcast<u32>(select(0i, _e6506, (_e6506 > 0i)))];
+let _e6511 = global_1.member[bitcast<u32>(select(0i, _e6506, (_e6506 > 0i)))];
 let _e6512 = bitcast<f32>(_e6511);
 let _e6513 = local_6.member[2u];
 let _e6514 = (_e6502 + _e6513);
 let _e6516 = select(_e6422, _e6514, (_e6514 < _e6422));
-let _e6521 = global_2.member[bitcast<u32>(select(0i, _e6516, (_e6516 > 0i)))];
+let _e6521 = global_1.member[bitcast<u32>(select(0i, _e6516, (_e6516 > 0i)))];
 let _e6523 = local_7[0u];
 let _e6527 = local_7[1u];
 let _e6532 = local_7[2u];
-let _e6540 = global_4.member[_e373].member_6.member_6;
-let _e6545 = global_4.member[_e373].member_6.member_5;
+let _e6540 = global_3.member[_e373].member_6.member_6;
+let _e6545 = global_3.member[_e373].member_6.member_5;
 let _e6547 = (((_e6476 + (((_e6501 + (((_e6512 + ((bitcast<f32>(_e6521) - _e6512) * _e6523)) - _e6501) * _e6527)) - _e6476) * _e6532)) - _e6540) * _e6545);
 let _e6548 = -(1e9f);
 let _e6550 = select(_e6548, _e6547, (_e6547 > _e6548));
-phi_21569_ = type_34(select(1e9f, _e6550, (_e6550 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21569_ = type_33(select(1e9f, _e6550, (_e6550 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8355 = phi_21569_;
 let _e8357 = select(-0.5f, _e485, (_e485 > -0.5f));
@@ -3027,8 +3027,8 @@ let _e8399 = select(-1f, _e8367, (_e8367 > -1f));
 let _e8401 = select(_e564, _e8399, (_e8399 < _e564));
 let _e8408 = select(0i, select(select(i32(_e8401), i32(-2147483648), (_e8401 < -2147483600f)), 2147483647i, (_e8401 > 2147483500f)), (_e8401 == _e8401));
 let _e8412 = (_e8408 - select(0i, 1i, (_e8401 < f32(_e8408))));
-let _e8417 = global_4.member[_e373].member_6.member_7;
-let _e8422 = global_4.member[_e373].member_6.member_8;
+let _e8417 = global_3.member[_e373].member_6.member_7;
+let _e8422 = global_3.member[_e373].member_6.member_8;
 let _e8430 = (select(0i, select(select(i32(_e553), i32(-2147483648), (_e553 < -2147483600f)), 2147483647i, (_e553 > 2147483500f)), (_e553 == _e553)) - 1i);
 let _e8433 = (_e8397 + 1i);
 let _e8443 = (select(0i, select(select(i32(_e564), i32(-2147483648), (_e564 < -2147483600f)), 2147483647i, (_e564 > 2147483500f)), (_e564 == _e564)) - 1i);
@@ -3041,31 +3041,31 @@ let _e8468 = (select(0i, _e8397, (_e8397 > 0i)) * _e8417);
 let _e8469 = (select(_e8430, _e8433, (_e8433 < _e8430)) * _e8417);
 let _e8470 = (select(0i, _e8412, (_e8412 > 0i)) * _e8422);
 let _e8471 = (select(_e8443, _e8446, (_e8446 < _e8443)) * _e8422);
-local_4 = type_32(array<i32, 4>(select(0i, _e8457, (_e8457 > 0i)), select(0i, _e8382, (_e8382 > 0i)), select(_e8456, _e8462, (_e8462 < _e8456)), select(_e8456, _e8465, (_e8465 < _e8456))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_4 = type_28(array<i32, 4>(select(0i, _e8457, (_e8457 > 0i)), select(0i, _e8382, (_e8382 > 0i)), select(_e8456, _e8462, (_e8462 < _e8456)), select(_e8456, _e8465, (_e8465 < _e8456))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_5 = vec3<f32>((_e8359 - f32(_e8382)), (_e8363 - f32(_e8397)), (_e8367 - f32(_e8412)));
 let _e8482 = (_e8470 + _e8468);
 let _e8485 = local_4.member[1u];
 let _e8486 = (_e8482 + _e8485);
 let _e8488 = (bitcast<i32>(_e183) - 1i);
 let _e8490 = select(_e8488, _e8486, (_e8486 < _e8488));
-let _e8495 = global_2.member[bitcast<u32>(select(0i, _e8490, (_e8490 > 0i)))];
+let _e8495 = global_1.member[bitcast<u32>(select(0i, _e8490, (_e8490 > 0i)))];
 let _e8496 = bitcast<f32>(_e8495);
 let _e8499 = local_4.member[2u];
 let _e8500 = (_e8482 + _e8499);
 let _e8502 = select(_e8488, _e8500, (_e8500 < _e8488));
-let _e8507 = global_2.member[bitcast<u32>(select(0i, _e8502, (_e8502 > 0i)))];
+let _e8507 = global_1.member[bitcast<u32>(select(0i, _e8502, (_e8502 > 0i)))];
 let _e8509 = local_5[0u];
 let _e8512 = (_e8496 + ((bitcast<f32>(_e8507) - _e8496) * _e8509));
 let _e8513 = (_e8470 + _e8469);
 let _e8514 = local_4.member[1u];
 let _e8515 = (_e8513 + _e8514);
 let _e8517 = select(_e8488, _e8515, (_e8515 < _e8488));
-let _e8522 = global_2.member[bitcast<u32>(select(0i, _e8517, (_e8517 > 0i)))];
+let _e8522 = global_1.member[bitcast<u32>(select(0i, _e8517, (_e8517 > 0i)))];
 let _e8523 = bitcast<f32>(_e8522);
 let _e8524 = local_4.member[2u];
 let _e8525 = (_e8513 + _e8524);
 let _e8527 = select(_e8488, _e8525, (_e8525 < _e8488));
-let _e8532 = global_2.member[bitcast<u32>(select(0i, _e8527, (_e8527 > 0i)))];
+let _e8532 = global_1.member[bitcast<u32>(select(0i, _e8527, (_e8527 > 0i)))];
 let _e8534 = local_5[0u];
 let _e8539 = local_5[1u];
 let _e8542 = (_e8512 + (((_e8523 + ((bitcast<f32>(_e8532) - _e8523) * _e8534)) - _e8512) * _e8539));
@@ -3073,38 +3073,38 @@ let _e8543 = (_e8471 + _e8468);
 let _e8544 = local_4.member[1u];
 let _e8545 = (_e8543 + _e8544);
 let _e8547 = select(_e8488, _e8545, (_e8545 < _e8488));
-let _e8552 = global_2.member[bitcast<u32>(select(0i, _e8547, (_e8547 > 0i)))];
+let _e8552 = global_1.member[bitcast<u32>(select(0i, _e8547, (_e8547 > 0i)))];
 let _e8553 = bitcast<f32>(_e8552);
 let _e8554 = local_4.member[2u];
 let _e8555 = (_e8543 + _e8554);
 let _e8557 = select(_e8488, _e8555, (_e8555 < _e8488));
-let _e8562 = global_2.member[bitcast<u32>(select(0i, _e8557, (_e8557 > 0i)))];
+let _e8562 = global_1.member[bitcast<u32>(select(0i, _e8557, (_e8557 > 0i)))];
 let _e8564 = local_5[0u];
 let _e8567 = (_e8553 + ((bitcast<f32>(_e8562) - _e8553) * _e8564));
 let _e8568 = (_e8471 + _e8469);
 let _e8569 = local_4.member[1u];
 let _e8570 = (_e8568 + _e8569);
 let _e8572 = select(_e8488, _e8570, (_e8570 < _e8488));
-let _e8577 = global_2.member[bitcast<u32>(select(0i, _e8572, (_e8572 > 0i)))];
+let _e8577 = global_1.member[bitcast<u32>(select(0i, _e8572, (_e8572 > 0i)))];
 let _e8578 = bitcast<f32>(_e8577);
 let _e8579 = local_4.member[2u];
 let _e8580 = (_e8568 + _e8579);
 let _e8582 = select(_e8488, _e8580, (_e8580 < _e8488));
-let _e8587 = global_2.member[bitcast<u32>(select(0i, _e8582, (_e8582 > 0i)))];
+let _e8587 = global_1.member[bitcast<u32>(select(0i, _e8582, (_e8582 > 0i)))];
 let _e8589 = local_5[0u];
 let _e8593 = local_5[1u];
 let _e8598 = local_5[2u];
-let _e8606 = global_4.member[_e373].member_6.member_6;
-let _e8611 = global_4.member[_e373].member_6.member_5;
+let _e8606 = global_3.member[_e373].member_6.member_6;
+let _e8611 = global_3.member[_e373].member_6.member_5;
 let _e8613 = (((_e8542 + (((_e8567 + (((_e8578 + ((bitcast<f32>(_e8587) - _e8578) * _e8589)) - _e8567) * _e8593)) - _e8542) * _e8598)) - _e8606) * _e8611);
 let _e8614 = -(1e9f);
 let _e8616 = select(_e8614, _e8613, (_e8613 > _e8614));
 let _e8618 = select(1e9f, _e8616, (_e8616 < 1e9f));
 let _e8620 = ((_e1354 & 16u) == 0u);
 if _e8620 {
-phi_22427_ = type_5(1f, 1f, 1f);
+phi_22427_ = type_7(1f, 1f, 1f);
 } else {
-let _e8625 = global_4.member[_e373].member_14.member;
+let _e8625 = global_3.member[_e373].member_14.member;
 let _e8636 = ((((_e8625.member.member * _e399) + (_e8625.member.member_1 * _e401)) + (_e8625.member.member_2 * _e395)) + _e8625.member_1);
 let _e8642 = ((((_e8625.member.member * _e6248.member_1.x) + (_e8625.member.member_1 * _e6248.member_1.y)) + (_e8625.member.member_2 * _e6248.member_1.z)) + _e8625.member_1);
 let _e8644 = select(_e8642, _e8636, (_e8636 < _e8642));
@@ -3113,9 +3113,9 @@ let _e8648 = (_e8646 - _e8644);
 let _e8651 = (-(_e8644) / select(1e-30f, _e8648, (_e8648 > 1e-30f)));
 let _e8653 = select(0f, _e8651, (_e8651 > 0f));
 let _e8659 = select(select(select(1f, _e8653, (_e8653 < 1f)), 1f, (_e8646 <= 0f)), 0f, (_e8644 > 0f));
-let _e8665 = global_4.member[_e373].member_14.member_1;
+let _e8665 = global_3.member[_e373].member_14.member_1;
 let _e8666 = (_e8665 != 0u);
-let _e8677 = global_4.member[_e373].member_15.member;
+let _e8677 = global_3.member[_e373].member_15.member;
 let _e8688 = ((((_e8677.member.member * _e399) + (_e8677.member.member_1 * _e401)) + (_e8677.member.member_2 * _e395)) + _e8677.member_1);
 let _e8694 = ((((_e8677.member.member * _e6248.member_1.x) + (_e8677.member.member_1 * _e6248.member_1.y)) + (_e8677.member.member_2 * _e6248.member_1.z)) + _e8677.member_1);
 let _e8696 = select(_e8694, _e8688, (_e8688 < _e8694));
@@ -3124,9 +3124,9 @@ let _e8700 = (_e8698 - _e8696);
 let _e8703 = (-(_e8696) / select(1e-30f, _e8700, (_e8700 > 1e-30f)));
 let _e8705 = select(0f, _e8703, (_e8703 > 0f));
 let _e8711 = select(select(select(1f, _e8705, (_e8705 < 1f)), 1f, (_e8698 <= 0f)), 0f, (_e8696 > 0f));
-let _e8717 = global_4.member[_e373].member_15.member_1;
+let _e8717 = global_3.member[_e373].member_15.member_1;
 let _e8718 = (_e8717 != 0u);
-let _e8729 = global_4.member[_e373].member_16.member;
+let _e8729 = global_3.member[_e373].member_16.member;
 let _e8740 = ((((_e8729.member.member * _e399) + (_e8729.member.member_1 * _e401)) + (_e8729.member.member_2 * _e395)) + _e8729.member_1);
 let _e8746 = ((((_e8729.member.member * _e6248.member_1.x) + (_e8729.member.member_1 * _e6248.member_1.y)) + (_e8729.member.member_2 * _e6248.member_1.z)) + _e8729.member_1);
 let _e8748 = select(_e8746, _e8740, (_e8740 < _e8746));
@@ -3135,9 +3135,9 @@ let _e8752 = (_e8750 - _e8748);
 let _e8755 = (-(_e8748) / select(1e-30f, _e8752, (_e8752 > 1e-30f)));
 let _e8757 = select(0f, _e8755, (_e8755 > 0f));
 let _e8763 = select(select(select(1f, _e8757, (_e8757 < 1f)), 1f, (_e8750 <= 0f)), 0f, (_e8748 > 0f));
-let _e8769 = global_4.member[_e373].member_16.member_1;
+let _e8769 = global_3.member[_e373].member_16.member_1;
 let _e8770 = (_e8769 != 0u);
-let _e8781 = global_4.member[_e373].member_17.member;
+let _e8781 = global_3.member[_e373].member_17.member;
 let _e8792 = ((((_e8781.member.member * _e399) + (_e8781.member.member_1 * _e401)) + (_e8781.member.member_2 * _e395)) + _e8781.member_1);
 let _e8798 = ((((_e8781.member.member * _e6248.member_1.x) + (_e8781.member.member_1 * _e6248.member_1.y)) + (_e8781.member.member_2 * _e6248.member_1.z)) + _e8781.member_1);
 let _e8800 = select(_e8798, _e8792, (_e8792 < _e8798));
@@ -3146,109 +3146,109 @@ let _e8804 = (_e8802 - _e8800);
 let _e8807 = (-(_e8800) / select(1e-30f, _e8804, (_e8804 > 1e-30f)));
 let _e8809 = select(0f, _e8807, (_e8807 > 0f));
 let _e8815 = select(select(select(1f, _e8809, (_e8809 < 1f)), 1f, (_e8802 <= 0f)), 0f, (_e8800 > 0f));
-let _e8821 = global_4.member[_e373].member_17.member_1;
+let _e8821 = global_3.member[_e373].member_17.member_1;
 let _e8822 = (_e8821 != 0u);
-phi_22427_ = type_5(((((1f * _e8659) * _e8711) * _e8763) * _e8815), ((((1f * select(1f, _e8659, _e8666)) * select(1f, _e8711, _e8718)) * select(1f, _e8763, _e8770)) * select(1f, _e8815, _e8822)), ((((1f * select(1f, 0f, (_e8666 && (_e8642 > 0f)))) * select(1f, 0f, (_e8718 && (_e8694 > 0f)))) * select(1f, 0f, (_e8770 && (_e8746 > 0f)))) * select(1f, 0f, (_e8822 && (_e8798 > 0f)))));
+phi_22427_ = type_7(((((1f * _e8659) * _e8711) * _e8763) * _e8815), ((((1f * select(1f, _e8659, _e8666)) * select(1f, _e8711, _e8718)) * select(1f, _e8763, _e8770)) * select(1f, _e8815, _e8822)), ((((1f * select(1f, 0f, (_e8666 && (_e8642 > 0f)))) * select(1f, 0f, (_e8718 && (_e8694 > 0f)))) * select(1f, 0f, (_e8770 && (_e8746 > 0f)))) * select(1f, 0f, (_e8822 && (_e8798 > 0f)))));
 }
 let _e8831 = phi_22427_;
-let _e8837 = global_4.member[_e373].member_5.member_3;
+let _e8837 = global_3.member[_e373].member_5.member_3;
 let _e8838 = (_e6248.member_3 * _e8837);
 if (((_e382.member_2 == 3u) || (_e382.member_2 == 4u)) || _e581) {
 local_3 = _e8618;
 let _e9749 = local_3;
 let _e9751 = (bitcast<i32>(_e191) - 1i);
 let _e9753 = select(_e9751, 263171i, (263171i < _e9751));
-let _e9758 = global_3.member[bitcast<u32>(select(0i, _e9753, (_e9753 > 0i)))];
+let _e9758 = global_2.member[bitcast<u32>(select(0i, _e9753, (_e9753 > 0i)))];
 let _e9759 = bitcast<f32>(_e9758);
 let _e9761 = select(_e9751, 263172i, (263172i < _e9751));
-let _e9766 = global_3.member[bitcast<u32>(select(0i, _e9761, (_e9761 > 0i)))];
+let _e9766 = global_2.member[bitcast<u32>(select(0i, _e9761, (_e9761 > 0i)))];
 let _e9767 = bitcast<f32>(_e9766);
 let _e9769 = select(_e9751, 263173i, (263173i < _e9751));
-let _e9774 = global_3.member[bitcast<u32>(select(0i, _e9769, (_e9769 > 0i)))];
+let _e9774 = global_2.member[bitcast<u32>(select(0i, _e9769, (_e9769 > 0i)))];
 let _e9775 = bitcast<f32>(_e9774);
 let _e9777 = ((_e9749 - _e9759) * _e9767);
 let _e9779 = select(0f, _e9777, (_e9777 > 0f));
 let _e9782 = local_3;
 let _e9784 = select(_e9751, 263174i, (263174i < _e9751));
-let _e9789 = global_3.member[bitcast<u32>(select(0i, _e9784, (_e9784 > 0i)))];
+let _e9789 = global_2.member[bitcast<u32>(select(0i, _e9784, (_e9784 > 0i)))];
 let _e9790 = bitcast<f32>(_e9789);
 let _e9792 = select(_e9751, 263175i, (263175i < _e9751));
-let _e9797 = global_3.member[bitcast<u32>(select(0i, _e9792, (_e9792 > 0i)))];
+let _e9797 = global_2.member[bitcast<u32>(select(0i, _e9792, (_e9792 > 0i)))];
 let _e9798 = bitcast<f32>(_e9797);
 let _e9800 = select(_e9751, 263176i, (263176i < _e9751));
-let _e9805 = global_3.member[bitcast<u32>(select(0i, _e9800, (_e9800 > 0i)))];
+let _e9805 = global_2.member[bitcast<u32>(select(0i, _e9800, (_e9800 > 0i)))];
 let _e9806 = bitcast<f32>(_e9805);
 let _e9808 = ((_e9782 - _e9790) * _e9798);
 let _e9810 = select(0f, _e9808, (_e9808 > 0f));
 let _e9814 = local_3;
 let _e9816 = select(_e9751, 263177i, (263177i < _e9751));
-let _e9821 = global_3.member[bitcast<u32>(select(0i, _e9816, (_e9816 > 0i)))];
+let _e9821 = global_2.member[bitcast<u32>(select(0i, _e9816, (_e9816 > 0i)))];
 let _e9822 = bitcast<f32>(_e9821);
 let _e9824 = select(_e9751, 263178i, (263178i < _e9751));
-let _e9829 = global_3.member[bitcast<u32>(select(0i, _e9824, (_e9824 > 0i)))];
+let _e9829 = global_2.member[bitcast<u32>(select(0i, _e9824, (_e9824 > 0i)))];
 let _e9830 = bitcast<f32>(_e9829);
 let _e9832 = select(_e9751, 263179i, (263179i < _e9751));
-let _e9837 = global_3.member[bitcast<u32>(select(0i, _e9832, (_e9832 > 0i)))];
+let _e9837 = global_2.member[bitcast<u32>(select(0i, _e9832, (_e9832 > 0i)))];
 let _e9838 = bitcast<f32>(_e9837);
 let _e9840 = ((_e9814 - _e9822) * _e9830);
 let _e9842 = select(0f, _e9840, (_e9840 > 0f));
 let _e9845 = local_3;
 let _e9847 = select(_e9751, 263180i, (263180i < _e9751));
-let _e9852 = global_3.member[bitcast<u32>(select(0i, _e9847, (_e9847 > 0i)))];
+let _e9852 = global_2.member[bitcast<u32>(select(0i, _e9847, (_e9847 > 0i)))];
 let _e9853 = bitcast<f32>(_e9852);
 let _e9855 = select(_e9751, 263181i, (263181i < _e9751));
-let _e9860 = global_3.member[bitcast<u32>(select(0i, _e9855, (_e9855 > 0i)))];
+let _e9860 = global_2.member[bitcast<u32>(select(0i, _e9855, (_e9855 > 0i)))];
 let _e9861 = bitcast<f32>(_e9860);
 let _e9863 = select(_e9751, 263182i, (263182i < _e9751));
-let _e9868 = global_3.member[bitcast<u32>(select(0i, _e9863, (_e9863 > 0i)))];
+let _e9868 = global_2.member[bitcast<u32>(select(0i, _e9863, (_e9863 > 0i)))];
 let _e9869 = bitcast<f32>(_e9868);
 let _e9871 = ((_e9845 - _e9853) * _e9861);
 let _e9873 = select(0f, _e9871, (_e9871 > 0f));
 let _e9878 = local_3;
 let _e9880 = select(_e9751, 263183i, (263183i < _e9751));
-let _e9885 = global_3.member[bitcast<u32>(select(0i, _e9880, (_e9880 > 0i)))];
+let _e9885 = global_2.member[bitcast<u32>(select(0i, _e9880, (_e9880 > 0i)))];
 let _e9886 = bitcast<f32>(_e9885);
 let _e9888 = select(_e9751, 263184i, (263184i < _e9751));
-let _e9893 = global_3.member[bitcast<u32>(select(0i, _e9888, (_e9888 > 0i)))];
+let _e9893 = global_2.member[bitcast<u32>(select(0i, _e9888, (_e9888 > 0i)))];
 let _e9894 = bitcast<f32>(_e9893);
 let _e9896 = select(_e9751, 263185i, (263185i < _e9751));
-let _e9901 = global_3.member[bitcast<u32>(select(0i, _e9896, (_e9896 > 0i)))];
+let _e9901 = global_2.member[bitcast<u32>(select(0i, _e9896, (_e9896 > 0i)))];
 let _e9902 = bitcast<f32>(_e9901);
 let _e9904 = ((_e9878 - _e9886) * _e9894);
 let _e9906 = select(0f, _e9904, (_e9904 > 0f));
 let _e9909 = local_3;
 let _e9911 = select(_e9751, 263186i, (263186i < _e9751));
-let _e9916 = global_3.member[bitcast<u32>(select(0i, _e9911, (_e9911 > 0i)))];
+let _e9916 = global_2.member[bitcast<u32>(select(0i, _e9911, (_e9911 > 0i)))];
 let _e9917 = bitcast<f32>(_e9916);
 let _e9919 = select(_e9751, 263187i, (263187i < _e9751));
-let _e9924 = global_3.member[bitcast<u32>(select(0i, _e9919, (_e9919 > 0i)))];
+let _e9924 = global_2.member[bitcast<u32>(select(0i, _e9919, (_e9919 > 0i)))];
 let _e9925 = bitcast<f32>(_e9924);
 let _e9927 = select(_e9751, 263188i, (263188i < _e9751));
-let _e9932 = global_3.member[bitcast<u32>(select(0i, _e9927, (_e9927 > 0i)))];
+let _e9932 = global_2.member[bitcast<u32>(select(0i, _e9927, (_e9927 > 0i)))];
 let _e9933 = bitcast<f32>(_e9932);
 let _e9935 = ((_e9909 - _e9917) * _e9925);
 let _e9937 = select(0f, _e9935, (_e9935 > 0f));
 let _e9941 = local_3;
 let _e9943 = select(_e9751, 263189i, (263189i < _e9751));
-let _e9948 = global_3.member[bitcast<u32>(select(0i, _e9943, (_e9943 > 0i)))];
+let _e9948 = global_2.member[bitcast<u32>(select(0i, _e9943, (_e9943 > 0i)))];
 let _e9949 = bitcast<f32>(_e9948);
 let _e9951 = select(_e9751, 263190i, (263190i < _e9751));
-let _e9956 = global_3.member[bitcast<u32>(select(0i, _e9951, (_e9951 > 0i)))];
+let _e9956 = global_2.member[bitcast<u32>(select(0i, _e9951, (_e9951 > 0i)))];
 let _e9957 = bitcast<f32>(_e9956);
 let _e9959 = select(_e9751, 263191i, (263191i < _e9751));
-let _e9964 = global_3.member[bitcast<u32>(select(0i, _e9959, (_e9959 > 0i)))];
+let _e9964 = global_2.member[bitcast<u32>(select(0i, _e9959, (_e9959 > 0i)))];
 let _e9965 = bitcast<f32>(_e9964);
 let _e9967 = ((_e9941 - _e9949) * _e9957);
 let _e9969 = select(0f, _e9967, (_e9967 > 0f));
 let _e9972 = local_3;
 let _e9974 = select(_e9751, 263192i, (263192i < _e9751));
-let _e9979 = global_3.member[bitcast<u32>(select(0i, _e9974, (_e9974 > 0i)))];
+let _e9979 = global_2.member[bitcast<u32>(select(0i, _e9974, (_e9974 > 0i)))];
 let _e9980 = bitcast<f32>(_e9979);
 let _e9982 = select(_e9751, 263193i, (263193i < _e9751));
-let _e9987 = global_3.member[bitcast<u32>(select(0i, _e9982, (_e9982 > 0i)))];
+let _e9987 = global_2.member[bitcast<u32>(select(0i, _e9982, (_e9982 > 0i)))];
 let _e9988 = bitcast<f32>(_e9987);
 let _e9990 = select(_e9751, 263194i, (263194i < _e9751));
-let _e9995 = global_3.member[bitcast<u32>(select(0i, _e9990, (_e9990 > 0i)))];
+let _e9995 = global_2.member[bitcast<u32>(select(0i, _e9990, (_e9990 > 0i)))];
 let _e9996 = bitcast<f32>(_e9995);
 let _e9998 = ((_e9972 - _e9980) * _e9988);
 let _e10000 = select(0f, _e9998, (_e9998 > 0f));
@@ -3289,10 +3289,10 @@ let _e10088 = select(_e10069, _e10086, (_e10086 < _e10069));
 let _e10095 = select(0i, select(select(i32(_e10088), i32(-2147483648), (_e10088 < -2147483600f)), 2147483647i, (_e10088 > 2147483500f)), (_e10088 == _e10088));
 let _e10099 = (_e10095 - select(0i, 1i, (_e10088 < f32(_e10095))));
 let _e10101 = select(_e9751, 263195i, (263195i < _e9751));
-let _e10107 = global_3.member[bitcast<u32>(select(0i, _e10101, (_e10101 > 0i)))];
+let _e10107 = global_2.member[bitcast<u32>(select(0i, _e10101, (_e10101 > 0i)))];
 let _e10108 = bitcast<f32>(_e10107);
 let _e10110 = select(_e9751, 263196i, (263196i < _e9751));
-let _e10116 = global_3.member[bitcast<u32>(select(0i, _e10110, (_e10110 > 0i)))];
+let _e10116 = global_2.member[bitcast<u32>(select(0i, _e10110, (_e10110 > 0i)))];
 let _e10117 = bitcast<f32>(_e10116);
 let _e10118 = (_e8355.member - _e8618);
 let _e10124 = (1f / select(_e10118, 1f, (bitcast<f32>((bitcast<u32>(_e10118) & 2147483647u)) < 1e-20f)));
@@ -3301,20 +3301,20 @@ let _e10136 = ((select(_e10117, _e8355.member, (_e8355.member > _e10117)) - sele
 let _e10139 = (((_e10084 * 256i) + _e10099) * 4i);
 let _e10143 = (_e10068 - f32(_e10099));
 let _e10147 = select(_e9751, _e10139, (_e10139 < _e9751));
-let _e10153 = global_3.member[bitcast<u32>(select(0i, _e10147, (_e10147 > 0i)))];
+let _e10153 = global_2.member[bitcast<u32>(select(0i, _e10147, (_e10147 > 0i)))];
 let _e10154 = (_e10139 + 4i);
 let _e10156 = select(_e9751, _e10154, (_e10154 < _e9751));
-let _e10162 = global_3.member[bitcast<u32>(select(0i, _e10156, (_e10156 > 0i)))];
+let _e10162 = global_2.member[bitcast<u32>(select(0i, _e10156, (_e10156 > 0i)))];
 let _e10163 = (_e10139 + 1024i);
 let _e10165 = select(_e9751, _e10163, (_e10163 < _e9751));
-let _e10171 = global_3.member[bitcast<u32>(select(0i, _e10165, (_e10165 > 0i)))];
+let _e10171 = global_2.member[bitcast<u32>(select(0i, _e10165, (_e10165 > 0i)))];
 let _e10172 = (_e10139 + 1028i);
 let _e10174 = select(_e9751, _e10172, (_e10172 < _e9751));
-let _e10180 = global_3.member[bitcast<u32>(select(0i, _e10174, (_e10174 > 0i)))];
+let _e10180 = global_2.member[bitcast<u32>(select(0i, _e10174, (_e10174 > 0i)))];
 let _e10182 = select(_e9751, 0i, (0i < _e9751));
-let _e10188 = global_3.member[bitcast<u32>(select(0i, _e10182, (_e10182 > 0i)))];
+let _e10188 = global_2.member[bitcast<u32>(select(0i, _e10182, (_e10182 > 0i)))];
 let _e10190 = select(_e9751, 262140i, (262140i < _e9751));
-let _e10196 = global_3.member[bitcast<u32>(select(0i, _e10190, (_e10190 > 0i)))];
+let _e10196 = global_2.member[bitcast<u32>(select(0i, _e10190, (_e10190 > 0i)))];
 let _e10201 = (bitcast<f32>(((_e10153 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10209 = (_e10201 + (((bitcast<f32>(((_e10162 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10201) * _e10143));
 let _e10214 = (bitcast<f32>(((_e10171 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3337,97 +3337,97 @@ local_1 = _e8618;
 let _e8844 = local_1;
 let _e8846 = (bitcast<i32>(_e191) - 1i);
 let _e8848 = select(_e8846, 263171i, (263171i < _e8846));
-let _e8853 = global_3.member[bitcast<u32>(select(0i, _e8848, (_e8848 > 0i)))];
+let _e8853 = global_2.member[bitcast<u32>(select(0i, _e8848, (_e8848 > 0i)))];
 let _e8854 = bitcast<f32>(_e8853);
 let _e8856 = select(_e8846, 263172i, (263172i < _e8846));
-let _e8861 = global_3.member[bitcast<u32>(select(0i, _e8856, (_e8856 > 0i)))];
+let _e8861 = global_2.member[bitcast<u32>(select(0i, _e8856, (_e8856 > 0i)))];
 let _e8862 = bitcast<f32>(_e8861);
 let _e8864 = select(_e8846, 263173i, (263173i < _e8846));
-let _e8869 = global_3.member[bitcast<u32>(select(0i, _e8864, (_e8864 > 0i)))];
+let _e8869 = global_2.member[bitcast<u32>(select(0i, _e8864, (_e8864 > 0i)))];
 let _e8870 = bitcast<f32>(_e8869);
 let _e8872 = ((_e8844 - _e8854) * _e8862);
 let _e8874 = select(0f, _e8872, (_e8872 > 0f));
 let _e8877 = local_1;
 let _e8879 = select(_e8846, 263174i, (263174i < _e8846));
-let _e8884 = global_3.member[bitcast<u32>(select(0i, _e8879, (_e8879 > 0i)))];
+let _e8884 = global_2.member[bitcast<u32>(select(0i, _e8879, (_e8879 > 0i)))];
 let _e8885 = bitcast<f32>(_e8884);
 let _e8887 = select(_e8846, 263175i, (263175i < _e8846));
-let _e8892 = global_3.member[bitcast<u32>(select(0i, _e8887, (_e8887 > 0i)))];
+let _e8892 = global_2.member[bitcast<u32>(select(0i, _e8887, (_e8887 > 0i)))];
 let _e8893 = bitcast<f32>(_e8892);
 let _e8895 = select(_e8846, 263176i, (263176i < _e8846));
-let _e8900 = global_3.member[bitcast<u32>(select(0i, _e8895, (_e8895 > 0i)))];
+let _e8900 = global_2.member[bitcast<u32>(select(0i, _e8895, (_e8895 > 0i)))];
 let _e8901 = bitcast<f32>(_e8900);
 let _e8903 = ((_e8877 - _e8885) * _e8893);
 let _e8905 = select(0f, _e8903, (_e8903 > 0f));
 let _e8909 = local_1;
 let _e8911 = select(_e8846, 263177i, (263177i < _e8846));
-let _e8916 = global_3.member[bitcast<u32>(select(0i, _e8911, (_e8911 > 0i)))];
+let _e8916 = global_2.member[bitcast<u32>(select(0i, _e8911, (_e8911 > 0i)))];
 let _e8917 = bitcast<f32>(_e8916);
 let _e8919 = select(_e8846, 263178i, (263178i < _e8846));
-let _e8924 = global_3.member[bitcast<u32>(select(0i, _e8919, (_e8919 > 0i)))];
+let _e8924 = global_2.member[bitcast<u32>(select(0i, _e8919, (_e8919 > 0i)))];
 let _e8925 = bitcast<f32>(_e8924);
 let _e8927 = select(_e8846, 263179i, (263179i < _e8846));
-let _e8932 = global_3.member[bitcast<u32>(select(0i, _e8927, (_e8927 > 0i)))];
+let _e8932 = global_2.member[bitcast<u32>(select(0i, _e8927, (_e8927 > 0i)))];
 let _e8933 = bitcast<f32>(_e8932);
 let _e8935 = ((_e8909 - _e8917) * _e8925);
 let _e8937 = select(0f, _e8935, (_e8935 > 0f));
 let _e8940 = local_1;
 let _e8942 = select(_e8846, 263180i, (263180i < _e8846));
-let _e8947 = global_3.member[bitcast<u32>(select(0i, _e8942, (_e8942 > 0i)))];
+let _e8947 = global_2.member[bitcast<u32>(select(0i, _e8942, (_e8942 > 0i)))];
 let _e8948 = bitcast<f32>(_e8947);
 let _e8950 = select(_e8846, 263181i, (263181i < _e8846));
-let _e8955 = global_3.member[bitcast<u32>(select(0i, _e8950, (_e8950 > 0i)))];
+let _e8955 = global_2.member[bitcast<u32>(select(0i, _e8950, (_e8950 > 0i)))];
 let _e8956 = bitcast<f32>(_e8955);
 let _e8958 = select(_e8846, 263182i, (263182i < _e8846));
-let _e8963 = global_3.member[bitcast<u32>(select(0i, _e8958, (_e8958 > 0i)))];
+let _e8963 = global_2.member[bitcast<u32>(select(0i, _e8958, (_e8958 > 0i)))];
 let _e8964 = bitcast<f32>(_e8963);
 let _e8966 = ((_e8940 - _e8948) * _e8956);
 let _e8968 = select(0f, _e8966, (_e8966 > 0f));
 let _e8973 = local_1;
 let _e8975 = select(_e8846, 263183i, (263183i < _e8846));
-let _e8980 = global_3.member[bitcast<u32>(select(0i, _e8975, (_e8975 > 0i)))];
+let _e8980 = global_2.member[bitcast<u32>(select(0i, _e8975, (_e8975 > 0i)))];
 let _e8981 = bitcast<f32>(_e8980);
 let _e8983 = select(_e8846, 263184i, (263184i < _e8846));
-let _e8988 = global_3.member[bitcast<u32>(select(0i, _e8983, (_e8983 > 0i)))];
+let _e8988 = global_2.member[bitcast<u32>(select(0i, _e8983, (_e8983 > 0i)))];
 let _e8989 = bitcast<f32>(_e8988);
 let _e8991 = select(_e8846, 263185i, (263185i < _e8846));
-let _e8996 = global_3.member[bitcast<u32>(select(0i, _e8991, (_e8991 > 0i)))];
+let _e8996 = global_2.member[bitcast<u32>(select(0i, _e8991, (_e8991 > 0i)))];
 let _e8997 = bitcast<f32>(_e8996);
 let _e8999 = ((_e8973 - _e8981) * _e8989);
 let _e9001 = select(0f, _e8999, (_e8999 > 0f));
 let _e9004 = local_1;
 let _e9006 = select(_e8846, 263186i, (263186i < _e8846));
-let _e9011 = global_3.member[bitcast<u32>(select(0i, _e9006, (_e9006 > 0i)))];
+let _e9011 = global_2.member[bitcast<u32>(select(0i, _e9006, (_e9006 > 0i)))];
 let _e9012 = bitcast<f32>(_e9011);
 let _e9014 = select(_e8846, 263187i, (263187i < _e8846));
-let _e9019 = global_3.member[bitcast<u32>(select(0i, _e9014, (_e9014 > 0i)))];
+let _e9019 = global_2.member[bitcast<u32>(select(0i, _e9014, (_e9014 > 0i)))];
 let _e9020 = bitcast<f32>(_e9019);
 let _e9022 = select(_e8846, 263188i, (263188i < _e8846));
-let _e9027 = global_3.member[bitcast<u32>(select(0i, _e9022, (_e9022 > 0i)))];
+let _e9027 = global_2.member[bitcast<u32>(select(0i, _e9022, (_e9022 > 0i)))];
 let _e9028 = bitcast<f32>(_e9027);
 let _e9030 = ((_e9004 - _e9012) * _e9020);
 let _e9032 = select(0f, _e9030, (_e9030 > 0f));
 let _e9036 = local_1;
 let _e9038 = select(_e8846, 263189i, (263189i < _e8846));
-let _e9043 = global_3.member[bitcast<u32>(select(0i, _e9038, (_e9038 > 0i)))];
+let _e9043 = global_2.member[bitcast<u32>(select(0i, _e9038, (_e9038 > 0i)))];
 let _e9044 = bitcast<f32>(_e9043);
 let _e9046 = select(_e8846, 263190i, (263190i < _e8846));
-let _e9051 = global_3.member[bitcast<u32>(select(0i, _e9046, (_e9046 > 0i)))];
+let _e9051 = global_2.member[bitcast<u32>(select(0i, _e9046, (_e9046 > 0i)))];
 let _e9052 = bitcast<f32>(_e9051);
 let _e9054 = select(_e8846, 263191i, (263191i < _e8846));
-let _e9059 = global_3.member[bitcast<u32>(select(0i, _e9054, (_e9054 > 0i)))];
+let _e9059 = global_2.member[bitcast<u32>(select(0i, _e9054, (_e9054 > 0i)))];
 let _e9060 = bitcast<f32>(_e9059);
 let _e9062 = ((_e9036 - _e9044) * _e9052);
 let _e9064 = select(0f, _e9062, (_e9062 > 0f));
 let _e9067 = local_1;
 let _e9069 = select(_e8846, 263192i, (263192i < _e8846));
-let _e9074 = global_3.member[bitcast<u32>(select(0i, _e9069, (_e9069 > 0i)))];
+let _e9074 = global_2.member[bitcast<u32>(select(0i, _e9069, (_e9069 > 0i)))];
 let _e9075 = bitcast<f32>(_e9074);
 let _e9077 = select(_e8846, 263193i, (263193i < _e8846));
-let _e9082 = global_3.member[bitcast<u32>(select(0i, _e9077, (_e9077 > 0i)))];
+let _e9082 = global_2.member[bitcast<u32>(select(0i, _e9077, (_e9077 > 0i)))];
 let _e9083 = bitcast<f32>(_e9082);
 let _e9085 = select(_e8846, 263194i, (263194i < _e8846));
-let _e9090 = global_3.member[bitcast<u32>(select(0i, _e9085, (_e9085 > 0i)))];
+let _e9090 = global_2.member[bitcast<u32>(select(0i, _e9085, (_e9085 > 0i)))];
 let _e9091 = bitcast<f32>(_e9090);
 let _e9093 = ((_e9067 - _e9075) * _e9083);
 let _e9095 = select(0f, _e9093, (_e9093 > 0f));
@@ -3468,10 +3468,10 @@ let _e9183 = select(_e9164, _e9181, (_e9181 < _e9164));
 let _e9190 = select(0i, select(select(i32(_e9183), i32(-2147483648), (_e9183 < -2147483600f)), 2147483647i, (_e9183 > 2147483500f)), (_e9183 == _e9183));
 let _e9194 = (_e9190 - select(0i, 1i, (_e9183 < f32(_e9190))));
 let _e9196 = select(_e8846, 263195i, (263195i < _e8846));
-let _e9202 = global_3.member[bitcast<u32>(select(0i, _e9196, (_e9196 > 0i)))];
+let _e9202 = global_2.member[bitcast<u32>(select(0i, _e9196, (_e9196 > 0i)))];
 let _e9203 = bitcast<f32>(_e9202);
 let _e9205 = select(_e8846, 263196i, (263196i < _e8846));
-let _e9211 = global_3.member[bitcast<u32>(select(0i, _e9205, (_e9205 > 0i)))];
+let _e9211 = global_2.member[bitcast<u32>(select(0i, _e9205, (_e9205 > 0i)))];
 let _e9212 = bitcast<f32>(_e9211);
 let _e9213 = (_e8355.member - _e8618);
 let _e9219 = (1f / select(_e9213, 1f, (bitcast<f32>((bitcast<u32>(_e9213) & 2147483647u)) < 1e-20f)));
@@ -3482,20 +3482,20 @@ let _e9236 = (_e9100 - f32(_e9179));
 let _e9238 = (_e9163 - f32(_e9194));
 let _e9240 = (1f - (_e9225 + _e9231));
 let _e9242 = select(_e8846, _e9234, (_e9234 < _e8846));
-let _e9248 = global_3.member[bitcast<u32>(select(0i, _e9242, (_e9242 > 0i)))];
+let _e9248 = global_2.member[bitcast<u32>(select(0i, _e9242, (_e9242 > 0i)))];
 let _e9249 = (_e9234 + 4i);
 let _e9251 = select(_e8846, _e9249, (_e9249 < _e8846));
-let _e9257 = global_3.member[bitcast<u32>(select(0i, _e9251, (_e9251 > 0i)))];
+let _e9257 = global_2.member[bitcast<u32>(select(0i, _e9251, (_e9251 > 0i)))];
 let _e9258 = (_e9234 + 1024i);
 let _e9260 = select(_e8846, _e9258, (_e9258 < _e8846));
-let _e9266 = global_3.member[bitcast<u32>(select(0i, _e9260, (_e9260 > 0i)))];
+let _e9266 = global_2.member[bitcast<u32>(select(0i, _e9260, (_e9260 > 0i)))];
 let _e9267 = (_e9234 + 1028i);
 let _e9269 = select(_e8846, _e9267, (_e9267 < _e8846));
-let _e9275 = global_3.member[bitcast<u32>(select(0i, _e9269, (_e9269 > 0i)))];
+let _e9275 = global_2.member[bitcast<u32>(select(0i, _e9269, (_e9269 > 0i)))];
 let _e9277 = select(_e8846, 0i, (0i < _e8846));
-let _e9283 = global_3.member[bitcast<u32>(select(0i, _e9277, (_e9277 > 0i)))];
+let _e9283 = global_2.member[bitcast<u32>(select(0i, _e9277, (_e9277 > 0i)))];
 let _e9285 = select(_e8846, 262140i, (262140i < _e8846));
-let _e9291 = global_3.member[bitcast<u32>(select(0i, _e9285, (_e9285 > 0i)))];
+let _e9291 = global_2.member[bitcast<u32>(select(0i, _e9285, (_e9285 > 0i)))];
 let _e9296 = (bitcast<f32>(((_e9248 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9304 = (_e9296 + (((bitcast<f32>(((_e9257 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9296) * _e9238));
 let _e9309 = (bitcast<f32>(((_e9266 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3505,20 +3505,20 @@ let _e9360 = (_e9352 + (((bitcast<f32>((((_e9257 >> bitcast<u32>(16i)) & 32767u)
 let _e9365 = (bitcast<f32>((((_e9266 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9392 = (_e9234 + 1i);
 let _e9394 = select(_e8846, _e9392, (_e9392 < _e8846));
-let _e9400 = global_3.member[bitcast<u32>(select(0i, _e9394, (_e9394 > 0i)))];
+let _e9400 = global_2.member[bitcast<u32>(select(0i, _e9394, (_e9394 > 0i)))];
 let _e9401 = (_e9234 + 5i);
 let _e9403 = select(_e8846, _e9401, (_e9401 < _e8846));
-let _e9409 = global_3.member[bitcast<u32>(select(0i, _e9403, (_e9403 > 0i)))];
+let _e9409 = global_2.member[bitcast<u32>(select(0i, _e9403, (_e9403 > 0i)))];
 let _e9410 = (_e9234 + 1025i);
 let _e9412 = select(_e8846, _e9410, (_e9410 < _e8846));
-let _e9418 = global_3.member[bitcast<u32>(select(0i, _e9412, (_e9412 > 0i)))];
+let _e9418 = global_2.member[bitcast<u32>(select(0i, _e9412, (_e9412 > 0i)))];
 let _e9419 = (_e9234 + 1029i);
 let _e9421 = select(_e8846, _e9419, (_e9419 < _e8846));
-let _e9427 = global_3.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
+let _e9427 = global_2.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
 let _e9429 = select(_e8846, 1i, (1i < _e8846));
-let _e9435 = global_3.member[bitcast<u32>(select(0i, _e9429, (_e9429 > 0i)))];
+let _e9435 = global_2.member[bitcast<u32>(select(0i, _e9429, (_e9429 > 0i)))];
 let _e9437 = select(_e8846, 262141i, (262141i < _e8846));
-let _e9443 = global_3.member[bitcast<u32>(select(0i, _e9437, (_e9437 > 0i)))];
+let _e9443 = global_2.member[bitcast<u32>(select(0i, _e9437, (_e9437 > 0i)))];
 let _e9448 = (bitcast<f32>(((_e9400 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9456 = (_e9448 + (((bitcast<f32>(((_e9409 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9448) * _e9238));
 let _e9461 = (bitcast<f32>(((_e9418 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3586,9 +3586,9 @@ let _e10335 = (_e6248.member_1.z + (_e6248.member_2.z * _e10327));
 let _e10341 = ((((_e1118.member.member * _e10333) + (_e1118.member.member_1 * _e10334)) + (_e1118.member.member_2 * _e10335)) + _e1118.member_1);
 let _e10347 = ((((_e1134.member.member * _e10333) + (_e1134.member.member_1 * _e10334)) + (_e1134.member.member_2 * _e10335)) + _e1134.member_1);
 let _e10353 = ((((_e1150.member.member * _e10333) + (_e1150.member.member_1 * _e10334)) + (_e1150.member.member_2 * _e10335)) + _e1150.member_1);
-let _e10359 = global_4.member[_e373].member_7.member.member;
-let _e10368 = global_4.member[_e373].member_7.member_1.member;
-let _e10377 = global_4.member[_e373].member_7.member_2.member;
+let _e10359 = global_3.member[_e373].member_7.member.member;
+let _e10368 = global_3.member[_e373].member_7.member_1.member;
+let _e10377 = global_3.member[_e373].member_7.member_2.member;
 let _e10381 = (-0.5f - _e6277);
 let _e10382 = (-0.5f - _e10341);
 let _e10383 = -(_e10381);
@@ -3695,16 +3695,16 @@ let _e10620 = select(select(select(select(select(select(0f, _e10359.member, _e10
 let _e10621 = select(select(select(select(select(select(0f, _e10359.member_1, _e10401), _e10359.member_1, _e10441), _e10368.member_1, _e10481), _e10368.member_1, _e10521), _e10377.member_1, _e10561), _e10377.member_1, _e10601);
 let _e10622 = select(select(select(select(select(select(1f, _e10359.member_2, _e10401), _e10359.member_2, _e10441), _e10368.member_2, _e10481), _e10368.member_2, _e10521), _e10377.member_2, _e10561), _e10377.member_2, _e10601);
 if _e8620 {
-phi_27318_ = type_35(_e10607, vec3<f32>(_e10608, _e10609, _e10610), _e10612, vec3<f32>(_e10613, _e10614, _e10615), _e10617, _e10619, vec3<f32>(_e10620, _e10621, _e10622));
+phi_27318_ = type_34(_e10607, vec3<f32>(_e10608, _e10609, _e10610), _e10612, vec3<f32>(_e10613, _e10614, _e10615), _e10617, _e10619, vec3<f32>(_e10620, _e10621, _e10622));
 } else {
 let _e10629 = (((_e10359.member * _e10359.member) + (_e10359.member_1 * _e10359.member_1)) + (_e10359.member_2 * _e10359.member_2));
 let _e10632 = sqrt(select(0f, _e10629, (_e10629 > 0f)));
-let _e10637 = global_4.member[_e373].member_14.member_1;
+let _e10637 = global_3.member[_e373].member_14.member_1;
 let _e10638 = (_e10637 != 0u);
-let _e10643 = global_4.member[_e373].member_14.member;
+let _e10643 = global_3.member[_e373].member_14.member;
 let _e10663 = select(-1e6f, (((((_e10643.member.member * _e6248.member_1.x) + (_e10643.member.member_1 * _e6248.member_1.y)) + (_e10643.member.member_2 * _e6248.member_1.z)) + _e10643.member_1) * _e10632), _e10638);
 let _e10664 = select(-1e6f, (((((_e10643.member.member * _e10333) + (_e10643.member.member_1 * _e10334)) + (_e10643.member.member_2 * _e10335)) + _e10643.member_1) * _e10632), _e10638);
-let _e10670 = global_4.member[_e373].member_14.member.member;
+let _e10670 = global_3.member[_e373].member_14.member.member;
 let _e10674 = -(_e10663);
 let _e10677 = (_e10663 - _e10664);
 let _e10678 = (_e10664 - _e10663);
@@ -3719,12 +3719,12 @@ let _e10698 = select(_e10607, _e10687, _e10696);
 let _e10702 = select(_e10612, _e10691, _e10697);
 let _e10706 = select(_e10617, _e10663, _e10692);
 let _e10708 = select(_e10619, _e10664, (_e10664 > _e10619));
-let _e10716 = global_4.member[_e373].member_15.member_1;
+let _e10716 = global_3.member[_e373].member_15.member_1;
 let _e10717 = (_e10716 != 0u);
-let _e10722 = global_4.member[_e373].member_15.member;
+let _e10722 = global_3.member[_e373].member_15.member;
 let _e10742 = select(-1e6f, (((((_e10722.member.member * _e6248.member_1.x) + (_e10722.member.member_1 * _e6248.member_1.y)) + (_e10722.member.member_2 * _e6248.member_1.z)) + _e10722.member_1) * _e10632), _e10717);
 let _e10743 = select(-1e6f, (((((_e10722.member.member * _e10333) + (_e10722.member.member_1 * _e10334)) + (_e10722.member.member_2 * _e10335)) + _e10722.member_1) * _e10632), _e10717);
-let _e10749 = global_4.member[_e373].member_15.member.member;
+let _e10749 = global_3.member[_e373].member_15.member.member;
 let _e10753 = -(_e10742);
 let _e10756 = (_e10742 - _e10743);
 let _e10757 = (_e10743 - _e10742);
@@ -3739,12 +3739,12 @@ let _e10777 = select(_e10698, _e10766, _e10775);
 let _e10781 = select(_e10702, _e10770, _e10776);
 let _e10785 = select(_e10706, _e10742, _e10771);
 let _e10787 = select(_e10708, _e10743, (_e10743 > _e10708));
-let _e10795 = global_4.member[_e373].member_16.member_1;
+let _e10795 = global_3.member[_e373].member_16.member_1;
 let _e10796 = (_e10795 != 0u);
-let _e10801 = global_4.member[_e373].member_16.member;
+let _e10801 = global_3.member[_e373].member_16.member;
 let _e10821 = select(-1e6f, (((((_e10801.member.member * _e6248.member_1.x) + (_e10801.member.member_1 * _e6248.member_1.y)) + (_e10801.member.member_2 * _e6248.member_1.z)) + _e10801.member_1) * _e10632), _e10796);
 let _e10822 = select(-1e6f, (((((_e10801.member.member * _e10333) + (_e10801.member.member_1 * _e10334)) + (_e10801.member.member_2 * _e10335)) + _e10801.member_1) * _e10632), _e10796);
-let _e10828 = global_4.member[_e373].member_16.member.member;
+let _e10828 = global_3.member[_e373].member_16.member.member;
 let _e10832 = -(_e10821);
 let _e10835 = (_e10821 - _e10822);
 let _e10836 = (_e10822 - _e10821);
@@ -3759,12 +3759,12 @@ let _e10856 = select(_e10777, _e10845, _e10854);
 let _e10860 = select(_e10781, _e10849, _e10855);
 let _e10864 = select(_e10785, _e10821, _e10850);
 let _e10866 = select(_e10787, _e10822, (_e10822 > _e10787));
-let _e10874 = global_4.member[_e373].member_17.member_1;
+let _e10874 = global_3.member[_e373].member_17.member_1;
 let _e10875 = (_e10874 != 0u);
-let _e10880 = global_4.member[_e373].member_17.member;
+let _e10880 = global_3.member[_e373].member_17.member;
 let _e10900 = select(-1e6f, (((((_e10880.member.member * _e6248.member_1.x) + (_e10880.member.member_1 * _e6248.member_1.y)) + (_e10880.member.member_2 * _e6248.member_1.z)) + _e10880.member_1) * _e10632), _e10875);
 let _e10901 = select(-1e6f, (((((_e10880.member.member * _e10333) + (_e10880.member.member_1 * _e10334)) + (_e10880.member.member_2 * _e10335)) + _e10880.member_1) * _e10632), _e10875);
-let _e10907 = global_4.member[_e373].member_17.member.member;
+let _e10907 = global_3.member[_e373].member_17.member.member;
 let _e10911 = -(_e10900);
 let _e10914 = (_e10900 - _e10901);
 let _e10915 = (_e10901 - _e10900);
@@ -3775,11 +3775,11 @@ let _e10928 = select(2f, select(0f, _e10920, (_e10900 < 0f)), (_e10901 > 0f));
 let _e10929 = (_e10900 > _e10864);
 let _e10933 = ((_e10924 > _e10856) || ((_e10924 == _e10856) && _e10929));
 let _e10934 = (_e10928 < _e10860);
-phi_27318_ = type_35(select(_e10856, _e10924, _e10933), vec3<f32>(select(select(select(select(_e10608, _e10670.member, _e10696), _e10749.member, _e10775), _e10828.member, _e10854), _e10907.member, _e10933), select(select(select(select(_e10609, _e10670.member_1, _e10696), _e10749.member_1, _e10775), _e10828.member_1, _e10854), _e10907.member_1, _e10933), select(select(select(select(_e10610, _e10670.member_2, _e10696), _e10749.member_2, _e10775), _e10828.member_2, _e10854), _e10907.member_2, _e10933)), select(_e10860, _e10928, _e10934), vec3<f32>(select(select(select(select(_e10613, _e10670.member, _e10697), _e10749.member, _e10776), _e10828.member, _e10855), _e10907.member, _e10934), select(select(select(select(_e10614, _e10670.member_1, _e10697), _e10749.member_1, _e10776), _e10828.member_1, _e10855), _e10907.member_1, _e10934), select(select(select(select(_e10615, _e10670.member_2, _e10697), _e10749.member_2, _e10776), _e10828.member_2, _e10855), _e10907.member_2, _e10934)), select(_e10864, _e10900, _e10929), select(_e10866, _e10901, (_e10901 > _e10866)), vec3<f32>(select(select(select(select(_e10620, _e10670.member, _e10692), _e10749.member, _e10771), _e10828.member, _e10850), _e10907.member, _e10929), select(select(select(select(_e10621, _e10670.member_1, _e10692), _e10749.member_1, _e10771), _e10828.member_1, _e10850), _e10907.member_1, _e10929), select(select(select(select(_e10622, _e10670.member_2, _e10692), _e10749.member_2, _e10771), _e10828.member_2, _e10850), _e10907.member_2, _e10929)));
+phi_27318_ = type_34(select(_e10856, _e10924, _e10933), vec3<f32>(select(select(select(select(_e10608, _e10670.member, _e10696), _e10749.member, _e10775), _e10828.member, _e10854), _e10907.member, _e10933), select(select(select(select(_e10609, _e10670.member_1, _e10696), _e10749.member_1, _e10775), _e10828.member_1, _e10854), _e10907.member_1, _e10933), select(select(select(select(_e10610, _e10670.member_2, _e10696), _e10749.member_2, _e10775), _e10828.member_2, _e10854), _e10907.member_2, _e10933)), select(_e10860, _e10928, _e10934), vec3<f32>(select(select(select(select(_e10613, _e10670.member, _e10697), _e10749.member, _e10776), _e10828.member, _e10855), _e10907.member, _e10934), select(select(select(select(_e10614, _e10670.member_1, _e10697), _e10749.member_1, _e10776), _e10828.member_1, _e10855), _e10907.member_1, _e10934), select(select(select(select(_e10615, _e10670.member_2, _e10697), _e10749.member_2, _e10776), _e10828.member_2, _e10855), _e10907.member_2, _e10934)), select(_e10864, _e10900, _e10929), select(_e10866, _e10901, (_e10901 > _e10866)), vec3<f32>(select(select(select(select(_e10620, _e10670.member, _e10692), _e10749.member, _e10771), _e10828.member, _e10850), _e10907.member, _e10929), select(select(select(select(_e10621, _e10670.member_1, _e10692), _e10749.member_1, _e10771), _e10828.member_1, _e10850), _e10907.member_1, _e10929), select(select(select(select(_e10622, _e10670.member_2, _e10692), _e10749.member_2, _e10771), _e10828.member_2, _e10850), _e10907.member_2, _e10929)));
 }
 let _e10954 = phi_27318_;
 let _e10961 = (_e8831.member_2 * select(0f, 1f, _e6248.member_6));
-let _e10967 = global_4.member[_e373].member_5.member_4;
+let _e10967 = global_3.member[_e373].member_5.member_4;
 let _e10970 = (_e8355.member_3.x * _e10961);
 let _e10972 = (_e8355.member_3.y * _e10961);
 let _e10974 = (_e8355.member_3.z * _e10961);
@@ -3811,7 +3811,7 @@ phi_27475_ = false;
 let _e11052 = phi_27474_;
 let _e11054 = phi_27475_;
 let _e11065 = ((((_e6248.member_7 || (_e11052.x != _e377[3])) || (_e11052.y != _e377[4])) || (_e11052.z != _e377[5])) && _e958);
-let _e11070 = global_4.member[_e373].member_10.member_24;
+let _e11070 = global_3.member[_e373].member_10.member_24;
 let _e11079 = (_e377[12] + (((((_e377[6] + _e377[7]) + _e377[8]) * _e10313) - _e10314) * (_e395 + ((_e6248.member_1.z - _e395) * 0.5f))));
 phi_27573_ = array<f32, 14>(select(_e377[0], _e6248.member_1.x, _e11065), select(_e377[1], _e6248.member_1.y, _e11065), select(_e377[2], _e6248.member_1.z, _e11065), select(_e377[3], _e11052.x, _e11065), select(_e377[4], _e11052.y, _e11065), select(_e377[5], _e11052.z, _e11065), select(_e10308, 0f, _e10323), select(_e10309, 0f, _e10323), select(_e10310, 0f, _e10323), select(0f, 1f, _e6248.member_6), select(_e377[10], 1f, _e11065), select(select(select(0f, 1f, _e11054), 2f, (_e10323 && (_e11070 == 0f))), 3f, _e469), _e11079, select(_e377[13], (_e11079 + (_e10314 * _e6248.member_1.z)), (_e11065 && (_e377[10] == 0f))));
 } else {
@@ -3845,33 +3845,33 @@ break;
 let _e11113 = local_42;
 if _e11113 {
 let _e11115 = local_43;
-global_1.member[_e217] = _e11115[0];
+global_6.member[_e217] = _e11115[0];
 let _e11120 = local_44;
-global_1.member[_e229] = _e11120[1];
+global_6.member[_e229] = _e11120[1];
 let _e11125 = local_45;
-global_1.member[_e240] = _e11125[2];
+global_6.member[_e240] = _e11125[2];
 let _e11130 = local_46;
-global_1.member[_e251] = _e11130[3];
+global_6.member[_e251] = _e11130[3];
 let _e11135 = local_47;
-global_1.member[_e262] = _e11135[4];
+global_6.member[_e262] = _e11135[4];
 let _e11140 = local_48;
-global_1.member[_e273] = _e11140[5];
+global_6.member[_e273] = _e11140[5];
 let _e11145 = local_49;
-global_1.member[_e284] = _e11145[6];
+global_6.member[_e284] = _e11145[6];
 let _e11150 = local_50;
-global_1.member[_e295] = _e11150[7];
+global_6.member[_e295] = _e11150[7];
 let _e11155 = local_51;
-global_1.member[_e306] = _e11155[8];
+global_6.member[_e306] = _e11155[8];
 let _e11160 = local_52;
-global_1.member[_e317] = _e11160[9];
+global_6.member[_e317] = _e11160[9];
 let _e11165 = local_53;
-global_1.member[_e328] = _e11165[10];
+global_6.member[_e328] = _e11165[10];
 let _e11170 = local_54;
-global_1.member[_e339] = _e11170[11];
+global_6.member[_e339] = _e11170[11];
 let _e11175 = local_55;
-global_1.member[_e350] = _e11175[12];
+global_6.member[_e350] = _e11175[12];
 let _e11180 = local_56;
-global_1.member[_e361] = _e11180[13];
+global_6.member[_e361] = _e11180[13];
 }
 }
 }

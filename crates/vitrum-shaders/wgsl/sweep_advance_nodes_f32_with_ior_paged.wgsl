@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,68 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_29 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_32 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -195,11 +191,11 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_37 {
-member: array<type_27>,
+struct type_36 {
+member: array<type_21>,
 }
-struct type_39 {
-member: type_28,
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -209,6 +205,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -216,26 +216,26 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(5)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(0)
-var<storage> global_4: type_37;
+var<storage> global_3: type_36;
 @group(0) @binding(2)
-var<storage> global_5: type_17;
+var<storage> global_4: type_23;
 @group(0) @binding(3)
-var<storage> global_6: type_17;
+var<storage> global_5: type_23;
+@group(0) @binding(5)
+var<storage, read_write> global_6: type_25;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -251,25 +251,25 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_28;
 var local_23: vec3<f32>;
-var local_24: type_32;
+var local_24: type_28;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_32;
+var local_28: type_28;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_32;
+var local_32: type_28;
 var local_33: vec3<f32>;
 var local_34: f32;
 var local_35: f32;
-var local_36: type_32;
+var local_36: type_28;
 var local_37: vec3<f32>;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_32;
+var local_40: type_28;
 var local_41: vec3<f32>;
 var phi_554_: u32;
 var phi_557_: bool;
@@ -277,23 +277,23 @@ var phi_559_: array<f32, 14>;
 var phi_998_: bool;
 var phi_1178_: bool;
 var phi_1181_: bool;
-var phi_3324_: type_35;
+var phi_3324_: type_34;
 var phi_3337_: bool;
-var phi_4385_: type_29;
+var phi_4385_: type_39;
 var phi_4397_: bool;
-var phi_5440_: type_28;
-var phi_6963_: type_35;
-var phi_8038_: type_28;
-var phi_9576_: type_35;
-var phi_10651_: type_28;
-var phi_12189_: type_35;
-var phi_13937_: type_28;
-var phi_14209_: type_39;
-var phi_20654_: type_33;
-var phi_21264_: type_34;
-var phi_22085_: type_5;
+var phi_5440_: type_31;
+var phi_6963_: type_34;
+var phi_8038_: type_31;
+var phi_9576_: type_34;
+var phi_10651_: type_31;
+var phi_12189_: type_34;
+var phi_13937_: type_31;
+var phi_14209_: type_38;
+var phi_20654_: type_32;
+var phi_21264_: type_33;
+var phi_22085_: type_7;
 var phi_25583_: type_40;
-var phi_26976_: type_35;
+var phi_26976_: type_34;
 var phi_27132_: vec3<f32>;
 var phi_27133_: bool;
 var phi_27231_: array<f32, 14>;
@@ -319,16 +319,16 @@ var local_56: array<f32, 14>;
 switch bitcast<i32>(0u) {
 default: {
 let _e180 = global;
-let _e182 = arrayLength((&global_4.member));
-let _e185 = arrayLength((&global_2.member));
-let _e188 = arrayLength((&global_5.member));
-let _e193 = arrayLength((&global_3.member));
+let _e182 = arrayLength((&global_3.member));
+let _e185 = arrayLength((&global_1.member));
+let _e188 = arrayLength((&global_4.member));
+let _e193 = arrayLength((&global_2.member));
 if (0u < _e182) {
 } else {
 break;
 }
-let _e200 = global_4.member[0u].member_2;
-let _e204 = global_4.member[0u].member;
+let _e200 = global_3.member[0u].member_2;
+let _e204 = global_3.member[0u].member;
 let _e212 = (_e180.x + _e200.member);
 let _e214 = (_e180.y + _e200.member_1);
 if (_e212 < _e200.member_2) {
@@ -336,61 +336,61 @@ if (_e214 < _e200.member_3) {
 let _e217 = (_e204.member * _e204.member_1);
 let _e219 = ((_e214 * _e204.member) + _e212);
 let _e220 = bitcast<i32>(_e219);
-let _e222 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e222 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
 let _e224 = select(_e222, _e220, (_e220 < _e222));
-let _e230 = global_1.member[bitcast<u32>(select(0i, _e224, (_e224 > 0i)))];
+let _e230 = global_6.member[bitcast<u32>(select(0i, _e224, (_e224 > 0i)))];
 let _e231 = (_e217 + _e219);
 let _e232 = bitcast<i32>(_e231);
 let _e234 = select(_e222, _e232, (_e232 < _e222));
-let _e240 = global_1.member[bitcast<u32>(select(0i, _e234, (_e234 > 0i)))];
+let _e240 = global_6.member[bitcast<u32>(select(0i, _e234, (_e234 > 0i)))];
 let _e242 = ((2u * _e217) + _e219);
 let _e243 = bitcast<i32>(_e242);
 let _e245 = select(_e222, _e243, (_e243 < _e222));
-let _e251 = global_1.member[bitcast<u32>(select(0i, _e245, (_e245 > 0i)))];
+let _e251 = global_6.member[bitcast<u32>(select(0i, _e245, (_e245 > 0i)))];
 let _e253 = ((3u * _e217) + _e219);
 let _e254 = bitcast<i32>(_e253);
 let _e256 = select(_e222, _e254, (_e254 < _e222));
-let _e262 = global_1.member[bitcast<u32>(select(0i, _e256, (_e256 > 0i)))];
+let _e262 = global_6.member[bitcast<u32>(select(0i, _e256, (_e256 > 0i)))];
 let _e264 = ((4u * _e217) + _e219);
 let _e265 = bitcast<i32>(_e264);
 let _e267 = select(_e222, _e265, (_e265 < _e222));
-let _e273 = global_1.member[bitcast<u32>(select(0i, _e267, (_e267 > 0i)))];
+let _e273 = global_6.member[bitcast<u32>(select(0i, _e267, (_e267 > 0i)))];
 let _e275 = ((5u * _e217) + _e219);
 let _e276 = bitcast<i32>(_e275);
 let _e278 = select(_e222, _e276, (_e276 < _e222));
-let _e284 = global_1.member[bitcast<u32>(select(0i, _e278, (_e278 > 0i)))];
+let _e284 = global_6.member[bitcast<u32>(select(0i, _e278, (_e278 > 0i)))];
 let _e286 = ((6u * _e217) + _e219);
 let _e287 = bitcast<i32>(_e286);
 let _e289 = select(_e222, _e287, (_e287 < _e222));
-let _e295 = global_1.member[bitcast<u32>(select(0i, _e289, (_e289 > 0i)))];
+let _e295 = global_6.member[bitcast<u32>(select(0i, _e289, (_e289 > 0i)))];
 let _e297 = ((7u * _e217) + _e219);
 let _e298 = bitcast<i32>(_e297);
 let _e300 = select(_e222, _e298, (_e298 < _e222));
-let _e306 = global_1.member[bitcast<u32>(select(0i, _e300, (_e300 > 0i)))];
+let _e306 = global_6.member[bitcast<u32>(select(0i, _e300, (_e300 > 0i)))];
 let _e308 = ((8u * _e217) + _e219);
 let _e309 = bitcast<i32>(_e308);
 let _e311 = select(_e222, _e309, (_e309 < _e222));
-let _e317 = global_1.member[bitcast<u32>(select(0i, _e311, (_e311 > 0i)))];
+let _e317 = global_6.member[bitcast<u32>(select(0i, _e311, (_e311 > 0i)))];
 let _e319 = ((9u * _e217) + _e219);
 let _e320 = bitcast<i32>(_e319);
 let _e322 = select(_e222, _e320, (_e320 < _e222));
-let _e328 = global_1.member[bitcast<u32>(select(0i, _e322, (_e322 > 0i)))];
+let _e328 = global_6.member[bitcast<u32>(select(0i, _e322, (_e322 > 0i)))];
 let _e330 = ((10u * _e217) + _e219);
 let _e331 = bitcast<i32>(_e330);
 let _e333 = select(_e222, _e331, (_e331 < _e222));
-let _e339 = global_1.member[bitcast<u32>(select(0i, _e333, (_e333 > 0i)))];
+let _e339 = global_6.member[bitcast<u32>(select(0i, _e333, (_e333 > 0i)))];
 let _e341 = ((11u * _e217) + _e219);
 let _e342 = bitcast<i32>(_e341);
 let _e344 = select(_e222, _e342, (_e342 < _e222));
-let _e350 = global_1.member[bitcast<u32>(select(0i, _e344, (_e344 > 0i)))];
+let _e350 = global_6.member[bitcast<u32>(select(0i, _e344, (_e344 > 0i)))];
 let _e352 = ((12u * _e217) + _e219);
 let _e353 = bitcast<i32>(_e352);
 let _e355 = select(_e222, _e353, (_e353 < _e222));
-let _e361 = global_1.member[bitcast<u32>(select(0i, _e355, (_e355 > 0i)))];
+let _e361 = global_6.member[bitcast<u32>(select(0i, _e355, (_e355 > 0i)))];
 let _e363 = ((13u * _e217) + _e219);
 let _e364 = bitcast<i32>(_e363);
 let _e366 = select(_e222, _e364, (_e364 < _e222));
-let _e372 = global_1.member[bitcast<u32>(select(0i, _e366, (_e366 > 0i)))];
+let _e372 = global_6.member[bitcast<u32>(select(0i, _e366, (_e366 > 0i)))];
 phi_554_ = 0u;
 phi_557_ = false;
 phi_559_ = array<f32, 14>(_e230, _e240, _e251, _e262, _e273, _e284, _e295, _e306, _e317, _e328, _e339, _e350, _e361, _e372);
@@ -420,70 +420,70 @@ if _e380 {
 phi_27298_ = true;
 break;
 }
-let _e384 = global_4.member[_e375].member;
-let _e397 = global_4.member[_e375].member_5.member;
+let _e384 = global_3.member[_e375].member;
+let _e397 = global_3.member[_e375].member_5.member;
 let _e399 = ((_e397 - _e379[2]) / _e379[5]);
 let _e401 = (_e379[0] + (_e379[3] * _e399));
 let _e403 = (_e379[1] + (_e379[4] * _e399));
-let _e408 = global_4.member[_e375].member_5.member_2;
+let _e408 = global_3.member[_e375].member_5.member_2;
 let _e409 = (_e408 / _e379[5]);
 let _e411 = (_e401 + (_e379[3] * _e409));
 let _e413 = (_e403 + (_e379[4] * _e409));
-let _e418 = global_4.member[_e375].member_5.member_1;
-let _e424 = global_4.member[_e375].member_13.member.member;
-let _e450 = global_4.member[_e375].member_13.member_1.member;
+let _e418 = global_3.member[_e375].member_5.member_1;
+let _e424 = global_3.member[_e375].member_13.member.member;
+let _e450 = global_3.member[_e375].member_13.member_1.member;
 let _e471 = (((((((_e424.member.member * _e401) + (_e424.member.member_1 * _e403)) + (_e424.member.member_2 * _e397)) + _e424.member_1) > 0f) && (((((_e424.member.member * _e411) + (_e424.member.member_1 * _e413)) + (_e424.member.member_2 * _e418)) + _e424.member_1) <= 0f)) || ((((((_e450.member.member * _e401) + (_e450.member.member_1 * _e403)) + (_e450.member.member_2 * _e397)) + _e450.member_1) > 0f) && (((((_e450.member.member * _e411) + (_e450.member.member_1 * _e413)) + (_e450.member.member_2 * _e418)) + _e450.member_1) <= 0f)));
-let _e476 = global_4.member[_e375].member_6.member;
+let _e476 = global_3.member[_e375].member_6.member;
 let _e487 = ((((_e476.member.member * _e401) + (_e476.member.member_1 * _e403)) + (_e476.member.member_2 * _e397)) + _e476.member_1);
-let _e492 = global_4.member[_e375].member_6.member_1;
+let _e492 = global_3.member[_e375].member_6.member_1;
 let _e503 = ((((_e492.member.member * _e401) + (_e492.member.member_1 * _e403)) + (_e492.member.member_2 * _e397)) + _e492.member_1);
-let _e508 = global_4.member[_e375].member_6.member_2;
+let _e508 = global_3.member[_e375].member_6.member_2;
 let _e519 = ((((_e508.member.member * _e401) + (_e508.member.member_1 * _e403)) + (_e508.member.member_2 * _e397)) + _e508.member_1);
 let _e525 = ((((_e476.member.member * _e411) + (_e476.member.member_1 * _e413)) + (_e476.member.member_2 * _e418)) + _e476.member_1);
 let _e531 = ((((_e492.member.member * _e411) + (_e492.member.member_1 * _e413)) + (_e492.member.member_2 * _e418)) + _e492.member_1);
 let _e537 = ((((_e508.member.member * _e411) + (_e508.member.member_1 * _e413)) + (_e508.member.member_2 * _e418)) + _e508.member_1);
-let _e544 = global_4.member[_e375].member_6.member_3.member;
+let _e544 = global_3.member[_e375].member_6.member_3.member;
 let _e545 = (_e544 - 1f);
-let _e555 = global_4.member[_e375].member_6.member_3.member_1;
+let _e555 = global_3.member[_e375].member_6.member_3.member_1;
 let _e556 = (_e555 - 1f);
-let _e566 = global_4.member[_e375].member_6.member_3.member_2;
+let _e566 = global_3.member[_e375].member_6.member_3.member_2;
 let _e567 = (_e566 - 1f);
 let _e581 = (((((((_e487 >= 0f) && (_e487 <= _e545)) && (_e503 >= 0f)) && (_e503 <= _e556)) && (_e519 >= 0f)) && (_e519 <= _e567)) && ((((((_e525 >= 0f) && (_e525 <= _e545)) && (_e531 >= 0f)) && (_e531 <= _e556)) && (_e537 >= 0f)) && (_e537 <= _e567)));
 let _e583 = (_e384.member_2 == 5u);
 let _e589 = ((_e384.member_2 == 2u) || (_e384.member_2 == 7u));
 let _e590 = ((((_e384.member_2 == 1u) || _e583) || (_e384.member_2 == 6u)) || _e589);
 if _e590 {
-let _e595 = global_4.member[_e375].member_7.member;
+let _e595 = global_3.member[_e375].member_7.member;
 let _e606 = ((((_e595.member.member * _e401) + (_e595.member.member_1 * _e403)) + (_e595.member.member_2 * _e397)) + _e595.member_1);
-let _e611 = global_4.member[_e375].member_7.member_1;
+let _e611 = global_3.member[_e375].member_7.member_1;
 let _e622 = ((((_e611.member.member * _e401) + (_e611.member.member_1 * _e403)) + (_e611.member.member_2 * _e397)) + _e611.member_1);
-let _e627 = global_4.member[_e375].member_7.member_2;
+let _e627 = global_3.member[_e375].member_7.member_2;
 let _e638 = ((((_e627.member.member * _e401) + (_e627.member.member_1 * _e403)) + (_e627.member.member_2 * _e397)) + _e627.member_1);
 let _e639 = (0.5f - 0.5f);
 let _e640 = (0.5f + 0.5f);
-let _e646 = global_4.member[_e375].member_7.member_3.member;
+let _e646 = global_3.member[_e375].member_7.member_3.member;
 let _e648 = (_e646 - _e640);
-let _e656 = global_4.member[_e375].member_7.member_3.member_1;
+let _e656 = global_3.member[_e375].member_7.member_3.member_1;
 let _e658 = (_e656 - _e640);
-let _e667 = global_4.member[_e375].member_7.member_3.member_2;
+let _e667 = global_3.member[_e375].member_7.member_3.member_2;
 let _e669 = (_e667 - _e640);
 let _e672 = ((((_e606 >= _e639) && (_e606 <= _e648)) && ((_e622 >= _e639) && (_e622 <= _e658))) && ((_e638 >= _e639) && (_e638 <= _e669)));
-let _e676 = global_4.member[_e375].member_1;
+let _e676 = global_3.member[_e375].member_1;
 let _e678 = ((_e676 & 16u) == 0u);
 if _e678 {
 phi_998_ = _e672;
 } else {
-let _e684 = global_4.member[_e375].member_7.member.member;
+let _e684 = global_3.member[_e375].member_7.member.member;
 let _e692 = (((_e684.member * _e684.member) + (_e684.member_1 * _e684.member_1)) + (_e684.member_2 * _e684.member_2));
-let _e701 = global_4.member[_e375].member_14.member;
+let _e701 = global_3.member[_e375].member_14.member;
 let _e713 = -((0.5f / sqrt(select(0f, _e692, (_e692 > 0f)))));
-let _e719 = global_4.member[_e375].member_14.member_1;
-let _e726 = global_4.member[_e375].member_15.member;
-let _e743 = global_4.member[_e375].member_15.member_1;
-let _e751 = global_4.member[_e375].member_16.member;
-let _e768 = global_4.member[_e375].member_16.member_1;
-let _e776 = global_4.member[_e375].member_17.member;
-let _e793 = global_4.member[_e375].member_17.member_1;
+let _e719 = global_3.member[_e375].member_14.member_1;
+let _e726 = global_3.member[_e375].member_15.member;
+let _e743 = global_3.member[_e375].member_15.member_1;
+let _e751 = global_3.member[_e375].member_16.member;
+let _e768 = global_3.member[_e375].member_16.member_1;
+let _e776 = global_3.member[_e375].member_17.member;
+let _e793 = global_3.member[_e375].member_17.member_1;
 phi_998_ = (_e672 && (((((((((_e701.member.member * _e401) + (_e701.member.member_1 * _e403)) + (_e701.member.member_2 * _e397)) + _e701.member_1) <= _e713) || (_e719 == 0u)) && ((((((_e726.member.member * _e401) + (_e726.member.member_1 * _e403)) + (_e726.member.member_2 * _e397)) + _e726.member_1) <= _e713) || (_e743 == 0u))) && ((((((_e751.member.member * _e401) + (_e751.member.member_1 * _e403)) + (_e751.member.member_2 * _e397)) + _e751.member_1) <= _e713) || (_e768 == 0u))) && ((((((_e776.member.member * _e401) + (_e776.member.member_1 * _e403)) + (_e776.member.member_2 * _e397)) + _e776.member_1) <= _e713) || (_e793 == 0u))));
 }
 let _e799 = phi_998_;
@@ -497,17 +497,17 @@ let _e834 = ((((_e811 >= _e639) && (_e811 <= _e648)) && ((_e817 >= _e639) && (_e
 if _e678 {
 phi_1178_ = _e834;
 } else {
-let _e840 = global_4.member[_e375].member_7.member.member;
+let _e840 = global_3.member[_e375].member_7.member.member;
 let _e848 = (((_e840.member * _e840.member) + (_e840.member_1 * _e840.member_1)) + (_e840.member_2 * _e840.member_2));
-let _e857 = global_4.member[_e375].member_14.member;
+let _e857 = global_3.member[_e375].member_14.member;
 let _e869 = -((0.5f / sqrt(select(0f, _e848, (_e848 > 0f)))));
-let _e875 = global_4.member[_e375].member_14.member_1;
-let _e882 = global_4.member[_e375].member_15.member;
-let _e899 = global_4.member[_e375].member_15.member_1;
-let _e907 = global_4.member[_e375].member_16.member;
-let _e924 = global_4.member[_e375].member_16.member_1;
-let _e932 = global_4.member[_e375].member_17.member;
-let _e949 = global_4.member[_e375].member_17.member_1;
+let _e875 = global_3.member[_e375].member_14.member_1;
+let _e882 = global_3.member[_e375].member_15.member;
+let _e899 = global_3.member[_e375].member_15.member_1;
+let _e907 = global_3.member[_e375].member_16.member;
+let _e924 = global_3.member[_e375].member_16.member_1;
+let _e932 = global_3.member[_e375].member_17.member;
+let _e949 = global_3.member[_e375].member_17.member_1;
 phi_1178_ = (_e834 && (((((((((_e857.member.member * _e803) + (_e857.member.member_1 * _e804)) + (_e857.member.member_2 * _e805)) + _e857.member_1) <= _e869) || (_e875 == 0u)) && ((((((_e882.member.member * _e803) + (_e882.member.member_1 * _e804)) + (_e882.member.member_2 * _e805)) + _e882.member_1) <= _e869) || (_e899 == 0u))) && ((((((_e907.member.member * _e803) + (_e907.member.member_1 * _e804)) + (_e907.member.member_2 * _e805)) + _e907.member_1) <= _e869) || (_e924 == 0u))) && ((((((_e932.member.member * _e803) + (_e932.member.member_1 * _e804)) + (_e932.member.member_2 * _e805)) + _e932.member_1) <= _e869) || (_e949 == 0u))));
 }
 let _e955 = phi_1178_;
@@ -517,7 +517,7 @@ phi_1181_ = _e581;
 }
 let _e959 = phi_1181_;
 let _e960 = !(_e471);
-let _e968 = global_4.member[_e375].member_6.member_4;
+let _e968 = global_3.member[_e375].member_6.member_4;
 let _e969 = (_e544 - 0.5f);
 let _e971 = select(-0.5f, _e525, (_e525 > -0.5f));
 let _e973 = select(_e969, _e971, (_e971 < _e969));
@@ -542,7 +542,7 @@ let _e1018 = (_e973 + 0.5f);
 let _e1020 = select(0f, _e1018, (_e1018 > 0f));
 let _e1022 = select(_e545, _e1020, (_e1020 < _e545));
 let _e1029 = select(0i, select(select(i32(_e1022), i32(-2147483648), (_e1022 < -2147483600f)), 2147483647i, (_e1022 > 2147483500f)), (_e1022 == _e1022));
-let _e1038 = global_4.member[_e375].member_6.member_12;
+let _e1038 = global_3.member[_e375].member_6.member_12;
 let _e1039 = (_e1038 & 31u);
 let _e1042 = (_e978 + 0.5f);
 let _e1044 = select(0f, _e1042, (_e1042 > 0f));
@@ -552,32 +552,32 @@ let _e1060 = (_e983 + 0.5f);
 let _e1062 = select(0f, _e1060, (_e1060 > 0f));
 let _e1064 = select(_e567, _e1062, (_e1062 < _e567));
 let _e1071 = select(0i, select(select(i32(_e1064), i32(-2147483648), (_e1064 < -2147483600f)), 2147483647i, (_e1064 > 2147483500f)), (_e1064 == _e1064));
-let _e1083 = global_4.member[_e375].member_6.member_9.member;
-let _e1090 = global_4.member[_e375].member_6.member_9.member_1;
-let _e1096 = global_4.member[_e375].member_6.member_10;
+let _e1083 = global_3.member[_e375].member_6.member_9.member;
+let _e1090 = global_3.member[_e375].member_6.member_9.member_1;
+let _e1096 = global_3.member[_e375].member_6.member_10;
 let _e1102 = ((bitcast<i32>(_e1096) + ((_e1029 - select(0i, 1i, (_e1022 < f32(_e1029)))) >> bitcast<u32>(_e1039))) + (bitcast<i32>(_e1083) * (((_e1053 - select(0i, 1i, (_e1046 < f32(_e1053)))) >> bitcast<u32>(_e1039)) + (bitcast<i32>(_e1090) * ((_e1071 - select(0i, 1i, (_e1064 < f32(_e1071)))) >> bitcast<u32>(_e1039))))));
-let _e1104 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
+let _e1104 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1106 = select(_e1104, _e1102, (_e1102 < _e1104));
-let _e1112 = global_6.member[bitcast<u32>(select(0i, _e1106, (_e1106 > 0i)))];
-let _e1120 = global_4.member[_e375].member_7.member;
+let _e1112 = global_5.member[bitcast<u32>(select(0i, _e1106, (_e1106 > 0i)))];
+let _e1120 = global_3.member[_e375].member_7.member;
 let _e1131 = ((((_e1120.member.member * _e401) + (_e1120.member.member_1 * _e403)) + (_e1120.member.member_2 * _e397)) + _e1120.member_1);
-let _e1136 = global_4.member[_e375].member_7.member_1;
+let _e1136 = global_3.member[_e375].member_7.member_1;
 let _e1147 = ((((_e1136.member.member * _e401) + (_e1136.member.member_1 * _e403)) + (_e1136.member.member_2 * _e397)) + _e1136.member_1);
-let _e1152 = global_4.member[_e375].member_7.member_2;
+let _e1152 = global_3.member[_e375].member_7.member_2;
 let _e1163 = ((((_e1152.member.member * _e401) + (_e1152.member.member_1 * _e403)) + (_e1152.member.member_2 * _e397)) + _e1152.member_1);
 let _e1169 = ((((_e1120.member.member * _e411) + (_e1120.member.member_1 * _e413)) + (_e1120.member.member_2 * _e418)) + _e1120.member_1);
 let _e1175 = ((((_e1136.member.member * _e411) + (_e1136.member.member_1 * _e413)) + (_e1136.member.member_2 * _e418)) + _e1136.member_1);
 let _e1181 = ((((_e1152.member.member * _e411) + (_e1152.member.member_1 * _e413)) + (_e1152.member.member_2 * _e418)) + _e1152.member_1);
-let _e1186 = global_4.member[_e375].member_7.member_4;
-let _e1192 = global_4.member[_e375].member_7.member_3.member;
+let _e1186 = global_3.member[_e375].member_7.member_4;
+let _e1192 = global_3.member[_e375].member_7.member_3.member;
 let _e1193 = (_e1192 - 0.5f);
 let _e1195 = select(-0.5f, _e1169, (_e1169 > -0.5f));
 let _e1197 = select(_e1193, _e1195, (_e1195 < _e1193));
-let _e1203 = global_4.member[_e375].member_7.member_3.member_1;
+let _e1203 = global_3.member[_e375].member_7.member_3.member_1;
 let _e1204 = (_e1203 - 0.5f);
 let _e1206 = select(-0.5f, _e1175, (_e1175 > -0.5f));
 let _e1208 = select(_e1204, _e1206, (_e1206 < _e1204));
-let _e1214 = global_4.member[_e375].member_7.member_3.member_2;
+let _e1214 = global_3.member[_e375].member_7.member_3.member_2;
 let _e1215 = (_e1214 - 0.5f);
 let _e1217 = select(-0.5f, _e1181, (_e1181 > -0.5f));
 let _e1219 = select(_e1215, _e1217, (_e1217 < _e1215));
@@ -594,7 +594,7 @@ let _e1255 = (_e1192 - 1f);
 let _e1257 = select(0f, _e1254, (_e1254 > 0f));
 let _e1259 = select(_e1255, _e1257, (_e1257 < _e1255));
 let _e1266 = select(0i, select(select(i32(_e1259), i32(-2147483648), (_e1259 < -2147483600f)), 2147483647i, (_e1259 > 2147483500f)), (_e1259 == _e1259));
-let _e1275 = global_4.member[_e375].member_7.member_12;
+let _e1275 = global_3.member[_e375].member_7.member_12;
 let _e1276 = (_e1275 & 31u);
 let _e1279 = (_e1208 + 0.5f);
 let _e1280 = (_e1203 - 1f);
@@ -606,13 +606,13 @@ let _e1299 = (_e1214 - 1f);
 let _e1301 = select(0f, _e1298, (_e1298 > 0f));
 let _e1303 = select(_e1299, _e1301, (_e1301 < _e1299));
 let _e1310 = select(0i, select(select(i32(_e1303), i32(-2147483648), (_e1303 < -2147483600f)), 2147483647i, (_e1303 > 2147483500f)), (_e1303 == _e1303));
-let _e1322 = global_4.member[_e375].member_7.member_9.member;
-let _e1329 = global_4.member[_e375].member_7.member_9.member_1;
-let _e1335 = global_4.member[_e375].member_7.member_10;
+let _e1322 = global_3.member[_e375].member_7.member_9.member;
+let _e1329 = global_3.member[_e375].member_7.member_9.member_1;
+let _e1335 = global_3.member[_e375].member_7.member_10;
 let _e1341 = ((bitcast<i32>(_e1335) + ((_e1266 - select(0i, 1i, (_e1259 < f32(_e1266)))) >> bitcast<u32>(_e1276))) + (bitcast<i32>(_e1322) * (((_e1291 - select(0i, 1i, (_e1284 < f32(_e1291)))) >> bitcast<u32>(_e1276)) + (bitcast<i32>(_e1329) * ((_e1310 - select(0i, 1i, (_e1303 < f32(_e1310)))) >> bitcast<u32>(_e1276))))));
 let _e1343 = select(_e1104, _e1341, (_e1341 < _e1104));
-let _e1349 = global_6.member[bitcast<u32>(select(0i, _e1343, (_e1343 > 0i)))];
-let _e1356 = global_4.member[_e375].member_1;
+let _e1349 = global_5.member[bitcast<u32>(select(0i, _e1343, (_e1343 > 0i)))];
+let _e1356 = global_3.member[_e375].member_1;
 let _e1367 = (select(0u, select(select(7u, 3u, (_e959 && _e960)), select(1u, 7u, _e471), (((_e1356 & 64u) != 0u) || ((((select(_e997, _e994, (_e994 > _e997)) <= _e968) && ((select(_e1014, _e1011, (_e1011 > _e1014)) > _e968) || (_e1112 != 0u))) && ((select(_e1233, _e1230, (_e1230 > _e1233)) <= _e1186) && ((select(_e1250, _e1247, (_e1247 > _e1250)) > _e1186) || (_e1349 != 0u)))) && ((_e1356 & 32u) != 0u)))), (_e379[11] == 0f)) > 1u);
 if _e1367 {
 let _e1368 = vec3<f32>(_e379[3], _e379[4], _e379[5]);
@@ -621,11 +621,11 @@ let _e1378 = (_e413 - _e403);
 let _e1379 = (_e418 - _e397);
 let _e1384 = (((_e1377 * _e1377) + (_e1378 * _e1378)) + (_e1379 * _e1379));
 let _e1387 = sqrt(select(0f, _e1384, (_e1384 > 0f)));
-let _e1388 = type_39(type_28(1f, 1f), vec3<f32>(_e411, _e413, _e418), _e1368, _e1387, _e409, _e1368, true, false, false);
+let _e1388 = type_38(type_31(1f, 1f), vec3<f32>(_e411, _e413, _e418), _e1368, _e1387, _e409, _e1368, true, false, false);
 if _e590 {
-let _e1490 = global_4.member[_e375].member_7.member.member;
-let _e1499 = global_4.member[_e375].member_7.member_1.member;
-let _e1508 = global_4.member[_e375].member_7.member_2.member;
+let _e1490 = global_3.member[_e375].member_7.member.member;
+let _e1499 = global_3.member[_e375].member_7.member_1.member;
+let _e1508 = global_3.member[_e375].member_7.member_2.member;
 let _e1512 = (-0.5f - _e1131);
 let _e1513 = (-0.5f - _e1169);
 let _e1514 = -(_e1512);
@@ -733,16 +733,16 @@ let _e1752 = select(select(select(select(select(select(0f, _e1490.member_1, _e15
 let _e1753 = select(select(select(select(select(select(1f, _e1490.member_2, _e1532), _e1490.member_2, _e1572), _e1499.member_2, _e1612), _e1499.member_2, _e1652), _e1508.member_2, _e1692), _e1508.member_2, _e1732);
 let _e1757 = ((_e1356 & 16u) == 0u);
 if _e1757 {
-phi_3324_ = type_35(_e1738, vec3<f32>(_e1739, _e1740, _e1741), _e1743, vec3<f32>(_e1744, _e1745, _e1746), _e1748, _e1750, vec3<f32>(_e1751, _e1752, _e1753));
+phi_3324_ = type_34(_e1738, vec3<f32>(_e1739, _e1740, _e1741), _e1743, vec3<f32>(_e1744, _e1745, _e1746), _e1748, _e1750, vec3<f32>(_e1751, _e1752, _e1753));
 } else {
 let _e1762 = (((_e1490.member * _e1490.member) + (_e1490.member_1 * _e1490.member_1)) + (_e1490.member_2 * _e1490.member_2));
 let _e1765 = sqrt(select(0f, _e1762, (_e1762 > 0f)));
-let _e1770 = global_4.member[_e375].member_14.member_1;
+let _e1770 = global_3.member[_e375].member_14.member_1;
 let _e1771 = (_e1770 != 0u);
-let _e1776 = global_4.member[_e375].member_14.member;
+let _e1776 = global_3.member[_e375].member_14.member;
 let _e1796 = select(-1e6f, (((((_e1776.member.member * _e401) + (_e1776.member.member_1 * _e403)) + (_e1776.member.member_2 * _e397)) + _e1776.member_1) * _e1765), _e1771);
 let _e1797 = select(-1e6f, (((((_e1776.member.member * _e411) + (_e1776.member.member_1 * _e413)) + (_e1776.member.member_2 * _e418)) + _e1776.member_1) * _e1765), _e1771);
-let _e1803 = global_4.member[_e375].member_14.member.member;
+let _e1803 = global_3.member[_e375].member_14.member.member;
 let _e1807 = -(_e1796);
 let _e1810 = (_e1796 - _e1797);
 let _e1811 = (_e1797 - _e1796);
@@ -757,12 +757,12 @@ let _e1831 = select(_e1738, _e1820, _e1829);
 let _e1835 = select(_e1743, _e1824, _e1830);
 let _e1839 = select(_e1748, _e1796, _e1825);
 let _e1841 = select(_e1750, _e1797, (_e1797 > _e1750));
-let _e1849 = global_4.member[_e375].member_15.member_1;
+let _e1849 = global_3.member[_e375].member_15.member_1;
 let _e1850 = (_e1849 != 0u);
-let _e1855 = global_4.member[_e375].member_15.member;
+let _e1855 = global_3.member[_e375].member_15.member;
 let _e1875 = select(-1e6f, (((((_e1855.member.member * _e401) + (_e1855.member.member_1 * _e403)) + (_e1855.member.member_2 * _e397)) + _e1855.member_1) * _e1765), _e1850);
 let _e1876 = select(-1e6f, (((((_e1855.member.member * _e411) + (_e1855.member.member_1 * _e413)) + (_e1855.member.member_2 * _e418)) + _e1855.member_1) * _e1765), _e1850);
-let _e1882 = global_4.member[_e375].member_15.member.member;
+let _e1882 = global_3.member[_e375].member_15.member.member;
 let _e1886 = -(_e1875);
 let _e1889 = (_e1875 - _e1876);
 let _e1890 = (_e1876 - _e1875);
@@ -777,12 +777,12 @@ let _e1910 = select(_e1831, _e1899, _e1908);
 let _e1914 = select(_e1835, _e1903, _e1909);
 let _e1918 = select(_e1839, _e1875, _e1904);
 let _e1920 = select(_e1841, _e1876, (_e1876 > _e1841));
-let _e1928 = global_4.member[_e375].member_16.member_1;
+let _e1928 = global_3.member[_e375].member_16.member_1;
 let _e1929 = (_e1928 != 0u);
-let _e1934 = global_4.member[_e375].member_16.member;
+let _e1934 = global_3.member[_e375].member_16.member;
 let _e1954 = select(-1e6f, (((((_e1934.member.member * _e401) + (_e1934.member.member_1 * _e403)) + (_e1934.member.member_2 * _e397)) + _e1934.member_1) * _e1765), _e1929);
 let _e1955 = select(-1e6f, (((((_e1934.member.member * _e411) + (_e1934.member.member_1 * _e413)) + (_e1934.member.member_2 * _e418)) + _e1934.member_1) * _e1765), _e1929);
-let _e1961 = global_4.member[_e375].member_16.member.member;
+let _e1961 = global_3.member[_e375].member_16.member.member;
 let _e1965 = -(_e1954);
 let _e1968 = (_e1954 - _e1955);
 let _e1969 = (_e1955 - _e1954);
@@ -797,12 +797,12 @@ let _e1989 = select(_e1910, _e1978, _e1987);
 let _e1993 = select(_e1914, _e1982, _e1988);
 let _e1997 = select(_e1918, _e1954, _e1983);
 let _e1999 = select(_e1920, _e1955, (_e1955 > _e1920));
-let _e2007 = global_4.member[_e375].member_17.member_1;
+let _e2007 = global_3.member[_e375].member_17.member_1;
 let _e2008 = (_e2007 != 0u);
-let _e2013 = global_4.member[_e375].member_17.member;
+let _e2013 = global_3.member[_e375].member_17.member;
 let _e2033 = select(-1e6f, (((((_e2013.member.member * _e401) + (_e2013.member.member_1 * _e403)) + (_e2013.member.member_2 * _e397)) + _e2013.member_1) * _e1765), _e2008);
 let _e2034 = select(-1e6f, (((((_e2013.member.member * _e411) + (_e2013.member.member_1 * _e413)) + (_e2013.member.member_2 * _e418)) + _e2013.member_1) * _e1765), _e2008);
-let _e2040 = global_4.member[_e375].member_17.member.member;
+let _e2040 = global_3.member[_e375].member_17.member.member;
 let _e2044 = -(_e2033);
 let _e2047 = (_e2033 - _e2034);
 let _e2048 = (_e2034 - _e2033);
@@ -813,7 +813,7 @@ let _e2061 = select(2f, select(0f, _e2053, (_e2033 < 0f)), (_e2034 > 0f));
 let _e2062 = (_e2033 > _e1997);
 let _e2066 = ((_e2057 > _e1989) || ((_e2057 == _e1989) && _e2062));
 let _e2067 = (_e2061 < _e1993);
-phi_3324_ = type_35(select(_e1989, _e2057, _e2066), vec3<f32>(select(select(select(select(_e1739, _e1803.member, _e1829), _e1882.member, _e1908), _e1961.member, _e1987), _e2040.member, _e2066), select(select(select(select(_e1740, _e1803.member_1, _e1829), _e1882.member_1, _e1908), _e1961.member_1, _e1987), _e2040.member_1, _e2066), select(select(select(select(_e1741, _e1803.member_2, _e1829), _e1882.member_2, _e1908), _e1961.member_2, _e1987), _e2040.member_2, _e2066)), select(_e1993, _e2061, _e2067), vec3<f32>(select(select(select(select(_e1744, _e1803.member, _e1830), _e1882.member, _e1909), _e1961.member, _e1988), _e2040.member, _e2067), select(select(select(select(_e1745, _e1803.member_1, _e1830), _e1882.member_1, _e1909), _e1961.member_1, _e1988), _e2040.member_1, _e2067), select(select(select(select(_e1746, _e1803.member_2, _e1830), _e1882.member_2, _e1909), _e1961.member_2, _e1988), _e2040.member_2, _e2067)), select(_e1997, _e2033, _e2062), select(_e1999, _e2034, (_e2034 > _e1999)), vec3<f32>(select(select(select(select(_e1751, _e1803.member, _e1825), _e1882.member, _e1904), _e1961.member, _e1983), _e2040.member, _e2062), select(select(select(select(_e1752, _e1803.member_1, _e1825), _e1882.member_1, _e1904), _e1961.member_1, _e1983), _e2040.member_1, _e2062), select(select(select(select(_e1753, _e1803.member_2, _e1825), _e1882.member_2, _e1904), _e1961.member_2, _e1983), _e2040.member_2, _e2062)));
+phi_3324_ = type_34(select(_e1989, _e2057, _e2066), vec3<f32>(select(select(select(select(_e1739, _e1803.member, _e1829), _e1882.member, _e1908), _e1961.member, _e1987), _e2040.member, _e2066), select(select(select(select(_e1740, _e1803.member_1, _e1829), _e1882.member_1, _e1908), _e1961.member_1, _e1987), _e2040.member_1, _e2066), select(select(select(select(_e1741, _e1803.member_2, _e1829), _e1882.member_2, _e1908), _e1961.member_2, _e1987), _e2040.member_2, _e2066)), select(_e1993, _e2061, _e2067), vec3<f32>(select(select(select(select(_e1744, _e1803.member, _e1830), _e1882.member, _e1909), _e1961.member, _e1988), _e2040.member, _e2067), select(select(select(select(_e1745, _e1803.member_1, _e1830), _e1882.member_1, _e1909), _e1961.member_1, _e1988), _e2040.member_1, _e2067), select(select(select(select(_e1746, _e1803.member_2, _e1830), _e1882.member_2, _e1909), _e1961.member_2, _e1988), _e2040.member_2, _e2067)), select(_e1997, _e2033, _e2062), select(_e1999, _e2034, (_e2034 > _e1999)), vec3<f32>(select(select(select(select(_e1751, _e1803.member, _e1825), _e1882.member, _e1904), _e1961.member, _e1983), _e2040.member, _e2062), select(select(select(select(_e1752, _e1803.member_1, _e1825), _e1882.member_1, _e1904), _e1961.member_1, _e1983), _e2040.member_1, _e2062), select(select(select(select(_e1753, _e1803.member_2, _e1825), _e1882.member_2, _e1904), _e1961.member_2, _e1983), _e2040.member_2, _e2062)));
 }
 let _e2087 = phi_3324_;
 if ((_e2087.member_4 > -(0.015625f)) && (_e2087.member_4 < 0.015625f)) {
@@ -822,7 +822,7 @@ phi_3337_ = (_e379[9] != 0f);
 phi_3337_ = (_e2087.member_4 < 0f);
 }
 let _e2096 = phi_3337_;
-let _e2101 = global_4.member[_e375].member_10.member_9;
+let _e2101 = global_3.member[_e375].member_10.member_9;
 let _e2105 = select(-0.5f, _e1131, (_e1131 > -0.5f));
 let _e2107 = select(_e1193, _e2105, (_e2105 < _e1193));
 let _e2109 = select(-0.5f, _e1147, (_e1147 > -0.5f));
@@ -841,19 +841,19 @@ let _e2147 = select(-1f, _e2115, (_e2115 > -1f));
 let _e2149 = select(_e1214, _e2147, (_e2147 < _e1214));
 let _e2156 = select(0i, select(select(i32(_e2149), i32(-2147483648), (_e2149 < -2147483600f)), 2147483647i, (_e2149 > 2147483500f)), (_e2149 == _e2149));
 let _e2160 = (_e2156 - select(0i, 1i, (_e2149 < f32(_e2156))));
-let _e2165 = global_4.member[_e375].member_7.member_7;
-let _e2170 = global_4.member[_e375].member_7.member_8;
+let _e2165 = global_3.member[_e375].member_7.member_7;
+let _e2170 = global_3.member[_e375].member_7.member_8;
 let _e2171 = (_e2130 + 1i);
 let _e2172 = (_e2145 + 1i);
 let _e2173 = (_e2160 + 1i);
-let _e2179 = global_4.member[_e375].member_7.member_11.member;
+let _e2179 = global_3.member[_e375].member_7.member_11.member;
 let _e2180 = bitcast<i32>(_e2179);
-let _e2186 = global_4.member[_e375].member_7.member_11.member_1;
+let _e2186 = global_3.member[_e375].member_7.member_11.member_1;
 let _e2187 = bitcast<i32>(_e2186);
 let _e2197 = ((_e2171 >> bitcast<u32>(4i)) + (_e2180 * ((_e2172 >> bitcast<u32>(4i)) + (_e2187 * (_e2173 >> bitcast<u32>(4i))))));
 let _e2199 = (bitcast<i32>(_e188) - 1i);
 let _e2201 = select(_e2199, _e2197, (_e2197 < _e2199));
-let _e2207 = global_5.member[bitcast<u32>(select(0i, _e2201, (_e2201 > 0i)))];
+let _e2207 = global_4.member[bitcast<u32>(select(0i, _e2201, (_e2201 > 0i)))];
 let _e2209 = (_e2171 & 15i);
 let _e2212 = ((_e2172 & 15i) * _e2165);
 let _e2214 = (bitcast<i32>(_e2207) + ((_e2173 & 15i) * _e2170));
@@ -863,30 +863,30 @@ let _e2220 = (_e2212 + _e2219);
 let _e2221 = (_e2214 + _e2170);
 let _e2222 = (2i * _e2170);
 let _e2223 = (_e2214 + _e2222);
-local_40 = type_32(array<i32, 4>(_e2209, (_e2209 + 1i), (_e2209 + 2i), (_e2209 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_40 = type_28(array<i32, 4>(_e2209, (_e2209 + 1i), (_e2209 + 2i), (_e2209 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_41 = vec3<f32>((_e2107 - f32(_e2130)), (_e2111 - f32(_e2145)), (_e2115 - f32(_e2160)));
 let _e2234 = (_e2221 + _e2218);
 let _e2237 = local_40.member[1u];
 let _e2238 = (_e2234 + _e2237);
 let _e2240 = select(_e2199, _e2238, (_e2238 < _e2199));
-let _e2245 = global_5.member[bitcast<u32>(select(0i, _e2240, (_e2240 > 0i)))];
+let _e2245 = global_4.member[bitcast<u32>(select(0i, _e2240, (_e2240 > 0i)))];
 let _e2246 = bitcast<f32>(_e2245);
 let _e2249 = local_40.member[2u];
 let _e2250 = (_e2234 + _e2249);
 let _e2252 = select(_e2199, _e2250, (_e2250 < _e2199));
-let _e2257 = global_5.member[bitcast<u32>(select(0i, _e2252, (_e2252 > 0i)))];
+let _e2257 = global_4.member[bitcast<u32>(select(0i, _e2252, (_e2252 > 0i)))];
 let _e2259 = local_41[0u];
 let _e2262 = (_e2246 + ((bitcast<f32>(_e2257) - _e2246) * _e2259));
 let _e2263 = (_e2221 + _e2220);
 let _e2264 = local_40.member[1u];
 let _e2265 = (_e2263 + _e2264);
 let _e2267 = select(_e2199, _e2265, (_e2265 < _e2199));
-let _e2272 = global_5.member[bitcast<u32>(select(0i, _e2267, (_e2267 > 0i)))];
+let _e2272 = global_4.member[bitcast<u32>(select(0i, _e2267, (_e2267 > 0i)))];
 let _e2273 = bitcast<f32>(_e2272);
 let _e2274 = local_40.member[2u];
 let _e2275 = (_e2263 + _e2274);
 let _e2277 = select(_e2199, _e2275, (_e2275 < _e2199));
-let _e2282 = global_5.member[bitcast<u32>(select(0i, _e2277, (_e2277 > 0i)))];
+let _e2282 = global_4.member[bitcast<u32>(select(0i, _e2277, (_e2277 > 0i)))];
 let _e2284 = local_41[0u];
 let _e2289 = local_41[1u];
 let _e2292 = (_e2262 + (((_e2273 + ((bitcast<f32>(_e2282) - _e2273) * _e2284)) - _e2262) * _e2289));
@@ -894,29 +894,29 @@ let _e2293 = (_e2223 + _e2218);
 let _e2294 = local_40.member[1u];
 let _e2295 = (_e2293 + _e2294);
 let _e2297 = select(_e2199, _e2295, (_e2295 < _e2199));
-let _e2302 = global_5.member[bitcast<u32>(select(0i, _e2297, (_e2297 > 0i)))];
+let _e2302 = global_4.member[bitcast<u32>(select(0i, _e2297, (_e2297 > 0i)))];
 let _e2303 = bitcast<f32>(_e2302);
 let _e2304 = local_40.member[2u];
 let _e2305 = (_e2293 + _e2304);
 let _e2307 = select(_e2199, _e2305, (_e2305 < _e2199));
-let _e2312 = global_5.member[bitcast<u32>(select(0i, _e2307, (_e2307 > 0i)))];
+let _e2312 = global_4.member[bitcast<u32>(select(0i, _e2307, (_e2307 > 0i)))];
 let _e2314 = local_41[0u];
 let _e2317 = (_e2303 + ((bitcast<f32>(_e2312) - _e2303) * _e2314));
 let _e2318 = (_e2223 + _e2220);
 let _e2319 = local_40.member[1u];
 let _e2320 = (_e2318 + _e2319);
 let _e2322 = select(_e2199, _e2320, (_e2320 < _e2199));
-let _e2327 = global_5.member[bitcast<u32>(select(0i, _e2322, (_e2322 > 0i)))];
+let _e2327 = global_4.member[bitcast<u32>(select(0i, _e2322, (_e2322 > 0i)))];
 let _e2328 = bitcast<f32>(_e2327);
 let _e2329 = local_40.member[2u];
 let _e2330 = (_e2318 + _e2329);
 let _e2332 = select(_e2199, _e2330, (_e2330 < _e2199));
-let _e2337 = global_5.member[bitcast<u32>(select(0i, _e2332, (_e2332 > 0i)))];
+let _e2337 = global_4.member[bitcast<u32>(select(0i, _e2332, (_e2332 > 0i)))];
 let _e2339 = local_41[0u];
 let _e2343 = local_41[1u];
 let _e2348 = local_41[2u];
-let _e2356 = global_4.member[_e375].member_7.member_6;
-let _e2361 = global_4.member[_e375].member_7.member_5;
+let _e2356 = global_3.member[_e375].member_7.member_6;
+let _e2361 = global_3.member[_e375].member_7.member_5;
 let _e2363 = (((_e2292 + (((_e2317 + (((_e2328 + ((bitcast<f32>(_e2337) - _e2328) * _e2339)) - _e2317) * _e2343)) - _e2292) * _e2348)) - _e2356) * _e2361);
 let _e2364 = -(1e9f);
 let _e2366 = select(_e2364, _e2363, (_e2363 > _e2364));
@@ -926,49 +926,49 @@ local_39 = _e2369;
 let _e2370 = local_39;
 let _e2372 = (bitcast<i32>(_e193) - 1i);
 let _e2374 = select(_e2372, 263197i, (263197i < _e2372));
-let _e2379 = global_3.member[bitcast<u32>(select(0i, _e2374, (_e2374 > 0i)))];
+let _e2379 = global_2.member[bitcast<u32>(select(0i, _e2374, (_e2374 > 0i)))];
 let _e2380 = bitcast<f32>(_e2379);
 let _e2382 = select(_e2372, 263198i, (263198i < _e2372));
-let _e2387 = global_3.member[bitcast<u32>(select(0i, _e2382, (_e2382 > 0i)))];
+let _e2387 = global_2.member[bitcast<u32>(select(0i, _e2382, (_e2382 > 0i)))];
 let _e2388 = bitcast<f32>(_e2387);
 let _e2390 = select(_e2372, 263199i, (263199i < _e2372));
-let _e2395 = global_3.member[bitcast<u32>(select(0i, _e2390, (_e2390 > 0i)))];
+let _e2395 = global_2.member[bitcast<u32>(select(0i, _e2390, (_e2390 > 0i)))];
 let _e2396 = bitcast<f32>(_e2395);
 let _e2398 = ((_e2370 - _e2380) * _e2388);
 let _e2400 = select(0f, _e2398, (_e2398 > 0f));
 let _e2403 = local_39;
 let _e2405 = select(_e2372, 263200i, (263200i < _e2372));
-let _e2410 = global_3.member[bitcast<u32>(select(0i, _e2405, (_e2405 > 0i)))];
+let _e2410 = global_2.member[bitcast<u32>(select(0i, _e2405, (_e2405 > 0i)))];
 let _e2411 = bitcast<f32>(_e2410);
 let _e2413 = select(_e2372, 263201i, (263201i < _e2372));
-let _e2418 = global_3.member[bitcast<u32>(select(0i, _e2413, (_e2413 > 0i)))];
+let _e2418 = global_2.member[bitcast<u32>(select(0i, _e2413, (_e2413 > 0i)))];
 let _e2419 = bitcast<f32>(_e2418);
 let _e2421 = select(_e2372, 263202i, (263202i < _e2372));
-let _e2426 = global_3.member[bitcast<u32>(select(0i, _e2421, (_e2421 > 0i)))];
+let _e2426 = global_2.member[bitcast<u32>(select(0i, _e2421, (_e2421 > 0i)))];
 let _e2427 = bitcast<f32>(_e2426);
 let _e2429 = ((_e2403 - _e2411) * _e2419);
 let _e2431 = select(0f, _e2429, (_e2429 > 0f));
 let _e2435 = local_39;
 let _e2437 = select(_e2372, 263203i, (263203i < _e2372));
-let _e2442 = global_3.member[bitcast<u32>(select(0i, _e2437, (_e2437 > 0i)))];
+let _e2442 = global_2.member[bitcast<u32>(select(0i, _e2437, (_e2437 > 0i)))];
 let _e2443 = bitcast<f32>(_e2442);
 let _e2445 = select(_e2372, 263204i, (263204i < _e2372));
-let _e2450 = global_3.member[bitcast<u32>(select(0i, _e2445, (_e2445 > 0i)))];
+let _e2450 = global_2.member[bitcast<u32>(select(0i, _e2445, (_e2445 > 0i)))];
 let _e2451 = bitcast<f32>(_e2450);
 let _e2453 = select(_e2372, 263205i, (263205i < _e2372));
-let _e2458 = global_3.member[bitcast<u32>(select(0i, _e2453, (_e2453 > 0i)))];
+let _e2458 = global_2.member[bitcast<u32>(select(0i, _e2453, (_e2453 > 0i)))];
 let _e2459 = bitcast<f32>(_e2458);
 let _e2461 = ((_e2435 - _e2443) * _e2451);
 let _e2463 = select(0f, _e2461, (_e2461 > 0f));
 let _e2466 = local_39;
 let _e2468 = select(_e2372, 263206i, (263206i < _e2372));
-let _e2473 = global_3.member[bitcast<u32>(select(0i, _e2468, (_e2468 > 0i)))];
+let _e2473 = global_2.member[bitcast<u32>(select(0i, _e2468, (_e2468 > 0i)))];
 let _e2474 = bitcast<f32>(_e2473);
 let _e2476 = select(_e2372, 263207i, (263207i < _e2372));
-let _e2481 = global_3.member[bitcast<u32>(select(0i, _e2476, (_e2476 > 0i)))];
+let _e2481 = global_2.member[bitcast<u32>(select(0i, _e2476, (_e2476 > 0i)))];
 let _e2482 = bitcast<f32>(_e2481);
 let _e2484 = select(_e2372, 263208i, (263208i < _e2372));
-let _e2489 = global_3.member[bitcast<u32>(select(0i, _e2484, (_e2484 > 0i)))];
+let _e2489 = global_2.member[bitcast<u32>(select(0i, _e2484, (_e2484 > 0i)))];
 let _e2490 = bitcast<f32>(_e2489);
 let _e2492 = ((_e2466 - _e2474) * _e2482);
 let _e2494 = select(0f, _e2492, (_e2492 > 0f));
@@ -979,24 +979,24 @@ let _e2509 = select(0i, select(select(i32(_e2502), i32(-2147483648), (_e2502 < -
 let _e2513 = (_e2509 - select(0i, 1i, (_e2502 < f32(_e2509))));
 let _e2514 = (262147i + _e2513);
 let _e2516 = select(_e2372, _e2514, (_e2514 < _e2372));
-let _e2522 = global_3.member[bitcast<u32>(select(0i, _e2516, (_e2516 > 0i)))];
+let _e2522 = global_2.member[bitcast<u32>(select(0i, _e2516, (_e2516 > 0i)))];
 let _e2532 = select(_e2372, 262146i, (262146i < _e2372));
 let _e2535 = bitcast<u32>(select(0i, _e2532, (_e2532 > 0i)));
-let _e2538 = global_3.member[_e2535];
+let _e2538 = global_2.member[_e2535];
 let _e2542 = select(_e2372, 262144i, (262144i < _e2372));
 let _e2545 = bitcast<u32>(select(0i, _e2542, (_e2542 > 0i)));
-let _e2548 = global_3.member[_e2545];
+let _e2548 = global_2.member[_e2545];
 let _e2551 = select(_e2372, 262145i, (262145i < _e2372));
 let _e2554 = bitcast<u32>(select(0i, _e2551, (_e2551 > 0i)));
-let _e2557 = global_3.member[_e2554];
+let _e2557 = global_2.member[_e2554];
 let _e2565 = select(1f, ((bitcast<f32>(_e2548) + (f32(bitcast<i32>((_e2522 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2557))) + ((f32((bitcast<i32>((_e2522 & 4095u)) - 2048i)) * bitcast<f32>(_e2538)) * (_e2498 - f32(_e2513)))), (_e2096 && (_e397 == _e2101)));
 let _e2566 = (_e379[3] * _e2565);
 let _e2567 = (_e379[4] * _e2565);
 let _e2568 = (_e379[5] * _e2565);
 if _e2096 {
-phi_4385_ = type_29(_e2087.member_2, _e2087.member_3);
+phi_4385_ = type_39(_e2087.member_2, _e2087.member_3);
 } else {
-phi_4385_ = type_29(_e2087.member, _e2087.member_1);
+phi_4385_ = type_39(_e2087.member, _e2087.member_1);
 }
 let _e2576 = phi_4385_;
 if _e2096 {
@@ -1035,7 +1035,7 @@ let _e2671 = (_e2654 + 1i);
 let _e2672 = (_e2669 + 1i);
 let _e2682 = ((_e2670 >> bitcast<u32>(4i)) + (_e2180 * ((_e2671 >> bitcast<u32>(4i)) + (_e2187 * (_e2672 >> bitcast<u32>(4i))))));
 let _e2684 = select(_e2199, _e2682, (_e2682 < _e2199));
-let _e2689 = global_5.member[bitcast<u32>(select(0i, _e2684, (_e2684 > 0i)))];
+let _e2689 = global_4.member[bitcast<u32>(select(0i, _e2684, (_e2684 > 0i)))];
 let _e2691 = (_e2670 & 15i);
 let _e2694 = ((_e2671 & 15i) * _e2165);
 let _e2696 = (bitcast<i32>(_e2689) + ((_e2672 & 15i) * _e2170));
@@ -1043,30 +1043,30 @@ let _e2700 = (_e2694 + _e2165);
 let _e2701 = (_e2694 + _e2219);
 let _e2702 = (_e2696 + _e2170);
 let _e2703 = (_e2696 + _e2222);
-local_36 = type_32(array<i32, 4>(_e2691, (_e2691 + 1i), (_e2691 + 2i), (_e2691 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_36 = type_28(array<i32, 4>(_e2691, (_e2691 + 1i), (_e2691 + 2i), (_e2691 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_37 = vec3<f32>((_e2616 - f32(_e2639)), (_e2620 - f32(_e2654)), (_e2624 - f32(_e2669)));
 let _e2714 = (_e2702 + _e2700);
 let _e2717 = local_36.member[1u];
 let _e2718 = (_e2714 + _e2717);
 let _e2720 = select(_e2199, _e2718, (_e2718 < _e2199));
-let _e2725 = global_5.member[bitcast<u32>(select(0i, _e2720, (_e2720 > 0i)))];
+let _e2725 = global_4.member[bitcast<u32>(select(0i, _e2720, (_e2720 > 0i)))];
 let _e2726 = bitcast<f32>(_e2725);
 let _e2729 = local_36.member[2u];
 let _e2730 = (_e2714 + _e2729);
 let _e2732 = select(_e2199, _e2730, (_e2730 < _e2199));
-let _e2737 = global_5.member[bitcast<u32>(select(0i, _e2732, (_e2732 > 0i)))];
+let _e2737 = global_4.member[bitcast<u32>(select(0i, _e2732, (_e2732 > 0i)))];
 let _e2739 = local_37[0u];
 let _e2742 = (_e2726 + ((bitcast<f32>(_e2737) - _e2726) * _e2739));
 let _e2743 = (_e2702 + _e2701);
 let _e2744 = local_36.member[1u];
 let _e2745 = (_e2743 + _e2744);
 let _e2747 = select(_e2199, _e2745, (_e2745 < _e2199));
-let _e2752 = global_5.member[bitcast<u32>(select(0i, _e2747, (_e2747 > 0i)))];
+let _e2752 = global_4.member[bitcast<u32>(select(0i, _e2747, (_e2747 > 0i)))];
 let _e2753 = bitcast<f32>(_e2752);
 let _e2754 = local_36.member[2u];
 let _e2755 = (_e2743 + _e2754);
 let _e2757 = select(_e2199, _e2755, (_e2755 < _e2199));
-let _e2762 = global_5.member[bitcast<u32>(select(0i, _e2757, (_e2757 > 0i)))];
+let _e2762 = global_4.member[bitcast<u32>(select(0i, _e2757, (_e2757 > 0i)))];
 let _e2764 = local_37[0u];
 let _e2769 = local_37[1u];
 let _e2772 = (_e2742 + (((_e2753 + ((bitcast<f32>(_e2762) - _e2753) * _e2764)) - _e2742) * _e2769));
@@ -1074,24 +1074,24 @@ let _e2773 = (_e2703 + _e2700);
 let _e2774 = local_36.member[1u];
 let _e2775 = (_e2773 + _e2774);
 let _e2777 = select(_e2199, _e2775, (_e2775 < _e2199));
-let _e2782 = global_5.member[bitcast<u32>(select(0i, _e2777, (_e2777 > 0i)))];
+let _e2782 = global_4.member[bitcast<u32>(select(0i, _e2777, (_e2777 > 0i)))];
 let _e2783 = bitcast<f32>(_e2782);
 let _e2784 = local_36.member[2u];
 let _e2785 = (_e2773 + _e2784);
 let _e2787 = select(_e2199, _e2785, (_e2785 < _e2199));
-let _e2792 = global_5.member[bitcast<u32>(select(0i, _e2787, (_e2787 > 0i)))];
+let _e2792 = global_4.member[bitcast<u32>(select(0i, _e2787, (_e2787 > 0i)))];
 let _e2794 = local_37[0u];
 let _e2797 = (_e2783 + ((bitcast<f32>(_e2792) - _e2783) * _e2794));
 let _e2798 = (_e2703 + _e2701);
 let _e2799 = local_36.member[1u];
 let _e2800 = (_e2798 + _e2799);
 let _e2802 = select(_e2199, _e2800, (_e2800 < _e2199));
-let _e2807 = global_5.member[bitcast<u32>(select(0i, _e2802, (_e2802 > 0i)))];
+let _e2807 = global_4.member[bitcast<u32>(select(0i, _e2802, (_e2802 > 0i)))];
 let _e2808 = bitcast<f32>(_e2807);
 let _e2809 = local_36.member[2u];
 let _e2810 = (_e2798 + _e2809);
 let _e2812 = select(_e2199, _e2810, (_e2810 < _e2199));
-let _e2817 = global_5.member[bitcast<u32>(select(0i, _e2812, (_e2812 > 0i)))];
+let _e2817 = global_4.member[bitcast<u32>(select(0i, _e2812, (_e2812 > 0i)))];
 let _e2819 = local_37[0u];
 let _e2823 = local_37[1u];
 let _e2828 = local_37[2u];
@@ -1119,18 +1119,18 @@ let _e2880 = select(0i, select(select(i32(_e2873), i32(-2147483648), (_e2873 < -
 let _e2884 = (_e2880 - select(0i, 1i, (_e2873 < f32(_e2880))));
 let _e2885 = (262147i + _e2884);
 let _e2887 = select(_e2372, _e2885, (_e2885 < _e2372));
-let _e2892 = global_3.member[bitcast<u32>(select(0i, _e2887, (_e2887 > 0i)))];
-let _e2902 = global_3.member[_e2535];
+let _e2892 = global_2.member[bitcast<u32>(select(0i, _e2887, (_e2887 > 0i)))];
+let _e2902 = global_2.member[_e2535];
 let _e2903 = bitcast<f32>(_e2902);
-let _e2906 = global_3.member[_e2545];
+let _e2906 = global_2.member[_e2545];
 let _e2907 = bitcast<f32>(_e2906);
-let _e2909 = global_3.member[_e2554];
+let _e2909 = global_2.member[_e2554];
 let _e2910 = bitcast<f32>(_e2909);
 let _e2916 = ((_e2907 + (f32(bitcast<i32>((_e2892 >> bitcast<u32>(12u)))) * _e2910)) + ((f32((bitcast<i32>((_e2892 & 4095u)) - 2048i)) * _e2903) * (_e2869 - f32(_e2884))));
 if _e2096 {
-phi_5440_ = type_28(_e2916, 1f);
+phi_5440_ = type_31(_e2916, 1f);
 } else {
-phi_5440_ = type_28(1f, _e2916);
+phi_5440_ = type_31(1f, _e2916);
 }
 let _e2920 = phi_5440_;
 let _e2925 = ((_e2920.member_1 * _e2920.member_1) - (_e2920.member * _e2920.member));
@@ -1149,7 +1149,7 @@ let _e2960 = (_e2925 == 0f);
 let _e2972 = select(_e2566, select((_e2566 + (_e2940 * _e2959)), _e2566, _e2960), _e2584);
 let _e2973 = select(_e2567, select((_e2567 + (_e2941 * _e2959)), _e2567, _e2960), _e2584);
 let _e2974 = select(_e2568, select((_e2568 + (_e2942 * _e2959)), _e2568, _e2960), _e2584);
-let _e2979 = global_4.member[_e375].member_5.member_4;
+let _e2979 = global_3.member[_e375].member_5.member_4;
 let _e2980 = (_e2979 * _e2979);
 let _e2984 = (_e2974 * _e2974);
 let _e2988 = (_e2584 && (_e2920.member != _e2920.member_1));
@@ -1268,16 +1268,16 @@ let _e3265 = select(select(select(select(select(select(0f, _e1490.member, _e3046
 let _e3266 = select(select(select(select(select(select(0f, _e1490.member_1, _e3046), _e1490.member_1, _e3086), _e1499.member_1, _e3126), _e1499.member_1, _e3166), _e1508.member_1, _e3206), _e1508.member_1, _e3246);
 let _e3267 = select(select(select(select(select(select(1f, _e1490.member_2, _e3046), _e1490.member_2, _e3086), _e1499.member_2, _e3126), _e1499.member_2, _e3166), _e1508.member_2, _e3206), _e1508.member_2, _e3246);
 if _e1757 {
-phi_6963_ = type_35(_e3252, vec3<f32>(_e3253, _e3254, _e3255), _e3257, vec3<f32>(_e3258, _e3259, _e3260), _e3262, _e3264, vec3<f32>(_e3265, _e3266, _e3267));
+phi_6963_ = type_34(_e3252, vec3<f32>(_e3253, _e3254, _e3255), _e3257, vec3<f32>(_e3258, _e3259, _e3260), _e3262, _e3264, vec3<f32>(_e3265, _e3266, _e3267));
 } else {
 let _e3274 = (((_e1490.member * _e1490.member) + (_e1490.member_1 * _e1490.member_1)) + (_e1490.member_2 * _e1490.member_2));
 let _e3277 = sqrt(select(0f, _e3274, (_e3274 > 0f)));
-let _e3282 = global_4.member[_e375].member_14.member_1;
+let _e3282 = global_3.member[_e375].member_14.member_1;
 let _e3283 = (_e3282 != 0u);
-let _e3288 = global_4.member[_e375].member_14.member;
+let _e3288 = global_3.member[_e375].member_14.member;
 let _e3308 = select(-1e6f, (((((_e3288.member.member * _e2591) + (_e3288.member.member_1 * _e2592)) + (_e3288.member.member_2 * _e2593)) + _e3288.member_1) * _e3277), _e3283);
 let _e3309 = select(-1e6f, (((((_e3288.member.member * _e3002) + (_e3288.member.member_1 * _e3003)) + (_e3288.member.member_2 * _e3004)) + _e3288.member_1) * _e3277), _e3283);
-let _e3315 = global_4.member[_e375].member_14.member.member;
+let _e3315 = global_3.member[_e375].member_14.member.member;
 let _e3319 = -(_e3308);
 let _e3322 = (_e3308 - _e3309);
 let _e3323 = (_e3309 - _e3308);
@@ -1292,12 +1292,12 @@ let _e3343 = select(_e3252, _e3332, _e3341);
 let _e3347 = select(_e3257, _e3336, _e3342);
 let _e3351 = select(_e3262, _e3308, _e3337);
 let _e3353 = select(_e3264, _e3309, (_e3309 > _e3264));
-let _e3361 = global_4.member[_e375].member_15.member_1;
+let _e3361 = global_3.member[_e375].member_15.member_1;
 let _e3362 = (_e3361 != 0u);
-let _e3367 = global_4.member[_e375].member_15.member;
+let _e3367 = global_3.member[_e375].member_15.member;
 let _e3387 = select(-1e6f, (((((_e3367.member.member * _e2591) + (_e3367.member.member_1 * _e2592)) + (_e3367.member.member_2 * _e2593)) + _e3367.member_1) * _e3277), _e3362);
 let _e3388 = select(-1e6f, (((((_e3367.member.member * _e3002) + (_e3367.member.member_1 * _e3003)) + (_e3367.member.member_2 * _e3004)) + _e3367.member_1) * _e3277), _e3362);
-let _e3394 = global_4.member[_e375].member_15.member.member;
+let _e3394 = global_3.member[_e375].member_15.member.member;
 let _e3398 = -(_e3387);
 let _e3401 = (_e3387 - _e3388);
 let _e3402 = (_e3388 - _e3387);
@@ -1312,12 +1312,12 @@ let _e3422 = select(_e3343, _e3411, _e3420);
 let _e3426 = select(_e3347, _e3415, _e3421);
 let _e3430 = select(_e3351, _e3387, _e3416);
 let _e3432 = select(_e3353, _e3388, (_e3388 > _e3353));
-let _e3440 = global_4.member[_e375].member_16.member_1;
+let _e3440 = global_3.member[_e375].member_16.member_1;
 let _e3441 = (_e3440 != 0u);
-let _e3446 = global_4.member[_e375].member_16.member;
+let _e3446 = global_3.member[_e375].member_16.member;
 let _e3466 = select(-1e6f, (((((_e3446.member.member * _e2591) + (_e3446.member.member_1 * _e2592)) + (_e3446.member.member_2 * _e2593)) + _e3446.member_1) * _e3277), _e3441);
 let _e3467 = select(-1e6f, (((((_e3446.member.member * _e3002) + (_e3446.member.member_1 * _e3003)) + (_e3446.member.member_2 * _e3004)) + _e3446.member_1) * _e3277), _e3441);
-let _e3473 = global_4.member[_e375].member_16.member.member;
+let _e3473 = global_3.member[_e375].member_16.member.member;
 let _e3477 = -(_e3466);
 let _e3480 = (_e3466 - _e3467);
 let _e3481 = (_e3467 - _e3466);
@@ -1332,12 +1332,12 @@ let _e3501 = select(_e3422, _e3490, _e3499);
 let _e3505 = select(_e3426, _e3494, _e3500);
 let _e3509 = select(_e3430, _e3466, _e3495);
 let _e3511 = select(_e3432, _e3467, (_e3467 > _e3432));
-let _e3519 = global_4.member[_e375].member_17.member_1;
+let _e3519 = global_3.member[_e375].member_17.member_1;
 let _e3520 = (_e3519 != 0u);
-let _e3525 = global_4.member[_e375].member_17.member;
+let _e3525 = global_3.member[_e375].member_17.member;
 let _e3545 = select(-1e6f, (((((_e3525.member.member * _e2591) + (_e3525.member.member_1 * _e2592)) + (_e3525.member.member_2 * _e2593)) + _e3525.member_1) * _e3277), _e3520);
 let _e3546 = select(-1e6f, (((((_e3525.member.member * _e3002) + (_e3525.member.member_1 * _e3003)) + (_e3525.member.member_2 * _e3004)) + _e3525.member_1) * _e3277), _e3520);
-let _e3552 = global_4.member[_e375].member_17.member.member;
+let _e3552 = global_3.member[_e375].member_17.member.member;
 let _e3556 = -(_e3545);
 let _e3559 = (_e3545 - _e3546);
 let _e3560 = (_e3546 - _e3545);
@@ -1348,7 +1348,7 @@ let _e3573 = select(2f, select(0f, _e3565, (_e3545 < 0f)), (_e3546 > 0f));
 let _e3574 = (_e3545 > _e3509);
 let _e3578 = ((_e3569 > _e3501) || ((_e3569 == _e3501) && _e3574));
 let _e3579 = (_e3573 < _e3505);
-phi_6963_ = type_35(select(_e3501, _e3569, _e3578), vec3<f32>(select(select(select(select(_e3253, _e3315.member, _e3341), _e3394.member, _e3420), _e3473.member, _e3499), _e3552.member, _e3578), select(select(select(select(_e3254, _e3315.member_1, _e3341), _e3394.member_1, _e3420), _e3473.member_1, _e3499), _e3552.member_1, _e3578), select(select(select(select(_e3255, _e3315.member_2, _e3341), _e3394.member_2, _e3420), _e3473.member_2, _e3499), _e3552.member_2, _e3578)), select(_e3505, _e3573, _e3579), vec3<f32>(select(select(select(select(_e3258, _e3315.member, _e3342), _e3394.member, _e3421), _e3473.member, _e3500), _e3552.member, _e3579), select(select(select(select(_e3259, _e3315.member_1, _e3342), _e3394.member_1, _e3421), _e3473.member_1, _e3500), _e3552.member_1, _e3579), select(select(select(select(_e3260, _e3315.member_2, _e3342), _e3394.member_2, _e3421), _e3473.member_2, _e3500), _e3552.member_2, _e3579)), select(_e3509, _e3545, _e3574), select(_e3511, _e3546, (_e3546 > _e3511)), vec3<f32>(select(select(select(select(_e3265, _e3315.member, _e3337), _e3394.member, _e3416), _e3473.member, _e3495), _e3552.member, _e3574), select(select(select(select(_e3266, _e3315.member_1, _e3337), _e3394.member_1, _e3416), _e3473.member_1, _e3495), _e3552.member_1, _e3574), select(select(select(select(_e3267, _e3315.member_2, _e3337), _e3394.member_2, _e3416), _e3473.member_2, _e3495), _e3552.member_2, _e3574)));
+phi_6963_ = type_34(select(_e3501, _e3569, _e3578), vec3<f32>(select(select(select(select(_e3253, _e3315.member, _e3341), _e3394.member, _e3420), _e3473.member, _e3499), _e3552.member, _e3578), select(select(select(select(_e3254, _e3315.member_1, _e3341), _e3394.member_1, _e3420), _e3473.member_1, _e3499), _e3552.member_1, _e3578), select(select(select(select(_e3255, _e3315.member_2, _e3341), _e3394.member_2, _e3420), _e3473.member_2, _e3499), _e3552.member_2, _e3578)), select(_e3505, _e3573, _e3579), vec3<f32>(select(select(select(select(_e3258, _e3315.member, _e3342), _e3394.member, _e3421), _e3473.member, _e3500), _e3552.member, _e3579), select(select(select(select(_e3259, _e3315.member_1, _e3342), _e3394.member_1, _e3421), _e3473.member_1, _e3500), _e3552.member_1, _e3579), select(select(select(select(_e3260, _e3315.member_2, _e3342), _e3394.member_2, _e3421), _e3473.member_2, _e3500), _e3552.member_2, _e3579)), select(_e3509, _e3545, _e3574), select(_e3511, _e3546, (_e3546 > _e3511)), vec3<f32>(select(select(select(select(_e3265, _e3315.member, _e3337), _e3394.member, _e3416), _e3473.member, _e3495), _e3552.member, _e3574), select(select(select(select(_e3266, _e3315.member_1, _e3337), _e3394.member_1, _e3416), _e3473.member_1, _e3495), _e3552.member_1, _e3574), select(select(select(select(_e3267, _e3315.member_2, _e3337), _e3394.member_2, _e3416), _e3473.member_2, _e3495), _e3552.member_2, _e3574)));
 }
 let _e3599 = phi_6963_;
 let _e3605 = (((_e2584 && _e3007) && !(_e2992)) && (_e3599.member_2 <= 1f));
@@ -1387,7 +1387,7 @@ let _e3695 = (_e3678 + 1i);
 let _e3696 = (_e3693 + 1i);
 let _e3706 = ((_e3694 >> bitcast<u32>(4i)) + (_e2180 * ((_e3695 >> bitcast<u32>(4i)) + (_e2187 * (_e3696 >> bitcast<u32>(4i))))));
 let _e3708 = select(_e2199, _e3706, (_e3706 < _e2199));
-let _e3713 = global_5.member[bitcast<u32>(select(0i, _e3708, (_e3708 > 0i)))];
+let _e3713 = global_4.member[bitcast<u32>(select(0i, _e3708, (_e3708 > 0i)))];
 let _e3715 = (_e3694 & 15i);
 let _e3718 = ((_e3695 & 15i) * _e2165);
 let _e3720 = (bitcast<i32>(_e3713) + ((_e3696 & 15i) * _e2170));
@@ -1395,30 +1395,30 @@ let _e3724 = (_e3718 + _e2165);
 let _e3725 = (_e3718 + _e2219);
 let _e3726 = (_e3720 + _e2170);
 let _e3727 = (_e3720 + _e2222);
-local_32 = type_32(array<i32, 4>(_e3715, (_e3715 + 1i), (_e3715 + 2i), (_e3715 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_32 = type_28(array<i32, 4>(_e3715, (_e3715 + 1i), (_e3715 + 2i), (_e3715 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_33 = vec3<f32>((_e3640 - f32(_e3663)), (_e3644 - f32(_e3678)), (_e3648 - f32(_e3693)));
 let _e3738 = (_e3726 + _e3724);
 let _e3741 = local_32.member[1u];
 let _e3742 = (_e3738 + _e3741);
 let _e3744 = select(_e2199, _e3742, (_e3742 < _e2199));
-let _e3749 = global_5.member[bitcast<u32>(select(0i, _e3744, (_e3744 > 0i)))];
+let _e3749 = global_4.member[bitcast<u32>(select(0i, _e3744, (_e3744 > 0i)))];
 let _e3750 = bitcast<f32>(_e3749);
 let _e3753 = local_32.member[2u];
 let _e3754 = (_e3738 + _e3753);
 let _e3756 = select(_e2199, _e3754, (_e3754 < _e2199));
-let _e3761 = global_5.member[bitcast<u32>(select(0i, _e3756, (_e3756 > 0i)))];
+let _e3761 = global_4.member[bitcast<u32>(select(0i, _e3756, (_e3756 > 0i)))];
 let _e3763 = local_33[0u];
 let _e3766 = (_e3750 + ((bitcast<f32>(_e3761) - _e3750) * _e3763));
 let _e3767 = (_e3726 + _e3725);
 let _e3768 = local_32.member[1u];
 let _e3769 = (_e3767 + _e3768);
 let _e3771 = select(_e2199, _e3769, (_e3769 < _e2199));
-let _e3776 = global_5.member[bitcast<u32>(select(0i, _e3771, (_e3771 > 0i)))];
+let _e3776 = global_4.member[bitcast<u32>(select(0i, _e3771, (_e3771 > 0i)))];
 let _e3777 = bitcast<f32>(_e3776);
 let _e3778 = local_32.member[2u];
 let _e3779 = (_e3767 + _e3778);
 let _e3781 = select(_e2199, _e3779, (_e3779 < _e2199));
-let _e3786 = global_5.member[bitcast<u32>(select(0i, _e3781, (_e3781 > 0i)))];
+let _e3786 = global_4.member[bitcast<u32>(select(0i, _e3781, (_e3781 > 0i)))];
 let _e3788 = local_33[0u];
 let _e3793 = local_33[1u];
 let _e3796 = (_e3766 + (((_e3777 + ((bitcast<f32>(_e3786) - _e3777) * _e3788)) - _e3766) * _e3793));
@@ -1426,24 +1426,24 @@ let _e3797 = (_e3727 + _e3724);
 let _e3798 = local_32.member[1u];
 let _e3799 = (_e3797 + _e3798);
 let _e3801 = select(_e2199, _e3799, (_e3799 < _e2199));
-let _e3806 = global_5.member[bitcast<u32>(select(0i, _e3801, (_e3801 > 0i)))];
+let _e3806 = global_4.member[bitcast<u32>(select(0i, _e3801, (_e3801 > 0i)))];
 let _e3807 = bitcast<f32>(_e3806);
 let _e3808 = local_32.member[2u];
 let _e3809 = (_e3797 + _e3808);
 let _e3811 = select(_e2199, _e3809, (_e3809 < _e2199));
-let _e3816 = global_5.member[bitcast<u32>(select(0i, _e3811, (_e3811 > 0i)))];
+let _e3816 = global_4.member[bitcast<u32>(select(0i, _e3811, (_e3811 > 0i)))];
 let _e3818 = local_33[0u];
 let _e3821 = (_e3807 + ((bitcast<f32>(_e3816) - _e3807) * _e3818));
 let _e3822 = (_e3727 + _e3725);
 let _e3823 = local_32.member[1u];
 let _e3824 = (_e3822 + _e3823);
 let _e3826 = select(_e2199, _e3824, (_e3824 < _e2199));
-let _e3831 = global_5.member[bitcast<u32>(select(0i, _e3826, (_e3826 > 0i)))];
+let _e3831 = global_4.member[bitcast<u32>(select(0i, _e3826, (_e3826 > 0i)))];
 let _e3832 = bitcast<f32>(_e3831);
 let _e3833 = local_32.member[2u];
 let _e3834 = (_e3822 + _e3833);
 let _e3836 = select(_e2199, _e3834, (_e3834 < _e2199));
-let _e3841 = global_5.member[bitcast<u32>(select(0i, _e3836, (_e3836 > 0i)))];
+let _e3841 = global_4.member[bitcast<u32>(select(0i, _e3836, (_e3836 > 0i)))];
 let _e3843 = local_33[0u];
 let _e3847 = local_33[1u];
 let _e3852 = local_33[2u];
@@ -1471,12 +1471,12 @@ let _e3904 = select(0i, select(select(i32(_e3897), i32(-2147483648), (_e3897 < -
 let _e3908 = (_e3904 - select(0i, 1i, (_e3897 < f32(_e3904))));
 let _e3909 = (262147i + _e3908);
 let _e3911 = select(_e2372, _e3909, (_e3909 < _e2372));
-let _e3916 = global_3.member[bitcast<u32>(select(0i, _e3911, (_e3911 > 0i)))];
+let _e3916 = global_2.member[bitcast<u32>(select(0i, _e3911, (_e3911 > 0i)))];
 let _e3931 = ((_e2907 + (f32(bitcast<i32>((_e3916 >> bitcast<u32>(12u)))) * _e2910)) + ((f32((bitcast<i32>((_e3916 & 4095u)) - 2048i)) * _e2903) * (_e3893 - f32(_e3908))));
 if _e3007 {
-phi_8038_ = type_28(_e3931, 1f);
+phi_8038_ = type_31(_e3931, 1f);
 } else {
-phi_8038_ = type_28(1f, _e3931);
+phi_8038_ = type_31(1f, _e3931);
 }
 let _e3935 = phi_8038_;
 let _e3940 = ((_e3935.member_1 * _e3935.member_1) - (_e3935.member * _e3935.member));
@@ -1615,16 +1615,16 @@ let _e4296 = select(select(select(select(select(select(0f, _e1490.member, _e4077
 let _e4297 = select(select(select(select(select(select(0f, _e1490.member_1, _e4077), _e1490.member_1, _e4117), _e1499.member_1, _e4157), _e1499.member_1, _e4197), _e1508.member_1, _e4237), _e1508.member_1, _e4277);
 let _e4298 = select(select(select(select(select(select(1f, _e1490.member_2, _e4077), _e1490.member_2, _e4117), _e1499.member_2, _e4157), _e1499.member_2, _e4197), _e1508.member_2, _e4237), _e1508.member_2, _e4277);
 if _e1757 {
-phi_9576_ = type_35(_e4283, vec3<f32>(_e4284, _e4285, _e4286), _e4288, vec3<f32>(_e4289, _e4290, _e4291), _e4293, _e4295, vec3<f32>(_e4296, _e4297, _e4298));
+phi_9576_ = type_34(_e4283, vec3<f32>(_e4284, _e4285, _e4286), _e4288, vec3<f32>(_e4289, _e4290, _e4291), _e4293, _e4295, vec3<f32>(_e4296, _e4297, _e4298));
 } else {
 let _e4305 = (((_e1490.member * _e1490.member) + (_e1490.member_1 * _e1490.member_1)) + (_e1490.member_2 * _e1490.member_2));
 let _e4308 = sqrt(select(0f, _e4305, (_e4305 > 0f)));
-let _e4313 = global_4.member[_e375].member_14.member_1;
+let _e4313 = global_3.member[_e375].member_14.member_1;
 let _e4314 = (_e4313 != 0u);
-let _e4319 = global_4.member[_e375].member_14.member;
+let _e4319 = global_3.member[_e375].member_14.member;
 let _e4339 = select(-1e6f, (((((_e4319.member.member * _e3618.x) + (_e4319.member.member_1 * _e3618.y)) + (_e4319.member.member_2 * _e3618.z)) + _e4319.member_1) * _e4308), _e4314);
 let _e4340 = select(-1e6f, (((((_e4319.member.member * _e4012) + (_e4319.member.member_1 * _e4013)) + (_e4319.member.member_2 * _e4014)) + _e4319.member_1) * _e4308), _e4314);
-let _e4346 = global_4.member[_e375].member_14.member.member;
+let _e4346 = global_3.member[_e375].member_14.member.member;
 let _e4350 = -(_e4339);
 let _e4353 = (_e4339 - _e4340);
 let _e4354 = (_e4340 - _e4339);
@@ -1639,12 +1639,12 @@ let _e4374 = select(_e4283, _e4363, _e4372);
 let _e4378 = select(_e4288, _e4367, _e4373);
 let _e4382 = select(_e4293, _e4339, _e4368);
 let _e4384 = select(_e4295, _e4340, (_e4340 > _e4295));
-let _e4392 = global_4.member[_e375].member_15.member_1;
+let _e4392 = global_3.member[_e375].member_15.member_1;
 let _e4393 = (_e4392 != 0u);
-let _e4398 = global_4.member[_e375].member_15.member;
+let _e4398 = global_3.member[_e375].member_15.member;
 let _e4418 = select(-1e6f, (((((_e4398.member.member * _e3618.x) + (_e4398.member.member_1 * _e3618.y)) + (_e4398.member.member_2 * _e3618.z)) + _e4398.member_1) * _e4308), _e4393);
 let _e4419 = select(-1e6f, (((((_e4398.member.member * _e4012) + (_e4398.member.member_1 * _e4013)) + (_e4398.member.member_2 * _e4014)) + _e4398.member_1) * _e4308), _e4393);
-let _e4425 = global_4.member[_e375].member_15.member.member;
+let _e4425 = global_3.member[_e375].member_15.member.member;
 let _e4429 = -(_e4418);
 let _e4432 = (_e4418 - _e4419);
 let _e4433 = (_e4419 - _e4418);
@@ -1659,12 +1659,12 @@ let _e4453 = select(_e4374, _e4442, _e4451);
 let _e4457 = select(_e4378, _e4446, _e4452);
 let _e4461 = select(_e4382, _e4418, _e4447);
 let _e4463 = select(_e4384, _e4419, (_e4419 > _e4384));
-let _e4471 = global_4.member[_e375].member_16.member_1;
+let _e4471 = global_3.member[_e375].member_16.member_1;
 let _e4472 = (_e4471 != 0u);
-let _e4477 = global_4.member[_e375].member_16.member;
+let _e4477 = global_3.member[_e375].member_16.member;
 let _e4497 = select(-1e6f, (((((_e4477.member.member * _e3618.x) + (_e4477.member.member_1 * _e3618.y)) + (_e4477.member.member_2 * _e3618.z)) + _e4477.member_1) * _e4308), _e4472);
 let _e4498 = select(-1e6f, (((((_e4477.member.member * _e4012) + (_e4477.member.member_1 * _e4013)) + (_e4477.member.member_2 * _e4014)) + _e4477.member_1) * _e4308), _e4472);
-let _e4504 = global_4.member[_e375].member_16.member.member;
+let _e4504 = global_3.member[_e375].member_16.member.member;
 let _e4508 = -(_e4497);
 let _e4511 = (_e4497 - _e4498);
 let _e4512 = (_e4498 - _e4497);
@@ -1679,12 +1679,12 @@ let _e4532 = select(_e4453, _e4521, _e4530);
 let _e4536 = select(_e4457, _e4525, _e4531);
 let _e4540 = select(_e4461, _e4497, _e4526);
 let _e4542 = select(_e4463, _e4498, (_e4498 > _e4463));
-let _e4550 = global_4.member[_e375].member_17.member_1;
+let _e4550 = global_3.member[_e375].member_17.member_1;
 let _e4551 = (_e4550 != 0u);
-let _e4556 = global_4.member[_e375].member_17.member;
+let _e4556 = global_3.member[_e375].member_17.member;
 let _e4576 = select(-1e6f, (((((_e4556.member.member * _e3618.x) + (_e4556.member.member_1 * _e3618.y)) + (_e4556.member.member_2 * _e3618.z)) + _e4556.member_1) * _e4308), _e4551);
 let _e4577 = select(-1e6f, (((((_e4556.member.member * _e4012) + (_e4556.member.member_1 * _e4013)) + (_e4556.member.member_2 * _e4014)) + _e4556.member_1) * _e4308), _e4551);
-let _e4583 = global_4.member[_e375].member_17.member.member;
+let _e4583 = global_3.member[_e375].member_17.member.member;
 let _e4587 = -(_e4576);
 let _e4590 = (_e4576 - _e4577);
 let _e4591 = (_e4577 - _e4576);
@@ -1695,7 +1695,7 @@ let _e4604 = select(2f, select(0f, _e4596, (_e4576 < 0f)), (_e4577 > 0f));
 let _e4605 = (_e4576 > _e4540);
 let _e4609 = ((_e4600 > _e4532) || ((_e4600 == _e4532) && _e4605));
 let _e4610 = (_e4604 < _e4536);
-phi_9576_ = type_35(select(_e4532, _e4600, _e4609), vec3<f32>(select(select(select(select(_e4284, _e4346.member, _e4372), _e4425.member, _e4451), _e4504.member, _e4530), _e4583.member, _e4609), select(select(select(select(_e4285, _e4346.member_1, _e4372), _e4425.member_1, _e4451), _e4504.member_1, _e4530), _e4583.member_1, _e4609), select(select(select(select(_e4286, _e4346.member_2, _e4372), _e4425.member_2, _e4451), _e4504.member_2, _e4530), _e4583.member_2, _e4609)), select(_e4536, _e4604, _e4610), vec3<f32>(select(select(select(select(_e4289, _e4346.member, _e4373), _e4425.member, _e4452), _e4504.member, _e4531), _e4583.member, _e4610), select(select(select(select(_e4290, _e4346.member_1, _e4373), _e4425.member_1, _e4452), _e4504.member_1, _e4531), _e4583.member_1, _e4610), select(select(select(select(_e4291, _e4346.member_2, _e4373), _e4425.member_2, _e4452), _e4504.member_2, _e4531), _e4583.member_2, _e4610)), select(_e4540, _e4576, _e4605), select(_e4542, _e4577, (_e4577 > _e4542)), vec3<f32>(select(select(select(select(_e4296, _e4346.member, _e4368), _e4425.member, _e4447), _e4504.member, _e4526), _e4583.member, _e4605), select(select(select(select(_e4297, _e4346.member_1, _e4368), _e4425.member_1, _e4447), _e4504.member_1, _e4526), _e4583.member_1, _e4605), select(select(select(select(_e4298, _e4346.member_2, _e4368), _e4425.member_2, _e4447), _e4504.member_2, _e4526), _e4583.member_2, _e4605)));
+phi_9576_ = type_34(select(_e4532, _e4600, _e4609), vec3<f32>(select(select(select(select(_e4284, _e4346.member, _e4372), _e4425.member, _e4451), _e4504.member, _e4530), _e4583.member, _e4609), select(select(select(select(_e4285, _e4346.member_1, _e4372), _e4425.member_1, _e4451), _e4504.member_1, _e4530), _e4583.member_1, _e4609), select(select(select(select(_e4286, _e4346.member_2, _e4372), _e4425.member_2, _e4451), _e4504.member_2, _e4530), _e4583.member_2, _e4609)), select(_e4536, _e4604, _e4610), vec3<f32>(select(select(select(select(_e4289, _e4346.member, _e4373), _e4425.member, _e4452), _e4504.member, _e4531), _e4583.member, _e4610), select(select(select(select(_e4290, _e4346.member_1, _e4373), _e4425.member_1, _e4452), _e4504.member_1, _e4531), _e4583.member_1, _e4610), select(select(select(select(_e4291, _e4346.member_2, _e4373), _e4425.member_2, _e4452), _e4504.member_2, _e4531), _e4583.member_2, _e4610)), select(_e4540, _e4576, _e4605), select(_e4542, _e4577, (_e4577 > _e4542)), vec3<f32>(select(select(select(select(_e4296, _e4346.member, _e4368), _e4425.member, _e4447), _e4504.member, _e4526), _e4583.member, _e4605), select(select(select(select(_e4297, _e4346.member_1, _e4368), _e4425.member_1, _e4447), _e4504.member_1, _e4526), _e4583.member_1, _e4605), select(select(select(select(_e4298, _e4346.member_2, _e4368), _e4425.member_2, _e4447), _e4504.member_2, _e4526), _e4583.member_2, _e4605)));
 }
 let _e4630 = phi_9576_;
 let _e4636 = (((_e3605 && _e4017) && !(_e4001)) && (_e4630.member_2 <= 1f));
@@ -1733,7 +1733,7 @@ let _e4726 = (_e4709 + 1i);
 let _e4727 = (_e4724 + 1i);
 let _e4737 = ((_e4725 >> bitcast<u32>(4i)) + (_e2180 * ((_e4726 >> bitcast<u32>(4i)) + (_e2187 * (_e4727 >> bitcast<u32>(4i))))));
 let _e4739 = select(_e2199, _e4737, (_e4737 < _e2199));
-let _e4744 = global_5.member[bitcast<u32>(select(0i, _e4739, (_e4739 > 0i)))];
+let _e4744 = global_4.member[bitcast<u32>(select(0i, _e4739, (_e4739 > 0i)))];
 let _e4746 = (_e4725 & 15i);
 let _e4749 = ((_e4726 & 15i) * _e2165);
 let _e4751 = (bitcast<i32>(_e4744) + ((_e4727 & 15i) * _e2170));
@@ -1741,30 +1741,30 @@ let _e4755 = (_e4749 + _e2165);
 let _e4756 = (_e4749 + _e2219);
 let _e4757 = (_e4751 + _e2170);
 let _e4758 = (_e4751 + _e2222);
-local_28 = type_32(array<i32, 4>(_e4746, (_e4746 + 1i), (_e4746 + 2i), (_e4746 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_28 = type_28(array<i32, 4>(_e4746, (_e4746 + 1i), (_e4746 + 2i), (_e4746 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_29 = vec3<f32>((_e4671 - f32(_e4694)), (_e4675 - f32(_e4709)), (_e4679 - f32(_e4724)));
 let _e4769 = (_e4757 + _e4755);
 let _e4772 = local_28.member[1u];
 let _e4773 = (_e4769 + _e4772);
 let _e4775 = select(_e2199, _e4773, (_e4773 < _e2199));
-let _e4780 = global_5.member[bitcast<u32>(select(0i, _e4775, (_e4775 > 0i)))];
+let _e4780 = global_4.member[bitcast<u32>(select(0i, _e4775, (_e4775 > 0i)))];
 let _e4781 = bitcast<f32>(_e4780);
 let _e4784 = local_28.member[2u];
 let _e4785 = (_e4769 + _e4784);
 let _e4787 = select(_e2199, _e4785, (_e4785 < _e2199));
-let _e4792 = global_5.member[bitcast<u32>(select(0i, _e4787, (_e4787 > 0i)))];
+let _e4792 = global_4.member[bitcast<u32>(select(0i, _e4787, (_e4787 > 0i)))];
 let _e4794 = local_29[0u];
 let _e4797 = (_e4781 + ((bitcast<f32>(_e4792) - _e4781) * _e4794));
 let _e4798 = (_e4757 + _e4756);
 let _e4799 = local_28.member[1u];
 let _e4800 = (_e4798 + _e4799);
 let _e4802 = select(_e2199, _e4800, (_e4800 < _e2199));
-let _e4807 = global_5.member[bitcast<u32>(select(0i, _e4802, (_e4802 > 0i)))];
+let _e4807 = global_4.member[bitcast<u32>(select(0i, _e4802, (_e4802 > 0i)))];
 let _e4808 = bitcast<f32>(_e4807);
 let _e4809 = local_28.member[2u];
 let _e4810 = (_e4798 + _e4809);
 let _e4812 = select(_e2199, _e4810, (_e4810 < _e2199));
-let _e4817 = global_5.member[bitcast<u32>(select(0i, _e4812, (_e4812 > 0i)))];
+let _e4817 = global_4.member[bitcast<u32>(select(0i, _e4812, (_e4812 > 0i)))];
 let _e4819 = local_29[0u];
 let _e4824 = local_29[1u];
 let _e4827 = (_e4797 + (((_e4808 + ((bitcast<f32>(_e4817) - _e4808) * _e4819)) - _e4797) * _e4824));
@@ -1772,24 +1772,24 @@ let _e4828 = (_e4758 + _e4755);
 let _e4829 = local_28.member[1u];
 let _e4830 = (_e4828 + _e4829);
 let _e4832 = select(_e2199, _e4830, (_e4830 < _e2199));
-let _e4837 = global_5.member[bitcast<u32>(select(0i, _e4832, (_e4832 > 0i)))];
+let _e4837 = global_4.member[bitcast<u32>(select(0i, _e4832, (_e4832 > 0i)))];
 let _e4838 = bitcast<f32>(_e4837);
 let _e4839 = local_28.member[2u];
 let _e4840 = (_e4828 + _e4839);
 let _e4842 = select(_e2199, _e4840, (_e4840 < _e2199));
-let _e4847 = global_5.member[bitcast<u32>(select(0i, _e4842, (_e4842 > 0i)))];
+let _e4847 = global_4.member[bitcast<u32>(select(0i, _e4842, (_e4842 > 0i)))];
 let _e4849 = local_29[0u];
 let _e4852 = (_e4838 + ((bitcast<f32>(_e4847) - _e4838) * _e4849));
 let _e4853 = (_e4758 + _e4756);
 let _e4854 = local_28.member[1u];
 let _e4855 = (_e4853 + _e4854);
 let _e4857 = select(_e2199, _e4855, (_e4855 < _e2199));
-let _e4862 = global_5.member[bitcast<u32>(select(0i, _e4857, (_e4857 > 0i)))];
+let _e4862 = global_4.member[bitcast<u32>(select(0i, _e4857, (_e4857 > 0i)))];
 let _e4863 = bitcast<f32>(_e4862);
 let _e4864 = local_28.member[2u];
 let _e4865 = (_e4853 + _e4864);
 let _e4867 = select(_e2199, _e4865, (_e4865 < _e2199));
-let _e4872 = global_5.member[bitcast<u32>(select(0i, _e4867, (_e4867 > 0i)))];
+let _e4872 = global_4.member[bitcast<u32>(select(0i, _e4867, (_e4867 > 0i)))];
 let _e4874 = local_29[0u];
 let _e4878 = local_29[1u];
 let _e4883 = local_29[2u];
@@ -1817,12 +1817,12 @@ let _e4935 = select(0i, select(select(i32(_e4928), i32(-2147483648), (_e4928 < -
 let _e4939 = (_e4935 - select(0i, 1i, (_e4928 < f32(_e4935))));
 let _e4940 = (262147i + _e4939);
 let _e4942 = select(_e2372, _e4940, (_e4940 < _e2372));
-let _e4947 = global_3.member[bitcast<u32>(select(0i, _e4942, (_e4942 > 0i)))];
+let _e4947 = global_2.member[bitcast<u32>(select(0i, _e4942, (_e4942 > 0i)))];
 let _e4962 = ((_e2907 + (f32(bitcast<i32>((_e4947 >> bitcast<u32>(12u)))) * _e2910)) + ((f32((bitcast<i32>((_e4947 & 4095u)) - 2048i)) * _e2903) * (_e4924 - f32(_e4939))));
 if _e4017 {
-phi_10651_ = type_28(_e4962, 1f);
+phi_10651_ = type_31(_e4962, 1f);
 } else {
-phi_10651_ = type_28(1f, _e4962);
+phi_10651_ = type_31(1f, _e4962);
 }
 let _e4966 = phi_10651_;
 let _e4971 = ((_e4966.member_1 * _e4966.member_1) - (_e4966.member * _e4966.member));
@@ -1961,16 +1961,16 @@ let _e5328 = select(select(select(select(select(select(0f, _e1490.member, _e5109
 let _e5329 = select(select(select(select(select(select(0f, _e1490.member_1, _e5109), _e1490.member_1, _e5149), _e1499.member_1, _e5189), _e1499.member_1, _e5229), _e1508.member_1, _e5269), _e1508.member_1, _e5309);
 let _e5330 = select(select(select(select(select(select(1f, _e1490.member_2, _e5109), _e1490.member_2, _e5149), _e1499.member_2, _e5189), _e1499.member_2, _e5229), _e1508.member_2, _e5269), _e1508.member_2, _e5309);
 if _e1757 {
-phi_12189_ = type_35(_e5315, vec3<f32>(_e5316, _e5317, _e5318), _e5320, vec3<f32>(_e5321, _e5322, _e5323), _e5325, _e5327, vec3<f32>(_e5328, _e5329, _e5330));
+phi_12189_ = type_34(_e5315, vec3<f32>(_e5316, _e5317, _e5318), _e5320, vec3<f32>(_e5321, _e5322, _e5323), _e5325, _e5327, vec3<f32>(_e5328, _e5329, _e5330));
 } else {
 let _e5337 = (((_e1490.member * _e1490.member) + (_e1490.member_1 * _e1490.member_1)) + (_e1490.member_2 * _e1490.member_2));
 let _e5340 = sqrt(select(0f, _e5337, (_e5337 > 0f)));
-let _e5345 = global_4.member[_e375].member_14.member_1;
+let _e5345 = global_3.member[_e375].member_14.member_1;
 let _e5346 = (_e5345 != 0u);
-let _e5351 = global_4.member[_e375].member_14.member;
+let _e5351 = global_3.member[_e375].member_14.member;
 let _e5371 = select(-1e6f, (((((_e5351.member.member * _e4649.x) + (_e5351.member.member_1 * _e4649.y)) + (_e5351.member.member_2 * _e4649.z)) + _e5351.member_1) * _e5340), _e5346);
 let _e5372 = select(-1e6f, (((((_e5351.member.member * _e5044) + (_e5351.member.member_1 * _e5045)) + (_e5351.member.member_2 * _e5046)) + _e5351.member_1) * _e5340), _e5346);
-let _e5378 = global_4.member[_e375].member_14.member.member;
+let _e5378 = global_3.member[_e375].member_14.member.member;
 let _e5382 = -(_e5371);
 let _e5385 = (_e5371 - _e5372);
 let _e5386 = (_e5372 - _e5371);
@@ -1985,12 +1985,12 @@ let _e5406 = select(_e5315, _e5395, _e5404);
 let _e5410 = select(_e5320, _e5399, _e5405);
 let _e5414 = select(_e5325, _e5371, _e5400);
 let _e5416 = select(_e5327, _e5372, (_e5372 > _e5327));
-let _e5424 = global_4.member[_e375].member_15.member_1;
+let _e5424 = global_3.member[_e375].member_15.member_1;
 let _e5425 = (_e5424 != 0u);
-let _e5430 = global_4.member[_e375].member_15.member;
+let _e5430 = global_3.member[_e375].member_15.member;
 let _e5450 = select(-1e6f, (((((_e5430.member.member * _e4649.x) + (_e5430.member.member_1 * _e4649.y)) + (_e5430.member.member_2 * _e4649.z)) + _e5430.member_1) * _e5340), _e5425);
 let _e5451 = select(-1e6f, (((((_e5430.member.member * _e5044) + (_e5430.member.member_1 * _e5045)) + (_e5430.member.member_2 * _e5046)) + _e5430.member_1) * _e5340), _e5425);
-let _e5457 = global_4.member[_e375].member_15.member.member;
+let _e5457 = global_3.member[_e375].member_15.member.member;
 let _e5461 = -(_e5450);
 let _e5464 = (_e5450 - _e5451);
 let _e5465 = (_e5451 - _e5450);
@@ -2005,12 +2005,12 @@ let _e5485 = select(_e5406, _e5474, _e5483);
 let _e5489 = select(_e5410, _e5478, _e5484);
 let _e5493 = select(_e5414, _e5450, _e5479);
 let _e5495 = select(_e5416, _e5451, (_e5451 > _e5416));
-let _e5503 = global_4.member[_e375].member_16.member_1;
+let _e5503 = global_3.member[_e375].member_16.member_1;
 let _e5504 = (_e5503 != 0u);
-let _e5509 = global_4.member[_e375].member_16.member;
+let _e5509 = global_3.member[_e375].member_16.member;
 let _e5529 = select(-1e6f, (((((_e5509.member.member * _e4649.x) + (_e5509.member.member_1 * _e4649.y)) + (_e5509.member.member_2 * _e4649.z)) + _e5509.member_1) * _e5340), _e5504);
 let _e5530 = select(-1e6f, (((((_e5509.member.member * _e5044) + (_e5509.member.member_1 * _e5045)) + (_e5509.member.member_2 * _e5046)) + _e5509.member_1) * _e5340), _e5504);
-let _e5536 = global_4.member[_e375].member_16.member.member;
+let _e5536 = global_3.member[_e375].member_16.member.member;
 let _e5540 = -(_e5529);
 let _e5543 = (_e5529 - _e5530);
 let _e5544 = (_e5530 - _e5529);
@@ -2025,12 +2025,12 @@ let _e5564 = select(_e5485, _e5553, _e5562);
 let _e5568 = select(_e5489, _e5557, _e5563);
 let _e5572 = select(_e5493, _e5529, _e5558);
 let _e5574 = select(_e5495, _e5530, (_e5530 > _e5495));
-let _e5582 = global_4.member[_e375].member_17.member_1;
+let _e5582 = global_3.member[_e375].member_17.member_1;
 let _e5583 = (_e5582 != 0u);
-let _e5588 = global_4.member[_e375].member_17.member;
+let _e5588 = global_3.member[_e375].member_17.member;
 let _e5608 = select(-1e6f, (((((_e5588.member.member * _e4649.x) + (_e5588.member.member_1 * _e4649.y)) + (_e5588.member.member_2 * _e4649.z)) + _e5588.member_1) * _e5340), _e5583);
 let _e5609 = select(-1e6f, (((((_e5588.member.member * _e5044) + (_e5588.member.member_1 * _e5045)) + (_e5588.member.member_2 * _e5046)) + _e5588.member_1) * _e5340), _e5583);
-let _e5615 = global_4.member[_e375].member_17.member.member;
+let _e5615 = global_3.member[_e375].member_17.member.member;
 let _e5619 = -(_e5608);
 let _e5622 = (_e5608 - _e5609);
 let _e5623 = (_e5609 - _e5608);
@@ -2041,7 +2041,7 @@ let _e5636 = select(2f, select(0f, _e5628, (_e5608 < 0f)), (_e5609 > 0f));
 let _e5637 = (_e5608 > _e5572);
 let _e5641 = ((_e5632 > _e5564) || ((_e5632 == _e5564) && _e5637));
 let _e5642 = (_e5636 < _e5568);
-phi_12189_ = type_35(select(_e5564, _e5632, _e5641), vec3<f32>(select(select(select(select(_e5316, _e5378.member, _e5404), _e5457.member, _e5483), _e5536.member, _e5562), _e5615.member, _e5641), select(select(select(select(_e5317, _e5378.member_1, _e5404), _e5457.member_1, _e5483), _e5536.member_1, _e5562), _e5615.member_1, _e5641), select(select(select(select(_e5318, _e5378.member_2, _e5404), _e5457.member_2, _e5483), _e5536.member_2, _e5562), _e5615.member_2, _e5641)), select(_e5568, _e5636, _e5642), vec3<f32>(select(select(select(select(_e5321, _e5378.member, _e5405), _e5457.member, _e5484), _e5536.member, _e5563), _e5615.member, _e5642), select(select(select(select(_e5322, _e5378.member_1, _e5405), _e5457.member_1, _e5484), _e5536.member_1, _e5563), _e5615.member_1, _e5642), select(select(select(select(_e5323, _e5378.member_2, _e5405), _e5457.member_2, _e5484), _e5536.member_2, _e5563), _e5615.member_2, _e5642)), select(_e5572, _e5608, _e5637), select(_e5574, _e5609, (_e5609 > _e5574)), vec3<f32>(select(select(select(select(_e5328, _e5378.member, _e5400), _e5457.member, _e5479), _e5536.member, _e5558), _e5615.member, _e5637), select(select(select(select(_e5329, _e5378.member_1, _e5400), _e5457.member_1, _e5479), _e5536.member_1, _e5558), _e5615.member_1, _e5637), select(select(select(select(_e5330, _e5378.member_2, _e5400), _e5457.member_2, _e5479), _e5536.member_2, _e5558), _e5615.member_2, _e5637)));
+phi_12189_ = type_34(select(_e5564, _e5632, _e5641), vec3<f32>(select(select(select(select(_e5316, _e5378.member, _e5404), _e5457.member, _e5483), _e5536.member, _e5562), _e5615.member, _e5641), select(select(select(select(_e5317, _e5378.member_1, _e5404), _e5457.member_1, _e5483), _e5536.member_1, _e5562), _e5615.member_1, _e5641), select(select(select(select(_e5318, _e5378.member_2, _e5404), _e5457.member_2, _e5483), _e5536.member_2, _e5562), _e5615.member_2, _e5641)), select(_e5568, _e5636, _e5642), vec3<f32>(select(select(select(select(_e5321, _e5378.member, _e5405), _e5457.member, _e5484), _e5536.member, _e5563), _e5615.member, _e5642), select(select(select(select(_e5322, _e5378.member_1, _e5405), _e5457.member_1, _e5484), _e5536.member_1, _e5563), _e5615.member_1, _e5642), select(select(select(select(_e5323, _e5378.member_2, _e5405), _e5457.member_2, _e5484), _e5536.member_2, _e5563), _e5615.member_2, _e5642)), select(_e5572, _e5608, _e5637), select(_e5574, _e5609, (_e5609 > _e5574)), vec3<f32>(select(select(select(select(_e5328, _e5378.member, _e5400), _e5457.member, _e5479), _e5536.member, _e5558), _e5615.member, _e5637), select(select(select(select(_e5329, _e5378.member_1, _e5400), _e5457.member_1, _e5479), _e5536.member_1, _e5558), _e5615.member_1, _e5637), select(select(select(select(_e5330, _e5378.member_2, _e5400), _e5457.member_2, _e5479), _e5536.member_2, _e5558), _e5615.member_2, _e5637)));
 }
 let _e5662 = phi_12189_;
 let _e5668 = (((_e4636 && _e5049) && !(_e5033)) && (_e5662.member_2 <= 1f));
@@ -2263,7 +2263,7 @@ phi_13937_ = _e2920;
 phi_13937_ = _e3935;
 }
 let _e6276 = phi_13937_;
-phi_14209_ = type_39(_e6276, vec3<f32>(select(_e5044, _e4649.x, _e5668), select(_e5045, _e4649.y, _e5668), select(_e5046, _e4649.z, _e5668)), vec3<f32>(_e5018, _e5019, _e5020), select((_e1387 * select(0f, _e5752, (_e5752 > 0f))), ((((sqrt(select(0f, _e5763, (_e5763 > 0f))) * select(0f, _e5862, (_e5862 > 0f))) + (sqrt(select(0f, _e5873, (_e5873 > 0f))) * select(0f, _e5990, (_e5990 > 0f)))) + (sqrt(select(0f, _e6002, (_e6002 > 0f))) * select(0f, _e6119, (_e6119 > 0f)))) + select(0f, (sqrt(select(0f, _e6131, (_e6131 > 0f))) * select(0f, _e6248, (_e6248 > 0f))), _e4636)), _e6255), select((_e408 / _e5020), (2f * (_e3609 / _e2974)), (((_e2584 && !(_e2096)) && _e3007) && !(_e3605))), select(_e3599.member_3, _e2576.member_1, vec3(_e2988)), _e5049, _e6255, (((_e2992 || _e4001) || _e5033) || _e5668));
+phi_14209_ = type_38(_e6276, vec3<f32>(select(_e5044, _e4649.x, _e5668), select(_e5045, _e4649.y, _e5668), select(_e5046, _e4649.z, _e5668)), vec3<f32>(_e5018, _e5019, _e5020), select((_e1387 * select(0f, _e5752, (_e5752 > 0f))), ((((sqrt(select(0f, _e5763, (_e5763 > 0f))) * select(0f, _e5862, (_e5862 > 0f))) + (sqrt(select(0f, _e5873, (_e5873 > 0f))) * select(0f, _e5990, (_e5990 > 0f)))) + (sqrt(select(0f, _e6002, (_e6002 > 0f))) * select(0f, _e6119, (_e6119 > 0f)))) + select(0f, (sqrt(select(0f, _e6131, (_e6131 > 0f))) * select(0f, _e6248, (_e6248 > 0f))), _e4636)), _e6255), select((_e408 / _e5020), (2f * (_e3609 / _e2974)), (((_e2584 && !(_e2096)) && _e3007) && !(_e3605))), select(_e3599.member_3, _e2576.member_1, vec3(_e2988)), _e5049, _e6255, (((_e2992 || _e4001) || _e5033) || _e5668));
 } else {
 let _e1389 = (_e989 < 1e-12f);
 let _e1391 = (1f / select(_e984, 1f, _e1389));
@@ -2298,7 +2298,7 @@ let _e1463 = select(select(1f, _e1460, (_e1460 < 1f)), 1f, _e1439);
 let _e1465 = select(_e1438, _e1413, (_e1413 < _e1438));
 let _e1469 = select(_e1431, _e1406, (_e1406 > _e1431));
 let _e1472 = (select(_e1463, _e1465, (_e1465 < _e1463)) - select(_e1456, _e1469, (_e1469 > _e1456)));
-phi_14209_ = type_39(_e1388.member, _e1388.member_1, _e1388.member_2, (_e1387 * select(0f, _e1472, (_e1472 > 0f))), _e1388.member_4, _e1388.member_5, _e1388.member_6, _e1388.member_7, _e1388.member_8);
+phi_14209_ = type_38(_e1388.member, _e1388.member_1, _e1388.member_2, (_e1387 * select(0f, _e1472, (_e1472 > 0f))), _e1388.member_4, _e1388.member_5, _e1388.member_6, _e1388.member_7, _e1388.member_8);
 }
 let _e6279 = phi_14209_;
 let _e6290 = ((((_e476.member.member * _e6279.member_1.x) + (_e476.member.member_1 * _e6279.member_1.y)) + (_e476.member.member_2 * _e6279.member_1.z)) + _e476.member_1);
@@ -2326,17 +2326,17 @@ let _e6630 = select(-1f, _e6598, (_e6598 > -1f));
 let _e6632 = select(_e566, _e6630, (_e6630 < _e566));
 let _e6639 = select(0i, select(select(i32(_e6632), i32(-2147483648), (_e6632 < -2147483600f)), 2147483647i, (_e6632 > 2147483500f)), (_e6632 == _e6632));
 let _e6643 = (_e6639 - select(0i, 1i, (_e6632 < f32(_e6639))));
-let _e6648 = global_4.member[_e375].member_6.member_7;
-let _e6653 = global_4.member[_e375].member_6.member_8;
+let _e6648 = global_3.member[_e375].member_6.member_7;
+let _e6653 = global_3.member[_e375].member_6.member_8;
 let _e6654 = (_e6613 + 1i);
 let _e6655 = (_e6628 + 1i);
 let _e6656 = (_e6643 + 1i);
-let _e6662 = global_4.member[_e375].member_6.member_11.member;
-let _e6669 = global_4.member[_e375].member_6.member_11.member_1;
+let _e6662 = global_3.member[_e375].member_6.member_11.member;
+let _e6669 = global_3.member[_e375].member_6.member_11.member_1;
 let _e6680 = ((_e6654 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6662) * ((_e6655 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6669) * (_e6656 >> bitcast<u32>(4i))))));
 let _e6682 = (bitcast<i32>(_e185) - 1i);
 let _e6684 = select(_e6682, _e6680, (_e6680 < _e6682));
-let _e6690 = global_2.member[bitcast<u32>(select(0i, _e6684, (_e6684 > 0i)))];
+let _e6690 = global_1.member[bitcast<u32>(select(0i, _e6684, (_e6684 > 0i)))];
 let _e6692 = (_e6654 & 15i);
 let _e6695 = ((_e6655 & 15i) * _e6648);
 let _e6697 = (bitcast<i32>(_e6690) + ((_e6656 & 15i) * _e6653));
@@ -2344,60 +2344,60 @@ let _e6701 = (_e6695 + _e6648);
 let _e6703 = (_e6695 + (2i * _e6648));
 let _e6704 = (_e6697 + _e6653);
 let _e6706 = (_e6697 + (2i * _e6653));
-local_24 = type_32(array<i32, 4>(_e6692, (_e6692 + 1i), (_e6692 + 2i), (_e6692 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_24 = type_28(array<i32, 4>(_e6692, (_e6692 + 1i), (_e6692 + 2i), (_e6692 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_25 = vec3<f32>((_e6590 - f32(_e6613)), (_e6594 - f32(_e6628)), (_e6598 - f32(_e6643)));
 let _e6717 = (_e6704 + _e6701);
 let _e6720 = local_24.member[1u];
 let _e6721 = (_e6717 + _e6720);
 let _e6723 = select(_e6682, _e6721, (_e6721 < _e6682));
-let _e6728 = global_2.member[bitcast<u32>(select(0i, _e6723, (_e6723 > 0i)))];
+let _e6728 = global_1.member[bitcast<u32>(select(0i, _e6723, (_e6723 > 0i)))];
 let _e6729 = bitcast<f32>(_e6728);
 let _e6732 = local_24.member[2u];
 let _e6733 = (_e6717 + _e6732);
 let _e6735 = select(_e6682, _e6733, (_e6733 < _e6682));
-let _e6740 = global_2.member[bitcast<u32>(select(0i, _e6735, (_e6735 > 0i)))];
+let _e6740 = global_1.member[bitcast<u32>(select(0i, _e6735, (_e6735 > 0i)))];
 let _e6742 = local_25[0u];
 let _e6745 = (_e6729 + ((bitcast<f32>(_e6740) - _e6729) * _e6742));
 let _e6746 = (_e6704 + _e6703);
 let _e6747 = local_24.member[1u];
 let _e6748 = (_e6746 + _e6747);
 let _e6750 = select(_e6682, _e6748, (_e6748 < _e6682));
-let _e6755 = global_2.member[bitcast<u32>(select(0i, _e6750, (_e6750 > 0i)))];
+let _e6755 = global_1.member[bitcast<u32>(select(0i, _e6750, (_e6750 > 0i)))];
 let _e6756 = bitcast<f32>(_e6755);
 let _e6757 = local_24.member[2u];
 let _e6758 = (_e6746 + _e6757);
 let _e6760 = select(_e6682, _e6758, (_e6758 < _e6682));
-let _e6765 = global_2.member[bitcast<u32>(select(0i, _e6760, (_e6760 > 0i)))];
+let _e6765 = global_1.member[bitcast<u32>(select(0i, _e6760, (_e6760 > 0i)))];
 let _e6767 = local_25[0u];
 let _e6771 = (_e6706 + _e6701);
 let _e6772 = local_24.member[1u];
 let _e6773 = (_e6771 + _e6772);
 let _e6775 = select(_e6682, _e6773, (_e6773 < _e6682));
-let _e6780 = global_2.member[bitcast<u32>(select(0i, _e6775, (_e6775 > 0i)))];
+let _e6780 = global_1.member[bitcast<u32>(select(0i, _e6775, (_e6775 > 0i)))];
 let _e6781 = bitcast<f32>(_e6780);
 let _e6782 = local_24.member[2u];
 let _e6783 = (_e6771 + _e6782);
 let _e6785 = select(_e6682, _e6783, (_e6783 < _e6682));
-let _e6790 = global_2.member[bitcast<u32>(select(0i, _e6785, (_e6785 > 0i)))];
+let _e6790 = global_1.member[bitcast<u32>(select(0i, _e6785, (_e6785 > 0i)))];
 let _e6792 = local_25[0u];
 let _e6795 = (_e6781 + ((bitcast<f32>(_e6790) - _e6781) * _e6792));
 let _e6796 = (_e6706 + _e6703);
 let _e6797 = local_24.member[1u];
 let _e6798 = (_e6796 + _e6797);
 let _e6800 = select(_e6682, _e6798, (_e6798 < _e6682));
-let _e6805 = global_2.member[bitcast<u32>(select(0i, _e6800, (_e6800 > 0i)))];
+let _e6805 = global_1.member[bitcast<u32>(select(0i, _e6800, (_e6800 > 0i)))];
 let _e6806 = bitcast<f32>(_e6805);
 let _e6807 = local_24.member[2u];
 let _e6808 = (_e6796 + _e6807);
 let _e6810 = select(_e6682, _e6808, (_e6808 < _e6682));
-let _e6815 = global_2.member[bitcast<u32>(select(0i, _e6810, (_e6810 > 0i)))];
+let _e6815 = global_1.member[bitcast<u32>(select(0i, _e6810, (_e6810 > 0i)))];
 let _e6817 = local_25[0u];
 let _e6822 = local_25[1u];
 let _e6825 = (_e6745 + (((_e6756 + ((bitcast<f32>(_e6765) - _e6756) * _e6767)) - _e6745) * _e6822));
 let _e6826 = local_25[1u];
 let _e6831 = local_25[2u];
-let _e6839 = global_4.member[_e375].member_6.member_6;
-let _e6844 = global_4.member[_e375].member_6.member_5;
+let _e6839 = global_3.member[_e375].member_6.member_6;
+let _e6844 = global_3.member[_e375].member_6.member_5;
 let _e6846 = (((_e6825 + (((_e6795 + (((_e6806 + ((bitcast<f32>(_e6815) - _e6806) * _e6817)) - _e6795) * _e6826)) - _e6825) * _e6831)) - _e6839) * _e6844);
 let _e6847 = -(1e9f);
 let _e6849 = select(_e6847, _e6846, (_e6846 > _e6847));
@@ -2419,17 +2419,17 @@ let _e6895 = select(-1f, _e6863, (_e6863 > -1f));
 let _e6897 = select(_e1214, _e6895, (_e6895 < _e1214));
 let _e6904 = select(0i, select(select(i32(_e6897), i32(-2147483648), (_e6897 < -2147483600f)), 2147483647i, (_e6897 > 2147483500f)), (_e6897 == _e6897));
 let _e6908 = (_e6904 - select(0i, 1i, (_e6897 < f32(_e6904))));
-let _e6913 = global_4.member[_e375].member_7.member_7;
-let _e6918 = global_4.member[_e375].member_7.member_8;
+let _e6913 = global_3.member[_e375].member_7.member_7;
+let _e6918 = global_3.member[_e375].member_7.member_8;
 let _e6919 = (_e6878 + 1i);
 let _e6920 = (_e6893 + 1i);
 let _e6921 = (_e6908 + 1i);
-let _e6927 = global_4.member[_e375].member_7.member_11.member;
-let _e6934 = global_4.member[_e375].member_7.member_11.member_1;
+let _e6927 = global_3.member[_e375].member_7.member_11.member;
+let _e6934 = global_3.member[_e375].member_7.member_11.member_1;
 let _e6945 = ((_e6919 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6927) * ((_e6920 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6934) * (_e6921 >> bitcast<u32>(4i))))));
 let _e6947 = (bitcast<i32>(_e188) - 1i);
 let _e6949 = select(_e6947, _e6945, (_e6945 < _e6947));
-let _e6955 = global_5.member[bitcast<u32>(select(0i, _e6949, (_e6949 > 0i)))];
+let _e6955 = global_4.member[bitcast<u32>(select(0i, _e6949, (_e6949 > 0i)))];
 let _e6957 = (_e6919 & 15i);
 let _e6960 = ((_e6920 & 15i) * _e6913);
 let _e6962 = (bitcast<i32>(_e6955) + ((_e6921 & 15i) * _e6918));
@@ -2439,28 +2439,28 @@ let _e6970 = (_e6960 + (3i * _e6913));
 let _e6971 = (_e6962 + _e6918);
 let _e6973 = (_e6962 + (2i * _e6918));
 let _e6975 = (_e6962 + (3i * _e6918));
-local_22 = type_32(array<i32, 4>(_e6957, (_e6957 + 1i), (_e6957 + 2i), (_e6957 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_28(array<i32, 4>(_e6957, (_e6957 + 1i), (_e6957 + 2i), (_e6957 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e6855 - f32(_e6878)), (_e6859 - f32(_e6893)), (_e6863 - f32(_e6908)));
 let _e6986 = (_e6971 + _e6966);
 let _e6989 = local_22.member[0u];
 let _e6990 = (_e6986 + _e6989);
 let _e6992 = select(_e6947, _e6990, (_e6990 < _e6947));
-let _e6997 = global_5.member[bitcast<u32>(select(0i, _e6992, (_e6992 > 0i)))];
+let _e6997 = global_4.member[bitcast<u32>(select(0i, _e6992, (_e6992 > 0i)))];
 let _e6998 = bitcast<f32>(_e6997);
 let _e7001 = local_22.member[1u];
 let _e7002 = (_e6986 + _e7001);
 let _e7004 = select(_e6947, _e7002, (_e7002 < _e6947));
-let _e7009 = global_5.member[bitcast<u32>(select(0i, _e7004, (_e7004 > 0i)))];
+let _e7009 = global_4.member[bitcast<u32>(select(0i, _e7004, (_e7004 > 0i)))];
 let _e7010 = bitcast<f32>(_e7009);
 let _e7013 = local_22.member[2u];
 let _e7014 = (_e6986 + _e7013);
 let _e7016 = select(_e6947, _e7014, (_e7014 < _e6947));
-let _e7021 = global_5.member[bitcast<u32>(select(0i, _e7016, (_e7016 > 0i)))];
+let _e7021 = global_4.member[bitcast<u32>(select(0i, _e7016, (_e7016 > 0i)))];
 let _e7022 = bitcast<f32>(_e7021);
 let _e7025 = local_22.member[3u];
 let _e7026 = (_e6986 + _e7025);
 let _e7028 = select(_e6947, _e7026, (_e7026 < _e6947));
-let _e7033 = global_5.member[bitcast<u32>(select(0i, _e7028, (_e7028 > 0i)))];
+let _e7033 = global_4.member[bitcast<u32>(select(0i, _e7028, (_e7028 > 0i)))];
 let _e7035 = local_23[0u];
 let _e7038 = (_e6998 + ((_e7010 - _e6998) * _e7035));
 let _e7039 = local_23[0u];
@@ -2471,22 +2471,22 @@ let _e7047 = (_e6971 + _e6968);
 let _e7048 = local_22.member[0u];
 let _e7049 = (_e7047 + _e7048);
 let _e7051 = select(_e6947, _e7049, (_e7049 < _e6947));
-let _e7056 = global_5.member[bitcast<u32>(select(0i, _e7051, (_e7051 > 0i)))];
+let _e7056 = global_4.member[bitcast<u32>(select(0i, _e7051, (_e7051 > 0i)))];
 let _e7057 = bitcast<f32>(_e7056);
 let _e7058 = local_22.member[1u];
 let _e7059 = (_e7047 + _e7058);
 let _e7061 = select(_e6947, _e7059, (_e7059 < _e6947));
-let _e7066 = global_5.member[bitcast<u32>(select(0i, _e7061, (_e7061 > 0i)))];
+let _e7066 = global_4.member[bitcast<u32>(select(0i, _e7061, (_e7061 > 0i)))];
 let _e7067 = bitcast<f32>(_e7066);
 let _e7068 = local_22.member[2u];
 let _e7069 = (_e7047 + _e7068);
 let _e7071 = select(_e6947, _e7069, (_e7069 < _e6947));
-let _e7076 = global_5.member[bitcast<u32>(select(0i, _e7071, (_e7071 > 0i)))];
+let _e7076 = global_4.member[bitcast<u32>(select(0i, _e7071, (_e7071 > 0i)))];
 let _e7077 = bitcast<f32>(_e7076);
 let _e7078 = local_22.member[3u];
 let _e7079 = (_e7047 + _e7078);
 let _e7081 = select(_e6947, _e7079, (_e7079 < _e6947));
-let _e7086 = global_5.member[bitcast<u32>(select(0i, _e7081, (_e7081 > 0i)))];
+let _e7086 = global_4.member[bitcast<u32>(select(0i, _e7081, (_e7081 > 0i)))];
 let _e7088 = local_23[0u];
 let _e7092 = local_23[0u];
 let _e7095 = (_e7067 + ((_e7077 - _e7067) * _e7092));
@@ -2495,22 +2495,22 @@ let _e7100 = (_e6973 + _e6966);
 let _e7101 = local_22.member[0u];
 let _e7102 = (_e7100 + _e7101);
 let _e7104 = select(_e6947, _e7102, (_e7102 < _e6947));
-let _e7109 = global_5.member[bitcast<u32>(select(0i, _e7104, (_e7104 > 0i)))];
+let _e7109 = global_4.member[bitcast<u32>(select(0i, _e7104, (_e7104 > 0i)))];
 let _e7110 = bitcast<f32>(_e7109);
 let _e7111 = local_22.member[1u];
 let _e7112 = (_e7100 + _e7111);
 let _e7114 = select(_e6947, _e7112, (_e7112 < _e6947));
-let _e7119 = global_5.member[bitcast<u32>(select(0i, _e7114, (_e7114 > 0i)))];
+let _e7119 = global_4.member[bitcast<u32>(select(0i, _e7114, (_e7114 > 0i)))];
 let _e7120 = bitcast<f32>(_e7119);
 let _e7121 = local_22.member[2u];
 let _e7122 = (_e7100 + _e7121);
 let _e7124 = select(_e6947, _e7122, (_e7122 < _e6947));
-let _e7129 = global_5.member[bitcast<u32>(select(0i, _e7124, (_e7124 > 0i)))];
+let _e7129 = global_4.member[bitcast<u32>(select(0i, _e7124, (_e7124 > 0i)))];
 let _e7130 = bitcast<f32>(_e7129);
 let _e7131 = local_22.member[3u];
 let _e7132 = (_e7100 + _e7131);
 let _e7134 = select(_e6947, _e7132, (_e7132 < _e6947));
-let _e7139 = global_5.member[bitcast<u32>(select(0i, _e7134, (_e7134 > 0i)))];
+let _e7139 = global_4.member[bitcast<u32>(select(0i, _e7134, (_e7134 > 0i)))];
 let _e7141 = local_23[0u];
 let _e7144 = (_e7110 + ((_e7120 - _e7110) * _e7141));
 let _e7145 = local_23[0u];
@@ -2521,22 +2521,22 @@ let _e7153 = (_e6973 + _e6968);
 let _e7154 = local_22.member[0u];
 let _e7155 = (_e7153 + _e7154);
 let _e7157 = select(_e6947, _e7155, (_e7155 < _e6947));
-let _e7162 = global_5.member[bitcast<u32>(select(0i, _e7157, (_e7157 > 0i)))];
+let _e7162 = global_4.member[bitcast<u32>(select(0i, _e7157, (_e7157 > 0i)))];
 let _e7163 = bitcast<f32>(_e7162);
 let _e7164 = local_22.member[1u];
 let _e7165 = (_e7153 + _e7164);
 let _e7167 = select(_e6947, _e7165, (_e7165 < _e6947));
-let _e7172 = global_5.member[bitcast<u32>(select(0i, _e7167, (_e7167 > 0i)))];
+let _e7172 = global_4.member[bitcast<u32>(select(0i, _e7167, (_e7167 > 0i)))];
 let _e7173 = bitcast<f32>(_e7172);
 let _e7174 = local_22.member[2u];
 let _e7175 = (_e7153 + _e7174);
 let _e7177 = select(_e6947, _e7175, (_e7175 < _e6947));
-let _e7182 = global_5.member[bitcast<u32>(select(0i, _e7177, (_e7177 > 0i)))];
+let _e7182 = global_4.member[bitcast<u32>(select(0i, _e7177, (_e7177 > 0i)))];
 let _e7183 = bitcast<f32>(_e7182);
 let _e7184 = local_22.member[3u];
 let _e7185 = (_e7153 + _e7184);
 let _e7187 = select(_e6947, _e7185, (_e7185 < _e6947));
-let _e7192 = global_5.member[bitcast<u32>(select(0i, _e7187, (_e7187 > 0i)))];
+let _e7192 = global_4.member[bitcast<u32>(select(0i, _e7187, (_e7187 > 0i)))];
 let _e7194 = local_23[0u];
 let _e7198 = local_23[0u];
 let _e7201 = (_e7173 + ((_e7183 - _e7173) * _e7198));
@@ -2545,93 +2545,93 @@ let _e7206 = (_e6971 + _e6960);
 let _e7207 = local_22.member[1u];
 let _e7208 = (_e7206 + _e7207);
 let _e7210 = select(_e6947, _e7208, (_e7208 < _e6947));
-let _e7215 = global_5.member[bitcast<u32>(select(0i, _e7210, (_e7210 > 0i)))];
+let _e7215 = global_4.member[bitcast<u32>(select(0i, _e7210, (_e7210 > 0i)))];
 let _e7216 = bitcast<f32>(_e7215);
 let _e7217 = local_22.member[2u];
 let _e7218 = (_e7206 + _e7217);
 let _e7220 = select(_e6947, _e7218, (_e7218 < _e6947));
-let _e7225 = global_5.member[bitcast<u32>(select(0i, _e7220, (_e7220 > 0i)))];
+let _e7225 = global_4.member[bitcast<u32>(select(0i, _e7220, (_e7220 > 0i)))];
 let _e7227 = local_23[0u];
 let _e7230 = (_e7216 + ((bitcast<f32>(_e7225) - _e7216) * _e7227));
 let _e7231 = (_e6971 + _e6970);
 let _e7232 = local_22.member[1u];
 let _e7233 = (_e7231 + _e7232);
 let _e7235 = select(_e6947, _e7233, (_e7233 < _e6947));
-let _e7240 = global_5.member[bitcast<u32>(select(0i, _e7235, (_e7235 > 0i)))];
+let _e7240 = global_4.member[bitcast<u32>(select(0i, _e7235, (_e7235 > 0i)))];
 let _e7241 = bitcast<f32>(_e7240);
 let _e7242 = local_22.member[2u];
 let _e7243 = (_e7231 + _e7242);
 let _e7245 = select(_e6947, _e7243, (_e7243 < _e6947));
-let _e7250 = global_5.member[bitcast<u32>(select(0i, _e7245, (_e7245 > 0i)))];
+let _e7250 = global_4.member[bitcast<u32>(select(0i, _e7245, (_e7245 > 0i)))];
 let _e7252 = local_23[0u];
 let _e7256 = (_e6973 + _e6960);
 let _e7257 = local_22.member[1u];
 let _e7258 = (_e7256 + _e7257);
 let _e7260 = select(_e6947, _e7258, (_e7258 < _e6947));
-let _e7265 = global_5.member[bitcast<u32>(select(0i, _e7260, (_e7260 > 0i)))];
+let _e7265 = global_4.member[bitcast<u32>(select(0i, _e7260, (_e7260 > 0i)))];
 let _e7266 = bitcast<f32>(_e7265);
 let _e7267 = local_22.member[2u];
 let _e7268 = (_e7256 + _e7267);
 let _e7270 = select(_e6947, _e7268, (_e7268 < _e6947));
-let _e7275 = global_5.member[bitcast<u32>(select(0i, _e7270, (_e7270 > 0i)))];
+let _e7275 = global_4.member[bitcast<u32>(select(0i, _e7270, (_e7270 > 0i)))];
 let _e7277 = local_23[0u];
 let _e7280 = (_e7266 + ((bitcast<f32>(_e7275) - _e7266) * _e7277));
 let _e7281 = (_e6973 + _e6970);
 let _e7282 = local_22.member[1u];
 let _e7283 = (_e7281 + _e7282);
 let _e7285 = select(_e6947, _e7283, (_e7283 < _e6947));
-let _e7290 = global_5.member[bitcast<u32>(select(0i, _e7285, (_e7285 > 0i)))];
+let _e7290 = global_4.member[bitcast<u32>(select(0i, _e7285, (_e7285 > 0i)))];
 let _e7291 = bitcast<f32>(_e7290);
 let _e7292 = local_22.member[2u];
 let _e7293 = (_e7281 + _e7292);
 let _e7295 = select(_e6947, _e7293, (_e7293 < _e6947));
-let _e7300 = global_5.member[bitcast<u32>(select(0i, _e7295, (_e7295 > 0i)))];
+let _e7300 = global_4.member[bitcast<u32>(select(0i, _e7295, (_e7295 > 0i)))];
 let _e7302 = local_23[0u];
 let _e7306 = (_e6962 + _e6966);
 let _e7307 = local_22.member[1u];
 let _e7308 = (_e7306 + _e7307);
 let _e7310 = select(_e6947, _e7308, (_e7308 < _e6947));
-let _e7315 = global_5.member[bitcast<u32>(select(0i, _e7310, (_e7310 > 0i)))];
+let _e7315 = global_4.member[bitcast<u32>(select(0i, _e7310, (_e7310 > 0i)))];
 let _e7316 = bitcast<f32>(_e7315);
 let _e7317 = local_22.member[2u];
 let _e7318 = (_e7306 + _e7317);
 let _e7320 = select(_e6947, _e7318, (_e7318 < _e6947));
-let _e7325 = global_5.member[bitcast<u32>(select(0i, _e7320, (_e7320 > 0i)))];
+let _e7325 = global_4.member[bitcast<u32>(select(0i, _e7320, (_e7320 > 0i)))];
 let _e7327 = local_23[0u];
 let _e7330 = (_e7316 + ((bitcast<f32>(_e7325) - _e7316) * _e7327));
 let _e7331 = (_e6975 + _e6966);
 let _e7332 = local_22.member[1u];
 let _e7333 = (_e7331 + _e7332);
 let _e7335 = select(_e6947, _e7333, (_e7333 < _e6947));
-let _e7340 = global_5.member[bitcast<u32>(select(0i, _e7335, (_e7335 > 0i)))];
+let _e7340 = global_4.member[bitcast<u32>(select(0i, _e7335, (_e7335 > 0i)))];
 let _e7341 = bitcast<f32>(_e7340);
 let _e7342 = local_22.member[2u];
 let _e7343 = (_e7331 + _e7342);
 let _e7345 = select(_e6947, _e7343, (_e7343 < _e6947));
-let _e7350 = global_5.member[bitcast<u32>(select(0i, _e7345, (_e7345 > 0i)))];
+let _e7350 = global_4.member[bitcast<u32>(select(0i, _e7345, (_e7345 > 0i)))];
 let _e7352 = local_23[0u];
 let _e7355 = (_e7341 + ((bitcast<f32>(_e7350) - _e7341) * _e7352));
 let _e7356 = (_e6962 + _e6968);
 let _e7357 = local_22.member[1u];
 let _e7358 = (_e7356 + _e7357);
 let _e7360 = select(_e6947, _e7358, (_e7358 < _e6947));
-let _e7365 = global_5.member[bitcast<u32>(select(0i, _e7360, (_e7360 > 0i)))];
+let _e7365 = global_4.member[bitcast<u32>(select(0i, _e7360, (_e7360 > 0i)))];
 let _e7366 = bitcast<f32>(_e7365);
 let _e7367 = local_22.member[2u];
 let _e7368 = (_e7356 + _e7367);
 let _e7370 = select(_e6947, _e7368, (_e7368 < _e6947));
-let _e7375 = global_5.member[bitcast<u32>(select(0i, _e7370, (_e7370 > 0i)))];
+let _e7375 = global_4.member[bitcast<u32>(select(0i, _e7370, (_e7370 > 0i)))];
 let _e7377 = local_23[0u];
 let _e7381 = (_e6975 + _e6968);
 let _e7382 = local_22.member[1u];
 let _e7383 = (_e7381 + _e7382);
 let _e7385 = select(_e6947, _e7383, (_e7383 < _e6947));
-let _e7390 = global_5.member[bitcast<u32>(select(0i, _e7385, (_e7385 > 0i)))];
+let _e7390 = global_4.member[bitcast<u32>(select(0i, _e7385, (_e7385 > 0i)))];
 let _e7391 = bitcast<f32>(_e7390);
 let _e7392 = local_22.member[2u];
 let _e7393 = (_e7381 + _e7392);
 let _e7395 = select(_e6947, _e7393, (_e7393 < _e6947));
-let _e7400 = global_5.member[bitcast<u32>(select(0i, _e7395, (_e7395 > 0i)))];
+let _e7400 = global_4.member[bitcast<u32>(select(0i, _e7395, (_e7395 > 0i)))];
 let _e7402 = local_23[0u];
 let _e7407 = local_23[1u];
 let _e7410 = (_e7042 + ((_e7095 - _e7042) * _e7407));
@@ -2659,8 +2659,8 @@ let _e7468 = local_23[2u];
 let _e7472 = local_23[1u];
 let _e7476 = local_23[2u];
 let _e7480 = local_23[2u];
-let _e7488 = global_4.member[_e375].member_7.member_6;
-let _e7493 = global_4.member[_e375].member_7.member_5;
+let _e7488 = global_3.member[_e375].member_7.member_6;
+let _e7493 = global_3.member[_e375].member_7.member_5;
 let _e7495 = (((_e7410 + ((_e7414 - _e7410) * _e7480)) - _e7488) * _e7493);
 let _e7497 = select(_e6847, _e7495, (_e7495 > _e6847));
 let _e7501 = (((_e7418 + (((_e7144 + (((_e7163 + ((_e7173 - _e7163) * _e7194)) - _e7144) * _e7419)) - _e7418) * _e7424)) - _e7488) * _e7493);
@@ -2687,50 +2687,50 @@ local_21 = _e7536;
 let _e7537 = local_21;
 let _e7539 = (bitcast<i32>(_e193) - 1i);
 let _e7541 = select(_e7539, 263197i, (263197i < _e7539));
-let _e7546 = global_3.member[bitcast<u32>(select(0i, _e7541, (_e7541 > 0i)))];
+let _e7546 = global_2.member[bitcast<u32>(select(0i, _e7541, (_e7541 > 0i)))];
 let _e7547 = bitcast<f32>(_e7546);
 let _e7549 = select(_e7539, 263198i, (263198i < _e7539));
 let _e7552 = bitcast<u32>(select(0i, _e7549, (_e7549 > 0i)));
-let _e7554 = global_3.member[_e7552];
+let _e7554 = global_2.member[_e7552];
 let _e7555 = bitcast<f32>(_e7554);
 let _e7557 = select(_e7539, 263199i, (263199i < _e7539));
-let _e7562 = global_3.member[bitcast<u32>(select(0i, _e7557, (_e7557 > 0i)))];
+let _e7562 = global_2.member[bitcast<u32>(select(0i, _e7557, (_e7557 > 0i)))];
 let _e7563 = bitcast<f32>(_e7562);
 let _e7565 = ((_e7537 - _e7547) * _e7555);
 let _e7567 = select(0f, _e7565, (_e7565 > 0f));
 let _e7570 = local_21;
 let _e7572 = select(_e7539, 263200i, (263200i < _e7539));
-let _e7577 = global_3.member[bitcast<u32>(select(0i, _e7572, (_e7572 > 0i)))];
+let _e7577 = global_2.member[bitcast<u32>(select(0i, _e7572, (_e7572 > 0i)))];
 let _e7578 = bitcast<f32>(_e7577);
 let _e7580 = select(_e7539, 263201i, (263201i < _e7539));
-let _e7585 = global_3.member[bitcast<u32>(select(0i, _e7580, (_e7580 > 0i)))];
+let _e7585 = global_2.member[bitcast<u32>(select(0i, _e7580, (_e7580 > 0i)))];
 let _e7586 = bitcast<f32>(_e7585);
 let _e7588 = select(_e7539, 263202i, (263202i < _e7539));
-let _e7593 = global_3.member[bitcast<u32>(select(0i, _e7588, (_e7588 > 0i)))];
+let _e7593 = global_2.member[bitcast<u32>(select(0i, _e7588, (_e7588 > 0i)))];
 let _e7594 = bitcast<f32>(_e7593);
 let _e7596 = ((_e7570 - _e7578) * _e7586);
 let _e7598 = select(0f, _e7596, (_e7596 > 0f));
 let _e7602 = local_21;
 let _e7604 = select(_e7539, 263203i, (263203i < _e7539));
-let _e7609 = global_3.member[bitcast<u32>(select(0i, _e7604, (_e7604 > 0i)))];
+let _e7609 = global_2.member[bitcast<u32>(select(0i, _e7604, (_e7604 > 0i)))];
 let _e7610 = bitcast<f32>(_e7609);
 let _e7612 = select(_e7539, 263204i, (263204i < _e7539));
-let _e7617 = global_3.member[bitcast<u32>(select(0i, _e7612, (_e7612 > 0i)))];
+let _e7617 = global_2.member[bitcast<u32>(select(0i, _e7612, (_e7612 > 0i)))];
 let _e7618 = bitcast<f32>(_e7617);
 let _e7620 = select(_e7539, 263205i, (263205i < _e7539));
-let _e7625 = global_3.member[bitcast<u32>(select(0i, _e7620, (_e7620 > 0i)))];
+let _e7625 = global_2.member[bitcast<u32>(select(0i, _e7620, (_e7620 > 0i)))];
 let _e7626 = bitcast<f32>(_e7625);
 let _e7628 = ((_e7602 - _e7610) * _e7618);
 let _e7630 = select(0f, _e7628, (_e7628 > 0f));
 let _e7633 = local_21;
 let _e7635 = select(_e7539, 263206i, (263206i < _e7539));
-let _e7640 = global_3.member[bitcast<u32>(select(0i, _e7635, (_e7635 > 0i)))];
+let _e7640 = global_2.member[bitcast<u32>(select(0i, _e7635, (_e7635 > 0i)))];
 let _e7641 = bitcast<f32>(_e7640);
 let _e7643 = select(_e7539, 263207i, (263207i < _e7539));
-let _e7648 = global_3.member[bitcast<u32>(select(0i, _e7643, (_e7643 > 0i)))];
+let _e7648 = global_2.member[bitcast<u32>(select(0i, _e7643, (_e7643 > 0i)))];
 let _e7649 = bitcast<f32>(_e7648);
 let _e7651 = select(_e7539, 263208i, (263208i < _e7539));
-let _e7656 = global_3.member[bitcast<u32>(select(0i, _e7651, (_e7651 > 0i)))];
+let _e7656 = global_2.member[bitcast<u32>(select(0i, _e7651, (_e7651 > 0i)))];
 let _e7657 = bitcast<f32>(_e7656);
 let _e7659 = ((_e7633 - _e7641) * _e7649);
 let _e7661 = select(0f, _e7659, (_e7659 > 0f));
@@ -2741,34 +2741,34 @@ let _e7676 = select(0i, select(select(i32(_e7669), i32(-2147483648), (_e7669 < -
 let _e7680 = (_e7676 - select(0i, 1i, (_e7669 < f32(_e7676))));
 let _e7681 = (262147i + _e7680);
 let _e7683 = select(_e7539, _e7681, (_e7681 < _e7539));
-let _e7689 = global_3.member[bitcast<u32>(select(0i, _e7683, (_e7683 > 0i)))];
+let _e7689 = global_2.member[bitcast<u32>(select(0i, _e7683, (_e7683 > 0i)))];
 let _e7699 = select(_e7539, 262146i, (262146i < _e7539));
-let _e7705 = global_3.member[bitcast<u32>(select(0i, _e7699, (_e7699 > 0i)))];
+let _e7705 = global_2.member[bitcast<u32>(select(0i, _e7699, (_e7699 > 0i)))];
 let _e7706 = bitcast<f32>(_e7705);
 let _e7707 = (f32((bitcast<i32>((_e7689 & 4095u)) - 2048i)) * _e7706);
 let _e7709 = select(_e7539, 262144i, (262144i < _e7539));
-let _e7715 = global_3.member[bitcast<u32>(select(0i, _e7709, (_e7709 > 0i)))];
+let _e7715 = global_2.member[bitcast<u32>(select(0i, _e7709, (_e7709 > 0i)))];
 let _e7716 = bitcast<f32>(_e7715);
 let _e7718 = select(_e7539, 262145i, (262145i < _e7539));
-let _e7724 = global_3.member[bitcast<u32>(select(0i, _e7718, (_e7718 > 0i)))];
+let _e7724 = global_2.member[bitcast<u32>(select(0i, _e7718, (_e7718 > 0i)))];
 let _e7725 = bitcast<f32>(_e7724);
 let _e7731 = ((_e7716 + (f32(bitcast<i32>((_e7689 >> bitcast<u32>(12u)))) * _e7725)) + (_e7707 * (_e7665 - f32(_e7680))));
-let _e7734 = global_3.member[_e7552];
+let _e7734 = global_2.member[_e7552];
 let _e7736 = local_20;
 let _e7739 = local_20;
 let _e7742 = local_20;
 let _e7746 = select(_e7539, 263209i, (263209i < _e7539));
-let _e7752 = global_3.member[bitcast<u32>(select(0i, _e7746, (_e7746 > 0i)))];
+let _e7752 = global_2.member[bitcast<u32>(select(0i, _e7746, (_e7746 > 0i)))];
 let _e7754 = local_20;
 let _e7757 = select(_e7539, 263210i, (263210i < _e7539));
-let _e7763 = global_3.member[bitcast<u32>(select(0i, _e7757, (_e7757 > 0i)))];
+let _e7763 = global_2.member[bitcast<u32>(select(0i, _e7757, (_e7757 > 0i)))];
 let _e7765 = local_20;
 let _e7769 = (_e7707 * select(0f, select(select(select(bitcast<f32>(_e7734), _e7586, (_e7736 >= _e7578)), _e7618, (_e7739 >= _e7610)), _e7649, (_e7742 >= _e7641)), ((_e7754 >= bitcast<f32>(_e7752)) && (_e7765 <= bitcast<f32>(_e7763)))));
 if _e589 {
 let _e8220 = ((0.5f * (_e7511 - _e7505)) * _e7769);
 let _e8221 = ((0.5f * (_e7523 - _e7517)) * _e7769);
 let _e8222 = ((0.5f * (_e7535 - _e7529)) * _e7769);
-phi_20654_ = type_33(_e7731, vec3<f32>(_e8220, _e8221, _e8222), vec3<f32>((_e8220 * _e7731), (_e8221 * _e7731), (_e8222 * _e7731)));
+phi_20654_ = type_32(_e7731, vec3<f32>(_e8220, _e8221, _e8222), vec3<f32>((_e8220 * _e7731), (_e8221 * _e7731), (_e8222 * _e7731)));
 } else {
 local_18 = _e7505;
 let _e7770 = local_18;
@@ -2792,7 +2792,7 @@ let _e7812 = select(0i, select(select(i32(_e7805), i32(-2147483648), (_e7805 < -
 let _e7816 = (_e7812 - select(0i, 1i, (_e7805 < f32(_e7812))));
 let _e7817 = (262147i + _e7816);
 let _e7819 = select(_e7539, _e7817, (_e7817 < _e7539));
-let _e7825 = global_3.member[bitcast<u32>(select(0i, _e7819, (_e7819 > 0i)))];
+let _e7825 = global_2.member[bitcast<u32>(select(0i, _e7819, (_e7819 > 0i)))];
 let _e7840 = ((_e7716 + (f32(bitcast<i32>((_e7825 >> bitcast<u32>(12u)))) * _e7725)) + ((f32((bitcast<i32>((_e7825 & 4095u)) - 2048i)) * _e7706) * (_e7801 - f32(_e7816))));
 local_16 = _e7511;
 let _e7841 = local_16;
@@ -2816,7 +2816,7 @@ let _e7883 = select(0i, select(select(i32(_e7876), i32(-2147483648), (_e7876 < -
 let _e7887 = (_e7883 - select(0i, 1i, (_e7876 < f32(_e7883))));
 let _e7888 = (262147i + _e7887);
 let _e7890 = select(_e7539, _e7888, (_e7888 < _e7539));
-let _e7896 = global_3.member[bitcast<u32>(select(0i, _e7890, (_e7890 > 0i)))];
+let _e7896 = global_2.member[bitcast<u32>(select(0i, _e7890, (_e7890 > 0i)))];
 let _e7911 = ((_e7716 + (f32(bitcast<i32>((_e7896 >> bitcast<u32>(12u)))) * _e7725)) + ((f32((bitcast<i32>((_e7896 & 4095u)) - 2048i)) * _e7706) * (_e7872 - f32(_e7887))));
 local_14 = _e7517;
 let _e7912 = local_14;
@@ -2840,7 +2840,7 @@ let _e7954 = select(0i, select(select(i32(_e7947), i32(-2147483648), (_e7947 < -
 let _e7958 = (_e7954 - select(0i, 1i, (_e7947 < f32(_e7954))));
 let _e7959 = (262147i + _e7958);
 let _e7961 = select(_e7539, _e7959, (_e7959 < _e7539));
-let _e7967 = global_3.member[bitcast<u32>(select(0i, _e7961, (_e7961 > 0i)))];
+let _e7967 = global_2.member[bitcast<u32>(select(0i, _e7961, (_e7961 > 0i)))];
 let _e7982 = ((_e7716 + (f32(bitcast<i32>((_e7967 >> bitcast<u32>(12u)))) * _e7725)) + ((f32((bitcast<i32>((_e7967 & 4095u)) - 2048i)) * _e7706) * (_e7943 - f32(_e7958))));
 local_12 = _e7523;
 let _e7983 = local_12;
@@ -2864,7 +2864,7 @@ let _e8025 = select(0i, select(select(i32(_e8018), i32(-2147483648), (_e8018 < -
 let _e8029 = (_e8025 - select(0i, 1i, (_e8018 < f32(_e8025))));
 let _e8030 = (262147i + _e8029);
 let _e8032 = select(_e7539, _e8030, (_e8030 < _e7539));
-let _e8038 = global_3.member[bitcast<u32>(select(0i, _e8032, (_e8032 > 0i)))];
+let _e8038 = global_2.member[bitcast<u32>(select(0i, _e8032, (_e8032 > 0i)))];
 let _e8053 = ((_e7716 + (f32(bitcast<i32>((_e8038 >> bitcast<u32>(12u)))) * _e7725)) + ((f32((bitcast<i32>((_e8038 & 4095u)) - 2048i)) * _e7706) * (_e8014 - f32(_e8029))));
 local_10 = _e7529;
 let _e8054 = local_10;
@@ -2888,7 +2888,7 @@ let _e8096 = select(0i, select(select(i32(_e8089), i32(-2147483648), (_e8089 < -
 let _e8100 = (_e8096 - select(0i, 1i, (_e8089 < f32(_e8096))));
 let _e8101 = (262147i + _e8100);
 let _e8103 = select(_e7539, _e8101, (_e8101 < _e7539));
-let _e8109 = global_3.member[bitcast<u32>(select(0i, _e8103, (_e8103 > 0i)))];
+let _e8109 = global_2.member[bitcast<u32>(select(0i, _e8103, (_e8103 > 0i)))];
 let _e8124 = ((_e7716 + (f32(bitcast<i32>((_e8109 >> bitcast<u32>(12u)))) * _e7725)) + ((f32((bitcast<i32>((_e8109 & 4095u)) - 2048i)) * _e7706) * (_e8085 - f32(_e8100))));
 local_8 = _e7535;
 let _e8125 = local_8;
@@ -2912,28 +2912,28 @@ let _e8167 = select(0i, select(select(i32(_e8160), i32(-2147483648), (_e8160 < -
 let _e8171 = (_e8167 - select(0i, 1i, (_e8160 < f32(_e8167))));
 let _e8172 = (262147i + _e8171);
 let _e8174 = select(_e7539, _e8172, (_e8172 < _e7539));
-let _e8180 = global_3.member[bitcast<u32>(select(0i, _e8174, (_e8174 > 0i)))];
+let _e8180 = global_2.member[bitcast<u32>(select(0i, _e8174, (_e8174 > 0i)))];
 let _e8195 = ((_e7716 + (f32(bitcast<i32>((_e8180 >> bitcast<u32>(12u)))) * _e7725)) + ((f32((bitcast<i32>((_e8180 & 4095u)) - 2048i)) * _e7706) * (_e8156 - f32(_e8171))));
 let _e8196 = (_e7911 - _e7840);
 let _e8198 = (_e8053 - _e7982);
 let _e8200 = (_e8195 - _e8124);
-phi_20654_ = type_33(_e7731, vec3<f32>((0.5f * _e8196), (0.5f * _e8198), (0.5f * _e8200)), vec3<f32>((0.25f * (_e8196 * (_e7911 + _e7840))), (0.25f * (_e8198 * (_e8053 + _e7982))), (0.25f * (_e8200 * (_e8195 + _e8124)))));
+phi_20654_ = type_32(_e7731, vec3<f32>((0.5f * _e8196), (0.5f * _e8198), (0.5f * _e8200)), vec3<f32>((0.25f * (_e8196 * (_e7911 + _e7840))), (0.25f * (_e8198 * (_e8053 + _e7982))), (0.25f * (_e8200 * (_e8195 + _e8124)))));
 }
 let _e8230 = phi_20654_;
 let _e8245 = select(0f, 1f, ((((((_e6308 >= -0.5f) && (_e6308 <= _e1193)) && (_e6314 >= -0.5f)) && (_e6314 <= _e1204)) && (_e6320 >= -0.5f)) && (_e6320 <= _e1215)));
 let _e8247 = (0.5f * (_e7511 - _e7505));
 let _e8249 = (0.5f * (_e7523 - _e7517));
 let _e8251 = (0.5f * (_e7535 - _e7529));
-let _e8258 = global_4.member[_e375].member_7.member.member.member;
-let _e8265 = global_4.member[_e375].member_7.member.member.member_1;
-let _e8272 = global_4.member[_e375].member_7.member.member.member_2;
-let _e8279 = global_4.member[_e375].member_7.member_1.member.member;
-let _e8286 = global_4.member[_e375].member_7.member_1.member.member_1;
-let _e8293 = global_4.member[_e375].member_7.member_1.member.member_2;
-let _e8300 = global_4.member[_e375].member_7.member_2.member.member;
-let _e8307 = global_4.member[_e375].member_7.member_2.member.member_1;
-let _e8314 = global_4.member[_e375].member_7.member_2.member.member_2;
-phi_21264_ = type_34(select(1e9f, _e6849, (_e6849 < 1e9f)), vec3<f32>(((((_e8258 * _e8247) + (_e8279 * _e8249)) + (_e8300 * _e8251)) * _e8245), ((((_e8265 * _e8247) + (_e8286 * _e8249)) + (_e8307 * _e8251)) * _e8245), ((((_e8272 * _e8247) + (_e8293 * _e8249)) + (_e8314 * _e8251)) * _e8245)), _e8230.member, vec3<f32>(((((_e8258 * _e8230.member_2.x) + (_e8279 * _e8230.member_2.y)) + (_e8300 * _e8230.member_2.z)) * _e8245), ((((_e8265 * _e8230.member_2.x) + (_e8286 * _e8230.member_2.y)) + (_e8307 * _e8230.member_2.z)) * _e8245), ((((_e8272 * _e8230.member_2.x) + (_e8293 * _e8230.member_2.y)) + (_e8314 * _e8230.member_2.z)) * _e8245)), vec3<f32>(((((_e8258 * _e8230.member_1.x) + (_e8279 * _e8230.member_1.y)) + (_e8300 * _e8230.member_1.z)) * _e8245), ((((_e8265 * _e8230.member_1.x) + (_e8286 * _e8230.member_1.y)) + (_e8307 * _e8230.member_1.z)) * _e8245), ((((_e8272 * _e8230.member_1.x) + (_e8293 * _e8230.member_1.y)) + (_e8314 * _e8230.member_1.z)) * _e8245)));
+let _e8258 = global_3.member[_e375].member_7.member.member.member;
+let _e8265 = global_3.member[_e375].member_7.member.member.member_1;
+let _e8272 = global_3.member[_e375].member_7.member.member.member_2;
+let _e8279 = global_3.member[_e375].member_7.member_1.member.member;
+let _e8286 = global_3.member[_e375].member_7.member_1.member.member_1;
+let _e8293 = global_3.member[_e375].member_7.member_1.member.member_2;
+let _e8300 = global_3.member[_e375].member_7.member_2.member.member;
+let _e8307 = global_3.member[_e375].member_7.member_2.member.member_1;
+let _e8314 = global_3.member[_e375].member_7.member_2.member.member_2;
+phi_21264_ = type_33(select(1e9f, _e6849, (_e6849 < 1e9f)), vec3<f32>(((((_e8258 * _e8247) + (_e8279 * _e8249)) + (_e8300 * _e8251)) * _e8245), ((((_e8265 * _e8247) + (_e8286 * _e8249)) + (_e8307 * _e8251)) * _e8245), ((((_e8272 * _e8247) + (_e8293 * _e8249)) + (_e8314 * _e8251)) * _e8245)), _e8230.member, vec3<f32>(((((_e8258 * _e8230.member_2.x) + (_e8279 * _e8230.member_2.y)) + (_e8300 * _e8230.member_2.z)) * _e8245), ((((_e8265 * _e8230.member_2.x) + (_e8286 * _e8230.member_2.y)) + (_e8307 * _e8230.member_2.z)) * _e8245), ((((_e8272 * _e8230.member_2.x) + (_e8293 * _e8230.member_2.y)) + (_e8314 * _e8230.member_2.z)) * _e8245)), vec3<f32>(((((_e8258 * _e8230.member_1.x) + (_e8279 * _e8230.member_1.y)) + (_e8300 * _e8230.member_1.z)) * _e8245), ((((_e8265 * _e8230.member_1.x) + (_e8286 * _e8230.member_1.y)) + (_e8307 * _e8230.member_1.z)) * _e8245), ((((_e8272 * _e8230.member_1.x) + (_e8293 * _e8230.member_1.y)) + (_e8314 * _e8230.member_1.z)) * _e8245)));
 } else {
 let _e6322 = select(-0.5f, _e6290, (_e6290 > -0.5f));
 let _e6324 = select(_e969, _e6322, (_e6322 < _e969));
@@ -2953,17 +2953,17 @@ let _e6364 = select(-1f, _e6332, (_e6332 > -1f));
 let _e6366 = select(_e566, _e6364, (_e6364 < _e566));
 let _e6373 = select(0i, select(select(i32(_e6366), i32(-2147483648), (_e6366 < -2147483600f)), 2147483647i, (_e6366 > 2147483500f)), (_e6366 == _e6366));
 let _e6377 = (_e6373 - select(0i, 1i, (_e6366 < f32(_e6373))));
-let _e6382 = global_4.member[_e375].member_6.member_7;
-let _e6387 = global_4.member[_e375].member_6.member_8;
+let _e6382 = global_3.member[_e375].member_6.member_7;
+let _e6387 = global_3.member[_e375].member_6.member_8;
 let _e6388 = (_e6347 + 1i);
 let _e6389 = (_e6362 + 1i);
 let _e6390 = (_e6377 + 1i);
-let _e6396 = global_4.member[_e375].member_6.member_11.member;
-let _e6403 = global_4.member[_e375].member_6.member_11.member_1;
+let _e6396 = global_3.member[_e375].member_6.member_11.member;
+let _e6403 = global_3.member[_e375].member_6.member_11.member_1;
 let _e6414 = ((_e6388 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6396) * ((_e6389 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6403) * (_e6390 >> bitcast<u32>(4i))))));
 let _e6416 = (bitcast<i32>(_e185) - 1i);
 let _e6418 = select(_e6416, _e6414, (_e6414 < _e6416));
-let _e6424 = global_2.member[bitcast<u32>(select(0i, _e6418, (_e6418 > 0i)))];
+let _e6424 = global_1.member[bitcast<u32>(select(0i, _e6418, (_e6418 > 0i)))];
 let _e6426 = (_e6388 & 15i);
 let _e6429 = ((_e6389 & 15i) * _e6382);
 let _e6431 = (bitcast<i32>(_e6424) + ((_e6390 & 15i) * _e6387));
@@ -2971,30 +2971,30 @@ let _e6435 = (_e6429 + _e6382);
 let _e6437 = (_e6429 + (2i * _e6382));
 let _e6438 = (_e6431 + _e6387);
 let _e6440 = (_e6431 + (2i * _e6387));
-local_6 = type_32(array<i32, 4>(_e6426, (_e6426 + 1i), (_e6426 + 2i), (_e6426 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_28(array<i32, 4>(_e6426, (_e6426 + 1i), (_e6426 + 2i), (_e6426 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e6324 - f32(_e6347)), (_e6328 - f32(_e6362)), (_e6332 - f32(_e6377)));
 let _e6451 = (_e6438 + _e6435);
 let _e6454 = local_6.member[1u];
 let _e6455 = (_e6451 + _e6454);
 let _e6457 = select(_e6416, _e6455, (_e6455 < _e6416));
-let _e6462 = global_2.member[bitcast<u32>(select(0i, _e6457, (_e6457 > 0i)))];
+let _e6462 = global_1.member[bitcast<u32>(select(0i, _e6457, (_e6457 > 0i)))];
 let _e6463 = bitcast<f32>(_e6462);
 let _e6466 = local_6.member[2u];
 let _e6467 = (_e6451 + _e6466);
 let _e6469 = select(_e6416, _e6467, (_e6467 < _e6416));
-let _e6474 = global_2.member[bitcast<u32>(select(0i, _e6469, (_e6469 > 0i)))];
+let _e6474 = global_1.member[bitcast<u32>(select(0i, _e6469, (_e6469 > 0i)))];
 let _e6476 = local_7[0u];
 let _e6479 = (_e6463 + ((bitcast<f32>(_e6474) - _e6463) * _e6476));
 let _e6480 = (_e6438 + _e6437);
 let _e6481 = local_6.member[1u];
 let _e6482 = (_e6480 + _e6481);
 let _e6484 = select(_e6416, _e6482, (_e6482 < _e6416));
-let _e6489 = global_2.member[bitcast<u32>(select(0i, _e6484, (_e6484 > 0i)))];
+let _e6489 = global_1.member[bitcast<u32>(select(0i, _e6484, (_e6484 > 0i)))];
 let _e6490 = bitcast<f32>(_e6489);
 let _e6491 = local_6.member[2u];
 let _e6492 = (_e6480 + _e6491);
 let _e6494 = select(_e6416, _e6492, (_e6492 < _e6416));
-let _e6499 = global_2.member[bitcast<u32>(select(0i, _e6494, (_e6494 > 0i)))];
+let _e6499 = global_1.member[bitcast<u32>(select(0i, _e6494, (_e6494 > 0i)))];
 let _e6501 = local_7[0u];
 let _e6506 = local_7[1u];
 let _e6509 = (_e6479 + (((_e6490 + ((bitcast<f32>(_e6499) - _e6490) * _e6501)) - _e6479) * _e6506));
@@ -3002,33 +3002,33 @@ let _e6510 = (_e6440 + _e6435);
 let _e6511 = local_6.member[1u];
 let _e6512 = (_e6510 + _e6511);
 let _e6514 = select(_e6416, _e6512, (_e6512 < _e6416));
-let _e6519 = global_2.member[bitcast<u32>(select(0i, _e6514, (_e6514 > 0i)))];
+let _e6519 = global_1.member[bitcast<u32>(select(0i, _e6514, (_e6514 > 0i)))];
 let _e6520 = bitcast<f32>(_e6519);
 let _e6521 = local_6.member[2u];
 let _e6522 = (_e6510 + _e6521);
 let _e6524 = select(_e6416, _e6522, (_e6522 < _e6416));
-let _e6529 = global_2.member[bitcast<u32>(select(0i, _e6524, (_e6524 > 0i)))];
+let _e6529 = global_1.member[bitcast<u32>(select(0i, _e6524, (_e6524 > 0i)))];
 let _e6531 = local_7[0u];
 let _e6534 = (_e6520 + ((bitcast<f32>(_e6529) - _e6520) * _e6531));
 let _e6535 = (_e6440 + _e6437);
 let _e6536 = local_6.member[1u];
 let _e6537 = (_e6535 + _e6536);
 let _e6539 = select(_e6416, _e6537, (_e6537 < _e6416));
-let _e6544 = global_2.member[bitcast<u32>(select(0i, _e6539, (_e6539 > 0i)))];
+let _e6544 = global_1.member[bitcast<u32>(select(0i, _e6539, (_e6539 > 0i)))];
 let _e6545 = bitcast<f32>(_e6544);
 let _e6546 = local_6.member[2u];
 let _e6547 = (_e6535 + _e6546);
 let _e6549 = select(_e6416, _e6547, (_e6547 < _e6416));
-let _e6554 = global_2.member[bitcast<u32>(select(0i, _e6549, (_e6549 > 0i)))];
+let _e6554 = global_1.member[bitcast<u32>(select(0i, _e6549, (_e6549 > 0i)))];
 let _e6556 = local_7[0u];
 let _e6560 = local_7[1u];
 let _e6565 = local_7[2u];
-let _e6573 = global_4.member[_e375].member_6.member_6;
-let _e6578 = global_4.member[_e375].member_6.member_5;
+let _e6573 = global_3.member[_e375].member_6.member_6;
+let _e6578 = global_3.member[_e375].member_6.member_5;
 let _e6580 = (((_e6509 + (((_e6534 + (((_e6545 + ((bitcast<f32>(_e6554) - _e6545) * _e6556)) - _e6534) * _e6560)) - _e6509) * _e6565)) - _e6573) * _e6578);
 let _e6581 = -(1e9f);
 let _e6583 = select(_e6581, _e6580, (_e6580 > _e6581));
-phi_21264_ = type_34(select(1e9f, _e6583, (_e6583 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21264_ = type_33(select(1e9f, _e6583, (_e6583 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8380 = phi_21264_;
 let _e8382 = select(-0.5f, _e487, (_e487 > -0.5f));
@@ -3049,17 +3049,17 @@ let _e8424 = select(-1f, _e8392, (_e8392 > -1f));
 let _e8426 = select(_e566, _e8424, (_e8424 < _e566));
 let _e8433 = select(0i, select(select(i32(_e8426), i32(-2147483648), (_e8426 < -2147483600f)), 2147483647i, (_e8426 > 2147483500f)), (_e8426 == _e8426));
 let _e8437 = (_e8433 - select(0i, 1i, (_e8426 < f32(_e8433))));
-let _e8442 = global_4.member[_e375].member_6.member_7;
-let _e8447 = global_4.member[_e375].member_6.member_8;
+let _e8442 = global_3.member[_e375].member_6.member_7;
+let _e8447 = global_3.member[_e375].member_6.member_8;
 let _e8448 = (_e8407 + 1i);
 let _e8449 = (_e8422 + 1i);
 let _e8450 = (_e8437 + 1i);
-let _e8456 = global_4.member[_e375].member_6.member_11.member;
-let _e8463 = global_4.member[_e375].member_6.member_11.member_1;
+let _e8456 = global_3.member[_e375].member_6.member_11.member;
+let _e8463 = global_3.member[_e375].member_6.member_11.member_1;
 let _e8474 = ((_e8448 >> bitcast<u32>(4i)) + (bitcast<i32>(_e8456) * ((_e8449 >> bitcast<u32>(4i)) + (bitcast<i32>(_e8463) * (_e8450 >> bitcast<u32>(4i))))));
 let _e8476 = (bitcast<i32>(_e185) - 1i);
 let _e8478 = select(_e8476, _e8474, (_e8474 < _e8476));
-let _e8484 = global_2.member[bitcast<u32>(select(0i, _e8478, (_e8478 > 0i)))];
+let _e8484 = global_1.member[bitcast<u32>(select(0i, _e8478, (_e8478 > 0i)))];
 let _e8486 = (_e8448 & 15i);
 let _e8489 = ((_e8449 & 15i) * _e8442);
 let _e8491 = (bitcast<i32>(_e8484) + ((_e8450 & 15i) * _e8447));
@@ -3067,30 +3067,30 @@ let _e8495 = (_e8489 + _e8442);
 let _e8497 = (_e8489 + (2i * _e8442));
 let _e8498 = (_e8491 + _e8447);
 let _e8500 = (_e8491 + (2i * _e8447));
-local_4 = type_32(array<i32, 4>(_e8486, (_e8486 + 1i), (_e8486 + 2i), (_e8486 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_28(array<i32, 4>(_e8486, (_e8486 + 1i), (_e8486 + 2i), (_e8486 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e8384 - f32(_e8407)), (_e8388 - f32(_e8422)), (_e8392 - f32(_e8437)));
 let _e8511 = (_e8498 + _e8495);
 let _e8514 = local_4.member[1u];
 let _e8515 = (_e8511 + _e8514);
 let _e8517 = select(_e8476, _e8515, (_e8515 < _e8476));
-let _e8522 = global_2.member[bitcast<u32>(select(0i, _e8517, (_e8517 > 0i)))];
+let _e8522 = global_1.member[bitcast<u32>(select(0i, _e8517, (_e8517 > 0i)))];
 let _e8523 = bitcast<f32>(_e8522);
 let _e8526 = local_4.member[2u];
 let _e8527 = (_e8511 + _e8526);
 let _e8529 = select(_e8476, _e8527, (_e8527 < _e8476));
-let _e8534 = global_2.member[bitcast<u32>(select(0i, _e8529, (_e8529 > 0i)))];
+let _e8534 = global_1.member[bitcast<u32>(select(0i, _e8529, (_e8529 > 0i)))];
 let _e8536 = local_5[0u];
 let _e8539 = (_e8523 + ((bitcast<f32>(_e8534) - _e8523) * _e8536));
 let _e8540 = (_e8498 + _e8497);
 let _e8541 = local_4.member[1u];
 let _e8542 = (_e8540 + _e8541);
 let _e8544 = select(_e8476, _e8542, (_e8542 < _e8476));
-let _e8549 = global_2.member[bitcast<u32>(select(0i, _e8544, (_e8544 > 0i)))];
+let _e8549 = global_1.member[bitcast<u32>(select(0i, _e8544, (_e8544 > 0i)))];
 let _e8550 = bitcast<f32>(_e8549);
 let _e8551 = local_4.member[2u];
 let _e8552 = (_e8540 + _e8551);
 let _e8554 = select(_e8476, _e8552, (_e8552 < _e8476));
-let _e8559 = global_2.member[bitcast<u32>(select(0i, _e8554, (_e8554 > 0i)))];
+let _e8559 = global_1.member[bitcast<u32>(select(0i, _e8554, (_e8554 > 0i)))];
 let _e8561 = local_5[0u];
 let _e8566 = local_5[1u];
 let _e8569 = (_e8539 + (((_e8550 + ((bitcast<f32>(_e8559) - _e8550) * _e8561)) - _e8539) * _e8566));
@@ -3098,38 +3098,38 @@ let _e8570 = (_e8500 + _e8495);
 let _e8571 = local_4.member[1u];
 let _e8572 = (_e8570 + _e8571);
 let _e8574 = select(_e8476, _e8572, (_e8572 < _e8476));
-let _e8579 = global_2.member[bitcast<u32>(select(0i, _e8574, (_e8574 > 0i)))];
+let _e8579 = global_1.member[bitcast<u32>(select(0i, _e8574, (_e8574 > 0i)))];
 let _e8580 = bitcast<f32>(_e8579);
 let _e8581 = local_4.member[2u];
 let _e8582 = (_e8570 + _e8581);
 let _e8584 = select(_e8476, _e8582, (_e8582 < _e8476));
-let _e8589 = global_2.member[bitcast<u32>(select(0i, _e8584, (_e8584 > 0i)))];
+let _e8589 = global_1.member[bitcast<u32>(select(0i, _e8584, (_e8584 > 0i)))];
 let _e8591 = local_5[0u];
 let _e8594 = (_e8580 + ((bitcast<f32>(_e8589) - _e8580) * _e8591));
 let _e8595 = (_e8500 + _e8497);
 let _e8596 = local_4.member[1u];
 let _e8597 = (_e8595 + _e8596);
 let _e8599 = select(_e8476, _e8597, (_e8597 < _e8476));
-let _e8604 = global_2.member[bitcast<u32>(select(0i, _e8599, (_e8599 > 0i)))];
+let _e8604 = global_1.member[bitcast<u32>(select(0i, _e8599, (_e8599 > 0i)))];
 let _e8605 = bitcast<f32>(_e8604);
 let _e8606 = local_4.member[2u];
 let _e8607 = (_e8595 + _e8606);
 let _e8609 = select(_e8476, _e8607, (_e8607 < _e8476));
-let _e8614 = global_2.member[bitcast<u32>(select(0i, _e8609, (_e8609 > 0i)))];
+let _e8614 = global_1.member[bitcast<u32>(select(0i, _e8609, (_e8609 > 0i)))];
 let _e8616 = local_5[0u];
 let _e8620 = local_5[1u];
 let _e8625 = local_5[2u];
-let _e8633 = global_4.member[_e375].member_6.member_6;
-let _e8638 = global_4.member[_e375].member_6.member_5;
+let _e8633 = global_3.member[_e375].member_6.member_6;
+let _e8638 = global_3.member[_e375].member_6.member_5;
 let _e8640 = (((_e8569 + (((_e8594 + (((_e8605 + ((bitcast<f32>(_e8614) - _e8605) * _e8616)) - _e8594) * _e8620)) - _e8569) * _e8625)) - _e8633) * _e8638);
 let _e8641 = -(1e9f);
 let _e8643 = select(_e8641, _e8640, (_e8640 > _e8641));
 let _e8645 = select(1e9f, _e8643, (_e8643 < 1e9f));
 let _e8647 = ((_e1356 & 16u) == 0u);
 if _e8647 {
-phi_22085_ = type_5(1f, 1f, 1f);
+phi_22085_ = type_7(1f, 1f, 1f);
 } else {
-let _e8652 = global_4.member[_e375].member_14.member;
+let _e8652 = global_3.member[_e375].member_14.member;
 let _e8663 = ((((_e8652.member.member * _e401) + (_e8652.member.member_1 * _e403)) + (_e8652.member.member_2 * _e397)) + _e8652.member_1);
 let _e8669 = ((((_e8652.member.member * _e6279.member_1.x) + (_e8652.member.member_1 * _e6279.member_1.y)) + (_e8652.member.member_2 * _e6279.member_1.z)) + _e8652.member_1);
 let _e8671 = select(_e8669, _e8663, (_e8663 < _e8669));
@@ -3138,9 +3138,9 @@ let _e8675 = (_e8673 - _e8671);
 let _e8678 = (-(_e8671) / select(1e-30f, _e8675, (_e8675 > 1e-30f)));
 let _e8680 = select(0f, _e8678, (_e8678 > 0f));
 let _e8686 = select(select(select(1f, _e8680, (_e8680 < 1f)), 1f, (_e8673 <= 0f)), 0f, (_e8671 > 0f));
-let _e8692 = global_4.member[_e375].member_14.member_1;
+let _e8692 = global_3.member[_e375].member_14.member_1;
 let _e8693 = (_e8692 != 0u);
-let _e8704 = global_4.member[_e375].member_15.member;
+let _e8704 = global_3.member[_e375].member_15.member;
 let _e8715 = ((((_e8704.member.member * _e401) + (_e8704.member.member_1 * _e403)) + (_e8704.member.member_2 * _e397)) + _e8704.member_1);
 let _e8721 = ((((_e8704.member.member * _e6279.member_1.x) + (_e8704.member.member_1 * _e6279.member_1.y)) + (_e8704.member.member_2 * _e6279.member_1.z)) + _e8704.member_1);
 let _e8723 = select(_e8721, _e8715, (_e8715 < _e8721));
@@ -3149,9 +3149,9 @@ let _e8727 = (_e8725 - _e8723);
 let _e8730 = (-(_e8723) / select(1e-30f, _e8727, (_e8727 > 1e-30f)));
 let _e8732 = select(0f, _e8730, (_e8730 > 0f));
 let _e8738 = select(select(select(1f, _e8732, (_e8732 < 1f)), 1f, (_e8725 <= 0f)), 0f, (_e8723 > 0f));
-let _e8744 = global_4.member[_e375].member_15.member_1;
+let _e8744 = global_3.member[_e375].member_15.member_1;
 let _e8745 = (_e8744 != 0u);
-let _e8756 = global_4.member[_e375].member_16.member;
+let _e8756 = global_3.member[_e375].member_16.member;
 let _e8767 = ((((_e8756.member.member * _e401) + (_e8756.member.member_1 * _e403)) + (_e8756.member.member_2 * _e397)) + _e8756.member_1);
 let _e8773 = ((((_e8756.member.member * _e6279.member_1.x) + (_e8756.member.member_1 * _e6279.member_1.y)) + (_e8756.member.member_2 * _e6279.member_1.z)) + _e8756.member_1);
 let _e8775 = select(_e8773, _e8767, (_e8767 < _e8773));
@@ -3160,9 +3160,9 @@ let _e8779 = (_e8777 - _e8775);
 let _e8782 = (-(_e8775) / select(1e-30f, _e8779, (_e8779 > 1e-30f)));
 let _e8784 = select(0f, _e8782, (_e8782 > 0f));
 let _e8790 = select(select(select(1f, _e8784, (_e8784 < 1f)), 1f, (_e8777 <= 0f)), 0f, (_e8775 > 0f));
-let _e8796 = global_4.member[_e375].member_16.member_1;
+let _e8796 = global_3.member[_e375].member_16.member_1;
 let _e8797 = (_e8796 != 0u);
-let _e8808 = global_4.member[_e375].member_17.member;
+let _e8808 = global_3.member[_e375].member_17.member;
 let _e8819 = ((((_e8808.member.member * _e401) + (_e8808.member.member_1 * _e403)) + (_e8808.member.member_2 * _e397)) + _e8808.member_1);
 let _e8825 = ((((_e8808.member.member * _e6279.member_1.x) + (_e8808.member.member_1 * _e6279.member_1.y)) + (_e8808.member.member_2 * _e6279.member_1.z)) + _e8808.member_1);
 let _e8827 = select(_e8825, _e8819, (_e8819 < _e8825));
@@ -3171,109 +3171,109 @@ let _e8831 = (_e8829 - _e8827);
 let _e8834 = (-(_e8827) / select(1e-30f, _e8831, (_e8831 > 1e-30f)));
 let _e8836 = select(0f, _e8834, (_e8834 > 0f));
 let _e8842 = select(select(select(1f, _e8836, (_e8836 < 1f)), 1f, (_e8829 <= 0f)), 0f, (_e8827 > 0f));
-let _e8848 = global_4.member[_e375].member_17.member_1;
+let _e8848 = global_3.member[_e375].member_17.member_1;
 let _e8849 = (_e8848 != 0u);
-phi_22085_ = type_5(((((1f * _e8686) * _e8738) * _e8790) * _e8842), ((((1f * select(1f, _e8686, _e8693)) * select(1f, _e8738, _e8745)) * select(1f, _e8790, _e8797)) * select(1f, _e8842, _e8849)), ((((1f * select(1f, 0f, (_e8693 && (_e8669 > 0f)))) * select(1f, 0f, (_e8745 && (_e8721 > 0f)))) * select(1f, 0f, (_e8797 && (_e8773 > 0f)))) * select(1f, 0f, (_e8849 && (_e8825 > 0f)))));
+phi_22085_ = type_7(((((1f * _e8686) * _e8738) * _e8790) * _e8842), ((((1f * select(1f, _e8686, _e8693)) * select(1f, _e8738, _e8745)) * select(1f, _e8790, _e8797)) * select(1f, _e8842, _e8849)), ((((1f * select(1f, 0f, (_e8693 && (_e8669 > 0f)))) * select(1f, 0f, (_e8745 && (_e8721 > 0f)))) * select(1f, 0f, (_e8797 && (_e8773 > 0f)))) * select(1f, 0f, (_e8849 && (_e8825 > 0f)))));
 }
 let _e8858 = phi_22085_;
-let _e8864 = global_4.member[_e375].member_5.member_3;
+let _e8864 = global_3.member[_e375].member_5.member_3;
 let _e8865 = (_e6279.member_3 * _e8864);
 if (((_e384.member_2 == 3u) || (_e384.member_2 == 4u)) || _e583) {
 local_3 = _e8645;
 let _e9776 = local_3;
 let _e9778 = (bitcast<i32>(_e193) - 1i);
 let _e9780 = select(_e9778, 263171i, (263171i < _e9778));
-let _e9785 = global_3.member[bitcast<u32>(select(0i, _e9780, (_e9780 > 0i)))];
+let _e9785 = global_2.member[bitcast<u32>(select(0i, _e9780, (_e9780 > 0i)))];
 let _e9786 = bitcast<f32>(_e9785);
 let _e9788 = select(_e9778, 263172i, (263172i < _e9778));
-let _e9793 = global_3.member[bitcast<u32>(select(0i, _e9788, (_e9788 > 0i)))];
+let _e9793 = global_2.member[bitcast<u32>(select(0i, _e9788, (_e9788 > 0i)))];
 let _e9794 = bitcast<f32>(_e9793);
 let _e9796 = select(_e9778, 263173i, (263173i < _e9778));
-let _e9801 = global_3.member[bitcast<u32>(select(0i, _e9796, (_e9796 > 0i)))];
+let _e9801 = global_2.member[bitcast<u32>(select(0i, _e9796, (_e9796 > 0i)))];
 let _e9802 = bitcast<f32>(_e9801);
 let _e9804 = ((_e9776 - _e9786) * _e9794);
 let _e9806 = select(0f, _e9804, (_e9804 > 0f));
 let _e9809 = local_3;
 let _e9811 = select(_e9778, 263174i, (263174i < _e9778));
-let _e9816 = global_3.member[bitcast<u32>(select(0i, _e9811, (_e9811 > 0i)))];
+let _e9816 = global_2.member[bitcast<u32>(select(0i, _e9811, (_e9811 > 0i)))];
 let _e9817 = bitcast<f32>(_e9816);
 let _e9819 = select(_e9778, 263175i, (263175i < _e9778));
-let _e9824 = global_3.member[bitcast<u32>(select(0i, _e9819, (_e9819 > 0i)))];
+let _e9824 = global_2.member[bitcast<u32>(select(0i, _e9819, (_e9819 > 0i)))];
 let _e9825 = bitcast<f32>(_e9824);
 let _e9827 = select(_e9778, 263176i, (263176i < _e9778));
-let _e9832 = global_3.member[bitcast<u32>(select(0i, _e9827, (_e9827 > 0i)))];
+let _e9832 = global_2.member[bitcast<u32>(select(0i, _e9827, (_e9827 > 0i)))];
 let _e9833 = bitcast<f32>(_e9832);
 let _e9835 = ((_e9809 - _e9817) * _e9825);
 let _e9837 = select(0f, _e9835, (_e9835 > 0f));
 let _e9841 = local_3;
 let _e9843 = select(_e9778, 263177i, (263177i < _e9778));
-let _e9848 = global_3.member[bitcast<u32>(select(0i, _e9843, (_e9843 > 0i)))];
+let _e9848 = global_2.member[bitcast<u32>(select(0i, _e9843, (_e9843 > 0i)))];
 let _e9849 = bitcast<f32>(_e9848);
 let _e9851 = select(_e9778, 263178i, (263178i < _e9778));
-let _e9856 = global_3.member[bitcast<u32>(select(0i, _e9851, (_e9851 > 0i)))];
+let _e9856 = global_2.member[bitcast<u32>(select(0i, _e9851, (_e9851 > 0i)))];
 let _e9857 = bitcast<f32>(_e9856);
 let _e9859 = select(_e9778, 263179i, (263179i < _e9778));
-let _e9864 = global_3.member[bitcast<u32>(select(0i, _e9859, (_e9859 > 0i)))];
+let _e9864 = global_2.member[bitcast<u32>(select(0i, _e9859, (_e9859 > 0i)))];
 let _e9865 = bitcast<f32>(_e9864);
 let _e9867 = ((_e9841 - _e9849) * _e9857);
 let _e9869 = select(0f, _e9867, (_e9867 > 0f));
 let _e9872 = local_3;
 let _e9874 = select(_e9778, 263180i, (263180i < _e9778));
-let _e9879 = global_3.member[bitcast<u32>(select(0i, _e9874, (_e9874 > 0i)))];
+let _e9879 = global_2.member[bitcast<u32>(select(0i, _e9874, (_e9874 > 0i)))];
 let _e9880 = bitcast<f32>(_e9879);
 let _e9882 = select(_e9778, 263181i, (263181i < _e9778));
-let _e9887 = global_3.member[bitcast<u32>(select(0i, _e9882, (_e9882 > 0i)))];
+let _e9887 = global_2.member[bitcast<u32>(select(0i, _e9882, (_e9882 > 0i)))];
 let _e9888 = bitcast<f32>(_e9887);
 let _e9890 = select(_e9778, 263182i, (263182i < _e9778));
-let _e9895 = global_3.member[bitcast<u32>(select(0i, _e9890, (_e9890 > 0i)))];
+let _e9895 = global_2.member[bitcast<u32>(select(0i, _e9890, (_e9890 > 0i)))];
 let _e9896 = bitcast<f32>(_e9895);
 let _e9898 = ((_e9872 - _e9880) * _e9888);
 let _e9900 = select(0f, _e9898, (_e9898 > 0f));
 let _e9905 = local_3;
 let _e9907 = select(_e9778, 263183i, (263183i < _e9778));
-let _e9912 = global_3.member[bitcast<u32>(select(0i, _e9907, (_e9907 > 0i)))];
+let _e9912 = global_2.member[bitcast<u32>(select(0i, _e9907, (_e9907 > 0i)))];
 let _e9913 = bitcast<f32>(_e9912);
 let _e9915 = select(_e9778, 263184i, (263184i < _e9778));
-let _e9920 = global_3.member[bitcast<u32>(select(0i, _e9915, (_e9915 > 0i)))];
+let _e9920 = global_2.member[bitcast<u32>(select(0i, _e9915, (_e9915 > 0i)))];
 let _e9921 = bitcast<f32>(_e9920);
 let _e9923 = select(_e9778, 263185i, (263185i < _e9778));
-let _e9928 = global_3.member[bitcast<u32>(select(0i, _e9923, (_e9923 > 0i)))];
+let _e9928 = global_2.member[bitcast<u32>(select(0i, _e9923, (_e9923 > 0i)))];
 let _e9929 = bitcast<f32>(_e9928);
 let _e9931 = ((_e9905 - _e9913) * _e9921);
 let _e9933 = select(0f, _e9931, (_e9931 > 0f));
 let _e9936 = local_3;
 let _e9938 = select(_e9778, 263186i, (263186i < _e9778));
-let _e9943 = global_3.member[bitcast<u32>(select(0i, _e9938, (_e9938 > 0i)))];
+let _e9943 = global_2.member[bitcast<u32>(select(0i, _e9938, (_e9938 > 0i)))];
 let _e9944 = bitcast<f32>(_e9943);
 let _e9946 = select(_e9778, 263187i, (263187i < _e9778));
-let _e9951 = global_3.member[bitcast<u32>(select(0i, _e9946, (_e9946 > 0i)))];
+let _e9951 = global_2.member[bitcast<u32>(select(0i, _e9946, (_e9946 > 0i)))];
 let _e9952 = bitcast<f32>(_e9951);
 let _e9954 = select(_e9778, 263188i, (263188i < _e9778));
-let _e9959 = global_3.member[bitcast<u32>(select(0i, _e9954, (_e9954 > 0i)))];
+let _e9959 = global_2.member[bitcast<u32>(select(0i, _e9954, (_e9954 > 0i)))];
 let _e9960 = bitcast<f32>(_e9959);
 let _e9962 = ((_e9936 - _e9944) * _e9952);
 let _e9964 = select(0f, _e9962, (_e9962 > 0f));
 let _e9968 = local_3;
 let _e9970 = select(_e9778, 263189i, (263189i < _e9778));
-let _e9975 = global_3.member[bitcast<u32>(select(0i, _e9970, (_e9970 > 0i)))];
+let _e9975 = global_2.member[bitcast<u32>(select(0i, _e9970, (_e9970 > 0i)))];
 let _e9976 = bitcast<f32>(_e9975);
 let _e9978 = select(_e9778, 263190i, (263190i < _e9778));
-let _e9983 = global_3.member[bitcast<u32>(select(0i, _e9978, (_e9978 > 0i)))];
+let _e9983 = global_2.member[bitcast<u32>(select(0i, _e9978, (_e9978 > 0i)))];
 let _e9984 = bitcast<f32>(_e9983);
 let _e9986 = select(_e9778, 263191i, (263191i < _e9778));
-let _e9991 = global_3.member[bitcast<u32>(select(0i, _e9986, (_e9986 > 0i)))];
+let _e9991 = global_2.member[bitcast<u32>(select(0i, _e9986, (_e9986 > 0i)))];
 let _e9992 = bitcast<f32>(_e9991);
 let _e9994 = ((_e9968 - _e9976) * _e9984);
 let _e9996 = select(0f, _e9994, (_e9994 > 0f));
 let _e9999 = local_3;
 let _e10001 = select(_e9778, 263192i, (263192i < _e9778));
-let _e10006 = global_3.member[bitcast<u32>(select(0i, _e10001, (_e10001 > 0i)))];
+let _e10006 = global_2.member[bitcast<u32>(select(0i, _e10001, (_e10001 > 0i)))];
 let _e10007 = bitcast<f32>(_e10006);
 let _e10009 = select(_e9778, 263193i, (263193i < _e9778));
-let _e10014 = global_3.member[bitcast<u32>(select(0i, _e10009, (_e10009 > 0i)))];
+let _e10014 = global_2.member[bitcast<u32>(select(0i, _e10009, (_e10009 > 0i)))];
 let _e10015 = bitcast<f32>(_e10014);
 let _e10017 = select(_e9778, 263194i, (263194i < _e9778));
-let _e10022 = global_3.member[bitcast<u32>(select(0i, _e10017, (_e10017 > 0i)))];
+let _e10022 = global_2.member[bitcast<u32>(select(0i, _e10017, (_e10017 > 0i)))];
 let _e10023 = bitcast<f32>(_e10022);
 let _e10025 = ((_e9999 - _e10007) * _e10015);
 let _e10027 = select(0f, _e10025, (_e10025 > 0f));
@@ -3314,10 +3314,10 @@ let _e10115 = select(_e10096, _e10113, (_e10113 < _e10096));
 let _e10122 = select(0i, select(select(i32(_e10115), i32(-2147483648), (_e10115 < -2147483600f)), 2147483647i, (_e10115 > 2147483500f)), (_e10115 == _e10115));
 let _e10126 = (_e10122 - select(0i, 1i, (_e10115 < f32(_e10122))));
 let _e10128 = select(_e9778, 263195i, (263195i < _e9778));
-let _e10134 = global_3.member[bitcast<u32>(select(0i, _e10128, (_e10128 > 0i)))];
+let _e10134 = global_2.member[bitcast<u32>(select(0i, _e10128, (_e10128 > 0i)))];
 let _e10135 = bitcast<f32>(_e10134);
 let _e10137 = select(_e9778, 263196i, (263196i < _e9778));
-let _e10143 = global_3.member[bitcast<u32>(select(0i, _e10137, (_e10137 > 0i)))];
+let _e10143 = global_2.member[bitcast<u32>(select(0i, _e10137, (_e10137 > 0i)))];
 let _e10144 = bitcast<f32>(_e10143);
 let _e10145 = (_e8380.member - _e8645);
 let _e10151 = (1f / select(_e10145, 1f, (bitcast<f32>((bitcast<u32>(_e10145) & 2147483647u)) < 1e-20f)));
@@ -3326,20 +3326,20 @@ let _e10163 = ((select(_e10144, _e8380.member, (_e8380.member > _e10144)) - sele
 let _e10166 = (((_e10111 * 256i) + _e10126) * 4i);
 let _e10170 = (_e10095 - f32(_e10126));
 let _e10174 = select(_e9778, _e10166, (_e10166 < _e9778));
-let _e10180 = global_3.member[bitcast<u32>(select(0i, _e10174, (_e10174 > 0i)))];
+let _e10180 = global_2.member[bitcast<u32>(select(0i, _e10174, (_e10174 > 0i)))];
 let _e10181 = (_e10166 + 4i);
 let _e10183 = select(_e9778, _e10181, (_e10181 < _e9778));
-let _e10189 = global_3.member[bitcast<u32>(select(0i, _e10183, (_e10183 > 0i)))];
+let _e10189 = global_2.member[bitcast<u32>(select(0i, _e10183, (_e10183 > 0i)))];
 let _e10190 = (_e10166 + 1024i);
 let _e10192 = select(_e9778, _e10190, (_e10190 < _e9778));
-let _e10198 = global_3.member[bitcast<u32>(select(0i, _e10192, (_e10192 > 0i)))];
+let _e10198 = global_2.member[bitcast<u32>(select(0i, _e10192, (_e10192 > 0i)))];
 let _e10199 = (_e10166 + 1028i);
 let _e10201 = select(_e9778, _e10199, (_e10199 < _e9778));
-let _e10207 = global_3.member[bitcast<u32>(select(0i, _e10201, (_e10201 > 0i)))];
+let _e10207 = global_2.member[bitcast<u32>(select(0i, _e10201, (_e10201 > 0i)))];
 let _e10209 = select(_e9778, 0i, (0i < _e9778));
-let _e10215 = global_3.member[bitcast<u32>(select(0i, _e10209, (_e10209 > 0i)))];
+let _e10215 = global_2.member[bitcast<u32>(select(0i, _e10209, (_e10209 > 0i)))];
 let _e10217 = select(_e9778, 262140i, (262140i < _e9778));
-let _e10223 = global_3.member[bitcast<u32>(select(0i, _e10217, (_e10217 > 0i)))];
+let _e10223 = global_2.member[bitcast<u32>(select(0i, _e10217, (_e10217 > 0i)))];
 let _e10228 = (bitcast<f32>(((_e10180 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10236 = (_e10228 + (((bitcast<f32>(((_e10189 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10228) * _e10170));
 let _e10241 = (bitcast<f32>(((_e10198 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3362,97 +3362,97 @@ local_1 = _e8645;
 let _e8871 = local_1;
 let _e8873 = (bitcast<i32>(_e193) - 1i);
 let _e8875 = select(_e8873, 263171i, (263171i < _e8873));
-let _e8880 = global_3.member[bitcast<u32>(select(0i, _e8875, (_e8875 > 0i)))];
+let _e8880 = global_2.member[bitcast<u32>(select(0i, _e8875, (_e8875 > 0i)))];
 let _e8881 = bitcast<f32>(_e8880);
 let _e8883 = select(_e8873, 263172i, (263172i < _e8873));
-let _e8888 = global_3.member[bitcast<u32>(select(0i, _e8883, (_e8883 > 0i)))];
+let _e8888 = global_2.member[bitcast<u32>(select(0i, _e8883, (_e8883 > 0i)))];
 let _e8889 = bitcast<f32>(_e8888);
 let _e8891 = select(_e8873, 263173i, (263173i < _e8873));
-let _e8896 = global_3.member[bitcast<u32>(select(0i, _e8891, (_e8891 > 0i)))];
+let _e8896 = global_2.member[bitcast<u32>(select(0i, _e8891, (_e8891 > 0i)))];
 let _e8897 = bitcast<f32>(_e8896);
 let _e8899 = ((_e8871 - _e8881) * _e8889);
 let _e8901 = select(0f, _e8899, (_e8899 > 0f));
 let _e8904 = local_1;
 let _e8906 = select(_e8873, 263174i, (263174i < _e8873));
-let _e8911 = global_3.member[bitcast<u32>(select(0i, _e8906, (_e8906 > 0i)))];
+let _e8911 = global_2.member[bitcast<u32>(select(0i, _e8906, (_e8906 > 0i)))];
 let _e8912 = bitcast<f32>(_e8911);
 let _e8914 = select(_e8873, 263175i, (263175i < _e8873));
-let _e8919 = global_3.member[bitcast<u32>(select(0i, _e8914, (_e8914 > 0i)))];
+let _e8919 = global_2.member[bitcast<u32>(select(0i, _e8914, (_e8914 > 0i)))];
 let _e8920 = bitcast<f32>(_e8919);
 let _e8922 = select(_e8873, 263176i, (263176i < _e8873));
-let _e8927 = global_3.member[bitcast<u32>(select(0i, _e8922, (_e8922 > 0i)))];
+let _e8927 = global_2.member[bitcast<u32>(select(0i, _e8922, (_e8922 > 0i)))];
 let _e8928 = bitcast<f32>(_e8927);
 let _e8930 = ((_e8904 - _e8912) * _e8920);
 let _e8932 = select(0f, _e8930, (_e8930 > 0f));
 let _e8936 = local_1;
 let _e8938 = select(_e8873, 263177i, (263177i < _e8873));
-let _e8943 = global_3.member[bitcast<u32>(select(0i, _e8938, (_e8938 > 0i)))];
+let _e8943 = global_2.member[bitcast<u32>(select(0i, _e8938, (_e8938 > 0i)))];
 let _e8944 = bitcast<f32>(_e8943);
 let _e8946 = select(_e8873, 263178i, (263178i < _e8873));
-let _e8951 = global_3.member[bitcast<u32>(select(0i, _e8946, (_e8946 > 0i)))];
+let _e8951 = global_2.member[bitcast<u32>(select(0i, _e8946, (_e8946 > 0i)))];
 let _e8952 = bitcast<f32>(_e8951);
 let _e8954 = select(_e8873, 263179i, (263179i < _e8873));
-let _e8959 = global_3.member[bitcast<u32>(select(0i, _e8954, (_e8954 > 0i)))];
+let _e8959 = global_2.member[bitcast<u32>(select(0i, _e8954, (_e8954 > 0i)))];
 let _e8960 = bitcast<f32>(_e8959);
 let _e8962 = ((_e8936 - _e8944) * _e8952);
 let _e8964 = select(0f, _e8962, (_e8962 > 0f));
 let _e8967 = local_1;
 let _e8969 = select(_e8873, 263180i, (263180i < _e8873));
-let _e8974 = global_3.member[bitcast<u32>(select(0i, _e8969, (_e8969 > 0i)))];
+let _e8974 = global_2.member[bitcast<u32>(select(0i, _e8969, (_e8969 > 0i)))];
 let _e8975 = bitcast<f32>(_e8974);
 let _e8977 = select(_e8873, 263181i, (263181i < _e8873));
-let _e8982 = global_3.member[bitcast<u32>(select(0i, _e8977, (_e8977 > 0i)))];
+let _e8982 = global_2.member[bitcast<u32>(select(0i, _e8977, (_e8977 > 0i)))];
 let _e8983 = bitcast<f32>(_e8982);
 let _e8985 = select(_e8873, 263182i, (263182i < _e8873));
-let _e8990 = global_3.member[bitcast<u32>(select(0i, _e8985, (_e8985 > 0i)))];
+let _e8990 = global_2.member[bitcast<u32>(select(0i, _e8985, (_e8985 > 0i)))];
 let _e8991 = bitcast<f32>(_e8990);
 let _e8993 = ((_e8967 - _e8975) * _e8983);
 let _e8995 = select(0f, _e8993, (_e8993 > 0f));
 let _e9000 = local_1;
 let _e9002 = select(_e8873, 263183i, (263183i < _e8873));
-let _e9007 = global_3.member[bitcast<u32>(select(0i, _e9002, (_e9002 > 0i)))];
+let _e9007 = global_2.member[bitcast<u32>(select(0i, _e9002, (_e9002 > 0i)))];
 let _e9008 = bitcast<f32>(_e9007);
 let _e9010 = select(_e8873, 263184i, (263184i < _e8873));
-let _e9015 = global_3.member[bitcast<u32>(select(0i, _e9010, (_e9010 > 0i)))];
+let _e9015 = global_2.member[bitcast<u32>(select(0i, _e9010, (_e9010 > 0i)))];
 let _e9016 = bitcast<f32>(_e9015);
 let _e9018 = select(_e8873, 263185i, (263185i < _e8873));
-let _e9023 = global_3.member[bitcast<u32>(select(0i, _e9018, (_e9018 > 0i)))];
+let _e9023 = global_2.member[bitcast<u32>(select(0i, _e9018, (_e9018 > 0i)))];
 let _e9024 = bitcast<f32>(_e9023);
 let _e9026 = ((_e9000 - _e9008) * _e9016);
 let _e9028 = select(0f, _e9026, (_e9026 > 0f));
 let _e9031 = local_1;
 let _e9033 = select(_e8873, 263186i, (263186i < _e8873));
-let _e9038 = global_3.member[bitcast<u32>(select(0i, _e9033, (_e9033 > 0i)))];
+let _e9038 = global_2.member[bitcast<u32>(select(0i, _e9033, (_e9033 > 0i)))];
 let _e9039 = bitcast<f32>(_e9038);
 let _e9041 = select(_e8873, 263187i, (263187i < _e8873));
-let _e9046 = global_3.member[bitcast<u32>(select(0i, _e9041, (_e9041 > 0i)))];
+let _e9046 = global_2.member[bitcast<u32>(select(0i, _e9041, (_e9041 > 0i)))];
 let _e9047 = bitcast<f32>(_e9046);
 let _e9049 = select(_e8873, 263188i, (263188i < _e8873));
-let _e9054 = global_3.member[bitcast<u32>(select(0i, _e9049, (_e9049 > 0i)))];
+let _e9054 = global_2.member[bitcast<u32>(select(0i, _e9049, (_e9049 > 0i)))];
 let _e9055 = bitcast<f32>(_e9054);
 let _e9057 = ((_e9031 - _e9039) * _e9047);
 let _e9059 = select(0f, _e9057, (_e9057 > 0f));
 let _e9063 = local_1;
 let _e9065 = select(_e8873, 263189i, (263189i < _e8873));
-let _e9070 = global_3.member[bitcast<u32>(select(0i, _e9065, (_e9065 > 0i)))];
+let _e9070 = global_2.member[bitcast<u32>(select(0i, _e9065, (_e9065 > 0i)))];
 let _e9071 = bitcast<f32>(_e9070);
 let _e9073 = select(_e8873, 263190i, (263190i < _e8873));
-let _e9078 = global_3.member[bitcast<u32>(select(0i, _e9073, (_e9073 > 0i)))];
+let _e9078 = global_2.member[bitcast<u32>(select(0i, _e9073, (_e9073 > 0i)))];
 let _e9079 = bitcast<f32>(_e9078);
 let _e9081 = select(_e8873, 263191i, (263191i < _e8873));
-let _e9086 = global_3.member[bitcast<u32>(select(0i, _e9081, (_e9081 > 0i)))];
+let _e9086 = global_2.member[bitcast<u32>(select(0i, _e9081, (_e9081 > 0i)))];
 let _e9087 = bitcast<f32>(_e9086);
 let _e9089 = ((_e9063 - _e9071) * _e9079);
 let _e9091 = select(0f, _e9089, (_e9089 > 0f));
 let _e9094 = local_1;
 let _e9096 = select(_e8873, 263192i, (263192i < _e8873));
-let _e9101 = global_3.member[bitcast<u32>(select(0i, _e9096, (_e9096 > 0i)))];
+let _e9101 = global_2.member[bitcast<u32>(select(0i, _e9096, (_e9096 > 0i)))];
 let _e9102 = bitcast<f32>(_e9101);
 let _e9104 = select(_e8873, 263193i, (263193i < _e8873));
-let _e9109 = global_3.member[bitcast<u32>(select(0i, _e9104, (_e9104 > 0i)))];
+let _e9109 = global_2.member[bitcast<u32>(select(0i, _e9104, (_e9104 > 0i)))];
 let _e9110 = bitcast<f32>(_e9109);
 let _e9112 = select(_e8873, 263194i, (263194i < _e8873));
-let _e9117 = global_3.member[bitcast<u32>(select(0i, _e9112, (_e9112 > 0i)))];
+let _e9117 = global_2.member[bitcast<u32>(select(0i, _e9112, (_e9112 > 0i)))];
 let _e9118 = bitcast<f32>(_e9117);
 let _e9120 = ((_e9094 - _e9102) * _e9110);
 let _e9122 = select(0f, _e9120, (_e9120 > 0f));
@@ -3493,10 +3493,10 @@ let _e9210 = select(_e9191, _e9208, (_e9208 < _e9191));
 let _e9217 = select(0i, select(select(i32(_e9210), i32(-2147483648), (_e9210 < -2147483600f)), 2147483647i, (_e9210 > 2147483500f)), (_e9210 == _e9210));
 let _e9221 = (_e9217 - select(0i, 1i, (_e9210 < f32(_e9217))));
 let _e9223 = select(_e8873, 263195i, (263195i < _e8873));
-let _e9229 = global_3.member[bitcast<u32>(select(0i, _e9223, (_e9223 > 0i)))];
+let _e9229 = global_2.member[bitcast<u32>(select(0i, _e9223, (_e9223 > 0i)))];
 let _e9230 = bitcast<f32>(_e9229);
 let _e9232 = select(_e8873, 263196i, (263196i < _e8873));
-let _e9238 = global_3.member[bitcast<u32>(select(0i, _e9232, (_e9232 > 0i)))];
+let _e9238 = global_2.member[bitcast<u32>(select(0i, _e9232, (_e9232 > 0i)))];
 let _e9239 = bitcast<f32>(_e9238);
 let _e9240 = (_e8380.member - _e8645);
 let _e9246 = (1f / select(_e9240, 1f, (bitcast<f32>((bitcast<u32>(_e9240) & 2147483647u)) < 1e-20f)));
@@ -3507,20 +3507,20 @@ let _e9263 = (_e9127 - f32(_e9206));
 let _e9265 = (_e9190 - f32(_e9221));
 let _e9267 = (1f - (_e9252 + _e9258));
 let _e9269 = select(_e8873, _e9261, (_e9261 < _e8873));
-let _e9275 = global_3.member[bitcast<u32>(select(0i, _e9269, (_e9269 > 0i)))];
+let _e9275 = global_2.member[bitcast<u32>(select(0i, _e9269, (_e9269 > 0i)))];
 let _e9276 = (_e9261 + 4i);
 let _e9278 = select(_e8873, _e9276, (_e9276 < _e8873));
-let _e9284 = global_3.member[bitcast<u32>(select(0i, _e9278, (_e9278 > 0i)))];
+let _e9284 = global_2.member[bitcast<u32>(select(0i, _e9278, (_e9278 > 0i)))];
 let _e9285 = (_e9261 + 1024i);
 let _e9287 = select(_e8873, _e9285, (_e9285 < _e8873));
-let _e9293 = global_3.member[bitcast<u32>(select(0i, _e9287, (_e9287 > 0i)))];
+let _e9293 = global_2.member[bitcast<u32>(select(0i, _e9287, (_e9287 > 0i)))];
 let _e9294 = (_e9261 + 1028i);
 let _e9296 = select(_e8873, _e9294, (_e9294 < _e8873));
-let _e9302 = global_3.member[bitcast<u32>(select(0i, _e9296, (_e9296 > 0i)))];
+let _e9302 = global_2.member[bitcast<u32>(select(0i, _e9296, (_e9296 > 0i)))];
 let _e9304 = select(_e8873, 0i, (0i < _e8873));
-let _e9310 = global_3.member[bitcast<u32>(select(0i, _e9304, (_e9304 > 0i)))];
+let _e9310 = global_2.member[bitcast<u32>(select(0i, _e9304, (_e9304 > 0i)))];
 let _e9312 = select(_e8873, 262140i, (262140i < _e8873));
-let _e9318 = global_3.member[bitcast<u32>(select(0i, _e9312, (_e9312 > 0i)))];
+let _e9318 = global_2.member[bitcast<u32>(select(0i, _e9312, (_e9312 > 0i)))];
 let _e9323 = (bitcast<f32>(((_e9275 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9331 = (_e9323 + (((bitcast<f32>(((_e9284 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9323) * _e9265));
 let _e9336 = (bitcast<f32>(((_e9293 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3530,20 +3530,20 @@ let _e9387 = (_e9379 + (((bitcast<f32>((((_e9284 >> bitcast<u32>(16i)) & 32767u)
 let _e9392 = (bitcast<f32>((((_e9293 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9419 = (_e9261 + 1i);
 let _e9421 = select(_e8873, _e9419, (_e9419 < _e8873));
-let _e9427 = global_3.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
+let _e9427 = global_2.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
 let _e9428 = (_e9261 + 5i);
 let _e9430 = select(_e8873, _e9428, (_e9428 < _e8873));
-let _e9436 = global_3.member[bitcast<u32>(select(0i, _e9430, (_e9430 > 0i)))];
+let _e9436 = global_2.member[bitcast<u32>(select(0i, _e9430, (_e9430 > 0i)))];
 let _e9437 = (_e9261 + 1025i);
 let _e9439 = select(_e8873, _e9437, (_e9437 < _e8873));
-let _e9445 = global_3.member[bitcast<u32>(select(0i, _e9439, (_e9439 > 0i)))];
+let _e9445 = global_2.member[bitcast<u32>(select(0i, _e9439, (_e9439 > 0i)))];
 let _e9446 = (_e9261 + 1029i);
 let _e9448 = select(_e8873, _e9446, (_e9446 < _e8873));
-let _e9454 = global_3.member[bitcast<u32>(select(0i, _e9448, (_e9448 > 0i)))];
+let _e9454 = global_2.member[bitcast<u32>(select(0i, _e9448, (_e9448 > 0i)))];
 let _e9456 = select(_e8873, 1i, (1i < _e8873));
-let _e9462 = global_3.member[bitcast<u32>(select(0i, _e9456, (_e9456 > 0i)))];
+let _e9462 = global_2.member[bitcast<u32>(select(0i, _e9456, (_e9456 > 0i)))];
 let _e9464 = select(_e8873, 262141i, (262141i < _e8873));
-let _e9470 = global_3.member[bitcast<u32>(select(0i, _e9464, (_e9464 > 0i)))];
+let _e9470 = global_2.member[bitcast<u32>(select(0i, _e9464, (_e9464 > 0i)))];
 let _e9475 = (bitcast<f32>(((_e9427 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9483 = (_e9475 + (((bitcast<f32>(((_e9436 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9475) * _e9265));
 let _e9488 = (bitcast<f32>(((_e9445 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3611,9 +3611,9 @@ let _e10362 = (_e6279.member_1.z + (_e6279.member_2.z * _e10354));
 let _e10368 = ((((_e1120.member.member * _e10360) + (_e1120.member.member_1 * _e10361)) + (_e1120.member.member_2 * _e10362)) + _e1120.member_1);
 let _e10374 = ((((_e1136.member.member * _e10360) + (_e1136.member.member_1 * _e10361)) + (_e1136.member.member_2 * _e10362)) + _e1136.member_1);
 let _e10380 = ((((_e1152.member.member * _e10360) + (_e1152.member.member_1 * _e10361)) + (_e1152.member.member_2 * _e10362)) + _e1152.member_1);
-let _e10386 = global_4.member[_e375].member_7.member.member;
-let _e10395 = global_4.member[_e375].member_7.member_1.member;
-let _e10404 = global_4.member[_e375].member_7.member_2.member;
+let _e10386 = global_3.member[_e375].member_7.member.member;
+let _e10395 = global_3.member[_e375].member_7.member_1.member;
+let _e10404 = global_3.member[_e375].member_7.member_2.member;
 let _e10408 = (-0.5f - _e6308);
 let _e10409 = (-0.5f - _e10368);
 let _e10410 = -(_e10408);
@@ -3720,16 +3720,16 @@ let _e10647 = select(select(select(select(select(select(0f, _e10386.member, _e10
 let _e10648 = select(select(select(select(select(select(0f, _e10386.member_1, _e10428), _e10386.member_1, _e10468), _e10395.member_1, _e10508), _e10395.member_1, _e10548), _e10404.member_1, _e10588), _e10404.member_1, _e10628);
 let _e10649 = select(select(select(select(select(select(1f, _e10386.member_2, _e10428), _e10386.member_2, _e10468), _e10395.member_2, _e10508), _e10395.member_2, _e10548), _e10404.member_2, _e10588), _e10404.member_2, _e10628);
 if _e8647 {
-phi_26976_ = type_35(_e10634, vec3<f32>(_e10635, _e10636, _e10637), _e10639, vec3<f32>(_e10640, _e10641, _e10642), _e10644, _e10646, vec3<f32>(_e10647, _e10648, _e10649));
+phi_26976_ = type_34(_e10634, vec3<f32>(_e10635, _e10636, _e10637), _e10639, vec3<f32>(_e10640, _e10641, _e10642), _e10644, _e10646, vec3<f32>(_e10647, _e10648, _e10649));
 } else {
 let _e10656 = (((_e10386.member * _e10386.member) + (_e10386.member_1 * _e10386.member_1)) + (_e10386.member_2 * _e10386.member_2));
 let _e10659 = sqrt(select(0f, _e10656, (_e10656 > 0f)));
-let _e10664 = global_4.member[_e375].member_14.member_1;
+let _e10664 = global_3.member[_e375].member_14.member_1;
 let _e10665 = (_e10664 != 0u);
-let _e10670 = global_4.member[_e375].member_14.member;
+let _e10670 = global_3.member[_e375].member_14.member;
 let _e10690 = select(-1e6f, (((((_e10670.member.member * _e6279.member_1.x) + (_e10670.member.member_1 * _e6279.member_1.y)) + (_e10670.member.member_2 * _e6279.member_1.z)) + _e10670.member_1) * _e10659), _e10665);
 let _e10691 = select(-1e6f, (((((_e10670.member.member * _e10360) + (_e10670.member.member_1 * _e10361)) + (_e10670.member.member_2 * _e10362)) + _e10670.member_1) * _e10659), _e10665);
-let _e10697 = global_4.member[_e375].member_14.member.member;
+let _e10697 = global_3.member[_e375].member_14.member.member;
 let _e10701 = -(_e10690);
 let _e10704 = (_e10690 - _e10691);
 let _e10705 = (_e10691 - _e10690);
@@ -3744,12 +3744,12 @@ let _e10725 = select(_e10634, _e10714, _e10723);
 let _e10729 = select(_e10639, _e10718, _e10724);
 let _e10733 = select(_e10644, _e10690, _e10719);
 let _e10735 = select(_e10646, _e10691, (_e10691 > _e10646));
-let _e10743 = global_4.member[_e375].member_15.member_1;
+let _e10743 = global_3.member[_e375].member_15.member_1;
 let _e10744 = (_e10743 != 0u);
-let _e10749 = global_4.member[_e375].member_15.member;
+let _e10749 = global_3.member[_e375].member_15.member;
 let _e10769 = select(-1e6f, (((((_e10749.member.member * _e6279.member_1.x) + (_e10749.member.member_1 * _e6279.member_1.y)) + (_e10749.member.member_2 * _e6279.member_1.z)) + _e10749.member_1) * _e10659), _e10744);
 let _e10770 = select(-1e6f, (((((_e10749.member.member * _e10360) + (_e10749.member.member_1 * _e10361)) + (_e10749.member.member_2 * _e10362)) + _e10749.member_1) * _e10659), _e10744);
-let _e10776 = global_4.member[_e375].member_15.member.member;
+let _e10776 = global_3.member[_e375].member_15.member.member;
 let _e10780 = -(_e10769);
 let _e10783 = (_e10769 - _e10770);
 let _e10784 = (_e10770 - _e10769);
@@ -3764,12 +3764,12 @@ let _e10804 = select(_e10725, _e10793, _e10802);
 let _e10808 = select(_e10729, _e10797, _e10803);
 let _e10812 = select(_e10733, _e10769, _e10798);
 let _e10814 = select(_e10735, _e10770, (_e10770 > _e10735));
-let _e10822 = global_4.member[_e375].member_16.member_1;
+let _e10822 = global_3.member[_e375].member_16.member_1;
 let _e10823 = (_e10822 != 0u);
-let _e10828 = global_4.member[_e375].member_16.member;
+let _e10828 = global_3.member[_e375].member_16.member;
 let _e10848 = select(-1e6f, (((((_e10828.member.member * _e6279.member_1.x) + (_e10828.member.member_1 * _e6279.member_1.y)) + (_e10828.member.member_2 * _e6279.member_1.z)) + _e10828.member_1) * _e10659), _e10823);
 let _e10849 = select(-1e6f, (((((_e10828.member.member * _e10360) + (_e10828.member.member_1 * _e10361)) + (_e10828.member.member_2 * _e10362)) + _e10828.member_1) * _e10659), _e10823);
-let _e10855 = global_4.member[_e375].member_16.member.member;
+let _e10855 = global_3.member[_e375].member_16.member.member;
 let _e10859 = -(_e10848);
 let _e10862 = (_e10848 - _e10849);
 let _e10863 = (_e10849 - _e10848);
@@ -3784,12 +3784,12 @@ let _e10883 = select(_e10804, _e10872, _e10881);
 let _e10887 = select(_e10808, _e10876, _e10882);
 let _e10891 = select(_e10812, _e10848, _e10877);
 let _e10893 = select(_e10814, _e10849, (_e10849 > _e10814));
-let _e10901 = global_4.member[_e375].member_17.member_1;
+let _e10901 = global_3.member[_e375].member_17.member_1;
 let _e10902 = (_e10901 != 0u);
-let _e10907 = global_4.member[_e375].member_17.member;
+let _e10907 = global_3.member[_e375].member_17.member;
 let _e10927 = select(-1e6f, (((((_e10907.member.member * _e6279.member_1.x) + (_e10907.member.member_1 * _e6279.member_1.y)) + (_e10907.member.member_2 * _e6279.member_1.z)) + _e10907.member_1) * _e10659), _e10902);
 let _e10928 = select(-1e6f, (((((_e10907.member.member * _e10360) + (_e10907.member.member_1 * _e10361)) + (_e10907.member.member_2 * _e10362)) + _e10907.member_1) * _e10659), _e10902);
-let _e10934 = global_4.member[_e375].member_17.member.member;
+let _e10934 = global_3.member[_e375].member_17.member.member;
 let _e10938 = -(_e10927);
 let _e10941 = (_e10927 - _e10928);
 let _e10942 = (_e10928 - _e10927);
@@ -3800,11 +3800,11 @@ let _e10955 = select(2f, select(0f, _e10947, (_e10927 < 0f)), (_e10928 > 0f));
 let _e10956 = (_e10927 > _e10891);
 let _e10960 = ((_e10951 > _e10883) || ((_e10951 == _e10883) && _e10956));
 let _e10961 = (_e10955 < _e10887);
-phi_26976_ = type_35(select(_e10883, _e10951, _e10960), vec3<f32>(select(select(select(select(_e10635, _e10697.member, _e10723), _e10776.member, _e10802), _e10855.member, _e10881), _e10934.member, _e10960), select(select(select(select(_e10636, _e10697.member_1, _e10723), _e10776.member_1, _e10802), _e10855.member_1, _e10881), _e10934.member_1, _e10960), select(select(select(select(_e10637, _e10697.member_2, _e10723), _e10776.member_2, _e10802), _e10855.member_2, _e10881), _e10934.member_2, _e10960)), select(_e10887, _e10955, _e10961), vec3<f32>(select(select(select(select(_e10640, _e10697.member, _e10724), _e10776.member, _e10803), _e10855.member, _e10882), _e10934.member, _e10961), select(select(select(select(_e10641, _e10697.member_1, _e10724), _e10776.member_1, _e10803), _e10855.member_1, _e10882), _e10934.member_1, _e10961), select(select(select(select(_e10642, _e10697.member_2, _e10724), _e10776.member_2, _e10803), _e10855.member_2, _e10882), _e10934.member_2, _e10961)), select(_e10891, _e10927, _e10956), select(_e10893, _e10928, (_e10928 > _e10893)), vec3<f32>(select(select(select(select(_e10647, _e10697.member, _e10719), _e10776.member, _e10798), _e10855.member, _e10877), _e10934.member, _e10956), select(select(select(select(_e10648, _e10697.member_1, _e10719), _e10776.member_1, _e10798), _e10855.member_1, _e10877), _e10934.member_1, _e10956), select(select(select(select(_e10649, _e10697.member_2, _e10719), _e10776.member_2, _e10798), _e10855.member_2, _e10877), _e10934.member_2, _e10956)));
+phi_26976_ = type_34(select(_e10883, _e10951, _e10960), vec3<f32>(select(select(select(select(_e10635, _e10697.member, _e10723), _e10776.member, _e10802), _e10855.member, _e10881), _e10934.member, _e10960), select(select(select(select(_e10636, _e10697.member_1, _e10723), _e10776.member_1, _e10802), _e10855.member_1, _e10881), _e10934.member_1, _e10960), select(select(select(select(_e10637, _e10697.member_2, _e10723), _e10776.member_2, _e10802), _e10855.member_2, _e10881), _e10934.member_2, _e10960)), select(_e10887, _e10955, _e10961), vec3<f32>(select(select(select(select(_e10640, _e10697.member, _e10724), _e10776.member, _e10803), _e10855.member, _e10882), _e10934.member, _e10961), select(select(select(select(_e10641, _e10697.member_1, _e10724), _e10776.member_1, _e10803), _e10855.member_1, _e10882), _e10934.member_1, _e10961), select(select(select(select(_e10642, _e10697.member_2, _e10724), _e10776.member_2, _e10803), _e10855.member_2, _e10882), _e10934.member_2, _e10961)), select(_e10891, _e10927, _e10956), select(_e10893, _e10928, (_e10928 > _e10893)), vec3<f32>(select(select(select(select(_e10647, _e10697.member, _e10719), _e10776.member, _e10798), _e10855.member, _e10877), _e10934.member, _e10956), select(select(select(select(_e10648, _e10697.member_1, _e10719), _e10776.member_1, _e10798), _e10855.member_1, _e10877), _e10934.member_1, _e10956), select(select(select(select(_e10649, _e10697.member_2, _e10719), _e10776.member_2, _e10798), _e10855.member_2, _e10877), _e10934.member_2, _e10956)));
 }
 let _e10981 = phi_26976_;
 let _e10988 = (_e8858.member_2 * select(0f, 1f, _e6279.member_6));
-let _e10994 = global_4.member[_e375].member_5.member_4;
+let _e10994 = global_3.member[_e375].member_5.member_4;
 let _e10997 = (_e8380.member_3.x * _e10988);
 let _e10999 = (_e8380.member_3.y * _e10988);
 let _e11001 = (_e8380.member_3.z * _e10988);
@@ -3836,7 +3836,7 @@ phi_27133_ = false;
 let _e11079 = phi_27132_;
 let _e11081 = phi_27133_;
 let _e11092 = ((((_e6279.member_7 || (_e11079.x != _e379[3])) || (_e11079.y != _e379[4])) || (_e11079.z != _e379[5])) && _e960);
-let _e11097 = global_4.member[_e375].member_10.member_24;
+let _e11097 = global_3.member[_e375].member_10.member_24;
 let _e11106 = (_e379[12] + (((((_e379[6] + _e379[7]) + _e379[8]) * _e10340) - _e10341) * (_e397 + ((_e6279.member_1.z - _e397) * 0.5f))));
 phi_27231_ = array<f32, 14>(select(_e379[0], _e6279.member_1.x, _e11092), select(_e379[1], _e6279.member_1.y, _e11092), select(_e379[2], _e6279.member_1.z, _e11092), select(_e379[3], _e11079.x, _e11092), select(_e379[4], _e11079.y, _e11092), select(_e379[5], _e11079.z, _e11092), select(_e10335, 0f, _e10350), select(_e10336, 0f, _e10350), select(_e10337, 0f, _e10350), select(0f, 1f, _e6279.member_6), select(_e379[10], 1f, _e11092), select(select(select(0f, 1f, _e11081), 2f, (_e10350 && (_e11097 == 0f))), 3f, _e471), _e11106, select(_e379[13], (_e11106 + (_e10341 * _e6279.member_1.z)), (_e11092 && (_e379[10] == 0f))));
 } else {
@@ -3870,33 +3870,33 @@ break;
 let _e11140 = local_42;
 if _e11140 {
 let _e11142 = local_43;
-global_1.member[_e219] = _e11142[0];
+global_6.member[_e219] = _e11142[0];
 let _e11147 = local_44;
-global_1.member[_e231] = _e11147[1];
+global_6.member[_e231] = _e11147[1];
 let _e11152 = local_45;
-global_1.member[_e242] = _e11152[2];
+global_6.member[_e242] = _e11152[2];
 let _e11157 = local_46;
-global_1.member[_e253] = _e11157[3];
+global_6.member[_e253] = _e11157[3];
 let _e11162 = local_47;
-global_1.member[_e264] = _e11162[4];
+global_6.member[_e264] = _e11162[4];
 let _e11167 = local_48;
-global_1.member[_e275] = _e11167[5];
+global_6.member[_e275] = _e11167[5];
 let _e11172 = local_49;
-global_1.member[_e286] = _e11172[6];
+global_6.member[_e286] = _e11172[6];
 let _e11177 = local_50;
-global_1.member[_e297] = _e11177[7];
+global_6.member[_e297] = _e11177[7];
 let _e11182 = local_51;
-global_1.member[_e308] = _e11182[8];
+global_6.member[_e308] = _e11182[8];
 let _e11187 = local_52;
-global_1.member[_e319] = _e11187[9];
+global_6.member[_e319] = _e11187[9];
 let _e11192 = local_53;
-global_1.member[_e330] = _e11192[10];
+global_6.member[_e330] = _e11192[10];
 let _e11197 = local_54;
-global_1.member[_e341] = _e11197[11];
+global_6.member[_e341] = _e11197[11];
 let _e11202 = local_55;
-global_1.member[_e352] = _e11202[12];
+global_6.member[_e352] = _e11202[12];
 let _e11207 = local_56;
-global_1.member[_e363] = _e11207[13];
+global_6.member[_e363] = _e11207[13];
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,68 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_29 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_32 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -195,11 +191,11 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_37 {
-member: array<type_27>,
+struct type_36 {
+member: array<type_21>,
 }
-struct type_39 {
-member: type_28,
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -209,6 +205,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -216,24 +216,24 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(5)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(0)
-var<storage> global_4: type_37;
+var<storage> global_3: type_36;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_4: type_23;
+@group(0) @binding(5)
+var<storage, read_write> global_5: type_25;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -249,23 +249,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_32;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_32;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_32;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_32;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_551_: u32;
 var phi_554_: bool;
@@ -273,23 +273,23 @@ var phi_556_: array<f32, 14>;
 var phi_995_: bool;
 var phi_1175_: bool;
 var phi_1178_: bool;
-var phi_3020_: type_35;
+var phi_3020_: type_34;
 var phi_3033_: bool;
-var phi_4250_: type_29;
+var phi_4250_: type_39;
 var phi_4262_: bool;
-var phi_5474_: type_28;
-var phi_6997_: type_35;
-var phi_8241_: type_28;
-var phi_9779_: type_35;
-var phi_11023_: type_28;
-var phi_12561_: type_35;
-var phi_14309_: type_28;
-var phi_14581_: type_39;
-var phi_20294_: type_33;
-var phi_21073_: type_34;
-var phi_22063_: type_5;
+var phi_5474_: type_31;
+var phi_6997_: type_34;
+var phi_8241_: type_31;
+var phi_9779_: type_34;
+var phi_11023_: type_31;
+var phi_12561_: type_34;
+var phi_14309_: type_31;
+var phi_14581_: type_38;
+var phi_20294_: type_32;
+var phi_21073_: type_33;
+var phi_22063_: type_7;
 var phi_25561_: type_40;
-var phi_26954_: type_35;
+var phi_26954_: type_34;
 var phi_27110_: vec3<f32>;
 var phi_27111_: bool;
 var phi_27209_: array<f32, 14>;
@@ -315,15 +315,15 @@ var local_54: array<f32, 14>;
 switch bitcast<i32>(0u) {
 default: {
 let _e175 = global;
-let _e177 = arrayLength((&global_4.member));
-let _e180 = arrayLength((&global_2.member));
-let _e185 = arrayLength((&global_3.member));
+let _e177 = arrayLength((&global_3.member));
+let _e180 = arrayLength((&global_1.member));
+let _e185 = arrayLength((&global_2.member));
 if (0u < _e177) {
 } else {
 break;
 }
-let _e192 = global_4.member[0u].member_2;
-let _e196 = global_4.member[0u].member;
+let _e192 = global_3.member[0u].member_2;
+let _e196 = global_3.member[0u].member;
 let _e204 = (_e175.x + _e192.member);
 let _e206 = (_e175.y + _e192.member_1);
 if (_e204 < _e192.member_2) {
@@ -331,61 +331,61 @@ if (_e206 < _e192.member_3) {
 let _e209 = (_e196.member * _e196.member_1);
 let _e211 = ((_e206 * _e196.member) + _e204);
 let _e212 = bitcast<i32>(_e211);
-let _e214 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e214 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e216 = select(_e214, _e212, (_e212 < _e214));
-let _e222 = global_1.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
+let _e222 = global_5.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
 let _e223 = (_e209 + _e211);
 let _e224 = bitcast<i32>(_e223);
 let _e226 = select(_e214, _e224, (_e224 < _e214));
-let _e232 = global_1.member[bitcast<u32>(select(0i, _e226, (_e226 > 0i)))];
+let _e232 = global_5.member[bitcast<u32>(select(0i, _e226, (_e226 > 0i)))];
 let _e234 = ((2u * _e209) + _e211);
 let _e235 = bitcast<i32>(_e234);
 let _e237 = select(_e214, _e235, (_e235 < _e214));
-let _e243 = global_1.member[bitcast<u32>(select(0i, _e237, (_e237 > 0i)))];
+let _e243 = global_5.member[bitcast<u32>(select(0i, _e237, (_e237 > 0i)))];
 let _e245 = ((3u * _e209) + _e211);
 let _e246 = bitcast<i32>(_e245);
 let _e248 = select(_e214, _e246, (_e246 < _e214));
-let _e254 = global_1.member[bitcast<u32>(select(0i, _e248, (_e248 > 0i)))];
+let _e254 = global_5.member[bitcast<u32>(select(0i, _e248, (_e248 > 0i)))];
 let _e256 = ((4u * _e209) + _e211);
 let _e257 = bitcast<i32>(_e256);
 let _e259 = select(_e214, _e257, (_e257 < _e214));
-let _e265 = global_1.member[bitcast<u32>(select(0i, _e259, (_e259 > 0i)))];
+let _e265 = global_5.member[bitcast<u32>(select(0i, _e259, (_e259 > 0i)))];
 let _e267 = ((5u * _e209) + _e211);
 let _e268 = bitcast<i32>(_e267);
 let _e270 = select(_e214, _e268, (_e268 < _e214));
-let _e276 = global_1.member[bitcast<u32>(select(0i, _e270, (_e270 > 0i)))];
+let _e276 = global_5.member[bitcast<u32>(select(0i, _e270, (_e270 > 0i)))];
 let _e278 = ((6u * _e209) + _e211);
 let _e279 = bitcast<i32>(_e278);
 let _e281 = select(_e214, _e279, (_e279 < _e214));
-let _e287 = global_1.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
+let _e287 = global_5.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
 let _e289 = ((7u * _e209) + _e211);
 let _e290 = bitcast<i32>(_e289);
 let _e292 = select(_e214, _e290, (_e290 < _e214));
-let _e298 = global_1.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
+let _e298 = global_5.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
 let _e300 = ((8u * _e209) + _e211);
 let _e301 = bitcast<i32>(_e300);
 let _e303 = select(_e214, _e301, (_e301 < _e214));
-let _e309 = global_1.member[bitcast<u32>(select(0i, _e303, (_e303 > 0i)))];
+let _e309 = global_5.member[bitcast<u32>(select(0i, _e303, (_e303 > 0i)))];
 let _e311 = ((9u * _e209) + _e211);
 let _e312 = bitcast<i32>(_e311);
 let _e314 = select(_e214, _e312, (_e312 < _e214));
-let _e320 = global_1.member[bitcast<u32>(select(0i, _e314, (_e314 > 0i)))];
+let _e320 = global_5.member[bitcast<u32>(select(0i, _e314, (_e314 > 0i)))];
 let _e322 = ((10u * _e209) + _e211);
 let _e323 = bitcast<i32>(_e322);
 let _e325 = select(_e214, _e323, (_e323 < _e214));
-let _e331 = global_1.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
+let _e331 = global_5.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
 let _e333 = ((11u * _e209) + _e211);
 let _e334 = bitcast<i32>(_e333);
 let _e336 = select(_e214, _e334, (_e334 < _e214));
-let _e342 = global_1.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
+let _e342 = global_5.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
 let _e344 = ((12u * _e209) + _e211);
 let _e345 = bitcast<i32>(_e344);
 let _e347 = select(_e214, _e345, (_e345 < _e214));
-let _e353 = global_1.member[bitcast<u32>(select(0i, _e347, (_e347 > 0i)))];
+let _e353 = global_5.member[bitcast<u32>(select(0i, _e347, (_e347 > 0i)))];
 let _e355 = ((13u * _e209) + _e211);
 let _e356 = bitcast<i32>(_e355);
 let _e358 = select(_e214, _e356, (_e356 < _e214));
-let _e364 = global_1.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
+let _e364 = global_5.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
 phi_551_ = 0u;
 phi_554_ = false;
 phi_556_ = array<f32, 14>(_e222, _e232, _e243, _e254, _e265, _e276, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364);
@@ -415,33 +415,33 @@ if _e372 {
 phi_27276_ = true;
 break;
 }
-let _e376 = global_4.member[_e367].member;
-let _e389 = global_4.member[_e367].member_5.member;
+let _e376 = global_3.member[_e367].member;
+let _e389 = global_3.member[_e367].member_5.member;
 let _e391 = ((_e389 - _e371[2]) / _e371[5]);
 let _e393 = (_e371[0] + (_e371[3] * _e391));
 let _e395 = (_e371[1] + (_e371[4] * _e391));
-let _e400 = global_4.member[_e367].member_5.member_2;
+let _e400 = global_3.member[_e367].member_5.member_2;
 let _e401 = (_e400 / _e371[5]);
 let _e403 = (_e393 + (_e371[3] * _e401));
 let _e405 = (_e395 + (_e371[4] * _e401));
-let _e410 = global_4.member[_e367].member_5.member_1;
-let _e416 = global_4.member[_e367].member_13.member.member;
-let _e442 = global_4.member[_e367].member_13.member_1.member;
+let _e410 = global_3.member[_e367].member_5.member_1;
+let _e416 = global_3.member[_e367].member_13.member.member;
+let _e442 = global_3.member[_e367].member_13.member_1.member;
 let _e463 = (((((((_e416.member.member * _e393) + (_e416.member.member_1 * _e395)) + (_e416.member.member_2 * _e389)) + _e416.member_1) > 0f) && (((((_e416.member.member * _e403) + (_e416.member.member_1 * _e405)) + (_e416.member.member_2 * _e410)) + _e416.member_1) <= 0f)) || ((((((_e442.member.member * _e393) + (_e442.member.member_1 * _e395)) + (_e442.member.member_2 * _e389)) + _e442.member_1) > 0f) && (((((_e442.member.member * _e403) + (_e442.member.member_1 * _e405)) + (_e442.member.member_2 * _e410)) + _e442.member_1) <= 0f)));
-let _e468 = global_4.member[_e367].member_6.member;
+let _e468 = global_3.member[_e367].member_6.member;
 let _e479 = ((((_e468.member.member * _e393) + (_e468.member.member_1 * _e395)) + (_e468.member.member_2 * _e389)) + _e468.member_1);
-let _e484 = global_4.member[_e367].member_6.member_1;
+let _e484 = global_3.member[_e367].member_6.member_1;
 let _e495 = ((((_e484.member.member * _e393) + (_e484.member.member_1 * _e395)) + (_e484.member.member_2 * _e389)) + _e484.member_1);
-let _e500 = global_4.member[_e367].member_6.member_2;
+let _e500 = global_3.member[_e367].member_6.member_2;
 let _e511 = ((((_e500.member.member * _e393) + (_e500.member.member_1 * _e395)) + (_e500.member.member_2 * _e389)) + _e500.member_1);
 let _e517 = ((((_e468.member.member * _e403) + (_e468.member.member_1 * _e405)) + (_e468.member.member_2 * _e410)) + _e468.member_1);
 let _e523 = ((((_e484.member.member * _e403) + (_e484.member.member_1 * _e405)) + (_e484.member.member_2 * _e410)) + _e484.member_1);
 let _e529 = ((((_e500.member.member * _e403) + (_e500.member.member_1 * _e405)) + (_e500.member.member_2 * _e410)) + _e500.member_1);
-let _e536 = global_4.member[_e367].member_6.member_3.member;
+let _e536 = global_3.member[_e367].member_6.member_3.member;
 let _e537 = (_e536 - 1f);
-let _e547 = global_4.member[_e367].member_6.member_3.member_1;
+let _e547 = global_3.member[_e367].member_6.member_3.member_1;
 let _e548 = (_e547 - 1f);
-let _e558 = global_4.member[_e367].member_6.member_3.member_2;
+let _e558 = global_3.member[_e367].member_6.member_3.member_2;
 let _e559 = (_e558 - 1f);
 let _e573 = (((((((_e479 >= 0f) && (_e479 <= _e537)) && (_e495 >= 0f)) && (_e495 <= _e548)) && (_e511 >= 0f)) && (_e511 <= _e559)) && ((((((_e517 >= 0f) && (_e517 <= _e537)) && (_e523 >= 0f)) && (_e523 <= _e548)) && (_e529 >= 0f)) && (_e529 <= _e559)));
 let _e575 = (_e376.member_2 == 5u);
@@ -454,22 +454,22 @@ let _e586 = (_e536 - _e584);
 let _e590 = (_e547 - _e584);
 let _e595 = (_e558 - _e584);
 let _e598 = ((((_e479 >= _e583) && (_e479 <= _e586)) && ((_e495 >= _e583) && (_e495 <= _e590))) && ((_e511 >= _e583) && (_e511 <= _e595)));
-let _e602 = global_4.member[_e367].member_1;
+let _e602 = global_3.member[_e367].member_1;
 let _e604 = ((_e602 & 16u) == 0u);
 if _e604 {
 phi_995_ = _e598;
 } else {
-let _e610 = global_4.member[_e367].member_6.member.member;
+let _e610 = global_3.member[_e367].member_6.member.member;
 let _e618 = (((_e610.member * _e610.member) + (_e610.member_1 * _e610.member_1)) + (_e610.member_2 * _e610.member_2));
-let _e627 = global_4.member[_e367].member_14.member;
+let _e627 = global_3.member[_e367].member_14.member;
 let _e639 = -((0.5f / sqrt(select(0f, _e618, (_e618 > 0f)))));
-let _e645 = global_4.member[_e367].member_14.member_1;
-let _e652 = global_4.member[_e367].member_15.member;
-let _e669 = global_4.member[_e367].member_15.member_1;
-let _e677 = global_4.member[_e367].member_16.member;
-let _e694 = global_4.member[_e367].member_16.member_1;
-let _e702 = global_4.member[_e367].member_17.member;
-let _e719 = global_4.member[_e367].member_17.member_1;
+let _e645 = global_3.member[_e367].member_14.member_1;
+let _e652 = global_3.member[_e367].member_15.member;
+let _e669 = global_3.member[_e367].member_15.member_1;
+let _e677 = global_3.member[_e367].member_16.member;
+let _e694 = global_3.member[_e367].member_16.member_1;
+let _e702 = global_3.member[_e367].member_17.member;
+let _e719 = global_3.member[_e367].member_17.member_1;
 phi_995_ = (_e598 && (((((((((_e627.member.member * _e393) + (_e627.member.member_1 * _e395)) + (_e627.member.member_2 * _e389)) + _e627.member_1) <= _e639) || (_e645 == 0u)) && ((((((_e652.member.member * _e393) + (_e652.member.member_1 * _e395)) + (_e652.member.member_2 * _e389)) + _e652.member_1) <= _e639) || (_e669 == 0u))) && ((((((_e677.member.member * _e393) + (_e677.member.member_1 * _e395)) + (_e677.member.member_2 * _e389)) + _e677.member_1) <= _e639) || (_e694 == 0u))) && ((((((_e702.member.member * _e393) + (_e702.member.member_1 * _e395)) + (_e702.member.member_2 * _e389)) + _e702.member_1) <= _e639) || (_e719 == 0u))));
 }
 let _e725 = phi_995_;
@@ -483,17 +483,17 @@ let _e760 = ((((_e737 >= _e583) && (_e737 <= _e586)) && ((_e743 >= _e583) && (_e
 if _e604 {
 phi_1175_ = _e760;
 } else {
-let _e766 = global_4.member[_e367].member_6.member.member;
+let _e766 = global_3.member[_e367].member_6.member.member;
 let _e774 = (((_e766.member * _e766.member) + (_e766.member_1 * _e766.member_1)) + (_e766.member_2 * _e766.member_2));
-let _e783 = global_4.member[_e367].member_14.member;
+let _e783 = global_3.member[_e367].member_14.member;
 let _e795 = -((0.5f / sqrt(select(0f, _e774, (_e774 > 0f)))));
-let _e801 = global_4.member[_e367].member_14.member_1;
-let _e808 = global_4.member[_e367].member_15.member;
-let _e825 = global_4.member[_e367].member_15.member_1;
-let _e833 = global_4.member[_e367].member_16.member;
-let _e850 = global_4.member[_e367].member_16.member_1;
-let _e858 = global_4.member[_e367].member_17.member;
-let _e875 = global_4.member[_e367].member_17.member_1;
+let _e801 = global_3.member[_e367].member_14.member_1;
+let _e808 = global_3.member[_e367].member_15.member;
+let _e825 = global_3.member[_e367].member_15.member_1;
+let _e833 = global_3.member[_e367].member_16.member;
+let _e850 = global_3.member[_e367].member_16.member_1;
+let _e858 = global_3.member[_e367].member_17.member;
+let _e875 = global_3.member[_e367].member_17.member_1;
 phi_1175_ = (_e760 && (((((((((_e783.member.member * _e729) + (_e783.member.member_1 * _e730)) + (_e783.member.member_2 * _e731)) + _e783.member_1) <= _e795) || (_e801 == 0u)) && ((((((_e808.member.member * _e729) + (_e808.member.member_1 * _e730)) + (_e808.member.member_2 * _e731)) + _e808.member_1) <= _e795) || (_e825 == 0u))) && ((((((_e833.member.member * _e729) + (_e833.member.member_1 * _e730)) + (_e833.member.member_2 * _e731)) + _e833.member_1) <= _e795) || (_e850 == 0u))) && ((((((_e858.member.member * _e729) + (_e858.member.member_1 * _e730)) + (_e858.member.member_2 * _e731)) + _e858.member_1) <= _e795) || (_e875 == 0u))));
 }
 let _e881 = phi_1175_;
@@ -503,7 +503,7 @@ phi_1178_ = _e573;
 }
 let _e885 = phi_1178_;
 let _e886 = !(_e463);
-let _e894 = global_4.member[_e367].member_6.member_4;
+let _e894 = global_3.member[_e367].member_6.member_4;
 let _e895 = (_e536 - 0.5f);
 let _e897 = select(-0.5f, _e517, (_e517 > -0.5f));
 let _e899 = select(_e895, _e897, (_e897 < _e895));
@@ -528,7 +528,7 @@ let _e944 = (_e899 + 0.5f);
 let _e946 = select(0f, _e944, (_e944 > 0f));
 let _e948 = select(_e537, _e946, (_e946 < _e537));
 let _e955 = select(0i, select(select(i32(_e948), i32(-2147483648), (_e948 < -2147483600f)), 2147483647i, (_e948 > 2147483500f)), (_e948 == _e948));
-let _e964 = global_4.member[_e367].member_6.member_12;
+let _e964 = global_3.member[_e367].member_6.member_12;
 let _e965 = (_e964 & 31u);
 let _e968 = (_e904 + 0.5f);
 let _e970 = select(0f, _e968, (_e968 > 0f));
@@ -538,14 +538,14 @@ let _e986 = (_e909 + 0.5f);
 let _e988 = select(0f, _e986, (_e986 > 0f));
 let _e990 = select(_e559, _e988, (_e988 < _e559));
 let _e997 = select(0i, select(select(i32(_e990), i32(-2147483648), (_e990 < -2147483600f)), 2147483647i, (_e990 > 2147483500f)), (_e990 == _e990));
-let _e1009 = global_4.member[_e367].member_6.member_9.member;
-let _e1016 = global_4.member[_e367].member_6.member_9.member_1;
-let _e1022 = global_4.member[_e367].member_6.member_10;
+let _e1009 = global_3.member[_e367].member_6.member_9.member;
+let _e1016 = global_3.member[_e367].member_6.member_9.member_1;
+let _e1022 = global_3.member[_e367].member_6.member_10;
 let _e1028 = ((bitcast<i32>(_e1022) + ((_e955 - select(0i, 1i, (_e948 < f32(_e955)))) >> bitcast<u32>(_e965))) + (bitcast<i32>(_e1009) * (((_e979 - select(0i, 1i, (_e972 < f32(_e979)))) >> bitcast<u32>(_e965)) + (bitcast<i32>(_e1016) * ((_e997 - select(0i, 1i, (_e990 < f32(_e997)))) >> bitcast<u32>(_e965))))));
-let _e1030 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e1030 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1032 = select(_e1030, _e1028, (_e1028 < _e1030));
-let _e1038 = global_5.member[bitcast<u32>(select(0i, _e1032, (_e1032 > 0i)))];
-let _e1045 = global_4.member[_e367].member_1;
+let _e1038 = global_4.member[bitcast<u32>(select(0i, _e1032, (_e1032 > 0i)))];
+let _e1045 = global_3.member[_e367].member_1;
 let _e1056 = (select(0u, select(select(7u, 3u, (_e885 && _e886)), select(1u, 7u, _e463), (((_e1045 & 64u) != 0u) || ((((select(_e923, _e920, (_e920 > _e923)) <= _e894) && ((select(_e940, _e937, (_e937 > _e940)) > _e894) || (_e1038 != 0u))) && true) && ((_e1045 & 32u) != 0u)))), (_e371[11] == 0f)) > 1u);
 if _e1056 {
 let _e1057 = vec3<f32>(_e371[3], _e371[4], _e371[5]);
@@ -554,11 +554,11 @@ let _e1067 = (_e405 - _e395);
 let _e1068 = (_e410 - _e389);
 let _e1073 = (((_e1066 * _e1066) + (_e1067 * _e1067)) + (_e1068 * _e1068));
 let _e1076 = sqrt(select(0f, _e1073, (_e1073 > 0f)));
-let _e1077 = type_39(type_28(1f, 1f), vec3<f32>(_e403, _e405, _e410), _e1057, _e1076, _e401, _e1057, true, false, false);
+let _e1077 = type_38(type_31(1f, 1f), vec3<f32>(_e403, _e405, _e410), _e1057, _e1076, _e401, _e1057, true, false, false);
 if _e582 {
-let _e1179 = global_4.member[_e367].member_6.member.member;
-let _e1188 = global_4.member[_e367].member_6.member_1.member;
-let _e1197 = global_4.member[_e367].member_6.member_2.member;
+let _e1179 = global_3.member[_e367].member_6.member.member;
+let _e1188 = global_3.member[_e367].member_6.member_1.member;
+let _e1197 = global_3.member[_e367].member_6.member_2.member;
 let _e1201 = (-0.5f - _e479);
 let _e1202 = (-0.5f - _e517);
 let _e1203 = -(_e1201);
@@ -666,16 +666,16 @@ let _e1441 = select(select(select(select(select(select(0f, _e1179.member_1, _e12
 let _e1442 = select(select(select(select(select(select(1f, _e1179.member_2, _e1221), _e1179.member_2, _e1261), _e1188.member_2, _e1301), _e1188.member_2, _e1341), _e1197.member_2, _e1381), _e1197.member_2, _e1421);
 let _e1446 = ((_e1045 & 16u) == 0u);
 if _e1446 {
-phi_3020_ = type_35(_e1427, vec3<f32>(_e1428, _e1429, _e1430), _e1432, vec3<f32>(_e1433, _e1434, _e1435), _e1437, _e1439, vec3<f32>(_e1440, _e1441, _e1442));
+phi_3020_ = type_34(_e1427, vec3<f32>(_e1428, _e1429, _e1430), _e1432, vec3<f32>(_e1433, _e1434, _e1435), _e1437, _e1439, vec3<f32>(_e1440, _e1441, _e1442));
 } else {
 let _e1451 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e1454 = sqrt(select(0f, _e1451, (_e1451 > 0f)));
-let _e1459 = global_4.member[_e367].member_14.member_1;
+let _e1459 = global_3.member[_e367].member_14.member_1;
 let _e1460 = (_e1459 != 0u);
-let _e1465 = global_4.member[_e367].member_14.member;
+let _e1465 = global_3.member[_e367].member_14.member;
 let _e1485 = select(-1e6f, (((((_e1465.member.member * _e393) + (_e1465.member.member_1 * _e395)) + (_e1465.member.member_2 * _e389)) + _e1465.member_1) * _e1454), _e1460);
 let _e1486 = select(-1e6f, (((((_e1465.member.member * _e403) + (_e1465.member.member_1 * _e405)) + (_e1465.member.member_2 * _e410)) + _e1465.member_1) * _e1454), _e1460);
-let _e1492 = global_4.member[_e367].member_14.member.member;
+let _e1492 = global_3.member[_e367].member_14.member.member;
 let _e1496 = -(_e1485);
 let _e1499 = (_e1485 - _e1486);
 let _e1500 = (_e1486 - _e1485);
@@ -690,12 +690,12 @@ let _e1520 = select(_e1427, _e1509, _e1518);
 let _e1524 = select(_e1432, _e1513, _e1519);
 let _e1528 = select(_e1437, _e1485, _e1514);
 let _e1530 = select(_e1439, _e1486, (_e1486 > _e1439));
-let _e1538 = global_4.member[_e367].member_15.member_1;
+let _e1538 = global_3.member[_e367].member_15.member_1;
 let _e1539 = (_e1538 != 0u);
-let _e1544 = global_4.member[_e367].member_15.member;
+let _e1544 = global_3.member[_e367].member_15.member;
 let _e1564 = select(-1e6f, (((((_e1544.member.member * _e393) + (_e1544.member.member_1 * _e395)) + (_e1544.member.member_2 * _e389)) + _e1544.member_1) * _e1454), _e1539);
 let _e1565 = select(-1e6f, (((((_e1544.member.member * _e403) + (_e1544.member.member_1 * _e405)) + (_e1544.member.member_2 * _e410)) + _e1544.member_1) * _e1454), _e1539);
-let _e1571 = global_4.member[_e367].member_15.member.member;
+let _e1571 = global_3.member[_e367].member_15.member.member;
 let _e1575 = -(_e1564);
 let _e1578 = (_e1564 - _e1565);
 let _e1579 = (_e1565 - _e1564);
@@ -710,12 +710,12 @@ let _e1599 = select(_e1520, _e1588, _e1597);
 let _e1603 = select(_e1524, _e1592, _e1598);
 let _e1607 = select(_e1528, _e1564, _e1593);
 let _e1609 = select(_e1530, _e1565, (_e1565 > _e1530));
-let _e1617 = global_4.member[_e367].member_16.member_1;
+let _e1617 = global_3.member[_e367].member_16.member_1;
 let _e1618 = (_e1617 != 0u);
-let _e1623 = global_4.member[_e367].member_16.member;
+let _e1623 = global_3.member[_e367].member_16.member;
 let _e1643 = select(-1e6f, (((((_e1623.member.member * _e393) + (_e1623.member.member_1 * _e395)) + (_e1623.member.member_2 * _e389)) + _e1623.member_1) * _e1454), _e1618);
 let _e1644 = select(-1e6f, (((((_e1623.member.member * _e403) + (_e1623.member.member_1 * _e405)) + (_e1623.member.member_2 * _e410)) + _e1623.member_1) * _e1454), _e1618);
-let _e1650 = global_4.member[_e367].member_16.member.member;
+let _e1650 = global_3.member[_e367].member_16.member.member;
 let _e1654 = -(_e1643);
 let _e1657 = (_e1643 - _e1644);
 let _e1658 = (_e1644 - _e1643);
@@ -730,12 +730,12 @@ let _e1678 = select(_e1599, _e1667, _e1676);
 let _e1682 = select(_e1603, _e1671, _e1677);
 let _e1686 = select(_e1607, _e1643, _e1672);
 let _e1688 = select(_e1609, _e1644, (_e1644 > _e1609));
-let _e1696 = global_4.member[_e367].member_17.member_1;
+let _e1696 = global_3.member[_e367].member_17.member_1;
 let _e1697 = (_e1696 != 0u);
-let _e1702 = global_4.member[_e367].member_17.member;
+let _e1702 = global_3.member[_e367].member_17.member;
 let _e1722 = select(-1e6f, (((((_e1702.member.member * _e393) + (_e1702.member.member_1 * _e395)) + (_e1702.member.member_2 * _e389)) + _e1702.member_1) * _e1454), _e1697);
 let _e1723 = select(-1e6f, (((((_e1702.member.member * _e403) + (_e1702.member.member_1 * _e405)) + (_e1702.member.member_2 * _e410)) + _e1702.member_1) * _e1454), _e1697);
-let _e1729 = global_4.member[_e367].member_17.member.member;
+let _e1729 = global_3.member[_e367].member_17.member.member;
 let _e1733 = -(_e1722);
 let _e1736 = (_e1722 - _e1723);
 let _e1737 = (_e1723 - _e1722);
@@ -746,7 +746,7 @@ let _e1750 = select(2f, select(0f, _e1742, (_e1722 < 0f)), (_e1723 > 0f));
 let _e1751 = (_e1722 > _e1686);
 let _e1755 = ((_e1746 > _e1678) || ((_e1746 == _e1678) && _e1751));
 let _e1756 = (_e1750 < _e1682);
-phi_3020_ = type_35(select(_e1678, _e1746, _e1755), vec3<f32>(select(select(select(select(_e1428, _e1492.member, _e1518), _e1571.member, _e1597), _e1650.member, _e1676), _e1729.member, _e1755), select(select(select(select(_e1429, _e1492.member_1, _e1518), _e1571.member_1, _e1597), _e1650.member_1, _e1676), _e1729.member_1, _e1755), select(select(select(select(_e1430, _e1492.member_2, _e1518), _e1571.member_2, _e1597), _e1650.member_2, _e1676), _e1729.member_2, _e1755)), select(_e1682, _e1750, _e1756), vec3<f32>(select(select(select(select(_e1433, _e1492.member, _e1519), _e1571.member, _e1598), _e1650.member, _e1677), _e1729.member, _e1756), select(select(select(select(_e1434, _e1492.member_1, _e1519), _e1571.member_1, _e1598), _e1650.member_1, _e1677), _e1729.member_1, _e1756), select(select(select(select(_e1435, _e1492.member_2, _e1519), _e1571.member_2, _e1598), _e1650.member_2, _e1677), _e1729.member_2, _e1756)), select(_e1686, _e1722, _e1751), select(_e1688, _e1723, (_e1723 > _e1688)), vec3<f32>(select(select(select(select(_e1440, _e1492.member, _e1514), _e1571.member, _e1593), _e1650.member, _e1672), _e1729.member, _e1751), select(select(select(select(_e1441, _e1492.member_1, _e1514), _e1571.member_1, _e1593), _e1650.member_1, _e1672), _e1729.member_1, _e1751), select(select(select(select(_e1442, _e1492.member_2, _e1514), _e1571.member_2, _e1593), _e1650.member_2, _e1672), _e1729.member_2, _e1751)));
+phi_3020_ = type_34(select(_e1678, _e1746, _e1755), vec3<f32>(select(select(select(select(_e1428, _e1492.member, _e1518), _e1571.member, _e1597), _e1650.member, _e1676), _e1729.member, _e1755), select(select(select(select(_e1429, _e1492.member_1, _e1518), _e1571.member_1, _e1597), _e1650.member_1, _e1676), _e1729.member_1, _e1755), select(select(select(select(_e1430, _e1492.member_2, _e1518), _e1571.member_2, _e1597), _e1650.member_2, _e1676), _e1729.member_2, _e1755)), select(_e1682, _e1750, _e1756), vec3<f32>(select(select(select(select(_e1433, _e1492.member, _e1519), _e1571.member, _e1598), _e1650.member, _e1677), _e1729.member, _e1756), select(select(select(select(_e1434, _e1492.member_1, _e1519), _e1571.member_1, _e1598), _e1650.member_1, _e1677), _e1729.member_1, _e1756), select(select(select(select(_e1435, _e1492.member_2, _e1519), _e1571.member_2, _e1598), _e1650.member_2, _e1677), _e1729.member_2, _e1756)), select(_e1686, _e1722, _e1751), select(_e1688, _e1723, (_e1723 > _e1688)), vec3<f32>(select(select(select(select(_e1440, _e1492.member, _e1514), _e1571.member, _e1593), _e1650.member, _e1672), _e1729.member, _e1751), select(select(select(select(_e1441, _e1492.member_1, _e1514), _e1571.member_1, _e1593), _e1650.member_1, _e1672), _e1729.member_1, _e1751), select(select(select(select(_e1442, _e1492.member_2, _e1514), _e1571.member_2, _e1593), _e1650.member_2, _e1672), _e1729.member_2, _e1751)));
 }
 let _e1776 = phi_3020_;
 if ((_e1776.member_4 > -(0.015625f)) && (_e1776.member_4 < 0.015625f)) {
@@ -755,7 +755,7 @@ phi_3033_ = (_e371[9] != 0f);
 phi_3033_ = (_e1776.member_4 < 0f);
 }
 let _e1785 = phi_3033_;
-let _e1790 = global_4.member[_e367].member_10.member_9;
+let _e1790 = global_3.member[_e367].member_10.member_9;
 let _e1794 = select(-0.5f, _e479, (_e479 > -0.5f));
 let _e1796 = select(_e895, _e1794, (_e1794 < _e895));
 let _e1798 = select(-0.5f, _e495, (_e495 > -0.5f));
@@ -774,8 +774,8 @@ let _e1836 = select(-1f, _e1804, (_e1804 > -1f));
 let _e1838 = select(_e558, _e1836, (_e1836 < _e558));
 let _e1845 = select(0i, select(select(i32(_e1838), i32(-2147483648), (_e1838 < -2147483600f)), 2147483647i, (_e1838 > 2147483500f)), (_e1838 == _e1838));
 let _e1849 = (_e1845 - select(0i, 1i, (_e1838 < f32(_e1845))));
-let _e1854 = global_4.member[_e367].member_6.member_7;
-let _e1859 = global_4.member[_e367].member_6.member_8;
+let _e1854 = global_3.member[_e367].member_6.member_7;
+let _e1859 = global_3.member[_e367].member_6.member_8;
 let _e1867 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e1870 = (_e1834 + 1i);
 let _e1880 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -797,7 +797,7 @@ let _e1932 = (select(0i, _e1834, (_e1834 > 0i)) * _e1854);
 let _e1933 = (select(_e1867, _e1870, (_e1870 < _e1867)) * _e1854);
 let _e1934 = (select(0i, _e1849, (_e1849 > 0i)) * _e1859);
 let _e1935 = (select(_e1880, _e1883, (_e1883 < _e1880)) * _e1859);
-local_38 = type_32(array<i32, 4>(_e1909, _e1911, _e1913, 0i), array<u32, 6>(bitcast<u32>(((_e1896 - _e1909) * 16i)), bitcast<u32>(((_e1898 - _e1909) * 16i)), bitcast<u32>(((_e1898 - _e1911) * 16i)), bitcast<u32>(((_e1901 - _e1911) * 16i)), bitcast<u32>(((_e1901 - _e1913) * 16i)), bitcast<u32>(((select(_e1893, _e1902, (_e1902 < _e1893)) - _e1913) * 16i))));
+local_38 = type_28(array<i32, 4>(_e1909, _e1911, _e1913, 0i), array<u32, 6>(bitcast<u32>(((_e1896 - _e1909) * 16i)), bitcast<u32>(((_e1898 - _e1909) * 16i)), bitcast<u32>(((_e1898 - _e1911) * 16i)), bitcast<u32>(((_e1901 - _e1911) * 16i)), bitcast<u32>(((_e1901 - _e1913) * 16i)), bitcast<u32>(((select(_e1893, _e1902, (_e1902 < _e1893)) - _e1913) * 16i))));
 local_39 = vec3<f32>((_e1796 - f32(_e1819)), (_e1800 - f32(_e1834)), (_e1804 - f32(_e1849)));
 let _e1950 = local_38.member[1u];
 let _e1951 = ((_e1934 + _e1932) + _e1950);
@@ -805,10 +805,10 @@ let _e1953 = (_e1951 >> bitcast<u32>(1i));
 let _e1956 = bitcast<u32>(((_e1951 & 1i) * 16i));
 let _e1958 = (bitcast<i32>(_e180) - 1i);
 let _e1960 = select(_e1958, _e1953, (_e1953 < _e1958));
-let _e1965 = global_2.member[bitcast<u32>(select(0i, _e1960, (_e1960 > 0i)))];
+let _e1965 = global_1.member[bitcast<u32>(select(0i, _e1960, (_e1960 > 0i)))];
 let _e1969 = (_e1953 + 1i);
 let _e1971 = select(_e1958, _e1969, (_e1969 < _e1958));
-let _e1976 = global_2.member[bitcast<u32>(select(0i, _e1971, (_e1971 > 0i)))];
+let _e1976 = global_1.member[bitcast<u32>(select(0i, _e1971, (_e1971 > 0i)))];
 let _e1983 = ((_e1965 >> bitcast<u32>((_e1956 & 31u))) | ((_e1976 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1956) & 31u))));
 let _e1986 = local_38.member_1[2u];
 let _e1992 = f32(bitcast<i32>(((_e1983 >> bitcast<u32>((_e1986 & 31u))) & 65535u)));
@@ -820,10 +820,10 @@ let _e2008 = ((_e1934 + _e1933) + _e2007);
 let _e2010 = (_e2008 >> bitcast<u32>(1i));
 let _e2013 = bitcast<u32>(((_e2008 & 1i) * 16i));
 let _e2015 = select(_e1958, _e2010, (_e2010 < _e1958));
-let _e2020 = global_2.member[bitcast<u32>(select(0i, _e2015, (_e2015 > 0i)))];
+let _e2020 = global_1.member[bitcast<u32>(select(0i, _e2015, (_e2015 > 0i)))];
 let _e2024 = (_e2010 + 1i);
 let _e2026 = select(_e1958, _e2024, (_e2024 < _e1958));
-let _e2031 = global_2.member[bitcast<u32>(select(0i, _e2026, (_e2026 > 0i)))];
+let _e2031 = global_1.member[bitcast<u32>(select(0i, _e2026, (_e2026 > 0i)))];
 let _e2038 = ((_e2020 >> bitcast<u32>((_e2013 & 31u))) | ((_e2031 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2013) & 31u))));
 let _e2039 = local_38.member_1[2u];
 let _e2045 = f32(bitcast<i32>(((_e2038 >> bitcast<u32>((_e2039 & 31u))) & 65535u)));
@@ -836,10 +836,10 @@ let _e2064 = ((_e1935 + _e1932) + _e2063);
 let _e2066 = (_e2064 >> bitcast<u32>(1i));
 let _e2069 = bitcast<u32>(((_e2064 & 1i) * 16i));
 let _e2071 = select(_e1958, _e2066, (_e2066 < _e1958));
-let _e2076 = global_2.member[bitcast<u32>(select(0i, _e2071, (_e2071 > 0i)))];
+let _e2076 = global_1.member[bitcast<u32>(select(0i, _e2071, (_e2071 > 0i)))];
 let _e2080 = (_e2066 + 1i);
 let _e2082 = select(_e1958, _e2080, (_e2080 < _e1958));
-let _e2087 = global_2.member[bitcast<u32>(select(0i, _e2082, (_e2082 > 0i)))];
+let _e2087 = global_1.member[bitcast<u32>(select(0i, _e2082, (_e2082 > 0i)))];
 let _e2094 = ((_e2076 >> bitcast<u32>((_e2069 & 31u))) | ((_e2087 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2069) & 31u))));
 let _e2095 = local_38.member_1[2u];
 let _e2101 = f32(bitcast<i32>(((_e2094 >> bitcast<u32>((_e2095 & 31u))) & 65535u)));
@@ -851,10 +851,10 @@ let _e2115 = ((_e1935 + _e1933) + _e2114);
 let _e2117 = (_e2115 >> bitcast<u32>(1i));
 let _e2120 = bitcast<u32>(((_e2115 & 1i) * 16i));
 let _e2122 = select(_e1958, _e2117, (_e2117 < _e1958));
-let _e2127 = global_2.member[bitcast<u32>(select(0i, _e2122, (_e2122 > 0i)))];
+let _e2127 = global_1.member[bitcast<u32>(select(0i, _e2122, (_e2122 > 0i)))];
 let _e2131 = (_e2117 + 1i);
 let _e2133 = select(_e1958, _e2131, (_e2131 < _e1958));
-let _e2138 = global_2.member[bitcast<u32>(select(0i, _e2133, (_e2133 > 0i)))];
+let _e2138 = global_1.member[bitcast<u32>(select(0i, _e2133, (_e2133 > 0i)))];
 let _e2145 = ((_e2127 >> bitcast<u32>((_e2120 & 31u))) | ((_e2138 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2120) & 31u))));
 let _e2146 = local_38.member_1[2u];
 let _e2152 = f32(bitcast<i32>(((_e2145 >> bitcast<u32>((_e2146 & 31u))) & 65535u)));
@@ -862,8 +862,8 @@ let _e2153 = local_38.member_1[3u];
 let _e2160 = local_39[0u];
 let _e2164 = local_39[1u];
 let _e2169 = local_39[2u];
-let _e2177 = global_4.member[_e367].member_6.member_6;
-let _e2182 = global_4.member[_e367].member_6.member_5;
+let _e2177 = global_3.member[_e367].member_6.member_6;
+let _e2182 = global_3.member[_e367].member_6.member_5;
 let _e2184 = (((_e2061 + (((_e2112 + (((_e2152 + ((f32(bitcast<i32>(((_e2145 >> bitcast<u32>((_e2153 & 31u))) & 65535u))) - _e2152) * _e2160)) - _e2112) * _e2164)) - _e2061) * _e2169)) - _e2177) * _e2182);
 let _e2185 = -(1e9f);
 let _e2187 = select(_e2185, _e2184, (_e2184 > _e2185));
@@ -873,49 +873,49 @@ local_37 = _e2190;
 let _e2191 = local_37;
 let _e2193 = (bitcast<i32>(_e185) - 1i);
 let _e2195 = select(_e2193, 263197i, (263197i < _e2193));
-let _e2200 = global_3.member[bitcast<u32>(select(0i, _e2195, (_e2195 > 0i)))];
+let _e2200 = global_2.member[bitcast<u32>(select(0i, _e2195, (_e2195 > 0i)))];
 let _e2201 = bitcast<f32>(_e2200);
 let _e2203 = select(_e2193, 263198i, (263198i < _e2193));
-let _e2208 = global_3.member[bitcast<u32>(select(0i, _e2203, (_e2203 > 0i)))];
+let _e2208 = global_2.member[bitcast<u32>(select(0i, _e2203, (_e2203 > 0i)))];
 let _e2209 = bitcast<f32>(_e2208);
 let _e2211 = select(_e2193, 263199i, (263199i < _e2193));
-let _e2216 = global_3.member[bitcast<u32>(select(0i, _e2211, (_e2211 > 0i)))];
+let _e2216 = global_2.member[bitcast<u32>(select(0i, _e2211, (_e2211 > 0i)))];
 let _e2217 = bitcast<f32>(_e2216);
 let _e2219 = ((_e2191 - _e2201) * _e2209);
 let _e2221 = select(0f, _e2219, (_e2219 > 0f));
 let _e2224 = local_37;
 let _e2226 = select(_e2193, 263200i, (263200i < _e2193));
-let _e2231 = global_3.member[bitcast<u32>(select(0i, _e2226, (_e2226 > 0i)))];
+let _e2231 = global_2.member[bitcast<u32>(select(0i, _e2226, (_e2226 > 0i)))];
 let _e2232 = bitcast<f32>(_e2231);
 let _e2234 = select(_e2193, 263201i, (263201i < _e2193));
-let _e2239 = global_3.member[bitcast<u32>(select(0i, _e2234, (_e2234 > 0i)))];
+let _e2239 = global_2.member[bitcast<u32>(select(0i, _e2234, (_e2234 > 0i)))];
 let _e2240 = bitcast<f32>(_e2239);
 let _e2242 = select(_e2193, 263202i, (263202i < _e2193));
-let _e2247 = global_3.member[bitcast<u32>(select(0i, _e2242, (_e2242 > 0i)))];
+let _e2247 = global_2.member[bitcast<u32>(select(0i, _e2242, (_e2242 > 0i)))];
 let _e2248 = bitcast<f32>(_e2247);
 let _e2250 = ((_e2224 - _e2232) * _e2240);
 let _e2252 = select(0f, _e2250, (_e2250 > 0f));
 let _e2256 = local_37;
 let _e2258 = select(_e2193, 263203i, (263203i < _e2193));
-let _e2263 = global_3.member[bitcast<u32>(select(0i, _e2258, (_e2258 > 0i)))];
+let _e2263 = global_2.member[bitcast<u32>(select(0i, _e2258, (_e2258 > 0i)))];
 let _e2264 = bitcast<f32>(_e2263);
 let _e2266 = select(_e2193, 263204i, (263204i < _e2193));
-let _e2271 = global_3.member[bitcast<u32>(select(0i, _e2266, (_e2266 > 0i)))];
+let _e2271 = global_2.member[bitcast<u32>(select(0i, _e2266, (_e2266 > 0i)))];
 let _e2272 = bitcast<f32>(_e2271);
 let _e2274 = select(_e2193, 263205i, (263205i < _e2193));
-let _e2279 = global_3.member[bitcast<u32>(select(0i, _e2274, (_e2274 > 0i)))];
+let _e2279 = global_2.member[bitcast<u32>(select(0i, _e2274, (_e2274 > 0i)))];
 let _e2280 = bitcast<f32>(_e2279);
 let _e2282 = ((_e2256 - _e2264) * _e2272);
 let _e2284 = select(0f, _e2282, (_e2282 > 0f));
 let _e2287 = local_37;
 let _e2289 = select(_e2193, 263206i, (263206i < _e2193));
-let _e2294 = global_3.member[bitcast<u32>(select(0i, _e2289, (_e2289 > 0i)))];
+let _e2294 = global_2.member[bitcast<u32>(select(0i, _e2289, (_e2289 > 0i)))];
 let _e2295 = bitcast<f32>(_e2294);
 let _e2297 = select(_e2193, 263207i, (263207i < _e2193));
-let _e2302 = global_3.member[bitcast<u32>(select(0i, _e2297, (_e2297 > 0i)))];
+let _e2302 = global_2.member[bitcast<u32>(select(0i, _e2297, (_e2297 > 0i)))];
 let _e2303 = bitcast<f32>(_e2302);
 let _e2305 = select(_e2193, 263208i, (263208i < _e2193));
-let _e2310 = global_3.member[bitcast<u32>(select(0i, _e2305, (_e2305 > 0i)))];
+let _e2310 = global_2.member[bitcast<u32>(select(0i, _e2305, (_e2305 > 0i)))];
 let _e2311 = bitcast<f32>(_e2310);
 let _e2313 = ((_e2287 - _e2295) * _e2303);
 let _e2315 = select(0f, _e2313, (_e2313 > 0f));
@@ -926,24 +926,24 @@ let _e2330 = select(0i, select(select(i32(_e2323), i32(-2147483648), (_e2323 < -
 let _e2334 = (_e2330 - select(0i, 1i, (_e2323 < f32(_e2330))));
 let _e2335 = (262147i + _e2334);
 let _e2337 = select(_e2193, _e2335, (_e2335 < _e2193));
-let _e2343 = global_3.member[bitcast<u32>(select(0i, _e2337, (_e2337 > 0i)))];
+let _e2343 = global_2.member[bitcast<u32>(select(0i, _e2337, (_e2337 > 0i)))];
 let _e2353 = select(_e2193, 262146i, (262146i < _e2193));
 let _e2356 = bitcast<u32>(select(0i, _e2353, (_e2353 > 0i)));
-let _e2359 = global_3.member[_e2356];
+let _e2359 = global_2.member[_e2356];
 let _e2363 = select(_e2193, 262144i, (262144i < _e2193));
 let _e2366 = bitcast<u32>(select(0i, _e2363, (_e2363 > 0i)));
-let _e2369 = global_3.member[_e2366];
+let _e2369 = global_2.member[_e2366];
 let _e2372 = select(_e2193, 262145i, (262145i < _e2193));
 let _e2375 = bitcast<u32>(select(0i, _e2372, (_e2372 > 0i)));
-let _e2378 = global_3.member[_e2375];
+let _e2378 = global_2.member[_e2375];
 let _e2386 = select(1f, ((bitcast<f32>(_e2369) + (f32(bitcast<i32>((_e2343 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2378))) + ((f32((bitcast<i32>((_e2343 & 4095u)) - 2048i)) * bitcast<f32>(_e2359)) * (_e2319 - f32(_e2334)))), (_e1785 && (_e389 == _e1790)));
 let _e2387 = (_e371[3] * _e2386);
 let _e2388 = (_e371[4] * _e2386);
 let _e2389 = (_e371[5] * _e2386);
 if _e1785 {
-phi_4250_ = type_29(_e1776.member_2, _e1776.member_3);
+phi_4250_ = type_39(_e1776.member_2, _e1776.member_3);
 } else {
-phi_4250_ = type_29(_e1776.member, _e1776.member_1);
+phi_4250_ = type_39(_e1776.member, _e1776.member_1);
 }
 let _e2397 = phi_4250_;
 if _e1785 {
@@ -992,17 +992,17 @@ let _e2536 = (select(0i, _e2475, (_e2475 > 0i)) * _e1854);
 let _e2537 = (select(_e1867, _e2493, (_e2493 < _e1867)) * _e1854);
 let _e2538 = (select(0i, _e2490, (_e2490 > 0i)) * _e1859);
 let _e2539 = (select(_e1880, _e2498, (_e2498 < _e1880)) * _e1859);
-local_34 = type_32(array<i32, 4>(_e2513, _e2515, _e2517, 0i), array<u32, 6>(bitcast<u32>(((_e2503 - _e2513) * 16i)), bitcast<u32>(((_e2505 - _e2513) * 16i)), bitcast<u32>(((_e2505 - _e2515) * 16i)), bitcast<u32>(((_e2508 - _e2515) * 16i)), bitcast<u32>(((_e2508 - _e2517) * 16i)), bitcast<u32>(((select(_e1893, _e2509, (_e2509 < _e1893)) - _e2517) * 16i))));
+local_34 = type_28(array<i32, 4>(_e2513, _e2515, _e2517, 0i), array<u32, 6>(bitcast<u32>(((_e2503 - _e2513) * 16i)), bitcast<u32>(((_e2505 - _e2513) * 16i)), bitcast<u32>(((_e2505 - _e2515) * 16i)), bitcast<u32>(((_e2508 - _e2515) * 16i)), bitcast<u32>(((_e2508 - _e2517) * 16i)), bitcast<u32>(((select(_e1893, _e2509, (_e2509 < _e1893)) - _e2517) * 16i))));
 local_35 = vec3<f32>((_e2437 - f32(_e2460)), (_e2441 - f32(_e2475)), (_e2445 - f32(_e2490)));
 let _e2554 = local_34.member[1u];
 let _e2555 = ((_e2538 + _e2536) + _e2554);
 let _e2557 = (_e2555 >> bitcast<u32>(1i));
 let _e2560 = bitcast<u32>(((_e2555 & 1i) * 16i));
 let _e2562 = select(_e1958, _e2557, (_e2557 < _e1958));
-let _e2567 = global_2.member[bitcast<u32>(select(0i, _e2562, (_e2562 > 0i)))];
+let _e2567 = global_1.member[bitcast<u32>(select(0i, _e2562, (_e2562 > 0i)))];
 let _e2571 = (_e2557 + 1i);
 let _e2573 = select(_e1958, _e2571, (_e2571 < _e1958));
-let _e2578 = global_2.member[bitcast<u32>(select(0i, _e2573, (_e2573 > 0i)))];
+let _e2578 = global_1.member[bitcast<u32>(select(0i, _e2573, (_e2573 > 0i)))];
 let _e2585 = ((_e2567 >> bitcast<u32>((_e2560 & 31u))) | ((_e2578 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2560) & 31u))));
 let _e2588 = local_34.member_1[2u];
 let _e2594 = f32(bitcast<i32>(((_e2585 >> bitcast<u32>((_e2588 & 31u))) & 65535u)));
@@ -1014,10 +1014,10 @@ let _e2610 = ((_e2538 + _e2537) + _e2609);
 let _e2612 = (_e2610 >> bitcast<u32>(1i));
 let _e2615 = bitcast<u32>(((_e2610 & 1i) * 16i));
 let _e2617 = select(_e1958, _e2612, (_e2612 < _e1958));
-let _e2622 = global_2.member[bitcast<u32>(select(0i, _e2617, (_e2617 > 0i)))];
+let _e2622 = global_1.member[bitcast<u32>(select(0i, _e2617, (_e2617 > 0i)))];
 let _e2626 = (_e2612 + 1i);
 let _e2628 = select(_e1958, _e2626, (_e2626 < _e1958));
-let _e2633 = global_2.member[bitcast<u32>(select(0i, _e2628, (_e2628 > 0i)))];
+let _e2633 = global_1.member[bitcast<u32>(select(0i, _e2628, (_e2628 > 0i)))];
 let _e2640 = ((_e2622 >> bitcast<u32>((_e2615 & 31u))) | ((_e2633 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2615) & 31u))));
 let _e2641 = local_34.member_1[2u];
 let _e2647 = f32(bitcast<i32>(((_e2640 >> bitcast<u32>((_e2641 & 31u))) & 65535u)));
@@ -1030,10 +1030,10 @@ let _e2666 = ((_e2539 + _e2536) + _e2665);
 let _e2668 = (_e2666 >> bitcast<u32>(1i));
 let _e2671 = bitcast<u32>(((_e2666 & 1i) * 16i));
 let _e2673 = select(_e1958, _e2668, (_e2668 < _e1958));
-let _e2678 = global_2.member[bitcast<u32>(select(0i, _e2673, (_e2673 > 0i)))];
+let _e2678 = global_1.member[bitcast<u32>(select(0i, _e2673, (_e2673 > 0i)))];
 let _e2682 = (_e2668 + 1i);
 let _e2684 = select(_e1958, _e2682, (_e2682 < _e1958));
-let _e2689 = global_2.member[bitcast<u32>(select(0i, _e2684, (_e2684 > 0i)))];
+let _e2689 = global_1.member[bitcast<u32>(select(0i, _e2684, (_e2684 > 0i)))];
 let _e2696 = ((_e2678 >> bitcast<u32>((_e2671 & 31u))) | ((_e2689 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2671) & 31u))));
 let _e2697 = local_34.member_1[2u];
 let _e2703 = f32(bitcast<i32>(((_e2696 >> bitcast<u32>((_e2697 & 31u))) & 65535u)));
@@ -1045,10 +1045,10 @@ let _e2717 = ((_e2539 + _e2537) + _e2716);
 let _e2719 = (_e2717 >> bitcast<u32>(1i));
 let _e2722 = bitcast<u32>(((_e2717 & 1i) * 16i));
 let _e2724 = select(_e1958, _e2719, (_e2719 < _e1958));
-let _e2729 = global_2.member[bitcast<u32>(select(0i, _e2724, (_e2724 > 0i)))];
+let _e2729 = global_1.member[bitcast<u32>(select(0i, _e2724, (_e2724 > 0i)))];
 let _e2733 = (_e2719 + 1i);
 let _e2735 = select(_e1958, _e2733, (_e2733 < _e1958));
-let _e2740 = global_2.member[bitcast<u32>(select(0i, _e2735, (_e2735 > 0i)))];
+let _e2740 = global_1.member[bitcast<u32>(select(0i, _e2735, (_e2735 > 0i)))];
 let _e2747 = ((_e2729 >> bitcast<u32>((_e2722 & 31u))) | ((_e2740 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2722) & 31u))));
 let _e2748 = local_34.member_1[2u];
 let _e2754 = f32(bitcast<i32>(((_e2747 >> bitcast<u32>((_e2748 & 31u))) & 65535u)));
@@ -1080,18 +1080,18 @@ let _e2823 = select(0i, select(select(i32(_e2816), i32(-2147483648), (_e2816 < -
 let _e2827 = (_e2823 - select(0i, 1i, (_e2816 < f32(_e2823))));
 let _e2828 = (262147i + _e2827);
 let _e2830 = select(_e2193, _e2828, (_e2828 < _e2193));
-let _e2835 = global_3.member[bitcast<u32>(select(0i, _e2830, (_e2830 > 0i)))];
-let _e2845 = global_3.member[_e2356];
+let _e2835 = global_2.member[bitcast<u32>(select(0i, _e2830, (_e2830 > 0i)))];
+let _e2845 = global_2.member[_e2356];
 let _e2846 = bitcast<f32>(_e2845);
-let _e2849 = global_3.member[_e2366];
+let _e2849 = global_2.member[_e2366];
 let _e2850 = bitcast<f32>(_e2849);
-let _e2852 = global_3.member[_e2375];
+let _e2852 = global_2.member[_e2375];
 let _e2853 = bitcast<f32>(_e2852);
 let _e2859 = ((_e2850 + (f32(bitcast<i32>((_e2835 >> bitcast<u32>(12u)))) * _e2853)) + ((f32((bitcast<i32>((_e2835 & 4095u)) - 2048i)) * _e2846) * (_e2812 - f32(_e2827))));
 if _e1785 {
-phi_5474_ = type_28(_e2859, 1f);
+phi_5474_ = type_31(_e2859, 1f);
 } else {
-phi_5474_ = type_28(1f, _e2859);
+phi_5474_ = type_31(1f, _e2859);
 }
 let _e2863 = phi_5474_;
 let _e2868 = ((_e2863.member_1 * _e2863.member_1) - (_e2863.member * _e2863.member));
@@ -1110,7 +1110,7 @@ let _e2903 = (_e2868 == 0f);
 let _e2915 = select(_e2387, select((_e2387 + (_e2883 * _e2902)), _e2387, _e2903), _e2405);
 let _e2916 = select(_e2388, select((_e2388 + (_e2884 * _e2902)), _e2388, _e2903), _e2405);
 let _e2917 = select(_e2389, select((_e2389 + (_e2885 * _e2902)), _e2389, _e2903), _e2405);
-let _e2922 = global_4.member[_e367].member_5.member_4;
+let _e2922 = global_3.member[_e367].member_5.member_4;
 let _e2923 = (_e2922 * _e2922);
 let _e2927 = (_e2917 * _e2917);
 let _e2931 = (_e2405 && (_e2863.member != _e2863.member_1));
@@ -1229,16 +1229,16 @@ let _e3208 = select(select(select(select(select(select(0f, _e1179.member, _e2989
 let _e3209 = select(select(select(select(select(select(0f, _e1179.member_1, _e2989), _e1179.member_1, _e3029), _e1188.member_1, _e3069), _e1188.member_1, _e3109), _e1197.member_1, _e3149), _e1197.member_1, _e3189);
 let _e3210 = select(select(select(select(select(select(1f, _e1179.member_2, _e2989), _e1179.member_2, _e3029), _e1188.member_2, _e3069), _e1188.member_2, _e3109), _e1197.member_2, _e3149), _e1197.member_2, _e3189);
 if _e1446 {
-phi_6997_ = type_35(_e3195, vec3<f32>(_e3196, _e3197, _e3198), _e3200, vec3<f32>(_e3201, _e3202, _e3203), _e3205, _e3207, vec3<f32>(_e3208, _e3209, _e3210));
+phi_6997_ = type_34(_e3195, vec3<f32>(_e3196, _e3197, _e3198), _e3200, vec3<f32>(_e3201, _e3202, _e3203), _e3205, _e3207, vec3<f32>(_e3208, _e3209, _e3210));
 } else {
 let _e3217 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e3220 = sqrt(select(0f, _e3217, (_e3217 > 0f)));
-let _e3225 = global_4.member[_e367].member_14.member_1;
+let _e3225 = global_3.member[_e367].member_14.member_1;
 let _e3226 = (_e3225 != 0u);
-let _e3231 = global_4.member[_e367].member_14.member;
+let _e3231 = global_3.member[_e367].member_14.member;
 let _e3251 = select(-1e6f, (((((_e3231.member.member * _e2412) + (_e3231.member.member_1 * _e2413)) + (_e3231.member.member_2 * _e2414)) + _e3231.member_1) * _e3220), _e3226);
 let _e3252 = select(-1e6f, (((((_e3231.member.member * _e2945) + (_e3231.member.member_1 * _e2946)) + (_e3231.member.member_2 * _e2947)) + _e3231.member_1) * _e3220), _e3226);
-let _e3258 = global_4.member[_e367].member_14.member.member;
+let _e3258 = global_3.member[_e367].member_14.member.member;
 let _e3262 = -(_e3251);
 let _e3265 = (_e3251 - _e3252);
 let _e3266 = (_e3252 - _e3251);
@@ -1253,12 +1253,12 @@ let _e3286 = select(_e3195, _e3275, _e3284);
 let _e3290 = select(_e3200, _e3279, _e3285);
 let _e3294 = select(_e3205, _e3251, _e3280);
 let _e3296 = select(_e3207, _e3252, (_e3252 > _e3207));
-let _e3304 = global_4.member[_e367].member_15.member_1;
+let _e3304 = global_3.member[_e367].member_15.member_1;
 let _e3305 = (_e3304 != 0u);
-let _e3310 = global_4.member[_e367].member_15.member;
+let _e3310 = global_3.member[_e367].member_15.member;
 let _e3330 = select(-1e6f, (((((_e3310.member.member * _e2412) + (_e3310.member.member_1 * _e2413)) + (_e3310.member.member_2 * _e2414)) + _e3310.member_1) * _e3220), _e3305);
 let _e3331 = select(-1e6f, (((((_e3310.member.member * _e2945) + (_e3310.member.member_1 * _e2946)) + (_e3310.member.member_2 * _e2947)) + _e3310.member_1) * _e3220), _e3305);
-let _e3337 = global_4.member[_e367].member_15.member.member;
+let _e3337 = global_3.member[_e367].member_15.member.member;
 let _e3341 = -(_e3330);
 let _e3344 = (_e3330 - _e3331);
 let _e3345 = (_e3331 - _e3330);
@@ -1273,12 +1273,12 @@ let _e3365 = select(_e3286, _e3354, _e3363);
 let _e3369 = select(_e3290, _e3358, _e3364);
 let _e3373 = select(_e3294, _e3330, _e3359);
 let _e3375 = select(_e3296, _e3331, (_e3331 > _e3296));
-let _e3383 = global_4.member[_e367].member_16.member_1;
+let _e3383 = global_3.member[_e367].member_16.member_1;
 let _e3384 = (_e3383 != 0u);
-let _e3389 = global_4.member[_e367].member_16.member;
+let _e3389 = global_3.member[_e367].member_16.member;
 let _e3409 = select(-1e6f, (((((_e3389.member.member * _e2412) + (_e3389.member.member_1 * _e2413)) + (_e3389.member.member_2 * _e2414)) + _e3389.member_1) * _e3220), _e3384);
 let _e3410 = select(-1e6f, (((((_e3389.member.member * _e2945) + (_e3389.member.member_1 * _e2946)) + (_e3389.member.member_2 * _e2947)) + _e3389.member_1) * _e3220), _e3384);
-let _e3416 = global_4.member[_e367].member_16.member.member;
+let _e3416 = global_3.member[_e367].member_16.member.member;
 let _e3420 = -(_e3409);
 let _e3423 = (_e3409 - _e3410);
 let _e3424 = (_e3410 - _e3409);
@@ -1293,12 +1293,12 @@ let _e3444 = select(_e3365, _e3433, _e3442);
 let _e3448 = select(_e3369, _e3437, _e3443);
 let _e3452 = select(_e3373, _e3409, _e3438);
 let _e3454 = select(_e3375, _e3410, (_e3410 > _e3375));
-let _e3462 = global_4.member[_e367].member_17.member_1;
+let _e3462 = global_3.member[_e367].member_17.member_1;
 let _e3463 = (_e3462 != 0u);
-let _e3468 = global_4.member[_e367].member_17.member;
+let _e3468 = global_3.member[_e367].member_17.member;
 let _e3488 = select(-1e6f, (((((_e3468.member.member * _e2412) + (_e3468.member.member_1 * _e2413)) + (_e3468.member.member_2 * _e2414)) + _e3468.member_1) * _e3220), _e3463);
 let _e3489 = select(-1e6f, (((((_e3468.member.member * _e2945) + (_e3468.member.member_1 * _e2946)) + (_e3468.member.member_2 * _e2947)) + _e3468.member_1) * _e3220), _e3463);
-let _e3495 = global_4.member[_e367].member_17.member.member;
+let _e3495 = global_3.member[_e367].member_17.member.member;
 let _e3499 = -(_e3488);
 let _e3502 = (_e3488 - _e3489);
 let _e3503 = (_e3489 - _e3488);
@@ -1309,7 +1309,7 @@ let _e3516 = select(2f, select(0f, _e3508, (_e3488 < 0f)), (_e3489 > 0f));
 let _e3517 = (_e3488 > _e3452);
 let _e3521 = ((_e3512 > _e3444) || ((_e3512 == _e3444) && _e3517));
 let _e3522 = (_e3516 < _e3448);
-phi_6997_ = type_35(select(_e3444, _e3512, _e3521), vec3<f32>(select(select(select(select(_e3196, _e3258.member, _e3284), _e3337.member, _e3363), _e3416.member, _e3442), _e3495.member, _e3521), select(select(select(select(_e3197, _e3258.member_1, _e3284), _e3337.member_1, _e3363), _e3416.member_1, _e3442), _e3495.member_1, _e3521), select(select(select(select(_e3198, _e3258.member_2, _e3284), _e3337.member_2, _e3363), _e3416.member_2, _e3442), _e3495.member_2, _e3521)), select(_e3448, _e3516, _e3522), vec3<f32>(select(select(select(select(_e3201, _e3258.member, _e3285), _e3337.member, _e3364), _e3416.member, _e3443), _e3495.member, _e3522), select(select(select(select(_e3202, _e3258.member_1, _e3285), _e3337.member_1, _e3364), _e3416.member_1, _e3443), _e3495.member_1, _e3522), select(select(select(select(_e3203, _e3258.member_2, _e3285), _e3337.member_2, _e3364), _e3416.member_2, _e3443), _e3495.member_2, _e3522)), select(_e3452, _e3488, _e3517), select(_e3454, _e3489, (_e3489 > _e3454)), vec3<f32>(select(select(select(select(_e3208, _e3258.member, _e3280), _e3337.member, _e3359), _e3416.member, _e3438), _e3495.member, _e3517), select(select(select(select(_e3209, _e3258.member_1, _e3280), _e3337.member_1, _e3359), _e3416.member_1, _e3438), _e3495.member_1, _e3517), select(select(select(select(_e3210, _e3258.member_2, _e3280), _e3337.member_2, _e3359), _e3416.member_2, _e3438), _e3495.member_2, _e3517)));
+phi_6997_ = type_34(select(_e3444, _e3512, _e3521), vec3<f32>(select(select(select(select(_e3196, _e3258.member, _e3284), _e3337.member, _e3363), _e3416.member, _e3442), _e3495.member, _e3521), select(select(select(select(_e3197, _e3258.member_1, _e3284), _e3337.member_1, _e3363), _e3416.member_1, _e3442), _e3495.member_1, _e3521), select(select(select(select(_e3198, _e3258.member_2, _e3284), _e3337.member_2, _e3363), _e3416.member_2, _e3442), _e3495.member_2, _e3521)), select(_e3448, _e3516, _e3522), vec3<f32>(select(select(select(select(_e3201, _e3258.member, _e3285), _e3337.member, _e3364), _e3416.member, _e3443), _e3495.member, _e3522), select(select(select(select(_e3202, _e3258.member_1, _e3285), _e3337.member_1, _e3364), _e3416.member_1, _e3443), _e3495.member_1, _e3522), select(select(select(select(_e3203, _e3258.member_2, _e3285), _e3337.member_2, _e3364), _e3416.member_2, _e3443), _e3495.member_2, _e3522)), select(_e3452, _e3488, _e3517), select(_e3454, _e3489, (_e3489 > _e3454)), vec3<f32>(select(select(select(select(_e3208, _e3258.member, _e3280), _e3337.member, _e3359), _e3416.member, _e3438), _e3495.member, _e3517), select(select(select(select(_e3209, _e3258.member_1, _e3280), _e3337.member_1, _e3359), _e3416.member_1, _e3438), _e3495.member_1, _e3517), select(select(select(select(_e3210, _e3258.member_2, _e3280), _e3337.member_2, _e3359), _e3416.member_2, _e3438), _e3495.member_2, _e3517)));
 }
 let _e3542 = phi_6997_;
 let _e3548 = (((_e2405 && _e2950) && !(_e2935)) && (_e3542.member_2 <= 1f));
@@ -1358,17 +1358,17 @@ let _e3682 = (select(0i, _e3621, (_e3621 > 0i)) * _e1854);
 let _e3683 = (select(_e1867, _e3639, (_e3639 < _e1867)) * _e1854);
 let _e3684 = (select(0i, _e3636, (_e3636 > 0i)) * _e1859);
 let _e3685 = (select(_e1880, _e3644, (_e3644 < _e1880)) * _e1859);
-local_30 = type_32(array<i32, 4>(_e3659, _e3661, _e3663, 0i), array<u32, 6>(bitcast<u32>(((_e3649 - _e3659) * 16i)), bitcast<u32>(((_e3651 - _e3659) * 16i)), bitcast<u32>(((_e3651 - _e3661) * 16i)), bitcast<u32>(((_e3654 - _e3661) * 16i)), bitcast<u32>(((_e3654 - _e3663) * 16i)), bitcast<u32>(((select(_e1893, _e3655, (_e3655 < _e1893)) - _e3663) * 16i))));
+local_30 = type_28(array<i32, 4>(_e3659, _e3661, _e3663, 0i), array<u32, 6>(bitcast<u32>(((_e3649 - _e3659) * 16i)), bitcast<u32>(((_e3651 - _e3659) * 16i)), bitcast<u32>(((_e3651 - _e3661) * 16i)), bitcast<u32>(((_e3654 - _e3661) * 16i)), bitcast<u32>(((_e3654 - _e3663) * 16i)), bitcast<u32>(((select(_e1893, _e3655, (_e3655 < _e1893)) - _e3663) * 16i))));
 local_31 = vec3<f32>((_e3583 - f32(_e3606)), (_e3587 - f32(_e3621)), (_e3591 - f32(_e3636)));
 let _e3700 = local_30.member[1u];
 let _e3701 = ((_e3684 + _e3682) + _e3700);
 let _e3703 = (_e3701 >> bitcast<u32>(1i));
 let _e3706 = bitcast<u32>(((_e3701 & 1i) * 16i));
 let _e3708 = select(_e1958, _e3703, (_e3703 < _e1958));
-let _e3713 = global_2.member[bitcast<u32>(select(0i, _e3708, (_e3708 > 0i)))];
+let _e3713 = global_1.member[bitcast<u32>(select(0i, _e3708, (_e3708 > 0i)))];
 let _e3717 = (_e3703 + 1i);
 let _e3719 = select(_e1958, _e3717, (_e3717 < _e1958));
-let _e3724 = global_2.member[bitcast<u32>(select(0i, _e3719, (_e3719 > 0i)))];
+let _e3724 = global_1.member[bitcast<u32>(select(0i, _e3719, (_e3719 > 0i)))];
 let _e3731 = ((_e3713 >> bitcast<u32>((_e3706 & 31u))) | ((_e3724 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3706) & 31u))));
 let _e3734 = local_30.member_1[2u];
 let _e3740 = f32(bitcast<i32>(((_e3731 >> bitcast<u32>((_e3734 & 31u))) & 65535u)));
@@ -1380,10 +1380,10 @@ let _e3756 = ((_e3684 + _e3683) + _e3755);
 let _e3758 = (_e3756 >> bitcast<u32>(1i));
 let _e3761 = bitcast<u32>(((_e3756 & 1i) * 16i));
 let _e3763 = select(_e1958, _e3758, (_e3758 < _e1958));
-let _e3768 = global_2.member[bitcast<u32>(select(0i, _e3763, (_e3763 > 0i)))];
+let _e3768 = global_1.member[bitcast<u32>(select(0i, _e3763, (_e3763 > 0i)))];
 let _e3772 = (_e3758 + 1i);
 let _e3774 = select(_e1958, _e3772, (_e3772 < _e1958));
-let _e3779 = global_2.member[bitcast<u32>(select(0i, _e3774, (_e3774 > 0i)))];
+let _e3779 = global_1.member[bitcast<u32>(select(0i, _e3774, (_e3774 > 0i)))];
 let _e3786 = ((_e3768 >> bitcast<u32>((_e3761 & 31u))) | ((_e3779 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3761) & 31u))));
 let _e3787 = local_30.member_1[2u];
 let _e3793 = f32(bitcast<i32>(((_e3786 >> bitcast<u32>((_e3787 & 31u))) & 65535u)));
@@ -1396,10 +1396,10 @@ let _e3812 = ((_e3685 + _e3682) + _e3811);
 let _e3814 = (_e3812 >> bitcast<u32>(1i));
 let _e3817 = bitcast<u32>(((_e3812 & 1i) * 16i));
 let _e3819 = select(_e1958, _e3814, (_e3814 < _e1958));
-let _e3824 = global_2.member[bitcast<u32>(select(0i, _e3819, (_e3819 > 0i)))];
+let _e3824 = global_1.member[bitcast<u32>(select(0i, _e3819, (_e3819 > 0i)))];
 let _e3828 = (_e3814 + 1i);
 let _e3830 = select(_e1958, _e3828, (_e3828 < _e1958));
-let _e3835 = global_2.member[bitcast<u32>(select(0i, _e3830, (_e3830 > 0i)))];
+let _e3835 = global_1.member[bitcast<u32>(select(0i, _e3830, (_e3830 > 0i)))];
 let _e3842 = ((_e3824 >> bitcast<u32>((_e3817 & 31u))) | ((_e3835 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3817) & 31u))));
 let _e3843 = local_30.member_1[2u];
 let _e3849 = f32(bitcast<i32>(((_e3842 >> bitcast<u32>((_e3843 & 31u))) & 65535u)));
@@ -1411,10 +1411,10 @@ let _e3863 = ((_e3685 + _e3683) + _e3862);
 let _e3865 = (_e3863 >> bitcast<u32>(1i));
 let _e3868 = bitcast<u32>(((_e3863 & 1i) * 16i));
 let _e3870 = select(_e1958, _e3865, (_e3865 < _e1958));
-let _e3875 = global_2.member[bitcast<u32>(select(0i, _e3870, (_e3870 > 0i)))];
+let _e3875 = global_1.member[bitcast<u32>(select(0i, _e3870, (_e3870 > 0i)))];
 let _e3879 = (_e3865 + 1i);
 let _e3881 = select(_e1958, _e3879, (_e3879 < _e1958));
-let _e3886 = global_2.member[bitcast<u32>(select(0i, _e3881, (_e3881 > 0i)))];
+let _e3886 = global_1.member[bitcast<u32>(select(0i, _e3881, (_e3881 > 0i)))];
 let _e3893 = ((_e3875 >> bitcast<u32>((_e3868 & 31u))) | ((_e3886 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3868) & 31u))));
 let _e3894 = local_30.member_1[2u];
 let _e3900 = f32(bitcast<i32>(((_e3893 >> bitcast<u32>((_e3894 & 31u))) & 65535u)));
@@ -1446,12 +1446,12 @@ let _e3969 = select(0i, select(select(i32(_e3962), i32(-2147483648), (_e3962 < -
 let _e3973 = (_e3969 - select(0i, 1i, (_e3962 < f32(_e3969))));
 let _e3974 = (262147i + _e3973);
 let _e3976 = select(_e2193, _e3974, (_e3974 < _e2193));
-let _e3981 = global_3.member[bitcast<u32>(select(0i, _e3976, (_e3976 > 0i)))];
+let _e3981 = global_2.member[bitcast<u32>(select(0i, _e3976, (_e3976 > 0i)))];
 let _e3996 = ((_e2850 + (f32(bitcast<i32>((_e3981 >> bitcast<u32>(12u)))) * _e2853)) + ((f32((bitcast<i32>((_e3981 & 4095u)) - 2048i)) * _e2846) * (_e3958 - f32(_e3973))));
 if _e2950 {
-phi_8241_ = type_28(_e3996, 1f);
+phi_8241_ = type_31(_e3996, 1f);
 } else {
-phi_8241_ = type_28(1f, _e3996);
+phi_8241_ = type_31(1f, _e3996);
 }
 let _e4000 = phi_8241_;
 let _e4005 = ((_e4000.member_1 * _e4000.member_1) - (_e4000.member * _e4000.member));
@@ -1590,16 +1590,16 @@ let _e4361 = select(select(select(select(select(select(0f, _e1179.member, _e4142
 let _e4362 = select(select(select(select(select(select(0f, _e1179.member_1, _e4142), _e1179.member_1, _e4182), _e1188.member_1, _e4222), _e1188.member_1, _e4262), _e1197.member_1, _e4302), _e1197.member_1, _e4342);
 let _e4363 = select(select(select(select(select(select(1f, _e1179.member_2, _e4142), _e1179.member_2, _e4182), _e1188.member_2, _e4222), _e1188.member_2, _e4262), _e1197.member_2, _e4302), _e1197.member_2, _e4342);
 if _e1446 {
-phi_9779_ = type_35(_e4348, vec3<f32>(_e4349, _e4350, _e4351), _e4353, vec3<f32>(_e4354, _e4355, _e4356), _e4358, _e4360, vec3<f32>(_e4361, _e4362, _e4363));
+phi_9779_ = type_34(_e4348, vec3<f32>(_e4349, _e4350, _e4351), _e4353, vec3<f32>(_e4354, _e4355, _e4356), _e4358, _e4360, vec3<f32>(_e4361, _e4362, _e4363));
 } else {
 let _e4370 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e4373 = sqrt(select(0f, _e4370, (_e4370 > 0f)));
-let _e4378 = global_4.member[_e367].member_14.member_1;
+let _e4378 = global_3.member[_e367].member_14.member_1;
 let _e4379 = (_e4378 != 0u);
-let _e4384 = global_4.member[_e367].member_14.member;
+let _e4384 = global_3.member[_e367].member_14.member;
 let _e4404 = select(-1e6f, (((((_e4384.member.member * _e3561.x) + (_e4384.member.member_1 * _e3561.y)) + (_e4384.member.member_2 * _e3561.z)) + _e4384.member_1) * _e4373), _e4379);
 let _e4405 = select(-1e6f, (((((_e4384.member.member * _e4077) + (_e4384.member.member_1 * _e4078)) + (_e4384.member.member_2 * _e4079)) + _e4384.member_1) * _e4373), _e4379);
-let _e4411 = global_4.member[_e367].member_14.member.member;
+let _e4411 = global_3.member[_e367].member_14.member.member;
 let _e4415 = -(_e4404);
 let _e4418 = (_e4404 - _e4405);
 let _e4419 = (_e4405 - _e4404);
@@ -1614,12 +1614,12 @@ let _e4439 = select(_e4348, _e4428, _e4437);
 let _e4443 = select(_e4353, _e4432, _e4438);
 let _e4447 = select(_e4358, _e4404, _e4433);
 let _e4449 = select(_e4360, _e4405, (_e4405 > _e4360));
-let _e4457 = global_4.member[_e367].member_15.member_1;
+let _e4457 = global_3.member[_e367].member_15.member_1;
 let _e4458 = (_e4457 != 0u);
-let _e4463 = global_4.member[_e367].member_15.member;
+let _e4463 = global_3.member[_e367].member_15.member;
 let _e4483 = select(-1e6f, (((((_e4463.member.member * _e3561.x) + (_e4463.member.member_1 * _e3561.y)) + (_e4463.member.member_2 * _e3561.z)) + _e4463.member_1) * _e4373), _e4458);
 let _e4484 = select(-1e6f, (((((_e4463.member.member * _e4077) + (_e4463.member.member_1 * _e4078)) + (_e4463.member.member_2 * _e4079)) + _e4463.member_1) * _e4373), _e4458);
-let _e4490 = global_4.member[_e367].member_15.member.member;
+let _e4490 = global_3.member[_e367].member_15.member.member;
 let _e4494 = -(_e4483);
 let _e4497 = (_e4483 - _e4484);
 let _e4498 = (_e4484 - _e4483);
@@ -1634,12 +1634,12 @@ let _e4518 = select(_e4439, _e4507, _e4516);
 let _e4522 = select(_e4443, _e4511, _e4517);
 let _e4526 = select(_e4447, _e4483, _e4512);
 let _e4528 = select(_e4449, _e4484, (_e4484 > _e4449));
-let _e4536 = global_4.member[_e367].member_16.member_1;
+let _e4536 = global_3.member[_e367].member_16.member_1;
 let _e4537 = (_e4536 != 0u);
-let _e4542 = global_4.member[_e367].member_16.member;
+let _e4542 = global_3.member[_e367].member_16.member;
 let _e4562 = select(-1e6f, (((((_e4542.member.member * _e3561.x) + (_e4542.member.member_1 * _e3561.y)) + (_e4542.member.member_2 * _e3561.z)) + _e4542.member_1) * _e4373), _e4537);
 let _e4563 = select(-1e6f, (((((_e4542.member.member * _e4077) + (_e4542.member.member_1 * _e4078)) + (_e4542.member.member_2 * _e4079)) + _e4542.member_1) * _e4373), _e4537);
-let _e4569 = global_4.member[_e367].member_16.member.member;
+let _e4569 = global_3.member[_e367].member_16.member.member;
 let _e4573 = -(_e4562);
 let _e4576 = (_e4562 - _e4563);
 let _e4577 = (_e4563 - _e4562);
@@ -1654,12 +1654,12 @@ let _e4597 = select(_e4518, _e4586, _e4595);
 let _e4601 = select(_e4522, _e4590, _e4596);
 let _e4605 = select(_e4526, _e4562, _e4591);
 let _e4607 = select(_e4528, _e4563, (_e4563 > _e4528));
-let _e4615 = global_4.member[_e367].member_17.member_1;
+let _e4615 = global_3.member[_e367].member_17.member_1;
 let _e4616 = (_e4615 != 0u);
-let _e4621 = global_4.member[_e367].member_17.member;
+let _e4621 = global_3.member[_e367].member_17.member;
 let _e4641 = select(-1e6f, (((((_e4621.member.member * _e3561.x) + (_e4621.member.member_1 * _e3561.y)) + (_e4621.member.member_2 * _e3561.z)) + _e4621.member_1) * _e4373), _e4616);
 let _e4642 = select(-1e6f, (((((_e4621.member.member * _e4077) + (_e4621.member.member_1 * _e4078)) + (_e4621.member.member_2 * _e4079)) + _e4621.member_1) * _e4373), _e4616);
-let _e4648 = global_4.member[_e367].member_17.member.member;
+let _e4648 = global_3.member[_e367].member_17.member.member;
 let _e4652 = -(_e4641);
 let _e4655 = (_e4641 - _e4642);
 let _e4656 = (_e4642 - _e4641);
@@ -1670,7 +1670,7 @@ let _e4669 = select(2f, select(0f, _e4661, (_e4641 < 0f)), (_e4642 > 0f));
 let _e4670 = (_e4641 > _e4605);
 let _e4674 = ((_e4665 > _e4597) || ((_e4665 == _e4597) && _e4670));
 let _e4675 = (_e4669 < _e4601);
-phi_9779_ = type_35(select(_e4597, _e4665, _e4674), vec3<f32>(select(select(select(select(_e4349, _e4411.member, _e4437), _e4490.member, _e4516), _e4569.member, _e4595), _e4648.member, _e4674), select(select(select(select(_e4350, _e4411.member_1, _e4437), _e4490.member_1, _e4516), _e4569.member_1, _e4595), _e4648.member_1, _e4674), select(select(select(select(_e4351, _e4411.member_2, _e4437), _e4490.member_2, _e4516), _e4569.member_2, _e4595), _e4648.member_2, _e4674)), select(_e4601, _e4669, _e4675), vec3<f32>(select(select(select(select(_e4354, _e4411.member, _e4438), _e4490.member, _e4517), _e4569.member, _e4596), _e4648.member, _e4675), select(select(select(select(_e4355, _e4411.member_1, _e4438), _e4490.member_1, _e4517), _e4569.member_1, _e4596), _e4648.member_1, _e4675), select(select(select(select(_e4356, _e4411.member_2, _e4438), _e4490.member_2, _e4517), _e4569.member_2, _e4596), _e4648.member_2, _e4675)), select(_e4605, _e4641, _e4670), select(_e4607, _e4642, (_e4642 > _e4607)), vec3<f32>(select(select(select(select(_e4361, _e4411.member, _e4433), _e4490.member, _e4512), _e4569.member, _e4591), _e4648.member, _e4670), select(select(select(select(_e4362, _e4411.member_1, _e4433), _e4490.member_1, _e4512), _e4569.member_1, _e4591), _e4648.member_1, _e4670), select(select(select(select(_e4363, _e4411.member_2, _e4433), _e4490.member_2, _e4512), _e4569.member_2, _e4591), _e4648.member_2, _e4670)));
+phi_9779_ = type_34(select(_e4597, _e4665, _e4674), vec3<f32>(select(select(select(select(_e4349, _e4411.member, _e4437), _e4490.member, _e4516), _e4569.member, _e4595), _e4648.member, _e4674), select(select(select(select(_e4350, _e4411.member_1, _e4437), _e4490.member_1, _e4516), _e4569.member_1, _e4595), _e4648.member_1, _e4674), select(select(select(select(_e4351, _e4411.member_2, _e4437), _e4490.member_2, _e4516), _e4569.member_2, _e4595), _e4648.member_2, _e4674)), select(_e4601, _e4669, _e4675), vec3<f32>(select(select(select(select(_e4354, _e4411.member, _e4438), _e4490.member, _e4517), _e4569.member, _e4596), _e4648.member, _e4675), select(select(select(select(_e4355, _e4411.member_1, _e4438), _e4490.member_1, _e4517), _e4569.member_1, _e4596), _e4648.member_1, _e4675), select(select(select(select(_e4356, _e4411.member_2, _e4438), _e4490.member_2, _e4517), _e4569.member_2, _e4596), _e4648.member_2, _e4675)), select(_e4605, _e4641, _e4670), select(_e4607, _e4642, (_e4642 > _e4607)), vec3<f32>(select(select(select(select(_e4361, _e4411.member, _e4433), _e4490.member, _e4512), _e4569.member, _e4591), _e4648.member, _e4670), select(select(select(select(_e4362, _e4411.member_1, _e4433), _e4490.member_1, _e4512), _e4569.member_1, _e4591), _e4648.member_1, _e4670), select(select(select(select(_e4363, _e4411.member_2, _e4433), _e4490.member_2, _e4512), _e4569.member_2, _e4591), _e4648.member_2, _e4670)));
 }
 let _e4695 = phi_9779_;
 let _e4701 = (((_e3548 && _e4082) && !(_e4066)) && (_e4695.member_2 <= 1f));
@@ -1718,17 +1718,17 @@ let _e4835 = (select(0i, _e4774, (_e4774 > 0i)) * _e1854);
 let _e4836 = (select(_e1867, _e4792, (_e4792 < _e1867)) * _e1854);
 let _e4837 = (select(0i, _e4789, (_e4789 > 0i)) * _e1859);
 let _e4838 = (select(_e1880, _e4797, (_e4797 < _e1880)) * _e1859);
-local_26 = type_32(array<i32, 4>(_e4812, _e4814, _e4816, 0i), array<u32, 6>(bitcast<u32>(((_e4802 - _e4812) * 16i)), bitcast<u32>(((_e4804 - _e4812) * 16i)), bitcast<u32>(((_e4804 - _e4814) * 16i)), bitcast<u32>(((_e4807 - _e4814) * 16i)), bitcast<u32>(((_e4807 - _e4816) * 16i)), bitcast<u32>(((select(_e1893, _e4808, (_e4808 < _e1893)) - _e4816) * 16i))));
+local_26 = type_28(array<i32, 4>(_e4812, _e4814, _e4816, 0i), array<u32, 6>(bitcast<u32>(((_e4802 - _e4812) * 16i)), bitcast<u32>(((_e4804 - _e4812) * 16i)), bitcast<u32>(((_e4804 - _e4814) * 16i)), bitcast<u32>(((_e4807 - _e4814) * 16i)), bitcast<u32>(((_e4807 - _e4816) * 16i)), bitcast<u32>(((select(_e1893, _e4808, (_e4808 < _e1893)) - _e4816) * 16i))));
 local_27 = vec3<f32>((_e4736 - f32(_e4759)), (_e4740 - f32(_e4774)), (_e4744 - f32(_e4789)));
 let _e4853 = local_26.member[1u];
 let _e4854 = ((_e4837 + _e4835) + _e4853);
 let _e4856 = (_e4854 >> bitcast<u32>(1i));
 let _e4859 = bitcast<u32>(((_e4854 & 1i) * 16i));
 let _e4861 = select(_e1958, _e4856, (_e4856 < _e1958));
-let _e4866 = global_2.member[bitcast<u32>(select(0i, _e4861, (_e4861 > 0i)))];
+let _e4866 = global_1.member[bitcast<u32>(select(0i, _e4861, (_e4861 > 0i)))];
 let _e4870 = (_e4856 + 1i);
 let _e4872 = select(_e1958, _e4870, (_e4870 < _e1958));
-let _e4877 = global_2.member[bitcast<u32>(select(0i, _e4872, (_e4872 > 0i)))];
+let _e4877 = global_1.member[bitcast<u32>(select(0i, _e4872, (_e4872 > 0i)))];
 let _e4884 = ((_e4866 >> bitcast<u32>((_e4859 & 31u))) | ((_e4877 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4859) & 31u))));
 let _e4887 = local_26.member_1[2u];
 let _e4893 = f32(bitcast<i32>(((_e4884 >> bitcast<u32>((_e4887 & 31u))) & 65535u)));
@@ -1740,10 +1740,10 @@ let _e4909 = ((_e4837 + _e4836) + _e4908);
 let _e4911 = (_e4909 >> bitcast<u32>(1i));
 let _e4914 = bitcast<u32>(((_e4909 & 1i) * 16i));
 let _e4916 = select(_e1958, _e4911, (_e4911 < _e1958));
-let _e4921 = global_2.member[bitcast<u32>(select(0i, _e4916, (_e4916 > 0i)))];
+let _e4921 = global_1.member[bitcast<u32>(select(0i, _e4916, (_e4916 > 0i)))];
 let _e4925 = (_e4911 + 1i);
 let _e4927 = select(_e1958, _e4925, (_e4925 < _e1958));
-let _e4932 = global_2.member[bitcast<u32>(select(0i, _e4927, (_e4927 > 0i)))];
+let _e4932 = global_1.member[bitcast<u32>(select(0i, _e4927, (_e4927 > 0i)))];
 let _e4939 = ((_e4921 >> bitcast<u32>((_e4914 & 31u))) | ((_e4932 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4914) & 31u))));
 let _e4940 = local_26.member_1[2u];
 let _e4946 = f32(bitcast<i32>(((_e4939 >> bitcast<u32>((_e4940 & 31u))) & 65535u)));
@@ -1756,10 +1756,10 @@ let _e4965 = ((_e4838 + _e4835) + _e4964);
 let _e4967 = (_e4965 >> bitcast<u32>(1i));
 let _e4970 = bitcast<u32>(((_e4965 & 1i) * 16i));
 let _e4972 = select(_e1958, _e4967, (_e4967 < _e1958));
-let _e4977 = global_2.member[bitcast<u32>(select(0i, _e4972, (_e4972 > 0i)))];
+let _e4977 = global_1.member[bitcast<u32>(select(0i, _e4972, (_e4972 > 0i)))];
 let _e4981 = (_e4967 + 1i);
 let _e4983 = select(_e1958, _e4981, (_e4981 < _e1958));
-let _e4988 = global_2.member[bitcast<u32>(select(0i, _e4983, (_e4983 > 0i)))];
+let _e4988 = global_1.member[bitcast<u32>(select(0i, _e4983, (_e4983 > 0i)))];
 let _e4995 = ((_e4977 >> bitcast<u32>((_e4970 & 31u))) | ((_e4988 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4970) & 31u))));
 let _e4996 = local_26.member_1[2u];
 let _e5002 = f32(bitcast<i32>(((_e4995 >> bitcast<u32>((_e4996 & 31u))) & 65535u)));
@@ -1771,10 +1771,10 @@ let _e5016 = ((_e4838 + _e4836) + _e5015);
 let _e5018 = (_e5016 >> bitcast<u32>(1i));
 let _e5021 = bitcast<u32>(((_e5016 & 1i) * 16i));
 let _e5023 = select(_e1958, _e5018, (_e5018 < _e1958));
-let _e5028 = global_2.member[bitcast<u32>(select(0i, _e5023, (_e5023 > 0i)))];
+let _e5028 = global_1.member[bitcast<u32>(select(0i, _e5023, (_e5023 > 0i)))];
 let _e5032 = (_e5018 + 1i);
 let _e5034 = select(_e1958, _e5032, (_e5032 < _e1958));
-let _e5039 = global_2.member[bitcast<u32>(select(0i, _e5034, (_e5034 > 0i)))];
+let _e5039 = global_1.member[bitcast<u32>(select(0i, _e5034, (_e5034 > 0i)))];
 let _e5046 = ((_e5028 >> bitcast<u32>((_e5021 & 31u))) | ((_e5039 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5021) & 31u))));
 let _e5047 = local_26.member_1[2u];
 let _e5053 = f32(bitcast<i32>(((_e5046 >> bitcast<u32>((_e5047 & 31u))) & 65535u)));
@@ -1806,12 +1806,12 @@ let _e5122 = select(0i, select(select(i32(_e5115), i32(-2147483648), (_e5115 < -
 let _e5126 = (_e5122 - select(0i, 1i, (_e5115 < f32(_e5122))));
 let _e5127 = (262147i + _e5126);
 let _e5129 = select(_e2193, _e5127, (_e5127 < _e2193));
-let _e5134 = global_3.member[bitcast<u32>(select(0i, _e5129, (_e5129 > 0i)))];
+let _e5134 = global_2.member[bitcast<u32>(select(0i, _e5129, (_e5129 > 0i)))];
 let _e5149 = ((_e2850 + (f32(bitcast<i32>((_e5134 >> bitcast<u32>(12u)))) * _e2853)) + ((f32((bitcast<i32>((_e5134 & 4095u)) - 2048i)) * _e2846) * (_e5111 - f32(_e5126))));
 if _e4082 {
-phi_11023_ = type_28(_e5149, 1f);
+phi_11023_ = type_31(_e5149, 1f);
 } else {
-phi_11023_ = type_28(1f, _e5149);
+phi_11023_ = type_31(1f, _e5149);
 }
 let _e5153 = phi_11023_;
 let _e5158 = ((_e5153.member_1 * _e5153.member_1) - (_e5153.member * _e5153.member));
@@ -1950,16 +1950,16 @@ let _e5515 = select(select(select(select(select(select(0f, _e1179.member, _e5296
 let _e5516 = select(select(select(select(select(select(0f, _e1179.member_1, _e5296), _e1179.member_1, _e5336), _e1188.member_1, _e5376), _e1188.member_1, _e5416), _e1197.member_1, _e5456), _e1197.member_1, _e5496);
 let _e5517 = select(select(select(select(select(select(1f, _e1179.member_2, _e5296), _e1179.member_2, _e5336), _e1188.member_2, _e5376), _e1188.member_2, _e5416), _e1197.member_2, _e5456), _e1197.member_2, _e5496);
 if _e1446 {
-phi_12561_ = type_35(_e5502, vec3<f32>(_e5503, _e5504, _e5505), _e5507, vec3<f32>(_e5508, _e5509, _e5510), _e5512, _e5514, vec3<f32>(_e5515, _e5516, _e5517));
+phi_12561_ = type_34(_e5502, vec3<f32>(_e5503, _e5504, _e5505), _e5507, vec3<f32>(_e5508, _e5509, _e5510), _e5512, _e5514, vec3<f32>(_e5515, _e5516, _e5517));
 } else {
 let _e5524 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e5527 = sqrt(select(0f, _e5524, (_e5524 > 0f)));
-let _e5532 = global_4.member[_e367].member_14.member_1;
+let _e5532 = global_3.member[_e367].member_14.member_1;
 let _e5533 = (_e5532 != 0u);
-let _e5538 = global_4.member[_e367].member_14.member;
+let _e5538 = global_3.member[_e367].member_14.member;
 let _e5558 = select(-1e6f, (((((_e5538.member.member * _e4714.x) + (_e5538.member.member_1 * _e4714.y)) + (_e5538.member.member_2 * _e4714.z)) + _e5538.member_1) * _e5527), _e5533);
 let _e5559 = select(-1e6f, (((((_e5538.member.member * _e5231) + (_e5538.member.member_1 * _e5232)) + (_e5538.member.member_2 * _e5233)) + _e5538.member_1) * _e5527), _e5533);
-let _e5565 = global_4.member[_e367].member_14.member.member;
+let _e5565 = global_3.member[_e367].member_14.member.member;
 let _e5569 = -(_e5558);
 let _e5572 = (_e5558 - _e5559);
 let _e5573 = (_e5559 - _e5558);
@@ -1974,12 +1974,12 @@ let _e5593 = select(_e5502, _e5582, _e5591);
 let _e5597 = select(_e5507, _e5586, _e5592);
 let _e5601 = select(_e5512, _e5558, _e5587);
 let _e5603 = select(_e5514, _e5559, (_e5559 > _e5514));
-let _e5611 = global_4.member[_e367].member_15.member_1;
+let _e5611 = global_3.member[_e367].member_15.member_1;
 let _e5612 = (_e5611 != 0u);
-let _e5617 = global_4.member[_e367].member_15.member;
+let _e5617 = global_3.member[_e367].member_15.member;
 let _e5637 = select(-1e6f, (((((_e5617.member.member * _e4714.x) + (_e5617.member.member_1 * _e4714.y)) + (_e5617.member.member_2 * _e4714.z)) + _e5617.member_1) * _e5527), _e5612);
 let _e5638 = select(-1e6f, (((((_e5617.member.member * _e5231) + (_e5617.member.member_1 * _e5232)) + (_e5617.member.member_2 * _e5233)) + _e5617.member_1) * _e5527), _e5612);
-let _e5644 = global_4.member[_e367].member_15.member.member;
+let _e5644 = global_3.member[_e367].member_15.member.member;
 let _e5648 = -(_e5637);
 let _e5651 = (_e5637 - _e5638);
 let _e5652 = (_e5638 - _e5637);
@@ -1994,12 +1994,12 @@ let _e5672 = select(_e5593, _e5661, _e5670);
 let _e5676 = select(_e5597, _e5665, _e5671);
 let _e5680 = select(_e5601, _e5637, _e5666);
 let _e5682 = select(_e5603, _e5638, (_e5638 > _e5603));
-let _e5690 = global_4.member[_e367].member_16.member_1;
+let _e5690 = global_3.member[_e367].member_16.member_1;
 let _e5691 = (_e5690 != 0u);
-let _e5696 = global_4.member[_e367].member_16.member;
+let _e5696 = global_3.member[_e367].member_16.member;
 let _e5716 = select(-1e6f, (((((_e5696.member.member * _e4714.x) + (_e5696.member.member_1 * _e4714.y)) + (_e5696.member.member_2 * _e4714.z)) + _e5696.member_1) * _e5527), _e5691);
 let _e5717 = select(-1e6f, (((((_e5696.member.member * _e5231) + (_e5696.member.member_1 * _e5232)) + (_e5696.member.member_2 * _e5233)) + _e5696.member_1) * _e5527), _e5691);
-let _e5723 = global_4.member[_e367].member_16.member.member;
+let _e5723 = global_3.member[_e367].member_16.member.member;
 let _e5727 = -(_e5716);
 let _e5730 = (_e5716 - _e5717);
 let _e5731 = (_e5717 - _e5716);
@@ -2014,12 +2014,12 @@ let _e5751 = select(_e5672, _e5740, _e5749);
 let _e5755 = select(_e5676, _e5744, _e5750);
 let _e5759 = select(_e5680, _e5716, _e5745);
 let _e5761 = select(_e5682, _e5717, (_e5717 > _e5682));
-let _e5769 = global_4.member[_e367].member_17.member_1;
+let _e5769 = global_3.member[_e367].member_17.member_1;
 let _e5770 = (_e5769 != 0u);
-let _e5775 = global_4.member[_e367].member_17.member;
+let _e5775 = global_3.member[_e367].member_17.member;
 let _e5795 = select(-1e6f, (((((_e5775.member.member * _e4714.x) + (_e5775.member.member_1 * _e4714.y)) + (_e5775.member.member_2 * _e4714.z)) + _e5775.member_1) * _e5527), _e5770);
 let _e5796 = select(-1e6f, (((((_e5775.member.member * _e5231) + (_e5775.member.member_1 * _e5232)) + (_e5775.member.member_2 * _e5233)) + _e5775.member_1) * _e5527), _e5770);
-let _e5802 = global_4.member[_e367].member_17.member.member;
+let _e5802 = global_3.member[_e367].member_17.member.member;
 let _e5806 = -(_e5795);
 let _e5809 = (_e5795 - _e5796);
 let _e5810 = (_e5796 - _e5795);
@@ -2030,7 +2030,7 @@ let _e5823 = select(2f, select(0f, _e5815, (_e5795 < 0f)), (_e5796 > 0f));
 let _e5824 = (_e5795 > _e5759);
 let _e5828 = ((_e5819 > _e5751) || ((_e5819 == _e5751) && _e5824));
 let _e5829 = (_e5823 < _e5755);
-phi_12561_ = type_35(select(_e5751, _e5819, _e5828), vec3<f32>(select(select(select(select(_e5503, _e5565.member, _e5591), _e5644.member, _e5670), _e5723.member, _e5749), _e5802.member, _e5828), select(select(select(select(_e5504, _e5565.member_1, _e5591), _e5644.member_1, _e5670), _e5723.member_1, _e5749), _e5802.member_1, _e5828), select(select(select(select(_e5505, _e5565.member_2, _e5591), _e5644.member_2, _e5670), _e5723.member_2, _e5749), _e5802.member_2, _e5828)), select(_e5755, _e5823, _e5829), vec3<f32>(select(select(select(select(_e5508, _e5565.member, _e5592), _e5644.member, _e5671), _e5723.member, _e5750), _e5802.member, _e5829), select(select(select(select(_e5509, _e5565.member_1, _e5592), _e5644.member_1, _e5671), _e5723.member_1, _e5750), _e5802.member_1, _e5829), select(select(select(select(_e5510, _e5565.member_2, _e5592), _e5644.member_2, _e5671), _e5723.member_2, _e5750), _e5802.member_2, _e5829)), select(_e5759, _e5795, _e5824), select(_e5761, _e5796, (_e5796 > _e5761)), vec3<f32>(select(select(select(select(_e5515, _e5565.member, _e5587), _e5644.member, _e5666), _e5723.member, _e5745), _e5802.member, _e5824), select(select(select(select(_e5516, _e5565.member_1, _e5587), _e5644.member_1, _e5666), _e5723.member_1, _e5745), _e5802.member_1, _e5824), select(select(select(select(_e5517, _e5565.member_2, _e5587), _e5644.member_2, _e5666), _e5723.member_2, _e5745), _e5802.member_2, _e5824)));
+phi_12561_ = type_34(select(_e5751, _e5819, _e5828), vec3<f32>(select(select(select(select(_e5503, _e5565.member, _e5591), _e5644.member, _e5670), _e5723.member, _e5749), _e5802.member, _e5828), select(select(select(select(_e5504, _e5565.member_1, _e5591), _e5644.member_1, _e5670), _e5723.member_1, _e5749), _e5802.member_1, _e5828), select(select(select(select(_e5505, _e5565.member_2, _e5591), _e5644.member_2, _e5670), _e5723.member_2, _e5749), _e5802.member_2, _e5828)), select(_e5755, _e5823, _e5829), vec3<f32>(select(select(select(select(_e5508, _e5565.member, _e5592), _e5644.member, _e5671), _e5723.member, _e5750), _e5802.member, _e5829), select(select(select(select(_e5509, _e5565.member_1, _e5592), _e5644.member_1, _e5671), _e5723.member_1, _e5750), _e5802.member_1, _e5829), select(select(select(select(_e5510, _e5565.member_2, _e5592), _e5644.member_2, _e5671), _e5723.member_2, _e5750), _e5802.member_2, _e5829)), select(_e5759, _e5795, _e5824), select(_e5761, _e5796, (_e5796 > _e5761)), vec3<f32>(select(select(select(select(_e5515, _e5565.member, _e5587), _e5644.member, _e5666), _e5723.member, _e5745), _e5802.member, _e5824), select(select(select(select(_e5516, _e5565.member_1, _e5587), _e5644.member_1, _e5666), _e5723.member_1, _e5745), _e5802.member_1, _e5824), select(select(select(select(_e5517, _e5565.member_2, _e5587), _e5644.member_2, _e5666), _e5723.member_2, _e5745), _e5802.member_2, _e5824)));
 }
 let _e5849 = phi_12561_;
 let _e5855 = (((_e4701 && _e5236) && !(_e5220)) && (_e5849.member_2 <= 1f));
@@ -2240,7 +2240,7 @@ phi_14309_ = _e2863;
 phi_14309_ = _e4000;
 }
 let _e6379 = phi_14309_;
-phi_14581_ = type_39(_e6379, vec3<f32>(select(_e5231, _e4714.x, _e5855), select(_e5232, _e4714.y, _e5855), select(_e5233, _e4714.z, _e5855)), vec3<f32>(_e5205, _e5206, _e5207), select((_e1076 * select(0f, _e5936, (_e5936 > 0f))), ((((sqrt(select(0f, _e5947, (_e5947 > 0f))) * select(0f, _e6028, (_e6028 > 0f))) + (sqrt(select(0f, _e6039, (_e6039 > 0f))) * select(0f, _e6135, (_e6135 > 0f)))) + (sqrt(select(0f, _e6147, (_e6147 > 0f))) * select(0f, _e6243, (_e6243 > 0f)))) + select(0f, (sqrt(select(0f, _e6255, (_e6255 > 0f))) * select(0f, _e6351, (_e6351 > 0f))), _e4701)), _e6358), select((_e400 / _e5207), (2f * (_e3552 / _e2917)), (((_e2405 && !(_e1785)) && _e2950) && !(_e3548))), select(_e3542.member_3, _e2397.member_1, vec3(_e2931)), _e5236, _e6358, (((_e2935 || _e4066) || _e5220) || _e5855));
+phi_14581_ = type_38(_e6379, vec3<f32>(select(_e5231, _e4714.x, _e5855), select(_e5232, _e4714.y, _e5855), select(_e5233, _e4714.z, _e5855)), vec3<f32>(_e5205, _e5206, _e5207), select((_e1076 * select(0f, _e5936, (_e5936 > 0f))), ((((sqrt(select(0f, _e5947, (_e5947 > 0f))) * select(0f, _e6028, (_e6028 > 0f))) + (sqrt(select(0f, _e6039, (_e6039 > 0f))) * select(0f, _e6135, (_e6135 > 0f)))) + (sqrt(select(0f, _e6147, (_e6147 > 0f))) * select(0f, _e6243, (_e6243 > 0f)))) + select(0f, (sqrt(select(0f, _e6255, (_e6255 > 0f))) * select(0f, _e6351, (_e6351 > 0f))), _e4701)), _e6358), select((_e400 / _e5207), (2f * (_e3552 / _e2917)), (((_e2405 && !(_e1785)) && _e2950) && !(_e3548))), select(_e3542.member_3, _e2397.member_1, vec3(_e2931)), _e5236, _e6358, (((_e2935 || _e4066) || _e5220) || _e5855));
 } else {
 let _e1078 = (_e915 < 1e-12f);
 let _e1080 = (1f / select(_e910, 1f, _e1078));
@@ -2275,7 +2275,7 @@ let _e1152 = select(select(1f, _e1149, (_e1149 < 1f)), 1f, _e1128);
 let _e1154 = select(_e1127, _e1102, (_e1102 < _e1127));
 let _e1158 = select(_e1120, _e1095, (_e1095 > _e1120));
 let _e1161 = (select(_e1152, _e1154, (_e1154 < _e1152)) - select(_e1145, _e1158, (_e1158 > _e1145)));
-phi_14581_ = type_39(_e1077.member, _e1077.member_1, _e1077.member_2, (_e1076 * select(0f, _e1161, (_e1161 > 0f))), _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8);
+phi_14581_ = type_38(_e1077.member, _e1077.member_1, _e1077.member_2, (_e1076 * select(0f, _e1161, (_e1161 > 0f))), _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8);
 }
 let _e6382 = phi_14581_;
 let _e6393 = ((((_e468.member.member * _e6382.member_1.x) + (_e468.member.member_1 * _e6382.member_1.y)) + (_e468.member.member_2 * _e6382.member_1.z)) + _e468.member_1);
@@ -2300,8 +2300,8 @@ let _e6847 = select(-1f, _e6815, (_e6815 > -1f));
 let _e6849 = select(_e558, _e6847, (_e6847 < _e558));
 let _e6856 = select(0i, select(select(i32(_e6849), i32(-2147483648), (_e6849 < -2147483600f)), 2147483647i, (_e6849 > 2147483500f)), (_e6849 == _e6849));
 let _e6860 = (_e6856 - select(0i, 1i, (_e6849 < f32(_e6856))));
-let _e6865 = global_4.member[_e367].member_6.member_7;
-let _e6870 = global_4.member[_e367].member_6.member_8;
+let _e6865 = global_3.member[_e367].member_6.member_7;
+let _e6870 = global_3.member[_e367].member_6.member_8;
 let _e6878 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e6879 = (_e6845 - 1i);
 let _e6884 = (_e6845 + 1i);
@@ -2331,7 +2331,7 @@ let _e6959 = (select(0i, _e6898, (_e6898 > 0i)) * _e6870);
 let _e6960 = (select(0i, _e6860, (_e6860 > 0i)) * _e6870);
 let _e6961 = (select(_e6897, _e6903, (_e6903 < _e6897)) * _e6870);
 let _e6962 = (select(_e6897, _e6906, (_e6906 < _e6897)) * _e6870);
-local_22 = type_32(array<i32, 4>(_e6932, _e6934, _e6936, 0i), array<u32, 6>(bitcast<u32>(((_e6919 - _e6932) * 16i)), bitcast<u32>(((_e6921 - _e6932) * 16i)), bitcast<u32>(((_e6921 - _e6934) * 16i)), bitcast<u32>(((_e6924 - _e6934) * 16i)), bitcast<u32>(((_e6924 - _e6936) * 16i)), bitcast<u32>(((select(_e6916, _e6925, (_e6925 < _e6916)) - _e6936) * 16i))));
+local_22 = type_28(array<i32, 4>(_e6932, _e6934, _e6936, 0i), array<u32, 6>(bitcast<u32>(((_e6919 - _e6932) * 16i)), bitcast<u32>(((_e6921 - _e6932) * 16i)), bitcast<u32>(((_e6921 - _e6934) * 16i)), bitcast<u32>(((_e6924 - _e6934) * 16i)), bitcast<u32>(((_e6924 - _e6936) * 16i)), bitcast<u32>(((select(_e6916, _e6925, (_e6925 < _e6916)) - _e6936) * 16i))));
 local_23 = vec3<f32>((_e6807 - f32(_e6830)), (_e6811 - f32(_e6845)), (_e6815 - f32(_e6860)));
 let _e6974 = (_e6960 + _e6956);
 let _e6977 = local_22.member[0u];
@@ -2340,20 +2340,20 @@ let _e6980 = (_e6978 >> bitcast<u32>(1i));
 let _e6983 = bitcast<u32>(((_e6978 & 1i) * 16i));
 let _e6985 = (bitcast<i32>(_e180) - 1i);
 let _e6987 = select(_e6985, _e6980, (_e6980 < _e6985));
-let _e6992 = global_2.member[bitcast<u32>(select(0i, _e6987, (_e6987 > 0i)))];
+let _e6992 = global_1.member[bitcast<u32>(select(0i, _e6987, (_e6987 > 0i)))];
 let _e6996 = (_e6980 + 1i);
 let _e6998 = select(_e6985, _e6996, (_e6996 < _e6985));
-let _e7003 = global_2.member[bitcast<u32>(select(0i, _e6998, (_e6998 > 0i)))];
+let _e7003 = global_1.member[bitcast<u32>(select(0i, _e6998, (_e6998 > 0i)))];
 let _e7010 = ((_e6992 >> bitcast<u32>((_e6983 & 31u))) | ((_e7003 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6983) & 31u))));
 let _e7013 = local_22.member[2u];
 let _e7014 = (_e6974 + _e7013);
 let _e7016 = (_e7014 >> bitcast<u32>(1i));
 let _e7019 = bitcast<u32>(((_e7014 & 1i) * 16i));
 let _e7021 = select(_e6985, _e7016, (_e7016 < _e6985));
-let _e7026 = global_2.member[bitcast<u32>(select(0i, _e7021, (_e7021 > 0i)))];
+let _e7026 = global_1.member[bitcast<u32>(select(0i, _e7021, (_e7021 > 0i)))];
 let _e7030 = (_e7016 + 1i);
 let _e7032 = select(_e6985, _e7030, (_e7030 < _e6985));
-let _e7037 = global_2.member[bitcast<u32>(select(0i, _e7032, (_e7032 > 0i)))];
+let _e7037 = global_1.member[bitcast<u32>(select(0i, _e7032, (_e7032 > 0i)))];
 let _e7044 = ((_e7026 >> bitcast<u32>((_e7019 & 31u))) | ((_e7037 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7019) & 31u))));
 let _e7047 = local_22.member_1[0u];
 let _e7053 = f32(bitcast<i32>(((_e7010 >> bitcast<u32>((_e7047 & 31u))) & 65535u)));
@@ -2374,20 +2374,20 @@ let _e7095 = (_e7093 + _e7094);
 let _e7097 = (_e7095 >> bitcast<u32>(1i));
 let _e7100 = bitcast<u32>(((_e7095 & 1i) * 16i));
 let _e7102 = select(_e6985, _e7097, (_e7097 < _e6985));
-let _e7107 = global_2.member[bitcast<u32>(select(0i, _e7102, (_e7102 > 0i)))];
+let _e7107 = global_1.member[bitcast<u32>(select(0i, _e7102, (_e7102 > 0i)))];
 let _e7111 = (_e7097 + 1i);
 let _e7113 = select(_e6985, _e7111, (_e7111 < _e6985));
-let _e7118 = global_2.member[bitcast<u32>(select(0i, _e7113, (_e7113 > 0i)))];
+let _e7118 = global_1.member[bitcast<u32>(select(0i, _e7113, (_e7113 > 0i)))];
 let _e7125 = ((_e7107 >> bitcast<u32>((_e7100 & 31u))) | ((_e7118 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7100) & 31u))));
 let _e7126 = local_22.member[2u];
 let _e7127 = (_e7093 + _e7126);
 let _e7129 = (_e7127 >> bitcast<u32>(1i));
 let _e7132 = bitcast<u32>(((_e7127 & 1i) * 16i));
 let _e7134 = select(_e6985, _e7129, (_e7129 < _e6985));
-let _e7139 = global_2.member[bitcast<u32>(select(0i, _e7134, (_e7134 > 0i)))];
+let _e7139 = global_1.member[bitcast<u32>(select(0i, _e7134, (_e7134 > 0i)))];
 let _e7143 = (_e7129 + 1i);
 let _e7145 = select(_e6985, _e7143, (_e7143 < _e6985));
-let _e7150 = global_2.member[bitcast<u32>(select(0i, _e7145, (_e7145 > 0i)))];
+let _e7150 = global_1.member[bitcast<u32>(select(0i, _e7145, (_e7145 > 0i)))];
 let _e7157 = ((_e7139 >> bitcast<u32>((_e7132 & 31u))) | ((_e7150 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7132) & 31u))));
 let _e7158 = local_22.member_1[0u];
 let _e7164 = f32(bitcast<i32>(((_e7125 >> bitcast<u32>((_e7158 & 31u))) & 65535u)));
@@ -2406,20 +2406,20 @@ let _e7200 = (_e7198 + _e7199);
 let _e7202 = (_e7200 >> bitcast<u32>(1i));
 let _e7205 = bitcast<u32>(((_e7200 & 1i) * 16i));
 let _e7207 = select(_e6985, _e7202, (_e7202 < _e6985));
-let _e7212 = global_2.member[bitcast<u32>(select(0i, _e7207, (_e7207 > 0i)))];
+let _e7212 = global_1.member[bitcast<u32>(select(0i, _e7207, (_e7207 > 0i)))];
 let _e7216 = (_e7202 + 1i);
 let _e7218 = select(_e6985, _e7216, (_e7216 < _e6985));
-let _e7223 = global_2.member[bitcast<u32>(select(0i, _e7218, (_e7218 > 0i)))];
+let _e7223 = global_1.member[bitcast<u32>(select(0i, _e7218, (_e7218 > 0i)))];
 let _e7230 = ((_e7212 >> bitcast<u32>((_e7205 & 31u))) | ((_e7223 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7205) & 31u))));
 let _e7231 = local_22.member[2u];
 let _e7232 = (_e7198 + _e7231);
 let _e7234 = (_e7232 >> bitcast<u32>(1i));
 let _e7237 = bitcast<u32>(((_e7232 & 1i) * 16i));
 let _e7239 = select(_e6985, _e7234, (_e7234 < _e6985));
-let _e7244 = global_2.member[bitcast<u32>(select(0i, _e7239, (_e7239 > 0i)))];
+let _e7244 = global_1.member[bitcast<u32>(select(0i, _e7239, (_e7239 > 0i)))];
 let _e7248 = (_e7234 + 1i);
 let _e7250 = select(_e6985, _e7248, (_e7248 < _e6985));
-let _e7255 = global_2.member[bitcast<u32>(select(0i, _e7250, (_e7250 > 0i)))];
+let _e7255 = global_1.member[bitcast<u32>(select(0i, _e7250, (_e7250 > 0i)))];
 let _e7262 = ((_e7244 >> bitcast<u32>((_e7237 & 31u))) | ((_e7255 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7237) & 31u))));
 let _e7263 = local_22.member_1[0u];
 let _e7269 = f32(bitcast<i32>(((_e7230 >> bitcast<u32>((_e7263 & 31u))) & 65535u)));
@@ -2440,20 +2440,20 @@ let _e7305 = (_e7303 + _e7304);
 let _e7307 = (_e7305 >> bitcast<u32>(1i));
 let _e7310 = bitcast<u32>(((_e7305 & 1i) * 16i));
 let _e7312 = select(_e6985, _e7307, (_e7307 < _e6985));
-let _e7317 = global_2.member[bitcast<u32>(select(0i, _e7312, (_e7312 > 0i)))];
+let _e7317 = global_1.member[bitcast<u32>(select(0i, _e7312, (_e7312 > 0i)))];
 let _e7321 = (_e7307 + 1i);
 let _e7323 = select(_e6985, _e7321, (_e7321 < _e6985));
-let _e7328 = global_2.member[bitcast<u32>(select(0i, _e7323, (_e7323 > 0i)))];
+let _e7328 = global_1.member[bitcast<u32>(select(0i, _e7323, (_e7323 > 0i)))];
 let _e7335 = ((_e7317 >> bitcast<u32>((_e7310 & 31u))) | ((_e7328 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7310) & 31u))));
 let _e7336 = local_22.member[2u];
 let _e7337 = (_e7303 + _e7336);
 let _e7339 = (_e7337 >> bitcast<u32>(1i));
 let _e7342 = bitcast<u32>(((_e7337 & 1i) * 16i));
 let _e7344 = select(_e6985, _e7339, (_e7339 < _e6985));
-let _e7349 = global_2.member[bitcast<u32>(select(0i, _e7344, (_e7344 > 0i)))];
+let _e7349 = global_1.member[bitcast<u32>(select(0i, _e7344, (_e7344 > 0i)))];
 let _e7353 = (_e7339 + 1i);
 let _e7355 = select(_e6985, _e7353, (_e7353 < _e6985));
-let _e7360 = global_2.member[bitcast<u32>(select(0i, _e7355, (_e7355 > 0i)))];
+let _e7360 = global_1.member[bitcast<u32>(select(0i, _e7355, (_e7355 > 0i)))];
 let _e7367 = ((_e7349 >> bitcast<u32>((_e7342 & 31u))) | ((_e7360 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7342) & 31u))));
 let _e7368 = local_22.member_1[0u];
 let _e7374 = f32(bitcast<i32>(((_e7335 >> bitcast<u32>((_e7368 & 31u))) & 65535u)));
@@ -2471,10 +2471,10 @@ let _e7412 = ((_e6960 + _e6955) + _e7411);
 let _e7414 = (_e7412 >> bitcast<u32>(1i));
 let _e7417 = bitcast<u32>(((_e7412 & 1i) * 16i));
 let _e7419 = select(_e6985, _e7414, (_e7414 < _e6985));
-let _e7424 = global_2.member[bitcast<u32>(select(0i, _e7419, (_e7419 > 0i)))];
+let _e7424 = global_1.member[bitcast<u32>(select(0i, _e7419, (_e7419 > 0i)))];
 let _e7428 = (_e7414 + 1i);
 let _e7430 = select(_e6985, _e7428, (_e7428 < _e6985));
-let _e7435 = global_2.member[bitcast<u32>(select(0i, _e7430, (_e7430 > 0i)))];
+let _e7435 = global_1.member[bitcast<u32>(select(0i, _e7430, (_e7430 > 0i)))];
 let _e7442 = ((_e7424 >> bitcast<u32>((_e7417 & 31u))) | ((_e7435 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7417) & 31u))));
 let _e7445 = local_22.member_1[2u];
 let _e7451 = f32(bitcast<i32>(((_e7442 >> bitcast<u32>((_e7445 & 31u))) & 65535u)));
@@ -2486,10 +2486,10 @@ let _e7467 = ((_e6960 + _e6958) + _e7466);
 let _e7469 = (_e7467 >> bitcast<u32>(1i));
 let _e7472 = bitcast<u32>(((_e7467 & 1i) * 16i));
 let _e7474 = select(_e6985, _e7469, (_e7469 < _e6985));
-let _e7479 = global_2.member[bitcast<u32>(select(0i, _e7474, (_e7474 > 0i)))];
+let _e7479 = global_1.member[bitcast<u32>(select(0i, _e7474, (_e7474 > 0i)))];
 let _e7483 = (_e7469 + 1i);
 let _e7485 = select(_e6985, _e7483, (_e7483 < _e6985));
-let _e7490 = global_2.member[bitcast<u32>(select(0i, _e7485, (_e7485 > 0i)))];
+let _e7490 = global_1.member[bitcast<u32>(select(0i, _e7485, (_e7485 > 0i)))];
 let _e7497 = ((_e7479 >> bitcast<u32>((_e7472 & 31u))) | ((_e7490 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7472) & 31u))));
 let _e7498 = local_22.member_1[2u];
 let _e7504 = f32(bitcast<i32>(((_e7497 >> bitcast<u32>((_e7498 & 31u))) & 65535u)));
@@ -2500,10 +2500,10 @@ let _e7518 = ((_e6961 + _e6955) + _e7517);
 let _e7520 = (_e7518 >> bitcast<u32>(1i));
 let _e7523 = bitcast<u32>(((_e7518 & 1i) * 16i));
 let _e7525 = select(_e6985, _e7520, (_e7520 < _e6985));
-let _e7530 = global_2.member[bitcast<u32>(select(0i, _e7525, (_e7525 > 0i)))];
+let _e7530 = global_1.member[bitcast<u32>(select(0i, _e7525, (_e7525 > 0i)))];
 let _e7534 = (_e7520 + 1i);
 let _e7536 = select(_e6985, _e7534, (_e7534 < _e6985));
-let _e7541 = global_2.member[bitcast<u32>(select(0i, _e7536, (_e7536 > 0i)))];
+let _e7541 = global_1.member[bitcast<u32>(select(0i, _e7536, (_e7536 > 0i)))];
 let _e7548 = ((_e7530 >> bitcast<u32>((_e7523 & 31u))) | ((_e7541 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7523) & 31u))));
 let _e7549 = local_22.member_1[2u];
 let _e7555 = f32(bitcast<i32>(((_e7548 >> bitcast<u32>((_e7549 & 31u))) & 65535u)));
@@ -2515,10 +2515,10 @@ let _e7569 = ((_e6961 + _e6958) + _e7568);
 let _e7571 = (_e7569 >> bitcast<u32>(1i));
 let _e7574 = bitcast<u32>(((_e7569 & 1i) * 16i));
 let _e7576 = select(_e6985, _e7571, (_e7571 < _e6985));
-let _e7581 = global_2.member[bitcast<u32>(select(0i, _e7576, (_e7576 > 0i)))];
+let _e7581 = global_1.member[bitcast<u32>(select(0i, _e7576, (_e7576 > 0i)))];
 let _e7585 = (_e7571 + 1i);
 let _e7587 = select(_e6985, _e7585, (_e7585 < _e6985));
-let _e7592 = global_2.member[bitcast<u32>(select(0i, _e7587, (_e7587 > 0i)))];
+let _e7592 = global_1.member[bitcast<u32>(select(0i, _e7587, (_e7587 > 0i)))];
 let _e7599 = ((_e7581 >> bitcast<u32>((_e7574 & 31u))) | ((_e7592 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7574) & 31u))));
 let _e7600 = local_22.member_1[2u];
 let _e7606 = f32(bitcast<i32>(((_e7599 >> bitcast<u32>((_e7600 & 31u))) & 65535u)));
@@ -2529,10 +2529,10 @@ let _e7620 = ((_e6959 + _e6956) + _e7619);
 let _e7622 = (_e7620 >> bitcast<u32>(1i));
 let _e7625 = bitcast<u32>(((_e7620 & 1i) * 16i));
 let _e7627 = select(_e6985, _e7622, (_e7622 < _e6985));
-let _e7632 = global_2.member[bitcast<u32>(select(0i, _e7627, (_e7627 > 0i)))];
+let _e7632 = global_1.member[bitcast<u32>(select(0i, _e7627, (_e7627 > 0i)))];
 let _e7636 = (_e7622 + 1i);
 let _e7638 = select(_e6985, _e7636, (_e7636 < _e6985));
-let _e7643 = global_2.member[bitcast<u32>(select(0i, _e7638, (_e7638 > 0i)))];
+let _e7643 = global_1.member[bitcast<u32>(select(0i, _e7638, (_e7638 > 0i)))];
 let _e7650 = ((_e7632 >> bitcast<u32>((_e7625 & 31u))) | ((_e7643 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7625) & 31u))));
 let _e7651 = local_22.member_1[2u];
 let _e7657 = f32(bitcast<i32>(((_e7650 >> bitcast<u32>((_e7651 & 31u))) & 65535u)));
@@ -2544,10 +2544,10 @@ let _e7671 = ((_e6962 + _e6956) + _e7670);
 let _e7673 = (_e7671 >> bitcast<u32>(1i));
 let _e7676 = bitcast<u32>(((_e7671 & 1i) * 16i));
 let _e7678 = select(_e6985, _e7673, (_e7673 < _e6985));
-let _e7683 = global_2.member[bitcast<u32>(select(0i, _e7678, (_e7678 > 0i)))];
+let _e7683 = global_1.member[bitcast<u32>(select(0i, _e7678, (_e7678 > 0i)))];
 let _e7687 = (_e7673 + 1i);
 let _e7689 = select(_e6985, _e7687, (_e7687 < _e6985));
-let _e7694 = global_2.member[bitcast<u32>(select(0i, _e7689, (_e7689 > 0i)))];
+let _e7694 = global_1.member[bitcast<u32>(select(0i, _e7689, (_e7689 > 0i)))];
 let _e7701 = ((_e7683 >> bitcast<u32>((_e7676 & 31u))) | ((_e7694 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7676) & 31u))));
 let _e7702 = local_22.member_1[2u];
 let _e7708 = f32(bitcast<i32>(((_e7701 >> bitcast<u32>((_e7702 & 31u))) & 65535u)));
@@ -2559,10 +2559,10 @@ let _e7722 = ((_e6959 + _e6957) + _e7721);
 let _e7724 = (_e7722 >> bitcast<u32>(1i));
 let _e7727 = bitcast<u32>(((_e7722 & 1i) * 16i));
 let _e7729 = select(_e6985, _e7724, (_e7724 < _e6985));
-let _e7734 = global_2.member[bitcast<u32>(select(0i, _e7729, (_e7729 > 0i)))];
+let _e7734 = global_1.member[bitcast<u32>(select(0i, _e7729, (_e7729 > 0i)))];
 let _e7738 = (_e7724 + 1i);
 let _e7740 = select(_e6985, _e7738, (_e7738 < _e6985));
-let _e7745 = global_2.member[bitcast<u32>(select(0i, _e7740, (_e7740 > 0i)))];
+let _e7745 = global_1.member[bitcast<u32>(select(0i, _e7740, (_e7740 > 0i)))];
 let _e7752 = ((_e7734 >> bitcast<u32>((_e7727 & 31u))) | ((_e7745 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7727) & 31u))));
 let _e7753 = local_22.member_1[2u];
 let _e7759 = f32(bitcast<i32>(((_e7752 >> bitcast<u32>((_e7753 & 31u))) & 65535u)));
@@ -2573,10 +2573,10 @@ let _e7773 = ((_e6962 + _e6957) + _e7772);
 let _e7775 = (_e7773 >> bitcast<u32>(1i));
 let _e7778 = bitcast<u32>(((_e7773 & 1i) * 16i));
 let _e7780 = select(_e6985, _e7775, (_e7775 < _e6985));
-let _e7785 = global_2.member[bitcast<u32>(select(0i, _e7780, (_e7780 > 0i)))];
+let _e7785 = global_1.member[bitcast<u32>(select(0i, _e7780, (_e7780 > 0i)))];
 let _e7789 = (_e7775 + 1i);
 let _e7791 = select(_e6985, _e7789, (_e7789 < _e6985));
-let _e7796 = global_2.member[bitcast<u32>(select(0i, _e7791, (_e7791 > 0i)))];
+let _e7796 = global_1.member[bitcast<u32>(select(0i, _e7791, (_e7791 > 0i)))];
 let _e7803 = ((_e7785 >> bitcast<u32>((_e7778 & 31u))) | ((_e7796 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7778) & 31u))));
 let _e7804 = local_22.member_1[2u];
 let _e7810 = f32(bitcast<i32>(((_e7803 >> bitcast<u32>((_e7804 & 31u))) & 65535u)));
@@ -2608,8 +2608,8 @@ let _e7884 = local_23[2u];
 let _e7888 = local_23[1u];
 let _e7892 = local_23[2u];
 let _e7896 = local_23[2u];
-let _e7904 = global_4.member[_e367].member_6.member_6;
-let _e7909 = global_4.member[_e367].member_6.member_5;
+let _e7904 = global_3.member[_e367].member_6.member_6;
+let _e7909 = global_3.member[_e367].member_6.member_5;
 let _e7911 = (((_e7826 + ((_e7830 - _e7826) * _e7896)) - _e7904) * _e7909);
 let _e7912 = -(1e9f);
 let _e7914 = select(_e7912, _e7911, (_e7911 > _e7912));
@@ -2638,50 +2638,50 @@ local_21 = _e7953;
 let _e7954 = local_21;
 let _e7956 = (bitcast<i32>(_e185) - 1i);
 let _e7958 = select(_e7956, 263197i, (263197i < _e7956));
-let _e7963 = global_3.member[bitcast<u32>(select(0i, _e7958, (_e7958 > 0i)))];
+let _e7963 = global_2.member[bitcast<u32>(select(0i, _e7958, (_e7958 > 0i)))];
 let _e7964 = bitcast<f32>(_e7963);
 let _e7966 = select(_e7956, 263198i, (263198i < _e7956));
 let _e7969 = bitcast<u32>(select(0i, _e7966, (_e7966 > 0i)));
-let _e7971 = global_3.member[_e7969];
+let _e7971 = global_2.member[_e7969];
 let _e7972 = bitcast<f32>(_e7971);
 let _e7974 = select(_e7956, 263199i, (263199i < _e7956));
-let _e7979 = global_3.member[bitcast<u32>(select(0i, _e7974, (_e7974 > 0i)))];
+let _e7979 = global_2.member[bitcast<u32>(select(0i, _e7974, (_e7974 > 0i)))];
 let _e7980 = bitcast<f32>(_e7979);
 let _e7982 = ((_e7954 - _e7964) * _e7972);
 let _e7984 = select(0f, _e7982, (_e7982 > 0f));
 let _e7987 = local_21;
 let _e7989 = select(_e7956, 263200i, (263200i < _e7956));
-let _e7994 = global_3.member[bitcast<u32>(select(0i, _e7989, (_e7989 > 0i)))];
+let _e7994 = global_2.member[bitcast<u32>(select(0i, _e7989, (_e7989 > 0i)))];
 let _e7995 = bitcast<f32>(_e7994);
 let _e7997 = select(_e7956, 263201i, (263201i < _e7956));
-let _e8002 = global_3.member[bitcast<u32>(select(0i, _e7997, (_e7997 > 0i)))];
+let _e8002 = global_2.member[bitcast<u32>(select(0i, _e7997, (_e7997 > 0i)))];
 let _e8003 = bitcast<f32>(_e8002);
 let _e8005 = select(_e7956, 263202i, (263202i < _e7956));
-let _e8010 = global_3.member[bitcast<u32>(select(0i, _e8005, (_e8005 > 0i)))];
+let _e8010 = global_2.member[bitcast<u32>(select(0i, _e8005, (_e8005 > 0i)))];
 let _e8011 = bitcast<f32>(_e8010);
 let _e8013 = ((_e7987 - _e7995) * _e8003);
 let _e8015 = select(0f, _e8013, (_e8013 > 0f));
 let _e8019 = local_21;
 let _e8021 = select(_e7956, 263203i, (263203i < _e7956));
-let _e8026 = global_3.member[bitcast<u32>(select(0i, _e8021, (_e8021 > 0i)))];
+let _e8026 = global_2.member[bitcast<u32>(select(0i, _e8021, (_e8021 > 0i)))];
 let _e8027 = bitcast<f32>(_e8026);
 let _e8029 = select(_e7956, 263204i, (263204i < _e7956));
-let _e8034 = global_3.member[bitcast<u32>(select(0i, _e8029, (_e8029 > 0i)))];
+let _e8034 = global_2.member[bitcast<u32>(select(0i, _e8029, (_e8029 > 0i)))];
 let _e8035 = bitcast<f32>(_e8034);
 let _e8037 = select(_e7956, 263205i, (263205i < _e7956));
-let _e8042 = global_3.member[bitcast<u32>(select(0i, _e8037, (_e8037 > 0i)))];
+let _e8042 = global_2.member[bitcast<u32>(select(0i, _e8037, (_e8037 > 0i)))];
 let _e8043 = bitcast<f32>(_e8042);
 let _e8045 = ((_e8019 - _e8027) * _e8035);
 let _e8047 = select(0f, _e8045, (_e8045 > 0f));
 let _e8050 = local_21;
 let _e8052 = select(_e7956, 263206i, (263206i < _e7956));
-let _e8057 = global_3.member[bitcast<u32>(select(0i, _e8052, (_e8052 > 0i)))];
+let _e8057 = global_2.member[bitcast<u32>(select(0i, _e8052, (_e8052 > 0i)))];
 let _e8058 = bitcast<f32>(_e8057);
 let _e8060 = select(_e7956, 263207i, (263207i < _e7956));
-let _e8065 = global_3.member[bitcast<u32>(select(0i, _e8060, (_e8060 > 0i)))];
+let _e8065 = global_2.member[bitcast<u32>(select(0i, _e8060, (_e8060 > 0i)))];
 let _e8066 = bitcast<f32>(_e8065);
 let _e8068 = select(_e7956, 263208i, (263208i < _e7956));
-let _e8073 = global_3.member[bitcast<u32>(select(0i, _e8068, (_e8068 > 0i)))];
+let _e8073 = global_2.member[bitcast<u32>(select(0i, _e8068, (_e8068 > 0i)))];
 let _e8074 = bitcast<f32>(_e8073);
 let _e8076 = ((_e8050 - _e8058) * _e8066);
 let _e8078 = select(0f, _e8076, (_e8076 > 0f));
@@ -2692,34 +2692,34 @@ let _e8093 = select(0i, select(select(i32(_e8086), i32(-2147483648), (_e8086 < -
 let _e8097 = (_e8093 - select(0i, 1i, (_e8086 < f32(_e8093))));
 let _e8098 = (262147i + _e8097);
 let _e8100 = select(_e7956, _e8098, (_e8098 < _e7956));
-let _e8106 = global_3.member[bitcast<u32>(select(0i, _e8100, (_e8100 > 0i)))];
+let _e8106 = global_2.member[bitcast<u32>(select(0i, _e8100, (_e8100 > 0i)))];
 let _e8116 = select(_e7956, 262146i, (262146i < _e7956));
-let _e8122 = global_3.member[bitcast<u32>(select(0i, _e8116, (_e8116 > 0i)))];
+let _e8122 = global_2.member[bitcast<u32>(select(0i, _e8116, (_e8116 > 0i)))];
 let _e8123 = bitcast<f32>(_e8122);
 let _e8124 = (f32((bitcast<i32>((_e8106 & 4095u)) - 2048i)) * _e8123);
 let _e8126 = select(_e7956, 262144i, (262144i < _e7956));
-let _e8132 = global_3.member[bitcast<u32>(select(0i, _e8126, (_e8126 > 0i)))];
+let _e8132 = global_2.member[bitcast<u32>(select(0i, _e8126, (_e8126 > 0i)))];
 let _e8133 = bitcast<f32>(_e8132);
 let _e8135 = select(_e7956, 262145i, (262145i < _e7956));
-let _e8141 = global_3.member[bitcast<u32>(select(0i, _e8135, (_e8135 > 0i)))];
+let _e8141 = global_2.member[bitcast<u32>(select(0i, _e8135, (_e8135 > 0i)))];
 let _e8142 = bitcast<f32>(_e8141);
 let _e8148 = ((_e8133 + (f32(bitcast<i32>((_e8106 >> bitcast<u32>(12u)))) * _e8142)) + (_e8124 * (_e8082 - f32(_e8097))));
-let _e8151 = global_3.member[_e7969];
+let _e8151 = global_2.member[_e7969];
 let _e8153 = local_20;
 let _e8156 = local_20;
 let _e8159 = local_20;
 let _e8163 = select(_e7956, 263209i, (263209i < _e7956));
-let _e8169 = global_3.member[bitcast<u32>(select(0i, _e8163, (_e8163 > 0i)))];
+let _e8169 = global_2.member[bitcast<u32>(select(0i, _e8163, (_e8163 > 0i)))];
 let _e8171 = local_20;
 let _e8174 = select(_e7956, 263210i, (263210i < _e7956));
-let _e8180 = global_3.member[bitcast<u32>(select(0i, _e8174, (_e8174 > 0i)))];
+let _e8180 = global_2.member[bitcast<u32>(select(0i, _e8174, (_e8174 > 0i)))];
 let _e8182 = local_20;
 let _e8186 = (_e8124 * select(0f, select(select(select(bitcast<f32>(_e8151), _e8003, (_e8153 >= _e7995)), _e8035, (_e8156 >= _e8027)), _e8066, (_e8159 >= _e8058)), ((_e8171 >= bitcast<f32>(_e8169)) && (_e8182 <= bitcast<f32>(_e8180)))));
 if _e581 {
 let _e8637 = ((0.5f * (_e7928 - _e7922)) * _e8186);
 let _e8638 = ((0.5f * (_e7940 - _e7934)) * _e8186);
 let _e8639 = ((0.5f * (_e7952 - _e7946)) * _e8186);
-phi_20294_ = type_33(_e8148, vec3<f32>(_e8637, _e8638, _e8639), vec3<f32>((_e8637 * _e8148), (_e8638 * _e8148), (_e8639 * _e8148)));
+phi_20294_ = type_32(_e8148, vec3<f32>(_e8637, _e8638, _e8639), vec3<f32>((_e8637 * _e8148), (_e8638 * _e8148), (_e8639 * _e8148)));
 } else {
 local_18 = _e7922;
 let _e8187 = local_18;
@@ -2743,7 +2743,7 @@ let _e8229 = select(0i, select(select(i32(_e8222), i32(-2147483648), (_e8222 < -
 let _e8233 = (_e8229 - select(0i, 1i, (_e8222 < f32(_e8229))));
 let _e8234 = (262147i + _e8233);
 let _e8236 = select(_e7956, _e8234, (_e8234 < _e7956));
-let _e8242 = global_3.member[bitcast<u32>(select(0i, _e8236, (_e8236 > 0i)))];
+let _e8242 = global_2.member[bitcast<u32>(select(0i, _e8236, (_e8236 > 0i)))];
 let _e8257 = ((_e8133 + (f32(bitcast<i32>((_e8242 >> bitcast<u32>(12u)))) * _e8142)) + ((f32((bitcast<i32>((_e8242 & 4095u)) - 2048i)) * _e8123) * (_e8218 - f32(_e8233))));
 local_16 = _e7928;
 let _e8258 = local_16;
@@ -2767,7 +2767,7 @@ let _e8300 = select(0i, select(select(i32(_e8293), i32(-2147483648), (_e8293 < -
 let _e8304 = (_e8300 - select(0i, 1i, (_e8293 < f32(_e8300))));
 let _e8305 = (262147i + _e8304);
 let _e8307 = select(_e7956, _e8305, (_e8305 < _e7956));
-let _e8313 = global_3.member[bitcast<u32>(select(0i, _e8307, (_e8307 > 0i)))];
+let _e8313 = global_2.member[bitcast<u32>(select(0i, _e8307, (_e8307 > 0i)))];
 let _e8328 = ((_e8133 + (f32(bitcast<i32>((_e8313 >> bitcast<u32>(12u)))) * _e8142)) + ((f32((bitcast<i32>((_e8313 & 4095u)) - 2048i)) * _e8123) * (_e8289 - f32(_e8304))));
 local_14 = _e7934;
 let _e8329 = local_14;
@@ -2791,7 +2791,7 @@ let _e8371 = select(0i, select(select(i32(_e8364), i32(-2147483648), (_e8364 < -
 let _e8375 = (_e8371 - select(0i, 1i, (_e8364 < f32(_e8371))));
 let _e8376 = (262147i + _e8375);
 let _e8378 = select(_e7956, _e8376, (_e8376 < _e7956));
-let _e8384 = global_3.member[bitcast<u32>(select(0i, _e8378, (_e8378 > 0i)))];
+let _e8384 = global_2.member[bitcast<u32>(select(0i, _e8378, (_e8378 > 0i)))];
 let _e8399 = ((_e8133 + (f32(bitcast<i32>((_e8384 >> bitcast<u32>(12u)))) * _e8142)) + ((f32((bitcast<i32>((_e8384 & 4095u)) - 2048i)) * _e8123) * (_e8360 - f32(_e8375))));
 local_12 = _e7940;
 let _e8400 = local_12;
@@ -2815,7 +2815,7 @@ let _e8442 = select(0i, select(select(i32(_e8435), i32(-2147483648), (_e8435 < -
 let _e8446 = (_e8442 - select(0i, 1i, (_e8435 < f32(_e8442))));
 let _e8447 = (262147i + _e8446);
 let _e8449 = select(_e7956, _e8447, (_e8447 < _e7956));
-let _e8455 = global_3.member[bitcast<u32>(select(0i, _e8449, (_e8449 > 0i)))];
+let _e8455 = global_2.member[bitcast<u32>(select(0i, _e8449, (_e8449 > 0i)))];
 let _e8470 = ((_e8133 + (f32(bitcast<i32>((_e8455 >> bitcast<u32>(12u)))) * _e8142)) + ((f32((bitcast<i32>((_e8455 & 4095u)) - 2048i)) * _e8123) * (_e8431 - f32(_e8446))));
 local_10 = _e7946;
 let _e8471 = local_10;
@@ -2839,7 +2839,7 @@ let _e8513 = select(0i, select(select(i32(_e8506), i32(-2147483648), (_e8506 < -
 let _e8517 = (_e8513 - select(0i, 1i, (_e8506 < f32(_e8513))));
 let _e8518 = (262147i + _e8517);
 let _e8520 = select(_e7956, _e8518, (_e8518 < _e7956));
-let _e8526 = global_3.member[bitcast<u32>(select(0i, _e8520, (_e8520 > 0i)))];
+let _e8526 = global_2.member[bitcast<u32>(select(0i, _e8520, (_e8520 > 0i)))];
 let _e8541 = ((_e8133 + (f32(bitcast<i32>((_e8526 >> bitcast<u32>(12u)))) * _e8142)) + ((f32((bitcast<i32>((_e8526 & 4095u)) - 2048i)) * _e8123) * (_e8502 - f32(_e8517))));
 local_8 = _e7952;
 let _e8542 = local_8;
@@ -2863,28 +2863,28 @@ let _e8584 = select(0i, select(select(i32(_e8577), i32(-2147483648), (_e8577 < -
 let _e8588 = (_e8584 - select(0i, 1i, (_e8577 < f32(_e8584))));
 let _e8589 = (262147i + _e8588);
 let _e8591 = select(_e7956, _e8589, (_e8589 < _e7956));
-let _e8597 = global_3.member[bitcast<u32>(select(0i, _e8591, (_e8591 > 0i)))];
+let _e8597 = global_2.member[bitcast<u32>(select(0i, _e8591, (_e8591 > 0i)))];
 let _e8612 = ((_e8133 + (f32(bitcast<i32>((_e8597 >> bitcast<u32>(12u)))) * _e8142)) + ((f32((bitcast<i32>((_e8597 & 4095u)) - 2048i)) * _e8123) * (_e8573 - f32(_e8588))));
 let _e8613 = (_e8328 - _e8257);
 let _e8615 = (_e8470 - _e8399);
 let _e8617 = (_e8612 - _e8541);
-phi_20294_ = type_33(_e8148, vec3<f32>((0.5f * _e8613), (0.5f * _e8615), (0.5f * _e8617)), vec3<f32>((0.25f * (_e8613 * (_e8328 + _e8257))), (0.25f * (_e8615 * (_e8470 + _e8399))), (0.25f * (_e8617 * (_e8612 + _e8541)))));
+phi_20294_ = type_32(_e8148, vec3<f32>((0.5f * _e8613), (0.5f * _e8615), (0.5f * _e8617)), vec3<f32>((0.25f * (_e8613 * (_e8328 + _e8257))), (0.25f * (_e8615 * (_e8470 + _e8399))), (0.25f * (_e8617 * (_e8612 + _e8541)))));
 }
 let _e8647 = phi_20294_;
 let _e8662 = select(0f, 1f, ((((((_e6393 >= -0.5f) && (_e6393 <= _e895)) && (_e6399 >= -0.5f)) && (_e6399 <= _e900)) && (_e6405 >= -0.5f)) && (_e6405 <= _e905)));
 let _e8664 = (0.5f * (_e7928 - _e7922));
 let _e8666 = (0.5f * (_e7940 - _e7934));
 let _e8668 = (0.5f * (_e7952 - _e7946));
-let _e8675 = global_4.member[_e367].member_6.member.member.member;
-let _e8682 = global_4.member[_e367].member_6.member.member.member_1;
-let _e8689 = global_4.member[_e367].member_6.member.member.member_2;
-let _e8696 = global_4.member[_e367].member_6.member_1.member.member;
-let _e8703 = global_4.member[_e367].member_6.member_1.member.member_1;
-let _e8710 = global_4.member[_e367].member_6.member_1.member.member_2;
-let _e8717 = global_4.member[_e367].member_6.member_2.member.member;
-let _e8724 = global_4.member[_e367].member_6.member_2.member.member_1;
-let _e8731 = global_4.member[_e367].member_6.member_2.member.member_2;
-phi_21073_ = type_34(_e7916, vec3<f32>(((((_e8675 * _e8664) + (_e8696 * _e8666)) + (_e8717 * _e8668)) * _e8662), ((((_e8682 * _e8664) + (_e8703 * _e8666)) + (_e8724 * _e8668)) * _e8662), ((((_e8689 * _e8664) + (_e8710 * _e8666)) + (_e8731 * _e8668)) * _e8662)), _e8647.member, vec3<f32>(((((_e8675 * _e8647.member_2.x) + (_e8696 * _e8647.member_2.y)) + (_e8717 * _e8647.member_2.z)) * _e8662), ((((_e8682 * _e8647.member_2.x) + (_e8703 * _e8647.member_2.y)) + (_e8724 * _e8647.member_2.z)) * _e8662), ((((_e8689 * _e8647.member_2.x) + (_e8710 * _e8647.member_2.y)) + (_e8731 * _e8647.member_2.z)) * _e8662)), vec3<f32>(((((_e8675 * _e8647.member_1.x) + (_e8696 * _e8647.member_1.y)) + (_e8717 * _e8647.member_1.z)) * _e8662), ((((_e8682 * _e8647.member_1.x) + (_e8703 * _e8647.member_1.y)) + (_e8724 * _e8647.member_1.z)) * _e8662), ((((_e8689 * _e8647.member_1.x) + (_e8710 * _e8647.member_1.y)) + (_e8731 * _e8647.member_1.z)) * _e8662)));
+let _e8675 = global_3.member[_e367].member_6.member.member.member;
+let _e8682 = global_3.member[_e367].member_6.member.member.member_1;
+let _e8689 = global_3.member[_e367].member_6.member.member.member_2;
+let _e8696 = global_3.member[_e367].member_6.member_1.member.member;
+let _e8703 = global_3.member[_e367].member_6.member_1.member.member_1;
+let _e8710 = global_3.member[_e367].member_6.member_1.member.member_2;
+let _e8717 = global_3.member[_e367].member_6.member_2.member.member;
+let _e8724 = global_3.member[_e367].member_6.member_2.member.member_1;
+let _e8731 = global_3.member[_e367].member_6.member_2.member.member_2;
+phi_21073_ = type_33(_e7916, vec3<f32>(((((_e8675 * _e8664) + (_e8696 * _e8666)) + (_e8717 * _e8668)) * _e8662), ((((_e8682 * _e8664) + (_e8703 * _e8666)) + (_e8724 * _e8668)) * _e8662), ((((_e8689 * _e8664) + (_e8710 * _e8666)) + (_e8731 * _e8668)) * _e8662)), _e8647.member, vec3<f32>(((((_e8675 * _e8647.member_2.x) + (_e8696 * _e8647.member_2.y)) + (_e8717 * _e8647.member_2.z)) * _e8662), ((((_e8682 * _e8647.member_2.x) + (_e8703 * _e8647.member_2.y)) + (_e8724 * _e8647.member_2.z)) * _e8662), ((((_e8689 * _e8647.member_2.x) + (_e8710 * _e8647.member_2.y)) + (_e8731 * _e8647.member_2.z)) * _e8662)), vec3<f32>(((((_e8675 * _e8647.member_1.x) + (_e8696 * _e8647.member_1.y)) + (_e8717 * _e8647.member_1.z)) * _e8662), ((((_e8682 * _e8647.member_1.x) + (_e8703 * _e8647.member_1.y)) + (_e8724 * _e8647.member_1.z)) * _e8662), ((((_e8689 * _e8647.member_1.x) + (_e8710 * _e8647.member_1.y)) + (_e8731 * _e8647.member_1.z)) * _e8662)));
 } else {
 let _e6407 = select(-0.5f, _e6393, (_e6393 > -0.5f));
 let _e6409 = select(_e895, _e6407, (_e6407 < _e895));
@@ -2904,8 +2904,8 @@ let _e6449 = select(-1f, _e6417, (_e6417 > -1f));
 let _e6451 = select(_e558, _e6449, (_e6449 < _e558));
 let _e6458 = select(0i, select(select(i32(_e6451), i32(-2147483648), (_e6451 < -2147483600f)), 2147483647i, (_e6451 > 2147483500f)), (_e6451 == _e6451));
 let _e6462 = (_e6458 - select(0i, 1i, (_e6451 < f32(_e6458))));
-let _e6467 = global_4.member[_e367].member_6.member_7;
-let _e6472 = global_4.member[_e367].member_6.member_8;
+let _e6467 = global_3.member[_e367].member_6.member_7;
+let _e6472 = global_3.member[_e367].member_6.member_8;
 let _e6480 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e6483 = (_e6447 + 1i);
 let _e6493 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -2927,7 +2927,7 @@ let _e6545 = (select(0i, _e6447, (_e6447 > 0i)) * _e6467);
 let _e6546 = (select(_e6480, _e6483, (_e6483 < _e6480)) * _e6467);
 let _e6547 = (select(0i, _e6462, (_e6462 > 0i)) * _e6472);
 let _e6548 = (select(_e6493, _e6496, (_e6496 < _e6493)) * _e6472);
-local_6 = type_32(array<i32, 4>(_e6522, _e6524, _e6526, 0i), array<u32, 6>(bitcast<u32>(((_e6509 - _e6522) * 16i)), bitcast<u32>(((_e6511 - _e6522) * 16i)), bitcast<u32>(((_e6511 - _e6524) * 16i)), bitcast<u32>(((_e6514 - _e6524) * 16i)), bitcast<u32>(((_e6514 - _e6526) * 16i)), bitcast<u32>(((select(_e6506, _e6515, (_e6515 < _e6506)) - _e6526) * 16i))));
+local_6 = type_28(array<i32, 4>(_e6522, _e6524, _e6526, 0i), array<u32, 6>(bitcast<u32>(((_e6509 - _e6522) * 16i)), bitcast<u32>(((_e6511 - _e6522) * 16i)), bitcast<u32>(((_e6511 - _e6524) * 16i)), bitcast<u32>(((_e6514 - _e6524) * 16i)), bitcast<u32>(((_e6514 - _e6526) * 16i)), bitcast<u32>(((select(_e6506, _e6515, (_e6515 < _e6506)) - _e6526) * 16i))));
 local_7 = vec3<f32>((_e6409 - f32(_e6432)), (_e6413 - f32(_e6447)), (_e6417 - f32(_e6462)));
 let _e6563 = local_6.member[1u];
 let _e6564 = ((_e6547 + _e6545) + _e6563);
@@ -2935,10 +2935,10 @@ let _e6566 = (_e6564 >> bitcast<u32>(1i));
 let _e6569 = bitcast<u32>(((_e6564 & 1i) * 16i));
 let _e6571 = (bitcast<i32>(_e180) - 1i);
 let _e6573 = select(_e6571, _e6566, (_e6566 < _e6571));
-let _e6578 = global_2.member[bitcast<u32>(select(0i, _e6573, (_e6573 > 0i)))];
+let _e6578 = global_1.member[bitcast<u32>(select(0i, _e6573, (_e6573 > 0i)))];
 let _e6582 = (_e6566 + 1i);
 let _e6584 = select(_e6571, _e6582, (_e6582 < _e6571));
-let _e6589 = global_2.member[bitcast<u32>(select(0i, _e6584, (_e6584 > 0i)))];
+let _e6589 = global_1.member[bitcast<u32>(select(0i, _e6584, (_e6584 > 0i)))];
 let _e6596 = ((_e6578 >> bitcast<u32>((_e6569 & 31u))) | ((_e6589 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6569) & 31u))));
 let _e6599 = local_6.member_1[2u];
 let _e6605 = f32(bitcast<i32>(((_e6596 >> bitcast<u32>((_e6599 & 31u))) & 65535u)));
@@ -2950,10 +2950,10 @@ let _e6621 = ((_e6547 + _e6546) + _e6620);
 let _e6623 = (_e6621 >> bitcast<u32>(1i));
 let _e6626 = bitcast<u32>(((_e6621 & 1i) * 16i));
 let _e6628 = select(_e6571, _e6623, (_e6623 < _e6571));
-let _e6633 = global_2.member[bitcast<u32>(select(0i, _e6628, (_e6628 > 0i)))];
+let _e6633 = global_1.member[bitcast<u32>(select(0i, _e6628, (_e6628 > 0i)))];
 let _e6637 = (_e6623 + 1i);
 let _e6639 = select(_e6571, _e6637, (_e6637 < _e6571));
-let _e6644 = global_2.member[bitcast<u32>(select(0i, _e6639, (_e6639 > 0i)))];
+let _e6644 = global_1.member[bitcast<u32>(select(0i, _e6639, (_e6639 > 0i)))];
 let _e6651 = ((_e6633 >> bitcast<u32>((_e6626 & 31u))) | ((_e6644 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6626) & 31u))));
 let _e6652 = local_6.member_1[2u];
 let _e6658 = f32(bitcast<i32>(((_e6651 >> bitcast<u32>((_e6652 & 31u))) & 65535u)));
@@ -2966,10 +2966,10 @@ let _e6677 = ((_e6548 + _e6545) + _e6676);
 let _e6679 = (_e6677 >> bitcast<u32>(1i));
 let _e6682 = bitcast<u32>(((_e6677 & 1i) * 16i));
 let _e6684 = select(_e6571, _e6679, (_e6679 < _e6571));
-let _e6689 = global_2.member[bitcast<u32>(select(0i, _e6684, (_e6684 > 0i)))];
+let _e6689 = global_1.member[bitcast<u32>(select(0i, _e6684, (_e6684 > 0i)))];
 let _e6693 = (_e6679 + 1i);
 let _e6695 = select(_e6571, _e6693, (_e6693 < _e6571));
-let _e6700 = global_2.member[bitcast<u32>(select(0i, _e6695, (_e6695 > 0i)))];
+let _e6700 = global_1.member[bitcast<u32>(select(0i, _e6695, (_e6695 > 0i)))];
 let _e6707 = ((_e6689 >> bitcast<u32>((_e6682 & 31u))) | ((_e6700 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6682) & 31u))));
 let _e6708 = local_6.member_1[2u];
 let _e6714 = f32(bitcast<i32>(((_e6707 >> bitcast<u32>((_e6708 & 31u))) & 65535u)));
@@ -2981,10 +2981,10 @@ let _e6728 = ((_e6548 + _e6546) + _e6727);
 let _e6730 = (_e6728 >> bitcast<u32>(1i));
 let _e6733 = bitcast<u32>(((_e6728 & 1i) * 16i));
 let _e6735 = select(_e6571, _e6730, (_e6730 < _e6571));
-let _e6740 = global_2.member[bitcast<u32>(select(0i, _e6735, (_e6735 > 0i)))];
+let _e6740 = global_1.member[bitcast<u32>(select(0i, _e6735, (_e6735 > 0i)))];
 let _e6744 = (_e6730 + 1i);
 let _e6746 = select(_e6571, _e6744, (_e6744 < _e6571));
-let _e6751 = global_2.member[bitcast<u32>(select(0i, _e6746, (_e6746 > 0i)))];
+let _e6751 = global_1.member[bitcast<u32>(select(0i, _e6746, (_e6746 > 0i)))];
 let _e6758 = ((_e6740 >> bitcast<u32>((_e6733 & 31u))) | ((_e6751 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6733) & 31u))));
 let _e6759 = local_6.member_1[2u];
 let _e6765 = f32(bitcast<i32>(((_e6758 >> bitcast<u32>((_e6759 & 31u))) & 65535u)));
@@ -2992,12 +2992,12 @@ let _e6766 = local_6.member_1[3u];
 let _e6773 = local_7[0u];
 let _e6777 = local_7[1u];
 let _e6782 = local_7[2u];
-let _e6790 = global_4.member[_e367].member_6.member_6;
-let _e6795 = global_4.member[_e367].member_6.member_5;
+let _e6790 = global_3.member[_e367].member_6.member_6;
+let _e6795 = global_3.member[_e367].member_6.member_5;
 let _e6797 = (((_e6674 + (((_e6725 + (((_e6765 + ((f32(bitcast<i32>(((_e6758 >> bitcast<u32>((_e6766 & 31u))) & 65535u))) - _e6765) * _e6773)) - _e6725) * _e6777)) - _e6674) * _e6782)) - _e6790) * _e6795);
 let _e6798 = -(1e9f);
 let _e6800 = select(_e6798, _e6797, (_e6797 > _e6798));
-phi_21073_ = type_34(select(1e9f, _e6800, (_e6800 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21073_ = type_33(select(1e9f, _e6800, (_e6800 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8797 = phi_21073_;
 let _e8799 = select(-0.5f, _e479, (_e479 > -0.5f));
@@ -3018,8 +3018,8 @@ let _e8841 = select(-1f, _e8809, (_e8809 > -1f));
 let _e8843 = select(_e558, _e8841, (_e8841 < _e558));
 let _e8850 = select(0i, select(select(i32(_e8843), i32(-2147483648), (_e8843 < -2147483600f)), 2147483647i, (_e8843 > 2147483500f)), (_e8843 == _e8843));
 let _e8854 = (_e8850 - select(0i, 1i, (_e8843 < f32(_e8850))));
-let _e8859 = global_4.member[_e367].member_6.member_7;
-let _e8864 = global_4.member[_e367].member_6.member_8;
+let _e8859 = global_3.member[_e367].member_6.member_7;
+let _e8864 = global_3.member[_e367].member_6.member_8;
 let _e8872 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e8875 = (_e8839 + 1i);
 let _e8885 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -3041,7 +3041,7 @@ let _e8937 = (select(0i, _e8839, (_e8839 > 0i)) * _e8859);
 let _e8938 = (select(_e8872, _e8875, (_e8875 < _e8872)) * _e8859);
 let _e8939 = (select(0i, _e8854, (_e8854 > 0i)) * _e8864);
 let _e8940 = (select(_e8885, _e8888, (_e8888 < _e8885)) * _e8864);
-local_4 = type_32(array<i32, 4>(_e8914, _e8916, _e8918, 0i), array<u32, 6>(bitcast<u32>(((_e8901 - _e8914) * 16i)), bitcast<u32>(((_e8903 - _e8914) * 16i)), bitcast<u32>(((_e8903 - _e8916) * 16i)), bitcast<u32>(((_e8906 - _e8916) * 16i)), bitcast<u32>(((_e8906 - _e8918) * 16i)), bitcast<u32>(((select(_e8898, _e8907, (_e8907 < _e8898)) - _e8918) * 16i))));
+local_4 = type_28(array<i32, 4>(_e8914, _e8916, _e8918, 0i), array<u32, 6>(bitcast<u32>(((_e8901 - _e8914) * 16i)), bitcast<u32>(((_e8903 - _e8914) * 16i)), bitcast<u32>(((_e8903 - _e8916) * 16i)), bitcast<u32>(((_e8906 - _e8916) * 16i)), bitcast<u32>(((_e8906 - _e8918) * 16i)), bitcast<u32>(((select(_e8898, _e8907, (_e8907 < _e8898)) - _e8918) * 16i))));
 local_5 = vec3<f32>((_e8801 - f32(_e8824)), (_e8805 - f32(_e8839)), (_e8809 - f32(_e8854)));
 let _e8955 = local_4.member[1u];
 let _e8956 = ((_e8939 + _e8937) + _e8955);
@@ -3049,10 +3049,10 @@ let _e8958 = (_e8956 >> bitcast<u32>(1i));
 let _e8961 = bitcast<u32>(((_e8956 & 1i) * 16i));
 let _e8963 = (bitcast<i32>(_e180) - 1i);
 let _e8965 = select(_e8963, _e8958, (_e8958 < _e8963));
-let _e8970 = global_2.member[bitcast<u32>(select(0i, _e8965, (_e8965 > 0i)))];
+let _e8970 = global_1.member[bitcast<u32>(select(0i, _e8965, (_e8965 > 0i)))];
 let _e8974 = (_e8958 + 1i);
 let _e8976 = select(_e8963, _e8974, (_e8974 < _e8963));
-let _e8981 = global_2.member[bitcast<u32>(select(0i, _e8976, (_e8976 > 0i)))];
+let _e8981 = global_1.member[bitcast<u32>(select(0i, _e8976, (_e8976 > 0i)))];
 let _e8988 = ((_e8970 >> bitcast<u32>((_e8961 & 31u))) | ((_e8981 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8961) & 31u))));
 let _e8991 = local_4.member_1[2u];
 let _e8997 = f32(bitcast<i32>(((_e8988 >> bitcast<u32>((_e8991 & 31u))) & 65535u)));
@@ -3064,10 +3064,10 @@ let _e9013 = ((_e8939 + _e8938) + _e9012);
 let _e9015 = (_e9013 >> bitcast<u32>(1i));
 let _e9018 = bitcast<u32>(((_e9013 & 1i) * 16i));
 let _e9020 = select(_e8963, _e9015, (_e9015 < _e8963));
-let _e9025 = global_2.member[bitcast<u32>(select(0i, _e9020, (_e9020 > 0i)))];
+let _e9025 = global_1.member[bitcast<u32>(select(0i, _e9020, (_e9020 > 0i)))];
 let _e9029 = (_e9015 + 1i);
 let _e9031 = select(_e8963, _e9029, (_e9029 < _e8963));
-let _e9036 = global_2.member[bitcast<u32>(select(0i, _e9031, (_e9031 > 0i)))];
+let _e9036 = global_1.member[bitcast<u32>(select(0i, _e9031, (_e9031 > 0i)))];
 let _e9043 = ((_e9025 >> bitcast<u32>((_e9018 & 31u))) | ((_e9036 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e9018) & 31u))));
 let _e9044 = local_4.member_1[2u];
 let _e9050 = f32(bitcast<i32>(((_e9043 >> bitcast<u32>((_e9044 & 31u))) & 65535u)));
@@ -3080,10 +3080,10 @@ let _e9069 = ((_e8940 + _e8937) + _e9068);
 let _e9071 = (_e9069 >> bitcast<u32>(1i));
 let _e9074 = bitcast<u32>(((_e9069 & 1i) * 16i));
 let _e9076 = select(_e8963, _e9071, (_e9071 < _e8963));
-let _e9081 = global_2.member[bitcast<u32>(select(0i, _e9076, (_e9076 > 0i)))];
+let _e9081 = global_1.member[bitcast<u32>(select(0i, _e9076, (_e9076 > 0i)))];
 let _e9085 = (_e9071 + 1i);
 let _e9087 = select(_e8963, _e9085, (_e9085 < _e8963));
-let _e9092 = global_2.member[bitcast<u32>(select(0i, _e9087, (_e9087 > 0i)))];
+let _e9092 = global_1.member[bitcast<u32>(select(0i, _e9087, (_e9087 > 0i)))];
 let _e9099 = ((_e9081 >> bitcast<u32>((_e9074 & 31u))) | ((_e9092 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e9074) & 31u))));
 let _e9100 = local_4.member_1[2u];
 let _e9106 = f32(bitcast<i32>(((_e9099 >> bitcast<u32>((_e9100 & 31u))) & 65535u)));
@@ -3095,10 +3095,10 @@ let _e9120 = ((_e8940 + _e8938) + _e9119);
 let _e9122 = (_e9120 >> bitcast<u32>(1i));
 let _e9125 = bitcast<u32>(((_e9120 & 1i) * 16i));
 let _e9127 = select(_e8963, _e9122, (_e9122 < _e8963));
-let _e9132 = global_2.member[bitcast<u32>(select(0i, _e9127, (_e9127 > 0i)))];
+let _e9132 = global_1.member[bitcast<u32>(select(0i, _e9127, (_e9127 > 0i)))];
 let _e9136 = (_e9122 + 1i);
 let _e9138 = select(_e8963, _e9136, (_e9136 < _e8963));
-let _e9143 = global_2.member[bitcast<u32>(select(0i, _e9138, (_e9138 > 0i)))];
+let _e9143 = global_1.member[bitcast<u32>(select(0i, _e9138, (_e9138 > 0i)))];
 let _e9150 = ((_e9132 >> bitcast<u32>((_e9125 & 31u))) | ((_e9143 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e9125) & 31u))));
 let _e9151 = local_4.member_1[2u];
 let _e9157 = f32(bitcast<i32>(((_e9150 >> bitcast<u32>((_e9151 & 31u))) & 65535u)));
@@ -3106,17 +3106,17 @@ let _e9158 = local_4.member_1[3u];
 let _e9165 = local_5[0u];
 let _e9169 = local_5[1u];
 let _e9174 = local_5[2u];
-let _e9182 = global_4.member[_e367].member_6.member_6;
-let _e9187 = global_4.member[_e367].member_6.member_5;
+let _e9182 = global_3.member[_e367].member_6.member_6;
+let _e9187 = global_3.member[_e367].member_6.member_5;
 let _e9189 = (((_e9066 + (((_e9117 + (((_e9157 + ((f32(bitcast<i32>(((_e9150 >> bitcast<u32>((_e9158 & 31u))) & 65535u))) - _e9157) * _e9165)) - _e9117) * _e9169)) - _e9066) * _e9174)) - _e9182) * _e9187);
 let _e9190 = -(1e9f);
 let _e9192 = select(_e9190, _e9189, (_e9189 > _e9190));
 let _e9194 = select(1e9f, _e9192, (_e9192 < 1e9f));
 let _e9196 = ((_e1045 & 16u) == 0u);
 if _e9196 {
-phi_22063_ = type_5(1f, 1f, 1f);
+phi_22063_ = type_7(1f, 1f, 1f);
 } else {
-let _e9201 = global_4.member[_e367].member_14.member;
+let _e9201 = global_3.member[_e367].member_14.member;
 let _e9212 = ((((_e9201.member.member * _e393) + (_e9201.member.member_1 * _e395)) + (_e9201.member.member_2 * _e389)) + _e9201.member_1);
 let _e9218 = ((((_e9201.member.member * _e6382.member_1.x) + (_e9201.member.member_1 * _e6382.member_1.y)) + (_e9201.member.member_2 * _e6382.member_1.z)) + _e9201.member_1);
 let _e9220 = select(_e9218, _e9212, (_e9212 < _e9218));
@@ -3125,9 +3125,9 @@ let _e9224 = (_e9222 - _e9220);
 let _e9227 = (-(_e9220) / select(1e-30f, _e9224, (_e9224 > 1e-30f)));
 let _e9229 = select(0f, _e9227, (_e9227 > 0f));
 let _e9235 = select(select(select(1f, _e9229, (_e9229 < 1f)), 1f, (_e9222 <= 0f)), 0f, (_e9220 > 0f));
-let _e9241 = global_4.member[_e367].member_14.member_1;
+let _e9241 = global_3.member[_e367].member_14.member_1;
 let _e9242 = (_e9241 != 0u);
-let _e9253 = global_4.member[_e367].member_15.member;
+let _e9253 = global_3.member[_e367].member_15.member;
 let _e9264 = ((((_e9253.member.member * _e393) + (_e9253.member.member_1 * _e395)) + (_e9253.member.member_2 * _e389)) + _e9253.member_1);
 let _e9270 = ((((_e9253.member.member * _e6382.member_1.x) + (_e9253.member.member_1 * _e6382.member_1.y)) + (_e9253.member.member_2 * _e6382.member_1.z)) + _e9253.member_1);
 let _e9272 = select(_e9270, _e9264, (_e9264 < _e9270));
@@ -3136,9 +3136,9 @@ let _e9276 = (_e9274 - _e9272);
 let _e9279 = (-(_e9272) / select(1e-30f, _e9276, (_e9276 > 1e-30f)));
 let _e9281 = select(0f, _e9279, (_e9279 > 0f));
 let _e9287 = select(select(select(1f, _e9281, (_e9281 < 1f)), 1f, (_e9274 <= 0f)), 0f, (_e9272 > 0f));
-let _e9293 = global_4.member[_e367].member_15.member_1;
+let _e9293 = global_3.member[_e367].member_15.member_1;
 let _e9294 = (_e9293 != 0u);
-let _e9305 = global_4.member[_e367].member_16.member;
+let _e9305 = global_3.member[_e367].member_16.member;
 let _e9316 = ((((_e9305.member.member * _e393) + (_e9305.member.member_1 * _e395)) + (_e9305.member.member_2 * _e389)) + _e9305.member_1);
 let _e9322 = ((((_e9305.member.member * _e6382.member_1.x) + (_e9305.member.member_1 * _e6382.member_1.y)) + (_e9305.member.member_2 * _e6382.member_1.z)) + _e9305.member_1);
 let _e9324 = select(_e9322, _e9316, (_e9316 < _e9322));
@@ -3147,9 +3147,9 @@ let _e9328 = (_e9326 - _e9324);
 let _e9331 = (-(_e9324) / select(1e-30f, _e9328, (_e9328 > 1e-30f)));
 let _e9333 = select(0f, _e9331, (_e9331 > 0f));
 let _e9339 = select(select(select(1f, _e9333, (_e9333 < 1f)), 1f, (_e9326 <= 0f)), 0f, (_e9324 > 0f));
-let _e9345 = global_4.member[_e367].member_16.member_1;
+let _e9345 = global_3.member[_e367].member_16.member_1;
 let _e9346 = (_e9345 != 0u);
-let _e9357 = global_4.member[_e367].member_17.member;
+let _e9357 = global_3.member[_e367].member_17.member;
 let _e9368 = ((((_e9357.member.member * _e393) + (_e9357.member.member_1 * _e395)) + (_e9357.member.member_2 * _e389)) + _e9357.member_1);
 let _e9374 = ((((_e9357.member.member * _e6382.member_1.x) + (_e9357.member.member_1 * _e6382.member_1.y)) + (_e9357.member.member_2 * _e6382.member_1.z)) + _e9357.member_1);
 let _e9376 = select(_e9374, _e9368, (_e9368 < _e9374));
@@ -3158,109 +3158,109 @@ let _e9380 = (_e9378 - _e9376);
 let _e9383 = (-(_e9376) / select(1e-30f, _e9380, (_e9380 > 1e-30f)));
 let _e9385 = select(0f, _e9383, (_e9383 > 0f));
 let _e9391 = select(select(select(1f, _e9385, (_e9385 < 1f)), 1f, (_e9378 <= 0f)), 0f, (_e9376 > 0f));
-let _e9397 = global_4.member[_e367].member_17.member_1;
+let _e9397 = global_3.member[_e367].member_17.member_1;
 let _e9398 = (_e9397 != 0u);
-phi_22063_ = type_5(((((1f * _e9235) * _e9287) * _e9339) * _e9391), ((((1f * select(1f, _e9235, _e9242)) * select(1f, _e9287, _e9294)) * select(1f, _e9339, _e9346)) * select(1f, _e9391, _e9398)), ((((1f * select(1f, 0f, (_e9242 && (_e9218 > 0f)))) * select(1f, 0f, (_e9294 && (_e9270 > 0f)))) * select(1f, 0f, (_e9346 && (_e9322 > 0f)))) * select(1f, 0f, (_e9398 && (_e9374 > 0f)))));
+phi_22063_ = type_7(((((1f * _e9235) * _e9287) * _e9339) * _e9391), ((((1f * select(1f, _e9235, _e9242)) * select(1f, _e9287, _e9294)) * select(1f, _e9339, _e9346)) * select(1f, _e9391, _e9398)), ((((1f * select(1f, 0f, (_e9242 && (_e9218 > 0f)))) * select(1f, 0f, (_e9294 && (_e9270 > 0f)))) * select(1f, 0f, (_e9346 && (_e9322 > 0f)))) * select(1f, 0f, (_e9398 && (_e9374 > 0f)))));
 }
 let _e9407 = phi_22063_;
-let _e9413 = global_4.member[_e367].member_5.member_3;
+let _e9413 = global_3.member[_e367].member_5.member_3;
 let _e9414 = (_e6382.member_3 * _e9413);
 if (((_e376.member_2 == 3u) || (_e376.member_2 == 4u)) || _e575) {
 local_3 = _e9194;
 let _e10325 = local_3;
 let _e10327 = (bitcast<i32>(_e185) - 1i);
 let _e10329 = select(_e10327, 263171i, (263171i < _e10327));
-let _e10334 = global_3.member[bitcast<u32>(select(0i, _e10329, (_e10329 > 0i)))];
+let _e10334 = global_2.member[bitcast<u32>(select(0i, _e10329, (_e10329 > 0i)))];
 let _e10335 = bitcast<f32>(_e10334);
 let _e10337 = select(_e10327, 263172i, (263172i < _e10327));
-let _e10342 = global_3.member[bitcast<u32>(select(0i, _e10337, (_e10337 > 0i)))];
+let _e10342 = global_2.member[bitcast<u32>(select(0i, _e10337, (_e10337 > 0i)))];
 let _e10343 = bitcast<f32>(_e10342);
 let _e10345 = select(_e10327, 263173i, (263173i < _e10327));
-let _e10350 = global_3.member[bitcast<u32>(select(0i, _e10345, (_e10345 > 0i)))];
+let _e10350 = global_2.member[bitcast<u32>(select(0i, _e10345, (_e10345 > 0i)))];
 let _e10351 = bitcast<f32>(_e10350);
 let _e10353 = ((_e10325 - _e10335) * _e10343);
 let _e10355 = select(0f, _e10353, (_e10353 > 0f));
 let _e10358 = local_3;
 let _e10360 = select(_e10327, 263174i, (263174i < _e10327));
-let _e10365 = global_3.member[bitcast<u32>(select(0i, _e10360, (_e10360 > 0i)))];
+let _e10365 = global_2.member[bitcast<u32>(select(0i, _e10360, (_e10360 > 0i)))];
 let _e10366 = bitcast<f32>(_e10365);
 let _e10368 = select(_e10327, 263175i, (263175i < _e10327));
-let _e10373 = global_3.member[bitcast<u32>(select(0i, _e10368, (_e10368 > 0i)))];
+let _e10373 = global_2.member[bitcast<u32>(select(0i, _e10368, (_e10368 > 0i)))];
 let _e10374 = bitcast<f32>(_e10373);
 let _e10376 = select(_e10327, 263176i, (263176i < _e10327));
-let _e10381 = global_3.member[bitcast<u32>(select(0i, _e10376, (_e10376 > 0i)))];
+let _e10381 = global_2.member[bitcast<u32>(select(0i, _e10376, (_e10376 > 0i)))];
 let _e10382 = bitcast<f32>(_e10381);
 let _e10384 = ((_e10358 - _e10366) * _e10374);
 let _e10386 = select(0f, _e10384, (_e10384 > 0f));
 let _e10390 = local_3;
 let _e10392 = select(_e10327, 263177i, (263177i < _e10327));
-let _e10397 = global_3.member[bitcast<u32>(select(0i, _e10392, (_e10392 > 0i)))];
+let _e10397 = global_2.member[bitcast<u32>(select(0i, _e10392, (_e10392 > 0i)))];
 let _e10398 = bitcast<f32>(_e10397);
 let _e10400 = select(_e10327, 263178i, (263178i < _e10327));
-let _e10405 = global_3.member[bitcast<u32>(select(0i, _e10400, (_e10400 > 0i)))];
+let _e10405 = global_2.member[bitcast<u32>(select(0i, _e10400, (_e10400 > 0i)))];
 let _e10406 = bitcast<f32>(_e10405);
 let _e10408 = select(_e10327, 263179i, (263179i < _e10327));
-let _e10413 = global_3.member[bitcast<u32>(select(0i, _e10408, (_e10408 > 0i)))];
+let _e10413 = global_2.member[bitcast<u32>(select(0i, _e10408, (_e10408 > 0i)))];
 let _e10414 = bitcast<f32>(_e10413);
 let _e10416 = ((_e10390 - _e10398) * _e10406);
 let _e10418 = select(0f, _e10416, (_e10416 > 0f));
 let _e10421 = local_3;
 let _e10423 = select(_e10327, 263180i, (263180i < _e10327));
-let _e10428 = global_3.member[bitcast<u32>(select(0i, _e10423, (_e10423 > 0i)))];
+let _e10428 = global_2.member[bitcast<u32>(select(0i, _e10423, (_e10423 > 0i)))];
 let _e10429 = bitcast<f32>(_e10428);
 let _e10431 = select(_e10327, 263181i, (263181i < _e10327));
-let _e10436 = global_3.member[bitcast<u32>(select(0i, _e10431, (_e10431 > 0i)))];
+let _e10436 = global_2.member[bitcast<u32>(select(0i, _e10431, (_e10431 > 0i)))];
 let _e10437 = bitcast<f32>(_e10436);
 let _e10439 = select(_e10327, 263182i, (263182i < _e10327));
-let _e10444 = global_3.member[bitcast<u32>(select(0i, _e10439, (_e10439 > 0i)))];
+let _e10444 = global_2.member[bitcast<u32>(select(0i, _e10439, (_e10439 > 0i)))];
 let _e10445 = bitcast<f32>(_e10444);
 let _e10447 = ((_e10421 - _e10429) * _e10437);
 let _e10449 = select(0f, _e10447, (_e10447 > 0f));
 let _e10454 = local_3;
 let _e10456 = select(_e10327, 263183i, (263183i < _e10327));
-let _e10461 = global_3.member[bitcast<u32>(select(0i, _e10456, (_e10456 > 0i)))];
+let _e10461 = global_2.member[bitcast<u32>(select(0i, _e10456, (_e10456 > 0i)))];
 let _e10462 = bitcast<f32>(_e10461);
 let _e10464 = select(_e10327, 263184i, (263184i < _e10327));
-let _e10469 = global_3.member[bitcast<u32>(select(0i, _e10464, (_e10464 > 0i)))];
+let _e10469 = global_2.member[bitcast<u32>(select(0i, _e10464, (_e10464 > 0i)))];
 let _e10470 = bitcast<f32>(_e10469);
 let _e10472 = select(_e10327, 263185i, (263185i < _e10327));
-let _e10477 = global_3.member[bitcast<u32>(select(0i, _e10472, (_e10472 > 0i)))];
+let _e10477 = global_2.member[bitcast<u32>(select(0i, _e10472, (_e10472 > 0i)))];
 let _e10478 = bitcast<f32>(_e10477);
 let _e10480 = ((_e10454 - _e10462) * _e10470);
 let _e10482 = select(0f, _e10480, (_e10480 > 0f));
 let _e10485 = local_3;
 let _e10487 = select(_e10327, 263186i, (263186i < _e10327));
-let _e10492 = global_3.member[bitcast<u32>(select(0i, _e10487, (_e10487 > 0i)))];
+let _e10492 = global_2.member[bitcast<u32>(select(0i, _e10487, (_e10487 > 0i)))];
 let _e10493 = bitcast<f32>(_e10492);
 let _e10495 = select(_e10327, 263187i, (263187i < _e10327));
-let _e10500 = global_3.member[bitcast<u32>(select(0i, _e10495, (_e10495 > 0i)))];
+let _e10500 = global_2.member[bitcast<u32>(select(0i, _e10495, (_e10495 > 0i)))];
 let _e10501 = bitcast<f32>(_e10500);
 let _e10503 = select(_e10327, 263188i, (263188i < _e10327));
-let _e10508 = global_3.member[bitcast<u32>(select(0i, _e10503, (_e10503 > 0i)))];
+let _e10508 = global_2.member[bitcast<u32>(select(0i, _e10503, (_e10503 > 0i)))];
 let _e10509 = bitcast<f32>(_e10508);
 let _e10511 = ((_e10485 - _e10493) * _e10501);
 let _e10513 = select(0f, _e10511, (_e10511 > 0f));
 let _e10517 = local_3;
 let _e10519 = select(_e10327, 263189i, (263189i < _e10327));
-let _e10524 = global_3.member[bitcast<u32>(select(0i, _e10519, (_e10519 > 0i)))];
+let _e10524 = global_2.member[bitcast<u32>(select(0i, _e10519, (_e10519 > 0i)))];
 let _e10525 = bitcast<f32>(_e10524);
 let _e10527 = select(_e10327, 263190i, (263190i < _e10327));
-let _e10532 = global_3.member[bitcast<u32>(select(0i, _e10527, (_e10527 > 0i)))];
+let _e10532 = global_2.member[bitcast<u32>(select(0i, _e10527, (_e10527 > 0i)))];
 let _e10533 = bitcast<f32>(_e10532);
 let _e10535 = select(_e10327, 263191i, (263191i < _e10327));
-let _e10540 = global_3.member[bitcast<u32>(select(0i, _e10535, (_e10535 > 0i)))];
+let _e10540 = global_2.member[bitcast<u32>(select(0i, _e10535, (_e10535 > 0i)))];
 let _e10541 = bitcast<f32>(_e10540);
 let _e10543 = ((_e10517 - _e10525) * _e10533);
 let _e10545 = select(0f, _e10543, (_e10543 > 0f));
 let _e10548 = local_3;
 let _e10550 = select(_e10327, 263192i, (263192i < _e10327));
-let _e10555 = global_3.member[bitcast<u32>(select(0i, _e10550, (_e10550 > 0i)))];
+let _e10555 = global_2.member[bitcast<u32>(select(0i, _e10550, (_e10550 > 0i)))];
 let _e10556 = bitcast<f32>(_e10555);
 let _e10558 = select(_e10327, 263193i, (263193i < _e10327));
-let _e10563 = global_3.member[bitcast<u32>(select(0i, _e10558, (_e10558 > 0i)))];
+let _e10563 = global_2.member[bitcast<u32>(select(0i, _e10558, (_e10558 > 0i)))];
 let _e10564 = bitcast<f32>(_e10563);
 let _e10566 = select(_e10327, 263194i, (263194i < _e10327));
-let _e10571 = global_3.member[bitcast<u32>(select(0i, _e10566, (_e10566 > 0i)))];
+let _e10571 = global_2.member[bitcast<u32>(select(0i, _e10566, (_e10566 > 0i)))];
 let _e10572 = bitcast<f32>(_e10571);
 let _e10574 = ((_e10548 - _e10556) * _e10564);
 let _e10576 = select(0f, _e10574, (_e10574 > 0f));
@@ -3301,10 +3301,10 @@ let _e10664 = select(_e10645, _e10662, (_e10662 < _e10645));
 let _e10671 = select(0i, select(select(i32(_e10664), i32(-2147483648), (_e10664 < -2147483600f)), 2147483647i, (_e10664 > 2147483500f)), (_e10664 == _e10664));
 let _e10675 = (_e10671 - select(0i, 1i, (_e10664 < f32(_e10671))));
 let _e10677 = select(_e10327, 263195i, (263195i < _e10327));
-let _e10683 = global_3.member[bitcast<u32>(select(0i, _e10677, (_e10677 > 0i)))];
+let _e10683 = global_2.member[bitcast<u32>(select(0i, _e10677, (_e10677 > 0i)))];
 let _e10684 = bitcast<f32>(_e10683);
 let _e10686 = select(_e10327, 263196i, (263196i < _e10327));
-let _e10692 = global_3.member[bitcast<u32>(select(0i, _e10686, (_e10686 > 0i)))];
+let _e10692 = global_2.member[bitcast<u32>(select(0i, _e10686, (_e10686 > 0i)))];
 let _e10693 = bitcast<f32>(_e10692);
 let _e10694 = (_e8797.member - _e9194);
 let _e10700 = (1f / select(_e10694, 1f, (bitcast<f32>((bitcast<u32>(_e10694) & 2147483647u)) < 1e-20f)));
@@ -3313,20 +3313,20 @@ let _e10712 = ((select(_e10693, _e8797.member, (_e8797.member > _e10693)) - sele
 let _e10715 = (((_e10660 * 256i) + _e10675) * 4i);
 let _e10719 = (_e10644 - f32(_e10675));
 let _e10723 = select(_e10327, _e10715, (_e10715 < _e10327));
-let _e10729 = global_3.member[bitcast<u32>(select(0i, _e10723, (_e10723 > 0i)))];
+let _e10729 = global_2.member[bitcast<u32>(select(0i, _e10723, (_e10723 > 0i)))];
 let _e10730 = (_e10715 + 4i);
 let _e10732 = select(_e10327, _e10730, (_e10730 < _e10327));
-let _e10738 = global_3.member[bitcast<u32>(select(0i, _e10732, (_e10732 > 0i)))];
+let _e10738 = global_2.member[bitcast<u32>(select(0i, _e10732, (_e10732 > 0i)))];
 let _e10739 = (_e10715 + 1024i);
 let _e10741 = select(_e10327, _e10739, (_e10739 < _e10327));
-let _e10747 = global_3.member[bitcast<u32>(select(0i, _e10741, (_e10741 > 0i)))];
+let _e10747 = global_2.member[bitcast<u32>(select(0i, _e10741, (_e10741 > 0i)))];
 let _e10748 = (_e10715 + 1028i);
 let _e10750 = select(_e10327, _e10748, (_e10748 < _e10327));
-let _e10756 = global_3.member[bitcast<u32>(select(0i, _e10750, (_e10750 > 0i)))];
+let _e10756 = global_2.member[bitcast<u32>(select(0i, _e10750, (_e10750 > 0i)))];
 let _e10758 = select(_e10327, 0i, (0i < _e10327));
-let _e10764 = global_3.member[bitcast<u32>(select(0i, _e10758, (_e10758 > 0i)))];
+let _e10764 = global_2.member[bitcast<u32>(select(0i, _e10758, (_e10758 > 0i)))];
 let _e10766 = select(_e10327, 262140i, (262140i < _e10327));
-let _e10772 = global_3.member[bitcast<u32>(select(0i, _e10766, (_e10766 > 0i)))];
+let _e10772 = global_2.member[bitcast<u32>(select(0i, _e10766, (_e10766 > 0i)))];
 let _e10777 = (bitcast<f32>(((_e10729 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10785 = (_e10777 + (((bitcast<f32>(((_e10738 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10777) * _e10719));
 let _e10790 = (bitcast<f32>(((_e10747 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3349,97 +3349,97 @@ local_1 = _e9194;
 let _e9420 = local_1;
 let _e9422 = (bitcast<i32>(_e185) - 1i);
 let _e9424 = select(_e9422, 263171i, (263171i < _e9422));
-let _e9429 = global_3.member[bitcast<u32>(select(0i, _e9424, (_e9424 > 0i)))];
+let _e9429 = global_2.member[bitcast<u32>(select(0i, _e9424, (_e9424 > 0i)))];
 let _e9430 = bitcast<f32>(_e9429);
 let _e9432 = select(_e9422, 263172i, (263172i < _e9422));
-let _e9437 = global_3.member[bitcast<u32>(select(0i, _e9432, (_e9432 > 0i)))];
+let _e9437 = global_2.member[bitcast<u32>(select(0i, _e9432, (_e9432 > 0i)))];
 let _e9438 = bitcast<f32>(_e9437);
 let _e9440 = select(_e9422, 263173i, (263173i < _e9422));
-let _e9445 = global_3.member[bitcast<u32>(select(0i, _e9440, (_e9440 > 0i)))];
+let _e9445 = global_2.member[bitcast<u32>(select(0i, _e9440, (_e9440 > 0i)))];
 let _e9446 = bitcast<f32>(_e9445);
 let _e9448 = ((_e9420 - _e9430) * _e9438);
 let _e9450 = select(0f, _e9448, (_e9448 > 0f));
 let _e9453 = local_1;
 let _e9455 = select(_e9422, 263174i, (263174i < _e9422));
-let _e9460 = global_3.member[bitcast<u32>(select(0i, _e9455, (_e9455 > 0i)))];
+let _e9460 = global_2.member[bitcast<u32>(select(0i, _e9455, (_e9455 > 0i)))];
 let _e9461 = bitcast<f32>(_e9460);
 let _e9463 = select(_e9422, 263175i, (263175i < _e9422));
-let _e9468 = global_3.member[bitcast<u32>(select(0i, _e9463, (_e9463 > 0i)))];
+let _e9468 = global_2.member[bitcast<u32>(select(0i, _e9463, (_e9463 > 0i)))];
 let _e9469 = bitcast<f32>(_e9468);
 let _e9471 = select(_e9422, 263176i, (263176i < _e9422));
-let _e9476 = global_3.member[bitcast<u32>(select(0i, _e9471, (_e9471 > 0i)))];
+let _e9476 = global_2.member[bitcast<u32>(select(0i, _e9471, (_e9471 > 0i)))];
 let _e9477 = bitcast<f32>(_e9476);
 let _e9479 = ((_e9453 - _e9461) * _e9469);
 let _e9481 = select(0f, _e9479, (_e9479 > 0f));
 let _e9485 = local_1;
 let _e9487 = select(_e9422, 263177i, (263177i < _e9422));
-let _e9492 = global_3.member[bitcast<u32>(select(0i, _e9487, (_e9487 > 0i)))];
+let _e9492 = global_2.member[bitcast<u32>(select(0i, _e9487, (_e9487 > 0i)))];
 let _e9493 = bitcast<f32>(_e9492);
 let _e9495 = select(_e9422, 263178i, (263178i < _e9422));
-let _e9500 = global_3.member[bitcast<u32>(select(0i, _e9495, (_e9495 > 0i)))];
+let _e9500 = global_2.member[bitcast<u32>(select(0i, _e9495, (_e9495 > 0i)))];
 let _e9501 = bitcast<f32>(_e9500);
 let _e9503 = select(_e9422, 263179i, (263179i < _e9422));
-let _e9508 = global_3.member[bitcast<u32>(select(0i, _e9503, (_e9503 > 0i)))];
+let _e9508 = global_2.member[bitcast<u32>(select(0i, _e9503, (_e9503 > 0i)))];
 let _e9509 = bitcast<f32>(_e9508);
 let _e9511 = ((_e9485 - _e9493) * _e9501);
 let _e9513 = select(0f, _e9511, (_e9511 > 0f));
 let _e9516 = local_1;
 let _e9518 = select(_e9422, 263180i, (263180i < _e9422));
-let _e9523 = global_3.member[bitcast<u32>(select(0i, _e9518, (_e9518 > 0i)))];
+let _e9523 = global_2.member[bitcast<u32>(select(0i, _e9518, (_e9518 > 0i)))];
 let _e9524 = bitcast<f32>(_e9523);
 let _e9526 = select(_e9422, 263181i, (263181i < _e9422));
-let _e9531 = global_3.member[bitcast<u32>(select(0i, _e9526, (_e9526 > 0i)))];
+let _e9531 = global_2.member[bitcast<u32>(select(0i, _e9526, (_e9526 > 0i)))];
 let _e9532 = bitcast<f32>(_e9531);
 let _e9534 = select(_e9422, 263182i, (263182i < _e9422));
-let _e9539 = global_3.member[bitcast<u32>(select(0i, _e9534, (_e9534 > 0i)))];
+let _e9539 = global_2.member[bitcast<u32>(select(0i, _e9534, (_e9534 > 0i)))];
 let _e9540 = bitcast<f32>(_e9539);
 let _e9542 = ((_e9516 - _e9524) * _e9532);
 let _e9544 = select(0f, _e9542, (_e9542 > 0f));
 let _e9549 = local_1;
 let _e9551 = select(_e9422, 263183i, (263183i < _e9422));
-let _e9556 = global_3.member[bitcast<u32>(select(0i, _e9551, (_e9551 > 0i)))];
+let _e9556 = global_2.member[bitcast<u32>(select(0i, _e9551, (_e9551 > 0i)))];
 let _e9557 = bitcast<f32>(_e9556);
 let _e9559 = select(_e9422, 263184i, (263184i < _e9422));
-let _e9564 = global_3.member[bitcast<u32>(select(0i, _e9559, (_e9559 > 0i)))];
+let _e9564 = global_2.member[bitcast<u32>(select(0i, _e9559, (_e9559 > 0i)))];
 let _e9565 = bitcast<f32>(_e9564);
 let _e9567 = select(_e9422, 263185i, (263185i < _e9422));
-let _e9572 = global_3.member[bitcast<u32>(select(0i, _e9567, (_e9567 > 0i)))];
+let _e9572 = global_2.member[bitcast<u32>(select(0i, _e9567, (_e9567 > 0i)))];
 let _e9573 = bitcast<f32>(_e9572);
 let _e9575 = ((_e9549 - _e9557) * _e9565);
 let _e9577 = select(0f, _e9575, (_e9575 > 0f));
 let _e9580 = local_1;
 let _e9582 = select(_e9422, 263186i, (263186i < _e9422));
-let _e9587 = global_3.member[bitcast<u32>(select(0i, _e9582, (_e9582 > 0i)))];
+let _e9587 = global_2.member[bitcast<u32>(select(0i, _e9582, (_e9582 > 0i)))];
 let _e9588 = bitcast<f32>(_e9587);
 let _e9590 = select(_e9422, 263187i, (263187i < _e9422));
-let _e9595 = global_3.member[bitcast<u32>(select(0i, _e9590, (_e9590 > 0i)))];
+let _e9595 = global_2.member[bitcast<u32>(select(0i, _e9590, (_e9590 > 0i)))];
 let _e9596 = bitcast<f32>(_e9595);
 let _e9598 = select(_e9422, 263188i, (263188i < _e9422));
-let _e9603 = global_3.member[bitcast<u32>(select(0i, _e9598, (_e9598 > 0i)))];
+let _e9603 = global_2.member[bitcast<u32>(select(0i, _e9598, (_e9598 > 0i)))];
 let _e9604 = bitcast<f32>(_e9603);
 let _e9606 = ((_e9580 - _e9588) * _e9596);
 let _e9608 = select(0f, _e9606, (_e9606 > 0f));
 let _e9612 = local_1;
 let _e9614 = select(_e9422, 263189i, (263189i < _e9422));
-let _e9619 = global_3.member[bitcast<u32>(select(0i, _e9614, (_e9614 > 0i)))];
+let _e9619 = global_2.member[bitcast<u32>(select(0i, _e9614, (_e9614 > 0i)))];
 let _e9620 = bitcast<f32>(_e9619);
 let _e9622 = select(_e9422, 263190i, (263190i < _e9422));
-let _e9627 = global_3.member[bitcast<u32>(select(0i, _e9622, (_e9622 > 0i)))];
+let _e9627 = global_2.member[bitcast<u32>(select(0i, _e9622, (_e9622 > 0i)))];
 let _e9628 = bitcast<f32>(_e9627);
 let _e9630 = select(_e9422, 263191i, (263191i < _e9422));
-let _e9635 = global_3.member[bitcast<u32>(select(0i, _e9630, (_e9630 > 0i)))];
+let _e9635 = global_2.member[bitcast<u32>(select(0i, _e9630, (_e9630 > 0i)))];
 let _e9636 = bitcast<f32>(_e9635);
 let _e9638 = ((_e9612 - _e9620) * _e9628);
 let _e9640 = select(0f, _e9638, (_e9638 > 0f));
 let _e9643 = local_1;
 let _e9645 = select(_e9422, 263192i, (263192i < _e9422));
-let _e9650 = global_3.member[bitcast<u32>(select(0i, _e9645, (_e9645 > 0i)))];
+let _e9650 = global_2.member[bitcast<u32>(select(0i, _e9645, (_e9645 > 0i)))];
 let _e9651 = bitcast<f32>(_e9650);
 let _e9653 = select(_e9422, 263193i, (263193i < _e9422));
-let _e9658 = global_3.member[bitcast<u32>(select(0i, _e9653, (_e9653 > 0i)))];
+let _e9658 = global_2.member[bitcast<u32>(select(0i, _e9653, (_e9653 > 0i)))];
 let _e9659 = bitcast<f32>(_e9658);
 let _e9661 = select(_e9422, 263194i, (263194i < _e9422));
-let _e9666 = global_3.member[bitcast<u32>(select(0i, _e9661, (_e9661 > 0i)))];
+let _e9666 = global_2.member[bitcast<u32>(select(0i, _e9661, (_e9661 > 0i)))];
 let _e9667 = bitcast<f32>(_e9666);
 let _e9669 = ((_e9643 - _e9651) * _e9659);
 let _e9671 = select(0f, _e9669, (_e9669 > 0f));
@@ -3480,10 +3480,10 @@ let _e9759 = select(_e9740, _e9757, (_e9757 < _e9740));
 let _e9766 = select(0i, select(select(i32(_e9759), i32(-2147483648), (_e9759 < -2147483600f)), 2147483647i, (_e9759 > 2147483500f)), (_e9759 == _e9759));
 let _e9770 = (_e9766 - select(0i, 1i, (_e9759 < f32(_e9766))));
 let _e9772 = select(_e9422, 263195i, (263195i < _e9422));
-let _e9778 = global_3.member[bitcast<u32>(select(0i, _e9772, (_e9772 > 0i)))];
+let _e9778 = global_2.member[bitcast<u32>(select(0i, _e9772, (_e9772 > 0i)))];
 let _e9779 = bitcast<f32>(_e9778);
 let _e9781 = select(_e9422, 263196i, (263196i < _e9422));
-let _e9787 = global_3.member[bitcast<u32>(select(0i, _e9781, (_e9781 > 0i)))];
+let _e9787 = global_2.member[bitcast<u32>(select(0i, _e9781, (_e9781 > 0i)))];
 let _e9788 = bitcast<f32>(_e9787);
 let _e9789 = (_e8797.member - _e9194);
 let _e9795 = (1f / select(_e9789, 1f, (bitcast<f32>((bitcast<u32>(_e9789) & 2147483647u)) < 1e-20f)));
@@ -3494,20 +3494,20 @@ let _e9812 = (_e9676 - f32(_e9755));
 let _e9814 = (_e9739 - f32(_e9770));
 let _e9816 = (1f - (_e9801 + _e9807));
 let _e9818 = select(_e9422, _e9810, (_e9810 < _e9422));
-let _e9824 = global_3.member[bitcast<u32>(select(0i, _e9818, (_e9818 > 0i)))];
+let _e9824 = global_2.member[bitcast<u32>(select(0i, _e9818, (_e9818 > 0i)))];
 let _e9825 = (_e9810 + 4i);
 let _e9827 = select(_e9422, _e9825, (_e9825 < _e9422));
-let _e9833 = global_3.member[bitcast<u32>(select(0i, _e9827, (_e9827 > 0i)))];
+let _e9833 = global_2.member[bitcast<u32>(select(0i, _e9827, (_e9827 > 0i)))];
 let _e9834 = (_e9810 + 1024i);
 let _e9836 = select(_e9422, _e9834, (_e9834 < _e9422));
-let _e9842 = global_3.member[bitcast<u32>(select(0i, _e9836, (_e9836 > 0i)))];
+let _e9842 = global_2.member[bitcast<u32>(select(0i, _e9836, (_e9836 > 0i)))];
 let _e9843 = (_e9810 + 1028i);
 let _e9845 = select(_e9422, _e9843, (_e9843 < _e9422));
-let _e9851 = global_3.member[bitcast<u32>(select(0i, _e9845, (_e9845 > 0i)))];
+let _e9851 = global_2.member[bitcast<u32>(select(0i, _e9845, (_e9845 > 0i)))];
 let _e9853 = select(_e9422, 0i, (0i < _e9422));
-let _e9859 = global_3.member[bitcast<u32>(select(0i, _e9853, (_e9853 > 0i)))];
+let _e9859 = global_2.member[bitcast<u32>(select(0i, _e9853, (_e9853 > 0i)))];
 let _e9861 = select(_e9422, 262140i, (262140i < _e9422));
-let _e9867 = global_3.member[bitcast<u32>(select(0i, _e9861, (_e9861 > 0i)))];
+let _e9867 = global_2.member[bitcast<u32>(select(0i, _e9861, (_e9861 > 0i)))];
 let _e9872 = (bitcast<f32>(((_e9824 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9880 = (_e9872 + (((bitcast<f32>(((_e9833 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9872) * _e9814));
 let _e9885 = (bitcast<f32>(((_e9842 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3517,20 +3517,20 @@ let _e9936 = (_e9928 + (((bitcast<f32>((((_e9833 >> bitcast<u32>(16i)) & 32767u)
 let _e9941 = (bitcast<f32>((((_e9842 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9968 = (_e9810 + 1i);
 let _e9970 = select(_e9422, _e9968, (_e9968 < _e9422));
-let _e9976 = global_3.member[bitcast<u32>(select(0i, _e9970, (_e9970 > 0i)))];
+let _e9976 = global_2.member[bitcast<u32>(select(0i, _e9970, (_e9970 > 0i)))];
 let _e9977 = (_e9810 + 5i);
 let _e9979 = select(_e9422, _e9977, (_e9977 < _e9422));
-let _e9985 = global_3.member[bitcast<u32>(select(0i, _e9979, (_e9979 > 0i)))];
+let _e9985 = global_2.member[bitcast<u32>(select(0i, _e9979, (_e9979 > 0i)))];
 let _e9986 = (_e9810 + 1025i);
 let _e9988 = select(_e9422, _e9986, (_e9986 < _e9422));
-let _e9994 = global_3.member[bitcast<u32>(select(0i, _e9988, (_e9988 > 0i)))];
+let _e9994 = global_2.member[bitcast<u32>(select(0i, _e9988, (_e9988 > 0i)))];
 let _e9995 = (_e9810 + 1029i);
 let _e9997 = select(_e9422, _e9995, (_e9995 < _e9422));
-let _e10003 = global_3.member[bitcast<u32>(select(0i, _e9997, (_e9997 > 0i)))];
+let _e10003 = global_2.member[bitcast<u32>(select(0i, _e9997, (_e9997 > 0i)))];
 let _e10005 = select(_e9422, 1i, (1i < _e9422));
-let _e10011 = global_3.member[bitcast<u32>(select(0i, _e10005, (_e10005 > 0i)))];
+let _e10011 = global_2.member[bitcast<u32>(select(0i, _e10005, (_e10005 > 0i)))];
 let _e10013 = select(_e9422, 262141i, (262141i < _e9422));
-let _e10019 = global_3.member[bitcast<u32>(select(0i, _e10013, (_e10013 > 0i)))];
+let _e10019 = global_2.member[bitcast<u32>(select(0i, _e10013, (_e10013 > 0i)))];
 let _e10024 = (bitcast<f32>(((_e9976 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10032 = (_e10024 + (((bitcast<f32>(((_e9985 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10024) * _e9814));
 let _e10037 = (bitcast<f32>(((_e9994 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3598,9 +3598,9 @@ let _e10911 = (_e6382.member_1.z + (_e6382.member_2.z * _e10903));
 let _e10917 = ((((_e468.member.member * _e10909) + (_e468.member.member_1 * _e10910)) + (_e468.member.member_2 * _e10911)) + _e468.member_1);
 let _e10923 = ((((_e484.member.member * _e10909) + (_e484.member.member_1 * _e10910)) + (_e484.member.member_2 * _e10911)) + _e484.member_1);
 let _e10929 = ((((_e500.member.member * _e10909) + (_e500.member.member_1 * _e10910)) + (_e500.member.member_2 * _e10911)) + _e500.member_1);
-let _e10935 = global_4.member[_e367].member_6.member.member;
-let _e10944 = global_4.member[_e367].member_6.member_1.member;
-let _e10953 = global_4.member[_e367].member_6.member_2.member;
+let _e10935 = global_3.member[_e367].member_6.member.member;
+let _e10944 = global_3.member[_e367].member_6.member_1.member;
+let _e10953 = global_3.member[_e367].member_6.member_2.member;
 let _e10957 = (-0.5f - _e6393);
 let _e10958 = (-0.5f - _e10917);
 let _e10959 = -(_e10957);
@@ -3707,16 +3707,16 @@ let _e11196 = select(select(select(select(select(select(0f, _e10935.member, _e10
 let _e11197 = select(select(select(select(select(select(0f, _e10935.member_1, _e10977), _e10935.member_1, _e11017), _e10944.member_1, _e11057), _e10944.member_1, _e11097), _e10953.member_1, _e11137), _e10953.member_1, _e11177);
 let _e11198 = select(select(select(select(select(select(1f, _e10935.member_2, _e10977), _e10935.member_2, _e11017), _e10944.member_2, _e11057), _e10944.member_2, _e11097), _e10953.member_2, _e11137), _e10953.member_2, _e11177);
 if _e9196 {
-phi_26954_ = type_35(_e11183, vec3<f32>(_e11184, _e11185, _e11186), _e11188, vec3<f32>(_e11189, _e11190, _e11191), _e11193, _e11195, vec3<f32>(_e11196, _e11197, _e11198));
+phi_26954_ = type_34(_e11183, vec3<f32>(_e11184, _e11185, _e11186), _e11188, vec3<f32>(_e11189, _e11190, _e11191), _e11193, _e11195, vec3<f32>(_e11196, _e11197, _e11198));
 } else {
 let _e11205 = (((_e10935.member * _e10935.member) + (_e10935.member_1 * _e10935.member_1)) + (_e10935.member_2 * _e10935.member_2));
 let _e11208 = sqrt(select(0f, _e11205, (_e11205 > 0f)));
-let _e11213 = global_4.member[_e367].member_14.member_1;
+let _e11213 = global_3.member[_e367].member_14.member_1;
 let _e11214 = (_e11213 != 0u);
-let _e11219 = global_4.member[_e367].member_14.member;
+let _e11219 = global_3.member[_e367].member_14.member;
 let _e11239 = select(-1e6f, (((((_e11219.member.member * _e6382.member_1.x) + (_e11219.member.member_1 * _e6382.member_1.y)) + (_e11219.member.member_2 * _e6382.member_1.z)) + _e11219.member_1) * _e11208), _e11214);
 let _e11240 = select(-1e6f, (((((_e11219.member.member * _e10909) + (_e11219.member.member_1 * _e10910)) + (_e11219.member.member_2 * _e10911)) + _e11219.member_1) * _e11208), _e11214);
-let _e11246 = global_4.member[_e367].member_14.member.member;
+let _e11246 = global_3.member[_e367].member_14.member.member;
 let _e11250 = -(_e11239);
 let _e11253 = (_e11239 - _e11240);
 let _e11254 = (_e11240 - _e11239);
@@ -3731,12 +3731,12 @@ let _e11274 = select(_e11183, _e11263, _e11272);
 let _e11278 = select(_e11188, _e11267, _e11273);
 let _e11282 = select(_e11193, _e11239, _e11268);
 let _e11284 = select(_e11195, _e11240, (_e11240 > _e11195));
-let _e11292 = global_4.member[_e367].member_15.member_1;
+let _e11292 = global_3.member[_e367].member_15.member_1;
 let _e11293 = (_e11292 != 0u);
-let _e11298 = global_4.member[_e367].member_15.member;
+let _e11298 = global_3.member[_e367].member_15.member;
 let _e11318 = select(-1e6f, (((((_e11298.member.member * _e6382.member_1.x) + (_e11298.member.member_1 * _e6382.member_1.y)) + (_e11298.member.member_2 * _e6382.member_1.z)) + _e11298.member_1) * _e11208), _e11293);
 let _e11319 = select(-1e6f, (((((_e11298.member.member * _e10909) + (_e11298.member.member_1 * _e10910)) + (_e11298.member.member_2 * _e10911)) + _e11298.member_1) * _e11208), _e11293);
-let _e11325 = global_4.member[_e367].member_15.member.member;
+let _e11325 = global_3.member[_e367].member_15.member.member;
 let _e11329 = -(_e11318);
 let _e11332 = (_e11318 - _e11319);
 let _e11333 = (_e11319 - _e11318);
@@ -3751,12 +3751,12 @@ let _e11353 = select(_e11274, _e11342, _e11351);
 let _e11357 = select(_e11278, _e11346, _e11352);
 let _e11361 = select(_e11282, _e11318, _e11347);
 let _e11363 = select(_e11284, _e11319, (_e11319 > _e11284));
-let _e11371 = global_4.member[_e367].member_16.member_1;
+let _e11371 = global_3.member[_e367].member_16.member_1;
 let _e11372 = (_e11371 != 0u);
-let _e11377 = global_4.member[_e367].member_16.member;
+let _e11377 = global_3.member[_e367].member_16.member;
 let _e11397 = select(-1e6f, (((((_e11377.member.member * _e6382.member_1.x) + (_e11377.member.member_1 * _e6382.member_1.y)) + (_e11377.member.member_2 * _e6382.member_1.z)) + _e11377.member_1) * _e11208), _e11372);
 let _e11398 = select(-1e6f, (((((_e11377.member.member * _e10909) + (_e11377.member.member_1 * _e10910)) + (_e11377.member.member_2 * _e10911)) + _e11377.member_1) * _e11208), _e11372);
-let _e11404 = global_4.member[_e367].member_16.member.member;
+let _e11404 = global_3.member[_e367].member_16.member.member;
 let _e11408 = -(_e11397);
 let _e11411 = (_e11397 - _e11398);
 let _e11412 = (_e11398 - _e11397);
@@ -3771,12 +3771,12 @@ let _e11432 = select(_e11353, _e11421, _e11430);
 let _e11436 = select(_e11357, _e11425, _e11431);
 let _e11440 = select(_e11361, _e11397, _e11426);
 let _e11442 = select(_e11363, _e11398, (_e11398 > _e11363));
-let _e11450 = global_4.member[_e367].member_17.member_1;
+let _e11450 = global_3.member[_e367].member_17.member_1;
 let _e11451 = (_e11450 != 0u);
-let _e11456 = global_4.member[_e367].member_17.member;
+let _e11456 = global_3.member[_e367].member_17.member;
 let _e11476 = select(-1e6f, (((((_e11456.member.member * _e6382.member_1.x) + (_e11456.member.member_1 * _e6382.member_1.y)) + (_e11456.member.member_2 * _e6382.member_1.z)) + _e11456.member_1) * _e11208), _e11451);
 let _e11477 = select(-1e6f, (((((_e11456.member.member * _e10909) + (_e11456.member.member_1 * _e10910)) + (_e11456.member.member_2 * _e10911)) + _e11456.member_1) * _e11208), _e11451);
-let _e11483 = global_4.member[_e367].member_17.member.member;
+let _e11483 = global_3.member[_e367].member_17.member.member;
 let _e11487 = -(_e11476);
 let _e11490 = (_e11476 - _e11477);
 let _e11491 = (_e11477 - _e11476);
@@ -3787,11 +3787,11 @@ let _e11504 = select(2f, select(0f, _e11496, (_e11476 < 0f)), (_e11477 > 0f));
 let _e11505 = (_e11476 > _e11440);
 let _e11509 = ((_e11500 > _e11432) || ((_e11500 == _e11432) && _e11505));
 let _e11510 = (_e11504 < _e11436);
-phi_26954_ = type_35(select(_e11432, _e11500, _e11509), vec3<f32>(select(select(select(select(_e11184, _e11246.member, _e11272), _e11325.member, _e11351), _e11404.member, _e11430), _e11483.member, _e11509), select(select(select(select(_e11185, _e11246.member_1, _e11272), _e11325.member_1, _e11351), _e11404.member_1, _e11430), _e11483.member_1, _e11509), select(select(select(select(_e11186, _e11246.member_2, _e11272), _e11325.member_2, _e11351), _e11404.member_2, _e11430), _e11483.member_2, _e11509)), select(_e11436, _e11504, _e11510), vec3<f32>(select(select(select(select(_e11189, _e11246.member, _e11273), _e11325.member, _e11352), _e11404.member, _e11431), _e11483.member, _e11510), select(select(select(select(_e11190, _e11246.member_1, _e11273), _e11325.member_1, _e11352), _e11404.member_1, _e11431), _e11483.member_1, _e11510), select(select(select(select(_e11191, _e11246.member_2, _e11273), _e11325.member_2, _e11352), _e11404.member_2, _e11431), _e11483.member_2, _e11510)), select(_e11440, _e11476, _e11505), select(_e11442, _e11477, (_e11477 > _e11442)), vec3<f32>(select(select(select(select(_e11196, _e11246.member, _e11268), _e11325.member, _e11347), _e11404.member, _e11426), _e11483.member, _e11505), select(select(select(select(_e11197, _e11246.member_1, _e11268), _e11325.member_1, _e11347), _e11404.member_1, _e11426), _e11483.member_1, _e11505), select(select(select(select(_e11198, _e11246.member_2, _e11268), _e11325.member_2, _e11347), _e11404.member_2, _e11426), _e11483.member_2, _e11505)));
+phi_26954_ = type_34(select(_e11432, _e11500, _e11509), vec3<f32>(select(select(select(select(_e11184, _e11246.member, _e11272), _e11325.member, _e11351), _e11404.member, _e11430), _e11483.member, _e11509), select(select(select(select(_e11185, _e11246.member_1, _e11272), _e11325.member_1, _e11351), _e11404.member_1, _e11430), _e11483.member_1, _e11509), select(select(select(select(_e11186, _e11246.member_2, _e11272), _e11325.member_2, _e11351), _e11404.member_2, _e11430), _e11483.member_2, _e11509)), select(_e11436, _e11504, _e11510), vec3<f32>(select(select(select(select(_e11189, _e11246.member, _e11273), _e11325.member, _e11352), _e11404.member, _e11431), _e11483.member, _e11510), select(select(select(select(_e11190, _e11246.member_1, _e11273), _e11325.member_1, _e11352), _e11404.member_1, _e11431), _e11483.member_1, _e11510), select(select(select(select(_e11191, _e11246.member_2, _e11273), _e11325.member_2, _e11352), _e11404.member_2, _e11431), _e11483.member_2, _e11510)), select(_e11440, _e11476, _e11505), select(_e11442, _e11477, (_e11477 > _e11442)), vec3<f32>(select(select(select(select(_e11196, _e11246.member, _e11268), _e11325.member, _e11347), _e11404.member, _e11426), _e11483.member, _e11505), select(select(select(select(_e11197, _e11246.member_1, _e11268), _e11325.member_1, _e11347), _e11404.member_1, _e11426), _e11483.member_1, _e11505), select(select(select(select(_e11198, _e11246.member_2, _e11268), _e11325.member_2, _e11347), _e11404.member_2, _e11426), _e11483.member_2, _e11505)));
 }
 let _e11530 = phi_26954_;
 let _e11537 = (_e9407.member_2 * select(0f, 1f, _e6382.member_6));
-let _e11543 = global_4.member[_e367].member_5.member_4;
+let _e11543 = global_3.member[_e367].member_5.member_4;
 let _e11546 = (_e8797.member_3.x * _e11537);
 let _e11548 = (_e8797.member_3.y * _e11537);
 let _e11550 = (_e8797.member_3.z * _e11537);
@@ -3823,7 +3823,7 @@ phi_27111_ = false;
 let _e11628 = phi_27110_;
 let _e11630 = phi_27111_;
 let _e11641 = ((((_e6382.member_7 || (_e11628.x != _e371[3])) || (_e11628.y != _e371[4])) || (_e11628.z != _e371[5])) && _e886);
-let _e11646 = global_4.member[_e367].member_10.member_24;
+let _e11646 = global_3.member[_e367].member_10.member_24;
 let _e11655 = (_e371[12] + (((((_e371[6] + _e371[7]) + _e371[8]) * _e10889) - _e10890) * (_e389 + ((_e6382.member_1.z - _e389) * 0.5f))));
 phi_27209_ = array<f32, 14>(select(_e371[0], _e6382.member_1.x, _e11641), select(_e371[1], _e6382.member_1.y, _e11641), select(_e371[2], _e6382.member_1.z, _e11641), select(_e371[3], _e11628.x, _e11641), select(_e371[4], _e11628.y, _e11641), select(_e371[5], _e11628.z, _e11641), select(_e10884, 0f, _e10899), select(_e10885, 0f, _e10899), select(_e10886, 0f, _e10899), select(0f, 1f, _e6382.member_6), select(_e371[10], 1f, _e11641), select(select(select(0f, 1f, _e11630), 2f, (_e10899 && (_e11646 == 0f))), 3f, _e463), _e11655, select(_e371[13], (_e11655 + (_e10890 * _e6382.member_1.z)), (_e11641 && (_e371[10] == 0f))));
 } else {
@@ -3857,33 +3857,33 @@ break;
 let _e11689 = local_40;
 if _e11689 {
 let _e11691 = local_41;
-global_1.member[_e211] = _e11691[0];
+global_5.member[_e211] = _e11691[0];
 let _e11696 = local_42;
-global_1.member[_e223] = _e11696[1];
+global_5.member[_e223] = _e11696[1];
 let _e11701 = local_43;
-global_1.member[_e234] = _e11701[2];
+global_5.member[_e234] = _e11701[2];
 let _e11706 = local_44;
-global_1.member[_e245] = _e11706[3];
+global_5.member[_e245] = _e11706[3];
 let _e11711 = local_45;
-global_1.member[_e256] = _e11711[4];
+global_5.member[_e256] = _e11711[4];
 let _e11716 = local_46;
-global_1.member[_e267] = _e11716[5];
+global_5.member[_e267] = _e11716[5];
 let _e11721 = local_47;
-global_1.member[_e278] = _e11721[6];
+global_5.member[_e278] = _e11721[6];
 let _e11726 = local_48;
-global_1.member[_e289] = _e11726[7];
+global_5.member[_e289] = _e11726[7];
 let _e11731 = local_49;
-global_1.member[_e300] = _e11731[8];
+global_5.member[_e300] = _e11731[8];
 let _e11736 = local_50;
-global_1.member[_e311] = _e11736[9];
+global_5.member[_e311] = _e11736[9];
 let _e11741 = local_51;
-global_1.member[_e322] = _e11741[10];
+global_5.member[_e322] = _e11741[10];
 let _e11746 = local_52;
-global_1.member[_e333] = _e11746[11];
+global_5.member[_e333] = _e11746[11];
 let _e11751 = local_53;
-global_1.member[_e344] = _e11751[12];
+global_5.member[_e344] = _e11751[12];
 let _e11756 = local_54;
-global_1.member[_e355] = _e11756[13];
+global_5.member[_e355] = _e11756[13];
 }
 }
 }

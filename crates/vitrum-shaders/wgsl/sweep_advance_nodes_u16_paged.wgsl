@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,68 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_29 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_32 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -195,11 +191,11 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_37 {
-member: array<type_27>,
+struct type_36 {
+member: array<type_21>,
 }
-struct type_39 {
-member: type_28,
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -209,6 +205,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -216,24 +216,24 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(5)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(0)
-var<storage> global_4: type_37;
+var<storage> global_3: type_36;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_4: type_23;
+@group(0) @binding(5)
+var<storage, read_write> global_5: type_25;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -249,23 +249,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_32;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_32;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_32;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_32;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_554_: u32;
 var phi_557_: bool;
@@ -273,23 +273,23 @@ var phi_559_: array<f32, 14>;
 var phi_998_: bool;
 var phi_1178_: bool;
 var phi_1181_: bool;
-var phi_3023_: type_35;
+var phi_3023_: type_34;
 var phi_3036_: bool;
-var phi_4176_: type_29;
+var phi_4176_: type_39;
 var phi_4188_: bool;
-var phi_5323_: type_28;
-var phi_6846_: type_35;
-var phi_8013_: type_28;
-var phi_9551_: type_35;
-var phi_10718_: type_28;
-var phi_12256_: type_35;
-var phi_14004_: type_28;
-var phi_14276_: type_39;
-var phi_19888_: type_33;
-var phi_20590_: type_34;
-var phi_21503_: type_5;
+var phi_5323_: type_31;
+var phi_6846_: type_34;
+var phi_8013_: type_31;
+var phi_9551_: type_34;
+var phi_10718_: type_31;
+var phi_12256_: type_34;
+var phi_14004_: type_31;
+var phi_14276_: type_38;
+var phi_19888_: type_32;
+var phi_20590_: type_33;
+var phi_21503_: type_7;
 var phi_25001_: type_40;
-var phi_26394_: type_35;
+var phi_26394_: type_34;
 var phi_26550_: vec3<f32>;
 var phi_26551_: bool;
 var phi_26649_: array<f32, 14>;
@@ -315,15 +315,15 @@ var local_54: array<f32, 14>;
 switch bitcast<i32>(0u) {
 default: {
 let _e178 = global;
-let _e180 = arrayLength((&global_4.member));
-let _e183 = arrayLength((&global_2.member));
-let _e188 = arrayLength((&global_3.member));
+let _e180 = arrayLength((&global_3.member));
+let _e183 = arrayLength((&global_1.member));
+let _e188 = arrayLength((&global_2.member));
 if (0u < _e180) {
 } else {
 break;
 }
-let _e195 = global_4.member[0u].member_2;
-let _e199 = global_4.member[0u].member;
+let _e195 = global_3.member[0u].member_2;
+let _e199 = global_3.member[0u].member;
 let _e207 = (_e178.x + _e195.member);
 let _e209 = (_e178.y + _e195.member_1);
 if (_e207 < _e195.member_2) {
@@ -331,61 +331,61 @@ if (_e209 < _e195.member_3) {
 let _e212 = (_e199.member * _e199.member_1);
 let _e214 = ((_e209 * _e199.member) + _e207);
 let _e215 = bitcast<i32>(_e214);
-let _e217 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e217 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e219 = select(_e217, _e215, (_e215 < _e217));
-let _e225 = global_1.member[bitcast<u32>(select(0i, _e219, (_e219 > 0i)))];
+let _e225 = global_5.member[bitcast<u32>(select(0i, _e219, (_e219 > 0i)))];
 let _e226 = (_e212 + _e214);
 let _e227 = bitcast<i32>(_e226);
 let _e229 = select(_e217, _e227, (_e227 < _e217));
-let _e235 = global_1.member[bitcast<u32>(select(0i, _e229, (_e229 > 0i)))];
+let _e235 = global_5.member[bitcast<u32>(select(0i, _e229, (_e229 > 0i)))];
 let _e237 = ((2u * _e212) + _e214);
 let _e238 = bitcast<i32>(_e237);
 let _e240 = select(_e217, _e238, (_e238 < _e217));
-let _e246 = global_1.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
+let _e246 = global_5.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
 let _e248 = ((3u * _e212) + _e214);
 let _e249 = bitcast<i32>(_e248);
 let _e251 = select(_e217, _e249, (_e249 < _e217));
-let _e257 = global_1.member[bitcast<u32>(select(0i, _e251, (_e251 > 0i)))];
+let _e257 = global_5.member[bitcast<u32>(select(0i, _e251, (_e251 > 0i)))];
 let _e259 = ((4u * _e212) + _e214);
 let _e260 = bitcast<i32>(_e259);
 let _e262 = select(_e217, _e260, (_e260 < _e217));
-let _e268 = global_1.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
+let _e268 = global_5.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
 let _e270 = ((5u * _e212) + _e214);
 let _e271 = bitcast<i32>(_e270);
 let _e273 = select(_e217, _e271, (_e271 < _e217));
-let _e279 = global_1.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
+let _e279 = global_5.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
 let _e281 = ((6u * _e212) + _e214);
 let _e282 = bitcast<i32>(_e281);
 let _e284 = select(_e217, _e282, (_e282 < _e217));
-let _e290 = global_1.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
+let _e290 = global_5.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
 let _e292 = ((7u * _e212) + _e214);
 let _e293 = bitcast<i32>(_e292);
 let _e295 = select(_e217, _e293, (_e293 < _e217));
-let _e301 = global_1.member[bitcast<u32>(select(0i, _e295, (_e295 > 0i)))];
+let _e301 = global_5.member[bitcast<u32>(select(0i, _e295, (_e295 > 0i)))];
 let _e303 = ((8u * _e212) + _e214);
 let _e304 = bitcast<i32>(_e303);
 let _e306 = select(_e217, _e304, (_e304 < _e217));
-let _e312 = global_1.member[bitcast<u32>(select(0i, _e306, (_e306 > 0i)))];
+let _e312 = global_5.member[bitcast<u32>(select(0i, _e306, (_e306 > 0i)))];
 let _e314 = ((9u * _e212) + _e214);
 let _e315 = bitcast<i32>(_e314);
 let _e317 = select(_e217, _e315, (_e315 < _e217));
-let _e323 = global_1.member[bitcast<u32>(select(0i, _e317, (_e317 > 0i)))];
+let _e323 = global_5.member[bitcast<u32>(select(0i, _e317, (_e317 > 0i)))];
 let _e325 = ((10u * _e212) + _e214);
 let _e326 = bitcast<i32>(_e325);
 let _e328 = select(_e217, _e326, (_e326 < _e217));
-let _e334 = global_1.member[bitcast<u32>(select(0i, _e328, (_e328 > 0i)))];
+let _e334 = global_5.member[bitcast<u32>(select(0i, _e328, (_e328 > 0i)))];
 let _e336 = ((11u * _e212) + _e214);
 let _e337 = bitcast<i32>(_e336);
 let _e339 = select(_e217, _e337, (_e337 < _e217));
-let _e345 = global_1.member[bitcast<u32>(select(0i, _e339, (_e339 > 0i)))];
+let _e345 = global_5.member[bitcast<u32>(select(0i, _e339, (_e339 > 0i)))];
 let _e347 = ((12u * _e212) + _e214);
 let _e348 = bitcast<i32>(_e347);
 let _e350 = select(_e217, _e348, (_e348 < _e217));
-let _e356 = global_1.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
+let _e356 = global_5.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
 let _e358 = ((13u * _e212) + _e214);
 let _e359 = bitcast<i32>(_e358);
 let _e361 = select(_e217, _e359, (_e359 < _e217));
-let _e367 = global_1.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
+let _e367 = global_5.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
 phi_554_ = 0u;
 phi_557_ = false;
 phi_559_ = array<f32, 14>(_e225, _e235, _e246, _e257, _e268, _e279, _e290, _e301, _e312, _e323, _e334, _e345, _e356, _e367);
@@ -415,33 +415,33 @@ if _e375 {
 phi_26716_ = true;
 break;
 }
-let _e379 = global_4.member[_e370].member;
-let _e392 = global_4.member[_e370].member_5.member;
+let _e379 = global_3.member[_e370].member;
+let _e392 = global_3.member[_e370].member_5.member;
 let _e394 = ((_e392 - _e374[2]) / _e374[5]);
 let _e396 = (_e374[0] + (_e374[3] * _e394));
 let _e398 = (_e374[1] + (_e374[4] * _e394));
-let _e403 = global_4.member[_e370].member_5.member_2;
+let _e403 = global_3.member[_e370].member_5.member_2;
 let _e404 = (_e403 / _e374[5]);
 let _e406 = (_e396 + (_e374[3] * _e404));
 let _e408 = (_e398 + (_e374[4] * _e404));
-let _e413 = global_4.member[_e370].member_5.member_1;
-let _e419 = global_4.member[_e370].member_13.member.member;
-let _e445 = global_4.member[_e370].member_13.member_1.member;
+let _e413 = global_3.member[_e370].member_5.member_1;
+let _e419 = global_3.member[_e370].member_13.member.member;
+let _e445 = global_3.member[_e370].member_13.member_1.member;
 let _e466 = (((((((_e419.member.member * _e396) + (_e419.member.member_1 * _e398)) + (_e419.member.member_2 * _e392)) + _e419.member_1) > 0f) && (((((_e419.member.member * _e406) + (_e419.member.member_1 * _e408)) + (_e419.member.member_2 * _e413)) + _e419.member_1) <= 0f)) || ((((((_e445.member.member * _e396) + (_e445.member.member_1 * _e398)) + (_e445.member.member_2 * _e392)) + _e445.member_1) > 0f) && (((((_e445.member.member * _e406) + (_e445.member.member_1 * _e408)) + (_e445.member.member_2 * _e413)) + _e445.member_1) <= 0f)));
-let _e471 = global_4.member[_e370].member_6.member;
+let _e471 = global_3.member[_e370].member_6.member;
 let _e482 = ((((_e471.member.member * _e396) + (_e471.member.member_1 * _e398)) + (_e471.member.member_2 * _e392)) + _e471.member_1);
-let _e487 = global_4.member[_e370].member_6.member_1;
+let _e487 = global_3.member[_e370].member_6.member_1;
 let _e498 = ((((_e487.member.member * _e396) + (_e487.member.member_1 * _e398)) + (_e487.member.member_2 * _e392)) + _e487.member_1);
-let _e503 = global_4.member[_e370].member_6.member_2;
+let _e503 = global_3.member[_e370].member_6.member_2;
 let _e514 = ((((_e503.member.member * _e396) + (_e503.member.member_1 * _e398)) + (_e503.member.member_2 * _e392)) + _e503.member_1);
 let _e520 = ((((_e471.member.member * _e406) + (_e471.member.member_1 * _e408)) + (_e471.member.member_2 * _e413)) + _e471.member_1);
 let _e526 = ((((_e487.member.member * _e406) + (_e487.member.member_1 * _e408)) + (_e487.member.member_2 * _e413)) + _e487.member_1);
 let _e532 = ((((_e503.member.member * _e406) + (_e503.member.member_1 * _e408)) + (_e503.member.member_2 * _e413)) + _e503.member_1);
-let _e539 = global_4.member[_e370].member_6.member_3.member;
+let _e539 = global_3.member[_e370].member_6.member_3.member;
 let _e540 = (_e539 - 1f);
-let _e550 = global_4.member[_e370].member_6.member_3.member_1;
+let _e550 = global_3.member[_e370].member_6.member_3.member_1;
 let _e551 = (_e550 - 1f);
-let _e561 = global_4.member[_e370].member_6.member_3.member_2;
+let _e561 = global_3.member[_e370].member_6.member_3.member_2;
 let _e562 = (_e561 - 1f);
 let _e576 = (((((((_e482 >= 0f) && (_e482 <= _e540)) && (_e498 >= 0f)) && (_e498 <= _e551)) && (_e514 >= 0f)) && (_e514 <= _e562)) && ((((((_e520 >= 0f) && (_e520 <= _e540)) && (_e526 >= 0f)) && (_e526 <= _e551)) && (_e532 >= 0f)) && (_e532 <= _e562)));
 let _e578 = (_e379.member_2 == 5u);
@@ -454,22 +454,22 @@ let _e589 = (_e539 - _e587);
 let _e593 = (_e550 - _e587);
 let _e598 = (_e561 - _e587);
 let _e601 = ((((_e482 >= _e586) && (_e482 <= _e589)) && ((_e498 >= _e586) && (_e498 <= _e593))) && ((_e514 >= _e586) && (_e514 <= _e598)));
-let _e605 = global_4.member[_e370].member_1;
+let _e605 = global_3.member[_e370].member_1;
 let _e607 = ((_e605 & 16u) == 0u);
 if _e607 {
 phi_998_ = _e601;
 } else {
-let _e613 = global_4.member[_e370].member_6.member.member;
+let _e613 = global_3.member[_e370].member_6.member.member;
 let _e621 = (((_e613.member * _e613.member) + (_e613.member_1 * _e613.member_1)) + (_e613.member_2 * _e613.member_2));
-let _e630 = global_4.member[_e370].member_14.member;
+let _e630 = global_3.member[_e370].member_14.member;
 let _e642 = -((0.5f / sqrt(select(0f, _e621, (_e621 > 0f)))));
-let _e648 = global_4.member[_e370].member_14.member_1;
-let _e655 = global_4.member[_e370].member_15.member;
-let _e672 = global_4.member[_e370].member_15.member_1;
-let _e680 = global_4.member[_e370].member_16.member;
-let _e697 = global_4.member[_e370].member_16.member_1;
-let _e705 = global_4.member[_e370].member_17.member;
-let _e722 = global_4.member[_e370].member_17.member_1;
+let _e648 = global_3.member[_e370].member_14.member_1;
+let _e655 = global_3.member[_e370].member_15.member;
+let _e672 = global_3.member[_e370].member_15.member_1;
+let _e680 = global_3.member[_e370].member_16.member;
+let _e697 = global_3.member[_e370].member_16.member_1;
+let _e705 = global_3.member[_e370].member_17.member;
+let _e722 = global_3.member[_e370].member_17.member_1;
 phi_998_ = (_e601 && (((((((((_e630.member.member * _e396) + (_e630.member.member_1 * _e398)) + (_e630.member.member_2 * _e392)) + _e630.member_1) <= _e642) || (_e648 == 0u)) && ((((((_e655.member.member * _e396) + (_e655.member.member_1 * _e398)) + (_e655.member.member_2 * _e392)) + _e655.member_1) <= _e642) || (_e672 == 0u))) && ((((((_e680.member.member * _e396) + (_e680.member.member_1 * _e398)) + (_e680.member.member_2 * _e392)) + _e680.member_1) <= _e642) || (_e697 == 0u))) && ((((((_e705.member.member * _e396) + (_e705.member.member_1 * _e398)) + (_e705.member.member_2 * _e392)) + _e705.member_1) <= _e642) || (_e722 == 0u))));
 }
 let _e728 = phi_998_;
@@ -483,17 +483,17 @@ let _e763 = ((((_e740 >= _e586) && (_e740 <= _e589)) && ((_e746 >= _e586) && (_e
 if _e607 {
 phi_1178_ = _e763;
 } else {
-let _e769 = global_4.member[_e370].member_6.member.member;
+let _e769 = global_3.member[_e370].member_6.member.member;
 let _e777 = (((_e769.member * _e769.member) + (_e769.member_1 * _e769.member_1)) + (_e769.member_2 * _e769.member_2));
-let _e786 = global_4.member[_e370].member_14.member;
+let _e786 = global_3.member[_e370].member_14.member;
 let _e798 = -((0.5f / sqrt(select(0f, _e777, (_e777 > 0f)))));
-let _e804 = global_4.member[_e370].member_14.member_1;
-let _e811 = global_4.member[_e370].member_15.member;
-let _e828 = global_4.member[_e370].member_15.member_1;
-let _e836 = global_4.member[_e370].member_16.member;
-let _e853 = global_4.member[_e370].member_16.member_1;
-let _e861 = global_4.member[_e370].member_17.member;
-let _e878 = global_4.member[_e370].member_17.member_1;
+let _e804 = global_3.member[_e370].member_14.member_1;
+let _e811 = global_3.member[_e370].member_15.member;
+let _e828 = global_3.member[_e370].member_15.member_1;
+let _e836 = global_3.member[_e370].member_16.member;
+let _e853 = global_3.member[_e370].member_16.member_1;
+let _e861 = global_3.member[_e370].member_17.member;
+let _e878 = global_3.member[_e370].member_17.member_1;
 phi_1178_ = (_e763 && (((((((((_e786.member.member * _e732) + (_e786.member.member_1 * _e733)) + (_e786.member.member_2 * _e734)) + _e786.member_1) <= _e798) || (_e804 == 0u)) && ((((((_e811.member.member * _e732) + (_e811.member.member_1 * _e733)) + (_e811.member.member_2 * _e734)) + _e811.member_1) <= _e798) || (_e828 == 0u))) && ((((((_e836.member.member * _e732) + (_e836.member.member_1 * _e733)) + (_e836.member.member_2 * _e734)) + _e836.member_1) <= _e798) || (_e853 == 0u))) && ((((((_e861.member.member * _e732) + (_e861.member.member_1 * _e733)) + (_e861.member.member_2 * _e734)) + _e861.member_1) <= _e798) || (_e878 == 0u))));
 }
 let _e884 = phi_1178_;
@@ -503,7 +503,7 @@ phi_1181_ = _e576;
 }
 let _e888 = phi_1181_;
 let _e889 = !(_e466);
-let _e897 = global_4.member[_e370].member_6.member_4;
+let _e897 = global_3.member[_e370].member_6.member_4;
 let _e898 = (_e539 - 0.5f);
 let _e900 = select(-0.5f, _e520, (_e520 > -0.5f));
 let _e902 = select(_e898, _e900, (_e900 < _e898));
@@ -528,7 +528,7 @@ let _e947 = (_e902 + 0.5f);
 let _e949 = select(0f, _e947, (_e947 > 0f));
 let _e951 = select(_e540, _e949, (_e949 < _e540));
 let _e958 = select(0i, select(select(i32(_e951), i32(-2147483648), (_e951 < -2147483600f)), 2147483647i, (_e951 > 2147483500f)), (_e951 == _e951));
-let _e967 = global_4.member[_e370].member_6.member_12;
+let _e967 = global_3.member[_e370].member_6.member_12;
 let _e968 = (_e967 & 31u);
 let _e971 = (_e907 + 0.5f);
 let _e973 = select(0f, _e971, (_e971 > 0f));
@@ -538,14 +538,14 @@ let _e989 = (_e912 + 0.5f);
 let _e991 = select(0f, _e989, (_e989 > 0f));
 let _e993 = select(_e562, _e991, (_e991 < _e562));
 let _e1000 = select(0i, select(select(i32(_e993), i32(-2147483648), (_e993 < -2147483600f)), 2147483647i, (_e993 > 2147483500f)), (_e993 == _e993));
-let _e1012 = global_4.member[_e370].member_6.member_9.member;
-let _e1019 = global_4.member[_e370].member_6.member_9.member_1;
-let _e1025 = global_4.member[_e370].member_6.member_10;
+let _e1012 = global_3.member[_e370].member_6.member_9.member;
+let _e1019 = global_3.member[_e370].member_6.member_9.member_1;
+let _e1025 = global_3.member[_e370].member_6.member_10;
 let _e1031 = ((bitcast<i32>(_e1025) + ((_e958 - select(0i, 1i, (_e951 < f32(_e958)))) >> bitcast<u32>(_e968))) + (bitcast<i32>(_e1012) * (((_e982 - select(0i, 1i, (_e975 < f32(_e982)))) >> bitcast<u32>(_e968)) + (bitcast<i32>(_e1019) * ((_e1000 - select(0i, 1i, (_e993 < f32(_e1000)))) >> bitcast<u32>(_e968))))));
-let _e1033 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e1033 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1035 = select(_e1033, _e1031, (_e1031 < _e1033));
-let _e1041 = global_5.member[bitcast<u32>(select(0i, _e1035, (_e1035 > 0i)))];
-let _e1048 = global_4.member[_e370].member_1;
+let _e1041 = global_4.member[bitcast<u32>(select(0i, _e1035, (_e1035 > 0i)))];
+let _e1048 = global_3.member[_e370].member_1;
 let _e1059 = (select(0u, select(select(7u, 3u, (_e888 && _e889)), select(1u, 7u, _e466), (((_e1048 & 64u) != 0u) || ((((select(_e926, _e923, (_e923 > _e926)) <= _e897) && ((select(_e943, _e940, (_e940 > _e943)) > _e897) || (_e1041 != 0u))) && true) && ((_e1048 & 32u) != 0u)))), (_e374[11] == 0f)) > 1u);
 if _e1059 {
 let _e1060 = vec3<f32>(_e374[3], _e374[4], _e374[5]);
@@ -554,11 +554,11 @@ let _e1070 = (_e408 - _e398);
 let _e1071 = (_e413 - _e392);
 let _e1076 = (((_e1069 * _e1069) + (_e1070 * _e1070)) + (_e1071 * _e1071));
 let _e1079 = sqrt(select(0f, _e1076, (_e1076 > 0f)));
-let _e1080 = type_39(type_28(1f, 1f), vec3<f32>(_e406, _e408, _e413), _e1060, _e1079, _e404, _e1060, true, false, false);
+let _e1080 = type_38(type_31(1f, 1f), vec3<f32>(_e406, _e408, _e413), _e1060, _e1079, _e404, _e1060, true, false, false);
 if _e585 {
-let _e1182 = global_4.member[_e370].member_6.member.member;
-let _e1191 = global_4.member[_e370].member_6.member_1.member;
-let _e1200 = global_4.member[_e370].member_6.member_2.member;
+let _e1182 = global_3.member[_e370].member_6.member.member;
+let _e1191 = global_3.member[_e370].member_6.member_1.member;
+let _e1200 = global_3.member[_e370].member_6.member_2.member;
 let _e1204 = (-0.5f - _e482);
 let _e1205 = (-0.5f - _e520);
 let _e1206 = -(_e1204);
@@ -666,16 +666,16 @@ let _e1444 = select(select(select(select(select(select(0f, _e1182.member_1, _e12
 let _e1445 = select(select(select(select(select(select(1f, _e1182.member_2, _e1224), _e1182.member_2, _e1264), _e1191.member_2, _e1304), _e1191.member_2, _e1344), _e1200.member_2, _e1384), _e1200.member_2, _e1424);
 let _e1449 = ((_e1048 & 16u) == 0u);
 if _e1449 {
-phi_3023_ = type_35(_e1430, vec3<f32>(_e1431, _e1432, _e1433), _e1435, vec3<f32>(_e1436, _e1437, _e1438), _e1440, _e1442, vec3<f32>(_e1443, _e1444, _e1445));
+phi_3023_ = type_34(_e1430, vec3<f32>(_e1431, _e1432, _e1433), _e1435, vec3<f32>(_e1436, _e1437, _e1438), _e1440, _e1442, vec3<f32>(_e1443, _e1444, _e1445));
 } else {
 let _e1454 = (((_e1182.member * _e1182.member) + (_e1182.member_1 * _e1182.member_1)) + (_e1182.member_2 * _e1182.member_2));
 let _e1457 = sqrt(select(0f, _e1454, (_e1454 > 0f)));
-let _e1462 = global_4.member[_e370].member_14.member_1;
+let _e1462 = global_3.member[_e370].member_14.member_1;
 let _e1463 = (_e1462 != 0u);
-let _e1468 = global_4.member[_e370].member_14.member;
+let _e1468 = global_3.member[_e370].member_14.member;
 let _e1488 = select(-1e6f, (((((_e1468.member.member * _e396) + (_e1468.member.member_1 * _e398)) + (_e1468.member.member_2 * _e392)) + _e1468.member_1) * _e1457), _e1463);
 let _e1489 = select(-1e6f, (((((_e1468.member.member * _e406) + (_e1468.member.member_1 * _e408)) + (_e1468.member.member_2 * _e413)) + _e1468.member_1) * _e1457), _e1463);
-let _e1495 = global_4.member[_e370].member_14.member.member;
+let _e1495 = global_3.member[_e370].member_14.member.member;
 let _e1499 = -(_e1488);
 let _e1502 = (_e1488 - _e1489);
 let _e1503 = (_e1489 - _e1488);
@@ -690,12 +690,12 @@ let _e1523 = select(_e1430, _e1512, _e1521);
 let _e1527 = select(_e1435, _e1516, _e1522);
 let _e1531 = select(_e1440, _e1488, _e1517);
 let _e1533 = select(_e1442, _e1489, (_e1489 > _e1442));
-let _e1541 = global_4.member[_e370].member_15.member_1;
+let _e1541 = global_3.member[_e370].member_15.member_1;
 let _e1542 = (_e1541 != 0u);
-let _e1547 = global_4.member[_e370].member_15.member;
+let _e1547 = global_3.member[_e370].member_15.member;
 let _e1567 = select(-1e6f, (((((_e1547.member.member * _e396) + (_e1547.member.member_1 * _e398)) + (_e1547.member.member_2 * _e392)) + _e1547.member_1) * _e1457), _e1542);
 let _e1568 = select(-1e6f, (((((_e1547.member.member * _e406) + (_e1547.member.member_1 * _e408)) + (_e1547.member.member_2 * _e413)) + _e1547.member_1) * _e1457), _e1542);
-let _e1574 = global_4.member[_e370].member_15.member.member;
+let _e1574 = global_3.member[_e370].member_15.member.member;
 let _e1578 = -(_e1567);
 let _e1581 = (_e1567 - _e1568);
 let _e1582 = (_e1568 - _e1567);
@@ -710,12 +710,12 @@ let _e1602 = select(_e1523, _e1591, _e1600);
 let _e1606 = select(_e1527, _e1595, _e1601);
 let _e1610 = select(_e1531, _e1567, _e1596);
 let _e1612 = select(_e1533, _e1568, (_e1568 > _e1533));
-let _e1620 = global_4.member[_e370].member_16.member_1;
+let _e1620 = global_3.member[_e370].member_16.member_1;
 let _e1621 = (_e1620 != 0u);
-let _e1626 = global_4.member[_e370].member_16.member;
+let _e1626 = global_3.member[_e370].member_16.member;
 let _e1646 = select(-1e6f, (((((_e1626.member.member * _e396) + (_e1626.member.member_1 * _e398)) + (_e1626.member.member_2 * _e392)) + _e1626.member_1) * _e1457), _e1621);
 let _e1647 = select(-1e6f, (((((_e1626.member.member * _e406) + (_e1626.member.member_1 * _e408)) + (_e1626.member.member_2 * _e413)) + _e1626.member_1) * _e1457), _e1621);
-let _e1653 = global_4.member[_e370].member_16.member.member;
+let _e1653 = global_3.member[_e370].member_16.member.member;
 let _e1657 = -(_e1646);
 let _e1660 = (_e1646 - _e1647);
 let _e1661 = (_e1647 - _e1646);
@@ -730,12 +730,12 @@ let _e1681 = select(_e1602, _e1670, _e1679);
 let _e1685 = select(_e1606, _e1674, _e1680);
 let _e1689 = select(_e1610, _e1646, _e1675);
 let _e1691 = select(_e1612, _e1647, (_e1647 > _e1612));
-let _e1699 = global_4.member[_e370].member_17.member_1;
+let _e1699 = global_3.member[_e370].member_17.member_1;
 let _e1700 = (_e1699 != 0u);
-let _e1705 = global_4.member[_e370].member_17.member;
+let _e1705 = global_3.member[_e370].member_17.member;
 let _e1725 = select(-1e6f, (((((_e1705.member.member * _e396) + (_e1705.member.member_1 * _e398)) + (_e1705.member.member_2 * _e392)) + _e1705.member_1) * _e1457), _e1700);
 let _e1726 = select(-1e6f, (((((_e1705.member.member * _e406) + (_e1705.member.member_1 * _e408)) + (_e1705.member.member_2 * _e413)) + _e1705.member_1) * _e1457), _e1700);
-let _e1732 = global_4.member[_e370].member_17.member.member;
+let _e1732 = global_3.member[_e370].member_17.member.member;
 let _e1736 = -(_e1725);
 let _e1739 = (_e1725 - _e1726);
 let _e1740 = (_e1726 - _e1725);
@@ -746,7 +746,7 @@ let _e1753 = select(2f, select(0f, _e1745, (_e1725 < 0f)), (_e1726 > 0f));
 let _e1754 = (_e1725 > _e1689);
 let _e1758 = ((_e1749 > _e1681) || ((_e1749 == _e1681) && _e1754));
 let _e1759 = (_e1753 < _e1685);
-phi_3023_ = type_35(select(_e1681, _e1749, _e1758), vec3<f32>(select(select(select(select(_e1431, _e1495.member, _e1521), _e1574.member, _e1600), _e1653.member, _e1679), _e1732.member, _e1758), select(select(select(select(_e1432, _e1495.member_1, _e1521), _e1574.member_1, _e1600), _e1653.member_1, _e1679), _e1732.member_1, _e1758), select(select(select(select(_e1433, _e1495.member_2, _e1521), _e1574.member_2, _e1600), _e1653.member_2, _e1679), _e1732.member_2, _e1758)), select(_e1685, _e1753, _e1759), vec3<f32>(select(select(select(select(_e1436, _e1495.member, _e1522), _e1574.member, _e1601), _e1653.member, _e1680), _e1732.member, _e1759), select(select(select(select(_e1437, _e1495.member_1, _e1522), _e1574.member_1, _e1601), _e1653.member_1, _e1680), _e1732.member_1, _e1759), select(select(select(select(_e1438, _e1495.member_2, _e1522), _e1574.member_2, _e1601), _e1653.member_2, _e1680), _e1732.member_2, _e1759)), select(_e1689, _e1725, _e1754), select(_e1691, _e1726, (_e1726 > _e1691)), vec3<f32>(select(select(select(select(_e1443, _e1495.member, _e1517), _e1574.member, _e1596), _e1653.member, _e1675), _e1732.member, _e1754), select(select(select(select(_e1444, _e1495.member_1, _e1517), _e1574.member_1, _e1596), _e1653.member_1, _e1675), _e1732.member_1, _e1754), select(select(select(select(_e1445, _e1495.member_2, _e1517), _e1574.member_2, _e1596), _e1653.member_2, _e1675), _e1732.member_2, _e1754)));
+phi_3023_ = type_34(select(_e1681, _e1749, _e1758), vec3<f32>(select(select(select(select(_e1431, _e1495.member, _e1521), _e1574.member, _e1600), _e1653.member, _e1679), _e1732.member, _e1758), select(select(select(select(_e1432, _e1495.member_1, _e1521), _e1574.member_1, _e1600), _e1653.member_1, _e1679), _e1732.member_1, _e1758), select(select(select(select(_e1433, _e1495.member_2, _e1521), _e1574.member_2, _e1600), _e1653.member_2, _e1679), _e1732.member_2, _e1758)), select(_e1685, _e1753, _e1759), vec3<f32>(select(select(select(select(_e1436, _e1495.member, _e1522), _e1574.member, _e1601), _e1653.member, _e1680), _e1732.member, _e1759), select(select(select(select(_e1437, _e1495.member_1, _e1522), _e1574.member_1, _e1601), _e1653.member_1, _e1680), _e1732.member_1, _e1759), select(select(select(select(_e1438, _e1495.member_2, _e1522), _e1574.member_2, _e1601), _e1653.member_2, _e1680), _e1732.member_2, _e1759)), select(_e1689, _e1725, _e1754), select(_e1691, _e1726, (_e1726 > _e1691)), vec3<f32>(select(select(select(select(_e1443, _e1495.member, _e1517), _e1574.member, _e1596), _e1653.member, _e1675), _e1732.member, _e1754), select(select(select(select(_e1444, _e1495.member_1, _e1517), _e1574.member_1, _e1596), _e1653.member_1, _e1675), _e1732.member_1, _e1754), select(select(select(select(_e1445, _e1495.member_2, _e1517), _e1574.member_2, _e1596), _e1653.member_2, _e1675), _e1732.member_2, _e1754)));
 }
 let _e1779 = phi_3023_;
 if ((_e1779.member_4 > -(0.015625f)) && (_e1779.member_4 < 0.015625f)) {
@@ -755,7 +755,7 @@ phi_3036_ = (_e374[9] != 0f);
 phi_3036_ = (_e1779.member_4 < 0f);
 }
 let _e1788 = phi_3036_;
-let _e1793 = global_4.member[_e370].member_10.member_9;
+let _e1793 = global_3.member[_e370].member_10.member_9;
 let _e1797 = select(-0.5f, _e482, (_e482 > -0.5f));
 let _e1799 = select(_e898, _e1797, (_e1797 < _e898));
 let _e1801 = select(-0.5f, _e498, (_e498 > -0.5f));
@@ -774,19 +774,19 @@ let _e1839 = select(-1f, _e1807, (_e1807 > -1f));
 let _e1841 = select(_e561, _e1839, (_e1839 < _e561));
 let _e1848 = select(0i, select(select(i32(_e1841), i32(-2147483648), (_e1841 < -2147483600f)), 2147483647i, (_e1841 > 2147483500f)), (_e1841 == _e1841));
 let _e1852 = (_e1848 - select(0i, 1i, (_e1841 < f32(_e1848))));
-let _e1857 = global_4.member[_e370].member_6.member_7;
-let _e1862 = global_4.member[_e370].member_6.member_8;
+let _e1857 = global_3.member[_e370].member_6.member_7;
+let _e1862 = global_3.member[_e370].member_6.member_8;
 let _e1863 = (_e1822 + 1i);
 let _e1864 = (_e1837 + 1i);
 let _e1865 = (_e1852 + 1i);
-let _e1871 = global_4.member[_e370].member_6.member_11.member;
+let _e1871 = global_3.member[_e370].member_6.member_11.member;
 let _e1872 = bitcast<i32>(_e1871);
-let _e1878 = global_4.member[_e370].member_6.member_11.member_1;
+let _e1878 = global_3.member[_e370].member_6.member_11.member_1;
 let _e1879 = bitcast<i32>(_e1878);
 let _e1889 = ((_e1863 >> bitcast<u32>(4i)) + (_e1872 * ((_e1864 >> bitcast<u32>(4i)) + (_e1879 * (_e1865 >> bitcast<u32>(4i))))));
 let _e1891 = (bitcast<i32>(_e183) - 1i);
 let _e1893 = select(_e1891, _e1889, (_e1889 < _e1891));
-let _e1899 = global_2.member[bitcast<u32>(select(0i, _e1893, (_e1893 > 0i)))];
+let _e1899 = global_1.member[bitcast<u32>(select(0i, _e1893, (_e1893 > 0i)))];
 let _e1901 = (_e1863 & 15i);
 let _e1904 = ((_e1864 & 15i) * _e1857);
 let _e1906 = (bitcast<i32>(_e1899) + ((_e1865 & 15i) * _e1862));
@@ -796,17 +796,17 @@ let _e1912 = (_e1904 + _e1911);
 let _e1913 = (_e1906 + _e1862);
 let _e1914 = (2i * _e1862);
 let _e1915 = (_e1906 + _e1914);
-local_38 = type_32(array<i32, 4>(_e1901, (_e1901 + 1i), (_e1901 + 2i), (_e1901 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_38 = type_28(array<i32, 4>(_e1901, (_e1901 + 1i), (_e1901 + 2i), (_e1901 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_39 = vec3<f32>((_e1799 - f32(_e1822)), (_e1803 - f32(_e1837)), (_e1807 - f32(_e1852)));
 let _e1929 = local_38.member[1u];
 let _e1930 = ((_e1913 + _e1910) + _e1929);
 let _e1932 = (_e1930 >> bitcast<u32>(1i));
 let _e1935 = bitcast<u32>(((_e1930 & 1i) * 16i));
 let _e1937 = select(_e1891, _e1932, (_e1932 < _e1891));
-let _e1942 = global_2.member[bitcast<u32>(select(0i, _e1937, (_e1937 > 0i)))];
+let _e1942 = global_1.member[bitcast<u32>(select(0i, _e1937, (_e1937 > 0i)))];
 let _e1946 = (_e1932 + 1i);
 let _e1948 = select(_e1891, _e1946, (_e1946 < _e1891));
-let _e1953 = global_2.member[bitcast<u32>(select(0i, _e1948, (_e1948 > 0i)))];
+let _e1953 = global_1.member[bitcast<u32>(select(0i, _e1948, (_e1948 > 0i)))];
 let _e1960 = ((_e1942 >> bitcast<u32>((_e1935 & 31u))) | ((_e1953 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1935) & 31u))));
 let _e1963 = local_38.member_1[2u];
 let _e1969 = f32(bitcast<i32>(((_e1960 >> bitcast<u32>((_e1963 & 31u))) & 65535u)));
@@ -818,10 +818,10 @@ let _e1985 = ((_e1913 + _e1912) + _e1984);
 let _e1987 = (_e1985 >> bitcast<u32>(1i));
 let _e1990 = bitcast<u32>(((_e1985 & 1i) * 16i));
 let _e1992 = select(_e1891, _e1987, (_e1987 < _e1891));
-let _e1997 = global_2.member[bitcast<u32>(select(0i, _e1992, (_e1992 > 0i)))];
+let _e1997 = global_1.member[bitcast<u32>(select(0i, _e1992, (_e1992 > 0i)))];
 let _e2001 = (_e1987 + 1i);
 let _e2003 = select(_e1891, _e2001, (_e2001 < _e1891));
-let _e2008 = global_2.member[bitcast<u32>(select(0i, _e2003, (_e2003 > 0i)))];
+let _e2008 = global_1.member[bitcast<u32>(select(0i, _e2003, (_e2003 > 0i)))];
 let _e2015 = ((_e1997 >> bitcast<u32>((_e1990 & 31u))) | ((_e2008 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1990) & 31u))));
 let _e2016 = local_38.member_1[2u];
 let _e2022 = f32(bitcast<i32>(((_e2015 >> bitcast<u32>((_e2016 & 31u))) & 65535u)));
@@ -834,10 +834,10 @@ let _e2041 = ((_e1915 + _e1910) + _e2040);
 let _e2043 = (_e2041 >> bitcast<u32>(1i));
 let _e2046 = bitcast<u32>(((_e2041 & 1i) * 16i));
 let _e2048 = select(_e1891, _e2043, (_e2043 < _e1891));
-let _e2053 = global_2.member[bitcast<u32>(select(0i, _e2048, (_e2048 > 0i)))];
+let _e2053 = global_1.member[bitcast<u32>(select(0i, _e2048, (_e2048 > 0i)))];
 let _e2057 = (_e2043 + 1i);
 let _e2059 = select(_e1891, _e2057, (_e2057 < _e1891));
-let _e2064 = global_2.member[bitcast<u32>(select(0i, _e2059, (_e2059 > 0i)))];
+let _e2064 = global_1.member[bitcast<u32>(select(0i, _e2059, (_e2059 > 0i)))];
 let _e2071 = ((_e2053 >> bitcast<u32>((_e2046 & 31u))) | ((_e2064 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2046) & 31u))));
 let _e2072 = local_38.member_1[2u];
 let _e2078 = f32(bitcast<i32>(((_e2071 >> bitcast<u32>((_e2072 & 31u))) & 65535u)));
@@ -849,10 +849,10 @@ let _e2092 = ((_e1915 + _e1912) + _e2091);
 let _e2094 = (_e2092 >> bitcast<u32>(1i));
 let _e2097 = bitcast<u32>(((_e2092 & 1i) * 16i));
 let _e2099 = select(_e1891, _e2094, (_e2094 < _e1891));
-let _e2104 = global_2.member[bitcast<u32>(select(0i, _e2099, (_e2099 > 0i)))];
+let _e2104 = global_1.member[bitcast<u32>(select(0i, _e2099, (_e2099 > 0i)))];
 let _e2108 = (_e2094 + 1i);
 let _e2110 = select(_e1891, _e2108, (_e2108 < _e1891));
-let _e2115 = global_2.member[bitcast<u32>(select(0i, _e2110, (_e2110 > 0i)))];
+let _e2115 = global_1.member[bitcast<u32>(select(0i, _e2110, (_e2110 > 0i)))];
 let _e2122 = ((_e2104 >> bitcast<u32>((_e2097 & 31u))) | ((_e2115 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2097) & 31u))));
 let _e2123 = local_38.member_1[2u];
 let _e2129 = f32(bitcast<i32>(((_e2122 >> bitcast<u32>((_e2123 & 31u))) & 65535u)));
@@ -860,8 +860,8 @@ let _e2130 = local_38.member_1[3u];
 let _e2137 = local_39[0u];
 let _e2141 = local_39[1u];
 let _e2146 = local_39[2u];
-let _e2154 = global_4.member[_e370].member_6.member_6;
-let _e2159 = global_4.member[_e370].member_6.member_5;
+let _e2154 = global_3.member[_e370].member_6.member_6;
+let _e2159 = global_3.member[_e370].member_6.member_5;
 let _e2161 = (((_e2038 + (((_e2089 + (((_e2129 + ((f32(bitcast<i32>(((_e2122 >> bitcast<u32>((_e2130 & 31u))) & 65535u))) - _e2129) * _e2137)) - _e2089) * _e2141)) - _e2038) * _e2146)) - _e2154) * _e2159);
 let _e2162 = -(1e9f);
 let _e2164 = select(_e2162, _e2161, (_e2161 > _e2162));
@@ -871,49 +871,49 @@ local_37 = _e2167;
 let _e2168 = local_37;
 let _e2170 = (bitcast<i32>(_e188) - 1i);
 let _e2172 = select(_e2170, 263197i, (263197i < _e2170));
-let _e2177 = global_3.member[bitcast<u32>(select(0i, _e2172, (_e2172 > 0i)))];
+let _e2177 = global_2.member[bitcast<u32>(select(0i, _e2172, (_e2172 > 0i)))];
 let _e2178 = bitcast<f32>(_e2177);
 let _e2180 = select(_e2170, 263198i, (263198i < _e2170));
-let _e2185 = global_3.member[bitcast<u32>(select(0i, _e2180, (_e2180 > 0i)))];
+let _e2185 = global_2.member[bitcast<u32>(select(0i, _e2180, (_e2180 > 0i)))];
 let _e2186 = bitcast<f32>(_e2185);
 let _e2188 = select(_e2170, 263199i, (263199i < _e2170));
-let _e2193 = global_3.member[bitcast<u32>(select(0i, _e2188, (_e2188 > 0i)))];
+let _e2193 = global_2.member[bitcast<u32>(select(0i, _e2188, (_e2188 > 0i)))];
 let _e2194 = bitcast<f32>(_e2193);
 let _e2196 = ((_e2168 - _e2178) * _e2186);
 let _e2198 = select(0f, _e2196, (_e2196 > 0f));
 let _e2201 = local_37;
 let _e2203 = select(_e2170, 263200i, (263200i < _e2170));
-let _e2208 = global_3.member[bitcast<u32>(select(0i, _e2203, (_e2203 > 0i)))];
+let _e2208 = global_2.member[bitcast<u32>(select(0i, _e2203, (_e2203 > 0i)))];
 let _e2209 = bitcast<f32>(_e2208);
 let _e2211 = select(_e2170, 263201i, (263201i < _e2170));
-let _e2216 = global_3.member[bitcast<u32>(select(0i, _e2211, (_e2211 > 0i)))];
+let _e2216 = global_2.member[bitcast<u32>(select(0i, _e2211, (_e2211 > 0i)))];
 let _e2217 = bitcast<f32>(_e2216);
 let _e2219 = select(_e2170, 263202i, (263202i < _e2170));
-let _e2224 = global_3.member[bitcast<u32>(select(0i, _e2219, (_e2219 > 0i)))];
+let _e2224 = global_2.member[bitcast<u32>(select(0i, _e2219, (_e2219 > 0i)))];
 let _e2225 = bitcast<f32>(_e2224);
 let _e2227 = ((_e2201 - _e2209) * _e2217);
 let _e2229 = select(0f, _e2227, (_e2227 > 0f));
 let _e2233 = local_37;
 let _e2235 = select(_e2170, 263203i, (263203i < _e2170));
-let _e2240 = global_3.member[bitcast<u32>(select(0i, _e2235, (_e2235 > 0i)))];
+let _e2240 = global_2.member[bitcast<u32>(select(0i, _e2235, (_e2235 > 0i)))];
 let _e2241 = bitcast<f32>(_e2240);
 let _e2243 = select(_e2170, 263204i, (263204i < _e2170));
-let _e2248 = global_3.member[bitcast<u32>(select(0i, _e2243, (_e2243 > 0i)))];
+let _e2248 = global_2.member[bitcast<u32>(select(0i, _e2243, (_e2243 > 0i)))];
 let _e2249 = bitcast<f32>(_e2248);
 let _e2251 = select(_e2170, 263205i, (263205i < _e2170));
-let _e2256 = global_3.member[bitcast<u32>(select(0i, _e2251, (_e2251 > 0i)))];
+let _e2256 = global_2.member[bitcast<u32>(select(0i, _e2251, (_e2251 > 0i)))];
 let _e2257 = bitcast<f32>(_e2256);
 let _e2259 = ((_e2233 - _e2241) * _e2249);
 let _e2261 = select(0f, _e2259, (_e2259 > 0f));
 let _e2264 = local_37;
 let _e2266 = select(_e2170, 263206i, (263206i < _e2170));
-let _e2271 = global_3.member[bitcast<u32>(select(0i, _e2266, (_e2266 > 0i)))];
+let _e2271 = global_2.member[bitcast<u32>(select(0i, _e2266, (_e2266 > 0i)))];
 let _e2272 = bitcast<f32>(_e2271);
 let _e2274 = select(_e2170, 263207i, (263207i < _e2170));
-let _e2279 = global_3.member[bitcast<u32>(select(0i, _e2274, (_e2274 > 0i)))];
+let _e2279 = global_2.member[bitcast<u32>(select(0i, _e2274, (_e2274 > 0i)))];
 let _e2280 = bitcast<f32>(_e2279);
 let _e2282 = select(_e2170, 263208i, (263208i < _e2170));
-let _e2287 = global_3.member[bitcast<u32>(select(0i, _e2282, (_e2282 > 0i)))];
+let _e2287 = global_2.member[bitcast<u32>(select(0i, _e2282, (_e2282 > 0i)))];
 let _e2288 = bitcast<f32>(_e2287);
 let _e2290 = ((_e2264 - _e2272) * _e2280);
 let _e2292 = select(0f, _e2290, (_e2290 > 0f));
@@ -924,24 +924,24 @@ let _e2307 = select(0i, select(select(i32(_e2300), i32(-2147483648), (_e2300 < -
 let _e2311 = (_e2307 - select(0i, 1i, (_e2300 < f32(_e2307))));
 let _e2312 = (262147i + _e2311);
 let _e2314 = select(_e2170, _e2312, (_e2312 < _e2170));
-let _e2320 = global_3.member[bitcast<u32>(select(0i, _e2314, (_e2314 > 0i)))];
+let _e2320 = global_2.member[bitcast<u32>(select(0i, _e2314, (_e2314 > 0i)))];
 let _e2330 = select(_e2170, 262146i, (262146i < _e2170));
 let _e2333 = bitcast<u32>(select(0i, _e2330, (_e2330 > 0i)));
-let _e2336 = global_3.member[_e2333];
+let _e2336 = global_2.member[_e2333];
 let _e2340 = select(_e2170, 262144i, (262144i < _e2170));
 let _e2343 = bitcast<u32>(select(0i, _e2340, (_e2340 > 0i)));
-let _e2346 = global_3.member[_e2343];
+let _e2346 = global_2.member[_e2343];
 let _e2349 = select(_e2170, 262145i, (262145i < _e2170));
 let _e2352 = bitcast<u32>(select(0i, _e2349, (_e2349 > 0i)));
-let _e2355 = global_3.member[_e2352];
+let _e2355 = global_2.member[_e2352];
 let _e2363 = select(1f, ((bitcast<f32>(_e2346) + (f32(bitcast<i32>((_e2320 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2355))) + ((f32((bitcast<i32>((_e2320 & 4095u)) - 2048i)) * bitcast<f32>(_e2336)) * (_e2296 - f32(_e2311)))), (_e1788 && (_e392 == _e1793)));
 let _e2364 = (_e374[3] * _e2363);
 let _e2365 = (_e374[4] * _e2363);
 let _e2366 = (_e374[5] * _e2363);
 if _e1788 {
-phi_4176_ = type_29(_e1779.member_2, _e1779.member_3);
+phi_4176_ = type_39(_e1779.member_2, _e1779.member_3);
 } else {
-phi_4176_ = type_29(_e1779.member, _e1779.member_1);
+phi_4176_ = type_39(_e1779.member, _e1779.member_1);
 }
 let _e2374 = phi_4176_;
 if _e1788 {
@@ -980,7 +980,7 @@ let _e2469 = (_e2452 + 1i);
 let _e2470 = (_e2467 + 1i);
 let _e2480 = ((_e2468 >> bitcast<u32>(4i)) + (_e1872 * ((_e2469 >> bitcast<u32>(4i)) + (_e1879 * (_e2470 >> bitcast<u32>(4i))))));
 let _e2482 = select(_e1891, _e2480, (_e2480 < _e1891));
-let _e2487 = global_2.member[bitcast<u32>(select(0i, _e2482, (_e2482 > 0i)))];
+let _e2487 = global_1.member[bitcast<u32>(select(0i, _e2482, (_e2482 > 0i)))];
 let _e2489 = (_e2468 & 15i);
 let _e2492 = ((_e2469 & 15i) * _e1857);
 let _e2494 = (bitcast<i32>(_e2487) + ((_e2470 & 15i) * _e1862));
@@ -988,17 +988,17 @@ let _e2498 = (_e2492 + _e1857);
 let _e2499 = (_e2492 + _e1911);
 let _e2500 = (_e2494 + _e1862);
 let _e2501 = (_e2494 + _e1914);
-local_34 = type_32(array<i32, 4>(_e2489, (_e2489 + 1i), (_e2489 + 2i), (_e2489 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_34 = type_28(array<i32, 4>(_e2489, (_e2489 + 1i), (_e2489 + 2i), (_e2489 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_35 = vec3<f32>((_e2414 - f32(_e2437)), (_e2418 - f32(_e2452)), (_e2422 - f32(_e2467)));
 let _e2515 = local_34.member[1u];
 let _e2516 = ((_e2500 + _e2498) + _e2515);
 let _e2518 = (_e2516 >> bitcast<u32>(1i));
 let _e2521 = bitcast<u32>(((_e2516 & 1i) * 16i));
 let _e2523 = select(_e1891, _e2518, (_e2518 < _e1891));
-let _e2528 = global_2.member[bitcast<u32>(select(0i, _e2523, (_e2523 > 0i)))];
+let _e2528 = global_1.member[bitcast<u32>(select(0i, _e2523, (_e2523 > 0i)))];
 let _e2532 = (_e2518 + 1i);
 let _e2534 = select(_e1891, _e2532, (_e2532 < _e1891));
-let _e2539 = global_2.member[bitcast<u32>(select(0i, _e2534, (_e2534 > 0i)))];
+let _e2539 = global_1.member[bitcast<u32>(select(0i, _e2534, (_e2534 > 0i)))];
 let _e2546 = ((_e2528 >> bitcast<u32>((_e2521 & 31u))) | ((_e2539 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2521) & 31u))));
 let _e2549 = local_34.member_1[2u];
 let _e2555 = f32(bitcast<i32>(((_e2546 >> bitcast<u32>((_e2549 & 31u))) & 65535u)));
@@ -1010,10 +1010,10 @@ let _e2571 = ((_e2500 + _e2499) + _e2570);
 let _e2573 = (_e2571 >> bitcast<u32>(1i));
 let _e2576 = bitcast<u32>(((_e2571 & 1i) * 16i));
 let _e2578 = select(_e1891, _e2573, (_e2573 < _e1891));
-let _e2583 = global_2.member[bitcast<u32>(select(0i, _e2578, (_e2578 > 0i)))];
+let _e2583 = global_1.member[bitcast<u32>(select(0i, _e2578, (_e2578 > 0i)))];
 let _e2587 = (_e2573 + 1i);
 let _e2589 = select(_e1891, _e2587, (_e2587 < _e1891));
-let _e2594 = global_2.member[bitcast<u32>(select(0i, _e2589, (_e2589 > 0i)))];
+let _e2594 = global_1.member[bitcast<u32>(select(0i, _e2589, (_e2589 > 0i)))];
 let _e2601 = ((_e2583 >> bitcast<u32>((_e2576 & 31u))) | ((_e2594 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2576) & 31u))));
 let _e2602 = local_34.member_1[2u];
 let _e2608 = f32(bitcast<i32>(((_e2601 >> bitcast<u32>((_e2602 & 31u))) & 65535u)));
@@ -1026,10 +1026,10 @@ let _e2627 = ((_e2501 + _e2498) + _e2626);
 let _e2629 = (_e2627 >> bitcast<u32>(1i));
 let _e2632 = bitcast<u32>(((_e2627 & 1i) * 16i));
 let _e2634 = select(_e1891, _e2629, (_e2629 < _e1891));
-let _e2639 = global_2.member[bitcast<u32>(select(0i, _e2634, (_e2634 > 0i)))];
+let _e2639 = global_1.member[bitcast<u32>(select(0i, _e2634, (_e2634 > 0i)))];
 let _e2643 = (_e2629 + 1i);
 let _e2645 = select(_e1891, _e2643, (_e2643 < _e1891));
-let _e2650 = global_2.member[bitcast<u32>(select(0i, _e2645, (_e2645 > 0i)))];
+let _e2650 = global_1.member[bitcast<u32>(select(0i, _e2645, (_e2645 > 0i)))];
 let _e2657 = ((_e2639 >> bitcast<u32>((_e2632 & 31u))) | ((_e2650 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2632) & 31u))));
 let _e2658 = local_34.member_1[2u];
 let _e2664 = f32(bitcast<i32>(((_e2657 >> bitcast<u32>((_e2658 & 31u))) & 65535u)));
@@ -1041,10 +1041,10 @@ let _e2678 = ((_e2501 + _e2499) + _e2677);
 let _e2680 = (_e2678 >> bitcast<u32>(1i));
 let _e2683 = bitcast<u32>(((_e2678 & 1i) * 16i));
 let _e2685 = select(_e1891, _e2680, (_e2680 < _e1891));
-let _e2690 = global_2.member[bitcast<u32>(select(0i, _e2685, (_e2685 > 0i)))];
+let _e2690 = global_1.member[bitcast<u32>(select(0i, _e2685, (_e2685 > 0i)))];
 let _e2694 = (_e2680 + 1i);
 let _e2696 = select(_e1891, _e2694, (_e2694 < _e1891));
-let _e2701 = global_2.member[bitcast<u32>(select(0i, _e2696, (_e2696 > 0i)))];
+let _e2701 = global_1.member[bitcast<u32>(select(0i, _e2696, (_e2696 > 0i)))];
 let _e2708 = ((_e2690 >> bitcast<u32>((_e2683 & 31u))) | ((_e2701 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2683) & 31u))));
 let _e2709 = local_34.member_1[2u];
 let _e2715 = f32(bitcast<i32>(((_e2708 >> bitcast<u32>((_e2709 & 31u))) & 65535u)));
@@ -1076,18 +1076,18 @@ let _e2784 = select(0i, select(select(i32(_e2777), i32(-2147483648), (_e2777 < -
 let _e2788 = (_e2784 - select(0i, 1i, (_e2777 < f32(_e2784))));
 let _e2789 = (262147i + _e2788);
 let _e2791 = select(_e2170, _e2789, (_e2789 < _e2170));
-let _e2796 = global_3.member[bitcast<u32>(select(0i, _e2791, (_e2791 > 0i)))];
-let _e2806 = global_3.member[_e2333];
+let _e2796 = global_2.member[bitcast<u32>(select(0i, _e2791, (_e2791 > 0i)))];
+let _e2806 = global_2.member[_e2333];
 let _e2807 = bitcast<f32>(_e2806);
-let _e2810 = global_3.member[_e2343];
+let _e2810 = global_2.member[_e2343];
 let _e2811 = bitcast<f32>(_e2810);
-let _e2813 = global_3.member[_e2352];
+let _e2813 = global_2.member[_e2352];
 let _e2814 = bitcast<f32>(_e2813);
 let _e2820 = ((_e2811 + (f32(bitcast<i32>((_e2796 >> bitcast<u32>(12u)))) * _e2814)) + ((f32((bitcast<i32>((_e2796 & 4095u)) - 2048i)) * _e2807) * (_e2773 - f32(_e2788))));
 if _e1788 {
-phi_5323_ = type_28(_e2820, 1f);
+phi_5323_ = type_31(_e2820, 1f);
 } else {
-phi_5323_ = type_28(1f, _e2820);
+phi_5323_ = type_31(1f, _e2820);
 }
 let _e2824 = phi_5323_;
 let _e2829 = ((_e2824.member_1 * _e2824.member_1) - (_e2824.member * _e2824.member));
@@ -1106,7 +1106,7 @@ let _e2864 = (_e2829 == 0f);
 let _e2876 = select(_e2364, select((_e2364 + (_e2844 * _e2863)), _e2364, _e2864), _e2382);
 let _e2877 = select(_e2365, select((_e2365 + (_e2845 * _e2863)), _e2365, _e2864), _e2382);
 let _e2878 = select(_e2366, select((_e2366 + (_e2846 * _e2863)), _e2366, _e2864), _e2382);
-let _e2883 = global_4.member[_e370].member_5.member_4;
+let _e2883 = global_3.member[_e370].member_5.member_4;
 let _e2884 = (_e2883 * _e2883);
 let _e2888 = (_e2878 * _e2878);
 let _e2892 = (_e2382 && (_e2824.member != _e2824.member_1));
@@ -1225,16 +1225,16 @@ let _e3169 = select(select(select(select(select(select(0f, _e1182.member, _e2950
 let _e3170 = select(select(select(select(select(select(0f, _e1182.member_1, _e2950), _e1182.member_1, _e2990), _e1191.member_1, _e3030), _e1191.member_1, _e3070), _e1200.member_1, _e3110), _e1200.member_1, _e3150);
 let _e3171 = select(select(select(select(select(select(1f, _e1182.member_2, _e2950), _e1182.member_2, _e2990), _e1191.member_2, _e3030), _e1191.member_2, _e3070), _e1200.member_2, _e3110), _e1200.member_2, _e3150);
 if _e1449 {
-phi_6846_ = type_35(_e3156, vec3<f32>(_e3157, _e3158, _e3159), _e3161, vec3<f32>(_e3162, _e3163, _e3164), _e3166, _e3168, vec3<f32>(_e3169, _e3170, _e3171));
+phi_6846_ = type_34(_e3156, vec3<f32>(_e3157, _e3158, _e3159), _e3161, vec3<f32>(_e3162, _e3163, _e3164), _e3166, _e3168, vec3<f32>(_e3169, _e3170, _e3171));
 } else {
 let _e3178 = (((_e1182.member * _e1182.member) + (_e1182.member_1 * _e1182.member_1)) + (_e1182.member_2 * _e1182.member_2));
 let _e3181 = sqrt(select(0f, _e3178, (_e3178 > 0f)));
-let _e3186 = global_4.member[_e370].member_14.member_1;
+let _e3186 = global_3.member[_e370].member_14.member_1;
 let _e3187 = (_e3186 != 0u);
-let _e3192 = global_4.member[_e370].member_14.member;
+let _e3192 = global_3.member[_e370].member_14.member;
 let _e3212 = select(-1e6f, (((((_e3192.member.member * _e2389) + (_e3192.member.member_1 * _e2390)) + (_e3192.member.member_2 * _e2391)) + _e3192.member_1) * _e3181), _e3187);
 let _e3213 = select(-1e6f, (((((_e3192.member.member * _e2906) + (_e3192.member.member_1 * _e2907)) + (_e3192.member.member_2 * _e2908)) + _e3192.member_1) * _e3181), _e3187);
-let _e3219 = global_4.member[_e370].member_14.member.member;
+let _e3219 = global_3.member[_e370].member_14.member.member;
 let _e3223 = -(_e3212);
 let _e3226 = (_e3212 - _e3213);
 let _e3227 = (_e3213 - _e3212);
@@ -1249,12 +1249,12 @@ let _e3247 = select(_e3156, _e3236, _e3245);
 let _e3251 = select(_e3161, _e3240, _e3246);
 let _e3255 = select(_e3166, _e3212, _e3241);
 let _e3257 = select(_e3168, _e3213, (_e3213 > _e3168));
-let _e3265 = global_4.member[_e370].member_15.member_1;
+let _e3265 = global_3.member[_e370].member_15.member_1;
 let _e3266 = (_e3265 != 0u);
-let _e3271 = global_4.member[_e370].member_15.member;
+let _e3271 = global_3.member[_e370].member_15.member;
 let _e3291 = select(-1e6f, (((((_e3271.member.member * _e2389) + (_e3271.member.member_1 * _e2390)) + (_e3271.member.member_2 * _e2391)) + _e3271.member_1) * _e3181), _e3266);
 let _e3292 = select(-1e6f, (((((_e3271.member.member * _e2906) + (_e3271.member.member_1 * _e2907)) + (_e3271.member.member_2 * _e2908)) + _e3271.member_1) * _e3181), _e3266);
-let _e3298 = global_4.member[_e370].member_15.member.member;
+let _e3298 = global_3.member[_e370].member_15.member.member;
 let _e3302 = -(_e3291);
 let _e3305 = (_e3291 - _e3292);
 let _e3306 = (_e3292 - _e3291);
@@ -1269,12 +1269,12 @@ let _e3326 = select(_e3247, _e3315, _e3324);
 let _e3330 = select(_e3251, _e3319, _e3325);
 let _e3334 = select(_e3255, _e3291, _e3320);
 let _e3336 = select(_e3257, _e3292, (_e3292 > _e3257));
-let _e3344 = global_4.member[_e370].member_16.member_1;
+let _e3344 = global_3.member[_e370].member_16.member_1;
 let _e3345 = (_e3344 != 0u);
-let _e3350 = global_4.member[_e370].member_16.member;
+let _e3350 = global_3.member[_e370].member_16.member;
 let _e3370 = select(-1e6f, (((((_e3350.member.member * _e2389) + (_e3350.member.member_1 * _e2390)) + (_e3350.member.member_2 * _e2391)) + _e3350.member_1) * _e3181), _e3345);
 let _e3371 = select(-1e6f, (((((_e3350.member.member * _e2906) + (_e3350.member.member_1 * _e2907)) + (_e3350.member.member_2 * _e2908)) + _e3350.member_1) * _e3181), _e3345);
-let _e3377 = global_4.member[_e370].member_16.member.member;
+let _e3377 = global_3.member[_e370].member_16.member.member;
 let _e3381 = -(_e3370);
 let _e3384 = (_e3370 - _e3371);
 let _e3385 = (_e3371 - _e3370);
@@ -1289,12 +1289,12 @@ let _e3405 = select(_e3326, _e3394, _e3403);
 let _e3409 = select(_e3330, _e3398, _e3404);
 let _e3413 = select(_e3334, _e3370, _e3399);
 let _e3415 = select(_e3336, _e3371, (_e3371 > _e3336));
-let _e3423 = global_4.member[_e370].member_17.member_1;
+let _e3423 = global_3.member[_e370].member_17.member_1;
 let _e3424 = (_e3423 != 0u);
-let _e3429 = global_4.member[_e370].member_17.member;
+let _e3429 = global_3.member[_e370].member_17.member;
 let _e3449 = select(-1e6f, (((((_e3429.member.member * _e2389) + (_e3429.member.member_1 * _e2390)) + (_e3429.member.member_2 * _e2391)) + _e3429.member_1) * _e3181), _e3424);
 let _e3450 = select(-1e6f, (((((_e3429.member.member * _e2906) + (_e3429.member.member_1 * _e2907)) + (_e3429.member.member_2 * _e2908)) + _e3429.member_1) * _e3181), _e3424);
-let _e3456 = global_4.member[_e370].member_17.member.member;
+let _e3456 = global_3.member[_e370].member_17.member.member;
 let _e3460 = -(_e3449);
 let _e3463 = (_e3449 - _e3450);
 let _e3464 = (_e3450 - _e3449);
@@ -1305,7 +1305,7 @@ let _e3477 = select(2f, select(0f, _e3469, (_e3449 < 0f)), (_e3450 > 0f));
 let _e3478 = (_e3449 > _e3413);
 let _e3482 = ((_e3473 > _e3405) || ((_e3473 == _e3405) && _e3478));
 let _e3483 = (_e3477 < _e3409);
-phi_6846_ = type_35(select(_e3405, _e3473, _e3482), vec3<f32>(select(select(select(select(_e3157, _e3219.member, _e3245), _e3298.member, _e3324), _e3377.member, _e3403), _e3456.member, _e3482), select(select(select(select(_e3158, _e3219.member_1, _e3245), _e3298.member_1, _e3324), _e3377.member_1, _e3403), _e3456.member_1, _e3482), select(select(select(select(_e3159, _e3219.member_2, _e3245), _e3298.member_2, _e3324), _e3377.member_2, _e3403), _e3456.member_2, _e3482)), select(_e3409, _e3477, _e3483), vec3<f32>(select(select(select(select(_e3162, _e3219.member, _e3246), _e3298.member, _e3325), _e3377.member, _e3404), _e3456.member, _e3483), select(select(select(select(_e3163, _e3219.member_1, _e3246), _e3298.member_1, _e3325), _e3377.member_1, _e3404), _e3456.member_1, _e3483), select(select(select(select(_e3164, _e3219.member_2, _e3246), _e3298.member_2, _e3325), _e3377.member_2, _e3404), _e3456.member_2, _e3483)), select(_e3413, _e3449, _e3478), select(_e3415, _e3450, (_e3450 > _e3415)), vec3<f32>(select(select(select(select(_e3169, _e3219.member, _e3241), _e3298.member, _e3320), _e3377.member, _e3399), _e3456.member, _e3478), select(select(select(select(_e3170, _e3219.member_1, _e3241), _e3298.member_1, _e3320), _e3377.member_1, _e3399), _e3456.member_1, _e3478), select(select(select(select(_e3171, _e3219.member_2, _e3241), _e3298.member_2, _e3320), _e3377.member_2, _e3399), _e3456.member_2, _e3478)));
+phi_6846_ = type_34(select(_e3405, _e3473, _e3482), vec3<f32>(select(select(select(select(_e3157, _e3219.member, _e3245), _e3298.member, _e3324), _e3377.member, _e3403), _e3456.member, _e3482), select(select(select(select(_e3158, _e3219.member_1, _e3245), _e3298.member_1, _e3324), _e3377.member_1, _e3403), _e3456.member_1, _e3482), select(select(select(select(_e3159, _e3219.member_2, _e3245), _e3298.member_2, _e3324), _e3377.member_2, _e3403), _e3456.member_2, _e3482)), select(_e3409, _e3477, _e3483), vec3<f32>(select(select(select(select(_e3162, _e3219.member, _e3246), _e3298.member, _e3325), _e3377.member, _e3404), _e3456.member, _e3483), select(select(select(select(_e3163, _e3219.member_1, _e3246), _e3298.member_1, _e3325), _e3377.member_1, _e3404), _e3456.member_1, _e3483), select(select(select(select(_e3164, _e3219.member_2, _e3246), _e3298.member_2, _e3325), _e3377.member_2, _e3404), _e3456.member_2, _e3483)), select(_e3413, _e3449, _e3478), select(_e3415, _e3450, (_e3450 > _e3415)), vec3<f32>(select(select(select(select(_e3169, _e3219.member, _e3241), _e3298.member, _e3320), _e3377.member, _e3399), _e3456.member, _e3478), select(select(select(select(_e3170, _e3219.member_1, _e3241), _e3298.member_1, _e3320), _e3377.member_1, _e3399), _e3456.member_1, _e3478), select(select(select(select(_e3171, _e3219.member_2, _e3241), _e3298.member_2, _e3320), _e3377.member_2, _e3399), _e3456.member_2, _e3478)));
 }
 let _e3503 = phi_6846_;
 let _e3509 = (((_e2382 && _e2911) && !(_e2896)) && (_e3503.member_2 <= 1f));
@@ -1344,7 +1344,7 @@ let _e3599 = (_e3582 + 1i);
 let _e3600 = (_e3597 + 1i);
 let _e3610 = ((_e3598 >> bitcast<u32>(4i)) + (_e1872 * ((_e3599 >> bitcast<u32>(4i)) + (_e1879 * (_e3600 >> bitcast<u32>(4i))))));
 let _e3612 = select(_e1891, _e3610, (_e3610 < _e1891));
-let _e3617 = global_2.member[bitcast<u32>(select(0i, _e3612, (_e3612 > 0i)))];
+let _e3617 = global_1.member[bitcast<u32>(select(0i, _e3612, (_e3612 > 0i)))];
 let _e3619 = (_e3598 & 15i);
 let _e3622 = ((_e3599 & 15i) * _e1857);
 let _e3624 = (bitcast<i32>(_e3617) + ((_e3600 & 15i) * _e1862));
@@ -1352,17 +1352,17 @@ let _e3628 = (_e3622 + _e1857);
 let _e3629 = (_e3622 + _e1911);
 let _e3630 = (_e3624 + _e1862);
 let _e3631 = (_e3624 + _e1914);
-local_30 = type_32(array<i32, 4>(_e3619, (_e3619 + 1i), (_e3619 + 2i), (_e3619 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_30 = type_28(array<i32, 4>(_e3619, (_e3619 + 1i), (_e3619 + 2i), (_e3619 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_31 = vec3<f32>((_e3544 - f32(_e3567)), (_e3548 - f32(_e3582)), (_e3552 - f32(_e3597)));
 let _e3645 = local_30.member[1u];
 let _e3646 = ((_e3630 + _e3628) + _e3645);
 let _e3648 = (_e3646 >> bitcast<u32>(1i));
 let _e3651 = bitcast<u32>(((_e3646 & 1i) * 16i));
 let _e3653 = select(_e1891, _e3648, (_e3648 < _e1891));
-let _e3658 = global_2.member[bitcast<u32>(select(0i, _e3653, (_e3653 > 0i)))];
+let _e3658 = global_1.member[bitcast<u32>(select(0i, _e3653, (_e3653 > 0i)))];
 let _e3662 = (_e3648 + 1i);
 let _e3664 = select(_e1891, _e3662, (_e3662 < _e1891));
-let _e3669 = global_2.member[bitcast<u32>(select(0i, _e3664, (_e3664 > 0i)))];
+let _e3669 = global_1.member[bitcast<u32>(select(0i, _e3664, (_e3664 > 0i)))];
 let _e3676 = ((_e3658 >> bitcast<u32>((_e3651 & 31u))) | ((_e3669 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3651) & 31u))));
 let _e3679 = local_30.member_1[2u];
 let _e3685 = f32(bitcast<i32>(((_e3676 >> bitcast<u32>((_e3679 & 31u))) & 65535u)));
@@ -1374,10 +1374,10 @@ let _e3701 = ((_e3630 + _e3629) + _e3700);
 let _e3703 = (_e3701 >> bitcast<u32>(1i));
 let _e3706 = bitcast<u32>(((_e3701 & 1i) * 16i));
 let _e3708 = select(_e1891, _e3703, (_e3703 < _e1891));
-let _e3713 = global_2.member[bitcast<u32>(select(0i, _e3708, (_e3708 > 0i)))];
+let _e3713 = global_1.member[bitcast<u32>(select(0i, _e3708, (_e3708 > 0i)))];
 let _e3717 = (_e3703 + 1i);
 let _e3719 = select(_e1891, _e3717, (_e3717 < _e1891));
-let _e3724 = global_2.member[bitcast<u32>(select(0i, _e3719, (_e3719 > 0i)))];
+let _e3724 = global_1.member[bitcast<u32>(select(0i, _e3719, (_e3719 > 0i)))];
 let _e3731 = ((_e3713 >> bitcast<u32>((_e3706 & 31u))) | ((_e3724 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3706) & 31u))));
 let _e3732 = local_30.member_1[2u];
 let _e3738 = f32(bitcast<i32>(((_e3731 >> bitcast<u32>((_e3732 & 31u))) & 65535u)));
@@ -1390,10 +1390,10 @@ let _e3757 = ((_e3631 + _e3628) + _e3756);
 let _e3759 = (_e3757 >> bitcast<u32>(1i));
 let _e3762 = bitcast<u32>(((_e3757 & 1i) * 16i));
 let _e3764 = select(_e1891, _e3759, (_e3759 < _e1891));
-let _e3769 = global_2.member[bitcast<u32>(select(0i, _e3764, (_e3764 > 0i)))];
+let _e3769 = global_1.member[bitcast<u32>(select(0i, _e3764, (_e3764 > 0i)))];
 let _e3773 = (_e3759 + 1i);
 let _e3775 = select(_e1891, _e3773, (_e3773 < _e1891));
-let _e3780 = global_2.member[bitcast<u32>(select(0i, _e3775, (_e3775 > 0i)))];
+let _e3780 = global_1.member[bitcast<u32>(select(0i, _e3775, (_e3775 > 0i)))];
 let _e3787 = ((_e3769 >> bitcast<u32>((_e3762 & 31u))) | ((_e3780 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3762) & 31u))));
 let _e3788 = local_30.member_1[2u];
 let _e3794 = f32(bitcast<i32>(((_e3787 >> bitcast<u32>((_e3788 & 31u))) & 65535u)));
@@ -1405,10 +1405,10 @@ let _e3808 = ((_e3631 + _e3629) + _e3807);
 let _e3810 = (_e3808 >> bitcast<u32>(1i));
 let _e3813 = bitcast<u32>(((_e3808 & 1i) * 16i));
 let _e3815 = select(_e1891, _e3810, (_e3810 < _e1891));
-let _e3820 = global_2.member[bitcast<u32>(select(0i, _e3815, (_e3815 > 0i)))];
+let _e3820 = global_1.member[bitcast<u32>(select(0i, _e3815, (_e3815 > 0i)))];
 let _e3824 = (_e3810 + 1i);
 let _e3826 = select(_e1891, _e3824, (_e3824 < _e1891));
-let _e3831 = global_2.member[bitcast<u32>(select(0i, _e3826, (_e3826 > 0i)))];
+let _e3831 = global_1.member[bitcast<u32>(select(0i, _e3826, (_e3826 > 0i)))];
 let _e3838 = ((_e3820 >> bitcast<u32>((_e3813 & 31u))) | ((_e3831 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3813) & 31u))));
 let _e3839 = local_30.member_1[2u];
 let _e3845 = f32(bitcast<i32>(((_e3838 >> bitcast<u32>((_e3839 & 31u))) & 65535u)));
@@ -1440,12 +1440,12 @@ let _e3914 = select(0i, select(select(i32(_e3907), i32(-2147483648), (_e3907 < -
 let _e3918 = (_e3914 - select(0i, 1i, (_e3907 < f32(_e3914))));
 let _e3919 = (262147i + _e3918);
 let _e3921 = select(_e2170, _e3919, (_e3919 < _e2170));
-let _e3926 = global_3.member[bitcast<u32>(select(0i, _e3921, (_e3921 > 0i)))];
+let _e3926 = global_2.member[bitcast<u32>(select(0i, _e3921, (_e3921 > 0i)))];
 let _e3941 = ((_e2811 + (f32(bitcast<i32>((_e3926 >> bitcast<u32>(12u)))) * _e2814)) + ((f32((bitcast<i32>((_e3926 & 4095u)) - 2048i)) * _e2807) * (_e3903 - f32(_e3918))));
 if _e2911 {
-phi_8013_ = type_28(_e3941, 1f);
+phi_8013_ = type_31(_e3941, 1f);
 } else {
-phi_8013_ = type_28(1f, _e3941);
+phi_8013_ = type_31(1f, _e3941);
 }
 let _e3945 = phi_8013_;
 let _e3950 = ((_e3945.member_1 * _e3945.member_1) - (_e3945.member * _e3945.member));
@@ -1584,16 +1584,16 @@ let _e4306 = select(select(select(select(select(select(0f, _e1182.member, _e4087
 let _e4307 = select(select(select(select(select(select(0f, _e1182.member_1, _e4087), _e1182.member_1, _e4127), _e1191.member_1, _e4167), _e1191.member_1, _e4207), _e1200.member_1, _e4247), _e1200.member_1, _e4287);
 let _e4308 = select(select(select(select(select(select(1f, _e1182.member_2, _e4087), _e1182.member_2, _e4127), _e1191.member_2, _e4167), _e1191.member_2, _e4207), _e1200.member_2, _e4247), _e1200.member_2, _e4287);
 if _e1449 {
-phi_9551_ = type_35(_e4293, vec3<f32>(_e4294, _e4295, _e4296), _e4298, vec3<f32>(_e4299, _e4300, _e4301), _e4303, _e4305, vec3<f32>(_e4306, _e4307, _e4308));
+phi_9551_ = type_34(_e4293, vec3<f32>(_e4294, _e4295, _e4296), _e4298, vec3<f32>(_e4299, _e4300, _e4301), _e4303, _e4305, vec3<f32>(_e4306, _e4307, _e4308));
 } else {
 let _e4315 = (((_e1182.member * _e1182.member) + (_e1182.member_1 * _e1182.member_1)) + (_e1182.member_2 * _e1182.member_2));
 let _e4318 = sqrt(select(0f, _e4315, (_e4315 > 0f)));
-let _e4323 = global_4.member[_e370].member_14.member_1;
+let _e4323 = global_3.member[_e370].member_14.member_1;
 let _e4324 = (_e4323 != 0u);
-let _e4329 = global_4.member[_e370].member_14.member;
+let _e4329 = global_3.member[_e370].member_14.member;
 let _e4349 = select(-1e6f, (((((_e4329.member.member * _e3522.x) + (_e4329.member.member_1 * _e3522.y)) + (_e4329.member.member_2 * _e3522.z)) + _e4329.member_1) * _e4318), _e4324);
 let _e4350 = select(-1e6f, (((((_e4329.member.member * _e4022) + (_e4329.member.member_1 * _e4023)) + (_e4329.member.member_2 * _e4024)) + _e4329.member_1) * _e4318), _e4324);
-let _e4356 = global_4.member[_e370].member_14.member.member;
+let _e4356 = global_3.member[_e370].member_14.member.member;
 let _e4360 = -(_e4349);
 let _e4363 = (_e4349 - _e4350);
 let _e4364 = (_e4350 - _e4349);
@@ -1608,12 +1608,12 @@ let _e4384 = select(_e4293, _e4373, _e4382);
 let _e4388 = select(_e4298, _e4377, _e4383);
 let _e4392 = select(_e4303, _e4349, _e4378);
 let _e4394 = select(_e4305, _e4350, (_e4350 > _e4305));
-let _e4402 = global_4.member[_e370].member_15.member_1;
+let _e4402 = global_3.member[_e370].member_15.member_1;
 let _e4403 = (_e4402 != 0u);
-let _e4408 = global_4.member[_e370].member_15.member;
+let _e4408 = global_3.member[_e370].member_15.member;
 let _e4428 = select(-1e6f, (((((_e4408.member.member * _e3522.x) + (_e4408.member.member_1 * _e3522.y)) + (_e4408.member.member_2 * _e3522.z)) + _e4408.member_1) * _e4318), _e4403);
 let _e4429 = select(-1e6f, (((((_e4408.member.member * _e4022) + (_e4408.member.member_1 * _e4023)) + (_e4408.member.member_2 * _e4024)) + _e4408.member_1) * _e4318), _e4403);
-let _e4435 = global_4.member[_e370].member_15.member.member;
+let _e4435 = global_3.member[_e370].member_15.member.member;
 let _e4439 = -(_e4428);
 let _e4442 = (_e4428 - _e4429);
 let _e4443 = (_e4429 - _e4428);
@@ -1628,12 +1628,12 @@ let _e4463 = select(_e4384, _e4452, _e4461);
 let _e4467 = select(_e4388, _e4456, _e4462);
 let _e4471 = select(_e4392, _e4428, _e4457);
 let _e4473 = select(_e4394, _e4429, (_e4429 > _e4394));
-let _e4481 = global_4.member[_e370].member_16.member_1;
+let _e4481 = global_3.member[_e370].member_16.member_1;
 let _e4482 = (_e4481 != 0u);
-let _e4487 = global_4.member[_e370].member_16.member;
+let _e4487 = global_3.member[_e370].member_16.member;
 let _e4507 = select(-1e6f, (((((_e4487.member.member * _e3522.x) + (_e4487.member.member_1 * _e3522.y)) + (_e4487.member.member_2 * _e3522.z)) + _e4487.member_1) * _e4318), _e4482);
 let _e4508 = select(-1e6f, (((((_e4487.member.member * _e4022) + (_e4487.member.member_1 * _e4023)) + (_e4487.member.member_2 * _e4024)) + _e4487.member_1) * _e4318), _e4482);
-let _e4514 = global_4.member[_e370].member_16.member.member;
+let _e4514 = global_3.member[_e370].member_16.member.member;
 let _e4518 = -(_e4507);
 let _e4521 = (_e4507 - _e4508);
 let _e4522 = (_e4508 - _e4507);
@@ -1648,12 +1648,12 @@ let _e4542 = select(_e4463, _e4531, _e4540);
 let _e4546 = select(_e4467, _e4535, _e4541);
 let _e4550 = select(_e4471, _e4507, _e4536);
 let _e4552 = select(_e4473, _e4508, (_e4508 > _e4473));
-let _e4560 = global_4.member[_e370].member_17.member_1;
+let _e4560 = global_3.member[_e370].member_17.member_1;
 let _e4561 = (_e4560 != 0u);
-let _e4566 = global_4.member[_e370].member_17.member;
+let _e4566 = global_3.member[_e370].member_17.member;
 let _e4586 = select(-1e6f, (((((_e4566.member.member * _e3522.x) + (_e4566.member.member_1 * _e3522.y)) + (_e4566.member.member_2 * _e3522.z)) + _e4566.member_1) * _e4318), _e4561);
 let _e4587 = select(-1e6f, (((((_e4566.member.member * _e4022) + (_e4566.member.member_1 * _e4023)) + (_e4566.member.member_2 * _e4024)) + _e4566.member_1) * _e4318), _e4561);
-let _e4593 = global_4.member[_e370].member_17.member.member;
+let _e4593 = global_3.member[_e370].member_17.member.member;
 let _e4597 = -(_e4586);
 let _e4600 = (_e4586 - _e4587);
 let _e4601 = (_e4587 - _e4586);
@@ -1664,7 +1664,7 @@ let _e4614 = select(2f, select(0f, _e4606, (_e4586 < 0f)), (_e4587 > 0f));
 let _e4615 = (_e4586 > _e4550);
 let _e4619 = ((_e4610 > _e4542) || ((_e4610 == _e4542) && _e4615));
 let _e4620 = (_e4614 < _e4546);
-phi_9551_ = type_35(select(_e4542, _e4610, _e4619), vec3<f32>(select(select(select(select(_e4294, _e4356.member, _e4382), _e4435.member, _e4461), _e4514.member, _e4540), _e4593.member, _e4619), select(select(select(select(_e4295, _e4356.member_1, _e4382), _e4435.member_1, _e4461), _e4514.member_1, _e4540), _e4593.member_1, _e4619), select(select(select(select(_e4296, _e4356.member_2, _e4382), _e4435.member_2, _e4461), _e4514.member_2, _e4540), _e4593.member_2, _e4619)), select(_e4546, _e4614, _e4620), vec3<f32>(select(select(select(select(_e4299, _e4356.member, _e4383), _e4435.member, _e4462), _e4514.member, _e4541), _e4593.member, _e4620), select(select(select(select(_e4300, _e4356.member_1, _e4383), _e4435.member_1, _e4462), _e4514.member_1, _e4541), _e4593.member_1, _e4620), select(select(select(select(_e4301, _e4356.member_2, _e4383), _e4435.member_2, _e4462), _e4514.member_2, _e4541), _e4593.member_2, _e4620)), select(_e4550, _e4586, _e4615), select(_e4552, _e4587, (_e4587 > _e4552)), vec3<f32>(select(select(select(select(_e4306, _e4356.member, _e4378), _e4435.member, _e4457), _e4514.member, _e4536), _e4593.member, _e4615), select(select(select(select(_e4307, _e4356.member_1, _e4378), _e4435.member_1, _e4457), _e4514.member_1, _e4536), _e4593.member_1, _e4615), select(select(select(select(_e4308, _e4356.member_2, _e4378), _e4435.member_2, _e4457), _e4514.member_2, _e4536), _e4593.member_2, _e4615)));
+phi_9551_ = type_34(select(_e4542, _e4610, _e4619), vec3<f32>(select(select(select(select(_e4294, _e4356.member, _e4382), _e4435.member, _e4461), _e4514.member, _e4540), _e4593.member, _e4619), select(select(select(select(_e4295, _e4356.member_1, _e4382), _e4435.member_1, _e4461), _e4514.member_1, _e4540), _e4593.member_1, _e4619), select(select(select(select(_e4296, _e4356.member_2, _e4382), _e4435.member_2, _e4461), _e4514.member_2, _e4540), _e4593.member_2, _e4619)), select(_e4546, _e4614, _e4620), vec3<f32>(select(select(select(select(_e4299, _e4356.member, _e4383), _e4435.member, _e4462), _e4514.member, _e4541), _e4593.member, _e4620), select(select(select(select(_e4300, _e4356.member_1, _e4383), _e4435.member_1, _e4462), _e4514.member_1, _e4541), _e4593.member_1, _e4620), select(select(select(select(_e4301, _e4356.member_2, _e4383), _e4435.member_2, _e4462), _e4514.member_2, _e4541), _e4593.member_2, _e4620)), select(_e4550, _e4586, _e4615), select(_e4552, _e4587, (_e4587 > _e4552)), vec3<f32>(select(select(select(select(_e4306, _e4356.member, _e4378), _e4435.member, _e4457), _e4514.member, _e4536), _e4593.member, _e4615), select(select(select(select(_e4307, _e4356.member_1, _e4378), _e4435.member_1, _e4457), _e4514.member_1, _e4536), _e4593.member_1, _e4615), select(select(select(select(_e4308, _e4356.member_2, _e4378), _e4435.member_2, _e4457), _e4514.member_2, _e4536), _e4593.member_2, _e4615)));
 }
 let _e4640 = phi_9551_;
 let _e4646 = (((_e3509 && _e4027) && !(_e4011)) && (_e4640.member_2 <= 1f));
@@ -1702,7 +1702,7 @@ let _e4736 = (_e4719 + 1i);
 let _e4737 = (_e4734 + 1i);
 let _e4747 = ((_e4735 >> bitcast<u32>(4i)) + (_e1872 * ((_e4736 >> bitcast<u32>(4i)) + (_e1879 * (_e4737 >> bitcast<u32>(4i))))));
 let _e4749 = select(_e1891, _e4747, (_e4747 < _e1891));
-let _e4754 = global_2.member[bitcast<u32>(select(0i, _e4749, (_e4749 > 0i)))];
+let _e4754 = global_1.member[bitcast<u32>(select(0i, _e4749, (_e4749 > 0i)))];
 let _e4756 = (_e4735 & 15i);
 let _e4759 = ((_e4736 & 15i) * _e1857);
 let _e4761 = (bitcast<i32>(_e4754) + ((_e4737 & 15i) * _e1862));
@@ -1710,17 +1710,17 @@ let _e4765 = (_e4759 + _e1857);
 let _e4766 = (_e4759 + _e1911);
 let _e4767 = (_e4761 + _e1862);
 let _e4768 = (_e4761 + _e1914);
-local_26 = type_32(array<i32, 4>(_e4756, (_e4756 + 1i), (_e4756 + 2i), (_e4756 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_28(array<i32, 4>(_e4756, (_e4756 + 1i), (_e4756 + 2i), (_e4756 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e4681 - f32(_e4704)), (_e4685 - f32(_e4719)), (_e4689 - f32(_e4734)));
 let _e4782 = local_26.member[1u];
 let _e4783 = ((_e4767 + _e4765) + _e4782);
 let _e4785 = (_e4783 >> bitcast<u32>(1i));
 let _e4788 = bitcast<u32>(((_e4783 & 1i) * 16i));
 let _e4790 = select(_e1891, _e4785, (_e4785 < _e1891));
-let _e4795 = global_2.member[bitcast<u32>(select(0i, _e4790, (_e4790 > 0i)))];
+let _e4795 = global_1.member[bitcast<u32>(select(0i, _e4790, (_e4790 > 0i)))];
 let _e4799 = (_e4785 + 1i);
 let _e4801 = select(_e1891, _e4799, (_e4799 < _e1891));
-let _e4806 = global_2.member[bitcast<u32>(select(0i, _e4801, (_e4801 > 0i)))];
+let _e4806 = global_1.member[bitcast<u32>(select(0i, _e4801, (_e4801 > 0i)))];
 let _e4813 = ((_e4795 >> bitcast<u32>((_e4788 & 31u))) | ((_e4806 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4788) & 31u))));
 let _e4816 = local_26.member_1[2u];
 let _e4822 = f32(bitcast<i32>(((_e4813 >> bitcast<u32>((_e4816 & 31u))) & 65535u)));
@@ -1732,10 +1732,10 @@ let _e4838 = ((_e4767 + _e4766) + _e4837);
 let _e4840 = (_e4838 >> bitcast<u32>(1i));
 let _e4843 = bitcast<u32>(((_e4838 & 1i) * 16i));
 let _e4845 = select(_e1891, _e4840, (_e4840 < _e1891));
-let _e4850 = global_2.member[bitcast<u32>(select(0i, _e4845, (_e4845 > 0i)))];
+let _e4850 = global_1.member[bitcast<u32>(select(0i, _e4845, (_e4845 > 0i)))];
 let _e4854 = (_e4840 + 1i);
 let _e4856 = select(_e1891, _e4854, (_e4854 < _e1891));
-let _e4861 = global_2.member[bitcast<u32>(select(0i, _e4856, (_e4856 > 0i)))];
+let _e4861 = global_1.member[bitcast<u32>(select(0i, _e4856, (_e4856 > 0i)))];
 let _e4868 = ((_e4850 >> bitcast<u32>((_e4843 & 31u))) | ((_e4861 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4843) & 31u))));
 let _e4869 = local_26.member_1[2u];
 let _e4875 = f32(bitcast<i32>(((_e4868 >> bitcast<u32>((_e4869 & 31u))) & 65535u)));
@@ -1748,10 +1748,10 @@ let _e4894 = ((_e4768 + _e4765) + _e4893);
 let _e4896 = (_e4894 >> bitcast<u32>(1i));
 let _e4899 = bitcast<u32>(((_e4894 & 1i) * 16i));
 let _e4901 = select(_e1891, _e4896, (_e4896 < _e1891));
-let _e4906 = global_2.member[bitcast<u32>(select(0i, _e4901, (_e4901 > 0i)))];
+let _e4906 = global_1.member[bitcast<u32>(select(0i, _e4901, (_e4901 > 0i)))];
 let _e4910 = (_e4896 + 1i);
 let _e4912 = select(_e1891, _e4910, (_e4910 < _e1891));
-let _e4917 = global_2.member[bitcast<u32>(select(0i, _e4912, (_e4912 > 0i)))];
+let _e4917 = global_1.member[bitcast<u32>(select(0i, _e4912, (_e4912 > 0i)))];
 let _e4924 = ((_e4906 >> bitcast<u32>((_e4899 & 31u))) | ((_e4917 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4899) & 31u))));
 let _e4925 = local_26.member_1[2u];
 let _e4931 = f32(bitcast<i32>(((_e4924 >> bitcast<u32>((_e4925 & 31u))) & 65535u)));
@@ -1763,10 +1763,10 @@ let _e4945 = ((_e4768 + _e4766) + _e4944);
 let _e4947 = (_e4945 >> bitcast<u32>(1i));
 let _e4950 = bitcast<u32>(((_e4945 & 1i) * 16i));
 let _e4952 = select(_e1891, _e4947, (_e4947 < _e1891));
-let _e4957 = global_2.member[bitcast<u32>(select(0i, _e4952, (_e4952 > 0i)))];
+let _e4957 = global_1.member[bitcast<u32>(select(0i, _e4952, (_e4952 > 0i)))];
 let _e4961 = (_e4947 + 1i);
 let _e4963 = select(_e1891, _e4961, (_e4961 < _e1891));
-let _e4968 = global_2.member[bitcast<u32>(select(0i, _e4963, (_e4963 > 0i)))];
+let _e4968 = global_1.member[bitcast<u32>(select(0i, _e4963, (_e4963 > 0i)))];
 let _e4975 = ((_e4957 >> bitcast<u32>((_e4950 & 31u))) | ((_e4968 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4950) & 31u))));
 let _e4976 = local_26.member_1[2u];
 let _e4982 = f32(bitcast<i32>(((_e4975 >> bitcast<u32>((_e4976 & 31u))) & 65535u)));
@@ -1798,12 +1798,12 @@ let _e5051 = select(0i, select(select(i32(_e5044), i32(-2147483648), (_e5044 < -
 let _e5055 = (_e5051 - select(0i, 1i, (_e5044 < f32(_e5051))));
 let _e5056 = (262147i + _e5055);
 let _e5058 = select(_e2170, _e5056, (_e5056 < _e2170));
-let _e5063 = global_3.member[bitcast<u32>(select(0i, _e5058, (_e5058 > 0i)))];
+let _e5063 = global_2.member[bitcast<u32>(select(0i, _e5058, (_e5058 > 0i)))];
 let _e5078 = ((_e2811 + (f32(bitcast<i32>((_e5063 >> bitcast<u32>(12u)))) * _e2814)) + ((f32((bitcast<i32>((_e5063 & 4095u)) - 2048i)) * _e2807) * (_e5040 - f32(_e5055))));
 if _e4027 {
-phi_10718_ = type_28(_e5078, 1f);
+phi_10718_ = type_31(_e5078, 1f);
 } else {
-phi_10718_ = type_28(1f, _e5078);
+phi_10718_ = type_31(1f, _e5078);
 }
 let _e5082 = phi_10718_;
 let _e5087 = ((_e5082.member_1 * _e5082.member_1) - (_e5082.member * _e5082.member));
@@ -1942,16 +1942,16 @@ let _e5444 = select(select(select(select(select(select(0f, _e1182.member, _e5225
 let _e5445 = select(select(select(select(select(select(0f, _e1182.member_1, _e5225), _e1182.member_1, _e5265), _e1191.member_1, _e5305), _e1191.member_1, _e5345), _e1200.member_1, _e5385), _e1200.member_1, _e5425);
 let _e5446 = select(select(select(select(select(select(1f, _e1182.member_2, _e5225), _e1182.member_2, _e5265), _e1191.member_2, _e5305), _e1191.member_2, _e5345), _e1200.member_2, _e5385), _e1200.member_2, _e5425);
 if _e1449 {
-phi_12256_ = type_35(_e5431, vec3<f32>(_e5432, _e5433, _e5434), _e5436, vec3<f32>(_e5437, _e5438, _e5439), _e5441, _e5443, vec3<f32>(_e5444, _e5445, _e5446));
+phi_12256_ = type_34(_e5431, vec3<f32>(_e5432, _e5433, _e5434), _e5436, vec3<f32>(_e5437, _e5438, _e5439), _e5441, _e5443, vec3<f32>(_e5444, _e5445, _e5446));
 } else {
 let _e5453 = (((_e1182.member * _e1182.member) + (_e1182.member_1 * _e1182.member_1)) + (_e1182.member_2 * _e1182.member_2));
 let _e5456 = sqrt(select(0f, _e5453, (_e5453 > 0f)));
-let _e5461 = global_4.member[_e370].member_14.member_1;
+let _e5461 = global_3.member[_e370].member_14.member_1;
 let _e5462 = (_e5461 != 0u);
-let _e5467 = global_4.member[_e370].member_14.member;
+let _e5467 = global_3.member[_e370].member_14.member;
 let _e5487 = select(-1e6f, (((((_e5467.member.member * _e4659.x) + (_e5467.member.member_1 * _e4659.y)) + (_e5467.member.member_2 * _e4659.z)) + _e5467.member_1) * _e5456), _e5462);
 let _e5488 = select(-1e6f, (((((_e5467.member.member * _e5160) + (_e5467.member.member_1 * _e5161)) + (_e5467.member.member_2 * _e5162)) + _e5467.member_1) * _e5456), _e5462);
-let _e5494 = global_4.member[_e370].member_14.member.member;
+let _e5494 = global_3.member[_e370].member_14.member.member;
 let _e5498 = -(_e5487);
 let _e5501 = (_e5487 - _e5488);
 let _e5502 = (_e5488 - _e5487);
@@ -1966,12 +1966,12 @@ let _e5522 = select(_e5431, _e5511, _e5520);
 let _e5526 = select(_e5436, _e5515, _e5521);
 let _e5530 = select(_e5441, _e5487, _e5516);
 let _e5532 = select(_e5443, _e5488, (_e5488 > _e5443));
-let _e5540 = global_4.member[_e370].member_15.member_1;
+let _e5540 = global_3.member[_e370].member_15.member_1;
 let _e5541 = (_e5540 != 0u);
-let _e5546 = global_4.member[_e370].member_15.member;
+let _e5546 = global_3.member[_e370].member_15.member;
 let _e5566 = select(-1e6f, (((((_e5546.member.member * _e4659.x) + (_e5546.member.member_1 * _e4659.y)) + (_e5546.member.member_2 * _e4659.z)) + _e5546.member_1) * _e5456), _e5541);
 let _e5567 = select(-1e6f, (((((_e5546.member.member * _e5160) + (_e5546.member.member_1 * _e5161)) + (_e5546.member.member_2 * _e5162)) + _e5546.member_1) * _e5456), _e5541);
-let _e5573 = global_4.member[_e370].member_15.member.member;
+let _e5573 = global_3.member[_e370].member_15.member.member;
 let _e5577 = -(_e5566);
 let _e5580 = (_e5566 - _e5567);
 let _e5581 = (_e5567 - _e5566);
@@ -1986,12 +1986,12 @@ let _e5601 = select(_e5522, _e5590, _e5599);
 let _e5605 = select(_e5526, _e5594, _e5600);
 let _e5609 = select(_e5530, _e5566, _e5595);
 let _e5611 = select(_e5532, _e5567, (_e5567 > _e5532));
-let _e5619 = global_4.member[_e370].member_16.member_1;
+let _e5619 = global_3.member[_e370].member_16.member_1;
 let _e5620 = (_e5619 != 0u);
-let _e5625 = global_4.member[_e370].member_16.member;
+let _e5625 = global_3.member[_e370].member_16.member;
 let _e5645 = select(-1e6f, (((((_e5625.member.member * _e4659.x) + (_e5625.member.member_1 * _e4659.y)) + (_e5625.member.member_2 * _e4659.z)) + _e5625.member_1) * _e5456), _e5620);
 let _e5646 = select(-1e6f, (((((_e5625.member.member * _e5160) + (_e5625.member.member_1 * _e5161)) + (_e5625.member.member_2 * _e5162)) + _e5625.member_1) * _e5456), _e5620);
-let _e5652 = global_4.member[_e370].member_16.member.member;
+let _e5652 = global_3.member[_e370].member_16.member.member;
 let _e5656 = -(_e5645);
 let _e5659 = (_e5645 - _e5646);
 let _e5660 = (_e5646 - _e5645);
@@ -2006,12 +2006,12 @@ let _e5680 = select(_e5601, _e5669, _e5678);
 let _e5684 = select(_e5605, _e5673, _e5679);
 let _e5688 = select(_e5609, _e5645, _e5674);
 let _e5690 = select(_e5611, _e5646, (_e5646 > _e5611));
-let _e5698 = global_4.member[_e370].member_17.member_1;
+let _e5698 = global_3.member[_e370].member_17.member_1;
 let _e5699 = (_e5698 != 0u);
-let _e5704 = global_4.member[_e370].member_17.member;
+let _e5704 = global_3.member[_e370].member_17.member;
 let _e5724 = select(-1e6f, (((((_e5704.member.member * _e4659.x) + (_e5704.member.member_1 * _e4659.y)) + (_e5704.member.member_2 * _e4659.z)) + _e5704.member_1) * _e5456), _e5699);
 let _e5725 = select(-1e6f, (((((_e5704.member.member * _e5160) + (_e5704.member.member_1 * _e5161)) + (_e5704.member.member_2 * _e5162)) + _e5704.member_1) * _e5456), _e5699);
-let _e5731 = global_4.member[_e370].member_17.member.member;
+let _e5731 = global_3.member[_e370].member_17.member.member;
 let _e5735 = -(_e5724);
 let _e5738 = (_e5724 - _e5725);
 let _e5739 = (_e5725 - _e5724);
@@ -2022,7 +2022,7 @@ let _e5752 = select(2f, select(0f, _e5744, (_e5724 < 0f)), (_e5725 > 0f));
 let _e5753 = (_e5724 > _e5688);
 let _e5757 = ((_e5748 > _e5680) || ((_e5748 == _e5680) && _e5753));
 let _e5758 = (_e5752 < _e5684);
-phi_12256_ = type_35(select(_e5680, _e5748, _e5757), vec3<f32>(select(select(select(select(_e5432, _e5494.member, _e5520), _e5573.member, _e5599), _e5652.member, _e5678), _e5731.member, _e5757), select(select(select(select(_e5433, _e5494.member_1, _e5520), _e5573.member_1, _e5599), _e5652.member_1, _e5678), _e5731.member_1, _e5757), select(select(select(select(_e5434, _e5494.member_2, _e5520), _e5573.member_2, _e5599), _e5652.member_2, _e5678), _e5731.member_2, _e5757)), select(_e5684, _e5752, _e5758), vec3<f32>(select(select(select(select(_e5437, _e5494.member, _e5521), _e5573.member, _e5600), _e5652.member, _e5679), _e5731.member, _e5758), select(select(select(select(_e5438, _e5494.member_1, _e5521), _e5573.member_1, _e5600), _e5652.member_1, _e5679), _e5731.member_1, _e5758), select(select(select(select(_e5439, _e5494.member_2, _e5521), _e5573.member_2, _e5600), _e5652.member_2, _e5679), _e5731.member_2, _e5758)), select(_e5688, _e5724, _e5753), select(_e5690, _e5725, (_e5725 > _e5690)), vec3<f32>(select(select(select(select(_e5444, _e5494.member, _e5516), _e5573.member, _e5595), _e5652.member, _e5674), _e5731.member, _e5753), select(select(select(select(_e5445, _e5494.member_1, _e5516), _e5573.member_1, _e5595), _e5652.member_1, _e5674), _e5731.member_1, _e5753), select(select(select(select(_e5446, _e5494.member_2, _e5516), _e5573.member_2, _e5595), _e5652.member_2, _e5674), _e5731.member_2, _e5753)));
+phi_12256_ = type_34(select(_e5680, _e5748, _e5757), vec3<f32>(select(select(select(select(_e5432, _e5494.member, _e5520), _e5573.member, _e5599), _e5652.member, _e5678), _e5731.member, _e5757), select(select(select(select(_e5433, _e5494.member_1, _e5520), _e5573.member_1, _e5599), _e5652.member_1, _e5678), _e5731.member_1, _e5757), select(select(select(select(_e5434, _e5494.member_2, _e5520), _e5573.member_2, _e5599), _e5652.member_2, _e5678), _e5731.member_2, _e5757)), select(_e5684, _e5752, _e5758), vec3<f32>(select(select(select(select(_e5437, _e5494.member, _e5521), _e5573.member, _e5600), _e5652.member, _e5679), _e5731.member, _e5758), select(select(select(select(_e5438, _e5494.member_1, _e5521), _e5573.member_1, _e5600), _e5652.member_1, _e5679), _e5731.member_1, _e5758), select(select(select(select(_e5439, _e5494.member_2, _e5521), _e5573.member_2, _e5600), _e5652.member_2, _e5679), _e5731.member_2, _e5758)), select(_e5688, _e5724, _e5753), select(_e5690, _e5725, (_e5725 > _e5690)), vec3<f32>(select(select(select(select(_e5444, _e5494.member, _e5516), _e5573.member, _e5595), _e5652.member, _e5674), _e5731.member, _e5753), select(select(select(select(_e5445, _e5494.member_1, _e5516), _e5573.member_1, _e5595), _e5652.member_1, _e5674), _e5731.member_1, _e5753), select(select(select(select(_e5446, _e5494.member_2, _e5516), _e5573.member_2, _e5595), _e5652.member_2, _e5674), _e5731.member_2, _e5753)));
 }
 let _e5778 = phi_12256_;
 let _e5784 = (((_e4646 && _e5165) && !(_e5149)) && (_e5778.member_2 <= 1f));
@@ -2232,7 +2232,7 @@ phi_14004_ = _e2824;
 phi_14004_ = _e3945;
 }
 let _e6308 = phi_14004_;
-phi_14276_ = type_39(_e6308, vec3<f32>(select(_e5160, _e4659.x, _e5784), select(_e5161, _e4659.y, _e5784), select(_e5162, _e4659.z, _e5784)), vec3<f32>(_e5134, _e5135, _e5136), select((_e1079 * select(0f, _e5865, (_e5865 > 0f))), ((((sqrt(select(0f, _e5876, (_e5876 > 0f))) * select(0f, _e5957, (_e5957 > 0f))) + (sqrt(select(0f, _e5968, (_e5968 > 0f))) * select(0f, _e6064, (_e6064 > 0f)))) + (sqrt(select(0f, _e6076, (_e6076 > 0f))) * select(0f, _e6172, (_e6172 > 0f)))) + select(0f, (sqrt(select(0f, _e6184, (_e6184 > 0f))) * select(0f, _e6280, (_e6280 > 0f))), _e4646)), _e6287), select((_e403 / _e5136), (2f * (_e3513 / _e2878)), (((_e2382 && !(_e1788)) && _e2911) && !(_e3509))), select(_e3503.member_3, _e2374.member_1, vec3(_e2892)), _e5165, _e6287, (((_e2896 || _e4011) || _e5149) || _e5784));
+phi_14276_ = type_38(_e6308, vec3<f32>(select(_e5160, _e4659.x, _e5784), select(_e5161, _e4659.y, _e5784), select(_e5162, _e4659.z, _e5784)), vec3<f32>(_e5134, _e5135, _e5136), select((_e1079 * select(0f, _e5865, (_e5865 > 0f))), ((((sqrt(select(0f, _e5876, (_e5876 > 0f))) * select(0f, _e5957, (_e5957 > 0f))) + (sqrt(select(0f, _e5968, (_e5968 > 0f))) * select(0f, _e6064, (_e6064 > 0f)))) + (sqrt(select(0f, _e6076, (_e6076 > 0f))) * select(0f, _e6172, (_e6172 > 0f)))) + select(0f, (sqrt(select(0f, _e6184, (_e6184 > 0f))) * select(0f, _e6280, (_e6280 > 0f))), _e4646)), _e6287), select((_e403 / _e5136), (2f * (_e3513 / _e2878)), (((_e2382 && !(_e1788)) && _e2911) && !(_e3509))), select(_e3503.member_3, _e2374.member_1, vec3(_e2892)), _e5165, _e6287, (((_e2896 || _e4011) || _e5149) || _e5784));
 } else {
 let _e1081 = (_e918 < 1e-12f);
 let _e1083 = (1f / select(_e913, 1f, _e1081));
@@ -2267,7 +2267,7 @@ let _e1155 = select(select(1f, _e1152, (_e1152 < 1f)), 1f, _e1131);
 let _e1157 = select(_e1130, _e1105, (_e1105 < _e1130));
 let _e1161 = select(_e1123, _e1098, (_e1098 > _e1123));
 let _e1164 = (select(_e1155, _e1157, (_e1157 < _e1155)) - select(_e1148, _e1161, (_e1161 > _e1148)));
-phi_14276_ = type_39(_e1080.member, _e1080.member_1, _e1080.member_2, (_e1079 * select(0f, _e1164, (_e1164 > 0f))), _e1080.member_4, _e1080.member_5, _e1080.member_6, _e1080.member_7, _e1080.member_8);
+phi_14276_ = type_38(_e1080.member, _e1080.member_1, _e1080.member_2, (_e1079 * select(0f, _e1164, (_e1164 > 0f))), _e1080.member_4, _e1080.member_5, _e1080.member_6, _e1080.member_7, _e1080.member_8);
 }
 let _e6311 = phi_14276_;
 let _e6322 = ((((_e471.member.member * _e6311.member_1.x) + (_e471.member.member_1 * _e6311.member_1.y)) + (_e471.member.member_2 * _e6311.member_1.z)) + _e471.member_1);
@@ -2292,17 +2292,17 @@ let _e6750 = select(-1f, _e6718, (_e6718 > -1f));
 let _e6752 = select(_e561, _e6750, (_e6750 < _e561));
 let _e6759 = select(0i, select(select(i32(_e6752), i32(-2147483648), (_e6752 < -2147483600f)), 2147483647i, (_e6752 > 2147483500f)), (_e6752 == _e6752));
 let _e6763 = (_e6759 - select(0i, 1i, (_e6752 < f32(_e6759))));
-let _e6768 = global_4.member[_e370].member_6.member_7;
-let _e6773 = global_4.member[_e370].member_6.member_8;
+let _e6768 = global_3.member[_e370].member_6.member_7;
+let _e6773 = global_3.member[_e370].member_6.member_8;
 let _e6774 = (_e6733 + 1i);
 let _e6775 = (_e6748 + 1i);
 let _e6776 = (_e6763 + 1i);
-let _e6782 = global_4.member[_e370].member_6.member_11.member;
-let _e6789 = global_4.member[_e370].member_6.member_11.member_1;
+let _e6782 = global_3.member[_e370].member_6.member_11.member;
+let _e6789 = global_3.member[_e370].member_6.member_11.member_1;
 let _e6800 = ((_e6774 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6782) * ((_e6775 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6789) * (_e6776 >> bitcast<u32>(4i))))));
 let _e6802 = (bitcast<i32>(_e183) - 1i);
 let _e6804 = select(_e6802, _e6800, (_e6800 < _e6802));
-let _e6810 = global_2.member[bitcast<u32>(select(0i, _e6804, (_e6804 > 0i)))];
+let _e6810 = global_1.member[bitcast<u32>(select(0i, _e6804, (_e6804 > 0i)))];
 let _e6812 = (_e6774 & 15i);
 let _e6815 = ((_e6775 & 15i) * _e6768);
 let _e6817 = (bitcast<i32>(_e6810) + ((_e6776 & 15i) * _e6773));
@@ -2312,7 +2312,7 @@ let _e6825 = (_e6815 + (3i * _e6768));
 let _e6826 = (_e6817 + _e6773);
 let _e6828 = (_e6817 + (2i * _e6773));
 let _e6830 = (_e6817 + (3i * _e6773));
-local_22 = type_32(array<i32, 4>(_e6812, (_e6812 + 1i), (_e6812 + 2i), (_e6812 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_28(array<i32, 4>(_e6812, (_e6812 + 1i), (_e6812 + 2i), (_e6812 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e6710 - f32(_e6733)), (_e6714 - f32(_e6748)), (_e6718 - f32(_e6763)));
 let _e6841 = (_e6826 + _e6821);
 let _e6844 = local_22.member[0u];
@@ -2320,20 +2320,20 @@ let _e6845 = (_e6841 + _e6844);
 let _e6847 = (_e6845 >> bitcast<u32>(1i));
 let _e6850 = bitcast<u32>(((_e6845 & 1i) * 16i));
 let _e6852 = select(_e6802, _e6847, (_e6847 < _e6802));
-let _e6857 = global_2.member[bitcast<u32>(select(0i, _e6852, (_e6852 > 0i)))];
+let _e6857 = global_1.member[bitcast<u32>(select(0i, _e6852, (_e6852 > 0i)))];
 let _e6861 = (_e6847 + 1i);
 let _e6863 = select(_e6802, _e6861, (_e6861 < _e6802));
-let _e6868 = global_2.member[bitcast<u32>(select(0i, _e6863, (_e6863 > 0i)))];
+let _e6868 = global_1.member[bitcast<u32>(select(0i, _e6863, (_e6863 > 0i)))];
 let _e6875 = ((_e6857 >> bitcast<u32>((_e6850 & 31u))) | ((_e6868 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6850) & 31u))));
 let _e6878 = local_22.member[2u];
 let _e6879 = (_e6841 + _e6878);
 let _e6881 = (_e6879 >> bitcast<u32>(1i));
 let _e6884 = bitcast<u32>(((_e6879 & 1i) * 16i));
 let _e6886 = select(_e6802, _e6881, (_e6881 < _e6802));
-let _e6891 = global_2.member[bitcast<u32>(select(0i, _e6886, (_e6886 > 0i)))];
+let _e6891 = global_1.member[bitcast<u32>(select(0i, _e6886, (_e6886 > 0i)))];
 let _e6895 = (_e6881 + 1i);
 let _e6897 = select(_e6802, _e6895, (_e6895 < _e6802));
-let _e6902 = global_2.member[bitcast<u32>(select(0i, _e6897, (_e6897 > 0i)))];
+let _e6902 = global_1.member[bitcast<u32>(select(0i, _e6897, (_e6897 > 0i)))];
 let _e6909 = ((_e6891 >> bitcast<u32>((_e6884 & 31u))) | ((_e6902 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6884) & 31u))));
 let _e6912 = local_22.member_1[0u];
 let _e6918 = f32(bitcast<i32>(((_e6875 >> bitcast<u32>((_e6912 & 31u))) & 65535u)));
@@ -2354,20 +2354,20 @@ let _e6960 = (_e6958 + _e6959);
 let _e6962 = (_e6960 >> bitcast<u32>(1i));
 let _e6965 = bitcast<u32>(((_e6960 & 1i) * 16i));
 let _e6967 = select(_e6802, _e6962, (_e6962 < _e6802));
-let _e6972 = global_2.member[bitcast<u32>(select(0i, _e6967, (_e6967 > 0i)))];
+let _e6972 = global_1.member[bitcast<u32>(select(0i, _e6967, (_e6967 > 0i)))];
 let _e6976 = (_e6962 + 1i);
 let _e6978 = select(_e6802, _e6976, (_e6976 < _e6802));
-let _e6983 = global_2.member[bitcast<u32>(select(0i, _e6978, (_e6978 > 0i)))];
+let _e6983 = global_1.member[bitcast<u32>(select(0i, _e6978, (_e6978 > 0i)))];
 let _e6990 = ((_e6972 >> bitcast<u32>((_e6965 & 31u))) | ((_e6983 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6965) & 31u))));
 let _e6991 = local_22.member[2u];
 let _e6992 = (_e6958 + _e6991);
 let _e6994 = (_e6992 >> bitcast<u32>(1i));
 let _e6997 = bitcast<u32>(((_e6992 & 1i) * 16i));
 let _e6999 = select(_e6802, _e6994, (_e6994 < _e6802));
-let _e7004 = global_2.member[bitcast<u32>(select(0i, _e6999, (_e6999 > 0i)))];
+let _e7004 = global_1.member[bitcast<u32>(select(0i, _e6999, (_e6999 > 0i)))];
 let _e7008 = (_e6994 + 1i);
 let _e7010 = select(_e6802, _e7008, (_e7008 < _e6802));
-let _e7015 = global_2.member[bitcast<u32>(select(0i, _e7010, (_e7010 > 0i)))];
+let _e7015 = global_1.member[bitcast<u32>(select(0i, _e7010, (_e7010 > 0i)))];
 let _e7022 = ((_e7004 >> bitcast<u32>((_e6997 & 31u))) | ((_e7015 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6997) & 31u))));
 let _e7023 = local_22.member_1[0u];
 let _e7029 = f32(bitcast<i32>(((_e6990 >> bitcast<u32>((_e7023 & 31u))) & 65535u)));
@@ -2386,20 +2386,20 @@ let _e7065 = (_e7063 + _e7064);
 let _e7067 = (_e7065 >> bitcast<u32>(1i));
 let _e7070 = bitcast<u32>(((_e7065 & 1i) * 16i));
 let _e7072 = select(_e6802, _e7067, (_e7067 < _e6802));
-let _e7077 = global_2.member[bitcast<u32>(select(0i, _e7072, (_e7072 > 0i)))];
+let _e7077 = global_1.member[bitcast<u32>(select(0i, _e7072, (_e7072 > 0i)))];
 let _e7081 = (_e7067 + 1i);
 let _e7083 = select(_e6802, _e7081, (_e7081 < _e6802));
-let _e7088 = global_2.member[bitcast<u32>(select(0i, _e7083, (_e7083 > 0i)))];
+let _e7088 = global_1.member[bitcast<u32>(select(0i, _e7083, (_e7083 > 0i)))];
 let _e7095 = ((_e7077 >> bitcast<u32>((_e7070 & 31u))) | ((_e7088 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7070) & 31u))));
 let _e7096 = local_22.member[2u];
 let _e7097 = (_e7063 + _e7096);
 let _e7099 = (_e7097 >> bitcast<u32>(1i));
 let _e7102 = bitcast<u32>(((_e7097 & 1i) * 16i));
 let _e7104 = select(_e6802, _e7099, (_e7099 < _e6802));
-let _e7109 = global_2.member[bitcast<u32>(select(0i, _e7104, (_e7104 > 0i)))];
+let _e7109 = global_1.member[bitcast<u32>(select(0i, _e7104, (_e7104 > 0i)))];
 let _e7113 = (_e7099 + 1i);
 let _e7115 = select(_e6802, _e7113, (_e7113 < _e6802));
-let _e7120 = global_2.member[bitcast<u32>(select(0i, _e7115, (_e7115 > 0i)))];
+let _e7120 = global_1.member[bitcast<u32>(select(0i, _e7115, (_e7115 > 0i)))];
 let _e7127 = ((_e7109 >> bitcast<u32>((_e7102 & 31u))) | ((_e7120 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7102) & 31u))));
 let _e7128 = local_22.member_1[0u];
 let _e7134 = f32(bitcast<i32>(((_e7095 >> bitcast<u32>((_e7128 & 31u))) & 65535u)));
@@ -2420,20 +2420,20 @@ let _e7170 = (_e7168 + _e7169);
 let _e7172 = (_e7170 >> bitcast<u32>(1i));
 let _e7175 = bitcast<u32>(((_e7170 & 1i) * 16i));
 let _e7177 = select(_e6802, _e7172, (_e7172 < _e6802));
-let _e7182 = global_2.member[bitcast<u32>(select(0i, _e7177, (_e7177 > 0i)))];
+let _e7182 = global_1.member[bitcast<u32>(select(0i, _e7177, (_e7177 > 0i)))];
 let _e7186 = (_e7172 + 1i);
 let _e7188 = select(_e6802, _e7186, (_e7186 < _e6802));
-let _e7193 = global_2.member[bitcast<u32>(select(0i, _e7188, (_e7188 > 0i)))];
+let _e7193 = global_1.member[bitcast<u32>(select(0i, _e7188, (_e7188 > 0i)))];
 let _e7200 = ((_e7182 >> bitcast<u32>((_e7175 & 31u))) | ((_e7193 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7175) & 31u))));
 let _e7201 = local_22.member[2u];
 let _e7202 = (_e7168 + _e7201);
 let _e7204 = (_e7202 >> bitcast<u32>(1i));
 let _e7207 = bitcast<u32>(((_e7202 & 1i) * 16i));
 let _e7209 = select(_e6802, _e7204, (_e7204 < _e6802));
-let _e7214 = global_2.member[bitcast<u32>(select(0i, _e7209, (_e7209 > 0i)))];
+let _e7214 = global_1.member[bitcast<u32>(select(0i, _e7209, (_e7209 > 0i)))];
 let _e7218 = (_e7204 + 1i);
 let _e7220 = select(_e6802, _e7218, (_e7218 < _e6802));
-let _e7225 = global_2.member[bitcast<u32>(select(0i, _e7220, (_e7220 > 0i)))];
+let _e7225 = global_1.member[bitcast<u32>(select(0i, _e7220, (_e7220 > 0i)))];
 let _e7232 = ((_e7214 >> bitcast<u32>((_e7207 & 31u))) | ((_e7225 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7207) & 31u))));
 let _e7233 = local_22.member_1[0u];
 let _e7239 = f32(bitcast<i32>(((_e7200 >> bitcast<u32>((_e7233 & 31u))) & 65535u)));
@@ -2451,10 +2451,10 @@ let _e7277 = ((_e6826 + _e6815) + _e7276);
 let _e7279 = (_e7277 >> bitcast<u32>(1i));
 let _e7282 = bitcast<u32>(((_e7277 & 1i) * 16i));
 let _e7284 = select(_e6802, _e7279, (_e7279 < _e6802));
-let _e7289 = global_2.member[bitcast<u32>(select(0i, _e7284, (_e7284 > 0i)))];
+let _e7289 = global_1.member[bitcast<u32>(select(0i, _e7284, (_e7284 > 0i)))];
 let _e7293 = (_e7279 + 1i);
 let _e7295 = select(_e6802, _e7293, (_e7293 < _e6802));
-let _e7300 = global_2.member[bitcast<u32>(select(0i, _e7295, (_e7295 > 0i)))];
+let _e7300 = global_1.member[bitcast<u32>(select(0i, _e7295, (_e7295 > 0i)))];
 let _e7307 = ((_e7289 >> bitcast<u32>((_e7282 & 31u))) | ((_e7300 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7282) & 31u))));
 let _e7310 = local_22.member_1[2u];
 let _e7316 = f32(bitcast<i32>(((_e7307 >> bitcast<u32>((_e7310 & 31u))) & 65535u)));
@@ -2466,10 +2466,10 @@ let _e7332 = ((_e6826 + _e6825) + _e7331);
 let _e7334 = (_e7332 >> bitcast<u32>(1i));
 let _e7337 = bitcast<u32>(((_e7332 & 1i) * 16i));
 let _e7339 = select(_e6802, _e7334, (_e7334 < _e6802));
-let _e7344 = global_2.member[bitcast<u32>(select(0i, _e7339, (_e7339 > 0i)))];
+let _e7344 = global_1.member[bitcast<u32>(select(0i, _e7339, (_e7339 > 0i)))];
 let _e7348 = (_e7334 + 1i);
 let _e7350 = select(_e6802, _e7348, (_e7348 < _e6802));
-let _e7355 = global_2.member[bitcast<u32>(select(0i, _e7350, (_e7350 > 0i)))];
+let _e7355 = global_1.member[bitcast<u32>(select(0i, _e7350, (_e7350 > 0i)))];
 let _e7362 = ((_e7344 >> bitcast<u32>((_e7337 & 31u))) | ((_e7355 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7337) & 31u))));
 let _e7363 = local_22.member_1[2u];
 let _e7369 = f32(bitcast<i32>(((_e7362 >> bitcast<u32>((_e7363 & 31u))) & 65535u)));
@@ -2480,10 +2480,10 @@ let _e7383 = ((_e6828 + _e6815) + _e7382);
 let _e7385 = (_e7383 >> bitcast<u32>(1i));
 let _e7388 = bitcast<u32>(((_e7383 & 1i) * 16i));
 let _e7390 = select(_e6802, _e7385, (_e7385 < _e6802));
-let _e7395 = global_2.member[bitcast<u32>(select(0i, _e7390, (_e7390 > 0i)))];
+let _e7395 = global_1.member[bitcast<u32>(select(0i, _e7390, (_e7390 > 0i)))];
 let _e7399 = (_e7385 + 1i);
 let _e7401 = select(_e6802, _e7399, (_e7399 < _e6802));
-let _e7406 = global_2.member[bitcast<u32>(select(0i, _e7401, (_e7401 > 0i)))];
+let _e7406 = global_1.member[bitcast<u32>(select(0i, _e7401, (_e7401 > 0i)))];
 let _e7413 = ((_e7395 >> bitcast<u32>((_e7388 & 31u))) | ((_e7406 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7388) & 31u))));
 let _e7414 = local_22.member_1[2u];
 let _e7420 = f32(bitcast<i32>(((_e7413 >> bitcast<u32>((_e7414 & 31u))) & 65535u)));
@@ -2495,10 +2495,10 @@ let _e7434 = ((_e6828 + _e6825) + _e7433);
 let _e7436 = (_e7434 >> bitcast<u32>(1i));
 let _e7439 = bitcast<u32>(((_e7434 & 1i) * 16i));
 let _e7441 = select(_e6802, _e7436, (_e7436 < _e6802));
-let _e7446 = global_2.member[bitcast<u32>(select(0i, _e7441, (_e7441 > 0i)))];
+let _e7446 = global_1.member[bitcast<u32>(select(0i, _e7441, (_e7441 > 0i)))];
 let _e7450 = (_e7436 + 1i);
 let _e7452 = select(_e6802, _e7450, (_e7450 < _e6802));
-let _e7457 = global_2.member[bitcast<u32>(select(0i, _e7452, (_e7452 > 0i)))];
+let _e7457 = global_1.member[bitcast<u32>(select(0i, _e7452, (_e7452 > 0i)))];
 let _e7464 = ((_e7446 >> bitcast<u32>((_e7439 & 31u))) | ((_e7457 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7439) & 31u))));
 let _e7465 = local_22.member_1[2u];
 let _e7471 = f32(bitcast<i32>(((_e7464 >> bitcast<u32>((_e7465 & 31u))) & 65535u)));
@@ -2509,10 +2509,10 @@ let _e7485 = ((_e6817 + _e6821) + _e7484);
 let _e7487 = (_e7485 >> bitcast<u32>(1i));
 let _e7490 = bitcast<u32>(((_e7485 & 1i) * 16i));
 let _e7492 = select(_e6802, _e7487, (_e7487 < _e6802));
-let _e7497 = global_2.member[bitcast<u32>(select(0i, _e7492, (_e7492 > 0i)))];
+let _e7497 = global_1.member[bitcast<u32>(select(0i, _e7492, (_e7492 > 0i)))];
 let _e7501 = (_e7487 + 1i);
 let _e7503 = select(_e6802, _e7501, (_e7501 < _e6802));
-let _e7508 = global_2.member[bitcast<u32>(select(0i, _e7503, (_e7503 > 0i)))];
+let _e7508 = global_1.member[bitcast<u32>(select(0i, _e7503, (_e7503 > 0i)))];
 let _e7515 = ((_e7497 >> bitcast<u32>((_e7490 & 31u))) | ((_e7508 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7490) & 31u))));
 let _e7516 = local_22.member_1[2u];
 let _e7522 = f32(bitcast<i32>(((_e7515 >> bitcast<u32>((_e7516 & 31u))) & 65535u)));
@@ -2524,10 +2524,10 @@ let _e7536 = ((_e6830 + _e6821) + _e7535);
 let _e7538 = (_e7536 >> bitcast<u32>(1i));
 let _e7541 = bitcast<u32>(((_e7536 & 1i) * 16i));
 let _e7543 = select(_e6802, _e7538, (_e7538 < _e6802));
-let _e7548 = global_2.member[bitcast<u32>(select(0i, _e7543, (_e7543 > 0i)))];
+let _e7548 = global_1.member[bitcast<u32>(select(0i, _e7543, (_e7543 > 0i)))];
 let _e7552 = (_e7538 + 1i);
 let _e7554 = select(_e6802, _e7552, (_e7552 < _e6802));
-let _e7559 = global_2.member[bitcast<u32>(select(0i, _e7554, (_e7554 > 0i)))];
+let _e7559 = global_1.member[bitcast<u32>(select(0i, _e7554, (_e7554 > 0i)))];
 let _e7566 = ((_e7548 >> bitcast<u32>((_e7541 & 31u))) | ((_e7559 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7541) & 31u))));
 let _e7567 = local_22.member_1[2u];
 let _e7573 = f32(bitcast<i32>(((_e7566 >> bitcast<u32>((_e7567 & 31u))) & 65535u)));
@@ -2539,10 +2539,10 @@ let _e7587 = ((_e6817 + _e6823) + _e7586);
 let _e7589 = (_e7587 >> bitcast<u32>(1i));
 let _e7592 = bitcast<u32>(((_e7587 & 1i) * 16i));
 let _e7594 = select(_e6802, _e7589, (_e7589 < _e6802));
-let _e7599 = global_2.member[bitcast<u32>(select(0i, _e7594, (_e7594 > 0i)))];
+let _e7599 = global_1.member[bitcast<u32>(select(0i, _e7594, (_e7594 > 0i)))];
 let _e7603 = (_e7589 + 1i);
 let _e7605 = select(_e6802, _e7603, (_e7603 < _e6802));
-let _e7610 = global_2.member[bitcast<u32>(select(0i, _e7605, (_e7605 > 0i)))];
+let _e7610 = global_1.member[bitcast<u32>(select(0i, _e7605, (_e7605 > 0i)))];
 let _e7617 = ((_e7599 >> bitcast<u32>((_e7592 & 31u))) | ((_e7610 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7592) & 31u))));
 let _e7618 = local_22.member_1[2u];
 let _e7624 = f32(bitcast<i32>(((_e7617 >> bitcast<u32>((_e7618 & 31u))) & 65535u)));
@@ -2553,10 +2553,10 @@ let _e7638 = ((_e6830 + _e6823) + _e7637);
 let _e7640 = (_e7638 >> bitcast<u32>(1i));
 let _e7643 = bitcast<u32>(((_e7638 & 1i) * 16i));
 let _e7645 = select(_e6802, _e7640, (_e7640 < _e6802));
-let _e7650 = global_2.member[bitcast<u32>(select(0i, _e7645, (_e7645 > 0i)))];
+let _e7650 = global_1.member[bitcast<u32>(select(0i, _e7645, (_e7645 > 0i)))];
 let _e7654 = (_e7640 + 1i);
 let _e7656 = select(_e6802, _e7654, (_e7654 < _e6802));
-let _e7661 = global_2.member[bitcast<u32>(select(0i, _e7656, (_e7656 > 0i)))];
+let _e7661 = global_1.member[bitcast<u32>(select(0i, _e7656, (_e7656 > 0i)))];
 let _e7668 = ((_e7650 >> bitcast<u32>((_e7643 & 31u))) | ((_e7661 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7643) & 31u))));
 let _e7669 = local_22.member_1[2u];
 let _e7675 = f32(bitcast<i32>(((_e7668 >> bitcast<u32>((_e7669 & 31u))) & 65535u)));
@@ -2588,8 +2588,8 @@ let _e7749 = local_23[2u];
 let _e7753 = local_23[1u];
 let _e7757 = local_23[2u];
 let _e7761 = local_23[2u];
-let _e7769 = global_4.member[_e370].member_6.member_6;
-let _e7774 = global_4.member[_e370].member_6.member_5;
+let _e7769 = global_3.member[_e370].member_6.member_6;
+let _e7774 = global_3.member[_e370].member_6.member_5;
 let _e7776 = (((_e7691 + ((_e7695 - _e7691) * _e7761)) - _e7769) * _e7774);
 let _e7777 = -(1e9f);
 let _e7779 = select(_e7777, _e7776, (_e7776 > _e7777));
@@ -2618,50 +2618,50 @@ local_21 = _e7818;
 let _e7819 = local_21;
 let _e7821 = (bitcast<i32>(_e188) - 1i);
 let _e7823 = select(_e7821, 263197i, (263197i < _e7821));
-let _e7828 = global_3.member[bitcast<u32>(select(0i, _e7823, (_e7823 > 0i)))];
+let _e7828 = global_2.member[bitcast<u32>(select(0i, _e7823, (_e7823 > 0i)))];
 let _e7829 = bitcast<f32>(_e7828);
 let _e7831 = select(_e7821, 263198i, (263198i < _e7821));
 let _e7834 = bitcast<u32>(select(0i, _e7831, (_e7831 > 0i)));
-let _e7836 = global_3.member[_e7834];
+let _e7836 = global_2.member[_e7834];
 let _e7837 = bitcast<f32>(_e7836);
 let _e7839 = select(_e7821, 263199i, (263199i < _e7821));
-let _e7844 = global_3.member[bitcast<u32>(select(0i, _e7839, (_e7839 > 0i)))];
+let _e7844 = global_2.member[bitcast<u32>(select(0i, _e7839, (_e7839 > 0i)))];
 let _e7845 = bitcast<f32>(_e7844);
 let _e7847 = ((_e7819 - _e7829) * _e7837);
 let _e7849 = select(0f, _e7847, (_e7847 > 0f));
 let _e7852 = local_21;
 let _e7854 = select(_e7821, 263200i, (263200i < _e7821));
-let _e7859 = global_3.member[bitcast<u32>(select(0i, _e7854, (_e7854 > 0i)))];
+let _e7859 = global_2.member[bitcast<u32>(select(0i, _e7854, (_e7854 > 0i)))];
 let _e7860 = bitcast<f32>(_e7859);
 let _e7862 = select(_e7821, 263201i, (263201i < _e7821));
-let _e7867 = global_3.member[bitcast<u32>(select(0i, _e7862, (_e7862 > 0i)))];
+let _e7867 = global_2.member[bitcast<u32>(select(0i, _e7862, (_e7862 > 0i)))];
 let _e7868 = bitcast<f32>(_e7867);
 let _e7870 = select(_e7821, 263202i, (263202i < _e7821));
-let _e7875 = global_3.member[bitcast<u32>(select(0i, _e7870, (_e7870 > 0i)))];
+let _e7875 = global_2.member[bitcast<u32>(select(0i, _e7870, (_e7870 > 0i)))];
 let _e7876 = bitcast<f32>(_e7875);
 let _e7878 = ((_e7852 - _e7860) * _e7868);
 let _e7880 = select(0f, _e7878, (_e7878 > 0f));
 let _e7884 = local_21;
 let _e7886 = select(_e7821, 263203i, (263203i < _e7821));
-let _e7891 = global_3.member[bitcast<u32>(select(0i, _e7886, (_e7886 > 0i)))];
+let _e7891 = global_2.member[bitcast<u32>(select(0i, _e7886, (_e7886 > 0i)))];
 let _e7892 = bitcast<f32>(_e7891);
 let _e7894 = select(_e7821, 263204i, (263204i < _e7821));
-let _e7899 = global_3.member[bitcast<u32>(select(0i, _e7894, (_e7894 > 0i)))];
+let _e7899 = global_2.member[bitcast<u32>(select(0i, _e7894, (_e7894 > 0i)))];
 let _e7900 = bitcast<f32>(_e7899);
 let _e7902 = select(_e7821, 263205i, (263205i < _e7821));
-let _e7907 = global_3.member[bitcast<u32>(select(0i, _e7902, (_e7902 > 0i)))];
+let _e7907 = global_2.member[bitcast<u32>(select(0i, _e7902, (_e7902 > 0i)))];
 let _e7908 = bitcast<f32>(_e7907);
 let _e7910 = ((_e7884 - _e7892) * _e7900);
 let _e7912 = select(0f, _e7910, (_e7910 > 0f));
 let _e7915 = local_21;
 let _e7917 = select(_e7821, 263206i, (263206i < _e7821));
-let _e7922 = global_3.member[bitcast<u32>(select(0i, _e7917, (_e7917 > 0i)))];
+let _e7922 = global_2.member[bitcast<u32>(select(0i, _e7917, (_e7917 > 0i)))];
 let _e7923 = bitcast<f32>(_e7922);
 let _e7925 = select(_e7821, 263207i, (263207i < _e7821));
-let _e7930 = global_3.member[bitcast<u32>(select(0i, _e7925, (_e7925 > 0i)))];
+let _e7930 = global_2.member[bitcast<u32>(select(0i, _e7925, (_e7925 > 0i)))];
 let _e7931 = bitcast<f32>(_e7930);
 let _e7933 = select(_e7821, 263208i, (263208i < _e7821));
-let _e7938 = global_3.member[bitcast<u32>(select(0i, _e7933, (_e7933 > 0i)))];
+let _e7938 = global_2.member[bitcast<u32>(select(0i, _e7933, (_e7933 > 0i)))];
 let _e7939 = bitcast<f32>(_e7938);
 let _e7941 = ((_e7915 - _e7923) * _e7931);
 let _e7943 = select(0f, _e7941, (_e7941 > 0f));
@@ -2672,34 +2672,34 @@ let _e7958 = select(0i, select(select(i32(_e7951), i32(-2147483648), (_e7951 < -
 let _e7962 = (_e7958 - select(0i, 1i, (_e7951 < f32(_e7958))));
 let _e7963 = (262147i + _e7962);
 let _e7965 = select(_e7821, _e7963, (_e7963 < _e7821));
-let _e7971 = global_3.member[bitcast<u32>(select(0i, _e7965, (_e7965 > 0i)))];
+let _e7971 = global_2.member[bitcast<u32>(select(0i, _e7965, (_e7965 > 0i)))];
 let _e7981 = select(_e7821, 262146i, (262146i < _e7821));
-let _e7987 = global_3.member[bitcast<u32>(select(0i, _e7981, (_e7981 > 0i)))];
+let _e7987 = global_2.member[bitcast<u32>(select(0i, _e7981, (_e7981 > 0i)))];
 let _e7988 = bitcast<f32>(_e7987);
 let _e7989 = (f32((bitcast<i32>((_e7971 & 4095u)) - 2048i)) * _e7988);
 let _e7991 = select(_e7821, 262144i, (262144i < _e7821));
-let _e7997 = global_3.member[bitcast<u32>(select(0i, _e7991, (_e7991 > 0i)))];
+let _e7997 = global_2.member[bitcast<u32>(select(0i, _e7991, (_e7991 > 0i)))];
 let _e7998 = bitcast<f32>(_e7997);
 let _e8000 = select(_e7821, 262145i, (262145i < _e7821));
-let _e8006 = global_3.member[bitcast<u32>(select(0i, _e8000, (_e8000 > 0i)))];
+let _e8006 = global_2.member[bitcast<u32>(select(0i, _e8000, (_e8000 > 0i)))];
 let _e8007 = bitcast<f32>(_e8006);
 let _e8013 = ((_e7998 + (f32(bitcast<i32>((_e7971 >> bitcast<u32>(12u)))) * _e8007)) + (_e7989 * (_e7947 - f32(_e7962))));
-let _e8016 = global_3.member[_e7834];
+let _e8016 = global_2.member[_e7834];
 let _e8018 = local_20;
 let _e8021 = local_20;
 let _e8024 = local_20;
 let _e8028 = select(_e7821, 263209i, (263209i < _e7821));
-let _e8034 = global_3.member[bitcast<u32>(select(0i, _e8028, (_e8028 > 0i)))];
+let _e8034 = global_2.member[bitcast<u32>(select(0i, _e8028, (_e8028 > 0i)))];
 let _e8036 = local_20;
 let _e8039 = select(_e7821, 263210i, (263210i < _e7821));
-let _e8045 = global_3.member[bitcast<u32>(select(0i, _e8039, (_e8039 > 0i)))];
+let _e8045 = global_2.member[bitcast<u32>(select(0i, _e8039, (_e8039 > 0i)))];
 let _e8047 = local_20;
 let _e8051 = (_e7989 * select(0f, select(select(select(bitcast<f32>(_e8016), _e7868, (_e8018 >= _e7860)), _e7900, (_e8021 >= _e7892)), _e7931, (_e8024 >= _e7923)), ((_e8036 >= bitcast<f32>(_e8034)) && (_e8047 <= bitcast<f32>(_e8045)))));
 if _e584 {
 let _e8502 = ((0.5f * (_e7793 - _e7787)) * _e8051);
 let _e8503 = ((0.5f * (_e7805 - _e7799)) * _e8051);
 let _e8504 = ((0.5f * (_e7817 - _e7811)) * _e8051);
-phi_19888_ = type_33(_e8013, vec3<f32>(_e8502, _e8503, _e8504), vec3<f32>((_e8502 * _e8013), (_e8503 * _e8013), (_e8504 * _e8013)));
+phi_19888_ = type_32(_e8013, vec3<f32>(_e8502, _e8503, _e8504), vec3<f32>((_e8502 * _e8013), (_e8503 * _e8013), (_e8504 * _e8013)));
 } else {
 local_18 = _e7787;
 let _e8052 = local_18;
@@ -2723,7 +2723,7 @@ let _e8094 = select(0i, select(select(i32(_e8087), i32(-2147483648), (_e8087 < -
 let _e8098 = (_e8094 - select(0i, 1i, (_e8087 < f32(_e8094))));
 let _e8099 = (262147i + _e8098);
 let _e8101 = select(_e7821, _e8099, (_e8099 < _e7821));
-let _e8107 = global_3.member[bitcast<u32>(select(0i, _e8101, (_e8101 > 0i)))];
+let _e8107 = global_2.member[bitcast<u32>(select(0i, _e8101, (_e8101 > 0i)))];
 let _e8122 = ((_e7998 + (f32(bitcast<i32>((_e8107 >> bitcast<u32>(12u)))) * _e8007)) + ((f32((bitcast<i32>((_e8107 & 4095u)) - 2048i)) * _e7988) * (_e8083 - f32(_e8098))));
 local_16 = _e7793;
 let _e8123 = local_16;
@@ -2747,7 +2747,7 @@ let _e8165 = select(0i, select(select(i32(_e8158), i32(-2147483648), (_e8158 < -
 let _e8169 = (_e8165 - select(0i, 1i, (_e8158 < f32(_e8165))));
 let _e8170 = (262147i + _e8169);
 let _e8172 = select(_e7821, _e8170, (_e8170 < _e7821));
-let _e8178 = global_3.member[bitcast<u32>(select(0i, _e8172, (_e8172 > 0i)))];
+let _e8178 = global_2.member[bitcast<u32>(select(0i, _e8172, (_e8172 > 0i)))];
 let _e8193 = ((_e7998 + (f32(bitcast<i32>((_e8178 >> bitcast<u32>(12u)))) * _e8007)) + ((f32((bitcast<i32>((_e8178 & 4095u)) - 2048i)) * _e7988) * (_e8154 - f32(_e8169))));
 local_14 = _e7799;
 let _e8194 = local_14;
@@ -2771,7 +2771,7 @@ let _e8236 = select(0i, select(select(i32(_e8229), i32(-2147483648), (_e8229 < -
 let _e8240 = (_e8236 - select(0i, 1i, (_e8229 < f32(_e8236))));
 let _e8241 = (262147i + _e8240);
 let _e8243 = select(_e7821, _e8241, (_e8241 < _e7821));
-let _e8249 = global_3.member[bitcast<u32>(select(0i, _e8243, (_e8243 > 0i)))];
+let _e8249 = global_2.member[bitcast<u32>(select(0i, _e8243, (_e8243 > 0i)))];
 let _e8264 = ((_e7998 + (f32(bitcast<i32>((_e8249 >> bitcast<u32>(12u)))) * _e8007)) + ((f32((bitcast<i32>((_e8249 & 4095u)) - 2048i)) * _e7988) * (_e8225 - f32(_e8240))));
 local_12 = _e7805;
 let _e8265 = local_12;
@@ -2795,7 +2795,7 @@ let _e8307 = select(0i, select(select(i32(_e8300), i32(-2147483648), (_e8300 < -
 let _e8311 = (_e8307 - select(0i, 1i, (_e8300 < f32(_e8307))));
 let _e8312 = (262147i + _e8311);
 let _e8314 = select(_e7821, _e8312, (_e8312 < _e7821));
-let _e8320 = global_3.member[bitcast<u32>(select(0i, _e8314, (_e8314 > 0i)))];
+let _e8320 = global_2.member[bitcast<u32>(select(0i, _e8314, (_e8314 > 0i)))];
 let _e8335 = ((_e7998 + (f32(bitcast<i32>((_e8320 >> bitcast<u32>(12u)))) * _e8007)) + ((f32((bitcast<i32>((_e8320 & 4095u)) - 2048i)) * _e7988) * (_e8296 - f32(_e8311))));
 local_10 = _e7811;
 let _e8336 = local_10;
@@ -2819,7 +2819,7 @@ let _e8378 = select(0i, select(select(i32(_e8371), i32(-2147483648), (_e8371 < -
 let _e8382 = (_e8378 - select(0i, 1i, (_e8371 < f32(_e8378))));
 let _e8383 = (262147i + _e8382);
 let _e8385 = select(_e7821, _e8383, (_e8383 < _e7821));
-let _e8391 = global_3.member[bitcast<u32>(select(0i, _e8385, (_e8385 > 0i)))];
+let _e8391 = global_2.member[bitcast<u32>(select(0i, _e8385, (_e8385 > 0i)))];
 let _e8406 = ((_e7998 + (f32(bitcast<i32>((_e8391 >> bitcast<u32>(12u)))) * _e8007)) + ((f32((bitcast<i32>((_e8391 & 4095u)) - 2048i)) * _e7988) * (_e8367 - f32(_e8382))));
 local_8 = _e7817;
 let _e8407 = local_8;
@@ -2843,28 +2843,28 @@ let _e8449 = select(0i, select(select(i32(_e8442), i32(-2147483648), (_e8442 < -
 let _e8453 = (_e8449 - select(0i, 1i, (_e8442 < f32(_e8449))));
 let _e8454 = (262147i + _e8453);
 let _e8456 = select(_e7821, _e8454, (_e8454 < _e7821));
-let _e8462 = global_3.member[bitcast<u32>(select(0i, _e8456, (_e8456 > 0i)))];
+let _e8462 = global_2.member[bitcast<u32>(select(0i, _e8456, (_e8456 > 0i)))];
 let _e8477 = ((_e7998 + (f32(bitcast<i32>((_e8462 >> bitcast<u32>(12u)))) * _e8007)) + ((f32((bitcast<i32>((_e8462 & 4095u)) - 2048i)) * _e7988) * (_e8438 - f32(_e8453))));
 let _e8478 = (_e8193 - _e8122);
 let _e8480 = (_e8335 - _e8264);
 let _e8482 = (_e8477 - _e8406);
-phi_19888_ = type_33(_e8013, vec3<f32>((0.5f * _e8478), (0.5f * _e8480), (0.5f * _e8482)), vec3<f32>((0.25f * (_e8478 * (_e8193 + _e8122))), (0.25f * (_e8480 * (_e8335 + _e8264))), (0.25f * (_e8482 * (_e8477 + _e8406)))));
+phi_19888_ = type_32(_e8013, vec3<f32>((0.5f * _e8478), (0.5f * _e8480), (0.5f * _e8482)), vec3<f32>((0.25f * (_e8478 * (_e8193 + _e8122))), (0.25f * (_e8480 * (_e8335 + _e8264))), (0.25f * (_e8482 * (_e8477 + _e8406)))));
 }
 let _e8512 = phi_19888_;
 let _e8527 = select(0f, 1f, ((((((_e6322 >= -0.5f) && (_e6322 <= _e898)) && (_e6328 >= -0.5f)) && (_e6328 <= _e903)) && (_e6334 >= -0.5f)) && (_e6334 <= _e908)));
 let _e8529 = (0.5f * (_e7793 - _e7787));
 let _e8531 = (0.5f * (_e7805 - _e7799));
 let _e8533 = (0.5f * (_e7817 - _e7811));
-let _e8540 = global_4.member[_e370].member_6.member.member.member;
-let _e8547 = global_4.member[_e370].member_6.member.member.member_1;
-let _e8554 = global_4.member[_e370].member_6.member.member.member_2;
-let _e8561 = global_4.member[_e370].member_6.member_1.member.member;
-let _e8568 = global_4.member[_e370].member_6.member_1.member.member_1;
-let _e8575 = global_4.member[_e370].member_6.member_1.member.member_2;
-let _e8582 = global_4.member[_e370].member_6.member_2.member.member;
-let _e8589 = global_4.member[_e370].member_6.member_2.member.member_1;
-let _e8596 = global_4.member[_e370].member_6.member_2.member.member_2;
-phi_20590_ = type_34(_e7781, vec3<f32>(((((_e8540 * _e8529) + (_e8561 * _e8531)) + (_e8582 * _e8533)) * _e8527), ((((_e8547 * _e8529) + (_e8568 * _e8531)) + (_e8589 * _e8533)) * _e8527), ((((_e8554 * _e8529) + (_e8575 * _e8531)) + (_e8596 * _e8533)) * _e8527)), _e8512.member, vec3<f32>(((((_e8540 * _e8512.member_2.x) + (_e8561 * _e8512.member_2.y)) + (_e8582 * _e8512.member_2.z)) * _e8527), ((((_e8547 * _e8512.member_2.x) + (_e8568 * _e8512.member_2.y)) + (_e8589 * _e8512.member_2.z)) * _e8527), ((((_e8554 * _e8512.member_2.x) + (_e8575 * _e8512.member_2.y)) + (_e8596 * _e8512.member_2.z)) * _e8527)), vec3<f32>(((((_e8540 * _e8512.member_1.x) + (_e8561 * _e8512.member_1.y)) + (_e8582 * _e8512.member_1.z)) * _e8527), ((((_e8547 * _e8512.member_1.x) + (_e8568 * _e8512.member_1.y)) + (_e8589 * _e8512.member_1.z)) * _e8527), ((((_e8554 * _e8512.member_1.x) + (_e8575 * _e8512.member_1.y)) + (_e8596 * _e8512.member_1.z)) * _e8527)));
+let _e8540 = global_3.member[_e370].member_6.member.member.member;
+let _e8547 = global_3.member[_e370].member_6.member.member.member_1;
+let _e8554 = global_3.member[_e370].member_6.member.member.member_2;
+let _e8561 = global_3.member[_e370].member_6.member_1.member.member;
+let _e8568 = global_3.member[_e370].member_6.member_1.member.member_1;
+let _e8575 = global_3.member[_e370].member_6.member_1.member.member_2;
+let _e8582 = global_3.member[_e370].member_6.member_2.member.member;
+let _e8589 = global_3.member[_e370].member_6.member_2.member.member_1;
+let _e8596 = global_3.member[_e370].member_6.member_2.member.member_2;
+phi_20590_ = type_33(_e7781, vec3<f32>(((((_e8540 * _e8529) + (_e8561 * _e8531)) + (_e8582 * _e8533)) * _e8527), ((((_e8547 * _e8529) + (_e8568 * _e8531)) + (_e8589 * _e8533)) * _e8527), ((((_e8554 * _e8529) + (_e8575 * _e8531)) + (_e8596 * _e8533)) * _e8527)), _e8512.member, vec3<f32>(((((_e8540 * _e8512.member_2.x) + (_e8561 * _e8512.member_2.y)) + (_e8582 * _e8512.member_2.z)) * _e8527), ((((_e8547 * _e8512.member_2.x) + (_e8568 * _e8512.member_2.y)) + (_e8589 * _e8512.member_2.z)) * _e8527), ((((_e8554 * _e8512.member_2.x) + (_e8575 * _e8512.member_2.y)) + (_e8596 * _e8512.member_2.z)) * _e8527)), vec3<f32>(((((_e8540 * _e8512.member_1.x) + (_e8561 * _e8512.member_1.y)) + (_e8582 * _e8512.member_1.z)) * _e8527), ((((_e8547 * _e8512.member_1.x) + (_e8568 * _e8512.member_1.y)) + (_e8589 * _e8512.member_1.z)) * _e8527), ((((_e8554 * _e8512.member_1.x) + (_e8575 * _e8512.member_1.y)) + (_e8596 * _e8512.member_1.z)) * _e8527)));
 } else {
 let _e6336 = select(-0.5f, _e6322, (_e6322 > -0.5f));
 let _e6338 = select(_e898, _e6336, (_e6336 < _e898));
@@ -2884,17 +2884,17 @@ let _e6378 = select(-1f, _e6346, (_e6346 > -1f));
 let _e6380 = select(_e561, _e6378, (_e6378 < _e561));
 let _e6387 = select(0i, select(select(i32(_e6380), i32(-2147483648), (_e6380 < -2147483600f)), 2147483647i, (_e6380 > 2147483500f)), (_e6380 == _e6380));
 let _e6391 = (_e6387 - select(0i, 1i, (_e6380 < f32(_e6387))));
-let _e6396 = global_4.member[_e370].member_6.member_7;
-let _e6401 = global_4.member[_e370].member_6.member_8;
+let _e6396 = global_3.member[_e370].member_6.member_7;
+let _e6401 = global_3.member[_e370].member_6.member_8;
 let _e6402 = (_e6361 + 1i);
 let _e6403 = (_e6376 + 1i);
 let _e6404 = (_e6391 + 1i);
-let _e6410 = global_4.member[_e370].member_6.member_11.member;
-let _e6417 = global_4.member[_e370].member_6.member_11.member_1;
+let _e6410 = global_3.member[_e370].member_6.member_11.member;
+let _e6417 = global_3.member[_e370].member_6.member_11.member_1;
 let _e6428 = ((_e6402 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6410) * ((_e6403 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6417) * (_e6404 >> bitcast<u32>(4i))))));
 let _e6430 = (bitcast<i32>(_e183) - 1i);
 let _e6432 = select(_e6430, _e6428, (_e6428 < _e6430));
-let _e6438 = global_2.member[bitcast<u32>(select(0i, _e6432, (_e6432 > 0i)))];
+let _e6438 = global_1.member[bitcast<u32>(select(0i, _e6432, (_e6432 > 0i)))];
 let _e6440 = (_e6402 & 15i);
 let _e6443 = ((_e6403 & 15i) * _e6396);
 let _e6445 = (bitcast<i32>(_e6438) + ((_e6404 & 15i) * _e6401));
@@ -2902,17 +2902,17 @@ let _e6449 = (_e6443 + _e6396);
 let _e6451 = (_e6443 + (2i * _e6396));
 let _e6452 = (_e6445 + _e6401);
 let _e6454 = (_e6445 + (2i * _e6401));
-local_6 = type_32(array<i32, 4>(_e6440, (_e6440 + 1i), (_e6440 + 2i), (_e6440 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_28(array<i32, 4>(_e6440, (_e6440 + 1i), (_e6440 + 2i), (_e6440 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e6338 - f32(_e6361)), (_e6342 - f32(_e6376)), (_e6346 - f32(_e6391)));
 let _e6468 = local_6.member[1u];
 let _e6469 = ((_e6452 + _e6449) + _e6468);
 let _e6471 = (_e6469 >> bitcast<u32>(1i));
 let _e6474 = bitcast<u32>(((_e6469 & 1i) * 16i));
 let _e6476 = select(_e6430, _e6471, (_e6471 < _e6430));
-let _e6481 = global_2.member[bitcast<u32>(select(0i, _e6476, (_e6476 > 0i)))];
+let _e6481 = global_1.member[bitcast<u32>(select(0i, _e6476, (_e6476 > 0i)))];
 let _e6485 = (_e6471 + 1i);
 let _e6487 = select(_e6430, _e6485, (_e6485 < _e6430));
-let _e6492 = global_2.member[bitcast<u32>(select(0i, _e6487, (_e6487 > 0i)))];
+let _e6492 = global_1.member[bitcast<u32>(select(0i, _e6487, (_e6487 > 0i)))];
 let _e6499 = ((_e6481 >> bitcast<u32>((_e6474 & 31u))) | ((_e6492 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6474) & 31u))));
 let _e6502 = local_6.member_1[2u];
 let _e6508 = f32(bitcast<i32>(((_e6499 >> bitcast<u32>((_e6502 & 31u))) & 65535u)));
@@ -2924,10 +2924,10 @@ let _e6524 = ((_e6452 + _e6451) + _e6523);
 let _e6526 = (_e6524 >> bitcast<u32>(1i));
 let _e6529 = bitcast<u32>(((_e6524 & 1i) * 16i));
 let _e6531 = select(_e6430, _e6526, (_e6526 < _e6430));
-let _e6536 = global_2.member[bitcast<u32>(select(0i, _e6531, (_e6531 > 0i)))];
+let _e6536 = global_1.member[bitcast<u32>(select(0i, _e6531, (_e6531 > 0i)))];
 let _e6540 = (_e6526 + 1i);
 let _e6542 = select(_e6430, _e6540, (_e6540 < _e6430));
-let _e6547 = global_2.member[bitcast<u32>(select(0i, _e6542, (_e6542 > 0i)))];
+let _e6547 = global_1.member[bitcast<u32>(select(0i, _e6542, (_e6542 > 0i)))];
 let _e6554 = ((_e6536 >> bitcast<u32>((_e6529 & 31u))) | ((_e6547 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6529) & 31u))));
 let _e6555 = local_6.member_1[2u];
 let _e6561 = f32(bitcast<i32>(((_e6554 >> bitcast<u32>((_e6555 & 31u))) & 65535u)));
@@ -2940,10 +2940,10 @@ let _e6580 = ((_e6454 + _e6449) + _e6579);
 let _e6582 = (_e6580 >> bitcast<u32>(1i));
 let _e6585 = bitcast<u32>(((_e6580 & 1i) * 16i));
 let _e6587 = select(_e6430, _e6582, (_e6582 < _e6430));
-let _e6592 = global_2.member[bitcast<u32>(select(0i, _e6587, (_e6587 > 0i)))];
+let _e6592 = global_1.member[bitcast<u32>(select(0i, _e6587, (_e6587 > 0i)))];
 let _e6596 = (_e6582 + 1i);
 let _e6598 = select(_e6430, _e6596, (_e6596 < _e6430));
-let _e6603 = global_2.member[bitcast<u32>(select(0i, _e6598, (_e6598 > 0i)))];
+let _e6603 = global_1.member[bitcast<u32>(select(0i, _e6598, (_e6598 > 0i)))];
 let _e6610 = ((_e6592 >> bitcast<u32>((_e6585 & 31u))) | ((_e6603 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6585) & 31u))));
 let _e6611 = local_6.member_1[2u];
 let _e6617 = f32(bitcast<i32>(((_e6610 >> bitcast<u32>((_e6611 & 31u))) & 65535u)));
@@ -2955,10 +2955,10 @@ let _e6631 = ((_e6454 + _e6451) + _e6630);
 let _e6633 = (_e6631 >> bitcast<u32>(1i));
 let _e6636 = bitcast<u32>(((_e6631 & 1i) * 16i));
 let _e6638 = select(_e6430, _e6633, (_e6633 < _e6430));
-let _e6643 = global_2.member[bitcast<u32>(select(0i, _e6638, (_e6638 > 0i)))];
+let _e6643 = global_1.member[bitcast<u32>(select(0i, _e6638, (_e6638 > 0i)))];
 let _e6647 = (_e6633 + 1i);
 let _e6649 = select(_e6430, _e6647, (_e6647 < _e6430));
-let _e6654 = global_2.member[bitcast<u32>(select(0i, _e6649, (_e6649 > 0i)))];
+let _e6654 = global_1.member[bitcast<u32>(select(0i, _e6649, (_e6649 > 0i)))];
 let _e6661 = ((_e6643 >> bitcast<u32>((_e6636 & 31u))) | ((_e6654 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6636) & 31u))));
 let _e6662 = local_6.member_1[2u];
 let _e6668 = f32(bitcast<i32>(((_e6661 >> bitcast<u32>((_e6662 & 31u))) & 65535u)));
@@ -2966,12 +2966,12 @@ let _e6669 = local_6.member_1[3u];
 let _e6676 = local_7[0u];
 let _e6680 = local_7[1u];
 let _e6685 = local_7[2u];
-let _e6693 = global_4.member[_e370].member_6.member_6;
-let _e6698 = global_4.member[_e370].member_6.member_5;
+let _e6693 = global_3.member[_e370].member_6.member_6;
+let _e6698 = global_3.member[_e370].member_6.member_5;
 let _e6700 = (((_e6577 + (((_e6628 + (((_e6668 + ((f32(bitcast<i32>(((_e6661 >> bitcast<u32>((_e6669 & 31u))) & 65535u))) - _e6668) * _e6676)) - _e6628) * _e6680)) - _e6577) * _e6685)) - _e6693) * _e6698);
 let _e6701 = -(1e9f);
 let _e6703 = select(_e6701, _e6700, (_e6700 > _e6701));
-phi_20590_ = type_34(select(1e9f, _e6703, (_e6703 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20590_ = type_33(select(1e9f, _e6703, (_e6703 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8662 = phi_20590_;
 let _e8664 = select(-0.5f, _e482, (_e482 > -0.5f));
@@ -2992,17 +2992,17 @@ let _e8706 = select(-1f, _e8674, (_e8674 > -1f));
 let _e8708 = select(_e561, _e8706, (_e8706 < _e561));
 let _e8715 = select(0i, select(select(i32(_e8708), i32(-2147483648), (_e8708 < -2147483600f)), 2147483647i, (_e8708 > 2147483500f)), (_e8708 == _e8708));
 let _e8719 = (_e8715 - select(0i, 1i, (_e8708 < f32(_e8715))));
-let _e8724 = global_4.member[_e370].member_6.member_7;
-let _e8729 = global_4.member[_e370].member_6.member_8;
+let _e8724 = global_3.member[_e370].member_6.member_7;
+let _e8729 = global_3.member[_e370].member_6.member_8;
 let _e8730 = (_e8689 + 1i);
 let _e8731 = (_e8704 + 1i);
 let _e8732 = (_e8719 + 1i);
-let _e8738 = global_4.member[_e370].member_6.member_11.member;
-let _e8745 = global_4.member[_e370].member_6.member_11.member_1;
+let _e8738 = global_3.member[_e370].member_6.member_11.member;
+let _e8745 = global_3.member[_e370].member_6.member_11.member_1;
 let _e8756 = ((_e8730 >> bitcast<u32>(4i)) + (bitcast<i32>(_e8738) * ((_e8731 >> bitcast<u32>(4i)) + (bitcast<i32>(_e8745) * (_e8732 >> bitcast<u32>(4i))))));
 let _e8758 = (bitcast<i32>(_e183) - 1i);
 let _e8760 = select(_e8758, _e8756, (_e8756 < _e8758));
-let _e8766 = global_2.member[bitcast<u32>(select(0i, _e8760, (_e8760 > 0i)))];
+let _e8766 = global_1.member[bitcast<u32>(select(0i, _e8760, (_e8760 > 0i)))];
 let _e8768 = (_e8730 & 15i);
 let _e8771 = ((_e8731 & 15i) * _e8724);
 let _e8773 = (bitcast<i32>(_e8766) + ((_e8732 & 15i) * _e8729));
@@ -3010,17 +3010,17 @@ let _e8777 = (_e8771 + _e8724);
 let _e8779 = (_e8771 + (2i * _e8724));
 let _e8780 = (_e8773 + _e8729);
 let _e8782 = (_e8773 + (2i * _e8729));
-local_4 = type_32(array<i32, 4>(_e8768, (_e8768 + 1i), (_e8768 + 2i), (_e8768 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_28(array<i32, 4>(_e8768, (_e8768 + 1i), (_e8768 + 2i), (_e8768 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e8666 - f32(_e8689)), (_e8670 - f32(_e8704)), (_e8674 - f32(_e8719)));
 let _e8796 = local_4.member[1u];
 let _e8797 = ((_e8780 + _e8777) + _e8796);
 let _e8799 = (_e8797 >> bitcast<u32>(1i));
 let _e8802 = bitcast<u32>(((_e8797 & 1i) * 16i));
 let _e8804 = select(_e8758, _e8799, (_e8799 < _e8758));
-let _e8809 = global_2.member[bitcast<u32>(select(0i, _e8804, (_e8804 > 0i)))];
+let _e8809 = global_1.member[bitcast<u32>(select(0i, _e8804, (_e8804 > 0i)))];
 let _e8813 = (_e8799 + 1i);
 let _e8815 = select(_e8758, _e8813, (_e8813 < _e8758));
-let _e8820 = global_2.member[bitcast<u32>(select(0i, _e8815, (_e8815 > 0i)))];
+let _e8820 = global_1.member[bitcast<u32>(select(0i, _e8815, (_e8815 > 0i)))];
 let _e8827 = ((_e8809 >> bitcast<u32>((_e8802 & 31u))) | ((_e8820 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8802) & 31u))));
 let _e8830 = local_4.member_1[2u];
 let _e8836 = f32(bitcast<i32>(((_e8827 >> bitcast<u32>((_e8830 & 31u))) & 65535u)));
@@ -3032,10 +3032,10 @@ let _e8852 = ((_e8780 + _e8779) + _e8851);
 let _e8854 = (_e8852 >> bitcast<u32>(1i));
 let _e8857 = bitcast<u32>(((_e8852 & 1i) * 16i));
 let _e8859 = select(_e8758, _e8854, (_e8854 < _e8758));
-let _e8864 = global_2.member[bitcast<u32>(select(0i, _e8859, (_e8859 > 0i)))];
+let _e8864 = global_1.member[bitcast<u32>(select(0i, _e8859, (_e8859 > 0i)))];
 let _e8868 = (_e8854 + 1i);
 let _e8870 = select(_e8758, _e8868, (_e8868 < _e8758));
-let _e8875 = global_2.member[bitcast<u32>(select(0i, _e8870, (_e8870 > 0i)))];
+let _e8875 = global_1.member[bitcast<u32>(select(0i, _e8870, (_e8870 > 0i)))];
 let _e8882 = ((_e8864 >> bitcast<u32>((_e8857 & 31u))) | ((_e8875 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8857) & 31u))));
 let _e8883 = local_4.member_1[2u];
 let _e8889 = f32(bitcast<i32>(((_e8882 >> bitcast<u32>((_e8883 & 31u))) & 65535u)));
@@ -3048,10 +3048,10 @@ let _e8908 = ((_e8782 + _e8777) + _e8907);
 let _e8910 = (_e8908 >> bitcast<u32>(1i));
 let _e8913 = bitcast<u32>(((_e8908 & 1i) * 16i));
 let _e8915 = select(_e8758, _e8910, (_e8910 < _e8758));
-let _e8920 = global_2.member[bitcast<u32>(select(0i, _e8915, (_e8915 > 0i)))];
+let _e8920 = global_1.member[bitcast<u32>(select(0i, _e8915, (_e8915 > 0i)))];
 let _e8924 = (_e8910 + 1i);
 let _e8926 = select(_e8758, _e8924, (_e8924 < _e8758));
-let _e8931 = global_2.member[bitcast<u32>(select(0i, _e8926, (_e8926 > 0i)))];
+let _e8931 = global_1.member[bitcast<u32>(select(0i, _e8926, (_e8926 > 0i)))];
 let _e8938 = ((_e8920 >> bitcast<u32>((_e8913 & 31u))) | ((_e8931 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8913) & 31u))));
 let _e8939 = local_4.member_1[2u];
 let _e8945 = f32(bitcast<i32>(((_e8938 >> bitcast<u32>((_e8939 & 31u))) & 65535u)));
@@ -3063,10 +3063,10 @@ let _e8959 = ((_e8782 + _e8779) + _e8958);
 let _e8961 = (_e8959 >> bitcast<u32>(1i));
 let _e8964 = bitcast<u32>(((_e8959 & 1i) * 16i));
 let _e8966 = select(_e8758, _e8961, (_e8961 < _e8758));
-let _e8971 = global_2.member[bitcast<u32>(select(0i, _e8966, (_e8966 > 0i)))];
+let _e8971 = global_1.member[bitcast<u32>(select(0i, _e8966, (_e8966 > 0i)))];
 let _e8975 = (_e8961 + 1i);
 let _e8977 = select(_e8758, _e8975, (_e8975 < _e8758));
-let _e8982 = global_2.member[bitcast<u32>(select(0i, _e8977, (_e8977 > 0i)))];
+let _e8982 = global_1.member[bitcast<u32>(select(0i, _e8977, (_e8977 > 0i)))];
 let _e8989 = ((_e8971 >> bitcast<u32>((_e8964 & 31u))) | ((_e8982 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8964) & 31u))));
 let _e8990 = local_4.member_1[2u];
 let _e8996 = f32(bitcast<i32>(((_e8989 >> bitcast<u32>((_e8990 & 31u))) & 65535u)));
@@ -3074,17 +3074,17 @@ let _e8997 = local_4.member_1[3u];
 let _e9004 = local_5[0u];
 let _e9008 = local_5[1u];
 let _e9013 = local_5[2u];
-let _e9021 = global_4.member[_e370].member_6.member_6;
-let _e9026 = global_4.member[_e370].member_6.member_5;
+let _e9021 = global_3.member[_e370].member_6.member_6;
+let _e9026 = global_3.member[_e370].member_6.member_5;
 let _e9028 = (((_e8905 + (((_e8956 + (((_e8996 + ((f32(bitcast<i32>(((_e8989 >> bitcast<u32>((_e8997 & 31u))) & 65535u))) - _e8996) * _e9004)) - _e8956) * _e9008)) - _e8905) * _e9013)) - _e9021) * _e9026);
 let _e9029 = -(1e9f);
 let _e9031 = select(_e9029, _e9028, (_e9028 > _e9029));
 let _e9033 = select(1e9f, _e9031, (_e9031 < 1e9f));
 let _e9035 = ((_e1048 & 16u) == 0u);
 if _e9035 {
-phi_21503_ = type_5(1f, 1f, 1f);
+phi_21503_ = type_7(1f, 1f, 1f);
 } else {
-let _e9040 = global_4.member[_e370].member_14.member;
+let _e9040 = global_3.member[_e370].member_14.member;
 let _e9051 = ((((_e9040.member.member * _e396) + (_e9040.member.member_1 * _e398)) + (_e9040.member.member_2 * _e392)) + _e9040.member_1);
 let _e9057 = ((((_e9040.member.member * _e6311.member_1.x) + (_e9040.member.member_1 * _e6311.member_1.y)) + (_e9040.member.member_2 * _e6311.member_1.z)) + _e9040.member_1);
 let _e9059 = select(_e9057, _e9051, (_e9051 < _e9057));
@@ -3093,9 +3093,9 @@ let _e9063 = (_e9061 - _e9059);
 let _e9066 = (-(_e9059) / select(1e-30f, _e9063, (_e9063 > 1e-30f)));
 let _e9068 = select(0f, _e9066, (_e9066 > 0f));
 let _e9074 = select(select(select(1f, _e9068, (_e9068 < 1f)), 1f, (_e9061 <= 0f)), 0f, (_e9059 > 0f));
-let _e9080 = global_4.member[_e370].member_14.member_1;
+let _e9080 = global_3.member[_e370].member_14.member_1;
 let _e9081 = (_e9080 != 0u);
-let _e9092 = global_4.member[_e370].member_15.member;
+let _e9092 = global_3.member[_e370].member_15.member;
 let _e9103 = ((((_e9092.member.member * _e396) + (_e9092.member.member_1 * _e398)) + (_e9092.member.member_2 * _e392)) + _e9092.member_1);
 let _e9109 = ((((_e9092.member.member * _e6311.member_1.x) + (_e9092.member.member_1 * _e6311.member_1.y)) + (_e9092.member.member_2 * _e6311.member_1.z)) + _e9092.member_1);
 let _e9111 = select(_e9109, _e9103, (_e9103 < _e9109));
@@ -3104,9 +3104,9 @@ let _e9115 = (_e9113 - _e9111);
 let _e9118 = (-(_e9111) / select(1e-30f, _e9115, (_e9115 > 1e-30f)));
 let _e9120 = select(0f, _e9118, (_e9118 > 0f));
 let _e9126 = select(select(select(1f, _e9120, (_e9120 < 1f)), 1f, (_e9113 <= 0f)), 0f, (_e9111 > 0f));
-let _e9132 = global_4.member[_e370].member_15.member_1;
+let _e9132 = global_3.member[_e370].member_15.member_1;
 let _e9133 = (_e9132 != 0u);
-let _e9144 = global_4.member[_e370].member_16.member;
+let _e9144 = global_3.member[_e370].member_16.member;
 let _e9155 = ((((_e9144.member.member * _e396) + (_e9144.member.member_1 * _e398)) + (_e9144.member.member_2 * _e392)) + _e9144.member_1);
 let _e9161 = ((((_e9144.member.member * _e6311.member_1.x) + (_e9144.member.member_1 * _e6311.member_1.y)) + (_e9144.member.member_2 * _e6311.member_1.z)) + _e9144.member_1);
 let _e9163 = select(_e9161, _e9155, (_e9155 < _e9161));
@@ -3115,9 +3115,9 @@ let _e9167 = (_e9165 - _e9163);
 let _e9170 = (-(_e9163) / select(1e-30f, _e9167, (_e9167 > 1e-30f)));
 let _e9172 = select(0f, _e9170, (_e9170 > 0f));
 let _e9178 = select(select(select(1f, _e9172, (_e9172 < 1f)), 1f, (_e9165 <= 0f)), 0f, (_e9163 > 0f));
-let _e9184 = global_4.member[_e370].member_16.member_1;
+let _e9184 = global_3.member[_e370].member_16.member_1;
 let _e9185 = (_e9184 != 0u);
-let _e9196 = global_4.member[_e370].member_17.member;
+let _e9196 = global_3.member[_e370].member_17.member;
 let _e9207 = ((((_e9196.member.member * _e396) + (_e9196.member.member_1 * _e398)) + (_e9196.member.member_2 * _e392)) + _e9196.member_1);
 let _e9213 = ((((_e9196.member.member * _e6311.member_1.x) + (_e9196.member.member_1 * _e6311.member_1.y)) + (_e9196.member.member_2 * _e6311.member_1.z)) + _e9196.member_1);
 let _e9215 = select(_e9213, _e9207, (_e9207 < _e9213));
@@ -3126,109 +3126,109 @@ let _e9219 = (_e9217 - _e9215);
 let _e9222 = (-(_e9215) / select(1e-30f, _e9219, (_e9219 > 1e-30f)));
 let _e9224 = select(0f, _e9222, (_e9222 > 0f));
 let _e9230 = select(select(select(1f, _e9224, (_e9224 < 1f)), 1f, (_e9217 <= 0f)), 0f, (_e9215 > 0f));
-let _e9236 = global_4.member[_e370].member_17.member_1;
+let _e9236 = global_3.member[_e370].member_17.member_1;
 let _e9237 = (_e9236 != 0u);
-phi_21503_ = type_5(((((1f * _e9074) * _e9126) * _e9178) * _e9230), ((((1f * select(1f, _e9074, _e9081)) * select(1f, _e9126, _e9133)) * select(1f, _e9178, _e9185)) * select(1f, _e9230, _e9237)), ((((1f * select(1f, 0f, (_e9081 && (_e9057 > 0f)))) * select(1f, 0f, (_e9133 && (_e9109 > 0f)))) * select(1f, 0f, (_e9185 && (_e9161 > 0f)))) * select(1f, 0f, (_e9237 && (_e9213 > 0f)))));
+phi_21503_ = type_7(((((1f * _e9074) * _e9126) * _e9178) * _e9230), ((((1f * select(1f, _e9074, _e9081)) * select(1f, _e9126, _e9133)) * select(1f, _e9178, _e9185)) * select(1f, _e9230, _e9237)), ((((1f * select(1f, 0f, (_e9081 && (_e9057 > 0f)))) * select(1f, 0f, (_e9133 && (_e9109 > 0f)))) * select(1f, 0f, (_e9185 && (_e9161 > 0f)))) * select(1f, 0f, (_e9237 && (_e9213 > 0f)))));
 }
 let _e9246 = phi_21503_;
-let _e9252 = global_4.member[_e370].member_5.member_3;
+let _e9252 = global_3.member[_e370].member_5.member_3;
 let _e9253 = (_e6311.member_3 * _e9252);
 if (((_e379.member_2 == 3u) || (_e379.member_2 == 4u)) || _e578) {
 local_3 = _e9033;
 let _e10164 = local_3;
 let _e10166 = (bitcast<i32>(_e188) - 1i);
 let _e10168 = select(_e10166, 263171i, (263171i < _e10166));
-let _e10173 = global_3.member[bitcast<u32>(select(0i, _e10168, (_e10168 > 0i)))];
+let _e10173 = global_2.member[bitcast<u32>(select(0i, _e10168, (_e10168 > 0i)))];
 let _e10174 = bitcast<f32>(_e10173);
 let _e10176 = select(_e10166, 263172i, (263172i < _e10166));
-let _e10181 = global_3.member[bitcast<u32>(select(0i, _e10176, (_e10176 > 0i)))];
+let _e10181 = global_2.member[bitcast<u32>(select(0i, _e10176, (_e10176 > 0i)))];
 let _e10182 = bitcast<f32>(_e10181);
 let _e10184 = select(_e10166, 263173i, (263173i < _e10166));
-let _e10189 = global_3.member[bitcast<u32>(select(0i, _e10184, (_e10184 > 0i)))];
+let _e10189 = global_2.member[bitcast<u32>(select(0i, _e10184, (_e10184 > 0i)))];
 let _e10190 = bitcast<f32>(_e10189);
 let _e10192 = ((_e10164 - _e10174) * _e10182);
 let _e10194 = select(0f, _e10192, (_e10192 > 0f));
 let _e10197 = local_3;
 let _e10199 = select(_e10166, 263174i, (263174i < _e10166));
-let _e10204 = global_3.member[bitcast<u32>(select(0i, _e10199, (_e10199 > 0i)))];
+let _e10204 = global_2.member[bitcast<u32>(select(0i, _e10199, (_e10199 > 0i)))];
 let _e10205 = bitcast<f32>(_e10204);
 let _e10207 = select(_e10166, 263175i, (263175i < _e10166));
-let _e10212 = global_3.member[bitcast<u32>(select(0i, _e10207, (_e10207 > 0i)))];
+let _e10212 = global_2.member[bitcast<u32>(select(0i, _e10207, (_e10207 > 0i)))];
 let _e10213 = bitcast<f32>(_e10212);
 let _e10215 = select(_e10166, 263176i, (263176i < _e10166));
-let _e10220 = global_3.member[bitcast<u32>(select(0i, _e10215, (_e10215 > 0i)))];
+let _e10220 = global_2.member[bitcast<u32>(select(0i, _e10215, (_e10215 > 0i)))];
 let _e10221 = bitcast<f32>(_e10220);
 let _e10223 = ((_e10197 - _e10205) * _e10213);
 let _e10225 = select(0f, _e10223, (_e10223 > 0f));
 let _e10229 = local_3;
 let _e10231 = select(_e10166, 263177i, (263177i < _e10166));
-let _e10236 = global_3.member[bitcast<u32>(select(0i, _e10231, (_e10231 > 0i)))];
+let _e10236 = global_2.member[bitcast<u32>(select(0i, _e10231, (_e10231 > 0i)))];
 let _e10237 = bitcast<f32>(_e10236);
 let _e10239 = select(_e10166, 263178i, (263178i < _e10166));
-let _e10244 = global_3.member[bitcast<u32>(select(0i, _e10239, (_e10239 > 0i)))];
+let _e10244 = global_2.member[bitcast<u32>(select(0i, _e10239, (_e10239 > 0i)))];
 let _e10245 = bitcast<f32>(_e10244);
 let _e10247 = select(_e10166, 263179i, (263179i < _e10166));
-let _e10252 = global_3.member[bitcast<u32>(select(0i, _e10247, (_e10247 > 0i)))];
+let _e10252 = global_2.member[bitcast<u32>(select(0i, _e10247, (_e10247 > 0i)))];
 let _e10253 = bitcast<f32>(_e10252);
 let _e10255 = ((_e10229 - _e10237) * _e10245);
 let _e10257 = select(0f, _e10255, (_e10255 > 0f));
 let _e10260 = local_3;
 let _e10262 = select(_e10166, 263180i, (263180i < _e10166));
-let _e10267 = global_3.member[bitcast<u32>(select(0i, _e10262, (_e10262 > 0i)))];
+let _e10267 = global_2.member[bitcast<u32>(select(0i, _e10262, (_e10262 > 0i)))];
 let _e10268 = bitcast<f32>(_e10267);
 let _e10270 = select(_e10166, 263181i, (263181i < _e10166));
-let _e10275 = global_3.member[bitcast<u32>(select(0i, _e10270, (_e10270 > 0i)))];
+let _e10275 = global_2.member[bitcast<u32>(select(0i, _e10270, (_e10270 > 0i)))];
 let _e10276 = bitcast<f32>(_e10275);
 let _e10278 = select(_e10166, 263182i, (263182i < _e10166));
-let _e10283 = global_3.member[bitcast<u32>(select(0i, _e10278, (_e10278 > 0i)))];
+let _e10283 = global_2.member[bitcast<u32>(select(0i, _e10278, (_e10278 > 0i)))];
 let _e10284 = bitcast<f32>(_e10283);
 let _e10286 = ((_e10260 - _e10268) * _e10276);
 let _e10288 = select(0f, _e10286, (_e10286 > 0f));
 let _e10293 = local_3;
 let _e10295 = select(_e10166, 263183i, (263183i < _e10166));
-let _e10300 = global_3.member[bitcast<u32>(select(0i, _e10295, (_e10295 > 0i)))];
+let _e10300 = global_2.member[bitcast<u32>(select(0i, _e10295, (_e10295 > 0i)))];
 let _e10301 = bitcast<f32>(_e10300);
 let _e10303 = select(_e10166, 263184i, (263184i < _e10166));
-let _e10308 = global_3.member[bitcast<u32>(select(0i, _e10303, (_e10303 > 0i)))];
+let _e10308 = global_2.member[bitcast<u32>(select(0i, _e10303, (_e10303 > 0i)))];
 let _e10309 = bitcast<f32>(_e10308);
 let _e10311 = select(_e10166, 263185i, (263185i < _e10166));
-let _e10316 = global_3.member[bitcast<u32>(select(0i, _e10311, (_e10311 > 0i)))];
+let _e10316 = global_2.member[bitcast<u32>(select(0i, _e10311, (_e10311 > 0i)))];
 let _e10317 = bitcast<f32>(_e10316);
 let _e10319 = ((_e10293 - _e10301) * _e10309);
 let _e10321 = select(0f, _e10319, (_e10319 > 0f));
 let _e10324 = local_3;
 let _e10326 = select(_e10166, 263186i, (263186i < _e10166));
-let _e10331 = global_3.member[bitcast<u32>(select(0i, _e10326, (_e10326 > 0i)))];
+let _e10331 = global_2.member[bitcast<u32>(select(0i, _e10326, (_e10326 > 0i)))];
 let _e10332 = bitcast<f32>(_e10331);
 let _e10334 = select(_e10166, 263187i, (263187i < _e10166));
-let _e10339 = global_3.member[bitcast<u32>(select(0i, _e10334, (_e10334 > 0i)))];
+let _e10339 = global_2.member[bitcast<u32>(select(0i, _e10334, (_e10334 > 0i)))];
 let _e10340 = bitcast<f32>(_e10339);
 let _e10342 = select(_e10166, 263188i, (263188i < _e10166));
-let _e10347 = global_3.member[bitcast<u32>(select(0i, _e10342, (_e10342 > 0i)))];
+let _e10347 = global_2.member[bitcast<u32>(select(0i, _e10342, (_e10342 > 0i)))];
 let _e10348 = bitcast<f32>(_e10347);
 let _e10350 = ((_e10324 - _e10332) * _e10340);
 let _e10352 = select(0f, _e10350, (_e10350 > 0f));
 let _e10356 = local_3;
 let _e10358 = select(_e10166, 263189i, (263189i < _e10166));
-let _e10363 = global_3.member[bitcast<u32>(select(0i, _e10358, (_e10358 > 0i)))];
+let _e10363 = global_2.member[bitcast<u32>(select(0i, _e10358, (_e10358 > 0i)))];
 let _e10364 = bitcast<f32>(_e10363);
 let _e10366 = select(_e10166, 263190i, (263190i < _e10166));
-let _e10371 = global_3.member[bitcast<u32>(select(0i, _e10366, (_e10366 > 0i)))];
+let _e10371 = global_2.member[bitcast<u32>(select(0i, _e10366, (_e10366 > 0i)))];
 let _e10372 = bitcast<f32>(_e10371);
 let _e10374 = select(_e10166, 263191i, (263191i < _e10166));
-let _e10379 = global_3.member[bitcast<u32>(select(0i, _e10374, (_e10374 > 0i)))];
+let _e10379 = global_2.member[bitcast<u32>(select(0i, _e10374, (_e10374 > 0i)))];
 let _e10380 = bitcast<f32>(_e10379);
 let _e10382 = ((_e10356 - _e10364) * _e10372);
 let _e10384 = select(0f, _e10382, (_e10382 > 0f));
 let _e10387 = local_3;
 let _e10389 = select(_e10166, 263192i, (263192i < _e10166));
-let _e10394 = global_3.member[bitcast<u32>(select(0i, _e10389, (_e10389 > 0i)))];
+let _e10394 = global_2.member[bitcast<u32>(select(0i, _e10389, (_e10389 > 0i)))];
 let _e10395 = bitcast<f32>(_e10394);
 let _e10397 = select(_e10166, 263193i, (263193i < _e10166));
-let _e10402 = global_3.member[bitcast<u32>(select(0i, _e10397, (_e10397 > 0i)))];
+let _e10402 = global_2.member[bitcast<u32>(select(0i, _e10397, (_e10397 > 0i)))];
 let _e10403 = bitcast<f32>(_e10402);
 let _e10405 = select(_e10166, 263194i, (263194i < _e10166));
-let _e10410 = global_3.member[bitcast<u32>(select(0i, _e10405, (_e10405 > 0i)))];
+let _e10410 = global_2.member[bitcast<u32>(select(0i, _e10405, (_e10405 > 0i)))];
 let _e10411 = bitcast<f32>(_e10410);
 let _e10413 = ((_e10387 - _e10395) * _e10403);
 let _e10415 = select(0f, _e10413, (_e10413 > 0f));
@@ -3269,10 +3269,10 @@ let _e10503 = select(_e10484, _e10501, (_e10501 < _e10484));
 let _e10510 = select(0i, select(select(i32(_e10503), i32(-2147483648), (_e10503 < -2147483600f)), 2147483647i, (_e10503 > 2147483500f)), (_e10503 == _e10503));
 let _e10514 = (_e10510 - select(0i, 1i, (_e10503 < f32(_e10510))));
 let _e10516 = select(_e10166, 263195i, (263195i < _e10166));
-let _e10522 = global_3.member[bitcast<u32>(select(0i, _e10516, (_e10516 > 0i)))];
+let _e10522 = global_2.member[bitcast<u32>(select(0i, _e10516, (_e10516 > 0i)))];
 let _e10523 = bitcast<f32>(_e10522);
 let _e10525 = select(_e10166, 263196i, (263196i < _e10166));
-let _e10531 = global_3.member[bitcast<u32>(select(0i, _e10525, (_e10525 > 0i)))];
+let _e10531 = global_2.member[bitcast<u32>(select(0i, _e10525, (_e10525 > 0i)))];
 let _e10532 = bitcast<f32>(_e10531);
 let _e10533 = (_e8662.member - _e9033);
 let _e10539 = (1f / select(_e10533, 1f, (bitcast<f32>((bitcast<u32>(_e10533) & 2147483647u)) < 1e-20f)));
@@ -3281,20 +3281,20 @@ let _e10551 = ((select(_e10532, _e8662.member, (_e8662.member > _e10532)) - sele
 let _e10554 = (((_e10499 * 256i) + _e10514) * 4i);
 let _e10558 = (_e10483 - f32(_e10514));
 let _e10562 = select(_e10166, _e10554, (_e10554 < _e10166));
-let _e10568 = global_3.member[bitcast<u32>(select(0i, _e10562, (_e10562 > 0i)))];
+let _e10568 = global_2.member[bitcast<u32>(select(0i, _e10562, (_e10562 > 0i)))];
 let _e10569 = (_e10554 + 4i);
 let _e10571 = select(_e10166, _e10569, (_e10569 < _e10166));
-let _e10577 = global_3.member[bitcast<u32>(select(0i, _e10571, (_e10571 > 0i)))];
+let _e10577 = global_2.member[bitcast<u32>(select(0i, _e10571, (_e10571 > 0i)))];
 let _e10578 = (_e10554 + 1024i);
 let _e10580 = select(_e10166, _e10578, (_e10578 < _e10166));
-let _e10586 = global_3.member[bitcast<u32>(select(0i, _e10580, (_e10580 > 0i)))];
+let _e10586 = global_2.member[bitcast<u32>(select(0i, _e10580, (_e10580 > 0i)))];
 let _e10587 = (_e10554 + 1028i);
 let _e10589 = select(_e10166, _e10587, (_e10587 < _e10166));
-let _e10595 = global_3.member[bitcast<u32>(select(0i, _e10589, (_e10589 > 0i)))];
+let _e10595 = global_2.member[bitcast<u32>(select(0i, _e10589, (_e10589 > 0i)))];
 let _e10597 = select(_e10166, 0i, (0i < _e10166));
-let _e10603 = global_3.member[bitcast<u32>(select(0i, _e10597, (_e10597 > 0i)))];
+let _e10603 = global_2.member[bitcast<u32>(select(0i, _e10597, (_e10597 > 0i)))];
 let _e10605 = select(_e10166, 262140i, (262140i < _e10166));
-let _e10611 = global_3.member[bitcast<u32>(select(0i, _e10605, (_e10605 > 0i)))];
+let _e10611 = global_2.member[bitcast<u32>(select(0i, _e10605, (_e10605 > 0i)))];
 let _e10616 = (bitcast<f32>(((_e10568 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10624 = (_e10616 + (((bitcast<f32>(((_e10577 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10616) * _e10558));
 let _e10629 = (bitcast<f32>(((_e10586 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3317,97 +3317,97 @@ local_1 = _e9033;
 let _e9259 = local_1;
 let _e9261 = (bitcast<i32>(_e188) - 1i);
 let _e9263 = select(_e9261, 263171i, (263171i < _e9261));
-let _e9268 = global_3.member[bitcast<u32>(select(0i, _e9263, (_e9263 > 0i)))];
+let _e9268 = global_2.member[bitcast<u32>(select(0i, _e9263, (_e9263 > 0i)))];
 let _e9269 = bitcast<f32>(_e9268);
 let _e9271 = select(_e9261, 263172i, (263172i < _e9261));
-let _e9276 = global_3.member[bitcast<u32>(select(0i, _e9271, (_e9271 > 0i)))];
+let _e9276 = global_2.member[bitcast<u32>(select(0i, _e9271, (_e9271 > 0i)))];
 let _e9277 = bitcast<f32>(_e9276);
 let _e9279 = select(_e9261, 263173i, (263173i < _e9261));
-let _e9284 = global_3.member[bitcast<u32>(select(0i, _e9279, (_e9279 > 0i)))];
+let _e9284 = global_2.member[bitcast<u32>(select(0i, _e9279, (_e9279 > 0i)))];
 let _e9285 = bitcast<f32>(_e9284);
 let _e9287 = ((_e9259 - _e9269) * _e9277);
 let _e9289 = select(0f, _e9287, (_e9287 > 0f));
 let _e9292 = local_1;
 let _e9294 = select(_e9261, 263174i, (263174i < _e9261));
-let _e9299 = global_3.member[bitcast<u32>(select(0i, _e9294, (_e9294 > 0i)))];
+let _e9299 = global_2.member[bitcast<u32>(select(0i, _e9294, (_e9294 > 0i)))];
 let _e9300 = bitcast<f32>(_e9299);
 let _e9302 = select(_e9261, 263175i, (263175i < _e9261));
-let _e9307 = global_3.member[bitcast<u32>(select(0i, _e9302, (_e9302 > 0i)))];
+let _e9307 = global_2.member[bitcast<u32>(select(0i, _e9302, (_e9302 > 0i)))];
 let _e9308 = bitcast<f32>(_e9307);
 let _e9310 = select(_e9261, 263176i, (263176i < _e9261));
-let _e9315 = global_3.member[bitcast<u32>(select(0i, _e9310, (_e9310 > 0i)))];
+let _e9315 = global_2.member[bitcast<u32>(select(0i, _e9310, (_e9310 > 0i)))];
 let _e9316 = bitcast<f32>(_e9315);
 let _e9318 = ((_e9292 - _e9300) * _e9308);
 let _e9320 = select(0f, _e9318, (_e9318 > 0f));
 let _e9324 = local_1;
 let _e9326 = select(_e9261, 263177i, (263177i < _e9261));
-let _e9331 = global_3.member[bitcast<u32>(select(0i, _e9326, (_e9326 > 0i)))];
+let _e9331 = global_2.member[bitcast<u32>(select(0i, _e9326, (_e9326 > 0i)))];
 let _e9332 = bitcast<f32>(_e9331);
 let _e9334 = select(_e9261, 263178i, (263178i < _e9261));
-let _e9339 = global_3.member[bitcast<u32>(select(0i, _e9334, (_e9334 > 0i)))];
+let _e9339 = global_2.member[bitcast<u32>(select(0i, _e9334, (_e9334 > 0i)))];
 let _e9340 = bitcast<f32>(_e9339);
 let _e9342 = select(_e9261, 263179i, (263179i < _e9261));
-let _e9347 = global_3.member[bitcast<u32>(select(0i, _e9342, (_e9342 > 0i)))];
+let _e9347 = global_2.member[bitcast<u32>(select(0i, _e9342, (_e9342 > 0i)))];
 let _e9348 = bitcast<f32>(_e9347);
 let _e9350 = ((_e9324 - _e9332) * _e9340);
 let _e9352 = select(0f, _e9350, (_e9350 > 0f));
 let _e9355 = local_1;
 let _e9357 = select(_e9261, 263180i, (263180i < _e9261));
-let _e9362 = global_3.member[bitcast<u32>(select(0i, _e9357, (_e9357 > 0i)))];
+let _e9362 = global_2.member[bitcast<u32>(select(0i, _e9357, (_e9357 > 0i)))];
 let _e9363 = bitcast<f32>(_e9362);
 let _e9365 = select(_e9261, 263181i, (263181i < _e9261));
-let _e9370 = global_3.member[bitcast<u32>(select(0i, _e9365, (_e9365 > 0i)))];
+let _e9370 = global_2.member[bitcast<u32>(select(0i, _e9365, (_e9365 > 0i)))];
 let _e9371 = bitcast<f32>(_e9370);
 let _e9373 = select(_e9261, 263182i, (263182i < _e9261));
-let _e9378 = global_3.member[bitcast<u32>(select(0i, _e9373, (_e9373 > 0i)))];
+let _e9378 = global_2.member[bitcast<u32>(select(0i, _e9373, (_e9373 > 0i)))];
 let _e9379 = bitcast<f32>(_e9378);
 let _e9381 = ((_e9355 - _e9363) * _e9371);
 let _e9383 = select(0f, _e9381, (_e9381 > 0f));
 let _e9388 = local_1;
 let _e9390 = select(_e9261, 263183i, (263183i < _e9261));
-let _e9395 = global_3.member[bitcast<u32>(select(0i, _e9390, (_e9390 > 0i)))];
+let _e9395 = global_2.member[bitcast<u32>(select(0i, _e9390, (_e9390 > 0i)))];
 let _e9396 = bitcast<f32>(_e9395);
 let _e9398 = select(_e9261, 263184i, (263184i < _e9261));
-let _e9403 = global_3.member[bitcast<u32>(select(0i, _e9398, (_e9398 > 0i)))];
+let _e9403 = global_2.member[bitcast<u32>(select(0i, _e9398, (_e9398 > 0i)))];
 let _e9404 = bitcast<f32>(_e9403);
 let _e9406 = select(_e9261, 263185i, (263185i < _e9261));
-let _e9411 = global_3.member[bitcast<u32>(select(0i, _e9406, (_e9406 > 0i)))];
+let _e9411 = global_2.member[bitcast<u32>(select(0i, _e9406, (_e9406 > 0i)))];
 let _e9412 = bitcast<f32>(_e9411);
 let _e9414 = ((_e9388 - _e9396) * _e9404);
 let _e9416 = select(0f, _e9414, (_e9414 > 0f));
 let _e9419 = local_1;
 let _e9421 = select(_e9261, 263186i, (263186i < _e9261));
-let _e9426 = global_3.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
+let _e9426 = global_2.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
 let _e9427 = bitcast<f32>(_e9426);
 let _e9429 = select(_e9261, 263187i, (263187i < _e9261));
-let _e9434 = global_3.member[bitcast<u32>(select(0i, _e9429, (_e9429 > 0i)))];
+let _e9434 = global_2.member[bitcast<u32>(select(0i, _e9429, (_e9429 > 0i)))];
 let _e9435 = bitcast<f32>(_e9434);
 let _e9437 = select(_e9261, 263188i, (263188i < _e9261));
-let _e9442 = global_3.member[bitcast<u32>(select(0i, _e9437, (_e9437 > 0i)))];
+let _e9442 = global_2.member[bitcast<u32>(select(0i, _e9437, (_e9437 > 0i)))];
 let _e9443 = bitcast<f32>(_e9442);
 let _e9445 = ((_e9419 - _e9427) * _e9435);
 let _e9447 = select(0f, _e9445, (_e9445 > 0f));
 let _e9451 = local_1;
 let _e9453 = select(_e9261, 263189i, (263189i < _e9261));
-let _e9458 = global_3.member[bitcast<u32>(select(0i, _e9453, (_e9453 > 0i)))];
+let _e9458 = global_2.member[bitcast<u32>(select(0i, _e9453, (_e9453 > 0i)))];
 let _e9459 = bitcast<f32>(_e9458);
 let _e9461 = select(_e9261, 263190i, (263190i < _e9261));
-let _e9466 = global_3.member[bitcast<u32>(select(0i, _e9461, (_e9461 > 0i)))];
+let _e9466 = global_2.member[bitcast<u32>(select(0i, _e9461, (_e9461 > 0i)))];
 let _e9467 = bitcast<f32>(_e9466);
 let _e9469 = select(_e9261, 263191i, (263191i < _e9261));
-let _e9474 = global_3.member[bitcast<u32>(select(0i, _e9469, (_e9469 > 0i)))];
+let _e9474 = global_2.member[bitcast<u32>(select(0i, _e9469, (_e9469 > 0i)))];
 let _e9475 = bitcast<f32>(_e9474);
 let _e9477 = ((_e9451 - _e9459) * _e9467);
 let _e9479 = select(0f, _e9477, (_e9477 > 0f));
 let _e9482 = local_1;
 let _e9484 = select(_e9261, 263192i, (263192i < _e9261));
-let _e9489 = global_3.member[bitcast<u32>(select(0i, _e9484, (_e9484 > 0i)))];
+let _e9489 = global_2.member[bitcast<u32>(select(0i, _e9484, (_e9484 > 0i)))];
 let _e9490 = bitcast<f32>(_e9489);
 let _e9492 = select(_e9261, 263193i, (263193i < _e9261));
-let _e9497 = global_3.member[bitcast<u32>(select(0i, _e9492, (_e9492 > 0i)))];
+let _e9497 = global_2.member[bitcast<u32>(select(0i, _e9492, (_e9492 > 0i)))];
 let _e9498 = bitcast<f32>(_e9497);
 let _e9500 = select(_e9261, 263194i, (263194i < _e9261));
-let _e9505 = global_3.member[bitcast<u32>(select(0i, _e9500, (_e9500 > 0i)))];
+let _e9505 = global_2.member[bitcast<u32>(select(0i, _e9500, (_e9500 > 0i)))];
 let _e9506 = bitcast<f32>(_e9505);
 let _e9508 = ((_e9482 - _e9490) * _e9498);
 let _e9510 = select(0f, _e9508, (_e9508 > 0f));
@@ -3448,10 +3448,10 @@ let _e9598 = select(_e9579, _e9596, (_e9596 < _e9579));
 let _e9605 = select(0i, select(select(i32(_e9598), i32(-2147483648), (_e9598 < -2147483600f)), 2147483647i, (_e9598 > 2147483500f)), (_e9598 == _e9598));
 let _e9609 = (_e9605 - select(0i, 1i, (_e9598 < f32(_e9605))));
 let _e9611 = select(_e9261, 263195i, (263195i < _e9261));
-let _e9617 = global_3.member[bitcast<u32>(select(0i, _e9611, (_e9611 > 0i)))];
+let _e9617 = global_2.member[bitcast<u32>(select(0i, _e9611, (_e9611 > 0i)))];
 let _e9618 = bitcast<f32>(_e9617);
 let _e9620 = select(_e9261, 263196i, (263196i < _e9261));
-let _e9626 = global_3.member[bitcast<u32>(select(0i, _e9620, (_e9620 > 0i)))];
+let _e9626 = global_2.member[bitcast<u32>(select(0i, _e9620, (_e9620 > 0i)))];
 let _e9627 = bitcast<f32>(_e9626);
 let _e9628 = (_e8662.member - _e9033);
 let _e9634 = (1f / select(_e9628, 1f, (bitcast<f32>((bitcast<u32>(_e9628) & 2147483647u)) < 1e-20f)));
@@ -3462,20 +3462,20 @@ let _e9651 = (_e9515 - f32(_e9594));
 let _e9653 = (_e9578 - f32(_e9609));
 let _e9655 = (1f - (_e9640 + _e9646));
 let _e9657 = select(_e9261, _e9649, (_e9649 < _e9261));
-let _e9663 = global_3.member[bitcast<u32>(select(0i, _e9657, (_e9657 > 0i)))];
+let _e9663 = global_2.member[bitcast<u32>(select(0i, _e9657, (_e9657 > 0i)))];
 let _e9664 = (_e9649 + 4i);
 let _e9666 = select(_e9261, _e9664, (_e9664 < _e9261));
-let _e9672 = global_3.member[bitcast<u32>(select(0i, _e9666, (_e9666 > 0i)))];
+let _e9672 = global_2.member[bitcast<u32>(select(0i, _e9666, (_e9666 > 0i)))];
 let _e9673 = (_e9649 + 1024i);
 let _e9675 = select(_e9261, _e9673, (_e9673 < _e9261));
-let _e9681 = global_3.member[bitcast<u32>(select(0i, _e9675, (_e9675 > 0i)))];
+let _e9681 = global_2.member[bitcast<u32>(select(0i, _e9675, (_e9675 > 0i)))];
 let _e9682 = (_e9649 + 1028i);
 let _e9684 = select(_e9261, _e9682, (_e9682 < _e9261));
-let _e9690 = global_3.member[bitcast<u32>(select(0i, _e9684, (_e9684 > 0i)))];
+let _e9690 = global_2.member[bitcast<u32>(select(0i, _e9684, (_e9684 > 0i)))];
 let _e9692 = select(_e9261, 0i, (0i < _e9261));
-let _e9698 = global_3.member[bitcast<u32>(select(0i, _e9692, (_e9692 > 0i)))];
+let _e9698 = global_2.member[bitcast<u32>(select(0i, _e9692, (_e9692 > 0i)))];
 let _e9700 = select(_e9261, 262140i, (262140i < _e9261));
-let _e9706 = global_3.member[bitcast<u32>(select(0i, _e9700, (_e9700 > 0i)))];
+let _e9706 = global_2.member[bitcast<u32>(select(0i, _e9700, (_e9700 > 0i)))];
 let _e9711 = (bitcast<f32>(((_e9663 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9719 = (_e9711 + (((bitcast<f32>(((_e9672 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9711) * _e9653));
 let _e9724 = (bitcast<f32>(((_e9681 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3485,20 +3485,20 @@ let _e9775 = (_e9767 + (((bitcast<f32>((((_e9672 >> bitcast<u32>(16i)) & 32767u)
 let _e9780 = (bitcast<f32>((((_e9681 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9807 = (_e9649 + 1i);
 let _e9809 = select(_e9261, _e9807, (_e9807 < _e9261));
-let _e9815 = global_3.member[bitcast<u32>(select(0i, _e9809, (_e9809 > 0i)))];
+let _e9815 = global_2.member[bitcast<u32>(select(0i, _e9809, (_e9809 > 0i)))];
 let _e9816 = (_e9649 + 5i);
 let _e9818 = select(_e9261, _e9816, (_e9816 < _e9261));
-let _e9824 = global_3.member[bitcast<u32>(select(0i, _e9818, (_e9818 > 0i)))];
+let _e9824 = global_2.member[bitcast<u32>(select(0i, _e9818, (_e9818 > 0i)))];
 let _e9825 = (_e9649 + 1025i);
 let _e9827 = select(_e9261, _e9825, (_e9825 < _e9261));
-let _e9833 = global_3.member[bitcast<u32>(select(0i, _e9827, (_e9827 > 0i)))];
+let _e9833 = global_2.member[bitcast<u32>(select(0i, _e9827, (_e9827 > 0i)))];
 let _e9834 = (_e9649 + 1029i);
 let _e9836 = select(_e9261, _e9834, (_e9834 < _e9261));
-let _e9842 = global_3.member[bitcast<u32>(select(0i, _e9836, (_e9836 > 0i)))];
+let _e9842 = global_2.member[bitcast<u32>(select(0i, _e9836, (_e9836 > 0i)))];
 let _e9844 = select(_e9261, 1i, (1i < _e9261));
-let _e9850 = global_3.member[bitcast<u32>(select(0i, _e9844, (_e9844 > 0i)))];
+let _e9850 = global_2.member[bitcast<u32>(select(0i, _e9844, (_e9844 > 0i)))];
 let _e9852 = select(_e9261, 262141i, (262141i < _e9261));
-let _e9858 = global_3.member[bitcast<u32>(select(0i, _e9852, (_e9852 > 0i)))];
+let _e9858 = global_2.member[bitcast<u32>(select(0i, _e9852, (_e9852 > 0i)))];
 let _e9863 = (bitcast<f32>(((_e9815 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9871 = (_e9863 + (((bitcast<f32>(((_e9824 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9863) * _e9653));
 let _e9876 = (bitcast<f32>(((_e9833 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3566,9 +3566,9 @@ let _e10750 = (_e6311.member_1.z + (_e6311.member_2.z * _e10742));
 let _e10756 = ((((_e471.member.member * _e10748) + (_e471.member.member_1 * _e10749)) + (_e471.member.member_2 * _e10750)) + _e471.member_1);
 let _e10762 = ((((_e487.member.member * _e10748) + (_e487.member.member_1 * _e10749)) + (_e487.member.member_2 * _e10750)) + _e487.member_1);
 let _e10768 = ((((_e503.member.member * _e10748) + (_e503.member.member_1 * _e10749)) + (_e503.member.member_2 * _e10750)) + _e503.member_1);
-let _e10774 = global_4.member[_e370].member_6.member.member;
-let _e10783 = global_4.member[_e370].member_6.member_1.member;
-let _e10792 = global_4.member[_e370].member_6.member_2.member;
+let _e10774 = global_3.member[_e370].member_6.member.member;
+let _e10783 = global_3.member[_e370].member_6.member_1.member;
+let _e10792 = global_3.member[_e370].member_6.member_2.member;
 let _e10796 = (-0.5f - _e6322);
 let _e10797 = (-0.5f - _e10756);
 let _e10798 = -(_e10796);
@@ -3675,16 +3675,16 @@ let _e11035 = select(select(select(select(select(select(0f, _e10774.member, _e10
 let _e11036 = select(select(select(select(select(select(0f, _e10774.member_1, _e10816), _e10774.member_1, _e10856), _e10783.member_1, _e10896), _e10783.member_1, _e10936), _e10792.member_1, _e10976), _e10792.member_1, _e11016);
 let _e11037 = select(select(select(select(select(select(1f, _e10774.member_2, _e10816), _e10774.member_2, _e10856), _e10783.member_2, _e10896), _e10783.member_2, _e10936), _e10792.member_2, _e10976), _e10792.member_2, _e11016);
 if _e9035 {
-phi_26394_ = type_35(_e11022, vec3<f32>(_e11023, _e11024, _e11025), _e11027, vec3<f32>(_e11028, _e11029, _e11030), _e11032, _e11034, vec3<f32>(_e11035, _e11036, _e11037));
+phi_26394_ = type_34(_e11022, vec3<f32>(_e11023, _e11024, _e11025), _e11027, vec3<f32>(_e11028, _e11029, _e11030), _e11032, _e11034, vec3<f32>(_e11035, _e11036, _e11037));
 } else {
 let _e11044 = (((_e10774.member * _e10774.member) + (_e10774.member_1 * _e10774.member_1)) + (_e10774.member_2 * _e10774.member_2));
 let _e11047 = sqrt(select(0f, _e11044, (_e11044 > 0f)));
-let _e11052 = global_4.member[_e370].member_14.member_1;
+let _e11052 = global_3.member[_e370].member_14.member_1;
 let _e11053 = (_e11052 != 0u);
-let _e11058 = global_4.member[_e370].member_14.member;
+let _e11058 = global_3.member[_e370].member_14.member;
 let _e11078 = select(-1e6f, (((((_e11058.member.member * _e6311.member_1.x) + (_e11058.member.member_1 * _e6311.member_1.y)) + (_e11058.member.member_2 * _e6311.member_1.z)) + _e11058.member_1) * _e11047), _e11053);
 let _e11079 = select(-1e6f, (((((_e11058.member.member * _e10748) + (_e11058.member.member_1 * _e10749)) + (_e11058.member.member_2 * _e10750)) + _e11058.member_1) * _e11047), _e11053);
-let _e11085 = global_4.member[_e370].member_14.member.member;
+let _e11085 = global_3.member[_e370].member_14.member.member;
 let _e11089 = -(_e11078);
 let _e11092 = (_e11078 - _e11079);
 let _e11093 = (_e11079 - _e11078);
@@ -3699,12 +3699,12 @@ let _e11113 = select(_e11022, _e11102, _e11111);
 let _e11117 = select(_e11027, _e11106, _e11112);
 let _e11121 = select(_e11032, _e11078, _e11107);
 let _e11123 = select(_e11034, _e11079, (_e11079 > _e11034));
-let _e11131 = global_4.member[_e370].member_15.member_1;
+let _e11131 = global_3.member[_e370].member_15.member_1;
 let _e11132 = (_e11131 != 0u);
-let _e11137 = global_4.member[_e370].member_15.member;
+let _e11137 = global_3.member[_e370].member_15.member;
 let _e11157 = select(-1e6f, (((((_e11137.member.member * _e6311.member_1.x) + (_e11137.member.member_1 * _e6311.member_1.y)) + (_e11137.member.member_2 * _e6311.member_1.z)) + _e11137.member_1) * _e11047), _e11132);
 let _e11158 = select(-1e6f, (((((_e11137.member.member * _e10748) + (_e11137.member.member_1 * _e10749)) + (_e11137.member.member_2 * _e10750)) + _e11137.member_1) * _e11047), _e11132);
-let _e11164 = global_4.member[_e370].member_15.member.member;
+let _e11164 = global_3.member[_e370].member_15.member.member;
 let _e11168 = -(_e11157);
 let _e11171 = (_e11157 - _e11158);
 let _e11172 = (_e11158 - _e11157);
@@ -3719,12 +3719,12 @@ let _e11192 = select(_e11113, _e11181, _e11190);
 let _e11196 = select(_e11117, _e11185, _e11191);
 let _e11200 = select(_e11121, _e11157, _e11186);
 let _e11202 = select(_e11123, _e11158, (_e11158 > _e11123));
-let _e11210 = global_4.member[_e370].member_16.member_1;
+let _e11210 = global_3.member[_e370].member_16.member_1;
 let _e11211 = (_e11210 != 0u);
-let _e11216 = global_4.member[_e370].member_16.member;
+let _e11216 = global_3.member[_e370].member_16.member;
 let _e11236 = select(-1e6f, (((((_e11216.member.member * _e6311.member_1.x) + (_e11216.member.member_1 * _e6311.member_1.y)) + (_e11216.member.member_2 * _e6311.member_1.z)) + _e11216.member_1) * _e11047), _e11211);
 let _e11237 = select(-1e6f, (((((_e11216.member.member * _e10748) + (_e11216.member.member_1 * _e10749)) + (_e11216.member.member_2 * _e10750)) + _e11216.member_1) * _e11047), _e11211);
-let _e11243 = global_4.member[_e370].member_16.member.member;
+let _e11243 = global_3.member[_e370].member_16.member.member;
 let _e11247 = -(_e11236);
 let _e11250 = (_e11236 - _e11237);
 let _e11251 = (_e11237 - _e11236);
@@ -3739,12 +3739,12 @@ let _e11271 = select(_e11192, _e11260, _e11269);
 let _e11275 = select(_e11196, _e11264, _e11270);
 let _e11279 = select(_e11200, _e11236, _e11265);
 let _e11281 = select(_e11202, _e11237, (_e11237 > _e11202));
-let _e11289 = global_4.member[_e370].member_17.member_1;
+let _e11289 = global_3.member[_e370].member_17.member_1;
 let _e11290 = (_e11289 != 0u);
-let _e11295 = global_4.member[_e370].member_17.member;
+let _e11295 = global_3.member[_e370].member_17.member;
 let _e11315 = select(-1e6f, (((((_e11295.member.member * _e6311.member_1.x) + (_e11295.member.member_1 * _e6311.member_1.y)) + (_e11295.member.member_2 * _e6311.member_1.z)) + _e11295.member_1) * _e11047), _e11290);
 let _e11316 = select(-1e6f, (((((_e11295.member.member * _e10748) + (_e11295.member.member_1 * _e10749)) + (_e11295.member.member_2 * _e10750)) + _e11295.member_1) * _e11047), _e11290);
-let _e11322 = global_4.member[_e370].member_17.member.member;
+let _e11322 = global_3.member[_e370].member_17.member.member;
 let _e11326 = -(_e11315);
 let _e11329 = (_e11315 - _e11316);
 let _e11330 = (_e11316 - _e11315);
@@ -3755,11 +3755,11 @@ let _e11343 = select(2f, select(0f, _e11335, (_e11315 < 0f)), (_e11316 > 0f));
 let _e11344 = (_e11315 > _e11279);
 let _e11348 = ((_e11339 > _e11271) || ((_e11339 == _e11271) && _e11344));
 let _e11349 = (_e11343 < _e11275);
-phi_26394_ = type_35(select(_e11271, _e11339, _e11348), vec3<f32>(select(select(select(select(_e11023, _e11085.member, _e11111), _e11164.member, _e11190), _e11243.member, _e11269), _e11322.member, _e11348), select(select(select(select(_e11024, _e11085.member_1, _e11111), _e11164.member_1, _e11190), _e11243.member_1, _e11269), _e11322.member_1, _e11348), select(select(select(select(_e11025, _e11085.member_2, _e11111), _e11164.member_2, _e11190), _e11243.member_2, _e11269), _e11322.member_2, _e11348)), select(_e11275, _e11343, _e11349), vec3<f32>(select(select(select(select(_e11028, _e11085.member, _e11112), _e11164.member, _e11191), _e11243.member, _e11270), _e11322.member, _e11349), select(select(select(select(_e11029, _e11085.member_1, _e11112), _e11164.member_1, _e11191), _e11243.member_1, _e11270), _e11322.member_1, _e11349), select(select(select(select(_e11030, _e11085.member_2, _e11112), _e11164.member_2, _e11191), _e11243.member_2, _e11270), _e11322.member_2, _e11349)), select(_e11279, _e11315, _e11344), select(_e11281, _e11316, (_e11316 > _e11281)), vec3<f32>(select(select(select(select(_e11035, _e11085.member, _e11107), _e11164.member, _e11186), _e11243.member, _e11265), _e11322.member, _e11344), select(select(select(select(_e11036, _e11085.member_1, _e11107), _e11164.member_1, _e11186), _e11243.member_1, _e11265), _e11322.member_1, _e11344), select(select(select(select(_e11037, _e11085.member_2, _e11107), _e11164.member_2, _e11186), _e11243.member_2, _e11265), _e11322.member_2, _e11344)));
+phi_26394_ = type_34(select(_e11271, _e11339, _e11348), vec3<f32>(select(select(select(select(_e11023, _e11085.member, _e11111), _e11164.member, _e11190), _e11243.member, _e11269), _e11322.member, _e11348), select(select(select(select(_e11024, _e11085.member_1, _e11111), _e11164.member_1, _e11190), _e11243.member_1, _e11269), _e11322.member_1, _e11348), select(select(select(select(_e11025, _e11085.member_2, _e11111), _e11164.member_2, _e11190), _e11243.member_2, _e11269), _e11322.member_2, _e11348)), select(_e11275, _e11343, _e11349), vec3<f32>(select(select(select(select(_e11028, _e11085.member, _e11112), _e11164.member, _e11191), _e11243.member, _e11270), _e11322.member, _e11349), select(select(select(select(_e11029, _e11085.member_1, _e11112), _e11164.member_1, _e11191), _e11243.member_1, _e11270), _e11322.member_1, _e11349), select(select(select(select(_e11030, _e11085.member_2, _e11112), _e11164.member_2, _e11191), _e11243.member_2, _e11270), _e11322.member_2, _e11349)), select(_e11279, _e11315, _e11344), select(_e11281, _e11316, (_e11316 > _e11281)), vec3<f32>(select(select(select(select(_e11035, _e11085.member, _e11107), _e11164.member, _e11186), _e11243.member, _e11265), _e11322.member, _e11344), select(select(select(select(_e11036, _e11085.member_1, _e11107), _e11164.member_1, _e11186), _e11243.member_1, _e11265), _e11322.member_1, _e11344), select(select(select(select(_e11037, _e11085.member_2, _e11107), _e11164.member_2, _e11186), _e11243.member_2, _e11265), _e11322.member_2, _e11344)));
 }
 let _e11369 = phi_26394_;
 let _e11376 = (_e9246.member_2 * select(0f, 1f, _e6311.member_6));
-let _e11382 = global_4.member[_e370].member_5.member_4;
+let _e11382 = global_3.member[_e370].member_5.member_4;
 let _e11385 = (_e8662.member_3.x * _e11376);
 let _e11387 = (_e8662.member_3.y * _e11376);
 let _e11389 = (_e8662.member_3.z * _e11376);
@@ -3791,7 +3791,7 @@ phi_26551_ = false;
 let _e11467 = phi_26550_;
 let _e11469 = phi_26551_;
 let _e11480 = ((((_e6311.member_7 || (_e11467.x != _e374[3])) || (_e11467.y != _e374[4])) || (_e11467.z != _e374[5])) && _e889);
-let _e11485 = global_4.member[_e370].member_10.member_24;
+let _e11485 = global_3.member[_e370].member_10.member_24;
 let _e11494 = (_e374[12] + (((((_e374[6] + _e374[7]) + _e374[8]) * _e10728) - _e10729) * (_e392 + ((_e6311.member_1.z - _e392) * 0.5f))));
 phi_26649_ = array<f32, 14>(select(_e374[0], _e6311.member_1.x, _e11480), select(_e374[1], _e6311.member_1.y, _e11480), select(_e374[2], _e6311.member_1.z, _e11480), select(_e374[3], _e11467.x, _e11480), select(_e374[4], _e11467.y, _e11480), select(_e374[5], _e11467.z, _e11480), select(_e10723, 0f, _e10738), select(_e10724, 0f, _e10738), select(_e10725, 0f, _e10738), select(0f, 1f, _e6311.member_6), select(_e374[10], 1f, _e11480), select(select(select(0f, 1f, _e11469), 2f, (_e10738 && (_e11485 == 0f))), 3f, _e466), _e11494, select(_e374[13], (_e11494 + (_e10729 * _e6311.member_1.z)), (_e11480 && (_e374[10] == 0f))));
 } else {
@@ -3825,33 +3825,33 @@ break;
 let _e11528 = local_40;
 if _e11528 {
 let _e11530 = local_41;
-global_1.member[_e214] = _e11530[0];
+global_5.member[_e214] = _e11530[0];
 let _e11535 = local_42;
-global_1.member[_e226] = _e11535[1];
+global_5.member[_e226] = _e11535[1];
 let _e11540 = local_43;
-global_1.member[_e237] = _e11540[2];
+global_5.member[_e237] = _e11540[2];
 let _e11545 = local_44;
-global_1.member[_e248] = _e11545[3];
+global_5.member[_e248] = _e11545[3];
 let _e11550 = local_45;
-global_1.member[_e259] = _e11550[4];
+global_5.member[_e259] = _e11550[4];
 let _e11555 = local_46;
-global_1.member[_e270] = _e11555[5];
+global_5.member[_e270] = _e11555[5];
 let _e11560 = local_47;
-global_1.member[_e281] = _e11560[6];
+global_5.member[_e281] = _e11560[6];
 let _e11565 = local_48;
-global_1.member[_e292] = _e11565[7];
+global_5.member[_e292] = _e11565[7];
 let _e11570 = local_49;
-global_1.member[_e303] = _e11570[8];
+global_5.member[_e303] = _e11570[8];
 let _e11575 = local_50;
-global_1.member[_e314] = _e11575[9];
+global_5.member[_e314] = _e11575[9];
 let _e11580 = local_51;
-global_1.member[_e325] = _e11580[10];
+global_5.member[_e325] = _e11580[10];
 let _e11585 = local_52;
-global_1.member[_e336] = _e11585[11];
+global_5.member[_e336] = _e11585[11];
 let _e11590 = local_53;
-global_1.member[_e347] = _e11590[12];
+global_5.member[_e347] = _e11590[12];
 let _e11595 = local_54;
-global_1.member[_e358] = _e11595[13];
+global_5.member[_e358] = _e11595[13];
 }
 }
 }

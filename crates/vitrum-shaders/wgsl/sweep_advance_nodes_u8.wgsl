@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,68 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_29 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_32 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -195,11 +191,11 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_37 {
-member: array<type_27>,
+struct type_36 {
+member: array<type_21>,
 }
-struct type_39 {
-member: type_28,
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -209,6 +205,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -216,24 +216,24 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(5)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(0)
-var<storage> global_4: type_37;
+var<storage> global_3: type_36;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_4: type_23;
+@group(0) @binding(5)
+var<storage, read_write> global_5: type_25;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -249,23 +249,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_32;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_32;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_32;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_32;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_554_: u32;
 var phi_557_: bool;
@@ -273,23 +273,23 @@ var phi_559_: array<f32, 14>;
 var phi_998_: bool;
 var phi_1178_: bool;
 var phi_1181_: bool;
-var phi_3023_: type_35;
+var phi_3023_: type_34;
 var phi_3036_: bool;
-var phi_4237_: type_29;
+var phi_4237_: type_39;
 var phi_4249_: bool;
-var phi_5445_: type_28;
-var phi_6968_: type_35;
-var phi_8196_: type_28;
-var phi_9734_: type_35;
-var phi_10962_: type_28;
-var phi_12500_: type_35;
-var phi_14248_: type_28;
-var phi_14520_: type_39;
-var phi_20037_: type_33;
-var phi_20800_: type_34;
-var phi_21774_: type_5;
+var phi_5445_: type_31;
+var phi_6968_: type_34;
+var phi_8196_: type_31;
+var phi_9734_: type_34;
+var phi_10962_: type_31;
+var phi_12500_: type_34;
+var phi_14248_: type_31;
+var phi_14520_: type_38;
+var phi_20037_: type_32;
+var phi_20800_: type_33;
+var phi_21774_: type_7;
 var phi_25272_: type_40;
-var phi_26665_: type_35;
+var phi_26665_: type_34;
 var phi_26821_: vec3<f32>;
 var phi_26822_: bool;
 var phi_26920_: array<f32, 14>;
@@ -315,15 +315,15 @@ var local_54: array<f32, 14>;
 switch bitcast<i32>(0u) {
 default: {
 let _e177 = global;
-let _e179 = arrayLength((&global_4.member));
-let _e182 = arrayLength((&global_2.member));
-let _e187 = arrayLength((&global_3.member));
+let _e179 = arrayLength((&global_3.member));
+let _e182 = arrayLength((&global_1.member));
+let _e187 = arrayLength((&global_2.member));
 if (0u < _e179) {
 } else {
 break;
 }
-let _e194 = global_4.member[0u].member_2;
-let _e198 = global_4.member[0u].member;
+let _e194 = global_3.member[0u].member_2;
+let _e198 = global_3.member[0u].member;
 let _e206 = (_e177.x + _e194.member);
 let _e208 = (_e177.y + _e194.member_1);
 if (_e206 < _e194.member_2) {
@@ -331,61 +331,61 @@ if (_e208 < _e194.member_3) {
 let _e211 = (_e198.member * _e198.member_1);
 let _e213 = ((_e208 * _e198.member) + _e206);
 let _e214 = bitcast<i32>(_e213);
-let _e216 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e216 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e218 = select(_e216, _e214, (_e214 < _e216));
-let _e224 = global_1.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
+let _e224 = global_5.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
 let _e225 = (_e211 + _e213);
 let _e226 = bitcast<i32>(_e225);
 let _e228 = select(_e216, _e226, (_e226 < _e216));
-let _e234 = global_1.member[bitcast<u32>(select(0i, _e228, (_e228 > 0i)))];
+let _e234 = global_5.member[bitcast<u32>(select(0i, _e228, (_e228 > 0i)))];
 let _e236 = ((2u * _e211) + _e213);
 let _e237 = bitcast<i32>(_e236);
 let _e239 = select(_e216, _e237, (_e237 < _e216));
-let _e245 = global_1.member[bitcast<u32>(select(0i, _e239, (_e239 > 0i)))];
+let _e245 = global_5.member[bitcast<u32>(select(0i, _e239, (_e239 > 0i)))];
 let _e247 = ((3u * _e211) + _e213);
 let _e248 = bitcast<i32>(_e247);
 let _e250 = select(_e216, _e248, (_e248 < _e216));
-let _e256 = global_1.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
+let _e256 = global_5.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
 let _e258 = ((4u * _e211) + _e213);
 let _e259 = bitcast<i32>(_e258);
 let _e261 = select(_e216, _e259, (_e259 < _e216));
-let _e267 = global_1.member[bitcast<u32>(select(0i, _e261, (_e261 > 0i)))];
+let _e267 = global_5.member[bitcast<u32>(select(0i, _e261, (_e261 > 0i)))];
 let _e269 = ((5u * _e211) + _e213);
 let _e270 = bitcast<i32>(_e269);
 let _e272 = select(_e216, _e270, (_e270 < _e216));
-let _e278 = global_1.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
+let _e278 = global_5.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
 let _e280 = ((6u * _e211) + _e213);
 let _e281 = bitcast<i32>(_e280);
 let _e283 = select(_e216, _e281, (_e281 < _e216));
-let _e289 = global_1.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
+let _e289 = global_5.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
 let _e291 = ((7u * _e211) + _e213);
 let _e292 = bitcast<i32>(_e291);
 let _e294 = select(_e216, _e292, (_e292 < _e216));
-let _e300 = global_1.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
+let _e300 = global_5.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
 let _e302 = ((8u * _e211) + _e213);
 let _e303 = bitcast<i32>(_e302);
 let _e305 = select(_e216, _e303, (_e303 < _e216));
-let _e311 = global_1.member[bitcast<u32>(select(0i, _e305, (_e305 > 0i)))];
+let _e311 = global_5.member[bitcast<u32>(select(0i, _e305, (_e305 > 0i)))];
 let _e313 = ((9u * _e211) + _e213);
 let _e314 = bitcast<i32>(_e313);
 let _e316 = select(_e216, _e314, (_e314 < _e216));
-let _e322 = global_1.member[bitcast<u32>(select(0i, _e316, (_e316 > 0i)))];
+let _e322 = global_5.member[bitcast<u32>(select(0i, _e316, (_e316 > 0i)))];
 let _e324 = ((10u * _e211) + _e213);
 let _e325 = bitcast<i32>(_e324);
 let _e327 = select(_e216, _e325, (_e325 < _e216));
-let _e333 = global_1.member[bitcast<u32>(select(0i, _e327, (_e327 > 0i)))];
+let _e333 = global_5.member[bitcast<u32>(select(0i, _e327, (_e327 > 0i)))];
 let _e335 = ((11u * _e211) + _e213);
 let _e336 = bitcast<i32>(_e335);
 let _e338 = select(_e216, _e336, (_e336 < _e216));
-let _e344 = global_1.member[bitcast<u32>(select(0i, _e338, (_e338 > 0i)))];
+let _e344 = global_5.member[bitcast<u32>(select(0i, _e338, (_e338 > 0i)))];
 let _e346 = ((12u * _e211) + _e213);
 let _e347 = bitcast<i32>(_e346);
 let _e349 = select(_e216, _e347, (_e347 < _e216));
-let _e355 = global_1.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
+let _e355 = global_5.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
 let _e357 = ((13u * _e211) + _e213);
 let _e358 = bitcast<i32>(_e357);
 let _e360 = select(_e216, _e358, (_e358 < _e216));
-let _e366 = global_1.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
+let _e366 = global_5.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
 phi_554_ = 0u;
 phi_557_ = false;
 phi_559_ = array<f32, 14>(_e224, _e234, _e245, _e256, _e267, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366);
@@ -415,33 +415,33 @@ if _e374 {
 phi_26987_ = true;
 break;
 }
-let _e378 = global_4.member[_e369].member;
-let _e391 = global_4.member[_e369].member_5.member;
+let _e378 = global_3.member[_e369].member;
+let _e391 = global_3.member[_e369].member_5.member;
 let _e393 = ((_e391 - _e373[2]) / _e373[5]);
 let _e395 = (_e373[0] + (_e373[3] * _e393));
 let _e397 = (_e373[1] + (_e373[4] * _e393));
-let _e402 = global_4.member[_e369].member_5.member_2;
+let _e402 = global_3.member[_e369].member_5.member_2;
 let _e403 = (_e402 / _e373[5]);
 let _e405 = (_e395 + (_e373[3] * _e403));
 let _e407 = (_e397 + (_e373[4] * _e403));
-let _e412 = global_4.member[_e369].member_5.member_1;
-let _e418 = global_4.member[_e369].member_13.member.member;
-let _e444 = global_4.member[_e369].member_13.member_1.member;
+let _e412 = global_3.member[_e369].member_5.member_1;
+let _e418 = global_3.member[_e369].member_13.member.member;
+let _e444 = global_3.member[_e369].member_13.member_1.member;
 let _e465 = (((((((_e418.member.member * _e395) + (_e418.member.member_1 * _e397)) + (_e418.member.member_2 * _e391)) + _e418.member_1) > 0f) && (((((_e418.member.member * _e405) + (_e418.member.member_1 * _e407)) + (_e418.member.member_2 * _e412)) + _e418.member_1) <= 0f)) || ((((((_e444.member.member * _e395) + (_e444.member.member_1 * _e397)) + (_e444.member.member_2 * _e391)) + _e444.member_1) > 0f) && (((((_e444.member.member * _e405) + (_e444.member.member_1 * _e407)) + (_e444.member.member_2 * _e412)) + _e444.member_1) <= 0f)));
-let _e470 = global_4.member[_e369].member_6.member;
+let _e470 = global_3.member[_e369].member_6.member;
 let _e481 = ((((_e470.member.member * _e395) + (_e470.member.member_1 * _e397)) + (_e470.member.member_2 * _e391)) + _e470.member_1);
-let _e486 = global_4.member[_e369].member_6.member_1;
+let _e486 = global_3.member[_e369].member_6.member_1;
 let _e497 = ((((_e486.member.member * _e395) + (_e486.member.member_1 * _e397)) + (_e486.member.member_2 * _e391)) + _e486.member_1);
-let _e502 = global_4.member[_e369].member_6.member_2;
+let _e502 = global_3.member[_e369].member_6.member_2;
 let _e513 = ((((_e502.member.member * _e395) + (_e502.member.member_1 * _e397)) + (_e502.member.member_2 * _e391)) + _e502.member_1);
 let _e519 = ((((_e470.member.member * _e405) + (_e470.member.member_1 * _e407)) + (_e470.member.member_2 * _e412)) + _e470.member_1);
 let _e525 = ((((_e486.member.member * _e405) + (_e486.member.member_1 * _e407)) + (_e486.member.member_2 * _e412)) + _e486.member_1);
 let _e531 = ((((_e502.member.member * _e405) + (_e502.member.member_1 * _e407)) + (_e502.member.member_2 * _e412)) + _e502.member_1);
-let _e538 = global_4.member[_e369].member_6.member_3.member;
+let _e538 = global_3.member[_e369].member_6.member_3.member;
 let _e539 = (_e538 - 1f);
-let _e549 = global_4.member[_e369].member_6.member_3.member_1;
+let _e549 = global_3.member[_e369].member_6.member_3.member_1;
 let _e550 = (_e549 - 1f);
-let _e560 = global_4.member[_e369].member_6.member_3.member_2;
+let _e560 = global_3.member[_e369].member_6.member_3.member_2;
 let _e561 = (_e560 - 1f);
 let _e575 = (((((((_e481 >= 0f) && (_e481 <= _e539)) && (_e497 >= 0f)) && (_e497 <= _e550)) && (_e513 >= 0f)) && (_e513 <= _e561)) && ((((((_e519 >= 0f) && (_e519 <= _e539)) && (_e525 >= 0f)) && (_e525 <= _e550)) && (_e531 >= 0f)) && (_e531 <= _e561)));
 let _e577 = (_e378.member_2 == 5u);
@@ -454,22 +454,22 @@ let _e588 = (_e538 - _e586);
 let _e592 = (_e549 - _e586);
 let _e597 = (_e560 - _e586);
 let _e600 = ((((_e481 >= _e585) && (_e481 <= _e588)) && ((_e497 >= _e585) && (_e497 <= _e592))) && ((_e513 >= _e585) && (_e513 <= _e597)));
-let _e604 = global_4.member[_e369].member_1;
+let _e604 = global_3.member[_e369].member_1;
 let _e606 = ((_e604 & 16u) == 0u);
 if _e606 {
 phi_998_ = _e600;
 } else {
-let _e612 = global_4.member[_e369].member_6.member.member;
+let _e612 = global_3.member[_e369].member_6.member.member;
 let _e620 = (((_e612.member * _e612.member) + (_e612.member_1 * _e612.member_1)) + (_e612.member_2 * _e612.member_2));
-let _e629 = global_4.member[_e369].member_14.member;
+let _e629 = global_3.member[_e369].member_14.member;
 let _e641 = -((0.5f / sqrt(select(0f, _e620, (_e620 > 0f)))));
-let _e647 = global_4.member[_e369].member_14.member_1;
-let _e654 = global_4.member[_e369].member_15.member;
-let _e671 = global_4.member[_e369].member_15.member_1;
-let _e679 = global_4.member[_e369].member_16.member;
-let _e696 = global_4.member[_e369].member_16.member_1;
-let _e704 = global_4.member[_e369].member_17.member;
-let _e721 = global_4.member[_e369].member_17.member_1;
+let _e647 = global_3.member[_e369].member_14.member_1;
+let _e654 = global_3.member[_e369].member_15.member;
+let _e671 = global_3.member[_e369].member_15.member_1;
+let _e679 = global_3.member[_e369].member_16.member;
+let _e696 = global_3.member[_e369].member_16.member_1;
+let _e704 = global_3.member[_e369].member_17.member;
+let _e721 = global_3.member[_e369].member_17.member_1;
 phi_998_ = (_e600 && (((((((((_e629.member.member * _e395) + (_e629.member.member_1 * _e397)) + (_e629.member.member_2 * _e391)) + _e629.member_1) <= _e641) || (_e647 == 0u)) && ((((((_e654.member.member * _e395) + (_e654.member.member_1 * _e397)) + (_e654.member.member_2 * _e391)) + _e654.member_1) <= _e641) || (_e671 == 0u))) && ((((((_e679.member.member * _e395) + (_e679.member.member_1 * _e397)) + (_e679.member.member_2 * _e391)) + _e679.member_1) <= _e641) || (_e696 == 0u))) && ((((((_e704.member.member * _e395) + (_e704.member.member_1 * _e397)) + (_e704.member.member_2 * _e391)) + _e704.member_1) <= _e641) || (_e721 == 0u))));
 }
 let _e727 = phi_998_;
@@ -483,17 +483,17 @@ let _e762 = ((((_e739 >= _e585) && (_e739 <= _e588)) && ((_e745 >= _e585) && (_e
 if _e606 {
 phi_1178_ = _e762;
 } else {
-let _e768 = global_4.member[_e369].member_6.member.member;
+let _e768 = global_3.member[_e369].member_6.member.member;
 let _e776 = (((_e768.member * _e768.member) + (_e768.member_1 * _e768.member_1)) + (_e768.member_2 * _e768.member_2));
-let _e785 = global_4.member[_e369].member_14.member;
+let _e785 = global_3.member[_e369].member_14.member;
 let _e797 = -((0.5f / sqrt(select(0f, _e776, (_e776 > 0f)))));
-let _e803 = global_4.member[_e369].member_14.member_1;
-let _e810 = global_4.member[_e369].member_15.member;
-let _e827 = global_4.member[_e369].member_15.member_1;
-let _e835 = global_4.member[_e369].member_16.member;
-let _e852 = global_4.member[_e369].member_16.member_1;
-let _e860 = global_4.member[_e369].member_17.member;
-let _e877 = global_4.member[_e369].member_17.member_1;
+let _e803 = global_3.member[_e369].member_14.member_1;
+let _e810 = global_3.member[_e369].member_15.member;
+let _e827 = global_3.member[_e369].member_15.member_1;
+let _e835 = global_3.member[_e369].member_16.member;
+let _e852 = global_3.member[_e369].member_16.member_1;
+let _e860 = global_3.member[_e369].member_17.member;
+let _e877 = global_3.member[_e369].member_17.member_1;
 phi_1178_ = (_e762 && (((((((((_e785.member.member * _e731) + (_e785.member.member_1 * _e732)) + (_e785.member.member_2 * _e733)) + _e785.member_1) <= _e797) || (_e803 == 0u)) && ((((((_e810.member.member * _e731) + (_e810.member.member_1 * _e732)) + (_e810.member.member_2 * _e733)) + _e810.member_1) <= _e797) || (_e827 == 0u))) && ((((((_e835.member.member * _e731) + (_e835.member.member_1 * _e732)) + (_e835.member.member_2 * _e733)) + _e835.member_1) <= _e797) || (_e852 == 0u))) && ((((((_e860.member.member * _e731) + (_e860.member.member_1 * _e732)) + (_e860.member.member_2 * _e733)) + _e860.member_1) <= _e797) || (_e877 == 0u))));
 }
 let _e883 = phi_1178_;
@@ -503,7 +503,7 @@ phi_1181_ = _e575;
 }
 let _e887 = phi_1181_;
 let _e888 = !(_e465);
-let _e896 = global_4.member[_e369].member_6.member_4;
+let _e896 = global_3.member[_e369].member_6.member_4;
 let _e897 = (_e538 - 0.5f);
 let _e899 = select(-0.5f, _e519, (_e519 > -0.5f));
 let _e901 = select(_e897, _e899, (_e899 < _e897));
@@ -528,7 +528,7 @@ let _e946 = (_e901 + 0.5f);
 let _e948 = select(0f, _e946, (_e946 > 0f));
 let _e950 = select(_e539, _e948, (_e948 < _e539));
 let _e957 = select(0i, select(select(i32(_e950), i32(-2147483648), (_e950 < -2147483600f)), 2147483647i, (_e950 > 2147483500f)), (_e950 == _e950));
-let _e966 = global_4.member[_e369].member_6.member_12;
+let _e966 = global_3.member[_e369].member_6.member_12;
 let _e967 = (_e966 & 31u);
 let _e970 = (_e906 + 0.5f);
 let _e972 = select(0f, _e970, (_e970 > 0f));
@@ -538,14 +538,14 @@ let _e988 = (_e911 + 0.5f);
 let _e990 = select(0f, _e988, (_e988 > 0f));
 let _e992 = select(_e561, _e990, (_e990 < _e561));
 let _e999 = select(0i, select(select(i32(_e992), i32(-2147483648), (_e992 < -2147483600f)), 2147483647i, (_e992 > 2147483500f)), (_e992 == _e992));
-let _e1011 = global_4.member[_e369].member_6.member_9.member;
-let _e1018 = global_4.member[_e369].member_6.member_9.member_1;
-let _e1024 = global_4.member[_e369].member_6.member_10;
+let _e1011 = global_3.member[_e369].member_6.member_9.member;
+let _e1018 = global_3.member[_e369].member_6.member_9.member_1;
+let _e1024 = global_3.member[_e369].member_6.member_10;
 let _e1030 = ((bitcast<i32>(_e1024) + ((_e957 - select(0i, 1i, (_e950 < f32(_e957)))) >> bitcast<u32>(_e967))) + (bitcast<i32>(_e1011) * (((_e981 - select(0i, 1i, (_e974 < f32(_e981)))) >> bitcast<u32>(_e967)) + (bitcast<i32>(_e1018) * ((_e999 - select(0i, 1i, (_e992 < f32(_e999)))) >> bitcast<u32>(_e967))))));
-let _e1032 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e1032 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1034 = select(_e1032, _e1030, (_e1030 < _e1032));
-let _e1040 = global_5.member[bitcast<u32>(select(0i, _e1034, (_e1034 > 0i)))];
-let _e1047 = global_4.member[_e369].member_1;
+let _e1040 = global_4.member[bitcast<u32>(select(0i, _e1034, (_e1034 > 0i)))];
+let _e1047 = global_3.member[_e369].member_1;
 let _e1058 = (select(0u, select(select(7u, 3u, (_e887 && _e888)), select(1u, 7u, _e465), (((_e1047 & 64u) != 0u) || ((((select(_e925, _e922, (_e922 > _e925)) <= _e896) && ((select(_e942, _e939, (_e939 > _e942)) > _e896) || (_e1040 != 0u))) && true) && ((_e1047 & 32u) != 0u)))), (_e373[11] == 0f)) > 1u);
 if _e1058 {
 let _e1059 = vec3<f32>(_e373[3], _e373[4], _e373[5]);
@@ -554,11 +554,11 @@ let _e1069 = (_e407 - _e397);
 let _e1070 = (_e412 - _e391);
 let _e1075 = (((_e1068 * _e1068) + (_e1069 * _e1069)) + (_e1070 * _e1070));
 let _e1078 = sqrt(select(0f, _e1075, (_e1075 > 0f)));
-let _e1079 = type_39(type_28(1f, 1f), vec3<f32>(_e405, _e407, _e412), _e1059, _e1078, _e403, _e1059, true, false, false);
+let _e1079 = type_38(type_31(1f, 1f), vec3<f32>(_e405, _e407, _e412), _e1059, _e1078, _e403, _e1059, true, false, false);
 if _e584 {
-let _e1181 = global_4.member[_e369].member_6.member.member;
-let _e1190 = global_4.member[_e369].member_6.member_1.member;
-let _e1199 = global_4.member[_e369].member_6.member_2.member;
+let _e1181 = global_3.member[_e369].member_6.member.member;
+let _e1190 = global_3.member[_e369].member_6.member_1.member;
+let _e1199 = global_3.member[_e369].member_6.member_2.member;
 let _e1203 = (-0.5f - _e481);
 let _e1204 = (-0.5f - _e519);
 let _e1205 = -(_e1203);
@@ -666,16 +666,16 @@ let _e1443 = select(select(select(select(select(select(0f, _e1181.member_1, _e12
 let _e1444 = select(select(select(select(select(select(1f, _e1181.member_2, _e1223), _e1181.member_2, _e1263), _e1190.member_2, _e1303), _e1190.member_2, _e1343), _e1199.member_2, _e1383), _e1199.member_2, _e1423);
 let _e1448 = ((_e1047 & 16u) == 0u);
 if _e1448 {
-phi_3023_ = type_35(_e1429, vec3<f32>(_e1430, _e1431, _e1432), _e1434, vec3<f32>(_e1435, _e1436, _e1437), _e1439, _e1441, vec3<f32>(_e1442, _e1443, _e1444));
+phi_3023_ = type_34(_e1429, vec3<f32>(_e1430, _e1431, _e1432), _e1434, vec3<f32>(_e1435, _e1436, _e1437), _e1439, _e1441, vec3<f32>(_e1442, _e1443, _e1444));
 } else {
 let _e1453 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e1456 = sqrt(select(0f, _e1453, (_e1453 > 0f)));
-let _e1461 = global_4.member[_e369].member_14.member_1;
+let _e1461 = global_3.member[_e369].member_14.member_1;
 let _e1462 = (_e1461 != 0u);
-let _e1467 = global_4.member[_e369].member_14.member;
+let _e1467 = global_3.member[_e369].member_14.member;
 let _e1487 = select(-1e6f, (((((_e1467.member.member * _e395) + (_e1467.member.member_1 * _e397)) + (_e1467.member.member_2 * _e391)) + _e1467.member_1) * _e1456), _e1462);
 let _e1488 = select(-1e6f, (((((_e1467.member.member * _e405) + (_e1467.member.member_1 * _e407)) + (_e1467.member.member_2 * _e412)) + _e1467.member_1) * _e1456), _e1462);
-let _e1494 = global_4.member[_e369].member_14.member.member;
+let _e1494 = global_3.member[_e369].member_14.member.member;
 let _e1498 = -(_e1487);
 let _e1501 = (_e1487 - _e1488);
 let _e1502 = (_e1488 - _e1487);
@@ -690,12 +690,12 @@ let _e1522 = select(_e1429, _e1511, _e1520);
 let _e1526 = select(_e1434, _e1515, _e1521);
 let _e1530 = select(_e1439, _e1487, _e1516);
 let _e1532 = select(_e1441, _e1488, (_e1488 > _e1441));
-let _e1540 = global_4.member[_e369].member_15.member_1;
+let _e1540 = global_3.member[_e369].member_15.member_1;
 let _e1541 = (_e1540 != 0u);
-let _e1546 = global_4.member[_e369].member_15.member;
+let _e1546 = global_3.member[_e369].member_15.member;
 let _e1566 = select(-1e6f, (((((_e1546.member.member * _e395) + (_e1546.member.member_1 * _e397)) + (_e1546.member.member_2 * _e391)) + _e1546.member_1) * _e1456), _e1541);
 let _e1567 = select(-1e6f, (((((_e1546.member.member * _e405) + (_e1546.member.member_1 * _e407)) + (_e1546.member.member_2 * _e412)) + _e1546.member_1) * _e1456), _e1541);
-let _e1573 = global_4.member[_e369].member_15.member.member;
+let _e1573 = global_3.member[_e369].member_15.member.member;
 let _e1577 = -(_e1566);
 let _e1580 = (_e1566 - _e1567);
 let _e1581 = (_e1567 - _e1566);
@@ -710,12 +710,12 @@ let _e1601 = select(_e1522, _e1590, _e1599);
 let _e1605 = select(_e1526, _e1594, _e1600);
 let _e1609 = select(_e1530, _e1566, _e1595);
 let _e1611 = select(_e1532, _e1567, (_e1567 > _e1532));
-let _e1619 = global_4.member[_e369].member_16.member_1;
+let _e1619 = global_3.member[_e369].member_16.member_1;
 let _e1620 = (_e1619 != 0u);
-let _e1625 = global_4.member[_e369].member_16.member;
+let _e1625 = global_3.member[_e369].member_16.member;
 let _e1645 = select(-1e6f, (((((_e1625.member.member * _e395) + (_e1625.member.member_1 * _e397)) + (_e1625.member.member_2 * _e391)) + _e1625.member_1) * _e1456), _e1620);
 let _e1646 = select(-1e6f, (((((_e1625.member.member * _e405) + (_e1625.member.member_1 * _e407)) + (_e1625.member.member_2 * _e412)) + _e1625.member_1) * _e1456), _e1620);
-let _e1652 = global_4.member[_e369].member_16.member.member;
+let _e1652 = global_3.member[_e369].member_16.member.member;
 let _e1656 = -(_e1645);
 let _e1659 = (_e1645 - _e1646);
 let _e1660 = (_e1646 - _e1645);
@@ -730,12 +730,12 @@ let _e1680 = select(_e1601, _e1669, _e1678);
 let _e1684 = select(_e1605, _e1673, _e1679);
 let _e1688 = select(_e1609, _e1645, _e1674);
 let _e1690 = select(_e1611, _e1646, (_e1646 > _e1611));
-let _e1698 = global_4.member[_e369].member_17.member_1;
+let _e1698 = global_3.member[_e369].member_17.member_1;
 let _e1699 = (_e1698 != 0u);
-let _e1704 = global_4.member[_e369].member_17.member;
+let _e1704 = global_3.member[_e369].member_17.member;
 let _e1724 = select(-1e6f, (((((_e1704.member.member * _e395) + (_e1704.member.member_1 * _e397)) + (_e1704.member.member_2 * _e391)) + _e1704.member_1) * _e1456), _e1699);
 let _e1725 = select(-1e6f, (((((_e1704.member.member * _e405) + (_e1704.member.member_1 * _e407)) + (_e1704.member.member_2 * _e412)) + _e1704.member_1) * _e1456), _e1699);
-let _e1731 = global_4.member[_e369].member_17.member.member;
+let _e1731 = global_3.member[_e369].member_17.member.member;
 let _e1735 = -(_e1724);
 let _e1738 = (_e1724 - _e1725);
 let _e1739 = (_e1725 - _e1724);
@@ -746,7 +746,7 @@ let _e1752 = select(2f, select(0f, _e1744, (_e1724 < 0f)), (_e1725 > 0f));
 let _e1753 = (_e1724 > _e1688);
 let _e1757 = ((_e1748 > _e1680) || ((_e1748 == _e1680) && _e1753));
 let _e1758 = (_e1752 < _e1684);
-phi_3023_ = type_35(select(_e1680, _e1748, _e1757), vec3<f32>(select(select(select(select(_e1430, _e1494.member, _e1520), _e1573.member, _e1599), _e1652.member, _e1678), _e1731.member, _e1757), select(select(select(select(_e1431, _e1494.member_1, _e1520), _e1573.member_1, _e1599), _e1652.member_1, _e1678), _e1731.member_1, _e1757), select(select(select(select(_e1432, _e1494.member_2, _e1520), _e1573.member_2, _e1599), _e1652.member_2, _e1678), _e1731.member_2, _e1757)), select(_e1684, _e1752, _e1758), vec3<f32>(select(select(select(select(_e1435, _e1494.member, _e1521), _e1573.member, _e1600), _e1652.member, _e1679), _e1731.member, _e1758), select(select(select(select(_e1436, _e1494.member_1, _e1521), _e1573.member_1, _e1600), _e1652.member_1, _e1679), _e1731.member_1, _e1758), select(select(select(select(_e1437, _e1494.member_2, _e1521), _e1573.member_2, _e1600), _e1652.member_2, _e1679), _e1731.member_2, _e1758)), select(_e1688, _e1724, _e1753), select(_e1690, _e1725, (_e1725 > _e1690)), vec3<f32>(select(select(select(select(_e1442, _e1494.member, _e1516), _e1573.member, _e1595), _e1652.member, _e1674), _e1731.member, _e1753), select(select(select(select(_e1443, _e1494.member_1, _e1516), _e1573.member_1, _e1595), _e1652.member_1, _e1674), _e1731.member_1, _e1753), select(select(select(select(_e1444, _e1494.member_2, _e1516), _e1573.member_2, _e1595), _e1652.member_2, _e1674), _e1731.member_2, _e1753)));
+phi_3023_ = type_34(select(_e1680, _e1748, _e1757), vec3<f32>(select(select(select(select(_e1430, _e1494.member, _e1520), _e1573.member, _e1599), _e1652.member, _e1678), _e1731.member, _e1757), select(select(select(select(_e1431, _e1494.member_1, _e1520), _e1573.member_1, _e1599), _e1652.member_1, _e1678), _e1731.member_1, _e1757), select(select(select(select(_e1432, _e1494.member_2, _e1520), _e1573.member_2, _e1599), _e1652.member_2, _e1678), _e1731.member_2, _e1757)), select(_e1684, _e1752, _e1758), vec3<f32>(select(select(select(select(_e1435, _e1494.member, _e1521), _e1573.member, _e1600), _e1652.member, _e1679), _e1731.member, _e1758), select(select(select(select(_e1436, _e1494.member_1, _e1521), _e1573.member_1, _e1600), _e1652.member_1, _e1679), _e1731.member_1, _e1758), select(select(select(select(_e1437, _e1494.member_2, _e1521), _e1573.member_2, _e1600), _e1652.member_2, _e1679), _e1731.member_2, _e1758)), select(_e1688, _e1724, _e1753), select(_e1690, _e1725, (_e1725 > _e1690)), vec3<f32>(select(select(select(select(_e1442, _e1494.member, _e1516), _e1573.member, _e1595), _e1652.member, _e1674), _e1731.member, _e1753), select(select(select(select(_e1443, _e1494.member_1, _e1516), _e1573.member_1, _e1595), _e1652.member_1, _e1674), _e1731.member_1, _e1753), select(select(select(select(_e1444, _e1494.member_2, _e1516), _e1573.member_2, _e1595), _e1652.member_2, _e1674), _e1731.member_2, _e1753)));
 }
 let _e1778 = phi_3023_;
 if ((_e1778.member_4 > -(0.015625f)) && (_e1778.member_4 < 0.015625f)) {
@@ -755,7 +755,7 @@ phi_3036_ = (_e373[9] != 0f);
 phi_3036_ = (_e1778.member_4 < 0f);
 }
 let _e1787 = phi_3036_;
-let _e1792 = global_4.member[_e369].member_10.member_9;
+let _e1792 = global_3.member[_e369].member_10.member_9;
 let _e1796 = select(-0.5f, _e481, (_e481 > -0.5f));
 let _e1798 = select(_e897, _e1796, (_e1796 < _e897));
 let _e1800 = select(-0.5f, _e497, (_e497 > -0.5f));
@@ -774,8 +774,8 @@ let _e1838 = select(-1f, _e1806, (_e1806 > -1f));
 let _e1840 = select(_e560, _e1838, (_e1838 < _e560));
 let _e1847 = select(0i, select(select(i32(_e1840), i32(-2147483648), (_e1840 < -2147483600f)), 2147483647i, (_e1840 > 2147483500f)), (_e1840 == _e1840));
 let _e1851 = (_e1847 - select(0i, 1i, (_e1840 < f32(_e1847))));
-let _e1856 = global_4.member[_e369].member_6.member_7;
-let _e1861 = global_4.member[_e369].member_6.member_8;
+let _e1856 = global_3.member[_e369].member_6.member_7;
+let _e1861 = global_3.member[_e369].member_6.member_8;
 let _e1869 = (select(0i, select(select(i32(_e549), i32(-2147483648), (_e549 < -2147483600f)), 2147483647i, (_e549 > 2147483500f)), (_e549 == _e549)) - 1i);
 let _e1872 = (_e1836 + 1i);
 let _e1882 = (select(0i, select(select(i32(_e560), i32(-2147483648), (_e560 < -2147483600f)), 2147483647i, (_e560 > 2147483500f)), (_e560 == _e560)) - 1i);
@@ -793,7 +793,7 @@ let _e1924 = (select(0i, _e1836, (_e1836 > 0i)) * _e1856);
 let _e1925 = (select(_e1869, _e1872, (_e1872 < _e1869)) * _e1856);
 let _e1926 = (select(0i, _e1851, (_e1851 > 0i)) * _e1861);
 let _e1927 = (select(_e1882, _e1885, (_e1885 < _e1882)) * _e1861);
-local_38 = type_32(array<i32, 4>(_e1911, _e1911, _e1911, _e1911), array<u32, 6>(bitcast<u32>(((_e1898 - _e1911) * 8i)), bitcast<u32>(((select(0i, _e1821, (_e1821 > 0i)) - _e1911) * 8i)), bitcast<u32>(((select(_e1895, _e1901, (_e1901 < _e1895)) - _e1911) * 8i)), bitcast<u32>(((select(_e1895, _e1904, (_e1904 < _e1895)) - _e1911) * 8i)), 0u, 0u));
+local_38 = type_28(array<i32, 4>(_e1911, _e1911, _e1911, _e1911), array<u32, 6>(bitcast<u32>(((_e1898 - _e1911) * 8i)), bitcast<u32>(((select(0i, _e1821, (_e1821 > 0i)) - _e1911) * 8i)), bitcast<u32>(((select(_e1895, _e1901, (_e1901 < _e1895)) - _e1911) * 8i)), bitcast<u32>(((select(_e1895, _e1904, (_e1904 < _e1895)) - _e1911) * 8i)), 0u, 0u));
 local_39 = vec3<f32>((_e1798 - f32(_e1821)), (_e1802 - f32(_e1836)), (_e1806 - f32(_e1851)));
 let _e1942 = local_38.member[0u];
 let _e1943 = ((_e1926 + _e1924) + _e1942);
@@ -801,10 +801,10 @@ let _e1945 = (_e1943 >> bitcast<u32>(2i));
 let _e1948 = bitcast<u32>(((_e1943 & 3i) * 8i));
 let _e1950 = (bitcast<i32>(_e182) - 1i);
 let _e1952 = select(_e1950, _e1945, (_e1945 < _e1950));
-let _e1957 = global_2.member[bitcast<u32>(select(0i, _e1952, (_e1952 > 0i)))];
+let _e1957 = global_1.member[bitcast<u32>(select(0i, _e1952, (_e1952 > 0i)))];
 let _e1961 = (_e1945 + 1i);
 let _e1963 = select(_e1950, _e1961, (_e1961 < _e1950));
-let _e1968 = global_2.member[bitcast<u32>(select(0i, _e1963, (_e1963 > 0i)))];
+let _e1968 = global_1.member[bitcast<u32>(select(0i, _e1963, (_e1963 > 0i)))];
 let _e1975 = ((_e1957 >> bitcast<u32>((_e1948 & 31u))) | ((_e1968 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1948) & 31u))));
 let _e1978 = local_38.member_1[1u];
 let _e1984 = f32(bitcast<i32>(((_e1975 >> bitcast<u32>((_e1978 & 31u))) & 255u)));
@@ -816,10 +816,10 @@ let _e2000 = ((_e1926 + _e1925) + _e1999);
 let _e2002 = (_e2000 >> bitcast<u32>(2i));
 let _e2005 = bitcast<u32>(((_e2000 & 3i) * 8i));
 let _e2007 = select(_e1950, _e2002, (_e2002 < _e1950));
-let _e2012 = global_2.member[bitcast<u32>(select(0i, _e2007, (_e2007 > 0i)))];
+let _e2012 = global_1.member[bitcast<u32>(select(0i, _e2007, (_e2007 > 0i)))];
 let _e2016 = (_e2002 + 1i);
 let _e2018 = select(_e1950, _e2016, (_e2016 < _e1950));
-let _e2023 = global_2.member[bitcast<u32>(select(0i, _e2018, (_e2018 > 0i)))];
+let _e2023 = global_1.member[bitcast<u32>(select(0i, _e2018, (_e2018 > 0i)))];
 let _e2030 = ((_e2012 >> bitcast<u32>((_e2005 & 31u))) | ((_e2023 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2005) & 31u))));
 let _e2031 = local_38.member_1[1u];
 let _e2037 = f32(bitcast<i32>(((_e2030 >> bitcast<u32>((_e2031 & 31u))) & 255u)));
@@ -832,10 +832,10 @@ let _e2056 = ((_e1927 + _e1924) + _e2055);
 let _e2058 = (_e2056 >> bitcast<u32>(2i));
 let _e2061 = bitcast<u32>(((_e2056 & 3i) * 8i));
 let _e2063 = select(_e1950, _e2058, (_e2058 < _e1950));
-let _e2068 = global_2.member[bitcast<u32>(select(0i, _e2063, (_e2063 > 0i)))];
+let _e2068 = global_1.member[bitcast<u32>(select(0i, _e2063, (_e2063 > 0i)))];
 let _e2072 = (_e2058 + 1i);
 let _e2074 = select(_e1950, _e2072, (_e2072 < _e1950));
-let _e2079 = global_2.member[bitcast<u32>(select(0i, _e2074, (_e2074 > 0i)))];
+let _e2079 = global_1.member[bitcast<u32>(select(0i, _e2074, (_e2074 > 0i)))];
 let _e2086 = ((_e2068 >> bitcast<u32>((_e2061 & 31u))) | ((_e2079 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2061) & 31u))));
 let _e2087 = local_38.member_1[1u];
 let _e2093 = f32(bitcast<i32>(((_e2086 >> bitcast<u32>((_e2087 & 31u))) & 255u)));
@@ -847,10 +847,10 @@ let _e2107 = ((_e1927 + _e1925) + _e2106);
 let _e2109 = (_e2107 >> bitcast<u32>(2i));
 let _e2112 = bitcast<u32>(((_e2107 & 3i) * 8i));
 let _e2114 = select(_e1950, _e2109, (_e2109 < _e1950));
-let _e2119 = global_2.member[bitcast<u32>(select(0i, _e2114, (_e2114 > 0i)))];
+let _e2119 = global_1.member[bitcast<u32>(select(0i, _e2114, (_e2114 > 0i)))];
 let _e2123 = (_e2109 + 1i);
 let _e2125 = select(_e1950, _e2123, (_e2123 < _e1950));
-let _e2130 = global_2.member[bitcast<u32>(select(0i, _e2125, (_e2125 > 0i)))];
+let _e2130 = global_1.member[bitcast<u32>(select(0i, _e2125, (_e2125 > 0i)))];
 let _e2137 = ((_e2119 >> bitcast<u32>((_e2112 & 31u))) | ((_e2130 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2112) & 31u))));
 let _e2138 = local_38.member_1[1u];
 let _e2144 = f32(bitcast<i32>(((_e2137 >> bitcast<u32>((_e2138 & 31u))) & 255u)));
@@ -858,8 +858,8 @@ let _e2145 = local_38.member_1[2u];
 let _e2152 = local_39[0u];
 let _e2156 = local_39[1u];
 let _e2161 = local_39[2u];
-let _e2169 = global_4.member[_e369].member_6.member_6;
-let _e2174 = global_4.member[_e369].member_6.member_5;
+let _e2169 = global_3.member[_e369].member_6.member_6;
+let _e2174 = global_3.member[_e369].member_6.member_5;
 let _e2176 = (((_e2053 + (((_e2104 + (((_e2144 + ((f32(bitcast<i32>(((_e2137 >> bitcast<u32>((_e2145 & 31u))) & 255u))) - _e2144) * _e2152)) - _e2104) * _e2156)) - _e2053) * _e2161)) - _e2169) * _e2174);
 let _e2177 = -(1e9f);
 let _e2179 = select(_e2177, _e2176, (_e2176 > _e2177));
@@ -869,49 +869,49 @@ local_37 = _e2182;
 let _e2183 = local_37;
 let _e2185 = (bitcast<i32>(_e187) - 1i);
 let _e2187 = select(_e2185, 263197i, (263197i < _e2185));
-let _e2192 = global_3.member[bitcast<u32>(select(0i, _e2187, (_e2187 > 0i)))];
+let _e2192 = global_2.member[bitcast<u32>(select(0i, _e2187, (_e2187 > 0i)))];
 let _e2193 = bitcast<f32>(_e2192);
 let _e2195 = select(_e2185, 263198i, (263198i < _e2185));
-let _e2200 = global_3.member[bitcast<u32>(select(0i, _e2195, (_e2195 > 0i)))];
+let _e2200 = global_2.member[bitcast<u32>(select(0i, _e2195, (_e2195 > 0i)))];
 let _e2201 = bitcast<f32>(_e2200);
 let _e2203 = select(_e2185, 263199i, (263199i < _e2185));
-let _e2208 = global_3.member[bitcast<u32>(select(0i, _e2203, (_e2203 > 0i)))];
+let _e2208 = global_2.member[bitcast<u32>(select(0i, _e2203, (_e2203 > 0i)))];
 let _e2209 = bitcast<f32>(_e2208);
 let _e2211 = ((_e2183 - _e2193) * _e2201);
 let _e2213 = select(0f, _e2211, (_e2211 > 0f));
 let _e2216 = local_37;
 let _e2218 = select(_e2185, 263200i, (263200i < _e2185));
-let _e2223 = global_3.member[bitcast<u32>(select(0i, _e2218, (_e2218 > 0i)))];
+let _e2223 = global_2.member[bitcast<u32>(select(0i, _e2218, (_e2218 > 0i)))];
 let _e2224 = bitcast<f32>(_e2223);
 let _e2226 = select(_e2185, 263201i, (263201i < _e2185));
-let _e2231 = global_3.member[bitcast<u32>(select(0i, _e2226, (_e2226 > 0i)))];
+let _e2231 = global_2.member[bitcast<u32>(select(0i, _e2226, (_e2226 > 0i)))];
 let _e2232 = bitcast<f32>(_e2231);
 let _e2234 = select(_e2185, 263202i, (263202i < _e2185));
-let _e2239 = global_3.member[bitcast<u32>(select(0i, _e2234, (_e2234 > 0i)))];
+let _e2239 = global_2.member[bitcast<u32>(select(0i, _e2234, (_e2234 > 0i)))];
 let _e2240 = bitcast<f32>(_e2239);
 let _e2242 = ((_e2216 - _e2224) * _e2232);
 let _e2244 = select(0f, _e2242, (_e2242 > 0f));
 let _e2248 = local_37;
 let _e2250 = select(_e2185, 263203i, (263203i < _e2185));
-let _e2255 = global_3.member[bitcast<u32>(select(0i, _e2250, (_e2250 > 0i)))];
+let _e2255 = global_2.member[bitcast<u32>(select(0i, _e2250, (_e2250 > 0i)))];
 let _e2256 = bitcast<f32>(_e2255);
 let _e2258 = select(_e2185, 263204i, (263204i < _e2185));
-let _e2263 = global_3.member[bitcast<u32>(select(0i, _e2258, (_e2258 > 0i)))];
+let _e2263 = global_2.member[bitcast<u32>(select(0i, _e2258, (_e2258 > 0i)))];
 let _e2264 = bitcast<f32>(_e2263);
 let _e2266 = select(_e2185, 263205i, (263205i < _e2185));
-let _e2271 = global_3.member[bitcast<u32>(select(0i, _e2266, (_e2266 > 0i)))];
+let _e2271 = global_2.member[bitcast<u32>(select(0i, _e2266, (_e2266 > 0i)))];
 let _e2272 = bitcast<f32>(_e2271);
 let _e2274 = ((_e2248 - _e2256) * _e2264);
 let _e2276 = select(0f, _e2274, (_e2274 > 0f));
 let _e2279 = local_37;
 let _e2281 = select(_e2185, 263206i, (263206i < _e2185));
-let _e2286 = global_3.member[bitcast<u32>(select(0i, _e2281, (_e2281 > 0i)))];
+let _e2286 = global_2.member[bitcast<u32>(select(0i, _e2281, (_e2281 > 0i)))];
 let _e2287 = bitcast<f32>(_e2286);
 let _e2289 = select(_e2185, 263207i, (263207i < _e2185));
-let _e2294 = global_3.member[bitcast<u32>(select(0i, _e2289, (_e2289 > 0i)))];
+let _e2294 = global_2.member[bitcast<u32>(select(0i, _e2289, (_e2289 > 0i)))];
 let _e2295 = bitcast<f32>(_e2294);
 let _e2297 = select(_e2185, 263208i, (263208i < _e2185));
-let _e2302 = global_3.member[bitcast<u32>(select(0i, _e2297, (_e2297 > 0i)))];
+let _e2302 = global_2.member[bitcast<u32>(select(0i, _e2297, (_e2297 > 0i)))];
 let _e2303 = bitcast<f32>(_e2302);
 let _e2305 = ((_e2279 - _e2287) * _e2295);
 let _e2307 = select(0f, _e2305, (_e2305 > 0f));
@@ -922,24 +922,24 @@ let _e2322 = select(0i, select(select(i32(_e2315), i32(-2147483648), (_e2315 < -
 let _e2326 = (_e2322 - select(0i, 1i, (_e2315 < f32(_e2322))));
 let _e2327 = (262147i + _e2326);
 let _e2329 = select(_e2185, _e2327, (_e2327 < _e2185));
-let _e2335 = global_3.member[bitcast<u32>(select(0i, _e2329, (_e2329 > 0i)))];
+let _e2335 = global_2.member[bitcast<u32>(select(0i, _e2329, (_e2329 > 0i)))];
 let _e2345 = select(_e2185, 262146i, (262146i < _e2185));
 let _e2348 = bitcast<u32>(select(0i, _e2345, (_e2345 > 0i)));
-let _e2351 = global_3.member[_e2348];
+let _e2351 = global_2.member[_e2348];
 let _e2355 = select(_e2185, 262144i, (262144i < _e2185));
 let _e2358 = bitcast<u32>(select(0i, _e2355, (_e2355 > 0i)));
-let _e2361 = global_3.member[_e2358];
+let _e2361 = global_2.member[_e2358];
 let _e2364 = select(_e2185, 262145i, (262145i < _e2185));
 let _e2367 = bitcast<u32>(select(0i, _e2364, (_e2364 > 0i)));
-let _e2370 = global_3.member[_e2367];
+let _e2370 = global_2.member[_e2367];
 let _e2378 = select(1f, ((bitcast<f32>(_e2361) + (f32(bitcast<i32>((_e2335 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2370))) + ((f32((bitcast<i32>((_e2335 & 4095u)) - 2048i)) * bitcast<f32>(_e2351)) * (_e2311 - f32(_e2326)))), (_e1787 && (_e391 == _e1792)));
 let _e2379 = (_e373[3] * _e2378);
 let _e2380 = (_e373[4] * _e2378);
 let _e2381 = (_e373[5] * _e2378);
 if _e1787 {
-phi_4237_ = type_29(_e1778.member_2, _e1778.member_3);
+phi_4237_ = type_39(_e1778.member_2, _e1778.member_3);
 } else {
-phi_4237_ = type_29(_e1778.member, _e1778.member_1);
+phi_4237_ = type_39(_e1778.member, _e1778.member_1);
 }
 let _e2389 = phi_4237_;
 if _e1787 {
@@ -984,17 +984,17 @@ let _e2518 = (select(0i, _e2467, (_e2467 > 0i)) * _e1856);
 let _e2519 = (select(_e1869, _e2485, (_e2485 < _e1869)) * _e1856);
 let _e2520 = (select(0i, _e2482, (_e2482 > 0i)) * _e1861);
 let _e2521 = (select(_e1882, _e2490, (_e2490 < _e1882)) * _e1861);
-local_34 = type_32(array<i32, 4>(_e2505, _e2505, _e2505, _e2505), array<u32, 6>(bitcast<u32>(((_e2495 - _e2505) * 8i)), bitcast<u32>(((select(0i, _e2452, (_e2452 > 0i)) - _e2505) * 8i)), bitcast<u32>(((select(_e1895, _e2498, (_e2498 < _e1895)) - _e2505) * 8i)), bitcast<u32>(((select(_e1895, _e2501, (_e2501 < _e1895)) - _e2505) * 8i)), 0u, 0u));
+local_34 = type_28(array<i32, 4>(_e2505, _e2505, _e2505, _e2505), array<u32, 6>(bitcast<u32>(((_e2495 - _e2505) * 8i)), bitcast<u32>(((select(0i, _e2452, (_e2452 > 0i)) - _e2505) * 8i)), bitcast<u32>(((select(_e1895, _e2498, (_e2498 < _e1895)) - _e2505) * 8i)), bitcast<u32>(((select(_e1895, _e2501, (_e2501 < _e1895)) - _e2505) * 8i)), 0u, 0u));
 local_35 = vec3<f32>((_e2429 - f32(_e2452)), (_e2433 - f32(_e2467)), (_e2437 - f32(_e2482)));
 let _e2536 = local_34.member[0u];
 let _e2537 = ((_e2520 + _e2518) + _e2536);
 let _e2539 = (_e2537 >> bitcast<u32>(2i));
 let _e2542 = bitcast<u32>(((_e2537 & 3i) * 8i));
 let _e2544 = select(_e1950, _e2539, (_e2539 < _e1950));
-let _e2549 = global_2.member[bitcast<u32>(select(0i, _e2544, (_e2544 > 0i)))];
+let _e2549 = global_1.member[bitcast<u32>(select(0i, _e2544, (_e2544 > 0i)))];
 let _e2553 = (_e2539 + 1i);
 let _e2555 = select(_e1950, _e2553, (_e2553 < _e1950));
-let _e2560 = global_2.member[bitcast<u32>(select(0i, _e2555, (_e2555 > 0i)))];
+let _e2560 = global_1.member[bitcast<u32>(select(0i, _e2555, (_e2555 > 0i)))];
 let _e2567 = ((_e2549 >> bitcast<u32>((_e2542 & 31u))) | ((_e2560 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2542) & 31u))));
 let _e2570 = local_34.member_1[1u];
 let _e2576 = f32(bitcast<i32>(((_e2567 >> bitcast<u32>((_e2570 & 31u))) & 255u)));
@@ -1006,10 +1006,10 @@ let _e2592 = ((_e2520 + _e2519) + _e2591);
 let _e2594 = (_e2592 >> bitcast<u32>(2i));
 let _e2597 = bitcast<u32>(((_e2592 & 3i) * 8i));
 let _e2599 = select(_e1950, _e2594, (_e2594 < _e1950));
-let _e2604 = global_2.member[bitcast<u32>(select(0i, _e2599, (_e2599 > 0i)))];
+let _e2604 = global_1.member[bitcast<u32>(select(0i, _e2599, (_e2599 > 0i)))];
 let _e2608 = (_e2594 + 1i);
 let _e2610 = select(_e1950, _e2608, (_e2608 < _e1950));
-let _e2615 = global_2.member[bitcast<u32>(select(0i, _e2610, (_e2610 > 0i)))];
+let _e2615 = global_1.member[bitcast<u32>(select(0i, _e2610, (_e2610 > 0i)))];
 let _e2622 = ((_e2604 >> bitcast<u32>((_e2597 & 31u))) | ((_e2615 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2597) & 31u))));
 let _e2623 = local_34.member_1[1u];
 let _e2629 = f32(bitcast<i32>(((_e2622 >> bitcast<u32>((_e2623 & 31u))) & 255u)));
@@ -1022,10 +1022,10 @@ let _e2648 = ((_e2521 + _e2518) + _e2647);
 let _e2650 = (_e2648 >> bitcast<u32>(2i));
 let _e2653 = bitcast<u32>(((_e2648 & 3i) * 8i));
 let _e2655 = select(_e1950, _e2650, (_e2650 < _e1950));
-let _e2660 = global_2.member[bitcast<u32>(select(0i, _e2655, (_e2655 > 0i)))];
+let _e2660 = global_1.member[bitcast<u32>(select(0i, _e2655, (_e2655 > 0i)))];
 let _e2664 = (_e2650 + 1i);
 let _e2666 = select(_e1950, _e2664, (_e2664 < _e1950));
-let _e2671 = global_2.member[bitcast<u32>(select(0i, _e2666, (_e2666 > 0i)))];
+let _e2671 = global_1.member[bitcast<u32>(select(0i, _e2666, (_e2666 > 0i)))];
 let _e2678 = ((_e2660 >> bitcast<u32>((_e2653 & 31u))) | ((_e2671 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2653) & 31u))));
 let _e2679 = local_34.member_1[1u];
 let _e2685 = f32(bitcast<i32>(((_e2678 >> bitcast<u32>((_e2679 & 31u))) & 255u)));
@@ -1037,10 +1037,10 @@ let _e2699 = ((_e2521 + _e2519) + _e2698);
 let _e2701 = (_e2699 >> bitcast<u32>(2i));
 let _e2704 = bitcast<u32>(((_e2699 & 3i) * 8i));
 let _e2706 = select(_e1950, _e2701, (_e2701 < _e1950));
-let _e2711 = global_2.member[bitcast<u32>(select(0i, _e2706, (_e2706 > 0i)))];
+let _e2711 = global_1.member[bitcast<u32>(select(0i, _e2706, (_e2706 > 0i)))];
 let _e2715 = (_e2701 + 1i);
 let _e2717 = select(_e1950, _e2715, (_e2715 < _e1950));
-let _e2722 = global_2.member[bitcast<u32>(select(0i, _e2717, (_e2717 > 0i)))];
+let _e2722 = global_1.member[bitcast<u32>(select(0i, _e2717, (_e2717 > 0i)))];
 let _e2729 = ((_e2711 >> bitcast<u32>((_e2704 & 31u))) | ((_e2722 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2704) & 31u))));
 let _e2730 = local_34.member_1[1u];
 let _e2736 = f32(bitcast<i32>(((_e2729 >> bitcast<u32>((_e2730 & 31u))) & 255u)));
@@ -1072,18 +1072,18 @@ let _e2805 = select(0i, select(select(i32(_e2798), i32(-2147483648), (_e2798 < -
 let _e2809 = (_e2805 - select(0i, 1i, (_e2798 < f32(_e2805))));
 let _e2810 = (262147i + _e2809);
 let _e2812 = select(_e2185, _e2810, (_e2810 < _e2185));
-let _e2817 = global_3.member[bitcast<u32>(select(0i, _e2812, (_e2812 > 0i)))];
-let _e2827 = global_3.member[_e2348];
+let _e2817 = global_2.member[bitcast<u32>(select(0i, _e2812, (_e2812 > 0i)))];
+let _e2827 = global_2.member[_e2348];
 let _e2828 = bitcast<f32>(_e2827);
-let _e2831 = global_3.member[_e2358];
+let _e2831 = global_2.member[_e2358];
 let _e2832 = bitcast<f32>(_e2831);
-let _e2834 = global_3.member[_e2367];
+let _e2834 = global_2.member[_e2367];
 let _e2835 = bitcast<f32>(_e2834);
 let _e2841 = ((_e2832 + (f32(bitcast<i32>((_e2817 >> bitcast<u32>(12u)))) * _e2835)) + ((f32((bitcast<i32>((_e2817 & 4095u)) - 2048i)) * _e2828) * (_e2794 - f32(_e2809))));
 if _e1787 {
-phi_5445_ = type_28(_e2841, 1f);
+phi_5445_ = type_31(_e2841, 1f);
 } else {
-phi_5445_ = type_28(1f, _e2841);
+phi_5445_ = type_31(1f, _e2841);
 }
 let _e2845 = phi_5445_;
 let _e2850 = ((_e2845.member_1 * _e2845.member_1) - (_e2845.member * _e2845.member));
@@ -1102,7 +1102,7 @@ let _e2885 = (_e2850 == 0f);
 let _e2897 = select(_e2379, select((_e2379 + (_e2865 * _e2884)), _e2379, _e2885), _e2397);
 let _e2898 = select(_e2380, select((_e2380 + (_e2866 * _e2884)), _e2380, _e2885), _e2397);
 let _e2899 = select(_e2381, select((_e2381 + (_e2867 * _e2884)), _e2381, _e2885), _e2397);
-let _e2904 = global_4.member[_e369].member_5.member_4;
+let _e2904 = global_3.member[_e369].member_5.member_4;
 let _e2905 = (_e2904 * _e2904);
 let _e2909 = (_e2899 * _e2899);
 let _e2913 = (_e2397 && (_e2845.member != _e2845.member_1));
@@ -1221,16 +1221,16 @@ let _e3190 = select(select(select(select(select(select(0f, _e1181.member, _e2971
 let _e3191 = select(select(select(select(select(select(0f, _e1181.member_1, _e2971), _e1181.member_1, _e3011), _e1190.member_1, _e3051), _e1190.member_1, _e3091), _e1199.member_1, _e3131), _e1199.member_1, _e3171);
 let _e3192 = select(select(select(select(select(select(1f, _e1181.member_2, _e2971), _e1181.member_2, _e3011), _e1190.member_2, _e3051), _e1190.member_2, _e3091), _e1199.member_2, _e3131), _e1199.member_2, _e3171);
 if _e1448 {
-phi_6968_ = type_35(_e3177, vec3<f32>(_e3178, _e3179, _e3180), _e3182, vec3<f32>(_e3183, _e3184, _e3185), _e3187, _e3189, vec3<f32>(_e3190, _e3191, _e3192));
+phi_6968_ = type_34(_e3177, vec3<f32>(_e3178, _e3179, _e3180), _e3182, vec3<f32>(_e3183, _e3184, _e3185), _e3187, _e3189, vec3<f32>(_e3190, _e3191, _e3192));
 } else {
 let _e3199 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e3202 = sqrt(select(0f, _e3199, (_e3199 > 0f)));
-let _e3207 = global_4.member[_e369].member_14.member_1;
+let _e3207 = global_3.member[_e369].member_14.member_1;
 let _e3208 = (_e3207 != 0u);
-let _e3213 = global_4.member[_e369].member_14.member;
+let _e3213 = global_3.member[_e369].member_14.member;
 let _e3233 = select(-1e6f, (((((_e3213.member.member * _e2404) + (_e3213.member.member_1 * _e2405)) + (_e3213.member.member_2 * _e2406)) + _e3213.member_1) * _e3202), _e3208);
 let _e3234 = select(-1e6f, (((((_e3213.member.member * _e2927) + (_e3213.member.member_1 * _e2928)) + (_e3213.member.member_2 * _e2929)) + _e3213.member_1) * _e3202), _e3208);
-let _e3240 = global_4.member[_e369].member_14.member.member;
+let _e3240 = global_3.member[_e369].member_14.member.member;
 let _e3244 = -(_e3233);
 let _e3247 = (_e3233 - _e3234);
 let _e3248 = (_e3234 - _e3233);
@@ -1245,12 +1245,12 @@ let _e3268 = select(_e3177, _e3257, _e3266);
 let _e3272 = select(_e3182, _e3261, _e3267);
 let _e3276 = select(_e3187, _e3233, _e3262);
 let _e3278 = select(_e3189, _e3234, (_e3234 > _e3189));
-let _e3286 = global_4.member[_e369].member_15.member_1;
+let _e3286 = global_3.member[_e369].member_15.member_1;
 let _e3287 = (_e3286 != 0u);
-let _e3292 = global_4.member[_e369].member_15.member;
+let _e3292 = global_3.member[_e369].member_15.member;
 let _e3312 = select(-1e6f, (((((_e3292.member.member * _e2404) + (_e3292.member.member_1 * _e2405)) + (_e3292.member.member_2 * _e2406)) + _e3292.member_1) * _e3202), _e3287);
 let _e3313 = select(-1e6f, (((((_e3292.member.member * _e2927) + (_e3292.member.member_1 * _e2928)) + (_e3292.member.member_2 * _e2929)) + _e3292.member_1) * _e3202), _e3287);
-let _e3319 = global_4.member[_e369].member_15.member.member;
+let _e3319 = global_3.member[_e369].member_15.member.member;
 let _e3323 = -(_e3312);
 let _e3326 = (_e3312 - _e3313);
 let _e3327 = (_e3313 - _e3312);
@@ -1265,12 +1265,12 @@ let _e3347 = select(_e3268, _e3336, _e3345);
 let _e3351 = select(_e3272, _e3340, _e3346);
 let _e3355 = select(_e3276, _e3312, _e3341);
 let _e3357 = select(_e3278, _e3313, (_e3313 > _e3278));
-let _e3365 = global_4.member[_e369].member_16.member_1;
+let _e3365 = global_3.member[_e369].member_16.member_1;
 let _e3366 = (_e3365 != 0u);
-let _e3371 = global_4.member[_e369].member_16.member;
+let _e3371 = global_3.member[_e369].member_16.member;
 let _e3391 = select(-1e6f, (((((_e3371.member.member * _e2404) + (_e3371.member.member_1 * _e2405)) + (_e3371.member.member_2 * _e2406)) + _e3371.member_1) * _e3202), _e3366);
 let _e3392 = select(-1e6f, (((((_e3371.member.member * _e2927) + (_e3371.member.member_1 * _e2928)) + (_e3371.member.member_2 * _e2929)) + _e3371.member_1) * _e3202), _e3366);
-let _e3398 = global_4.member[_e369].member_16.member.member;
+let _e3398 = global_3.member[_e369].member_16.member.member;
 let _e3402 = -(_e3391);
 let _e3405 = (_e3391 - _e3392);
 let _e3406 = (_e3392 - _e3391);
@@ -1285,12 +1285,12 @@ let _e3426 = select(_e3347, _e3415, _e3424);
 let _e3430 = select(_e3351, _e3419, _e3425);
 let _e3434 = select(_e3355, _e3391, _e3420);
 let _e3436 = select(_e3357, _e3392, (_e3392 > _e3357));
-let _e3444 = global_4.member[_e369].member_17.member_1;
+let _e3444 = global_3.member[_e369].member_17.member_1;
 let _e3445 = (_e3444 != 0u);
-let _e3450 = global_4.member[_e369].member_17.member;
+let _e3450 = global_3.member[_e369].member_17.member;
 let _e3470 = select(-1e6f, (((((_e3450.member.member * _e2404) + (_e3450.member.member_1 * _e2405)) + (_e3450.member.member_2 * _e2406)) + _e3450.member_1) * _e3202), _e3445);
 let _e3471 = select(-1e6f, (((((_e3450.member.member * _e2927) + (_e3450.member.member_1 * _e2928)) + (_e3450.member.member_2 * _e2929)) + _e3450.member_1) * _e3202), _e3445);
-let _e3477 = global_4.member[_e369].member_17.member.member;
+let _e3477 = global_3.member[_e369].member_17.member.member;
 let _e3481 = -(_e3470);
 let _e3484 = (_e3470 - _e3471);
 let _e3485 = (_e3471 - _e3470);
@@ -1301,7 +1301,7 @@ let _e3498 = select(2f, select(0f, _e3490, (_e3470 < 0f)), (_e3471 > 0f));
 let _e3499 = (_e3470 > _e3434);
 let _e3503 = ((_e3494 > _e3426) || ((_e3494 == _e3426) && _e3499));
 let _e3504 = (_e3498 < _e3430);
-phi_6968_ = type_35(select(_e3426, _e3494, _e3503), vec3<f32>(select(select(select(select(_e3178, _e3240.member, _e3266), _e3319.member, _e3345), _e3398.member, _e3424), _e3477.member, _e3503), select(select(select(select(_e3179, _e3240.member_1, _e3266), _e3319.member_1, _e3345), _e3398.member_1, _e3424), _e3477.member_1, _e3503), select(select(select(select(_e3180, _e3240.member_2, _e3266), _e3319.member_2, _e3345), _e3398.member_2, _e3424), _e3477.member_2, _e3503)), select(_e3430, _e3498, _e3504), vec3<f32>(select(select(select(select(_e3183, _e3240.member, _e3267), _e3319.member, _e3346), _e3398.member, _e3425), _e3477.member, _e3504), select(select(select(select(_e3184, _e3240.member_1, _e3267), _e3319.member_1, _e3346), _e3398.member_1, _e3425), _e3477.member_1, _e3504), select(select(select(select(_e3185, _e3240.member_2, _e3267), _e3319.member_2, _e3346), _e3398.member_2, _e3425), _e3477.member_2, _e3504)), select(_e3434, _e3470, _e3499), select(_e3436, _e3471, (_e3471 > _e3436)), vec3<f32>(select(select(select(select(_e3190, _e3240.member, _e3262), _e3319.member, _e3341), _e3398.member, _e3420), _e3477.member, _e3499), select(select(select(select(_e3191, _e3240.member_1, _e3262), _e3319.member_1, _e3341), _e3398.member_1, _e3420), _e3477.member_1, _e3499), select(select(select(select(_e3192, _e3240.member_2, _e3262), _e3319.member_2, _e3341), _e3398.member_2, _e3420), _e3477.member_2, _e3499)));
+phi_6968_ = type_34(select(_e3426, _e3494, _e3503), vec3<f32>(select(select(select(select(_e3178, _e3240.member, _e3266), _e3319.member, _e3345), _e3398.member, _e3424), _e3477.member, _e3503), select(select(select(select(_e3179, _e3240.member_1, _e3266), _e3319.member_1, _e3345), _e3398.member_1, _e3424), _e3477.member_1, _e3503), select(select(select(select(_e3180, _e3240.member_2, _e3266), _e3319.member_2, _e3345), _e3398.member_2, _e3424), _e3477.member_2, _e3503)), select(_e3430, _e3498, _e3504), vec3<f32>(select(select(select(select(_e3183, _e3240.member, _e3267), _e3319.member, _e3346), _e3398.member, _e3425), _e3477.member, _e3504), select(select(select(select(_e3184, _e3240.member_1, _e3267), _e3319.member_1, _e3346), _e3398.member_1, _e3425), _e3477.member_1, _e3504), select(select(select(select(_e3185, _e3240.member_2, _e3267), _e3319.member_2, _e3346), _e3398.member_2, _e3425), _e3477.member_2, _e3504)), select(_e3434, _e3470, _e3499), select(_e3436, _e3471, (_e3471 > _e3436)), vec3<f32>(select(select(select(select(_e3190, _e3240.member, _e3262), _e3319.member, _e3341), _e3398.member, _e3420), _e3477.member, _e3499), select(select(select(select(_e3191, _e3240.member_1, _e3262), _e3319.member_1, _e3341), _e3398.member_1, _e3420), _e3477.member_1, _e3499), select(select(select(select(_e3192, _e3240.member_2, _e3262), _e3319.member_2, _e3341), _e3398.member_2, _e3420), _e3477.member_2, _e3499)));
 }
 let _e3524 = phi_6968_;
 let _e3530 = (((_e2397 && _e2932) && !(_e2917)) && (_e3524.member_2 <= 1f));
@@ -1346,17 +1346,17 @@ let _e3654 = (select(0i, _e3603, (_e3603 > 0i)) * _e1856);
 let _e3655 = (select(_e1869, _e3621, (_e3621 < _e1869)) * _e1856);
 let _e3656 = (select(0i, _e3618, (_e3618 > 0i)) * _e1861);
 let _e3657 = (select(_e1882, _e3626, (_e3626 < _e1882)) * _e1861);
-local_30 = type_32(array<i32, 4>(_e3641, _e3641, _e3641, _e3641), array<u32, 6>(bitcast<u32>(((_e3631 - _e3641) * 8i)), bitcast<u32>(((select(0i, _e3588, (_e3588 > 0i)) - _e3641) * 8i)), bitcast<u32>(((select(_e1895, _e3634, (_e3634 < _e1895)) - _e3641) * 8i)), bitcast<u32>(((select(_e1895, _e3637, (_e3637 < _e1895)) - _e3641) * 8i)), 0u, 0u));
+local_30 = type_28(array<i32, 4>(_e3641, _e3641, _e3641, _e3641), array<u32, 6>(bitcast<u32>(((_e3631 - _e3641) * 8i)), bitcast<u32>(((select(0i, _e3588, (_e3588 > 0i)) - _e3641) * 8i)), bitcast<u32>(((select(_e1895, _e3634, (_e3634 < _e1895)) - _e3641) * 8i)), bitcast<u32>(((select(_e1895, _e3637, (_e3637 < _e1895)) - _e3641) * 8i)), 0u, 0u));
 local_31 = vec3<f32>((_e3565 - f32(_e3588)), (_e3569 - f32(_e3603)), (_e3573 - f32(_e3618)));
 let _e3672 = local_30.member[0u];
 let _e3673 = ((_e3656 + _e3654) + _e3672);
 let _e3675 = (_e3673 >> bitcast<u32>(2i));
 let _e3678 = bitcast<u32>(((_e3673 & 3i) * 8i));
 let _e3680 = select(_e1950, _e3675, (_e3675 < _e1950));
-let _e3685 = global_2.member[bitcast<u32>(select(0i, _e3680, (_e3680 > 0i)))];
+let _e3685 = global_1.member[bitcast<u32>(select(0i, _e3680, (_e3680 > 0i)))];
 let _e3689 = (_e3675 + 1i);
 let _e3691 = select(_e1950, _e3689, (_e3689 < _e1950));
-let _e3696 = global_2.member[bitcast<u32>(select(0i, _e3691, (_e3691 > 0i)))];
+let _e3696 = global_1.member[bitcast<u32>(select(0i, _e3691, (_e3691 > 0i)))];
 let _e3703 = ((_e3685 >> bitcast<u32>((_e3678 & 31u))) | ((_e3696 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3678) & 31u))));
 let _e3706 = local_30.member_1[1u];
 let _e3712 = f32(bitcast<i32>(((_e3703 >> bitcast<u32>((_e3706 & 31u))) & 255u)));
@@ -1368,10 +1368,10 @@ let _e3728 = ((_e3656 + _e3655) + _e3727);
 let _e3730 = (_e3728 >> bitcast<u32>(2i));
 let _e3733 = bitcast<u32>(((_e3728 & 3i) * 8i));
 let _e3735 = select(_e1950, _e3730, (_e3730 < _e1950));
-let _e3740 = global_2.member[bitcast<u32>(select(0i, _e3735, (_e3735 > 0i)))];
+let _e3740 = global_1.member[bitcast<u32>(select(0i, _e3735, (_e3735 > 0i)))];
 let _e3744 = (_e3730 + 1i);
 let _e3746 = select(_e1950, _e3744, (_e3744 < _e1950));
-let _e3751 = global_2.member[bitcast<u32>(select(0i, _e3746, (_e3746 > 0i)))];
+let _e3751 = global_1.member[bitcast<u32>(select(0i, _e3746, (_e3746 > 0i)))];
 let _e3758 = ((_e3740 >> bitcast<u32>((_e3733 & 31u))) | ((_e3751 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3733) & 31u))));
 let _e3759 = local_30.member_1[1u];
 let _e3765 = f32(bitcast<i32>(((_e3758 >> bitcast<u32>((_e3759 & 31u))) & 255u)));
@@ -1384,10 +1384,10 @@ let _e3784 = ((_e3657 + _e3654) + _e3783);
 let _e3786 = (_e3784 >> bitcast<u32>(2i));
 let _e3789 = bitcast<u32>(((_e3784 & 3i) * 8i));
 let _e3791 = select(_e1950, _e3786, (_e3786 < _e1950));
-let _e3796 = global_2.member[bitcast<u32>(select(0i, _e3791, (_e3791 > 0i)))];
+let _e3796 = global_1.member[bitcast<u32>(select(0i, _e3791, (_e3791 > 0i)))];
 let _e3800 = (_e3786 + 1i);
 let _e3802 = select(_e1950, _e3800, (_e3800 < _e1950));
-let _e3807 = global_2.member[bitcast<u32>(select(0i, _e3802, (_e3802 > 0i)))];
+let _e3807 = global_1.member[bitcast<u32>(select(0i, _e3802, (_e3802 > 0i)))];
 let _e3814 = ((_e3796 >> bitcast<u32>((_e3789 & 31u))) | ((_e3807 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3789) & 31u))));
 let _e3815 = local_30.member_1[1u];
 let _e3821 = f32(bitcast<i32>(((_e3814 >> bitcast<u32>((_e3815 & 31u))) & 255u)));
@@ -1399,10 +1399,10 @@ let _e3835 = ((_e3657 + _e3655) + _e3834);
 let _e3837 = (_e3835 >> bitcast<u32>(2i));
 let _e3840 = bitcast<u32>(((_e3835 & 3i) * 8i));
 let _e3842 = select(_e1950, _e3837, (_e3837 < _e1950));
-let _e3847 = global_2.member[bitcast<u32>(select(0i, _e3842, (_e3842 > 0i)))];
+let _e3847 = global_1.member[bitcast<u32>(select(0i, _e3842, (_e3842 > 0i)))];
 let _e3851 = (_e3837 + 1i);
 let _e3853 = select(_e1950, _e3851, (_e3851 < _e1950));
-let _e3858 = global_2.member[bitcast<u32>(select(0i, _e3853, (_e3853 > 0i)))];
+let _e3858 = global_1.member[bitcast<u32>(select(0i, _e3853, (_e3853 > 0i)))];
 let _e3865 = ((_e3847 >> bitcast<u32>((_e3840 & 31u))) | ((_e3858 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3840) & 31u))));
 let _e3866 = local_30.member_1[1u];
 let _e3872 = f32(bitcast<i32>(((_e3865 >> bitcast<u32>((_e3866 & 31u))) & 255u)));
@@ -1434,12 +1434,12 @@ let _e3941 = select(0i, select(select(i32(_e3934), i32(-2147483648), (_e3934 < -
 let _e3945 = (_e3941 - select(0i, 1i, (_e3934 < f32(_e3941))));
 let _e3946 = (262147i + _e3945);
 let _e3948 = select(_e2185, _e3946, (_e3946 < _e2185));
-let _e3953 = global_3.member[bitcast<u32>(select(0i, _e3948, (_e3948 > 0i)))];
+let _e3953 = global_2.member[bitcast<u32>(select(0i, _e3948, (_e3948 > 0i)))];
 let _e3968 = ((_e2832 + (f32(bitcast<i32>((_e3953 >> bitcast<u32>(12u)))) * _e2835)) + ((f32((bitcast<i32>((_e3953 & 4095u)) - 2048i)) * _e2828) * (_e3930 - f32(_e3945))));
 if _e2932 {
-phi_8196_ = type_28(_e3968, 1f);
+phi_8196_ = type_31(_e3968, 1f);
 } else {
-phi_8196_ = type_28(1f, _e3968);
+phi_8196_ = type_31(1f, _e3968);
 }
 let _e3972 = phi_8196_;
 let _e3977 = ((_e3972.member_1 * _e3972.member_1) - (_e3972.member * _e3972.member));
@@ -1578,16 +1578,16 @@ let _e4333 = select(select(select(select(select(select(0f, _e1181.member, _e4114
 let _e4334 = select(select(select(select(select(select(0f, _e1181.member_1, _e4114), _e1181.member_1, _e4154), _e1190.member_1, _e4194), _e1190.member_1, _e4234), _e1199.member_1, _e4274), _e1199.member_1, _e4314);
 let _e4335 = select(select(select(select(select(select(1f, _e1181.member_2, _e4114), _e1181.member_2, _e4154), _e1190.member_2, _e4194), _e1190.member_2, _e4234), _e1199.member_2, _e4274), _e1199.member_2, _e4314);
 if _e1448 {
-phi_9734_ = type_35(_e4320, vec3<f32>(_e4321, _e4322, _e4323), _e4325, vec3<f32>(_e4326, _e4327, _e4328), _e4330, _e4332, vec3<f32>(_e4333, _e4334, _e4335));
+phi_9734_ = type_34(_e4320, vec3<f32>(_e4321, _e4322, _e4323), _e4325, vec3<f32>(_e4326, _e4327, _e4328), _e4330, _e4332, vec3<f32>(_e4333, _e4334, _e4335));
 } else {
 let _e4342 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e4345 = sqrt(select(0f, _e4342, (_e4342 > 0f)));
-let _e4350 = global_4.member[_e369].member_14.member_1;
+let _e4350 = global_3.member[_e369].member_14.member_1;
 let _e4351 = (_e4350 != 0u);
-let _e4356 = global_4.member[_e369].member_14.member;
+let _e4356 = global_3.member[_e369].member_14.member;
 let _e4376 = select(-1e6f, (((((_e4356.member.member * _e3543.x) + (_e4356.member.member_1 * _e3543.y)) + (_e4356.member.member_2 * _e3543.z)) + _e4356.member_1) * _e4345), _e4351);
 let _e4377 = select(-1e6f, (((((_e4356.member.member * _e4049) + (_e4356.member.member_1 * _e4050)) + (_e4356.member.member_2 * _e4051)) + _e4356.member_1) * _e4345), _e4351);
-let _e4383 = global_4.member[_e369].member_14.member.member;
+let _e4383 = global_3.member[_e369].member_14.member.member;
 let _e4387 = -(_e4376);
 let _e4390 = (_e4376 - _e4377);
 let _e4391 = (_e4377 - _e4376);
@@ -1602,12 +1602,12 @@ let _e4411 = select(_e4320, _e4400, _e4409);
 let _e4415 = select(_e4325, _e4404, _e4410);
 let _e4419 = select(_e4330, _e4376, _e4405);
 let _e4421 = select(_e4332, _e4377, (_e4377 > _e4332));
-let _e4429 = global_4.member[_e369].member_15.member_1;
+let _e4429 = global_3.member[_e369].member_15.member_1;
 let _e4430 = (_e4429 != 0u);
-let _e4435 = global_4.member[_e369].member_15.member;
+let _e4435 = global_3.member[_e369].member_15.member;
 let _e4455 = select(-1e6f, (((((_e4435.member.member * _e3543.x) + (_e4435.member.member_1 * _e3543.y)) + (_e4435.member.member_2 * _e3543.z)) + _e4435.member_1) * _e4345), _e4430);
 let _e4456 = select(-1e6f, (((((_e4435.member.member * _e4049) + (_e4435.member.member_1 * _e4050)) + (_e4435.member.member_2 * _e4051)) + _e4435.member_1) * _e4345), _e4430);
-let _e4462 = global_4.member[_e369].member_15.member.member;
+let _e4462 = global_3.member[_e369].member_15.member.member;
 let _e4466 = -(_e4455);
 let _e4469 = (_e4455 - _e4456);
 let _e4470 = (_e4456 - _e4455);
@@ -1622,12 +1622,12 @@ let _e4490 = select(_e4411, _e4479, _e4488);
 let _e4494 = select(_e4415, _e4483, _e4489);
 let _e4498 = select(_e4419, _e4455, _e4484);
 let _e4500 = select(_e4421, _e4456, (_e4456 > _e4421));
-let _e4508 = global_4.member[_e369].member_16.member_1;
+let _e4508 = global_3.member[_e369].member_16.member_1;
 let _e4509 = (_e4508 != 0u);
-let _e4514 = global_4.member[_e369].member_16.member;
+let _e4514 = global_3.member[_e369].member_16.member;
 let _e4534 = select(-1e6f, (((((_e4514.member.member * _e3543.x) + (_e4514.member.member_1 * _e3543.y)) + (_e4514.member.member_2 * _e3543.z)) + _e4514.member_1) * _e4345), _e4509);
 let _e4535 = select(-1e6f, (((((_e4514.member.member * _e4049) + (_e4514.member.member_1 * _e4050)) + (_e4514.member.member_2 * _e4051)) + _e4514.member_1) * _e4345), _e4509);
-let _e4541 = global_4.member[_e369].member_16.member.member;
+let _e4541 = global_3.member[_e369].member_16.member.member;
 let _e4545 = -(_e4534);
 let _e4548 = (_e4534 - _e4535);
 let _e4549 = (_e4535 - _e4534);
@@ -1642,12 +1642,12 @@ let _e4569 = select(_e4490, _e4558, _e4567);
 let _e4573 = select(_e4494, _e4562, _e4568);
 let _e4577 = select(_e4498, _e4534, _e4563);
 let _e4579 = select(_e4500, _e4535, (_e4535 > _e4500));
-let _e4587 = global_4.member[_e369].member_17.member_1;
+let _e4587 = global_3.member[_e369].member_17.member_1;
 let _e4588 = (_e4587 != 0u);
-let _e4593 = global_4.member[_e369].member_17.member;
+let _e4593 = global_3.member[_e369].member_17.member;
 let _e4613 = select(-1e6f, (((((_e4593.member.member * _e3543.x) + (_e4593.member.member_1 * _e3543.y)) + (_e4593.member.member_2 * _e3543.z)) + _e4593.member_1) * _e4345), _e4588);
 let _e4614 = select(-1e6f, (((((_e4593.member.member * _e4049) + (_e4593.member.member_1 * _e4050)) + (_e4593.member.member_2 * _e4051)) + _e4593.member_1) * _e4345), _e4588);
-let _e4620 = global_4.member[_e369].member_17.member.member;
+let _e4620 = global_3.member[_e369].member_17.member.member;
 let _e4624 = -(_e4613);
 let _e4627 = (_e4613 - _e4614);
 let _e4628 = (_e4614 - _e4613);
@@ -1658,7 +1658,7 @@ let _e4641 = select(2f, select(0f, _e4633, (_e4613 < 0f)), (_e4614 > 0f));
 let _e4642 = (_e4613 > _e4577);
 let _e4646 = ((_e4637 > _e4569) || ((_e4637 == _e4569) && _e4642));
 let _e4647 = (_e4641 < _e4573);
-phi_9734_ = type_35(select(_e4569, _e4637, _e4646), vec3<f32>(select(select(select(select(_e4321, _e4383.member, _e4409), _e4462.member, _e4488), _e4541.member, _e4567), _e4620.member, _e4646), select(select(select(select(_e4322, _e4383.member_1, _e4409), _e4462.member_1, _e4488), _e4541.member_1, _e4567), _e4620.member_1, _e4646), select(select(select(select(_e4323, _e4383.member_2, _e4409), _e4462.member_2, _e4488), _e4541.member_2, _e4567), _e4620.member_2, _e4646)), select(_e4573, _e4641, _e4647), vec3<f32>(select(select(select(select(_e4326, _e4383.member, _e4410), _e4462.member, _e4489), _e4541.member, _e4568), _e4620.member, _e4647), select(select(select(select(_e4327, _e4383.member_1, _e4410), _e4462.member_1, _e4489), _e4541.member_1, _e4568), _e4620.member_1, _e4647), select(select(select(select(_e4328, _e4383.member_2, _e4410), _e4462.member_2, _e4489), _e4541.member_2, _e4568), _e4620.member_2, _e4647)), select(_e4577, _e4613, _e4642), select(_e4579, _e4614, (_e4614 > _e4579)), vec3<f32>(select(select(select(select(_e4333, _e4383.member, _e4405), _e4462.member, _e4484), _e4541.member, _e4563), _e4620.member, _e4642), select(select(select(select(_e4334, _e4383.member_1, _e4405), _e4462.member_1, _e4484), _e4541.member_1, _e4563), _e4620.member_1, _e4642), select(select(select(select(_e4335, _e4383.member_2, _e4405), _e4462.member_2, _e4484), _e4541.member_2, _e4563), _e4620.member_2, _e4642)));
+phi_9734_ = type_34(select(_e4569, _e4637, _e4646), vec3<f32>(select(select(select(select(_e4321, _e4383.member, _e4409), _e4462.member, _e4488), _e4541.member, _e4567), _e4620.member, _e4646), select(select(select(select(_e4322, _e4383.member_1, _e4409), _e4462.member_1, _e4488), _e4541.member_1, _e4567), _e4620.member_1, _e4646), select(select(select(select(_e4323, _e4383.member_2, _e4409), _e4462.member_2, _e4488), _e4541.member_2, _e4567), _e4620.member_2, _e4646)), select(_e4573, _e4641, _e4647), vec3<f32>(select(select(select(select(_e4326, _e4383.member, _e4410), _e4462.member, _e4489), _e4541.member, _e4568), _e4620.member, _e4647), select(select(select(select(_e4327, _e4383.member_1, _e4410), _e4462.member_1, _e4489), _e4541.member_1, _e4568), _e4620.member_1, _e4647), select(select(select(select(_e4328, _e4383.member_2, _e4410), _e4462.member_2, _e4489), _e4541.member_2, _e4568), _e4620.member_2, _e4647)), select(_e4577, _e4613, _e4642), select(_e4579, _e4614, (_e4614 > _e4579)), vec3<f32>(select(select(select(select(_e4333, _e4383.member, _e4405), _e4462.member, _e4484), _e4541.member, _e4563), _e4620.member, _e4642), select(select(select(select(_e4334, _e4383.member_1, _e4405), _e4462.member_1, _e4484), _e4541.member_1, _e4563), _e4620.member_1, _e4642), select(select(select(select(_e4335, _e4383.member_2, _e4405), _e4462.member_2, _e4484), _e4541.member_2, _e4563), _e4620.member_2, _e4642)));
 }
 let _e4667 = phi_9734_;
 let _e4673 = (((_e3530 && _e4054) && !(_e4038)) && (_e4667.member_2 <= 1f));
@@ -1702,17 +1702,17 @@ let _e4797 = (select(0i, _e4746, (_e4746 > 0i)) * _e1856);
 let _e4798 = (select(_e1869, _e4764, (_e4764 < _e1869)) * _e1856);
 let _e4799 = (select(0i, _e4761, (_e4761 > 0i)) * _e1861);
 let _e4800 = (select(_e1882, _e4769, (_e4769 < _e1882)) * _e1861);
-local_26 = type_32(array<i32, 4>(_e4784, _e4784, _e4784, _e4784), array<u32, 6>(bitcast<u32>(((_e4774 - _e4784) * 8i)), bitcast<u32>(((select(0i, _e4731, (_e4731 > 0i)) - _e4784) * 8i)), bitcast<u32>(((select(_e1895, _e4777, (_e4777 < _e1895)) - _e4784) * 8i)), bitcast<u32>(((select(_e1895, _e4780, (_e4780 < _e1895)) - _e4784) * 8i)), 0u, 0u));
+local_26 = type_28(array<i32, 4>(_e4784, _e4784, _e4784, _e4784), array<u32, 6>(bitcast<u32>(((_e4774 - _e4784) * 8i)), bitcast<u32>(((select(0i, _e4731, (_e4731 > 0i)) - _e4784) * 8i)), bitcast<u32>(((select(_e1895, _e4777, (_e4777 < _e1895)) - _e4784) * 8i)), bitcast<u32>(((select(_e1895, _e4780, (_e4780 < _e1895)) - _e4784) * 8i)), 0u, 0u));
 local_27 = vec3<f32>((_e4708 - f32(_e4731)), (_e4712 - f32(_e4746)), (_e4716 - f32(_e4761)));
 let _e4815 = local_26.member[0u];
 let _e4816 = ((_e4799 + _e4797) + _e4815);
 let _e4818 = (_e4816 >> bitcast<u32>(2i));
 let _e4821 = bitcast<u32>(((_e4816 & 3i) * 8i));
 let _e4823 = select(_e1950, _e4818, (_e4818 < _e1950));
-let _e4828 = global_2.member[bitcast<u32>(select(0i, _e4823, (_e4823 > 0i)))];
+let _e4828 = global_1.member[bitcast<u32>(select(0i, _e4823, (_e4823 > 0i)))];
 let _e4832 = (_e4818 + 1i);
 let _e4834 = select(_e1950, _e4832, (_e4832 < _e1950));
-let _e4839 = global_2.member[bitcast<u32>(select(0i, _e4834, (_e4834 > 0i)))];
+let _e4839 = global_1.member[bitcast<u32>(select(0i, _e4834, (_e4834 > 0i)))];
 let _e4846 = ((_e4828 >> bitcast<u32>((_e4821 & 31u))) | ((_e4839 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4821) & 31u))));
 let _e4849 = local_26.member_1[1u];
 let _e4855 = f32(bitcast<i32>(((_e4846 >> bitcast<u32>((_e4849 & 31u))) & 255u)));
@@ -1724,10 +1724,10 @@ let _e4871 = ((_e4799 + _e4798) + _e4870);
 let _e4873 = (_e4871 >> bitcast<u32>(2i));
 let _e4876 = bitcast<u32>(((_e4871 & 3i) * 8i));
 let _e4878 = select(_e1950, _e4873, (_e4873 < _e1950));
-let _e4883 = global_2.member[bitcast<u32>(select(0i, _e4878, (_e4878 > 0i)))];
+let _e4883 = global_1.member[bitcast<u32>(select(0i, _e4878, (_e4878 > 0i)))];
 let _e4887 = (_e4873 + 1i);
 let _e4889 = select(_e1950, _e4887, (_e4887 < _e1950));
-let _e4894 = global_2.member[bitcast<u32>(select(0i, _e4889, (_e4889 > 0i)))];
+let _e4894 = global_1.member[bitcast<u32>(select(0i, _e4889, (_e4889 > 0i)))];
 let _e4901 = ((_e4883 >> bitcast<u32>((_e4876 & 31u))) | ((_e4894 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4876) & 31u))));
 let _e4902 = local_26.member_1[1u];
 let _e4908 = f32(bitcast<i32>(((_e4901 >> bitcast<u32>((_e4902 & 31u))) & 255u)));
@@ -1740,10 +1740,10 @@ let _e4927 = ((_e4800 + _e4797) + _e4926);
 let _e4929 = (_e4927 >> bitcast<u32>(2i));
 let _e4932 = bitcast<u32>(((_e4927 & 3i) * 8i));
 let _e4934 = select(_e1950, _e4929, (_e4929 < _e1950));
-let _e4939 = global_2.member[bitcast<u32>(select(0i, _e4934, (_e4934 > 0i)))];
+let _e4939 = global_1.member[bitcast<u32>(select(0i, _e4934, (_e4934 > 0i)))];
 let _e4943 = (_e4929 + 1i);
 let _e4945 = select(_e1950, _e4943, (_e4943 < _e1950));
-let _e4950 = global_2.member[bitcast<u32>(select(0i, _e4945, (_e4945 > 0i)))];
+let _e4950 = global_1.member[bitcast<u32>(select(0i, _e4945, (_e4945 > 0i)))];
 let _e4957 = ((_e4939 >> bitcast<u32>((_e4932 & 31u))) | ((_e4950 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4932) & 31u))));
 let _e4958 = local_26.member_1[1u];
 let _e4964 = f32(bitcast<i32>(((_e4957 >> bitcast<u32>((_e4958 & 31u))) & 255u)));
@@ -1755,10 +1755,10 @@ let _e4978 = ((_e4800 + _e4798) + _e4977);
 let _e4980 = (_e4978 >> bitcast<u32>(2i));
 let _e4983 = bitcast<u32>(((_e4978 & 3i) * 8i));
 let _e4985 = select(_e1950, _e4980, (_e4980 < _e1950));
-let _e4990 = global_2.member[bitcast<u32>(select(0i, _e4985, (_e4985 > 0i)))];
+let _e4990 = global_1.member[bitcast<u32>(select(0i, _e4985, (_e4985 > 0i)))];
 let _e4994 = (_e4980 + 1i);
 let _e4996 = select(_e1950, _e4994, (_e4994 < _e1950));
-let _e5001 = global_2.member[bitcast<u32>(select(0i, _e4996, (_e4996 > 0i)))];
+let _e5001 = global_1.member[bitcast<u32>(select(0i, _e4996, (_e4996 > 0i)))];
 let _e5008 = ((_e4990 >> bitcast<u32>((_e4983 & 31u))) | ((_e5001 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4983) & 31u))));
 let _e5009 = local_26.member_1[1u];
 let _e5015 = f32(bitcast<i32>(((_e5008 >> bitcast<u32>((_e5009 & 31u))) & 255u)));
@@ -1790,12 +1790,12 @@ let _e5084 = select(0i, select(select(i32(_e5077), i32(-2147483648), (_e5077 < -
 let _e5088 = (_e5084 - select(0i, 1i, (_e5077 < f32(_e5084))));
 let _e5089 = (262147i + _e5088);
 let _e5091 = select(_e2185, _e5089, (_e5089 < _e2185));
-let _e5096 = global_3.member[bitcast<u32>(select(0i, _e5091, (_e5091 > 0i)))];
+let _e5096 = global_2.member[bitcast<u32>(select(0i, _e5091, (_e5091 > 0i)))];
 let _e5111 = ((_e2832 + (f32(bitcast<i32>((_e5096 >> bitcast<u32>(12u)))) * _e2835)) + ((f32((bitcast<i32>((_e5096 & 4095u)) - 2048i)) * _e2828) * (_e5073 - f32(_e5088))));
 if _e4054 {
-phi_10962_ = type_28(_e5111, 1f);
+phi_10962_ = type_31(_e5111, 1f);
 } else {
-phi_10962_ = type_28(1f, _e5111);
+phi_10962_ = type_31(1f, _e5111);
 }
 let _e5115 = phi_10962_;
 let _e5120 = ((_e5115.member_1 * _e5115.member_1) - (_e5115.member * _e5115.member));
@@ -1934,16 +1934,16 @@ let _e5477 = select(select(select(select(select(select(0f, _e1181.member, _e5258
 let _e5478 = select(select(select(select(select(select(0f, _e1181.member_1, _e5258), _e1181.member_1, _e5298), _e1190.member_1, _e5338), _e1190.member_1, _e5378), _e1199.member_1, _e5418), _e1199.member_1, _e5458);
 let _e5479 = select(select(select(select(select(select(1f, _e1181.member_2, _e5258), _e1181.member_2, _e5298), _e1190.member_2, _e5338), _e1190.member_2, _e5378), _e1199.member_2, _e5418), _e1199.member_2, _e5458);
 if _e1448 {
-phi_12500_ = type_35(_e5464, vec3<f32>(_e5465, _e5466, _e5467), _e5469, vec3<f32>(_e5470, _e5471, _e5472), _e5474, _e5476, vec3<f32>(_e5477, _e5478, _e5479));
+phi_12500_ = type_34(_e5464, vec3<f32>(_e5465, _e5466, _e5467), _e5469, vec3<f32>(_e5470, _e5471, _e5472), _e5474, _e5476, vec3<f32>(_e5477, _e5478, _e5479));
 } else {
 let _e5486 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e5489 = sqrt(select(0f, _e5486, (_e5486 > 0f)));
-let _e5494 = global_4.member[_e369].member_14.member_1;
+let _e5494 = global_3.member[_e369].member_14.member_1;
 let _e5495 = (_e5494 != 0u);
-let _e5500 = global_4.member[_e369].member_14.member;
+let _e5500 = global_3.member[_e369].member_14.member;
 let _e5520 = select(-1e6f, (((((_e5500.member.member * _e4686.x) + (_e5500.member.member_1 * _e4686.y)) + (_e5500.member.member_2 * _e4686.z)) + _e5500.member_1) * _e5489), _e5495);
 let _e5521 = select(-1e6f, (((((_e5500.member.member * _e5193) + (_e5500.member.member_1 * _e5194)) + (_e5500.member.member_2 * _e5195)) + _e5500.member_1) * _e5489), _e5495);
-let _e5527 = global_4.member[_e369].member_14.member.member;
+let _e5527 = global_3.member[_e369].member_14.member.member;
 let _e5531 = -(_e5520);
 let _e5534 = (_e5520 - _e5521);
 let _e5535 = (_e5521 - _e5520);
@@ -1958,12 +1958,12 @@ let _e5555 = select(_e5464, _e5544, _e5553);
 let _e5559 = select(_e5469, _e5548, _e5554);
 let _e5563 = select(_e5474, _e5520, _e5549);
 let _e5565 = select(_e5476, _e5521, (_e5521 > _e5476));
-let _e5573 = global_4.member[_e369].member_15.member_1;
+let _e5573 = global_3.member[_e369].member_15.member_1;
 let _e5574 = (_e5573 != 0u);
-let _e5579 = global_4.member[_e369].member_15.member;
+let _e5579 = global_3.member[_e369].member_15.member;
 let _e5599 = select(-1e6f, (((((_e5579.member.member * _e4686.x) + (_e5579.member.member_1 * _e4686.y)) + (_e5579.member.member_2 * _e4686.z)) + _e5579.member_1) * _e5489), _e5574);
 let _e5600 = select(-1e6f, (((((_e5579.member.member * _e5193) + (_e5579.member.member_1 * _e5194)) + (_e5579.member.member_2 * _e5195)) + _e5579.member_1) * _e5489), _e5574);
-let _e5606 = global_4.member[_e369].member_15.member.member;
+let _e5606 = global_3.member[_e369].member_15.member.member;
 let _e5610 = -(_e5599);
 let _e5613 = (_e5599 - _e5600);
 let _e5614 = (_e5600 - _e5599);
@@ -1978,12 +1978,12 @@ let _e5634 = select(_e5555, _e5623, _e5632);
 let _e5638 = select(_e5559, _e5627, _e5633);
 let _e5642 = select(_e5563, _e5599, _e5628);
 let _e5644 = select(_e5565, _e5600, (_e5600 > _e5565));
-let _e5652 = global_4.member[_e369].member_16.member_1;
+let _e5652 = global_3.member[_e369].member_16.member_1;
 let _e5653 = (_e5652 != 0u);
-let _e5658 = global_4.member[_e369].member_16.member;
+let _e5658 = global_3.member[_e369].member_16.member;
 let _e5678 = select(-1e6f, (((((_e5658.member.member * _e4686.x) + (_e5658.member.member_1 * _e4686.y)) + (_e5658.member.member_2 * _e4686.z)) + _e5658.member_1) * _e5489), _e5653);
 let _e5679 = select(-1e6f, (((((_e5658.member.member * _e5193) + (_e5658.member.member_1 * _e5194)) + (_e5658.member.member_2 * _e5195)) + _e5658.member_1) * _e5489), _e5653);
-let _e5685 = global_4.member[_e369].member_16.member.member;
+let _e5685 = global_3.member[_e369].member_16.member.member;
 let _e5689 = -(_e5678);
 let _e5692 = (_e5678 - _e5679);
 let _e5693 = (_e5679 - _e5678);
@@ -1998,12 +1998,12 @@ let _e5713 = select(_e5634, _e5702, _e5711);
 let _e5717 = select(_e5638, _e5706, _e5712);
 let _e5721 = select(_e5642, _e5678, _e5707);
 let _e5723 = select(_e5644, _e5679, (_e5679 > _e5644));
-let _e5731 = global_4.member[_e369].member_17.member_1;
+let _e5731 = global_3.member[_e369].member_17.member_1;
 let _e5732 = (_e5731 != 0u);
-let _e5737 = global_4.member[_e369].member_17.member;
+let _e5737 = global_3.member[_e369].member_17.member;
 let _e5757 = select(-1e6f, (((((_e5737.member.member * _e4686.x) + (_e5737.member.member_1 * _e4686.y)) + (_e5737.member.member_2 * _e4686.z)) + _e5737.member_1) * _e5489), _e5732);
 let _e5758 = select(-1e6f, (((((_e5737.member.member * _e5193) + (_e5737.member.member_1 * _e5194)) + (_e5737.member.member_2 * _e5195)) + _e5737.member_1) * _e5489), _e5732);
-let _e5764 = global_4.member[_e369].member_17.member.member;
+let _e5764 = global_3.member[_e369].member_17.member.member;
 let _e5768 = -(_e5757);
 let _e5771 = (_e5757 - _e5758);
 let _e5772 = (_e5758 - _e5757);
@@ -2014,7 +2014,7 @@ let _e5785 = select(2f, select(0f, _e5777, (_e5757 < 0f)), (_e5758 > 0f));
 let _e5786 = (_e5757 > _e5721);
 let _e5790 = ((_e5781 > _e5713) || ((_e5781 == _e5713) && _e5786));
 let _e5791 = (_e5785 < _e5717);
-phi_12500_ = type_35(select(_e5713, _e5781, _e5790), vec3<f32>(select(select(select(select(_e5465, _e5527.member, _e5553), _e5606.member, _e5632), _e5685.member, _e5711), _e5764.member, _e5790), select(select(select(select(_e5466, _e5527.member_1, _e5553), _e5606.member_1, _e5632), _e5685.member_1, _e5711), _e5764.member_1, _e5790), select(select(select(select(_e5467, _e5527.member_2, _e5553), _e5606.member_2, _e5632), _e5685.member_2, _e5711), _e5764.member_2, _e5790)), select(_e5717, _e5785, _e5791), vec3<f32>(select(select(select(select(_e5470, _e5527.member, _e5554), _e5606.member, _e5633), _e5685.member, _e5712), _e5764.member, _e5791), select(select(select(select(_e5471, _e5527.member_1, _e5554), _e5606.member_1, _e5633), _e5685.member_1, _e5712), _e5764.member_1, _e5791), select(select(select(select(_e5472, _e5527.member_2, _e5554), _e5606.member_2, _e5633), _e5685.member_2, _e5712), _e5764.member_2, _e5791)), select(_e5721, _e5757, _e5786), select(_e5723, _e5758, (_e5758 > _e5723)), vec3<f32>(select(select(select(select(_e5477, _e5527.member, _e5549), _e5606.member, _e5628), _e5685.member, _e5707), _e5764.member, _e5786), select(select(select(select(_e5478, _e5527.member_1, _e5549), _e5606.member_1, _e5628), _e5685.member_1, _e5707), _e5764.member_1, _e5786), select(select(select(select(_e5479, _e5527.member_2, _e5549), _e5606.member_2, _e5628), _e5685.member_2, _e5707), _e5764.member_2, _e5786)));
+phi_12500_ = type_34(select(_e5713, _e5781, _e5790), vec3<f32>(select(select(select(select(_e5465, _e5527.member, _e5553), _e5606.member, _e5632), _e5685.member, _e5711), _e5764.member, _e5790), select(select(select(select(_e5466, _e5527.member_1, _e5553), _e5606.member_1, _e5632), _e5685.member_1, _e5711), _e5764.member_1, _e5790), select(select(select(select(_e5467, _e5527.member_2, _e5553), _e5606.member_2, _e5632), _e5685.member_2, _e5711), _e5764.member_2, _e5790)), select(_e5717, _e5785, _e5791), vec3<f32>(select(select(select(select(_e5470, _e5527.member, _e5554), _e5606.member, _e5633), _e5685.member, _e5712), _e5764.member, _e5791), select(select(select(select(_e5471, _e5527.member_1, _e5554), _e5606.member_1, _e5633), _e5685.member_1, _e5712), _e5764.member_1, _e5791), select(select(select(select(_e5472, _e5527.member_2, _e5554), _e5606.member_2, _e5633), _e5685.member_2, _e5712), _e5764.member_2, _e5791)), select(_e5721, _e5757, _e5786), select(_e5723, _e5758, (_e5758 > _e5723)), vec3<f32>(select(select(select(select(_e5477, _e5527.member, _e5549), _e5606.member, _e5628), _e5685.member, _e5707), _e5764.member, _e5786), select(select(select(select(_e5478, _e5527.member_1, _e5549), _e5606.member_1, _e5628), _e5685.member_1, _e5707), _e5764.member_1, _e5786), select(select(select(select(_e5479, _e5527.member_2, _e5549), _e5606.member_2, _e5628), _e5685.member_2, _e5707), _e5764.member_2, _e5786)));
 }
 let _e5811 = phi_12500_;
 let _e5817 = (((_e4673 && _e5198) && !(_e5182)) && (_e5811.member_2 <= 1f));
@@ -2224,7 +2224,7 @@ phi_14248_ = _e2845;
 phi_14248_ = _e3972;
 }
 let _e6341 = phi_14248_;
-phi_14520_ = type_39(_e6341, vec3<f32>(select(_e5193, _e4686.x, _e5817), select(_e5194, _e4686.y, _e5817), select(_e5195, _e4686.z, _e5817)), vec3<f32>(_e5167, _e5168, _e5169), select((_e1078 * select(0f, _e5898, (_e5898 > 0f))), ((((sqrt(select(0f, _e5909, (_e5909 > 0f))) * select(0f, _e5990, (_e5990 > 0f))) + (sqrt(select(0f, _e6001, (_e6001 > 0f))) * select(0f, _e6097, (_e6097 > 0f)))) + (sqrt(select(0f, _e6109, (_e6109 > 0f))) * select(0f, _e6205, (_e6205 > 0f)))) + select(0f, (sqrt(select(0f, _e6217, (_e6217 > 0f))) * select(0f, _e6313, (_e6313 > 0f))), _e4673)), _e6320), select((_e402 / _e5169), (2f * (_e3534 / _e2899)), (((_e2397 && !(_e1787)) && _e2932) && !(_e3530))), select(_e3524.member_3, _e2389.member_1, vec3(_e2913)), _e5198, _e6320, (((_e2917 || _e4038) || _e5182) || _e5817));
+phi_14520_ = type_38(_e6341, vec3<f32>(select(_e5193, _e4686.x, _e5817), select(_e5194, _e4686.y, _e5817), select(_e5195, _e4686.z, _e5817)), vec3<f32>(_e5167, _e5168, _e5169), select((_e1078 * select(0f, _e5898, (_e5898 > 0f))), ((((sqrt(select(0f, _e5909, (_e5909 > 0f))) * select(0f, _e5990, (_e5990 > 0f))) + (sqrt(select(0f, _e6001, (_e6001 > 0f))) * select(0f, _e6097, (_e6097 > 0f)))) + (sqrt(select(0f, _e6109, (_e6109 > 0f))) * select(0f, _e6205, (_e6205 > 0f)))) + select(0f, (sqrt(select(0f, _e6217, (_e6217 > 0f))) * select(0f, _e6313, (_e6313 > 0f))), _e4673)), _e6320), select((_e402 / _e5169), (2f * (_e3534 / _e2899)), (((_e2397 && !(_e1787)) && _e2932) && !(_e3530))), select(_e3524.member_3, _e2389.member_1, vec3(_e2913)), _e5198, _e6320, (((_e2917 || _e4038) || _e5182) || _e5817));
 } else {
 let _e1080 = (_e917 < 1e-12f);
 let _e1082 = (1f / select(_e912, 1f, _e1080));
@@ -2259,7 +2259,7 @@ let _e1154 = select(select(1f, _e1151, (_e1151 < 1f)), 1f, _e1130);
 let _e1156 = select(_e1129, _e1104, (_e1104 < _e1129));
 let _e1160 = select(_e1122, _e1097, (_e1097 > _e1122));
 let _e1163 = (select(_e1154, _e1156, (_e1156 < _e1154)) - select(_e1147, _e1160, (_e1160 > _e1147)));
-phi_14520_ = type_39(_e1079.member, _e1079.member_1, _e1079.member_2, (_e1078 * select(0f, _e1163, (_e1163 > 0f))), _e1079.member_4, _e1079.member_5, _e1079.member_6, _e1079.member_7, _e1079.member_8);
+phi_14520_ = type_38(_e1079.member, _e1079.member_1, _e1079.member_2, (_e1078 * select(0f, _e1163, (_e1163 > 0f))), _e1079.member_4, _e1079.member_5, _e1079.member_6, _e1079.member_7, _e1079.member_8);
 }
 let _e6344 = phi_14520_;
 let _e6355 = ((((_e470.member.member * _e6344.member_1.x) + (_e470.member.member_1 * _e6344.member_1.y)) + (_e470.member.member_2 * _e6344.member_1.z)) + _e470.member_1);
@@ -2284,8 +2284,8 @@ let _e6799 = select(-1f, _e6767, (_e6767 > -1f));
 let _e6801 = select(_e560, _e6799, (_e6799 < _e560));
 let _e6808 = select(0i, select(select(i32(_e6801), i32(-2147483648), (_e6801 < -2147483600f)), 2147483647i, (_e6801 > 2147483500f)), (_e6801 == _e6801));
 let _e6812 = (_e6808 - select(0i, 1i, (_e6801 < f32(_e6808))));
-let _e6817 = global_4.member[_e369].member_6.member_7;
-let _e6822 = global_4.member[_e369].member_6.member_8;
+let _e6817 = global_3.member[_e369].member_6.member_7;
+let _e6822 = global_3.member[_e369].member_6.member_8;
 let _e6830 = (select(0i, select(select(i32(_e549), i32(-2147483648), (_e549 < -2147483600f)), 2147483647i, (_e549 > 2147483500f)), (_e549 == _e549)) - 1i);
 let _e6831 = (_e6797 - 1i);
 let _e6836 = (_e6797 + 1i);
@@ -2311,7 +2311,7 @@ let _e6901 = (select(0i, _e6850, (_e6850 > 0i)) * _e6822);
 let _e6902 = (select(0i, _e6812, (_e6812 > 0i)) * _e6822);
 let _e6903 = (select(_e6849, _e6855, (_e6855 < _e6849)) * _e6822);
 let _e6904 = (select(_e6849, _e6858, (_e6858 < _e6849)) * _e6822);
-local_22 = type_32(array<i32, 4>(_e6884, _e6884, _e6884, _e6884), array<u32, 6>(bitcast<u32>(((_e6871 - _e6884) * 8i)), bitcast<u32>(((select(0i, _e6782, (_e6782 > 0i)) - _e6884) * 8i)), bitcast<u32>(((select(_e6868, _e6874, (_e6874 < _e6868)) - _e6884) * 8i)), bitcast<u32>(((select(_e6868, _e6877, (_e6877 < _e6868)) - _e6884) * 8i)), 0u, 0u));
+local_22 = type_28(array<i32, 4>(_e6884, _e6884, _e6884, _e6884), array<u32, 6>(bitcast<u32>(((_e6871 - _e6884) * 8i)), bitcast<u32>(((select(0i, _e6782, (_e6782 > 0i)) - _e6884) * 8i)), bitcast<u32>(((select(_e6868, _e6874, (_e6874 < _e6868)) - _e6884) * 8i)), bitcast<u32>(((select(_e6868, _e6877, (_e6877 < _e6868)) - _e6884) * 8i)), 0u, 0u));
 local_23 = vec3<f32>((_e6759 - f32(_e6782)), (_e6763 - f32(_e6797)), (_e6767 - f32(_e6812)));
 let _e6919 = local_22.member[0u];
 let _e6920 = ((_e6902 + _e6898) + _e6919);
@@ -2319,10 +2319,10 @@ let _e6922 = (_e6920 >> bitcast<u32>(2i));
 let _e6925 = bitcast<u32>(((_e6920 & 3i) * 8i));
 let _e6927 = (bitcast<i32>(_e182) - 1i);
 let _e6929 = select(_e6927, _e6922, (_e6922 < _e6927));
-let _e6934 = global_2.member[bitcast<u32>(select(0i, _e6929, (_e6929 > 0i)))];
+let _e6934 = global_1.member[bitcast<u32>(select(0i, _e6929, (_e6929 > 0i)))];
 let _e6938 = (_e6922 + 1i);
 let _e6940 = select(_e6927, _e6938, (_e6938 < _e6927));
-let _e6945 = global_2.member[bitcast<u32>(select(0i, _e6940, (_e6940 > 0i)))];
+let _e6945 = global_1.member[bitcast<u32>(select(0i, _e6940, (_e6940 > 0i)))];
 let _e6952 = ((_e6934 >> bitcast<u32>((_e6925 & 31u))) | ((_e6945 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6925) & 31u))));
 let _e6955 = local_22.member_1[0u];
 let _e6961 = f32(bitcast<i32>(((_e6952 >> bitcast<u32>((_e6955 & 31u))) & 255u)));
@@ -2342,10 +2342,10 @@ let _e7003 = ((_e6902 + _e6899) + _e7002);
 let _e7005 = (_e7003 >> bitcast<u32>(2i));
 let _e7008 = bitcast<u32>(((_e7003 & 3i) * 8i));
 let _e7010 = select(_e6927, _e7005, (_e7005 < _e6927));
-let _e7015 = global_2.member[bitcast<u32>(select(0i, _e7010, (_e7010 > 0i)))];
+let _e7015 = global_1.member[bitcast<u32>(select(0i, _e7010, (_e7010 > 0i)))];
 let _e7019 = (_e7005 + 1i);
 let _e7021 = select(_e6927, _e7019, (_e7019 < _e6927));
-let _e7026 = global_2.member[bitcast<u32>(select(0i, _e7021, (_e7021 > 0i)))];
+let _e7026 = global_1.member[bitcast<u32>(select(0i, _e7021, (_e7021 > 0i)))];
 let _e7033 = ((_e7015 >> bitcast<u32>((_e7008 & 31u))) | ((_e7026 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7008) & 31u))));
 let _e7034 = local_22.member_1[0u];
 let _e7040 = f32(bitcast<i32>(((_e7033 >> bitcast<u32>((_e7034 & 31u))) & 255u)));
@@ -2363,10 +2363,10 @@ let _e7076 = ((_e6903 + _e6898) + _e7075);
 let _e7078 = (_e7076 >> bitcast<u32>(2i));
 let _e7081 = bitcast<u32>(((_e7076 & 3i) * 8i));
 let _e7083 = select(_e6927, _e7078, (_e7078 < _e6927));
-let _e7088 = global_2.member[bitcast<u32>(select(0i, _e7083, (_e7083 > 0i)))];
+let _e7088 = global_1.member[bitcast<u32>(select(0i, _e7083, (_e7083 > 0i)))];
 let _e7092 = (_e7078 + 1i);
 let _e7094 = select(_e6927, _e7092, (_e7092 < _e6927));
-let _e7099 = global_2.member[bitcast<u32>(select(0i, _e7094, (_e7094 > 0i)))];
+let _e7099 = global_1.member[bitcast<u32>(select(0i, _e7094, (_e7094 > 0i)))];
 let _e7106 = ((_e7088 >> bitcast<u32>((_e7081 & 31u))) | ((_e7099 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7081) & 31u))));
 let _e7107 = local_22.member_1[0u];
 let _e7113 = f32(bitcast<i32>(((_e7106 >> bitcast<u32>((_e7107 & 31u))) & 255u)));
@@ -2386,10 +2386,10 @@ let _e7149 = ((_e6903 + _e6899) + _e7148);
 let _e7151 = (_e7149 >> bitcast<u32>(2i));
 let _e7154 = bitcast<u32>(((_e7149 & 3i) * 8i));
 let _e7156 = select(_e6927, _e7151, (_e7151 < _e6927));
-let _e7161 = global_2.member[bitcast<u32>(select(0i, _e7156, (_e7156 > 0i)))];
+let _e7161 = global_1.member[bitcast<u32>(select(0i, _e7156, (_e7156 > 0i)))];
 let _e7165 = (_e7151 + 1i);
 let _e7167 = select(_e6927, _e7165, (_e7165 < _e6927));
-let _e7172 = global_2.member[bitcast<u32>(select(0i, _e7167, (_e7167 > 0i)))];
+let _e7172 = global_1.member[bitcast<u32>(select(0i, _e7167, (_e7167 > 0i)))];
 let _e7179 = ((_e7161 >> bitcast<u32>((_e7154 & 31u))) | ((_e7172 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7154) & 31u))));
 let _e7180 = local_22.member_1[0u];
 let _e7186 = f32(bitcast<i32>(((_e7179 >> bitcast<u32>((_e7180 & 31u))) & 255u)));
@@ -2407,10 +2407,10 @@ let _e7222 = ((_e6902 + _e6897) + _e7221);
 let _e7224 = (_e7222 >> bitcast<u32>(2i));
 let _e7227 = bitcast<u32>(((_e7222 & 3i) * 8i));
 let _e7229 = select(_e6927, _e7224, (_e7224 < _e6927));
-let _e7234 = global_2.member[bitcast<u32>(select(0i, _e7229, (_e7229 > 0i)))];
+let _e7234 = global_1.member[bitcast<u32>(select(0i, _e7229, (_e7229 > 0i)))];
 let _e7238 = (_e7224 + 1i);
 let _e7240 = select(_e6927, _e7238, (_e7238 < _e6927));
-let _e7245 = global_2.member[bitcast<u32>(select(0i, _e7240, (_e7240 > 0i)))];
+let _e7245 = global_1.member[bitcast<u32>(select(0i, _e7240, (_e7240 > 0i)))];
 let _e7252 = ((_e7234 >> bitcast<u32>((_e7227 & 31u))) | ((_e7245 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7227) & 31u))));
 let _e7253 = local_22.member_1[1u];
 let _e7259 = f32(bitcast<i32>(((_e7252 >> bitcast<u32>((_e7253 & 31u))) & 255u)));
@@ -2422,10 +2422,10 @@ let _e7273 = ((_e6902 + _e6900) + _e7272);
 let _e7275 = (_e7273 >> bitcast<u32>(2i));
 let _e7278 = bitcast<u32>(((_e7273 & 3i) * 8i));
 let _e7280 = select(_e6927, _e7275, (_e7275 < _e6927));
-let _e7285 = global_2.member[bitcast<u32>(select(0i, _e7280, (_e7280 > 0i)))];
+let _e7285 = global_1.member[bitcast<u32>(select(0i, _e7280, (_e7280 > 0i)))];
 let _e7289 = (_e7275 + 1i);
 let _e7291 = select(_e6927, _e7289, (_e7289 < _e6927));
-let _e7296 = global_2.member[bitcast<u32>(select(0i, _e7291, (_e7291 > 0i)))];
+let _e7296 = global_1.member[bitcast<u32>(select(0i, _e7291, (_e7291 > 0i)))];
 let _e7303 = ((_e7285 >> bitcast<u32>((_e7278 & 31u))) | ((_e7296 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7278) & 31u))));
 let _e7304 = local_22.member_1[1u];
 let _e7310 = f32(bitcast<i32>(((_e7303 >> bitcast<u32>((_e7304 & 31u))) & 255u)));
@@ -2436,10 +2436,10 @@ let _e7324 = ((_e6903 + _e6897) + _e7323);
 let _e7326 = (_e7324 >> bitcast<u32>(2i));
 let _e7329 = bitcast<u32>(((_e7324 & 3i) * 8i));
 let _e7331 = select(_e6927, _e7326, (_e7326 < _e6927));
-let _e7336 = global_2.member[bitcast<u32>(select(0i, _e7331, (_e7331 > 0i)))];
+let _e7336 = global_1.member[bitcast<u32>(select(0i, _e7331, (_e7331 > 0i)))];
 let _e7340 = (_e7326 + 1i);
 let _e7342 = select(_e6927, _e7340, (_e7340 < _e6927));
-let _e7347 = global_2.member[bitcast<u32>(select(0i, _e7342, (_e7342 > 0i)))];
+let _e7347 = global_1.member[bitcast<u32>(select(0i, _e7342, (_e7342 > 0i)))];
 let _e7354 = ((_e7336 >> bitcast<u32>((_e7329 & 31u))) | ((_e7347 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7329) & 31u))));
 let _e7355 = local_22.member_1[1u];
 let _e7361 = f32(bitcast<i32>(((_e7354 >> bitcast<u32>((_e7355 & 31u))) & 255u)));
@@ -2451,10 +2451,10 @@ let _e7375 = ((_e6903 + _e6900) + _e7374);
 let _e7377 = (_e7375 >> bitcast<u32>(2i));
 let _e7380 = bitcast<u32>(((_e7375 & 3i) * 8i));
 let _e7382 = select(_e6927, _e7377, (_e7377 < _e6927));
-let _e7387 = global_2.member[bitcast<u32>(select(0i, _e7382, (_e7382 > 0i)))];
+let _e7387 = global_1.member[bitcast<u32>(select(0i, _e7382, (_e7382 > 0i)))];
 let _e7391 = (_e7377 + 1i);
 let _e7393 = select(_e6927, _e7391, (_e7391 < _e6927));
-let _e7398 = global_2.member[bitcast<u32>(select(0i, _e7393, (_e7393 > 0i)))];
+let _e7398 = global_1.member[bitcast<u32>(select(0i, _e7393, (_e7393 > 0i)))];
 let _e7405 = ((_e7387 >> bitcast<u32>((_e7380 & 31u))) | ((_e7398 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7380) & 31u))));
 let _e7406 = local_22.member_1[1u];
 let _e7412 = f32(bitcast<i32>(((_e7405 >> bitcast<u32>((_e7406 & 31u))) & 255u)));
@@ -2465,10 +2465,10 @@ let _e7426 = ((_e6901 + _e6898) + _e7425);
 let _e7428 = (_e7426 >> bitcast<u32>(2i));
 let _e7431 = bitcast<u32>(((_e7426 & 3i) * 8i));
 let _e7433 = select(_e6927, _e7428, (_e7428 < _e6927));
-let _e7438 = global_2.member[bitcast<u32>(select(0i, _e7433, (_e7433 > 0i)))];
+let _e7438 = global_1.member[bitcast<u32>(select(0i, _e7433, (_e7433 > 0i)))];
 let _e7442 = (_e7428 + 1i);
 let _e7444 = select(_e6927, _e7442, (_e7442 < _e6927));
-let _e7449 = global_2.member[bitcast<u32>(select(0i, _e7444, (_e7444 > 0i)))];
+let _e7449 = global_1.member[bitcast<u32>(select(0i, _e7444, (_e7444 > 0i)))];
 let _e7456 = ((_e7438 >> bitcast<u32>((_e7431 & 31u))) | ((_e7449 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7431) & 31u))));
 let _e7457 = local_22.member_1[1u];
 let _e7463 = f32(bitcast<i32>(((_e7456 >> bitcast<u32>((_e7457 & 31u))) & 255u)));
@@ -2480,10 +2480,10 @@ let _e7477 = ((_e6904 + _e6898) + _e7476);
 let _e7479 = (_e7477 >> bitcast<u32>(2i));
 let _e7482 = bitcast<u32>(((_e7477 & 3i) * 8i));
 let _e7484 = select(_e6927, _e7479, (_e7479 < _e6927));
-let _e7489 = global_2.member[bitcast<u32>(select(0i, _e7484, (_e7484 > 0i)))];
+let _e7489 = global_1.member[bitcast<u32>(select(0i, _e7484, (_e7484 > 0i)))];
 let _e7493 = (_e7479 + 1i);
 let _e7495 = select(_e6927, _e7493, (_e7493 < _e6927));
-let _e7500 = global_2.member[bitcast<u32>(select(0i, _e7495, (_e7495 > 0i)))];
+let _e7500 = global_1.member[bitcast<u32>(select(0i, _e7495, (_e7495 > 0i)))];
 let _e7507 = ((_e7489 >> bitcast<u32>((_e7482 & 31u))) | ((_e7500 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7482) & 31u))));
 let _e7508 = local_22.member_1[1u];
 let _e7514 = f32(bitcast<i32>(((_e7507 >> bitcast<u32>((_e7508 & 31u))) & 255u)));
@@ -2495,10 +2495,10 @@ let _e7528 = ((_e6901 + _e6899) + _e7527);
 let _e7530 = (_e7528 >> bitcast<u32>(2i));
 let _e7533 = bitcast<u32>(((_e7528 & 3i) * 8i));
 let _e7535 = select(_e6927, _e7530, (_e7530 < _e6927));
-let _e7540 = global_2.member[bitcast<u32>(select(0i, _e7535, (_e7535 > 0i)))];
+let _e7540 = global_1.member[bitcast<u32>(select(0i, _e7535, (_e7535 > 0i)))];
 let _e7544 = (_e7530 + 1i);
 let _e7546 = select(_e6927, _e7544, (_e7544 < _e6927));
-let _e7551 = global_2.member[bitcast<u32>(select(0i, _e7546, (_e7546 > 0i)))];
+let _e7551 = global_1.member[bitcast<u32>(select(0i, _e7546, (_e7546 > 0i)))];
 let _e7558 = ((_e7540 >> bitcast<u32>((_e7533 & 31u))) | ((_e7551 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7533) & 31u))));
 let _e7559 = local_22.member_1[1u];
 let _e7565 = f32(bitcast<i32>(((_e7558 >> bitcast<u32>((_e7559 & 31u))) & 255u)));
@@ -2509,10 +2509,10 @@ let _e7579 = ((_e6904 + _e6899) + _e7578);
 let _e7581 = (_e7579 >> bitcast<u32>(2i));
 let _e7584 = bitcast<u32>(((_e7579 & 3i) * 8i));
 let _e7586 = select(_e6927, _e7581, (_e7581 < _e6927));
-let _e7591 = global_2.member[bitcast<u32>(select(0i, _e7586, (_e7586 > 0i)))];
+let _e7591 = global_1.member[bitcast<u32>(select(0i, _e7586, (_e7586 > 0i)))];
 let _e7595 = (_e7581 + 1i);
 let _e7597 = select(_e6927, _e7595, (_e7595 < _e6927));
-let _e7602 = global_2.member[bitcast<u32>(select(0i, _e7597, (_e7597 > 0i)))];
+let _e7602 = global_1.member[bitcast<u32>(select(0i, _e7597, (_e7597 > 0i)))];
 let _e7609 = ((_e7591 >> bitcast<u32>((_e7584 & 31u))) | ((_e7602 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7584) & 31u))));
 let _e7610 = local_22.member_1[1u];
 let _e7616 = f32(bitcast<i32>(((_e7609 >> bitcast<u32>((_e7610 & 31u))) & 255u)));
@@ -2544,8 +2544,8 @@ let _e7690 = local_23[2u];
 let _e7694 = local_23[1u];
 let _e7698 = local_23[2u];
 let _e7702 = local_23[2u];
-let _e7710 = global_4.member[_e369].member_6.member_6;
-let _e7715 = global_4.member[_e369].member_6.member_5;
+let _e7710 = global_3.member[_e369].member_6.member_6;
+let _e7715 = global_3.member[_e369].member_6.member_5;
 let _e7717 = (((_e7632 + ((_e7636 - _e7632) * _e7702)) - _e7710) * _e7715);
 let _e7718 = -(1e9f);
 let _e7720 = select(_e7718, _e7717, (_e7717 > _e7718));
@@ -2574,50 +2574,50 @@ local_21 = _e7759;
 let _e7760 = local_21;
 let _e7762 = (bitcast<i32>(_e187) - 1i);
 let _e7764 = select(_e7762, 263197i, (263197i < _e7762));
-let _e7769 = global_3.member[bitcast<u32>(select(0i, _e7764, (_e7764 > 0i)))];
+let _e7769 = global_2.member[bitcast<u32>(select(0i, _e7764, (_e7764 > 0i)))];
 let _e7770 = bitcast<f32>(_e7769);
 let _e7772 = select(_e7762, 263198i, (263198i < _e7762));
 let _e7775 = bitcast<u32>(select(0i, _e7772, (_e7772 > 0i)));
-let _e7777 = global_3.member[_e7775];
+let _e7777 = global_2.member[_e7775];
 let _e7778 = bitcast<f32>(_e7777);
 let _e7780 = select(_e7762, 263199i, (263199i < _e7762));
-let _e7785 = global_3.member[bitcast<u32>(select(0i, _e7780, (_e7780 > 0i)))];
+let _e7785 = global_2.member[bitcast<u32>(select(0i, _e7780, (_e7780 > 0i)))];
 let _e7786 = bitcast<f32>(_e7785);
 let _e7788 = ((_e7760 - _e7770) * _e7778);
 let _e7790 = select(0f, _e7788, (_e7788 > 0f));
 let _e7793 = local_21;
 let _e7795 = select(_e7762, 263200i, (263200i < _e7762));
-let _e7800 = global_3.member[bitcast<u32>(select(0i, _e7795, (_e7795 > 0i)))];
+let _e7800 = global_2.member[bitcast<u32>(select(0i, _e7795, (_e7795 > 0i)))];
 let _e7801 = bitcast<f32>(_e7800);
 let _e7803 = select(_e7762, 263201i, (263201i < _e7762));
-let _e7808 = global_3.member[bitcast<u32>(select(0i, _e7803, (_e7803 > 0i)))];
+let _e7808 = global_2.member[bitcast<u32>(select(0i, _e7803, (_e7803 > 0i)))];
 let _e7809 = bitcast<f32>(_e7808);
 let _e7811 = select(_e7762, 263202i, (263202i < _e7762));
-let _e7816 = global_3.member[bitcast<u32>(select(0i, _e7811, (_e7811 > 0i)))];
+let _e7816 = global_2.member[bitcast<u32>(select(0i, _e7811, (_e7811 > 0i)))];
 let _e7817 = bitcast<f32>(_e7816);
 let _e7819 = ((_e7793 - _e7801) * _e7809);
 let _e7821 = select(0f, _e7819, (_e7819 > 0f));
 let _e7825 = local_21;
 let _e7827 = select(_e7762, 263203i, (263203i < _e7762));
-let _e7832 = global_3.member[bitcast<u32>(select(0i, _e7827, (_e7827 > 0i)))];
+let _e7832 = global_2.member[bitcast<u32>(select(0i, _e7827, (_e7827 > 0i)))];
 let _e7833 = bitcast<f32>(_e7832);
 let _e7835 = select(_e7762, 263204i, (263204i < _e7762));
-let _e7840 = global_3.member[bitcast<u32>(select(0i, _e7835, (_e7835 > 0i)))];
+let _e7840 = global_2.member[bitcast<u32>(select(0i, _e7835, (_e7835 > 0i)))];
 let _e7841 = bitcast<f32>(_e7840);
 let _e7843 = select(_e7762, 263205i, (263205i < _e7762));
-let _e7848 = global_3.member[bitcast<u32>(select(0i, _e7843, (_e7843 > 0i)))];
+let _e7848 = global_2.member[bitcast<u32>(select(0i, _e7843, (_e7843 > 0i)))];
 let _e7849 = bitcast<f32>(_e7848);
 let _e7851 = ((_e7825 - _e7833) * _e7841);
 let _e7853 = select(0f, _e7851, (_e7851 > 0f));
 let _e7856 = local_21;
 let _e7858 = select(_e7762, 263206i, (263206i < _e7762));
-let _e7863 = global_3.member[bitcast<u32>(select(0i, _e7858, (_e7858 > 0i)))];
+let _e7863 = global_2.member[bitcast<u32>(select(0i, _e7858, (_e7858 > 0i)))];
 let _e7864 = bitcast<f32>(_e7863);
 let _e7866 = select(_e7762, 263207i, (263207i < _e7762));
-let _e7871 = global_3.member[bitcast<u32>(select(0i, _e7866, (_e7866 > 0i)))];
+let _e7871 = global_2.member[bitcast<u32>(select(0i, _e7866, (_e7866 > 0i)))];
 let _e7872 = bitcast<f32>(_e7871);
 let _e7874 = select(_e7762, 263208i, (263208i < _e7762));
-let _e7879 = global_3.member[bitcast<u32>(select(0i, _e7874, (_e7874 > 0i)))];
+let _e7879 = global_2.member[bitcast<u32>(select(0i, _e7874, (_e7874 > 0i)))];
 let _e7880 = bitcast<f32>(_e7879);
 let _e7882 = ((_e7856 - _e7864) * _e7872);
 let _e7884 = select(0f, _e7882, (_e7882 > 0f));
@@ -2628,34 +2628,34 @@ let _e7899 = select(0i, select(select(i32(_e7892), i32(-2147483648), (_e7892 < -
 let _e7903 = (_e7899 - select(0i, 1i, (_e7892 < f32(_e7899))));
 let _e7904 = (262147i + _e7903);
 let _e7906 = select(_e7762, _e7904, (_e7904 < _e7762));
-let _e7912 = global_3.member[bitcast<u32>(select(0i, _e7906, (_e7906 > 0i)))];
+let _e7912 = global_2.member[bitcast<u32>(select(0i, _e7906, (_e7906 > 0i)))];
 let _e7922 = select(_e7762, 262146i, (262146i < _e7762));
-let _e7928 = global_3.member[bitcast<u32>(select(0i, _e7922, (_e7922 > 0i)))];
+let _e7928 = global_2.member[bitcast<u32>(select(0i, _e7922, (_e7922 > 0i)))];
 let _e7929 = bitcast<f32>(_e7928);
 let _e7930 = (f32((bitcast<i32>((_e7912 & 4095u)) - 2048i)) * _e7929);
 let _e7932 = select(_e7762, 262144i, (262144i < _e7762));
-let _e7938 = global_3.member[bitcast<u32>(select(0i, _e7932, (_e7932 > 0i)))];
+let _e7938 = global_2.member[bitcast<u32>(select(0i, _e7932, (_e7932 > 0i)))];
 let _e7939 = bitcast<f32>(_e7938);
 let _e7941 = select(_e7762, 262145i, (262145i < _e7762));
-let _e7947 = global_3.member[bitcast<u32>(select(0i, _e7941, (_e7941 > 0i)))];
+let _e7947 = global_2.member[bitcast<u32>(select(0i, _e7941, (_e7941 > 0i)))];
 let _e7948 = bitcast<f32>(_e7947);
 let _e7954 = ((_e7939 + (f32(bitcast<i32>((_e7912 >> bitcast<u32>(12u)))) * _e7948)) + (_e7930 * (_e7888 - f32(_e7903))));
-let _e7957 = global_3.member[_e7775];
+let _e7957 = global_2.member[_e7775];
 let _e7959 = local_20;
 let _e7962 = local_20;
 let _e7965 = local_20;
 let _e7969 = select(_e7762, 263209i, (263209i < _e7762));
-let _e7975 = global_3.member[bitcast<u32>(select(0i, _e7969, (_e7969 > 0i)))];
+let _e7975 = global_2.member[bitcast<u32>(select(0i, _e7969, (_e7969 > 0i)))];
 let _e7977 = local_20;
 let _e7980 = select(_e7762, 263210i, (263210i < _e7762));
-let _e7986 = global_3.member[bitcast<u32>(select(0i, _e7980, (_e7980 > 0i)))];
+let _e7986 = global_2.member[bitcast<u32>(select(0i, _e7980, (_e7980 > 0i)))];
 let _e7988 = local_20;
 let _e7992 = (_e7930 * select(0f, select(select(select(bitcast<f32>(_e7957), _e7809, (_e7959 >= _e7801)), _e7841, (_e7962 >= _e7833)), _e7872, (_e7965 >= _e7864)), ((_e7977 >= bitcast<f32>(_e7975)) && (_e7988 <= bitcast<f32>(_e7986)))));
 if _e583 {
 let _e8443 = ((0.5f * (_e7734 - _e7728)) * _e7992);
 let _e8444 = ((0.5f * (_e7746 - _e7740)) * _e7992);
 let _e8445 = ((0.5f * (_e7758 - _e7752)) * _e7992);
-phi_20037_ = type_33(_e7954, vec3<f32>(_e8443, _e8444, _e8445), vec3<f32>((_e8443 * _e7954), (_e8444 * _e7954), (_e8445 * _e7954)));
+phi_20037_ = type_32(_e7954, vec3<f32>(_e8443, _e8444, _e8445), vec3<f32>((_e8443 * _e7954), (_e8444 * _e7954), (_e8445 * _e7954)));
 } else {
 local_18 = _e7728;
 let _e7993 = local_18;
@@ -2679,7 +2679,7 @@ let _e8035 = select(0i, select(select(i32(_e8028), i32(-2147483648), (_e8028 < -
 let _e8039 = (_e8035 - select(0i, 1i, (_e8028 < f32(_e8035))));
 let _e8040 = (262147i + _e8039);
 let _e8042 = select(_e7762, _e8040, (_e8040 < _e7762));
-let _e8048 = global_3.member[bitcast<u32>(select(0i, _e8042, (_e8042 > 0i)))];
+let _e8048 = global_2.member[bitcast<u32>(select(0i, _e8042, (_e8042 > 0i)))];
 let _e8063 = ((_e7939 + (f32(bitcast<i32>((_e8048 >> bitcast<u32>(12u)))) * _e7948)) + ((f32((bitcast<i32>((_e8048 & 4095u)) - 2048i)) * _e7929) * (_e8024 - f32(_e8039))));
 local_16 = _e7734;
 let _e8064 = local_16;
@@ -2703,7 +2703,7 @@ let _e8106 = select(0i, select(select(i32(_e8099), i32(-2147483648), (_e8099 < -
 let _e8110 = (_e8106 - select(0i, 1i, (_e8099 < f32(_e8106))));
 let _e8111 = (262147i + _e8110);
 let _e8113 = select(_e7762, _e8111, (_e8111 < _e7762));
-let _e8119 = global_3.member[bitcast<u32>(select(0i, _e8113, (_e8113 > 0i)))];
+let _e8119 = global_2.member[bitcast<u32>(select(0i, _e8113, (_e8113 > 0i)))];
 let _e8134 = ((_e7939 + (f32(bitcast<i32>((_e8119 >> bitcast<u32>(12u)))) * _e7948)) + ((f32((bitcast<i32>((_e8119 & 4095u)) - 2048i)) * _e7929) * (_e8095 - f32(_e8110))));
 local_14 = _e7740;
 let _e8135 = local_14;
@@ -2727,7 +2727,7 @@ let _e8177 = select(0i, select(select(i32(_e8170), i32(-2147483648), (_e8170 < -
 let _e8181 = (_e8177 - select(0i, 1i, (_e8170 < f32(_e8177))));
 let _e8182 = (262147i + _e8181);
 let _e8184 = select(_e7762, _e8182, (_e8182 < _e7762));
-let _e8190 = global_3.member[bitcast<u32>(select(0i, _e8184, (_e8184 > 0i)))];
+let _e8190 = global_2.member[bitcast<u32>(select(0i, _e8184, (_e8184 > 0i)))];
 let _e8205 = ((_e7939 + (f32(bitcast<i32>((_e8190 >> bitcast<u32>(12u)))) * _e7948)) + ((f32((bitcast<i32>((_e8190 & 4095u)) - 2048i)) * _e7929) * (_e8166 - f32(_e8181))));
 local_12 = _e7746;
 let _e8206 = local_12;
@@ -2751,7 +2751,7 @@ let _e8248 = select(0i, select(select(i32(_e8241), i32(-2147483648), (_e8241 < -
 let _e8252 = (_e8248 - select(0i, 1i, (_e8241 < f32(_e8248))));
 let _e8253 = (262147i + _e8252);
 let _e8255 = select(_e7762, _e8253, (_e8253 < _e7762));
-let _e8261 = global_3.member[bitcast<u32>(select(0i, _e8255, (_e8255 > 0i)))];
+let _e8261 = global_2.member[bitcast<u32>(select(0i, _e8255, (_e8255 > 0i)))];
 let _e8276 = ((_e7939 + (f32(bitcast<i32>((_e8261 >> bitcast<u32>(12u)))) * _e7948)) + ((f32((bitcast<i32>((_e8261 & 4095u)) - 2048i)) * _e7929) * (_e8237 - f32(_e8252))));
 local_10 = _e7752;
 let _e8277 = local_10;
@@ -2775,7 +2775,7 @@ let _e8319 = select(0i, select(select(i32(_e8312), i32(-2147483648), (_e8312 < -
 let _e8323 = (_e8319 - select(0i, 1i, (_e8312 < f32(_e8319))));
 let _e8324 = (262147i + _e8323);
 let _e8326 = select(_e7762, _e8324, (_e8324 < _e7762));
-let _e8332 = global_3.member[bitcast<u32>(select(0i, _e8326, (_e8326 > 0i)))];
+let _e8332 = global_2.member[bitcast<u32>(select(0i, _e8326, (_e8326 > 0i)))];
 let _e8347 = ((_e7939 + (f32(bitcast<i32>((_e8332 >> bitcast<u32>(12u)))) * _e7948)) + ((f32((bitcast<i32>((_e8332 & 4095u)) - 2048i)) * _e7929) * (_e8308 - f32(_e8323))));
 local_8 = _e7758;
 let _e8348 = local_8;
@@ -2799,28 +2799,28 @@ let _e8390 = select(0i, select(select(i32(_e8383), i32(-2147483648), (_e8383 < -
 let _e8394 = (_e8390 - select(0i, 1i, (_e8383 < f32(_e8390))));
 let _e8395 = (262147i + _e8394);
 let _e8397 = select(_e7762, _e8395, (_e8395 < _e7762));
-let _e8403 = global_3.member[bitcast<u32>(select(0i, _e8397, (_e8397 > 0i)))];
+let _e8403 = global_2.member[bitcast<u32>(select(0i, _e8397, (_e8397 > 0i)))];
 let _e8418 = ((_e7939 + (f32(bitcast<i32>((_e8403 >> bitcast<u32>(12u)))) * _e7948)) + ((f32((bitcast<i32>((_e8403 & 4095u)) - 2048i)) * _e7929) * (_e8379 - f32(_e8394))));
 let _e8419 = (_e8134 - _e8063);
 let _e8421 = (_e8276 - _e8205);
 let _e8423 = (_e8418 - _e8347);
-phi_20037_ = type_33(_e7954, vec3<f32>((0.5f * _e8419), (0.5f * _e8421), (0.5f * _e8423)), vec3<f32>((0.25f * (_e8419 * (_e8134 + _e8063))), (0.25f * (_e8421 * (_e8276 + _e8205))), (0.25f * (_e8423 * (_e8418 + _e8347)))));
+phi_20037_ = type_32(_e7954, vec3<f32>((0.5f * _e8419), (0.5f * _e8421), (0.5f * _e8423)), vec3<f32>((0.25f * (_e8419 * (_e8134 + _e8063))), (0.25f * (_e8421 * (_e8276 + _e8205))), (0.25f * (_e8423 * (_e8418 + _e8347)))));
 }
 let _e8453 = phi_20037_;
 let _e8468 = select(0f, 1f, ((((((_e6355 >= -0.5f) && (_e6355 <= _e897)) && (_e6361 >= -0.5f)) && (_e6361 <= _e902)) && (_e6367 >= -0.5f)) && (_e6367 <= _e907)));
 let _e8470 = (0.5f * (_e7734 - _e7728));
 let _e8472 = (0.5f * (_e7746 - _e7740));
 let _e8474 = (0.5f * (_e7758 - _e7752));
-let _e8481 = global_4.member[_e369].member_6.member.member.member;
-let _e8488 = global_4.member[_e369].member_6.member.member.member_1;
-let _e8495 = global_4.member[_e369].member_6.member.member.member_2;
-let _e8502 = global_4.member[_e369].member_6.member_1.member.member;
-let _e8509 = global_4.member[_e369].member_6.member_1.member.member_1;
-let _e8516 = global_4.member[_e369].member_6.member_1.member.member_2;
-let _e8523 = global_4.member[_e369].member_6.member_2.member.member;
-let _e8530 = global_4.member[_e369].member_6.member_2.member.member_1;
-let _e8537 = global_4.member[_e369].member_6.member_2.member.member_2;
-phi_20800_ = type_34(_e7722, vec3<f32>(((((_e8481 * _e8470) + (_e8502 * _e8472)) + (_e8523 * _e8474)) * _e8468), ((((_e8488 * _e8470) + (_e8509 * _e8472)) + (_e8530 * _e8474)) * _e8468), ((((_e8495 * _e8470) + (_e8516 * _e8472)) + (_e8537 * _e8474)) * _e8468)), _e8453.member, vec3<f32>(((((_e8481 * _e8453.member_2.x) + (_e8502 * _e8453.member_2.y)) + (_e8523 * _e8453.member_2.z)) * _e8468), ((((_e8488 * _e8453.member_2.x) + (_e8509 * _e8453.member_2.y)) + (_e8530 * _e8453.member_2.z)) * _e8468), ((((_e8495 * _e8453.member_2.x) + (_e8516 * _e8453.member_2.y)) + (_e8537 * _e8453.member_2.z)) * _e8468)), vec3<f32>(((((_e8481 * _e8453.member_1.x) + (_e8502 * _e8453.member_1.y)) + (_e8523 * _e8453.member_1.z)) * _e8468), ((((_e8488 * _e8453.member_1.x) + (_e8509 * _e8453.member_1.y)) + (_e8530 * _e8453.member_1.z)) * _e8468), ((((_e8495 * _e8453.member_1.x) + (_e8516 * _e8453.member_1.y)) + (_e8537 * _e8453.member_1.z)) * _e8468)));
+let _e8481 = global_3.member[_e369].member_6.member.member.member;
+let _e8488 = global_3.member[_e369].member_6.member.member.member_1;
+let _e8495 = global_3.member[_e369].member_6.member.member.member_2;
+let _e8502 = global_3.member[_e369].member_6.member_1.member.member;
+let _e8509 = global_3.member[_e369].member_6.member_1.member.member_1;
+let _e8516 = global_3.member[_e369].member_6.member_1.member.member_2;
+let _e8523 = global_3.member[_e369].member_6.member_2.member.member;
+let _e8530 = global_3.member[_e369].member_6.member_2.member.member_1;
+let _e8537 = global_3.member[_e369].member_6.member_2.member.member_2;
+phi_20800_ = type_33(_e7722, vec3<f32>(((((_e8481 * _e8470) + (_e8502 * _e8472)) + (_e8523 * _e8474)) * _e8468), ((((_e8488 * _e8470) + (_e8509 * _e8472)) + (_e8530 * _e8474)) * _e8468), ((((_e8495 * _e8470) + (_e8516 * _e8472)) + (_e8537 * _e8474)) * _e8468)), _e8453.member, vec3<f32>(((((_e8481 * _e8453.member_2.x) + (_e8502 * _e8453.member_2.y)) + (_e8523 * _e8453.member_2.z)) * _e8468), ((((_e8488 * _e8453.member_2.x) + (_e8509 * _e8453.member_2.y)) + (_e8530 * _e8453.member_2.z)) * _e8468), ((((_e8495 * _e8453.member_2.x) + (_e8516 * _e8453.member_2.y)) + (_e8537 * _e8453.member_2.z)) * _e8468)), vec3<f32>(((((_e8481 * _e8453.member_1.x) + (_e8502 * _e8453.member_1.y)) + (_e8523 * _e8453.member_1.z)) * _e8468), ((((_e8488 * _e8453.member_1.x) + (_e8509 * _e8453.member_1.y)) + (_e8530 * _e8453.member_1.z)) * _e8468), ((((_e8495 * _e8453.member_1.x) + (_e8516 * _e8453.member_1.y)) + (_e8537 * _e8453.member_1.z)) * _e8468)));
 } else {
 let _e6369 = select(-0.5f, _e6355, (_e6355 > -0.5f));
 let _e6371 = select(_e897, _e6369, (_e6369 < _e897));
@@ -2840,8 +2840,8 @@ let _e6411 = select(-1f, _e6379, (_e6379 > -1f));
 let _e6413 = select(_e560, _e6411, (_e6411 < _e560));
 let _e6420 = select(0i, select(select(i32(_e6413), i32(-2147483648), (_e6413 < -2147483600f)), 2147483647i, (_e6413 > 2147483500f)), (_e6413 == _e6413));
 let _e6424 = (_e6420 - select(0i, 1i, (_e6413 < f32(_e6420))));
-let _e6429 = global_4.member[_e369].member_6.member_7;
-let _e6434 = global_4.member[_e369].member_6.member_8;
+let _e6429 = global_3.member[_e369].member_6.member_7;
+let _e6434 = global_3.member[_e369].member_6.member_8;
 let _e6442 = (select(0i, select(select(i32(_e549), i32(-2147483648), (_e549 < -2147483600f)), 2147483647i, (_e549 > 2147483500f)), (_e549 == _e549)) - 1i);
 let _e6445 = (_e6409 + 1i);
 let _e6455 = (select(0i, select(select(i32(_e560), i32(-2147483648), (_e560 < -2147483600f)), 2147483647i, (_e560 > 2147483500f)), (_e560 == _e560)) - 1i);
@@ -2859,7 +2859,7 @@ let _e6497 = (select(0i, _e6409, (_e6409 > 0i)) * _e6429);
 let _e6498 = (select(_e6442, _e6445, (_e6445 < _e6442)) * _e6429);
 let _e6499 = (select(0i, _e6424, (_e6424 > 0i)) * _e6434);
 let _e6500 = (select(_e6455, _e6458, (_e6458 < _e6455)) * _e6434);
-local_6 = type_32(array<i32, 4>(_e6484, _e6484, _e6484, _e6484), array<u32, 6>(bitcast<u32>(((_e6471 - _e6484) * 8i)), bitcast<u32>(((select(0i, _e6394, (_e6394 > 0i)) - _e6484) * 8i)), bitcast<u32>(((select(_e6468, _e6474, (_e6474 < _e6468)) - _e6484) * 8i)), bitcast<u32>(((select(_e6468, _e6477, (_e6477 < _e6468)) - _e6484) * 8i)), 0u, 0u));
+local_6 = type_28(array<i32, 4>(_e6484, _e6484, _e6484, _e6484), array<u32, 6>(bitcast<u32>(((_e6471 - _e6484) * 8i)), bitcast<u32>(((select(0i, _e6394, (_e6394 > 0i)) - _e6484) * 8i)), bitcast<u32>(((select(_e6468, _e6474, (_e6474 < _e6468)) - _e6484) * 8i)), bitcast<u32>(((select(_e6468, _e6477, (_e6477 < _e6468)) - _e6484) * 8i)), 0u, 0u));
 local_7 = vec3<f32>((_e6371 - f32(_e6394)), (_e6375 - f32(_e6409)), (_e6379 - f32(_e6424)));
 let _e6515 = local_6.member[0u];
 let _e6516 = ((_e6499 + _e6497) + _e6515);
@@ -2867,10 +2867,10 @@ let _e6518 = (_e6516 >> bitcast<u32>(2i));
 let _e6521 = bitcast<u32>(((_e6516 & 3i) * 8i));
 let _e6523 = (bitcast<i32>(_e182) - 1i);
 let _e6525 = select(_e6523, _e6518, (_e6518 < _e6523));
-let _e6530 = global_2.member[bitcast<u32>(select(0i, _e6525, (_e6525 > 0i)))];
+let _e6530 = global_1.member[bitcast<u32>(select(0i, _e6525, (_e6525 > 0i)))];
 let _e6534 = (_e6518 + 1i);
 let _e6536 = select(_e6523, _e6534, (_e6534 < _e6523));
-let _e6541 = global_2.member[bitcast<u32>(select(0i, _e6536, (_e6536 > 0i)))];
+let _e6541 = global_1.member[bitcast<u32>(select(0i, _e6536, (_e6536 > 0i)))];
 let _e6548 = ((_e6530 >> bitcast<u32>((_e6521 & 31u))) | ((_e6541 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6521) & 31u))));
 let _e6551 = local_6.member_1[1u];
 let _e6557 = f32(bitcast<i32>(((_e6548 >> bitcast<u32>((_e6551 & 31u))) & 255u)));
@@ -2882,10 +2882,10 @@ let _e6573 = ((_e6499 + _e6498) + _e6572);
 let _e6575 = (_e6573 >> bitcast<u32>(2i));
 let _e6578 = bitcast<u32>(((_e6573 & 3i) * 8i));
 let _e6580 = select(_e6523, _e6575, (_e6575 < _e6523));
-let _e6585 = global_2.member[bitcast<u32>(select(0i, _e6580, (_e6580 > 0i)))];
+let _e6585 = global_1.member[bitcast<u32>(select(0i, _e6580, (_e6580 > 0i)))];
 let _e6589 = (_e6575 + 1i);
 let _e6591 = select(_e6523, _e6589, (_e6589 < _e6523));
-let _e6596 = global_2.member[bitcast<u32>(select(0i, _e6591, (_e6591 > 0i)))];
+let _e6596 = global_1.member[bitcast<u32>(select(0i, _e6591, (_e6591 > 0i)))];
 let _e6603 = ((_e6585 >> bitcast<u32>((_e6578 & 31u))) | ((_e6596 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6578) & 31u))));
 let _e6604 = local_6.member_1[1u];
 let _e6610 = f32(bitcast<i32>(((_e6603 >> bitcast<u32>((_e6604 & 31u))) & 255u)));
@@ -2898,10 +2898,10 @@ let _e6629 = ((_e6500 + _e6497) + _e6628);
 let _e6631 = (_e6629 >> bitcast<u32>(2i));
 let _e6634 = bitcast<u32>(((_e6629 & 3i) * 8i));
 let _e6636 = select(_e6523, _e6631, (_e6631 < _e6523));
-let _e6641 = global_2.member[bitcast<u32>(select(0i, _e6636, (_e6636 > 0i)))];
+let _e6641 = global_1.member[bitcast<u32>(select(0i, _e6636, (_e6636 > 0i)))];
 let _e6645 = (_e6631 + 1i);
 let _e6647 = select(_e6523, _e6645, (_e6645 < _e6523));
-let _e6652 = global_2.member[bitcast<u32>(select(0i, _e6647, (_e6647 > 0i)))];
+let _e6652 = global_1.member[bitcast<u32>(select(0i, _e6647, (_e6647 > 0i)))];
 let _e6659 = ((_e6641 >> bitcast<u32>((_e6634 & 31u))) | ((_e6652 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6634) & 31u))));
 let _e6660 = local_6.member_1[1u];
 let _e6666 = f32(bitcast<i32>(((_e6659 >> bitcast<u32>((_e6660 & 31u))) & 255u)));
@@ -2913,10 +2913,10 @@ let _e6680 = ((_e6500 + _e6498) + _e6679);
 let _e6682 = (_e6680 >> bitcast<u32>(2i));
 let _e6685 = bitcast<u32>(((_e6680 & 3i) * 8i));
 let _e6687 = select(_e6523, _e6682, (_e6682 < _e6523));
-let _e6692 = global_2.member[bitcast<u32>(select(0i, _e6687, (_e6687 > 0i)))];
+let _e6692 = global_1.member[bitcast<u32>(select(0i, _e6687, (_e6687 > 0i)))];
 let _e6696 = (_e6682 + 1i);
 let _e6698 = select(_e6523, _e6696, (_e6696 < _e6523));
-let _e6703 = global_2.member[bitcast<u32>(select(0i, _e6698, (_e6698 > 0i)))];
+let _e6703 = global_1.member[bitcast<u32>(select(0i, _e6698, (_e6698 > 0i)))];
 let _e6710 = ((_e6692 >> bitcast<u32>((_e6685 & 31u))) | ((_e6703 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6685) & 31u))));
 let _e6711 = local_6.member_1[1u];
 let _e6717 = f32(bitcast<i32>(((_e6710 >> bitcast<u32>((_e6711 & 31u))) & 255u)));
@@ -2924,12 +2924,12 @@ let _e6718 = local_6.member_1[2u];
 let _e6725 = local_7[0u];
 let _e6729 = local_7[1u];
 let _e6734 = local_7[2u];
-let _e6742 = global_4.member[_e369].member_6.member_6;
-let _e6747 = global_4.member[_e369].member_6.member_5;
+let _e6742 = global_3.member[_e369].member_6.member_6;
+let _e6747 = global_3.member[_e369].member_6.member_5;
 let _e6749 = (((_e6626 + (((_e6677 + (((_e6717 + ((f32(bitcast<i32>(((_e6710 >> bitcast<u32>((_e6718 & 31u))) & 255u))) - _e6717) * _e6725)) - _e6677) * _e6729)) - _e6626) * _e6734)) - _e6742) * _e6747);
 let _e6750 = -(1e9f);
 let _e6752 = select(_e6750, _e6749, (_e6749 > _e6750));
-phi_20800_ = type_34(select(1e9f, _e6752, (_e6752 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20800_ = type_33(select(1e9f, _e6752, (_e6752 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8603 = phi_20800_;
 let _e8605 = select(-0.5f, _e481, (_e481 > -0.5f));
@@ -2950,8 +2950,8 @@ let _e8647 = select(-1f, _e8615, (_e8615 > -1f));
 let _e8649 = select(_e560, _e8647, (_e8647 < _e560));
 let _e8656 = select(0i, select(select(i32(_e8649), i32(-2147483648), (_e8649 < -2147483600f)), 2147483647i, (_e8649 > 2147483500f)), (_e8649 == _e8649));
 let _e8660 = (_e8656 - select(0i, 1i, (_e8649 < f32(_e8656))));
-let _e8665 = global_4.member[_e369].member_6.member_7;
-let _e8670 = global_4.member[_e369].member_6.member_8;
+let _e8665 = global_3.member[_e369].member_6.member_7;
+let _e8670 = global_3.member[_e369].member_6.member_8;
 let _e8678 = (select(0i, select(select(i32(_e549), i32(-2147483648), (_e549 < -2147483600f)), 2147483647i, (_e549 > 2147483500f)), (_e549 == _e549)) - 1i);
 let _e8681 = (_e8645 + 1i);
 let _e8691 = (select(0i, select(select(i32(_e560), i32(-2147483648), (_e560 < -2147483600f)), 2147483647i, (_e560 > 2147483500f)), (_e560 == _e560)) - 1i);
@@ -2969,7 +2969,7 @@ let _e8733 = (select(0i, _e8645, (_e8645 > 0i)) * _e8665);
 let _e8734 = (select(_e8678, _e8681, (_e8681 < _e8678)) * _e8665);
 let _e8735 = (select(0i, _e8660, (_e8660 > 0i)) * _e8670);
 let _e8736 = (select(_e8691, _e8694, (_e8694 < _e8691)) * _e8670);
-local_4 = type_32(array<i32, 4>(_e8720, _e8720, _e8720, _e8720), array<u32, 6>(bitcast<u32>(((_e8707 - _e8720) * 8i)), bitcast<u32>(((select(0i, _e8630, (_e8630 > 0i)) - _e8720) * 8i)), bitcast<u32>(((select(_e8704, _e8710, (_e8710 < _e8704)) - _e8720) * 8i)), bitcast<u32>(((select(_e8704, _e8713, (_e8713 < _e8704)) - _e8720) * 8i)), 0u, 0u));
+local_4 = type_28(array<i32, 4>(_e8720, _e8720, _e8720, _e8720), array<u32, 6>(bitcast<u32>(((_e8707 - _e8720) * 8i)), bitcast<u32>(((select(0i, _e8630, (_e8630 > 0i)) - _e8720) * 8i)), bitcast<u32>(((select(_e8704, _e8710, (_e8710 < _e8704)) - _e8720) * 8i)), bitcast<u32>(((select(_e8704, _e8713, (_e8713 < _e8704)) - _e8720) * 8i)), 0u, 0u));
 local_5 = vec3<f32>((_e8607 - f32(_e8630)), (_e8611 - f32(_e8645)), (_e8615 - f32(_e8660)));
 let _e8751 = local_4.member[0u];
 let _e8752 = ((_e8735 + _e8733) + _e8751);
@@ -2977,10 +2977,10 @@ let _e8754 = (_e8752 >> bitcast<u32>(2i));
 let _e8757 = bitcast<u32>(((_e8752 & 3i) * 8i));
 let _e8759 = (bitcast<i32>(_e182) - 1i);
 let _e8761 = select(_e8759, _e8754, (_e8754 < _e8759));
-let _e8766 = global_2.member[bitcast<u32>(select(0i, _e8761, (_e8761 > 0i)))];
+let _e8766 = global_1.member[bitcast<u32>(select(0i, _e8761, (_e8761 > 0i)))];
 let _e8770 = (_e8754 + 1i);
 let _e8772 = select(_e8759, _e8770, (_e8770 < _e8759));
-let _e8777 = global_2.member[bitcast<u32>(select(0i, _e8772, (_e8772 > 0i)))];
+let _e8777 = global_1.member[bitcast<u32>(select(0i, _e8772, (_e8772 > 0i)))];
 let _e8784 = ((_e8766 >> bitcast<u32>((_e8757 & 31u))) | ((_e8777 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8757) & 31u))));
 let _e8787 = local_4.member_1[1u];
 let _e8793 = f32(bitcast<i32>(((_e8784 >> bitcast<u32>((_e8787 & 31u))) & 255u)));
@@ -2992,10 +2992,10 @@ let _e8809 = ((_e8735 + _e8734) + _e8808);
 let _e8811 = (_e8809 >> bitcast<u32>(2i));
 let _e8814 = bitcast<u32>(((_e8809 & 3i) * 8i));
 let _e8816 = select(_e8759, _e8811, (_e8811 < _e8759));
-let _e8821 = global_2.member[bitcast<u32>(select(0i, _e8816, (_e8816 > 0i)))];
+let _e8821 = global_1.member[bitcast<u32>(select(0i, _e8816, (_e8816 > 0i)))];
 let _e8825 = (_e8811 + 1i);
 let _e8827 = select(_e8759, _e8825, (_e8825 < _e8759));
-let _e8832 = global_2.member[bitcast<u32>(select(0i, _e8827, (_e8827 > 0i)))];
+let _e8832 = global_1.member[bitcast<u32>(select(0i, _e8827, (_e8827 > 0i)))];
 let _e8839 = ((_e8821 >> bitcast<u32>((_e8814 & 31u))) | ((_e8832 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8814) & 31u))));
 let _e8840 = local_4.member_1[1u];
 let _e8846 = f32(bitcast<i32>(((_e8839 >> bitcast<u32>((_e8840 & 31u))) & 255u)));
@@ -3008,10 +3008,10 @@ let _e8865 = ((_e8736 + _e8733) + _e8864);
 let _e8867 = (_e8865 >> bitcast<u32>(2i));
 let _e8870 = bitcast<u32>(((_e8865 & 3i) * 8i));
 let _e8872 = select(_e8759, _e8867, (_e8867 < _e8759));
-let _e8877 = global_2.member[bitcast<u32>(select(0i, _e8872, (_e8872 > 0i)))];
+let _e8877 = global_1.member[bitcast<u32>(select(0i, _e8872, (_e8872 > 0i)))];
 let _e8881 = (_e8867 + 1i);
 let _e8883 = select(_e8759, _e8881, (_e8881 < _e8759));
-let _e8888 = global_2.member[bitcast<u32>(select(0i, _e8883, (_e8883 > 0i)))];
+let _e8888 = global_1.member[bitcast<u32>(select(0i, _e8883, (_e8883 > 0i)))];
 let _e8895 = ((_e8877 >> bitcast<u32>((_e8870 & 31u))) | ((_e8888 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8870) & 31u))));
 let _e8896 = local_4.member_1[1u];
 let _e8902 = f32(bitcast<i32>(((_e8895 >> bitcast<u32>((_e8896 & 31u))) & 255u)));
@@ -3023,10 +3023,10 @@ let _e8916 = ((_e8736 + _e8734) + _e8915);
 let _e8918 = (_e8916 >> bitcast<u32>(2i));
 let _e8921 = bitcast<u32>(((_e8916 & 3i) * 8i));
 let _e8923 = select(_e8759, _e8918, (_e8918 < _e8759));
-let _e8928 = global_2.member[bitcast<u32>(select(0i, _e8923, (_e8923 > 0i)))];
+let _e8928 = global_1.member[bitcast<u32>(select(0i, _e8923, (_e8923 > 0i)))];
 let _e8932 = (_e8918 + 1i);
 let _e8934 = select(_e8759, _e8932, (_e8932 < _e8759));
-let _e8939 = global_2.member[bitcast<u32>(select(0i, _e8934, (_e8934 > 0i)))];
+let _e8939 = global_1.member[bitcast<u32>(select(0i, _e8934, (_e8934 > 0i)))];
 let _e8946 = ((_e8928 >> bitcast<u32>((_e8921 & 31u))) | ((_e8939 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8921) & 31u))));
 let _e8947 = local_4.member_1[1u];
 let _e8953 = f32(bitcast<i32>(((_e8946 >> bitcast<u32>((_e8947 & 31u))) & 255u)));
@@ -3034,17 +3034,17 @@ let _e8954 = local_4.member_1[2u];
 let _e8961 = local_5[0u];
 let _e8965 = local_5[1u];
 let _e8970 = local_5[2u];
-let _e8978 = global_4.member[_e369].member_6.member_6;
-let _e8983 = global_4.member[_e369].member_6.member_5;
+let _e8978 = global_3.member[_e369].member_6.member_6;
+let _e8983 = global_3.member[_e369].member_6.member_5;
 let _e8985 = (((_e8862 + (((_e8913 + (((_e8953 + ((f32(bitcast<i32>(((_e8946 >> bitcast<u32>((_e8954 & 31u))) & 255u))) - _e8953) * _e8961)) - _e8913) * _e8965)) - _e8862) * _e8970)) - _e8978) * _e8983);
 let _e8986 = -(1e9f);
 let _e8988 = select(_e8986, _e8985, (_e8985 > _e8986));
 let _e8990 = select(1e9f, _e8988, (_e8988 < 1e9f));
 let _e8992 = ((_e1047 & 16u) == 0u);
 if _e8992 {
-phi_21774_ = type_5(1f, 1f, 1f);
+phi_21774_ = type_7(1f, 1f, 1f);
 } else {
-let _e8997 = global_4.member[_e369].member_14.member;
+let _e8997 = global_3.member[_e369].member_14.member;
 let _e9008 = ((((_e8997.member.member * _e395) + (_e8997.member.member_1 * _e397)) + (_e8997.member.member_2 * _e391)) + _e8997.member_1);
 let _e9014 = ((((_e8997.member.member * _e6344.member_1.x) + (_e8997.member.member_1 * _e6344.member_1.y)) + (_e8997.member.member_2 * _e6344.member_1.z)) + _e8997.member_1);
 let _e9016 = select(_e9014, _e9008, (_e9008 < _e9014));
@@ -3053,9 +3053,9 @@ let _e9020 = (_e9018 - _e9016);
 let _e9023 = (-(_e9016) / select(1e-30f, _e9020, (_e9020 > 1e-30f)));
 let _e9025 = select(0f, _e9023, (_e9023 > 0f));
 let _e9031 = select(select(select(1f, _e9025, (_e9025 < 1f)), 1f, (_e9018 <= 0f)), 0f, (_e9016 > 0f));
-let _e9037 = global_4.member[_e369].member_14.member_1;
+let _e9037 = global_3.member[_e369].member_14.member_1;
 let _e9038 = (_e9037 != 0u);
-let _e9049 = global_4.member[_e369].member_15.member;
+let _e9049 = global_3.member[_e369].member_15.member;
 let _e9060 = ((((_e9049.member.member * _e395) + (_e9049.member.member_1 * _e397)) + (_e9049.member.member_2 * _e391)) + _e9049.member_1);
 let _e9066 = ((((_e9049.member.member * _e6344.member_1.x) + (_e9049.member.member_1 * _e6344.member_1.y)) + (_e9049.member.member_2 * _e6344.member_1.z)) + _e9049.member_1);
 let _e9068 = select(_e9066, _e9060, (_e9060 < _e9066));
@@ -3064,9 +3064,9 @@ let _e9072 = (_e9070 - _e9068);
 let _e9075 = (-(_e9068) / select(1e-30f, _e9072, (_e9072 > 1e-30f)));
 let _e9077 = select(0f, _e9075, (_e9075 > 0f));
 let _e9083 = select(select(select(1f, _e9077, (_e9077 < 1f)), 1f, (_e9070 <= 0f)), 0f, (_e9068 > 0f));
-let _e9089 = global_4.member[_e369].member_15.member_1;
+let _e9089 = global_3.member[_e369].member_15.member_1;
 let _e9090 = (_e9089 != 0u);
-let _e9101 = global_4.member[_e369].member_16.member;
+let _e9101 = global_3.member[_e369].member_16.member;
 let _e9112 = ((((_e9101.member.member * _e395) + (_e9101.member.member_1 * _e397)) + (_e9101.member.member_2 * _e391)) + _e9101.member_1);
 let _e9118 = ((((_e9101.member.member * _e6344.member_1.x) + (_e9101.member.member_1 * _e6344.member_1.y)) + (_e9101.member.member_2 * _e6344.member_1.z)) + _e9101.member_1);
 let _e9120 = select(_e9118, _e9112, (_e9112 < _e9118));
@@ -3075,9 +3075,9 @@ let _e9124 = (_e9122 - _e9120);
 let _e9127 = (-(_e9120) / select(1e-30f, _e9124, (_e9124 > 1e-30f)));
 let _e9129 = select(0f, _e9127, (_e9127 > 0f));
 let _e9135 = select(select(select(1f, _e9129, (_e9129 < 1f)), 1f, (_e9122 <= 0f)), 0f, (_e9120 > 0f));
-let _e9141 = global_4.member[_e369].member_16.member_1;
+let _e9141 = global_3.member[_e369].member_16.member_1;
 let _e9142 = (_e9141 != 0u);
-let _e9153 = global_4.member[_e369].member_17.member;
+let _e9153 = global_3.member[_e369].member_17.member;
 let _e9164 = ((((_e9153.member.member * _e395) + (_e9153.member.member_1 * _e397)) + (_e9153.member.member_2 * _e391)) + _e9153.member_1);
 let _e9170 = ((((_e9153.member.member * _e6344.member_1.x) + (_e9153.member.member_1 * _e6344.member_1.y)) + (_e9153.member.member_2 * _e6344.member_1.z)) + _e9153.member_1);
 let _e9172 = select(_e9170, _e9164, (_e9164 < _e9170));
@@ -3086,109 +3086,109 @@ let _e9176 = (_e9174 - _e9172);
 let _e9179 = (-(_e9172) / select(1e-30f, _e9176, (_e9176 > 1e-30f)));
 let _e9181 = select(0f, _e9179, (_e9179 > 0f));
 let _e9187 = select(select(select(1f, _e9181, (_e9181 < 1f)), 1f, (_e9174 <= 0f)), 0f, (_e9172 > 0f));
-let _e9193 = global_4.member[_e369].member_17.member_1;
+let _e9193 = global_3.member[_e369].member_17.member_1;
 let _e9194 = (_e9193 != 0u);
-phi_21774_ = type_5(((((1f * _e9031) * _e9083) * _e9135) * _e9187), ((((1f * select(1f, _e9031, _e9038)) * select(1f, _e9083, _e9090)) * select(1f, _e9135, _e9142)) * select(1f, _e9187, _e9194)), ((((1f * select(1f, 0f, (_e9038 && (_e9014 > 0f)))) * select(1f, 0f, (_e9090 && (_e9066 > 0f)))) * select(1f, 0f, (_e9142 && (_e9118 > 0f)))) * select(1f, 0f, (_e9194 && (_e9170 > 0f)))));
+phi_21774_ = type_7(((((1f * _e9031) * _e9083) * _e9135) * _e9187), ((((1f * select(1f, _e9031, _e9038)) * select(1f, _e9083, _e9090)) * select(1f, _e9135, _e9142)) * select(1f, _e9187, _e9194)), ((((1f * select(1f, 0f, (_e9038 && (_e9014 > 0f)))) * select(1f, 0f, (_e9090 && (_e9066 > 0f)))) * select(1f, 0f, (_e9142 && (_e9118 > 0f)))) * select(1f, 0f, (_e9194 && (_e9170 > 0f)))));
 }
 let _e9203 = phi_21774_;
-let _e9209 = global_4.member[_e369].member_5.member_3;
+let _e9209 = global_3.member[_e369].member_5.member_3;
 let _e9210 = (_e6344.member_3 * _e9209);
 if (((_e378.member_2 == 3u) || (_e378.member_2 == 4u)) || _e577) {
 local_3 = _e8990;
 let _e10121 = local_3;
 let _e10123 = (bitcast<i32>(_e187) - 1i);
 let _e10125 = select(_e10123, 263171i, (263171i < _e10123));
-let _e10130 = global_3.member[bitcast<u32>(select(0i, _e10125, (_e10125 > 0i)))];
+let _e10130 = global_2.member[bitcast<u32>(select(0i, _e10125, (_e10125 > 0i)))];
 let _e10131 = bitcast<f32>(_e10130);
 let _e10133 = select(_e10123, 263172i, (263172i < _e10123));
-let _e10138 = global_3.member[bitcast<u32>(select(0i, _e10133, (_e10133 > 0i)))];
+let _e10138 = global_2.member[bitcast<u32>(select(0i, _e10133, (_e10133 > 0i)))];
 let _e10139 = bitcast<f32>(_e10138);
 let _e10141 = select(_e10123, 263173i, (263173i < _e10123));
-let _e10146 = global_3.member[bitcast<u32>(select(0i, _e10141, (_e10141 > 0i)))];
+let _e10146 = global_2.member[bitcast<u32>(select(0i, _e10141, (_e10141 > 0i)))];
 let _e10147 = bitcast<f32>(_e10146);
 let _e10149 = ((_e10121 - _e10131) * _e10139);
 let _e10151 = select(0f, _e10149, (_e10149 > 0f));
 let _e10154 = local_3;
 let _e10156 = select(_e10123, 263174i, (263174i < _e10123));
-let _e10161 = global_3.member[bitcast<u32>(select(0i, _e10156, (_e10156 > 0i)))];
+let _e10161 = global_2.member[bitcast<u32>(select(0i, _e10156, (_e10156 > 0i)))];
 let _e10162 = bitcast<f32>(_e10161);
 let _e10164 = select(_e10123, 263175i, (263175i < _e10123));
-let _e10169 = global_3.member[bitcast<u32>(select(0i, _e10164, (_e10164 > 0i)))];
+let _e10169 = global_2.member[bitcast<u32>(select(0i, _e10164, (_e10164 > 0i)))];
 let _e10170 = bitcast<f32>(_e10169);
 let _e10172 = select(_e10123, 263176i, (263176i < _e10123));
-let _e10177 = global_3.member[bitcast<u32>(select(0i, _e10172, (_e10172 > 0i)))];
+let _e10177 = global_2.member[bitcast<u32>(select(0i, _e10172, (_e10172 > 0i)))];
 let _e10178 = bitcast<f32>(_e10177);
 let _e10180 = ((_e10154 - _e10162) * _e10170);
 let _e10182 = select(0f, _e10180, (_e10180 > 0f));
 let _e10186 = local_3;
 let _e10188 = select(_e10123, 263177i, (263177i < _e10123));
-let _e10193 = global_3.member[bitcast<u32>(select(0i, _e10188, (_e10188 > 0i)))];
+let _e10193 = global_2.member[bitcast<u32>(select(0i, _e10188, (_e10188 > 0i)))];
 let _e10194 = bitcast<f32>(_e10193);
 let _e10196 = select(_e10123, 263178i, (263178i < _e10123));
-let _e10201 = global_3.member[bitcast<u32>(select(0i, _e10196, (_e10196 > 0i)))];
+let _e10201 = global_2.member[bitcast<u32>(select(0i, _e10196, (_e10196 > 0i)))];
 let _e10202 = bitcast<f32>(_e10201);
 let _e10204 = select(_e10123, 263179i, (263179i < _e10123));
-let _e10209 = global_3.member[bitcast<u32>(select(0i, _e10204, (_e10204 > 0i)))];
+let _e10209 = global_2.member[bitcast<u32>(select(0i, _e10204, (_e10204 > 0i)))];
 let _e10210 = bitcast<f32>(_e10209);
 let _e10212 = ((_e10186 - _e10194) * _e10202);
 let _e10214 = select(0f, _e10212, (_e10212 > 0f));
 let _e10217 = local_3;
 let _e10219 = select(_e10123, 263180i, (263180i < _e10123));
-let _e10224 = global_3.member[bitcast<u32>(select(0i, _e10219, (_e10219 > 0i)))];
+let _e10224 = global_2.member[bitcast<u32>(select(0i, _e10219, (_e10219 > 0i)))];
 let _e10225 = bitcast<f32>(_e10224);
 let _e10227 = select(_e10123, 263181i, (263181i < _e10123));
-let _e10232 = global_3.member[bitcast<u32>(select(0i, _e10227, (_e10227 > 0i)))];
+let _e10232 = global_2.member[bitcast<u32>(select(0i, _e10227, (_e10227 > 0i)))];
 let _e10233 = bitcast<f32>(_e10232);
 let _e10235 = select(_e10123, 263182i, (263182i < _e10123));
-let _e10240 = global_3.member[bitcast<u32>(select(0i, _e10235, (_e10235 > 0i)))];
+let _e10240 = global_2.member[bitcast<u32>(select(0i, _e10235, (_e10235 > 0i)))];
 let _e10241 = bitcast<f32>(_e10240);
 let _e10243 = ((_e10217 - _e10225) * _e10233);
 let _e10245 = select(0f, _e10243, (_e10243 > 0f));
 let _e10250 = local_3;
 let _e10252 = select(_e10123, 263183i, (263183i < _e10123));
-let _e10257 = global_3.member[bitcast<u32>(select(0i, _e10252, (_e10252 > 0i)))];
+let _e10257 = global_2.member[bitcast<u32>(select(0i, _e10252, (_e10252 > 0i)))];
 let _e10258 = bitcast<f32>(_e10257);
 let _e10260 = select(_e10123, 263184i, (263184i < _e10123));
-let _e10265 = global_3.member[bitcast<u32>(select(0i, _e10260, (_e10260 > 0i)))];
+let _e10265 = global_2.member[bitcast<u32>(select(0i, _e10260, (_e10260 > 0i)))];
 let _e10266 = bitcast<f32>(_e10265);
 let _e10268 = select(_e10123, 263185i, (263185i < _e10123));
-let _e10273 = global_3.member[bitcast<u32>(select(0i, _e10268, (_e10268 > 0i)))];
+let _e10273 = global_2.member[bitcast<u32>(select(0i, _e10268, (_e10268 > 0i)))];
 let _e10274 = bitcast<f32>(_e10273);
 let _e10276 = ((_e10250 - _e10258) * _e10266);
 let _e10278 = select(0f, _e10276, (_e10276 > 0f));
 let _e10281 = local_3;
 let _e10283 = select(_e10123, 263186i, (263186i < _e10123));
-let _e10288 = global_3.member[bitcast<u32>(select(0i, _e10283, (_e10283 > 0i)))];
+let _e10288 = global_2.member[bitcast<u32>(select(0i, _e10283, (_e10283 > 0i)))];
 let _e10289 = bitcast<f32>(_e10288);
 let _e10291 = select(_e10123, 263187i, (263187i < _e10123));
-let _e10296 = global_3.member[bitcast<u32>(select(0i, _e10291, (_e10291 > 0i)))];
+let _e10296 = global_2.member[bitcast<u32>(select(0i, _e10291, (_e10291 > 0i)))];
 let _e10297 = bitcast<f32>(_e10296);
 let _e10299 = select(_e10123, 263188i, (263188i < _e10123));
-let _e10304 = global_3.member[bitcast<u32>(select(0i, _e10299, (_e10299 > 0i)))];
+let _e10304 = global_2.member[bitcast<u32>(select(0i, _e10299, (_e10299 > 0i)))];
 let _e10305 = bitcast<f32>(_e10304);
 let _e10307 = ((_e10281 - _e10289) * _e10297);
 let _e10309 = select(0f, _e10307, (_e10307 > 0f));
 let _e10313 = local_3;
 let _e10315 = select(_e10123, 263189i, (263189i < _e10123));
-let _e10320 = global_3.member[bitcast<u32>(select(0i, _e10315, (_e10315 > 0i)))];
+let _e10320 = global_2.member[bitcast<u32>(select(0i, _e10315, (_e10315 > 0i)))];
 let _e10321 = bitcast<f32>(_e10320);
 let _e10323 = select(_e10123, 263190i, (263190i < _e10123));
-let _e10328 = global_3.member[bitcast<u32>(select(0i, _e10323, (_e10323 > 0i)))];
+let _e10328 = global_2.member[bitcast<u32>(select(0i, _e10323, (_e10323 > 0i)))];
 let _e10329 = bitcast<f32>(_e10328);
 let _e10331 = select(_e10123, 263191i, (263191i < _e10123));
-let _e10336 = global_3.member[bitcast<u32>(select(0i, _e10331, (_e10331 > 0i)))];
+let _e10336 = global_2.member[bitcast<u32>(select(0i, _e10331, (_e10331 > 0i)))];
 let _e10337 = bitcast<f32>(_e10336);
 let _e10339 = ((_e10313 - _e10321) * _e10329);
 let _e10341 = select(0f, _e10339, (_e10339 > 0f));
 let _e10344 = local_3;
 let _e10346 = select(_e10123, 263192i, (263192i < _e10123));
-let _e10351 = global_3.member[bitcast<u32>(select(0i, _e10346, (_e10346 > 0i)))];
+let _e10351 = global_2.member[bitcast<u32>(select(0i, _e10346, (_e10346 > 0i)))];
 let _e10352 = bitcast<f32>(_e10351);
 let _e10354 = select(_e10123, 263193i, (263193i < _e10123));
-let _e10359 = global_3.member[bitcast<u32>(select(0i, _e10354, (_e10354 > 0i)))];
+let _e10359 = global_2.member[bitcast<u32>(select(0i, _e10354, (_e10354 > 0i)))];
 let _e10360 = bitcast<f32>(_e10359);
 let _e10362 = select(_e10123, 263194i, (263194i < _e10123));
-let _e10367 = global_3.member[bitcast<u32>(select(0i, _e10362, (_e10362 > 0i)))];
+let _e10367 = global_2.member[bitcast<u32>(select(0i, _e10362, (_e10362 > 0i)))];
 let _e10368 = bitcast<f32>(_e10367);
 let _e10370 = ((_e10344 - _e10352) * _e10360);
 let _e10372 = select(0f, _e10370, (_e10370 > 0f));
@@ -3229,10 +3229,10 @@ let _e10460 = select(_e10441, _e10458, (_e10458 < _e10441));
 let _e10467 = select(0i, select(select(i32(_e10460), i32(-2147483648), (_e10460 < -2147483600f)), 2147483647i, (_e10460 > 2147483500f)), (_e10460 == _e10460));
 let _e10471 = (_e10467 - select(0i, 1i, (_e10460 < f32(_e10467))));
 let _e10473 = select(_e10123, 263195i, (263195i < _e10123));
-let _e10479 = global_3.member[bitcast<u32>(select(0i, _e10473, (_e10473 > 0i)))];
+let _e10479 = global_2.member[bitcast<u32>(select(0i, _e10473, (_e10473 > 0i)))];
 let _e10480 = bitcast<f32>(_e10479);
 let _e10482 = select(_e10123, 263196i, (263196i < _e10123));
-let _e10488 = global_3.member[bitcast<u32>(select(0i, _e10482, (_e10482 > 0i)))];
+let _e10488 = global_2.member[bitcast<u32>(select(0i, _e10482, (_e10482 > 0i)))];
 let _e10489 = bitcast<f32>(_e10488);
 let _e10490 = (_e8603.member - _e8990);
 let _e10496 = (1f / select(_e10490, 1f, (bitcast<f32>((bitcast<u32>(_e10490) & 2147483647u)) < 1e-20f)));
@@ -3241,20 +3241,20 @@ let _e10508 = ((select(_e10489, _e8603.member, (_e8603.member > _e10489)) - sele
 let _e10511 = (((_e10456 * 256i) + _e10471) * 4i);
 let _e10515 = (_e10440 - f32(_e10471));
 let _e10519 = select(_e10123, _e10511, (_e10511 < _e10123));
-let _e10525 = global_3.member[bitcast<u32>(select(0i, _e10519, (_e10519 > 0i)))];
+let _e10525 = global_2.member[bitcast<u32>(select(0i, _e10519, (_e10519 > 0i)))];
 let _e10526 = (_e10511 + 4i);
 let _e10528 = select(_e10123, _e10526, (_e10526 < _e10123));
-let _e10534 = global_3.member[bitcast<u32>(select(0i, _e10528, (_e10528 > 0i)))];
+let _e10534 = global_2.member[bitcast<u32>(select(0i, _e10528, (_e10528 > 0i)))];
 let _e10535 = (_e10511 + 1024i);
 let _e10537 = select(_e10123, _e10535, (_e10535 < _e10123));
-let _e10543 = global_3.member[bitcast<u32>(select(0i, _e10537, (_e10537 > 0i)))];
+let _e10543 = global_2.member[bitcast<u32>(select(0i, _e10537, (_e10537 > 0i)))];
 let _e10544 = (_e10511 + 1028i);
 let _e10546 = select(_e10123, _e10544, (_e10544 < _e10123));
-let _e10552 = global_3.member[bitcast<u32>(select(0i, _e10546, (_e10546 > 0i)))];
+let _e10552 = global_2.member[bitcast<u32>(select(0i, _e10546, (_e10546 > 0i)))];
 let _e10554 = select(_e10123, 0i, (0i < _e10123));
-let _e10560 = global_3.member[bitcast<u32>(select(0i, _e10554, (_e10554 > 0i)))];
+let _e10560 = global_2.member[bitcast<u32>(select(0i, _e10554, (_e10554 > 0i)))];
 let _e10562 = select(_e10123, 262140i, (262140i < _e10123));
-let _e10568 = global_3.member[bitcast<u32>(select(0i, _e10562, (_e10562 > 0i)))];
+let _e10568 = global_2.member[bitcast<u32>(select(0i, _e10562, (_e10562 > 0i)))];
 let _e10573 = (bitcast<f32>(((_e10525 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10581 = (_e10573 + (((bitcast<f32>(((_e10534 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10573) * _e10515));
 let _e10586 = (bitcast<f32>(((_e10543 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3277,97 +3277,97 @@ local_1 = _e8990;
 let _e9216 = local_1;
 let _e9218 = (bitcast<i32>(_e187) - 1i);
 let _e9220 = select(_e9218, 263171i, (263171i < _e9218));
-let _e9225 = global_3.member[bitcast<u32>(select(0i, _e9220, (_e9220 > 0i)))];
+let _e9225 = global_2.member[bitcast<u32>(select(0i, _e9220, (_e9220 > 0i)))];
 let _e9226 = bitcast<f32>(_e9225);
 let _e9228 = select(_e9218, 263172i, (263172i < _e9218));
-let _e9233 = global_3.member[bitcast<u32>(select(0i, _e9228, (_e9228 > 0i)))];
+let _e9233 = global_2.member[bitcast<u32>(select(0i, _e9228, (_e9228 > 0i)))];
 let _e9234 = bitcast<f32>(_e9233);
 let _e9236 = select(_e9218, 263173i, (263173i < _e9218));
-let _e9241 = global_3.member[bitcast<u32>(select(0i, _e9236, (_e9236 > 0i)))];
+let _e9241 = global_2.member[bitcast<u32>(select(0i, _e9236, (_e9236 > 0i)))];
 let _e9242 = bitcast<f32>(_e9241);
 let _e9244 = ((_e9216 - _e9226) * _e9234);
 let _e9246 = select(0f, _e9244, (_e9244 > 0f));
 let _e9249 = local_1;
 let _e9251 = select(_e9218, 263174i, (263174i < _e9218));
-let _e9256 = global_3.member[bitcast<u32>(select(0i, _e9251, (_e9251 > 0i)))];
+let _e9256 = global_2.member[bitcast<u32>(select(0i, _e9251, (_e9251 > 0i)))];
 let _e9257 = bitcast<f32>(_e9256);
 let _e9259 = select(_e9218, 263175i, (263175i < _e9218));
-let _e9264 = global_3.member[bitcast<u32>(select(0i, _e9259, (_e9259 > 0i)))];
+let _e9264 = global_2.member[bitcast<u32>(select(0i, _e9259, (_e9259 > 0i)))];
 let _e9265 = bitcast<f32>(_e9264);
 let _e9267 = select(_e9218, 263176i, (263176i < _e9218));
-let _e9272 = global_3.member[bitcast<u32>(select(0i, _e9267, (_e9267 > 0i)))];
+let _e9272 = global_2.member[bitcast<u32>(select(0i, _e9267, (_e9267 > 0i)))];
 let _e9273 = bitcast<f32>(_e9272);
 let _e9275 = ((_e9249 - _e9257) * _e9265);
 let _e9277 = select(0f, _e9275, (_e9275 > 0f));
 let _e9281 = local_1;
 let _e9283 = select(_e9218, 263177i, (263177i < _e9218));
-let _e9288 = global_3.member[bitcast<u32>(select(0i, _e9283, (_e9283 > 0i)))];
+let _e9288 = global_2.member[bitcast<u32>(select(0i, _e9283, (_e9283 > 0i)))];
 let _e9289 = bitcast<f32>(_e9288);
 let _e9291 = select(_e9218, 263178i, (263178i < _e9218));
-let _e9296 = global_3.member[bitcast<u32>(select(0i, _e9291, (_e9291 > 0i)))];
+let _e9296 = global_2.member[bitcast<u32>(select(0i, _e9291, (_e9291 > 0i)))];
 let _e9297 = bitcast<f32>(_e9296);
 let _e9299 = select(_e9218, 263179i, (263179i < _e9218));
-let _e9304 = global_3.member[bitcast<u32>(select(0i, _e9299, (_e9299 > 0i)))];
+let _e9304 = global_2.member[bitcast<u32>(select(0i, _e9299, (_e9299 > 0i)))];
 let _e9305 = bitcast<f32>(_e9304);
 let _e9307 = ((_e9281 - _e9289) * _e9297);
 let _e9309 = select(0f, _e9307, (_e9307 > 0f));
 let _e9312 = local_1;
 let _e9314 = select(_e9218, 263180i, (263180i < _e9218));
-let _e9319 = global_3.member[bitcast<u32>(select(0i, _e9314, (_e9314 > 0i)))];
+let _e9319 = global_2.member[bitcast<u32>(select(0i, _e9314, (_e9314 > 0i)))];
 let _e9320 = bitcast<f32>(_e9319);
 let _e9322 = select(_e9218, 263181i, (263181i < _e9218));
-let _e9327 = global_3.member[bitcast<u32>(select(0i, _e9322, (_e9322 > 0i)))];
+let _e9327 = global_2.member[bitcast<u32>(select(0i, _e9322, (_e9322 > 0i)))];
 let _e9328 = bitcast<f32>(_e9327);
 let _e9330 = select(_e9218, 263182i, (263182i < _e9218));
-let _e9335 = global_3.member[bitcast<u32>(select(0i, _e9330, (_e9330 > 0i)))];
+let _e9335 = global_2.member[bitcast<u32>(select(0i, _e9330, (_e9330 > 0i)))];
 let _e9336 = bitcast<f32>(_e9335);
 let _e9338 = ((_e9312 - _e9320) * _e9328);
 let _e9340 = select(0f, _e9338, (_e9338 > 0f));
 let _e9345 = local_1;
 let _e9347 = select(_e9218, 263183i, (263183i < _e9218));
-let _e9352 = global_3.member[bitcast<u32>(select(0i, _e9347, (_e9347 > 0i)))];
+let _e9352 = global_2.member[bitcast<u32>(select(0i, _e9347, (_e9347 > 0i)))];
 let _e9353 = bitcast<f32>(_e9352);
 let _e9355 = select(_e9218, 263184i, (263184i < _e9218));
-let _e9360 = global_3.member[bitcast<u32>(select(0i, _e9355, (_e9355 > 0i)))];
+let _e9360 = global_2.member[bitcast<u32>(select(0i, _e9355, (_e9355 > 0i)))];
 let _e9361 = bitcast<f32>(_e9360);
 let _e9363 = select(_e9218, 263185i, (263185i < _e9218));
-let _e9368 = global_3.member[bitcast<u32>(select(0i, _e9363, (_e9363 > 0i)))];
+let _e9368 = global_2.member[bitcast<u32>(select(0i, _e9363, (_e9363 > 0i)))];
 let _e9369 = bitcast<f32>(_e9368);
 let _e9371 = ((_e9345 - _e9353) * _e9361);
 let _e9373 = select(0f, _e9371, (_e9371 > 0f));
 let _e9376 = local_1;
 let _e9378 = select(_e9218, 263186i, (263186i < _e9218));
-let _e9383 = global_3.member[bitcast<u32>(select(0i, _e9378, (_e9378 > 0i)))];
+let _e9383 = global_2.member[bitcast<u32>(select(0i, _e9378, (_e9378 > 0i)))];
 let _e9384 = bitcast<f32>(_e9383);
 let _e9386 = select(_e9218, 263187i, (263187i < _e9218));
-let _e9391 = global_3.member[bitcast<u32>(select(0i, _e9386, (_e9386 > 0i)))];
+let _e9391 = global_2.member[bitcast<u32>(select(0i, _e9386, (_e9386 > 0i)))];
 let _e9392 = bitcast<f32>(_e9391);
 let _e9394 = select(_e9218, 263188i, (263188i < _e9218));
-let _e9399 = global_3.member[bitcast<u32>(select(0i, _e9394, (_e9394 > 0i)))];
+let _e9399 = global_2.member[bitcast<u32>(select(0i, _e9394, (_e9394 > 0i)))];
 let _e9400 = bitcast<f32>(_e9399);
 let _e9402 = ((_e9376 - _e9384) * _e9392);
 let _e9404 = select(0f, _e9402, (_e9402 > 0f));
 let _e9408 = local_1;
 let _e9410 = select(_e9218, 263189i, (263189i < _e9218));
-let _e9415 = global_3.member[bitcast<u32>(select(0i, _e9410, (_e9410 > 0i)))];
+let _e9415 = global_2.member[bitcast<u32>(select(0i, _e9410, (_e9410 > 0i)))];
 let _e9416 = bitcast<f32>(_e9415);
 let _e9418 = select(_e9218, 263190i, (263190i < _e9218));
-let _e9423 = global_3.member[bitcast<u32>(select(0i, _e9418, (_e9418 > 0i)))];
+let _e9423 = global_2.member[bitcast<u32>(select(0i, _e9418, (_e9418 > 0i)))];
 let _e9424 = bitcast<f32>(_e9423);
 let _e9426 = select(_e9218, 263191i, (263191i < _e9218));
-let _e9431 = global_3.member[bitcast<u32>(select(0i, _e9426, (_e9426 > 0i)))];
+let _e9431 = global_2.member[bitcast<u32>(select(0i, _e9426, (_e9426 > 0i)))];
 let _e9432 = bitcast<f32>(_e9431);
 let _e9434 = ((_e9408 - _e9416) * _e9424);
 let _e9436 = select(0f, _e9434, (_e9434 > 0f));
 let _e9439 = local_1;
 let _e9441 = select(_e9218, 263192i, (263192i < _e9218));
-let _e9446 = global_3.member[bitcast<u32>(select(0i, _e9441, (_e9441 > 0i)))];
+let _e9446 = global_2.member[bitcast<u32>(select(0i, _e9441, (_e9441 > 0i)))];
 let _e9447 = bitcast<f32>(_e9446);
 let _e9449 = select(_e9218, 263193i, (263193i < _e9218));
-let _e9454 = global_3.member[bitcast<u32>(select(0i, _e9449, (_e9449 > 0i)))];
+let _e9454 = global_2.member[bitcast<u32>(select(0i, _e9449, (_e9449 > 0i)))];
 let _e9455 = bitcast<f32>(_e9454);
 let _e9457 = select(_e9218, 263194i, (263194i < _e9218));
-let _e9462 = global_3.member[bitcast<u32>(select(0i, _e9457, (_e9457 > 0i)))];
+let _e9462 = global_2.member[bitcast<u32>(select(0i, _e9457, (_e9457 > 0i)))];
 let _e9463 = bitcast<f32>(_e9462);
 let _e9465 = ((_e9439 - _e9447) * _e9455);
 let _e9467 = select(0f, _e9465, (_e9465 > 0f));
@@ -3408,10 +3408,10 @@ let _e9555 = select(_e9536, _e9553, (_e9553 < _e9536));
 let _e9562 = select(0i, select(select(i32(_e9555), i32(-2147483648), (_e9555 < -2147483600f)), 2147483647i, (_e9555 > 2147483500f)), (_e9555 == _e9555));
 let _e9566 = (_e9562 - select(0i, 1i, (_e9555 < f32(_e9562))));
 let _e9568 = select(_e9218, 263195i, (263195i < _e9218));
-let _e9574 = global_3.member[bitcast<u32>(select(0i, _e9568, (_e9568 > 0i)))];
+let _e9574 = global_2.member[bitcast<u32>(select(0i, _e9568, (_e9568 > 0i)))];
 let _e9575 = bitcast<f32>(_e9574);
 let _e9577 = select(_e9218, 263196i, (263196i < _e9218));
-let _e9583 = global_3.member[bitcast<u32>(select(0i, _e9577, (_e9577 > 0i)))];
+let _e9583 = global_2.member[bitcast<u32>(select(0i, _e9577, (_e9577 > 0i)))];
 let _e9584 = bitcast<f32>(_e9583);
 let _e9585 = (_e8603.member - _e8990);
 let _e9591 = (1f / select(_e9585, 1f, (bitcast<f32>((bitcast<u32>(_e9585) & 2147483647u)) < 1e-20f)));
@@ -3422,20 +3422,20 @@ let _e9608 = (_e9472 - f32(_e9551));
 let _e9610 = (_e9535 - f32(_e9566));
 let _e9612 = (1f - (_e9597 + _e9603));
 let _e9614 = select(_e9218, _e9606, (_e9606 < _e9218));
-let _e9620 = global_3.member[bitcast<u32>(select(0i, _e9614, (_e9614 > 0i)))];
+let _e9620 = global_2.member[bitcast<u32>(select(0i, _e9614, (_e9614 > 0i)))];
 let _e9621 = (_e9606 + 4i);
 let _e9623 = select(_e9218, _e9621, (_e9621 < _e9218));
-let _e9629 = global_3.member[bitcast<u32>(select(0i, _e9623, (_e9623 > 0i)))];
+let _e9629 = global_2.member[bitcast<u32>(select(0i, _e9623, (_e9623 > 0i)))];
 let _e9630 = (_e9606 + 1024i);
 let _e9632 = select(_e9218, _e9630, (_e9630 < _e9218));
-let _e9638 = global_3.member[bitcast<u32>(select(0i, _e9632, (_e9632 > 0i)))];
+let _e9638 = global_2.member[bitcast<u32>(select(0i, _e9632, (_e9632 > 0i)))];
 let _e9639 = (_e9606 + 1028i);
 let _e9641 = select(_e9218, _e9639, (_e9639 < _e9218));
-let _e9647 = global_3.member[bitcast<u32>(select(0i, _e9641, (_e9641 > 0i)))];
+let _e9647 = global_2.member[bitcast<u32>(select(0i, _e9641, (_e9641 > 0i)))];
 let _e9649 = select(_e9218, 0i, (0i < _e9218));
-let _e9655 = global_3.member[bitcast<u32>(select(0i, _e9649, (_e9649 > 0i)))];
+let _e9655 = global_2.member[bitcast<u32>(select(0i, _e9649, (_e9649 > 0i)))];
 let _e9657 = select(_e9218, 262140i, (262140i < _e9218));
-let _e9663 = global_3.member[bitcast<u32>(select(0i, _e9657, (_e9657 > 0i)))];
+let _e9663 = global_2.member[bitcast<u32>(select(0i, _e9657, (_e9657 > 0i)))];
 let _e9668 = (bitcast<f32>(((_e9620 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9676 = (_e9668 + (((bitcast<f32>(((_e9629 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9668) * _e9610));
 let _e9681 = (bitcast<f32>(((_e9638 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3445,20 +3445,20 @@ let _e9732 = (_e9724 + (((bitcast<f32>((((_e9629 >> bitcast<u32>(16i)) & 32767u)
 let _e9737 = (bitcast<f32>((((_e9638 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9764 = (_e9606 + 1i);
 let _e9766 = select(_e9218, _e9764, (_e9764 < _e9218));
-let _e9772 = global_3.member[bitcast<u32>(select(0i, _e9766, (_e9766 > 0i)))];
+let _e9772 = global_2.member[bitcast<u32>(select(0i, _e9766, (_e9766 > 0i)))];
 let _e9773 = (_e9606 + 5i);
 let _e9775 = select(_e9218, _e9773, (_e9773 < _e9218));
-let _e9781 = global_3.member[bitcast<u32>(select(0i, _e9775, (_e9775 > 0i)))];
+let _e9781 = global_2.member[bitcast<u32>(select(0i, _e9775, (_e9775 > 0i)))];
 let _e9782 = (_e9606 + 1025i);
 let _e9784 = select(_e9218, _e9782, (_e9782 < _e9218));
-let _e9790 = global_3.member[bitcast<u32>(select(0i, _e9784, (_e9784 > 0i)))];
+let _e9790 = global_2.member[bitcast<u32>(select(0i, _e9784, (_e9784 > 0i)))];
 let _e9791 = (_e9606 + 1029i);
 let _e9793 = select(_e9218, _e9791, (_e9791 < _e9218));
-let _e9799 = global_3.member[bitcast<u32>(select(0i, _e9793, (_e9793 > 0i)))];
+let _e9799 = global_2.member[bitcast<u32>(select(0i, _e9793, (_e9793 > 0i)))];
 let _e9801 = select(_e9218, 1i, (1i < _e9218));
-let _e9807 = global_3.member[bitcast<u32>(select(0i, _e9801, (_e9801 > 0i)))];
+let _e9807 = global_2.member[bitcast<u32>(select(0i, _e9801, (_e9801 > 0i)))];
 let _e9809 = select(_e9218, 262141i, (262141i < _e9218));
-let _e9815 = global_3.member[bitcast<u32>(select(0i, _e9809, (_e9809 > 0i)))];
+let _e9815 = global_2.member[bitcast<u32>(select(0i, _e9809, (_e9809 > 0i)))];
 let _e9820 = (bitcast<f32>(((_e9772 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9828 = (_e9820 + (((bitcast<f32>(((_e9781 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9820) * _e9610));
 let _e9833 = (bitcast<f32>(((_e9790 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3526,9 +3526,9 @@ let _e10707 = (_e6344.member_1.z + (_e6344.member_2.z * _e10699));
 let _e10713 = ((((_e470.member.member * _e10705) + (_e470.member.member_1 * _e10706)) + (_e470.member.member_2 * _e10707)) + _e470.member_1);
 let _e10719 = ((((_e486.member.member * _e10705) + (_e486.member.member_1 * _e10706)) + (_e486.member.member_2 * _e10707)) + _e486.member_1);
 let _e10725 = ((((_e502.member.member * _e10705) + (_e502.member.member_1 * _e10706)) + (_e502.member.member_2 * _e10707)) + _e502.member_1);
-let _e10731 = global_4.member[_e369].member_6.member.member;
-let _e10740 = global_4.member[_e369].member_6.member_1.member;
-let _e10749 = global_4.member[_e369].member_6.member_2.member;
+let _e10731 = global_3.member[_e369].member_6.member.member;
+let _e10740 = global_3.member[_e369].member_6.member_1.member;
+let _e10749 = global_3.member[_e369].member_6.member_2.member;
 let _e10753 = (-0.5f - _e6355);
 let _e10754 = (-0.5f - _e10713);
 let _e10755 = -(_e10753);
@@ -3635,16 +3635,16 @@ let _e10992 = select(select(select(select(select(select(0f, _e10731.member, _e10
 let _e10993 = select(select(select(select(select(select(0f, _e10731.member_1, _e10773), _e10731.member_1, _e10813), _e10740.member_1, _e10853), _e10740.member_1, _e10893), _e10749.member_1, _e10933), _e10749.member_1, _e10973);
 let _e10994 = select(select(select(select(select(select(1f, _e10731.member_2, _e10773), _e10731.member_2, _e10813), _e10740.member_2, _e10853), _e10740.member_2, _e10893), _e10749.member_2, _e10933), _e10749.member_2, _e10973);
 if _e8992 {
-phi_26665_ = type_35(_e10979, vec3<f32>(_e10980, _e10981, _e10982), _e10984, vec3<f32>(_e10985, _e10986, _e10987), _e10989, _e10991, vec3<f32>(_e10992, _e10993, _e10994));
+phi_26665_ = type_34(_e10979, vec3<f32>(_e10980, _e10981, _e10982), _e10984, vec3<f32>(_e10985, _e10986, _e10987), _e10989, _e10991, vec3<f32>(_e10992, _e10993, _e10994));
 } else {
 let _e11001 = (((_e10731.member * _e10731.member) + (_e10731.member_1 * _e10731.member_1)) + (_e10731.member_2 * _e10731.member_2));
 let _e11004 = sqrt(select(0f, _e11001, (_e11001 > 0f)));
-let _e11009 = global_4.member[_e369].member_14.member_1;
+let _e11009 = global_3.member[_e369].member_14.member_1;
 let _e11010 = (_e11009 != 0u);
-let _e11015 = global_4.member[_e369].member_14.member;
+let _e11015 = global_3.member[_e369].member_14.member;
 let _e11035 = select(-1e6f, (((((_e11015.member.member * _e6344.member_1.x) + (_e11015.member.member_1 * _e6344.member_1.y)) + (_e11015.member.member_2 * _e6344.member_1.z)) + _e11015.member_1) * _e11004), _e11010);
 let _e11036 = select(-1e6f, (((((_e11015.member.member * _e10705) + (_e11015.member.member_1 * _e10706)) + (_e11015.member.member_2 * _e10707)) + _e11015.member_1) * _e11004), _e11010);
-let _e11042 = global_4.member[_e369].member_14.member.member;
+let _e11042 = global_3.member[_e369].member_14.member.member;
 let _e11046 = -(_e11035);
 let _e11049 = (_e11035 - _e11036);
 let _e11050 = (_e11036 - _e11035);
@@ -3659,12 +3659,12 @@ let _e11070 = select(_e10979, _e11059, _e11068);
 let _e11074 = select(_e10984, _e11063, _e11069);
 let _e11078 = select(_e10989, _e11035, _e11064);
 let _e11080 = select(_e10991, _e11036, (_e11036 > _e10991));
-let _e11088 = global_4.member[_e369].member_15.member_1;
+let _e11088 = global_3.member[_e369].member_15.member_1;
 let _e11089 = (_e11088 != 0u);
-let _e11094 = global_4.member[_e369].member_15.member;
+let _e11094 = global_3.member[_e369].member_15.member;
 let _e11114 = select(-1e6f, (((((_e11094.member.member * _e6344.member_1.x) + (_e11094.member.member_1 * _e6344.member_1.y)) + (_e11094.member.member_2 * _e6344.member_1.z)) + _e11094.member_1) * _e11004), _e11089);
 let _e11115 = select(-1e6f, (((((_e11094.member.member * _e10705) + (_e11094.member.member_1 * _e10706)) + (_e11094.member.member_2 * _e10707)) + _e11094.member_1) * _e11004), _e11089);
-let _e11121 = global_4.member[_e369].member_15.member.member;
+let _e11121 = global_3.member[_e369].member_15.member.member;
 let _e11125 = -(_e11114);
 let _e11128 = (_e11114 - _e11115);
 let _e11129 = (_e11115 - _e11114);
@@ -3679,12 +3679,12 @@ let _e11149 = select(_e11070, _e11138, _e11147);
 let _e11153 = select(_e11074, _e11142, _e11148);
 let _e11157 = select(_e11078, _e11114, _e11143);
 let _e11159 = select(_e11080, _e11115, (_e11115 > _e11080));
-let _e11167 = global_4.member[_e369].member_16.member_1;
+let _e11167 = global_3.member[_e369].member_16.member_1;
 let _e11168 = (_e11167 != 0u);
-let _e11173 = global_4.member[_e369].member_16.member;
+let _e11173 = global_3.member[_e369].member_16.member;
 let _e11193 = select(-1e6f, (((((_e11173.member.member * _e6344.member_1.x) + (_e11173.member.member_1 * _e6344.member_1.y)) + (_e11173.member.member_2 * _e6344.member_1.z)) + _e11173.member_1) * _e11004), _e11168);
 let _e11194 = select(-1e6f, (((((_e11173.member.member * _e10705) + (_e11173.member.member_1 * _e10706)) + (_e11173.member.member_2 * _e10707)) + _e11173.member_1) * _e11004), _e11168);
-let _e11200 = global_4.member[_e369].member_16.member.member;
+let _e11200 = global_3.member[_e369].member_16.member.member;
 let _e11204 = -(_e11193);
 let _e11207 = (_e11193 - _e11194);
 let _e11208 = (_e11194 - _e11193);
@@ -3699,12 +3699,12 @@ let _e11228 = select(_e11149, _e11217, _e11226);
 let _e11232 = select(_e11153, _e11221, _e11227);
 let _e11236 = select(_e11157, _e11193, _e11222);
 let _e11238 = select(_e11159, _e11194, (_e11194 > _e11159));
-let _e11246 = global_4.member[_e369].member_17.member_1;
+let _e11246 = global_3.member[_e369].member_17.member_1;
 let _e11247 = (_e11246 != 0u);
-let _e11252 = global_4.member[_e369].member_17.member;
+let _e11252 = global_3.member[_e369].member_17.member;
 let _e11272 = select(-1e6f, (((((_e11252.member.member * _e6344.member_1.x) + (_e11252.member.member_1 * _e6344.member_1.y)) + (_e11252.member.member_2 * _e6344.member_1.z)) + _e11252.member_1) * _e11004), _e11247);
 let _e11273 = select(-1e6f, (((((_e11252.member.member * _e10705) + (_e11252.member.member_1 * _e10706)) + (_e11252.member.member_2 * _e10707)) + _e11252.member_1) * _e11004), _e11247);
-let _e11279 = global_4.member[_e369].member_17.member.member;
+let _e11279 = global_3.member[_e369].member_17.member.member;
 let _e11283 = -(_e11272);
 let _e11286 = (_e11272 - _e11273);
 let _e11287 = (_e11273 - _e11272);
@@ -3715,11 +3715,11 @@ let _e11300 = select(2f, select(0f, _e11292, (_e11272 < 0f)), (_e11273 > 0f));
 let _e11301 = (_e11272 > _e11236);
 let _e11305 = ((_e11296 > _e11228) || ((_e11296 == _e11228) && _e11301));
 let _e11306 = (_e11300 < _e11232);
-phi_26665_ = type_35(select(_e11228, _e11296, _e11305), vec3<f32>(select(select(select(select(_e10980, _e11042.member, _e11068), _e11121.member, _e11147), _e11200.member, _e11226), _e11279.member, _e11305), select(select(select(select(_e10981, _e11042.member_1, _e11068), _e11121.member_1, _e11147), _e11200.member_1, _e11226), _e11279.member_1, _e11305), select(select(select(select(_e10982, _e11042.member_2, _e11068), _e11121.member_2, _e11147), _e11200.member_2, _e11226), _e11279.member_2, _e11305)), select(_e11232, _e11300, _e11306), vec3<f32>(select(select(select(select(_e10985, _e11042.member, _e11069), _e11121.member, _e11148), _e11200.member, _e11227), _e11279.member, _e11306), select(select(select(select(_e10986, _e11042.member_1, _e11069), _e11121.member_1, _e11148), _e11200.member_1, _e11227), _e11279.member_1, _e11306), select(select(select(select(_e10987, _e11042.member_2, _e11069), _e11121.member_2, _e11148), _e11200.member_2, _e11227), _e11279.member_2, _e11306)), select(_e11236, _e11272, _e11301), select(_e11238, _e11273, (_e11273 > _e11238)), vec3<f32>(select(select(select(select(_e10992, _e11042.member, _e11064), _e11121.member, _e11143), _e11200.member, _e11222), _e11279.member, _e11301), select(select(select(select(_e10993, _e11042.member_1, _e11064), _e11121.member_1, _e11143), _e11200.member_1, _e11222), _e11279.member_1, _e11301), select(select(select(select(_e10994, _e11042.member_2, _e11064), _e11121.member_2, _e11143), _e11200.member_2, _e11222), _e11279.member_2, _e11301)));
+phi_26665_ = type_34(select(_e11228, _e11296, _e11305), vec3<f32>(select(select(select(select(_e10980, _e11042.member, _e11068), _e11121.member, _e11147), _e11200.member, _e11226), _e11279.member, _e11305), select(select(select(select(_e10981, _e11042.member_1, _e11068), _e11121.member_1, _e11147), _e11200.member_1, _e11226), _e11279.member_1, _e11305), select(select(select(select(_e10982, _e11042.member_2, _e11068), _e11121.member_2, _e11147), _e11200.member_2, _e11226), _e11279.member_2, _e11305)), select(_e11232, _e11300, _e11306), vec3<f32>(select(select(select(select(_e10985, _e11042.member, _e11069), _e11121.member, _e11148), _e11200.member, _e11227), _e11279.member, _e11306), select(select(select(select(_e10986, _e11042.member_1, _e11069), _e11121.member_1, _e11148), _e11200.member_1, _e11227), _e11279.member_1, _e11306), select(select(select(select(_e10987, _e11042.member_2, _e11069), _e11121.member_2, _e11148), _e11200.member_2, _e11227), _e11279.member_2, _e11306)), select(_e11236, _e11272, _e11301), select(_e11238, _e11273, (_e11273 > _e11238)), vec3<f32>(select(select(select(select(_e10992, _e11042.member, _e11064), _e11121.member, _e11143), _e11200.member, _e11222), _e11279.member, _e11301), select(select(select(select(_e10993, _e11042.member_1, _e11064), _e11121.member_1, _e11143), _e11200.member_1, _e11222), _e11279.member_1, _e11301), select(select(select(select(_e10994, _e11042.member_2, _e11064), _e11121.member_2, _e11143), _e11200.member_2, _e11222), _e11279.member_2, _e11301)));
 }
 let _e11326 = phi_26665_;
 let _e11333 = (_e9203.member_2 * select(0f, 1f, _e6344.member_6));
-let _e11339 = global_4.member[_e369].member_5.member_4;
+let _e11339 = global_3.member[_e369].member_5.member_4;
 let _e11342 = (_e8603.member_3.x * _e11333);
 let _e11344 = (_e8603.member_3.y * _e11333);
 let _e11346 = (_e8603.member_3.z * _e11333);
@@ -3751,7 +3751,7 @@ phi_26822_ = false;
 let _e11424 = phi_26821_;
 let _e11426 = phi_26822_;
 let _e11437 = ((((_e6344.member_7 || (_e11424.x != _e373[3])) || (_e11424.y != _e373[4])) || (_e11424.z != _e373[5])) && _e888);
-let _e11442 = global_4.member[_e369].member_10.member_24;
+let _e11442 = global_3.member[_e369].member_10.member_24;
 let _e11451 = (_e373[12] + (((((_e373[6] + _e373[7]) + _e373[8]) * _e10685) - _e10686) * (_e391 + ((_e6344.member_1.z - _e391) * 0.5f))));
 phi_26920_ = array<f32, 14>(select(_e373[0], _e6344.member_1.x, _e11437), select(_e373[1], _e6344.member_1.y, _e11437), select(_e373[2], _e6344.member_1.z, _e11437), select(_e373[3], _e11424.x, _e11437), select(_e373[4], _e11424.y, _e11437), select(_e373[5], _e11424.z, _e11437), select(_e10680, 0f, _e10695), select(_e10681, 0f, _e10695), select(_e10682, 0f, _e10695), select(0f, 1f, _e6344.member_6), select(_e373[10], 1f, _e11437), select(select(select(0f, 1f, _e11426), 2f, (_e10695 && (_e11442 == 0f))), 3f, _e465), _e11451, select(_e373[13], (_e11451 + (_e10686 * _e6344.member_1.z)), (_e11437 && (_e373[10] == 0f))));
 } else {
@@ -3785,33 +3785,33 @@ break;
 let _e11485 = local_40;
 if _e11485 {
 let _e11487 = local_41;
-global_1.member[_e213] = _e11487[0];
+global_5.member[_e213] = _e11487[0];
 let _e11492 = local_42;
-global_1.member[_e225] = _e11492[1];
+global_5.member[_e225] = _e11492[1];
 let _e11497 = local_43;
-global_1.member[_e236] = _e11497[2];
+global_5.member[_e236] = _e11497[2];
 let _e11502 = local_44;
-global_1.member[_e247] = _e11502[3];
+global_5.member[_e247] = _e11502[3];
 let _e11507 = local_45;
-global_1.member[_e258] = _e11507[4];
+global_5.member[_e258] = _e11507[4];
 let _e11512 = local_46;
-global_1.member[_e269] = _e11512[5];
+global_5.member[_e269] = _e11512[5];
 let _e11517 = local_47;
-global_1.member[_e280] = _e11517[6];
+global_5.member[_e280] = _e11517[6];
 let _e11522 = local_48;
-global_1.member[_e291] = _e11522[7];
+global_5.member[_e291] = _e11522[7];
 let _e11527 = local_49;
-global_1.member[_e302] = _e11527[8];
+global_5.member[_e302] = _e11527[8];
 let _e11532 = local_50;
-global_1.member[_e313] = _e11532[9];
+global_5.member[_e313] = _e11532[9];
 let _e11537 = local_51;
-global_1.member[_e324] = _e11537[10];
+global_5.member[_e324] = _e11537[10];
 let _e11542 = local_52;
-global_1.member[_e335] = _e11542[11];
+global_5.member[_e335] = _e11542[11];
 let _e11547 = local_53;
-global_1.member[_e346] = _e11547[12];
+global_5.member[_e346] = _e11547[12];
 let _e11552 = local_54;
-global_1.member[_e357] = _e11552[13];
+global_5.member[_e357] = _e11552[13];
 }
 }
 }

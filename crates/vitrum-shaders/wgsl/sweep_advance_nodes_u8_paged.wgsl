@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,68 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_29 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_32 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -195,11 +191,11 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_37 {
-member: array<type_27>,
+struct type_36 {
+member: array<type_21>,
 }
-struct type_39 {
-member: type_28,
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -209,6 +205,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -216,24 +216,24 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(5)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(0)
-var<storage> global_4: type_37;
+var<storage> global_3: type_36;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_4: type_23;
+@group(0) @binding(5)
+var<storage, read_write> global_5: type_25;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_28;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -249,23 +249,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_32;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_32;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_32;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_32;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_555_: u32;
 var phi_558_: bool;
@@ -273,23 +273,23 @@ var phi_560_: array<f32, 14>;
 var phi_999_: bool;
 var phi_1179_: bool;
 var phi_1182_: bool;
-var phi_3024_: type_35;
+var phi_3024_: type_34;
 var phi_3037_: bool;
-var phi_4178_: type_29;
+var phi_4178_: type_39;
 var phi_4190_: bool;
-var phi_5326_: type_28;
-var phi_6849_: type_35;
-var phi_8017_: type_28;
-var phi_9555_: type_35;
-var phi_10723_: type_28;
-var phi_12261_: type_35;
-var phi_14009_: type_28;
-var phi_14281_: type_39;
-var phi_19714_: type_33;
-var phi_20417_: type_34;
-var phi_21331_: type_5;
+var phi_5326_: type_31;
+var phi_6849_: type_34;
+var phi_8017_: type_31;
+var phi_9555_: type_34;
+var phi_10723_: type_31;
+var phi_12261_: type_34;
+var phi_14009_: type_31;
+var phi_14281_: type_38;
+var phi_19714_: type_32;
+var phi_20417_: type_33;
+var phi_21331_: type_7;
 var phi_24829_: type_40;
-var phi_26222_: type_35;
+var phi_26222_: type_34;
 var phi_26378_: vec3<f32>;
 var phi_26379_: bool;
 var phi_26477_: array<f32, 14>;
@@ -315,15 +315,15 @@ var local_54: array<f32, 14>;
 switch bitcast<i32>(0u) {
 default: {
 let _e179 = global;
-let _e181 = arrayLength((&global_4.member));
-let _e184 = arrayLength((&global_2.member));
-let _e189 = arrayLength((&global_3.member));
+let _e181 = arrayLength((&global_3.member));
+let _e184 = arrayLength((&global_1.member));
+let _e189 = arrayLength((&global_2.member));
 if (0u < _e181) {
 } else {
 break;
 }
-let _e196 = global_4.member[0u].member_2;
-let _e200 = global_4.member[0u].member;
+let _e196 = global_3.member[0u].member_2;
+let _e200 = global_3.member[0u].member;
 let _e208 = (_e179.x + _e196.member);
 let _e210 = (_e179.y + _e196.member_1);
 if (_e208 < _e196.member_2) {
@@ -331,61 +331,61 @@ if (_e210 < _e196.member_3) {
 let _e213 = (_e200.member * _e200.member_1);
 let _e215 = ((_e210 * _e200.member) + _e208);
 let _e216 = bitcast<i32>(_e215);
-let _e218 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e218 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e220 = select(_e218, _e216, (_e216 < _e218));
-let _e226 = global_1.member[bitcast<u32>(select(0i, _e220, (_e220 > 0i)))];
+let _e226 = global_5.member[bitcast<u32>(select(0i, _e220, (_e220 > 0i)))];
 let _e227 = (_e213 + _e215);
 let _e228 = bitcast<i32>(_e227);
 let _e230 = select(_e218, _e228, (_e228 < _e218));
-let _e236 = global_1.member[bitcast<u32>(select(0i, _e230, (_e230 > 0i)))];
+let _e236 = global_5.member[bitcast<u32>(select(0i, _e230, (_e230 > 0i)))];
 let _e238 = ((2u * _e213) + _e215);
 let _e239 = bitcast<i32>(_e238);
 let _e241 = select(_e218, _e239, (_e239 < _e218));
-let _e247 = global_1.member[bitcast<u32>(select(0i, _e241, (_e241 > 0i)))];
+let _e247 = global_5.member[bitcast<u32>(select(0i, _e241, (_e241 > 0i)))];
 let _e249 = ((3u * _e213) + _e215);
 let _e250 = bitcast<i32>(_e249);
 let _e252 = select(_e218, _e250, (_e250 < _e218));
-let _e258 = global_1.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
+let _e258 = global_5.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
 let _e260 = ((4u * _e213) + _e215);
 let _e261 = bitcast<i32>(_e260);
 let _e263 = select(_e218, _e261, (_e261 < _e218));
-let _e269 = global_1.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
+let _e269 = global_5.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
 let _e271 = ((5u * _e213) + _e215);
 let _e272 = bitcast<i32>(_e271);
 let _e274 = select(_e218, _e272, (_e272 < _e218));
-let _e280 = global_1.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
+let _e280 = global_5.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
 let _e282 = ((6u * _e213) + _e215);
 let _e283 = bitcast<i32>(_e282);
 let _e285 = select(_e218, _e283, (_e283 < _e218));
-let _e291 = global_1.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
+let _e291 = global_5.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
 let _e293 = ((7u * _e213) + _e215);
 let _e294 = bitcast<i32>(_e293);
 let _e296 = select(_e218, _e294, (_e294 < _e218));
-let _e302 = global_1.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
+let _e302 = global_5.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
 let _e304 = ((8u * _e213) + _e215);
 let _e305 = bitcast<i32>(_e304);
 let _e307 = select(_e218, _e305, (_e305 < _e218));
-let _e313 = global_1.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
+let _e313 = global_5.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
 let _e315 = ((9u * _e213) + _e215);
 let _e316 = bitcast<i32>(_e315);
 let _e318 = select(_e218, _e316, (_e316 < _e218));
-let _e324 = global_1.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
+let _e324 = global_5.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
 let _e326 = ((10u * _e213) + _e215);
 let _e327 = bitcast<i32>(_e326);
 let _e329 = select(_e218, _e327, (_e327 < _e218));
-let _e335 = global_1.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
+let _e335 = global_5.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
 let _e337 = ((11u * _e213) + _e215);
 let _e338 = bitcast<i32>(_e337);
 let _e340 = select(_e218, _e338, (_e338 < _e218));
-let _e346 = global_1.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
+let _e346 = global_5.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
 let _e348 = ((12u * _e213) + _e215);
 let _e349 = bitcast<i32>(_e348);
 let _e351 = select(_e218, _e349, (_e349 < _e218));
-let _e357 = global_1.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
+let _e357 = global_5.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
 let _e359 = ((13u * _e213) + _e215);
 let _e360 = bitcast<i32>(_e359);
 let _e362 = select(_e218, _e360, (_e360 < _e218));
-let _e368 = global_1.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
+let _e368 = global_5.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
 phi_555_ = 0u;
 phi_558_ = false;
 phi_560_ = array<f32, 14>(_e226, _e236, _e247, _e258, _e269, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368);
@@ -415,33 +415,33 @@ if _e376 {
 phi_26544_ = true;
 break;
 }
-let _e380 = global_4.member[_e371].member;
-let _e393 = global_4.member[_e371].member_5.member;
+let _e380 = global_3.member[_e371].member;
+let _e393 = global_3.member[_e371].member_5.member;
 let _e395 = ((_e393 - _e375[2]) / _e375[5]);
 let _e397 = (_e375[0] + (_e375[3] * _e395));
 let _e399 = (_e375[1] + (_e375[4] * _e395));
-let _e404 = global_4.member[_e371].member_5.member_2;
+let _e404 = global_3.member[_e371].member_5.member_2;
 let _e405 = (_e404 / _e375[5]);
 let _e407 = (_e397 + (_e375[3] * _e405));
 let _e409 = (_e399 + (_e375[4] * _e405));
-let _e414 = global_4.member[_e371].member_5.member_1;
-let _e420 = global_4.member[_e371].member_13.member.member;
-let _e446 = global_4.member[_e371].member_13.member_1.member;
+let _e414 = global_3.member[_e371].member_5.member_1;
+let _e420 = global_3.member[_e371].member_13.member.member;
+let _e446 = global_3.member[_e371].member_13.member_1.member;
 let _e467 = (((((((_e420.member.member * _e397) + (_e420.member.member_1 * _e399)) + (_e420.member.member_2 * _e393)) + _e420.member_1) > 0f) && (((((_e420.member.member * _e407) + (_e420.member.member_1 * _e409)) + (_e420.member.member_2 * _e414)) + _e420.member_1) <= 0f)) || ((((((_e446.member.member * _e397) + (_e446.member.member_1 * _e399)) + (_e446.member.member_2 * _e393)) + _e446.member_1) > 0f) && (((((_e446.member.member * _e407) + (_e446.member.member_1 * _e409)) + (_e446.member.member_2 * _e414)) + _e446.member_1) <= 0f)));
-let _e472 = global_4.member[_e371].member_6.member;
+let _e472 = global_3.member[_e371].member_6.member;
 let _e483 = ((((_e472.member.member * _e397) + (_e472.member.member_1 * _e399)) + (_e472.member.member_2 * _e393)) + _e472.member_1);
-let _e488 = global_4.member[_e371].member_6.member_1;
+let _e488 = global_3.member[_e371].member_6.member_1;
 let _e499 = ((((_e488.member.member * _e397) + (_e488.member.member_1 * _e399)) + (_e488.member.member_2 * _e393)) + _e488.member_1);
-let _e504 = global_4.member[_e371].member_6.member_2;
+let _e504 = global_3.member[_e371].member_6.member_2;
 let _e515 = ((((_e504.member.member * _e397) + (_e504.member.member_1 * _e399)) + (_e504.member.member_2 * _e393)) + _e504.member_1);
 let _e521 = ((((_e472.member.member * _e407) + (_e472.member.member_1 * _e409)) + (_e472.member.member_2 * _e414)) + _e472.member_1);
 let _e527 = ((((_e488.member.member * _e407) + (_e488.member.member_1 * _e409)) + (_e488.member.member_2 * _e414)) + _e488.member_1);
 let _e533 = ((((_e504.member.member * _e407) + (_e504.member.member_1 * _e409)) + (_e504.member.member_2 * _e414)) + _e504.member_1);
-let _e540 = global_4.member[_e371].member_6.member_3.member;
+let _e540 = global_3.member[_e371].member_6.member_3.member;
 let _e541 = (_e540 - 1f);
-let _e551 = global_4.member[_e371].member_6.member_3.member_1;
+let _e551 = global_3.member[_e371].member_6.member_3.member_1;
 let _e552 = (_e551 - 1f);
-let _e562 = global_4.member[_e371].member_6.member_3.member_2;
+let _e562 = global_3.member[_e371].member_6.member_3.member_2;
 let _e563 = (_e562 - 1f);
 let _e577 = (((((((_e483 >= 0f) && (_e483 <= _e541)) && (_e499 >= 0f)) && (_e499 <= _e552)) && (_e515 >= 0f)) && (_e515 <= _e563)) && ((((((_e521 >= 0f) && (_e521 <= _e541)) && (_e527 >= 0f)) && (_e527 <= _e552)) && (_e533 >= 0f)) && (_e533 <= _e563)));
 let _e579 = (_e380.member_2 == 5u);
@@ -454,22 +454,22 @@ let _e590 = (_e540 - _e588);
 let _e594 = (_e551 - _e588);
 let _e599 = (_e562 - _e588);
 let _e602 = ((((_e483 >= _e587) && (_e483 <= _e590)) && ((_e499 >= _e587) && (_e499 <= _e594))) && ((_e515 >= _e587) && (_e515 <= _e599)));
-let _e606 = global_4.member[_e371].member_1;
+let _e606 = global_3.member[_e371].member_1;
 let _e608 = ((_e606 & 16u) == 0u);
 if _e608 {
 phi_999_ = _e602;
 } else {
-let _e614 = global_4.member[_e371].member_6.member.member;
+let _e614 = global_3.member[_e371].member_6.member.member;
 let _e622 = (((_e614.member * _e614.member) + (_e614.member_1 * _e614.member_1)) + (_e614.member_2 * _e614.member_2));
-let _e631 = global_4.member[_e371].member_14.member;
+let _e631 = global_3.member[_e371].member_14.member;
 let _e643 = -((0.5f / sqrt(select(0f, _e622, (_e622 > 0f)))));
-let _e649 = global_4.member[_e371].member_14.member_1;
-let _e656 = global_4.member[_e371].member_15.member;
-let _e673 = global_4.member[_e371].member_15.member_1;
-let _e681 = global_4.member[_e371].member_16.member;
-let _e698 = global_4.member[_e371].member_16.member_1;
-let _e706 = global_4.member[_e371].member_17.member;
-let _e723 = global_4.member[_e371].member_17.member_1;
+let _e649 = global_3.member[_e371].member_14.member_1;
+let _e656 = global_3.member[_e371].member_15.member;
+let _e673 = global_3.member[_e371].member_15.member_1;
+let _e681 = global_3.member[_e371].member_16.member;
+let _e698 = global_3.member[_e371].member_16.member_1;
+let _e706 = global_3.member[_e371].member_17.member;
+let _e723 = global_3.member[_e371].member_17.member_1;
 phi_999_ = (_e602 && (((((((((_e631.member.member * _e397) + (_e631.member.member_1 * _e399)) + (_e631.member.member_2 * _e393)) + _e631.member_1) <= _e643) || (_e649 == 0u)) && ((((((_e656.member.member * _e397) + (_e656.member.member_1 * _e399)) + (_e656.member.member_2 * _e393)) + _e656.member_1) <= _e643) || (_e673 == 0u))) && ((((((_e681.member.member * _e397) + (_e681.member.member_1 * _e399)) + (_e681.member.member_2 * _e393)) + _e681.member_1) <= _e643) || (_e698 == 0u))) && ((((((_e706.member.member * _e397) + (_e706.member.member_1 * _e399)) + (_e706.member.member_2 * _e393)) + _e706.member_1) <= _e643) || (_e723 == 0u))));
 }
 let _e729 = phi_999_;
@@ -483,17 +483,17 @@ let _e764 = ((((_e741 >= _e587) && (_e741 <= _e590)) && ((_e747 >= _e587) && (_e
 if _e608 {
 phi_1179_ = _e764;
 } else {
-let _e770 = global_4.member[_e371].member_6.member.member;
+let _e770 = global_3.member[_e371].member_6.member.member;
 let _e778 = (((_e770.member * _e770.member) + (_e770.member_1 * _e770.member_1)) + (_e770.member_2 * _e770.member_2));
-let _e787 = global_4.member[_e371].member_14.member;
+let _e787 = global_3.member[_e371].member_14.member;
 let _e799 = -((0.5f / sqrt(select(0f, _e778, (_e778 > 0f)))));
-let _e805 = global_4.member[_e371].member_14.member_1;
-let _e812 = global_4.member[_e371].member_15.member;
-let _e829 = global_4.member[_e371].member_15.member_1;
-let _e837 = global_4.member[_e371].member_16.member;
-let _e854 = global_4.member[_e371].member_16.member_1;
-let _e862 = global_4.member[_e371].member_17.member;
-let _e879 = global_4.member[_e371].member_17.member_1;
+let _e805 = global_3.member[_e371].member_14.member_1;
+let _e812 = global_3.member[_e371].member_15.member;
+let _e829 = global_3.member[_e371].member_15.member_1;
+let _e837 = global_3.member[_e371].member_16.member;
+let _e854 = global_3.member[_e371].member_16.member_1;
+let _e862 = global_3.member[_e371].member_17.member;
+let _e879 = global_3.member[_e371].member_17.member_1;
 phi_1179_ = (_e764 && (((((((((_e787.member.member * _e733) + (_e787.member.member_1 * _e734)) + (_e787.member.member_2 * _e735)) + _e787.member_1) <= _e799) || (_e805 == 0u)) && ((((((_e812.member.member * _e733) + (_e812.member.member_1 * _e734)) + (_e812.member.member_2 * _e735)) + _e812.member_1) <= _e799) || (_e829 == 0u))) && ((((((_e837.member.member * _e733) + (_e837.member.member_1 * _e734)) + (_e837.member.member_2 * _e735)) + _e837.member_1) <= _e799) || (_e854 == 0u))) && ((((((_e862.member.member * _e733) + (_e862.member.member_1 * _e734)) + (_e862.member.member_2 * _e735)) + _e862.member_1) <= _e799) || (_e879 == 0u))));
 }
 let _e885 = phi_1179_;
@@ -503,7 +503,7 @@ phi_1182_ = _e577;
 }
 let _e889 = phi_1182_;
 let _e890 = !(_e467);
-let _e898 = global_4.member[_e371].member_6.member_4;
+let _e898 = global_3.member[_e371].member_6.member_4;
 let _e899 = (_e540 - 0.5f);
 let _e901 = select(-0.5f, _e521, (_e521 > -0.5f));
 let _e903 = select(_e899, _e901, (_e901 < _e899));
@@ -528,7 +528,7 @@ let _e948 = (_e903 + 0.5f);
 let _e950 = select(0f, _e948, (_e948 > 0f));
 let _e952 = select(_e541, _e950, (_e950 < _e541));
 let _e959 = select(0i, select(select(i32(_e952), i32(-2147483648), (_e952 < -2147483600f)), 2147483647i, (_e952 > 2147483500f)), (_e952 == _e952));
-let _e968 = global_4.member[_e371].member_6.member_12;
+let _e968 = global_3.member[_e371].member_6.member_12;
 let _e969 = (_e968 & 31u);
 let _e972 = (_e908 + 0.5f);
 let _e974 = select(0f, _e972, (_e972 > 0f));
@@ -538,14 +538,14 @@ let _e990 = (_e913 + 0.5f);
 let _e992 = select(0f, _e990, (_e990 > 0f));
 let _e994 = select(_e563, _e992, (_e992 < _e563));
 let _e1001 = select(0i, select(select(i32(_e994), i32(-2147483648), (_e994 < -2147483600f)), 2147483647i, (_e994 > 2147483500f)), (_e994 == _e994));
-let _e1013 = global_4.member[_e371].member_6.member_9.member;
-let _e1020 = global_4.member[_e371].member_6.member_9.member_1;
-let _e1026 = global_4.member[_e371].member_6.member_10;
+let _e1013 = global_3.member[_e371].member_6.member_9.member;
+let _e1020 = global_3.member[_e371].member_6.member_9.member_1;
+let _e1026 = global_3.member[_e371].member_6.member_10;
 let _e1032 = ((bitcast<i32>(_e1026) + ((_e959 - select(0i, 1i, (_e952 < f32(_e959)))) >> bitcast<u32>(_e969))) + (bitcast<i32>(_e1013) * (((_e983 - select(0i, 1i, (_e976 < f32(_e983)))) >> bitcast<u32>(_e969)) + (bitcast<i32>(_e1020) * ((_e1001 - select(0i, 1i, (_e994 < f32(_e1001)))) >> bitcast<u32>(_e969))))));
-let _e1034 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e1034 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1036 = select(_e1034, _e1032, (_e1032 < _e1034));
-let _e1042 = global_5.member[bitcast<u32>(select(0i, _e1036, (_e1036 > 0i)))];
-let _e1049 = global_4.member[_e371].member_1;
+let _e1042 = global_4.member[bitcast<u32>(select(0i, _e1036, (_e1036 > 0i)))];
+let _e1049 = global_3.member[_e371].member_1;
 let _e1060 = (select(0u, select(select(7u, 3u, (_e889 && _e890)), select(1u, 7u, _e467), (((_e1049 & 64u) != 0u) || ((((select(_e927, _e924, (_e924 > _e927)) <= _e898) && ((select(_e944, _e941, (_e941 > _e944)) > _e898) || (_e1042 != 0u))) && true) && ((_e1049 & 32u) != 0u)))), (_e375[11] == 0f)) > 1u);
 if _e1060 {
 let _e1061 = vec3<f32>(_e375[3], _e375[4], _e375[5]);
@@ -554,11 +554,11 @@ let _e1071 = (_e409 - _e399);
 let _e1072 = (_e414 - _e393);
 let _e1077 = (((_e1070 * _e1070) + (_e1071 * _e1071)) + (_e1072 * _e1072));
 let _e1080 = sqrt(select(0f, _e1077, (_e1077 > 0f)));
-let _e1081 = type_39(type_28(1f, 1f), vec3<f32>(_e407, _e409, _e414), _e1061, _e1080, _e405, _e1061, true, false, false);
+let _e1081 = type_38(type_31(1f, 1f), vec3<f32>(_e407, _e409, _e414), _e1061, _e1080, _e405, _e1061, true, false, false);
 if _e586 {
-let _e1183 = global_4.member[_e371].member_6.member.member;
-let _e1192 = global_4.member[_e371].member_6.member_1.member;
-let _e1201 = global_4.member[_e371].member_6.member_2.member;
+let _e1183 = global_3.member[_e371].member_6.member.member;
+let _e1192 = global_3.member[_e371].member_6.member_1.member;
+let _e1201 = global_3.member[_e371].member_6.member_2.member;
 let _e1205 = (-0.5f - _e483);
 let _e1206 = (-0.5f - _e521);
 let _e1207 = -(_e1205);
@@ -666,16 +666,16 @@ let _e1445 = select(select(select(select(select(select(0f, _e1183.member_1, _e12
 let _e1446 = select(select(select(select(select(select(1f, _e1183.member_2, _e1225), _e1183.member_2, _e1265), _e1192.member_2, _e1305), _e1192.member_2, _e1345), _e1201.member_2, _e1385), _e1201.member_2, _e1425);
 let _e1450 = ((_e1049 & 16u) == 0u);
 if _e1450 {
-phi_3024_ = type_35(_e1431, vec3<f32>(_e1432, _e1433, _e1434), _e1436, vec3<f32>(_e1437, _e1438, _e1439), _e1441, _e1443, vec3<f32>(_e1444, _e1445, _e1446));
+phi_3024_ = type_34(_e1431, vec3<f32>(_e1432, _e1433, _e1434), _e1436, vec3<f32>(_e1437, _e1438, _e1439), _e1441, _e1443, vec3<f32>(_e1444, _e1445, _e1446));
 } else {
 let _e1455 = (((_e1183.member * _e1183.member) + (_e1183.member_1 * _e1183.member_1)) + (_e1183.member_2 * _e1183.member_2));
 let _e1458 = sqrt(select(0f, _e1455, (_e1455 > 0f)));
-let _e1463 = global_4.member[_e371].member_14.member_1;
+let _e1463 = global_3.member[_e371].member_14.member_1;
 let _e1464 = (_e1463 != 0u);
-let _e1469 = global_4.member[_e371].member_14.member;
+let _e1469 = global_3.member[_e371].member_14.member;
 let _e1489 = select(-1e6f, (((((_e1469.member.member * _e397) + (_e1469.member.member_1 * _e399)) + (_e1469.member.member_2 * _e393)) + _e1469.member_1) * _e1458), _e1464);
 let _e1490 = select(-1e6f, (((((_e1469.member.member * _e407) + (_e1469.member.member_1 * _e409)) + (_e1469.member.member_2 * _e414)) + _e1469.member_1) * _e1458), _e1464);
-let _e1496 = global_4.member[_e371].member_14.member.member;
+let _e1496 = global_3.member[_e371].member_14.member.member;
 let _e1500 = -(_e1489);
 let _e1503 = (_e1489 - _e1490);
 let _e1504 = (_e1490 - _e1489);
@@ -690,12 +690,12 @@ let _e1524 = select(_e1431, _e1513, _e1522);
 let _e1528 = select(_e1436, _e1517, _e1523);
 let _e1532 = select(_e1441, _e1489, _e1518);
 let _e1534 = select(_e1443, _e1490, (_e1490 > _e1443));
-let _e1542 = global_4.member[_e371].member_15.member_1;
+let _e1542 = global_3.member[_e371].member_15.member_1;
 let _e1543 = (_e1542 != 0u);
-let _e1548 = global_4.member[_e371].member_15.member;
+let _e1548 = global_3.member[_e371].member_15.member;
 let _e1568 = select(-1e6f, (((((_e1548.member.member * _e397) + (_e1548.member.member_1 * _e399)) + (_e1548.member.member_2 * _e393)) + _e1548.member_1) * _e1458), _e1543);
 let _e1569 = select(-1e6f, (((((_e1548.member.member * _e407) + (_e1548.member.member_1 * _e409)) + (_e1548.member.member_2 * _e414)) + _e1548.member_1) * _e1458), _e1543);
-let _e1575 = global_4.member[_e371].member_15.member.member;
+let _e1575 = global_3.member[_e371].member_15.member.member;
 let _e1579 = -(_e1568);
 let _e1582 = (_e1568 - _e1569);
 let _e1583 = (_e1569 - _e1568);
@@ -710,12 +710,12 @@ let _e1603 = select(_e1524, _e1592, _e1601);
 let _e1607 = select(_e1528, _e1596, _e1602);
 let _e1611 = select(_e1532, _e1568, _e1597);
 let _e1613 = select(_e1534, _e1569, (_e1569 > _e1534));
-let _e1621 = global_4.member[_e371].member_16.member_1;
+let _e1621 = global_3.member[_e371].member_16.member_1;
 let _e1622 = (_e1621 != 0u);
-let _e1627 = global_4.member[_e371].member_16.member;
+let _e1627 = global_3.member[_e371].member_16.member;
 let _e1647 = select(-1e6f, (((((_e1627.member.member * _e397) + (_e1627.member.member_1 * _e399)) + (_e1627.member.member_2 * _e393)) + _e1627.member_1) * _e1458), _e1622);
 let _e1648 = select(-1e6f, (((((_e1627.member.member * _e407) + (_e1627.member.member_1 * _e409)) + (_e1627.member.member_2 * _e414)) + _e1627.member_1) * _e1458), _e1622);
-let _e1654 = global_4.member[_e371].member_16.member.member;
+let _e1654 = global_3.member[_e371].member_16.member.member;
 let _e1658 = -(_e1647);
 let _e1661 = (_e1647 - _e1648);
 let _e1662 = (_e1648 - _e1647);
@@ -730,12 +730,12 @@ let _e1682 = select(_e1603, _e1671, _e1680);
 let _e1686 = select(_e1607, _e1675, _e1681);
 let _e1690 = select(_e1611, _e1647, _e1676);
 let _e1692 = select(_e1613, _e1648, (_e1648 > _e1613));
-let _e1700 = global_4.member[_e371].member_17.member_1;
+let _e1700 = global_3.member[_e371].member_17.member_1;
 let _e1701 = (_e1700 != 0u);
-let _e1706 = global_4.member[_e371].member_17.member;
+let _e1706 = global_3.member[_e371].member_17.member;
 let _e1726 = select(-1e6f, (((((_e1706.member.member * _e397) + (_e1706.member.member_1 * _e399)) + (_e1706.member.member_2 * _e393)) + _e1706.member_1) * _e1458), _e1701);
 let _e1727 = select(-1e6f, (((((_e1706.member.member * _e407) + (_e1706.member.member_1 * _e409)) + (_e1706.member.member_2 * _e414)) + _e1706.member_1) * _e1458), _e1701);
-let _e1733 = global_4.member[_e371].member_17.member.member;
+let _e1733 = global_3.member[_e371].member_17.member.member;
 let _e1737 = -(_e1726);
 let _e1740 = (_e1726 - _e1727);
 let _e1741 = (_e1727 - _e1726);
@@ -746,7 +746,7 @@ let _e1754 = select(2f, select(0f, _e1746, (_e1726 < 0f)), (_e1727 > 0f));
 let _e1755 = (_e1726 > _e1690);
 let _e1759 = ((_e1750 > _e1682) || ((_e1750 == _e1682) && _e1755));
 let _e1760 = (_e1754 < _e1686);
-phi_3024_ = type_35(select(_e1682, _e1750, _e1759), vec3<f32>(select(select(select(select(_e1432, _e1496.member, _e1522), _e1575.member, _e1601), _e1654.member, _e1680), _e1733.member, _e1759), select(select(select(select(_e1433, _e1496.member_1, _e1522), _e1575.member_1, _e1601), _e1654.member_1, _e1680), _e1733.member_1, _e1759), select(select(select(select(_e1434, _e1496.member_2, _e1522), _e1575.member_2, _e1601), _e1654.member_2, _e1680), _e1733.member_2, _e1759)), select(_e1686, _e1754, _e1760), vec3<f32>(select(select(select(select(_e1437, _e1496.member, _e1523), _e1575.member, _e1602), _e1654.member, _e1681), _e1733.member, _e1760), select(select(select(select(_e1438, _e1496.member_1, _e1523), _e1575.member_1, _e1602), _e1654.member_1, _e1681), _e1733.member_1, _e1760), select(select(select(select(_e1439, _e1496.member_2, _e1523), _e1575.member_2, _e1602), _e1654.member_2, _e1681), _e1733.member_2, _e1760)), select(_e1690, _e1726, _e1755), select(_e1692, _e1727, (_e1727 > _e1692)), vec3<f32>(select(select(select(select(_e1444, _e1496.member, _e1518), _e1575.member, _e1597), _e1654.member, _e1676), _e1733.member, _e1755), select(select(select(select(_e1445, _e1496.member_1, _e1518), _e1575.member_1, _e1597), _e1654.member_1, _e1676), _e1733.member_1, _e1755), select(select(select(select(_e1446, _e1496.member_2, _e1518), _e1575.member_2, _e1597), _e1654.member_2, _e1676), _e1733.member_2, _e1755)));
+phi_3024_ = type_34(select(_e1682, _e1750, _e1759), vec3<f32>(select(select(select(select(_e1432, _e1496.member, _e1522), _e1575.member, _e1601), _e1654.member, _e1680), _e1733.member, _e1759), select(select(select(select(_e1433, _e1496.member_1, _e1522), _e1575.member_1, _e1601), _e1654.member_1, _e1680), _e1733.member_1, _e1759), select(select(select(select(_e1434, _e1496.member_2, _e1522), _e1575.member_2, _e1601), _e1654.member_2, _e1680), _e1733.member_2, _e1759)), select(_e1686, _e1754, _e1760), vec3<f32>(select(select(select(select(_e1437, _e1496.member, _e1523), _e1575.member, _e1602), _e1654.member, _e1681), _e1733.member, _e1760), select(select(select(select(_e1438, _e1496.member_1, _e1523), _e1575.member_1, _e1602), _e1654.member_1, _e1681), _e1733.member_1, _e1760), select(select(select(select(_e1439, _e1496.member_2, _e1523), _e1575.member_2, _e1602), _e1654.member_2, _e1681), _e1733.member_2, _e1760)), select(_e1690, _e1726, _e1755), select(_e1692, _e1727, (_e1727 > _e1692)), vec3<f32>(select(select(select(select(_e1444, _e1496.member, _e1518), _e1575.member, _e1597), _e1654.member, _e1676), _e1733.member, _e1755), select(select(select(select(_e1445, _e1496.member_1, _e1518), _e1575.member_1, _e1597), _e1654.member_1, _e1676), _e1733.member_1, _e1755), select(select(select(select(_e1446, _e1496.member_2, _e1518), _e1575.member_2, _e1597), _e1654.member_2, _e1676), _e1733.member_2, _e1755)));
 }
 let _e1780 = phi_3024_;
 if ((_e1780.member_4 > -(0.015625f)) && (_e1780.member_4 < 0.015625f)) {
@@ -755,7 +755,7 @@ phi_3037_ = (_e375[9] != 0f);
 phi_3037_ = (_e1780.member_4 < 0f);
 }
 let _e1789 = phi_3037_;
-let _e1794 = global_4.member[_e371].member_10.member_9;
+let _e1794 = global_3.member[_e371].member_10.member_9;
 let _e1798 = select(-0.5f, _e483, (_e483 > -0.5f));
 let _e1800 = select(_e899, _e1798, (_e1798 < _e899));
 let _e1802 = select(-0.5f, _e499, (_e499 > -0.5f));
@@ -774,19 +774,19 @@ let _e1840 = select(-1f, _e1808, (_e1808 > -1f));
 let _e1842 = select(_e562, _e1840, (_e1840 < _e562));
 let _e1849 = select(0i, select(select(i32(_e1842), i32(-2147483648), (_e1842 < -2147483600f)), 2147483647i, (_e1842 > 2147483500f)), (_e1842 == _e1842));
 let _e1853 = (_e1849 - select(0i, 1i, (_e1842 < f32(_e1849))));
-let _e1858 = global_4.member[_e371].member_6.member_7;
-let _e1863 = global_4.member[_e371].member_6.member_8;
+let _e1858 = global_3.member[_e371].member_6.member_7;
+let _e1863 = global_3.member[_e371].member_6.member_8;
 let _e1864 = (_e1823 + 1i);
 let _e1865 = (_e1838 + 1i);
 let _e1866 = (_e1853 + 1i);
-let _e1872 = global_4.member[_e371].member_6.member_11.member;
+let _e1872 = global_3.member[_e371].member_6.member_11.member;
 let _e1873 = bitcast<i32>(_e1872);
-let _e1879 = global_4.member[_e371].member_6.member_11.member_1;
+let _e1879 = global_3.member[_e371].member_6.member_11.member_1;
 let _e1880 = bitcast<i32>(_e1879);
 let _e1890 = ((_e1864 >> bitcast<u32>(4i)) + (_e1873 * ((_e1865 >> bitcast<u32>(4i)) + (_e1880 * (_e1866 >> bitcast<u32>(4i))))));
 let _e1892 = (bitcast<i32>(_e184) - 1i);
 let _e1894 = select(_e1892, _e1890, (_e1890 < _e1892));
-let _e1900 = global_2.member[bitcast<u32>(select(0i, _e1894, (_e1894 > 0i)))];
+let _e1900 = global_1.member[bitcast<u32>(select(0i, _e1894, (_e1894 > 0i)))];
 let _e1902 = (_e1864 & 15i);
 let _e1905 = ((_e1865 & 15i) * _e1858);
 let _e1907 = (bitcast<i32>(_e1900) + ((_e1866 & 15i) * _e1863));
@@ -796,17 +796,17 @@ let _e1910 = (_e1905 + _e1909);
 let _e1911 = (_e1907 + _e1863);
 let _e1912 = (2i * _e1863);
 let _e1913 = (_e1907 + _e1912);
-local_38 = type_32(array<i32, 4>(_e1902, _e1902, _e1902, _e1902), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_38 = type_28(array<i32, 4>(_e1902, _e1902, _e1902, _e1902), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_39 = vec3<f32>((_e1800 - f32(_e1823)), (_e1804 - f32(_e1838)), (_e1808 - f32(_e1853)));
 let _e1927 = local_38.member[0u];
 let _e1928 = ((_e1911 + _e1908) + _e1927);
 let _e1930 = (_e1928 >> bitcast<u32>(2i));
 let _e1933 = bitcast<u32>(((_e1928 & 3i) * 8i));
 let _e1935 = select(_e1892, _e1930, (_e1930 < _e1892));
-let _e1940 = global_2.member[bitcast<u32>(select(0i, _e1935, (_e1935 > 0i)))];
+let _e1940 = global_1.member[bitcast<u32>(select(0i, _e1935, (_e1935 > 0i)))];
 let _e1944 = (_e1930 + 1i);
 let _e1946 = select(_e1892, _e1944, (_e1944 < _e1892));
-let _e1951 = global_2.member[bitcast<u32>(select(0i, _e1946, (_e1946 > 0i)))];
+let _e1951 = global_1.member[bitcast<u32>(select(0i, _e1946, (_e1946 > 0i)))];
 let _e1958 = ((_e1940 >> bitcast<u32>((_e1933 & 31u))) | ((_e1951 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1933) & 31u))));
 let _e1961 = local_38.member_1[1u];
 let _e1967 = f32(bitcast<i32>(((_e1958 >> bitcast<u32>((_e1961 & 31u))) & 255u)));
@@ -818,10 +818,10 @@ let _e1983 = ((_e1911 + _e1910) + _e1982);
 let _e1985 = (_e1983 >> bitcast<u32>(2i));
 let _e1988 = bitcast<u32>(((_e1983 & 3i) * 8i));
 let _e1990 = select(_e1892, _e1985, (_e1985 < _e1892));
-let _e1995 = global_2.member[bitcast<u32>(select(0i, _e1990, (_e1990 > 0i)))];
+let _e1995 = global_1.member[bitcast<u32>(select(0i, _e1990, (_e1990 > 0i)))];
 let _e1999 = (_e1985 + 1i);
 let _e2001 = select(_e1892, _e1999, (_e1999 < _e1892));
-let _e2006 = global_2.member[bitcast<u32>(select(0i, _e2001, (_e2001 > 0i)))];
+let _e2006 = global_1.member[bitcast<u32>(select(0i, _e2001, (_e2001 > 0i)))];
 let _e2013 = ((_e1995 >> bitcast<u32>((_e1988 & 31u))) | ((_e2006 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1988) & 31u))));
 let _e2014 = local_38.member_1[1u];
 let _e2020 = f32(bitcast<i32>(((_e2013 >> bitcast<u32>((_e2014 & 31u))) & 255u)));
@@ -834,10 +834,10 @@ let _e2039 = ((_e1913 + _e1908) + _e2038);
 let _e2041 = (_e2039 >> bitcast<u32>(2i));
 let _e2044 = bitcast<u32>(((_e2039 & 3i) * 8i));
 let _e2046 = select(_e1892, _e2041, (_e2041 < _e1892));
-let _e2051 = global_2.member[bitcast<u32>(select(0i, _e2046, (_e2046 > 0i)))];
+let _e2051 = global_1.member[bitcast<u32>(select(0i, _e2046, (_e2046 > 0i)))];
 let _e2055 = (_e2041 + 1i);
 let _e2057 = select(_e1892, _e2055, (_e2055 < _e1892));
-let _e2062 = global_2.member[bitcast<u32>(select(0i, _e2057, (_e2057 > 0i)))];
+let _e2062 = global_1.member[bitcast<u32>(select(0i, _e2057, (_e2057 > 0i)))];
 let _e2069 = ((_e2051 >> bitcast<u32>((_e2044 & 31u))) | ((_e2062 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2044) & 31u))));
 let _e2070 = local_38.member_1[1u];
 let _e2076 = f32(bitcast<i32>(((_e2069 >> bitcast<u32>((_e2070 & 31u))) & 255u)));
@@ -849,10 +849,10 @@ let _e2090 = ((_e1913 + _e1910) + _e2089);
 let _e2092 = (_e2090 >> bitcast<u32>(2i));
 let _e2095 = bitcast<u32>(((_e2090 & 3i) * 8i));
 let _e2097 = select(_e1892, _e2092, (_e2092 < _e1892));
-let _e2102 = global_2.member[bitcast<u32>(select(0i, _e2097, (_e2097 > 0i)))];
+let _e2102 = global_1.member[bitcast<u32>(select(0i, _e2097, (_e2097 > 0i)))];
 let _e2106 = (_e2092 + 1i);
 let _e2108 = select(_e1892, _e2106, (_e2106 < _e1892));
-let _e2113 = global_2.member[bitcast<u32>(select(0i, _e2108, (_e2108 > 0i)))];
+let _e2113 = global_1.member[bitcast<u32>(select(0i, _e2108, (_e2108 > 0i)))];
 let _e2120 = ((_e2102 >> bitcast<u32>((_e2095 & 31u))) | ((_e2113 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2095) & 31u))));
 let _e2121 = local_38.member_1[1u];
 let _e2127 = f32(bitcast<i32>(((_e2120 >> bitcast<u32>((_e2121 & 31u))) & 255u)));
@@ -860,8 +860,8 @@ let _e2128 = local_38.member_1[2u];
 let _e2135 = local_39[0u];
 let _e2139 = local_39[1u];
 let _e2144 = local_39[2u];
-let _e2152 = global_4.member[_e371].member_6.member_6;
-let _e2157 = global_4.member[_e371].member_6.member_5;
+let _e2152 = global_3.member[_e371].member_6.member_6;
+let _e2157 = global_3.member[_e371].member_6.member_5;
 let _e2159 = (((_e2036 + (((_e2087 + (((_e2127 + ((f32(bitcast<i32>(((_e2120 >> bitcast<u32>((_e2128 & 31u))) & 255u))) - _e2127) * _e2135)) - _e2087) * _e2139)) - _e2036) * _e2144)) - _e2152) * _e2157);
 let _e2160 = -(1e9f);
 let _e2162 = select(_e2160, _e2159, (_e2159 > _e2160));
@@ -871,49 +871,49 @@ local_37 = _e2165;
 let _e2166 = local_37;
 let _e2168 = (bitcast<i32>(_e189) - 1i);
 let _e2170 = select(_e2168, 263197i, (263197i < _e2168));
-let _e2175 = global_3.member[bitcast<u32>(select(0i, _e2170, (_e2170 > 0i)))];
+let _e2175 = global_2.member[bitcast<u32>(select(0i, _e2170, (_e2170 > 0i)))];
 let _e2176 = bitcast<f32>(_e2175);
 let _e2178 = select(_e2168, 263198i, (263198i < _e2168));
-let _e2183 = global_3.member[bitcast<u32>(select(0i, _e2178, (_e2178 > 0i)))];
+let _e2183 = global_2.member[bitcast<u32>(select(0i, _e2178, (_e2178 > 0i)))];
 let _e2184 = bitcast<f32>(_e2183);
 let _e2186 = select(_e2168, 263199i, (263199i < _e2168));
-let _e2191 = global_3.member[bitcast<u32>(select(0i, _e2186, (_e2186 > 0i)))];
+let _e2191 = global_2.member[bitcast<u32>(select(0i, _e2186, (_e2186 > 0i)))];
 let _e2192 = bitcast<f32>(_e2191);
 let _e2194 = ((_e2166 - _e2176) * _e2184);
 let _e2196 = select(0f, _e2194, (_e2194 > 0f));
 let _e2199 = local_37;
 let _e2201 = select(_e2168, 263200i, (263200i < _e2168));
-let _e2206 = global_3.member[bitcast<u32>(select(0i, _e2201, (_e2201 > 0i)))];
+let _e2206 = global_2.member[bitcast<u32>(select(0i, _e2201, (_e2201 > 0i)))];
 let _e2207 = bitcast<f32>(_e2206);
 let _e2209 = select(_e2168, 263201i, (263201i < _e2168));
-let _e2214 = global_3.member[bitcast<u32>(select(0i, _e2209, (_e2209 > 0i)))];
+let _e2214 = global_2.member[bitcast<u32>(select(0i, _e2209, (_e2209 > 0i)))];
 let _e2215 = bitcast<f32>(_e2214);
 let _e2217 = select(_e2168, 263202i, (263202i < _e2168));
-let _e2222 = global_3.member[bitcast<u32>(select(0i, _e2217, (_e2217 > 0i)))];
+let _e2222 = global_2.member[bitcast<u32>(select(0i, _e2217, (_e2217 > 0i)))];
 let _e2223 = bitcast<f32>(_e2222);
 let _e2225 = ((_e2199 - _e2207) * _e2215);
 let _e2227 = select(0f, _e2225, (_e2225 > 0f));
 let _e2231 = local_37;
 let _e2233 = select(_e2168, 263203i, (263203i < _e2168));
-let _e2238 = global_3.member[bitcast<u32>(select(0i, _e2233, (_e2233 > 0i)))];
+let _e2238 = global_2.member[bitcast<u32>(select(0i, _e2233, (_e2233 > 0i)))];
 let _e2239 = bitcast<f32>(_e2238);
 let _e2241 = select(_e2168, 263204i, (263204i < _e2168));
-let _e2246 = global_3.member[bitcast<u32>(select(0i, _e2241, (_e2241 > 0i)))];
+let _e2246 = global_2.member[bitcast<u32>(select(0i, _e2241, (_e2241 > 0i)))];
 let _e2247 = bitcast<f32>(_e2246);
 let _e2249 = select(_e2168, 263205i, (263205i < _e2168));
-let _e2254 = global_3.member[bitcast<u32>(select(0i, _e2249, (_e2249 > 0i)))];
+let _e2254 = global_2.member[bitcast<u32>(select(0i, _e2249, (_e2249 > 0i)))];
 let _e2255 = bitcast<f32>(_e2254);
 let _e2257 = ((_e2231 - _e2239) * _e2247);
 let _e2259 = select(0f, _e2257, (_e2257 > 0f));
 let _e2262 = local_37;
 let _e2264 = select(_e2168, 263206i, (263206i < _e2168));
-let _e2269 = global_3.member[bitcast<u32>(select(0i, _e2264, (_e2264 > 0i)))];
+let _e2269 = global_2.member[bitcast<u32>(select(0i, _e2264, (_e2264 > 0i)))];
 let _e2270 = bitcast<f32>(_e2269);
 let _e2272 = select(_e2168, 263207i, (263207i < _e2168));
-let _e2277 = global_3.member[bitcast<u32>(select(0i, _e2272, (_e2272 > 0i)))];
+let _e2277 = global_2.member[bitcast<u32>(select(0i, _e2272, (_e2272 > 0i)))];
 let _e2278 = bitcast<f32>(_e2277);
 let _e2280 = select(_e2168, 263208i, (263208i < _e2168));
-let _e2285 = global_3.member[bitcast<u32>(select(0i, _e2280, (_e2280 > 0i)))];
+let _e2285 = global_2.member[bitcast<u32>(select(0i, _e2280, (_e2280 > 0i)))];
 let _e2286 = bitcast<f32>(_e2285);
 let _e2288 = ((_e2262 - _e2270) * _e2278);
 let _e2290 = select(0f, _e2288, (_e2288 > 0f));
@@ -924,24 +924,24 @@ let _e2305 = select(0i, select(select(i32(_e2298), i32(-2147483648), (_e2298 < -
 let _e2309 = (_e2305 - select(0i, 1i, (_e2298 < f32(_e2305))));
 let _e2310 = (262147i + _e2309);
 let _e2312 = select(_e2168, _e2310, (_e2310 < _e2168));
-let _e2318 = global_3.member[bitcast<u32>(select(0i, _e2312, (_e2312 > 0i)))];
+let _e2318 = global_2.member[bitcast<u32>(select(0i, _e2312, (_e2312 > 0i)))];
 let _e2328 = select(_e2168, 262146i, (262146i < _e2168));
 let _e2331 = bitcast<u32>(select(0i, _e2328, (_e2328 > 0i)));
-let _e2334 = global_3.member[_e2331];
+let _e2334 = global_2.member[_e2331];
 let _e2338 = select(_e2168, 262144i, (262144i < _e2168));
 let _e2341 = bitcast<u32>(select(0i, _e2338, (_e2338 > 0i)));
-let _e2344 = global_3.member[_e2341];
+let _e2344 = global_2.member[_e2341];
 let _e2347 = select(_e2168, 262145i, (262145i < _e2168));
 let _e2350 = bitcast<u32>(select(0i, _e2347, (_e2347 > 0i)));
-let _e2353 = global_3.member[_e2350];
+let _e2353 = global_2.member[_e2350];
 let _e2361 = select(1f, ((bitcast<f32>(_e2344) + (f32(bitcast<i32>((_e2318 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2353))) + ((f32((bitcast<i32>((_e2318 & 4095u)) - 2048i)) * bitcast<f32>(_e2334)) * (_e2294 - f32(_e2309)))), (_e1789 && (_e393 == _e1794)));
 let _e2362 = (_e375[3] * _e2361);
 let _e2363 = (_e375[4] * _e2361);
 let _e2364 = (_e375[5] * _e2361);
 if _e1789 {
-phi_4178_ = type_29(_e1780.member_2, _e1780.member_3);
+phi_4178_ = type_39(_e1780.member_2, _e1780.member_3);
 } else {
-phi_4178_ = type_29(_e1780.member, _e1780.member_1);
+phi_4178_ = type_39(_e1780.member, _e1780.member_1);
 }
 let _e2372 = phi_4178_;
 if _e1789 {
@@ -980,7 +980,7 @@ let _e2467 = (_e2450 + 1i);
 let _e2468 = (_e2465 + 1i);
 let _e2478 = ((_e2466 >> bitcast<u32>(4i)) + (_e1873 * ((_e2467 >> bitcast<u32>(4i)) + (_e1880 * (_e2468 >> bitcast<u32>(4i))))));
 let _e2480 = select(_e1892, _e2478, (_e2478 < _e1892));
-let _e2485 = global_2.member[bitcast<u32>(select(0i, _e2480, (_e2480 > 0i)))];
+let _e2485 = global_1.member[bitcast<u32>(select(0i, _e2480, (_e2480 > 0i)))];
 let _e2487 = (_e2466 & 15i);
 let _e2490 = ((_e2467 & 15i) * _e1858);
 let _e2492 = (bitcast<i32>(_e2485) + ((_e2468 & 15i) * _e1863));
@@ -988,17 +988,17 @@ let _e2493 = (_e2490 + _e1858);
 let _e2494 = (_e2490 + _e1909);
 let _e2495 = (_e2492 + _e1863);
 let _e2496 = (_e2492 + _e1912);
-local_34 = type_32(array<i32, 4>(_e2487, _e2487, _e2487, _e2487), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_34 = type_28(array<i32, 4>(_e2487, _e2487, _e2487, _e2487), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_35 = vec3<f32>((_e2412 - f32(_e2435)), (_e2416 - f32(_e2450)), (_e2420 - f32(_e2465)));
 let _e2510 = local_34.member[0u];
 let _e2511 = ((_e2495 + _e2493) + _e2510);
 let _e2513 = (_e2511 >> bitcast<u32>(2i));
 let _e2516 = bitcast<u32>(((_e2511 & 3i) * 8i));
 let _e2518 = select(_e1892, _e2513, (_e2513 < _e1892));
-let _e2523 = global_2.member[bitcast<u32>(select(0i, _e2518, (_e2518 > 0i)))];
+let _e2523 = global_1.member[bitcast<u32>(select(0i, _e2518, (_e2518 > 0i)))];
 let _e2527 = (_e2513 + 1i);
 let _e2529 = select(_e1892, _e2527, (_e2527 < _e1892));
-let _e2534 = global_2.member[bitcast<u32>(select(0i, _e2529, (_e2529 > 0i)))];
+let _e2534 = global_1.member[bitcast<u32>(select(0i, _e2529, (_e2529 > 0i)))];
 let _e2541 = ((_e2523 >> bitcast<u32>((_e2516 & 31u))) | ((_e2534 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2516) & 31u))));
 let _e2544 = local_34.member_1[1u];
 let _e2550 = f32(bitcast<i32>(((_e2541 >> bitcast<u32>((_e2544 & 31u))) & 255u)));
@@ -1010,10 +1010,10 @@ let _e2566 = ((_e2495 + _e2494) + _e2565);
 let _e2568 = (_e2566 >> bitcast<u32>(2i));
 let _e2571 = bitcast<u32>(((_e2566 & 3i) * 8i));
 let _e2573 = select(_e1892, _e2568, (_e2568 < _e1892));
-let _e2578 = global_2.member[bitcast<u32>(select(0i, _e2573, (_e2573 > 0i)))];
+let _e2578 = global_1.member[bitcast<u32>(select(0i, _e2573, (_e2573 > 0i)))];
 let _e2582 = (_e2568 + 1i);
 let _e2584 = select(_e1892, _e2582, (_e2582 < _e1892));
-let _e2589 = global_2.member[bitcast<u32>(select(0i, _e2584, (_e2584 > 0i)))];
+let _e2589 = global_1.member[bitcast<u32>(select(0i, _e2584, (_e2584 > 0i)))];
 let _e2596 = ((_e2578 >> bitcast<u32>((_e2571 & 31u))) | ((_e2589 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2571) & 31u))));
 let _e2597 = local_34.member_1[1u];
 let _e2603 = f32(bitcast<i32>(((_e2596 >> bitcast<u32>((_e2597 & 31u))) & 255u)));
@@ -1026,10 +1026,10 @@ let _e2622 = ((_e2496 + _e2493) + _e2621);
 let _e2624 = (_e2622 >> bitcast<u32>(2i));
 let _e2627 = bitcast<u32>(((_e2622 & 3i) * 8i));
 let _e2629 = select(_e1892, _e2624, (_e2624 < _e1892));
-let _e2634 = global_2.member[bitcast<u32>(select(0i, _e2629, (_e2629 > 0i)))];
+let _e2634 = global_1.member[bitcast<u32>(select(0i, _e2629, (_e2629 > 0i)))];
 let _e2638 = (_e2624 + 1i);
 let _e2640 = select(_e1892, _e2638, (_e2638 < _e1892));
-let _e2645 = global_2.member[bitcast<u32>(select(0i, _e2640, (_e2640 > 0i)))];
+let _e2645 = global_1.member[bitcast<u32>(select(0i, _e2640, (_e2640 > 0i)))];
 let _e2652 = ((_e2634 >> bitcast<u32>((_e2627 & 31u))) | ((_e2645 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2627) & 31u))));
 let _e2653 = local_34.member_1[1u];
 let _e2659 = f32(bitcast<i32>(((_e2652 >> bitcast<u32>((_e2653 & 31u))) & 255u)));
@@ -1041,10 +1041,10 @@ let _e2673 = ((_e2496 + _e2494) + _e2672);
 let _e2675 = (_e2673 >> bitcast<u32>(2i));
 let _e2678 = bitcast<u32>(((_e2673 & 3i) * 8i));
 let _e2680 = select(_e1892, _e2675, (_e2675 < _e1892));
-let _e2685 = global_2.member[bitcast<u32>(select(0i, _e2680, (_e2680 > 0i)))];
+let _e2685 = global_1.member[bitcast<u32>(select(0i, _e2680, (_e2680 > 0i)))];
 let _e2689 = (_e2675 + 1i);
 let _e2691 = select(_e1892, _e2689, (_e2689 < _e1892));
-let _e2696 = global_2.member[bitcast<u32>(select(0i, _e2691, (_e2691 > 0i)))];
+let _e2696 = global_1.member[bitcast<u32>(select(0i, _e2691, (_e2691 > 0i)))];
 let _e2703 = ((_e2685 >> bitcast<u32>((_e2678 & 31u))) | ((_e2696 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2678) & 31u))));
 let _e2704 = local_34.member_1[1u];
 let _e2710 = f32(bitcast<i32>(((_e2703 >> bitcast<u32>((_e2704 & 31u))) & 255u)));
@@ -1076,18 +1076,18 @@ let _e2779 = select(0i, select(select(i32(_e2772), i32(-2147483648), (_e2772 < -
 let _e2783 = (_e2779 - select(0i, 1i, (_e2772 < f32(_e2779))));
 let _e2784 = (262147i + _e2783);
 let _e2786 = select(_e2168, _e2784, (_e2784 < _e2168));
-let _e2791 = global_3.member[bitcast<u32>(select(0i, _e2786, (_e2786 > 0i)))];
-let _e2801 = global_3.member[_e2331];
+let _e2791 = global_2.member[bitcast<u32>(select(0i, _e2786, (_e2786 > 0i)))];
+let _e2801 = global_2.member[_e2331];
 let _e2802 = bitcast<f32>(_e2801);
-let _e2805 = global_3.member[_e2341];
+let _e2805 = global_2.member[_e2341];
 let _e2806 = bitcast<f32>(_e2805);
-let _e2808 = global_3.member[_e2350];
+let _e2808 = global_2.member[_e2350];
 let _e2809 = bitcast<f32>(_e2808);
 let _e2815 = ((_e2806 + (f32(bitcast<i32>((_e2791 >> bitcast<u32>(12u)))) * _e2809)) + ((f32((bitcast<i32>((_e2791 & 4095u)) - 2048i)) * _e2802) * (_e2768 - f32(_e2783))));
 if _e1789 {
-phi_5326_ = type_28(_e2815, 1f);
+phi_5326_ = type_31(_e2815, 1f);
 } else {
-phi_5326_ = type_28(1f, _e2815);
+phi_5326_ = type_31(1f, _e2815);
 }
 let _e2819 = phi_5326_;
 let _e2824 = ((_e2819.member_1 * _e2819.member_1) - (_e2819.member * _e2819.member));
@@ -1106,7 +1106,7 @@ let _e2859 = (_e2824 == 0f);
 let _e2871 = select(_e2362, select((_e2362 + (_e2839 * _e2858)), _e2362, _e2859), _e2380);
 let _e2872 = select(_e2363, select((_e2363 + (_e2840 * _e2858)), _e2363, _e2859), _e2380);
 let _e2873 = select(_e2364, select((_e2364 + (_e2841 * _e2858)), _e2364, _e2859), _e2380);
-let _e2878 = global_4.member[_e371].member_5.member_4;
+let _e2878 = global_3.member[_e371].member_5.member_4;
 let _e2879 = (_e2878 * _e2878);
 let _e2883 = (_e2873 * _e2873);
 let _e2887 = (_e2380 && (_e2819.member != _e2819.member_1));
@@ -1225,16 +1225,16 @@ let _e3164 = select(select(select(select(select(select(0f, _e1183.member, _e2945
 let _e3165 = select(select(select(select(select(select(0f, _e1183.member_1, _e2945), _e1183.member_1, _e2985), _e1192.member_1, _e3025), _e1192.member_1, _e3065), _e1201.member_1, _e3105), _e1201.member_1, _e3145);
 let _e3166 = select(select(select(select(select(select(1f, _e1183.member_2, _e2945), _e1183.member_2, _e2985), _e1192.member_2, _e3025), _e1192.member_2, _e3065), _e1201.member_2, _e3105), _e1201.member_2, _e3145);
 if _e1450 {
-phi_6849_ = type_35(_e3151, vec3<f32>(_e3152, _e3153, _e3154), _e3156, vec3<f32>(_e3157, _e3158, _e3159), _e3161, _e3163, vec3<f32>(_e3164, _e3165, _e3166));
+phi_6849_ = type_34(_e3151, vec3<f32>(_e3152, _e3153, _e3154), _e3156, vec3<f32>(_e3157, _e3158, _e3159), _e3161, _e3163, vec3<f32>(_e3164, _e3165, _e3166));
 } else {
 let _e3173 = (((_e1183.member * _e1183.member) + (_e1183.member_1 * _e1183.member_1)) + (_e1183.member_2 * _e1183.member_2));
 let _e3176 = sqrt(select(0f, _e3173, (_e3173 > 0f)));
-let _e3181 = global_4.member[_e371].member_14.member_1;
+let _e3181 = global_3.member[_e371].member_14.member_1;
 let _e3182 = (_e3181 != 0u);
-let _e3187 = global_4.member[_e371].member_14.member;
+let _e3187 = global_3.member[_e371].member_14.member;
 let _e3207 = select(-1e6f, (((((_e3187.member.member * _e2387) + (_e3187.member.member_1 * _e2388)) + (_e3187.member.member_2 * _e2389)) + _e3187.member_1) * _e3176), _e3182);
 let _e3208 = select(-1e6f, (((((_e3187.member.member * _e2901) + (_e3187.member.member_1 * _e2902)) + (_e3187.member.member_2 * _e2903)) + _e3187.member_1) * _e3176), _e3182);
-let _e3214 = global_4.member[_e371].member_14.member.member;
+let _e3214 = global_3.member[_e371].member_14.member.member;
 let _e3218 = -(_e3207);
 let _e3221 = (_e3207 - _e3208);
 let _e3222 = (_e3208 - _e3207);
@@ -1249,12 +1249,12 @@ let _e3242 = select(_e3151, _e3231, _e3240);
 let _e3246 = select(_e3156, _e3235, _e3241);
 let _e3250 = select(_e3161, _e3207, _e3236);
 let _e3252 = select(_e3163, _e3208, (_e3208 > _e3163));
-let _e3260 = global_4.member[_e371].member_15.member_1;
+let _e3260 = global_3.member[_e371].member_15.member_1;
 let _e3261 = (_e3260 != 0u);
-let _e3266 = global_4.member[_e371].member_15.member;
+let _e3266 = global_3.member[_e371].member_15.member;
 let _e3286 = select(-1e6f, (((((_e3266.member.member * _e2387) + (_e3266.member.member_1 * _e2388)) + (_e3266.member.member_2 * _e2389)) + _e3266.member_1) * _e3176), _e3261);
 let _e3287 = select(-1e6f, (((((_e3266.member.member * _e2901) + (_e3266.member.member_1 * _e2902)) + (_e3266.member.member_2 * _e2903)) + _e3266.member_1) * _e3176), _e3261);
-let _e3293 = global_4.member[_e371].member_15.member.member;
+let _e3293 = global_3.member[_e371].member_15.member.member;
 let _e3297 = -(_e3286);
 let _e3300 = (_e3286 - _e3287);
 let _e3301 = (_e3287 - _e3286);
@@ -1269,12 +1269,12 @@ let _e3321 = select(_e3242, _e3310, _e3319);
 let _e3325 = select(_e3246, _e3314, _e3320);
 let _e3329 = select(_e3250, _e3286, _e3315);
 let _e3331 = select(_e3252, _e3287, (_e3287 > _e3252));
-let _e3339 = global_4.member[_e371].member_16.member_1;
+let _e3339 = global_3.member[_e371].member_16.member_1;
 let _e3340 = (_e3339 != 0u);
-let _e3345 = global_4.member[_e371].member_16.member;
+let _e3345 = global_3.member[_e371].member_16.member;
 let _e3365 = select(-1e6f, (((((_e3345.member.member * _e2387) + (_e3345.member.member_1 * _e2388)) + (_e3345.member.member_2 * _e2389)) + _e3345.member_1) * _e3176), _e3340);
 let _e3366 = select(-1e6f, (((((_e3345.member.member * _e2901) + (_e3345.member.member_1 * _e2902)) + (_e3345.member.member_2 * _e2903)) + _e3345.member_1) * _e3176), _e3340);
-let _e3372 = global_4.member[_e371].member_16.member.member;
+let _e3372 = global_3.member[_e371].member_16.member.member;
 let _e3376 = -(_e3365);
 let _e3379 = (_e3365 - _e3366);
 let _e3380 = (_e3366 - _e3365);
@@ -1289,12 +1289,12 @@ let _e3400 = select(_e3321, _e3389, _e3398);
 let _e3404 = select(_e3325, _e3393, _e3399);
 let _e3408 = select(_e3329, _e3365, _e3394);
 let _e3410 = select(_e3331, _e3366, (_e3366 > _e3331));
-let _e3418 = global_4.member[_e371].member_17.member_1;
+let _e3418 = global_3.member[_e371].member_17.member_1;
 let _e3419 = (_e3418 != 0u);
-let _e3424 = global_4.member[_e371].member_17.member;
+let _e3424 = global_3.member[_e371].member_17.member;
 let _e3444 = select(-1e6f, (((((_e3424.member.member * _e2387) + (_e3424.member.member_1 * _e2388)) + (_e3424.member.member_2 * _e2389)) + _e3424.member_1) * _e3176), _e3419);
 let _e3445 = select(-1e6f, (((((_e3424.member.member * _e2901) + (_e3424.member.member_1 * _e2902)) + (_e3424.member.member_2 * _e2903)) + _e3424.member_1) * _e3176), _e3419);
-let _e3451 = global_4.member[_e371].member_17.member.member;
+let _e3451 = global_3.member[_e371].member_17.member.member;
 let _e3455 = -(_e3444);
 let _e3458 = (_e3444 - _e3445);
 let _e3459 = (_e3445 - _e3444);
@@ -1305,7 +1305,7 @@ let _e3472 = select(2f, select(0f, _e3464, (_e3444 < 0f)), (_e3445 > 0f));
 let _e3473 = (_e3444 > _e3408);
 let _e3477 = ((_e3468 > _e3400) || ((_e3468 == _e3400) && _e3473));
 let _e3478 = (_e3472 < _e3404);
-phi_6849_ = type_35(select(_e3400, _e3468, _e3477), vec3<f32>(select(select(select(select(_e3152, _e3214.member, _e3240), _e3293.member, _e3319), _e3372.member, _e3398), _e3451.member, _e3477), select(select(select(select(_e3153, _e3214.member_1, _e3240), _e3293.member_1, _e3319), _e3372.member_1, _e3398), _e3451.member_1, _e3477), select(select(select(select(_e3154, _e3214.member_2, _e3240), _e3293.member_2, _e3319), _e3372.member_2, _e3398), _e3451.member_2, _e3477)), select(_e3404, _e3472, _e3478), vec3<f32>(select(select(select(select(_e3157, _e3214.member, _e3241), _e3293.member, _e3320), _e3372.member, _e3399), _e3451.member, _e3478), select(select(select(select(_e3158, _e3214.member_1, _e3241), _e3293.member_1, _e3320), _e3372.member_1, _e3399), _e3451.member_1, _e3478), select(select(select(select(_e3159, _e3214.member_2, _e3241), _e3293.member_2, _e3320), _e3372.member_2, _e3399), _e3451.member_2, _e3478)), select(_e3408, _e3444, _e3473), select(_e3410, _e3445, (_e3445 > _e3410)), vec3<f32>(select(select(select(select(_e3164, _e3214.member, _e3236), _e3293.member, _e3315), _e3372.member, _e3394), _e3451.member, _e3473), select(select(select(select(_e3165, _e3214.member_1, _e3236), _e3293.member_1, _e3315), _e3372.member_1, _e3394), _e3451.member_1, _e3473), select(select(select(select(_e3166, _e3214.member_2, _e3236), _e3293.member_2, _e3315), _e3372.member_2, _e3394), _e3451.member_2, _e3473)));
+phi_6849_ = type_34(select(_e3400, _e3468, _e3477), vec3<f32>(select(select(select(select(_e3152, _e3214.member, _e3240), _e3293.member, _e3319), _e3372.member, _e3398), _e3451.member, _e3477), select(select(select(select(_e3153, _e3214.member_1, _e3240), _e3293.member_1, _e3319), _e3372.member_1, _e3398), _e3451.member_1, _e3477), select(select(select(select(_e3154, _e3214.member_2, _e3240), _e3293.member_2, _e3319), _e3372.member_2, _e3398), _e3451.member_2, _e3477)), select(_e3404, _e3472, _e3478), vec3<f32>(select(select(select(select(_e3157, _e3214.member, _e3241), _e3293.member, _e3320), _e3372.member, _e3399), _e3451.member, _e3478), select(select(select(select(_e3158, _e3214.member_1, _e3241), _e3293.member_1, _e3320), _e3372.member_1, _e3399), _e3451.member_1, _e3478), select(select(select(select(_e3159, _e3214.member_2, _e3241), _e3293.member_2, _e3320), _e3372.member_2, _e3399), _e3451.member_2, _e3478)), select(_e3408, _e3444, _e3473), select(_e3410, _e3445, (_e3445 > _e3410)), vec3<f32>(select(select(select(select(_e3164, _e3214.member, _e3236), _e3293.member, _e3315), _e3372.member, _e3394), _e3451.member, _e3473), select(select(select(select(_e3165, _e3214.member_1, _e3236), _e3293.member_1, _e3315), _e3372.member_1, _e3394), _e3451.member_1, _e3473), select(select(select(select(_e3166, _e3214.member_2, _e3236), _e3293.member_2, _e3315), _e3372.member_2, _e3394), _e3451.member_2, _e3473)));
 }
 let _e3498 = phi_6849_;
 let _e3504 = (((_e2380 && _e2906) && !(_e2891)) && (_e3498.member_2 <= 1f));
@@ -1344,7 +1344,7 @@ let _e3594 = (_e3577 + 1i);
 let _e3595 = (_e3592 + 1i);
 let _e3605 = ((_e3593 >> bitcast<u32>(4i)) + (_e1873 * ((_e3594 >> bitcast<u32>(4i)) + (_e1880 * (_e3595 >> bitcast<u32>(4i))))));
 let _e3607 = select(_e1892, _e3605, (_e3605 < _e1892));
-let _e3612 = global_2.member[bitcast<u32>(select(0i, _e3607, (_e3607 > 0i)))];
+let _e3612 = global_1.member[bitcast<u32>(select(0i, _e3607, (_e3607 > 0i)))];
 let _e3614 = (_e3593 & 15i);
 let _e3617 = ((_e3594 & 15i) * _e1858);
 let _e3619 = (bitcast<i32>(_e3612) + ((_e3595 & 15i) * _e1863));
@@ -1352,17 +1352,17 @@ let _e3620 = (_e3617 + _e1858);
 let _e3621 = (_e3617 + _e1909);
 let _e3622 = (_e3619 + _e1863);
 let _e3623 = (_e3619 + _e1912);
-local_30 = type_32(array<i32, 4>(_e3614, _e3614, _e3614, _e3614), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_30 = type_28(array<i32, 4>(_e3614, _e3614, _e3614, _e3614), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_31 = vec3<f32>((_e3539 - f32(_e3562)), (_e3543 - f32(_e3577)), (_e3547 - f32(_e3592)));
 let _e3637 = local_30.member[0u];
 let _e3638 = ((_e3622 + _e3620) + _e3637);
 let _e3640 = (_e3638 >> bitcast<u32>(2i));
 let _e3643 = bitcast<u32>(((_e3638 & 3i) * 8i));
 let _e3645 = select(_e1892, _e3640, (_e3640 < _e1892));
-let _e3650 = global_2.member[bitcast<u32>(select(0i, _e3645, (_e3645 > 0i)))];
+let _e3650 = global_1.member[bitcast<u32>(select(0i, _e3645, (_e3645 > 0i)))];
 let _e3654 = (_e3640 + 1i);
 let _e3656 = select(_e1892, _e3654, (_e3654 < _e1892));
-let _e3661 = global_2.member[bitcast<u32>(select(0i, _e3656, (_e3656 > 0i)))];
+let _e3661 = global_1.member[bitcast<u32>(select(0i, _e3656, (_e3656 > 0i)))];
 let _e3668 = ((_e3650 >> bitcast<u32>((_e3643 & 31u))) | ((_e3661 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3643) & 31u))));
 let _e3671 = local_30.member_1[1u];
 let _e3677 = f32(bitcast<i32>(((_e3668 >> bitcast<u32>((_e3671 & 31u))) & 255u)));
@@ -1374,10 +1374,10 @@ let _e3693 = ((_e3622 + _e3621) + _e3692);
 let _e3695 = (_e3693 >> bitcast<u32>(2i));
 let _e3698 = bitcast<u32>(((_e3693 & 3i) * 8i));
 let _e3700 = select(_e1892, _e3695, (_e3695 < _e1892));
-let _e3705 = global_2.member[bitcast<u32>(select(0i, _e3700, (_e3700 > 0i)))];
+let _e3705 = global_1.member[bitcast<u32>(select(0i, _e3700, (_e3700 > 0i)))];
 let _e3709 = (_e3695 + 1i);
 let _e3711 = select(_e1892, _e3709, (_e3709 < _e1892));
-let _e3716 = global_2.member[bitcast<u32>(select(0i, _e3711, (_e3711 > 0i)))];
+let _e3716 = global_1.member[bitcast<u32>(select(0i, _e3711, (_e3711 > 0i)))];
 let _e3723 = ((_e3705 >> bitcast<u32>((_e3698 & 31u))) | ((_e3716 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3698) & 31u))));
 let _e3724 = local_30.member_1[1u];
 let _e3730 = f32(bitcast<i32>(((_e3723 >> bitcast<u32>((_e3724 & 31u))) & 255u)));
@@ -1390,10 +1390,10 @@ let _e3749 = ((_e3623 + _e3620) + _e3748);
 let _e3751 = (_e3749 >> bitcast<u32>(2i));
 let _e3754 = bitcast<u32>(((_e3749 & 3i) * 8i));
 let _e3756 = select(_e1892, _e3751, (_e3751 < _e1892));
-let _e3761 = global_2.member[bitcast<u32>(select(0i, _e3756, (_e3756 > 0i)))];
+let _e3761 = global_1.member[bitcast<u32>(select(0i, _e3756, (_e3756 > 0i)))];
 let _e3765 = (_e3751 + 1i);
 let _e3767 = select(_e1892, _e3765, (_e3765 < _e1892));
-let _e3772 = global_2.member[bitcast<u32>(select(0i, _e3767, (_e3767 > 0i)))];
+let _e3772 = global_1.member[bitcast<u32>(select(0i, _e3767, (_e3767 > 0i)))];
 let _e3779 = ((_e3761 >> bitcast<u32>((_e3754 & 31u))) | ((_e3772 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3754) & 31u))));
 let _e3780 = local_30.member_1[1u];
 let _e3786 = f32(bitcast<i32>(((_e3779 >> bitcast<u32>((_e3780 & 31u))) & 255u)));
@@ -1405,10 +1405,10 @@ let _e3800 = ((_e3623 + _e3621) + _e3799);
 let _e3802 = (_e3800 >> bitcast<u32>(2i));
 let _e3805 = bitcast<u32>(((_e3800 & 3i) * 8i));
 let _e3807 = select(_e1892, _e3802, (_e3802 < _e1892));
-let _e3812 = global_2.member[bitcast<u32>(select(0i, _e3807, (_e3807 > 0i)))];
+let _e3812 = global_1.member[bitcast<u32>(select(0i, _e3807, (_e3807 > 0i)))];
 let _e3816 = (_e3802 + 1i);
 let _e3818 = select(_e1892, _e3816, (_e3816 < _e1892));
-let _e3823 = global_2.member[bitcast<u32>(select(0i, _e3818, (_e3818 > 0i)))];
+let _e3823 = global_1.member[bitcast<u32>(select(0i, _e3818, (_e3818 > 0i)))];
 let _e3830 = ((_e3812 >> bitcast<u32>((_e3805 & 31u))) | ((_e3823 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3805) & 31u))));
 let _e3831 = local_30.member_1[1u];
 let _e3837 = f32(bitcast<i32>(((_e3830 >> bitcast<u32>((_e3831 & 31u))) & 255u)));
@@ -1440,12 +1440,12 @@ let _e3906 = select(0i, select(select(i32(_e3899), i32(-2147483648), (_e3899 < -
 let _e3910 = (_e3906 - select(0i, 1i, (_e3899 < f32(_e3906))));
 let _e3911 = (262147i + _e3910);
 let _e3913 = select(_e2168, _e3911, (_e3911 < _e2168));
-let _e3918 = global_3.member[bitcast<u32>(select(0i, _e3913, (_e3913 > 0i)))];
+let _e3918 = global_2.member[bitcast<u32>(select(0i, _e3913, (_e3913 > 0i)))];
 let _e3933 = ((_e2806 + (f32(bitcast<i32>((_e3918 >> bitcast<u32>(12u)))) * _e2809)) + ((f32((bitcast<i32>((_e3918 & 4095u)) - 2048i)) * _e2802) * (_e3895 - f32(_e3910))));
 if _e2906 {
-phi_8017_ = type_28(_e3933, 1f);
+phi_8017_ = type_31(_e3933, 1f);
 } else {
-phi_8017_ = type_28(1f, _e3933);
+phi_8017_ = type_31(1f, _e3933);
 }
 let _e3937 = phi_8017_;
 let _e3942 = ((_e3937.member_1 * _e3937.member_1) - (_e3937.member * _e3937.member));
@@ -1584,16 +1584,16 @@ let _e4298 = select(select(select(select(select(select(0f, _e1183.member, _e4079
 let _e4299 = select(select(select(select(select(select(0f, _e1183.member_1, _e4079), _e1183.member_1, _e4119), _e1192.member_1, _e4159), _e1192.member_1, _e4199), _e1201.member_1, _e4239), _e1201.member_1, _e4279);
 let _e4300 = select(select(select(select(select(select(1f, _e1183.member_2, _e4079), _e1183.member_2, _e4119), _e1192.member_2, _e4159), _e1192.member_2, _e4199), _e1201.member_2, _e4239), _e1201.member_2, _e4279);
 if _e1450 {
-phi_9555_ = type_35(_e4285, vec3<f32>(_e4286, _e4287, _e4288), _e4290, vec3<f32>(_e4291, _e4292, _e4293), _e4295, _e4297, vec3<f32>(_e4298, _e4299, _e4300));
+phi_9555_ = type_34(_e4285, vec3<f32>(_e4286, _e4287, _e4288), _e4290, vec3<f32>(_e4291, _e4292, _e4293), _e4295, _e4297, vec3<f32>(_e4298, _e4299, _e4300));
 } else {
 let _e4307 = (((_e1183.member * _e1183.member) + (_e1183.member_1 * _e1183.member_1)) + (_e1183.member_2 * _e1183.member_2));
 let _e4310 = sqrt(select(0f, _e4307, (_e4307 > 0f)));
-let _e4315 = global_4.member[_e371].member_14.member_1;
+let _e4315 = global_3.member[_e371].member_14.member_1;
 let _e4316 = (_e4315 != 0u);
-let _e4321 = global_4.member[_e371].member_14.member;
+let _e4321 = global_3.member[_e371].member_14.member;
 let _e4341 = select(-1e6f, (((((_e4321.member.member * _e3517.x) + (_e4321.member.member_1 * _e3517.y)) + (_e4321.member.member_2 * _e3517.z)) + _e4321.member_1) * _e4310), _e4316);
 let _e4342 = select(-1e6f, (((((_e4321.member.member * _e4014) + (_e4321.member.member_1 * _e4015)) + (_e4321.member.member_2 * _e4016)) + _e4321.member_1) * _e4310), _e4316);
-let _e4348 = global_4.member[_e371].member_14.member.member;
+let _e4348 = global_3.member[_e371].member_14.member.member;
 let _e4352 = -(_e4341);
 let _e4355 = (_e4341 - _e4342);
 let _e4356 = (_e4342 - _e4341);
@@ -1608,12 +1608,12 @@ let _e4376 = select(_e4285, _e4365, _e4374);
 let _e4380 = select(_e4290, _e4369, _e4375);
 let _e4384 = select(_e4295, _e4341, _e4370);
 let _e4386 = select(_e4297, _e4342, (_e4342 > _e4297));
-let _e4394 = global_4.member[_e371].member_15.member_1;
+let _e4394 = global_3.member[_e371].member_15.member_1;
 let _e4395 = (_e4394 != 0u);
-let _e4400 = global_4.member[_e371].member_15.member;
+let _e4400 = global_3.member[_e371].member_15.member;
 let _e4420 = select(-1e6f, (((((_e4400.member.member * _e3517.x) + (_e4400.member.member_1 * _e3517.y)) + (_e4400.member.member_2 * _e3517.z)) + _e4400.member_1) * _e4310), _e4395);
 let _e4421 = select(-1e6f, (((((_e4400.member.member * _e4014) + (_e4400.member.member_1 * _e4015)) + (_e4400.member.member_2 * _e4016)) + _e4400.member_1) * _e4310), _e4395);
-let _e4427 = global_4.member[_e371].member_15.member.member;
+let _e4427 = global_3.member[_e371].member_15.member.member;
 let _e4431 = -(_e4420);
 let _e4434 = (_e4420 - _e4421);
 let _e4435 = (_e4421 - _e4420);
@@ -1628,12 +1628,12 @@ let _e4455 = select(_e4376, _e4444, _e4453);
 let _e4459 = select(_e4380, _e4448, _e4454);
 let _e4463 = select(_e4384, _e4420, _e4449);
 let _e4465 = select(_e4386, _e4421, (_e4421 > _e4386));
-let _e4473 = global_4.member[_e371].member_16.member_1;
+let _e4473 = global_3.member[_e371].member_16.member_1;
 let _e4474 = (_e4473 != 0u);
-let _e4479 = global_4.member[_e371].member_16.member;
+let _e4479 = global_3.member[_e371].member_16.member;
 let _e4499 = select(-1e6f, (((((_e4479.member.member * _e3517.x) + (_e4479.member.member_1 * _e3517.y)) + (_e4479.member.member_2 * _e3517.z)) + _e4479.member_1) * _e4310), _e4474);
 let _e4500 = select(-1e6f, (((((_e4479.member.member * _e4014) + (_e4479.member.member_1 * _e4015)) + (_e4479.member.member_2 * _e4016)) + _e4479.member_1) * _e4310), _e4474);
-let _e4506 = global_4.member[_e371].member_16.member.member;
+let _e4506 = global_3.member[_e371].member_16.member.member;
 let _e4510 = -(_e4499);
 let _e4513 = (_e4499 - _e4500);
 let _e4514 = (_e4500 - _e4499);
@@ -1648,12 +1648,12 @@ let _e4534 = select(_e4455, _e4523, _e4532);
 let _e4538 = select(_e4459, _e4527, _e4533);
 let _e4542 = select(_e4463, _e4499, _e4528);
 let _e4544 = select(_e4465, _e4500, (_e4500 > _e4465));
-let _e4552 = global_4.member[_e371].member_17.member_1;
+let _e4552 = global_3.member[_e371].member_17.member_1;
 let _e4553 = (_e4552 != 0u);
-let _e4558 = global_4.member[_e371].member_17.member;
+let _e4558 = global_3.member[_e371].member_17.member;
 let _e4578 = select(-1e6f, (((((_e4558.member.member * _e3517.x) + (_e4558.member.member_1 * _e3517.y)) + (_e4558.member.member_2 * _e3517.z)) + _e4558.member_1) * _e4310), _e4553);
 let _e4579 = select(-1e6f, (((((_e4558.member.member * _e4014) + (_e4558.member.member_1 * _e4015)) + (_e4558.member.member_2 * _e4016)) + _e4558.member_1) * _e4310), _e4553);
-let _e4585 = global_4.member[_e371].member_17.member.member;
+let _e4585 = global_3.member[_e371].member_17.member.member;
 let _e4589 = -(_e4578);
 let _e4592 = (_e4578 - _e4579);
 let _e4593 = (_e4579 - _e4578);
@@ -1664,7 +1664,7 @@ let _e4606 = select(2f, select(0f, _e4598, (_e4578 < 0f)), (_e4579 > 0f));
 let _e4607 = (_e4578 > _e4542);
 let _e4611 = ((_e4602 > _e4534) || ((_e4602 == _e4534) && _e4607));
 let _e4612 = (_e4606 < _e4538);
-phi_9555_ = type_35(select(_e4534, _e4602, _e4611), vec3<f32>(select(select(select(select(_e4286, _e4348.member, _e4374), _e4427.member, _e4453), _e4506.member, _e4532), _e4585.member, _e4611), select(select(select(select(_e4287, _e4348.member_1, _e4374), _e4427.member_1, _e4453), _e4506.member_1, _e4532), _e4585.member_1, _e4611), select(select(select(select(_e4288, _e4348.member_2, _e4374), _e4427.member_2, _e4453), _e4506.member_2, _e4532), _e4585.member_2, _e4611)), select(_e4538, _e4606, _e4612), vec3<f32>(select(select(select(select(_e4291, _e4348.member, _e4375), _e4427.member, _e4454), _e4506.member, _e4533), _e4585.member, _e4612), select(select(select(select(_e4292, _e4348.member_1, _e4375), _e4427.member_1, _e4454), _e4506.member_1, _e4533), _e4585.member_1, _e4612), select(select(select(select(_e4293, _e4348.member_2, _e4375), _e4427.member_2, _e4454), _e4506.member_2, _e4533), _e4585.member_2, _e4612)), select(_e4542, _e4578, _e4607), select(_e4544, _e4579, (_e4579 > _e4544)), vec3<f32>(select(select(select(select(_e4298, _e4348.member, _e4370), _e4427.member, _e4449), _e4506.member, _e4528), _e4585.member, _e4607), select(select(select(select(_e4299, _e4348.member_1, _e4370), _e4427.member_1, _e4449), _e4506.member_1, _e4528), _e4585.member_1, _e4607), select(select(select(select(_e4300, _e4348.member_2, _e4370), _e4427.member_2, _e4449), _e4506.member_2, _e4528), _e4585.member_2, _e4607)));
+phi_9555_ = type_34(select(_e4534, _e4602, _e4611), vec3<f32>(select(select(select(select(_e4286, _e4348.member, _e4374), _e4427.member, _e4453), _e4506.member, _e4532), _e4585.member, _e4611), select(select(select(select(_e4287, _e4348.member_1, _e4374), _e4427.member_1, _e4453), _e4506.member_1, _e4532), _e4585.member_1, _e4611), select(select(select(select(_e4288, _e4348.member_2, _e4374), _e4427.member_2, _e4453), _e4506.member_2, _e4532), _e4585.member_2, _e4611)), select(_e4538, _e4606, _e4612), vec3<f32>(select(select(select(select(_e4291, _e4348.member, _e4375), _e4427.member, _e4454), _e4506.member, _e4533), _e4585.member, _e4612), select(select(select(select(_e4292, _e4348.member_1, _e4375), _e4427.member_1, _e4454), _e4506.member_1, _e4533), _e4585.member_1, _e4612), select(select(select(select(_e4293, _e4348.member_2, _e4375), _e4427.member_2, _e4454), _e4506.member_2, _e4533), _e4585.member_2, _e4612)), select(_e4542, _e4578, _e4607), select(_e4544, _e4579, (_e4579 > _e4544)), vec3<f32>(select(select(select(select(_e4298, _e4348.member, _e4370), _e4427.member, _e4449), _e4506.member, _e4528), _e4585.member, _e4607), select(select(select(select(_e4299, _e4348.member_1, _e4370), _e4427.member_1, _e4449), _e4506.member_1, _e4528), _e4585.member_1, _e4607), select(select(select(select(_e4300, _e4348.member_2, _e4370), _e4427.member_2, _e4449), _e4506.member_2, _e4528), _e4585.member_2, _e4607)));
 }
 let _e4632 = phi_9555_;
 let _e4638 = (((_e3504 && _e4019) && !(_e4003)) && (_e4632.member_2 <= 1f));
@@ -1702,7 +1702,7 @@ let _e4728 = (_e4711 + 1i);
 let _e4729 = (_e4726 + 1i);
 let _e4739 = ((_e4727 >> bitcast<u32>(4i)) + (_e1873 * ((_e4728 >> bitcast<u32>(4i)) + (_e1880 * (_e4729 >> bitcast<u32>(4i))))));
 let _e4741 = select(_e1892, _e4739, (_e4739 < _e1892));
-let _e4746 = global_2.member[bitcast<u32>(select(0i, _e4741, (_e4741 > 0i)))];
+let _e4746 = global_1.member[bitcast<u32>(select(0i, _e4741, (_e4741 > 0i)))];
 let _e4748 = (_e4727 & 15i);
 let _e4751 = ((_e4728 & 15i) * _e1858);
 let _e4753 = (bitcast<i32>(_e4746) + ((_e4729 & 15i) * _e1863));
@@ -1710,17 +1710,17 @@ let _e4754 = (_e4751 + _e1858);
 let _e4755 = (_e4751 + _e1909);
 let _e4756 = (_e4753 + _e1863);
 let _e4757 = (_e4753 + _e1912);
-local_26 = type_32(array<i32, 4>(_e4748, _e4748, _e4748, _e4748), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_26 = type_28(array<i32, 4>(_e4748, _e4748, _e4748, _e4748), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_27 = vec3<f32>((_e4673 - f32(_e4696)), (_e4677 - f32(_e4711)), (_e4681 - f32(_e4726)));
 let _e4771 = local_26.member[0u];
 let _e4772 = ((_e4756 + _e4754) + _e4771);
 let _e4774 = (_e4772 >> bitcast<u32>(2i));
 let _e4777 = bitcast<u32>(((_e4772 & 3i) * 8i));
 let _e4779 = select(_e1892, _e4774, (_e4774 < _e1892));
-let _e4784 = global_2.member[bitcast<u32>(select(0i, _e4779, (_e4779 > 0i)))];
+let _e4784 = global_1.member[bitcast<u32>(select(0i, _e4779, (_e4779 > 0i)))];
 let _e4788 = (_e4774 + 1i);
 let _e4790 = select(_e1892, _e4788, (_e4788 < _e1892));
-let _e4795 = global_2.member[bitcast<u32>(select(0i, _e4790, (_e4790 > 0i)))];
+let _e4795 = global_1.member[bitcast<u32>(select(0i, _e4790, (_e4790 > 0i)))];
 let _e4802 = ((_e4784 >> bitcast<u32>((_e4777 & 31u))) | ((_e4795 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4777) & 31u))));
 let _e4805 = local_26.member_1[1u];
 let _e4811 = f32(bitcast<i32>(((_e4802 >> bitcast<u32>((_e4805 & 31u))) & 255u)));
@@ -1732,10 +1732,10 @@ let _e4827 = ((_e4756 + _e4755) + _e4826);
 let _e4829 = (_e4827 >> bitcast<u32>(2i));
 let _e4832 = bitcast<u32>(((_e4827 & 3i) * 8i));
 let _e4834 = select(_e1892, _e4829, (_e4829 < _e1892));
-let _e4839 = global_2.member[bitcast<u32>(select(0i, _e4834, (_e4834 > 0i)))];
+let _e4839 = global_1.member[bitcast<u32>(select(0i, _e4834, (_e4834 > 0i)))];
 let _e4843 = (_e4829 + 1i);
 let _e4845 = select(_e1892, _e4843, (_e4843 < _e1892));
-let _e4850 = global_2.member[bitcast<u32>(select(0i, _e4845, (_e4845 > 0i)))];
+let _e4850 = global_1.member[bitcast<u32>(select(0i, _e4845, (_e4845 > 0i)))];
 let _e4857 = ((_e4839 >> bitcast<u32>((_e4832 & 31u))) | ((_e4850 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4832) & 31u))));
 let _e4858 = local_26.member_1[1u];
 let _e4864 = f32(bitcast<i32>(((_e4857 >> bitcast<u32>((_e4858 & 31u))) & 255u)));
@@ -1748,10 +1748,10 @@ let _e4883 = ((_e4757 + _e4754) + _e4882);
 let _e4885 = (_e4883 >> bitcast<u32>(2i));
 let _e4888 = bitcast<u32>(((_e4883 & 3i) * 8i));
 let _e4890 = select(_e1892, _e4885, (_e4885 < _e1892));
-let _e4895 = global_2.member[bitcast<u32>(select(0i, _e4890, (_e4890 > 0i)))];
+let _e4895 = global_1.member[bitcast<u32>(select(0i, _e4890, (_e4890 > 0i)))];
 let _e4899 = (_e4885 + 1i);
 let _e4901 = select(_e1892, _e4899, (_e4899 < _e1892));
-let _e4906 = global_2.member[bitcast<u32>(select(0i, _e4901, (_e4901 > 0i)))];
+let _e4906 = global_1.member[bitcast<u32>(select(0i, _e4901, (_e4901 > 0i)))];
 let _e4913 = ((_e4895 >> bitcast<u32>((_e4888 & 31u))) | ((_e4906 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4888) & 31u))));
 let _e4914 = local_26.member_1[1u];
 let _e4920 = f32(bitcast<i32>(((_e4913 >> bitcast<u32>((_e4914 & 31u))) & 255u)));
@@ -1763,10 +1763,10 @@ let _e4934 = ((_e4757 + _e4755) + _e4933);
 let _e4936 = (_e4934 >> bitcast<u32>(2i));
 let _e4939 = bitcast<u32>(((_e4934 & 3i) * 8i));
 let _e4941 = select(_e1892, _e4936, (_e4936 < _e1892));
-let _e4946 = global_2.member[bitcast<u32>(select(0i, _e4941, (_e4941 > 0i)))];
+let _e4946 = global_1.member[bitcast<u32>(select(0i, _e4941, (_e4941 > 0i)))];
 let _e4950 = (_e4936 + 1i);
 let _e4952 = select(_e1892, _e4950, (_e4950 < _e1892));
-let _e4957 = global_2.member[bitcast<u32>(select(0i, _e4952, (_e4952 > 0i)))];
+let _e4957 = global_1.member[bitcast<u32>(select(0i, _e4952, (_e4952 > 0i)))];
 let _e4964 = ((_e4946 >> bitcast<u32>((_e4939 & 31u))) | ((_e4957 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4939) & 31u))));
 let _e4965 = local_26.member_1[1u];
 let _e4971 = f32(bitcast<i32>(((_e4964 >> bitcast<u32>((_e4965 & 31u))) & 255u)));
@@ -1798,12 +1798,12 @@ let _e5040 = select(0i, select(select(i32(_e5033), i32(-2147483648), (_e5033 < -
 let _e5044 = (_e5040 - select(0i, 1i, (_e5033 < f32(_e5040))));
 let _e5045 = (262147i + _e5044);
 let _e5047 = select(_e2168, _e5045, (_e5045 < _e2168));
-let _e5052 = global_3.member[bitcast<u32>(select(0i, _e5047, (_e5047 > 0i)))];
+let _e5052 = global_2.member[bitcast<u32>(select(0i, _e5047, (_e5047 > 0i)))];
 let _e5067 = ((_e2806 + (f32(bitcast<i32>((_e5052 >> bitcast<u32>(12u)))) * _e2809)) + ((f32((bitcast<i32>((_e5052 & 4095u)) - 2048i)) * _e2802) * (_e5029 - f32(_e5044))));
 if _e4019 {
-phi_10723_ = type_28(_e5067, 1f);
+phi_10723_ = type_31(_e5067, 1f);
 } else {
-phi_10723_ = type_28(1f, _e5067);
+phi_10723_ = type_31(1f, _e5067);
 }
 let _e5071 = phi_10723_;
 let _e5076 = ((_e5071.member_1 * _e5071.member_1) - (_e5071.member * _e5071.member));
@@ -1942,16 +1942,16 @@ let _e5433 = select(select(select(select(select(select(0f, _e1183.member, _e5214
 let _e5434 = select(select(select(select(select(select(0f, _e1183.member_1, _e5214), _e1183.member_1, _e5254), _e1192.member_1, _e5294), _e1192.member_1, _e5334), _e1201.member_1, _e5374), _e1201.member_1, _e5414);
 let _e5435 = select(select(select(select(select(select(1f, _e1183.member_2, _e5214), _e1183.member_2, _e5254), _e1192.member_2, _e5294), _e1192.member_2, _e5334), _e1201.member_2, _e5374), _e1201.member_2, _e5414);
 if _e1450 {
-phi_12261_ = type_35(_e5420, vec3<f32>(_e5421, _e5422, _e5423), _e5425, vec3<f32>(_e5426, _e5427, _e5428), _e5430, _e5432, vec3<f32>(_e5433, _e5434, _e5435));
+phi_12261_ = type_34(_e5420, vec3<f32>(_e5421, _e5422, _e5423), _e5425, vec3<f32>(_e5426, _e5427, _e5428), _e5430, _e5432, vec3<f32>(_e5433, _e5434, _e5435));
 } else {
 let _e5442 = (((_e1183.member * _e1183.member) + (_e1183.member_1 * _e1183.member_1)) + (_e1183.member_2 * _e1183.member_2));
 let _e5445 = sqrt(select(0f, _e5442, (_e5442 > 0f)));
-let _e5450 = global_4.member[_e371].member_14.member_1;
+let _e5450 = global_3.member[_e371].member_14.member_1;
 let _e5451 = (_e5450 != 0u);
-let _e5456 = global_4.member[_e371].member_14.member;
+let _e5456 = global_3.member[_e371].member_14.member;
 let _e5476 = select(-1e6f, (((((_e5456.member.member * _e4651.x) + (_e5456.member.member_1 * _e4651.y)) + (_e5456.member.member_2 * _e4651.z)) + _e5456.member_1) * _e5445), _e5451);
 let _e5477 = select(-1e6f, (((((_e5456.member.member * _e5149) + (_e5456.member.member_1 * _e5150)) + (_e5456.member.member_2 * _e5151)) + _e5456.member_1) * _e5445), _e5451);
-let _e5483 = global_4.member[_e371].member_14.member.member;
+let _e5483 = global_3.member[_e371].member_14.member.member;
 let _e5487 = -(_e5476);
 let _e5490 = (_e5476 - _e5477);
 let _e5491 = (_e5477 - _e5476);
@@ -1966,12 +1966,12 @@ let _e5511 = select(_e5420, _e5500, _e5509);
 let _e5515 = select(_e5425, _e5504, _e5510);
 let _e5519 = select(_e5430, _e5476, _e5505);
 let _e5521 = select(_e5432, _e5477, (_e5477 > _e5432));
-let _e5529 = global_4.member[_e371].member_15.member_1;
+let _e5529 = global_3.member[_e371].member_15.member_1;
 let _e5530 = (_e5529 != 0u);
-let _e5535 = global_4.member[_e371].member_15.member;
+let _e5535 = global_3.member[_e371].member_15.member;
 let _e5555 = select(-1e6f, (((((_e5535.member.member * _e4651.x) + (_e5535.member.member_1 * _e4651.y)) + (_e5535.member.member_2 * _e4651.z)) + _e5535.member_1) * _e5445), _e5530);
 let _e5556 = select(-1e6f, (((((_e5535.member.member * _e5149) + (_e5535.member.member_1 * _e5150)) + (_e5535.member.member_2 * _e5151)) + _e5535.member_1) * _e5445), _e5530);
-let _e5562 = global_4.member[_e371].member_15.member.member;
+let _e5562 = global_3.member[_e371].member_15.member.member;
 let _e5566 = -(_e5555);
 let _e5569 = (_e5555 - _e5556);
 let _e5570 = (_e5556 - _e5555);
@@ -1986,12 +1986,12 @@ let _e5590 = select(_e5511, _e5579, _e5588);
 let _e5594 = select(_e5515, _e5583, _e5589);
 let _e5598 = select(_e5519, _e5555, _e5584);
 let _e5600 = select(_e5521, _e5556, (_e5556 > _e5521));
-let _e5608 = global_4.member[_e371].member_16.member_1;
+let _e5608 = global_3.member[_e371].member_16.member_1;
 let _e5609 = (_e5608 != 0u);
-let _e5614 = global_4.member[_e371].member_16.member;
+let _e5614 = global_3.member[_e371].member_16.member;
 let _e5634 = select(-1e6f, (((((_e5614.member.member * _e4651.x) + (_e5614.member.member_1 * _e4651.y)) + (_e5614.member.member_2 * _e4651.z)) + _e5614.member_1) * _e5445), _e5609);
 let _e5635 = select(-1e6f, (((((_e5614.member.member * _e5149) + (_e5614.member.member_1 * _e5150)) + (_e5614.member.member_2 * _e5151)) + _e5614.member_1) * _e5445), _e5609);
-let _e5641 = global_4.member[_e371].member_16.member.member;
+let _e5641 = global_3.member[_e371].member_16.member.member;
 let _e5645 = -(_e5634);
 let _e5648 = (_e5634 - _e5635);
 let _e5649 = (_e5635 - _e5634);
@@ -2006,12 +2006,12 @@ let _e5669 = select(_e5590, _e5658, _e5667);
 let _e5673 = select(_e5594, _e5662, _e5668);
 let _e5677 = select(_e5598, _e5634, _e5663);
 let _e5679 = select(_e5600, _e5635, (_e5635 > _e5600));
-let _e5687 = global_4.member[_e371].member_17.member_1;
+let _e5687 = global_3.member[_e371].member_17.member_1;
 let _e5688 = (_e5687 != 0u);
-let _e5693 = global_4.member[_e371].member_17.member;
+let _e5693 = global_3.member[_e371].member_17.member;
 let _e5713 = select(-1e6f, (((((_e5693.member.member * _e4651.x) + (_e5693.member.member_1 * _e4651.y)) + (_e5693.member.member_2 * _e4651.z)) + _e5693.member_1) * _e5445), _e5688);
 let _e5714 = select(-1e6f, (((((_e5693.member.member * _e5149) + (_e5693.member.member_1 * _e5150)) + (_e5693.member.member_2 * _e5151)) + _e5693.member_1) * _e5445), _e5688);
-let _e5720 = global_4.member[_e371].member_17.member.member;
+let _e5720 = global_3.member[_e371].member_17.member.member;
 let _e5724 = -(_e5713);
 let _e5727 = (_e5713 - _e5714);
 let _e5728 = (_e5714 - _e5713);
@@ -2022,7 +2022,7 @@ let _e5741 = select(2f, select(0f, _e5733, (_e5713 < 0f)), (_e5714 > 0f));
 let _e5742 = (_e5713 > _e5677);
 let _e5746 = ((_e5737 > _e5669) || ((_e5737 == _e5669) && _e5742));
 let _e5747 = (_e5741 < _e5673);
-phi_12261_ = type_35(select(_e5669, _e5737, _e5746), vec3<f32>(select(select(select(select(_e5421, _e5483.member, _e5509), _e5562.member, _e5588), _e5641.member, _e5667), _e5720.member, _e5746), select(select(select(select(_e5422, _e5483.member_1, _e5509), _e5562.member_1, _e5588), _e5641.member_1, _e5667), _e5720.member_1, _e5746), select(select(select(select(_e5423, _e5483.member_2, _e5509), _e5562.member_2, _e5588), _e5641.member_2, _e5667), _e5720.member_2, _e5746)), select(_e5673, _e5741, _e5747), vec3<f32>(select(select(select(select(_e5426, _e5483.member, _e5510), _e5562.member, _e5589), _e5641.member, _e5668), _e5720.member, _e5747), select(select(select(select(_e5427, _e5483.member_1, _e5510), _e5562.member_1, _e5589), _e5641.member_1, _e5668), _e5720.member_1, _e5747), select(select(select(select(_e5428, _e5483.member_2, _e5510), _e5562.member_2, _e5589), _e5641.member_2, _e5668), _e5720.member_2, _e5747)), select(_e5677, _e5713, _e5742), select(_e5679, _e5714, (_e5714 > _e5679)), vec3<f32>(select(select(select(select(_e5433, _e5483.member, _e5505), _e5562.member, _e5584), _e5641.member, _e5663), _e5720.member, _e5742), select(select(select(select(_e5434, _e5483.member_1, _e5505), _e5562.member_1, _e5584), _e5641.member_1, _e5663), _e5720.member_1, _e5742), select(select(select(select(_e5435, _e5483.member_2, _e5505), _e5562.member_2, _e5584), _e5641.member_2, _e5663), _e5720.member_2, _e5742)));
+phi_12261_ = type_34(select(_e5669, _e5737, _e5746), vec3<f32>(select(select(select(select(_e5421, _e5483.member, _e5509), _e5562.member, _e5588), _e5641.member, _e5667), _e5720.member, _e5746), select(select(select(select(_e5422, _e5483.member_1, _e5509), _e5562.member_1, _e5588), _e5641.member_1, _e5667), _e5720.member_1, _e5746), select(select(select(select(_e5423, _e5483.member_2, _e5509), _e5562.member_2, _e5588), _e5641.member_2, _e5667), _e5720.member_2, _e5746)), select(_e5673, _e5741, _e5747), vec3<f32>(select(select(select(select(_e5426, _e5483.member, _e5510), _e5562.member, _e5589), _e5641.member, _e5668), _e5720.member, _e5747), select(select(select(select(_e5427, _e5483.member_1, _e5510), _e5562.member_1, _e5589), _e5641.member_1, _e5668), _e5720.member_1, _e5747), select(select(select(select(_e5428, _e5483.member_2, _e5510), _e5562.member_2, _e5589), _e5641.member_2, _e5668), _e5720.member_2, _e5747)), select(_e5677, _e5713, _e5742), select(_e5679, _e5714, (_e5714 > _e5679)), vec3<f32>(select(select(select(select(_e5433, _e5483.member, _e5505), _e5562.member, _e5584), _e5641.member, _e5663), _e5720.member, _e5742), select(select(select(select(_e5434, _e5483.member_1, _e5505), _e5562.member_1, _e5584), _e5641.member_1, _e5663), _e5720.member_1, _e5742), select(select(select(select(_e5435, _e5483.member_2, _e5505), _e5562.member_2, _e5584), _e5641.member_2, _e5663), _e5720.member_2, _e5742)));
 }
 let _e5767 = phi_12261_;
 let _e5773 = (((_e4638 && _e5154) && !(_e5138)) && (_e5767.member_2 <= 1f));
@@ -2232,7 +2232,7 @@ phi_14009_ = _e2819;
 phi_14009_ = _e3937;
 }
 let _e6297 = phi_14009_;
-phi_14281_ = type_39(_e6297, vec3<f32>(select(_e5149, _e4651.x, _e5773), select(_e5150, _e4651.y, _e5773), select(_e5151, _e4651.z, _e5773)), vec3<f32>(_e5123, _e5124, _e5125), select((_e1080 * select(0f, _e5854, (_e5854 > 0f))), ((((sqrt(select(0f, _e5865, (_e5865 > 0f))) * select(0f, _e5946, (_e5946 > 0f))) + (sqrt(select(0f, _e5957, (_e5957 > 0f))) * select(0f, _e6053, (_e6053 > 0f)))) + (sqrt(select(0f, _e6065, (_e6065 > 0f))) * select(0f, _e6161, (_e6161 > 0f)))) + select(0f, (sqrt(select(0f, _e6173, (_e6173 > 0f))) * select(0f, _e6269, (_e6269 > 0f))), _e4638)), _e6276), select((_e404 / _e5125), (2f * (_e3508 / _e2873)), (((_e2380 && !(_e1789)) && _e2906) && !(_e3504))), select(_e3498.member_3, _e2372.member_1, vec3(_e2887)), _e5154, _e6276, (((_e2891 || _e4003) || _e5138) || _e5773));
+phi_14281_ = type_38(_e6297, vec3<f32>(select(_e5149, _e4651.x, _e5773), select(_e5150, _e4651.y, _e5773), select(_e5151, _e4651.z, _e5773)), vec3<f32>(_e5123, _e5124, _e5125), select((_e1080 * select(0f, _e5854, (_e5854 > 0f))), ((((sqrt(select(0f, _e5865, (_e5865 > 0f))) * select(0f, _e5946, (_e5946 > 0f))) + (sqrt(select(0f, _e5957, (_e5957 > 0f))) * select(0f, _e6053, (_e6053 > 0f)))) + (sqrt(select(0f, _e6065, (_e6065 > 0f))) * select(0f, _e6161, (_e6161 > 0f)))) + select(0f, (sqrt(select(0f, _e6173, (_e6173 > 0f))) * select(0f, _e6269, (_e6269 > 0f))), _e4638)), _e6276), select((_e404 / _e5125), (2f * (_e3508 / _e2873)), (((_e2380 && !(_e1789)) && _e2906) && !(_e3504))), select(_e3498.member_3, _e2372.member_1, vec3(_e2887)), _e5154, _e6276, (((_e2891 || _e4003) || _e5138) || _e5773));
 } else {
 let _e1082 = (_e919 < 1e-12f);
 let _e1084 = (1f / select(_e914, 1f, _e1082));
@@ -2267,7 +2267,7 @@ let _e1156 = select(select(1f, _e1153, (_e1153 < 1f)), 1f, _e1132);
 let _e1158 = select(_e1131, _e1106, (_e1106 < _e1131));
 let _e1162 = select(_e1124, _e1099, (_e1099 > _e1124));
 let _e1165 = (select(_e1156, _e1158, (_e1158 < _e1156)) - select(_e1149, _e1162, (_e1162 > _e1149)));
-phi_14281_ = type_39(_e1081.member, _e1081.member_1, _e1081.member_2, (_e1080 * select(0f, _e1165, (_e1165 > 0f))), _e1081.member_4, _e1081.member_5, _e1081.member_6, _e1081.member_7, _e1081.member_8);
+phi_14281_ = type_38(_e1081.member, _e1081.member_1, _e1081.member_2, (_e1080 * select(0f, _e1165, (_e1165 > 0f))), _e1081.member_4, _e1081.member_5, _e1081.member_6, _e1081.member_7, _e1081.member_8);
 }
 let _e6300 = phi_14281_;
 let _e6311 = ((((_e472.member.member * _e6300.member_1.x) + (_e472.member.member_1 * _e6300.member_1.y)) + (_e472.member.member_2 * _e6300.member_1.z)) + _e472.member_1);
@@ -2292,17 +2292,17 @@ let _e6736 = select(-1f, _e6704, (_e6704 > -1f));
 let _e6738 = select(_e562, _e6736, (_e6736 < _e562));
 let _e6745 = select(0i, select(select(i32(_e6738), i32(-2147483648), (_e6738 < -2147483600f)), 2147483647i, (_e6738 > 2147483500f)), (_e6738 == _e6738));
 let _e6749 = (_e6745 - select(0i, 1i, (_e6738 < f32(_e6745))));
-let _e6754 = global_4.member[_e371].member_6.member_7;
-let _e6759 = global_4.member[_e371].member_6.member_8;
+let _e6754 = global_3.member[_e371].member_6.member_7;
+let _e6759 = global_3.member[_e371].member_6.member_8;
 let _e6760 = (_e6719 + 1i);
 let _e6761 = (_e6734 + 1i);
 let _e6762 = (_e6749 + 1i);
-let _e6768 = global_4.member[_e371].member_6.member_11.member;
-let _e6775 = global_4.member[_e371].member_6.member_11.member_1;
+let _e6768 = global_3.member[_e371].member_6.member_11.member;
+let _e6775 = global_3.member[_e371].member_6.member_11.member_1;
 let _e6786 = ((_e6760 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6768) * ((_e6761 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6775) * (_e6762 >> bitcast<u32>(4i))))));
 let _e6788 = (bitcast<i32>(_e184) - 1i);
 let _e6790 = select(_e6788, _e6786, (_e6786 < _e6788));
-let _e6796 = global_2.member[bitcast<u32>(select(0i, _e6790, (_e6790 > 0i)))];
+let _e6796 = global_1.member[bitcast<u32>(select(0i, _e6790, (_e6790 > 0i)))];
 let _e6798 = (_e6760 & 15i);
 let _e6801 = ((_e6761 & 15i) * _e6754);
 let _e6803 = (bitcast<i32>(_e6796) + ((_e6762 & 15i) * _e6759));
@@ -2312,17 +2312,17 @@ let _e6808 = (_e6801 + (3i * _e6754));
 let _e6809 = (_e6803 + _e6759);
 let _e6811 = (_e6803 + (2i * _e6759));
 let _e6813 = (_e6803 + (3i * _e6759));
-local_22 = type_32(array<i32, 4>(_e6798, _e6798, _e6798, _e6798), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_22 = type_28(array<i32, 4>(_e6798, _e6798, _e6798, _e6798), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_23 = vec3<f32>((_e6696 - f32(_e6719)), (_e6700 - f32(_e6734)), (_e6704 - f32(_e6749)));
 let _e6827 = local_22.member[0u];
 let _e6828 = ((_e6809 + _e6804) + _e6827);
 let _e6830 = (_e6828 >> bitcast<u32>(2i));
 let _e6833 = bitcast<u32>(((_e6828 & 3i) * 8i));
 let _e6835 = select(_e6788, _e6830, (_e6830 < _e6788));
-let _e6840 = global_2.member[bitcast<u32>(select(0i, _e6835, (_e6835 > 0i)))];
+let _e6840 = global_1.member[bitcast<u32>(select(0i, _e6835, (_e6835 > 0i)))];
 let _e6844 = (_e6830 + 1i);
 let _e6846 = select(_e6788, _e6844, (_e6844 < _e6788));
-let _e6851 = global_2.member[bitcast<u32>(select(0i, _e6846, (_e6846 > 0i)))];
+let _e6851 = global_1.member[bitcast<u32>(select(0i, _e6846, (_e6846 > 0i)))];
 let _e6858 = ((_e6840 >> bitcast<u32>((_e6833 & 31u))) | ((_e6851 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6833) & 31u))));
 let _e6861 = local_22.member_1[0u];
 let _e6867 = f32(bitcast<i32>(((_e6858 >> bitcast<u32>((_e6861 & 31u))) & 255u)));
@@ -2342,10 +2342,10 @@ let _e6909 = ((_e6809 + _e6806) + _e6908);
 let _e6911 = (_e6909 >> bitcast<u32>(2i));
 let _e6914 = bitcast<u32>(((_e6909 & 3i) * 8i));
 let _e6916 = select(_e6788, _e6911, (_e6911 < _e6788));
-let _e6921 = global_2.member[bitcast<u32>(select(0i, _e6916, (_e6916 > 0i)))];
+let _e6921 = global_1.member[bitcast<u32>(select(0i, _e6916, (_e6916 > 0i)))];
 let _e6925 = (_e6911 + 1i);
 let _e6927 = select(_e6788, _e6925, (_e6925 < _e6788));
-let _e6932 = global_2.member[bitcast<u32>(select(0i, _e6927, (_e6927 > 0i)))];
+let _e6932 = global_1.member[bitcast<u32>(select(0i, _e6927, (_e6927 > 0i)))];
 let _e6939 = ((_e6921 >> bitcast<u32>((_e6914 & 31u))) | ((_e6932 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6914) & 31u))));
 let _e6940 = local_22.member_1[0u];
 let _e6946 = f32(bitcast<i32>(((_e6939 >> bitcast<u32>((_e6940 & 31u))) & 255u)));
@@ -2363,10 +2363,10 @@ let _e6982 = ((_e6811 + _e6804) + _e6981);
 let _e6984 = (_e6982 >> bitcast<u32>(2i));
 let _e6987 = bitcast<u32>(((_e6982 & 3i) * 8i));
 let _e6989 = select(_e6788, _e6984, (_e6984 < _e6788));
-let _e6994 = global_2.member[bitcast<u32>(select(0i, _e6989, (_e6989 > 0i)))];
+let _e6994 = global_1.member[bitcast<u32>(select(0i, _e6989, (_e6989 > 0i)))];
 let _e6998 = (_e6984 + 1i);
 let _e7000 = select(_e6788, _e6998, (_e6998 < _e6788));
-let _e7005 = global_2.member[bitcast<u32>(select(0i, _e7000, (_e7000 > 0i)))];
+let _e7005 = global_1.member[bitcast<u32>(select(0i, _e7000, (_e7000 > 0i)))];
 let _e7012 = ((_e6994 >> bitcast<u32>((_e6987 & 31u))) | ((_e7005 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6987) & 31u))));
 let _e7013 = local_22.member_1[0u];
 let _e7019 = f32(bitcast<i32>(((_e7012 >> bitcast<u32>((_e7013 & 31u))) & 255u)));
@@ -2386,10 +2386,10 @@ let _e7055 = ((_e6811 + _e6806) + _e7054);
 let _e7057 = (_e7055 >> bitcast<u32>(2i));
 let _e7060 = bitcast<u32>(((_e7055 & 3i) * 8i));
 let _e7062 = select(_e6788, _e7057, (_e7057 < _e6788));
-let _e7067 = global_2.member[bitcast<u32>(select(0i, _e7062, (_e7062 > 0i)))];
+let _e7067 = global_1.member[bitcast<u32>(select(0i, _e7062, (_e7062 > 0i)))];
 let _e7071 = (_e7057 + 1i);
 let _e7073 = select(_e6788, _e7071, (_e7071 < _e6788));
-let _e7078 = global_2.member[bitcast<u32>(select(0i, _e7073, (_e7073 > 0i)))];
+let _e7078 = global_1.member[bitcast<u32>(select(0i, _e7073, (_e7073 > 0i)))];
 let _e7085 = ((_e7067 >> bitcast<u32>((_e7060 & 31u))) | ((_e7078 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7060) & 31u))));
 let _e7086 = local_22.member_1[0u];
 let _e7092 = f32(bitcast<i32>(((_e7085 >> bitcast<u32>((_e7086 & 31u))) & 255u)));
@@ -2407,10 +2407,10 @@ let _e7128 = ((_e6809 + _e6801) + _e7127);
 let _e7130 = (_e7128 >> bitcast<u32>(2i));
 let _e7133 = bitcast<u32>(((_e7128 & 3i) * 8i));
 let _e7135 = select(_e6788, _e7130, (_e7130 < _e6788));
-let _e7140 = global_2.member[bitcast<u32>(select(0i, _e7135, (_e7135 > 0i)))];
+let _e7140 = global_1.member[bitcast<u32>(select(0i, _e7135, (_e7135 > 0i)))];
 let _e7144 = (_e7130 + 1i);
 let _e7146 = select(_e6788, _e7144, (_e7144 < _e6788));
-let _e7151 = global_2.member[bitcast<u32>(select(0i, _e7146, (_e7146 > 0i)))];
+let _e7151 = global_1.member[bitcast<u32>(select(0i, _e7146, (_e7146 > 0i)))];
 let _e7158 = ((_e7140 >> bitcast<u32>((_e7133 & 31u))) | ((_e7151 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7133) & 31u))));
 let _e7159 = local_22.member_1[1u];
 let _e7165 = f32(bitcast<i32>(((_e7158 >> bitcast<u32>((_e7159 & 31u))) & 255u)));
@@ -2422,10 +2422,10 @@ let _e7179 = ((_e6809 + _e6808) + _e7178);
 let _e7181 = (_e7179 >> bitcast<u32>(2i));
 let _e7184 = bitcast<u32>(((_e7179 & 3i) * 8i));
 let _e7186 = select(_e6788, _e7181, (_e7181 < _e6788));
-let _e7191 = global_2.member[bitcast<u32>(select(0i, _e7186, (_e7186 > 0i)))];
+let _e7191 = global_1.member[bitcast<u32>(select(0i, _e7186, (_e7186 > 0i)))];
 let _e7195 = (_e7181 + 1i);
 let _e7197 = select(_e6788, _e7195, (_e7195 < _e6788));
-let _e7202 = global_2.member[bitcast<u32>(select(0i, _e7197, (_e7197 > 0i)))];
+let _e7202 = global_1.member[bitcast<u32>(select(0i, _e7197, (_e7197 > 0i)))];
 let _e7209 = ((_e7191 >> bitcast<u32>((_e7184 & 31u))) | ((_e7202 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7184) & 31u))));
 let _e7210 = local_22.member_1[1u];
 let _e7216 = f32(bitcast<i32>(((_e7209 >> bitcast<u32>((_e7210 & 31u))) & 255u)));
@@ -2436,10 +2436,10 @@ let _e7230 = ((_e6811 + _e6801) + _e7229);
 let _e7232 = (_e7230 >> bitcast<u32>(2i));
 let _e7235 = bitcast<u32>(((_e7230 & 3i) * 8i));
 let _e7237 = select(_e6788, _e7232, (_e7232 < _e6788));
-let _e7242 = global_2.member[bitcast<u32>(select(0i, _e7237, (_e7237 > 0i)))];
+let _e7242 = global_1.member[bitcast<u32>(select(0i, _e7237, (_e7237 > 0i)))];
 let _e7246 = (_e7232 + 1i);
 let _e7248 = select(_e6788, _e7246, (_e7246 < _e6788));
-let _e7253 = global_2.member[bitcast<u32>(select(0i, _e7248, (_e7248 > 0i)))];
+let _e7253 = global_1.member[bitcast<u32>(select(0i, _e7248, (_e7248 > 0i)))];
 let _e7260 = ((_e7242 >> bitcast<u32>((_e7235 & 31u))) | ((_e7253 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7235) & 31u))));
 let _e7261 = local_22.member_1[1u];
 let _e7267 = f32(bitcast<i32>(((_e7260 >> bitcast<u32>((_e7261 & 31u))) & 255u)));
@@ -2451,10 +2451,10 @@ let _e7281 = ((_e6811 + _e6808) + _e7280);
 let _e7283 = (_e7281 >> bitcast<u32>(2i));
 let _e7286 = bitcast<u32>(((_e7281 & 3i) * 8i));
 let _e7288 = select(_e6788, _e7283, (_e7283 < _e6788));
-let _e7293 = global_2.member[bitcast<u32>(select(0i, _e7288, (_e7288 > 0i)))];
+let _e7293 = global_1.member[bitcast<u32>(select(0i, _e7288, (_e7288 > 0i)))];
 let _e7297 = (_e7283 + 1i);
 let _e7299 = select(_e6788, _e7297, (_e7297 < _e6788));
-let _e7304 = global_2.member[bitcast<u32>(select(0i, _e7299, (_e7299 > 0i)))];
+let _e7304 = global_1.member[bitcast<u32>(select(0i, _e7299, (_e7299 > 0i)))];
 let _e7311 = ((_e7293 >> bitcast<u32>((_e7286 & 31u))) | ((_e7304 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7286) & 31u))));
 let _e7312 = local_22.member_1[1u];
 let _e7318 = f32(bitcast<i32>(((_e7311 >> bitcast<u32>((_e7312 & 31u))) & 255u)));
@@ -2465,10 +2465,10 @@ let _e7332 = ((_e6803 + _e6804) + _e7331);
 let _e7334 = (_e7332 >> bitcast<u32>(2i));
 let _e7337 = bitcast<u32>(((_e7332 & 3i) * 8i));
 let _e7339 = select(_e6788, _e7334, (_e7334 < _e6788));
-let _e7344 = global_2.member[bitcast<u32>(select(0i, _e7339, (_e7339 > 0i)))];
+let _e7344 = global_1.member[bitcast<u32>(select(0i, _e7339, (_e7339 > 0i)))];
 let _e7348 = (_e7334 + 1i);
 let _e7350 = select(_e6788, _e7348, (_e7348 < _e6788));
-let _e7355 = global_2.member[bitcast<u32>(select(0i, _e7350, (_e7350 > 0i)))];
+let _e7355 = global_1.member[bitcast<u32>(select(0i, _e7350, (_e7350 > 0i)))];
 let _e7362 = ((_e7344 >> bitcast<u32>((_e7337 & 31u))) | ((_e7355 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7337) & 31u))));
 let _e7363 = local_22.member_1[1u];
 let _e7369 = f32(bitcast<i32>(((_e7362 >> bitcast<u32>((_e7363 & 31u))) & 255u)));
@@ -2480,10 +2480,10 @@ let _e7383 = ((_e6813 + _e6804) + _e7382);
 let _e7385 = (_e7383 >> bitcast<u32>(2i));
 let _e7388 = bitcast<u32>(((_e7383 & 3i) * 8i));
 let _e7390 = select(_e6788, _e7385, (_e7385 < _e6788));
-let _e7395 = global_2.member[bitcast<u32>(select(0i, _e7390, (_e7390 > 0i)))];
+let _e7395 = global_1.member[bitcast<u32>(select(0i, _e7390, (_e7390 > 0i)))];
 let _e7399 = (_e7385 + 1i);
 let _e7401 = select(_e6788, _e7399, (_e7399 < _e6788));
-let _e7406 = global_2.member[bitcast<u32>(select(0i, _e7401, (_e7401 > 0i)))];
+let _e7406 = global_1.member[bitcast<u32>(select(0i, _e7401, (_e7401 > 0i)))];
 let _e7413 = ((_e7395 >> bitcast<u32>((_e7388 & 31u))) | ((_e7406 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7388) & 31u))));
 let _e7414 = local_22.member_1[1u];
 let _e7420 = f32(bitcast<i32>(((_e7413 >> bitcast<u32>((_e7414 & 31u))) & 255u)));
@@ -2495,10 +2495,10 @@ let _e7434 = ((_e6803 + _e6806) + _e7433);
 let _e7436 = (_e7434 >> bitcast<u32>(2i));
 let _e7439 = bitcast<u32>(((_e7434 & 3i) * 8i));
 let _e7441 = select(_e6788, _e7436, (_e7436 < _e6788));
-let _e7446 = global_2.member[bitcast<u32>(select(0i, _e7441, (_e7441 > 0i)))];
+let _e7446 = global_1.member[bitcast<u32>(select(0i, _e7441, (_e7441 > 0i)))];
 let _e7450 = (_e7436 + 1i);
 let _e7452 = select(_e6788, _e7450, (_e7450 < _e6788));
-let _e7457 = global_2.member[bitcast<u32>(select(0i, _e7452, (_e7452 > 0i)))];
+let _e7457 = global_1.member[bitcast<u32>(select(0i, _e7452, (_e7452 > 0i)))];
 let _e7464 = ((_e7446 >> bitcast<u32>((_e7439 & 31u))) | ((_e7457 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7439) & 31u))));
 let _e7465 = local_22.member_1[1u];
 let _e7471 = f32(bitcast<i32>(((_e7464 >> bitcast<u32>((_e7465 & 31u))) & 255u)));
@@ -2509,10 +2509,10 @@ let _e7485 = ((_e6813 + _e6806) + _e7484);
 let _e7487 = (_e7485 >> bitcast<u32>(2i));
 let _e7490 = bitcast<u32>(((_e7485 & 3i) * 8i));
 let _e7492 = select(_e6788, _e7487, (_e7487 < _e6788));
-let _e7497 = global_2.member[bitcast<u32>(select(0i, _e7492, (_e7492 > 0i)))];
+let _e7497 = global_1.member[bitcast<u32>(select(0i, _e7492, (_e7492 > 0i)))];
 let _e7501 = (_e7487 + 1i);
 let _e7503 = select(_e6788, _e7501, (_e7501 < _e6788));
-let _e7508 = global_2.member[bitcast<u32>(select(0i, _e7503, (_e7503 > 0i)))];
+let _e7508 = global_1.member[bitcast<u32>(select(0i, _e7503, (_e7503 > 0i)))];
 let _e7515 = ((_e7497 >> bitcast<u32>((_e7490 & 31u))) | ((_e7508 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7490) & 31u))));
 let _e7516 = local_22.member_1[1u];
 let _e7522 = f32(bitcast<i32>(((_e7515 >> bitcast<u32>((_e7516 & 31u))) & 255u)));
@@ -2544,8 +2544,8 @@ let _e7596 = local_23[2u];
 let _e7600 = local_23[1u];
 let _e7604 = local_23[2u];
 let _e7608 = local_23[2u];
-let _e7616 = global_4.member[_e371].member_6.member_6;
-let _e7621 = global_4.member[_e371].member_6.member_5;
+let _e7616 = global_3.member[_e371].member_6.member_6;
+let _e7621 = global_3.member[_e371].member_6.member_5;
 let _e7623 = (((_e7538 + ((_e7542 - _e7538) * _e7608)) - _e7616) * _e7621);
 let _e7624 = -(1e9f);
 let _e7626 = select(_e7624, _e7623, (_e7623 > _e7624));
@@ -2574,50 +2574,50 @@ local_21 = _e7665;
 let _e7666 = local_21;
 let _e7668 = (bitcast<i32>(_e189) - 1i);
 let _e7670 = select(_e7668, 263197i, (263197i < _e7668));
-let _e7675 = global_3.member[bitcast<u32>(select(0i, _e7670, (_e7670 > 0i)))];
+let _e7675 = global_2.member[bitcast<u32>(select(0i, _e7670, (_e7670 > 0i)))];
 let _e7676 = bitcast<f32>(_e7675);
 let _e7678 = select(_e7668, 263198i, (263198i < _e7668));
 let _e7681 = bitcast<u32>(select(0i, _e7678, (_e7678 > 0i)));
-let _e7683 = global_3.member[_e7681];
+let _e7683 = global_2.member[_e7681];
 let _e7684 = bitcast<f32>(_e7683);
 let _e7686 = select(_e7668, 263199i, (263199i < _e7668));
-let _e7691 = global_3.member[bitcast<u32>(select(0i, _e7686, (_e7686 > 0i)))];
+let _e7691 = global_2.member[bitcast<u32>(select(0i, _e7686, (_e7686 > 0i)))];
 let _e7692 = bitcast<f32>(_e7691);
 let _e7694 = ((_e7666 - _e7676) * _e7684);
 let _e7696 = select(0f, _e7694, (_e7694 > 0f));
 let _e7699 = local_21;
 let _e7701 = select(_e7668, 263200i, (263200i < _e7668));
-let _e7706 = global_3.member[bitcast<u32>(select(0i, _e7701, (_e7701 > 0i)))];
+let _e7706 = global_2.member[bitcast<u32>(select(0i, _e7701, (_e7701 > 0i)))];
 let _e7707 = bitcast<f32>(_e7706);
 let _e7709 = select(_e7668, 263201i, (263201i < _e7668));
-let _e7714 = global_3.member[bitcast<u32>(select(0i, _e7709, (_e7709 > 0i)))];
+let _e7714 = global_2.member[bitcast<u32>(select(0i, _e7709, (_e7709 > 0i)))];
 let _e7715 = bitcast<f32>(_e7714);
 let _e7717 = select(_e7668, 263202i, (263202i < _e7668));
-let _e7722 = global_3.member[bitcast<u32>(select(0i, _e7717, (_e7717 > 0i)))];
+let _e7722 = global_2.member[bitcast<u32>(select(0i, _e7717, (_e7717 > 0i)))];
 let _e7723 = bitcast<f32>(_e7722);
 let _e7725 = ((_e7699 - _e7707) * _e7715);
 let _e7727 = select(0f, _e7725, (_e7725 > 0f));
 let _e7731 = local_21;
 let _e7733 = select(_e7668, 263203i, (263203i < _e7668));
-let _e7738 = global_3.member[bitcast<u32>(select(0i, _e7733, (_e7733 > 0i)))];
+let _e7738 = global_2.member[bitcast<u32>(select(0i, _e7733, (_e7733 > 0i)))];
 let _e7739 = bitcast<f32>(_e7738);
 let _e7741 = select(_e7668, 263204i, (263204i < _e7668));
-let _e7746 = global_3.member[bitcast<u32>(select(0i, _e7741, (_e7741 > 0i)))];
+let _e7746 = global_2.member[bitcast<u32>(select(0i, _e7741, (_e7741 > 0i)))];
 let _e7747 = bitcast<f32>(_e7746);
 let _e7749 = select(_e7668, 263205i, (263205i < _e7668));
-let _e7754 = global_3.member[bitcast<u32>(select(0i, _e7749, (_e7749 > 0i)))];
+let _e7754 = global_2.member[bitcast<u32>(select(0i, _e7749, (_e7749 > 0i)))];
 let _e7755 = bitcast<f32>(_e7754);
 let _e7757 = ((_e7731 - _e7739) * _e7747);
 let _e7759 = select(0f, _e7757, (_e7757 > 0f));
 let _e7762 = local_21;
 let _e7764 = select(_e7668, 263206i, (263206i < _e7668));
-let _e7769 = global_3.member[bitcast<u32>(select(0i, _e7764, (_e7764 > 0i)))];
+let _e7769 = global_2.member[bitcast<u32>(select(0i, _e7764, (_e7764 > 0i)))];
 let _e7770 = bitcast<f32>(_e7769);
 let _e7772 = select(_e7668, 263207i, (263207i < _e7668));
-let _e7777 = global_3.member[bitcast<u32>(select(0i, _e7772, (_e7772 > 0i)))];
+let _e7777 = global_2.member[bitcast<u32>(select(0i, _e7772, (_e7772 > 0i)))];
 let _e7778 = bitcast<f32>(_e7777);
 let _e7780 = select(_e7668, 263208i, (263208i < _e7668));
-let _e7785 = global_3.member[bitcast<u32>(select(0i, _e7780, (_e7780 > 0i)))];
+let _e7785 = global_2.member[bitcast<u32>(select(0i, _e7780, (_e7780 > 0i)))];
 let _e7786 = bitcast<f32>(_e7785);
 let _e7788 = ((_e7762 - _e7770) * _e7778);
 let _e7790 = select(0f, _e7788, (_e7788 > 0f));
@@ -2628,34 +2628,34 @@ let _e7805 = select(0i, select(select(i32(_e7798), i32(-2147483648), (_e7798 < -
 let _e7809 = (_e7805 - select(0i, 1i, (_e7798 < f32(_e7805))));
 let _e7810 = (262147i + _e7809);
 let _e7812 = select(_e7668, _e7810, (_e7810 < _e7668));
-let _e7818 = global_3.member[bitcast<u32>(select(0i, _e7812, (_e7812 > 0i)))];
+let _e7818 = global_2.member[bitcast<u32>(select(0i, _e7812, (_e7812 > 0i)))];
 let _e7828 = select(_e7668, 262146i, (262146i < _e7668));
-let _e7834 = global_3.member[bitcast<u32>(select(0i, _e7828, (_e7828 > 0i)))];
+let _e7834 = global_2.member[bitcast<u32>(select(0i, _e7828, (_e7828 > 0i)))];
 let _e7835 = bitcast<f32>(_e7834);
 let _e7836 = (f32((bitcast<i32>((_e7818 & 4095u)) - 2048i)) * _e7835);
 let _e7838 = select(_e7668, 262144i, (262144i < _e7668));
-let _e7844 = global_3.member[bitcast<u32>(select(0i, _e7838, (_e7838 > 0i)))];
+let _e7844 = global_2.member[bitcast<u32>(select(0i, _e7838, (_e7838 > 0i)))];
 let _e7845 = bitcast<f32>(_e7844);
 let _e7847 = select(_e7668, 262145i, (262145i < _e7668));
-let _e7853 = global_3.member[bitcast<u32>(select(0i, _e7847, (_e7847 > 0i)))];
+let _e7853 = global_2.member[bitcast<u32>(select(0i, _e7847, (_e7847 > 0i)))];
 let _e7854 = bitcast<f32>(_e7853);
 let _e7860 = ((_e7845 + (f32(bitcast<i32>((_e7818 >> bitcast<u32>(12u)))) * _e7854)) + (_e7836 * (_e7794 - f32(_e7809))));
-let _e7863 = global_3.member[_e7681];
+let _e7863 = global_2.member[_e7681];
 let _e7865 = local_20;
 let _e7868 = local_20;
 let _e7871 = local_20;
 let _e7875 = select(_e7668, 263209i, (263209i < _e7668));
-let _e7881 = global_3.member[bitcast<u32>(select(0i, _e7875, (_e7875 > 0i)))];
+let _e7881 = global_2.member[bitcast<u32>(select(0i, _e7875, (_e7875 > 0i)))];
 let _e7883 = local_20;
 let _e7886 = select(_e7668, 263210i, (263210i < _e7668));
-let _e7892 = global_3.member[bitcast<u32>(select(0i, _e7886, (_e7886 > 0i)))];
+let _e7892 = global_2.member[bitcast<u32>(select(0i, _e7886, (_e7886 > 0i)))];
 let _e7894 = local_20;
 let _e7898 = (_e7836 * select(0f, select(select(select(bitcast<f32>(_e7863), _e7715, (_e7865 >= _e7707)), _e7747, (_e7868 >= _e7739)), _e7778, (_e7871 >= _e7770)), ((_e7883 >= bitcast<f32>(_e7881)) && (_e7894 <= bitcast<f32>(_e7892)))));
 if _e585 {
 let _e8349 = ((0.5f * (_e7640 - _e7634)) * _e7898);
 let _e8350 = ((0.5f * (_e7652 - _e7646)) * _e7898);
 let _e8351 = ((0.5f * (_e7664 - _e7658)) * _e7898);
-phi_19714_ = type_33(_e7860, vec3<f32>(_e8349, _e8350, _e8351), vec3<f32>((_e8349 * _e7860), (_e8350 * _e7860), (_e8351 * _e7860)));
+phi_19714_ = type_32(_e7860, vec3<f32>(_e8349, _e8350, _e8351), vec3<f32>((_e8349 * _e7860), (_e8350 * _e7860), (_e8351 * _e7860)));
 } else {
 local_18 = _e7634;
 let _e7899 = local_18;
@@ -2679,7 +2679,7 @@ let _e7941 = select(0i, select(select(i32(_e7934), i32(-2147483648), (_e7934 < -
 let _e7945 = (_e7941 - select(0i, 1i, (_e7934 < f32(_e7941))));
 let _e7946 = (262147i + _e7945);
 let _e7948 = select(_e7668, _e7946, (_e7946 < _e7668));
-let _e7954 = global_3.member[bitcast<u32>(select(0i, _e7948, (_e7948 > 0i)))];
+let _e7954 = global_2.member[bitcast<u32>(select(0i, _e7948, (_e7948 > 0i)))];
 let _e7969 = ((_e7845 + (f32(bitcast<i32>((_e7954 >> bitcast<u32>(12u)))) * _e7854)) + ((f32((bitcast<i32>((_e7954 & 4095u)) - 2048i)) * _e7835) * (_e7930 - f32(_e7945))));
 local_16 = _e7640;
 let _e7970 = local_16;
@@ -2703,7 +2703,7 @@ let _e8012 = select(0i, select(select(i32(_e8005), i32(-2147483648), (_e8005 < -
 let _e8016 = (_e8012 - select(0i, 1i, (_e8005 < f32(_e8012))));
 let _e8017 = (262147i + _e8016);
 let _e8019 = select(_e7668, _e8017, (_e8017 < _e7668));
-let _e8025 = global_3.member[bitcast<u32>(select(0i, _e8019, (_e8019 > 0i)))];
+let _e8025 = global_2.member[bitcast<u32>(select(0i, _e8019, (_e8019 > 0i)))];
 let _e8040 = ((_e7845 + (f32(bitcast<i32>((_e8025 >> bitcast<u32>(12u)))) * _e7854)) + ((f32((bitcast<i32>((_e8025 & 4095u)) - 2048i)) * _e7835) * (_e8001 - f32(_e8016))));
 local_14 = _e7646;
 let _e8041 = local_14;
@@ -2727,7 +2727,7 @@ let _e8083 = select(0i, select(select(i32(_e8076), i32(-2147483648), (_e8076 < -
 let _e8087 = (_e8083 - select(0i, 1i, (_e8076 < f32(_e8083))));
 let _e8088 = (262147i + _e8087);
 let _e8090 = select(_e7668, _e8088, (_e8088 < _e7668));
-let _e8096 = global_3.member[bitcast<u32>(select(0i, _e8090, (_e8090 > 0i)))];
+let _e8096 = global_2.member[bitcast<u32>(select(0i, _e8090, (_e8090 > 0i)))];
 let _e8111 = ((_e7845 + (f32(bitcast<i32>((_e8096 >> bitcast<u32>(12u)))) * _e7854)) + ((f32((bitcast<i32>((_e8096 & 4095u)) - 2048i)) * _e7835) * (_e8072 - f32(_e8087))));
 local_12 = _e7652;
 let _e8112 = local_12;
@@ -2751,7 +2751,7 @@ let _e8154 = select(0i, select(select(i32(_e8147), i32(-2147483648), (_e8147 < -
 let _e8158 = (_e8154 - select(0i, 1i, (_e8147 < f32(_e8154))));
 let _e8159 = (262147i + _e8158);
 let _e8161 = select(_e7668, _e8159, (_e8159 < _e7668));
-let _e8167 = global_3.member[bitcast<u32>(select(0i, _e8161, (_e8161 > 0i)))];
+let _e8167 = global_2.member[bitcast<u32>(select(0i, _e8161, (_e8161 > 0i)))];
 let _e8182 = ((_e7845 + (f32(bitcast<i32>((_e8167 >> bitcast<u32>(12u)))) * _e7854)) + ((f32((bitcast<i32>((_e8167 & 4095u)) - 2048i)) * _e7835) * (_e8143 - f32(_e8158))));
 local_10 = _e7658;
 let _e8183 = local_10;
@@ -2775,7 +2775,7 @@ let _e8225 = select(0i, select(select(i32(_e8218), i32(-2147483648), (_e8218 < -
 let _e8229 = (_e8225 - select(0i, 1i, (_e8218 < f32(_e8225))));
 let _e8230 = (262147i + _e8229);
 let _e8232 = select(_e7668, _e8230, (_e8230 < _e7668));
-let _e8238 = global_3.member[bitcast<u32>(select(0i, _e8232, (_e8232 > 0i)))];
+let _e8238 = global_2.member[bitcast<u32>(select(0i, _e8232, (_e8232 > 0i)))];
 let _e8253 = ((_e7845 + (f32(bitcast<i32>((_e8238 >> bitcast<u32>(12u)))) * _e7854)) + ((f32((bitcast<i32>((_e8238 & 4095u)) - 2048i)) * _e7835) * (_e8214 - f32(_e8229))));
 local_8 = _e7664;
 let _e8254 = local_8;
@@ -2799,28 +2799,28 @@ let _e8296 = select(0i, select(select(i32(_e8289), i32(-2147483648), (_e8289 < -
 let _e8300 = (_e8296 - select(0i, 1i, (_e8289 < f32(_e8296))));
 let _e8301 = (262147i + _e8300);
 let _e8303 = select(_e7668, _e8301, (_e8301 < _e7668));
-let _e8309 = global_3.member[bitcast<u32>(select(0i, _e8303, (_e8303 > 0i)))];
+let _e8309 = global_2.member[bitcast<u32>(select(0i, _e8303, (_e8303 > 0i)))];
 let _e8324 = ((_e7845 + (f32(bitcast<i32>((_e8309 >> bitcast<u32>(12u)))) * _e7854)) + ((f32((bitcast<i32>((_e8309 & 4095u)) - 2048i)) * _e7835) * (_e8285 - f32(_e8300))));
 let _e8325 = (_e8040 - _e7969);
 let _e8327 = (_e8182 - _e8111);
 let _e8329 = (_e8324 - _e8253);
-phi_19714_ = type_33(_e7860, vec3<f32>((0.5f * _e8325), (0.5f * _e8327), (0.5f * _e8329)), vec3<f32>((0.25f * (_e8325 * (_e8040 + _e7969))), (0.25f * (_e8327 * (_e8182 + _e8111))), (0.25f * (_e8329 * (_e8324 + _e8253)))));
+phi_19714_ = type_32(_e7860, vec3<f32>((0.5f * _e8325), (0.5f * _e8327), (0.5f * _e8329)), vec3<f32>((0.25f * (_e8325 * (_e8040 + _e7969))), (0.25f * (_e8327 * (_e8182 + _e8111))), (0.25f * (_e8329 * (_e8324 + _e8253)))));
 }
 let _e8359 = phi_19714_;
 let _e8374 = select(0f, 1f, ((((((_e6311 >= -0.5f) && (_e6311 <= _e899)) && (_e6317 >= -0.5f)) && (_e6317 <= _e904)) && (_e6323 >= -0.5f)) && (_e6323 <= _e909)));
 let _e8376 = (0.5f * (_e7640 - _e7634));
 let _e8378 = (0.5f * (_e7652 - _e7646));
 let _e8380 = (0.5f * (_e7664 - _e7658));
-let _e8387 = global_4.member[_e371].member_6.member.member.member;
-let _e8394 = global_4.member[_e371].member_6.member.member.member_1;
-let _e8401 = global_4.member[_e371].member_6.member.member.member_2;
-let _e8408 = global_4.member[_e371].member_6.member_1.member.member;
-let _e8415 = global_4.member[_e371].member_6.member_1.member.member_1;
-let _e8422 = global_4.member[_e371].member_6.member_1.member.member_2;
-let _e8429 = global_4.member[_e371].member_6.member_2.member.member;
-let _e8436 = global_4.member[_e371].member_6.member_2.member.member_1;
-let _e8443 = global_4.member[_e371].member_6.member_2.member.member_2;
-phi_20417_ = type_34(_e7628, vec3<f32>(((((_e8387 * _e8376) + (_e8408 * _e8378)) + (_e8429 * _e8380)) * _e8374), ((((_e8394 * _e8376) + (_e8415 * _e8378)) + (_e8436 * _e8380)) * _e8374), ((((_e8401 * _e8376) + (_e8422 * _e8378)) + (_e8443 * _e8380)) * _e8374)), _e8359.member, vec3<f32>(((((_e8387 * _e8359.member_2.x) + (_e8408 * _e8359.member_2.y)) + (_e8429 * _e8359.member_2.z)) * _e8374), ((((_e8394 * _e8359.member_2.x) + (_e8415 * _e8359.member_2.y)) + (_e8436 * _e8359.member_2.z)) * _e8374), ((((_e8401 * _e8359.member_2.x) + (_e8422 * _e8359.member_2.y)) + (_e8443 * _e8359.member_2.z)) * _e8374)), vec3<f32>(((((_e8387 * _e8359.member_1.x) + (_e8408 * _e8359.member_1.y)) + (_e8429 * _e8359.member_1.z)) * _e8374), ((((_e8394 * _e8359.member_1.x) + (_e8415 * _e8359.member_1.y)) + (_e8436 * _e8359.member_1.z)) * _e8374), ((((_e8401 * _e8359.member_1.x) + (_e8422 * _e8359.member_1.y)) + (_e8443 * _e8359.member_1.z)) * _e8374)));
+let _e8387 = global_3.member[_e371].member_6.member.member.member;
+let _e8394 = global_3.member[_e371].member_6.member.member.member_1;
+let _e8401 = global_3.member[_e371].member_6.member.member.member_2;
+let _e8408 = global_3.member[_e371].member_6.member_1.member.member;
+let _e8415 = global_3.member[_e371].member_6.member_1.member.member_1;
+let _e8422 = global_3.member[_e371].member_6.member_1.member.member_2;
+let _e8429 = global_3.member[_e371].member_6.member_2.member.member;
+let _e8436 = global_3.member[_e371].member_6.member_2.member.member_1;
+let _e8443 = global_3.member[_e371].member_6.member_2.member.member_2;
+phi_20417_ = type_33(_e7628, vec3<f32>(((((_e8387 * _e8376) + (_e8408 * _e8378)) + (_e8429 * _e8380)) * _e8374), ((((_e8394 * _e8376) + (_e8415 * _e8378)) + (_e8436 * _e8380)) * _e8374), ((((_e8401 * _e8376) + (_e8422 * _e8378)) + (_e8443 * _e8380)) * _e8374)), _e8359.member, vec3<f32>(((((_e8387 * _e8359.member_2.x) + (_e8408 * _e8359.member_2.y)) + (_e8429 * _e8359.member_2.z)) * _e8374), ((((_e8394 * _e8359.member_2.x) + (_e8415 * _e8359.member_2.y)) + (_e8436 * _e8359.member_2.z)) * _e8374), ((((_e8401 * _e8359.member_2.x) + (_e8422 * _e8359.member_2.y)) + (_e8443 * _e8359.member_2.z)) * _e8374)), vec3<f32>(((((_e8387 * _e8359.member_1.x) + (_e8408 * _e8359.member_1.y)) + (_e8429 * _e8359.member_1.z)) * _e8374), ((((_e8394 * _e8359.member_1.x) + (_e8415 * _e8359.member_1.y)) + (_e8436 * _e8359.member_1.z)) * _e8374), ((((_e8401 * _e8359.member_1.x) + (_e8422 * _e8359.member_1.y)) + (_e8443 * _e8359.member_1.z)) * _e8374)));
 } else {
 let _e6325 = select(-0.5f, _e6311, (_e6311 > -0.5f));
 let _e6327 = select(_e899, _e6325, (_e6325 < _e899));
@@ -2840,17 +2840,17 @@ let _e6367 = select(-1f, _e6335, (_e6335 > -1f));
 let _e6369 = select(_e562, _e6367, (_e6367 < _e562));
 let _e6376 = select(0i, select(select(i32(_e6369), i32(-2147483648), (_e6369 < -2147483600f)), 2147483647i, (_e6369 > 2147483500f)), (_e6369 == _e6369));
 let _e6380 = (_e6376 - select(0i, 1i, (_e6369 < f32(_e6376))));
-let _e6385 = global_4.member[_e371].member_6.member_7;
-let _e6390 = global_4.member[_e371].member_6.member_8;
+let _e6385 = global_3.member[_e371].member_6.member_7;
+let _e6390 = global_3.member[_e371].member_6.member_8;
 let _e6391 = (_e6350 + 1i);
 let _e6392 = (_e6365 + 1i);
 let _e6393 = (_e6380 + 1i);
-let _e6399 = global_4.member[_e371].member_6.member_11.member;
-let _e6406 = global_4.member[_e371].member_6.member_11.member_1;
+let _e6399 = global_3.member[_e371].member_6.member_11.member;
+let _e6406 = global_3.member[_e371].member_6.member_11.member_1;
 let _e6417 = ((_e6391 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6399) * ((_e6392 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6406) * (_e6393 >> bitcast<u32>(4i))))));
 let _e6419 = (bitcast<i32>(_e184) - 1i);
 let _e6421 = select(_e6419, _e6417, (_e6417 < _e6419));
-let _e6427 = global_2.member[bitcast<u32>(select(0i, _e6421, (_e6421 > 0i)))];
+let _e6427 = global_1.member[bitcast<u32>(select(0i, _e6421, (_e6421 > 0i)))];
 let _e6429 = (_e6391 & 15i);
 let _e6432 = ((_e6392 & 15i) * _e6385);
 let _e6434 = (bitcast<i32>(_e6427) + ((_e6393 & 15i) * _e6390));
@@ -2858,17 +2858,17 @@ let _e6435 = (_e6432 + _e6385);
 let _e6437 = (_e6432 + (2i * _e6385));
 let _e6438 = (_e6434 + _e6390);
 let _e6440 = (_e6434 + (2i * _e6390));
-local_6 = type_32(array<i32, 4>(_e6429, _e6429, _e6429, _e6429), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_6 = type_28(array<i32, 4>(_e6429, _e6429, _e6429, _e6429), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_7 = vec3<f32>((_e6327 - f32(_e6350)), (_e6331 - f32(_e6365)), (_e6335 - f32(_e6380)));
 let _e6454 = local_6.member[0u];
 let _e6455 = ((_e6438 + _e6435) + _e6454);
 let _e6457 = (_e6455 >> bitcast<u32>(2i));
 let _e6460 = bitcast<u32>(((_e6455 & 3i) * 8i));
 let _e6462 = select(_e6419, _e6457, (_e6457 < _e6419));
-let _e6467 = global_2.member[bitcast<u32>(select(0i, _e6462, (_e6462 > 0i)))];
+let _e6467 = global_1.member[bitcast<u32>(select(0i, _e6462, (_e6462 > 0i)))];
 let _e6471 = (_e6457 + 1i);
 let _e6473 = select(_e6419, _e6471, (_e6471 < _e6419));
-let _e6478 = global_2.member[bitcast<u32>(select(0i, _e6473, (_e6473 > 0i)))];
+let _e6478 = global_1.member[bitcast<u32>(select(0i, _e6473, (_e6473 > 0i)))];
 let _e6485 = ((_e6467 >> bitcast<u32>((_e6460 & 31u))) | ((_e6478 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6460) & 31u))));
 let _e6488 = local_6.member_1[1u];
 let _e6494 = f32(bitcast<i32>(((_e6485 >> bitcast<u32>((_e6488 & 31u))) & 255u)));
@@ -2880,10 +2880,10 @@ let _e6510 = ((_e6438 + _e6437) + _e6509);
 let _e6512 = (_e6510 >> bitcast<u32>(2i));
 let _e6515 = bitcast<u32>(((_e6510 & 3i) * 8i));
 let _e6517 = select(_e6419, _e6512, (_e6512 < _e6419));
-let _e6522 = global_2.member[bitcast<u32>(select(0i, _e6517, (_e6517 > 0i)))];
+let _e6522 = global_1.member[bitcast<u32>(select(0i, _e6517, (_e6517 > 0i)))];
 let _e6526 = (_e6512 + 1i);
 let _e6528 = select(_e6419, _e6526, (_e6526 < _e6419));
-let _e6533 = global_2.member[bitcast<u32>(select(0i, _e6528, (_e6528 > 0i)))];
+let _e6533 = global_1.member[bitcast<u32>(select(0i, _e6528, (_e6528 > 0i)))];
 let _e6540 = ((_e6522 >> bitcast<u32>((_e6515 & 31u))) | ((_e6533 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6515) & 31u))));
 let _e6541 = local_6.member_1[1u];
 let _e6547 = f32(bitcast<i32>(((_e6540 >> bitcast<u32>((_e6541 & 31u))) & 255u)));
@@ -2896,10 +2896,10 @@ let _e6566 = ((_e6440 + _e6435) + _e6565);
 let _e6568 = (_e6566 >> bitcast<u32>(2i));
 let _e6571 = bitcast<u32>(((_e6566 & 3i) * 8i));
 let _e6573 = select(_e6419, _e6568, (_e6568 < _e6419));
-let _e6578 = global_2.member[bitcast<u32>(select(0i, _e6573, (_e6573 > 0i)))];
+let _e6578 = global_1.member[bitcast<u32>(select(0i, _e6573, (_e6573 > 0i)))];
 let _e6582 = (_e6568 + 1i);
 let _e6584 = select(_e6419, _e6582, (_e6582 < _e6419));
-let _e6589 = global_2.member[bitcast<u32>(select(0i, _e6584, (_e6584 > 0i)))];
+let _e6589 = global_1.member[bitcast<u32>(select(0i, _e6584, (_e6584 > 0i)))];
 let _e6596 = ((_e6578 >> bitcast<u32>((_e6571 & 31u))) | ((_e6589 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6571) & 31u))));
 let _e6597 = local_6.member_1[1u];
 let _e6603 = f32(bitcast<i32>(((_e6596 >> bitcast<u32>((_e6597 & 31u))) & 255u)));
@@ -2911,10 +2911,10 @@ let _e6617 = ((_e6440 + _e6437) + _e6616);
 let _e6619 = (_e6617 >> bitcast<u32>(2i));
 let _e6622 = bitcast<u32>(((_e6617 & 3i) * 8i));
 let _e6624 = select(_e6419, _e6619, (_e6619 < _e6419));
-let _e6629 = global_2.member[bitcast<u32>(select(0i, _e6624, (_e6624 > 0i)))];
+let _e6629 = global_1.member[bitcast<u32>(select(0i, _e6624, (_e6624 > 0i)))];
 let _e6633 = (_e6619 + 1i);
 let _e6635 = select(_e6419, _e6633, (_e6633 < _e6419));
-let _e6640 = global_2.member[bitcast<u32>(select(0i, _e6635, (_e6635 > 0i)))];
+let _e6640 = global_1.member[bitcast<u32>(select(0i, _e6635, (_e6635 > 0i)))];
 let _e6647 = ((_e6629 >> bitcast<u32>((_e6622 & 31u))) | ((_e6640 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6622) & 31u))));
 let _e6648 = local_6.member_1[1u];
 let _e6654 = f32(bitcast<i32>(((_e6647 >> bitcast<u32>((_e6648 & 31u))) & 255u)));
@@ -2922,12 +2922,12 @@ let _e6655 = local_6.member_1[2u];
 let _e6662 = local_7[0u];
 let _e6666 = local_7[1u];
 let _e6671 = local_7[2u];
-let _e6679 = global_4.member[_e371].member_6.member_6;
-let _e6684 = global_4.member[_e371].member_6.member_5;
+let _e6679 = global_3.member[_e371].member_6.member_6;
+let _e6684 = global_3.member[_e371].member_6.member_5;
 let _e6686 = (((_e6563 + (((_e6614 + (((_e6654 + ((f32(bitcast<i32>(((_e6647 >> bitcast<u32>((_e6655 & 31u))) & 255u))) - _e6654) * _e6662)) - _e6614) * _e6666)) - _e6563) * _e6671)) - _e6679) * _e6684);
 let _e6687 = -(1e9f);
 let _e6689 = select(_e6687, _e6686, (_e6686 > _e6687));
-phi_20417_ = type_34(select(1e9f, _e6689, (_e6689 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20417_ = type_33(select(1e9f, _e6689, (_e6689 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8509 = phi_20417_;
 let _e8511 = select(-0.5f, _e483, (_e483 > -0.5f));
@@ -2948,17 +2948,17 @@ let _e8553 = select(-1f, _e8521, (_e8521 > -1f));
 let _e8555 = select(_e562, _e8553, (_e8553 < _e562));
 let _e8562 = select(0i, select(select(i32(_e8555), i32(-2147483648), (_e8555 < -2147483600f)), 2147483647i, (_e8555 > 2147483500f)), (_e8555 == _e8555));
 let _e8566 = (_e8562 - select(0i, 1i, (_e8555 < f32(_e8562))));
-let _e8571 = global_4.member[_e371].member_6.member_7;
-let _e8576 = global_4.member[_e371].member_6.member_8;
+let _e8571 = global_3.member[_e371].member_6.member_7;
+let _e8576 = global_3.member[_e371].member_6.member_8;
 let _e8577 = (_e8536 + 1i);
 let _e8578 = (_e8551 + 1i);
 let _e8579 = (_e8566 + 1i);
-let _e8585 = global_4.member[_e371].member_6.member_11.member;
-let _e8592 = global_4.member[_e371].member_6.member_11.member_1;
+let _e8585 = global_3.member[_e371].member_6.member_11.member;
+let _e8592 = global_3.member[_e371].member_6.member_11.member_1;
 let _e8603 = ((_e8577 >> bitcast<u32>(4i)) + (bitcast<i32>(_e8585) * ((_e8578 >> bitcast<u32>(4i)) + (bitcast<i32>(_e8592) * (_e8579 >> bitcast<u32>(4i))))));
 let _e8605 = (bitcast<i32>(_e184) - 1i);
 let _e8607 = select(_e8605, _e8603, (_e8603 < _e8605));
-let _e8613 = global_2.member[bitcast<u32>(select(0i, _e8607, (_e8607 > 0i)))];
+let _e8613 = global_1.member[bitcast<u32>(select(0i, _e8607, (_e8607 > 0i)))];
 let _e8615 = (_e8577 & 15i);
 let _e8618 = ((_e8578 & 15i) * _e8571);
 let _e8620 = (bitcast<i32>(_e8613) + ((_e8579 & 15i) * _e8576));
@@ -2966,17 +2966,17 @@ let _e8621 = (_e8618 + _e8571);
 let _e8623 = (_e8618 + (2i * _e8571));
 let _e8624 = (_e8620 + _e8576);
 let _e8626 = (_e8620 + (2i * _e8576));
-local_4 = type_32(array<i32, 4>(_e8615, _e8615, _e8615, _e8615), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_4 = type_28(array<i32, 4>(_e8615, _e8615, _e8615, _e8615), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_5 = vec3<f32>((_e8513 - f32(_e8536)), (_e8517 - f32(_e8551)), (_e8521 - f32(_e8566)));
 let _e8640 = local_4.member[0u];
 let _e8641 = ((_e8624 + _e8621) + _e8640);
 let _e8643 = (_e8641 >> bitcast<u32>(2i));
 let _e8646 = bitcast<u32>(((_e8641 & 3i) * 8i));
 let _e8648 = select(_e8605, _e8643, (_e8643 < _e8605));
-let _e8653 = global_2.member[bitcast<u32>(select(0i, _e8648, (_e8648 > 0i)))];
+let _e8653 = global_1.member[bitcast<u32>(select(0i, _e8648, (_e8648 > 0i)))];
 let _e8657 = (_e8643 + 1i);
 let _e8659 = select(_e8605, _e8657, (_e8657 < _e8605));
-let _e8664 = global_2.member[bitcast<u32>(select(0i, _e8659, (_e8659 > 0i)))];
+let _e8664 = global_1.member[bitcast<u32>(select(0i, _e8659, (_e8659 > 0i)))];
 let _e8671 = ((_e8653 >> bitcast<u32>((_e8646 & 31u))) | ((_e8664 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8646) & 31u))));
 let _e8674 = local_4.member_1[1u];
 let _e8680 = f32(bitcast<i32>(((_e8671 >> bitcast<u32>((_e8674 & 31u))) & 255u)));
@@ -2988,10 +2988,10 @@ let _e8696 = ((_e8624 + _e8623) + _e8695);
 let _e8698 = (_e8696 >> bitcast<u32>(2i));
 let _e8701 = bitcast<u32>(((_e8696 & 3i) * 8i));
 let _e8703 = select(_e8605, _e8698, (_e8698 < _e8605));
-let _e8708 = global_2.member[bitcast<u32>(select(0i, _e8703, (_e8703 > 0i)))];
+let _e8708 = global_1.member[bitcast<u32>(select(0i, _e8703, (_e8703 > 0i)))];
 let _e8712 = (_e8698 + 1i);
 let _e8714 = select(_e8605, _e8712, (_e8712 < _e8605));
-let _e8719 = global_2.member[bitcast<u32>(select(0i, _e8714, (_e8714 > 0i)))];
+let _e8719 = global_1.member[bitcast<u32>(select(0i, _e8714, (_e8714 > 0i)))];
 let _e8726 = ((_e8708 >> bitcast<u32>((_e8701 & 31u))) | ((_e8719 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8701) & 31u))));
 let _e8727 = local_4.member_1[1u];
 let _e8733 = f32(bitcast<i32>(((_e8726 >> bitcast<u32>((_e8727 & 31u))) & 255u)));
@@ -3004,10 +3004,10 @@ let _e8752 = ((_e8626 + _e8621) + _e8751);
 let _e8754 = (_e8752 >> bitcast<u32>(2i));
 let _e8757 = bitcast<u32>(((_e8752 & 3i) * 8i));
 let _e8759 = select(_e8605, _e8754, (_e8754 < _e8605));
-let _e8764 = global_2.member[bitcast<u32>(select(0i, _e8759, (_e8759 > 0i)))];
+let _e8764 = global_1.member[bitcast<u32>(select(0i, _e8759, (_e8759 > 0i)))];
 let _e8768 = (_e8754 + 1i);
 let _e8770 = select(_e8605, _e8768, (_e8768 < _e8605));
-let _e8775 = global_2.member[bitcast<u32>(select(0i, _e8770, (_e8770 > 0i)))];
+let _e8775 = global_1.member[bitcast<u32>(select(0i, _e8770, (_e8770 > 0i)))];
 let _e8782 = ((_e8764 >> bitcast<u32>((_e8757 & 31u))) | ((_e8775 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8757) & 31u))));
 let _e8783 = local_4.member_1[1u];
 let _e8789 = f32(bitcast<i32>(((_e8782 >> bitcast<u32>((_e8783 & 31u))) & 255u)));
@@ -3019,10 +3019,10 @@ let _e8803 = ((_e8626 + _e8623) + _e8802);
 let _e8805 = (_e8803 >> bitcast<u32>(2i));
 let _e8808 = bitcast<u32>(((_e8803 & 3i) * 8i));
 let _e8810 = select(_e8605, _e8805, (_e8805 < _e8605));
-let _e8815 = global_2.member[bitcast<u32>(select(0i, _e8810, (_e8810 > 0i)))];
+let _e8815 = global_1.member[bitcast<u32>(select(0i, _e8810, (_e8810 > 0i)))];
 let _e8819 = (_e8805 + 1i);
 let _e8821 = select(_e8605, _e8819, (_e8819 < _e8605));
-let _e8826 = global_2.member[bitcast<u32>(select(0i, _e8821, (_e8821 > 0i)))];
+let _e8826 = global_1.member[bitcast<u32>(select(0i, _e8821, (_e8821 > 0i)))];
 let _e8833 = ((_e8815 >> bitcast<u32>((_e8808 & 31u))) | ((_e8826 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e8808) & 31u))));
 let _e8834 = local_4.member_1[1u];
 let _e8840 = f32(bitcast<i32>(((_e8833 >> bitcast<u32>((_e8834 & 31u))) & 255u)));
@@ -3030,17 +3030,17 @@ let _e8841 = local_4.member_1[2u];
 let _e8848 = local_5[0u];
 let _e8852 = local_5[1u];
 let _e8857 = local_5[2u];
-let _e8865 = global_4.member[_e371].member_6.member_6;
-let _e8870 = global_4.member[_e371].member_6.member_5;
+let _e8865 = global_3.member[_e371].member_6.member_6;
+let _e8870 = global_3.member[_e371].member_6.member_5;
 let _e8872 = (((_e8749 + (((_e8800 + (((_e8840 + ((f32(bitcast<i32>(((_e8833 >> bitcast<u32>((_e8841 & 31u))) & 255u))) - _e8840) * _e8848)) - _e8800) * _e8852)) - _e8749) * _e8857)) - _e8865) * _e8870);
 let _e8873 = -(1e9f);
 let _e8875 = select(_e8873, _e8872, (_e8872 > _e8873));
 let _e8877 = select(1e9f, _e8875, (_e8875 < 1e9f));
 let _e8879 = ((_e1049 & 16u) == 0u);
 if _e8879 {
-phi_21331_ = type_5(1f, 1f, 1f);
+phi_21331_ = type_7(1f, 1f, 1f);
 } else {
-let _e8884 = global_4.member[_e371].member_14.member;
+let _e8884 = global_3.member[_e371].member_14.member;
 let _e8895 = ((((_e8884.member.member * _e397) + (_e8884.member.member_1 * _e399)) + (_e8884.member.member_2 * _e393)) + _e8884.member_1);
 let _e8901 = ((((_e8884.member.member * _e6300.member_1.x) + (_e8884.member.member_1 * _e6300.member_1.y)) + (_e8884.member.member_2 * _e6300.member_1.z)) + _e8884.member_1);
 let _e8903 = select(_e8901, _e8895, (_e8895 < _e8901));
@@ -3049,9 +3049,9 @@ let _e8907 = (_e8905 - _e8903);
 let _e8910 = (-(_e8903) / select(1e-30f, _e8907, (_e8907 > 1e-30f)));
 let _e8912 = select(0f, _e8910, (_e8910 > 0f));
 let _e8918 = select(select(select(1f, _e8912, (_e8912 < 1f)), 1f, (_e8905 <= 0f)), 0f, (_e8903 > 0f));
-let _e8924 = global_4.member[_e371].member_14.member_1;
+let _e8924 = global_3.member[_e371].member_14.member_1;
 let _e8925 = (_e8924 != 0u);
-let _e8936 = global_4.member[_e371].member_15.member;
+let _e8936 = global_3.member[_e371].member_15.member;
 let _e8947 = ((((_e8936.member.member * _e397) + (_e8936.member.member_1 * _e399)) + (_e8936.member.member_2 * _e393)) + _e8936.member_1);
 let _e8953 = ((((_e8936.member.member * _e6300.member_1.x) + (_e8936.member.member_1 * _e6300.member_1.y)) + (_e8936.member.member_2 * _e6300.member_1.z)) + _e8936.member_1);
 let _e8955 = select(_e8953, _e8947, (_e8947 < _e8953));
@@ -3060,9 +3060,9 @@ let _e8959 = (_e8957 - _e8955);
 let _e8962 = (-(_e8955) / select(1e-30f, _e8959, (_e8959 > 1e-30f)));
 let _e8964 = select(0f, _e8962, (_e8962 > 0f));
 let _e8970 = select(select(select(1f, _e8964, (_e8964 < 1f)), 1f, (_e8957 <= 0f)), 0f, (_e8955 > 0f));
-let _e8976 = global_4.member[_e371].member_15.member_1;
+let _e8976 = global_3.member[_e371].member_15.member_1;
 let _e8977 = (_e8976 != 0u);
-let _e8988 = global_4.member[_e371].member_16.member;
+let _e8988 = global_3.member[_e371].member_16.member;
 let _e8999 = ((((_e8988.member.member * _e397) + (_e8988.member.member_1 * _e399)) + (_e8988.member.member_2 * _e393)) + _e8988.member_1);
 let _e9005 = ((((_e8988.member.member * _e6300.member_1.x) + (_e8988.member.member_1 * _e6300.member_1.y)) + (_e8988.member.member_2 * _e6300.member_1.z)) + _e8988.member_1);
 let _e9007 = select(_e9005, _e8999, (_e8999 < _e9005));
@@ -3071,9 +3071,9 @@ let _e9011 = (_e9009 - _e9007);
 let _e9014 = (-(_e9007) / select(1e-30f, _e9011, (_e9011 > 1e-30f)));
 let _e9016 = select(0f, _e9014, (_e9014 > 0f));
 let _e9022 = select(select(select(1f, _e9016, (_e9016 < 1f)), 1f, (_e9009 <= 0f)), 0f, (_e9007 > 0f));
-let _e9028 = global_4.member[_e371].member_16.member_1;
+let _e9028 = global_3.member[_e371].member_16.member_1;
 let _e9029 = (_e9028 != 0u);
-let _e9040 = global_4.member[_e371].member_17.member;
+let _e9040 = global_3.member[_e371].member_17.member;
 let _e9051 = ((((_e9040.member.member * _e397) + (_e9040.member.member_1 * _e399)) + (_e9040.member.member_2 * _e393)) + _e9040.member_1);
 let _e9057 = ((((_e9040.member.member * _e6300.member_1.x) + (_e9040.member.member_1 * _e6300.member_1.y)) + (_e9040.member.member_2 * _e6300.member_1.z)) + _e9040.member_1);
 let _e9059 = select(_e9057, _e9051, (_e9051 < _e9057));
@@ -3082,109 +3082,109 @@ let _e9063 = (_e9061 - _e9059);
 let _e9066 = (-(_e9059) / select(1e-30f, _e9063, (_e9063 > 1e-30f)));
 let _e9068 = select(0f, _e9066, (_e9066 > 0f));
 let _e9074 = select(select(select(1f, _e9068, (_e9068 < 1f)), 1f, (_e9061 <= 0f)), 0f, (_e9059 > 0f));
-let _e9080 = global_4.member[_e371].member_17.member_1;
+let _e9080 = global_3.member[_e371].member_17.member_1;
 let _e9081 = (_e9080 != 0u);
-phi_21331_ = type_5(((((1f * _e8918) * _e8970) * _e9022) * _e9074), ((((1f * select(1f, _e8918, _e8925)) * select(1f, _e8970, _e8977)) * select(1f, _e9022, _e9029)) * select(1f, _e9074, _e9081)), ((((1f * select(1f, 0f, (_e8925 && (_e8901 > 0f)))) * select(1f, 0f, (_e8977 && (_e8953 > 0f)))) * select(1f, 0f, (_e9029 && (_e9005 > 0f)))) * select(1f, 0f, (_e9081 && (_e9057 > 0f)))));
+phi_21331_ = type_7(((((1f * _e8918) * _e8970) * _e9022) * _e9074), ((((1f * select(1f, _e8918, _e8925)) * select(1f, _e8970, _e8977)) * select(1f, _e9022, _e9029)) * select(1f, _e9074, _e9081)), ((((1f * select(1f, 0f, (_e8925 && (_e8901 > 0f)))) * select(1f, 0f, (_e8977 && (_e8953 > 0f)))) * select(1f, 0f, (_e9029 && (_e9005 > 0f)))) * select(1f, 0f, (_e9081 && (_e9057 > 0f)))));
 }
 let _e9090 = phi_21331_;
-let _e9096 = global_4.member[_e371].member_5.member_3;
+let _e9096 = global_3.member[_e371].member_5.member_3;
 let _e9097 = (_e6300.member_3 * _e9096);
 if (((_e380.member_2 == 3u) || (_e380.member_2 == 4u)) || _e579) {
 local_3 = _e8877;
 let _e10008 = local_3;
 let _e10010 = (bitcast<i32>(_e189) - 1i);
 let _e10012 = select(_e10010, 263171i, (263171i < _e10010));
-let _e10017 = global_3.member[bitcast<u32>(select(0i, _e10012, (_e10012 > 0i)))];
+let _e10017 = global_2.member[bitcast<u32>(select(0i, _e10012, (_e10012 > 0i)))];
 let _e10018 = bitcast<f32>(_e10017);
 let _e10020 = select(_e10010, 263172i, (263172i < _e10010));
-let _e10025 = global_3.member[bitcast<u32>(select(0i, _e10020, (_e10020 > 0i)))];
+let _e10025 = global_2.member[bitcast<u32>(select(0i, _e10020, (_e10020 > 0i)))];
 let _e10026 = bitcast<f32>(_e10025);
 let _e10028 = select(_e10010, 263173i, (263173i < _e10010));
-let _e10033 = global_3.member[bitcast<u32>(select(0i, _e10028, (_e10028 > 0i)))];
+let _e10033 = global_2.member[bitcast<u32>(select(0i, _e10028, (_e10028 > 0i)))];
 let _e10034 = bitcast<f32>(_e10033);
 let _e10036 = ((_e10008 - _e10018) * _e10026);
 let _e10038 = select(0f, _e10036, (_e10036 > 0f));
 let _e10041 = local_3;
 let _e10043 = select(_e10010, 263174i, (263174i < _e10010));
-let _e10048 = global_3.member[bitcast<u32>(select(0i, _e10043, (_e10043 > 0i)))];
+let _e10048 = global_2.member[bitcast<u32>(select(0i, _e10043, (_e10043 > 0i)))];
 let _e10049 = bitcast<f32>(_e10048);
 let _e10051 = select(_e10010, 263175i, (263175i < _e10010));
-let _e10056 = global_3.member[bitcast<u32>(select(0i, _e10051, (_e10051 > 0i)))];
+let _e10056 = global_2.member[bitcast<u32>(select(0i, _e10051, (_e10051 > 0i)))];
 let _e10057 = bitcast<f32>(_e10056);
 let _e10059 = select(_e10010, 263176i, (263176i < _e10010));
-let _e10064 = global_3.member[bitcast<u32>(select(0i, _e10059, (_e10059 > 0i)))];
+let _e10064 = global_2.member[bitcast<u32>(select(0i, _e10059, (_e10059 > 0i)))];
 let _e10065 = bitcast<f32>(_e10064);
 let _e10067 = ((_e10041 - _e10049) * _e10057);
 let _e10069 = select(0f, _e10067, (_e10067 > 0f));
 let _e10073 = local_3;
 let _e10075 = select(_e10010, 263177i, (263177i < _e10010));
-let _e10080 = global_3.member[bitcast<u32>(select(0i, _e10075, (_e10075 > 0i)))];
+let _e10080 = global_2.member[bitcast<u32>(select(0i, _e10075, (_e10075 > 0i)))];
 let _e10081 = bitcast<f32>(_e10080);
 let _e10083 = select(_e10010, 263178i, (263178i < _e10010));
-let _e10088 = global_3.member[bitcast<u32>(select(0i, _e10083, (_e10083 > 0i)))];
+let _e10088 = global_2.member[bitcast<u32>(select(0i, _e10083, (_e10083 > 0i)))];
 let _e10089 = bitcast<f32>(_e10088);
 let _e10091 = select(_e10010, 263179i, (263179i < _e10010));
-let _e10096 = global_3.member[bitcast<u32>(select(0i, _e10091, (_e10091 > 0i)))];
+let _e10096 = global_2.member[bitcast<u32>(select(0i, _e10091, (_e10091 > 0i)))];
 let _e10097 = bitcast<f32>(_e10096);
 let _e10099 = ((_e10073 - _e10081) * _e10089);
 let _e10101 = select(0f, _e10099, (_e10099 > 0f));
 let _e10104 = local_3;
 let _e10106 = select(_e10010, 263180i, (263180i < _e10010));
-let _e10111 = global_3.member[bitcast<u32>(select(0i, _e10106, (_e10106 > 0i)))];
+let _e10111 = global_2.member[bitcast<u32>(select(0i, _e10106, (_e10106 > 0i)))];
 let _e10112 = bitcast<f32>(_e10111);
 let _e10114 = select(_e10010, 263181i, (263181i < _e10010));
-let _e10119 = global_3.member[bitcast<u32>(select(0i, _e10114, (_e10114 > 0i)))];
+let _e10119 = global_2.member[bitcast<u32>(select(0i, _e10114, (_e10114 > 0i)))];
 let _e10120 = bitcast<f32>(_e10119);
 let _e10122 = select(_e10010, 263182i, (263182i < _e10010));
-let _e10127 = global_3.member[bitcast<u32>(select(0i, _e10122, (_e10122 > 0i)))];
+let _e10127 = global_2.member[bitcast<u32>(select(0i, _e10122, (_e10122 > 0i)))];
 let _e10128 = bitcast<f32>(_e10127);
 let _e10130 = ((_e10104 - _e10112) * _e10120);
 let _e10132 = select(0f, _e10130, (_e10130 > 0f));
 let _e10137 = local_3;
 let _e10139 = select(_e10010, 263183i, (263183i < _e10010));
-let _e10144 = global_3.member[bitcast<u32>(select(0i, _e10139, (_e10139 > 0i)))];
+let _e10144 = global_2.member[bitcast<u32>(select(0i, _e10139, (_e10139 > 0i)))];
 let _e10145 = bitcast<f32>(_e10144);
 let _e10147 = select(_e10010, 263184i, (263184i < _e10010));
-let _e10152 = global_3.member[bitcast<u32>(select(0i, _e10147, (_e10147 > 0i)))];
+let _e10152 = global_2.member[bitcast<u32>(select(0i, _e10147, (_e10147 > 0i)))];
 let _e10153 = bitcast<f32>(_e10152);
 let _e10155 = select(_e10010, 263185i, (263185i < _e10010));
-let _e10160 = global_3.member[bitcast<u32>(select(0i, _e10155, (_e10155 > 0i)))];
+let _e10160 = global_2.member[bitcast<u32>(select(0i, _e10155, (_e10155 > 0i)))];
 let _e10161 = bitcast<f32>(_e10160);
 let _e10163 = ((_e10137 - _e10145) * _e10153);
 let _e10165 = select(0f, _e10163, (_e10163 > 0f));
 let _e10168 = local_3;
 let _e10170 = select(_e10010, 263186i, (263186i < _e10010));
-let _e10175 = global_3.member[bitcast<u32>(select(0i, _e10170, (_e10170 > 0i)))];
+let _e10175 = global_2.member[bitcast<u32>(select(0i, _e10170, (_e10170 > 0i)))];
 let _e10176 = bitcast<f32>(_e10175);
 let _e10178 = select(_e10010, 263187i, (263187i < _e10010));
-let _e10183 = global_3.member[bitcast<u32>(select(0i, _e10178, (_e10178 > 0i)))];
+let _e10183 = global_2.member[bitcast<u32>(select(0i, _e10178, (_e10178 > 0i)))];
 let _e10184 = bitcast<f32>(_e10183);
 let _e10186 = select(_e10010, 263188i, (263188i < _e10010));
-let _e10191 = global_3.member[bitcast<u32>(select(0i, _e10186, (_e10186 > 0i)))];
+let _e10191 = global_2.member[bitcast<u32>(select(0i, _e10186, (_e10186 > 0i)))];
 let _e10192 = bitcast<f32>(_e10191);
 let _e10194 = ((_e10168 - _e10176) * _e10184);
 let _e10196 = select(0f, _e10194, (_e10194 > 0f));
 let _e10200 = local_3;
 let _e10202 = select(_e10010, 263189i, (263189i < _e10010));
-let _e10207 = global_3.member[bitcast<u32>(select(0i, _e10202, (_e10202 > 0i)))];
+let _e10207 = global_2.member[bitcast<u32>(select(0i, _e10202, (_e10202 > 0i)))];
 let _e10208 = bitcast<f32>(_e10207);
 let _e10210 = select(_e10010, 263190i, (263190i < _e10010));
-let _e10215 = global_3.member[bitcast<u32>(select(0i, _e10210, (_e10210 > 0i)))];
+let _e10215 = global_2.member[bitcast<u32>(select(0i, _e10210, (_e10210 > 0i)))];
 let _e10216 = bitcast<f32>(_e10215);
 let _e10218 = select(_e10010, 263191i, (263191i < _e10010));
-let _e10223 = global_3.member[bitcast<u32>(select(0i, _e10218, (_e10218 > 0i)))];
+let _e10223 = global_2.member[bitcast<u32>(select(0i, _e10218, (_e10218 > 0i)))];
 let _e10224 = bitcast<f32>(_e10223);
 let _e10226 = ((_e10200 - _e10208) * _e10216);
 let _e10228 = select(0f, _e10226, (_e10226 > 0f));
 let _e10231 = local_3;
 let _e10233 = select(_e10010, 263192i, (263192i < _e10010));
-let _e10238 = global_3.member[bitcast<u32>(select(0i, _e10233, (_e10233 > 0i)))];
+let _e10238 = global_2.member[bitcast<u32>(select(0i, _e10233, (_e10233 > 0i)))];
 let _e10239 = bitcast<f32>(_e10238);
 let _e10241 = select(_e10010, 263193i, (263193i < _e10010));
-let _e10246 = global_3.member[bitcast<u32>(select(0i, _e10241, (_e10241 > 0i)))];
+let _e10246 = global_2.member[bitcast<u32>(select(0i, _e10241, (_e10241 > 0i)))];
 let _e10247 = bitcast<f32>(_e10246);
 let _e10249 = select(_e10010, 263194i, (263194i < _e10010));
-let _e10254 = global_3.member[bitcast<u32>(select(0i, _e10249, (_e10249 > 0i)))];
+let _e10254 = global_2.member[bitcast<u32>(select(0i, _e10249, (_e10249 > 0i)))];
 let _e10255 = bitcast<f32>(_e10254);
 let _e10257 = ((_e10231 - _e10239) * _e10247);
 let _e10259 = select(0f, _e10257, (_e10257 > 0f));
@@ -3225,10 +3225,10 @@ let _e10347 = select(_e10328, _e10345, (_e10345 < _e10328));
 let _e10354 = select(0i, select(select(i32(_e10347), i32(-2147483648), (_e10347 < -2147483600f)), 2147483647i, (_e10347 > 2147483500f)), (_e10347 == _e10347));
 let _e10358 = (_e10354 - select(0i, 1i, (_e10347 < f32(_e10354))));
 let _e10360 = select(_e10010, 263195i, (263195i < _e10010));
-let _e10366 = global_3.member[bitcast<u32>(select(0i, _e10360, (_e10360 > 0i)))];
+let _e10366 = global_2.member[bitcast<u32>(select(0i, _e10360, (_e10360 > 0i)))];
 let _e10367 = bitcast<f32>(_e10366);
 let _e10369 = select(_e10010, 263196i, (263196i < _e10010));
-let _e10375 = global_3.member[bitcast<u32>(select(0i, _e10369, (_e10369 > 0i)))];
+let _e10375 = global_2.member[bitcast<u32>(select(0i, _e10369, (_e10369 > 0i)))];
 let _e10376 = bitcast<f32>(_e10375);
 let _e10377 = (_e8509.member - _e8877);
 let _e10383 = (1f / select(_e10377, 1f, (bitcast<f32>((bitcast<u32>(_e10377) & 2147483647u)) < 1e-20f)));
@@ -3237,20 +3237,20 @@ let _e10395 = ((select(_e10376, _e8509.member, (_e8509.member > _e10376)) - sele
 let _e10398 = (((_e10343 * 256i) + _e10358) * 4i);
 let _e10402 = (_e10327 - f32(_e10358));
 let _e10406 = select(_e10010, _e10398, (_e10398 < _e10010));
-let _e10412 = global_3.member[bitcast<u32>(select(0i, _e10406, (_e10406 > 0i)))];
+let _e10412 = global_2.member[bitcast<u32>(select(0i, _e10406, (_e10406 > 0i)))];
 let _e10413 = (_e10398 + 4i);
 let _e10415 = select(_e10010, _e10413, (_e10413 < _e10010));
-let _e10421 = global_3.member[bitcast<u32>(select(0i, _e10415, (_e10415 > 0i)))];
+let _e10421 = global_2.member[bitcast<u32>(select(0i, _e10415, (_e10415 > 0i)))];
 let _e10422 = (_e10398 + 1024i);
 let _e10424 = select(_e10010, _e10422, (_e10422 < _e10010));
-let _e10430 = global_3.member[bitcast<u32>(select(0i, _e10424, (_e10424 > 0i)))];
+let _e10430 = global_2.member[bitcast<u32>(select(0i, _e10424, (_e10424 > 0i)))];
 let _e10431 = (_e10398 + 1028i);
 let _e10433 = select(_e10010, _e10431, (_e10431 < _e10010));
-let _e10439 = global_3.member[bitcast<u32>(select(0i, _e10433, (_e10433 > 0i)))];
+let _e10439 = global_2.member[bitcast<u32>(select(0i, _e10433, (_e10433 > 0i)))];
 let _e10441 = select(_e10010, 0i, (0i < _e10010));
-let _e10447 = global_3.member[bitcast<u32>(select(0i, _e10441, (_e10441 > 0i)))];
+let _e10447 = global_2.member[bitcast<u32>(select(0i, _e10441, (_e10441 > 0i)))];
 let _e10449 = select(_e10010, 262140i, (262140i < _e10010));
-let _e10455 = global_3.member[bitcast<u32>(select(0i, _e10449, (_e10449 > 0i)))];
+let _e10455 = global_2.member[bitcast<u32>(select(0i, _e10449, (_e10449 > 0i)))];
 let _e10460 = (bitcast<f32>(((_e10412 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10468 = (_e10460 + (((bitcast<f32>(((_e10421 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10460) * _e10402));
 let _e10473 = (bitcast<f32>(((_e10430 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3273,97 +3273,97 @@ local_1 = _e8877;
 let _e9103 = local_1;
 let _e9105 = (bitcast<i32>(_e189) - 1i);
 let _e9107 = select(_e9105, 263171i, (263171i < _e9105));
-let _e9112 = global_3.member[bitcast<u32>(select(0i, _e9107, (_e9107 > 0i)))];
+let _e9112 = global_2.member[bitcast<u32>(select(0i, _e9107, (_e9107 > 0i)))];
 let _e9113 = bitcast<f32>(_e9112);
 let _e9115 = select(_e9105, 263172i, (263172i < _e9105));
-let _e9120 = global_3.member[bitcast<u32>(select(0i, _e9115, (_e9115 > 0i)))];
+let _e9120 = global_2.member[bitcast<u32>(select(0i, _e9115, (_e9115 > 0i)))];
 let _e9121 = bitcast<f32>(_e9120);
 let _e9123 = select(_e9105, 263173i, (263173i < _e9105));
-let _e9128 = global_3.member[bitcast<u32>(select(0i, _e9123, (_e9123 > 0i)))];
+let _e9128 = global_2.member[bitcast<u32>(select(0i, _e9123, (_e9123 > 0i)))];
 let _e9129 = bitcast<f32>(_e9128);
 let _e9131 = ((_e9103 - _e9113) * _e9121);
 let _e9133 = select(0f, _e9131, (_e9131 > 0f));
 let _e9136 = local_1;
 let _e9138 = select(_e9105, 263174i, (263174i < _e9105));
-let _e9143 = global_3.member[bitcast<u32>(select(0i, _e9138, (_e9138 > 0i)))];
+let _e9143 = global_2.member[bitcast<u32>(select(0i, _e9138, (_e9138 > 0i)))];
 let _e9144 = bitcast<f32>(_e9143);
 let _e9146 = select(_e9105, 263175i, (263175i < _e9105));
-let _e9151 = global_3.member[bitcast<u32>(select(0i, _e9146, (_e9146 > 0i)))];
+let _e9151 = global_2.member[bitcast<u32>(select(0i, _e9146, (_e9146 > 0i)))];
 let _e9152 = bitcast<f32>(_e9151);
 let _e9154 = select(_e9105, 263176i, (263176i < _e9105));
-let _e9159 = global_3.member[bitcast<u32>(select(0i, _e9154, (_e9154 > 0i)))];
+let _e9159 = global_2.member[bitcast<u32>(select(0i, _e9154, (_e9154 > 0i)))];
 let _e9160 = bitcast<f32>(_e9159);
 let _e9162 = ((_e9136 - _e9144) * _e9152);
 let _e9164 = select(0f, _e9162, (_e9162 > 0f));
 let _e9168 = local_1;
 let _e9170 = select(_e9105, 263177i, (263177i < _e9105));
-let _e9175 = global_3.member[bitcast<u32>(select(0i, _e9170, (_e9170 > 0i)))];
+let _e9175 = global_2.member[bitcast<u32>(select(0i, _e9170, (_e9170 > 0i)))];
 let _e9176 = bitcast<f32>(_e9175);
 let _e9178 = select(_e9105, 263178i, (263178i < _e9105));
-let _e9183 = global_3.member[bitcast<u32>(select(0i, _e9178, (_e9178 > 0i)))];
+let _e9183 = global_2.member[bitcast<u32>(select(0i, _e9178, (_e9178 > 0i)))];
 let _e9184 = bitcast<f32>(_e9183);
 let _e9186 = select(_e9105, 263179i, (263179i < _e9105));
-let _e9191 = global_3.member[bitcast<u32>(select(0i, _e9186, (_e9186 > 0i)))];
+let _e9191 = global_2.member[bitcast<u32>(select(0i, _e9186, (_e9186 > 0i)))];
 let _e9192 = bitcast<f32>(_e9191);
 let _e9194 = ((_e9168 - _e9176) * _e9184);
 let _e9196 = select(0f, _e9194, (_e9194 > 0f));
 let _e9199 = local_1;
 let _e9201 = select(_e9105, 263180i, (263180i < _e9105));
-let _e9206 = global_3.member[bitcast<u32>(select(0i, _e9201, (_e9201 > 0i)))];
+let _e9206 = global_2.member[bitcast<u32>(select(0i, _e9201, (_e9201 > 0i)))];
 let _e9207 = bitcast<f32>(_e9206);
 let _e9209 = select(_e9105, 263181i, (263181i < _e9105));
-let _e9214 = global_3.member[bitcast<u32>(select(0i, _e9209, (_e9209 > 0i)))];
+let _e9214 = global_2.member[bitcast<u32>(select(0i, _e9209, (_e9209 > 0i)))];
 let _e9215 = bitcast<f32>(_e9214);
 let _e9217 = select(_e9105, 263182i, (263182i < _e9105));
-let _e9222 = global_3.member[bitcast<u32>(select(0i, _e9217, (_e9217 > 0i)))];
+let _e9222 = global_2.member[bitcast<u32>(select(0i, _e9217, (_e9217 > 0i)))];
 let _e9223 = bitcast<f32>(_e9222);
 let _e9225 = ((_e9199 - _e9207) * _e9215);
 let _e9227 = select(0f, _e9225, (_e9225 > 0f));
 let _e9232 = local_1;
 let _e9234 = select(_e9105, 263183i, (263183i < _e9105));
-let _e9239 = global_3.member[bitcast<u32>(select(0i, _e9234, (_e9234 > 0i)))];
+let _e9239 = global_2.member[bitcast<u32>(select(0i, _e9234, (_e9234 > 0i)))];
 let _e9240 = bitcast<f32>(_e9239);
 let _e9242 = select(_e9105, 263184i, (263184i < _e9105));
-let _e9247 = global_3.member[bitcast<u32>(select(0i, _e9242, (_e9242 > 0i)))];
+let _e9247 = global_2.member[bitcast<u32>(select(0i, _e9242, (_e9242 > 0i)))];
 let _e9248 = bitcast<f32>(_e9247);
 let _e9250 = select(_e9105, 263185i, (263185i < _e9105));
-let _e9255 = global_3.member[bitcast<u32>(select(0i, _e9250, (_e9250 > 0i)))];
+let _e9255 = global_2.member[bitcast<u32>(select(0i, _e9250, (_e9250 > 0i)))];
 let _e9256 = bitcast<f32>(_e9255);
 let _e9258 = ((_e9232 - _e9240) * _e9248);
 let _e9260 = select(0f, _e9258, (_e9258 > 0f));
 let _e9263 = local_1;
 let _e9265 = select(_e9105, 263186i, (263186i < _e9105));
-let _e9270 = global_3.member[bitcast<u32>(select(0i, _e9265, (_e9265 > 0i)))];
+let _e9270 = global_2.member[bitcast<u32>(select(0i, _e9265, (_e9265 > 0i)))];
 let _e9271 = bitcast<f32>(_e9270);
 let _e9273 = select(_e9105, 263187i, (263187i < _e9105));
-let _e9278 = global_3.member[bitcast<u32>(select(0i, _e9273, (_e9273 > 0i)))];
+let _e9278 = global_2.member[bitcast<u32>(select(0i, _e9273, (_e9273 > 0i)))];
 let _e9279 = bitcast<f32>(_e9278);
 let _e9281 = select(_e9105, 263188i, (263188i < _e9105));
-let _e9286 = global_3.member[bitcast<u32>(select(0i, _e9281, (_e9281 > 0i)))];
+let _e9286 = global_2.member[bitcast<u32>(select(0i, _e9281, (_e9281 > 0i)))];
 let _e9287 = bitcast<f32>(_e9286);
 let _e9289 = ((_e9263 - _e9271) * _e9279);
 let _e9291 = select(0f, _e9289, (_e9289 > 0f));
 let _e9295 = local_1;
 let _e9297 = select(_e9105, 263189i, (263189i < _e9105));
-let _e9302 = global_3.member[bitcast<u32>(select(0i, _e9297, (_e9297 > 0i)))];
+let _e9302 = global_2.member[bitcast<u32>(select(0i, _e9297, (_e9297 > 0i)))];
 let _e9303 = bitcast<f32>(_e9302);
 let _e9305 = select(_e9105, 263190i, (263190i < _e9105));
-let _e9310 = global_3.member[bitcast<u32>(select(0i, _e9305, (_e9305 > 0i)))];
+let _e9310 = global_2.member[bitcast<u32>(select(0i, _e9305, (_e9305 > 0i)))];
 let _e9311 = bitcast<f32>(_e9310);
 let _e9313 = select(_e9105, 263191i, (263191i < _e9105));
-let _e9318 = global_3.member[bitcast<u32>(select(0i, _e9313, (_e9313 > 0i)))];
+let _e9318 = global_2.member[bitcast<u32>(select(0i, _e9313, (_e9313 > 0i)))];
 let _e9319 = bitcast<f32>(_e9318);
 let _e9321 = ((_e9295 - _e9303) * _e9311);
 let _e9323 = select(0f, _e9321, (_e9321 > 0f));
 let _e9326 = local_1;
 let _e9328 = select(_e9105, 263192i, (263192i < _e9105));
-let _e9333 = global_3.member[bitcast<u32>(select(0i, _e9328, (_e9328 > 0i)))];
+let _e9333 = global_2.member[bitcast<u32>(select(0i, _e9328, (_e9328 > 0i)))];
 let _e9334 = bitcast<f32>(_e9333);
 let _e9336 = select(_e9105, 263193i, (263193i < _e9105));
-let _e9341 = global_3.member[bitcast<u32>(select(0i, _e9336, (_e9336 > 0i)))];
+let _e9341 = global_2.member[bitcast<u32>(select(0i, _e9336, (_e9336 > 0i)))];
 let _e9342 = bitcast<f32>(_e9341);
 let _e9344 = select(_e9105, 263194i, (263194i < _e9105));
-let _e9349 = global_3.member[bitcast<u32>(select(0i, _e9344, (_e9344 > 0i)))];
+let _e9349 = global_2.member[bitcast<u32>(select(0i, _e9344, (_e9344 > 0i)))];
 let _e9350 = bitcast<f32>(_e9349);
 let _e9352 = ((_e9326 - _e9334) * _e9342);
 let _e9354 = select(0f, _e9352, (_e9352 > 0f));
@@ -3404,10 +3404,10 @@ let _e9442 = select(_e9423, _e9440, (_e9440 < _e9423));
 let _e9449 = select(0i, select(select(i32(_e9442), i32(-2147483648), (_e9442 < -2147483600f)), 2147483647i, (_e9442 > 2147483500f)), (_e9442 == _e9442));
 let _e9453 = (_e9449 - select(0i, 1i, (_e9442 < f32(_e9449))));
 let _e9455 = select(_e9105, 263195i, (263195i < _e9105));
-let _e9461 = global_3.member[bitcast<u32>(select(0i, _e9455, (_e9455 > 0i)))];
+let _e9461 = global_2.member[bitcast<u32>(select(0i, _e9455, (_e9455 > 0i)))];
 let _e9462 = bitcast<f32>(_e9461);
 let _e9464 = select(_e9105, 263196i, (263196i < _e9105));
-let _e9470 = global_3.member[bitcast<u32>(select(0i, _e9464, (_e9464 > 0i)))];
+let _e9470 = global_2.member[bitcast<u32>(select(0i, _e9464, (_e9464 > 0i)))];
 let _e9471 = bitcast<f32>(_e9470);
 let _e9472 = (_e8509.member - _e8877);
 let _e9478 = (1f / select(_e9472, 1f, (bitcast<f32>((bitcast<u32>(_e9472) & 2147483647u)) < 1e-20f)));
@@ -3418,20 +3418,20 @@ let _e9495 = (_e9359 - f32(_e9438));
 let _e9497 = (_e9422 - f32(_e9453));
 let _e9499 = (1f - (_e9484 + _e9490));
 let _e9501 = select(_e9105, _e9493, (_e9493 < _e9105));
-let _e9507 = global_3.member[bitcast<u32>(select(0i, _e9501, (_e9501 > 0i)))];
+let _e9507 = global_2.member[bitcast<u32>(select(0i, _e9501, (_e9501 > 0i)))];
 let _e9508 = (_e9493 + 4i);
 let _e9510 = select(_e9105, _e9508, (_e9508 < _e9105));
-let _e9516 = global_3.member[bitcast<u32>(select(0i, _e9510, (_e9510 > 0i)))];
+let _e9516 = global_2.member[bitcast<u32>(select(0i, _e9510, (_e9510 > 0i)))];
 let _e9517 = (_e9493 + 1024i);
 let _e9519 = select(_e9105, _e9517, (_e9517 < _e9105));
-let _e9525 = global_3.member[bitcast<u32>(select(0i, _e9519, (_e9519 > 0i)))];
+let _e9525 = global_2.member[bitcast<u32>(select(0i, _e9519, (_e9519 > 0i)))];
 let _e9526 = (_e9493 + 1028i);
 let _e9528 = select(_e9105, _e9526, (_e9526 < _e9105));
-let _e9534 = global_3.member[bitcast<u32>(select(0i, _e9528, (_e9528 > 0i)))];
+let _e9534 = global_2.member[bitcast<u32>(select(0i, _e9528, (_e9528 > 0i)))];
 let _e9536 = select(_e9105, 0i, (0i < _e9105));
-let _e9542 = global_3.member[bitcast<u32>(select(0i, _e9536, (_e9536 > 0i)))];
+let _e9542 = global_2.member[bitcast<u32>(select(0i, _e9536, (_e9536 > 0i)))];
 let _e9544 = select(_e9105, 262140i, (262140i < _e9105));
-let _e9550 = global_3.member[bitcast<u32>(select(0i, _e9544, (_e9544 > 0i)))];
+let _e9550 = global_2.member[bitcast<u32>(select(0i, _e9544, (_e9544 > 0i)))];
 let _e9555 = (bitcast<f32>(((_e9507 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9563 = (_e9555 + (((bitcast<f32>(((_e9516 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9555) * _e9497));
 let _e9568 = (bitcast<f32>(((_e9525 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3441,20 +3441,20 @@ let _e9619 = (_e9611 + (((bitcast<f32>((((_e9516 >> bitcast<u32>(16i)) & 32767u)
 let _e9624 = (bitcast<f32>((((_e9525 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9651 = (_e9493 + 1i);
 let _e9653 = select(_e9105, _e9651, (_e9651 < _e9105));
-let _e9659 = global_3.member[bitcast<u32>(select(0i, _e9653, (_e9653 > 0i)))];
+let _e9659 = global_2.member[bitcast<u32>(select(0i, _e9653, (_e9653 > 0i)))];
 let _e9660 = (_e9493 + 5i);
 let _e9662 = select(_e9105, _e9660, (_e9660 < _e9105));
-let _e9668 = global_3.member[bitcast<u32>(select(0i, _e9662, (_e9662 > 0i)))];
+let _e9668 = global_2.member[bitcast<u32>(select(0i, _e9662, (_e9662 > 0i)))];
 let _e9669 = (_e9493 + 1025i);
 let _e9671 = select(_e9105, _e9669, (_e9669 < _e9105));
-let _e9677 = global_3.member[bitcast<u32>(select(0i, _e9671, (_e9671 > 0i)))];
+let _e9677 = global_2.member[bitcast<u32>(select(0i, _e9671, (_e9671 > 0i)))];
 let _e9678 = (_e9493 + 1029i);
 let _e9680 = select(_e9105, _e9678, (_e9678 < _e9105));
-let _e9686 = global_3.member[bitcast<u32>(select(0i, _e9680, (_e9680 > 0i)))];
+let _e9686 = global_2.member[bitcast<u32>(select(0i, _e9680, (_e9680 > 0i)))];
 let _e9688 = select(_e9105, 1i, (1i < _e9105));
-let _e9694 = global_3.member[bitcast<u32>(select(0i, _e9688, (_e9688 > 0i)))];
+let _e9694 = global_2.member[bitcast<u32>(select(0i, _e9688, (_e9688 > 0i)))];
 let _e9696 = select(_e9105, 262141i, (262141i < _e9105));
-let _e9702 = global_3.member[bitcast<u32>(select(0i, _e9696, (_e9696 > 0i)))];
+let _e9702 = global_2.member[bitcast<u32>(select(0i, _e9696, (_e9696 > 0i)))];
 let _e9707 = (bitcast<f32>(((_e9659 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9715 = (_e9707 + (((bitcast<f32>(((_e9668 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9707) * _e9497));
 let _e9720 = (bitcast<f32>(((_e9677 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3522,9 +3522,9 @@ let _e10594 = (_e6300.member_1.z + (_e6300.member_2.z * _e10586));
 let _e10600 = ((((_e472.member.member * _e10592) + (_e472.member.member_1 * _e10593)) + (_e472.member.member_2 * _e10594)) + _e472.member_1);
 let _e10606 = ((((_e488.member.member * _e10592) + (_e488.member.member_1 * _e10593)) + (_e488.member.member_2 * _e10594)) + _e488.member_1);
 let _e10612 = ((((_e504.member.member * _e10592) + (_e504.member.member_1 * _e10593)) + (_e504.member.member_2 * _e10594)) + _e504.member_1);
-let _e10618 = global_4.member[_e371].member_6.member.member;
-let _e10627 = global_4.member[_e371].member_6.member_1.member;
-let _e10636 = global_4.member[_e371].member_6.member_2.member;
+let _e10618 = global_3.member[_e371].member_6.member.member;
+let _e10627 = global_3.member[_e371].member_6.member_1.member;
+let _e10636 = global_3.member[_e371].member_6.member_2.member;
 let _e10640 = (-0.5f - _e6311);
 let _e10641 = (-0.5f - _e10600);
 let _e10642 = -(_e10640);
@@ -3631,16 +3631,16 @@ let _e10879 = select(select(select(select(select(select(0f, _e10618.member, _e10
 let _e10880 = select(select(select(select(select(select(0f, _e10618.member_1, _e10660), _e10618.member_1, _e10700), _e10627.member_1, _e10740), _e10627.member_1, _e10780), _e10636.member_1, _e10820), _e10636.member_1, _e10860);
 let _e10881 = select(select(select(select(select(select(1f, _e10618.member_2, _e10660), _e10618.member_2, _e10700), _e10627.member_2, _e10740), _e10627.member_2, _e10780), _e10636.member_2, _e10820), _e10636.member_2, _e10860);
 if _e8879 {
-phi_26222_ = type_35(_e10866, vec3<f32>(_e10867, _e10868, _e10869), _e10871, vec3<f32>(_e10872, _e10873, _e10874), _e10876, _e10878, vec3<f32>(_e10879, _e10880, _e10881));
+phi_26222_ = type_34(_e10866, vec3<f32>(_e10867, _e10868, _e10869), _e10871, vec3<f32>(_e10872, _e10873, _e10874), _e10876, _e10878, vec3<f32>(_e10879, _e10880, _e10881));
 } else {
 let _e10888 = (((_e10618.member * _e10618.member) + (_e10618.member_1 * _e10618.member_1)) + (_e10618.member_2 * _e10618.member_2));
 let _e10891 = sqrt(select(0f, _e10888, (_e10888 > 0f)));
-let _e10896 = global_4.member[_e371].member_14.member_1;
+let _e10896 = global_3.member[_e371].member_14.member_1;
 let _e10897 = (_e10896 != 0u);
-let _e10902 = global_4.member[_e371].member_14.member;
+let _e10902 = global_3.member[_e371].member_14.member;
 let _e10922 = select(-1e6f, (((((_e10902.member.member * _e6300.member_1.x) + (_e10902.member.member_1 * _e6300.member_1.y)) + (_e10902.member.member_2 * _e6300.member_1.z)) + _e10902.member_1) * _e10891), _e10897);
 let _e10923 = select(-1e6f, (((((_e10902.member.member * _e10592) + (_e10902.member.member_1 * _e10593)) + (_e10902.member.member_2 * _e10594)) + _e10902.member_1) * _e10891), _e10897);
-let _e10929 = global_4.member[_e371].member_14.member.member;
+let _e10929 = global_3.member[_e371].member_14.member.member;
 let _e10933 = -(_e10922);
 let _e10936 = (_e10922 - _e10923);
 let _e10937 = (_e10923 - _e10922);
@@ -3655,12 +3655,12 @@ let _e10957 = select(_e10866, _e10946, _e10955);
 let _e10961 = select(_e10871, _e10950, _e10956);
 let _e10965 = select(_e10876, _e10922, _e10951);
 let _e10967 = select(_e10878, _e10923, (_e10923 > _e10878));
-let _e10975 = global_4.member[_e371].member_15.member_1;
+let _e10975 = global_3.member[_e371].member_15.member_1;
 let _e10976 = (_e10975 != 0u);
-let _e10981 = global_4.member[_e371].member_15.member;
+let _e10981 = global_3.member[_e371].member_15.member;
 let _e11001 = select(-1e6f, (((((_e10981.member.member * _e6300.member_1.x) + (_e10981.member.member_1 * _e6300.member_1.y)) + (_e10981.member.member_2 * _e6300.member_1.z)) + _e10981.member_1) * _e10891), _e10976);
 let _e11002 = select(-1e6f, (((((_e10981.member.member * _e10592) + (_e10981.member.member_1 * _e10593)) + (_e10981.member.member_2 * _e10594)) + _e10981.member_1) * _e10891), _e10976);
-let _e11008 = global_4.member[_e371].member_15.member.member;
+let _e11008 = global_3.member[_e371].member_15.member.member;
 let _e11012 = -(_e11001);
 let _e11015 = (_e11001 - _e11002);
 let _e11016 = (_e11002 - _e11001);
@@ -3675,12 +3675,12 @@ let _e11036 = select(_e10957, _e11025, _e11034);
 let _e11040 = select(_e10961, _e11029, _e11035);
 let _e11044 = select(_e10965, _e11001, _e11030);
 let _e11046 = select(_e10967, _e11002, (_e11002 > _e10967));
-let _e11054 = global_4.member[_e371].member_16.member_1;
+let _e11054 = global_3.member[_e371].member_16.member_1;
 let _e11055 = (_e11054 != 0u);
-let _e11060 = global_4.member[_e371].member_16.member;
+let _e11060 = global_3.member[_e371].member_16.member;
 let _e11080 = select(-1e6f, (((((_e11060.member.member * _e6300.member_1.x) + (_e11060.member.member_1 * _e6300.member_1.y)) + (_e11060.member.member_2 * _e6300.member_1.z)) + _e11060.member_1) * _e10891), _e11055);
 let _e11081 = select(-1e6f, (((((_e11060.member.member * _e10592) + (_e11060.member.member_1 * _e10593)) + (_e11060.member.member_2 * _e10594)) + _e11060.member_1) * _e10891), _e11055);
-let _e11087 = global_4.member[_e371].member_16.member.member;
+let _e11087 = global_3.member[_e371].member_16.member.member;
 let _e11091 = -(_e11080);
 let _e11094 = (_e11080 - _e11081);
 let _e11095 = (_e11081 - _e11080);
@@ -3695,12 +3695,12 @@ let _e11115 = select(_e11036, _e11104, _e11113);
 let _e11119 = select(_e11040, _e11108, _e11114);
 let _e11123 = select(_e11044, _e11080, _e11109);
 let _e11125 = select(_e11046, _e11081, (_e11081 > _e11046));
-let _e11133 = global_4.member[_e371].member_17.member_1;
+let _e11133 = global_3.member[_e371].member_17.member_1;
 let _e11134 = (_e11133 != 0u);
-let _e11139 = global_4.member[_e371].member_17.member;
+let _e11139 = global_3.member[_e371].member_17.member;
 let _e11159 = select(-1e6f, (((((_e11139.member.member * _e6300.member_1.x) + (_e11139.member.member_1 * _e6300.member_1.y)) + (_e11139.member.member_2 * _e6300.member_1.z)) + _e11139.member_1) * _e10891), _e11134);
 let _e11160 = select(-1e6f, (((((_e11139.member.member * _e10592) + (_e11139.member.member_1 * _e10593)) + (_e11139.member.member_2 * _e10594)) + _e11139.member_1) * _e10891), _e11134);
-let _e11166 = global_4.member[_e371].member_17.member.member;
+let _e11166 = global_3.member[_e371].member_17.member.member;
 let _e11170 = -(_e11159);
 let _e11173 = (_e11159 - _e11160);
 let _e11174 = (_e11160 - _e11159);
@@ -3711,11 +3711,11 @@ let _e11187 = select(2f, select(0f, _e11179, (_e11159 < 0f)), (_e11160 > 0f));
 let _e11188 = (_e11159 > _e11123);
 let _e11192 = ((_e11183 > _e11115) || ((_e11183 == _e11115) && _e11188));
 let _e11193 = (_e11187 < _e11119);
-phi_26222_ = type_35(select(_e11115, _e11183, _e11192), vec3<f32>(select(select(select(select(_e10867, _e10929.member, _e10955), _e11008.member, _e11034), _e11087.member, _e11113), _e11166.member, _e11192), select(select(select(select(_e10868, _e10929.member_1, _e10955), _e11008.member_1, _e11034), _e11087.member_1, _e11113), _e11166.member_1, _e11192), select(select(select(select(_e10869, _e10929.member_2, _e10955), _e11008.member_2, _e11034), _e11087.member_2, _e11113), _e11166.member_2, _e11192)), select(_e11119, _e11187, _e11193), vec3<f32>(select(select(select(select(_e10872, _e10929.member, _e10956), _e11008.member, _e11035), _e11087.member, _e11114), _e11166.member, _e11193), select(select(select(select(_e10873, _e10929.member_1, _e10956), _e11008.member_1, _e11035), _e11087.member_1, _e11114), _e11166.member_1, _e11193), select(select(select(select(_e10874, _e10929.member_2, _e10956), _e11008.member_2, _e11035), _e11087.member_2, _e11114), _e11166.member_2, _e11193)), select(_e11123, _e11159, _e11188), select(_e11125, _e11160, (_e11160 > _e11125)), vec3<f32>(select(select(select(select(_e10879, _e10929.member, _e10951), _e11008.member, _e11030), _e11087.member, _e11109), _e11166.member, _e11188), select(select(select(select(_e10880, _e10929.member_1, _e10951), _e11008.member_1, _e11030), _e11087.member_1, _e11109), _e11166.member_1, _e11188), select(select(select(select(_e10881, _e10929.member_2, _e10951), _e11008.member_2, _e11030), _e11087.member_2, _e11109), _e11166.member_2, _e11188)));
+phi_26222_ = type_34(select(_e11115, _e11183, _e11192), vec3<f32>(select(select(select(select(_e10867, _e10929.member, _e10955), _e11008.member, _e11034), _e11087.member, _e11113), _e11166.member, _e11192), select(select(select(select(_e10868, _e10929.member_1, _e10955), _e11008.member_1, _e11034), _e11087.member_1, _e11113), _e11166.member_1, _e11192), select(select(select(select(_e10869, _e10929.member_2, _e10955), _e11008.member_2, _e11034), _e11087.member_2, _e11113), _e11166.member_2, _e11192)), select(_e11119, _e11187, _e11193), vec3<f32>(select(select(select(select(_e10872, _e10929.member, _e10956), _e11008.member, _e11035), _e11087.member, _e11114), _e11166.member, _e11193), select(select(select(select(_e10873, _e10929.member_1, _e10956), _e11008.member_1, _e11035), _e11087.member_1, _e11114), _e11166.member_1, _e11193), select(select(select(select(_e10874, _e10929.member_2, _e10956), _e11008.member_2, _e11035), _e11087.member_2, _e11114), _e11166.member_2, _e11193)), select(_e11123, _e11159, _e11188), select(_e11125, _e11160, (_e11160 > _e11125)), vec3<f32>(select(select(select(select(_e10879, _e10929.member, _e10951), _e11008.member, _e11030), _e11087.member, _e11109), _e11166.member, _e11188), select(select(select(select(_e10880, _e10929.member_1, _e10951), _e11008.member_1, _e11030), _e11087.member_1, _e11109), _e11166.member_1, _e11188), select(select(select(select(_e10881, _e10929.member_2, _e10951), _e11008.member_2, _e11030), _e11087.member_2, _e11109), _e11166.member_2, _e11188)));
 }
 let _e11213 = phi_26222_;
 let _e11220 = (_e9090.member_2 * select(0f, 1f, _e6300.member_6));
-let _e11226 = global_4.member[_e371].member_5.member_4;
+let _e11226 = global_3.member[_e371].member_5.member_4;
 let _e11229 = (_e8509.member_3.x * _e11220);
 let _e11231 = (_e8509.member_3.y * _e11220);
 let _e11233 = (_e8509.member_3.z * _e11220);
@@ -3747,7 +3747,7 @@ phi_26379_ = false;
 let _e11311 = phi_26378_;
 let _e11313 = phi_26379_;
 let _e11324 = ((((_e6300.member_7 || (_e11311.x != _e375[3])) || (_e11311.y != _e375[4])) || (_e11311.z != _e375[5])) && _e890);
-let _e11329 = global_4.member[_e371].member_10.member_24;
+let _e11329 = global_3.member[_e371].member_10.member_24;
 let _e11338 = (_e375[12] + (((((_e375[6] + _e375[7]) + _e375[8]) * _e10572) - _e10573) * (_e393 + ((_e6300.member_1.z - _e393) * 0.5f))));
 phi_26477_ = array<f32, 14>(select(_e375[0], _e6300.member_1.x, _e11324), select(_e375[1], _e6300.member_1.y, _e11324), select(_e375[2], _e6300.member_1.z, _e11324), select(_e375[3], _e11311.x, _e11324), select(_e375[4], _e11311.y, _e11324), select(_e375[5], _e11311.z, _e11324), select(_e10567, 0f, _e10582), select(_e10568, 0f, _e10582), select(_e10569, 0f, _e10582), select(0f, 1f, _e6300.member_6), select(_e375[10], 1f, _e11324), select(select(select(0f, 1f, _e11313), 2f, (_e10582 && (_e11329 == 0f))), 3f, _e467), _e11338, select(_e375[13], (_e11338 + (_e10573 * _e6300.member_1.z)), (_e11324 && (_e375[10] == 0f))));
 } else {
@@ -3781,33 +3781,33 @@ break;
 let _e11372 = local_40;
 if _e11372 {
 let _e11374 = local_41;
-global_1.member[_e215] = _e11374[0];
+global_5.member[_e215] = _e11374[0];
 let _e11379 = local_42;
-global_1.member[_e227] = _e11379[1];
+global_5.member[_e227] = _e11379[1];
 let _e11384 = local_43;
-global_1.member[_e238] = _e11384[2];
+global_5.member[_e238] = _e11384[2];
 let _e11389 = local_44;
-global_1.member[_e249] = _e11389[3];
+global_5.member[_e249] = _e11389[3];
 let _e11394 = local_45;
-global_1.member[_e260] = _e11394[4];
+global_5.member[_e260] = _e11394[4];
 let _e11399 = local_46;
-global_1.member[_e271] = _e11399[5];
+global_5.member[_e271] = _e11399[5];
 let _e11404 = local_47;
-global_1.member[_e282] = _e11404[6];
+global_5.member[_e282] = _e11404[6];
 let _e11409 = local_48;
-global_1.member[_e293] = _e11409[7];
+global_5.member[_e293] = _e11409[7];
 let _e11414 = local_49;
-global_1.member[_e304] = _e11414[8];
+global_5.member[_e304] = _e11414[8];
 let _e11419 = local_50;
-global_1.member[_e315] = _e11419[9];
+global_5.member[_e315] = _e11419[9];
 let _e11424 = local_51;
-global_1.member[_e326] = _e11424[10];
+global_5.member[_e326] = _e11424[10];
 let _e11429 = local_52;
-global_1.member[_e337] = _e11429[11];
+global_5.member[_e337] = _e11429[11];
 let _e11434 = local_53;
-global_1.member[_e348] = _e11434[12];
+global_5.member[_e348] = _e11434[12];
 let _e11439 = local_54;
-global_1.member[_e359] = _e11439[13];
+global_5.member[_e359] = _e11439[13];
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,55 +90,86 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
+}
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
 }
 struct type_29 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_32 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_32 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: f32,
@@ -185,19 +181,19 @@ member_7: vec3<f32>,
 member_8: f32,
 member_9: f32,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_35 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -206,30 +202,34 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
+struct type_36 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
 struct type_39 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
-@group(0) @binding(7)
-var<storage, read_write> global_3: type_39;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_4: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_5: type_17;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_17;
+var<storage> global_4: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_5: type_26;
+@group(0) @binding(7)
+var<storage, read_write> global_6: type_39;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_29;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -245,9 +245,9 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_29;
 var local_23: vec3<f32>;
-var local_24: type_32;
+var local_24: type_29;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
@@ -263,69 +263,69 @@ var local_36: f32;
 var local_37: f32;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_32;
+var local_40: type_29;
 var local_41: vec3<f32>;
-var phi_5987_: type_34;
-var phi_6634_: type_35;
-var phi_7014_: type_5;
-var phi_8343_: type_36;
-var phi_8380_: type_33;
-var phi_8484_: f32;
-var phi_8568_: f32;
-var phi_8640_: type_29;
-var phi_8642_: type_33;
-var phi_8645_: f32;
-var phi_8647_: type_35;
-var phi_8649_: i32;
-var phi_10118_: type_36;
-var phi_10130_: bool;
-var phi_10145_: vec3<f32>;
-var phi_15595_: type_34;
-var phi_16242_: type_35;
-var phi_16634_: type_5;
-var phi_20728_: i32;
-var phi_21305_: vec3<f32>;
-var phi_21712_: vec3<f32>;
-var phi_21806_: f32;
-var phi_21848_: f32;
-var phi_21880_: type_29;
-var phi_22362_: u32;
-var phi_22699_: f32;
-var phi_22755_: f32;
-var phi_22760_: vec3<f32>;
-var phi_22863_: f32;
-var phi_22947_: f32;
-var phi_23019_: type_29;
-var phi_23020_: type_29;
-var phi_23189_: type_33;
-var phi_23190_: f32;
-var phi_23191_: type_35;
-var phi_8643_: type_33;
-var phi_8646_: f32;
-var phi_8648_: type_35;
-var phi_8650_: i32;
-var local_42: type_33;
-var local_43: type_33;
-var local_44: type_33;
-var local_45: type_33;
-var local_46: type_33;
-var local_47: type_33;
-var local_48: type_33;
-var local_49: type_33;
-var local_50: type_33;
-var local_51: type_33;
-var local_52: type_33;
-var local_53: type_33;
-var local_54: type_33;
-var local_55: type_33;
-var local_56: type_33;
-var local_57: type_33;
-var local_58: type_33;
+var phi_5977_: type_33;
+var phi_6624_: type_34;
+var phi_7004_: type_7;
+var phi_8333_: type_35;
+var phi_8370_: type_32;
+var phi_8474_: f32;
+var phi_8558_: f32;
+var phi_8630_: type_36;
+var phi_8632_: type_32;
+var phi_8635_: f32;
+var phi_8637_: type_34;
+var phi_8639_: i32;
+var phi_10108_: type_35;
+var phi_10120_: bool;
+var phi_10135_: vec3<f32>;
+var phi_15585_: type_33;
+var phi_16232_: type_34;
+var phi_16624_: type_7;
+var phi_20718_: i32;
+var phi_21295_: vec3<f32>;
+var phi_21702_: vec3<f32>;
+var phi_21796_: f32;
+var phi_21838_: f32;
+var phi_21870_: type_36;
+var phi_22352_: u32;
+var phi_22689_: f32;
+var phi_22745_: f32;
+var phi_22750_: vec3<f32>;
+var phi_22853_: f32;
+var phi_22937_: f32;
+var phi_23009_: type_36;
+var phi_23010_: type_36;
+var phi_23179_: type_32;
+var phi_23180_: f32;
+var phi_23181_: type_34;
+var phi_8633_: type_32;
+var phi_8636_: f32;
+var phi_8638_: type_34;
+var phi_8640_: i32;
+var local_42: type_32;
+var local_43: type_32;
+var local_44: type_32;
+var local_45: type_32;
+var local_46: type_32;
+var local_47: type_32;
+var local_48: type_32;
+var local_49: type_32;
+var local_50: type_32;
+var local_51: type_32;
+var local_52: type_32;
+var local_53: type_32;
+var local_54: type_32;
+var local_55: type_32;
+var local_56: type_32;
+var local_57: type_32;
+var local_58: type_32;
 var local_59: f32;
 let _e203 = global;
-let _e206 = arrayLength((&global_4.member));
-let _e209 = arrayLength((&global_5.member));
-let _e211 = arrayLength((&global_6.member));
+let _e206 = arrayLength((&global_2.member));
+let _e209 = arrayLength((&global_3.member));
+let _e211 = arrayLength((&global_4.member));
 let _e218 = global_1.member.member_2;
 let _e221 = global_1.member.member;
 let _e226 = (_e203.x + _e218.member);
@@ -335,86 +335,86 @@ if (_e229 < _e218.member_3) {
 let _e234 = (_e221.member * _e221.member_1);
 let _e236 = ((_e229 * _e221.member) + _e226);
 let _e237 = bitcast<i32>(_e236);
-let _e239 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e239 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e241 = select(_e239, _e237, (_e237 < _e239));
-let _e247 = global_2.member[bitcast<u32>(select(0i, _e241, (_e241 > 0i)))];
+let _e247 = global_5.member[bitcast<u32>(select(0i, _e241, (_e241 > 0i)))];
 let _e248 = (_e234 + _e236);
 let _e249 = bitcast<i32>(_e248);
 let _e251 = select(_e239, _e249, (_e249 < _e239));
-let _e257 = global_2.member[bitcast<u32>(select(0i, _e251, (_e251 > 0i)))];
+let _e257 = global_5.member[bitcast<u32>(select(0i, _e251, (_e251 > 0i)))];
 let _e259 = ((2u * _e234) + _e236);
 let _e260 = bitcast<i32>(_e259);
 let _e262 = select(_e239, _e260, (_e260 < _e239));
-let _e268 = global_2.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
+let _e268 = global_5.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
 let _e270 = ((3u * _e234) + _e236);
 let _e271 = bitcast<i32>(_e270);
 let _e273 = select(_e239, _e271, (_e271 < _e239));
-let _e279 = global_2.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
+let _e279 = global_5.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
 let _e281 = ((4u * _e234) + _e236);
 let _e282 = bitcast<i32>(_e281);
 let _e284 = select(_e239, _e282, (_e282 < _e239));
-let _e290 = global_2.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
+let _e290 = global_5.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
 let _e292 = ((5u * _e234) + _e236);
 let _e293 = bitcast<i32>(_e292);
 let _e295 = select(_e239, _e293, (_e293 < _e239));
-let _e301 = global_2.member[bitcast<u32>(select(0i, _e295, (_e295 > 0i)))];
+let _e301 = global_5.member[bitcast<u32>(select(0i, _e295, (_e295 > 0i)))];
 let _e303 = ((6u * _e234) + _e236);
 let _e304 = bitcast<i32>(_e303);
 let _e306 = select(_e239, _e304, (_e304 < _e239));
-let _e312 = global_2.member[bitcast<u32>(select(0i, _e306, (_e306 > 0i)))];
+let _e312 = global_5.member[bitcast<u32>(select(0i, _e306, (_e306 > 0i)))];
 let _e314 = ((7u * _e234) + _e236);
 let _e315 = bitcast<i32>(_e314);
 let _e317 = select(_e239, _e315, (_e315 < _e239));
-let _e323 = global_2.member[bitcast<u32>(select(0i, _e317, (_e317 > 0i)))];
+let _e323 = global_5.member[bitcast<u32>(select(0i, _e317, (_e317 > 0i)))];
 let _e325 = ((8u * _e234) + _e236);
 let _e326 = bitcast<i32>(_e325);
 let _e328 = select(_e239, _e326, (_e326 < _e239));
-let _e334 = global_2.member[bitcast<u32>(select(0i, _e328, (_e328 > 0i)))];
+let _e334 = global_5.member[bitcast<u32>(select(0i, _e328, (_e328 > 0i)))];
 let _e336 = ((9u * _e234) + _e236);
 let _e337 = bitcast<i32>(_e336);
 let _e339 = select(_e239, _e337, (_e337 < _e239));
-let _e345 = global_2.member[bitcast<u32>(select(0i, _e339, (_e339 > 0i)))];
+let _e345 = global_5.member[bitcast<u32>(select(0i, _e339, (_e339 > 0i)))];
 let _e347 = ((10u * _e234) + _e236);
 let _e348 = bitcast<i32>(_e347);
 let _e350 = select(_e239, _e348, (_e348 < _e239));
-let _e356 = global_2.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
+let _e356 = global_5.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
 let _e358 = ((11u * _e234) + _e236);
 let _e359 = bitcast<i32>(_e358);
 let _e361 = select(_e239, _e359, (_e359 < _e239));
-let _e367 = global_2.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
+let _e367 = global_5.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
 let _e369 = ((12u * _e234) + _e236);
 let _e370 = bitcast<i32>(_e369);
 let _e372 = select(_e239, _e370, (_e370 < _e239));
-let _e378 = global_2.member[bitcast<u32>(select(0i, _e372, (_e372 > 0i)))];
+let _e378 = global_5.member[bitcast<u32>(select(0i, _e372, (_e372 > 0i)))];
 let _e380 = ((13u * _e234) + _e236);
 let _e381 = bitcast<i32>(_e380);
 let _e383 = select(_e239, _e381, (_e381 < _e239));
-let _e389 = global_2.member[bitcast<u32>(select(0i, _e383, (_e383 > 0i)))];
+let _e389 = global_5.member[bitcast<u32>(select(0i, _e383, (_e383 > 0i)))];
 let _e391 = ((14u * _e234) + _e236);
 let _e392 = bitcast<i32>(_e391);
 let _e394 = select(_e239, _e392, (_e392 < _e239));
-let _e400 = global_2.member[bitcast<u32>(select(0i, _e394, (_e394 > 0i)))];
+let _e400 = global_5.member[bitcast<u32>(select(0i, _e394, (_e394 > 0i)))];
 let _e402 = ((15u * _e234) + _e236);
 let _e403 = bitcast<i32>(_e402);
 let _e405 = select(_e239, _e403, (_e403 < _e239));
-let _e411 = global_2.member[bitcast<u32>(select(0i, _e405, (_e405 > 0i)))];
+let _e411 = global_5.member[bitcast<u32>(select(0i, _e405, (_e405 > 0i)))];
 let _e413 = ((16u * _e234) + _e236);
 let _e414 = bitcast<i32>(_e413);
 let _e416 = select(_e239, _e414, (_e414 < _e239));
-let _e422 = global_2.member[bitcast<u32>(select(0i, _e416, (_e416 > 0i)))];
+let _e422 = global_5.member[bitcast<u32>(select(0i, _e416, (_e416 > 0i)))];
 let _e424 = ((17u * _e234) + _e236);
 let _e425 = bitcast<i32>(_e424);
 let _e427 = select(_e239, _e425, (_e425 < _e239));
-let _e433 = global_2.member[bitcast<u32>(select(0i, _e427, (_e427 > 0i)))];
+let _e433 = global_5.member[bitcast<u32>(select(0i, _e427, (_e427 > 0i)))];
 let _e434 = (_e323 == 2f);
 let _e437 = select(0u, 3u, (_e434 || (_e323 == 4f)));
 if (_e437 > 0u) {
-if (arrayLength((&global_3.member)) >= 3u) {
-let _e448 = atomicLoad((&global_3.member[0u]));
+if (arrayLength((&global_6.member)) >= 3u) {
+let _e448 = atomicLoad((&global_6.member[0u]));
 if (_e448 == 0u) {
-atomicStore((&global_3.member[0u]), (((_e218.member_2 - _e218.member) + 7u) / 8u));
-atomicStore((&global_3.member[1u]), (((_e218.member_3 - _e218.member_1) + 7u) / 8u));
-atomicStore((&global_3.member[2u]), 1u);
+atomicStore((&global_6.member[0u]), (((_e218.member_2 - _e218.member) + 7u) / 8u));
+atomicStore((&global_6.member[1u]), (((_e218.member_3 - _e218.member_1) + 7u) / 8u));
+atomicStore((&global_6.member[2u]), 1u);
 }
 }
 }
@@ -479,29 +479,29 @@ let _e659 = (select(0i, _e625, (_e625 > 0i)) * _e597);
 let _e660 = (select(0i, _e589, (_e589 > 0i)) * _e597);
 let _e661 = (select(_e624, _e630, (_e630 < _e624)) * _e597);
 let _e662 = (select(_e624, _e633, (_e633 < _e624)) * _e597);
-local_40 = type_32(array<i32, 4>(select(0i, _e644, (_e644 > 0i)), select(0i, _e559, (_e559 > 0i)), select(_e643, _e649, (_e649 < _e643)), select(_e643, _e652, (_e652 < _e643))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_40 = type_29(array<i32, 4>(select(0i, _e644, (_e644 > 0i)), select(0i, _e559, (_e559 > 0i)), select(_e643, _e649, (_e649 < _e643)), select(_e643, _e652, (_e652 < _e643))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_41 = vec3<f32>((_e524 - f32(_e559)), (_e534 - f32(_e574)), (_e544 - f32(_e589)));
 let _e673 = (_e660 + _e656);
 let _e676 = local_40.member[0u];
 let _e677 = (_e673 + _e676);
 let _e679 = (bitcast<i32>(_e206) - 1i);
 let _e681 = select(_e679, _e677, (_e677 < _e679));
-let _e686 = global_4.member[bitcast<u32>(select(0i, _e681, (_e681 > 0i)))];
+let _e686 = global_2.member[bitcast<u32>(select(0i, _e681, (_e681 > 0i)))];
 let _e687 = bitcast<f32>(_e686);
 let _e690 = local_40.member[1u];
 let _e691 = (_e673 + _e690);
 let _e693 = select(_e679, _e691, (_e691 < _e679));
-let _e698 = global_4.member[bitcast<u32>(select(0i, _e693, (_e693 > 0i)))];
+let _e698 = global_2.member[bitcast<u32>(select(0i, _e693, (_e693 > 0i)))];
 let _e699 = bitcast<f32>(_e698);
 let _e702 = local_40.member[2u];
 let _e703 = (_e673 + _e702);
 let _e705 = select(_e679, _e703, (_e703 < _e679));
-let _e710 = global_4.member[bitcast<u32>(select(0i, _e705, (_e705 > 0i)))];
+let _e710 = global_2.member[bitcast<u32>(select(0i, _e705, (_e705 > 0i)))];
 let _e711 = bitcast<f32>(_e710);
 let _e714 = local_40.member[3u];
 let _e715 = (_e673 + _e714);
 let _e717 = select(_e679, _e715, (_e715 < _e679));
-let _e722 = global_4.member[bitcast<u32>(select(0i, _e717, (_e717 > 0i)))];
+let _e722 = global_2.member[bitcast<u32>(select(0i, _e717, (_e717 > 0i)))];
 let _e724 = local_41[0u];
 let _e727 = (_e687 + ((_e699 - _e687) * _e724));
 let _e728 = local_41[0u];
@@ -512,22 +512,22 @@ let _e736 = (_e660 + _e657);
 let _e737 = local_40.member[0u];
 let _e738 = (_e736 + _e737);
 let _e740 = select(_e679, _e738, (_e738 < _e679));
-let _e745 = global_4.member[bitcast<u32>(select(0i, _e740, (_e740 > 0i)))];
+let _e745 = global_2.member[bitcast<u32>(select(0i, _e740, (_e740 > 0i)))];
 let _e746 = bitcast<f32>(_e745);
 let _e747 = local_40.member[1u];
 let _e748 = (_e736 + _e747);
 let _e750 = select(_e679, _e748, (_e748 < _e679));
-let _e755 = global_4.member[bitcast<u32>(select(0i, _e750, (_e750 > 0i)))];
+let _e755 = global_2.member[bitcast<u32>(select(0i, _e750, (_e750 > 0i)))];
 let _e756 = bitcast<f32>(_e755);
 let _e757 = local_40.member[2u];
 let _e758 = (_e736 + _e757);
 let _e760 = select(_e679, _e758, (_e758 < _e679));
-let _e765 = global_4.member[bitcast<u32>(select(0i, _e760, (_e760 > 0i)))];
+let _e765 = global_2.member[bitcast<u32>(select(0i, _e760, (_e760 > 0i)))];
 let _e766 = bitcast<f32>(_e765);
 let _e767 = local_40.member[3u];
 let _e768 = (_e736 + _e767);
 let _e770 = select(_e679, _e768, (_e768 < _e679));
-let _e775 = global_4.member[bitcast<u32>(select(0i, _e770, (_e770 > 0i)))];
+let _e775 = global_2.member[bitcast<u32>(select(0i, _e770, (_e770 > 0i)))];
 let _e777 = local_41[0u];
 let _e781 = local_41[0u];
 let _e784 = (_e756 + ((_e766 - _e756) * _e781));
@@ -536,22 +536,22 @@ let _e789 = (_e661 + _e656);
 let _e790 = local_40.member[0u];
 let _e791 = (_e789 + _e790);
 let _e793 = select(_e679, _e791, (_e791 < _e679));
-let _e798 = global_4.member[bitcast<u32>(select(0i, _e793, (_e793 > 0i)))];
+let _e798 = global_2.member[bitcast<u32>(select(0i, _e793, (_e793 > 0i)))];
 let _e799 = bitcast<f32>(_e798);
 let _e800 = local_40.member[1u];
 let _e801 = (_e789 + _e800);
 let _e803 = select(_e679, _e801, (_e801 < _e679));
-let _e808 = global_4.member[bitcast<u32>(select(0i, _e803, (_e803 > 0i)))];
+let _e808 = global_2.member[bitcast<u32>(select(0i, _e803, (_e803 > 0i)))];
 let _e809 = bitcast<f32>(_e808);
 let _e810 = local_40.member[2u];
 let _e811 = (_e789 + _e810);
 let _e813 = select(_e679, _e811, (_e811 < _e679));
-let _e818 = global_4.member[bitcast<u32>(select(0i, _e813, (_e813 > 0i)))];
+let _e818 = global_2.member[bitcast<u32>(select(0i, _e813, (_e813 > 0i)))];
 let _e819 = bitcast<f32>(_e818);
 let _e820 = local_40.member[3u];
 let _e821 = (_e789 + _e820);
 let _e823 = select(_e679, _e821, (_e821 < _e679));
-let _e828 = global_4.member[bitcast<u32>(select(0i, _e823, (_e823 > 0i)))];
+let _e828 = global_2.member[bitcast<u32>(select(0i, _e823, (_e823 > 0i)))];
 let _e830 = local_41[0u];
 let _e833 = (_e799 + ((_e809 - _e799) * _e830));
 let _e834 = local_41[0u];
@@ -562,22 +562,22 @@ let _e842 = (_e661 + _e657);
 let _e843 = local_40.member[0u];
 let _e844 = (_e842 + _e843);
 let _e846 = select(_e679, _e844, (_e844 < _e679));
-let _e851 = global_4.member[bitcast<u32>(select(0i, _e846, (_e846 > 0i)))];
+let _e851 = global_2.member[bitcast<u32>(select(0i, _e846, (_e846 > 0i)))];
 let _e852 = bitcast<f32>(_e851);
 let _e853 = local_40.member[1u];
 let _e854 = (_e842 + _e853);
 let _e856 = select(_e679, _e854, (_e854 < _e679));
-let _e861 = global_4.member[bitcast<u32>(select(0i, _e856, (_e856 > 0i)))];
+let _e861 = global_2.member[bitcast<u32>(select(0i, _e856, (_e856 > 0i)))];
 let _e862 = bitcast<f32>(_e861);
 let _e863 = local_40.member[2u];
 let _e864 = (_e842 + _e863);
 let _e866 = select(_e679, _e864, (_e864 < _e679));
-let _e871 = global_4.member[bitcast<u32>(select(0i, _e866, (_e866 > 0i)))];
+let _e871 = global_2.member[bitcast<u32>(select(0i, _e866, (_e866 > 0i)))];
 let _e872 = bitcast<f32>(_e871);
 let _e873 = local_40.member[3u];
 let _e874 = (_e842 + _e873);
 let _e876 = select(_e679, _e874, (_e874 < _e679));
-let _e881 = global_4.member[bitcast<u32>(select(0i, _e876, (_e876 > 0i)))];
+let _e881 = global_2.member[bitcast<u32>(select(0i, _e876, (_e876 > 0i)))];
 let _e883 = local_41[0u];
 let _e887 = local_41[0u];
 let _e890 = (_e862 + ((_e872 - _e862) * _e887));
@@ -586,93 +586,93 @@ let _e895 = (_e660 + _e655);
 let _e896 = local_40.member[1u];
 let _e897 = (_e895 + _e896);
 let _e899 = select(_e679, _e897, (_e897 < _e679));
-let _e904 = global_4.member[bitcast<u32>(select(0i, _e899, (_e899 > 0i)))];
+let _e904 = global_2.member[bitcast<u32>(select(0i, _e899, (_e899 > 0i)))];
 let _e905 = bitcast<f32>(_e904);
 let _e906 = local_40.member[2u];
 let _e907 = (_e895 + _e906);
 let _e909 = select(_e679, _e907, (_e907 < _e679));
-let _e914 = global_4.member[bitcast<u32>(select(0i, _e909, (_e909 > 0i)))];
+let _e914 = global_2.member[bitcast<u32>(select(0i, _e909, (_e909 > 0i)))];
 let _e916 = local_41[0u];
 let _e919 = (_e905 + ((bitcast<f32>(_e914) - _e905) * _e916));
 let _e920 = (_e660 + _e658);
 let _e921 = local_40.member[1u];
 let _e922 = (_e920 + _e921);
 let _e924 = select(_e679, _e922, (_e922 < _e679));
-let _e929 = global_4.member[bitcast<u32>(select(0i, _e924, (_e924 > 0i)))];
+let _e929 = global_2.member[bitcast<u32>(select(0i, _e924, (_e924 > 0i)))];
 let _e930 = bitcast<f32>(_e929);
 let _e931 = local_40.member[2u];
 let _e932 = (_e920 + _e931);
 let _e934 = select(_e679, _e932, (_e932 < _e679));
-let _e939 = global_4.member[bitcast<u32>(select(0i, _e934, (_e934 > 0i)))];
+let _e939 = global_2.member[bitcast<u32>(select(0i, _e934, (_e934 > 0i)))];
 let _e941 = local_41[0u];
 let _e945 = (_e661 + _e655);
 let _e946 = local_40.member[1u];
 let _e947 = (_e945 + _e946);
 let _e949 = select(_e679, _e947, (_e947 < _e679));
-let _e954 = global_4.member[bitcast<u32>(select(0i, _e949, (_e949 > 0i)))];
+let _e954 = global_2.member[bitcast<u32>(select(0i, _e949, (_e949 > 0i)))];
 let _e955 = bitcast<f32>(_e954);
 let _e956 = local_40.member[2u];
 let _e957 = (_e945 + _e956);
 let _e959 = select(_e679, _e957, (_e957 < _e679));
-let _e964 = global_4.member[bitcast<u32>(select(0i, _e959, (_e959 > 0i)))];
+let _e964 = global_2.member[bitcast<u32>(select(0i, _e959, (_e959 > 0i)))];
 let _e966 = local_41[0u];
 let _e969 = (_e955 + ((bitcast<f32>(_e964) - _e955) * _e966));
 let _e970 = (_e661 + _e658);
 let _e971 = local_40.member[1u];
 let _e972 = (_e970 + _e971);
 let _e974 = select(_e679, _e972, (_e972 < _e679));
-let _e979 = global_4.member[bitcast<u32>(select(0i, _e974, (_e974 > 0i)))];
+let _e979 = global_2.member[bitcast<u32>(select(0i, _e974, (_e974 > 0i)))];
 let _e980 = bitcast<f32>(_e979);
 let _e981 = local_40.member[2u];
 let _e982 = (_e970 + _e981);
 let _e984 = select(_e679, _e982, (_e982 < _e679));
-let _e989 = global_4.member[bitcast<u32>(select(0i, _e984, (_e984 > 0i)))];
+let _e989 = global_2.member[bitcast<u32>(select(0i, _e984, (_e984 > 0i)))];
 let _e991 = local_41[0u];
 let _e995 = (_e659 + _e656);
 let _e996 = local_40.member[1u];
 let _e997 = (_e995 + _e996);
 let _e999 = select(_e679, _e997, (_e997 < _e679));
-let _e1004 = global_4.member[bitcast<u32>(select(0i, _e999, (_e999 > 0i)))];
+let _e1004 = global_2.member[bitcast<u32>(select(0i, _e999, (_e999 > 0i)))];
 let _e1005 = bitcast<f32>(_e1004);
 let _e1006 = local_40.member[2u];
 let _e1007 = (_e995 + _e1006);
 let _e1009 = select(_e679, _e1007, (_e1007 < _e679));
-let _e1014 = global_4.member[bitcast<u32>(select(0i, _e1009, (_e1009 > 0i)))];
+let _e1014 = global_2.member[bitcast<u32>(select(0i, _e1009, (_e1009 > 0i)))];
 let _e1016 = local_41[0u];
 let _e1019 = (_e1005 + ((bitcast<f32>(_e1014) - _e1005) * _e1016));
 let _e1020 = (_e662 + _e656);
 let _e1021 = local_40.member[1u];
 let _e1022 = (_e1020 + _e1021);
 let _e1024 = select(_e679, _e1022, (_e1022 < _e679));
-let _e1029 = global_4.member[bitcast<u32>(select(0i, _e1024, (_e1024 > 0i)))];
+let _e1029 = global_2.member[bitcast<u32>(select(0i, _e1024, (_e1024 > 0i)))];
 let _e1030 = bitcast<f32>(_e1029);
 let _e1031 = local_40.member[2u];
 let _e1032 = (_e1020 + _e1031);
 let _e1034 = select(_e679, _e1032, (_e1032 < _e679));
-let _e1039 = global_4.member[bitcast<u32>(select(0i, _e1034, (_e1034 > 0i)))];
+let _e1039 = global_2.member[bitcast<u32>(select(0i, _e1034, (_e1034 > 0i)))];
 let _e1041 = local_41[0u];
 let _e1044 = (_e1030 + ((bitcast<f32>(_e1039) - _e1030) * _e1041));
 let _e1045 = (_e659 + _e657);
 let _e1046 = local_40.member[1u];
 let _e1047 = (_e1045 + _e1046);
 let _e1049 = select(_e679, _e1047, (_e1047 < _e679));
-let _e1054 = global_4.member[bitcast<u32>(select(0i, _e1049, (_e1049 > 0i)))];
+let _e1054 = global_2.member[bitcast<u32>(select(0i, _e1049, (_e1049 > 0i)))];
 let _e1055 = bitcast<f32>(_e1054);
 let _e1056 = local_40.member[2u];
 let _e1057 = (_e1045 + _e1056);
 let _e1059 = select(_e679, _e1057, (_e1057 < _e679));
-let _e1064 = global_4.member[bitcast<u32>(select(0i, _e1059, (_e1059 > 0i)))];
+let _e1064 = global_2.member[bitcast<u32>(select(0i, _e1059, (_e1059 > 0i)))];
 let _e1066 = local_41[0u];
 let _e1070 = (_e662 + _e657);
 let _e1071 = local_40.member[1u];
 let _e1072 = (_e1070 + _e1071);
 let _e1074 = select(_e679, _e1072, (_e1072 < _e679));
-let _e1079 = global_4.member[bitcast<u32>(select(0i, _e1074, (_e1074 > 0i)))];
+let _e1079 = global_2.member[bitcast<u32>(select(0i, _e1074, (_e1074 > 0i)))];
 let _e1080 = bitcast<f32>(_e1079);
 let _e1081 = local_40.member[2u];
 let _e1082 = (_e1070 + _e1081);
 let _e1084 = select(_e679, _e1082, (_e1082 < _e679));
-let _e1089 = global_4.member[bitcast<u32>(select(0i, _e1084, (_e1084 > 0i)))];
+let _e1089 = global_2.member[bitcast<u32>(select(0i, _e1084, (_e1084 > 0i)))];
 let _e1091 = local_41[0u];
 let _e1096 = local_41[1u];
 let _e1099 = (_e731 + ((_e784 - _e731) * _e1096));
@@ -730,50 +730,50 @@ local_39 = _e1224;
 let _e1225 = local_39;
 let _e1227 = (bitcast<i32>(_e209) - 1i);
 let _e1229 = select(_e1227, 263197i, (263197i < _e1227));
-let _e1234 = global_5.member[bitcast<u32>(select(0i, _e1229, (_e1229 > 0i)))];
+let _e1234 = global_3.member[bitcast<u32>(select(0i, _e1229, (_e1229 > 0i)))];
 let _e1235 = bitcast<f32>(_e1234);
 let _e1237 = select(_e1227, 263198i, (263198i < _e1227));
 let _e1240 = bitcast<u32>(select(0i, _e1237, (_e1237 > 0i)));
-let _e1242 = global_5.member[_e1240];
+let _e1242 = global_3.member[_e1240];
 let _e1243 = bitcast<f32>(_e1242);
 let _e1245 = select(_e1227, 263199i, (263199i < _e1227));
-let _e1250 = global_5.member[bitcast<u32>(select(0i, _e1245, (_e1245 > 0i)))];
+let _e1250 = global_3.member[bitcast<u32>(select(0i, _e1245, (_e1245 > 0i)))];
 let _e1251 = bitcast<f32>(_e1250);
 let _e1253 = ((_e1225 - _e1235) * _e1243);
 let _e1255 = select(0f, _e1253, (_e1253 > 0f));
 let _e1258 = local_39;
 let _e1260 = select(_e1227, 263200i, (263200i < _e1227));
-let _e1265 = global_5.member[bitcast<u32>(select(0i, _e1260, (_e1260 > 0i)))];
+let _e1265 = global_3.member[bitcast<u32>(select(0i, _e1260, (_e1260 > 0i)))];
 let _e1266 = bitcast<f32>(_e1265);
 let _e1268 = select(_e1227, 263201i, (263201i < _e1227));
-let _e1273 = global_5.member[bitcast<u32>(select(0i, _e1268, (_e1268 > 0i)))];
+let _e1273 = global_3.member[bitcast<u32>(select(0i, _e1268, (_e1268 > 0i)))];
 let _e1274 = bitcast<f32>(_e1273);
 let _e1276 = select(_e1227, 263202i, (263202i < _e1227));
-let _e1281 = global_5.member[bitcast<u32>(select(0i, _e1276, (_e1276 > 0i)))];
+let _e1281 = global_3.member[bitcast<u32>(select(0i, _e1276, (_e1276 > 0i)))];
 let _e1282 = bitcast<f32>(_e1281);
 let _e1284 = ((_e1258 - _e1266) * _e1274);
 let _e1286 = select(0f, _e1284, (_e1284 > 0f));
 let _e1290 = local_39;
 let _e1292 = select(_e1227, 263203i, (263203i < _e1227));
-let _e1297 = global_5.member[bitcast<u32>(select(0i, _e1292, (_e1292 > 0i)))];
+let _e1297 = global_3.member[bitcast<u32>(select(0i, _e1292, (_e1292 > 0i)))];
 let _e1298 = bitcast<f32>(_e1297);
 let _e1300 = select(_e1227, 263204i, (263204i < _e1227));
-let _e1305 = global_5.member[bitcast<u32>(select(0i, _e1300, (_e1300 > 0i)))];
+let _e1305 = global_3.member[bitcast<u32>(select(0i, _e1300, (_e1300 > 0i)))];
 let _e1306 = bitcast<f32>(_e1305);
 let _e1308 = select(_e1227, 263205i, (263205i < _e1227));
-let _e1313 = global_5.member[bitcast<u32>(select(0i, _e1308, (_e1308 > 0i)))];
+let _e1313 = global_3.member[bitcast<u32>(select(0i, _e1308, (_e1308 > 0i)))];
 let _e1314 = bitcast<f32>(_e1313);
 let _e1316 = ((_e1290 - _e1298) * _e1306);
 let _e1318 = select(0f, _e1316, (_e1316 > 0f));
 let _e1321 = local_39;
 let _e1323 = select(_e1227, 263206i, (263206i < _e1227));
-let _e1328 = global_5.member[bitcast<u32>(select(0i, _e1323, (_e1323 > 0i)))];
+let _e1328 = global_3.member[bitcast<u32>(select(0i, _e1323, (_e1323 > 0i)))];
 let _e1329 = bitcast<f32>(_e1328);
 let _e1331 = select(_e1227, 263207i, (263207i < _e1227));
-let _e1336 = global_5.member[bitcast<u32>(select(0i, _e1331, (_e1331 > 0i)))];
+let _e1336 = global_3.member[bitcast<u32>(select(0i, _e1331, (_e1331 > 0i)))];
 let _e1337 = bitcast<f32>(_e1336);
 let _e1339 = select(_e1227, 263208i, (263208i < _e1227));
-let _e1344 = global_5.member[bitcast<u32>(select(0i, _e1339, (_e1339 > 0i)))];
+let _e1344 = global_3.member[bitcast<u32>(select(0i, _e1339, (_e1339 > 0i)))];
 let _e1345 = bitcast<f32>(_e1344);
 let _e1347 = ((_e1321 - _e1329) * _e1337);
 let _e1349 = select(0f, _e1347, (_e1347 > 0f));
@@ -784,34 +784,34 @@ let _e1364 = select(0i, select(select(i32(_e1357), i32(-2147483648), (_e1357 < -
 let _e1368 = (_e1364 - select(0i, 1i, (_e1357 < f32(_e1364))));
 let _e1369 = (262147i + _e1368);
 let _e1371 = select(_e1227, _e1369, (_e1369 < _e1227));
-let _e1377 = global_5.member[bitcast<u32>(select(0i, _e1371, (_e1371 > 0i)))];
+let _e1377 = global_3.member[bitcast<u32>(select(0i, _e1371, (_e1371 > 0i)))];
 let _e1387 = select(_e1227, 262146i, (262146i < _e1227));
-let _e1393 = global_5.member[bitcast<u32>(select(0i, _e1387, (_e1387 > 0i)))];
+let _e1393 = global_3.member[bitcast<u32>(select(0i, _e1387, (_e1387 > 0i)))];
 let _e1394 = bitcast<f32>(_e1393);
 let _e1395 = (f32((bitcast<i32>((_e1377 & 4095u)) - 2048i)) * _e1394);
 let _e1397 = select(_e1227, 262144i, (262144i < _e1227));
-let _e1403 = global_5.member[bitcast<u32>(select(0i, _e1397, (_e1397 > 0i)))];
+let _e1403 = global_3.member[bitcast<u32>(select(0i, _e1397, (_e1397 > 0i)))];
 let _e1404 = bitcast<f32>(_e1403);
 let _e1406 = select(_e1227, 262145i, (262145i < _e1227));
-let _e1412 = global_5.member[bitcast<u32>(select(0i, _e1406, (_e1406 > 0i)))];
+let _e1412 = global_3.member[bitcast<u32>(select(0i, _e1406, (_e1406 > 0i)))];
 let _e1413 = bitcast<f32>(_e1412);
 let _e1419 = ((_e1404 + (f32(bitcast<i32>((_e1377 >> bitcast<u32>(12u)))) * _e1413)) + (_e1395 * (_e1353 - f32(_e1368))));
-let _e1422 = global_5.member[_e1240];
+let _e1422 = global_3.member[_e1240];
 let _e1424 = local_38;
 let _e1427 = local_38;
 let _e1430 = local_38;
 let _e1434 = select(_e1227, 263209i, (263209i < _e1227));
-let _e1440 = global_5.member[bitcast<u32>(select(0i, _e1434, (_e1434 > 0i)))];
+let _e1440 = global_3.member[bitcast<u32>(select(0i, _e1434, (_e1434 > 0i)))];
 let _e1442 = local_38;
 let _e1445 = select(_e1227, 263210i, (263210i < _e1227));
-let _e1451 = global_5.member[bitcast<u32>(select(0i, _e1445, (_e1445 > 0i)))];
+let _e1451 = global_3.member[bitcast<u32>(select(0i, _e1445, (_e1445 > 0i)))];
 let _e1453 = local_38;
 let _e1457 = (_e1395 * select(0f, select(select(select(bitcast<f32>(_e1422), _e1274, (_e1424 >= _e1266)), _e1306, (_e1427 >= _e1298)), _e1337, (_e1430 >= _e1329)), ((_e1442 >= bitcast<f32>(_e1440)) && (_e1453 <= bitcast<f32>(_e1451)))));
 if _e513 {
 let _e1464 = ((0.5f * (_e1199 - _e1193)) * _e1457);
 let _e1465 = ((0.5f * (_e1211 - _e1205)) * _e1457);
 let _e1466 = ((0.5f * (_e1223 - _e1217)) * _e1457);
-phi_5987_ = type_34(_e1419, vec3<f32>(_e1464, _e1465, _e1466), vec3<f32>((_e1464 * _e1419), (_e1465 * _e1419), (_e1466 * _e1419)));
+phi_5977_ = type_33(_e1419, vec3<f32>(_e1464, _e1465, _e1466), vec3<f32>((_e1464 * _e1419), (_e1465 * _e1419), (_e1466 * _e1419)));
 } else {
 local_36 = _e1193;
 let _e1473 = local_36;
@@ -835,7 +835,7 @@ let _e1515 = select(0i, select(select(i32(_e1508), i32(-2147483648), (_e1508 < -
 let _e1519 = (_e1515 - select(0i, 1i, (_e1508 < f32(_e1515))));
 let _e1520 = (262147i + _e1519);
 let _e1522 = select(_e1227, _e1520, (_e1520 < _e1227));
-let _e1528 = global_5.member[bitcast<u32>(select(0i, _e1522, (_e1522 > 0i)))];
+let _e1528 = global_3.member[bitcast<u32>(select(0i, _e1522, (_e1522 > 0i)))];
 let _e1543 = ((_e1404 + (f32(bitcast<i32>((_e1528 >> bitcast<u32>(12u)))) * _e1413)) + ((f32((bitcast<i32>((_e1528 & 4095u)) - 2048i)) * _e1394) * (_e1504 - f32(_e1519))));
 local_34 = _e1199;
 let _e1544 = local_34;
@@ -859,7 +859,7 @@ let _e1586 = select(0i, select(select(i32(_e1579), i32(-2147483648), (_e1579 < -
 let _e1590 = (_e1586 - select(0i, 1i, (_e1579 < f32(_e1586))));
 let _e1591 = (262147i + _e1590);
 let _e1593 = select(_e1227, _e1591, (_e1591 < _e1227));
-let _e1599 = global_5.member[bitcast<u32>(select(0i, _e1593, (_e1593 > 0i)))];
+let _e1599 = global_3.member[bitcast<u32>(select(0i, _e1593, (_e1593 > 0i)))];
 let _e1614 = ((_e1404 + (f32(bitcast<i32>((_e1599 >> bitcast<u32>(12u)))) * _e1413)) + ((f32((bitcast<i32>((_e1599 & 4095u)) - 2048i)) * _e1394) * (_e1575 - f32(_e1590))));
 local_32 = _e1205;
 let _e1615 = local_32;
@@ -883,7 +883,7 @@ let _e1657 = select(0i, select(select(i32(_e1650), i32(-2147483648), (_e1650 < -
 let _e1661 = (_e1657 - select(0i, 1i, (_e1650 < f32(_e1657))));
 let _e1662 = (262147i + _e1661);
 let _e1664 = select(_e1227, _e1662, (_e1662 < _e1227));
-let _e1670 = global_5.member[bitcast<u32>(select(0i, _e1664, (_e1664 > 0i)))];
+let _e1670 = global_3.member[bitcast<u32>(select(0i, _e1664, (_e1664 > 0i)))];
 let _e1685 = ((_e1404 + (f32(bitcast<i32>((_e1670 >> bitcast<u32>(12u)))) * _e1413)) + ((f32((bitcast<i32>((_e1670 & 4095u)) - 2048i)) * _e1394) * (_e1646 - f32(_e1661))));
 local_30 = _e1211;
 let _e1686 = local_30;
@@ -907,7 +907,7 @@ let _e1728 = select(0i, select(select(i32(_e1721), i32(-2147483648), (_e1721 < -
 let _e1732 = (_e1728 - select(0i, 1i, (_e1721 < f32(_e1728))));
 let _e1733 = (262147i + _e1732);
 let _e1735 = select(_e1227, _e1733, (_e1733 < _e1227));
-let _e1741 = global_5.member[bitcast<u32>(select(0i, _e1735, (_e1735 > 0i)))];
+let _e1741 = global_3.member[bitcast<u32>(select(0i, _e1735, (_e1735 > 0i)))];
 let _e1756 = ((_e1404 + (f32(bitcast<i32>((_e1741 >> bitcast<u32>(12u)))) * _e1413)) + ((f32((bitcast<i32>((_e1741 & 4095u)) - 2048i)) * _e1394) * (_e1717 - f32(_e1732))));
 local_28 = _e1217;
 let _e1757 = local_28;
@@ -931,7 +931,7 @@ let _e1799 = select(0i, select(select(i32(_e1792), i32(-2147483648), (_e1792 < -
 let _e1803 = (_e1799 - select(0i, 1i, (_e1792 < f32(_e1799))));
 let _e1804 = (262147i + _e1803);
 let _e1806 = select(_e1227, _e1804, (_e1804 < _e1227));
-let _e1812 = global_5.member[bitcast<u32>(select(0i, _e1806, (_e1806 > 0i)))];
+let _e1812 = global_3.member[bitcast<u32>(select(0i, _e1806, (_e1806 > 0i)))];
 let _e1827 = ((_e1404 + (f32(bitcast<i32>((_e1812 >> bitcast<u32>(12u)))) * _e1413)) + ((f32((bitcast<i32>((_e1812 & 4095u)) - 2048i)) * _e1394) * (_e1788 - f32(_e1803))));
 local_26 = _e1223;
 let _e1828 = local_26;
@@ -955,14 +955,14 @@ let _e1870 = select(0i, select(select(i32(_e1863), i32(-2147483648), (_e1863 < -
 let _e1874 = (_e1870 - select(0i, 1i, (_e1863 < f32(_e1870))));
 let _e1875 = (262147i + _e1874);
 let _e1877 = select(_e1227, _e1875, (_e1875 < _e1227));
-let _e1883 = global_5.member[bitcast<u32>(select(0i, _e1877, (_e1877 > 0i)))];
+let _e1883 = global_3.member[bitcast<u32>(select(0i, _e1877, (_e1877 > 0i)))];
 let _e1898 = ((_e1404 + (f32(bitcast<i32>((_e1883 >> bitcast<u32>(12u)))) * _e1413)) + ((f32((bitcast<i32>((_e1883 & 4095u)) - 2048i)) * _e1394) * (_e1859 - f32(_e1874))));
 let _e1899 = (_e1614 - _e1543);
 let _e1901 = (_e1756 - _e1685);
 let _e1903 = (_e1898 - _e1827);
-phi_5987_ = type_34(_e1419, vec3<f32>((0.5f * _e1899), (0.5f * _e1901), (0.5f * _e1903)), vec3<f32>((0.25f * (_e1899 * (_e1614 + _e1543))), (0.25f * (_e1901 * (_e1756 + _e1685))), (0.25f * (_e1903 * (_e1898 + _e1827)))));
+phi_5977_ = type_33(_e1419, vec3<f32>((0.5f * _e1899), (0.5f * _e1901), (0.5f * _e1903)), vec3<f32>((0.25f * (_e1899 * (_e1614 + _e1543))), (0.25f * (_e1901 * (_e1756 + _e1685))), (0.25f * (_e1903 * (_e1898 + _e1827)))));
 }
-let _e1918 = phi_5987_;
+let _e1918 = phi_5977_;
 let _e1933 = select(0f, 1f, ((((((_e475 >= -0.5f) && (_e475 <= _e520)) && (_e490 >= -0.5f)) && (_e490 <= _e530)) && (_e505 >= -0.5f)) && (_e505 <= _e540)));
 let _e1935 = (0.5f * (_e1199 - _e1193));
 let _e1937 = (0.5f * (_e1211 - _e1205));
@@ -976,7 +976,7 @@ let _e1975 = global_1.member.member_6.member_1.member.member_2;
 let _e1981 = global_1.member.member_6.member_2.member.member;
 let _e1987 = global_1.member.member_6.member_2.member.member_1;
 let _e1993 = global_1.member.member_6.member_2.member.member_2;
-phi_6634_ = type_35(_e1187, vec3<f32>(((((_e1945 * _e1935) + (_e1963 * _e1937)) + (_e1981 * _e1939)) * _e1933), ((((_e1951 * _e1935) + (_e1969 * _e1937)) + (_e1987 * _e1939)) * _e1933), ((((_e1957 * _e1935) + (_e1975 * _e1937)) + (_e1993 * _e1939)) * _e1933)), _e1918.member, vec3<f32>(((((_e1945 * _e1918.member_2.x) + (_e1963 * _e1918.member_2.y)) + (_e1981 * _e1918.member_2.z)) * _e1933), ((((_e1951 * _e1918.member_2.x) + (_e1969 * _e1918.member_2.y)) + (_e1987 * _e1918.member_2.z)) * _e1933), ((((_e1957 * _e1918.member_2.x) + (_e1975 * _e1918.member_2.y)) + (_e1993 * _e1918.member_2.z)) * _e1933)), vec3<f32>(((((_e1945 * _e1918.member_1.x) + (_e1963 * _e1918.member_1.y)) + (_e1981 * _e1918.member_1.z)) * _e1933), ((((_e1951 * _e1918.member_1.x) + (_e1969 * _e1918.member_1.y)) + (_e1987 * _e1918.member_1.z)) * _e1933), ((((_e1957 * _e1918.member_1.x) + (_e1975 * _e1918.member_1.y)) + (_e1993 * _e1918.member_1.z)) * _e1933)));
+phi_6624_ = type_34(_e1187, vec3<f32>(((((_e1945 * _e1935) + (_e1963 * _e1937)) + (_e1981 * _e1939)) * _e1933), ((((_e1951 * _e1935) + (_e1969 * _e1937)) + (_e1987 * _e1939)) * _e1933), ((((_e1957 * _e1935) + (_e1975 * _e1937)) + (_e1993 * _e1939)) * _e1933)), _e1918.member, vec3<f32>(((((_e1945 * _e1918.member_2.x) + (_e1963 * _e1918.member_2.y)) + (_e1981 * _e1918.member_2.z)) * _e1933), ((((_e1951 * _e1918.member_2.x) + (_e1969 * _e1918.member_2.y)) + (_e1987 * _e1918.member_2.z)) * _e1933), ((((_e1957 * _e1918.member_2.x) + (_e1975 * _e1918.member_2.y)) + (_e1993 * _e1918.member_2.z)) * _e1933)), vec3<f32>(((((_e1945 * _e1918.member_1.x) + (_e1963 * _e1918.member_1.y)) + (_e1981 * _e1918.member_1.z)) * _e1933), ((((_e1951 * _e1918.member_1.x) + (_e1969 * _e1918.member_1.y)) + (_e1987 * _e1918.member_1.z)) * _e1933), ((((_e1957 * _e1918.member_1.x) + (_e1975 * _e1918.member_1.y)) + (_e1993 * _e1918.member_1.z)) * _e1933)));
 } else {
 let _e2062 = global_1.member.member_6.member_3.member;
 let _e2063 = (_e2062 - 0.5f);
@@ -1016,31 +1016,31 @@ let _e2186 = (select(0i, _e2117, (_e2117 > 0i)) * _e2136);
 let _e2187 = (select(_e2148, _e2151, (_e2151 < _e2148)) * _e2136);
 let _e2188 = (select(0i, _e2132, (_e2132 > 0i)) * _e2140);
 let _e2189 = (select(_e2161, _e2164, (_e2164 < _e2161)) * _e2140);
-local_24 = type_32(array<i32, 4>(select(0i, _e2175, (_e2175 > 0i)), select(0i, _e2102, (_e2102 > 0i)), select(_e2174, _e2180, (_e2180 < _e2174)), select(_e2174, _e2183, (_e2183 < _e2174))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_24 = type_29(array<i32, 4>(select(0i, _e2175, (_e2175 > 0i)), select(0i, _e2102, (_e2102 > 0i)), select(_e2174, _e2180, (_e2180 < _e2174)), select(_e2174, _e2183, (_e2183 < _e2174))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_25 = vec3<f32>((_e2067 - f32(_e2102)), (_e2077 - f32(_e2117)), (_e2087 - f32(_e2132)));
 let _e2200 = (_e2188 + _e2186);
 let _e2203 = local_24.member[1u];
 let _e2204 = (_e2200 + _e2203);
 let _e2206 = (bitcast<i32>(_e206) - 1i);
 let _e2208 = select(_e2206, _e2204, (_e2204 < _e2206));
-let _e2213 = global_4.member[bitcast<u32>(select(0i, _e2208, (_e2208 > 0i)))];
+let _e2213 = global_2.member[bitcast<u32>(select(0i, _e2208, (_e2208 > 0i)))];
 let _e2214 = bitcast<f32>(_e2213);
 let _e2217 = local_24.member[2u];
 let _e2218 = (_e2200 + _e2217);
 let _e2220 = select(_e2206, _e2218, (_e2218 < _e2206));
-let _e2225 = global_4.member[bitcast<u32>(select(0i, _e2220, (_e2220 > 0i)))];
+let _e2225 = global_2.member[bitcast<u32>(select(0i, _e2220, (_e2220 > 0i)))];
 let _e2227 = local_25[0u];
 let _e2230 = (_e2214 + ((bitcast<f32>(_e2225) - _e2214) * _e2227));
 let _e2231 = (_e2188 + _e2187);
 let _e2232 = local_24.member[1u];
 let _e2233 = (_e2231 + _e2232);
 let _e2235 = select(_e2206, _e2233, (_e2233 < _e2206));
-let _e2240 = global_4.member[bitcast<u32>(select(0i, _e2235, (_e2235 > 0i)))];
+let _e2240 = global_2.member[bitcast<u32>(select(0i, _e2235, (_e2235 > 0i)))];
 let _e2241 = bitcast<f32>(_e2240);
 let _e2242 = local_24.member[2u];
 let _e2243 = (_e2231 + _e2242);
 let _e2245 = select(_e2206, _e2243, (_e2243 < _e2206));
-let _e2250 = global_4.member[bitcast<u32>(select(0i, _e2245, (_e2245 > 0i)))];
+let _e2250 = global_2.member[bitcast<u32>(select(0i, _e2245, (_e2245 > 0i)))];
 let _e2252 = local_25[0u];
 let _e2257 = local_25[1u];
 let _e2260 = (_e2230 + (((_e2241 + ((bitcast<f32>(_e2250) - _e2241) * _e2252)) - _e2230) * _e2257));
@@ -1048,24 +1048,24 @@ let _e2261 = (_e2189 + _e2186);
 let _e2262 = local_24.member[1u];
 let _e2263 = (_e2261 + _e2262);
 let _e2265 = select(_e2206, _e2263, (_e2263 < _e2206));
-let _e2270 = global_4.member[bitcast<u32>(select(0i, _e2265, (_e2265 > 0i)))];
+let _e2270 = global_2.member[bitcast<u32>(select(0i, _e2265, (_e2265 > 0i)))];
 let _e2271 = bitcast<f32>(_e2270);
 let _e2272 = local_24.member[2u];
 let _e2273 = (_e2261 + _e2272);
 let _e2275 = select(_e2206, _e2273, (_e2273 < _e2206));
-let _e2280 = global_4.member[bitcast<u32>(select(0i, _e2275, (_e2275 > 0i)))];
+let _e2280 = global_2.member[bitcast<u32>(select(0i, _e2275, (_e2275 > 0i)))];
 let _e2282 = local_25[0u];
 let _e2285 = (_e2271 + ((bitcast<f32>(_e2280) - _e2271) * _e2282));
 let _e2286 = (_e2189 + _e2187);
 let _e2287 = local_24.member[1u];
 let _e2288 = (_e2286 + _e2287);
 let _e2290 = select(_e2206, _e2288, (_e2288 < _e2206));
-let _e2295 = global_4.member[bitcast<u32>(select(0i, _e2290, (_e2290 > 0i)))];
+let _e2295 = global_2.member[bitcast<u32>(select(0i, _e2290, (_e2290 > 0i)))];
 let _e2296 = bitcast<f32>(_e2295);
 let _e2297 = local_24.member[2u];
 let _e2298 = (_e2286 + _e2297);
 let _e2300 = select(_e2206, _e2298, (_e2298 < _e2206));
-let _e2305 = global_4.member[bitcast<u32>(select(0i, _e2300, (_e2300 > 0i)))];
+let _e2305 = global_2.member[bitcast<u32>(select(0i, _e2300, (_e2300 > 0i)))];
 let _e2307 = local_25[0u];
 let _e2311 = local_25[1u];
 let _e2316 = local_25[2u];
@@ -1074,13 +1074,13 @@ let _e2327 = global_1.member.member_6.member_5;
 let _e2329 = (((_e2260 + (((_e2285 + (((_e2296 + ((bitcast<f32>(_e2305) - _e2296) * _e2307)) - _e2285) * _e2311)) - _e2260) * _e2316)) - _e2323) * _e2327);
 let _e2330 = -(1e9f);
 let _e2332 = select(_e2330, _e2329, (_e2329 > _e2330));
-phi_6634_ = type_35(select(1e9f, _e2332, (_e2332 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_6624_ = type_34(select(1e9f, _e2332, (_e2332 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e2337 = phi_6634_;
+let _e2337 = phi_6624_;
 let _e2340 = global_1.member.member_1;
 let _e2342 = ((_e2340 & 16u) == 0u);
 if _e2342 {
-phi_7014_ = type_5(1f, 1f, 1f);
+phi_7004_ = type_7(1f, 1f, 1f);
 } else {
 let _e2346 = global_1.member.member_14.member;
 let _e2357 = ((((_e2346.member.member * _e247) + (_e2346.member.member_1 * _e257)) + (_e2346.member.member_2 * _e268)) + _e2346.member_1);
@@ -1118,11 +1118,11 @@ let _e2484 = (_e2474 > 0f);
 let _e2487 = select(select(select(1f, _e2481, (_e2481 < 1f)), 1f, (_e2474 <= 0f)), 0f, _e2484);
 let _e2491 = global_1.member.member_17.member_1;
 let _e2492 = (_e2491 != 0u);
-phi_7014_ = type_5(((((1f * _e2370) * _e2409) * _e2448) * _e2487), ((((1f * select(1f, _e2370, _e2375)) * select(1f, _e2409, _e2414)) * select(1f, _e2448, _e2453)) * select(1f, _e2487, _e2492)), ((((1f * select(1f, 0f, (_e2375 && _e2367))) * select(1f, 0f, (_e2414 && _e2406))) * select(1f, 0f, (_e2453 && _e2445))) * select(1f, 0f, (_e2492 && _e2484))));
+phi_7004_ = type_7(((((1f * _e2370) * _e2409) * _e2448) * _e2487), ((((1f * select(1f, _e2370, _e2375)) * select(1f, _e2409, _e2414)) * select(1f, _e2448, _e2453)) * select(1f, _e2487, _e2492)), ((((1f * select(1f, 0f, (_e2375 && _e2367))) * select(1f, 0f, (_e2414 && _e2406))) * select(1f, 0f, (_e2453 && _e2445))) * select(1f, 0f, (_e2492 && _e2484))));
 }
-let _e2501 = phi_7014_;
+let _e2501 = phi_7004_;
 if _e434 {
-let _e2503 = type_33(_e456, _e457, _e312, 4f, _e334, _e458, _e378, _e459, _e422, _e433);
+let _e2503 = type_32(_e456, _e457, _e312, 4f, _e334, _e458, _e378, _e459, _e422, _e433);
 let _e2508 = global_1.member.member_5.member_2;
 let _e2511 = (_e2508 / select(1e-6f, _e301, (_e301 > 1e-6f)));
 let _e2515 = (_e247 + (_e279 * _e2511));
@@ -1246,7 +1246,7 @@ let _e2817 = select(select(select(select(select(select(0f, _e2540.member, _e2586
 let _e2818 = select(select(select(select(select(select(0f, _e2540.member_1, _e2586), _e2540.member_1, _e2626), _e2548.member_1, _e2672), _e2548.member_1, _e2712), _e2556.member_1, _e2758), _e2556.member_1, _e2798);
 let _e2819 = select(select(select(select(select(select(1f, _e2540.member_2, _e2586), _e2540.member_2, _e2626), _e2548.member_2, _e2672), _e2548.member_2, _e2712), _e2556.member_2, _e2758), _e2556.member_2, _e2798);
 if _e2342 {
-phi_8343_ = type_36(_e2804, vec3<f32>(_e2805, _e2806, _e2807), _e2809, vec3<f32>(_e2810, _e2811, _e2812), _e2814, _e2816, vec3<f32>(_e2817, _e2818, _e2819));
+phi_8333_ = type_35(_e2804, vec3<f32>(_e2805, _e2806, _e2807), _e2809, vec3<f32>(_e2810, _e2811, _e2812), _e2814, _e2816, vec3<f32>(_e2817, _e2818, _e2819));
 } else {
 let _e2826 = (((_e2540.member * _e2540.member) + (_e2540.member_1 * _e2540.member_1)) + (_e2540.member_2 * _e2540.member_2));
 let _e2829 = sqrt(select(0f, _e2826, (_e2826 > 0f)));
@@ -1326,21 +1326,21 @@ let _e3113 = select(2f, select(0f, _e3105, (_e3086 < 0f)), (_e3087 > 0f));
 let _e3114 = (_e3086 > _e3052);
 let _e3118 = ((_e3109 > _e3044) || ((_e3109 == _e3044) && _e3114));
 let _e3119 = (_e3113 < _e3048);
-phi_8343_ = type_36(select(_e3044, _e3109, _e3118), vec3<f32>(select(select(select(select(_e2805, _e2864.member, _e2890), _e2940.member, _e2966), _e3016.member, _e3042), _e3092.member, _e3118), select(select(select(select(_e2806, _e2864.member_1, _e2890), _e2940.member_1, _e2966), _e3016.member_1, _e3042), _e3092.member_1, _e3118), select(select(select(select(_e2807, _e2864.member_2, _e2890), _e2940.member_2, _e2966), _e3016.member_2, _e3042), _e3092.member_2, _e3118)), select(_e3048, _e3113, _e3119), vec3<f32>(select(select(select(select(_e2810, _e2864.member, _e2891), _e2940.member, _e2967), _e3016.member, _e3043), _e3092.member, _e3119), select(select(select(select(_e2811, _e2864.member_1, _e2891), _e2940.member_1, _e2967), _e3016.member_1, _e3043), _e3092.member_1, _e3119), select(select(select(select(_e2812, _e2864.member_2, _e2891), _e2940.member_2, _e2967), _e3016.member_2, _e3043), _e3092.member_2, _e3119)), select(_e3052, _e3086, _e3114), select(_e3054, _e3087, (_e3087 > _e3054)), vec3<f32>(select(select(select(select(_e2817, _e2864.member, _e2886), _e2940.member, _e2962), _e3016.member, _e3038), _e3092.member, _e3114), select(select(select(select(_e2818, _e2864.member_1, _e2886), _e2940.member_1, _e2962), _e3016.member_1, _e3038), _e3092.member_1, _e3114), select(select(select(select(_e2819, _e2864.member_2, _e2886), _e2940.member_2, _e2962), _e3016.member_2, _e3038), _e3092.member_2, _e3114)));
+phi_8333_ = type_35(select(_e3044, _e3109, _e3118), vec3<f32>(select(select(select(select(_e2805, _e2864.member, _e2890), _e2940.member, _e2966), _e3016.member, _e3042), _e3092.member, _e3118), select(select(select(select(_e2806, _e2864.member_1, _e2890), _e2940.member_1, _e2966), _e3016.member_1, _e3042), _e3092.member_1, _e3118), select(select(select(select(_e2807, _e2864.member_2, _e2890), _e2940.member_2, _e2966), _e3016.member_2, _e3042), _e3092.member_2, _e3118)), select(_e3048, _e3113, _e3119), vec3<f32>(select(select(select(select(_e2810, _e2864.member, _e2891), _e2940.member, _e2967), _e3016.member, _e3043), _e3092.member, _e3119), select(select(select(select(_e2811, _e2864.member_1, _e2891), _e2940.member_1, _e2967), _e3016.member_1, _e3043), _e3092.member_1, _e3119), select(select(select(select(_e2812, _e2864.member_2, _e2891), _e2940.member_2, _e2967), _e3016.member_2, _e3043), _e3092.member_2, _e3119)), select(_e3052, _e3086, _e3114), select(_e3054, _e3087, (_e3087 > _e3054)), vec3<f32>(select(select(select(select(_e2817, _e2864.member, _e2886), _e2940.member, _e2962), _e3016.member, _e3038), _e3092.member, _e3114), select(select(select(select(_e2818, _e2864.member_1, _e2886), _e2940.member_1, _e2962), _e3016.member_1, _e3038), _e3092.member_1, _e3114), select(select(select(select(_e2819, _e2864.member_2, _e2886), _e2940.member_2, _e2962), _e3016.member_2, _e3038), _e3092.member_2, _e3114)));
 }
-let _e3139 = phi_8343_;
+let _e3139 = phi_8333_;
 let _e3149 = (select(select(0.5f, _e3139.member_2, (_e3139.member_2 < 1f)), 0f, (_e433 == -1.2676506e30f)) * ((_e2508 / _e301) * select(_e2501.member_2, 0f, (_e422 == 0f))));
-phi_8380_ = type_33(_e2503.member, vec3<f32>((_e279 - (_e2337.member_3.x * _e3149)), (_e290 - (_e2337.member_3.y * _e3149)), (_e301 - (_e2337.member_3.z * _e3149))), _e2503.member_2, _e2503.member_3, _e2503.member_4, _e2503.member_5, _e2503.member_6, _e2503.member_7, _e2503.member_8, _e2503.member_9);
+phi_8370_ = type_32(_e2503.member, vec3<f32>((_e279 - (_e2337.member_3.x * _e3149)), (_e290 - (_e2337.member_3.y * _e3149)), (_e301 - (_e2337.member_3.z * _e3149))), _e2503.member_2, _e2503.member_3, _e2503.member_4, _e2503.member_5, _e2503.member_6, _e2503.member_7, _e2503.member_8, _e2503.member_9);
 } else {
-phi_8380_ = type_33(_e456, _e457, _e312, _e323, _e334, _e458, _e378, _e459, _e422, _e433);
+phi_8370_ = type_32(_e456, _e457, _e312, _e323, _e334, _e458, _e378, _e459, _e422, _e433);
 }
-let _e3171 = phi_8380_;
+let _e3171 = phi_8370_;
 let _e3176 = global_1.member.member_10.member_3;
 let _e3177 = (_e3176 == 0u);
 if _e3177 {
 let _e3181 = global_1.member.member_9.member_1;
 let _e3189 = global_1.member.member_9.member;
-phi_8640_ = type_29(vec3<f32>(_e3181.member, _e3181.member_1, _e3181.member_2), vec3<f32>(_e3189.member, _e3189.member_1, _e3189.member_2));
+phi_8630_ = type_36(vec3<f32>(_e3181.member, _e3181.member_1, _e3181.member_2), vec3<f32>(_e3189.member, _e3189.member_1, _e3189.member_2));
 } else {
 let _e3198 = global_1.member.member_10.member;
 let _e3212 = ((((_e3198.member.member * _e3171.member.x) + (_e3198.member.member_1 * _e3171.member.y)) + (_e3198.member.member_2 * _e3171.member.z)) + _e3198.member_1);
@@ -1350,18 +1350,18 @@ let _e3231 = global_1.member.member_10.member_2;
 let _e3242 = ((((_e3231.member.member * _e3171.member.x) + (_e3231.member.member_1 * _e3171.member.y)) + (_e3231.member.member_2 * _e3171.member.z)) + _e3231.member_1);
 let _e3246 = global_1.member.member_9.member_1;
 if _e3177 {
-phi_8484_ = 1f;
+phi_8474_ = 1f;
 } else {
 let _e3253 = global_1.member.member_10.member_19;
 let _e3257 = (_e3212 - _e3253.member);
 let _e3258 = (_e3227 - _e3253.member_1);
 let _e3259 = (_e3242 - _e3253.member_2);
 let _e3264 = (((_e3257 * _e3257) + (_e3258 * _e3258)) + (_e3259 * _e3259));
-phi_8484_ = (1f / select(1e-12f, _e3264, (_e3264 > 1e-12f)));
+phi_8474_ = (1f / select(1e-12f, _e3264, (_e3264 > 1e-12f)));
 }
-let _e3269 = phi_8484_;
+let _e3269 = phi_8474_;
 if _e3177 {
-phi_8568_ = 1f;
+phi_8558_ = 1f;
 } else {
 let _e3273 = global_1.member.member_10.member_19;
 let _e3277 = (_e3212 - _e3273.member);
@@ -1378,9 +1378,9 @@ let _e3320 = global_1.member.member_10.member_20.member_2;
 let _e3321 = ((_e3314 - (sqrt(select(0f, _e3303, (_e3303 > 0f))) / select(1e-20f, _e3292, (_e3292 > 1e-20f)))) * _e3320);
 let _e3323 = select(0f, _e3321, (_e3321 > 0f));
 let _e3325 = select(1f, _e3323, (_e3323 < 1f));
-phi_8568_ = select(1f, select(0f, ((_e3325 * _e3325) * (3f - (2f * _e3325))), (_e3292 > 0f)), (_e3320 > 0f));
+phi_8558_ = select(1f, select(0f, ((_e3325 * _e3325) * (3f - (2f * _e3325))), (_e3292 > 0f)), (_e3320 > 0f));
 }
-let _e3335 = phi_8568_;
+let _e3335 = phi_8558_;
 let _e3336 = (_e3269 * _e3335);
 let _e3341 = (_e3176 != 0u);
 let _e3345 = global_1.member.member_10.member_19;
@@ -1396,18 +1396,18 @@ let _e3368 = select(1f, (_e3351 * _e3362), _e3341);
 let _e3373 = global_1.member.member_10.member.member;
 let _e3384 = global_1.member.member_10.member_1.member;
 let _e3398 = global_1.member.member_10.member_2.member;
-phi_8640_ = type_29(vec3<f32>((_e3246.member * _e3336), (_e3246.member_1 * _e3336), (_e3246.member_2 * _e3336)), (vec3<f32>(((_e3373.member * _e3366) + (_e3384.member * _e3367)), ((_e3373.member_1 * _e3366) + (_e3384.member_1 * _e3367)), ((_e3373.member_2 * _e3366) + (_e3384.member_2 * _e3367))) + vec3<f32>((_e3398.member * _e3368), (_e3398.member_1 * _e3368), (_e3398.member_2 * _e3368))));
+phi_8630_ = type_36(vec3<f32>((_e3246.member * _e3336), (_e3246.member_1 * _e3336), (_e3246.member_2 * _e3336)), (vec3<f32>(((_e3373.member * _e3366) + (_e3384.member * _e3367)), ((_e3373.member_1 * _e3366) + (_e3384.member_1 * _e3367)), ((_e3373.member_2 * _e3366) + (_e3384.member_2 * _e3367))) + vec3<f32>((_e3398.member * _e3368), (_e3398.member_1 * _e3368), (_e3398.member_2 * _e3368))));
 }
-let _e3410 = phi_8640_;
-phi_8642_ = _e3171;
-phi_8645_ = _e2501.member_2;
-phi_8647_ = _e2337;
-phi_8649_ = 0i;
+let _e3410 = phi_8630_;
+phi_8632_ = _e3171;
+phi_8635_ = _e2501.member_2;
+phi_8637_ = _e2337;
+phi_8639_ = 0i;
 loop {
-let _e3412 = phi_8642_;
-let _e3414 = phi_8645_;
-let _e3416 = phi_8647_;
-let _e3418 = phi_8649_;
+let _e3412 = phi_8632_;
+let _e3414 = phi_8635_;
+let _e3416 = phi_8637_;
+let _e3418 = phi_8639_;
 local_42 = _e3412;
 local_43 = _e3412;
 local_44 = _e3412;
@@ -1573,7 +1573,7 @@ let _e3818 = select(select(select(select(select(select(0f, _e3493.member, _e3597
 let _e3819 = select(select(select(select(select(select(0f, _e3493.member_1, _e3597), _e3493.member_1, _e3637), _e3564.member_1, _e3678), _e3564.member_1, _e3718), _e3572.member_1, _e3759), _e3572.member_1, _e3799);
 let _e3820 = select(select(select(select(select(select(1f, _e3493.member_2, _e3597), _e3493.member_2, _e3637), _e3564.member_2, _e3678), _e3564.member_2, _e3718), _e3572.member_2, _e3759), _e3572.member_2, _e3799);
 if _e2342 {
-phi_10118_ = type_36(_e3805, vec3<f32>(_e3806, _e3807, _e3808), _e3810, vec3<f32>(_e3811, _e3812, _e3813), _e3815, _e3817, vec3<f32>(_e3818, _e3819, _e3820));
+phi_10108_ = type_35(_e3805, vec3<f32>(_e3806, _e3807, _e3808), _e3810, vec3<f32>(_e3811, _e3812, _e3813), _e3815, _e3817, vec3<f32>(_e3818, _e3819, _e3820));
 } else {
 let _e3826 = global_1.member.member_14.member_1;
 let _e3827 = (_e3826 != 0u);
@@ -1651,26 +1651,26 @@ let _e4106 = select(2f, select(0f, _e4098, (_e4079 < 0f)), (_e4080 > 0f));
 let _e4107 = (_e4079 > _e4045);
 let _e4111 = ((_e4102 > _e4037) || ((_e4102 == _e4037) && _e4107));
 let _e4112 = (_e4106 < _e4041);
-phi_10118_ = type_36(select(_e4037, _e4102, _e4111), vec3<f32>(select(select(select(select(_e3806, _e3857.member, _e3883), _e3933.member, _e3959), _e4009.member, _e4035), _e4085.member, _e4111), select(select(select(select(_e3807, _e3857.member_1, _e3883), _e3933.member_1, _e3959), _e4009.member_1, _e4035), _e4085.member_1, _e4111), select(select(select(select(_e3808, _e3857.member_2, _e3883), _e3933.member_2, _e3959), _e4009.member_2, _e4035), _e4085.member_2, _e4111)), select(_e4041, _e4106, _e4112), vec3<f32>(select(select(select(select(_e3811, _e3857.member, _e3884), _e3933.member, _e3960), _e4009.member, _e4036), _e4085.member, _e4112), select(select(select(select(_e3812, _e3857.member_1, _e3884), _e3933.member_1, _e3960), _e4009.member_1, _e4036), _e4085.member_1, _e4112), select(select(select(select(_e3813, _e3857.member_2, _e3884), _e3933.member_2, _e3960), _e4009.member_2, _e4036), _e4085.member_2, _e4112)), select(_e4045, _e4079, _e4107), select(_e4047, _e4080, (_e4080 > _e4047)), vec3<f32>(select(select(select(select(_e3818, _e3857.member, _e3879), _e3933.member, _e3955), _e4009.member, _e4031), _e4085.member, _e4107), select(select(select(select(_e3819, _e3857.member_1, _e3879), _e3933.member_1, _e3955), _e4009.member_1, _e4031), _e4085.member_1, _e4107), select(select(select(select(_e3820, _e3857.member_2, _e3879), _e3933.member_2, _e3955), _e4009.member_2, _e4031), _e4085.member_2, _e4107)));
+phi_10108_ = type_35(select(_e4037, _e4102, _e4111), vec3<f32>(select(select(select(select(_e3806, _e3857.member, _e3883), _e3933.member, _e3959), _e4009.member, _e4035), _e4085.member, _e4111), select(select(select(select(_e3807, _e3857.member_1, _e3883), _e3933.member_1, _e3959), _e4009.member_1, _e4035), _e4085.member_1, _e4111), select(select(select(select(_e3808, _e3857.member_2, _e3883), _e3933.member_2, _e3959), _e4009.member_2, _e4035), _e4085.member_2, _e4111)), select(_e4041, _e4106, _e4112), vec3<f32>(select(select(select(select(_e3811, _e3857.member, _e3884), _e3933.member, _e3960), _e4009.member, _e4036), _e4085.member, _e4112), select(select(select(select(_e3812, _e3857.member_1, _e3884), _e3933.member_1, _e3960), _e4009.member_1, _e4036), _e4085.member_1, _e4112), select(select(select(select(_e3813, _e3857.member_2, _e3884), _e3933.member_2, _e3960), _e4009.member_2, _e4036), _e4085.member_2, _e4112)), select(_e4045, _e4079, _e4107), select(_e4047, _e4080, (_e4080 > _e4047)), vec3<f32>(select(select(select(select(_e3818, _e3857.member, _e3879), _e3933.member, _e3955), _e4009.member, _e4031), _e4085.member, _e4107), select(select(select(select(_e3819, _e3857.member_1, _e3879), _e3933.member_1, _e3955), _e4009.member_1, _e4031), _e4085.member_1, _e4107), select(select(select(select(_e3820, _e3857.member_2, _e3879), _e3933.member_2, _e3955), _e4009.member_2, _e4031), _e4085.member_2, _e4107)));
 }
-let _e4132 = phi_10118_;
+let _e4132 = phi_10108_;
 if _e3425 {
-phi_10130_ = (_e4132.member_2 <= 1f);
+phi_10120_ = (_e4132.member_2 <= 1f);
 } else {
-phi_10130_ = ((_e4132.member <= 1f) && (_e4132.member < _e4132.member_2));
+phi_10120_ = ((_e4132.member <= 1f) && (_e4132.member < _e4132.member_2));
 }
-let _e4140 = phi_10130_;
+let _e4140 = phi_10120_;
 if (!(_e3425) && !(_e4140)) {
-phi_23189_ = type_33(_e3412.member, _e3412.member_1, _e3412.member_2, 3f, _e3412.member_4, _e3412.member_5, _e3412.member_6, _e3412.member_7, _e3412.member_8, _e3412.member_9);
-phi_23190_ = _e3414;
-phi_23191_ = _e3416;
+phi_23179_ = type_32(_e3412.member, _e3412.member_1, _e3412.member_2, 3f, _e3412.member_4, _e3412.member_5, _e3412.member_6, _e3412.member_7, _e3412.member_8, _e3412.member_9);
+phi_23180_ = _e3414;
+phi_23181_ = _e3416;
 } else {
 if _e3425 {
-phi_10145_ = _e4132.member_3;
+phi_10135_ = _e4132.member_3;
 } else {
-phi_10145_ = _e4132.member_1;
+phi_10135_ = _e4132.member_1;
 }
-let _e4157 = phi_10145_;
+let _e4157 = phi_10135_;
 let _e4158 = select(_e4132.member, _e4132.member_2, _e3425);
 let _e4162 = select(1f, _e4158, _e4140);
 let _e4166 = (_e3412.member.x + ((_e3519 - _e3412.member.x) * _e4162));
@@ -1738,29 +1738,29 @@ let _e4417 = (select(0i, _e4383, (_e4383 > 0i)) * _e4355);
 let _e4418 = (select(0i, _e4347, (_e4347 > 0i)) * _e4355);
 let _e4419 = (select(_e4382, _e4388, (_e4388 < _e4382)) * _e4355);
 let _e4420 = (select(_e4382, _e4391, (_e4391 < _e4382)) * _e4355);
-local_22 = type_32(array<i32, 4>(select(0i, _e4402, (_e4402 > 0i)), select(0i, _e4317, (_e4317 > 0i)), select(_e4401, _e4407, (_e4407 < _e4401)), select(_e4401, _e4410, (_e4410 < _e4401))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_22 = type_29(array<i32, 4>(select(0i, _e4402, (_e4402 > 0i)), select(0i, _e4317, (_e4317 > 0i)), select(_e4401, _e4407, (_e4407 < _e4401)), select(_e4401, _e4410, (_e4410 < _e4401))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_23 = vec3<f32>((_e4294 - f32(_e4317)), (_e4298 - f32(_e4332)), (_e4302 - f32(_e4347)));
 let _e4431 = (_e4418 + _e4414);
 let _e4434 = local_22.member[0u];
 let _e4435 = (_e4431 + _e4434);
 let _e4437 = (bitcast<i32>(_e206) - 1i);
 let _e4439 = select(_e4437, _e4435, (_e4435 < _e4437));
-let _e4444 = global_4.member[bitcast<u32>(select(0i, _e4439, (_e4439 > 0i)))];
+let _e4444 = global_2.member[bitcast<u32>(select(0i, _e4439, (_e4439 > 0i)))];
 let _e4445 = bitcast<f32>(_e4444);
 let _e4448 = local_22.member[1u];
 let _e4449 = (_e4431 + _e4448);
 let _e4451 = select(_e4437, _e4449, (_e4449 < _e4437));
-let _e4456 = global_4.member[bitcast<u32>(select(0i, _e4451, (_e4451 > 0i)))];
+let _e4456 = global_2.member[bitcast<u32>(select(0i, _e4451, (_e4451 > 0i)))];
 let _e4457 = bitcast<f32>(_e4456);
 let _e4460 = local_22.member[2u];
 let _e4461 = (_e4431 + _e4460);
 let _e4463 = select(_e4437, _e4461, (_e4461 < _e4437));
-let _e4468 = global_4.member[bitcast<u32>(select(0i, _e4463, (_e4463 > 0i)))];
+let _e4468 = global_2.member[bitcast<u32>(select(0i, _e4463, (_e4463 > 0i)))];
 let _e4469 = bitcast<f32>(_e4468);
 let _e4472 = local_22.member[3u];
 let _e4473 = (_e4431 + _e4472);
 let _e4475 = select(_e4437, _e4473, (_e4473 < _e4437));
-let _e4480 = global_4.member[bitcast<u32>(select(0i, _e4475, (_e4475 > 0i)))];
+let _e4480 = global_2.member[bitcast<u32>(select(0i, _e4475, (_e4475 > 0i)))];
 let _e4482 = local_23[0u];
 let _e4485 = (_e4445 + ((_e4457 - _e4445) * _e4482));
 let _e4486 = local_23[0u];
@@ -1771,22 +1771,22 @@ let _e4494 = (_e4418 + _e4415);
 let _e4495 = local_22.member[0u];
 let _e4496 = (_e4494 + _e4495);
 let _e4498 = select(_e4437, _e4496, (_e4496 < _e4437));
-let _e4503 = global_4.member[bitcast<u32>(select(0i, _e4498, (_e4498 > 0i)))];
+let _e4503 = global_2.member[bitcast<u32>(select(0i, _e4498, (_e4498 > 0i)))];
 let _e4504 = bitcast<f32>(_e4503);
 let _e4505 = local_22.member[1u];
 let _e4506 = (_e4494 + _e4505);
 let _e4508 = select(_e4437, _e4506, (_e4506 < _e4437));
-let _e4513 = global_4.member[bitcast<u32>(select(0i, _e4508, (_e4508 > 0i)))];
+let _e4513 = global_2.member[bitcast<u32>(select(0i, _e4508, (_e4508 > 0i)))];
 let _e4514 = bitcast<f32>(_e4513);
 let _e4515 = local_22.member[2u];
 let _e4516 = (_e4494 + _e4515);
 let _e4518 = select(_e4437, _e4516, (_e4516 < _e4437));
-let _e4523 = global_4.member[bitcast<u32>(select(0i, _e4518, (_e4518 > 0i)))];
+let _e4523 = global_2.member[bitcast<u32>(select(0i, _e4518, (_e4518 > 0i)))];
 let _e4524 = bitcast<f32>(_e4523);
 let _e4525 = local_22.member[3u];
 let _e4526 = (_e4494 + _e4525);
 let _e4528 = select(_e4437, _e4526, (_e4526 < _e4437));
-let _e4533 = global_4.member[bitcast<u32>(select(0i, _e4528, (_e4528 > 0i)))];
+let _e4533 = global_2.member[bitcast<u32>(select(0i, _e4528, (_e4528 > 0i)))];
 let _e4535 = local_23[0u];
 let _e4539 = local_23[0u];
 let _e4542 = (_e4514 + ((_e4524 - _e4514) * _e4539));
@@ -1795,22 +1795,22 @@ let _e4547 = (_e4419 + _e4414);
 let _e4548 = local_22.member[0u];
 let _e4549 = (_e4547 + _e4548);
 let _e4551 = select(_e4437, _e4549, (_e4549 < _e4437));
-let _e4556 = global_4.member[bitcast<u32>(select(0i, _e4551, (_e4551 > 0i)))];
+let _e4556 = global_2.member[bitcast<u32>(select(0i, _e4551, (_e4551 > 0i)))];
 let _e4557 = bitcast<f32>(_e4556);
 let _e4558 = local_22.member[1u];
 let _e4559 = (_e4547 + _e4558);
 let _e4561 = select(_e4437, _e4559, (_e4559 < _e4437));
-let _e4566 = global_4.member[bitcast<u32>(select(0i, _e4561, (_e4561 > 0i)))];
+let _e4566 = global_2.member[bitcast<u32>(select(0i, _e4561, (_e4561 > 0i)))];
 let _e4567 = bitcast<f32>(_e4566);
 let _e4568 = local_22.member[2u];
 let _e4569 = (_e4547 + _e4568);
 let _e4571 = select(_e4437, _e4569, (_e4569 < _e4437));
-let _e4576 = global_4.member[bitcast<u32>(select(0i, _e4571, (_e4571 > 0i)))];
+let _e4576 = global_2.member[bitcast<u32>(select(0i, _e4571, (_e4571 > 0i)))];
 let _e4577 = bitcast<f32>(_e4576);
 let _e4578 = local_22.member[3u];
 let _e4579 = (_e4547 + _e4578);
 let _e4581 = select(_e4437, _e4579, (_e4579 < _e4437));
-let _e4586 = global_4.member[bitcast<u32>(select(0i, _e4581, (_e4581 > 0i)))];
+let _e4586 = global_2.member[bitcast<u32>(select(0i, _e4581, (_e4581 > 0i)))];
 let _e4588 = local_23[0u];
 let _e4591 = (_e4557 + ((_e4567 - _e4557) * _e4588));
 let _e4592 = local_23[0u];
@@ -1821,22 +1821,22 @@ let _e4600 = (_e4419 + _e4415);
 let _e4601 = local_22.member[0u];
 let _e4602 = (_e4600 + _e4601);
 let _e4604 = select(_e4437, _e4602, (_e4602 < _e4437));
-let _e4609 = global_4.member[bitcast<u32>(select(0i, _e4604, (_e4604 > 0i)))];
+let _e4609 = global_2.member[bitcast<u32>(select(0i, _e4604, (_e4604 > 0i)))];
 let _e4610 = bitcast<f32>(_e4609);
 let _e4611 = local_22.member[1u];
 let _e4612 = (_e4600 + _e4611);
 let _e4614 = select(_e4437, _e4612, (_e4612 < _e4437));
-let _e4619 = global_4.member[bitcast<u32>(select(0i, _e4614, (_e4614 > 0i)))];
+let _e4619 = global_2.member[bitcast<u32>(select(0i, _e4614, (_e4614 > 0i)))];
 let _e4620 = bitcast<f32>(_e4619);
 let _e4621 = local_22.member[2u];
 let _e4622 = (_e4600 + _e4621);
 let _e4624 = select(_e4437, _e4622, (_e4622 < _e4437));
-let _e4629 = global_4.member[bitcast<u32>(select(0i, _e4624, (_e4624 > 0i)))];
+let _e4629 = global_2.member[bitcast<u32>(select(0i, _e4624, (_e4624 > 0i)))];
 let _e4630 = bitcast<f32>(_e4629);
 let _e4631 = local_22.member[3u];
 let _e4632 = (_e4600 + _e4631);
 let _e4634 = select(_e4437, _e4632, (_e4632 < _e4437));
-let _e4639 = global_4.member[bitcast<u32>(select(0i, _e4634, (_e4634 > 0i)))];
+let _e4639 = global_2.member[bitcast<u32>(select(0i, _e4634, (_e4634 > 0i)))];
 let _e4641 = local_23[0u];
 let _e4645 = local_23[0u];
 let _e4648 = (_e4620 + ((_e4630 - _e4620) * _e4645));
@@ -1845,93 +1845,93 @@ let _e4653 = (_e4418 + _e4413);
 let _e4654 = local_22.member[1u];
 let _e4655 = (_e4653 + _e4654);
 let _e4657 = select(_e4437, _e4655, (_e4655 < _e4437));
-let _e4662 = global_4.member[bitcast<u32>(select(0i, _e4657, (_e4657 > 0i)))];
+let _e4662 = global_2.member[bitcast<u32>(select(0i, _e4657, (_e4657 > 0i)))];
 let _e4663 = bitcast<f32>(_e4662);
 let _e4664 = local_22.member[2u];
 let _e4665 = (_e4653 + _e4664);
 let _e4667 = select(_e4437, _e4665, (_e4665 < _e4437));
-let _e4672 = global_4.member[bitcast<u32>(select(0i, _e4667, (_e4667 > 0i)))];
+let _e4672 = global_2.member[bitcast<u32>(select(0i, _e4667, (_e4667 > 0i)))];
 let _e4674 = local_23[0u];
 let _e4677 = (_e4663 + ((bitcast<f32>(_e4672) - _e4663) * _e4674));
 let _e4678 = (_e4418 + _e4416);
 let _e4679 = local_22.member[1u];
 let _e4680 = (_e4678 + _e4679);
 let _e4682 = select(_e4437, _e4680, (_e4680 < _e4437));
-let _e4687 = global_4.member[bitcast<u32>(select(0i, _e4682, (_e4682 > 0i)))];
+let _e4687 = global_2.member[bitcast<u32>(select(0i, _e4682, (_e4682 > 0i)))];
 let _e4688 = bitcast<f32>(_e4687);
 let _e4689 = local_22.member[2u];
 let _e4690 = (_e4678 + _e4689);
 let _e4692 = select(_e4437, _e4690, (_e4690 < _e4437));
-let _e4697 = global_4.member[bitcast<u32>(select(0i, _e4692, (_e4692 > 0i)))];
+let _e4697 = global_2.member[bitcast<u32>(select(0i, _e4692, (_e4692 > 0i)))];
 let _e4699 = local_23[0u];
 let _e4703 = (_e4419 + _e4413);
 let _e4704 = local_22.member[1u];
 let _e4705 = (_e4703 + _e4704);
 let _e4707 = select(_e4437, _e4705, (_e4705 < _e4437));
-let _e4712 = global_4.member[bitcast<u32>(select(0i, _e4707, (_e4707 > 0i)))];
+let _e4712 = global_2.member[bitcast<u32>(select(0i, _e4707, (_e4707 > 0i)))];
 let _e4713 = bitcast<f32>(_e4712);
 let _e4714 = local_22.member[2u];
 let _e4715 = (_e4703 + _e4714);
 let _e4717 = select(_e4437, _e4715, (_e4715 < _e4437));
-let _e4722 = global_4.member[bitcast<u32>(select(0i, _e4717, (_e4717 > 0i)))];
+let _e4722 = global_2.member[bitcast<u32>(select(0i, _e4717, (_e4717 > 0i)))];
 let _e4724 = local_23[0u];
 let _e4727 = (_e4713 + ((bitcast<f32>(_e4722) - _e4713) * _e4724));
 let _e4728 = (_e4419 + _e4416);
 let _e4729 = local_22.member[1u];
 let _e4730 = (_e4728 + _e4729);
 let _e4732 = select(_e4437, _e4730, (_e4730 < _e4437));
-let _e4737 = global_4.member[bitcast<u32>(select(0i, _e4732, (_e4732 > 0i)))];
+let _e4737 = global_2.member[bitcast<u32>(select(0i, _e4732, (_e4732 > 0i)))];
 let _e4738 = bitcast<f32>(_e4737);
 let _e4739 = local_22.member[2u];
 let _e4740 = (_e4728 + _e4739);
 let _e4742 = select(_e4437, _e4740, (_e4740 < _e4437));
-let _e4747 = global_4.member[bitcast<u32>(select(0i, _e4742, (_e4742 > 0i)))];
+let _e4747 = global_2.member[bitcast<u32>(select(0i, _e4742, (_e4742 > 0i)))];
 let _e4749 = local_23[0u];
 let _e4753 = (_e4417 + _e4414);
 let _e4754 = local_22.member[1u];
 let _e4755 = (_e4753 + _e4754);
 let _e4757 = select(_e4437, _e4755, (_e4755 < _e4437));
-let _e4762 = global_4.member[bitcast<u32>(select(0i, _e4757, (_e4757 > 0i)))];
+let _e4762 = global_2.member[bitcast<u32>(select(0i, _e4757, (_e4757 > 0i)))];
 let _e4763 = bitcast<f32>(_e4762);
 let _e4764 = local_22.member[2u];
 let _e4765 = (_e4753 + _e4764);
 let _e4767 = select(_e4437, _e4765, (_e4765 < _e4437));
-let _e4772 = global_4.member[bitcast<u32>(select(0i, _e4767, (_e4767 > 0i)))];
+let _e4772 = global_2.member[bitcast<u32>(select(0i, _e4767, (_e4767 > 0i)))];
 let _e4774 = local_23[0u];
 let _e4777 = (_e4763 + ((bitcast<f32>(_e4772) - _e4763) * _e4774));
 let _e4778 = (_e4420 + _e4414);
 let _e4779 = local_22.member[1u];
 let _e4780 = (_e4778 + _e4779);
 let _e4782 = select(_e4437, _e4780, (_e4780 < _e4437));
-let _e4787 = global_4.member[bitcast<u32>(select(0i, _e4782, (_e4782 > 0i)))];
+let _e4787 = global_2.member[bitcast<u32>(select(0i, _e4782, (_e4782 > 0i)))];
 let _e4788 = bitcast<f32>(_e4787);
 let _e4789 = local_22.member[2u];
 let _e4790 = (_e4778 + _e4789);
 let _e4792 = select(_e4437, _e4790, (_e4790 < _e4437));
-let _e4797 = global_4.member[bitcast<u32>(select(0i, _e4792, (_e4792 > 0i)))];
+let _e4797 = global_2.member[bitcast<u32>(select(0i, _e4792, (_e4792 > 0i)))];
 let _e4799 = local_23[0u];
 let _e4802 = (_e4788 + ((bitcast<f32>(_e4797) - _e4788) * _e4799));
 let _e4803 = (_e4417 + _e4415);
 let _e4804 = local_22.member[1u];
 let _e4805 = (_e4803 + _e4804);
 let _e4807 = select(_e4437, _e4805, (_e4805 < _e4437));
-let _e4812 = global_4.member[bitcast<u32>(select(0i, _e4807, (_e4807 > 0i)))];
+let _e4812 = global_2.member[bitcast<u32>(select(0i, _e4807, (_e4807 > 0i)))];
 let _e4813 = bitcast<f32>(_e4812);
 let _e4814 = local_22.member[2u];
 let _e4815 = (_e4803 + _e4814);
 let _e4817 = select(_e4437, _e4815, (_e4815 < _e4437));
-let _e4822 = global_4.member[bitcast<u32>(select(0i, _e4817, (_e4817 > 0i)))];
+let _e4822 = global_2.member[bitcast<u32>(select(0i, _e4817, (_e4817 > 0i)))];
 let _e4824 = local_23[0u];
 let _e4828 = (_e4420 + _e4415);
 let _e4829 = local_22.member[1u];
 let _e4830 = (_e4828 + _e4829);
 let _e4832 = select(_e4437, _e4830, (_e4830 < _e4437));
-let _e4837 = global_4.member[bitcast<u32>(select(0i, _e4832, (_e4832 > 0i)))];
+let _e4837 = global_2.member[bitcast<u32>(select(0i, _e4832, (_e4832 > 0i)))];
 let _e4838 = bitcast<f32>(_e4837);
 let _e4839 = local_22.member[2u];
 let _e4840 = (_e4828 + _e4839);
 let _e4842 = select(_e4437, _e4840, (_e4840 < _e4437));
-let _e4847 = global_4.member[bitcast<u32>(select(0i, _e4842, (_e4842 > 0i)))];
+let _e4847 = global_2.member[bitcast<u32>(select(0i, _e4842, (_e4842 > 0i)))];
 let _e4849 = local_23[0u];
 let _e4854 = local_23[1u];
 let _e4857 = (_e4489 + ((_e4542 - _e4489) * _e4854));
@@ -1989,50 +1989,50 @@ local_21 = _e4982;
 let _e4983 = local_21;
 let _e4985 = (bitcast<i32>(_e209) - 1i);
 let _e4987 = select(_e4985, 263197i, (263197i < _e4985));
-let _e4992 = global_5.member[bitcast<u32>(select(0i, _e4987, (_e4987 > 0i)))];
+let _e4992 = global_3.member[bitcast<u32>(select(0i, _e4987, (_e4987 > 0i)))];
 let _e4993 = bitcast<f32>(_e4992);
 let _e4995 = select(_e4985, 263198i, (263198i < _e4985));
 let _e4998 = bitcast<u32>(select(0i, _e4995, (_e4995 > 0i)));
-let _e5000 = global_5.member[_e4998];
+let _e5000 = global_3.member[_e4998];
 let _e5001 = bitcast<f32>(_e5000);
 let _e5003 = select(_e4985, 263199i, (263199i < _e4985));
-let _e5008 = global_5.member[bitcast<u32>(select(0i, _e5003, (_e5003 > 0i)))];
+let _e5008 = global_3.member[bitcast<u32>(select(0i, _e5003, (_e5003 > 0i)))];
 let _e5009 = bitcast<f32>(_e5008);
 let _e5011 = ((_e4983 - _e4993) * _e5001);
 let _e5013 = select(0f, _e5011, (_e5011 > 0f));
 let _e5016 = local_21;
 let _e5018 = select(_e4985, 263200i, (263200i < _e4985));
-let _e5023 = global_5.member[bitcast<u32>(select(0i, _e5018, (_e5018 > 0i)))];
+let _e5023 = global_3.member[bitcast<u32>(select(0i, _e5018, (_e5018 > 0i)))];
 let _e5024 = bitcast<f32>(_e5023);
 let _e5026 = select(_e4985, 263201i, (263201i < _e4985));
-let _e5031 = global_5.member[bitcast<u32>(select(0i, _e5026, (_e5026 > 0i)))];
+let _e5031 = global_3.member[bitcast<u32>(select(0i, _e5026, (_e5026 > 0i)))];
 let _e5032 = bitcast<f32>(_e5031);
 let _e5034 = select(_e4985, 263202i, (263202i < _e4985));
-let _e5039 = global_5.member[bitcast<u32>(select(0i, _e5034, (_e5034 > 0i)))];
+let _e5039 = global_3.member[bitcast<u32>(select(0i, _e5034, (_e5034 > 0i)))];
 let _e5040 = bitcast<f32>(_e5039);
 let _e5042 = ((_e5016 - _e5024) * _e5032);
 let _e5044 = select(0f, _e5042, (_e5042 > 0f));
 let _e5048 = local_21;
 let _e5050 = select(_e4985, 263203i, (263203i < _e4985));
-let _e5055 = global_5.member[bitcast<u32>(select(0i, _e5050, (_e5050 > 0i)))];
+let _e5055 = global_3.member[bitcast<u32>(select(0i, _e5050, (_e5050 > 0i)))];
 let _e5056 = bitcast<f32>(_e5055);
 let _e5058 = select(_e4985, 263204i, (263204i < _e4985));
-let _e5063 = global_5.member[bitcast<u32>(select(0i, _e5058, (_e5058 > 0i)))];
+let _e5063 = global_3.member[bitcast<u32>(select(0i, _e5058, (_e5058 > 0i)))];
 let _e5064 = bitcast<f32>(_e5063);
 let _e5066 = select(_e4985, 263205i, (263205i < _e4985));
-let _e5071 = global_5.member[bitcast<u32>(select(0i, _e5066, (_e5066 > 0i)))];
+let _e5071 = global_3.member[bitcast<u32>(select(0i, _e5066, (_e5066 > 0i)))];
 let _e5072 = bitcast<f32>(_e5071);
 let _e5074 = ((_e5048 - _e5056) * _e5064);
 let _e5076 = select(0f, _e5074, (_e5074 > 0f));
 let _e5079 = local_21;
 let _e5081 = select(_e4985, 263206i, (263206i < _e4985));
-let _e5086 = global_5.member[bitcast<u32>(select(0i, _e5081, (_e5081 > 0i)))];
+let _e5086 = global_3.member[bitcast<u32>(select(0i, _e5081, (_e5081 > 0i)))];
 let _e5087 = bitcast<f32>(_e5086);
 let _e5089 = select(_e4985, 263207i, (263207i < _e4985));
-let _e5094 = global_5.member[bitcast<u32>(select(0i, _e5089, (_e5089 > 0i)))];
+let _e5094 = global_3.member[bitcast<u32>(select(0i, _e5089, (_e5089 > 0i)))];
 let _e5095 = bitcast<f32>(_e5094);
 let _e5097 = select(_e4985, 263208i, (263208i < _e4985));
-let _e5102 = global_5.member[bitcast<u32>(select(0i, _e5097, (_e5097 > 0i)))];
+let _e5102 = global_3.member[bitcast<u32>(select(0i, _e5097, (_e5097 > 0i)))];
 let _e5103 = bitcast<f32>(_e5102);
 let _e5105 = ((_e5079 - _e5087) * _e5095);
 let _e5107 = select(0f, _e5105, (_e5105 > 0f));
@@ -2043,34 +2043,34 @@ let _e5122 = select(0i, select(select(i32(_e5115), i32(-2147483648), (_e5115 < -
 let _e5126 = (_e5122 - select(0i, 1i, (_e5115 < f32(_e5122))));
 let _e5127 = (262147i + _e5126);
 let _e5129 = select(_e4985, _e5127, (_e5127 < _e4985));
-let _e5135 = global_5.member[bitcast<u32>(select(0i, _e5129, (_e5129 > 0i)))];
+let _e5135 = global_3.member[bitcast<u32>(select(0i, _e5129, (_e5129 > 0i)))];
 let _e5145 = select(_e4985, 262146i, (262146i < _e4985));
-let _e5151 = global_5.member[bitcast<u32>(select(0i, _e5145, (_e5145 > 0i)))];
+let _e5151 = global_3.member[bitcast<u32>(select(0i, _e5145, (_e5145 > 0i)))];
 let _e5152 = bitcast<f32>(_e5151);
 let _e5153 = (f32((bitcast<i32>((_e5135 & 4095u)) - 2048i)) * _e5152);
 let _e5155 = select(_e4985, 262144i, (262144i < _e4985));
-let _e5161 = global_5.member[bitcast<u32>(select(0i, _e5155, (_e5155 > 0i)))];
+let _e5161 = global_3.member[bitcast<u32>(select(0i, _e5155, (_e5155 > 0i)))];
 let _e5162 = bitcast<f32>(_e5161);
 let _e5164 = select(_e4985, 262145i, (262145i < _e4985));
-let _e5170 = global_5.member[bitcast<u32>(select(0i, _e5164, (_e5164 > 0i)))];
+let _e5170 = global_3.member[bitcast<u32>(select(0i, _e5164, (_e5164 > 0i)))];
 let _e5171 = bitcast<f32>(_e5170);
 let _e5177 = ((_e5162 + (f32(bitcast<i32>((_e5135 >> bitcast<u32>(12u)))) * _e5171)) + (_e5153 * (_e5111 - f32(_e5126))));
-let _e5180 = global_5.member[_e4998];
+let _e5180 = global_3.member[_e4998];
 let _e5182 = local_20;
 let _e5185 = local_20;
 let _e5188 = local_20;
 let _e5192 = select(_e4985, 263209i, (263209i < _e4985));
-let _e5198 = global_5.member[bitcast<u32>(select(0i, _e5192, (_e5192 > 0i)))];
+let _e5198 = global_3.member[bitcast<u32>(select(0i, _e5192, (_e5192 > 0i)))];
 let _e5200 = local_20;
 let _e5203 = select(_e4985, 263210i, (263210i < _e4985));
-let _e5209 = global_5.member[bitcast<u32>(select(0i, _e5203, (_e5203 > 0i)))];
+let _e5209 = global_3.member[bitcast<u32>(select(0i, _e5203, (_e5203 > 0i)))];
 let _e5211 = local_20;
 let _e5215 = (_e5153 * select(0f, select(select(select(bitcast<f32>(_e5180), _e5032, (_e5182 >= _e5024)), _e5064, (_e5185 >= _e5056)), _e5095, (_e5188 >= _e5087)), ((_e5200 >= bitcast<f32>(_e5198)) && (_e5211 <= bitcast<f32>(_e5209)))));
 if _e513 {
 let _e5222 = ((0.5f * (_e4957 - _e4951)) * _e5215);
 let _e5223 = ((0.5f * (_e4969 - _e4963)) * _e5215);
 let _e5224 = ((0.5f * (_e4981 - _e4975)) * _e5215);
-phi_15595_ = type_34(_e5177, vec3<f32>(_e5222, _e5223, _e5224), vec3<f32>((_e5222 * _e5177), (_e5223 * _e5177), (_e5224 * _e5177)));
+phi_15585_ = type_33(_e5177, vec3<f32>(_e5222, _e5223, _e5224), vec3<f32>((_e5222 * _e5177), (_e5223 * _e5177), (_e5224 * _e5177)));
 } else {
 local_18 = _e4951;
 let _e5231 = local_18;
@@ -2094,7 +2094,7 @@ let _e5273 = select(0i, select(select(i32(_e5266), i32(-2147483648), (_e5266 < -
 let _e5277 = (_e5273 - select(0i, 1i, (_e5266 < f32(_e5273))));
 let _e5278 = (262147i + _e5277);
 let _e5280 = select(_e4985, _e5278, (_e5278 < _e4985));
-let _e5286 = global_5.member[bitcast<u32>(select(0i, _e5280, (_e5280 > 0i)))];
+let _e5286 = global_3.member[bitcast<u32>(select(0i, _e5280, (_e5280 > 0i)))];
 let _e5301 = ((_e5162 + (f32(bitcast<i32>((_e5286 >> bitcast<u32>(12u)))) * _e5171)) + ((f32((bitcast<i32>((_e5286 & 4095u)) - 2048i)) * _e5152) * (_e5262 - f32(_e5277))));
 local_16 = _e4957;
 let _e5302 = local_16;
@@ -2118,7 +2118,7 @@ let _e5344 = select(0i, select(select(i32(_e5337), i32(-2147483648), (_e5337 < -
 let _e5348 = (_e5344 - select(0i, 1i, (_e5337 < f32(_e5344))));
 let _e5349 = (262147i + _e5348);
 let _e5351 = select(_e4985, _e5349, (_e5349 < _e4985));
-let _e5357 = global_5.member[bitcast<u32>(select(0i, _e5351, (_e5351 > 0i)))];
+let _e5357 = global_3.member[bitcast<u32>(select(0i, _e5351, (_e5351 > 0i)))];
 let _e5372 = ((_e5162 + (f32(bitcast<i32>((_e5357 >> bitcast<u32>(12u)))) * _e5171)) + ((f32((bitcast<i32>((_e5357 & 4095u)) - 2048i)) * _e5152) * (_e5333 - f32(_e5348))));
 local_14 = _e4963;
 let _e5373 = local_14;
@@ -2142,7 +2142,7 @@ let _e5415 = select(0i, select(select(i32(_e5408), i32(-2147483648), (_e5408 < -
 let _e5419 = (_e5415 - select(0i, 1i, (_e5408 < f32(_e5415))));
 let _e5420 = (262147i + _e5419);
 let _e5422 = select(_e4985, _e5420, (_e5420 < _e4985));
-let _e5428 = global_5.member[bitcast<u32>(select(0i, _e5422, (_e5422 > 0i)))];
+let _e5428 = global_3.member[bitcast<u32>(select(0i, _e5422, (_e5422 > 0i)))];
 let _e5443 = ((_e5162 + (f32(bitcast<i32>((_e5428 >> bitcast<u32>(12u)))) * _e5171)) + ((f32((bitcast<i32>((_e5428 & 4095u)) - 2048i)) * _e5152) * (_e5404 - f32(_e5419))));
 local_12 = _e4969;
 let _e5444 = local_12;
@@ -2166,7 +2166,7 @@ let _e5486 = select(0i, select(select(i32(_e5479), i32(-2147483648), (_e5479 < -
 let _e5490 = (_e5486 - select(0i, 1i, (_e5479 < f32(_e5486))));
 let _e5491 = (262147i + _e5490);
 let _e5493 = select(_e4985, _e5491, (_e5491 < _e4985));
-let _e5499 = global_5.member[bitcast<u32>(select(0i, _e5493, (_e5493 > 0i)))];
+let _e5499 = global_3.member[bitcast<u32>(select(0i, _e5493, (_e5493 > 0i)))];
 let _e5514 = ((_e5162 + (f32(bitcast<i32>((_e5499 >> bitcast<u32>(12u)))) * _e5171)) + ((f32((bitcast<i32>((_e5499 & 4095u)) - 2048i)) * _e5152) * (_e5475 - f32(_e5490))));
 local_10 = _e4975;
 let _e5515 = local_10;
@@ -2190,7 +2190,7 @@ let _e5557 = select(0i, select(select(i32(_e5550), i32(-2147483648), (_e5550 < -
 let _e5561 = (_e5557 - select(0i, 1i, (_e5550 < f32(_e5557))));
 let _e5562 = (262147i + _e5561);
 let _e5564 = select(_e4985, _e5562, (_e5562 < _e4985));
-let _e5570 = global_5.member[bitcast<u32>(select(0i, _e5564, (_e5564 > 0i)))];
+let _e5570 = global_3.member[bitcast<u32>(select(0i, _e5564, (_e5564 > 0i)))];
 let _e5585 = ((_e5162 + (f32(bitcast<i32>((_e5570 >> bitcast<u32>(12u)))) * _e5171)) + ((f32((bitcast<i32>((_e5570 & 4095u)) - 2048i)) * _e5152) * (_e5546 - f32(_e5561))));
 local_8 = _e4981;
 let _e5586 = local_8;
@@ -2214,14 +2214,14 @@ let _e5628 = select(0i, select(select(i32(_e5621), i32(-2147483648), (_e5621 < -
 let _e5632 = (_e5628 - select(0i, 1i, (_e5621 < f32(_e5628))));
 let _e5633 = (262147i + _e5632);
 let _e5635 = select(_e4985, _e5633, (_e5633 < _e4985));
-let _e5641 = global_5.member[bitcast<u32>(select(0i, _e5635, (_e5635 > 0i)))];
+let _e5641 = global_3.member[bitcast<u32>(select(0i, _e5635, (_e5635 > 0i)))];
 let _e5656 = ((_e5162 + (f32(bitcast<i32>((_e5641 >> bitcast<u32>(12u)))) * _e5171)) + ((f32((bitcast<i32>((_e5641 & 4095u)) - 2048i)) * _e5152) * (_e5617 - f32(_e5632))));
 let _e5657 = (_e5372 - _e5301);
 let _e5659 = (_e5514 - _e5443);
 let _e5661 = (_e5656 - _e5585);
-phi_15595_ = type_34(_e5177, vec3<f32>((0.5f * _e5657), (0.5f * _e5659), (0.5f * _e5661)), vec3<f32>((0.25f * (_e5657 * (_e5372 + _e5301))), (0.25f * (_e5659 * (_e5514 + _e5443))), (0.25f * (_e5661 * (_e5656 + _e5585)))));
+phi_15585_ = type_33(_e5177, vec3<f32>((0.5f * _e5657), (0.5f * _e5659), (0.5f * _e5661)), vec3<f32>((0.25f * (_e5657 * (_e5372 + _e5301))), (0.25f * (_e5659 * (_e5514 + _e5443))), (0.25f * (_e5661 * (_e5656 + _e5585)))));
 }
-let _e5676 = phi_15595_;
+let _e5676 = phi_15585_;
 let _e5691 = select(0f, 1f, ((((((_e4278 >= -0.5f) && (_e4278 <= _e3576)) && (_e4284 >= -0.5f)) && (_e4284 <= _e3657)) && (_e4290 >= -0.5f)) && (_e4290 <= _e3738)));
 let _e5693 = (0.5f * (_e4957 - _e4951));
 let _e5695 = (0.5f * (_e4969 - _e4963));
@@ -2235,7 +2235,7 @@ let _e5733 = global_1.member.member_6.member_1.member.member_2;
 let _e5739 = global_1.member.member_6.member_2.member.member;
 let _e5745 = global_1.member.member_6.member_2.member.member_1;
 let _e5751 = global_1.member.member_6.member_2.member.member_2;
-phi_16242_ = type_35(_e4945, vec3<f32>(((((_e5703 * _e5693) + (_e5721 * _e5695)) + (_e5739 * _e5697)) * _e5691), ((((_e5709 * _e5693) + (_e5727 * _e5695)) + (_e5745 * _e5697)) * _e5691), ((((_e5715 * _e5693) + (_e5733 * _e5695)) + (_e5751 * _e5697)) * _e5691)), _e5676.member, vec3<f32>(((((_e5703 * _e5676.member_2.x) + (_e5721 * _e5676.member_2.y)) + (_e5739 * _e5676.member_2.z)) * _e5691), ((((_e5709 * _e5676.member_2.x) + (_e5727 * _e5676.member_2.y)) + (_e5745 * _e5676.member_2.z)) * _e5691), ((((_e5715 * _e5676.member_2.x) + (_e5733 * _e5676.member_2.y)) + (_e5751 * _e5676.member_2.z)) * _e5691)), vec3<f32>(((((_e5703 * _e5676.member_1.x) + (_e5721 * _e5676.member_1.y)) + (_e5739 * _e5676.member_1.z)) * _e5691), ((((_e5709 * _e5676.member_1.x) + (_e5727 * _e5676.member_1.y)) + (_e5745 * _e5676.member_1.z)) * _e5691), ((((_e5715 * _e5676.member_1.x) + (_e5733 * _e5676.member_1.y)) + (_e5751 * _e5676.member_1.z)) * _e5691)));
+phi_16232_ = type_34(_e4945, vec3<f32>(((((_e5703 * _e5693) + (_e5721 * _e5695)) + (_e5739 * _e5697)) * _e5691), ((((_e5709 * _e5693) + (_e5727 * _e5695)) + (_e5745 * _e5697)) * _e5691), ((((_e5715 * _e5693) + (_e5733 * _e5695)) + (_e5751 * _e5697)) * _e5691)), _e5676.member, vec3<f32>(((((_e5703 * _e5676.member_2.x) + (_e5721 * _e5676.member_2.y)) + (_e5739 * _e5676.member_2.z)) * _e5691), ((((_e5709 * _e5676.member_2.x) + (_e5727 * _e5676.member_2.y)) + (_e5745 * _e5676.member_2.z)) * _e5691), ((((_e5715 * _e5676.member_2.x) + (_e5733 * _e5676.member_2.y)) + (_e5751 * _e5676.member_2.z)) * _e5691)), vec3<f32>(((((_e5703 * _e5676.member_1.x) + (_e5721 * _e5676.member_1.y)) + (_e5739 * _e5676.member_1.z)) * _e5691), ((((_e5709 * _e5676.member_1.x) + (_e5727 * _e5676.member_1.y)) + (_e5745 * _e5676.member_1.z)) * _e5691), ((((_e5715 * _e5676.member_1.x) + (_e5733 * _e5676.member_1.y)) + (_e5751 * _e5676.member_1.z)) * _e5691)));
 } else {
 let _e5817 = select(-0.5f, _e4278, (_e4278 > -0.5f));
 let _e5819 = select(_e3576, _e5817, (_e5817 < _e3576));
@@ -2269,31 +2269,31 @@ let _e5926 = (select(0i, _e5857, (_e5857 > 0i)) * _e5876);
 let _e5927 = (select(_e5888, _e5891, (_e5891 < _e5888)) * _e5876);
 let _e5928 = (select(0i, _e5872, (_e5872 > 0i)) * _e5880);
 let _e5929 = (select(_e5901, _e5904, (_e5904 < _e5901)) * _e5880);
-local_6 = type_32(array<i32, 4>(select(0i, _e5915, (_e5915 > 0i)), select(0i, _e5842, (_e5842 > 0i)), select(_e5914, _e5920, (_e5920 < _e5914)), select(_e5914, _e5923, (_e5923 < _e5914))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_29(array<i32, 4>(select(0i, _e5915, (_e5915 > 0i)), select(0i, _e5842, (_e5842 > 0i)), select(_e5914, _e5920, (_e5920 < _e5914)), select(_e5914, _e5923, (_e5923 < _e5914))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = vec3<f32>((_e5819 - f32(_e5842)), (_e5823 - f32(_e5857)), (_e5827 - f32(_e5872)));
 let _e5940 = (_e5928 + _e5926);
 let _e5943 = local_6.member[1u];
 let _e5944 = (_e5940 + _e5943);
 let _e5946 = (bitcast<i32>(_e206) - 1i);
 let _e5948 = select(_e5946, _e5944, (_e5944 < _e5946));
-let _e5953 = global_4.member[bitcast<u32>(select(0i, _e5948, (_e5948 > 0i)))];
+let _e5953 = global_2.member[bitcast<u32>(select(0i, _e5948, (_e5948 > 0i)))];
 let _e5954 = bitcast<f32>(_e5953);
 let _e5957 = local_6.member[2u];
 let _e5958 = (_e5940 + _e5957);
 let _e5960 = select(_e5946, _e5958, (_e5958 < _e5946));
-let _e5965 = global_4.member[bitcast<u32>(select(0i, _e5960, (_e5960 > 0i)))];
+let _e5965 = global_2.member[bitcast<u32>(select(0i, _e5960, (_e5960 > 0i)))];
 let _e5967 = local_7[0u];
 let _e5970 = (_e5954 + ((bitcast<f32>(_e5965) - _e5954) * _e5967));
 let _e5971 = (_e5928 + _e5927);
 let _e5972 = local_6.member[1u];
 let _e5973 = (_e5971 + _e5972);
 let _e5975 = select(_e5946, _e5973, (_e5973 < _e5946));
-let _e5980 = global_4.member[bitcast<u32>(select(0i, _e5975, (_e5975 > 0i)))];
+let _e5980 = global_2.member[bitcast<u32>(select(0i, _e5975, (_e5975 > 0i)))];
 let _e5981 = bitcast<f32>(_e5980);
 let _e5982 = local_6.member[2u];
 let _e5983 = (_e5971 + _e5982);
 let _e5985 = select(_e5946, _e5983, (_e5983 < _e5946));
-let _e5990 = global_4.member[bitcast<u32>(select(0i, _e5985, (_e5985 > 0i)))];
+let _e5990 = global_2.member[bitcast<u32>(select(0i, _e5985, (_e5985 > 0i)))];
 let _e5992 = local_7[0u];
 let _e5997 = local_7[1u];
 let _e6000 = (_e5970 + (((_e5981 + ((bitcast<f32>(_e5990) - _e5981) * _e5992)) - _e5970) * _e5997));
@@ -2301,24 +2301,24 @@ let _e6001 = (_e5929 + _e5926);
 let _e6002 = local_6.member[1u];
 let _e6003 = (_e6001 + _e6002);
 let _e6005 = select(_e5946, _e6003, (_e6003 < _e5946));
-let _e6010 = global_4.member[bitcast<u32>(select(0i, _e6005, (_e6005 > 0i)))];
+let _e6010 = global_2.member[bitcast<u32>(select(0i, _e6005, (_e6005 > 0i)))];
 let _e6011 = bitcast<f32>(_e6010);
 let _e6012 = local_6.member[2u];
 let _e6013 = (_e6001 + _e6012);
 let _e6015 = select(_e5946, _e6013, (_e6013 < _e5946));
-let _e6020 = global_4.member[bitcast<u32>(select(0i, _e6015, (_e6015 > 0i)))];
+let _e6020 = global_2.member[bitcast<u32>(select(0i, _e6015, (_e6015 > 0i)))];
 let _e6022 = local_7[0u];
 let _e6025 = (_e6011 + ((bitcast<f32>(_e6020) - _e6011) * _e6022));
 let _e6026 = (_e5929 + _e5927);
 let _e6027 = local_6.member[1u];
 let _e6028 = (_e6026 + _e6027);
 let _e6030 = select(_e5946, _e6028, (_e6028 < _e5946));
-let _e6035 = global_4.member[bitcast<u32>(select(0i, _e6030, (_e6030 > 0i)))];
+let _e6035 = global_2.member[bitcast<u32>(select(0i, _e6030, (_e6030 > 0i)))];
 let _e6036 = bitcast<f32>(_e6035);
 let _e6037 = local_6.member[2u];
 let _e6038 = (_e6026 + _e6037);
 let _e6040 = select(_e5946, _e6038, (_e6038 < _e5946));
-let _e6045 = global_4.member[bitcast<u32>(select(0i, _e6040, (_e6040 > 0i)))];
+let _e6045 = global_2.member[bitcast<u32>(select(0i, _e6040, (_e6040 > 0i)))];
 let _e6047 = local_7[0u];
 let _e6051 = local_7[1u];
 let _e6056 = local_7[2u];
@@ -2327,11 +2327,11 @@ let _e6067 = global_1.member.member_6.member_5;
 let _e6069 = (((_e6000 + (((_e6025 + (((_e6036 + ((bitcast<f32>(_e6045) - _e6036) * _e6047)) - _e6025) * _e6051)) - _e6000) * _e6056)) - _e6063) * _e6067);
 let _e6070 = -(1e9f);
 let _e6072 = select(_e6070, _e6069, (_e6069 > _e6070));
-phi_16242_ = type_35(select(1e9f, _e6072, (_e6072 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_16232_ = type_34(select(1e9f, _e6072, (_e6072 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e6077 = phi_16242_;
+let _e6077 = phi_16232_;
 if _e2342 {
-phi_16634_ = type_5(1f, 1f, 1f);
+phi_16624_ = type_7(1f, 1f, 1f);
 } else {
 let _e6081 = global_1.member.member_14.member;
 let _e6092 = ((((_e6081.member.member * _e3412.member.x) + (_e6081.member.member_1 * _e3412.member.y)) + (_e6081.member.member_2 * _e3412.member.z)) + _e6081.member_1);
@@ -2377,9 +2377,9 @@ let _e6259 = select(0f, _e6257, (_e6257 > 0f));
 let _e6265 = select(select(select(1f, _e6259, (_e6259 < 1f)), 1f, (_e6252 <= 0f)), 0f, (_e6250 > 0f));
 let _e6270 = global_1.member.member_17.member_1;
 let _e6271 = (_e6270 != 0u);
-phi_16634_ = type_5(((((1f * _e6115) * _e6165) * _e6215) * _e6265), ((((1f * select(1f, _e6115, _e6121)) * select(1f, _e6165, _e6171)) * select(1f, _e6215, _e6221)) * select(1f, _e6265, _e6271)), ((((1f * select(1f, 0f, (_e6121 && (_e6098 > 0f)))) * select(1f, 0f, (_e6171 && (_e6148 > 0f)))) * select(1f, 0f, (_e6221 && (_e6198 > 0f)))) * select(1f, 0f, (_e6271 && (_e6248 > 0f)))));
+phi_16624_ = type_7(((((1f * _e6115) * _e6165) * _e6215) * _e6265), ((((1f * select(1f, _e6115, _e6121)) * select(1f, _e6165, _e6171)) * select(1f, _e6215, _e6221)) * select(1f, _e6265, _e6271)), ((((1f * select(1f, 0f, (_e6121 && (_e6098 > 0f)))) * select(1f, 0f, (_e6171 && (_e6148 > 0f)))) * select(1f, 0f, (_e6221 && (_e6198 > 0f)))) * select(1f, 0f, (_e6271 && (_e6248 > 0f)))));
 }
-let _e6280 = phi_16634_;
+let _e6280 = phi_16624_;
 let _e6283 = (select(0f, (_e4158 - 0.5f), _e4140) * _e3507);
 let _e6287 = (_e3512 + (_e3431 * _e6283));
 let _e6288 = (_e3513 + (_e3433 * _e6283));
@@ -2416,31 +2416,31 @@ let _e6400 = (select(0i, _e6331, (_e6331 > 0i)) * _e6350);
 let _e6401 = (select(_e6362, _e6365, (_e6365 < _e6362)) * _e6350);
 let _e6402 = (select(0i, _e6346, (_e6346 > 0i)) * _e6354);
 let _e6403 = (select(_e6375, _e6378, (_e6378 < _e6375)) * _e6354);
-local_4 = type_32(array<i32, 4>(select(0i, _e6389, (_e6389 > 0i)), select(0i, _e6316, (_e6316 > 0i)), select(_e6388, _e6394, (_e6394 < _e6388)), select(_e6388, _e6397, (_e6397 < _e6388))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_4 = type_29(array<i32, 4>(select(0i, _e6389, (_e6389 > 0i)), select(0i, _e6316, (_e6316 > 0i)), select(_e6388, _e6394, (_e6394 < _e6388)), select(_e6388, _e6397, (_e6397 < _e6388))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_5 = vec3<f32>((_e6293 - f32(_e6316)), (_e6297 - f32(_e6331)), (_e6301 - f32(_e6346)));
 let _e6414 = (_e6402 + _e6400);
 let _e6417 = local_4.member[1u];
 let _e6418 = (_e6414 + _e6417);
 let _e6420 = (bitcast<i32>(_e206) - 1i);
 let _e6422 = select(_e6420, _e6418, (_e6418 < _e6420));
-let _e6427 = global_4.member[bitcast<u32>(select(0i, _e6422, (_e6422 > 0i)))];
+let _e6427 = global_2.member[bitcast<u32>(select(0i, _e6422, (_e6422 > 0i)))];
 let _e6428 = bitcast<f32>(_e6427);
 let _e6431 = local_4.member[2u];
 let _e6432 = (_e6414 + _e6431);
 let _e6434 = select(_e6420, _e6432, (_e6432 < _e6420));
-let _e6439 = global_4.member[bitcast<u32>(select(0i, _e6434, (_e6434 > 0i)))];
+let _e6439 = global_2.member[bitcast<u32>(select(0i, _e6434, (_e6434 > 0i)))];
 let _e6441 = local_5[0u];
 let _e6444 = (_e6428 + ((bitcast<f32>(_e6439) - _e6428) * _e6441));
 let _e6445 = (_e6402 + _e6401);
 let _e6446 = local_4.member[1u];
 let _e6447 = (_e6445 + _e6446);
 let _e6449 = select(_e6420, _e6447, (_e6447 < _e6420));
-let _e6454 = global_4.member[bitcast<u32>(select(0i, _e6449, (_e6449 > 0i)))];
+let _e6454 = global_2.member[bitcast<u32>(select(0i, _e6449, (_e6449 > 0i)))];
 let _e6455 = bitcast<f32>(_e6454);
 let _e6456 = local_4.member[2u];
 let _e6457 = (_e6445 + _e6456);
 let _e6459 = select(_e6420, _e6457, (_e6457 < _e6420));
-let _e6464 = global_4.member[bitcast<u32>(select(0i, _e6459, (_e6459 > 0i)))];
+let _e6464 = global_2.member[bitcast<u32>(select(0i, _e6459, (_e6459 > 0i)))];
 let _e6466 = local_5[0u];
 let _e6471 = local_5[1u];
 let _e6474 = (_e6444 + (((_e6455 + ((bitcast<f32>(_e6464) - _e6455) * _e6466)) - _e6444) * _e6471));
@@ -2448,24 +2448,24 @@ let _e6475 = (_e6403 + _e6400);
 let _e6476 = local_4.member[1u];
 let _e6477 = (_e6475 + _e6476);
 let _e6479 = select(_e6420, _e6477, (_e6477 < _e6420));
-let _e6484 = global_4.member[bitcast<u32>(select(0i, _e6479, (_e6479 > 0i)))];
+let _e6484 = global_2.member[bitcast<u32>(select(0i, _e6479, (_e6479 > 0i)))];
 let _e6485 = bitcast<f32>(_e6484);
 let _e6486 = local_4.member[2u];
 let _e6487 = (_e6475 + _e6486);
 let _e6489 = select(_e6420, _e6487, (_e6487 < _e6420));
-let _e6494 = global_4.member[bitcast<u32>(select(0i, _e6489, (_e6489 > 0i)))];
+let _e6494 = global_2.member[bitcast<u32>(select(0i, _e6489, (_e6489 > 0i)))];
 let _e6496 = local_5[0u];
 let _e6499 = (_e6485 + ((bitcast<f32>(_e6494) - _e6485) * _e6496));
 let _e6500 = (_e6403 + _e6401);
 let _e6501 = local_4.member[1u];
 let _e6502 = (_e6500 + _e6501);
 let _e6504 = select(_e6420, _e6502, (_e6502 < _e6420));
-let _e6509 = global_4.member[bitcast<u32>(select(0i, _e6504, (_e6504 > 0i)))];
+let _e6509 = global_2.member[bitcast<u32>(select(0i, _e6504, (_e6504 > 0i)))];
 let _e6510 = bitcast<f32>(_e6509);
 let _e6511 = local_4.member[2u];
 let _e6512 = (_e6500 + _e6511);
 let _e6514 = select(_e6420, _e6512, (_e6512 < _e6420));
-let _e6519 = global_4.member[bitcast<u32>(select(0i, _e6514, (_e6514 > 0i)))];
+let _e6519 = global_2.member[bitcast<u32>(select(0i, _e6514, (_e6514 > 0i)))];
 let _e6521 = local_5[0u];
 let _e6525 = local_5[1u];
 let _e6530 = local_5[2u];
@@ -2480,41 +2480,41 @@ local_3 = _e6549;
 let _e6550 = local_3;
 let _e6552 = (bitcast<i32>(_e209) - 1i);
 let _e6554 = select(_e6552, 263197i, (263197i < _e6552));
-let _e6559 = global_5.member[bitcast<u32>(select(0i, _e6554, (_e6554 > 0i)))];
+let _e6559 = global_3.member[bitcast<u32>(select(0i, _e6554, (_e6554 > 0i)))];
 let _e6562 = select(_e6552, 263198i, (263198i < _e6552));
-let _e6567 = global_5.member[bitcast<u32>(select(0i, _e6562, (_e6562 > 0i)))];
+let _e6567 = global_3.member[bitcast<u32>(select(0i, _e6562, (_e6562 > 0i)))];
 let _e6570 = select(_e6552, 263199i, (263199i < _e6552));
-let _e6575 = global_5.member[bitcast<u32>(select(0i, _e6570, (_e6570 > 0i)))];
+let _e6575 = global_3.member[bitcast<u32>(select(0i, _e6570, (_e6570 > 0i)))];
 let _e6576 = bitcast<f32>(_e6575);
 let _e6578 = ((_e6550 - bitcast<f32>(_e6559)) * bitcast<f32>(_e6567));
 let _e6580 = select(0f, _e6578, (_e6578 > 0f));
 let _e6583 = local_3;
 let _e6585 = select(_e6552, 263200i, (263200i < _e6552));
-let _e6590 = global_5.member[bitcast<u32>(select(0i, _e6585, (_e6585 > 0i)))];
+let _e6590 = global_3.member[bitcast<u32>(select(0i, _e6585, (_e6585 > 0i)))];
 let _e6593 = select(_e6552, 263201i, (263201i < _e6552));
-let _e6598 = global_5.member[bitcast<u32>(select(0i, _e6593, (_e6593 > 0i)))];
+let _e6598 = global_3.member[bitcast<u32>(select(0i, _e6593, (_e6593 > 0i)))];
 let _e6601 = select(_e6552, 263202i, (263202i < _e6552));
-let _e6606 = global_5.member[bitcast<u32>(select(0i, _e6601, (_e6601 > 0i)))];
+let _e6606 = global_3.member[bitcast<u32>(select(0i, _e6601, (_e6601 > 0i)))];
 let _e6607 = bitcast<f32>(_e6606);
 let _e6609 = ((_e6583 - bitcast<f32>(_e6590)) * bitcast<f32>(_e6598));
 let _e6611 = select(0f, _e6609, (_e6609 > 0f));
 let _e6615 = local_3;
 let _e6617 = select(_e6552, 263203i, (263203i < _e6552));
-let _e6622 = global_5.member[bitcast<u32>(select(0i, _e6617, (_e6617 > 0i)))];
+let _e6622 = global_3.member[bitcast<u32>(select(0i, _e6617, (_e6617 > 0i)))];
 let _e6625 = select(_e6552, 263204i, (263204i < _e6552));
-let _e6630 = global_5.member[bitcast<u32>(select(0i, _e6625, (_e6625 > 0i)))];
+let _e6630 = global_3.member[bitcast<u32>(select(0i, _e6625, (_e6625 > 0i)))];
 let _e6633 = select(_e6552, 263205i, (263205i < _e6552));
-let _e6638 = global_5.member[bitcast<u32>(select(0i, _e6633, (_e6633 > 0i)))];
+let _e6638 = global_3.member[bitcast<u32>(select(0i, _e6633, (_e6633 > 0i)))];
 let _e6639 = bitcast<f32>(_e6638);
 let _e6641 = ((_e6615 - bitcast<f32>(_e6622)) * bitcast<f32>(_e6630));
 let _e6643 = select(0f, _e6641, (_e6641 > 0f));
 let _e6646 = local_3;
 let _e6648 = select(_e6552, 263206i, (263206i < _e6552));
-let _e6653 = global_5.member[bitcast<u32>(select(0i, _e6648, (_e6648 > 0i)))];
+let _e6653 = global_3.member[bitcast<u32>(select(0i, _e6648, (_e6648 > 0i)))];
 let _e6656 = select(_e6552, 263207i, (263207i < _e6552));
-let _e6661 = global_5.member[bitcast<u32>(select(0i, _e6656, (_e6656 > 0i)))];
+let _e6661 = global_3.member[bitcast<u32>(select(0i, _e6656, (_e6656 > 0i)))];
 let _e6664 = select(_e6552, 263208i, (263208i < _e6552));
-let _e6669 = global_5.member[bitcast<u32>(select(0i, _e6664, (_e6664 > 0i)))];
+let _e6669 = global_3.member[bitcast<u32>(select(0i, _e6664, (_e6664 > 0i)))];
 let _e6670 = bitcast<f32>(_e6669);
 let _e6672 = ((_e6646 - bitcast<f32>(_e6653)) * bitcast<f32>(_e6661));
 let _e6674 = select(0f, _e6672, (_e6672 > 0f));
@@ -2525,13 +2525,13 @@ let _e6689 = select(0i, select(select(i32(_e6682), i32(-2147483648), (_e6682 < -
 let _e6693 = (_e6689 - select(0i, 1i, (_e6682 < f32(_e6689))));
 let _e6694 = (262147i + _e6693);
 let _e6696 = select(_e6552, _e6694, (_e6694 < _e6552));
-let _e6702 = global_5.member[bitcast<u32>(select(0i, _e6696, (_e6696 > 0i)))];
+let _e6702 = global_3.member[bitcast<u32>(select(0i, _e6696, (_e6696 > 0i)))];
 let _e6712 = select(_e6552, 262146i, (262146i < _e6552));
-let _e6718 = global_5.member[bitcast<u32>(select(0i, _e6712, (_e6712 > 0i)))];
+let _e6718 = global_3.member[bitcast<u32>(select(0i, _e6712, (_e6712 > 0i)))];
 let _e6722 = select(_e6552, 262144i, (262144i < _e6552));
-let _e6728 = global_5.member[bitcast<u32>(select(0i, _e6722, (_e6722 > 0i)))];
+let _e6728 = global_3.member[bitcast<u32>(select(0i, _e6722, (_e6722 > 0i)))];
 let _e6731 = select(_e6552, 262145i, (262145i < _e6552));
-let _e6737 = global_5.member[bitcast<u32>(select(0i, _e6731, (_e6731 > 0i)))];
+let _e6737 = global_3.member[bitcast<u32>(select(0i, _e6731, (_e6731 > 0i)))];
 let _e6744 = ((bitcast<f32>(_e6728) + (f32(bitcast<i32>((_e6702 >> bitcast<u32>(12u)))) * bitcast<f32>(_e6737))) + ((f32((bitcast<i32>((_e6702 & 4095u)) - 2048i)) * bitcast<f32>(_e6718)) * (_e6678 - f32(_e6693))));
 let _e6745 = select(1f, _e6744, _e3425);
 let _e6746 = select(_e6744, 1f, _e3425);
@@ -2596,97 +2596,97 @@ let _e6931 = (((sqrt(select(0f, _e6826, (_e6826 > 0f))) * select(0f, _e6922, (_e
 local_1 = _e6817;
 let _e6932 = local_1;
 let _e6934 = select(_e6552, 263171i, (263171i < _e6552));
-let _e6939 = global_5.member[bitcast<u32>(select(0i, _e6934, (_e6934 > 0i)))];
+let _e6939 = global_3.member[bitcast<u32>(select(0i, _e6934, (_e6934 > 0i)))];
 let _e6940 = bitcast<f32>(_e6939);
 let _e6942 = select(_e6552, 263172i, (263172i < _e6552));
-let _e6947 = global_5.member[bitcast<u32>(select(0i, _e6942, (_e6942 > 0i)))];
+let _e6947 = global_3.member[bitcast<u32>(select(0i, _e6942, (_e6942 > 0i)))];
 let _e6948 = bitcast<f32>(_e6947);
 let _e6950 = select(_e6552, 263173i, (263173i < _e6552));
-let _e6955 = global_5.member[bitcast<u32>(select(0i, _e6950, (_e6950 > 0i)))];
+let _e6955 = global_3.member[bitcast<u32>(select(0i, _e6950, (_e6950 > 0i)))];
 let _e6956 = bitcast<f32>(_e6955);
 let _e6958 = ((_e6932 - _e6940) * _e6948);
 let _e6960 = select(0f, _e6958, (_e6958 > 0f));
 let _e6963 = local_1;
 let _e6965 = select(_e6552, 263174i, (263174i < _e6552));
-let _e6970 = global_5.member[bitcast<u32>(select(0i, _e6965, (_e6965 > 0i)))];
+let _e6970 = global_3.member[bitcast<u32>(select(0i, _e6965, (_e6965 > 0i)))];
 let _e6971 = bitcast<f32>(_e6970);
 let _e6973 = select(_e6552, 263175i, (263175i < _e6552));
-let _e6978 = global_5.member[bitcast<u32>(select(0i, _e6973, (_e6973 > 0i)))];
+let _e6978 = global_3.member[bitcast<u32>(select(0i, _e6973, (_e6973 > 0i)))];
 let _e6979 = bitcast<f32>(_e6978);
 let _e6981 = select(_e6552, 263176i, (263176i < _e6552));
-let _e6986 = global_5.member[bitcast<u32>(select(0i, _e6981, (_e6981 > 0i)))];
+let _e6986 = global_3.member[bitcast<u32>(select(0i, _e6981, (_e6981 > 0i)))];
 let _e6987 = bitcast<f32>(_e6986);
 let _e6989 = ((_e6963 - _e6971) * _e6979);
 let _e6991 = select(0f, _e6989, (_e6989 > 0f));
 let _e6995 = local_1;
 let _e6997 = select(_e6552, 263177i, (263177i < _e6552));
-let _e7002 = global_5.member[bitcast<u32>(select(0i, _e6997, (_e6997 > 0i)))];
+let _e7002 = global_3.member[bitcast<u32>(select(0i, _e6997, (_e6997 > 0i)))];
 let _e7003 = bitcast<f32>(_e7002);
 let _e7005 = select(_e6552, 263178i, (263178i < _e6552));
-let _e7010 = global_5.member[bitcast<u32>(select(0i, _e7005, (_e7005 > 0i)))];
+let _e7010 = global_3.member[bitcast<u32>(select(0i, _e7005, (_e7005 > 0i)))];
 let _e7011 = bitcast<f32>(_e7010);
 let _e7013 = select(_e6552, 263179i, (263179i < _e6552));
-let _e7018 = global_5.member[bitcast<u32>(select(0i, _e7013, (_e7013 > 0i)))];
+let _e7018 = global_3.member[bitcast<u32>(select(0i, _e7013, (_e7013 > 0i)))];
 let _e7019 = bitcast<f32>(_e7018);
 let _e7021 = ((_e6995 - _e7003) * _e7011);
 let _e7023 = select(0f, _e7021, (_e7021 > 0f));
 let _e7026 = local_1;
 let _e7028 = select(_e6552, 263180i, (263180i < _e6552));
-let _e7033 = global_5.member[bitcast<u32>(select(0i, _e7028, (_e7028 > 0i)))];
+let _e7033 = global_3.member[bitcast<u32>(select(0i, _e7028, (_e7028 > 0i)))];
 let _e7034 = bitcast<f32>(_e7033);
 let _e7036 = select(_e6552, 263181i, (263181i < _e6552));
-let _e7041 = global_5.member[bitcast<u32>(select(0i, _e7036, (_e7036 > 0i)))];
+let _e7041 = global_3.member[bitcast<u32>(select(0i, _e7036, (_e7036 > 0i)))];
 let _e7042 = bitcast<f32>(_e7041);
 let _e7044 = select(_e6552, 263182i, (263182i < _e6552));
-let _e7049 = global_5.member[bitcast<u32>(select(0i, _e7044, (_e7044 > 0i)))];
+let _e7049 = global_3.member[bitcast<u32>(select(0i, _e7044, (_e7044 > 0i)))];
 let _e7050 = bitcast<f32>(_e7049);
 let _e7052 = ((_e7026 - _e7034) * _e7042);
 let _e7054 = select(0f, _e7052, (_e7052 > 0f));
 let _e7059 = local_1;
 let _e7061 = select(_e6552, 263183i, (263183i < _e6552));
-let _e7066 = global_5.member[bitcast<u32>(select(0i, _e7061, (_e7061 > 0i)))];
+let _e7066 = global_3.member[bitcast<u32>(select(0i, _e7061, (_e7061 > 0i)))];
 let _e7067 = bitcast<f32>(_e7066);
 let _e7069 = select(_e6552, 263184i, (263184i < _e6552));
-let _e7074 = global_5.member[bitcast<u32>(select(0i, _e7069, (_e7069 > 0i)))];
+let _e7074 = global_3.member[bitcast<u32>(select(0i, _e7069, (_e7069 > 0i)))];
 let _e7075 = bitcast<f32>(_e7074);
 let _e7077 = select(_e6552, 263185i, (263185i < _e6552));
-let _e7082 = global_5.member[bitcast<u32>(select(0i, _e7077, (_e7077 > 0i)))];
+let _e7082 = global_3.member[bitcast<u32>(select(0i, _e7077, (_e7077 > 0i)))];
 let _e7083 = bitcast<f32>(_e7082);
 let _e7085 = ((_e7059 - _e7067) * _e7075);
 let _e7087 = select(0f, _e7085, (_e7085 > 0f));
 let _e7090 = local_1;
 let _e7092 = select(_e6552, 263186i, (263186i < _e6552));
-let _e7097 = global_5.member[bitcast<u32>(select(0i, _e7092, (_e7092 > 0i)))];
+let _e7097 = global_3.member[bitcast<u32>(select(0i, _e7092, (_e7092 > 0i)))];
 let _e7098 = bitcast<f32>(_e7097);
 let _e7100 = select(_e6552, 263187i, (263187i < _e6552));
-let _e7105 = global_5.member[bitcast<u32>(select(0i, _e7100, (_e7100 > 0i)))];
+let _e7105 = global_3.member[bitcast<u32>(select(0i, _e7100, (_e7100 > 0i)))];
 let _e7106 = bitcast<f32>(_e7105);
 let _e7108 = select(_e6552, 263188i, (263188i < _e6552));
-let _e7113 = global_5.member[bitcast<u32>(select(0i, _e7108, (_e7108 > 0i)))];
+let _e7113 = global_3.member[bitcast<u32>(select(0i, _e7108, (_e7108 > 0i)))];
 let _e7114 = bitcast<f32>(_e7113);
 let _e7116 = ((_e7090 - _e7098) * _e7106);
 let _e7118 = select(0f, _e7116, (_e7116 > 0f));
 let _e7122 = local_1;
 let _e7124 = select(_e6552, 263189i, (263189i < _e6552));
-let _e7129 = global_5.member[bitcast<u32>(select(0i, _e7124, (_e7124 > 0i)))];
+let _e7129 = global_3.member[bitcast<u32>(select(0i, _e7124, (_e7124 > 0i)))];
 let _e7130 = bitcast<f32>(_e7129);
 let _e7132 = select(_e6552, 263190i, (263190i < _e6552));
-let _e7137 = global_5.member[bitcast<u32>(select(0i, _e7132, (_e7132 > 0i)))];
+let _e7137 = global_3.member[bitcast<u32>(select(0i, _e7132, (_e7132 > 0i)))];
 let _e7138 = bitcast<f32>(_e7137);
 let _e7140 = select(_e6552, 263191i, (263191i < _e6552));
-let _e7145 = global_5.member[bitcast<u32>(select(0i, _e7140, (_e7140 > 0i)))];
+let _e7145 = global_3.member[bitcast<u32>(select(0i, _e7140, (_e7140 > 0i)))];
 let _e7146 = bitcast<f32>(_e7145);
 let _e7148 = ((_e7122 - _e7130) * _e7138);
 let _e7150 = select(0f, _e7148, (_e7148 > 0f));
 let _e7153 = local_1;
 let _e7155 = select(_e6552, 263192i, (263192i < _e6552));
-let _e7160 = global_5.member[bitcast<u32>(select(0i, _e7155, (_e7155 > 0i)))];
+let _e7160 = global_3.member[bitcast<u32>(select(0i, _e7155, (_e7155 > 0i)))];
 let _e7161 = bitcast<f32>(_e7160);
 let _e7163 = select(_e6552, 263193i, (263193i < _e6552));
-let _e7168 = global_5.member[bitcast<u32>(select(0i, _e7163, (_e7163 > 0i)))];
+let _e7168 = global_3.member[bitcast<u32>(select(0i, _e7163, (_e7163 > 0i)))];
 let _e7169 = bitcast<f32>(_e7168);
 let _e7171 = select(_e6552, 263194i, (263194i < _e6552));
-let _e7176 = global_5.member[bitcast<u32>(select(0i, _e7171, (_e7171 > 0i)))];
+let _e7176 = global_3.member[bitcast<u32>(select(0i, _e7171, (_e7171 > 0i)))];
 let _e7177 = bitcast<f32>(_e7176);
 let _e7179 = ((_e7153 - _e7161) * _e7169);
 let _e7181 = select(0f, _e7179, (_e7179 > 0f));
@@ -2727,10 +2727,10 @@ let _e7269 = select(_e7250, _e7267, (_e7267 < _e7250));
 let _e7276 = select(0i, select(select(i32(_e7269), i32(-2147483648), (_e7269 < -2147483600f)), 2147483647i, (_e7269 > 2147483500f)), (_e7269 == _e7269));
 let _e7280 = (_e7276 - select(0i, 1i, (_e7269 < f32(_e7276))));
 let _e7282 = select(_e6552, 263195i, (263195i < _e6552));
-let _e7288 = global_5.member[bitcast<u32>(select(0i, _e7282, (_e7282 > 0i)))];
+let _e7288 = global_3.member[bitcast<u32>(select(0i, _e7282, (_e7282 > 0i)))];
 let _e7289 = bitcast<f32>(_e7288);
 let _e7291 = select(_e6552, 263196i, (263196i < _e6552));
-let _e7297 = global_5.member[bitcast<u32>(select(0i, _e7291, (_e7291 > 0i)))];
+let _e7297 = global_3.member[bitcast<u32>(select(0i, _e7291, (_e7291 > 0i)))];
 let _e7298 = bitcast<f32>(_e7297);
 let _e7299 = (_e6077.member - _e6817);
 let _e7305 = (1f / select(_e7299, 1f, (bitcast<f32>((bitcast<u32>(_e7299) & 2147483647u)) < 1e-20f)));
@@ -2741,20 +2741,20 @@ let _e7322 = (_e7186 - f32(_e7265));
 let _e7324 = (_e7249 - f32(_e7280));
 let _e7326 = (1f - (_e7311 + _e7317));
 let _e7328 = select(_e6552, _e7320, (_e7320 < _e6552));
-let _e7334 = global_5.member[bitcast<u32>(select(0i, _e7328, (_e7328 > 0i)))];
+let _e7334 = global_3.member[bitcast<u32>(select(0i, _e7328, (_e7328 > 0i)))];
 let _e7335 = (_e7320 + 4i);
 let _e7337 = select(_e6552, _e7335, (_e7335 < _e6552));
-let _e7343 = global_5.member[bitcast<u32>(select(0i, _e7337, (_e7337 > 0i)))];
+let _e7343 = global_3.member[bitcast<u32>(select(0i, _e7337, (_e7337 > 0i)))];
 let _e7344 = (_e7320 + 1024i);
 let _e7346 = select(_e6552, _e7344, (_e7344 < _e6552));
-let _e7352 = global_5.member[bitcast<u32>(select(0i, _e7346, (_e7346 > 0i)))];
+let _e7352 = global_3.member[bitcast<u32>(select(0i, _e7346, (_e7346 > 0i)))];
 let _e7353 = (_e7320 + 1028i);
 let _e7355 = select(_e6552, _e7353, (_e7353 < _e6552));
-let _e7361 = global_5.member[bitcast<u32>(select(0i, _e7355, (_e7355 > 0i)))];
+let _e7361 = global_3.member[bitcast<u32>(select(0i, _e7355, (_e7355 > 0i)))];
 let _e7363 = select(_e6552, 0i, (0i < _e6552));
-let _e7369 = global_5.member[bitcast<u32>(select(0i, _e7363, (_e7363 > 0i)))];
+let _e7369 = global_3.member[bitcast<u32>(select(0i, _e7363, (_e7363 > 0i)))];
 let _e7371 = select(_e6552, 262140i, (262140i < _e6552));
-let _e7377 = global_5.member[bitcast<u32>(select(0i, _e7371, (_e7371 > 0i)))];
+let _e7377 = global_3.member[bitcast<u32>(select(0i, _e7371, (_e7371 > 0i)))];
 let _e7382 = (bitcast<f32>(((_e7334 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7390 = (_e7382 + (((bitcast<f32>(((_e7343 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7382) * _e7324));
 let _e7395 = (bitcast<f32>(((_e7352 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2764,20 +2764,20 @@ let _e7446 = (_e7438 + (((bitcast<f32>((((_e7343 >> bitcast<u32>(16i)) & 32767u)
 let _e7451 = (bitcast<f32>((((_e7352 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7478 = (_e7320 + 1i);
 let _e7480 = select(_e6552, _e7478, (_e7478 < _e6552));
-let _e7486 = global_5.member[bitcast<u32>(select(0i, _e7480, (_e7480 > 0i)))];
+let _e7486 = global_3.member[bitcast<u32>(select(0i, _e7480, (_e7480 > 0i)))];
 let _e7487 = (_e7320 + 5i);
 let _e7489 = select(_e6552, _e7487, (_e7487 < _e6552));
-let _e7495 = global_5.member[bitcast<u32>(select(0i, _e7489, (_e7489 > 0i)))];
+let _e7495 = global_3.member[bitcast<u32>(select(0i, _e7489, (_e7489 > 0i)))];
 let _e7496 = (_e7320 + 1025i);
 let _e7498 = select(_e6552, _e7496, (_e7496 < _e6552));
-let _e7504 = global_5.member[bitcast<u32>(select(0i, _e7498, (_e7498 > 0i)))];
+let _e7504 = global_3.member[bitcast<u32>(select(0i, _e7498, (_e7498 > 0i)))];
 let _e7505 = (_e7320 + 1029i);
 let _e7507 = select(_e6552, _e7505, (_e7505 < _e6552));
-let _e7513 = global_5.member[bitcast<u32>(select(0i, _e7507, (_e7507 > 0i)))];
+let _e7513 = global_3.member[bitcast<u32>(select(0i, _e7507, (_e7507 > 0i)))];
 let _e7515 = select(_e6552, 1i, (1i < _e6552));
-let _e7521 = global_5.member[bitcast<u32>(select(0i, _e7515, (_e7515 > 0i)))];
+let _e7521 = global_3.member[bitcast<u32>(select(0i, _e7515, (_e7515 > 0i)))];
 let _e7523 = select(_e6552, 262141i, (262141i < _e6552));
-let _e7529 = global_5.member[bitcast<u32>(select(0i, _e7523, (_e7523 > 0i)))];
+let _e7529 = global_3.member[bitcast<u32>(select(0i, _e7523, (_e7523 > 0i)))];
 let _e7534 = (bitcast<f32>(((_e7486 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7542 = (_e7534 + (((bitcast<f32>(((_e7495 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7534) * _e7324));
 let _e7547 = (bitcast<f32>(((_e7504 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2786,20 +2786,20 @@ let _e7598 = (_e7590 + (((bitcast<f32>((((_e7495 >> bitcast<u32>(16i)) & 32767u)
 let _e7603 = (bitcast<f32>((((_e7504 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7630 = (_e7320 + 2i);
 let _e7632 = select(_e6552, _e7630, (_e7630 < _e6552));
-let _e7638 = global_5.member[bitcast<u32>(select(0i, _e7632, (_e7632 > 0i)))];
+let _e7638 = global_3.member[bitcast<u32>(select(0i, _e7632, (_e7632 > 0i)))];
 let _e7639 = (_e7320 + 6i);
 let _e7641 = select(_e6552, _e7639, (_e7639 < _e6552));
-let _e7647 = global_5.member[bitcast<u32>(select(0i, _e7641, (_e7641 > 0i)))];
+let _e7647 = global_3.member[bitcast<u32>(select(0i, _e7641, (_e7641 > 0i)))];
 let _e7648 = (_e7320 + 1026i);
 let _e7650 = select(_e6552, _e7648, (_e7648 < _e6552));
-let _e7656 = global_5.member[bitcast<u32>(select(0i, _e7650, (_e7650 > 0i)))];
+let _e7656 = global_3.member[bitcast<u32>(select(0i, _e7650, (_e7650 > 0i)))];
 let _e7657 = (_e7320 + 1030i);
 let _e7659 = select(_e6552, _e7657, (_e7657 < _e6552));
-let _e7665 = global_5.member[bitcast<u32>(select(0i, _e7659, (_e7659 > 0i)))];
+let _e7665 = global_3.member[bitcast<u32>(select(0i, _e7659, (_e7659 > 0i)))];
 let _e7667 = select(_e6552, 2i, (2i < _e6552));
-let _e7673 = global_5.member[bitcast<u32>(select(0i, _e7667, (_e7667 > 0i)))];
+let _e7673 = global_3.member[bitcast<u32>(select(0i, _e7667, (_e7667 > 0i)))];
 let _e7675 = select(_e6552, 262142i, (262142i < _e6552));
-let _e7681 = global_5.member[bitcast<u32>(select(0i, _e7675, (_e7675 > 0i)))];
+let _e7681 = global_3.member[bitcast<u32>(select(0i, _e7675, (_e7675 > 0i)))];
 let _e7686 = (bitcast<f32>(((_e7638 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7694 = (_e7686 + (((bitcast<f32>(((_e7647 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7686) * _e7324));
 let _e7699 = (bitcast<f32>(((_e7656 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2808,20 +2808,20 @@ let _e7750 = (_e7742 + (((bitcast<f32>((((_e7647 >> bitcast<u32>(16i)) & 32767u)
 let _e7755 = (bitcast<f32>((((_e7656 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7782 = (_e7320 + 3i);
 let _e7784 = select(_e6552, _e7782, (_e7782 < _e6552));
-let _e7790 = global_5.member[bitcast<u32>(select(0i, _e7784, (_e7784 > 0i)))];
+let _e7790 = global_3.member[bitcast<u32>(select(0i, _e7784, (_e7784 > 0i)))];
 let _e7791 = (_e7320 + 7i);
 let _e7793 = select(_e6552, _e7791, (_e7791 < _e6552));
-let _e7799 = global_5.member[bitcast<u32>(select(0i, _e7793, (_e7793 > 0i)))];
+let _e7799 = global_3.member[bitcast<u32>(select(0i, _e7793, (_e7793 > 0i)))];
 let _e7800 = (_e7320 + 1027i);
 let _e7802 = select(_e6552, _e7800, (_e7800 < _e6552));
-let _e7808 = global_5.member[bitcast<u32>(select(0i, _e7802, (_e7802 > 0i)))];
+let _e7808 = global_3.member[bitcast<u32>(select(0i, _e7802, (_e7802 > 0i)))];
 let _e7809 = (_e7320 + 1031i);
 let _e7811 = select(_e6552, _e7809, (_e7809 < _e6552));
-let _e7817 = global_5.member[bitcast<u32>(select(0i, _e7811, (_e7811 > 0i)))];
+let _e7817 = global_3.member[bitcast<u32>(select(0i, _e7811, (_e7811 > 0i)))];
 let _e7819 = select(_e6552, 3i, (3i < _e6552));
-let _e7825 = global_5.member[bitcast<u32>(select(0i, _e7819, (_e7819 > 0i)))];
+let _e7825 = global_3.member[bitcast<u32>(select(0i, _e7819, (_e7819 > 0i)))];
 let _e7827 = select(_e6552, 262143i, (262143i < _e6552));
-let _e7833 = global_5.member[bitcast<u32>(select(0i, _e7827, (_e7827 > 0i)))];
+let _e7833 = global_3.member[bitcast<u32>(select(0i, _e7827, (_e7827 > 0i)))];
 let _e7838 = (bitcast<f32>(((_e7790 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7846 = (_e7838 + (((bitcast<f32>(((_e7799 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7838) * _e7324));
 let _e7851 = (bitcast<f32>(((_e7808 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2872,7 +2872,7 @@ let _e8053 = ((_e8031 - (_e8049 * 0.6933594f)) - (_e8049 * -2.1219444e-4f));
 let _e8074 = (1f - ((1f + (_e8053 * (1f + (_e8053 * (0.5f + (_e8053 * (0.16666667f + (_e8053 * (0.041666668f + (_e8053 * (0.008333334f + (_e8053 * (0.001388889f + (_e8053 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8048 + 127i)) << bitcast<u32>(23i)))));
 let _e8077 = (_e8074 / select(1e-12f, _e7421, (_e7421 > 1e-12f)));
 if (_e221.member_2 >= 6u) {
-phi_21880_ = _e3410;
+phi_21870_ = _e3410;
 } else {
 let _e8082 = (0.5f * _e6818);
 let _e8086 = (_e3412.member.x + (_e6819 * _e8082));
@@ -2920,17 +2920,17 @@ let _e8246 = global_1.member.member_10.member_14.member_1;
 let _e8247 = bitcast<i32>(_e8246);
 let _e8252 = global_1.member.member_10.member_14.member_2;
 if ((((((_e8233 >= 0i) && (_e8233 < _e8241)) && (_e8235 >= 0i)) && (_e8235 < _e8247)) && (_e8231 >= 0i)) && (_e8231 < bitcast<i32>(_e8252))) {
-phi_20728_ = (((((_e8231 * _e8247) + _e8235) * _e8241) + _e8233) * 3i);
+phi_20718_ = (((((_e8231 * _e8247) + _e8235) * _e8241) + _e8233) * 3i);
 } else {
-phi_20728_ = -1i;
+phi_20718_ = -1i;
 }
-let _e8271 = phi_20728_;
+let _e8271 = phi_20718_;
 let _e8272 = (_e8271 + 1i);
 let _e8274 = (bitcast<i32>(_e211) - 1i);
 let _e8276 = select(_e8274, _e8272, (_e8272 < _e8274));
-let _e8282 = global_6.member[bitcast<u32>(select(0i, _e8276, (_e8276 > 0i)))];
+let _e8282 = global_4.member[bitcast<u32>(select(0i, _e8276, (_e8276 > 0i)))];
 let _e8284 = select(_e8274, _e8271, (_e8271 < _e8274));
-let _e8290 = global_6.member[bitcast<u32>(select(0i, _e8284, (_e8284 > 0i)))];
+let _e8290 = global_4.member[bitcast<u32>(select(0i, _e8284, (_e8284 > 0i)))];
 let _e8293 = select(_e8282, 0u, (_e8271 < 0i));
 let _e8297 = global_1.member.member_10.member_13;
 let _e8298 = (_e8293 * 81u);
@@ -2942,106 +2942,106 @@ let _e8315 = (_e8171 - f32(_e8212));
 let _e8317 = (_e8181 - f32(_e8227));
 let _e8318 = (_e8293 != 0u);
 let _e8320 = select(_e8274, _e8310, (_e8310 < _e8274));
-let _e8326 = global_6.member[bitcast<u32>(select(0i, _e8320, (_e8320 > 0i)))];
+let _e8326 = global_4.member[bitcast<u32>(select(0i, _e8320, (_e8320 > 0i)))];
 let _e8327 = bitcast<f32>(_e8326);
 let _e8328 = (_e8310 + 1i);
 let _e8330 = select(_e8274, _e8328, (_e8328 < _e8274));
-let _e8336 = global_6.member[bitcast<u32>(select(0i, _e8330, (_e8330 > 0i)))];
+let _e8336 = global_4.member[bitcast<u32>(select(0i, _e8330, (_e8330 > 0i)))];
 let _e8340 = (_e8327 + ((bitcast<f32>(_e8336) - _e8327) * _e8313));
 let _e8341 = (_e8310 + 9i);
 let _e8343 = select(_e8274, _e8341, (_e8341 < _e8274));
-let _e8349 = global_6.member[bitcast<u32>(select(0i, _e8343, (_e8343 > 0i)))];
+let _e8349 = global_4.member[bitcast<u32>(select(0i, _e8343, (_e8343 > 0i)))];
 let _e8350 = bitcast<f32>(_e8349);
 let _e8351 = (_e8310 + 10i);
 let _e8353 = select(_e8274, _e8351, (_e8351 < _e8274));
-let _e8359 = global_6.member[bitcast<u32>(select(0i, _e8353, (_e8353 > 0i)))];
+let _e8359 = global_4.member[bitcast<u32>(select(0i, _e8353, (_e8353 > 0i)))];
 let _e8366 = (_e8340 + (((_e8350 + ((bitcast<f32>(_e8359) - _e8350) * _e8313)) - _e8340) * _e8315));
 let _e8367 = (_e8310 + _e8302);
 let _e8369 = select(_e8274, _e8367, (_e8367 < _e8274));
-let _e8375 = global_6.member[bitcast<u32>(select(0i, _e8369, (_e8369 > 0i)))];
+let _e8375 = global_4.member[bitcast<u32>(select(0i, _e8369, (_e8369 > 0i)))];
 let _e8376 = bitcast<f32>(_e8375);
 let _e8377 = (_e8367 + 1i);
 let _e8379 = select(_e8274, _e8377, (_e8377 < _e8274));
-let _e8385 = global_6.member[bitcast<u32>(select(0i, _e8379, (_e8379 > 0i)))];
+let _e8385 = global_4.member[bitcast<u32>(select(0i, _e8379, (_e8379 > 0i)))];
 let _e8389 = (_e8376 + ((bitcast<f32>(_e8385) - _e8376) * _e8313));
 let _e8390 = (_e8367 + 9i);
 let _e8392 = select(_e8274, _e8390, (_e8390 < _e8274));
-let _e8398 = global_6.member[bitcast<u32>(select(0i, _e8392, (_e8392 > 0i)))];
+let _e8398 = global_4.member[bitcast<u32>(select(0i, _e8392, (_e8392 > 0i)))];
 let _e8399 = bitcast<f32>(_e8398);
 let _e8400 = (_e8367 + 10i);
 let _e8402 = select(_e8274, _e8400, (_e8400 < _e8274));
-let _e8408 = global_6.member[bitcast<u32>(select(0i, _e8402, (_e8402 > 0i)))];
+let _e8408 = global_4.member[bitcast<u32>(select(0i, _e8402, (_e8402 > 0i)))];
 let _e8419 = select(1f, (_e8366 + (((_e8389 + (((_e8399 + ((bitcast<f32>(_e8408) - _e8399) * _e8313)) - _e8389) * _e8315)) - _e8366) * _e8317)), _e8318);
 if (((_e221.member_2 == 3u) || (_e221.member_2 == 4u)) || _e507) {
-phi_21305_ = vec3(_e8419);
+phi_21295_ = vec3(_e8419);
 } else {
 let _e8428 = global_1.member.member_10.member_12;
 let _e8429 = (_e8428 > 1u);
 let _e8433 = (_e8310 + (select(0i, 1i, _e8429) * _e8311));
 let _e8435 = select(_e8274, _e8433, (_e8433 < _e8274));
-let _e8441 = global_6.member[bitcast<u32>(select(0i, _e8435, (_e8435 > 0i)))];
+let _e8441 = global_4.member[bitcast<u32>(select(0i, _e8435, (_e8435 > 0i)))];
 let _e8442 = bitcast<f32>(_e8441);
 let _e8443 = (_e8433 + 1i);
 let _e8445 = select(_e8274, _e8443, (_e8443 < _e8274));
-let _e8451 = global_6.member[bitcast<u32>(select(0i, _e8445, (_e8445 > 0i)))];
+let _e8451 = global_4.member[bitcast<u32>(select(0i, _e8445, (_e8445 > 0i)))];
 let _e8455 = (_e8442 + ((bitcast<f32>(_e8451) - _e8442) * _e8313));
 let _e8456 = (_e8433 + 9i);
 let _e8458 = select(_e8274, _e8456, (_e8456 < _e8274));
-let _e8464 = global_6.member[bitcast<u32>(select(0i, _e8458, (_e8458 > 0i)))];
+let _e8464 = global_4.member[bitcast<u32>(select(0i, _e8458, (_e8458 > 0i)))];
 let _e8465 = bitcast<f32>(_e8464);
 let _e8466 = (_e8433 + 10i);
 let _e8468 = select(_e8274, _e8466, (_e8466 < _e8274));
-let _e8474 = global_6.member[bitcast<u32>(select(0i, _e8468, (_e8468 > 0i)))];
+let _e8474 = global_4.member[bitcast<u32>(select(0i, _e8468, (_e8468 > 0i)))];
 let _e8481 = (_e8455 + (((_e8465 + ((bitcast<f32>(_e8474) - _e8465) * _e8313)) - _e8455) * _e8315));
 let _e8482 = (_e8433 + _e8302);
 let _e8484 = select(_e8274, _e8482, (_e8482 < _e8274));
-let _e8490 = global_6.member[bitcast<u32>(select(0i, _e8484, (_e8484 > 0i)))];
+let _e8490 = global_4.member[bitcast<u32>(select(0i, _e8484, (_e8484 > 0i)))];
 let _e8491 = bitcast<f32>(_e8490);
 let _e8492 = (_e8482 + 1i);
 let _e8494 = select(_e8274, _e8492, (_e8492 < _e8274));
-let _e8500 = global_6.member[bitcast<u32>(select(0i, _e8494, (_e8494 > 0i)))];
+let _e8500 = global_4.member[bitcast<u32>(select(0i, _e8494, (_e8494 > 0i)))];
 let _e8504 = (_e8491 + ((bitcast<f32>(_e8500) - _e8491) * _e8313));
 let _e8505 = (_e8482 + 9i);
 let _e8507 = select(_e8274, _e8505, (_e8505 < _e8274));
-let _e8513 = global_6.member[bitcast<u32>(select(0i, _e8507, (_e8507 > 0i)))];
+let _e8513 = global_4.member[bitcast<u32>(select(0i, _e8507, (_e8507 > 0i)))];
 let _e8514 = bitcast<f32>(_e8513);
 let _e8515 = (_e8482 + 10i);
 let _e8517 = select(_e8274, _e8515, (_e8515 < _e8274));
-let _e8523 = global_6.member[bitcast<u32>(select(0i, _e8517, (_e8517 > 0i)))];
+let _e8523 = global_4.member[bitcast<u32>(select(0i, _e8517, (_e8517 > 0i)))];
 let _e8536 = (_e8310 + (select(0i, 2i, _e8429) * _e8311));
 let _e8538 = select(_e8274, _e8536, (_e8536 < _e8274));
-let _e8544 = global_6.member[bitcast<u32>(select(0i, _e8538, (_e8538 > 0i)))];
+let _e8544 = global_4.member[bitcast<u32>(select(0i, _e8538, (_e8538 > 0i)))];
 let _e8545 = bitcast<f32>(_e8544);
 let _e8546 = (_e8536 + 1i);
 let _e8548 = select(_e8274, _e8546, (_e8546 < _e8274));
-let _e8554 = global_6.member[bitcast<u32>(select(0i, _e8548, (_e8548 > 0i)))];
+let _e8554 = global_4.member[bitcast<u32>(select(0i, _e8548, (_e8548 > 0i)))];
 let _e8558 = (_e8545 + ((bitcast<f32>(_e8554) - _e8545) * _e8313));
 let _e8559 = (_e8536 + 9i);
 let _e8561 = select(_e8274, _e8559, (_e8559 < _e8274));
-let _e8567 = global_6.member[bitcast<u32>(select(0i, _e8561, (_e8561 > 0i)))];
+let _e8567 = global_4.member[bitcast<u32>(select(0i, _e8561, (_e8561 > 0i)))];
 let _e8568 = bitcast<f32>(_e8567);
 let _e8569 = (_e8536 + 10i);
 let _e8571 = select(_e8274, _e8569, (_e8569 < _e8274));
-let _e8577 = global_6.member[bitcast<u32>(select(0i, _e8571, (_e8571 > 0i)))];
+let _e8577 = global_4.member[bitcast<u32>(select(0i, _e8571, (_e8571 > 0i)))];
 let _e8584 = (_e8558 + (((_e8568 + ((bitcast<f32>(_e8577) - _e8568) * _e8313)) - _e8558) * _e8315));
 let _e8585 = (_e8536 + _e8302);
 let _e8587 = select(_e8274, _e8585, (_e8585 < _e8274));
-let _e8593 = global_6.member[bitcast<u32>(select(0i, _e8587, (_e8587 > 0i)))];
+let _e8593 = global_4.member[bitcast<u32>(select(0i, _e8587, (_e8587 > 0i)))];
 let _e8594 = bitcast<f32>(_e8593);
 let _e8595 = (_e8585 + 1i);
 let _e8597 = select(_e8274, _e8595, (_e8595 < _e8274));
-let _e8603 = global_6.member[bitcast<u32>(select(0i, _e8597, (_e8597 > 0i)))];
+let _e8603 = global_4.member[bitcast<u32>(select(0i, _e8597, (_e8597 > 0i)))];
 let _e8607 = (_e8594 + ((bitcast<f32>(_e8603) - _e8594) * _e8313));
 let _e8608 = (_e8585 + 9i);
 let _e8610 = select(_e8274, _e8608, (_e8608 < _e8274));
-let _e8616 = global_6.member[bitcast<u32>(select(0i, _e8610, (_e8610 > 0i)))];
+let _e8616 = global_4.member[bitcast<u32>(select(0i, _e8610, (_e8610 > 0i)))];
 let _e8617 = bitcast<f32>(_e8616);
 let _e8618 = (_e8585 + 10i);
 let _e8620 = select(_e8274, _e8618, (_e8618 < _e8274));
-let _e8626 = global_6.member[bitcast<u32>(select(0i, _e8620, (_e8620 > 0i)))];
-phi_21305_ = vec3<f32>(_e8419, select(1f, (_e8481 + (((_e8504 + (((_e8514 + ((bitcast<f32>(_e8523) - _e8514) * _e8313)) - _e8504) * _e8315)) - _e8481) * _e8317)), _e8318), select(1f, (_e8584 + (((_e8607 + (((_e8617 + ((bitcast<f32>(_e8626) - _e8617) * _e8313)) - _e8607) * _e8315)) - _e8584) * _e8317)), _e8318));
+let _e8626 = global_4.member[bitcast<u32>(select(0i, _e8620, (_e8620 > 0i)))];
+phi_21295_ = vec3<f32>(_e8419, select(1f, (_e8481 + (((_e8504 + (((_e8514 + ((bitcast<f32>(_e8523) - _e8514) * _e8313)) - _e8504) * _e8315)) - _e8481) * _e8317)), _e8318), select(1f, (_e8584 + (((_e8607 + (((_e8617 + ((bitcast<f32>(_e8626) - _e8617) * _e8313)) - _e8607) * _e8315)) - _e8584) * _e8317)), _e8318));
 }
-let _e8640 = phi_21305_;
+let _e8640 = phi_21295_;
 let _e8641 = global_1.member.member_10.member_19;
 let _e8645 = (_e8103 - _e8641.member);
 let _e8646 = (_e8118 - _e8641.member_1);
@@ -3054,69 +3054,69 @@ let _e8663 = select(0f, (_e8646 * _e8658), _e8134);
 if _e514 {
 let _e8669 = (_e8310 + ((bitcast<i32>(_e8297) - 1i) * _e8311));
 let _e8671 = select(_e8274, _e8669, (_e8669 < _e8274));
-let _e8677 = global_6.member[bitcast<u32>(select(0i, _e8671, (_e8671 > 0i)))];
+let _e8677 = global_4.member[bitcast<u32>(select(0i, _e8671, (_e8671 > 0i)))];
 let _e8679 = bitcast<u32>(bitcast<f32>(_e8677));
 let _e8683 = f32((bitcast<i32>((_e8679 & 65535u)) - 32768i));
 let _e8689 = f32((bitcast<i32>(((_e8679 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8694 = select(_e8689, -(_e8689), ((_e8679 >> bitcast<u32>(31i)) != 0u));
 let _e8695 = (_e8669 + 1i);
 let _e8697 = select(_e8274, _e8695, (_e8695 < _e8274));
-let _e8703 = global_6.member[bitcast<u32>(select(0i, _e8697, (_e8697 > 0i)))];
+let _e8703 = global_4.member[bitcast<u32>(select(0i, _e8697, (_e8697 > 0i)))];
 let _e8705 = bitcast<u32>(bitcast<f32>(_e8703));
 let _e8715 = f32((bitcast<i32>(((_e8705 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8723 = (_e8683 + ((f32((bitcast<i32>((_e8705 & 65535u)) - 32768i)) - _e8683) * _e8313));
 let _e8726 = (_e8694 + ((select(_e8715, -(_e8715), ((_e8705 >> bitcast<u32>(31i)) != 0u)) - _e8694) * _e8313));
 let _e8727 = (_e8669 + 9i);
 let _e8729 = select(_e8274, _e8727, (_e8727 < _e8274));
-let _e8735 = global_6.member[bitcast<u32>(select(0i, _e8729, (_e8729 > 0i)))];
+let _e8735 = global_4.member[bitcast<u32>(select(0i, _e8729, (_e8729 > 0i)))];
 let _e8737 = bitcast<u32>(bitcast<f32>(_e8735));
 let _e8741 = f32((bitcast<i32>((_e8737 & 65535u)) - 32768i));
 let _e8747 = f32((bitcast<i32>(((_e8737 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8752 = select(_e8747, -(_e8747), ((_e8737 >> bitcast<u32>(31i)) != 0u));
 let _e8753 = (_e8669 + 10i);
 let _e8755 = select(_e8274, _e8753, (_e8753 < _e8274));
-let _e8761 = global_6.member[bitcast<u32>(select(0i, _e8755, (_e8755 > 0i)))];
+let _e8761 = global_4.member[bitcast<u32>(select(0i, _e8755, (_e8755 > 0i)))];
 let _e8763 = bitcast<u32>(bitcast<f32>(_e8761));
 let _e8773 = f32((bitcast<i32>(((_e8763 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8787 = (_e8723 + (((_e8741 + ((f32((bitcast<i32>((_e8763 & 65535u)) - 32768i)) - _e8741) * _e8313)) - _e8723) * _e8315));
 let _e8790 = (_e8726 + (((_e8752 + ((select(_e8773, -(_e8773), ((_e8763 >> bitcast<u32>(31i)) != 0u)) - _e8752) * _e8313)) - _e8726) * _e8315));
 let _e8791 = (_e8669 + _e8302);
 let _e8793 = select(_e8274, _e8791, (_e8791 < _e8274));
-let _e8799 = global_6.member[bitcast<u32>(select(0i, _e8793, (_e8793 > 0i)))];
+let _e8799 = global_4.member[bitcast<u32>(select(0i, _e8793, (_e8793 > 0i)))];
 let _e8801 = bitcast<u32>(bitcast<f32>(_e8799));
 let _e8805 = f32((bitcast<i32>((_e8801 & 65535u)) - 32768i));
 let _e8811 = f32((bitcast<i32>(((_e8801 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8816 = select(_e8811, -(_e8811), ((_e8801 >> bitcast<u32>(31i)) != 0u));
 let _e8817 = (_e8791 + 1i);
 let _e8819 = select(_e8274, _e8817, (_e8817 < _e8274));
-let _e8825 = global_6.member[bitcast<u32>(select(0i, _e8819, (_e8819 > 0i)))];
+let _e8825 = global_4.member[bitcast<u32>(select(0i, _e8819, (_e8819 > 0i)))];
 let _e8827 = bitcast<u32>(bitcast<f32>(_e8825));
 let _e8837 = f32((bitcast<i32>(((_e8827 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8845 = (_e8805 + ((f32((bitcast<i32>((_e8827 & 65535u)) - 32768i)) - _e8805) * _e8313));
 let _e8848 = (_e8816 + ((select(_e8837, -(_e8837), ((_e8827 >> bitcast<u32>(31i)) != 0u)) - _e8816) * _e8313));
 let _e8849 = (_e8791 + 9i);
 let _e8851 = select(_e8274, _e8849, (_e8849 < _e8274));
-let _e8857 = global_6.member[bitcast<u32>(select(0i, _e8851, (_e8851 > 0i)))];
+let _e8857 = global_4.member[bitcast<u32>(select(0i, _e8851, (_e8851 > 0i)))];
 let _e8859 = bitcast<u32>(bitcast<f32>(_e8857));
 let _e8863 = f32((bitcast<i32>((_e8859 & 65535u)) - 32768i));
 let _e8869 = f32((bitcast<i32>(((_e8859 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8874 = select(_e8869, -(_e8869), ((_e8859 >> bitcast<u32>(31i)) != 0u));
 let _e8875 = (_e8791 + 10i);
 let _e8877 = select(_e8274, _e8875, (_e8875 < _e8274));
-let _e8883 = global_6.member[bitcast<u32>(select(0i, _e8877, (_e8877 > 0i)))];
+let _e8883 = global_4.member[bitcast<u32>(select(0i, _e8877, (_e8877 > 0i)))];
 let _e8885 = bitcast<u32>(bitcast<f32>(_e8883));
 let _e8895 = f32((bitcast<i32>(((_e8885 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8921 = (_e8662 + select(0f, ((_e8787 + (((_e8845 + (((_e8863 + ((f32((bitcast<i32>((_e8885 & 65535u)) - 32768i)) - _e8863) * _e8313)) - _e8845) * _e8315)) - _e8787) * _e8317)) * 6.151953e-5f), _e8318));
 let _e8924 = (_e8663 + select(0f, ((_e8790 + (((_e8848 + (((_e8874 + ((select(_e8895, -(_e8895), ((_e8885 >> bitcast<u32>(31i)) != 0u)) - _e8874) * _e8313)) - _e8848) * _e8315)) - _e8790) * _e8317)) * 6.151953e-5f), _e8318));
 let _e8928 = (1f - ((_e8921 * _e8921) + (_e8924 * _e8924)));
 let _e8930 = select(1e-4f, _e8928, (_e8928 > 1e-4f));
-phi_21712_ = vec3<f32>(_e8921, _e8924, sqrt(select(0f, _e8930, (_e8930 > 0f))));
+phi_21702_ = vec3<f32>(_e8921, _e8924, sqrt(select(0f, _e8930, (_e8930 > 0f))));
 } else {
-phi_21712_ = vec3<f32>(_e8662, _e8663, select(1f, (_e8647 * _e8658), _e8134));
+phi_21702_ = vec3<f32>(_e8662, _e8663, select(1f, (_e8647 * _e8658), _e8134));
 }
-let _e8936 = phi_21712_;
+let _e8936 = phi_21702_;
 if _e3177 {
-phi_21806_ = 1f;
+phi_21796_ = 1f;
 } else {
 let _e8942 = global_1.member.member_10.member_20.member;
 let _e8950 = (((_e8942.member * _e8645) + (_e8942.member_1 * _e8646)) + (_e8942.member_2 * _e8647));
@@ -3129,23 +3129,23 @@ let _e8978 = global_1.member.member_10.member_20.member_2;
 let _e8979 = ((_e8972 - (sqrt(select(0f, _e8961, (_e8961 > 0f))) / select(1e-20f, _e8950, (_e8950 > 1e-20f)))) * _e8978);
 let _e8981 = select(0f, _e8979, (_e8979 > 0f));
 let _e8983 = select(1f, _e8981, (_e8981 < 1f));
-phi_21806_ = select(1f, select(0f, ((_e8983 * _e8983) * (3f - (2f * _e8983))), (_e8950 > 0f)), (_e8978 > 0f));
+phi_21796_ = select(1f, select(0f, ((_e8983 * _e8983) * (3f - (2f * _e8983))), (_e8950 > 0f)), (_e8978 > 0f));
 }
-let _e8993 = phi_21806_;
+let _e8993 = phi_21796_;
 let _e8998 = global_1.member.member_9.member_1;
 if _e3177 {
-phi_21848_ = 1f;
+phi_21838_ = 1f;
 } else {
-phi_21848_ = (1f / select(1e-12f, _e8652, (_e8652 > 1e-12f)));
+phi_21838_ = (1f / select(1e-12f, _e8652, (_e8652 > 1e-12f)));
 }
-let _e9012 = phi_21848_;
+let _e9012 = phi_21838_;
 let _e9013 = (_e9012 * select(_e8993, 1f, (_e514 && _e8318)));
 let _e9022 = global_1.member.member_10.member.member;
 let _e9034 = global_1.member.member_10.member_1.member;
 let _e9049 = global_1.member.member_10.member_2.member;
-phi_21880_ = type_29(vec3<f32>(((_e8640.x * _e8998.member) * _e9013), ((_e8640.y * _e8998.member_1) * _e9013), ((_e8640.z * _e8998.member_2) * _e9013)), (vec3<f32>(((_e9022.member * _e8936.x) + (_e9034.member * _e8936.y)), ((_e9022.member_1 * _e8936.x) + (_e9034.member_1 * _e8936.y)), ((_e9022.member_2 * _e8936.x) + (_e9034.member_2 * _e8936.y))) + vec3<f32>((_e9049.member * _e8936.z), (_e9049.member_1 * _e8936.z), (_e9049.member_2 * _e8936.z))));
+phi_21870_ = type_36(vec3<f32>(((_e8640.x * _e8998.member) * _e9013), ((_e8640.y * _e8998.member_1) * _e9013), ((_e8640.z * _e8998.member_2) * _e9013)), (vec3<f32>(((_e9022.member * _e8936.x) + (_e9034.member * _e8936.y)), ((_e9022.member_1 * _e8936.x) + (_e9034.member_1 * _e8936.y)), ((_e9022.member_2 * _e8936.x) + (_e9034.member_2 * _e8936.y))) + vec3<f32>((_e9049.member * _e8936.z), (_e9049.member_1 * _e8936.z), (_e9049.member_2 * _e8936.z))));
 }
-let _e9062 = phi_21880_;
+let _e9062 = phi_21870_;
 let _e9071 = (((_e9062.member_1.x * _e9062.member_1.x) + (_e9062.member_1.y * _e9062.member_1.y)) + (_e9062.member_1.z * _e9062.member_1.z));
 let _e9074 = sqrt(select(0f, _e9071, (_e9071 > 0f)));
 let _e9076 = ((_e2340 & 8u) != 0u);
@@ -3238,67 +3238,67 @@ let _e9421 = select(0f, _e9419, (_e9419 > 0f));
 let _e9423 = select(1f, _e9421, (_e9421 < 1f));
 if _e4230 {
 let _e9428 = global_1.member.member_10.member_18.member_4;
-phi_22362_ = _e9428;
+phi_22352_ = _e9428;
 } else {
 let _e9433 = global_1.member.member_10.member_18.member_3;
-phi_22362_ = _e9433;
+phi_22352_ = _e9433;
 }
-let _e9435 = phi_22362_;
+let _e9435 = phi_22352_;
 let _e9439 = ((bitcast<i32>(_e9435) + (_e9411 * _e9264)) + _e9394);
 let _e9440 = (_e9264 * _e9271);
 let _e9442 = (bitcast<i32>(_e211) - 1i);
 let _e9444 = select(_e9442, _e9439, (_e9439 < _e9442));
-let _e9450 = global_6.member[bitcast<u32>(select(0i, _e9444, (_e9444 > 0i)))];
+let _e9450 = global_4.member[bitcast<u32>(select(0i, _e9444, (_e9444 > 0i)))];
 let _e9451 = bitcast<f32>(_e9450);
 let _e9452 = (_e9439 + 1i);
 let _e9454 = select(_e9442, _e9452, (_e9452 < _e9442));
-let _e9460 = global_6.member[bitcast<u32>(select(0i, _e9454, (_e9454 > 0i)))];
+let _e9460 = global_4.member[bitcast<u32>(select(0i, _e9454, (_e9454 > 0i)))];
 let _e9464 = (_e9451 + ((bitcast<f32>(_e9460) - _e9451) * _e9417));
 let _e9465 = (_e9439 + _e9264);
 let _e9467 = select(_e9442, _e9465, (_e9465 < _e9442));
-let _e9473 = global_6.member[bitcast<u32>(select(0i, _e9467, (_e9467 > 0i)))];
+let _e9473 = global_4.member[bitcast<u32>(select(0i, _e9467, (_e9467 > 0i)))];
 let _e9474 = bitcast<f32>(_e9473);
 let _e9475 = (_e9465 + 1i);
 let _e9477 = select(_e9442, _e9475, (_e9475 < _e9442));
-let _e9483 = global_6.member[bitcast<u32>(select(0i, _e9477, (_e9477 > 0i)))];
+let _e9483 = global_4.member[bitcast<u32>(select(0i, _e9477, (_e9477 > 0i)))];
 let _e9490 = (_e9464 + (((_e9474 + ((bitcast<f32>(_e9483) - _e9474) * _e9417)) - _e9464) * _e9423));
 let _e9491 = (_e9439 + _e9440);
 let _e9493 = select(_e9442, _e9491, (_e9491 < _e9442));
-let _e9499 = global_6.member[bitcast<u32>(select(0i, _e9493, (_e9493 > 0i)))];
+let _e9499 = global_4.member[bitcast<u32>(select(0i, _e9493, (_e9493 > 0i)))];
 let _e9500 = bitcast<f32>(_e9499);
 let _e9501 = (_e9491 + 1i);
 let _e9503 = select(_e9442, _e9501, (_e9501 < _e9442));
-let _e9509 = global_6.member[bitcast<u32>(select(0i, _e9503, (_e9503 > 0i)))];
+let _e9509 = global_4.member[bitcast<u32>(select(0i, _e9503, (_e9503 > 0i)))];
 let _e9513 = (_e9500 + ((bitcast<f32>(_e9509) - _e9500) * _e9417));
 let _e9514 = (_e9491 + _e9264);
 let _e9516 = select(_e9442, _e9514, (_e9514 < _e9442));
-let _e9522 = global_6.member[bitcast<u32>(select(0i, _e9516, (_e9516 > 0i)))];
+let _e9522 = global_4.member[bitcast<u32>(select(0i, _e9516, (_e9516 > 0i)))];
 let _e9523 = bitcast<f32>(_e9522);
 let _e9524 = (_e9514 + 1i);
 let _e9526 = select(_e9442, _e9524, (_e9524 < _e9442));
-let _e9532 = global_6.member[bitcast<u32>(select(0i, _e9526, (_e9526 > 0i)))];
+let _e9532 = global_4.member[bitcast<u32>(select(0i, _e9526, (_e9526 > 0i)))];
 let _e9539 = (_e9513 + (((_e9523 + ((bitcast<f32>(_e9532) - _e9523) * _e9417)) - _e9513) * _e9423));
 let _e9541 = (_e9439 + (2i * _e9440));
 let _e9543 = select(_e9442, _e9541, (_e9541 < _e9442));
-let _e9549 = global_6.member[bitcast<u32>(select(0i, _e9543, (_e9543 > 0i)))];
+let _e9549 = global_4.member[bitcast<u32>(select(0i, _e9543, (_e9543 > 0i)))];
 let _e9550 = bitcast<f32>(_e9549);
 let _e9551 = (_e9541 + 1i);
 let _e9553 = select(_e9442, _e9551, (_e9551 < _e9442));
-let _e9559 = global_6.member[bitcast<u32>(select(0i, _e9553, (_e9553 > 0i)))];
+let _e9559 = global_4.member[bitcast<u32>(select(0i, _e9553, (_e9553 > 0i)))];
 let _e9563 = (_e9550 + ((bitcast<f32>(_e9559) - _e9550) * _e9417));
 let _e9564 = (_e9541 + _e9264);
 let _e9566 = select(_e9442, _e9564, (_e9564 < _e9442));
-let _e9572 = global_6.member[bitcast<u32>(select(0i, _e9566, (_e9566 > 0i)))];
+let _e9572 = global_4.member[bitcast<u32>(select(0i, _e9566, (_e9566 > 0i)))];
 let _e9573 = bitcast<f32>(_e9572);
 let _e9574 = (_e9564 + 1i);
 let _e9576 = select(_e9442, _e9574, (_e9574 < _e9442));
-let _e9582 = global_6.member[bitcast<u32>(select(0i, _e9576, (_e9576 > 0i)))];
+let _e9582 = global_4.member[bitcast<u32>(select(0i, _e9576, (_e9576 > 0i)))];
 let _e9589 = (_e9563 + (((_e9573 + ((bitcast<f32>(_e9582) - _e9573) * _e9417)) - _e9563) * _e9423));
 if _e3177 {
-phi_22760_ = vec3<f32>(_e9490, _e9539, _e9589);
+phi_22750_ = vec3<f32>(_e9490, _e9539, _e9589);
 } else {
 if _e3177 {
-phi_22699_ = 1f;
+phi_22689_ = 1f;
 } else {
 let _e9595 = global_1.member.member_10.member_20.member;
 let _e9603 = (((_e9595.member * _e9197) + (_e9595.member_1 * _e9198)) + (_e9595.member_2 * _e9199));
@@ -3311,39 +3311,39 @@ let _e9631 = global_1.member.member_10.member_20.member_2;
 let _e9632 = ((_e9625 - (sqrt(select(0f, _e9614, (_e9614 > 0f))) / select(1e-20f, _e9603, (_e9603 > 1e-20f)))) * _e9631);
 let _e9634 = select(0f, _e9632, (_e9632 > 0f));
 let _e9636 = select(1f, _e9634, (_e9634 < 1f));
-phi_22699_ = select(1f, select(0f, ((_e9636 * _e9636) * (3f - (2f * _e9636))), (_e9603 > 0f)), (_e9631 > 0f));
+phi_22689_ = select(1f, select(0f, ((_e9636 * _e9636) * (3f - (2f * _e9636))), (_e9603 > 0f)), (_e9631 > 0f));
 }
-let _e9646 = phi_22699_;
+let _e9646 = phi_22689_;
 let _e9648 = select(0f, 1f, (_e9199 > 0f));
 let _e9652 = ((_e9490 * _e9648) + _e9646);
 let _e9653 = ((_e9539 * _e9648) + _e9646);
 let _e9654 = ((_e9589 * _e9648) + _e9646);
 if _e3177 {
-phi_22755_ = 1f;
+phi_22745_ = 1f;
 } else {
-phi_22755_ = (1f / select(1e-12f, _e9204, (_e9204 > 1e-12f)));
+phi_22745_ = (1f / select(1e-12f, _e9204, (_e9204 > 1e-12f)));
 }
-let _e9665 = phi_22755_;
-phi_22760_ = vec3<f32>((select(0f, _e9652, (_e9652 > 0f)) * _e9665), (select(0f, _e9653, (_e9653 > 0f)) * _e9665), (select(0f, _e9654, (_e9654 > 0f)) * _e9665));
+let _e9665 = phi_22745_;
+phi_22750_ = vec3<f32>((select(0f, _e9652, (_e9652 > 0f)) * _e9665), (select(0f, _e9653, (_e9653 > 0f)) * _e9665), (select(0f, _e9654, (_e9654 > 0f)) * _e9665));
 }
-let _e9671 = phi_22760_;
+let _e9671 = phi_22750_;
 let _e9675 = global_1.member.member_9.member_1;
-phi_23020_ = type_29((vec3<f32>(_e9675.member, _e9675.member_1, _e9675.member_2) * _e9671), _e9255);
+phi_23010_ = type_36((vec3<f32>(_e9675.member, _e9675.member_1, _e9675.member_2) * _e9671), _e9255);
 } else {
 if _e3177 {
 let _e9685 = global_1.member.member_9.member_1;
 let _e9693 = global_1.member.member_9.member;
-phi_23019_ = type_29(vec3<f32>(_e9685.member, _e9685.member_1, _e9685.member_2), vec3<f32>(_e9693.member, _e9693.member_1, _e9693.member_2));
+phi_23009_ = type_36(vec3<f32>(_e9685.member, _e9685.member_1, _e9685.member_2), vec3<f32>(_e9693.member, _e9693.member_1, _e9693.member_2));
 } else {
 let _e9702 = global_1.member.member_9.member_1;
 if _e3177 {
-phi_22863_ = 1f;
+phi_22853_ = 1f;
 } else {
-phi_22863_ = (1f / select(1e-12f, _e9204, (_e9204 > 1e-12f)));
+phi_22853_ = (1f / select(1e-12f, _e9204, (_e9204 > 1e-12f)));
 }
-let _e9710 = phi_22863_;
+let _e9710 = phi_22853_;
 if _e3177 {
-phi_22947_ = 1f;
+phi_22937_ = 1f;
 } else {
 let _e9715 = global_1.member.member_10.member_20.member;
 let _e9723 = (((_e9715.member * _e9197) + (_e9715.member_1 * _e9198)) + (_e9715.member_2 * _e9199));
@@ -3356,16 +3356,16 @@ let _e9751 = global_1.member.member_10.member_20.member_2;
 let _e9752 = ((_e9745 - (sqrt(select(0f, _e9734, (_e9734 > 0f))) / select(1e-20f, _e9723, (_e9723 > 1e-20f)))) * _e9751);
 let _e9754 = select(0f, _e9752, (_e9752 > 0f));
 let _e9756 = select(1f, _e9754, (_e9754 < 1f));
-phi_22947_ = select(1f, select(0f, ((_e9756 * _e9756) * (3f - (2f * _e9756))), (_e9723 > 0f)), (_e9751 > 0f));
+phi_22937_ = select(1f, select(0f, ((_e9756 * _e9756) * (3f - (2f * _e9756))), (_e9723 > 0f)), (_e9751 > 0f));
 }
-let _e9766 = phi_22947_;
+let _e9766 = phi_22937_;
 let _e9767 = (_e9710 * _e9766);
-phi_23019_ = type_29(vec3<f32>((_e9702.member * _e9767), (_e9702.member_1 * _e9767), (_e9702.member_2 * _e9767)), _e9255);
+phi_23009_ = type_36(vec3<f32>((_e9702.member * _e9767), (_e9702.member_1 * _e9767), (_e9702.member_2 * _e9767)), _e9255);
 }
-let _e9774 = phi_23019_;
-phi_23020_ = _e9774;
+let _e9774 = phi_23009_;
+phi_23010_ = _e9774;
 }
-let _e9776 = phi_23020_;
+let _e9776 = phi_23010_;
 let _e9785 = (((_e9776.member_1.x * _e9776.member_1.x) + (_e9776.member_1.y * _e9776.member_1.y)) + (_e9776.member_1.z * _e9776.member_1.z));
 let _e9788 = sqrt(select(0f, _e9785, (_e9785 > 0f)));
 let _e9792 = (1e-6f * _e9788);
@@ -3375,33 +3375,33 @@ let _e9816 = bitcast<f32>((bitcast<u32>(select(0f, _e9811, (_e9811 > 0f))) & 214
 let _e9826 = (1f - _e9126);
 let _e9840 = select(_e9126, 1f, _e4271);
 let _e9845 = select(_e9128, _e9127, (_e9127 > _e9128));
-phi_23189_ = type_33(vec3<f32>(select(_e4166, _e9141, _e4271), select(_e4167, _e9142, _e4271), select(_e4168, _e9143, _e4271)), vec3<f32>(select((_e6287 + (_e6077.member_3.x * _e6801)), select((_e6287 + (_e6764 * _e6783)), _e6287, _e6784), _e4140), select((_e6288 + (_e6077.member_3.y * _e6801)), select((_e6288 + (_e6765 * _e6783)), _e6288, _e6784), _e4140), select((_e6289 + (_e6077.member_3.z * _e6801)), select((_e6289 + (_e6766 * _e6783)), _e6289, _e6784), _e4140)), _e6077.member, select(4f, 1f, (_e4271 || (((1f - _e9840) * select(_e9129, _e9845, (_e9845 > _e9129))) < 9.765625e-4f))), select(_e9137, (_e9137 + (_e9826 * _e9143)), _e4271), vec3<f32>(select(_e9120, (_e9120 + ((_e9127 * (select(_e4252.member, _e4241.member, _e4230) * (((_e9776.member.x * _e9796) * _e9816) + _e9096.member))) * _e9826)), _e4271), select(_e9122, (_e9122 + ((_e9128 * (select(_e4252.member_1, _e4241.member_1, _e4230) * (((_e9776.member.y * _e9796) * _e9816) + _e9096.member_1))) * _e9826)), _e4271), select(_e9124, (_e9124 + ((_e9129 * (select(_e4252.member_2, _e4241.member_2, _e4230) * (((_e9776.member.z * _e9796) * _e9816) + _e9096.member_2))) * _e9826)), _e4271)), _e9840, (_e3412.member_7 * vec3<f32>(_e7929, _e7977, _e8025)), select(0f, _e6077.member_2, (_e3425 != (_e4140 && !((_e6780 && (_e6749 != 0f)))))), -1.2676506e30f);
-phi_23190_ = _e6280.member_2;
-phi_23191_ = _e6077;
+phi_23179_ = type_32(vec3<f32>(select(_e4166, _e9141, _e4271), select(_e4167, _e9142, _e4271), select(_e4168, _e9143, _e4271)), vec3<f32>(select((_e6287 + (_e6077.member_3.x * _e6801)), select((_e6287 + (_e6764 * _e6783)), _e6287, _e6784), _e4140), select((_e6288 + (_e6077.member_3.y * _e6801)), select((_e6288 + (_e6765 * _e6783)), _e6288, _e6784), _e4140), select((_e6289 + (_e6077.member_3.z * _e6801)), select((_e6289 + (_e6766 * _e6783)), _e6289, _e6784), _e4140)), _e6077.member, select(4f, 1f, (_e4271 || (((1f - _e9840) * select(_e9129, _e9845, (_e9845 > _e9129))) < 9.765625e-4f))), select(_e9137, (_e9137 + (_e9826 * _e9143)), _e4271), vec3<f32>(select(_e9120, (_e9120 + ((_e9127 * (select(_e4252.member, _e4241.member, _e4230) * (((_e9776.member.x * _e9796) * _e9816) + _e9096.member))) * _e9826)), _e4271), select(_e9122, (_e9122 + ((_e9128 * (select(_e4252.member_1, _e4241.member_1, _e4230) * (((_e9776.member.y * _e9796) * _e9816) + _e9096.member_1))) * _e9826)), _e4271), select(_e9124, (_e9124 + ((_e9129 * (select(_e4252.member_2, _e4241.member_2, _e4230) * (((_e9776.member.z * _e9796) * _e9816) + _e9096.member_2))) * _e9826)), _e4271)), _e9840, (_e3412.member_7 * vec3<f32>(_e7929, _e7977, _e8025)), select(0f, _e6077.member_2, (_e3425 != (_e4140 && !((_e6780 && (_e6749 != 0f)))))), -1.2676506e30f);
+phi_23180_ = _e6280.member_2;
+phi_23181_ = _e6077;
 }
-let _e9861 = phi_23189_;
-let _e9863 = phi_23190_;
-let _e9865 = phi_23191_;
-phi_8643_ = _e9861;
-phi_8646_ = _e9863;
-phi_8648_ = _e9865;
-phi_8650_ = (_e3418 + 1i);
+let _e9861 = phi_23179_;
+let _e9863 = phi_23180_;
+let _e9865 = phi_23181_;
+phi_8633_ = _e9861;
+phi_8636_ = _e9863;
+phi_8638_ = _e9865;
+phi_8640_ = (_e3418 + 1i);
 } else {
-phi_8643_ = type_33();
-phi_8646_ = f32();
-phi_8648_ = type_35();
-phi_8650_ = i32();
+phi_8633_ = type_32();
+phi_8636_ = f32();
+phi_8638_ = type_34();
+phi_8640_ = i32();
 }
-let _e9867 = phi_8643_;
-let _e9869 = phi_8646_;
-let _e9871 = phi_8648_;
-let _e9873 = phi_8650_;
+let _e9867 = phi_8633_;
+let _e9869 = phi_8636_;
+let _e9871 = phi_8638_;
+let _e9873 = phi_8640_;
 continue;
 continuing {
-phi_8642_ = _e9867;
-phi_8645_ = _e9869;
-phi_8647_ = _e9871;
-phi_8649_ = _e9873;
+phi_8632_ = _e9867;
+phi_8635_ = _e9869;
+phi_8637_ = _e9871;
+phi_8639_ = _e9873;
 break if !(_e3422);
 }
 }
@@ -3422,25 +3422,25 @@ let _e9925 = local_55;
 let _e9929 = local_56;
 let _e9933 = local_57;
 let _e9936 = local_58;
-global_2.member[_e236] = _e9876.member.x;
-global_2.member[_e248] = _e9880.member.y;
-global_2.member[_e259] = _e9884.member.z;
-global_2.member[_e270] = _e9888.member_1.x;
-global_2.member[_e281] = _e9892.member_1.y;
-global_2.member[_e292] = _e9896.member_1.z;
-global_2.member[_e303] = _e9900.member_2;
+global_5.member[_e236] = _e9876.member.x;
+global_5.member[_e248] = _e9880.member.y;
+global_5.member[_e259] = _e9884.member.z;
+global_5.member[_e270] = _e9888.member_1.x;
+global_5.member[_e281] = _e9892.member_1.y;
+global_5.member[_e292] = _e9896.member_1.z;
+global_5.member[_e303] = _e9900.member_2;
 let _e9955 = local_59;
-global_2.member[_e314] = _e9955;
-global_2.member[_e325] = _e9903.member_4;
-global_2.member[_e336] = _e9906.member_5.x;
-global_2.member[_e347] = _e9910.member_5.y;
-global_2.member[_e358] = _e9914.member_5.z;
-global_2.member[_e369] = _e9918.member_6;
-global_2.member[_e380] = _e9921.member_7.x;
-global_2.member[_e391] = _e9925.member_7.y;
-global_2.member[_e402] = _e9929.member_7.z;
-global_2.member[_e413] = _e9933.member_8;
-global_2.member[_e424] = _e9936.member_9;
+global_5.member[_e314] = _e9955;
+global_5.member[_e325] = _e9903.member_4;
+global_5.member[_e336] = _e9906.member_5.x;
+global_5.member[_e347] = _e9910.member_5.y;
+global_5.member[_e358] = _e9914.member_5.z;
+global_5.member[_e369] = _e9918.member_6;
+global_5.member[_e380] = _e9921.member_7.x;
+global_5.member[_e391] = _e9925.member_7.y;
+global_5.member[_e402] = _e9929.member_7.z;
+global_5.member[_e413] = _e9933.member_8;
+global_5.member[_e424] = _e9936.member_9;
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,55 +90,86 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
+}
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
 }
 struct type_29 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_32 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_32 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: f32,
@@ -185,19 +181,19 @@ member_7: vec3<f32>,
 member_8: f32,
 member_9: f32,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_35 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -206,30 +202,34 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
+struct type_36 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
 struct type_39 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
-@group(0) @binding(7)
-var<storage, read_write> global_3: type_39;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_4: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_5: type_17;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_17;
+var<storage> global_4: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_5: type_26;
+@group(0) @binding(7)
+var<storage, read_write> global_6: type_39;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_29;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -245,9 +245,9 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_29;
 var local_23: vec3<f32>;
-var local_24: type_32;
+var local_24: type_29;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
@@ -263,69 +263,69 @@ var local_36: f32;
 var local_37: f32;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_32;
+var local_40: type_29;
 var local_41: vec3<f32>;
-var phi_5927_: type_34;
-var phi_6537_: type_35;
-var phi_6917_: type_5;
-var phi_8246_: type_36;
-var phi_8283_: type_33;
+var phi_5927_: type_33;
+var phi_6537_: type_34;
+var phi_6917_: type_7;
+var phi_8246_: type_35;
+var phi_8283_: type_32;
 var phi_8387_: f32;
 var phi_8471_: f32;
-var phi_8543_: type_29;
-var phi_8545_: type_33;
+var phi_8543_: type_36;
+var phi_8545_: type_32;
 var phi_8548_: f32;
-var phi_8550_: type_35;
+var phi_8550_: type_34;
 var phi_8552_: i32;
-var phi_10021_: type_36;
+var phi_10021_: type_35;
 var phi_10033_: bool;
 var phi_10048_: vec3<f32>;
-var phi_15437_: type_34;
-var phi_16047_: type_35;
-var phi_16439_: type_5;
+var phi_15437_: type_33;
+var phi_16047_: type_34;
+var phi_16439_: type_7;
 var phi_20496_: i32;
 var phi_21073_: vec3<f32>;
 var phi_21480_: vec3<f32>;
 var phi_21574_: f32;
 var phi_21616_: f32;
-var phi_21648_: type_29;
+var phi_21648_: type_36;
 var phi_22130_: u32;
 var phi_22467_: f32;
 var phi_22523_: f32;
 var phi_22528_: vec3<f32>;
 var phi_22631_: f32;
 var phi_22715_: f32;
-var phi_22787_: type_29;
-var phi_22788_: type_29;
-var phi_22957_: type_33;
+var phi_22787_: type_36;
+var phi_22788_: type_36;
+var phi_22957_: type_32;
 var phi_22958_: f32;
-var phi_22959_: type_35;
-var phi_8546_: type_33;
+var phi_22959_: type_34;
+var phi_8546_: type_32;
 var phi_8549_: f32;
-var phi_8551_: type_35;
+var phi_8551_: type_34;
 var phi_8553_: i32;
-var local_42: type_33;
-var local_43: type_33;
-var local_44: type_33;
-var local_45: type_33;
-var local_46: type_33;
-var local_47: type_33;
-var local_48: type_33;
-var local_49: type_33;
-var local_50: type_33;
-var local_51: type_33;
-var local_52: type_33;
-var local_53: type_33;
-var local_54: type_33;
-var local_55: type_33;
-var local_56: type_33;
-var local_57: type_33;
-var local_58: type_33;
+var local_42: type_32;
+var local_43: type_32;
+var local_44: type_32;
+var local_45: type_32;
+var local_46: type_32;
+var local_47: type_32;
+var local_48: type_32;
+var local_49: type_32;
+var local_50: type_32;
+var local_51: type_32;
+var local_52: type_32;
+var local_53: type_32;
+var local_54: type_32;
+var local_55: type_32;
+var local_56: type_32;
+var local_57: type_32;
+var local_58: type_32;
 var local_59: f32;
 let _e204 = global;
-let _e207 = arrayLength((&global_4.member));
-let _e210 = arrayLength((&global_5.member));
-let _e212 = arrayLength((&global_6.member));
+let _e207 = arrayLength((&global_2.member));
+let _e210 = arrayLength((&global_3.member));
+let _e212 = arrayLength((&global_4.member));
 let _e219 = global_1.member.member_2;
 let _e222 = global_1.member.member;
 let _e227 = (_e204.x + _e219.member);
@@ -335,86 +335,86 @@ if (_e230 < _e219.member_3) {
 let _e235 = (_e222.member * _e222.member_1);
 let _e237 = ((_e230 * _e222.member) + _e227);
 let _e238 = bitcast<i32>(_e237);
-let _e240 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e240 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e242 = select(_e240, _e238, (_e238 < _e240));
-let _e248 = global_2.member[bitcast<u32>(select(0i, _e242, (_e242 > 0i)))];
+let _e248 = global_5.member[bitcast<u32>(select(0i, _e242, (_e242 > 0i)))];
 let _e249 = (_e235 + _e237);
 let _e250 = bitcast<i32>(_e249);
 let _e252 = select(_e240, _e250, (_e250 < _e240));
-let _e258 = global_2.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
+let _e258 = global_5.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
 let _e260 = ((2u * _e235) + _e237);
 let _e261 = bitcast<i32>(_e260);
 let _e263 = select(_e240, _e261, (_e261 < _e240));
-let _e269 = global_2.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
+let _e269 = global_5.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
 let _e271 = ((3u * _e235) + _e237);
 let _e272 = bitcast<i32>(_e271);
 let _e274 = select(_e240, _e272, (_e272 < _e240));
-let _e280 = global_2.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
+let _e280 = global_5.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
 let _e282 = ((4u * _e235) + _e237);
 let _e283 = bitcast<i32>(_e282);
 let _e285 = select(_e240, _e283, (_e283 < _e240));
-let _e291 = global_2.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
+let _e291 = global_5.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
 let _e293 = ((5u * _e235) + _e237);
 let _e294 = bitcast<i32>(_e293);
 let _e296 = select(_e240, _e294, (_e294 < _e240));
-let _e302 = global_2.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
+let _e302 = global_5.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
 let _e304 = ((6u * _e235) + _e237);
 let _e305 = bitcast<i32>(_e304);
 let _e307 = select(_e240, _e305, (_e305 < _e240));
-let _e313 = global_2.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
+let _e313 = global_5.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
 let _e315 = ((7u * _e235) + _e237);
 let _e316 = bitcast<i32>(_e315);
 let _e318 = select(_e240, _e316, (_e316 < _e240));
-let _e324 = global_2.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
+let _e324 = global_5.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
 let _e326 = ((8u * _e235) + _e237);
 let _e327 = bitcast<i32>(_e326);
 let _e329 = select(_e240, _e327, (_e327 < _e240));
-let _e335 = global_2.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
+let _e335 = global_5.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
 let _e337 = ((9u * _e235) + _e237);
 let _e338 = bitcast<i32>(_e337);
 let _e340 = select(_e240, _e338, (_e338 < _e240));
-let _e346 = global_2.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
+let _e346 = global_5.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
 let _e348 = ((10u * _e235) + _e237);
 let _e349 = bitcast<i32>(_e348);
 let _e351 = select(_e240, _e349, (_e349 < _e240));
-let _e357 = global_2.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
+let _e357 = global_5.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
 let _e359 = ((11u * _e235) + _e237);
 let _e360 = bitcast<i32>(_e359);
 let _e362 = select(_e240, _e360, (_e360 < _e240));
-let _e368 = global_2.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
+let _e368 = global_5.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
 let _e370 = ((12u * _e235) + _e237);
 let _e371 = bitcast<i32>(_e370);
 let _e373 = select(_e240, _e371, (_e371 < _e240));
-let _e379 = global_2.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
+let _e379 = global_5.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
 let _e381 = ((13u * _e235) + _e237);
 let _e382 = bitcast<i32>(_e381);
 let _e384 = select(_e240, _e382, (_e382 < _e240));
-let _e390 = global_2.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
+let _e390 = global_5.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
 let _e392 = ((14u * _e235) + _e237);
 let _e393 = bitcast<i32>(_e392);
 let _e395 = select(_e240, _e393, (_e393 < _e240));
-let _e401 = global_2.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
+let _e401 = global_5.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
 let _e403 = ((15u * _e235) + _e237);
 let _e404 = bitcast<i32>(_e403);
 let _e406 = select(_e240, _e404, (_e404 < _e240));
-let _e412 = global_2.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
+let _e412 = global_5.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
 let _e414 = ((16u * _e235) + _e237);
 let _e415 = bitcast<i32>(_e414);
 let _e417 = select(_e240, _e415, (_e415 < _e240));
-let _e423 = global_2.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
+let _e423 = global_5.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
 let _e425 = ((17u * _e235) + _e237);
 let _e426 = bitcast<i32>(_e425);
 let _e428 = select(_e240, _e426, (_e426 < _e240));
-let _e434 = global_2.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
+let _e434 = global_5.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
 let _e435 = (_e324 == 2f);
 let _e438 = select(0u, 3u, (_e435 || (_e324 == 4f)));
 if (_e438 > 0u) {
-if (arrayLength((&global_3.member)) >= 3u) {
-let _e449 = atomicLoad((&global_3.member[0u]));
+if (arrayLength((&global_6.member)) >= 3u) {
+let _e449 = atomicLoad((&global_6.member[0u]));
 if (_e449 == 0u) {
-atomicStore((&global_3.member[0u]), (((_e219.member_2 - _e219.member) + 7u) / 8u));
-atomicStore((&global_3.member[1u]), (((_e219.member_3 - _e219.member_1) + 7u) / 8u));
-atomicStore((&global_3.member[2u]), 1u);
+atomicStore((&global_6.member[0u]), (((_e219.member_2 - _e219.member) + 7u) / 8u));
+atomicStore((&global_6.member[1u]), (((_e219.member_3 - _e219.member_1) + 7u) / 8u));
+atomicStore((&global_6.member[2u]), 1u);
 }
 }
 }
@@ -467,7 +467,7 @@ let _e612 = global_1.member.member_6.member_11.member_1;
 let _e623 = ((_e599 >> bitcast<u32>(4i)) + (bitcast<i32>(_e606) * ((_e600 >> bitcast<u32>(4i)) + (bitcast<i32>(_e612) * (_e601 >> bitcast<u32>(4i))))));
 let _e625 = (bitcast<i32>(_e207) - 1i);
 let _e627 = select(_e625, _e623, (_e623 < _e625));
-let _e633 = global_4.member[bitcast<u32>(select(0i, _e627, (_e627 > 0i)))];
+let _e633 = global_2.member[bitcast<u32>(select(0i, _e627, (_e627 > 0i)))];
 let _e635 = (_e599 & 15i);
 let _e638 = ((_e600 & 15i) * _e594);
 let _e640 = (bitcast<i32>(_e633) + ((_e601 & 15i) * _e598));
@@ -477,28 +477,28 @@ let _e648 = (_e638 + (3i * _e594));
 let _e649 = (_e640 + _e598);
 let _e651 = (_e640 + (2i * _e598));
 let _e653 = (_e640 + (3i * _e598));
-local_40 = type_32(array<i32, 4>(_e635, (_e635 + 1i), (_e635 + 2i), (_e635 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_40 = type_29(array<i32, 4>(_e635, (_e635 + 1i), (_e635 + 2i), (_e635 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_41 = vec3<f32>((_e525 - f32(_e560)), (_e535 - f32(_e575)), (_e545 - f32(_e590)));
 let _e664 = (_e649 + _e644);
 let _e667 = local_40.member[0u];
 let _e668 = (_e664 + _e667);
 let _e670 = select(_e625, _e668, (_e668 < _e625));
-let _e675 = global_4.member[bitcast<u32>(select(0i, _e670, (_e670 > 0i)))];
+let _e675 = global_2.member[bitcast<u32>(select(0i, _e670, (_e670 > 0i)))];
 let _e676 = bitcast<f32>(_e675);
 let _e679 = local_40.member[1u];
 let _e680 = (_e664 + _e679);
 let _e682 = select(_e625, _e680, (_e680 < _e625));
-let _e687 = global_4.member[bitcast<u32>(select(0i, _e682, (_e682 > 0i)))];
+let _e687 = global_2.member[bitcast<u32>(select(0i, _e682, (_e682 > 0i)))];
 let _e688 = bitcast<f32>(_e687);
 let _e691 = local_40.member[2u];
 let _e692 = (_e664 + _e691);
 let _e694 = select(_e625, _e692, (_e692 < _e625));
-let _e699 = global_4.member[bitcast<u32>(select(0i, _e694, (_e694 > 0i)))];
+let _e699 = global_2.member[bitcast<u32>(select(0i, _e694, (_e694 > 0i)))];
 let _e700 = bitcast<f32>(_e699);
 let _e703 = local_40.member[3u];
 let _e704 = (_e664 + _e703);
 let _e706 = select(_e625, _e704, (_e704 < _e625));
-let _e711 = global_4.member[bitcast<u32>(select(0i, _e706, (_e706 > 0i)))];
+let _e711 = global_2.member[bitcast<u32>(select(0i, _e706, (_e706 > 0i)))];
 let _e713 = local_41[0u];
 let _e716 = (_e676 + ((_e688 - _e676) * _e713));
 let _e717 = local_41[0u];
@@ -509,22 +509,22 @@ let _e725 = (_e649 + _e646);
 let _e726 = local_40.member[0u];
 let _e727 = (_e725 + _e726);
 let _e729 = select(_e625, _e727, (_e727 < _e625));
-let _e734 = global_4.member[bitcast<u32>(select(0i, _e729, (_e729 > 0i)))];
+let _e734 = global_2.member[bitcast<u32>(select(0i, _e729, (_e729 > 0i)))];
 let _e735 = bitcast<f32>(_e734);
 let _e736 = local_40.member[1u];
 let _e737 = (_e725 + _e736);
 let _e739 = select(_e625, _e737, (_e737 < _e625));
-let _e744 = global_4.member[bitcast<u32>(select(0i, _e739, (_e739 > 0i)))];
+let _e744 = global_2.member[bitcast<u32>(select(0i, _e739, (_e739 > 0i)))];
 let _e745 = bitcast<f32>(_e744);
 let _e746 = local_40.member[2u];
 let _e747 = (_e725 + _e746);
 let _e749 = select(_e625, _e747, (_e747 < _e625));
-let _e754 = global_4.member[bitcast<u32>(select(0i, _e749, (_e749 > 0i)))];
+let _e754 = global_2.member[bitcast<u32>(select(0i, _e749, (_e749 > 0i)))];
 let _e755 = bitcast<f32>(_e754);
 let _e756 = local_40.member[3u];
 let _e757 = (_e725 + _e756);
 let _e759 = select(_e625, _e757, (_e757 < _e625));
-let _e764 = global_4.member[bitcast<u32>(select(0i, _e759, (_e759 > 0i)))];
+let _e764 = global_2.member[bitcast<u32>(select(0i, _e759, (_e759 > 0i)))];
 let _e766 = local_41[0u];
 let _e770 = local_41[0u];
 let _e773 = (_e745 + ((_e755 - _e745) * _e770));
@@ -533,22 +533,22 @@ let _e778 = (_e651 + _e644);
 let _e779 = local_40.member[0u];
 let _e780 = (_e778 + _e779);
 let _e782 = select(_e625, _e780, (_e780 < _e625));
-let _e787 = global_4.member[bitcast<u32>(select(0i, _e782, (_e782 > 0i)))];
+let _e787 = global_2.member[bitcast<u32>(select(0i, _e782, (_e782 > 0i)))];
 let _e788 = bitcast<f32>(_e787);
 let _e789 = local_40.member[1u];
 let _e790 = (_e778 + _e789);
 let _e792 = select(_e625, _e790, (_e790 < _e625));
-let _e797 = global_4.member[bitcast<u32>(select(0i, _e792, (_e792 > 0i)))];
+let _e797 = global_2.member[bitcast<u32>(select(0i, _e792, (_e792 > 0i)))];
 let _e798 = bitcast<f32>(_e797);
 let _e799 = local_40.member[2u];
 let _e800 = (_e778 + _e799);
 let _e802 = select(_e625, _e800, (_e800 < _e625));
-let _e807 = global_4.member[bitcast<u32>(select(0i, _e802, (_e802 > 0i)))];
+let _e807 = global_2.member[bitcast<u32>(select(0i, _e802, (_e802 > 0i)))];
 let _e808 = bitcast<f32>(_e807);
 let _e809 = local_40.member[3u];
 let _e810 = (_e778 + _e809);
 let _e812 = select(_e625, _e810, (_e810 < _e625));
-let _e817 = global_4.member[bitcast<u32>(select(0i, _e812, (_e812 > 0i)))];
+let _e817 = global_2.member[bitcast<u32>(select(0i, _e812, (_e812 > 0i)))];
 let _e819 = local_41[0u];
 let _e822 = (_e788 + ((_e798 - _e788) * _e819));
 let _e823 = local_41[0u];
@@ -559,22 +559,22 @@ let _e831 = (_e651 + _e646);
 let _e832 = local_40.member[0u];
 let _e833 = (_e831 + _e832);
 let _e835 = select(_e625, _e833, (_e833 < _e625));
-let _e840 = global_4.member[bitcast<u32>(select(0i, _e835, (_e835 > 0i)))];
+let _e840 = global_2.member[bitcast<u32>(select(0i, _e835, (_e835 > 0i)))];
 let _e841 = bitcast<f32>(_e840);
 let _e842 = local_40.member[1u];
 let _e843 = (_e831 + _e842);
 let _e845 = select(_e625, _e843, (_e843 < _e625));
-let _e850 = global_4.member[bitcast<u32>(select(0i, _e845, (_e845 > 0i)))];
+let _e850 = global_2.member[bitcast<u32>(select(0i, _e845, (_e845 > 0i)))];
 let _e851 = bitcast<f32>(_e850);
 let _e852 = local_40.member[2u];
 let _e853 = (_e831 + _e852);
 let _e855 = select(_e625, _e853, (_e853 < _e625));
-let _e860 = global_4.member[bitcast<u32>(select(0i, _e855, (_e855 > 0i)))];
+let _e860 = global_2.member[bitcast<u32>(select(0i, _e855, (_e855 > 0i)))];
 let _e861 = bitcast<f32>(_e860);
 let _e862 = local_40.member[3u];
 let _e863 = (_e831 + _e862);
 let _e865 = select(_e625, _e863, (_e863 < _e625));
-let _e870 = global_4.member[bitcast<u32>(select(0i, _e865, (_e865 > 0i)))];
+let _e870 = global_2.member[bitcast<u32>(select(0i, _e865, (_e865 > 0i)))];
 let _e872 = local_41[0u];
 let _e876 = local_41[0u];
 let _e879 = (_e851 + ((_e861 - _e851) * _e876));
@@ -583,93 +583,93 @@ let _e884 = (_e649 + _e638);
 let _e885 = local_40.member[1u];
 let _e886 = (_e884 + _e885);
 let _e888 = select(_e625, _e886, (_e886 < _e625));
-let _e893 = global_4.member[bitcast<u32>(select(0i, _e888, (_e888 > 0i)))];
+let _e893 = global_2.member[bitcast<u32>(select(0i, _e888, (_e888 > 0i)))];
 let _e894 = bitcast<f32>(_e893);
 let _e895 = local_40.member[2u];
 let _e896 = (_e884 + _e895);
 let _e898 = select(_e625, _e896, (_e896 < _e625));
-let _e903 = global_4.member[bitcast<u32>(select(0i, _e898, (_e898 > 0i)))];
+let _e903 = global_2.member[bitcast<u32>(select(0i, _e898, (_e898 > 0i)))];
 let _e905 = local_41[0u];
 let _e908 = (_e894 + ((bitcast<f32>(_e903) - _e894) * _e905));
 let _e909 = (_e649 + _e648);
 let _e910 = local_40.member[1u];
 let _e911 = (_e909 + _e910);
 let _e913 = select(_e625, _e911, (_e911 < _e625));
-let _e918 = global_4.member[bitcast<u32>(select(0i, _e913, (_e913 > 0i)))];
+let _e918 = global_2.member[bitcast<u32>(select(0i, _e913, (_e913 > 0i)))];
 let _e919 = bitcast<f32>(_e918);
 let _e920 = local_40.member[2u];
 let _e921 = (_e909 + _e920);
 let _e923 = select(_e625, _e921, (_e921 < _e625));
-let _e928 = global_4.member[bitcast<u32>(select(0i, _e923, (_e923 > 0i)))];
+let _e928 = global_2.member[bitcast<u32>(select(0i, _e923, (_e923 > 0i)))];
 let _e930 = local_41[0u];
 let _e934 = (_e651 + _e638);
 let _e935 = local_40.member[1u];
 let _e936 = (_e934 + _e935);
 let _e938 = select(_e625, _e936, (_e936 < _e625));
-let _e943 = global_4.member[bitcast<u32>(select(0i, _e938, (_e938 > 0i)))];
+let _e943 = global_2.member[bitcast<u32>(select(0i, _e938, (_e938 > 0i)))];
 let _e944 = bitcast<f32>(_e943);
 let _e945 = local_40.member[2u];
 let _e946 = (_e934 + _e945);
 let _e948 = select(_e625, _e946, (_e946 < _e625));
-let _e953 = global_4.member[bitcast<u32>(select(0i, _e948, (_e948 > 0i)))];
+let _e953 = global_2.member[bitcast<u32>(select(0i, _e948, (_e948 > 0i)))];
 let _e955 = local_41[0u];
 let _e958 = (_e944 + ((bitcast<f32>(_e953) - _e944) * _e955));
 let _e959 = (_e651 + _e648);
 let _e960 = local_40.member[1u];
 let _e961 = (_e959 + _e960);
 let _e963 = select(_e625, _e961, (_e961 < _e625));
-let _e968 = global_4.member[bitcast<u32>(select(0i, _e963, (_e963 > 0i)))];
+let _e968 = global_2.member[bitcast<u32>(select(0i, _e963, (_e963 > 0i)))];
 let _e969 = bitcast<f32>(_e968);
 let _e970 = local_40.member[2u];
 let _e971 = (_e959 + _e970);
 let _e973 = select(_e625, _e971, (_e971 < _e625));
-let _e978 = global_4.member[bitcast<u32>(select(0i, _e973, (_e973 > 0i)))];
+let _e978 = global_2.member[bitcast<u32>(select(0i, _e973, (_e973 > 0i)))];
 let _e980 = local_41[0u];
 let _e984 = (_e640 + _e644);
 let _e985 = local_40.member[1u];
 let _e986 = (_e984 + _e985);
 let _e988 = select(_e625, _e986, (_e986 < _e625));
-let _e993 = global_4.member[bitcast<u32>(select(0i, _e988, (_e988 > 0i)))];
+let _e993 = global_2.member[bitcast<u32>(select(0i, _e988, (_e988 > 0i)))];
 let _e994 = bitcast<f32>(_e993);
 let _e995 = local_40.member[2u];
 let _e996 = (_e984 + _e995);
 let _e998 = select(_e625, _e996, (_e996 < _e625));
-let _e1003 = global_4.member[bitcast<u32>(select(0i, _e998, (_e998 > 0i)))];
+let _e1003 = global_2.member[bitcast<u32>(select(0i, _e998, (_e998 > 0i)))];
 let _e1005 = local_41[0u];
 let _e1008 = (_e994 + ((bitcast<f32>(_e1003) - _e994) * _e1005));
 let _e1009 = (_e653 + _e644);
 let _e1010 = local_40.member[1u];
 let _e1011 = (_e1009 + _e1010);
 let _e1013 = select(_e625, _e1011, (_e1011 < _e625));
-let _e1018 = global_4.member[bitcast<u32>(select(0i, _e1013, (_e1013 > 0i)))];
+let _e1018 = global_2.member[bitcast<u32>(select(0i, _e1013, (_e1013 > 0i)))];
 let _e1019 = bitcast<f32>(_e1018);
 let _e1020 = local_40.member[2u];
 let _e1021 = (_e1009 + _e1020);
 let _e1023 = select(_e625, _e1021, (_e1021 < _e625));
-let _e1028 = global_4.member[bitcast<u32>(select(0i, _e1023, (_e1023 > 0i)))];
+let _e1028 = global_2.member[bitcast<u32>(select(0i, _e1023, (_e1023 > 0i)))];
 let _e1030 = local_41[0u];
 let _e1033 = (_e1019 + ((bitcast<f32>(_e1028) - _e1019) * _e1030));
 let _e1034 = (_e640 + _e646);
 let _e1035 = local_40.member[1u];
 let _e1036 = (_e1034 + _e1035);
 let _e1038 = select(_e625, _e1036, (_e1036 < _e625));
-let _e1043 = global_4.member[bitcast<u32>(select(0i, _e1038, (_e1038 > 0i)))];
+let _e1043 = global_2.member[bitcast<u32>(select(0i, _e1038, (_e1038 > 0i)))];
 let _e1044 = bitcast<f32>(_e1043);
 let _e1045 = local_40.member[2u];
 let _e1046 = (_e1034 + _e1045);
 let _e1048 = select(_e625, _e1046, (_e1046 < _e625));
-let _e1053 = global_4.member[bitcast<u32>(select(0i, _e1048, (_e1048 > 0i)))];
+let _e1053 = global_2.member[bitcast<u32>(select(0i, _e1048, (_e1048 > 0i)))];
 let _e1055 = local_41[0u];
 let _e1059 = (_e653 + _e646);
 let _e1060 = local_40.member[1u];
 let _e1061 = (_e1059 + _e1060);
 let _e1063 = select(_e625, _e1061, (_e1061 < _e625));
-let _e1068 = global_4.member[bitcast<u32>(select(0i, _e1063, (_e1063 > 0i)))];
+let _e1068 = global_2.member[bitcast<u32>(select(0i, _e1063, (_e1063 > 0i)))];
 let _e1069 = bitcast<f32>(_e1068);
 let _e1070 = local_40.member[2u];
 let _e1071 = (_e1059 + _e1070);
 let _e1073 = select(_e625, _e1071, (_e1071 < _e625));
-let _e1078 = global_4.member[bitcast<u32>(select(0i, _e1073, (_e1073 > 0i)))];
+let _e1078 = global_2.member[bitcast<u32>(select(0i, _e1073, (_e1073 > 0i)))];
 let _e1080 = local_41[0u];
 let _e1085 = local_41[1u];
 let _e1088 = (_e720 + ((_e773 - _e720) * _e1085));
@@ -727,50 +727,50 @@ local_39 = _e1213;
 let _e1214 = local_39;
 let _e1216 = (bitcast<i32>(_e210) - 1i);
 let _e1218 = select(_e1216, 263197i, (263197i < _e1216));
-let _e1223 = global_5.member[bitcast<u32>(select(0i, _e1218, (_e1218 > 0i)))];
+let _e1223 = global_3.member[bitcast<u32>(select(0i, _e1218, (_e1218 > 0i)))];
 let _e1224 = bitcast<f32>(_e1223);
 let _e1226 = select(_e1216, 263198i, (263198i < _e1216));
 let _e1229 = bitcast<u32>(select(0i, _e1226, (_e1226 > 0i)));
-let _e1231 = global_5.member[_e1229];
+let _e1231 = global_3.member[_e1229];
 let _e1232 = bitcast<f32>(_e1231);
 let _e1234 = select(_e1216, 263199i, (263199i < _e1216));
-let _e1239 = global_5.member[bitcast<u32>(select(0i, _e1234, (_e1234 > 0i)))];
+let _e1239 = global_3.member[bitcast<u32>(select(0i, _e1234, (_e1234 > 0i)))];
 let _e1240 = bitcast<f32>(_e1239);
 let _e1242 = ((_e1214 - _e1224) * _e1232);
 let _e1244 = select(0f, _e1242, (_e1242 > 0f));
 let _e1247 = local_39;
 let _e1249 = select(_e1216, 263200i, (263200i < _e1216));
-let _e1254 = global_5.member[bitcast<u32>(select(0i, _e1249, (_e1249 > 0i)))];
+let _e1254 = global_3.member[bitcast<u32>(select(0i, _e1249, (_e1249 > 0i)))];
 let _e1255 = bitcast<f32>(_e1254);
 let _e1257 = select(_e1216, 263201i, (263201i < _e1216));
-let _e1262 = global_5.member[bitcast<u32>(select(0i, _e1257, (_e1257 > 0i)))];
+let _e1262 = global_3.member[bitcast<u32>(select(0i, _e1257, (_e1257 > 0i)))];
 let _e1263 = bitcast<f32>(_e1262);
 let _e1265 = select(_e1216, 263202i, (263202i < _e1216));
-let _e1270 = global_5.member[bitcast<u32>(select(0i, _e1265, (_e1265 > 0i)))];
+let _e1270 = global_3.member[bitcast<u32>(select(0i, _e1265, (_e1265 > 0i)))];
 let _e1271 = bitcast<f32>(_e1270);
 let _e1273 = ((_e1247 - _e1255) * _e1263);
 let _e1275 = select(0f, _e1273, (_e1273 > 0f));
 let _e1279 = local_39;
 let _e1281 = select(_e1216, 263203i, (263203i < _e1216));
-let _e1286 = global_5.member[bitcast<u32>(select(0i, _e1281, (_e1281 > 0i)))];
+let _e1286 = global_3.member[bitcast<u32>(select(0i, _e1281, (_e1281 > 0i)))];
 let _e1287 = bitcast<f32>(_e1286);
 let _e1289 = select(_e1216, 263204i, (263204i < _e1216));
-let _e1294 = global_5.member[bitcast<u32>(select(0i, _e1289, (_e1289 > 0i)))];
+let _e1294 = global_3.member[bitcast<u32>(select(0i, _e1289, (_e1289 > 0i)))];
 let _e1295 = bitcast<f32>(_e1294);
 let _e1297 = select(_e1216, 263205i, (263205i < _e1216));
-let _e1302 = global_5.member[bitcast<u32>(select(0i, _e1297, (_e1297 > 0i)))];
+let _e1302 = global_3.member[bitcast<u32>(select(0i, _e1297, (_e1297 > 0i)))];
 let _e1303 = bitcast<f32>(_e1302);
 let _e1305 = ((_e1279 - _e1287) * _e1295);
 let _e1307 = select(0f, _e1305, (_e1305 > 0f));
 let _e1310 = local_39;
 let _e1312 = select(_e1216, 263206i, (263206i < _e1216));
-let _e1317 = global_5.member[bitcast<u32>(select(0i, _e1312, (_e1312 > 0i)))];
+let _e1317 = global_3.member[bitcast<u32>(select(0i, _e1312, (_e1312 > 0i)))];
 let _e1318 = bitcast<f32>(_e1317);
 let _e1320 = select(_e1216, 263207i, (263207i < _e1216));
-let _e1325 = global_5.member[bitcast<u32>(select(0i, _e1320, (_e1320 > 0i)))];
+let _e1325 = global_3.member[bitcast<u32>(select(0i, _e1320, (_e1320 > 0i)))];
 let _e1326 = bitcast<f32>(_e1325);
 let _e1328 = select(_e1216, 263208i, (263208i < _e1216));
-let _e1333 = global_5.member[bitcast<u32>(select(0i, _e1328, (_e1328 > 0i)))];
+let _e1333 = global_3.member[bitcast<u32>(select(0i, _e1328, (_e1328 > 0i)))];
 let _e1334 = bitcast<f32>(_e1333);
 let _e1336 = ((_e1310 - _e1318) * _e1326);
 let _e1338 = select(0f, _e1336, (_e1336 > 0f));
@@ -781,34 +781,34 @@ let _e1353 = select(0i, select(select(i32(_e1346), i32(-2147483648), (_e1346 < -
 let _e1357 = (_e1353 - select(0i, 1i, (_e1346 < f32(_e1353))));
 let _e1358 = (262147i + _e1357);
 let _e1360 = select(_e1216, _e1358, (_e1358 < _e1216));
-let _e1366 = global_5.member[bitcast<u32>(select(0i, _e1360, (_e1360 > 0i)))];
+let _e1366 = global_3.member[bitcast<u32>(select(0i, _e1360, (_e1360 > 0i)))];
 let _e1376 = select(_e1216, 262146i, (262146i < _e1216));
-let _e1382 = global_5.member[bitcast<u32>(select(0i, _e1376, (_e1376 > 0i)))];
+let _e1382 = global_3.member[bitcast<u32>(select(0i, _e1376, (_e1376 > 0i)))];
 let _e1383 = bitcast<f32>(_e1382);
 let _e1384 = (f32((bitcast<i32>((_e1366 & 4095u)) - 2048i)) * _e1383);
 let _e1386 = select(_e1216, 262144i, (262144i < _e1216));
-let _e1392 = global_5.member[bitcast<u32>(select(0i, _e1386, (_e1386 > 0i)))];
+let _e1392 = global_3.member[bitcast<u32>(select(0i, _e1386, (_e1386 > 0i)))];
 let _e1393 = bitcast<f32>(_e1392);
 let _e1395 = select(_e1216, 262145i, (262145i < _e1216));
-let _e1401 = global_5.member[bitcast<u32>(select(0i, _e1395, (_e1395 > 0i)))];
+let _e1401 = global_3.member[bitcast<u32>(select(0i, _e1395, (_e1395 > 0i)))];
 let _e1402 = bitcast<f32>(_e1401);
 let _e1408 = ((_e1393 + (f32(bitcast<i32>((_e1366 >> bitcast<u32>(12u)))) * _e1402)) + (_e1384 * (_e1342 - f32(_e1357))));
-let _e1411 = global_5.member[_e1229];
+let _e1411 = global_3.member[_e1229];
 let _e1413 = local_38;
 let _e1416 = local_38;
 let _e1419 = local_38;
 let _e1423 = select(_e1216, 263209i, (263209i < _e1216));
-let _e1429 = global_5.member[bitcast<u32>(select(0i, _e1423, (_e1423 > 0i)))];
+let _e1429 = global_3.member[bitcast<u32>(select(0i, _e1423, (_e1423 > 0i)))];
 let _e1431 = local_38;
 let _e1434 = select(_e1216, 263210i, (263210i < _e1216));
-let _e1440 = global_5.member[bitcast<u32>(select(0i, _e1434, (_e1434 > 0i)))];
+let _e1440 = global_3.member[bitcast<u32>(select(0i, _e1434, (_e1434 > 0i)))];
 let _e1442 = local_38;
 let _e1446 = (_e1384 * select(0f, select(select(select(bitcast<f32>(_e1411), _e1263, (_e1413 >= _e1255)), _e1295, (_e1416 >= _e1287)), _e1326, (_e1419 >= _e1318)), ((_e1431 >= bitcast<f32>(_e1429)) && (_e1442 <= bitcast<f32>(_e1440)))));
 if _e514 {
 let _e1453 = ((0.5f * (_e1188 - _e1182)) * _e1446);
 let _e1454 = ((0.5f * (_e1200 - _e1194)) * _e1446);
 let _e1455 = ((0.5f * (_e1212 - _e1206)) * _e1446);
-phi_5927_ = type_34(_e1408, vec3<f32>(_e1453, _e1454, _e1455), vec3<f32>((_e1453 * _e1408), (_e1454 * _e1408), (_e1455 * _e1408)));
+phi_5927_ = type_33(_e1408, vec3<f32>(_e1453, _e1454, _e1455), vec3<f32>((_e1453 * _e1408), (_e1454 * _e1408), (_e1455 * _e1408)));
 } else {
 local_36 = _e1182;
 let _e1462 = local_36;
@@ -832,7 +832,7 @@ let _e1504 = select(0i, select(select(i32(_e1497), i32(-2147483648), (_e1497 < -
 let _e1508 = (_e1504 - select(0i, 1i, (_e1497 < f32(_e1504))));
 let _e1509 = (262147i + _e1508);
 let _e1511 = select(_e1216, _e1509, (_e1509 < _e1216));
-let _e1517 = global_5.member[bitcast<u32>(select(0i, _e1511, (_e1511 > 0i)))];
+let _e1517 = global_3.member[bitcast<u32>(select(0i, _e1511, (_e1511 > 0i)))];
 let _e1532 = ((_e1393 + (f32(bitcast<i32>((_e1517 >> bitcast<u32>(12u)))) * _e1402)) + ((f32((bitcast<i32>((_e1517 & 4095u)) - 2048i)) * _e1383) * (_e1493 - f32(_e1508))));
 local_34 = _e1188;
 let _e1533 = local_34;
@@ -856,7 +856,7 @@ let _e1575 = select(0i, select(select(i32(_e1568), i32(-2147483648), (_e1568 < -
 let _e1579 = (_e1575 - select(0i, 1i, (_e1568 < f32(_e1575))));
 let _e1580 = (262147i + _e1579);
 let _e1582 = select(_e1216, _e1580, (_e1580 < _e1216));
-let _e1588 = global_5.member[bitcast<u32>(select(0i, _e1582, (_e1582 > 0i)))];
+let _e1588 = global_3.member[bitcast<u32>(select(0i, _e1582, (_e1582 > 0i)))];
 let _e1603 = ((_e1393 + (f32(bitcast<i32>((_e1588 >> bitcast<u32>(12u)))) * _e1402)) + ((f32((bitcast<i32>((_e1588 & 4095u)) - 2048i)) * _e1383) * (_e1564 - f32(_e1579))));
 local_32 = _e1194;
 let _e1604 = local_32;
@@ -880,7 +880,7 @@ let _e1646 = select(0i, select(select(i32(_e1639), i32(-2147483648), (_e1639 < -
 let _e1650 = (_e1646 - select(0i, 1i, (_e1639 < f32(_e1646))));
 let _e1651 = (262147i + _e1650);
 let _e1653 = select(_e1216, _e1651, (_e1651 < _e1216));
-let _e1659 = global_5.member[bitcast<u32>(select(0i, _e1653, (_e1653 > 0i)))];
+let _e1659 = global_3.member[bitcast<u32>(select(0i, _e1653, (_e1653 > 0i)))];
 let _e1674 = ((_e1393 + (f32(bitcast<i32>((_e1659 >> bitcast<u32>(12u)))) * _e1402)) + ((f32((bitcast<i32>((_e1659 & 4095u)) - 2048i)) * _e1383) * (_e1635 - f32(_e1650))));
 local_30 = _e1200;
 let _e1675 = local_30;
@@ -904,7 +904,7 @@ let _e1717 = select(0i, select(select(i32(_e1710), i32(-2147483648), (_e1710 < -
 let _e1721 = (_e1717 - select(0i, 1i, (_e1710 < f32(_e1717))));
 let _e1722 = (262147i + _e1721);
 let _e1724 = select(_e1216, _e1722, (_e1722 < _e1216));
-let _e1730 = global_5.member[bitcast<u32>(select(0i, _e1724, (_e1724 > 0i)))];
+let _e1730 = global_3.member[bitcast<u32>(select(0i, _e1724, (_e1724 > 0i)))];
 let _e1745 = ((_e1393 + (f32(bitcast<i32>((_e1730 >> bitcast<u32>(12u)))) * _e1402)) + ((f32((bitcast<i32>((_e1730 & 4095u)) - 2048i)) * _e1383) * (_e1706 - f32(_e1721))));
 local_28 = _e1206;
 let _e1746 = local_28;
@@ -928,7 +928,7 @@ let _e1788 = select(0i, select(select(i32(_e1781), i32(-2147483648), (_e1781 < -
 let _e1792 = (_e1788 - select(0i, 1i, (_e1781 < f32(_e1788))));
 let _e1793 = (262147i + _e1792);
 let _e1795 = select(_e1216, _e1793, (_e1793 < _e1216));
-let _e1801 = global_5.member[bitcast<u32>(select(0i, _e1795, (_e1795 > 0i)))];
+let _e1801 = global_3.member[bitcast<u32>(select(0i, _e1795, (_e1795 > 0i)))];
 let _e1816 = ((_e1393 + (f32(bitcast<i32>((_e1801 >> bitcast<u32>(12u)))) * _e1402)) + ((f32((bitcast<i32>((_e1801 & 4095u)) - 2048i)) * _e1383) * (_e1777 - f32(_e1792))));
 local_26 = _e1212;
 let _e1817 = local_26;
@@ -952,12 +952,12 @@ let _e1859 = select(0i, select(select(i32(_e1852), i32(-2147483648), (_e1852 < -
 let _e1863 = (_e1859 - select(0i, 1i, (_e1852 < f32(_e1859))));
 let _e1864 = (262147i + _e1863);
 let _e1866 = select(_e1216, _e1864, (_e1864 < _e1216));
-let _e1872 = global_5.member[bitcast<u32>(select(0i, _e1866, (_e1866 > 0i)))];
+let _e1872 = global_3.member[bitcast<u32>(select(0i, _e1866, (_e1866 > 0i)))];
 let _e1887 = ((_e1393 + (f32(bitcast<i32>((_e1872 >> bitcast<u32>(12u)))) * _e1402)) + ((f32((bitcast<i32>((_e1872 & 4095u)) - 2048i)) * _e1383) * (_e1848 - f32(_e1863))));
 let _e1888 = (_e1603 - _e1532);
 let _e1890 = (_e1745 - _e1674);
 let _e1892 = (_e1887 - _e1816);
-phi_5927_ = type_34(_e1408, vec3<f32>((0.5f * _e1888), (0.5f * _e1890), (0.5f * _e1892)), vec3<f32>((0.25f * (_e1888 * (_e1603 + _e1532))), (0.25f * (_e1890 * (_e1745 + _e1674))), (0.25f * (_e1892 * (_e1887 + _e1816)))));
+phi_5927_ = type_33(_e1408, vec3<f32>((0.5f * _e1888), (0.5f * _e1890), (0.5f * _e1892)), vec3<f32>((0.25f * (_e1888 * (_e1603 + _e1532))), (0.25f * (_e1890 * (_e1745 + _e1674))), (0.25f * (_e1892 * (_e1887 + _e1816)))));
 }
 let _e1907 = phi_5927_;
 let _e1922 = select(0f, 1f, ((((((_e476 >= -0.5f) && (_e476 <= _e521)) && (_e491 >= -0.5f)) && (_e491 <= _e531)) && (_e506 >= -0.5f)) && (_e506 <= _e541)));
@@ -973,7 +973,7 @@ let _e1964 = global_1.member.member_6.member_1.member.member_2;
 let _e1970 = global_1.member.member_6.member_2.member.member;
 let _e1976 = global_1.member.member_6.member_2.member.member_1;
 let _e1982 = global_1.member.member_6.member_2.member.member_2;
-phi_6537_ = type_35(_e1176, vec3<f32>(((((_e1934 * _e1924) + (_e1952 * _e1926)) + (_e1970 * _e1928)) * _e1922), ((((_e1940 * _e1924) + (_e1958 * _e1926)) + (_e1976 * _e1928)) * _e1922), ((((_e1946 * _e1924) + (_e1964 * _e1926)) + (_e1982 * _e1928)) * _e1922)), _e1907.member, vec3<f32>(((((_e1934 * _e1907.member_2.x) + (_e1952 * _e1907.member_2.y)) + (_e1970 * _e1907.member_2.z)) * _e1922), ((((_e1940 * _e1907.member_2.x) + (_e1958 * _e1907.member_2.y)) + (_e1976 * _e1907.member_2.z)) * _e1922), ((((_e1946 * _e1907.member_2.x) + (_e1964 * _e1907.member_2.y)) + (_e1982 * _e1907.member_2.z)) * _e1922)), vec3<f32>(((((_e1934 * _e1907.member_1.x) + (_e1952 * _e1907.member_1.y)) + (_e1970 * _e1907.member_1.z)) * _e1922), ((((_e1940 * _e1907.member_1.x) + (_e1958 * _e1907.member_1.y)) + (_e1976 * _e1907.member_1.z)) * _e1922), ((((_e1946 * _e1907.member_1.x) + (_e1964 * _e1907.member_1.y)) + (_e1982 * _e1907.member_1.z)) * _e1922)));
+phi_6537_ = type_34(_e1176, vec3<f32>(((((_e1934 * _e1924) + (_e1952 * _e1926)) + (_e1970 * _e1928)) * _e1922), ((((_e1940 * _e1924) + (_e1958 * _e1926)) + (_e1976 * _e1928)) * _e1922), ((((_e1946 * _e1924) + (_e1964 * _e1926)) + (_e1982 * _e1928)) * _e1922)), _e1907.member, vec3<f32>(((((_e1934 * _e1907.member_2.x) + (_e1952 * _e1907.member_2.y)) + (_e1970 * _e1907.member_2.z)) * _e1922), ((((_e1940 * _e1907.member_2.x) + (_e1958 * _e1907.member_2.y)) + (_e1976 * _e1907.member_2.z)) * _e1922), ((((_e1946 * _e1907.member_2.x) + (_e1964 * _e1907.member_2.y)) + (_e1982 * _e1907.member_2.z)) * _e1922)), vec3<f32>(((((_e1934 * _e1907.member_1.x) + (_e1952 * _e1907.member_1.y)) + (_e1970 * _e1907.member_1.z)) * _e1922), ((((_e1940 * _e1907.member_1.x) + (_e1958 * _e1907.member_1.y)) + (_e1976 * _e1907.member_1.z)) * _e1922), ((((_e1946 * _e1907.member_1.x) + (_e1964 * _e1907.member_1.y)) + (_e1982 * _e1907.member_1.z)) * _e1922)));
 } else {
 let _e2051 = global_1.member.member_6.member_3.member;
 let _e2052 = (_e2051 - 0.5f);
@@ -1009,7 +1009,7 @@ let _e2143 = global_1.member.member_6.member_11.member_1;
 let _e2154 = ((_e2130 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2137) * ((_e2131 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2143) * (_e2132 >> bitcast<u32>(4i))))));
 let _e2156 = (bitcast<i32>(_e207) - 1i);
 let _e2158 = select(_e2156, _e2154, (_e2154 < _e2156));
-let _e2164 = global_4.member[bitcast<u32>(select(0i, _e2158, (_e2158 > 0i)))];
+let _e2164 = global_2.member[bitcast<u32>(select(0i, _e2158, (_e2158 > 0i)))];
 let _e2166 = (_e2130 & 15i);
 let _e2169 = ((_e2131 & 15i) * _e2125);
 let _e2171 = (bitcast<i32>(_e2164) + ((_e2132 & 15i) * _e2129));
@@ -1017,30 +1017,30 @@ let _e2175 = (_e2169 + _e2125);
 let _e2177 = (_e2169 + (2i * _e2125));
 let _e2178 = (_e2171 + _e2129);
 let _e2180 = (_e2171 + (2i * _e2129));
-local_24 = type_32(array<i32, 4>(_e2166, (_e2166 + 1i), (_e2166 + 2i), (_e2166 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_24 = type_29(array<i32, 4>(_e2166, (_e2166 + 1i), (_e2166 + 2i), (_e2166 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_25 = vec3<f32>((_e2056 - f32(_e2091)), (_e2066 - f32(_e2106)), (_e2076 - f32(_e2121)));
 let _e2191 = (_e2178 + _e2175);
 let _e2194 = local_24.member[1u];
 let _e2195 = (_e2191 + _e2194);
 let _e2197 = select(_e2156, _e2195, (_e2195 < _e2156));
-let _e2202 = global_4.member[bitcast<u32>(select(0i, _e2197, (_e2197 > 0i)))];
+let _e2202 = global_2.member[bitcast<u32>(select(0i, _e2197, (_e2197 > 0i)))];
 let _e2203 = bitcast<f32>(_e2202);
 let _e2206 = local_24.member[2u];
 let _e2207 = (_e2191 + _e2206);
 let _e2209 = select(_e2156, _e2207, (_e2207 < _e2156));
-let _e2214 = global_4.member[bitcast<u32>(select(0i, _e2209, (_e2209 > 0i)))];
+let _e2214 = global_2.member[bitcast<u32>(select(0i, _e2209, (_e2209 > 0i)))];
 let _e2216 = local_25[0u];
 let _e2219 = (_e2203 + ((bitcast<f32>(_e2214) - _e2203) * _e2216));
 let _e2220 = (_e2178 + _e2177);
 let _e2221 = local_24.member[1u];
 let _e2222 = (_e2220 + _e2221);
 let _e2224 = select(_e2156, _e2222, (_e2222 < _e2156));
-let _e2229 = global_4.member[bitcast<u32>(select(0i, _e2224, (_e2224 > 0i)))];
+let _e2229 = global_2.member[bitcast<u32>(select(0i, _e2224, (_e2224 > 0i)))];
 let _e2230 = bitcast<f32>(_e2229);
 let _e2231 = local_24.member[2u];
 let _e2232 = (_e2220 + _e2231);
 let _e2234 = select(_e2156, _e2232, (_e2232 < _e2156));
-let _e2239 = global_4.member[bitcast<u32>(select(0i, _e2234, (_e2234 > 0i)))];
+let _e2239 = global_2.member[bitcast<u32>(select(0i, _e2234, (_e2234 > 0i)))];
 let _e2241 = local_25[0u];
 let _e2246 = local_25[1u];
 let _e2249 = (_e2219 + (((_e2230 + ((bitcast<f32>(_e2239) - _e2230) * _e2241)) - _e2219) * _e2246));
@@ -1048,24 +1048,24 @@ let _e2250 = (_e2180 + _e2175);
 let _e2251 = local_24.member[1u];
 let _e2252 = (_e2250 + _e2251);
 let _e2254 = select(_e2156, _e2252, (_e2252 < _e2156));
-let _e2259 = global_4.member[bitcast<u32>(select(0i, _e2254, (_e2254 > 0i)))];
+let _e2259 = global_2.member[bitcast<u32>(select(0i, _e2254, (_e2254 > 0i)))];
 let _e2260 = bitcast<f32>(_e2259);
 let _e2261 = local_24.member[2u];
 let _e2262 = (_e2250 + _e2261);
 let _e2264 = select(_e2156, _e2262, (_e2262 < _e2156));
-let _e2269 = global_4.member[bitcast<u32>(select(0i, _e2264, (_e2264 > 0i)))];
+let _e2269 = global_2.member[bitcast<u32>(select(0i, _e2264, (_e2264 > 0i)))];
 let _e2271 = local_25[0u];
 let _e2274 = (_e2260 + ((bitcast<f32>(_e2269) - _e2260) * _e2271));
 let _e2275 = (_e2180 + _e2177);
 let _e2276 = local_24.member[1u];
 let _e2277 = (_e2275 + _e2276);
 let _e2279 = select(_e2156, _e2277, (_e2277 < _e2156));
-let _e2284 = global_4.member[bitcast<u32>(select(0i, _e2279, (_e2279 > 0i)))];
+let _e2284 = global_2.member[bitcast<u32>(select(0i, _e2279, (_e2279 > 0i)))];
 let _e2285 = bitcast<f32>(_e2284);
 let _e2286 = local_24.member[2u];
 let _e2287 = (_e2275 + _e2286);
 let _e2289 = select(_e2156, _e2287, (_e2287 < _e2156));
-let _e2294 = global_4.member[bitcast<u32>(select(0i, _e2289, (_e2289 > 0i)))];
+let _e2294 = global_2.member[bitcast<u32>(select(0i, _e2289, (_e2289 > 0i)))];
 let _e2296 = local_25[0u];
 let _e2300 = local_25[1u];
 let _e2305 = local_25[2u];
@@ -1074,13 +1074,13 @@ let _e2316 = global_1.member.member_6.member_5;
 let _e2318 = (((_e2249 + (((_e2274 + (((_e2285 + ((bitcast<f32>(_e2294) - _e2285) * _e2296)) - _e2274) * _e2300)) - _e2249) * _e2305)) - _e2312) * _e2316);
 let _e2319 = -(1e9f);
 let _e2321 = select(_e2319, _e2318, (_e2318 > _e2319));
-phi_6537_ = type_35(select(1e9f, _e2321, (_e2321 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_6537_ = type_34(select(1e9f, _e2321, (_e2321 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2326 = phi_6537_;
 let _e2329 = global_1.member.member_1;
 let _e2331 = ((_e2329 & 16u) == 0u);
 if _e2331 {
-phi_6917_ = type_5(1f, 1f, 1f);
+phi_6917_ = type_7(1f, 1f, 1f);
 } else {
 let _e2335 = global_1.member.member_14.member;
 let _e2346 = ((((_e2335.member.member * _e248) + (_e2335.member.member_1 * _e258)) + (_e2335.member.member_2 * _e269)) + _e2335.member_1);
@@ -1118,11 +1118,11 @@ let _e2473 = (_e2463 > 0f);
 let _e2476 = select(select(select(1f, _e2470, (_e2470 < 1f)), 1f, (_e2463 <= 0f)), 0f, _e2473);
 let _e2480 = global_1.member.member_17.member_1;
 let _e2481 = (_e2480 != 0u);
-phi_6917_ = type_5(((((1f * _e2359) * _e2398) * _e2437) * _e2476), ((((1f * select(1f, _e2359, _e2364)) * select(1f, _e2398, _e2403)) * select(1f, _e2437, _e2442)) * select(1f, _e2476, _e2481)), ((((1f * select(1f, 0f, (_e2364 && _e2356))) * select(1f, 0f, (_e2403 && _e2395))) * select(1f, 0f, (_e2442 && _e2434))) * select(1f, 0f, (_e2481 && _e2473))));
+phi_6917_ = type_7(((((1f * _e2359) * _e2398) * _e2437) * _e2476), ((((1f * select(1f, _e2359, _e2364)) * select(1f, _e2398, _e2403)) * select(1f, _e2437, _e2442)) * select(1f, _e2476, _e2481)), ((((1f * select(1f, 0f, (_e2364 && _e2356))) * select(1f, 0f, (_e2403 && _e2395))) * select(1f, 0f, (_e2442 && _e2434))) * select(1f, 0f, (_e2481 && _e2473))));
 }
 let _e2490 = phi_6917_;
 if _e435 {
-let _e2492 = type_33(_e457, _e458, _e313, 4f, _e335, _e459, _e379, _e460, _e423, _e434);
+let _e2492 = type_32(_e457, _e458, _e313, 4f, _e335, _e459, _e379, _e460, _e423, _e434);
 let _e2497 = global_1.member.member_5.member_2;
 let _e2500 = (_e2497 / select(1e-6f, _e302, (_e302 > 1e-6f)));
 let _e2504 = (_e248 + (_e280 * _e2500));
@@ -1246,7 +1246,7 @@ let _e2806 = select(select(select(select(select(select(0f, _e2529.member, _e2575
 let _e2807 = select(select(select(select(select(select(0f, _e2529.member_1, _e2575), _e2529.member_1, _e2615), _e2537.member_1, _e2661), _e2537.member_1, _e2701), _e2545.member_1, _e2747), _e2545.member_1, _e2787);
 let _e2808 = select(select(select(select(select(select(1f, _e2529.member_2, _e2575), _e2529.member_2, _e2615), _e2537.member_2, _e2661), _e2537.member_2, _e2701), _e2545.member_2, _e2747), _e2545.member_2, _e2787);
 if _e2331 {
-phi_8246_ = type_36(_e2793, vec3<f32>(_e2794, _e2795, _e2796), _e2798, vec3<f32>(_e2799, _e2800, _e2801), _e2803, _e2805, vec3<f32>(_e2806, _e2807, _e2808));
+phi_8246_ = type_35(_e2793, vec3<f32>(_e2794, _e2795, _e2796), _e2798, vec3<f32>(_e2799, _e2800, _e2801), _e2803, _e2805, vec3<f32>(_e2806, _e2807, _e2808));
 } else {
 let _e2815 = (((_e2529.member * _e2529.member) + (_e2529.member_1 * _e2529.member_1)) + (_e2529.member_2 * _e2529.member_2));
 let _e2818 = sqrt(select(0f, _e2815, (_e2815 > 0f)));
@@ -1326,13 +1326,13 @@ let _e3102 = select(2f, select(0f, _e3094, (_e3075 < 0f)), (_e3076 > 0f));
 let _e3103 = (_e3075 > _e3041);
 let _e3107 = ((_e3098 > _e3033) || ((_e3098 == _e3033) && _e3103));
 let _e3108 = (_e3102 < _e3037);
-phi_8246_ = type_36(select(_e3033, _e3098, _e3107), vec3<f32>(select(select(select(select(_e2794, _e2853.member, _e2879), _e2929.member, _e2955), _e3005.member, _e3031), _e3081.member, _e3107), select(select(select(select(_e2795, _e2853.member_1, _e2879), _e2929.member_1, _e2955), _e3005.member_1, _e3031), _e3081.member_1, _e3107), select(select(select(select(_e2796, _e2853.member_2, _e2879), _e2929.member_2, _e2955), _e3005.member_2, _e3031), _e3081.member_2, _e3107)), select(_e3037, _e3102, _e3108), vec3<f32>(select(select(select(select(_e2799, _e2853.member, _e2880), _e2929.member, _e2956), _e3005.member, _e3032), _e3081.member, _e3108), select(select(select(select(_e2800, _e2853.member_1, _e2880), _e2929.member_1, _e2956), _e3005.member_1, _e3032), _e3081.member_1, _e3108), select(select(select(select(_e2801, _e2853.member_2, _e2880), _e2929.member_2, _e2956), _e3005.member_2, _e3032), _e3081.member_2, _e3108)), select(_e3041, _e3075, _e3103), select(_e3043, _e3076, (_e3076 > _e3043)), vec3<f32>(select(select(select(select(_e2806, _e2853.member, _e2875), _e2929.member, _e2951), _e3005.member, _e3027), _e3081.member, _e3103), select(select(select(select(_e2807, _e2853.member_1, _e2875), _e2929.member_1, _e2951), _e3005.member_1, _e3027), _e3081.member_1, _e3103), select(select(select(select(_e2808, _e2853.member_2, _e2875), _e2929.member_2, _e2951), _e3005.member_2, _e3027), _e3081.member_2, _e3103)));
+phi_8246_ = type_35(select(_e3033, _e3098, _e3107), vec3<f32>(select(select(select(select(_e2794, _e2853.member, _e2879), _e2929.member, _e2955), _e3005.member, _e3031), _e3081.member, _e3107), select(select(select(select(_e2795, _e2853.member_1, _e2879), _e2929.member_1, _e2955), _e3005.member_1, _e3031), _e3081.member_1, _e3107), select(select(select(select(_e2796, _e2853.member_2, _e2879), _e2929.member_2, _e2955), _e3005.member_2, _e3031), _e3081.member_2, _e3107)), select(_e3037, _e3102, _e3108), vec3<f32>(select(select(select(select(_e2799, _e2853.member, _e2880), _e2929.member, _e2956), _e3005.member, _e3032), _e3081.member, _e3108), select(select(select(select(_e2800, _e2853.member_1, _e2880), _e2929.member_1, _e2956), _e3005.member_1, _e3032), _e3081.member_1, _e3108), select(select(select(select(_e2801, _e2853.member_2, _e2880), _e2929.member_2, _e2956), _e3005.member_2, _e3032), _e3081.member_2, _e3108)), select(_e3041, _e3075, _e3103), select(_e3043, _e3076, (_e3076 > _e3043)), vec3<f32>(select(select(select(select(_e2806, _e2853.member, _e2875), _e2929.member, _e2951), _e3005.member, _e3027), _e3081.member, _e3103), select(select(select(select(_e2807, _e2853.member_1, _e2875), _e2929.member_1, _e2951), _e3005.member_1, _e3027), _e3081.member_1, _e3103), select(select(select(select(_e2808, _e2853.member_2, _e2875), _e2929.member_2, _e2951), _e3005.member_2, _e3027), _e3081.member_2, _e3103)));
 }
 let _e3128 = phi_8246_;
 let _e3138 = (select(select(0.5f, _e3128.member_2, (_e3128.member_2 < 1f)), 0f, (_e434 == -1.2676506e30f)) * ((_e2497 / _e302) * select(_e2490.member_2, 0f, (_e423 == 0f))));
-phi_8283_ = type_33(_e2492.member, vec3<f32>((_e280 - (_e2326.member_3.x * _e3138)), (_e291 - (_e2326.member_3.y * _e3138)), (_e302 - (_e2326.member_3.z * _e3138))), _e2492.member_2, _e2492.member_3, _e2492.member_4, _e2492.member_5, _e2492.member_6, _e2492.member_7, _e2492.member_8, _e2492.member_9);
+phi_8283_ = type_32(_e2492.member, vec3<f32>((_e280 - (_e2326.member_3.x * _e3138)), (_e291 - (_e2326.member_3.y * _e3138)), (_e302 - (_e2326.member_3.z * _e3138))), _e2492.member_2, _e2492.member_3, _e2492.member_4, _e2492.member_5, _e2492.member_6, _e2492.member_7, _e2492.member_8, _e2492.member_9);
 } else {
-phi_8283_ = type_33(_e457, _e458, _e313, _e324, _e335, _e459, _e379, _e460, _e423, _e434);
+phi_8283_ = type_32(_e457, _e458, _e313, _e324, _e335, _e459, _e379, _e460, _e423, _e434);
 }
 let _e3160 = phi_8283_;
 let _e3165 = global_1.member.member_10.member_3;
@@ -1340,7 +1340,7 @@ let _e3166 = (_e3165 == 0u);
 if _e3166 {
 let _e3170 = global_1.member.member_9.member_1;
 let _e3178 = global_1.member.member_9.member;
-phi_8543_ = type_29(vec3<f32>(_e3170.member, _e3170.member_1, _e3170.member_2), vec3<f32>(_e3178.member, _e3178.member_1, _e3178.member_2));
+phi_8543_ = type_36(vec3<f32>(_e3170.member, _e3170.member_1, _e3170.member_2), vec3<f32>(_e3178.member, _e3178.member_1, _e3178.member_2));
 } else {
 let _e3187 = global_1.member.member_10.member;
 let _e3201 = ((((_e3187.member.member * _e3160.member.x) + (_e3187.member.member_1 * _e3160.member.y)) + (_e3187.member.member_2 * _e3160.member.z)) + _e3187.member_1);
@@ -1396,7 +1396,7 @@ let _e3357 = select(1f, (_e3340 * _e3351), _e3330);
 let _e3362 = global_1.member.member_10.member.member;
 let _e3373 = global_1.member.member_10.member_1.member;
 let _e3387 = global_1.member.member_10.member_2.member;
-phi_8543_ = type_29(vec3<f32>((_e3235.member * _e3325), (_e3235.member_1 * _e3325), (_e3235.member_2 * _e3325)), (vec3<f32>(((_e3362.member * _e3355) + (_e3373.member * _e3356)), ((_e3362.member_1 * _e3355) + (_e3373.member_1 * _e3356)), ((_e3362.member_2 * _e3355) + (_e3373.member_2 * _e3356))) + vec3<f32>((_e3387.member * _e3357), (_e3387.member_1 * _e3357), (_e3387.member_2 * _e3357))));
+phi_8543_ = type_36(vec3<f32>((_e3235.member * _e3325), (_e3235.member_1 * _e3325), (_e3235.member_2 * _e3325)), (vec3<f32>(((_e3362.member * _e3355) + (_e3373.member * _e3356)), ((_e3362.member_1 * _e3355) + (_e3373.member_1 * _e3356)), ((_e3362.member_2 * _e3355) + (_e3373.member_2 * _e3356))) + vec3<f32>((_e3387.member * _e3357), (_e3387.member_1 * _e3357), (_e3387.member_2 * _e3357))));
 }
 let _e3399 = phi_8543_;
 phi_8545_ = _e3160;
@@ -1573,7 +1573,7 @@ let _e3807 = select(select(select(select(select(select(0f, _e3482.member, _e3586
 let _e3808 = select(select(select(select(select(select(0f, _e3482.member_1, _e3586), _e3482.member_1, _e3626), _e3553.member_1, _e3667), _e3553.member_1, _e3707), _e3561.member_1, _e3748), _e3561.member_1, _e3788);
 let _e3809 = select(select(select(select(select(select(1f, _e3482.member_2, _e3586), _e3482.member_2, _e3626), _e3553.member_2, _e3667), _e3553.member_2, _e3707), _e3561.member_2, _e3748), _e3561.member_2, _e3788);
 if _e2331 {
-phi_10021_ = type_36(_e3794, vec3<f32>(_e3795, _e3796, _e3797), _e3799, vec3<f32>(_e3800, _e3801, _e3802), _e3804, _e3806, vec3<f32>(_e3807, _e3808, _e3809));
+phi_10021_ = type_35(_e3794, vec3<f32>(_e3795, _e3796, _e3797), _e3799, vec3<f32>(_e3800, _e3801, _e3802), _e3804, _e3806, vec3<f32>(_e3807, _e3808, _e3809));
 } else {
 let _e3815 = global_1.member.member_14.member_1;
 let _e3816 = (_e3815 != 0u);
@@ -1651,7 +1651,7 @@ let _e4095 = select(2f, select(0f, _e4087, (_e4068 < 0f)), (_e4069 > 0f));
 let _e4096 = (_e4068 > _e4034);
 let _e4100 = ((_e4091 > _e4026) || ((_e4091 == _e4026) && _e4096));
 let _e4101 = (_e4095 < _e4030);
-phi_10021_ = type_36(select(_e4026, _e4091, _e4100), vec3<f32>(select(select(select(select(_e3795, _e3846.member, _e3872), _e3922.member, _e3948), _e3998.member, _e4024), _e4074.member, _e4100), select(select(select(select(_e3796, _e3846.member_1, _e3872), _e3922.member_1, _e3948), _e3998.member_1, _e4024), _e4074.member_1, _e4100), select(select(select(select(_e3797, _e3846.member_2, _e3872), _e3922.member_2, _e3948), _e3998.member_2, _e4024), _e4074.member_2, _e4100)), select(_e4030, _e4095, _e4101), vec3<f32>(select(select(select(select(_e3800, _e3846.member, _e3873), _e3922.member, _e3949), _e3998.member, _e4025), _e4074.member, _e4101), select(select(select(select(_e3801, _e3846.member_1, _e3873), _e3922.member_1, _e3949), _e3998.member_1, _e4025), _e4074.member_1, _e4101), select(select(select(select(_e3802, _e3846.member_2, _e3873), _e3922.member_2, _e3949), _e3998.member_2, _e4025), _e4074.member_2, _e4101)), select(_e4034, _e4068, _e4096), select(_e4036, _e4069, (_e4069 > _e4036)), vec3<f32>(select(select(select(select(_e3807, _e3846.member, _e3868), _e3922.member, _e3944), _e3998.member, _e4020), _e4074.member, _e4096), select(select(select(select(_e3808, _e3846.member_1, _e3868), _e3922.member_1, _e3944), _e3998.member_1, _e4020), _e4074.member_1, _e4096), select(select(select(select(_e3809, _e3846.member_2, _e3868), _e3922.member_2, _e3944), _e3998.member_2, _e4020), _e4074.member_2, _e4096)));
+phi_10021_ = type_35(select(_e4026, _e4091, _e4100), vec3<f32>(select(select(select(select(_e3795, _e3846.member, _e3872), _e3922.member, _e3948), _e3998.member, _e4024), _e4074.member, _e4100), select(select(select(select(_e3796, _e3846.member_1, _e3872), _e3922.member_1, _e3948), _e3998.member_1, _e4024), _e4074.member_1, _e4100), select(select(select(select(_e3797, _e3846.member_2, _e3872), _e3922.member_2, _e3948), _e3998.member_2, _e4024), _e4074.member_2, _e4100)), select(_e4030, _e4095, _e4101), vec3<f32>(select(select(select(select(_e3800, _e3846.member, _e3873), _e3922.member, _e3949), _e3998.member, _e4025), _e4074.member, _e4101), select(select(select(select(_e3801, _e3846.member_1, _e3873), _e3922.member_1, _e3949), _e3998.member_1, _e4025), _e4074.member_1, _e4101), select(select(select(select(_e3802, _e3846.member_2, _e3873), _e3922.member_2, _e3949), _e3998.member_2, _e4025), _e4074.member_2, _e4101)), select(_e4034, _e4068, _e4096), select(_e4036, _e4069, (_e4069 > _e4036)), vec3<f32>(select(select(select(select(_e3807, _e3846.member, _e3868), _e3922.member, _e3944), _e3998.member, _e4020), _e4074.member, _e4096), select(select(select(select(_e3808, _e3846.member_1, _e3868), _e3922.member_1, _e3944), _e3998.member_1, _e4020), _e4074.member_1, _e4096), select(select(select(select(_e3809, _e3846.member_2, _e3868), _e3922.member_2, _e3944), _e3998.member_2, _e4020), _e4074.member_2, _e4096)));
 }
 let _e4121 = phi_10021_;
 if _e3414 {
@@ -1661,7 +1661,7 @@ phi_10033_ = ((_e4121.member <= 1f) && (_e4121.member < _e4121.member_2));
 }
 let _e4129 = phi_10033_;
 if (!(_e3414) && !(_e4129)) {
-phi_22957_ = type_33(_e3401.member, _e3401.member_1, _e3401.member_2, 3f, _e3401.member_4, _e3401.member_5, _e3401.member_6, _e3401.member_7, _e3401.member_8, _e3401.member_9);
+phi_22957_ = type_32(_e3401.member, _e3401.member_1, _e3401.member_2, 3f, _e3401.member_4, _e3401.member_5, _e3401.member_6, _e3401.member_7, _e3401.member_8, _e3401.member_9);
 phi_22958_ = _e3403;
 phi_22959_ = _e3405;
 } else {
@@ -1726,7 +1726,7 @@ let _e4358 = global_1.member.member_6.member_11.member_1;
 let _e4369 = ((_e4345 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4352) * ((_e4346 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4358) * (_e4347 >> bitcast<u32>(4i))))));
 let _e4371 = (bitcast<i32>(_e207) - 1i);
 let _e4373 = select(_e4371, _e4369, (_e4369 < _e4371));
-let _e4379 = global_4.member[bitcast<u32>(select(0i, _e4373, (_e4373 > 0i)))];
+let _e4379 = global_2.member[bitcast<u32>(select(0i, _e4373, (_e4373 > 0i)))];
 let _e4381 = (_e4345 & 15i);
 let _e4384 = ((_e4346 & 15i) * _e4340);
 let _e4386 = (bitcast<i32>(_e4379) + ((_e4347 & 15i) * _e4344));
@@ -1736,28 +1736,28 @@ let _e4394 = (_e4384 + (3i * _e4340));
 let _e4395 = (_e4386 + _e4344);
 let _e4397 = (_e4386 + (2i * _e4344));
 let _e4399 = (_e4386 + (3i * _e4344));
-local_22 = type_32(array<i32, 4>(_e4381, (_e4381 + 1i), (_e4381 + 2i), (_e4381 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_29(array<i32, 4>(_e4381, (_e4381 + 1i), (_e4381 + 2i), (_e4381 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e4283 - f32(_e4306)), (_e4287 - f32(_e4321)), (_e4291 - f32(_e4336)));
 let _e4410 = (_e4395 + _e4390);
 let _e4413 = local_22.member[0u];
 let _e4414 = (_e4410 + _e4413);
 let _e4416 = select(_e4371, _e4414, (_e4414 < _e4371));
-let _e4421 = global_4.member[bitcast<u32>(select(0i, _e4416, (_e4416 > 0i)))];
+let _e4421 = global_2.member[bitcast<u32>(select(0i, _e4416, (_e4416 > 0i)))];
 let _e4422 = bitcast<f32>(_e4421);
 let _e4425 = local_22.member[1u];
 let _e4426 = (_e4410 + _e4425);
 let _e4428 = select(_e4371, _e4426, (_e4426 < _e4371));
-let _e4433 = global_4.member[bitcast<u32>(select(0i, _e4428, (_e4428 > 0i)))];
+let _e4433 = global_2.member[bitcast<u32>(select(0i, _e4428, (_e4428 > 0i)))];
 let _e4434 = bitcast<f32>(_e4433);
 let _e4437 = local_22.member[2u];
 let _e4438 = (_e4410 + _e4437);
 let _e4440 = select(_e4371, _e4438, (_e4438 < _e4371));
-let _e4445 = global_4.member[bitcast<u32>(select(0i, _e4440, (_e4440 > 0i)))];
+let _e4445 = global_2.member[bitcast<u32>(select(0i, _e4440, (_e4440 > 0i)))];
 let _e4446 = bitcast<f32>(_e4445);
 let _e4449 = local_22.member[3u];
 let _e4450 = (_e4410 + _e4449);
 let _e4452 = select(_e4371, _e4450, (_e4450 < _e4371));
-let _e4457 = global_4.member[bitcast<u32>(select(0i, _e4452, (_e4452 > 0i)))];
+let _e4457 = global_2.member[bitcast<u32>(select(0i, _e4452, (_e4452 > 0i)))];
 let _e4459 = local_23[0u];
 let _e4462 = (_e4422 + ((_e4434 - _e4422) * _e4459));
 let _e4463 = local_23[0u];
@@ -1768,22 +1768,22 @@ let _e4471 = (_e4395 + _e4392);
 let _e4472 = local_22.member[0u];
 let _e4473 = (_e4471 + _e4472);
 let _e4475 = select(_e4371, _e4473, (_e4473 < _e4371));
-let _e4480 = global_4.member[bitcast<u32>(select(0i, _e4475, (_e4475 > 0i)))];
+let _e4480 = global_2.member[bitcast<u32>(select(0i, _e4475, (_e4475 > 0i)))];
 let _e4481 = bitcast<f32>(_e4480);
 let _e4482 = local_22.member[1u];
 let _e4483 = (_e4471 + _e4482);
 let _e4485 = select(_e4371, _e4483, (_e4483 < _e4371));
-let _e4490 = global_4.member[bitcast<u32>(select(0i, _e4485, (_e4485 > 0i)))];
+let _e4490 = global_2.member[bitcast<u32>(select(0i, _e4485, (_e4485 > 0i)))];
 let _e4491 = bitcast<f32>(_e4490);
 let _e4492 = local_22.member[2u];
 let _e4493 = (_e4471 + _e4492);
 let _e4495 = select(_e4371, _e4493, (_e4493 < _e4371));
-let _e4500 = global_4.member[bitcast<u32>(select(0i, _e4495, (_e4495 > 0i)))];
+let _e4500 = global_2.member[bitcast<u32>(select(0i, _e4495, (_e4495 > 0i)))];
 let _e4501 = bitcast<f32>(_e4500);
 let _e4502 = local_22.member[3u];
 let _e4503 = (_e4471 + _e4502);
 let _e4505 = select(_e4371, _e4503, (_e4503 < _e4371));
-let _e4510 = global_4.member[bitcast<u32>(select(0i, _e4505, (_e4505 > 0i)))];
+let _e4510 = global_2.member[bitcast<u32>(select(0i, _e4505, (_e4505 > 0i)))];
 let _e4512 = local_23[0u];
 let _e4516 = local_23[0u];
 let _e4519 = (_e4491 + ((_e4501 - _e4491) * _e4516));
@@ -1792,22 +1792,22 @@ let _e4524 = (_e4397 + _e4390);
 let _e4525 = local_22.member[0u];
 let _e4526 = (_e4524 + _e4525);
 let _e4528 = select(_e4371, _e4526, (_e4526 < _e4371));
-let _e4533 = global_4.member[bitcast<u32>(select(0i, _e4528, (_e4528 > 0i)))];
+let _e4533 = global_2.member[bitcast<u32>(select(0i, _e4528, (_e4528 > 0i)))];
 let _e4534 = bitcast<f32>(_e4533);
 let _e4535 = local_22.member[1u];
 let _e4536 = (_e4524 + _e4535);
 let _e4538 = select(_e4371, _e4536, (_e4536 < _e4371));
-let _e4543 = global_4.member[bitcast<u32>(select(0i, _e4538, (_e4538 > 0i)))];
+let _e4543 = global_2.member[bitcast<u32>(select(0i, _e4538, (_e4538 > 0i)))];
 let _e4544 = bitcast<f32>(_e4543);
 let _e4545 = local_22.member[2u];
 let _e4546 = (_e4524 + _e4545);
 let _e4548 = select(_e4371, _e4546, (_e4546 < _e4371));
-let _e4553 = global_4.member[bitcast<u32>(select(0i, _e4548, (_e4548 > 0i)))];
+let _e4553 = global_2.member[bitcast<u32>(select(0i, _e4548, (_e4548 > 0i)))];
 let _e4554 = bitcast<f32>(_e4553);
 let _e4555 = local_22.member[3u];
 let _e4556 = (_e4524 + _e4555);
 let _e4558 = select(_e4371, _e4556, (_e4556 < _e4371));
-let _e4563 = global_4.member[bitcast<u32>(select(0i, _e4558, (_e4558 > 0i)))];
+let _e4563 = global_2.member[bitcast<u32>(select(0i, _e4558, (_e4558 > 0i)))];
 let _e4565 = local_23[0u];
 let _e4568 = (_e4534 + ((_e4544 - _e4534) * _e4565));
 let _e4569 = local_23[0u];
@@ -1818,22 +1818,22 @@ let _e4577 = (_e4397 + _e4392);
 let _e4578 = local_22.member[0u];
 let _e4579 = (_e4577 + _e4578);
 let _e4581 = select(_e4371, _e4579, (_e4579 < _e4371));
-let _e4586 = global_4.member[bitcast<u32>(select(0i, _e4581, (_e4581 > 0i)))];
+let _e4586 = global_2.member[bitcast<u32>(select(0i, _e4581, (_e4581 > 0i)))];
 let _e4587 = bitcast<f32>(_e4586);
 let _e4588 = local_22.member[1u];
 let _e4589 = (_e4577 + _e4588);
 let _e4591 = select(_e4371, _e4589, (_e4589 < _e4371));
-let _e4596 = global_4.member[bitcast<u32>(select(0i, _e4591, (_e4591 > 0i)))];
+let _e4596 = global_2.member[bitcast<u32>(select(0i, _e4591, (_e4591 > 0i)))];
 let _e4597 = bitcast<f32>(_e4596);
 let _e4598 = local_22.member[2u];
 let _e4599 = (_e4577 + _e4598);
 let _e4601 = select(_e4371, _e4599, (_e4599 < _e4371));
-let _e4606 = global_4.member[bitcast<u32>(select(0i, _e4601, (_e4601 > 0i)))];
+let _e4606 = global_2.member[bitcast<u32>(select(0i, _e4601, (_e4601 > 0i)))];
 let _e4607 = bitcast<f32>(_e4606);
 let _e4608 = local_22.member[3u];
 let _e4609 = (_e4577 + _e4608);
 let _e4611 = select(_e4371, _e4609, (_e4609 < _e4371));
-let _e4616 = global_4.member[bitcast<u32>(select(0i, _e4611, (_e4611 > 0i)))];
+let _e4616 = global_2.member[bitcast<u32>(select(0i, _e4611, (_e4611 > 0i)))];
 let _e4618 = local_23[0u];
 let _e4622 = local_23[0u];
 let _e4625 = (_e4597 + ((_e4607 - _e4597) * _e4622));
@@ -1842,93 +1842,93 @@ let _e4630 = (_e4395 + _e4384);
 let _e4631 = local_22.member[1u];
 let _e4632 = (_e4630 + _e4631);
 let _e4634 = select(_e4371, _e4632, (_e4632 < _e4371));
-let _e4639 = global_4.member[bitcast<u32>(select(0i, _e4634, (_e4634 > 0i)))];
+let _e4639 = global_2.member[bitcast<u32>(select(0i, _e4634, (_e4634 > 0i)))];
 let _e4640 = bitcast<f32>(_e4639);
 let _e4641 = local_22.member[2u];
 let _e4642 = (_e4630 + _e4641);
 let _e4644 = select(_e4371, _e4642, (_e4642 < _e4371));
-let _e4649 = global_4.member[bitcast<u32>(select(0i, _e4644, (_e4644 > 0i)))];
+let _e4649 = global_2.member[bitcast<u32>(select(0i, _e4644, (_e4644 > 0i)))];
 let _e4651 = local_23[0u];
 let _e4654 = (_e4640 + ((bitcast<f32>(_e4649) - _e4640) * _e4651));
 let _e4655 = (_e4395 + _e4394);
 let _e4656 = local_22.member[1u];
 let _e4657 = (_e4655 + _e4656);
 let _e4659 = select(_e4371, _e4657, (_e4657 < _e4371));
-let _e4664 = global_4.member[bitcast<u32>(select(0i, _e4659, (_e4659 > 0i)))];
+let _e4664 = global_2.member[bitcast<u32>(select(0i, _e4659, (_e4659 > 0i)))];
 let _e4665 = bitcast<f32>(_e4664);
 let _e4666 = local_22.member[2u];
 let _e4667 = (_e4655 + _e4666);
 let _e4669 = select(_e4371, _e4667, (_e4667 < _e4371));
-let _e4674 = global_4.member[bitcast<u32>(select(0i, _e4669, (_e4669 > 0i)))];
+let _e4674 = global_2.member[bitcast<u32>(select(0i, _e4669, (_e4669 > 0i)))];
 let _e4676 = local_23[0u];
 let _e4680 = (_e4397 + _e4384);
 let _e4681 = local_22.member[1u];
 let _e4682 = (_e4680 + _e4681);
 let _e4684 = select(_e4371, _e4682, (_e4682 < _e4371));
-let _e4689 = global_4.member[bitcast<u32>(select(0i, _e4684, (_e4684 > 0i)))];
+let _e4689 = global_2.member[bitcast<u32>(select(0i, _e4684, (_e4684 > 0i)))];
 let _e4690 = bitcast<f32>(_e4689);
 let _e4691 = local_22.member[2u];
 let _e4692 = (_e4680 + _e4691);
 let _e4694 = select(_e4371, _e4692, (_e4692 < _e4371));
-let _e4699 = global_4.member[bitcast<u32>(select(0i, _e4694, (_e4694 > 0i)))];
+let _e4699 = global_2.member[bitcast<u32>(select(0i, _e4694, (_e4694 > 0i)))];
 let _e4701 = local_23[0u];
 let _e4704 = (_e4690 + ((bitcast<f32>(_e4699) - _e4690) * _e4701));
 let _e4705 = (_e4397 + _e4394);
 let _e4706 = local_22.member[1u];
 let _e4707 = (_e4705 + _e4706);
 let _e4709 = select(_e4371, _e4707, (_e4707 < _e4371));
-let _e4714 = global_4.member[bitcast<u32>(select(0i, _e4709, (_e4709 > 0i)))];
+let _e4714 = global_2.member[bitcast<u32>(select(0i, _e4709, (_e4709 > 0i)))];
 let _e4715 = bitcast<f32>(_e4714);
 let _e4716 = local_22.member[2u];
 let _e4717 = (_e4705 + _e4716);
 let _e4719 = select(_e4371, _e4717, (_e4717 < _e4371));
-let _e4724 = global_4.member[bitcast<u32>(select(0i, _e4719, (_e4719 > 0i)))];
+let _e4724 = global_2.member[bitcast<u32>(select(0i, _e4719, (_e4719 > 0i)))];
 let _e4726 = local_23[0u];
 let _e4730 = (_e4386 + _e4390);
 let _e4731 = local_22.member[1u];
 let _e4732 = (_e4730 + _e4731);
 let _e4734 = select(_e4371, _e4732, (_e4732 < _e4371));
-let _e4739 = global_4.member[bitcast<u32>(select(0i, _e4734, (_e4734 > 0i)))];
+let _e4739 = global_2.member[bitcast<u32>(select(0i, _e4734, (_e4734 > 0i)))];
 let _e4740 = bitcast<f32>(_e4739);
 let _e4741 = local_22.member[2u];
 let _e4742 = (_e4730 + _e4741);
 let _e4744 = select(_e4371, _e4742, (_e4742 < _e4371));
-let _e4749 = global_4.member[bitcast<u32>(select(0i, _e4744, (_e4744 > 0i)))];
+let _e4749 = global_2.member[bitcast<u32>(select(0i, _e4744, (_e4744 > 0i)))];
 let _e4751 = local_23[0u];
 let _e4754 = (_e4740 + ((bitcast<f32>(_e4749) - _e4740) * _e4751));
 let _e4755 = (_e4399 + _e4390);
 let _e4756 = local_22.member[1u];
 let _e4757 = (_e4755 + _e4756);
 let _e4759 = select(_e4371, _e4757, (_e4757 < _e4371));
-let _e4764 = global_4.member[bitcast<u32>(select(0i, _e4759, (_e4759 > 0i)))];
+let _e4764 = global_2.member[bitcast<u32>(select(0i, _e4759, (_e4759 > 0i)))];
 let _e4765 = bitcast<f32>(_e4764);
 let _e4766 = local_22.member[2u];
 let _e4767 = (_e4755 + _e4766);
 let _e4769 = select(_e4371, _e4767, (_e4767 < _e4371));
-let _e4774 = global_4.member[bitcast<u32>(select(0i, _e4769, (_e4769 > 0i)))];
+let _e4774 = global_2.member[bitcast<u32>(select(0i, _e4769, (_e4769 > 0i)))];
 let _e4776 = local_23[0u];
 let _e4779 = (_e4765 + ((bitcast<f32>(_e4774) - _e4765) * _e4776));
 let _e4780 = (_e4386 + _e4392);
 let _e4781 = local_22.member[1u];
 let _e4782 = (_e4780 + _e4781);
 let _e4784 = select(_e4371, _e4782, (_e4782 < _e4371));
-let _e4789 = global_4.member[bitcast<u32>(select(0i, _e4784, (_e4784 > 0i)))];
+let _e4789 = global_2.member[bitcast<u32>(select(0i, _e4784, (_e4784 > 0i)))];
 let _e4790 = bitcast<f32>(_e4789);
 let _e4791 = local_22.member[2u];
 let _e4792 = (_e4780 + _e4791);
 let _e4794 = select(_e4371, _e4792, (_e4792 < _e4371));
-let _e4799 = global_4.member[bitcast<u32>(select(0i, _e4794, (_e4794 > 0i)))];
+let _e4799 = global_2.member[bitcast<u32>(select(0i, _e4794, (_e4794 > 0i)))];
 let _e4801 = local_23[0u];
 let _e4805 = (_e4399 + _e4392);
 let _e4806 = local_22.member[1u];
 let _e4807 = (_e4805 + _e4806);
 let _e4809 = select(_e4371, _e4807, (_e4807 < _e4371));
-let _e4814 = global_4.member[bitcast<u32>(select(0i, _e4809, (_e4809 > 0i)))];
+let _e4814 = global_2.member[bitcast<u32>(select(0i, _e4809, (_e4809 > 0i)))];
 let _e4815 = bitcast<f32>(_e4814);
 let _e4816 = local_22.member[2u];
 let _e4817 = (_e4805 + _e4816);
 let _e4819 = select(_e4371, _e4817, (_e4817 < _e4371));
-let _e4824 = global_4.member[bitcast<u32>(select(0i, _e4819, (_e4819 > 0i)))];
+let _e4824 = global_2.member[bitcast<u32>(select(0i, _e4819, (_e4819 > 0i)))];
 let _e4826 = local_23[0u];
 let _e4831 = local_23[1u];
 let _e4834 = (_e4466 + ((_e4519 - _e4466) * _e4831));
@@ -1986,50 +1986,50 @@ local_21 = _e4959;
 let _e4960 = local_21;
 let _e4962 = (bitcast<i32>(_e210) - 1i);
 let _e4964 = select(_e4962, 263197i, (263197i < _e4962));
-let _e4969 = global_5.member[bitcast<u32>(select(0i, _e4964, (_e4964 > 0i)))];
+let _e4969 = global_3.member[bitcast<u32>(select(0i, _e4964, (_e4964 > 0i)))];
 let _e4970 = bitcast<f32>(_e4969);
 let _e4972 = select(_e4962, 263198i, (263198i < _e4962));
 let _e4975 = bitcast<u32>(select(0i, _e4972, (_e4972 > 0i)));
-let _e4977 = global_5.member[_e4975];
+let _e4977 = global_3.member[_e4975];
 let _e4978 = bitcast<f32>(_e4977);
 let _e4980 = select(_e4962, 263199i, (263199i < _e4962));
-let _e4985 = global_5.member[bitcast<u32>(select(0i, _e4980, (_e4980 > 0i)))];
+let _e4985 = global_3.member[bitcast<u32>(select(0i, _e4980, (_e4980 > 0i)))];
 let _e4986 = bitcast<f32>(_e4985);
 let _e4988 = ((_e4960 - _e4970) * _e4978);
 let _e4990 = select(0f, _e4988, (_e4988 > 0f));
 let _e4993 = local_21;
 let _e4995 = select(_e4962, 263200i, (263200i < _e4962));
-let _e5000 = global_5.member[bitcast<u32>(select(0i, _e4995, (_e4995 > 0i)))];
+let _e5000 = global_3.member[bitcast<u32>(select(0i, _e4995, (_e4995 > 0i)))];
 let _e5001 = bitcast<f32>(_e5000);
 let _e5003 = select(_e4962, 263201i, (263201i < _e4962));
-let _e5008 = global_5.member[bitcast<u32>(select(0i, _e5003, (_e5003 > 0i)))];
+let _e5008 = global_3.member[bitcast<u32>(select(0i, _e5003, (_e5003 > 0i)))];
 let _e5009 = bitcast<f32>(_e5008);
 let _e5011 = select(_e4962, 263202i, (263202i < _e4962));
-let _e5016 = global_5.member[bitcast<u32>(select(0i, _e5011, (_e5011 > 0i)))];
+let _e5016 = global_3.member[bitcast<u32>(select(0i, _e5011, (_e5011 > 0i)))];
 let _e5017 = bitcast<f32>(_e5016);
 let _e5019 = ((_e4993 - _e5001) * _e5009);
 let _e5021 = select(0f, _e5019, (_e5019 > 0f));
 let _e5025 = local_21;
 let _e5027 = select(_e4962, 263203i, (263203i < _e4962));
-let _e5032 = global_5.member[bitcast<u32>(select(0i, _e5027, (_e5027 > 0i)))];
+let _e5032 = global_3.member[bitcast<u32>(select(0i, _e5027, (_e5027 > 0i)))];
 let _e5033 = bitcast<f32>(_e5032);
 let _e5035 = select(_e4962, 263204i, (263204i < _e4962));
-let _e5040 = global_5.member[bitcast<u32>(select(0i, _e5035, (_e5035 > 0i)))];
+let _e5040 = global_3.member[bitcast<u32>(select(0i, _e5035, (_e5035 > 0i)))];
 let _e5041 = bitcast<f32>(_e5040);
 let _e5043 = select(_e4962, 263205i, (263205i < _e4962));
-let _e5048 = global_5.member[bitcast<u32>(select(0i, _e5043, (_e5043 > 0i)))];
+let _e5048 = global_3.member[bitcast<u32>(select(0i, _e5043, (_e5043 > 0i)))];
 let _e5049 = bitcast<f32>(_e5048);
 let _e5051 = ((_e5025 - _e5033) * _e5041);
 let _e5053 = select(0f, _e5051, (_e5051 > 0f));
 let _e5056 = local_21;
 let _e5058 = select(_e4962, 263206i, (263206i < _e4962));
-let _e5063 = global_5.member[bitcast<u32>(select(0i, _e5058, (_e5058 > 0i)))];
+let _e5063 = global_3.member[bitcast<u32>(select(0i, _e5058, (_e5058 > 0i)))];
 let _e5064 = bitcast<f32>(_e5063);
 let _e5066 = select(_e4962, 263207i, (263207i < _e4962));
-let _e5071 = global_5.member[bitcast<u32>(select(0i, _e5066, (_e5066 > 0i)))];
+let _e5071 = global_3.member[bitcast<u32>(select(0i, _e5066, (_e5066 > 0i)))];
 let _e5072 = bitcast<f32>(_e5071);
 let _e5074 = select(_e4962, 263208i, (263208i < _e4962));
-let _e5079 = global_5.member[bitcast<u32>(select(0i, _e5074, (_e5074 > 0i)))];
+let _e5079 = global_3.member[bitcast<u32>(select(0i, _e5074, (_e5074 > 0i)))];
 let _e5080 = bitcast<f32>(_e5079);
 let _e5082 = ((_e5056 - _e5064) * _e5072);
 let _e5084 = select(0f, _e5082, (_e5082 > 0f));
@@ -2040,34 +2040,34 @@ let _e5099 = select(0i, select(select(i32(_e5092), i32(-2147483648), (_e5092 < -
 let _e5103 = (_e5099 - select(0i, 1i, (_e5092 < f32(_e5099))));
 let _e5104 = (262147i + _e5103);
 let _e5106 = select(_e4962, _e5104, (_e5104 < _e4962));
-let _e5112 = global_5.member[bitcast<u32>(select(0i, _e5106, (_e5106 > 0i)))];
+let _e5112 = global_3.member[bitcast<u32>(select(0i, _e5106, (_e5106 > 0i)))];
 let _e5122 = select(_e4962, 262146i, (262146i < _e4962));
-let _e5128 = global_5.member[bitcast<u32>(select(0i, _e5122, (_e5122 > 0i)))];
+let _e5128 = global_3.member[bitcast<u32>(select(0i, _e5122, (_e5122 > 0i)))];
 let _e5129 = bitcast<f32>(_e5128);
 let _e5130 = (f32((bitcast<i32>((_e5112 & 4095u)) - 2048i)) * _e5129);
 let _e5132 = select(_e4962, 262144i, (262144i < _e4962));
-let _e5138 = global_5.member[bitcast<u32>(select(0i, _e5132, (_e5132 > 0i)))];
+let _e5138 = global_3.member[bitcast<u32>(select(0i, _e5132, (_e5132 > 0i)))];
 let _e5139 = bitcast<f32>(_e5138);
 let _e5141 = select(_e4962, 262145i, (262145i < _e4962));
-let _e5147 = global_5.member[bitcast<u32>(select(0i, _e5141, (_e5141 > 0i)))];
+let _e5147 = global_3.member[bitcast<u32>(select(0i, _e5141, (_e5141 > 0i)))];
 let _e5148 = bitcast<f32>(_e5147);
 let _e5154 = ((_e5139 + (f32(bitcast<i32>((_e5112 >> bitcast<u32>(12u)))) * _e5148)) + (_e5130 * (_e5088 - f32(_e5103))));
-let _e5157 = global_5.member[_e4975];
+let _e5157 = global_3.member[_e4975];
 let _e5159 = local_20;
 let _e5162 = local_20;
 let _e5165 = local_20;
 let _e5169 = select(_e4962, 263209i, (263209i < _e4962));
-let _e5175 = global_5.member[bitcast<u32>(select(0i, _e5169, (_e5169 > 0i)))];
+let _e5175 = global_3.member[bitcast<u32>(select(0i, _e5169, (_e5169 > 0i)))];
 let _e5177 = local_20;
 let _e5180 = select(_e4962, 263210i, (263210i < _e4962));
-let _e5186 = global_5.member[bitcast<u32>(select(0i, _e5180, (_e5180 > 0i)))];
+let _e5186 = global_3.member[bitcast<u32>(select(0i, _e5180, (_e5180 > 0i)))];
 let _e5188 = local_20;
 let _e5192 = (_e5130 * select(0f, select(select(select(bitcast<f32>(_e5157), _e5009, (_e5159 >= _e5001)), _e5041, (_e5162 >= _e5033)), _e5072, (_e5165 >= _e5064)), ((_e5177 >= bitcast<f32>(_e5175)) && (_e5188 <= bitcast<f32>(_e5186)))));
 if _e514 {
 let _e5199 = ((0.5f * (_e4934 - _e4928)) * _e5192);
 let _e5200 = ((0.5f * (_e4946 - _e4940)) * _e5192);
 let _e5201 = ((0.5f * (_e4958 - _e4952)) * _e5192);
-phi_15437_ = type_34(_e5154, vec3<f32>(_e5199, _e5200, _e5201), vec3<f32>((_e5199 * _e5154), (_e5200 * _e5154), (_e5201 * _e5154)));
+phi_15437_ = type_33(_e5154, vec3<f32>(_e5199, _e5200, _e5201), vec3<f32>((_e5199 * _e5154), (_e5200 * _e5154), (_e5201 * _e5154)));
 } else {
 local_18 = _e4928;
 let _e5208 = local_18;
@@ -2091,7 +2091,7 @@ let _e5250 = select(0i, select(select(i32(_e5243), i32(-2147483648), (_e5243 < -
 let _e5254 = (_e5250 - select(0i, 1i, (_e5243 < f32(_e5250))));
 let _e5255 = (262147i + _e5254);
 let _e5257 = select(_e4962, _e5255, (_e5255 < _e4962));
-let _e5263 = global_5.member[bitcast<u32>(select(0i, _e5257, (_e5257 > 0i)))];
+let _e5263 = global_3.member[bitcast<u32>(select(0i, _e5257, (_e5257 > 0i)))];
 let _e5278 = ((_e5139 + (f32(bitcast<i32>((_e5263 >> bitcast<u32>(12u)))) * _e5148)) + ((f32((bitcast<i32>((_e5263 & 4095u)) - 2048i)) * _e5129) * (_e5239 - f32(_e5254))));
 local_16 = _e4934;
 let _e5279 = local_16;
@@ -2115,7 +2115,7 @@ let _e5321 = select(0i, select(select(i32(_e5314), i32(-2147483648), (_e5314 < -
 let _e5325 = (_e5321 - select(0i, 1i, (_e5314 < f32(_e5321))));
 let _e5326 = (262147i + _e5325);
 let _e5328 = select(_e4962, _e5326, (_e5326 < _e4962));
-let _e5334 = global_5.member[bitcast<u32>(select(0i, _e5328, (_e5328 > 0i)))];
+let _e5334 = global_3.member[bitcast<u32>(select(0i, _e5328, (_e5328 > 0i)))];
 let _e5349 = ((_e5139 + (f32(bitcast<i32>((_e5334 >> bitcast<u32>(12u)))) * _e5148)) + ((f32((bitcast<i32>((_e5334 & 4095u)) - 2048i)) * _e5129) * (_e5310 - f32(_e5325))));
 local_14 = _e4940;
 let _e5350 = local_14;
@@ -2139,7 +2139,7 @@ let _e5392 = select(0i, select(select(i32(_e5385), i32(-2147483648), (_e5385 < -
 let _e5396 = (_e5392 - select(0i, 1i, (_e5385 < f32(_e5392))));
 let _e5397 = (262147i + _e5396);
 let _e5399 = select(_e4962, _e5397, (_e5397 < _e4962));
-let _e5405 = global_5.member[bitcast<u32>(select(0i, _e5399, (_e5399 > 0i)))];
+let _e5405 = global_3.member[bitcast<u32>(select(0i, _e5399, (_e5399 > 0i)))];
 let _e5420 = ((_e5139 + (f32(bitcast<i32>((_e5405 >> bitcast<u32>(12u)))) * _e5148)) + ((f32((bitcast<i32>((_e5405 & 4095u)) - 2048i)) * _e5129) * (_e5381 - f32(_e5396))));
 local_12 = _e4946;
 let _e5421 = local_12;
@@ -2163,7 +2163,7 @@ let _e5463 = select(0i, select(select(i32(_e5456), i32(-2147483648), (_e5456 < -
 let _e5467 = (_e5463 - select(0i, 1i, (_e5456 < f32(_e5463))));
 let _e5468 = (262147i + _e5467);
 let _e5470 = select(_e4962, _e5468, (_e5468 < _e4962));
-let _e5476 = global_5.member[bitcast<u32>(select(0i, _e5470, (_e5470 > 0i)))];
+let _e5476 = global_3.member[bitcast<u32>(select(0i, _e5470, (_e5470 > 0i)))];
 let _e5491 = ((_e5139 + (f32(bitcast<i32>((_e5476 >> bitcast<u32>(12u)))) * _e5148)) + ((f32((bitcast<i32>((_e5476 & 4095u)) - 2048i)) * _e5129) * (_e5452 - f32(_e5467))));
 local_10 = _e4952;
 let _e5492 = local_10;
@@ -2187,7 +2187,7 @@ let _e5534 = select(0i, select(select(i32(_e5527), i32(-2147483648), (_e5527 < -
 let _e5538 = (_e5534 - select(0i, 1i, (_e5527 < f32(_e5534))));
 let _e5539 = (262147i + _e5538);
 let _e5541 = select(_e4962, _e5539, (_e5539 < _e4962));
-let _e5547 = global_5.member[bitcast<u32>(select(0i, _e5541, (_e5541 > 0i)))];
+let _e5547 = global_3.member[bitcast<u32>(select(0i, _e5541, (_e5541 > 0i)))];
 let _e5562 = ((_e5139 + (f32(bitcast<i32>((_e5547 >> bitcast<u32>(12u)))) * _e5148)) + ((f32((bitcast<i32>((_e5547 & 4095u)) - 2048i)) * _e5129) * (_e5523 - f32(_e5538))));
 local_8 = _e4958;
 let _e5563 = local_8;
@@ -2211,12 +2211,12 @@ let _e5605 = select(0i, select(select(i32(_e5598), i32(-2147483648), (_e5598 < -
 let _e5609 = (_e5605 - select(0i, 1i, (_e5598 < f32(_e5605))));
 let _e5610 = (262147i + _e5609);
 let _e5612 = select(_e4962, _e5610, (_e5610 < _e4962));
-let _e5618 = global_5.member[bitcast<u32>(select(0i, _e5612, (_e5612 > 0i)))];
+let _e5618 = global_3.member[bitcast<u32>(select(0i, _e5612, (_e5612 > 0i)))];
 let _e5633 = ((_e5139 + (f32(bitcast<i32>((_e5618 >> bitcast<u32>(12u)))) * _e5148)) + ((f32((bitcast<i32>((_e5618 & 4095u)) - 2048i)) * _e5129) * (_e5594 - f32(_e5609))));
 let _e5634 = (_e5349 - _e5278);
 let _e5636 = (_e5491 - _e5420);
 let _e5638 = (_e5633 - _e5562);
-phi_15437_ = type_34(_e5154, vec3<f32>((0.5f * _e5634), (0.5f * _e5636), (0.5f * _e5638)), vec3<f32>((0.25f * (_e5634 * (_e5349 + _e5278))), (0.25f * (_e5636 * (_e5491 + _e5420))), (0.25f * (_e5638 * (_e5633 + _e5562)))));
+phi_15437_ = type_33(_e5154, vec3<f32>((0.5f * _e5634), (0.5f * _e5636), (0.5f * _e5638)), vec3<f32>((0.25f * (_e5634 * (_e5349 + _e5278))), (0.25f * (_e5636 * (_e5491 + _e5420))), (0.25f * (_e5638 * (_e5633 + _e5562)))));
 }
 let _e5653 = phi_15437_;
 let _e5668 = select(0f, 1f, ((((((_e4267 >= -0.5f) && (_e4267 <= _e3565)) && (_e4273 >= -0.5f)) && (_e4273 <= _e3646)) && (_e4279 >= -0.5f)) && (_e4279 <= _e3727)));
@@ -2232,7 +2232,7 @@ let _e5710 = global_1.member.member_6.member_1.member.member_2;
 let _e5716 = global_1.member.member_6.member_2.member.member;
 let _e5722 = global_1.member.member_6.member_2.member.member_1;
 let _e5728 = global_1.member.member_6.member_2.member.member_2;
-phi_16047_ = type_35(_e4922, vec3<f32>(((((_e5680 * _e5670) + (_e5698 * _e5672)) + (_e5716 * _e5674)) * _e5668), ((((_e5686 * _e5670) + (_e5704 * _e5672)) + (_e5722 * _e5674)) * _e5668), ((((_e5692 * _e5670) + (_e5710 * _e5672)) + (_e5728 * _e5674)) * _e5668)), _e5653.member, vec3<f32>(((((_e5680 * _e5653.member_2.x) + (_e5698 * _e5653.member_2.y)) + (_e5716 * _e5653.member_2.z)) * _e5668), ((((_e5686 * _e5653.member_2.x) + (_e5704 * _e5653.member_2.y)) + (_e5722 * _e5653.member_2.z)) * _e5668), ((((_e5692 * _e5653.member_2.x) + (_e5710 * _e5653.member_2.y)) + (_e5728 * _e5653.member_2.z)) * _e5668)), vec3<f32>(((((_e5680 * _e5653.member_1.x) + (_e5698 * _e5653.member_1.y)) + (_e5716 * _e5653.member_1.z)) * _e5668), ((((_e5686 * _e5653.member_1.x) + (_e5704 * _e5653.member_1.y)) + (_e5722 * _e5653.member_1.z)) * _e5668), ((((_e5692 * _e5653.member_1.x) + (_e5710 * _e5653.member_1.y)) + (_e5728 * _e5653.member_1.z)) * _e5668)));
+phi_16047_ = type_34(_e4922, vec3<f32>(((((_e5680 * _e5670) + (_e5698 * _e5672)) + (_e5716 * _e5674)) * _e5668), ((((_e5686 * _e5670) + (_e5704 * _e5672)) + (_e5722 * _e5674)) * _e5668), ((((_e5692 * _e5670) + (_e5710 * _e5672)) + (_e5728 * _e5674)) * _e5668)), _e5653.member, vec3<f32>(((((_e5680 * _e5653.member_2.x) + (_e5698 * _e5653.member_2.y)) + (_e5716 * _e5653.member_2.z)) * _e5668), ((((_e5686 * _e5653.member_2.x) + (_e5704 * _e5653.member_2.y)) + (_e5722 * _e5653.member_2.z)) * _e5668), ((((_e5692 * _e5653.member_2.x) + (_e5710 * _e5653.member_2.y)) + (_e5728 * _e5653.member_2.z)) * _e5668)), vec3<f32>(((((_e5680 * _e5653.member_1.x) + (_e5698 * _e5653.member_1.y)) + (_e5716 * _e5653.member_1.z)) * _e5668), ((((_e5686 * _e5653.member_1.x) + (_e5704 * _e5653.member_1.y)) + (_e5722 * _e5653.member_1.z)) * _e5668), ((((_e5692 * _e5653.member_1.x) + (_e5710 * _e5653.member_1.y)) + (_e5728 * _e5653.member_1.z)) * _e5668)));
 } else {
 let _e5794 = select(-0.5f, _e4267, (_e4267 > -0.5f));
 let _e5796 = select(_e3565, _e5794, (_e5794 < _e3565));
@@ -2262,7 +2262,7 @@ let _e5871 = global_1.member.member_6.member_11.member_1;
 let _e5882 = ((_e5858 >> bitcast<u32>(4i)) + (bitcast<i32>(_e5865) * ((_e5859 >> bitcast<u32>(4i)) + (bitcast<i32>(_e5871) * (_e5860 >> bitcast<u32>(4i))))));
 let _e5884 = (bitcast<i32>(_e207) - 1i);
 let _e5886 = select(_e5884, _e5882, (_e5882 < _e5884));
-let _e5892 = global_4.member[bitcast<u32>(select(0i, _e5886, (_e5886 > 0i)))];
+let _e5892 = global_2.member[bitcast<u32>(select(0i, _e5886, (_e5886 > 0i)))];
 let _e5894 = (_e5858 & 15i);
 let _e5897 = ((_e5859 & 15i) * _e5853);
 let _e5899 = (bitcast<i32>(_e5892) + ((_e5860 & 15i) * _e5857));
@@ -2270,30 +2270,30 @@ let _e5903 = (_e5897 + _e5853);
 let _e5905 = (_e5897 + (2i * _e5853));
 let _e5906 = (_e5899 + _e5857);
 let _e5908 = (_e5899 + (2i * _e5857));
-local_6 = type_32(array<i32, 4>(_e5894, (_e5894 + 1i), (_e5894 + 2i), (_e5894 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_29(array<i32, 4>(_e5894, (_e5894 + 1i), (_e5894 + 2i), (_e5894 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e5796 - f32(_e5819)), (_e5800 - f32(_e5834)), (_e5804 - f32(_e5849)));
 let _e5919 = (_e5906 + _e5903);
 let _e5922 = local_6.member[1u];
 let _e5923 = (_e5919 + _e5922);
 let _e5925 = select(_e5884, _e5923, (_e5923 < _e5884));
-let _e5930 = global_4.member[bitcast<u32>(select(0i, _e5925, (_e5925 > 0i)))];
+let _e5930 = global_2.member[bitcast<u32>(select(0i, _e5925, (_e5925 > 0i)))];
 let _e5931 = bitcast<f32>(_e5930);
 let _e5934 = local_6.member[2u];
 let _e5935 = (_e5919 + _e5934);
 let _e5937 = select(_e5884, _e5935, (_e5935 < _e5884));
-let _e5942 = global_4.member[bitcast<u32>(select(0i, _e5937, (_e5937 > 0i)))];
+let _e5942 = global_2.member[bitcast<u32>(select(0i, _e5937, (_e5937 > 0i)))];
 let _e5944 = local_7[0u];
 let _e5947 = (_e5931 + ((bitcast<f32>(_e5942) - _e5931) * _e5944));
 let _e5948 = (_e5906 + _e5905);
 let _e5949 = local_6.member[1u];
 let _e5950 = (_e5948 + _e5949);
 let _e5952 = select(_e5884, _e5950, (_e5950 < _e5884));
-let _e5957 = global_4.member[bitcast<u32>(select(0i, _e5952, (_e5952 > 0i)))];
+let _e5957 = global_2.member[bitcast<u32>(select(0i, _e5952, (_e5952 > 0i)))];
 let _e5958 = bitcast<f32>(_e5957);
 let _e5959 = local_6.member[2u];
 let _e5960 = (_e5948 + _e5959);
 let _e5962 = select(_e5884, _e5960, (_e5960 < _e5884));
-let _e5967 = global_4.member[bitcast<u32>(select(0i, _e5962, (_e5962 > 0i)))];
+let _e5967 = global_2.member[bitcast<u32>(select(0i, _e5962, (_e5962 > 0i)))];
 let _e5969 = local_7[0u];
 let _e5974 = local_7[1u];
 let _e5977 = (_e5947 + (((_e5958 + ((bitcast<f32>(_e5967) - _e5958) * _e5969)) - _e5947) * _e5974));
@@ -2301,24 +2301,24 @@ let _e5978 = (_e5908 + _e5903);
 let _e5979 = local_6.member[1u];
 let _e5980 = (_e5978 + _e5979);
 let _e5982 = select(_e5884, _e5980, (_e5980 < _e5884));
-let _e5987 = global_4.member[bitcast<u32>(select(0i, _e5982, (_e5982 > 0i)))];
+let _e5987 = global_2.member[bitcast<u32>(select(0i, _e5982, (_e5982 > 0i)))];
 let _e5988 = bitcast<f32>(_e5987);
 let _e5989 = local_6.member[2u];
 let _e5990 = (_e5978 + _e5989);
 let _e5992 = select(_e5884, _e5990, (_e5990 < _e5884));
-let _e5997 = global_4.member[bitcast<u32>(select(0i, _e5992, (_e5992 > 0i)))];
+let _e5997 = global_2.member[bitcast<u32>(select(0i, _e5992, (_e5992 > 0i)))];
 let _e5999 = local_7[0u];
 let _e6002 = (_e5988 + ((bitcast<f32>(_e5997) - _e5988) * _e5999));
 let _e6003 = (_e5908 + _e5905);
 let _e6004 = local_6.member[1u];
 let _e6005 = (_e6003 + _e6004);
 let _e6007 = select(_e5884, _e6005, (_e6005 < _e5884));
-let _e6012 = global_4.member[bitcast<u32>(select(0i, _e6007, (_e6007 > 0i)))];
+let _e6012 = global_2.member[bitcast<u32>(select(0i, _e6007, (_e6007 > 0i)))];
 let _e6013 = bitcast<f32>(_e6012);
 let _e6014 = local_6.member[2u];
 let _e6015 = (_e6003 + _e6014);
 let _e6017 = select(_e5884, _e6015, (_e6015 < _e5884));
-let _e6022 = global_4.member[bitcast<u32>(select(0i, _e6017, (_e6017 > 0i)))];
+let _e6022 = global_2.member[bitcast<u32>(select(0i, _e6017, (_e6017 > 0i)))];
 let _e6024 = local_7[0u];
 let _e6028 = local_7[1u];
 let _e6033 = local_7[2u];
@@ -2327,11 +2327,11 @@ let _e6044 = global_1.member.member_6.member_5;
 let _e6046 = (((_e5977 + (((_e6002 + (((_e6013 + ((bitcast<f32>(_e6022) - _e6013) * _e6024)) - _e6002) * _e6028)) - _e5977) * _e6033)) - _e6040) * _e6044);
 let _e6047 = -(1e9f);
 let _e6049 = select(_e6047, _e6046, (_e6046 > _e6047));
-phi_16047_ = type_35(select(1e9f, _e6049, (_e6049 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_16047_ = type_34(select(1e9f, _e6049, (_e6049 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e6054 = phi_16047_;
 if _e2331 {
-phi_16439_ = type_5(1f, 1f, 1f);
+phi_16439_ = type_7(1f, 1f, 1f);
 } else {
 let _e6058 = global_1.member.member_14.member;
 let _e6069 = ((((_e6058.member.member * _e3401.member.x) + (_e6058.member.member_1 * _e3401.member.y)) + (_e6058.member.member_2 * _e3401.member.z)) + _e6058.member_1);
@@ -2377,7 +2377,7 @@ let _e6236 = select(0f, _e6234, (_e6234 > 0f));
 let _e6242 = select(select(select(1f, _e6236, (_e6236 < 1f)), 1f, (_e6229 <= 0f)), 0f, (_e6227 > 0f));
 let _e6247 = global_1.member.member_17.member_1;
 let _e6248 = (_e6247 != 0u);
-phi_16439_ = type_5(((((1f * _e6092) * _e6142) * _e6192) * _e6242), ((((1f * select(1f, _e6092, _e6098)) * select(1f, _e6142, _e6148)) * select(1f, _e6192, _e6198)) * select(1f, _e6242, _e6248)), ((((1f * select(1f, 0f, (_e6098 && (_e6075 > 0f)))) * select(1f, 0f, (_e6148 && (_e6125 > 0f)))) * select(1f, 0f, (_e6198 && (_e6175 > 0f)))) * select(1f, 0f, (_e6248 && (_e6225 > 0f)))));
+phi_16439_ = type_7(((((1f * _e6092) * _e6142) * _e6192) * _e6242), ((((1f * select(1f, _e6092, _e6098)) * select(1f, _e6142, _e6148)) * select(1f, _e6192, _e6198)) * select(1f, _e6242, _e6248)), ((((1f * select(1f, 0f, (_e6098 && (_e6075 > 0f)))) * select(1f, 0f, (_e6148 && (_e6125 > 0f)))) * select(1f, 0f, (_e6198 && (_e6175 > 0f)))) * select(1f, 0f, (_e6248 && (_e6225 > 0f)))));
 }
 let _e6257 = phi_16439_;
 let _e6260 = (select(0f, (_e4147 - 0.5f), _e4129) * _e3496);
@@ -2412,7 +2412,7 @@ let _e6345 = global_1.member.member_6.member_11.member_1;
 let _e6356 = ((_e6332 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6339) * ((_e6333 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6345) * (_e6334 >> bitcast<u32>(4i))))));
 let _e6358 = (bitcast<i32>(_e207) - 1i);
 let _e6360 = select(_e6358, _e6356, (_e6356 < _e6358));
-let _e6366 = global_4.member[bitcast<u32>(select(0i, _e6360, (_e6360 > 0i)))];
+let _e6366 = global_2.member[bitcast<u32>(select(0i, _e6360, (_e6360 > 0i)))];
 let _e6368 = (_e6332 & 15i);
 let _e6371 = ((_e6333 & 15i) * _e6327);
 let _e6373 = (bitcast<i32>(_e6366) + ((_e6334 & 15i) * _e6331));
@@ -2420,30 +2420,30 @@ let _e6377 = (_e6371 + _e6327);
 let _e6379 = (_e6371 + (2i * _e6327));
 let _e6380 = (_e6373 + _e6331);
 let _e6382 = (_e6373 + (2i * _e6331));
-local_4 = type_32(array<i32, 4>(_e6368, (_e6368 + 1i), (_e6368 + 2i), (_e6368 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_29(array<i32, 4>(_e6368, (_e6368 + 1i), (_e6368 + 2i), (_e6368 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e6270 - f32(_e6293)), (_e6274 - f32(_e6308)), (_e6278 - f32(_e6323)));
 let _e6393 = (_e6380 + _e6377);
 let _e6396 = local_4.member[1u];
 let _e6397 = (_e6393 + _e6396);
 let _e6399 = select(_e6358, _e6397, (_e6397 < _e6358));
-let _e6404 = global_4.member[bitcast<u32>(select(0i, _e6399, (_e6399 > 0i)))];
+let _e6404 = global_2.member[bitcast<u32>(select(0i, _e6399, (_e6399 > 0i)))];
 let _e6405 = bitcast<f32>(_e6404);
 let _e6408 = local_4.member[2u];
 let _e6409 = (_e6393 + _e6408);
 let _e6411 = select(_e6358, _e6409, (_e6409 < _e6358));
-let _e6416 = global_4.member[bitcast<u32>(select(0i, _e6411, (_e6411 > 0i)))];
+let _e6416 = global_2.member[bitcast<u32>(select(0i, _e6411, (_e6411 > 0i)))];
 let _e6418 = local_5[0u];
 let _e6421 = (_e6405 + ((bitcast<f32>(_e6416) - _e6405) * _e6418));
 let _e6422 = (_e6380 + _e6379);
 let _e6423 = local_4.member[1u];
 let _e6424 = (_e6422 + _e6423);
 let _e6426 = select(_e6358, _e6424, (_e6424 < _e6358));
-let _e6431 = global_4.member[bitcast<u32>(select(0i, _e6426, (_e6426 > 0i)))];
+let _e6431 = global_2.member[bitcast<u32>(select(0i, _e6426, (_e6426 > 0i)))];
 let _e6432 = bitcast<f32>(_e6431);
 let _e6433 = local_4.member[2u];
 let _e6434 = (_e6422 + _e6433);
 let _e6436 = select(_e6358, _e6434, (_e6434 < _e6358));
-let _e6441 = global_4.member[bitcast<u32>(select(0i, _e6436, (_e6436 > 0i)))];
+let _e6441 = global_2.member[bitcast<u32>(select(0i, _e6436, (_e6436 > 0i)))];
 let _e6443 = local_5[0u];
 let _e6448 = local_5[1u];
 let _e6451 = (_e6421 + (((_e6432 + ((bitcast<f32>(_e6441) - _e6432) * _e6443)) - _e6421) * _e6448));
@@ -2451,24 +2451,24 @@ let _e6452 = (_e6382 + _e6377);
 let _e6453 = local_4.member[1u];
 let _e6454 = (_e6452 + _e6453);
 let _e6456 = select(_e6358, _e6454, (_e6454 < _e6358));
-let _e6461 = global_4.member[bitcast<u32>(select(0i, _e6456, (_e6456 > 0i)))];
+let _e6461 = global_2.member[bitcast<u32>(select(0i, _e6456, (_e6456 > 0i)))];
 let _e6462 = bitcast<f32>(_e6461);
 let _e6463 = local_4.member[2u];
 let _e6464 = (_e6452 + _e6463);
 let _e6466 = select(_e6358, _e6464, (_e6464 < _e6358));
-let _e6471 = global_4.member[bitcast<u32>(select(0i, _e6466, (_e6466 > 0i)))];
+let _e6471 = global_2.member[bitcast<u32>(select(0i, _e6466, (_e6466 > 0i)))];
 let _e6473 = local_5[0u];
 let _e6476 = (_e6462 + ((bitcast<f32>(_e6471) - _e6462) * _e6473));
 let _e6477 = (_e6382 + _e6379);
 let _e6478 = local_4.member[1u];
 let _e6479 = (_e6477 + _e6478);
 let _e6481 = select(_e6358, _e6479, (_e6479 < _e6358));
-let _e6486 = global_4.member[bitcast<u32>(select(0i, _e6481, (_e6481 > 0i)))];
+let _e6486 = global_2.member[bitcast<u32>(select(0i, _e6481, (_e6481 > 0i)))];
 let _e6487 = bitcast<f32>(_e6486);
 let _e6488 = local_4.member[2u];
 let _e6489 = (_e6477 + _e6488);
 let _e6491 = select(_e6358, _e6489, (_e6489 < _e6358));
-let _e6496 = global_4.member[bitcast<u32>(select(0i, _e6491, (_e6491 > 0i)))];
+let _e6496 = global_2.member[bitcast<u32>(select(0i, _e6491, (_e6491 > 0i)))];
 let _e6498 = local_5[0u];
 let _e6502 = local_5[1u];
 let _e6507 = local_5[2u];
@@ -2483,41 +2483,41 @@ local_3 = _e6526;
 let _e6527 = local_3;
 let _e6529 = (bitcast<i32>(_e210) - 1i);
 let _e6531 = select(_e6529, 263197i, (263197i < _e6529));
-let _e6536 = global_5.member[bitcast<u32>(select(0i, _e6531, (_e6531 > 0i)))];
+let _e6536 = global_3.member[bitcast<u32>(select(0i, _e6531, (_e6531 > 0i)))];
 let _e6539 = select(_e6529, 263198i, (263198i < _e6529));
-let _e6544 = global_5.member[bitcast<u32>(select(0i, _e6539, (_e6539 > 0i)))];
+let _e6544 = global_3.member[bitcast<u32>(select(0i, _e6539, (_e6539 > 0i)))];
 let _e6547 = select(_e6529, 263199i, (263199i < _e6529));
-let _e6552 = global_5.member[bitcast<u32>(select(0i, _e6547, (_e6547 > 0i)))];
+let _e6552 = global_3.member[bitcast<u32>(select(0i, _e6547, (_e6547 > 0i)))];
 let _e6553 = bitcast<f32>(_e6552);
 let _e6555 = ((_e6527 - bitcast<f32>(_e6536)) * bitcast<f32>(_e6544));
 let _e6557 = select(0f, _e6555, (_e6555 > 0f));
 let _e6560 = local_3;
 let _e6562 = select(_e6529, 263200i, (263200i < _e6529));
-let _e6567 = global_5.member[bitcast<u32>(select(0i, _e6562, (_e6562 > 0i)))];
+let _e6567 = global_3.member[bitcast<u32>(select(0i, _e6562, (_e6562 > 0i)))];
 let _e6570 = select(_e6529, 263201i, (263201i < _e6529));
-let _e6575 = global_5.member[bitcast<u32>(select(0i, _e6570, (_e6570 > 0i)))];
+let _e6575 = global_3.member[bitcast<u32>(select(0i, _e6570, (_e6570 > 0i)))];
 let _e6578 = select(_e6529, 263202i, (263202i < _e6529));
-let _e6583 = global_5.member[bitcast<u32>(select(0i, _e6578, (_e6578 > 0i)))];
+let _e6583 = global_3.member[bitcast<u32>(select(0i, _e6578, (_e6578 > 0i)))];
 let _e6584 = bitcast<f32>(_e6583);
 let _e6586 = ((_e6560 - bitcast<f32>(_e6567)) * bitcast<f32>(_e6575));
 let _e6588 = select(0f, _e6586, (_e6586 > 0f));
 let _e6592 = local_3;
 let _e6594 = select(_e6529, 263203i, (263203i < _e6529));
-let _e6599 = global_5.member[bitcast<u32>(select(0i, _e6594, (_e6594 > 0i)))];
+let _e6599 = global_3.member[bitcast<u32>(select(0i, _e6594, (_e6594 > 0i)))];
 let _e6602 = select(_e6529, 263204i, (263204i < _e6529));
-let _e6607 = global_5.member[bitcast<u32>(select(0i, _e6602, (_e6602 > 0i)))];
+let _e6607 = global_3.member[bitcast<u32>(select(0i, _e6602, (_e6602 > 0i)))];
 let _e6610 = select(_e6529, 263205i, (263205i < _e6529));
-let _e6615 = global_5.member[bitcast<u32>(select(0i, _e6610, (_e6610 > 0i)))];
+let _e6615 = global_3.member[bitcast<u32>(select(0i, _e6610, (_e6610 > 0i)))];
 let _e6616 = bitcast<f32>(_e6615);
 let _e6618 = ((_e6592 - bitcast<f32>(_e6599)) * bitcast<f32>(_e6607));
 let _e6620 = select(0f, _e6618, (_e6618 > 0f));
 let _e6623 = local_3;
 let _e6625 = select(_e6529, 263206i, (263206i < _e6529));
-let _e6630 = global_5.member[bitcast<u32>(select(0i, _e6625, (_e6625 > 0i)))];
+let _e6630 = global_3.member[bitcast<u32>(select(0i, _e6625, (_e6625 > 0i)))];
 let _e6633 = select(_e6529, 263207i, (263207i < _e6529));
-let _e6638 = global_5.member[bitcast<u32>(select(0i, _e6633, (_e6633 > 0i)))];
+let _e6638 = global_3.member[bitcast<u32>(select(0i, _e6633, (_e6633 > 0i)))];
 let _e6641 = select(_e6529, 263208i, (263208i < _e6529));
-let _e6646 = global_5.member[bitcast<u32>(select(0i, _e6641, (_e6641 > 0i)))];
+let _e6646 = global_3.member[bitcast<u32>(select(0i, _e6641, (_e6641 > 0i)))];
 let _e6647 = bitcast<f32>(_e6646);
 let _e6649 = ((_e6623 - bitcast<f32>(_e6630)) * bitcast<f32>(_e6638));
 let _e6651 = select(0f, _e6649, (_e6649 > 0f));
@@ -2528,13 +2528,13 @@ let _e6666 = select(0i, select(select(i32(_e6659), i32(-2147483648), (_e6659 < -
 let _e6670 = (_e6666 - select(0i, 1i, (_e6659 < f32(_e6666))));
 let _e6671 = (262147i + _e6670);
 let _e6673 = select(_e6529, _e6671, (_e6671 < _e6529));
-let _e6679 = global_5.member[bitcast<u32>(select(0i, _e6673, (_e6673 > 0i)))];
+let _e6679 = global_3.member[bitcast<u32>(select(0i, _e6673, (_e6673 > 0i)))];
 let _e6689 = select(_e6529, 262146i, (262146i < _e6529));
-let _e6695 = global_5.member[bitcast<u32>(select(0i, _e6689, (_e6689 > 0i)))];
+let _e6695 = global_3.member[bitcast<u32>(select(0i, _e6689, (_e6689 > 0i)))];
 let _e6699 = select(_e6529, 262144i, (262144i < _e6529));
-let _e6705 = global_5.member[bitcast<u32>(select(0i, _e6699, (_e6699 > 0i)))];
+let _e6705 = global_3.member[bitcast<u32>(select(0i, _e6699, (_e6699 > 0i)))];
 let _e6708 = select(_e6529, 262145i, (262145i < _e6529));
-let _e6714 = global_5.member[bitcast<u32>(select(0i, _e6708, (_e6708 > 0i)))];
+let _e6714 = global_3.member[bitcast<u32>(select(0i, _e6708, (_e6708 > 0i)))];
 let _e6721 = ((bitcast<f32>(_e6705) + (f32(bitcast<i32>((_e6679 >> bitcast<u32>(12u)))) * bitcast<f32>(_e6714))) + ((f32((bitcast<i32>((_e6679 & 4095u)) - 2048i)) * bitcast<f32>(_e6695)) * (_e6655 - f32(_e6670))));
 let _e6722 = select(1f, _e6721, _e3414);
 let _e6723 = select(_e6721, 1f, _e3414);
@@ -2599,97 +2599,97 @@ let _e6908 = (((sqrt(select(0f, _e6803, (_e6803 > 0f))) * select(0f, _e6899, (_e
 local_1 = _e6794;
 let _e6909 = local_1;
 let _e6911 = select(_e6529, 263171i, (263171i < _e6529));
-let _e6916 = global_5.member[bitcast<u32>(select(0i, _e6911, (_e6911 > 0i)))];
+let _e6916 = global_3.member[bitcast<u32>(select(0i, _e6911, (_e6911 > 0i)))];
 let _e6917 = bitcast<f32>(_e6916);
 let _e6919 = select(_e6529, 263172i, (263172i < _e6529));
-let _e6924 = global_5.member[bitcast<u32>(select(0i, _e6919, (_e6919 > 0i)))];
+let _e6924 = global_3.member[bitcast<u32>(select(0i, _e6919, (_e6919 > 0i)))];
 let _e6925 = bitcast<f32>(_e6924);
 let _e6927 = select(_e6529, 263173i, (263173i < _e6529));
-let _e6932 = global_5.member[bitcast<u32>(select(0i, _e6927, (_e6927 > 0i)))];
+let _e6932 = global_3.member[bitcast<u32>(select(0i, _e6927, (_e6927 > 0i)))];
 let _e6933 = bitcast<f32>(_e6932);
 let _e6935 = ((_e6909 - _e6917) * _e6925);
 let _e6937 = select(0f, _e6935, (_e6935 > 0f));
 let _e6940 = local_1;
 let _e6942 = select(_e6529, 263174i, (263174i < _e6529));
-let _e6947 = global_5.member[bitcast<u32>(select(0i, _e6942, (_e6942 > 0i)))];
+let _e6947 = global_3.member[bitcast<u32>(select(0i, _e6942, (_e6942 > 0i)))];
 let _e6948 = bitcast<f32>(_e6947);
 let _e6950 = select(_e6529, 263175i, (263175i < _e6529));
-let _e6955 = global_5.member[bitcast<u32>(select(0i, _e6950, (_e6950 > 0i)))];
+let _e6955 = global_3.member[bitcast<u32>(select(0i, _e6950, (_e6950 > 0i)))];
 let _e6956 = bitcast<f32>(_e6955);
 let _e6958 = select(_e6529, 263176i, (263176i < _e6529));
-let _e6963 = global_5.member[bitcast<u32>(select(0i, _e6958, (_e6958 > 0i)))];
+let _e6963 = global_3.member[bitcast<u32>(select(0i, _e6958, (_e6958 > 0i)))];
 let _e6964 = bitcast<f32>(_e6963);
 let _e6966 = ((_e6940 - _e6948) * _e6956);
 let _e6968 = select(0f, _e6966, (_e6966 > 0f));
 let _e6972 = local_1;
 let _e6974 = select(_e6529, 263177i, (263177i < _e6529));
-let _e6979 = global_5.member[bitcast<u32>(select(0i, _e6974, (_e6974 > 0i)))];
+let _e6979 = global_3.member[bitcast<u32>(select(0i, _e6974, (_e6974 > 0i)))];
 let _e6980 = bitcast<f32>(_e6979);
 let _e6982 = select(_e6529, 263178i, (263178i < _e6529));
-let _e6987 = global_5.member[bitcast<u32>(select(0i, _e6982, (_e6982 > 0i)))];
+let _e6987 = global_3.member[bitcast<u32>(select(0i, _e6982, (_e6982 > 0i)))];
 let _e6988 = bitcast<f32>(_e6987);
 let _e6990 = select(_e6529, 263179i, (263179i < _e6529));
-let _e6995 = global_5.member[bitcast<u32>(select(0i, _e6990, (_e6990 > 0i)))];
+let _e6995 = global_3.member[bitcast<u32>(select(0i, _e6990, (_e6990 > 0i)))];
 let _e6996 = bitcast<f32>(_e6995);
 let _e6998 = ((_e6972 - _e6980) * _e6988);
 let _e7000 = select(0f, _e6998, (_e6998 > 0f));
 let _e7003 = local_1;
 let _e7005 = select(_e6529, 263180i, (263180i < _e6529));
-let _e7010 = global_5.member[bitcast<u32>(select(0i, _e7005, (_e7005 > 0i)))];
+let _e7010 = global_3.member[bitcast<u32>(select(0i, _e7005, (_e7005 > 0i)))];
 let _e7011 = bitcast<f32>(_e7010);
 let _e7013 = select(_e6529, 263181i, (263181i < _e6529));
-let _e7018 = global_5.member[bitcast<u32>(select(0i, _e7013, (_e7013 > 0i)))];
+let _e7018 = global_3.member[bitcast<u32>(select(0i, _e7013, (_e7013 > 0i)))];
 let _e7019 = bitcast<f32>(_e7018);
 let _e7021 = select(_e6529, 263182i, (263182i < _e6529));
-let _e7026 = global_5.member[bitcast<u32>(select(0i, _e7021, (_e7021 > 0i)))];
+let _e7026 = global_3.member[bitcast<u32>(select(0i, _e7021, (_e7021 > 0i)))];
 let _e7027 = bitcast<f32>(_e7026);
 let _e7029 = ((_e7003 - _e7011) * _e7019);
 let _e7031 = select(0f, _e7029, (_e7029 > 0f));
 let _e7036 = local_1;
 let _e7038 = select(_e6529, 263183i, (263183i < _e6529));
-let _e7043 = global_5.member[bitcast<u32>(select(0i, _e7038, (_e7038 > 0i)))];
+let _e7043 = global_3.member[bitcast<u32>(select(0i, _e7038, (_e7038 > 0i)))];
 let _e7044 = bitcast<f32>(_e7043);
 let _e7046 = select(_e6529, 263184i, (263184i < _e6529));
-let _e7051 = global_5.member[bitcast<u32>(select(0i, _e7046, (_e7046 > 0i)))];
+let _e7051 = global_3.member[bitcast<u32>(select(0i, _e7046, (_e7046 > 0i)))];
 let _e7052 = bitcast<f32>(_e7051);
 let _e7054 = select(_e6529, 263185i, (263185i < _e6529));
-let _e7059 = global_5.member[bitcast<u32>(select(0i, _e7054, (_e7054 > 0i)))];
+let _e7059 = global_3.member[bitcast<u32>(select(0i, _e7054, (_e7054 > 0i)))];
 let _e7060 = bitcast<f32>(_e7059);
 let _e7062 = ((_e7036 - _e7044) * _e7052);
 let _e7064 = select(0f, _e7062, (_e7062 > 0f));
 let _e7067 = local_1;
 let _e7069 = select(_e6529, 263186i, (263186i < _e6529));
-let _e7074 = global_5.member[bitcast<u32>(select(0i, _e7069, (_e7069 > 0i)))];
+let _e7074 = global_3.member[bitcast<u32>(select(0i, _e7069, (_e7069 > 0i)))];
 let _e7075 = bitcast<f32>(_e7074);
 let _e7077 = select(_e6529, 263187i, (263187i < _e6529));
-let _e7082 = global_5.member[bitcast<u32>(select(0i, _e7077, (_e7077 > 0i)))];
+let _e7082 = global_3.member[bitcast<u32>(select(0i, _e7077, (_e7077 > 0i)))];
 let _e7083 = bitcast<f32>(_e7082);
 let _e7085 = select(_e6529, 263188i, (263188i < _e6529));
-let _e7090 = global_5.member[bitcast<u32>(select(0i, _e7085, (_e7085 > 0i)))];
+let _e7090 = global_3.member[bitcast<u32>(select(0i, _e7085, (_e7085 > 0i)))];
 let _e7091 = bitcast<f32>(_e7090);
 let _e7093 = ((_e7067 - _e7075) * _e7083);
 let _e7095 = select(0f, _e7093, (_e7093 > 0f));
 let _e7099 = local_1;
 let _e7101 = select(_e6529, 263189i, (263189i < _e6529));
-let _e7106 = global_5.member[bitcast<u32>(select(0i, _e7101, (_e7101 > 0i)))];
+let _e7106 = global_3.member[bitcast<u32>(select(0i, _e7101, (_e7101 > 0i)))];
 let _e7107 = bitcast<f32>(_e7106);
 let _e7109 = select(_e6529, 263190i, (263190i < _e6529));
-let _e7114 = global_5.member[bitcast<u32>(select(0i, _e7109, (_e7109 > 0i)))];
+let _e7114 = global_3.member[bitcast<u32>(select(0i, _e7109, (_e7109 > 0i)))];
 let _e7115 = bitcast<f32>(_e7114);
 let _e7117 = select(_e6529, 263191i, (263191i < _e6529));
-let _e7122 = global_5.member[bitcast<u32>(select(0i, _e7117, (_e7117 > 0i)))];
+let _e7122 = global_3.member[bitcast<u32>(select(0i, _e7117, (_e7117 > 0i)))];
 let _e7123 = bitcast<f32>(_e7122);
 let _e7125 = ((_e7099 - _e7107) * _e7115);
 let _e7127 = select(0f, _e7125, (_e7125 > 0f));
 let _e7130 = local_1;
 let _e7132 = select(_e6529, 263192i, (263192i < _e6529));
-let _e7137 = global_5.member[bitcast<u32>(select(0i, _e7132, (_e7132 > 0i)))];
+let _e7137 = global_3.member[bitcast<u32>(select(0i, _e7132, (_e7132 > 0i)))];
 let _e7138 = bitcast<f32>(_e7137);
 let _e7140 = select(_e6529, 263193i, (263193i < _e6529));
-let _e7145 = global_5.member[bitcast<u32>(select(0i, _e7140, (_e7140 > 0i)))];
+let _e7145 = global_3.member[bitcast<u32>(select(0i, _e7140, (_e7140 > 0i)))];
 let _e7146 = bitcast<f32>(_e7145);
 let _e7148 = select(_e6529, 263194i, (263194i < _e6529));
-let _e7153 = global_5.member[bitcast<u32>(select(0i, _e7148, (_e7148 > 0i)))];
+let _e7153 = global_3.member[bitcast<u32>(select(0i, _e7148, (_e7148 > 0i)))];
 let _e7154 = bitcast<f32>(_e7153);
 let _e7156 = ((_e7130 - _e7138) * _e7146);
 let _e7158 = select(0f, _e7156, (_e7156 > 0f));
@@ -2730,10 +2730,10 @@ let _e7246 = select(_e7227, _e7244, (_e7244 < _e7227));
 let _e7253 = select(0i, select(select(i32(_e7246), i32(-2147483648), (_e7246 < -2147483600f)), 2147483647i, (_e7246 > 2147483500f)), (_e7246 == _e7246));
 let _e7257 = (_e7253 - select(0i, 1i, (_e7246 < f32(_e7253))));
 let _e7259 = select(_e6529, 263195i, (263195i < _e6529));
-let _e7265 = global_5.member[bitcast<u32>(select(0i, _e7259, (_e7259 > 0i)))];
+let _e7265 = global_3.member[bitcast<u32>(select(0i, _e7259, (_e7259 > 0i)))];
 let _e7266 = bitcast<f32>(_e7265);
 let _e7268 = select(_e6529, 263196i, (263196i < _e6529));
-let _e7274 = global_5.member[bitcast<u32>(select(0i, _e7268, (_e7268 > 0i)))];
+let _e7274 = global_3.member[bitcast<u32>(select(0i, _e7268, (_e7268 > 0i)))];
 let _e7275 = bitcast<f32>(_e7274);
 let _e7276 = (_e6054.member - _e6794);
 let _e7282 = (1f / select(_e7276, 1f, (bitcast<f32>((bitcast<u32>(_e7276) & 2147483647u)) < 1e-20f)));
@@ -2744,20 +2744,20 @@ let _e7299 = (_e7163 - f32(_e7242));
 let _e7301 = (_e7226 - f32(_e7257));
 let _e7303 = (1f - (_e7288 + _e7294));
 let _e7305 = select(_e6529, _e7297, (_e7297 < _e6529));
-let _e7311 = global_5.member[bitcast<u32>(select(0i, _e7305, (_e7305 > 0i)))];
+let _e7311 = global_3.member[bitcast<u32>(select(0i, _e7305, (_e7305 > 0i)))];
 let _e7312 = (_e7297 + 4i);
 let _e7314 = select(_e6529, _e7312, (_e7312 < _e6529));
-let _e7320 = global_5.member[bitcast<u32>(select(0i, _e7314, (_e7314 > 0i)))];
+let _e7320 = global_3.member[bitcast<u32>(select(0i, _e7314, (_e7314 > 0i)))];
 let _e7321 = (_e7297 + 1024i);
 let _e7323 = select(_e6529, _e7321, (_e7321 < _e6529));
-let _e7329 = global_5.member[bitcast<u32>(select(0i, _e7323, (_e7323 > 0i)))];
+let _e7329 = global_3.member[bitcast<u32>(select(0i, _e7323, (_e7323 > 0i)))];
 let _e7330 = (_e7297 + 1028i);
 let _e7332 = select(_e6529, _e7330, (_e7330 < _e6529));
-let _e7338 = global_5.member[bitcast<u32>(select(0i, _e7332, (_e7332 > 0i)))];
+let _e7338 = global_3.member[bitcast<u32>(select(0i, _e7332, (_e7332 > 0i)))];
 let _e7340 = select(_e6529, 0i, (0i < _e6529));
-let _e7346 = global_5.member[bitcast<u32>(select(0i, _e7340, (_e7340 > 0i)))];
+let _e7346 = global_3.member[bitcast<u32>(select(0i, _e7340, (_e7340 > 0i)))];
 let _e7348 = select(_e6529, 262140i, (262140i < _e6529));
-let _e7354 = global_5.member[bitcast<u32>(select(0i, _e7348, (_e7348 > 0i)))];
+let _e7354 = global_3.member[bitcast<u32>(select(0i, _e7348, (_e7348 > 0i)))];
 let _e7359 = (bitcast<f32>(((_e7311 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7367 = (_e7359 + (((bitcast<f32>(((_e7320 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7359) * _e7301));
 let _e7372 = (bitcast<f32>(((_e7329 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2767,20 +2767,20 @@ let _e7423 = (_e7415 + (((bitcast<f32>((((_e7320 >> bitcast<u32>(16i)) & 32767u)
 let _e7428 = (bitcast<f32>((((_e7329 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7455 = (_e7297 + 1i);
 let _e7457 = select(_e6529, _e7455, (_e7455 < _e6529));
-let _e7463 = global_5.member[bitcast<u32>(select(0i, _e7457, (_e7457 > 0i)))];
+let _e7463 = global_3.member[bitcast<u32>(select(0i, _e7457, (_e7457 > 0i)))];
 let _e7464 = (_e7297 + 5i);
 let _e7466 = select(_e6529, _e7464, (_e7464 < _e6529));
-let _e7472 = global_5.member[bitcast<u32>(select(0i, _e7466, (_e7466 > 0i)))];
+let _e7472 = global_3.member[bitcast<u32>(select(0i, _e7466, (_e7466 > 0i)))];
 let _e7473 = (_e7297 + 1025i);
 let _e7475 = select(_e6529, _e7473, (_e7473 < _e6529));
-let _e7481 = global_5.member[bitcast<u32>(select(0i, _e7475, (_e7475 > 0i)))];
+let _e7481 = global_3.member[bitcast<u32>(select(0i, _e7475, (_e7475 > 0i)))];
 let _e7482 = (_e7297 + 1029i);
 let _e7484 = select(_e6529, _e7482, (_e7482 < _e6529));
-let _e7490 = global_5.member[bitcast<u32>(select(0i, _e7484, (_e7484 > 0i)))];
+let _e7490 = global_3.member[bitcast<u32>(select(0i, _e7484, (_e7484 > 0i)))];
 let _e7492 = select(_e6529, 1i, (1i < _e6529));
-let _e7498 = global_5.member[bitcast<u32>(select(0i, _e7492, (_e7492 > 0i)))];
+let _e7498 = global_3.member[bitcast<u32>(select(0i, _e7492, (_e7492 > 0i)))];
 let _e7500 = select(_e6529, 262141i, (262141i < _e6529));
-let _e7506 = global_5.member[bitcast<u32>(select(0i, _e7500, (_e7500 > 0i)))];
+let _e7506 = global_3.member[bitcast<u32>(select(0i, _e7500, (_e7500 > 0i)))];
 let _e7511 = (bitcast<f32>(((_e7463 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7519 = (_e7511 + (((bitcast<f32>(((_e7472 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7511) * _e7301));
 let _e7524 = (bitcast<f32>(((_e7481 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2789,20 +2789,20 @@ let _e7575 = (_e7567 + (((bitcast<f32>((((_e7472 >> bitcast<u32>(16i)) & 32767u)
 let _e7580 = (bitcast<f32>((((_e7481 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7607 = (_e7297 + 2i);
 let _e7609 = select(_e6529, _e7607, (_e7607 < _e6529));
-let _e7615 = global_5.member[bitcast<u32>(select(0i, _e7609, (_e7609 > 0i)))];
+let _e7615 = global_3.member[bitcast<u32>(select(0i, _e7609, (_e7609 > 0i)))];
 let _e7616 = (_e7297 + 6i);
 let _e7618 = select(_e6529, _e7616, (_e7616 < _e6529));
-let _e7624 = global_5.member[bitcast<u32>(select(0i, _e7618, (_e7618 > 0i)))];
+let _e7624 = global_3.member[bitcast<u32>(select(0i, _e7618, (_e7618 > 0i)))];
 let _e7625 = (_e7297 + 1026i);
 let _e7627 = select(_e6529, _e7625, (_e7625 < _e6529));
-let _e7633 = global_5.member[bitcast<u32>(select(0i, _e7627, (_e7627 > 0i)))];
+let _e7633 = global_3.member[bitcast<u32>(select(0i, _e7627, (_e7627 > 0i)))];
 let _e7634 = (_e7297 + 1030i);
 let _e7636 = select(_e6529, _e7634, (_e7634 < _e6529));
-let _e7642 = global_5.member[bitcast<u32>(select(0i, _e7636, (_e7636 > 0i)))];
+let _e7642 = global_3.member[bitcast<u32>(select(0i, _e7636, (_e7636 > 0i)))];
 let _e7644 = select(_e6529, 2i, (2i < _e6529));
-let _e7650 = global_5.member[bitcast<u32>(select(0i, _e7644, (_e7644 > 0i)))];
+let _e7650 = global_3.member[bitcast<u32>(select(0i, _e7644, (_e7644 > 0i)))];
 let _e7652 = select(_e6529, 262142i, (262142i < _e6529));
-let _e7658 = global_5.member[bitcast<u32>(select(0i, _e7652, (_e7652 > 0i)))];
+let _e7658 = global_3.member[bitcast<u32>(select(0i, _e7652, (_e7652 > 0i)))];
 let _e7663 = (bitcast<f32>(((_e7615 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7671 = (_e7663 + (((bitcast<f32>(((_e7624 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7663) * _e7301));
 let _e7676 = (bitcast<f32>(((_e7633 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2811,20 +2811,20 @@ let _e7727 = (_e7719 + (((bitcast<f32>((((_e7624 >> bitcast<u32>(16i)) & 32767u)
 let _e7732 = (bitcast<f32>((((_e7633 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7759 = (_e7297 + 3i);
 let _e7761 = select(_e6529, _e7759, (_e7759 < _e6529));
-let _e7767 = global_5.member[bitcast<u32>(select(0i, _e7761, (_e7761 > 0i)))];
+let _e7767 = global_3.member[bitcast<u32>(select(0i, _e7761, (_e7761 > 0i)))];
 let _e7768 = (_e7297 + 7i);
 let _e7770 = select(_e6529, _e7768, (_e7768 < _e6529));
-let _e7776 = global_5.member[bitcast<u32>(select(0i, _e7770, (_e7770 > 0i)))];
+let _e7776 = global_3.member[bitcast<u32>(select(0i, _e7770, (_e7770 > 0i)))];
 let _e7777 = (_e7297 + 1027i);
 let _e7779 = select(_e6529, _e7777, (_e7777 < _e6529));
-let _e7785 = global_5.member[bitcast<u32>(select(0i, _e7779, (_e7779 > 0i)))];
+let _e7785 = global_3.member[bitcast<u32>(select(0i, _e7779, (_e7779 > 0i)))];
 let _e7786 = (_e7297 + 1031i);
 let _e7788 = select(_e6529, _e7786, (_e7786 < _e6529));
-let _e7794 = global_5.member[bitcast<u32>(select(0i, _e7788, (_e7788 > 0i)))];
+let _e7794 = global_3.member[bitcast<u32>(select(0i, _e7788, (_e7788 > 0i)))];
 let _e7796 = select(_e6529, 3i, (3i < _e6529));
-let _e7802 = global_5.member[bitcast<u32>(select(0i, _e7796, (_e7796 > 0i)))];
+let _e7802 = global_3.member[bitcast<u32>(select(0i, _e7796, (_e7796 > 0i)))];
 let _e7804 = select(_e6529, 262143i, (262143i < _e6529));
-let _e7810 = global_5.member[bitcast<u32>(select(0i, _e7804, (_e7804 > 0i)))];
+let _e7810 = global_3.member[bitcast<u32>(select(0i, _e7804, (_e7804 > 0i)))];
 let _e7815 = (bitcast<f32>(((_e7767 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e7823 = (_e7815 + (((bitcast<f32>(((_e7776 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7815) * _e7301));
 let _e7828 = (bitcast<f32>(((_e7785 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2931,9 +2931,9 @@ let _e8248 = phi_20496_;
 let _e8249 = (_e8248 + 1i);
 let _e8251 = (bitcast<i32>(_e212) - 1i);
 let _e8253 = select(_e8251, _e8249, (_e8249 < _e8251));
-let _e8259 = global_6.member[bitcast<u32>(select(0i, _e8253, (_e8253 > 0i)))];
+let _e8259 = global_4.member[bitcast<u32>(select(0i, _e8253, (_e8253 > 0i)))];
 let _e8261 = select(_e8251, _e8248, (_e8248 < _e8251));
-let _e8267 = global_6.member[bitcast<u32>(select(0i, _e8261, (_e8261 > 0i)))];
+let _e8267 = global_4.member[bitcast<u32>(select(0i, _e8261, (_e8261 > 0i)))];
 let _e8270 = select(_e8259, 0u, (_e8248 < 0i));
 let _e8274 = global_1.member.member_10.member_13;
 let _e8275 = (_e8270 * 81u);
@@ -2945,35 +2945,35 @@ let _e8292 = (_e8148 - f32(_e8189));
 let _e8294 = (_e8158 - f32(_e8204));
 let _e8295 = (_e8270 != 0u);
 let _e8297 = select(_e8251, _e8287, (_e8287 < _e8251));
-let _e8303 = global_6.member[bitcast<u32>(select(0i, _e8297, (_e8297 > 0i)))];
+let _e8303 = global_4.member[bitcast<u32>(select(0i, _e8297, (_e8297 > 0i)))];
 let _e8304 = bitcast<f32>(_e8303);
 let _e8305 = (_e8287 + 1i);
 let _e8307 = select(_e8251, _e8305, (_e8305 < _e8251));
-let _e8313 = global_6.member[bitcast<u32>(select(0i, _e8307, (_e8307 > 0i)))];
+let _e8313 = global_4.member[bitcast<u32>(select(0i, _e8307, (_e8307 > 0i)))];
 let _e8317 = (_e8304 + ((bitcast<f32>(_e8313) - _e8304) * _e8290));
 let _e8318 = (_e8287 + 9i);
 let _e8320 = select(_e8251, _e8318, (_e8318 < _e8251));
-let _e8326 = global_6.member[bitcast<u32>(select(0i, _e8320, (_e8320 > 0i)))];
+let _e8326 = global_4.member[bitcast<u32>(select(0i, _e8320, (_e8320 > 0i)))];
 let _e8327 = bitcast<f32>(_e8326);
 let _e8328 = (_e8287 + 10i);
 let _e8330 = select(_e8251, _e8328, (_e8328 < _e8251));
-let _e8336 = global_6.member[bitcast<u32>(select(0i, _e8330, (_e8330 > 0i)))];
+let _e8336 = global_4.member[bitcast<u32>(select(0i, _e8330, (_e8330 > 0i)))];
 let _e8343 = (_e8317 + (((_e8327 + ((bitcast<f32>(_e8336) - _e8327) * _e8290)) - _e8317) * _e8292));
 let _e8344 = (_e8287 + _e8279);
 let _e8346 = select(_e8251, _e8344, (_e8344 < _e8251));
-let _e8352 = global_6.member[bitcast<u32>(select(0i, _e8346, (_e8346 > 0i)))];
+let _e8352 = global_4.member[bitcast<u32>(select(0i, _e8346, (_e8346 > 0i)))];
 let _e8353 = bitcast<f32>(_e8352);
 let _e8354 = (_e8344 + 1i);
 let _e8356 = select(_e8251, _e8354, (_e8354 < _e8251));
-let _e8362 = global_6.member[bitcast<u32>(select(0i, _e8356, (_e8356 > 0i)))];
+let _e8362 = global_4.member[bitcast<u32>(select(0i, _e8356, (_e8356 > 0i)))];
 let _e8366 = (_e8353 + ((bitcast<f32>(_e8362) - _e8353) * _e8290));
 let _e8367 = (_e8344 + 9i);
 let _e8369 = select(_e8251, _e8367, (_e8367 < _e8251));
-let _e8375 = global_6.member[bitcast<u32>(select(0i, _e8369, (_e8369 > 0i)))];
+let _e8375 = global_4.member[bitcast<u32>(select(0i, _e8369, (_e8369 > 0i)))];
 let _e8376 = bitcast<f32>(_e8375);
 let _e8377 = (_e8344 + 10i);
 let _e8379 = select(_e8251, _e8377, (_e8377 < _e8251));
-let _e8385 = global_6.member[bitcast<u32>(select(0i, _e8379, (_e8379 > 0i)))];
+let _e8385 = global_4.member[bitcast<u32>(select(0i, _e8379, (_e8379 > 0i)))];
 let _e8396 = select(1f, (_e8343 + (((_e8366 + (((_e8376 + ((bitcast<f32>(_e8385) - _e8376) * _e8290)) - _e8366) * _e8292)) - _e8343) * _e8294)), _e8295);
 if (((_e222.member_2 == 3u) || (_e222.member_2 == 4u)) || _e508) {
 phi_21073_ = vec3(_e8396);
@@ -2982,66 +2982,66 @@ let _e8405 = global_1.member.member_10.member_12;
 let _e8406 = (_e8405 > 1u);
 let _e8410 = (_e8287 + (select(0i, 1i, _e8406) * _e8288));
 let _e8412 = select(_e8251, _e8410, (_e8410 < _e8251));
-let _e8418 = global_6.member[bitcast<u32>(select(0i, _e8412, (_e8412 > 0i)))];
+let _e8418 = global_4.member[bitcast<u32>(select(0i, _e8412, (_e8412 > 0i)))];
 let _e8419 = bitcast<f32>(_e8418);
 let _e8420 = (_e8410 + 1i);
 let _e8422 = select(_e8251, _e8420, (_e8420 < _e8251));
-let _e8428 = global_6.member[bitcast<u32>(select(0i, _e8422, (_e8422 > 0i)))];
+let _e8428 = global_4.member[bitcast<u32>(select(0i, _e8422, (_e8422 > 0i)))];
 let _e8432 = (_e8419 + ((bitcast<f32>(_e8428) - _e8419) * _e8290));
 let _e8433 = (_e8410 + 9i);
 let _e8435 = select(_e8251, _e8433, (_e8433 < _e8251));
-let _e8441 = global_6.member[bitcast<u32>(select(0i, _e8435, (_e8435 > 0i)))];
+let _e8441 = global_4.member[bitcast<u32>(select(0i, _e8435, (_e8435 > 0i)))];
 let _e8442 = bitcast<f32>(_e8441);
 let _e8443 = (_e8410 + 10i);
 let _e8445 = select(_e8251, _e8443, (_e8443 < _e8251));
-let _e8451 = global_6.member[bitcast<u32>(select(0i, _e8445, (_e8445 > 0i)))];
+let _e8451 = global_4.member[bitcast<u32>(select(0i, _e8445, (_e8445 > 0i)))];
 let _e8458 = (_e8432 + (((_e8442 + ((bitcast<f32>(_e8451) - _e8442) * _e8290)) - _e8432) * _e8292));
 let _e8459 = (_e8410 + _e8279);
 let _e8461 = select(_e8251, _e8459, (_e8459 < _e8251));
-let _e8467 = global_6.member[bitcast<u32>(select(0i, _e8461, (_e8461 > 0i)))];
+let _e8467 = global_4.member[bitcast<u32>(select(0i, _e8461, (_e8461 > 0i)))];
 let _e8468 = bitcast<f32>(_e8467);
 let _e8469 = (_e8459 + 1i);
 let _e8471 = select(_e8251, _e8469, (_e8469 < _e8251));
-let _e8477 = global_6.member[bitcast<u32>(select(0i, _e8471, (_e8471 > 0i)))];
+let _e8477 = global_4.member[bitcast<u32>(select(0i, _e8471, (_e8471 > 0i)))];
 let _e8481 = (_e8468 + ((bitcast<f32>(_e8477) - _e8468) * _e8290));
 let _e8482 = (_e8459 + 9i);
 let _e8484 = select(_e8251, _e8482, (_e8482 < _e8251));
-let _e8490 = global_6.member[bitcast<u32>(select(0i, _e8484, (_e8484 > 0i)))];
+let _e8490 = global_4.member[bitcast<u32>(select(0i, _e8484, (_e8484 > 0i)))];
 let _e8491 = bitcast<f32>(_e8490);
 let _e8492 = (_e8459 + 10i);
 let _e8494 = select(_e8251, _e8492, (_e8492 < _e8251));
-let _e8500 = global_6.member[bitcast<u32>(select(0i, _e8494, (_e8494 > 0i)))];
+let _e8500 = global_4.member[bitcast<u32>(select(0i, _e8494, (_e8494 > 0i)))];
 let _e8513 = (_e8287 + (select(0i, 2i, _e8406) * _e8288));
 let _e8515 = select(_e8251, _e8513, (_e8513 < _e8251));
-let _e8521 = global_6.member[bitcast<u32>(select(0i, _e8515, (_e8515 > 0i)))];
+let _e8521 = global_4.member[bitcast<u32>(select(0i, _e8515, (_e8515 > 0i)))];
 let _e8522 = bitcast<f32>(_e8521);
 let _e8523 = (_e8513 + 1i);
 let _e8525 = select(_e8251, _e8523, (_e8523 < _e8251));
-let _e8531 = global_6.member[bitcast<u32>(select(0i, _e8525, (_e8525 > 0i)))];
+let _e8531 = global_4.member[bitcast<u32>(select(0i, _e8525, (_e8525 > 0i)))];
 let _e8535 = (_e8522 + ((bitcast<f32>(_e8531) - _e8522) * _e8290));
 let _e8536 = (_e8513 + 9i);
 let _e8538 = select(_e8251, _e8536, (_e8536 < _e8251));
-let _e8544 = global_6.member[bitcast<u32>(select(0i, _e8538, (_e8538 > 0i)))];
+let _e8544 = global_4.member[bitcast<u32>(select(0i, _e8538, (_e8538 > 0i)))];
 let _e8545 = bitcast<f32>(_e8544);
 let _e8546 = (_e8513 + 10i);
 let _e8548 = select(_e8251, _e8546, (_e8546 < _e8251));
-let _e8554 = global_6.member[bitcast<u32>(select(0i, _e8548, (_e8548 > 0i)))];
+let _e8554 = global_4.member[bitcast<u32>(select(0i, _e8548, (_e8548 > 0i)))];
 let _e8561 = (_e8535 + (((_e8545 + ((bitcast<f32>(_e8554) - _e8545) * _e8290)) - _e8535) * _e8292));
 let _e8562 = (_e8513 + _e8279);
 let _e8564 = select(_e8251, _e8562, (_e8562 < _e8251));
-let _e8570 = global_6.member[bitcast<u32>(select(0i, _e8564, (_e8564 > 0i)))];
+let _e8570 = global_4.member[bitcast<u32>(select(0i, _e8564, (_e8564 > 0i)))];
 let _e8571 = bitcast<f32>(_e8570);
 let _e8572 = (_e8562 + 1i);
 let _e8574 = select(_e8251, _e8572, (_e8572 < _e8251));
-let _e8580 = global_6.member[bitcast<u32>(select(0i, _e8574, (_e8574 > 0i)))];
+let _e8580 = global_4.member[bitcast<u32>(select(0i, _e8574, (_e8574 > 0i)))];
 let _e8584 = (_e8571 + ((bitcast<f32>(_e8580) - _e8571) * _e8290));
 let _e8585 = (_e8562 + 9i);
 let _e8587 = select(_e8251, _e8585, (_e8585 < _e8251));
-let _e8593 = global_6.member[bitcast<u32>(select(0i, _e8587, (_e8587 > 0i)))];
+let _e8593 = global_4.member[bitcast<u32>(select(0i, _e8587, (_e8587 > 0i)))];
 let _e8594 = bitcast<f32>(_e8593);
 let _e8595 = (_e8562 + 10i);
 let _e8597 = select(_e8251, _e8595, (_e8595 < _e8251));
-let _e8603 = global_6.member[bitcast<u32>(select(0i, _e8597, (_e8597 > 0i)))];
+let _e8603 = global_4.member[bitcast<u32>(select(0i, _e8597, (_e8597 > 0i)))];
 phi_21073_ = vec3<f32>(_e8396, select(1f, (_e8458 + (((_e8481 + (((_e8491 + ((bitcast<f32>(_e8500) - _e8491) * _e8290)) - _e8481) * _e8292)) - _e8458) * _e8294)), _e8295), select(1f, (_e8561 + (((_e8584 + (((_e8594 + ((bitcast<f32>(_e8603) - _e8594) * _e8290)) - _e8584) * _e8292)) - _e8561) * _e8294)), _e8295));
 }
 let _e8617 = phi_21073_;
@@ -3057,56 +3057,56 @@ let _e8640 = select(0f, (_e8623 * _e8635), _e8111);
 if _e515 {
 let _e8646 = (_e8287 + ((bitcast<i32>(_e8274) - 1i) * _e8288));
 let _e8648 = select(_e8251, _e8646, (_e8646 < _e8251));
-let _e8654 = global_6.member[bitcast<u32>(select(0i, _e8648, (_e8648 > 0i)))];
+let _e8654 = global_4.member[bitcast<u32>(select(0i, _e8648, (_e8648 > 0i)))];
 let _e8656 = bitcast<u32>(bitcast<f32>(_e8654));
 let _e8660 = f32((bitcast<i32>((_e8656 & 65535u)) - 32768i));
 let _e8666 = f32((bitcast<i32>(((_e8656 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8671 = select(_e8666, -(_e8666), ((_e8656 >> bitcast<u32>(31i)) != 0u));
 let _e8672 = (_e8646 + 1i);
 let _e8674 = select(_e8251, _e8672, (_e8672 < _e8251));
-let _e8680 = global_6.member[bitcast<u32>(select(0i, _e8674, (_e8674 > 0i)))];
+let _e8680 = global_4.member[bitcast<u32>(select(0i, _e8674, (_e8674 > 0i)))];
 let _e8682 = bitcast<u32>(bitcast<f32>(_e8680));
 let _e8692 = f32((bitcast<i32>(((_e8682 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8700 = (_e8660 + ((f32((bitcast<i32>((_e8682 & 65535u)) - 32768i)) - _e8660) * _e8290));
 let _e8703 = (_e8671 + ((select(_e8692, -(_e8692), ((_e8682 >> bitcast<u32>(31i)) != 0u)) - _e8671) * _e8290));
 let _e8704 = (_e8646 + 9i);
 let _e8706 = select(_e8251, _e8704, (_e8704 < _e8251));
-let _e8712 = global_6.member[bitcast<u32>(select(0i, _e8706, (_e8706 > 0i)))];
+let _e8712 = global_4.member[bitcast<u32>(select(0i, _e8706, (_e8706 > 0i)))];
 let _e8714 = bitcast<u32>(bitcast<f32>(_e8712));
 let _e8718 = f32((bitcast<i32>((_e8714 & 65535u)) - 32768i));
 let _e8724 = f32((bitcast<i32>(((_e8714 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8729 = select(_e8724, -(_e8724), ((_e8714 >> bitcast<u32>(31i)) != 0u));
 let _e8730 = (_e8646 + 10i);
 let _e8732 = select(_e8251, _e8730, (_e8730 < _e8251));
-let _e8738 = global_6.member[bitcast<u32>(select(0i, _e8732, (_e8732 > 0i)))];
+let _e8738 = global_4.member[bitcast<u32>(select(0i, _e8732, (_e8732 > 0i)))];
 let _e8740 = bitcast<u32>(bitcast<f32>(_e8738));
 let _e8750 = f32((bitcast<i32>(((_e8740 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8764 = (_e8700 + (((_e8718 + ((f32((bitcast<i32>((_e8740 & 65535u)) - 32768i)) - _e8718) * _e8290)) - _e8700) * _e8292));
 let _e8767 = (_e8703 + (((_e8729 + ((select(_e8750, -(_e8750), ((_e8740 >> bitcast<u32>(31i)) != 0u)) - _e8729) * _e8290)) - _e8703) * _e8292));
 let _e8768 = (_e8646 + _e8279);
 let _e8770 = select(_e8251, _e8768, (_e8768 < _e8251));
-let _e8776 = global_6.member[bitcast<u32>(select(0i, _e8770, (_e8770 > 0i)))];
+let _e8776 = global_4.member[bitcast<u32>(select(0i, _e8770, (_e8770 > 0i)))];
 let _e8778 = bitcast<u32>(bitcast<f32>(_e8776));
 let _e8782 = f32((bitcast<i32>((_e8778 & 65535u)) - 32768i));
 let _e8788 = f32((bitcast<i32>(((_e8778 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8793 = select(_e8788, -(_e8788), ((_e8778 >> bitcast<u32>(31i)) != 0u));
 let _e8794 = (_e8768 + 1i);
 let _e8796 = select(_e8251, _e8794, (_e8794 < _e8251));
-let _e8802 = global_6.member[bitcast<u32>(select(0i, _e8796, (_e8796 > 0i)))];
+let _e8802 = global_4.member[bitcast<u32>(select(0i, _e8796, (_e8796 > 0i)))];
 let _e8804 = bitcast<u32>(bitcast<f32>(_e8802));
 let _e8814 = f32((bitcast<i32>(((_e8804 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8822 = (_e8782 + ((f32((bitcast<i32>((_e8804 & 65535u)) - 32768i)) - _e8782) * _e8290));
 let _e8825 = (_e8793 + ((select(_e8814, -(_e8814), ((_e8804 >> bitcast<u32>(31i)) != 0u)) - _e8793) * _e8290));
 let _e8826 = (_e8768 + 9i);
 let _e8828 = select(_e8251, _e8826, (_e8826 < _e8251));
-let _e8834 = global_6.member[bitcast<u32>(select(0i, _e8828, (_e8828 > 0i)))];
+let _e8834 = global_4.member[bitcast<u32>(select(0i, _e8828, (_e8828 > 0i)))];
 let _e8836 = bitcast<u32>(bitcast<f32>(_e8834));
 let _e8840 = f32((bitcast<i32>((_e8836 & 65535u)) - 32768i));
 let _e8846 = f32((bitcast<i32>(((_e8836 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8851 = select(_e8846, -(_e8846), ((_e8836 >> bitcast<u32>(31i)) != 0u));
 let _e8852 = (_e8768 + 10i);
 let _e8854 = select(_e8251, _e8852, (_e8852 < _e8251));
-let _e8860 = global_6.member[bitcast<u32>(select(0i, _e8854, (_e8854 > 0i)))];
+let _e8860 = global_4.member[bitcast<u32>(select(0i, _e8854, (_e8854 > 0i)))];
 let _e8862 = bitcast<u32>(bitcast<f32>(_e8860));
 let _e8872 = f32((bitcast<i32>(((_e8862 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e8898 = (_e8639 + select(0f, ((_e8764 + (((_e8822 + (((_e8840 + ((f32((bitcast<i32>((_e8862 & 65535u)) - 32768i)) - _e8840) * _e8290)) - _e8822) * _e8292)) - _e8764) * _e8294)) * 6.151953e-5f), _e8295));
@@ -3146,7 +3146,7 @@ let _e8990 = (_e8989 * select(_e8970, 1f, (_e515 && _e8295)));
 let _e8999 = global_1.member.member_10.member.member;
 let _e9011 = global_1.member.member_10.member_1.member;
 let _e9026 = global_1.member.member_10.member_2.member;
-phi_21648_ = type_29(vec3<f32>(((_e8617.x * _e8975.member) * _e8990), ((_e8617.y * _e8975.member_1) * _e8990), ((_e8617.z * _e8975.member_2) * _e8990)), (vec3<f32>(((_e8999.member * _e8913.x) + (_e9011.member * _e8913.y)), ((_e8999.member_1 * _e8913.x) + (_e9011.member_1 * _e8913.y)), ((_e8999.member_2 * _e8913.x) + (_e9011.member_2 * _e8913.y))) + vec3<f32>((_e9026.member * _e8913.z), (_e9026.member_1 * _e8913.z), (_e9026.member_2 * _e8913.z))));
+phi_21648_ = type_36(vec3<f32>(((_e8617.x * _e8975.member) * _e8990), ((_e8617.y * _e8975.member_1) * _e8990), ((_e8617.z * _e8975.member_2) * _e8990)), (vec3<f32>(((_e8999.member * _e8913.x) + (_e9011.member * _e8913.y)), ((_e8999.member_1 * _e8913.x) + (_e9011.member_1 * _e8913.y)), ((_e8999.member_2 * _e8913.x) + (_e9011.member_2 * _e8913.y))) + vec3<f32>((_e9026.member * _e8913.z), (_e9026.member_1 * _e8913.z), (_e9026.member_2 * _e8913.z))));
 }
 let _e9039 = phi_21648_;
 let _e9048 = (((_e9039.member_1.x * _e9039.member_1.x) + (_e9039.member_1.y * _e9039.member_1.y)) + (_e9039.member_1.z * _e9039.member_1.z));
@@ -3251,51 +3251,51 @@ let _e9416 = ((bitcast<i32>(_e9412) + (_e9388 * _e9241)) + _e9371);
 let _e9417 = (_e9241 * _e9248);
 let _e9419 = (bitcast<i32>(_e212) - 1i);
 let _e9421 = select(_e9419, _e9416, (_e9416 < _e9419));
-let _e9427 = global_6.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
+let _e9427 = global_4.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
 let _e9428 = bitcast<f32>(_e9427);
 let _e9429 = (_e9416 + 1i);
 let _e9431 = select(_e9419, _e9429, (_e9429 < _e9419));
-let _e9437 = global_6.member[bitcast<u32>(select(0i, _e9431, (_e9431 > 0i)))];
+let _e9437 = global_4.member[bitcast<u32>(select(0i, _e9431, (_e9431 > 0i)))];
 let _e9441 = (_e9428 + ((bitcast<f32>(_e9437) - _e9428) * _e9394));
 let _e9442 = (_e9416 + _e9241);
 let _e9444 = select(_e9419, _e9442, (_e9442 < _e9419));
-let _e9450 = global_6.member[bitcast<u32>(select(0i, _e9444, (_e9444 > 0i)))];
+let _e9450 = global_4.member[bitcast<u32>(select(0i, _e9444, (_e9444 > 0i)))];
 let _e9451 = bitcast<f32>(_e9450);
 let _e9452 = (_e9442 + 1i);
 let _e9454 = select(_e9419, _e9452, (_e9452 < _e9419));
-let _e9460 = global_6.member[bitcast<u32>(select(0i, _e9454, (_e9454 > 0i)))];
+let _e9460 = global_4.member[bitcast<u32>(select(0i, _e9454, (_e9454 > 0i)))];
 let _e9467 = (_e9441 + (((_e9451 + ((bitcast<f32>(_e9460) - _e9451) * _e9394)) - _e9441) * _e9400));
 let _e9468 = (_e9416 + _e9417);
 let _e9470 = select(_e9419, _e9468, (_e9468 < _e9419));
-let _e9476 = global_6.member[bitcast<u32>(select(0i, _e9470, (_e9470 > 0i)))];
+let _e9476 = global_4.member[bitcast<u32>(select(0i, _e9470, (_e9470 > 0i)))];
 let _e9477 = bitcast<f32>(_e9476);
 let _e9478 = (_e9468 + 1i);
 let _e9480 = select(_e9419, _e9478, (_e9478 < _e9419));
-let _e9486 = global_6.member[bitcast<u32>(select(0i, _e9480, (_e9480 > 0i)))];
+let _e9486 = global_4.member[bitcast<u32>(select(0i, _e9480, (_e9480 > 0i)))];
 let _e9490 = (_e9477 + ((bitcast<f32>(_e9486) - _e9477) * _e9394));
 let _e9491 = (_e9468 + _e9241);
 let _e9493 = select(_e9419, _e9491, (_e9491 < _e9419));
-let _e9499 = global_6.member[bitcast<u32>(select(0i, _e9493, (_e9493 > 0i)))];
+let _e9499 = global_4.member[bitcast<u32>(select(0i, _e9493, (_e9493 > 0i)))];
 let _e9500 = bitcast<f32>(_e9499);
 let _e9501 = (_e9491 + 1i);
 let _e9503 = select(_e9419, _e9501, (_e9501 < _e9419));
-let _e9509 = global_6.member[bitcast<u32>(select(0i, _e9503, (_e9503 > 0i)))];
+let _e9509 = global_4.member[bitcast<u32>(select(0i, _e9503, (_e9503 > 0i)))];
 let _e9516 = (_e9490 + (((_e9500 + ((bitcast<f32>(_e9509) - _e9500) * _e9394)) - _e9490) * _e9400));
 let _e9518 = (_e9416 + (2i * _e9417));
 let _e9520 = select(_e9419, _e9518, (_e9518 < _e9419));
-let _e9526 = global_6.member[bitcast<u32>(select(0i, _e9520, (_e9520 > 0i)))];
+let _e9526 = global_4.member[bitcast<u32>(select(0i, _e9520, (_e9520 > 0i)))];
 let _e9527 = bitcast<f32>(_e9526);
 let _e9528 = (_e9518 + 1i);
 let _e9530 = select(_e9419, _e9528, (_e9528 < _e9419));
-let _e9536 = global_6.member[bitcast<u32>(select(0i, _e9530, (_e9530 > 0i)))];
+let _e9536 = global_4.member[bitcast<u32>(select(0i, _e9530, (_e9530 > 0i)))];
 let _e9540 = (_e9527 + ((bitcast<f32>(_e9536) - _e9527) * _e9394));
 let _e9541 = (_e9518 + _e9241);
 let _e9543 = select(_e9419, _e9541, (_e9541 < _e9419));
-let _e9549 = global_6.member[bitcast<u32>(select(0i, _e9543, (_e9543 > 0i)))];
+let _e9549 = global_4.member[bitcast<u32>(select(0i, _e9543, (_e9543 > 0i)))];
 let _e9550 = bitcast<f32>(_e9549);
 let _e9551 = (_e9541 + 1i);
 let _e9553 = select(_e9419, _e9551, (_e9551 < _e9419));
-let _e9559 = global_6.member[bitcast<u32>(select(0i, _e9553, (_e9553 > 0i)))];
+let _e9559 = global_4.member[bitcast<u32>(select(0i, _e9553, (_e9553 > 0i)))];
 let _e9566 = (_e9540 + (((_e9550 + ((bitcast<f32>(_e9559) - _e9550) * _e9394)) - _e9540) * _e9400));
 if _e3166 {
 phi_22528_ = vec3<f32>(_e9467, _e9516, _e9566);
@@ -3331,12 +3331,12 @@ phi_22528_ = vec3<f32>((select(0f, _e9629, (_e9629 > 0f)) * _e9642), (select(0f,
 }
 let _e9648 = phi_22528_;
 let _e9652 = global_1.member.member_9.member_1;
-phi_22788_ = type_29((vec3<f32>(_e9652.member, _e9652.member_1, _e9652.member_2) * _e9648), _e9232);
+phi_22788_ = type_36((vec3<f32>(_e9652.member, _e9652.member_1, _e9652.member_2) * _e9648), _e9232);
 } else {
 if _e3166 {
 let _e9662 = global_1.member.member_9.member_1;
 let _e9670 = global_1.member.member_9.member;
-phi_22787_ = type_29(vec3<f32>(_e9662.member, _e9662.member_1, _e9662.member_2), vec3<f32>(_e9670.member, _e9670.member_1, _e9670.member_2));
+phi_22787_ = type_36(vec3<f32>(_e9662.member, _e9662.member_1, _e9662.member_2), vec3<f32>(_e9670.member, _e9670.member_1, _e9670.member_2));
 } else {
 let _e9679 = global_1.member.member_9.member_1;
 if _e3166 {
@@ -3363,7 +3363,7 @@ phi_22715_ = select(1f, select(0f, ((_e9733 * _e9733) * (3f - (2f * _e9733))), (
 }
 let _e9743 = phi_22715_;
 let _e9744 = (_e9687 * _e9743);
-phi_22787_ = type_29(vec3<f32>((_e9679.member * _e9744), (_e9679.member_1 * _e9744), (_e9679.member_2 * _e9744)), _e9232);
+phi_22787_ = type_36(vec3<f32>((_e9679.member * _e9744), (_e9679.member_1 * _e9744), (_e9679.member_2 * _e9744)), _e9232);
 }
 let _e9751 = phi_22787_;
 phi_22788_ = _e9751;
@@ -3378,7 +3378,7 @@ let _e9793 = bitcast<f32>((bitcast<u32>(select(0f, _e9788, (_e9788 > 0f))) & 214
 let _e9803 = (1f - _e9103);
 let _e9817 = select(_e9103, 1f, _e4260);
 let _e9822 = select(_e9105, _e9104, (_e9104 > _e9105));
-phi_22957_ = type_33(vec3<f32>(select(_e4155, _e9118, _e4260), select(_e4156, _e9119, _e4260), select(_e4157, _e9120, _e4260)), vec3<f32>(select((_e6264 + (_e6054.member_3.x * _e6778)), select((_e6264 + (_e6741 * _e6760)), _e6264, _e6761), _e4129), select((_e6265 + (_e6054.member_3.y * _e6778)), select((_e6265 + (_e6742 * _e6760)), _e6265, _e6761), _e4129), select((_e6266 + (_e6054.member_3.z * _e6778)), select((_e6266 + (_e6743 * _e6760)), _e6266, _e6761), _e4129)), _e6054.member, select(4f, 1f, (_e4260 || (((1f - _e9817) * select(_e9106, _e9822, (_e9822 > _e9106))) < 9.765625e-4f))), select(_e9114, (_e9114 + (_e9803 * _e9120)), _e4260), vec3<f32>(select(_e9097, (_e9097 + ((_e9104 * (select(_e4241.member, _e4230.member, _e4219) * (((_e9753.member.x * _e9773) * _e9793) + _e9073.member))) * _e9803)), _e4260), select(_e9099, (_e9099 + ((_e9105 * (select(_e4241.member_1, _e4230.member_1, _e4219) * (((_e9753.member.y * _e9773) * _e9793) + _e9073.member_1))) * _e9803)), _e4260), select(_e9101, (_e9101 + ((_e9106 * (select(_e4241.member_2, _e4230.member_2, _e4219) * (((_e9753.member.z * _e9773) * _e9793) + _e9073.member_2))) * _e9803)), _e4260)), _e9817, (_e3401.member_7 * vec3<f32>(_e7906, _e7954, _e8002)), select(0f, _e6054.member_2, (_e3414 != (_e4129 && !((_e6757 && (_e6726 != 0f)))))), -1.2676506e30f);
+phi_22957_ = type_32(vec3<f32>(select(_e4155, _e9118, _e4260), select(_e4156, _e9119, _e4260), select(_e4157, _e9120, _e4260)), vec3<f32>(select((_e6264 + (_e6054.member_3.x * _e6778)), select((_e6264 + (_e6741 * _e6760)), _e6264, _e6761), _e4129), select((_e6265 + (_e6054.member_3.y * _e6778)), select((_e6265 + (_e6742 * _e6760)), _e6265, _e6761), _e4129), select((_e6266 + (_e6054.member_3.z * _e6778)), select((_e6266 + (_e6743 * _e6760)), _e6266, _e6761), _e4129)), _e6054.member, select(4f, 1f, (_e4260 || (((1f - _e9817) * select(_e9106, _e9822, (_e9822 > _e9106))) < 9.765625e-4f))), select(_e9114, (_e9114 + (_e9803 * _e9120)), _e4260), vec3<f32>(select(_e9097, (_e9097 + ((_e9104 * (select(_e4241.member, _e4230.member, _e4219) * (((_e9753.member.x * _e9773) * _e9793) + _e9073.member))) * _e9803)), _e4260), select(_e9099, (_e9099 + ((_e9105 * (select(_e4241.member_1, _e4230.member_1, _e4219) * (((_e9753.member.y * _e9773) * _e9793) + _e9073.member_1))) * _e9803)), _e4260), select(_e9101, (_e9101 + ((_e9106 * (select(_e4241.member_2, _e4230.member_2, _e4219) * (((_e9753.member.z * _e9773) * _e9793) + _e9073.member_2))) * _e9803)), _e4260)), _e9817, (_e3401.member_7 * vec3<f32>(_e7906, _e7954, _e8002)), select(0f, _e6054.member_2, (_e3414 != (_e4129 && !((_e6757 && (_e6726 != 0f)))))), -1.2676506e30f);
 phi_22958_ = _e6257.member_2;
 phi_22959_ = _e6054;
 }
@@ -3390,9 +3390,9 @@ phi_8549_ = _e9840;
 phi_8551_ = _e9842;
 phi_8553_ = (_e3407 + 1i);
 } else {
-phi_8546_ = type_33();
+phi_8546_ = type_32();
 phi_8549_ = f32();
-phi_8551_ = type_35();
+phi_8551_ = type_34();
 phi_8553_ = i32();
 }
 let _e9844 = phi_8546_;
@@ -3425,25 +3425,25 @@ let _e9902 = local_55;
 let _e9906 = local_56;
 let _e9910 = local_57;
 let _e9913 = local_58;
-global_2.member[_e237] = _e9853.member.x;
-global_2.member[_e249] = _e9857.member.y;
-global_2.member[_e260] = _e9861.member.z;
-global_2.member[_e271] = _e9865.member_1.x;
-global_2.member[_e282] = _e9869.member_1.y;
-global_2.member[_e293] = _e9873.member_1.z;
-global_2.member[_e304] = _e9877.member_2;
+global_5.member[_e237] = _e9853.member.x;
+global_5.member[_e249] = _e9857.member.y;
+global_5.member[_e260] = _e9861.member.z;
+global_5.member[_e271] = _e9865.member_1.x;
+global_5.member[_e282] = _e9869.member_1.y;
+global_5.member[_e293] = _e9873.member_1.z;
+global_5.member[_e304] = _e9877.member_2;
 let _e9932 = local_59;
-global_2.member[_e315] = _e9932;
-global_2.member[_e326] = _e9880.member_4;
-global_2.member[_e337] = _e9883.member_5.x;
-global_2.member[_e348] = _e9887.member_5.y;
-global_2.member[_e359] = _e9891.member_5.z;
-global_2.member[_e370] = _e9895.member_6;
-global_2.member[_e381] = _e9898.member_7.x;
-global_2.member[_e392] = _e9902.member_7.y;
-global_2.member[_e403] = _e9906.member_7.z;
-global_2.member[_e414] = _e9910.member_8;
-global_2.member[_e425] = _e9913.member_9;
+global_5.member[_e315] = _e9932;
+global_5.member[_e326] = _e9880.member_4;
+global_5.member[_e337] = _e9883.member_5.x;
+global_5.member[_e348] = _e9887.member_5.y;
+global_5.member[_e359] = _e9891.member_5.z;
+global_5.member[_e370] = _e9895.member_6;
+global_5.member[_e381] = _e9898.member_7.x;
+global_5.member[_e392] = _e9902.member_7.y;
+global_5.member[_e403] = _e9906.member_7.z;
+global_5.member[_e414] = _e9910.member_8;
+global_5.member[_e425] = _e9913.member_9;
 }
 }
 }

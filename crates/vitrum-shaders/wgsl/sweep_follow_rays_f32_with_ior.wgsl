@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,55 +90,86 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
+}
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
 }
 struct type_29 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_32 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_32 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: f32,
@@ -185,19 +181,19 @@ member_7: vec3<f32>,
 member_8: f32,
 member_9: f32,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_35 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -206,32 +202,36 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
+struct type_36 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
 struct type_39 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
-@group(0) @binding(7)
-var<storage, read_write> global_3: type_39;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_4: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_5: type_17;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_17;
+var<storage> global_4: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_5: type_26;
+@group(0) @binding(7)
+var<storage, read_write> global_6: type_39;
 @group(0) @binding(2)
-var<storage> global_7: type_17;
+var<storage> global_7: type_24;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_29;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -247,11 +247,11 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_29;
 var local_23: vec3<f32>;
-var local_24: type_32;
+var local_24: type_29;
 var local_25: vec3<f32>;
-var local_26: type_32;
+var local_26: type_29;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
@@ -267,72 +267,72 @@ var local_38: f32;
 var local_39: f32;
 var local_40: f32;
 var local_41: f32;
-var local_42: type_32;
+var local_42: type_29;
 var local_43: vec3<f32>;
-var local_44: type_32;
+var local_44: type_29;
 var local_45: vec3<f32>;
-var phi_7247_: type_34;
-var phi_7894_: type_35;
-var phi_8274_: type_5;
-var phi_9603_: type_36;
-var phi_9640_: type_33;
+var phi_7247_: type_33;
+var phi_7894_: type_34;
+var phi_8274_: type_7;
+var phi_9603_: type_35;
+var phi_9640_: type_32;
 var phi_9744_: f32;
 var phi_9828_: f32;
-var phi_9900_: type_29;
-var phi_9902_: type_33;
+var phi_9900_: type_36;
+var phi_9902_: type_32;
 var phi_9905_: f32;
-var phi_9907_: type_35;
+var phi_9907_: type_34;
 var phi_9909_: i32;
-var phi_11378_: type_36;
+var phi_11378_: type_35;
 var phi_11390_: bool;
 var phi_11405_: vec3<f32>;
-var phi_18108_: type_34;
-var phi_18755_: type_35;
-var phi_19147_: type_5;
+var phi_18108_: type_33;
+var phi_18755_: type_34;
+var phi_19147_: type_7;
 var phi_23241_: i32;
 var phi_23818_: vec3<f32>;
 var phi_24225_: vec3<f32>;
 var phi_24319_: f32;
 var phi_24361_: f32;
-var phi_24393_: type_29;
+var phi_24393_: type_36;
 var phi_24875_: u32;
 var phi_25212_: f32;
 var phi_25268_: f32;
 var phi_25273_: vec3<f32>;
 var phi_25376_: f32;
 var phi_25460_: f32;
-var phi_25532_: type_29;
-var phi_25533_: type_29;
-var phi_25702_: type_33;
+var phi_25532_: type_36;
+var phi_25533_: type_36;
+var phi_25702_: type_32;
 var phi_25703_: f32;
-var phi_25704_: type_35;
-var phi_9903_: type_33;
+var phi_25704_: type_34;
+var phi_9903_: type_32;
 var phi_9906_: f32;
-var phi_9908_: type_35;
+var phi_9908_: type_34;
 var phi_9910_: i32;
-var local_46: type_33;
-var local_47: type_33;
-var local_48: type_33;
-var local_49: type_33;
-var local_50: type_33;
-var local_51: type_33;
-var local_52: type_33;
-var local_53: type_33;
-var local_54: type_33;
-var local_55: type_33;
-var local_56: type_33;
-var local_57: type_33;
-var local_58: type_33;
-var local_59: type_33;
-var local_60: type_33;
-var local_61: type_33;
-var local_62: type_33;
+var local_46: type_32;
+var local_47: type_32;
+var local_48: type_32;
+var local_49: type_32;
+var local_50: type_32;
+var local_51: type_32;
+var local_52: type_32;
+var local_53: type_32;
+var local_54: type_32;
+var local_55: type_32;
+var local_56: type_32;
+var local_57: type_32;
+var local_58: type_32;
+var local_59: type_32;
+var local_60: type_32;
+var local_61: type_32;
+var local_62: type_32;
 var local_63: f32;
 let _e208 = global;
-let _e211 = arrayLength((&global_4.member));
+let _e211 = arrayLength((&global_2.member));
 let _e214 = arrayLength((&global_7.member));
-let _e217 = arrayLength((&global_5.member));
-let _e219 = arrayLength((&global_6.member));
+let _e217 = arrayLength((&global_3.member));
+let _e219 = arrayLength((&global_4.member));
 let _e226 = global_1.member.member_2;
 let _e229 = global_1.member.member;
 let _e234 = (_e208.x + _e226.member);
@@ -342,86 +342,86 @@ if (_e237 < _e226.member_3) {
 let _e242 = (_e229.member * _e229.member_1);
 let _e244 = ((_e237 * _e229.member) + _e234);
 let _e245 = bitcast<i32>(_e244);
-let _e247 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e247 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e249 = select(_e247, _e245, (_e245 < _e247));
-let _e255 = global_2.member[bitcast<u32>(select(0i, _e249, (_e249 > 0i)))];
+let _e255 = global_5.member[bitcast<u32>(select(0i, _e249, (_e249 > 0i)))];
 let _e256 = (_e242 + _e244);
 let _e257 = bitcast<i32>(_e256);
 let _e259 = select(_e247, _e257, (_e257 < _e247));
-let _e265 = global_2.member[bitcast<u32>(select(0i, _e259, (_e259 > 0i)))];
+let _e265 = global_5.member[bitcast<u32>(select(0i, _e259, (_e259 > 0i)))];
 let _e267 = ((2u * _e242) + _e244);
 let _e268 = bitcast<i32>(_e267);
 let _e270 = select(_e247, _e268, (_e268 < _e247));
-let _e276 = global_2.member[bitcast<u32>(select(0i, _e270, (_e270 > 0i)))];
+let _e276 = global_5.member[bitcast<u32>(select(0i, _e270, (_e270 > 0i)))];
 let _e278 = ((3u * _e242) + _e244);
 let _e279 = bitcast<i32>(_e278);
 let _e281 = select(_e247, _e279, (_e279 < _e247));
-let _e287 = global_2.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
+let _e287 = global_5.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
 let _e289 = ((4u * _e242) + _e244);
 let _e290 = bitcast<i32>(_e289);
 let _e292 = select(_e247, _e290, (_e290 < _e247));
-let _e298 = global_2.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
+let _e298 = global_5.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
 let _e300 = ((5u * _e242) + _e244);
 let _e301 = bitcast<i32>(_e300);
 let _e303 = select(_e247, _e301, (_e301 < _e247));
-let _e309 = global_2.member[bitcast<u32>(select(0i, _e303, (_e303 > 0i)))];
+let _e309 = global_5.member[bitcast<u32>(select(0i, _e303, (_e303 > 0i)))];
 let _e311 = ((6u * _e242) + _e244);
 let _e312 = bitcast<i32>(_e311);
 let _e314 = select(_e247, _e312, (_e312 < _e247));
-let _e320 = global_2.member[bitcast<u32>(select(0i, _e314, (_e314 > 0i)))];
+let _e320 = global_5.member[bitcast<u32>(select(0i, _e314, (_e314 > 0i)))];
 let _e322 = ((7u * _e242) + _e244);
 let _e323 = bitcast<i32>(_e322);
 let _e325 = select(_e247, _e323, (_e323 < _e247));
-let _e331 = global_2.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
+let _e331 = global_5.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
 let _e333 = ((8u * _e242) + _e244);
 let _e334 = bitcast<i32>(_e333);
 let _e336 = select(_e247, _e334, (_e334 < _e247));
-let _e342 = global_2.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
+let _e342 = global_5.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
 let _e344 = ((9u * _e242) + _e244);
 let _e345 = bitcast<i32>(_e344);
 let _e347 = select(_e247, _e345, (_e345 < _e247));
-let _e353 = global_2.member[bitcast<u32>(select(0i, _e347, (_e347 > 0i)))];
+let _e353 = global_5.member[bitcast<u32>(select(0i, _e347, (_e347 > 0i)))];
 let _e355 = ((10u * _e242) + _e244);
 let _e356 = bitcast<i32>(_e355);
 let _e358 = select(_e247, _e356, (_e356 < _e247));
-let _e364 = global_2.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
+let _e364 = global_5.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
 let _e366 = ((11u * _e242) + _e244);
 let _e367 = bitcast<i32>(_e366);
 let _e369 = select(_e247, _e367, (_e367 < _e247));
-let _e375 = global_2.member[bitcast<u32>(select(0i, _e369, (_e369 > 0i)))];
+let _e375 = global_5.member[bitcast<u32>(select(0i, _e369, (_e369 > 0i)))];
 let _e377 = ((12u * _e242) + _e244);
 let _e378 = bitcast<i32>(_e377);
 let _e380 = select(_e247, _e378, (_e378 < _e247));
-let _e386 = global_2.member[bitcast<u32>(select(0i, _e380, (_e380 > 0i)))];
+let _e386 = global_5.member[bitcast<u32>(select(0i, _e380, (_e380 > 0i)))];
 let _e388 = ((13u * _e242) + _e244);
 let _e389 = bitcast<i32>(_e388);
 let _e391 = select(_e247, _e389, (_e389 < _e247));
-let _e397 = global_2.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
+let _e397 = global_5.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
 let _e399 = ((14u * _e242) + _e244);
 let _e400 = bitcast<i32>(_e399);
 let _e402 = select(_e247, _e400, (_e400 < _e247));
-let _e408 = global_2.member[bitcast<u32>(select(0i, _e402, (_e402 > 0i)))];
+let _e408 = global_5.member[bitcast<u32>(select(0i, _e402, (_e402 > 0i)))];
 let _e410 = ((15u * _e242) + _e244);
 let _e411 = bitcast<i32>(_e410);
 let _e413 = select(_e247, _e411, (_e411 < _e247));
-let _e419 = global_2.member[bitcast<u32>(select(0i, _e413, (_e413 > 0i)))];
+let _e419 = global_5.member[bitcast<u32>(select(0i, _e413, (_e413 > 0i)))];
 let _e421 = ((16u * _e242) + _e244);
 let _e422 = bitcast<i32>(_e421);
 let _e424 = select(_e247, _e422, (_e422 < _e247));
-let _e430 = global_2.member[bitcast<u32>(select(0i, _e424, (_e424 > 0i)))];
+let _e430 = global_5.member[bitcast<u32>(select(0i, _e424, (_e424 > 0i)))];
 let _e432 = ((17u * _e242) + _e244);
 let _e433 = bitcast<i32>(_e432);
 let _e435 = select(_e247, _e433, (_e433 < _e247));
-let _e441 = global_2.member[bitcast<u32>(select(0i, _e435, (_e435 > 0i)))];
+let _e441 = global_5.member[bitcast<u32>(select(0i, _e435, (_e435 > 0i)))];
 let _e442 = (_e331 == 2f);
 let _e445 = select(0u, 3u, (_e442 || (_e331 == 4f)));
 if (_e445 > 0u) {
-if (arrayLength((&global_3.member)) >= 3u) {
-let _e456 = atomicLoad((&global_3.member[0u]));
+if (arrayLength((&global_6.member)) >= 3u) {
+let _e456 = atomicLoad((&global_6.member[0u]));
 if (_e456 == 0u) {
-atomicStore((&global_3.member[0u]), (((_e226.member_2 - _e226.member) + 7u) / 8u));
-atomicStore((&global_3.member[1u]), (((_e226.member_3 - _e226.member_1) + 7u) / 8u));
-atomicStore((&global_3.member[2u]), 1u);
+atomicStore((&global_6.member[0u]), (((_e226.member_2 - _e226.member) + 7u) / 8u));
+atomicStore((&global_6.member[1u]), (((_e226.member_3 - _e226.member_1) + 7u) / 8u));
+atomicStore((&global_6.member[2u]), 1u);
 }
 }
 }
@@ -484,54 +484,54 @@ let _e696 = (select(0i, _e627, (_e627 > 0i)) * _e646);
 let _e697 = (select(_e658, _e661, (_e661 < _e658)) * _e646);
 let _e698 = (select(0i, _e642, (_e642 > 0i)) * _e650);
 let _e699 = (select(_e671, _e674, (_e674 < _e671)) * _e650);
-local_44 = type_32(array<i32, 4>(select(0i, _e685, (_e685 > 0i)), select(0i, _e612, (_e612 > 0i)), select(_e684, _e690, (_e690 < _e684)), select(_e684, _e693, (_e693 < _e684))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_44 = type_29(array<i32, 4>(select(0i, _e685, (_e685 > 0i)), select(0i, _e612, (_e612 > 0i)), select(_e684, _e690, (_e690 < _e684)), select(_e684, _e693, (_e693 < _e684))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_45 = vec3<f32>((_e577 - f32(_e612)), (_e587 - f32(_e627)), (_e597 - f32(_e642)));
 let _e710 = (_e698 + _e696);
 let _e712 = (bitcast<i32>(_e211) - 1i);
 let _e715 = local_44.member[1u];
 let _e716 = (_e710 + _e715);
 let _e718 = select(_e712, _e716, (_e716 < _e712));
-let _e723 = global_4.member[bitcast<u32>(select(0i, _e718, (_e718 > 0i)))];
+let _e723 = global_2.member[bitcast<u32>(select(0i, _e718, (_e718 > 0i)))];
 let _e724 = bitcast<f32>(_e723);
 let _e727 = local_44.member[2u];
 let _e728 = (_e710 + _e727);
 let _e730 = select(_e712, _e728, (_e728 < _e712));
-let _e735 = global_4.member[bitcast<u32>(select(0i, _e730, (_e730 > 0i)))];
+let _e735 = global_2.member[bitcast<u32>(select(0i, _e730, (_e730 > 0i)))];
 let _e737 = local_45[0u];
 let _e740 = (_e724 + ((bitcast<f32>(_e735) - _e724) * _e737));
 let _e741 = (_e698 + _e697);
 let _e742 = local_44.member[1u];
 let _e743 = (_e741 + _e742);
 let _e745 = select(_e712, _e743, (_e743 < _e712));
-let _e750 = global_4.member[bitcast<u32>(select(0i, _e745, (_e745 > 0i)))];
+let _e750 = global_2.member[bitcast<u32>(select(0i, _e745, (_e745 > 0i)))];
 let _e751 = bitcast<f32>(_e750);
 let _e752 = local_44.member[2u];
 let _e753 = (_e741 + _e752);
 let _e755 = select(_e712, _e753, (_e753 < _e712));
-let _e760 = global_4.member[bitcast<u32>(select(0i, _e755, (_e755 > 0i)))];
+let _e760 = global_2.member[bitcast<u32>(select(0i, _e755, (_e755 > 0i)))];
 let _e762 = local_45[0u];
 let _e766 = (_e699 + _e696);
 let _e767 = local_44.member[1u];
 let _e768 = (_e766 + _e767);
 let _e770 = select(_e712, _e768, (_e768 < _e712));
-let _e775 = global_4.member[bitcast<u32>(select(0i, _e770, (_e770 > 0i)))];
+let _e775 = global_2.member[bitcast<u32>(select(0i, _e770, (_e770 > 0i)))];
 let _e776 = bitcast<f32>(_e775);
 let _e777 = local_44.member[2u];
 let _e778 = (_e766 + _e777);
 let _e780 = select(_e712, _e778, (_e778 < _e712));
-let _e785 = global_4.member[bitcast<u32>(select(0i, _e780, (_e780 > 0i)))];
+let _e785 = global_2.member[bitcast<u32>(select(0i, _e780, (_e780 > 0i)))];
 let _e787 = local_45[0u];
 let _e790 = (_e776 + ((bitcast<f32>(_e785) - _e776) * _e787));
 let _e791 = (_e699 + _e697);
 let _e792 = local_44.member[1u];
 let _e793 = (_e791 + _e792);
 let _e795 = select(_e712, _e793, (_e793 < _e712));
-let _e800 = global_4.member[bitcast<u32>(select(0i, _e795, (_e795 > 0i)))];
+let _e800 = global_2.member[bitcast<u32>(select(0i, _e795, (_e795 > 0i)))];
 let _e801 = bitcast<f32>(_e800);
 let _e802 = local_44.member[2u];
 let _e803 = (_e791 + _e802);
 let _e805 = select(_e712, _e803, (_e803 < _e712));
-let _e810 = global_4.member[bitcast<u32>(select(0i, _e805, (_e805 > 0i)))];
+let _e810 = global_2.member[bitcast<u32>(select(0i, _e805, (_e805 > 0i)))];
 let _e812 = local_45[0u];
 let _e817 = local_45[1u];
 let _e820 = (_e740 + (((_e751 + ((bitcast<f32>(_e760) - _e751) * _e762)) - _e740) * _e817));
@@ -588,7 +588,7 @@ let _e989 = (select(0i, _e955, (_e955 > 0i)) * _e927);
 let _e990 = (select(0i, _e919, (_e919 > 0i)) * _e927);
 let _e991 = (select(_e954, _e960, (_e960 < _e954)) * _e927);
 let _e992 = (select(_e954, _e963, (_e963 < _e954)) * _e927);
-local_42 = type_32(array<i32, 4>(select(0i, _e974, (_e974 > 0i)), select(0i, _e889, (_e889 > 0i)), select(_e973, _e979, (_e979 < _e973)), select(_e973, _e982, (_e982 < _e973))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_42 = type_29(array<i32, 4>(select(0i, _e974, (_e974 > 0i)), select(0i, _e889, (_e889 > 0i)), select(_e973, _e979, (_e979 < _e973)), select(_e973, _e982, (_e982 < _e973))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_43 = vec3<f32>((_e854 - f32(_e889)), (_e864 - f32(_e904)), (_e874 - f32(_e919)));
 let _e1003 = (_e990 + _e986);
 let _e1006 = local_42.member[0u];
@@ -837,50 +837,50 @@ local_41 = _e1553;
 let _e1554 = local_41;
 let _e1556 = (bitcast<i32>(_e217) - 1i);
 let _e1558 = select(_e1556, 263197i, (263197i < _e1556));
-let _e1563 = global_5.member[bitcast<u32>(select(0i, _e1558, (_e1558 > 0i)))];
+let _e1563 = global_3.member[bitcast<u32>(select(0i, _e1558, (_e1558 > 0i)))];
 let _e1564 = bitcast<f32>(_e1563);
 let _e1566 = select(_e1556, 263198i, (263198i < _e1556));
 let _e1569 = bitcast<u32>(select(0i, _e1566, (_e1566 > 0i)));
-let _e1571 = global_5.member[_e1569];
+let _e1571 = global_3.member[_e1569];
 let _e1572 = bitcast<f32>(_e1571);
 let _e1574 = select(_e1556, 263199i, (263199i < _e1556));
-let _e1579 = global_5.member[bitcast<u32>(select(0i, _e1574, (_e1574 > 0i)))];
+let _e1579 = global_3.member[bitcast<u32>(select(0i, _e1574, (_e1574 > 0i)))];
 let _e1580 = bitcast<f32>(_e1579);
 let _e1582 = ((_e1554 - _e1564) * _e1572);
 let _e1584 = select(0f, _e1582, (_e1582 > 0f));
 let _e1587 = local_41;
 let _e1589 = select(_e1556, 263200i, (263200i < _e1556));
-let _e1594 = global_5.member[bitcast<u32>(select(0i, _e1589, (_e1589 > 0i)))];
+let _e1594 = global_3.member[bitcast<u32>(select(0i, _e1589, (_e1589 > 0i)))];
 let _e1595 = bitcast<f32>(_e1594);
 let _e1597 = select(_e1556, 263201i, (263201i < _e1556));
-let _e1602 = global_5.member[bitcast<u32>(select(0i, _e1597, (_e1597 > 0i)))];
+let _e1602 = global_3.member[bitcast<u32>(select(0i, _e1597, (_e1597 > 0i)))];
 let _e1603 = bitcast<f32>(_e1602);
 let _e1605 = select(_e1556, 263202i, (263202i < _e1556));
-let _e1610 = global_5.member[bitcast<u32>(select(0i, _e1605, (_e1605 > 0i)))];
+let _e1610 = global_3.member[bitcast<u32>(select(0i, _e1605, (_e1605 > 0i)))];
 let _e1611 = bitcast<f32>(_e1610);
 let _e1613 = ((_e1587 - _e1595) * _e1603);
 let _e1615 = select(0f, _e1613, (_e1613 > 0f));
 let _e1619 = local_41;
 let _e1621 = select(_e1556, 263203i, (263203i < _e1556));
-let _e1626 = global_5.member[bitcast<u32>(select(0i, _e1621, (_e1621 > 0i)))];
+let _e1626 = global_3.member[bitcast<u32>(select(0i, _e1621, (_e1621 > 0i)))];
 let _e1627 = bitcast<f32>(_e1626);
 let _e1629 = select(_e1556, 263204i, (263204i < _e1556));
-let _e1634 = global_5.member[bitcast<u32>(select(0i, _e1629, (_e1629 > 0i)))];
+let _e1634 = global_3.member[bitcast<u32>(select(0i, _e1629, (_e1629 > 0i)))];
 let _e1635 = bitcast<f32>(_e1634);
 let _e1637 = select(_e1556, 263205i, (263205i < _e1556));
-let _e1642 = global_5.member[bitcast<u32>(select(0i, _e1637, (_e1637 > 0i)))];
+let _e1642 = global_3.member[bitcast<u32>(select(0i, _e1637, (_e1637 > 0i)))];
 let _e1643 = bitcast<f32>(_e1642);
 let _e1645 = ((_e1619 - _e1627) * _e1635);
 let _e1647 = select(0f, _e1645, (_e1645 > 0f));
 let _e1650 = local_41;
 let _e1652 = select(_e1556, 263206i, (263206i < _e1556));
-let _e1657 = global_5.member[bitcast<u32>(select(0i, _e1652, (_e1652 > 0i)))];
+let _e1657 = global_3.member[bitcast<u32>(select(0i, _e1652, (_e1652 > 0i)))];
 let _e1658 = bitcast<f32>(_e1657);
 let _e1660 = select(_e1556, 263207i, (263207i < _e1556));
-let _e1665 = global_5.member[bitcast<u32>(select(0i, _e1660, (_e1660 > 0i)))];
+let _e1665 = global_3.member[bitcast<u32>(select(0i, _e1660, (_e1660 > 0i)))];
 let _e1666 = bitcast<f32>(_e1665);
 let _e1668 = select(_e1556, 263208i, (263208i < _e1556));
-let _e1673 = global_5.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
+let _e1673 = global_3.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
 let _e1674 = bitcast<f32>(_e1673);
 let _e1676 = ((_e1650 - _e1658) * _e1666);
 let _e1678 = select(0f, _e1676, (_e1676 > 0f));
@@ -891,34 +891,34 @@ let _e1693 = select(0i, select(select(i32(_e1686), i32(-2147483648), (_e1686 < -
 let _e1697 = (_e1693 - select(0i, 1i, (_e1686 < f32(_e1693))));
 let _e1698 = (262147i + _e1697);
 let _e1700 = select(_e1556, _e1698, (_e1698 < _e1556));
-let _e1706 = global_5.member[bitcast<u32>(select(0i, _e1700, (_e1700 > 0i)))];
+let _e1706 = global_3.member[bitcast<u32>(select(0i, _e1700, (_e1700 > 0i)))];
 let _e1716 = select(_e1556, 262146i, (262146i < _e1556));
-let _e1722 = global_5.member[bitcast<u32>(select(0i, _e1716, (_e1716 > 0i)))];
+let _e1722 = global_3.member[bitcast<u32>(select(0i, _e1716, (_e1716 > 0i)))];
 let _e1723 = bitcast<f32>(_e1722);
 let _e1724 = (f32((bitcast<i32>((_e1706 & 4095u)) - 2048i)) * _e1723);
 let _e1726 = select(_e1556, 262144i, (262144i < _e1556));
-let _e1732 = global_5.member[bitcast<u32>(select(0i, _e1726, (_e1726 > 0i)))];
+let _e1732 = global_3.member[bitcast<u32>(select(0i, _e1726, (_e1726 > 0i)))];
 let _e1733 = bitcast<f32>(_e1732);
 let _e1735 = select(_e1556, 262145i, (262145i < _e1556));
-let _e1741 = global_5.member[bitcast<u32>(select(0i, _e1735, (_e1735 > 0i)))];
+let _e1741 = global_3.member[bitcast<u32>(select(0i, _e1735, (_e1735 > 0i)))];
 let _e1742 = bitcast<f32>(_e1741);
 let _e1748 = ((_e1733 + (f32(bitcast<i32>((_e1706 >> bitcast<u32>(12u)))) * _e1742)) + (_e1724 * (_e1682 - f32(_e1697))));
-let _e1751 = global_5.member[_e1569];
+let _e1751 = global_3.member[_e1569];
 let _e1753 = local_40;
 let _e1756 = local_40;
 let _e1759 = local_40;
 let _e1763 = select(_e1556, 263209i, (263209i < _e1556));
-let _e1769 = global_5.member[bitcast<u32>(select(0i, _e1763, (_e1763 > 0i)))];
+let _e1769 = global_3.member[bitcast<u32>(select(0i, _e1763, (_e1763 > 0i)))];
 let _e1771 = local_40;
 let _e1774 = select(_e1556, 263210i, (263210i < _e1556));
-let _e1780 = global_5.member[bitcast<u32>(select(0i, _e1774, (_e1774 > 0i)))];
+let _e1780 = global_3.member[bitcast<u32>(select(0i, _e1774, (_e1774 > 0i)))];
 let _e1782 = local_40;
 let _e1786 = (_e1724 * select(0f, select(select(select(bitcast<f32>(_e1751), _e1603, (_e1753 >= _e1595)), _e1635, (_e1756 >= _e1627)), _e1666, (_e1759 >= _e1658)), ((_e1771 >= bitcast<f32>(_e1769)) && (_e1782 <= bitcast<f32>(_e1780)))));
 if _e566 {
 let _e1793 = ((0.5f * (_e1528 - _e1522)) * _e1786);
 let _e1794 = ((0.5f * (_e1540 - _e1534)) * _e1786);
 let _e1795 = ((0.5f * (_e1552 - _e1546)) * _e1786);
-phi_7247_ = type_34(_e1748, vec3<f32>(_e1793, _e1794, _e1795), vec3<f32>((_e1793 * _e1748), (_e1794 * _e1748), (_e1795 * _e1748)));
+phi_7247_ = type_33(_e1748, vec3<f32>(_e1793, _e1794, _e1795), vec3<f32>((_e1793 * _e1748), (_e1794 * _e1748), (_e1795 * _e1748)));
 } else {
 local_38 = _e1522;
 let _e1802 = local_38;
@@ -942,7 +942,7 @@ let _e1844 = select(0i, select(select(i32(_e1837), i32(-2147483648), (_e1837 < -
 let _e1848 = (_e1844 - select(0i, 1i, (_e1837 < f32(_e1844))));
 let _e1849 = (262147i + _e1848);
 let _e1851 = select(_e1556, _e1849, (_e1849 < _e1556));
-let _e1857 = global_5.member[bitcast<u32>(select(0i, _e1851, (_e1851 > 0i)))];
+let _e1857 = global_3.member[bitcast<u32>(select(0i, _e1851, (_e1851 > 0i)))];
 let _e1872 = ((_e1733 + (f32(bitcast<i32>((_e1857 >> bitcast<u32>(12u)))) * _e1742)) + ((f32((bitcast<i32>((_e1857 & 4095u)) - 2048i)) * _e1723) * (_e1833 - f32(_e1848))));
 local_36 = _e1528;
 let _e1873 = local_36;
@@ -966,7 +966,7 @@ let _e1915 = select(0i, select(select(i32(_e1908), i32(-2147483648), (_e1908 < -
 let _e1919 = (_e1915 - select(0i, 1i, (_e1908 < f32(_e1915))));
 let _e1920 = (262147i + _e1919);
 let _e1922 = select(_e1556, _e1920, (_e1920 < _e1556));
-let _e1928 = global_5.member[bitcast<u32>(select(0i, _e1922, (_e1922 > 0i)))];
+let _e1928 = global_3.member[bitcast<u32>(select(0i, _e1922, (_e1922 > 0i)))];
 let _e1943 = ((_e1733 + (f32(bitcast<i32>((_e1928 >> bitcast<u32>(12u)))) * _e1742)) + ((f32((bitcast<i32>((_e1928 & 4095u)) - 2048i)) * _e1723) * (_e1904 - f32(_e1919))));
 local_34 = _e1534;
 let _e1944 = local_34;
@@ -990,7 +990,7 @@ let _e1986 = select(0i, select(select(i32(_e1979), i32(-2147483648), (_e1979 < -
 let _e1990 = (_e1986 - select(0i, 1i, (_e1979 < f32(_e1986))));
 let _e1991 = (262147i + _e1990);
 let _e1993 = select(_e1556, _e1991, (_e1991 < _e1556));
-let _e1999 = global_5.member[bitcast<u32>(select(0i, _e1993, (_e1993 > 0i)))];
+let _e1999 = global_3.member[bitcast<u32>(select(0i, _e1993, (_e1993 > 0i)))];
 let _e2014 = ((_e1733 + (f32(bitcast<i32>((_e1999 >> bitcast<u32>(12u)))) * _e1742)) + ((f32((bitcast<i32>((_e1999 & 4095u)) - 2048i)) * _e1723) * (_e1975 - f32(_e1990))));
 local_32 = _e1540;
 let _e2015 = local_32;
@@ -1014,7 +1014,7 @@ let _e2057 = select(0i, select(select(i32(_e2050), i32(-2147483648), (_e2050 < -
 let _e2061 = (_e2057 - select(0i, 1i, (_e2050 < f32(_e2057))));
 let _e2062 = (262147i + _e2061);
 let _e2064 = select(_e1556, _e2062, (_e2062 < _e1556));
-let _e2070 = global_5.member[bitcast<u32>(select(0i, _e2064, (_e2064 > 0i)))];
+let _e2070 = global_3.member[bitcast<u32>(select(0i, _e2064, (_e2064 > 0i)))];
 let _e2085 = ((_e1733 + (f32(bitcast<i32>((_e2070 >> bitcast<u32>(12u)))) * _e1742)) + ((f32((bitcast<i32>((_e2070 & 4095u)) - 2048i)) * _e1723) * (_e2046 - f32(_e2061))));
 local_30 = _e1546;
 let _e2086 = local_30;
@@ -1038,7 +1038,7 @@ let _e2128 = select(0i, select(select(i32(_e2121), i32(-2147483648), (_e2121 < -
 let _e2132 = (_e2128 - select(0i, 1i, (_e2121 < f32(_e2128))));
 let _e2133 = (262147i + _e2132);
 let _e2135 = select(_e1556, _e2133, (_e2133 < _e1556));
-let _e2141 = global_5.member[bitcast<u32>(select(0i, _e2135, (_e2135 > 0i)))];
+let _e2141 = global_3.member[bitcast<u32>(select(0i, _e2135, (_e2135 > 0i)))];
 let _e2156 = ((_e1733 + (f32(bitcast<i32>((_e2141 >> bitcast<u32>(12u)))) * _e1742)) + ((f32((bitcast<i32>((_e2141 & 4095u)) - 2048i)) * _e1723) * (_e2117 - f32(_e2132))));
 local_28 = _e1552;
 let _e2157 = local_28;
@@ -1062,12 +1062,12 @@ let _e2199 = select(0i, select(select(i32(_e2192), i32(-2147483648), (_e2192 < -
 let _e2203 = (_e2199 - select(0i, 1i, (_e2192 < f32(_e2199))));
 let _e2204 = (262147i + _e2203);
 let _e2206 = select(_e1556, _e2204, (_e2204 < _e1556));
-let _e2212 = global_5.member[bitcast<u32>(select(0i, _e2206, (_e2206 > 0i)))];
+let _e2212 = global_3.member[bitcast<u32>(select(0i, _e2206, (_e2206 > 0i)))];
 let _e2227 = ((_e1733 + (f32(bitcast<i32>((_e2212 >> bitcast<u32>(12u)))) * _e1742)) + ((f32((bitcast<i32>((_e2212 & 4095u)) - 2048i)) * _e1723) * (_e2188 - f32(_e2203))));
 let _e2228 = (_e1943 - _e1872);
 let _e2230 = (_e2085 - _e2014);
 let _e2232 = (_e2227 - _e2156);
-phi_7247_ = type_34(_e1748, vec3<f32>((0.5f * _e2228), (0.5f * _e2230), (0.5f * _e2232)), vec3<f32>((0.25f * (_e2228 * (_e1943 + _e1872))), (0.25f * (_e2230 * (_e2085 + _e2014))), (0.25f * (_e2232 * (_e2227 + _e2156)))));
+phi_7247_ = type_33(_e1748, vec3<f32>((0.5f * _e2228), (0.5f * _e2230), (0.5f * _e2232)), vec3<f32>((0.25f * (_e2228 * (_e1943 + _e1872))), (0.25f * (_e2230 * (_e2085 + _e2014))), (0.25f * (_e2232 * (_e2227 + _e2156)))));
 }
 let _e2247 = phi_7247_;
 let _e2262 = select(0f, 1f, ((((((_e528 >= -0.5f) && (_e528 <= _e850)) && (_e543 >= -0.5f)) && (_e543 <= _e860)) && (_e558 >= -0.5f)) && (_e558 <= _e870)));
@@ -1083,7 +1083,7 @@ let _e2304 = global_1.member.member_7.member_1.member.member_2;
 let _e2310 = global_1.member.member_7.member_2.member.member;
 let _e2316 = global_1.member.member_7.member_2.member.member_1;
 let _e2322 = global_1.member.member_7.member_2.member.member_2;
-phi_7894_ = type_35(select(1e9f, _e842, (_e842 < 1e9f)), vec3<f32>(((((_e2274 * _e2264) + (_e2292 * _e2266)) + (_e2310 * _e2268)) * _e2262), ((((_e2280 * _e2264) + (_e2298 * _e2266)) + (_e2316 * _e2268)) * _e2262), ((((_e2286 * _e2264) + (_e2304 * _e2266)) + (_e2322 * _e2268)) * _e2262)), _e2247.member, vec3<f32>(((((_e2274 * _e2247.member_2.x) + (_e2292 * _e2247.member_2.y)) + (_e2310 * _e2247.member_2.z)) * _e2262), ((((_e2280 * _e2247.member_2.x) + (_e2298 * _e2247.member_2.y)) + (_e2316 * _e2247.member_2.z)) * _e2262), ((((_e2286 * _e2247.member_2.x) + (_e2304 * _e2247.member_2.y)) + (_e2322 * _e2247.member_2.z)) * _e2262)), vec3<f32>(((((_e2274 * _e2247.member_1.x) + (_e2292 * _e2247.member_1.y)) + (_e2310 * _e2247.member_1.z)) * _e2262), ((((_e2280 * _e2247.member_1.x) + (_e2298 * _e2247.member_1.y)) + (_e2316 * _e2247.member_1.z)) * _e2262), ((((_e2286 * _e2247.member_1.x) + (_e2304 * _e2247.member_1.y)) + (_e2322 * _e2247.member_1.z)) * _e2262)));
+phi_7894_ = type_34(select(1e9f, _e842, (_e842 < 1e9f)), vec3<f32>(((((_e2274 * _e2264) + (_e2292 * _e2266)) + (_e2310 * _e2268)) * _e2262), ((((_e2280 * _e2264) + (_e2298 * _e2266)) + (_e2316 * _e2268)) * _e2262), ((((_e2286 * _e2264) + (_e2304 * _e2266)) + (_e2322 * _e2268)) * _e2262)), _e2247.member, vec3<f32>(((((_e2274 * _e2247.member_2.x) + (_e2292 * _e2247.member_2.y)) + (_e2310 * _e2247.member_2.z)) * _e2262), ((((_e2280 * _e2247.member_2.x) + (_e2298 * _e2247.member_2.y)) + (_e2316 * _e2247.member_2.z)) * _e2262), ((((_e2286 * _e2247.member_2.x) + (_e2304 * _e2247.member_2.y)) + (_e2322 * _e2247.member_2.z)) * _e2262)), vec3<f32>(((((_e2274 * _e2247.member_1.x) + (_e2292 * _e2247.member_1.y)) + (_e2310 * _e2247.member_1.z)) * _e2262), ((((_e2280 * _e2247.member_1.x) + (_e2298 * _e2247.member_1.y)) + (_e2316 * _e2247.member_1.z)) * _e2262), ((((_e2286 * _e2247.member_1.x) + (_e2304 * _e2247.member_1.y)) + (_e2322 * _e2247.member_1.z)) * _e2262)));
 } else {
 let _e2391 = global_1.member.member_6.member_3.member;
 let _e2392 = (_e2391 - 0.5f);
@@ -1123,31 +1123,31 @@ let _e2515 = (select(0i, _e2446, (_e2446 > 0i)) * _e2465);
 let _e2516 = (select(_e2477, _e2480, (_e2480 < _e2477)) * _e2465);
 let _e2517 = (select(0i, _e2461, (_e2461 > 0i)) * _e2469);
 let _e2518 = (select(_e2490, _e2493, (_e2493 < _e2490)) * _e2469);
-local_26 = type_32(array<i32, 4>(select(0i, _e2504, (_e2504 > 0i)), select(0i, _e2431, (_e2431 > 0i)), select(_e2503, _e2509, (_e2509 < _e2503)), select(_e2503, _e2512, (_e2512 < _e2503))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_26 = type_29(array<i32, 4>(select(0i, _e2504, (_e2504 > 0i)), select(0i, _e2431, (_e2431 > 0i)), select(_e2503, _e2509, (_e2509 < _e2503)), select(_e2503, _e2512, (_e2512 < _e2503))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_27 = vec3<f32>((_e2396 - f32(_e2431)), (_e2406 - f32(_e2446)), (_e2416 - f32(_e2461)));
 let _e2529 = (_e2517 + _e2515);
 let _e2532 = local_26.member[1u];
 let _e2533 = (_e2529 + _e2532);
 let _e2535 = (bitcast<i32>(_e211) - 1i);
 let _e2537 = select(_e2535, _e2533, (_e2533 < _e2535));
-let _e2542 = global_4.member[bitcast<u32>(select(0i, _e2537, (_e2537 > 0i)))];
+let _e2542 = global_2.member[bitcast<u32>(select(0i, _e2537, (_e2537 > 0i)))];
 let _e2543 = bitcast<f32>(_e2542);
 let _e2546 = local_26.member[2u];
 let _e2547 = (_e2529 + _e2546);
 let _e2549 = select(_e2535, _e2547, (_e2547 < _e2535));
-let _e2554 = global_4.member[bitcast<u32>(select(0i, _e2549, (_e2549 > 0i)))];
+let _e2554 = global_2.member[bitcast<u32>(select(0i, _e2549, (_e2549 > 0i)))];
 let _e2556 = local_27[0u];
 let _e2559 = (_e2543 + ((bitcast<f32>(_e2554) - _e2543) * _e2556));
 let _e2560 = (_e2517 + _e2516);
 let _e2561 = local_26.member[1u];
 let _e2562 = (_e2560 + _e2561);
 let _e2564 = select(_e2535, _e2562, (_e2562 < _e2535));
-let _e2569 = global_4.member[bitcast<u32>(select(0i, _e2564, (_e2564 > 0i)))];
+let _e2569 = global_2.member[bitcast<u32>(select(0i, _e2564, (_e2564 > 0i)))];
 let _e2570 = bitcast<f32>(_e2569);
 let _e2571 = local_26.member[2u];
 let _e2572 = (_e2560 + _e2571);
 let _e2574 = select(_e2535, _e2572, (_e2572 < _e2535));
-let _e2579 = global_4.member[bitcast<u32>(select(0i, _e2574, (_e2574 > 0i)))];
+let _e2579 = global_2.member[bitcast<u32>(select(0i, _e2574, (_e2574 > 0i)))];
 let _e2581 = local_27[0u];
 let _e2586 = local_27[1u];
 let _e2589 = (_e2559 + (((_e2570 + ((bitcast<f32>(_e2579) - _e2570) * _e2581)) - _e2559) * _e2586));
@@ -1155,24 +1155,24 @@ let _e2590 = (_e2518 + _e2515);
 let _e2591 = local_26.member[1u];
 let _e2592 = (_e2590 + _e2591);
 let _e2594 = select(_e2535, _e2592, (_e2592 < _e2535));
-let _e2599 = global_4.member[bitcast<u32>(select(0i, _e2594, (_e2594 > 0i)))];
+let _e2599 = global_2.member[bitcast<u32>(select(0i, _e2594, (_e2594 > 0i)))];
 let _e2600 = bitcast<f32>(_e2599);
 let _e2601 = local_26.member[2u];
 let _e2602 = (_e2590 + _e2601);
 let _e2604 = select(_e2535, _e2602, (_e2602 < _e2535));
-let _e2609 = global_4.member[bitcast<u32>(select(0i, _e2604, (_e2604 > 0i)))];
+let _e2609 = global_2.member[bitcast<u32>(select(0i, _e2604, (_e2604 > 0i)))];
 let _e2611 = local_27[0u];
 let _e2614 = (_e2600 + ((bitcast<f32>(_e2609) - _e2600) * _e2611));
 let _e2615 = (_e2518 + _e2516);
 let _e2616 = local_26.member[1u];
 let _e2617 = (_e2615 + _e2616);
 let _e2619 = select(_e2535, _e2617, (_e2617 < _e2535));
-let _e2624 = global_4.member[bitcast<u32>(select(0i, _e2619, (_e2619 > 0i)))];
+let _e2624 = global_2.member[bitcast<u32>(select(0i, _e2619, (_e2619 > 0i)))];
 let _e2625 = bitcast<f32>(_e2624);
 let _e2626 = local_26.member[2u];
 let _e2627 = (_e2615 + _e2626);
 let _e2629 = select(_e2535, _e2627, (_e2627 < _e2535));
-let _e2634 = global_4.member[bitcast<u32>(select(0i, _e2629, (_e2629 > 0i)))];
+let _e2634 = global_2.member[bitcast<u32>(select(0i, _e2629, (_e2629 > 0i)))];
 let _e2636 = local_27[0u];
 let _e2640 = local_27[1u];
 let _e2645 = local_27[2u];
@@ -1181,13 +1181,13 @@ let _e2656 = global_1.member.member_6.member_5;
 let _e2658 = (((_e2589 + (((_e2614 + (((_e2625 + ((bitcast<f32>(_e2634) - _e2625) * _e2636)) - _e2614) * _e2640)) - _e2589) * _e2645)) - _e2652) * _e2656);
 let _e2659 = -(1e9f);
 let _e2661 = select(_e2659, _e2658, (_e2658 > _e2659));
-phi_7894_ = type_35(select(1e9f, _e2661, (_e2661 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_7894_ = type_34(select(1e9f, _e2661, (_e2661 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2666 = phi_7894_;
 let _e2669 = global_1.member.member_1;
 let _e2671 = ((_e2669 & 16u) == 0u);
 if _e2671 {
-phi_8274_ = type_5(1f, 1f, 1f);
+phi_8274_ = type_7(1f, 1f, 1f);
 } else {
 let _e2675 = global_1.member.member_14.member;
 let _e2686 = ((((_e2675.member.member * _e255) + (_e2675.member.member_1 * _e265)) + (_e2675.member.member_2 * _e276)) + _e2675.member_1);
@@ -1225,11 +1225,11 @@ let _e2813 = (_e2803 > 0f);
 let _e2816 = select(select(select(1f, _e2810, (_e2810 < 1f)), 1f, (_e2803 <= 0f)), 0f, _e2813);
 let _e2820 = global_1.member.member_17.member_1;
 let _e2821 = (_e2820 != 0u);
-phi_8274_ = type_5(((((1f * _e2699) * _e2738) * _e2777) * _e2816), ((((1f * select(1f, _e2699, _e2704)) * select(1f, _e2738, _e2743)) * select(1f, _e2777, _e2782)) * select(1f, _e2816, _e2821)), ((((1f * select(1f, 0f, (_e2704 && _e2696))) * select(1f, 0f, (_e2743 && _e2735))) * select(1f, 0f, (_e2782 && _e2774))) * select(1f, 0f, (_e2821 && _e2813))));
+phi_8274_ = type_7(((((1f * _e2699) * _e2738) * _e2777) * _e2816), ((((1f * select(1f, _e2699, _e2704)) * select(1f, _e2738, _e2743)) * select(1f, _e2777, _e2782)) * select(1f, _e2816, _e2821)), ((((1f * select(1f, 0f, (_e2704 && _e2696))) * select(1f, 0f, (_e2743 && _e2735))) * select(1f, 0f, (_e2782 && _e2774))) * select(1f, 0f, (_e2821 && _e2813))));
 }
 let _e2830 = phi_8274_;
 if _e442 {
-let _e2832 = type_33(_e464, _e465, _e320, 4f, _e342, _e466, _e386, _e467, _e430, _e441);
+let _e2832 = type_32(_e464, _e465, _e320, 4f, _e342, _e466, _e386, _e467, _e430, _e441);
 let _e2837 = global_1.member.member_5.member_2;
 let _e2840 = (_e2837 / select(1e-6f, _e309, (_e309 > 1e-6f)));
 let _e2844 = (_e255 + (_e287 * _e2840));
@@ -1353,7 +1353,7 @@ let _e3146 = select(select(select(select(select(select(0f, _e2869.member, _e2915
 let _e3147 = select(select(select(select(select(select(0f, _e2869.member_1, _e2915), _e2869.member_1, _e2955), _e2877.member_1, _e3001), _e2877.member_1, _e3041), _e2885.member_1, _e3087), _e2885.member_1, _e3127);
 let _e3148 = select(select(select(select(select(select(1f, _e2869.member_2, _e2915), _e2869.member_2, _e2955), _e2877.member_2, _e3001), _e2877.member_2, _e3041), _e2885.member_2, _e3087), _e2885.member_2, _e3127);
 if _e2671 {
-phi_9603_ = type_36(_e3133, vec3<f32>(_e3134, _e3135, _e3136), _e3138, vec3<f32>(_e3139, _e3140, _e3141), _e3143, _e3145, vec3<f32>(_e3146, _e3147, _e3148));
+phi_9603_ = type_35(_e3133, vec3<f32>(_e3134, _e3135, _e3136), _e3138, vec3<f32>(_e3139, _e3140, _e3141), _e3143, _e3145, vec3<f32>(_e3146, _e3147, _e3148));
 } else {
 let _e3155 = (((_e2869.member * _e2869.member) + (_e2869.member_1 * _e2869.member_1)) + (_e2869.member_2 * _e2869.member_2));
 let _e3158 = sqrt(select(0f, _e3155, (_e3155 > 0f)));
@@ -1433,13 +1433,13 @@ let _e3442 = select(2f, select(0f, _e3434, (_e3415 < 0f)), (_e3416 > 0f));
 let _e3443 = (_e3415 > _e3381);
 let _e3447 = ((_e3438 > _e3373) || ((_e3438 == _e3373) && _e3443));
 let _e3448 = (_e3442 < _e3377);
-phi_9603_ = type_36(select(_e3373, _e3438, _e3447), vec3<f32>(select(select(select(select(_e3134, _e3193.member, _e3219), _e3269.member, _e3295), _e3345.member, _e3371), _e3421.member, _e3447), select(select(select(select(_e3135, _e3193.member_1, _e3219), _e3269.member_1, _e3295), _e3345.member_1, _e3371), _e3421.member_1, _e3447), select(select(select(select(_e3136, _e3193.member_2, _e3219), _e3269.member_2, _e3295), _e3345.member_2, _e3371), _e3421.member_2, _e3447)), select(_e3377, _e3442, _e3448), vec3<f32>(select(select(select(select(_e3139, _e3193.member, _e3220), _e3269.member, _e3296), _e3345.member, _e3372), _e3421.member, _e3448), select(select(select(select(_e3140, _e3193.member_1, _e3220), _e3269.member_1, _e3296), _e3345.member_1, _e3372), _e3421.member_1, _e3448), select(select(select(select(_e3141, _e3193.member_2, _e3220), _e3269.member_2, _e3296), _e3345.member_2, _e3372), _e3421.member_2, _e3448)), select(_e3381, _e3415, _e3443), select(_e3383, _e3416, (_e3416 > _e3383)), vec3<f32>(select(select(select(select(_e3146, _e3193.member, _e3215), _e3269.member, _e3291), _e3345.member, _e3367), _e3421.member, _e3443), select(select(select(select(_e3147, _e3193.member_1, _e3215), _e3269.member_1, _e3291), _e3345.member_1, _e3367), _e3421.member_1, _e3443), select(select(select(select(_e3148, _e3193.member_2, _e3215), _e3269.member_2, _e3291), _e3345.member_2, _e3367), _e3421.member_2, _e3443)));
+phi_9603_ = type_35(select(_e3373, _e3438, _e3447), vec3<f32>(select(select(select(select(_e3134, _e3193.member, _e3219), _e3269.member, _e3295), _e3345.member, _e3371), _e3421.member, _e3447), select(select(select(select(_e3135, _e3193.member_1, _e3219), _e3269.member_1, _e3295), _e3345.member_1, _e3371), _e3421.member_1, _e3447), select(select(select(select(_e3136, _e3193.member_2, _e3219), _e3269.member_2, _e3295), _e3345.member_2, _e3371), _e3421.member_2, _e3447)), select(_e3377, _e3442, _e3448), vec3<f32>(select(select(select(select(_e3139, _e3193.member, _e3220), _e3269.member, _e3296), _e3345.member, _e3372), _e3421.member, _e3448), select(select(select(select(_e3140, _e3193.member_1, _e3220), _e3269.member_1, _e3296), _e3345.member_1, _e3372), _e3421.member_1, _e3448), select(select(select(select(_e3141, _e3193.member_2, _e3220), _e3269.member_2, _e3296), _e3345.member_2, _e3372), _e3421.member_2, _e3448)), select(_e3381, _e3415, _e3443), select(_e3383, _e3416, (_e3416 > _e3383)), vec3<f32>(select(select(select(select(_e3146, _e3193.member, _e3215), _e3269.member, _e3291), _e3345.member, _e3367), _e3421.member, _e3443), select(select(select(select(_e3147, _e3193.member_1, _e3215), _e3269.member_1, _e3291), _e3345.member_1, _e3367), _e3421.member_1, _e3443), select(select(select(select(_e3148, _e3193.member_2, _e3215), _e3269.member_2, _e3291), _e3345.member_2, _e3367), _e3421.member_2, _e3443)));
 }
 let _e3468 = phi_9603_;
 let _e3478 = (select(select(0.5f, _e3468.member_2, (_e3468.member_2 < 1f)), 0f, (_e441 == -1.2676506e30f)) * ((_e2837 / _e309) * select(_e2830.member_2, 0f, (_e430 == 0f))));
-phi_9640_ = type_33(_e2832.member, vec3<f32>((_e287 - (_e2666.member_3.x * _e3478)), (_e298 - (_e2666.member_3.y * _e3478)), (_e309 - (_e2666.member_3.z * _e3478))), _e2832.member_2, _e2832.member_3, _e2832.member_4, _e2832.member_5, _e2832.member_6, _e2832.member_7, _e2832.member_8, _e2832.member_9);
+phi_9640_ = type_32(_e2832.member, vec3<f32>((_e287 - (_e2666.member_3.x * _e3478)), (_e298 - (_e2666.member_3.y * _e3478)), (_e309 - (_e2666.member_3.z * _e3478))), _e2832.member_2, _e2832.member_3, _e2832.member_4, _e2832.member_5, _e2832.member_6, _e2832.member_7, _e2832.member_8, _e2832.member_9);
 } else {
-phi_9640_ = type_33(_e464, _e465, _e320, _e331, _e342, _e466, _e386, _e467, _e430, _e441);
+phi_9640_ = type_32(_e464, _e465, _e320, _e331, _e342, _e466, _e386, _e467, _e430, _e441);
 }
 let _e3500 = phi_9640_;
 let _e3505 = global_1.member.member_10.member_3;
@@ -1447,7 +1447,7 @@ let _e3506 = (_e3505 == 0u);
 if _e3506 {
 let _e3510 = global_1.member.member_9.member_1;
 let _e3518 = global_1.member.member_9.member;
-phi_9900_ = type_29(vec3<f32>(_e3510.member, _e3510.member_1, _e3510.member_2), vec3<f32>(_e3518.member, _e3518.member_1, _e3518.member_2));
+phi_9900_ = type_36(vec3<f32>(_e3510.member, _e3510.member_1, _e3510.member_2), vec3<f32>(_e3518.member, _e3518.member_1, _e3518.member_2));
 } else {
 let _e3527 = global_1.member.member_10.member;
 let _e3541 = ((((_e3527.member.member * _e3500.member.x) + (_e3527.member.member_1 * _e3500.member.y)) + (_e3527.member.member_2 * _e3500.member.z)) + _e3527.member_1);
@@ -1503,7 +1503,7 @@ let _e3697 = select(1f, (_e3680 * _e3691), _e3670);
 let _e3702 = global_1.member.member_10.member.member;
 let _e3713 = global_1.member.member_10.member_1.member;
 let _e3727 = global_1.member.member_10.member_2.member;
-phi_9900_ = type_29(vec3<f32>((_e3575.member * _e3665), (_e3575.member_1 * _e3665), (_e3575.member_2 * _e3665)), (vec3<f32>(((_e3702.member * _e3695) + (_e3713.member * _e3696)), ((_e3702.member_1 * _e3695) + (_e3713.member_1 * _e3696)), ((_e3702.member_2 * _e3695) + (_e3713.member_2 * _e3696))) + vec3<f32>((_e3727.member * _e3697), (_e3727.member_1 * _e3697), (_e3727.member_2 * _e3697))));
+phi_9900_ = type_36(vec3<f32>((_e3575.member * _e3665), (_e3575.member_1 * _e3665), (_e3575.member_2 * _e3665)), (vec3<f32>(((_e3702.member * _e3695) + (_e3713.member * _e3696)), ((_e3702.member_1 * _e3695) + (_e3713.member_1 * _e3696)), ((_e3702.member_2 * _e3695) + (_e3713.member_2 * _e3696))) + vec3<f32>((_e3727.member * _e3697), (_e3727.member_1 * _e3697), (_e3727.member_2 * _e3697))));
 }
 let _e3739 = phi_9900_;
 phi_9902_ = _e3500;
@@ -1683,7 +1683,7 @@ let _e4170 = select(select(select(select(select(select(0f, _e3893.member, _e3939
 let _e4171 = select(select(select(select(select(select(0f, _e3893.member_1, _e3939), _e3893.member_1, _e3979), _e3901.member_1, _e4025), _e3901.member_1, _e4065), _e3909.member_1, _e4111), _e3909.member_1, _e4151);
 let _e4172 = select(select(select(select(select(select(1f, _e3893.member_2, _e3939), _e3893.member_2, _e3979), _e3901.member_2, _e4025), _e3901.member_2, _e4065), _e3909.member_2, _e4111), _e3909.member_2, _e4151);
 if _e2671 {
-phi_11378_ = type_36(_e4157, vec3<f32>(_e4158, _e4159, _e4160), _e4162, vec3<f32>(_e4163, _e4164, _e4165), _e4167, _e4169, vec3<f32>(_e4170, _e4171, _e4172));
+phi_11378_ = type_35(_e4157, vec3<f32>(_e4158, _e4159, _e4160), _e4162, vec3<f32>(_e4163, _e4164, _e4165), _e4167, _e4169, vec3<f32>(_e4170, _e4171, _e4172));
 } else {
 let _e4179 = (((_e3893.member * _e3893.member) + (_e3893.member_1 * _e3893.member_1)) + (_e3893.member_2 * _e3893.member_2));
 let _e4182 = sqrt(select(0f, _e4179, (_e4179 > 0f)));
@@ -1763,7 +1763,7 @@ let _e4466 = select(2f, select(0f, _e4458, (_e4439 < 0f)), (_e4440 > 0f));
 let _e4467 = (_e4439 > _e4405);
 let _e4471 = ((_e4462 > _e4397) || ((_e4462 == _e4397) && _e4467));
 let _e4472 = (_e4466 < _e4401);
-phi_11378_ = type_36(select(_e4397, _e4462, _e4471), vec3<f32>(select(select(select(select(_e4158, _e4217.member, _e4243), _e4293.member, _e4319), _e4369.member, _e4395), _e4445.member, _e4471), select(select(select(select(_e4159, _e4217.member_1, _e4243), _e4293.member_1, _e4319), _e4369.member_1, _e4395), _e4445.member_1, _e4471), select(select(select(select(_e4160, _e4217.member_2, _e4243), _e4293.member_2, _e4319), _e4369.member_2, _e4395), _e4445.member_2, _e4471)), select(_e4401, _e4466, _e4472), vec3<f32>(select(select(select(select(_e4163, _e4217.member, _e4244), _e4293.member, _e4320), _e4369.member, _e4396), _e4445.member, _e4472), select(select(select(select(_e4164, _e4217.member_1, _e4244), _e4293.member_1, _e4320), _e4369.member_1, _e4396), _e4445.member_1, _e4472), select(select(select(select(_e4165, _e4217.member_2, _e4244), _e4293.member_2, _e4320), _e4369.member_2, _e4396), _e4445.member_2, _e4472)), select(_e4405, _e4439, _e4467), select(_e4407, _e4440, (_e4440 > _e4407)), vec3<f32>(select(select(select(select(_e4170, _e4217.member, _e4239), _e4293.member, _e4315), _e4369.member, _e4391), _e4445.member, _e4467), select(select(select(select(_e4171, _e4217.member_1, _e4239), _e4293.member_1, _e4315), _e4369.member_1, _e4391), _e4445.member_1, _e4467), select(select(select(select(_e4172, _e4217.member_2, _e4239), _e4293.member_2, _e4315), _e4369.member_2, _e4391), _e4445.member_2, _e4467)));
+phi_11378_ = type_35(select(_e4397, _e4462, _e4471), vec3<f32>(select(select(select(select(_e4158, _e4217.member, _e4243), _e4293.member, _e4319), _e4369.member, _e4395), _e4445.member, _e4471), select(select(select(select(_e4159, _e4217.member_1, _e4243), _e4293.member_1, _e4319), _e4369.member_1, _e4395), _e4445.member_1, _e4471), select(select(select(select(_e4160, _e4217.member_2, _e4243), _e4293.member_2, _e4319), _e4369.member_2, _e4395), _e4445.member_2, _e4471)), select(_e4401, _e4466, _e4472), vec3<f32>(select(select(select(select(_e4163, _e4217.member, _e4244), _e4293.member, _e4320), _e4369.member, _e4396), _e4445.member, _e4472), select(select(select(select(_e4164, _e4217.member_1, _e4244), _e4293.member_1, _e4320), _e4369.member_1, _e4396), _e4445.member_1, _e4472), select(select(select(select(_e4165, _e4217.member_2, _e4244), _e4293.member_2, _e4320), _e4369.member_2, _e4396), _e4445.member_2, _e4472)), select(_e4405, _e4439, _e4467), select(_e4407, _e4440, (_e4440 > _e4407)), vec3<f32>(select(select(select(select(_e4170, _e4217.member, _e4239), _e4293.member, _e4315), _e4369.member, _e4391), _e4445.member, _e4467), select(select(select(select(_e4171, _e4217.member_1, _e4239), _e4293.member_1, _e4315), _e4369.member_1, _e4391), _e4445.member_1, _e4467), select(select(select(select(_e4172, _e4217.member_2, _e4239), _e4293.member_2, _e4315), _e4369.member_2, _e4391), _e4445.member_2, _e4467)));
 }
 let _e4492 = phi_11378_;
 if _e3754 {
@@ -1773,7 +1773,7 @@ phi_11390_ = ((_e4492.member <= 1f) && (_e4492.member < _e4492.member_2));
 }
 let _e4500 = phi_11390_;
 if (!(_e3754) && !(_e4500)) {
-phi_25702_ = type_33(_e3741.member, _e3741.member_1, _e3741.member_2, 3f, _e3741.member_4, _e3741.member_5, _e3741.member_6, _e3741.member_7, _e3741.member_8, _e3741.member_9);
+phi_25702_ = type_32(_e3741.member, _e3741.member_1, _e3741.member_2, 3f, _e3741.member_4, _e3741.member_5, _e3741.member_6, _e3741.member_7, _e3741.member_8, _e3741.member_9);
 phi_25703_ = _e3743;
 phi_25704_ = _e3745;
 } else {
@@ -1848,54 +1848,54 @@ let _e4782 = (select(0i, _e4713, (_e4713 > 0i)) * _e4732);
 let _e4783 = (select(_e4744, _e4747, (_e4747 < _e4744)) * _e4732);
 let _e4784 = (select(0i, _e4728, (_e4728 > 0i)) * _e4736);
 let _e4785 = (select(_e4757, _e4760, (_e4760 < _e4757)) * _e4736);
-local_24 = type_32(array<i32, 4>(select(0i, _e4771, (_e4771 > 0i)), select(0i, _e4698, (_e4698 > 0i)), select(_e4770, _e4776, (_e4776 < _e4770)), select(_e4770, _e4779, (_e4779 < _e4770))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_24 = type_29(array<i32, 4>(select(0i, _e4771, (_e4771 > 0i)), select(0i, _e4698, (_e4698 > 0i)), select(_e4770, _e4776, (_e4776 < _e4770)), select(_e4770, _e4779, (_e4779 < _e4770))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_25 = vec3<f32>((_e4673 - f32(_e4698)), (_e4678 - f32(_e4713)), (_e4683 - f32(_e4728)));
 let _e4796 = (_e4784 + _e4782);
 let _e4798 = (bitcast<i32>(_e211) - 1i);
 let _e4801 = local_24.member[1u];
 let _e4802 = (_e4796 + _e4801);
 let _e4804 = select(_e4798, _e4802, (_e4802 < _e4798));
-let _e4809 = global_4.member[bitcast<u32>(select(0i, _e4804, (_e4804 > 0i)))];
+let _e4809 = global_2.member[bitcast<u32>(select(0i, _e4804, (_e4804 > 0i)))];
 let _e4810 = bitcast<f32>(_e4809);
 let _e4813 = local_24.member[2u];
 let _e4814 = (_e4796 + _e4813);
 let _e4816 = select(_e4798, _e4814, (_e4814 < _e4798));
-let _e4821 = global_4.member[bitcast<u32>(select(0i, _e4816, (_e4816 > 0i)))];
+let _e4821 = global_2.member[bitcast<u32>(select(0i, _e4816, (_e4816 > 0i)))];
 let _e4823 = local_25[0u];
 let _e4826 = (_e4810 + ((bitcast<f32>(_e4821) - _e4810) * _e4823));
 let _e4827 = (_e4784 + _e4783);
 let _e4828 = local_24.member[1u];
 let _e4829 = (_e4827 + _e4828);
 let _e4831 = select(_e4798, _e4829, (_e4829 < _e4798));
-let _e4836 = global_4.member[bitcast<u32>(select(0i, _e4831, (_e4831 > 0i)))];
+let _e4836 = global_2.member[bitcast<u32>(select(0i, _e4831, (_e4831 > 0i)))];
 let _e4837 = bitcast<f32>(_e4836);
 let _e4838 = local_24.member[2u];
 let _e4839 = (_e4827 + _e4838);
 let _e4841 = select(_e4798, _e4839, (_e4839 < _e4798));
-let _e4846 = global_4.member[bitcast<u32>(select(0i, _e4841, (_e4841 > 0i)))];
+let _e4846 = global_2.member[bitcast<u32>(select(0i, _e4841, (_e4841 > 0i)))];
 let _e4848 = local_25[0u];
 let _e4852 = (_e4785 + _e4782);
 let _e4853 = local_24.member[1u];
 let _e4854 = (_e4852 + _e4853);
 let _e4856 = select(_e4798, _e4854, (_e4854 < _e4798));
-let _e4861 = global_4.member[bitcast<u32>(select(0i, _e4856, (_e4856 > 0i)))];
+let _e4861 = global_2.member[bitcast<u32>(select(0i, _e4856, (_e4856 > 0i)))];
 let _e4862 = bitcast<f32>(_e4861);
 let _e4863 = local_24.member[2u];
 let _e4864 = (_e4852 + _e4863);
 let _e4866 = select(_e4798, _e4864, (_e4864 < _e4798));
-let _e4871 = global_4.member[bitcast<u32>(select(0i, _e4866, (_e4866 > 0i)))];
+let _e4871 = global_2.member[bitcast<u32>(select(0i, _e4866, (_e4866 > 0i)))];
 let _e4873 = local_25[0u];
 let _e4876 = (_e4862 + ((bitcast<f32>(_e4871) - _e4862) * _e4873));
 let _e4877 = (_e4785 + _e4783);
 let _e4878 = local_24.member[1u];
 let _e4879 = (_e4877 + _e4878);
 let _e4881 = select(_e4798, _e4879, (_e4879 < _e4798));
-let _e4886 = global_4.member[bitcast<u32>(select(0i, _e4881, (_e4881 > 0i)))];
+let _e4886 = global_2.member[bitcast<u32>(select(0i, _e4881, (_e4881 > 0i)))];
 let _e4887 = bitcast<f32>(_e4886);
 let _e4888 = local_24.member[2u];
 let _e4889 = (_e4877 + _e4888);
 let _e4891 = select(_e4798, _e4889, (_e4889 < _e4798));
-let _e4896 = global_4.member[bitcast<u32>(select(0i, _e4891, (_e4891 > 0i)))];
+let _e4896 = global_2.member[bitcast<u32>(select(0i, _e4891, (_e4891 > 0i)))];
 let _e4898 = local_25[0u];
 let _e4903 = local_25[1u];
 let _e4906 = (_e4826 + (((_e4837 + ((bitcast<f32>(_e4846) - _e4837) * _e4848)) - _e4826) * _e4903));
@@ -1946,7 +1946,7 @@ let _e5057 = (select(0i, _e5023, (_e5023 > 0i)) * _e4995);
 let _e5058 = (select(0i, _e4987, (_e4987 > 0i)) * _e4995);
 let _e5059 = (select(_e5022, _e5028, (_e5028 < _e5022)) * _e4995);
 let _e5060 = (select(_e5022, _e5031, (_e5031 < _e5022)) * _e4995);
-local_22 = type_32(array<i32, 4>(select(0i, _e5042, (_e5042 > 0i)), select(0i, _e4957, (_e4957 > 0i)), select(_e5041, _e5047, (_e5047 < _e5041)), select(_e5041, _e5050, (_e5050 < _e5041))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_22 = type_29(array<i32, 4>(select(0i, _e5042, (_e5042 > 0i)), select(0i, _e4957, (_e4957 > 0i)), select(_e5041, _e5047, (_e5047 < _e5041)), select(_e5041, _e5050, (_e5050 < _e5041))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_23 = vec3<f32>((_e4934 - f32(_e4957)), (_e4938 - f32(_e4972)), (_e4942 - f32(_e4987)));
 let _e5071 = (_e5058 + _e5054);
 let _e5074 = local_22.member[0u];
@@ -2195,50 +2195,50 @@ local_21 = _e5621;
 let _e5622 = local_21;
 let _e5624 = (bitcast<i32>(_e217) - 1i);
 let _e5626 = select(_e5624, 263197i, (263197i < _e5624));
-let _e5631 = global_5.member[bitcast<u32>(select(0i, _e5626, (_e5626 > 0i)))];
+let _e5631 = global_3.member[bitcast<u32>(select(0i, _e5626, (_e5626 > 0i)))];
 let _e5632 = bitcast<f32>(_e5631);
 let _e5634 = select(_e5624, 263198i, (263198i < _e5624));
 let _e5637 = bitcast<u32>(select(0i, _e5634, (_e5634 > 0i)));
-let _e5639 = global_5.member[_e5637];
+let _e5639 = global_3.member[_e5637];
 let _e5640 = bitcast<f32>(_e5639);
 let _e5642 = select(_e5624, 263199i, (263199i < _e5624));
-let _e5647 = global_5.member[bitcast<u32>(select(0i, _e5642, (_e5642 > 0i)))];
+let _e5647 = global_3.member[bitcast<u32>(select(0i, _e5642, (_e5642 > 0i)))];
 let _e5648 = bitcast<f32>(_e5647);
 let _e5650 = ((_e5622 - _e5632) * _e5640);
 let _e5652 = select(0f, _e5650, (_e5650 > 0f));
 let _e5655 = local_21;
 let _e5657 = select(_e5624, 263200i, (263200i < _e5624));
-let _e5662 = global_5.member[bitcast<u32>(select(0i, _e5657, (_e5657 > 0i)))];
+let _e5662 = global_3.member[bitcast<u32>(select(0i, _e5657, (_e5657 > 0i)))];
 let _e5663 = bitcast<f32>(_e5662);
 let _e5665 = select(_e5624, 263201i, (263201i < _e5624));
-let _e5670 = global_5.member[bitcast<u32>(select(0i, _e5665, (_e5665 > 0i)))];
+let _e5670 = global_3.member[bitcast<u32>(select(0i, _e5665, (_e5665 > 0i)))];
 let _e5671 = bitcast<f32>(_e5670);
 let _e5673 = select(_e5624, 263202i, (263202i < _e5624));
-let _e5678 = global_5.member[bitcast<u32>(select(0i, _e5673, (_e5673 > 0i)))];
+let _e5678 = global_3.member[bitcast<u32>(select(0i, _e5673, (_e5673 > 0i)))];
 let _e5679 = bitcast<f32>(_e5678);
 let _e5681 = ((_e5655 - _e5663) * _e5671);
 let _e5683 = select(0f, _e5681, (_e5681 > 0f));
 let _e5687 = local_21;
 let _e5689 = select(_e5624, 263203i, (263203i < _e5624));
-let _e5694 = global_5.member[bitcast<u32>(select(0i, _e5689, (_e5689 > 0i)))];
+let _e5694 = global_3.member[bitcast<u32>(select(0i, _e5689, (_e5689 > 0i)))];
 let _e5695 = bitcast<f32>(_e5694);
 let _e5697 = select(_e5624, 263204i, (263204i < _e5624));
-let _e5702 = global_5.member[bitcast<u32>(select(0i, _e5697, (_e5697 > 0i)))];
+let _e5702 = global_3.member[bitcast<u32>(select(0i, _e5697, (_e5697 > 0i)))];
 let _e5703 = bitcast<f32>(_e5702);
 let _e5705 = select(_e5624, 263205i, (263205i < _e5624));
-let _e5710 = global_5.member[bitcast<u32>(select(0i, _e5705, (_e5705 > 0i)))];
+let _e5710 = global_3.member[bitcast<u32>(select(0i, _e5705, (_e5705 > 0i)))];
 let _e5711 = bitcast<f32>(_e5710);
 let _e5713 = ((_e5687 - _e5695) * _e5703);
 let _e5715 = select(0f, _e5713, (_e5713 > 0f));
 let _e5718 = local_21;
 let _e5720 = select(_e5624, 263206i, (263206i < _e5624));
-let _e5725 = global_5.member[bitcast<u32>(select(0i, _e5720, (_e5720 > 0i)))];
+let _e5725 = global_3.member[bitcast<u32>(select(0i, _e5720, (_e5720 > 0i)))];
 let _e5726 = bitcast<f32>(_e5725);
 let _e5728 = select(_e5624, 263207i, (263207i < _e5624));
-let _e5733 = global_5.member[bitcast<u32>(select(0i, _e5728, (_e5728 > 0i)))];
+let _e5733 = global_3.member[bitcast<u32>(select(0i, _e5728, (_e5728 > 0i)))];
 let _e5734 = bitcast<f32>(_e5733);
 let _e5736 = select(_e5624, 263208i, (263208i < _e5624));
-let _e5741 = global_5.member[bitcast<u32>(select(0i, _e5736, (_e5736 > 0i)))];
+let _e5741 = global_3.member[bitcast<u32>(select(0i, _e5736, (_e5736 > 0i)))];
 let _e5742 = bitcast<f32>(_e5741);
 let _e5744 = ((_e5718 - _e5726) * _e5734);
 let _e5746 = select(0f, _e5744, (_e5744 > 0f));
@@ -2249,34 +2249,34 @@ let _e5761 = select(0i, select(select(i32(_e5754), i32(-2147483648), (_e5754 < -
 let _e5765 = (_e5761 - select(0i, 1i, (_e5754 < f32(_e5761))));
 let _e5766 = (262147i + _e5765);
 let _e5768 = select(_e5624, _e5766, (_e5766 < _e5624));
-let _e5774 = global_5.member[bitcast<u32>(select(0i, _e5768, (_e5768 > 0i)))];
+let _e5774 = global_3.member[bitcast<u32>(select(0i, _e5768, (_e5768 > 0i)))];
 let _e5784 = select(_e5624, 262146i, (262146i < _e5624));
-let _e5790 = global_5.member[bitcast<u32>(select(0i, _e5784, (_e5784 > 0i)))];
+let _e5790 = global_3.member[bitcast<u32>(select(0i, _e5784, (_e5784 > 0i)))];
 let _e5791 = bitcast<f32>(_e5790);
 let _e5792 = (f32((bitcast<i32>((_e5774 & 4095u)) - 2048i)) * _e5791);
 let _e5794 = select(_e5624, 262144i, (262144i < _e5624));
-let _e5800 = global_5.member[bitcast<u32>(select(0i, _e5794, (_e5794 > 0i)))];
+let _e5800 = global_3.member[bitcast<u32>(select(0i, _e5794, (_e5794 > 0i)))];
 let _e5801 = bitcast<f32>(_e5800);
 let _e5803 = select(_e5624, 262145i, (262145i < _e5624));
-let _e5809 = global_5.member[bitcast<u32>(select(0i, _e5803, (_e5803 > 0i)))];
+let _e5809 = global_3.member[bitcast<u32>(select(0i, _e5803, (_e5803 > 0i)))];
 let _e5810 = bitcast<f32>(_e5809);
 let _e5816 = ((_e5801 + (f32(bitcast<i32>((_e5774 >> bitcast<u32>(12u)))) * _e5810)) + (_e5792 * (_e5750 - f32(_e5765))));
-let _e5819 = global_5.member[_e5637];
+let _e5819 = global_3.member[_e5637];
 let _e5821 = local_20;
 let _e5824 = local_20;
 let _e5827 = local_20;
 let _e5831 = select(_e5624, 263209i, (263209i < _e5624));
-let _e5837 = global_5.member[bitcast<u32>(select(0i, _e5831, (_e5831 > 0i)))];
+let _e5837 = global_3.member[bitcast<u32>(select(0i, _e5831, (_e5831 > 0i)))];
 let _e5839 = local_20;
 let _e5842 = select(_e5624, 263210i, (263210i < _e5624));
-let _e5848 = global_5.member[bitcast<u32>(select(0i, _e5842, (_e5842 > 0i)))];
+let _e5848 = global_3.member[bitcast<u32>(select(0i, _e5842, (_e5842 > 0i)))];
 let _e5850 = local_20;
 let _e5854 = (_e5792 * select(0f, select(select(select(bitcast<f32>(_e5819), _e5671, (_e5821 >= _e5663)), _e5703, (_e5824 >= _e5695)), _e5734, (_e5827 >= _e5726)), ((_e5839 >= bitcast<f32>(_e5837)) && (_e5850 <= bitcast<f32>(_e5848)))));
 if _e566 {
 let _e5861 = ((0.5f * (_e5596 - _e5590)) * _e5854);
 let _e5862 = ((0.5f * (_e5608 - _e5602)) * _e5854);
 let _e5863 = ((0.5f * (_e5620 - _e5614)) * _e5854);
-phi_18108_ = type_34(_e5816, vec3<f32>(_e5861, _e5862, _e5863), vec3<f32>((_e5861 * _e5816), (_e5862 * _e5816), (_e5863 * _e5816)));
+phi_18108_ = type_33(_e5816, vec3<f32>(_e5861, _e5862, _e5863), vec3<f32>((_e5861 * _e5816), (_e5862 * _e5816), (_e5863 * _e5816)));
 } else {
 local_18 = _e5590;
 let _e5870 = local_18;
@@ -2300,7 +2300,7 @@ let _e5912 = select(0i, select(select(i32(_e5905), i32(-2147483648), (_e5905 < -
 let _e5916 = (_e5912 - select(0i, 1i, (_e5905 < f32(_e5912))));
 let _e5917 = (262147i + _e5916);
 let _e5919 = select(_e5624, _e5917, (_e5917 < _e5624));
-let _e5925 = global_5.member[bitcast<u32>(select(0i, _e5919, (_e5919 > 0i)))];
+let _e5925 = global_3.member[bitcast<u32>(select(0i, _e5919, (_e5919 > 0i)))];
 let _e5940 = ((_e5801 + (f32(bitcast<i32>((_e5925 >> bitcast<u32>(12u)))) * _e5810)) + ((f32((bitcast<i32>((_e5925 & 4095u)) - 2048i)) * _e5791) * (_e5901 - f32(_e5916))));
 local_16 = _e5596;
 let _e5941 = local_16;
@@ -2324,7 +2324,7 @@ let _e5983 = select(0i, select(select(i32(_e5976), i32(-2147483648), (_e5976 < -
 let _e5987 = (_e5983 - select(0i, 1i, (_e5976 < f32(_e5983))));
 let _e5988 = (262147i + _e5987);
 let _e5990 = select(_e5624, _e5988, (_e5988 < _e5624));
-let _e5996 = global_5.member[bitcast<u32>(select(0i, _e5990, (_e5990 > 0i)))];
+let _e5996 = global_3.member[bitcast<u32>(select(0i, _e5990, (_e5990 > 0i)))];
 let _e6011 = ((_e5801 + (f32(bitcast<i32>((_e5996 >> bitcast<u32>(12u)))) * _e5810)) + ((f32((bitcast<i32>((_e5996 & 4095u)) - 2048i)) * _e5791) * (_e5972 - f32(_e5987))));
 local_14 = _e5602;
 let _e6012 = local_14;
@@ -2348,7 +2348,7 @@ let _e6054 = select(0i, select(select(i32(_e6047), i32(-2147483648), (_e6047 < -
 let _e6058 = (_e6054 - select(0i, 1i, (_e6047 < f32(_e6054))));
 let _e6059 = (262147i + _e6058);
 let _e6061 = select(_e5624, _e6059, (_e6059 < _e5624));
-let _e6067 = global_5.member[bitcast<u32>(select(0i, _e6061, (_e6061 > 0i)))];
+let _e6067 = global_3.member[bitcast<u32>(select(0i, _e6061, (_e6061 > 0i)))];
 let _e6082 = ((_e5801 + (f32(bitcast<i32>((_e6067 >> bitcast<u32>(12u)))) * _e5810)) + ((f32((bitcast<i32>((_e6067 & 4095u)) - 2048i)) * _e5791) * (_e6043 - f32(_e6058))));
 local_12 = _e5608;
 let _e6083 = local_12;
@@ -2372,7 +2372,7 @@ let _e6125 = select(0i, select(select(i32(_e6118), i32(-2147483648), (_e6118 < -
 let _e6129 = (_e6125 - select(0i, 1i, (_e6118 < f32(_e6125))));
 let _e6130 = (262147i + _e6129);
 let _e6132 = select(_e5624, _e6130, (_e6130 < _e5624));
-let _e6138 = global_5.member[bitcast<u32>(select(0i, _e6132, (_e6132 > 0i)))];
+let _e6138 = global_3.member[bitcast<u32>(select(0i, _e6132, (_e6132 > 0i)))];
 let _e6153 = ((_e5801 + (f32(bitcast<i32>((_e6138 >> bitcast<u32>(12u)))) * _e5810)) + ((f32((bitcast<i32>((_e6138 & 4095u)) - 2048i)) * _e5791) * (_e6114 - f32(_e6129))));
 local_10 = _e5614;
 let _e6154 = local_10;
@@ -2396,7 +2396,7 @@ let _e6196 = select(0i, select(select(i32(_e6189), i32(-2147483648), (_e6189 < -
 let _e6200 = (_e6196 - select(0i, 1i, (_e6189 < f32(_e6196))));
 let _e6201 = (262147i + _e6200);
 let _e6203 = select(_e5624, _e6201, (_e6201 < _e5624));
-let _e6209 = global_5.member[bitcast<u32>(select(0i, _e6203, (_e6203 > 0i)))];
+let _e6209 = global_3.member[bitcast<u32>(select(0i, _e6203, (_e6203 > 0i)))];
 let _e6224 = ((_e5801 + (f32(bitcast<i32>((_e6209 >> bitcast<u32>(12u)))) * _e5810)) + ((f32((bitcast<i32>((_e6209 & 4095u)) - 2048i)) * _e5791) * (_e6185 - f32(_e6200))));
 local_8 = _e5620;
 let _e6225 = local_8;
@@ -2420,12 +2420,12 @@ let _e6267 = select(0i, select(select(i32(_e6260), i32(-2147483648), (_e6260 < -
 let _e6271 = (_e6267 - select(0i, 1i, (_e6260 < f32(_e6267))));
 let _e6272 = (262147i + _e6271);
 let _e6274 = select(_e5624, _e6272, (_e6272 < _e5624));
-let _e6280 = global_5.member[bitcast<u32>(select(0i, _e6274, (_e6274 > 0i)))];
+let _e6280 = global_3.member[bitcast<u32>(select(0i, _e6274, (_e6274 > 0i)))];
 let _e6295 = ((_e5801 + (f32(bitcast<i32>((_e6280 >> bitcast<u32>(12u)))) * _e5810)) + ((f32((bitcast<i32>((_e6280 & 4095u)) - 2048i)) * _e5791) * (_e6256 - f32(_e6271))));
 let _e6296 = (_e6011 - _e5940);
 let _e6298 = (_e6153 - _e6082);
 let _e6300 = (_e6295 - _e6224);
-phi_18108_ = type_34(_e5816, vec3<f32>((0.5f * _e6296), (0.5f * _e6298), (0.5f * _e6300)), vec3<f32>((0.25f * (_e6296 * (_e6011 + _e5940))), (0.25f * (_e6298 * (_e6153 + _e6082))), (0.25f * (_e6300 * (_e6295 + _e6224)))));
+phi_18108_ = type_33(_e5816, vec3<f32>((0.5f * _e6296), (0.5f * _e6298), (0.5f * _e6300)), vec3<f32>((0.25f * (_e6296 * (_e6011 + _e5940))), (0.25f * (_e6298 * (_e6153 + _e6082))), (0.25f * (_e6300 * (_e6295 + _e6224)))));
 }
 let _e6315 = phi_18108_;
 let _e6330 = select(0f, 1f, ((((((_e4656 >= -0.5f) && (_e4656 <= _e3918)) && (_e4662 >= -0.5f)) && (_e4662 <= _e4004)) && (_e4668 >= -0.5f)) && (_e4668 <= _e4090)));
@@ -2441,7 +2441,7 @@ let _e6372 = global_1.member.member_7.member_1.member.member_2;
 let _e6378 = global_1.member.member_7.member_2.member.member;
 let _e6384 = global_1.member.member_7.member_2.member.member_1;
 let _e6390 = global_1.member.member_7.member_2.member.member_2;
-phi_18755_ = type_35(select(1e9f, _e4928, (_e4928 < 1e9f)), vec3<f32>(((((_e6342 * _e6332) + (_e6360 * _e6334)) + (_e6378 * _e6336)) * _e6330), ((((_e6348 * _e6332) + (_e6366 * _e6334)) + (_e6384 * _e6336)) * _e6330), ((((_e6354 * _e6332) + (_e6372 * _e6334)) + (_e6390 * _e6336)) * _e6330)), _e6315.member, vec3<f32>(((((_e6342 * _e6315.member_2.x) + (_e6360 * _e6315.member_2.y)) + (_e6378 * _e6315.member_2.z)) * _e6330), ((((_e6348 * _e6315.member_2.x) + (_e6366 * _e6315.member_2.y)) + (_e6384 * _e6315.member_2.z)) * _e6330), ((((_e6354 * _e6315.member_2.x) + (_e6372 * _e6315.member_2.y)) + (_e6390 * _e6315.member_2.z)) * _e6330)), vec3<f32>(((((_e6342 * _e6315.member_1.x) + (_e6360 * _e6315.member_1.y)) + (_e6378 * _e6315.member_1.z)) * _e6330), ((((_e6348 * _e6315.member_1.x) + (_e6366 * _e6315.member_1.y)) + (_e6384 * _e6315.member_1.z)) * _e6330), ((((_e6354 * _e6315.member_1.x) + (_e6372 * _e6315.member_1.y)) + (_e6390 * _e6315.member_1.z)) * _e6330)));
+phi_18755_ = type_34(select(1e9f, _e4928, (_e4928 < 1e9f)), vec3<f32>(((((_e6342 * _e6332) + (_e6360 * _e6334)) + (_e6378 * _e6336)) * _e6330), ((((_e6348 * _e6332) + (_e6366 * _e6334)) + (_e6384 * _e6336)) * _e6330), ((((_e6354 * _e6332) + (_e6372 * _e6334)) + (_e6390 * _e6336)) * _e6330)), _e6315.member, vec3<f32>(((((_e6342 * _e6315.member_2.x) + (_e6360 * _e6315.member_2.y)) + (_e6378 * _e6315.member_2.z)) * _e6330), ((((_e6348 * _e6315.member_2.x) + (_e6366 * _e6315.member_2.y)) + (_e6384 * _e6315.member_2.z)) * _e6330), ((((_e6354 * _e6315.member_2.x) + (_e6372 * _e6315.member_2.y)) + (_e6390 * _e6315.member_2.z)) * _e6330)), vec3<f32>(((((_e6342 * _e6315.member_1.x) + (_e6360 * _e6315.member_1.y)) + (_e6378 * _e6315.member_1.z)) * _e6330), ((((_e6348 * _e6315.member_1.x) + (_e6366 * _e6315.member_1.y)) + (_e6384 * _e6315.member_1.z)) * _e6330), ((((_e6354 * _e6315.member_1.x) + (_e6372 * _e6315.member_1.y)) + (_e6390 * _e6315.member_1.z)) * _e6330)));
 } else {
 let _e6455 = (_e3804 - 0.5f);
 let _e6457 = select(-0.5f, _e4638, (_e4638 > -0.5f));
@@ -2478,31 +2478,31 @@ let _e6568 = (select(0i, _e6499, (_e6499 > 0i)) * _e6518);
 let _e6569 = (select(_e6530, _e6533, (_e6533 < _e6530)) * _e6518);
 let _e6570 = (select(0i, _e6514, (_e6514 > 0i)) * _e6522);
 let _e6571 = (select(_e6543, _e6546, (_e6546 < _e6543)) * _e6522);
-local_6 = type_32(array<i32, 4>(select(0i, _e6557, (_e6557 > 0i)), select(0i, _e6484, (_e6484 > 0i)), select(_e6556, _e6562, (_e6562 < _e6556)), select(_e6556, _e6565, (_e6565 < _e6556))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_29(array<i32, 4>(select(0i, _e6557, (_e6557 > 0i)), select(0i, _e6484, (_e6484 > 0i)), select(_e6556, _e6562, (_e6562 < _e6556)), select(_e6556, _e6565, (_e6565 < _e6556))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = vec3<f32>((_e6459 - f32(_e6484)), (_e6464 - f32(_e6499)), (_e6469 - f32(_e6514)));
 let _e6582 = (_e6570 + _e6568);
 let _e6585 = local_6.member[1u];
 let _e6586 = (_e6582 + _e6585);
 let _e6588 = (bitcast<i32>(_e211) - 1i);
 let _e6590 = select(_e6588, _e6586, (_e6586 < _e6588));
-let _e6595 = global_4.member[bitcast<u32>(select(0i, _e6590, (_e6590 > 0i)))];
+let _e6595 = global_2.member[bitcast<u32>(select(0i, _e6590, (_e6590 > 0i)))];
 let _e6596 = bitcast<f32>(_e6595);
 let _e6599 = local_6.member[2u];
 let _e6600 = (_e6582 + _e6599);
 let _e6602 = select(_e6588, _e6600, (_e6600 < _e6588));
-let _e6607 = global_4.member[bitcast<u32>(select(0i, _e6602, (_e6602 > 0i)))];
+let _e6607 = global_2.member[bitcast<u32>(select(0i, _e6602, (_e6602 > 0i)))];
 let _e6609 = local_7[0u];
 let _e6612 = (_e6596 + ((bitcast<f32>(_e6607) - _e6596) * _e6609));
 let _e6613 = (_e6570 + _e6569);
 let _e6614 = local_6.member[1u];
 let _e6615 = (_e6613 + _e6614);
 let _e6617 = select(_e6588, _e6615, (_e6615 < _e6588));
-let _e6622 = global_4.member[bitcast<u32>(select(0i, _e6617, (_e6617 > 0i)))];
+let _e6622 = global_2.member[bitcast<u32>(select(0i, _e6617, (_e6617 > 0i)))];
 let _e6623 = bitcast<f32>(_e6622);
 let _e6624 = local_6.member[2u];
 let _e6625 = (_e6613 + _e6624);
 let _e6627 = select(_e6588, _e6625, (_e6625 < _e6588));
-let _e6632 = global_4.member[bitcast<u32>(select(0i, _e6627, (_e6627 > 0i)))];
+let _e6632 = global_2.member[bitcast<u32>(select(0i, _e6627, (_e6627 > 0i)))];
 let _e6634 = local_7[0u];
 let _e6639 = local_7[1u];
 let _e6642 = (_e6612 + (((_e6623 + ((bitcast<f32>(_e6632) - _e6623) * _e6634)) - _e6612) * _e6639));
@@ -2510,24 +2510,24 @@ let _e6643 = (_e6571 + _e6568);
 let _e6644 = local_6.member[1u];
 let _e6645 = (_e6643 + _e6644);
 let _e6647 = select(_e6588, _e6645, (_e6645 < _e6588));
-let _e6652 = global_4.member[bitcast<u32>(select(0i, _e6647, (_e6647 > 0i)))];
+let _e6652 = global_2.member[bitcast<u32>(select(0i, _e6647, (_e6647 > 0i)))];
 let _e6653 = bitcast<f32>(_e6652);
 let _e6654 = local_6.member[2u];
 let _e6655 = (_e6643 + _e6654);
 let _e6657 = select(_e6588, _e6655, (_e6655 < _e6588));
-let _e6662 = global_4.member[bitcast<u32>(select(0i, _e6657, (_e6657 > 0i)))];
+let _e6662 = global_2.member[bitcast<u32>(select(0i, _e6657, (_e6657 > 0i)))];
 let _e6664 = local_7[0u];
 let _e6667 = (_e6653 + ((bitcast<f32>(_e6662) - _e6653) * _e6664));
 let _e6668 = (_e6571 + _e6569);
 let _e6669 = local_6.member[1u];
 let _e6670 = (_e6668 + _e6669);
 let _e6672 = select(_e6588, _e6670, (_e6670 < _e6588));
-let _e6677 = global_4.member[bitcast<u32>(select(0i, _e6672, (_e6672 > 0i)))];
+let _e6677 = global_2.member[bitcast<u32>(select(0i, _e6672, (_e6672 > 0i)))];
 let _e6678 = bitcast<f32>(_e6677);
 let _e6679 = local_6.member[2u];
 let _e6680 = (_e6668 + _e6679);
 let _e6682 = select(_e6588, _e6680, (_e6680 < _e6588));
-let _e6687 = global_4.member[bitcast<u32>(select(0i, _e6682, (_e6682 > 0i)))];
+let _e6687 = global_2.member[bitcast<u32>(select(0i, _e6682, (_e6682 > 0i)))];
 let _e6689 = local_7[0u];
 let _e6693 = local_7[1u];
 let _e6698 = local_7[2u];
@@ -2536,11 +2536,11 @@ let _e6709 = global_1.member.member_6.member_5;
 let _e6711 = (((_e6642 + (((_e6667 + (((_e6678 + ((bitcast<f32>(_e6687) - _e6678) * _e6689)) - _e6667) * _e6693)) - _e6642) * _e6698)) - _e6705) * _e6709);
 let _e6712 = -(1e9f);
 let _e6714 = select(_e6712, _e6711, (_e6711 > _e6712));
-phi_18755_ = type_35(select(1e9f, _e6714, (_e6714 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_18755_ = type_34(select(1e9f, _e6714, (_e6714 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e6719 = phi_18755_;
 if _e2671 {
-phi_19147_ = type_5(1f, 1f, 1f);
+phi_19147_ = type_7(1f, 1f, 1f);
 } else {
 let _e6723 = global_1.member.member_14.member;
 let _e6734 = ((((_e6723.member.member * _e3741.member.x) + (_e6723.member.member_1 * _e3741.member.y)) + (_e6723.member.member_2 * _e3741.member.z)) + _e6723.member_1);
@@ -2586,7 +2586,7 @@ let _e6901 = select(0f, _e6899, (_e6899 > 0f));
 let _e6907 = select(select(select(1f, _e6901, (_e6901 < 1f)), 1f, (_e6894 <= 0f)), 0f, (_e6892 > 0f));
 let _e6912 = global_1.member.member_17.member_1;
 let _e6913 = (_e6912 != 0u);
-phi_19147_ = type_5(((((1f * _e6757) * _e6807) * _e6857) * _e6907), ((((1f * select(1f, _e6757, _e6763)) * select(1f, _e6807, _e6813)) * select(1f, _e6857, _e6863)) * select(1f, _e6907, _e6913)), ((((1f * select(1f, 0f, (_e6763 && (_e6740 > 0f)))) * select(1f, 0f, (_e6813 && (_e6790 > 0f)))) * select(1f, 0f, (_e6863 && (_e6840 > 0f)))) * select(1f, 0f, (_e6913 && (_e6890 > 0f)))));
+phi_19147_ = type_7(((((1f * _e6757) * _e6807) * _e6857) * _e6907), ((((1f * select(1f, _e6757, _e6763)) * select(1f, _e6807, _e6813)) * select(1f, _e6857, _e6863)) * select(1f, _e6907, _e6913)), ((((1f * select(1f, 0f, (_e6763 && (_e6740 > 0f)))) * select(1f, 0f, (_e6813 && (_e6790 > 0f)))) * select(1f, 0f, (_e6863 && (_e6840 > 0f)))) * select(1f, 0f, (_e6913 && (_e6890 > 0f)))));
 }
 let _e6922 = phi_19147_;
 let _e6925 = (select(0f, (_e4518 - 0.5f), _e4500) * _e3836);
@@ -2625,7 +2625,7 @@ let _e7042 = (select(0i, _e6973, (_e6973 > 0i)) * _e6992);
 let _e7043 = (select(_e7004, _e7007, (_e7007 < _e7004)) * _e6992);
 let _e7044 = (select(0i, _e6988, (_e6988 > 0i)) * _e6996);
 let _e7045 = (select(_e7017, _e7020, (_e7020 < _e7017)) * _e6996);
-local_4 = type_32(array<i32, 4>(select(0i, _e7031, (_e7031 > 0i)), select(0i, _e6958, (_e6958 > 0i)), select(_e7030, _e7036, (_e7036 < _e7030)), select(_e7030, _e7039, (_e7039 < _e7030))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_4 = type_29(array<i32, 4>(select(0i, _e7031, (_e7031 > 0i)), select(0i, _e6958, (_e6958 > 0i)), select(_e7030, _e7036, (_e7036 < _e7030)), select(_e7030, _e7039, (_e7039 < _e7030))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_5 = vec3<f32>((_e6935 - f32(_e6958)), (_e6939 - f32(_e6973)), (_e6943 - f32(_e6988)));
 let _e7056 = (_e7044 + _e7042);
 let _e7059 = local_4.member[1u];
@@ -2689,41 +2689,41 @@ local_3 = _e7191;
 let _e7192 = local_3;
 let _e7194 = (bitcast<i32>(_e217) - 1i);
 let _e7196 = select(_e7194, 263197i, (263197i < _e7194));
-let _e7201 = global_5.member[bitcast<u32>(select(0i, _e7196, (_e7196 > 0i)))];
+let _e7201 = global_3.member[bitcast<u32>(select(0i, _e7196, (_e7196 > 0i)))];
 let _e7204 = select(_e7194, 263198i, (263198i < _e7194));
-let _e7209 = global_5.member[bitcast<u32>(select(0i, _e7204, (_e7204 > 0i)))];
+let _e7209 = global_3.member[bitcast<u32>(select(0i, _e7204, (_e7204 > 0i)))];
 let _e7212 = select(_e7194, 263199i, (263199i < _e7194));
-let _e7217 = global_5.member[bitcast<u32>(select(0i, _e7212, (_e7212 > 0i)))];
+let _e7217 = global_3.member[bitcast<u32>(select(0i, _e7212, (_e7212 > 0i)))];
 let _e7218 = bitcast<f32>(_e7217);
 let _e7220 = ((_e7192 - bitcast<f32>(_e7201)) * bitcast<f32>(_e7209));
 let _e7222 = select(0f, _e7220, (_e7220 > 0f));
 let _e7225 = local_3;
 let _e7227 = select(_e7194, 263200i, (263200i < _e7194));
-let _e7232 = global_5.member[bitcast<u32>(select(0i, _e7227, (_e7227 > 0i)))];
+let _e7232 = global_3.member[bitcast<u32>(select(0i, _e7227, (_e7227 > 0i)))];
 let _e7235 = select(_e7194, 263201i, (263201i < _e7194));
-let _e7240 = global_5.member[bitcast<u32>(select(0i, _e7235, (_e7235 > 0i)))];
+let _e7240 = global_3.member[bitcast<u32>(select(0i, _e7235, (_e7235 > 0i)))];
 let _e7243 = select(_e7194, 263202i, (263202i < _e7194));
-let _e7248 = global_5.member[bitcast<u32>(select(0i, _e7243, (_e7243 > 0i)))];
+let _e7248 = global_3.member[bitcast<u32>(select(0i, _e7243, (_e7243 > 0i)))];
 let _e7249 = bitcast<f32>(_e7248);
 let _e7251 = ((_e7225 - bitcast<f32>(_e7232)) * bitcast<f32>(_e7240));
 let _e7253 = select(0f, _e7251, (_e7251 > 0f));
 let _e7257 = local_3;
 let _e7259 = select(_e7194, 263203i, (263203i < _e7194));
-let _e7264 = global_5.member[bitcast<u32>(select(0i, _e7259, (_e7259 > 0i)))];
+let _e7264 = global_3.member[bitcast<u32>(select(0i, _e7259, (_e7259 > 0i)))];
 let _e7267 = select(_e7194, 263204i, (263204i < _e7194));
-let _e7272 = global_5.member[bitcast<u32>(select(0i, _e7267, (_e7267 > 0i)))];
+let _e7272 = global_3.member[bitcast<u32>(select(0i, _e7267, (_e7267 > 0i)))];
 let _e7275 = select(_e7194, 263205i, (263205i < _e7194));
-let _e7280 = global_5.member[bitcast<u32>(select(0i, _e7275, (_e7275 > 0i)))];
+let _e7280 = global_3.member[bitcast<u32>(select(0i, _e7275, (_e7275 > 0i)))];
 let _e7281 = bitcast<f32>(_e7280);
 let _e7283 = ((_e7257 - bitcast<f32>(_e7264)) * bitcast<f32>(_e7272));
 let _e7285 = select(0f, _e7283, (_e7283 > 0f));
 let _e7288 = local_3;
 let _e7290 = select(_e7194, 263206i, (263206i < _e7194));
-let _e7295 = global_5.member[bitcast<u32>(select(0i, _e7290, (_e7290 > 0i)))];
+let _e7295 = global_3.member[bitcast<u32>(select(0i, _e7290, (_e7290 > 0i)))];
 let _e7298 = select(_e7194, 263207i, (263207i < _e7194));
-let _e7303 = global_5.member[bitcast<u32>(select(0i, _e7298, (_e7298 > 0i)))];
+let _e7303 = global_3.member[bitcast<u32>(select(0i, _e7298, (_e7298 > 0i)))];
 let _e7306 = select(_e7194, 263208i, (263208i < _e7194));
-let _e7311 = global_5.member[bitcast<u32>(select(0i, _e7306, (_e7306 > 0i)))];
+let _e7311 = global_3.member[bitcast<u32>(select(0i, _e7306, (_e7306 > 0i)))];
 let _e7312 = bitcast<f32>(_e7311);
 let _e7314 = ((_e7288 - bitcast<f32>(_e7295)) * bitcast<f32>(_e7303));
 let _e7316 = select(0f, _e7314, (_e7314 > 0f));
@@ -2734,13 +2734,13 @@ let _e7331 = select(0i, select(select(i32(_e7324), i32(-2147483648), (_e7324 < -
 let _e7335 = (_e7331 - select(0i, 1i, (_e7324 < f32(_e7331))));
 let _e7336 = (262147i + _e7335);
 let _e7338 = select(_e7194, _e7336, (_e7336 < _e7194));
-let _e7344 = global_5.member[bitcast<u32>(select(0i, _e7338, (_e7338 > 0i)))];
+let _e7344 = global_3.member[bitcast<u32>(select(0i, _e7338, (_e7338 > 0i)))];
 let _e7354 = select(_e7194, 262146i, (262146i < _e7194));
-let _e7360 = global_5.member[bitcast<u32>(select(0i, _e7354, (_e7354 > 0i)))];
+let _e7360 = global_3.member[bitcast<u32>(select(0i, _e7354, (_e7354 > 0i)))];
 let _e7364 = select(_e7194, 262144i, (262144i < _e7194));
-let _e7370 = global_5.member[bitcast<u32>(select(0i, _e7364, (_e7364 > 0i)))];
+let _e7370 = global_3.member[bitcast<u32>(select(0i, _e7364, (_e7364 > 0i)))];
 let _e7373 = select(_e7194, 262145i, (262145i < _e7194));
-let _e7379 = global_5.member[bitcast<u32>(select(0i, _e7373, (_e7373 > 0i)))];
+let _e7379 = global_3.member[bitcast<u32>(select(0i, _e7373, (_e7373 > 0i)))];
 let _e7386 = ((bitcast<f32>(_e7370) + (f32(bitcast<i32>((_e7344 >> bitcast<u32>(12u)))) * bitcast<f32>(_e7379))) + ((f32((bitcast<i32>((_e7344 & 4095u)) - 2048i)) * bitcast<f32>(_e7360)) * (_e7320 - f32(_e7335))));
 let _e7387 = select(1f, _e7386, _e3754);
 let _e7388 = select(_e7386, 1f, _e3754);
@@ -2811,97 +2811,97 @@ let _e7597 = (((sqrt(select(0f, _e7486, (_e7486 > 0f))) * select(0f, _e7588, (_e
 local_1 = _e7459;
 let _e7598 = local_1;
 let _e7600 = select(_e7194, 263171i, (263171i < _e7194));
-let _e7605 = global_5.member[bitcast<u32>(select(0i, _e7600, (_e7600 > 0i)))];
+let _e7605 = global_3.member[bitcast<u32>(select(0i, _e7600, (_e7600 > 0i)))];
 let _e7606 = bitcast<f32>(_e7605);
 let _e7608 = select(_e7194, 263172i, (263172i < _e7194));
-let _e7613 = global_5.member[bitcast<u32>(select(0i, _e7608, (_e7608 > 0i)))];
+let _e7613 = global_3.member[bitcast<u32>(select(0i, _e7608, (_e7608 > 0i)))];
 let _e7614 = bitcast<f32>(_e7613);
 let _e7616 = select(_e7194, 263173i, (263173i < _e7194));
-let _e7621 = global_5.member[bitcast<u32>(select(0i, _e7616, (_e7616 > 0i)))];
+let _e7621 = global_3.member[bitcast<u32>(select(0i, _e7616, (_e7616 > 0i)))];
 let _e7622 = bitcast<f32>(_e7621);
 let _e7624 = ((_e7598 - _e7606) * _e7614);
 let _e7626 = select(0f, _e7624, (_e7624 > 0f));
 let _e7629 = local_1;
 let _e7631 = select(_e7194, 263174i, (263174i < _e7194));
-let _e7636 = global_5.member[bitcast<u32>(select(0i, _e7631, (_e7631 > 0i)))];
+let _e7636 = global_3.member[bitcast<u32>(select(0i, _e7631, (_e7631 > 0i)))];
 let _e7637 = bitcast<f32>(_e7636);
 let _e7639 = select(_e7194, 263175i, (263175i < _e7194));
-let _e7644 = global_5.member[bitcast<u32>(select(0i, _e7639, (_e7639 > 0i)))];
+let _e7644 = global_3.member[bitcast<u32>(select(0i, _e7639, (_e7639 > 0i)))];
 let _e7645 = bitcast<f32>(_e7644);
 let _e7647 = select(_e7194, 263176i, (263176i < _e7194));
-let _e7652 = global_5.member[bitcast<u32>(select(0i, _e7647, (_e7647 > 0i)))];
+let _e7652 = global_3.member[bitcast<u32>(select(0i, _e7647, (_e7647 > 0i)))];
 let _e7653 = bitcast<f32>(_e7652);
 let _e7655 = ((_e7629 - _e7637) * _e7645);
 let _e7657 = select(0f, _e7655, (_e7655 > 0f));
 let _e7661 = local_1;
 let _e7663 = select(_e7194, 263177i, (263177i < _e7194));
-let _e7668 = global_5.member[bitcast<u32>(select(0i, _e7663, (_e7663 > 0i)))];
+let _e7668 = global_3.member[bitcast<u32>(select(0i, _e7663, (_e7663 > 0i)))];
 let _e7669 = bitcast<f32>(_e7668);
 let _e7671 = select(_e7194, 263178i, (263178i < _e7194));
-let _e7676 = global_5.member[bitcast<u32>(select(0i, _e7671, (_e7671 > 0i)))];
+let _e7676 = global_3.member[bitcast<u32>(select(0i, _e7671, (_e7671 > 0i)))];
 let _e7677 = bitcast<f32>(_e7676);
 let _e7679 = select(_e7194, 263179i, (263179i < _e7194));
-let _e7684 = global_5.member[bitcast<u32>(select(0i, _e7679, (_e7679 > 0i)))];
+let _e7684 = global_3.member[bitcast<u32>(select(0i, _e7679, (_e7679 > 0i)))];
 let _e7685 = bitcast<f32>(_e7684);
 let _e7687 = ((_e7661 - _e7669) * _e7677);
 let _e7689 = select(0f, _e7687, (_e7687 > 0f));
 let _e7692 = local_1;
 let _e7694 = select(_e7194, 263180i, (263180i < _e7194));
-let _e7699 = global_5.member[bitcast<u32>(select(0i, _e7694, (_e7694 > 0i)))];
+let _e7699 = global_3.member[bitcast<u32>(select(0i, _e7694, (_e7694 > 0i)))];
 let _e7700 = bitcast<f32>(_e7699);
 let _e7702 = select(_e7194, 263181i, (263181i < _e7194));
-let _e7707 = global_5.member[bitcast<u32>(select(0i, _e7702, (_e7702 > 0i)))];
+let _e7707 = global_3.member[bitcast<u32>(select(0i, _e7702, (_e7702 > 0i)))];
 let _e7708 = bitcast<f32>(_e7707);
 let _e7710 = select(_e7194, 263182i, (263182i < _e7194));
-let _e7715 = global_5.member[bitcast<u32>(select(0i, _e7710, (_e7710 > 0i)))];
+let _e7715 = global_3.member[bitcast<u32>(select(0i, _e7710, (_e7710 > 0i)))];
 let _e7716 = bitcast<f32>(_e7715);
 let _e7718 = ((_e7692 - _e7700) * _e7708);
 let _e7720 = select(0f, _e7718, (_e7718 > 0f));
 let _e7725 = local_1;
 let _e7727 = select(_e7194, 263183i, (263183i < _e7194));
-let _e7732 = global_5.member[bitcast<u32>(select(0i, _e7727, (_e7727 > 0i)))];
+let _e7732 = global_3.member[bitcast<u32>(select(0i, _e7727, (_e7727 > 0i)))];
 let _e7733 = bitcast<f32>(_e7732);
 let _e7735 = select(_e7194, 263184i, (263184i < _e7194));
-let _e7740 = global_5.member[bitcast<u32>(select(0i, _e7735, (_e7735 > 0i)))];
+let _e7740 = global_3.member[bitcast<u32>(select(0i, _e7735, (_e7735 > 0i)))];
 let _e7741 = bitcast<f32>(_e7740);
 let _e7743 = select(_e7194, 263185i, (263185i < _e7194));
-let _e7748 = global_5.member[bitcast<u32>(select(0i, _e7743, (_e7743 > 0i)))];
+let _e7748 = global_3.member[bitcast<u32>(select(0i, _e7743, (_e7743 > 0i)))];
 let _e7749 = bitcast<f32>(_e7748);
 let _e7751 = ((_e7725 - _e7733) * _e7741);
 let _e7753 = select(0f, _e7751, (_e7751 > 0f));
 let _e7756 = local_1;
 let _e7758 = select(_e7194, 263186i, (263186i < _e7194));
-let _e7763 = global_5.member[bitcast<u32>(select(0i, _e7758, (_e7758 > 0i)))];
+let _e7763 = global_3.member[bitcast<u32>(select(0i, _e7758, (_e7758 > 0i)))];
 let _e7764 = bitcast<f32>(_e7763);
 let _e7766 = select(_e7194, 263187i, (263187i < _e7194));
-let _e7771 = global_5.member[bitcast<u32>(select(0i, _e7766, (_e7766 > 0i)))];
+let _e7771 = global_3.member[bitcast<u32>(select(0i, _e7766, (_e7766 > 0i)))];
 let _e7772 = bitcast<f32>(_e7771);
 let _e7774 = select(_e7194, 263188i, (263188i < _e7194));
-let _e7779 = global_5.member[bitcast<u32>(select(0i, _e7774, (_e7774 > 0i)))];
+let _e7779 = global_3.member[bitcast<u32>(select(0i, _e7774, (_e7774 > 0i)))];
 let _e7780 = bitcast<f32>(_e7779);
 let _e7782 = ((_e7756 - _e7764) * _e7772);
 let _e7784 = select(0f, _e7782, (_e7782 > 0f));
 let _e7788 = local_1;
 let _e7790 = select(_e7194, 263189i, (263189i < _e7194));
-let _e7795 = global_5.member[bitcast<u32>(select(0i, _e7790, (_e7790 > 0i)))];
+let _e7795 = global_3.member[bitcast<u32>(select(0i, _e7790, (_e7790 > 0i)))];
 let _e7796 = bitcast<f32>(_e7795);
 let _e7798 = select(_e7194, 263190i, (263190i < _e7194));
-let _e7803 = global_5.member[bitcast<u32>(select(0i, _e7798, (_e7798 > 0i)))];
+let _e7803 = global_3.member[bitcast<u32>(select(0i, _e7798, (_e7798 > 0i)))];
 let _e7804 = bitcast<f32>(_e7803);
 let _e7806 = select(_e7194, 263191i, (263191i < _e7194));
-let _e7811 = global_5.member[bitcast<u32>(select(0i, _e7806, (_e7806 > 0i)))];
+let _e7811 = global_3.member[bitcast<u32>(select(0i, _e7806, (_e7806 > 0i)))];
 let _e7812 = bitcast<f32>(_e7811);
 let _e7814 = ((_e7788 - _e7796) * _e7804);
 let _e7816 = select(0f, _e7814, (_e7814 > 0f));
 let _e7819 = local_1;
 let _e7821 = select(_e7194, 263192i, (263192i < _e7194));
-let _e7826 = global_5.member[bitcast<u32>(select(0i, _e7821, (_e7821 > 0i)))];
+let _e7826 = global_3.member[bitcast<u32>(select(0i, _e7821, (_e7821 > 0i)))];
 let _e7827 = bitcast<f32>(_e7826);
 let _e7829 = select(_e7194, 263193i, (263193i < _e7194));
-let _e7834 = global_5.member[bitcast<u32>(select(0i, _e7829, (_e7829 > 0i)))];
+let _e7834 = global_3.member[bitcast<u32>(select(0i, _e7829, (_e7829 > 0i)))];
 let _e7835 = bitcast<f32>(_e7834);
 let _e7837 = select(_e7194, 263194i, (263194i < _e7194));
-let _e7842 = global_5.member[bitcast<u32>(select(0i, _e7837, (_e7837 > 0i)))];
+let _e7842 = global_3.member[bitcast<u32>(select(0i, _e7837, (_e7837 > 0i)))];
 let _e7843 = bitcast<f32>(_e7842);
 let _e7845 = ((_e7819 - _e7827) * _e7835);
 let _e7847 = select(0f, _e7845, (_e7845 > 0f));
@@ -2942,10 +2942,10 @@ let _e7935 = select(_e7916, _e7933, (_e7933 < _e7916));
 let _e7942 = select(0i, select(select(i32(_e7935), i32(-2147483648), (_e7935 < -2147483600f)), 2147483647i, (_e7935 > 2147483500f)), (_e7935 == _e7935));
 let _e7946 = (_e7942 - select(0i, 1i, (_e7935 < f32(_e7942))));
 let _e7948 = select(_e7194, 263195i, (263195i < _e7194));
-let _e7954 = global_5.member[bitcast<u32>(select(0i, _e7948, (_e7948 > 0i)))];
+let _e7954 = global_3.member[bitcast<u32>(select(0i, _e7948, (_e7948 > 0i)))];
 let _e7955 = bitcast<f32>(_e7954);
 let _e7957 = select(_e7194, 263196i, (263196i < _e7194));
-let _e7963 = global_5.member[bitcast<u32>(select(0i, _e7957, (_e7957 > 0i)))];
+let _e7963 = global_3.member[bitcast<u32>(select(0i, _e7957, (_e7957 > 0i)))];
 let _e7964 = bitcast<f32>(_e7963);
 let _e7965 = (_e6719.member - _e7459);
 let _e7971 = (1f / select(_e7965, 1f, (bitcast<f32>((bitcast<u32>(_e7965) & 2147483647u)) < 1e-20f)));
@@ -2956,20 +2956,20 @@ let _e7988 = (_e7852 - f32(_e7931));
 let _e7990 = (_e7915 - f32(_e7946));
 let _e7992 = (1f - (_e7977 + _e7983));
 let _e7994 = select(_e7194, _e7986, (_e7986 < _e7194));
-let _e8000 = global_5.member[bitcast<u32>(select(0i, _e7994, (_e7994 > 0i)))];
+let _e8000 = global_3.member[bitcast<u32>(select(0i, _e7994, (_e7994 > 0i)))];
 let _e8001 = (_e7986 + 4i);
 let _e8003 = select(_e7194, _e8001, (_e8001 < _e7194));
-let _e8009 = global_5.member[bitcast<u32>(select(0i, _e8003, (_e8003 > 0i)))];
+let _e8009 = global_3.member[bitcast<u32>(select(0i, _e8003, (_e8003 > 0i)))];
 let _e8010 = (_e7986 + 1024i);
 let _e8012 = select(_e7194, _e8010, (_e8010 < _e7194));
-let _e8018 = global_5.member[bitcast<u32>(select(0i, _e8012, (_e8012 > 0i)))];
+let _e8018 = global_3.member[bitcast<u32>(select(0i, _e8012, (_e8012 > 0i)))];
 let _e8019 = (_e7986 + 1028i);
 let _e8021 = select(_e7194, _e8019, (_e8019 < _e7194));
-let _e8027 = global_5.member[bitcast<u32>(select(0i, _e8021, (_e8021 > 0i)))];
+let _e8027 = global_3.member[bitcast<u32>(select(0i, _e8021, (_e8021 > 0i)))];
 let _e8029 = select(_e7194, 0i, (0i < _e7194));
-let _e8035 = global_5.member[bitcast<u32>(select(0i, _e8029, (_e8029 > 0i)))];
+let _e8035 = global_3.member[bitcast<u32>(select(0i, _e8029, (_e8029 > 0i)))];
 let _e8037 = select(_e7194, 262140i, (262140i < _e7194));
-let _e8043 = global_5.member[bitcast<u32>(select(0i, _e8037, (_e8037 > 0i)))];
+let _e8043 = global_3.member[bitcast<u32>(select(0i, _e8037, (_e8037 > 0i)))];
 let _e8048 = (bitcast<f32>(((_e8000 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8056 = (_e8048 + (((bitcast<f32>(((_e8009 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8048) * _e7990));
 let _e8061 = (bitcast<f32>(((_e8018 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2979,20 +2979,20 @@ let _e8112 = (_e8104 + (((bitcast<f32>((((_e8009 >> bitcast<u32>(16i)) & 32767u)
 let _e8117 = (bitcast<f32>((((_e8018 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8144 = (_e7986 + 1i);
 let _e8146 = select(_e7194, _e8144, (_e8144 < _e7194));
-let _e8152 = global_5.member[bitcast<u32>(select(0i, _e8146, (_e8146 > 0i)))];
+let _e8152 = global_3.member[bitcast<u32>(select(0i, _e8146, (_e8146 > 0i)))];
 let _e8153 = (_e7986 + 5i);
 let _e8155 = select(_e7194, _e8153, (_e8153 < _e7194));
-let _e8161 = global_5.member[bitcast<u32>(select(0i, _e8155, (_e8155 > 0i)))];
+let _e8161 = global_3.member[bitcast<u32>(select(0i, _e8155, (_e8155 > 0i)))];
 let _e8162 = (_e7986 + 1025i);
 let _e8164 = select(_e7194, _e8162, (_e8162 < _e7194));
-let _e8170 = global_5.member[bitcast<u32>(select(0i, _e8164, (_e8164 > 0i)))];
+let _e8170 = global_3.member[bitcast<u32>(select(0i, _e8164, (_e8164 > 0i)))];
 let _e8171 = (_e7986 + 1029i);
 let _e8173 = select(_e7194, _e8171, (_e8171 < _e7194));
-let _e8179 = global_5.member[bitcast<u32>(select(0i, _e8173, (_e8173 > 0i)))];
+let _e8179 = global_3.member[bitcast<u32>(select(0i, _e8173, (_e8173 > 0i)))];
 let _e8181 = select(_e7194, 1i, (1i < _e7194));
-let _e8187 = global_5.member[bitcast<u32>(select(0i, _e8181, (_e8181 > 0i)))];
+let _e8187 = global_3.member[bitcast<u32>(select(0i, _e8181, (_e8181 > 0i)))];
 let _e8189 = select(_e7194, 262141i, (262141i < _e7194));
-let _e8195 = global_5.member[bitcast<u32>(select(0i, _e8189, (_e8189 > 0i)))];
+let _e8195 = global_3.member[bitcast<u32>(select(0i, _e8189, (_e8189 > 0i)))];
 let _e8200 = (bitcast<f32>(((_e8152 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8208 = (_e8200 + (((bitcast<f32>(((_e8161 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8200) * _e7990));
 let _e8213 = (bitcast<f32>(((_e8170 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3001,20 +3001,20 @@ let _e8264 = (_e8256 + (((bitcast<f32>((((_e8161 >> bitcast<u32>(16i)) & 32767u)
 let _e8269 = (bitcast<f32>((((_e8170 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8296 = (_e7986 + 2i);
 let _e8298 = select(_e7194, _e8296, (_e8296 < _e7194));
-let _e8304 = global_5.member[bitcast<u32>(select(0i, _e8298, (_e8298 > 0i)))];
+let _e8304 = global_3.member[bitcast<u32>(select(0i, _e8298, (_e8298 > 0i)))];
 let _e8305 = (_e7986 + 6i);
 let _e8307 = select(_e7194, _e8305, (_e8305 < _e7194));
-let _e8313 = global_5.member[bitcast<u32>(select(0i, _e8307, (_e8307 > 0i)))];
+let _e8313 = global_3.member[bitcast<u32>(select(0i, _e8307, (_e8307 > 0i)))];
 let _e8314 = (_e7986 + 1026i);
 let _e8316 = select(_e7194, _e8314, (_e8314 < _e7194));
-let _e8322 = global_5.member[bitcast<u32>(select(0i, _e8316, (_e8316 > 0i)))];
+let _e8322 = global_3.member[bitcast<u32>(select(0i, _e8316, (_e8316 > 0i)))];
 let _e8323 = (_e7986 + 1030i);
 let _e8325 = select(_e7194, _e8323, (_e8323 < _e7194));
-let _e8331 = global_5.member[bitcast<u32>(select(0i, _e8325, (_e8325 > 0i)))];
+let _e8331 = global_3.member[bitcast<u32>(select(0i, _e8325, (_e8325 > 0i)))];
 let _e8333 = select(_e7194, 2i, (2i < _e7194));
-let _e8339 = global_5.member[bitcast<u32>(select(0i, _e8333, (_e8333 > 0i)))];
+let _e8339 = global_3.member[bitcast<u32>(select(0i, _e8333, (_e8333 > 0i)))];
 let _e8341 = select(_e7194, 262142i, (262142i < _e7194));
-let _e8347 = global_5.member[bitcast<u32>(select(0i, _e8341, (_e8341 > 0i)))];
+let _e8347 = global_3.member[bitcast<u32>(select(0i, _e8341, (_e8341 > 0i)))];
 let _e8352 = (bitcast<f32>(((_e8304 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8360 = (_e8352 + (((bitcast<f32>(((_e8313 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8352) * _e7990));
 let _e8365 = (bitcast<f32>(((_e8322 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3023,20 +3023,20 @@ let _e8416 = (_e8408 + (((bitcast<f32>((((_e8313 >> bitcast<u32>(16i)) & 32767u)
 let _e8421 = (bitcast<f32>((((_e8322 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8448 = (_e7986 + 3i);
 let _e8450 = select(_e7194, _e8448, (_e8448 < _e7194));
-let _e8456 = global_5.member[bitcast<u32>(select(0i, _e8450, (_e8450 > 0i)))];
+let _e8456 = global_3.member[bitcast<u32>(select(0i, _e8450, (_e8450 > 0i)))];
 let _e8457 = (_e7986 + 7i);
 let _e8459 = select(_e7194, _e8457, (_e8457 < _e7194));
-let _e8465 = global_5.member[bitcast<u32>(select(0i, _e8459, (_e8459 > 0i)))];
+let _e8465 = global_3.member[bitcast<u32>(select(0i, _e8459, (_e8459 > 0i)))];
 let _e8466 = (_e7986 + 1027i);
 let _e8468 = select(_e7194, _e8466, (_e8466 < _e7194));
-let _e8474 = global_5.member[bitcast<u32>(select(0i, _e8468, (_e8468 > 0i)))];
+let _e8474 = global_3.member[bitcast<u32>(select(0i, _e8468, (_e8468 > 0i)))];
 let _e8475 = (_e7986 + 1031i);
 let _e8477 = select(_e7194, _e8475, (_e8475 < _e7194));
-let _e8483 = global_5.member[bitcast<u32>(select(0i, _e8477, (_e8477 > 0i)))];
+let _e8483 = global_3.member[bitcast<u32>(select(0i, _e8477, (_e8477 > 0i)))];
 let _e8485 = select(_e7194, 3i, (3i < _e7194));
-let _e8491 = global_5.member[bitcast<u32>(select(0i, _e8485, (_e8485 > 0i)))];
+let _e8491 = global_3.member[bitcast<u32>(select(0i, _e8485, (_e8485 > 0i)))];
 let _e8493 = select(_e7194, 262143i, (262143i < _e7194));
-let _e8499 = global_5.member[bitcast<u32>(select(0i, _e8493, (_e8493 > 0i)))];
+let _e8499 = global_3.member[bitcast<u32>(select(0i, _e8493, (_e8493 > 0i)))];
 let _e8504 = (bitcast<f32>(((_e8456 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8512 = (_e8504 + (((bitcast<f32>(((_e8465 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8504) * _e7990));
 let _e8517 = (bitcast<f32>(((_e8474 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3143,9 +3143,9 @@ let _e8937 = phi_23241_;
 let _e8938 = (_e8937 + 1i);
 let _e8940 = (bitcast<i32>(_e219) - 1i);
 let _e8942 = select(_e8940, _e8938, (_e8938 < _e8940));
-let _e8948 = global_6.member[bitcast<u32>(select(0i, _e8942, (_e8942 > 0i)))];
+let _e8948 = global_4.member[bitcast<u32>(select(0i, _e8942, (_e8942 > 0i)))];
 let _e8950 = select(_e8940, _e8937, (_e8937 < _e8940));
-let _e8956 = global_6.member[bitcast<u32>(select(0i, _e8950, (_e8950 > 0i)))];
+let _e8956 = global_4.member[bitcast<u32>(select(0i, _e8950, (_e8950 > 0i)))];
 let _e8959 = select(_e8948, 0u, (_e8937 < 0i));
 let _e8963 = global_1.member.member_10.member_13;
 let _e8964 = (_e8959 * 81u);
@@ -3157,35 +3157,35 @@ let _e8981 = (_e8837 - f32(_e8878));
 let _e8983 = (_e8847 - f32(_e8893));
 let _e8984 = (_e8959 != 0u);
 let _e8986 = select(_e8940, _e8976, (_e8976 < _e8940));
-let _e8992 = global_6.member[bitcast<u32>(select(0i, _e8986, (_e8986 > 0i)))];
+let _e8992 = global_4.member[bitcast<u32>(select(0i, _e8986, (_e8986 > 0i)))];
 let _e8993 = bitcast<f32>(_e8992);
 let _e8994 = (_e8976 + 1i);
 let _e8996 = select(_e8940, _e8994, (_e8994 < _e8940));
-let _e9002 = global_6.member[bitcast<u32>(select(0i, _e8996, (_e8996 > 0i)))];
+let _e9002 = global_4.member[bitcast<u32>(select(0i, _e8996, (_e8996 > 0i)))];
 let _e9006 = (_e8993 + ((bitcast<f32>(_e9002) - _e8993) * _e8979));
 let _e9007 = (_e8976 + 9i);
 let _e9009 = select(_e8940, _e9007, (_e9007 < _e8940));
-let _e9015 = global_6.member[bitcast<u32>(select(0i, _e9009, (_e9009 > 0i)))];
+let _e9015 = global_4.member[bitcast<u32>(select(0i, _e9009, (_e9009 > 0i)))];
 let _e9016 = bitcast<f32>(_e9015);
 let _e9017 = (_e8976 + 10i);
 let _e9019 = select(_e8940, _e9017, (_e9017 < _e8940));
-let _e9025 = global_6.member[bitcast<u32>(select(0i, _e9019, (_e9019 > 0i)))];
+let _e9025 = global_4.member[bitcast<u32>(select(0i, _e9019, (_e9019 > 0i)))];
 let _e9032 = (_e9006 + (((_e9016 + ((bitcast<f32>(_e9025) - _e9016) * _e8979)) - _e9006) * _e8981));
 let _e9033 = (_e8976 + _e8968);
 let _e9035 = select(_e8940, _e9033, (_e9033 < _e8940));
-let _e9041 = global_6.member[bitcast<u32>(select(0i, _e9035, (_e9035 > 0i)))];
+let _e9041 = global_4.member[bitcast<u32>(select(0i, _e9035, (_e9035 > 0i)))];
 let _e9042 = bitcast<f32>(_e9041);
 let _e9043 = (_e9033 + 1i);
 let _e9045 = select(_e8940, _e9043, (_e9043 < _e8940));
-let _e9051 = global_6.member[bitcast<u32>(select(0i, _e9045, (_e9045 > 0i)))];
+let _e9051 = global_4.member[bitcast<u32>(select(0i, _e9045, (_e9045 > 0i)))];
 let _e9055 = (_e9042 + ((bitcast<f32>(_e9051) - _e9042) * _e8979));
 let _e9056 = (_e9033 + 9i);
 let _e9058 = select(_e8940, _e9056, (_e9056 < _e8940));
-let _e9064 = global_6.member[bitcast<u32>(select(0i, _e9058, (_e9058 > 0i)))];
+let _e9064 = global_4.member[bitcast<u32>(select(0i, _e9058, (_e9058 > 0i)))];
 let _e9065 = bitcast<f32>(_e9064);
 let _e9066 = (_e9033 + 10i);
 let _e9068 = select(_e8940, _e9066, (_e9066 < _e8940));
-let _e9074 = global_6.member[bitcast<u32>(select(0i, _e9068, (_e9068 > 0i)))];
+let _e9074 = global_4.member[bitcast<u32>(select(0i, _e9068, (_e9068 > 0i)))];
 let _e9085 = select(1f, (_e9032 + (((_e9055 + (((_e9065 + ((bitcast<f32>(_e9074) - _e9065) * _e8979)) - _e9055) * _e8981)) - _e9032) * _e8983)), _e8984);
 if (((_e229.member_2 == 3u) || (_e229.member_2 == 4u)) || _e560) {
 phi_23818_ = vec3(_e9085);
@@ -3194,66 +3194,66 @@ let _e9094 = global_1.member.member_10.member_12;
 let _e9095 = (_e9094 > 1u);
 let _e9099 = (_e8976 + (select(0i, 1i, _e9095) * _e8977));
 let _e9101 = select(_e8940, _e9099, (_e9099 < _e8940));
-let _e9107 = global_6.member[bitcast<u32>(select(0i, _e9101, (_e9101 > 0i)))];
+let _e9107 = global_4.member[bitcast<u32>(select(0i, _e9101, (_e9101 > 0i)))];
 let _e9108 = bitcast<f32>(_e9107);
 let _e9109 = (_e9099 + 1i);
 let _e9111 = select(_e8940, _e9109, (_e9109 < _e8940));
-let _e9117 = global_6.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
+let _e9117 = global_4.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
 let _e9121 = (_e9108 + ((bitcast<f32>(_e9117) - _e9108) * _e8979));
 let _e9122 = (_e9099 + 9i);
 let _e9124 = select(_e8940, _e9122, (_e9122 < _e8940));
-let _e9130 = global_6.member[bitcast<u32>(select(0i, _e9124, (_e9124 > 0i)))];
+let _e9130 = global_4.member[bitcast<u32>(select(0i, _e9124, (_e9124 > 0i)))];
 let _e9131 = bitcast<f32>(_e9130);
 let _e9132 = (_e9099 + 10i);
 let _e9134 = select(_e8940, _e9132, (_e9132 < _e8940));
-let _e9140 = global_6.member[bitcast<u32>(select(0i, _e9134, (_e9134 > 0i)))];
+let _e9140 = global_4.member[bitcast<u32>(select(0i, _e9134, (_e9134 > 0i)))];
 let _e9147 = (_e9121 + (((_e9131 + ((bitcast<f32>(_e9140) - _e9131) * _e8979)) - _e9121) * _e8981));
 let _e9148 = (_e9099 + _e8968);
 let _e9150 = select(_e8940, _e9148, (_e9148 < _e8940));
-let _e9156 = global_6.member[bitcast<u32>(select(0i, _e9150, (_e9150 > 0i)))];
+let _e9156 = global_4.member[bitcast<u32>(select(0i, _e9150, (_e9150 > 0i)))];
 let _e9157 = bitcast<f32>(_e9156);
 let _e9158 = (_e9148 + 1i);
 let _e9160 = select(_e8940, _e9158, (_e9158 < _e8940));
-let _e9166 = global_6.member[bitcast<u32>(select(0i, _e9160, (_e9160 > 0i)))];
+let _e9166 = global_4.member[bitcast<u32>(select(0i, _e9160, (_e9160 > 0i)))];
 let _e9170 = (_e9157 + ((bitcast<f32>(_e9166) - _e9157) * _e8979));
 let _e9171 = (_e9148 + 9i);
 let _e9173 = select(_e8940, _e9171, (_e9171 < _e8940));
-let _e9179 = global_6.member[bitcast<u32>(select(0i, _e9173, (_e9173 > 0i)))];
+let _e9179 = global_4.member[bitcast<u32>(select(0i, _e9173, (_e9173 > 0i)))];
 let _e9180 = bitcast<f32>(_e9179);
 let _e9181 = (_e9148 + 10i);
 let _e9183 = select(_e8940, _e9181, (_e9181 < _e8940));
-let _e9189 = global_6.member[bitcast<u32>(select(0i, _e9183, (_e9183 > 0i)))];
+let _e9189 = global_4.member[bitcast<u32>(select(0i, _e9183, (_e9183 > 0i)))];
 let _e9202 = (_e8976 + (select(0i, 2i, _e9095) * _e8977));
 let _e9204 = select(_e8940, _e9202, (_e9202 < _e8940));
-let _e9210 = global_6.member[bitcast<u32>(select(0i, _e9204, (_e9204 > 0i)))];
+let _e9210 = global_4.member[bitcast<u32>(select(0i, _e9204, (_e9204 > 0i)))];
 let _e9211 = bitcast<f32>(_e9210);
 let _e9212 = (_e9202 + 1i);
 let _e9214 = select(_e8940, _e9212, (_e9212 < _e8940));
-let _e9220 = global_6.member[bitcast<u32>(select(0i, _e9214, (_e9214 > 0i)))];
+let _e9220 = global_4.member[bitcast<u32>(select(0i, _e9214, (_e9214 > 0i)))];
 let _e9224 = (_e9211 + ((bitcast<f32>(_e9220) - _e9211) * _e8979));
 let _e9225 = (_e9202 + 9i);
 let _e9227 = select(_e8940, _e9225, (_e9225 < _e8940));
-let _e9233 = global_6.member[bitcast<u32>(select(0i, _e9227, (_e9227 > 0i)))];
+let _e9233 = global_4.member[bitcast<u32>(select(0i, _e9227, (_e9227 > 0i)))];
 let _e9234 = bitcast<f32>(_e9233);
 let _e9235 = (_e9202 + 10i);
 let _e9237 = select(_e8940, _e9235, (_e9235 < _e8940));
-let _e9243 = global_6.member[bitcast<u32>(select(0i, _e9237, (_e9237 > 0i)))];
+let _e9243 = global_4.member[bitcast<u32>(select(0i, _e9237, (_e9237 > 0i)))];
 let _e9250 = (_e9224 + (((_e9234 + ((bitcast<f32>(_e9243) - _e9234) * _e8979)) - _e9224) * _e8981));
 let _e9251 = (_e9202 + _e8968);
 let _e9253 = select(_e8940, _e9251, (_e9251 < _e8940));
-let _e9259 = global_6.member[bitcast<u32>(select(0i, _e9253, (_e9253 > 0i)))];
+let _e9259 = global_4.member[bitcast<u32>(select(0i, _e9253, (_e9253 > 0i)))];
 let _e9260 = bitcast<f32>(_e9259);
 let _e9261 = (_e9251 + 1i);
 let _e9263 = select(_e8940, _e9261, (_e9261 < _e8940));
-let _e9269 = global_6.member[bitcast<u32>(select(0i, _e9263, (_e9263 > 0i)))];
+let _e9269 = global_4.member[bitcast<u32>(select(0i, _e9263, (_e9263 > 0i)))];
 let _e9273 = (_e9260 + ((bitcast<f32>(_e9269) - _e9260) * _e8979));
 let _e9274 = (_e9251 + 9i);
 let _e9276 = select(_e8940, _e9274, (_e9274 < _e8940));
-let _e9282 = global_6.member[bitcast<u32>(select(0i, _e9276, (_e9276 > 0i)))];
+let _e9282 = global_4.member[bitcast<u32>(select(0i, _e9276, (_e9276 > 0i)))];
 let _e9283 = bitcast<f32>(_e9282);
 let _e9284 = (_e9251 + 10i);
 let _e9286 = select(_e8940, _e9284, (_e9284 < _e8940));
-let _e9292 = global_6.member[bitcast<u32>(select(0i, _e9286, (_e9286 > 0i)))];
+let _e9292 = global_4.member[bitcast<u32>(select(0i, _e9286, (_e9286 > 0i)))];
 phi_23818_ = vec3<f32>(_e9085, select(1f, (_e9147 + (((_e9170 + (((_e9180 + ((bitcast<f32>(_e9189) - _e9180) * _e8979)) - _e9170) * _e8981)) - _e9147) * _e8983)), _e8984), select(1f, (_e9250 + (((_e9273 + (((_e9283 + ((bitcast<f32>(_e9292) - _e9283) * _e8979)) - _e9273) * _e8981)) - _e9250) * _e8983)), _e8984));
 }
 let _e9306 = phi_23818_;
@@ -3269,56 +3269,56 @@ let _e9329 = select(0f, (_e9312 * _e9324), _e8800);
 if _e567 {
 let _e9335 = (_e8976 + ((bitcast<i32>(_e8963) - 1i) * _e8977));
 let _e9337 = select(_e8940, _e9335, (_e9335 < _e8940));
-let _e9343 = global_6.member[bitcast<u32>(select(0i, _e9337, (_e9337 > 0i)))];
+let _e9343 = global_4.member[bitcast<u32>(select(0i, _e9337, (_e9337 > 0i)))];
 let _e9345 = bitcast<u32>(bitcast<f32>(_e9343));
 let _e9349 = f32((bitcast<i32>((_e9345 & 65535u)) - 32768i));
 let _e9355 = f32((bitcast<i32>(((_e9345 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9360 = select(_e9355, -(_e9355), ((_e9345 >> bitcast<u32>(31i)) != 0u));
 let _e9361 = (_e9335 + 1i);
 let _e9363 = select(_e8940, _e9361, (_e9361 < _e8940));
-let _e9369 = global_6.member[bitcast<u32>(select(0i, _e9363, (_e9363 > 0i)))];
+let _e9369 = global_4.member[bitcast<u32>(select(0i, _e9363, (_e9363 > 0i)))];
 let _e9371 = bitcast<u32>(bitcast<f32>(_e9369));
 let _e9381 = f32((bitcast<i32>(((_e9371 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9389 = (_e9349 + ((f32((bitcast<i32>((_e9371 & 65535u)) - 32768i)) - _e9349) * _e8979));
 let _e9392 = (_e9360 + ((select(_e9381, -(_e9381), ((_e9371 >> bitcast<u32>(31i)) != 0u)) - _e9360) * _e8979));
 let _e9393 = (_e9335 + 9i);
 let _e9395 = select(_e8940, _e9393, (_e9393 < _e8940));
-let _e9401 = global_6.member[bitcast<u32>(select(0i, _e9395, (_e9395 > 0i)))];
+let _e9401 = global_4.member[bitcast<u32>(select(0i, _e9395, (_e9395 > 0i)))];
 let _e9403 = bitcast<u32>(bitcast<f32>(_e9401));
 let _e9407 = f32((bitcast<i32>((_e9403 & 65535u)) - 32768i));
 let _e9413 = f32((bitcast<i32>(((_e9403 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9418 = select(_e9413, -(_e9413), ((_e9403 >> bitcast<u32>(31i)) != 0u));
 let _e9419 = (_e9335 + 10i);
 let _e9421 = select(_e8940, _e9419, (_e9419 < _e8940));
-let _e9427 = global_6.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
+let _e9427 = global_4.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
 let _e9429 = bitcast<u32>(bitcast<f32>(_e9427));
 let _e9439 = f32((bitcast<i32>(((_e9429 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9453 = (_e9389 + (((_e9407 + ((f32((bitcast<i32>((_e9429 & 65535u)) - 32768i)) - _e9407) * _e8979)) - _e9389) * _e8981));
 let _e9456 = (_e9392 + (((_e9418 + ((select(_e9439, -(_e9439), ((_e9429 >> bitcast<u32>(31i)) != 0u)) - _e9418) * _e8979)) - _e9392) * _e8981));
 let _e9457 = (_e9335 + _e8968);
 let _e9459 = select(_e8940, _e9457, (_e9457 < _e8940));
-let _e9465 = global_6.member[bitcast<u32>(select(0i, _e9459, (_e9459 > 0i)))];
+let _e9465 = global_4.member[bitcast<u32>(select(0i, _e9459, (_e9459 > 0i)))];
 let _e9467 = bitcast<u32>(bitcast<f32>(_e9465));
 let _e9471 = f32((bitcast<i32>((_e9467 & 65535u)) - 32768i));
 let _e9477 = f32((bitcast<i32>(((_e9467 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9482 = select(_e9477, -(_e9477), ((_e9467 >> bitcast<u32>(31i)) != 0u));
 let _e9483 = (_e9457 + 1i);
 let _e9485 = select(_e8940, _e9483, (_e9483 < _e8940));
-let _e9491 = global_6.member[bitcast<u32>(select(0i, _e9485, (_e9485 > 0i)))];
+let _e9491 = global_4.member[bitcast<u32>(select(0i, _e9485, (_e9485 > 0i)))];
 let _e9493 = bitcast<u32>(bitcast<f32>(_e9491));
 let _e9503 = f32((bitcast<i32>(((_e9493 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9511 = (_e9471 + ((f32((bitcast<i32>((_e9493 & 65535u)) - 32768i)) - _e9471) * _e8979));
 let _e9514 = (_e9482 + ((select(_e9503, -(_e9503), ((_e9493 >> bitcast<u32>(31i)) != 0u)) - _e9482) * _e8979));
 let _e9515 = (_e9457 + 9i);
 let _e9517 = select(_e8940, _e9515, (_e9515 < _e8940));
-let _e9523 = global_6.member[bitcast<u32>(select(0i, _e9517, (_e9517 > 0i)))];
+let _e9523 = global_4.member[bitcast<u32>(select(0i, _e9517, (_e9517 > 0i)))];
 let _e9525 = bitcast<u32>(bitcast<f32>(_e9523));
 let _e9529 = f32((bitcast<i32>((_e9525 & 65535u)) - 32768i));
 let _e9535 = f32((bitcast<i32>(((_e9525 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9540 = select(_e9535, -(_e9535), ((_e9525 >> bitcast<u32>(31i)) != 0u));
 let _e9541 = (_e9457 + 10i);
 let _e9543 = select(_e8940, _e9541, (_e9541 < _e8940));
-let _e9549 = global_6.member[bitcast<u32>(select(0i, _e9543, (_e9543 > 0i)))];
+let _e9549 = global_4.member[bitcast<u32>(select(0i, _e9543, (_e9543 > 0i)))];
 let _e9551 = bitcast<u32>(bitcast<f32>(_e9549));
 let _e9561 = f32((bitcast<i32>(((_e9551 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9587 = (_e9328 + select(0f, ((_e9453 + (((_e9511 + (((_e9529 + ((f32((bitcast<i32>((_e9551 & 65535u)) - 32768i)) - _e9529) * _e8979)) - _e9511) * _e8981)) - _e9453) * _e8983)) * 6.151953e-5f), _e8984));
@@ -3358,7 +3358,7 @@ let _e9679 = (_e9678 * select(_e9659, 1f, (_e567 && _e8984)));
 let _e9688 = global_1.member.member_10.member.member;
 let _e9700 = global_1.member.member_10.member_1.member;
 let _e9715 = global_1.member.member_10.member_2.member;
-phi_24393_ = type_29(vec3<f32>(((_e9306.x * _e9664.member) * _e9679), ((_e9306.y * _e9664.member_1) * _e9679), ((_e9306.z * _e9664.member_2) * _e9679)), (vec3<f32>(((_e9688.member * _e9602.x) + (_e9700.member * _e9602.y)), ((_e9688.member_1 * _e9602.x) + (_e9700.member_1 * _e9602.y)), ((_e9688.member_2 * _e9602.x) + (_e9700.member_2 * _e9602.y))) + vec3<f32>((_e9715.member * _e9602.z), (_e9715.member_1 * _e9602.z), (_e9715.member_2 * _e9602.z))));
+phi_24393_ = type_36(vec3<f32>(((_e9306.x * _e9664.member) * _e9679), ((_e9306.y * _e9664.member_1) * _e9679), ((_e9306.z * _e9664.member_2) * _e9679)), (vec3<f32>(((_e9688.member * _e9602.x) + (_e9700.member * _e9602.y)), ((_e9688.member_1 * _e9602.x) + (_e9700.member_1 * _e9602.y)), ((_e9688.member_2 * _e9602.x) + (_e9700.member_2 * _e9602.y))) + vec3<f32>((_e9715.member * _e9602.z), (_e9715.member_1 * _e9602.z), (_e9715.member_2 * _e9602.z))));
 }
 let _e9728 = phi_24393_;
 let _e9737 = (((_e9728.member_1.x * _e9728.member_1.x) + (_e9728.member_1.y * _e9728.member_1.y)) + (_e9728.member_1.z * _e9728.member_1.z));
@@ -3463,51 +3463,51 @@ let _e10105 = ((bitcast<i32>(_e10101) + (_e10077 * _e9930)) + _e10060);
 let _e10106 = (_e9930 * _e9937);
 let _e10108 = (bitcast<i32>(_e219) - 1i);
 let _e10110 = select(_e10108, _e10105, (_e10105 < _e10108));
-let _e10116 = global_6.member[bitcast<u32>(select(0i, _e10110, (_e10110 > 0i)))];
+let _e10116 = global_4.member[bitcast<u32>(select(0i, _e10110, (_e10110 > 0i)))];
 let _e10117 = bitcast<f32>(_e10116);
 let _e10118 = (_e10105 + 1i);
 let _e10120 = select(_e10108, _e10118, (_e10118 < _e10108));
-let _e10126 = global_6.member[bitcast<u32>(select(0i, _e10120, (_e10120 > 0i)))];
+let _e10126 = global_4.member[bitcast<u32>(select(0i, _e10120, (_e10120 > 0i)))];
 let _e10130 = (_e10117 + ((bitcast<f32>(_e10126) - _e10117) * _e10083));
 let _e10131 = (_e10105 + _e9930);
 let _e10133 = select(_e10108, _e10131, (_e10131 < _e10108));
-let _e10139 = global_6.member[bitcast<u32>(select(0i, _e10133, (_e10133 > 0i)))];
+let _e10139 = global_4.member[bitcast<u32>(select(0i, _e10133, (_e10133 > 0i)))];
 let _e10140 = bitcast<f32>(_e10139);
 let _e10141 = (_e10131 + 1i);
 let _e10143 = select(_e10108, _e10141, (_e10141 < _e10108));
-let _e10149 = global_6.member[bitcast<u32>(select(0i, _e10143, (_e10143 > 0i)))];
+let _e10149 = global_4.member[bitcast<u32>(select(0i, _e10143, (_e10143 > 0i)))];
 let _e10156 = (_e10130 + (((_e10140 + ((bitcast<f32>(_e10149) - _e10140) * _e10083)) - _e10130) * _e10089));
 let _e10157 = (_e10105 + _e10106);
 let _e10159 = select(_e10108, _e10157, (_e10157 < _e10108));
-let _e10165 = global_6.member[bitcast<u32>(select(0i, _e10159, (_e10159 > 0i)))];
+let _e10165 = global_4.member[bitcast<u32>(select(0i, _e10159, (_e10159 > 0i)))];
 let _e10166 = bitcast<f32>(_e10165);
 let _e10167 = (_e10157 + 1i);
 let _e10169 = select(_e10108, _e10167, (_e10167 < _e10108));
-let _e10175 = global_6.member[bitcast<u32>(select(0i, _e10169, (_e10169 > 0i)))];
+let _e10175 = global_4.member[bitcast<u32>(select(0i, _e10169, (_e10169 > 0i)))];
 let _e10179 = (_e10166 + ((bitcast<f32>(_e10175) - _e10166) * _e10083));
 let _e10180 = (_e10157 + _e9930);
 let _e10182 = select(_e10108, _e10180, (_e10180 < _e10108));
-let _e10188 = global_6.member[bitcast<u32>(select(0i, _e10182, (_e10182 > 0i)))];
+let _e10188 = global_4.member[bitcast<u32>(select(0i, _e10182, (_e10182 > 0i)))];
 let _e10189 = bitcast<f32>(_e10188);
 let _e10190 = (_e10180 + 1i);
 let _e10192 = select(_e10108, _e10190, (_e10190 < _e10108));
-let _e10198 = global_6.member[bitcast<u32>(select(0i, _e10192, (_e10192 > 0i)))];
+let _e10198 = global_4.member[bitcast<u32>(select(0i, _e10192, (_e10192 > 0i)))];
 let _e10205 = (_e10179 + (((_e10189 + ((bitcast<f32>(_e10198) - _e10189) * _e10083)) - _e10179) * _e10089));
 let _e10207 = (_e10105 + (2i * _e10106));
 let _e10209 = select(_e10108, _e10207, (_e10207 < _e10108));
-let _e10215 = global_6.member[bitcast<u32>(select(0i, _e10209, (_e10209 > 0i)))];
+let _e10215 = global_4.member[bitcast<u32>(select(0i, _e10209, (_e10209 > 0i)))];
 let _e10216 = bitcast<f32>(_e10215);
 let _e10217 = (_e10207 + 1i);
 let _e10219 = select(_e10108, _e10217, (_e10217 < _e10108));
-let _e10225 = global_6.member[bitcast<u32>(select(0i, _e10219, (_e10219 > 0i)))];
+let _e10225 = global_4.member[bitcast<u32>(select(0i, _e10219, (_e10219 > 0i)))];
 let _e10229 = (_e10216 + ((bitcast<f32>(_e10225) - _e10216) * _e10083));
 let _e10230 = (_e10207 + _e9930);
 let _e10232 = select(_e10108, _e10230, (_e10230 < _e10108));
-let _e10238 = global_6.member[bitcast<u32>(select(0i, _e10232, (_e10232 > 0i)))];
+let _e10238 = global_4.member[bitcast<u32>(select(0i, _e10232, (_e10232 > 0i)))];
 let _e10239 = bitcast<f32>(_e10238);
 let _e10240 = (_e10230 + 1i);
 let _e10242 = select(_e10108, _e10240, (_e10240 < _e10108));
-let _e10248 = global_6.member[bitcast<u32>(select(0i, _e10242, (_e10242 > 0i)))];
+let _e10248 = global_4.member[bitcast<u32>(select(0i, _e10242, (_e10242 > 0i)))];
 let _e10255 = (_e10229 + (((_e10239 + ((bitcast<f32>(_e10248) - _e10239) * _e10083)) - _e10229) * _e10089));
 if _e3506 {
 phi_25273_ = vec3<f32>(_e10156, _e10205, _e10255);
@@ -3543,12 +3543,12 @@ phi_25273_ = vec3<f32>((select(0f, _e10318, (_e10318 > 0f)) * _e10331), (select(
 }
 let _e10337 = phi_25273_;
 let _e10341 = global_1.member.member_9.member_1;
-phi_25533_ = type_29((vec3<f32>(_e10341.member, _e10341.member_1, _e10341.member_2) * _e10337), _e9921);
+phi_25533_ = type_36((vec3<f32>(_e10341.member, _e10341.member_1, _e10341.member_2) * _e10337), _e9921);
 } else {
 if _e3506 {
 let _e10351 = global_1.member.member_9.member_1;
 let _e10359 = global_1.member.member_9.member;
-phi_25532_ = type_29(vec3<f32>(_e10351.member, _e10351.member_1, _e10351.member_2), vec3<f32>(_e10359.member, _e10359.member_1, _e10359.member_2));
+phi_25532_ = type_36(vec3<f32>(_e10351.member, _e10351.member_1, _e10351.member_2), vec3<f32>(_e10359.member, _e10359.member_1, _e10359.member_2));
 } else {
 let _e10368 = global_1.member.member_9.member_1;
 if _e3506 {
@@ -3575,7 +3575,7 @@ phi_25460_ = select(1f, select(0f, ((_e10422 * _e10422) * (3f - (2f * _e10422)))
 }
 let _e10432 = phi_25460_;
 let _e10433 = (_e10376 * _e10432);
-phi_25532_ = type_29(vec3<f32>((_e10368.member * _e10433), (_e10368.member_1 * _e10433), (_e10368.member_2 * _e10433)), _e9921);
+phi_25532_ = type_36(vec3<f32>((_e10368.member * _e10433), (_e10368.member_1 * _e10433), (_e10368.member_2 * _e10433)), _e9921);
 }
 let _e10440 = phi_25532_;
 phi_25533_ = _e10440;
@@ -3590,7 +3590,7 @@ let _e10482 = bitcast<f32>((bitcast<u32>(select(0f, _e10477, (_e10477 > 0f))) & 
 let _e10492 = (1f - _e9792);
 let _e10506 = select(_e9792, 1f, _e4631);
 let _e10511 = select(_e9794, _e9793, (_e9793 > _e9794));
-phi_25702_ = type_33(vec3<f32>(select(_e4526, _e9807, _e4631), select(_e4527, _e9808, _e4631), select(_e4528, _e9809, _e4631)), vec3<f32>(select((_e6929 + (_e6719.member_3.x * _e7443)), select((_e6929 + (_e7406 * _e7425)), _e6929, _e7426), _e4500), select((_e6930 + (_e6719.member_3.y * _e7443)), select((_e6930 + (_e7407 * _e7425)), _e6930, _e7426), _e4500), select((_e6931 + (_e6719.member_3.z * _e7443)), select((_e6931 + (_e7408 * _e7425)), _e6931, _e7426), _e4500)), _e6719.member, select(4f, 1f, (_e4631 || (((1f - _e10506) * select(_e9795, _e10511, (_e10511 > _e9795))) < 9.765625e-4f))), select(_e9803, (_e9803 + (_e10492 * _e9809)), _e4631), vec3<f32>(select(_e9786, (_e9786 + ((_e9793 * (select(_e4612.member, _e4601.member, _e4590) * (((_e10442.member.x * _e10462) * _e10482) + _e9762.member))) * _e10492)), _e4631), select(_e9788, (_e9788 + ((_e9794 * (select(_e4612.member_1, _e4601.member_1, _e4590) * (((_e10442.member.y * _e10462) * _e10482) + _e9762.member_1))) * _e10492)), _e4631), select(_e9790, (_e9790 + ((_e9795 * (select(_e4612.member_2, _e4601.member_2, _e4590) * (((_e10442.member.z * _e10462) * _e10482) + _e9762.member_2))) * _e10492)), _e4631)), _e10506, (_e3741.member_7 * vec3<f32>(_e8595, _e8643, _e8691)), select(0f, _e6719.member_2, (_e3754 != (_e4500 && !((_e7422 && (_e7391 != 0f)))))), -1.2676506e30f);
+phi_25702_ = type_32(vec3<f32>(select(_e4526, _e9807, _e4631), select(_e4527, _e9808, _e4631), select(_e4528, _e9809, _e4631)), vec3<f32>(select((_e6929 + (_e6719.member_3.x * _e7443)), select((_e6929 + (_e7406 * _e7425)), _e6929, _e7426), _e4500), select((_e6930 + (_e6719.member_3.y * _e7443)), select((_e6930 + (_e7407 * _e7425)), _e6930, _e7426), _e4500), select((_e6931 + (_e6719.member_3.z * _e7443)), select((_e6931 + (_e7408 * _e7425)), _e6931, _e7426), _e4500)), _e6719.member, select(4f, 1f, (_e4631 || (((1f - _e10506) * select(_e9795, _e10511, (_e10511 > _e9795))) < 9.765625e-4f))), select(_e9803, (_e9803 + (_e10492 * _e9809)), _e4631), vec3<f32>(select(_e9786, (_e9786 + ((_e9793 * (select(_e4612.member, _e4601.member, _e4590) * (((_e10442.member.x * _e10462) * _e10482) + _e9762.member))) * _e10492)), _e4631), select(_e9788, (_e9788 + ((_e9794 * (select(_e4612.member_1, _e4601.member_1, _e4590) * (((_e10442.member.y * _e10462) * _e10482) + _e9762.member_1))) * _e10492)), _e4631), select(_e9790, (_e9790 + ((_e9795 * (select(_e4612.member_2, _e4601.member_2, _e4590) * (((_e10442.member.z * _e10462) * _e10482) + _e9762.member_2))) * _e10492)), _e4631)), _e10506, (_e3741.member_7 * vec3<f32>(_e8595, _e8643, _e8691)), select(0f, _e6719.member_2, (_e3754 != (_e4500 && !((_e7422 && (_e7391 != 0f)))))), -1.2676506e30f);
 phi_25703_ = _e6922.member_2;
 phi_25704_ = _e6719;
 }
@@ -3602,9 +3602,9 @@ phi_9906_ = _e10529;
 phi_9908_ = _e10531;
 phi_9910_ = (_e3747 + 1i);
 } else {
-phi_9903_ = type_33();
+phi_9903_ = type_32();
 phi_9906_ = f32();
-phi_9908_ = type_35();
+phi_9908_ = type_34();
 phi_9910_ = i32();
 }
 let _e10533 = phi_9903_;
@@ -3637,25 +3637,25 @@ let _e10591 = local_59;
 let _e10595 = local_60;
 let _e10599 = local_61;
 let _e10602 = local_62;
-global_2.member[_e244] = _e10542.member.x;
-global_2.member[_e256] = _e10546.member.y;
-global_2.member[_e267] = _e10550.member.z;
-global_2.member[_e278] = _e10554.member_1.x;
-global_2.member[_e289] = _e10558.member_1.y;
-global_2.member[_e300] = _e10562.member_1.z;
-global_2.member[_e311] = _e10566.member_2;
+global_5.member[_e244] = _e10542.member.x;
+global_5.member[_e256] = _e10546.member.y;
+global_5.member[_e267] = _e10550.member.z;
+global_5.member[_e278] = _e10554.member_1.x;
+global_5.member[_e289] = _e10558.member_1.y;
+global_5.member[_e300] = _e10562.member_1.z;
+global_5.member[_e311] = _e10566.member_2;
 let _e10621 = local_63;
-global_2.member[_e322] = _e10621;
-global_2.member[_e333] = _e10569.member_4;
-global_2.member[_e344] = _e10572.member_5.x;
-global_2.member[_e355] = _e10576.member_5.y;
-global_2.member[_e366] = _e10580.member_5.z;
-global_2.member[_e377] = _e10584.member_6;
-global_2.member[_e388] = _e10587.member_7.x;
-global_2.member[_e399] = _e10591.member_7.y;
-global_2.member[_e410] = _e10595.member_7.z;
-global_2.member[_e421] = _e10599.member_8;
-global_2.member[_e432] = _e10602.member_9;
+global_5.member[_e322] = _e10621;
+global_5.member[_e333] = _e10569.member_4;
+global_5.member[_e344] = _e10572.member_5.x;
+global_5.member[_e355] = _e10576.member_5.y;
+global_5.member[_e366] = _e10580.member_5.z;
+global_5.member[_e377] = _e10584.member_6;
+global_5.member[_e388] = _e10587.member_7.x;
+global_5.member[_e399] = _e10591.member_7.y;
+global_5.member[_e410] = _e10595.member_7.z;
+global_5.member[_e421] = _e10599.member_8;
+global_5.member[_e432] = _e10602.member_9;
 }
 }
 }

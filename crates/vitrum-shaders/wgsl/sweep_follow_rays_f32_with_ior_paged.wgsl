@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,55 +90,86 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
+}
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
 }
 struct type_29 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_32 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_32 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: f32,
@@ -185,19 +181,19 @@ member_7: vec3<f32>,
 member_8: f32,
 member_9: f32,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_35 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -206,32 +202,36 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
+struct type_36 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
 struct type_39 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
-@group(0) @binding(7)
-var<storage, read_write> global_3: type_39;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_4: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_5: type_17;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_17;
+var<storage> global_4: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_5: type_26;
+@group(0) @binding(7)
+var<storage, read_write> global_6: type_39;
 @group(0) @binding(2)
-var<storage> global_7: type_17;
+var<storage> global_7: type_24;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_29;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -247,11 +247,11 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_29;
 var local_23: vec3<f32>;
-var local_24: type_32;
+var local_24: type_29;
 var local_25: vec3<f32>;
-var local_26: type_32;
+var local_26: type_29;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
@@ -267,72 +267,72 @@ var local_38: f32;
 var local_39: f32;
 var local_40: f32;
 var local_41: f32;
-var local_42: type_32;
+var local_42: type_29;
 var local_43: vec3<f32>;
-var local_44: type_32;
+var local_44: type_29;
 var local_45: vec3<f32>;
-var phi_7126_: type_34;
-var phi_7736_: type_35;
-var phi_8116_: type_5;
-var phi_9445_: type_36;
-var phi_9482_: type_33;
+var phi_7126_: type_33;
+var phi_7736_: type_34;
+var phi_8116_: type_7;
+var phi_9445_: type_35;
+var phi_9482_: type_32;
 var phi_9586_: f32;
 var phi_9670_: f32;
-var phi_9742_: type_29;
-var phi_9744_: type_33;
+var phi_9742_: type_36;
+var phi_9744_: type_32;
 var phi_9747_: f32;
-var phi_9749_: type_35;
+var phi_9749_: type_34;
 var phi_9751_: i32;
-var phi_11220_: type_36;
+var phi_11220_: type_35;
 var phi_11232_: bool;
 var phi_11247_: vec3<f32>;
-var phi_17828_: type_34;
-var phi_18438_: type_35;
-var phi_18830_: type_5;
+var phi_17828_: type_33;
+var phi_18438_: type_34;
+var phi_18830_: type_7;
 var phi_22887_: i32;
 var phi_23464_: vec3<f32>;
 var phi_23871_: vec3<f32>;
 var phi_23965_: f32;
 var phi_24007_: f32;
-var phi_24039_: type_29;
+var phi_24039_: type_36;
 var phi_24521_: u32;
 var phi_24858_: f32;
 var phi_24914_: f32;
 var phi_24919_: vec3<f32>;
 var phi_25022_: f32;
 var phi_25106_: f32;
-var phi_25178_: type_29;
-var phi_25179_: type_29;
-var phi_25348_: type_33;
+var phi_25178_: type_36;
+var phi_25179_: type_36;
+var phi_25348_: type_32;
 var phi_25349_: f32;
-var phi_25350_: type_35;
-var phi_9745_: type_33;
+var phi_25350_: type_34;
+var phi_9745_: type_32;
 var phi_9748_: f32;
-var phi_9750_: type_35;
+var phi_9750_: type_34;
 var phi_9752_: i32;
-var local_46: type_33;
-var local_47: type_33;
-var local_48: type_33;
-var local_49: type_33;
-var local_50: type_33;
-var local_51: type_33;
-var local_52: type_33;
-var local_53: type_33;
-var local_54: type_33;
-var local_55: type_33;
-var local_56: type_33;
-var local_57: type_33;
-var local_58: type_33;
-var local_59: type_33;
-var local_60: type_33;
-var local_61: type_33;
-var local_62: type_33;
+var local_46: type_32;
+var local_47: type_32;
+var local_48: type_32;
+var local_49: type_32;
+var local_50: type_32;
+var local_51: type_32;
+var local_52: type_32;
+var local_53: type_32;
+var local_54: type_32;
+var local_55: type_32;
+var local_56: type_32;
+var local_57: type_32;
+var local_58: type_32;
+var local_59: type_32;
+var local_60: type_32;
+var local_61: type_32;
+var local_62: type_32;
 var local_63: f32;
 let _e209 = global;
-let _e212 = arrayLength((&global_4.member));
+let _e212 = arrayLength((&global_2.member));
 let _e215 = arrayLength((&global_7.member));
-let _e218 = arrayLength((&global_5.member));
-let _e220 = arrayLength((&global_6.member));
+let _e218 = arrayLength((&global_3.member));
+let _e220 = arrayLength((&global_4.member));
 let _e227 = global_1.member.member_2;
 let _e230 = global_1.member.member;
 let _e235 = (_e209.x + _e227.member);
@@ -342,86 +342,86 @@ if (_e238 < _e227.member_3) {
 let _e243 = (_e230.member * _e230.member_1);
 let _e245 = ((_e238 * _e230.member) + _e235);
 let _e246 = bitcast<i32>(_e245);
-let _e248 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e248 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e250 = select(_e248, _e246, (_e246 < _e248));
-let _e256 = global_2.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
+let _e256 = global_5.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
 let _e257 = (_e243 + _e245);
 let _e258 = bitcast<i32>(_e257);
 let _e260 = select(_e248, _e258, (_e258 < _e248));
-let _e266 = global_2.member[bitcast<u32>(select(0i, _e260, (_e260 > 0i)))];
+let _e266 = global_5.member[bitcast<u32>(select(0i, _e260, (_e260 > 0i)))];
 let _e268 = ((2u * _e243) + _e245);
 let _e269 = bitcast<i32>(_e268);
 let _e271 = select(_e248, _e269, (_e269 < _e248));
-let _e277 = global_2.member[bitcast<u32>(select(0i, _e271, (_e271 > 0i)))];
+let _e277 = global_5.member[bitcast<u32>(select(0i, _e271, (_e271 > 0i)))];
 let _e279 = ((3u * _e243) + _e245);
 let _e280 = bitcast<i32>(_e279);
 let _e282 = select(_e248, _e280, (_e280 < _e248));
-let _e288 = global_2.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
+let _e288 = global_5.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
 let _e290 = ((4u * _e243) + _e245);
 let _e291 = bitcast<i32>(_e290);
 let _e293 = select(_e248, _e291, (_e291 < _e248));
-let _e299 = global_2.member[bitcast<u32>(select(0i, _e293, (_e293 > 0i)))];
+let _e299 = global_5.member[bitcast<u32>(select(0i, _e293, (_e293 > 0i)))];
 let _e301 = ((5u * _e243) + _e245);
 let _e302 = bitcast<i32>(_e301);
 let _e304 = select(_e248, _e302, (_e302 < _e248));
-let _e310 = global_2.member[bitcast<u32>(select(0i, _e304, (_e304 > 0i)))];
+let _e310 = global_5.member[bitcast<u32>(select(0i, _e304, (_e304 > 0i)))];
 let _e312 = ((6u * _e243) + _e245);
 let _e313 = bitcast<i32>(_e312);
 let _e315 = select(_e248, _e313, (_e313 < _e248));
-let _e321 = global_2.member[bitcast<u32>(select(0i, _e315, (_e315 > 0i)))];
+let _e321 = global_5.member[bitcast<u32>(select(0i, _e315, (_e315 > 0i)))];
 let _e323 = ((7u * _e243) + _e245);
 let _e324 = bitcast<i32>(_e323);
 let _e326 = select(_e248, _e324, (_e324 < _e248));
-let _e332 = global_2.member[bitcast<u32>(select(0i, _e326, (_e326 > 0i)))];
+let _e332 = global_5.member[bitcast<u32>(select(0i, _e326, (_e326 > 0i)))];
 let _e334 = ((8u * _e243) + _e245);
 let _e335 = bitcast<i32>(_e334);
 let _e337 = select(_e248, _e335, (_e335 < _e248));
-let _e343 = global_2.member[bitcast<u32>(select(0i, _e337, (_e337 > 0i)))];
+let _e343 = global_5.member[bitcast<u32>(select(0i, _e337, (_e337 > 0i)))];
 let _e345 = ((9u * _e243) + _e245);
 let _e346 = bitcast<i32>(_e345);
 let _e348 = select(_e248, _e346, (_e346 < _e248));
-let _e354 = global_2.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
+let _e354 = global_5.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
 let _e356 = ((10u * _e243) + _e245);
 let _e357 = bitcast<i32>(_e356);
 let _e359 = select(_e248, _e357, (_e357 < _e248));
-let _e365 = global_2.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
+let _e365 = global_5.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
 let _e367 = ((11u * _e243) + _e245);
 let _e368 = bitcast<i32>(_e367);
 let _e370 = select(_e248, _e368, (_e368 < _e248));
-let _e376 = global_2.member[bitcast<u32>(select(0i, _e370, (_e370 > 0i)))];
+let _e376 = global_5.member[bitcast<u32>(select(0i, _e370, (_e370 > 0i)))];
 let _e378 = ((12u * _e243) + _e245);
 let _e379 = bitcast<i32>(_e378);
 let _e381 = select(_e248, _e379, (_e379 < _e248));
-let _e387 = global_2.member[bitcast<u32>(select(0i, _e381, (_e381 > 0i)))];
+let _e387 = global_5.member[bitcast<u32>(select(0i, _e381, (_e381 > 0i)))];
 let _e389 = ((13u * _e243) + _e245);
 let _e390 = bitcast<i32>(_e389);
 let _e392 = select(_e248, _e390, (_e390 < _e248));
-let _e398 = global_2.member[bitcast<u32>(select(0i, _e392, (_e392 > 0i)))];
+let _e398 = global_5.member[bitcast<u32>(select(0i, _e392, (_e392 > 0i)))];
 let _e400 = ((14u * _e243) + _e245);
 let _e401 = bitcast<i32>(_e400);
 let _e403 = select(_e248, _e401, (_e401 < _e248));
-let _e409 = global_2.member[bitcast<u32>(select(0i, _e403, (_e403 > 0i)))];
+let _e409 = global_5.member[bitcast<u32>(select(0i, _e403, (_e403 > 0i)))];
 let _e411 = ((15u * _e243) + _e245);
 let _e412 = bitcast<i32>(_e411);
 let _e414 = select(_e248, _e412, (_e412 < _e248));
-let _e420 = global_2.member[bitcast<u32>(select(0i, _e414, (_e414 > 0i)))];
+let _e420 = global_5.member[bitcast<u32>(select(0i, _e414, (_e414 > 0i)))];
 let _e422 = ((16u * _e243) + _e245);
 let _e423 = bitcast<i32>(_e422);
 let _e425 = select(_e248, _e423, (_e423 < _e248));
-let _e431 = global_2.member[bitcast<u32>(select(0i, _e425, (_e425 > 0i)))];
+let _e431 = global_5.member[bitcast<u32>(select(0i, _e425, (_e425 > 0i)))];
 let _e433 = ((17u * _e243) + _e245);
 let _e434 = bitcast<i32>(_e433);
 let _e436 = select(_e248, _e434, (_e434 < _e248));
-let _e442 = global_2.member[bitcast<u32>(select(0i, _e436, (_e436 > 0i)))];
+let _e442 = global_5.member[bitcast<u32>(select(0i, _e436, (_e436 > 0i)))];
 let _e443 = (_e332 == 2f);
 let _e446 = select(0u, 3u, (_e443 || (_e332 == 4f)));
 if (_e446 > 0u) {
-if (arrayLength((&global_3.member)) >= 3u) {
-let _e457 = atomicLoad((&global_3.member[0u]));
+if (arrayLength((&global_6.member)) >= 3u) {
+let _e457 = atomicLoad((&global_6.member[0u]));
 if (_e457 == 0u) {
-atomicStore((&global_3.member[0u]), (((_e227.member_2 - _e227.member) + 7u) / 8u));
-atomicStore((&global_3.member[1u]), (((_e227.member_3 - _e227.member_1) + 7u) / 8u));
-atomicStore((&global_3.member[2u]), 1u);
+atomicStore((&global_6.member[0u]), (((_e227.member_2 - _e227.member) + 7u) / 8u));
+atomicStore((&global_6.member[1u]), (((_e227.member_3 - _e227.member_1) + 7u) / 8u));
+atomicStore((&global_6.member[2u]), 1u);
 }
 }
 }
@@ -480,7 +480,7 @@ let _e665 = global_1.member.member_6.member_11.member_1;
 let _e676 = ((_e652 >> bitcast<u32>(4i)) + (bitcast<i32>(_e659) * ((_e653 >> bitcast<u32>(4i)) + (bitcast<i32>(_e665) * (_e654 >> bitcast<u32>(4i))))));
 let _e678 = (bitcast<i32>(_e212) - 1i);
 let _e680 = select(_e678, _e676, (_e676 < _e678));
-let _e686 = global_4.member[bitcast<u32>(select(0i, _e680, (_e680 > 0i)))];
+let _e686 = global_2.member[bitcast<u32>(select(0i, _e680, (_e680 > 0i)))];
 let _e688 = (_e652 & 15i);
 let _e691 = ((_e653 & 15i) * _e647);
 let _e693 = (bitcast<i32>(_e686) + ((_e654 & 15i) * _e651));
@@ -488,53 +488,53 @@ let _e697 = (_e691 + _e647);
 let _e699 = (_e691 + (2i * _e647));
 let _e700 = (_e693 + _e651);
 let _e702 = (_e693 + (2i * _e651));
-local_44 = type_32(array<i32, 4>(_e688, (_e688 + 1i), (_e688 + 2i), (_e688 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_44 = type_29(array<i32, 4>(_e688, (_e688 + 1i), (_e688 + 2i), (_e688 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_45 = vec3<f32>((_e578 - f32(_e613)), (_e588 - f32(_e628)), (_e598 - f32(_e643)));
 let _e713 = (_e700 + _e697);
 let _e716 = local_44.member[1u];
 let _e717 = (_e713 + _e716);
 let _e719 = select(_e678, _e717, (_e717 < _e678));
-let _e724 = global_4.member[bitcast<u32>(select(0i, _e719, (_e719 > 0i)))];
+let _e724 = global_2.member[bitcast<u32>(select(0i, _e719, (_e719 > 0i)))];
 let _e725 = bitcast<f32>(_e724);
 let _e728 = local_44.member[2u];
 let _e729 = (_e713 + _e728);
 let _e731 = select(_e678, _e729, (_e729 < _e678));
-let _e736 = global_4.member[bitcast<u32>(select(0i, _e731, (_e731 > 0i)))];
+let _e736 = global_2.member[bitcast<u32>(select(0i, _e731, (_e731 > 0i)))];
 let _e738 = local_45[0u];
 let _e741 = (_e725 + ((bitcast<f32>(_e736) - _e725) * _e738));
 let _e742 = (_e700 + _e699);
 let _e743 = local_44.member[1u];
 let _e744 = (_e742 + _e743);
 let _e746 = select(_e678, _e744, (_e744 < _e678));
-let _e751 = global_4.member[bitcast<u32>(select(0i, _e746, (_e746 > 0i)))];
+let _e751 = global_2.member[bitcast<u32>(select(0i, _e746, (_e746 > 0i)))];
 let _e752 = bitcast<f32>(_e751);
 let _e753 = local_44.member[2u];
 let _e754 = (_e742 + _e753);
 let _e756 = select(_e678, _e754, (_e754 < _e678));
-let _e761 = global_4.member[bitcast<u32>(select(0i, _e756, (_e756 > 0i)))];
+let _e761 = global_2.member[bitcast<u32>(select(0i, _e756, (_e756 > 0i)))];
 let _e763 = local_45[0u];
 let _e767 = (_e702 + _e697);
 let _e768 = local_44.member[1u];
 let _e769 = (_e767 + _e768);
 let _e771 = select(_e678, _e769, (_e769 < _e678));
-let _e776 = global_4.member[bitcast<u32>(select(0i, _e771, (_e771 > 0i)))];
+let _e776 = global_2.member[bitcast<u32>(select(0i, _e771, (_e771 > 0i)))];
 let _e777 = bitcast<f32>(_e776);
 let _e778 = local_44.member[2u];
 let _e779 = (_e767 + _e778);
 let _e781 = select(_e678, _e779, (_e779 < _e678));
-let _e786 = global_4.member[bitcast<u32>(select(0i, _e781, (_e781 > 0i)))];
+let _e786 = global_2.member[bitcast<u32>(select(0i, _e781, (_e781 > 0i)))];
 let _e788 = local_45[0u];
 let _e791 = (_e777 + ((bitcast<f32>(_e786) - _e777) * _e788));
 let _e792 = (_e702 + _e699);
 let _e793 = local_44.member[1u];
 let _e794 = (_e792 + _e793);
 let _e796 = select(_e678, _e794, (_e794 < _e678));
-let _e801 = global_4.member[bitcast<u32>(select(0i, _e796, (_e796 > 0i)))];
+let _e801 = global_2.member[bitcast<u32>(select(0i, _e796, (_e796 > 0i)))];
 let _e802 = bitcast<f32>(_e801);
 let _e803 = local_44.member[2u];
 let _e804 = (_e792 + _e803);
 let _e806 = select(_e678, _e804, (_e804 < _e678));
-let _e811 = global_4.member[bitcast<u32>(select(0i, _e806, (_e806 > 0i)))];
+let _e811 = global_2.member[bitcast<u32>(select(0i, _e806, (_e806 > 0i)))];
 let _e813 = local_45[0u];
 let _e818 = local_45[1u];
 let _e821 = (_e741 + (((_e752 + ((bitcast<f32>(_e761) - _e752) * _e763)) - _e741) * _e818));
@@ -589,7 +589,7 @@ let _e978 = (_e968 + (3i * _e924));
 let _e979 = (_e970 + _e928);
 let _e981 = (_e970 + (2i * _e928));
 let _e983 = (_e970 + (3i * _e928));
-local_42 = type_32(array<i32, 4>(_e965, (_e965 + 1i), (_e965 + 2i), (_e965 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_42 = type_29(array<i32, 4>(_e965, (_e965 + 1i), (_e965 + 2i), (_e965 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_43 = vec3<f32>((_e855 - f32(_e890)), (_e865 - f32(_e905)), (_e875 - f32(_e920)));
 let _e994 = (_e979 + _e974);
 let _e997 = local_42.member[0u];
@@ -837,50 +837,50 @@ local_41 = _e1542;
 let _e1543 = local_41;
 let _e1545 = (bitcast<i32>(_e218) - 1i);
 let _e1547 = select(_e1545, 263197i, (263197i < _e1545));
-let _e1552 = global_5.member[bitcast<u32>(select(0i, _e1547, (_e1547 > 0i)))];
+let _e1552 = global_3.member[bitcast<u32>(select(0i, _e1547, (_e1547 > 0i)))];
 let _e1553 = bitcast<f32>(_e1552);
 let _e1555 = select(_e1545, 263198i, (263198i < _e1545));
 let _e1558 = bitcast<u32>(select(0i, _e1555, (_e1555 > 0i)));
-let _e1560 = global_5.member[_e1558];
+let _e1560 = global_3.member[_e1558];
 let _e1561 = bitcast<f32>(_e1560);
 let _e1563 = select(_e1545, 263199i, (263199i < _e1545));
-let _e1568 = global_5.member[bitcast<u32>(select(0i, _e1563, (_e1563 > 0i)))];
+let _e1568 = global_3.member[bitcast<u32>(select(0i, _e1563, (_e1563 > 0i)))];
 let _e1569 = bitcast<f32>(_e1568);
 let _e1571 = ((_e1543 - _e1553) * _e1561);
 let _e1573 = select(0f, _e1571, (_e1571 > 0f));
 let _e1576 = local_41;
 let _e1578 = select(_e1545, 263200i, (263200i < _e1545));
-let _e1583 = global_5.member[bitcast<u32>(select(0i, _e1578, (_e1578 > 0i)))];
+let _e1583 = global_3.member[bitcast<u32>(select(0i, _e1578, (_e1578 > 0i)))];
 let _e1584 = bitcast<f32>(_e1583);
 let _e1586 = select(_e1545, 263201i, (263201i < _e1545));
-let _e1591 = global_5.member[bitcast<u32>(select(0i, _e1586, (_e1586 > 0i)))];
+let _e1591 = global_3.member[bitcast<u32>(select(0i, _e1586, (_e1586 > 0i)))];
 let _e1592 = bitcast<f32>(_e1591);
 let _e1594 = select(_e1545, 263202i, (263202i < _e1545));
-let _e1599 = global_5.member[bitcast<u32>(select(0i, _e1594, (_e1594 > 0i)))];
+let _e1599 = global_3.member[bitcast<u32>(select(0i, _e1594, (_e1594 > 0i)))];
 let _e1600 = bitcast<f32>(_e1599);
 let _e1602 = ((_e1576 - _e1584) * _e1592);
 let _e1604 = select(0f, _e1602, (_e1602 > 0f));
 let _e1608 = local_41;
 let _e1610 = select(_e1545, 263203i, (263203i < _e1545));
-let _e1615 = global_5.member[bitcast<u32>(select(0i, _e1610, (_e1610 > 0i)))];
+let _e1615 = global_3.member[bitcast<u32>(select(0i, _e1610, (_e1610 > 0i)))];
 let _e1616 = bitcast<f32>(_e1615);
 let _e1618 = select(_e1545, 263204i, (263204i < _e1545));
-let _e1623 = global_5.member[bitcast<u32>(select(0i, _e1618, (_e1618 > 0i)))];
+let _e1623 = global_3.member[bitcast<u32>(select(0i, _e1618, (_e1618 > 0i)))];
 let _e1624 = bitcast<f32>(_e1623);
 let _e1626 = select(_e1545, 263205i, (263205i < _e1545));
-let _e1631 = global_5.member[bitcast<u32>(select(0i, _e1626, (_e1626 > 0i)))];
+let _e1631 = global_3.member[bitcast<u32>(select(0i, _e1626, (_e1626 > 0i)))];
 let _e1632 = bitcast<f32>(_e1631);
 let _e1634 = ((_e1608 - _e1616) * _e1624);
 let _e1636 = select(0f, _e1634, (_e1634 > 0f));
 let _e1639 = local_41;
 let _e1641 = select(_e1545, 263206i, (263206i < _e1545));
-let _e1646 = global_5.member[bitcast<u32>(select(0i, _e1641, (_e1641 > 0i)))];
+let _e1646 = global_3.member[bitcast<u32>(select(0i, _e1641, (_e1641 > 0i)))];
 let _e1647 = bitcast<f32>(_e1646);
 let _e1649 = select(_e1545, 263207i, (263207i < _e1545));
-let _e1654 = global_5.member[bitcast<u32>(select(0i, _e1649, (_e1649 > 0i)))];
+let _e1654 = global_3.member[bitcast<u32>(select(0i, _e1649, (_e1649 > 0i)))];
 let _e1655 = bitcast<f32>(_e1654);
 let _e1657 = select(_e1545, 263208i, (263208i < _e1545));
-let _e1662 = global_5.member[bitcast<u32>(select(0i, _e1657, (_e1657 > 0i)))];
+let _e1662 = global_3.member[bitcast<u32>(select(0i, _e1657, (_e1657 > 0i)))];
 let _e1663 = bitcast<f32>(_e1662);
 let _e1665 = ((_e1639 - _e1647) * _e1655);
 let _e1667 = select(0f, _e1665, (_e1665 > 0f));
@@ -891,34 +891,34 @@ let _e1682 = select(0i, select(select(i32(_e1675), i32(-2147483648), (_e1675 < -
 let _e1686 = (_e1682 - select(0i, 1i, (_e1675 < f32(_e1682))));
 let _e1687 = (262147i + _e1686);
 let _e1689 = select(_e1545, _e1687, (_e1687 < _e1545));
-let _e1695 = global_5.member[bitcast<u32>(select(0i, _e1689, (_e1689 > 0i)))];
+let _e1695 = global_3.member[bitcast<u32>(select(0i, _e1689, (_e1689 > 0i)))];
 let _e1705 = select(_e1545, 262146i, (262146i < _e1545));
-let _e1711 = global_5.member[bitcast<u32>(select(0i, _e1705, (_e1705 > 0i)))];
+let _e1711 = global_3.member[bitcast<u32>(select(0i, _e1705, (_e1705 > 0i)))];
 let _e1712 = bitcast<f32>(_e1711);
 let _e1713 = (f32((bitcast<i32>((_e1695 & 4095u)) - 2048i)) * _e1712);
 let _e1715 = select(_e1545, 262144i, (262144i < _e1545));
-let _e1721 = global_5.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
+let _e1721 = global_3.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
 let _e1722 = bitcast<f32>(_e1721);
 let _e1724 = select(_e1545, 262145i, (262145i < _e1545));
-let _e1730 = global_5.member[bitcast<u32>(select(0i, _e1724, (_e1724 > 0i)))];
+let _e1730 = global_3.member[bitcast<u32>(select(0i, _e1724, (_e1724 > 0i)))];
 let _e1731 = bitcast<f32>(_e1730);
 let _e1737 = ((_e1722 + (f32(bitcast<i32>((_e1695 >> bitcast<u32>(12u)))) * _e1731)) + (_e1713 * (_e1671 - f32(_e1686))));
-let _e1740 = global_5.member[_e1558];
+let _e1740 = global_3.member[_e1558];
 let _e1742 = local_40;
 let _e1745 = local_40;
 let _e1748 = local_40;
 let _e1752 = select(_e1545, 263209i, (263209i < _e1545));
-let _e1758 = global_5.member[bitcast<u32>(select(0i, _e1752, (_e1752 > 0i)))];
+let _e1758 = global_3.member[bitcast<u32>(select(0i, _e1752, (_e1752 > 0i)))];
 let _e1760 = local_40;
 let _e1763 = select(_e1545, 263210i, (263210i < _e1545));
-let _e1769 = global_5.member[bitcast<u32>(select(0i, _e1763, (_e1763 > 0i)))];
+let _e1769 = global_3.member[bitcast<u32>(select(0i, _e1763, (_e1763 > 0i)))];
 let _e1771 = local_40;
 let _e1775 = (_e1713 * select(0f, select(select(select(bitcast<f32>(_e1740), _e1592, (_e1742 >= _e1584)), _e1624, (_e1745 >= _e1616)), _e1655, (_e1748 >= _e1647)), ((_e1760 >= bitcast<f32>(_e1758)) && (_e1771 <= bitcast<f32>(_e1769)))));
 if _e567 {
 let _e1782 = ((0.5f * (_e1517 - _e1511)) * _e1775);
 let _e1783 = ((0.5f * (_e1529 - _e1523)) * _e1775);
 let _e1784 = ((0.5f * (_e1541 - _e1535)) * _e1775);
-phi_7126_ = type_34(_e1737, vec3<f32>(_e1782, _e1783, _e1784), vec3<f32>((_e1782 * _e1737), (_e1783 * _e1737), (_e1784 * _e1737)));
+phi_7126_ = type_33(_e1737, vec3<f32>(_e1782, _e1783, _e1784), vec3<f32>((_e1782 * _e1737), (_e1783 * _e1737), (_e1784 * _e1737)));
 } else {
 local_38 = _e1511;
 let _e1791 = local_38;
@@ -942,7 +942,7 @@ let _e1833 = select(0i, select(select(i32(_e1826), i32(-2147483648), (_e1826 < -
 let _e1837 = (_e1833 - select(0i, 1i, (_e1826 < f32(_e1833))));
 let _e1838 = (262147i + _e1837);
 let _e1840 = select(_e1545, _e1838, (_e1838 < _e1545));
-let _e1846 = global_5.member[bitcast<u32>(select(0i, _e1840, (_e1840 > 0i)))];
+let _e1846 = global_3.member[bitcast<u32>(select(0i, _e1840, (_e1840 > 0i)))];
 let _e1861 = ((_e1722 + (f32(bitcast<i32>((_e1846 >> bitcast<u32>(12u)))) * _e1731)) + ((f32((bitcast<i32>((_e1846 & 4095u)) - 2048i)) * _e1712) * (_e1822 - f32(_e1837))));
 local_36 = _e1517;
 let _e1862 = local_36;
@@ -966,7 +966,7 @@ let _e1904 = select(0i, select(select(i32(_e1897), i32(-2147483648), (_e1897 < -
 let _e1908 = (_e1904 - select(0i, 1i, (_e1897 < f32(_e1904))));
 let _e1909 = (262147i + _e1908);
 let _e1911 = select(_e1545, _e1909, (_e1909 < _e1545));
-let _e1917 = global_5.member[bitcast<u32>(select(0i, _e1911, (_e1911 > 0i)))];
+let _e1917 = global_3.member[bitcast<u32>(select(0i, _e1911, (_e1911 > 0i)))];
 let _e1932 = ((_e1722 + (f32(bitcast<i32>((_e1917 >> bitcast<u32>(12u)))) * _e1731)) + ((f32((bitcast<i32>((_e1917 & 4095u)) - 2048i)) * _e1712) * (_e1893 - f32(_e1908))));
 local_34 = _e1523;
 let _e1933 = local_34;
@@ -990,7 +990,7 @@ let _e1975 = select(0i, select(select(i32(_e1968), i32(-2147483648), (_e1968 < -
 let _e1979 = (_e1975 - select(0i, 1i, (_e1968 < f32(_e1975))));
 let _e1980 = (262147i + _e1979);
 let _e1982 = select(_e1545, _e1980, (_e1980 < _e1545));
-let _e1988 = global_5.member[bitcast<u32>(select(0i, _e1982, (_e1982 > 0i)))];
+let _e1988 = global_3.member[bitcast<u32>(select(0i, _e1982, (_e1982 > 0i)))];
 let _e2003 = ((_e1722 + (f32(bitcast<i32>((_e1988 >> bitcast<u32>(12u)))) * _e1731)) + ((f32((bitcast<i32>((_e1988 & 4095u)) - 2048i)) * _e1712) * (_e1964 - f32(_e1979))));
 local_32 = _e1529;
 let _e2004 = local_32;
@@ -1014,7 +1014,7 @@ let _e2046 = select(0i, select(select(i32(_e2039), i32(-2147483648), (_e2039 < -
 let _e2050 = (_e2046 - select(0i, 1i, (_e2039 < f32(_e2046))));
 let _e2051 = (262147i + _e2050);
 let _e2053 = select(_e1545, _e2051, (_e2051 < _e1545));
-let _e2059 = global_5.member[bitcast<u32>(select(0i, _e2053, (_e2053 > 0i)))];
+let _e2059 = global_3.member[bitcast<u32>(select(0i, _e2053, (_e2053 > 0i)))];
 let _e2074 = ((_e1722 + (f32(bitcast<i32>((_e2059 >> bitcast<u32>(12u)))) * _e1731)) + ((f32((bitcast<i32>((_e2059 & 4095u)) - 2048i)) * _e1712) * (_e2035 - f32(_e2050))));
 local_30 = _e1535;
 let _e2075 = local_30;
@@ -1038,7 +1038,7 @@ let _e2117 = select(0i, select(select(i32(_e2110), i32(-2147483648), (_e2110 < -
 let _e2121 = (_e2117 - select(0i, 1i, (_e2110 < f32(_e2117))));
 let _e2122 = (262147i + _e2121);
 let _e2124 = select(_e1545, _e2122, (_e2122 < _e1545));
-let _e2130 = global_5.member[bitcast<u32>(select(0i, _e2124, (_e2124 > 0i)))];
+let _e2130 = global_3.member[bitcast<u32>(select(0i, _e2124, (_e2124 > 0i)))];
 let _e2145 = ((_e1722 + (f32(bitcast<i32>((_e2130 >> bitcast<u32>(12u)))) * _e1731)) + ((f32((bitcast<i32>((_e2130 & 4095u)) - 2048i)) * _e1712) * (_e2106 - f32(_e2121))));
 local_28 = _e1541;
 let _e2146 = local_28;
@@ -1062,12 +1062,12 @@ let _e2188 = select(0i, select(select(i32(_e2181), i32(-2147483648), (_e2181 < -
 let _e2192 = (_e2188 - select(0i, 1i, (_e2181 < f32(_e2188))));
 let _e2193 = (262147i + _e2192);
 let _e2195 = select(_e1545, _e2193, (_e2193 < _e1545));
-let _e2201 = global_5.member[bitcast<u32>(select(0i, _e2195, (_e2195 > 0i)))];
+let _e2201 = global_3.member[bitcast<u32>(select(0i, _e2195, (_e2195 > 0i)))];
 let _e2216 = ((_e1722 + (f32(bitcast<i32>((_e2201 >> bitcast<u32>(12u)))) * _e1731)) + ((f32((bitcast<i32>((_e2201 & 4095u)) - 2048i)) * _e1712) * (_e2177 - f32(_e2192))));
 let _e2217 = (_e1932 - _e1861);
 let _e2219 = (_e2074 - _e2003);
 let _e2221 = (_e2216 - _e2145);
-phi_7126_ = type_34(_e1737, vec3<f32>((0.5f * _e2217), (0.5f * _e2219), (0.5f * _e2221)), vec3<f32>((0.25f * (_e2217 * (_e1932 + _e1861))), (0.25f * (_e2219 * (_e2074 + _e2003))), (0.25f * (_e2221 * (_e2216 + _e2145)))));
+phi_7126_ = type_33(_e1737, vec3<f32>((0.5f * _e2217), (0.5f * _e2219), (0.5f * _e2221)), vec3<f32>((0.25f * (_e2217 * (_e1932 + _e1861))), (0.25f * (_e2219 * (_e2074 + _e2003))), (0.25f * (_e2221 * (_e2216 + _e2145)))));
 }
 let _e2236 = phi_7126_;
 let _e2251 = select(0f, 1f, ((((((_e529 >= -0.5f) && (_e529 <= _e851)) && (_e544 >= -0.5f)) && (_e544 <= _e861)) && (_e559 >= -0.5f)) && (_e559 <= _e871)));
@@ -1083,7 +1083,7 @@ let _e2293 = global_1.member.member_7.member_1.member.member_2;
 let _e2299 = global_1.member.member_7.member_2.member.member;
 let _e2305 = global_1.member.member_7.member_2.member.member_1;
 let _e2311 = global_1.member.member_7.member_2.member.member_2;
-phi_7736_ = type_35(select(1e9f, _e843, (_e843 < 1e9f)), vec3<f32>(((((_e2263 * _e2253) + (_e2281 * _e2255)) + (_e2299 * _e2257)) * _e2251), ((((_e2269 * _e2253) + (_e2287 * _e2255)) + (_e2305 * _e2257)) * _e2251), ((((_e2275 * _e2253) + (_e2293 * _e2255)) + (_e2311 * _e2257)) * _e2251)), _e2236.member, vec3<f32>(((((_e2263 * _e2236.member_2.x) + (_e2281 * _e2236.member_2.y)) + (_e2299 * _e2236.member_2.z)) * _e2251), ((((_e2269 * _e2236.member_2.x) + (_e2287 * _e2236.member_2.y)) + (_e2305 * _e2236.member_2.z)) * _e2251), ((((_e2275 * _e2236.member_2.x) + (_e2293 * _e2236.member_2.y)) + (_e2311 * _e2236.member_2.z)) * _e2251)), vec3<f32>(((((_e2263 * _e2236.member_1.x) + (_e2281 * _e2236.member_1.y)) + (_e2299 * _e2236.member_1.z)) * _e2251), ((((_e2269 * _e2236.member_1.x) + (_e2287 * _e2236.member_1.y)) + (_e2305 * _e2236.member_1.z)) * _e2251), ((((_e2275 * _e2236.member_1.x) + (_e2293 * _e2236.member_1.y)) + (_e2311 * _e2236.member_1.z)) * _e2251)));
+phi_7736_ = type_34(select(1e9f, _e843, (_e843 < 1e9f)), vec3<f32>(((((_e2263 * _e2253) + (_e2281 * _e2255)) + (_e2299 * _e2257)) * _e2251), ((((_e2269 * _e2253) + (_e2287 * _e2255)) + (_e2305 * _e2257)) * _e2251), ((((_e2275 * _e2253) + (_e2293 * _e2255)) + (_e2311 * _e2257)) * _e2251)), _e2236.member, vec3<f32>(((((_e2263 * _e2236.member_2.x) + (_e2281 * _e2236.member_2.y)) + (_e2299 * _e2236.member_2.z)) * _e2251), ((((_e2269 * _e2236.member_2.x) + (_e2287 * _e2236.member_2.y)) + (_e2305 * _e2236.member_2.z)) * _e2251), ((((_e2275 * _e2236.member_2.x) + (_e2293 * _e2236.member_2.y)) + (_e2311 * _e2236.member_2.z)) * _e2251)), vec3<f32>(((((_e2263 * _e2236.member_1.x) + (_e2281 * _e2236.member_1.y)) + (_e2299 * _e2236.member_1.z)) * _e2251), ((((_e2269 * _e2236.member_1.x) + (_e2287 * _e2236.member_1.y)) + (_e2305 * _e2236.member_1.z)) * _e2251), ((((_e2275 * _e2236.member_1.x) + (_e2293 * _e2236.member_1.y)) + (_e2311 * _e2236.member_1.z)) * _e2251)));
 } else {
 let _e2380 = global_1.member.member_6.member_3.member;
 let _e2381 = (_e2380 - 0.5f);
@@ -1119,7 +1119,7 @@ let _e2472 = global_1.member.member_6.member_11.member_1;
 let _e2483 = ((_e2459 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2466) * ((_e2460 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2472) * (_e2461 >> bitcast<u32>(4i))))));
 let _e2485 = (bitcast<i32>(_e212) - 1i);
 let _e2487 = select(_e2485, _e2483, (_e2483 < _e2485));
-let _e2493 = global_4.member[bitcast<u32>(select(0i, _e2487, (_e2487 > 0i)))];
+let _e2493 = global_2.member[bitcast<u32>(select(0i, _e2487, (_e2487 > 0i)))];
 let _e2495 = (_e2459 & 15i);
 let _e2498 = ((_e2460 & 15i) * _e2454);
 let _e2500 = (bitcast<i32>(_e2493) + ((_e2461 & 15i) * _e2458));
@@ -1127,30 +1127,30 @@ let _e2504 = (_e2498 + _e2454);
 let _e2506 = (_e2498 + (2i * _e2454));
 let _e2507 = (_e2500 + _e2458);
 let _e2509 = (_e2500 + (2i * _e2458));
-local_26 = type_32(array<i32, 4>(_e2495, (_e2495 + 1i), (_e2495 + 2i), (_e2495 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_29(array<i32, 4>(_e2495, (_e2495 + 1i), (_e2495 + 2i), (_e2495 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e2385 - f32(_e2420)), (_e2395 - f32(_e2435)), (_e2405 - f32(_e2450)));
 let _e2520 = (_e2507 + _e2504);
 let _e2523 = local_26.member[1u];
 let _e2524 = (_e2520 + _e2523);
 let _e2526 = select(_e2485, _e2524, (_e2524 < _e2485));
-let _e2531 = global_4.member[bitcast<u32>(select(0i, _e2526, (_e2526 > 0i)))];
+let _e2531 = global_2.member[bitcast<u32>(select(0i, _e2526, (_e2526 > 0i)))];
 let _e2532 = bitcast<f32>(_e2531);
 let _e2535 = local_26.member[2u];
 let _e2536 = (_e2520 + _e2535);
 let _e2538 = select(_e2485, _e2536, (_e2536 < _e2485));
-let _e2543 = global_4.member[bitcast<u32>(select(0i, _e2538, (_e2538 > 0i)))];
+let _e2543 = global_2.member[bitcast<u32>(select(0i, _e2538, (_e2538 > 0i)))];
 let _e2545 = local_27[0u];
 let _e2548 = (_e2532 + ((bitcast<f32>(_e2543) - _e2532) * _e2545));
 let _e2549 = (_e2507 + _e2506);
 let _e2550 = local_26.member[1u];
 let _e2551 = (_e2549 + _e2550);
 let _e2553 = select(_e2485, _e2551, (_e2551 < _e2485));
-let _e2558 = global_4.member[bitcast<u32>(select(0i, _e2553, (_e2553 > 0i)))];
+let _e2558 = global_2.member[bitcast<u32>(select(0i, _e2553, (_e2553 > 0i)))];
 let _e2559 = bitcast<f32>(_e2558);
 let _e2560 = local_26.member[2u];
 let _e2561 = (_e2549 + _e2560);
 let _e2563 = select(_e2485, _e2561, (_e2561 < _e2485));
-let _e2568 = global_4.member[bitcast<u32>(select(0i, _e2563, (_e2563 > 0i)))];
+let _e2568 = global_2.member[bitcast<u32>(select(0i, _e2563, (_e2563 > 0i)))];
 let _e2570 = local_27[0u];
 let _e2575 = local_27[1u];
 let _e2578 = (_e2548 + (((_e2559 + ((bitcast<f32>(_e2568) - _e2559) * _e2570)) - _e2548) * _e2575));
@@ -1158,24 +1158,24 @@ let _e2579 = (_e2509 + _e2504);
 let _e2580 = local_26.member[1u];
 let _e2581 = (_e2579 + _e2580);
 let _e2583 = select(_e2485, _e2581, (_e2581 < _e2485));
-let _e2588 = global_4.member[bitcast<u32>(select(0i, _e2583, (_e2583 > 0i)))];
+let _e2588 = global_2.member[bitcast<u32>(select(0i, _e2583, (_e2583 > 0i)))];
 let _e2589 = bitcast<f32>(_e2588);
 let _e2590 = local_26.member[2u];
 let _e2591 = (_e2579 + _e2590);
 let _e2593 = select(_e2485, _e2591, (_e2591 < _e2485));
-let _e2598 = global_4.member[bitcast<u32>(select(0i, _e2593, (_e2593 > 0i)))];
+let _e2598 = global_2.member[bitcast<u32>(select(0i, _e2593, (_e2593 > 0i)))];
 let _e2600 = local_27[0u];
 let _e2603 = (_e2589 + ((bitcast<f32>(_e2598) - _e2589) * _e2600));
 let _e2604 = (_e2509 + _e2506);
 let _e2605 = local_26.member[1u];
 let _e2606 = (_e2604 + _e2605);
 let _e2608 = select(_e2485, _e2606, (_e2606 < _e2485));
-let _e2613 = global_4.member[bitcast<u32>(select(0i, _e2608, (_e2608 > 0i)))];
+let _e2613 = global_2.member[bitcast<u32>(select(0i, _e2608, (_e2608 > 0i)))];
 let _e2614 = bitcast<f32>(_e2613);
 let _e2615 = local_26.member[2u];
 let _e2616 = (_e2604 + _e2615);
 let _e2618 = select(_e2485, _e2616, (_e2616 < _e2485));
-let _e2623 = global_4.member[bitcast<u32>(select(0i, _e2618, (_e2618 > 0i)))];
+let _e2623 = global_2.member[bitcast<u32>(select(0i, _e2618, (_e2618 > 0i)))];
 let _e2625 = local_27[0u];
 let _e2629 = local_27[1u];
 let _e2634 = local_27[2u];
@@ -1184,13 +1184,13 @@ let _e2645 = global_1.member.member_6.member_5;
 let _e2647 = (((_e2578 + (((_e2603 + (((_e2614 + ((bitcast<f32>(_e2623) - _e2614) * _e2625)) - _e2603) * _e2629)) - _e2578) * _e2634)) - _e2641) * _e2645);
 let _e2648 = -(1e9f);
 let _e2650 = select(_e2648, _e2647, (_e2647 > _e2648));
-phi_7736_ = type_35(select(1e9f, _e2650, (_e2650 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_7736_ = type_34(select(1e9f, _e2650, (_e2650 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2655 = phi_7736_;
 let _e2658 = global_1.member.member_1;
 let _e2660 = ((_e2658 & 16u) == 0u);
 if _e2660 {
-phi_8116_ = type_5(1f, 1f, 1f);
+phi_8116_ = type_7(1f, 1f, 1f);
 } else {
 let _e2664 = global_1.member.member_14.member;
 let _e2675 = ((((_e2664.member.member * _e256) + (_e2664.member.member_1 * _e266)) + (_e2664.member.member_2 * _e277)) + _e2664.member_1);
@@ -1228,11 +1228,11 @@ let _e2802 = (_e2792 > 0f);
 let _e2805 = select(select(select(1f, _e2799, (_e2799 < 1f)), 1f, (_e2792 <= 0f)), 0f, _e2802);
 let _e2809 = global_1.member.member_17.member_1;
 let _e2810 = (_e2809 != 0u);
-phi_8116_ = type_5(((((1f * _e2688) * _e2727) * _e2766) * _e2805), ((((1f * select(1f, _e2688, _e2693)) * select(1f, _e2727, _e2732)) * select(1f, _e2766, _e2771)) * select(1f, _e2805, _e2810)), ((((1f * select(1f, 0f, (_e2693 && _e2685))) * select(1f, 0f, (_e2732 && _e2724))) * select(1f, 0f, (_e2771 && _e2763))) * select(1f, 0f, (_e2810 && _e2802))));
+phi_8116_ = type_7(((((1f * _e2688) * _e2727) * _e2766) * _e2805), ((((1f * select(1f, _e2688, _e2693)) * select(1f, _e2727, _e2732)) * select(1f, _e2766, _e2771)) * select(1f, _e2805, _e2810)), ((((1f * select(1f, 0f, (_e2693 && _e2685))) * select(1f, 0f, (_e2732 && _e2724))) * select(1f, 0f, (_e2771 && _e2763))) * select(1f, 0f, (_e2810 && _e2802))));
 }
 let _e2819 = phi_8116_;
 if _e443 {
-let _e2821 = type_33(_e465, _e466, _e321, 4f, _e343, _e467, _e387, _e468, _e431, _e442);
+let _e2821 = type_32(_e465, _e466, _e321, 4f, _e343, _e467, _e387, _e468, _e431, _e442);
 let _e2826 = global_1.member.member_5.member_2;
 let _e2829 = (_e2826 / select(1e-6f, _e310, (_e310 > 1e-6f)));
 let _e2833 = (_e256 + (_e288 * _e2829));
@@ -1356,7 +1356,7 @@ let _e3135 = select(select(select(select(select(select(0f, _e2858.member, _e2904
 let _e3136 = select(select(select(select(select(select(0f, _e2858.member_1, _e2904), _e2858.member_1, _e2944), _e2866.member_1, _e2990), _e2866.member_1, _e3030), _e2874.member_1, _e3076), _e2874.member_1, _e3116);
 let _e3137 = select(select(select(select(select(select(1f, _e2858.member_2, _e2904), _e2858.member_2, _e2944), _e2866.member_2, _e2990), _e2866.member_2, _e3030), _e2874.member_2, _e3076), _e2874.member_2, _e3116);
 if _e2660 {
-phi_9445_ = type_36(_e3122, vec3<f32>(_e3123, _e3124, _e3125), _e3127, vec3<f32>(_e3128, _e3129, _e3130), _e3132, _e3134, vec3<f32>(_e3135, _e3136, _e3137));
+phi_9445_ = type_35(_e3122, vec3<f32>(_e3123, _e3124, _e3125), _e3127, vec3<f32>(_e3128, _e3129, _e3130), _e3132, _e3134, vec3<f32>(_e3135, _e3136, _e3137));
 } else {
 let _e3144 = (((_e2858.member * _e2858.member) + (_e2858.member_1 * _e2858.member_1)) + (_e2858.member_2 * _e2858.member_2));
 let _e3147 = sqrt(select(0f, _e3144, (_e3144 > 0f)));
@@ -1436,13 +1436,13 @@ let _e3431 = select(2f, select(0f, _e3423, (_e3404 < 0f)), (_e3405 > 0f));
 let _e3432 = (_e3404 > _e3370);
 let _e3436 = ((_e3427 > _e3362) || ((_e3427 == _e3362) && _e3432));
 let _e3437 = (_e3431 < _e3366);
-phi_9445_ = type_36(select(_e3362, _e3427, _e3436), vec3<f32>(select(select(select(select(_e3123, _e3182.member, _e3208), _e3258.member, _e3284), _e3334.member, _e3360), _e3410.member, _e3436), select(select(select(select(_e3124, _e3182.member_1, _e3208), _e3258.member_1, _e3284), _e3334.member_1, _e3360), _e3410.member_1, _e3436), select(select(select(select(_e3125, _e3182.member_2, _e3208), _e3258.member_2, _e3284), _e3334.member_2, _e3360), _e3410.member_2, _e3436)), select(_e3366, _e3431, _e3437), vec3<f32>(select(select(select(select(_e3128, _e3182.member, _e3209), _e3258.member, _e3285), _e3334.member, _e3361), _e3410.member, _e3437), select(select(select(select(_e3129, _e3182.member_1, _e3209), _e3258.member_1, _e3285), _e3334.member_1, _e3361), _e3410.member_1, _e3437), select(select(select(select(_e3130, _e3182.member_2, _e3209), _e3258.member_2, _e3285), _e3334.member_2, _e3361), _e3410.member_2, _e3437)), select(_e3370, _e3404, _e3432), select(_e3372, _e3405, (_e3405 > _e3372)), vec3<f32>(select(select(select(select(_e3135, _e3182.member, _e3204), _e3258.member, _e3280), _e3334.member, _e3356), _e3410.member, _e3432), select(select(select(select(_e3136, _e3182.member_1, _e3204), _e3258.member_1, _e3280), _e3334.member_1, _e3356), _e3410.member_1, _e3432), select(select(select(select(_e3137, _e3182.member_2, _e3204), _e3258.member_2, _e3280), _e3334.member_2, _e3356), _e3410.member_2, _e3432)));
+phi_9445_ = type_35(select(_e3362, _e3427, _e3436), vec3<f32>(select(select(select(select(_e3123, _e3182.member, _e3208), _e3258.member, _e3284), _e3334.member, _e3360), _e3410.member, _e3436), select(select(select(select(_e3124, _e3182.member_1, _e3208), _e3258.member_1, _e3284), _e3334.member_1, _e3360), _e3410.member_1, _e3436), select(select(select(select(_e3125, _e3182.member_2, _e3208), _e3258.member_2, _e3284), _e3334.member_2, _e3360), _e3410.member_2, _e3436)), select(_e3366, _e3431, _e3437), vec3<f32>(select(select(select(select(_e3128, _e3182.member, _e3209), _e3258.member, _e3285), _e3334.member, _e3361), _e3410.member, _e3437), select(select(select(select(_e3129, _e3182.member_1, _e3209), _e3258.member_1, _e3285), _e3334.member_1, _e3361), _e3410.member_1, _e3437), select(select(select(select(_e3130, _e3182.member_2, _e3209), _e3258.member_2, _e3285), _e3334.member_2, _e3361), _e3410.member_2, _e3437)), select(_e3370, _e3404, _e3432), select(_e3372, _e3405, (_e3405 > _e3372)), vec3<f32>(select(select(select(select(_e3135, _e3182.member, _e3204), _e3258.member, _e3280), _e3334.member, _e3356), _e3410.member, _e3432), select(select(select(select(_e3136, _e3182.member_1, _e3204), _e3258.member_1, _e3280), _e3334.member_1, _e3356), _e3410.member_1, _e3432), select(select(select(select(_e3137, _e3182.member_2, _e3204), _e3258.member_2, _e3280), _e3334.member_2, _e3356), _e3410.member_2, _e3432)));
 }
 let _e3457 = phi_9445_;
 let _e3467 = (select(select(0.5f, _e3457.member_2, (_e3457.member_2 < 1f)), 0f, (_e442 == -1.2676506e30f)) * ((_e2826 / _e310) * select(_e2819.member_2, 0f, (_e431 == 0f))));
-phi_9482_ = type_33(_e2821.member, vec3<f32>((_e288 - (_e2655.member_3.x * _e3467)), (_e299 - (_e2655.member_3.y * _e3467)), (_e310 - (_e2655.member_3.z * _e3467))), _e2821.member_2, _e2821.member_3, _e2821.member_4, _e2821.member_5, _e2821.member_6, _e2821.member_7, _e2821.member_8, _e2821.member_9);
+phi_9482_ = type_32(_e2821.member, vec3<f32>((_e288 - (_e2655.member_3.x * _e3467)), (_e299 - (_e2655.member_3.y * _e3467)), (_e310 - (_e2655.member_3.z * _e3467))), _e2821.member_2, _e2821.member_3, _e2821.member_4, _e2821.member_5, _e2821.member_6, _e2821.member_7, _e2821.member_8, _e2821.member_9);
 } else {
-phi_9482_ = type_33(_e465, _e466, _e321, _e332, _e343, _e467, _e387, _e468, _e431, _e442);
+phi_9482_ = type_32(_e465, _e466, _e321, _e332, _e343, _e467, _e387, _e468, _e431, _e442);
 }
 let _e3489 = phi_9482_;
 let _e3494 = global_1.member.member_10.member_3;
@@ -1450,7 +1450,7 @@ let _e3495 = (_e3494 == 0u);
 if _e3495 {
 let _e3499 = global_1.member.member_9.member_1;
 let _e3507 = global_1.member.member_9.member;
-phi_9742_ = type_29(vec3<f32>(_e3499.member, _e3499.member_1, _e3499.member_2), vec3<f32>(_e3507.member, _e3507.member_1, _e3507.member_2));
+phi_9742_ = type_36(vec3<f32>(_e3499.member, _e3499.member_1, _e3499.member_2), vec3<f32>(_e3507.member, _e3507.member_1, _e3507.member_2));
 } else {
 let _e3516 = global_1.member.member_10.member;
 let _e3530 = ((((_e3516.member.member * _e3489.member.x) + (_e3516.member.member_1 * _e3489.member.y)) + (_e3516.member.member_2 * _e3489.member.z)) + _e3516.member_1);
@@ -1506,7 +1506,7 @@ let _e3686 = select(1f, (_e3669 * _e3680), _e3659);
 let _e3691 = global_1.member.member_10.member.member;
 let _e3702 = global_1.member.member_10.member_1.member;
 let _e3716 = global_1.member.member_10.member_2.member;
-phi_9742_ = type_29(vec3<f32>((_e3564.member * _e3654), (_e3564.member_1 * _e3654), (_e3564.member_2 * _e3654)), (vec3<f32>(((_e3691.member * _e3684) + (_e3702.member * _e3685)), ((_e3691.member_1 * _e3684) + (_e3702.member_1 * _e3685)), ((_e3691.member_2 * _e3684) + (_e3702.member_2 * _e3685))) + vec3<f32>((_e3716.member * _e3686), (_e3716.member_1 * _e3686), (_e3716.member_2 * _e3686))));
+phi_9742_ = type_36(vec3<f32>((_e3564.member * _e3654), (_e3564.member_1 * _e3654), (_e3564.member_2 * _e3654)), (vec3<f32>(((_e3691.member * _e3684) + (_e3702.member * _e3685)), ((_e3691.member_1 * _e3684) + (_e3702.member_1 * _e3685)), ((_e3691.member_2 * _e3684) + (_e3702.member_2 * _e3685))) + vec3<f32>((_e3716.member * _e3686), (_e3716.member_1 * _e3686), (_e3716.member_2 * _e3686))));
 }
 let _e3728 = phi_9742_;
 phi_9744_ = _e3489;
@@ -1686,7 +1686,7 @@ let _e4159 = select(select(select(select(select(select(0f, _e3882.member, _e3928
 let _e4160 = select(select(select(select(select(select(0f, _e3882.member_1, _e3928), _e3882.member_1, _e3968), _e3890.member_1, _e4014), _e3890.member_1, _e4054), _e3898.member_1, _e4100), _e3898.member_1, _e4140);
 let _e4161 = select(select(select(select(select(select(1f, _e3882.member_2, _e3928), _e3882.member_2, _e3968), _e3890.member_2, _e4014), _e3890.member_2, _e4054), _e3898.member_2, _e4100), _e3898.member_2, _e4140);
 if _e2660 {
-phi_11220_ = type_36(_e4146, vec3<f32>(_e4147, _e4148, _e4149), _e4151, vec3<f32>(_e4152, _e4153, _e4154), _e4156, _e4158, vec3<f32>(_e4159, _e4160, _e4161));
+phi_11220_ = type_35(_e4146, vec3<f32>(_e4147, _e4148, _e4149), _e4151, vec3<f32>(_e4152, _e4153, _e4154), _e4156, _e4158, vec3<f32>(_e4159, _e4160, _e4161));
 } else {
 let _e4168 = (((_e3882.member * _e3882.member) + (_e3882.member_1 * _e3882.member_1)) + (_e3882.member_2 * _e3882.member_2));
 let _e4171 = sqrt(select(0f, _e4168, (_e4168 > 0f)));
@@ -1766,7 +1766,7 @@ let _e4455 = select(2f, select(0f, _e4447, (_e4428 < 0f)), (_e4429 > 0f));
 let _e4456 = (_e4428 > _e4394);
 let _e4460 = ((_e4451 > _e4386) || ((_e4451 == _e4386) && _e4456));
 let _e4461 = (_e4455 < _e4390);
-phi_11220_ = type_36(select(_e4386, _e4451, _e4460), vec3<f32>(select(select(select(select(_e4147, _e4206.member, _e4232), _e4282.member, _e4308), _e4358.member, _e4384), _e4434.member, _e4460), select(select(select(select(_e4148, _e4206.member_1, _e4232), _e4282.member_1, _e4308), _e4358.member_1, _e4384), _e4434.member_1, _e4460), select(select(select(select(_e4149, _e4206.member_2, _e4232), _e4282.member_2, _e4308), _e4358.member_2, _e4384), _e4434.member_2, _e4460)), select(_e4390, _e4455, _e4461), vec3<f32>(select(select(select(select(_e4152, _e4206.member, _e4233), _e4282.member, _e4309), _e4358.member, _e4385), _e4434.member, _e4461), select(select(select(select(_e4153, _e4206.member_1, _e4233), _e4282.member_1, _e4309), _e4358.member_1, _e4385), _e4434.member_1, _e4461), select(select(select(select(_e4154, _e4206.member_2, _e4233), _e4282.member_2, _e4309), _e4358.member_2, _e4385), _e4434.member_2, _e4461)), select(_e4394, _e4428, _e4456), select(_e4396, _e4429, (_e4429 > _e4396)), vec3<f32>(select(select(select(select(_e4159, _e4206.member, _e4228), _e4282.member, _e4304), _e4358.member, _e4380), _e4434.member, _e4456), select(select(select(select(_e4160, _e4206.member_1, _e4228), _e4282.member_1, _e4304), _e4358.member_1, _e4380), _e4434.member_1, _e4456), select(select(select(select(_e4161, _e4206.member_2, _e4228), _e4282.member_2, _e4304), _e4358.member_2, _e4380), _e4434.member_2, _e4456)));
+phi_11220_ = type_35(select(_e4386, _e4451, _e4460), vec3<f32>(select(select(select(select(_e4147, _e4206.member, _e4232), _e4282.member, _e4308), _e4358.member, _e4384), _e4434.member, _e4460), select(select(select(select(_e4148, _e4206.member_1, _e4232), _e4282.member_1, _e4308), _e4358.member_1, _e4384), _e4434.member_1, _e4460), select(select(select(select(_e4149, _e4206.member_2, _e4232), _e4282.member_2, _e4308), _e4358.member_2, _e4384), _e4434.member_2, _e4460)), select(_e4390, _e4455, _e4461), vec3<f32>(select(select(select(select(_e4152, _e4206.member, _e4233), _e4282.member, _e4309), _e4358.member, _e4385), _e4434.member, _e4461), select(select(select(select(_e4153, _e4206.member_1, _e4233), _e4282.member_1, _e4309), _e4358.member_1, _e4385), _e4434.member_1, _e4461), select(select(select(select(_e4154, _e4206.member_2, _e4233), _e4282.member_2, _e4309), _e4358.member_2, _e4385), _e4434.member_2, _e4461)), select(_e4394, _e4428, _e4456), select(_e4396, _e4429, (_e4429 > _e4396)), vec3<f32>(select(select(select(select(_e4159, _e4206.member, _e4228), _e4282.member, _e4304), _e4358.member, _e4380), _e4434.member, _e4456), select(select(select(select(_e4160, _e4206.member_1, _e4228), _e4282.member_1, _e4304), _e4358.member_1, _e4380), _e4434.member_1, _e4456), select(select(select(select(_e4161, _e4206.member_2, _e4228), _e4282.member_2, _e4304), _e4358.member_2, _e4380), _e4434.member_2, _e4456)));
 }
 let _e4481 = phi_11220_;
 if _e3743 {
@@ -1776,7 +1776,7 @@ phi_11232_ = ((_e4481.member <= 1f) && (_e4481.member < _e4481.member_2));
 }
 let _e4489 = phi_11232_;
 if (!(_e3743) && !(_e4489)) {
-phi_25348_ = type_33(_e3730.member, _e3730.member_1, _e3730.member_2, 3f, _e3730.member_4, _e3730.member_5, _e3730.member_6, _e3730.member_7, _e3730.member_8, _e3730.member_9);
+phi_25348_ = type_32(_e3730.member, _e3730.member_1, _e3730.member_2, 3f, _e3730.member_4, _e3730.member_5, _e3730.member_6, _e3730.member_7, _e3730.member_8, _e3730.member_9);
 phi_25349_ = _e3732;
 phi_25350_ = _e3734;
 } else {
@@ -1847,7 +1847,7 @@ let _e4739 = global_1.member.member_6.member_11.member_1;
 let _e4750 = ((_e4726 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4733) * ((_e4727 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4739) * (_e4728 >> bitcast<u32>(4i))))));
 let _e4752 = (bitcast<i32>(_e212) - 1i);
 let _e4754 = select(_e4752, _e4750, (_e4750 < _e4752));
-let _e4760 = global_4.member[bitcast<u32>(select(0i, _e4754, (_e4754 > 0i)))];
+let _e4760 = global_2.member[bitcast<u32>(select(0i, _e4754, (_e4754 > 0i)))];
 let _e4762 = (_e4726 & 15i);
 let _e4765 = ((_e4727 & 15i) * _e4721);
 let _e4767 = (bitcast<i32>(_e4760) + ((_e4728 & 15i) * _e4725));
@@ -1855,53 +1855,53 @@ let _e4771 = (_e4765 + _e4721);
 let _e4773 = (_e4765 + (2i * _e4721));
 let _e4774 = (_e4767 + _e4725);
 let _e4776 = (_e4767 + (2i * _e4725));
-local_24 = type_32(array<i32, 4>(_e4762, (_e4762 + 1i), (_e4762 + 2i), (_e4762 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_24 = type_29(array<i32, 4>(_e4762, (_e4762 + 1i), (_e4762 + 2i), (_e4762 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_25 = vec3<f32>((_e4662 - f32(_e4687)), (_e4667 - f32(_e4702)), (_e4672 - f32(_e4717)));
 let _e4787 = (_e4774 + _e4771);
 let _e4790 = local_24.member[1u];
 let _e4791 = (_e4787 + _e4790);
 let _e4793 = select(_e4752, _e4791, (_e4791 < _e4752));
-let _e4798 = global_4.member[bitcast<u32>(select(0i, _e4793, (_e4793 > 0i)))];
+let _e4798 = global_2.member[bitcast<u32>(select(0i, _e4793, (_e4793 > 0i)))];
 let _e4799 = bitcast<f32>(_e4798);
 let _e4802 = local_24.member[2u];
 let _e4803 = (_e4787 + _e4802);
 let _e4805 = select(_e4752, _e4803, (_e4803 < _e4752));
-let _e4810 = global_4.member[bitcast<u32>(select(0i, _e4805, (_e4805 > 0i)))];
+let _e4810 = global_2.member[bitcast<u32>(select(0i, _e4805, (_e4805 > 0i)))];
 let _e4812 = local_25[0u];
 let _e4815 = (_e4799 + ((bitcast<f32>(_e4810) - _e4799) * _e4812));
 let _e4816 = (_e4774 + _e4773);
 let _e4817 = local_24.member[1u];
 let _e4818 = (_e4816 + _e4817);
 let _e4820 = select(_e4752, _e4818, (_e4818 < _e4752));
-let _e4825 = global_4.member[bitcast<u32>(select(0i, _e4820, (_e4820 > 0i)))];
+let _e4825 = global_2.member[bitcast<u32>(select(0i, _e4820, (_e4820 > 0i)))];
 let _e4826 = bitcast<f32>(_e4825);
 let _e4827 = local_24.member[2u];
 let _e4828 = (_e4816 + _e4827);
 let _e4830 = select(_e4752, _e4828, (_e4828 < _e4752));
-let _e4835 = global_4.member[bitcast<u32>(select(0i, _e4830, (_e4830 > 0i)))];
+let _e4835 = global_2.member[bitcast<u32>(select(0i, _e4830, (_e4830 > 0i)))];
 let _e4837 = local_25[0u];
 let _e4841 = (_e4776 + _e4771);
 let _e4842 = local_24.member[1u];
 let _e4843 = (_e4841 + _e4842);
 let _e4845 = select(_e4752, _e4843, (_e4843 < _e4752));
-let _e4850 = global_4.member[bitcast<u32>(select(0i, _e4845, (_e4845 > 0i)))];
+let _e4850 = global_2.member[bitcast<u32>(select(0i, _e4845, (_e4845 > 0i)))];
 let _e4851 = bitcast<f32>(_e4850);
 let _e4852 = local_24.member[2u];
 let _e4853 = (_e4841 + _e4852);
 let _e4855 = select(_e4752, _e4853, (_e4853 < _e4752));
-let _e4860 = global_4.member[bitcast<u32>(select(0i, _e4855, (_e4855 > 0i)))];
+let _e4860 = global_2.member[bitcast<u32>(select(0i, _e4855, (_e4855 > 0i)))];
 let _e4862 = local_25[0u];
 let _e4865 = (_e4851 + ((bitcast<f32>(_e4860) - _e4851) * _e4862));
 let _e4866 = (_e4776 + _e4773);
 let _e4867 = local_24.member[1u];
 let _e4868 = (_e4866 + _e4867);
 let _e4870 = select(_e4752, _e4868, (_e4868 < _e4752));
-let _e4875 = global_4.member[bitcast<u32>(select(0i, _e4870, (_e4870 > 0i)))];
+let _e4875 = global_2.member[bitcast<u32>(select(0i, _e4870, (_e4870 > 0i)))];
 let _e4876 = bitcast<f32>(_e4875);
 let _e4877 = local_24.member[2u];
 let _e4878 = (_e4866 + _e4877);
 let _e4880 = select(_e4752, _e4878, (_e4878 < _e4752));
-let _e4885 = global_4.member[bitcast<u32>(select(0i, _e4880, (_e4880 > 0i)))];
+let _e4885 = global_2.member[bitcast<u32>(select(0i, _e4880, (_e4880 > 0i)))];
 let _e4887 = local_25[0u];
 let _e4892 = local_25[1u];
 let _e4895 = (_e4815 + (((_e4826 + ((bitcast<f32>(_e4835) - _e4826) * _e4837)) - _e4815) * _e4892));
@@ -1950,7 +1950,7 @@ let _e5034 = (_e5024 + (3i * _e4980));
 let _e5035 = (_e5026 + _e4984);
 let _e5037 = (_e5026 + (2i * _e4984));
 let _e5039 = (_e5026 + (3i * _e4984));
-local_22 = type_32(array<i32, 4>(_e5021, (_e5021 + 1i), (_e5021 + 2i), (_e5021 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_29(array<i32, 4>(_e5021, (_e5021 + 1i), (_e5021 + 2i), (_e5021 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e4923 - f32(_e4946)), (_e4927 - f32(_e4961)), (_e4931 - f32(_e4976)));
 let _e5050 = (_e5035 + _e5030);
 let _e5053 = local_22.member[0u];
@@ -2198,50 +2198,50 @@ local_21 = _e5598;
 let _e5599 = local_21;
 let _e5601 = (bitcast<i32>(_e218) - 1i);
 let _e5603 = select(_e5601, 263197i, (263197i < _e5601));
-let _e5608 = global_5.member[bitcast<u32>(select(0i, _e5603, (_e5603 > 0i)))];
+let _e5608 = global_3.member[bitcast<u32>(select(0i, _e5603, (_e5603 > 0i)))];
 let _e5609 = bitcast<f32>(_e5608);
 let _e5611 = select(_e5601, 263198i, (263198i < _e5601));
 let _e5614 = bitcast<u32>(select(0i, _e5611, (_e5611 > 0i)));
-let _e5616 = global_5.member[_e5614];
+let _e5616 = global_3.member[_e5614];
 let _e5617 = bitcast<f32>(_e5616);
 let _e5619 = select(_e5601, 263199i, (263199i < _e5601));
-let _e5624 = global_5.member[bitcast<u32>(select(0i, _e5619, (_e5619 > 0i)))];
+let _e5624 = global_3.member[bitcast<u32>(select(0i, _e5619, (_e5619 > 0i)))];
 let _e5625 = bitcast<f32>(_e5624);
 let _e5627 = ((_e5599 - _e5609) * _e5617);
 let _e5629 = select(0f, _e5627, (_e5627 > 0f));
 let _e5632 = local_21;
 let _e5634 = select(_e5601, 263200i, (263200i < _e5601));
-let _e5639 = global_5.member[bitcast<u32>(select(0i, _e5634, (_e5634 > 0i)))];
+let _e5639 = global_3.member[bitcast<u32>(select(0i, _e5634, (_e5634 > 0i)))];
 let _e5640 = bitcast<f32>(_e5639);
 let _e5642 = select(_e5601, 263201i, (263201i < _e5601));
-let _e5647 = global_5.member[bitcast<u32>(select(0i, _e5642, (_e5642 > 0i)))];
+let _e5647 = global_3.member[bitcast<u32>(select(0i, _e5642, (_e5642 > 0i)))];
 let _e5648 = bitcast<f32>(_e5647);
 let _e5650 = select(_e5601, 263202i, (263202i < _e5601));
-let _e5655 = global_5.member[bitcast<u32>(select(0i, _e5650, (_e5650 > 0i)))];
+let _e5655 = global_3.member[bitcast<u32>(select(0i, _e5650, (_e5650 > 0i)))];
 let _e5656 = bitcast<f32>(_e5655);
 let _e5658 = ((_e5632 - _e5640) * _e5648);
 let _e5660 = select(0f, _e5658, (_e5658 > 0f));
 let _e5664 = local_21;
 let _e5666 = select(_e5601, 263203i, (263203i < _e5601));
-let _e5671 = global_5.member[bitcast<u32>(select(0i, _e5666, (_e5666 > 0i)))];
+let _e5671 = global_3.member[bitcast<u32>(select(0i, _e5666, (_e5666 > 0i)))];
 let _e5672 = bitcast<f32>(_e5671);
 let _e5674 = select(_e5601, 263204i, (263204i < _e5601));
-let _e5679 = global_5.member[bitcast<u32>(select(0i, _e5674, (_e5674 > 0i)))];
+let _e5679 = global_3.member[bitcast<u32>(select(0i, _e5674, (_e5674 > 0i)))];
 let _e5680 = bitcast<f32>(_e5679);
 let _e5682 = select(_e5601, 263205i, (263205i < _e5601));
-let _e5687 = global_5.member[bitcast<u32>(select(0i, _e5682, (_e5682 > 0i)))];
+let _e5687 = global_3.member[bitcast<u32>(select(0i, _e5682, (_e5682 > 0i)))];
 let _e5688 = bitcast<f32>(_e5687);
 let _e5690 = ((_e5664 - _e5672) * _e5680);
 let _e5692 = select(0f, _e5690, (_e5690 > 0f));
 let _e5695 = local_21;
 let _e5697 = select(_e5601, 263206i, (263206i < _e5601));
-let _e5702 = global_5.member[bitcast<u32>(select(0i, _e5697, (_e5697 > 0i)))];
+let _e5702 = global_3.member[bitcast<u32>(select(0i, _e5697, (_e5697 > 0i)))];
 let _e5703 = bitcast<f32>(_e5702);
 let _e5705 = select(_e5601, 263207i, (263207i < _e5601));
-let _e5710 = global_5.member[bitcast<u32>(select(0i, _e5705, (_e5705 > 0i)))];
+let _e5710 = global_3.member[bitcast<u32>(select(0i, _e5705, (_e5705 > 0i)))];
 let _e5711 = bitcast<f32>(_e5710);
 let _e5713 = select(_e5601, 263208i, (263208i < _e5601));
-let _e5718 = global_5.member[bitcast<u32>(select(0i, _e5713, (_e5713 > 0i)))];
+let _e5718 = global_3.member[bitcast<u32>(select(0i, _e5713, (_e5713 > 0i)))];
 let _e5719 = bitcast<f32>(_e5718);
 let _e5721 = ((_e5695 - _e5703) * _e5711);
 let _e5723 = select(0f, _e5721, (_e5721 > 0f));
@@ -2252,34 +2252,34 @@ let _e5738 = select(0i, select(select(i32(_e5731), i32(-2147483648), (_e5731 < -
 let _e5742 = (_e5738 - select(0i, 1i, (_e5731 < f32(_e5738))));
 let _e5743 = (262147i + _e5742);
 let _e5745 = select(_e5601, _e5743, (_e5743 < _e5601));
-let _e5751 = global_5.member[bitcast<u32>(select(0i, _e5745, (_e5745 > 0i)))];
+let _e5751 = global_3.member[bitcast<u32>(select(0i, _e5745, (_e5745 > 0i)))];
 let _e5761 = select(_e5601, 262146i, (262146i < _e5601));
-let _e5767 = global_5.member[bitcast<u32>(select(0i, _e5761, (_e5761 > 0i)))];
+let _e5767 = global_3.member[bitcast<u32>(select(0i, _e5761, (_e5761 > 0i)))];
 let _e5768 = bitcast<f32>(_e5767);
 let _e5769 = (f32((bitcast<i32>((_e5751 & 4095u)) - 2048i)) * _e5768);
 let _e5771 = select(_e5601, 262144i, (262144i < _e5601));
-let _e5777 = global_5.member[bitcast<u32>(select(0i, _e5771, (_e5771 > 0i)))];
+let _e5777 = global_3.member[bitcast<u32>(select(0i, _e5771, (_e5771 > 0i)))];
 let _e5778 = bitcast<f32>(_e5777);
 let _e5780 = select(_e5601, 262145i, (262145i < _e5601));
-let _e5786 = global_5.member[bitcast<u32>(select(0i, _e5780, (_e5780 > 0i)))];
+let _e5786 = global_3.member[bitcast<u32>(select(0i, _e5780, (_e5780 > 0i)))];
 let _e5787 = bitcast<f32>(_e5786);
 let _e5793 = ((_e5778 + (f32(bitcast<i32>((_e5751 >> bitcast<u32>(12u)))) * _e5787)) + (_e5769 * (_e5727 - f32(_e5742))));
-let _e5796 = global_5.member[_e5614];
+let _e5796 = global_3.member[_e5614];
 let _e5798 = local_20;
 let _e5801 = local_20;
 let _e5804 = local_20;
 let _e5808 = select(_e5601, 263209i, (263209i < _e5601));
-let _e5814 = global_5.member[bitcast<u32>(select(0i, _e5808, (_e5808 > 0i)))];
+let _e5814 = global_3.member[bitcast<u32>(select(0i, _e5808, (_e5808 > 0i)))];
 let _e5816 = local_20;
 let _e5819 = select(_e5601, 263210i, (263210i < _e5601));
-let _e5825 = global_5.member[bitcast<u32>(select(0i, _e5819, (_e5819 > 0i)))];
+let _e5825 = global_3.member[bitcast<u32>(select(0i, _e5819, (_e5819 > 0i)))];
 let _e5827 = local_20;
 let _e5831 = (_e5769 * select(0f, select(select(select(bitcast<f32>(_e5796), _e5648, (_e5798 >= _e5640)), _e5680, (_e5801 >= _e5672)), _e5711, (_e5804 >= _e5703)), ((_e5816 >= bitcast<f32>(_e5814)) && (_e5827 <= bitcast<f32>(_e5825)))));
 if _e567 {
 let _e5838 = ((0.5f * (_e5573 - _e5567)) * _e5831);
 let _e5839 = ((0.5f * (_e5585 - _e5579)) * _e5831);
 let _e5840 = ((0.5f * (_e5597 - _e5591)) * _e5831);
-phi_17828_ = type_34(_e5793, vec3<f32>(_e5838, _e5839, _e5840), vec3<f32>((_e5838 * _e5793), (_e5839 * _e5793), (_e5840 * _e5793)));
+phi_17828_ = type_33(_e5793, vec3<f32>(_e5838, _e5839, _e5840), vec3<f32>((_e5838 * _e5793), (_e5839 * _e5793), (_e5840 * _e5793)));
 } else {
 local_18 = _e5567;
 let _e5847 = local_18;
@@ -2303,7 +2303,7 @@ let _e5889 = select(0i, select(select(i32(_e5882), i32(-2147483648), (_e5882 < -
 let _e5893 = (_e5889 - select(0i, 1i, (_e5882 < f32(_e5889))));
 let _e5894 = (262147i + _e5893);
 let _e5896 = select(_e5601, _e5894, (_e5894 < _e5601));
-let _e5902 = global_5.member[bitcast<u32>(select(0i, _e5896, (_e5896 > 0i)))];
+let _e5902 = global_3.member[bitcast<u32>(select(0i, _e5896, (_e5896 > 0i)))];
 let _e5917 = ((_e5778 + (f32(bitcast<i32>((_e5902 >> bitcast<u32>(12u)))) * _e5787)) + ((f32((bitcast<i32>((_e5902 & 4095u)) - 2048i)) * _e5768) * (_e5878 - f32(_e5893))));
 local_16 = _e5573;
 let _e5918 = local_16;
@@ -2327,7 +2327,7 @@ let _e5960 = select(0i, select(select(i32(_e5953), i32(-2147483648), (_e5953 < -
 let _e5964 = (_e5960 - select(0i, 1i, (_e5953 < f32(_e5960))));
 let _e5965 = (262147i + _e5964);
 let _e5967 = select(_e5601, _e5965, (_e5965 < _e5601));
-let _e5973 = global_5.member[bitcast<u32>(select(0i, _e5967, (_e5967 > 0i)))];
+let _e5973 = global_3.member[bitcast<u32>(select(0i, _e5967, (_e5967 > 0i)))];
 let _e5988 = ((_e5778 + (f32(bitcast<i32>((_e5973 >> bitcast<u32>(12u)))) * _e5787)) + ((f32((bitcast<i32>((_e5973 & 4095u)) - 2048i)) * _e5768) * (_e5949 - f32(_e5964))));
 local_14 = _e5579;
 let _e5989 = local_14;
@@ -2351,7 +2351,7 @@ let _e6031 = select(0i, select(select(i32(_e6024), i32(-2147483648), (_e6024 < -
 let _e6035 = (_e6031 - select(0i, 1i, (_e6024 < f32(_e6031))));
 let _e6036 = (262147i + _e6035);
 let _e6038 = select(_e5601, _e6036, (_e6036 < _e5601));
-let _e6044 = global_5.member[bitcast<u32>(select(0i, _e6038, (_e6038 > 0i)))];
+let _e6044 = global_3.member[bitcast<u32>(select(0i, _e6038, (_e6038 > 0i)))];
 let _e6059 = ((_e5778 + (f32(bitcast<i32>((_e6044 >> bitcast<u32>(12u)))) * _e5787)) + ((f32((bitcast<i32>((_e6044 & 4095u)) - 2048i)) * _e5768) * (_e6020 - f32(_e6035))));
 local_12 = _e5585;
 let _e6060 = local_12;
@@ -2375,7 +2375,7 @@ let _e6102 = select(0i, select(select(i32(_e6095), i32(-2147483648), (_e6095 < -
 let _e6106 = (_e6102 - select(0i, 1i, (_e6095 < f32(_e6102))));
 let _e6107 = (262147i + _e6106);
 let _e6109 = select(_e5601, _e6107, (_e6107 < _e5601));
-let _e6115 = global_5.member[bitcast<u32>(select(0i, _e6109, (_e6109 > 0i)))];
+let _e6115 = global_3.member[bitcast<u32>(select(0i, _e6109, (_e6109 > 0i)))];
 let _e6130 = ((_e5778 + (f32(bitcast<i32>((_e6115 >> bitcast<u32>(12u)))) * _e5787)) + ((f32((bitcast<i32>((_e6115 & 4095u)) - 2048i)) * _e5768) * (_e6091 - f32(_e6106))));
 local_10 = _e5591;
 let _e6131 = local_10;
@@ -2399,7 +2399,7 @@ let _e6173 = select(0i, select(select(i32(_e6166), i32(-2147483648), (_e6166 < -
 let _e6177 = (_e6173 - select(0i, 1i, (_e6166 < f32(_e6173))));
 let _e6178 = (262147i + _e6177);
 let _e6180 = select(_e5601, _e6178, (_e6178 < _e5601));
-let _e6186 = global_5.member[bitcast<u32>(select(0i, _e6180, (_e6180 > 0i)))];
+let _e6186 = global_3.member[bitcast<u32>(select(0i, _e6180, (_e6180 > 0i)))];
 let _e6201 = ((_e5778 + (f32(bitcast<i32>((_e6186 >> bitcast<u32>(12u)))) * _e5787)) + ((f32((bitcast<i32>((_e6186 & 4095u)) - 2048i)) * _e5768) * (_e6162 - f32(_e6177))));
 local_8 = _e5597;
 let _e6202 = local_8;
@@ -2423,12 +2423,12 @@ let _e6244 = select(0i, select(select(i32(_e6237), i32(-2147483648), (_e6237 < -
 let _e6248 = (_e6244 - select(0i, 1i, (_e6237 < f32(_e6244))));
 let _e6249 = (262147i + _e6248);
 let _e6251 = select(_e5601, _e6249, (_e6249 < _e5601));
-let _e6257 = global_5.member[bitcast<u32>(select(0i, _e6251, (_e6251 > 0i)))];
+let _e6257 = global_3.member[bitcast<u32>(select(0i, _e6251, (_e6251 > 0i)))];
 let _e6272 = ((_e5778 + (f32(bitcast<i32>((_e6257 >> bitcast<u32>(12u)))) * _e5787)) + ((f32((bitcast<i32>((_e6257 & 4095u)) - 2048i)) * _e5768) * (_e6233 - f32(_e6248))));
 let _e6273 = (_e5988 - _e5917);
 let _e6275 = (_e6130 - _e6059);
 let _e6277 = (_e6272 - _e6201);
-phi_17828_ = type_34(_e5793, vec3<f32>((0.5f * _e6273), (0.5f * _e6275), (0.5f * _e6277)), vec3<f32>((0.25f * (_e6273 * (_e5988 + _e5917))), (0.25f * (_e6275 * (_e6130 + _e6059))), (0.25f * (_e6277 * (_e6272 + _e6201)))));
+phi_17828_ = type_33(_e5793, vec3<f32>((0.5f * _e6273), (0.5f * _e6275), (0.5f * _e6277)), vec3<f32>((0.25f * (_e6273 * (_e5988 + _e5917))), (0.25f * (_e6275 * (_e6130 + _e6059))), (0.25f * (_e6277 * (_e6272 + _e6201)))));
 }
 let _e6292 = phi_17828_;
 let _e6307 = select(0f, 1f, ((((((_e4645 >= -0.5f) && (_e4645 <= _e3907)) && (_e4651 >= -0.5f)) && (_e4651 <= _e3993)) && (_e4657 >= -0.5f)) && (_e4657 <= _e4079)));
@@ -2444,7 +2444,7 @@ let _e6349 = global_1.member.member_7.member_1.member.member_2;
 let _e6355 = global_1.member.member_7.member_2.member.member;
 let _e6361 = global_1.member.member_7.member_2.member.member_1;
 let _e6367 = global_1.member.member_7.member_2.member.member_2;
-phi_18438_ = type_35(select(1e9f, _e4917, (_e4917 < 1e9f)), vec3<f32>(((((_e6319 * _e6309) + (_e6337 * _e6311)) + (_e6355 * _e6313)) * _e6307), ((((_e6325 * _e6309) + (_e6343 * _e6311)) + (_e6361 * _e6313)) * _e6307), ((((_e6331 * _e6309) + (_e6349 * _e6311)) + (_e6367 * _e6313)) * _e6307)), _e6292.member, vec3<f32>(((((_e6319 * _e6292.member_2.x) + (_e6337 * _e6292.member_2.y)) + (_e6355 * _e6292.member_2.z)) * _e6307), ((((_e6325 * _e6292.member_2.x) + (_e6343 * _e6292.member_2.y)) + (_e6361 * _e6292.member_2.z)) * _e6307), ((((_e6331 * _e6292.member_2.x) + (_e6349 * _e6292.member_2.y)) + (_e6367 * _e6292.member_2.z)) * _e6307)), vec3<f32>(((((_e6319 * _e6292.member_1.x) + (_e6337 * _e6292.member_1.y)) + (_e6355 * _e6292.member_1.z)) * _e6307), ((((_e6325 * _e6292.member_1.x) + (_e6343 * _e6292.member_1.y)) + (_e6361 * _e6292.member_1.z)) * _e6307), ((((_e6331 * _e6292.member_1.x) + (_e6349 * _e6292.member_1.y)) + (_e6367 * _e6292.member_1.z)) * _e6307)));
+phi_18438_ = type_34(select(1e9f, _e4917, (_e4917 < 1e9f)), vec3<f32>(((((_e6319 * _e6309) + (_e6337 * _e6311)) + (_e6355 * _e6313)) * _e6307), ((((_e6325 * _e6309) + (_e6343 * _e6311)) + (_e6361 * _e6313)) * _e6307), ((((_e6331 * _e6309) + (_e6349 * _e6311)) + (_e6367 * _e6313)) * _e6307)), _e6292.member, vec3<f32>(((((_e6319 * _e6292.member_2.x) + (_e6337 * _e6292.member_2.y)) + (_e6355 * _e6292.member_2.z)) * _e6307), ((((_e6325 * _e6292.member_2.x) + (_e6343 * _e6292.member_2.y)) + (_e6361 * _e6292.member_2.z)) * _e6307), ((((_e6331 * _e6292.member_2.x) + (_e6349 * _e6292.member_2.y)) + (_e6367 * _e6292.member_2.z)) * _e6307)), vec3<f32>(((((_e6319 * _e6292.member_1.x) + (_e6337 * _e6292.member_1.y)) + (_e6355 * _e6292.member_1.z)) * _e6307), ((((_e6325 * _e6292.member_1.x) + (_e6343 * _e6292.member_1.y)) + (_e6361 * _e6292.member_1.z)) * _e6307), ((((_e6331 * _e6292.member_1.x) + (_e6349 * _e6292.member_1.y)) + (_e6367 * _e6292.member_1.z)) * _e6307)));
 } else {
 let _e6432 = (_e3793 - 0.5f);
 let _e6434 = select(-0.5f, _e4627, (_e4627 > -0.5f));
@@ -2477,7 +2477,7 @@ let _e6513 = global_1.member.member_6.member_11.member_1;
 let _e6524 = ((_e6500 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6507) * ((_e6501 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6513) * (_e6502 >> bitcast<u32>(4i))))));
 let _e6526 = (bitcast<i32>(_e212) - 1i);
 let _e6528 = select(_e6526, _e6524, (_e6524 < _e6526));
-let _e6534 = global_4.member[bitcast<u32>(select(0i, _e6528, (_e6528 > 0i)))];
+let _e6534 = global_2.member[bitcast<u32>(select(0i, _e6528, (_e6528 > 0i)))];
 let _e6536 = (_e6500 & 15i);
 let _e6539 = ((_e6501 & 15i) * _e6495);
 let _e6541 = (bitcast<i32>(_e6534) + ((_e6502 & 15i) * _e6499));
@@ -2485,30 +2485,30 @@ let _e6545 = (_e6539 + _e6495);
 let _e6547 = (_e6539 + (2i * _e6495));
 let _e6548 = (_e6541 + _e6499);
 let _e6550 = (_e6541 + (2i * _e6499));
-local_6 = type_32(array<i32, 4>(_e6536, (_e6536 + 1i), (_e6536 + 2i), (_e6536 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_29(array<i32, 4>(_e6536, (_e6536 + 1i), (_e6536 + 2i), (_e6536 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e6436 - f32(_e6461)), (_e6441 - f32(_e6476)), (_e6446 - f32(_e6491)));
 let _e6561 = (_e6548 + _e6545);
 let _e6564 = local_6.member[1u];
 let _e6565 = (_e6561 + _e6564);
 let _e6567 = select(_e6526, _e6565, (_e6565 < _e6526));
-let _e6572 = global_4.member[bitcast<u32>(select(0i, _e6567, (_e6567 > 0i)))];
+let _e6572 = global_2.member[bitcast<u32>(select(0i, _e6567, (_e6567 > 0i)))];
 let _e6573 = bitcast<f32>(_e6572);
 let _e6576 = local_6.member[2u];
 let _e6577 = (_e6561 + _e6576);
 let _e6579 = select(_e6526, _e6577, (_e6577 < _e6526));
-let _e6584 = global_4.member[bitcast<u32>(select(0i, _e6579, (_e6579 > 0i)))];
+let _e6584 = global_2.member[bitcast<u32>(select(0i, _e6579, (_e6579 > 0i)))];
 let _e6586 = local_7[0u];
 let _e6589 = (_e6573 + ((bitcast<f32>(_e6584) - _e6573) * _e6586));
 let _e6590 = (_e6548 + _e6547);
 let _e6591 = local_6.member[1u];
 let _e6592 = (_e6590 + _e6591);
 let _e6594 = select(_e6526, _e6592, (_e6592 < _e6526));
-let _e6599 = global_4.member[bitcast<u32>(select(0i, _e6594, (_e6594 > 0i)))];
+let _e6599 = global_2.member[bitcast<u32>(select(0i, _e6594, (_e6594 > 0i)))];
 let _e6600 = bitcast<f32>(_e6599);
 let _e6601 = local_6.member[2u];
 let _e6602 = (_e6590 + _e6601);
 let _e6604 = select(_e6526, _e6602, (_e6602 < _e6526));
-let _e6609 = global_4.member[bitcast<u32>(select(0i, _e6604, (_e6604 > 0i)))];
+let _e6609 = global_2.member[bitcast<u32>(select(0i, _e6604, (_e6604 > 0i)))];
 let _e6611 = local_7[0u];
 let _e6616 = local_7[1u];
 let _e6619 = (_e6589 + (((_e6600 + ((bitcast<f32>(_e6609) - _e6600) * _e6611)) - _e6589) * _e6616));
@@ -2516,24 +2516,24 @@ let _e6620 = (_e6550 + _e6545);
 let _e6621 = local_6.member[1u];
 let _e6622 = (_e6620 + _e6621);
 let _e6624 = select(_e6526, _e6622, (_e6622 < _e6526));
-let _e6629 = global_4.member[bitcast<u32>(select(0i, _e6624, (_e6624 > 0i)))];
+let _e6629 = global_2.member[bitcast<u32>(select(0i, _e6624, (_e6624 > 0i)))];
 let _e6630 = bitcast<f32>(_e6629);
 let _e6631 = local_6.member[2u];
 let _e6632 = (_e6620 + _e6631);
 let _e6634 = select(_e6526, _e6632, (_e6632 < _e6526));
-let _e6639 = global_4.member[bitcast<u32>(select(0i, _e6634, (_e6634 > 0i)))];
+let _e6639 = global_2.member[bitcast<u32>(select(0i, _e6634, (_e6634 > 0i)))];
 let _e6641 = local_7[0u];
 let _e6644 = (_e6630 + ((bitcast<f32>(_e6639) - _e6630) * _e6641));
 let _e6645 = (_e6550 + _e6547);
 let _e6646 = local_6.member[1u];
 let _e6647 = (_e6645 + _e6646);
 let _e6649 = select(_e6526, _e6647, (_e6647 < _e6526));
-let _e6654 = global_4.member[bitcast<u32>(select(0i, _e6649, (_e6649 > 0i)))];
+let _e6654 = global_2.member[bitcast<u32>(select(0i, _e6649, (_e6649 > 0i)))];
 let _e6655 = bitcast<f32>(_e6654);
 let _e6656 = local_6.member[2u];
 let _e6657 = (_e6645 + _e6656);
 let _e6659 = select(_e6526, _e6657, (_e6657 < _e6526));
-let _e6664 = global_4.member[bitcast<u32>(select(0i, _e6659, (_e6659 > 0i)))];
+let _e6664 = global_2.member[bitcast<u32>(select(0i, _e6659, (_e6659 > 0i)))];
 let _e6666 = local_7[0u];
 let _e6670 = local_7[1u];
 let _e6675 = local_7[2u];
@@ -2542,11 +2542,11 @@ let _e6686 = global_1.member.member_6.member_5;
 let _e6688 = (((_e6619 + (((_e6644 + (((_e6655 + ((bitcast<f32>(_e6664) - _e6655) * _e6666)) - _e6644) * _e6670)) - _e6619) * _e6675)) - _e6682) * _e6686);
 let _e6689 = -(1e9f);
 let _e6691 = select(_e6689, _e6688, (_e6688 > _e6689));
-phi_18438_ = type_35(select(1e9f, _e6691, (_e6691 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_18438_ = type_34(select(1e9f, _e6691, (_e6691 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e6696 = phi_18438_;
 if _e2660 {
-phi_18830_ = type_5(1f, 1f, 1f);
+phi_18830_ = type_7(1f, 1f, 1f);
 } else {
 let _e6700 = global_1.member.member_14.member;
 let _e6711 = ((((_e6700.member.member * _e3730.member.x) + (_e6700.member.member_1 * _e3730.member.y)) + (_e6700.member.member_2 * _e3730.member.z)) + _e6700.member_1);
@@ -2592,7 +2592,7 @@ let _e6878 = select(0f, _e6876, (_e6876 > 0f));
 let _e6884 = select(select(select(1f, _e6878, (_e6878 < 1f)), 1f, (_e6871 <= 0f)), 0f, (_e6869 > 0f));
 let _e6889 = global_1.member.member_17.member_1;
 let _e6890 = (_e6889 != 0u);
-phi_18830_ = type_5(((((1f * _e6734) * _e6784) * _e6834) * _e6884), ((((1f * select(1f, _e6734, _e6740)) * select(1f, _e6784, _e6790)) * select(1f, _e6834, _e6840)) * select(1f, _e6884, _e6890)), ((((1f * select(1f, 0f, (_e6740 && (_e6717 > 0f)))) * select(1f, 0f, (_e6790 && (_e6767 > 0f)))) * select(1f, 0f, (_e6840 && (_e6817 > 0f)))) * select(1f, 0f, (_e6890 && (_e6867 > 0f)))));
+phi_18830_ = type_7(((((1f * _e6734) * _e6784) * _e6834) * _e6884), ((((1f * select(1f, _e6734, _e6740)) * select(1f, _e6784, _e6790)) * select(1f, _e6834, _e6840)) * select(1f, _e6884, _e6890)), ((((1f * select(1f, 0f, (_e6740 && (_e6717 > 0f)))) * select(1f, 0f, (_e6790 && (_e6767 > 0f)))) * select(1f, 0f, (_e6840 && (_e6817 > 0f)))) * select(1f, 0f, (_e6890 && (_e6867 > 0f)))));
 }
 let _e6899 = phi_18830_;
 let _e6902 = (select(0f, (_e4507 - 0.5f), _e4489) * _e3825);
@@ -2635,7 +2635,7 @@ let _e7019 = (_e7013 + _e6969);
 let _e7021 = (_e7013 + (2i * _e6969));
 let _e7022 = (_e7015 + _e6973);
 let _e7024 = (_e7015 + (2i * _e6973));
-local_4 = type_32(array<i32, 4>(_e7010, (_e7010 + 1i), (_e7010 + 2i), (_e7010 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_29(array<i32, 4>(_e7010, (_e7010 + 1i), (_e7010 + 2i), (_e7010 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e6912 - f32(_e6935)), (_e6916 - f32(_e6950)), (_e6920 - f32(_e6965)));
 let _e7035 = (_e7022 + _e7019);
 let _e7038 = local_4.member[1u];
@@ -2698,41 +2698,41 @@ local_3 = _e7168;
 let _e7169 = local_3;
 let _e7171 = (bitcast<i32>(_e218) - 1i);
 let _e7173 = select(_e7171, 263197i, (263197i < _e7171));
-let _e7178 = global_5.member[bitcast<u32>(select(0i, _e7173, (_e7173 > 0i)))];
+let _e7178 = global_3.member[bitcast<u32>(select(0i, _e7173, (_e7173 > 0i)))];
 let _e7181 = select(_e7171, 263198i, (263198i < _e7171));
-let _e7186 = global_5.member[bitcast<u32>(select(0i, _e7181, (_e7181 > 0i)))];
+let _e7186 = global_3.member[bitcast<u32>(select(0i, _e7181, (_e7181 > 0i)))];
 let _e7189 = select(_e7171, 263199i, (263199i < _e7171));
-let _e7194 = global_5.member[bitcast<u32>(select(0i, _e7189, (_e7189 > 0i)))];
+let _e7194 = global_3.member[bitcast<u32>(select(0i, _e7189, (_e7189 > 0i)))];
 let _e7195 = bitcast<f32>(_e7194);
 let _e7197 = ((_e7169 - bitcast<f32>(_e7178)) * bitcast<f32>(_e7186));
 let _e7199 = select(0f, _e7197, (_e7197 > 0f));
 let _e7202 = local_3;
 let _e7204 = select(_e7171, 263200i, (263200i < _e7171));
-let _e7209 = global_5.member[bitcast<u32>(select(0i, _e7204, (_e7204 > 0i)))];
+let _e7209 = global_3.member[bitcast<u32>(select(0i, _e7204, (_e7204 > 0i)))];
 let _e7212 = select(_e7171, 263201i, (263201i < _e7171));
-let _e7217 = global_5.member[bitcast<u32>(select(0i, _e7212, (_e7212 > 0i)))];
+let _e7217 = global_3.member[bitcast<u32>(select(0i, _e7212, (_e7212 > 0i)))];
 let _e7220 = select(_e7171, 263202i, (263202i < _e7171));
-let _e7225 = global_5.member[bitcast<u32>(select(0i, _e7220, (_e7220 > 0i)))];
+let _e7225 = global_3.member[bitcast<u32>(select(0i, _e7220, (_e7220 > 0i)))];
 let _e7226 = bitcast<f32>(_e7225);
 let _e7228 = ((_e7202 - bitcast<f32>(_e7209)) * bitcast<f32>(_e7217));
 let _e7230 = select(0f, _e7228, (_e7228 > 0f));
 let _e7234 = local_3;
 let _e7236 = select(_e7171, 263203i, (263203i < _e7171));
-let _e7241 = global_5.member[bitcast<u32>(select(0i, _e7236, (_e7236 > 0i)))];
+let _e7241 = global_3.member[bitcast<u32>(select(0i, _e7236, (_e7236 > 0i)))];
 let _e7244 = select(_e7171, 263204i, (263204i < _e7171));
-let _e7249 = global_5.member[bitcast<u32>(select(0i, _e7244, (_e7244 > 0i)))];
+let _e7249 = global_3.member[bitcast<u32>(select(0i, _e7244, (_e7244 > 0i)))];
 let _e7252 = select(_e7171, 263205i, (263205i < _e7171));
-let _e7257 = global_5.member[bitcast<u32>(select(0i, _e7252, (_e7252 > 0i)))];
+let _e7257 = global_3.member[bitcast<u32>(select(0i, _e7252, (_e7252 > 0i)))];
 let _e7258 = bitcast<f32>(_e7257);
 let _e7260 = ((_e7234 - bitcast<f32>(_e7241)) * bitcast<f32>(_e7249));
 let _e7262 = select(0f, _e7260, (_e7260 > 0f));
 let _e7265 = local_3;
 let _e7267 = select(_e7171, 263206i, (263206i < _e7171));
-let _e7272 = global_5.member[bitcast<u32>(select(0i, _e7267, (_e7267 > 0i)))];
+let _e7272 = global_3.member[bitcast<u32>(select(0i, _e7267, (_e7267 > 0i)))];
 let _e7275 = select(_e7171, 263207i, (263207i < _e7171));
-let _e7280 = global_5.member[bitcast<u32>(select(0i, _e7275, (_e7275 > 0i)))];
+let _e7280 = global_3.member[bitcast<u32>(select(0i, _e7275, (_e7275 > 0i)))];
 let _e7283 = select(_e7171, 263208i, (263208i < _e7171));
-let _e7288 = global_5.member[bitcast<u32>(select(0i, _e7283, (_e7283 > 0i)))];
+let _e7288 = global_3.member[bitcast<u32>(select(0i, _e7283, (_e7283 > 0i)))];
 let _e7289 = bitcast<f32>(_e7288);
 let _e7291 = ((_e7265 - bitcast<f32>(_e7272)) * bitcast<f32>(_e7280));
 let _e7293 = select(0f, _e7291, (_e7291 > 0f));
@@ -2743,13 +2743,13 @@ let _e7308 = select(0i, select(select(i32(_e7301), i32(-2147483648), (_e7301 < -
 let _e7312 = (_e7308 - select(0i, 1i, (_e7301 < f32(_e7308))));
 let _e7313 = (262147i + _e7312);
 let _e7315 = select(_e7171, _e7313, (_e7313 < _e7171));
-let _e7321 = global_5.member[bitcast<u32>(select(0i, _e7315, (_e7315 > 0i)))];
+let _e7321 = global_3.member[bitcast<u32>(select(0i, _e7315, (_e7315 > 0i)))];
 let _e7331 = select(_e7171, 262146i, (262146i < _e7171));
-let _e7337 = global_5.member[bitcast<u32>(select(0i, _e7331, (_e7331 > 0i)))];
+let _e7337 = global_3.member[bitcast<u32>(select(0i, _e7331, (_e7331 > 0i)))];
 let _e7341 = select(_e7171, 262144i, (262144i < _e7171));
-let _e7347 = global_5.member[bitcast<u32>(select(0i, _e7341, (_e7341 > 0i)))];
+let _e7347 = global_3.member[bitcast<u32>(select(0i, _e7341, (_e7341 > 0i)))];
 let _e7350 = select(_e7171, 262145i, (262145i < _e7171));
-let _e7356 = global_5.member[bitcast<u32>(select(0i, _e7350, (_e7350 > 0i)))];
+let _e7356 = global_3.member[bitcast<u32>(select(0i, _e7350, (_e7350 > 0i)))];
 let _e7363 = ((bitcast<f32>(_e7347) + (f32(bitcast<i32>((_e7321 >> bitcast<u32>(12u)))) * bitcast<f32>(_e7356))) + ((f32((bitcast<i32>((_e7321 & 4095u)) - 2048i)) * bitcast<f32>(_e7337)) * (_e7297 - f32(_e7312))));
 let _e7364 = select(1f, _e7363, _e3743);
 let _e7365 = select(_e7363, 1f, _e3743);
@@ -2820,97 +2820,97 @@ let _e7574 = (((sqrt(select(0f, _e7463, (_e7463 > 0f))) * select(0f, _e7565, (_e
 local_1 = _e7436;
 let _e7575 = local_1;
 let _e7577 = select(_e7171, 263171i, (263171i < _e7171));
-let _e7582 = global_5.member[bitcast<u32>(select(0i, _e7577, (_e7577 > 0i)))];
+let _e7582 = global_3.member[bitcast<u32>(select(0i, _e7577, (_e7577 > 0i)))];
 let _e7583 = bitcast<f32>(_e7582);
 let _e7585 = select(_e7171, 263172i, (263172i < _e7171));
-let _e7590 = global_5.member[bitcast<u32>(select(0i, _e7585, (_e7585 > 0i)))];
+let _e7590 = global_3.member[bitcast<u32>(select(0i, _e7585, (_e7585 > 0i)))];
 let _e7591 = bitcast<f32>(_e7590);
 let _e7593 = select(_e7171, 263173i, (263173i < _e7171));
-let _e7598 = global_5.member[bitcast<u32>(select(0i, _e7593, (_e7593 > 0i)))];
+let _e7598 = global_3.member[bitcast<u32>(select(0i, _e7593, (_e7593 > 0i)))];
 let _e7599 = bitcast<f32>(_e7598);
 let _e7601 = ((_e7575 - _e7583) * _e7591);
 let _e7603 = select(0f, _e7601, (_e7601 > 0f));
 let _e7606 = local_1;
 let _e7608 = select(_e7171, 263174i, (263174i < _e7171));
-let _e7613 = global_5.member[bitcast<u32>(select(0i, _e7608, (_e7608 > 0i)))];
+let _e7613 = global_3.member[bitcast<u32>(select(0i, _e7608, (_e7608 > 0i)))];
 let _e7614 = bitcast<f32>(_e7613);
 let _e7616 = select(_e7171, 263175i, (263175i < _e7171));
-let _e7621 = global_5.member[bitcast<u32>(select(0i, _e7616, (_e7616 > 0i)))];
+let _e7621 = global_3.member[bitcast<u32>(select(0i, _e7616, (_e7616 > 0i)))];
 let _e7622 = bitcast<f32>(_e7621);
 let _e7624 = select(_e7171, 263176i, (263176i < _e7171));
-let _e7629 = global_5.member[bitcast<u32>(select(0i, _e7624, (_e7624 > 0i)))];
+let _e7629 = global_3.member[bitcast<u32>(select(0i, _e7624, (_e7624 > 0i)))];
 let _e7630 = bitcast<f32>(_e7629);
 let _e7632 = ((_e7606 - _e7614) * _e7622);
 let _e7634 = select(0f, _e7632, (_e7632 > 0f));
 let _e7638 = local_1;
 let _e7640 = select(_e7171, 263177i, (263177i < _e7171));
-let _e7645 = global_5.member[bitcast<u32>(select(0i, _e7640, (_e7640 > 0i)))];
+let _e7645 = global_3.member[bitcast<u32>(select(0i, _e7640, (_e7640 > 0i)))];
 let _e7646 = bitcast<f32>(_e7645);
 let _e7648 = select(_e7171, 263178i, (263178i < _e7171));
-let _e7653 = global_5.member[bitcast<u32>(select(0i, _e7648, (_e7648 > 0i)))];
+let _e7653 = global_3.member[bitcast<u32>(select(0i, _e7648, (_e7648 > 0i)))];
 let _e7654 = bitcast<f32>(_e7653);
 let _e7656 = select(_e7171, 263179i, (263179i < _e7171));
-let _e7661 = global_5.member[bitcast<u32>(select(0i, _e7656, (_e7656 > 0i)))];
+let _e7661 = global_3.member[bitcast<u32>(select(0i, _e7656, (_e7656 > 0i)))];
 let _e7662 = bitcast<f32>(_e7661);
 let _e7664 = ((_e7638 - _e7646) * _e7654);
 let _e7666 = select(0f, _e7664, (_e7664 > 0f));
 let _e7669 = local_1;
 let _e7671 = select(_e7171, 263180i, (263180i < _e7171));
-let _e7676 = global_5.member[bitcast<u32>(select(0i, _e7671, (_e7671 > 0i)))];
+let _e7676 = global_3.member[bitcast<u32>(select(0i, _e7671, (_e7671 > 0i)))];
 let _e7677 = bitcast<f32>(_e7676);
 let _e7679 = select(_e7171, 263181i, (263181i < _e7171));
-let _e7684 = global_5.member[bitcast<u32>(select(0i, _e7679, (_e7679 > 0i)))];
+let _e7684 = global_3.member[bitcast<u32>(select(0i, _e7679, (_e7679 > 0i)))];
 let _e7685 = bitcast<f32>(_e7684);
 let _e7687 = select(_e7171, 263182i, (263182i < _e7171));
-let _e7692 = global_5.member[bitcast<u32>(select(0i, _e7687, (_e7687 > 0i)))];
+let _e7692 = global_3.member[bitcast<u32>(select(0i, _e7687, (_e7687 > 0i)))];
 let _e7693 = bitcast<f32>(_e7692);
 let _e7695 = ((_e7669 - _e7677) * _e7685);
 let _e7697 = select(0f, _e7695, (_e7695 > 0f));
 let _e7702 = local_1;
 let _e7704 = select(_e7171, 263183i, (263183i < _e7171));
-let _e7709 = global_5.member[bitcast<u32>(select(0i, _e7704, (_e7704 > 0i)))];
+let _e7709 = global_3.member[bitcast<u32>(select(0i, _e7704, (_e7704 > 0i)))];
 let _e7710 = bitcast<f32>(_e7709);
 let _e7712 = select(_e7171, 263184i, (263184i < _e7171));
-let _e7717 = global_5.member[bitcast<u32>(select(0i, _e7712, (_e7712 > 0i)))];
+let _e7717 = global_3.member[bitcast<u32>(select(0i, _e7712, (_e7712 > 0i)))];
 let _e7718 = bitcast<f32>(_e7717);
 let _e7720 = select(_e7171, 263185i, (263185i < _e7171));
-let _e7725 = global_5.member[bitcast<u32>(select(0i, _e7720, (_e7720 > 0i)))];
+let _e7725 = global_3.member[bitcast<u32>(select(0i, _e7720, (_e7720 > 0i)))];
 let _e7726 = bitcast<f32>(_e7725);
 let _e7728 = ((_e7702 - _e7710) * _e7718);
 let _e7730 = select(0f, _e7728, (_e7728 > 0f));
 let _e7733 = local_1;
 let _e7735 = select(_e7171, 263186i, (263186i < _e7171));
-let _e7740 = global_5.member[bitcast<u32>(select(0i, _e7735, (_e7735 > 0i)))];
+let _e7740 = global_3.member[bitcast<u32>(select(0i, _e7735, (_e7735 > 0i)))];
 let _e7741 = bitcast<f32>(_e7740);
 let _e7743 = select(_e7171, 263187i, (263187i < _e7171));
-let _e7748 = global_5.member[bitcast<u32>(select(0i, _e7743, (_e7743 > 0i)))];
+let _e7748 = global_3.member[bitcast<u32>(select(0i, _e7743, (_e7743 > 0i)))];
 let _e7749 = bitcast<f32>(_e7748);
 let _e7751 = select(_e7171, 263188i, (263188i < _e7171));
-let _e7756 = global_5.member[bitcast<u32>(select(0i, _e7751, (_e7751 > 0i)))];
+let _e7756 = global_3.member[bitcast<u32>(select(0i, _e7751, (_e7751 > 0i)))];
 let _e7757 = bitcast<f32>(_e7756);
 let _e7759 = ((_e7733 - _e7741) * _e7749);
 let _e7761 = select(0f, _e7759, (_e7759 > 0f));
 let _e7765 = local_1;
 let _e7767 = select(_e7171, 263189i, (263189i < _e7171));
-let _e7772 = global_5.member[bitcast<u32>(select(0i, _e7767, (_e7767 > 0i)))];
+let _e7772 = global_3.member[bitcast<u32>(select(0i, _e7767, (_e7767 > 0i)))];
 let _e7773 = bitcast<f32>(_e7772);
 let _e7775 = select(_e7171, 263190i, (263190i < _e7171));
-let _e7780 = global_5.member[bitcast<u32>(select(0i, _e7775, (_e7775 > 0i)))];
+let _e7780 = global_3.member[bitcast<u32>(select(0i, _e7775, (_e7775 > 0i)))];
 let _e7781 = bitcast<f32>(_e7780);
 let _e7783 = select(_e7171, 263191i, (263191i < _e7171));
-let _e7788 = global_5.member[bitcast<u32>(select(0i, _e7783, (_e7783 > 0i)))];
+let _e7788 = global_3.member[bitcast<u32>(select(0i, _e7783, (_e7783 > 0i)))];
 let _e7789 = bitcast<f32>(_e7788);
 let _e7791 = ((_e7765 - _e7773) * _e7781);
 let _e7793 = select(0f, _e7791, (_e7791 > 0f));
 let _e7796 = local_1;
 let _e7798 = select(_e7171, 263192i, (263192i < _e7171));
-let _e7803 = global_5.member[bitcast<u32>(select(0i, _e7798, (_e7798 > 0i)))];
+let _e7803 = global_3.member[bitcast<u32>(select(0i, _e7798, (_e7798 > 0i)))];
 let _e7804 = bitcast<f32>(_e7803);
 let _e7806 = select(_e7171, 263193i, (263193i < _e7171));
-let _e7811 = global_5.member[bitcast<u32>(select(0i, _e7806, (_e7806 > 0i)))];
+let _e7811 = global_3.member[bitcast<u32>(select(0i, _e7806, (_e7806 > 0i)))];
 let _e7812 = bitcast<f32>(_e7811);
 let _e7814 = select(_e7171, 263194i, (263194i < _e7171));
-let _e7819 = global_5.member[bitcast<u32>(select(0i, _e7814, (_e7814 > 0i)))];
+let _e7819 = global_3.member[bitcast<u32>(select(0i, _e7814, (_e7814 > 0i)))];
 let _e7820 = bitcast<f32>(_e7819);
 let _e7822 = ((_e7796 - _e7804) * _e7812);
 let _e7824 = select(0f, _e7822, (_e7822 > 0f));
@@ -2951,10 +2951,10 @@ let _e7912 = select(_e7893, _e7910, (_e7910 < _e7893));
 let _e7919 = select(0i, select(select(i32(_e7912), i32(-2147483648), (_e7912 < -2147483600f)), 2147483647i, (_e7912 > 2147483500f)), (_e7912 == _e7912));
 let _e7923 = (_e7919 - select(0i, 1i, (_e7912 < f32(_e7919))));
 let _e7925 = select(_e7171, 263195i, (263195i < _e7171));
-let _e7931 = global_5.member[bitcast<u32>(select(0i, _e7925, (_e7925 > 0i)))];
+let _e7931 = global_3.member[bitcast<u32>(select(0i, _e7925, (_e7925 > 0i)))];
 let _e7932 = bitcast<f32>(_e7931);
 let _e7934 = select(_e7171, 263196i, (263196i < _e7171));
-let _e7940 = global_5.member[bitcast<u32>(select(0i, _e7934, (_e7934 > 0i)))];
+let _e7940 = global_3.member[bitcast<u32>(select(0i, _e7934, (_e7934 > 0i)))];
 let _e7941 = bitcast<f32>(_e7940);
 let _e7942 = (_e6696.member - _e7436);
 let _e7948 = (1f / select(_e7942, 1f, (bitcast<f32>((bitcast<u32>(_e7942) & 2147483647u)) < 1e-20f)));
@@ -2965,20 +2965,20 @@ let _e7965 = (_e7829 - f32(_e7908));
 let _e7967 = (_e7892 - f32(_e7923));
 let _e7969 = (1f - (_e7954 + _e7960));
 let _e7971 = select(_e7171, _e7963, (_e7963 < _e7171));
-let _e7977 = global_5.member[bitcast<u32>(select(0i, _e7971, (_e7971 > 0i)))];
+let _e7977 = global_3.member[bitcast<u32>(select(0i, _e7971, (_e7971 > 0i)))];
 let _e7978 = (_e7963 + 4i);
 let _e7980 = select(_e7171, _e7978, (_e7978 < _e7171));
-let _e7986 = global_5.member[bitcast<u32>(select(0i, _e7980, (_e7980 > 0i)))];
+let _e7986 = global_3.member[bitcast<u32>(select(0i, _e7980, (_e7980 > 0i)))];
 let _e7987 = (_e7963 + 1024i);
 let _e7989 = select(_e7171, _e7987, (_e7987 < _e7171));
-let _e7995 = global_5.member[bitcast<u32>(select(0i, _e7989, (_e7989 > 0i)))];
+let _e7995 = global_3.member[bitcast<u32>(select(0i, _e7989, (_e7989 > 0i)))];
 let _e7996 = (_e7963 + 1028i);
 let _e7998 = select(_e7171, _e7996, (_e7996 < _e7171));
-let _e8004 = global_5.member[bitcast<u32>(select(0i, _e7998, (_e7998 > 0i)))];
+let _e8004 = global_3.member[bitcast<u32>(select(0i, _e7998, (_e7998 > 0i)))];
 let _e8006 = select(_e7171, 0i, (0i < _e7171));
-let _e8012 = global_5.member[bitcast<u32>(select(0i, _e8006, (_e8006 > 0i)))];
+let _e8012 = global_3.member[bitcast<u32>(select(0i, _e8006, (_e8006 > 0i)))];
 let _e8014 = select(_e7171, 262140i, (262140i < _e7171));
-let _e8020 = global_5.member[bitcast<u32>(select(0i, _e8014, (_e8014 > 0i)))];
+let _e8020 = global_3.member[bitcast<u32>(select(0i, _e8014, (_e8014 > 0i)))];
 let _e8025 = (bitcast<f32>(((_e7977 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8033 = (_e8025 + (((bitcast<f32>(((_e7986 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8025) * _e7967));
 let _e8038 = (bitcast<f32>(((_e7995 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2988,20 +2988,20 @@ let _e8089 = (_e8081 + (((bitcast<f32>((((_e7986 >> bitcast<u32>(16i)) & 32767u)
 let _e8094 = (bitcast<f32>((((_e7995 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8121 = (_e7963 + 1i);
 let _e8123 = select(_e7171, _e8121, (_e8121 < _e7171));
-let _e8129 = global_5.member[bitcast<u32>(select(0i, _e8123, (_e8123 > 0i)))];
+let _e8129 = global_3.member[bitcast<u32>(select(0i, _e8123, (_e8123 > 0i)))];
 let _e8130 = (_e7963 + 5i);
 let _e8132 = select(_e7171, _e8130, (_e8130 < _e7171));
-let _e8138 = global_5.member[bitcast<u32>(select(0i, _e8132, (_e8132 > 0i)))];
+let _e8138 = global_3.member[bitcast<u32>(select(0i, _e8132, (_e8132 > 0i)))];
 let _e8139 = (_e7963 + 1025i);
 let _e8141 = select(_e7171, _e8139, (_e8139 < _e7171));
-let _e8147 = global_5.member[bitcast<u32>(select(0i, _e8141, (_e8141 > 0i)))];
+let _e8147 = global_3.member[bitcast<u32>(select(0i, _e8141, (_e8141 > 0i)))];
 let _e8148 = (_e7963 + 1029i);
 let _e8150 = select(_e7171, _e8148, (_e8148 < _e7171));
-let _e8156 = global_5.member[bitcast<u32>(select(0i, _e8150, (_e8150 > 0i)))];
+let _e8156 = global_3.member[bitcast<u32>(select(0i, _e8150, (_e8150 > 0i)))];
 let _e8158 = select(_e7171, 1i, (1i < _e7171));
-let _e8164 = global_5.member[bitcast<u32>(select(0i, _e8158, (_e8158 > 0i)))];
+let _e8164 = global_3.member[bitcast<u32>(select(0i, _e8158, (_e8158 > 0i)))];
 let _e8166 = select(_e7171, 262141i, (262141i < _e7171));
-let _e8172 = global_5.member[bitcast<u32>(select(0i, _e8166, (_e8166 > 0i)))];
+let _e8172 = global_3.member[bitcast<u32>(select(0i, _e8166, (_e8166 > 0i)))];
 let _e8177 = (bitcast<f32>(((_e8129 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8185 = (_e8177 + (((bitcast<f32>(((_e8138 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8177) * _e7967));
 let _e8190 = (bitcast<f32>(((_e8147 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3010,20 +3010,20 @@ let _e8241 = (_e8233 + (((bitcast<f32>((((_e8138 >> bitcast<u32>(16i)) & 32767u)
 let _e8246 = (bitcast<f32>((((_e8147 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8273 = (_e7963 + 2i);
 let _e8275 = select(_e7171, _e8273, (_e8273 < _e7171));
-let _e8281 = global_5.member[bitcast<u32>(select(0i, _e8275, (_e8275 > 0i)))];
+let _e8281 = global_3.member[bitcast<u32>(select(0i, _e8275, (_e8275 > 0i)))];
 let _e8282 = (_e7963 + 6i);
 let _e8284 = select(_e7171, _e8282, (_e8282 < _e7171));
-let _e8290 = global_5.member[bitcast<u32>(select(0i, _e8284, (_e8284 > 0i)))];
+let _e8290 = global_3.member[bitcast<u32>(select(0i, _e8284, (_e8284 > 0i)))];
 let _e8291 = (_e7963 + 1026i);
 let _e8293 = select(_e7171, _e8291, (_e8291 < _e7171));
-let _e8299 = global_5.member[bitcast<u32>(select(0i, _e8293, (_e8293 > 0i)))];
+let _e8299 = global_3.member[bitcast<u32>(select(0i, _e8293, (_e8293 > 0i)))];
 let _e8300 = (_e7963 + 1030i);
 let _e8302 = select(_e7171, _e8300, (_e8300 < _e7171));
-let _e8308 = global_5.member[bitcast<u32>(select(0i, _e8302, (_e8302 > 0i)))];
+let _e8308 = global_3.member[bitcast<u32>(select(0i, _e8302, (_e8302 > 0i)))];
 let _e8310 = select(_e7171, 2i, (2i < _e7171));
-let _e8316 = global_5.member[bitcast<u32>(select(0i, _e8310, (_e8310 > 0i)))];
+let _e8316 = global_3.member[bitcast<u32>(select(0i, _e8310, (_e8310 > 0i)))];
 let _e8318 = select(_e7171, 262142i, (262142i < _e7171));
-let _e8324 = global_5.member[bitcast<u32>(select(0i, _e8318, (_e8318 > 0i)))];
+let _e8324 = global_3.member[bitcast<u32>(select(0i, _e8318, (_e8318 > 0i)))];
 let _e8329 = (bitcast<f32>(((_e8281 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8337 = (_e8329 + (((bitcast<f32>(((_e8290 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8329) * _e7967));
 let _e8342 = (bitcast<f32>(((_e8299 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3032,20 +3032,20 @@ let _e8393 = (_e8385 + (((bitcast<f32>((((_e8290 >> bitcast<u32>(16i)) & 32767u)
 let _e8398 = (bitcast<f32>((((_e8299 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8425 = (_e7963 + 3i);
 let _e8427 = select(_e7171, _e8425, (_e8425 < _e7171));
-let _e8433 = global_5.member[bitcast<u32>(select(0i, _e8427, (_e8427 > 0i)))];
+let _e8433 = global_3.member[bitcast<u32>(select(0i, _e8427, (_e8427 > 0i)))];
 let _e8434 = (_e7963 + 7i);
 let _e8436 = select(_e7171, _e8434, (_e8434 < _e7171));
-let _e8442 = global_5.member[bitcast<u32>(select(0i, _e8436, (_e8436 > 0i)))];
+let _e8442 = global_3.member[bitcast<u32>(select(0i, _e8436, (_e8436 > 0i)))];
 let _e8443 = (_e7963 + 1027i);
 let _e8445 = select(_e7171, _e8443, (_e8443 < _e7171));
-let _e8451 = global_5.member[bitcast<u32>(select(0i, _e8445, (_e8445 > 0i)))];
+let _e8451 = global_3.member[bitcast<u32>(select(0i, _e8445, (_e8445 > 0i)))];
 let _e8452 = (_e7963 + 1031i);
 let _e8454 = select(_e7171, _e8452, (_e8452 < _e7171));
-let _e8460 = global_5.member[bitcast<u32>(select(0i, _e8454, (_e8454 > 0i)))];
+let _e8460 = global_3.member[bitcast<u32>(select(0i, _e8454, (_e8454 > 0i)))];
 let _e8462 = select(_e7171, 3i, (3i < _e7171));
-let _e8468 = global_5.member[bitcast<u32>(select(0i, _e8462, (_e8462 > 0i)))];
+let _e8468 = global_3.member[bitcast<u32>(select(0i, _e8462, (_e8462 > 0i)))];
 let _e8470 = select(_e7171, 262143i, (262143i < _e7171));
-let _e8476 = global_5.member[bitcast<u32>(select(0i, _e8470, (_e8470 > 0i)))];
+let _e8476 = global_3.member[bitcast<u32>(select(0i, _e8470, (_e8470 > 0i)))];
 let _e8481 = (bitcast<f32>(((_e8433 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8489 = (_e8481 + (((bitcast<f32>(((_e8442 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8481) * _e7967));
 let _e8494 = (bitcast<f32>(((_e8451 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3152,9 +3152,9 @@ let _e8914 = phi_22887_;
 let _e8915 = (_e8914 + 1i);
 let _e8917 = (bitcast<i32>(_e220) - 1i);
 let _e8919 = select(_e8917, _e8915, (_e8915 < _e8917));
-let _e8925 = global_6.member[bitcast<u32>(select(0i, _e8919, (_e8919 > 0i)))];
+let _e8925 = global_4.member[bitcast<u32>(select(0i, _e8919, (_e8919 > 0i)))];
 let _e8927 = select(_e8917, _e8914, (_e8914 < _e8917));
-let _e8933 = global_6.member[bitcast<u32>(select(0i, _e8927, (_e8927 > 0i)))];
+let _e8933 = global_4.member[bitcast<u32>(select(0i, _e8927, (_e8927 > 0i)))];
 let _e8936 = select(_e8925, 0u, (_e8914 < 0i));
 let _e8940 = global_1.member.member_10.member_13;
 let _e8941 = (_e8936 * 81u);
@@ -3166,35 +3166,35 @@ let _e8958 = (_e8814 - f32(_e8855));
 let _e8960 = (_e8824 - f32(_e8870));
 let _e8961 = (_e8936 != 0u);
 let _e8963 = select(_e8917, _e8953, (_e8953 < _e8917));
-let _e8969 = global_6.member[bitcast<u32>(select(0i, _e8963, (_e8963 > 0i)))];
+let _e8969 = global_4.member[bitcast<u32>(select(0i, _e8963, (_e8963 > 0i)))];
 let _e8970 = bitcast<f32>(_e8969);
 let _e8971 = (_e8953 + 1i);
 let _e8973 = select(_e8917, _e8971, (_e8971 < _e8917));
-let _e8979 = global_6.member[bitcast<u32>(select(0i, _e8973, (_e8973 > 0i)))];
+let _e8979 = global_4.member[bitcast<u32>(select(0i, _e8973, (_e8973 > 0i)))];
 let _e8983 = (_e8970 + ((bitcast<f32>(_e8979) - _e8970) * _e8956));
 let _e8984 = (_e8953 + 9i);
 let _e8986 = select(_e8917, _e8984, (_e8984 < _e8917));
-let _e8992 = global_6.member[bitcast<u32>(select(0i, _e8986, (_e8986 > 0i)))];
+let _e8992 = global_4.member[bitcast<u32>(select(0i, _e8986, (_e8986 > 0i)))];
 let _e8993 = bitcast<f32>(_e8992);
 let _e8994 = (_e8953 + 10i);
 let _e8996 = select(_e8917, _e8994, (_e8994 < _e8917));
-let _e9002 = global_6.member[bitcast<u32>(select(0i, _e8996, (_e8996 > 0i)))];
+let _e9002 = global_4.member[bitcast<u32>(select(0i, _e8996, (_e8996 > 0i)))];
 let _e9009 = (_e8983 + (((_e8993 + ((bitcast<f32>(_e9002) - _e8993) * _e8956)) - _e8983) * _e8958));
 let _e9010 = (_e8953 + _e8945);
 let _e9012 = select(_e8917, _e9010, (_e9010 < _e8917));
-let _e9018 = global_6.member[bitcast<u32>(select(0i, _e9012, (_e9012 > 0i)))];
+let _e9018 = global_4.member[bitcast<u32>(select(0i, _e9012, (_e9012 > 0i)))];
 let _e9019 = bitcast<f32>(_e9018);
 let _e9020 = (_e9010 + 1i);
 let _e9022 = select(_e8917, _e9020, (_e9020 < _e8917));
-let _e9028 = global_6.member[bitcast<u32>(select(0i, _e9022, (_e9022 > 0i)))];
+let _e9028 = global_4.member[bitcast<u32>(select(0i, _e9022, (_e9022 > 0i)))];
 let _e9032 = (_e9019 + ((bitcast<f32>(_e9028) - _e9019) * _e8956));
 let _e9033 = (_e9010 + 9i);
 let _e9035 = select(_e8917, _e9033, (_e9033 < _e8917));
-let _e9041 = global_6.member[bitcast<u32>(select(0i, _e9035, (_e9035 > 0i)))];
+let _e9041 = global_4.member[bitcast<u32>(select(0i, _e9035, (_e9035 > 0i)))];
 let _e9042 = bitcast<f32>(_e9041);
 let _e9043 = (_e9010 + 10i);
 let _e9045 = select(_e8917, _e9043, (_e9043 < _e8917));
-let _e9051 = global_6.member[bitcast<u32>(select(0i, _e9045, (_e9045 > 0i)))];
+let _e9051 = global_4.member[bitcast<u32>(select(0i, _e9045, (_e9045 > 0i)))];
 let _e9062 = select(1f, (_e9009 + (((_e9032 + (((_e9042 + ((bitcast<f32>(_e9051) - _e9042) * _e8956)) - _e9032) * _e8958)) - _e9009) * _e8960)), _e8961);
 if (((_e230.member_2 == 3u) || (_e230.member_2 == 4u)) || _e561) {
 phi_23464_ = vec3(_e9062);
@@ -3203,66 +3203,66 @@ let _e9071 = global_1.member.member_10.member_12;
 let _e9072 = (_e9071 > 1u);
 let _e9076 = (_e8953 + (select(0i, 1i, _e9072) * _e8954));
 let _e9078 = select(_e8917, _e9076, (_e9076 < _e8917));
-let _e9084 = global_6.member[bitcast<u32>(select(0i, _e9078, (_e9078 > 0i)))];
+let _e9084 = global_4.member[bitcast<u32>(select(0i, _e9078, (_e9078 > 0i)))];
 let _e9085 = bitcast<f32>(_e9084);
 let _e9086 = (_e9076 + 1i);
 let _e9088 = select(_e8917, _e9086, (_e9086 < _e8917));
-let _e9094 = global_6.member[bitcast<u32>(select(0i, _e9088, (_e9088 > 0i)))];
+let _e9094 = global_4.member[bitcast<u32>(select(0i, _e9088, (_e9088 > 0i)))];
 let _e9098 = (_e9085 + ((bitcast<f32>(_e9094) - _e9085) * _e8956));
 let _e9099 = (_e9076 + 9i);
 let _e9101 = select(_e8917, _e9099, (_e9099 < _e8917));
-let _e9107 = global_6.member[bitcast<u32>(select(0i, _e9101, (_e9101 > 0i)))];
+let _e9107 = global_4.member[bitcast<u32>(select(0i, _e9101, (_e9101 > 0i)))];
 let _e9108 = bitcast<f32>(_e9107);
 let _e9109 = (_e9076 + 10i);
 let _e9111 = select(_e8917, _e9109, (_e9109 < _e8917));
-let _e9117 = global_6.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
+let _e9117 = global_4.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
 let _e9124 = (_e9098 + (((_e9108 + ((bitcast<f32>(_e9117) - _e9108) * _e8956)) - _e9098) * _e8958));
 let _e9125 = (_e9076 + _e8945);
 let _e9127 = select(_e8917, _e9125, (_e9125 < _e8917));
-let _e9133 = global_6.member[bitcast<u32>(select(0i, _e9127, (_e9127 > 0i)))];
+let _e9133 = global_4.member[bitcast<u32>(select(0i, _e9127, (_e9127 > 0i)))];
 let _e9134 = bitcast<f32>(_e9133);
 let _e9135 = (_e9125 + 1i);
 let _e9137 = select(_e8917, _e9135, (_e9135 < _e8917));
-let _e9143 = global_6.member[bitcast<u32>(select(0i, _e9137, (_e9137 > 0i)))];
+let _e9143 = global_4.member[bitcast<u32>(select(0i, _e9137, (_e9137 > 0i)))];
 let _e9147 = (_e9134 + ((bitcast<f32>(_e9143) - _e9134) * _e8956));
 let _e9148 = (_e9125 + 9i);
 let _e9150 = select(_e8917, _e9148, (_e9148 < _e8917));
-let _e9156 = global_6.member[bitcast<u32>(select(0i, _e9150, (_e9150 > 0i)))];
+let _e9156 = global_4.member[bitcast<u32>(select(0i, _e9150, (_e9150 > 0i)))];
 let _e9157 = bitcast<f32>(_e9156);
 let _e9158 = (_e9125 + 10i);
 let _e9160 = select(_e8917, _e9158, (_e9158 < _e8917));
-let _e9166 = global_6.member[bitcast<u32>(select(0i, _e9160, (_e9160 > 0i)))];
+let _e9166 = global_4.member[bitcast<u32>(select(0i, _e9160, (_e9160 > 0i)))];
 let _e9179 = (_e8953 + (select(0i, 2i, _e9072) * _e8954));
 let _e9181 = select(_e8917, _e9179, (_e9179 < _e8917));
-let _e9187 = global_6.member[bitcast<u32>(select(0i, _e9181, (_e9181 > 0i)))];
+let _e9187 = global_4.member[bitcast<u32>(select(0i, _e9181, (_e9181 > 0i)))];
 let _e9188 = bitcast<f32>(_e9187);
 let _e9189 = (_e9179 + 1i);
 let _e9191 = select(_e8917, _e9189, (_e9189 < _e8917));
-let _e9197 = global_6.member[bitcast<u32>(select(0i, _e9191, (_e9191 > 0i)))];
+let _e9197 = global_4.member[bitcast<u32>(select(0i, _e9191, (_e9191 > 0i)))];
 let _e9201 = (_e9188 + ((bitcast<f32>(_e9197) - _e9188) * _e8956));
 let _e9202 = (_e9179 + 9i);
 let _e9204 = select(_e8917, _e9202, (_e9202 < _e8917));
-let _e9210 = global_6.member[bitcast<u32>(select(0i, _e9204, (_e9204 > 0i)))];
+let _e9210 = global_4.member[bitcast<u32>(select(0i, _e9204, (_e9204 > 0i)))];
 let _e9211 = bitcast<f32>(_e9210);
 let _e9212 = (_e9179 + 10i);
 let _e9214 = select(_e8917, _e9212, (_e9212 < _e8917));
-let _e9220 = global_6.member[bitcast<u32>(select(0i, _e9214, (_e9214 > 0i)))];
+let _e9220 = global_4.member[bitcast<u32>(select(0i, _e9214, (_e9214 > 0i)))];
 let _e9227 = (_e9201 + (((_e9211 + ((bitcast<f32>(_e9220) - _e9211) * _e8956)) - _e9201) * _e8958));
 let _e9228 = (_e9179 + _e8945);
 let _e9230 = select(_e8917, _e9228, (_e9228 < _e8917));
-let _e9236 = global_6.member[bitcast<u32>(select(0i, _e9230, (_e9230 > 0i)))];
+let _e9236 = global_4.member[bitcast<u32>(select(0i, _e9230, (_e9230 > 0i)))];
 let _e9237 = bitcast<f32>(_e9236);
 let _e9238 = (_e9228 + 1i);
 let _e9240 = select(_e8917, _e9238, (_e9238 < _e8917));
-let _e9246 = global_6.member[bitcast<u32>(select(0i, _e9240, (_e9240 > 0i)))];
+let _e9246 = global_4.member[bitcast<u32>(select(0i, _e9240, (_e9240 > 0i)))];
 let _e9250 = (_e9237 + ((bitcast<f32>(_e9246) - _e9237) * _e8956));
 let _e9251 = (_e9228 + 9i);
 let _e9253 = select(_e8917, _e9251, (_e9251 < _e8917));
-let _e9259 = global_6.member[bitcast<u32>(select(0i, _e9253, (_e9253 > 0i)))];
+let _e9259 = global_4.member[bitcast<u32>(select(0i, _e9253, (_e9253 > 0i)))];
 let _e9260 = bitcast<f32>(_e9259);
 let _e9261 = (_e9228 + 10i);
 let _e9263 = select(_e8917, _e9261, (_e9261 < _e8917));
-let _e9269 = global_6.member[bitcast<u32>(select(0i, _e9263, (_e9263 > 0i)))];
+let _e9269 = global_4.member[bitcast<u32>(select(0i, _e9263, (_e9263 > 0i)))];
 phi_23464_ = vec3<f32>(_e9062, select(1f, (_e9124 + (((_e9147 + (((_e9157 + ((bitcast<f32>(_e9166) - _e9157) * _e8956)) - _e9147) * _e8958)) - _e9124) * _e8960)), _e8961), select(1f, (_e9227 + (((_e9250 + (((_e9260 + ((bitcast<f32>(_e9269) - _e9260) * _e8956)) - _e9250) * _e8958)) - _e9227) * _e8960)), _e8961));
 }
 let _e9283 = phi_23464_;
@@ -3278,56 +3278,56 @@ let _e9306 = select(0f, (_e9289 * _e9301), _e8777);
 if _e568 {
 let _e9312 = (_e8953 + ((bitcast<i32>(_e8940) - 1i) * _e8954));
 let _e9314 = select(_e8917, _e9312, (_e9312 < _e8917));
-let _e9320 = global_6.member[bitcast<u32>(select(0i, _e9314, (_e9314 > 0i)))];
+let _e9320 = global_4.member[bitcast<u32>(select(0i, _e9314, (_e9314 > 0i)))];
 let _e9322 = bitcast<u32>(bitcast<f32>(_e9320));
 let _e9326 = f32((bitcast<i32>((_e9322 & 65535u)) - 32768i));
 let _e9332 = f32((bitcast<i32>(((_e9322 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9337 = select(_e9332, -(_e9332), ((_e9322 >> bitcast<u32>(31i)) != 0u));
 let _e9338 = (_e9312 + 1i);
 let _e9340 = select(_e8917, _e9338, (_e9338 < _e8917));
-let _e9346 = global_6.member[bitcast<u32>(select(0i, _e9340, (_e9340 > 0i)))];
+let _e9346 = global_4.member[bitcast<u32>(select(0i, _e9340, (_e9340 > 0i)))];
 let _e9348 = bitcast<u32>(bitcast<f32>(_e9346));
 let _e9358 = f32((bitcast<i32>(((_e9348 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9366 = (_e9326 + ((f32((bitcast<i32>((_e9348 & 65535u)) - 32768i)) - _e9326) * _e8956));
 let _e9369 = (_e9337 + ((select(_e9358, -(_e9358), ((_e9348 >> bitcast<u32>(31i)) != 0u)) - _e9337) * _e8956));
 let _e9370 = (_e9312 + 9i);
 let _e9372 = select(_e8917, _e9370, (_e9370 < _e8917));
-let _e9378 = global_6.member[bitcast<u32>(select(0i, _e9372, (_e9372 > 0i)))];
+let _e9378 = global_4.member[bitcast<u32>(select(0i, _e9372, (_e9372 > 0i)))];
 let _e9380 = bitcast<u32>(bitcast<f32>(_e9378));
 let _e9384 = f32((bitcast<i32>((_e9380 & 65535u)) - 32768i));
 let _e9390 = f32((bitcast<i32>(((_e9380 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9395 = select(_e9390, -(_e9390), ((_e9380 >> bitcast<u32>(31i)) != 0u));
 let _e9396 = (_e9312 + 10i);
 let _e9398 = select(_e8917, _e9396, (_e9396 < _e8917));
-let _e9404 = global_6.member[bitcast<u32>(select(0i, _e9398, (_e9398 > 0i)))];
+let _e9404 = global_4.member[bitcast<u32>(select(0i, _e9398, (_e9398 > 0i)))];
 let _e9406 = bitcast<u32>(bitcast<f32>(_e9404));
 let _e9416 = f32((bitcast<i32>(((_e9406 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9430 = (_e9366 + (((_e9384 + ((f32((bitcast<i32>((_e9406 & 65535u)) - 32768i)) - _e9384) * _e8956)) - _e9366) * _e8958));
 let _e9433 = (_e9369 + (((_e9395 + ((select(_e9416, -(_e9416), ((_e9406 >> bitcast<u32>(31i)) != 0u)) - _e9395) * _e8956)) - _e9369) * _e8958));
 let _e9434 = (_e9312 + _e8945);
 let _e9436 = select(_e8917, _e9434, (_e9434 < _e8917));
-let _e9442 = global_6.member[bitcast<u32>(select(0i, _e9436, (_e9436 > 0i)))];
+let _e9442 = global_4.member[bitcast<u32>(select(0i, _e9436, (_e9436 > 0i)))];
 let _e9444 = bitcast<u32>(bitcast<f32>(_e9442));
 let _e9448 = f32((bitcast<i32>((_e9444 & 65535u)) - 32768i));
 let _e9454 = f32((bitcast<i32>(((_e9444 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9459 = select(_e9454, -(_e9454), ((_e9444 >> bitcast<u32>(31i)) != 0u));
 let _e9460 = (_e9434 + 1i);
 let _e9462 = select(_e8917, _e9460, (_e9460 < _e8917));
-let _e9468 = global_6.member[bitcast<u32>(select(0i, _e9462, (_e9462 > 0i)))];
+let _e9468 = global_4.member[bitcast<u32>(select(0i, _e9462, (_e9462 > 0i)))];
 let _e9470 = bitcast<u32>(bitcast<f32>(_e9468));
 let _e9480 = f32((bitcast<i32>(((_e9470 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9488 = (_e9448 + ((f32((bitcast<i32>((_e9470 & 65535u)) - 32768i)) - _e9448) * _e8956));
 let _e9491 = (_e9459 + ((select(_e9480, -(_e9480), ((_e9470 >> bitcast<u32>(31i)) != 0u)) - _e9459) * _e8956));
 let _e9492 = (_e9434 + 9i);
 let _e9494 = select(_e8917, _e9492, (_e9492 < _e8917));
-let _e9500 = global_6.member[bitcast<u32>(select(0i, _e9494, (_e9494 > 0i)))];
+let _e9500 = global_4.member[bitcast<u32>(select(0i, _e9494, (_e9494 > 0i)))];
 let _e9502 = bitcast<u32>(bitcast<f32>(_e9500));
 let _e9506 = f32((bitcast<i32>((_e9502 & 65535u)) - 32768i));
 let _e9512 = f32((bitcast<i32>(((_e9502 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9517 = select(_e9512, -(_e9512), ((_e9502 >> bitcast<u32>(31i)) != 0u));
 let _e9518 = (_e9434 + 10i);
 let _e9520 = select(_e8917, _e9518, (_e9518 < _e8917));
-let _e9526 = global_6.member[bitcast<u32>(select(0i, _e9520, (_e9520 > 0i)))];
+let _e9526 = global_4.member[bitcast<u32>(select(0i, _e9520, (_e9520 > 0i)))];
 let _e9528 = bitcast<u32>(bitcast<f32>(_e9526));
 let _e9538 = f32((bitcast<i32>(((_e9528 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9564 = (_e9305 + select(0f, ((_e9430 + (((_e9488 + (((_e9506 + ((f32((bitcast<i32>((_e9528 & 65535u)) - 32768i)) - _e9506) * _e8956)) - _e9488) * _e8958)) - _e9430) * _e8960)) * 6.151953e-5f), _e8961));
@@ -3367,7 +3367,7 @@ let _e9656 = (_e9655 * select(_e9636, 1f, (_e568 && _e8961)));
 let _e9665 = global_1.member.member_10.member.member;
 let _e9677 = global_1.member.member_10.member_1.member;
 let _e9692 = global_1.member.member_10.member_2.member;
-phi_24039_ = type_29(vec3<f32>(((_e9283.x * _e9641.member) * _e9656), ((_e9283.y * _e9641.member_1) * _e9656), ((_e9283.z * _e9641.member_2) * _e9656)), (vec3<f32>(((_e9665.member * _e9579.x) + (_e9677.member * _e9579.y)), ((_e9665.member_1 * _e9579.x) + (_e9677.member_1 * _e9579.y)), ((_e9665.member_2 * _e9579.x) + (_e9677.member_2 * _e9579.y))) + vec3<f32>((_e9692.member * _e9579.z), (_e9692.member_1 * _e9579.z), (_e9692.member_2 * _e9579.z))));
+phi_24039_ = type_36(vec3<f32>(((_e9283.x * _e9641.member) * _e9656), ((_e9283.y * _e9641.member_1) * _e9656), ((_e9283.z * _e9641.member_2) * _e9656)), (vec3<f32>(((_e9665.member * _e9579.x) + (_e9677.member * _e9579.y)), ((_e9665.member_1 * _e9579.x) + (_e9677.member_1 * _e9579.y)), ((_e9665.member_2 * _e9579.x) + (_e9677.member_2 * _e9579.y))) + vec3<f32>((_e9692.member * _e9579.z), (_e9692.member_1 * _e9579.z), (_e9692.member_2 * _e9579.z))));
 }
 let _e9705 = phi_24039_;
 let _e9714 = (((_e9705.member_1.x * _e9705.member_1.x) + (_e9705.member_1.y * _e9705.member_1.y)) + (_e9705.member_1.z * _e9705.member_1.z));
@@ -3472,51 +3472,51 @@ let _e10082 = ((bitcast<i32>(_e10078) + (_e10054 * _e9907)) + _e10037);
 let _e10083 = (_e9907 * _e9914);
 let _e10085 = (bitcast<i32>(_e220) - 1i);
 let _e10087 = select(_e10085, _e10082, (_e10082 < _e10085));
-let _e10093 = global_6.member[bitcast<u32>(select(0i, _e10087, (_e10087 > 0i)))];
+let _e10093 = global_4.member[bitcast<u32>(select(0i, _e10087, (_e10087 > 0i)))];
 let _e10094 = bitcast<f32>(_e10093);
 let _e10095 = (_e10082 + 1i);
 let _e10097 = select(_e10085, _e10095, (_e10095 < _e10085));
-let _e10103 = global_6.member[bitcast<u32>(select(0i, _e10097, (_e10097 > 0i)))];
+let _e10103 = global_4.member[bitcast<u32>(select(0i, _e10097, (_e10097 > 0i)))];
 let _e10107 = (_e10094 + ((bitcast<f32>(_e10103) - _e10094) * _e10060));
 let _e10108 = (_e10082 + _e9907);
 let _e10110 = select(_e10085, _e10108, (_e10108 < _e10085));
-let _e10116 = global_6.member[bitcast<u32>(select(0i, _e10110, (_e10110 > 0i)))];
+let _e10116 = global_4.member[bitcast<u32>(select(0i, _e10110, (_e10110 > 0i)))];
 let _e10117 = bitcast<f32>(_e10116);
 let _e10118 = (_e10108 + 1i);
 let _e10120 = select(_e10085, _e10118, (_e10118 < _e10085));
-let _e10126 = global_6.member[bitcast<u32>(select(0i, _e10120, (_e10120 > 0i)))];
+let _e10126 = global_4.member[bitcast<u32>(select(0i, _e10120, (_e10120 > 0i)))];
 let _e10133 = (_e10107 + (((_e10117 + ((bitcast<f32>(_e10126) - _e10117) * _e10060)) - _e10107) * _e10066));
 let _e10134 = (_e10082 + _e10083);
 let _e10136 = select(_e10085, _e10134, (_e10134 < _e10085));
-let _e10142 = global_6.member[bitcast<u32>(select(0i, _e10136, (_e10136 > 0i)))];
+let _e10142 = global_4.member[bitcast<u32>(select(0i, _e10136, (_e10136 > 0i)))];
 let _e10143 = bitcast<f32>(_e10142);
 let _e10144 = (_e10134 + 1i);
 let _e10146 = select(_e10085, _e10144, (_e10144 < _e10085));
-let _e10152 = global_6.member[bitcast<u32>(select(0i, _e10146, (_e10146 > 0i)))];
+let _e10152 = global_4.member[bitcast<u32>(select(0i, _e10146, (_e10146 > 0i)))];
 let _e10156 = (_e10143 + ((bitcast<f32>(_e10152) - _e10143) * _e10060));
 let _e10157 = (_e10134 + _e9907);
 let _e10159 = select(_e10085, _e10157, (_e10157 < _e10085));
-let _e10165 = global_6.member[bitcast<u32>(select(0i, _e10159, (_e10159 > 0i)))];
+let _e10165 = global_4.member[bitcast<u32>(select(0i, _e10159, (_e10159 > 0i)))];
 let _e10166 = bitcast<f32>(_e10165);
 let _e10167 = (_e10157 + 1i);
 let _e10169 = select(_e10085, _e10167, (_e10167 < _e10085));
-let _e10175 = global_6.member[bitcast<u32>(select(0i, _e10169, (_e10169 > 0i)))];
+let _e10175 = global_4.member[bitcast<u32>(select(0i, _e10169, (_e10169 > 0i)))];
 let _e10182 = (_e10156 + (((_e10166 + ((bitcast<f32>(_e10175) - _e10166) * _e10060)) - _e10156) * _e10066));
 let _e10184 = (_e10082 + (2i * _e10083));
 let _e10186 = select(_e10085, _e10184, (_e10184 < _e10085));
-let _e10192 = global_6.member[bitcast<u32>(select(0i, _e10186, (_e10186 > 0i)))];
+let _e10192 = global_4.member[bitcast<u32>(select(0i, _e10186, (_e10186 > 0i)))];
 let _e10193 = bitcast<f32>(_e10192);
 let _e10194 = (_e10184 + 1i);
 let _e10196 = select(_e10085, _e10194, (_e10194 < _e10085));
-let _e10202 = global_6.member[bitcast<u32>(select(0i, _e10196, (_e10196 > 0i)))];
+let _e10202 = global_4.member[bitcast<u32>(select(0i, _e10196, (_e10196 > 0i)))];
 let _e10206 = (_e10193 + ((bitcast<f32>(_e10202) - _e10193) * _e10060));
 let _e10207 = (_e10184 + _e9907);
 let _e10209 = select(_e10085, _e10207, (_e10207 < _e10085));
-let _e10215 = global_6.member[bitcast<u32>(select(0i, _e10209, (_e10209 > 0i)))];
+let _e10215 = global_4.member[bitcast<u32>(select(0i, _e10209, (_e10209 > 0i)))];
 let _e10216 = bitcast<f32>(_e10215);
 let _e10217 = (_e10207 + 1i);
 let _e10219 = select(_e10085, _e10217, (_e10217 < _e10085));
-let _e10225 = global_6.member[bitcast<u32>(select(0i, _e10219, (_e10219 > 0i)))];
+let _e10225 = global_4.member[bitcast<u32>(select(0i, _e10219, (_e10219 > 0i)))];
 let _e10232 = (_e10206 + (((_e10216 + ((bitcast<f32>(_e10225) - _e10216) * _e10060)) - _e10206) * _e10066));
 if _e3495 {
 phi_24919_ = vec3<f32>(_e10133, _e10182, _e10232);
@@ -3552,12 +3552,12 @@ phi_24919_ = vec3<f32>((select(0f, _e10295, (_e10295 > 0f)) * _e10308), (select(
 }
 let _e10314 = phi_24919_;
 let _e10318 = global_1.member.member_9.member_1;
-phi_25179_ = type_29((vec3<f32>(_e10318.member, _e10318.member_1, _e10318.member_2) * _e10314), _e9898);
+phi_25179_ = type_36((vec3<f32>(_e10318.member, _e10318.member_1, _e10318.member_2) * _e10314), _e9898);
 } else {
 if _e3495 {
 let _e10328 = global_1.member.member_9.member_1;
 let _e10336 = global_1.member.member_9.member;
-phi_25178_ = type_29(vec3<f32>(_e10328.member, _e10328.member_1, _e10328.member_2), vec3<f32>(_e10336.member, _e10336.member_1, _e10336.member_2));
+phi_25178_ = type_36(vec3<f32>(_e10328.member, _e10328.member_1, _e10328.member_2), vec3<f32>(_e10336.member, _e10336.member_1, _e10336.member_2));
 } else {
 let _e10345 = global_1.member.member_9.member_1;
 if _e3495 {
@@ -3584,7 +3584,7 @@ phi_25106_ = select(1f, select(0f, ((_e10399 * _e10399) * (3f - (2f * _e10399)))
 }
 let _e10409 = phi_25106_;
 let _e10410 = (_e10353 * _e10409);
-phi_25178_ = type_29(vec3<f32>((_e10345.member * _e10410), (_e10345.member_1 * _e10410), (_e10345.member_2 * _e10410)), _e9898);
+phi_25178_ = type_36(vec3<f32>((_e10345.member * _e10410), (_e10345.member_1 * _e10410), (_e10345.member_2 * _e10410)), _e9898);
 }
 let _e10417 = phi_25178_;
 phi_25179_ = _e10417;
@@ -3599,7 +3599,7 @@ let _e10459 = bitcast<f32>((bitcast<u32>(select(0f, _e10454, (_e10454 > 0f))) & 
 let _e10469 = (1f - _e9769);
 let _e10483 = select(_e9769, 1f, _e4620);
 let _e10488 = select(_e9771, _e9770, (_e9770 > _e9771));
-phi_25348_ = type_33(vec3<f32>(select(_e4515, _e9784, _e4620), select(_e4516, _e9785, _e4620), select(_e4517, _e9786, _e4620)), vec3<f32>(select((_e6906 + (_e6696.member_3.x * _e7420)), select((_e6906 + (_e7383 * _e7402)), _e6906, _e7403), _e4489), select((_e6907 + (_e6696.member_3.y * _e7420)), select((_e6907 + (_e7384 * _e7402)), _e6907, _e7403), _e4489), select((_e6908 + (_e6696.member_3.z * _e7420)), select((_e6908 + (_e7385 * _e7402)), _e6908, _e7403), _e4489)), _e6696.member, select(4f, 1f, (_e4620 || (((1f - _e10483) * select(_e9772, _e10488, (_e10488 > _e9772))) < 9.765625e-4f))), select(_e9780, (_e9780 + (_e10469 * _e9786)), _e4620), vec3<f32>(select(_e9763, (_e9763 + ((_e9770 * (select(_e4601.member, _e4590.member, _e4579) * (((_e10419.member.x * _e10439) * _e10459) + _e9739.member))) * _e10469)), _e4620), select(_e9765, (_e9765 + ((_e9771 * (select(_e4601.member_1, _e4590.member_1, _e4579) * (((_e10419.member.y * _e10439) * _e10459) + _e9739.member_1))) * _e10469)), _e4620), select(_e9767, (_e9767 + ((_e9772 * (select(_e4601.member_2, _e4590.member_2, _e4579) * (((_e10419.member.z * _e10439) * _e10459) + _e9739.member_2))) * _e10469)), _e4620)), _e10483, (_e3730.member_7 * vec3<f32>(_e8572, _e8620, _e8668)), select(0f, _e6696.member_2, (_e3743 != (_e4489 && !((_e7399 && (_e7368 != 0f)))))), -1.2676506e30f);
+phi_25348_ = type_32(vec3<f32>(select(_e4515, _e9784, _e4620), select(_e4516, _e9785, _e4620), select(_e4517, _e9786, _e4620)), vec3<f32>(select((_e6906 + (_e6696.member_3.x * _e7420)), select((_e6906 + (_e7383 * _e7402)), _e6906, _e7403), _e4489), select((_e6907 + (_e6696.member_3.y * _e7420)), select((_e6907 + (_e7384 * _e7402)), _e6907, _e7403), _e4489), select((_e6908 + (_e6696.member_3.z * _e7420)), select((_e6908 + (_e7385 * _e7402)), _e6908, _e7403), _e4489)), _e6696.member, select(4f, 1f, (_e4620 || (((1f - _e10483) * select(_e9772, _e10488, (_e10488 > _e9772))) < 9.765625e-4f))), select(_e9780, (_e9780 + (_e10469 * _e9786)), _e4620), vec3<f32>(select(_e9763, (_e9763 + ((_e9770 * (select(_e4601.member, _e4590.member, _e4579) * (((_e10419.member.x * _e10439) * _e10459) + _e9739.member))) * _e10469)), _e4620), select(_e9765, (_e9765 + ((_e9771 * (select(_e4601.member_1, _e4590.member_1, _e4579) * (((_e10419.member.y * _e10439) * _e10459) + _e9739.member_1))) * _e10469)), _e4620), select(_e9767, (_e9767 + ((_e9772 * (select(_e4601.member_2, _e4590.member_2, _e4579) * (((_e10419.member.z * _e10439) * _e10459) + _e9739.member_2))) * _e10469)), _e4620)), _e10483, (_e3730.member_7 * vec3<f32>(_e8572, _e8620, _e8668)), select(0f, _e6696.member_2, (_e3743 != (_e4489 && !((_e7399 && (_e7368 != 0f)))))), -1.2676506e30f);
 phi_25349_ = _e6899.member_2;
 phi_25350_ = _e6696;
 }
@@ -3611,9 +3611,9 @@ phi_9748_ = _e10506;
 phi_9750_ = _e10508;
 phi_9752_ = (_e3736 + 1i);
 } else {
-phi_9745_ = type_33();
+phi_9745_ = type_32();
 phi_9748_ = f32();
-phi_9750_ = type_35();
+phi_9750_ = type_34();
 phi_9752_ = i32();
 }
 let _e10510 = phi_9745_;
@@ -3646,25 +3646,25 @@ let _e10568 = local_59;
 let _e10572 = local_60;
 let _e10576 = local_61;
 let _e10579 = local_62;
-global_2.member[_e245] = _e10519.member.x;
-global_2.member[_e257] = _e10523.member.y;
-global_2.member[_e268] = _e10527.member.z;
-global_2.member[_e279] = _e10531.member_1.x;
-global_2.member[_e290] = _e10535.member_1.y;
-global_2.member[_e301] = _e10539.member_1.z;
-global_2.member[_e312] = _e10543.member_2;
+global_5.member[_e245] = _e10519.member.x;
+global_5.member[_e257] = _e10523.member.y;
+global_5.member[_e268] = _e10527.member.z;
+global_5.member[_e279] = _e10531.member_1.x;
+global_5.member[_e290] = _e10535.member_1.y;
+global_5.member[_e301] = _e10539.member_1.z;
+global_5.member[_e312] = _e10543.member_2;
 let _e10598 = local_63;
-global_2.member[_e323] = _e10598;
-global_2.member[_e334] = _e10546.member_4;
-global_2.member[_e345] = _e10549.member_5.x;
-global_2.member[_e356] = _e10553.member_5.y;
-global_2.member[_e367] = _e10557.member_5.z;
-global_2.member[_e378] = _e10561.member_6;
-global_2.member[_e389] = _e10564.member_7.x;
-global_2.member[_e400] = _e10568.member_7.y;
-global_2.member[_e411] = _e10572.member_7.z;
-global_2.member[_e422] = _e10576.member_8;
-global_2.member[_e433] = _e10579.member_9;
+global_5.member[_e323] = _e10598;
+global_5.member[_e334] = _e10546.member_4;
+global_5.member[_e345] = _e10549.member_5.x;
+global_5.member[_e356] = _e10553.member_5.y;
+global_5.member[_e367] = _e10557.member_5.z;
+global_5.member[_e378] = _e10561.member_6;
+global_5.member[_e389] = _e10564.member_7.x;
+global_5.member[_e400] = _e10568.member_7.y;
+global_5.member[_e411] = _e10572.member_7.z;
+global_5.member[_e422] = _e10576.member_8;
+global_5.member[_e433] = _e10579.member_9;
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,55 +90,86 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
+}
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
 }
 struct type_29 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_32 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_32 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: f32,
@@ -185,19 +181,19 @@ member_7: vec3<f32>,
 member_8: f32,
 member_9: f32,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_35 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -206,30 +202,34 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
+struct type_36 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
 struct type_39 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
-@group(0) @binding(7)
-var<storage, read_write> global_3: type_39;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_4: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_5: type_17;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_17;
+var<storage> global_4: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_5: type_26;
+@group(0) @binding(7)
+var<storage, read_write> global_6: type_39;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_29;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -245,9 +245,9 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_29;
 var local_23: vec3<f32>;
-var local_24: type_32;
+var local_24: type_29;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
@@ -263,69 +263,69 @@ var local_36: f32;
 var local_37: f32;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_32;
+var local_40: type_29;
 var local_41: vec3<f32>;
-var phi_6396_: type_34;
-var phi_7175_: type_35;
-var phi_7555_: type_5;
-var phi_8884_: type_36;
-var phi_8921_: type_33;
+var phi_6396_: type_33;
+var phi_7175_: type_34;
+var phi_7555_: type_7;
+var phi_8884_: type_35;
+var phi_8921_: type_32;
 var phi_9025_: f32;
 var phi_9109_: f32;
-var phi_9181_: type_29;
-var phi_9183_: type_33;
+var phi_9181_: type_36;
+var phi_9183_: type_32;
 var phi_9186_: f32;
-var phi_9188_: type_35;
+var phi_9188_: type_34;
 var phi_9190_: i32;
-var phi_10659_: type_36;
+var phi_10659_: type_35;
 var phi_10671_: bool;
 var phi_10686_: vec3<f32>;
-var phi_16544_: type_34;
-var phi_17323_: type_35;
-var phi_17715_: type_5;
+var phi_16544_: type_33;
+var phi_17323_: type_34;
+var phi_17715_: type_7;
 var phi_21941_: i32;
 var phi_22518_: vec3<f32>;
 var phi_22925_: vec3<f32>;
 var phi_23019_: f32;
 var phi_23061_: f32;
-var phi_23093_: type_29;
+var phi_23093_: type_36;
 var phi_23575_: u32;
 var phi_23912_: f32;
 var phi_23968_: f32;
 var phi_23973_: vec3<f32>;
 var phi_24076_: f32;
 var phi_24160_: f32;
-var phi_24232_: type_29;
-var phi_24233_: type_29;
-var phi_24402_: type_33;
+var phi_24232_: type_36;
+var phi_24233_: type_36;
+var phi_24402_: type_32;
 var phi_24403_: f32;
-var phi_24404_: type_35;
-var phi_9184_: type_33;
+var phi_24404_: type_34;
+var phi_9184_: type_32;
 var phi_9187_: f32;
-var phi_9189_: type_35;
+var phi_9189_: type_34;
 var phi_9191_: i32;
-var local_42: type_33;
-var local_43: type_33;
-var local_44: type_33;
-var local_45: type_33;
-var local_46: type_33;
-var local_47: type_33;
-var local_48: type_33;
-var local_49: type_33;
-var local_50: type_33;
-var local_51: type_33;
-var local_52: type_33;
-var local_53: type_33;
-var local_54: type_33;
-var local_55: type_33;
-var local_56: type_33;
-var local_57: type_33;
-var local_58: type_33;
+var local_42: type_32;
+var local_43: type_32;
+var local_44: type_32;
+var local_45: type_32;
+var local_46: type_32;
+var local_47: type_32;
+var local_48: type_32;
+var local_49: type_32;
+var local_50: type_32;
+var local_51: type_32;
+var local_52: type_32;
+var local_53: type_32;
+var local_54: type_32;
+var local_55: type_32;
+var local_56: type_32;
+var local_57: type_32;
+var local_58: type_32;
 var local_59: f32;
 let _e202 = global;
-let _e205 = arrayLength((&global_4.member));
-let _e208 = arrayLength((&global_5.member));
-let _e210 = arrayLength((&global_6.member));
+let _e205 = arrayLength((&global_2.member));
+let _e208 = arrayLength((&global_3.member));
+let _e210 = arrayLength((&global_4.member));
 let _e217 = global_1.member.member_2;
 let _e220 = global_1.member.member;
 let _e225 = (_e202.x + _e217.member);
@@ -335,86 +335,86 @@ if (_e228 < _e217.member_3) {
 let _e233 = (_e220.member * _e220.member_1);
 let _e235 = ((_e228 * _e220.member) + _e225);
 let _e236 = bitcast<i32>(_e235);
-let _e238 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e238 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e240 = select(_e238, _e236, (_e236 < _e238));
-let _e246 = global_2.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
+let _e246 = global_5.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
 let _e247 = (_e233 + _e235);
 let _e248 = bitcast<i32>(_e247);
 let _e250 = select(_e238, _e248, (_e248 < _e238));
-let _e256 = global_2.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
+let _e256 = global_5.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
 let _e258 = ((2u * _e233) + _e235);
 let _e259 = bitcast<i32>(_e258);
 let _e261 = select(_e238, _e259, (_e259 < _e238));
-let _e267 = global_2.member[bitcast<u32>(select(0i, _e261, (_e261 > 0i)))];
+let _e267 = global_5.member[bitcast<u32>(select(0i, _e261, (_e261 > 0i)))];
 let _e269 = ((3u * _e233) + _e235);
 let _e270 = bitcast<i32>(_e269);
 let _e272 = select(_e238, _e270, (_e270 < _e238));
-let _e278 = global_2.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
+let _e278 = global_5.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
 let _e280 = ((4u * _e233) + _e235);
 let _e281 = bitcast<i32>(_e280);
 let _e283 = select(_e238, _e281, (_e281 < _e238));
-let _e289 = global_2.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
+let _e289 = global_5.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
 let _e291 = ((5u * _e233) + _e235);
 let _e292 = bitcast<i32>(_e291);
 let _e294 = select(_e238, _e292, (_e292 < _e238));
-let _e300 = global_2.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
+let _e300 = global_5.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
 let _e302 = ((6u * _e233) + _e235);
 let _e303 = bitcast<i32>(_e302);
 let _e305 = select(_e238, _e303, (_e303 < _e238));
-let _e311 = global_2.member[bitcast<u32>(select(0i, _e305, (_e305 > 0i)))];
+let _e311 = global_5.member[bitcast<u32>(select(0i, _e305, (_e305 > 0i)))];
 let _e313 = ((7u * _e233) + _e235);
 let _e314 = bitcast<i32>(_e313);
 let _e316 = select(_e238, _e314, (_e314 < _e238));
-let _e322 = global_2.member[bitcast<u32>(select(0i, _e316, (_e316 > 0i)))];
+let _e322 = global_5.member[bitcast<u32>(select(0i, _e316, (_e316 > 0i)))];
 let _e324 = ((8u * _e233) + _e235);
 let _e325 = bitcast<i32>(_e324);
 let _e327 = select(_e238, _e325, (_e325 < _e238));
-let _e333 = global_2.member[bitcast<u32>(select(0i, _e327, (_e327 > 0i)))];
+let _e333 = global_5.member[bitcast<u32>(select(0i, _e327, (_e327 > 0i)))];
 let _e335 = ((9u * _e233) + _e235);
 let _e336 = bitcast<i32>(_e335);
 let _e338 = select(_e238, _e336, (_e336 < _e238));
-let _e344 = global_2.member[bitcast<u32>(select(0i, _e338, (_e338 > 0i)))];
+let _e344 = global_5.member[bitcast<u32>(select(0i, _e338, (_e338 > 0i)))];
 let _e346 = ((10u * _e233) + _e235);
 let _e347 = bitcast<i32>(_e346);
 let _e349 = select(_e238, _e347, (_e347 < _e238));
-let _e355 = global_2.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
+let _e355 = global_5.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
 let _e357 = ((11u * _e233) + _e235);
 let _e358 = bitcast<i32>(_e357);
 let _e360 = select(_e238, _e358, (_e358 < _e238));
-let _e366 = global_2.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
+let _e366 = global_5.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
 let _e368 = ((12u * _e233) + _e235);
 let _e369 = bitcast<i32>(_e368);
 let _e371 = select(_e238, _e369, (_e369 < _e238));
-let _e377 = global_2.member[bitcast<u32>(select(0i, _e371, (_e371 > 0i)))];
+let _e377 = global_5.member[bitcast<u32>(select(0i, _e371, (_e371 > 0i)))];
 let _e379 = ((13u * _e233) + _e235);
 let _e380 = bitcast<i32>(_e379);
 let _e382 = select(_e238, _e380, (_e380 < _e238));
-let _e388 = global_2.member[bitcast<u32>(select(0i, _e382, (_e382 > 0i)))];
+let _e388 = global_5.member[bitcast<u32>(select(0i, _e382, (_e382 > 0i)))];
 let _e390 = ((14u * _e233) + _e235);
 let _e391 = bitcast<i32>(_e390);
 let _e393 = select(_e238, _e391, (_e391 < _e238));
-let _e399 = global_2.member[bitcast<u32>(select(0i, _e393, (_e393 > 0i)))];
+let _e399 = global_5.member[bitcast<u32>(select(0i, _e393, (_e393 > 0i)))];
 let _e401 = ((15u * _e233) + _e235);
 let _e402 = bitcast<i32>(_e401);
 let _e404 = select(_e238, _e402, (_e402 < _e238));
-let _e410 = global_2.member[bitcast<u32>(select(0i, _e404, (_e404 > 0i)))];
+let _e410 = global_5.member[bitcast<u32>(select(0i, _e404, (_e404 > 0i)))];
 let _e412 = ((16u * _e233) + _e235);
 let _e413 = bitcast<i32>(_e412);
 let _e415 = select(_e238, _e413, (_e413 < _e238));
-let _e421 = global_2.member[bitcast<u32>(select(0i, _e415, (_e415 > 0i)))];
+let _e421 = global_5.member[bitcast<u32>(select(0i, _e415, (_e415 > 0i)))];
 let _e423 = ((17u * _e233) + _e235);
 let _e424 = bitcast<i32>(_e423);
 let _e426 = select(_e238, _e424, (_e424 < _e238));
-let _e432 = global_2.member[bitcast<u32>(select(0i, _e426, (_e426 > 0i)))];
+let _e432 = global_5.member[bitcast<u32>(select(0i, _e426, (_e426 > 0i)))];
 let _e433 = (_e322 == 2f);
 let _e436 = select(0u, 3u, (_e433 || (_e322 == 4f)));
 if (_e436 > 0u) {
-if (arrayLength((&global_3.member)) >= 3u) {
-let _e447 = atomicLoad((&global_3.member[0u]));
+if (arrayLength((&global_6.member)) >= 3u) {
+let _e447 = atomicLoad((&global_6.member[0u]));
 if (_e447 == 0u) {
-atomicStore((&global_3.member[0u]), (((_e217.member_2 - _e217.member) + 7u) / 8u));
-atomicStore((&global_3.member[1u]), (((_e217.member_3 - _e217.member_1) + 7u) / 8u));
-atomicStore((&global_3.member[2u]), 1u);
+atomicStore((&global_6.member[0u]), (((_e217.member_2 - _e217.member) + 7u) / 8u));
+atomicStore((&global_6.member[1u]), (((_e217.member_3 - _e217.member_1) + 7u) / 8u));
+atomicStore((&global_6.member[2u]), 1u);
 }
 }
 }
@@ -488,7 +488,7 @@ let _e685 = (select(0i, _e624, (_e624 > 0i)) * _e596);
 let _e686 = (select(0i, _e588, (_e588 > 0i)) * _e596);
 let _e687 = (select(_e623, _e629, (_e629 < _e623)) * _e596);
 let _e688 = (select(_e623, _e632, (_e632 < _e623)) * _e596);
-local_40 = type_32(array<i32, 4>(_e658, _e660, _e662, 0i), array<u32, 6>(bitcast<u32>(((_e645 - _e658) * 16i)), bitcast<u32>(((_e647 - _e658) * 16i)), bitcast<u32>(((_e647 - _e660) * 16i)), bitcast<u32>(((_e650 - _e660) * 16i)), bitcast<u32>(((_e650 - _e662) * 16i)), bitcast<u32>(((select(_e642, _e651, (_e651 < _e642)) - _e662) * 16i))));
+local_40 = type_29(array<i32, 4>(_e658, _e660, _e662, 0i), array<u32, 6>(bitcast<u32>(((_e645 - _e658) * 16i)), bitcast<u32>(((_e647 - _e658) * 16i)), bitcast<u32>(((_e647 - _e660) * 16i)), bitcast<u32>(((_e650 - _e660) * 16i)), bitcast<u32>(((_e650 - _e662) * 16i)), bitcast<u32>(((select(_e642, _e651, (_e651 < _e642)) - _e662) * 16i))));
 local_41 = vec3<f32>((_e523 - f32(_e558)), (_e533 - f32(_e573)), (_e543 - f32(_e588)));
 let _e700 = (_e686 + _e682);
 let _e703 = local_40.member[0u];
@@ -497,20 +497,20 @@ let _e706 = (_e704 >> bitcast<u32>(1i));
 let _e709 = bitcast<u32>(((_e704 & 1i) * 16i));
 let _e711 = (bitcast<i32>(_e205) - 1i);
 let _e713 = select(_e711, _e706, (_e706 < _e711));
-let _e718 = global_4.member[bitcast<u32>(select(0i, _e713, (_e713 > 0i)))];
+let _e718 = global_2.member[bitcast<u32>(select(0i, _e713, (_e713 > 0i)))];
 let _e722 = (_e706 + 1i);
 let _e724 = select(_e711, _e722, (_e722 < _e711));
-let _e729 = global_4.member[bitcast<u32>(select(0i, _e724, (_e724 > 0i)))];
+let _e729 = global_2.member[bitcast<u32>(select(0i, _e724, (_e724 > 0i)))];
 let _e736 = ((_e718 >> bitcast<u32>((_e709 & 31u))) | ((_e729 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e709) & 31u))));
 let _e739 = local_40.member[2u];
 let _e740 = (_e700 + _e739);
 let _e742 = (_e740 >> bitcast<u32>(1i));
 let _e745 = bitcast<u32>(((_e740 & 1i) * 16i));
 let _e747 = select(_e711, _e742, (_e742 < _e711));
-let _e752 = global_4.member[bitcast<u32>(select(0i, _e747, (_e747 > 0i)))];
+let _e752 = global_2.member[bitcast<u32>(select(0i, _e747, (_e747 > 0i)))];
 let _e756 = (_e742 + 1i);
 let _e758 = select(_e711, _e756, (_e756 < _e711));
-let _e763 = global_4.member[bitcast<u32>(select(0i, _e758, (_e758 > 0i)))];
+let _e763 = global_2.member[bitcast<u32>(select(0i, _e758, (_e758 > 0i)))];
 let _e770 = ((_e752 >> bitcast<u32>((_e745 & 31u))) | ((_e763 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e745) & 31u))));
 let _e773 = local_40.member_1[0u];
 let _e779 = f32(bitcast<i32>(((_e736 >> bitcast<u32>((_e773 & 31u))) & 65535u)));
@@ -531,20 +531,20 @@ let _e821 = (_e819 + _e820);
 let _e823 = (_e821 >> bitcast<u32>(1i));
 let _e826 = bitcast<u32>(((_e821 & 1i) * 16i));
 let _e828 = select(_e711, _e823, (_e823 < _e711));
-let _e833 = global_4.member[bitcast<u32>(select(0i, _e828, (_e828 > 0i)))];
+let _e833 = global_2.member[bitcast<u32>(select(0i, _e828, (_e828 > 0i)))];
 let _e837 = (_e823 + 1i);
 let _e839 = select(_e711, _e837, (_e837 < _e711));
-let _e844 = global_4.member[bitcast<u32>(select(0i, _e839, (_e839 > 0i)))];
+let _e844 = global_2.member[bitcast<u32>(select(0i, _e839, (_e839 > 0i)))];
 let _e851 = ((_e833 >> bitcast<u32>((_e826 & 31u))) | ((_e844 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e826) & 31u))));
 let _e852 = local_40.member[2u];
 let _e853 = (_e819 + _e852);
 let _e855 = (_e853 >> bitcast<u32>(1i));
 let _e858 = bitcast<u32>(((_e853 & 1i) * 16i));
 let _e860 = select(_e711, _e855, (_e855 < _e711));
-let _e865 = global_4.member[bitcast<u32>(select(0i, _e860, (_e860 > 0i)))];
+let _e865 = global_2.member[bitcast<u32>(select(0i, _e860, (_e860 > 0i)))];
 let _e869 = (_e855 + 1i);
 let _e871 = select(_e711, _e869, (_e869 < _e711));
-let _e876 = global_4.member[bitcast<u32>(select(0i, _e871, (_e871 > 0i)))];
+let _e876 = global_2.member[bitcast<u32>(select(0i, _e871, (_e871 > 0i)))];
 let _e883 = ((_e865 >> bitcast<u32>((_e858 & 31u))) | ((_e876 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e858) & 31u))));
 let _e884 = local_40.member_1[0u];
 let _e890 = f32(bitcast<i32>(((_e851 >> bitcast<u32>((_e884 & 31u))) & 65535u)));
@@ -563,20 +563,20 @@ let _e926 = (_e924 + _e925);
 let _e928 = (_e926 >> bitcast<u32>(1i));
 let _e931 = bitcast<u32>(((_e926 & 1i) * 16i));
 let _e933 = select(_e711, _e928, (_e928 < _e711));
-let _e938 = global_4.member[bitcast<u32>(select(0i, _e933, (_e933 > 0i)))];
+let _e938 = global_2.member[bitcast<u32>(select(0i, _e933, (_e933 > 0i)))];
 let _e942 = (_e928 + 1i);
 let _e944 = select(_e711, _e942, (_e942 < _e711));
-let _e949 = global_4.member[bitcast<u32>(select(0i, _e944, (_e944 > 0i)))];
+let _e949 = global_2.member[bitcast<u32>(select(0i, _e944, (_e944 > 0i)))];
 let _e956 = ((_e938 >> bitcast<u32>((_e931 & 31u))) | ((_e949 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e931) & 31u))));
 let _e957 = local_40.member[2u];
 let _e958 = (_e924 + _e957);
 let _e960 = (_e958 >> bitcast<u32>(1i));
 let _e963 = bitcast<u32>(((_e958 & 1i) * 16i));
 let _e965 = select(_e711, _e960, (_e960 < _e711));
-let _e970 = global_4.member[bitcast<u32>(select(0i, _e965, (_e965 > 0i)))];
+let _e970 = global_2.member[bitcast<u32>(select(0i, _e965, (_e965 > 0i)))];
 let _e974 = (_e960 + 1i);
 let _e976 = select(_e711, _e974, (_e974 < _e711));
-let _e981 = global_4.member[bitcast<u32>(select(0i, _e976, (_e976 > 0i)))];
+let _e981 = global_2.member[bitcast<u32>(select(0i, _e976, (_e976 > 0i)))];
 let _e988 = ((_e970 >> bitcast<u32>((_e963 & 31u))) | ((_e981 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e963) & 31u))));
 let _e989 = local_40.member_1[0u];
 let _e995 = f32(bitcast<i32>(((_e956 >> bitcast<u32>((_e989 & 31u))) & 65535u)));
@@ -597,20 +597,20 @@ let _e1031 = (_e1029 + _e1030);
 let _e1033 = (_e1031 >> bitcast<u32>(1i));
 let _e1036 = bitcast<u32>(((_e1031 & 1i) * 16i));
 let _e1038 = select(_e711, _e1033, (_e1033 < _e711));
-let _e1043 = global_4.member[bitcast<u32>(select(0i, _e1038, (_e1038 > 0i)))];
+let _e1043 = global_2.member[bitcast<u32>(select(0i, _e1038, (_e1038 > 0i)))];
 let _e1047 = (_e1033 + 1i);
 let _e1049 = select(_e711, _e1047, (_e1047 < _e711));
-let _e1054 = global_4.member[bitcast<u32>(select(0i, _e1049, (_e1049 > 0i)))];
+let _e1054 = global_2.member[bitcast<u32>(select(0i, _e1049, (_e1049 > 0i)))];
 let _e1061 = ((_e1043 >> bitcast<u32>((_e1036 & 31u))) | ((_e1054 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1036) & 31u))));
 let _e1062 = local_40.member[2u];
 let _e1063 = (_e1029 + _e1062);
 let _e1065 = (_e1063 >> bitcast<u32>(1i));
 let _e1068 = bitcast<u32>(((_e1063 & 1i) * 16i));
 let _e1070 = select(_e711, _e1065, (_e1065 < _e711));
-let _e1075 = global_4.member[bitcast<u32>(select(0i, _e1070, (_e1070 > 0i)))];
+let _e1075 = global_2.member[bitcast<u32>(select(0i, _e1070, (_e1070 > 0i)))];
 let _e1079 = (_e1065 + 1i);
 let _e1081 = select(_e711, _e1079, (_e1079 < _e711));
-let _e1086 = global_4.member[bitcast<u32>(select(0i, _e1081, (_e1081 > 0i)))];
+let _e1086 = global_2.member[bitcast<u32>(select(0i, _e1081, (_e1081 > 0i)))];
 let _e1093 = ((_e1075 >> bitcast<u32>((_e1068 & 31u))) | ((_e1086 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1068) & 31u))));
 let _e1094 = local_40.member_1[0u];
 let _e1100 = f32(bitcast<i32>(((_e1061 >> bitcast<u32>((_e1094 & 31u))) & 65535u)));
@@ -628,10 +628,10 @@ let _e1138 = ((_e686 + _e681) + _e1137);
 let _e1140 = (_e1138 >> bitcast<u32>(1i));
 let _e1143 = bitcast<u32>(((_e1138 & 1i) * 16i));
 let _e1145 = select(_e711, _e1140, (_e1140 < _e711));
-let _e1150 = global_4.member[bitcast<u32>(select(0i, _e1145, (_e1145 > 0i)))];
+let _e1150 = global_2.member[bitcast<u32>(select(0i, _e1145, (_e1145 > 0i)))];
 let _e1154 = (_e1140 + 1i);
 let _e1156 = select(_e711, _e1154, (_e1154 < _e711));
-let _e1161 = global_4.member[bitcast<u32>(select(0i, _e1156, (_e1156 > 0i)))];
+let _e1161 = global_2.member[bitcast<u32>(select(0i, _e1156, (_e1156 > 0i)))];
 let _e1168 = ((_e1150 >> bitcast<u32>((_e1143 & 31u))) | ((_e1161 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1143) & 31u))));
 let _e1171 = local_40.member_1[2u];
 let _e1177 = f32(bitcast<i32>(((_e1168 >> bitcast<u32>((_e1171 & 31u))) & 65535u)));
@@ -643,10 +643,10 @@ let _e1193 = ((_e686 + _e684) + _e1192);
 let _e1195 = (_e1193 >> bitcast<u32>(1i));
 let _e1198 = bitcast<u32>(((_e1193 & 1i) * 16i));
 let _e1200 = select(_e711, _e1195, (_e1195 < _e711));
-let _e1205 = global_4.member[bitcast<u32>(select(0i, _e1200, (_e1200 > 0i)))];
+let _e1205 = global_2.member[bitcast<u32>(select(0i, _e1200, (_e1200 > 0i)))];
 let _e1209 = (_e1195 + 1i);
 let _e1211 = select(_e711, _e1209, (_e1209 < _e711));
-let _e1216 = global_4.member[bitcast<u32>(select(0i, _e1211, (_e1211 > 0i)))];
+let _e1216 = global_2.member[bitcast<u32>(select(0i, _e1211, (_e1211 > 0i)))];
 let _e1223 = ((_e1205 >> bitcast<u32>((_e1198 & 31u))) | ((_e1216 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1198) & 31u))));
 let _e1224 = local_40.member_1[2u];
 let _e1230 = f32(bitcast<i32>(((_e1223 >> bitcast<u32>((_e1224 & 31u))) & 65535u)));
@@ -657,10 +657,10 @@ let _e1244 = ((_e687 + _e681) + _e1243);
 let _e1246 = (_e1244 >> bitcast<u32>(1i));
 let _e1249 = bitcast<u32>(((_e1244 & 1i) * 16i));
 let _e1251 = select(_e711, _e1246, (_e1246 < _e711));
-let _e1256 = global_4.member[bitcast<u32>(select(0i, _e1251, (_e1251 > 0i)))];
+let _e1256 = global_2.member[bitcast<u32>(select(0i, _e1251, (_e1251 > 0i)))];
 let _e1260 = (_e1246 + 1i);
 let _e1262 = select(_e711, _e1260, (_e1260 < _e711));
-let _e1267 = global_4.member[bitcast<u32>(select(0i, _e1262, (_e1262 > 0i)))];
+let _e1267 = global_2.member[bitcast<u32>(select(0i, _e1262, (_e1262 > 0i)))];
 let _e1274 = ((_e1256 >> bitcast<u32>((_e1249 & 31u))) | ((_e1267 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1249) & 31u))));
 let _e1275 = local_40.member_1[2u];
 let _e1281 = f32(bitcast<i32>(((_e1274 >> bitcast<u32>((_e1275 & 31u))) & 65535u)));
@@ -672,10 +672,10 @@ let _e1295 = ((_e687 + _e684) + _e1294);
 let _e1297 = (_e1295 >> bitcast<u32>(1i));
 let _e1300 = bitcast<u32>(((_e1295 & 1i) * 16i));
 let _e1302 = select(_e711, _e1297, (_e1297 < _e711));
-let _e1307 = global_4.member[bitcast<u32>(select(0i, _e1302, (_e1302 > 0i)))];
+let _e1307 = global_2.member[bitcast<u32>(select(0i, _e1302, (_e1302 > 0i)))];
 let _e1311 = (_e1297 + 1i);
 let _e1313 = select(_e711, _e1311, (_e1311 < _e711));
-let _e1318 = global_4.member[bitcast<u32>(select(0i, _e1313, (_e1313 > 0i)))];
+let _e1318 = global_2.member[bitcast<u32>(select(0i, _e1313, (_e1313 > 0i)))];
 let _e1325 = ((_e1307 >> bitcast<u32>((_e1300 & 31u))) | ((_e1318 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1300) & 31u))));
 let _e1326 = local_40.member_1[2u];
 let _e1332 = f32(bitcast<i32>(((_e1325 >> bitcast<u32>((_e1326 & 31u))) & 65535u)));
@@ -686,10 +686,10 @@ let _e1346 = ((_e685 + _e682) + _e1345);
 let _e1348 = (_e1346 >> bitcast<u32>(1i));
 let _e1351 = bitcast<u32>(((_e1346 & 1i) * 16i));
 let _e1353 = select(_e711, _e1348, (_e1348 < _e711));
-let _e1358 = global_4.member[bitcast<u32>(select(0i, _e1353, (_e1353 > 0i)))];
+let _e1358 = global_2.member[bitcast<u32>(select(0i, _e1353, (_e1353 > 0i)))];
 let _e1362 = (_e1348 + 1i);
 let _e1364 = select(_e711, _e1362, (_e1362 < _e711));
-let _e1369 = global_4.member[bitcast<u32>(select(0i, _e1364, (_e1364 > 0i)))];
+let _e1369 = global_2.member[bitcast<u32>(select(0i, _e1364, (_e1364 > 0i)))];
 let _e1376 = ((_e1358 >> bitcast<u32>((_e1351 & 31u))) | ((_e1369 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1351) & 31u))));
 let _e1377 = local_40.member_1[2u];
 let _e1383 = f32(bitcast<i32>(((_e1376 >> bitcast<u32>((_e1377 & 31u))) & 65535u)));
@@ -701,10 +701,10 @@ let _e1397 = ((_e688 + _e682) + _e1396);
 let _e1399 = (_e1397 >> bitcast<u32>(1i));
 let _e1402 = bitcast<u32>(((_e1397 & 1i) * 16i));
 let _e1404 = select(_e711, _e1399, (_e1399 < _e711));
-let _e1409 = global_4.member[bitcast<u32>(select(0i, _e1404, (_e1404 > 0i)))];
+let _e1409 = global_2.member[bitcast<u32>(select(0i, _e1404, (_e1404 > 0i)))];
 let _e1413 = (_e1399 + 1i);
 let _e1415 = select(_e711, _e1413, (_e1413 < _e711));
-let _e1420 = global_4.member[bitcast<u32>(select(0i, _e1415, (_e1415 > 0i)))];
+let _e1420 = global_2.member[bitcast<u32>(select(0i, _e1415, (_e1415 > 0i)))];
 let _e1427 = ((_e1409 >> bitcast<u32>((_e1402 & 31u))) | ((_e1420 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1402) & 31u))));
 let _e1428 = local_40.member_1[2u];
 let _e1434 = f32(bitcast<i32>(((_e1427 >> bitcast<u32>((_e1428 & 31u))) & 65535u)));
@@ -716,10 +716,10 @@ let _e1448 = ((_e685 + _e683) + _e1447);
 let _e1450 = (_e1448 >> bitcast<u32>(1i));
 let _e1453 = bitcast<u32>(((_e1448 & 1i) * 16i));
 let _e1455 = select(_e711, _e1450, (_e1450 < _e711));
-let _e1460 = global_4.member[bitcast<u32>(select(0i, _e1455, (_e1455 > 0i)))];
+let _e1460 = global_2.member[bitcast<u32>(select(0i, _e1455, (_e1455 > 0i)))];
 let _e1464 = (_e1450 + 1i);
 let _e1466 = select(_e711, _e1464, (_e1464 < _e711));
-let _e1471 = global_4.member[bitcast<u32>(select(0i, _e1466, (_e1466 > 0i)))];
+let _e1471 = global_2.member[bitcast<u32>(select(0i, _e1466, (_e1466 > 0i)))];
 let _e1478 = ((_e1460 >> bitcast<u32>((_e1453 & 31u))) | ((_e1471 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1453) & 31u))));
 let _e1479 = local_40.member_1[2u];
 let _e1485 = f32(bitcast<i32>(((_e1478 >> bitcast<u32>((_e1479 & 31u))) & 65535u)));
@@ -730,10 +730,10 @@ let _e1499 = ((_e688 + _e683) + _e1498);
 let _e1501 = (_e1499 >> bitcast<u32>(1i));
 let _e1504 = bitcast<u32>(((_e1499 & 1i) * 16i));
 let _e1506 = select(_e711, _e1501, (_e1501 < _e711));
-let _e1511 = global_4.member[bitcast<u32>(select(0i, _e1506, (_e1506 > 0i)))];
+let _e1511 = global_2.member[bitcast<u32>(select(0i, _e1506, (_e1506 > 0i)))];
 let _e1515 = (_e1501 + 1i);
 let _e1517 = select(_e711, _e1515, (_e1515 < _e711));
-let _e1522 = global_4.member[bitcast<u32>(select(0i, _e1517, (_e1517 > 0i)))];
+let _e1522 = global_2.member[bitcast<u32>(select(0i, _e1517, (_e1517 > 0i)))];
 let _e1529 = ((_e1511 >> bitcast<u32>((_e1504 & 31u))) | ((_e1522 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1504) & 31u))));
 let _e1530 = local_40.member_1[2u];
 let _e1536 = f32(bitcast<i32>(((_e1529 >> bitcast<u32>((_e1530 & 31u))) & 65535u)));
@@ -795,50 +795,50 @@ local_39 = _e1677;
 let _e1678 = local_39;
 let _e1680 = (bitcast<i32>(_e208) - 1i);
 let _e1682 = select(_e1680, 263197i, (263197i < _e1680));
-let _e1687 = global_5.member[bitcast<u32>(select(0i, _e1682, (_e1682 > 0i)))];
+let _e1687 = global_3.member[bitcast<u32>(select(0i, _e1682, (_e1682 > 0i)))];
 let _e1688 = bitcast<f32>(_e1687);
 let _e1690 = select(_e1680, 263198i, (263198i < _e1680));
 let _e1693 = bitcast<u32>(select(0i, _e1690, (_e1690 > 0i)));
-let _e1695 = global_5.member[_e1693];
+let _e1695 = global_3.member[_e1693];
 let _e1696 = bitcast<f32>(_e1695);
 let _e1698 = select(_e1680, 263199i, (263199i < _e1680));
-let _e1703 = global_5.member[bitcast<u32>(select(0i, _e1698, (_e1698 > 0i)))];
+let _e1703 = global_3.member[bitcast<u32>(select(0i, _e1698, (_e1698 > 0i)))];
 let _e1704 = bitcast<f32>(_e1703);
 let _e1706 = ((_e1678 - _e1688) * _e1696);
 let _e1708 = select(0f, _e1706, (_e1706 > 0f));
 let _e1711 = local_39;
 let _e1713 = select(_e1680, 263200i, (263200i < _e1680));
-let _e1718 = global_5.member[bitcast<u32>(select(0i, _e1713, (_e1713 > 0i)))];
+let _e1718 = global_3.member[bitcast<u32>(select(0i, _e1713, (_e1713 > 0i)))];
 let _e1719 = bitcast<f32>(_e1718);
 let _e1721 = select(_e1680, 263201i, (263201i < _e1680));
-let _e1726 = global_5.member[bitcast<u32>(select(0i, _e1721, (_e1721 > 0i)))];
+let _e1726 = global_3.member[bitcast<u32>(select(0i, _e1721, (_e1721 > 0i)))];
 let _e1727 = bitcast<f32>(_e1726);
 let _e1729 = select(_e1680, 263202i, (263202i < _e1680));
-let _e1734 = global_5.member[bitcast<u32>(select(0i, _e1729, (_e1729 > 0i)))];
+let _e1734 = global_3.member[bitcast<u32>(select(0i, _e1729, (_e1729 > 0i)))];
 let _e1735 = bitcast<f32>(_e1734);
 let _e1737 = ((_e1711 - _e1719) * _e1727);
 let _e1739 = select(0f, _e1737, (_e1737 > 0f));
 let _e1743 = local_39;
 let _e1745 = select(_e1680, 263203i, (263203i < _e1680));
-let _e1750 = global_5.member[bitcast<u32>(select(0i, _e1745, (_e1745 > 0i)))];
+let _e1750 = global_3.member[bitcast<u32>(select(0i, _e1745, (_e1745 > 0i)))];
 let _e1751 = bitcast<f32>(_e1750);
 let _e1753 = select(_e1680, 263204i, (263204i < _e1680));
-let _e1758 = global_5.member[bitcast<u32>(select(0i, _e1753, (_e1753 > 0i)))];
+let _e1758 = global_3.member[bitcast<u32>(select(0i, _e1753, (_e1753 > 0i)))];
 let _e1759 = bitcast<f32>(_e1758);
 let _e1761 = select(_e1680, 263205i, (263205i < _e1680));
-let _e1766 = global_5.member[bitcast<u32>(select(0i, _e1761, (_e1761 > 0i)))];
+let _e1766 = global_3.member[bitcast<u32>(select(0i, _e1761, (_e1761 > 0i)))];
 let _e1767 = bitcast<f32>(_e1766);
 let _e1769 = ((_e1743 - _e1751) * _e1759);
 let _e1771 = select(0f, _e1769, (_e1769 > 0f));
 let _e1774 = local_39;
 let _e1776 = select(_e1680, 263206i, (263206i < _e1680));
-let _e1781 = global_5.member[bitcast<u32>(select(0i, _e1776, (_e1776 > 0i)))];
+let _e1781 = global_3.member[bitcast<u32>(select(0i, _e1776, (_e1776 > 0i)))];
 let _e1782 = bitcast<f32>(_e1781);
 let _e1784 = select(_e1680, 263207i, (263207i < _e1680));
-let _e1789 = global_5.member[bitcast<u32>(select(0i, _e1784, (_e1784 > 0i)))];
+let _e1789 = global_3.member[bitcast<u32>(select(0i, _e1784, (_e1784 > 0i)))];
 let _e1790 = bitcast<f32>(_e1789);
 let _e1792 = select(_e1680, 263208i, (263208i < _e1680));
-let _e1797 = global_5.member[bitcast<u32>(select(0i, _e1792, (_e1792 > 0i)))];
+let _e1797 = global_3.member[bitcast<u32>(select(0i, _e1792, (_e1792 > 0i)))];
 let _e1798 = bitcast<f32>(_e1797);
 let _e1800 = ((_e1774 - _e1782) * _e1790);
 let _e1802 = select(0f, _e1800, (_e1800 > 0f));
@@ -849,34 +849,34 @@ let _e1817 = select(0i, select(select(i32(_e1810), i32(-2147483648), (_e1810 < -
 let _e1821 = (_e1817 - select(0i, 1i, (_e1810 < f32(_e1817))));
 let _e1822 = (262147i + _e1821);
 let _e1824 = select(_e1680, _e1822, (_e1822 < _e1680));
-let _e1830 = global_5.member[bitcast<u32>(select(0i, _e1824, (_e1824 > 0i)))];
+let _e1830 = global_3.member[bitcast<u32>(select(0i, _e1824, (_e1824 > 0i)))];
 let _e1840 = select(_e1680, 262146i, (262146i < _e1680));
-let _e1846 = global_5.member[bitcast<u32>(select(0i, _e1840, (_e1840 > 0i)))];
+let _e1846 = global_3.member[bitcast<u32>(select(0i, _e1840, (_e1840 > 0i)))];
 let _e1847 = bitcast<f32>(_e1846);
 let _e1848 = (f32((bitcast<i32>((_e1830 & 4095u)) - 2048i)) * _e1847);
 let _e1850 = select(_e1680, 262144i, (262144i < _e1680));
-let _e1856 = global_5.member[bitcast<u32>(select(0i, _e1850, (_e1850 > 0i)))];
+let _e1856 = global_3.member[bitcast<u32>(select(0i, _e1850, (_e1850 > 0i)))];
 let _e1857 = bitcast<f32>(_e1856);
 let _e1859 = select(_e1680, 262145i, (262145i < _e1680));
-let _e1865 = global_5.member[bitcast<u32>(select(0i, _e1859, (_e1859 > 0i)))];
+let _e1865 = global_3.member[bitcast<u32>(select(0i, _e1859, (_e1859 > 0i)))];
 let _e1866 = bitcast<f32>(_e1865);
 let _e1872 = ((_e1857 + (f32(bitcast<i32>((_e1830 >> bitcast<u32>(12u)))) * _e1866)) + (_e1848 * (_e1806 - f32(_e1821))));
-let _e1875 = global_5.member[_e1693];
+let _e1875 = global_3.member[_e1693];
 let _e1877 = local_38;
 let _e1880 = local_38;
 let _e1883 = local_38;
 let _e1887 = select(_e1680, 263209i, (263209i < _e1680));
-let _e1893 = global_5.member[bitcast<u32>(select(0i, _e1887, (_e1887 > 0i)))];
+let _e1893 = global_3.member[bitcast<u32>(select(0i, _e1887, (_e1887 > 0i)))];
 let _e1895 = local_38;
 let _e1898 = select(_e1680, 263210i, (263210i < _e1680));
-let _e1904 = global_5.member[bitcast<u32>(select(0i, _e1898, (_e1898 > 0i)))];
+let _e1904 = global_3.member[bitcast<u32>(select(0i, _e1898, (_e1898 > 0i)))];
 let _e1906 = local_38;
 let _e1910 = (_e1848 * select(0f, select(select(select(bitcast<f32>(_e1875), _e1727, (_e1877 >= _e1719)), _e1759, (_e1880 >= _e1751)), _e1790, (_e1883 >= _e1782)), ((_e1895 >= bitcast<f32>(_e1893)) && (_e1906 <= bitcast<f32>(_e1904)))));
 if _e512 {
 let _e1917 = ((0.5f * (_e1652 - _e1646)) * _e1910);
 let _e1918 = ((0.5f * (_e1664 - _e1658)) * _e1910);
 let _e1919 = ((0.5f * (_e1676 - _e1670)) * _e1910);
-phi_6396_ = type_34(_e1872, vec3<f32>(_e1917, _e1918, _e1919), vec3<f32>((_e1917 * _e1872), (_e1918 * _e1872), (_e1919 * _e1872)));
+phi_6396_ = type_33(_e1872, vec3<f32>(_e1917, _e1918, _e1919), vec3<f32>((_e1917 * _e1872), (_e1918 * _e1872), (_e1919 * _e1872)));
 } else {
 local_36 = _e1646;
 let _e1926 = local_36;
@@ -900,7 +900,7 @@ let _e1968 = select(0i, select(select(i32(_e1961), i32(-2147483648), (_e1961 < -
 let _e1972 = (_e1968 - select(0i, 1i, (_e1961 < f32(_e1968))));
 let _e1973 = (262147i + _e1972);
 let _e1975 = select(_e1680, _e1973, (_e1973 < _e1680));
-let _e1981 = global_5.member[bitcast<u32>(select(0i, _e1975, (_e1975 > 0i)))];
+let _e1981 = global_3.member[bitcast<u32>(select(0i, _e1975, (_e1975 > 0i)))];
 let _e1996 = ((_e1857 + (f32(bitcast<i32>((_e1981 >> bitcast<u32>(12u)))) * _e1866)) + ((f32((bitcast<i32>((_e1981 & 4095u)) - 2048i)) * _e1847) * (_e1957 - f32(_e1972))));
 local_34 = _e1652;
 let _e1997 = local_34;
@@ -924,7 +924,7 @@ let _e2039 = select(0i, select(select(i32(_e2032), i32(-2147483648), (_e2032 < -
 let _e2043 = (_e2039 - select(0i, 1i, (_e2032 < f32(_e2039))));
 let _e2044 = (262147i + _e2043);
 let _e2046 = select(_e1680, _e2044, (_e2044 < _e1680));
-let _e2052 = global_5.member[bitcast<u32>(select(0i, _e2046, (_e2046 > 0i)))];
+let _e2052 = global_3.member[bitcast<u32>(select(0i, _e2046, (_e2046 > 0i)))];
 let _e2067 = ((_e1857 + (f32(bitcast<i32>((_e2052 >> bitcast<u32>(12u)))) * _e1866)) + ((f32((bitcast<i32>((_e2052 & 4095u)) - 2048i)) * _e1847) * (_e2028 - f32(_e2043))));
 local_32 = _e1658;
 let _e2068 = local_32;
@@ -948,7 +948,7 @@ let _e2110 = select(0i, select(select(i32(_e2103), i32(-2147483648), (_e2103 < -
 let _e2114 = (_e2110 - select(0i, 1i, (_e2103 < f32(_e2110))));
 let _e2115 = (262147i + _e2114);
 let _e2117 = select(_e1680, _e2115, (_e2115 < _e1680));
-let _e2123 = global_5.member[bitcast<u32>(select(0i, _e2117, (_e2117 > 0i)))];
+let _e2123 = global_3.member[bitcast<u32>(select(0i, _e2117, (_e2117 > 0i)))];
 let _e2138 = ((_e1857 + (f32(bitcast<i32>((_e2123 >> bitcast<u32>(12u)))) * _e1866)) + ((f32((bitcast<i32>((_e2123 & 4095u)) - 2048i)) * _e1847) * (_e2099 - f32(_e2114))));
 local_30 = _e1664;
 let _e2139 = local_30;
@@ -972,7 +972,7 @@ let _e2181 = select(0i, select(select(i32(_e2174), i32(-2147483648), (_e2174 < -
 let _e2185 = (_e2181 - select(0i, 1i, (_e2174 < f32(_e2181))));
 let _e2186 = (262147i + _e2185);
 let _e2188 = select(_e1680, _e2186, (_e2186 < _e1680));
-let _e2194 = global_5.member[bitcast<u32>(select(0i, _e2188, (_e2188 > 0i)))];
+let _e2194 = global_3.member[bitcast<u32>(select(0i, _e2188, (_e2188 > 0i)))];
 let _e2209 = ((_e1857 + (f32(bitcast<i32>((_e2194 >> bitcast<u32>(12u)))) * _e1866)) + ((f32((bitcast<i32>((_e2194 & 4095u)) - 2048i)) * _e1847) * (_e2170 - f32(_e2185))));
 local_28 = _e1670;
 let _e2210 = local_28;
@@ -996,7 +996,7 @@ let _e2252 = select(0i, select(select(i32(_e2245), i32(-2147483648), (_e2245 < -
 let _e2256 = (_e2252 - select(0i, 1i, (_e2245 < f32(_e2252))));
 let _e2257 = (262147i + _e2256);
 let _e2259 = select(_e1680, _e2257, (_e2257 < _e1680));
-let _e2265 = global_5.member[bitcast<u32>(select(0i, _e2259, (_e2259 > 0i)))];
+let _e2265 = global_3.member[bitcast<u32>(select(0i, _e2259, (_e2259 > 0i)))];
 let _e2280 = ((_e1857 + (f32(bitcast<i32>((_e2265 >> bitcast<u32>(12u)))) * _e1866)) + ((f32((bitcast<i32>((_e2265 & 4095u)) - 2048i)) * _e1847) * (_e2241 - f32(_e2256))));
 local_26 = _e1676;
 let _e2281 = local_26;
@@ -1020,12 +1020,12 @@ let _e2323 = select(0i, select(select(i32(_e2316), i32(-2147483648), (_e2316 < -
 let _e2327 = (_e2323 - select(0i, 1i, (_e2316 < f32(_e2323))));
 let _e2328 = (262147i + _e2327);
 let _e2330 = select(_e1680, _e2328, (_e2328 < _e1680));
-let _e2336 = global_5.member[bitcast<u32>(select(0i, _e2330, (_e2330 > 0i)))];
+let _e2336 = global_3.member[bitcast<u32>(select(0i, _e2330, (_e2330 > 0i)))];
 let _e2351 = ((_e1857 + (f32(bitcast<i32>((_e2336 >> bitcast<u32>(12u)))) * _e1866)) + ((f32((bitcast<i32>((_e2336 & 4095u)) - 2048i)) * _e1847) * (_e2312 - f32(_e2327))));
 let _e2352 = (_e2067 - _e1996);
 let _e2354 = (_e2209 - _e2138);
 let _e2356 = (_e2351 - _e2280);
-phi_6396_ = type_34(_e1872, vec3<f32>((0.5f * _e2352), (0.5f * _e2354), (0.5f * _e2356)), vec3<f32>((0.25f * (_e2352 * (_e2067 + _e1996))), (0.25f * (_e2354 * (_e2209 + _e2138))), (0.25f * (_e2356 * (_e2351 + _e2280)))));
+phi_6396_ = type_33(_e1872, vec3<f32>((0.5f * _e2352), (0.5f * _e2354), (0.5f * _e2356)), vec3<f32>((0.25f * (_e2352 * (_e2067 + _e1996))), (0.25f * (_e2354 * (_e2209 + _e2138))), (0.25f * (_e2356 * (_e2351 + _e2280)))));
 }
 let _e2371 = phi_6396_;
 let _e2386 = select(0f, 1f, ((((((_e474 >= -0.5f) && (_e474 <= _e519)) && (_e489 >= -0.5f)) && (_e489 <= _e529)) && (_e504 >= -0.5f)) && (_e504 <= _e539)));
@@ -1041,7 +1041,7 @@ let _e2428 = global_1.member.member_6.member_1.member.member_2;
 let _e2434 = global_1.member.member_6.member_2.member.member;
 let _e2440 = global_1.member.member_6.member_2.member.member_1;
 let _e2446 = global_1.member.member_6.member_2.member.member_2;
-phi_7175_ = type_35(_e1640, vec3<f32>(((((_e2398 * _e2388) + (_e2416 * _e2390)) + (_e2434 * _e2392)) * _e2386), ((((_e2404 * _e2388) + (_e2422 * _e2390)) + (_e2440 * _e2392)) * _e2386), ((((_e2410 * _e2388) + (_e2428 * _e2390)) + (_e2446 * _e2392)) * _e2386)), _e2371.member, vec3<f32>(((((_e2398 * _e2371.member_2.x) + (_e2416 * _e2371.member_2.y)) + (_e2434 * _e2371.member_2.z)) * _e2386), ((((_e2404 * _e2371.member_2.x) + (_e2422 * _e2371.member_2.y)) + (_e2440 * _e2371.member_2.z)) * _e2386), ((((_e2410 * _e2371.member_2.x) + (_e2428 * _e2371.member_2.y)) + (_e2446 * _e2371.member_2.z)) * _e2386)), vec3<f32>(((((_e2398 * _e2371.member_1.x) + (_e2416 * _e2371.member_1.y)) + (_e2434 * _e2371.member_1.z)) * _e2386), ((((_e2404 * _e2371.member_1.x) + (_e2422 * _e2371.member_1.y)) + (_e2440 * _e2371.member_1.z)) * _e2386), ((((_e2410 * _e2371.member_1.x) + (_e2428 * _e2371.member_1.y)) + (_e2446 * _e2371.member_1.z)) * _e2386)));
+phi_7175_ = type_34(_e1640, vec3<f32>(((((_e2398 * _e2388) + (_e2416 * _e2390)) + (_e2434 * _e2392)) * _e2386), ((((_e2404 * _e2388) + (_e2422 * _e2390)) + (_e2440 * _e2392)) * _e2386), ((((_e2410 * _e2388) + (_e2428 * _e2390)) + (_e2446 * _e2392)) * _e2386)), _e2371.member, vec3<f32>(((((_e2398 * _e2371.member_2.x) + (_e2416 * _e2371.member_2.y)) + (_e2434 * _e2371.member_2.z)) * _e2386), ((((_e2404 * _e2371.member_2.x) + (_e2422 * _e2371.member_2.y)) + (_e2440 * _e2371.member_2.z)) * _e2386), ((((_e2410 * _e2371.member_2.x) + (_e2428 * _e2371.member_2.y)) + (_e2446 * _e2371.member_2.z)) * _e2386)), vec3<f32>(((((_e2398 * _e2371.member_1.x) + (_e2416 * _e2371.member_1.y)) + (_e2434 * _e2371.member_1.z)) * _e2386), ((((_e2404 * _e2371.member_1.x) + (_e2422 * _e2371.member_1.y)) + (_e2440 * _e2371.member_1.z)) * _e2386), ((((_e2410 * _e2371.member_1.x) + (_e2428 * _e2371.member_1.y)) + (_e2446 * _e2371.member_1.z)) * _e2386)));
 } else {
 let _e2515 = global_1.member.member_6.member_3.member;
 let _e2516 = (_e2515 - 0.5f);
@@ -1090,7 +1090,7 @@ let _e2666 = (select(0i, _e2570, (_e2570 > 0i)) * _e2589);
 let _e2667 = (select(_e2601, _e2604, (_e2604 < _e2601)) * _e2589);
 let _e2668 = (select(0i, _e2585, (_e2585 > 0i)) * _e2593);
 let _e2669 = (select(_e2614, _e2617, (_e2617 < _e2614)) * _e2593);
-local_24 = type_32(array<i32, 4>(_e2643, _e2645, _e2647, 0i), array<u32, 6>(bitcast<u32>(((_e2630 - _e2643) * 16i)), bitcast<u32>(((_e2632 - _e2643) * 16i)), bitcast<u32>(((_e2632 - _e2645) * 16i)), bitcast<u32>(((_e2635 - _e2645) * 16i)), bitcast<u32>(((_e2635 - _e2647) * 16i)), bitcast<u32>(((select(_e2627, _e2636, (_e2636 < _e2627)) - _e2647) * 16i))));
+local_24 = type_29(array<i32, 4>(_e2643, _e2645, _e2647, 0i), array<u32, 6>(bitcast<u32>(((_e2630 - _e2643) * 16i)), bitcast<u32>(((_e2632 - _e2643) * 16i)), bitcast<u32>(((_e2632 - _e2645) * 16i)), bitcast<u32>(((_e2635 - _e2645) * 16i)), bitcast<u32>(((_e2635 - _e2647) * 16i)), bitcast<u32>(((select(_e2627, _e2636, (_e2636 < _e2627)) - _e2647) * 16i))));
 local_25 = vec3<f32>((_e2520 - f32(_e2555)), (_e2530 - f32(_e2570)), (_e2540 - f32(_e2585)));
 let _e2684 = local_24.member[1u];
 let _e2685 = ((_e2668 + _e2666) + _e2684);
@@ -1098,10 +1098,10 @@ let _e2687 = (_e2685 >> bitcast<u32>(1i));
 let _e2690 = bitcast<u32>(((_e2685 & 1i) * 16i));
 let _e2692 = (bitcast<i32>(_e205) - 1i);
 let _e2694 = select(_e2692, _e2687, (_e2687 < _e2692));
-let _e2699 = global_4.member[bitcast<u32>(select(0i, _e2694, (_e2694 > 0i)))];
+let _e2699 = global_2.member[bitcast<u32>(select(0i, _e2694, (_e2694 > 0i)))];
 let _e2703 = (_e2687 + 1i);
 let _e2705 = select(_e2692, _e2703, (_e2703 < _e2692));
-let _e2710 = global_4.member[bitcast<u32>(select(0i, _e2705, (_e2705 > 0i)))];
+let _e2710 = global_2.member[bitcast<u32>(select(0i, _e2705, (_e2705 > 0i)))];
 let _e2717 = ((_e2699 >> bitcast<u32>((_e2690 & 31u))) | ((_e2710 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2690) & 31u))));
 let _e2720 = local_24.member_1[2u];
 let _e2726 = f32(bitcast<i32>(((_e2717 >> bitcast<u32>((_e2720 & 31u))) & 65535u)));
@@ -1113,10 +1113,10 @@ let _e2742 = ((_e2668 + _e2667) + _e2741);
 let _e2744 = (_e2742 >> bitcast<u32>(1i));
 let _e2747 = bitcast<u32>(((_e2742 & 1i) * 16i));
 let _e2749 = select(_e2692, _e2744, (_e2744 < _e2692));
-let _e2754 = global_4.member[bitcast<u32>(select(0i, _e2749, (_e2749 > 0i)))];
+let _e2754 = global_2.member[bitcast<u32>(select(0i, _e2749, (_e2749 > 0i)))];
 let _e2758 = (_e2744 + 1i);
 let _e2760 = select(_e2692, _e2758, (_e2758 < _e2692));
-let _e2765 = global_4.member[bitcast<u32>(select(0i, _e2760, (_e2760 > 0i)))];
+let _e2765 = global_2.member[bitcast<u32>(select(0i, _e2760, (_e2760 > 0i)))];
 let _e2772 = ((_e2754 >> bitcast<u32>((_e2747 & 31u))) | ((_e2765 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2747) & 31u))));
 let _e2773 = local_24.member_1[2u];
 let _e2779 = f32(bitcast<i32>(((_e2772 >> bitcast<u32>((_e2773 & 31u))) & 65535u)));
@@ -1129,10 +1129,10 @@ let _e2798 = ((_e2669 + _e2666) + _e2797);
 let _e2800 = (_e2798 >> bitcast<u32>(1i));
 let _e2803 = bitcast<u32>(((_e2798 & 1i) * 16i));
 let _e2805 = select(_e2692, _e2800, (_e2800 < _e2692));
-let _e2810 = global_4.member[bitcast<u32>(select(0i, _e2805, (_e2805 > 0i)))];
+let _e2810 = global_2.member[bitcast<u32>(select(0i, _e2805, (_e2805 > 0i)))];
 let _e2814 = (_e2800 + 1i);
 let _e2816 = select(_e2692, _e2814, (_e2814 < _e2692));
-let _e2821 = global_4.member[bitcast<u32>(select(0i, _e2816, (_e2816 > 0i)))];
+let _e2821 = global_2.member[bitcast<u32>(select(0i, _e2816, (_e2816 > 0i)))];
 let _e2828 = ((_e2810 >> bitcast<u32>((_e2803 & 31u))) | ((_e2821 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2803) & 31u))));
 let _e2829 = local_24.member_1[2u];
 let _e2835 = f32(bitcast<i32>(((_e2828 >> bitcast<u32>((_e2829 & 31u))) & 65535u)));
@@ -1144,10 +1144,10 @@ let _e2849 = ((_e2669 + _e2667) + _e2848);
 let _e2851 = (_e2849 >> bitcast<u32>(1i));
 let _e2854 = bitcast<u32>(((_e2849 & 1i) * 16i));
 let _e2856 = select(_e2692, _e2851, (_e2851 < _e2692));
-let _e2861 = global_4.member[bitcast<u32>(select(0i, _e2856, (_e2856 > 0i)))];
+let _e2861 = global_2.member[bitcast<u32>(select(0i, _e2856, (_e2856 > 0i)))];
 let _e2865 = (_e2851 + 1i);
 let _e2867 = select(_e2692, _e2865, (_e2865 < _e2692));
-let _e2872 = global_4.member[bitcast<u32>(select(0i, _e2867, (_e2867 > 0i)))];
+let _e2872 = global_2.member[bitcast<u32>(select(0i, _e2867, (_e2867 > 0i)))];
 let _e2879 = ((_e2861 >> bitcast<u32>((_e2854 & 31u))) | ((_e2872 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2854) & 31u))));
 let _e2880 = local_24.member_1[2u];
 let _e2886 = f32(bitcast<i32>(((_e2879 >> bitcast<u32>((_e2880 & 31u))) & 65535u)));
@@ -1160,13 +1160,13 @@ let _e2914 = global_1.member.member_6.member_5;
 let _e2916 = (((_e2795 + (((_e2846 + (((_e2886 + ((f32(bitcast<i32>(((_e2879 >> bitcast<u32>((_e2887 & 31u))) & 65535u))) - _e2886) * _e2894)) - _e2846) * _e2898)) - _e2795) * _e2903)) - _e2910) * _e2914);
 let _e2917 = -(1e9f);
 let _e2919 = select(_e2917, _e2916, (_e2916 > _e2917));
-phi_7175_ = type_35(select(1e9f, _e2919, (_e2919 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_7175_ = type_34(select(1e9f, _e2919, (_e2919 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2924 = phi_7175_;
 let _e2927 = global_1.member.member_1;
 let _e2929 = ((_e2927 & 16u) == 0u);
 if _e2929 {
-phi_7555_ = type_5(1f, 1f, 1f);
+phi_7555_ = type_7(1f, 1f, 1f);
 } else {
 let _e2933 = global_1.member.member_14.member;
 let _e2944 = ((((_e2933.member.member * _e246) + (_e2933.member.member_1 * _e256)) + (_e2933.member.member_2 * _e267)) + _e2933.member_1);
@@ -1204,11 +1204,11 @@ let _e3071 = (_e3061 > 0f);
 let _e3074 = select(select(select(1f, _e3068, (_e3068 < 1f)), 1f, (_e3061 <= 0f)), 0f, _e3071);
 let _e3078 = global_1.member.member_17.member_1;
 let _e3079 = (_e3078 != 0u);
-phi_7555_ = type_5(((((1f * _e2957) * _e2996) * _e3035) * _e3074), ((((1f * select(1f, _e2957, _e2962)) * select(1f, _e2996, _e3001)) * select(1f, _e3035, _e3040)) * select(1f, _e3074, _e3079)), ((((1f * select(1f, 0f, (_e2962 && _e2954))) * select(1f, 0f, (_e3001 && _e2993))) * select(1f, 0f, (_e3040 && _e3032))) * select(1f, 0f, (_e3079 && _e3071))));
+phi_7555_ = type_7(((((1f * _e2957) * _e2996) * _e3035) * _e3074), ((((1f * select(1f, _e2957, _e2962)) * select(1f, _e2996, _e3001)) * select(1f, _e3035, _e3040)) * select(1f, _e3074, _e3079)), ((((1f * select(1f, 0f, (_e2962 && _e2954))) * select(1f, 0f, (_e3001 && _e2993))) * select(1f, 0f, (_e3040 && _e3032))) * select(1f, 0f, (_e3079 && _e3071))));
 }
 let _e3088 = phi_7555_;
 if _e433 {
-let _e3090 = type_33(_e455, _e456, _e311, 4f, _e333, _e457, _e377, _e458, _e421, _e432);
+let _e3090 = type_32(_e455, _e456, _e311, 4f, _e333, _e457, _e377, _e458, _e421, _e432);
 let _e3095 = global_1.member.member_5.member_2;
 let _e3098 = (_e3095 / select(1e-6f, _e300, (_e300 > 1e-6f)));
 let _e3102 = (_e246 + (_e278 * _e3098));
@@ -1332,7 +1332,7 @@ let _e3404 = select(select(select(select(select(select(0f, _e3127.member, _e3173
 let _e3405 = select(select(select(select(select(select(0f, _e3127.member_1, _e3173), _e3127.member_1, _e3213), _e3135.member_1, _e3259), _e3135.member_1, _e3299), _e3143.member_1, _e3345), _e3143.member_1, _e3385);
 let _e3406 = select(select(select(select(select(select(1f, _e3127.member_2, _e3173), _e3127.member_2, _e3213), _e3135.member_2, _e3259), _e3135.member_2, _e3299), _e3143.member_2, _e3345), _e3143.member_2, _e3385);
 if _e2929 {
-phi_8884_ = type_36(_e3391, vec3<f32>(_e3392, _e3393, _e3394), _e3396, vec3<f32>(_e3397, _e3398, _e3399), _e3401, _e3403, vec3<f32>(_e3404, _e3405, _e3406));
+phi_8884_ = type_35(_e3391, vec3<f32>(_e3392, _e3393, _e3394), _e3396, vec3<f32>(_e3397, _e3398, _e3399), _e3401, _e3403, vec3<f32>(_e3404, _e3405, _e3406));
 } else {
 let _e3413 = (((_e3127.member * _e3127.member) + (_e3127.member_1 * _e3127.member_1)) + (_e3127.member_2 * _e3127.member_2));
 let _e3416 = sqrt(select(0f, _e3413, (_e3413 > 0f)));
@@ -1412,13 +1412,13 @@ let _e3700 = select(2f, select(0f, _e3692, (_e3673 < 0f)), (_e3674 > 0f));
 let _e3701 = (_e3673 > _e3639);
 let _e3705 = ((_e3696 > _e3631) || ((_e3696 == _e3631) && _e3701));
 let _e3706 = (_e3700 < _e3635);
-phi_8884_ = type_36(select(_e3631, _e3696, _e3705), vec3<f32>(select(select(select(select(_e3392, _e3451.member, _e3477), _e3527.member, _e3553), _e3603.member, _e3629), _e3679.member, _e3705), select(select(select(select(_e3393, _e3451.member_1, _e3477), _e3527.member_1, _e3553), _e3603.member_1, _e3629), _e3679.member_1, _e3705), select(select(select(select(_e3394, _e3451.member_2, _e3477), _e3527.member_2, _e3553), _e3603.member_2, _e3629), _e3679.member_2, _e3705)), select(_e3635, _e3700, _e3706), vec3<f32>(select(select(select(select(_e3397, _e3451.member, _e3478), _e3527.member, _e3554), _e3603.member, _e3630), _e3679.member, _e3706), select(select(select(select(_e3398, _e3451.member_1, _e3478), _e3527.member_1, _e3554), _e3603.member_1, _e3630), _e3679.member_1, _e3706), select(select(select(select(_e3399, _e3451.member_2, _e3478), _e3527.member_2, _e3554), _e3603.member_2, _e3630), _e3679.member_2, _e3706)), select(_e3639, _e3673, _e3701), select(_e3641, _e3674, (_e3674 > _e3641)), vec3<f32>(select(select(select(select(_e3404, _e3451.member, _e3473), _e3527.member, _e3549), _e3603.member, _e3625), _e3679.member, _e3701), select(select(select(select(_e3405, _e3451.member_1, _e3473), _e3527.member_1, _e3549), _e3603.member_1, _e3625), _e3679.member_1, _e3701), select(select(select(select(_e3406, _e3451.member_2, _e3473), _e3527.member_2, _e3549), _e3603.member_2, _e3625), _e3679.member_2, _e3701)));
+phi_8884_ = type_35(select(_e3631, _e3696, _e3705), vec3<f32>(select(select(select(select(_e3392, _e3451.member, _e3477), _e3527.member, _e3553), _e3603.member, _e3629), _e3679.member, _e3705), select(select(select(select(_e3393, _e3451.member_1, _e3477), _e3527.member_1, _e3553), _e3603.member_1, _e3629), _e3679.member_1, _e3705), select(select(select(select(_e3394, _e3451.member_2, _e3477), _e3527.member_2, _e3553), _e3603.member_2, _e3629), _e3679.member_2, _e3705)), select(_e3635, _e3700, _e3706), vec3<f32>(select(select(select(select(_e3397, _e3451.member, _e3478), _e3527.member, _e3554), _e3603.member, _e3630), _e3679.member, _e3706), select(select(select(select(_e3398, _e3451.member_1, _e3478), _e3527.member_1, _e3554), _e3603.member_1, _e3630), _e3679.member_1, _e3706), select(select(select(select(_e3399, _e3451.member_2, _e3478), _e3527.member_2, _e3554), _e3603.member_2, _e3630), _e3679.member_2, _e3706)), select(_e3639, _e3673, _e3701), select(_e3641, _e3674, (_e3674 > _e3641)), vec3<f32>(select(select(select(select(_e3404, _e3451.member, _e3473), _e3527.member, _e3549), _e3603.member, _e3625), _e3679.member, _e3701), select(select(select(select(_e3405, _e3451.member_1, _e3473), _e3527.member_1, _e3549), _e3603.member_1, _e3625), _e3679.member_1, _e3701), select(select(select(select(_e3406, _e3451.member_2, _e3473), _e3527.member_2, _e3549), _e3603.member_2, _e3625), _e3679.member_2, _e3701)));
 }
 let _e3726 = phi_8884_;
 let _e3736 = (select(select(0.5f, _e3726.member_2, (_e3726.member_2 < 1f)), 0f, (_e432 == -1.2676506e30f)) * ((_e3095 / _e300) * select(_e3088.member_2, 0f, (_e421 == 0f))));
-phi_8921_ = type_33(_e3090.member, vec3<f32>((_e278 - (_e2924.member_3.x * _e3736)), (_e289 - (_e2924.member_3.y * _e3736)), (_e300 - (_e2924.member_3.z * _e3736))), _e3090.member_2, _e3090.member_3, _e3090.member_4, _e3090.member_5, _e3090.member_6, _e3090.member_7, _e3090.member_8, _e3090.member_9);
+phi_8921_ = type_32(_e3090.member, vec3<f32>((_e278 - (_e2924.member_3.x * _e3736)), (_e289 - (_e2924.member_3.y * _e3736)), (_e300 - (_e2924.member_3.z * _e3736))), _e3090.member_2, _e3090.member_3, _e3090.member_4, _e3090.member_5, _e3090.member_6, _e3090.member_7, _e3090.member_8, _e3090.member_9);
 } else {
-phi_8921_ = type_33(_e455, _e456, _e311, _e322, _e333, _e457, _e377, _e458, _e421, _e432);
+phi_8921_ = type_32(_e455, _e456, _e311, _e322, _e333, _e457, _e377, _e458, _e421, _e432);
 }
 let _e3758 = phi_8921_;
 let _e3763 = global_1.member.member_10.member_3;
@@ -1426,7 +1426,7 @@ let _e3764 = (_e3763 == 0u);
 if _e3764 {
 let _e3768 = global_1.member.member_9.member_1;
 let _e3776 = global_1.member.member_9.member;
-phi_9181_ = type_29(vec3<f32>(_e3768.member, _e3768.member_1, _e3768.member_2), vec3<f32>(_e3776.member, _e3776.member_1, _e3776.member_2));
+phi_9181_ = type_36(vec3<f32>(_e3768.member, _e3768.member_1, _e3768.member_2), vec3<f32>(_e3776.member, _e3776.member_1, _e3776.member_2));
 } else {
 let _e3785 = global_1.member.member_10.member;
 let _e3799 = ((((_e3785.member.member * _e3758.member.x) + (_e3785.member.member_1 * _e3758.member.y)) + (_e3785.member.member_2 * _e3758.member.z)) + _e3785.member_1);
@@ -1482,7 +1482,7 @@ let _e3955 = select(1f, (_e3938 * _e3949), _e3928);
 let _e3960 = global_1.member.member_10.member.member;
 let _e3971 = global_1.member.member_10.member_1.member;
 let _e3985 = global_1.member.member_10.member_2.member;
-phi_9181_ = type_29(vec3<f32>((_e3833.member * _e3923), (_e3833.member_1 * _e3923), (_e3833.member_2 * _e3923)), (vec3<f32>(((_e3960.member * _e3953) + (_e3971.member * _e3954)), ((_e3960.member_1 * _e3953) + (_e3971.member_1 * _e3954)), ((_e3960.member_2 * _e3953) + (_e3971.member_2 * _e3954))) + vec3<f32>((_e3985.member * _e3955), (_e3985.member_1 * _e3955), (_e3985.member_2 * _e3955))));
+phi_9181_ = type_36(vec3<f32>((_e3833.member * _e3923), (_e3833.member_1 * _e3923), (_e3833.member_2 * _e3923)), (vec3<f32>(((_e3960.member * _e3953) + (_e3971.member * _e3954)), ((_e3960.member_1 * _e3953) + (_e3971.member_1 * _e3954)), ((_e3960.member_2 * _e3953) + (_e3971.member_2 * _e3954))) + vec3<f32>((_e3985.member * _e3955), (_e3985.member_1 * _e3955), (_e3985.member_2 * _e3955))));
 }
 let _e3997 = phi_9181_;
 phi_9183_ = _e3758;
@@ -1659,7 +1659,7 @@ let _e4405 = select(select(select(select(select(select(0f, _e4080.member, _e4184
 let _e4406 = select(select(select(select(select(select(0f, _e4080.member_1, _e4184), _e4080.member_1, _e4224), _e4151.member_1, _e4265), _e4151.member_1, _e4305), _e4159.member_1, _e4346), _e4159.member_1, _e4386);
 let _e4407 = select(select(select(select(select(select(1f, _e4080.member_2, _e4184), _e4080.member_2, _e4224), _e4151.member_2, _e4265), _e4151.member_2, _e4305), _e4159.member_2, _e4346), _e4159.member_2, _e4386);
 if _e2929 {
-phi_10659_ = type_36(_e4392, vec3<f32>(_e4393, _e4394, _e4395), _e4397, vec3<f32>(_e4398, _e4399, _e4400), _e4402, _e4404, vec3<f32>(_e4405, _e4406, _e4407));
+phi_10659_ = type_35(_e4392, vec3<f32>(_e4393, _e4394, _e4395), _e4397, vec3<f32>(_e4398, _e4399, _e4400), _e4402, _e4404, vec3<f32>(_e4405, _e4406, _e4407));
 } else {
 let _e4413 = global_1.member.member_14.member_1;
 let _e4414 = (_e4413 != 0u);
@@ -1737,7 +1737,7 @@ let _e4693 = select(2f, select(0f, _e4685, (_e4666 < 0f)), (_e4667 > 0f));
 let _e4694 = (_e4666 > _e4632);
 let _e4698 = ((_e4689 > _e4624) || ((_e4689 == _e4624) && _e4694));
 let _e4699 = (_e4693 < _e4628);
-phi_10659_ = type_36(select(_e4624, _e4689, _e4698), vec3<f32>(select(select(select(select(_e4393, _e4444.member, _e4470), _e4520.member, _e4546), _e4596.member, _e4622), _e4672.member, _e4698), select(select(select(select(_e4394, _e4444.member_1, _e4470), _e4520.member_1, _e4546), _e4596.member_1, _e4622), _e4672.member_1, _e4698), select(select(select(select(_e4395, _e4444.member_2, _e4470), _e4520.member_2, _e4546), _e4596.member_2, _e4622), _e4672.member_2, _e4698)), select(_e4628, _e4693, _e4699), vec3<f32>(select(select(select(select(_e4398, _e4444.member, _e4471), _e4520.member, _e4547), _e4596.member, _e4623), _e4672.member, _e4699), select(select(select(select(_e4399, _e4444.member_1, _e4471), _e4520.member_1, _e4547), _e4596.member_1, _e4623), _e4672.member_1, _e4699), select(select(select(select(_e4400, _e4444.member_2, _e4471), _e4520.member_2, _e4547), _e4596.member_2, _e4623), _e4672.member_2, _e4699)), select(_e4632, _e4666, _e4694), select(_e4634, _e4667, (_e4667 > _e4634)), vec3<f32>(select(select(select(select(_e4405, _e4444.member, _e4466), _e4520.member, _e4542), _e4596.member, _e4618), _e4672.member, _e4694), select(select(select(select(_e4406, _e4444.member_1, _e4466), _e4520.member_1, _e4542), _e4596.member_1, _e4618), _e4672.member_1, _e4694), select(select(select(select(_e4407, _e4444.member_2, _e4466), _e4520.member_2, _e4542), _e4596.member_2, _e4618), _e4672.member_2, _e4694)));
+phi_10659_ = type_35(select(_e4624, _e4689, _e4698), vec3<f32>(select(select(select(select(_e4393, _e4444.member, _e4470), _e4520.member, _e4546), _e4596.member, _e4622), _e4672.member, _e4698), select(select(select(select(_e4394, _e4444.member_1, _e4470), _e4520.member_1, _e4546), _e4596.member_1, _e4622), _e4672.member_1, _e4698), select(select(select(select(_e4395, _e4444.member_2, _e4470), _e4520.member_2, _e4546), _e4596.member_2, _e4622), _e4672.member_2, _e4698)), select(_e4628, _e4693, _e4699), vec3<f32>(select(select(select(select(_e4398, _e4444.member, _e4471), _e4520.member, _e4547), _e4596.member, _e4623), _e4672.member, _e4699), select(select(select(select(_e4399, _e4444.member_1, _e4471), _e4520.member_1, _e4547), _e4596.member_1, _e4623), _e4672.member_1, _e4699), select(select(select(select(_e4400, _e4444.member_2, _e4471), _e4520.member_2, _e4547), _e4596.member_2, _e4623), _e4672.member_2, _e4699)), select(_e4632, _e4666, _e4694), select(_e4634, _e4667, (_e4667 > _e4634)), vec3<f32>(select(select(select(select(_e4405, _e4444.member, _e4466), _e4520.member, _e4542), _e4596.member, _e4618), _e4672.member, _e4694), select(select(select(select(_e4406, _e4444.member_1, _e4466), _e4520.member_1, _e4542), _e4596.member_1, _e4618), _e4672.member_1, _e4694), select(select(select(select(_e4407, _e4444.member_2, _e4466), _e4520.member_2, _e4542), _e4596.member_2, _e4618), _e4672.member_2, _e4694)));
 }
 let _e4719 = phi_10659_;
 if _e4012 {
@@ -1747,7 +1747,7 @@ phi_10671_ = ((_e4719.member <= 1f) && (_e4719.member < _e4719.member_2));
 }
 let _e4727 = phi_10671_;
 if (!(_e4012) && !(_e4727)) {
-phi_24402_ = type_33(_e3999.member, _e3999.member_1, _e3999.member_2, 3f, _e3999.member_4, _e3999.member_5, _e3999.member_6, _e3999.member_7, _e3999.member_8, _e3999.member_9);
+phi_24402_ = type_32(_e3999.member, _e3999.member_1, _e3999.member_2, 3f, _e3999.member_4, _e3999.member_5, _e3999.member_6, _e3999.member_7, _e3999.member_8, _e3999.member_9);
 phi_24403_ = _e4001;
 phi_24404_ = _e4003;
 } else {
@@ -1833,7 +1833,7 @@ let _e5031 = (select(0i, _e4970, (_e4970 > 0i)) * _e4942);
 let _e5032 = (select(0i, _e4934, (_e4934 > 0i)) * _e4942);
 let _e5033 = (select(_e4969, _e4975, (_e4975 < _e4969)) * _e4942);
 let _e5034 = (select(_e4969, _e4978, (_e4978 < _e4969)) * _e4942);
-local_22 = type_32(array<i32, 4>(_e5004, _e5006, _e5008, 0i), array<u32, 6>(bitcast<u32>(((_e4991 - _e5004) * 16i)), bitcast<u32>(((_e4993 - _e5004) * 16i)), bitcast<u32>(((_e4993 - _e5006) * 16i)), bitcast<u32>(((_e4996 - _e5006) * 16i)), bitcast<u32>(((_e4996 - _e5008) * 16i)), bitcast<u32>(((select(_e4988, _e4997, (_e4997 < _e4988)) - _e5008) * 16i))));
+local_22 = type_29(array<i32, 4>(_e5004, _e5006, _e5008, 0i), array<u32, 6>(bitcast<u32>(((_e4991 - _e5004) * 16i)), bitcast<u32>(((_e4993 - _e5004) * 16i)), bitcast<u32>(((_e4993 - _e5006) * 16i)), bitcast<u32>(((_e4996 - _e5006) * 16i)), bitcast<u32>(((_e4996 - _e5008) * 16i)), bitcast<u32>(((select(_e4988, _e4997, (_e4997 < _e4988)) - _e5008) * 16i))));
 local_23 = vec3<f32>((_e4881 - f32(_e4904)), (_e4885 - f32(_e4919)), (_e4889 - f32(_e4934)));
 let _e5046 = (_e5032 + _e5028);
 let _e5049 = local_22.member[0u];
@@ -1842,20 +1842,20 @@ let _e5052 = (_e5050 >> bitcast<u32>(1i));
 let _e5055 = bitcast<u32>(((_e5050 & 1i) * 16i));
 let _e5057 = (bitcast<i32>(_e205) - 1i);
 let _e5059 = select(_e5057, _e5052, (_e5052 < _e5057));
-let _e5064 = global_4.member[bitcast<u32>(select(0i, _e5059, (_e5059 > 0i)))];
+let _e5064 = global_2.member[bitcast<u32>(select(0i, _e5059, (_e5059 > 0i)))];
 let _e5068 = (_e5052 + 1i);
 let _e5070 = select(_e5057, _e5068, (_e5068 < _e5057));
-let _e5075 = global_4.member[bitcast<u32>(select(0i, _e5070, (_e5070 > 0i)))];
+let _e5075 = global_2.member[bitcast<u32>(select(0i, _e5070, (_e5070 > 0i)))];
 let _e5082 = ((_e5064 >> bitcast<u32>((_e5055 & 31u))) | ((_e5075 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5055) & 31u))));
 let _e5085 = local_22.member[2u];
 let _e5086 = (_e5046 + _e5085);
 let _e5088 = (_e5086 >> bitcast<u32>(1i));
 let _e5091 = bitcast<u32>(((_e5086 & 1i) * 16i));
 let _e5093 = select(_e5057, _e5088, (_e5088 < _e5057));
-let _e5098 = global_4.member[bitcast<u32>(select(0i, _e5093, (_e5093 > 0i)))];
+let _e5098 = global_2.member[bitcast<u32>(select(0i, _e5093, (_e5093 > 0i)))];
 let _e5102 = (_e5088 + 1i);
 let _e5104 = select(_e5057, _e5102, (_e5102 < _e5057));
-let _e5109 = global_4.member[bitcast<u32>(select(0i, _e5104, (_e5104 > 0i)))];
+let _e5109 = global_2.member[bitcast<u32>(select(0i, _e5104, (_e5104 > 0i)))];
 let _e5116 = ((_e5098 >> bitcast<u32>((_e5091 & 31u))) | ((_e5109 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5091) & 31u))));
 let _e5119 = local_22.member_1[0u];
 let _e5125 = f32(bitcast<i32>(((_e5082 >> bitcast<u32>((_e5119 & 31u))) & 65535u)));
@@ -1876,20 +1876,20 @@ let _e5167 = (_e5165 + _e5166);
 let _e5169 = (_e5167 >> bitcast<u32>(1i));
 let _e5172 = bitcast<u32>(((_e5167 & 1i) * 16i));
 let _e5174 = select(_e5057, _e5169, (_e5169 < _e5057));
-let _e5179 = global_4.member[bitcast<u32>(select(0i, _e5174, (_e5174 > 0i)))];
+let _e5179 = global_2.member[bitcast<u32>(select(0i, _e5174, (_e5174 > 0i)))];
 let _e5183 = (_e5169 + 1i);
 let _e5185 = select(_e5057, _e5183, (_e5183 < _e5057));
-let _e5190 = global_4.member[bitcast<u32>(select(0i, _e5185, (_e5185 > 0i)))];
+let _e5190 = global_2.member[bitcast<u32>(select(0i, _e5185, (_e5185 > 0i)))];
 let _e5197 = ((_e5179 >> bitcast<u32>((_e5172 & 31u))) | ((_e5190 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5172) & 31u))));
 let _e5198 = local_22.member[2u];
 let _e5199 = (_e5165 + _e5198);
 let _e5201 = (_e5199 >> bitcast<u32>(1i));
 let _e5204 = bitcast<u32>(((_e5199 & 1i) * 16i));
 let _e5206 = select(_e5057, _e5201, (_e5201 < _e5057));
-let _e5211 = global_4.member[bitcast<u32>(select(0i, _e5206, (_e5206 > 0i)))];
+let _e5211 = global_2.member[bitcast<u32>(select(0i, _e5206, (_e5206 > 0i)))];
 let _e5215 = (_e5201 + 1i);
 let _e5217 = select(_e5057, _e5215, (_e5215 < _e5057));
-let _e5222 = global_4.member[bitcast<u32>(select(0i, _e5217, (_e5217 > 0i)))];
+let _e5222 = global_2.member[bitcast<u32>(select(0i, _e5217, (_e5217 > 0i)))];
 let _e5229 = ((_e5211 >> bitcast<u32>((_e5204 & 31u))) | ((_e5222 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5204) & 31u))));
 let _e5230 = local_22.member_1[0u];
 let _e5236 = f32(bitcast<i32>(((_e5197 >> bitcast<u32>((_e5230 & 31u))) & 65535u)));
@@ -1908,20 +1908,20 @@ let _e5272 = (_e5270 + _e5271);
 let _e5274 = (_e5272 >> bitcast<u32>(1i));
 let _e5277 = bitcast<u32>(((_e5272 & 1i) * 16i));
 let _e5279 = select(_e5057, _e5274, (_e5274 < _e5057));
-let _e5284 = global_4.member[bitcast<u32>(select(0i, _e5279, (_e5279 > 0i)))];
+let _e5284 = global_2.member[bitcast<u32>(select(0i, _e5279, (_e5279 > 0i)))];
 let _e5288 = (_e5274 + 1i);
 let _e5290 = select(_e5057, _e5288, (_e5288 < _e5057));
-let _e5295 = global_4.member[bitcast<u32>(select(0i, _e5290, (_e5290 > 0i)))];
+let _e5295 = global_2.member[bitcast<u32>(select(0i, _e5290, (_e5290 > 0i)))];
 let _e5302 = ((_e5284 >> bitcast<u32>((_e5277 & 31u))) | ((_e5295 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5277) & 31u))));
 let _e5303 = local_22.member[2u];
 let _e5304 = (_e5270 + _e5303);
 let _e5306 = (_e5304 >> bitcast<u32>(1i));
 let _e5309 = bitcast<u32>(((_e5304 & 1i) * 16i));
 let _e5311 = select(_e5057, _e5306, (_e5306 < _e5057));
-let _e5316 = global_4.member[bitcast<u32>(select(0i, _e5311, (_e5311 > 0i)))];
+let _e5316 = global_2.member[bitcast<u32>(select(0i, _e5311, (_e5311 > 0i)))];
 let _e5320 = (_e5306 + 1i);
 let _e5322 = select(_e5057, _e5320, (_e5320 < _e5057));
-let _e5327 = global_4.member[bitcast<u32>(select(0i, _e5322, (_e5322 > 0i)))];
+let _e5327 = global_2.member[bitcast<u32>(select(0i, _e5322, (_e5322 > 0i)))];
 let _e5334 = ((_e5316 >> bitcast<u32>((_e5309 & 31u))) | ((_e5327 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5309) & 31u))));
 let _e5335 = local_22.member_1[0u];
 let _e5341 = f32(bitcast<i32>(((_e5302 >> bitcast<u32>((_e5335 & 31u))) & 65535u)));
@@ -1942,20 +1942,20 @@ let _e5377 = (_e5375 + _e5376);
 let _e5379 = (_e5377 >> bitcast<u32>(1i));
 let _e5382 = bitcast<u32>(((_e5377 & 1i) * 16i));
 let _e5384 = select(_e5057, _e5379, (_e5379 < _e5057));
-let _e5389 = global_4.member[bitcast<u32>(select(0i, _e5384, (_e5384 > 0i)))];
+let _e5389 = global_2.member[bitcast<u32>(select(0i, _e5384, (_e5384 > 0i)))];
 let _e5393 = (_e5379 + 1i);
 let _e5395 = select(_e5057, _e5393, (_e5393 < _e5057));
-let _e5400 = global_4.member[bitcast<u32>(select(0i, _e5395, (_e5395 > 0i)))];
+let _e5400 = global_2.member[bitcast<u32>(select(0i, _e5395, (_e5395 > 0i)))];
 let _e5407 = ((_e5389 >> bitcast<u32>((_e5382 & 31u))) | ((_e5400 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5382) & 31u))));
 let _e5408 = local_22.member[2u];
 let _e5409 = (_e5375 + _e5408);
 let _e5411 = (_e5409 >> bitcast<u32>(1i));
 let _e5414 = bitcast<u32>(((_e5409 & 1i) * 16i));
 let _e5416 = select(_e5057, _e5411, (_e5411 < _e5057));
-let _e5421 = global_4.member[bitcast<u32>(select(0i, _e5416, (_e5416 > 0i)))];
+let _e5421 = global_2.member[bitcast<u32>(select(0i, _e5416, (_e5416 > 0i)))];
 let _e5425 = (_e5411 + 1i);
 let _e5427 = select(_e5057, _e5425, (_e5425 < _e5057));
-let _e5432 = global_4.member[bitcast<u32>(select(0i, _e5427, (_e5427 > 0i)))];
+let _e5432 = global_2.member[bitcast<u32>(select(0i, _e5427, (_e5427 > 0i)))];
 let _e5439 = ((_e5421 >> bitcast<u32>((_e5414 & 31u))) | ((_e5432 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5414) & 31u))));
 let _e5440 = local_22.member_1[0u];
 let _e5446 = f32(bitcast<i32>(((_e5407 >> bitcast<u32>((_e5440 & 31u))) & 65535u)));
@@ -1973,10 +1973,10 @@ let _e5484 = ((_e5032 + _e5027) + _e5483);
 let _e5486 = (_e5484 >> bitcast<u32>(1i));
 let _e5489 = bitcast<u32>(((_e5484 & 1i) * 16i));
 let _e5491 = select(_e5057, _e5486, (_e5486 < _e5057));
-let _e5496 = global_4.member[bitcast<u32>(select(0i, _e5491, (_e5491 > 0i)))];
+let _e5496 = global_2.member[bitcast<u32>(select(0i, _e5491, (_e5491 > 0i)))];
 let _e5500 = (_e5486 + 1i);
 let _e5502 = select(_e5057, _e5500, (_e5500 < _e5057));
-let _e5507 = global_4.member[bitcast<u32>(select(0i, _e5502, (_e5502 > 0i)))];
+let _e5507 = global_2.member[bitcast<u32>(select(0i, _e5502, (_e5502 > 0i)))];
 let _e5514 = ((_e5496 >> bitcast<u32>((_e5489 & 31u))) | ((_e5507 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5489) & 31u))));
 let _e5517 = local_22.member_1[2u];
 let _e5523 = f32(bitcast<i32>(((_e5514 >> bitcast<u32>((_e5517 & 31u))) & 65535u)));
@@ -1988,10 +1988,10 @@ let _e5539 = ((_e5032 + _e5030) + _e5538);
 let _e5541 = (_e5539 >> bitcast<u32>(1i));
 let _e5544 = bitcast<u32>(((_e5539 & 1i) * 16i));
 let _e5546 = select(_e5057, _e5541, (_e5541 < _e5057));
-let _e5551 = global_4.member[bitcast<u32>(select(0i, _e5546, (_e5546 > 0i)))];
+let _e5551 = global_2.member[bitcast<u32>(select(0i, _e5546, (_e5546 > 0i)))];
 let _e5555 = (_e5541 + 1i);
 let _e5557 = select(_e5057, _e5555, (_e5555 < _e5057));
-let _e5562 = global_4.member[bitcast<u32>(select(0i, _e5557, (_e5557 > 0i)))];
+let _e5562 = global_2.member[bitcast<u32>(select(0i, _e5557, (_e5557 > 0i)))];
 let _e5569 = ((_e5551 >> bitcast<u32>((_e5544 & 31u))) | ((_e5562 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5544) & 31u))));
 let _e5570 = local_22.member_1[2u];
 let _e5576 = f32(bitcast<i32>(((_e5569 >> bitcast<u32>((_e5570 & 31u))) & 65535u)));
@@ -2002,10 +2002,10 @@ let _e5590 = ((_e5033 + _e5027) + _e5589);
 let _e5592 = (_e5590 >> bitcast<u32>(1i));
 let _e5595 = bitcast<u32>(((_e5590 & 1i) * 16i));
 let _e5597 = select(_e5057, _e5592, (_e5592 < _e5057));
-let _e5602 = global_4.member[bitcast<u32>(select(0i, _e5597, (_e5597 > 0i)))];
+let _e5602 = global_2.member[bitcast<u32>(select(0i, _e5597, (_e5597 > 0i)))];
 let _e5606 = (_e5592 + 1i);
 let _e5608 = select(_e5057, _e5606, (_e5606 < _e5057));
-let _e5613 = global_4.member[bitcast<u32>(select(0i, _e5608, (_e5608 > 0i)))];
+let _e5613 = global_2.member[bitcast<u32>(select(0i, _e5608, (_e5608 > 0i)))];
 let _e5620 = ((_e5602 >> bitcast<u32>((_e5595 & 31u))) | ((_e5613 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5595) & 31u))));
 let _e5621 = local_22.member_1[2u];
 let _e5627 = f32(bitcast<i32>(((_e5620 >> bitcast<u32>((_e5621 & 31u))) & 65535u)));
@@ -2017,10 +2017,10 @@ let _e5641 = ((_e5033 + _e5030) + _e5640);
 let _e5643 = (_e5641 >> bitcast<u32>(1i));
 let _e5646 = bitcast<u32>(((_e5641 & 1i) * 16i));
 let _e5648 = select(_e5057, _e5643, (_e5643 < _e5057));
-let _e5653 = global_4.member[bitcast<u32>(select(0i, _e5648, (_e5648 > 0i)))];
+let _e5653 = global_2.member[bitcast<u32>(select(0i, _e5648, (_e5648 > 0i)))];
 let _e5657 = (_e5643 + 1i);
 let _e5659 = select(_e5057, _e5657, (_e5657 < _e5057));
-let _e5664 = global_4.member[bitcast<u32>(select(0i, _e5659, (_e5659 > 0i)))];
+let _e5664 = global_2.member[bitcast<u32>(select(0i, _e5659, (_e5659 > 0i)))];
 let _e5671 = ((_e5653 >> bitcast<u32>((_e5646 & 31u))) | ((_e5664 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5646) & 31u))));
 let _e5672 = local_22.member_1[2u];
 let _e5678 = f32(bitcast<i32>(((_e5671 >> bitcast<u32>((_e5672 & 31u))) & 65535u)));
@@ -2031,10 +2031,10 @@ let _e5692 = ((_e5031 + _e5028) + _e5691);
 let _e5694 = (_e5692 >> bitcast<u32>(1i));
 let _e5697 = bitcast<u32>(((_e5692 & 1i) * 16i));
 let _e5699 = select(_e5057, _e5694, (_e5694 < _e5057));
-let _e5704 = global_4.member[bitcast<u32>(select(0i, _e5699, (_e5699 > 0i)))];
+let _e5704 = global_2.member[bitcast<u32>(select(0i, _e5699, (_e5699 > 0i)))];
 let _e5708 = (_e5694 + 1i);
 let _e5710 = select(_e5057, _e5708, (_e5708 < _e5057));
-let _e5715 = global_4.member[bitcast<u32>(select(0i, _e5710, (_e5710 > 0i)))];
+let _e5715 = global_2.member[bitcast<u32>(select(0i, _e5710, (_e5710 > 0i)))];
 let _e5722 = ((_e5704 >> bitcast<u32>((_e5697 & 31u))) | ((_e5715 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5697) & 31u))));
 let _e5723 = local_22.member_1[2u];
 let _e5729 = f32(bitcast<i32>(((_e5722 >> bitcast<u32>((_e5723 & 31u))) & 65535u)));
@@ -2046,10 +2046,10 @@ let _e5743 = ((_e5034 + _e5028) + _e5742);
 let _e5745 = (_e5743 >> bitcast<u32>(1i));
 let _e5748 = bitcast<u32>(((_e5743 & 1i) * 16i));
 let _e5750 = select(_e5057, _e5745, (_e5745 < _e5057));
-let _e5755 = global_4.member[bitcast<u32>(select(0i, _e5750, (_e5750 > 0i)))];
+let _e5755 = global_2.member[bitcast<u32>(select(0i, _e5750, (_e5750 > 0i)))];
 let _e5759 = (_e5745 + 1i);
 let _e5761 = select(_e5057, _e5759, (_e5759 < _e5057));
-let _e5766 = global_4.member[bitcast<u32>(select(0i, _e5761, (_e5761 > 0i)))];
+let _e5766 = global_2.member[bitcast<u32>(select(0i, _e5761, (_e5761 > 0i)))];
 let _e5773 = ((_e5755 >> bitcast<u32>((_e5748 & 31u))) | ((_e5766 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5748) & 31u))));
 let _e5774 = local_22.member_1[2u];
 let _e5780 = f32(bitcast<i32>(((_e5773 >> bitcast<u32>((_e5774 & 31u))) & 65535u)));
@@ -2061,10 +2061,10 @@ let _e5794 = ((_e5031 + _e5029) + _e5793);
 let _e5796 = (_e5794 >> bitcast<u32>(1i));
 let _e5799 = bitcast<u32>(((_e5794 & 1i) * 16i));
 let _e5801 = select(_e5057, _e5796, (_e5796 < _e5057));
-let _e5806 = global_4.member[bitcast<u32>(select(0i, _e5801, (_e5801 > 0i)))];
+let _e5806 = global_2.member[bitcast<u32>(select(0i, _e5801, (_e5801 > 0i)))];
 let _e5810 = (_e5796 + 1i);
 let _e5812 = select(_e5057, _e5810, (_e5810 < _e5057));
-let _e5817 = global_4.member[bitcast<u32>(select(0i, _e5812, (_e5812 > 0i)))];
+let _e5817 = global_2.member[bitcast<u32>(select(0i, _e5812, (_e5812 > 0i)))];
 let _e5824 = ((_e5806 >> bitcast<u32>((_e5799 & 31u))) | ((_e5817 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5799) & 31u))));
 let _e5825 = local_22.member_1[2u];
 let _e5831 = f32(bitcast<i32>(((_e5824 >> bitcast<u32>((_e5825 & 31u))) & 65535u)));
@@ -2075,10 +2075,10 @@ let _e5845 = ((_e5034 + _e5029) + _e5844);
 let _e5847 = (_e5845 >> bitcast<u32>(1i));
 let _e5850 = bitcast<u32>(((_e5845 & 1i) * 16i));
 let _e5852 = select(_e5057, _e5847, (_e5847 < _e5057));
-let _e5857 = global_4.member[bitcast<u32>(select(0i, _e5852, (_e5852 > 0i)))];
+let _e5857 = global_2.member[bitcast<u32>(select(0i, _e5852, (_e5852 > 0i)))];
 let _e5861 = (_e5847 + 1i);
 let _e5863 = select(_e5057, _e5861, (_e5861 < _e5057));
-let _e5868 = global_4.member[bitcast<u32>(select(0i, _e5863, (_e5863 > 0i)))];
+let _e5868 = global_2.member[bitcast<u32>(select(0i, _e5863, (_e5863 > 0i)))];
 let _e5875 = ((_e5857 >> bitcast<u32>((_e5850 & 31u))) | ((_e5868 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5850) & 31u))));
 let _e5876 = local_22.member_1[2u];
 let _e5882 = f32(bitcast<i32>(((_e5875 >> bitcast<u32>((_e5876 & 31u))) & 65535u)));
@@ -2140,50 +2140,50 @@ local_21 = _e6023;
 let _e6024 = local_21;
 let _e6026 = (bitcast<i32>(_e208) - 1i);
 let _e6028 = select(_e6026, 263197i, (263197i < _e6026));
-let _e6033 = global_5.member[bitcast<u32>(select(0i, _e6028, (_e6028 > 0i)))];
+let _e6033 = global_3.member[bitcast<u32>(select(0i, _e6028, (_e6028 > 0i)))];
 let _e6034 = bitcast<f32>(_e6033);
 let _e6036 = select(_e6026, 263198i, (263198i < _e6026));
 let _e6039 = bitcast<u32>(select(0i, _e6036, (_e6036 > 0i)));
-let _e6041 = global_5.member[_e6039];
+let _e6041 = global_3.member[_e6039];
 let _e6042 = bitcast<f32>(_e6041);
 let _e6044 = select(_e6026, 263199i, (263199i < _e6026));
-let _e6049 = global_5.member[bitcast<u32>(select(0i, _e6044, (_e6044 > 0i)))];
+let _e6049 = global_3.member[bitcast<u32>(select(0i, _e6044, (_e6044 > 0i)))];
 let _e6050 = bitcast<f32>(_e6049);
 let _e6052 = ((_e6024 - _e6034) * _e6042);
 let _e6054 = select(0f, _e6052, (_e6052 > 0f));
 let _e6057 = local_21;
 let _e6059 = select(_e6026, 263200i, (263200i < _e6026));
-let _e6064 = global_5.member[bitcast<u32>(select(0i, _e6059, (_e6059 > 0i)))];
+let _e6064 = global_3.member[bitcast<u32>(select(0i, _e6059, (_e6059 > 0i)))];
 let _e6065 = bitcast<f32>(_e6064);
 let _e6067 = select(_e6026, 263201i, (263201i < _e6026));
-let _e6072 = global_5.member[bitcast<u32>(select(0i, _e6067, (_e6067 > 0i)))];
+let _e6072 = global_3.member[bitcast<u32>(select(0i, _e6067, (_e6067 > 0i)))];
 let _e6073 = bitcast<f32>(_e6072);
 let _e6075 = select(_e6026, 263202i, (263202i < _e6026));
-let _e6080 = global_5.member[bitcast<u32>(select(0i, _e6075, (_e6075 > 0i)))];
+let _e6080 = global_3.member[bitcast<u32>(select(0i, _e6075, (_e6075 > 0i)))];
 let _e6081 = bitcast<f32>(_e6080);
 let _e6083 = ((_e6057 - _e6065) * _e6073);
 let _e6085 = select(0f, _e6083, (_e6083 > 0f));
 let _e6089 = local_21;
 let _e6091 = select(_e6026, 263203i, (263203i < _e6026));
-let _e6096 = global_5.member[bitcast<u32>(select(0i, _e6091, (_e6091 > 0i)))];
+let _e6096 = global_3.member[bitcast<u32>(select(0i, _e6091, (_e6091 > 0i)))];
 let _e6097 = bitcast<f32>(_e6096);
 let _e6099 = select(_e6026, 263204i, (263204i < _e6026));
-let _e6104 = global_5.member[bitcast<u32>(select(0i, _e6099, (_e6099 > 0i)))];
+let _e6104 = global_3.member[bitcast<u32>(select(0i, _e6099, (_e6099 > 0i)))];
 let _e6105 = bitcast<f32>(_e6104);
 let _e6107 = select(_e6026, 263205i, (263205i < _e6026));
-let _e6112 = global_5.member[bitcast<u32>(select(0i, _e6107, (_e6107 > 0i)))];
+let _e6112 = global_3.member[bitcast<u32>(select(0i, _e6107, (_e6107 > 0i)))];
 let _e6113 = bitcast<f32>(_e6112);
 let _e6115 = ((_e6089 - _e6097) * _e6105);
 let _e6117 = select(0f, _e6115, (_e6115 > 0f));
 let _e6120 = local_21;
 let _e6122 = select(_e6026, 263206i, (263206i < _e6026));
-let _e6127 = global_5.member[bitcast<u32>(select(0i, _e6122, (_e6122 > 0i)))];
+let _e6127 = global_3.member[bitcast<u32>(select(0i, _e6122, (_e6122 > 0i)))];
 let _e6128 = bitcast<f32>(_e6127);
 let _e6130 = select(_e6026, 263207i, (263207i < _e6026));
-let _e6135 = global_5.member[bitcast<u32>(select(0i, _e6130, (_e6130 > 0i)))];
+let _e6135 = global_3.member[bitcast<u32>(select(0i, _e6130, (_e6130 > 0i)))];
 let _e6136 = bitcast<f32>(_e6135);
 let _e6138 = select(_e6026, 263208i, (263208i < _e6026));
-let _e6143 = global_5.member[bitcast<u32>(select(0i, _e6138, (_e6138 > 0i)))];
+let _e6143 = global_3.member[bitcast<u32>(select(0i, _e6138, (_e6138 > 0i)))];
 let _e6144 = bitcast<f32>(_e6143);
 let _e6146 = ((_e6120 - _e6128) * _e6136);
 let _e6148 = select(0f, _e6146, (_e6146 > 0f));
@@ -2194,34 +2194,34 @@ let _e6163 = select(0i, select(select(i32(_e6156), i32(-2147483648), (_e6156 < -
 let _e6167 = (_e6163 - select(0i, 1i, (_e6156 < f32(_e6163))));
 let _e6168 = (262147i + _e6167);
 let _e6170 = select(_e6026, _e6168, (_e6168 < _e6026));
-let _e6176 = global_5.member[bitcast<u32>(select(0i, _e6170, (_e6170 > 0i)))];
+let _e6176 = global_3.member[bitcast<u32>(select(0i, _e6170, (_e6170 > 0i)))];
 let _e6186 = select(_e6026, 262146i, (262146i < _e6026));
-let _e6192 = global_5.member[bitcast<u32>(select(0i, _e6186, (_e6186 > 0i)))];
+let _e6192 = global_3.member[bitcast<u32>(select(0i, _e6186, (_e6186 > 0i)))];
 let _e6193 = bitcast<f32>(_e6192);
 let _e6194 = (f32((bitcast<i32>((_e6176 & 4095u)) - 2048i)) * _e6193);
 let _e6196 = select(_e6026, 262144i, (262144i < _e6026));
-let _e6202 = global_5.member[bitcast<u32>(select(0i, _e6196, (_e6196 > 0i)))];
+let _e6202 = global_3.member[bitcast<u32>(select(0i, _e6196, (_e6196 > 0i)))];
 let _e6203 = bitcast<f32>(_e6202);
 let _e6205 = select(_e6026, 262145i, (262145i < _e6026));
-let _e6211 = global_5.member[bitcast<u32>(select(0i, _e6205, (_e6205 > 0i)))];
+let _e6211 = global_3.member[bitcast<u32>(select(0i, _e6205, (_e6205 > 0i)))];
 let _e6212 = bitcast<f32>(_e6211);
 let _e6218 = ((_e6203 + (f32(bitcast<i32>((_e6176 >> bitcast<u32>(12u)))) * _e6212)) + (_e6194 * (_e6152 - f32(_e6167))));
-let _e6221 = global_5.member[_e6039];
+let _e6221 = global_3.member[_e6039];
 let _e6223 = local_20;
 let _e6226 = local_20;
 let _e6229 = local_20;
 let _e6233 = select(_e6026, 263209i, (263209i < _e6026));
-let _e6239 = global_5.member[bitcast<u32>(select(0i, _e6233, (_e6233 > 0i)))];
+let _e6239 = global_3.member[bitcast<u32>(select(0i, _e6233, (_e6233 > 0i)))];
 let _e6241 = local_20;
 let _e6244 = select(_e6026, 263210i, (263210i < _e6026));
-let _e6250 = global_5.member[bitcast<u32>(select(0i, _e6244, (_e6244 > 0i)))];
+let _e6250 = global_3.member[bitcast<u32>(select(0i, _e6244, (_e6244 > 0i)))];
 let _e6252 = local_20;
 let _e6256 = (_e6194 * select(0f, select(select(select(bitcast<f32>(_e6221), _e6073, (_e6223 >= _e6065)), _e6105, (_e6226 >= _e6097)), _e6136, (_e6229 >= _e6128)), ((_e6241 >= bitcast<f32>(_e6239)) && (_e6252 <= bitcast<f32>(_e6250)))));
 if _e512 {
 let _e6263 = ((0.5f * (_e5998 - _e5992)) * _e6256);
 let _e6264 = ((0.5f * (_e6010 - _e6004)) * _e6256);
 let _e6265 = ((0.5f * (_e6022 - _e6016)) * _e6256);
-phi_16544_ = type_34(_e6218, vec3<f32>(_e6263, _e6264, _e6265), vec3<f32>((_e6263 * _e6218), (_e6264 * _e6218), (_e6265 * _e6218)));
+phi_16544_ = type_33(_e6218, vec3<f32>(_e6263, _e6264, _e6265), vec3<f32>((_e6263 * _e6218), (_e6264 * _e6218), (_e6265 * _e6218)));
 } else {
 local_18 = _e5992;
 let _e6272 = local_18;
@@ -2245,7 +2245,7 @@ let _e6314 = select(0i, select(select(i32(_e6307), i32(-2147483648), (_e6307 < -
 let _e6318 = (_e6314 - select(0i, 1i, (_e6307 < f32(_e6314))));
 let _e6319 = (262147i + _e6318);
 let _e6321 = select(_e6026, _e6319, (_e6319 < _e6026));
-let _e6327 = global_5.member[bitcast<u32>(select(0i, _e6321, (_e6321 > 0i)))];
+let _e6327 = global_3.member[bitcast<u32>(select(0i, _e6321, (_e6321 > 0i)))];
 let _e6342 = ((_e6203 + (f32(bitcast<i32>((_e6327 >> bitcast<u32>(12u)))) * _e6212)) + ((f32((bitcast<i32>((_e6327 & 4095u)) - 2048i)) * _e6193) * (_e6303 - f32(_e6318))));
 local_16 = _e5998;
 let _e6343 = local_16;
@@ -2269,7 +2269,7 @@ let _e6385 = select(0i, select(select(i32(_e6378), i32(-2147483648), (_e6378 < -
 let _e6389 = (_e6385 - select(0i, 1i, (_e6378 < f32(_e6385))));
 let _e6390 = (262147i + _e6389);
 let _e6392 = select(_e6026, _e6390, (_e6390 < _e6026));
-let _e6398 = global_5.member[bitcast<u32>(select(0i, _e6392, (_e6392 > 0i)))];
+let _e6398 = global_3.member[bitcast<u32>(select(0i, _e6392, (_e6392 > 0i)))];
 let _e6413 = ((_e6203 + (f32(bitcast<i32>((_e6398 >> bitcast<u32>(12u)))) * _e6212)) + ((f32((bitcast<i32>((_e6398 & 4095u)) - 2048i)) * _e6193) * (_e6374 - f32(_e6389))));
 local_14 = _e6004;
 let _e6414 = local_14;
@@ -2293,7 +2293,7 @@ let _e6456 = select(0i, select(select(i32(_e6449), i32(-2147483648), (_e6449 < -
 let _e6460 = (_e6456 - select(0i, 1i, (_e6449 < f32(_e6456))));
 let _e6461 = (262147i + _e6460);
 let _e6463 = select(_e6026, _e6461, (_e6461 < _e6026));
-let _e6469 = global_5.member[bitcast<u32>(select(0i, _e6463, (_e6463 > 0i)))];
+let _e6469 = global_3.member[bitcast<u32>(select(0i, _e6463, (_e6463 > 0i)))];
 let _e6484 = ((_e6203 + (f32(bitcast<i32>((_e6469 >> bitcast<u32>(12u)))) * _e6212)) + ((f32((bitcast<i32>((_e6469 & 4095u)) - 2048i)) * _e6193) * (_e6445 - f32(_e6460))));
 local_12 = _e6010;
 let _e6485 = local_12;
@@ -2317,7 +2317,7 @@ let _e6527 = select(0i, select(select(i32(_e6520), i32(-2147483648), (_e6520 < -
 let _e6531 = (_e6527 - select(0i, 1i, (_e6520 < f32(_e6527))));
 let _e6532 = (262147i + _e6531);
 let _e6534 = select(_e6026, _e6532, (_e6532 < _e6026));
-let _e6540 = global_5.member[bitcast<u32>(select(0i, _e6534, (_e6534 > 0i)))];
+let _e6540 = global_3.member[bitcast<u32>(select(0i, _e6534, (_e6534 > 0i)))];
 let _e6555 = ((_e6203 + (f32(bitcast<i32>((_e6540 >> bitcast<u32>(12u)))) * _e6212)) + ((f32((bitcast<i32>((_e6540 & 4095u)) - 2048i)) * _e6193) * (_e6516 - f32(_e6531))));
 local_10 = _e6016;
 let _e6556 = local_10;
@@ -2341,7 +2341,7 @@ let _e6598 = select(0i, select(select(i32(_e6591), i32(-2147483648), (_e6591 < -
 let _e6602 = (_e6598 - select(0i, 1i, (_e6591 < f32(_e6598))));
 let _e6603 = (262147i + _e6602);
 let _e6605 = select(_e6026, _e6603, (_e6603 < _e6026));
-let _e6611 = global_5.member[bitcast<u32>(select(0i, _e6605, (_e6605 > 0i)))];
+let _e6611 = global_3.member[bitcast<u32>(select(0i, _e6605, (_e6605 > 0i)))];
 let _e6626 = ((_e6203 + (f32(bitcast<i32>((_e6611 >> bitcast<u32>(12u)))) * _e6212)) + ((f32((bitcast<i32>((_e6611 & 4095u)) - 2048i)) * _e6193) * (_e6587 - f32(_e6602))));
 local_8 = _e6022;
 let _e6627 = local_8;
@@ -2365,12 +2365,12 @@ let _e6669 = select(0i, select(select(i32(_e6662), i32(-2147483648), (_e6662 < -
 let _e6673 = (_e6669 - select(0i, 1i, (_e6662 < f32(_e6669))));
 let _e6674 = (262147i + _e6673);
 let _e6676 = select(_e6026, _e6674, (_e6674 < _e6026));
-let _e6682 = global_5.member[bitcast<u32>(select(0i, _e6676, (_e6676 > 0i)))];
+let _e6682 = global_3.member[bitcast<u32>(select(0i, _e6676, (_e6676 > 0i)))];
 let _e6697 = ((_e6203 + (f32(bitcast<i32>((_e6682 >> bitcast<u32>(12u)))) * _e6212)) + ((f32((bitcast<i32>((_e6682 & 4095u)) - 2048i)) * _e6193) * (_e6658 - f32(_e6673))));
 let _e6698 = (_e6413 - _e6342);
 let _e6700 = (_e6555 - _e6484);
 let _e6702 = (_e6697 - _e6626);
-phi_16544_ = type_34(_e6218, vec3<f32>((0.5f * _e6698), (0.5f * _e6700), (0.5f * _e6702)), vec3<f32>((0.25f * (_e6698 * (_e6413 + _e6342))), (0.25f * (_e6700 * (_e6555 + _e6484))), (0.25f * (_e6702 * (_e6697 + _e6626)))));
+phi_16544_ = type_33(_e6218, vec3<f32>((0.5f * _e6698), (0.5f * _e6700), (0.5f * _e6702)), vec3<f32>((0.25f * (_e6698 * (_e6413 + _e6342))), (0.25f * (_e6700 * (_e6555 + _e6484))), (0.25f * (_e6702 * (_e6697 + _e6626)))));
 }
 let _e6717 = phi_16544_;
 let _e6732 = select(0f, 1f, ((((((_e4865 >= -0.5f) && (_e4865 <= _e4163)) && (_e4871 >= -0.5f)) && (_e4871 <= _e4244)) && (_e4877 >= -0.5f)) && (_e4877 <= _e4325)));
@@ -2386,7 +2386,7 @@ let _e6774 = global_1.member.member_6.member_1.member.member_2;
 let _e6780 = global_1.member.member_6.member_2.member.member;
 let _e6786 = global_1.member.member_6.member_2.member.member_1;
 let _e6792 = global_1.member.member_6.member_2.member.member_2;
-phi_17323_ = type_35(_e5986, vec3<f32>(((((_e6744 * _e6734) + (_e6762 * _e6736)) + (_e6780 * _e6738)) * _e6732), ((((_e6750 * _e6734) + (_e6768 * _e6736)) + (_e6786 * _e6738)) * _e6732), ((((_e6756 * _e6734) + (_e6774 * _e6736)) + (_e6792 * _e6738)) * _e6732)), _e6717.member, vec3<f32>(((((_e6744 * _e6717.member_2.x) + (_e6762 * _e6717.member_2.y)) + (_e6780 * _e6717.member_2.z)) * _e6732), ((((_e6750 * _e6717.member_2.x) + (_e6768 * _e6717.member_2.y)) + (_e6786 * _e6717.member_2.z)) * _e6732), ((((_e6756 * _e6717.member_2.x) + (_e6774 * _e6717.member_2.y)) + (_e6792 * _e6717.member_2.z)) * _e6732)), vec3<f32>(((((_e6744 * _e6717.member_1.x) + (_e6762 * _e6717.member_1.y)) + (_e6780 * _e6717.member_1.z)) * _e6732), ((((_e6750 * _e6717.member_1.x) + (_e6768 * _e6717.member_1.y)) + (_e6786 * _e6717.member_1.z)) * _e6732), ((((_e6756 * _e6717.member_1.x) + (_e6774 * _e6717.member_1.y)) + (_e6792 * _e6717.member_1.z)) * _e6732)));
+phi_17323_ = type_34(_e5986, vec3<f32>(((((_e6744 * _e6734) + (_e6762 * _e6736)) + (_e6780 * _e6738)) * _e6732), ((((_e6750 * _e6734) + (_e6768 * _e6736)) + (_e6786 * _e6738)) * _e6732), ((((_e6756 * _e6734) + (_e6774 * _e6736)) + (_e6792 * _e6738)) * _e6732)), _e6717.member, vec3<f32>(((((_e6744 * _e6717.member_2.x) + (_e6762 * _e6717.member_2.y)) + (_e6780 * _e6717.member_2.z)) * _e6732), ((((_e6750 * _e6717.member_2.x) + (_e6768 * _e6717.member_2.y)) + (_e6786 * _e6717.member_2.z)) * _e6732), ((((_e6756 * _e6717.member_2.x) + (_e6774 * _e6717.member_2.y)) + (_e6792 * _e6717.member_2.z)) * _e6732)), vec3<f32>(((((_e6744 * _e6717.member_1.x) + (_e6762 * _e6717.member_1.y)) + (_e6780 * _e6717.member_1.z)) * _e6732), ((((_e6750 * _e6717.member_1.x) + (_e6768 * _e6717.member_1.y)) + (_e6786 * _e6717.member_1.z)) * _e6732), ((((_e6756 * _e6717.member_1.x) + (_e6774 * _e6717.member_1.y)) + (_e6792 * _e6717.member_1.z)) * _e6732)));
 } else {
 let _e6858 = select(-0.5f, _e4865, (_e4865 > -0.5f));
 let _e6860 = select(_e4163, _e6858, (_e6858 < _e4163));
@@ -2429,7 +2429,7 @@ let _e6994 = (select(0i, _e6898, (_e6898 > 0i)) * _e6917);
 let _e6995 = (select(_e6929, _e6932, (_e6932 < _e6929)) * _e6917);
 let _e6996 = (select(0i, _e6913, (_e6913 > 0i)) * _e6921);
 let _e6997 = (select(_e6942, _e6945, (_e6945 < _e6942)) * _e6921);
-local_6 = type_32(array<i32, 4>(_e6971, _e6973, _e6975, 0i), array<u32, 6>(bitcast<u32>(((_e6958 - _e6971) * 16i)), bitcast<u32>(((_e6960 - _e6971) * 16i)), bitcast<u32>(((_e6960 - _e6973) * 16i)), bitcast<u32>(((_e6963 - _e6973) * 16i)), bitcast<u32>(((_e6963 - _e6975) * 16i)), bitcast<u32>(((select(_e6955, _e6964, (_e6964 < _e6955)) - _e6975) * 16i))));
+local_6 = type_29(array<i32, 4>(_e6971, _e6973, _e6975, 0i), array<u32, 6>(bitcast<u32>(((_e6958 - _e6971) * 16i)), bitcast<u32>(((_e6960 - _e6971) * 16i)), bitcast<u32>(((_e6960 - _e6973) * 16i)), bitcast<u32>(((_e6963 - _e6973) * 16i)), bitcast<u32>(((_e6963 - _e6975) * 16i)), bitcast<u32>(((select(_e6955, _e6964, (_e6964 < _e6955)) - _e6975) * 16i))));
 local_7 = vec3<f32>((_e6860 - f32(_e6883)), (_e6864 - f32(_e6898)), (_e6868 - f32(_e6913)));
 let _e7012 = local_6.member[1u];
 let _e7013 = ((_e6996 + _e6994) + _e7012);
@@ -2437,10 +2437,10 @@ let _e7015 = (_e7013 >> bitcast<u32>(1i));
 let _e7018 = bitcast<u32>(((_e7013 & 1i) * 16i));
 let _e7020 = (bitcast<i32>(_e205) - 1i);
 let _e7022 = select(_e7020, _e7015, (_e7015 < _e7020));
-let _e7027 = global_4.member[bitcast<u32>(select(0i, _e7022, (_e7022 > 0i)))];
+let _e7027 = global_2.member[bitcast<u32>(select(0i, _e7022, (_e7022 > 0i)))];
 let _e7031 = (_e7015 + 1i);
 let _e7033 = select(_e7020, _e7031, (_e7031 < _e7020));
-let _e7038 = global_4.member[bitcast<u32>(select(0i, _e7033, (_e7033 > 0i)))];
+let _e7038 = global_2.member[bitcast<u32>(select(0i, _e7033, (_e7033 > 0i)))];
 let _e7045 = ((_e7027 >> bitcast<u32>((_e7018 & 31u))) | ((_e7038 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7018) & 31u))));
 let _e7048 = local_6.member_1[2u];
 let _e7054 = f32(bitcast<i32>(((_e7045 >> bitcast<u32>((_e7048 & 31u))) & 65535u)));
@@ -2452,10 +2452,10 @@ let _e7070 = ((_e6996 + _e6995) + _e7069);
 let _e7072 = (_e7070 >> bitcast<u32>(1i));
 let _e7075 = bitcast<u32>(((_e7070 & 1i) * 16i));
 let _e7077 = select(_e7020, _e7072, (_e7072 < _e7020));
-let _e7082 = global_4.member[bitcast<u32>(select(0i, _e7077, (_e7077 > 0i)))];
+let _e7082 = global_2.member[bitcast<u32>(select(0i, _e7077, (_e7077 > 0i)))];
 let _e7086 = (_e7072 + 1i);
 let _e7088 = select(_e7020, _e7086, (_e7086 < _e7020));
-let _e7093 = global_4.member[bitcast<u32>(select(0i, _e7088, (_e7088 > 0i)))];
+let _e7093 = global_2.member[bitcast<u32>(select(0i, _e7088, (_e7088 > 0i)))];
 let _e7100 = ((_e7082 >> bitcast<u32>((_e7075 & 31u))) | ((_e7093 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7075) & 31u))));
 let _e7101 = local_6.member_1[2u];
 let _e7107 = f32(bitcast<i32>(((_e7100 >> bitcast<u32>((_e7101 & 31u))) & 65535u)));
@@ -2468,10 +2468,10 @@ let _e7126 = ((_e6997 + _e6994) + _e7125);
 let _e7128 = (_e7126 >> bitcast<u32>(1i));
 let _e7131 = bitcast<u32>(((_e7126 & 1i) * 16i));
 let _e7133 = select(_e7020, _e7128, (_e7128 < _e7020));
-let _e7138 = global_4.member[bitcast<u32>(select(0i, _e7133, (_e7133 > 0i)))];
+let _e7138 = global_2.member[bitcast<u32>(select(0i, _e7133, (_e7133 > 0i)))];
 let _e7142 = (_e7128 + 1i);
 let _e7144 = select(_e7020, _e7142, (_e7142 < _e7020));
-let _e7149 = global_4.member[bitcast<u32>(select(0i, _e7144, (_e7144 > 0i)))];
+let _e7149 = global_2.member[bitcast<u32>(select(0i, _e7144, (_e7144 > 0i)))];
 let _e7156 = ((_e7138 >> bitcast<u32>((_e7131 & 31u))) | ((_e7149 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7131) & 31u))));
 let _e7157 = local_6.member_1[2u];
 let _e7163 = f32(bitcast<i32>(((_e7156 >> bitcast<u32>((_e7157 & 31u))) & 65535u)));
@@ -2483,10 +2483,10 @@ let _e7177 = ((_e6997 + _e6995) + _e7176);
 let _e7179 = (_e7177 >> bitcast<u32>(1i));
 let _e7182 = bitcast<u32>(((_e7177 & 1i) * 16i));
 let _e7184 = select(_e7020, _e7179, (_e7179 < _e7020));
-let _e7189 = global_4.member[bitcast<u32>(select(0i, _e7184, (_e7184 > 0i)))];
+let _e7189 = global_2.member[bitcast<u32>(select(0i, _e7184, (_e7184 > 0i)))];
 let _e7193 = (_e7179 + 1i);
 let _e7195 = select(_e7020, _e7193, (_e7193 < _e7020));
-let _e7200 = global_4.member[bitcast<u32>(select(0i, _e7195, (_e7195 > 0i)))];
+let _e7200 = global_2.member[bitcast<u32>(select(0i, _e7195, (_e7195 > 0i)))];
 let _e7207 = ((_e7189 >> bitcast<u32>((_e7182 & 31u))) | ((_e7200 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7182) & 31u))));
 let _e7208 = local_6.member_1[2u];
 let _e7214 = f32(bitcast<i32>(((_e7207 >> bitcast<u32>((_e7208 & 31u))) & 65535u)));
@@ -2499,11 +2499,11 @@ let _e7242 = global_1.member.member_6.member_5;
 let _e7244 = (((_e7123 + (((_e7174 + (((_e7214 + ((f32(bitcast<i32>(((_e7207 >> bitcast<u32>((_e7215 & 31u))) & 65535u))) - _e7214) * _e7222)) - _e7174) * _e7226)) - _e7123) * _e7231)) - _e7238) * _e7242);
 let _e7245 = -(1e9f);
 let _e7247 = select(_e7245, _e7244, (_e7244 > _e7245));
-phi_17323_ = type_35(select(1e9f, _e7247, (_e7247 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_17323_ = type_34(select(1e9f, _e7247, (_e7247 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7252 = phi_17323_;
 if _e2929 {
-phi_17715_ = type_5(1f, 1f, 1f);
+phi_17715_ = type_7(1f, 1f, 1f);
 } else {
 let _e7256 = global_1.member.member_14.member;
 let _e7267 = ((((_e7256.member.member * _e3999.member.x) + (_e7256.member.member_1 * _e3999.member.y)) + (_e7256.member.member_2 * _e3999.member.z)) + _e7256.member_1);
@@ -2549,7 +2549,7 @@ let _e7434 = select(0f, _e7432, (_e7432 > 0f));
 let _e7440 = select(select(select(1f, _e7434, (_e7434 < 1f)), 1f, (_e7427 <= 0f)), 0f, (_e7425 > 0f));
 let _e7445 = global_1.member.member_17.member_1;
 let _e7446 = (_e7445 != 0u);
-phi_17715_ = type_5(((((1f * _e7290) * _e7340) * _e7390) * _e7440), ((((1f * select(1f, _e7290, _e7296)) * select(1f, _e7340, _e7346)) * select(1f, _e7390, _e7396)) * select(1f, _e7440, _e7446)), ((((1f * select(1f, 0f, (_e7296 && (_e7273 > 0f)))) * select(1f, 0f, (_e7346 && (_e7323 > 0f)))) * select(1f, 0f, (_e7396 && (_e7373 > 0f)))) * select(1f, 0f, (_e7446 && (_e7423 > 0f)))));
+phi_17715_ = type_7(((((1f * _e7290) * _e7340) * _e7390) * _e7440), ((((1f * select(1f, _e7290, _e7296)) * select(1f, _e7340, _e7346)) * select(1f, _e7390, _e7396)) * select(1f, _e7440, _e7446)), ((((1f * select(1f, 0f, (_e7296 && (_e7273 > 0f)))) * select(1f, 0f, (_e7346 && (_e7323 > 0f)))) * select(1f, 0f, (_e7396 && (_e7373 > 0f)))) * select(1f, 0f, (_e7446 && (_e7423 > 0f)))));
 }
 let _e7455 = phi_17715_;
 let _e7458 = (select(0f, (_e4745 - 0.5f), _e4727) * _e4094);
@@ -2597,7 +2597,7 @@ let _e7602 = (select(0i, _e7506, (_e7506 > 0i)) * _e7525);
 let _e7603 = (select(_e7537, _e7540, (_e7540 < _e7537)) * _e7525);
 let _e7604 = (select(0i, _e7521, (_e7521 > 0i)) * _e7529);
 let _e7605 = (select(_e7550, _e7553, (_e7553 < _e7550)) * _e7529);
-local_4 = type_32(array<i32, 4>(_e7579, _e7581, _e7583, 0i), array<u32, 6>(bitcast<u32>(((_e7566 - _e7579) * 16i)), bitcast<u32>(((_e7568 - _e7579) * 16i)), bitcast<u32>(((_e7568 - _e7581) * 16i)), bitcast<u32>(((_e7571 - _e7581) * 16i)), bitcast<u32>(((_e7571 - _e7583) * 16i)), bitcast<u32>(((select(_e7563, _e7572, (_e7572 < _e7563)) - _e7583) * 16i))));
+local_4 = type_29(array<i32, 4>(_e7579, _e7581, _e7583, 0i), array<u32, 6>(bitcast<u32>(((_e7566 - _e7579) * 16i)), bitcast<u32>(((_e7568 - _e7579) * 16i)), bitcast<u32>(((_e7568 - _e7581) * 16i)), bitcast<u32>(((_e7571 - _e7581) * 16i)), bitcast<u32>(((_e7571 - _e7583) * 16i)), bitcast<u32>(((select(_e7563, _e7572, (_e7572 < _e7563)) - _e7583) * 16i))));
 local_5 = vec3<f32>((_e7468 - f32(_e7491)), (_e7472 - f32(_e7506)), (_e7476 - f32(_e7521)));
 let _e7620 = local_4.member[1u];
 let _e7621 = ((_e7604 + _e7602) + _e7620);
@@ -2605,10 +2605,10 @@ let _e7623 = (_e7621 >> bitcast<u32>(1i));
 let _e7626 = bitcast<u32>(((_e7621 & 1i) * 16i));
 let _e7628 = (bitcast<i32>(_e205) - 1i);
 let _e7630 = select(_e7628, _e7623, (_e7623 < _e7628));
-let _e7635 = global_4.member[bitcast<u32>(select(0i, _e7630, (_e7630 > 0i)))];
+let _e7635 = global_2.member[bitcast<u32>(select(0i, _e7630, (_e7630 > 0i)))];
 let _e7639 = (_e7623 + 1i);
 let _e7641 = select(_e7628, _e7639, (_e7639 < _e7628));
-let _e7646 = global_4.member[bitcast<u32>(select(0i, _e7641, (_e7641 > 0i)))];
+let _e7646 = global_2.member[bitcast<u32>(select(0i, _e7641, (_e7641 > 0i)))];
 let _e7653 = ((_e7635 >> bitcast<u32>((_e7626 & 31u))) | ((_e7646 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7626) & 31u))));
 let _e7656 = local_4.member_1[2u];
 let _e7662 = f32(bitcast<i32>(((_e7653 >> bitcast<u32>((_e7656 & 31u))) & 65535u)));
@@ -2620,10 +2620,10 @@ let _e7678 = ((_e7604 + _e7603) + _e7677);
 let _e7680 = (_e7678 >> bitcast<u32>(1i));
 let _e7683 = bitcast<u32>(((_e7678 & 1i) * 16i));
 let _e7685 = select(_e7628, _e7680, (_e7680 < _e7628));
-let _e7690 = global_4.member[bitcast<u32>(select(0i, _e7685, (_e7685 > 0i)))];
+let _e7690 = global_2.member[bitcast<u32>(select(0i, _e7685, (_e7685 > 0i)))];
 let _e7694 = (_e7680 + 1i);
 let _e7696 = select(_e7628, _e7694, (_e7694 < _e7628));
-let _e7701 = global_4.member[bitcast<u32>(select(0i, _e7696, (_e7696 > 0i)))];
+let _e7701 = global_2.member[bitcast<u32>(select(0i, _e7696, (_e7696 > 0i)))];
 let _e7708 = ((_e7690 >> bitcast<u32>((_e7683 & 31u))) | ((_e7701 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7683) & 31u))));
 let _e7709 = local_4.member_1[2u];
 let _e7715 = f32(bitcast<i32>(((_e7708 >> bitcast<u32>((_e7709 & 31u))) & 65535u)));
@@ -2636,10 +2636,10 @@ let _e7734 = ((_e7605 + _e7602) + _e7733);
 let _e7736 = (_e7734 >> bitcast<u32>(1i));
 let _e7739 = bitcast<u32>(((_e7734 & 1i) * 16i));
 let _e7741 = select(_e7628, _e7736, (_e7736 < _e7628));
-let _e7746 = global_4.member[bitcast<u32>(select(0i, _e7741, (_e7741 > 0i)))];
+let _e7746 = global_2.member[bitcast<u32>(select(0i, _e7741, (_e7741 > 0i)))];
 let _e7750 = (_e7736 + 1i);
 let _e7752 = select(_e7628, _e7750, (_e7750 < _e7628));
-let _e7757 = global_4.member[bitcast<u32>(select(0i, _e7752, (_e7752 > 0i)))];
+let _e7757 = global_2.member[bitcast<u32>(select(0i, _e7752, (_e7752 > 0i)))];
 let _e7764 = ((_e7746 >> bitcast<u32>((_e7739 & 31u))) | ((_e7757 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7739) & 31u))));
 let _e7765 = local_4.member_1[2u];
 let _e7771 = f32(bitcast<i32>(((_e7764 >> bitcast<u32>((_e7765 & 31u))) & 65535u)));
@@ -2651,10 +2651,10 @@ let _e7785 = ((_e7605 + _e7603) + _e7784);
 let _e7787 = (_e7785 >> bitcast<u32>(1i));
 let _e7790 = bitcast<u32>(((_e7785 & 1i) * 16i));
 let _e7792 = select(_e7628, _e7787, (_e7787 < _e7628));
-let _e7797 = global_4.member[bitcast<u32>(select(0i, _e7792, (_e7792 > 0i)))];
+let _e7797 = global_2.member[bitcast<u32>(select(0i, _e7792, (_e7792 > 0i)))];
 let _e7801 = (_e7787 + 1i);
 let _e7803 = select(_e7628, _e7801, (_e7801 < _e7628));
-let _e7808 = global_4.member[bitcast<u32>(select(0i, _e7803, (_e7803 > 0i)))];
+let _e7808 = global_2.member[bitcast<u32>(select(0i, _e7803, (_e7803 > 0i)))];
 let _e7815 = ((_e7797 >> bitcast<u32>((_e7790 & 31u))) | ((_e7808 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7790) & 31u))));
 let _e7816 = local_4.member_1[2u];
 let _e7822 = f32(bitcast<i32>(((_e7815 >> bitcast<u32>((_e7816 & 31u))) & 65535u)));
@@ -2673,41 +2673,41 @@ local_3 = _e7858;
 let _e7859 = local_3;
 let _e7861 = (bitcast<i32>(_e208) - 1i);
 let _e7863 = select(_e7861, 263197i, (263197i < _e7861));
-let _e7868 = global_5.member[bitcast<u32>(select(0i, _e7863, (_e7863 > 0i)))];
+let _e7868 = global_3.member[bitcast<u32>(select(0i, _e7863, (_e7863 > 0i)))];
 let _e7871 = select(_e7861, 263198i, (263198i < _e7861));
-let _e7876 = global_5.member[bitcast<u32>(select(0i, _e7871, (_e7871 > 0i)))];
+let _e7876 = global_3.member[bitcast<u32>(select(0i, _e7871, (_e7871 > 0i)))];
 let _e7879 = select(_e7861, 263199i, (263199i < _e7861));
-let _e7884 = global_5.member[bitcast<u32>(select(0i, _e7879, (_e7879 > 0i)))];
+let _e7884 = global_3.member[bitcast<u32>(select(0i, _e7879, (_e7879 > 0i)))];
 let _e7885 = bitcast<f32>(_e7884);
 let _e7887 = ((_e7859 - bitcast<f32>(_e7868)) * bitcast<f32>(_e7876));
 let _e7889 = select(0f, _e7887, (_e7887 > 0f));
 let _e7892 = local_3;
 let _e7894 = select(_e7861, 263200i, (263200i < _e7861));
-let _e7899 = global_5.member[bitcast<u32>(select(0i, _e7894, (_e7894 > 0i)))];
+let _e7899 = global_3.member[bitcast<u32>(select(0i, _e7894, (_e7894 > 0i)))];
 let _e7902 = select(_e7861, 263201i, (263201i < _e7861));
-let _e7907 = global_5.member[bitcast<u32>(select(0i, _e7902, (_e7902 > 0i)))];
+let _e7907 = global_3.member[bitcast<u32>(select(0i, _e7902, (_e7902 > 0i)))];
 let _e7910 = select(_e7861, 263202i, (263202i < _e7861));
-let _e7915 = global_5.member[bitcast<u32>(select(0i, _e7910, (_e7910 > 0i)))];
+let _e7915 = global_3.member[bitcast<u32>(select(0i, _e7910, (_e7910 > 0i)))];
 let _e7916 = bitcast<f32>(_e7915);
 let _e7918 = ((_e7892 - bitcast<f32>(_e7899)) * bitcast<f32>(_e7907));
 let _e7920 = select(0f, _e7918, (_e7918 > 0f));
 let _e7924 = local_3;
 let _e7926 = select(_e7861, 263203i, (263203i < _e7861));
-let _e7931 = global_5.member[bitcast<u32>(select(0i, _e7926, (_e7926 > 0i)))];
+let _e7931 = global_3.member[bitcast<u32>(select(0i, _e7926, (_e7926 > 0i)))];
 let _e7934 = select(_e7861, 263204i, (263204i < _e7861));
-let _e7939 = global_5.member[bitcast<u32>(select(0i, _e7934, (_e7934 > 0i)))];
+let _e7939 = global_3.member[bitcast<u32>(select(0i, _e7934, (_e7934 > 0i)))];
 let _e7942 = select(_e7861, 263205i, (263205i < _e7861));
-let _e7947 = global_5.member[bitcast<u32>(select(0i, _e7942, (_e7942 > 0i)))];
+let _e7947 = global_3.member[bitcast<u32>(select(0i, _e7942, (_e7942 > 0i)))];
 let _e7948 = bitcast<f32>(_e7947);
 let _e7950 = ((_e7924 - bitcast<f32>(_e7931)) * bitcast<f32>(_e7939));
 let _e7952 = select(0f, _e7950, (_e7950 > 0f));
 let _e7955 = local_3;
 let _e7957 = select(_e7861, 263206i, (263206i < _e7861));
-let _e7962 = global_5.member[bitcast<u32>(select(0i, _e7957, (_e7957 > 0i)))];
+let _e7962 = global_3.member[bitcast<u32>(select(0i, _e7957, (_e7957 > 0i)))];
 let _e7965 = select(_e7861, 263207i, (263207i < _e7861));
-let _e7970 = global_5.member[bitcast<u32>(select(0i, _e7965, (_e7965 > 0i)))];
+let _e7970 = global_3.member[bitcast<u32>(select(0i, _e7965, (_e7965 > 0i)))];
 let _e7973 = select(_e7861, 263208i, (263208i < _e7861));
-let _e7978 = global_5.member[bitcast<u32>(select(0i, _e7973, (_e7973 > 0i)))];
+let _e7978 = global_3.member[bitcast<u32>(select(0i, _e7973, (_e7973 > 0i)))];
 let _e7979 = bitcast<f32>(_e7978);
 let _e7981 = ((_e7955 - bitcast<f32>(_e7962)) * bitcast<f32>(_e7970));
 let _e7983 = select(0f, _e7981, (_e7981 > 0f));
@@ -2718,13 +2718,13 @@ let _e7998 = select(0i, select(select(i32(_e7991), i32(-2147483648), (_e7991 < -
 let _e8002 = (_e7998 - select(0i, 1i, (_e7991 < f32(_e7998))));
 let _e8003 = (262147i + _e8002);
 let _e8005 = select(_e7861, _e8003, (_e8003 < _e7861));
-let _e8011 = global_5.member[bitcast<u32>(select(0i, _e8005, (_e8005 > 0i)))];
+let _e8011 = global_3.member[bitcast<u32>(select(0i, _e8005, (_e8005 > 0i)))];
 let _e8021 = select(_e7861, 262146i, (262146i < _e7861));
-let _e8027 = global_5.member[bitcast<u32>(select(0i, _e8021, (_e8021 > 0i)))];
+let _e8027 = global_3.member[bitcast<u32>(select(0i, _e8021, (_e8021 > 0i)))];
 let _e8031 = select(_e7861, 262144i, (262144i < _e7861));
-let _e8037 = global_5.member[bitcast<u32>(select(0i, _e8031, (_e8031 > 0i)))];
+let _e8037 = global_3.member[bitcast<u32>(select(0i, _e8031, (_e8031 > 0i)))];
 let _e8040 = select(_e7861, 262145i, (262145i < _e7861));
-let _e8046 = global_5.member[bitcast<u32>(select(0i, _e8040, (_e8040 > 0i)))];
+let _e8046 = global_3.member[bitcast<u32>(select(0i, _e8040, (_e8040 > 0i)))];
 let _e8053 = ((bitcast<f32>(_e8037) + (f32(bitcast<i32>((_e8011 >> bitcast<u32>(12u)))) * bitcast<f32>(_e8046))) + ((f32((bitcast<i32>((_e8011 & 4095u)) - 2048i)) * bitcast<f32>(_e8027)) * (_e7987 - f32(_e8002))));
 let _e8054 = select(1f, _e8053, _e4012);
 let _e8055 = select(_e8053, 1f, _e4012);
@@ -2789,97 +2789,97 @@ let _e8240 = (((sqrt(select(0f, _e8135, (_e8135 > 0f))) * select(0f, _e8231, (_e
 local_1 = _e8126;
 let _e8241 = local_1;
 let _e8243 = select(_e7861, 263171i, (263171i < _e7861));
-let _e8248 = global_5.member[bitcast<u32>(select(0i, _e8243, (_e8243 > 0i)))];
+let _e8248 = global_3.member[bitcast<u32>(select(0i, _e8243, (_e8243 > 0i)))];
 let _e8249 = bitcast<f32>(_e8248);
 let _e8251 = select(_e7861, 263172i, (263172i < _e7861));
-let _e8256 = global_5.member[bitcast<u32>(select(0i, _e8251, (_e8251 > 0i)))];
+let _e8256 = global_3.member[bitcast<u32>(select(0i, _e8251, (_e8251 > 0i)))];
 let _e8257 = bitcast<f32>(_e8256);
 let _e8259 = select(_e7861, 263173i, (263173i < _e7861));
-let _e8264 = global_5.member[bitcast<u32>(select(0i, _e8259, (_e8259 > 0i)))];
+let _e8264 = global_3.member[bitcast<u32>(select(0i, _e8259, (_e8259 > 0i)))];
 let _e8265 = bitcast<f32>(_e8264);
 let _e8267 = ((_e8241 - _e8249) * _e8257);
 let _e8269 = select(0f, _e8267, (_e8267 > 0f));
 let _e8272 = local_1;
 let _e8274 = select(_e7861, 263174i, (263174i < _e7861));
-let _e8279 = global_5.member[bitcast<u32>(select(0i, _e8274, (_e8274 > 0i)))];
+let _e8279 = global_3.member[bitcast<u32>(select(0i, _e8274, (_e8274 > 0i)))];
 let _e8280 = bitcast<f32>(_e8279);
 let _e8282 = select(_e7861, 263175i, (263175i < _e7861));
-let _e8287 = global_5.member[bitcast<u32>(select(0i, _e8282, (_e8282 > 0i)))];
+let _e8287 = global_3.member[bitcast<u32>(select(0i, _e8282, (_e8282 > 0i)))];
 let _e8288 = bitcast<f32>(_e8287);
 let _e8290 = select(_e7861, 263176i, (263176i < _e7861));
-let _e8295 = global_5.member[bitcast<u32>(select(0i, _e8290, (_e8290 > 0i)))];
+let _e8295 = global_3.member[bitcast<u32>(select(0i, _e8290, (_e8290 > 0i)))];
 let _e8296 = bitcast<f32>(_e8295);
 let _e8298 = ((_e8272 - _e8280) * _e8288);
 let _e8300 = select(0f, _e8298, (_e8298 > 0f));
 let _e8304 = local_1;
 let _e8306 = select(_e7861, 263177i, (263177i < _e7861));
-let _e8311 = global_5.member[bitcast<u32>(select(0i, _e8306, (_e8306 > 0i)))];
+let _e8311 = global_3.member[bitcast<u32>(select(0i, _e8306, (_e8306 > 0i)))];
 let _e8312 = bitcast<f32>(_e8311);
 let _e8314 = select(_e7861, 263178i, (263178i < _e7861));
-let _e8319 = global_5.member[bitcast<u32>(select(0i, _e8314, (_e8314 > 0i)))];
+let _e8319 = global_3.member[bitcast<u32>(select(0i, _e8314, (_e8314 > 0i)))];
 let _e8320 = bitcast<f32>(_e8319);
 let _e8322 = select(_e7861, 263179i, (263179i < _e7861));
-let _e8327 = global_5.member[bitcast<u32>(select(0i, _e8322, (_e8322 > 0i)))];
+let _e8327 = global_3.member[bitcast<u32>(select(0i, _e8322, (_e8322 > 0i)))];
 let _e8328 = bitcast<f32>(_e8327);
 let _e8330 = ((_e8304 - _e8312) * _e8320);
 let _e8332 = select(0f, _e8330, (_e8330 > 0f));
 let _e8335 = local_1;
 let _e8337 = select(_e7861, 263180i, (263180i < _e7861));
-let _e8342 = global_5.member[bitcast<u32>(select(0i, _e8337, (_e8337 > 0i)))];
+let _e8342 = global_3.member[bitcast<u32>(select(0i, _e8337, (_e8337 > 0i)))];
 let _e8343 = bitcast<f32>(_e8342);
 let _e8345 = select(_e7861, 263181i, (263181i < _e7861));
-let _e8350 = global_5.member[bitcast<u32>(select(0i, _e8345, (_e8345 > 0i)))];
+let _e8350 = global_3.member[bitcast<u32>(select(0i, _e8345, (_e8345 > 0i)))];
 let _e8351 = bitcast<f32>(_e8350);
 let _e8353 = select(_e7861, 263182i, (263182i < _e7861));
-let _e8358 = global_5.member[bitcast<u32>(select(0i, _e8353, (_e8353 > 0i)))];
+let _e8358 = global_3.member[bitcast<u32>(select(0i, _e8353, (_e8353 > 0i)))];
 let _e8359 = bitcast<f32>(_e8358);
 let _e8361 = ((_e8335 - _e8343) * _e8351);
 let _e8363 = select(0f, _e8361, (_e8361 > 0f));
 let _e8368 = local_1;
 let _e8370 = select(_e7861, 263183i, (263183i < _e7861));
-let _e8375 = global_5.member[bitcast<u32>(select(0i, _e8370, (_e8370 > 0i)))];
+let _e8375 = global_3.member[bitcast<u32>(select(0i, _e8370, (_e8370 > 0i)))];
 let _e8376 = bitcast<f32>(_e8375);
 let _e8378 = select(_e7861, 263184i, (263184i < _e7861));
-let _e8383 = global_5.member[bitcast<u32>(select(0i, _e8378, (_e8378 > 0i)))];
+let _e8383 = global_3.member[bitcast<u32>(select(0i, _e8378, (_e8378 > 0i)))];
 let _e8384 = bitcast<f32>(_e8383);
 let _e8386 = select(_e7861, 263185i, (263185i < _e7861));
-let _e8391 = global_5.member[bitcast<u32>(select(0i, _e8386, (_e8386 > 0i)))];
+let _e8391 = global_3.member[bitcast<u32>(select(0i, _e8386, (_e8386 > 0i)))];
 let _e8392 = bitcast<f32>(_e8391);
 let _e8394 = ((_e8368 - _e8376) * _e8384);
 let _e8396 = select(0f, _e8394, (_e8394 > 0f));
 let _e8399 = local_1;
 let _e8401 = select(_e7861, 263186i, (263186i < _e7861));
-let _e8406 = global_5.member[bitcast<u32>(select(0i, _e8401, (_e8401 > 0i)))];
+let _e8406 = global_3.member[bitcast<u32>(select(0i, _e8401, (_e8401 > 0i)))];
 let _e8407 = bitcast<f32>(_e8406);
 let _e8409 = select(_e7861, 263187i, (263187i < _e7861));
-let _e8414 = global_5.member[bitcast<u32>(select(0i, _e8409, (_e8409 > 0i)))];
+let _e8414 = global_3.member[bitcast<u32>(select(0i, _e8409, (_e8409 > 0i)))];
 let _e8415 = bitcast<f32>(_e8414);
 let _e8417 = select(_e7861, 263188i, (263188i < _e7861));
-let _e8422 = global_5.member[bitcast<u32>(select(0i, _e8417, (_e8417 > 0i)))];
+let _e8422 = global_3.member[bitcast<u32>(select(0i, _e8417, (_e8417 > 0i)))];
 let _e8423 = bitcast<f32>(_e8422);
 let _e8425 = ((_e8399 - _e8407) * _e8415);
 let _e8427 = select(0f, _e8425, (_e8425 > 0f));
 let _e8431 = local_1;
 let _e8433 = select(_e7861, 263189i, (263189i < _e7861));
-let _e8438 = global_5.member[bitcast<u32>(select(0i, _e8433, (_e8433 > 0i)))];
+let _e8438 = global_3.member[bitcast<u32>(select(0i, _e8433, (_e8433 > 0i)))];
 let _e8439 = bitcast<f32>(_e8438);
 let _e8441 = select(_e7861, 263190i, (263190i < _e7861));
-let _e8446 = global_5.member[bitcast<u32>(select(0i, _e8441, (_e8441 > 0i)))];
+let _e8446 = global_3.member[bitcast<u32>(select(0i, _e8441, (_e8441 > 0i)))];
 let _e8447 = bitcast<f32>(_e8446);
 let _e8449 = select(_e7861, 263191i, (263191i < _e7861));
-let _e8454 = global_5.member[bitcast<u32>(select(0i, _e8449, (_e8449 > 0i)))];
+let _e8454 = global_3.member[bitcast<u32>(select(0i, _e8449, (_e8449 > 0i)))];
 let _e8455 = bitcast<f32>(_e8454);
 let _e8457 = ((_e8431 - _e8439) * _e8447);
 let _e8459 = select(0f, _e8457, (_e8457 > 0f));
 let _e8462 = local_1;
 let _e8464 = select(_e7861, 263192i, (263192i < _e7861));
-let _e8469 = global_5.member[bitcast<u32>(select(0i, _e8464, (_e8464 > 0i)))];
+let _e8469 = global_3.member[bitcast<u32>(select(0i, _e8464, (_e8464 > 0i)))];
 let _e8470 = bitcast<f32>(_e8469);
 let _e8472 = select(_e7861, 263193i, (263193i < _e7861));
-let _e8477 = global_5.member[bitcast<u32>(select(0i, _e8472, (_e8472 > 0i)))];
+let _e8477 = global_3.member[bitcast<u32>(select(0i, _e8472, (_e8472 > 0i)))];
 let _e8478 = bitcast<f32>(_e8477);
 let _e8480 = select(_e7861, 263194i, (263194i < _e7861));
-let _e8485 = global_5.member[bitcast<u32>(select(0i, _e8480, (_e8480 > 0i)))];
+let _e8485 = global_3.member[bitcast<u32>(select(0i, _e8480, (_e8480 > 0i)))];
 let _e8486 = bitcast<f32>(_e8485);
 let _e8488 = ((_e8462 - _e8470) * _e8478);
 let _e8490 = select(0f, _e8488, (_e8488 > 0f));
@@ -2920,10 +2920,10 @@ let _e8578 = select(_e8559, _e8576, (_e8576 < _e8559));
 let _e8585 = select(0i, select(select(i32(_e8578), i32(-2147483648), (_e8578 < -2147483600f)), 2147483647i, (_e8578 > 2147483500f)), (_e8578 == _e8578));
 let _e8589 = (_e8585 - select(0i, 1i, (_e8578 < f32(_e8585))));
 let _e8591 = select(_e7861, 263195i, (263195i < _e7861));
-let _e8597 = global_5.member[bitcast<u32>(select(0i, _e8591, (_e8591 > 0i)))];
+let _e8597 = global_3.member[bitcast<u32>(select(0i, _e8591, (_e8591 > 0i)))];
 let _e8598 = bitcast<f32>(_e8597);
 let _e8600 = select(_e7861, 263196i, (263196i < _e7861));
-let _e8606 = global_5.member[bitcast<u32>(select(0i, _e8600, (_e8600 > 0i)))];
+let _e8606 = global_3.member[bitcast<u32>(select(0i, _e8600, (_e8600 > 0i)))];
 let _e8607 = bitcast<f32>(_e8606);
 let _e8608 = (_e7252.member - _e8126);
 let _e8614 = (1f / select(_e8608, 1f, (bitcast<f32>((bitcast<u32>(_e8608) & 2147483647u)) < 1e-20f)));
@@ -2934,20 +2934,20 @@ let _e8631 = (_e8495 - f32(_e8574));
 let _e8633 = (_e8558 - f32(_e8589));
 let _e8635 = (1f - (_e8620 + _e8626));
 let _e8637 = select(_e7861, _e8629, (_e8629 < _e7861));
-let _e8643 = global_5.member[bitcast<u32>(select(0i, _e8637, (_e8637 > 0i)))];
+let _e8643 = global_3.member[bitcast<u32>(select(0i, _e8637, (_e8637 > 0i)))];
 let _e8644 = (_e8629 + 4i);
 let _e8646 = select(_e7861, _e8644, (_e8644 < _e7861));
-let _e8652 = global_5.member[bitcast<u32>(select(0i, _e8646, (_e8646 > 0i)))];
+let _e8652 = global_3.member[bitcast<u32>(select(0i, _e8646, (_e8646 > 0i)))];
 let _e8653 = (_e8629 + 1024i);
 let _e8655 = select(_e7861, _e8653, (_e8653 < _e7861));
-let _e8661 = global_5.member[bitcast<u32>(select(0i, _e8655, (_e8655 > 0i)))];
+let _e8661 = global_3.member[bitcast<u32>(select(0i, _e8655, (_e8655 > 0i)))];
 let _e8662 = (_e8629 + 1028i);
 let _e8664 = select(_e7861, _e8662, (_e8662 < _e7861));
-let _e8670 = global_5.member[bitcast<u32>(select(0i, _e8664, (_e8664 > 0i)))];
+let _e8670 = global_3.member[bitcast<u32>(select(0i, _e8664, (_e8664 > 0i)))];
 let _e8672 = select(_e7861, 0i, (0i < _e7861));
-let _e8678 = global_5.member[bitcast<u32>(select(0i, _e8672, (_e8672 > 0i)))];
+let _e8678 = global_3.member[bitcast<u32>(select(0i, _e8672, (_e8672 > 0i)))];
 let _e8680 = select(_e7861, 262140i, (262140i < _e7861));
-let _e8686 = global_5.member[bitcast<u32>(select(0i, _e8680, (_e8680 > 0i)))];
+let _e8686 = global_3.member[bitcast<u32>(select(0i, _e8680, (_e8680 > 0i)))];
 let _e8691 = (bitcast<f32>(((_e8643 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8699 = (_e8691 + (((bitcast<f32>(((_e8652 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8691) * _e8633));
 let _e8704 = (bitcast<f32>(((_e8661 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2957,20 +2957,20 @@ let _e8755 = (_e8747 + (((bitcast<f32>((((_e8652 >> bitcast<u32>(16i)) & 32767u)
 let _e8760 = (bitcast<f32>((((_e8661 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8787 = (_e8629 + 1i);
 let _e8789 = select(_e7861, _e8787, (_e8787 < _e7861));
-let _e8795 = global_5.member[bitcast<u32>(select(0i, _e8789, (_e8789 > 0i)))];
+let _e8795 = global_3.member[bitcast<u32>(select(0i, _e8789, (_e8789 > 0i)))];
 let _e8796 = (_e8629 + 5i);
 let _e8798 = select(_e7861, _e8796, (_e8796 < _e7861));
-let _e8804 = global_5.member[bitcast<u32>(select(0i, _e8798, (_e8798 > 0i)))];
+let _e8804 = global_3.member[bitcast<u32>(select(0i, _e8798, (_e8798 > 0i)))];
 let _e8805 = (_e8629 + 1025i);
 let _e8807 = select(_e7861, _e8805, (_e8805 < _e7861));
-let _e8813 = global_5.member[bitcast<u32>(select(0i, _e8807, (_e8807 > 0i)))];
+let _e8813 = global_3.member[bitcast<u32>(select(0i, _e8807, (_e8807 > 0i)))];
 let _e8814 = (_e8629 + 1029i);
 let _e8816 = select(_e7861, _e8814, (_e8814 < _e7861));
-let _e8822 = global_5.member[bitcast<u32>(select(0i, _e8816, (_e8816 > 0i)))];
+let _e8822 = global_3.member[bitcast<u32>(select(0i, _e8816, (_e8816 > 0i)))];
 let _e8824 = select(_e7861, 1i, (1i < _e7861));
-let _e8830 = global_5.member[bitcast<u32>(select(0i, _e8824, (_e8824 > 0i)))];
+let _e8830 = global_3.member[bitcast<u32>(select(0i, _e8824, (_e8824 > 0i)))];
 let _e8832 = select(_e7861, 262141i, (262141i < _e7861));
-let _e8838 = global_5.member[bitcast<u32>(select(0i, _e8832, (_e8832 > 0i)))];
+let _e8838 = global_3.member[bitcast<u32>(select(0i, _e8832, (_e8832 > 0i)))];
 let _e8843 = (bitcast<f32>(((_e8795 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8851 = (_e8843 + (((bitcast<f32>(((_e8804 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8843) * _e8633));
 let _e8856 = (bitcast<f32>(((_e8813 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2979,20 +2979,20 @@ let _e8907 = (_e8899 + (((bitcast<f32>((((_e8804 >> bitcast<u32>(16i)) & 32767u)
 let _e8912 = (bitcast<f32>((((_e8813 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8939 = (_e8629 + 2i);
 let _e8941 = select(_e7861, _e8939, (_e8939 < _e7861));
-let _e8947 = global_5.member[bitcast<u32>(select(0i, _e8941, (_e8941 > 0i)))];
+let _e8947 = global_3.member[bitcast<u32>(select(0i, _e8941, (_e8941 > 0i)))];
 let _e8948 = (_e8629 + 6i);
 let _e8950 = select(_e7861, _e8948, (_e8948 < _e7861));
-let _e8956 = global_5.member[bitcast<u32>(select(0i, _e8950, (_e8950 > 0i)))];
+let _e8956 = global_3.member[bitcast<u32>(select(0i, _e8950, (_e8950 > 0i)))];
 let _e8957 = (_e8629 + 1026i);
 let _e8959 = select(_e7861, _e8957, (_e8957 < _e7861));
-let _e8965 = global_5.member[bitcast<u32>(select(0i, _e8959, (_e8959 > 0i)))];
+let _e8965 = global_3.member[bitcast<u32>(select(0i, _e8959, (_e8959 > 0i)))];
 let _e8966 = (_e8629 + 1030i);
 let _e8968 = select(_e7861, _e8966, (_e8966 < _e7861));
-let _e8974 = global_5.member[bitcast<u32>(select(0i, _e8968, (_e8968 > 0i)))];
+let _e8974 = global_3.member[bitcast<u32>(select(0i, _e8968, (_e8968 > 0i)))];
 let _e8976 = select(_e7861, 2i, (2i < _e7861));
-let _e8982 = global_5.member[bitcast<u32>(select(0i, _e8976, (_e8976 > 0i)))];
+let _e8982 = global_3.member[bitcast<u32>(select(0i, _e8976, (_e8976 > 0i)))];
 let _e8984 = select(_e7861, 262142i, (262142i < _e7861));
-let _e8990 = global_5.member[bitcast<u32>(select(0i, _e8984, (_e8984 > 0i)))];
+let _e8990 = global_3.member[bitcast<u32>(select(0i, _e8984, (_e8984 > 0i)))];
 let _e8995 = (bitcast<f32>(((_e8947 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9003 = (_e8995 + (((bitcast<f32>(((_e8956 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8995) * _e8633));
 let _e9008 = (bitcast<f32>(((_e8965 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3001,20 +3001,20 @@ let _e9059 = (_e9051 + (((bitcast<f32>((((_e8956 >> bitcast<u32>(16i)) & 32767u)
 let _e9064 = (bitcast<f32>((((_e8965 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9091 = (_e8629 + 3i);
 let _e9093 = select(_e7861, _e9091, (_e9091 < _e7861));
-let _e9099 = global_5.member[bitcast<u32>(select(0i, _e9093, (_e9093 > 0i)))];
+let _e9099 = global_3.member[bitcast<u32>(select(0i, _e9093, (_e9093 > 0i)))];
 let _e9100 = (_e8629 + 7i);
 let _e9102 = select(_e7861, _e9100, (_e9100 < _e7861));
-let _e9108 = global_5.member[bitcast<u32>(select(0i, _e9102, (_e9102 > 0i)))];
+let _e9108 = global_3.member[bitcast<u32>(select(0i, _e9102, (_e9102 > 0i)))];
 let _e9109 = (_e8629 + 1027i);
 let _e9111 = select(_e7861, _e9109, (_e9109 < _e7861));
-let _e9117 = global_5.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
+let _e9117 = global_3.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
 let _e9118 = (_e8629 + 1031i);
 let _e9120 = select(_e7861, _e9118, (_e9118 < _e7861));
-let _e9126 = global_5.member[bitcast<u32>(select(0i, _e9120, (_e9120 > 0i)))];
+let _e9126 = global_3.member[bitcast<u32>(select(0i, _e9120, (_e9120 > 0i)))];
 let _e9128 = select(_e7861, 3i, (3i < _e7861));
-let _e9134 = global_5.member[bitcast<u32>(select(0i, _e9128, (_e9128 > 0i)))];
+let _e9134 = global_3.member[bitcast<u32>(select(0i, _e9128, (_e9128 > 0i)))];
 let _e9136 = select(_e7861, 262143i, (262143i < _e7861));
-let _e9142 = global_5.member[bitcast<u32>(select(0i, _e9136, (_e9136 > 0i)))];
+let _e9142 = global_3.member[bitcast<u32>(select(0i, _e9136, (_e9136 > 0i)))];
 let _e9147 = (bitcast<f32>(((_e9099 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9155 = (_e9147 + (((bitcast<f32>(((_e9108 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9147) * _e8633));
 let _e9160 = (bitcast<f32>(((_e9117 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3121,9 +3121,9 @@ let _e9580 = phi_21941_;
 let _e9581 = (_e9580 + 1i);
 let _e9583 = (bitcast<i32>(_e210) - 1i);
 let _e9585 = select(_e9583, _e9581, (_e9581 < _e9583));
-let _e9591 = global_6.member[bitcast<u32>(select(0i, _e9585, (_e9585 > 0i)))];
+let _e9591 = global_4.member[bitcast<u32>(select(0i, _e9585, (_e9585 > 0i)))];
 let _e9593 = select(_e9583, _e9580, (_e9580 < _e9583));
-let _e9599 = global_6.member[bitcast<u32>(select(0i, _e9593, (_e9593 > 0i)))];
+let _e9599 = global_4.member[bitcast<u32>(select(0i, _e9593, (_e9593 > 0i)))];
 let _e9602 = select(_e9591, 0u, (_e9580 < 0i));
 let _e9606 = global_1.member.member_10.member_13;
 let _e9607 = (_e9602 * 81u);
@@ -3135,35 +3135,35 @@ let _e9624 = (_e9480 - f32(_e9521));
 let _e9626 = (_e9490 - f32(_e9536));
 let _e9627 = (_e9602 != 0u);
 let _e9629 = select(_e9583, _e9619, (_e9619 < _e9583));
-let _e9635 = global_6.member[bitcast<u32>(select(0i, _e9629, (_e9629 > 0i)))];
+let _e9635 = global_4.member[bitcast<u32>(select(0i, _e9629, (_e9629 > 0i)))];
 let _e9636 = bitcast<f32>(_e9635);
 let _e9637 = (_e9619 + 1i);
 let _e9639 = select(_e9583, _e9637, (_e9637 < _e9583));
-let _e9645 = global_6.member[bitcast<u32>(select(0i, _e9639, (_e9639 > 0i)))];
+let _e9645 = global_4.member[bitcast<u32>(select(0i, _e9639, (_e9639 > 0i)))];
 let _e9649 = (_e9636 + ((bitcast<f32>(_e9645) - _e9636) * _e9622));
 let _e9650 = (_e9619 + 9i);
 let _e9652 = select(_e9583, _e9650, (_e9650 < _e9583));
-let _e9658 = global_6.member[bitcast<u32>(select(0i, _e9652, (_e9652 > 0i)))];
+let _e9658 = global_4.member[bitcast<u32>(select(0i, _e9652, (_e9652 > 0i)))];
 let _e9659 = bitcast<f32>(_e9658);
 let _e9660 = (_e9619 + 10i);
 let _e9662 = select(_e9583, _e9660, (_e9660 < _e9583));
-let _e9668 = global_6.member[bitcast<u32>(select(0i, _e9662, (_e9662 > 0i)))];
+let _e9668 = global_4.member[bitcast<u32>(select(0i, _e9662, (_e9662 > 0i)))];
 let _e9675 = (_e9649 + (((_e9659 + ((bitcast<f32>(_e9668) - _e9659) * _e9622)) - _e9649) * _e9624));
 let _e9676 = (_e9619 + _e9611);
 let _e9678 = select(_e9583, _e9676, (_e9676 < _e9583));
-let _e9684 = global_6.member[bitcast<u32>(select(0i, _e9678, (_e9678 > 0i)))];
+let _e9684 = global_4.member[bitcast<u32>(select(0i, _e9678, (_e9678 > 0i)))];
 let _e9685 = bitcast<f32>(_e9684);
 let _e9686 = (_e9676 + 1i);
 let _e9688 = select(_e9583, _e9686, (_e9686 < _e9583));
-let _e9694 = global_6.member[bitcast<u32>(select(0i, _e9688, (_e9688 > 0i)))];
+let _e9694 = global_4.member[bitcast<u32>(select(0i, _e9688, (_e9688 > 0i)))];
 let _e9698 = (_e9685 + ((bitcast<f32>(_e9694) - _e9685) * _e9622));
 let _e9699 = (_e9676 + 9i);
 let _e9701 = select(_e9583, _e9699, (_e9699 < _e9583));
-let _e9707 = global_6.member[bitcast<u32>(select(0i, _e9701, (_e9701 > 0i)))];
+let _e9707 = global_4.member[bitcast<u32>(select(0i, _e9701, (_e9701 > 0i)))];
 let _e9708 = bitcast<f32>(_e9707);
 let _e9709 = (_e9676 + 10i);
 let _e9711 = select(_e9583, _e9709, (_e9709 < _e9583));
-let _e9717 = global_6.member[bitcast<u32>(select(0i, _e9711, (_e9711 > 0i)))];
+let _e9717 = global_4.member[bitcast<u32>(select(0i, _e9711, (_e9711 > 0i)))];
 let _e9728 = select(1f, (_e9675 + (((_e9698 + (((_e9708 + ((bitcast<f32>(_e9717) - _e9708) * _e9622)) - _e9698) * _e9624)) - _e9675) * _e9626)), _e9627);
 if (((_e220.member_2 == 3u) || (_e220.member_2 == 4u)) || _e506) {
 phi_22518_ = vec3(_e9728);
@@ -3172,66 +3172,66 @@ let _e9737 = global_1.member.member_10.member_12;
 let _e9738 = (_e9737 > 1u);
 let _e9742 = (_e9619 + (select(0i, 1i, _e9738) * _e9620));
 let _e9744 = select(_e9583, _e9742, (_e9742 < _e9583));
-let _e9750 = global_6.member[bitcast<u32>(select(0i, _e9744, (_e9744 > 0i)))];
+let _e9750 = global_4.member[bitcast<u32>(select(0i, _e9744, (_e9744 > 0i)))];
 let _e9751 = bitcast<f32>(_e9750);
 let _e9752 = (_e9742 + 1i);
 let _e9754 = select(_e9583, _e9752, (_e9752 < _e9583));
-let _e9760 = global_6.member[bitcast<u32>(select(0i, _e9754, (_e9754 > 0i)))];
+let _e9760 = global_4.member[bitcast<u32>(select(0i, _e9754, (_e9754 > 0i)))];
 let _e9764 = (_e9751 + ((bitcast<f32>(_e9760) - _e9751) * _e9622));
 let _e9765 = (_e9742 + 9i);
 let _e9767 = select(_e9583, _e9765, (_e9765 < _e9583));
-let _e9773 = global_6.member[bitcast<u32>(select(0i, _e9767, (_e9767 > 0i)))];
+let _e9773 = global_4.member[bitcast<u32>(select(0i, _e9767, (_e9767 > 0i)))];
 let _e9774 = bitcast<f32>(_e9773);
 let _e9775 = (_e9742 + 10i);
 let _e9777 = select(_e9583, _e9775, (_e9775 < _e9583));
-let _e9783 = global_6.member[bitcast<u32>(select(0i, _e9777, (_e9777 > 0i)))];
+let _e9783 = global_4.member[bitcast<u32>(select(0i, _e9777, (_e9777 > 0i)))];
 let _e9790 = (_e9764 + (((_e9774 + ((bitcast<f32>(_e9783) - _e9774) * _e9622)) - _e9764) * _e9624));
 let _e9791 = (_e9742 + _e9611);
 let _e9793 = select(_e9583, _e9791, (_e9791 < _e9583));
-let _e9799 = global_6.member[bitcast<u32>(select(0i, _e9793, (_e9793 > 0i)))];
+let _e9799 = global_4.member[bitcast<u32>(select(0i, _e9793, (_e9793 > 0i)))];
 let _e9800 = bitcast<f32>(_e9799);
 let _e9801 = (_e9791 + 1i);
 let _e9803 = select(_e9583, _e9801, (_e9801 < _e9583));
-let _e9809 = global_6.member[bitcast<u32>(select(0i, _e9803, (_e9803 > 0i)))];
+let _e9809 = global_4.member[bitcast<u32>(select(0i, _e9803, (_e9803 > 0i)))];
 let _e9813 = (_e9800 + ((bitcast<f32>(_e9809) - _e9800) * _e9622));
 let _e9814 = (_e9791 + 9i);
 let _e9816 = select(_e9583, _e9814, (_e9814 < _e9583));
-let _e9822 = global_6.member[bitcast<u32>(select(0i, _e9816, (_e9816 > 0i)))];
+let _e9822 = global_4.member[bitcast<u32>(select(0i, _e9816, (_e9816 > 0i)))];
 let _e9823 = bitcast<f32>(_e9822);
 let _e9824 = (_e9791 + 10i);
 let _e9826 = select(_e9583, _e9824, (_e9824 < _e9583));
-let _e9832 = global_6.member[bitcast<u32>(select(0i, _e9826, (_e9826 > 0i)))];
+let _e9832 = global_4.member[bitcast<u32>(select(0i, _e9826, (_e9826 > 0i)))];
 let _e9845 = (_e9619 + (select(0i, 2i, _e9738) * _e9620));
 let _e9847 = select(_e9583, _e9845, (_e9845 < _e9583));
-let _e9853 = global_6.member[bitcast<u32>(select(0i, _e9847, (_e9847 > 0i)))];
+let _e9853 = global_4.member[bitcast<u32>(select(0i, _e9847, (_e9847 > 0i)))];
 let _e9854 = bitcast<f32>(_e9853);
 let _e9855 = (_e9845 + 1i);
 let _e9857 = select(_e9583, _e9855, (_e9855 < _e9583));
-let _e9863 = global_6.member[bitcast<u32>(select(0i, _e9857, (_e9857 > 0i)))];
+let _e9863 = global_4.member[bitcast<u32>(select(0i, _e9857, (_e9857 > 0i)))];
 let _e9867 = (_e9854 + ((bitcast<f32>(_e9863) - _e9854) * _e9622));
 let _e9868 = (_e9845 + 9i);
 let _e9870 = select(_e9583, _e9868, (_e9868 < _e9583));
-let _e9876 = global_6.member[bitcast<u32>(select(0i, _e9870, (_e9870 > 0i)))];
+let _e9876 = global_4.member[bitcast<u32>(select(0i, _e9870, (_e9870 > 0i)))];
 let _e9877 = bitcast<f32>(_e9876);
 let _e9878 = (_e9845 + 10i);
 let _e9880 = select(_e9583, _e9878, (_e9878 < _e9583));
-let _e9886 = global_6.member[bitcast<u32>(select(0i, _e9880, (_e9880 > 0i)))];
+let _e9886 = global_4.member[bitcast<u32>(select(0i, _e9880, (_e9880 > 0i)))];
 let _e9893 = (_e9867 + (((_e9877 + ((bitcast<f32>(_e9886) - _e9877) * _e9622)) - _e9867) * _e9624));
 let _e9894 = (_e9845 + _e9611);
 let _e9896 = select(_e9583, _e9894, (_e9894 < _e9583));
-let _e9902 = global_6.member[bitcast<u32>(select(0i, _e9896, (_e9896 > 0i)))];
+let _e9902 = global_4.member[bitcast<u32>(select(0i, _e9896, (_e9896 > 0i)))];
 let _e9903 = bitcast<f32>(_e9902);
 let _e9904 = (_e9894 + 1i);
 let _e9906 = select(_e9583, _e9904, (_e9904 < _e9583));
-let _e9912 = global_6.member[bitcast<u32>(select(0i, _e9906, (_e9906 > 0i)))];
+let _e9912 = global_4.member[bitcast<u32>(select(0i, _e9906, (_e9906 > 0i)))];
 let _e9916 = (_e9903 + ((bitcast<f32>(_e9912) - _e9903) * _e9622));
 let _e9917 = (_e9894 + 9i);
 let _e9919 = select(_e9583, _e9917, (_e9917 < _e9583));
-let _e9925 = global_6.member[bitcast<u32>(select(0i, _e9919, (_e9919 > 0i)))];
+let _e9925 = global_4.member[bitcast<u32>(select(0i, _e9919, (_e9919 > 0i)))];
 let _e9926 = bitcast<f32>(_e9925);
 let _e9927 = (_e9894 + 10i);
 let _e9929 = select(_e9583, _e9927, (_e9927 < _e9583));
-let _e9935 = global_6.member[bitcast<u32>(select(0i, _e9929, (_e9929 > 0i)))];
+let _e9935 = global_4.member[bitcast<u32>(select(0i, _e9929, (_e9929 > 0i)))];
 phi_22518_ = vec3<f32>(_e9728, select(1f, (_e9790 + (((_e9813 + (((_e9823 + ((bitcast<f32>(_e9832) - _e9823) * _e9622)) - _e9813) * _e9624)) - _e9790) * _e9626)), _e9627), select(1f, (_e9893 + (((_e9916 + (((_e9926 + ((bitcast<f32>(_e9935) - _e9926) * _e9622)) - _e9916) * _e9624)) - _e9893) * _e9626)), _e9627));
 }
 let _e9949 = phi_22518_;
@@ -3247,56 +3247,56 @@ let _e9972 = select(0f, (_e9955 * _e9967), _e9443);
 if _e513 {
 let _e9978 = (_e9619 + ((bitcast<i32>(_e9606) - 1i) * _e9620));
 let _e9980 = select(_e9583, _e9978, (_e9978 < _e9583));
-let _e9986 = global_6.member[bitcast<u32>(select(0i, _e9980, (_e9980 > 0i)))];
+let _e9986 = global_4.member[bitcast<u32>(select(0i, _e9980, (_e9980 > 0i)))];
 let _e9988 = bitcast<u32>(bitcast<f32>(_e9986));
 let _e9992 = f32((bitcast<i32>((_e9988 & 65535u)) - 32768i));
 let _e9998 = f32((bitcast<i32>(((_e9988 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10003 = select(_e9998, -(_e9998), ((_e9988 >> bitcast<u32>(31i)) != 0u));
 let _e10004 = (_e9978 + 1i);
 let _e10006 = select(_e9583, _e10004, (_e10004 < _e9583));
-let _e10012 = global_6.member[bitcast<u32>(select(0i, _e10006, (_e10006 > 0i)))];
+let _e10012 = global_4.member[bitcast<u32>(select(0i, _e10006, (_e10006 > 0i)))];
 let _e10014 = bitcast<u32>(bitcast<f32>(_e10012));
 let _e10024 = f32((bitcast<i32>(((_e10014 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10032 = (_e9992 + ((f32((bitcast<i32>((_e10014 & 65535u)) - 32768i)) - _e9992) * _e9622));
 let _e10035 = (_e10003 + ((select(_e10024, -(_e10024), ((_e10014 >> bitcast<u32>(31i)) != 0u)) - _e10003) * _e9622));
 let _e10036 = (_e9978 + 9i);
 let _e10038 = select(_e9583, _e10036, (_e10036 < _e9583));
-let _e10044 = global_6.member[bitcast<u32>(select(0i, _e10038, (_e10038 > 0i)))];
+let _e10044 = global_4.member[bitcast<u32>(select(0i, _e10038, (_e10038 > 0i)))];
 let _e10046 = bitcast<u32>(bitcast<f32>(_e10044));
 let _e10050 = f32((bitcast<i32>((_e10046 & 65535u)) - 32768i));
 let _e10056 = f32((bitcast<i32>(((_e10046 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10061 = select(_e10056, -(_e10056), ((_e10046 >> bitcast<u32>(31i)) != 0u));
 let _e10062 = (_e9978 + 10i);
 let _e10064 = select(_e9583, _e10062, (_e10062 < _e9583));
-let _e10070 = global_6.member[bitcast<u32>(select(0i, _e10064, (_e10064 > 0i)))];
+let _e10070 = global_4.member[bitcast<u32>(select(0i, _e10064, (_e10064 > 0i)))];
 let _e10072 = bitcast<u32>(bitcast<f32>(_e10070));
 let _e10082 = f32((bitcast<i32>(((_e10072 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10096 = (_e10032 + (((_e10050 + ((f32((bitcast<i32>((_e10072 & 65535u)) - 32768i)) - _e10050) * _e9622)) - _e10032) * _e9624));
 let _e10099 = (_e10035 + (((_e10061 + ((select(_e10082, -(_e10082), ((_e10072 >> bitcast<u32>(31i)) != 0u)) - _e10061) * _e9622)) - _e10035) * _e9624));
 let _e10100 = (_e9978 + _e9611);
 let _e10102 = select(_e9583, _e10100, (_e10100 < _e9583));
-let _e10108 = global_6.member[bitcast<u32>(select(0i, _e10102, (_e10102 > 0i)))];
+let _e10108 = global_4.member[bitcast<u32>(select(0i, _e10102, (_e10102 > 0i)))];
 let _e10110 = bitcast<u32>(bitcast<f32>(_e10108));
 let _e10114 = f32((bitcast<i32>((_e10110 & 65535u)) - 32768i));
 let _e10120 = f32((bitcast<i32>(((_e10110 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10125 = select(_e10120, -(_e10120), ((_e10110 >> bitcast<u32>(31i)) != 0u));
 let _e10126 = (_e10100 + 1i);
 let _e10128 = select(_e9583, _e10126, (_e10126 < _e9583));
-let _e10134 = global_6.member[bitcast<u32>(select(0i, _e10128, (_e10128 > 0i)))];
+let _e10134 = global_4.member[bitcast<u32>(select(0i, _e10128, (_e10128 > 0i)))];
 let _e10136 = bitcast<u32>(bitcast<f32>(_e10134));
 let _e10146 = f32((bitcast<i32>(((_e10136 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10154 = (_e10114 + ((f32((bitcast<i32>((_e10136 & 65535u)) - 32768i)) - _e10114) * _e9622));
 let _e10157 = (_e10125 + ((select(_e10146, -(_e10146), ((_e10136 >> bitcast<u32>(31i)) != 0u)) - _e10125) * _e9622));
 let _e10158 = (_e10100 + 9i);
 let _e10160 = select(_e9583, _e10158, (_e10158 < _e9583));
-let _e10166 = global_6.member[bitcast<u32>(select(0i, _e10160, (_e10160 > 0i)))];
+let _e10166 = global_4.member[bitcast<u32>(select(0i, _e10160, (_e10160 > 0i)))];
 let _e10168 = bitcast<u32>(bitcast<f32>(_e10166));
 let _e10172 = f32((bitcast<i32>((_e10168 & 65535u)) - 32768i));
 let _e10178 = f32((bitcast<i32>(((_e10168 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10183 = select(_e10178, -(_e10178), ((_e10168 >> bitcast<u32>(31i)) != 0u));
 let _e10184 = (_e10100 + 10i);
 let _e10186 = select(_e9583, _e10184, (_e10184 < _e9583));
-let _e10192 = global_6.member[bitcast<u32>(select(0i, _e10186, (_e10186 > 0i)))];
+let _e10192 = global_4.member[bitcast<u32>(select(0i, _e10186, (_e10186 > 0i)))];
 let _e10194 = bitcast<u32>(bitcast<f32>(_e10192));
 let _e10204 = f32((bitcast<i32>(((_e10194 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10230 = (_e9971 + select(0f, ((_e10096 + (((_e10154 + (((_e10172 + ((f32((bitcast<i32>((_e10194 & 65535u)) - 32768i)) - _e10172) * _e9622)) - _e10154) * _e9624)) - _e10096) * _e9626)) * 6.151953e-5f), _e9627));
@@ -3336,7 +3336,7 @@ let _e10322 = (_e10321 * select(_e10302, 1f, (_e513 && _e9627)));
 let _e10331 = global_1.member.member_10.member.member;
 let _e10343 = global_1.member.member_10.member_1.member;
 let _e10358 = global_1.member.member_10.member_2.member;
-phi_23093_ = type_29(vec3<f32>(((_e9949.x * _e10307.member) * _e10322), ((_e9949.y * _e10307.member_1) * _e10322), ((_e9949.z * _e10307.member_2) * _e10322)), (vec3<f32>(((_e10331.member * _e10245.x) + (_e10343.member * _e10245.y)), ((_e10331.member_1 * _e10245.x) + (_e10343.member_1 * _e10245.y)), ((_e10331.member_2 * _e10245.x) + (_e10343.member_2 * _e10245.y))) + vec3<f32>((_e10358.member * _e10245.z), (_e10358.member_1 * _e10245.z), (_e10358.member_2 * _e10245.z))));
+phi_23093_ = type_36(vec3<f32>(((_e9949.x * _e10307.member) * _e10322), ((_e9949.y * _e10307.member_1) * _e10322), ((_e9949.z * _e10307.member_2) * _e10322)), (vec3<f32>(((_e10331.member * _e10245.x) + (_e10343.member * _e10245.y)), ((_e10331.member_1 * _e10245.x) + (_e10343.member_1 * _e10245.y)), ((_e10331.member_2 * _e10245.x) + (_e10343.member_2 * _e10245.y))) + vec3<f32>((_e10358.member * _e10245.z), (_e10358.member_1 * _e10245.z), (_e10358.member_2 * _e10245.z))));
 }
 let _e10371 = phi_23093_;
 let _e10380 = (((_e10371.member_1.x * _e10371.member_1.x) + (_e10371.member_1.y * _e10371.member_1.y)) + (_e10371.member_1.z * _e10371.member_1.z));
@@ -3441,51 +3441,51 @@ let _e10748 = ((bitcast<i32>(_e10744) + (_e10720 * _e10573)) + _e10703);
 let _e10749 = (_e10573 * _e10580);
 let _e10751 = (bitcast<i32>(_e210) - 1i);
 let _e10753 = select(_e10751, _e10748, (_e10748 < _e10751));
-let _e10759 = global_6.member[bitcast<u32>(select(0i, _e10753, (_e10753 > 0i)))];
+let _e10759 = global_4.member[bitcast<u32>(select(0i, _e10753, (_e10753 > 0i)))];
 let _e10760 = bitcast<f32>(_e10759);
 let _e10761 = (_e10748 + 1i);
 let _e10763 = select(_e10751, _e10761, (_e10761 < _e10751));
-let _e10769 = global_6.member[bitcast<u32>(select(0i, _e10763, (_e10763 > 0i)))];
+let _e10769 = global_4.member[bitcast<u32>(select(0i, _e10763, (_e10763 > 0i)))];
 let _e10773 = (_e10760 + ((bitcast<f32>(_e10769) - _e10760) * _e10726));
 let _e10774 = (_e10748 + _e10573);
 let _e10776 = select(_e10751, _e10774, (_e10774 < _e10751));
-let _e10782 = global_6.member[bitcast<u32>(select(0i, _e10776, (_e10776 > 0i)))];
+let _e10782 = global_4.member[bitcast<u32>(select(0i, _e10776, (_e10776 > 0i)))];
 let _e10783 = bitcast<f32>(_e10782);
 let _e10784 = (_e10774 + 1i);
 let _e10786 = select(_e10751, _e10784, (_e10784 < _e10751));
-let _e10792 = global_6.member[bitcast<u32>(select(0i, _e10786, (_e10786 > 0i)))];
+let _e10792 = global_4.member[bitcast<u32>(select(0i, _e10786, (_e10786 > 0i)))];
 let _e10799 = (_e10773 + (((_e10783 + ((bitcast<f32>(_e10792) - _e10783) * _e10726)) - _e10773) * _e10732));
 let _e10800 = (_e10748 + _e10749);
 let _e10802 = select(_e10751, _e10800, (_e10800 < _e10751));
-let _e10808 = global_6.member[bitcast<u32>(select(0i, _e10802, (_e10802 > 0i)))];
+let _e10808 = global_4.member[bitcast<u32>(select(0i, _e10802, (_e10802 > 0i)))];
 let _e10809 = bitcast<f32>(_e10808);
 let _e10810 = (_e10800 + 1i);
 let _e10812 = select(_e10751, _e10810, (_e10810 < _e10751));
-let _e10818 = global_6.member[bitcast<u32>(select(0i, _e10812, (_e10812 > 0i)))];
+let _e10818 = global_4.member[bitcast<u32>(select(0i, _e10812, (_e10812 > 0i)))];
 let _e10822 = (_e10809 + ((bitcast<f32>(_e10818) - _e10809) * _e10726));
 let _e10823 = (_e10800 + _e10573);
 let _e10825 = select(_e10751, _e10823, (_e10823 < _e10751));
-let _e10831 = global_6.member[bitcast<u32>(select(0i, _e10825, (_e10825 > 0i)))];
+let _e10831 = global_4.member[bitcast<u32>(select(0i, _e10825, (_e10825 > 0i)))];
 let _e10832 = bitcast<f32>(_e10831);
 let _e10833 = (_e10823 + 1i);
 let _e10835 = select(_e10751, _e10833, (_e10833 < _e10751));
-let _e10841 = global_6.member[bitcast<u32>(select(0i, _e10835, (_e10835 > 0i)))];
+let _e10841 = global_4.member[bitcast<u32>(select(0i, _e10835, (_e10835 > 0i)))];
 let _e10848 = (_e10822 + (((_e10832 + ((bitcast<f32>(_e10841) - _e10832) * _e10726)) - _e10822) * _e10732));
 let _e10850 = (_e10748 + (2i * _e10749));
 let _e10852 = select(_e10751, _e10850, (_e10850 < _e10751));
-let _e10858 = global_6.member[bitcast<u32>(select(0i, _e10852, (_e10852 > 0i)))];
+let _e10858 = global_4.member[bitcast<u32>(select(0i, _e10852, (_e10852 > 0i)))];
 let _e10859 = bitcast<f32>(_e10858);
 let _e10860 = (_e10850 + 1i);
 let _e10862 = select(_e10751, _e10860, (_e10860 < _e10751));
-let _e10868 = global_6.member[bitcast<u32>(select(0i, _e10862, (_e10862 > 0i)))];
+let _e10868 = global_4.member[bitcast<u32>(select(0i, _e10862, (_e10862 > 0i)))];
 let _e10872 = (_e10859 + ((bitcast<f32>(_e10868) - _e10859) * _e10726));
 let _e10873 = (_e10850 + _e10573);
 let _e10875 = select(_e10751, _e10873, (_e10873 < _e10751));
-let _e10881 = global_6.member[bitcast<u32>(select(0i, _e10875, (_e10875 > 0i)))];
+let _e10881 = global_4.member[bitcast<u32>(select(0i, _e10875, (_e10875 > 0i)))];
 let _e10882 = bitcast<f32>(_e10881);
 let _e10883 = (_e10873 + 1i);
 let _e10885 = select(_e10751, _e10883, (_e10883 < _e10751));
-let _e10891 = global_6.member[bitcast<u32>(select(0i, _e10885, (_e10885 > 0i)))];
+let _e10891 = global_4.member[bitcast<u32>(select(0i, _e10885, (_e10885 > 0i)))];
 let _e10898 = (_e10872 + (((_e10882 + ((bitcast<f32>(_e10891) - _e10882) * _e10726)) - _e10872) * _e10732));
 if _e3764 {
 phi_23973_ = vec3<f32>(_e10799, _e10848, _e10898);
@@ -3521,12 +3521,12 @@ phi_23973_ = vec3<f32>((select(0f, _e10961, (_e10961 > 0f)) * _e10974), (select(
 }
 let _e10980 = phi_23973_;
 let _e10984 = global_1.member.member_9.member_1;
-phi_24233_ = type_29((vec3<f32>(_e10984.member, _e10984.member_1, _e10984.member_2) * _e10980), _e10564);
+phi_24233_ = type_36((vec3<f32>(_e10984.member, _e10984.member_1, _e10984.member_2) * _e10980), _e10564);
 } else {
 if _e3764 {
 let _e10994 = global_1.member.member_9.member_1;
 let _e11002 = global_1.member.member_9.member;
-phi_24232_ = type_29(vec3<f32>(_e10994.member, _e10994.member_1, _e10994.member_2), vec3<f32>(_e11002.member, _e11002.member_1, _e11002.member_2));
+phi_24232_ = type_36(vec3<f32>(_e10994.member, _e10994.member_1, _e10994.member_2), vec3<f32>(_e11002.member, _e11002.member_1, _e11002.member_2));
 } else {
 let _e11011 = global_1.member.member_9.member_1;
 if _e3764 {
@@ -3553,7 +3553,7 @@ phi_24160_ = select(1f, select(0f, ((_e11065 * _e11065) * (3f - (2f * _e11065)))
 }
 let _e11075 = phi_24160_;
 let _e11076 = (_e11019 * _e11075);
-phi_24232_ = type_29(vec3<f32>((_e11011.member * _e11076), (_e11011.member_1 * _e11076), (_e11011.member_2 * _e11076)), _e10564);
+phi_24232_ = type_36(vec3<f32>((_e11011.member * _e11076), (_e11011.member_1 * _e11076), (_e11011.member_2 * _e11076)), _e10564);
 }
 let _e11083 = phi_24232_;
 phi_24233_ = _e11083;
@@ -3568,7 +3568,7 @@ let _e11125 = bitcast<f32>((bitcast<u32>(select(0f, _e11120, (_e11120 > 0f))) & 
 let _e11135 = (1f - _e10435);
 let _e11149 = select(_e10435, 1f, _e4858);
 let _e11154 = select(_e10437, _e10436, (_e10436 > _e10437));
-phi_24402_ = type_33(vec3<f32>(select(_e4753, _e10450, _e4858), select(_e4754, _e10451, _e4858), select(_e4755, _e10452, _e4858)), vec3<f32>(select((_e7462 + (_e7252.member_3.x * _e8110)), select((_e7462 + (_e8073 * _e8092)), _e7462, _e8093), _e4727), select((_e7463 + (_e7252.member_3.y * _e8110)), select((_e7463 + (_e8074 * _e8092)), _e7463, _e8093), _e4727), select((_e7464 + (_e7252.member_3.z * _e8110)), select((_e7464 + (_e8075 * _e8092)), _e7464, _e8093), _e4727)), _e7252.member, select(4f, 1f, (_e4858 || (((1f - _e11149) * select(_e10438, _e11154, (_e11154 > _e10438))) < 9.765625e-4f))), select(_e10446, (_e10446 + (_e11135 * _e10452)), _e4858), vec3<f32>(select(_e10429, (_e10429 + ((_e10436 * (select(_e4839.member, _e4828.member, _e4817) * (((_e11085.member.x * _e11105) * _e11125) + _e10405.member))) * _e11135)), _e4858), select(_e10431, (_e10431 + ((_e10437 * (select(_e4839.member_1, _e4828.member_1, _e4817) * (((_e11085.member.y * _e11105) * _e11125) + _e10405.member_1))) * _e11135)), _e4858), select(_e10433, (_e10433 + ((_e10438 * (select(_e4839.member_2, _e4828.member_2, _e4817) * (((_e11085.member.z * _e11105) * _e11125) + _e10405.member_2))) * _e11135)), _e4858)), _e11149, (_e3999.member_7 * vec3<f32>(_e9238, _e9286, _e9334)), select(0f, _e7252.member_2, (_e4012 != (_e4727 && !((_e8089 && (_e8058 != 0f)))))), -1.2676506e30f);
+phi_24402_ = type_32(vec3<f32>(select(_e4753, _e10450, _e4858), select(_e4754, _e10451, _e4858), select(_e4755, _e10452, _e4858)), vec3<f32>(select((_e7462 + (_e7252.member_3.x * _e8110)), select((_e7462 + (_e8073 * _e8092)), _e7462, _e8093), _e4727), select((_e7463 + (_e7252.member_3.y * _e8110)), select((_e7463 + (_e8074 * _e8092)), _e7463, _e8093), _e4727), select((_e7464 + (_e7252.member_3.z * _e8110)), select((_e7464 + (_e8075 * _e8092)), _e7464, _e8093), _e4727)), _e7252.member, select(4f, 1f, (_e4858 || (((1f - _e11149) * select(_e10438, _e11154, (_e11154 > _e10438))) < 9.765625e-4f))), select(_e10446, (_e10446 + (_e11135 * _e10452)), _e4858), vec3<f32>(select(_e10429, (_e10429 + ((_e10436 * (select(_e4839.member, _e4828.member, _e4817) * (((_e11085.member.x * _e11105) * _e11125) + _e10405.member))) * _e11135)), _e4858), select(_e10431, (_e10431 + ((_e10437 * (select(_e4839.member_1, _e4828.member_1, _e4817) * (((_e11085.member.y * _e11105) * _e11125) + _e10405.member_1))) * _e11135)), _e4858), select(_e10433, (_e10433 + ((_e10438 * (select(_e4839.member_2, _e4828.member_2, _e4817) * (((_e11085.member.z * _e11105) * _e11125) + _e10405.member_2))) * _e11135)), _e4858)), _e11149, (_e3999.member_7 * vec3<f32>(_e9238, _e9286, _e9334)), select(0f, _e7252.member_2, (_e4012 != (_e4727 && !((_e8089 && (_e8058 != 0f)))))), -1.2676506e30f);
 phi_24403_ = _e7455.member_2;
 phi_24404_ = _e7252;
 }
@@ -3580,9 +3580,9 @@ phi_9187_ = _e11172;
 phi_9189_ = _e11174;
 phi_9191_ = (_e4005 + 1i);
 } else {
-phi_9184_ = type_33();
+phi_9184_ = type_32();
 phi_9187_ = f32();
-phi_9189_ = type_35();
+phi_9189_ = type_34();
 phi_9191_ = i32();
 }
 let _e11176 = phi_9184_;
@@ -3615,25 +3615,25 @@ let _e11234 = local_55;
 let _e11238 = local_56;
 let _e11242 = local_57;
 let _e11245 = local_58;
-global_2.member[_e235] = _e11185.member.x;
-global_2.member[_e247] = _e11189.member.y;
-global_2.member[_e258] = _e11193.member.z;
-global_2.member[_e269] = _e11197.member_1.x;
-global_2.member[_e280] = _e11201.member_1.y;
-global_2.member[_e291] = _e11205.member_1.z;
-global_2.member[_e302] = _e11209.member_2;
+global_5.member[_e235] = _e11185.member.x;
+global_5.member[_e247] = _e11189.member.y;
+global_5.member[_e258] = _e11193.member.z;
+global_5.member[_e269] = _e11197.member_1.x;
+global_5.member[_e280] = _e11201.member_1.y;
+global_5.member[_e291] = _e11205.member_1.z;
+global_5.member[_e302] = _e11209.member_2;
 let _e11264 = local_59;
-global_2.member[_e313] = _e11264;
-global_2.member[_e324] = _e11212.member_4;
-global_2.member[_e335] = _e11215.member_5.x;
-global_2.member[_e346] = _e11219.member_5.y;
-global_2.member[_e357] = _e11223.member_5.z;
-global_2.member[_e368] = _e11227.member_6;
-global_2.member[_e379] = _e11230.member_7.x;
-global_2.member[_e390] = _e11234.member_7.y;
-global_2.member[_e401] = _e11238.member_7.z;
-global_2.member[_e412] = _e11242.member_8;
-global_2.member[_e423] = _e11245.member_9;
+global_5.member[_e313] = _e11264;
+global_5.member[_e324] = _e11212.member_4;
+global_5.member[_e335] = _e11215.member_5.x;
+global_5.member[_e346] = _e11219.member_5.y;
+global_5.member[_e357] = _e11223.member_5.z;
+global_5.member[_e368] = _e11227.member_6;
+global_5.member[_e379] = _e11230.member_7.x;
+global_5.member[_e390] = _e11234.member_7.y;
+global_5.member[_e401] = _e11238.member_7.z;
+global_5.member[_e412] = _e11242.member_8;
+global_5.member[_e423] = _e11245.member_9;
 }
 }
 }

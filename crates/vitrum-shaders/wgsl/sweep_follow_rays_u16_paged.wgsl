@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,55 +90,86 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
+}
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
 }
 struct type_29 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_32 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_32 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: f32,
@@ -185,19 +181,19 @@ member_7: vec3<f32>,
 member_8: f32,
 member_9: f32,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_35 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -206,30 +202,34 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
+struct type_36 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
 struct type_39 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
-@group(0) @binding(7)
-var<storage, read_write> global_3: type_39;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_4: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_5: type_17;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_17;
+var<storage> global_4: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_5: type_26;
+@group(0) @binding(7)
+var<storage, read_write> global_6: type_39;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_29;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -245,9 +245,9 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_29;
 var local_23: vec3<f32>;
-var local_24: type_32;
+var local_24: type_29;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
@@ -263,69 +263,69 @@ var local_36: f32;
 var local_37: f32;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_32;
+var local_40: type_29;
 var local_41: vec3<f32>;
-var phi_6297_: type_34;
-var phi_6999_: type_35;
-var phi_7379_: type_5;
-var phi_8708_: type_36;
-var phi_8745_: type_33;
+var phi_6297_: type_33;
+var phi_6999_: type_34;
+var phi_7379_: type_7;
+var phi_8708_: type_35;
+var phi_8745_: type_32;
 var phi_8849_: f32;
 var phi_8933_: f32;
-var phi_9005_: type_29;
-var phi_9007_: type_33;
+var phi_9005_: type_36;
+var phi_9007_: type_32;
 var phi_9010_: f32;
-var phi_9012_: type_35;
+var phi_9012_: type_34;
 var phi_9014_: i32;
-var phi_10483_: type_36;
+var phi_10483_: type_35;
 var phi_10495_: bool;
 var phi_10510_: vec3<f32>;
-var phi_16267_: type_34;
-var phi_16969_: type_35;
-var phi_17361_: type_5;
+var phi_16267_: type_33;
+var phi_16969_: type_34;
+var phi_17361_: type_7;
 var phi_21510_: i32;
 var phi_22087_: vec3<f32>;
 var phi_22494_: vec3<f32>;
 var phi_22588_: f32;
 var phi_22630_: f32;
-var phi_22662_: type_29;
+var phi_22662_: type_36;
 var phi_23144_: u32;
 var phi_23481_: f32;
 var phi_23537_: f32;
 var phi_23542_: vec3<f32>;
 var phi_23645_: f32;
 var phi_23729_: f32;
-var phi_23801_: type_29;
-var phi_23802_: type_29;
-var phi_23971_: type_33;
+var phi_23801_: type_36;
+var phi_23802_: type_36;
+var phi_23971_: type_32;
 var phi_23972_: f32;
-var phi_23973_: type_35;
-var phi_9008_: type_33;
+var phi_23973_: type_34;
+var phi_9008_: type_32;
 var phi_9011_: f32;
-var phi_9013_: type_35;
+var phi_9013_: type_34;
 var phi_9015_: i32;
-var local_42: type_33;
-var local_43: type_33;
-var local_44: type_33;
-var local_45: type_33;
-var local_46: type_33;
-var local_47: type_33;
-var local_48: type_33;
-var local_49: type_33;
-var local_50: type_33;
-var local_51: type_33;
-var local_52: type_33;
-var local_53: type_33;
-var local_54: type_33;
-var local_55: type_33;
-var local_56: type_33;
-var local_57: type_33;
-var local_58: type_33;
+var local_42: type_32;
+var local_43: type_32;
+var local_44: type_32;
+var local_45: type_32;
+var local_46: type_32;
+var local_47: type_32;
+var local_48: type_32;
+var local_49: type_32;
+var local_50: type_32;
+var local_51: type_32;
+var local_52: type_32;
+var local_53: type_32;
+var local_54: type_32;
+var local_55: type_32;
+var local_56: type_32;
+var local_57: type_32;
+var local_58: type_32;
 var local_59: f32;
 let _e204 = global;
-let _e207 = arrayLength((&global_4.member));
-let _e210 = arrayLength((&global_5.member));
-let _e212 = arrayLength((&global_6.member));
+let _e207 = arrayLength((&global_2.member));
+let _e210 = arrayLength((&global_3.member));
+let _e212 = arrayLength((&global_4.member));
 let _e219 = global_1.member.member_2;
 let _e222 = global_1.member.member;
 let _e227 = (_e204.x + _e219.member);
@@ -335,86 +335,86 @@ if (_e230 < _e219.member_3) {
 let _e235 = (_e222.member * _e222.member_1);
 let _e237 = ((_e230 * _e222.member) + _e227);
 let _e238 = bitcast<i32>(_e237);
-let _e240 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e240 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e242 = select(_e240, _e238, (_e238 < _e240));
-let _e248 = global_2.member[bitcast<u32>(select(0i, _e242, (_e242 > 0i)))];
+let _e248 = global_5.member[bitcast<u32>(select(0i, _e242, (_e242 > 0i)))];
 let _e249 = (_e235 + _e237);
 let _e250 = bitcast<i32>(_e249);
 let _e252 = select(_e240, _e250, (_e250 < _e240));
-let _e258 = global_2.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
+let _e258 = global_5.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
 let _e260 = ((2u * _e235) + _e237);
 let _e261 = bitcast<i32>(_e260);
 let _e263 = select(_e240, _e261, (_e261 < _e240));
-let _e269 = global_2.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
+let _e269 = global_5.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
 let _e271 = ((3u * _e235) + _e237);
 let _e272 = bitcast<i32>(_e271);
 let _e274 = select(_e240, _e272, (_e272 < _e240));
-let _e280 = global_2.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
+let _e280 = global_5.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
 let _e282 = ((4u * _e235) + _e237);
 let _e283 = bitcast<i32>(_e282);
 let _e285 = select(_e240, _e283, (_e283 < _e240));
-let _e291 = global_2.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
+let _e291 = global_5.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
 let _e293 = ((5u * _e235) + _e237);
 let _e294 = bitcast<i32>(_e293);
 let _e296 = select(_e240, _e294, (_e294 < _e240));
-let _e302 = global_2.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
+let _e302 = global_5.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
 let _e304 = ((6u * _e235) + _e237);
 let _e305 = bitcast<i32>(_e304);
 let _e307 = select(_e240, _e305, (_e305 < _e240));
-let _e313 = global_2.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
+let _e313 = global_5.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
 let _e315 = ((7u * _e235) + _e237);
 let _e316 = bitcast<i32>(_e315);
 let _e318 = select(_e240, _e316, (_e316 < _e240));
-let _e324 = global_2.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
+let _e324 = global_5.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
 let _e326 = ((8u * _e235) + _e237);
 let _e327 = bitcast<i32>(_e326);
 let _e329 = select(_e240, _e327, (_e327 < _e240));
-let _e335 = global_2.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
+let _e335 = global_5.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
 let _e337 = ((9u * _e235) + _e237);
 let _e338 = bitcast<i32>(_e337);
 let _e340 = select(_e240, _e338, (_e338 < _e240));
-let _e346 = global_2.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
+let _e346 = global_5.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
 let _e348 = ((10u * _e235) + _e237);
 let _e349 = bitcast<i32>(_e348);
 let _e351 = select(_e240, _e349, (_e349 < _e240));
-let _e357 = global_2.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
+let _e357 = global_5.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
 let _e359 = ((11u * _e235) + _e237);
 let _e360 = bitcast<i32>(_e359);
 let _e362 = select(_e240, _e360, (_e360 < _e240));
-let _e368 = global_2.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
+let _e368 = global_5.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
 let _e370 = ((12u * _e235) + _e237);
 let _e371 = bitcast<i32>(_e370);
 let _e373 = select(_e240, _e371, (_e371 < _e240));
-let _e379 = global_2.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
+let _e379 = global_5.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
 let _e381 = ((13u * _e235) + _e237);
 let _e382 = bitcast<i32>(_e381);
 let _e384 = select(_e240, _e382, (_e382 < _e240));
-let _e390 = global_2.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
+let _e390 = global_5.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
 let _e392 = ((14u * _e235) + _e237);
 let _e393 = bitcast<i32>(_e392);
 let _e395 = select(_e240, _e393, (_e393 < _e240));
-let _e401 = global_2.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
+let _e401 = global_5.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
 let _e403 = ((15u * _e235) + _e237);
 let _e404 = bitcast<i32>(_e403);
 let _e406 = select(_e240, _e404, (_e404 < _e240));
-let _e412 = global_2.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
+let _e412 = global_5.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
 let _e414 = ((16u * _e235) + _e237);
 let _e415 = bitcast<i32>(_e414);
 let _e417 = select(_e240, _e415, (_e415 < _e240));
-let _e423 = global_2.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
+let _e423 = global_5.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
 let _e425 = ((17u * _e235) + _e237);
 let _e426 = bitcast<i32>(_e425);
 let _e428 = select(_e240, _e426, (_e426 < _e240));
-let _e434 = global_2.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
+let _e434 = global_5.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
 let _e435 = (_e324 == 2f);
 let _e438 = select(0u, 3u, (_e435 || (_e324 == 4f)));
 if (_e438 > 0u) {
-if (arrayLength((&global_3.member)) >= 3u) {
-let _e449 = atomicLoad((&global_3.member[0u]));
+if (arrayLength((&global_6.member)) >= 3u) {
+let _e449 = atomicLoad((&global_6.member[0u]));
 if (_e449 == 0u) {
-atomicStore((&global_3.member[0u]), (((_e219.member_2 - _e219.member) + 7u) / 8u));
-atomicStore((&global_3.member[1u]), (((_e219.member_3 - _e219.member_1) + 7u) / 8u));
-atomicStore((&global_3.member[2u]), 1u);
+atomicStore((&global_6.member[0u]), (((_e219.member_2 - _e219.member) + 7u) / 8u));
+atomicStore((&global_6.member[1u]), (((_e219.member_3 - _e219.member_1) + 7u) / 8u));
+atomicStore((&global_6.member[2u]), 1u);
 }
 }
 }
@@ -467,7 +467,7 @@ let _e612 = global_1.member.member_6.member_11.member_1;
 let _e623 = ((_e599 >> bitcast<u32>(4i)) + (bitcast<i32>(_e606) * ((_e600 >> bitcast<u32>(4i)) + (bitcast<i32>(_e612) * (_e601 >> bitcast<u32>(4i))))));
 let _e625 = (bitcast<i32>(_e207) - 1i);
 let _e627 = select(_e625, _e623, (_e623 < _e625));
-let _e633 = global_4.member[bitcast<u32>(select(0i, _e627, (_e627 > 0i)))];
+let _e633 = global_2.member[bitcast<u32>(select(0i, _e627, (_e627 > 0i)))];
 let _e635 = (_e599 & 15i);
 let _e638 = ((_e600 & 15i) * _e594);
 let _e640 = (bitcast<i32>(_e633) + ((_e601 & 15i) * _e598));
@@ -477,7 +477,7 @@ let _e648 = (_e638 + (3i * _e594));
 let _e649 = (_e640 + _e598);
 let _e651 = (_e640 + (2i * _e598));
 let _e653 = (_e640 + (3i * _e598));
-local_40 = type_32(array<i32, 4>(_e635, (_e635 + 1i), (_e635 + 2i), (_e635 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_40 = type_29(array<i32, 4>(_e635, (_e635 + 1i), (_e635 + 2i), (_e635 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_41 = vec3<f32>((_e525 - f32(_e560)), (_e535 - f32(_e575)), (_e545 - f32(_e590)));
 let _e664 = (_e649 + _e644);
 let _e667 = local_40.member[0u];
@@ -485,20 +485,20 @@ let _e668 = (_e664 + _e667);
 let _e670 = (_e668 >> bitcast<u32>(1i));
 let _e673 = bitcast<u32>(((_e668 & 1i) * 16i));
 let _e675 = select(_e625, _e670, (_e670 < _e625));
-let _e680 = global_4.member[bitcast<u32>(select(0i, _e675, (_e675 > 0i)))];
+let _e680 = global_2.member[bitcast<u32>(select(0i, _e675, (_e675 > 0i)))];
 let _e684 = (_e670 + 1i);
 let _e686 = select(_e625, _e684, (_e684 < _e625));
-let _e691 = global_4.member[bitcast<u32>(select(0i, _e686, (_e686 > 0i)))];
+let _e691 = global_2.member[bitcast<u32>(select(0i, _e686, (_e686 > 0i)))];
 let _e698 = ((_e680 >> bitcast<u32>((_e673 & 31u))) | ((_e691 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e673) & 31u))));
 let _e701 = local_40.member[2u];
 let _e702 = (_e664 + _e701);
 let _e704 = (_e702 >> bitcast<u32>(1i));
 let _e707 = bitcast<u32>(((_e702 & 1i) * 16i));
 let _e709 = select(_e625, _e704, (_e704 < _e625));
-let _e714 = global_4.member[bitcast<u32>(select(0i, _e709, (_e709 > 0i)))];
+let _e714 = global_2.member[bitcast<u32>(select(0i, _e709, (_e709 > 0i)))];
 let _e718 = (_e704 + 1i);
 let _e720 = select(_e625, _e718, (_e718 < _e625));
-let _e725 = global_4.member[bitcast<u32>(select(0i, _e720, (_e720 > 0i)))];
+let _e725 = global_2.member[bitcast<u32>(select(0i, _e720, (_e720 > 0i)))];
 let _e732 = ((_e714 >> bitcast<u32>((_e707 & 31u))) | ((_e725 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e707) & 31u))));
 let _e735 = local_40.member_1[0u];
 let _e741 = f32(bitcast<i32>(((_e698 >> bitcast<u32>((_e735 & 31u))) & 65535u)));
@@ -519,20 +519,20 @@ let _e783 = (_e781 + _e782);
 let _e785 = (_e783 >> bitcast<u32>(1i));
 let _e788 = bitcast<u32>(((_e783 & 1i) * 16i));
 let _e790 = select(_e625, _e785, (_e785 < _e625));
-let _e795 = global_4.member[bitcast<u32>(select(0i, _e790, (_e790 > 0i)))];
+let _e795 = global_2.member[bitcast<u32>(select(0i, _e790, (_e790 > 0i)))];
 let _e799 = (_e785 + 1i);
 let _e801 = select(_e625, _e799, (_e799 < _e625));
-let _e806 = global_4.member[bitcast<u32>(select(0i, _e801, (_e801 > 0i)))];
+let _e806 = global_2.member[bitcast<u32>(select(0i, _e801, (_e801 > 0i)))];
 let _e813 = ((_e795 >> bitcast<u32>((_e788 & 31u))) | ((_e806 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e788) & 31u))));
 let _e814 = local_40.member[2u];
 let _e815 = (_e781 + _e814);
 let _e817 = (_e815 >> bitcast<u32>(1i));
 let _e820 = bitcast<u32>(((_e815 & 1i) * 16i));
 let _e822 = select(_e625, _e817, (_e817 < _e625));
-let _e827 = global_4.member[bitcast<u32>(select(0i, _e822, (_e822 > 0i)))];
+let _e827 = global_2.member[bitcast<u32>(select(0i, _e822, (_e822 > 0i)))];
 let _e831 = (_e817 + 1i);
 let _e833 = select(_e625, _e831, (_e831 < _e625));
-let _e838 = global_4.member[bitcast<u32>(select(0i, _e833, (_e833 > 0i)))];
+let _e838 = global_2.member[bitcast<u32>(select(0i, _e833, (_e833 > 0i)))];
 let _e845 = ((_e827 >> bitcast<u32>((_e820 & 31u))) | ((_e838 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e820) & 31u))));
 let _e846 = local_40.member_1[0u];
 let _e852 = f32(bitcast<i32>(((_e813 >> bitcast<u32>((_e846 & 31u))) & 65535u)));
@@ -551,20 +551,20 @@ let _e888 = (_e886 + _e887);
 let _e890 = (_e888 >> bitcast<u32>(1i));
 let _e893 = bitcast<u32>(((_e888 & 1i) * 16i));
 let _e895 = select(_e625, _e890, (_e890 < _e625));
-let _e900 = global_4.member[bitcast<u32>(select(0i, _e895, (_e895 > 0i)))];
+let _e900 = global_2.member[bitcast<u32>(select(0i, _e895, (_e895 > 0i)))];
 let _e904 = (_e890 + 1i);
 let _e906 = select(_e625, _e904, (_e904 < _e625));
-let _e911 = global_4.member[bitcast<u32>(select(0i, _e906, (_e906 > 0i)))];
+let _e911 = global_2.member[bitcast<u32>(select(0i, _e906, (_e906 > 0i)))];
 let _e918 = ((_e900 >> bitcast<u32>((_e893 & 31u))) | ((_e911 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e893) & 31u))));
 let _e919 = local_40.member[2u];
 let _e920 = (_e886 + _e919);
 let _e922 = (_e920 >> bitcast<u32>(1i));
 let _e925 = bitcast<u32>(((_e920 & 1i) * 16i));
 let _e927 = select(_e625, _e922, (_e922 < _e625));
-let _e932 = global_4.member[bitcast<u32>(select(0i, _e927, (_e927 > 0i)))];
+let _e932 = global_2.member[bitcast<u32>(select(0i, _e927, (_e927 > 0i)))];
 let _e936 = (_e922 + 1i);
 let _e938 = select(_e625, _e936, (_e936 < _e625));
-let _e943 = global_4.member[bitcast<u32>(select(0i, _e938, (_e938 > 0i)))];
+let _e943 = global_2.member[bitcast<u32>(select(0i, _e938, (_e938 > 0i)))];
 let _e950 = ((_e932 >> bitcast<u32>((_e925 & 31u))) | ((_e943 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e925) & 31u))));
 let _e951 = local_40.member_1[0u];
 let _e957 = f32(bitcast<i32>(((_e918 >> bitcast<u32>((_e951 & 31u))) & 65535u)));
@@ -585,20 +585,20 @@ let _e993 = (_e991 + _e992);
 let _e995 = (_e993 >> bitcast<u32>(1i));
 let _e998 = bitcast<u32>(((_e993 & 1i) * 16i));
 let _e1000 = select(_e625, _e995, (_e995 < _e625));
-let _e1005 = global_4.member[bitcast<u32>(select(0i, _e1000, (_e1000 > 0i)))];
+let _e1005 = global_2.member[bitcast<u32>(select(0i, _e1000, (_e1000 > 0i)))];
 let _e1009 = (_e995 + 1i);
 let _e1011 = select(_e625, _e1009, (_e1009 < _e625));
-let _e1016 = global_4.member[bitcast<u32>(select(0i, _e1011, (_e1011 > 0i)))];
+let _e1016 = global_2.member[bitcast<u32>(select(0i, _e1011, (_e1011 > 0i)))];
 let _e1023 = ((_e1005 >> bitcast<u32>((_e998 & 31u))) | ((_e1016 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e998) & 31u))));
 let _e1024 = local_40.member[2u];
 let _e1025 = (_e991 + _e1024);
 let _e1027 = (_e1025 >> bitcast<u32>(1i));
 let _e1030 = bitcast<u32>(((_e1025 & 1i) * 16i));
 let _e1032 = select(_e625, _e1027, (_e1027 < _e625));
-let _e1037 = global_4.member[bitcast<u32>(select(0i, _e1032, (_e1032 > 0i)))];
+let _e1037 = global_2.member[bitcast<u32>(select(0i, _e1032, (_e1032 > 0i)))];
 let _e1041 = (_e1027 + 1i);
 let _e1043 = select(_e625, _e1041, (_e1041 < _e625));
-let _e1048 = global_4.member[bitcast<u32>(select(0i, _e1043, (_e1043 > 0i)))];
+let _e1048 = global_2.member[bitcast<u32>(select(0i, _e1043, (_e1043 > 0i)))];
 let _e1055 = ((_e1037 >> bitcast<u32>((_e1030 & 31u))) | ((_e1048 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1030) & 31u))));
 let _e1056 = local_40.member_1[0u];
 let _e1062 = f32(bitcast<i32>(((_e1023 >> bitcast<u32>((_e1056 & 31u))) & 65535u)));
@@ -616,10 +616,10 @@ let _e1100 = ((_e649 + _e638) + _e1099);
 let _e1102 = (_e1100 >> bitcast<u32>(1i));
 let _e1105 = bitcast<u32>(((_e1100 & 1i) * 16i));
 let _e1107 = select(_e625, _e1102, (_e1102 < _e625));
-let _e1112 = global_4.member[bitcast<u32>(select(0i, _e1107, (_e1107 > 0i)))];
+let _e1112 = global_2.member[bitcast<u32>(select(0i, _e1107, (_e1107 > 0i)))];
 let _e1116 = (_e1102 + 1i);
 let _e1118 = select(_e625, _e1116, (_e1116 < _e625));
-let _e1123 = global_4.member[bitcast<u32>(select(0i, _e1118, (_e1118 > 0i)))];
+let _e1123 = global_2.member[bitcast<u32>(select(0i, _e1118, (_e1118 > 0i)))];
 let _e1130 = ((_e1112 >> bitcast<u32>((_e1105 & 31u))) | ((_e1123 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1105) & 31u))));
 let _e1133 = local_40.member_1[2u];
 let _e1139 = f32(bitcast<i32>(((_e1130 >> bitcast<u32>((_e1133 & 31u))) & 65535u)));
@@ -631,10 +631,10 @@ let _e1155 = ((_e649 + _e648) + _e1154);
 let _e1157 = (_e1155 >> bitcast<u32>(1i));
 let _e1160 = bitcast<u32>(((_e1155 & 1i) * 16i));
 let _e1162 = select(_e625, _e1157, (_e1157 < _e625));
-let _e1167 = global_4.member[bitcast<u32>(select(0i, _e1162, (_e1162 > 0i)))];
+let _e1167 = global_2.member[bitcast<u32>(select(0i, _e1162, (_e1162 > 0i)))];
 let _e1171 = (_e1157 + 1i);
 let _e1173 = select(_e625, _e1171, (_e1171 < _e625));
-let _e1178 = global_4.member[bitcast<u32>(select(0i, _e1173, (_e1173 > 0i)))];
+let _e1178 = global_2.member[bitcast<u32>(select(0i, _e1173, (_e1173 > 0i)))];
 let _e1185 = ((_e1167 >> bitcast<u32>((_e1160 & 31u))) | ((_e1178 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1160) & 31u))));
 let _e1186 = local_40.member_1[2u];
 let _e1192 = f32(bitcast<i32>(((_e1185 >> bitcast<u32>((_e1186 & 31u))) & 65535u)));
@@ -645,10 +645,10 @@ let _e1206 = ((_e651 + _e638) + _e1205);
 let _e1208 = (_e1206 >> bitcast<u32>(1i));
 let _e1211 = bitcast<u32>(((_e1206 & 1i) * 16i));
 let _e1213 = select(_e625, _e1208, (_e1208 < _e625));
-let _e1218 = global_4.member[bitcast<u32>(select(0i, _e1213, (_e1213 > 0i)))];
+let _e1218 = global_2.member[bitcast<u32>(select(0i, _e1213, (_e1213 > 0i)))];
 let _e1222 = (_e1208 + 1i);
 let _e1224 = select(_e625, _e1222, (_e1222 < _e625));
-let _e1229 = global_4.member[bitcast<u32>(select(0i, _e1224, (_e1224 > 0i)))];
+let _e1229 = global_2.member[bitcast<u32>(select(0i, _e1224, (_e1224 > 0i)))];
 let _e1236 = ((_e1218 >> bitcast<u32>((_e1211 & 31u))) | ((_e1229 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1211) & 31u))));
 let _e1237 = local_40.member_1[2u];
 let _e1243 = f32(bitcast<i32>(((_e1236 >> bitcast<u32>((_e1237 & 31u))) & 65535u)));
@@ -660,10 +660,10 @@ let _e1257 = ((_e651 + _e648) + _e1256);
 let _e1259 = (_e1257 >> bitcast<u32>(1i));
 let _e1262 = bitcast<u32>(((_e1257 & 1i) * 16i));
 let _e1264 = select(_e625, _e1259, (_e1259 < _e625));
-let _e1269 = global_4.member[bitcast<u32>(select(0i, _e1264, (_e1264 > 0i)))];
+let _e1269 = global_2.member[bitcast<u32>(select(0i, _e1264, (_e1264 > 0i)))];
 let _e1273 = (_e1259 + 1i);
 let _e1275 = select(_e625, _e1273, (_e1273 < _e625));
-let _e1280 = global_4.member[bitcast<u32>(select(0i, _e1275, (_e1275 > 0i)))];
+let _e1280 = global_2.member[bitcast<u32>(select(0i, _e1275, (_e1275 > 0i)))];
 let _e1287 = ((_e1269 >> bitcast<u32>((_e1262 & 31u))) | ((_e1280 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1262) & 31u))));
 let _e1288 = local_40.member_1[2u];
 let _e1294 = f32(bitcast<i32>(((_e1287 >> bitcast<u32>((_e1288 & 31u))) & 65535u)));
@@ -674,10 +674,10 @@ let _e1308 = ((_e640 + _e644) + _e1307);
 let _e1310 = (_e1308 >> bitcast<u32>(1i));
 let _e1313 = bitcast<u32>(((_e1308 & 1i) * 16i));
 let _e1315 = select(_e625, _e1310, (_e1310 < _e625));
-let _e1320 = global_4.member[bitcast<u32>(select(0i, _e1315, (_e1315 > 0i)))];
+let _e1320 = global_2.member[bitcast<u32>(select(0i, _e1315, (_e1315 > 0i)))];
 let _e1324 = (_e1310 + 1i);
 let _e1326 = select(_e625, _e1324, (_e1324 < _e625));
-let _e1331 = global_4.member[bitcast<u32>(select(0i, _e1326, (_e1326 > 0i)))];
+let _e1331 = global_2.member[bitcast<u32>(select(0i, _e1326, (_e1326 > 0i)))];
 let _e1338 = ((_e1320 >> bitcast<u32>((_e1313 & 31u))) | ((_e1331 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1313) & 31u))));
 let _e1339 = local_40.member_1[2u];
 let _e1345 = f32(bitcast<i32>(((_e1338 >> bitcast<u32>((_e1339 & 31u))) & 65535u)));
@@ -689,10 +689,10 @@ let _e1359 = ((_e653 + _e644) + _e1358);
 let _e1361 = (_e1359 >> bitcast<u32>(1i));
 let _e1364 = bitcast<u32>(((_e1359 & 1i) * 16i));
 let _e1366 = select(_e625, _e1361, (_e1361 < _e625));
-let _e1371 = global_4.member[bitcast<u32>(select(0i, _e1366, (_e1366 > 0i)))];
+let _e1371 = global_2.member[bitcast<u32>(select(0i, _e1366, (_e1366 > 0i)))];
 let _e1375 = (_e1361 + 1i);
 let _e1377 = select(_e625, _e1375, (_e1375 < _e625));
-let _e1382 = global_4.member[bitcast<u32>(select(0i, _e1377, (_e1377 > 0i)))];
+let _e1382 = global_2.member[bitcast<u32>(select(0i, _e1377, (_e1377 > 0i)))];
 let _e1389 = ((_e1371 >> bitcast<u32>((_e1364 & 31u))) | ((_e1382 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1364) & 31u))));
 let _e1390 = local_40.member_1[2u];
 let _e1396 = f32(bitcast<i32>(((_e1389 >> bitcast<u32>((_e1390 & 31u))) & 65535u)));
@@ -704,10 +704,10 @@ let _e1410 = ((_e640 + _e646) + _e1409);
 let _e1412 = (_e1410 >> bitcast<u32>(1i));
 let _e1415 = bitcast<u32>(((_e1410 & 1i) * 16i));
 let _e1417 = select(_e625, _e1412, (_e1412 < _e625));
-let _e1422 = global_4.member[bitcast<u32>(select(0i, _e1417, (_e1417 > 0i)))];
+let _e1422 = global_2.member[bitcast<u32>(select(0i, _e1417, (_e1417 > 0i)))];
 let _e1426 = (_e1412 + 1i);
 let _e1428 = select(_e625, _e1426, (_e1426 < _e625));
-let _e1433 = global_4.member[bitcast<u32>(select(0i, _e1428, (_e1428 > 0i)))];
+let _e1433 = global_2.member[bitcast<u32>(select(0i, _e1428, (_e1428 > 0i)))];
 let _e1440 = ((_e1422 >> bitcast<u32>((_e1415 & 31u))) | ((_e1433 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1415) & 31u))));
 let _e1441 = local_40.member_1[2u];
 let _e1447 = f32(bitcast<i32>(((_e1440 >> bitcast<u32>((_e1441 & 31u))) & 65535u)));
@@ -718,10 +718,10 @@ let _e1461 = ((_e653 + _e646) + _e1460);
 let _e1463 = (_e1461 >> bitcast<u32>(1i));
 let _e1466 = bitcast<u32>(((_e1461 & 1i) * 16i));
 let _e1468 = select(_e625, _e1463, (_e1463 < _e625));
-let _e1473 = global_4.member[bitcast<u32>(select(0i, _e1468, (_e1468 > 0i)))];
+let _e1473 = global_2.member[bitcast<u32>(select(0i, _e1468, (_e1468 > 0i)))];
 let _e1477 = (_e1463 + 1i);
 let _e1479 = select(_e625, _e1477, (_e1477 < _e625));
-let _e1484 = global_4.member[bitcast<u32>(select(0i, _e1479, (_e1479 > 0i)))];
+let _e1484 = global_2.member[bitcast<u32>(select(0i, _e1479, (_e1479 > 0i)))];
 let _e1491 = ((_e1473 >> bitcast<u32>((_e1466 & 31u))) | ((_e1484 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1466) & 31u))));
 let _e1492 = local_40.member_1[2u];
 let _e1498 = f32(bitcast<i32>(((_e1491 >> bitcast<u32>((_e1492 & 31u))) & 65535u)));
@@ -783,50 +783,50 @@ local_39 = _e1639;
 let _e1640 = local_39;
 let _e1642 = (bitcast<i32>(_e210) - 1i);
 let _e1644 = select(_e1642, 263197i, (263197i < _e1642));
-let _e1649 = global_5.member[bitcast<u32>(select(0i, _e1644, (_e1644 > 0i)))];
+let _e1649 = global_3.member[bitcast<u32>(select(0i, _e1644, (_e1644 > 0i)))];
 let _e1650 = bitcast<f32>(_e1649);
 let _e1652 = select(_e1642, 263198i, (263198i < _e1642));
 let _e1655 = bitcast<u32>(select(0i, _e1652, (_e1652 > 0i)));
-let _e1657 = global_5.member[_e1655];
+let _e1657 = global_3.member[_e1655];
 let _e1658 = bitcast<f32>(_e1657);
 let _e1660 = select(_e1642, 263199i, (263199i < _e1642));
-let _e1665 = global_5.member[bitcast<u32>(select(0i, _e1660, (_e1660 > 0i)))];
+let _e1665 = global_3.member[bitcast<u32>(select(0i, _e1660, (_e1660 > 0i)))];
 let _e1666 = bitcast<f32>(_e1665);
 let _e1668 = ((_e1640 - _e1650) * _e1658);
 let _e1670 = select(0f, _e1668, (_e1668 > 0f));
 let _e1673 = local_39;
 let _e1675 = select(_e1642, 263200i, (263200i < _e1642));
-let _e1680 = global_5.member[bitcast<u32>(select(0i, _e1675, (_e1675 > 0i)))];
+let _e1680 = global_3.member[bitcast<u32>(select(0i, _e1675, (_e1675 > 0i)))];
 let _e1681 = bitcast<f32>(_e1680);
 let _e1683 = select(_e1642, 263201i, (263201i < _e1642));
-let _e1688 = global_5.member[bitcast<u32>(select(0i, _e1683, (_e1683 > 0i)))];
+let _e1688 = global_3.member[bitcast<u32>(select(0i, _e1683, (_e1683 > 0i)))];
 let _e1689 = bitcast<f32>(_e1688);
 let _e1691 = select(_e1642, 263202i, (263202i < _e1642));
-let _e1696 = global_5.member[bitcast<u32>(select(0i, _e1691, (_e1691 > 0i)))];
+let _e1696 = global_3.member[bitcast<u32>(select(0i, _e1691, (_e1691 > 0i)))];
 let _e1697 = bitcast<f32>(_e1696);
 let _e1699 = ((_e1673 - _e1681) * _e1689);
 let _e1701 = select(0f, _e1699, (_e1699 > 0f));
 let _e1705 = local_39;
 let _e1707 = select(_e1642, 263203i, (263203i < _e1642));
-let _e1712 = global_5.member[bitcast<u32>(select(0i, _e1707, (_e1707 > 0i)))];
+let _e1712 = global_3.member[bitcast<u32>(select(0i, _e1707, (_e1707 > 0i)))];
 let _e1713 = bitcast<f32>(_e1712);
 let _e1715 = select(_e1642, 263204i, (263204i < _e1642));
-let _e1720 = global_5.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
+let _e1720 = global_3.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
 let _e1721 = bitcast<f32>(_e1720);
 let _e1723 = select(_e1642, 263205i, (263205i < _e1642));
-let _e1728 = global_5.member[bitcast<u32>(select(0i, _e1723, (_e1723 > 0i)))];
+let _e1728 = global_3.member[bitcast<u32>(select(0i, _e1723, (_e1723 > 0i)))];
 let _e1729 = bitcast<f32>(_e1728);
 let _e1731 = ((_e1705 - _e1713) * _e1721);
 let _e1733 = select(0f, _e1731, (_e1731 > 0f));
 let _e1736 = local_39;
 let _e1738 = select(_e1642, 263206i, (263206i < _e1642));
-let _e1743 = global_5.member[bitcast<u32>(select(0i, _e1738, (_e1738 > 0i)))];
+let _e1743 = global_3.member[bitcast<u32>(select(0i, _e1738, (_e1738 > 0i)))];
 let _e1744 = bitcast<f32>(_e1743);
 let _e1746 = select(_e1642, 263207i, (263207i < _e1642));
-let _e1751 = global_5.member[bitcast<u32>(select(0i, _e1746, (_e1746 > 0i)))];
+let _e1751 = global_3.member[bitcast<u32>(select(0i, _e1746, (_e1746 > 0i)))];
 let _e1752 = bitcast<f32>(_e1751);
 let _e1754 = select(_e1642, 263208i, (263208i < _e1642));
-let _e1759 = global_5.member[bitcast<u32>(select(0i, _e1754, (_e1754 > 0i)))];
+let _e1759 = global_3.member[bitcast<u32>(select(0i, _e1754, (_e1754 > 0i)))];
 let _e1760 = bitcast<f32>(_e1759);
 let _e1762 = ((_e1736 - _e1744) * _e1752);
 let _e1764 = select(0f, _e1762, (_e1762 > 0f));
@@ -837,34 +837,34 @@ let _e1779 = select(0i, select(select(i32(_e1772), i32(-2147483648), (_e1772 < -
 let _e1783 = (_e1779 - select(0i, 1i, (_e1772 < f32(_e1779))));
 let _e1784 = (262147i + _e1783);
 let _e1786 = select(_e1642, _e1784, (_e1784 < _e1642));
-let _e1792 = global_5.member[bitcast<u32>(select(0i, _e1786, (_e1786 > 0i)))];
+let _e1792 = global_3.member[bitcast<u32>(select(0i, _e1786, (_e1786 > 0i)))];
 let _e1802 = select(_e1642, 262146i, (262146i < _e1642));
-let _e1808 = global_5.member[bitcast<u32>(select(0i, _e1802, (_e1802 > 0i)))];
+let _e1808 = global_3.member[bitcast<u32>(select(0i, _e1802, (_e1802 > 0i)))];
 let _e1809 = bitcast<f32>(_e1808);
 let _e1810 = (f32((bitcast<i32>((_e1792 & 4095u)) - 2048i)) * _e1809);
 let _e1812 = select(_e1642, 262144i, (262144i < _e1642));
-let _e1818 = global_5.member[bitcast<u32>(select(0i, _e1812, (_e1812 > 0i)))];
+let _e1818 = global_3.member[bitcast<u32>(select(0i, _e1812, (_e1812 > 0i)))];
 let _e1819 = bitcast<f32>(_e1818);
 let _e1821 = select(_e1642, 262145i, (262145i < _e1642));
-let _e1827 = global_5.member[bitcast<u32>(select(0i, _e1821, (_e1821 > 0i)))];
+let _e1827 = global_3.member[bitcast<u32>(select(0i, _e1821, (_e1821 > 0i)))];
 let _e1828 = bitcast<f32>(_e1827);
 let _e1834 = ((_e1819 + (f32(bitcast<i32>((_e1792 >> bitcast<u32>(12u)))) * _e1828)) + (_e1810 * (_e1768 - f32(_e1783))));
-let _e1837 = global_5.member[_e1655];
+let _e1837 = global_3.member[_e1655];
 let _e1839 = local_38;
 let _e1842 = local_38;
 let _e1845 = local_38;
 let _e1849 = select(_e1642, 263209i, (263209i < _e1642));
-let _e1855 = global_5.member[bitcast<u32>(select(0i, _e1849, (_e1849 > 0i)))];
+let _e1855 = global_3.member[bitcast<u32>(select(0i, _e1849, (_e1849 > 0i)))];
 let _e1857 = local_38;
 let _e1860 = select(_e1642, 263210i, (263210i < _e1642));
-let _e1866 = global_5.member[bitcast<u32>(select(0i, _e1860, (_e1860 > 0i)))];
+let _e1866 = global_3.member[bitcast<u32>(select(0i, _e1860, (_e1860 > 0i)))];
 let _e1868 = local_38;
 let _e1872 = (_e1810 * select(0f, select(select(select(bitcast<f32>(_e1837), _e1689, (_e1839 >= _e1681)), _e1721, (_e1842 >= _e1713)), _e1752, (_e1845 >= _e1744)), ((_e1857 >= bitcast<f32>(_e1855)) && (_e1868 <= bitcast<f32>(_e1866)))));
 if _e514 {
 let _e1879 = ((0.5f * (_e1614 - _e1608)) * _e1872);
 let _e1880 = ((0.5f * (_e1626 - _e1620)) * _e1872);
 let _e1881 = ((0.5f * (_e1638 - _e1632)) * _e1872);
-phi_6297_ = type_34(_e1834, vec3<f32>(_e1879, _e1880, _e1881), vec3<f32>((_e1879 * _e1834), (_e1880 * _e1834), (_e1881 * _e1834)));
+phi_6297_ = type_33(_e1834, vec3<f32>(_e1879, _e1880, _e1881), vec3<f32>((_e1879 * _e1834), (_e1880 * _e1834), (_e1881 * _e1834)));
 } else {
 local_36 = _e1608;
 let _e1888 = local_36;
@@ -888,7 +888,7 @@ let _e1930 = select(0i, select(select(i32(_e1923), i32(-2147483648), (_e1923 < -
 let _e1934 = (_e1930 - select(0i, 1i, (_e1923 < f32(_e1930))));
 let _e1935 = (262147i + _e1934);
 let _e1937 = select(_e1642, _e1935, (_e1935 < _e1642));
-let _e1943 = global_5.member[bitcast<u32>(select(0i, _e1937, (_e1937 > 0i)))];
+let _e1943 = global_3.member[bitcast<u32>(select(0i, _e1937, (_e1937 > 0i)))];
 let _e1958 = ((_e1819 + (f32(bitcast<i32>((_e1943 >> bitcast<u32>(12u)))) * _e1828)) + ((f32((bitcast<i32>((_e1943 & 4095u)) - 2048i)) * _e1809) * (_e1919 - f32(_e1934))));
 local_34 = _e1614;
 let _e1959 = local_34;
@@ -912,7 +912,7 @@ let _e2001 = select(0i, select(select(i32(_e1994), i32(-2147483648), (_e1994 < -
 let _e2005 = (_e2001 - select(0i, 1i, (_e1994 < f32(_e2001))));
 let _e2006 = (262147i + _e2005);
 let _e2008 = select(_e1642, _e2006, (_e2006 < _e1642));
-let _e2014 = global_5.member[bitcast<u32>(select(0i, _e2008, (_e2008 > 0i)))];
+let _e2014 = global_3.member[bitcast<u32>(select(0i, _e2008, (_e2008 > 0i)))];
 let _e2029 = ((_e1819 + (f32(bitcast<i32>((_e2014 >> bitcast<u32>(12u)))) * _e1828)) + ((f32((bitcast<i32>((_e2014 & 4095u)) - 2048i)) * _e1809) * (_e1990 - f32(_e2005))));
 local_32 = _e1620;
 let _e2030 = local_32;
@@ -936,7 +936,7 @@ let _e2072 = select(0i, select(select(i32(_e2065), i32(-2147483648), (_e2065 < -
 let _e2076 = (_e2072 - select(0i, 1i, (_e2065 < f32(_e2072))));
 let _e2077 = (262147i + _e2076);
 let _e2079 = select(_e1642, _e2077, (_e2077 < _e1642));
-let _e2085 = global_5.member[bitcast<u32>(select(0i, _e2079, (_e2079 > 0i)))];
+let _e2085 = global_3.member[bitcast<u32>(select(0i, _e2079, (_e2079 > 0i)))];
 let _e2100 = ((_e1819 + (f32(bitcast<i32>((_e2085 >> bitcast<u32>(12u)))) * _e1828)) + ((f32((bitcast<i32>((_e2085 & 4095u)) - 2048i)) * _e1809) * (_e2061 - f32(_e2076))));
 local_30 = _e1626;
 let _e2101 = local_30;
@@ -960,7 +960,7 @@ let _e2143 = select(0i, select(select(i32(_e2136), i32(-2147483648), (_e2136 < -
 let _e2147 = (_e2143 - select(0i, 1i, (_e2136 < f32(_e2143))));
 let _e2148 = (262147i + _e2147);
 let _e2150 = select(_e1642, _e2148, (_e2148 < _e1642));
-let _e2156 = global_5.member[bitcast<u32>(select(0i, _e2150, (_e2150 > 0i)))];
+let _e2156 = global_3.member[bitcast<u32>(select(0i, _e2150, (_e2150 > 0i)))];
 let _e2171 = ((_e1819 + (f32(bitcast<i32>((_e2156 >> bitcast<u32>(12u)))) * _e1828)) + ((f32((bitcast<i32>((_e2156 & 4095u)) - 2048i)) * _e1809) * (_e2132 - f32(_e2147))));
 local_28 = _e1632;
 let _e2172 = local_28;
@@ -984,7 +984,7 @@ let _e2214 = select(0i, select(select(i32(_e2207), i32(-2147483648), (_e2207 < -
 let _e2218 = (_e2214 - select(0i, 1i, (_e2207 < f32(_e2214))));
 let _e2219 = (262147i + _e2218);
 let _e2221 = select(_e1642, _e2219, (_e2219 < _e1642));
-let _e2227 = global_5.member[bitcast<u32>(select(0i, _e2221, (_e2221 > 0i)))];
+let _e2227 = global_3.member[bitcast<u32>(select(0i, _e2221, (_e2221 > 0i)))];
 let _e2242 = ((_e1819 + (f32(bitcast<i32>((_e2227 >> bitcast<u32>(12u)))) * _e1828)) + ((f32((bitcast<i32>((_e2227 & 4095u)) - 2048i)) * _e1809) * (_e2203 - f32(_e2218))));
 local_26 = _e1638;
 let _e2243 = local_26;
@@ -1008,12 +1008,12 @@ let _e2285 = select(0i, select(select(i32(_e2278), i32(-2147483648), (_e2278 < -
 let _e2289 = (_e2285 - select(0i, 1i, (_e2278 < f32(_e2285))));
 let _e2290 = (262147i + _e2289);
 let _e2292 = select(_e1642, _e2290, (_e2290 < _e1642));
-let _e2298 = global_5.member[bitcast<u32>(select(0i, _e2292, (_e2292 > 0i)))];
+let _e2298 = global_3.member[bitcast<u32>(select(0i, _e2292, (_e2292 > 0i)))];
 let _e2313 = ((_e1819 + (f32(bitcast<i32>((_e2298 >> bitcast<u32>(12u)))) * _e1828)) + ((f32((bitcast<i32>((_e2298 & 4095u)) - 2048i)) * _e1809) * (_e2274 - f32(_e2289))));
 let _e2314 = (_e2029 - _e1958);
 let _e2316 = (_e2171 - _e2100);
 let _e2318 = (_e2313 - _e2242);
-phi_6297_ = type_34(_e1834, vec3<f32>((0.5f * _e2314), (0.5f * _e2316), (0.5f * _e2318)), vec3<f32>((0.25f * (_e2314 * (_e2029 + _e1958))), (0.25f * (_e2316 * (_e2171 + _e2100))), (0.25f * (_e2318 * (_e2313 + _e2242)))));
+phi_6297_ = type_33(_e1834, vec3<f32>((0.5f * _e2314), (0.5f * _e2316), (0.5f * _e2318)), vec3<f32>((0.25f * (_e2314 * (_e2029 + _e1958))), (0.25f * (_e2316 * (_e2171 + _e2100))), (0.25f * (_e2318 * (_e2313 + _e2242)))));
 }
 let _e2333 = phi_6297_;
 let _e2348 = select(0f, 1f, ((((((_e476 >= -0.5f) && (_e476 <= _e521)) && (_e491 >= -0.5f)) && (_e491 <= _e531)) && (_e506 >= -0.5f)) && (_e506 <= _e541)));
@@ -1029,7 +1029,7 @@ let _e2390 = global_1.member.member_6.member_1.member.member_2;
 let _e2396 = global_1.member.member_6.member_2.member.member;
 let _e2402 = global_1.member.member_6.member_2.member.member_1;
 let _e2408 = global_1.member.member_6.member_2.member.member_2;
-phi_6999_ = type_35(_e1602, vec3<f32>(((((_e2360 * _e2350) + (_e2378 * _e2352)) + (_e2396 * _e2354)) * _e2348), ((((_e2366 * _e2350) + (_e2384 * _e2352)) + (_e2402 * _e2354)) * _e2348), ((((_e2372 * _e2350) + (_e2390 * _e2352)) + (_e2408 * _e2354)) * _e2348)), _e2333.member, vec3<f32>(((((_e2360 * _e2333.member_2.x) + (_e2378 * _e2333.member_2.y)) + (_e2396 * _e2333.member_2.z)) * _e2348), ((((_e2366 * _e2333.member_2.x) + (_e2384 * _e2333.member_2.y)) + (_e2402 * _e2333.member_2.z)) * _e2348), ((((_e2372 * _e2333.member_2.x) + (_e2390 * _e2333.member_2.y)) + (_e2408 * _e2333.member_2.z)) * _e2348)), vec3<f32>(((((_e2360 * _e2333.member_1.x) + (_e2378 * _e2333.member_1.y)) + (_e2396 * _e2333.member_1.z)) * _e2348), ((((_e2366 * _e2333.member_1.x) + (_e2384 * _e2333.member_1.y)) + (_e2402 * _e2333.member_1.z)) * _e2348), ((((_e2372 * _e2333.member_1.x) + (_e2390 * _e2333.member_1.y)) + (_e2408 * _e2333.member_1.z)) * _e2348)));
+phi_6999_ = type_34(_e1602, vec3<f32>(((((_e2360 * _e2350) + (_e2378 * _e2352)) + (_e2396 * _e2354)) * _e2348), ((((_e2366 * _e2350) + (_e2384 * _e2352)) + (_e2402 * _e2354)) * _e2348), ((((_e2372 * _e2350) + (_e2390 * _e2352)) + (_e2408 * _e2354)) * _e2348)), _e2333.member, vec3<f32>(((((_e2360 * _e2333.member_2.x) + (_e2378 * _e2333.member_2.y)) + (_e2396 * _e2333.member_2.z)) * _e2348), ((((_e2366 * _e2333.member_2.x) + (_e2384 * _e2333.member_2.y)) + (_e2402 * _e2333.member_2.z)) * _e2348), ((((_e2372 * _e2333.member_2.x) + (_e2390 * _e2333.member_2.y)) + (_e2408 * _e2333.member_2.z)) * _e2348)), vec3<f32>(((((_e2360 * _e2333.member_1.x) + (_e2378 * _e2333.member_1.y)) + (_e2396 * _e2333.member_1.z)) * _e2348), ((((_e2366 * _e2333.member_1.x) + (_e2384 * _e2333.member_1.y)) + (_e2402 * _e2333.member_1.z)) * _e2348), ((((_e2372 * _e2333.member_1.x) + (_e2390 * _e2333.member_1.y)) + (_e2408 * _e2333.member_1.z)) * _e2348)));
 } else {
 let _e2477 = global_1.member.member_6.member_3.member;
 let _e2478 = (_e2477 - 0.5f);
@@ -1065,7 +1065,7 @@ let _e2569 = global_1.member.member_6.member_11.member_1;
 let _e2580 = ((_e2556 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2563) * ((_e2557 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2569) * (_e2558 >> bitcast<u32>(4i))))));
 let _e2582 = (bitcast<i32>(_e207) - 1i);
 let _e2584 = select(_e2582, _e2580, (_e2580 < _e2582));
-let _e2590 = global_4.member[bitcast<u32>(select(0i, _e2584, (_e2584 > 0i)))];
+let _e2590 = global_2.member[bitcast<u32>(select(0i, _e2584, (_e2584 > 0i)))];
 let _e2592 = (_e2556 & 15i);
 let _e2595 = ((_e2557 & 15i) * _e2551);
 let _e2597 = (bitcast<i32>(_e2590) + ((_e2558 & 15i) * _e2555));
@@ -1073,17 +1073,17 @@ let _e2601 = (_e2595 + _e2551);
 let _e2603 = (_e2595 + (2i * _e2551));
 let _e2604 = (_e2597 + _e2555);
 let _e2606 = (_e2597 + (2i * _e2555));
-local_24 = type_32(array<i32, 4>(_e2592, (_e2592 + 1i), (_e2592 + 2i), (_e2592 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_24 = type_29(array<i32, 4>(_e2592, (_e2592 + 1i), (_e2592 + 2i), (_e2592 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_25 = vec3<f32>((_e2482 - f32(_e2517)), (_e2492 - f32(_e2532)), (_e2502 - f32(_e2547)));
 let _e2620 = local_24.member[1u];
 let _e2621 = ((_e2604 + _e2601) + _e2620);
 let _e2623 = (_e2621 >> bitcast<u32>(1i));
 let _e2626 = bitcast<u32>(((_e2621 & 1i) * 16i));
 let _e2628 = select(_e2582, _e2623, (_e2623 < _e2582));
-let _e2633 = global_4.member[bitcast<u32>(select(0i, _e2628, (_e2628 > 0i)))];
+let _e2633 = global_2.member[bitcast<u32>(select(0i, _e2628, (_e2628 > 0i)))];
 let _e2637 = (_e2623 + 1i);
 let _e2639 = select(_e2582, _e2637, (_e2637 < _e2582));
-let _e2644 = global_4.member[bitcast<u32>(select(0i, _e2639, (_e2639 > 0i)))];
+let _e2644 = global_2.member[bitcast<u32>(select(0i, _e2639, (_e2639 > 0i)))];
 let _e2651 = ((_e2633 >> bitcast<u32>((_e2626 & 31u))) | ((_e2644 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2626) & 31u))));
 let _e2654 = local_24.member_1[2u];
 let _e2660 = f32(bitcast<i32>(((_e2651 >> bitcast<u32>((_e2654 & 31u))) & 65535u)));
@@ -1095,10 +1095,10 @@ let _e2676 = ((_e2604 + _e2603) + _e2675);
 let _e2678 = (_e2676 >> bitcast<u32>(1i));
 let _e2681 = bitcast<u32>(((_e2676 & 1i) * 16i));
 let _e2683 = select(_e2582, _e2678, (_e2678 < _e2582));
-let _e2688 = global_4.member[bitcast<u32>(select(0i, _e2683, (_e2683 > 0i)))];
+let _e2688 = global_2.member[bitcast<u32>(select(0i, _e2683, (_e2683 > 0i)))];
 let _e2692 = (_e2678 + 1i);
 let _e2694 = select(_e2582, _e2692, (_e2692 < _e2582));
-let _e2699 = global_4.member[bitcast<u32>(select(0i, _e2694, (_e2694 > 0i)))];
+let _e2699 = global_2.member[bitcast<u32>(select(0i, _e2694, (_e2694 > 0i)))];
 let _e2706 = ((_e2688 >> bitcast<u32>((_e2681 & 31u))) | ((_e2699 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2681) & 31u))));
 let _e2707 = local_24.member_1[2u];
 let _e2713 = f32(bitcast<i32>(((_e2706 >> bitcast<u32>((_e2707 & 31u))) & 65535u)));
@@ -1111,10 +1111,10 @@ let _e2732 = ((_e2606 + _e2601) + _e2731);
 let _e2734 = (_e2732 >> bitcast<u32>(1i));
 let _e2737 = bitcast<u32>(((_e2732 & 1i) * 16i));
 let _e2739 = select(_e2582, _e2734, (_e2734 < _e2582));
-let _e2744 = global_4.member[bitcast<u32>(select(0i, _e2739, (_e2739 > 0i)))];
+let _e2744 = global_2.member[bitcast<u32>(select(0i, _e2739, (_e2739 > 0i)))];
 let _e2748 = (_e2734 + 1i);
 let _e2750 = select(_e2582, _e2748, (_e2748 < _e2582));
-let _e2755 = global_4.member[bitcast<u32>(select(0i, _e2750, (_e2750 > 0i)))];
+let _e2755 = global_2.member[bitcast<u32>(select(0i, _e2750, (_e2750 > 0i)))];
 let _e2762 = ((_e2744 >> bitcast<u32>((_e2737 & 31u))) | ((_e2755 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2737) & 31u))));
 let _e2763 = local_24.member_1[2u];
 let _e2769 = f32(bitcast<i32>(((_e2762 >> bitcast<u32>((_e2763 & 31u))) & 65535u)));
@@ -1126,10 +1126,10 @@ let _e2783 = ((_e2606 + _e2603) + _e2782);
 let _e2785 = (_e2783 >> bitcast<u32>(1i));
 let _e2788 = bitcast<u32>(((_e2783 & 1i) * 16i));
 let _e2790 = select(_e2582, _e2785, (_e2785 < _e2582));
-let _e2795 = global_4.member[bitcast<u32>(select(0i, _e2790, (_e2790 > 0i)))];
+let _e2795 = global_2.member[bitcast<u32>(select(0i, _e2790, (_e2790 > 0i)))];
 let _e2799 = (_e2785 + 1i);
 let _e2801 = select(_e2582, _e2799, (_e2799 < _e2582));
-let _e2806 = global_4.member[bitcast<u32>(select(0i, _e2801, (_e2801 > 0i)))];
+let _e2806 = global_2.member[bitcast<u32>(select(0i, _e2801, (_e2801 > 0i)))];
 let _e2813 = ((_e2795 >> bitcast<u32>((_e2788 & 31u))) | ((_e2806 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2788) & 31u))));
 let _e2814 = local_24.member_1[2u];
 let _e2820 = f32(bitcast<i32>(((_e2813 >> bitcast<u32>((_e2814 & 31u))) & 65535u)));
@@ -1142,13 +1142,13 @@ let _e2848 = global_1.member.member_6.member_5;
 let _e2850 = (((_e2729 + (((_e2780 + (((_e2820 + ((f32(bitcast<i32>(((_e2813 >> bitcast<u32>((_e2821 & 31u))) & 65535u))) - _e2820) * _e2828)) - _e2780) * _e2832)) - _e2729) * _e2837)) - _e2844) * _e2848);
 let _e2851 = -(1e9f);
 let _e2853 = select(_e2851, _e2850, (_e2850 > _e2851));
-phi_6999_ = type_35(select(1e9f, _e2853, (_e2853 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_6999_ = type_34(select(1e9f, _e2853, (_e2853 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2858 = phi_6999_;
 let _e2861 = global_1.member.member_1;
 let _e2863 = ((_e2861 & 16u) == 0u);
 if _e2863 {
-phi_7379_ = type_5(1f, 1f, 1f);
+phi_7379_ = type_7(1f, 1f, 1f);
 } else {
 let _e2867 = global_1.member.member_14.member;
 let _e2878 = ((((_e2867.member.member * _e248) + (_e2867.member.member_1 * _e258)) + (_e2867.member.member_2 * _e269)) + _e2867.member_1);
@@ -1186,11 +1186,11 @@ let _e3005 = (_e2995 > 0f);
 let _e3008 = select(select(select(1f, _e3002, (_e3002 < 1f)), 1f, (_e2995 <= 0f)), 0f, _e3005);
 let _e3012 = global_1.member.member_17.member_1;
 let _e3013 = (_e3012 != 0u);
-phi_7379_ = type_5(((((1f * _e2891) * _e2930) * _e2969) * _e3008), ((((1f * select(1f, _e2891, _e2896)) * select(1f, _e2930, _e2935)) * select(1f, _e2969, _e2974)) * select(1f, _e3008, _e3013)), ((((1f * select(1f, 0f, (_e2896 && _e2888))) * select(1f, 0f, (_e2935 && _e2927))) * select(1f, 0f, (_e2974 && _e2966))) * select(1f, 0f, (_e3013 && _e3005))));
+phi_7379_ = type_7(((((1f * _e2891) * _e2930) * _e2969) * _e3008), ((((1f * select(1f, _e2891, _e2896)) * select(1f, _e2930, _e2935)) * select(1f, _e2969, _e2974)) * select(1f, _e3008, _e3013)), ((((1f * select(1f, 0f, (_e2896 && _e2888))) * select(1f, 0f, (_e2935 && _e2927))) * select(1f, 0f, (_e2974 && _e2966))) * select(1f, 0f, (_e3013 && _e3005))));
 }
 let _e3022 = phi_7379_;
 if _e435 {
-let _e3024 = type_33(_e457, _e458, _e313, 4f, _e335, _e459, _e379, _e460, _e423, _e434);
+let _e3024 = type_32(_e457, _e458, _e313, 4f, _e335, _e459, _e379, _e460, _e423, _e434);
 let _e3029 = global_1.member.member_5.member_2;
 let _e3032 = (_e3029 / select(1e-6f, _e302, (_e302 > 1e-6f)));
 let _e3036 = (_e248 + (_e280 * _e3032));
@@ -1314,7 +1314,7 @@ let _e3338 = select(select(select(select(select(select(0f, _e3061.member, _e3107
 let _e3339 = select(select(select(select(select(select(0f, _e3061.member_1, _e3107), _e3061.member_1, _e3147), _e3069.member_1, _e3193), _e3069.member_1, _e3233), _e3077.member_1, _e3279), _e3077.member_1, _e3319);
 let _e3340 = select(select(select(select(select(select(1f, _e3061.member_2, _e3107), _e3061.member_2, _e3147), _e3069.member_2, _e3193), _e3069.member_2, _e3233), _e3077.member_2, _e3279), _e3077.member_2, _e3319);
 if _e2863 {
-phi_8708_ = type_36(_e3325, vec3<f32>(_e3326, _e3327, _e3328), _e3330, vec3<f32>(_e3331, _e3332, _e3333), _e3335, _e3337, vec3<f32>(_e3338, _e3339, _e3340));
+phi_8708_ = type_35(_e3325, vec3<f32>(_e3326, _e3327, _e3328), _e3330, vec3<f32>(_e3331, _e3332, _e3333), _e3335, _e3337, vec3<f32>(_e3338, _e3339, _e3340));
 } else {
 let _e3347 = (((_e3061.member * _e3061.member) + (_e3061.member_1 * _e3061.member_1)) + (_e3061.member_2 * _e3061.member_2));
 let _e3350 = sqrt(select(0f, _e3347, (_e3347 > 0f)));
@@ -1394,13 +1394,13 @@ let _e3634 = select(2f, select(0f, _e3626, (_e3607 < 0f)), (_e3608 > 0f));
 let _e3635 = (_e3607 > _e3573);
 let _e3639 = ((_e3630 > _e3565) || ((_e3630 == _e3565) && _e3635));
 let _e3640 = (_e3634 < _e3569);
-phi_8708_ = type_36(select(_e3565, _e3630, _e3639), vec3<f32>(select(select(select(select(_e3326, _e3385.member, _e3411), _e3461.member, _e3487), _e3537.member, _e3563), _e3613.member, _e3639), select(select(select(select(_e3327, _e3385.member_1, _e3411), _e3461.member_1, _e3487), _e3537.member_1, _e3563), _e3613.member_1, _e3639), select(select(select(select(_e3328, _e3385.member_2, _e3411), _e3461.member_2, _e3487), _e3537.member_2, _e3563), _e3613.member_2, _e3639)), select(_e3569, _e3634, _e3640), vec3<f32>(select(select(select(select(_e3331, _e3385.member, _e3412), _e3461.member, _e3488), _e3537.member, _e3564), _e3613.member, _e3640), select(select(select(select(_e3332, _e3385.member_1, _e3412), _e3461.member_1, _e3488), _e3537.member_1, _e3564), _e3613.member_1, _e3640), select(select(select(select(_e3333, _e3385.member_2, _e3412), _e3461.member_2, _e3488), _e3537.member_2, _e3564), _e3613.member_2, _e3640)), select(_e3573, _e3607, _e3635), select(_e3575, _e3608, (_e3608 > _e3575)), vec3<f32>(select(select(select(select(_e3338, _e3385.member, _e3407), _e3461.member, _e3483), _e3537.member, _e3559), _e3613.member, _e3635), select(select(select(select(_e3339, _e3385.member_1, _e3407), _e3461.member_1, _e3483), _e3537.member_1, _e3559), _e3613.member_1, _e3635), select(select(select(select(_e3340, _e3385.member_2, _e3407), _e3461.member_2, _e3483), _e3537.member_2, _e3559), _e3613.member_2, _e3635)));
+phi_8708_ = type_35(select(_e3565, _e3630, _e3639), vec3<f32>(select(select(select(select(_e3326, _e3385.member, _e3411), _e3461.member, _e3487), _e3537.member, _e3563), _e3613.member, _e3639), select(select(select(select(_e3327, _e3385.member_1, _e3411), _e3461.member_1, _e3487), _e3537.member_1, _e3563), _e3613.member_1, _e3639), select(select(select(select(_e3328, _e3385.member_2, _e3411), _e3461.member_2, _e3487), _e3537.member_2, _e3563), _e3613.member_2, _e3639)), select(_e3569, _e3634, _e3640), vec3<f32>(select(select(select(select(_e3331, _e3385.member, _e3412), _e3461.member, _e3488), _e3537.member, _e3564), _e3613.member, _e3640), select(select(select(select(_e3332, _e3385.member_1, _e3412), _e3461.member_1, _e3488), _e3537.member_1, _e3564), _e3613.member_1, _e3640), select(select(select(select(_e3333, _e3385.member_2, _e3412), _e3461.member_2, _e3488), _e3537.member_2, _e3564), _e3613.member_2, _e3640)), select(_e3573, _e3607, _e3635), select(_e3575, _e3608, (_e3608 > _e3575)), vec3<f32>(select(select(select(select(_e3338, _e3385.member, _e3407), _e3461.member, _e3483), _e3537.member, _e3559), _e3613.member, _e3635), select(select(select(select(_e3339, _e3385.member_1, _e3407), _e3461.member_1, _e3483), _e3537.member_1, _e3559), _e3613.member_1, _e3635), select(select(select(select(_e3340, _e3385.member_2, _e3407), _e3461.member_2, _e3483), _e3537.member_2, _e3559), _e3613.member_2, _e3635)));
 }
 let _e3660 = phi_8708_;
 let _e3670 = (select(select(0.5f, _e3660.member_2, (_e3660.member_2 < 1f)), 0f, (_e434 == -1.2676506e30f)) * ((_e3029 / _e302) * select(_e3022.member_2, 0f, (_e423 == 0f))));
-phi_8745_ = type_33(_e3024.member, vec3<f32>((_e280 - (_e2858.member_3.x * _e3670)), (_e291 - (_e2858.member_3.y * _e3670)), (_e302 - (_e2858.member_3.z * _e3670))), _e3024.member_2, _e3024.member_3, _e3024.member_4, _e3024.member_5, _e3024.member_6, _e3024.member_7, _e3024.member_8, _e3024.member_9);
+phi_8745_ = type_32(_e3024.member, vec3<f32>((_e280 - (_e2858.member_3.x * _e3670)), (_e291 - (_e2858.member_3.y * _e3670)), (_e302 - (_e2858.member_3.z * _e3670))), _e3024.member_2, _e3024.member_3, _e3024.member_4, _e3024.member_5, _e3024.member_6, _e3024.member_7, _e3024.member_8, _e3024.member_9);
 } else {
-phi_8745_ = type_33(_e457, _e458, _e313, _e324, _e335, _e459, _e379, _e460, _e423, _e434);
+phi_8745_ = type_32(_e457, _e458, _e313, _e324, _e335, _e459, _e379, _e460, _e423, _e434);
 }
 let _e3692 = phi_8745_;
 let _e3697 = global_1.member.member_10.member_3;
@@ -1408,7 +1408,7 @@ let _e3698 = (_e3697 == 0u);
 if _e3698 {
 let _e3702 = global_1.member.member_9.member_1;
 let _e3710 = global_1.member.member_9.member;
-phi_9005_ = type_29(vec3<f32>(_e3702.member, _e3702.member_1, _e3702.member_2), vec3<f32>(_e3710.member, _e3710.member_1, _e3710.member_2));
+phi_9005_ = type_36(vec3<f32>(_e3702.member, _e3702.member_1, _e3702.member_2), vec3<f32>(_e3710.member, _e3710.member_1, _e3710.member_2));
 } else {
 let _e3719 = global_1.member.member_10.member;
 let _e3733 = ((((_e3719.member.member * _e3692.member.x) + (_e3719.member.member_1 * _e3692.member.y)) + (_e3719.member.member_2 * _e3692.member.z)) + _e3719.member_1);
@@ -1464,7 +1464,7 @@ let _e3889 = select(1f, (_e3872 * _e3883), _e3862);
 let _e3894 = global_1.member.member_10.member.member;
 let _e3905 = global_1.member.member_10.member_1.member;
 let _e3919 = global_1.member.member_10.member_2.member;
-phi_9005_ = type_29(vec3<f32>((_e3767.member * _e3857), (_e3767.member_1 * _e3857), (_e3767.member_2 * _e3857)), (vec3<f32>(((_e3894.member * _e3887) + (_e3905.member * _e3888)), ((_e3894.member_1 * _e3887) + (_e3905.member_1 * _e3888)), ((_e3894.member_2 * _e3887) + (_e3905.member_2 * _e3888))) + vec3<f32>((_e3919.member * _e3889), (_e3919.member_1 * _e3889), (_e3919.member_2 * _e3889))));
+phi_9005_ = type_36(vec3<f32>((_e3767.member * _e3857), (_e3767.member_1 * _e3857), (_e3767.member_2 * _e3857)), (vec3<f32>(((_e3894.member * _e3887) + (_e3905.member * _e3888)), ((_e3894.member_1 * _e3887) + (_e3905.member_1 * _e3888)), ((_e3894.member_2 * _e3887) + (_e3905.member_2 * _e3888))) + vec3<f32>((_e3919.member * _e3889), (_e3919.member_1 * _e3889), (_e3919.member_2 * _e3889))));
 }
 let _e3931 = phi_9005_;
 phi_9007_ = _e3692;
@@ -1641,7 +1641,7 @@ let _e4339 = select(select(select(select(select(select(0f, _e4014.member, _e4118
 let _e4340 = select(select(select(select(select(select(0f, _e4014.member_1, _e4118), _e4014.member_1, _e4158), _e4085.member_1, _e4199), _e4085.member_1, _e4239), _e4093.member_1, _e4280), _e4093.member_1, _e4320);
 let _e4341 = select(select(select(select(select(select(1f, _e4014.member_2, _e4118), _e4014.member_2, _e4158), _e4085.member_2, _e4199), _e4085.member_2, _e4239), _e4093.member_2, _e4280), _e4093.member_2, _e4320);
 if _e2863 {
-phi_10483_ = type_36(_e4326, vec3<f32>(_e4327, _e4328, _e4329), _e4331, vec3<f32>(_e4332, _e4333, _e4334), _e4336, _e4338, vec3<f32>(_e4339, _e4340, _e4341));
+phi_10483_ = type_35(_e4326, vec3<f32>(_e4327, _e4328, _e4329), _e4331, vec3<f32>(_e4332, _e4333, _e4334), _e4336, _e4338, vec3<f32>(_e4339, _e4340, _e4341));
 } else {
 let _e4347 = global_1.member.member_14.member_1;
 let _e4348 = (_e4347 != 0u);
@@ -1719,7 +1719,7 @@ let _e4627 = select(2f, select(0f, _e4619, (_e4600 < 0f)), (_e4601 > 0f));
 let _e4628 = (_e4600 > _e4566);
 let _e4632 = ((_e4623 > _e4558) || ((_e4623 == _e4558) && _e4628));
 let _e4633 = (_e4627 < _e4562);
-phi_10483_ = type_36(select(_e4558, _e4623, _e4632), vec3<f32>(select(select(select(select(_e4327, _e4378.member, _e4404), _e4454.member, _e4480), _e4530.member, _e4556), _e4606.member, _e4632), select(select(select(select(_e4328, _e4378.member_1, _e4404), _e4454.member_1, _e4480), _e4530.member_1, _e4556), _e4606.member_1, _e4632), select(select(select(select(_e4329, _e4378.member_2, _e4404), _e4454.member_2, _e4480), _e4530.member_2, _e4556), _e4606.member_2, _e4632)), select(_e4562, _e4627, _e4633), vec3<f32>(select(select(select(select(_e4332, _e4378.member, _e4405), _e4454.member, _e4481), _e4530.member, _e4557), _e4606.member, _e4633), select(select(select(select(_e4333, _e4378.member_1, _e4405), _e4454.member_1, _e4481), _e4530.member_1, _e4557), _e4606.member_1, _e4633), select(select(select(select(_e4334, _e4378.member_2, _e4405), _e4454.member_2, _e4481), _e4530.member_2, _e4557), _e4606.member_2, _e4633)), select(_e4566, _e4600, _e4628), select(_e4568, _e4601, (_e4601 > _e4568)), vec3<f32>(select(select(select(select(_e4339, _e4378.member, _e4400), _e4454.member, _e4476), _e4530.member, _e4552), _e4606.member, _e4628), select(select(select(select(_e4340, _e4378.member_1, _e4400), _e4454.member_1, _e4476), _e4530.member_1, _e4552), _e4606.member_1, _e4628), select(select(select(select(_e4341, _e4378.member_2, _e4400), _e4454.member_2, _e4476), _e4530.member_2, _e4552), _e4606.member_2, _e4628)));
+phi_10483_ = type_35(select(_e4558, _e4623, _e4632), vec3<f32>(select(select(select(select(_e4327, _e4378.member, _e4404), _e4454.member, _e4480), _e4530.member, _e4556), _e4606.member, _e4632), select(select(select(select(_e4328, _e4378.member_1, _e4404), _e4454.member_1, _e4480), _e4530.member_1, _e4556), _e4606.member_1, _e4632), select(select(select(select(_e4329, _e4378.member_2, _e4404), _e4454.member_2, _e4480), _e4530.member_2, _e4556), _e4606.member_2, _e4632)), select(_e4562, _e4627, _e4633), vec3<f32>(select(select(select(select(_e4332, _e4378.member, _e4405), _e4454.member, _e4481), _e4530.member, _e4557), _e4606.member, _e4633), select(select(select(select(_e4333, _e4378.member_1, _e4405), _e4454.member_1, _e4481), _e4530.member_1, _e4557), _e4606.member_1, _e4633), select(select(select(select(_e4334, _e4378.member_2, _e4405), _e4454.member_2, _e4481), _e4530.member_2, _e4557), _e4606.member_2, _e4633)), select(_e4566, _e4600, _e4628), select(_e4568, _e4601, (_e4601 > _e4568)), vec3<f32>(select(select(select(select(_e4339, _e4378.member, _e4400), _e4454.member, _e4476), _e4530.member, _e4552), _e4606.member, _e4628), select(select(select(select(_e4340, _e4378.member_1, _e4400), _e4454.member_1, _e4476), _e4530.member_1, _e4552), _e4606.member_1, _e4628), select(select(select(select(_e4341, _e4378.member_2, _e4400), _e4454.member_2, _e4476), _e4530.member_2, _e4552), _e4606.member_2, _e4628)));
 }
 let _e4653 = phi_10483_;
 if _e3946 {
@@ -1729,7 +1729,7 @@ phi_10495_ = ((_e4653.member <= 1f) && (_e4653.member < _e4653.member_2));
 }
 let _e4661 = phi_10495_;
 if (!(_e3946) && !(_e4661)) {
-phi_23971_ = type_33(_e3933.member, _e3933.member_1, _e3933.member_2, 3f, _e3933.member_4, _e3933.member_5, _e3933.member_6, _e3933.member_7, _e3933.member_8, _e3933.member_9);
+phi_23971_ = type_32(_e3933.member, _e3933.member_1, _e3933.member_2, 3f, _e3933.member_4, _e3933.member_5, _e3933.member_6, _e3933.member_7, _e3933.member_8, _e3933.member_9);
 phi_23972_ = _e3935;
 phi_23973_ = _e3937;
 } else {
@@ -1794,7 +1794,7 @@ let _e4890 = global_1.member.member_6.member_11.member_1;
 let _e4901 = ((_e4877 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4884) * ((_e4878 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4890) * (_e4879 >> bitcast<u32>(4i))))));
 let _e4903 = (bitcast<i32>(_e207) - 1i);
 let _e4905 = select(_e4903, _e4901, (_e4901 < _e4903));
-let _e4911 = global_4.member[bitcast<u32>(select(0i, _e4905, (_e4905 > 0i)))];
+let _e4911 = global_2.member[bitcast<u32>(select(0i, _e4905, (_e4905 > 0i)))];
 let _e4913 = (_e4877 & 15i);
 let _e4916 = ((_e4878 & 15i) * _e4872);
 let _e4918 = (bitcast<i32>(_e4911) + ((_e4879 & 15i) * _e4876));
@@ -1804,7 +1804,7 @@ let _e4926 = (_e4916 + (3i * _e4872));
 let _e4927 = (_e4918 + _e4876);
 let _e4929 = (_e4918 + (2i * _e4876));
 let _e4931 = (_e4918 + (3i * _e4876));
-local_22 = type_32(array<i32, 4>(_e4913, (_e4913 + 1i), (_e4913 + 2i), (_e4913 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_29(array<i32, 4>(_e4913, (_e4913 + 1i), (_e4913 + 2i), (_e4913 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e4815 - f32(_e4838)), (_e4819 - f32(_e4853)), (_e4823 - f32(_e4868)));
 let _e4942 = (_e4927 + _e4922);
 let _e4945 = local_22.member[0u];
@@ -1812,20 +1812,20 @@ let _e4946 = (_e4942 + _e4945);
 let _e4948 = (_e4946 >> bitcast<u32>(1i));
 let _e4951 = bitcast<u32>(((_e4946 & 1i) * 16i));
 let _e4953 = select(_e4903, _e4948, (_e4948 < _e4903));
-let _e4958 = global_4.member[bitcast<u32>(select(0i, _e4953, (_e4953 > 0i)))];
+let _e4958 = global_2.member[bitcast<u32>(select(0i, _e4953, (_e4953 > 0i)))];
 let _e4962 = (_e4948 + 1i);
 let _e4964 = select(_e4903, _e4962, (_e4962 < _e4903));
-let _e4969 = global_4.member[bitcast<u32>(select(0i, _e4964, (_e4964 > 0i)))];
+let _e4969 = global_2.member[bitcast<u32>(select(0i, _e4964, (_e4964 > 0i)))];
 let _e4976 = ((_e4958 >> bitcast<u32>((_e4951 & 31u))) | ((_e4969 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4951) & 31u))));
 let _e4979 = local_22.member[2u];
 let _e4980 = (_e4942 + _e4979);
 let _e4982 = (_e4980 >> bitcast<u32>(1i));
 let _e4985 = bitcast<u32>(((_e4980 & 1i) * 16i));
 let _e4987 = select(_e4903, _e4982, (_e4982 < _e4903));
-let _e4992 = global_4.member[bitcast<u32>(select(0i, _e4987, (_e4987 > 0i)))];
+let _e4992 = global_2.member[bitcast<u32>(select(0i, _e4987, (_e4987 > 0i)))];
 let _e4996 = (_e4982 + 1i);
 let _e4998 = select(_e4903, _e4996, (_e4996 < _e4903));
-let _e5003 = global_4.member[bitcast<u32>(select(0i, _e4998, (_e4998 > 0i)))];
+let _e5003 = global_2.member[bitcast<u32>(select(0i, _e4998, (_e4998 > 0i)))];
 let _e5010 = ((_e4992 >> bitcast<u32>((_e4985 & 31u))) | ((_e5003 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4985) & 31u))));
 let _e5013 = local_22.member_1[0u];
 let _e5019 = f32(bitcast<i32>(((_e4976 >> bitcast<u32>((_e5013 & 31u))) & 65535u)));
@@ -1846,20 +1846,20 @@ let _e5061 = (_e5059 + _e5060);
 let _e5063 = (_e5061 >> bitcast<u32>(1i));
 let _e5066 = bitcast<u32>(((_e5061 & 1i) * 16i));
 let _e5068 = select(_e4903, _e5063, (_e5063 < _e4903));
-let _e5073 = global_4.member[bitcast<u32>(select(0i, _e5068, (_e5068 > 0i)))];
+let _e5073 = global_2.member[bitcast<u32>(select(0i, _e5068, (_e5068 > 0i)))];
 let _e5077 = (_e5063 + 1i);
 let _e5079 = select(_e4903, _e5077, (_e5077 < _e4903));
-let _e5084 = global_4.member[bitcast<u32>(select(0i, _e5079, (_e5079 > 0i)))];
+let _e5084 = global_2.member[bitcast<u32>(select(0i, _e5079, (_e5079 > 0i)))];
 let _e5091 = ((_e5073 >> bitcast<u32>((_e5066 & 31u))) | ((_e5084 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5066) & 31u))));
 let _e5092 = local_22.member[2u];
 let _e5093 = (_e5059 + _e5092);
 let _e5095 = (_e5093 >> bitcast<u32>(1i));
 let _e5098 = bitcast<u32>(((_e5093 & 1i) * 16i));
 let _e5100 = select(_e4903, _e5095, (_e5095 < _e4903));
-let _e5105 = global_4.member[bitcast<u32>(select(0i, _e5100, (_e5100 > 0i)))];
+let _e5105 = global_2.member[bitcast<u32>(select(0i, _e5100, (_e5100 > 0i)))];
 let _e5109 = (_e5095 + 1i);
 let _e5111 = select(_e4903, _e5109, (_e5109 < _e4903));
-let _e5116 = global_4.member[bitcast<u32>(select(0i, _e5111, (_e5111 > 0i)))];
+let _e5116 = global_2.member[bitcast<u32>(select(0i, _e5111, (_e5111 > 0i)))];
 let _e5123 = ((_e5105 >> bitcast<u32>((_e5098 & 31u))) | ((_e5116 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5098) & 31u))));
 let _e5124 = local_22.member_1[0u];
 let _e5130 = f32(bitcast<i32>(((_e5091 >> bitcast<u32>((_e5124 & 31u))) & 65535u)));
@@ -1878,20 +1878,20 @@ let _e5166 = (_e5164 + _e5165);
 let _e5168 = (_e5166 >> bitcast<u32>(1i));
 let _e5171 = bitcast<u32>(((_e5166 & 1i) * 16i));
 let _e5173 = select(_e4903, _e5168, (_e5168 < _e4903));
-let _e5178 = global_4.member[bitcast<u32>(select(0i, _e5173, (_e5173 > 0i)))];
+let _e5178 = global_2.member[bitcast<u32>(select(0i, _e5173, (_e5173 > 0i)))];
 let _e5182 = (_e5168 + 1i);
 let _e5184 = select(_e4903, _e5182, (_e5182 < _e4903));
-let _e5189 = global_4.member[bitcast<u32>(select(0i, _e5184, (_e5184 > 0i)))];
+let _e5189 = global_2.member[bitcast<u32>(select(0i, _e5184, (_e5184 > 0i)))];
 let _e5196 = ((_e5178 >> bitcast<u32>((_e5171 & 31u))) | ((_e5189 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5171) & 31u))));
 let _e5197 = local_22.member[2u];
 let _e5198 = (_e5164 + _e5197);
 let _e5200 = (_e5198 >> bitcast<u32>(1i));
 let _e5203 = bitcast<u32>(((_e5198 & 1i) * 16i));
 let _e5205 = select(_e4903, _e5200, (_e5200 < _e4903));
-let _e5210 = global_4.member[bitcast<u32>(select(0i, _e5205, (_e5205 > 0i)))];
+let _e5210 = global_2.member[bitcast<u32>(select(0i, _e5205, (_e5205 > 0i)))];
 let _e5214 = (_e5200 + 1i);
 let _e5216 = select(_e4903, _e5214, (_e5214 < _e4903));
-let _e5221 = global_4.member[bitcast<u32>(select(0i, _e5216, (_e5216 > 0i)))];
+let _e5221 = global_2.member[bitcast<u32>(select(0i, _e5216, (_e5216 > 0i)))];
 let _e5228 = ((_e5210 >> bitcast<u32>((_e5203 & 31u))) | ((_e5221 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5203) & 31u))));
 let _e5229 = local_22.member_1[0u];
 let _e5235 = f32(bitcast<i32>(((_e5196 >> bitcast<u32>((_e5229 & 31u))) & 65535u)));
@@ -1912,20 +1912,20 @@ let _e5271 = (_e5269 + _e5270);
 let _e5273 = (_e5271 >> bitcast<u32>(1i));
 let _e5276 = bitcast<u32>(((_e5271 & 1i) * 16i));
 let _e5278 = select(_e4903, _e5273, (_e5273 < _e4903));
-let _e5283 = global_4.member[bitcast<u32>(select(0i, _e5278, (_e5278 > 0i)))];
+let _e5283 = global_2.member[bitcast<u32>(select(0i, _e5278, (_e5278 > 0i)))];
 let _e5287 = (_e5273 + 1i);
 let _e5289 = select(_e4903, _e5287, (_e5287 < _e4903));
-let _e5294 = global_4.member[bitcast<u32>(select(0i, _e5289, (_e5289 > 0i)))];
+let _e5294 = global_2.member[bitcast<u32>(select(0i, _e5289, (_e5289 > 0i)))];
 let _e5301 = ((_e5283 >> bitcast<u32>((_e5276 & 31u))) | ((_e5294 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5276) & 31u))));
 let _e5302 = local_22.member[2u];
 let _e5303 = (_e5269 + _e5302);
 let _e5305 = (_e5303 >> bitcast<u32>(1i));
 let _e5308 = bitcast<u32>(((_e5303 & 1i) * 16i));
 let _e5310 = select(_e4903, _e5305, (_e5305 < _e4903));
-let _e5315 = global_4.member[bitcast<u32>(select(0i, _e5310, (_e5310 > 0i)))];
+let _e5315 = global_2.member[bitcast<u32>(select(0i, _e5310, (_e5310 > 0i)))];
 let _e5319 = (_e5305 + 1i);
 let _e5321 = select(_e4903, _e5319, (_e5319 < _e4903));
-let _e5326 = global_4.member[bitcast<u32>(select(0i, _e5321, (_e5321 > 0i)))];
+let _e5326 = global_2.member[bitcast<u32>(select(0i, _e5321, (_e5321 > 0i)))];
 let _e5333 = ((_e5315 >> bitcast<u32>((_e5308 & 31u))) | ((_e5326 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5308) & 31u))));
 let _e5334 = local_22.member_1[0u];
 let _e5340 = f32(bitcast<i32>(((_e5301 >> bitcast<u32>((_e5334 & 31u))) & 65535u)));
@@ -1943,10 +1943,10 @@ let _e5378 = ((_e4927 + _e4916) + _e5377);
 let _e5380 = (_e5378 >> bitcast<u32>(1i));
 let _e5383 = bitcast<u32>(((_e5378 & 1i) * 16i));
 let _e5385 = select(_e4903, _e5380, (_e5380 < _e4903));
-let _e5390 = global_4.member[bitcast<u32>(select(0i, _e5385, (_e5385 > 0i)))];
+let _e5390 = global_2.member[bitcast<u32>(select(0i, _e5385, (_e5385 > 0i)))];
 let _e5394 = (_e5380 + 1i);
 let _e5396 = select(_e4903, _e5394, (_e5394 < _e4903));
-let _e5401 = global_4.member[bitcast<u32>(select(0i, _e5396, (_e5396 > 0i)))];
+let _e5401 = global_2.member[bitcast<u32>(select(0i, _e5396, (_e5396 > 0i)))];
 let _e5408 = ((_e5390 >> bitcast<u32>((_e5383 & 31u))) | ((_e5401 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5383) & 31u))));
 let _e5411 = local_22.member_1[2u];
 let _e5417 = f32(bitcast<i32>(((_e5408 >> bitcast<u32>((_e5411 & 31u))) & 65535u)));
@@ -1958,10 +1958,10 @@ let _e5433 = ((_e4927 + _e4926) + _e5432);
 let _e5435 = (_e5433 >> bitcast<u32>(1i));
 let _e5438 = bitcast<u32>(((_e5433 & 1i) * 16i));
 let _e5440 = select(_e4903, _e5435, (_e5435 < _e4903));
-let _e5445 = global_4.member[bitcast<u32>(select(0i, _e5440, (_e5440 > 0i)))];
+let _e5445 = global_2.member[bitcast<u32>(select(0i, _e5440, (_e5440 > 0i)))];
 let _e5449 = (_e5435 + 1i);
 let _e5451 = select(_e4903, _e5449, (_e5449 < _e4903));
-let _e5456 = global_4.member[bitcast<u32>(select(0i, _e5451, (_e5451 > 0i)))];
+let _e5456 = global_2.member[bitcast<u32>(select(0i, _e5451, (_e5451 > 0i)))];
 let _e5463 = ((_e5445 >> bitcast<u32>((_e5438 & 31u))) | ((_e5456 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5438) & 31u))));
 let _e5464 = local_22.member_1[2u];
 let _e5470 = f32(bitcast<i32>(((_e5463 >> bitcast<u32>((_e5464 & 31u))) & 65535u)));
@@ -1972,10 +1972,10 @@ let _e5484 = ((_e4929 + _e4916) + _e5483);
 let _e5486 = (_e5484 >> bitcast<u32>(1i));
 let _e5489 = bitcast<u32>(((_e5484 & 1i) * 16i));
 let _e5491 = select(_e4903, _e5486, (_e5486 < _e4903));
-let _e5496 = global_4.member[bitcast<u32>(select(0i, _e5491, (_e5491 > 0i)))];
+let _e5496 = global_2.member[bitcast<u32>(select(0i, _e5491, (_e5491 > 0i)))];
 let _e5500 = (_e5486 + 1i);
 let _e5502 = select(_e4903, _e5500, (_e5500 < _e4903));
-let _e5507 = global_4.member[bitcast<u32>(select(0i, _e5502, (_e5502 > 0i)))];
+let _e5507 = global_2.member[bitcast<u32>(select(0i, _e5502, (_e5502 > 0i)))];
 let _e5514 = ((_e5496 >> bitcast<u32>((_e5489 & 31u))) | ((_e5507 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5489) & 31u))));
 let _e5515 = local_22.member_1[2u];
 let _e5521 = f32(bitcast<i32>(((_e5514 >> bitcast<u32>((_e5515 & 31u))) & 65535u)));
@@ -1987,10 +1987,10 @@ let _e5535 = ((_e4929 + _e4926) + _e5534);
 let _e5537 = (_e5535 >> bitcast<u32>(1i));
 let _e5540 = bitcast<u32>(((_e5535 & 1i) * 16i));
 let _e5542 = select(_e4903, _e5537, (_e5537 < _e4903));
-let _e5547 = global_4.member[bitcast<u32>(select(0i, _e5542, (_e5542 > 0i)))];
+let _e5547 = global_2.member[bitcast<u32>(select(0i, _e5542, (_e5542 > 0i)))];
 let _e5551 = (_e5537 + 1i);
 let _e5553 = select(_e4903, _e5551, (_e5551 < _e4903));
-let _e5558 = global_4.member[bitcast<u32>(select(0i, _e5553, (_e5553 > 0i)))];
+let _e5558 = global_2.member[bitcast<u32>(select(0i, _e5553, (_e5553 > 0i)))];
 let _e5565 = ((_e5547 >> bitcast<u32>((_e5540 & 31u))) | ((_e5558 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5540) & 31u))));
 let _e5566 = local_22.member_1[2u];
 let _e5572 = f32(bitcast<i32>(((_e5565 >> bitcast<u32>((_e5566 & 31u))) & 65535u)));
@@ -2001,10 +2001,10 @@ let _e5586 = ((_e4918 + _e4922) + _e5585);
 let _e5588 = (_e5586 >> bitcast<u32>(1i));
 let _e5591 = bitcast<u32>(((_e5586 & 1i) * 16i));
 let _e5593 = select(_e4903, _e5588, (_e5588 < _e4903));
-let _e5598 = global_4.member[bitcast<u32>(select(0i, _e5593, (_e5593 > 0i)))];
+let _e5598 = global_2.member[bitcast<u32>(select(0i, _e5593, (_e5593 > 0i)))];
 let _e5602 = (_e5588 + 1i);
 let _e5604 = select(_e4903, _e5602, (_e5602 < _e4903));
-let _e5609 = global_4.member[bitcast<u32>(select(0i, _e5604, (_e5604 > 0i)))];
+let _e5609 = global_2.member[bitcast<u32>(select(0i, _e5604, (_e5604 > 0i)))];
 let _e5616 = ((_e5598 >> bitcast<u32>((_e5591 & 31u))) | ((_e5609 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5591) & 31u))));
 let _e5617 = local_22.member_1[2u];
 let _e5623 = f32(bitcast<i32>(((_e5616 >> bitcast<u32>((_e5617 & 31u))) & 65535u)));
@@ -2016,10 +2016,10 @@ let _e5637 = ((_e4931 + _e4922) + _e5636);
 let _e5639 = (_e5637 >> bitcast<u32>(1i));
 let _e5642 = bitcast<u32>(((_e5637 & 1i) * 16i));
 let _e5644 = select(_e4903, _e5639, (_e5639 < _e4903));
-let _e5649 = global_4.member[bitcast<u32>(select(0i, _e5644, (_e5644 > 0i)))];
+let _e5649 = global_2.member[bitcast<u32>(select(0i, _e5644, (_e5644 > 0i)))];
 let _e5653 = (_e5639 + 1i);
 let _e5655 = select(_e4903, _e5653, (_e5653 < _e4903));
-let _e5660 = global_4.member[bitcast<u32>(select(0i, _e5655, (_e5655 > 0i)))];
+let _e5660 = global_2.member[bitcast<u32>(select(0i, _e5655, (_e5655 > 0i)))];
 let _e5667 = ((_e5649 >> bitcast<u32>((_e5642 & 31u))) | ((_e5660 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5642) & 31u))));
 let _e5668 = local_22.member_1[2u];
 let _e5674 = f32(bitcast<i32>(((_e5667 >> bitcast<u32>((_e5668 & 31u))) & 65535u)));
@@ -2031,10 +2031,10 @@ let _e5688 = ((_e4918 + _e4924) + _e5687);
 let _e5690 = (_e5688 >> bitcast<u32>(1i));
 let _e5693 = bitcast<u32>(((_e5688 & 1i) * 16i));
 let _e5695 = select(_e4903, _e5690, (_e5690 < _e4903));
-let _e5700 = global_4.member[bitcast<u32>(select(0i, _e5695, (_e5695 > 0i)))];
+let _e5700 = global_2.member[bitcast<u32>(select(0i, _e5695, (_e5695 > 0i)))];
 let _e5704 = (_e5690 + 1i);
 let _e5706 = select(_e4903, _e5704, (_e5704 < _e4903));
-let _e5711 = global_4.member[bitcast<u32>(select(0i, _e5706, (_e5706 > 0i)))];
+let _e5711 = global_2.member[bitcast<u32>(select(0i, _e5706, (_e5706 > 0i)))];
 let _e5718 = ((_e5700 >> bitcast<u32>((_e5693 & 31u))) | ((_e5711 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5693) & 31u))));
 let _e5719 = local_22.member_1[2u];
 let _e5725 = f32(bitcast<i32>(((_e5718 >> bitcast<u32>((_e5719 & 31u))) & 65535u)));
@@ -2045,10 +2045,10 @@ let _e5739 = ((_e4931 + _e4924) + _e5738);
 let _e5741 = (_e5739 >> bitcast<u32>(1i));
 let _e5744 = bitcast<u32>(((_e5739 & 1i) * 16i));
 let _e5746 = select(_e4903, _e5741, (_e5741 < _e4903));
-let _e5751 = global_4.member[bitcast<u32>(select(0i, _e5746, (_e5746 > 0i)))];
+let _e5751 = global_2.member[bitcast<u32>(select(0i, _e5746, (_e5746 > 0i)))];
 let _e5755 = (_e5741 + 1i);
 let _e5757 = select(_e4903, _e5755, (_e5755 < _e4903));
-let _e5762 = global_4.member[bitcast<u32>(select(0i, _e5757, (_e5757 > 0i)))];
+let _e5762 = global_2.member[bitcast<u32>(select(0i, _e5757, (_e5757 > 0i)))];
 let _e5769 = ((_e5751 >> bitcast<u32>((_e5744 & 31u))) | ((_e5762 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5744) & 31u))));
 let _e5770 = local_22.member_1[2u];
 let _e5776 = f32(bitcast<i32>(((_e5769 >> bitcast<u32>((_e5770 & 31u))) & 65535u)));
@@ -2110,50 +2110,50 @@ local_21 = _e5917;
 let _e5918 = local_21;
 let _e5920 = (bitcast<i32>(_e210) - 1i);
 let _e5922 = select(_e5920, 263197i, (263197i < _e5920));
-let _e5927 = global_5.member[bitcast<u32>(select(0i, _e5922, (_e5922 > 0i)))];
+let _e5927 = global_3.member[bitcast<u32>(select(0i, _e5922, (_e5922 > 0i)))];
 let _e5928 = bitcast<f32>(_e5927);
 let _e5930 = select(_e5920, 263198i, (263198i < _e5920));
 let _e5933 = bitcast<u32>(select(0i, _e5930, (_e5930 > 0i)));
-let _e5935 = global_5.member[_e5933];
+let _e5935 = global_3.member[_e5933];
 let _e5936 = bitcast<f32>(_e5935);
 let _e5938 = select(_e5920, 263199i, (263199i < _e5920));
-let _e5943 = global_5.member[bitcast<u32>(select(0i, _e5938, (_e5938 > 0i)))];
+let _e5943 = global_3.member[bitcast<u32>(select(0i, _e5938, (_e5938 > 0i)))];
 let _e5944 = bitcast<f32>(_e5943);
 let _e5946 = ((_e5918 - _e5928) * _e5936);
 let _e5948 = select(0f, _e5946, (_e5946 > 0f));
 let _e5951 = local_21;
 let _e5953 = select(_e5920, 263200i, (263200i < _e5920));
-let _e5958 = global_5.member[bitcast<u32>(select(0i, _e5953, (_e5953 > 0i)))];
+let _e5958 = global_3.member[bitcast<u32>(select(0i, _e5953, (_e5953 > 0i)))];
 let _e5959 = bitcast<f32>(_e5958);
 let _e5961 = select(_e5920, 263201i, (263201i < _e5920));
-let _e5966 = global_5.member[bitcast<u32>(select(0i, _e5961, (_e5961 > 0i)))];
+let _e5966 = global_3.member[bitcast<u32>(select(0i, _e5961, (_e5961 > 0i)))];
 let _e5967 = bitcast<f32>(_e5966);
 let _e5969 = select(_e5920, 263202i, (263202i < _e5920));
-let _e5974 = global_5.member[bitcast<u32>(select(0i, _e5969, (_e5969 > 0i)))];
+let _e5974 = global_3.member[bitcast<u32>(select(0i, _e5969, (_e5969 > 0i)))];
 let _e5975 = bitcast<f32>(_e5974);
 let _e5977 = ((_e5951 - _e5959) * _e5967);
 let _e5979 = select(0f, _e5977, (_e5977 > 0f));
 let _e5983 = local_21;
 let _e5985 = select(_e5920, 263203i, (263203i < _e5920));
-let _e5990 = global_5.member[bitcast<u32>(select(0i, _e5985, (_e5985 > 0i)))];
+let _e5990 = global_3.member[bitcast<u32>(select(0i, _e5985, (_e5985 > 0i)))];
 let _e5991 = bitcast<f32>(_e5990);
 let _e5993 = select(_e5920, 263204i, (263204i < _e5920));
-let _e5998 = global_5.member[bitcast<u32>(select(0i, _e5993, (_e5993 > 0i)))];
+let _e5998 = global_3.member[bitcast<u32>(select(0i, _e5993, (_e5993 > 0i)))];
 let _e5999 = bitcast<f32>(_e5998);
 let _e6001 = select(_e5920, 263205i, (263205i < _e5920));
-let _e6006 = global_5.member[bitcast<u32>(select(0i, _e6001, (_e6001 > 0i)))];
+let _e6006 = global_3.member[bitcast<u32>(select(0i, _e6001, (_e6001 > 0i)))];
 let _e6007 = bitcast<f32>(_e6006);
 let _e6009 = ((_e5983 - _e5991) * _e5999);
 let _e6011 = select(0f, _e6009, (_e6009 > 0f));
 let _e6014 = local_21;
 let _e6016 = select(_e5920, 263206i, (263206i < _e5920));
-let _e6021 = global_5.member[bitcast<u32>(select(0i, _e6016, (_e6016 > 0i)))];
+let _e6021 = global_3.member[bitcast<u32>(select(0i, _e6016, (_e6016 > 0i)))];
 let _e6022 = bitcast<f32>(_e6021);
 let _e6024 = select(_e5920, 263207i, (263207i < _e5920));
-let _e6029 = global_5.member[bitcast<u32>(select(0i, _e6024, (_e6024 > 0i)))];
+let _e6029 = global_3.member[bitcast<u32>(select(0i, _e6024, (_e6024 > 0i)))];
 let _e6030 = bitcast<f32>(_e6029);
 let _e6032 = select(_e5920, 263208i, (263208i < _e5920));
-let _e6037 = global_5.member[bitcast<u32>(select(0i, _e6032, (_e6032 > 0i)))];
+let _e6037 = global_3.member[bitcast<u32>(select(0i, _e6032, (_e6032 > 0i)))];
 let _e6038 = bitcast<f32>(_e6037);
 let _e6040 = ((_e6014 - _e6022) * _e6030);
 let _e6042 = select(0f, _e6040, (_e6040 > 0f));
@@ -2164,34 +2164,34 @@ let _e6057 = select(0i, select(select(i32(_e6050), i32(-2147483648), (_e6050 < -
 let _e6061 = (_e6057 - select(0i, 1i, (_e6050 < f32(_e6057))));
 let _e6062 = (262147i + _e6061);
 let _e6064 = select(_e5920, _e6062, (_e6062 < _e5920));
-let _e6070 = global_5.member[bitcast<u32>(select(0i, _e6064, (_e6064 > 0i)))];
+let _e6070 = global_3.member[bitcast<u32>(select(0i, _e6064, (_e6064 > 0i)))];
 let _e6080 = select(_e5920, 262146i, (262146i < _e5920));
-let _e6086 = global_5.member[bitcast<u32>(select(0i, _e6080, (_e6080 > 0i)))];
+let _e6086 = global_3.member[bitcast<u32>(select(0i, _e6080, (_e6080 > 0i)))];
 let _e6087 = bitcast<f32>(_e6086);
 let _e6088 = (f32((bitcast<i32>((_e6070 & 4095u)) - 2048i)) * _e6087);
 let _e6090 = select(_e5920, 262144i, (262144i < _e5920));
-let _e6096 = global_5.member[bitcast<u32>(select(0i, _e6090, (_e6090 > 0i)))];
+let _e6096 = global_3.member[bitcast<u32>(select(0i, _e6090, (_e6090 > 0i)))];
 let _e6097 = bitcast<f32>(_e6096);
 let _e6099 = select(_e5920, 262145i, (262145i < _e5920));
-let _e6105 = global_5.member[bitcast<u32>(select(0i, _e6099, (_e6099 > 0i)))];
+let _e6105 = global_3.member[bitcast<u32>(select(0i, _e6099, (_e6099 > 0i)))];
 let _e6106 = bitcast<f32>(_e6105);
 let _e6112 = ((_e6097 + (f32(bitcast<i32>((_e6070 >> bitcast<u32>(12u)))) * _e6106)) + (_e6088 * (_e6046 - f32(_e6061))));
-let _e6115 = global_5.member[_e5933];
+let _e6115 = global_3.member[_e5933];
 let _e6117 = local_20;
 let _e6120 = local_20;
 let _e6123 = local_20;
 let _e6127 = select(_e5920, 263209i, (263209i < _e5920));
-let _e6133 = global_5.member[bitcast<u32>(select(0i, _e6127, (_e6127 > 0i)))];
+let _e6133 = global_3.member[bitcast<u32>(select(0i, _e6127, (_e6127 > 0i)))];
 let _e6135 = local_20;
 let _e6138 = select(_e5920, 263210i, (263210i < _e5920));
-let _e6144 = global_5.member[bitcast<u32>(select(0i, _e6138, (_e6138 > 0i)))];
+let _e6144 = global_3.member[bitcast<u32>(select(0i, _e6138, (_e6138 > 0i)))];
 let _e6146 = local_20;
 let _e6150 = (_e6088 * select(0f, select(select(select(bitcast<f32>(_e6115), _e5967, (_e6117 >= _e5959)), _e5999, (_e6120 >= _e5991)), _e6030, (_e6123 >= _e6022)), ((_e6135 >= bitcast<f32>(_e6133)) && (_e6146 <= bitcast<f32>(_e6144)))));
 if _e514 {
 let _e6157 = ((0.5f * (_e5892 - _e5886)) * _e6150);
 let _e6158 = ((0.5f * (_e5904 - _e5898)) * _e6150);
 let _e6159 = ((0.5f * (_e5916 - _e5910)) * _e6150);
-phi_16267_ = type_34(_e6112, vec3<f32>(_e6157, _e6158, _e6159), vec3<f32>((_e6157 * _e6112), (_e6158 * _e6112), (_e6159 * _e6112)));
+phi_16267_ = type_33(_e6112, vec3<f32>(_e6157, _e6158, _e6159), vec3<f32>((_e6157 * _e6112), (_e6158 * _e6112), (_e6159 * _e6112)));
 } else {
 local_18 = _e5886;
 let _e6166 = local_18;
@@ -2215,7 +2215,7 @@ let _e6208 = select(0i, select(select(i32(_e6201), i32(-2147483648), (_e6201 < -
 let _e6212 = (_e6208 - select(0i, 1i, (_e6201 < f32(_e6208))));
 let _e6213 = (262147i + _e6212);
 let _e6215 = select(_e5920, _e6213, (_e6213 < _e5920));
-let _e6221 = global_5.member[bitcast<u32>(select(0i, _e6215, (_e6215 > 0i)))];
+let _e6221 = global_3.member[bitcast<u32>(select(0i, _e6215, (_e6215 > 0i)))];
 let _e6236 = ((_e6097 + (f32(bitcast<i32>((_e6221 >> bitcast<u32>(12u)))) * _e6106)) + ((f32((bitcast<i32>((_e6221 & 4095u)) - 2048i)) * _e6087) * (_e6197 - f32(_e6212))));
 local_16 = _e5892;
 let _e6237 = local_16;
@@ -2239,7 +2239,7 @@ let _e6279 = select(0i, select(select(i32(_e6272), i32(-2147483648), (_e6272 < -
 let _e6283 = (_e6279 - select(0i, 1i, (_e6272 < f32(_e6279))));
 let _e6284 = (262147i + _e6283);
 let _e6286 = select(_e5920, _e6284, (_e6284 < _e5920));
-let _e6292 = global_5.member[bitcast<u32>(select(0i, _e6286, (_e6286 > 0i)))];
+let _e6292 = global_3.member[bitcast<u32>(select(0i, _e6286, (_e6286 > 0i)))];
 let _e6307 = ((_e6097 + (f32(bitcast<i32>((_e6292 >> bitcast<u32>(12u)))) * _e6106)) + ((f32((bitcast<i32>((_e6292 & 4095u)) - 2048i)) * _e6087) * (_e6268 - f32(_e6283))));
 local_14 = _e5898;
 let _e6308 = local_14;
@@ -2263,7 +2263,7 @@ let _e6350 = select(0i, select(select(i32(_e6343), i32(-2147483648), (_e6343 < -
 let _e6354 = (_e6350 - select(0i, 1i, (_e6343 < f32(_e6350))));
 let _e6355 = (262147i + _e6354);
 let _e6357 = select(_e5920, _e6355, (_e6355 < _e5920));
-let _e6363 = global_5.member[bitcast<u32>(select(0i, _e6357, (_e6357 > 0i)))];
+let _e6363 = global_3.member[bitcast<u32>(select(0i, _e6357, (_e6357 > 0i)))];
 let _e6378 = ((_e6097 + (f32(bitcast<i32>((_e6363 >> bitcast<u32>(12u)))) * _e6106)) + ((f32((bitcast<i32>((_e6363 & 4095u)) - 2048i)) * _e6087) * (_e6339 - f32(_e6354))));
 local_12 = _e5904;
 let _e6379 = local_12;
@@ -2287,7 +2287,7 @@ let _e6421 = select(0i, select(select(i32(_e6414), i32(-2147483648), (_e6414 < -
 let _e6425 = (_e6421 - select(0i, 1i, (_e6414 < f32(_e6421))));
 let _e6426 = (262147i + _e6425);
 let _e6428 = select(_e5920, _e6426, (_e6426 < _e5920));
-let _e6434 = global_5.member[bitcast<u32>(select(0i, _e6428, (_e6428 > 0i)))];
+let _e6434 = global_3.member[bitcast<u32>(select(0i, _e6428, (_e6428 > 0i)))];
 let _e6449 = ((_e6097 + (f32(bitcast<i32>((_e6434 >> bitcast<u32>(12u)))) * _e6106)) + ((f32((bitcast<i32>((_e6434 & 4095u)) - 2048i)) * _e6087) * (_e6410 - f32(_e6425))));
 local_10 = _e5910;
 let _e6450 = local_10;
@@ -2311,7 +2311,7 @@ let _e6492 = select(0i, select(select(i32(_e6485), i32(-2147483648), (_e6485 < -
 let _e6496 = (_e6492 - select(0i, 1i, (_e6485 < f32(_e6492))));
 let _e6497 = (262147i + _e6496);
 let _e6499 = select(_e5920, _e6497, (_e6497 < _e5920));
-let _e6505 = global_5.member[bitcast<u32>(select(0i, _e6499, (_e6499 > 0i)))];
+let _e6505 = global_3.member[bitcast<u32>(select(0i, _e6499, (_e6499 > 0i)))];
 let _e6520 = ((_e6097 + (f32(bitcast<i32>((_e6505 >> bitcast<u32>(12u)))) * _e6106)) + ((f32((bitcast<i32>((_e6505 & 4095u)) - 2048i)) * _e6087) * (_e6481 - f32(_e6496))));
 local_8 = _e5916;
 let _e6521 = local_8;
@@ -2335,12 +2335,12 @@ let _e6563 = select(0i, select(select(i32(_e6556), i32(-2147483648), (_e6556 < -
 let _e6567 = (_e6563 - select(0i, 1i, (_e6556 < f32(_e6563))));
 let _e6568 = (262147i + _e6567);
 let _e6570 = select(_e5920, _e6568, (_e6568 < _e5920));
-let _e6576 = global_5.member[bitcast<u32>(select(0i, _e6570, (_e6570 > 0i)))];
+let _e6576 = global_3.member[bitcast<u32>(select(0i, _e6570, (_e6570 > 0i)))];
 let _e6591 = ((_e6097 + (f32(bitcast<i32>((_e6576 >> bitcast<u32>(12u)))) * _e6106)) + ((f32((bitcast<i32>((_e6576 & 4095u)) - 2048i)) * _e6087) * (_e6552 - f32(_e6567))));
 let _e6592 = (_e6307 - _e6236);
 let _e6594 = (_e6449 - _e6378);
 let _e6596 = (_e6591 - _e6520);
-phi_16267_ = type_34(_e6112, vec3<f32>((0.5f * _e6592), (0.5f * _e6594), (0.5f * _e6596)), vec3<f32>((0.25f * (_e6592 * (_e6307 + _e6236))), (0.25f * (_e6594 * (_e6449 + _e6378))), (0.25f * (_e6596 * (_e6591 + _e6520)))));
+phi_16267_ = type_33(_e6112, vec3<f32>((0.5f * _e6592), (0.5f * _e6594), (0.5f * _e6596)), vec3<f32>((0.25f * (_e6592 * (_e6307 + _e6236))), (0.25f * (_e6594 * (_e6449 + _e6378))), (0.25f * (_e6596 * (_e6591 + _e6520)))));
 }
 let _e6611 = phi_16267_;
 let _e6626 = select(0f, 1f, ((((((_e4799 >= -0.5f) && (_e4799 <= _e4097)) && (_e4805 >= -0.5f)) && (_e4805 <= _e4178)) && (_e4811 >= -0.5f)) && (_e4811 <= _e4259)));
@@ -2356,7 +2356,7 @@ let _e6668 = global_1.member.member_6.member_1.member.member_2;
 let _e6674 = global_1.member.member_6.member_2.member.member;
 let _e6680 = global_1.member.member_6.member_2.member.member_1;
 let _e6686 = global_1.member.member_6.member_2.member.member_2;
-phi_16969_ = type_35(_e5880, vec3<f32>(((((_e6638 * _e6628) + (_e6656 * _e6630)) + (_e6674 * _e6632)) * _e6626), ((((_e6644 * _e6628) + (_e6662 * _e6630)) + (_e6680 * _e6632)) * _e6626), ((((_e6650 * _e6628) + (_e6668 * _e6630)) + (_e6686 * _e6632)) * _e6626)), _e6611.member, vec3<f32>(((((_e6638 * _e6611.member_2.x) + (_e6656 * _e6611.member_2.y)) + (_e6674 * _e6611.member_2.z)) * _e6626), ((((_e6644 * _e6611.member_2.x) + (_e6662 * _e6611.member_2.y)) + (_e6680 * _e6611.member_2.z)) * _e6626), ((((_e6650 * _e6611.member_2.x) + (_e6668 * _e6611.member_2.y)) + (_e6686 * _e6611.member_2.z)) * _e6626)), vec3<f32>(((((_e6638 * _e6611.member_1.x) + (_e6656 * _e6611.member_1.y)) + (_e6674 * _e6611.member_1.z)) * _e6626), ((((_e6644 * _e6611.member_1.x) + (_e6662 * _e6611.member_1.y)) + (_e6680 * _e6611.member_1.z)) * _e6626), ((((_e6650 * _e6611.member_1.x) + (_e6668 * _e6611.member_1.y)) + (_e6686 * _e6611.member_1.z)) * _e6626)));
+phi_16969_ = type_34(_e5880, vec3<f32>(((((_e6638 * _e6628) + (_e6656 * _e6630)) + (_e6674 * _e6632)) * _e6626), ((((_e6644 * _e6628) + (_e6662 * _e6630)) + (_e6680 * _e6632)) * _e6626), ((((_e6650 * _e6628) + (_e6668 * _e6630)) + (_e6686 * _e6632)) * _e6626)), _e6611.member, vec3<f32>(((((_e6638 * _e6611.member_2.x) + (_e6656 * _e6611.member_2.y)) + (_e6674 * _e6611.member_2.z)) * _e6626), ((((_e6644 * _e6611.member_2.x) + (_e6662 * _e6611.member_2.y)) + (_e6680 * _e6611.member_2.z)) * _e6626), ((((_e6650 * _e6611.member_2.x) + (_e6668 * _e6611.member_2.y)) + (_e6686 * _e6611.member_2.z)) * _e6626)), vec3<f32>(((((_e6638 * _e6611.member_1.x) + (_e6656 * _e6611.member_1.y)) + (_e6674 * _e6611.member_1.z)) * _e6626), ((((_e6644 * _e6611.member_1.x) + (_e6662 * _e6611.member_1.y)) + (_e6680 * _e6611.member_1.z)) * _e6626), ((((_e6650 * _e6611.member_1.x) + (_e6668 * _e6611.member_1.y)) + (_e6686 * _e6611.member_1.z)) * _e6626)));
 } else {
 let _e6752 = select(-0.5f, _e4799, (_e4799 > -0.5f));
 let _e6754 = select(_e4097, _e6752, (_e6752 < _e4097));
@@ -2386,7 +2386,7 @@ let _e6829 = global_1.member.member_6.member_11.member_1;
 let _e6840 = ((_e6816 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6823) * ((_e6817 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6829) * (_e6818 >> bitcast<u32>(4i))))));
 let _e6842 = (bitcast<i32>(_e207) - 1i);
 let _e6844 = select(_e6842, _e6840, (_e6840 < _e6842));
-let _e6850 = global_4.member[bitcast<u32>(select(0i, _e6844, (_e6844 > 0i)))];
+let _e6850 = global_2.member[bitcast<u32>(select(0i, _e6844, (_e6844 > 0i)))];
 let _e6852 = (_e6816 & 15i);
 let _e6855 = ((_e6817 & 15i) * _e6811);
 let _e6857 = (bitcast<i32>(_e6850) + ((_e6818 & 15i) * _e6815));
@@ -2394,17 +2394,17 @@ let _e6861 = (_e6855 + _e6811);
 let _e6863 = (_e6855 + (2i * _e6811));
 let _e6864 = (_e6857 + _e6815);
 let _e6866 = (_e6857 + (2i * _e6815));
-local_6 = type_32(array<i32, 4>(_e6852, (_e6852 + 1i), (_e6852 + 2i), (_e6852 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_29(array<i32, 4>(_e6852, (_e6852 + 1i), (_e6852 + 2i), (_e6852 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e6754 - f32(_e6777)), (_e6758 - f32(_e6792)), (_e6762 - f32(_e6807)));
 let _e6880 = local_6.member[1u];
 let _e6881 = ((_e6864 + _e6861) + _e6880);
 let _e6883 = (_e6881 >> bitcast<u32>(1i));
 let _e6886 = bitcast<u32>(((_e6881 & 1i) * 16i));
 let _e6888 = select(_e6842, _e6883, (_e6883 < _e6842));
-let _e6893 = global_4.member[bitcast<u32>(select(0i, _e6888, (_e6888 > 0i)))];
+let _e6893 = global_2.member[bitcast<u32>(select(0i, _e6888, (_e6888 > 0i)))];
 let _e6897 = (_e6883 + 1i);
 let _e6899 = select(_e6842, _e6897, (_e6897 < _e6842));
-let _e6904 = global_4.member[bitcast<u32>(select(0i, _e6899, (_e6899 > 0i)))];
+let _e6904 = global_2.member[bitcast<u32>(select(0i, _e6899, (_e6899 > 0i)))];
 let _e6911 = ((_e6893 >> bitcast<u32>((_e6886 & 31u))) | ((_e6904 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6886) & 31u))));
 let _e6914 = local_6.member_1[2u];
 let _e6920 = f32(bitcast<i32>(((_e6911 >> bitcast<u32>((_e6914 & 31u))) & 65535u)));
@@ -2416,10 +2416,10 @@ let _e6936 = ((_e6864 + _e6863) + _e6935);
 let _e6938 = (_e6936 >> bitcast<u32>(1i));
 let _e6941 = bitcast<u32>(((_e6936 & 1i) * 16i));
 let _e6943 = select(_e6842, _e6938, (_e6938 < _e6842));
-let _e6948 = global_4.member[bitcast<u32>(select(0i, _e6943, (_e6943 > 0i)))];
+let _e6948 = global_2.member[bitcast<u32>(select(0i, _e6943, (_e6943 > 0i)))];
 let _e6952 = (_e6938 + 1i);
 let _e6954 = select(_e6842, _e6952, (_e6952 < _e6842));
-let _e6959 = global_4.member[bitcast<u32>(select(0i, _e6954, (_e6954 > 0i)))];
+let _e6959 = global_2.member[bitcast<u32>(select(0i, _e6954, (_e6954 > 0i)))];
 let _e6966 = ((_e6948 >> bitcast<u32>((_e6941 & 31u))) | ((_e6959 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6941) & 31u))));
 let _e6967 = local_6.member_1[2u];
 let _e6973 = f32(bitcast<i32>(((_e6966 >> bitcast<u32>((_e6967 & 31u))) & 65535u)));
@@ -2432,10 +2432,10 @@ let _e6992 = ((_e6866 + _e6861) + _e6991);
 let _e6994 = (_e6992 >> bitcast<u32>(1i));
 let _e6997 = bitcast<u32>(((_e6992 & 1i) * 16i));
 let _e6999 = select(_e6842, _e6994, (_e6994 < _e6842));
-let _e7004 = global_4.member[bitcast<u32>(select(0i, _e6999, (_e6999 > 0i)))];
+let _e7004 = global_2.member[bitcast<u32>(select(0i, _e6999, (_e6999 > 0i)))];
 let _e7008 = (_e6994 + 1i);
 let _e7010 = select(_e6842, _e7008, (_e7008 < _e6842));
-let _e7015 = global_4.member[bitcast<u32>(select(0i, _e7010, (_e7010 > 0i)))];
+let _e7015 = global_2.member[bitcast<u32>(select(0i, _e7010, (_e7010 > 0i)))];
 let _e7022 = ((_e7004 >> bitcast<u32>((_e6997 & 31u))) | ((_e7015 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6997) & 31u))));
 let _e7023 = local_6.member_1[2u];
 let _e7029 = f32(bitcast<i32>(((_e7022 >> bitcast<u32>((_e7023 & 31u))) & 65535u)));
@@ -2447,10 +2447,10 @@ let _e7043 = ((_e6866 + _e6863) + _e7042);
 let _e7045 = (_e7043 >> bitcast<u32>(1i));
 let _e7048 = bitcast<u32>(((_e7043 & 1i) * 16i));
 let _e7050 = select(_e6842, _e7045, (_e7045 < _e6842));
-let _e7055 = global_4.member[bitcast<u32>(select(0i, _e7050, (_e7050 > 0i)))];
+let _e7055 = global_2.member[bitcast<u32>(select(0i, _e7050, (_e7050 > 0i)))];
 let _e7059 = (_e7045 + 1i);
 let _e7061 = select(_e6842, _e7059, (_e7059 < _e6842));
-let _e7066 = global_4.member[bitcast<u32>(select(0i, _e7061, (_e7061 > 0i)))];
+let _e7066 = global_2.member[bitcast<u32>(select(0i, _e7061, (_e7061 > 0i)))];
 let _e7073 = ((_e7055 >> bitcast<u32>((_e7048 & 31u))) | ((_e7066 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7048) & 31u))));
 let _e7074 = local_6.member_1[2u];
 let _e7080 = f32(bitcast<i32>(((_e7073 >> bitcast<u32>((_e7074 & 31u))) & 65535u)));
@@ -2463,11 +2463,11 @@ let _e7108 = global_1.member.member_6.member_5;
 let _e7110 = (((_e6989 + (((_e7040 + (((_e7080 + ((f32(bitcast<i32>(((_e7073 >> bitcast<u32>((_e7081 & 31u))) & 65535u))) - _e7080) * _e7088)) - _e7040) * _e7092)) - _e6989) * _e7097)) - _e7104) * _e7108);
 let _e7111 = -(1e9f);
 let _e7113 = select(_e7111, _e7110, (_e7110 > _e7111));
-phi_16969_ = type_35(select(1e9f, _e7113, (_e7113 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_16969_ = type_34(select(1e9f, _e7113, (_e7113 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7118 = phi_16969_;
 if _e2863 {
-phi_17361_ = type_5(1f, 1f, 1f);
+phi_17361_ = type_7(1f, 1f, 1f);
 } else {
 let _e7122 = global_1.member.member_14.member;
 let _e7133 = ((((_e7122.member.member * _e3933.member.x) + (_e7122.member.member_1 * _e3933.member.y)) + (_e7122.member.member_2 * _e3933.member.z)) + _e7122.member_1);
@@ -2513,7 +2513,7 @@ let _e7300 = select(0f, _e7298, (_e7298 > 0f));
 let _e7306 = select(select(select(1f, _e7300, (_e7300 < 1f)), 1f, (_e7293 <= 0f)), 0f, (_e7291 > 0f));
 let _e7311 = global_1.member.member_17.member_1;
 let _e7312 = (_e7311 != 0u);
-phi_17361_ = type_5(((((1f * _e7156) * _e7206) * _e7256) * _e7306), ((((1f * select(1f, _e7156, _e7162)) * select(1f, _e7206, _e7212)) * select(1f, _e7256, _e7262)) * select(1f, _e7306, _e7312)), ((((1f * select(1f, 0f, (_e7162 && (_e7139 > 0f)))) * select(1f, 0f, (_e7212 && (_e7189 > 0f)))) * select(1f, 0f, (_e7262 && (_e7239 > 0f)))) * select(1f, 0f, (_e7312 && (_e7289 > 0f)))));
+phi_17361_ = type_7(((((1f * _e7156) * _e7206) * _e7256) * _e7306), ((((1f * select(1f, _e7156, _e7162)) * select(1f, _e7206, _e7212)) * select(1f, _e7256, _e7262)) * select(1f, _e7306, _e7312)), ((((1f * select(1f, 0f, (_e7162 && (_e7139 > 0f)))) * select(1f, 0f, (_e7212 && (_e7189 > 0f)))) * select(1f, 0f, (_e7262 && (_e7239 > 0f)))) * select(1f, 0f, (_e7312 && (_e7289 > 0f)))));
 }
 let _e7321 = phi_17361_;
 let _e7324 = (select(0f, (_e4679 - 0.5f), _e4661) * _e4028);
@@ -2548,7 +2548,7 @@ let _e7409 = global_1.member.member_6.member_11.member_1;
 let _e7420 = ((_e7396 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7403) * ((_e7397 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7409) * (_e7398 >> bitcast<u32>(4i))))));
 let _e7422 = (bitcast<i32>(_e207) - 1i);
 let _e7424 = select(_e7422, _e7420, (_e7420 < _e7422));
-let _e7430 = global_4.member[bitcast<u32>(select(0i, _e7424, (_e7424 > 0i)))];
+let _e7430 = global_2.member[bitcast<u32>(select(0i, _e7424, (_e7424 > 0i)))];
 let _e7432 = (_e7396 & 15i);
 let _e7435 = ((_e7397 & 15i) * _e7391);
 let _e7437 = (bitcast<i32>(_e7430) + ((_e7398 & 15i) * _e7395));
@@ -2556,17 +2556,17 @@ let _e7441 = (_e7435 + _e7391);
 let _e7443 = (_e7435 + (2i * _e7391));
 let _e7444 = (_e7437 + _e7395);
 let _e7446 = (_e7437 + (2i * _e7395));
-local_4 = type_32(array<i32, 4>(_e7432, (_e7432 + 1i), (_e7432 + 2i), (_e7432 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_4 = type_29(array<i32, 4>(_e7432, (_e7432 + 1i), (_e7432 + 2i), (_e7432 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_5 = vec3<f32>((_e7334 - f32(_e7357)), (_e7338 - f32(_e7372)), (_e7342 - f32(_e7387)));
 let _e7460 = local_4.member[1u];
 let _e7461 = ((_e7444 + _e7441) + _e7460);
 let _e7463 = (_e7461 >> bitcast<u32>(1i));
 let _e7466 = bitcast<u32>(((_e7461 & 1i) * 16i));
 let _e7468 = select(_e7422, _e7463, (_e7463 < _e7422));
-let _e7473 = global_4.member[bitcast<u32>(select(0i, _e7468, (_e7468 > 0i)))];
+let _e7473 = global_2.member[bitcast<u32>(select(0i, _e7468, (_e7468 > 0i)))];
 let _e7477 = (_e7463 + 1i);
 let _e7479 = select(_e7422, _e7477, (_e7477 < _e7422));
-let _e7484 = global_4.member[bitcast<u32>(select(0i, _e7479, (_e7479 > 0i)))];
+let _e7484 = global_2.member[bitcast<u32>(select(0i, _e7479, (_e7479 > 0i)))];
 let _e7491 = ((_e7473 >> bitcast<u32>((_e7466 & 31u))) | ((_e7484 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7466) & 31u))));
 let _e7494 = local_4.member_1[2u];
 let _e7500 = f32(bitcast<i32>(((_e7491 >> bitcast<u32>((_e7494 & 31u))) & 65535u)));
@@ -2578,10 +2578,10 @@ let _e7516 = ((_e7444 + _e7443) + _e7515);
 let _e7518 = (_e7516 >> bitcast<u32>(1i));
 let _e7521 = bitcast<u32>(((_e7516 & 1i) * 16i));
 let _e7523 = select(_e7422, _e7518, (_e7518 < _e7422));
-let _e7528 = global_4.member[bitcast<u32>(select(0i, _e7523, (_e7523 > 0i)))];
+let _e7528 = global_2.member[bitcast<u32>(select(0i, _e7523, (_e7523 > 0i)))];
 let _e7532 = (_e7518 + 1i);
 let _e7534 = select(_e7422, _e7532, (_e7532 < _e7422));
-let _e7539 = global_4.member[bitcast<u32>(select(0i, _e7534, (_e7534 > 0i)))];
+let _e7539 = global_2.member[bitcast<u32>(select(0i, _e7534, (_e7534 > 0i)))];
 let _e7546 = ((_e7528 >> bitcast<u32>((_e7521 & 31u))) | ((_e7539 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7521) & 31u))));
 let _e7547 = local_4.member_1[2u];
 let _e7553 = f32(bitcast<i32>(((_e7546 >> bitcast<u32>((_e7547 & 31u))) & 65535u)));
@@ -2594,10 +2594,10 @@ let _e7572 = ((_e7446 + _e7441) + _e7571);
 let _e7574 = (_e7572 >> bitcast<u32>(1i));
 let _e7577 = bitcast<u32>(((_e7572 & 1i) * 16i));
 let _e7579 = select(_e7422, _e7574, (_e7574 < _e7422));
-let _e7584 = global_4.member[bitcast<u32>(select(0i, _e7579, (_e7579 > 0i)))];
+let _e7584 = global_2.member[bitcast<u32>(select(0i, _e7579, (_e7579 > 0i)))];
 let _e7588 = (_e7574 + 1i);
 let _e7590 = select(_e7422, _e7588, (_e7588 < _e7422));
-let _e7595 = global_4.member[bitcast<u32>(select(0i, _e7590, (_e7590 > 0i)))];
+let _e7595 = global_2.member[bitcast<u32>(select(0i, _e7590, (_e7590 > 0i)))];
 let _e7602 = ((_e7584 >> bitcast<u32>((_e7577 & 31u))) | ((_e7595 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7577) & 31u))));
 let _e7603 = local_4.member_1[2u];
 let _e7609 = f32(bitcast<i32>(((_e7602 >> bitcast<u32>((_e7603 & 31u))) & 65535u)));
@@ -2609,10 +2609,10 @@ let _e7623 = ((_e7446 + _e7443) + _e7622);
 let _e7625 = (_e7623 >> bitcast<u32>(1i));
 let _e7628 = bitcast<u32>(((_e7623 & 1i) * 16i));
 let _e7630 = select(_e7422, _e7625, (_e7625 < _e7422));
-let _e7635 = global_4.member[bitcast<u32>(select(0i, _e7630, (_e7630 > 0i)))];
+let _e7635 = global_2.member[bitcast<u32>(select(0i, _e7630, (_e7630 > 0i)))];
 let _e7639 = (_e7625 + 1i);
 let _e7641 = select(_e7422, _e7639, (_e7639 < _e7422));
-let _e7646 = global_4.member[bitcast<u32>(select(0i, _e7641, (_e7641 > 0i)))];
+let _e7646 = global_2.member[bitcast<u32>(select(0i, _e7641, (_e7641 > 0i)))];
 let _e7653 = ((_e7635 >> bitcast<u32>((_e7628 & 31u))) | ((_e7646 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7628) & 31u))));
 let _e7654 = local_4.member_1[2u];
 let _e7660 = f32(bitcast<i32>(((_e7653 >> bitcast<u32>((_e7654 & 31u))) & 65535u)));
@@ -2631,41 +2631,41 @@ local_3 = _e7696;
 let _e7697 = local_3;
 let _e7699 = (bitcast<i32>(_e210) - 1i);
 let _e7701 = select(_e7699, 263197i, (263197i < _e7699));
-let _e7706 = global_5.member[bitcast<u32>(select(0i, _e7701, (_e7701 > 0i)))];
+let _e7706 = global_3.member[bitcast<u32>(select(0i, _e7701, (_e7701 > 0i)))];
 let _e7709 = select(_e7699, 263198i, (263198i < _e7699));
-let _e7714 = global_5.member[bitcast<u32>(select(0i, _e7709, (_e7709 > 0i)))];
+let _e7714 = global_3.member[bitcast<u32>(select(0i, _e7709, (_e7709 > 0i)))];
 let _e7717 = select(_e7699, 263199i, (263199i < _e7699));
-let _e7722 = global_5.member[bitcast<u32>(select(0i, _e7717, (_e7717 > 0i)))];
+let _e7722 = global_3.member[bitcast<u32>(select(0i, _e7717, (_e7717 > 0i)))];
 let _e7723 = bitcast<f32>(_e7722);
 let _e7725 = ((_e7697 - bitcast<f32>(_e7706)) * bitcast<f32>(_e7714));
 let _e7727 = select(0f, _e7725, (_e7725 > 0f));
 let _e7730 = local_3;
 let _e7732 = select(_e7699, 263200i, (263200i < _e7699));
-let _e7737 = global_5.member[bitcast<u32>(select(0i, _e7732, (_e7732 > 0i)))];
+let _e7737 = global_3.member[bitcast<u32>(select(0i, _e7732, (_e7732 > 0i)))];
 let _e7740 = select(_e7699, 263201i, (263201i < _e7699));
-let _e7745 = global_5.member[bitcast<u32>(select(0i, _e7740, (_e7740 > 0i)))];
+let _e7745 = global_3.member[bitcast<u32>(select(0i, _e7740, (_e7740 > 0i)))];
 let _e7748 = select(_e7699, 263202i, (263202i < _e7699));
-let _e7753 = global_5.member[bitcast<u32>(select(0i, _e7748, (_e7748 > 0i)))];
+let _e7753 = global_3.member[bitcast<u32>(select(0i, _e7748, (_e7748 > 0i)))];
 let _e7754 = bitcast<f32>(_e7753);
 let _e7756 = ((_e7730 - bitcast<f32>(_e7737)) * bitcast<f32>(_e7745));
 let _e7758 = select(0f, _e7756, (_e7756 > 0f));
 let _e7762 = local_3;
 let _e7764 = select(_e7699, 263203i, (263203i < _e7699));
-let _e7769 = global_5.member[bitcast<u32>(select(0i, _e7764, (_e7764 > 0i)))];
+let _e7769 = global_3.member[bitcast<u32>(select(0i, _e7764, (_e7764 > 0i)))];
 let _e7772 = select(_e7699, 263204i, (263204i < _e7699));
-let _e7777 = global_5.member[bitcast<u32>(select(0i, _e7772, (_e7772 > 0i)))];
+let _e7777 = global_3.member[bitcast<u32>(select(0i, _e7772, (_e7772 > 0i)))];
 let _e7780 = select(_e7699, 263205i, (263205i < _e7699));
-let _e7785 = global_5.member[bitcast<u32>(select(0i, _e7780, (_e7780 > 0i)))];
+let _e7785 = global_3.member[bitcast<u32>(select(0i, _e7780, (_e7780 > 0i)))];
 let _e7786 = bitcast<f32>(_e7785);
 let _e7788 = ((_e7762 - bitcast<f32>(_e7769)) * bitcast<f32>(_e7777));
 let _e7790 = select(0f, _e7788, (_e7788 > 0f));
 let _e7793 = local_3;
 let _e7795 = select(_e7699, 263206i, (263206i < _e7699));
-let _e7800 = global_5.member[bitcast<u32>(select(0i, _e7795, (_e7795 > 0i)))];
+let _e7800 = global_3.member[bitcast<u32>(select(0i, _e7795, (_e7795 > 0i)))];
 let _e7803 = select(_e7699, 263207i, (263207i < _e7699));
-let _e7808 = global_5.member[bitcast<u32>(select(0i, _e7803, (_e7803 > 0i)))];
+let _e7808 = global_3.member[bitcast<u32>(select(0i, _e7803, (_e7803 > 0i)))];
 let _e7811 = select(_e7699, 263208i, (263208i < _e7699));
-let _e7816 = global_5.member[bitcast<u32>(select(0i, _e7811, (_e7811 > 0i)))];
+let _e7816 = global_3.member[bitcast<u32>(select(0i, _e7811, (_e7811 > 0i)))];
 let _e7817 = bitcast<f32>(_e7816);
 let _e7819 = ((_e7793 - bitcast<f32>(_e7800)) * bitcast<f32>(_e7808));
 let _e7821 = select(0f, _e7819, (_e7819 > 0f));
@@ -2676,13 +2676,13 @@ let _e7836 = select(0i, select(select(i32(_e7829), i32(-2147483648), (_e7829 < -
 let _e7840 = (_e7836 - select(0i, 1i, (_e7829 < f32(_e7836))));
 let _e7841 = (262147i + _e7840);
 let _e7843 = select(_e7699, _e7841, (_e7841 < _e7699));
-let _e7849 = global_5.member[bitcast<u32>(select(0i, _e7843, (_e7843 > 0i)))];
+let _e7849 = global_3.member[bitcast<u32>(select(0i, _e7843, (_e7843 > 0i)))];
 let _e7859 = select(_e7699, 262146i, (262146i < _e7699));
-let _e7865 = global_5.member[bitcast<u32>(select(0i, _e7859, (_e7859 > 0i)))];
+let _e7865 = global_3.member[bitcast<u32>(select(0i, _e7859, (_e7859 > 0i)))];
 let _e7869 = select(_e7699, 262144i, (262144i < _e7699));
-let _e7875 = global_5.member[bitcast<u32>(select(0i, _e7869, (_e7869 > 0i)))];
+let _e7875 = global_3.member[bitcast<u32>(select(0i, _e7869, (_e7869 > 0i)))];
 let _e7878 = select(_e7699, 262145i, (262145i < _e7699));
-let _e7884 = global_5.member[bitcast<u32>(select(0i, _e7878, (_e7878 > 0i)))];
+let _e7884 = global_3.member[bitcast<u32>(select(0i, _e7878, (_e7878 > 0i)))];
 let _e7891 = ((bitcast<f32>(_e7875) + (f32(bitcast<i32>((_e7849 >> bitcast<u32>(12u)))) * bitcast<f32>(_e7884))) + ((f32((bitcast<i32>((_e7849 & 4095u)) - 2048i)) * bitcast<f32>(_e7865)) * (_e7825 - f32(_e7840))));
 let _e7892 = select(1f, _e7891, _e3946);
 let _e7893 = select(_e7891, 1f, _e3946);
@@ -2747,97 +2747,97 @@ let _e8078 = (((sqrt(select(0f, _e7973, (_e7973 > 0f))) * select(0f, _e8069, (_e
 local_1 = _e7964;
 let _e8079 = local_1;
 let _e8081 = select(_e7699, 263171i, (263171i < _e7699));
-let _e8086 = global_5.member[bitcast<u32>(select(0i, _e8081, (_e8081 > 0i)))];
+let _e8086 = global_3.member[bitcast<u32>(select(0i, _e8081, (_e8081 > 0i)))];
 let _e8087 = bitcast<f32>(_e8086);
 let _e8089 = select(_e7699, 263172i, (263172i < _e7699));
-let _e8094 = global_5.member[bitcast<u32>(select(0i, _e8089, (_e8089 > 0i)))];
+let _e8094 = global_3.member[bitcast<u32>(select(0i, _e8089, (_e8089 > 0i)))];
 let _e8095 = bitcast<f32>(_e8094);
 let _e8097 = select(_e7699, 263173i, (263173i < _e7699));
-let _e8102 = global_5.member[bitcast<u32>(select(0i, _e8097, (_e8097 > 0i)))];
+let _e8102 = global_3.member[bitcast<u32>(select(0i, _e8097, (_e8097 > 0i)))];
 let _e8103 = bitcast<f32>(_e8102);
 let _e8105 = ((_e8079 - _e8087) * _e8095);
 let _e8107 = select(0f, _e8105, (_e8105 > 0f));
 let _e8110 = local_1;
 let _e8112 = select(_e7699, 263174i, (263174i < _e7699));
-let _e8117 = global_5.member[bitcast<u32>(select(0i, _e8112, (_e8112 > 0i)))];
+let _e8117 = global_3.member[bitcast<u32>(select(0i, _e8112, (_e8112 > 0i)))];
 let _e8118 = bitcast<f32>(_e8117);
 let _e8120 = select(_e7699, 263175i, (263175i < _e7699));
-let _e8125 = global_5.member[bitcast<u32>(select(0i, _e8120, (_e8120 > 0i)))];
+let _e8125 = global_3.member[bitcast<u32>(select(0i, _e8120, (_e8120 > 0i)))];
 let _e8126 = bitcast<f32>(_e8125);
 let _e8128 = select(_e7699, 263176i, (263176i < _e7699));
-let _e8133 = global_5.member[bitcast<u32>(select(0i, _e8128, (_e8128 > 0i)))];
+let _e8133 = global_3.member[bitcast<u32>(select(0i, _e8128, (_e8128 > 0i)))];
 let _e8134 = bitcast<f32>(_e8133);
 let _e8136 = ((_e8110 - _e8118) * _e8126);
 let _e8138 = select(0f, _e8136, (_e8136 > 0f));
 let _e8142 = local_1;
 let _e8144 = select(_e7699, 263177i, (263177i < _e7699));
-let _e8149 = global_5.member[bitcast<u32>(select(0i, _e8144, (_e8144 > 0i)))];
+let _e8149 = global_3.member[bitcast<u32>(select(0i, _e8144, (_e8144 > 0i)))];
 let _e8150 = bitcast<f32>(_e8149);
 let _e8152 = select(_e7699, 263178i, (263178i < _e7699));
-let _e8157 = global_5.member[bitcast<u32>(select(0i, _e8152, (_e8152 > 0i)))];
+let _e8157 = global_3.member[bitcast<u32>(select(0i, _e8152, (_e8152 > 0i)))];
 let _e8158 = bitcast<f32>(_e8157);
 let _e8160 = select(_e7699, 263179i, (263179i < _e7699));
-let _e8165 = global_5.member[bitcast<u32>(select(0i, _e8160, (_e8160 > 0i)))];
+let _e8165 = global_3.member[bitcast<u32>(select(0i, _e8160, (_e8160 > 0i)))];
 let _e8166 = bitcast<f32>(_e8165);
 let _e8168 = ((_e8142 - _e8150) * _e8158);
 let _e8170 = select(0f, _e8168, (_e8168 > 0f));
 let _e8173 = local_1;
 let _e8175 = select(_e7699, 263180i, (263180i < _e7699));
-let _e8180 = global_5.member[bitcast<u32>(select(0i, _e8175, (_e8175 > 0i)))];
+let _e8180 = global_3.member[bitcast<u32>(select(0i, _e8175, (_e8175 > 0i)))];
 let _e8181 = bitcast<f32>(_e8180);
 let _e8183 = select(_e7699, 263181i, (263181i < _e7699));
-let _e8188 = global_5.member[bitcast<u32>(select(0i, _e8183, (_e8183 > 0i)))];
+let _e8188 = global_3.member[bitcast<u32>(select(0i, _e8183, (_e8183 > 0i)))];
 let _e8189 = bitcast<f32>(_e8188);
 let _e8191 = select(_e7699, 263182i, (263182i < _e7699));
-let _e8196 = global_5.member[bitcast<u32>(select(0i, _e8191, (_e8191 > 0i)))];
+let _e8196 = global_3.member[bitcast<u32>(select(0i, _e8191, (_e8191 > 0i)))];
 let _e8197 = bitcast<f32>(_e8196);
 let _e8199 = ((_e8173 - _e8181) * _e8189);
 let _e8201 = select(0f, _e8199, (_e8199 > 0f));
 let _e8206 = local_1;
 let _e8208 = select(_e7699, 263183i, (263183i < _e7699));
-let _e8213 = global_5.member[bitcast<u32>(select(0i, _e8208, (_e8208 > 0i)))];
+let _e8213 = global_3.member[bitcast<u32>(select(0i, _e8208, (_e8208 > 0i)))];
 let _e8214 = bitcast<f32>(_e8213);
 let _e8216 = select(_e7699, 263184i, (263184i < _e7699));
-let _e8221 = global_5.member[bitcast<u32>(select(0i, _e8216, (_e8216 > 0i)))];
+let _e8221 = global_3.member[bitcast<u32>(select(0i, _e8216, (_e8216 > 0i)))];
 let _e8222 = bitcast<f32>(_e8221);
 let _e8224 = select(_e7699, 263185i, (263185i < _e7699));
-let _e8229 = global_5.member[bitcast<u32>(select(0i, _e8224, (_e8224 > 0i)))];
+let _e8229 = global_3.member[bitcast<u32>(select(0i, _e8224, (_e8224 > 0i)))];
 let _e8230 = bitcast<f32>(_e8229);
 let _e8232 = ((_e8206 - _e8214) * _e8222);
 let _e8234 = select(0f, _e8232, (_e8232 > 0f));
 let _e8237 = local_1;
 let _e8239 = select(_e7699, 263186i, (263186i < _e7699));
-let _e8244 = global_5.member[bitcast<u32>(select(0i, _e8239, (_e8239 > 0i)))];
+let _e8244 = global_3.member[bitcast<u32>(select(0i, _e8239, (_e8239 > 0i)))];
 let _e8245 = bitcast<f32>(_e8244);
 let _e8247 = select(_e7699, 263187i, (263187i < _e7699));
-let _e8252 = global_5.member[bitcast<u32>(select(0i, _e8247, (_e8247 > 0i)))];
+let _e8252 = global_3.member[bitcast<u32>(select(0i, _e8247, (_e8247 > 0i)))];
 let _e8253 = bitcast<f32>(_e8252);
 let _e8255 = select(_e7699, 263188i, (263188i < _e7699));
-let _e8260 = global_5.member[bitcast<u32>(select(0i, _e8255, (_e8255 > 0i)))];
+let _e8260 = global_3.member[bitcast<u32>(select(0i, _e8255, (_e8255 > 0i)))];
 let _e8261 = bitcast<f32>(_e8260);
 let _e8263 = ((_e8237 - _e8245) * _e8253);
 let _e8265 = select(0f, _e8263, (_e8263 > 0f));
 let _e8269 = local_1;
 let _e8271 = select(_e7699, 263189i, (263189i < _e7699));
-let _e8276 = global_5.member[bitcast<u32>(select(0i, _e8271, (_e8271 > 0i)))];
+let _e8276 = global_3.member[bitcast<u32>(select(0i, _e8271, (_e8271 > 0i)))];
 let _e8277 = bitcast<f32>(_e8276);
 let _e8279 = select(_e7699, 263190i, (263190i < _e7699));
-let _e8284 = global_5.member[bitcast<u32>(select(0i, _e8279, (_e8279 > 0i)))];
+let _e8284 = global_3.member[bitcast<u32>(select(0i, _e8279, (_e8279 > 0i)))];
 let _e8285 = bitcast<f32>(_e8284);
 let _e8287 = select(_e7699, 263191i, (263191i < _e7699));
-let _e8292 = global_5.member[bitcast<u32>(select(0i, _e8287, (_e8287 > 0i)))];
+let _e8292 = global_3.member[bitcast<u32>(select(0i, _e8287, (_e8287 > 0i)))];
 let _e8293 = bitcast<f32>(_e8292);
 let _e8295 = ((_e8269 - _e8277) * _e8285);
 let _e8297 = select(0f, _e8295, (_e8295 > 0f));
 let _e8300 = local_1;
 let _e8302 = select(_e7699, 263192i, (263192i < _e7699));
-let _e8307 = global_5.member[bitcast<u32>(select(0i, _e8302, (_e8302 > 0i)))];
+let _e8307 = global_3.member[bitcast<u32>(select(0i, _e8302, (_e8302 > 0i)))];
 let _e8308 = bitcast<f32>(_e8307);
 let _e8310 = select(_e7699, 263193i, (263193i < _e7699));
-let _e8315 = global_5.member[bitcast<u32>(select(0i, _e8310, (_e8310 > 0i)))];
+let _e8315 = global_3.member[bitcast<u32>(select(0i, _e8310, (_e8310 > 0i)))];
 let _e8316 = bitcast<f32>(_e8315);
 let _e8318 = select(_e7699, 263194i, (263194i < _e7699));
-let _e8323 = global_5.member[bitcast<u32>(select(0i, _e8318, (_e8318 > 0i)))];
+let _e8323 = global_3.member[bitcast<u32>(select(0i, _e8318, (_e8318 > 0i)))];
 let _e8324 = bitcast<f32>(_e8323);
 let _e8326 = ((_e8300 - _e8308) * _e8316);
 let _e8328 = select(0f, _e8326, (_e8326 > 0f));
@@ -2878,10 +2878,10 @@ let _e8416 = select(_e8397, _e8414, (_e8414 < _e8397));
 let _e8423 = select(0i, select(select(i32(_e8416), i32(-2147483648), (_e8416 < -2147483600f)), 2147483647i, (_e8416 > 2147483500f)), (_e8416 == _e8416));
 let _e8427 = (_e8423 - select(0i, 1i, (_e8416 < f32(_e8423))));
 let _e8429 = select(_e7699, 263195i, (263195i < _e7699));
-let _e8435 = global_5.member[bitcast<u32>(select(0i, _e8429, (_e8429 > 0i)))];
+let _e8435 = global_3.member[bitcast<u32>(select(0i, _e8429, (_e8429 > 0i)))];
 let _e8436 = bitcast<f32>(_e8435);
 let _e8438 = select(_e7699, 263196i, (263196i < _e7699));
-let _e8444 = global_5.member[bitcast<u32>(select(0i, _e8438, (_e8438 > 0i)))];
+let _e8444 = global_3.member[bitcast<u32>(select(0i, _e8438, (_e8438 > 0i)))];
 let _e8445 = bitcast<f32>(_e8444);
 let _e8446 = (_e7118.member - _e7964);
 let _e8452 = (1f / select(_e8446, 1f, (bitcast<f32>((bitcast<u32>(_e8446) & 2147483647u)) < 1e-20f)));
@@ -2892,20 +2892,20 @@ let _e8469 = (_e8333 - f32(_e8412));
 let _e8471 = (_e8396 - f32(_e8427));
 let _e8473 = (1f - (_e8458 + _e8464));
 let _e8475 = select(_e7699, _e8467, (_e8467 < _e7699));
-let _e8481 = global_5.member[bitcast<u32>(select(0i, _e8475, (_e8475 > 0i)))];
+let _e8481 = global_3.member[bitcast<u32>(select(0i, _e8475, (_e8475 > 0i)))];
 let _e8482 = (_e8467 + 4i);
 let _e8484 = select(_e7699, _e8482, (_e8482 < _e7699));
-let _e8490 = global_5.member[bitcast<u32>(select(0i, _e8484, (_e8484 > 0i)))];
+let _e8490 = global_3.member[bitcast<u32>(select(0i, _e8484, (_e8484 > 0i)))];
 let _e8491 = (_e8467 + 1024i);
 let _e8493 = select(_e7699, _e8491, (_e8491 < _e7699));
-let _e8499 = global_5.member[bitcast<u32>(select(0i, _e8493, (_e8493 > 0i)))];
+let _e8499 = global_3.member[bitcast<u32>(select(0i, _e8493, (_e8493 > 0i)))];
 let _e8500 = (_e8467 + 1028i);
 let _e8502 = select(_e7699, _e8500, (_e8500 < _e7699));
-let _e8508 = global_5.member[bitcast<u32>(select(0i, _e8502, (_e8502 > 0i)))];
+let _e8508 = global_3.member[bitcast<u32>(select(0i, _e8502, (_e8502 > 0i)))];
 let _e8510 = select(_e7699, 0i, (0i < _e7699));
-let _e8516 = global_5.member[bitcast<u32>(select(0i, _e8510, (_e8510 > 0i)))];
+let _e8516 = global_3.member[bitcast<u32>(select(0i, _e8510, (_e8510 > 0i)))];
 let _e8518 = select(_e7699, 262140i, (262140i < _e7699));
-let _e8524 = global_5.member[bitcast<u32>(select(0i, _e8518, (_e8518 > 0i)))];
+let _e8524 = global_3.member[bitcast<u32>(select(0i, _e8518, (_e8518 > 0i)))];
 let _e8529 = (bitcast<f32>(((_e8481 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8537 = (_e8529 + (((bitcast<f32>(((_e8490 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8529) * _e8471));
 let _e8542 = (bitcast<f32>(((_e8499 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2915,20 +2915,20 @@ let _e8593 = (_e8585 + (((bitcast<f32>((((_e8490 >> bitcast<u32>(16i)) & 32767u)
 let _e8598 = (bitcast<f32>((((_e8499 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8625 = (_e8467 + 1i);
 let _e8627 = select(_e7699, _e8625, (_e8625 < _e7699));
-let _e8633 = global_5.member[bitcast<u32>(select(0i, _e8627, (_e8627 > 0i)))];
+let _e8633 = global_3.member[bitcast<u32>(select(0i, _e8627, (_e8627 > 0i)))];
 let _e8634 = (_e8467 + 5i);
 let _e8636 = select(_e7699, _e8634, (_e8634 < _e7699));
-let _e8642 = global_5.member[bitcast<u32>(select(0i, _e8636, (_e8636 > 0i)))];
+let _e8642 = global_3.member[bitcast<u32>(select(0i, _e8636, (_e8636 > 0i)))];
 let _e8643 = (_e8467 + 1025i);
 let _e8645 = select(_e7699, _e8643, (_e8643 < _e7699));
-let _e8651 = global_5.member[bitcast<u32>(select(0i, _e8645, (_e8645 > 0i)))];
+let _e8651 = global_3.member[bitcast<u32>(select(0i, _e8645, (_e8645 > 0i)))];
 let _e8652 = (_e8467 + 1029i);
 let _e8654 = select(_e7699, _e8652, (_e8652 < _e7699));
-let _e8660 = global_5.member[bitcast<u32>(select(0i, _e8654, (_e8654 > 0i)))];
+let _e8660 = global_3.member[bitcast<u32>(select(0i, _e8654, (_e8654 > 0i)))];
 let _e8662 = select(_e7699, 1i, (1i < _e7699));
-let _e8668 = global_5.member[bitcast<u32>(select(0i, _e8662, (_e8662 > 0i)))];
+let _e8668 = global_3.member[bitcast<u32>(select(0i, _e8662, (_e8662 > 0i)))];
 let _e8670 = select(_e7699, 262141i, (262141i < _e7699));
-let _e8676 = global_5.member[bitcast<u32>(select(0i, _e8670, (_e8670 > 0i)))];
+let _e8676 = global_3.member[bitcast<u32>(select(0i, _e8670, (_e8670 > 0i)))];
 let _e8681 = (bitcast<f32>(((_e8633 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8689 = (_e8681 + (((bitcast<f32>(((_e8642 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8681) * _e8471));
 let _e8694 = (bitcast<f32>(((_e8651 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2937,20 +2937,20 @@ let _e8745 = (_e8737 + (((bitcast<f32>((((_e8642 >> bitcast<u32>(16i)) & 32767u)
 let _e8750 = (bitcast<f32>((((_e8651 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8777 = (_e8467 + 2i);
 let _e8779 = select(_e7699, _e8777, (_e8777 < _e7699));
-let _e8785 = global_5.member[bitcast<u32>(select(0i, _e8779, (_e8779 > 0i)))];
+let _e8785 = global_3.member[bitcast<u32>(select(0i, _e8779, (_e8779 > 0i)))];
 let _e8786 = (_e8467 + 6i);
 let _e8788 = select(_e7699, _e8786, (_e8786 < _e7699));
-let _e8794 = global_5.member[bitcast<u32>(select(0i, _e8788, (_e8788 > 0i)))];
+let _e8794 = global_3.member[bitcast<u32>(select(0i, _e8788, (_e8788 > 0i)))];
 let _e8795 = (_e8467 + 1026i);
 let _e8797 = select(_e7699, _e8795, (_e8795 < _e7699));
-let _e8803 = global_5.member[bitcast<u32>(select(0i, _e8797, (_e8797 > 0i)))];
+let _e8803 = global_3.member[bitcast<u32>(select(0i, _e8797, (_e8797 > 0i)))];
 let _e8804 = (_e8467 + 1030i);
 let _e8806 = select(_e7699, _e8804, (_e8804 < _e7699));
-let _e8812 = global_5.member[bitcast<u32>(select(0i, _e8806, (_e8806 > 0i)))];
+let _e8812 = global_3.member[bitcast<u32>(select(0i, _e8806, (_e8806 > 0i)))];
 let _e8814 = select(_e7699, 2i, (2i < _e7699));
-let _e8820 = global_5.member[bitcast<u32>(select(0i, _e8814, (_e8814 > 0i)))];
+let _e8820 = global_3.member[bitcast<u32>(select(0i, _e8814, (_e8814 > 0i)))];
 let _e8822 = select(_e7699, 262142i, (262142i < _e7699));
-let _e8828 = global_5.member[bitcast<u32>(select(0i, _e8822, (_e8822 > 0i)))];
+let _e8828 = global_3.member[bitcast<u32>(select(0i, _e8822, (_e8822 > 0i)))];
 let _e8833 = (bitcast<f32>(((_e8785 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8841 = (_e8833 + (((bitcast<f32>(((_e8794 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8833) * _e8471));
 let _e8846 = (bitcast<f32>(((_e8803 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2959,20 +2959,20 @@ let _e8897 = (_e8889 + (((bitcast<f32>((((_e8794 >> bitcast<u32>(16i)) & 32767u)
 let _e8902 = (bitcast<f32>((((_e8803 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8929 = (_e8467 + 3i);
 let _e8931 = select(_e7699, _e8929, (_e8929 < _e7699));
-let _e8937 = global_5.member[bitcast<u32>(select(0i, _e8931, (_e8931 > 0i)))];
+let _e8937 = global_3.member[bitcast<u32>(select(0i, _e8931, (_e8931 > 0i)))];
 let _e8938 = (_e8467 + 7i);
 let _e8940 = select(_e7699, _e8938, (_e8938 < _e7699));
-let _e8946 = global_5.member[bitcast<u32>(select(0i, _e8940, (_e8940 > 0i)))];
+let _e8946 = global_3.member[bitcast<u32>(select(0i, _e8940, (_e8940 > 0i)))];
 let _e8947 = (_e8467 + 1027i);
 let _e8949 = select(_e7699, _e8947, (_e8947 < _e7699));
-let _e8955 = global_5.member[bitcast<u32>(select(0i, _e8949, (_e8949 > 0i)))];
+let _e8955 = global_3.member[bitcast<u32>(select(0i, _e8949, (_e8949 > 0i)))];
 let _e8956 = (_e8467 + 1031i);
 let _e8958 = select(_e7699, _e8956, (_e8956 < _e7699));
-let _e8964 = global_5.member[bitcast<u32>(select(0i, _e8958, (_e8958 > 0i)))];
+let _e8964 = global_3.member[bitcast<u32>(select(0i, _e8958, (_e8958 > 0i)))];
 let _e8966 = select(_e7699, 3i, (3i < _e7699));
-let _e8972 = global_5.member[bitcast<u32>(select(0i, _e8966, (_e8966 > 0i)))];
+let _e8972 = global_3.member[bitcast<u32>(select(0i, _e8966, (_e8966 > 0i)))];
 let _e8974 = select(_e7699, 262143i, (262143i < _e7699));
-let _e8980 = global_5.member[bitcast<u32>(select(0i, _e8974, (_e8974 > 0i)))];
+let _e8980 = global_3.member[bitcast<u32>(select(0i, _e8974, (_e8974 > 0i)))];
 let _e8985 = (bitcast<f32>(((_e8937 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8993 = (_e8985 + (((bitcast<f32>(((_e8946 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8985) * _e8471));
 let _e8998 = (bitcast<f32>(((_e8955 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3079,9 +3079,9 @@ let _e9418 = phi_21510_;
 let _e9419 = (_e9418 + 1i);
 let _e9421 = (bitcast<i32>(_e212) - 1i);
 let _e9423 = select(_e9421, _e9419, (_e9419 < _e9421));
-let _e9429 = global_6.member[bitcast<u32>(select(0i, _e9423, (_e9423 > 0i)))];
+let _e9429 = global_4.member[bitcast<u32>(select(0i, _e9423, (_e9423 > 0i)))];
 let _e9431 = select(_e9421, _e9418, (_e9418 < _e9421));
-let _e9437 = global_6.member[bitcast<u32>(select(0i, _e9431, (_e9431 > 0i)))];
+let _e9437 = global_4.member[bitcast<u32>(select(0i, _e9431, (_e9431 > 0i)))];
 let _e9440 = select(_e9429, 0u, (_e9418 < 0i));
 let _e9444 = global_1.member.member_10.member_13;
 let _e9445 = (_e9440 * 81u);
@@ -3093,35 +3093,35 @@ let _e9462 = (_e9318 - f32(_e9359));
 let _e9464 = (_e9328 - f32(_e9374));
 let _e9465 = (_e9440 != 0u);
 let _e9467 = select(_e9421, _e9457, (_e9457 < _e9421));
-let _e9473 = global_6.member[bitcast<u32>(select(0i, _e9467, (_e9467 > 0i)))];
+let _e9473 = global_4.member[bitcast<u32>(select(0i, _e9467, (_e9467 > 0i)))];
 let _e9474 = bitcast<f32>(_e9473);
 let _e9475 = (_e9457 + 1i);
 let _e9477 = select(_e9421, _e9475, (_e9475 < _e9421));
-let _e9483 = global_6.member[bitcast<u32>(select(0i, _e9477, (_e9477 > 0i)))];
+let _e9483 = global_4.member[bitcast<u32>(select(0i, _e9477, (_e9477 > 0i)))];
 let _e9487 = (_e9474 + ((bitcast<f32>(_e9483) - _e9474) * _e9460));
 let _e9488 = (_e9457 + 9i);
 let _e9490 = select(_e9421, _e9488, (_e9488 < _e9421));
-let _e9496 = global_6.member[bitcast<u32>(select(0i, _e9490, (_e9490 > 0i)))];
+let _e9496 = global_4.member[bitcast<u32>(select(0i, _e9490, (_e9490 > 0i)))];
 let _e9497 = bitcast<f32>(_e9496);
 let _e9498 = (_e9457 + 10i);
 let _e9500 = select(_e9421, _e9498, (_e9498 < _e9421));
-let _e9506 = global_6.member[bitcast<u32>(select(0i, _e9500, (_e9500 > 0i)))];
+let _e9506 = global_4.member[bitcast<u32>(select(0i, _e9500, (_e9500 > 0i)))];
 let _e9513 = (_e9487 + (((_e9497 + ((bitcast<f32>(_e9506) - _e9497) * _e9460)) - _e9487) * _e9462));
 let _e9514 = (_e9457 + _e9449);
 let _e9516 = select(_e9421, _e9514, (_e9514 < _e9421));
-let _e9522 = global_6.member[bitcast<u32>(select(0i, _e9516, (_e9516 > 0i)))];
+let _e9522 = global_4.member[bitcast<u32>(select(0i, _e9516, (_e9516 > 0i)))];
 let _e9523 = bitcast<f32>(_e9522);
 let _e9524 = (_e9514 + 1i);
 let _e9526 = select(_e9421, _e9524, (_e9524 < _e9421));
-let _e9532 = global_6.member[bitcast<u32>(select(0i, _e9526, (_e9526 > 0i)))];
+let _e9532 = global_4.member[bitcast<u32>(select(0i, _e9526, (_e9526 > 0i)))];
 let _e9536 = (_e9523 + ((bitcast<f32>(_e9532) - _e9523) * _e9460));
 let _e9537 = (_e9514 + 9i);
 let _e9539 = select(_e9421, _e9537, (_e9537 < _e9421));
-let _e9545 = global_6.member[bitcast<u32>(select(0i, _e9539, (_e9539 > 0i)))];
+let _e9545 = global_4.member[bitcast<u32>(select(0i, _e9539, (_e9539 > 0i)))];
 let _e9546 = bitcast<f32>(_e9545);
 let _e9547 = (_e9514 + 10i);
 let _e9549 = select(_e9421, _e9547, (_e9547 < _e9421));
-let _e9555 = global_6.member[bitcast<u32>(select(0i, _e9549, (_e9549 > 0i)))];
+let _e9555 = global_4.member[bitcast<u32>(select(0i, _e9549, (_e9549 > 0i)))];
 let _e9566 = select(1f, (_e9513 + (((_e9536 + (((_e9546 + ((bitcast<f32>(_e9555) - _e9546) * _e9460)) - _e9536) * _e9462)) - _e9513) * _e9464)), _e9465);
 if (((_e222.member_2 == 3u) || (_e222.member_2 == 4u)) || _e508) {
 phi_22087_ = vec3(_e9566);
@@ -3130,66 +3130,66 @@ let _e9575 = global_1.member.member_10.member_12;
 let _e9576 = (_e9575 > 1u);
 let _e9580 = (_e9457 + (select(0i, 1i, _e9576) * _e9458));
 let _e9582 = select(_e9421, _e9580, (_e9580 < _e9421));
-let _e9588 = global_6.member[bitcast<u32>(select(0i, _e9582, (_e9582 > 0i)))];
+let _e9588 = global_4.member[bitcast<u32>(select(0i, _e9582, (_e9582 > 0i)))];
 let _e9589 = bitcast<f32>(_e9588);
 let _e9590 = (_e9580 + 1i);
 let _e9592 = select(_e9421, _e9590, (_e9590 < _e9421));
-let _e9598 = global_6.member[bitcast<u32>(select(0i, _e9592, (_e9592 > 0i)))];
+let _e9598 = global_4.member[bitcast<u32>(select(0i, _e9592, (_e9592 > 0i)))];
 let _e9602 = (_e9589 + ((bitcast<f32>(_e9598) - _e9589) * _e9460));
 let _e9603 = (_e9580 + 9i);
 let _e9605 = select(_e9421, _e9603, (_e9603 < _e9421));
-let _e9611 = global_6.member[bitcast<u32>(select(0i, _e9605, (_e9605 > 0i)))];
+let _e9611 = global_4.member[bitcast<u32>(select(0i, _e9605, (_e9605 > 0i)))];
 let _e9612 = bitcast<f32>(_e9611);
 let _e9613 = (_e9580 + 10i);
 let _e9615 = select(_e9421, _e9613, (_e9613 < _e9421));
-let _e9621 = global_6.member[bitcast<u32>(select(0i, _e9615, (_e9615 > 0i)))];
+let _e9621 = global_4.member[bitcast<u32>(select(0i, _e9615, (_e9615 > 0i)))];
 let _e9628 = (_e9602 + (((_e9612 + ((bitcast<f32>(_e9621) - _e9612) * _e9460)) - _e9602) * _e9462));
 let _e9629 = (_e9580 + _e9449);
 let _e9631 = select(_e9421, _e9629, (_e9629 < _e9421));
-let _e9637 = global_6.member[bitcast<u32>(select(0i, _e9631, (_e9631 > 0i)))];
+let _e9637 = global_4.member[bitcast<u32>(select(0i, _e9631, (_e9631 > 0i)))];
 let _e9638 = bitcast<f32>(_e9637);
 let _e9639 = (_e9629 + 1i);
 let _e9641 = select(_e9421, _e9639, (_e9639 < _e9421));
-let _e9647 = global_6.member[bitcast<u32>(select(0i, _e9641, (_e9641 > 0i)))];
+let _e9647 = global_4.member[bitcast<u32>(select(0i, _e9641, (_e9641 > 0i)))];
 let _e9651 = (_e9638 + ((bitcast<f32>(_e9647) - _e9638) * _e9460));
 let _e9652 = (_e9629 + 9i);
 let _e9654 = select(_e9421, _e9652, (_e9652 < _e9421));
-let _e9660 = global_6.member[bitcast<u32>(select(0i, _e9654, (_e9654 > 0i)))];
+let _e9660 = global_4.member[bitcast<u32>(select(0i, _e9654, (_e9654 > 0i)))];
 let _e9661 = bitcast<f32>(_e9660);
 let _e9662 = (_e9629 + 10i);
 let _e9664 = select(_e9421, _e9662, (_e9662 < _e9421));
-let _e9670 = global_6.member[bitcast<u32>(select(0i, _e9664, (_e9664 > 0i)))];
+let _e9670 = global_4.member[bitcast<u32>(select(0i, _e9664, (_e9664 > 0i)))];
 let _e9683 = (_e9457 + (select(0i, 2i, _e9576) * _e9458));
 let _e9685 = select(_e9421, _e9683, (_e9683 < _e9421));
-let _e9691 = global_6.member[bitcast<u32>(select(0i, _e9685, (_e9685 > 0i)))];
+let _e9691 = global_4.member[bitcast<u32>(select(0i, _e9685, (_e9685 > 0i)))];
 let _e9692 = bitcast<f32>(_e9691);
 let _e9693 = (_e9683 + 1i);
 let _e9695 = select(_e9421, _e9693, (_e9693 < _e9421));
-let _e9701 = global_6.member[bitcast<u32>(select(0i, _e9695, (_e9695 > 0i)))];
+let _e9701 = global_4.member[bitcast<u32>(select(0i, _e9695, (_e9695 > 0i)))];
 let _e9705 = (_e9692 + ((bitcast<f32>(_e9701) - _e9692) * _e9460));
 let _e9706 = (_e9683 + 9i);
 let _e9708 = select(_e9421, _e9706, (_e9706 < _e9421));
-let _e9714 = global_6.member[bitcast<u32>(select(0i, _e9708, (_e9708 > 0i)))];
+let _e9714 = global_4.member[bitcast<u32>(select(0i, _e9708, (_e9708 > 0i)))];
 let _e9715 = bitcast<f32>(_e9714);
 let _e9716 = (_e9683 + 10i);
 let _e9718 = select(_e9421, _e9716, (_e9716 < _e9421));
-let _e9724 = global_6.member[bitcast<u32>(select(0i, _e9718, (_e9718 > 0i)))];
+let _e9724 = global_4.member[bitcast<u32>(select(0i, _e9718, (_e9718 > 0i)))];
 let _e9731 = (_e9705 + (((_e9715 + ((bitcast<f32>(_e9724) - _e9715) * _e9460)) - _e9705) * _e9462));
 let _e9732 = (_e9683 + _e9449);
 let _e9734 = select(_e9421, _e9732, (_e9732 < _e9421));
-let _e9740 = global_6.member[bitcast<u32>(select(0i, _e9734, (_e9734 > 0i)))];
+let _e9740 = global_4.member[bitcast<u32>(select(0i, _e9734, (_e9734 > 0i)))];
 let _e9741 = bitcast<f32>(_e9740);
 let _e9742 = (_e9732 + 1i);
 let _e9744 = select(_e9421, _e9742, (_e9742 < _e9421));
-let _e9750 = global_6.member[bitcast<u32>(select(0i, _e9744, (_e9744 > 0i)))];
+let _e9750 = global_4.member[bitcast<u32>(select(0i, _e9744, (_e9744 > 0i)))];
 let _e9754 = (_e9741 + ((bitcast<f32>(_e9750) - _e9741) * _e9460));
 let _e9755 = (_e9732 + 9i);
 let _e9757 = select(_e9421, _e9755, (_e9755 < _e9421));
-let _e9763 = global_6.member[bitcast<u32>(select(0i, _e9757, (_e9757 > 0i)))];
+let _e9763 = global_4.member[bitcast<u32>(select(0i, _e9757, (_e9757 > 0i)))];
 let _e9764 = bitcast<f32>(_e9763);
 let _e9765 = (_e9732 + 10i);
 let _e9767 = select(_e9421, _e9765, (_e9765 < _e9421));
-let _e9773 = global_6.member[bitcast<u32>(select(0i, _e9767, (_e9767 > 0i)))];
+let _e9773 = global_4.member[bitcast<u32>(select(0i, _e9767, (_e9767 > 0i)))];
 phi_22087_ = vec3<f32>(_e9566, select(1f, (_e9628 + (((_e9651 + (((_e9661 + ((bitcast<f32>(_e9670) - _e9661) * _e9460)) - _e9651) * _e9462)) - _e9628) * _e9464)), _e9465), select(1f, (_e9731 + (((_e9754 + (((_e9764 + ((bitcast<f32>(_e9773) - _e9764) * _e9460)) - _e9754) * _e9462)) - _e9731) * _e9464)), _e9465));
 }
 let _e9787 = phi_22087_;
@@ -3205,56 +3205,56 @@ let _e9810 = select(0f, (_e9793 * _e9805), _e9281);
 if _e515 {
 let _e9816 = (_e9457 + ((bitcast<i32>(_e9444) - 1i) * _e9458));
 let _e9818 = select(_e9421, _e9816, (_e9816 < _e9421));
-let _e9824 = global_6.member[bitcast<u32>(select(0i, _e9818, (_e9818 > 0i)))];
+let _e9824 = global_4.member[bitcast<u32>(select(0i, _e9818, (_e9818 > 0i)))];
 let _e9826 = bitcast<u32>(bitcast<f32>(_e9824));
 let _e9830 = f32((bitcast<i32>((_e9826 & 65535u)) - 32768i));
 let _e9836 = f32((bitcast<i32>(((_e9826 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9841 = select(_e9836, -(_e9836), ((_e9826 >> bitcast<u32>(31i)) != 0u));
 let _e9842 = (_e9816 + 1i);
 let _e9844 = select(_e9421, _e9842, (_e9842 < _e9421));
-let _e9850 = global_6.member[bitcast<u32>(select(0i, _e9844, (_e9844 > 0i)))];
+let _e9850 = global_4.member[bitcast<u32>(select(0i, _e9844, (_e9844 > 0i)))];
 let _e9852 = bitcast<u32>(bitcast<f32>(_e9850));
 let _e9862 = f32((bitcast<i32>(((_e9852 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9870 = (_e9830 + ((f32((bitcast<i32>((_e9852 & 65535u)) - 32768i)) - _e9830) * _e9460));
 let _e9873 = (_e9841 + ((select(_e9862, -(_e9862), ((_e9852 >> bitcast<u32>(31i)) != 0u)) - _e9841) * _e9460));
 let _e9874 = (_e9816 + 9i);
 let _e9876 = select(_e9421, _e9874, (_e9874 < _e9421));
-let _e9882 = global_6.member[bitcast<u32>(select(0i, _e9876, (_e9876 > 0i)))];
+let _e9882 = global_4.member[bitcast<u32>(select(0i, _e9876, (_e9876 > 0i)))];
 let _e9884 = bitcast<u32>(bitcast<f32>(_e9882));
 let _e9888 = f32((bitcast<i32>((_e9884 & 65535u)) - 32768i));
 let _e9894 = f32((bitcast<i32>(((_e9884 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9899 = select(_e9894, -(_e9894), ((_e9884 >> bitcast<u32>(31i)) != 0u));
 let _e9900 = (_e9816 + 10i);
 let _e9902 = select(_e9421, _e9900, (_e9900 < _e9421));
-let _e9908 = global_6.member[bitcast<u32>(select(0i, _e9902, (_e9902 > 0i)))];
+let _e9908 = global_4.member[bitcast<u32>(select(0i, _e9902, (_e9902 > 0i)))];
 let _e9910 = bitcast<u32>(bitcast<f32>(_e9908));
 let _e9920 = f32((bitcast<i32>(((_e9910 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9934 = (_e9870 + (((_e9888 + ((f32((bitcast<i32>((_e9910 & 65535u)) - 32768i)) - _e9888) * _e9460)) - _e9870) * _e9462));
 let _e9937 = (_e9873 + (((_e9899 + ((select(_e9920, -(_e9920), ((_e9910 >> bitcast<u32>(31i)) != 0u)) - _e9899) * _e9460)) - _e9873) * _e9462));
 let _e9938 = (_e9816 + _e9449);
 let _e9940 = select(_e9421, _e9938, (_e9938 < _e9421));
-let _e9946 = global_6.member[bitcast<u32>(select(0i, _e9940, (_e9940 > 0i)))];
+let _e9946 = global_4.member[bitcast<u32>(select(0i, _e9940, (_e9940 > 0i)))];
 let _e9948 = bitcast<u32>(bitcast<f32>(_e9946));
 let _e9952 = f32((bitcast<i32>((_e9948 & 65535u)) - 32768i));
 let _e9958 = f32((bitcast<i32>(((_e9948 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9963 = select(_e9958, -(_e9958), ((_e9948 >> bitcast<u32>(31i)) != 0u));
 let _e9964 = (_e9938 + 1i);
 let _e9966 = select(_e9421, _e9964, (_e9964 < _e9421));
-let _e9972 = global_6.member[bitcast<u32>(select(0i, _e9966, (_e9966 > 0i)))];
+let _e9972 = global_4.member[bitcast<u32>(select(0i, _e9966, (_e9966 > 0i)))];
 let _e9974 = bitcast<u32>(bitcast<f32>(_e9972));
 let _e9984 = f32((bitcast<i32>(((_e9974 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9992 = (_e9952 + ((f32((bitcast<i32>((_e9974 & 65535u)) - 32768i)) - _e9952) * _e9460));
 let _e9995 = (_e9963 + ((select(_e9984, -(_e9984), ((_e9974 >> bitcast<u32>(31i)) != 0u)) - _e9963) * _e9460));
 let _e9996 = (_e9938 + 9i);
 let _e9998 = select(_e9421, _e9996, (_e9996 < _e9421));
-let _e10004 = global_6.member[bitcast<u32>(select(0i, _e9998, (_e9998 > 0i)))];
+let _e10004 = global_4.member[bitcast<u32>(select(0i, _e9998, (_e9998 > 0i)))];
 let _e10006 = bitcast<u32>(bitcast<f32>(_e10004));
 let _e10010 = f32((bitcast<i32>((_e10006 & 65535u)) - 32768i));
 let _e10016 = f32((bitcast<i32>(((_e10006 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10021 = select(_e10016, -(_e10016), ((_e10006 >> bitcast<u32>(31i)) != 0u));
 let _e10022 = (_e9938 + 10i);
 let _e10024 = select(_e9421, _e10022, (_e10022 < _e9421));
-let _e10030 = global_6.member[bitcast<u32>(select(0i, _e10024, (_e10024 > 0i)))];
+let _e10030 = global_4.member[bitcast<u32>(select(0i, _e10024, (_e10024 > 0i)))];
 let _e10032 = bitcast<u32>(bitcast<f32>(_e10030));
 let _e10042 = f32((bitcast<i32>(((_e10032 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10068 = (_e9809 + select(0f, ((_e9934 + (((_e9992 + (((_e10010 + ((f32((bitcast<i32>((_e10032 & 65535u)) - 32768i)) - _e10010) * _e9460)) - _e9992) * _e9462)) - _e9934) * _e9464)) * 6.151953e-5f), _e9465));
@@ -3294,7 +3294,7 @@ let _e10160 = (_e10159 * select(_e10140, 1f, (_e515 && _e9465)));
 let _e10169 = global_1.member.member_10.member.member;
 let _e10181 = global_1.member.member_10.member_1.member;
 let _e10196 = global_1.member.member_10.member_2.member;
-phi_22662_ = type_29(vec3<f32>(((_e9787.x * _e10145.member) * _e10160), ((_e9787.y * _e10145.member_1) * _e10160), ((_e9787.z * _e10145.member_2) * _e10160)), (vec3<f32>(((_e10169.member * _e10083.x) + (_e10181.member * _e10083.y)), ((_e10169.member_1 * _e10083.x) + (_e10181.member_1 * _e10083.y)), ((_e10169.member_2 * _e10083.x) + (_e10181.member_2 * _e10083.y))) + vec3<f32>((_e10196.member * _e10083.z), (_e10196.member_1 * _e10083.z), (_e10196.member_2 * _e10083.z))));
+phi_22662_ = type_36(vec3<f32>(((_e9787.x * _e10145.member) * _e10160), ((_e9787.y * _e10145.member_1) * _e10160), ((_e9787.z * _e10145.member_2) * _e10160)), (vec3<f32>(((_e10169.member * _e10083.x) + (_e10181.member * _e10083.y)), ((_e10169.member_1 * _e10083.x) + (_e10181.member_1 * _e10083.y)), ((_e10169.member_2 * _e10083.x) + (_e10181.member_2 * _e10083.y))) + vec3<f32>((_e10196.member * _e10083.z), (_e10196.member_1 * _e10083.z), (_e10196.member_2 * _e10083.z))));
 }
 let _e10209 = phi_22662_;
 let _e10218 = (((_e10209.member_1.x * _e10209.member_1.x) + (_e10209.member_1.y * _e10209.member_1.y)) + (_e10209.member_1.z * _e10209.member_1.z));
@@ -3399,51 +3399,51 @@ let _e10586 = ((bitcast<i32>(_e10582) + (_e10558 * _e10411)) + _e10541);
 let _e10587 = (_e10411 * _e10418);
 let _e10589 = (bitcast<i32>(_e212) - 1i);
 let _e10591 = select(_e10589, _e10586, (_e10586 < _e10589));
-let _e10597 = global_6.member[bitcast<u32>(select(0i, _e10591, (_e10591 > 0i)))];
+let _e10597 = global_4.member[bitcast<u32>(select(0i, _e10591, (_e10591 > 0i)))];
 let _e10598 = bitcast<f32>(_e10597);
 let _e10599 = (_e10586 + 1i);
 let _e10601 = select(_e10589, _e10599, (_e10599 < _e10589));
-let _e10607 = global_6.member[bitcast<u32>(select(0i, _e10601, (_e10601 > 0i)))];
+let _e10607 = global_4.member[bitcast<u32>(select(0i, _e10601, (_e10601 > 0i)))];
 let _e10611 = (_e10598 + ((bitcast<f32>(_e10607) - _e10598) * _e10564));
 let _e10612 = (_e10586 + _e10411);
 let _e10614 = select(_e10589, _e10612, (_e10612 < _e10589));
-let _e10620 = global_6.member[bitcast<u32>(select(0i, _e10614, (_e10614 > 0i)))];
+let _e10620 = global_4.member[bitcast<u32>(select(0i, _e10614, (_e10614 > 0i)))];
 let _e10621 = bitcast<f32>(_e10620);
 let _e10622 = (_e10612 + 1i);
 let _e10624 = select(_e10589, _e10622, (_e10622 < _e10589));
-let _e10630 = global_6.member[bitcast<u32>(select(0i, _e10624, (_e10624 > 0i)))];
+let _e10630 = global_4.member[bitcast<u32>(select(0i, _e10624, (_e10624 > 0i)))];
 let _e10637 = (_e10611 + (((_e10621 + ((bitcast<f32>(_e10630) - _e10621) * _e10564)) - _e10611) * _e10570));
 let _e10638 = (_e10586 + _e10587);
 let _e10640 = select(_e10589, _e10638, (_e10638 < _e10589));
-let _e10646 = global_6.member[bitcast<u32>(select(0i, _e10640, (_e10640 > 0i)))];
+let _e10646 = global_4.member[bitcast<u32>(select(0i, _e10640, (_e10640 > 0i)))];
 let _e10647 = bitcast<f32>(_e10646);
 let _e10648 = (_e10638 + 1i);
 let _e10650 = select(_e10589, _e10648, (_e10648 < _e10589));
-let _e10656 = global_6.member[bitcast<u32>(select(0i, _e10650, (_e10650 > 0i)))];
+let _e10656 = global_4.member[bitcast<u32>(select(0i, _e10650, (_e10650 > 0i)))];
 let _e10660 = (_e10647 + ((bitcast<f32>(_e10656) - _e10647) * _e10564));
 let _e10661 = (_e10638 + _e10411);
 let _e10663 = select(_e10589, _e10661, (_e10661 < _e10589));
-let _e10669 = global_6.member[bitcast<u32>(select(0i, _e10663, (_e10663 > 0i)))];
+let _e10669 = global_4.member[bitcast<u32>(select(0i, _e10663, (_e10663 > 0i)))];
 let _e10670 = bitcast<f32>(_e10669);
 let _e10671 = (_e10661 + 1i);
 let _e10673 = select(_e10589, _e10671, (_e10671 < _e10589));
-let _e10679 = global_6.member[bitcast<u32>(select(0i, _e10673, (_e10673 > 0i)))];
+let _e10679 = global_4.member[bitcast<u32>(select(0i, _e10673, (_e10673 > 0i)))];
 let _e10686 = (_e10660 + (((_e10670 + ((bitcast<f32>(_e10679) - _e10670) * _e10564)) - _e10660) * _e10570));
 let _e10688 = (_e10586 + (2i * _e10587));
 let _e10690 = select(_e10589, _e10688, (_e10688 < _e10589));
-let _e10696 = global_6.member[bitcast<u32>(select(0i, _e10690, (_e10690 > 0i)))];
+let _e10696 = global_4.member[bitcast<u32>(select(0i, _e10690, (_e10690 > 0i)))];
 let _e10697 = bitcast<f32>(_e10696);
 let _e10698 = (_e10688 + 1i);
 let _e10700 = select(_e10589, _e10698, (_e10698 < _e10589));
-let _e10706 = global_6.member[bitcast<u32>(select(0i, _e10700, (_e10700 > 0i)))];
+let _e10706 = global_4.member[bitcast<u32>(select(0i, _e10700, (_e10700 > 0i)))];
 let _e10710 = (_e10697 + ((bitcast<f32>(_e10706) - _e10697) * _e10564));
 let _e10711 = (_e10688 + _e10411);
 let _e10713 = select(_e10589, _e10711, (_e10711 < _e10589));
-let _e10719 = global_6.member[bitcast<u32>(select(0i, _e10713, (_e10713 > 0i)))];
+let _e10719 = global_4.member[bitcast<u32>(select(0i, _e10713, (_e10713 > 0i)))];
 let _e10720 = bitcast<f32>(_e10719);
 let _e10721 = (_e10711 + 1i);
 let _e10723 = select(_e10589, _e10721, (_e10721 < _e10589));
-let _e10729 = global_6.member[bitcast<u32>(select(0i, _e10723, (_e10723 > 0i)))];
+let _e10729 = global_4.member[bitcast<u32>(select(0i, _e10723, (_e10723 > 0i)))];
 let _e10736 = (_e10710 + (((_e10720 + ((bitcast<f32>(_e10729) - _e10720) * _e10564)) - _e10710) * _e10570));
 if _e3698 {
 phi_23542_ = vec3<f32>(_e10637, _e10686, _e10736);
@@ -3479,12 +3479,12 @@ phi_23542_ = vec3<f32>((select(0f, _e10799, (_e10799 > 0f)) * _e10812), (select(
 }
 let _e10818 = phi_23542_;
 let _e10822 = global_1.member.member_9.member_1;
-phi_23802_ = type_29((vec3<f32>(_e10822.member, _e10822.member_1, _e10822.member_2) * _e10818), _e10402);
+phi_23802_ = type_36((vec3<f32>(_e10822.member, _e10822.member_1, _e10822.member_2) * _e10818), _e10402);
 } else {
 if _e3698 {
 let _e10832 = global_1.member.member_9.member_1;
 let _e10840 = global_1.member.member_9.member;
-phi_23801_ = type_29(vec3<f32>(_e10832.member, _e10832.member_1, _e10832.member_2), vec3<f32>(_e10840.member, _e10840.member_1, _e10840.member_2));
+phi_23801_ = type_36(vec3<f32>(_e10832.member, _e10832.member_1, _e10832.member_2), vec3<f32>(_e10840.member, _e10840.member_1, _e10840.member_2));
 } else {
 let _e10849 = global_1.member.member_9.member_1;
 if _e3698 {
@@ -3511,7 +3511,7 @@ phi_23729_ = select(1f, select(0f, ((_e10903 * _e10903) * (3f - (2f * _e10903)))
 }
 let _e10913 = phi_23729_;
 let _e10914 = (_e10857 * _e10913);
-phi_23801_ = type_29(vec3<f32>((_e10849.member * _e10914), (_e10849.member_1 * _e10914), (_e10849.member_2 * _e10914)), _e10402);
+phi_23801_ = type_36(vec3<f32>((_e10849.member * _e10914), (_e10849.member_1 * _e10914), (_e10849.member_2 * _e10914)), _e10402);
 }
 let _e10921 = phi_23801_;
 phi_23802_ = _e10921;
@@ -3526,7 +3526,7 @@ let _e10963 = bitcast<f32>((bitcast<u32>(select(0f, _e10958, (_e10958 > 0f))) & 
 let _e10973 = (1f - _e10273);
 let _e10987 = select(_e10273, 1f, _e4792);
 let _e10992 = select(_e10275, _e10274, (_e10274 > _e10275));
-phi_23971_ = type_33(vec3<f32>(select(_e4687, _e10288, _e4792), select(_e4688, _e10289, _e4792), select(_e4689, _e10290, _e4792)), vec3<f32>(select((_e7328 + (_e7118.member_3.x * _e7948)), select((_e7328 + (_e7911 * _e7930)), _e7328, _e7931), _e4661), select((_e7329 + (_e7118.member_3.y * _e7948)), select((_e7329 + (_e7912 * _e7930)), _e7329, _e7931), _e4661), select((_e7330 + (_e7118.member_3.z * _e7948)), select((_e7330 + (_e7913 * _e7930)), _e7330, _e7931), _e4661)), _e7118.member, select(4f, 1f, (_e4792 || (((1f - _e10987) * select(_e10276, _e10992, (_e10992 > _e10276))) < 9.765625e-4f))), select(_e10284, (_e10284 + (_e10973 * _e10290)), _e4792), vec3<f32>(select(_e10267, (_e10267 + ((_e10274 * (select(_e4773.member, _e4762.member, _e4751) * (((_e10923.member.x * _e10943) * _e10963) + _e10243.member))) * _e10973)), _e4792), select(_e10269, (_e10269 + ((_e10275 * (select(_e4773.member_1, _e4762.member_1, _e4751) * (((_e10923.member.y * _e10943) * _e10963) + _e10243.member_1))) * _e10973)), _e4792), select(_e10271, (_e10271 + ((_e10276 * (select(_e4773.member_2, _e4762.member_2, _e4751) * (((_e10923.member.z * _e10943) * _e10963) + _e10243.member_2))) * _e10973)), _e4792)), _e10987, (_e3933.member_7 * vec3<f32>(_e9076, _e9124, _e9172)), select(0f, _e7118.member_2, (_e3946 != (_e4661 && !((_e7927 && (_e7896 != 0f)))))), -1.2676506e30f);
+phi_23971_ = type_32(vec3<f32>(select(_e4687, _e10288, _e4792), select(_e4688, _e10289, _e4792), select(_e4689, _e10290, _e4792)), vec3<f32>(select((_e7328 + (_e7118.member_3.x * _e7948)), select((_e7328 + (_e7911 * _e7930)), _e7328, _e7931), _e4661), select((_e7329 + (_e7118.member_3.y * _e7948)), select((_e7329 + (_e7912 * _e7930)), _e7329, _e7931), _e4661), select((_e7330 + (_e7118.member_3.z * _e7948)), select((_e7330 + (_e7913 * _e7930)), _e7330, _e7931), _e4661)), _e7118.member, select(4f, 1f, (_e4792 || (((1f - _e10987) * select(_e10276, _e10992, (_e10992 > _e10276))) < 9.765625e-4f))), select(_e10284, (_e10284 + (_e10973 * _e10290)), _e4792), vec3<f32>(select(_e10267, (_e10267 + ((_e10274 * (select(_e4773.member, _e4762.member, _e4751) * (((_e10923.member.x * _e10943) * _e10963) + _e10243.member))) * _e10973)), _e4792), select(_e10269, (_e10269 + ((_e10275 * (select(_e4773.member_1, _e4762.member_1, _e4751) * (((_e10923.member.y * _e10943) * _e10963) + _e10243.member_1))) * _e10973)), _e4792), select(_e10271, (_e10271 + ((_e10276 * (select(_e4773.member_2, _e4762.member_2, _e4751) * (((_e10923.member.z * _e10943) * _e10963) + _e10243.member_2))) * _e10973)), _e4792)), _e10987, (_e3933.member_7 * vec3<f32>(_e9076, _e9124, _e9172)), select(0f, _e7118.member_2, (_e3946 != (_e4661 && !((_e7927 && (_e7896 != 0f)))))), -1.2676506e30f);
 phi_23972_ = _e7321.member_2;
 phi_23973_ = _e7118;
 }
@@ -3538,9 +3538,9 @@ phi_9011_ = _e11010;
 phi_9013_ = _e11012;
 phi_9015_ = (_e3939 + 1i);
 } else {
-phi_9008_ = type_33();
+phi_9008_ = type_32();
 phi_9011_ = f32();
-phi_9013_ = type_35();
+phi_9013_ = type_34();
 phi_9015_ = i32();
 }
 let _e11014 = phi_9008_;
@@ -3573,25 +3573,25 @@ let _e11072 = local_55;
 let _e11076 = local_56;
 let _e11080 = local_57;
 let _e11083 = local_58;
-global_2.member[_e237] = _e11023.member.x;
-global_2.member[_e249] = _e11027.member.y;
-global_2.member[_e260] = _e11031.member.z;
-global_2.member[_e271] = _e11035.member_1.x;
-global_2.member[_e282] = _e11039.member_1.y;
-global_2.member[_e293] = _e11043.member_1.z;
-global_2.member[_e304] = _e11047.member_2;
+global_5.member[_e237] = _e11023.member.x;
+global_5.member[_e249] = _e11027.member.y;
+global_5.member[_e260] = _e11031.member.z;
+global_5.member[_e271] = _e11035.member_1.x;
+global_5.member[_e282] = _e11039.member_1.y;
+global_5.member[_e293] = _e11043.member_1.z;
+global_5.member[_e304] = _e11047.member_2;
 let _e11102 = local_59;
-global_2.member[_e315] = _e11102;
-global_2.member[_e326] = _e11050.member_4;
-global_2.member[_e337] = _e11053.member_5.x;
-global_2.member[_e348] = _e11057.member_5.y;
-global_2.member[_e359] = _e11061.member_5.z;
-global_2.member[_e370] = _e11065.member_6;
-global_2.member[_e381] = _e11068.member_7.x;
-global_2.member[_e392] = _e11072.member_7.y;
-global_2.member[_e403] = _e11076.member_7.z;
-global_2.member[_e414] = _e11080.member_8;
-global_2.member[_e425] = _e11083.member_9;
+global_5.member[_e315] = _e11102;
+global_5.member[_e326] = _e11050.member_4;
+global_5.member[_e337] = _e11053.member_5.x;
+global_5.member[_e348] = _e11057.member_5.y;
+global_5.member[_e359] = _e11061.member_5.z;
+global_5.member[_e370] = _e11065.member_6;
+global_5.member[_e381] = _e11068.member_7.x;
+global_5.member[_e392] = _e11072.member_7.y;
+global_5.member[_e403] = _e11076.member_7.z;
+global_5.member[_e414] = _e11080.member_8;
+global_5.member[_e425] = _e11083.member_9;
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,55 +90,86 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
+}
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
 }
 struct type_29 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_32 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_32 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: f32,
@@ -185,19 +181,19 @@ member_7: vec3<f32>,
 member_8: f32,
 member_9: f32,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_35 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -206,30 +202,34 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
+struct type_36 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
 struct type_39 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
-@group(0) @binding(7)
-var<storage, read_write> global_3: type_39;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_4: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_5: type_17;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_17;
+var<storage> global_4: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_5: type_26;
+@group(0) @binding(7)
+var<storage, read_write> global_6: type_39;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_29;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -245,9 +245,9 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_29;
 var local_23: vec3<f32>;
-var local_24: type_32;
+var local_24: type_29;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
@@ -263,69 +263,69 @@ var local_36: f32;
 var local_37: f32;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_32;
+var local_40: type_29;
 var local_41: vec3<f32>;
-var phi_6202_: type_34;
-var phi_6965_: type_35;
-var phi_7345_: type_5;
-var phi_8674_: type_36;
-var phi_8711_: type_33;
-var phi_8815_: f32;
-var phi_8899_: f32;
-var phi_8971_: type_29;
-var phi_8973_: type_33;
-var phi_8976_: f32;
-var phi_8978_: type_35;
-var phi_8980_: i32;
-var phi_10449_: type_36;
-var phi_10461_: bool;
-var phi_10476_: vec3<f32>;
-var phi_16138_: type_34;
-var phi_16901_: type_35;
-var phi_17293_: type_5;
-var phi_21503_: i32;
-var phi_22080_: vec3<f32>;
-var phi_22487_: vec3<f32>;
-var phi_22581_: f32;
-var phi_22623_: f32;
-var phi_22655_: type_29;
-var phi_23137_: u32;
-var phi_23474_: f32;
-var phi_23530_: f32;
-var phi_23535_: vec3<f32>;
-var phi_23638_: f32;
-var phi_23722_: f32;
-var phi_23794_: type_29;
-var phi_23795_: type_29;
-var phi_23964_: type_33;
-var phi_23965_: f32;
-var phi_23966_: type_35;
-var phi_8974_: type_33;
-var phi_8977_: f32;
-var phi_8979_: type_35;
-var phi_8981_: i32;
-var local_42: type_33;
-var local_43: type_33;
-var local_44: type_33;
-var local_45: type_33;
-var local_46: type_33;
-var local_47: type_33;
-var local_48: type_33;
-var local_49: type_33;
-var local_50: type_33;
-var local_51: type_33;
-var local_52: type_33;
-var local_53: type_33;
-var local_54: type_33;
-var local_55: type_33;
-var local_56: type_33;
-var local_57: type_33;
-var local_58: type_33;
+var phi_6192_: type_33;
+var phi_6955_: type_34;
+var phi_7335_: type_7;
+var phi_8664_: type_35;
+var phi_8701_: type_32;
+var phi_8805_: f32;
+var phi_8889_: f32;
+var phi_8961_: type_36;
+var phi_8963_: type_32;
+var phi_8966_: f32;
+var phi_8968_: type_34;
+var phi_8970_: i32;
+var phi_10439_: type_35;
+var phi_10451_: bool;
+var phi_10466_: vec3<f32>;
+var phi_16128_: type_33;
+var phi_16891_: type_34;
+var phi_17283_: type_7;
+var phi_21493_: i32;
+var phi_22070_: vec3<f32>;
+var phi_22477_: vec3<f32>;
+var phi_22571_: f32;
+var phi_22613_: f32;
+var phi_22645_: type_36;
+var phi_23127_: u32;
+var phi_23464_: f32;
+var phi_23520_: f32;
+var phi_23525_: vec3<f32>;
+var phi_23628_: f32;
+var phi_23712_: f32;
+var phi_23784_: type_36;
+var phi_23785_: type_36;
+var phi_23954_: type_32;
+var phi_23955_: f32;
+var phi_23956_: type_34;
+var phi_8964_: type_32;
+var phi_8967_: f32;
+var phi_8969_: type_34;
+var phi_8971_: i32;
+var local_42: type_32;
+var local_43: type_32;
+var local_44: type_32;
+var local_45: type_32;
+var local_46: type_32;
+var local_47: type_32;
+var local_48: type_32;
+var local_49: type_32;
+var local_50: type_32;
+var local_51: type_32;
+var local_52: type_32;
+var local_53: type_32;
+var local_54: type_32;
+var local_55: type_32;
+var local_56: type_32;
+var local_57: type_32;
+var local_58: type_32;
 var local_59: f32;
 let _e204 = global;
-let _e207 = arrayLength((&global_4.member));
-let _e210 = arrayLength((&global_5.member));
-let _e212 = arrayLength((&global_6.member));
+let _e207 = arrayLength((&global_2.member));
+let _e210 = arrayLength((&global_3.member));
+let _e212 = arrayLength((&global_4.member));
 let _e219 = global_1.member.member_2;
 let _e222 = global_1.member.member;
 let _e227 = (_e204.x + _e219.member);
@@ -335,86 +335,86 @@ if (_e230 < _e219.member_3) {
 let _e235 = (_e222.member * _e222.member_1);
 let _e237 = ((_e230 * _e222.member) + _e227);
 let _e238 = bitcast<i32>(_e237);
-let _e240 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e240 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e242 = select(_e240, _e238, (_e238 < _e240));
-let _e248 = global_2.member[bitcast<u32>(select(0i, _e242, (_e242 > 0i)))];
+let _e248 = global_5.member[bitcast<u32>(select(0i, _e242, (_e242 > 0i)))];
 let _e249 = (_e235 + _e237);
 let _e250 = bitcast<i32>(_e249);
 let _e252 = select(_e240, _e250, (_e250 < _e240));
-let _e258 = global_2.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
+let _e258 = global_5.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
 let _e260 = ((2u * _e235) + _e237);
 let _e261 = bitcast<i32>(_e260);
 let _e263 = select(_e240, _e261, (_e261 < _e240));
-let _e269 = global_2.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
+let _e269 = global_5.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
 let _e271 = ((3u * _e235) + _e237);
 let _e272 = bitcast<i32>(_e271);
 let _e274 = select(_e240, _e272, (_e272 < _e240));
-let _e280 = global_2.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
+let _e280 = global_5.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
 let _e282 = ((4u * _e235) + _e237);
 let _e283 = bitcast<i32>(_e282);
 let _e285 = select(_e240, _e283, (_e283 < _e240));
-let _e291 = global_2.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
+let _e291 = global_5.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
 let _e293 = ((5u * _e235) + _e237);
 let _e294 = bitcast<i32>(_e293);
 let _e296 = select(_e240, _e294, (_e294 < _e240));
-let _e302 = global_2.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
+let _e302 = global_5.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
 let _e304 = ((6u * _e235) + _e237);
 let _e305 = bitcast<i32>(_e304);
 let _e307 = select(_e240, _e305, (_e305 < _e240));
-let _e313 = global_2.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
+let _e313 = global_5.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
 let _e315 = ((7u * _e235) + _e237);
 let _e316 = bitcast<i32>(_e315);
 let _e318 = select(_e240, _e316, (_e316 < _e240));
-let _e324 = global_2.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
+let _e324 = global_5.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
 let _e326 = ((8u * _e235) + _e237);
 let _e327 = bitcast<i32>(_e326);
 let _e329 = select(_e240, _e327, (_e327 < _e240));
-let _e335 = global_2.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
+let _e335 = global_5.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
 let _e337 = ((9u * _e235) + _e237);
 let _e338 = bitcast<i32>(_e337);
 let _e340 = select(_e240, _e338, (_e338 < _e240));
-let _e346 = global_2.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
+let _e346 = global_5.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
 let _e348 = ((10u * _e235) + _e237);
 let _e349 = bitcast<i32>(_e348);
 let _e351 = select(_e240, _e349, (_e349 < _e240));
-let _e357 = global_2.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
+let _e357 = global_5.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
 let _e359 = ((11u * _e235) + _e237);
 let _e360 = bitcast<i32>(_e359);
 let _e362 = select(_e240, _e360, (_e360 < _e240));
-let _e368 = global_2.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
+let _e368 = global_5.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
 let _e370 = ((12u * _e235) + _e237);
 let _e371 = bitcast<i32>(_e370);
 let _e373 = select(_e240, _e371, (_e371 < _e240));
-let _e379 = global_2.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
+let _e379 = global_5.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
 let _e381 = ((13u * _e235) + _e237);
 let _e382 = bitcast<i32>(_e381);
 let _e384 = select(_e240, _e382, (_e382 < _e240));
-let _e390 = global_2.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
+let _e390 = global_5.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
 let _e392 = ((14u * _e235) + _e237);
 let _e393 = bitcast<i32>(_e392);
 let _e395 = select(_e240, _e393, (_e393 < _e240));
-let _e401 = global_2.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
+let _e401 = global_5.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
 let _e403 = ((15u * _e235) + _e237);
 let _e404 = bitcast<i32>(_e403);
 let _e406 = select(_e240, _e404, (_e404 < _e240));
-let _e412 = global_2.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
+let _e412 = global_5.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
 let _e414 = ((16u * _e235) + _e237);
 let _e415 = bitcast<i32>(_e414);
 let _e417 = select(_e240, _e415, (_e415 < _e240));
-let _e423 = global_2.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
+let _e423 = global_5.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
 let _e425 = ((17u * _e235) + _e237);
 let _e426 = bitcast<i32>(_e425);
 let _e428 = select(_e240, _e426, (_e426 < _e240));
-let _e434 = global_2.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
+let _e434 = global_5.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
 let _e435 = (_e324 == 2f);
 let _e438 = select(0u, 3u, (_e435 || (_e324 == 4f)));
 if (_e438 > 0u) {
-if (arrayLength((&global_3.member)) >= 3u) {
-let _e449 = atomicLoad((&global_3.member[0u]));
+if (arrayLength((&global_6.member)) >= 3u) {
+let _e449 = atomicLoad((&global_6.member[0u]));
 if (_e449 == 0u) {
-atomicStore((&global_3.member[0u]), (((_e219.member_2 - _e219.member) + 7u) / 8u));
-atomicStore((&global_3.member[1u]), (((_e219.member_3 - _e219.member_1) + 7u) / 8u));
-atomicStore((&global_3.member[2u]), 1u);
+atomicStore((&global_6.member[0u]), (((_e219.member_2 - _e219.member) + 7u) / 8u));
+atomicStore((&global_6.member[1u]), (((_e219.member_3 - _e219.member_1) + 7u) / 8u));
+atomicStore((&global_6.member[2u]), 1u);
 }
 }
 }
@@ -484,7 +484,7 @@ let _e677 = (select(0i, _e626, (_e626 > 0i)) * _e598);
 let _e678 = (select(0i, _e590, (_e590 > 0i)) * _e598);
 let _e679 = (select(_e625, _e631, (_e631 < _e625)) * _e598);
 let _e680 = (select(_e625, _e634, (_e634 < _e625)) * _e598);
-local_40 = type_32(array<i32, 4>(_e660, _e660, _e660, _e660), array<u32, 6>(bitcast<u32>(((_e647 - _e660) * 8i)), bitcast<u32>(((select(0i, _e560, (_e560 > 0i)) - _e660) * 8i)), bitcast<u32>(((select(_e644, _e650, (_e650 < _e644)) - _e660) * 8i)), bitcast<u32>(((select(_e644, _e653, (_e653 < _e644)) - _e660) * 8i)), 0u, 0u));
+local_40 = type_29(array<i32, 4>(_e660, _e660, _e660, _e660), array<u32, 6>(bitcast<u32>(((_e647 - _e660) * 8i)), bitcast<u32>(((select(0i, _e560, (_e560 > 0i)) - _e660) * 8i)), bitcast<u32>(((select(_e644, _e650, (_e650 < _e644)) - _e660) * 8i)), bitcast<u32>(((select(_e644, _e653, (_e653 < _e644)) - _e660) * 8i)), 0u, 0u));
 local_41 = vec3<f32>((_e525 - f32(_e560)), (_e535 - f32(_e575)), (_e545 - f32(_e590)));
 let _e695 = local_40.member[0u];
 let _e696 = ((_e678 + _e674) + _e695);
@@ -492,10 +492,10 @@ let _e698 = (_e696 >> bitcast<u32>(2i));
 let _e701 = bitcast<u32>(((_e696 & 3i) * 8i));
 let _e703 = (bitcast<i32>(_e207) - 1i);
 let _e705 = select(_e703, _e698, (_e698 < _e703));
-let _e710 = global_4.member[bitcast<u32>(select(0i, _e705, (_e705 > 0i)))];
+let _e710 = global_2.member[bitcast<u32>(select(0i, _e705, (_e705 > 0i)))];
 let _e714 = (_e698 + 1i);
 let _e716 = select(_e703, _e714, (_e714 < _e703));
-let _e721 = global_4.member[bitcast<u32>(select(0i, _e716, (_e716 > 0i)))];
+let _e721 = global_2.member[bitcast<u32>(select(0i, _e716, (_e716 > 0i)))];
 let _e728 = ((_e710 >> bitcast<u32>((_e701 & 31u))) | ((_e721 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e701) & 31u))));
 let _e731 = local_40.member_1[0u];
 let _e737 = f32(bitcast<i32>(((_e728 >> bitcast<u32>((_e731 & 31u))) & 255u)));
@@ -515,10 +515,10 @@ let _e779 = ((_e678 + _e675) + _e778);
 let _e781 = (_e779 >> bitcast<u32>(2i));
 let _e784 = bitcast<u32>(((_e779 & 3i) * 8i));
 let _e786 = select(_e703, _e781, (_e781 < _e703));
-let _e791 = global_4.member[bitcast<u32>(select(0i, _e786, (_e786 > 0i)))];
+let _e791 = global_2.member[bitcast<u32>(select(0i, _e786, (_e786 > 0i)))];
 let _e795 = (_e781 + 1i);
 let _e797 = select(_e703, _e795, (_e795 < _e703));
-let _e802 = global_4.member[bitcast<u32>(select(0i, _e797, (_e797 > 0i)))];
+let _e802 = global_2.member[bitcast<u32>(select(0i, _e797, (_e797 > 0i)))];
 let _e809 = ((_e791 >> bitcast<u32>((_e784 & 31u))) | ((_e802 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e784) & 31u))));
 let _e810 = local_40.member_1[0u];
 let _e816 = f32(bitcast<i32>(((_e809 >> bitcast<u32>((_e810 & 31u))) & 255u)));
@@ -536,10 +536,10 @@ let _e852 = ((_e679 + _e674) + _e851);
 let _e854 = (_e852 >> bitcast<u32>(2i));
 let _e857 = bitcast<u32>(((_e852 & 3i) * 8i));
 let _e859 = select(_e703, _e854, (_e854 < _e703));
-let _e864 = global_4.member[bitcast<u32>(select(0i, _e859, (_e859 > 0i)))];
+let _e864 = global_2.member[bitcast<u32>(select(0i, _e859, (_e859 > 0i)))];
 let _e868 = (_e854 + 1i);
 let _e870 = select(_e703, _e868, (_e868 < _e703));
-let _e875 = global_4.member[bitcast<u32>(select(0i, _e870, (_e870 > 0i)))];
+let _e875 = global_2.member[bitcast<u32>(select(0i, _e870, (_e870 > 0i)))];
 let _e882 = ((_e864 >> bitcast<u32>((_e857 & 31u))) | ((_e875 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e857) & 31u))));
 let _e883 = local_40.member_1[0u];
 let _e889 = f32(bitcast<i32>(((_e882 >> bitcast<u32>((_e883 & 31u))) & 255u)));
@@ -559,10 +559,10 @@ let _e925 = ((_e679 + _e675) + _e924);
 let _e927 = (_e925 >> bitcast<u32>(2i));
 let _e930 = bitcast<u32>(((_e925 & 3i) * 8i));
 let _e932 = select(_e703, _e927, (_e927 < _e703));
-let _e937 = global_4.member[bitcast<u32>(select(0i, _e932, (_e932 > 0i)))];
+let _e937 = global_2.member[bitcast<u32>(select(0i, _e932, (_e932 > 0i)))];
 let _e941 = (_e927 + 1i);
 let _e943 = select(_e703, _e941, (_e941 < _e703));
-let _e948 = global_4.member[bitcast<u32>(select(0i, _e943, (_e943 > 0i)))];
+let _e948 = global_2.member[bitcast<u32>(select(0i, _e943, (_e943 > 0i)))];
 let _e955 = ((_e937 >> bitcast<u32>((_e930 & 31u))) | ((_e948 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e930) & 31u))));
 let _e956 = local_40.member_1[0u];
 let _e962 = f32(bitcast<i32>(((_e955 >> bitcast<u32>((_e956 & 31u))) & 255u)));
@@ -580,10 +580,10 @@ let _e998 = ((_e678 + _e673) + _e997);
 let _e1000 = (_e998 >> bitcast<u32>(2i));
 let _e1003 = bitcast<u32>(((_e998 & 3i) * 8i));
 let _e1005 = select(_e703, _e1000, (_e1000 < _e703));
-let _e1010 = global_4.member[bitcast<u32>(select(0i, _e1005, (_e1005 > 0i)))];
+let _e1010 = global_2.member[bitcast<u32>(select(0i, _e1005, (_e1005 > 0i)))];
 let _e1014 = (_e1000 + 1i);
 let _e1016 = select(_e703, _e1014, (_e1014 < _e703));
-let _e1021 = global_4.member[bitcast<u32>(select(0i, _e1016, (_e1016 > 0i)))];
+let _e1021 = global_2.member[bitcast<u32>(select(0i, _e1016, (_e1016 > 0i)))];
 let _e1028 = ((_e1010 >> bitcast<u32>((_e1003 & 31u))) | ((_e1021 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1003) & 31u))));
 let _e1029 = local_40.member_1[1u];
 let _e1035 = f32(bitcast<i32>(((_e1028 >> bitcast<u32>((_e1029 & 31u))) & 255u)));
@@ -595,10 +595,10 @@ let _e1049 = ((_e678 + _e676) + _e1048);
 let _e1051 = (_e1049 >> bitcast<u32>(2i));
 let _e1054 = bitcast<u32>(((_e1049 & 3i) * 8i));
 let _e1056 = select(_e703, _e1051, (_e1051 < _e703));
-let _e1061 = global_4.member[bitcast<u32>(select(0i, _e1056, (_e1056 > 0i)))];
+let _e1061 = global_2.member[bitcast<u32>(select(0i, _e1056, (_e1056 > 0i)))];
 let _e1065 = (_e1051 + 1i);
 let _e1067 = select(_e703, _e1065, (_e1065 < _e703));
-let _e1072 = global_4.member[bitcast<u32>(select(0i, _e1067, (_e1067 > 0i)))];
+let _e1072 = global_2.member[bitcast<u32>(select(0i, _e1067, (_e1067 > 0i)))];
 let _e1079 = ((_e1061 >> bitcast<u32>((_e1054 & 31u))) | ((_e1072 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1054) & 31u))));
 let _e1080 = local_40.member_1[1u];
 let _e1086 = f32(bitcast<i32>(((_e1079 >> bitcast<u32>((_e1080 & 31u))) & 255u)));
@@ -609,10 +609,10 @@ let _e1100 = ((_e679 + _e673) + _e1099);
 let _e1102 = (_e1100 >> bitcast<u32>(2i));
 let _e1105 = bitcast<u32>(((_e1100 & 3i) * 8i));
 let _e1107 = select(_e703, _e1102, (_e1102 < _e703));
-let _e1112 = global_4.member[bitcast<u32>(select(0i, _e1107, (_e1107 > 0i)))];
+let _e1112 = global_2.member[bitcast<u32>(select(0i, _e1107, (_e1107 > 0i)))];
 let _e1116 = (_e1102 + 1i);
 let _e1118 = select(_e703, _e1116, (_e1116 < _e703));
-let _e1123 = global_4.member[bitcast<u32>(select(0i, _e1118, (_e1118 > 0i)))];
+let _e1123 = global_2.member[bitcast<u32>(select(0i, _e1118, (_e1118 > 0i)))];
 let _e1130 = ((_e1112 >> bitcast<u32>((_e1105 & 31u))) | ((_e1123 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1105) & 31u))));
 let _e1131 = local_40.member_1[1u];
 let _e1137 = f32(bitcast<i32>(((_e1130 >> bitcast<u32>((_e1131 & 31u))) & 255u)));
@@ -624,10 +624,10 @@ let _e1151 = ((_e679 + _e676) + _e1150);
 let _e1153 = (_e1151 >> bitcast<u32>(2i));
 let _e1156 = bitcast<u32>(((_e1151 & 3i) * 8i));
 let _e1158 = select(_e703, _e1153, (_e1153 < _e703));
-let _e1163 = global_4.member[bitcast<u32>(select(0i, _e1158, (_e1158 > 0i)))];
+let _e1163 = global_2.member[bitcast<u32>(select(0i, _e1158, (_e1158 > 0i)))];
 let _e1167 = (_e1153 + 1i);
 let _e1169 = select(_e703, _e1167, (_e1167 < _e703));
-let _e1174 = global_4.member[bitcast<u32>(select(0i, _e1169, (_e1169 > 0i)))];
+let _e1174 = global_2.member[bitcast<u32>(select(0i, _e1169, (_e1169 > 0i)))];
 let _e1181 = ((_e1163 >> bitcast<u32>((_e1156 & 31u))) | ((_e1174 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1156) & 31u))));
 let _e1182 = local_40.member_1[1u];
 let _e1188 = f32(bitcast<i32>(((_e1181 >> bitcast<u32>((_e1182 & 31u))) & 255u)));
@@ -638,10 +638,10 @@ let _e1202 = ((_e677 + _e674) + _e1201);
 let _e1204 = (_e1202 >> bitcast<u32>(2i));
 let _e1207 = bitcast<u32>(((_e1202 & 3i) * 8i));
 let _e1209 = select(_e703, _e1204, (_e1204 < _e703));
-let _e1214 = global_4.member[bitcast<u32>(select(0i, _e1209, (_e1209 > 0i)))];
+let _e1214 = global_2.member[bitcast<u32>(select(0i, _e1209, (_e1209 > 0i)))];
 let _e1218 = (_e1204 + 1i);
 let _e1220 = select(_e703, _e1218, (_e1218 < _e703));
-let _e1225 = global_4.member[bitcast<u32>(select(0i, _e1220, (_e1220 > 0i)))];
+let _e1225 = global_2.member[bitcast<u32>(select(0i, _e1220, (_e1220 > 0i)))];
 let _e1232 = ((_e1214 >> bitcast<u32>((_e1207 & 31u))) | ((_e1225 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1207) & 31u))));
 let _e1233 = local_40.member_1[1u];
 let _e1239 = f32(bitcast<i32>(((_e1232 >> bitcast<u32>((_e1233 & 31u))) & 255u)));
@@ -653,10 +653,10 @@ let _e1253 = ((_e680 + _e674) + _e1252);
 let _e1255 = (_e1253 >> bitcast<u32>(2i));
 let _e1258 = bitcast<u32>(((_e1253 & 3i) * 8i));
 let _e1260 = select(_e703, _e1255, (_e1255 < _e703));
-let _e1265 = global_4.member[bitcast<u32>(select(0i, _e1260, (_e1260 > 0i)))];
+let _e1265 = global_2.member[bitcast<u32>(select(0i, _e1260, (_e1260 > 0i)))];
 let _e1269 = (_e1255 + 1i);
 let _e1271 = select(_e703, _e1269, (_e1269 < _e703));
-let _e1276 = global_4.member[bitcast<u32>(select(0i, _e1271, (_e1271 > 0i)))];
+let _e1276 = global_2.member[bitcast<u32>(select(0i, _e1271, (_e1271 > 0i)))];
 let _e1283 = ((_e1265 >> bitcast<u32>((_e1258 & 31u))) | ((_e1276 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1258) & 31u))));
 let _e1284 = local_40.member_1[1u];
 let _e1290 = f32(bitcast<i32>(((_e1283 >> bitcast<u32>((_e1284 & 31u))) & 255u)));
@@ -668,10 +668,10 @@ let _e1304 = ((_e677 + _e675) + _e1303);
 let _e1306 = (_e1304 >> bitcast<u32>(2i));
 let _e1309 = bitcast<u32>(((_e1304 & 3i) * 8i));
 let _e1311 = select(_e703, _e1306, (_e1306 < _e703));
-let _e1316 = global_4.member[bitcast<u32>(select(0i, _e1311, (_e1311 > 0i)))];
+let _e1316 = global_2.member[bitcast<u32>(select(0i, _e1311, (_e1311 > 0i)))];
 let _e1320 = (_e1306 + 1i);
 let _e1322 = select(_e703, _e1320, (_e1320 < _e703));
-let _e1327 = global_4.member[bitcast<u32>(select(0i, _e1322, (_e1322 > 0i)))];
+let _e1327 = global_2.member[bitcast<u32>(select(0i, _e1322, (_e1322 > 0i)))];
 let _e1334 = ((_e1316 >> bitcast<u32>((_e1309 & 31u))) | ((_e1327 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1309) & 31u))));
 let _e1335 = local_40.member_1[1u];
 let _e1341 = f32(bitcast<i32>(((_e1334 >> bitcast<u32>((_e1335 & 31u))) & 255u)));
@@ -682,10 +682,10 @@ let _e1355 = ((_e680 + _e675) + _e1354);
 let _e1357 = (_e1355 >> bitcast<u32>(2i));
 let _e1360 = bitcast<u32>(((_e1355 & 3i) * 8i));
 let _e1362 = select(_e703, _e1357, (_e1357 < _e703));
-let _e1367 = global_4.member[bitcast<u32>(select(0i, _e1362, (_e1362 > 0i)))];
+let _e1367 = global_2.member[bitcast<u32>(select(0i, _e1362, (_e1362 > 0i)))];
 let _e1371 = (_e1357 + 1i);
 let _e1373 = select(_e703, _e1371, (_e1371 < _e703));
-let _e1378 = global_4.member[bitcast<u32>(select(0i, _e1373, (_e1373 > 0i)))];
+let _e1378 = global_2.member[bitcast<u32>(select(0i, _e1373, (_e1373 > 0i)))];
 let _e1385 = ((_e1367 >> bitcast<u32>((_e1360 & 31u))) | ((_e1378 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1360) & 31u))));
 let _e1386 = local_40.member_1[1u];
 let _e1392 = f32(bitcast<i32>(((_e1385 >> bitcast<u32>((_e1386 & 31u))) & 255u)));
@@ -747,50 +747,50 @@ local_39 = _e1533;
 let _e1534 = local_39;
 let _e1536 = (bitcast<i32>(_e210) - 1i);
 let _e1538 = select(_e1536, 263197i, (263197i < _e1536));
-let _e1543 = global_5.member[bitcast<u32>(select(0i, _e1538, (_e1538 > 0i)))];
+let _e1543 = global_3.member[bitcast<u32>(select(0i, _e1538, (_e1538 > 0i)))];
 let _e1544 = bitcast<f32>(_e1543);
 let _e1546 = select(_e1536, 263198i, (263198i < _e1536));
 let _e1549 = bitcast<u32>(select(0i, _e1546, (_e1546 > 0i)));
-let _e1551 = global_5.member[_e1549];
+let _e1551 = global_3.member[_e1549];
 let _e1552 = bitcast<f32>(_e1551);
 let _e1554 = select(_e1536, 263199i, (263199i < _e1536));
-let _e1559 = global_5.member[bitcast<u32>(select(0i, _e1554, (_e1554 > 0i)))];
+let _e1559 = global_3.member[bitcast<u32>(select(0i, _e1554, (_e1554 > 0i)))];
 let _e1560 = bitcast<f32>(_e1559);
 let _e1562 = ((_e1534 - _e1544) * _e1552);
 let _e1564 = select(0f, _e1562, (_e1562 > 0f));
 let _e1567 = local_39;
 let _e1569 = select(_e1536, 263200i, (263200i < _e1536));
-let _e1574 = global_5.member[bitcast<u32>(select(0i, _e1569, (_e1569 > 0i)))];
+let _e1574 = global_3.member[bitcast<u32>(select(0i, _e1569, (_e1569 > 0i)))];
 let _e1575 = bitcast<f32>(_e1574);
 let _e1577 = select(_e1536, 263201i, (263201i < _e1536));
-let _e1582 = global_5.member[bitcast<u32>(select(0i, _e1577, (_e1577 > 0i)))];
+let _e1582 = global_3.member[bitcast<u32>(select(0i, _e1577, (_e1577 > 0i)))];
 let _e1583 = bitcast<f32>(_e1582);
 let _e1585 = select(_e1536, 263202i, (263202i < _e1536));
-let _e1590 = global_5.member[bitcast<u32>(select(0i, _e1585, (_e1585 > 0i)))];
+let _e1590 = global_3.member[bitcast<u32>(select(0i, _e1585, (_e1585 > 0i)))];
 let _e1591 = bitcast<f32>(_e1590);
 let _e1593 = ((_e1567 - _e1575) * _e1583);
 let _e1595 = select(0f, _e1593, (_e1593 > 0f));
 let _e1599 = local_39;
 let _e1601 = select(_e1536, 263203i, (263203i < _e1536));
-let _e1606 = global_5.member[bitcast<u32>(select(0i, _e1601, (_e1601 > 0i)))];
+let _e1606 = global_3.member[bitcast<u32>(select(0i, _e1601, (_e1601 > 0i)))];
 let _e1607 = bitcast<f32>(_e1606);
 let _e1609 = select(_e1536, 263204i, (263204i < _e1536));
-let _e1614 = global_5.member[bitcast<u32>(select(0i, _e1609, (_e1609 > 0i)))];
+let _e1614 = global_3.member[bitcast<u32>(select(0i, _e1609, (_e1609 > 0i)))];
 let _e1615 = bitcast<f32>(_e1614);
 let _e1617 = select(_e1536, 263205i, (263205i < _e1536));
-let _e1622 = global_5.member[bitcast<u32>(select(0i, _e1617, (_e1617 > 0i)))];
+let _e1622 = global_3.member[bitcast<u32>(select(0i, _e1617, (_e1617 > 0i)))];
 let _e1623 = bitcast<f32>(_e1622);
 let _e1625 = ((_e1599 - _e1607) * _e1615);
 let _e1627 = select(0f, _e1625, (_e1625 > 0f));
 let _e1630 = local_39;
 let _e1632 = select(_e1536, 263206i, (263206i < _e1536));
-let _e1637 = global_5.member[bitcast<u32>(select(0i, _e1632, (_e1632 > 0i)))];
+let _e1637 = global_3.member[bitcast<u32>(select(0i, _e1632, (_e1632 > 0i)))];
 let _e1638 = bitcast<f32>(_e1637);
 let _e1640 = select(_e1536, 263207i, (263207i < _e1536));
-let _e1645 = global_5.member[bitcast<u32>(select(0i, _e1640, (_e1640 > 0i)))];
+let _e1645 = global_3.member[bitcast<u32>(select(0i, _e1640, (_e1640 > 0i)))];
 let _e1646 = bitcast<f32>(_e1645);
 let _e1648 = select(_e1536, 263208i, (263208i < _e1536));
-let _e1653 = global_5.member[bitcast<u32>(select(0i, _e1648, (_e1648 > 0i)))];
+let _e1653 = global_3.member[bitcast<u32>(select(0i, _e1648, (_e1648 > 0i)))];
 let _e1654 = bitcast<f32>(_e1653);
 let _e1656 = ((_e1630 - _e1638) * _e1646);
 let _e1658 = select(0f, _e1656, (_e1656 > 0f));
@@ -801,34 +801,34 @@ let _e1673 = select(0i, select(select(i32(_e1666), i32(-2147483648), (_e1666 < -
 let _e1677 = (_e1673 - select(0i, 1i, (_e1666 < f32(_e1673))));
 let _e1678 = (262147i + _e1677);
 let _e1680 = select(_e1536, _e1678, (_e1678 < _e1536));
-let _e1686 = global_5.member[bitcast<u32>(select(0i, _e1680, (_e1680 > 0i)))];
+let _e1686 = global_3.member[bitcast<u32>(select(0i, _e1680, (_e1680 > 0i)))];
 let _e1696 = select(_e1536, 262146i, (262146i < _e1536));
-let _e1702 = global_5.member[bitcast<u32>(select(0i, _e1696, (_e1696 > 0i)))];
+let _e1702 = global_3.member[bitcast<u32>(select(0i, _e1696, (_e1696 > 0i)))];
 let _e1703 = bitcast<f32>(_e1702);
 let _e1704 = (f32((bitcast<i32>((_e1686 & 4095u)) - 2048i)) * _e1703);
 let _e1706 = select(_e1536, 262144i, (262144i < _e1536));
-let _e1712 = global_5.member[bitcast<u32>(select(0i, _e1706, (_e1706 > 0i)))];
+let _e1712 = global_3.member[bitcast<u32>(select(0i, _e1706, (_e1706 > 0i)))];
 let _e1713 = bitcast<f32>(_e1712);
 let _e1715 = select(_e1536, 262145i, (262145i < _e1536));
-let _e1721 = global_5.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
+let _e1721 = global_3.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
 let _e1722 = bitcast<f32>(_e1721);
 let _e1728 = ((_e1713 + (f32(bitcast<i32>((_e1686 >> bitcast<u32>(12u)))) * _e1722)) + (_e1704 * (_e1662 - f32(_e1677))));
-let _e1731 = global_5.member[_e1549];
+let _e1731 = global_3.member[_e1549];
 let _e1733 = local_38;
 let _e1736 = local_38;
 let _e1739 = local_38;
 let _e1743 = select(_e1536, 263209i, (263209i < _e1536));
-let _e1749 = global_5.member[bitcast<u32>(select(0i, _e1743, (_e1743 > 0i)))];
+let _e1749 = global_3.member[bitcast<u32>(select(0i, _e1743, (_e1743 > 0i)))];
 let _e1751 = local_38;
 let _e1754 = select(_e1536, 263210i, (263210i < _e1536));
-let _e1760 = global_5.member[bitcast<u32>(select(0i, _e1754, (_e1754 > 0i)))];
+let _e1760 = global_3.member[bitcast<u32>(select(0i, _e1754, (_e1754 > 0i)))];
 let _e1762 = local_38;
 let _e1766 = (_e1704 * select(0f, select(select(select(bitcast<f32>(_e1731), _e1583, (_e1733 >= _e1575)), _e1615, (_e1736 >= _e1607)), _e1646, (_e1739 >= _e1638)), ((_e1751 >= bitcast<f32>(_e1749)) && (_e1762 <= bitcast<f32>(_e1760)))));
 if _e514 {
 let _e1773 = ((0.5f * (_e1508 - _e1502)) * _e1766);
 let _e1774 = ((0.5f * (_e1520 - _e1514)) * _e1766);
 let _e1775 = ((0.5f * (_e1532 - _e1526)) * _e1766);
-phi_6202_ = type_34(_e1728, vec3<f32>(_e1773, _e1774, _e1775), vec3<f32>((_e1773 * _e1728), (_e1774 * _e1728), (_e1775 * _e1728)));
+phi_6192_ = type_33(_e1728, vec3<f32>(_e1773, _e1774, _e1775), vec3<f32>((_e1773 * _e1728), (_e1774 * _e1728), (_e1775 * _e1728)));
 } else {
 local_36 = _e1502;
 let _e1782 = local_36;
@@ -852,7 +852,7 @@ let _e1824 = select(0i, select(select(i32(_e1817), i32(-2147483648), (_e1817 < -
 let _e1828 = (_e1824 - select(0i, 1i, (_e1817 < f32(_e1824))));
 let _e1829 = (262147i + _e1828);
 let _e1831 = select(_e1536, _e1829, (_e1829 < _e1536));
-let _e1837 = global_5.member[bitcast<u32>(select(0i, _e1831, (_e1831 > 0i)))];
+let _e1837 = global_3.member[bitcast<u32>(select(0i, _e1831, (_e1831 > 0i)))];
 let _e1852 = ((_e1713 + (f32(bitcast<i32>((_e1837 >> bitcast<u32>(12u)))) * _e1722)) + ((f32((bitcast<i32>((_e1837 & 4095u)) - 2048i)) * _e1703) * (_e1813 - f32(_e1828))));
 local_34 = _e1508;
 let _e1853 = local_34;
@@ -876,7 +876,7 @@ let _e1895 = select(0i, select(select(i32(_e1888), i32(-2147483648), (_e1888 < -
 let _e1899 = (_e1895 - select(0i, 1i, (_e1888 < f32(_e1895))));
 let _e1900 = (262147i + _e1899);
 let _e1902 = select(_e1536, _e1900, (_e1900 < _e1536));
-let _e1908 = global_5.member[bitcast<u32>(select(0i, _e1902, (_e1902 > 0i)))];
+let _e1908 = global_3.member[bitcast<u32>(select(0i, _e1902, (_e1902 > 0i)))];
 let _e1923 = ((_e1713 + (f32(bitcast<i32>((_e1908 >> bitcast<u32>(12u)))) * _e1722)) + ((f32((bitcast<i32>((_e1908 & 4095u)) - 2048i)) * _e1703) * (_e1884 - f32(_e1899))));
 local_32 = _e1514;
 let _e1924 = local_32;
@@ -900,7 +900,7 @@ let _e1966 = select(0i, select(select(i32(_e1959), i32(-2147483648), (_e1959 < -
 let _e1970 = (_e1966 - select(0i, 1i, (_e1959 < f32(_e1966))));
 let _e1971 = (262147i + _e1970);
 let _e1973 = select(_e1536, _e1971, (_e1971 < _e1536));
-let _e1979 = global_5.member[bitcast<u32>(select(0i, _e1973, (_e1973 > 0i)))];
+let _e1979 = global_3.member[bitcast<u32>(select(0i, _e1973, (_e1973 > 0i)))];
 let _e1994 = ((_e1713 + (f32(bitcast<i32>((_e1979 >> bitcast<u32>(12u)))) * _e1722)) + ((f32((bitcast<i32>((_e1979 & 4095u)) - 2048i)) * _e1703) * (_e1955 - f32(_e1970))));
 local_30 = _e1520;
 let _e1995 = local_30;
@@ -924,7 +924,7 @@ let _e2037 = select(0i, select(select(i32(_e2030), i32(-2147483648), (_e2030 < -
 let _e2041 = (_e2037 - select(0i, 1i, (_e2030 < f32(_e2037))));
 let _e2042 = (262147i + _e2041);
 let _e2044 = select(_e1536, _e2042, (_e2042 < _e1536));
-let _e2050 = global_5.member[bitcast<u32>(select(0i, _e2044, (_e2044 > 0i)))];
+let _e2050 = global_3.member[bitcast<u32>(select(0i, _e2044, (_e2044 > 0i)))];
 let _e2065 = ((_e1713 + (f32(bitcast<i32>((_e2050 >> bitcast<u32>(12u)))) * _e1722)) + ((f32((bitcast<i32>((_e2050 & 4095u)) - 2048i)) * _e1703) * (_e2026 - f32(_e2041))));
 local_28 = _e1526;
 let _e2066 = local_28;
@@ -948,7 +948,7 @@ let _e2108 = select(0i, select(select(i32(_e2101), i32(-2147483648), (_e2101 < -
 let _e2112 = (_e2108 - select(0i, 1i, (_e2101 < f32(_e2108))));
 let _e2113 = (262147i + _e2112);
 let _e2115 = select(_e1536, _e2113, (_e2113 < _e1536));
-let _e2121 = global_5.member[bitcast<u32>(select(0i, _e2115, (_e2115 > 0i)))];
+let _e2121 = global_3.member[bitcast<u32>(select(0i, _e2115, (_e2115 > 0i)))];
 let _e2136 = ((_e1713 + (f32(bitcast<i32>((_e2121 >> bitcast<u32>(12u)))) * _e1722)) + ((f32((bitcast<i32>((_e2121 & 4095u)) - 2048i)) * _e1703) * (_e2097 - f32(_e2112))));
 local_26 = _e1532;
 let _e2137 = local_26;
@@ -972,14 +972,14 @@ let _e2179 = select(0i, select(select(i32(_e2172), i32(-2147483648), (_e2172 < -
 let _e2183 = (_e2179 - select(0i, 1i, (_e2172 < f32(_e2179))));
 let _e2184 = (262147i + _e2183);
 let _e2186 = select(_e1536, _e2184, (_e2184 < _e1536));
-let _e2192 = global_5.member[bitcast<u32>(select(0i, _e2186, (_e2186 > 0i)))];
+let _e2192 = global_3.member[bitcast<u32>(select(0i, _e2186, (_e2186 > 0i)))];
 let _e2207 = ((_e1713 + (f32(bitcast<i32>((_e2192 >> bitcast<u32>(12u)))) * _e1722)) + ((f32((bitcast<i32>((_e2192 & 4095u)) - 2048i)) * _e1703) * (_e2168 - f32(_e2183))));
 let _e2208 = (_e1923 - _e1852);
 let _e2210 = (_e2065 - _e1994);
 let _e2212 = (_e2207 - _e2136);
-phi_6202_ = type_34(_e1728, vec3<f32>((0.5f * _e2208), (0.5f * _e2210), (0.5f * _e2212)), vec3<f32>((0.25f * (_e2208 * (_e1923 + _e1852))), (0.25f * (_e2210 * (_e2065 + _e1994))), (0.25f * (_e2212 * (_e2207 + _e2136)))));
+phi_6192_ = type_33(_e1728, vec3<f32>((0.5f * _e2208), (0.5f * _e2210), (0.5f * _e2212)), vec3<f32>((0.25f * (_e2208 * (_e1923 + _e1852))), (0.25f * (_e2210 * (_e2065 + _e1994))), (0.25f * (_e2212 * (_e2207 + _e2136)))));
 }
-let _e2227 = phi_6202_;
+let _e2227 = phi_6192_;
 let _e2242 = select(0f, 1f, ((((((_e476 >= -0.5f) && (_e476 <= _e521)) && (_e491 >= -0.5f)) && (_e491 <= _e531)) && (_e506 >= -0.5f)) && (_e506 <= _e541)));
 let _e2244 = (0.5f * (_e1508 - _e1502));
 let _e2246 = (0.5f * (_e1520 - _e1514));
@@ -993,7 +993,7 @@ let _e2284 = global_1.member.member_6.member_1.member.member_2;
 let _e2290 = global_1.member.member_6.member_2.member.member;
 let _e2296 = global_1.member.member_6.member_2.member.member_1;
 let _e2302 = global_1.member.member_6.member_2.member.member_2;
-phi_6965_ = type_35(_e1496, vec3<f32>(((((_e2254 * _e2244) + (_e2272 * _e2246)) + (_e2290 * _e2248)) * _e2242), ((((_e2260 * _e2244) + (_e2278 * _e2246)) + (_e2296 * _e2248)) * _e2242), ((((_e2266 * _e2244) + (_e2284 * _e2246)) + (_e2302 * _e2248)) * _e2242)), _e2227.member, vec3<f32>(((((_e2254 * _e2227.member_2.x) + (_e2272 * _e2227.member_2.y)) + (_e2290 * _e2227.member_2.z)) * _e2242), ((((_e2260 * _e2227.member_2.x) + (_e2278 * _e2227.member_2.y)) + (_e2296 * _e2227.member_2.z)) * _e2242), ((((_e2266 * _e2227.member_2.x) + (_e2284 * _e2227.member_2.y)) + (_e2302 * _e2227.member_2.z)) * _e2242)), vec3<f32>(((((_e2254 * _e2227.member_1.x) + (_e2272 * _e2227.member_1.y)) + (_e2290 * _e2227.member_1.z)) * _e2242), ((((_e2260 * _e2227.member_1.x) + (_e2278 * _e2227.member_1.y)) + (_e2296 * _e2227.member_1.z)) * _e2242), ((((_e2266 * _e2227.member_1.x) + (_e2284 * _e2227.member_1.y)) + (_e2302 * _e2227.member_1.z)) * _e2242)));
+phi_6955_ = type_34(_e1496, vec3<f32>(((((_e2254 * _e2244) + (_e2272 * _e2246)) + (_e2290 * _e2248)) * _e2242), ((((_e2260 * _e2244) + (_e2278 * _e2246)) + (_e2296 * _e2248)) * _e2242), ((((_e2266 * _e2244) + (_e2284 * _e2246)) + (_e2302 * _e2248)) * _e2242)), _e2227.member, vec3<f32>(((((_e2254 * _e2227.member_2.x) + (_e2272 * _e2227.member_2.y)) + (_e2290 * _e2227.member_2.z)) * _e2242), ((((_e2260 * _e2227.member_2.x) + (_e2278 * _e2227.member_2.y)) + (_e2296 * _e2227.member_2.z)) * _e2242), ((((_e2266 * _e2227.member_2.x) + (_e2284 * _e2227.member_2.y)) + (_e2302 * _e2227.member_2.z)) * _e2242)), vec3<f32>(((((_e2254 * _e2227.member_1.x) + (_e2272 * _e2227.member_1.y)) + (_e2290 * _e2227.member_1.z)) * _e2242), ((((_e2260 * _e2227.member_1.x) + (_e2278 * _e2227.member_1.y)) + (_e2296 * _e2227.member_1.z)) * _e2242), ((((_e2266 * _e2227.member_1.x) + (_e2284 * _e2227.member_1.y)) + (_e2302 * _e2227.member_1.z)) * _e2242)));
 } else {
 let _e2371 = global_1.member.member_6.member_3.member;
 let _e2372 = (_e2371 - 0.5f);
@@ -1038,7 +1038,7 @@ let _e2512 = (select(0i, _e2426, (_e2426 > 0i)) * _e2445);
 let _e2513 = (select(_e2457, _e2460, (_e2460 < _e2457)) * _e2445);
 let _e2514 = (select(0i, _e2441, (_e2441 > 0i)) * _e2449);
 let _e2515 = (select(_e2470, _e2473, (_e2473 < _e2470)) * _e2449);
-local_24 = type_32(array<i32, 4>(_e2499, _e2499, _e2499, _e2499), array<u32, 6>(bitcast<u32>(((_e2486 - _e2499) * 8i)), bitcast<u32>(((select(0i, _e2411, (_e2411 > 0i)) - _e2499) * 8i)), bitcast<u32>(((select(_e2483, _e2489, (_e2489 < _e2483)) - _e2499) * 8i)), bitcast<u32>(((select(_e2483, _e2492, (_e2492 < _e2483)) - _e2499) * 8i)), 0u, 0u));
+local_24 = type_29(array<i32, 4>(_e2499, _e2499, _e2499, _e2499), array<u32, 6>(bitcast<u32>(((_e2486 - _e2499) * 8i)), bitcast<u32>(((select(0i, _e2411, (_e2411 > 0i)) - _e2499) * 8i)), bitcast<u32>(((select(_e2483, _e2489, (_e2489 < _e2483)) - _e2499) * 8i)), bitcast<u32>(((select(_e2483, _e2492, (_e2492 < _e2483)) - _e2499) * 8i)), 0u, 0u));
 local_25 = vec3<f32>((_e2376 - f32(_e2411)), (_e2386 - f32(_e2426)), (_e2396 - f32(_e2441)));
 let _e2530 = local_24.member[0u];
 let _e2531 = ((_e2514 + _e2512) + _e2530);
@@ -1046,10 +1046,10 @@ let _e2533 = (_e2531 >> bitcast<u32>(2i));
 let _e2536 = bitcast<u32>(((_e2531 & 3i) * 8i));
 let _e2538 = (bitcast<i32>(_e207) - 1i);
 let _e2540 = select(_e2538, _e2533, (_e2533 < _e2538));
-let _e2545 = global_4.member[bitcast<u32>(select(0i, _e2540, (_e2540 > 0i)))];
+let _e2545 = global_2.member[bitcast<u32>(select(0i, _e2540, (_e2540 > 0i)))];
 let _e2549 = (_e2533 + 1i);
 let _e2551 = select(_e2538, _e2549, (_e2549 < _e2538));
-let _e2556 = global_4.member[bitcast<u32>(select(0i, _e2551, (_e2551 > 0i)))];
+let _e2556 = global_2.member[bitcast<u32>(select(0i, _e2551, (_e2551 > 0i)))];
 let _e2563 = ((_e2545 >> bitcast<u32>((_e2536 & 31u))) | ((_e2556 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2536) & 31u))));
 let _e2566 = local_24.member_1[1u];
 let _e2572 = f32(bitcast<i32>(((_e2563 >> bitcast<u32>((_e2566 & 31u))) & 255u)));
@@ -1061,10 +1061,10 @@ let _e2588 = ((_e2514 + _e2513) + _e2587);
 let _e2590 = (_e2588 >> bitcast<u32>(2i));
 let _e2593 = bitcast<u32>(((_e2588 & 3i) * 8i));
 let _e2595 = select(_e2538, _e2590, (_e2590 < _e2538));
-let _e2600 = global_4.member[bitcast<u32>(select(0i, _e2595, (_e2595 > 0i)))];
+let _e2600 = global_2.member[bitcast<u32>(select(0i, _e2595, (_e2595 > 0i)))];
 let _e2604 = (_e2590 + 1i);
 let _e2606 = select(_e2538, _e2604, (_e2604 < _e2538));
-let _e2611 = global_4.member[bitcast<u32>(select(0i, _e2606, (_e2606 > 0i)))];
+let _e2611 = global_2.member[bitcast<u32>(select(0i, _e2606, (_e2606 > 0i)))];
 let _e2618 = ((_e2600 >> bitcast<u32>((_e2593 & 31u))) | ((_e2611 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2593) & 31u))));
 let _e2619 = local_24.member_1[1u];
 let _e2625 = f32(bitcast<i32>(((_e2618 >> bitcast<u32>((_e2619 & 31u))) & 255u)));
@@ -1077,10 +1077,10 @@ let _e2644 = ((_e2515 + _e2512) + _e2643);
 let _e2646 = (_e2644 >> bitcast<u32>(2i));
 let _e2649 = bitcast<u32>(((_e2644 & 3i) * 8i));
 let _e2651 = select(_e2538, _e2646, (_e2646 < _e2538));
-let _e2656 = global_4.member[bitcast<u32>(select(0i, _e2651, (_e2651 > 0i)))];
+let _e2656 = global_2.member[bitcast<u32>(select(0i, _e2651, (_e2651 > 0i)))];
 let _e2660 = (_e2646 + 1i);
 let _e2662 = select(_e2538, _e2660, (_e2660 < _e2538));
-let _e2667 = global_4.member[bitcast<u32>(select(0i, _e2662, (_e2662 > 0i)))];
+let _e2667 = global_2.member[bitcast<u32>(select(0i, _e2662, (_e2662 > 0i)))];
 let _e2674 = ((_e2656 >> bitcast<u32>((_e2649 & 31u))) | ((_e2667 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2649) & 31u))));
 let _e2675 = local_24.member_1[1u];
 let _e2681 = f32(bitcast<i32>(((_e2674 >> bitcast<u32>((_e2675 & 31u))) & 255u)));
@@ -1092,10 +1092,10 @@ let _e2695 = ((_e2515 + _e2513) + _e2694);
 let _e2697 = (_e2695 >> bitcast<u32>(2i));
 let _e2700 = bitcast<u32>(((_e2695 & 3i) * 8i));
 let _e2702 = select(_e2538, _e2697, (_e2697 < _e2538));
-let _e2707 = global_4.member[bitcast<u32>(select(0i, _e2702, (_e2702 > 0i)))];
+let _e2707 = global_2.member[bitcast<u32>(select(0i, _e2702, (_e2702 > 0i)))];
 let _e2711 = (_e2697 + 1i);
 let _e2713 = select(_e2538, _e2711, (_e2711 < _e2538));
-let _e2718 = global_4.member[bitcast<u32>(select(0i, _e2713, (_e2713 > 0i)))];
+let _e2718 = global_2.member[bitcast<u32>(select(0i, _e2713, (_e2713 > 0i)))];
 let _e2725 = ((_e2707 >> bitcast<u32>((_e2700 & 31u))) | ((_e2718 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2700) & 31u))));
 let _e2726 = local_24.member_1[1u];
 let _e2732 = f32(bitcast<i32>(((_e2725 >> bitcast<u32>((_e2726 & 31u))) & 255u)));
@@ -1108,13 +1108,13 @@ let _e2760 = global_1.member.member_6.member_5;
 let _e2762 = (((_e2641 + (((_e2692 + (((_e2732 + ((f32(bitcast<i32>(((_e2725 >> bitcast<u32>((_e2733 & 31u))) & 255u))) - _e2732) * _e2740)) - _e2692) * _e2744)) - _e2641) * _e2749)) - _e2756) * _e2760);
 let _e2763 = -(1e9f);
 let _e2765 = select(_e2763, _e2762, (_e2762 > _e2763));
-phi_6965_ = type_35(select(1e9f, _e2765, (_e2765 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_6955_ = type_34(select(1e9f, _e2765, (_e2765 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e2770 = phi_6965_;
+let _e2770 = phi_6955_;
 let _e2773 = global_1.member.member_1;
 let _e2775 = ((_e2773 & 16u) == 0u);
 if _e2775 {
-phi_7345_ = type_5(1f, 1f, 1f);
+phi_7335_ = type_7(1f, 1f, 1f);
 } else {
 let _e2779 = global_1.member.member_14.member;
 let _e2790 = ((((_e2779.member.member * _e248) + (_e2779.member.member_1 * _e258)) + (_e2779.member.member_2 * _e269)) + _e2779.member_1);
@@ -1152,11 +1152,11 @@ let _e2917 = (_e2907 > 0f);
 let _e2920 = select(select(select(1f, _e2914, (_e2914 < 1f)), 1f, (_e2907 <= 0f)), 0f, _e2917);
 let _e2924 = global_1.member.member_17.member_1;
 let _e2925 = (_e2924 != 0u);
-phi_7345_ = type_5(((((1f * _e2803) * _e2842) * _e2881) * _e2920), ((((1f * select(1f, _e2803, _e2808)) * select(1f, _e2842, _e2847)) * select(1f, _e2881, _e2886)) * select(1f, _e2920, _e2925)), ((((1f * select(1f, 0f, (_e2808 && _e2800))) * select(1f, 0f, (_e2847 && _e2839))) * select(1f, 0f, (_e2886 && _e2878))) * select(1f, 0f, (_e2925 && _e2917))));
+phi_7335_ = type_7(((((1f * _e2803) * _e2842) * _e2881) * _e2920), ((((1f * select(1f, _e2803, _e2808)) * select(1f, _e2842, _e2847)) * select(1f, _e2881, _e2886)) * select(1f, _e2920, _e2925)), ((((1f * select(1f, 0f, (_e2808 && _e2800))) * select(1f, 0f, (_e2847 && _e2839))) * select(1f, 0f, (_e2886 && _e2878))) * select(1f, 0f, (_e2925 && _e2917))));
 }
-let _e2934 = phi_7345_;
+let _e2934 = phi_7335_;
 if _e435 {
-let _e2936 = type_33(_e457, _e458, _e313, 4f, _e335, _e459, _e379, _e460, _e423, _e434);
+let _e2936 = type_32(_e457, _e458, _e313, 4f, _e335, _e459, _e379, _e460, _e423, _e434);
 let _e2941 = global_1.member.member_5.member_2;
 let _e2944 = (_e2941 / select(1e-6f, _e302, (_e302 > 1e-6f)));
 let _e2948 = (_e248 + (_e280 * _e2944));
@@ -1280,7 +1280,7 @@ let _e3250 = select(select(select(select(select(select(0f, _e2973.member, _e3019
 let _e3251 = select(select(select(select(select(select(0f, _e2973.member_1, _e3019), _e2973.member_1, _e3059), _e2981.member_1, _e3105), _e2981.member_1, _e3145), _e2989.member_1, _e3191), _e2989.member_1, _e3231);
 let _e3252 = select(select(select(select(select(select(1f, _e2973.member_2, _e3019), _e2973.member_2, _e3059), _e2981.member_2, _e3105), _e2981.member_2, _e3145), _e2989.member_2, _e3191), _e2989.member_2, _e3231);
 if _e2775 {
-phi_8674_ = type_36(_e3237, vec3<f32>(_e3238, _e3239, _e3240), _e3242, vec3<f32>(_e3243, _e3244, _e3245), _e3247, _e3249, vec3<f32>(_e3250, _e3251, _e3252));
+phi_8664_ = type_35(_e3237, vec3<f32>(_e3238, _e3239, _e3240), _e3242, vec3<f32>(_e3243, _e3244, _e3245), _e3247, _e3249, vec3<f32>(_e3250, _e3251, _e3252));
 } else {
 let _e3259 = (((_e2973.member * _e2973.member) + (_e2973.member_1 * _e2973.member_1)) + (_e2973.member_2 * _e2973.member_2));
 let _e3262 = sqrt(select(0f, _e3259, (_e3259 > 0f)));
@@ -1360,21 +1360,21 @@ let _e3546 = select(2f, select(0f, _e3538, (_e3519 < 0f)), (_e3520 > 0f));
 let _e3547 = (_e3519 > _e3485);
 let _e3551 = ((_e3542 > _e3477) || ((_e3542 == _e3477) && _e3547));
 let _e3552 = (_e3546 < _e3481);
-phi_8674_ = type_36(select(_e3477, _e3542, _e3551), vec3<f32>(select(select(select(select(_e3238, _e3297.member, _e3323), _e3373.member, _e3399), _e3449.member, _e3475), _e3525.member, _e3551), select(select(select(select(_e3239, _e3297.member_1, _e3323), _e3373.member_1, _e3399), _e3449.member_1, _e3475), _e3525.member_1, _e3551), select(select(select(select(_e3240, _e3297.member_2, _e3323), _e3373.member_2, _e3399), _e3449.member_2, _e3475), _e3525.member_2, _e3551)), select(_e3481, _e3546, _e3552), vec3<f32>(select(select(select(select(_e3243, _e3297.member, _e3324), _e3373.member, _e3400), _e3449.member, _e3476), _e3525.member, _e3552), select(select(select(select(_e3244, _e3297.member_1, _e3324), _e3373.member_1, _e3400), _e3449.member_1, _e3476), _e3525.member_1, _e3552), select(select(select(select(_e3245, _e3297.member_2, _e3324), _e3373.member_2, _e3400), _e3449.member_2, _e3476), _e3525.member_2, _e3552)), select(_e3485, _e3519, _e3547), select(_e3487, _e3520, (_e3520 > _e3487)), vec3<f32>(select(select(select(select(_e3250, _e3297.member, _e3319), _e3373.member, _e3395), _e3449.member, _e3471), _e3525.member, _e3547), select(select(select(select(_e3251, _e3297.member_1, _e3319), _e3373.member_1, _e3395), _e3449.member_1, _e3471), _e3525.member_1, _e3547), select(select(select(select(_e3252, _e3297.member_2, _e3319), _e3373.member_2, _e3395), _e3449.member_2, _e3471), _e3525.member_2, _e3547)));
+phi_8664_ = type_35(select(_e3477, _e3542, _e3551), vec3<f32>(select(select(select(select(_e3238, _e3297.member, _e3323), _e3373.member, _e3399), _e3449.member, _e3475), _e3525.member, _e3551), select(select(select(select(_e3239, _e3297.member_1, _e3323), _e3373.member_1, _e3399), _e3449.member_1, _e3475), _e3525.member_1, _e3551), select(select(select(select(_e3240, _e3297.member_2, _e3323), _e3373.member_2, _e3399), _e3449.member_2, _e3475), _e3525.member_2, _e3551)), select(_e3481, _e3546, _e3552), vec3<f32>(select(select(select(select(_e3243, _e3297.member, _e3324), _e3373.member, _e3400), _e3449.member, _e3476), _e3525.member, _e3552), select(select(select(select(_e3244, _e3297.member_1, _e3324), _e3373.member_1, _e3400), _e3449.member_1, _e3476), _e3525.member_1, _e3552), select(select(select(select(_e3245, _e3297.member_2, _e3324), _e3373.member_2, _e3400), _e3449.member_2, _e3476), _e3525.member_2, _e3552)), select(_e3485, _e3519, _e3547), select(_e3487, _e3520, (_e3520 > _e3487)), vec3<f32>(select(select(select(select(_e3250, _e3297.member, _e3319), _e3373.member, _e3395), _e3449.member, _e3471), _e3525.member, _e3547), select(select(select(select(_e3251, _e3297.member_1, _e3319), _e3373.member_1, _e3395), _e3449.member_1, _e3471), _e3525.member_1, _e3547), select(select(select(select(_e3252, _e3297.member_2, _e3319), _e3373.member_2, _e3395), _e3449.member_2, _e3471), _e3525.member_2, _e3547)));
 }
-let _e3572 = phi_8674_;
+let _e3572 = phi_8664_;
 let _e3582 = (select(select(0.5f, _e3572.member_2, (_e3572.member_2 < 1f)), 0f, (_e434 == -1.2676506e30f)) * ((_e2941 / _e302) * select(_e2934.member_2, 0f, (_e423 == 0f))));
-phi_8711_ = type_33(_e2936.member, vec3<f32>((_e280 - (_e2770.member_3.x * _e3582)), (_e291 - (_e2770.member_3.y * _e3582)), (_e302 - (_e2770.member_3.z * _e3582))), _e2936.member_2, _e2936.member_3, _e2936.member_4, _e2936.member_5, _e2936.member_6, _e2936.member_7, _e2936.member_8, _e2936.member_9);
+phi_8701_ = type_32(_e2936.member, vec3<f32>((_e280 - (_e2770.member_3.x * _e3582)), (_e291 - (_e2770.member_3.y * _e3582)), (_e302 - (_e2770.member_3.z * _e3582))), _e2936.member_2, _e2936.member_3, _e2936.member_4, _e2936.member_5, _e2936.member_6, _e2936.member_7, _e2936.member_8, _e2936.member_9);
 } else {
-phi_8711_ = type_33(_e457, _e458, _e313, _e324, _e335, _e459, _e379, _e460, _e423, _e434);
+phi_8701_ = type_32(_e457, _e458, _e313, _e324, _e335, _e459, _e379, _e460, _e423, _e434);
 }
-let _e3604 = phi_8711_;
+let _e3604 = phi_8701_;
 let _e3609 = global_1.member.member_10.member_3;
 let _e3610 = (_e3609 == 0u);
 if _e3610 {
 let _e3614 = global_1.member.member_9.member_1;
 let _e3622 = global_1.member.member_9.member;
-phi_8971_ = type_29(vec3<f32>(_e3614.member, _e3614.member_1, _e3614.member_2), vec3<f32>(_e3622.member, _e3622.member_1, _e3622.member_2));
+phi_8961_ = type_36(vec3<f32>(_e3614.member, _e3614.member_1, _e3614.member_2), vec3<f32>(_e3622.member, _e3622.member_1, _e3622.member_2));
 } else {
 let _e3631 = global_1.member.member_10.member;
 let _e3645 = ((((_e3631.member.member * _e3604.member.x) + (_e3631.member.member_1 * _e3604.member.y)) + (_e3631.member.member_2 * _e3604.member.z)) + _e3631.member_1);
@@ -1384,18 +1384,18 @@ let _e3664 = global_1.member.member_10.member_2;
 let _e3675 = ((((_e3664.member.member * _e3604.member.x) + (_e3664.member.member_1 * _e3604.member.y)) + (_e3664.member.member_2 * _e3604.member.z)) + _e3664.member_1);
 let _e3679 = global_1.member.member_9.member_1;
 if _e3610 {
-phi_8815_ = 1f;
+phi_8805_ = 1f;
 } else {
 let _e3686 = global_1.member.member_10.member_19;
 let _e3690 = (_e3645 - _e3686.member);
 let _e3691 = (_e3660 - _e3686.member_1);
 let _e3692 = (_e3675 - _e3686.member_2);
 let _e3697 = (((_e3690 * _e3690) + (_e3691 * _e3691)) + (_e3692 * _e3692));
-phi_8815_ = (1f / select(1e-12f, _e3697, (_e3697 > 1e-12f)));
+phi_8805_ = (1f / select(1e-12f, _e3697, (_e3697 > 1e-12f)));
 }
-let _e3702 = phi_8815_;
+let _e3702 = phi_8805_;
 if _e3610 {
-phi_8899_ = 1f;
+phi_8889_ = 1f;
 } else {
 let _e3706 = global_1.member.member_10.member_19;
 let _e3710 = (_e3645 - _e3706.member);
@@ -1412,9 +1412,9 @@ let _e3753 = global_1.member.member_10.member_20.member_2;
 let _e3754 = ((_e3747 - (sqrt(select(0f, _e3736, (_e3736 > 0f))) / select(1e-20f, _e3725, (_e3725 > 1e-20f)))) * _e3753);
 let _e3756 = select(0f, _e3754, (_e3754 > 0f));
 let _e3758 = select(1f, _e3756, (_e3756 < 1f));
-phi_8899_ = select(1f, select(0f, ((_e3758 * _e3758) * (3f - (2f * _e3758))), (_e3725 > 0f)), (_e3753 > 0f));
+phi_8889_ = select(1f, select(0f, ((_e3758 * _e3758) * (3f - (2f * _e3758))), (_e3725 > 0f)), (_e3753 > 0f));
 }
-let _e3768 = phi_8899_;
+let _e3768 = phi_8889_;
 let _e3769 = (_e3702 * _e3768);
 let _e3774 = (_e3609 != 0u);
 let _e3778 = global_1.member.member_10.member_19;
@@ -1430,18 +1430,18 @@ let _e3801 = select(1f, (_e3784 * _e3795), _e3774);
 let _e3806 = global_1.member.member_10.member.member;
 let _e3817 = global_1.member.member_10.member_1.member;
 let _e3831 = global_1.member.member_10.member_2.member;
-phi_8971_ = type_29(vec3<f32>((_e3679.member * _e3769), (_e3679.member_1 * _e3769), (_e3679.member_2 * _e3769)), (vec3<f32>(((_e3806.member * _e3799) + (_e3817.member * _e3800)), ((_e3806.member_1 * _e3799) + (_e3817.member_1 * _e3800)), ((_e3806.member_2 * _e3799) + (_e3817.member_2 * _e3800))) + vec3<f32>((_e3831.member * _e3801), (_e3831.member_1 * _e3801), (_e3831.member_2 * _e3801))));
+phi_8961_ = type_36(vec3<f32>((_e3679.member * _e3769), (_e3679.member_1 * _e3769), (_e3679.member_2 * _e3769)), (vec3<f32>(((_e3806.member * _e3799) + (_e3817.member * _e3800)), ((_e3806.member_1 * _e3799) + (_e3817.member_1 * _e3800)), ((_e3806.member_2 * _e3799) + (_e3817.member_2 * _e3800))) + vec3<f32>((_e3831.member * _e3801), (_e3831.member_1 * _e3801), (_e3831.member_2 * _e3801))));
 }
-let _e3843 = phi_8971_;
-phi_8973_ = _e3604;
-phi_8976_ = _e2934.member_2;
-phi_8978_ = _e2770;
-phi_8980_ = 0i;
+let _e3843 = phi_8961_;
+phi_8963_ = _e3604;
+phi_8966_ = _e2934.member_2;
+phi_8968_ = _e2770;
+phi_8970_ = 0i;
 loop {
-let _e3845 = phi_8973_;
-let _e3847 = phi_8976_;
-let _e3849 = phi_8978_;
-let _e3851 = phi_8980_;
+let _e3845 = phi_8963_;
+let _e3847 = phi_8966_;
+let _e3849 = phi_8968_;
+let _e3851 = phi_8970_;
 local_42 = _e3845;
 local_43 = _e3845;
 local_44 = _e3845;
@@ -1607,7 +1607,7 @@ let _e4251 = select(select(select(select(select(select(0f, _e3926.member, _e4030
 let _e4252 = select(select(select(select(select(select(0f, _e3926.member_1, _e4030), _e3926.member_1, _e4070), _e3997.member_1, _e4111), _e3997.member_1, _e4151), _e4005.member_1, _e4192), _e4005.member_1, _e4232);
 let _e4253 = select(select(select(select(select(select(1f, _e3926.member_2, _e4030), _e3926.member_2, _e4070), _e3997.member_2, _e4111), _e3997.member_2, _e4151), _e4005.member_2, _e4192), _e4005.member_2, _e4232);
 if _e2775 {
-phi_10449_ = type_36(_e4238, vec3<f32>(_e4239, _e4240, _e4241), _e4243, vec3<f32>(_e4244, _e4245, _e4246), _e4248, _e4250, vec3<f32>(_e4251, _e4252, _e4253));
+phi_10439_ = type_35(_e4238, vec3<f32>(_e4239, _e4240, _e4241), _e4243, vec3<f32>(_e4244, _e4245, _e4246), _e4248, _e4250, vec3<f32>(_e4251, _e4252, _e4253));
 } else {
 let _e4259 = global_1.member.member_14.member_1;
 let _e4260 = (_e4259 != 0u);
@@ -1685,26 +1685,26 @@ let _e4539 = select(2f, select(0f, _e4531, (_e4512 < 0f)), (_e4513 > 0f));
 let _e4540 = (_e4512 > _e4478);
 let _e4544 = ((_e4535 > _e4470) || ((_e4535 == _e4470) && _e4540));
 let _e4545 = (_e4539 < _e4474);
-phi_10449_ = type_36(select(_e4470, _e4535, _e4544), vec3<f32>(select(select(select(select(_e4239, _e4290.member, _e4316), _e4366.member, _e4392), _e4442.member, _e4468), _e4518.member, _e4544), select(select(select(select(_e4240, _e4290.member_1, _e4316), _e4366.member_1, _e4392), _e4442.member_1, _e4468), _e4518.member_1, _e4544), select(select(select(select(_e4241, _e4290.member_2, _e4316), _e4366.member_2, _e4392), _e4442.member_2, _e4468), _e4518.member_2, _e4544)), select(_e4474, _e4539, _e4545), vec3<f32>(select(select(select(select(_e4244, _e4290.member, _e4317), _e4366.member, _e4393), _e4442.member, _e4469), _e4518.member, _e4545), select(select(select(select(_e4245, _e4290.member_1, _e4317), _e4366.member_1, _e4393), _e4442.member_1, _e4469), _e4518.member_1, _e4545), select(select(select(select(_e4246, _e4290.member_2, _e4317), _e4366.member_2, _e4393), _e4442.member_2, _e4469), _e4518.member_2, _e4545)), select(_e4478, _e4512, _e4540), select(_e4480, _e4513, (_e4513 > _e4480)), vec3<f32>(select(select(select(select(_e4251, _e4290.member, _e4312), _e4366.member, _e4388), _e4442.member, _e4464), _e4518.member, _e4540), select(select(select(select(_e4252, _e4290.member_1, _e4312), _e4366.member_1, _e4388), _e4442.member_1, _e4464), _e4518.member_1, _e4540), select(select(select(select(_e4253, _e4290.member_2, _e4312), _e4366.member_2, _e4388), _e4442.member_2, _e4464), _e4518.member_2, _e4540)));
+phi_10439_ = type_35(select(_e4470, _e4535, _e4544), vec3<f32>(select(select(select(select(_e4239, _e4290.member, _e4316), _e4366.member, _e4392), _e4442.member, _e4468), _e4518.member, _e4544), select(select(select(select(_e4240, _e4290.member_1, _e4316), _e4366.member_1, _e4392), _e4442.member_1, _e4468), _e4518.member_1, _e4544), select(select(select(select(_e4241, _e4290.member_2, _e4316), _e4366.member_2, _e4392), _e4442.member_2, _e4468), _e4518.member_2, _e4544)), select(_e4474, _e4539, _e4545), vec3<f32>(select(select(select(select(_e4244, _e4290.member, _e4317), _e4366.member, _e4393), _e4442.member, _e4469), _e4518.member, _e4545), select(select(select(select(_e4245, _e4290.member_1, _e4317), _e4366.member_1, _e4393), _e4442.member_1, _e4469), _e4518.member_1, _e4545), select(select(select(select(_e4246, _e4290.member_2, _e4317), _e4366.member_2, _e4393), _e4442.member_2, _e4469), _e4518.member_2, _e4545)), select(_e4478, _e4512, _e4540), select(_e4480, _e4513, (_e4513 > _e4480)), vec3<f32>(select(select(select(select(_e4251, _e4290.member, _e4312), _e4366.member, _e4388), _e4442.member, _e4464), _e4518.member, _e4540), select(select(select(select(_e4252, _e4290.member_1, _e4312), _e4366.member_1, _e4388), _e4442.member_1, _e4464), _e4518.member_1, _e4540), select(select(select(select(_e4253, _e4290.member_2, _e4312), _e4366.member_2, _e4388), _e4442.member_2, _e4464), _e4518.member_2, _e4540)));
 }
-let _e4565 = phi_10449_;
+let _e4565 = phi_10439_;
 if _e3858 {
-phi_10461_ = (_e4565.member_2 <= 1f);
+phi_10451_ = (_e4565.member_2 <= 1f);
 } else {
-phi_10461_ = ((_e4565.member <= 1f) && (_e4565.member < _e4565.member_2));
+phi_10451_ = ((_e4565.member <= 1f) && (_e4565.member < _e4565.member_2));
 }
-let _e4573 = phi_10461_;
+let _e4573 = phi_10451_;
 if (!(_e3858) && !(_e4573)) {
-phi_23964_ = type_33(_e3845.member, _e3845.member_1, _e3845.member_2, 3f, _e3845.member_4, _e3845.member_5, _e3845.member_6, _e3845.member_7, _e3845.member_8, _e3845.member_9);
-phi_23965_ = _e3847;
-phi_23966_ = _e3849;
+phi_23954_ = type_32(_e3845.member, _e3845.member_1, _e3845.member_2, 3f, _e3845.member_4, _e3845.member_5, _e3845.member_6, _e3845.member_7, _e3845.member_8, _e3845.member_9);
+phi_23955_ = _e3847;
+phi_23956_ = _e3849;
 } else {
 if _e3858 {
-phi_10476_ = _e4565.member_3;
+phi_10466_ = _e4565.member_3;
 } else {
-phi_10476_ = _e4565.member_1;
+phi_10466_ = _e4565.member_1;
 }
-let _e4590 = phi_10476_;
+let _e4590 = phi_10466_;
 let _e4591 = select(_e4565.member, _e4565.member_2, _e3858);
 let _e4595 = select(1f, _e4591, _e4573);
 let _e4599 = (_e3845.member.x + ((_e3952 - _e3845.member.x) * _e4595));
@@ -1777,7 +1777,7 @@ let _e4867 = (select(0i, _e4816, (_e4816 > 0i)) * _e4788);
 let _e4868 = (select(0i, _e4780, (_e4780 > 0i)) * _e4788);
 let _e4869 = (select(_e4815, _e4821, (_e4821 < _e4815)) * _e4788);
 let _e4870 = (select(_e4815, _e4824, (_e4824 < _e4815)) * _e4788);
-local_22 = type_32(array<i32, 4>(_e4850, _e4850, _e4850, _e4850), array<u32, 6>(bitcast<u32>(((_e4837 - _e4850) * 8i)), bitcast<u32>(((select(0i, _e4750, (_e4750 > 0i)) - _e4850) * 8i)), bitcast<u32>(((select(_e4834, _e4840, (_e4840 < _e4834)) - _e4850) * 8i)), bitcast<u32>(((select(_e4834, _e4843, (_e4843 < _e4834)) - _e4850) * 8i)), 0u, 0u));
+local_22 = type_29(array<i32, 4>(_e4850, _e4850, _e4850, _e4850), array<u32, 6>(bitcast<u32>(((_e4837 - _e4850) * 8i)), bitcast<u32>(((select(0i, _e4750, (_e4750 > 0i)) - _e4850) * 8i)), bitcast<u32>(((select(_e4834, _e4840, (_e4840 < _e4834)) - _e4850) * 8i)), bitcast<u32>(((select(_e4834, _e4843, (_e4843 < _e4834)) - _e4850) * 8i)), 0u, 0u));
 local_23 = vec3<f32>((_e4727 - f32(_e4750)), (_e4731 - f32(_e4765)), (_e4735 - f32(_e4780)));
 let _e4885 = local_22.member[0u];
 let _e4886 = ((_e4868 + _e4864) + _e4885);
@@ -1785,10 +1785,10 @@ let _e4888 = (_e4886 >> bitcast<u32>(2i));
 let _e4891 = bitcast<u32>(((_e4886 & 3i) * 8i));
 let _e4893 = (bitcast<i32>(_e207) - 1i);
 let _e4895 = select(_e4893, _e4888, (_e4888 < _e4893));
-let _e4900 = global_4.member[bitcast<u32>(select(0i, _e4895, (_e4895 > 0i)))];
+let _e4900 = global_2.member[bitcast<u32>(select(0i, _e4895, (_e4895 > 0i)))];
 let _e4904 = (_e4888 + 1i);
 let _e4906 = select(_e4893, _e4904, (_e4904 < _e4893));
-let _e4911 = global_4.member[bitcast<u32>(select(0i, _e4906, (_e4906 > 0i)))];
+let _e4911 = global_2.member[bitcast<u32>(select(0i, _e4906, (_e4906 > 0i)))];
 let _e4918 = ((_e4900 >> bitcast<u32>((_e4891 & 31u))) | ((_e4911 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4891) & 31u))));
 let _e4921 = local_22.member_1[0u];
 let _e4927 = f32(bitcast<i32>(((_e4918 >> bitcast<u32>((_e4921 & 31u))) & 255u)));
@@ -1808,10 +1808,10 @@ let _e4969 = ((_e4868 + _e4865) + _e4968);
 let _e4971 = (_e4969 >> bitcast<u32>(2i));
 let _e4974 = bitcast<u32>(((_e4969 & 3i) * 8i));
 let _e4976 = select(_e4893, _e4971, (_e4971 < _e4893));
-let _e4981 = global_4.member[bitcast<u32>(select(0i, _e4976, (_e4976 > 0i)))];
+let _e4981 = global_2.member[bitcast<u32>(select(0i, _e4976, (_e4976 > 0i)))];
 let _e4985 = (_e4971 + 1i);
 let _e4987 = select(_e4893, _e4985, (_e4985 < _e4893));
-let _e4992 = global_4.member[bitcast<u32>(select(0i, _e4987, (_e4987 > 0i)))];
+let _e4992 = global_2.member[bitcast<u32>(select(0i, _e4987, (_e4987 > 0i)))];
 let _e4999 = ((_e4981 >> bitcast<u32>((_e4974 & 31u))) | ((_e4992 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4974) & 31u))));
 let _e5000 = local_22.member_1[0u];
 let _e5006 = f32(bitcast<i32>(((_e4999 >> bitcast<u32>((_e5000 & 31u))) & 255u)));
@@ -1829,10 +1829,10 @@ let _e5042 = ((_e4869 + _e4864) + _e5041);
 let _e5044 = (_e5042 >> bitcast<u32>(2i));
 let _e5047 = bitcast<u32>(((_e5042 & 3i) * 8i));
 let _e5049 = select(_e4893, _e5044, (_e5044 < _e4893));
-let _e5054 = global_4.member[bitcast<u32>(select(0i, _e5049, (_e5049 > 0i)))];
+let _e5054 = global_2.member[bitcast<u32>(select(0i, _e5049, (_e5049 > 0i)))];
 let _e5058 = (_e5044 + 1i);
 let _e5060 = select(_e4893, _e5058, (_e5058 < _e4893));
-let _e5065 = global_4.member[bitcast<u32>(select(0i, _e5060, (_e5060 > 0i)))];
+let _e5065 = global_2.member[bitcast<u32>(select(0i, _e5060, (_e5060 > 0i)))];
 let _e5072 = ((_e5054 >> bitcast<u32>((_e5047 & 31u))) | ((_e5065 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5047) & 31u))));
 let _e5073 = local_22.member_1[0u];
 let _e5079 = f32(bitcast<i32>(((_e5072 >> bitcast<u32>((_e5073 & 31u))) & 255u)));
@@ -1852,10 +1852,10 @@ let _e5115 = ((_e4869 + _e4865) + _e5114);
 let _e5117 = (_e5115 >> bitcast<u32>(2i));
 let _e5120 = bitcast<u32>(((_e5115 & 3i) * 8i));
 let _e5122 = select(_e4893, _e5117, (_e5117 < _e4893));
-let _e5127 = global_4.member[bitcast<u32>(select(0i, _e5122, (_e5122 > 0i)))];
+let _e5127 = global_2.member[bitcast<u32>(select(0i, _e5122, (_e5122 > 0i)))];
 let _e5131 = (_e5117 + 1i);
 let _e5133 = select(_e4893, _e5131, (_e5131 < _e4893));
-let _e5138 = global_4.member[bitcast<u32>(select(0i, _e5133, (_e5133 > 0i)))];
+let _e5138 = global_2.member[bitcast<u32>(select(0i, _e5133, (_e5133 > 0i)))];
 let _e5145 = ((_e5127 >> bitcast<u32>((_e5120 & 31u))) | ((_e5138 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5120) & 31u))));
 let _e5146 = local_22.member_1[0u];
 let _e5152 = f32(bitcast<i32>(((_e5145 >> bitcast<u32>((_e5146 & 31u))) & 255u)));
@@ -1873,10 +1873,10 @@ let _e5188 = ((_e4868 + _e4863) + _e5187);
 let _e5190 = (_e5188 >> bitcast<u32>(2i));
 let _e5193 = bitcast<u32>(((_e5188 & 3i) * 8i));
 let _e5195 = select(_e4893, _e5190, (_e5190 < _e4893));
-let _e5200 = global_4.member[bitcast<u32>(select(0i, _e5195, (_e5195 > 0i)))];
+let _e5200 = global_2.member[bitcast<u32>(select(0i, _e5195, (_e5195 > 0i)))];
 let _e5204 = (_e5190 + 1i);
 let _e5206 = select(_e4893, _e5204, (_e5204 < _e4893));
-let _e5211 = global_4.member[bitcast<u32>(select(0i, _e5206, (_e5206 > 0i)))];
+let _e5211 = global_2.member[bitcast<u32>(select(0i, _e5206, (_e5206 > 0i)))];
 let _e5218 = ((_e5200 >> bitcast<u32>((_e5193 & 31u))) | ((_e5211 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5193) & 31u))));
 let _e5219 = local_22.member_1[1u];
 let _e5225 = f32(bitcast<i32>(((_e5218 >> bitcast<u32>((_e5219 & 31u))) & 255u)));
@@ -1888,10 +1888,10 @@ let _e5239 = ((_e4868 + _e4866) + _e5238);
 let _e5241 = (_e5239 >> bitcast<u32>(2i));
 let _e5244 = bitcast<u32>(((_e5239 & 3i) * 8i));
 let _e5246 = select(_e4893, _e5241, (_e5241 < _e4893));
-let _e5251 = global_4.member[bitcast<u32>(select(0i, _e5246, (_e5246 > 0i)))];
+let _e5251 = global_2.member[bitcast<u32>(select(0i, _e5246, (_e5246 > 0i)))];
 let _e5255 = (_e5241 + 1i);
 let _e5257 = select(_e4893, _e5255, (_e5255 < _e4893));
-let _e5262 = global_4.member[bitcast<u32>(select(0i, _e5257, (_e5257 > 0i)))];
+let _e5262 = global_2.member[bitcast<u32>(select(0i, _e5257, (_e5257 > 0i)))];
 let _e5269 = ((_e5251 >> bitcast<u32>((_e5244 & 31u))) | ((_e5262 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5244) & 31u))));
 let _e5270 = local_22.member_1[1u];
 let _e5276 = f32(bitcast<i32>(((_e5269 >> bitcast<u32>((_e5270 & 31u))) & 255u)));
@@ -1902,10 +1902,10 @@ let _e5290 = ((_e4869 + _e4863) + _e5289);
 let _e5292 = (_e5290 >> bitcast<u32>(2i));
 let _e5295 = bitcast<u32>(((_e5290 & 3i) * 8i));
 let _e5297 = select(_e4893, _e5292, (_e5292 < _e4893));
-let _e5302 = global_4.member[bitcast<u32>(select(0i, _e5297, (_e5297 > 0i)))];
+let _e5302 = global_2.member[bitcast<u32>(select(0i, _e5297, (_e5297 > 0i)))];
 let _e5306 = (_e5292 + 1i);
 let _e5308 = select(_e4893, _e5306, (_e5306 < _e4893));
-let _e5313 = global_4.member[bitcast<u32>(select(0i, _e5308, (_e5308 > 0i)))];
+let _e5313 = global_2.member[bitcast<u32>(select(0i, _e5308, (_e5308 > 0i)))];
 let _e5320 = ((_e5302 >> bitcast<u32>((_e5295 & 31u))) | ((_e5313 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5295) & 31u))));
 let _e5321 = local_22.member_1[1u];
 let _e5327 = f32(bitcast<i32>(((_e5320 >> bitcast<u32>((_e5321 & 31u))) & 255u)));
@@ -1917,10 +1917,10 @@ let _e5341 = ((_e4869 + _e4866) + _e5340);
 let _e5343 = (_e5341 >> bitcast<u32>(2i));
 let _e5346 = bitcast<u32>(((_e5341 & 3i) * 8i));
 let _e5348 = select(_e4893, _e5343, (_e5343 < _e4893));
-let _e5353 = global_4.member[bitcast<u32>(select(0i, _e5348, (_e5348 > 0i)))];
+let _e5353 = global_2.member[bitcast<u32>(select(0i, _e5348, (_e5348 > 0i)))];
 let _e5357 = (_e5343 + 1i);
 let _e5359 = select(_e4893, _e5357, (_e5357 < _e4893));
-let _e5364 = global_4.member[bitcast<u32>(select(0i, _e5359, (_e5359 > 0i)))];
+let _e5364 = global_2.member[bitcast<u32>(select(0i, _e5359, (_e5359 > 0i)))];
 let _e5371 = ((_e5353 >> bitcast<u32>((_e5346 & 31u))) | ((_e5364 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5346) & 31u))));
 let _e5372 = local_22.member_1[1u];
 let _e5378 = f32(bitcast<i32>(((_e5371 >> bitcast<u32>((_e5372 & 31u))) & 255u)));
@@ -1931,10 +1931,10 @@ let _e5392 = ((_e4867 + _e4864) + _e5391);
 let _e5394 = (_e5392 >> bitcast<u32>(2i));
 let _e5397 = bitcast<u32>(((_e5392 & 3i) * 8i));
 let _e5399 = select(_e4893, _e5394, (_e5394 < _e4893));
-let _e5404 = global_4.member[bitcast<u32>(select(0i, _e5399, (_e5399 > 0i)))];
+let _e5404 = global_2.member[bitcast<u32>(select(0i, _e5399, (_e5399 > 0i)))];
 let _e5408 = (_e5394 + 1i);
 let _e5410 = select(_e4893, _e5408, (_e5408 < _e4893));
-let _e5415 = global_4.member[bitcast<u32>(select(0i, _e5410, (_e5410 > 0i)))];
+let _e5415 = global_2.member[bitcast<u32>(select(0i, _e5410, (_e5410 > 0i)))];
 let _e5422 = ((_e5404 >> bitcast<u32>((_e5397 & 31u))) | ((_e5415 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5397) & 31u))));
 let _e5423 = local_22.member_1[1u];
 let _e5429 = f32(bitcast<i32>(((_e5422 >> bitcast<u32>((_e5423 & 31u))) & 255u)));
@@ -1946,10 +1946,10 @@ let _e5443 = ((_e4870 + _e4864) + _e5442);
 let _e5445 = (_e5443 >> bitcast<u32>(2i));
 let _e5448 = bitcast<u32>(((_e5443 & 3i) * 8i));
 let _e5450 = select(_e4893, _e5445, (_e5445 < _e4893));
-let _e5455 = global_4.member[bitcast<u32>(select(0i, _e5450, (_e5450 > 0i)))];
+let _e5455 = global_2.member[bitcast<u32>(select(0i, _e5450, (_e5450 > 0i)))];
 let _e5459 = (_e5445 + 1i);
 let _e5461 = select(_e4893, _e5459, (_e5459 < _e4893));
-let _e5466 = global_4.member[bitcast<u32>(select(0i, _e5461, (_e5461 > 0i)))];
+let _e5466 = global_2.member[bitcast<u32>(select(0i, _e5461, (_e5461 > 0i)))];
 let _e5473 = ((_e5455 >> bitcast<u32>((_e5448 & 31u))) | ((_e5466 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5448) & 31u))));
 let _e5474 = local_22.member_1[1u];
 let _e5480 = f32(bitcast<i32>(((_e5473 >> bitcast<u32>((_e5474 & 31u))) & 255u)));
@@ -1961,10 +1961,10 @@ let _e5494 = ((_e4867 + _e4865) + _e5493);
 let _e5496 = (_e5494 >> bitcast<u32>(2i));
 let _e5499 = bitcast<u32>(((_e5494 & 3i) * 8i));
 let _e5501 = select(_e4893, _e5496, (_e5496 < _e4893));
-let _e5506 = global_4.member[bitcast<u32>(select(0i, _e5501, (_e5501 > 0i)))];
+let _e5506 = global_2.member[bitcast<u32>(select(0i, _e5501, (_e5501 > 0i)))];
 let _e5510 = (_e5496 + 1i);
 let _e5512 = select(_e4893, _e5510, (_e5510 < _e4893));
-let _e5517 = global_4.member[bitcast<u32>(select(0i, _e5512, (_e5512 > 0i)))];
+let _e5517 = global_2.member[bitcast<u32>(select(0i, _e5512, (_e5512 > 0i)))];
 let _e5524 = ((_e5506 >> bitcast<u32>((_e5499 & 31u))) | ((_e5517 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5499) & 31u))));
 let _e5525 = local_22.member_1[1u];
 let _e5531 = f32(bitcast<i32>(((_e5524 >> bitcast<u32>((_e5525 & 31u))) & 255u)));
@@ -1975,10 +1975,10 @@ let _e5545 = ((_e4870 + _e4865) + _e5544);
 let _e5547 = (_e5545 >> bitcast<u32>(2i));
 let _e5550 = bitcast<u32>(((_e5545 & 3i) * 8i));
 let _e5552 = select(_e4893, _e5547, (_e5547 < _e4893));
-let _e5557 = global_4.member[bitcast<u32>(select(0i, _e5552, (_e5552 > 0i)))];
+let _e5557 = global_2.member[bitcast<u32>(select(0i, _e5552, (_e5552 > 0i)))];
 let _e5561 = (_e5547 + 1i);
 let _e5563 = select(_e4893, _e5561, (_e5561 < _e4893));
-let _e5568 = global_4.member[bitcast<u32>(select(0i, _e5563, (_e5563 > 0i)))];
+let _e5568 = global_2.member[bitcast<u32>(select(0i, _e5563, (_e5563 > 0i)))];
 let _e5575 = ((_e5557 >> bitcast<u32>((_e5550 & 31u))) | ((_e5568 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5550) & 31u))));
 let _e5576 = local_22.member_1[1u];
 let _e5582 = f32(bitcast<i32>(((_e5575 >> bitcast<u32>((_e5576 & 31u))) & 255u)));
@@ -2040,50 +2040,50 @@ local_21 = _e5723;
 let _e5724 = local_21;
 let _e5726 = (bitcast<i32>(_e210) - 1i);
 let _e5728 = select(_e5726, 263197i, (263197i < _e5726));
-let _e5733 = global_5.member[bitcast<u32>(select(0i, _e5728, (_e5728 > 0i)))];
+let _e5733 = global_3.member[bitcast<u32>(select(0i, _e5728, (_e5728 > 0i)))];
 let _e5734 = bitcast<f32>(_e5733);
 let _e5736 = select(_e5726, 263198i, (263198i < _e5726));
 let _e5739 = bitcast<u32>(select(0i, _e5736, (_e5736 > 0i)));
-let _e5741 = global_5.member[_e5739];
+let _e5741 = global_3.member[_e5739];
 let _e5742 = bitcast<f32>(_e5741);
 let _e5744 = select(_e5726, 263199i, (263199i < _e5726));
-let _e5749 = global_5.member[bitcast<u32>(select(0i, _e5744, (_e5744 > 0i)))];
+let _e5749 = global_3.member[bitcast<u32>(select(0i, _e5744, (_e5744 > 0i)))];
 let _e5750 = bitcast<f32>(_e5749);
 let _e5752 = ((_e5724 - _e5734) * _e5742);
 let _e5754 = select(0f, _e5752, (_e5752 > 0f));
 let _e5757 = local_21;
 let _e5759 = select(_e5726, 263200i, (263200i < _e5726));
-let _e5764 = global_5.member[bitcast<u32>(select(0i, _e5759, (_e5759 > 0i)))];
+let _e5764 = global_3.member[bitcast<u32>(select(0i, _e5759, (_e5759 > 0i)))];
 let _e5765 = bitcast<f32>(_e5764);
 let _e5767 = select(_e5726, 263201i, (263201i < _e5726));
-let _e5772 = global_5.member[bitcast<u32>(select(0i, _e5767, (_e5767 > 0i)))];
+let _e5772 = global_3.member[bitcast<u32>(select(0i, _e5767, (_e5767 > 0i)))];
 let _e5773 = bitcast<f32>(_e5772);
 let _e5775 = select(_e5726, 263202i, (263202i < _e5726));
-let _e5780 = global_5.member[bitcast<u32>(select(0i, _e5775, (_e5775 > 0i)))];
+let _e5780 = global_3.member[bitcast<u32>(select(0i, _e5775, (_e5775 > 0i)))];
 let _e5781 = bitcast<f32>(_e5780);
 let _e5783 = ((_e5757 - _e5765) * _e5773);
 let _e5785 = select(0f, _e5783, (_e5783 > 0f));
 let _e5789 = local_21;
 let _e5791 = select(_e5726, 263203i, (263203i < _e5726));
-let _e5796 = global_5.member[bitcast<u32>(select(0i, _e5791, (_e5791 > 0i)))];
+let _e5796 = global_3.member[bitcast<u32>(select(0i, _e5791, (_e5791 > 0i)))];
 let _e5797 = bitcast<f32>(_e5796);
 let _e5799 = select(_e5726, 263204i, (263204i < _e5726));
-let _e5804 = global_5.member[bitcast<u32>(select(0i, _e5799, (_e5799 > 0i)))];
+let _e5804 = global_3.member[bitcast<u32>(select(0i, _e5799, (_e5799 > 0i)))];
 let _e5805 = bitcast<f32>(_e5804);
 let _e5807 = select(_e5726, 263205i, (263205i < _e5726));
-let _e5812 = global_5.member[bitcast<u32>(select(0i, _e5807, (_e5807 > 0i)))];
+let _e5812 = global_3.member[bitcast<u32>(select(0i, _e5807, (_e5807 > 0i)))];
 let _e5813 = bitcast<f32>(_e5812);
 let _e5815 = ((_e5789 - _e5797) * _e5805);
 let _e5817 = select(0f, _e5815, (_e5815 > 0f));
 let _e5820 = local_21;
 let _e5822 = select(_e5726, 263206i, (263206i < _e5726));
-let _e5827 = global_5.member[bitcast<u32>(select(0i, _e5822, (_e5822 > 0i)))];
+let _e5827 = global_3.member[bitcast<u32>(select(0i, _e5822, (_e5822 > 0i)))];
 let _e5828 = bitcast<f32>(_e5827);
 let _e5830 = select(_e5726, 263207i, (263207i < _e5726));
-let _e5835 = global_5.member[bitcast<u32>(select(0i, _e5830, (_e5830 > 0i)))];
+let _e5835 = global_3.member[bitcast<u32>(select(0i, _e5830, (_e5830 > 0i)))];
 let _e5836 = bitcast<f32>(_e5835);
 let _e5838 = select(_e5726, 263208i, (263208i < _e5726));
-let _e5843 = global_5.member[bitcast<u32>(select(0i, _e5838, (_e5838 > 0i)))];
+let _e5843 = global_3.member[bitcast<u32>(select(0i, _e5838, (_e5838 > 0i)))];
 let _e5844 = bitcast<f32>(_e5843);
 let _e5846 = ((_e5820 - _e5828) * _e5836);
 let _e5848 = select(0f, _e5846, (_e5846 > 0f));
@@ -2094,34 +2094,34 @@ let _e5863 = select(0i, select(select(i32(_e5856), i32(-2147483648), (_e5856 < -
 let _e5867 = (_e5863 - select(0i, 1i, (_e5856 < f32(_e5863))));
 let _e5868 = (262147i + _e5867);
 let _e5870 = select(_e5726, _e5868, (_e5868 < _e5726));
-let _e5876 = global_5.member[bitcast<u32>(select(0i, _e5870, (_e5870 > 0i)))];
+let _e5876 = global_3.member[bitcast<u32>(select(0i, _e5870, (_e5870 > 0i)))];
 let _e5886 = select(_e5726, 262146i, (262146i < _e5726));
-let _e5892 = global_5.member[bitcast<u32>(select(0i, _e5886, (_e5886 > 0i)))];
+let _e5892 = global_3.member[bitcast<u32>(select(0i, _e5886, (_e5886 > 0i)))];
 let _e5893 = bitcast<f32>(_e5892);
 let _e5894 = (f32((bitcast<i32>((_e5876 & 4095u)) - 2048i)) * _e5893);
 let _e5896 = select(_e5726, 262144i, (262144i < _e5726));
-let _e5902 = global_5.member[bitcast<u32>(select(0i, _e5896, (_e5896 > 0i)))];
+let _e5902 = global_3.member[bitcast<u32>(select(0i, _e5896, (_e5896 > 0i)))];
 let _e5903 = bitcast<f32>(_e5902);
 let _e5905 = select(_e5726, 262145i, (262145i < _e5726));
-let _e5911 = global_5.member[bitcast<u32>(select(0i, _e5905, (_e5905 > 0i)))];
+let _e5911 = global_3.member[bitcast<u32>(select(0i, _e5905, (_e5905 > 0i)))];
 let _e5912 = bitcast<f32>(_e5911);
 let _e5918 = ((_e5903 + (f32(bitcast<i32>((_e5876 >> bitcast<u32>(12u)))) * _e5912)) + (_e5894 * (_e5852 - f32(_e5867))));
-let _e5921 = global_5.member[_e5739];
+let _e5921 = global_3.member[_e5739];
 let _e5923 = local_20;
 let _e5926 = local_20;
 let _e5929 = local_20;
 let _e5933 = select(_e5726, 263209i, (263209i < _e5726));
-let _e5939 = global_5.member[bitcast<u32>(select(0i, _e5933, (_e5933 > 0i)))];
+let _e5939 = global_3.member[bitcast<u32>(select(0i, _e5933, (_e5933 > 0i)))];
 let _e5941 = local_20;
 let _e5944 = select(_e5726, 263210i, (263210i < _e5726));
-let _e5950 = global_5.member[bitcast<u32>(select(0i, _e5944, (_e5944 > 0i)))];
+let _e5950 = global_3.member[bitcast<u32>(select(0i, _e5944, (_e5944 > 0i)))];
 let _e5952 = local_20;
 let _e5956 = (_e5894 * select(0f, select(select(select(bitcast<f32>(_e5921), _e5773, (_e5923 >= _e5765)), _e5805, (_e5926 >= _e5797)), _e5836, (_e5929 >= _e5828)), ((_e5941 >= bitcast<f32>(_e5939)) && (_e5952 <= bitcast<f32>(_e5950)))));
 if _e514 {
 let _e5963 = ((0.5f * (_e5698 - _e5692)) * _e5956);
 let _e5964 = ((0.5f * (_e5710 - _e5704)) * _e5956);
 let _e5965 = ((0.5f * (_e5722 - _e5716)) * _e5956);
-phi_16138_ = type_34(_e5918, vec3<f32>(_e5963, _e5964, _e5965), vec3<f32>((_e5963 * _e5918), (_e5964 * _e5918), (_e5965 * _e5918)));
+phi_16128_ = type_33(_e5918, vec3<f32>(_e5963, _e5964, _e5965), vec3<f32>((_e5963 * _e5918), (_e5964 * _e5918), (_e5965 * _e5918)));
 } else {
 local_18 = _e5692;
 let _e5972 = local_18;
@@ -2145,7 +2145,7 @@ let _e6014 = select(0i, select(select(i32(_e6007), i32(-2147483648), (_e6007 < -
 let _e6018 = (_e6014 - select(0i, 1i, (_e6007 < f32(_e6014))));
 let _e6019 = (262147i + _e6018);
 let _e6021 = select(_e5726, _e6019, (_e6019 < _e5726));
-let _e6027 = global_5.member[bitcast<u32>(select(0i, _e6021, (_e6021 > 0i)))];
+let _e6027 = global_3.member[bitcast<u32>(select(0i, _e6021, (_e6021 > 0i)))];
 let _e6042 = ((_e5903 + (f32(bitcast<i32>((_e6027 >> bitcast<u32>(12u)))) * _e5912)) + ((f32((bitcast<i32>((_e6027 & 4095u)) - 2048i)) * _e5893) * (_e6003 - f32(_e6018))));
 local_16 = _e5698;
 let _e6043 = local_16;
@@ -2169,7 +2169,7 @@ let _e6085 = select(0i, select(select(i32(_e6078), i32(-2147483648), (_e6078 < -
 let _e6089 = (_e6085 - select(0i, 1i, (_e6078 < f32(_e6085))));
 let _e6090 = (262147i + _e6089);
 let _e6092 = select(_e5726, _e6090, (_e6090 < _e5726));
-let _e6098 = global_5.member[bitcast<u32>(select(0i, _e6092, (_e6092 > 0i)))];
+let _e6098 = global_3.member[bitcast<u32>(select(0i, _e6092, (_e6092 > 0i)))];
 let _e6113 = ((_e5903 + (f32(bitcast<i32>((_e6098 >> bitcast<u32>(12u)))) * _e5912)) + ((f32((bitcast<i32>((_e6098 & 4095u)) - 2048i)) * _e5893) * (_e6074 - f32(_e6089))));
 local_14 = _e5704;
 let _e6114 = local_14;
@@ -2193,7 +2193,7 @@ let _e6156 = select(0i, select(select(i32(_e6149), i32(-2147483648), (_e6149 < -
 let _e6160 = (_e6156 - select(0i, 1i, (_e6149 < f32(_e6156))));
 let _e6161 = (262147i + _e6160);
 let _e6163 = select(_e5726, _e6161, (_e6161 < _e5726));
-let _e6169 = global_5.member[bitcast<u32>(select(0i, _e6163, (_e6163 > 0i)))];
+let _e6169 = global_3.member[bitcast<u32>(select(0i, _e6163, (_e6163 > 0i)))];
 let _e6184 = ((_e5903 + (f32(bitcast<i32>((_e6169 >> bitcast<u32>(12u)))) * _e5912)) + ((f32((bitcast<i32>((_e6169 & 4095u)) - 2048i)) * _e5893) * (_e6145 - f32(_e6160))));
 local_12 = _e5710;
 let _e6185 = local_12;
@@ -2217,7 +2217,7 @@ let _e6227 = select(0i, select(select(i32(_e6220), i32(-2147483648), (_e6220 < -
 let _e6231 = (_e6227 - select(0i, 1i, (_e6220 < f32(_e6227))));
 let _e6232 = (262147i + _e6231);
 let _e6234 = select(_e5726, _e6232, (_e6232 < _e5726));
-let _e6240 = global_5.member[bitcast<u32>(select(0i, _e6234, (_e6234 > 0i)))];
+let _e6240 = global_3.member[bitcast<u32>(select(0i, _e6234, (_e6234 > 0i)))];
 let _e6255 = ((_e5903 + (f32(bitcast<i32>((_e6240 >> bitcast<u32>(12u)))) * _e5912)) + ((f32((bitcast<i32>((_e6240 & 4095u)) - 2048i)) * _e5893) * (_e6216 - f32(_e6231))));
 local_10 = _e5716;
 let _e6256 = local_10;
@@ -2241,7 +2241,7 @@ let _e6298 = select(0i, select(select(i32(_e6291), i32(-2147483648), (_e6291 < -
 let _e6302 = (_e6298 - select(0i, 1i, (_e6291 < f32(_e6298))));
 let _e6303 = (262147i + _e6302);
 let _e6305 = select(_e5726, _e6303, (_e6303 < _e5726));
-let _e6311 = global_5.member[bitcast<u32>(select(0i, _e6305, (_e6305 > 0i)))];
+let _e6311 = global_3.member[bitcast<u32>(select(0i, _e6305, (_e6305 > 0i)))];
 let _e6326 = ((_e5903 + (f32(bitcast<i32>((_e6311 >> bitcast<u32>(12u)))) * _e5912)) + ((f32((bitcast<i32>((_e6311 & 4095u)) - 2048i)) * _e5893) * (_e6287 - f32(_e6302))));
 local_8 = _e5722;
 let _e6327 = local_8;
@@ -2265,14 +2265,14 @@ let _e6369 = select(0i, select(select(i32(_e6362), i32(-2147483648), (_e6362 < -
 let _e6373 = (_e6369 - select(0i, 1i, (_e6362 < f32(_e6369))));
 let _e6374 = (262147i + _e6373);
 let _e6376 = select(_e5726, _e6374, (_e6374 < _e5726));
-let _e6382 = global_5.member[bitcast<u32>(select(0i, _e6376, (_e6376 > 0i)))];
+let _e6382 = global_3.member[bitcast<u32>(select(0i, _e6376, (_e6376 > 0i)))];
 let _e6397 = ((_e5903 + (f32(bitcast<i32>((_e6382 >> bitcast<u32>(12u)))) * _e5912)) + ((f32((bitcast<i32>((_e6382 & 4095u)) - 2048i)) * _e5893) * (_e6358 - f32(_e6373))));
 let _e6398 = (_e6113 - _e6042);
 let _e6400 = (_e6255 - _e6184);
 let _e6402 = (_e6397 - _e6326);
-phi_16138_ = type_34(_e5918, vec3<f32>((0.5f * _e6398), (0.5f * _e6400), (0.5f * _e6402)), vec3<f32>((0.25f * (_e6398 * (_e6113 + _e6042))), (0.25f * (_e6400 * (_e6255 + _e6184))), (0.25f * (_e6402 * (_e6397 + _e6326)))));
+phi_16128_ = type_33(_e5918, vec3<f32>((0.5f * _e6398), (0.5f * _e6400), (0.5f * _e6402)), vec3<f32>((0.25f * (_e6398 * (_e6113 + _e6042))), (0.25f * (_e6400 * (_e6255 + _e6184))), (0.25f * (_e6402 * (_e6397 + _e6326)))));
 }
-let _e6417 = phi_16138_;
+let _e6417 = phi_16128_;
 let _e6432 = select(0f, 1f, ((((((_e4711 >= -0.5f) && (_e4711 <= _e4009)) && (_e4717 >= -0.5f)) && (_e4717 <= _e4090)) && (_e4723 >= -0.5f)) && (_e4723 <= _e4171)));
 let _e6434 = (0.5f * (_e5698 - _e5692));
 let _e6436 = (0.5f * (_e5710 - _e5704));
@@ -2286,7 +2286,7 @@ let _e6474 = global_1.member.member_6.member_1.member.member_2;
 let _e6480 = global_1.member.member_6.member_2.member.member;
 let _e6486 = global_1.member.member_6.member_2.member.member_1;
 let _e6492 = global_1.member.member_6.member_2.member.member_2;
-phi_16901_ = type_35(_e5686, vec3<f32>(((((_e6444 * _e6434) + (_e6462 * _e6436)) + (_e6480 * _e6438)) * _e6432), ((((_e6450 * _e6434) + (_e6468 * _e6436)) + (_e6486 * _e6438)) * _e6432), ((((_e6456 * _e6434) + (_e6474 * _e6436)) + (_e6492 * _e6438)) * _e6432)), _e6417.member, vec3<f32>(((((_e6444 * _e6417.member_2.x) + (_e6462 * _e6417.member_2.y)) + (_e6480 * _e6417.member_2.z)) * _e6432), ((((_e6450 * _e6417.member_2.x) + (_e6468 * _e6417.member_2.y)) + (_e6486 * _e6417.member_2.z)) * _e6432), ((((_e6456 * _e6417.member_2.x) + (_e6474 * _e6417.member_2.y)) + (_e6492 * _e6417.member_2.z)) * _e6432)), vec3<f32>(((((_e6444 * _e6417.member_1.x) + (_e6462 * _e6417.member_1.y)) + (_e6480 * _e6417.member_1.z)) * _e6432), ((((_e6450 * _e6417.member_1.x) + (_e6468 * _e6417.member_1.y)) + (_e6486 * _e6417.member_1.z)) * _e6432), ((((_e6456 * _e6417.member_1.x) + (_e6474 * _e6417.member_1.y)) + (_e6492 * _e6417.member_1.z)) * _e6432)));
+phi_16891_ = type_34(_e5686, vec3<f32>(((((_e6444 * _e6434) + (_e6462 * _e6436)) + (_e6480 * _e6438)) * _e6432), ((((_e6450 * _e6434) + (_e6468 * _e6436)) + (_e6486 * _e6438)) * _e6432), ((((_e6456 * _e6434) + (_e6474 * _e6436)) + (_e6492 * _e6438)) * _e6432)), _e6417.member, vec3<f32>(((((_e6444 * _e6417.member_2.x) + (_e6462 * _e6417.member_2.y)) + (_e6480 * _e6417.member_2.z)) * _e6432), ((((_e6450 * _e6417.member_2.x) + (_e6468 * _e6417.member_2.y)) + (_e6486 * _e6417.member_2.z)) * _e6432), ((((_e6456 * _e6417.member_2.x) + (_e6474 * _e6417.member_2.y)) + (_e6492 * _e6417.member_2.z)) * _e6432)), vec3<f32>(((((_e6444 * _e6417.member_1.x) + (_e6462 * _e6417.member_1.y)) + (_e6480 * _e6417.member_1.z)) * _e6432), ((((_e6450 * _e6417.member_1.x) + (_e6468 * _e6417.member_1.y)) + (_e6486 * _e6417.member_1.z)) * _e6432), ((((_e6456 * _e6417.member_1.x) + (_e6474 * _e6417.member_1.y)) + (_e6492 * _e6417.member_1.z)) * _e6432)));
 } else {
 let _e6558 = select(-0.5f, _e4711, (_e4711 > -0.5f));
 let _e6560 = select(_e4009, _e6558, (_e6558 < _e4009));
@@ -2325,7 +2325,7 @@ let _e6684 = (select(0i, _e6598, (_e6598 > 0i)) * _e6617);
 let _e6685 = (select(_e6629, _e6632, (_e6632 < _e6629)) * _e6617);
 let _e6686 = (select(0i, _e6613, (_e6613 > 0i)) * _e6621);
 let _e6687 = (select(_e6642, _e6645, (_e6645 < _e6642)) * _e6621);
-local_6 = type_32(array<i32, 4>(_e6671, _e6671, _e6671, _e6671), array<u32, 6>(bitcast<u32>(((_e6658 - _e6671) * 8i)), bitcast<u32>(((select(0i, _e6583, (_e6583 > 0i)) - _e6671) * 8i)), bitcast<u32>(((select(_e6655, _e6661, (_e6661 < _e6655)) - _e6671) * 8i)), bitcast<u32>(((select(_e6655, _e6664, (_e6664 < _e6655)) - _e6671) * 8i)), 0u, 0u));
+local_6 = type_29(array<i32, 4>(_e6671, _e6671, _e6671, _e6671), array<u32, 6>(bitcast<u32>(((_e6658 - _e6671) * 8i)), bitcast<u32>(((select(0i, _e6583, (_e6583 > 0i)) - _e6671) * 8i)), bitcast<u32>(((select(_e6655, _e6661, (_e6661 < _e6655)) - _e6671) * 8i)), bitcast<u32>(((select(_e6655, _e6664, (_e6664 < _e6655)) - _e6671) * 8i)), 0u, 0u));
 local_7 = vec3<f32>((_e6560 - f32(_e6583)), (_e6564 - f32(_e6598)), (_e6568 - f32(_e6613)));
 let _e6702 = local_6.member[0u];
 let _e6703 = ((_e6686 + _e6684) + _e6702);
@@ -2333,10 +2333,10 @@ let _e6705 = (_e6703 >> bitcast<u32>(2i));
 let _e6708 = bitcast<u32>(((_e6703 & 3i) * 8i));
 let _e6710 = (bitcast<i32>(_e207) - 1i);
 let _e6712 = select(_e6710, _e6705, (_e6705 < _e6710));
-let _e6717 = global_4.member[bitcast<u32>(select(0i, _e6712, (_e6712 > 0i)))];
+let _e6717 = global_2.member[bitcast<u32>(select(0i, _e6712, (_e6712 > 0i)))];
 let _e6721 = (_e6705 + 1i);
 let _e6723 = select(_e6710, _e6721, (_e6721 < _e6710));
-let _e6728 = global_4.member[bitcast<u32>(select(0i, _e6723, (_e6723 > 0i)))];
+let _e6728 = global_2.member[bitcast<u32>(select(0i, _e6723, (_e6723 > 0i)))];
 let _e6735 = ((_e6717 >> bitcast<u32>((_e6708 & 31u))) | ((_e6728 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6708) & 31u))));
 let _e6738 = local_6.member_1[1u];
 let _e6744 = f32(bitcast<i32>(((_e6735 >> bitcast<u32>((_e6738 & 31u))) & 255u)));
@@ -2348,10 +2348,10 @@ let _e6760 = ((_e6686 + _e6685) + _e6759);
 let _e6762 = (_e6760 >> bitcast<u32>(2i));
 let _e6765 = bitcast<u32>(((_e6760 & 3i) * 8i));
 let _e6767 = select(_e6710, _e6762, (_e6762 < _e6710));
-let _e6772 = global_4.member[bitcast<u32>(select(0i, _e6767, (_e6767 > 0i)))];
+let _e6772 = global_2.member[bitcast<u32>(select(0i, _e6767, (_e6767 > 0i)))];
 let _e6776 = (_e6762 + 1i);
 let _e6778 = select(_e6710, _e6776, (_e6776 < _e6710));
-let _e6783 = global_4.member[bitcast<u32>(select(0i, _e6778, (_e6778 > 0i)))];
+let _e6783 = global_2.member[bitcast<u32>(select(0i, _e6778, (_e6778 > 0i)))];
 let _e6790 = ((_e6772 >> bitcast<u32>((_e6765 & 31u))) | ((_e6783 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6765) & 31u))));
 let _e6791 = local_6.member_1[1u];
 let _e6797 = f32(bitcast<i32>(((_e6790 >> bitcast<u32>((_e6791 & 31u))) & 255u)));
@@ -2364,10 +2364,10 @@ let _e6816 = ((_e6687 + _e6684) + _e6815);
 let _e6818 = (_e6816 >> bitcast<u32>(2i));
 let _e6821 = bitcast<u32>(((_e6816 & 3i) * 8i));
 let _e6823 = select(_e6710, _e6818, (_e6818 < _e6710));
-let _e6828 = global_4.member[bitcast<u32>(select(0i, _e6823, (_e6823 > 0i)))];
+let _e6828 = global_2.member[bitcast<u32>(select(0i, _e6823, (_e6823 > 0i)))];
 let _e6832 = (_e6818 + 1i);
 let _e6834 = select(_e6710, _e6832, (_e6832 < _e6710));
-let _e6839 = global_4.member[bitcast<u32>(select(0i, _e6834, (_e6834 > 0i)))];
+let _e6839 = global_2.member[bitcast<u32>(select(0i, _e6834, (_e6834 > 0i)))];
 let _e6846 = ((_e6828 >> bitcast<u32>((_e6821 & 31u))) | ((_e6839 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6821) & 31u))));
 let _e6847 = local_6.member_1[1u];
 let _e6853 = f32(bitcast<i32>(((_e6846 >> bitcast<u32>((_e6847 & 31u))) & 255u)));
@@ -2379,10 +2379,10 @@ let _e6867 = ((_e6687 + _e6685) + _e6866);
 let _e6869 = (_e6867 >> bitcast<u32>(2i));
 let _e6872 = bitcast<u32>(((_e6867 & 3i) * 8i));
 let _e6874 = select(_e6710, _e6869, (_e6869 < _e6710));
-let _e6879 = global_4.member[bitcast<u32>(select(0i, _e6874, (_e6874 > 0i)))];
+let _e6879 = global_2.member[bitcast<u32>(select(0i, _e6874, (_e6874 > 0i)))];
 let _e6883 = (_e6869 + 1i);
 let _e6885 = select(_e6710, _e6883, (_e6883 < _e6710));
-let _e6890 = global_4.member[bitcast<u32>(select(0i, _e6885, (_e6885 > 0i)))];
+let _e6890 = global_2.member[bitcast<u32>(select(0i, _e6885, (_e6885 > 0i)))];
 let _e6897 = ((_e6879 >> bitcast<u32>((_e6872 & 31u))) | ((_e6890 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6872) & 31u))));
 let _e6898 = local_6.member_1[1u];
 let _e6904 = f32(bitcast<i32>(((_e6897 >> bitcast<u32>((_e6898 & 31u))) & 255u)));
@@ -2395,11 +2395,11 @@ let _e6932 = global_1.member.member_6.member_5;
 let _e6934 = (((_e6813 + (((_e6864 + (((_e6904 + ((f32(bitcast<i32>(((_e6897 >> bitcast<u32>((_e6905 & 31u))) & 255u))) - _e6904) * _e6912)) - _e6864) * _e6916)) - _e6813) * _e6921)) - _e6928) * _e6932);
 let _e6935 = -(1e9f);
 let _e6937 = select(_e6935, _e6934, (_e6934 > _e6935));
-phi_16901_ = type_35(select(1e9f, _e6937, (_e6937 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_16891_ = type_34(select(1e9f, _e6937, (_e6937 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e6942 = phi_16901_;
+let _e6942 = phi_16891_;
 if _e2775 {
-phi_17293_ = type_5(1f, 1f, 1f);
+phi_17283_ = type_7(1f, 1f, 1f);
 } else {
 let _e6946 = global_1.member.member_14.member;
 let _e6957 = ((((_e6946.member.member * _e3845.member.x) + (_e6946.member.member_1 * _e3845.member.y)) + (_e6946.member.member_2 * _e3845.member.z)) + _e6946.member_1);
@@ -2445,9 +2445,9 @@ let _e7124 = select(0f, _e7122, (_e7122 > 0f));
 let _e7130 = select(select(select(1f, _e7124, (_e7124 < 1f)), 1f, (_e7117 <= 0f)), 0f, (_e7115 > 0f));
 let _e7135 = global_1.member.member_17.member_1;
 let _e7136 = (_e7135 != 0u);
-phi_17293_ = type_5(((((1f * _e6980) * _e7030) * _e7080) * _e7130), ((((1f * select(1f, _e6980, _e6986)) * select(1f, _e7030, _e7036)) * select(1f, _e7080, _e7086)) * select(1f, _e7130, _e7136)), ((((1f * select(1f, 0f, (_e6986 && (_e6963 > 0f)))) * select(1f, 0f, (_e7036 && (_e7013 > 0f)))) * select(1f, 0f, (_e7086 && (_e7063 > 0f)))) * select(1f, 0f, (_e7136 && (_e7113 > 0f)))));
+phi_17283_ = type_7(((((1f * _e6980) * _e7030) * _e7080) * _e7130), ((((1f * select(1f, _e6980, _e6986)) * select(1f, _e7030, _e7036)) * select(1f, _e7080, _e7086)) * select(1f, _e7130, _e7136)), ((((1f * select(1f, 0f, (_e6986 && (_e6963 > 0f)))) * select(1f, 0f, (_e7036 && (_e7013 > 0f)))) * select(1f, 0f, (_e7086 && (_e7063 > 0f)))) * select(1f, 0f, (_e7136 && (_e7113 > 0f)))));
 }
-let _e7145 = phi_17293_;
+let _e7145 = phi_17283_;
 let _e7148 = (select(0f, (_e4591 - 0.5f), _e4573) * _e3940);
 let _e7152 = (_e3945 + (_e3864 * _e7148));
 let _e7153 = (_e3946 + (_e3866 * _e7148));
@@ -2489,7 +2489,7 @@ let _e7282 = (select(0i, _e7196, (_e7196 > 0i)) * _e7215);
 let _e7283 = (select(_e7227, _e7230, (_e7230 < _e7227)) * _e7215);
 let _e7284 = (select(0i, _e7211, (_e7211 > 0i)) * _e7219);
 let _e7285 = (select(_e7240, _e7243, (_e7243 < _e7240)) * _e7219);
-local_4 = type_32(array<i32, 4>(_e7269, _e7269, _e7269, _e7269), array<u32, 6>(bitcast<u32>(((_e7256 - _e7269) * 8i)), bitcast<u32>(((select(0i, _e7181, (_e7181 > 0i)) - _e7269) * 8i)), bitcast<u32>(((select(_e7253, _e7259, (_e7259 < _e7253)) - _e7269) * 8i)), bitcast<u32>(((select(_e7253, _e7262, (_e7262 < _e7253)) - _e7269) * 8i)), 0u, 0u));
+local_4 = type_29(array<i32, 4>(_e7269, _e7269, _e7269, _e7269), array<u32, 6>(bitcast<u32>(((_e7256 - _e7269) * 8i)), bitcast<u32>(((select(0i, _e7181, (_e7181 > 0i)) - _e7269) * 8i)), bitcast<u32>(((select(_e7253, _e7259, (_e7259 < _e7253)) - _e7269) * 8i)), bitcast<u32>(((select(_e7253, _e7262, (_e7262 < _e7253)) - _e7269) * 8i)), 0u, 0u));
 local_5 = vec3<f32>((_e7158 - f32(_e7181)), (_e7162 - f32(_e7196)), (_e7166 - f32(_e7211)));
 let _e7300 = local_4.member[0u];
 let _e7301 = ((_e7284 + _e7282) + _e7300);
@@ -2497,10 +2497,10 @@ let _e7303 = (_e7301 >> bitcast<u32>(2i));
 let _e7306 = bitcast<u32>(((_e7301 & 3i) * 8i));
 let _e7308 = (bitcast<i32>(_e207) - 1i);
 let _e7310 = select(_e7308, _e7303, (_e7303 < _e7308));
-let _e7315 = global_4.member[bitcast<u32>(select(0i, _e7310, (_e7310 > 0i)))];
+let _e7315 = global_2.member[bitcast<u32>(select(0i, _e7310, (_e7310 > 0i)))];
 let _e7319 = (_e7303 + 1i);
 let _e7321 = select(_e7308, _e7319, (_e7319 < _e7308));
-let _e7326 = global_4.member[bitcast<u32>(select(0i, _e7321, (_e7321 > 0i)))];
+let _e7326 = global_2.member[bitcast<u32>(select(0i, _e7321, (_e7321 > 0i)))];
 let _e7333 = ((_e7315 >> bitcast<u32>((_e7306 & 31u))) | ((_e7326 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7306) & 31u))));
 let _e7336 = local_4.member_1[1u];
 let _e7342 = f32(bitcast<i32>(((_e7333 >> bitcast<u32>((_e7336 & 31u))) & 255u)));
@@ -2512,10 +2512,10 @@ let _e7358 = ((_e7284 + _e7283) + _e7357);
 let _e7360 = (_e7358 >> bitcast<u32>(2i));
 let _e7363 = bitcast<u32>(((_e7358 & 3i) * 8i));
 let _e7365 = select(_e7308, _e7360, (_e7360 < _e7308));
-let _e7370 = global_4.member[bitcast<u32>(select(0i, _e7365, (_e7365 > 0i)))];
+let _e7370 = global_2.member[bitcast<u32>(select(0i, _e7365, (_e7365 > 0i)))];
 let _e7374 = (_e7360 + 1i);
 let _e7376 = select(_e7308, _e7374, (_e7374 < _e7308));
-let _e7381 = global_4.member[bitcast<u32>(select(0i, _e7376, (_e7376 > 0i)))];
+let _e7381 = global_2.member[bitcast<u32>(select(0i, _e7376, (_e7376 > 0i)))];
 let _e7388 = ((_e7370 >> bitcast<u32>((_e7363 & 31u))) | ((_e7381 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7363) & 31u))));
 let _e7389 = local_4.member_1[1u];
 let _e7395 = f32(bitcast<i32>(((_e7388 >> bitcast<u32>((_e7389 & 31u))) & 255u)));
@@ -2528,10 +2528,10 @@ let _e7414 = ((_e7285 + _e7282) + _e7413);
 let _e7416 = (_e7414 >> bitcast<u32>(2i));
 let _e7419 = bitcast<u32>(((_e7414 & 3i) * 8i));
 let _e7421 = select(_e7308, _e7416, (_e7416 < _e7308));
-let _e7426 = global_4.member[bitcast<u32>(select(0i, _e7421, (_e7421 > 0i)))];
+let _e7426 = global_2.member[bitcast<u32>(select(0i, _e7421, (_e7421 > 0i)))];
 let _e7430 = (_e7416 + 1i);
 let _e7432 = select(_e7308, _e7430, (_e7430 < _e7308));
-let _e7437 = global_4.member[bitcast<u32>(select(0i, _e7432, (_e7432 > 0i)))];
+let _e7437 = global_2.member[bitcast<u32>(select(0i, _e7432, (_e7432 > 0i)))];
 let _e7444 = ((_e7426 >> bitcast<u32>((_e7419 & 31u))) | ((_e7437 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7419) & 31u))));
 let _e7445 = local_4.member_1[1u];
 let _e7451 = f32(bitcast<i32>(((_e7444 >> bitcast<u32>((_e7445 & 31u))) & 255u)));
@@ -2543,10 +2543,10 @@ let _e7465 = ((_e7285 + _e7283) + _e7464);
 let _e7467 = (_e7465 >> bitcast<u32>(2i));
 let _e7470 = bitcast<u32>(((_e7465 & 3i) * 8i));
 let _e7472 = select(_e7308, _e7467, (_e7467 < _e7308));
-let _e7477 = global_4.member[bitcast<u32>(select(0i, _e7472, (_e7472 > 0i)))];
+let _e7477 = global_2.member[bitcast<u32>(select(0i, _e7472, (_e7472 > 0i)))];
 let _e7481 = (_e7467 + 1i);
 let _e7483 = select(_e7308, _e7481, (_e7481 < _e7308));
-let _e7488 = global_4.member[bitcast<u32>(select(0i, _e7483, (_e7483 > 0i)))];
+let _e7488 = global_2.member[bitcast<u32>(select(0i, _e7483, (_e7483 > 0i)))];
 let _e7495 = ((_e7477 >> bitcast<u32>((_e7470 & 31u))) | ((_e7488 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7470) & 31u))));
 let _e7496 = local_4.member_1[1u];
 let _e7502 = f32(bitcast<i32>(((_e7495 >> bitcast<u32>((_e7496 & 31u))) & 255u)));
@@ -2565,41 +2565,41 @@ local_3 = _e7538;
 let _e7539 = local_3;
 let _e7541 = (bitcast<i32>(_e210) - 1i);
 let _e7543 = select(_e7541, 263197i, (263197i < _e7541));
-let _e7548 = global_5.member[bitcast<u32>(select(0i, _e7543, (_e7543 > 0i)))];
+let _e7548 = global_3.member[bitcast<u32>(select(0i, _e7543, (_e7543 > 0i)))];
 let _e7551 = select(_e7541, 263198i, (263198i < _e7541));
-let _e7556 = global_5.member[bitcast<u32>(select(0i, _e7551, (_e7551 > 0i)))];
+let _e7556 = global_3.member[bitcast<u32>(select(0i, _e7551, (_e7551 > 0i)))];
 let _e7559 = select(_e7541, 263199i, (263199i < _e7541));
-let _e7564 = global_5.member[bitcast<u32>(select(0i, _e7559, (_e7559 > 0i)))];
+let _e7564 = global_3.member[bitcast<u32>(select(0i, _e7559, (_e7559 > 0i)))];
 let _e7565 = bitcast<f32>(_e7564);
 let _e7567 = ((_e7539 - bitcast<f32>(_e7548)) * bitcast<f32>(_e7556));
 let _e7569 = select(0f, _e7567, (_e7567 > 0f));
 let _e7572 = local_3;
 let _e7574 = select(_e7541, 263200i, (263200i < _e7541));
-let _e7579 = global_5.member[bitcast<u32>(select(0i, _e7574, (_e7574 > 0i)))];
+let _e7579 = global_3.member[bitcast<u32>(select(0i, _e7574, (_e7574 > 0i)))];
 let _e7582 = select(_e7541, 263201i, (263201i < _e7541));
-let _e7587 = global_5.member[bitcast<u32>(select(0i, _e7582, (_e7582 > 0i)))];
+let _e7587 = global_3.member[bitcast<u32>(select(0i, _e7582, (_e7582 > 0i)))];
 let _e7590 = select(_e7541, 263202i, (263202i < _e7541));
-let _e7595 = global_5.member[bitcast<u32>(select(0i, _e7590, (_e7590 > 0i)))];
+let _e7595 = global_3.member[bitcast<u32>(select(0i, _e7590, (_e7590 > 0i)))];
 let _e7596 = bitcast<f32>(_e7595);
 let _e7598 = ((_e7572 - bitcast<f32>(_e7579)) * bitcast<f32>(_e7587));
 let _e7600 = select(0f, _e7598, (_e7598 > 0f));
 let _e7604 = local_3;
 let _e7606 = select(_e7541, 263203i, (263203i < _e7541));
-let _e7611 = global_5.member[bitcast<u32>(select(0i, _e7606, (_e7606 > 0i)))];
+let _e7611 = global_3.member[bitcast<u32>(select(0i, _e7606, (_e7606 > 0i)))];
 let _e7614 = select(_e7541, 263204i, (263204i < _e7541));
-let _e7619 = global_5.member[bitcast<u32>(select(0i, _e7614, (_e7614 > 0i)))];
+let _e7619 = global_3.member[bitcast<u32>(select(0i, _e7614, (_e7614 > 0i)))];
 let _e7622 = select(_e7541, 263205i, (263205i < _e7541));
-let _e7627 = global_5.member[bitcast<u32>(select(0i, _e7622, (_e7622 > 0i)))];
+let _e7627 = global_3.member[bitcast<u32>(select(0i, _e7622, (_e7622 > 0i)))];
 let _e7628 = bitcast<f32>(_e7627);
 let _e7630 = ((_e7604 - bitcast<f32>(_e7611)) * bitcast<f32>(_e7619));
 let _e7632 = select(0f, _e7630, (_e7630 > 0f));
 let _e7635 = local_3;
 let _e7637 = select(_e7541, 263206i, (263206i < _e7541));
-let _e7642 = global_5.member[bitcast<u32>(select(0i, _e7637, (_e7637 > 0i)))];
+let _e7642 = global_3.member[bitcast<u32>(select(0i, _e7637, (_e7637 > 0i)))];
 let _e7645 = select(_e7541, 263207i, (263207i < _e7541));
-let _e7650 = global_5.member[bitcast<u32>(select(0i, _e7645, (_e7645 > 0i)))];
+let _e7650 = global_3.member[bitcast<u32>(select(0i, _e7645, (_e7645 > 0i)))];
 let _e7653 = select(_e7541, 263208i, (263208i < _e7541));
-let _e7658 = global_5.member[bitcast<u32>(select(0i, _e7653, (_e7653 > 0i)))];
+let _e7658 = global_3.member[bitcast<u32>(select(0i, _e7653, (_e7653 > 0i)))];
 let _e7659 = bitcast<f32>(_e7658);
 let _e7661 = ((_e7635 - bitcast<f32>(_e7642)) * bitcast<f32>(_e7650));
 let _e7663 = select(0f, _e7661, (_e7661 > 0f));
@@ -2610,13 +2610,13 @@ let _e7678 = select(0i, select(select(i32(_e7671), i32(-2147483648), (_e7671 < -
 let _e7682 = (_e7678 - select(0i, 1i, (_e7671 < f32(_e7678))));
 let _e7683 = (262147i + _e7682);
 let _e7685 = select(_e7541, _e7683, (_e7683 < _e7541));
-let _e7691 = global_5.member[bitcast<u32>(select(0i, _e7685, (_e7685 > 0i)))];
+let _e7691 = global_3.member[bitcast<u32>(select(0i, _e7685, (_e7685 > 0i)))];
 let _e7701 = select(_e7541, 262146i, (262146i < _e7541));
-let _e7707 = global_5.member[bitcast<u32>(select(0i, _e7701, (_e7701 > 0i)))];
+let _e7707 = global_3.member[bitcast<u32>(select(0i, _e7701, (_e7701 > 0i)))];
 let _e7711 = select(_e7541, 262144i, (262144i < _e7541));
-let _e7717 = global_5.member[bitcast<u32>(select(0i, _e7711, (_e7711 > 0i)))];
+let _e7717 = global_3.member[bitcast<u32>(select(0i, _e7711, (_e7711 > 0i)))];
 let _e7720 = select(_e7541, 262145i, (262145i < _e7541));
-let _e7726 = global_5.member[bitcast<u32>(select(0i, _e7720, (_e7720 > 0i)))];
+let _e7726 = global_3.member[bitcast<u32>(select(0i, _e7720, (_e7720 > 0i)))];
 let _e7733 = ((bitcast<f32>(_e7717) + (f32(bitcast<i32>((_e7691 >> bitcast<u32>(12u)))) * bitcast<f32>(_e7726))) + ((f32((bitcast<i32>((_e7691 & 4095u)) - 2048i)) * bitcast<f32>(_e7707)) * (_e7667 - f32(_e7682))));
 let _e7734 = select(1f, _e7733, _e3858);
 let _e7735 = select(_e7733, 1f, _e3858);
@@ -2681,97 +2681,97 @@ let _e7920 = (((sqrt(select(0f, _e7815, (_e7815 > 0f))) * select(0f, _e7911, (_e
 local_1 = _e7806;
 let _e7921 = local_1;
 let _e7923 = select(_e7541, 263171i, (263171i < _e7541));
-let _e7928 = global_5.member[bitcast<u32>(select(0i, _e7923, (_e7923 > 0i)))];
+let _e7928 = global_3.member[bitcast<u32>(select(0i, _e7923, (_e7923 > 0i)))];
 let _e7929 = bitcast<f32>(_e7928);
 let _e7931 = select(_e7541, 263172i, (263172i < _e7541));
-let _e7936 = global_5.member[bitcast<u32>(select(0i, _e7931, (_e7931 > 0i)))];
+let _e7936 = global_3.member[bitcast<u32>(select(0i, _e7931, (_e7931 > 0i)))];
 let _e7937 = bitcast<f32>(_e7936);
 let _e7939 = select(_e7541, 263173i, (263173i < _e7541));
-let _e7944 = global_5.member[bitcast<u32>(select(0i, _e7939, (_e7939 > 0i)))];
+let _e7944 = global_3.member[bitcast<u32>(select(0i, _e7939, (_e7939 > 0i)))];
 let _e7945 = bitcast<f32>(_e7944);
 let _e7947 = ((_e7921 - _e7929) * _e7937);
 let _e7949 = select(0f, _e7947, (_e7947 > 0f));
 let _e7952 = local_1;
 let _e7954 = select(_e7541, 263174i, (263174i < _e7541));
-let _e7959 = global_5.member[bitcast<u32>(select(0i, _e7954, (_e7954 > 0i)))];
+let _e7959 = global_3.member[bitcast<u32>(select(0i, _e7954, (_e7954 > 0i)))];
 let _e7960 = bitcast<f32>(_e7959);
 let _e7962 = select(_e7541, 263175i, (263175i < _e7541));
-let _e7967 = global_5.member[bitcast<u32>(select(0i, _e7962, (_e7962 > 0i)))];
+let _e7967 = global_3.member[bitcast<u32>(select(0i, _e7962, (_e7962 > 0i)))];
 let _e7968 = bitcast<f32>(_e7967);
 let _e7970 = select(_e7541, 263176i, (263176i < _e7541));
-let _e7975 = global_5.member[bitcast<u32>(select(0i, _e7970, (_e7970 > 0i)))];
+let _e7975 = global_3.member[bitcast<u32>(select(0i, _e7970, (_e7970 > 0i)))];
 let _e7976 = bitcast<f32>(_e7975);
 let _e7978 = ((_e7952 - _e7960) * _e7968);
 let _e7980 = select(0f, _e7978, (_e7978 > 0f));
 let _e7984 = local_1;
 let _e7986 = select(_e7541, 263177i, (263177i < _e7541));
-let _e7991 = global_5.member[bitcast<u32>(select(0i, _e7986, (_e7986 > 0i)))];
+let _e7991 = global_3.member[bitcast<u32>(select(0i, _e7986, (_e7986 > 0i)))];
 let _e7992 = bitcast<f32>(_e7991);
 let _e7994 = select(_e7541, 263178i, (263178i < _e7541));
-let _e7999 = global_5.member[bitcast<u32>(select(0i, _e7994, (_e7994 > 0i)))];
+let _e7999 = global_3.member[bitcast<u32>(select(0i, _e7994, (_e7994 > 0i)))];
 let _e8000 = bitcast<f32>(_e7999);
 let _e8002 = select(_e7541, 263179i, (263179i < _e7541));
-let _e8007 = global_5.member[bitcast<u32>(select(0i, _e8002, (_e8002 > 0i)))];
+let _e8007 = global_3.member[bitcast<u32>(select(0i, _e8002, (_e8002 > 0i)))];
 let _e8008 = bitcast<f32>(_e8007);
 let _e8010 = ((_e7984 - _e7992) * _e8000);
 let _e8012 = select(0f, _e8010, (_e8010 > 0f));
 let _e8015 = local_1;
 let _e8017 = select(_e7541, 263180i, (263180i < _e7541));
-let _e8022 = global_5.member[bitcast<u32>(select(0i, _e8017, (_e8017 > 0i)))];
+let _e8022 = global_3.member[bitcast<u32>(select(0i, _e8017, (_e8017 > 0i)))];
 let _e8023 = bitcast<f32>(_e8022);
 let _e8025 = select(_e7541, 263181i, (263181i < _e7541));
-let _e8030 = global_5.member[bitcast<u32>(select(0i, _e8025, (_e8025 > 0i)))];
+let _e8030 = global_3.member[bitcast<u32>(select(0i, _e8025, (_e8025 > 0i)))];
 let _e8031 = bitcast<f32>(_e8030);
 let _e8033 = select(_e7541, 263182i, (263182i < _e7541));
-let _e8038 = global_5.member[bitcast<u32>(select(0i, _e8033, (_e8033 > 0i)))];
+let _e8038 = global_3.member[bitcast<u32>(select(0i, _e8033, (_e8033 > 0i)))];
 let _e8039 = bitcast<f32>(_e8038);
 let _e8041 = ((_e8015 - _e8023) * _e8031);
 let _e8043 = select(0f, _e8041, (_e8041 > 0f));
 let _e8048 = local_1;
 let _e8050 = select(_e7541, 263183i, (263183i < _e7541));
-let _e8055 = global_5.member[bitcast<u32>(select(0i, _e8050, (_e8050 > 0i)))];
+let _e8055 = global_3.member[bitcast<u32>(select(0i, _e8050, (_e8050 > 0i)))];
 let _e8056 = bitcast<f32>(_e8055);
 let _e8058 = select(_e7541, 263184i, (263184i < _e7541));
-let _e8063 = global_5.member[bitcast<u32>(select(0i, _e8058, (_e8058 > 0i)))];
+let _e8063 = global_3.member[bitcast<u32>(select(0i, _e8058, (_e8058 > 0i)))];
 let _e8064 = bitcast<f32>(_e8063);
 let _e8066 = select(_e7541, 263185i, (263185i < _e7541));
-let _e8071 = global_5.member[bitcast<u32>(select(0i, _e8066, (_e8066 > 0i)))];
+let _e8071 = global_3.member[bitcast<u32>(select(0i, _e8066, (_e8066 > 0i)))];
 let _e8072 = bitcast<f32>(_e8071);
 let _e8074 = ((_e8048 - _e8056) * _e8064);
 let _e8076 = select(0f, _e8074, (_e8074 > 0f));
 let _e8079 = local_1;
 let _e8081 = select(_e7541, 263186i, (263186i < _e7541));
-let _e8086 = global_5.member[bitcast<u32>(select(0i, _e8081, (_e8081 > 0i)))];
+let _e8086 = global_3.member[bitcast<u32>(select(0i, _e8081, (_e8081 > 0i)))];
 let _e8087 = bitcast<f32>(_e8086);
 let _e8089 = select(_e7541, 263187i, (263187i < _e7541));
-let _e8094 = global_5.member[bitcast<u32>(select(0i, _e8089, (_e8089 > 0i)))];
+let _e8094 = global_3.member[bitcast<u32>(select(0i, _e8089, (_e8089 > 0i)))];
 let _e8095 = bitcast<f32>(_e8094);
 let _e8097 = select(_e7541, 263188i, (263188i < _e7541));
-let _e8102 = global_5.member[bitcast<u32>(select(0i, _e8097, (_e8097 > 0i)))];
+let _e8102 = global_3.member[bitcast<u32>(select(0i, _e8097, (_e8097 > 0i)))];
 let _e8103 = bitcast<f32>(_e8102);
 let _e8105 = ((_e8079 - _e8087) * _e8095);
 let _e8107 = select(0f, _e8105, (_e8105 > 0f));
 let _e8111 = local_1;
 let _e8113 = select(_e7541, 263189i, (263189i < _e7541));
-let _e8118 = global_5.member[bitcast<u32>(select(0i, _e8113, (_e8113 > 0i)))];
+let _e8118 = global_3.member[bitcast<u32>(select(0i, _e8113, (_e8113 > 0i)))];
 let _e8119 = bitcast<f32>(_e8118);
 let _e8121 = select(_e7541, 263190i, (263190i < _e7541));
-let _e8126 = global_5.member[bitcast<u32>(select(0i, _e8121, (_e8121 > 0i)))];
+let _e8126 = global_3.member[bitcast<u32>(select(0i, _e8121, (_e8121 > 0i)))];
 let _e8127 = bitcast<f32>(_e8126);
 let _e8129 = select(_e7541, 263191i, (263191i < _e7541));
-let _e8134 = global_5.member[bitcast<u32>(select(0i, _e8129, (_e8129 > 0i)))];
+let _e8134 = global_3.member[bitcast<u32>(select(0i, _e8129, (_e8129 > 0i)))];
 let _e8135 = bitcast<f32>(_e8134);
 let _e8137 = ((_e8111 - _e8119) * _e8127);
 let _e8139 = select(0f, _e8137, (_e8137 > 0f));
 let _e8142 = local_1;
 let _e8144 = select(_e7541, 263192i, (263192i < _e7541));
-let _e8149 = global_5.member[bitcast<u32>(select(0i, _e8144, (_e8144 > 0i)))];
+let _e8149 = global_3.member[bitcast<u32>(select(0i, _e8144, (_e8144 > 0i)))];
 let _e8150 = bitcast<f32>(_e8149);
 let _e8152 = select(_e7541, 263193i, (263193i < _e7541));
-let _e8157 = global_5.member[bitcast<u32>(select(0i, _e8152, (_e8152 > 0i)))];
+let _e8157 = global_3.member[bitcast<u32>(select(0i, _e8152, (_e8152 > 0i)))];
 let _e8158 = bitcast<f32>(_e8157);
 let _e8160 = select(_e7541, 263194i, (263194i < _e7541));
-let _e8165 = global_5.member[bitcast<u32>(select(0i, _e8160, (_e8160 > 0i)))];
+let _e8165 = global_3.member[bitcast<u32>(select(0i, _e8160, (_e8160 > 0i)))];
 let _e8166 = bitcast<f32>(_e8165);
 let _e8168 = ((_e8142 - _e8150) * _e8158);
 let _e8170 = select(0f, _e8168, (_e8168 > 0f));
@@ -2812,10 +2812,10 @@ let _e8258 = select(_e8239, _e8256, (_e8256 < _e8239));
 let _e8265 = select(0i, select(select(i32(_e8258), i32(-2147483648), (_e8258 < -2147483600f)), 2147483647i, (_e8258 > 2147483500f)), (_e8258 == _e8258));
 let _e8269 = (_e8265 - select(0i, 1i, (_e8258 < f32(_e8265))));
 let _e8271 = select(_e7541, 263195i, (263195i < _e7541));
-let _e8277 = global_5.member[bitcast<u32>(select(0i, _e8271, (_e8271 > 0i)))];
+let _e8277 = global_3.member[bitcast<u32>(select(0i, _e8271, (_e8271 > 0i)))];
 let _e8278 = bitcast<f32>(_e8277);
 let _e8280 = select(_e7541, 263196i, (263196i < _e7541));
-let _e8286 = global_5.member[bitcast<u32>(select(0i, _e8280, (_e8280 > 0i)))];
+let _e8286 = global_3.member[bitcast<u32>(select(0i, _e8280, (_e8280 > 0i)))];
 let _e8287 = bitcast<f32>(_e8286);
 let _e8288 = (_e6942.member - _e7806);
 let _e8294 = (1f / select(_e8288, 1f, (bitcast<f32>((bitcast<u32>(_e8288) & 2147483647u)) < 1e-20f)));
@@ -2826,20 +2826,20 @@ let _e8311 = (_e8175 - f32(_e8254));
 let _e8313 = (_e8238 - f32(_e8269));
 let _e8315 = (1f - (_e8300 + _e8306));
 let _e8317 = select(_e7541, _e8309, (_e8309 < _e7541));
-let _e8323 = global_5.member[bitcast<u32>(select(0i, _e8317, (_e8317 > 0i)))];
+let _e8323 = global_3.member[bitcast<u32>(select(0i, _e8317, (_e8317 > 0i)))];
 let _e8324 = (_e8309 + 4i);
 let _e8326 = select(_e7541, _e8324, (_e8324 < _e7541));
-let _e8332 = global_5.member[bitcast<u32>(select(0i, _e8326, (_e8326 > 0i)))];
+let _e8332 = global_3.member[bitcast<u32>(select(0i, _e8326, (_e8326 > 0i)))];
 let _e8333 = (_e8309 + 1024i);
 let _e8335 = select(_e7541, _e8333, (_e8333 < _e7541));
-let _e8341 = global_5.member[bitcast<u32>(select(0i, _e8335, (_e8335 > 0i)))];
+let _e8341 = global_3.member[bitcast<u32>(select(0i, _e8335, (_e8335 > 0i)))];
 let _e8342 = (_e8309 + 1028i);
 let _e8344 = select(_e7541, _e8342, (_e8342 < _e7541));
-let _e8350 = global_5.member[bitcast<u32>(select(0i, _e8344, (_e8344 > 0i)))];
+let _e8350 = global_3.member[bitcast<u32>(select(0i, _e8344, (_e8344 > 0i)))];
 let _e8352 = select(_e7541, 0i, (0i < _e7541));
-let _e8358 = global_5.member[bitcast<u32>(select(0i, _e8352, (_e8352 > 0i)))];
+let _e8358 = global_3.member[bitcast<u32>(select(0i, _e8352, (_e8352 > 0i)))];
 let _e8360 = select(_e7541, 262140i, (262140i < _e7541));
-let _e8366 = global_5.member[bitcast<u32>(select(0i, _e8360, (_e8360 > 0i)))];
+let _e8366 = global_3.member[bitcast<u32>(select(0i, _e8360, (_e8360 > 0i)))];
 let _e8371 = (bitcast<f32>(((_e8323 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8379 = (_e8371 + (((bitcast<f32>(((_e8332 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8371) * _e8313));
 let _e8384 = (bitcast<f32>(((_e8341 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2849,20 +2849,20 @@ let _e8435 = (_e8427 + (((bitcast<f32>((((_e8332 >> bitcast<u32>(16i)) & 32767u)
 let _e8440 = (bitcast<f32>((((_e8341 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8467 = (_e8309 + 1i);
 let _e8469 = select(_e7541, _e8467, (_e8467 < _e7541));
-let _e8475 = global_5.member[bitcast<u32>(select(0i, _e8469, (_e8469 > 0i)))];
+let _e8475 = global_3.member[bitcast<u32>(select(0i, _e8469, (_e8469 > 0i)))];
 let _e8476 = (_e8309 + 5i);
 let _e8478 = select(_e7541, _e8476, (_e8476 < _e7541));
-let _e8484 = global_5.member[bitcast<u32>(select(0i, _e8478, (_e8478 > 0i)))];
+let _e8484 = global_3.member[bitcast<u32>(select(0i, _e8478, (_e8478 > 0i)))];
 let _e8485 = (_e8309 + 1025i);
 let _e8487 = select(_e7541, _e8485, (_e8485 < _e7541));
-let _e8493 = global_5.member[bitcast<u32>(select(0i, _e8487, (_e8487 > 0i)))];
+let _e8493 = global_3.member[bitcast<u32>(select(0i, _e8487, (_e8487 > 0i)))];
 let _e8494 = (_e8309 + 1029i);
 let _e8496 = select(_e7541, _e8494, (_e8494 < _e7541));
-let _e8502 = global_5.member[bitcast<u32>(select(0i, _e8496, (_e8496 > 0i)))];
+let _e8502 = global_3.member[bitcast<u32>(select(0i, _e8496, (_e8496 > 0i)))];
 let _e8504 = select(_e7541, 1i, (1i < _e7541));
-let _e8510 = global_5.member[bitcast<u32>(select(0i, _e8504, (_e8504 > 0i)))];
+let _e8510 = global_3.member[bitcast<u32>(select(0i, _e8504, (_e8504 > 0i)))];
 let _e8512 = select(_e7541, 262141i, (262141i < _e7541));
-let _e8518 = global_5.member[bitcast<u32>(select(0i, _e8512, (_e8512 > 0i)))];
+let _e8518 = global_3.member[bitcast<u32>(select(0i, _e8512, (_e8512 > 0i)))];
 let _e8523 = (bitcast<f32>(((_e8475 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8531 = (_e8523 + (((bitcast<f32>(((_e8484 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8523) * _e8313));
 let _e8536 = (bitcast<f32>(((_e8493 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2871,20 +2871,20 @@ let _e8587 = (_e8579 + (((bitcast<f32>((((_e8484 >> bitcast<u32>(16i)) & 32767u)
 let _e8592 = (bitcast<f32>((((_e8493 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8619 = (_e8309 + 2i);
 let _e8621 = select(_e7541, _e8619, (_e8619 < _e7541));
-let _e8627 = global_5.member[bitcast<u32>(select(0i, _e8621, (_e8621 > 0i)))];
+let _e8627 = global_3.member[bitcast<u32>(select(0i, _e8621, (_e8621 > 0i)))];
 let _e8628 = (_e8309 + 6i);
 let _e8630 = select(_e7541, _e8628, (_e8628 < _e7541));
-let _e8636 = global_5.member[bitcast<u32>(select(0i, _e8630, (_e8630 > 0i)))];
+let _e8636 = global_3.member[bitcast<u32>(select(0i, _e8630, (_e8630 > 0i)))];
 let _e8637 = (_e8309 + 1026i);
 let _e8639 = select(_e7541, _e8637, (_e8637 < _e7541));
-let _e8645 = global_5.member[bitcast<u32>(select(0i, _e8639, (_e8639 > 0i)))];
+let _e8645 = global_3.member[bitcast<u32>(select(0i, _e8639, (_e8639 > 0i)))];
 let _e8646 = (_e8309 + 1030i);
 let _e8648 = select(_e7541, _e8646, (_e8646 < _e7541));
-let _e8654 = global_5.member[bitcast<u32>(select(0i, _e8648, (_e8648 > 0i)))];
+let _e8654 = global_3.member[bitcast<u32>(select(0i, _e8648, (_e8648 > 0i)))];
 let _e8656 = select(_e7541, 2i, (2i < _e7541));
-let _e8662 = global_5.member[bitcast<u32>(select(0i, _e8656, (_e8656 > 0i)))];
+let _e8662 = global_3.member[bitcast<u32>(select(0i, _e8656, (_e8656 > 0i)))];
 let _e8664 = select(_e7541, 262142i, (262142i < _e7541));
-let _e8670 = global_5.member[bitcast<u32>(select(0i, _e8664, (_e8664 > 0i)))];
+let _e8670 = global_3.member[bitcast<u32>(select(0i, _e8664, (_e8664 > 0i)))];
 let _e8675 = (bitcast<f32>(((_e8627 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8683 = (_e8675 + (((bitcast<f32>(((_e8636 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8675) * _e8313));
 let _e8688 = (bitcast<f32>(((_e8645 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2893,20 +2893,20 @@ let _e8739 = (_e8731 + (((bitcast<f32>((((_e8636 >> bitcast<u32>(16i)) & 32767u)
 let _e8744 = (bitcast<f32>((((_e8645 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8771 = (_e8309 + 3i);
 let _e8773 = select(_e7541, _e8771, (_e8771 < _e7541));
-let _e8779 = global_5.member[bitcast<u32>(select(0i, _e8773, (_e8773 > 0i)))];
+let _e8779 = global_3.member[bitcast<u32>(select(0i, _e8773, (_e8773 > 0i)))];
 let _e8780 = (_e8309 + 7i);
 let _e8782 = select(_e7541, _e8780, (_e8780 < _e7541));
-let _e8788 = global_5.member[bitcast<u32>(select(0i, _e8782, (_e8782 > 0i)))];
+let _e8788 = global_3.member[bitcast<u32>(select(0i, _e8782, (_e8782 > 0i)))];
 let _e8789 = (_e8309 + 1027i);
 let _e8791 = select(_e7541, _e8789, (_e8789 < _e7541));
-let _e8797 = global_5.member[bitcast<u32>(select(0i, _e8791, (_e8791 > 0i)))];
+let _e8797 = global_3.member[bitcast<u32>(select(0i, _e8791, (_e8791 > 0i)))];
 let _e8798 = (_e8309 + 1031i);
 let _e8800 = select(_e7541, _e8798, (_e8798 < _e7541));
-let _e8806 = global_5.member[bitcast<u32>(select(0i, _e8800, (_e8800 > 0i)))];
+let _e8806 = global_3.member[bitcast<u32>(select(0i, _e8800, (_e8800 > 0i)))];
 let _e8808 = select(_e7541, 3i, (3i < _e7541));
-let _e8814 = global_5.member[bitcast<u32>(select(0i, _e8808, (_e8808 > 0i)))];
+let _e8814 = global_3.member[bitcast<u32>(select(0i, _e8808, (_e8808 > 0i)))];
 let _e8816 = select(_e7541, 262143i, (262143i < _e7541));
-let _e8822 = global_5.member[bitcast<u32>(select(0i, _e8816, (_e8816 > 0i)))];
+let _e8822 = global_3.member[bitcast<u32>(select(0i, _e8816, (_e8816 > 0i)))];
 let _e8827 = (bitcast<f32>(((_e8779 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8835 = (_e8827 + (((bitcast<f32>(((_e8788 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8827) * _e8313));
 let _e8840 = (bitcast<f32>(((_e8797 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2957,7 +2957,7 @@ let _e9042 = ((_e9020 - (_e9038 * 0.6933594f)) - (_e9038 * -2.1219444e-4f));
 let _e9063 = (1f - ((1f + (_e9042 * (1f + (_e9042 * (0.5f + (_e9042 * (0.16666667f + (_e9042 * (0.041666668f + (_e9042 * (0.008333334f + (_e9042 * (0.001388889f + (_e9042 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9037 + 127i)) << bitcast<u32>(23i)))));
 let _e9066 = (_e9063 / select(1e-12f, _e8410, (_e8410 > 1e-12f)));
 if (_e222.member_2 >= 6u) {
-phi_22655_ = _e3843;
+phi_22645_ = _e3843;
 } else {
 let _e9071 = (0.5f * _e7807);
 let _e9075 = (_e3845.member.x + (_e7808 * _e9071));
@@ -3005,17 +3005,17 @@ let _e9235 = global_1.member.member_10.member_14.member_1;
 let _e9236 = bitcast<i32>(_e9235);
 let _e9241 = global_1.member.member_10.member_14.member_2;
 if ((((((_e9222 >= 0i) && (_e9222 < _e9230)) && (_e9224 >= 0i)) && (_e9224 < _e9236)) && (_e9220 >= 0i)) && (_e9220 < bitcast<i32>(_e9241))) {
-phi_21503_ = (((((_e9220 * _e9236) + _e9224) * _e9230) + _e9222) * 3i);
+phi_21493_ = (((((_e9220 * _e9236) + _e9224) * _e9230) + _e9222) * 3i);
 } else {
-phi_21503_ = -1i;
+phi_21493_ = -1i;
 }
-let _e9260 = phi_21503_;
+let _e9260 = phi_21493_;
 let _e9261 = (_e9260 + 1i);
 let _e9263 = (bitcast<i32>(_e212) - 1i);
 let _e9265 = select(_e9263, _e9261, (_e9261 < _e9263));
-let _e9271 = global_6.member[bitcast<u32>(select(0i, _e9265, (_e9265 > 0i)))];
+let _e9271 = global_4.member[bitcast<u32>(select(0i, _e9265, (_e9265 > 0i)))];
 let _e9273 = select(_e9263, _e9260, (_e9260 < _e9263));
-let _e9279 = global_6.member[bitcast<u32>(select(0i, _e9273, (_e9273 > 0i)))];
+let _e9279 = global_4.member[bitcast<u32>(select(0i, _e9273, (_e9273 > 0i)))];
 let _e9282 = select(_e9271, 0u, (_e9260 < 0i));
 let _e9286 = global_1.member.member_10.member_13;
 let _e9287 = (_e9282 * 81u);
@@ -3027,106 +3027,106 @@ let _e9304 = (_e9160 - f32(_e9201));
 let _e9306 = (_e9170 - f32(_e9216));
 let _e9307 = (_e9282 != 0u);
 let _e9309 = select(_e9263, _e9299, (_e9299 < _e9263));
-let _e9315 = global_6.member[bitcast<u32>(select(0i, _e9309, (_e9309 > 0i)))];
+let _e9315 = global_4.member[bitcast<u32>(select(0i, _e9309, (_e9309 > 0i)))];
 let _e9316 = bitcast<f32>(_e9315);
 let _e9317 = (_e9299 + 1i);
 let _e9319 = select(_e9263, _e9317, (_e9317 < _e9263));
-let _e9325 = global_6.member[bitcast<u32>(select(0i, _e9319, (_e9319 > 0i)))];
+let _e9325 = global_4.member[bitcast<u32>(select(0i, _e9319, (_e9319 > 0i)))];
 let _e9329 = (_e9316 + ((bitcast<f32>(_e9325) - _e9316) * _e9302));
 let _e9330 = (_e9299 + 9i);
 let _e9332 = select(_e9263, _e9330, (_e9330 < _e9263));
-let _e9338 = global_6.member[bitcast<u32>(select(0i, _e9332, (_e9332 > 0i)))];
+let _e9338 = global_4.member[bitcast<u32>(select(0i, _e9332, (_e9332 > 0i)))];
 let _e9339 = bitcast<f32>(_e9338);
 let _e9340 = (_e9299 + 10i);
 let _e9342 = select(_e9263, _e9340, (_e9340 < _e9263));
-let _e9348 = global_6.member[bitcast<u32>(select(0i, _e9342, (_e9342 > 0i)))];
+let _e9348 = global_4.member[bitcast<u32>(select(0i, _e9342, (_e9342 > 0i)))];
 let _e9355 = (_e9329 + (((_e9339 + ((bitcast<f32>(_e9348) - _e9339) * _e9302)) - _e9329) * _e9304));
 let _e9356 = (_e9299 + _e9291);
 let _e9358 = select(_e9263, _e9356, (_e9356 < _e9263));
-let _e9364 = global_6.member[bitcast<u32>(select(0i, _e9358, (_e9358 > 0i)))];
+let _e9364 = global_4.member[bitcast<u32>(select(0i, _e9358, (_e9358 > 0i)))];
 let _e9365 = bitcast<f32>(_e9364);
 let _e9366 = (_e9356 + 1i);
 let _e9368 = select(_e9263, _e9366, (_e9366 < _e9263));
-let _e9374 = global_6.member[bitcast<u32>(select(0i, _e9368, (_e9368 > 0i)))];
+let _e9374 = global_4.member[bitcast<u32>(select(0i, _e9368, (_e9368 > 0i)))];
 let _e9378 = (_e9365 + ((bitcast<f32>(_e9374) - _e9365) * _e9302));
 let _e9379 = (_e9356 + 9i);
 let _e9381 = select(_e9263, _e9379, (_e9379 < _e9263));
-let _e9387 = global_6.member[bitcast<u32>(select(0i, _e9381, (_e9381 > 0i)))];
+let _e9387 = global_4.member[bitcast<u32>(select(0i, _e9381, (_e9381 > 0i)))];
 let _e9388 = bitcast<f32>(_e9387);
 let _e9389 = (_e9356 + 10i);
 let _e9391 = select(_e9263, _e9389, (_e9389 < _e9263));
-let _e9397 = global_6.member[bitcast<u32>(select(0i, _e9391, (_e9391 > 0i)))];
+let _e9397 = global_4.member[bitcast<u32>(select(0i, _e9391, (_e9391 > 0i)))];
 let _e9408 = select(1f, (_e9355 + (((_e9378 + (((_e9388 + ((bitcast<f32>(_e9397) - _e9388) * _e9302)) - _e9378) * _e9304)) - _e9355) * _e9306)), _e9307);
 if (((_e222.member_2 == 3u) || (_e222.member_2 == 4u)) || _e508) {
-phi_22080_ = vec3(_e9408);
+phi_22070_ = vec3(_e9408);
 } else {
 let _e9417 = global_1.member.member_10.member_12;
 let _e9418 = (_e9417 > 1u);
 let _e9422 = (_e9299 + (select(0i, 1i, _e9418) * _e9300));
 let _e9424 = select(_e9263, _e9422, (_e9422 < _e9263));
-let _e9430 = global_6.member[bitcast<u32>(select(0i, _e9424, (_e9424 > 0i)))];
+let _e9430 = global_4.member[bitcast<u32>(select(0i, _e9424, (_e9424 > 0i)))];
 let _e9431 = bitcast<f32>(_e9430);
 let _e9432 = (_e9422 + 1i);
 let _e9434 = select(_e9263, _e9432, (_e9432 < _e9263));
-let _e9440 = global_6.member[bitcast<u32>(select(0i, _e9434, (_e9434 > 0i)))];
+let _e9440 = global_4.member[bitcast<u32>(select(0i, _e9434, (_e9434 > 0i)))];
 let _e9444 = (_e9431 + ((bitcast<f32>(_e9440) - _e9431) * _e9302));
 let _e9445 = (_e9422 + 9i);
 let _e9447 = select(_e9263, _e9445, (_e9445 < _e9263));
-let _e9453 = global_6.member[bitcast<u32>(select(0i, _e9447, (_e9447 > 0i)))];
+let _e9453 = global_4.member[bitcast<u32>(select(0i, _e9447, (_e9447 > 0i)))];
 let _e9454 = bitcast<f32>(_e9453);
 let _e9455 = (_e9422 + 10i);
 let _e9457 = select(_e9263, _e9455, (_e9455 < _e9263));
-let _e9463 = global_6.member[bitcast<u32>(select(0i, _e9457, (_e9457 > 0i)))];
+let _e9463 = global_4.member[bitcast<u32>(select(0i, _e9457, (_e9457 > 0i)))];
 let _e9470 = (_e9444 + (((_e9454 + ((bitcast<f32>(_e9463) - _e9454) * _e9302)) - _e9444) * _e9304));
 let _e9471 = (_e9422 + _e9291);
 let _e9473 = select(_e9263, _e9471, (_e9471 < _e9263));
-let _e9479 = global_6.member[bitcast<u32>(select(0i, _e9473, (_e9473 > 0i)))];
+let _e9479 = global_4.member[bitcast<u32>(select(0i, _e9473, (_e9473 > 0i)))];
 let _e9480 = bitcast<f32>(_e9479);
 let _e9481 = (_e9471 + 1i);
 let _e9483 = select(_e9263, _e9481, (_e9481 < _e9263));
-let _e9489 = global_6.member[bitcast<u32>(select(0i, _e9483, (_e9483 > 0i)))];
+let _e9489 = global_4.member[bitcast<u32>(select(0i, _e9483, (_e9483 > 0i)))];
 let _e9493 = (_e9480 + ((bitcast<f32>(_e9489) - _e9480) * _e9302));
 let _e9494 = (_e9471 + 9i);
 let _e9496 = select(_e9263, _e9494, (_e9494 < _e9263));
-let _e9502 = global_6.member[bitcast<u32>(select(0i, _e9496, (_e9496 > 0i)))];
+let _e9502 = global_4.member[bitcast<u32>(select(0i, _e9496, (_e9496 > 0i)))];
 let _e9503 = bitcast<f32>(_e9502);
 let _e9504 = (_e9471 + 10i);
 let _e9506 = select(_e9263, _e9504, (_e9504 < _e9263));
-let _e9512 = global_6.member[bitcast<u32>(select(0i, _e9506, (_e9506 > 0i)))];
+let _e9512 = global_4.member[bitcast<u32>(select(0i, _e9506, (_e9506 > 0i)))];
 let _e9525 = (_e9299 + (select(0i, 2i, _e9418) * _e9300));
 let _e9527 = select(_e9263, _e9525, (_e9525 < _e9263));
-let _e9533 = global_6.member[bitcast<u32>(select(0i, _e9527, (_e9527 > 0i)))];
+let _e9533 = global_4.member[bitcast<u32>(select(0i, _e9527, (_e9527 > 0i)))];
 let _e9534 = bitcast<f32>(_e9533);
 let _e9535 = (_e9525 + 1i);
 let _e9537 = select(_e9263, _e9535, (_e9535 < _e9263));
-let _e9543 = global_6.member[bitcast<u32>(select(0i, _e9537, (_e9537 > 0i)))];
+let _e9543 = global_4.member[bitcast<u32>(select(0i, _e9537, (_e9537 > 0i)))];
 let _e9547 = (_e9534 + ((bitcast<f32>(_e9543) - _e9534) * _e9302));
 let _e9548 = (_e9525 + 9i);
 let _e9550 = select(_e9263, _e9548, (_e9548 < _e9263));
-let _e9556 = global_6.member[bitcast<u32>(select(0i, _e9550, (_e9550 > 0i)))];
+let _e9556 = global_4.member[bitcast<u32>(select(0i, _e9550, (_e9550 > 0i)))];
 let _e9557 = bitcast<f32>(_e9556);
 let _e9558 = (_e9525 + 10i);
 let _e9560 = select(_e9263, _e9558, (_e9558 < _e9263));
-let _e9566 = global_6.member[bitcast<u32>(select(0i, _e9560, (_e9560 > 0i)))];
+let _e9566 = global_4.member[bitcast<u32>(select(0i, _e9560, (_e9560 > 0i)))];
 let _e9573 = (_e9547 + (((_e9557 + ((bitcast<f32>(_e9566) - _e9557) * _e9302)) - _e9547) * _e9304));
 let _e9574 = (_e9525 + _e9291);
 let _e9576 = select(_e9263, _e9574, (_e9574 < _e9263));
-let _e9582 = global_6.member[bitcast<u32>(select(0i, _e9576, (_e9576 > 0i)))];
+let _e9582 = global_4.member[bitcast<u32>(select(0i, _e9576, (_e9576 > 0i)))];
 let _e9583 = bitcast<f32>(_e9582);
 let _e9584 = (_e9574 + 1i);
 let _e9586 = select(_e9263, _e9584, (_e9584 < _e9263));
-let _e9592 = global_6.member[bitcast<u32>(select(0i, _e9586, (_e9586 > 0i)))];
+let _e9592 = global_4.member[bitcast<u32>(select(0i, _e9586, (_e9586 > 0i)))];
 let _e9596 = (_e9583 + ((bitcast<f32>(_e9592) - _e9583) * _e9302));
 let _e9597 = (_e9574 + 9i);
 let _e9599 = select(_e9263, _e9597, (_e9597 < _e9263));
-let _e9605 = global_6.member[bitcast<u32>(select(0i, _e9599, (_e9599 > 0i)))];
+let _e9605 = global_4.member[bitcast<u32>(select(0i, _e9599, (_e9599 > 0i)))];
 let _e9606 = bitcast<f32>(_e9605);
 let _e9607 = (_e9574 + 10i);
 let _e9609 = select(_e9263, _e9607, (_e9607 < _e9263));
-let _e9615 = global_6.member[bitcast<u32>(select(0i, _e9609, (_e9609 > 0i)))];
-phi_22080_ = vec3<f32>(_e9408, select(1f, (_e9470 + (((_e9493 + (((_e9503 + ((bitcast<f32>(_e9512) - _e9503) * _e9302)) - _e9493) * _e9304)) - _e9470) * _e9306)), _e9307), select(1f, (_e9573 + (((_e9596 + (((_e9606 + ((bitcast<f32>(_e9615) - _e9606) * _e9302)) - _e9596) * _e9304)) - _e9573) * _e9306)), _e9307));
+let _e9615 = global_4.member[bitcast<u32>(select(0i, _e9609, (_e9609 > 0i)))];
+phi_22070_ = vec3<f32>(_e9408, select(1f, (_e9470 + (((_e9493 + (((_e9503 + ((bitcast<f32>(_e9512) - _e9503) * _e9302)) - _e9493) * _e9304)) - _e9470) * _e9306)), _e9307), select(1f, (_e9573 + (((_e9596 + (((_e9606 + ((bitcast<f32>(_e9615) - _e9606) * _e9302)) - _e9596) * _e9304)) - _e9573) * _e9306)), _e9307));
 }
-let _e9629 = phi_22080_;
+let _e9629 = phi_22070_;
 let _e9630 = global_1.member.member_10.member_19;
 let _e9634 = (_e9092 - _e9630.member);
 let _e9635 = (_e9107 - _e9630.member_1);
@@ -3139,69 +3139,69 @@ let _e9652 = select(0f, (_e9635 * _e9647), _e9123);
 if _e515 {
 let _e9658 = (_e9299 + ((bitcast<i32>(_e9286) - 1i) * _e9300));
 let _e9660 = select(_e9263, _e9658, (_e9658 < _e9263));
-let _e9666 = global_6.member[bitcast<u32>(select(0i, _e9660, (_e9660 > 0i)))];
+let _e9666 = global_4.member[bitcast<u32>(select(0i, _e9660, (_e9660 > 0i)))];
 let _e9668 = bitcast<u32>(bitcast<f32>(_e9666));
 let _e9672 = f32((bitcast<i32>((_e9668 & 65535u)) - 32768i));
 let _e9678 = f32((bitcast<i32>(((_e9668 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9683 = select(_e9678, -(_e9678), ((_e9668 >> bitcast<u32>(31i)) != 0u));
 let _e9684 = (_e9658 + 1i);
 let _e9686 = select(_e9263, _e9684, (_e9684 < _e9263));
-let _e9692 = global_6.member[bitcast<u32>(select(0i, _e9686, (_e9686 > 0i)))];
+let _e9692 = global_4.member[bitcast<u32>(select(0i, _e9686, (_e9686 > 0i)))];
 let _e9694 = bitcast<u32>(bitcast<f32>(_e9692));
 let _e9704 = f32((bitcast<i32>(((_e9694 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9712 = (_e9672 + ((f32((bitcast<i32>((_e9694 & 65535u)) - 32768i)) - _e9672) * _e9302));
 let _e9715 = (_e9683 + ((select(_e9704, -(_e9704), ((_e9694 >> bitcast<u32>(31i)) != 0u)) - _e9683) * _e9302));
 let _e9716 = (_e9658 + 9i);
 let _e9718 = select(_e9263, _e9716, (_e9716 < _e9263));
-let _e9724 = global_6.member[bitcast<u32>(select(0i, _e9718, (_e9718 > 0i)))];
+let _e9724 = global_4.member[bitcast<u32>(select(0i, _e9718, (_e9718 > 0i)))];
 let _e9726 = bitcast<u32>(bitcast<f32>(_e9724));
 let _e9730 = f32((bitcast<i32>((_e9726 & 65535u)) - 32768i));
 let _e9736 = f32((bitcast<i32>(((_e9726 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9741 = select(_e9736, -(_e9736), ((_e9726 >> bitcast<u32>(31i)) != 0u));
 let _e9742 = (_e9658 + 10i);
 let _e9744 = select(_e9263, _e9742, (_e9742 < _e9263));
-let _e9750 = global_6.member[bitcast<u32>(select(0i, _e9744, (_e9744 > 0i)))];
+let _e9750 = global_4.member[bitcast<u32>(select(0i, _e9744, (_e9744 > 0i)))];
 let _e9752 = bitcast<u32>(bitcast<f32>(_e9750));
 let _e9762 = f32((bitcast<i32>(((_e9752 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9776 = (_e9712 + (((_e9730 + ((f32((bitcast<i32>((_e9752 & 65535u)) - 32768i)) - _e9730) * _e9302)) - _e9712) * _e9304));
 let _e9779 = (_e9715 + (((_e9741 + ((select(_e9762, -(_e9762), ((_e9752 >> bitcast<u32>(31i)) != 0u)) - _e9741) * _e9302)) - _e9715) * _e9304));
 let _e9780 = (_e9658 + _e9291);
 let _e9782 = select(_e9263, _e9780, (_e9780 < _e9263));
-let _e9788 = global_6.member[bitcast<u32>(select(0i, _e9782, (_e9782 > 0i)))];
+let _e9788 = global_4.member[bitcast<u32>(select(0i, _e9782, (_e9782 > 0i)))];
 let _e9790 = bitcast<u32>(bitcast<f32>(_e9788));
 let _e9794 = f32((bitcast<i32>((_e9790 & 65535u)) - 32768i));
 let _e9800 = f32((bitcast<i32>(((_e9790 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9805 = select(_e9800, -(_e9800), ((_e9790 >> bitcast<u32>(31i)) != 0u));
 let _e9806 = (_e9780 + 1i);
 let _e9808 = select(_e9263, _e9806, (_e9806 < _e9263));
-let _e9814 = global_6.member[bitcast<u32>(select(0i, _e9808, (_e9808 > 0i)))];
+let _e9814 = global_4.member[bitcast<u32>(select(0i, _e9808, (_e9808 > 0i)))];
 let _e9816 = bitcast<u32>(bitcast<f32>(_e9814));
 let _e9826 = f32((bitcast<i32>(((_e9816 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9834 = (_e9794 + ((f32((bitcast<i32>((_e9816 & 65535u)) - 32768i)) - _e9794) * _e9302));
 let _e9837 = (_e9805 + ((select(_e9826, -(_e9826), ((_e9816 >> bitcast<u32>(31i)) != 0u)) - _e9805) * _e9302));
 let _e9838 = (_e9780 + 9i);
 let _e9840 = select(_e9263, _e9838, (_e9838 < _e9263));
-let _e9846 = global_6.member[bitcast<u32>(select(0i, _e9840, (_e9840 > 0i)))];
+let _e9846 = global_4.member[bitcast<u32>(select(0i, _e9840, (_e9840 > 0i)))];
 let _e9848 = bitcast<u32>(bitcast<f32>(_e9846));
 let _e9852 = f32((bitcast<i32>((_e9848 & 65535u)) - 32768i));
 let _e9858 = f32((bitcast<i32>(((_e9848 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9863 = select(_e9858, -(_e9858), ((_e9848 >> bitcast<u32>(31i)) != 0u));
 let _e9864 = (_e9780 + 10i);
 let _e9866 = select(_e9263, _e9864, (_e9864 < _e9263));
-let _e9872 = global_6.member[bitcast<u32>(select(0i, _e9866, (_e9866 > 0i)))];
+let _e9872 = global_4.member[bitcast<u32>(select(0i, _e9866, (_e9866 > 0i)))];
 let _e9874 = bitcast<u32>(bitcast<f32>(_e9872));
 let _e9884 = f32((bitcast<i32>(((_e9874 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9910 = (_e9651 + select(0f, ((_e9776 + (((_e9834 + (((_e9852 + ((f32((bitcast<i32>((_e9874 & 65535u)) - 32768i)) - _e9852) * _e9302)) - _e9834) * _e9304)) - _e9776) * _e9306)) * 6.151953e-5f), _e9307));
 let _e9913 = (_e9652 + select(0f, ((_e9779 + (((_e9837 + (((_e9863 + ((select(_e9884, -(_e9884), ((_e9874 >> bitcast<u32>(31i)) != 0u)) - _e9863) * _e9302)) - _e9837) * _e9304)) - _e9779) * _e9306)) * 6.151953e-5f), _e9307));
 let _e9917 = (1f - ((_e9910 * _e9910) + (_e9913 * _e9913)));
 let _e9919 = select(1e-4f, _e9917, (_e9917 > 1e-4f));
-phi_22487_ = vec3<f32>(_e9910, _e9913, sqrt(select(0f, _e9919, (_e9919 > 0f))));
+phi_22477_ = vec3<f32>(_e9910, _e9913, sqrt(select(0f, _e9919, (_e9919 > 0f))));
 } else {
-phi_22487_ = vec3<f32>(_e9651, _e9652, select(1f, (_e9636 * _e9647), _e9123));
+phi_22477_ = vec3<f32>(_e9651, _e9652, select(1f, (_e9636 * _e9647), _e9123));
 }
-let _e9925 = phi_22487_;
+let _e9925 = phi_22477_;
 if _e3610 {
-phi_22581_ = 1f;
+phi_22571_ = 1f;
 } else {
 let _e9931 = global_1.member.member_10.member_20.member;
 let _e9939 = (((_e9931.member * _e9634) + (_e9931.member_1 * _e9635)) + (_e9931.member_2 * _e9636));
@@ -3214,23 +3214,23 @@ let _e9967 = global_1.member.member_10.member_20.member_2;
 let _e9968 = ((_e9961 - (sqrt(select(0f, _e9950, (_e9950 > 0f))) / select(1e-20f, _e9939, (_e9939 > 1e-20f)))) * _e9967);
 let _e9970 = select(0f, _e9968, (_e9968 > 0f));
 let _e9972 = select(1f, _e9970, (_e9970 < 1f));
-phi_22581_ = select(1f, select(0f, ((_e9972 * _e9972) * (3f - (2f * _e9972))), (_e9939 > 0f)), (_e9967 > 0f));
+phi_22571_ = select(1f, select(0f, ((_e9972 * _e9972) * (3f - (2f * _e9972))), (_e9939 > 0f)), (_e9967 > 0f));
 }
-let _e9982 = phi_22581_;
+let _e9982 = phi_22571_;
 let _e9987 = global_1.member.member_9.member_1;
 if _e3610 {
-phi_22623_ = 1f;
+phi_22613_ = 1f;
 } else {
-phi_22623_ = (1f / select(1e-12f, _e9641, (_e9641 > 1e-12f)));
+phi_22613_ = (1f / select(1e-12f, _e9641, (_e9641 > 1e-12f)));
 }
-let _e10001 = phi_22623_;
+let _e10001 = phi_22613_;
 let _e10002 = (_e10001 * select(_e9982, 1f, (_e515 && _e9307)));
 let _e10011 = global_1.member.member_10.member.member;
 let _e10023 = global_1.member.member_10.member_1.member;
 let _e10038 = global_1.member.member_10.member_2.member;
-phi_22655_ = type_29(vec3<f32>(((_e9629.x * _e9987.member) * _e10002), ((_e9629.y * _e9987.member_1) * _e10002), ((_e9629.z * _e9987.member_2) * _e10002)), (vec3<f32>(((_e10011.member * _e9925.x) + (_e10023.member * _e9925.y)), ((_e10011.member_1 * _e9925.x) + (_e10023.member_1 * _e9925.y)), ((_e10011.member_2 * _e9925.x) + (_e10023.member_2 * _e9925.y))) + vec3<f32>((_e10038.member * _e9925.z), (_e10038.member_1 * _e9925.z), (_e10038.member_2 * _e9925.z))));
+phi_22645_ = type_36(vec3<f32>(((_e9629.x * _e9987.member) * _e10002), ((_e9629.y * _e9987.member_1) * _e10002), ((_e9629.z * _e9987.member_2) * _e10002)), (vec3<f32>(((_e10011.member * _e9925.x) + (_e10023.member * _e9925.y)), ((_e10011.member_1 * _e9925.x) + (_e10023.member_1 * _e9925.y)), ((_e10011.member_2 * _e9925.x) + (_e10023.member_2 * _e9925.y))) + vec3<f32>((_e10038.member * _e9925.z), (_e10038.member_1 * _e9925.z), (_e10038.member_2 * _e9925.z))));
 }
-let _e10051 = phi_22655_;
+let _e10051 = phi_22645_;
 let _e10060 = (((_e10051.member_1.x * _e10051.member_1.x) + (_e10051.member_1.y * _e10051.member_1.y)) + (_e10051.member_1.z * _e10051.member_1.z));
 let _e10063 = sqrt(select(0f, _e10060, (_e10060 > 0f)));
 let _e10065 = ((_e2773 & 8u) != 0u);
@@ -3323,67 +3323,67 @@ let _e10410 = select(0f, _e10408, (_e10408 > 0f));
 let _e10412 = select(1f, _e10410, (_e10410 < 1f));
 if _e4663 {
 let _e10417 = global_1.member.member_10.member_18.member_4;
-phi_23137_ = _e10417;
+phi_23127_ = _e10417;
 } else {
 let _e10422 = global_1.member.member_10.member_18.member_3;
-phi_23137_ = _e10422;
+phi_23127_ = _e10422;
 }
-let _e10424 = phi_23137_;
+let _e10424 = phi_23127_;
 let _e10428 = ((bitcast<i32>(_e10424) + (_e10400 * _e10253)) + _e10383);
 let _e10429 = (_e10253 * _e10260);
 let _e10431 = (bitcast<i32>(_e212) - 1i);
 let _e10433 = select(_e10431, _e10428, (_e10428 < _e10431));
-let _e10439 = global_6.member[bitcast<u32>(select(0i, _e10433, (_e10433 > 0i)))];
+let _e10439 = global_4.member[bitcast<u32>(select(0i, _e10433, (_e10433 > 0i)))];
 let _e10440 = bitcast<f32>(_e10439);
 let _e10441 = (_e10428 + 1i);
 let _e10443 = select(_e10431, _e10441, (_e10441 < _e10431));
-let _e10449 = global_6.member[bitcast<u32>(select(0i, _e10443, (_e10443 > 0i)))];
+let _e10449 = global_4.member[bitcast<u32>(select(0i, _e10443, (_e10443 > 0i)))];
 let _e10453 = (_e10440 + ((bitcast<f32>(_e10449) - _e10440) * _e10406));
 let _e10454 = (_e10428 + _e10253);
 let _e10456 = select(_e10431, _e10454, (_e10454 < _e10431));
-let _e10462 = global_6.member[bitcast<u32>(select(0i, _e10456, (_e10456 > 0i)))];
+let _e10462 = global_4.member[bitcast<u32>(select(0i, _e10456, (_e10456 > 0i)))];
 let _e10463 = bitcast<f32>(_e10462);
 let _e10464 = (_e10454 + 1i);
 let _e10466 = select(_e10431, _e10464, (_e10464 < _e10431));
-let _e10472 = global_6.member[bitcast<u32>(select(0i, _e10466, (_e10466 > 0i)))];
+let _e10472 = global_4.member[bitcast<u32>(select(0i, _e10466, (_e10466 > 0i)))];
 let _e10479 = (_e10453 + (((_e10463 + ((bitcast<f32>(_e10472) - _e10463) * _e10406)) - _e10453) * _e10412));
 let _e10480 = (_e10428 + _e10429);
 let _e10482 = select(_e10431, _e10480, (_e10480 < _e10431));
-let _e10488 = global_6.member[bitcast<u32>(select(0i, _e10482, (_e10482 > 0i)))];
+let _e10488 = global_4.member[bitcast<u32>(select(0i, _e10482, (_e10482 > 0i)))];
 let _e10489 = bitcast<f32>(_e10488);
 let _e10490 = (_e10480 + 1i);
 let _e10492 = select(_e10431, _e10490, (_e10490 < _e10431));
-let _e10498 = global_6.member[bitcast<u32>(select(0i, _e10492, (_e10492 > 0i)))];
+let _e10498 = global_4.member[bitcast<u32>(select(0i, _e10492, (_e10492 > 0i)))];
 let _e10502 = (_e10489 + ((bitcast<f32>(_e10498) - _e10489) * _e10406));
 let _e10503 = (_e10480 + _e10253);
 let _e10505 = select(_e10431, _e10503, (_e10503 < _e10431));
-let _e10511 = global_6.member[bitcast<u32>(select(0i, _e10505, (_e10505 > 0i)))];
+let _e10511 = global_4.member[bitcast<u32>(select(0i, _e10505, (_e10505 > 0i)))];
 let _e10512 = bitcast<f32>(_e10511);
 let _e10513 = (_e10503 + 1i);
 let _e10515 = select(_e10431, _e10513, (_e10513 < _e10431));
-let _e10521 = global_6.member[bitcast<u32>(select(0i, _e10515, (_e10515 > 0i)))];
+let _e10521 = global_4.member[bitcast<u32>(select(0i, _e10515, (_e10515 > 0i)))];
 let _e10528 = (_e10502 + (((_e10512 + ((bitcast<f32>(_e10521) - _e10512) * _e10406)) - _e10502) * _e10412));
 let _e10530 = (_e10428 + (2i * _e10429));
 let _e10532 = select(_e10431, _e10530, (_e10530 < _e10431));
-let _e10538 = global_6.member[bitcast<u32>(select(0i, _e10532, (_e10532 > 0i)))];
+let _e10538 = global_4.member[bitcast<u32>(select(0i, _e10532, (_e10532 > 0i)))];
 let _e10539 = bitcast<f32>(_e10538);
 let _e10540 = (_e10530 + 1i);
 let _e10542 = select(_e10431, _e10540, (_e10540 < _e10431));
-let _e10548 = global_6.member[bitcast<u32>(select(0i, _e10542, (_e10542 > 0i)))];
+let _e10548 = global_4.member[bitcast<u32>(select(0i, _e10542, (_e10542 > 0i)))];
 let _e10552 = (_e10539 + ((bitcast<f32>(_e10548) - _e10539) * _e10406));
 let _e10553 = (_e10530 + _e10253);
 let _e10555 = select(_e10431, _e10553, (_e10553 < _e10431));
-let _e10561 = global_6.member[bitcast<u32>(select(0i, _e10555, (_e10555 > 0i)))];
+let _e10561 = global_4.member[bitcast<u32>(select(0i, _e10555, (_e10555 > 0i)))];
 let _e10562 = bitcast<f32>(_e10561);
 let _e10563 = (_e10553 + 1i);
 let _e10565 = select(_e10431, _e10563, (_e10563 < _e10431));
-let _e10571 = global_6.member[bitcast<u32>(select(0i, _e10565, (_e10565 > 0i)))];
+let _e10571 = global_4.member[bitcast<u32>(select(0i, _e10565, (_e10565 > 0i)))];
 let _e10578 = (_e10552 + (((_e10562 + ((bitcast<f32>(_e10571) - _e10562) * _e10406)) - _e10552) * _e10412));
 if _e3610 {
-phi_23535_ = vec3<f32>(_e10479, _e10528, _e10578);
+phi_23525_ = vec3<f32>(_e10479, _e10528, _e10578);
 } else {
 if _e3610 {
-phi_23474_ = 1f;
+phi_23464_ = 1f;
 } else {
 let _e10584 = global_1.member.member_10.member_20.member;
 let _e10592 = (((_e10584.member * _e10186) + (_e10584.member_1 * _e10187)) + (_e10584.member_2 * _e10188));
@@ -3396,39 +3396,39 @@ let _e10620 = global_1.member.member_10.member_20.member_2;
 let _e10621 = ((_e10614 - (sqrt(select(0f, _e10603, (_e10603 > 0f))) / select(1e-20f, _e10592, (_e10592 > 1e-20f)))) * _e10620);
 let _e10623 = select(0f, _e10621, (_e10621 > 0f));
 let _e10625 = select(1f, _e10623, (_e10623 < 1f));
-phi_23474_ = select(1f, select(0f, ((_e10625 * _e10625) * (3f - (2f * _e10625))), (_e10592 > 0f)), (_e10620 > 0f));
+phi_23464_ = select(1f, select(0f, ((_e10625 * _e10625) * (3f - (2f * _e10625))), (_e10592 > 0f)), (_e10620 > 0f));
 }
-let _e10635 = phi_23474_;
+let _e10635 = phi_23464_;
 let _e10637 = select(0f, 1f, (_e10188 > 0f));
 let _e10641 = ((_e10479 * _e10637) + _e10635);
 let _e10642 = ((_e10528 * _e10637) + _e10635);
 let _e10643 = ((_e10578 * _e10637) + _e10635);
 if _e3610 {
-phi_23530_ = 1f;
+phi_23520_ = 1f;
 } else {
-phi_23530_ = (1f / select(1e-12f, _e10193, (_e10193 > 1e-12f)));
+phi_23520_ = (1f / select(1e-12f, _e10193, (_e10193 > 1e-12f)));
 }
-let _e10654 = phi_23530_;
-phi_23535_ = vec3<f32>((select(0f, _e10641, (_e10641 > 0f)) * _e10654), (select(0f, _e10642, (_e10642 > 0f)) * _e10654), (select(0f, _e10643, (_e10643 > 0f)) * _e10654));
+let _e10654 = phi_23520_;
+phi_23525_ = vec3<f32>((select(0f, _e10641, (_e10641 > 0f)) * _e10654), (select(0f, _e10642, (_e10642 > 0f)) * _e10654), (select(0f, _e10643, (_e10643 > 0f)) * _e10654));
 }
-let _e10660 = phi_23535_;
+let _e10660 = phi_23525_;
 let _e10664 = global_1.member.member_9.member_1;
-phi_23795_ = type_29((vec3<f32>(_e10664.member, _e10664.member_1, _e10664.member_2) * _e10660), _e10244);
+phi_23785_ = type_36((vec3<f32>(_e10664.member, _e10664.member_1, _e10664.member_2) * _e10660), _e10244);
 } else {
 if _e3610 {
 let _e10674 = global_1.member.member_9.member_1;
 let _e10682 = global_1.member.member_9.member;
-phi_23794_ = type_29(vec3<f32>(_e10674.member, _e10674.member_1, _e10674.member_2), vec3<f32>(_e10682.member, _e10682.member_1, _e10682.member_2));
+phi_23784_ = type_36(vec3<f32>(_e10674.member, _e10674.member_1, _e10674.member_2), vec3<f32>(_e10682.member, _e10682.member_1, _e10682.member_2));
 } else {
 let _e10691 = global_1.member.member_9.member_1;
 if _e3610 {
-phi_23638_ = 1f;
+phi_23628_ = 1f;
 } else {
-phi_23638_ = (1f / select(1e-12f, _e10193, (_e10193 > 1e-12f)));
+phi_23628_ = (1f / select(1e-12f, _e10193, (_e10193 > 1e-12f)));
 }
-let _e10699 = phi_23638_;
+let _e10699 = phi_23628_;
 if _e3610 {
-phi_23722_ = 1f;
+phi_23712_ = 1f;
 } else {
 let _e10704 = global_1.member.member_10.member_20.member;
 let _e10712 = (((_e10704.member * _e10186) + (_e10704.member_1 * _e10187)) + (_e10704.member_2 * _e10188));
@@ -3441,16 +3441,16 @@ let _e10740 = global_1.member.member_10.member_20.member_2;
 let _e10741 = ((_e10734 - (sqrt(select(0f, _e10723, (_e10723 > 0f))) / select(1e-20f, _e10712, (_e10712 > 1e-20f)))) * _e10740);
 let _e10743 = select(0f, _e10741, (_e10741 > 0f));
 let _e10745 = select(1f, _e10743, (_e10743 < 1f));
-phi_23722_ = select(1f, select(0f, ((_e10745 * _e10745) * (3f - (2f * _e10745))), (_e10712 > 0f)), (_e10740 > 0f));
+phi_23712_ = select(1f, select(0f, ((_e10745 * _e10745) * (3f - (2f * _e10745))), (_e10712 > 0f)), (_e10740 > 0f));
 }
-let _e10755 = phi_23722_;
+let _e10755 = phi_23712_;
 let _e10756 = (_e10699 * _e10755);
-phi_23794_ = type_29(vec3<f32>((_e10691.member * _e10756), (_e10691.member_1 * _e10756), (_e10691.member_2 * _e10756)), _e10244);
+phi_23784_ = type_36(vec3<f32>((_e10691.member * _e10756), (_e10691.member_1 * _e10756), (_e10691.member_2 * _e10756)), _e10244);
 }
-let _e10763 = phi_23794_;
-phi_23795_ = _e10763;
+let _e10763 = phi_23784_;
+phi_23785_ = _e10763;
 }
-let _e10765 = phi_23795_;
+let _e10765 = phi_23785_;
 let _e10774 = (((_e10765.member_1.x * _e10765.member_1.x) + (_e10765.member_1.y * _e10765.member_1.y)) + (_e10765.member_1.z * _e10765.member_1.z));
 let _e10777 = sqrt(select(0f, _e10774, (_e10774 > 0f)));
 let _e10781 = (1e-6f * _e10777);
@@ -3460,33 +3460,33 @@ let _e10805 = bitcast<f32>((bitcast<u32>(select(0f, _e10800, (_e10800 > 0f))) & 
 let _e10815 = (1f - _e10115);
 let _e10829 = select(_e10115, 1f, _e4704);
 let _e10834 = select(_e10117, _e10116, (_e10116 > _e10117));
-phi_23964_ = type_33(vec3<f32>(select(_e4599, _e10130, _e4704), select(_e4600, _e10131, _e4704), select(_e4601, _e10132, _e4704)), vec3<f32>(select((_e7152 + (_e6942.member_3.x * _e7790)), select((_e7152 + (_e7753 * _e7772)), _e7152, _e7773), _e4573), select((_e7153 + (_e6942.member_3.y * _e7790)), select((_e7153 + (_e7754 * _e7772)), _e7153, _e7773), _e4573), select((_e7154 + (_e6942.member_3.z * _e7790)), select((_e7154 + (_e7755 * _e7772)), _e7154, _e7773), _e4573)), _e6942.member, select(4f, 1f, (_e4704 || (((1f - _e10829) * select(_e10118, _e10834, (_e10834 > _e10118))) < 9.765625e-4f))), select(_e10126, (_e10126 + (_e10815 * _e10132)), _e4704), vec3<f32>(select(_e10109, (_e10109 + ((_e10116 * (select(_e4685.member, _e4674.member, _e4663) * (((_e10765.member.x * _e10785) * _e10805) + _e10085.member))) * _e10815)), _e4704), select(_e10111, (_e10111 + ((_e10117 * (select(_e4685.member_1, _e4674.member_1, _e4663) * (((_e10765.member.y * _e10785) * _e10805) + _e10085.member_1))) * _e10815)), _e4704), select(_e10113, (_e10113 + ((_e10118 * (select(_e4685.member_2, _e4674.member_2, _e4663) * (((_e10765.member.z * _e10785) * _e10805) + _e10085.member_2))) * _e10815)), _e4704)), _e10829, (_e3845.member_7 * vec3<f32>(_e8918, _e8966, _e9014)), select(0f, _e6942.member_2, (_e3858 != (_e4573 && !((_e7769 && (_e7738 != 0f)))))), -1.2676506e30f);
-phi_23965_ = _e7145.member_2;
-phi_23966_ = _e6942;
+phi_23954_ = type_32(vec3<f32>(select(_e4599, _e10130, _e4704), select(_e4600, _e10131, _e4704), select(_e4601, _e10132, _e4704)), vec3<f32>(select((_e7152 + (_e6942.member_3.x * _e7790)), select((_e7152 + (_e7753 * _e7772)), _e7152, _e7773), _e4573), select((_e7153 + (_e6942.member_3.y * _e7790)), select((_e7153 + (_e7754 * _e7772)), _e7153, _e7773), _e4573), select((_e7154 + (_e6942.member_3.z * _e7790)), select((_e7154 + (_e7755 * _e7772)), _e7154, _e7773), _e4573)), _e6942.member, select(4f, 1f, (_e4704 || (((1f - _e10829) * select(_e10118, _e10834, (_e10834 > _e10118))) < 9.765625e-4f))), select(_e10126, (_e10126 + (_e10815 * _e10132)), _e4704), vec3<f32>(select(_e10109, (_e10109 + ((_e10116 * (select(_e4685.member, _e4674.member, _e4663) * (((_e10765.member.x * _e10785) * _e10805) + _e10085.member))) * _e10815)), _e4704), select(_e10111, (_e10111 + ((_e10117 * (select(_e4685.member_1, _e4674.member_1, _e4663) * (((_e10765.member.y * _e10785) * _e10805) + _e10085.member_1))) * _e10815)), _e4704), select(_e10113, (_e10113 + ((_e10118 * (select(_e4685.member_2, _e4674.member_2, _e4663) * (((_e10765.member.z * _e10785) * _e10805) + _e10085.member_2))) * _e10815)), _e4704)), _e10829, (_e3845.member_7 * vec3<f32>(_e8918, _e8966, _e9014)), select(0f, _e6942.member_2, (_e3858 != (_e4573 && !((_e7769 && (_e7738 != 0f)))))), -1.2676506e30f);
+phi_23955_ = _e7145.member_2;
+phi_23956_ = _e6942;
 }
-let _e10850 = phi_23964_;
-let _e10852 = phi_23965_;
-let _e10854 = phi_23966_;
-phi_8974_ = _e10850;
-phi_8977_ = _e10852;
-phi_8979_ = _e10854;
-phi_8981_ = (_e3851 + 1i);
+let _e10850 = phi_23954_;
+let _e10852 = phi_23955_;
+let _e10854 = phi_23956_;
+phi_8964_ = _e10850;
+phi_8967_ = _e10852;
+phi_8969_ = _e10854;
+phi_8971_ = (_e3851 + 1i);
 } else {
-phi_8974_ = type_33();
-phi_8977_ = f32();
-phi_8979_ = type_35();
-phi_8981_ = i32();
+phi_8964_ = type_32();
+phi_8967_ = f32();
+phi_8969_ = type_34();
+phi_8971_ = i32();
 }
-let _e10856 = phi_8974_;
-let _e10858 = phi_8977_;
-let _e10860 = phi_8979_;
-let _e10862 = phi_8981_;
+let _e10856 = phi_8964_;
+let _e10858 = phi_8967_;
+let _e10860 = phi_8969_;
+let _e10862 = phi_8971_;
 continue;
 continuing {
-phi_8973_ = _e10856;
-phi_8976_ = _e10858;
-phi_8978_ = _e10860;
-phi_8980_ = _e10862;
+phi_8963_ = _e10856;
+phi_8966_ = _e10858;
+phi_8968_ = _e10860;
+phi_8970_ = _e10862;
 break if !(_e3855);
 }
 }
@@ -3507,25 +3507,25 @@ let _e10914 = local_55;
 let _e10918 = local_56;
 let _e10922 = local_57;
 let _e10925 = local_58;
-global_2.member[_e237] = _e10865.member.x;
-global_2.member[_e249] = _e10869.member.y;
-global_2.member[_e260] = _e10873.member.z;
-global_2.member[_e271] = _e10877.member_1.x;
-global_2.member[_e282] = _e10881.member_1.y;
-global_2.member[_e293] = _e10885.member_1.z;
-global_2.member[_e304] = _e10889.member_2;
+global_5.member[_e237] = _e10865.member.x;
+global_5.member[_e249] = _e10869.member.y;
+global_5.member[_e260] = _e10873.member.z;
+global_5.member[_e271] = _e10877.member_1.x;
+global_5.member[_e282] = _e10881.member_1.y;
+global_5.member[_e293] = _e10885.member_1.z;
+global_5.member[_e304] = _e10889.member_2;
 let _e10944 = local_59;
-global_2.member[_e315] = _e10944;
-global_2.member[_e326] = _e10892.member_4;
-global_2.member[_e337] = _e10895.member_5.x;
-global_2.member[_e348] = _e10899.member_5.y;
-global_2.member[_e359] = _e10903.member_5.z;
-global_2.member[_e370] = _e10907.member_6;
-global_2.member[_e381] = _e10910.member_7.x;
-global_2.member[_e392] = _e10914.member_7.y;
-global_2.member[_e403] = _e10918.member_7.z;
-global_2.member[_e414] = _e10922.member_8;
-global_2.member[_e425] = _e10925.member_9;
+global_5.member[_e315] = _e10944;
+global_5.member[_e326] = _e10892.member_4;
+global_5.member[_e337] = _e10895.member_5.x;
+global_5.member[_e348] = _e10899.member_5.y;
+global_5.member[_e359] = _e10903.member_5.z;
+global_5.member[_e370] = _e10907.member_6;
+global_5.member[_e381] = _e10910.member_7.x;
+global_5.member[_e392] = _e10914.member_7.y;
+global_5.member[_e403] = _e10918.member_7.z;
+global_5.member[_e414] = _e10922.member_8;
+global_5.member[_e425] = _e10925.member_9;
 }
 }
 }

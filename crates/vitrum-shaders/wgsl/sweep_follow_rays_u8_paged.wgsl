@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,55 +90,86 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
+}
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
 }
 struct type_29 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_32 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_33 {
+struct type_32 {
 member: vec3<f32>,
 member_1: vec3<f32>,
 member_2: f32,
@@ -185,19 +181,19 @@ member_7: vec3<f32>,
 member_8: f32,
 member_9: f32,
 }
-struct type_34 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_35 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -206,30 +202,34 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
+struct type_36 {
+member: vec3<f32>,
+member_1: vec3<f32>,
+}
 struct type_39 {
 member: array<atomic<u32>>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
-@group(0) @binding(7)
-var<storage, read_write> global_3: type_39;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_4: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_5: type_17;
+var<storage> global_3: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_17;
+var<storage> global_4: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_5: type_26;
+@group(0) @binding(7)
+var<storage, read_write> global_6: type_39;
 fn function_() {
 var local: f32;
 var local_1: f32;
 var local_2: f32;
 var local_3: f32;
-var local_4: type_32;
+var local_4: type_29;
 var local_5: vec3<f32>;
-var local_6: type_32;
+var local_6: type_29;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -245,9 +245,9 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_32;
+var local_22: type_29;
 var local_23: vec3<f32>;
-var local_24: type_32;
+var local_24: type_29;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
@@ -263,69 +263,69 @@ var local_36: f32;
 var local_37: f32;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_32;
+var local_40: type_29;
 var local_41: vec3<f32>;
-var phi_6120_: type_34;
-var phi_6823_: type_35;
-var phi_7203_: type_5;
-var phi_8532_: type_36;
-var phi_8569_: type_33;
+var phi_6120_: type_33;
+var phi_6823_: type_34;
+var phi_7203_: type_7;
+var phi_8532_: type_35;
+var phi_8569_: type_32;
 var phi_8673_: f32;
 var phi_8757_: f32;
-var phi_8829_: type_29;
-var phi_8831_: type_33;
+var phi_8829_: type_36;
+var phi_8831_: type_32;
 var phi_8834_: f32;
-var phi_8836_: type_35;
+var phi_8836_: type_34;
 var phi_8838_: i32;
-var phi_10307_: type_36;
+var phi_10307_: type_35;
 var phi_10319_: bool;
 var phi_10334_: vec3<f32>;
-var phi_15912_: type_34;
-var phi_16615_: type_35;
-var phi_17007_: type_5;
+var phi_15912_: type_33;
+var phi_16615_: type_34;
+var phi_17007_: type_7;
 var phi_21157_: i32;
 var phi_21734_: vec3<f32>;
 var phi_22141_: vec3<f32>;
 var phi_22235_: f32;
 var phi_22277_: f32;
-var phi_22309_: type_29;
+var phi_22309_: type_36;
 var phi_22791_: u32;
 var phi_23128_: f32;
 var phi_23184_: f32;
 var phi_23189_: vec3<f32>;
 var phi_23292_: f32;
 var phi_23376_: f32;
-var phi_23448_: type_29;
-var phi_23449_: type_29;
-var phi_23618_: type_33;
+var phi_23448_: type_36;
+var phi_23449_: type_36;
+var phi_23618_: type_32;
 var phi_23619_: f32;
-var phi_23620_: type_35;
-var phi_8832_: type_33;
+var phi_23620_: type_34;
+var phi_8832_: type_32;
 var phi_8835_: f32;
-var phi_8837_: type_35;
+var phi_8837_: type_34;
 var phi_8839_: i32;
-var local_42: type_33;
-var local_43: type_33;
-var local_44: type_33;
-var local_45: type_33;
-var local_46: type_33;
-var local_47: type_33;
-var local_48: type_33;
-var local_49: type_33;
-var local_50: type_33;
-var local_51: type_33;
-var local_52: type_33;
-var local_53: type_33;
-var local_54: type_33;
-var local_55: type_33;
-var local_56: type_33;
-var local_57: type_33;
-var local_58: type_33;
+var local_42: type_32;
+var local_43: type_32;
+var local_44: type_32;
+var local_45: type_32;
+var local_46: type_32;
+var local_47: type_32;
+var local_48: type_32;
+var local_49: type_32;
+var local_50: type_32;
+var local_51: type_32;
+var local_52: type_32;
+var local_53: type_32;
+var local_54: type_32;
+var local_55: type_32;
+var local_56: type_32;
+var local_57: type_32;
+var local_58: type_32;
 var local_59: f32;
 let _e206 = global;
-let _e209 = arrayLength((&global_4.member));
-let _e212 = arrayLength((&global_5.member));
-let _e214 = arrayLength((&global_6.member));
+let _e209 = arrayLength((&global_2.member));
+let _e212 = arrayLength((&global_3.member));
+let _e214 = arrayLength((&global_4.member));
 let _e221 = global_1.member.member_2;
 let _e224 = global_1.member.member;
 let _e229 = (_e206.x + _e221.member);
@@ -335,86 +335,86 @@ if (_e232 < _e221.member_3) {
 let _e237 = (_e224.member * _e224.member_1);
 let _e239 = ((_e232 * _e224.member) + _e229);
 let _e240 = bitcast<i32>(_e239);
-let _e242 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e242 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e244 = select(_e242, _e240, (_e240 < _e242));
-let _e250 = global_2.member[bitcast<u32>(select(0i, _e244, (_e244 > 0i)))];
+let _e250 = global_5.member[bitcast<u32>(select(0i, _e244, (_e244 > 0i)))];
 let _e251 = (_e237 + _e239);
 let _e252 = bitcast<i32>(_e251);
 let _e254 = select(_e242, _e252, (_e252 < _e242));
-let _e260 = global_2.member[bitcast<u32>(select(0i, _e254, (_e254 > 0i)))];
+let _e260 = global_5.member[bitcast<u32>(select(0i, _e254, (_e254 > 0i)))];
 let _e262 = ((2u * _e237) + _e239);
 let _e263 = bitcast<i32>(_e262);
 let _e265 = select(_e242, _e263, (_e263 < _e242));
-let _e271 = global_2.member[bitcast<u32>(select(0i, _e265, (_e265 > 0i)))];
+let _e271 = global_5.member[bitcast<u32>(select(0i, _e265, (_e265 > 0i)))];
 let _e273 = ((3u * _e237) + _e239);
 let _e274 = bitcast<i32>(_e273);
 let _e276 = select(_e242, _e274, (_e274 < _e242));
-let _e282 = global_2.member[bitcast<u32>(select(0i, _e276, (_e276 > 0i)))];
+let _e282 = global_5.member[bitcast<u32>(select(0i, _e276, (_e276 > 0i)))];
 let _e284 = ((4u * _e237) + _e239);
 let _e285 = bitcast<i32>(_e284);
 let _e287 = select(_e242, _e285, (_e285 < _e242));
-let _e293 = global_2.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
+let _e293 = global_5.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
 let _e295 = ((5u * _e237) + _e239);
 let _e296 = bitcast<i32>(_e295);
 let _e298 = select(_e242, _e296, (_e296 < _e242));
-let _e304 = global_2.member[bitcast<u32>(select(0i, _e298, (_e298 > 0i)))];
+let _e304 = global_5.member[bitcast<u32>(select(0i, _e298, (_e298 > 0i)))];
 let _e306 = ((6u * _e237) + _e239);
 let _e307 = bitcast<i32>(_e306);
 let _e309 = select(_e242, _e307, (_e307 < _e242));
-let _e315 = global_2.member[bitcast<u32>(select(0i, _e309, (_e309 > 0i)))];
+let _e315 = global_5.member[bitcast<u32>(select(0i, _e309, (_e309 > 0i)))];
 let _e317 = ((7u * _e237) + _e239);
 let _e318 = bitcast<i32>(_e317);
 let _e320 = select(_e242, _e318, (_e318 < _e242));
-let _e326 = global_2.member[bitcast<u32>(select(0i, _e320, (_e320 > 0i)))];
+let _e326 = global_5.member[bitcast<u32>(select(0i, _e320, (_e320 > 0i)))];
 let _e328 = ((8u * _e237) + _e239);
 let _e329 = bitcast<i32>(_e328);
 let _e331 = select(_e242, _e329, (_e329 < _e242));
-let _e337 = global_2.member[bitcast<u32>(select(0i, _e331, (_e331 > 0i)))];
+let _e337 = global_5.member[bitcast<u32>(select(0i, _e331, (_e331 > 0i)))];
 let _e339 = ((9u * _e237) + _e239);
 let _e340 = bitcast<i32>(_e339);
 let _e342 = select(_e242, _e340, (_e340 < _e242));
-let _e348 = global_2.member[bitcast<u32>(select(0i, _e342, (_e342 > 0i)))];
+let _e348 = global_5.member[bitcast<u32>(select(0i, _e342, (_e342 > 0i)))];
 let _e350 = ((10u * _e237) + _e239);
 let _e351 = bitcast<i32>(_e350);
 let _e353 = select(_e242, _e351, (_e351 < _e242));
-let _e359 = global_2.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
+let _e359 = global_5.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
 let _e361 = ((11u * _e237) + _e239);
 let _e362 = bitcast<i32>(_e361);
 let _e364 = select(_e242, _e362, (_e362 < _e242));
-let _e370 = global_2.member[bitcast<u32>(select(0i, _e364, (_e364 > 0i)))];
+let _e370 = global_5.member[bitcast<u32>(select(0i, _e364, (_e364 > 0i)))];
 let _e372 = ((12u * _e237) + _e239);
 let _e373 = bitcast<i32>(_e372);
 let _e375 = select(_e242, _e373, (_e373 < _e242));
-let _e381 = global_2.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
+let _e381 = global_5.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
 let _e383 = ((13u * _e237) + _e239);
 let _e384 = bitcast<i32>(_e383);
 let _e386 = select(_e242, _e384, (_e384 < _e242));
-let _e392 = global_2.member[bitcast<u32>(select(0i, _e386, (_e386 > 0i)))];
+let _e392 = global_5.member[bitcast<u32>(select(0i, _e386, (_e386 > 0i)))];
 let _e394 = ((14u * _e237) + _e239);
 let _e395 = bitcast<i32>(_e394);
 let _e397 = select(_e242, _e395, (_e395 < _e242));
-let _e403 = global_2.member[bitcast<u32>(select(0i, _e397, (_e397 > 0i)))];
+let _e403 = global_5.member[bitcast<u32>(select(0i, _e397, (_e397 > 0i)))];
 let _e405 = ((15u * _e237) + _e239);
 let _e406 = bitcast<i32>(_e405);
 let _e408 = select(_e242, _e406, (_e406 < _e242));
-let _e414 = global_2.member[bitcast<u32>(select(0i, _e408, (_e408 > 0i)))];
+let _e414 = global_5.member[bitcast<u32>(select(0i, _e408, (_e408 > 0i)))];
 let _e416 = ((16u * _e237) + _e239);
 let _e417 = bitcast<i32>(_e416);
 let _e419 = select(_e242, _e417, (_e417 < _e242));
-let _e425 = global_2.member[bitcast<u32>(select(0i, _e419, (_e419 > 0i)))];
+let _e425 = global_5.member[bitcast<u32>(select(0i, _e419, (_e419 > 0i)))];
 let _e427 = ((17u * _e237) + _e239);
 let _e428 = bitcast<i32>(_e427);
 let _e430 = select(_e242, _e428, (_e428 < _e242));
-let _e436 = global_2.member[bitcast<u32>(select(0i, _e430, (_e430 > 0i)))];
+let _e436 = global_5.member[bitcast<u32>(select(0i, _e430, (_e430 > 0i)))];
 let _e437 = (_e326 == 2f);
 let _e440 = select(0u, 3u, (_e437 || (_e326 == 4f)));
 if (_e440 > 0u) {
-if (arrayLength((&global_3.member)) >= 3u) {
-let _e451 = atomicLoad((&global_3.member[0u]));
+if (arrayLength((&global_6.member)) >= 3u) {
+let _e451 = atomicLoad((&global_6.member[0u]));
 if (_e451 == 0u) {
-atomicStore((&global_3.member[0u]), (((_e221.member_2 - _e221.member) + 7u) / 8u));
-atomicStore((&global_3.member[1u]), (((_e221.member_3 - _e221.member_1) + 7u) / 8u));
-atomicStore((&global_3.member[2u]), 1u);
+atomicStore((&global_6.member[0u]), (((_e221.member_2 - _e221.member) + 7u) / 8u));
+atomicStore((&global_6.member[1u]), (((_e221.member_3 - _e221.member_1) + 7u) / 8u));
+atomicStore((&global_6.member[2u]), 1u);
 }
 }
 }
@@ -467,7 +467,7 @@ let _e614 = global_1.member.member_6.member_11.member_1;
 let _e625 = ((_e601 >> bitcast<u32>(4i)) + (bitcast<i32>(_e608) * ((_e602 >> bitcast<u32>(4i)) + (bitcast<i32>(_e614) * (_e603 >> bitcast<u32>(4i))))));
 let _e627 = (bitcast<i32>(_e209) - 1i);
 let _e629 = select(_e627, _e625, (_e625 < _e627));
-let _e635 = global_4.member[bitcast<u32>(select(0i, _e629, (_e629 > 0i)))];
+let _e635 = global_2.member[bitcast<u32>(select(0i, _e629, (_e629 > 0i)))];
 let _e637 = (_e601 & 15i);
 let _e640 = ((_e602 & 15i) * _e596);
 let _e642 = (bitcast<i32>(_e635) + ((_e603 & 15i) * _e600));
@@ -477,17 +477,17 @@ let _e647 = (_e640 + (3i * _e596));
 let _e648 = (_e642 + _e600);
 let _e650 = (_e642 + (2i * _e600));
 let _e652 = (_e642 + (3i * _e600));
-local_40 = type_32(array<i32, 4>(_e637, _e637, _e637, _e637), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_40 = type_29(array<i32, 4>(_e637, _e637, _e637, _e637), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_41 = vec3<f32>((_e527 - f32(_e562)), (_e537 - f32(_e577)), (_e547 - f32(_e592)));
 let _e666 = local_40.member[0u];
 let _e667 = ((_e648 + _e643) + _e666);
 let _e669 = (_e667 >> bitcast<u32>(2i));
 let _e672 = bitcast<u32>(((_e667 & 3i) * 8i));
 let _e674 = select(_e627, _e669, (_e669 < _e627));
-let _e679 = global_4.member[bitcast<u32>(select(0i, _e674, (_e674 > 0i)))];
+let _e679 = global_2.member[bitcast<u32>(select(0i, _e674, (_e674 > 0i)))];
 let _e683 = (_e669 + 1i);
 let _e685 = select(_e627, _e683, (_e683 < _e627));
-let _e690 = global_4.member[bitcast<u32>(select(0i, _e685, (_e685 > 0i)))];
+let _e690 = global_2.member[bitcast<u32>(select(0i, _e685, (_e685 > 0i)))];
 let _e697 = ((_e679 >> bitcast<u32>((_e672 & 31u))) | ((_e690 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e672) & 31u))));
 let _e700 = local_40.member_1[0u];
 let _e706 = f32(bitcast<i32>(((_e697 >> bitcast<u32>((_e700 & 31u))) & 255u)));
@@ -507,10 +507,10 @@ let _e748 = ((_e648 + _e645) + _e747);
 let _e750 = (_e748 >> bitcast<u32>(2i));
 let _e753 = bitcast<u32>(((_e748 & 3i) * 8i));
 let _e755 = select(_e627, _e750, (_e750 < _e627));
-let _e760 = global_4.member[bitcast<u32>(select(0i, _e755, (_e755 > 0i)))];
+let _e760 = global_2.member[bitcast<u32>(select(0i, _e755, (_e755 > 0i)))];
 let _e764 = (_e750 + 1i);
 let _e766 = select(_e627, _e764, (_e764 < _e627));
-let _e771 = global_4.member[bitcast<u32>(select(0i, _e766, (_e766 > 0i)))];
+let _e771 = global_2.member[bitcast<u32>(select(0i, _e766, (_e766 > 0i)))];
 let _e778 = ((_e760 >> bitcast<u32>((_e753 & 31u))) | ((_e771 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e753) & 31u))));
 let _e779 = local_40.member_1[0u];
 let _e785 = f32(bitcast<i32>(((_e778 >> bitcast<u32>((_e779 & 31u))) & 255u)));
@@ -528,10 +528,10 @@ let _e821 = ((_e650 + _e643) + _e820);
 let _e823 = (_e821 >> bitcast<u32>(2i));
 let _e826 = bitcast<u32>(((_e821 & 3i) * 8i));
 let _e828 = select(_e627, _e823, (_e823 < _e627));
-let _e833 = global_4.member[bitcast<u32>(select(0i, _e828, (_e828 > 0i)))];
+let _e833 = global_2.member[bitcast<u32>(select(0i, _e828, (_e828 > 0i)))];
 let _e837 = (_e823 + 1i);
 let _e839 = select(_e627, _e837, (_e837 < _e627));
-let _e844 = global_4.member[bitcast<u32>(select(0i, _e839, (_e839 > 0i)))];
+let _e844 = global_2.member[bitcast<u32>(select(0i, _e839, (_e839 > 0i)))];
 let _e851 = ((_e833 >> bitcast<u32>((_e826 & 31u))) | ((_e844 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e826) & 31u))));
 let _e852 = local_40.member_1[0u];
 let _e858 = f32(bitcast<i32>(((_e851 >> bitcast<u32>((_e852 & 31u))) & 255u)));
@@ -551,10 +551,10 @@ let _e894 = ((_e650 + _e645) + _e893);
 let _e896 = (_e894 >> bitcast<u32>(2i));
 let _e899 = bitcast<u32>(((_e894 & 3i) * 8i));
 let _e901 = select(_e627, _e896, (_e896 < _e627));
-let _e906 = global_4.member[bitcast<u32>(select(0i, _e901, (_e901 > 0i)))];
+let _e906 = global_2.member[bitcast<u32>(select(0i, _e901, (_e901 > 0i)))];
 let _e910 = (_e896 + 1i);
 let _e912 = select(_e627, _e910, (_e910 < _e627));
-let _e917 = global_4.member[bitcast<u32>(select(0i, _e912, (_e912 > 0i)))];
+let _e917 = global_2.member[bitcast<u32>(select(0i, _e912, (_e912 > 0i)))];
 let _e924 = ((_e906 >> bitcast<u32>((_e899 & 31u))) | ((_e917 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e899) & 31u))));
 let _e925 = local_40.member_1[0u];
 let _e931 = f32(bitcast<i32>(((_e924 >> bitcast<u32>((_e925 & 31u))) & 255u)));
@@ -572,10 +572,10 @@ let _e967 = ((_e648 + _e640) + _e966);
 let _e969 = (_e967 >> bitcast<u32>(2i));
 let _e972 = bitcast<u32>(((_e967 & 3i) * 8i));
 let _e974 = select(_e627, _e969, (_e969 < _e627));
-let _e979 = global_4.member[bitcast<u32>(select(0i, _e974, (_e974 > 0i)))];
+let _e979 = global_2.member[bitcast<u32>(select(0i, _e974, (_e974 > 0i)))];
 let _e983 = (_e969 + 1i);
 let _e985 = select(_e627, _e983, (_e983 < _e627));
-let _e990 = global_4.member[bitcast<u32>(select(0i, _e985, (_e985 > 0i)))];
+let _e990 = global_2.member[bitcast<u32>(select(0i, _e985, (_e985 > 0i)))];
 let _e997 = ((_e979 >> bitcast<u32>((_e972 & 31u))) | ((_e990 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e972) & 31u))));
 let _e998 = local_40.member_1[1u];
 let _e1004 = f32(bitcast<i32>(((_e997 >> bitcast<u32>((_e998 & 31u))) & 255u)));
@@ -587,10 +587,10 @@ let _e1018 = ((_e648 + _e647) + _e1017);
 let _e1020 = (_e1018 >> bitcast<u32>(2i));
 let _e1023 = bitcast<u32>(((_e1018 & 3i) * 8i));
 let _e1025 = select(_e627, _e1020, (_e1020 < _e627));
-let _e1030 = global_4.member[bitcast<u32>(select(0i, _e1025, (_e1025 > 0i)))];
+let _e1030 = global_2.member[bitcast<u32>(select(0i, _e1025, (_e1025 > 0i)))];
 let _e1034 = (_e1020 + 1i);
 let _e1036 = select(_e627, _e1034, (_e1034 < _e627));
-let _e1041 = global_4.member[bitcast<u32>(select(0i, _e1036, (_e1036 > 0i)))];
+let _e1041 = global_2.member[bitcast<u32>(select(0i, _e1036, (_e1036 > 0i)))];
 let _e1048 = ((_e1030 >> bitcast<u32>((_e1023 & 31u))) | ((_e1041 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1023) & 31u))));
 let _e1049 = local_40.member_1[1u];
 let _e1055 = f32(bitcast<i32>(((_e1048 >> bitcast<u32>((_e1049 & 31u))) & 255u)));
@@ -601,10 +601,10 @@ let _e1069 = ((_e650 + _e640) + _e1068);
 let _e1071 = (_e1069 >> bitcast<u32>(2i));
 let _e1074 = bitcast<u32>(((_e1069 & 3i) * 8i));
 let _e1076 = select(_e627, _e1071, (_e1071 < _e627));
-let _e1081 = global_4.member[bitcast<u32>(select(0i, _e1076, (_e1076 > 0i)))];
+let _e1081 = global_2.member[bitcast<u32>(select(0i, _e1076, (_e1076 > 0i)))];
 let _e1085 = (_e1071 + 1i);
 let _e1087 = select(_e627, _e1085, (_e1085 < _e627));
-let _e1092 = global_4.member[bitcast<u32>(select(0i, _e1087, (_e1087 > 0i)))];
+let _e1092 = global_2.member[bitcast<u32>(select(0i, _e1087, (_e1087 > 0i)))];
 let _e1099 = ((_e1081 >> bitcast<u32>((_e1074 & 31u))) | ((_e1092 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1074) & 31u))));
 let _e1100 = local_40.member_1[1u];
 let _e1106 = f32(bitcast<i32>(((_e1099 >> bitcast<u32>((_e1100 & 31u))) & 255u)));
@@ -616,10 +616,10 @@ let _e1120 = ((_e650 + _e647) + _e1119);
 let _e1122 = (_e1120 >> bitcast<u32>(2i));
 let _e1125 = bitcast<u32>(((_e1120 & 3i) * 8i));
 let _e1127 = select(_e627, _e1122, (_e1122 < _e627));
-let _e1132 = global_4.member[bitcast<u32>(select(0i, _e1127, (_e1127 > 0i)))];
+let _e1132 = global_2.member[bitcast<u32>(select(0i, _e1127, (_e1127 > 0i)))];
 let _e1136 = (_e1122 + 1i);
 let _e1138 = select(_e627, _e1136, (_e1136 < _e627));
-let _e1143 = global_4.member[bitcast<u32>(select(0i, _e1138, (_e1138 > 0i)))];
+let _e1143 = global_2.member[bitcast<u32>(select(0i, _e1138, (_e1138 > 0i)))];
 let _e1150 = ((_e1132 >> bitcast<u32>((_e1125 & 31u))) | ((_e1143 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1125) & 31u))));
 let _e1151 = local_40.member_1[1u];
 let _e1157 = f32(bitcast<i32>(((_e1150 >> bitcast<u32>((_e1151 & 31u))) & 255u)));
@@ -630,10 +630,10 @@ let _e1171 = ((_e642 + _e643) + _e1170);
 let _e1173 = (_e1171 >> bitcast<u32>(2i));
 let _e1176 = bitcast<u32>(((_e1171 & 3i) * 8i));
 let _e1178 = select(_e627, _e1173, (_e1173 < _e627));
-let _e1183 = global_4.member[bitcast<u32>(select(0i, _e1178, (_e1178 > 0i)))];
+let _e1183 = global_2.member[bitcast<u32>(select(0i, _e1178, (_e1178 > 0i)))];
 let _e1187 = (_e1173 + 1i);
 let _e1189 = select(_e627, _e1187, (_e1187 < _e627));
-let _e1194 = global_4.member[bitcast<u32>(select(0i, _e1189, (_e1189 > 0i)))];
+let _e1194 = global_2.member[bitcast<u32>(select(0i, _e1189, (_e1189 > 0i)))];
 let _e1201 = ((_e1183 >> bitcast<u32>((_e1176 & 31u))) | ((_e1194 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1176) & 31u))));
 let _e1202 = local_40.member_1[1u];
 let _e1208 = f32(bitcast<i32>(((_e1201 >> bitcast<u32>((_e1202 & 31u))) & 255u)));
@@ -645,10 +645,10 @@ let _e1222 = ((_e652 + _e643) + _e1221);
 let _e1224 = (_e1222 >> bitcast<u32>(2i));
 let _e1227 = bitcast<u32>(((_e1222 & 3i) * 8i));
 let _e1229 = select(_e627, _e1224, (_e1224 < _e627));
-let _e1234 = global_4.member[bitcast<u32>(select(0i, _e1229, (_e1229 > 0i)))];
+let _e1234 = global_2.member[bitcast<u32>(select(0i, _e1229, (_e1229 > 0i)))];
 let _e1238 = (_e1224 + 1i);
 let _e1240 = select(_e627, _e1238, (_e1238 < _e627));
-let _e1245 = global_4.member[bitcast<u32>(select(0i, _e1240, (_e1240 > 0i)))];
+let _e1245 = global_2.member[bitcast<u32>(select(0i, _e1240, (_e1240 > 0i)))];
 let _e1252 = ((_e1234 >> bitcast<u32>((_e1227 & 31u))) | ((_e1245 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1227) & 31u))));
 let _e1253 = local_40.member_1[1u];
 let _e1259 = f32(bitcast<i32>(((_e1252 >> bitcast<u32>((_e1253 & 31u))) & 255u)));
@@ -660,10 +660,10 @@ let _e1273 = ((_e642 + _e645) + _e1272);
 let _e1275 = (_e1273 >> bitcast<u32>(2i));
 let _e1278 = bitcast<u32>(((_e1273 & 3i) * 8i));
 let _e1280 = select(_e627, _e1275, (_e1275 < _e627));
-let _e1285 = global_4.member[bitcast<u32>(select(0i, _e1280, (_e1280 > 0i)))];
+let _e1285 = global_2.member[bitcast<u32>(select(0i, _e1280, (_e1280 > 0i)))];
 let _e1289 = (_e1275 + 1i);
 let _e1291 = select(_e627, _e1289, (_e1289 < _e627));
-let _e1296 = global_4.member[bitcast<u32>(select(0i, _e1291, (_e1291 > 0i)))];
+let _e1296 = global_2.member[bitcast<u32>(select(0i, _e1291, (_e1291 > 0i)))];
 let _e1303 = ((_e1285 >> bitcast<u32>((_e1278 & 31u))) | ((_e1296 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1278) & 31u))));
 let _e1304 = local_40.member_1[1u];
 let _e1310 = f32(bitcast<i32>(((_e1303 >> bitcast<u32>((_e1304 & 31u))) & 255u)));
@@ -674,10 +674,10 @@ let _e1324 = ((_e652 + _e645) + _e1323);
 let _e1326 = (_e1324 >> bitcast<u32>(2i));
 let _e1329 = bitcast<u32>(((_e1324 & 3i) * 8i));
 let _e1331 = select(_e627, _e1326, (_e1326 < _e627));
-let _e1336 = global_4.member[bitcast<u32>(select(0i, _e1331, (_e1331 > 0i)))];
+let _e1336 = global_2.member[bitcast<u32>(select(0i, _e1331, (_e1331 > 0i)))];
 let _e1340 = (_e1326 + 1i);
 let _e1342 = select(_e627, _e1340, (_e1340 < _e627));
-let _e1347 = global_4.member[bitcast<u32>(select(0i, _e1342, (_e1342 > 0i)))];
+let _e1347 = global_2.member[bitcast<u32>(select(0i, _e1342, (_e1342 > 0i)))];
 let _e1354 = ((_e1336 >> bitcast<u32>((_e1329 & 31u))) | ((_e1347 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1329) & 31u))));
 let _e1355 = local_40.member_1[1u];
 let _e1361 = f32(bitcast<i32>(((_e1354 >> bitcast<u32>((_e1355 & 31u))) & 255u)));
@@ -739,50 +739,50 @@ local_39 = _e1502;
 let _e1503 = local_39;
 let _e1505 = (bitcast<i32>(_e212) - 1i);
 let _e1507 = select(_e1505, 263197i, (263197i < _e1505));
-let _e1512 = global_5.member[bitcast<u32>(select(0i, _e1507, (_e1507 > 0i)))];
+let _e1512 = global_3.member[bitcast<u32>(select(0i, _e1507, (_e1507 > 0i)))];
 let _e1513 = bitcast<f32>(_e1512);
 let _e1515 = select(_e1505, 263198i, (263198i < _e1505));
 let _e1518 = bitcast<u32>(select(0i, _e1515, (_e1515 > 0i)));
-let _e1520 = global_5.member[_e1518];
+let _e1520 = global_3.member[_e1518];
 let _e1521 = bitcast<f32>(_e1520);
 let _e1523 = select(_e1505, 263199i, (263199i < _e1505));
-let _e1528 = global_5.member[bitcast<u32>(select(0i, _e1523, (_e1523 > 0i)))];
+let _e1528 = global_3.member[bitcast<u32>(select(0i, _e1523, (_e1523 > 0i)))];
 let _e1529 = bitcast<f32>(_e1528);
 let _e1531 = ((_e1503 - _e1513) * _e1521);
 let _e1533 = select(0f, _e1531, (_e1531 > 0f));
 let _e1536 = local_39;
 let _e1538 = select(_e1505, 263200i, (263200i < _e1505));
-let _e1543 = global_5.member[bitcast<u32>(select(0i, _e1538, (_e1538 > 0i)))];
+let _e1543 = global_3.member[bitcast<u32>(select(0i, _e1538, (_e1538 > 0i)))];
 let _e1544 = bitcast<f32>(_e1543);
 let _e1546 = select(_e1505, 263201i, (263201i < _e1505));
-let _e1551 = global_5.member[bitcast<u32>(select(0i, _e1546, (_e1546 > 0i)))];
+let _e1551 = global_3.member[bitcast<u32>(select(0i, _e1546, (_e1546 > 0i)))];
 let _e1552 = bitcast<f32>(_e1551);
 let _e1554 = select(_e1505, 263202i, (263202i < _e1505));
-let _e1559 = global_5.member[bitcast<u32>(select(0i, _e1554, (_e1554 > 0i)))];
+let _e1559 = global_3.member[bitcast<u32>(select(0i, _e1554, (_e1554 > 0i)))];
 let _e1560 = bitcast<f32>(_e1559);
 let _e1562 = ((_e1536 - _e1544) * _e1552);
 let _e1564 = select(0f, _e1562, (_e1562 > 0f));
 let _e1568 = local_39;
 let _e1570 = select(_e1505, 263203i, (263203i < _e1505));
-let _e1575 = global_5.member[bitcast<u32>(select(0i, _e1570, (_e1570 > 0i)))];
+let _e1575 = global_3.member[bitcast<u32>(select(0i, _e1570, (_e1570 > 0i)))];
 let _e1576 = bitcast<f32>(_e1575);
 let _e1578 = select(_e1505, 263204i, (263204i < _e1505));
-let _e1583 = global_5.member[bitcast<u32>(select(0i, _e1578, (_e1578 > 0i)))];
+let _e1583 = global_3.member[bitcast<u32>(select(0i, _e1578, (_e1578 > 0i)))];
 let _e1584 = bitcast<f32>(_e1583);
 let _e1586 = select(_e1505, 263205i, (263205i < _e1505));
-let _e1591 = global_5.member[bitcast<u32>(select(0i, _e1586, (_e1586 > 0i)))];
+let _e1591 = global_3.member[bitcast<u32>(select(0i, _e1586, (_e1586 > 0i)))];
 let _e1592 = bitcast<f32>(_e1591);
 let _e1594 = ((_e1568 - _e1576) * _e1584);
 let _e1596 = select(0f, _e1594, (_e1594 > 0f));
 let _e1599 = local_39;
 let _e1601 = select(_e1505, 263206i, (263206i < _e1505));
-let _e1606 = global_5.member[bitcast<u32>(select(0i, _e1601, (_e1601 > 0i)))];
+let _e1606 = global_3.member[bitcast<u32>(select(0i, _e1601, (_e1601 > 0i)))];
 let _e1607 = bitcast<f32>(_e1606);
 let _e1609 = select(_e1505, 263207i, (263207i < _e1505));
-let _e1614 = global_5.member[bitcast<u32>(select(0i, _e1609, (_e1609 > 0i)))];
+let _e1614 = global_3.member[bitcast<u32>(select(0i, _e1609, (_e1609 > 0i)))];
 let _e1615 = bitcast<f32>(_e1614);
 let _e1617 = select(_e1505, 263208i, (263208i < _e1505));
-let _e1622 = global_5.member[bitcast<u32>(select(0i, _e1617, (_e1617 > 0i)))];
+let _e1622 = global_3.member[bitcast<u32>(select(0i, _e1617, (_e1617 > 0i)))];
 let _e1623 = bitcast<f32>(_e1622);
 let _e1625 = ((_e1599 - _e1607) * _e1615);
 let _e1627 = select(0f, _e1625, (_e1625 > 0f));
@@ -793,34 +793,34 @@ let _e1642 = select(0i, select(select(i32(_e1635), i32(-2147483648), (_e1635 < -
 let _e1646 = (_e1642 - select(0i, 1i, (_e1635 < f32(_e1642))));
 let _e1647 = (262147i + _e1646);
 let _e1649 = select(_e1505, _e1647, (_e1647 < _e1505));
-let _e1655 = global_5.member[bitcast<u32>(select(0i, _e1649, (_e1649 > 0i)))];
+let _e1655 = global_3.member[bitcast<u32>(select(0i, _e1649, (_e1649 > 0i)))];
 let _e1665 = select(_e1505, 262146i, (262146i < _e1505));
-let _e1671 = global_5.member[bitcast<u32>(select(0i, _e1665, (_e1665 > 0i)))];
+let _e1671 = global_3.member[bitcast<u32>(select(0i, _e1665, (_e1665 > 0i)))];
 let _e1672 = bitcast<f32>(_e1671);
 let _e1673 = (f32((bitcast<i32>((_e1655 & 4095u)) - 2048i)) * _e1672);
 let _e1675 = select(_e1505, 262144i, (262144i < _e1505));
-let _e1681 = global_5.member[bitcast<u32>(select(0i, _e1675, (_e1675 > 0i)))];
+let _e1681 = global_3.member[bitcast<u32>(select(0i, _e1675, (_e1675 > 0i)))];
 let _e1682 = bitcast<f32>(_e1681);
 let _e1684 = select(_e1505, 262145i, (262145i < _e1505));
-let _e1690 = global_5.member[bitcast<u32>(select(0i, _e1684, (_e1684 > 0i)))];
+let _e1690 = global_3.member[bitcast<u32>(select(0i, _e1684, (_e1684 > 0i)))];
 let _e1691 = bitcast<f32>(_e1690);
 let _e1697 = ((_e1682 + (f32(bitcast<i32>((_e1655 >> bitcast<u32>(12u)))) * _e1691)) + (_e1673 * (_e1631 - f32(_e1646))));
-let _e1700 = global_5.member[_e1518];
+let _e1700 = global_3.member[_e1518];
 let _e1702 = local_38;
 let _e1705 = local_38;
 let _e1708 = local_38;
 let _e1712 = select(_e1505, 263209i, (263209i < _e1505));
-let _e1718 = global_5.member[bitcast<u32>(select(0i, _e1712, (_e1712 > 0i)))];
+let _e1718 = global_3.member[bitcast<u32>(select(0i, _e1712, (_e1712 > 0i)))];
 let _e1720 = local_38;
 let _e1723 = select(_e1505, 263210i, (263210i < _e1505));
-let _e1729 = global_5.member[bitcast<u32>(select(0i, _e1723, (_e1723 > 0i)))];
+let _e1729 = global_3.member[bitcast<u32>(select(0i, _e1723, (_e1723 > 0i)))];
 let _e1731 = local_38;
 let _e1735 = (_e1673 * select(0f, select(select(select(bitcast<f32>(_e1700), _e1552, (_e1702 >= _e1544)), _e1584, (_e1705 >= _e1576)), _e1615, (_e1708 >= _e1607)), ((_e1720 >= bitcast<f32>(_e1718)) && (_e1731 <= bitcast<f32>(_e1729)))));
 if _e516 {
 let _e1742 = ((0.5f * (_e1477 - _e1471)) * _e1735);
 let _e1743 = ((0.5f * (_e1489 - _e1483)) * _e1735);
 let _e1744 = ((0.5f * (_e1501 - _e1495)) * _e1735);
-phi_6120_ = type_34(_e1697, vec3<f32>(_e1742, _e1743, _e1744), vec3<f32>((_e1742 * _e1697), (_e1743 * _e1697), (_e1744 * _e1697)));
+phi_6120_ = type_33(_e1697, vec3<f32>(_e1742, _e1743, _e1744), vec3<f32>((_e1742 * _e1697), (_e1743 * _e1697), (_e1744 * _e1697)));
 } else {
 local_36 = _e1471;
 let _e1751 = local_36;
@@ -844,7 +844,7 @@ let _e1793 = select(0i, select(select(i32(_e1786), i32(-2147483648), (_e1786 < -
 let _e1797 = (_e1793 - select(0i, 1i, (_e1786 < f32(_e1793))));
 let _e1798 = (262147i + _e1797);
 let _e1800 = select(_e1505, _e1798, (_e1798 < _e1505));
-let _e1806 = global_5.member[bitcast<u32>(select(0i, _e1800, (_e1800 > 0i)))];
+let _e1806 = global_3.member[bitcast<u32>(select(0i, _e1800, (_e1800 > 0i)))];
 let _e1821 = ((_e1682 + (f32(bitcast<i32>((_e1806 >> bitcast<u32>(12u)))) * _e1691)) + ((f32((bitcast<i32>((_e1806 & 4095u)) - 2048i)) * _e1672) * (_e1782 - f32(_e1797))));
 local_34 = _e1477;
 let _e1822 = local_34;
@@ -868,7 +868,7 @@ let _e1864 = select(0i, select(select(i32(_e1857), i32(-2147483648), (_e1857 < -
 let _e1868 = (_e1864 - select(0i, 1i, (_e1857 < f32(_e1864))));
 let _e1869 = (262147i + _e1868);
 let _e1871 = select(_e1505, _e1869, (_e1869 < _e1505));
-let _e1877 = global_5.member[bitcast<u32>(select(0i, _e1871, (_e1871 > 0i)))];
+let _e1877 = global_3.member[bitcast<u32>(select(0i, _e1871, (_e1871 > 0i)))];
 let _e1892 = ((_e1682 + (f32(bitcast<i32>((_e1877 >> bitcast<u32>(12u)))) * _e1691)) + ((f32((bitcast<i32>((_e1877 & 4095u)) - 2048i)) * _e1672) * (_e1853 - f32(_e1868))));
 local_32 = _e1483;
 let _e1893 = local_32;
@@ -892,7 +892,7 @@ let _e1935 = select(0i, select(select(i32(_e1928), i32(-2147483648), (_e1928 < -
 let _e1939 = (_e1935 - select(0i, 1i, (_e1928 < f32(_e1935))));
 let _e1940 = (262147i + _e1939);
 let _e1942 = select(_e1505, _e1940, (_e1940 < _e1505));
-let _e1948 = global_5.member[bitcast<u32>(select(0i, _e1942, (_e1942 > 0i)))];
+let _e1948 = global_3.member[bitcast<u32>(select(0i, _e1942, (_e1942 > 0i)))];
 let _e1963 = ((_e1682 + (f32(bitcast<i32>((_e1948 >> bitcast<u32>(12u)))) * _e1691)) + ((f32((bitcast<i32>((_e1948 & 4095u)) - 2048i)) * _e1672) * (_e1924 - f32(_e1939))));
 local_30 = _e1489;
 let _e1964 = local_30;
@@ -916,7 +916,7 @@ let _e2006 = select(0i, select(select(i32(_e1999), i32(-2147483648), (_e1999 < -
 let _e2010 = (_e2006 - select(0i, 1i, (_e1999 < f32(_e2006))));
 let _e2011 = (262147i + _e2010);
 let _e2013 = select(_e1505, _e2011, (_e2011 < _e1505));
-let _e2019 = global_5.member[bitcast<u32>(select(0i, _e2013, (_e2013 > 0i)))];
+let _e2019 = global_3.member[bitcast<u32>(select(0i, _e2013, (_e2013 > 0i)))];
 let _e2034 = ((_e1682 + (f32(bitcast<i32>((_e2019 >> bitcast<u32>(12u)))) * _e1691)) + ((f32((bitcast<i32>((_e2019 & 4095u)) - 2048i)) * _e1672) * (_e1995 - f32(_e2010))));
 local_28 = _e1495;
 let _e2035 = local_28;
@@ -940,7 +940,7 @@ let _e2077 = select(0i, select(select(i32(_e2070), i32(-2147483648), (_e2070 < -
 let _e2081 = (_e2077 - select(0i, 1i, (_e2070 < f32(_e2077))));
 let _e2082 = (262147i + _e2081);
 let _e2084 = select(_e1505, _e2082, (_e2082 < _e1505));
-let _e2090 = global_5.member[bitcast<u32>(select(0i, _e2084, (_e2084 > 0i)))];
+let _e2090 = global_3.member[bitcast<u32>(select(0i, _e2084, (_e2084 > 0i)))];
 let _e2105 = ((_e1682 + (f32(bitcast<i32>((_e2090 >> bitcast<u32>(12u)))) * _e1691)) + ((f32((bitcast<i32>((_e2090 & 4095u)) - 2048i)) * _e1672) * (_e2066 - f32(_e2081))));
 local_26 = _e1501;
 let _e2106 = local_26;
@@ -964,12 +964,12 @@ let _e2148 = select(0i, select(select(i32(_e2141), i32(-2147483648), (_e2141 < -
 let _e2152 = (_e2148 - select(0i, 1i, (_e2141 < f32(_e2148))));
 let _e2153 = (262147i + _e2152);
 let _e2155 = select(_e1505, _e2153, (_e2153 < _e1505));
-let _e2161 = global_5.member[bitcast<u32>(select(0i, _e2155, (_e2155 > 0i)))];
+let _e2161 = global_3.member[bitcast<u32>(select(0i, _e2155, (_e2155 > 0i)))];
 let _e2176 = ((_e1682 + (f32(bitcast<i32>((_e2161 >> bitcast<u32>(12u)))) * _e1691)) + ((f32((bitcast<i32>((_e2161 & 4095u)) - 2048i)) * _e1672) * (_e2137 - f32(_e2152))));
 let _e2177 = (_e1892 - _e1821);
 let _e2179 = (_e2034 - _e1963);
 let _e2181 = (_e2176 - _e2105);
-phi_6120_ = type_34(_e1697, vec3<f32>((0.5f * _e2177), (0.5f * _e2179), (0.5f * _e2181)), vec3<f32>((0.25f * (_e2177 * (_e1892 + _e1821))), (0.25f * (_e2179 * (_e2034 + _e1963))), (0.25f * (_e2181 * (_e2176 + _e2105)))));
+phi_6120_ = type_33(_e1697, vec3<f32>((0.5f * _e2177), (0.5f * _e2179), (0.5f * _e2181)), vec3<f32>((0.25f * (_e2177 * (_e1892 + _e1821))), (0.25f * (_e2179 * (_e2034 + _e1963))), (0.25f * (_e2181 * (_e2176 + _e2105)))));
 }
 let _e2196 = phi_6120_;
 let _e2211 = select(0f, 1f, ((((((_e478 >= -0.5f) && (_e478 <= _e523)) && (_e493 >= -0.5f)) && (_e493 <= _e533)) && (_e508 >= -0.5f)) && (_e508 <= _e543)));
@@ -985,7 +985,7 @@ let _e2253 = global_1.member.member_6.member_1.member.member_2;
 let _e2259 = global_1.member.member_6.member_2.member.member;
 let _e2265 = global_1.member.member_6.member_2.member.member_1;
 let _e2271 = global_1.member.member_6.member_2.member.member_2;
-phi_6823_ = type_35(_e1465, vec3<f32>(((((_e2223 * _e2213) + (_e2241 * _e2215)) + (_e2259 * _e2217)) * _e2211), ((((_e2229 * _e2213) + (_e2247 * _e2215)) + (_e2265 * _e2217)) * _e2211), ((((_e2235 * _e2213) + (_e2253 * _e2215)) + (_e2271 * _e2217)) * _e2211)), _e2196.member, vec3<f32>(((((_e2223 * _e2196.member_2.x) + (_e2241 * _e2196.member_2.y)) + (_e2259 * _e2196.member_2.z)) * _e2211), ((((_e2229 * _e2196.member_2.x) + (_e2247 * _e2196.member_2.y)) + (_e2265 * _e2196.member_2.z)) * _e2211), ((((_e2235 * _e2196.member_2.x) + (_e2253 * _e2196.member_2.y)) + (_e2271 * _e2196.member_2.z)) * _e2211)), vec3<f32>(((((_e2223 * _e2196.member_1.x) + (_e2241 * _e2196.member_1.y)) + (_e2259 * _e2196.member_1.z)) * _e2211), ((((_e2229 * _e2196.member_1.x) + (_e2247 * _e2196.member_1.y)) + (_e2265 * _e2196.member_1.z)) * _e2211), ((((_e2235 * _e2196.member_1.x) + (_e2253 * _e2196.member_1.y)) + (_e2271 * _e2196.member_1.z)) * _e2211)));
+phi_6823_ = type_34(_e1465, vec3<f32>(((((_e2223 * _e2213) + (_e2241 * _e2215)) + (_e2259 * _e2217)) * _e2211), ((((_e2229 * _e2213) + (_e2247 * _e2215)) + (_e2265 * _e2217)) * _e2211), ((((_e2235 * _e2213) + (_e2253 * _e2215)) + (_e2271 * _e2217)) * _e2211)), _e2196.member, vec3<f32>(((((_e2223 * _e2196.member_2.x) + (_e2241 * _e2196.member_2.y)) + (_e2259 * _e2196.member_2.z)) * _e2211), ((((_e2229 * _e2196.member_2.x) + (_e2247 * _e2196.member_2.y)) + (_e2265 * _e2196.member_2.z)) * _e2211), ((((_e2235 * _e2196.member_2.x) + (_e2253 * _e2196.member_2.y)) + (_e2271 * _e2196.member_2.z)) * _e2211)), vec3<f32>(((((_e2223 * _e2196.member_1.x) + (_e2241 * _e2196.member_1.y)) + (_e2259 * _e2196.member_1.z)) * _e2211), ((((_e2229 * _e2196.member_1.x) + (_e2247 * _e2196.member_1.y)) + (_e2265 * _e2196.member_1.z)) * _e2211), ((((_e2235 * _e2196.member_1.x) + (_e2253 * _e2196.member_1.y)) + (_e2271 * _e2196.member_1.z)) * _e2211)));
 } else {
 let _e2340 = global_1.member.member_6.member_3.member;
 let _e2341 = (_e2340 - 0.5f);
@@ -1021,7 +1021,7 @@ let _e2432 = global_1.member.member_6.member_11.member_1;
 let _e2443 = ((_e2419 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2426) * ((_e2420 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2432) * (_e2421 >> bitcast<u32>(4i))))));
 let _e2445 = (bitcast<i32>(_e209) - 1i);
 let _e2447 = select(_e2445, _e2443, (_e2443 < _e2445));
-let _e2453 = global_4.member[bitcast<u32>(select(0i, _e2447, (_e2447 > 0i)))];
+let _e2453 = global_2.member[bitcast<u32>(select(0i, _e2447, (_e2447 > 0i)))];
 let _e2455 = (_e2419 & 15i);
 let _e2458 = ((_e2420 & 15i) * _e2414);
 let _e2460 = (bitcast<i32>(_e2453) + ((_e2421 & 15i) * _e2418));
@@ -1029,17 +1029,17 @@ let _e2461 = (_e2458 + _e2414);
 let _e2463 = (_e2458 + (2i * _e2414));
 let _e2464 = (_e2460 + _e2418);
 let _e2466 = (_e2460 + (2i * _e2418));
-local_24 = type_32(array<i32, 4>(_e2455, _e2455, _e2455, _e2455), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_24 = type_29(array<i32, 4>(_e2455, _e2455, _e2455, _e2455), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_25 = vec3<f32>((_e2345 - f32(_e2380)), (_e2355 - f32(_e2395)), (_e2365 - f32(_e2410)));
 let _e2480 = local_24.member[0u];
 let _e2481 = ((_e2464 + _e2461) + _e2480);
 let _e2483 = (_e2481 >> bitcast<u32>(2i));
 let _e2486 = bitcast<u32>(((_e2481 & 3i) * 8i));
 let _e2488 = select(_e2445, _e2483, (_e2483 < _e2445));
-let _e2493 = global_4.member[bitcast<u32>(select(0i, _e2488, (_e2488 > 0i)))];
+let _e2493 = global_2.member[bitcast<u32>(select(0i, _e2488, (_e2488 > 0i)))];
 let _e2497 = (_e2483 + 1i);
 let _e2499 = select(_e2445, _e2497, (_e2497 < _e2445));
-let _e2504 = global_4.member[bitcast<u32>(select(0i, _e2499, (_e2499 > 0i)))];
+let _e2504 = global_2.member[bitcast<u32>(select(0i, _e2499, (_e2499 > 0i)))];
 let _e2511 = ((_e2493 >> bitcast<u32>((_e2486 & 31u))) | ((_e2504 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2486) & 31u))));
 let _e2514 = local_24.member_1[1u];
 let _e2520 = f32(bitcast<i32>(((_e2511 >> bitcast<u32>((_e2514 & 31u))) & 255u)));
@@ -1051,10 +1051,10 @@ let _e2536 = ((_e2464 + _e2463) + _e2535);
 let _e2538 = (_e2536 >> bitcast<u32>(2i));
 let _e2541 = bitcast<u32>(((_e2536 & 3i) * 8i));
 let _e2543 = select(_e2445, _e2538, (_e2538 < _e2445));
-let _e2548 = global_4.member[bitcast<u32>(select(0i, _e2543, (_e2543 > 0i)))];
+let _e2548 = global_2.member[bitcast<u32>(select(0i, _e2543, (_e2543 > 0i)))];
 let _e2552 = (_e2538 + 1i);
 let _e2554 = select(_e2445, _e2552, (_e2552 < _e2445));
-let _e2559 = global_4.member[bitcast<u32>(select(0i, _e2554, (_e2554 > 0i)))];
+let _e2559 = global_2.member[bitcast<u32>(select(0i, _e2554, (_e2554 > 0i)))];
 let _e2566 = ((_e2548 >> bitcast<u32>((_e2541 & 31u))) | ((_e2559 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2541) & 31u))));
 let _e2567 = local_24.member_1[1u];
 let _e2573 = f32(bitcast<i32>(((_e2566 >> bitcast<u32>((_e2567 & 31u))) & 255u)));
@@ -1067,10 +1067,10 @@ let _e2592 = ((_e2466 + _e2461) + _e2591);
 let _e2594 = (_e2592 >> bitcast<u32>(2i));
 let _e2597 = bitcast<u32>(((_e2592 & 3i) * 8i));
 let _e2599 = select(_e2445, _e2594, (_e2594 < _e2445));
-let _e2604 = global_4.member[bitcast<u32>(select(0i, _e2599, (_e2599 > 0i)))];
+let _e2604 = global_2.member[bitcast<u32>(select(0i, _e2599, (_e2599 > 0i)))];
 let _e2608 = (_e2594 + 1i);
 let _e2610 = select(_e2445, _e2608, (_e2608 < _e2445));
-let _e2615 = global_4.member[bitcast<u32>(select(0i, _e2610, (_e2610 > 0i)))];
+let _e2615 = global_2.member[bitcast<u32>(select(0i, _e2610, (_e2610 > 0i)))];
 let _e2622 = ((_e2604 >> bitcast<u32>((_e2597 & 31u))) | ((_e2615 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2597) & 31u))));
 let _e2623 = local_24.member_1[1u];
 let _e2629 = f32(bitcast<i32>(((_e2622 >> bitcast<u32>((_e2623 & 31u))) & 255u)));
@@ -1082,10 +1082,10 @@ let _e2643 = ((_e2466 + _e2463) + _e2642);
 let _e2645 = (_e2643 >> bitcast<u32>(2i));
 let _e2648 = bitcast<u32>(((_e2643 & 3i) * 8i));
 let _e2650 = select(_e2445, _e2645, (_e2645 < _e2445));
-let _e2655 = global_4.member[bitcast<u32>(select(0i, _e2650, (_e2650 > 0i)))];
+let _e2655 = global_2.member[bitcast<u32>(select(0i, _e2650, (_e2650 > 0i)))];
 let _e2659 = (_e2645 + 1i);
 let _e2661 = select(_e2445, _e2659, (_e2659 < _e2445));
-let _e2666 = global_4.member[bitcast<u32>(select(0i, _e2661, (_e2661 > 0i)))];
+let _e2666 = global_2.member[bitcast<u32>(select(0i, _e2661, (_e2661 > 0i)))];
 let _e2673 = ((_e2655 >> bitcast<u32>((_e2648 & 31u))) | ((_e2666 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2648) & 31u))));
 let _e2674 = local_24.member_1[1u];
 let _e2680 = f32(bitcast<i32>(((_e2673 >> bitcast<u32>((_e2674 & 31u))) & 255u)));
@@ -1098,13 +1098,13 @@ let _e2708 = global_1.member.member_6.member_5;
 let _e2710 = (((_e2589 + (((_e2640 + (((_e2680 + ((f32(bitcast<i32>(((_e2673 >> bitcast<u32>((_e2681 & 31u))) & 255u))) - _e2680) * _e2688)) - _e2640) * _e2692)) - _e2589) * _e2697)) - _e2704) * _e2708);
 let _e2711 = -(1e9f);
 let _e2713 = select(_e2711, _e2710, (_e2710 > _e2711));
-phi_6823_ = type_35(select(1e9f, _e2713, (_e2713 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_6823_ = type_34(select(1e9f, _e2713, (_e2713 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e2718 = phi_6823_;
 let _e2721 = global_1.member.member_1;
 let _e2723 = ((_e2721 & 16u) == 0u);
 if _e2723 {
-phi_7203_ = type_5(1f, 1f, 1f);
+phi_7203_ = type_7(1f, 1f, 1f);
 } else {
 let _e2727 = global_1.member.member_14.member;
 let _e2738 = ((((_e2727.member.member * _e250) + (_e2727.member.member_1 * _e260)) + (_e2727.member.member_2 * _e271)) + _e2727.member_1);
@@ -1142,11 +1142,11 @@ let _e2865 = (_e2855 > 0f);
 let _e2868 = select(select(select(1f, _e2862, (_e2862 < 1f)), 1f, (_e2855 <= 0f)), 0f, _e2865);
 let _e2872 = global_1.member.member_17.member_1;
 let _e2873 = (_e2872 != 0u);
-phi_7203_ = type_5(((((1f * _e2751) * _e2790) * _e2829) * _e2868), ((((1f * select(1f, _e2751, _e2756)) * select(1f, _e2790, _e2795)) * select(1f, _e2829, _e2834)) * select(1f, _e2868, _e2873)), ((((1f * select(1f, 0f, (_e2756 && _e2748))) * select(1f, 0f, (_e2795 && _e2787))) * select(1f, 0f, (_e2834 && _e2826))) * select(1f, 0f, (_e2873 && _e2865))));
+phi_7203_ = type_7(((((1f * _e2751) * _e2790) * _e2829) * _e2868), ((((1f * select(1f, _e2751, _e2756)) * select(1f, _e2790, _e2795)) * select(1f, _e2829, _e2834)) * select(1f, _e2868, _e2873)), ((((1f * select(1f, 0f, (_e2756 && _e2748))) * select(1f, 0f, (_e2795 && _e2787))) * select(1f, 0f, (_e2834 && _e2826))) * select(1f, 0f, (_e2873 && _e2865))));
 }
 let _e2882 = phi_7203_;
 if _e437 {
-let _e2884 = type_33(_e459, _e460, _e315, 4f, _e337, _e461, _e381, _e462, _e425, _e436);
+let _e2884 = type_32(_e459, _e460, _e315, 4f, _e337, _e461, _e381, _e462, _e425, _e436);
 let _e2889 = global_1.member.member_5.member_2;
 let _e2892 = (_e2889 / select(1e-6f, _e304, (_e304 > 1e-6f)));
 let _e2896 = (_e250 + (_e282 * _e2892));
@@ -1270,7 +1270,7 @@ let _e3198 = select(select(select(select(select(select(0f, _e2921.member, _e2967
 let _e3199 = select(select(select(select(select(select(0f, _e2921.member_1, _e2967), _e2921.member_1, _e3007), _e2929.member_1, _e3053), _e2929.member_1, _e3093), _e2937.member_1, _e3139), _e2937.member_1, _e3179);
 let _e3200 = select(select(select(select(select(select(1f, _e2921.member_2, _e2967), _e2921.member_2, _e3007), _e2929.member_2, _e3053), _e2929.member_2, _e3093), _e2937.member_2, _e3139), _e2937.member_2, _e3179);
 if _e2723 {
-phi_8532_ = type_36(_e3185, vec3<f32>(_e3186, _e3187, _e3188), _e3190, vec3<f32>(_e3191, _e3192, _e3193), _e3195, _e3197, vec3<f32>(_e3198, _e3199, _e3200));
+phi_8532_ = type_35(_e3185, vec3<f32>(_e3186, _e3187, _e3188), _e3190, vec3<f32>(_e3191, _e3192, _e3193), _e3195, _e3197, vec3<f32>(_e3198, _e3199, _e3200));
 } else {
 let _e3207 = (((_e2921.member * _e2921.member) + (_e2921.member_1 * _e2921.member_1)) + (_e2921.member_2 * _e2921.member_2));
 let _e3210 = sqrt(select(0f, _e3207, (_e3207 > 0f)));
@@ -1350,13 +1350,13 @@ let _e3494 = select(2f, select(0f, _e3486, (_e3467 < 0f)), (_e3468 > 0f));
 let _e3495 = (_e3467 > _e3433);
 let _e3499 = ((_e3490 > _e3425) || ((_e3490 == _e3425) && _e3495));
 let _e3500 = (_e3494 < _e3429);
-phi_8532_ = type_36(select(_e3425, _e3490, _e3499), vec3<f32>(select(select(select(select(_e3186, _e3245.member, _e3271), _e3321.member, _e3347), _e3397.member, _e3423), _e3473.member, _e3499), select(select(select(select(_e3187, _e3245.member_1, _e3271), _e3321.member_1, _e3347), _e3397.member_1, _e3423), _e3473.member_1, _e3499), select(select(select(select(_e3188, _e3245.member_2, _e3271), _e3321.member_2, _e3347), _e3397.member_2, _e3423), _e3473.member_2, _e3499)), select(_e3429, _e3494, _e3500), vec3<f32>(select(select(select(select(_e3191, _e3245.member, _e3272), _e3321.member, _e3348), _e3397.member, _e3424), _e3473.member, _e3500), select(select(select(select(_e3192, _e3245.member_1, _e3272), _e3321.member_1, _e3348), _e3397.member_1, _e3424), _e3473.member_1, _e3500), select(select(select(select(_e3193, _e3245.member_2, _e3272), _e3321.member_2, _e3348), _e3397.member_2, _e3424), _e3473.member_2, _e3500)), select(_e3433, _e3467, _e3495), select(_e3435, _e3468, (_e3468 > _e3435)), vec3<f32>(select(select(select(select(_e3198, _e3245.member, _e3267), _e3321.member, _e3343), _e3397.member, _e3419), _e3473.member, _e3495), select(select(select(select(_e3199, _e3245.member_1, _e3267), _e3321.member_1, _e3343), _e3397.member_1, _e3419), _e3473.member_1, _e3495), select(select(select(select(_e3200, _e3245.member_2, _e3267), _e3321.member_2, _e3343), _e3397.member_2, _e3419), _e3473.member_2, _e3495)));
+phi_8532_ = type_35(select(_e3425, _e3490, _e3499), vec3<f32>(select(select(select(select(_e3186, _e3245.member, _e3271), _e3321.member, _e3347), _e3397.member, _e3423), _e3473.member, _e3499), select(select(select(select(_e3187, _e3245.member_1, _e3271), _e3321.member_1, _e3347), _e3397.member_1, _e3423), _e3473.member_1, _e3499), select(select(select(select(_e3188, _e3245.member_2, _e3271), _e3321.member_2, _e3347), _e3397.member_2, _e3423), _e3473.member_2, _e3499)), select(_e3429, _e3494, _e3500), vec3<f32>(select(select(select(select(_e3191, _e3245.member, _e3272), _e3321.member, _e3348), _e3397.member, _e3424), _e3473.member, _e3500), select(select(select(select(_e3192, _e3245.member_1, _e3272), _e3321.member_1, _e3348), _e3397.member_1, _e3424), _e3473.member_1, _e3500), select(select(select(select(_e3193, _e3245.member_2, _e3272), _e3321.member_2, _e3348), _e3397.member_2, _e3424), _e3473.member_2, _e3500)), select(_e3433, _e3467, _e3495), select(_e3435, _e3468, (_e3468 > _e3435)), vec3<f32>(select(select(select(select(_e3198, _e3245.member, _e3267), _e3321.member, _e3343), _e3397.member, _e3419), _e3473.member, _e3495), select(select(select(select(_e3199, _e3245.member_1, _e3267), _e3321.member_1, _e3343), _e3397.member_1, _e3419), _e3473.member_1, _e3495), select(select(select(select(_e3200, _e3245.member_2, _e3267), _e3321.member_2, _e3343), _e3397.member_2, _e3419), _e3473.member_2, _e3495)));
 }
 let _e3520 = phi_8532_;
 let _e3530 = (select(select(0.5f, _e3520.member_2, (_e3520.member_2 < 1f)), 0f, (_e436 == -1.2676506e30f)) * ((_e2889 / _e304) * select(_e2882.member_2, 0f, (_e425 == 0f))));
-phi_8569_ = type_33(_e2884.member, vec3<f32>((_e282 - (_e2718.member_3.x * _e3530)), (_e293 - (_e2718.member_3.y * _e3530)), (_e304 - (_e2718.member_3.z * _e3530))), _e2884.member_2, _e2884.member_3, _e2884.member_4, _e2884.member_5, _e2884.member_6, _e2884.member_7, _e2884.member_8, _e2884.member_9);
+phi_8569_ = type_32(_e2884.member, vec3<f32>((_e282 - (_e2718.member_3.x * _e3530)), (_e293 - (_e2718.member_3.y * _e3530)), (_e304 - (_e2718.member_3.z * _e3530))), _e2884.member_2, _e2884.member_3, _e2884.member_4, _e2884.member_5, _e2884.member_6, _e2884.member_7, _e2884.member_8, _e2884.member_9);
 } else {
-phi_8569_ = type_33(_e459, _e460, _e315, _e326, _e337, _e461, _e381, _e462, _e425, _e436);
+phi_8569_ = type_32(_e459, _e460, _e315, _e326, _e337, _e461, _e381, _e462, _e425, _e436);
 }
 let _e3552 = phi_8569_;
 let _e3557 = global_1.member.member_10.member_3;
@@ -1364,7 +1364,7 @@ let _e3558 = (_e3557 == 0u);
 if _e3558 {
 let _e3562 = global_1.member.member_9.member_1;
 let _e3570 = global_1.member.member_9.member;
-phi_8829_ = type_29(vec3<f32>(_e3562.member, _e3562.member_1, _e3562.member_2), vec3<f32>(_e3570.member, _e3570.member_1, _e3570.member_2));
+phi_8829_ = type_36(vec3<f32>(_e3562.member, _e3562.member_1, _e3562.member_2), vec3<f32>(_e3570.member, _e3570.member_1, _e3570.member_2));
 } else {
 let _e3579 = global_1.member.member_10.member;
 let _e3593 = ((((_e3579.member.member * _e3552.member.x) + (_e3579.member.member_1 * _e3552.member.y)) + (_e3579.member.member_2 * _e3552.member.z)) + _e3579.member_1);
@@ -1420,7 +1420,7 @@ let _e3749 = select(1f, (_e3732 * _e3743), _e3722);
 let _e3754 = global_1.member.member_10.member.member;
 let _e3765 = global_1.member.member_10.member_1.member;
 let _e3779 = global_1.member.member_10.member_2.member;
-phi_8829_ = type_29(vec3<f32>((_e3627.member * _e3717), (_e3627.member_1 * _e3717), (_e3627.member_2 * _e3717)), (vec3<f32>(((_e3754.member * _e3747) + (_e3765.member * _e3748)), ((_e3754.member_1 * _e3747) + (_e3765.member_1 * _e3748)), ((_e3754.member_2 * _e3747) + (_e3765.member_2 * _e3748))) + vec3<f32>((_e3779.member * _e3749), (_e3779.member_1 * _e3749), (_e3779.member_2 * _e3749))));
+phi_8829_ = type_36(vec3<f32>((_e3627.member * _e3717), (_e3627.member_1 * _e3717), (_e3627.member_2 * _e3717)), (vec3<f32>(((_e3754.member * _e3747) + (_e3765.member * _e3748)), ((_e3754.member_1 * _e3747) + (_e3765.member_1 * _e3748)), ((_e3754.member_2 * _e3747) + (_e3765.member_2 * _e3748))) + vec3<f32>((_e3779.member * _e3749), (_e3779.member_1 * _e3749), (_e3779.member_2 * _e3749))));
 }
 let _e3791 = phi_8829_;
 phi_8831_ = _e3552;
@@ -1597,7 +1597,7 @@ let _e4199 = select(select(select(select(select(select(0f, _e3874.member, _e3978
 let _e4200 = select(select(select(select(select(select(0f, _e3874.member_1, _e3978), _e3874.member_1, _e4018), _e3945.member_1, _e4059), _e3945.member_1, _e4099), _e3953.member_1, _e4140), _e3953.member_1, _e4180);
 let _e4201 = select(select(select(select(select(select(1f, _e3874.member_2, _e3978), _e3874.member_2, _e4018), _e3945.member_2, _e4059), _e3945.member_2, _e4099), _e3953.member_2, _e4140), _e3953.member_2, _e4180);
 if _e2723 {
-phi_10307_ = type_36(_e4186, vec3<f32>(_e4187, _e4188, _e4189), _e4191, vec3<f32>(_e4192, _e4193, _e4194), _e4196, _e4198, vec3<f32>(_e4199, _e4200, _e4201));
+phi_10307_ = type_35(_e4186, vec3<f32>(_e4187, _e4188, _e4189), _e4191, vec3<f32>(_e4192, _e4193, _e4194), _e4196, _e4198, vec3<f32>(_e4199, _e4200, _e4201));
 } else {
 let _e4207 = global_1.member.member_14.member_1;
 let _e4208 = (_e4207 != 0u);
@@ -1675,7 +1675,7 @@ let _e4487 = select(2f, select(0f, _e4479, (_e4460 < 0f)), (_e4461 > 0f));
 let _e4488 = (_e4460 > _e4426);
 let _e4492 = ((_e4483 > _e4418) || ((_e4483 == _e4418) && _e4488));
 let _e4493 = (_e4487 < _e4422);
-phi_10307_ = type_36(select(_e4418, _e4483, _e4492), vec3<f32>(select(select(select(select(_e4187, _e4238.member, _e4264), _e4314.member, _e4340), _e4390.member, _e4416), _e4466.member, _e4492), select(select(select(select(_e4188, _e4238.member_1, _e4264), _e4314.member_1, _e4340), _e4390.member_1, _e4416), _e4466.member_1, _e4492), select(select(select(select(_e4189, _e4238.member_2, _e4264), _e4314.member_2, _e4340), _e4390.member_2, _e4416), _e4466.member_2, _e4492)), select(_e4422, _e4487, _e4493), vec3<f32>(select(select(select(select(_e4192, _e4238.member, _e4265), _e4314.member, _e4341), _e4390.member, _e4417), _e4466.member, _e4493), select(select(select(select(_e4193, _e4238.member_1, _e4265), _e4314.member_1, _e4341), _e4390.member_1, _e4417), _e4466.member_1, _e4493), select(select(select(select(_e4194, _e4238.member_2, _e4265), _e4314.member_2, _e4341), _e4390.member_2, _e4417), _e4466.member_2, _e4493)), select(_e4426, _e4460, _e4488), select(_e4428, _e4461, (_e4461 > _e4428)), vec3<f32>(select(select(select(select(_e4199, _e4238.member, _e4260), _e4314.member, _e4336), _e4390.member, _e4412), _e4466.member, _e4488), select(select(select(select(_e4200, _e4238.member_1, _e4260), _e4314.member_1, _e4336), _e4390.member_1, _e4412), _e4466.member_1, _e4488), select(select(select(select(_e4201, _e4238.member_2, _e4260), _e4314.member_2, _e4336), _e4390.member_2, _e4412), _e4466.member_2, _e4488)));
+phi_10307_ = type_35(select(_e4418, _e4483, _e4492), vec3<f32>(select(select(select(select(_e4187, _e4238.member, _e4264), _e4314.member, _e4340), _e4390.member, _e4416), _e4466.member, _e4492), select(select(select(select(_e4188, _e4238.member_1, _e4264), _e4314.member_1, _e4340), _e4390.member_1, _e4416), _e4466.member_1, _e4492), select(select(select(select(_e4189, _e4238.member_2, _e4264), _e4314.member_2, _e4340), _e4390.member_2, _e4416), _e4466.member_2, _e4492)), select(_e4422, _e4487, _e4493), vec3<f32>(select(select(select(select(_e4192, _e4238.member, _e4265), _e4314.member, _e4341), _e4390.member, _e4417), _e4466.member, _e4493), select(select(select(select(_e4193, _e4238.member_1, _e4265), _e4314.member_1, _e4341), _e4390.member_1, _e4417), _e4466.member_1, _e4493), select(select(select(select(_e4194, _e4238.member_2, _e4265), _e4314.member_2, _e4341), _e4390.member_2, _e4417), _e4466.member_2, _e4493)), select(_e4426, _e4460, _e4488), select(_e4428, _e4461, (_e4461 > _e4428)), vec3<f32>(select(select(select(select(_e4199, _e4238.member, _e4260), _e4314.member, _e4336), _e4390.member, _e4412), _e4466.member, _e4488), select(select(select(select(_e4200, _e4238.member_1, _e4260), _e4314.member_1, _e4336), _e4390.member_1, _e4412), _e4466.member_1, _e4488), select(select(select(select(_e4201, _e4238.member_2, _e4260), _e4314.member_2, _e4336), _e4390.member_2, _e4412), _e4466.member_2, _e4488)));
 }
 let _e4513 = phi_10307_;
 if _e3806 {
@@ -1685,7 +1685,7 @@ phi_10319_ = ((_e4513.member <= 1f) && (_e4513.member < _e4513.member_2));
 }
 let _e4521 = phi_10319_;
 if (!(_e3806) && !(_e4521)) {
-phi_23618_ = type_33(_e3793.member, _e3793.member_1, _e3793.member_2, 3f, _e3793.member_4, _e3793.member_5, _e3793.member_6, _e3793.member_7, _e3793.member_8, _e3793.member_9);
+phi_23618_ = type_32(_e3793.member, _e3793.member_1, _e3793.member_2, 3f, _e3793.member_4, _e3793.member_5, _e3793.member_6, _e3793.member_7, _e3793.member_8, _e3793.member_9);
 phi_23619_ = _e3795;
 phi_23620_ = _e3797;
 } else {
@@ -1750,7 +1750,7 @@ let _e4750 = global_1.member.member_6.member_11.member_1;
 let _e4761 = ((_e4737 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4744) * ((_e4738 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4750) * (_e4739 >> bitcast<u32>(4i))))));
 let _e4763 = (bitcast<i32>(_e209) - 1i);
 let _e4765 = select(_e4763, _e4761, (_e4761 < _e4763));
-let _e4771 = global_4.member[bitcast<u32>(select(0i, _e4765, (_e4765 > 0i)))];
+let _e4771 = global_2.member[bitcast<u32>(select(0i, _e4765, (_e4765 > 0i)))];
 let _e4773 = (_e4737 & 15i);
 let _e4776 = ((_e4738 & 15i) * _e4732);
 let _e4778 = (bitcast<i32>(_e4771) + ((_e4739 & 15i) * _e4736));
@@ -1760,17 +1760,17 @@ let _e4783 = (_e4776 + (3i * _e4732));
 let _e4784 = (_e4778 + _e4736);
 let _e4786 = (_e4778 + (2i * _e4736));
 let _e4788 = (_e4778 + (3i * _e4736));
-local_22 = type_32(array<i32, 4>(_e4773, _e4773, _e4773, _e4773), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_22 = type_29(array<i32, 4>(_e4773, _e4773, _e4773, _e4773), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_23 = vec3<f32>((_e4675 - f32(_e4698)), (_e4679 - f32(_e4713)), (_e4683 - f32(_e4728)));
 let _e4802 = local_22.member[0u];
 let _e4803 = ((_e4784 + _e4779) + _e4802);
 let _e4805 = (_e4803 >> bitcast<u32>(2i));
 let _e4808 = bitcast<u32>(((_e4803 & 3i) * 8i));
 let _e4810 = select(_e4763, _e4805, (_e4805 < _e4763));
-let _e4815 = global_4.member[bitcast<u32>(select(0i, _e4810, (_e4810 > 0i)))];
+let _e4815 = global_2.member[bitcast<u32>(select(0i, _e4810, (_e4810 > 0i)))];
 let _e4819 = (_e4805 + 1i);
 let _e4821 = select(_e4763, _e4819, (_e4819 < _e4763));
-let _e4826 = global_4.member[bitcast<u32>(select(0i, _e4821, (_e4821 > 0i)))];
+let _e4826 = global_2.member[bitcast<u32>(select(0i, _e4821, (_e4821 > 0i)))];
 let _e4833 = ((_e4815 >> bitcast<u32>((_e4808 & 31u))) | ((_e4826 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4808) & 31u))));
 let _e4836 = local_22.member_1[0u];
 let _e4842 = f32(bitcast<i32>(((_e4833 >> bitcast<u32>((_e4836 & 31u))) & 255u)));
@@ -1790,10 +1790,10 @@ let _e4884 = ((_e4784 + _e4781) + _e4883);
 let _e4886 = (_e4884 >> bitcast<u32>(2i));
 let _e4889 = bitcast<u32>(((_e4884 & 3i) * 8i));
 let _e4891 = select(_e4763, _e4886, (_e4886 < _e4763));
-let _e4896 = global_4.member[bitcast<u32>(select(0i, _e4891, (_e4891 > 0i)))];
+let _e4896 = global_2.member[bitcast<u32>(select(0i, _e4891, (_e4891 > 0i)))];
 let _e4900 = (_e4886 + 1i);
 let _e4902 = select(_e4763, _e4900, (_e4900 < _e4763));
-let _e4907 = global_4.member[bitcast<u32>(select(0i, _e4902, (_e4902 > 0i)))];
+let _e4907 = global_2.member[bitcast<u32>(select(0i, _e4902, (_e4902 > 0i)))];
 let _e4914 = ((_e4896 >> bitcast<u32>((_e4889 & 31u))) | ((_e4907 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4889) & 31u))));
 let _e4915 = local_22.member_1[0u];
 let _e4921 = f32(bitcast<i32>(((_e4914 >> bitcast<u32>((_e4915 & 31u))) & 255u)));
@@ -1811,10 +1811,10 @@ let _e4957 = ((_e4786 + _e4779) + _e4956);
 let _e4959 = (_e4957 >> bitcast<u32>(2i));
 let _e4962 = bitcast<u32>(((_e4957 & 3i) * 8i));
 let _e4964 = select(_e4763, _e4959, (_e4959 < _e4763));
-let _e4969 = global_4.member[bitcast<u32>(select(0i, _e4964, (_e4964 > 0i)))];
+let _e4969 = global_2.member[bitcast<u32>(select(0i, _e4964, (_e4964 > 0i)))];
 let _e4973 = (_e4959 + 1i);
 let _e4975 = select(_e4763, _e4973, (_e4973 < _e4763));
-let _e4980 = global_4.member[bitcast<u32>(select(0i, _e4975, (_e4975 > 0i)))];
+let _e4980 = global_2.member[bitcast<u32>(select(0i, _e4975, (_e4975 > 0i)))];
 let _e4987 = ((_e4969 >> bitcast<u32>((_e4962 & 31u))) | ((_e4980 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4962) & 31u))));
 let _e4988 = local_22.member_1[0u];
 let _e4994 = f32(bitcast<i32>(((_e4987 >> bitcast<u32>((_e4988 & 31u))) & 255u)));
@@ -1834,10 +1834,10 @@ let _e5030 = ((_e4786 + _e4781) + _e5029);
 let _e5032 = (_e5030 >> bitcast<u32>(2i));
 let _e5035 = bitcast<u32>(((_e5030 & 3i) * 8i));
 let _e5037 = select(_e4763, _e5032, (_e5032 < _e4763));
-let _e5042 = global_4.member[bitcast<u32>(select(0i, _e5037, (_e5037 > 0i)))];
+let _e5042 = global_2.member[bitcast<u32>(select(0i, _e5037, (_e5037 > 0i)))];
 let _e5046 = (_e5032 + 1i);
 let _e5048 = select(_e4763, _e5046, (_e5046 < _e4763));
-let _e5053 = global_4.member[bitcast<u32>(select(0i, _e5048, (_e5048 > 0i)))];
+let _e5053 = global_2.member[bitcast<u32>(select(0i, _e5048, (_e5048 > 0i)))];
 let _e5060 = ((_e5042 >> bitcast<u32>((_e5035 & 31u))) | ((_e5053 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5035) & 31u))));
 let _e5061 = local_22.member_1[0u];
 let _e5067 = f32(bitcast<i32>(((_e5060 >> bitcast<u32>((_e5061 & 31u))) & 255u)));
@@ -1855,10 +1855,10 @@ let _e5103 = ((_e4784 + _e4776) + _e5102);
 let _e5105 = (_e5103 >> bitcast<u32>(2i));
 let _e5108 = bitcast<u32>(((_e5103 & 3i) * 8i));
 let _e5110 = select(_e4763, _e5105, (_e5105 < _e4763));
-let _e5115 = global_4.member[bitcast<u32>(select(0i, _e5110, (_e5110 > 0i)))];
+let _e5115 = global_2.member[bitcast<u32>(select(0i, _e5110, (_e5110 > 0i)))];
 let _e5119 = (_e5105 + 1i);
 let _e5121 = select(_e4763, _e5119, (_e5119 < _e4763));
-let _e5126 = global_4.member[bitcast<u32>(select(0i, _e5121, (_e5121 > 0i)))];
+let _e5126 = global_2.member[bitcast<u32>(select(0i, _e5121, (_e5121 > 0i)))];
 let _e5133 = ((_e5115 >> bitcast<u32>((_e5108 & 31u))) | ((_e5126 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5108) & 31u))));
 let _e5134 = local_22.member_1[1u];
 let _e5140 = f32(bitcast<i32>(((_e5133 >> bitcast<u32>((_e5134 & 31u))) & 255u)));
@@ -1870,10 +1870,10 @@ let _e5154 = ((_e4784 + _e4783) + _e5153);
 let _e5156 = (_e5154 >> bitcast<u32>(2i));
 let _e5159 = bitcast<u32>(((_e5154 & 3i) * 8i));
 let _e5161 = select(_e4763, _e5156, (_e5156 < _e4763));
-let _e5166 = global_4.member[bitcast<u32>(select(0i, _e5161, (_e5161 > 0i)))];
+let _e5166 = global_2.member[bitcast<u32>(select(0i, _e5161, (_e5161 > 0i)))];
 let _e5170 = (_e5156 + 1i);
 let _e5172 = select(_e4763, _e5170, (_e5170 < _e4763));
-let _e5177 = global_4.member[bitcast<u32>(select(0i, _e5172, (_e5172 > 0i)))];
+let _e5177 = global_2.member[bitcast<u32>(select(0i, _e5172, (_e5172 > 0i)))];
 let _e5184 = ((_e5166 >> bitcast<u32>((_e5159 & 31u))) | ((_e5177 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5159) & 31u))));
 let _e5185 = local_22.member_1[1u];
 let _e5191 = f32(bitcast<i32>(((_e5184 >> bitcast<u32>((_e5185 & 31u))) & 255u)));
@@ -1884,10 +1884,10 @@ let _e5205 = ((_e4786 + _e4776) + _e5204);
 let _e5207 = (_e5205 >> bitcast<u32>(2i));
 let _e5210 = bitcast<u32>(((_e5205 & 3i) * 8i));
 let _e5212 = select(_e4763, _e5207, (_e5207 < _e4763));
-let _e5217 = global_4.member[bitcast<u32>(select(0i, _e5212, (_e5212 > 0i)))];
+let _e5217 = global_2.member[bitcast<u32>(select(0i, _e5212, (_e5212 > 0i)))];
 let _e5221 = (_e5207 + 1i);
 let _e5223 = select(_e4763, _e5221, (_e5221 < _e4763));
-let _e5228 = global_4.member[bitcast<u32>(select(0i, _e5223, (_e5223 > 0i)))];
+let _e5228 = global_2.member[bitcast<u32>(select(0i, _e5223, (_e5223 > 0i)))];
 let _e5235 = ((_e5217 >> bitcast<u32>((_e5210 & 31u))) | ((_e5228 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5210) & 31u))));
 let _e5236 = local_22.member_1[1u];
 let _e5242 = f32(bitcast<i32>(((_e5235 >> bitcast<u32>((_e5236 & 31u))) & 255u)));
@@ -1899,10 +1899,10 @@ let _e5256 = ((_e4786 + _e4783) + _e5255);
 let _e5258 = (_e5256 >> bitcast<u32>(2i));
 let _e5261 = bitcast<u32>(((_e5256 & 3i) * 8i));
 let _e5263 = select(_e4763, _e5258, (_e5258 < _e4763));
-let _e5268 = global_4.member[bitcast<u32>(select(0i, _e5263, (_e5263 > 0i)))];
+let _e5268 = global_2.member[bitcast<u32>(select(0i, _e5263, (_e5263 > 0i)))];
 let _e5272 = (_e5258 + 1i);
 let _e5274 = select(_e4763, _e5272, (_e5272 < _e4763));
-let _e5279 = global_4.member[bitcast<u32>(select(0i, _e5274, (_e5274 > 0i)))];
+let _e5279 = global_2.member[bitcast<u32>(select(0i, _e5274, (_e5274 > 0i)))];
 let _e5286 = ((_e5268 >> bitcast<u32>((_e5261 & 31u))) | ((_e5279 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5261) & 31u))));
 let _e5287 = local_22.member_1[1u];
 let _e5293 = f32(bitcast<i32>(((_e5286 >> bitcast<u32>((_e5287 & 31u))) & 255u)));
@@ -1913,10 +1913,10 @@ let _e5307 = ((_e4778 + _e4779) + _e5306);
 let _e5309 = (_e5307 >> bitcast<u32>(2i));
 let _e5312 = bitcast<u32>(((_e5307 & 3i) * 8i));
 let _e5314 = select(_e4763, _e5309, (_e5309 < _e4763));
-let _e5319 = global_4.member[bitcast<u32>(select(0i, _e5314, (_e5314 > 0i)))];
+let _e5319 = global_2.member[bitcast<u32>(select(0i, _e5314, (_e5314 > 0i)))];
 let _e5323 = (_e5309 + 1i);
 let _e5325 = select(_e4763, _e5323, (_e5323 < _e4763));
-let _e5330 = global_4.member[bitcast<u32>(select(0i, _e5325, (_e5325 > 0i)))];
+let _e5330 = global_2.member[bitcast<u32>(select(0i, _e5325, (_e5325 > 0i)))];
 let _e5337 = ((_e5319 >> bitcast<u32>((_e5312 & 31u))) | ((_e5330 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5312) & 31u))));
 let _e5338 = local_22.member_1[1u];
 let _e5344 = f32(bitcast<i32>(((_e5337 >> bitcast<u32>((_e5338 & 31u))) & 255u)));
@@ -1928,10 +1928,10 @@ let _e5358 = ((_e4788 + _e4779) + _e5357);
 let _e5360 = (_e5358 >> bitcast<u32>(2i));
 let _e5363 = bitcast<u32>(((_e5358 & 3i) * 8i));
 let _e5365 = select(_e4763, _e5360, (_e5360 < _e4763));
-let _e5370 = global_4.member[bitcast<u32>(select(0i, _e5365, (_e5365 > 0i)))];
+let _e5370 = global_2.member[bitcast<u32>(select(0i, _e5365, (_e5365 > 0i)))];
 let _e5374 = (_e5360 + 1i);
 let _e5376 = select(_e4763, _e5374, (_e5374 < _e4763));
-let _e5381 = global_4.member[bitcast<u32>(select(0i, _e5376, (_e5376 > 0i)))];
+let _e5381 = global_2.member[bitcast<u32>(select(0i, _e5376, (_e5376 > 0i)))];
 let _e5388 = ((_e5370 >> bitcast<u32>((_e5363 & 31u))) | ((_e5381 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5363) & 31u))));
 let _e5389 = local_22.member_1[1u];
 let _e5395 = f32(bitcast<i32>(((_e5388 >> bitcast<u32>((_e5389 & 31u))) & 255u)));
@@ -1943,10 +1943,10 @@ let _e5409 = ((_e4778 + _e4781) + _e5408);
 let _e5411 = (_e5409 >> bitcast<u32>(2i));
 let _e5414 = bitcast<u32>(((_e5409 & 3i) * 8i));
 let _e5416 = select(_e4763, _e5411, (_e5411 < _e4763));
-let _e5421 = global_4.member[bitcast<u32>(select(0i, _e5416, (_e5416 > 0i)))];
+let _e5421 = global_2.member[bitcast<u32>(select(0i, _e5416, (_e5416 > 0i)))];
 let _e5425 = (_e5411 + 1i);
 let _e5427 = select(_e4763, _e5425, (_e5425 < _e4763));
-let _e5432 = global_4.member[bitcast<u32>(select(0i, _e5427, (_e5427 > 0i)))];
+let _e5432 = global_2.member[bitcast<u32>(select(0i, _e5427, (_e5427 > 0i)))];
 let _e5439 = ((_e5421 >> bitcast<u32>((_e5414 & 31u))) | ((_e5432 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5414) & 31u))));
 let _e5440 = local_22.member_1[1u];
 let _e5446 = f32(bitcast<i32>(((_e5439 >> bitcast<u32>((_e5440 & 31u))) & 255u)));
@@ -1957,10 +1957,10 @@ let _e5460 = ((_e4788 + _e4781) + _e5459);
 let _e5462 = (_e5460 >> bitcast<u32>(2i));
 let _e5465 = bitcast<u32>(((_e5460 & 3i) * 8i));
 let _e5467 = select(_e4763, _e5462, (_e5462 < _e4763));
-let _e5472 = global_4.member[bitcast<u32>(select(0i, _e5467, (_e5467 > 0i)))];
+let _e5472 = global_2.member[bitcast<u32>(select(0i, _e5467, (_e5467 > 0i)))];
 let _e5476 = (_e5462 + 1i);
 let _e5478 = select(_e4763, _e5476, (_e5476 < _e4763));
-let _e5483 = global_4.member[bitcast<u32>(select(0i, _e5478, (_e5478 > 0i)))];
+let _e5483 = global_2.member[bitcast<u32>(select(0i, _e5478, (_e5478 > 0i)))];
 let _e5490 = ((_e5472 >> bitcast<u32>((_e5465 & 31u))) | ((_e5483 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5465) & 31u))));
 let _e5491 = local_22.member_1[1u];
 let _e5497 = f32(bitcast<i32>(((_e5490 >> bitcast<u32>((_e5491 & 31u))) & 255u)));
@@ -2022,50 +2022,50 @@ local_21 = _e5638;
 let _e5639 = local_21;
 let _e5641 = (bitcast<i32>(_e212) - 1i);
 let _e5643 = select(_e5641, 263197i, (263197i < _e5641));
-let _e5648 = global_5.member[bitcast<u32>(select(0i, _e5643, (_e5643 > 0i)))];
+let _e5648 = global_3.member[bitcast<u32>(select(0i, _e5643, (_e5643 > 0i)))];
 let _e5649 = bitcast<f32>(_e5648);
 let _e5651 = select(_e5641, 263198i, (263198i < _e5641));
 let _e5654 = bitcast<u32>(select(0i, _e5651, (_e5651 > 0i)));
-let _e5656 = global_5.member[_e5654];
+let _e5656 = global_3.member[_e5654];
 let _e5657 = bitcast<f32>(_e5656);
 let _e5659 = select(_e5641, 263199i, (263199i < _e5641));
-let _e5664 = global_5.member[bitcast<u32>(select(0i, _e5659, (_e5659 > 0i)))];
+let _e5664 = global_3.member[bitcast<u32>(select(0i, _e5659, (_e5659 > 0i)))];
 let _e5665 = bitcast<f32>(_e5664);
 let _e5667 = ((_e5639 - _e5649) * _e5657);
 let _e5669 = select(0f, _e5667, (_e5667 > 0f));
 let _e5672 = local_21;
 let _e5674 = select(_e5641, 263200i, (263200i < _e5641));
-let _e5679 = global_5.member[bitcast<u32>(select(0i, _e5674, (_e5674 > 0i)))];
+let _e5679 = global_3.member[bitcast<u32>(select(0i, _e5674, (_e5674 > 0i)))];
 let _e5680 = bitcast<f32>(_e5679);
 let _e5682 = select(_e5641, 263201i, (263201i < _e5641));
-let _e5687 = global_5.member[bitcast<u32>(select(0i, _e5682, (_e5682 > 0i)))];
+let _e5687 = global_3.member[bitcast<u32>(select(0i, _e5682, (_e5682 > 0i)))];
 let _e5688 = bitcast<f32>(_e5687);
 let _e5690 = select(_e5641, 263202i, (263202i < _e5641));
-let _e5695 = global_5.member[bitcast<u32>(select(0i, _e5690, (_e5690 > 0i)))];
+let _e5695 = global_3.member[bitcast<u32>(select(0i, _e5690, (_e5690 > 0i)))];
 let _e5696 = bitcast<f32>(_e5695);
 let _e5698 = ((_e5672 - _e5680) * _e5688);
 let _e5700 = select(0f, _e5698, (_e5698 > 0f));
 let _e5704 = local_21;
 let _e5706 = select(_e5641, 263203i, (263203i < _e5641));
-let _e5711 = global_5.member[bitcast<u32>(select(0i, _e5706, (_e5706 > 0i)))];
+let _e5711 = global_3.member[bitcast<u32>(select(0i, _e5706, (_e5706 > 0i)))];
 let _e5712 = bitcast<f32>(_e5711);
 let _e5714 = select(_e5641, 263204i, (263204i < _e5641));
-let _e5719 = global_5.member[bitcast<u32>(select(0i, _e5714, (_e5714 > 0i)))];
+let _e5719 = global_3.member[bitcast<u32>(select(0i, _e5714, (_e5714 > 0i)))];
 let _e5720 = bitcast<f32>(_e5719);
 let _e5722 = select(_e5641, 263205i, (263205i < _e5641));
-let _e5727 = global_5.member[bitcast<u32>(select(0i, _e5722, (_e5722 > 0i)))];
+let _e5727 = global_3.member[bitcast<u32>(select(0i, _e5722, (_e5722 > 0i)))];
 let _e5728 = bitcast<f32>(_e5727);
 let _e5730 = ((_e5704 - _e5712) * _e5720);
 let _e5732 = select(0f, _e5730, (_e5730 > 0f));
 let _e5735 = local_21;
 let _e5737 = select(_e5641, 263206i, (263206i < _e5641));
-let _e5742 = global_5.member[bitcast<u32>(select(0i, _e5737, (_e5737 > 0i)))];
+let _e5742 = global_3.member[bitcast<u32>(select(0i, _e5737, (_e5737 > 0i)))];
 let _e5743 = bitcast<f32>(_e5742);
 let _e5745 = select(_e5641, 263207i, (263207i < _e5641));
-let _e5750 = global_5.member[bitcast<u32>(select(0i, _e5745, (_e5745 > 0i)))];
+let _e5750 = global_3.member[bitcast<u32>(select(0i, _e5745, (_e5745 > 0i)))];
 let _e5751 = bitcast<f32>(_e5750);
 let _e5753 = select(_e5641, 263208i, (263208i < _e5641));
-let _e5758 = global_5.member[bitcast<u32>(select(0i, _e5753, (_e5753 > 0i)))];
+let _e5758 = global_3.member[bitcast<u32>(select(0i, _e5753, (_e5753 > 0i)))];
 let _e5759 = bitcast<f32>(_e5758);
 let _e5761 = ((_e5735 - _e5743) * _e5751);
 let _e5763 = select(0f, _e5761, (_e5761 > 0f));
@@ -2076,34 +2076,34 @@ let _e5778 = select(0i, select(select(i32(_e5771), i32(-2147483648), (_e5771 < -
 let _e5782 = (_e5778 - select(0i, 1i, (_e5771 < f32(_e5778))));
 let _e5783 = (262147i + _e5782);
 let _e5785 = select(_e5641, _e5783, (_e5783 < _e5641));
-let _e5791 = global_5.member[bitcast<u32>(select(0i, _e5785, (_e5785 > 0i)))];
+let _e5791 = global_3.member[bitcast<u32>(select(0i, _e5785, (_e5785 > 0i)))];
 let _e5801 = select(_e5641, 262146i, (262146i < _e5641));
-let _e5807 = global_5.member[bitcast<u32>(select(0i, _e5801, (_e5801 > 0i)))];
+let _e5807 = global_3.member[bitcast<u32>(select(0i, _e5801, (_e5801 > 0i)))];
 let _e5808 = bitcast<f32>(_e5807);
 let _e5809 = (f32((bitcast<i32>((_e5791 & 4095u)) - 2048i)) * _e5808);
 let _e5811 = select(_e5641, 262144i, (262144i < _e5641));
-let _e5817 = global_5.member[bitcast<u32>(select(0i, _e5811, (_e5811 > 0i)))];
+let _e5817 = global_3.member[bitcast<u32>(select(0i, _e5811, (_e5811 > 0i)))];
 let _e5818 = bitcast<f32>(_e5817);
 let _e5820 = select(_e5641, 262145i, (262145i < _e5641));
-let _e5826 = global_5.member[bitcast<u32>(select(0i, _e5820, (_e5820 > 0i)))];
+let _e5826 = global_3.member[bitcast<u32>(select(0i, _e5820, (_e5820 > 0i)))];
 let _e5827 = bitcast<f32>(_e5826);
 let _e5833 = ((_e5818 + (f32(bitcast<i32>((_e5791 >> bitcast<u32>(12u)))) * _e5827)) + (_e5809 * (_e5767 - f32(_e5782))));
-let _e5836 = global_5.member[_e5654];
+let _e5836 = global_3.member[_e5654];
 let _e5838 = local_20;
 let _e5841 = local_20;
 let _e5844 = local_20;
 let _e5848 = select(_e5641, 263209i, (263209i < _e5641));
-let _e5854 = global_5.member[bitcast<u32>(select(0i, _e5848, (_e5848 > 0i)))];
+let _e5854 = global_3.member[bitcast<u32>(select(0i, _e5848, (_e5848 > 0i)))];
 let _e5856 = local_20;
 let _e5859 = select(_e5641, 263210i, (263210i < _e5641));
-let _e5865 = global_5.member[bitcast<u32>(select(0i, _e5859, (_e5859 > 0i)))];
+let _e5865 = global_3.member[bitcast<u32>(select(0i, _e5859, (_e5859 > 0i)))];
 let _e5867 = local_20;
 let _e5871 = (_e5809 * select(0f, select(select(select(bitcast<f32>(_e5836), _e5688, (_e5838 >= _e5680)), _e5720, (_e5841 >= _e5712)), _e5751, (_e5844 >= _e5743)), ((_e5856 >= bitcast<f32>(_e5854)) && (_e5867 <= bitcast<f32>(_e5865)))));
 if _e516 {
 let _e5878 = ((0.5f * (_e5613 - _e5607)) * _e5871);
 let _e5879 = ((0.5f * (_e5625 - _e5619)) * _e5871);
 let _e5880 = ((0.5f * (_e5637 - _e5631)) * _e5871);
-phi_15912_ = type_34(_e5833, vec3<f32>(_e5878, _e5879, _e5880), vec3<f32>((_e5878 * _e5833), (_e5879 * _e5833), (_e5880 * _e5833)));
+phi_15912_ = type_33(_e5833, vec3<f32>(_e5878, _e5879, _e5880), vec3<f32>((_e5878 * _e5833), (_e5879 * _e5833), (_e5880 * _e5833)));
 } else {
 local_18 = _e5607;
 let _e5887 = local_18;
@@ -2127,7 +2127,7 @@ let _e5929 = select(0i, select(select(i32(_e5922), i32(-2147483648), (_e5922 < -
 let _e5933 = (_e5929 - select(0i, 1i, (_e5922 < f32(_e5929))));
 let _e5934 = (262147i + _e5933);
 let _e5936 = select(_e5641, _e5934, (_e5934 < _e5641));
-let _e5942 = global_5.member[bitcast<u32>(select(0i, _e5936, (_e5936 > 0i)))];
+let _e5942 = global_3.member[bitcast<u32>(select(0i, _e5936, (_e5936 > 0i)))];
 let _e5957 = ((_e5818 + (f32(bitcast<i32>((_e5942 >> bitcast<u32>(12u)))) * _e5827)) + ((f32((bitcast<i32>((_e5942 & 4095u)) - 2048i)) * _e5808) * (_e5918 - f32(_e5933))));
 local_16 = _e5613;
 let _e5958 = local_16;
@@ -2151,7 +2151,7 @@ let _e6000 = select(0i, select(select(i32(_e5993), i32(-2147483648), (_e5993 < -
 let _e6004 = (_e6000 - select(0i, 1i, (_e5993 < f32(_e6000))));
 let _e6005 = (262147i + _e6004);
 let _e6007 = select(_e5641, _e6005, (_e6005 < _e5641));
-let _e6013 = global_5.member[bitcast<u32>(select(0i, _e6007, (_e6007 > 0i)))];
+let _e6013 = global_3.member[bitcast<u32>(select(0i, _e6007, (_e6007 > 0i)))];
 let _e6028 = ((_e5818 + (f32(bitcast<i32>((_e6013 >> bitcast<u32>(12u)))) * _e5827)) + ((f32((bitcast<i32>((_e6013 & 4095u)) - 2048i)) * _e5808) * (_e5989 - f32(_e6004))));
 local_14 = _e5619;
 let _e6029 = local_14;
@@ -2175,7 +2175,7 @@ let _e6071 = select(0i, select(select(i32(_e6064), i32(-2147483648), (_e6064 < -
 let _e6075 = (_e6071 - select(0i, 1i, (_e6064 < f32(_e6071))));
 let _e6076 = (262147i + _e6075);
 let _e6078 = select(_e5641, _e6076, (_e6076 < _e5641));
-let _e6084 = global_5.member[bitcast<u32>(select(0i, _e6078, (_e6078 > 0i)))];
+let _e6084 = global_3.member[bitcast<u32>(select(0i, _e6078, (_e6078 > 0i)))];
 let _e6099 = ((_e5818 + (f32(bitcast<i32>((_e6084 >> bitcast<u32>(12u)))) * _e5827)) + ((f32((bitcast<i32>((_e6084 & 4095u)) - 2048i)) * _e5808) * (_e6060 - f32(_e6075))));
 local_12 = _e5625;
 let _e6100 = local_12;
@@ -2199,7 +2199,7 @@ let _e6142 = select(0i, select(select(i32(_e6135), i32(-2147483648), (_e6135 < -
 let _e6146 = (_e6142 - select(0i, 1i, (_e6135 < f32(_e6142))));
 let _e6147 = (262147i + _e6146);
 let _e6149 = select(_e5641, _e6147, (_e6147 < _e5641));
-let _e6155 = global_5.member[bitcast<u32>(select(0i, _e6149, (_e6149 > 0i)))];
+let _e6155 = global_3.member[bitcast<u32>(select(0i, _e6149, (_e6149 > 0i)))];
 let _e6170 = ((_e5818 + (f32(bitcast<i32>((_e6155 >> bitcast<u32>(12u)))) * _e5827)) + ((f32((bitcast<i32>((_e6155 & 4095u)) - 2048i)) * _e5808) * (_e6131 - f32(_e6146))));
 local_10 = _e5631;
 let _e6171 = local_10;
@@ -2223,7 +2223,7 @@ let _e6213 = select(0i, select(select(i32(_e6206), i32(-2147483648), (_e6206 < -
 let _e6217 = (_e6213 - select(0i, 1i, (_e6206 < f32(_e6213))));
 let _e6218 = (262147i + _e6217);
 let _e6220 = select(_e5641, _e6218, (_e6218 < _e5641));
-let _e6226 = global_5.member[bitcast<u32>(select(0i, _e6220, (_e6220 > 0i)))];
+let _e6226 = global_3.member[bitcast<u32>(select(0i, _e6220, (_e6220 > 0i)))];
 let _e6241 = ((_e5818 + (f32(bitcast<i32>((_e6226 >> bitcast<u32>(12u)))) * _e5827)) + ((f32((bitcast<i32>((_e6226 & 4095u)) - 2048i)) * _e5808) * (_e6202 - f32(_e6217))));
 local_8 = _e5637;
 let _e6242 = local_8;
@@ -2247,12 +2247,12 @@ let _e6284 = select(0i, select(select(i32(_e6277), i32(-2147483648), (_e6277 < -
 let _e6288 = (_e6284 - select(0i, 1i, (_e6277 < f32(_e6284))));
 let _e6289 = (262147i + _e6288);
 let _e6291 = select(_e5641, _e6289, (_e6289 < _e5641));
-let _e6297 = global_5.member[bitcast<u32>(select(0i, _e6291, (_e6291 > 0i)))];
+let _e6297 = global_3.member[bitcast<u32>(select(0i, _e6291, (_e6291 > 0i)))];
 let _e6312 = ((_e5818 + (f32(bitcast<i32>((_e6297 >> bitcast<u32>(12u)))) * _e5827)) + ((f32((bitcast<i32>((_e6297 & 4095u)) - 2048i)) * _e5808) * (_e6273 - f32(_e6288))));
 let _e6313 = (_e6028 - _e5957);
 let _e6315 = (_e6170 - _e6099);
 let _e6317 = (_e6312 - _e6241);
-phi_15912_ = type_34(_e5833, vec3<f32>((0.5f * _e6313), (0.5f * _e6315), (0.5f * _e6317)), vec3<f32>((0.25f * (_e6313 * (_e6028 + _e5957))), (0.25f * (_e6315 * (_e6170 + _e6099))), (0.25f * (_e6317 * (_e6312 + _e6241)))));
+phi_15912_ = type_33(_e5833, vec3<f32>((0.5f * _e6313), (0.5f * _e6315), (0.5f * _e6317)), vec3<f32>((0.25f * (_e6313 * (_e6028 + _e5957))), (0.25f * (_e6315 * (_e6170 + _e6099))), (0.25f * (_e6317 * (_e6312 + _e6241)))));
 }
 let _e6332 = phi_15912_;
 let _e6347 = select(0f, 1f, ((((((_e4659 >= -0.5f) && (_e4659 <= _e3957)) && (_e4665 >= -0.5f)) && (_e4665 <= _e4038)) && (_e4671 >= -0.5f)) && (_e4671 <= _e4119)));
@@ -2268,7 +2268,7 @@ let _e6389 = global_1.member.member_6.member_1.member.member_2;
 let _e6395 = global_1.member.member_6.member_2.member.member;
 let _e6401 = global_1.member.member_6.member_2.member.member_1;
 let _e6407 = global_1.member.member_6.member_2.member.member_2;
-phi_16615_ = type_35(_e5601, vec3<f32>(((((_e6359 * _e6349) + (_e6377 * _e6351)) + (_e6395 * _e6353)) * _e6347), ((((_e6365 * _e6349) + (_e6383 * _e6351)) + (_e6401 * _e6353)) * _e6347), ((((_e6371 * _e6349) + (_e6389 * _e6351)) + (_e6407 * _e6353)) * _e6347)), _e6332.member, vec3<f32>(((((_e6359 * _e6332.member_2.x) + (_e6377 * _e6332.member_2.y)) + (_e6395 * _e6332.member_2.z)) * _e6347), ((((_e6365 * _e6332.member_2.x) + (_e6383 * _e6332.member_2.y)) + (_e6401 * _e6332.member_2.z)) * _e6347), ((((_e6371 * _e6332.member_2.x) + (_e6389 * _e6332.member_2.y)) + (_e6407 * _e6332.member_2.z)) * _e6347)), vec3<f32>(((((_e6359 * _e6332.member_1.x) + (_e6377 * _e6332.member_1.y)) + (_e6395 * _e6332.member_1.z)) * _e6347), ((((_e6365 * _e6332.member_1.x) + (_e6383 * _e6332.member_1.y)) + (_e6401 * _e6332.member_1.z)) * _e6347), ((((_e6371 * _e6332.member_1.x) + (_e6389 * _e6332.member_1.y)) + (_e6407 * _e6332.member_1.z)) * _e6347)));
+phi_16615_ = type_34(_e5601, vec3<f32>(((((_e6359 * _e6349) + (_e6377 * _e6351)) + (_e6395 * _e6353)) * _e6347), ((((_e6365 * _e6349) + (_e6383 * _e6351)) + (_e6401 * _e6353)) * _e6347), ((((_e6371 * _e6349) + (_e6389 * _e6351)) + (_e6407 * _e6353)) * _e6347)), _e6332.member, vec3<f32>(((((_e6359 * _e6332.member_2.x) + (_e6377 * _e6332.member_2.y)) + (_e6395 * _e6332.member_2.z)) * _e6347), ((((_e6365 * _e6332.member_2.x) + (_e6383 * _e6332.member_2.y)) + (_e6401 * _e6332.member_2.z)) * _e6347), ((((_e6371 * _e6332.member_2.x) + (_e6389 * _e6332.member_2.y)) + (_e6407 * _e6332.member_2.z)) * _e6347)), vec3<f32>(((((_e6359 * _e6332.member_1.x) + (_e6377 * _e6332.member_1.y)) + (_e6395 * _e6332.member_1.z)) * _e6347), ((((_e6365 * _e6332.member_1.x) + (_e6383 * _e6332.member_1.y)) + (_e6401 * _e6332.member_1.z)) * _e6347), ((((_e6371 * _e6332.member_1.x) + (_e6389 * _e6332.member_1.y)) + (_e6407 * _e6332.member_1.z)) * _e6347)));
 } else {
 let _e6473 = select(-0.5f, _e4659, (_e4659 > -0.5f));
 let _e6475 = select(_e3957, _e6473, (_e6473 < _e3957));
@@ -2298,7 +2298,7 @@ let _e6550 = global_1.member.member_6.member_11.member_1;
 let _e6561 = ((_e6537 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6544) * ((_e6538 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6550) * (_e6539 >> bitcast<u32>(4i))))));
 let _e6563 = (bitcast<i32>(_e209) - 1i);
 let _e6565 = select(_e6563, _e6561, (_e6561 < _e6563));
-let _e6571 = global_4.member[bitcast<u32>(select(0i, _e6565, (_e6565 > 0i)))];
+let _e6571 = global_2.member[bitcast<u32>(select(0i, _e6565, (_e6565 > 0i)))];
 let _e6573 = (_e6537 & 15i);
 let _e6576 = ((_e6538 & 15i) * _e6532);
 let _e6578 = (bitcast<i32>(_e6571) + ((_e6539 & 15i) * _e6536));
@@ -2306,17 +2306,17 @@ let _e6579 = (_e6576 + _e6532);
 let _e6581 = (_e6576 + (2i * _e6532));
 let _e6582 = (_e6578 + _e6536);
 let _e6584 = (_e6578 + (2i * _e6536));
-local_6 = type_32(array<i32, 4>(_e6573, _e6573, _e6573, _e6573), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_6 = type_29(array<i32, 4>(_e6573, _e6573, _e6573, _e6573), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_7 = vec3<f32>((_e6475 - f32(_e6498)), (_e6479 - f32(_e6513)), (_e6483 - f32(_e6528)));
 let _e6598 = local_6.member[0u];
 let _e6599 = ((_e6582 + _e6579) + _e6598);
 let _e6601 = (_e6599 >> bitcast<u32>(2i));
 let _e6604 = bitcast<u32>(((_e6599 & 3i) * 8i));
 let _e6606 = select(_e6563, _e6601, (_e6601 < _e6563));
-let _e6611 = global_4.member[bitcast<u32>(select(0i, _e6606, (_e6606 > 0i)))];
+let _e6611 = global_2.member[bitcast<u32>(select(0i, _e6606, (_e6606 > 0i)))];
 let _e6615 = (_e6601 + 1i);
 let _e6617 = select(_e6563, _e6615, (_e6615 < _e6563));
-let _e6622 = global_4.member[bitcast<u32>(select(0i, _e6617, (_e6617 > 0i)))];
+let _e6622 = global_2.member[bitcast<u32>(select(0i, _e6617, (_e6617 > 0i)))];
 let _e6629 = ((_e6611 >> bitcast<u32>((_e6604 & 31u))) | ((_e6622 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6604) & 31u))));
 let _e6632 = local_6.member_1[1u];
 let _e6638 = f32(bitcast<i32>(((_e6629 >> bitcast<u32>((_e6632 & 31u))) & 255u)));
@@ -2328,10 +2328,10 @@ let _e6654 = ((_e6582 + _e6581) + _e6653);
 let _e6656 = (_e6654 >> bitcast<u32>(2i));
 let _e6659 = bitcast<u32>(((_e6654 & 3i) * 8i));
 let _e6661 = select(_e6563, _e6656, (_e6656 < _e6563));
-let _e6666 = global_4.member[bitcast<u32>(select(0i, _e6661, (_e6661 > 0i)))];
+let _e6666 = global_2.member[bitcast<u32>(select(0i, _e6661, (_e6661 > 0i)))];
 let _e6670 = (_e6656 + 1i);
 let _e6672 = select(_e6563, _e6670, (_e6670 < _e6563));
-let _e6677 = global_4.member[bitcast<u32>(select(0i, _e6672, (_e6672 > 0i)))];
+let _e6677 = global_2.member[bitcast<u32>(select(0i, _e6672, (_e6672 > 0i)))];
 let _e6684 = ((_e6666 >> bitcast<u32>((_e6659 & 31u))) | ((_e6677 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6659) & 31u))));
 let _e6685 = local_6.member_1[1u];
 let _e6691 = f32(bitcast<i32>(((_e6684 >> bitcast<u32>((_e6685 & 31u))) & 255u)));
@@ -2344,10 +2344,10 @@ let _e6710 = ((_e6584 + _e6579) + _e6709);
 let _e6712 = (_e6710 >> bitcast<u32>(2i));
 let _e6715 = bitcast<u32>(((_e6710 & 3i) * 8i));
 let _e6717 = select(_e6563, _e6712, (_e6712 < _e6563));
-let _e6722 = global_4.member[bitcast<u32>(select(0i, _e6717, (_e6717 > 0i)))];
+let _e6722 = global_2.member[bitcast<u32>(select(0i, _e6717, (_e6717 > 0i)))];
 let _e6726 = (_e6712 + 1i);
 let _e6728 = select(_e6563, _e6726, (_e6726 < _e6563));
-let _e6733 = global_4.member[bitcast<u32>(select(0i, _e6728, (_e6728 > 0i)))];
+let _e6733 = global_2.member[bitcast<u32>(select(0i, _e6728, (_e6728 > 0i)))];
 let _e6740 = ((_e6722 >> bitcast<u32>((_e6715 & 31u))) | ((_e6733 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6715) & 31u))));
 let _e6741 = local_6.member_1[1u];
 let _e6747 = f32(bitcast<i32>(((_e6740 >> bitcast<u32>((_e6741 & 31u))) & 255u)));
@@ -2359,10 +2359,10 @@ let _e6761 = ((_e6584 + _e6581) + _e6760);
 let _e6763 = (_e6761 >> bitcast<u32>(2i));
 let _e6766 = bitcast<u32>(((_e6761 & 3i) * 8i));
 let _e6768 = select(_e6563, _e6763, (_e6763 < _e6563));
-let _e6773 = global_4.member[bitcast<u32>(select(0i, _e6768, (_e6768 > 0i)))];
+let _e6773 = global_2.member[bitcast<u32>(select(0i, _e6768, (_e6768 > 0i)))];
 let _e6777 = (_e6763 + 1i);
 let _e6779 = select(_e6563, _e6777, (_e6777 < _e6563));
-let _e6784 = global_4.member[bitcast<u32>(select(0i, _e6779, (_e6779 > 0i)))];
+let _e6784 = global_2.member[bitcast<u32>(select(0i, _e6779, (_e6779 > 0i)))];
 let _e6791 = ((_e6773 >> bitcast<u32>((_e6766 & 31u))) | ((_e6784 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6766) & 31u))));
 let _e6792 = local_6.member_1[1u];
 let _e6798 = f32(bitcast<i32>(((_e6791 >> bitcast<u32>((_e6792 & 31u))) & 255u)));
@@ -2375,11 +2375,11 @@ let _e6826 = global_1.member.member_6.member_5;
 let _e6828 = (((_e6707 + (((_e6758 + (((_e6798 + ((f32(bitcast<i32>(((_e6791 >> bitcast<u32>((_e6799 & 31u))) & 255u))) - _e6798) * _e6806)) - _e6758) * _e6810)) - _e6707) * _e6815)) - _e6822) * _e6826);
 let _e6829 = -(1e9f);
 let _e6831 = select(_e6829, _e6828, (_e6828 > _e6829));
-phi_16615_ = type_35(select(1e9f, _e6831, (_e6831 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_16615_ = type_34(select(1e9f, _e6831, (_e6831 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e6836 = phi_16615_;
 if _e2723 {
-phi_17007_ = type_5(1f, 1f, 1f);
+phi_17007_ = type_7(1f, 1f, 1f);
 } else {
 let _e6840 = global_1.member.member_14.member;
 let _e6851 = ((((_e6840.member.member * _e3793.member.x) + (_e6840.member.member_1 * _e3793.member.y)) + (_e6840.member.member_2 * _e3793.member.z)) + _e6840.member_1);
@@ -2425,7 +2425,7 @@ let _e7018 = select(0f, _e7016, (_e7016 > 0f));
 let _e7024 = select(select(select(1f, _e7018, (_e7018 < 1f)), 1f, (_e7011 <= 0f)), 0f, (_e7009 > 0f));
 let _e7029 = global_1.member.member_17.member_1;
 let _e7030 = (_e7029 != 0u);
-phi_17007_ = type_5(((((1f * _e6874) * _e6924) * _e6974) * _e7024), ((((1f * select(1f, _e6874, _e6880)) * select(1f, _e6924, _e6930)) * select(1f, _e6974, _e6980)) * select(1f, _e7024, _e7030)), ((((1f * select(1f, 0f, (_e6880 && (_e6857 > 0f)))) * select(1f, 0f, (_e6930 && (_e6907 > 0f)))) * select(1f, 0f, (_e6980 && (_e6957 > 0f)))) * select(1f, 0f, (_e7030 && (_e7007 > 0f)))));
+phi_17007_ = type_7(((((1f * _e6874) * _e6924) * _e6974) * _e7024), ((((1f * select(1f, _e6874, _e6880)) * select(1f, _e6924, _e6930)) * select(1f, _e6974, _e6980)) * select(1f, _e7024, _e7030)), ((((1f * select(1f, 0f, (_e6880 && (_e6857 > 0f)))) * select(1f, 0f, (_e6930 && (_e6907 > 0f)))) * select(1f, 0f, (_e6980 && (_e6957 > 0f)))) * select(1f, 0f, (_e7030 && (_e7007 > 0f)))));
 }
 let _e7039 = phi_17007_;
 let _e7042 = (select(0f, (_e4539 - 0.5f), _e4521) * _e3888);
@@ -2460,7 +2460,7 @@ let _e7127 = global_1.member.member_6.member_11.member_1;
 let _e7138 = ((_e7114 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7121) * ((_e7115 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7127) * (_e7116 >> bitcast<u32>(4i))))));
 let _e7140 = (bitcast<i32>(_e209) - 1i);
 let _e7142 = select(_e7140, _e7138, (_e7138 < _e7140));
-let _e7148 = global_4.member[bitcast<u32>(select(0i, _e7142, (_e7142 > 0i)))];
+let _e7148 = global_2.member[bitcast<u32>(select(0i, _e7142, (_e7142 > 0i)))];
 let _e7150 = (_e7114 & 15i);
 let _e7153 = ((_e7115 & 15i) * _e7109);
 let _e7155 = (bitcast<i32>(_e7148) + ((_e7116 & 15i) * _e7113));
@@ -2468,17 +2468,17 @@ let _e7156 = (_e7153 + _e7109);
 let _e7158 = (_e7153 + (2i * _e7109));
 let _e7159 = (_e7155 + _e7113);
 let _e7161 = (_e7155 + (2i * _e7113));
-local_4 = type_32(array<i32, 4>(_e7150, _e7150, _e7150, _e7150), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_4 = type_29(array<i32, 4>(_e7150, _e7150, _e7150, _e7150), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_5 = vec3<f32>((_e7052 - f32(_e7075)), (_e7056 - f32(_e7090)), (_e7060 - f32(_e7105)));
 let _e7175 = local_4.member[0u];
 let _e7176 = ((_e7159 + _e7156) + _e7175);
 let _e7178 = (_e7176 >> bitcast<u32>(2i));
 let _e7181 = bitcast<u32>(((_e7176 & 3i) * 8i));
 let _e7183 = select(_e7140, _e7178, (_e7178 < _e7140));
-let _e7188 = global_4.member[bitcast<u32>(select(0i, _e7183, (_e7183 > 0i)))];
+let _e7188 = global_2.member[bitcast<u32>(select(0i, _e7183, (_e7183 > 0i)))];
 let _e7192 = (_e7178 + 1i);
 let _e7194 = select(_e7140, _e7192, (_e7192 < _e7140));
-let _e7199 = global_4.member[bitcast<u32>(select(0i, _e7194, (_e7194 > 0i)))];
+let _e7199 = global_2.member[bitcast<u32>(select(0i, _e7194, (_e7194 > 0i)))];
 let _e7206 = ((_e7188 >> bitcast<u32>((_e7181 & 31u))) | ((_e7199 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7181) & 31u))));
 let _e7209 = local_4.member_1[1u];
 let _e7215 = f32(bitcast<i32>(((_e7206 >> bitcast<u32>((_e7209 & 31u))) & 255u)));
@@ -2490,10 +2490,10 @@ let _e7231 = ((_e7159 + _e7158) + _e7230);
 let _e7233 = (_e7231 >> bitcast<u32>(2i));
 let _e7236 = bitcast<u32>(((_e7231 & 3i) * 8i));
 let _e7238 = select(_e7140, _e7233, (_e7233 < _e7140));
-let _e7243 = global_4.member[bitcast<u32>(select(0i, _e7238, (_e7238 > 0i)))];
+let _e7243 = global_2.member[bitcast<u32>(select(0i, _e7238, (_e7238 > 0i)))];
 let _e7247 = (_e7233 + 1i);
 let _e7249 = select(_e7140, _e7247, (_e7247 < _e7140));
-let _e7254 = global_4.member[bitcast<u32>(select(0i, _e7249, (_e7249 > 0i)))];
+let _e7254 = global_2.member[bitcast<u32>(select(0i, _e7249, (_e7249 > 0i)))];
 let _e7261 = ((_e7243 >> bitcast<u32>((_e7236 & 31u))) | ((_e7254 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7236) & 31u))));
 let _e7262 = local_4.member_1[1u];
 let _e7268 = f32(bitcast<i32>(((_e7261 >> bitcast<u32>((_e7262 & 31u))) & 255u)));
@@ -2506,10 +2506,10 @@ let _e7287 = ((_e7161 + _e7156) + _e7286);
 let _e7289 = (_e7287 >> bitcast<u32>(2i));
 let _e7292 = bitcast<u32>(((_e7287 & 3i) * 8i));
 let _e7294 = select(_e7140, _e7289, (_e7289 < _e7140));
-let _e7299 = global_4.member[bitcast<u32>(select(0i, _e7294, (_e7294 > 0i)))];
+let _e7299 = global_2.member[bitcast<u32>(select(0i, _e7294, (_e7294 > 0i)))];
 let _e7303 = (_e7289 + 1i);
 let _e7305 = select(_e7140, _e7303, (_e7303 < _e7140));
-let _e7310 = global_4.member[bitcast<u32>(select(0i, _e7305, (_e7305 > 0i)))];
+let _e7310 = global_2.member[bitcast<u32>(select(0i, _e7305, (_e7305 > 0i)))];
 let _e7317 = ((_e7299 >> bitcast<u32>((_e7292 & 31u))) | ((_e7310 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7292) & 31u))));
 let _e7318 = local_4.member_1[1u];
 let _e7324 = f32(bitcast<i32>(((_e7317 >> bitcast<u32>((_e7318 & 31u))) & 255u)));
@@ -2521,10 +2521,10 @@ let _e7338 = ((_e7161 + _e7158) + _e7337);
 let _e7340 = (_e7338 >> bitcast<u32>(2i));
 let _e7343 = bitcast<u32>(((_e7338 & 3i) * 8i));
 let _e7345 = select(_e7140, _e7340, (_e7340 < _e7140));
-let _e7350 = global_4.member[bitcast<u32>(select(0i, _e7345, (_e7345 > 0i)))];
+let _e7350 = global_2.member[bitcast<u32>(select(0i, _e7345, (_e7345 > 0i)))];
 let _e7354 = (_e7340 + 1i);
 let _e7356 = select(_e7140, _e7354, (_e7354 < _e7140));
-let _e7361 = global_4.member[bitcast<u32>(select(0i, _e7356, (_e7356 > 0i)))];
+let _e7361 = global_2.member[bitcast<u32>(select(0i, _e7356, (_e7356 > 0i)))];
 let _e7368 = ((_e7350 >> bitcast<u32>((_e7343 & 31u))) | ((_e7361 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7343) & 31u))));
 let _e7369 = local_4.member_1[1u];
 let _e7375 = f32(bitcast<i32>(((_e7368 >> bitcast<u32>((_e7369 & 31u))) & 255u)));
@@ -2543,41 +2543,41 @@ local_3 = _e7411;
 let _e7412 = local_3;
 let _e7414 = (bitcast<i32>(_e212) - 1i);
 let _e7416 = select(_e7414, 263197i, (263197i < _e7414));
-let _e7421 = global_5.member[bitcast<u32>(select(0i, _e7416, (_e7416 > 0i)))];
+let _e7421 = global_3.member[bitcast<u32>(select(0i, _e7416, (_e7416 > 0i)))];
 let _e7424 = select(_e7414, 263198i, (263198i < _e7414));
-let _e7429 = global_5.member[bitcast<u32>(select(0i, _e7424, (_e7424 > 0i)))];
+let _e7429 = global_3.member[bitcast<u32>(select(0i, _e7424, (_e7424 > 0i)))];
 let _e7432 = select(_e7414, 263199i, (263199i < _e7414));
-let _e7437 = global_5.member[bitcast<u32>(select(0i, _e7432, (_e7432 > 0i)))];
+let _e7437 = global_3.member[bitcast<u32>(select(0i, _e7432, (_e7432 > 0i)))];
 let _e7438 = bitcast<f32>(_e7437);
 let _e7440 = ((_e7412 - bitcast<f32>(_e7421)) * bitcast<f32>(_e7429));
 let _e7442 = select(0f, _e7440, (_e7440 > 0f));
 let _e7445 = local_3;
 let _e7447 = select(_e7414, 263200i, (263200i < _e7414));
-let _e7452 = global_5.member[bitcast<u32>(select(0i, _e7447, (_e7447 > 0i)))];
+let _e7452 = global_3.member[bitcast<u32>(select(0i, _e7447, (_e7447 > 0i)))];
 let _e7455 = select(_e7414, 263201i, (263201i < _e7414));
-let _e7460 = global_5.member[bitcast<u32>(select(0i, _e7455, (_e7455 > 0i)))];
+let _e7460 = global_3.member[bitcast<u32>(select(0i, _e7455, (_e7455 > 0i)))];
 let _e7463 = select(_e7414, 263202i, (263202i < _e7414));
-let _e7468 = global_5.member[bitcast<u32>(select(0i, _e7463, (_e7463 > 0i)))];
+let _e7468 = global_3.member[bitcast<u32>(select(0i, _e7463, (_e7463 > 0i)))];
 let _e7469 = bitcast<f32>(_e7468);
 let _e7471 = ((_e7445 - bitcast<f32>(_e7452)) * bitcast<f32>(_e7460));
 let _e7473 = select(0f, _e7471, (_e7471 > 0f));
 let _e7477 = local_3;
 let _e7479 = select(_e7414, 263203i, (263203i < _e7414));
-let _e7484 = global_5.member[bitcast<u32>(select(0i, _e7479, (_e7479 > 0i)))];
+let _e7484 = global_3.member[bitcast<u32>(select(0i, _e7479, (_e7479 > 0i)))];
 let _e7487 = select(_e7414, 263204i, (263204i < _e7414));
-let _e7492 = global_5.member[bitcast<u32>(select(0i, _e7487, (_e7487 > 0i)))];
+let _e7492 = global_3.member[bitcast<u32>(select(0i, _e7487, (_e7487 > 0i)))];
 let _e7495 = select(_e7414, 263205i, (263205i < _e7414));
-let _e7500 = global_5.member[bitcast<u32>(select(0i, _e7495, (_e7495 > 0i)))];
+let _e7500 = global_3.member[bitcast<u32>(select(0i, _e7495, (_e7495 > 0i)))];
 let _e7501 = bitcast<f32>(_e7500);
 let _e7503 = ((_e7477 - bitcast<f32>(_e7484)) * bitcast<f32>(_e7492));
 let _e7505 = select(0f, _e7503, (_e7503 > 0f));
 let _e7508 = local_3;
 let _e7510 = select(_e7414, 263206i, (263206i < _e7414));
-let _e7515 = global_5.member[bitcast<u32>(select(0i, _e7510, (_e7510 > 0i)))];
+let _e7515 = global_3.member[bitcast<u32>(select(0i, _e7510, (_e7510 > 0i)))];
 let _e7518 = select(_e7414, 263207i, (263207i < _e7414));
-let _e7523 = global_5.member[bitcast<u32>(select(0i, _e7518, (_e7518 > 0i)))];
+let _e7523 = global_3.member[bitcast<u32>(select(0i, _e7518, (_e7518 > 0i)))];
 let _e7526 = select(_e7414, 263208i, (263208i < _e7414));
-let _e7531 = global_5.member[bitcast<u32>(select(0i, _e7526, (_e7526 > 0i)))];
+let _e7531 = global_3.member[bitcast<u32>(select(0i, _e7526, (_e7526 > 0i)))];
 let _e7532 = bitcast<f32>(_e7531);
 let _e7534 = ((_e7508 - bitcast<f32>(_e7515)) * bitcast<f32>(_e7523));
 let _e7536 = select(0f, _e7534, (_e7534 > 0f));
@@ -2588,13 +2588,13 @@ let _e7551 = select(0i, select(select(i32(_e7544), i32(-2147483648), (_e7544 < -
 let _e7555 = (_e7551 - select(0i, 1i, (_e7544 < f32(_e7551))));
 let _e7556 = (262147i + _e7555);
 let _e7558 = select(_e7414, _e7556, (_e7556 < _e7414));
-let _e7564 = global_5.member[bitcast<u32>(select(0i, _e7558, (_e7558 > 0i)))];
+let _e7564 = global_3.member[bitcast<u32>(select(0i, _e7558, (_e7558 > 0i)))];
 let _e7574 = select(_e7414, 262146i, (262146i < _e7414));
-let _e7580 = global_5.member[bitcast<u32>(select(0i, _e7574, (_e7574 > 0i)))];
+let _e7580 = global_3.member[bitcast<u32>(select(0i, _e7574, (_e7574 > 0i)))];
 let _e7584 = select(_e7414, 262144i, (262144i < _e7414));
-let _e7590 = global_5.member[bitcast<u32>(select(0i, _e7584, (_e7584 > 0i)))];
+let _e7590 = global_3.member[bitcast<u32>(select(0i, _e7584, (_e7584 > 0i)))];
 let _e7593 = select(_e7414, 262145i, (262145i < _e7414));
-let _e7599 = global_5.member[bitcast<u32>(select(0i, _e7593, (_e7593 > 0i)))];
+let _e7599 = global_3.member[bitcast<u32>(select(0i, _e7593, (_e7593 > 0i)))];
 let _e7606 = ((bitcast<f32>(_e7590) + (f32(bitcast<i32>((_e7564 >> bitcast<u32>(12u)))) * bitcast<f32>(_e7599))) + ((f32((bitcast<i32>((_e7564 & 4095u)) - 2048i)) * bitcast<f32>(_e7580)) * (_e7540 - f32(_e7555))));
 let _e7607 = select(1f, _e7606, _e3806);
 let _e7608 = select(_e7606, 1f, _e3806);
@@ -2659,97 +2659,97 @@ let _e7793 = (((sqrt(select(0f, _e7688, (_e7688 > 0f))) * select(0f, _e7784, (_e
 local_1 = _e7679;
 let _e7794 = local_1;
 let _e7796 = select(_e7414, 263171i, (263171i < _e7414));
-let _e7801 = global_5.member[bitcast<u32>(select(0i, _e7796, (_e7796 > 0i)))];
+let _e7801 = global_3.member[bitcast<u32>(select(0i, _e7796, (_e7796 > 0i)))];
 let _e7802 = bitcast<f32>(_e7801);
 let _e7804 = select(_e7414, 263172i, (263172i < _e7414));
-let _e7809 = global_5.member[bitcast<u32>(select(0i, _e7804, (_e7804 > 0i)))];
+let _e7809 = global_3.member[bitcast<u32>(select(0i, _e7804, (_e7804 > 0i)))];
 let _e7810 = bitcast<f32>(_e7809);
 let _e7812 = select(_e7414, 263173i, (263173i < _e7414));
-let _e7817 = global_5.member[bitcast<u32>(select(0i, _e7812, (_e7812 > 0i)))];
+let _e7817 = global_3.member[bitcast<u32>(select(0i, _e7812, (_e7812 > 0i)))];
 let _e7818 = bitcast<f32>(_e7817);
 let _e7820 = ((_e7794 - _e7802) * _e7810);
 let _e7822 = select(0f, _e7820, (_e7820 > 0f));
 let _e7825 = local_1;
 let _e7827 = select(_e7414, 263174i, (263174i < _e7414));
-let _e7832 = global_5.member[bitcast<u32>(select(0i, _e7827, (_e7827 > 0i)))];
+let _e7832 = global_3.member[bitcast<u32>(select(0i, _e7827, (_e7827 > 0i)))];
 let _e7833 = bitcast<f32>(_e7832);
 let _e7835 = select(_e7414, 263175i, (263175i < _e7414));
-let _e7840 = global_5.member[bitcast<u32>(select(0i, _e7835, (_e7835 > 0i)))];
+let _e7840 = global_3.member[bitcast<u32>(select(0i, _e7835, (_e7835 > 0i)))];
 let _e7841 = bitcast<f32>(_e7840);
 let _e7843 = select(_e7414, 263176i, (263176i < _e7414));
-let _e7848 = global_5.member[bitcast<u32>(select(0i, _e7843, (_e7843 > 0i)))];
+let _e7848 = global_3.member[bitcast<u32>(select(0i, _e7843, (_e7843 > 0i)))];
 let _e7849 = bitcast<f32>(_e7848);
 let _e7851 = ((_e7825 - _e7833) * _e7841);
 let _e7853 = select(0f, _e7851, (_e7851 > 0f));
 let _e7857 = local_1;
 let _e7859 = select(_e7414, 263177i, (263177i < _e7414));
-let _e7864 = global_5.member[bitcast<u32>(select(0i, _e7859, (_e7859 > 0i)))];
+let _e7864 = global_3.member[bitcast<u32>(select(0i, _e7859, (_e7859 > 0i)))];
 let _e7865 = bitcast<f32>(_e7864);
 let _e7867 = select(_e7414, 263178i, (263178i < _e7414));
-let _e7872 = global_5.member[bitcast<u32>(select(0i, _e7867, (_e7867 > 0i)))];
+let _e7872 = global_3.member[bitcast<u32>(select(0i, _e7867, (_e7867 > 0i)))];
 let _e7873 = bitcast<f32>(_e7872);
 let _e7875 = select(_e7414, 263179i, (263179i < _e7414));
-let _e7880 = global_5.member[bitcast<u32>(select(0i, _e7875, (_e7875 > 0i)))];
+let _e7880 = global_3.member[bitcast<u32>(select(0i, _e7875, (_e7875 > 0i)))];
 let _e7881 = bitcast<f32>(_e7880);
 let _e7883 = ((_e7857 - _e7865) * _e7873);
 let _e7885 = select(0f, _e7883, (_e7883 > 0f));
 let _e7888 = local_1;
 let _e7890 = select(_e7414, 263180i, (263180i < _e7414));
-let _e7895 = global_5.member[bitcast<u32>(select(0i, _e7890, (_e7890 > 0i)))];
+let _e7895 = global_3.member[bitcast<u32>(select(0i, _e7890, (_e7890 > 0i)))];
 let _e7896 = bitcast<f32>(_e7895);
 let _e7898 = select(_e7414, 263181i, (263181i < _e7414));
-let _e7903 = global_5.member[bitcast<u32>(select(0i, _e7898, (_e7898 > 0i)))];
+let _e7903 = global_3.member[bitcast<u32>(select(0i, _e7898, (_e7898 > 0i)))];
 let _e7904 = bitcast<f32>(_e7903);
 let _e7906 = select(_e7414, 263182i, (263182i < _e7414));
-let _e7911 = global_5.member[bitcast<u32>(select(0i, _e7906, (_e7906 > 0i)))];
+let _e7911 = global_3.member[bitcast<u32>(select(0i, _e7906, (_e7906 > 0i)))];
 let _e7912 = bitcast<f32>(_e7911);
 let _e7914 = ((_e7888 - _e7896) * _e7904);
 let _e7916 = select(0f, _e7914, (_e7914 > 0f));
 let _e7921 = local_1;
 let _e7923 = select(_e7414, 263183i, (263183i < _e7414));
-let _e7928 = global_5.member[bitcast<u32>(select(0i, _e7923, (_e7923 > 0i)))];
+let _e7928 = global_3.member[bitcast<u32>(select(0i, _e7923, (_e7923 > 0i)))];
 let _e7929 = bitcast<f32>(_e7928);
 let _e7931 = select(_e7414, 263184i, (263184i < _e7414));
-let _e7936 = global_5.member[bitcast<u32>(select(0i, _e7931, (_e7931 > 0i)))];
+let _e7936 = global_3.member[bitcast<u32>(select(0i, _e7931, (_e7931 > 0i)))];
 let _e7937 = bitcast<f32>(_e7936);
 let _e7939 = select(_e7414, 263185i, (263185i < _e7414));
-let _e7944 = global_5.member[bitcast<u32>(select(0i, _e7939, (_e7939 > 0i)))];
+let _e7944 = global_3.member[bitcast<u32>(select(0i, _e7939, (_e7939 > 0i)))];
 let _e7945 = bitcast<f32>(_e7944);
 let _e7947 = ((_e7921 - _e7929) * _e7937);
 let _e7949 = select(0f, _e7947, (_e7947 > 0f));
 let _e7952 = local_1;
 let _e7954 = select(_e7414, 263186i, (263186i < _e7414));
-let _e7959 = global_5.member[bitcast<u32>(select(0i, _e7954, (_e7954 > 0i)))];
+let _e7959 = global_3.member[bitcast<u32>(select(0i, _e7954, (_e7954 > 0i)))];
 let _e7960 = bitcast<f32>(_e7959);
 let _e7962 = select(_e7414, 263187i, (263187i < _e7414));
-let _e7967 = global_5.member[bitcast<u32>(select(0i, _e7962, (_e7962 > 0i)))];
+let _e7967 = global_3.member[bitcast<u32>(select(0i, _e7962, (_e7962 > 0i)))];
 let _e7968 = bitcast<f32>(_e7967);
 let _e7970 = select(_e7414, 263188i, (263188i < _e7414));
-let _e7975 = global_5.member[bitcast<u32>(select(0i, _e7970, (_e7970 > 0i)))];
+let _e7975 = global_3.member[bitcast<u32>(select(0i, _e7970, (_e7970 > 0i)))];
 let _e7976 = bitcast<f32>(_e7975);
 let _e7978 = ((_e7952 - _e7960) * _e7968);
 let _e7980 = select(0f, _e7978, (_e7978 > 0f));
 let _e7984 = local_1;
 let _e7986 = select(_e7414, 263189i, (263189i < _e7414));
-let _e7991 = global_5.member[bitcast<u32>(select(0i, _e7986, (_e7986 > 0i)))];
+let _e7991 = global_3.member[bitcast<u32>(select(0i, _e7986, (_e7986 > 0i)))];
 let _e7992 = bitcast<f32>(_e7991);
 let _e7994 = select(_e7414, 263190i, (263190i < _e7414));
-let _e7999 = global_5.member[bitcast<u32>(select(0i, _e7994, (_e7994 > 0i)))];
+let _e7999 = global_3.member[bitcast<u32>(select(0i, _e7994, (_e7994 > 0i)))];
 let _e8000 = bitcast<f32>(_e7999);
 let _e8002 = select(_e7414, 263191i, (263191i < _e7414));
-let _e8007 = global_5.member[bitcast<u32>(select(0i, _e8002, (_e8002 > 0i)))];
+let _e8007 = global_3.member[bitcast<u32>(select(0i, _e8002, (_e8002 > 0i)))];
 let _e8008 = bitcast<f32>(_e8007);
 let _e8010 = ((_e7984 - _e7992) * _e8000);
 let _e8012 = select(0f, _e8010, (_e8010 > 0f));
 let _e8015 = local_1;
 let _e8017 = select(_e7414, 263192i, (263192i < _e7414));
-let _e8022 = global_5.member[bitcast<u32>(select(0i, _e8017, (_e8017 > 0i)))];
+let _e8022 = global_3.member[bitcast<u32>(select(0i, _e8017, (_e8017 > 0i)))];
 let _e8023 = bitcast<f32>(_e8022);
 let _e8025 = select(_e7414, 263193i, (263193i < _e7414));
-let _e8030 = global_5.member[bitcast<u32>(select(0i, _e8025, (_e8025 > 0i)))];
+let _e8030 = global_3.member[bitcast<u32>(select(0i, _e8025, (_e8025 > 0i)))];
 let _e8031 = bitcast<f32>(_e8030);
 let _e8033 = select(_e7414, 263194i, (263194i < _e7414));
-let _e8038 = global_5.member[bitcast<u32>(select(0i, _e8033, (_e8033 > 0i)))];
+let _e8038 = global_3.member[bitcast<u32>(select(0i, _e8033, (_e8033 > 0i)))];
 let _e8039 = bitcast<f32>(_e8038);
 let _e8041 = ((_e8015 - _e8023) * _e8031);
 let _e8043 = select(0f, _e8041, (_e8041 > 0f));
@@ -2790,10 +2790,10 @@ let _e8131 = select(_e8112, _e8129, (_e8129 < _e8112));
 let _e8138 = select(0i, select(select(i32(_e8131), i32(-2147483648), (_e8131 < -2147483600f)), 2147483647i, (_e8131 > 2147483500f)), (_e8131 == _e8131));
 let _e8142 = (_e8138 - select(0i, 1i, (_e8131 < f32(_e8138))));
 let _e8144 = select(_e7414, 263195i, (263195i < _e7414));
-let _e8150 = global_5.member[bitcast<u32>(select(0i, _e8144, (_e8144 > 0i)))];
+let _e8150 = global_3.member[bitcast<u32>(select(0i, _e8144, (_e8144 > 0i)))];
 let _e8151 = bitcast<f32>(_e8150);
 let _e8153 = select(_e7414, 263196i, (263196i < _e7414));
-let _e8159 = global_5.member[bitcast<u32>(select(0i, _e8153, (_e8153 > 0i)))];
+let _e8159 = global_3.member[bitcast<u32>(select(0i, _e8153, (_e8153 > 0i)))];
 let _e8160 = bitcast<f32>(_e8159);
 let _e8161 = (_e6836.member - _e7679);
 let _e8167 = (1f / select(_e8161, 1f, (bitcast<f32>((bitcast<u32>(_e8161) & 2147483647u)) < 1e-20f)));
@@ -2804,20 +2804,20 @@ let _e8184 = (_e8048 - f32(_e8127));
 let _e8186 = (_e8111 - f32(_e8142));
 let _e8188 = (1f - (_e8173 + _e8179));
 let _e8190 = select(_e7414, _e8182, (_e8182 < _e7414));
-let _e8196 = global_5.member[bitcast<u32>(select(0i, _e8190, (_e8190 > 0i)))];
+let _e8196 = global_3.member[bitcast<u32>(select(0i, _e8190, (_e8190 > 0i)))];
 let _e8197 = (_e8182 + 4i);
 let _e8199 = select(_e7414, _e8197, (_e8197 < _e7414));
-let _e8205 = global_5.member[bitcast<u32>(select(0i, _e8199, (_e8199 > 0i)))];
+let _e8205 = global_3.member[bitcast<u32>(select(0i, _e8199, (_e8199 > 0i)))];
 let _e8206 = (_e8182 + 1024i);
 let _e8208 = select(_e7414, _e8206, (_e8206 < _e7414));
-let _e8214 = global_5.member[bitcast<u32>(select(0i, _e8208, (_e8208 > 0i)))];
+let _e8214 = global_3.member[bitcast<u32>(select(0i, _e8208, (_e8208 > 0i)))];
 let _e8215 = (_e8182 + 1028i);
 let _e8217 = select(_e7414, _e8215, (_e8215 < _e7414));
-let _e8223 = global_5.member[bitcast<u32>(select(0i, _e8217, (_e8217 > 0i)))];
+let _e8223 = global_3.member[bitcast<u32>(select(0i, _e8217, (_e8217 > 0i)))];
 let _e8225 = select(_e7414, 0i, (0i < _e7414));
-let _e8231 = global_5.member[bitcast<u32>(select(0i, _e8225, (_e8225 > 0i)))];
+let _e8231 = global_3.member[bitcast<u32>(select(0i, _e8225, (_e8225 > 0i)))];
 let _e8233 = select(_e7414, 262140i, (262140i < _e7414));
-let _e8239 = global_5.member[bitcast<u32>(select(0i, _e8233, (_e8233 > 0i)))];
+let _e8239 = global_3.member[bitcast<u32>(select(0i, _e8233, (_e8233 > 0i)))];
 let _e8244 = (bitcast<f32>(((_e8196 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8252 = (_e8244 + (((bitcast<f32>(((_e8205 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8244) * _e8186));
 let _e8257 = (bitcast<f32>(((_e8214 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2827,20 +2827,20 @@ let _e8308 = (_e8300 + (((bitcast<f32>((((_e8205 >> bitcast<u32>(16i)) & 32767u)
 let _e8313 = (bitcast<f32>((((_e8214 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8340 = (_e8182 + 1i);
 let _e8342 = select(_e7414, _e8340, (_e8340 < _e7414));
-let _e8348 = global_5.member[bitcast<u32>(select(0i, _e8342, (_e8342 > 0i)))];
+let _e8348 = global_3.member[bitcast<u32>(select(0i, _e8342, (_e8342 > 0i)))];
 let _e8349 = (_e8182 + 5i);
 let _e8351 = select(_e7414, _e8349, (_e8349 < _e7414));
-let _e8357 = global_5.member[bitcast<u32>(select(0i, _e8351, (_e8351 > 0i)))];
+let _e8357 = global_3.member[bitcast<u32>(select(0i, _e8351, (_e8351 > 0i)))];
 let _e8358 = (_e8182 + 1025i);
 let _e8360 = select(_e7414, _e8358, (_e8358 < _e7414));
-let _e8366 = global_5.member[bitcast<u32>(select(0i, _e8360, (_e8360 > 0i)))];
+let _e8366 = global_3.member[bitcast<u32>(select(0i, _e8360, (_e8360 > 0i)))];
 let _e8367 = (_e8182 + 1029i);
 let _e8369 = select(_e7414, _e8367, (_e8367 < _e7414));
-let _e8375 = global_5.member[bitcast<u32>(select(0i, _e8369, (_e8369 > 0i)))];
+let _e8375 = global_3.member[bitcast<u32>(select(0i, _e8369, (_e8369 > 0i)))];
 let _e8377 = select(_e7414, 1i, (1i < _e7414));
-let _e8383 = global_5.member[bitcast<u32>(select(0i, _e8377, (_e8377 > 0i)))];
+let _e8383 = global_3.member[bitcast<u32>(select(0i, _e8377, (_e8377 > 0i)))];
 let _e8385 = select(_e7414, 262141i, (262141i < _e7414));
-let _e8391 = global_5.member[bitcast<u32>(select(0i, _e8385, (_e8385 > 0i)))];
+let _e8391 = global_3.member[bitcast<u32>(select(0i, _e8385, (_e8385 > 0i)))];
 let _e8396 = (bitcast<f32>(((_e8348 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8404 = (_e8396 + (((bitcast<f32>(((_e8357 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8396) * _e8186));
 let _e8409 = (bitcast<f32>(((_e8366 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2849,20 +2849,20 @@ let _e8460 = (_e8452 + (((bitcast<f32>((((_e8357 >> bitcast<u32>(16i)) & 32767u)
 let _e8465 = (bitcast<f32>((((_e8366 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8492 = (_e8182 + 2i);
 let _e8494 = select(_e7414, _e8492, (_e8492 < _e7414));
-let _e8500 = global_5.member[bitcast<u32>(select(0i, _e8494, (_e8494 > 0i)))];
+let _e8500 = global_3.member[bitcast<u32>(select(0i, _e8494, (_e8494 > 0i)))];
 let _e8501 = (_e8182 + 6i);
 let _e8503 = select(_e7414, _e8501, (_e8501 < _e7414));
-let _e8509 = global_5.member[bitcast<u32>(select(0i, _e8503, (_e8503 > 0i)))];
+let _e8509 = global_3.member[bitcast<u32>(select(0i, _e8503, (_e8503 > 0i)))];
 let _e8510 = (_e8182 + 1026i);
 let _e8512 = select(_e7414, _e8510, (_e8510 < _e7414));
-let _e8518 = global_5.member[bitcast<u32>(select(0i, _e8512, (_e8512 > 0i)))];
+let _e8518 = global_3.member[bitcast<u32>(select(0i, _e8512, (_e8512 > 0i)))];
 let _e8519 = (_e8182 + 1030i);
 let _e8521 = select(_e7414, _e8519, (_e8519 < _e7414));
-let _e8527 = global_5.member[bitcast<u32>(select(0i, _e8521, (_e8521 > 0i)))];
+let _e8527 = global_3.member[bitcast<u32>(select(0i, _e8521, (_e8521 > 0i)))];
 let _e8529 = select(_e7414, 2i, (2i < _e7414));
-let _e8535 = global_5.member[bitcast<u32>(select(0i, _e8529, (_e8529 > 0i)))];
+let _e8535 = global_3.member[bitcast<u32>(select(0i, _e8529, (_e8529 > 0i)))];
 let _e8537 = select(_e7414, 262142i, (262142i < _e7414));
-let _e8543 = global_5.member[bitcast<u32>(select(0i, _e8537, (_e8537 > 0i)))];
+let _e8543 = global_3.member[bitcast<u32>(select(0i, _e8537, (_e8537 > 0i)))];
 let _e8548 = (bitcast<f32>(((_e8500 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8556 = (_e8548 + (((bitcast<f32>(((_e8509 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8548) * _e8186));
 let _e8561 = (bitcast<f32>(((_e8518 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2871,20 +2871,20 @@ let _e8612 = (_e8604 + (((bitcast<f32>((((_e8509 >> bitcast<u32>(16i)) & 32767u)
 let _e8617 = (bitcast<f32>((((_e8518 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8644 = (_e8182 + 3i);
 let _e8646 = select(_e7414, _e8644, (_e8644 < _e7414));
-let _e8652 = global_5.member[bitcast<u32>(select(0i, _e8646, (_e8646 > 0i)))];
+let _e8652 = global_3.member[bitcast<u32>(select(0i, _e8646, (_e8646 > 0i)))];
 let _e8653 = (_e8182 + 7i);
 let _e8655 = select(_e7414, _e8653, (_e8653 < _e7414));
-let _e8661 = global_5.member[bitcast<u32>(select(0i, _e8655, (_e8655 > 0i)))];
+let _e8661 = global_3.member[bitcast<u32>(select(0i, _e8655, (_e8655 > 0i)))];
 let _e8662 = (_e8182 + 1027i);
 let _e8664 = select(_e7414, _e8662, (_e8662 < _e7414));
-let _e8670 = global_5.member[bitcast<u32>(select(0i, _e8664, (_e8664 > 0i)))];
+let _e8670 = global_3.member[bitcast<u32>(select(0i, _e8664, (_e8664 > 0i)))];
 let _e8671 = (_e8182 + 1031i);
 let _e8673 = select(_e7414, _e8671, (_e8671 < _e7414));
-let _e8679 = global_5.member[bitcast<u32>(select(0i, _e8673, (_e8673 > 0i)))];
+let _e8679 = global_3.member[bitcast<u32>(select(0i, _e8673, (_e8673 > 0i)))];
 let _e8681 = select(_e7414, 3i, (3i < _e7414));
-let _e8687 = global_5.member[bitcast<u32>(select(0i, _e8681, (_e8681 > 0i)))];
+let _e8687 = global_3.member[bitcast<u32>(select(0i, _e8681, (_e8681 > 0i)))];
 let _e8689 = select(_e7414, 262143i, (262143i < _e7414));
-let _e8695 = global_5.member[bitcast<u32>(select(0i, _e8689, (_e8689 > 0i)))];
+let _e8695 = global_3.member[bitcast<u32>(select(0i, _e8689, (_e8689 > 0i)))];
 let _e8700 = (bitcast<f32>(((_e8652 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8708 = (_e8700 + (((bitcast<f32>(((_e8661 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8700) * _e8186));
 let _e8713 = (bitcast<f32>(((_e8670 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2991,9 +2991,9 @@ let _e9133 = phi_21157_;
 let _e9134 = (_e9133 + 1i);
 let _e9136 = (bitcast<i32>(_e214) - 1i);
 let _e9138 = select(_e9136, _e9134, (_e9134 < _e9136));
-let _e9144 = global_6.member[bitcast<u32>(select(0i, _e9138, (_e9138 > 0i)))];
+let _e9144 = global_4.member[bitcast<u32>(select(0i, _e9138, (_e9138 > 0i)))];
 let _e9146 = select(_e9136, _e9133, (_e9133 < _e9136));
-let _e9152 = global_6.member[bitcast<u32>(select(0i, _e9146, (_e9146 > 0i)))];
+let _e9152 = global_4.member[bitcast<u32>(select(0i, _e9146, (_e9146 > 0i)))];
 let _e9155 = select(_e9144, 0u, (_e9133 < 0i));
 let _e9159 = global_1.member.member_10.member_13;
 let _e9160 = (_e9155 * 81u);
@@ -3005,35 +3005,35 @@ let _e9177 = (_e9033 - f32(_e9074));
 let _e9179 = (_e9043 - f32(_e9089));
 let _e9180 = (_e9155 != 0u);
 let _e9182 = select(_e9136, _e9172, (_e9172 < _e9136));
-let _e9188 = global_6.member[bitcast<u32>(select(0i, _e9182, (_e9182 > 0i)))];
+let _e9188 = global_4.member[bitcast<u32>(select(0i, _e9182, (_e9182 > 0i)))];
 let _e9189 = bitcast<f32>(_e9188);
 let _e9190 = (_e9172 + 1i);
 let _e9192 = select(_e9136, _e9190, (_e9190 < _e9136));
-let _e9198 = global_6.member[bitcast<u32>(select(0i, _e9192, (_e9192 > 0i)))];
+let _e9198 = global_4.member[bitcast<u32>(select(0i, _e9192, (_e9192 > 0i)))];
 let _e9202 = (_e9189 + ((bitcast<f32>(_e9198) - _e9189) * _e9175));
 let _e9203 = (_e9172 + 9i);
 let _e9205 = select(_e9136, _e9203, (_e9203 < _e9136));
-let _e9211 = global_6.member[bitcast<u32>(select(0i, _e9205, (_e9205 > 0i)))];
+let _e9211 = global_4.member[bitcast<u32>(select(0i, _e9205, (_e9205 > 0i)))];
 let _e9212 = bitcast<f32>(_e9211);
 let _e9213 = (_e9172 + 10i);
 let _e9215 = select(_e9136, _e9213, (_e9213 < _e9136));
-let _e9221 = global_6.member[bitcast<u32>(select(0i, _e9215, (_e9215 > 0i)))];
+let _e9221 = global_4.member[bitcast<u32>(select(0i, _e9215, (_e9215 > 0i)))];
 let _e9228 = (_e9202 + (((_e9212 + ((bitcast<f32>(_e9221) - _e9212) * _e9175)) - _e9202) * _e9177));
 let _e9229 = (_e9172 + _e9164);
 let _e9231 = select(_e9136, _e9229, (_e9229 < _e9136));
-let _e9237 = global_6.member[bitcast<u32>(select(0i, _e9231, (_e9231 > 0i)))];
+let _e9237 = global_4.member[bitcast<u32>(select(0i, _e9231, (_e9231 > 0i)))];
 let _e9238 = bitcast<f32>(_e9237);
 let _e9239 = (_e9229 + 1i);
 let _e9241 = select(_e9136, _e9239, (_e9239 < _e9136));
-let _e9247 = global_6.member[bitcast<u32>(select(0i, _e9241, (_e9241 > 0i)))];
+let _e9247 = global_4.member[bitcast<u32>(select(0i, _e9241, (_e9241 > 0i)))];
 let _e9251 = (_e9238 + ((bitcast<f32>(_e9247) - _e9238) * _e9175));
 let _e9252 = (_e9229 + 9i);
 let _e9254 = select(_e9136, _e9252, (_e9252 < _e9136));
-let _e9260 = global_6.member[bitcast<u32>(select(0i, _e9254, (_e9254 > 0i)))];
+let _e9260 = global_4.member[bitcast<u32>(select(0i, _e9254, (_e9254 > 0i)))];
 let _e9261 = bitcast<f32>(_e9260);
 let _e9262 = (_e9229 + 10i);
 let _e9264 = select(_e9136, _e9262, (_e9262 < _e9136));
-let _e9270 = global_6.member[bitcast<u32>(select(0i, _e9264, (_e9264 > 0i)))];
+let _e9270 = global_4.member[bitcast<u32>(select(0i, _e9264, (_e9264 > 0i)))];
 let _e9281 = select(1f, (_e9228 + (((_e9251 + (((_e9261 + ((bitcast<f32>(_e9270) - _e9261) * _e9175)) - _e9251) * _e9177)) - _e9228) * _e9179)), _e9180);
 if (((_e224.member_2 == 3u) || (_e224.member_2 == 4u)) || _e510) {
 phi_21734_ = vec3(_e9281);
@@ -3042,66 +3042,66 @@ let _e9290 = global_1.member.member_10.member_12;
 let _e9291 = (_e9290 > 1u);
 let _e9295 = (_e9172 + (select(0i, 1i, _e9291) * _e9173));
 let _e9297 = select(_e9136, _e9295, (_e9295 < _e9136));
-let _e9303 = global_6.member[bitcast<u32>(select(0i, _e9297, (_e9297 > 0i)))];
+let _e9303 = global_4.member[bitcast<u32>(select(0i, _e9297, (_e9297 > 0i)))];
 let _e9304 = bitcast<f32>(_e9303);
 let _e9305 = (_e9295 + 1i);
 let _e9307 = select(_e9136, _e9305, (_e9305 < _e9136));
-let _e9313 = global_6.member[bitcast<u32>(select(0i, _e9307, (_e9307 > 0i)))];
+let _e9313 = global_4.member[bitcast<u32>(select(0i, _e9307, (_e9307 > 0i)))];
 let _e9317 = (_e9304 + ((bitcast<f32>(_e9313) - _e9304) * _e9175));
 let _e9318 = (_e9295 + 9i);
 let _e9320 = select(_e9136, _e9318, (_e9318 < _e9136));
-let _e9326 = global_6.member[bitcast<u32>(select(0i, _e9320, (_e9320 > 0i)))];
+let _e9326 = global_4.member[bitcast<u32>(select(0i, _e9320, (_e9320 > 0i)))];
 let _e9327 = bitcast<f32>(_e9326);
 let _e9328 = (_e9295 + 10i);
 let _e9330 = select(_e9136, _e9328, (_e9328 < _e9136));
-let _e9336 = global_6.member[bitcast<u32>(select(0i, _e9330, (_e9330 > 0i)))];
+let _e9336 = global_4.member[bitcast<u32>(select(0i, _e9330, (_e9330 > 0i)))];
 let _e9343 = (_e9317 + (((_e9327 + ((bitcast<f32>(_e9336) - _e9327) * _e9175)) - _e9317) * _e9177));
 let _e9344 = (_e9295 + _e9164);
 let _e9346 = select(_e9136, _e9344, (_e9344 < _e9136));
-let _e9352 = global_6.member[bitcast<u32>(select(0i, _e9346, (_e9346 > 0i)))];
+let _e9352 = global_4.member[bitcast<u32>(select(0i, _e9346, (_e9346 > 0i)))];
 let _e9353 = bitcast<f32>(_e9352);
 let _e9354 = (_e9344 + 1i);
 let _e9356 = select(_e9136, _e9354, (_e9354 < _e9136));
-let _e9362 = global_6.member[bitcast<u32>(select(0i, _e9356, (_e9356 > 0i)))];
+let _e9362 = global_4.member[bitcast<u32>(select(0i, _e9356, (_e9356 > 0i)))];
 let _e9366 = (_e9353 + ((bitcast<f32>(_e9362) - _e9353) * _e9175));
 let _e9367 = (_e9344 + 9i);
 let _e9369 = select(_e9136, _e9367, (_e9367 < _e9136));
-let _e9375 = global_6.member[bitcast<u32>(select(0i, _e9369, (_e9369 > 0i)))];
+let _e9375 = global_4.member[bitcast<u32>(select(0i, _e9369, (_e9369 > 0i)))];
 let _e9376 = bitcast<f32>(_e9375);
 let _e9377 = (_e9344 + 10i);
 let _e9379 = select(_e9136, _e9377, (_e9377 < _e9136));
-let _e9385 = global_6.member[bitcast<u32>(select(0i, _e9379, (_e9379 > 0i)))];
+let _e9385 = global_4.member[bitcast<u32>(select(0i, _e9379, (_e9379 > 0i)))];
 let _e9398 = (_e9172 + (select(0i, 2i, _e9291) * _e9173));
 let _e9400 = select(_e9136, _e9398, (_e9398 < _e9136));
-let _e9406 = global_6.member[bitcast<u32>(select(0i, _e9400, (_e9400 > 0i)))];
+let _e9406 = global_4.member[bitcast<u32>(select(0i, _e9400, (_e9400 > 0i)))];
 let _e9407 = bitcast<f32>(_e9406);
 let _e9408 = (_e9398 + 1i);
 let _e9410 = select(_e9136, _e9408, (_e9408 < _e9136));
-let _e9416 = global_6.member[bitcast<u32>(select(0i, _e9410, (_e9410 > 0i)))];
+let _e9416 = global_4.member[bitcast<u32>(select(0i, _e9410, (_e9410 > 0i)))];
 let _e9420 = (_e9407 + ((bitcast<f32>(_e9416) - _e9407) * _e9175));
 let _e9421 = (_e9398 + 9i);
 let _e9423 = select(_e9136, _e9421, (_e9421 < _e9136));
-let _e9429 = global_6.member[bitcast<u32>(select(0i, _e9423, (_e9423 > 0i)))];
+let _e9429 = global_4.member[bitcast<u32>(select(0i, _e9423, (_e9423 > 0i)))];
 let _e9430 = bitcast<f32>(_e9429);
 let _e9431 = (_e9398 + 10i);
 let _e9433 = select(_e9136, _e9431, (_e9431 < _e9136));
-let _e9439 = global_6.member[bitcast<u32>(select(0i, _e9433, (_e9433 > 0i)))];
+let _e9439 = global_4.member[bitcast<u32>(select(0i, _e9433, (_e9433 > 0i)))];
 let _e9446 = (_e9420 + (((_e9430 + ((bitcast<f32>(_e9439) - _e9430) * _e9175)) - _e9420) * _e9177));
 let _e9447 = (_e9398 + _e9164);
 let _e9449 = select(_e9136, _e9447, (_e9447 < _e9136));
-let _e9455 = global_6.member[bitcast<u32>(select(0i, _e9449, (_e9449 > 0i)))];
+let _e9455 = global_4.member[bitcast<u32>(select(0i, _e9449, (_e9449 > 0i)))];
 let _e9456 = bitcast<f32>(_e9455);
 let _e9457 = (_e9447 + 1i);
 let _e9459 = select(_e9136, _e9457, (_e9457 < _e9136));
-let _e9465 = global_6.member[bitcast<u32>(select(0i, _e9459, (_e9459 > 0i)))];
+let _e9465 = global_4.member[bitcast<u32>(select(0i, _e9459, (_e9459 > 0i)))];
 let _e9469 = (_e9456 + ((bitcast<f32>(_e9465) - _e9456) * _e9175));
 let _e9470 = (_e9447 + 9i);
 let _e9472 = select(_e9136, _e9470, (_e9470 < _e9136));
-let _e9478 = global_6.member[bitcast<u32>(select(0i, _e9472, (_e9472 > 0i)))];
+let _e9478 = global_4.member[bitcast<u32>(select(0i, _e9472, (_e9472 > 0i)))];
 let _e9479 = bitcast<f32>(_e9478);
 let _e9480 = (_e9447 + 10i);
 let _e9482 = select(_e9136, _e9480, (_e9480 < _e9136));
-let _e9488 = global_6.member[bitcast<u32>(select(0i, _e9482, (_e9482 > 0i)))];
+let _e9488 = global_4.member[bitcast<u32>(select(0i, _e9482, (_e9482 > 0i)))];
 phi_21734_ = vec3<f32>(_e9281, select(1f, (_e9343 + (((_e9366 + (((_e9376 + ((bitcast<f32>(_e9385) - _e9376) * _e9175)) - _e9366) * _e9177)) - _e9343) * _e9179)), _e9180), select(1f, (_e9446 + (((_e9469 + (((_e9479 + ((bitcast<f32>(_e9488) - _e9479) * _e9175)) - _e9469) * _e9177)) - _e9446) * _e9179)), _e9180));
 }
 let _e9502 = phi_21734_;
@@ -3117,56 +3117,56 @@ let _e9525 = select(0f, (_e9508 * _e9520), _e8996);
 if _e517 {
 let _e9531 = (_e9172 + ((bitcast<i32>(_e9159) - 1i) * _e9173));
 let _e9533 = select(_e9136, _e9531, (_e9531 < _e9136));
-let _e9539 = global_6.member[bitcast<u32>(select(0i, _e9533, (_e9533 > 0i)))];
+let _e9539 = global_4.member[bitcast<u32>(select(0i, _e9533, (_e9533 > 0i)))];
 let _e9541 = bitcast<u32>(bitcast<f32>(_e9539));
 let _e9545 = f32((bitcast<i32>((_e9541 & 65535u)) - 32768i));
 let _e9551 = f32((bitcast<i32>(((_e9541 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9556 = select(_e9551, -(_e9551), ((_e9541 >> bitcast<u32>(31i)) != 0u));
 let _e9557 = (_e9531 + 1i);
 let _e9559 = select(_e9136, _e9557, (_e9557 < _e9136));
-let _e9565 = global_6.member[bitcast<u32>(select(0i, _e9559, (_e9559 > 0i)))];
+let _e9565 = global_4.member[bitcast<u32>(select(0i, _e9559, (_e9559 > 0i)))];
 let _e9567 = bitcast<u32>(bitcast<f32>(_e9565));
 let _e9577 = f32((bitcast<i32>(((_e9567 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9585 = (_e9545 + ((f32((bitcast<i32>((_e9567 & 65535u)) - 32768i)) - _e9545) * _e9175));
 let _e9588 = (_e9556 + ((select(_e9577, -(_e9577), ((_e9567 >> bitcast<u32>(31i)) != 0u)) - _e9556) * _e9175));
 let _e9589 = (_e9531 + 9i);
 let _e9591 = select(_e9136, _e9589, (_e9589 < _e9136));
-let _e9597 = global_6.member[bitcast<u32>(select(0i, _e9591, (_e9591 > 0i)))];
+let _e9597 = global_4.member[bitcast<u32>(select(0i, _e9591, (_e9591 > 0i)))];
 let _e9599 = bitcast<u32>(bitcast<f32>(_e9597));
 let _e9603 = f32((bitcast<i32>((_e9599 & 65535u)) - 32768i));
 let _e9609 = f32((bitcast<i32>(((_e9599 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9614 = select(_e9609, -(_e9609), ((_e9599 >> bitcast<u32>(31i)) != 0u));
 let _e9615 = (_e9531 + 10i);
 let _e9617 = select(_e9136, _e9615, (_e9615 < _e9136));
-let _e9623 = global_6.member[bitcast<u32>(select(0i, _e9617, (_e9617 > 0i)))];
+let _e9623 = global_4.member[bitcast<u32>(select(0i, _e9617, (_e9617 > 0i)))];
 let _e9625 = bitcast<u32>(bitcast<f32>(_e9623));
 let _e9635 = f32((bitcast<i32>(((_e9625 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9649 = (_e9585 + (((_e9603 + ((f32((bitcast<i32>((_e9625 & 65535u)) - 32768i)) - _e9603) * _e9175)) - _e9585) * _e9177));
 let _e9652 = (_e9588 + (((_e9614 + ((select(_e9635, -(_e9635), ((_e9625 >> bitcast<u32>(31i)) != 0u)) - _e9614) * _e9175)) - _e9588) * _e9177));
 let _e9653 = (_e9531 + _e9164);
 let _e9655 = select(_e9136, _e9653, (_e9653 < _e9136));
-let _e9661 = global_6.member[bitcast<u32>(select(0i, _e9655, (_e9655 > 0i)))];
+let _e9661 = global_4.member[bitcast<u32>(select(0i, _e9655, (_e9655 > 0i)))];
 let _e9663 = bitcast<u32>(bitcast<f32>(_e9661));
 let _e9667 = f32((bitcast<i32>((_e9663 & 65535u)) - 32768i));
 let _e9673 = f32((bitcast<i32>(((_e9663 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9678 = select(_e9673, -(_e9673), ((_e9663 >> bitcast<u32>(31i)) != 0u));
 let _e9679 = (_e9653 + 1i);
 let _e9681 = select(_e9136, _e9679, (_e9679 < _e9136));
-let _e9687 = global_6.member[bitcast<u32>(select(0i, _e9681, (_e9681 > 0i)))];
+let _e9687 = global_4.member[bitcast<u32>(select(0i, _e9681, (_e9681 > 0i)))];
 let _e9689 = bitcast<u32>(bitcast<f32>(_e9687));
 let _e9699 = f32((bitcast<i32>(((_e9689 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9707 = (_e9667 + ((f32((bitcast<i32>((_e9689 & 65535u)) - 32768i)) - _e9667) * _e9175));
 let _e9710 = (_e9678 + ((select(_e9699, -(_e9699), ((_e9689 >> bitcast<u32>(31i)) != 0u)) - _e9678) * _e9175));
 let _e9711 = (_e9653 + 9i);
 let _e9713 = select(_e9136, _e9711, (_e9711 < _e9136));
-let _e9719 = global_6.member[bitcast<u32>(select(0i, _e9713, (_e9713 > 0i)))];
+let _e9719 = global_4.member[bitcast<u32>(select(0i, _e9713, (_e9713 > 0i)))];
 let _e9721 = bitcast<u32>(bitcast<f32>(_e9719));
 let _e9725 = f32((bitcast<i32>((_e9721 & 65535u)) - 32768i));
 let _e9731 = f32((bitcast<i32>(((_e9721 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9736 = select(_e9731, -(_e9731), ((_e9721 >> bitcast<u32>(31i)) != 0u));
 let _e9737 = (_e9653 + 10i);
 let _e9739 = select(_e9136, _e9737, (_e9737 < _e9136));
-let _e9745 = global_6.member[bitcast<u32>(select(0i, _e9739, (_e9739 > 0i)))];
+let _e9745 = global_4.member[bitcast<u32>(select(0i, _e9739, (_e9739 > 0i)))];
 let _e9747 = bitcast<u32>(bitcast<f32>(_e9745));
 let _e9757 = f32((bitcast<i32>(((_e9747 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e9783 = (_e9524 + select(0f, ((_e9649 + (((_e9707 + (((_e9725 + ((f32((bitcast<i32>((_e9747 & 65535u)) - 32768i)) - _e9725) * _e9175)) - _e9707) * _e9177)) - _e9649) * _e9179)) * 6.151953e-5f), _e9180));
@@ -3206,7 +3206,7 @@ let _e9875 = (_e9874 * select(_e9855, 1f, (_e517 && _e9180)));
 let _e9884 = global_1.member.member_10.member.member;
 let _e9896 = global_1.member.member_10.member_1.member;
 let _e9911 = global_1.member.member_10.member_2.member;
-phi_22309_ = type_29(vec3<f32>(((_e9502.x * _e9860.member) * _e9875), ((_e9502.y * _e9860.member_1) * _e9875), ((_e9502.z * _e9860.member_2) * _e9875)), (vec3<f32>(((_e9884.member * _e9798.x) + (_e9896.member * _e9798.y)), ((_e9884.member_1 * _e9798.x) + (_e9896.member_1 * _e9798.y)), ((_e9884.member_2 * _e9798.x) + (_e9896.member_2 * _e9798.y))) + vec3<f32>((_e9911.member * _e9798.z), (_e9911.member_1 * _e9798.z), (_e9911.member_2 * _e9798.z))));
+phi_22309_ = type_36(vec3<f32>(((_e9502.x * _e9860.member) * _e9875), ((_e9502.y * _e9860.member_1) * _e9875), ((_e9502.z * _e9860.member_2) * _e9875)), (vec3<f32>(((_e9884.member * _e9798.x) + (_e9896.member * _e9798.y)), ((_e9884.member_1 * _e9798.x) + (_e9896.member_1 * _e9798.y)), ((_e9884.member_2 * _e9798.x) + (_e9896.member_2 * _e9798.y))) + vec3<f32>((_e9911.member * _e9798.z), (_e9911.member_1 * _e9798.z), (_e9911.member_2 * _e9798.z))));
 }
 let _e9924 = phi_22309_;
 let _e9933 = (((_e9924.member_1.x * _e9924.member_1.x) + (_e9924.member_1.y * _e9924.member_1.y)) + (_e9924.member_1.z * _e9924.member_1.z));
@@ -3311,51 +3311,51 @@ let _e10301 = ((bitcast<i32>(_e10297) + (_e10273 * _e10126)) + _e10256);
 let _e10302 = (_e10126 * _e10133);
 let _e10304 = (bitcast<i32>(_e214) - 1i);
 let _e10306 = select(_e10304, _e10301, (_e10301 < _e10304));
-let _e10312 = global_6.member[bitcast<u32>(select(0i, _e10306, (_e10306 > 0i)))];
+let _e10312 = global_4.member[bitcast<u32>(select(0i, _e10306, (_e10306 > 0i)))];
 let _e10313 = bitcast<f32>(_e10312);
 let _e10314 = (_e10301 + 1i);
 let _e10316 = select(_e10304, _e10314, (_e10314 < _e10304));
-let _e10322 = global_6.member[bitcast<u32>(select(0i, _e10316, (_e10316 > 0i)))];
+let _e10322 = global_4.member[bitcast<u32>(select(0i, _e10316, (_e10316 > 0i)))];
 let _e10326 = (_e10313 + ((bitcast<f32>(_e10322) - _e10313) * _e10279));
 let _e10327 = (_e10301 + _e10126);
 let _e10329 = select(_e10304, _e10327, (_e10327 < _e10304));
-let _e10335 = global_6.member[bitcast<u32>(select(0i, _e10329, (_e10329 > 0i)))];
+let _e10335 = global_4.member[bitcast<u32>(select(0i, _e10329, (_e10329 > 0i)))];
 let _e10336 = bitcast<f32>(_e10335);
 let _e10337 = (_e10327 + 1i);
 let _e10339 = select(_e10304, _e10337, (_e10337 < _e10304));
-let _e10345 = global_6.member[bitcast<u32>(select(0i, _e10339, (_e10339 > 0i)))];
+let _e10345 = global_4.member[bitcast<u32>(select(0i, _e10339, (_e10339 > 0i)))];
 let _e10352 = (_e10326 + (((_e10336 + ((bitcast<f32>(_e10345) - _e10336) * _e10279)) - _e10326) * _e10285));
 let _e10353 = (_e10301 + _e10302);
 let _e10355 = select(_e10304, _e10353, (_e10353 < _e10304));
-let _e10361 = global_6.member[bitcast<u32>(select(0i, _e10355, (_e10355 > 0i)))];
+let _e10361 = global_4.member[bitcast<u32>(select(0i, _e10355, (_e10355 > 0i)))];
 let _e10362 = bitcast<f32>(_e10361);
 let _e10363 = (_e10353 + 1i);
 let _e10365 = select(_e10304, _e10363, (_e10363 < _e10304));
-let _e10371 = global_6.member[bitcast<u32>(select(0i, _e10365, (_e10365 > 0i)))];
+let _e10371 = global_4.member[bitcast<u32>(select(0i, _e10365, (_e10365 > 0i)))];
 let _e10375 = (_e10362 + ((bitcast<f32>(_e10371) - _e10362) * _e10279));
 let _e10376 = (_e10353 + _e10126);
 let _e10378 = select(_e10304, _e10376, (_e10376 < _e10304));
-let _e10384 = global_6.member[bitcast<u32>(select(0i, _e10378, (_e10378 > 0i)))];
+let _e10384 = global_4.member[bitcast<u32>(select(0i, _e10378, (_e10378 > 0i)))];
 let _e10385 = bitcast<f32>(_e10384);
 let _e10386 = (_e10376 + 1i);
 let _e10388 = select(_e10304, _e10386, (_e10386 < _e10304));
-let _e10394 = global_6.member[bitcast<u32>(select(0i, _e10388, (_e10388 > 0i)))];
+let _e10394 = global_4.member[bitcast<u32>(select(0i, _e10388, (_e10388 > 0i)))];
 let _e10401 = (_e10375 + (((_e10385 + ((bitcast<f32>(_e10394) - _e10385) * _e10279)) - _e10375) * _e10285));
 let _e10403 = (_e10301 + (2i * _e10302));
 let _e10405 = select(_e10304, _e10403, (_e10403 < _e10304));
-let _e10411 = global_6.member[bitcast<u32>(select(0i, _e10405, (_e10405 > 0i)))];
+let _e10411 = global_4.member[bitcast<u32>(select(0i, _e10405, (_e10405 > 0i)))];
 let _e10412 = bitcast<f32>(_e10411);
 let _e10413 = (_e10403 + 1i);
 let _e10415 = select(_e10304, _e10413, (_e10413 < _e10304));
-let _e10421 = global_6.member[bitcast<u32>(select(0i, _e10415, (_e10415 > 0i)))];
+let _e10421 = global_4.member[bitcast<u32>(select(0i, _e10415, (_e10415 > 0i)))];
 let _e10425 = (_e10412 + ((bitcast<f32>(_e10421) - _e10412) * _e10279));
 let _e10426 = (_e10403 + _e10126);
 let _e10428 = select(_e10304, _e10426, (_e10426 < _e10304));
-let _e10434 = global_6.member[bitcast<u32>(select(0i, _e10428, (_e10428 > 0i)))];
+let _e10434 = global_4.member[bitcast<u32>(select(0i, _e10428, (_e10428 > 0i)))];
 let _e10435 = bitcast<f32>(_e10434);
 let _e10436 = (_e10426 + 1i);
 let _e10438 = select(_e10304, _e10436, (_e10436 < _e10304));
-let _e10444 = global_6.member[bitcast<u32>(select(0i, _e10438, (_e10438 > 0i)))];
+let _e10444 = global_4.member[bitcast<u32>(select(0i, _e10438, (_e10438 > 0i)))];
 let _e10451 = (_e10425 + (((_e10435 + ((bitcast<f32>(_e10444) - _e10435) * _e10279)) - _e10425) * _e10285));
 if _e3558 {
 phi_23189_ = vec3<f32>(_e10352, _e10401, _e10451);
@@ -3391,12 +3391,12 @@ phi_23189_ = vec3<f32>((select(0f, _e10514, (_e10514 > 0f)) * _e10527), (select(
 }
 let _e10533 = phi_23189_;
 let _e10537 = global_1.member.member_9.member_1;
-phi_23449_ = type_29((vec3<f32>(_e10537.member, _e10537.member_1, _e10537.member_2) * _e10533), _e10117);
+phi_23449_ = type_36((vec3<f32>(_e10537.member, _e10537.member_1, _e10537.member_2) * _e10533), _e10117);
 } else {
 if _e3558 {
 let _e10547 = global_1.member.member_9.member_1;
 let _e10555 = global_1.member.member_9.member;
-phi_23448_ = type_29(vec3<f32>(_e10547.member, _e10547.member_1, _e10547.member_2), vec3<f32>(_e10555.member, _e10555.member_1, _e10555.member_2));
+phi_23448_ = type_36(vec3<f32>(_e10547.member, _e10547.member_1, _e10547.member_2), vec3<f32>(_e10555.member, _e10555.member_1, _e10555.member_2));
 } else {
 let _e10564 = global_1.member.member_9.member_1;
 if _e3558 {
@@ -3423,7 +3423,7 @@ phi_23376_ = select(1f, select(0f, ((_e10618 * _e10618) * (3f - (2f * _e10618)))
 }
 let _e10628 = phi_23376_;
 let _e10629 = (_e10572 * _e10628);
-phi_23448_ = type_29(vec3<f32>((_e10564.member * _e10629), (_e10564.member_1 * _e10629), (_e10564.member_2 * _e10629)), _e10117);
+phi_23448_ = type_36(vec3<f32>((_e10564.member * _e10629), (_e10564.member_1 * _e10629), (_e10564.member_2 * _e10629)), _e10117);
 }
 let _e10636 = phi_23448_;
 phi_23449_ = _e10636;
@@ -3438,7 +3438,7 @@ let _e10678 = bitcast<f32>((bitcast<u32>(select(0f, _e10673, (_e10673 > 0f))) & 
 let _e10688 = (1f - _e9988);
 let _e10702 = select(_e9988, 1f, _e4652);
 let _e10707 = select(_e9990, _e9989, (_e9989 > _e9990));
-phi_23618_ = type_33(vec3<f32>(select(_e4547, _e10003, _e4652), select(_e4548, _e10004, _e4652), select(_e4549, _e10005, _e4652)), vec3<f32>(select((_e7046 + (_e6836.member_3.x * _e7663)), select((_e7046 + (_e7626 * _e7645)), _e7046, _e7646), _e4521), select((_e7047 + (_e6836.member_3.y * _e7663)), select((_e7047 + (_e7627 * _e7645)), _e7047, _e7646), _e4521), select((_e7048 + (_e6836.member_3.z * _e7663)), select((_e7048 + (_e7628 * _e7645)), _e7048, _e7646), _e4521)), _e6836.member, select(4f, 1f, (_e4652 || (((1f - _e10702) * select(_e9991, _e10707, (_e10707 > _e9991))) < 9.765625e-4f))), select(_e9999, (_e9999 + (_e10688 * _e10005)), _e4652), vec3<f32>(select(_e9982, (_e9982 + ((_e9989 * (select(_e4633.member, _e4622.member, _e4611) * (((_e10638.member.x * _e10658) * _e10678) + _e9958.member))) * _e10688)), _e4652), select(_e9984, (_e9984 + ((_e9990 * (select(_e4633.member_1, _e4622.member_1, _e4611) * (((_e10638.member.y * _e10658) * _e10678) + _e9958.member_1))) * _e10688)), _e4652), select(_e9986, (_e9986 + ((_e9991 * (select(_e4633.member_2, _e4622.member_2, _e4611) * (((_e10638.member.z * _e10658) * _e10678) + _e9958.member_2))) * _e10688)), _e4652)), _e10702, (_e3793.member_7 * vec3<f32>(_e8791, _e8839, _e8887)), select(0f, _e6836.member_2, (_e3806 != (_e4521 && !((_e7642 && (_e7611 != 0f)))))), -1.2676506e30f);
+phi_23618_ = type_32(vec3<f32>(select(_e4547, _e10003, _e4652), select(_e4548, _e10004, _e4652), select(_e4549, _e10005, _e4652)), vec3<f32>(select((_e7046 + (_e6836.member_3.x * _e7663)), select((_e7046 + (_e7626 * _e7645)), _e7046, _e7646), _e4521), select((_e7047 + (_e6836.member_3.y * _e7663)), select((_e7047 + (_e7627 * _e7645)), _e7047, _e7646), _e4521), select((_e7048 + (_e6836.member_3.z * _e7663)), select((_e7048 + (_e7628 * _e7645)), _e7048, _e7646), _e4521)), _e6836.member, select(4f, 1f, (_e4652 || (((1f - _e10702) * select(_e9991, _e10707, (_e10707 > _e9991))) < 9.765625e-4f))), select(_e9999, (_e9999 + (_e10688 * _e10005)), _e4652), vec3<f32>(select(_e9982, (_e9982 + ((_e9989 * (select(_e4633.member, _e4622.member, _e4611) * (((_e10638.member.x * _e10658) * _e10678) + _e9958.member))) * _e10688)), _e4652), select(_e9984, (_e9984 + ((_e9990 * (select(_e4633.member_1, _e4622.member_1, _e4611) * (((_e10638.member.y * _e10658) * _e10678) + _e9958.member_1))) * _e10688)), _e4652), select(_e9986, (_e9986 + ((_e9991 * (select(_e4633.member_2, _e4622.member_2, _e4611) * (((_e10638.member.z * _e10658) * _e10678) + _e9958.member_2))) * _e10688)), _e4652)), _e10702, (_e3793.member_7 * vec3<f32>(_e8791, _e8839, _e8887)), select(0f, _e6836.member_2, (_e3806 != (_e4521 && !((_e7642 && (_e7611 != 0f)))))), -1.2676506e30f);
 phi_23619_ = _e7039.member_2;
 phi_23620_ = _e6836;
 }
@@ -3450,9 +3450,9 @@ phi_8835_ = _e10725;
 phi_8837_ = _e10727;
 phi_8839_ = (_e3799 + 1i);
 } else {
-phi_8832_ = type_33();
+phi_8832_ = type_32();
 phi_8835_ = f32();
-phi_8837_ = type_35();
+phi_8837_ = type_34();
 phi_8839_ = i32();
 }
 let _e10729 = phi_8832_;
@@ -3485,25 +3485,25 @@ let _e10787 = local_55;
 let _e10791 = local_56;
 let _e10795 = local_57;
 let _e10798 = local_58;
-global_2.member[_e239] = _e10738.member.x;
-global_2.member[_e251] = _e10742.member.y;
-global_2.member[_e262] = _e10746.member.z;
-global_2.member[_e273] = _e10750.member_1.x;
-global_2.member[_e284] = _e10754.member_1.y;
-global_2.member[_e295] = _e10758.member_1.z;
-global_2.member[_e306] = _e10762.member_2;
+global_5.member[_e239] = _e10738.member.x;
+global_5.member[_e251] = _e10742.member.y;
+global_5.member[_e262] = _e10746.member.z;
+global_5.member[_e273] = _e10750.member_1.x;
+global_5.member[_e284] = _e10754.member_1.y;
+global_5.member[_e295] = _e10758.member_1.z;
+global_5.member[_e306] = _e10762.member_2;
 let _e10817 = local_59;
-global_2.member[_e317] = _e10817;
-global_2.member[_e328] = _e10765.member_4;
-global_2.member[_e339] = _e10768.member_5.x;
-global_2.member[_e350] = _e10772.member_5.y;
-global_2.member[_e361] = _e10776.member_5.z;
-global_2.member[_e372] = _e10780.member_6;
-global_2.member[_e383] = _e10783.member_7.x;
-global_2.member[_e394] = _e10787.member_7.y;
-global_2.member[_e405] = _e10791.member_7.z;
-global_2.member[_e416] = _e10795.member_8;
-global_2.member[_e427] = _e10798.member_9;
+global_5.member[_e317] = _e10817;
+global_5.member[_e328] = _e10765.member_4;
+global_5.member[_e339] = _e10768.member_5.x;
+global_5.member[_e350] = _e10772.member_5.y;
+global_5.member[_e361] = _e10776.member_5.z;
+global_5.member[_e372] = _e10780.member_6;
+global_5.member[_e383] = _e10783.member_7.x;
+global_5.member[_e394] = _e10787.member_7.y;
+global_5.member[_e405] = _e10791.member_7.z;
+global_5.member[_e416] = _e10795.member_8;
+global_5.member[_e427] = _e10798.member_9;
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,72 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_29 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_30 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_33 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_34 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -199,11 +191,15 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_38 {
-member: array<type_27>,
+struct type_35 {
+member: vec3<f32>,
+member_1: vec3<f32>,
 }
-struct type_39 {
-member: type_29,
+struct type_37 {
+member: array<type_21>,
+}
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -213,6 +209,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -220,18 +220,18 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(6)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(5)
-var<storage> global_4: type_17;
+var<storage> global_3: type_23;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_25;
 @group(0) @binding(0)
-var<storage> global_5: type_38;
+var<storage> global_5: type_37;
 @group(0) @binding(3)
-var<storage> global_6: type_17;
+var<storage> global_6: type_23;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -239,7 +239,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_33;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -255,23 +255,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_33;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_33;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_33;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_33;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_33;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_684_: u32;
 var phi_687_: bool;
@@ -280,24 +280,24 @@ var phi_1444_: bool;
 var phi_1624_: bool;
 var phi_1627_: bool;
 var phi_2928_: f32;
-var phi_4534_: type_36;
+var phi_4534_: type_34;
 var phi_4547_: bool;
-var phi_4577_: type_30;
+var phi_4577_: type_39;
 var phi_4589_: bool;
-var phi_5669_: type_29;
-var phi_7192_: type_36;
-var phi_8304_: type_29;
-var phi_9842_: type_36;
-var phi_10954_: type_29;
-var phi_12492_: type_36;
-var phi_14240_: type_29;
-var phi_14253_: type_39;
+var phi_5669_: type_31;
+var phi_7192_: type_34;
+var phi_8304_: type_31;
+var phi_9842_: type_34;
+var phi_10954_: type_31;
+var phi_12492_: type_34;
+var phi_14240_: type_31;
+var phi_14253_: type_38;
 var phi_14254_: vec3<f32>;
 var phi_14255_: bool;
 var phi_14256_: f32;
-var phi_19561_: type_34;
-var phi_20208_: type_35;
-var phi_20621_: type_5;
+var phi_19561_: type_32;
+var phi_20208_: type_33;
+var phi_20621_: type_7;
 var phi_24786_: type_40;
 var phi_26315_: i32;
 var phi_26892_: vec3<f32>;
@@ -305,24 +305,24 @@ var phi_27299_: vec3<f32>;
 var phi_27393_: f32;
 var phi_27435_: f32;
 var phi_25801_: vec3<f32>;
-var phi_27467_: type_28;
+var phi_27467_: type_35;
 var phi_24900_: f32;
 var phi_24984_: f32;
-var phi_25056_: type_28;
-var phi_27468_: type_28;
+var phi_25056_: type_35;
+var phi_27468_: type_35;
 var phi_27551_: f32;
 var phi_27552_: f32;
 var phi_27809_: vec3<f32>;
 var phi_28739_: f32;
 var phi_28823_: f32;
-var phi_28895_: type_28;
+var phi_28895_: type_35;
 var phi_28238_: u32;
 var phi_28575_: f32;
 var phi_28631_: f32;
 var phi_28636_: vec3<f32>;
-var phi_28896_: type_28;
-var phi_28897_: type_28;
-var phi_30387_: type_36;
+var phi_28896_: type_35;
+var phi_28897_: type_35;
+var phi_30387_: type_34;
 var phi_30543_: vec3<f32>;
 var phi_30544_: bool;
 var phi_30704_: array<f32, 18>;
@@ -353,8 +353,8 @@ switch bitcast<i32>(0u) {
 default: {
 let _e219 = global;
 let _e221 = arrayLength((&global_5.member));
-let _e229 = arrayLength((&global_3.member));
-let _e232 = arrayLength((&global_4.member));
+let _e229 = arrayLength((&global_2.member));
+let _e232 = arrayLength((&global_3.member));
 if (0u < _e221) {
 } else {
 break;
@@ -368,77 +368,77 @@ if (_e253 < _e239.member_3) {
 let _e256 = (_e243.member * _e243.member_1);
 let _e258 = ((_e253 * _e243.member) + _e251);
 let _e259 = bitcast<i32>(_e258);
-let _e261 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e261 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e263 = select(_e261, _e259, (_e259 < _e261));
-let _e269 = global_1.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
+let _e269 = global_4.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
 let _e270 = (_e256 + _e258);
 let _e271 = bitcast<i32>(_e270);
 let _e273 = select(_e261, _e271, (_e271 < _e261));
-let _e279 = global_1.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
+let _e279 = global_4.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
 let _e281 = ((2u * _e256) + _e258);
 let _e282 = bitcast<i32>(_e281);
 let _e284 = select(_e261, _e282, (_e282 < _e261));
-let _e290 = global_1.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
+let _e290 = global_4.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
 let _e292 = ((3u * _e256) + _e258);
 let _e293 = bitcast<i32>(_e292);
 let _e295 = select(_e261, _e293, (_e293 < _e261));
-let _e301 = global_1.member[bitcast<u32>(select(0i, _e295, (_e295 > 0i)))];
+let _e301 = global_4.member[bitcast<u32>(select(0i, _e295, (_e295 > 0i)))];
 let _e303 = ((4u * _e256) + _e258);
 let _e304 = bitcast<i32>(_e303);
 let _e306 = select(_e261, _e304, (_e304 < _e261));
-let _e312 = global_1.member[bitcast<u32>(select(0i, _e306, (_e306 > 0i)))];
+let _e312 = global_4.member[bitcast<u32>(select(0i, _e306, (_e306 > 0i)))];
 let _e314 = ((5u * _e256) + _e258);
 let _e315 = bitcast<i32>(_e314);
 let _e317 = select(_e261, _e315, (_e315 < _e261));
-let _e323 = global_1.member[bitcast<u32>(select(0i, _e317, (_e317 > 0i)))];
+let _e323 = global_4.member[bitcast<u32>(select(0i, _e317, (_e317 > 0i)))];
 let _e325 = ((6u * _e256) + _e258);
 let _e326 = bitcast<i32>(_e325);
 let _e328 = select(_e261, _e326, (_e326 < _e261));
-let _e334 = global_1.member[bitcast<u32>(select(0i, _e328, (_e328 > 0i)))];
+let _e334 = global_4.member[bitcast<u32>(select(0i, _e328, (_e328 > 0i)))];
 let _e336 = ((7u * _e256) + _e258);
 let _e337 = bitcast<i32>(_e336);
 let _e339 = select(_e261, _e337, (_e337 < _e261));
-let _e345 = global_1.member[bitcast<u32>(select(0i, _e339, (_e339 > 0i)))];
+let _e345 = global_4.member[bitcast<u32>(select(0i, _e339, (_e339 > 0i)))];
 let _e347 = ((8u * _e256) + _e258);
 let _e348 = bitcast<i32>(_e347);
 let _e350 = select(_e261, _e348, (_e348 < _e261));
-let _e356 = global_1.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
+let _e356 = global_4.member[bitcast<u32>(select(0i, _e350, (_e350 > 0i)))];
 let _e358 = ((9u * _e256) + _e258);
 let _e359 = bitcast<i32>(_e358);
 let _e361 = select(_e261, _e359, (_e359 < _e261));
-let _e367 = global_1.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
+let _e367 = global_4.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
 let _e369 = ((10u * _e256) + _e258);
 let _e370 = bitcast<i32>(_e369);
 let _e372 = select(_e261, _e370, (_e370 < _e261));
-let _e378 = global_1.member[bitcast<u32>(select(0i, _e372, (_e372 > 0i)))];
+let _e378 = global_4.member[bitcast<u32>(select(0i, _e372, (_e372 > 0i)))];
 let _e380 = ((11u * _e256) + _e258);
 let _e381 = bitcast<i32>(_e380);
 let _e383 = select(_e261, _e381, (_e381 < _e261));
-let _e389 = global_1.member[bitcast<u32>(select(0i, _e383, (_e383 > 0i)))];
+let _e389 = global_4.member[bitcast<u32>(select(0i, _e383, (_e383 > 0i)))];
 let _e391 = ((12u * _e256) + _e258);
 let _e392 = bitcast<i32>(_e391);
 let _e394 = select(_e261, _e392, (_e392 < _e261));
-let _e400 = global_1.member[bitcast<u32>(select(0i, _e394, (_e394 > 0i)))];
+let _e400 = global_4.member[bitcast<u32>(select(0i, _e394, (_e394 > 0i)))];
 let _e402 = ((13u * _e256) + _e258);
 let _e403 = bitcast<i32>(_e402);
 let _e405 = select(_e261, _e403, (_e403 < _e261));
-let _e411 = global_1.member[bitcast<u32>(select(0i, _e405, (_e405 > 0i)))];
+let _e411 = global_4.member[bitcast<u32>(select(0i, _e405, (_e405 > 0i)))];
 let _e413 = ((14u * _e256) + _e258);
 let _e414 = bitcast<i32>(_e413);
 let _e416 = select(_e261, _e414, (_e414 < _e261));
-let _e422 = global_1.member[bitcast<u32>(select(0i, _e416, (_e416 > 0i)))];
+let _e422 = global_4.member[bitcast<u32>(select(0i, _e416, (_e416 > 0i)))];
 let _e424 = ((15u * _e256) + _e258);
 let _e425 = bitcast<i32>(_e424);
 let _e427 = select(_e261, _e425, (_e425 < _e261));
-let _e433 = global_1.member[bitcast<u32>(select(0i, _e427, (_e427 > 0i)))];
+let _e433 = global_4.member[bitcast<u32>(select(0i, _e427, (_e427 > 0i)))];
 let _e435 = ((16u * _e256) + _e258);
 let _e436 = bitcast<i32>(_e435);
 let _e438 = select(_e261, _e436, (_e436 < _e261));
-let _e444 = global_1.member[bitcast<u32>(select(0i, _e438, (_e438 > 0i)))];
+let _e444 = global_4.member[bitcast<u32>(select(0i, _e438, (_e438 > 0i)))];
 let _e446 = ((17u * _e256) + _e258);
 let _e447 = bitcast<i32>(_e446);
 let _e449 = select(_e261, _e447, (_e447 < _e261));
-let _e455 = global_1.member[bitcast<u32>(select(0i, _e449, (_e449 > 0i)))];
+let _e455 = global_4.member[bitcast<u32>(select(0i, _e449, (_e449 > 0i)))];
 phi_684_ = 0u;
 phi_687_ = false;
 phi_689_ = array<f32, 18>(_e269, _e279, _e290, _e301, _e312, _e323, _e334, _e345, _e356, _e367, _e378, _e389, _e400, _e411, _e422, _e433, _e444, _e455);
@@ -654,31 +654,31 @@ let _e1331 = (select(0i, _e1260, (_e1260 > 0i)) * _e1280);
 let _e1332 = (select(_e1293, _e1296, (_e1296 < _e1293)) * _e1280);
 let _e1333 = (select(0i, _e1275, (_e1275 > 0i)) * _e1285);
 let _e1334 = (select(_e1306, _e1309, (_e1309 < _e1306)) * _e1285);
-local_38 = type_33(array<i32, 4>(select(0i, _e1320, (_e1320 > 0i)), select(0i, _e1245, (_e1245 > 0i)), select(_e1319, _e1325, (_e1325 < _e1319)), select(_e1319, _e1328, (_e1328 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_38 = type_28(array<i32, 4>(select(0i, _e1320, (_e1320 > 0i)), select(0i, _e1245, (_e1245 > 0i)), select(_e1319, _e1325, (_e1325 < _e1319)), select(_e1319, _e1328, (_e1328 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_39 = vec3<f32>((_e1222 - f32(_e1245)), (_e1226 - f32(_e1260)), (_e1230 - f32(_e1275)));
 let _e1345 = (_e1333 + _e1331);
 let _e1348 = local_38.member[1u];
 let _e1349 = (_e1345 + _e1348);
-let _e1351 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e1351 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
 let _e1353 = select(_e1351, _e1349, (_e1349 < _e1351));
-let _e1358 = global_2.member[bitcast<u32>(select(0i, _e1353, (_e1353 > 0i)))];
+let _e1358 = global_1.member[bitcast<u32>(select(0i, _e1353, (_e1353 > 0i)))];
 let _e1359 = bitcast<f32>(_e1358);
 let _e1362 = local_38.member[2u];
 let _e1363 = (_e1345 + _e1362);
 let _e1365 = select(_e1351, _e1363, (_e1363 < _e1351));
-let _e1370 = global_2.member[bitcast<u32>(select(0i, _e1365, (_e1365 > 0i)))];
+let _e1370 = global_1.member[bitcast<u32>(select(0i, _e1365, (_e1365 > 0i)))];
 let _e1372 = local_39[0u];
 let _e1375 = (_e1359 + ((bitcast<f32>(_e1370) - _e1359) * _e1372));
 let _e1376 = (_e1333 + _e1332);
 let _e1377 = local_38.member[1u];
 let _e1378 = (_e1376 + _e1377);
 let _e1380 = select(_e1351, _e1378, (_e1378 < _e1351));
-let _e1385 = global_2.member[bitcast<u32>(select(0i, _e1380, (_e1380 > 0i)))];
+let _e1385 = global_1.member[bitcast<u32>(select(0i, _e1380, (_e1380 > 0i)))];
 let _e1386 = bitcast<f32>(_e1385);
 let _e1387 = local_38.member[2u];
 let _e1388 = (_e1376 + _e1387);
 let _e1390 = select(_e1351, _e1388, (_e1388 < _e1351));
-let _e1395 = global_2.member[bitcast<u32>(select(0i, _e1390, (_e1390 > 0i)))];
+let _e1395 = global_1.member[bitcast<u32>(select(0i, _e1390, (_e1390 > 0i)))];
 let _e1397 = local_39[0u];
 let _e1402 = local_39[1u];
 let _e1405 = (_e1375 + (((_e1386 + ((bitcast<f32>(_e1395) - _e1386) * _e1397)) - _e1375) * _e1402));
@@ -686,24 +686,24 @@ let _e1406 = (_e1334 + _e1331);
 let _e1407 = local_38.member[1u];
 let _e1408 = (_e1406 + _e1407);
 let _e1410 = select(_e1351, _e1408, (_e1408 < _e1351));
-let _e1415 = global_2.member[bitcast<u32>(select(0i, _e1410, (_e1410 > 0i)))];
+let _e1415 = global_1.member[bitcast<u32>(select(0i, _e1410, (_e1410 > 0i)))];
 let _e1416 = bitcast<f32>(_e1415);
 let _e1417 = local_38.member[2u];
 let _e1418 = (_e1406 + _e1417);
 let _e1420 = select(_e1351, _e1418, (_e1418 < _e1351));
-let _e1425 = global_2.member[bitcast<u32>(select(0i, _e1420, (_e1420 > 0i)))];
+let _e1425 = global_1.member[bitcast<u32>(select(0i, _e1420, (_e1420 > 0i)))];
 let _e1427 = local_39[0u];
 let _e1430 = (_e1416 + ((bitcast<f32>(_e1425) - _e1416) * _e1427));
 let _e1431 = (_e1334 + _e1332);
 let _e1432 = local_38.member[1u];
 let _e1433 = (_e1431 + _e1432);
 let _e1435 = select(_e1351, _e1433, (_e1433 < _e1351));
-let _e1440 = global_2.member[bitcast<u32>(select(0i, _e1435, (_e1435 > 0i)))];
+let _e1440 = global_1.member[bitcast<u32>(select(0i, _e1435, (_e1435 > 0i)))];
 let _e1441 = bitcast<f32>(_e1440);
 let _e1442 = local_38.member[2u];
 let _e1443 = (_e1431 + _e1442);
 let _e1445 = select(_e1351, _e1443, (_e1443 < _e1351));
-let _e1450 = global_2.member[bitcast<u32>(select(0i, _e1445, (_e1445 > 0i)))];
+let _e1450 = global_1.member[bitcast<u32>(select(0i, _e1445, (_e1445 > 0i)))];
 let _e1452 = local_39[0u];
 let _e1456 = local_39[1u];
 let _e1461 = local_39[2u];
@@ -721,41 +721,41 @@ local_37 = _e1483;
 let _e1484 = local_37;
 let _e1486 = (bitcast<i32>(_e229) - 1i);
 let _e1488 = select(_e1486, 263197i, (263197i < _e1486));
-let _e1493 = global_3.member[bitcast<u32>(select(0i, _e1488, (_e1488 > 0i)))];
+let _e1493 = global_2.member[bitcast<u32>(select(0i, _e1488, (_e1488 > 0i)))];
 let _e1496 = select(_e1486, 263198i, (263198i < _e1486));
-let _e1501 = global_3.member[bitcast<u32>(select(0i, _e1496, (_e1496 > 0i)))];
+let _e1501 = global_2.member[bitcast<u32>(select(0i, _e1496, (_e1496 > 0i)))];
 let _e1504 = select(_e1486, 263199i, (263199i < _e1486));
-let _e1509 = global_3.member[bitcast<u32>(select(0i, _e1504, (_e1504 > 0i)))];
+let _e1509 = global_2.member[bitcast<u32>(select(0i, _e1504, (_e1504 > 0i)))];
 let _e1510 = bitcast<f32>(_e1509);
 let _e1512 = ((_e1484 - bitcast<f32>(_e1493)) * bitcast<f32>(_e1501));
 let _e1514 = select(0f, _e1512, (_e1512 > 0f));
 let _e1517 = local_37;
 let _e1519 = select(_e1486, 263200i, (263200i < _e1486));
-let _e1524 = global_3.member[bitcast<u32>(select(0i, _e1519, (_e1519 > 0i)))];
+let _e1524 = global_2.member[bitcast<u32>(select(0i, _e1519, (_e1519 > 0i)))];
 let _e1527 = select(_e1486, 263201i, (263201i < _e1486));
-let _e1532 = global_3.member[bitcast<u32>(select(0i, _e1527, (_e1527 > 0i)))];
+let _e1532 = global_2.member[bitcast<u32>(select(0i, _e1527, (_e1527 > 0i)))];
 let _e1535 = select(_e1486, 263202i, (263202i < _e1486));
-let _e1540 = global_3.member[bitcast<u32>(select(0i, _e1535, (_e1535 > 0i)))];
+let _e1540 = global_2.member[bitcast<u32>(select(0i, _e1535, (_e1535 > 0i)))];
 let _e1541 = bitcast<f32>(_e1540);
 let _e1543 = ((_e1517 - bitcast<f32>(_e1524)) * bitcast<f32>(_e1532));
 let _e1545 = select(0f, _e1543, (_e1543 > 0f));
 let _e1549 = local_37;
 let _e1551 = select(_e1486, 263203i, (263203i < _e1486));
-let _e1556 = global_3.member[bitcast<u32>(select(0i, _e1551, (_e1551 > 0i)))];
+let _e1556 = global_2.member[bitcast<u32>(select(0i, _e1551, (_e1551 > 0i)))];
 let _e1559 = select(_e1486, 263204i, (263204i < _e1486));
-let _e1564 = global_3.member[bitcast<u32>(select(0i, _e1559, (_e1559 > 0i)))];
+let _e1564 = global_2.member[bitcast<u32>(select(0i, _e1559, (_e1559 > 0i)))];
 let _e1567 = select(_e1486, 263205i, (263205i < _e1486));
-let _e1572 = global_3.member[bitcast<u32>(select(0i, _e1567, (_e1567 > 0i)))];
+let _e1572 = global_2.member[bitcast<u32>(select(0i, _e1567, (_e1567 > 0i)))];
 let _e1573 = bitcast<f32>(_e1572);
 let _e1575 = ((_e1549 - bitcast<f32>(_e1556)) * bitcast<f32>(_e1564));
 let _e1577 = select(0f, _e1575, (_e1575 > 0f));
 let _e1580 = local_37;
 let _e1582 = select(_e1486, 263206i, (263206i < _e1486));
-let _e1587 = global_3.member[bitcast<u32>(select(0i, _e1582, (_e1582 > 0i)))];
+let _e1587 = global_2.member[bitcast<u32>(select(0i, _e1582, (_e1582 > 0i)))];
 let _e1590 = select(_e1486, 263207i, (263207i < _e1486));
-let _e1595 = global_3.member[bitcast<u32>(select(0i, _e1590, (_e1590 > 0i)))];
+let _e1595 = global_2.member[bitcast<u32>(select(0i, _e1590, (_e1590 > 0i)))];
 let _e1598 = select(_e1486, 263208i, (263208i < _e1486));
-let _e1603 = global_3.member[bitcast<u32>(select(0i, _e1598, (_e1598 > 0i)))];
+let _e1603 = global_2.member[bitcast<u32>(select(0i, _e1598, (_e1598 > 0i)))];
 let _e1604 = bitcast<f32>(_e1603);
 let _e1606 = ((_e1580 - bitcast<f32>(_e1587)) * bitcast<f32>(_e1595));
 let _e1608 = select(0f, _e1606, (_e1606 > 0f));
@@ -766,13 +766,13 @@ let _e1623 = select(0i, select(select(i32(_e1616), i32(-2147483648), (_e1616 < -
 let _e1627 = (_e1623 - select(0i, 1i, (_e1616 < f32(_e1623))));
 let _e1628 = (262147i + _e1627);
 let _e1630 = select(_e1486, _e1628, (_e1628 < _e1486));
-let _e1636 = global_3.member[bitcast<u32>(select(0i, _e1630, (_e1630 > 0i)))];
+let _e1636 = global_2.member[bitcast<u32>(select(0i, _e1630, (_e1630 > 0i)))];
 let _e1646 = select(_e1486, 262146i, (262146i < _e1486));
-let _e1652 = global_3.member[bitcast<u32>(select(0i, _e1646, (_e1646 > 0i)))];
+let _e1652 = global_2.member[bitcast<u32>(select(0i, _e1646, (_e1646 > 0i)))];
 let _e1656 = select(_e1486, 262144i, (262144i < _e1486));
-let _e1662 = global_3.member[bitcast<u32>(select(0i, _e1656, (_e1656 > 0i)))];
+let _e1662 = global_2.member[bitcast<u32>(select(0i, _e1656, (_e1656 > 0i)))];
 let _e1665 = select(_e1486, 262145i, (262145i < _e1486));
-let _e1671 = global_3.member[bitcast<u32>(select(0i, _e1665, (_e1665 > 0i)))];
+let _e1671 = global_2.member[bitcast<u32>(select(0i, _e1665, (_e1665 > 0i)))];
 phi_2928_ = select(_e462[16], ((bitcast<f32>(_e1662) + (f32(bitcast<i32>((_e1636 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1671))) + ((f32((bitcast<i32>((_e1636 & 4095u)) - 2048i)) * bitcast<f32>(_e1652)) * (_e1612 - f32(_e1627)))), _e1139);
 } else {
 phi_2928_ = _e462[16];
@@ -783,7 +783,7 @@ let _e1683 = (_e497 - _e493);
 let _e1684 = (_e502 - _e487);
 let _e1689 = (((_e1682 * _e1682) + (_e1683 * _e1683)) + (_e1684 * _e1684));
 let _e1692 = sqrt(select(0f, _e1689, (_e1689 > 0f)));
-let _e1693 = type_39(type_29(1f, 1f), vec3<f32>(_e495, _e497, _e502), _e1150, _e1692, _e482, _e1150, true, false, false);
+let _e1693 = type_38(type_31(1f, 1f), vec3<f32>(_e495, _e497, _e502), _e1150, _e1692, _e482, _e1150, true, false, false);
 let _e1694 = (_e665 < 1e-12f);
 let _e1696 = (1f / select(_e660, 1f, _e1694));
 let _e1697 = (-0.5f - _e571);
@@ -935,7 +935,7 @@ let _e2054 = select(select(select(select(select(select(0f, _e1795.member_1, _e18
 let _e2055 = select(select(select(select(select(select(1f, _e1795.member_2, _e1836), _e1795.member_2, _e1876), _e1804.member_2, _e1915), _e1804.member_2, _e1955), _e1813.member_2, _e1994), _e1813.member_2, _e2034);
 let _e2059 = ((_e798 & 16u) == 0u);
 if _e2059 {
-phi_4534_ = type_36(_e2040, vec3<f32>(_e2041, _e2042, _e2043), _e2045, vec3<f32>(_e2046, _e2047, _e2048), _e2050, _e2052, vec3<f32>(_e2053, _e2054, _e2055));
+phi_4534_ = type_34(_e2040, vec3<f32>(_e2041, _e2042, _e2043), _e2045, vec3<f32>(_e2046, _e2047, _e2048), _e2050, _e2052, vec3<f32>(_e2053, _e2054, _e2055));
 } else {
 let _e2064 = (((_e1795.member * _e1795.member) + (_e1795.member_1 * _e1795.member_1)) + (_e1795.member_2 * _e1795.member_2));
 let _e2067 = sqrt(select(0f, _e2064, (_e2064 > 0f)));
@@ -1015,7 +1015,7 @@ let _e2363 = select(2f, select(0f, _e2355, (_e2335 < 0f)), (_e2336 > 0f));
 let _e2364 = (_e2335 > _e2299);
 let _e2368 = ((_e2359 > _e2291) || ((_e2359 == _e2291) && _e2364));
 let _e2369 = (_e2363 < _e2295);
-phi_4534_ = type_36(select(_e2291, _e2359, _e2368), vec3<f32>(select(select(select(select(_e2041, _e2105.member, _e2131), _e2184.member, _e2210), _e2263.member, _e2289), _e2342.member, _e2368), select(select(select(select(_e2042, _e2105.member_1, _e2131), _e2184.member_1, _e2210), _e2263.member_1, _e2289), _e2342.member_1, _e2368), select(select(select(select(_e2043, _e2105.member_2, _e2131), _e2184.member_2, _e2210), _e2263.member_2, _e2289), _e2342.member_2, _e2368)), select(_e2295, _e2363, _e2369), vec3<f32>(select(select(select(select(_e2046, _e2105.member, _e2132), _e2184.member, _e2211), _e2263.member, _e2290), _e2342.member, _e2369), select(select(select(select(_e2047, _e2105.member_1, _e2132), _e2184.member_1, _e2211), _e2263.member_1, _e2290), _e2342.member_1, _e2369), select(select(select(select(_e2048, _e2105.member_2, _e2132), _e2184.member_2, _e2211), _e2263.member_2, _e2290), _e2342.member_2, _e2369)), select(_e2299, _e2335, _e2364), select(_e2301, _e2336, (_e2336 > _e2301)), vec3<f32>(select(select(select(select(_e2053, _e2105.member, _e2127), _e2184.member, _e2206), _e2263.member, _e2285), _e2342.member, _e2364), select(select(select(select(_e2054, _e2105.member_1, _e2127), _e2184.member_1, _e2206), _e2263.member_1, _e2285), _e2342.member_1, _e2364), select(select(select(select(_e2055, _e2105.member_2, _e2127), _e2184.member_2, _e2206), _e2263.member_2, _e2285), _e2342.member_2, _e2364)));
+phi_4534_ = type_34(select(_e2291, _e2359, _e2368), vec3<f32>(select(select(select(select(_e2041, _e2105.member, _e2131), _e2184.member, _e2210), _e2263.member, _e2289), _e2342.member, _e2368), select(select(select(select(_e2042, _e2105.member_1, _e2131), _e2184.member_1, _e2210), _e2263.member_1, _e2289), _e2342.member_1, _e2368), select(select(select(select(_e2043, _e2105.member_2, _e2131), _e2184.member_2, _e2210), _e2263.member_2, _e2289), _e2342.member_2, _e2368)), select(_e2295, _e2363, _e2369), vec3<f32>(select(select(select(select(_e2046, _e2105.member, _e2132), _e2184.member, _e2211), _e2263.member, _e2290), _e2342.member, _e2369), select(select(select(select(_e2047, _e2105.member_1, _e2132), _e2184.member_1, _e2211), _e2263.member_1, _e2290), _e2342.member_1, _e2369), select(select(select(select(_e2048, _e2105.member_2, _e2132), _e2184.member_2, _e2211), _e2263.member_2, _e2290), _e2342.member_2, _e2369)), select(_e2299, _e2335, _e2364), select(_e2301, _e2336, (_e2336 > _e2301)), vec3<f32>(select(select(select(select(_e2053, _e2105.member, _e2127), _e2184.member, _e2206), _e2263.member, _e2285), _e2342.member, _e2364), select(select(select(select(_e2054, _e2105.member_1, _e2127), _e2184.member_1, _e2206), _e2263.member_1, _e2285), _e2342.member_1, _e2364), select(select(select(select(_e2055, _e2105.member_2, _e2127), _e2184.member_2, _e2206), _e2263.member_2, _e2285), _e2342.member_2, _e2364)));
 }
 let _e2389 = phi_4534_;
 if ((_e2389.member_4 > -(0.015625f)) && (_e2389.member_4 < 0.015625f)) {
@@ -1030,9 +1030,9 @@ let _e2402 = (_e462[3] * _e2401);
 let _e2403 = (_e462[4] * _e2401);
 let _e2404 = (_e462[5] * _e2401);
 if _e2398 {
-phi_4577_ = type_30(_e2389.member_2, _e2389.member_3);
+phi_4577_ = type_39(_e2389.member_2, _e2389.member_3);
 } else {
-phi_4577_ = type_30(_e2389.member, _e2389.member_1);
+phi_4577_ = type_39(_e2389.member, _e2389.member_1);
 }
 let _e2413 = phi_4577_;
 if _e2398 {
@@ -1075,30 +1075,30 @@ let _e2528 = (select(0i, _e2491, (_e2491 > 0i)) * _e1280);
 let _e2529 = (select(_e1293, _e2509, (_e2509 < _e1293)) * _e1280);
 let _e2530 = (select(0i, _e2506, (_e2506 > 0i)) * _e1285);
 let _e2531 = (select(_e1306, _e2514, (_e2514 < _e1306)) * _e1285);
-local_34 = type_33(array<i32, 4>(select(0i, _e2517, (_e2517 > 0i)), select(0i, _e2476, (_e2476 > 0i)), select(_e1319, _e2522, (_e2522 < _e1319)), select(_e1319, _e2525, (_e2525 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_34 = type_28(array<i32, 4>(select(0i, _e2517, (_e2517 > 0i)), select(0i, _e2476, (_e2476 > 0i)), select(_e1319, _e2522, (_e2522 < _e1319)), select(_e1319, _e2525, (_e2525 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_35 = vec3<f32>((_e2453 - f32(_e2476)), (_e2457 - f32(_e2491)), (_e2461 - f32(_e2506)));
 let _e2542 = (_e2530 + _e2528);
 let _e2545 = local_34.member[1u];
 let _e2546 = (_e2542 + _e2545);
 let _e2548 = select(_e1351, _e2546, (_e2546 < _e1351));
-let _e2553 = global_2.member[bitcast<u32>(select(0i, _e2548, (_e2548 > 0i)))];
+let _e2553 = global_1.member[bitcast<u32>(select(0i, _e2548, (_e2548 > 0i)))];
 let _e2554 = bitcast<f32>(_e2553);
 let _e2557 = local_34.member[2u];
 let _e2558 = (_e2542 + _e2557);
 let _e2560 = select(_e1351, _e2558, (_e2558 < _e1351));
-let _e2565 = global_2.member[bitcast<u32>(select(0i, _e2560, (_e2560 > 0i)))];
+let _e2565 = global_1.member[bitcast<u32>(select(0i, _e2560, (_e2560 > 0i)))];
 let _e2567 = local_35[0u];
 let _e2570 = (_e2554 + ((bitcast<f32>(_e2565) - _e2554) * _e2567));
 let _e2571 = (_e2530 + _e2529);
 let _e2572 = local_34.member[1u];
 let _e2573 = (_e2571 + _e2572);
 let _e2575 = select(_e1351, _e2573, (_e2573 < _e1351));
-let _e2580 = global_2.member[bitcast<u32>(select(0i, _e2575, (_e2575 > 0i)))];
+let _e2580 = global_1.member[bitcast<u32>(select(0i, _e2575, (_e2575 > 0i)))];
 let _e2581 = bitcast<f32>(_e2580);
 let _e2582 = local_34.member[2u];
 let _e2583 = (_e2571 + _e2582);
 let _e2585 = select(_e1351, _e2583, (_e2583 < _e1351));
-let _e2590 = global_2.member[bitcast<u32>(select(0i, _e2585, (_e2585 > 0i)))];
+let _e2590 = global_1.member[bitcast<u32>(select(0i, _e2585, (_e2585 > 0i)))];
 let _e2592 = local_35[0u];
 let _e2597 = local_35[1u];
 let _e2600 = (_e2570 + (((_e2581 + ((bitcast<f32>(_e2590) - _e2581) * _e2592)) - _e2570) * _e2597));
@@ -1106,24 +1106,24 @@ let _e2601 = (_e2531 + _e2528);
 let _e2602 = local_34.member[1u];
 let _e2603 = (_e2601 + _e2602);
 let _e2605 = select(_e1351, _e2603, (_e2603 < _e1351));
-let _e2610 = global_2.member[bitcast<u32>(select(0i, _e2605, (_e2605 > 0i)))];
+let _e2610 = global_1.member[bitcast<u32>(select(0i, _e2605, (_e2605 > 0i)))];
 let _e2611 = bitcast<f32>(_e2610);
 let _e2612 = local_34.member[2u];
 let _e2613 = (_e2601 + _e2612);
 let _e2615 = select(_e1351, _e2613, (_e2613 < _e1351));
-let _e2620 = global_2.member[bitcast<u32>(select(0i, _e2615, (_e2615 > 0i)))];
+let _e2620 = global_1.member[bitcast<u32>(select(0i, _e2615, (_e2615 > 0i)))];
 let _e2622 = local_35[0u];
 let _e2625 = (_e2611 + ((bitcast<f32>(_e2620) - _e2611) * _e2622));
 let _e2626 = (_e2531 + _e2529);
 let _e2627 = local_34.member[1u];
 let _e2628 = (_e2626 + _e2627);
 let _e2630 = select(_e1351, _e2628, (_e2628 < _e1351));
-let _e2635 = global_2.member[bitcast<u32>(select(0i, _e2630, (_e2630 > 0i)))];
+let _e2635 = global_1.member[bitcast<u32>(select(0i, _e2630, (_e2630 > 0i)))];
 let _e2636 = bitcast<f32>(_e2635);
 let _e2637 = local_34.member[2u];
 let _e2638 = (_e2626 + _e2637);
 let _e2640 = select(_e1351, _e2638, (_e2638 < _e1351));
-let _e2645 = global_2.member[bitcast<u32>(select(0i, _e2640, (_e2640 > 0i)))];
+let _e2645 = global_1.member[bitcast<u32>(select(0i, _e2640, (_e2640 > 0i)))];
 let _e2647 = local_35[0u];
 let _e2651 = local_35[1u];
 let _e2656 = local_35[2u];
@@ -1135,49 +1135,49 @@ local_33 = _e2666;
 let _e2667 = local_33;
 let _e2669 = (bitcast<i32>(_e229) - 1i);
 let _e2671 = select(_e2669, 263197i, (263197i < _e2669));
-let _e2676 = global_3.member[bitcast<u32>(select(0i, _e2671, (_e2671 > 0i)))];
+let _e2676 = global_2.member[bitcast<u32>(select(0i, _e2671, (_e2671 > 0i)))];
 let _e2677 = bitcast<f32>(_e2676);
 let _e2679 = select(_e2669, 263198i, (263198i < _e2669));
-let _e2684 = global_3.member[bitcast<u32>(select(0i, _e2679, (_e2679 > 0i)))];
+let _e2684 = global_2.member[bitcast<u32>(select(0i, _e2679, (_e2679 > 0i)))];
 let _e2685 = bitcast<f32>(_e2684);
 let _e2687 = select(_e2669, 263199i, (263199i < _e2669));
-let _e2692 = global_3.member[bitcast<u32>(select(0i, _e2687, (_e2687 > 0i)))];
+let _e2692 = global_2.member[bitcast<u32>(select(0i, _e2687, (_e2687 > 0i)))];
 let _e2693 = bitcast<f32>(_e2692);
 let _e2695 = ((_e2667 - _e2677) * _e2685);
 let _e2697 = select(0f, _e2695, (_e2695 > 0f));
 let _e2700 = local_33;
 let _e2702 = select(_e2669, 263200i, (263200i < _e2669));
-let _e2707 = global_3.member[bitcast<u32>(select(0i, _e2702, (_e2702 > 0i)))];
+let _e2707 = global_2.member[bitcast<u32>(select(0i, _e2702, (_e2702 > 0i)))];
 let _e2708 = bitcast<f32>(_e2707);
 let _e2710 = select(_e2669, 263201i, (263201i < _e2669));
-let _e2715 = global_3.member[bitcast<u32>(select(0i, _e2710, (_e2710 > 0i)))];
+let _e2715 = global_2.member[bitcast<u32>(select(0i, _e2710, (_e2710 > 0i)))];
 let _e2716 = bitcast<f32>(_e2715);
 let _e2718 = select(_e2669, 263202i, (263202i < _e2669));
-let _e2723 = global_3.member[bitcast<u32>(select(0i, _e2718, (_e2718 > 0i)))];
+let _e2723 = global_2.member[bitcast<u32>(select(0i, _e2718, (_e2718 > 0i)))];
 let _e2724 = bitcast<f32>(_e2723);
 let _e2726 = ((_e2700 - _e2708) * _e2716);
 let _e2728 = select(0f, _e2726, (_e2726 > 0f));
 let _e2732 = local_33;
 let _e2734 = select(_e2669, 263203i, (263203i < _e2669));
-let _e2739 = global_3.member[bitcast<u32>(select(0i, _e2734, (_e2734 > 0i)))];
+let _e2739 = global_2.member[bitcast<u32>(select(0i, _e2734, (_e2734 > 0i)))];
 let _e2740 = bitcast<f32>(_e2739);
 let _e2742 = select(_e2669, 263204i, (263204i < _e2669));
-let _e2747 = global_3.member[bitcast<u32>(select(0i, _e2742, (_e2742 > 0i)))];
+let _e2747 = global_2.member[bitcast<u32>(select(0i, _e2742, (_e2742 > 0i)))];
 let _e2748 = bitcast<f32>(_e2747);
 let _e2750 = select(_e2669, 263205i, (263205i < _e2669));
-let _e2755 = global_3.member[bitcast<u32>(select(0i, _e2750, (_e2750 > 0i)))];
+let _e2755 = global_2.member[bitcast<u32>(select(0i, _e2750, (_e2750 > 0i)))];
 let _e2756 = bitcast<f32>(_e2755);
 let _e2758 = ((_e2732 - _e2740) * _e2748);
 let _e2760 = select(0f, _e2758, (_e2758 > 0f));
 let _e2763 = local_33;
 let _e2765 = select(_e2669, 263206i, (263206i < _e2669));
-let _e2770 = global_3.member[bitcast<u32>(select(0i, _e2765, (_e2765 > 0i)))];
+let _e2770 = global_2.member[bitcast<u32>(select(0i, _e2765, (_e2765 > 0i)))];
 let _e2771 = bitcast<f32>(_e2770);
 let _e2773 = select(_e2669, 263207i, (263207i < _e2669));
-let _e2778 = global_3.member[bitcast<u32>(select(0i, _e2773, (_e2773 > 0i)))];
+let _e2778 = global_2.member[bitcast<u32>(select(0i, _e2773, (_e2773 > 0i)))];
 let _e2779 = bitcast<f32>(_e2778);
 let _e2781 = select(_e2669, 263208i, (263208i < _e2669));
-let _e2786 = global_3.member[bitcast<u32>(select(0i, _e2781, (_e2781 > 0i)))];
+let _e2786 = global_2.member[bitcast<u32>(select(0i, _e2781, (_e2781 > 0i)))];
 let _e2787 = bitcast<f32>(_e2786);
 let _e2789 = ((_e2763 - _e2771) * _e2779);
 let _e2791 = select(0f, _e2789, (_e2789 > 0f));
@@ -1188,21 +1188,21 @@ let _e2806 = select(0i, select(select(i32(_e2799), i32(-2147483648), (_e2799 < -
 let _e2810 = (_e2806 - select(0i, 1i, (_e2799 < f32(_e2806))));
 let _e2811 = (262147i + _e2810);
 let _e2813 = select(_e2669, _e2811, (_e2811 < _e2669));
-let _e2818 = global_3.member[bitcast<u32>(select(0i, _e2813, (_e2813 > 0i)))];
+let _e2818 = global_2.member[bitcast<u32>(select(0i, _e2813, (_e2813 > 0i)))];
 let _e2828 = select(_e2669, 262146i, (262146i < _e2669));
-let _e2833 = global_3.member[bitcast<u32>(select(0i, _e2828, (_e2828 > 0i)))];
+let _e2833 = global_2.member[bitcast<u32>(select(0i, _e2828, (_e2828 > 0i)))];
 let _e2834 = bitcast<f32>(_e2833);
 let _e2837 = select(_e2669, 262144i, (262144i < _e2669));
-let _e2842 = global_3.member[bitcast<u32>(select(0i, _e2837, (_e2837 > 0i)))];
+let _e2842 = global_2.member[bitcast<u32>(select(0i, _e2837, (_e2837 > 0i)))];
 let _e2843 = bitcast<f32>(_e2842);
 let _e2845 = select(_e2669, 262145i, (262145i < _e2669));
-let _e2850 = global_3.member[bitcast<u32>(select(0i, _e2845, (_e2845 > 0i)))];
+let _e2850 = global_2.member[bitcast<u32>(select(0i, _e2845, (_e2845 > 0i)))];
 let _e2851 = bitcast<f32>(_e2850);
 let _e2857 = ((_e2843 + (f32(bitcast<i32>((_e2818 >> bitcast<u32>(12u)))) * _e2851)) + ((f32((bitcast<i32>((_e2818 & 4095u)) - 2048i)) * _e2834) * (_e2795 - f32(_e2810))));
 if _e2398 {
-phi_5669_ = type_29(_e2857, 1f);
+phi_5669_ = type_31(_e2857, 1f);
 } else {
-phi_5669_ = type_29(1f, _e2857);
+phi_5669_ = type_31(1f, _e2857);
 }
 let _e2861 = phi_5669_;
 let _e2866 = ((_e2861.member_1 * _e2861.member_1) - (_e2861.member * _e2861.member));
@@ -1340,7 +1340,7 @@ let _e3206 = select(select(select(select(select(select(0f, _e1795.member, _e2987
 let _e3207 = select(select(select(select(select(select(0f, _e1795.member_1, _e2987), _e1795.member_1, _e3027), _e1804.member_1, _e3067), _e1804.member_1, _e3107), _e1813.member_1, _e3147), _e1813.member_1, _e3187);
 let _e3208 = select(select(select(select(select(select(1f, _e1795.member_2, _e2987), _e1795.member_2, _e3027), _e1804.member_2, _e3067), _e1804.member_2, _e3107), _e1813.member_2, _e3147), _e1813.member_2, _e3187);
 if _e2059 {
-phi_7192_ = type_36(_e3193, vec3<f32>(_e3194, _e3195, _e3196), _e3198, vec3<f32>(_e3199, _e3200, _e3201), _e3203, _e3205, vec3<f32>(_e3206, _e3207, _e3208));
+phi_7192_ = type_34(_e3193, vec3<f32>(_e3194, _e3195, _e3196), _e3198, vec3<f32>(_e3199, _e3200, _e3201), _e3203, _e3205, vec3<f32>(_e3206, _e3207, _e3208));
 } else {
 let _e3215 = (((_e1795.member * _e1795.member) + (_e1795.member_1 * _e1795.member_1)) + (_e1795.member_2 * _e1795.member_2));
 let _e3218 = sqrt(select(0f, _e3215, (_e3215 > 0f)));
@@ -1420,7 +1420,7 @@ let _e3514 = select(2f, select(0f, _e3506, (_e3486 < 0f)), (_e3487 > 0f));
 let _e3515 = (_e3486 > _e3450);
 let _e3519 = ((_e3510 > _e3442) || ((_e3510 == _e3442) && _e3515));
 let _e3520 = (_e3514 < _e3446);
-phi_7192_ = type_36(select(_e3442, _e3510, _e3519), vec3<f32>(select(select(select(select(_e3194, _e3256.member, _e3282), _e3335.member, _e3361), _e3414.member, _e3440), _e3493.member, _e3519), select(select(select(select(_e3195, _e3256.member_1, _e3282), _e3335.member_1, _e3361), _e3414.member_1, _e3440), _e3493.member_1, _e3519), select(select(select(select(_e3196, _e3256.member_2, _e3282), _e3335.member_2, _e3361), _e3414.member_2, _e3440), _e3493.member_2, _e3519)), select(_e3446, _e3514, _e3520), vec3<f32>(select(select(select(select(_e3199, _e3256.member, _e3283), _e3335.member, _e3362), _e3414.member, _e3441), _e3493.member, _e3520), select(select(select(select(_e3200, _e3256.member_1, _e3283), _e3335.member_1, _e3362), _e3414.member_1, _e3441), _e3493.member_1, _e3520), select(select(select(select(_e3201, _e3256.member_2, _e3283), _e3335.member_2, _e3362), _e3414.member_2, _e3441), _e3493.member_2, _e3520)), select(_e3450, _e3486, _e3515), select(_e3452, _e3487, (_e3487 > _e3452)), vec3<f32>(select(select(select(select(_e3206, _e3256.member, _e3278), _e3335.member, _e3357), _e3414.member, _e3436), _e3493.member, _e3515), select(select(select(select(_e3207, _e3256.member_1, _e3278), _e3335.member_1, _e3357), _e3414.member_1, _e3436), _e3493.member_1, _e3515), select(select(select(select(_e3208, _e3256.member_2, _e3278), _e3335.member_2, _e3357), _e3414.member_2, _e3436), _e3493.member_2, _e3515)));
+phi_7192_ = type_34(select(_e3442, _e3510, _e3519), vec3<f32>(select(select(select(select(_e3194, _e3256.member, _e3282), _e3335.member, _e3361), _e3414.member, _e3440), _e3493.member, _e3519), select(select(select(select(_e3195, _e3256.member_1, _e3282), _e3335.member_1, _e3361), _e3414.member_1, _e3440), _e3493.member_1, _e3519), select(select(select(select(_e3196, _e3256.member_2, _e3282), _e3335.member_2, _e3361), _e3414.member_2, _e3440), _e3493.member_2, _e3519)), select(_e3446, _e3514, _e3520), vec3<f32>(select(select(select(select(_e3199, _e3256.member, _e3283), _e3335.member, _e3362), _e3414.member, _e3441), _e3493.member, _e3520), select(select(select(select(_e3200, _e3256.member_1, _e3283), _e3335.member_1, _e3362), _e3414.member_1, _e3441), _e3493.member_1, _e3520), select(select(select(select(_e3201, _e3256.member_2, _e3283), _e3335.member_2, _e3362), _e3414.member_2, _e3441), _e3493.member_2, _e3520)), select(_e3450, _e3486, _e3515), select(_e3452, _e3487, (_e3487 > _e3452)), vec3<f32>(select(select(select(select(_e3206, _e3256.member, _e3278), _e3335.member, _e3357), _e3414.member, _e3436), _e3493.member, _e3515), select(select(select(select(_e3207, _e3256.member_1, _e3278), _e3335.member_1, _e3357), _e3414.member_1, _e3436), _e3493.member_1, _e3515), select(select(select(select(_e3208, _e3256.member_2, _e3278), _e3335.member_2, _e3357), _e3414.member_2, _e3436), _e3493.member_2, _e3515)));
 }
 let _e3540 = phi_7192_;
 let _e3546 = (((_e2421 && _e2948) && !(_e2933)) && (_e3540.member_2 <= 1f));
@@ -1463,30 +1463,30 @@ let _e3656 = (select(0i, _e3619, (_e3619 > 0i)) * _e1280);
 let _e3657 = (select(_e1293, _e3637, (_e3637 < _e1293)) * _e1280);
 let _e3658 = (select(0i, _e3634, (_e3634 > 0i)) * _e1285);
 let _e3659 = (select(_e1306, _e3642, (_e3642 < _e1306)) * _e1285);
-local_30 = type_33(array<i32, 4>(select(0i, _e3645, (_e3645 > 0i)), select(0i, _e3604, (_e3604 > 0i)), select(_e1319, _e3650, (_e3650 < _e1319)), select(_e1319, _e3653, (_e3653 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_30 = type_28(array<i32, 4>(select(0i, _e3645, (_e3645 > 0i)), select(0i, _e3604, (_e3604 > 0i)), select(_e1319, _e3650, (_e3650 < _e1319)), select(_e1319, _e3653, (_e3653 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_31 = vec3<f32>((_e3581 - f32(_e3604)), (_e3585 - f32(_e3619)), (_e3589 - f32(_e3634)));
 let _e3670 = (_e3658 + _e3656);
 let _e3673 = local_30.member[1u];
 let _e3674 = (_e3670 + _e3673);
 let _e3676 = select(_e1351, _e3674, (_e3674 < _e1351));
-let _e3681 = global_2.member[bitcast<u32>(select(0i, _e3676, (_e3676 > 0i)))];
+let _e3681 = global_1.member[bitcast<u32>(select(0i, _e3676, (_e3676 > 0i)))];
 let _e3682 = bitcast<f32>(_e3681);
 let _e3685 = local_30.member[2u];
 let _e3686 = (_e3670 + _e3685);
 let _e3688 = select(_e1351, _e3686, (_e3686 < _e1351));
-let _e3693 = global_2.member[bitcast<u32>(select(0i, _e3688, (_e3688 > 0i)))];
+let _e3693 = global_1.member[bitcast<u32>(select(0i, _e3688, (_e3688 > 0i)))];
 let _e3695 = local_31[0u];
 let _e3698 = (_e3682 + ((bitcast<f32>(_e3693) - _e3682) * _e3695));
 let _e3699 = (_e3658 + _e3657);
 let _e3700 = local_30.member[1u];
 let _e3701 = (_e3699 + _e3700);
 let _e3703 = select(_e1351, _e3701, (_e3701 < _e1351));
-let _e3708 = global_2.member[bitcast<u32>(select(0i, _e3703, (_e3703 > 0i)))];
+let _e3708 = global_1.member[bitcast<u32>(select(0i, _e3703, (_e3703 > 0i)))];
 let _e3709 = bitcast<f32>(_e3708);
 let _e3710 = local_30.member[2u];
 let _e3711 = (_e3699 + _e3710);
 let _e3713 = select(_e1351, _e3711, (_e3711 < _e1351));
-let _e3718 = global_2.member[bitcast<u32>(select(0i, _e3713, (_e3713 > 0i)))];
+let _e3718 = global_1.member[bitcast<u32>(select(0i, _e3713, (_e3713 > 0i)))];
 let _e3720 = local_31[0u];
 let _e3725 = local_31[1u];
 let _e3728 = (_e3698 + (((_e3709 + ((bitcast<f32>(_e3718) - _e3709) * _e3720)) - _e3698) * _e3725));
@@ -1494,24 +1494,24 @@ let _e3729 = (_e3659 + _e3656);
 let _e3730 = local_30.member[1u];
 let _e3731 = (_e3729 + _e3730);
 let _e3733 = select(_e1351, _e3731, (_e3731 < _e1351));
-let _e3738 = global_2.member[bitcast<u32>(select(0i, _e3733, (_e3733 > 0i)))];
+let _e3738 = global_1.member[bitcast<u32>(select(0i, _e3733, (_e3733 > 0i)))];
 let _e3739 = bitcast<f32>(_e3738);
 let _e3740 = local_30.member[2u];
 let _e3741 = (_e3729 + _e3740);
 let _e3743 = select(_e1351, _e3741, (_e3741 < _e1351));
-let _e3748 = global_2.member[bitcast<u32>(select(0i, _e3743, (_e3743 > 0i)))];
+let _e3748 = global_1.member[bitcast<u32>(select(0i, _e3743, (_e3743 > 0i)))];
 let _e3750 = local_31[0u];
 let _e3753 = (_e3739 + ((bitcast<f32>(_e3748) - _e3739) * _e3750));
 let _e3754 = (_e3659 + _e3657);
 let _e3755 = local_30.member[1u];
 let _e3756 = (_e3754 + _e3755);
 let _e3758 = select(_e1351, _e3756, (_e3756 < _e1351));
-let _e3763 = global_2.member[bitcast<u32>(select(0i, _e3758, (_e3758 > 0i)))];
+let _e3763 = global_1.member[bitcast<u32>(select(0i, _e3758, (_e3758 > 0i)))];
 let _e3764 = bitcast<f32>(_e3763);
 let _e3765 = local_30.member[2u];
 let _e3766 = (_e3754 + _e3765);
 let _e3768 = select(_e1351, _e3766, (_e3766 < _e1351));
-let _e3773 = global_2.member[bitcast<u32>(select(0i, _e3768, (_e3768 > 0i)))];
+let _e3773 = global_1.member[bitcast<u32>(select(0i, _e3768, (_e3768 > 0i)))];
 let _e3775 = local_31[0u];
 let _e3779 = local_31[1u];
 let _e3784 = local_31[2u];
@@ -1539,12 +1539,12 @@ let _e3836 = select(0i, select(select(i32(_e3829), i32(-2147483648), (_e3829 < -
 let _e3840 = (_e3836 - select(0i, 1i, (_e3829 < f32(_e3836))));
 let _e3841 = (262147i + _e3840);
 let _e3843 = select(_e2669, _e3841, (_e3841 < _e2669));
-let _e3848 = global_3.member[bitcast<u32>(select(0i, _e3843, (_e3843 > 0i)))];
+let _e3848 = global_2.member[bitcast<u32>(select(0i, _e3843, (_e3843 > 0i)))];
 let _e3863 = ((_e2843 + (f32(bitcast<i32>((_e3848 >> bitcast<u32>(12u)))) * _e2851)) + ((f32((bitcast<i32>((_e3848 & 4095u)) - 2048i)) * _e2834) * (_e3825 - f32(_e3840))));
 if _e2948 {
-phi_8304_ = type_29(_e3863, 1f);
+phi_8304_ = type_31(_e3863, 1f);
 } else {
-phi_8304_ = type_29(1f, _e3863);
+phi_8304_ = type_31(1f, _e3863);
 }
 let _e3867 = phi_8304_;
 let _e3872 = ((_e3867.member_1 * _e3867.member_1) - (_e3867.member * _e3867.member));
@@ -1683,7 +1683,7 @@ let _e4228 = select(select(select(select(select(select(0f, _e1795.member, _e4009
 let _e4229 = select(select(select(select(select(select(0f, _e1795.member_1, _e4009), _e1795.member_1, _e4049), _e1804.member_1, _e4089), _e1804.member_1, _e4129), _e1813.member_1, _e4169), _e1813.member_1, _e4209);
 let _e4230 = select(select(select(select(select(select(1f, _e1795.member_2, _e4009), _e1795.member_2, _e4049), _e1804.member_2, _e4089), _e1804.member_2, _e4129), _e1813.member_2, _e4169), _e1813.member_2, _e4209);
 if _e2059 {
-phi_9842_ = type_36(_e4215, vec3<f32>(_e4216, _e4217, _e4218), _e4220, vec3<f32>(_e4221, _e4222, _e4223), _e4225, _e4227, vec3<f32>(_e4228, _e4229, _e4230));
+phi_9842_ = type_34(_e4215, vec3<f32>(_e4216, _e4217, _e4218), _e4220, vec3<f32>(_e4221, _e4222, _e4223), _e4225, _e4227, vec3<f32>(_e4228, _e4229, _e4230));
 } else {
 let _e4237 = (((_e1795.member * _e1795.member) + (_e1795.member_1 * _e1795.member_1)) + (_e1795.member_2 * _e1795.member_2));
 let _e4240 = sqrt(select(0f, _e4237, (_e4237 > 0f)));
@@ -1763,7 +1763,7 @@ let _e4536 = select(2f, select(0f, _e4528, (_e4508 < 0f)), (_e4509 > 0f));
 let _e4537 = (_e4508 > _e4472);
 let _e4541 = ((_e4532 > _e4464) || ((_e4532 == _e4464) && _e4537));
 let _e4542 = (_e4536 < _e4468);
-phi_9842_ = type_36(select(_e4464, _e4532, _e4541), vec3<f32>(select(select(select(select(_e4216, _e4278.member, _e4304), _e4357.member, _e4383), _e4436.member, _e4462), _e4515.member, _e4541), select(select(select(select(_e4217, _e4278.member_1, _e4304), _e4357.member_1, _e4383), _e4436.member_1, _e4462), _e4515.member_1, _e4541), select(select(select(select(_e4218, _e4278.member_2, _e4304), _e4357.member_2, _e4383), _e4436.member_2, _e4462), _e4515.member_2, _e4541)), select(_e4468, _e4536, _e4542), vec3<f32>(select(select(select(select(_e4221, _e4278.member, _e4305), _e4357.member, _e4384), _e4436.member, _e4463), _e4515.member, _e4542), select(select(select(select(_e4222, _e4278.member_1, _e4305), _e4357.member_1, _e4384), _e4436.member_1, _e4463), _e4515.member_1, _e4542), select(select(select(select(_e4223, _e4278.member_2, _e4305), _e4357.member_2, _e4384), _e4436.member_2, _e4463), _e4515.member_2, _e4542)), select(_e4472, _e4508, _e4537), select(_e4474, _e4509, (_e4509 > _e4474)), vec3<f32>(select(select(select(select(_e4228, _e4278.member, _e4300), _e4357.member, _e4379), _e4436.member, _e4458), _e4515.member, _e4537), select(select(select(select(_e4229, _e4278.member_1, _e4300), _e4357.member_1, _e4379), _e4436.member_1, _e4458), _e4515.member_1, _e4537), select(select(select(select(_e4230, _e4278.member_2, _e4300), _e4357.member_2, _e4379), _e4436.member_2, _e4458), _e4515.member_2, _e4537)));
+phi_9842_ = type_34(select(_e4464, _e4532, _e4541), vec3<f32>(select(select(select(select(_e4216, _e4278.member, _e4304), _e4357.member, _e4383), _e4436.member, _e4462), _e4515.member, _e4541), select(select(select(select(_e4217, _e4278.member_1, _e4304), _e4357.member_1, _e4383), _e4436.member_1, _e4462), _e4515.member_1, _e4541), select(select(select(select(_e4218, _e4278.member_2, _e4304), _e4357.member_2, _e4383), _e4436.member_2, _e4462), _e4515.member_2, _e4541)), select(_e4468, _e4536, _e4542), vec3<f32>(select(select(select(select(_e4221, _e4278.member, _e4305), _e4357.member, _e4384), _e4436.member, _e4463), _e4515.member, _e4542), select(select(select(select(_e4222, _e4278.member_1, _e4305), _e4357.member_1, _e4384), _e4436.member_1, _e4463), _e4515.member_1, _e4542), select(select(select(select(_e4223, _e4278.member_2, _e4305), _e4357.member_2, _e4384), _e4436.member_2, _e4463), _e4515.member_2, _e4542)), select(_e4472, _e4508, _e4537), select(_e4474, _e4509, (_e4509 > _e4474)), vec3<f32>(select(select(select(select(_e4228, _e4278.member, _e4300), _e4357.member, _e4379), _e4436.member, _e4458), _e4515.member, _e4537), select(select(select(select(_e4229, _e4278.member_1, _e4300), _e4357.member_1, _e4379), _e4436.member_1, _e4458), _e4515.member_1, _e4537), select(select(select(select(_e4230, _e4278.member_2, _e4300), _e4357.member_2, _e4379), _e4436.member_2, _e4458), _e4515.member_2, _e4537)));
 }
 let _e4562 = phi_9842_;
 let _e4568 = (((_e3546 && _e3949) && !(_e3933)) && (_e4562.member_2 <= 1f));
@@ -1805,30 +1805,30 @@ let _e4678 = (select(0i, _e4641, (_e4641 > 0i)) * _e1280);
 let _e4679 = (select(_e1293, _e4659, (_e4659 < _e1293)) * _e1280);
 let _e4680 = (select(0i, _e4656, (_e4656 > 0i)) * _e1285);
 let _e4681 = (select(_e1306, _e4664, (_e4664 < _e1306)) * _e1285);
-local_26 = type_33(array<i32, 4>(select(0i, _e4667, (_e4667 > 0i)), select(0i, _e4626, (_e4626 > 0i)), select(_e1319, _e4672, (_e4672 < _e1319)), select(_e1319, _e4675, (_e4675 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_26 = type_28(array<i32, 4>(select(0i, _e4667, (_e4667 > 0i)), select(0i, _e4626, (_e4626 > 0i)), select(_e1319, _e4672, (_e4672 < _e1319)), select(_e1319, _e4675, (_e4675 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_27 = vec3<f32>((_e4603 - f32(_e4626)), (_e4607 - f32(_e4641)), (_e4611 - f32(_e4656)));
 let _e4692 = (_e4680 + _e4678);
 let _e4695 = local_26.member[1u];
 let _e4696 = (_e4692 + _e4695);
 let _e4698 = select(_e1351, _e4696, (_e4696 < _e1351));
-let _e4703 = global_2.member[bitcast<u32>(select(0i, _e4698, (_e4698 > 0i)))];
+let _e4703 = global_1.member[bitcast<u32>(select(0i, _e4698, (_e4698 > 0i)))];
 let _e4704 = bitcast<f32>(_e4703);
 let _e4707 = local_26.member[2u];
 let _e4708 = (_e4692 + _e4707);
 let _e4710 = select(_e1351, _e4708, (_e4708 < _e1351));
-let _e4715 = global_2.member[bitcast<u32>(select(0i, _e4710, (_e4710 > 0i)))];
+let _e4715 = global_1.member[bitcast<u32>(select(0i, _e4710, (_e4710 > 0i)))];
 let _e4717 = local_27[0u];
 let _e4720 = (_e4704 + ((bitcast<f32>(_e4715) - _e4704) * _e4717));
 let _e4721 = (_e4680 + _e4679);
 let _e4722 = local_26.member[1u];
 let _e4723 = (_e4721 + _e4722);
 let _e4725 = select(_e1351, _e4723, (_e4723 < _e1351));
-let _e4730 = global_2.member[bitcast<u32>(select(0i, _e4725, (_e4725 > 0i)))];
+let _e4730 = global_1.member[bitcast<u32>(select(0i, _e4725, (_e4725 > 0i)))];
 let _e4731 = bitcast<f32>(_e4730);
 let _e4732 = local_26.member[2u];
 let _e4733 = (_e4721 + _e4732);
 let _e4735 = select(_e1351, _e4733, (_e4733 < _e1351));
-let _e4740 = global_2.member[bitcast<u32>(select(0i, _e4735, (_e4735 > 0i)))];
+let _e4740 = global_1.member[bitcast<u32>(select(0i, _e4735, (_e4735 > 0i)))];
 let _e4742 = local_27[0u];
 let _e4747 = local_27[1u];
 let _e4750 = (_e4720 + (((_e4731 + ((bitcast<f32>(_e4740) - _e4731) * _e4742)) - _e4720) * _e4747));
@@ -1836,24 +1836,24 @@ let _e4751 = (_e4681 + _e4678);
 let _e4752 = local_26.member[1u];
 let _e4753 = (_e4751 + _e4752);
 let _e4755 = select(_e1351, _e4753, (_e4753 < _e1351));
-let _e4760 = global_2.member[bitcast<u32>(select(0i, _e4755, (_e4755 > 0i)))];
+let _e4760 = global_1.member[bitcast<u32>(select(0i, _e4755, (_e4755 > 0i)))];
 let _e4761 = bitcast<f32>(_e4760);
 let _e4762 = local_26.member[2u];
 let _e4763 = (_e4751 + _e4762);
 let _e4765 = select(_e1351, _e4763, (_e4763 < _e1351));
-let _e4770 = global_2.member[bitcast<u32>(select(0i, _e4765, (_e4765 > 0i)))];
+let _e4770 = global_1.member[bitcast<u32>(select(0i, _e4765, (_e4765 > 0i)))];
 let _e4772 = local_27[0u];
 let _e4775 = (_e4761 + ((bitcast<f32>(_e4770) - _e4761) * _e4772));
 let _e4776 = (_e4681 + _e4679);
 let _e4777 = local_26.member[1u];
 let _e4778 = (_e4776 + _e4777);
 let _e4780 = select(_e1351, _e4778, (_e4778 < _e1351));
-let _e4785 = global_2.member[bitcast<u32>(select(0i, _e4780, (_e4780 > 0i)))];
+let _e4785 = global_1.member[bitcast<u32>(select(0i, _e4780, (_e4780 > 0i)))];
 let _e4786 = bitcast<f32>(_e4785);
 let _e4787 = local_26.member[2u];
 let _e4788 = (_e4776 + _e4787);
 let _e4790 = select(_e1351, _e4788, (_e4788 < _e1351));
-let _e4795 = global_2.member[bitcast<u32>(select(0i, _e4790, (_e4790 > 0i)))];
+let _e4795 = global_1.member[bitcast<u32>(select(0i, _e4790, (_e4790 > 0i)))];
 let _e4797 = local_27[0u];
 let _e4801 = local_27[1u];
 let _e4806 = local_27[2u];
@@ -1881,12 +1881,12 @@ let _e4858 = select(0i, select(select(i32(_e4851), i32(-2147483648), (_e4851 < -
 let _e4862 = (_e4858 - select(0i, 1i, (_e4851 < f32(_e4858))));
 let _e4863 = (262147i + _e4862);
 let _e4865 = select(_e2669, _e4863, (_e4863 < _e2669));
-let _e4870 = global_3.member[bitcast<u32>(select(0i, _e4865, (_e4865 > 0i)))];
+let _e4870 = global_2.member[bitcast<u32>(select(0i, _e4865, (_e4865 > 0i)))];
 let _e4885 = ((_e2843 + (f32(bitcast<i32>((_e4870 >> bitcast<u32>(12u)))) * _e2851)) + ((f32((bitcast<i32>((_e4870 & 4095u)) - 2048i)) * _e2834) * (_e4847 - f32(_e4862))));
 if _e3949 {
-phi_10954_ = type_29(_e4885, 1f);
+phi_10954_ = type_31(_e4885, 1f);
 } else {
-phi_10954_ = type_29(1f, _e4885);
+phi_10954_ = type_31(1f, _e4885);
 }
 let _e4889 = phi_10954_;
 let _e4894 = ((_e4889.member_1 * _e4889.member_1) - (_e4889.member * _e4889.member));
@@ -2025,7 +2025,7 @@ let _e5251 = select(select(select(select(select(select(0f, _e1795.member, _e5032
 let _e5252 = select(select(select(select(select(select(0f, _e1795.member_1, _e5032), _e1795.member_1, _e5072), _e1804.member_1, _e5112), _e1804.member_1, _e5152), _e1813.member_1, _e5192), _e1813.member_1, _e5232);
 let _e5253 = select(select(select(select(select(select(1f, _e1795.member_2, _e5032), _e1795.member_2, _e5072), _e1804.member_2, _e5112), _e1804.member_2, _e5152), _e1813.member_2, _e5192), _e1813.member_2, _e5232);
 if _e2059 {
-phi_12492_ = type_36(_e5238, vec3<f32>(_e5239, _e5240, _e5241), _e5243, vec3<f32>(_e5244, _e5245, _e5246), _e5248, _e5250, vec3<f32>(_e5251, _e5252, _e5253));
+phi_12492_ = type_34(_e5238, vec3<f32>(_e5239, _e5240, _e5241), _e5243, vec3<f32>(_e5244, _e5245, _e5246), _e5248, _e5250, vec3<f32>(_e5251, _e5252, _e5253));
 } else {
 let _e5260 = (((_e1795.member * _e1795.member) + (_e1795.member_1 * _e1795.member_1)) + (_e1795.member_2 * _e1795.member_2));
 let _e5263 = sqrt(select(0f, _e5260, (_e5260 > 0f)));
@@ -2105,7 +2105,7 @@ let _e5559 = select(2f, select(0f, _e5551, (_e5531 < 0f)), (_e5532 > 0f));
 let _e5560 = (_e5531 > _e5495);
 let _e5564 = ((_e5555 > _e5487) || ((_e5555 == _e5487) && _e5560));
 let _e5565 = (_e5559 < _e5491);
-phi_12492_ = type_36(select(_e5487, _e5555, _e5564), vec3<f32>(select(select(select(select(_e5239, _e5301.member, _e5327), _e5380.member, _e5406), _e5459.member, _e5485), _e5538.member, _e5564), select(select(select(select(_e5240, _e5301.member_1, _e5327), _e5380.member_1, _e5406), _e5459.member_1, _e5485), _e5538.member_1, _e5564), select(select(select(select(_e5241, _e5301.member_2, _e5327), _e5380.member_2, _e5406), _e5459.member_2, _e5485), _e5538.member_2, _e5564)), select(_e5491, _e5559, _e5565), vec3<f32>(select(select(select(select(_e5244, _e5301.member, _e5328), _e5380.member, _e5407), _e5459.member, _e5486), _e5538.member, _e5565), select(select(select(select(_e5245, _e5301.member_1, _e5328), _e5380.member_1, _e5407), _e5459.member_1, _e5486), _e5538.member_1, _e5565), select(select(select(select(_e5246, _e5301.member_2, _e5328), _e5380.member_2, _e5407), _e5459.member_2, _e5486), _e5538.member_2, _e5565)), select(_e5495, _e5531, _e5560), select(_e5497, _e5532, (_e5532 > _e5497)), vec3<f32>(select(select(select(select(_e5251, _e5301.member, _e5323), _e5380.member, _e5402), _e5459.member, _e5481), _e5538.member, _e5560), select(select(select(select(_e5252, _e5301.member_1, _e5323), _e5380.member_1, _e5402), _e5459.member_1, _e5481), _e5538.member_1, _e5560), select(select(select(select(_e5253, _e5301.member_2, _e5323), _e5380.member_2, _e5402), _e5459.member_2, _e5481), _e5538.member_2, _e5560)));
+phi_12492_ = type_34(select(_e5487, _e5555, _e5564), vec3<f32>(select(select(select(select(_e5239, _e5301.member, _e5327), _e5380.member, _e5406), _e5459.member, _e5485), _e5538.member, _e5564), select(select(select(select(_e5240, _e5301.member_1, _e5327), _e5380.member_1, _e5406), _e5459.member_1, _e5485), _e5538.member_1, _e5564), select(select(select(select(_e5241, _e5301.member_2, _e5327), _e5380.member_2, _e5406), _e5459.member_2, _e5485), _e5538.member_2, _e5564)), select(_e5491, _e5559, _e5565), vec3<f32>(select(select(select(select(_e5244, _e5301.member, _e5328), _e5380.member, _e5407), _e5459.member, _e5486), _e5538.member, _e5565), select(select(select(select(_e5245, _e5301.member_1, _e5328), _e5380.member_1, _e5407), _e5459.member_1, _e5486), _e5538.member_1, _e5565), select(select(select(select(_e5246, _e5301.member_2, _e5328), _e5380.member_2, _e5407), _e5459.member_2, _e5486), _e5538.member_2, _e5565)), select(_e5495, _e5531, _e5560), select(_e5497, _e5532, (_e5532 > _e5497)), vec3<f32>(select(select(select(select(_e5251, _e5301.member, _e5323), _e5380.member, _e5402), _e5459.member, _e5481), _e5538.member, _e5560), select(select(select(select(_e5252, _e5301.member_1, _e5323), _e5380.member_1, _e5402), _e5459.member_1, _e5481), _e5538.member_1, _e5560), select(select(select(select(_e5253, _e5301.member_2, _e5323), _e5380.member_2, _e5402), _e5459.member_2, _e5481), _e5538.member_2, _e5560)));
 }
 let _e5585 = phi_12492_;
 let _e5591 = (((_e4568 && _e4972) && !(_e4956)) && (_e5585.member_2 <= 1f));
@@ -2276,12 +2276,12 @@ phi_14240_ = _e2861;
 phi_14240_ = _e3867;
 }
 let _e6031 = phi_14240_;
-phi_14253_ = type_39(_e6031, vec3<f32>(select(_e4967, _e4581.x, _e5591), select(_e4968, _e4581.y, _e5591), select(_e4969, _e4581.z, _e5591)), vec3<f32>(_e4941, _e4942, _e4943), select(_e1780, ((((sqrt(select(0f, _e5599, (_e5599 > 0f))) * select(0f, _e5680, (_e5680 > 0f))) + (sqrt(select(0f, _e5691, (_e5691 > 0f))) * select(0f, _e5787, (_e5787 > 0f)))) + (sqrt(select(0f, _e5799, (_e5799 > 0f))) * select(0f, _e5895, (_e5895 > 0f)))) + select(0f, (sqrt(select(0f, _e5907, (_e5907 > 0f))) * select(0f, _e6003, (_e6003 > 0f))), _e4568)), _e6010), select((_e481 / _e4943), (2f * (_e3550 / _e2915)), (((_e2421 && !(_e2398)) && _e2948) && !(_e3546))), select(_e3540.member_3, _e2413.member_1, vec3(_e2929)), _e4972, _e6010, (((_e2933 || _e3933) || _e4956) || _e5591));
+phi_14253_ = type_38(_e6031, vec3<f32>(select(_e4967, _e4581.x, _e5591), select(_e4968, _e4581.y, _e5591), select(_e4969, _e4581.z, _e5591)), vec3<f32>(_e4941, _e4942, _e4943), select(_e1780, ((((sqrt(select(0f, _e5599, (_e5599 > 0f))) * select(0f, _e5680, (_e5680 > 0f))) + (sqrt(select(0f, _e5691, (_e5691 > 0f))) * select(0f, _e5787, (_e5787 > 0f)))) + (sqrt(select(0f, _e5799, (_e5799 > 0f))) * select(0f, _e5895, (_e5895 > 0f)))) + select(0f, (sqrt(select(0f, _e5907, (_e5907 > 0f))) * select(0f, _e6003, (_e6003 > 0f))), _e4568)), _e6010), select((_e481 / _e4943), (2f * (_e3550 / _e2915)), (((_e2421 && !(_e2398)) && _e2948) && !(_e3546))), select(_e3540.member_3, _e2413.member_1, vec3(_e2929)), _e4972, _e6010, (((_e2933 || _e3933) || _e4956) || _e5591));
 phi_14254_ = vec3<f32>(_e2402, _e2403, _e2404);
 phi_14255_ = _e2398;
 phi_14256_ = _e2399;
 } else {
-phi_14253_ = type_39(_e1693.member, _e1693.member_1, _e1693.member_2, _e1780, _e1693.member_4, _e1693.member_5, _e1693.member_6, _e1693.member_7, _e1693.member_8);
+phi_14253_ = type_38(_e1693.member, _e1693.member_1, _e1693.member_2, _e1780, _e1693.member_4, _e1693.member_5, _e1693.member_6, _e1693.member_7, _e1693.member_8);
 phi_14254_ = _e1150;
 phi_14255_ = true;
 phi_14256_ = _e1681;
@@ -2329,28 +2329,28 @@ let _e6375 = (select(0i, _e6349, (_e6349 > 0i)) * _e1285);
 let _e6376 = (select(0i, _e6337, (_e6337 > 0i)) * _e1285);
 let _e6377 = (select(_e1306, _e6354, (_e6354 < _e1306)) * _e1285);
 let _e6378 = (select(_e1306, _e6357, (_e6357 < _e1306)) * _e1285);
-local_22 = type_33(array<i32, 4>(select(0i, _e6360, (_e6360 > 0i)), select(0i, _e6307, (_e6307 > 0i)), select(_e1319, _e6365, (_e6365 < _e1319)), select(_e1319, _e6368, (_e6368 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_22 = type_28(array<i32, 4>(select(0i, _e6360, (_e6360 > 0i)), select(0i, _e6307, (_e6307 > 0i)), select(_e1319, _e6365, (_e6365 < _e1319)), select(_e1319, _e6368, (_e6368 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_23 = vec3<f32>((_e6284 - f32(_e6307)), (_e6288 - f32(_e6322)), (_e6292 - f32(_e6337)));
 let _e6389 = (_e6376 + _e6372);
 let _e6392 = local_22.member[0u];
 let _e6393 = (_e6389 + _e6392);
 let _e6395 = select(_e1351, _e6393, (_e6393 < _e1351));
-let _e6400 = global_2.member[bitcast<u32>(select(0i, _e6395, (_e6395 > 0i)))];
+let _e6400 = global_1.member[bitcast<u32>(select(0i, _e6395, (_e6395 > 0i)))];
 let _e6401 = bitcast<f32>(_e6400);
 let _e6404 = local_22.member[1u];
 let _e6405 = (_e6389 + _e6404);
 let _e6407 = select(_e1351, _e6405, (_e6405 < _e1351));
-let _e6412 = global_2.member[bitcast<u32>(select(0i, _e6407, (_e6407 > 0i)))];
+let _e6412 = global_1.member[bitcast<u32>(select(0i, _e6407, (_e6407 > 0i)))];
 let _e6413 = bitcast<f32>(_e6412);
 let _e6416 = local_22.member[2u];
 let _e6417 = (_e6389 + _e6416);
 let _e6419 = select(_e1351, _e6417, (_e6417 < _e1351));
-let _e6424 = global_2.member[bitcast<u32>(select(0i, _e6419, (_e6419 > 0i)))];
+let _e6424 = global_1.member[bitcast<u32>(select(0i, _e6419, (_e6419 > 0i)))];
 let _e6425 = bitcast<f32>(_e6424);
 let _e6428 = local_22.member[3u];
 let _e6429 = (_e6389 + _e6428);
 let _e6431 = select(_e1351, _e6429, (_e6429 < _e1351));
-let _e6436 = global_2.member[bitcast<u32>(select(0i, _e6431, (_e6431 > 0i)))];
+let _e6436 = global_1.member[bitcast<u32>(select(0i, _e6431, (_e6431 > 0i)))];
 let _e6438 = local_23[0u];
 let _e6441 = (_e6401 + ((_e6413 - _e6401) * _e6438));
 let _e6442 = local_23[0u];
@@ -2361,22 +2361,22 @@ let _e6450 = (_e6376 + _e6373);
 let _e6451 = local_22.member[0u];
 let _e6452 = (_e6450 + _e6451);
 let _e6454 = select(_e1351, _e6452, (_e6452 < _e1351));
-let _e6459 = global_2.member[bitcast<u32>(select(0i, _e6454, (_e6454 > 0i)))];
+let _e6459 = global_1.member[bitcast<u32>(select(0i, _e6454, (_e6454 > 0i)))];
 let _e6460 = bitcast<f32>(_e6459);
 let _e6461 = local_22.member[1u];
 let _e6462 = (_e6450 + _e6461);
 let _e6464 = select(_e1351, _e6462, (_e6462 < _e1351));
-let _e6469 = global_2.member[bitcast<u32>(select(0i, _e6464, (_e6464 > 0i)))];
+let _e6469 = global_1.member[bitcast<u32>(select(0i, _e6464, (_e6464 > 0i)))];
 let _e6470 = bitcast<f32>(_e6469);
 let _e6471 = local_22.member[2u];
 let _e6472 = (_e6450 + _e6471);
 let _e6474 = select(_e1351, _e6472, (_e6472 < _e1351));
-let _e6479 = global_2.member[bitcast<u32>(select(0i, _e6474, (_e6474 > 0i)))];
+let _e6479 = global_1.member[bitcast<u32>(select(0i, _e6474, (_e6474 > 0i)))];
 let _e6480 = bitcast<f32>(_e6479);
 let _e6481 = local_22.member[3u];
 let _e6482 = (_e6450 + _e6481);
 let _e6484 = select(_e1351, _e6482, (_e6482 < _e1351));
-let _e6489 = global_2.member[bitcast<u32>(select(0i, _e6484, (_e6484 > 0i)))];
+let _e6489 = global_1.member[bitcast<u32>(select(0i, _e6484, (_e6484 > 0i)))];
 let _e6491 = local_23[0u];
 let _e6495 = local_23[0u];
 let _e6498 = (_e6470 + ((_e6480 - _e6470) * _e6495));
@@ -2385,22 +2385,22 @@ let _e6503 = (_e6377 + _e6372);
 let _e6504 = local_22.member[0u];
 let _e6505 = (_e6503 + _e6504);
 let _e6507 = select(_e1351, _e6505, (_e6505 < _e1351));
-let _e6512 = global_2.member[bitcast<u32>(select(0i, _e6507, (_e6507 > 0i)))];
+let _e6512 = global_1.member[bitcast<u32>(select(0i, _e6507, (_e6507 > 0i)))];
 let _e6513 = bitcast<f32>(_e6512);
 let _e6514 = local_22.member[1u];
 let _e6515 = (_e6503 + _e6514);
 let _e6517 = select(_e1351, _e6515, (_e6515 < _e1351));
-let _e6522 = global_2.member[bitcast<u32>(select(0i, _e6517, (_e6517 > 0i)))];
+let _e6522 = global_1.member[bitcast<u32>(select(0i, _e6517, (_e6517 > 0i)))];
 let _e6523 = bitcast<f32>(_e6522);
 let _e6524 = local_22.member[2u];
 let _e6525 = (_e6503 + _e6524);
 let _e6527 = select(_e1351, _e6525, (_e6525 < _e1351));
-let _e6532 = global_2.member[bitcast<u32>(select(0i, _e6527, (_e6527 > 0i)))];
+let _e6532 = global_1.member[bitcast<u32>(select(0i, _e6527, (_e6527 > 0i)))];
 let _e6533 = bitcast<f32>(_e6532);
 let _e6534 = local_22.member[3u];
 let _e6535 = (_e6503 + _e6534);
 let _e6537 = select(_e1351, _e6535, (_e6535 < _e1351));
-let _e6542 = global_2.member[bitcast<u32>(select(0i, _e6537, (_e6537 > 0i)))];
+let _e6542 = global_1.member[bitcast<u32>(select(0i, _e6537, (_e6537 > 0i)))];
 let _e6544 = local_23[0u];
 let _e6547 = (_e6513 + ((_e6523 - _e6513) * _e6544));
 let _e6548 = local_23[0u];
@@ -2411,22 +2411,22 @@ let _e6556 = (_e6377 + _e6373);
 let _e6557 = local_22.member[0u];
 let _e6558 = (_e6556 + _e6557);
 let _e6560 = select(_e1351, _e6558, (_e6558 < _e1351));
-let _e6565 = global_2.member[bitcast<u32>(select(0i, _e6560, (_e6560 > 0i)))];
+let _e6565 = global_1.member[bitcast<u32>(select(0i, _e6560, (_e6560 > 0i)))];
 let _e6566 = bitcast<f32>(_e6565);
 let _e6567 = local_22.member[1u];
 let _e6568 = (_e6556 + _e6567);
 let _e6570 = select(_e1351, _e6568, (_e6568 < _e1351));
-let _e6575 = global_2.member[bitcast<u32>(select(0i, _e6570, (_e6570 > 0i)))];
+let _e6575 = global_1.member[bitcast<u32>(select(0i, _e6570, (_e6570 > 0i)))];
 let _e6576 = bitcast<f32>(_e6575);
 let _e6577 = local_22.member[2u];
 let _e6578 = (_e6556 + _e6577);
 let _e6580 = select(_e1351, _e6578, (_e6578 < _e1351));
-let _e6585 = global_2.member[bitcast<u32>(select(0i, _e6580, (_e6580 > 0i)))];
+let _e6585 = global_1.member[bitcast<u32>(select(0i, _e6580, (_e6580 > 0i)))];
 let _e6586 = bitcast<f32>(_e6585);
 let _e6587 = local_22.member[3u];
 let _e6588 = (_e6556 + _e6587);
 let _e6590 = select(_e1351, _e6588, (_e6588 < _e1351));
-let _e6595 = global_2.member[bitcast<u32>(select(0i, _e6590, (_e6590 > 0i)))];
+let _e6595 = global_1.member[bitcast<u32>(select(0i, _e6590, (_e6590 > 0i)))];
 let _e6597 = local_23[0u];
 let _e6601 = local_23[0u];
 let _e6604 = (_e6576 + ((_e6586 - _e6576) * _e6601));
@@ -2435,93 +2435,93 @@ let _e6609 = (_e6376 + _e6371);
 let _e6610 = local_22.member[1u];
 let _e6611 = (_e6609 + _e6610);
 let _e6613 = select(_e1351, _e6611, (_e6611 < _e1351));
-let _e6618 = global_2.member[bitcast<u32>(select(0i, _e6613, (_e6613 > 0i)))];
+let _e6618 = global_1.member[bitcast<u32>(select(0i, _e6613, (_e6613 > 0i)))];
 let _e6619 = bitcast<f32>(_e6618);
 let _e6620 = local_22.member[2u];
 let _e6621 = (_e6609 + _e6620);
 let _e6623 = select(_e1351, _e6621, (_e6621 < _e1351));
-let _e6628 = global_2.member[bitcast<u32>(select(0i, _e6623, (_e6623 > 0i)))];
+let _e6628 = global_1.member[bitcast<u32>(select(0i, _e6623, (_e6623 > 0i)))];
 let _e6630 = local_23[0u];
 let _e6633 = (_e6619 + ((bitcast<f32>(_e6628) - _e6619) * _e6630));
 let _e6634 = (_e6376 + _e6374);
 let _e6635 = local_22.member[1u];
 let _e6636 = (_e6634 + _e6635);
 let _e6638 = select(_e1351, _e6636, (_e6636 < _e1351));
-let _e6643 = global_2.member[bitcast<u32>(select(0i, _e6638, (_e6638 > 0i)))];
+let _e6643 = global_1.member[bitcast<u32>(select(0i, _e6638, (_e6638 > 0i)))];
 let _e6644 = bitcast<f32>(_e6643);
 let _e6645 = local_22.member[2u];
 let _e6646 = (_e6634 + _e6645);
 let _e6648 = select(_e1351, _e6646, (_e6646 < _e1351));
-let _e6653 = global_2.member[bitcast<u32>(select(0i, _e6648, (_e6648 > 0i)))];
+let _e6653 = global_1.member[bitcast<u32>(select(0i, _e6648, (_e6648 > 0i)))];
 let _e6655 = local_23[0u];
 let _e6659 = (_e6377 + _e6371);
 let _e6660 = local_22.member[1u];
 let _e6661 = (_e6659 + _e6660);
 let _e6663 = select(_e1351, _e6661, (_e6661 < _e1351));
-let _e6668 = global_2.member[bitcast<u32>(select(0i, _e6663, (_e6663 > 0i)))];
+let _e6668 = global_1.member[bitcast<u32>(select(0i, _e6663, (_e6663 > 0i)))];
 let _e6669 = bitcast<f32>(_e6668);
 let _e6670 = local_22.member[2u];
 let _e6671 = (_e6659 + _e6670);
 let _e6673 = select(_e1351, _e6671, (_e6671 < _e1351));
-let _e6678 = global_2.member[bitcast<u32>(select(0i, _e6673, (_e6673 > 0i)))];
+let _e6678 = global_1.member[bitcast<u32>(select(0i, _e6673, (_e6673 > 0i)))];
 let _e6680 = local_23[0u];
 let _e6683 = (_e6669 + ((bitcast<f32>(_e6678) - _e6669) * _e6680));
 let _e6684 = (_e6377 + _e6374);
 let _e6685 = local_22.member[1u];
 let _e6686 = (_e6684 + _e6685);
 let _e6688 = select(_e1351, _e6686, (_e6686 < _e1351));
-let _e6693 = global_2.member[bitcast<u32>(select(0i, _e6688, (_e6688 > 0i)))];
+let _e6693 = global_1.member[bitcast<u32>(select(0i, _e6688, (_e6688 > 0i)))];
 let _e6694 = bitcast<f32>(_e6693);
 let _e6695 = local_22.member[2u];
 let _e6696 = (_e6684 + _e6695);
 let _e6698 = select(_e1351, _e6696, (_e6696 < _e1351));
-let _e6703 = global_2.member[bitcast<u32>(select(0i, _e6698, (_e6698 > 0i)))];
+let _e6703 = global_1.member[bitcast<u32>(select(0i, _e6698, (_e6698 > 0i)))];
 let _e6705 = local_23[0u];
 let _e6709 = (_e6375 + _e6372);
 let _e6710 = local_22.member[1u];
 let _e6711 = (_e6709 + _e6710);
 let _e6713 = select(_e1351, _e6711, (_e6711 < _e1351));
-let _e6718 = global_2.member[bitcast<u32>(select(0i, _e6713, (_e6713 > 0i)))];
+let _e6718 = global_1.member[bitcast<u32>(select(0i, _e6713, (_e6713 > 0i)))];
 let _e6719 = bitcast<f32>(_e6718);
 let _e6720 = local_22.member[2u];
 let _e6721 = (_e6709 + _e6720);
 let _e6723 = select(_e1351, _e6721, (_e6721 < _e1351));
-let _e6728 = global_2.member[bitcast<u32>(select(0i, _e6723, (_e6723 > 0i)))];
+let _e6728 = global_1.member[bitcast<u32>(select(0i, _e6723, (_e6723 > 0i)))];
 let _e6730 = local_23[0u];
 let _e6733 = (_e6719 + ((bitcast<f32>(_e6728) - _e6719) * _e6730));
 let _e6734 = (_e6378 + _e6372);
 let _e6735 = local_22.member[1u];
 let _e6736 = (_e6734 + _e6735);
 let _e6738 = select(_e1351, _e6736, (_e6736 < _e1351));
-let _e6743 = global_2.member[bitcast<u32>(select(0i, _e6738, (_e6738 > 0i)))];
+let _e6743 = global_1.member[bitcast<u32>(select(0i, _e6738, (_e6738 > 0i)))];
 let _e6744 = bitcast<f32>(_e6743);
 let _e6745 = local_22.member[2u];
 let _e6746 = (_e6734 + _e6745);
 let _e6748 = select(_e1351, _e6746, (_e6746 < _e1351));
-let _e6753 = global_2.member[bitcast<u32>(select(0i, _e6748, (_e6748 > 0i)))];
+let _e6753 = global_1.member[bitcast<u32>(select(0i, _e6748, (_e6748 > 0i)))];
 let _e6755 = local_23[0u];
 let _e6758 = (_e6744 + ((bitcast<f32>(_e6753) - _e6744) * _e6755));
 let _e6759 = (_e6375 + _e6373);
 let _e6760 = local_22.member[1u];
 let _e6761 = (_e6759 + _e6760);
 let _e6763 = select(_e1351, _e6761, (_e6761 < _e1351));
-let _e6768 = global_2.member[bitcast<u32>(select(0i, _e6763, (_e6763 > 0i)))];
+let _e6768 = global_1.member[bitcast<u32>(select(0i, _e6763, (_e6763 > 0i)))];
 let _e6769 = bitcast<f32>(_e6768);
 let _e6770 = local_22.member[2u];
 let _e6771 = (_e6759 + _e6770);
 let _e6773 = select(_e1351, _e6771, (_e6771 < _e1351));
-let _e6778 = global_2.member[bitcast<u32>(select(0i, _e6773, (_e6773 > 0i)))];
+let _e6778 = global_1.member[bitcast<u32>(select(0i, _e6773, (_e6773 > 0i)))];
 let _e6780 = local_23[0u];
 let _e6784 = (_e6378 + _e6373);
 let _e6785 = local_22.member[1u];
 let _e6786 = (_e6784 + _e6785);
 let _e6788 = select(_e1351, _e6786, (_e6786 < _e1351));
-let _e6793 = global_2.member[bitcast<u32>(select(0i, _e6788, (_e6788 > 0i)))];
+let _e6793 = global_1.member[bitcast<u32>(select(0i, _e6788, (_e6788 > 0i)))];
 let _e6794 = bitcast<f32>(_e6793);
 let _e6795 = local_22.member[2u];
 let _e6796 = (_e6784 + _e6795);
 let _e6798 = select(_e1351, _e6796, (_e6796 < _e1351));
-let _e6803 = global_2.member[bitcast<u32>(select(0i, _e6798, (_e6798 > 0i)))];
+let _e6803 = global_1.member[bitcast<u32>(select(0i, _e6798, (_e6798 > 0i)))];
 let _e6805 = local_23[0u];
 let _e6810 = local_23[1u];
 let _e6813 = (_e6445 + ((_e6498 - _e6445) * _e6810));
@@ -2576,50 +2576,50 @@ local_21 = _e6929;
 let _e6930 = local_21;
 let _e6932 = (bitcast<i32>(_e229) - 1i);
 let _e6934 = select(_e6932, 263197i, (263197i < _e6932));
-let _e6939 = global_3.member[bitcast<u32>(select(0i, _e6934, (_e6934 > 0i)))];
+let _e6939 = global_2.member[bitcast<u32>(select(0i, _e6934, (_e6934 > 0i)))];
 let _e6940 = bitcast<f32>(_e6939);
 let _e6942 = select(_e6932, 263198i, (263198i < _e6932));
 let _e6945 = bitcast<u32>(select(0i, _e6942, (_e6942 > 0i)));
-let _e6947 = global_3.member[_e6945];
+let _e6947 = global_2.member[_e6945];
 let _e6948 = bitcast<f32>(_e6947);
 let _e6950 = select(_e6932, 263199i, (263199i < _e6932));
-let _e6955 = global_3.member[bitcast<u32>(select(0i, _e6950, (_e6950 > 0i)))];
+let _e6955 = global_2.member[bitcast<u32>(select(0i, _e6950, (_e6950 > 0i)))];
 let _e6956 = bitcast<f32>(_e6955);
 let _e6958 = ((_e6930 - _e6940) * _e6948);
 let _e6960 = select(0f, _e6958, (_e6958 > 0f));
 let _e6963 = local_21;
 let _e6965 = select(_e6932, 263200i, (263200i < _e6932));
-let _e6970 = global_3.member[bitcast<u32>(select(0i, _e6965, (_e6965 > 0i)))];
+let _e6970 = global_2.member[bitcast<u32>(select(0i, _e6965, (_e6965 > 0i)))];
 let _e6971 = bitcast<f32>(_e6970);
 let _e6973 = select(_e6932, 263201i, (263201i < _e6932));
-let _e6978 = global_3.member[bitcast<u32>(select(0i, _e6973, (_e6973 > 0i)))];
+let _e6978 = global_2.member[bitcast<u32>(select(0i, _e6973, (_e6973 > 0i)))];
 let _e6979 = bitcast<f32>(_e6978);
 let _e6981 = select(_e6932, 263202i, (263202i < _e6932));
-let _e6986 = global_3.member[bitcast<u32>(select(0i, _e6981, (_e6981 > 0i)))];
+let _e6986 = global_2.member[bitcast<u32>(select(0i, _e6981, (_e6981 > 0i)))];
 let _e6987 = bitcast<f32>(_e6986);
 let _e6989 = ((_e6963 - _e6971) * _e6979);
 let _e6991 = select(0f, _e6989, (_e6989 > 0f));
 let _e6995 = local_21;
 let _e6997 = select(_e6932, 263203i, (263203i < _e6932));
-let _e7002 = global_3.member[bitcast<u32>(select(0i, _e6997, (_e6997 > 0i)))];
+let _e7002 = global_2.member[bitcast<u32>(select(0i, _e6997, (_e6997 > 0i)))];
 let _e7003 = bitcast<f32>(_e7002);
 let _e7005 = select(_e6932, 263204i, (263204i < _e6932));
-let _e7010 = global_3.member[bitcast<u32>(select(0i, _e7005, (_e7005 > 0i)))];
+let _e7010 = global_2.member[bitcast<u32>(select(0i, _e7005, (_e7005 > 0i)))];
 let _e7011 = bitcast<f32>(_e7010);
 let _e7013 = select(_e6932, 263205i, (263205i < _e6932));
-let _e7018 = global_3.member[bitcast<u32>(select(0i, _e7013, (_e7013 > 0i)))];
+let _e7018 = global_2.member[bitcast<u32>(select(0i, _e7013, (_e7013 > 0i)))];
 let _e7019 = bitcast<f32>(_e7018);
 let _e7021 = ((_e6995 - _e7003) * _e7011);
 let _e7023 = select(0f, _e7021, (_e7021 > 0f));
 let _e7026 = local_21;
 let _e7028 = select(_e6932, 263206i, (263206i < _e6932));
-let _e7033 = global_3.member[bitcast<u32>(select(0i, _e7028, (_e7028 > 0i)))];
+let _e7033 = global_2.member[bitcast<u32>(select(0i, _e7028, (_e7028 > 0i)))];
 let _e7034 = bitcast<f32>(_e7033);
 let _e7036 = select(_e6932, 263207i, (263207i < _e6932));
-let _e7041 = global_3.member[bitcast<u32>(select(0i, _e7036, (_e7036 > 0i)))];
+let _e7041 = global_2.member[bitcast<u32>(select(0i, _e7036, (_e7036 > 0i)))];
 let _e7042 = bitcast<f32>(_e7041);
 let _e7044 = select(_e6932, 263208i, (263208i < _e6932));
-let _e7049 = global_3.member[bitcast<u32>(select(0i, _e7044, (_e7044 > 0i)))];
+let _e7049 = global_2.member[bitcast<u32>(select(0i, _e7044, (_e7044 > 0i)))];
 let _e7050 = bitcast<f32>(_e7049);
 let _e7052 = ((_e7026 - _e7034) * _e7042);
 let _e7054 = select(0f, _e7052, (_e7052 > 0f));
@@ -2630,34 +2630,34 @@ let _e7069 = select(0i, select(select(i32(_e7062), i32(-2147483648), (_e7062 < -
 let _e7073 = (_e7069 - select(0i, 1i, (_e7062 < f32(_e7069))));
 let _e7074 = (262147i + _e7073);
 let _e7076 = select(_e6932, _e7074, (_e7074 < _e6932));
-let _e7082 = global_3.member[bitcast<u32>(select(0i, _e7076, (_e7076 > 0i)))];
+let _e7082 = global_2.member[bitcast<u32>(select(0i, _e7076, (_e7076 > 0i)))];
 let _e7092 = select(_e6932, 262146i, (262146i < _e6932));
-let _e7098 = global_3.member[bitcast<u32>(select(0i, _e7092, (_e7092 > 0i)))];
+let _e7098 = global_2.member[bitcast<u32>(select(0i, _e7092, (_e7092 > 0i)))];
 let _e7099 = bitcast<f32>(_e7098);
 let _e7100 = (f32((bitcast<i32>((_e7082 & 4095u)) - 2048i)) * _e7099);
 let _e7102 = select(_e6932, 262144i, (262144i < _e6932));
-let _e7108 = global_3.member[bitcast<u32>(select(0i, _e7102, (_e7102 > 0i)))];
+let _e7108 = global_2.member[bitcast<u32>(select(0i, _e7102, (_e7102 > 0i)))];
 let _e7109 = bitcast<f32>(_e7108);
 let _e7111 = select(_e6932, 262145i, (262145i < _e6932));
-let _e7117 = global_3.member[bitcast<u32>(select(0i, _e7111, (_e7111 > 0i)))];
+let _e7117 = global_2.member[bitcast<u32>(select(0i, _e7111, (_e7111 > 0i)))];
 let _e7118 = bitcast<f32>(_e7117);
 let _e7124 = ((_e7109 + (f32(bitcast<i32>((_e7082 >> bitcast<u32>(12u)))) * _e7118)) + (_e7100 * (_e7058 - f32(_e7073))));
-let _e7127 = global_3.member[_e6945];
+let _e7127 = global_2.member[_e6945];
 let _e7129 = local_20;
 let _e7132 = local_20;
 let _e7135 = local_20;
 let _e7139 = select(_e6932, 263209i, (263209i < _e6932));
-let _e7145 = global_3.member[bitcast<u32>(select(0i, _e7139, (_e7139 > 0i)))];
+let _e7145 = global_2.member[bitcast<u32>(select(0i, _e7139, (_e7139 > 0i)))];
 let _e7147 = local_20;
 let _e7150 = select(_e6932, 263210i, (263210i < _e6932));
-let _e7156 = global_3.member[bitcast<u32>(select(0i, _e7150, (_e7150 > 0i)))];
+let _e7156 = global_2.member[bitcast<u32>(select(0i, _e7150, (_e7150 > 0i)))];
 let _e7158 = local_20;
 let _e7162 = (_e7100 * select(0f, select(select(select(bitcast<f32>(_e7127), _e6979, (_e7129 >= _e6971)), _e7011, (_e7132 >= _e7003)), _e7042, (_e7135 >= _e7034)), ((_e7147 >= bitcast<f32>(_e7145)) && (_e7158 <= bitcast<f32>(_e7156)))));
 if _e836 {
 let _e7613 = ((0.5f * (_e6904 - _e6898)) * _e7162);
 let _e7614 = ((0.5f * (_e6916 - _e6910)) * _e7162);
 let _e7615 = ((0.5f * (_e6928 - _e6922)) * _e7162);
-phi_19561_ = type_34(_e7124, vec3<f32>(_e7613, _e7614, _e7615), vec3<f32>((_e7613 * _e7124), (_e7614 * _e7124), (_e7615 * _e7124)));
+phi_19561_ = type_32(_e7124, vec3<f32>(_e7613, _e7614, _e7615), vec3<f32>((_e7613 * _e7124), (_e7614 * _e7124), (_e7615 * _e7124)));
 } else {
 local_18 = _e6898;
 let _e7163 = local_18;
@@ -2681,7 +2681,7 @@ let _e7205 = select(0i, select(select(i32(_e7198), i32(-2147483648), (_e7198 < -
 let _e7209 = (_e7205 - select(0i, 1i, (_e7198 < f32(_e7205))));
 let _e7210 = (262147i + _e7209);
 let _e7212 = select(_e6932, _e7210, (_e7210 < _e6932));
-let _e7218 = global_3.member[bitcast<u32>(select(0i, _e7212, (_e7212 > 0i)))];
+let _e7218 = global_2.member[bitcast<u32>(select(0i, _e7212, (_e7212 > 0i)))];
 let _e7233 = ((_e7109 + (f32(bitcast<i32>((_e7218 >> bitcast<u32>(12u)))) * _e7118)) + ((f32((bitcast<i32>((_e7218 & 4095u)) - 2048i)) * _e7099) * (_e7194 - f32(_e7209))));
 local_16 = _e6904;
 let _e7234 = local_16;
@@ -2705,7 +2705,7 @@ let _e7276 = select(0i, select(select(i32(_e7269), i32(-2147483648), (_e7269 < -
 let _e7280 = (_e7276 - select(0i, 1i, (_e7269 < f32(_e7276))));
 let _e7281 = (262147i + _e7280);
 let _e7283 = select(_e6932, _e7281, (_e7281 < _e6932));
-let _e7289 = global_3.member[bitcast<u32>(select(0i, _e7283, (_e7283 > 0i)))];
+let _e7289 = global_2.member[bitcast<u32>(select(0i, _e7283, (_e7283 > 0i)))];
 let _e7304 = ((_e7109 + (f32(bitcast<i32>((_e7289 >> bitcast<u32>(12u)))) * _e7118)) + ((f32((bitcast<i32>((_e7289 & 4095u)) - 2048i)) * _e7099) * (_e7265 - f32(_e7280))));
 local_14 = _e6910;
 let _e7305 = local_14;
@@ -2729,7 +2729,7 @@ let _e7347 = select(0i, select(select(i32(_e7340), i32(-2147483648), (_e7340 < -
 let _e7351 = (_e7347 - select(0i, 1i, (_e7340 < f32(_e7347))));
 let _e7352 = (262147i + _e7351);
 let _e7354 = select(_e6932, _e7352, (_e7352 < _e6932));
-let _e7360 = global_3.member[bitcast<u32>(select(0i, _e7354, (_e7354 > 0i)))];
+let _e7360 = global_2.member[bitcast<u32>(select(0i, _e7354, (_e7354 > 0i)))];
 let _e7375 = ((_e7109 + (f32(bitcast<i32>((_e7360 >> bitcast<u32>(12u)))) * _e7118)) + ((f32((bitcast<i32>((_e7360 & 4095u)) - 2048i)) * _e7099) * (_e7336 - f32(_e7351))));
 local_12 = _e6916;
 let _e7376 = local_12;
@@ -2753,7 +2753,7 @@ let _e7418 = select(0i, select(select(i32(_e7411), i32(-2147483648), (_e7411 < -
 let _e7422 = (_e7418 - select(0i, 1i, (_e7411 < f32(_e7418))));
 let _e7423 = (262147i + _e7422);
 let _e7425 = select(_e6932, _e7423, (_e7423 < _e6932));
-let _e7431 = global_3.member[bitcast<u32>(select(0i, _e7425, (_e7425 > 0i)))];
+let _e7431 = global_2.member[bitcast<u32>(select(0i, _e7425, (_e7425 > 0i)))];
 let _e7446 = ((_e7109 + (f32(bitcast<i32>((_e7431 >> bitcast<u32>(12u)))) * _e7118)) + ((f32((bitcast<i32>((_e7431 & 4095u)) - 2048i)) * _e7099) * (_e7407 - f32(_e7422))));
 local_10 = _e6922;
 let _e7447 = local_10;
@@ -2777,7 +2777,7 @@ let _e7489 = select(0i, select(select(i32(_e7482), i32(-2147483648), (_e7482 < -
 let _e7493 = (_e7489 - select(0i, 1i, (_e7482 < f32(_e7489))));
 let _e7494 = (262147i + _e7493);
 let _e7496 = select(_e6932, _e7494, (_e7494 < _e6932));
-let _e7502 = global_3.member[bitcast<u32>(select(0i, _e7496, (_e7496 > 0i)))];
+let _e7502 = global_2.member[bitcast<u32>(select(0i, _e7496, (_e7496 > 0i)))];
 let _e7517 = ((_e7109 + (f32(bitcast<i32>((_e7502 >> bitcast<u32>(12u)))) * _e7118)) + ((f32((bitcast<i32>((_e7502 & 4095u)) - 2048i)) * _e7099) * (_e7478 - f32(_e7493))));
 local_8 = _e6928;
 let _e7518 = local_8;
@@ -2801,12 +2801,12 @@ let _e7560 = select(0i, select(select(i32(_e7553), i32(-2147483648), (_e7553 < -
 let _e7564 = (_e7560 - select(0i, 1i, (_e7553 < f32(_e7560))));
 let _e7565 = (262147i + _e7564);
 let _e7567 = select(_e6932, _e7565, (_e7565 < _e6932));
-let _e7573 = global_3.member[bitcast<u32>(select(0i, _e7567, (_e7567 > 0i)))];
+let _e7573 = global_2.member[bitcast<u32>(select(0i, _e7567, (_e7567 > 0i)))];
 let _e7588 = ((_e7109 + (f32(bitcast<i32>((_e7573 >> bitcast<u32>(12u)))) * _e7118)) + ((f32((bitcast<i32>((_e7573 & 4095u)) - 2048i)) * _e7099) * (_e7549 - f32(_e7564))));
 let _e7589 = (_e7304 - _e7233);
 let _e7591 = (_e7446 - _e7375);
 let _e7593 = (_e7588 - _e7517);
-phi_19561_ = type_34(_e7124, vec3<f32>((0.5f * _e7589), (0.5f * _e7591), (0.5f * _e7593)), vec3<f32>((0.25f * (_e7589 * (_e7304 + _e7233))), (0.25f * (_e7591 * (_e7446 + _e7375))), (0.25f * (_e7593 * (_e7588 + _e7517)))));
+phi_19561_ = type_32(_e7124, vec3<f32>((0.5f * _e7589), (0.5f * _e7591), (0.5f * _e7593)), vec3<f32>((0.25f * (_e7589 * (_e7304 + _e7233))), (0.25f * (_e7591 * (_e7446 + _e7375))), (0.25f * (_e7593 * (_e7588 + _e7517)))));
 }
 let _e7623 = phi_19561_;
 let _e7638 = select(0f, 1f, ((((((_e6051 >= -0.5f) && (_e6051 <= _e633)) && (_e6057 >= -0.5f)) && (_e6057 <= _e644)) && (_e6063 >= -0.5f)) && (_e6063 <= _e655)));
@@ -2822,7 +2822,7 @@ let _e7686 = global_5.member[_e458].member_6.member_1.member.member_2;
 let _e7693 = global_5.member[_e458].member_6.member_2.member.member;
 let _e7700 = global_5.member[_e458].member_6.member_2.member.member_1;
 let _e7707 = global_5.member[_e458].member_6.member_2.member.member_2;
-phi_20208_ = type_35(_e6892, vec3<f32>(((((_e7651 * _e7640) + (_e7672 * _e7642)) + (_e7693 * _e7644)) * _e7638), ((((_e7658 * _e7640) + (_e7679 * _e7642)) + (_e7700 * _e7644)) * _e7638), ((((_e7665 * _e7640) + (_e7686 * _e7642)) + (_e7707 * _e7644)) * _e7638)), _e7623.member, vec3<f32>(((((_e7651 * _e7623.member_2.x) + (_e7672 * _e7623.member_2.y)) + (_e7693 * _e7623.member_2.z)) * _e7638), ((((_e7658 * _e7623.member_2.x) + (_e7679 * _e7623.member_2.y)) + (_e7700 * _e7623.member_2.z)) * _e7638), ((((_e7665 * _e7623.member_2.x) + (_e7686 * _e7623.member_2.y)) + (_e7707 * _e7623.member_2.z)) * _e7638)), vec3<f32>(((((_e7651 * _e7623.member_1.x) + (_e7672 * _e7623.member_1.y)) + (_e7693 * _e7623.member_1.z)) * _e7638), ((((_e7658 * _e7623.member_1.x) + (_e7679 * _e7623.member_1.y)) + (_e7700 * _e7623.member_1.z)) * _e7638), ((((_e7665 * _e7623.member_1.x) + (_e7686 * _e7623.member_1.y)) + (_e7707 * _e7623.member_1.z)) * _e7638)));
+phi_20208_ = type_33(_e6892, vec3<f32>(((((_e7651 * _e7640) + (_e7672 * _e7642)) + (_e7693 * _e7644)) * _e7638), ((((_e7658 * _e7640) + (_e7679 * _e7642)) + (_e7700 * _e7644)) * _e7638), ((((_e7665 * _e7640) + (_e7686 * _e7642)) + (_e7707 * _e7644)) * _e7638)), _e7623.member, vec3<f32>(((((_e7651 * _e7623.member_2.x) + (_e7672 * _e7623.member_2.y)) + (_e7693 * _e7623.member_2.z)) * _e7638), ((((_e7658 * _e7623.member_2.x) + (_e7679 * _e7623.member_2.y)) + (_e7700 * _e7623.member_2.z)) * _e7638), ((((_e7665 * _e7623.member_2.x) + (_e7686 * _e7623.member_2.y)) + (_e7707 * _e7623.member_2.z)) * _e7638)), vec3<f32>(((((_e7651 * _e7623.member_1.x) + (_e7672 * _e7623.member_1.y)) + (_e7693 * _e7623.member_1.z)) * _e7638), ((((_e7658 * _e7623.member_1.x) + (_e7679 * _e7623.member_1.y)) + (_e7700 * _e7623.member_1.z)) * _e7638), ((((_e7665 * _e7623.member_1.x) + (_e7686 * _e7623.member_1.y)) + (_e7707 * _e7623.member_1.z)) * _e7638)));
 } else {
 let _e6065 = select(-0.5f, _e6051, (_e6051 > -0.5f));
 let _e6067 = select(_e633, _e6065, (_e6065 < _e633));
@@ -2851,30 +2851,30 @@ let _e6142 = (select(0i, _e6105, (_e6105 > 0i)) * _e1280);
 let _e6143 = (select(_e1293, _e6123, (_e6123 < _e1293)) * _e1280);
 let _e6144 = (select(0i, _e6120, (_e6120 > 0i)) * _e1285);
 let _e6145 = (select(_e1306, _e6128, (_e6128 < _e1306)) * _e1285);
-local_6 = type_33(array<i32, 4>(select(0i, _e6131, (_e6131 > 0i)), select(0i, _e6090, (_e6090 > 0i)), select(_e1319, _e6136, (_e6136 < _e1319)), select(_e1319, _e6139, (_e6139 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_28(array<i32, 4>(select(0i, _e6131, (_e6131 > 0i)), select(0i, _e6090, (_e6090 > 0i)), select(_e1319, _e6136, (_e6136 < _e1319)), select(_e1319, _e6139, (_e6139 < _e1319))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = vec3<f32>((_e6067 - f32(_e6090)), (_e6071 - f32(_e6105)), (_e6075 - f32(_e6120)));
 let _e6156 = (_e6144 + _e6142);
 let _e6159 = local_6.member[1u];
 let _e6160 = (_e6156 + _e6159);
 let _e6162 = select(_e1351, _e6160, (_e6160 < _e1351));
-let _e6167 = global_2.member[bitcast<u32>(select(0i, _e6162, (_e6162 > 0i)))];
+let _e6167 = global_1.member[bitcast<u32>(select(0i, _e6162, (_e6162 > 0i)))];
 let _e6168 = bitcast<f32>(_e6167);
 let _e6171 = local_6.member[2u];
 let _e6172 = (_e6156 + _e6171);
 let _e6174 = select(_e1351, _e6172, (_e6172 < _e1351));
-let _e6179 = global_2.member[bitcast<u32>(select(0i, _e6174, (_e6174 > 0i)))];
+let _e6179 = global_1.member[bitcast<u32>(select(0i, _e6174, (_e6174 > 0i)))];
 let _e6181 = local_7[0u];
 let _e6184 = (_e6168 + ((bitcast<f32>(_e6179) - _e6168) * _e6181));
 let _e6185 = (_e6144 + _e6143);
 let _e6186 = local_6.member[1u];
 let _e6187 = (_e6185 + _e6186);
 let _e6189 = select(_e1351, _e6187, (_e6187 < _e1351));
-let _e6194 = global_2.member[bitcast<u32>(select(0i, _e6189, (_e6189 > 0i)))];
+let _e6194 = global_1.member[bitcast<u32>(select(0i, _e6189, (_e6189 > 0i)))];
 let _e6195 = bitcast<f32>(_e6194);
 let _e6196 = local_6.member[2u];
 let _e6197 = (_e6185 + _e6196);
 let _e6199 = select(_e1351, _e6197, (_e6197 < _e1351));
-let _e6204 = global_2.member[bitcast<u32>(select(0i, _e6199, (_e6199 > 0i)))];
+let _e6204 = global_1.member[bitcast<u32>(select(0i, _e6199, (_e6199 > 0i)))];
 let _e6206 = local_7[0u];
 let _e6211 = local_7[1u];
 let _e6214 = (_e6184 + (((_e6195 + ((bitcast<f32>(_e6204) - _e6195) * _e6206)) - _e6184) * _e6211));
@@ -2882,36 +2882,36 @@ let _e6215 = (_e6145 + _e6142);
 let _e6216 = local_6.member[1u];
 let _e6217 = (_e6215 + _e6216);
 let _e6219 = select(_e1351, _e6217, (_e6217 < _e1351));
-let _e6224 = global_2.member[bitcast<u32>(select(0i, _e6219, (_e6219 > 0i)))];
+let _e6224 = global_1.member[bitcast<u32>(select(0i, _e6219, (_e6219 > 0i)))];
 let _e6225 = bitcast<f32>(_e6224);
 let _e6226 = local_6.member[2u];
 let _e6227 = (_e6215 + _e6226);
 let _e6229 = select(_e1351, _e6227, (_e6227 < _e1351));
-let _e6234 = global_2.member[bitcast<u32>(select(0i, _e6229, (_e6229 > 0i)))];
+let _e6234 = global_1.member[bitcast<u32>(select(0i, _e6229, (_e6229 > 0i)))];
 let _e6236 = local_7[0u];
 let _e6239 = (_e6225 + ((bitcast<f32>(_e6234) - _e6225) * _e6236));
 let _e6240 = (_e6145 + _e6143);
 let _e6241 = local_6.member[1u];
 let _e6242 = (_e6240 + _e6241);
 let _e6244 = select(_e1351, _e6242, (_e6242 < _e1351));
-let _e6249 = global_2.member[bitcast<u32>(select(0i, _e6244, (_e6244 > 0i)))];
+let _e6249 = global_1.member[bitcast<u32>(select(0i, _e6244, (_e6244 > 0i)))];
 let _e6250 = bitcast<f32>(_e6249);
 let _e6251 = local_6.member[2u];
 let _e6252 = (_e6240 + _e6251);
 let _e6254 = select(_e1351, _e6252, (_e6252 < _e1351));
-let _e6259 = global_2.member[bitcast<u32>(select(0i, _e6254, (_e6254 > 0i)))];
+let _e6259 = global_1.member[bitcast<u32>(select(0i, _e6254, (_e6254 > 0i)))];
 let _e6261 = local_7[0u];
 let _e6265 = local_7[1u];
 let _e6270 = local_7[2u];
 let _e6275 = (((_e6214 + (((_e6239 + (((_e6250 + ((bitcast<f32>(_e6259) - _e6250) * _e6261)) - _e6239) * _e6265)) - _e6214) * _e6270)) - _e1469) * _e1474);
 let _e6277 = select(_e1477, _e6275, (_e6275 > _e1477));
-phi_20208_ = type_35(select(1e9f, _e6277, (_e6277 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20208_ = type_33(select(1e9f, _e6277, (_e6277 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7773 = phi_20208_;
 let _e7776 = select(1f, select(1f, _e1218, (_e1218 < 1f)), _e555);
 let _e7778 = ((_e798 & 16u) == 0u);
 if _e7778 {
-phi_20621_ = type_5(1f, 1f, 1f);
+phi_20621_ = type_7(1f, 1f, 1f);
 } else {
 let _e7783 = global_5.member[_e458].member_14.member;
 let _e7794 = ((((_e7783.member.member * _e491) + (_e7783.member.member_1 * _e493)) + (_e7783.member.member_2 * _e487)) + _e7783.member_1);
@@ -2957,7 +2957,7 @@ let _e7967 = select(0f, _e7965, (_e7965 > 0f));
 let _e7973 = select(select(select(1f, _e7967, (_e7967 < 1f)), 1f, (_e7960 <= 0f)), 0f, (_e7958 > 0f));
 let _e7979 = global_5.member[_e458].member_17.member_1;
 let _e7980 = (_e7979 != 0u);
-phi_20621_ = type_5(((((1f * _e7817) * _e7869) * _e7921) * _e7973), ((((1f * select(1f, _e7817, _e7824)) * select(1f, _e7869, _e7876)) * select(1f, _e7921, _e7928)) * select(1f, _e7973, _e7980)), ((((1f * select(1f, 0f, (_e7824 && (_e7800 > 0f)))) * select(1f, 0f, (_e7876 && (_e7852 > 0f)))) * select(1f, 0f, (_e7928 && (_e7904 > 0f)))) * select(1f, 0f, (_e7980 && (_e7956 > 0f)))));
+phi_20621_ = type_7(((((1f * _e7817) * _e7869) * _e7921) * _e7973), ((((1f * select(1f, _e7817, _e7824)) * select(1f, _e7869, _e7876)) * select(1f, _e7921, _e7928)) * select(1f, _e7973, _e7980)), ((((1f * select(1f, 0f, (_e7824 && (_e7800 > 0f)))) * select(1f, 0f, (_e7876 && (_e7852 > 0f)))) * select(1f, 0f, (_e7928 && (_e7904 > 0f)))) * select(1f, 0f, (_e7980 && (_e7956 > 0f)))));
 }
 let _e7989 = phi_20621_;
 let _e7996 = global_5.member[_e458].member_5.member_3;
@@ -2969,97 +2969,97 @@ local_5 = _e1482;
 let _e9158 = local_5;
 let _e9160 = (bitcast<i32>(_e229) - 1i);
 let _e9162 = select(_e9160, 263171i, (263171i < _e9160));
-let _e9167 = global_3.member[bitcast<u32>(select(0i, _e9162, (_e9162 > 0i)))];
+let _e9167 = global_2.member[bitcast<u32>(select(0i, _e9162, (_e9162 > 0i)))];
 let _e9168 = bitcast<f32>(_e9167);
 let _e9170 = select(_e9160, 263172i, (263172i < _e9160));
-let _e9175 = global_3.member[bitcast<u32>(select(0i, _e9170, (_e9170 > 0i)))];
+let _e9175 = global_2.member[bitcast<u32>(select(0i, _e9170, (_e9170 > 0i)))];
 let _e9176 = bitcast<f32>(_e9175);
 let _e9178 = select(_e9160, 263173i, (263173i < _e9160));
-let _e9183 = global_3.member[bitcast<u32>(select(0i, _e9178, (_e9178 > 0i)))];
+let _e9183 = global_2.member[bitcast<u32>(select(0i, _e9178, (_e9178 > 0i)))];
 let _e9184 = bitcast<f32>(_e9183);
 let _e9186 = ((_e9158 - _e9168) * _e9176);
 let _e9188 = select(0f, _e9186, (_e9186 > 0f));
 let _e9191 = local_5;
 let _e9193 = select(_e9160, 263174i, (263174i < _e9160));
-let _e9198 = global_3.member[bitcast<u32>(select(0i, _e9193, (_e9193 > 0i)))];
+let _e9198 = global_2.member[bitcast<u32>(select(0i, _e9193, (_e9193 > 0i)))];
 let _e9199 = bitcast<f32>(_e9198);
 let _e9201 = select(_e9160, 263175i, (263175i < _e9160));
-let _e9206 = global_3.member[bitcast<u32>(select(0i, _e9201, (_e9201 > 0i)))];
+let _e9206 = global_2.member[bitcast<u32>(select(0i, _e9201, (_e9201 > 0i)))];
 let _e9207 = bitcast<f32>(_e9206);
 let _e9209 = select(_e9160, 263176i, (263176i < _e9160));
-let _e9214 = global_3.member[bitcast<u32>(select(0i, _e9209, (_e9209 > 0i)))];
+let _e9214 = global_2.member[bitcast<u32>(select(0i, _e9209, (_e9209 > 0i)))];
 let _e9215 = bitcast<f32>(_e9214);
 let _e9217 = ((_e9191 - _e9199) * _e9207);
 let _e9219 = select(0f, _e9217, (_e9217 > 0f));
 let _e9223 = local_5;
 let _e9225 = select(_e9160, 263177i, (263177i < _e9160));
-let _e9230 = global_3.member[bitcast<u32>(select(0i, _e9225, (_e9225 > 0i)))];
+let _e9230 = global_2.member[bitcast<u32>(select(0i, _e9225, (_e9225 > 0i)))];
 let _e9231 = bitcast<f32>(_e9230);
 let _e9233 = select(_e9160, 263178i, (263178i < _e9160));
-let _e9238 = global_3.member[bitcast<u32>(select(0i, _e9233, (_e9233 > 0i)))];
+let _e9238 = global_2.member[bitcast<u32>(select(0i, _e9233, (_e9233 > 0i)))];
 let _e9239 = bitcast<f32>(_e9238);
 let _e9241 = select(_e9160, 263179i, (263179i < _e9160));
-let _e9246 = global_3.member[bitcast<u32>(select(0i, _e9241, (_e9241 > 0i)))];
+let _e9246 = global_2.member[bitcast<u32>(select(0i, _e9241, (_e9241 > 0i)))];
 let _e9247 = bitcast<f32>(_e9246);
 let _e9249 = ((_e9223 - _e9231) * _e9239);
 let _e9251 = select(0f, _e9249, (_e9249 > 0f));
 let _e9254 = local_5;
 let _e9256 = select(_e9160, 263180i, (263180i < _e9160));
-let _e9261 = global_3.member[bitcast<u32>(select(0i, _e9256, (_e9256 > 0i)))];
+let _e9261 = global_2.member[bitcast<u32>(select(0i, _e9256, (_e9256 > 0i)))];
 let _e9262 = bitcast<f32>(_e9261);
 let _e9264 = select(_e9160, 263181i, (263181i < _e9160));
-let _e9269 = global_3.member[bitcast<u32>(select(0i, _e9264, (_e9264 > 0i)))];
+let _e9269 = global_2.member[bitcast<u32>(select(0i, _e9264, (_e9264 > 0i)))];
 let _e9270 = bitcast<f32>(_e9269);
 let _e9272 = select(_e9160, 263182i, (263182i < _e9160));
-let _e9277 = global_3.member[bitcast<u32>(select(0i, _e9272, (_e9272 > 0i)))];
+let _e9277 = global_2.member[bitcast<u32>(select(0i, _e9272, (_e9272 > 0i)))];
 let _e9278 = bitcast<f32>(_e9277);
 let _e9280 = ((_e9254 - _e9262) * _e9270);
 let _e9282 = select(0f, _e9280, (_e9280 > 0f));
 let _e9287 = local_5;
 let _e9289 = select(_e9160, 263183i, (263183i < _e9160));
-let _e9294 = global_3.member[bitcast<u32>(select(0i, _e9289, (_e9289 > 0i)))];
+let _e9294 = global_2.member[bitcast<u32>(select(0i, _e9289, (_e9289 > 0i)))];
 let _e9295 = bitcast<f32>(_e9294);
 let _e9297 = select(_e9160, 263184i, (263184i < _e9160));
-let _e9302 = global_3.member[bitcast<u32>(select(0i, _e9297, (_e9297 > 0i)))];
+let _e9302 = global_2.member[bitcast<u32>(select(0i, _e9297, (_e9297 > 0i)))];
 let _e9303 = bitcast<f32>(_e9302);
 let _e9305 = select(_e9160, 263185i, (263185i < _e9160));
-let _e9310 = global_3.member[bitcast<u32>(select(0i, _e9305, (_e9305 > 0i)))];
+let _e9310 = global_2.member[bitcast<u32>(select(0i, _e9305, (_e9305 > 0i)))];
 let _e9311 = bitcast<f32>(_e9310);
 let _e9313 = ((_e9287 - _e9295) * _e9303);
 let _e9315 = select(0f, _e9313, (_e9313 > 0f));
 let _e9318 = local_5;
 let _e9320 = select(_e9160, 263186i, (263186i < _e9160));
-let _e9325 = global_3.member[bitcast<u32>(select(0i, _e9320, (_e9320 > 0i)))];
+let _e9325 = global_2.member[bitcast<u32>(select(0i, _e9320, (_e9320 > 0i)))];
 let _e9326 = bitcast<f32>(_e9325);
 let _e9328 = select(_e9160, 263187i, (263187i < _e9160));
-let _e9333 = global_3.member[bitcast<u32>(select(0i, _e9328, (_e9328 > 0i)))];
+let _e9333 = global_2.member[bitcast<u32>(select(0i, _e9328, (_e9328 > 0i)))];
 let _e9334 = bitcast<f32>(_e9333);
 let _e9336 = select(_e9160, 263188i, (263188i < _e9160));
-let _e9341 = global_3.member[bitcast<u32>(select(0i, _e9336, (_e9336 > 0i)))];
+let _e9341 = global_2.member[bitcast<u32>(select(0i, _e9336, (_e9336 > 0i)))];
 let _e9342 = bitcast<f32>(_e9341);
 let _e9344 = ((_e9318 - _e9326) * _e9334);
 let _e9346 = select(0f, _e9344, (_e9344 > 0f));
 let _e9350 = local_5;
 let _e9352 = select(_e9160, 263189i, (263189i < _e9160));
-let _e9357 = global_3.member[bitcast<u32>(select(0i, _e9352, (_e9352 > 0i)))];
+let _e9357 = global_2.member[bitcast<u32>(select(0i, _e9352, (_e9352 > 0i)))];
 let _e9358 = bitcast<f32>(_e9357);
 let _e9360 = select(_e9160, 263190i, (263190i < _e9160));
-let _e9365 = global_3.member[bitcast<u32>(select(0i, _e9360, (_e9360 > 0i)))];
+let _e9365 = global_2.member[bitcast<u32>(select(0i, _e9360, (_e9360 > 0i)))];
 let _e9366 = bitcast<f32>(_e9365);
 let _e9368 = select(_e9160, 263191i, (263191i < _e9160));
-let _e9373 = global_3.member[bitcast<u32>(select(0i, _e9368, (_e9368 > 0i)))];
+let _e9373 = global_2.member[bitcast<u32>(select(0i, _e9368, (_e9368 > 0i)))];
 let _e9374 = bitcast<f32>(_e9373);
 let _e9376 = ((_e9350 - _e9358) * _e9366);
 let _e9378 = select(0f, _e9376, (_e9376 > 0f));
 let _e9381 = local_5;
 let _e9383 = select(_e9160, 263192i, (263192i < _e9160));
-let _e9388 = global_3.member[bitcast<u32>(select(0i, _e9383, (_e9383 > 0i)))];
+let _e9388 = global_2.member[bitcast<u32>(select(0i, _e9383, (_e9383 > 0i)))];
 let _e9389 = bitcast<f32>(_e9388);
 let _e9391 = select(_e9160, 263193i, (263193i < _e9160));
-let _e9396 = global_3.member[bitcast<u32>(select(0i, _e9391, (_e9391 > 0i)))];
+let _e9396 = global_2.member[bitcast<u32>(select(0i, _e9391, (_e9391 > 0i)))];
 let _e9397 = bitcast<f32>(_e9396);
 let _e9399 = select(_e9160, 263194i, (263194i < _e9160));
-let _e9404 = global_3.member[bitcast<u32>(select(0i, _e9399, (_e9399 > 0i)))];
+let _e9404 = global_2.member[bitcast<u32>(select(0i, _e9399, (_e9399 > 0i)))];
 let _e9405 = bitcast<f32>(_e9404);
 let _e9407 = ((_e9381 - _e9389) * _e9397);
 let _e9409 = select(0f, _e9407, (_e9407 > 0f));
@@ -3100,10 +3100,10 @@ let _e9497 = select(_e9478, _e9495, (_e9495 < _e9478));
 let _e9504 = select(0i, select(select(i32(_e9497), i32(-2147483648), (_e9497 < -2147483600f)), 2147483647i, (_e9497 > 2147483500f)), (_e9497 == _e9497));
 let _e9508 = (_e9504 - select(0i, 1i, (_e9497 < f32(_e9504))));
 let _e9510 = select(_e9160, 263195i, (263195i < _e9160));
-let _e9516 = global_3.member[bitcast<u32>(select(0i, _e9510, (_e9510 > 0i)))];
+let _e9516 = global_2.member[bitcast<u32>(select(0i, _e9510, (_e9510 > 0i)))];
 let _e9517 = bitcast<f32>(_e9516);
 let _e9519 = select(_e9160, 263196i, (263196i < _e9160));
-let _e9525 = global_3.member[bitcast<u32>(select(0i, _e9519, (_e9519 > 0i)))];
+let _e9525 = global_2.member[bitcast<u32>(select(0i, _e9519, (_e9519 > 0i)))];
 let _e9526 = bitcast<f32>(_e9525);
 let _e9527 = (_e7773.member - _e1482);
 let _e9533 = (1f / select(_e9527, 1f, (bitcast<f32>((bitcast<u32>(_e9527) & 2147483647u)) < 1e-20f)));
@@ -3115,20 +3115,20 @@ let _e9552 = (_e9477 - f32(_e9508));
 let _e9554 = (1f - (_e9539 + _e9545));
 let _e9555 = (_e9548 + 2i);
 let _e9557 = select(_e9160, _e9555, (_e9555 < _e9160));
-let _e9563 = global_3.member[bitcast<u32>(select(0i, _e9557, (_e9557 > 0i)))];
+let _e9563 = global_2.member[bitcast<u32>(select(0i, _e9557, (_e9557 > 0i)))];
 let _e9564 = (_e9548 + 6i);
 let _e9566 = select(_e9160, _e9564, (_e9564 < _e9160));
-let _e9572 = global_3.member[bitcast<u32>(select(0i, _e9566, (_e9566 > 0i)))];
+let _e9572 = global_2.member[bitcast<u32>(select(0i, _e9566, (_e9566 > 0i)))];
 let _e9573 = (_e9548 + 1026i);
 let _e9575 = select(_e9160, _e9573, (_e9573 < _e9160));
-let _e9581 = global_3.member[bitcast<u32>(select(0i, _e9575, (_e9575 > 0i)))];
+let _e9581 = global_2.member[bitcast<u32>(select(0i, _e9575, (_e9575 > 0i)))];
 let _e9582 = (_e9548 + 1030i);
 let _e9584 = select(_e9160, _e9582, (_e9582 < _e9160));
-let _e9590 = global_3.member[bitcast<u32>(select(0i, _e9584, (_e9584 > 0i)))];
+let _e9590 = global_2.member[bitcast<u32>(select(0i, _e9584, (_e9584 > 0i)))];
 let _e9592 = select(_e9160, 2i, (2i < _e9160));
-let _e9598 = global_3.member[bitcast<u32>(select(0i, _e9592, (_e9592 > 0i)))];
+let _e9598 = global_2.member[bitcast<u32>(select(0i, _e9592, (_e9592 > 0i)))];
 let _e9600 = select(_e9160, 262142i, (262142i < _e9160));
-let _e9606 = global_3.member[bitcast<u32>(select(0i, _e9600, (_e9600 > 0i)))];
+let _e9606 = global_2.member[bitcast<u32>(select(0i, _e9600, (_e9600 > 0i)))];
 let _e9611 = (bitcast<f32>(((_e9563 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9619 = (_e9611 + (((bitcast<f32>(((_e9572 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9611) * _e9552));
 let _e9624 = (bitcast<f32>(((_e9581 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3137,20 +3137,20 @@ let _e9675 = (_e9667 + (((bitcast<f32>((((_e9572 >> bitcast<u32>(16i)) & 32767u)
 let _e9680 = (bitcast<f32>((((_e9581 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9707 = (_e9548 + 3i);
 let _e9709 = select(_e9160, _e9707, (_e9707 < _e9160));
-let _e9715 = global_3.member[bitcast<u32>(select(0i, _e9709, (_e9709 > 0i)))];
+let _e9715 = global_2.member[bitcast<u32>(select(0i, _e9709, (_e9709 > 0i)))];
 let _e9716 = (_e9548 + 7i);
 let _e9718 = select(_e9160, _e9716, (_e9716 < _e9160));
-let _e9724 = global_3.member[bitcast<u32>(select(0i, _e9718, (_e9718 > 0i)))];
+let _e9724 = global_2.member[bitcast<u32>(select(0i, _e9718, (_e9718 > 0i)))];
 let _e9725 = (_e9548 + 1027i);
 let _e9727 = select(_e9160, _e9725, (_e9725 < _e9160));
-let _e9733 = global_3.member[bitcast<u32>(select(0i, _e9727, (_e9727 > 0i)))];
+let _e9733 = global_2.member[bitcast<u32>(select(0i, _e9727, (_e9727 > 0i)))];
 let _e9734 = (_e9548 + 1031i);
 let _e9736 = select(_e9160, _e9734, (_e9734 < _e9160));
-let _e9742 = global_3.member[bitcast<u32>(select(0i, _e9736, (_e9736 > 0i)))];
+let _e9742 = global_2.member[bitcast<u32>(select(0i, _e9736, (_e9736 > 0i)))];
 let _e9744 = select(_e9160, 3i, (3i < _e9160));
-let _e9750 = global_3.member[bitcast<u32>(select(0i, _e9744, (_e9744 > 0i)))];
+let _e9750 = global_2.member[bitcast<u32>(select(0i, _e9744, (_e9744 > 0i)))];
 let _e9752 = select(_e9160, 262143i, (262143i < _e9160));
-let _e9758 = global_3.member[bitcast<u32>(select(0i, _e9752, (_e9752 > 0i)))];
+let _e9758 = global_2.member[bitcast<u32>(select(0i, _e9752, (_e9752 > 0i)))];
 let _e9763 = (bitcast<f32>(((_e9715 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9771 = (_e9763 + (((bitcast<f32>(((_e9724 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9763) * _e9552));
 let _e9776 = (bitcast<f32>(((_e9733 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3177,97 +3177,97 @@ local_3 = _e1482;
 let _e8003 = local_3;
 let _e8005 = (bitcast<i32>(_e229) - 1i);
 let _e8007 = select(_e8005, 263171i, (263171i < _e8005));
-let _e8012 = global_3.member[bitcast<u32>(select(0i, _e8007, (_e8007 > 0i)))];
+let _e8012 = global_2.member[bitcast<u32>(select(0i, _e8007, (_e8007 > 0i)))];
 let _e8013 = bitcast<f32>(_e8012);
 let _e8015 = select(_e8005, 263172i, (263172i < _e8005));
-let _e8020 = global_3.member[bitcast<u32>(select(0i, _e8015, (_e8015 > 0i)))];
+let _e8020 = global_2.member[bitcast<u32>(select(0i, _e8015, (_e8015 > 0i)))];
 let _e8021 = bitcast<f32>(_e8020);
 let _e8023 = select(_e8005, 263173i, (263173i < _e8005));
-let _e8028 = global_3.member[bitcast<u32>(select(0i, _e8023, (_e8023 > 0i)))];
+let _e8028 = global_2.member[bitcast<u32>(select(0i, _e8023, (_e8023 > 0i)))];
 let _e8029 = bitcast<f32>(_e8028);
 let _e8031 = ((_e8003 - _e8013) * _e8021);
 let _e8033 = select(0f, _e8031, (_e8031 > 0f));
 let _e8036 = local_3;
 let _e8038 = select(_e8005, 263174i, (263174i < _e8005));
-let _e8043 = global_3.member[bitcast<u32>(select(0i, _e8038, (_e8038 > 0i)))];
+let _e8043 = global_2.member[bitcast<u32>(select(0i, _e8038, (_e8038 > 0i)))];
 let _e8044 = bitcast<f32>(_e8043);
 let _e8046 = select(_e8005, 263175i, (263175i < _e8005));
-let _e8051 = global_3.member[bitcast<u32>(select(0i, _e8046, (_e8046 > 0i)))];
+let _e8051 = global_2.member[bitcast<u32>(select(0i, _e8046, (_e8046 > 0i)))];
 let _e8052 = bitcast<f32>(_e8051);
 let _e8054 = select(_e8005, 263176i, (263176i < _e8005));
-let _e8059 = global_3.member[bitcast<u32>(select(0i, _e8054, (_e8054 > 0i)))];
+let _e8059 = global_2.member[bitcast<u32>(select(0i, _e8054, (_e8054 > 0i)))];
 let _e8060 = bitcast<f32>(_e8059);
 let _e8062 = ((_e8036 - _e8044) * _e8052);
 let _e8064 = select(0f, _e8062, (_e8062 > 0f));
 let _e8068 = local_3;
 let _e8070 = select(_e8005, 263177i, (263177i < _e8005));
-let _e8075 = global_3.member[bitcast<u32>(select(0i, _e8070, (_e8070 > 0i)))];
+let _e8075 = global_2.member[bitcast<u32>(select(0i, _e8070, (_e8070 > 0i)))];
 let _e8076 = bitcast<f32>(_e8075);
 let _e8078 = select(_e8005, 263178i, (263178i < _e8005));
-let _e8083 = global_3.member[bitcast<u32>(select(0i, _e8078, (_e8078 > 0i)))];
+let _e8083 = global_2.member[bitcast<u32>(select(0i, _e8078, (_e8078 > 0i)))];
 let _e8084 = bitcast<f32>(_e8083);
 let _e8086 = select(_e8005, 263179i, (263179i < _e8005));
-let _e8091 = global_3.member[bitcast<u32>(select(0i, _e8086, (_e8086 > 0i)))];
+let _e8091 = global_2.member[bitcast<u32>(select(0i, _e8086, (_e8086 > 0i)))];
 let _e8092 = bitcast<f32>(_e8091);
 let _e8094 = ((_e8068 - _e8076) * _e8084);
 let _e8096 = select(0f, _e8094, (_e8094 > 0f));
 let _e8099 = local_3;
 let _e8101 = select(_e8005, 263180i, (263180i < _e8005));
-let _e8106 = global_3.member[bitcast<u32>(select(0i, _e8101, (_e8101 > 0i)))];
+let _e8106 = global_2.member[bitcast<u32>(select(0i, _e8101, (_e8101 > 0i)))];
 let _e8107 = bitcast<f32>(_e8106);
 let _e8109 = select(_e8005, 263181i, (263181i < _e8005));
-let _e8114 = global_3.member[bitcast<u32>(select(0i, _e8109, (_e8109 > 0i)))];
+let _e8114 = global_2.member[bitcast<u32>(select(0i, _e8109, (_e8109 > 0i)))];
 let _e8115 = bitcast<f32>(_e8114);
 let _e8117 = select(_e8005, 263182i, (263182i < _e8005));
-let _e8122 = global_3.member[bitcast<u32>(select(0i, _e8117, (_e8117 > 0i)))];
+let _e8122 = global_2.member[bitcast<u32>(select(0i, _e8117, (_e8117 > 0i)))];
 let _e8123 = bitcast<f32>(_e8122);
 let _e8125 = ((_e8099 - _e8107) * _e8115);
 let _e8127 = select(0f, _e8125, (_e8125 > 0f));
 let _e8132 = local_3;
 let _e8134 = select(_e8005, 263183i, (263183i < _e8005));
-let _e8139 = global_3.member[bitcast<u32>(select(0i, _e8134, (_e8134 > 0i)))];
+let _e8139 = global_2.member[bitcast<u32>(select(0i, _e8134, (_e8134 > 0i)))];
 let _e8140 = bitcast<f32>(_e8139);
 let _e8142 = select(_e8005, 263184i, (263184i < _e8005));
-let _e8147 = global_3.member[bitcast<u32>(select(0i, _e8142, (_e8142 > 0i)))];
+let _e8147 = global_2.member[bitcast<u32>(select(0i, _e8142, (_e8142 > 0i)))];
 let _e8148 = bitcast<f32>(_e8147);
 let _e8150 = select(_e8005, 263185i, (263185i < _e8005));
-let _e8155 = global_3.member[bitcast<u32>(select(0i, _e8150, (_e8150 > 0i)))];
+let _e8155 = global_2.member[bitcast<u32>(select(0i, _e8150, (_e8150 > 0i)))];
 let _e8156 = bitcast<f32>(_e8155);
 let _e8158 = ((_e8132 - _e8140) * _e8148);
 let _e8160 = select(0f, _e8158, (_e8158 > 0f));
 let _e8163 = local_3;
 let _e8165 = select(_e8005, 263186i, (263186i < _e8005));
-let _e8170 = global_3.member[bitcast<u32>(select(0i, _e8165, (_e8165 > 0i)))];
+let _e8170 = global_2.member[bitcast<u32>(select(0i, _e8165, (_e8165 > 0i)))];
 let _e8171 = bitcast<f32>(_e8170);
 let _e8173 = select(_e8005, 263187i, (263187i < _e8005));
-let _e8178 = global_3.member[bitcast<u32>(select(0i, _e8173, (_e8173 > 0i)))];
+let _e8178 = global_2.member[bitcast<u32>(select(0i, _e8173, (_e8173 > 0i)))];
 let _e8179 = bitcast<f32>(_e8178);
 let _e8181 = select(_e8005, 263188i, (263188i < _e8005));
-let _e8186 = global_3.member[bitcast<u32>(select(0i, _e8181, (_e8181 > 0i)))];
+let _e8186 = global_2.member[bitcast<u32>(select(0i, _e8181, (_e8181 > 0i)))];
 let _e8187 = bitcast<f32>(_e8186);
 let _e8189 = ((_e8163 - _e8171) * _e8179);
 let _e8191 = select(0f, _e8189, (_e8189 > 0f));
 let _e8195 = local_3;
 let _e8197 = select(_e8005, 263189i, (263189i < _e8005));
-let _e8202 = global_3.member[bitcast<u32>(select(0i, _e8197, (_e8197 > 0i)))];
+let _e8202 = global_2.member[bitcast<u32>(select(0i, _e8197, (_e8197 > 0i)))];
 let _e8203 = bitcast<f32>(_e8202);
 let _e8205 = select(_e8005, 263190i, (263190i < _e8005));
-let _e8210 = global_3.member[bitcast<u32>(select(0i, _e8205, (_e8205 > 0i)))];
+let _e8210 = global_2.member[bitcast<u32>(select(0i, _e8205, (_e8205 > 0i)))];
 let _e8211 = bitcast<f32>(_e8210);
 let _e8213 = select(_e8005, 263191i, (263191i < _e8005));
-let _e8218 = global_3.member[bitcast<u32>(select(0i, _e8213, (_e8213 > 0i)))];
+let _e8218 = global_2.member[bitcast<u32>(select(0i, _e8213, (_e8213 > 0i)))];
 let _e8219 = bitcast<f32>(_e8218);
 let _e8221 = ((_e8195 - _e8203) * _e8211);
 let _e8223 = select(0f, _e8221, (_e8221 > 0f));
 let _e8226 = local_3;
 let _e8228 = select(_e8005, 263192i, (263192i < _e8005));
-let _e8233 = global_3.member[bitcast<u32>(select(0i, _e8228, (_e8228 > 0i)))];
+let _e8233 = global_2.member[bitcast<u32>(select(0i, _e8228, (_e8228 > 0i)))];
 let _e8234 = bitcast<f32>(_e8233);
 let _e8236 = select(_e8005, 263193i, (263193i < _e8005));
-let _e8241 = global_3.member[bitcast<u32>(select(0i, _e8236, (_e8236 > 0i)))];
+let _e8241 = global_2.member[bitcast<u32>(select(0i, _e8236, (_e8236 > 0i)))];
 let _e8242 = bitcast<f32>(_e8241);
 let _e8244 = select(_e8005, 263194i, (263194i < _e8005));
-let _e8249 = global_3.member[bitcast<u32>(select(0i, _e8244, (_e8244 > 0i)))];
+let _e8249 = global_2.member[bitcast<u32>(select(0i, _e8244, (_e8244 > 0i)))];
 let _e8250 = bitcast<f32>(_e8249);
 let _e8252 = ((_e8226 - _e8234) * _e8242);
 let _e8254 = select(0f, _e8252, (_e8252 > 0f));
@@ -3308,10 +3308,10 @@ let _e8342 = select(_e8323, _e8340, (_e8340 < _e8323));
 let _e8349 = select(0i, select(select(i32(_e8342), i32(-2147483648), (_e8342 < -2147483600f)), 2147483647i, (_e8342 > 2147483500f)), (_e8342 == _e8342));
 let _e8353 = (_e8349 - select(0i, 1i, (_e8342 < f32(_e8349))));
 let _e8355 = select(_e8005, 263195i, (263195i < _e8005));
-let _e8361 = global_3.member[bitcast<u32>(select(0i, _e8355, (_e8355 > 0i)))];
+let _e8361 = global_2.member[bitcast<u32>(select(0i, _e8355, (_e8355 > 0i)))];
 let _e8362 = bitcast<f32>(_e8361);
 let _e8364 = select(_e8005, 263196i, (263196i < _e8005));
-let _e8370 = global_3.member[bitcast<u32>(select(0i, _e8364, (_e8364 > 0i)))];
+let _e8370 = global_2.member[bitcast<u32>(select(0i, _e8364, (_e8364 > 0i)))];
 let _e8371 = bitcast<f32>(_e8370);
 let _e8372 = (_e7773.member - _e1482);
 let _e8378 = (1f / select(_e8372, 1f, (bitcast<f32>((bitcast<u32>(_e8372) & 2147483647u)) < 1e-20f)));
@@ -3322,20 +3322,20 @@ let _e8395 = (_e8259 - f32(_e8338));
 let _e8397 = (_e8322 - f32(_e8353));
 let _e8399 = (1f - (_e8384 + _e8390));
 let _e8401 = select(_e8005, _e8393, (_e8393 < _e8005));
-let _e8407 = global_3.member[bitcast<u32>(select(0i, _e8401, (_e8401 > 0i)))];
+let _e8407 = global_2.member[bitcast<u32>(select(0i, _e8401, (_e8401 > 0i)))];
 let _e8408 = (_e8393 + 4i);
 let _e8410 = select(_e8005, _e8408, (_e8408 < _e8005));
-let _e8416 = global_3.member[bitcast<u32>(select(0i, _e8410, (_e8410 > 0i)))];
+let _e8416 = global_2.member[bitcast<u32>(select(0i, _e8410, (_e8410 > 0i)))];
 let _e8417 = (_e8393 + 1024i);
 let _e8419 = select(_e8005, _e8417, (_e8417 < _e8005));
-let _e8425 = global_3.member[bitcast<u32>(select(0i, _e8419, (_e8419 > 0i)))];
+let _e8425 = global_2.member[bitcast<u32>(select(0i, _e8419, (_e8419 > 0i)))];
 let _e8426 = (_e8393 + 1028i);
 let _e8428 = select(_e8005, _e8426, (_e8426 < _e8005));
-let _e8434 = global_3.member[bitcast<u32>(select(0i, _e8428, (_e8428 > 0i)))];
+let _e8434 = global_2.member[bitcast<u32>(select(0i, _e8428, (_e8428 > 0i)))];
 let _e8436 = select(_e8005, 0i, (0i < _e8005));
-let _e8442 = global_3.member[bitcast<u32>(select(0i, _e8436, (_e8436 > 0i)))];
+let _e8442 = global_2.member[bitcast<u32>(select(0i, _e8436, (_e8436 > 0i)))];
 let _e8444 = select(_e8005, 262140i, (262140i < _e8005));
-let _e8450 = global_3.member[bitcast<u32>(select(0i, _e8444, (_e8444 > 0i)))];
+let _e8450 = global_2.member[bitcast<u32>(select(0i, _e8444, (_e8444 > 0i)))];
 let _e8455 = (bitcast<f32>(((_e8407 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8463 = (_e8455 + (((bitcast<f32>(((_e8416 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8455) * _e8397));
 let _e8468 = (bitcast<f32>(((_e8425 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3345,20 +3345,20 @@ let _e8519 = (_e8511 + (((bitcast<f32>((((_e8416 >> bitcast<u32>(16i)) & 32767u)
 let _e8524 = (bitcast<f32>((((_e8425 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8551 = (_e8393 + 1i);
 let _e8553 = select(_e8005, _e8551, (_e8551 < _e8005));
-let _e8559 = global_3.member[bitcast<u32>(select(0i, _e8553, (_e8553 > 0i)))];
+let _e8559 = global_2.member[bitcast<u32>(select(0i, _e8553, (_e8553 > 0i)))];
 let _e8560 = (_e8393 + 5i);
 let _e8562 = select(_e8005, _e8560, (_e8560 < _e8005));
-let _e8568 = global_3.member[bitcast<u32>(select(0i, _e8562, (_e8562 > 0i)))];
+let _e8568 = global_2.member[bitcast<u32>(select(0i, _e8562, (_e8562 > 0i)))];
 let _e8569 = (_e8393 + 1025i);
 let _e8571 = select(_e8005, _e8569, (_e8569 < _e8005));
-let _e8577 = global_3.member[bitcast<u32>(select(0i, _e8571, (_e8571 > 0i)))];
+let _e8577 = global_2.member[bitcast<u32>(select(0i, _e8571, (_e8571 > 0i)))];
 let _e8578 = (_e8393 + 1029i);
 let _e8580 = select(_e8005, _e8578, (_e8578 < _e8005));
-let _e8586 = global_3.member[bitcast<u32>(select(0i, _e8580, (_e8580 > 0i)))];
+let _e8586 = global_2.member[bitcast<u32>(select(0i, _e8580, (_e8580 > 0i)))];
 let _e8588 = select(_e8005, 1i, (1i < _e8005));
-let _e8594 = global_3.member[bitcast<u32>(select(0i, _e8588, (_e8588 > 0i)))];
+let _e8594 = global_2.member[bitcast<u32>(select(0i, _e8588, (_e8588 > 0i)))];
 let _e8596 = select(_e8005, 262141i, (262141i < _e8005));
-let _e8602 = global_3.member[bitcast<u32>(select(0i, _e8596, (_e8596 > 0i)))];
+let _e8602 = global_2.member[bitcast<u32>(select(0i, _e8596, (_e8596 > 0i)))];
 let _e8607 = (bitcast<f32>(((_e8559 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8615 = (_e8607 + (((bitcast<f32>(((_e8568 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8607) * _e8397));
 let _e8620 = (bitcast<f32>(((_e8577 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3367,20 +3367,20 @@ let _e8671 = (_e8663 + (((bitcast<f32>((((_e8568 >> bitcast<u32>(16i)) & 32767u)
 let _e8676 = (bitcast<f32>((((_e8577 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8703 = (_e8393 + 2i);
 let _e8705 = select(_e8005, _e8703, (_e8703 < _e8005));
-let _e8711 = global_3.member[bitcast<u32>(select(0i, _e8705, (_e8705 > 0i)))];
+let _e8711 = global_2.member[bitcast<u32>(select(0i, _e8705, (_e8705 > 0i)))];
 let _e8712 = (_e8393 + 6i);
 let _e8714 = select(_e8005, _e8712, (_e8712 < _e8005));
-let _e8720 = global_3.member[bitcast<u32>(select(0i, _e8714, (_e8714 > 0i)))];
+let _e8720 = global_2.member[bitcast<u32>(select(0i, _e8714, (_e8714 > 0i)))];
 let _e8721 = (_e8393 + 1026i);
 let _e8723 = select(_e8005, _e8721, (_e8721 < _e8005));
-let _e8729 = global_3.member[bitcast<u32>(select(0i, _e8723, (_e8723 > 0i)))];
+let _e8729 = global_2.member[bitcast<u32>(select(0i, _e8723, (_e8723 > 0i)))];
 let _e8730 = (_e8393 + 1030i);
 let _e8732 = select(_e8005, _e8730, (_e8730 < _e8005));
-let _e8738 = global_3.member[bitcast<u32>(select(0i, _e8732, (_e8732 > 0i)))];
+let _e8738 = global_2.member[bitcast<u32>(select(0i, _e8732, (_e8732 > 0i)))];
 let _e8740 = select(_e8005, 2i, (2i < _e8005));
-let _e8746 = global_3.member[bitcast<u32>(select(0i, _e8740, (_e8740 > 0i)))];
+let _e8746 = global_2.member[bitcast<u32>(select(0i, _e8740, (_e8740 > 0i)))];
 let _e8748 = select(_e8005, 262142i, (262142i < _e8005));
-let _e8754 = global_3.member[bitcast<u32>(select(0i, _e8748, (_e8748 > 0i)))];
+let _e8754 = global_2.member[bitcast<u32>(select(0i, _e8748, (_e8748 > 0i)))];
 let _e8759 = (bitcast<f32>(((_e8711 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8767 = (_e8759 + (((bitcast<f32>(((_e8720 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8759) * _e8397));
 let _e8772 = (bitcast<f32>(((_e8729 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3389,20 +3389,20 @@ let _e8823 = (_e8815 + (((bitcast<f32>((((_e8720 >> bitcast<u32>(16i)) & 32767u)
 let _e8828 = (bitcast<f32>((((_e8729 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8855 = (_e8393 + 3i);
 let _e8857 = select(_e8005, _e8855, (_e8855 < _e8005));
-let _e8863 = global_3.member[bitcast<u32>(select(0i, _e8857, (_e8857 > 0i)))];
+let _e8863 = global_2.member[bitcast<u32>(select(0i, _e8857, (_e8857 > 0i)))];
 let _e8864 = (_e8393 + 7i);
 let _e8866 = select(_e8005, _e8864, (_e8864 < _e8005));
-let _e8872 = global_3.member[bitcast<u32>(select(0i, _e8866, (_e8866 > 0i)))];
+let _e8872 = global_2.member[bitcast<u32>(select(0i, _e8866, (_e8866 > 0i)))];
 let _e8873 = (_e8393 + 1027i);
 let _e8875 = select(_e8005, _e8873, (_e8873 < _e8005));
-let _e8881 = global_3.member[bitcast<u32>(select(0i, _e8875, (_e8875 > 0i)))];
+let _e8881 = global_2.member[bitcast<u32>(select(0i, _e8875, (_e8875 > 0i)))];
 let _e8882 = (_e8393 + 1031i);
 let _e8884 = select(_e8005, _e8882, (_e8882 < _e8005));
-let _e8890 = global_3.member[bitcast<u32>(select(0i, _e8884, (_e8884 > 0i)))];
+let _e8890 = global_2.member[bitcast<u32>(select(0i, _e8884, (_e8884 > 0i)))];
 let _e8892 = select(_e8005, 3i, (3i < _e8005));
-let _e8898 = global_3.member[bitcast<u32>(select(0i, _e8892, (_e8892 > 0i)))];
+let _e8898 = global_2.member[bitcast<u32>(select(0i, _e8892, (_e8892 > 0i)))];
 let _e8900 = select(_e8005, 262143i, (262143i < _e8005));
-let _e8906 = global_3.member[bitcast<u32>(select(0i, _e8900, (_e8900 > 0i)))];
+let _e8906 = global_2.member[bitcast<u32>(select(0i, _e8900, (_e8900 > 0i)))];
 let _e8911 = (bitcast<f32>(((_e8863 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8919 = (_e8911 + (((bitcast<f32>(((_e8872 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8911) * _e8397));
 let _e8924 = (bitcast<f32>(((_e8881 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3466,7 +3466,7 @@ let _e11615 = (_e11614 == 0u);
 if _e11615 {
 let _e11844 = global_5.member[_e458].member_9.member_1;
 let _e11853 = global_5.member[_e458].member_9.member;
-phi_25056_ = type_28(vec3<f32>(_e11844.member, _e11844.member_1, _e11844.member_2), vec3<f32>(_e11853.member, _e11853.member_1, _e11853.member_2));
+phi_25056_ = type_35(vec3<f32>(_e11844.member, _e11844.member_1, _e11844.member_2), vec3<f32>(_e11853.member, _e11853.member_1, _e11853.member_2));
 } else {
 let _e11620 = global_5.member[_e458].member_10.member;
 let _e11631 = ((((_e11620.member.member * _e9927) + (_e11620.member.member_1 * _e9928)) + (_e11620.member.member_2 * _e9929)) + _e11620.member_1);
@@ -3522,7 +3522,7 @@ let _e11796 = select(1f, (_e11779 * _e11790), _e11768);
 let _e11802 = global_5.member[_e458].member_10.member.member;
 let _e11814 = global_5.member[_e458].member_10.member_1.member;
 let _e11829 = global_5.member[_e458].member_10.member_2.member;
-phi_25056_ = type_28(vec3<f32>((_e11668.member * _e11763), (_e11668.member_1 * _e11763), (_e11668.member_2 * _e11763)), (vec3<f32>(((_e11802.member * _e11794) + (_e11814.member * _e11795)), ((_e11802.member_1 * _e11794) + (_e11814.member_1 * _e11795)), ((_e11802.member_2 * _e11794) + (_e11814.member_2 * _e11795))) + vec3<f32>((_e11829.member * _e11796), (_e11829.member_1 * _e11796), (_e11829.member_2 * _e11796))));
+phi_25056_ = type_35(vec3<f32>((_e11668.member * _e11763), (_e11668.member_1 * _e11763), (_e11668.member_2 * _e11763)), (vec3<f32>(((_e11802.member * _e11794) + (_e11814.member * _e11795)), ((_e11802.member_1 * _e11794) + (_e11814.member_1 * _e11795)), ((_e11802.member_2 * _e11794) + (_e11814.member_2 * _e11795))) + vec3<f32>((_e11829.member * _e11796), (_e11829.member_1 * _e11796), (_e11829.member_2 * _e11796))));
 }
 let _e11860 = phi_25056_;
 phi_27468_ = _e11860;
@@ -3561,7 +3561,7 @@ local_1 = (_e11097 + ((_e11075 * _e11035) + _e11060));
 let _e11099 = local_1;
 let _e11101 = (bitcast<i32>(_e232) - 1i);
 let _e11103 = select(_e11101, _e11099, (_e11099 < _e11101));
-let _e11108 = global_4.member[bitcast<u32>(select(0i, _e11103, (_e11103 > 0i)))];
+let _e11108 = global_3.member[bitcast<u32>(select(0i, _e11103, (_e11103 > 0i)))];
 let _e11110 = bitcast<u32>(bitcast<f32>(_e11108));
 let _e11114 = f32((bitcast<i32>((_e11110 & 65535u)) - 32768i));
 let _e11120 = f32((bitcast<i32>(((_e11110 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3569,13 +3569,13 @@ let _e11125 = select(_e11120, -(_e11120), ((_e11110 >> bitcast<u32>(31i)) != 0u)
 let _e11126 = local_1;
 let _e11127 = (_e11126 + 1i);
 let _e11129 = select(_e11101, _e11127, (_e11127 < _e11101));
-let _e11134 = global_4.member[bitcast<u32>(select(0i, _e11129, (_e11129 > 0i)))];
+let _e11134 = global_3.member[bitcast<u32>(select(0i, _e11129, (_e11129 > 0i)))];
 let _e11136 = bitcast<u32>(bitcast<f32>(_e11134));
 let _e11146 = f32((bitcast<i32>(((_e11136 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11152 = local_1;
 let _e11153 = (_e11152 + _e11035);
 let _e11155 = select(_e11101, _e11153, (_e11153 < _e11101));
-let _e11160 = global_4.member[bitcast<u32>(select(0i, _e11155, (_e11155 > 0i)))];
+let _e11160 = global_3.member[bitcast<u32>(select(0i, _e11155, (_e11155 > 0i)))];
 let _e11162 = bitcast<u32>(bitcast<f32>(_e11160));
 let _e11166 = f32((bitcast<i32>((_e11162 & 65535u)) - 32768i));
 let _e11172 = f32((bitcast<i32>(((_e11162 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3584,7 +3584,7 @@ let _e11178 = (_e11035 + 1i);
 let _e11179 = local_1;
 let _e11180 = (_e11179 + _e11178);
 let _e11182 = select(_e11101, _e11180, (_e11180 < _e11101));
-let _e11187 = global_4.member[bitcast<u32>(select(0i, _e11182, (_e11182 > 0i)))];
+let _e11187 = global_3.member[bitcast<u32>(select(0i, _e11182, (_e11182 > 0i)))];
 let _e11189 = bitcast<u32>(bitcast<f32>(_e11187));
 let _e11199 = f32((bitcast<i32>(((_e11189 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11207 = (_e11114 + ((f32((bitcast<i32>((_e11136 & 65535u)) - 32768i)) - _e11114) * _e11079));
@@ -3614,60 +3614,60 @@ let _e11294 = (_e11258 - f32(_e11288));
 let _e11301 = ((((_e11257 >= 0f) && (_e11257 <= _e11037)) && (_e11258 >= 0f)) && (_e11258 <= _e11045));
 let _e11302 = (_e11093 + _e11290);
 let _e11304 = select(_e11101, _e11302, (_e11302 < _e11101));
-let _e11310 = global_4.member[bitcast<u32>(select(0i, _e11304, (_e11304 > 0i)))];
+let _e11310 = global_3.member[bitcast<u32>(select(0i, _e11304, (_e11304 > 0i)))];
 let _e11311 = bitcast<f32>(_e11310);
 let _e11312 = (_e11302 + 1i);
 let _e11314 = select(_e11101, _e11312, (_e11312 < _e11101));
-let _e11320 = global_4.member[bitcast<u32>(select(0i, _e11314, (_e11314 > 0i)))];
+let _e11320 = global_3.member[bitcast<u32>(select(0i, _e11314, (_e11314 > 0i)))];
 let _e11324 = (_e11311 + ((bitcast<f32>(_e11320) - _e11311) * _e11292));
 let _e11325 = (_e11302 + _e11035);
 let _e11327 = select(_e11101, _e11325, (_e11325 < _e11101));
-let _e11333 = global_4.member[bitcast<u32>(select(0i, _e11327, (_e11327 > 0i)))];
+let _e11333 = global_3.member[bitcast<u32>(select(0i, _e11327, (_e11327 > 0i)))];
 let _e11334 = bitcast<f32>(_e11333);
 let _e11335 = (_e11325 + 1i);
 let _e11337 = select(_e11101, _e11335, (_e11335 < _e11101));
-let _e11343 = global_4.member[bitcast<u32>(select(0i, _e11337, (_e11337 > 0i)))];
+let _e11343 = global_3.member[bitcast<u32>(select(0i, _e11337, (_e11337 > 0i)))];
 let _e11351 = select(1f, (_e11324 + (((_e11334 + ((bitcast<f32>(_e11343) - _e11334) * _e11292)) - _e11324) * _e11294)), _e11301);
 if _e8001 {
 phi_25801_ = vec3(_e11351);
 } else {
 let _e11354 = ((_e11093 + _e11095) + _e11290);
 let _e11356 = select(_e11101, _e11354, (_e11354 < _e11101));
-let _e11362 = global_4.member[bitcast<u32>(select(0i, _e11356, (_e11356 > 0i)))];
+let _e11362 = global_3.member[bitcast<u32>(select(0i, _e11356, (_e11356 > 0i)))];
 let _e11363 = bitcast<f32>(_e11362);
 let _e11364 = (_e11354 + 1i);
 let _e11366 = select(_e11101, _e11364, (_e11364 < _e11101));
-let _e11372 = global_4.member[bitcast<u32>(select(0i, _e11366, (_e11366 > 0i)))];
+let _e11372 = global_3.member[bitcast<u32>(select(0i, _e11366, (_e11366 > 0i)))];
 let _e11376 = (_e11363 + ((bitcast<f32>(_e11372) - _e11363) * _e11292));
 let _e11377 = (_e11354 + _e11035);
 let _e11379 = select(_e11101, _e11377, (_e11377 < _e11101));
-let _e11385 = global_4.member[bitcast<u32>(select(0i, _e11379, (_e11379 > 0i)))];
+let _e11385 = global_3.member[bitcast<u32>(select(0i, _e11379, (_e11379 > 0i)))];
 let _e11386 = bitcast<f32>(_e11385);
 let _e11387 = (_e11377 + 1i);
 let _e11389 = select(_e11101, _e11387, (_e11387 < _e11101));
-let _e11395 = global_4.member[bitcast<u32>(select(0i, _e11389, (_e11389 > 0i)))];
+let _e11395 = global_3.member[bitcast<u32>(select(0i, _e11389, (_e11389 > 0i)))];
 let _e11406 = ((_e11093 + (2i * _e11095)) + _e11290);
 let _e11408 = select(_e11101, _e11406, (_e11406 < _e11101));
-let _e11414 = global_4.member[bitcast<u32>(select(0i, _e11408, (_e11408 > 0i)))];
+let _e11414 = global_3.member[bitcast<u32>(select(0i, _e11408, (_e11408 > 0i)))];
 let _e11415 = bitcast<f32>(_e11414);
 let _e11416 = (_e11406 + 1i);
 let _e11418 = select(_e11101, _e11416, (_e11416 < _e11101));
-let _e11424 = global_4.member[bitcast<u32>(select(0i, _e11418, (_e11418 > 0i)))];
+let _e11424 = global_3.member[bitcast<u32>(select(0i, _e11418, (_e11418 > 0i)))];
 let _e11428 = (_e11415 + ((bitcast<f32>(_e11424) - _e11415) * _e11292));
 let _e11429 = (_e11406 + _e11035);
 let _e11431 = select(_e11101, _e11429, (_e11429 < _e11101));
-let _e11437 = global_4.member[bitcast<u32>(select(0i, _e11431, (_e11431 > 0i)))];
+let _e11437 = global_3.member[bitcast<u32>(select(0i, _e11431, (_e11431 > 0i)))];
 let _e11438 = bitcast<f32>(_e11437);
 let _e11439 = (_e11429 + 1i);
 let _e11441 = select(_e11101, _e11439, (_e11439 < _e11101));
-let _e11447 = global_4.member[bitcast<u32>(select(0i, _e11441, (_e11441 > 0i)))];
+let _e11447 = global_3.member[bitcast<u32>(select(0i, _e11441, (_e11441 > 0i)))];
 phi_25801_ = vec3<f32>(_e11351, select(1f, (_e11376 + (((_e11386 + ((bitcast<f32>(_e11395) - _e11386) * _e11292)) - _e11376) * _e11294)), _e11301), select(1f, (_e11428 + (((_e11438 + ((bitcast<f32>(_e11447) - _e11438) * _e11292)) - _e11428) * _e11294)), _e11301));
 }
 let _e11458 = phi_25801_;
 local = (_e11097 + _e11290);
 let _e11460 = local;
 let _e11462 = select(_e11101, _e11460, (_e11460 < _e11101));
-let _e11467 = global_4.member[bitcast<u32>(select(0i, _e11462, (_e11462 > 0i)))];
+let _e11467 = global_3.member[bitcast<u32>(select(0i, _e11462, (_e11462 > 0i)))];
 let _e11469 = bitcast<u32>(bitcast<f32>(_e11467));
 let _e11473 = f32((bitcast<i32>((_e11469 & 65535u)) - 32768i));
 let _e11479 = f32((bitcast<i32>(((_e11469 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3675,13 +3675,13 @@ let _e11484 = select(_e11479, -(_e11479), ((_e11469 >> bitcast<u32>(31i)) != 0u)
 let _e11485 = local;
 let _e11486 = (_e11485 + 1i);
 let _e11488 = select(_e11101, _e11486, (_e11486 < _e11101));
-let _e11493 = global_4.member[bitcast<u32>(select(0i, _e11488, (_e11488 > 0i)))];
+let _e11493 = global_3.member[bitcast<u32>(select(0i, _e11488, (_e11488 > 0i)))];
 let _e11495 = bitcast<u32>(bitcast<f32>(_e11493));
 let _e11505 = f32((bitcast<i32>(((_e11495 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11511 = local;
 let _e11512 = (_e11511 + _e11035);
 let _e11514 = select(_e11101, _e11512, (_e11512 < _e11101));
-let _e11519 = global_4.member[bitcast<u32>(select(0i, _e11514, (_e11514 > 0i)))];
+let _e11519 = global_3.member[bitcast<u32>(select(0i, _e11514, (_e11514 > 0i)))];
 let _e11521 = bitcast<u32>(bitcast<f32>(_e11519));
 let _e11525 = f32((bitcast<i32>((_e11521 & 65535u)) - 32768i));
 let _e11531 = f32((bitcast<i32>(((_e11521 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3689,7 +3689,7 @@ let _e11536 = select(_e11531, -(_e11531), ((_e11521 >> bitcast<u32>(31i)) != 0u)
 let _e11537 = local;
 let _e11538 = (_e11537 + _e11178);
 let _e11540 = select(_e11101, _e11538, (_e11538 < _e11101));
-let _e11545 = global_4.member[bitcast<u32>(select(0i, _e11540, (_e11540 > 0i)))];
+let _e11545 = global_3.member[bitcast<u32>(select(0i, _e11540, (_e11540 > 0i)))];
 let _e11547 = bitcast<u32>(bitcast<f32>(_e11545));
 let _e11557 = f32((bitcast<i32>(((_e11547 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11565 = (_e11473 + ((f32((bitcast<i32>((_e11495 & 65535u)) - 32768i)) - _e11473) * _e11292));
@@ -3699,7 +3699,7 @@ let _e11594 = (_e11229.member + (select(0f, (_e11565 + (((_e11525 + ((f32((bitca
 let _e11596 = (_e11229.member_1 + (select(0f, (_e11574 + (((_e11536 + ((select(_e11557, -(_e11557), ((_e11547 >> bitcast<u32>(31i)) != 0u)) - _e11536) * _e11292)) - _e11574) * _e11294)), _e11301) * _e11232));
 let _e11600 = (1f - ((_e11594 * _e11594) + (_e11596 * _e11596)));
 let _e11602 = select(1e-4f, _e11600, (_e11600 > 1e-4f));
-phi_27467_ = type_28((_e11458 * vec3<f32>(_e11587.member, _e11587.member_1, _e11587.member_2)), vec3<f32>(_e11594, _e11596, sqrt(select(0f, _e11602, (_e11602 > 0f)))));
+phi_27467_ = type_35((_e11458 * vec3<f32>(_e11587.member, _e11587.member_1, _e11587.member_2)), vec3<f32>(_e11594, _e11596, sqrt(select(0f, _e11602, (_e11602 > 0f)))));
 } else {
 let _e9932 = (1f - _e9919.member);
 let _e9934 = select(1e-6f, _e9919.member, (_e9919.member > 1e-6f));
@@ -3765,9 +3765,9 @@ let _e10193 = phi_26315_;
 let _e10194 = (_e10193 + 1i);
 let _e10196 = (bitcast<i32>(_e232) - 1i);
 let _e10198 = select(_e10196, _e10194, (_e10194 < _e10196));
-let _e10204 = global_4.member[bitcast<u32>(select(0i, _e10198, (_e10198 > 0i)))];
+let _e10204 = global_3.member[bitcast<u32>(select(0i, _e10198, (_e10198 > 0i)))];
 let _e10206 = select(_e10196, _e10193, (_e10193 < _e10196));
-let _e10212 = global_4.member[bitcast<u32>(select(0i, _e10206, (_e10206 > 0i)))];
+let _e10212 = global_3.member[bitcast<u32>(select(0i, _e10206, (_e10206 > 0i)))];
 let _e10215 = select(_e10204, 0u, (_e10193 < 0i));
 let _e10220 = global_5.member[_e458].member_10.member_13;
 let _e10221 = (_e10215 * 81u);
@@ -3779,35 +3779,35 @@ let _e10238 = (_e10088 - f32(_e10131));
 let _e10240 = (_e10100 - f32(_e10146));
 let _e10241 = (_e10215 != 0u);
 let _e10243 = select(_e10196, _e10233, (_e10233 < _e10196));
-let _e10249 = global_4.member[bitcast<u32>(select(0i, _e10243, (_e10243 > 0i)))];
+let _e10249 = global_3.member[bitcast<u32>(select(0i, _e10243, (_e10243 > 0i)))];
 let _e10250 = bitcast<f32>(_e10249);
 let _e10251 = (_e10233 + 1i);
 let _e10253 = select(_e10196, _e10251, (_e10251 < _e10196));
-let _e10259 = global_4.member[bitcast<u32>(select(0i, _e10253, (_e10253 > 0i)))];
+let _e10259 = global_3.member[bitcast<u32>(select(0i, _e10253, (_e10253 > 0i)))];
 let _e10263 = (_e10250 + ((bitcast<f32>(_e10259) - _e10250) * _e10236));
 let _e10264 = (_e10233 + 9i);
 let _e10266 = select(_e10196, _e10264, (_e10264 < _e10196));
-let _e10272 = global_4.member[bitcast<u32>(select(0i, _e10266, (_e10266 > 0i)))];
+let _e10272 = global_3.member[bitcast<u32>(select(0i, _e10266, (_e10266 > 0i)))];
 let _e10273 = bitcast<f32>(_e10272);
 let _e10274 = (_e10233 + 10i);
 let _e10276 = select(_e10196, _e10274, (_e10274 < _e10196));
-let _e10282 = global_4.member[bitcast<u32>(select(0i, _e10276, (_e10276 > 0i)))];
+let _e10282 = global_3.member[bitcast<u32>(select(0i, _e10276, (_e10276 > 0i)))];
 let _e10289 = (_e10263 + (((_e10273 + ((bitcast<f32>(_e10282) - _e10273) * _e10236)) - _e10263) * _e10238));
 let _e10290 = (_e10233 + _e10225);
 let _e10292 = select(_e10196, _e10290, (_e10290 < _e10196));
-let _e10298 = global_4.member[bitcast<u32>(select(0i, _e10292, (_e10292 > 0i)))];
+let _e10298 = global_3.member[bitcast<u32>(select(0i, _e10292, (_e10292 > 0i)))];
 let _e10299 = bitcast<f32>(_e10298);
 let _e10300 = (_e10290 + 1i);
 let _e10302 = select(_e10196, _e10300, (_e10300 < _e10196));
-let _e10308 = global_4.member[bitcast<u32>(select(0i, _e10302, (_e10302 > 0i)))];
+let _e10308 = global_3.member[bitcast<u32>(select(0i, _e10302, (_e10302 > 0i)))];
 let _e10312 = (_e10299 + ((bitcast<f32>(_e10308) - _e10299) * _e10236));
 let _e10313 = (_e10290 + 9i);
 let _e10315 = select(_e10196, _e10313, (_e10313 < _e10196));
-let _e10321 = global_4.member[bitcast<u32>(select(0i, _e10315, (_e10315 > 0i)))];
+let _e10321 = global_3.member[bitcast<u32>(select(0i, _e10315, (_e10315 > 0i)))];
 let _e10322 = bitcast<f32>(_e10321);
 let _e10323 = (_e10290 + 10i);
 let _e10325 = select(_e10196, _e10323, (_e10323 < _e10196));
-let _e10331 = global_4.member[bitcast<u32>(select(0i, _e10325, (_e10325 > 0i)))];
+let _e10331 = global_3.member[bitcast<u32>(select(0i, _e10325, (_e10325 > 0i)))];
 let _e10342 = select(1f, (_e10289 + (((_e10312 + (((_e10322 + ((bitcast<f32>(_e10331) - _e10322) * _e10236)) - _e10312) * _e10238)) - _e10289) * _e10240)), _e10241);
 if _e8001 {
 phi_26892_ = vec3(_e10342);
@@ -3816,66 +3816,66 @@ let _e10348 = global_5.member[_e458].member_10.member_12;
 let _e10349 = (_e10348 > 1u);
 let _e10353 = (_e10233 + (select(0i, 1i, _e10349) * _e10234));
 let _e10355 = select(_e10196, _e10353, (_e10353 < _e10196));
-let _e10361 = global_4.member[bitcast<u32>(select(0i, _e10355, (_e10355 > 0i)))];
+let _e10361 = global_3.member[bitcast<u32>(select(0i, _e10355, (_e10355 > 0i)))];
 let _e10362 = bitcast<f32>(_e10361);
 let _e10363 = (_e10353 + 1i);
 let _e10365 = select(_e10196, _e10363, (_e10363 < _e10196));
-let _e10371 = global_4.member[bitcast<u32>(select(0i, _e10365, (_e10365 > 0i)))];
+let _e10371 = global_3.member[bitcast<u32>(select(0i, _e10365, (_e10365 > 0i)))];
 let _e10375 = (_e10362 + ((bitcast<f32>(_e10371) - _e10362) * _e10236));
 let _e10376 = (_e10353 + 9i);
 let _e10378 = select(_e10196, _e10376, (_e10376 < _e10196));
-let _e10384 = global_4.member[bitcast<u32>(select(0i, _e10378, (_e10378 > 0i)))];
+let _e10384 = global_3.member[bitcast<u32>(select(0i, _e10378, (_e10378 > 0i)))];
 let _e10385 = bitcast<f32>(_e10384);
 let _e10386 = (_e10353 + 10i);
 let _e10388 = select(_e10196, _e10386, (_e10386 < _e10196));
-let _e10394 = global_4.member[bitcast<u32>(select(0i, _e10388, (_e10388 > 0i)))];
+let _e10394 = global_3.member[bitcast<u32>(select(0i, _e10388, (_e10388 > 0i)))];
 let _e10401 = (_e10375 + (((_e10385 + ((bitcast<f32>(_e10394) - _e10385) * _e10236)) - _e10375) * _e10238));
 let _e10402 = (_e10353 + _e10225);
 let _e10404 = select(_e10196, _e10402, (_e10402 < _e10196));
-let _e10410 = global_4.member[bitcast<u32>(select(0i, _e10404, (_e10404 > 0i)))];
+let _e10410 = global_3.member[bitcast<u32>(select(0i, _e10404, (_e10404 > 0i)))];
 let _e10411 = bitcast<f32>(_e10410);
 let _e10412 = (_e10402 + 1i);
 let _e10414 = select(_e10196, _e10412, (_e10412 < _e10196));
-let _e10420 = global_4.member[bitcast<u32>(select(0i, _e10414, (_e10414 > 0i)))];
+let _e10420 = global_3.member[bitcast<u32>(select(0i, _e10414, (_e10414 > 0i)))];
 let _e10424 = (_e10411 + ((bitcast<f32>(_e10420) - _e10411) * _e10236));
 let _e10425 = (_e10402 + 9i);
 let _e10427 = select(_e10196, _e10425, (_e10425 < _e10196));
-let _e10433 = global_4.member[bitcast<u32>(select(0i, _e10427, (_e10427 > 0i)))];
+let _e10433 = global_3.member[bitcast<u32>(select(0i, _e10427, (_e10427 > 0i)))];
 let _e10434 = bitcast<f32>(_e10433);
 let _e10435 = (_e10402 + 10i);
 let _e10437 = select(_e10196, _e10435, (_e10435 < _e10196));
-let _e10443 = global_4.member[bitcast<u32>(select(0i, _e10437, (_e10437 > 0i)))];
+let _e10443 = global_3.member[bitcast<u32>(select(0i, _e10437, (_e10437 > 0i)))];
 let _e10456 = (_e10233 + (select(0i, 2i, _e10349) * _e10234));
 let _e10458 = select(_e10196, _e10456, (_e10456 < _e10196));
-let _e10464 = global_4.member[bitcast<u32>(select(0i, _e10458, (_e10458 > 0i)))];
+let _e10464 = global_3.member[bitcast<u32>(select(0i, _e10458, (_e10458 > 0i)))];
 let _e10465 = bitcast<f32>(_e10464);
 let _e10466 = (_e10456 + 1i);
 let _e10468 = select(_e10196, _e10466, (_e10466 < _e10196));
-let _e10474 = global_4.member[bitcast<u32>(select(0i, _e10468, (_e10468 > 0i)))];
+let _e10474 = global_3.member[bitcast<u32>(select(0i, _e10468, (_e10468 > 0i)))];
 let _e10478 = (_e10465 + ((bitcast<f32>(_e10474) - _e10465) * _e10236));
 let _e10479 = (_e10456 + 9i);
 let _e10481 = select(_e10196, _e10479, (_e10479 < _e10196));
-let _e10487 = global_4.member[bitcast<u32>(select(0i, _e10481, (_e10481 > 0i)))];
+let _e10487 = global_3.member[bitcast<u32>(select(0i, _e10481, (_e10481 > 0i)))];
 let _e10488 = bitcast<f32>(_e10487);
 let _e10489 = (_e10456 + 10i);
 let _e10491 = select(_e10196, _e10489, (_e10489 < _e10196));
-let _e10497 = global_4.member[bitcast<u32>(select(0i, _e10491, (_e10491 > 0i)))];
+let _e10497 = global_3.member[bitcast<u32>(select(0i, _e10491, (_e10491 > 0i)))];
 let _e10504 = (_e10478 + (((_e10488 + ((bitcast<f32>(_e10497) - _e10488) * _e10236)) - _e10478) * _e10238));
 let _e10505 = (_e10456 + _e10225);
 let _e10507 = select(_e10196, _e10505, (_e10505 < _e10196));
-let _e10513 = global_4.member[bitcast<u32>(select(0i, _e10507, (_e10507 > 0i)))];
+let _e10513 = global_3.member[bitcast<u32>(select(0i, _e10507, (_e10507 > 0i)))];
 let _e10514 = bitcast<f32>(_e10513);
 let _e10515 = (_e10505 + 1i);
 let _e10517 = select(_e10196, _e10515, (_e10515 < _e10196));
-let _e10523 = global_4.member[bitcast<u32>(select(0i, _e10517, (_e10517 > 0i)))];
+let _e10523 = global_3.member[bitcast<u32>(select(0i, _e10517, (_e10517 > 0i)))];
 let _e10527 = (_e10514 + ((bitcast<f32>(_e10523) - _e10514) * _e10236));
 let _e10528 = (_e10505 + 9i);
 let _e10530 = select(_e10196, _e10528, (_e10528 < _e10196));
-let _e10536 = global_4.member[bitcast<u32>(select(0i, _e10530, (_e10530 > 0i)))];
+let _e10536 = global_3.member[bitcast<u32>(select(0i, _e10530, (_e10530 > 0i)))];
 let _e10537 = bitcast<f32>(_e10536);
 let _e10538 = (_e10505 + 10i);
 let _e10540 = select(_e10196, _e10538, (_e10538 < _e10196));
-let _e10546 = global_4.member[bitcast<u32>(select(0i, _e10540, (_e10540 > 0i)))];
+let _e10546 = global_3.member[bitcast<u32>(select(0i, _e10540, (_e10540 > 0i)))];
 phi_26892_ = vec3<f32>(_e10342, select(1f, (_e10401 + (((_e10424 + (((_e10434 + ((bitcast<f32>(_e10443) - _e10434) * _e10236)) - _e10424) * _e10238)) - _e10401) * _e10240)), _e10241), select(1f, (_e10504 + (((_e10527 + (((_e10537 + ((bitcast<f32>(_e10546) - _e10537) * _e10236)) - _e10527) * _e10238)) - _e10504) * _e10240)), _e10241));
 }
 let _e10560 = phi_26892_;
@@ -3891,56 +3891,56 @@ let _e10583 = select(0f, (_e10566 * _e10578), _e10045);
 if _e837 {
 let _e10589 = (_e10233 + ((bitcast<i32>(_e10220) - 1i) * _e10234));
 let _e10591 = select(_e10196, _e10589, (_e10589 < _e10196));
-let _e10597 = global_4.member[bitcast<u32>(select(0i, _e10591, (_e10591 > 0i)))];
+let _e10597 = global_3.member[bitcast<u32>(select(0i, _e10591, (_e10591 > 0i)))];
 let _e10599 = bitcast<u32>(bitcast<f32>(_e10597));
 let _e10603 = f32((bitcast<i32>((_e10599 & 65535u)) - 32768i));
 let _e10609 = f32((bitcast<i32>(((_e10599 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10614 = select(_e10609, -(_e10609), ((_e10599 >> bitcast<u32>(31i)) != 0u));
 let _e10615 = (_e10589 + 1i);
 let _e10617 = select(_e10196, _e10615, (_e10615 < _e10196));
-let _e10623 = global_4.member[bitcast<u32>(select(0i, _e10617, (_e10617 > 0i)))];
+let _e10623 = global_3.member[bitcast<u32>(select(0i, _e10617, (_e10617 > 0i)))];
 let _e10625 = bitcast<u32>(bitcast<f32>(_e10623));
 let _e10635 = f32((bitcast<i32>(((_e10625 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10643 = (_e10603 + ((f32((bitcast<i32>((_e10625 & 65535u)) - 32768i)) - _e10603) * _e10236));
 let _e10646 = (_e10614 + ((select(_e10635, -(_e10635), ((_e10625 >> bitcast<u32>(31i)) != 0u)) - _e10614) * _e10236));
 let _e10647 = (_e10589 + 9i);
 let _e10649 = select(_e10196, _e10647, (_e10647 < _e10196));
-let _e10655 = global_4.member[bitcast<u32>(select(0i, _e10649, (_e10649 > 0i)))];
+let _e10655 = global_3.member[bitcast<u32>(select(0i, _e10649, (_e10649 > 0i)))];
 let _e10657 = bitcast<u32>(bitcast<f32>(_e10655));
 let _e10661 = f32((bitcast<i32>((_e10657 & 65535u)) - 32768i));
 let _e10667 = f32((bitcast<i32>(((_e10657 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10672 = select(_e10667, -(_e10667), ((_e10657 >> bitcast<u32>(31i)) != 0u));
 let _e10673 = (_e10589 + 10i);
 let _e10675 = select(_e10196, _e10673, (_e10673 < _e10196));
-let _e10681 = global_4.member[bitcast<u32>(select(0i, _e10675, (_e10675 > 0i)))];
+let _e10681 = global_3.member[bitcast<u32>(select(0i, _e10675, (_e10675 > 0i)))];
 let _e10683 = bitcast<u32>(bitcast<f32>(_e10681));
 let _e10693 = f32((bitcast<i32>(((_e10683 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10707 = (_e10643 + (((_e10661 + ((f32((bitcast<i32>((_e10683 & 65535u)) - 32768i)) - _e10661) * _e10236)) - _e10643) * _e10238));
 let _e10710 = (_e10646 + (((_e10672 + ((select(_e10693, -(_e10693), ((_e10683 >> bitcast<u32>(31i)) != 0u)) - _e10672) * _e10236)) - _e10646) * _e10238));
 let _e10711 = (_e10589 + _e10225);
 let _e10713 = select(_e10196, _e10711, (_e10711 < _e10196));
-let _e10719 = global_4.member[bitcast<u32>(select(0i, _e10713, (_e10713 > 0i)))];
+let _e10719 = global_3.member[bitcast<u32>(select(0i, _e10713, (_e10713 > 0i)))];
 let _e10721 = bitcast<u32>(bitcast<f32>(_e10719));
 let _e10725 = f32((bitcast<i32>((_e10721 & 65535u)) - 32768i));
 let _e10731 = f32((bitcast<i32>(((_e10721 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10736 = select(_e10731, -(_e10731), ((_e10721 >> bitcast<u32>(31i)) != 0u));
 let _e10737 = (_e10711 + 1i);
 let _e10739 = select(_e10196, _e10737, (_e10737 < _e10196));
-let _e10745 = global_4.member[bitcast<u32>(select(0i, _e10739, (_e10739 > 0i)))];
+let _e10745 = global_3.member[bitcast<u32>(select(0i, _e10739, (_e10739 > 0i)))];
 let _e10747 = bitcast<u32>(bitcast<f32>(_e10745));
 let _e10757 = f32((bitcast<i32>(((_e10747 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10765 = (_e10725 + ((f32((bitcast<i32>((_e10747 & 65535u)) - 32768i)) - _e10725) * _e10236));
 let _e10768 = (_e10736 + ((select(_e10757, -(_e10757), ((_e10747 >> bitcast<u32>(31i)) != 0u)) - _e10736) * _e10236));
 let _e10769 = (_e10711 + 9i);
 let _e10771 = select(_e10196, _e10769, (_e10769 < _e10196));
-let _e10777 = global_4.member[bitcast<u32>(select(0i, _e10771, (_e10771 > 0i)))];
+let _e10777 = global_3.member[bitcast<u32>(select(0i, _e10771, (_e10771 > 0i)))];
 let _e10779 = bitcast<u32>(bitcast<f32>(_e10777));
 let _e10783 = f32((bitcast<i32>((_e10779 & 65535u)) - 32768i));
 let _e10789 = f32((bitcast<i32>(((_e10779 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10794 = select(_e10789, -(_e10789), ((_e10779 >> bitcast<u32>(31i)) != 0u));
 let _e10795 = (_e10711 + 10i);
 let _e10797 = select(_e10196, _e10795, (_e10795 < _e10196));
-let _e10803 = global_4.member[bitcast<u32>(select(0i, _e10797, (_e10797 > 0i)))];
+let _e10803 = global_3.member[bitcast<u32>(select(0i, _e10797, (_e10797 > 0i)))];
 let _e10805 = bitcast<u32>(bitcast<f32>(_e10803));
 let _e10815 = f32((bitcast<i32>(((_e10805 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10841 = (_e10582 + select(0f, ((_e10707 + (((_e10765 + (((_e10783 + ((f32((bitcast<i32>((_e10805 & 65535u)) - 32768i)) - _e10783) * _e10236)) - _e10765) * _e10238)) - _e10707) * _e10240)) * 6.151953e-5f), _e10241));
@@ -3981,7 +3981,7 @@ let _e10938 = (_e10937 * select(_e10917, 1f, (_e837 && _e10241)));
 let _e10948 = global_5.member[_e458].member_10.member.member;
 let _e10961 = global_5.member[_e458].member_10.member_1.member;
 let _e10977 = global_5.member[_e458].member_10.member_2.member;
-phi_27467_ = type_28(vec3<f32>(((_e10560.x * _e10923.member) * _e10938), ((_e10560.y * _e10923.member_1) * _e10938), ((_e10560.z * _e10923.member_2) * _e10938)), (vec3<f32>(((_e10948.member * _e10856.x) + (_e10961.member * _e10856.y)), ((_e10948.member_1 * _e10856.x) + (_e10961.member_1 * _e10856.y)), ((_e10948.member_2 * _e10856.x) + (_e10961.member_2 * _e10856.y))) + vec3<f32>((_e10977.member * _e10856.z), (_e10977.member_1 * _e10856.z), (_e10977.member_2 * _e10856.z))));
+phi_27467_ = type_35(vec3<f32>(((_e10560.x * _e10923.member) * _e10938), ((_e10560.y * _e10923.member_1) * _e10938), ((_e10560.z * _e10923.member_2) * _e10938)), (vec3<f32>(((_e10948.member * _e10856.x) + (_e10961.member * _e10856.y)), ((_e10948.member_1 * _e10856.x) + (_e10961.member_1 * _e10856.y)), ((_e10948.member_2 * _e10856.x) + (_e10961.member_2 * _e10856.y))) + vec3<f32>((_e10977.member * _e10856.z), (_e10977.member_1 * _e10856.z), (_e10977.member_2 * _e10856.z))));
 }
 let _e11609 = phi_27467_;
 phi_27468_ = _e11609;
@@ -4167,51 +4167,51 @@ let _e12551 = ((bitcast<i32>(_e12547) + (_e12521 * _e12365)) + _e12504);
 let _e12552 = (_e12365 * _e12373);
 let _e12554 = (bitcast<i32>(_e232) - 1i);
 let _e12556 = select(_e12554, _e12551, (_e12551 < _e12554));
-let _e12562 = global_4.member[bitcast<u32>(select(0i, _e12556, (_e12556 > 0i)))];
+let _e12562 = global_3.member[bitcast<u32>(select(0i, _e12556, (_e12556 > 0i)))];
 let _e12563 = bitcast<f32>(_e12562);
 let _e12564 = (_e12551 + 1i);
 let _e12566 = select(_e12554, _e12564, (_e12564 < _e12554));
-let _e12572 = global_4.member[bitcast<u32>(select(0i, _e12566, (_e12566 > 0i)))];
+let _e12572 = global_3.member[bitcast<u32>(select(0i, _e12566, (_e12566 > 0i)))];
 let _e12576 = (_e12563 + ((bitcast<f32>(_e12572) - _e12563) * _e12527));
 let _e12577 = (_e12551 + _e12365);
 let _e12579 = select(_e12554, _e12577, (_e12577 < _e12554));
-let _e12585 = global_4.member[bitcast<u32>(select(0i, _e12579, (_e12579 > 0i)))];
+let _e12585 = global_3.member[bitcast<u32>(select(0i, _e12579, (_e12579 > 0i)))];
 let _e12586 = bitcast<f32>(_e12585);
 let _e12587 = (_e12577 + 1i);
 let _e12589 = select(_e12554, _e12587, (_e12587 < _e12554));
-let _e12595 = global_4.member[bitcast<u32>(select(0i, _e12589, (_e12589 > 0i)))];
+let _e12595 = global_3.member[bitcast<u32>(select(0i, _e12589, (_e12589 > 0i)))];
 let _e12602 = (_e12576 + (((_e12586 + ((bitcast<f32>(_e12595) - _e12586) * _e12527)) - _e12576) * _e12533));
 let _e12603 = (_e12551 + _e12552);
 let _e12605 = select(_e12554, _e12603, (_e12603 < _e12554));
-let _e12611 = global_4.member[bitcast<u32>(select(0i, _e12605, (_e12605 > 0i)))];
+let _e12611 = global_3.member[bitcast<u32>(select(0i, _e12605, (_e12605 > 0i)))];
 let _e12612 = bitcast<f32>(_e12611);
 let _e12613 = (_e12603 + 1i);
 let _e12615 = select(_e12554, _e12613, (_e12613 < _e12554));
-let _e12621 = global_4.member[bitcast<u32>(select(0i, _e12615, (_e12615 > 0i)))];
+let _e12621 = global_3.member[bitcast<u32>(select(0i, _e12615, (_e12615 > 0i)))];
 let _e12625 = (_e12612 + ((bitcast<f32>(_e12621) - _e12612) * _e12527));
 let _e12626 = (_e12603 + _e12365);
 let _e12628 = select(_e12554, _e12626, (_e12626 < _e12554));
-let _e12634 = global_4.member[bitcast<u32>(select(0i, _e12628, (_e12628 > 0i)))];
+let _e12634 = global_3.member[bitcast<u32>(select(0i, _e12628, (_e12628 > 0i)))];
 let _e12635 = bitcast<f32>(_e12634);
 let _e12636 = (_e12626 + 1i);
 let _e12638 = select(_e12554, _e12636, (_e12636 < _e12554));
-let _e12644 = global_4.member[bitcast<u32>(select(0i, _e12638, (_e12638 > 0i)))];
+let _e12644 = global_3.member[bitcast<u32>(select(0i, _e12638, (_e12638 > 0i)))];
 let _e12651 = (_e12625 + (((_e12635 + ((bitcast<f32>(_e12644) - _e12635) * _e12527)) - _e12625) * _e12533));
 let _e12653 = (_e12551 + (2i * _e12552));
 let _e12655 = select(_e12554, _e12653, (_e12653 < _e12554));
-let _e12661 = global_4.member[bitcast<u32>(select(0i, _e12655, (_e12655 > 0i)))];
+let _e12661 = global_3.member[bitcast<u32>(select(0i, _e12655, (_e12655 > 0i)))];
 let _e12662 = bitcast<f32>(_e12661);
 let _e12663 = (_e12653 + 1i);
 let _e12665 = select(_e12554, _e12663, (_e12663 < _e12554));
-let _e12671 = global_4.member[bitcast<u32>(select(0i, _e12665, (_e12665 > 0i)))];
+let _e12671 = global_3.member[bitcast<u32>(select(0i, _e12665, (_e12665 > 0i)))];
 let _e12675 = (_e12662 + ((bitcast<f32>(_e12671) - _e12662) * _e12527));
 let _e12676 = (_e12653 + _e12365);
 let _e12678 = select(_e12554, _e12676, (_e12676 < _e12554));
-let _e12684 = global_4.member[bitcast<u32>(select(0i, _e12678, (_e12678 > 0i)))];
+let _e12684 = global_3.member[bitcast<u32>(select(0i, _e12678, (_e12678 > 0i)))];
 let _e12685 = bitcast<f32>(_e12684);
 let _e12686 = (_e12676 + 1i);
 let _e12688 = select(_e12554, _e12686, (_e12686 < _e12554));
-let _e12694 = global_4.member[bitcast<u32>(select(0i, _e12688, (_e12688 > 0i)))];
+let _e12694 = global_3.member[bitcast<u32>(select(0i, _e12688, (_e12688 > 0i)))];
 let _e12701 = (_e12675 + (((_e12685 + ((bitcast<f32>(_e12694) - _e12685) * _e12527)) - _e12675) * _e12533));
 let _e12703 = (_e12184 == 0u);
 if _e12703 {
@@ -4248,13 +4248,13 @@ phi_28636_ = vec3<f32>((select(0f, _e12768, (_e12768 > 0f)) * _e12781), (select(
 }
 let _e12787 = phi_28636_;
 let _e12792 = global_5.member[_e458].member_9.member_1;
-phi_28896_ = type_28((vec3<f32>(_e12792.member, _e12792.member_1, _e12792.member_2) * _e12787), _e12255);
+phi_28896_ = type_35((vec3<f32>(_e12792.member, _e12792.member_1, _e12792.member_2) * _e12787), _e12255);
 } else {
 let _e12258 = (_e12184 == 0u);
 if _e12258 {
 let _e12341 = global_5.member[_e458].member_9.member_1;
 let _e12350 = global_5.member[_e458].member_9.member;
-phi_28895_ = type_28(vec3<f32>(_e12341.member, _e12341.member_1, _e12341.member_2), vec3<f32>(_e12350.member, _e12350.member_1, _e12350.member_2));
+phi_28895_ = type_35(vec3<f32>(_e12341.member, _e12341.member_1, _e12341.member_2), vec3<f32>(_e12350.member, _e12350.member_1, _e12350.member_2));
 } else {
 let _e12263 = global_5.member[_e458].member_9.member_1;
 if _e12258 {
@@ -4281,7 +4281,7 @@ phi_28823_ = select(1f, select(0f, ((_e12320 * _e12320) * (3f - (2f * _e12320)))
 }
 let _e12330 = phi_28823_;
 let _e12331 = (_e12271 * _e12330);
-phi_28895_ = type_28(vec3<f32>((_e12263.member * _e12331), (_e12263.member_1 * _e12331), (_e12263.member_2 * _e12331)), _e12255);
+phi_28895_ = type_35(vec3<f32>((_e12263.member * _e12331), (_e12263.member_1 * _e12331), (_e12263.member_2 * _e12331)), _e12255);
 }
 let _e12357 = phi_28895_;
 phi_28896_ = _e12357;
@@ -4415,7 +4415,7 @@ let _e13165 = select(select(select(select(select(select(0f, _e12904.member, _e12
 let _e13166 = select(select(select(select(select(select(0f, _e12904.member_1, _e12946), _e12904.member_1, _e12986), _e12913.member_1, _e13026), _e12913.member_1, _e13066), _e12922.member_1, _e13106), _e12922.member_1, _e13146);
 let _e13167 = select(select(select(select(select(select(1f, _e12904.member_2, _e12946), _e12904.member_2, _e12986), _e12913.member_2, _e13026), _e12913.member_2, _e13066), _e12922.member_2, _e13106), _e12922.member_2, _e13146);
 if _e7778 {
-phi_30387_ = type_36(_e13152, vec3<f32>(_e13153, _e13154, _e13155), _e13157, vec3<f32>(_e13158, _e13159, _e13160), _e13162, _e13164, vec3<f32>(_e13165, _e13166, _e13167));
+phi_30387_ = type_34(_e13152, vec3<f32>(_e13153, _e13154, _e13155), _e13157, vec3<f32>(_e13158, _e13159, _e13160), _e13162, _e13164, vec3<f32>(_e13165, _e13166, _e13167));
 } else {
 let _e13174 = (((_e12904.member * _e12904.member) + (_e12904.member_1 * _e12904.member_1)) + (_e12904.member_2 * _e12904.member_2));
 let _e13177 = sqrt(select(0f, _e13174, (_e13174 > 0f)));
@@ -4495,7 +4495,7 @@ let _e13473 = select(2f, select(0f, _e13465, (_e13445 < 0f)), (_e13446 > 0f));
 let _e13474 = (_e13445 > _e13409);
 let _e13478 = ((_e13469 > _e13401) || ((_e13469 == _e13401) && _e13474));
 let _e13479 = (_e13473 < _e13405);
-phi_30387_ = type_36(select(_e13401, _e13469, _e13478), vec3<f32>(select(select(select(select(_e13153, _e13215.member, _e13241), _e13294.member, _e13320), _e13373.member, _e13399), _e13452.member, _e13478), select(select(select(select(_e13154, _e13215.member_1, _e13241), _e13294.member_1, _e13320), _e13373.member_1, _e13399), _e13452.member_1, _e13478), select(select(select(select(_e13155, _e13215.member_2, _e13241), _e13294.member_2, _e13320), _e13373.member_2, _e13399), _e13452.member_2, _e13478)), select(_e13405, _e13473, _e13479), vec3<f32>(select(select(select(select(_e13158, _e13215.member, _e13242), _e13294.member, _e13321), _e13373.member, _e13400), _e13452.member, _e13479), select(select(select(select(_e13159, _e13215.member_1, _e13242), _e13294.member_1, _e13321), _e13373.member_1, _e13400), _e13452.member_1, _e13479), select(select(select(select(_e13160, _e13215.member_2, _e13242), _e13294.member_2, _e13321), _e13373.member_2, _e13400), _e13452.member_2, _e13479)), select(_e13409, _e13445, _e13474), select(_e13411, _e13446, (_e13446 > _e13411)), vec3<f32>(select(select(select(select(_e13165, _e13215.member, _e13237), _e13294.member, _e13316), _e13373.member, _e13395), _e13452.member, _e13474), select(select(select(select(_e13166, _e13215.member_1, _e13237), _e13294.member_1, _e13316), _e13373.member_1, _e13395), _e13452.member_1, _e13474), select(select(select(select(_e13167, _e13215.member_2, _e13237), _e13294.member_2, _e13316), _e13373.member_2, _e13395), _e13452.member_2, _e13474)));
+phi_30387_ = type_34(select(_e13401, _e13469, _e13478), vec3<f32>(select(select(select(select(_e13153, _e13215.member, _e13241), _e13294.member, _e13320), _e13373.member, _e13399), _e13452.member, _e13478), select(select(select(select(_e13154, _e13215.member_1, _e13241), _e13294.member_1, _e13320), _e13373.member_1, _e13399), _e13452.member_1, _e13478), select(select(select(select(_e13155, _e13215.member_2, _e13241), _e13294.member_2, _e13320), _e13373.member_2, _e13399), _e13452.member_2, _e13478)), select(_e13405, _e13473, _e13479), vec3<f32>(select(select(select(select(_e13158, _e13215.member, _e13242), _e13294.member, _e13321), _e13373.member, _e13400), _e13452.member, _e13479), select(select(select(select(_e13159, _e13215.member_1, _e13242), _e13294.member_1, _e13321), _e13373.member_1, _e13400), _e13452.member_1, _e13479), select(select(select(select(_e13160, _e13215.member_2, _e13242), _e13294.member_2, _e13321), _e13373.member_2, _e13400), _e13452.member_2, _e13479)), select(_e13409, _e13445, _e13474), select(_e13411, _e13446, (_e13446 > _e13411)), vec3<f32>(select(select(select(select(_e13165, _e13215.member, _e13237), _e13294.member, _e13316), _e13373.member, _e13395), _e13452.member, _e13474), select(select(select(select(_e13166, _e13215.member_1, _e13237), _e13294.member_1, _e13316), _e13373.member_1, _e13395), _e13452.member_1, _e13474), select(select(select(select(_e13167, _e13215.member_2, _e13237), _e13294.member_2, _e13316), _e13373.member_2, _e13395), _e13452.member_2, _e13474)));
 }
 let _e13499 = phi_30387_;
 let _e13506 = (_e7989.member_2 * select(0f, 1f, _e6034.member_6));
@@ -4566,41 +4566,41 @@ break;
 let _e13674 = local_40;
 if _e13674 {
 let _e13676 = local_41;
-global_1.member[_e258] = _e13676[0];
+global_4.member[_e258] = _e13676[0];
 let _e13681 = local_42;
-global_1.member[_e270] = _e13681[1];
+global_4.member[_e270] = _e13681[1];
 let _e13686 = local_43;
-global_1.member[_e281] = _e13686[2];
+global_4.member[_e281] = _e13686[2];
 let _e13691 = local_44;
-global_1.member[_e292] = _e13691[3];
+global_4.member[_e292] = _e13691[3];
 let _e13696 = local_45;
-global_1.member[_e303] = _e13696[4];
+global_4.member[_e303] = _e13696[4];
 let _e13701 = local_46;
-global_1.member[_e314] = _e13701[5];
+global_4.member[_e314] = _e13701[5];
 let _e13706 = local_47;
-global_1.member[_e325] = _e13706[6];
+global_4.member[_e325] = _e13706[6];
 let _e13711 = local_48;
-global_1.member[_e336] = _e13711[7];
+global_4.member[_e336] = _e13711[7];
 let _e13716 = local_49;
-global_1.member[_e347] = _e13716[8];
+global_4.member[_e347] = _e13716[8];
 let _e13721 = local_50;
-global_1.member[_e358] = _e13721[9];
+global_4.member[_e358] = _e13721[9];
 let _e13726 = local_51;
-global_1.member[_e369] = _e13726[10];
+global_4.member[_e369] = _e13726[10];
 let _e13731 = local_52;
-global_1.member[_e380] = _e13731[11];
+global_4.member[_e380] = _e13731[11];
 let _e13736 = local_53;
-global_1.member[_e391] = _e13736[12];
+global_4.member[_e391] = _e13736[12];
 let _e13741 = local_54;
-global_1.member[_e402] = _e13741[13];
+global_4.member[_e402] = _e13741[13];
 let _e13746 = local_55;
-global_1.member[_e413] = _e13746[14];
+global_4.member[_e413] = _e13746[14];
 let _e13751 = local_56;
-global_1.member[_e424] = _e13751[15];
+global_4.member[_e424] = _e13751[15];
 let _e13756 = local_57;
-global_1.member[_e435] = _e13756[16];
+global_4.member[_e435] = _e13756[16];
 let _e13761 = local_58;
-global_1.member[_e446] = _e13761[17];
+global_4.member[_e446] = _e13761[17];
 }
 }
 }

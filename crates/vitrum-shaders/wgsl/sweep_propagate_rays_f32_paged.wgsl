@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,72 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_29 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_30 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_33 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_34 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -199,11 +191,15 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_38 {
-member: array<type_27>,
+struct type_35 {
+member: vec3<f32>,
+member_1: vec3<f32>,
 }
-struct type_39 {
-member: type_29,
+struct type_37 {
+member: array<type_21>,
+}
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -213,6 +209,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -220,18 +220,18 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(6)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(5)
-var<storage> global_4: type_17;
+var<storage> global_3: type_23;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_25;
 @group(0) @binding(0)
-var<storage> global_5: type_38;
+var<storage> global_5: type_37;
 @group(0) @binding(3)
-var<storage> global_6: type_17;
+var<storage> global_6: type_23;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -239,7 +239,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_33;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -255,23 +255,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_33;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_33;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_33;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_33;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_33;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_685_: u32;
 var phi_688_: bool;
@@ -280,24 +280,24 @@ var phi_1445_: bool;
 var phi_1625_: bool;
 var phi_1628_: bool;
 var phi_2892_: f32;
-var phi_4498_: type_36;
+var phi_4498_: type_34;
 var phi_4511_: bool;
-var phi_4541_: type_30;
+var phi_4541_: type_39;
 var phi_4553_: bool;
-var phi_5596_: type_29;
-var phi_7119_: type_36;
-var phi_8194_: type_29;
-var phi_9732_: type_36;
-var phi_10807_: type_29;
-var phi_12345_: type_36;
-var phi_14093_: type_29;
-var phi_14106_: type_39;
+var phi_5596_: type_31;
+var phi_7119_: type_34;
+var phi_8194_: type_31;
+var phi_9732_: type_34;
+var phi_10807_: type_31;
+var phi_12345_: type_34;
+var phi_14093_: type_31;
+var phi_14106_: type_38;
 var phi_14107_: vec3<f32>;
 var phi_14108_: bool;
 var phi_14109_: f32;
-var phi_19353_: type_34;
-var phi_19963_: type_35;
-var phi_20376_: type_5;
+var phi_19353_: type_32;
+var phi_19963_: type_33;
+var phi_20376_: type_7;
 var phi_24541_: type_40;
 var phi_26070_: i32;
 var phi_26647_: vec3<f32>;
@@ -305,24 +305,24 @@ var phi_27054_: vec3<f32>;
 var phi_27148_: f32;
 var phi_27190_: f32;
 var phi_25556_: vec3<f32>;
-var phi_27222_: type_28;
+var phi_27222_: type_35;
 var phi_24655_: f32;
 var phi_24739_: f32;
-var phi_24811_: type_28;
-var phi_27223_: type_28;
+var phi_24811_: type_35;
+var phi_27223_: type_35;
 var phi_27306_: f32;
 var phi_27307_: f32;
 var phi_27564_: vec3<f32>;
 var phi_28494_: f32;
 var phi_28578_: f32;
-var phi_28650_: type_28;
+var phi_28650_: type_35;
 var phi_27993_: u32;
 var phi_28330_: f32;
 var phi_28386_: f32;
 var phi_28391_: vec3<f32>;
-var phi_28651_: type_28;
-var phi_28652_: type_28;
-var phi_30142_: type_36;
+var phi_28651_: type_35;
+var phi_28652_: type_35;
+var phi_30142_: type_34;
 var phi_30298_: vec3<f32>;
 var phi_30299_: bool;
 var phi_30459_: array<f32, 18>;
@@ -353,8 +353,8 @@ switch bitcast<i32>(0u) {
 default: {
 let _e220 = global;
 let _e222 = arrayLength((&global_5.member));
-let _e230 = arrayLength((&global_3.member));
-let _e233 = arrayLength((&global_4.member));
+let _e230 = arrayLength((&global_2.member));
+let _e233 = arrayLength((&global_3.member));
 if (0u < _e222) {
 } else {
 break;
@@ -368,77 +368,77 @@ if (_e254 < _e240.member_3) {
 let _e257 = (_e244.member * _e244.member_1);
 let _e259 = ((_e254 * _e244.member) + _e252);
 let _e260 = bitcast<i32>(_e259);
-let _e262 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e262 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e264 = select(_e262, _e260, (_e260 < _e262));
-let _e270 = global_1.member[bitcast<u32>(select(0i, _e264, (_e264 > 0i)))];
+let _e270 = global_4.member[bitcast<u32>(select(0i, _e264, (_e264 > 0i)))];
 let _e271 = (_e257 + _e259);
 let _e272 = bitcast<i32>(_e271);
 let _e274 = select(_e262, _e272, (_e272 < _e262));
-let _e280 = global_1.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
+let _e280 = global_4.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
 let _e282 = ((2u * _e257) + _e259);
 let _e283 = bitcast<i32>(_e282);
 let _e285 = select(_e262, _e283, (_e283 < _e262));
-let _e291 = global_1.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
+let _e291 = global_4.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
 let _e293 = ((3u * _e257) + _e259);
 let _e294 = bitcast<i32>(_e293);
 let _e296 = select(_e262, _e294, (_e294 < _e262));
-let _e302 = global_1.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
+let _e302 = global_4.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
 let _e304 = ((4u * _e257) + _e259);
 let _e305 = bitcast<i32>(_e304);
 let _e307 = select(_e262, _e305, (_e305 < _e262));
-let _e313 = global_1.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
+let _e313 = global_4.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
 let _e315 = ((5u * _e257) + _e259);
 let _e316 = bitcast<i32>(_e315);
 let _e318 = select(_e262, _e316, (_e316 < _e262));
-let _e324 = global_1.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
+let _e324 = global_4.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
 let _e326 = ((6u * _e257) + _e259);
 let _e327 = bitcast<i32>(_e326);
 let _e329 = select(_e262, _e327, (_e327 < _e262));
-let _e335 = global_1.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
+let _e335 = global_4.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
 let _e337 = ((7u * _e257) + _e259);
 let _e338 = bitcast<i32>(_e337);
 let _e340 = select(_e262, _e338, (_e338 < _e262));
-let _e346 = global_1.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
+let _e346 = global_4.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
 let _e348 = ((8u * _e257) + _e259);
 let _e349 = bitcast<i32>(_e348);
 let _e351 = select(_e262, _e349, (_e349 < _e262));
-let _e357 = global_1.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
+let _e357 = global_4.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
 let _e359 = ((9u * _e257) + _e259);
 let _e360 = bitcast<i32>(_e359);
 let _e362 = select(_e262, _e360, (_e360 < _e262));
-let _e368 = global_1.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
+let _e368 = global_4.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
 let _e370 = ((10u * _e257) + _e259);
 let _e371 = bitcast<i32>(_e370);
 let _e373 = select(_e262, _e371, (_e371 < _e262));
-let _e379 = global_1.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
+let _e379 = global_4.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
 let _e381 = ((11u * _e257) + _e259);
 let _e382 = bitcast<i32>(_e381);
 let _e384 = select(_e262, _e382, (_e382 < _e262));
-let _e390 = global_1.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
+let _e390 = global_4.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
 let _e392 = ((12u * _e257) + _e259);
 let _e393 = bitcast<i32>(_e392);
 let _e395 = select(_e262, _e393, (_e393 < _e262));
-let _e401 = global_1.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
+let _e401 = global_4.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
 let _e403 = ((13u * _e257) + _e259);
 let _e404 = bitcast<i32>(_e403);
 let _e406 = select(_e262, _e404, (_e404 < _e262));
-let _e412 = global_1.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
+let _e412 = global_4.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
 let _e414 = ((14u * _e257) + _e259);
 let _e415 = bitcast<i32>(_e414);
 let _e417 = select(_e262, _e415, (_e415 < _e262));
-let _e423 = global_1.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
+let _e423 = global_4.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
 let _e425 = ((15u * _e257) + _e259);
 let _e426 = bitcast<i32>(_e425);
 let _e428 = select(_e262, _e426, (_e426 < _e262));
-let _e434 = global_1.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
+let _e434 = global_4.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
 let _e436 = ((16u * _e257) + _e259);
 let _e437 = bitcast<i32>(_e436);
 let _e439 = select(_e262, _e437, (_e437 < _e262));
-let _e445 = global_1.member[bitcast<u32>(select(0i, _e439, (_e439 > 0i)))];
+let _e445 = global_4.member[bitcast<u32>(select(0i, _e439, (_e439 > 0i)))];
 let _e447 = ((17u * _e257) + _e259);
 let _e448 = bitcast<i32>(_e447);
 let _e450 = select(_e262, _e448, (_e448 < _e262));
-let _e456 = global_1.member[bitcast<u32>(select(0i, _e450, (_e450 > 0i)))];
+let _e456 = global_4.member[bitcast<u32>(select(0i, _e450, (_e450 > 0i)))];
 phi_685_ = 0u;
 phi_688_ = false;
 phi_690_ = array<f32, 18>(_e270, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368, _e379, _e390, _e401, _e412, _e423, _e434, _e445, _e456);
@@ -650,9 +650,9 @@ let _e1296 = bitcast<i32>(_e1295);
 let _e1302 = global_5.member[_e459].member_6.member_11.member_1;
 let _e1303 = bitcast<i32>(_e1302);
 let _e1313 = ((_e1287 >> bitcast<u32>(4i)) + (_e1296 * ((_e1288 >> bitcast<u32>(4i)) + (_e1303 * (_e1289 >> bitcast<u32>(4i))))));
-let _e1315 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e1315 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
 let _e1317 = select(_e1315, _e1313, (_e1313 < _e1315));
-let _e1323 = global_2.member[bitcast<u32>(select(0i, _e1317, (_e1317 > 0i)))];
+let _e1323 = global_1.member[bitcast<u32>(select(0i, _e1317, (_e1317 > 0i)))];
 let _e1325 = (_e1287 & 15i);
 let _e1328 = ((_e1288 & 15i) * _e1281);
 let _e1330 = (bitcast<i32>(_e1323) + ((_e1289 & 15i) * _e1286));
@@ -662,30 +662,30 @@ let _e1336 = (_e1328 + _e1335);
 let _e1337 = (_e1330 + _e1286);
 let _e1338 = (2i * _e1286);
 let _e1339 = (_e1330 + _e1338);
-local_38 = type_33(array<i32, 4>(_e1325, (_e1325 + 1i), (_e1325 + 2i), (_e1325 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_38 = type_28(array<i32, 4>(_e1325, (_e1325 + 1i), (_e1325 + 2i), (_e1325 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_39 = vec3<f32>((_e1223 - f32(_e1246)), (_e1227 - f32(_e1261)), (_e1231 - f32(_e1276)));
 let _e1350 = (_e1337 + _e1334);
 let _e1353 = local_38.member[1u];
 let _e1354 = (_e1350 + _e1353);
 let _e1356 = select(_e1315, _e1354, (_e1354 < _e1315));
-let _e1361 = global_2.member[bitcast<u32>(select(0i, _e1356, (_e1356 > 0i)))];
+let _e1361 = global_1.member[bitcast<u32>(select(0i, _e1356, (_e1356 > 0i)))];
 let _e1362 = bitcast<f32>(_e1361);
 let _e1365 = local_38.member[2u];
 let _e1366 = (_e1350 + _e1365);
 let _e1368 = select(_e1315, _e1366, (_e1366 < _e1315));
-let _e1373 = global_2.member[bitcast<u32>(select(0i, _e1368, (_e1368 > 0i)))];
+let _e1373 = global_1.member[bitcast<u32>(select(0i, _e1368, (_e1368 > 0i)))];
 let _e1375 = local_39[0u];
 let _e1378 = (_e1362 + ((bitcast<f32>(_e1373) - _e1362) * _e1375));
 let _e1379 = (_e1337 + _e1336);
 let _e1380 = local_38.member[1u];
 let _e1381 = (_e1379 + _e1380);
 let _e1383 = select(_e1315, _e1381, (_e1381 < _e1315));
-let _e1388 = global_2.member[bitcast<u32>(select(0i, _e1383, (_e1383 > 0i)))];
+let _e1388 = global_1.member[bitcast<u32>(select(0i, _e1383, (_e1383 > 0i)))];
 let _e1389 = bitcast<f32>(_e1388);
 let _e1390 = local_38.member[2u];
 let _e1391 = (_e1379 + _e1390);
 let _e1393 = select(_e1315, _e1391, (_e1391 < _e1315));
-let _e1398 = global_2.member[bitcast<u32>(select(0i, _e1393, (_e1393 > 0i)))];
+let _e1398 = global_1.member[bitcast<u32>(select(0i, _e1393, (_e1393 > 0i)))];
 let _e1400 = local_39[0u];
 let _e1405 = local_39[1u];
 let _e1408 = (_e1378 + (((_e1389 + ((bitcast<f32>(_e1398) - _e1389) * _e1400)) - _e1378) * _e1405));
@@ -693,24 +693,24 @@ let _e1409 = (_e1339 + _e1334);
 let _e1410 = local_38.member[1u];
 let _e1411 = (_e1409 + _e1410);
 let _e1413 = select(_e1315, _e1411, (_e1411 < _e1315));
-let _e1418 = global_2.member[bitcast<u32>(select(0i, _e1413, (_e1413 > 0i)))];
+let _e1418 = global_1.member[bitcast<u32>(select(0i, _e1413, (_e1413 > 0i)))];
 let _e1419 = bitcast<f32>(_e1418);
 let _e1420 = local_38.member[2u];
 let _e1421 = (_e1409 + _e1420);
 let _e1423 = select(_e1315, _e1421, (_e1421 < _e1315));
-let _e1428 = global_2.member[bitcast<u32>(select(0i, _e1423, (_e1423 > 0i)))];
+let _e1428 = global_1.member[bitcast<u32>(select(0i, _e1423, (_e1423 > 0i)))];
 let _e1430 = local_39[0u];
 let _e1433 = (_e1419 + ((bitcast<f32>(_e1428) - _e1419) * _e1430));
 let _e1434 = (_e1339 + _e1336);
 let _e1435 = local_38.member[1u];
 let _e1436 = (_e1434 + _e1435);
 let _e1438 = select(_e1315, _e1436, (_e1436 < _e1315));
-let _e1443 = global_2.member[bitcast<u32>(select(0i, _e1438, (_e1438 > 0i)))];
+let _e1443 = global_1.member[bitcast<u32>(select(0i, _e1438, (_e1438 > 0i)))];
 let _e1444 = bitcast<f32>(_e1443);
 let _e1445 = local_38.member[2u];
 let _e1446 = (_e1434 + _e1445);
 let _e1448 = select(_e1315, _e1446, (_e1446 < _e1315));
-let _e1453 = global_2.member[bitcast<u32>(select(0i, _e1448, (_e1448 > 0i)))];
+let _e1453 = global_1.member[bitcast<u32>(select(0i, _e1448, (_e1448 > 0i)))];
 let _e1455 = local_39[0u];
 let _e1459 = local_39[1u];
 let _e1464 = local_39[2u];
@@ -728,41 +728,41 @@ local_37 = _e1486;
 let _e1487 = local_37;
 let _e1489 = (bitcast<i32>(_e230) - 1i);
 let _e1491 = select(_e1489, 263197i, (263197i < _e1489));
-let _e1496 = global_3.member[bitcast<u32>(select(0i, _e1491, (_e1491 > 0i)))];
+let _e1496 = global_2.member[bitcast<u32>(select(0i, _e1491, (_e1491 > 0i)))];
 let _e1499 = select(_e1489, 263198i, (263198i < _e1489));
-let _e1504 = global_3.member[bitcast<u32>(select(0i, _e1499, (_e1499 > 0i)))];
+let _e1504 = global_2.member[bitcast<u32>(select(0i, _e1499, (_e1499 > 0i)))];
 let _e1507 = select(_e1489, 263199i, (263199i < _e1489));
-let _e1512 = global_3.member[bitcast<u32>(select(0i, _e1507, (_e1507 > 0i)))];
+let _e1512 = global_2.member[bitcast<u32>(select(0i, _e1507, (_e1507 > 0i)))];
 let _e1513 = bitcast<f32>(_e1512);
 let _e1515 = ((_e1487 - bitcast<f32>(_e1496)) * bitcast<f32>(_e1504));
 let _e1517 = select(0f, _e1515, (_e1515 > 0f));
 let _e1520 = local_37;
 let _e1522 = select(_e1489, 263200i, (263200i < _e1489));
-let _e1527 = global_3.member[bitcast<u32>(select(0i, _e1522, (_e1522 > 0i)))];
+let _e1527 = global_2.member[bitcast<u32>(select(0i, _e1522, (_e1522 > 0i)))];
 let _e1530 = select(_e1489, 263201i, (263201i < _e1489));
-let _e1535 = global_3.member[bitcast<u32>(select(0i, _e1530, (_e1530 > 0i)))];
+let _e1535 = global_2.member[bitcast<u32>(select(0i, _e1530, (_e1530 > 0i)))];
 let _e1538 = select(_e1489, 263202i, (263202i < _e1489));
-let _e1543 = global_3.member[bitcast<u32>(select(0i, _e1538, (_e1538 > 0i)))];
+let _e1543 = global_2.member[bitcast<u32>(select(0i, _e1538, (_e1538 > 0i)))];
 let _e1544 = bitcast<f32>(_e1543);
 let _e1546 = ((_e1520 - bitcast<f32>(_e1527)) * bitcast<f32>(_e1535));
 let _e1548 = select(0f, _e1546, (_e1546 > 0f));
 let _e1552 = local_37;
 let _e1554 = select(_e1489, 263203i, (263203i < _e1489));
-let _e1559 = global_3.member[bitcast<u32>(select(0i, _e1554, (_e1554 > 0i)))];
+let _e1559 = global_2.member[bitcast<u32>(select(0i, _e1554, (_e1554 > 0i)))];
 let _e1562 = select(_e1489, 263204i, (263204i < _e1489));
-let _e1567 = global_3.member[bitcast<u32>(select(0i, _e1562, (_e1562 > 0i)))];
+let _e1567 = global_2.member[bitcast<u32>(select(0i, _e1562, (_e1562 > 0i)))];
 let _e1570 = select(_e1489, 263205i, (263205i < _e1489));
-let _e1575 = global_3.member[bitcast<u32>(select(0i, _e1570, (_e1570 > 0i)))];
+let _e1575 = global_2.member[bitcast<u32>(select(0i, _e1570, (_e1570 > 0i)))];
 let _e1576 = bitcast<f32>(_e1575);
 let _e1578 = ((_e1552 - bitcast<f32>(_e1559)) * bitcast<f32>(_e1567));
 let _e1580 = select(0f, _e1578, (_e1578 > 0f));
 let _e1583 = local_37;
 let _e1585 = select(_e1489, 263206i, (263206i < _e1489));
-let _e1590 = global_3.member[bitcast<u32>(select(0i, _e1585, (_e1585 > 0i)))];
+let _e1590 = global_2.member[bitcast<u32>(select(0i, _e1585, (_e1585 > 0i)))];
 let _e1593 = select(_e1489, 263207i, (263207i < _e1489));
-let _e1598 = global_3.member[bitcast<u32>(select(0i, _e1593, (_e1593 > 0i)))];
+let _e1598 = global_2.member[bitcast<u32>(select(0i, _e1593, (_e1593 > 0i)))];
 let _e1601 = select(_e1489, 263208i, (263208i < _e1489));
-let _e1606 = global_3.member[bitcast<u32>(select(0i, _e1601, (_e1601 > 0i)))];
+let _e1606 = global_2.member[bitcast<u32>(select(0i, _e1601, (_e1601 > 0i)))];
 let _e1607 = bitcast<f32>(_e1606);
 let _e1609 = ((_e1583 - bitcast<f32>(_e1590)) * bitcast<f32>(_e1598));
 let _e1611 = select(0f, _e1609, (_e1609 > 0f));
@@ -773,13 +773,13 @@ let _e1626 = select(0i, select(select(i32(_e1619), i32(-2147483648), (_e1619 < -
 let _e1630 = (_e1626 - select(0i, 1i, (_e1619 < f32(_e1626))));
 let _e1631 = (262147i + _e1630);
 let _e1633 = select(_e1489, _e1631, (_e1631 < _e1489));
-let _e1639 = global_3.member[bitcast<u32>(select(0i, _e1633, (_e1633 > 0i)))];
+let _e1639 = global_2.member[bitcast<u32>(select(0i, _e1633, (_e1633 > 0i)))];
 let _e1649 = select(_e1489, 262146i, (262146i < _e1489));
-let _e1655 = global_3.member[bitcast<u32>(select(0i, _e1649, (_e1649 > 0i)))];
+let _e1655 = global_2.member[bitcast<u32>(select(0i, _e1649, (_e1649 > 0i)))];
 let _e1659 = select(_e1489, 262144i, (262144i < _e1489));
-let _e1665 = global_3.member[bitcast<u32>(select(0i, _e1659, (_e1659 > 0i)))];
+let _e1665 = global_2.member[bitcast<u32>(select(0i, _e1659, (_e1659 > 0i)))];
 let _e1668 = select(_e1489, 262145i, (262145i < _e1489));
-let _e1674 = global_3.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
+let _e1674 = global_2.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
 phi_2892_ = select(_e463[16], ((bitcast<f32>(_e1665) + (f32(bitcast<i32>((_e1639 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1674))) + ((f32((bitcast<i32>((_e1639 & 4095u)) - 2048i)) * bitcast<f32>(_e1655)) * (_e1615 - f32(_e1630)))), _e1140);
 } else {
 phi_2892_ = _e463[16];
@@ -790,7 +790,7 @@ let _e1686 = (_e498 - _e494);
 let _e1687 = (_e503 - _e488);
 let _e1692 = (((_e1685 * _e1685) + (_e1686 * _e1686)) + (_e1687 * _e1687));
 let _e1695 = sqrt(select(0f, _e1692, (_e1692 > 0f)));
-let _e1696 = type_39(type_29(1f, 1f), vec3<f32>(_e496, _e498, _e503), _e1151, _e1695, _e483, _e1151, true, false, false);
+let _e1696 = type_38(type_31(1f, 1f), vec3<f32>(_e496, _e498, _e503), _e1151, _e1695, _e483, _e1151, true, false, false);
 let _e1697 = (_e666 < 1e-12f);
 let _e1699 = (1f / select(_e661, 1f, _e1697));
 let _e1700 = (-0.5f - _e572);
@@ -942,7 +942,7 @@ let _e2057 = select(select(select(select(select(select(0f, _e1798.member_1, _e18
 let _e2058 = select(select(select(select(select(select(1f, _e1798.member_2, _e1839), _e1798.member_2, _e1879), _e1807.member_2, _e1918), _e1807.member_2, _e1958), _e1816.member_2, _e1997), _e1816.member_2, _e2037);
 let _e2062 = ((_e799 & 16u) == 0u);
 if _e2062 {
-phi_4498_ = type_36(_e2043, vec3<f32>(_e2044, _e2045, _e2046), _e2048, vec3<f32>(_e2049, _e2050, _e2051), _e2053, _e2055, vec3<f32>(_e2056, _e2057, _e2058));
+phi_4498_ = type_34(_e2043, vec3<f32>(_e2044, _e2045, _e2046), _e2048, vec3<f32>(_e2049, _e2050, _e2051), _e2053, _e2055, vec3<f32>(_e2056, _e2057, _e2058));
 } else {
 let _e2067 = (((_e1798.member * _e1798.member) + (_e1798.member_1 * _e1798.member_1)) + (_e1798.member_2 * _e1798.member_2));
 let _e2070 = sqrt(select(0f, _e2067, (_e2067 > 0f)));
@@ -1022,7 +1022,7 @@ let _e2366 = select(2f, select(0f, _e2358, (_e2338 < 0f)), (_e2339 > 0f));
 let _e2367 = (_e2338 > _e2302);
 let _e2371 = ((_e2362 > _e2294) || ((_e2362 == _e2294) && _e2367));
 let _e2372 = (_e2366 < _e2298);
-phi_4498_ = type_36(select(_e2294, _e2362, _e2371), vec3<f32>(select(select(select(select(_e2044, _e2108.member, _e2134), _e2187.member, _e2213), _e2266.member, _e2292), _e2345.member, _e2371), select(select(select(select(_e2045, _e2108.member_1, _e2134), _e2187.member_1, _e2213), _e2266.member_1, _e2292), _e2345.member_1, _e2371), select(select(select(select(_e2046, _e2108.member_2, _e2134), _e2187.member_2, _e2213), _e2266.member_2, _e2292), _e2345.member_2, _e2371)), select(_e2298, _e2366, _e2372), vec3<f32>(select(select(select(select(_e2049, _e2108.member, _e2135), _e2187.member, _e2214), _e2266.member, _e2293), _e2345.member, _e2372), select(select(select(select(_e2050, _e2108.member_1, _e2135), _e2187.member_1, _e2214), _e2266.member_1, _e2293), _e2345.member_1, _e2372), select(select(select(select(_e2051, _e2108.member_2, _e2135), _e2187.member_2, _e2214), _e2266.member_2, _e2293), _e2345.member_2, _e2372)), select(_e2302, _e2338, _e2367), select(_e2304, _e2339, (_e2339 > _e2304)), vec3<f32>(select(select(select(select(_e2056, _e2108.member, _e2130), _e2187.member, _e2209), _e2266.member, _e2288), _e2345.member, _e2367), select(select(select(select(_e2057, _e2108.member_1, _e2130), _e2187.member_1, _e2209), _e2266.member_1, _e2288), _e2345.member_1, _e2367), select(select(select(select(_e2058, _e2108.member_2, _e2130), _e2187.member_2, _e2209), _e2266.member_2, _e2288), _e2345.member_2, _e2367)));
+phi_4498_ = type_34(select(_e2294, _e2362, _e2371), vec3<f32>(select(select(select(select(_e2044, _e2108.member, _e2134), _e2187.member, _e2213), _e2266.member, _e2292), _e2345.member, _e2371), select(select(select(select(_e2045, _e2108.member_1, _e2134), _e2187.member_1, _e2213), _e2266.member_1, _e2292), _e2345.member_1, _e2371), select(select(select(select(_e2046, _e2108.member_2, _e2134), _e2187.member_2, _e2213), _e2266.member_2, _e2292), _e2345.member_2, _e2371)), select(_e2298, _e2366, _e2372), vec3<f32>(select(select(select(select(_e2049, _e2108.member, _e2135), _e2187.member, _e2214), _e2266.member, _e2293), _e2345.member, _e2372), select(select(select(select(_e2050, _e2108.member_1, _e2135), _e2187.member_1, _e2214), _e2266.member_1, _e2293), _e2345.member_1, _e2372), select(select(select(select(_e2051, _e2108.member_2, _e2135), _e2187.member_2, _e2214), _e2266.member_2, _e2293), _e2345.member_2, _e2372)), select(_e2302, _e2338, _e2367), select(_e2304, _e2339, (_e2339 > _e2304)), vec3<f32>(select(select(select(select(_e2056, _e2108.member, _e2130), _e2187.member, _e2209), _e2266.member, _e2288), _e2345.member, _e2367), select(select(select(select(_e2057, _e2108.member_1, _e2130), _e2187.member_1, _e2209), _e2266.member_1, _e2288), _e2345.member_1, _e2367), select(select(select(select(_e2058, _e2108.member_2, _e2130), _e2187.member_2, _e2209), _e2266.member_2, _e2288), _e2345.member_2, _e2367)));
 }
 let _e2392 = phi_4498_;
 if ((_e2392.member_4 > -(0.015625f)) && (_e2392.member_4 < 0.015625f)) {
@@ -1037,9 +1037,9 @@ let _e2405 = (_e463[3] * _e2404);
 let _e2406 = (_e463[4] * _e2404);
 let _e2407 = (_e463[5] * _e2404);
 if _e2401 {
-phi_4541_ = type_30(_e2392.member_2, _e2392.member_3);
+phi_4541_ = type_39(_e2392.member_2, _e2392.member_3);
 } else {
-phi_4541_ = type_30(_e2392.member, _e2392.member_1);
+phi_4541_ = type_39(_e2392.member, _e2392.member_1);
 }
 let _e2416 = phi_4541_;
 if _e2401 {
@@ -1078,7 +1078,7 @@ let _e2511 = (_e2494 + 1i);
 let _e2512 = (_e2509 + 1i);
 let _e2522 = ((_e2510 >> bitcast<u32>(4i)) + (_e1296 * ((_e2511 >> bitcast<u32>(4i)) + (_e1303 * (_e2512 >> bitcast<u32>(4i))))));
 let _e2524 = select(_e1315, _e2522, (_e2522 < _e1315));
-let _e2529 = global_2.member[bitcast<u32>(select(0i, _e2524, (_e2524 > 0i)))];
+let _e2529 = global_1.member[bitcast<u32>(select(0i, _e2524, (_e2524 > 0i)))];
 let _e2531 = (_e2510 & 15i);
 let _e2534 = ((_e2511 & 15i) * _e1281);
 let _e2536 = (bitcast<i32>(_e2529) + ((_e2512 & 15i) * _e1286));
@@ -1086,30 +1086,30 @@ let _e2540 = (_e2534 + _e1281);
 let _e2541 = (_e2534 + _e1335);
 let _e2542 = (_e2536 + _e1286);
 let _e2543 = (_e2536 + _e1338);
-local_34 = type_33(array<i32, 4>(_e2531, (_e2531 + 1i), (_e2531 + 2i), (_e2531 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_34 = type_28(array<i32, 4>(_e2531, (_e2531 + 1i), (_e2531 + 2i), (_e2531 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_35 = vec3<f32>((_e2456 - f32(_e2479)), (_e2460 - f32(_e2494)), (_e2464 - f32(_e2509)));
 let _e2554 = (_e2542 + _e2540);
 let _e2557 = local_34.member[1u];
 let _e2558 = (_e2554 + _e2557);
 let _e2560 = select(_e1315, _e2558, (_e2558 < _e1315));
-let _e2565 = global_2.member[bitcast<u32>(select(0i, _e2560, (_e2560 > 0i)))];
+let _e2565 = global_1.member[bitcast<u32>(select(0i, _e2560, (_e2560 > 0i)))];
 let _e2566 = bitcast<f32>(_e2565);
 let _e2569 = local_34.member[2u];
 let _e2570 = (_e2554 + _e2569);
 let _e2572 = select(_e1315, _e2570, (_e2570 < _e1315));
-let _e2577 = global_2.member[bitcast<u32>(select(0i, _e2572, (_e2572 > 0i)))];
+let _e2577 = global_1.member[bitcast<u32>(select(0i, _e2572, (_e2572 > 0i)))];
 let _e2579 = local_35[0u];
 let _e2582 = (_e2566 + ((bitcast<f32>(_e2577) - _e2566) * _e2579));
 let _e2583 = (_e2542 + _e2541);
 let _e2584 = local_34.member[1u];
 let _e2585 = (_e2583 + _e2584);
 let _e2587 = select(_e1315, _e2585, (_e2585 < _e1315));
-let _e2592 = global_2.member[bitcast<u32>(select(0i, _e2587, (_e2587 > 0i)))];
+let _e2592 = global_1.member[bitcast<u32>(select(0i, _e2587, (_e2587 > 0i)))];
 let _e2593 = bitcast<f32>(_e2592);
 let _e2594 = local_34.member[2u];
 let _e2595 = (_e2583 + _e2594);
 let _e2597 = select(_e1315, _e2595, (_e2595 < _e1315));
-let _e2602 = global_2.member[bitcast<u32>(select(0i, _e2597, (_e2597 > 0i)))];
+let _e2602 = global_1.member[bitcast<u32>(select(0i, _e2597, (_e2597 > 0i)))];
 let _e2604 = local_35[0u];
 let _e2609 = local_35[1u];
 let _e2612 = (_e2582 + (((_e2593 + ((bitcast<f32>(_e2602) - _e2593) * _e2604)) - _e2582) * _e2609));
@@ -1117,24 +1117,24 @@ let _e2613 = (_e2543 + _e2540);
 let _e2614 = local_34.member[1u];
 let _e2615 = (_e2613 + _e2614);
 let _e2617 = select(_e1315, _e2615, (_e2615 < _e1315));
-let _e2622 = global_2.member[bitcast<u32>(select(0i, _e2617, (_e2617 > 0i)))];
+let _e2622 = global_1.member[bitcast<u32>(select(0i, _e2617, (_e2617 > 0i)))];
 let _e2623 = bitcast<f32>(_e2622);
 let _e2624 = local_34.member[2u];
 let _e2625 = (_e2613 + _e2624);
 let _e2627 = select(_e1315, _e2625, (_e2625 < _e1315));
-let _e2632 = global_2.member[bitcast<u32>(select(0i, _e2627, (_e2627 > 0i)))];
+let _e2632 = global_1.member[bitcast<u32>(select(0i, _e2627, (_e2627 > 0i)))];
 let _e2634 = local_35[0u];
 let _e2637 = (_e2623 + ((bitcast<f32>(_e2632) - _e2623) * _e2634));
 let _e2638 = (_e2543 + _e2541);
 let _e2639 = local_34.member[1u];
 let _e2640 = (_e2638 + _e2639);
 let _e2642 = select(_e1315, _e2640, (_e2640 < _e1315));
-let _e2647 = global_2.member[bitcast<u32>(select(0i, _e2642, (_e2642 > 0i)))];
+let _e2647 = global_1.member[bitcast<u32>(select(0i, _e2642, (_e2642 > 0i)))];
 let _e2648 = bitcast<f32>(_e2647);
 let _e2649 = local_34.member[2u];
 let _e2650 = (_e2638 + _e2649);
 let _e2652 = select(_e1315, _e2650, (_e2650 < _e1315));
-let _e2657 = global_2.member[bitcast<u32>(select(0i, _e2652, (_e2652 > 0i)))];
+let _e2657 = global_1.member[bitcast<u32>(select(0i, _e2652, (_e2652 > 0i)))];
 let _e2659 = local_35[0u];
 let _e2663 = local_35[1u];
 let _e2668 = local_35[2u];
@@ -1146,49 +1146,49 @@ local_33 = _e2678;
 let _e2679 = local_33;
 let _e2681 = (bitcast<i32>(_e230) - 1i);
 let _e2683 = select(_e2681, 263197i, (263197i < _e2681));
-let _e2688 = global_3.member[bitcast<u32>(select(0i, _e2683, (_e2683 > 0i)))];
+let _e2688 = global_2.member[bitcast<u32>(select(0i, _e2683, (_e2683 > 0i)))];
 let _e2689 = bitcast<f32>(_e2688);
 let _e2691 = select(_e2681, 263198i, (263198i < _e2681));
-let _e2696 = global_3.member[bitcast<u32>(select(0i, _e2691, (_e2691 > 0i)))];
+let _e2696 = global_2.member[bitcast<u32>(select(0i, _e2691, (_e2691 > 0i)))];
 let _e2697 = bitcast<f32>(_e2696);
 let _e2699 = select(_e2681, 263199i, (263199i < _e2681));
-let _e2704 = global_3.member[bitcast<u32>(select(0i, _e2699, (_e2699 > 0i)))];
+let _e2704 = global_2.member[bitcast<u32>(select(0i, _e2699, (_e2699 > 0i)))];
 let _e2705 = bitcast<f32>(_e2704);
 let _e2707 = ((_e2679 - _e2689) * _e2697);
 let _e2709 = select(0f, _e2707, (_e2707 > 0f));
 let _e2712 = local_33;
 let _e2714 = select(_e2681, 263200i, (263200i < _e2681));
-let _e2719 = global_3.member[bitcast<u32>(select(0i, _e2714, (_e2714 > 0i)))];
+let _e2719 = global_2.member[bitcast<u32>(select(0i, _e2714, (_e2714 > 0i)))];
 let _e2720 = bitcast<f32>(_e2719);
 let _e2722 = select(_e2681, 263201i, (263201i < _e2681));
-let _e2727 = global_3.member[bitcast<u32>(select(0i, _e2722, (_e2722 > 0i)))];
+let _e2727 = global_2.member[bitcast<u32>(select(0i, _e2722, (_e2722 > 0i)))];
 let _e2728 = bitcast<f32>(_e2727);
 let _e2730 = select(_e2681, 263202i, (263202i < _e2681));
-let _e2735 = global_3.member[bitcast<u32>(select(0i, _e2730, (_e2730 > 0i)))];
+let _e2735 = global_2.member[bitcast<u32>(select(0i, _e2730, (_e2730 > 0i)))];
 let _e2736 = bitcast<f32>(_e2735);
 let _e2738 = ((_e2712 - _e2720) * _e2728);
 let _e2740 = select(0f, _e2738, (_e2738 > 0f));
 let _e2744 = local_33;
 let _e2746 = select(_e2681, 263203i, (263203i < _e2681));
-let _e2751 = global_3.member[bitcast<u32>(select(0i, _e2746, (_e2746 > 0i)))];
+let _e2751 = global_2.member[bitcast<u32>(select(0i, _e2746, (_e2746 > 0i)))];
 let _e2752 = bitcast<f32>(_e2751);
 let _e2754 = select(_e2681, 263204i, (263204i < _e2681));
-let _e2759 = global_3.member[bitcast<u32>(select(0i, _e2754, (_e2754 > 0i)))];
+let _e2759 = global_2.member[bitcast<u32>(select(0i, _e2754, (_e2754 > 0i)))];
 let _e2760 = bitcast<f32>(_e2759);
 let _e2762 = select(_e2681, 263205i, (263205i < _e2681));
-let _e2767 = global_3.member[bitcast<u32>(select(0i, _e2762, (_e2762 > 0i)))];
+let _e2767 = global_2.member[bitcast<u32>(select(0i, _e2762, (_e2762 > 0i)))];
 let _e2768 = bitcast<f32>(_e2767);
 let _e2770 = ((_e2744 - _e2752) * _e2760);
 let _e2772 = select(0f, _e2770, (_e2770 > 0f));
 let _e2775 = local_33;
 let _e2777 = select(_e2681, 263206i, (263206i < _e2681));
-let _e2782 = global_3.member[bitcast<u32>(select(0i, _e2777, (_e2777 > 0i)))];
+let _e2782 = global_2.member[bitcast<u32>(select(0i, _e2777, (_e2777 > 0i)))];
 let _e2783 = bitcast<f32>(_e2782);
 let _e2785 = select(_e2681, 263207i, (263207i < _e2681));
-let _e2790 = global_3.member[bitcast<u32>(select(0i, _e2785, (_e2785 > 0i)))];
+let _e2790 = global_2.member[bitcast<u32>(select(0i, _e2785, (_e2785 > 0i)))];
 let _e2791 = bitcast<f32>(_e2790);
 let _e2793 = select(_e2681, 263208i, (263208i < _e2681));
-let _e2798 = global_3.member[bitcast<u32>(select(0i, _e2793, (_e2793 > 0i)))];
+let _e2798 = global_2.member[bitcast<u32>(select(0i, _e2793, (_e2793 > 0i)))];
 let _e2799 = bitcast<f32>(_e2798);
 let _e2801 = ((_e2775 - _e2783) * _e2791);
 let _e2803 = select(0f, _e2801, (_e2801 > 0f));
@@ -1199,21 +1199,21 @@ let _e2818 = select(0i, select(select(i32(_e2811), i32(-2147483648), (_e2811 < -
 let _e2822 = (_e2818 - select(0i, 1i, (_e2811 < f32(_e2818))));
 let _e2823 = (262147i + _e2822);
 let _e2825 = select(_e2681, _e2823, (_e2823 < _e2681));
-let _e2830 = global_3.member[bitcast<u32>(select(0i, _e2825, (_e2825 > 0i)))];
+let _e2830 = global_2.member[bitcast<u32>(select(0i, _e2825, (_e2825 > 0i)))];
 let _e2840 = select(_e2681, 262146i, (262146i < _e2681));
-let _e2845 = global_3.member[bitcast<u32>(select(0i, _e2840, (_e2840 > 0i)))];
+let _e2845 = global_2.member[bitcast<u32>(select(0i, _e2840, (_e2840 > 0i)))];
 let _e2846 = bitcast<f32>(_e2845);
 let _e2849 = select(_e2681, 262144i, (262144i < _e2681));
-let _e2854 = global_3.member[bitcast<u32>(select(0i, _e2849, (_e2849 > 0i)))];
+let _e2854 = global_2.member[bitcast<u32>(select(0i, _e2849, (_e2849 > 0i)))];
 let _e2855 = bitcast<f32>(_e2854);
 let _e2857 = select(_e2681, 262145i, (262145i < _e2681));
-let _e2862 = global_3.member[bitcast<u32>(select(0i, _e2857, (_e2857 > 0i)))];
+let _e2862 = global_2.member[bitcast<u32>(select(0i, _e2857, (_e2857 > 0i)))];
 let _e2863 = bitcast<f32>(_e2862);
 let _e2869 = ((_e2855 + (f32(bitcast<i32>((_e2830 >> bitcast<u32>(12u)))) * _e2863)) + ((f32((bitcast<i32>((_e2830 & 4095u)) - 2048i)) * _e2846) * (_e2807 - f32(_e2822))));
 if _e2401 {
-phi_5596_ = type_29(_e2869, 1f);
+phi_5596_ = type_31(_e2869, 1f);
 } else {
-phi_5596_ = type_29(1f, _e2869);
+phi_5596_ = type_31(1f, _e2869);
 }
 let _e2873 = phi_5596_;
 let _e2878 = ((_e2873.member_1 * _e2873.member_1) - (_e2873.member * _e2873.member));
@@ -1351,7 +1351,7 @@ let _e3218 = select(select(select(select(select(select(0f, _e1798.member, _e2999
 let _e3219 = select(select(select(select(select(select(0f, _e1798.member_1, _e2999), _e1798.member_1, _e3039), _e1807.member_1, _e3079), _e1807.member_1, _e3119), _e1816.member_1, _e3159), _e1816.member_1, _e3199);
 let _e3220 = select(select(select(select(select(select(1f, _e1798.member_2, _e2999), _e1798.member_2, _e3039), _e1807.member_2, _e3079), _e1807.member_2, _e3119), _e1816.member_2, _e3159), _e1816.member_2, _e3199);
 if _e2062 {
-phi_7119_ = type_36(_e3205, vec3<f32>(_e3206, _e3207, _e3208), _e3210, vec3<f32>(_e3211, _e3212, _e3213), _e3215, _e3217, vec3<f32>(_e3218, _e3219, _e3220));
+phi_7119_ = type_34(_e3205, vec3<f32>(_e3206, _e3207, _e3208), _e3210, vec3<f32>(_e3211, _e3212, _e3213), _e3215, _e3217, vec3<f32>(_e3218, _e3219, _e3220));
 } else {
 let _e3227 = (((_e1798.member * _e1798.member) + (_e1798.member_1 * _e1798.member_1)) + (_e1798.member_2 * _e1798.member_2));
 let _e3230 = sqrt(select(0f, _e3227, (_e3227 > 0f)));
@@ -1431,7 +1431,7 @@ let _e3526 = select(2f, select(0f, _e3518, (_e3498 < 0f)), (_e3499 > 0f));
 let _e3527 = (_e3498 > _e3462);
 let _e3531 = ((_e3522 > _e3454) || ((_e3522 == _e3454) && _e3527));
 let _e3532 = (_e3526 < _e3458);
-phi_7119_ = type_36(select(_e3454, _e3522, _e3531), vec3<f32>(select(select(select(select(_e3206, _e3268.member, _e3294), _e3347.member, _e3373), _e3426.member, _e3452), _e3505.member, _e3531), select(select(select(select(_e3207, _e3268.member_1, _e3294), _e3347.member_1, _e3373), _e3426.member_1, _e3452), _e3505.member_1, _e3531), select(select(select(select(_e3208, _e3268.member_2, _e3294), _e3347.member_2, _e3373), _e3426.member_2, _e3452), _e3505.member_2, _e3531)), select(_e3458, _e3526, _e3532), vec3<f32>(select(select(select(select(_e3211, _e3268.member, _e3295), _e3347.member, _e3374), _e3426.member, _e3453), _e3505.member, _e3532), select(select(select(select(_e3212, _e3268.member_1, _e3295), _e3347.member_1, _e3374), _e3426.member_1, _e3453), _e3505.member_1, _e3532), select(select(select(select(_e3213, _e3268.member_2, _e3295), _e3347.member_2, _e3374), _e3426.member_2, _e3453), _e3505.member_2, _e3532)), select(_e3462, _e3498, _e3527), select(_e3464, _e3499, (_e3499 > _e3464)), vec3<f32>(select(select(select(select(_e3218, _e3268.member, _e3290), _e3347.member, _e3369), _e3426.member, _e3448), _e3505.member, _e3527), select(select(select(select(_e3219, _e3268.member_1, _e3290), _e3347.member_1, _e3369), _e3426.member_1, _e3448), _e3505.member_1, _e3527), select(select(select(select(_e3220, _e3268.member_2, _e3290), _e3347.member_2, _e3369), _e3426.member_2, _e3448), _e3505.member_2, _e3527)));
+phi_7119_ = type_34(select(_e3454, _e3522, _e3531), vec3<f32>(select(select(select(select(_e3206, _e3268.member, _e3294), _e3347.member, _e3373), _e3426.member, _e3452), _e3505.member, _e3531), select(select(select(select(_e3207, _e3268.member_1, _e3294), _e3347.member_1, _e3373), _e3426.member_1, _e3452), _e3505.member_1, _e3531), select(select(select(select(_e3208, _e3268.member_2, _e3294), _e3347.member_2, _e3373), _e3426.member_2, _e3452), _e3505.member_2, _e3531)), select(_e3458, _e3526, _e3532), vec3<f32>(select(select(select(select(_e3211, _e3268.member, _e3295), _e3347.member, _e3374), _e3426.member, _e3453), _e3505.member, _e3532), select(select(select(select(_e3212, _e3268.member_1, _e3295), _e3347.member_1, _e3374), _e3426.member_1, _e3453), _e3505.member_1, _e3532), select(select(select(select(_e3213, _e3268.member_2, _e3295), _e3347.member_2, _e3374), _e3426.member_2, _e3453), _e3505.member_2, _e3532)), select(_e3462, _e3498, _e3527), select(_e3464, _e3499, (_e3499 > _e3464)), vec3<f32>(select(select(select(select(_e3218, _e3268.member, _e3290), _e3347.member, _e3369), _e3426.member, _e3448), _e3505.member, _e3527), select(select(select(select(_e3219, _e3268.member_1, _e3290), _e3347.member_1, _e3369), _e3426.member_1, _e3448), _e3505.member_1, _e3527), select(select(select(select(_e3220, _e3268.member_2, _e3290), _e3347.member_2, _e3369), _e3426.member_2, _e3448), _e3505.member_2, _e3527)));
 }
 let _e3552 = phi_7119_;
 let _e3558 = (((_e2424 && _e2960) && !(_e2945)) && (_e3552.member_2 <= 1f));
@@ -1470,7 +1470,7 @@ let _e3648 = (_e3631 + 1i);
 let _e3649 = (_e3646 + 1i);
 let _e3659 = ((_e3647 >> bitcast<u32>(4i)) + (_e1296 * ((_e3648 >> bitcast<u32>(4i)) + (_e1303 * (_e3649 >> bitcast<u32>(4i))))));
 let _e3661 = select(_e1315, _e3659, (_e3659 < _e1315));
-let _e3666 = global_2.member[bitcast<u32>(select(0i, _e3661, (_e3661 > 0i)))];
+let _e3666 = global_1.member[bitcast<u32>(select(0i, _e3661, (_e3661 > 0i)))];
 let _e3668 = (_e3647 & 15i);
 let _e3671 = ((_e3648 & 15i) * _e1281);
 let _e3673 = (bitcast<i32>(_e3666) + ((_e3649 & 15i) * _e1286));
@@ -1478,30 +1478,30 @@ let _e3677 = (_e3671 + _e1281);
 let _e3678 = (_e3671 + _e1335);
 let _e3679 = (_e3673 + _e1286);
 let _e3680 = (_e3673 + _e1338);
-local_30 = type_33(array<i32, 4>(_e3668, (_e3668 + 1i), (_e3668 + 2i), (_e3668 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_30 = type_28(array<i32, 4>(_e3668, (_e3668 + 1i), (_e3668 + 2i), (_e3668 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_31 = vec3<f32>((_e3593 - f32(_e3616)), (_e3597 - f32(_e3631)), (_e3601 - f32(_e3646)));
 let _e3691 = (_e3679 + _e3677);
 let _e3694 = local_30.member[1u];
 let _e3695 = (_e3691 + _e3694);
 let _e3697 = select(_e1315, _e3695, (_e3695 < _e1315));
-let _e3702 = global_2.member[bitcast<u32>(select(0i, _e3697, (_e3697 > 0i)))];
+let _e3702 = global_1.member[bitcast<u32>(select(0i, _e3697, (_e3697 > 0i)))];
 let _e3703 = bitcast<f32>(_e3702);
 let _e3706 = local_30.member[2u];
 let _e3707 = (_e3691 + _e3706);
 let _e3709 = select(_e1315, _e3707, (_e3707 < _e1315));
-let _e3714 = global_2.member[bitcast<u32>(select(0i, _e3709, (_e3709 > 0i)))];
+let _e3714 = global_1.member[bitcast<u32>(select(0i, _e3709, (_e3709 > 0i)))];
 let _e3716 = local_31[0u];
 let _e3719 = (_e3703 + ((bitcast<f32>(_e3714) - _e3703) * _e3716));
 let _e3720 = (_e3679 + _e3678);
 let _e3721 = local_30.member[1u];
 let _e3722 = (_e3720 + _e3721);
 let _e3724 = select(_e1315, _e3722, (_e3722 < _e1315));
-let _e3729 = global_2.member[bitcast<u32>(select(0i, _e3724, (_e3724 > 0i)))];
+let _e3729 = global_1.member[bitcast<u32>(select(0i, _e3724, (_e3724 > 0i)))];
 let _e3730 = bitcast<f32>(_e3729);
 let _e3731 = local_30.member[2u];
 let _e3732 = (_e3720 + _e3731);
 let _e3734 = select(_e1315, _e3732, (_e3732 < _e1315));
-let _e3739 = global_2.member[bitcast<u32>(select(0i, _e3734, (_e3734 > 0i)))];
+let _e3739 = global_1.member[bitcast<u32>(select(0i, _e3734, (_e3734 > 0i)))];
 let _e3741 = local_31[0u];
 let _e3746 = local_31[1u];
 let _e3749 = (_e3719 + (((_e3730 + ((bitcast<f32>(_e3739) - _e3730) * _e3741)) - _e3719) * _e3746));
@@ -1509,24 +1509,24 @@ let _e3750 = (_e3680 + _e3677);
 let _e3751 = local_30.member[1u];
 let _e3752 = (_e3750 + _e3751);
 let _e3754 = select(_e1315, _e3752, (_e3752 < _e1315));
-let _e3759 = global_2.member[bitcast<u32>(select(0i, _e3754, (_e3754 > 0i)))];
+let _e3759 = global_1.member[bitcast<u32>(select(0i, _e3754, (_e3754 > 0i)))];
 let _e3760 = bitcast<f32>(_e3759);
 let _e3761 = local_30.member[2u];
 let _e3762 = (_e3750 + _e3761);
 let _e3764 = select(_e1315, _e3762, (_e3762 < _e1315));
-let _e3769 = global_2.member[bitcast<u32>(select(0i, _e3764, (_e3764 > 0i)))];
+let _e3769 = global_1.member[bitcast<u32>(select(0i, _e3764, (_e3764 > 0i)))];
 let _e3771 = local_31[0u];
 let _e3774 = (_e3760 + ((bitcast<f32>(_e3769) - _e3760) * _e3771));
 let _e3775 = (_e3680 + _e3678);
 let _e3776 = local_30.member[1u];
 let _e3777 = (_e3775 + _e3776);
 let _e3779 = select(_e1315, _e3777, (_e3777 < _e1315));
-let _e3784 = global_2.member[bitcast<u32>(select(0i, _e3779, (_e3779 > 0i)))];
+let _e3784 = global_1.member[bitcast<u32>(select(0i, _e3779, (_e3779 > 0i)))];
 let _e3785 = bitcast<f32>(_e3784);
 let _e3786 = local_30.member[2u];
 let _e3787 = (_e3775 + _e3786);
 let _e3789 = select(_e1315, _e3787, (_e3787 < _e1315));
-let _e3794 = global_2.member[bitcast<u32>(select(0i, _e3789, (_e3789 > 0i)))];
+let _e3794 = global_1.member[bitcast<u32>(select(0i, _e3789, (_e3789 > 0i)))];
 let _e3796 = local_31[0u];
 let _e3800 = local_31[1u];
 let _e3805 = local_31[2u];
@@ -1554,12 +1554,12 @@ let _e3857 = select(0i, select(select(i32(_e3850), i32(-2147483648), (_e3850 < -
 let _e3861 = (_e3857 - select(0i, 1i, (_e3850 < f32(_e3857))));
 let _e3862 = (262147i + _e3861);
 let _e3864 = select(_e2681, _e3862, (_e3862 < _e2681));
-let _e3869 = global_3.member[bitcast<u32>(select(0i, _e3864, (_e3864 > 0i)))];
+let _e3869 = global_2.member[bitcast<u32>(select(0i, _e3864, (_e3864 > 0i)))];
 let _e3884 = ((_e2855 + (f32(bitcast<i32>((_e3869 >> bitcast<u32>(12u)))) * _e2863)) + ((f32((bitcast<i32>((_e3869 & 4095u)) - 2048i)) * _e2846) * (_e3846 - f32(_e3861))));
 if _e2960 {
-phi_8194_ = type_29(_e3884, 1f);
+phi_8194_ = type_31(_e3884, 1f);
 } else {
-phi_8194_ = type_29(1f, _e3884);
+phi_8194_ = type_31(1f, _e3884);
 }
 let _e3888 = phi_8194_;
 let _e3893 = ((_e3888.member_1 * _e3888.member_1) - (_e3888.member * _e3888.member));
@@ -1698,7 +1698,7 @@ let _e4249 = select(select(select(select(select(select(0f, _e1798.member, _e4030
 let _e4250 = select(select(select(select(select(select(0f, _e1798.member_1, _e4030), _e1798.member_1, _e4070), _e1807.member_1, _e4110), _e1807.member_1, _e4150), _e1816.member_1, _e4190), _e1816.member_1, _e4230);
 let _e4251 = select(select(select(select(select(select(1f, _e1798.member_2, _e4030), _e1798.member_2, _e4070), _e1807.member_2, _e4110), _e1807.member_2, _e4150), _e1816.member_2, _e4190), _e1816.member_2, _e4230);
 if _e2062 {
-phi_9732_ = type_36(_e4236, vec3<f32>(_e4237, _e4238, _e4239), _e4241, vec3<f32>(_e4242, _e4243, _e4244), _e4246, _e4248, vec3<f32>(_e4249, _e4250, _e4251));
+phi_9732_ = type_34(_e4236, vec3<f32>(_e4237, _e4238, _e4239), _e4241, vec3<f32>(_e4242, _e4243, _e4244), _e4246, _e4248, vec3<f32>(_e4249, _e4250, _e4251));
 } else {
 let _e4258 = (((_e1798.member * _e1798.member) + (_e1798.member_1 * _e1798.member_1)) + (_e1798.member_2 * _e1798.member_2));
 let _e4261 = sqrt(select(0f, _e4258, (_e4258 > 0f)));
@@ -1778,7 +1778,7 @@ let _e4557 = select(2f, select(0f, _e4549, (_e4529 < 0f)), (_e4530 > 0f));
 let _e4558 = (_e4529 > _e4493);
 let _e4562 = ((_e4553 > _e4485) || ((_e4553 == _e4485) && _e4558));
 let _e4563 = (_e4557 < _e4489);
-phi_9732_ = type_36(select(_e4485, _e4553, _e4562), vec3<f32>(select(select(select(select(_e4237, _e4299.member, _e4325), _e4378.member, _e4404), _e4457.member, _e4483), _e4536.member, _e4562), select(select(select(select(_e4238, _e4299.member_1, _e4325), _e4378.member_1, _e4404), _e4457.member_1, _e4483), _e4536.member_1, _e4562), select(select(select(select(_e4239, _e4299.member_2, _e4325), _e4378.member_2, _e4404), _e4457.member_2, _e4483), _e4536.member_2, _e4562)), select(_e4489, _e4557, _e4563), vec3<f32>(select(select(select(select(_e4242, _e4299.member, _e4326), _e4378.member, _e4405), _e4457.member, _e4484), _e4536.member, _e4563), select(select(select(select(_e4243, _e4299.member_1, _e4326), _e4378.member_1, _e4405), _e4457.member_1, _e4484), _e4536.member_1, _e4563), select(select(select(select(_e4244, _e4299.member_2, _e4326), _e4378.member_2, _e4405), _e4457.member_2, _e4484), _e4536.member_2, _e4563)), select(_e4493, _e4529, _e4558), select(_e4495, _e4530, (_e4530 > _e4495)), vec3<f32>(select(select(select(select(_e4249, _e4299.member, _e4321), _e4378.member, _e4400), _e4457.member, _e4479), _e4536.member, _e4558), select(select(select(select(_e4250, _e4299.member_1, _e4321), _e4378.member_1, _e4400), _e4457.member_1, _e4479), _e4536.member_1, _e4558), select(select(select(select(_e4251, _e4299.member_2, _e4321), _e4378.member_2, _e4400), _e4457.member_2, _e4479), _e4536.member_2, _e4558)));
+phi_9732_ = type_34(select(_e4485, _e4553, _e4562), vec3<f32>(select(select(select(select(_e4237, _e4299.member, _e4325), _e4378.member, _e4404), _e4457.member, _e4483), _e4536.member, _e4562), select(select(select(select(_e4238, _e4299.member_1, _e4325), _e4378.member_1, _e4404), _e4457.member_1, _e4483), _e4536.member_1, _e4562), select(select(select(select(_e4239, _e4299.member_2, _e4325), _e4378.member_2, _e4404), _e4457.member_2, _e4483), _e4536.member_2, _e4562)), select(_e4489, _e4557, _e4563), vec3<f32>(select(select(select(select(_e4242, _e4299.member, _e4326), _e4378.member, _e4405), _e4457.member, _e4484), _e4536.member, _e4563), select(select(select(select(_e4243, _e4299.member_1, _e4326), _e4378.member_1, _e4405), _e4457.member_1, _e4484), _e4536.member_1, _e4563), select(select(select(select(_e4244, _e4299.member_2, _e4326), _e4378.member_2, _e4405), _e4457.member_2, _e4484), _e4536.member_2, _e4563)), select(_e4493, _e4529, _e4558), select(_e4495, _e4530, (_e4530 > _e4495)), vec3<f32>(select(select(select(select(_e4249, _e4299.member, _e4321), _e4378.member, _e4400), _e4457.member, _e4479), _e4536.member, _e4558), select(select(select(select(_e4250, _e4299.member_1, _e4321), _e4378.member_1, _e4400), _e4457.member_1, _e4479), _e4536.member_1, _e4558), select(select(select(select(_e4251, _e4299.member_2, _e4321), _e4378.member_2, _e4400), _e4457.member_2, _e4479), _e4536.member_2, _e4558)));
 }
 let _e4583 = phi_9732_;
 let _e4589 = (((_e3558 && _e3970) && !(_e3954)) && (_e4583.member_2 <= 1f));
@@ -1816,7 +1816,7 @@ let _e4679 = (_e4662 + 1i);
 let _e4680 = (_e4677 + 1i);
 let _e4690 = ((_e4678 >> bitcast<u32>(4i)) + (_e1296 * ((_e4679 >> bitcast<u32>(4i)) + (_e1303 * (_e4680 >> bitcast<u32>(4i))))));
 let _e4692 = select(_e1315, _e4690, (_e4690 < _e1315));
-let _e4697 = global_2.member[bitcast<u32>(select(0i, _e4692, (_e4692 > 0i)))];
+let _e4697 = global_1.member[bitcast<u32>(select(0i, _e4692, (_e4692 > 0i)))];
 let _e4699 = (_e4678 & 15i);
 let _e4702 = ((_e4679 & 15i) * _e1281);
 let _e4704 = (bitcast<i32>(_e4697) + ((_e4680 & 15i) * _e1286));
@@ -1824,30 +1824,30 @@ let _e4708 = (_e4702 + _e1281);
 let _e4709 = (_e4702 + _e1335);
 let _e4710 = (_e4704 + _e1286);
 let _e4711 = (_e4704 + _e1338);
-local_26 = type_33(array<i32, 4>(_e4699, (_e4699 + 1i), (_e4699 + 2i), (_e4699 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_28(array<i32, 4>(_e4699, (_e4699 + 1i), (_e4699 + 2i), (_e4699 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e4624 - f32(_e4647)), (_e4628 - f32(_e4662)), (_e4632 - f32(_e4677)));
 let _e4722 = (_e4710 + _e4708);
 let _e4725 = local_26.member[1u];
 let _e4726 = (_e4722 + _e4725);
 let _e4728 = select(_e1315, _e4726, (_e4726 < _e1315));
-let _e4733 = global_2.member[bitcast<u32>(select(0i, _e4728, (_e4728 > 0i)))];
+let _e4733 = global_1.member[bitcast<u32>(select(0i, _e4728, (_e4728 > 0i)))];
 let _e4734 = bitcast<f32>(_e4733);
 let _e4737 = local_26.member[2u];
 let _e4738 = (_e4722 + _e4737);
 let _e4740 = select(_e1315, _e4738, (_e4738 < _e1315));
-let _e4745 = global_2.member[bitcast<u32>(select(0i, _e4740, (_e4740 > 0i)))];
+let _e4745 = global_1.member[bitcast<u32>(select(0i, _e4740, (_e4740 > 0i)))];
 let _e4747 = local_27[0u];
 let _e4750 = (_e4734 + ((bitcast<f32>(_e4745) - _e4734) * _e4747));
 let _e4751 = (_e4710 + _e4709);
 let _e4752 = local_26.member[1u];
 let _e4753 = (_e4751 + _e4752);
 let _e4755 = select(_e1315, _e4753, (_e4753 < _e1315));
-let _e4760 = global_2.member[bitcast<u32>(select(0i, _e4755, (_e4755 > 0i)))];
+let _e4760 = global_1.member[bitcast<u32>(select(0i, _e4755, (_e4755 > 0i)))];
 let _e4761 = bitcast<f32>(_e4760);
 let _e4762 = local_26.member[2u];
 let _e4763 = (_e4751 + _e4762);
 let _e4765 = select(_e1315, _e4763, (_e4763 < _e1315));
-let _e4770 = global_2.member[bitcast<u32>(select(0i, _e4765, (_e4765 > 0i)))];
+let _e4770 = global_1.member[bitcast<u32>(select(0i, _e4765, (_e4765 > 0i)))];
 let _e4772 = local_27[0u];
 let _e4777 = local_27[1u];
 let _e4780 = (_e4750 + (((_e4761 + ((bitcast<f32>(_e4770) - _e4761) * _e4772)) - _e4750) * _e4777));
@@ -1855,24 +1855,24 @@ let _e4781 = (_e4711 + _e4708);
 let _e4782 = local_26.member[1u];
 let _e4783 = (_e4781 + _e4782);
 let _e4785 = select(_e1315, _e4783, (_e4783 < _e1315));
-let _e4790 = global_2.member[bitcast<u32>(select(0i, _e4785, (_e4785 > 0i)))];
+let _e4790 = global_1.member[bitcast<u32>(select(0i, _e4785, (_e4785 > 0i)))];
 let _e4791 = bitcast<f32>(_e4790);
 let _e4792 = local_26.member[2u];
 let _e4793 = (_e4781 + _e4792);
 let _e4795 = select(_e1315, _e4793, (_e4793 < _e1315));
-let _e4800 = global_2.member[bitcast<u32>(select(0i, _e4795, (_e4795 > 0i)))];
+let _e4800 = global_1.member[bitcast<u32>(select(0i, _e4795, (_e4795 > 0i)))];
 let _e4802 = local_27[0u];
 let _e4805 = (_e4791 + ((bitcast<f32>(_e4800) - _e4791) * _e4802));
 let _e4806 = (_e4711 + _e4709);
 let _e4807 = local_26.member[1u];
 let _e4808 = (_e4806 + _e4807);
 let _e4810 = select(_e1315, _e4808, (_e4808 < _e1315));
-let _e4815 = global_2.member[bitcast<u32>(select(0i, _e4810, (_e4810 > 0i)))];
+let _e4815 = global_1.member[bitcast<u32>(select(0i, _e4810, (_e4810 > 0i)))];
 let _e4816 = bitcast<f32>(_e4815);
 let _e4817 = local_26.member[2u];
 let _e4818 = (_e4806 + _e4817);
 let _e4820 = select(_e1315, _e4818, (_e4818 < _e1315));
-let _e4825 = global_2.member[bitcast<u32>(select(0i, _e4820, (_e4820 > 0i)))];
+let _e4825 = global_1.member[bitcast<u32>(select(0i, _e4820, (_e4820 > 0i)))];
 let _e4827 = local_27[0u];
 let _e4831 = local_27[1u];
 let _e4836 = local_27[2u];
@@ -1900,12 +1900,12 @@ let _e4888 = select(0i, select(select(i32(_e4881), i32(-2147483648), (_e4881 < -
 let _e4892 = (_e4888 - select(0i, 1i, (_e4881 < f32(_e4888))));
 let _e4893 = (262147i + _e4892);
 let _e4895 = select(_e2681, _e4893, (_e4893 < _e2681));
-let _e4900 = global_3.member[bitcast<u32>(select(0i, _e4895, (_e4895 > 0i)))];
+let _e4900 = global_2.member[bitcast<u32>(select(0i, _e4895, (_e4895 > 0i)))];
 let _e4915 = ((_e2855 + (f32(bitcast<i32>((_e4900 >> bitcast<u32>(12u)))) * _e2863)) + ((f32((bitcast<i32>((_e4900 & 4095u)) - 2048i)) * _e2846) * (_e4877 - f32(_e4892))));
 if _e3970 {
-phi_10807_ = type_29(_e4915, 1f);
+phi_10807_ = type_31(_e4915, 1f);
 } else {
-phi_10807_ = type_29(1f, _e4915);
+phi_10807_ = type_31(1f, _e4915);
 }
 let _e4919 = phi_10807_;
 let _e4924 = ((_e4919.member_1 * _e4919.member_1) - (_e4919.member * _e4919.member));
@@ -2044,7 +2044,7 @@ let _e5281 = select(select(select(select(select(select(0f, _e1798.member, _e5062
 let _e5282 = select(select(select(select(select(select(0f, _e1798.member_1, _e5062), _e1798.member_1, _e5102), _e1807.member_1, _e5142), _e1807.member_1, _e5182), _e1816.member_1, _e5222), _e1816.member_1, _e5262);
 let _e5283 = select(select(select(select(select(select(1f, _e1798.member_2, _e5062), _e1798.member_2, _e5102), _e1807.member_2, _e5142), _e1807.member_2, _e5182), _e1816.member_2, _e5222), _e1816.member_2, _e5262);
 if _e2062 {
-phi_12345_ = type_36(_e5268, vec3<f32>(_e5269, _e5270, _e5271), _e5273, vec3<f32>(_e5274, _e5275, _e5276), _e5278, _e5280, vec3<f32>(_e5281, _e5282, _e5283));
+phi_12345_ = type_34(_e5268, vec3<f32>(_e5269, _e5270, _e5271), _e5273, vec3<f32>(_e5274, _e5275, _e5276), _e5278, _e5280, vec3<f32>(_e5281, _e5282, _e5283));
 } else {
 let _e5290 = (((_e1798.member * _e1798.member) + (_e1798.member_1 * _e1798.member_1)) + (_e1798.member_2 * _e1798.member_2));
 let _e5293 = sqrt(select(0f, _e5290, (_e5290 > 0f)));
@@ -2124,7 +2124,7 @@ let _e5589 = select(2f, select(0f, _e5581, (_e5561 < 0f)), (_e5562 > 0f));
 let _e5590 = (_e5561 > _e5525);
 let _e5594 = ((_e5585 > _e5517) || ((_e5585 == _e5517) && _e5590));
 let _e5595 = (_e5589 < _e5521);
-phi_12345_ = type_36(select(_e5517, _e5585, _e5594), vec3<f32>(select(select(select(select(_e5269, _e5331.member, _e5357), _e5410.member, _e5436), _e5489.member, _e5515), _e5568.member, _e5594), select(select(select(select(_e5270, _e5331.member_1, _e5357), _e5410.member_1, _e5436), _e5489.member_1, _e5515), _e5568.member_1, _e5594), select(select(select(select(_e5271, _e5331.member_2, _e5357), _e5410.member_2, _e5436), _e5489.member_2, _e5515), _e5568.member_2, _e5594)), select(_e5521, _e5589, _e5595), vec3<f32>(select(select(select(select(_e5274, _e5331.member, _e5358), _e5410.member, _e5437), _e5489.member, _e5516), _e5568.member, _e5595), select(select(select(select(_e5275, _e5331.member_1, _e5358), _e5410.member_1, _e5437), _e5489.member_1, _e5516), _e5568.member_1, _e5595), select(select(select(select(_e5276, _e5331.member_2, _e5358), _e5410.member_2, _e5437), _e5489.member_2, _e5516), _e5568.member_2, _e5595)), select(_e5525, _e5561, _e5590), select(_e5527, _e5562, (_e5562 > _e5527)), vec3<f32>(select(select(select(select(_e5281, _e5331.member, _e5353), _e5410.member, _e5432), _e5489.member, _e5511), _e5568.member, _e5590), select(select(select(select(_e5282, _e5331.member_1, _e5353), _e5410.member_1, _e5432), _e5489.member_1, _e5511), _e5568.member_1, _e5590), select(select(select(select(_e5283, _e5331.member_2, _e5353), _e5410.member_2, _e5432), _e5489.member_2, _e5511), _e5568.member_2, _e5590)));
+phi_12345_ = type_34(select(_e5517, _e5585, _e5594), vec3<f32>(select(select(select(select(_e5269, _e5331.member, _e5357), _e5410.member, _e5436), _e5489.member, _e5515), _e5568.member, _e5594), select(select(select(select(_e5270, _e5331.member_1, _e5357), _e5410.member_1, _e5436), _e5489.member_1, _e5515), _e5568.member_1, _e5594), select(select(select(select(_e5271, _e5331.member_2, _e5357), _e5410.member_2, _e5436), _e5489.member_2, _e5515), _e5568.member_2, _e5594)), select(_e5521, _e5589, _e5595), vec3<f32>(select(select(select(select(_e5274, _e5331.member, _e5358), _e5410.member, _e5437), _e5489.member, _e5516), _e5568.member, _e5595), select(select(select(select(_e5275, _e5331.member_1, _e5358), _e5410.member_1, _e5437), _e5489.member_1, _e5516), _e5568.member_1, _e5595), select(select(select(select(_e5276, _e5331.member_2, _e5358), _e5410.member_2, _e5437), _e5489.member_2, _e5516), _e5568.member_2, _e5595)), select(_e5525, _e5561, _e5590), select(_e5527, _e5562, (_e5562 > _e5527)), vec3<f32>(select(select(select(select(_e5281, _e5331.member, _e5353), _e5410.member, _e5432), _e5489.member, _e5511), _e5568.member, _e5590), select(select(select(select(_e5282, _e5331.member_1, _e5353), _e5410.member_1, _e5432), _e5489.member_1, _e5511), _e5568.member_1, _e5590), select(select(select(select(_e5283, _e5331.member_2, _e5353), _e5410.member_2, _e5432), _e5489.member_2, _e5511), _e5568.member_2, _e5590)));
 }
 let _e5615 = phi_12345_;
 let _e5621 = (((_e4589 && _e5002) && !(_e4986)) && (_e5615.member_2 <= 1f));
@@ -2295,12 +2295,12 @@ phi_14093_ = _e2873;
 phi_14093_ = _e3888;
 }
 let _e6061 = phi_14093_;
-phi_14106_ = type_39(_e6061, vec3<f32>(select(_e4997, _e4602.x, _e5621), select(_e4998, _e4602.y, _e5621), select(_e4999, _e4602.z, _e5621)), vec3<f32>(_e4971, _e4972, _e4973), select(_e1783, ((((sqrt(select(0f, _e5629, (_e5629 > 0f))) * select(0f, _e5710, (_e5710 > 0f))) + (sqrt(select(0f, _e5721, (_e5721 > 0f))) * select(0f, _e5817, (_e5817 > 0f)))) + (sqrt(select(0f, _e5829, (_e5829 > 0f))) * select(0f, _e5925, (_e5925 > 0f)))) + select(0f, (sqrt(select(0f, _e5937, (_e5937 > 0f))) * select(0f, _e6033, (_e6033 > 0f))), _e4589)), _e6040), select((_e482 / _e4973), (2f * (_e3562 / _e2927)), (((_e2424 && !(_e2401)) && _e2960) && !(_e3558))), select(_e3552.member_3, _e2416.member_1, vec3(_e2941)), _e5002, _e6040, (((_e2945 || _e3954) || _e4986) || _e5621));
+phi_14106_ = type_38(_e6061, vec3<f32>(select(_e4997, _e4602.x, _e5621), select(_e4998, _e4602.y, _e5621), select(_e4999, _e4602.z, _e5621)), vec3<f32>(_e4971, _e4972, _e4973), select(_e1783, ((((sqrt(select(0f, _e5629, (_e5629 > 0f))) * select(0f, _e5710, (_e5710 > 0f))) + (sqrt(select(0f, _e5721, (_e5721 > 0f))) * select(0f, _e5817, (_e5817 > 0f)))) + (sqrt(select(0f, _e5829, (_e5829 > 0f))) * select(0f, _e5925, (_e5925 > 0f)))) + select(0f, (sqrt(select(0f, _e5937, (_e5937 > 0f))) * select(0f, _e6033, (_e6033 > 0f))), _e4589)), _e6040), select((_e482 / _e4973), (2f * (_e3562 / _e2927)), (((_e2424 && !(_e2401)) && _e2960) && !(_e3558))), select(_e3552.member_3, _e2416.member_1, vec3(_e2941)), _e5002, _e6040, (((_e2945 || _e3954) || _e4986) || _e5621));
 phi_14107_ = vec3<f32>(_e2405, _e2406, _e2407);
 phi_14108_ = _e2401;
 phi_14109_ = _e2402;
 } else {
-phi_14106_ = type_39(_e1696.member, _e1696.member_1, _e1696.member_2, _e1783, _e1696.member_4, _e1696.member_5, _e1696.member_6, _e1696.member_7, _e1696.member_8);
+phi_14106_ = type_38(_e1696.member, _e1696.member_1, _e1696.member_2, _e1783, _e1696.member_4, _e1696.member_5, _e1696.member_6, _e1696.member_7, _e1696.member_8);
 phi_14107_ = _e1151;
 phi_14108_ = true;
 phi_14109_ = _e1684;
@@ -2336,7 +2336,7 @@ let _e6379 = (_e6362 + 1i);
 let _e6380 = (_e6377 + 1i);
 let _e6390 = ((_e6378 >> bitcast<u32>(4i)) + (_e1296 * ((_e6379 >> bitcast<u32>(4i)) + (_e1303 * (_e6380 >> bitcast<u32>(4i))))));
 let _e6392 = select(_e1315, _e6390, (_e6390 < _e1315));
-let _e6398 = global_2.member[bitcast<u32>(select(0i, _e6392, (_e6392 > 0i)))];
+let _e6398 = global_1.member[bitcast<u32>(select(0i, _e6392, (_e6392 > 0i)))];
 let _e6400 = (_e6378 & 15i);
 let _e6403 = ((_e6379 & 15i) * _e1281);
 let _e6405 = (bitcast<i32>(_e6398) + ((_e6380 & 15i) * _e1286));
@@ -2346,28 +2346,28 @@ let _e6412 = (_e6403 + (3i * _e1281));
 let _e6413 = (_e6405 + _e1286);
 let _e6414 = (_e6405 + _e1338);
 let _e6416 = (_e6405 + (3i * _e1286));
-local_22 = type_33(array<i32, 4>(_e6400, (_e6400 + 1i), (_e6400 + 2i), (_e6400 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_28(array<i32, 4>(_e6400, (_e6400 + 1i), (_e6400 + 2i), (_e6400 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e6324 - f32(_e6347)), (_e6328 - f32(_e6362)), (_e6332 - f32(_e6377)));
 let _e6427 = (_e6413 + _e6409);
 let _e6430 = local_22.member[0u];
 let _e6431 = (_e6427 + _e6430);
 let _e6433 = select(_e1315, _e6431, (_e6431 < _e1315));
-let _e6438 = global_2.member[bitcast<u32>(select(0i, _e6433, (_e6433 > 0i)))];
+let _e6438 = global_1.member[bitcast<u32>(select(0i, _e6433, (_e6433 > 0i)))];
 let _e6439 = bitcast<f32>(_e6438);
 let _e6442 = local_22.member[1u];
 let _e6443 = (_e6427 + _e6442);
 let _e6445 = select(_e1315, _e6443, (_e6443 < _e1315));
-let _e6450 = global_2.member[bitcast<u32>(select(0i, _e6445, (_e6445 > 0i)))];
+let _e6450 = global_1.member[bitcast<u32>(select(0i, _e6445, (_e6445 > 0i)))];
 let _e6451 = bitcast<f32>(_e6450);
 let _e6454 = local_22.member[2u];
 let _e6455 = (_e6427 + _e6454);
 let _e6457 = select(_e1315, _e6455, (_e6455 < _e1315));
-let _e6462 = global_2.member[bitcast<u32>(select(0i, _e6457, (_e6457 > 0i)))];
+let _e6462 = global_1.member[bitcast<u32>(select(0i, _e6457, (_e6457 > 0i)))];
 let _e6463 = bitcast<f32>(_e6462);
 let _e6466 = local_22.member[3u];
 let _e6467 = (_e6427 + _e6466);
 let _e6469 = select(_e1315, _e6467, (_e6467 < _e1315));
-let _e6474 = global_2.member[bitcast<u32>(select(0i, _e6469, (_e6469 > 0i)))];
+let _e6474 = global_1.member[bitcast<u32>(select(0i, _e6469, (_e6469 > 0i)))];
 let _e6476 = local_23[0u];
 let _e6479 = (_e6439 + ((_e6451 - _e6439) * _e6476));
 let _e6480 = local_23[0u];
@@ -2378,22 +2378,22 @@ let _e6488 = (_e6413 + _e6410);
 let _e6489 = local_22.member[0u];
 let _e6490 = (_e6488 + _e6489);
 let _e6492 = select(_e1315, _e6490, (_e6490 < _e1315));
-let _e6497 = global_2.member[bitcast<u32>(select(0i, _e6492, (_e6492 > 0i)))];
+let _e6497 = global_1.member[bitcast<u32>(select(0i, _e6492, (_e6492 > 0i)))];
 let _e6498 = bitcast<f32>(_e6497);
 let _e6499 = local_22.member[1u];
 let _e6500 = (_e6488 + _e6499);
 let _e6502 = select(_e1315, _e6500, (_e6500 < _e1315));
-let _e6507 = global_2.member[bitcast<u32>(select(0i, _e6502, (_e6502 > 0i)))];
+let _e6507 = global_1.member[bitcast<u32>(select(0i, _e6502, (_e6502 > 0i)))];
 let _e6508 = bitcast<f32>(_e6507);
 let _e6509 = local_22.member[2u];
 let _e6510 = (_e6488 + _e6509);
 let _e6512 = select(_e1315, _e6510, (_e6510 < _e1315));
-let _e6517 = global_2.member[bitcast<u32>(select(0i, _e6512, (_e6512 > 0i)))];
+let _e6517 = global_1.member[bitcast<u32>(select(0i, _e6512, (_e6512 > 0i)))];
 let _e6518 = bitcast<f32>(_e6517);
 let _e6519 = local_22.member[3u];
 let _e6520 = (_e6488 + _e6519);
 let _e6522 = select(_e1315, _e6520, (_e6520 < _e1315));
-let _e6527 = global_2.member[bitcast<u32>(select(0i, _e6522, (_e6522 > 0i)))];
+let _e6527 = global_1.member[bitcast<u32>(select(0i, _e6522, (_e6522 > 0i)))];
 let _e6529 = local_23[0u];
 let _e6533 = local_23[0u];
 let _e6536 = (_e6508 + ((_e6518 - _e6508) * _e6533));
@@ -2402,22 +2402,22 @@ let _e6541 = (_e6414 + _e6409);
 let _e6542 = local_22.member[0u];
 let _e6543 = (_e6541 + _e6542);
 let _e6545 = select(_e1315, _e6543, (_e6543 < _e1315));
-let _e6550 = global_2.member[bitcast<u32>(select(0i, _e6545, (_e6545 > 0i)))];
+let _e6550 = global_1.member[bitcast<u32>(select(0i, _e6545, (_e6545 > 0i)))];
 let _e6551 = bitcast<f32>(_e6550);
 let _e6552 = local_22.member[1u];
 let _e6553 = (_e6541 + _e6552);
 let _e6555 = select(_e1315, _e6553, (_e6553 < _e1315));
-let _e6560 = global_2.member[bitcast<u32>(select(0i, _e6555, (_e6555 > 0i)))];
+let _e6560 = global_1.member[bitcast<u32>(select(0i, _e6555, (_e6555 > 0i)))];
 let _e6561 = bitcast<f32>(_e6560);
 let _e6562 = local_22.member[2u];
 let _e6563 = (_e6541 + _e6562);
 let _e6565 = select(_e1315, _e6563, (_e6563 < _e1315));
-let _e6570 = global_2.member[bitcast<u32>(select(0i, _e6565, (_e6565 > 0i)))];
+let _e6570 = global_1.member[bitcast<u32>(select(0i, _e6565, (_e6565 > 0i)))];
 let _e6571 = bitcast<f32>(_e6570);
 let _e6572 = local_22.member[3u];
 let _e6573 = (_e6541 + _e6572);
 let _e6575 = select(_e1315, _e6573, (_e6573 < _e1315));
-let _e6580 = global_2.member[bitcast<u32>(select(0i, _e6575, (_e6575 > 0i)))];
+let _e6580 = global_1.member[bitcast<u32>(select(0i, _e6575, (_e6575 > 0i)))];
 let _e6582 = local_23[0u];
 let _e6585 = (_e6551 + ((_e6561 - _e6551) * _e6582));
 let _e6586 = local_23[0u];
@@ -2428,22 +2428,22 @@ let _e6594 = (_e6414 + _e6410);
 let _e6595 = local_22.member[0u];
 let _e6596 = (_e6594 + _e6595);
 let _e6598 = select(_e1315, _e6596, (_e6596 < _e1315));
-let _e6603 = global_2.member[bitcast<u32>(select(0i, _e6598, (_e6598 > 0i)))];
+let _e6603 = global_1.member[bitcast<u32>(select(0i, _e6598, (_e6598 > 0i)))];
 let _e6604 = bitcast<f32>(_e6603);
 let _e6605 = local_22.member[1u];
 let _e6606 = (_e6594 + _e6605);
 let _e6608 = select(_e1315, _e6606, (_e6606 < _e1315));
-let _e6613 = global_2.member[bitcast<u32>(select(0i, _e6608, (_e6608 > 0i)))];
+let _e6613 = global_1.member[bitcast<u32>(select(0i, _e6608, (_e6608 > 0i)))];
 let _e6614 = bitcast<f32>(_e6613);
 let _e6615 = local_22.member[2u];
 let _e6616 = (_e6594 + _e6615);
 let _e6618 = select(_e1315, _e6616, (_e6616 < _e1315));
-let _e6623 = global_2.member[bitcast<u32>(select(0i, _e6618, (_e6618 > 0i)))];
+let _e6623 = global_1.member[bitcast<u32>(select(0i, _e6618, (_e6618 > 0i)))];
 let _e6624 = bitcast<f32>(_e6623);
 let _e6625 = local_22.member[3u];
 let _e6626 = (_e6594 + _e6625);
 let _e6628 = select(_e1315, _e6626, (_e6626 < _e1315));
-let _e6633 = global_2.member[bitcast<u32>(select(0i, _e6628, (_e6628 > 0i)))];
+let _e6633 = global_1.member[bitcast<u32>(select(0i, _e6628, (_e6628 > 0i)))];
 let _e6635 = local_23[0u];
 let _e6639 = local_23[0u];
 let _e6642 = (_e6614 + ((_e6624 - _e6614) * _e6639));
@@ -2452,93 +2452,93 @@ let _e6647 = (_e6413 + _e6403);
 let _e6648 = local_22.member[1u];
 let _e6649 = (_e6647 + _e6648);
 let _e6651 = select(_e1315, _e6649, (_e6649 < _e1315));
-let _e6656 = global_2.member[bitcast<u32>(select(0i, _e6651, (_e6651 > 0i)))];
+let _e6656 = global_1.member[bitcast<u32>(select(0i, _e6651, (_e6651 > 0i)))];
 let _e6657 = bitcast<f32>(_e6656);
 let _e6658 = local_22.member[2u];
 let _e6659 = (_e6647 + _e6658);
 let _e6661 = select(_e1315, _e6659, (_e6659 < _e1315));
-let _e6666 = global_2.member[bitcast<u32>(select(0i, _e6661, (_e6661 > 0i)))];
+let _e6666 = global_1.member[bitcast<u32>(select(0i, _e6661, (_e6661 > 0i)))];
 let _e6668 = local_23[0u];
 let _e6671 = (_e6657 + ((bitcast<f32>(_e6666) - _e6657) * _e6668));
 let _e6672 = (_e6413 + _e6412);
 let _e6673 = local_22.member[1u];
 let _e6674 = (_e6672 + _e6673);
 let _e6676 = select(_e1315, _e6674, (_e6674 < _e1315));
-let _e6681 = global_2.member[bitcast<u32>(select(0i, _e6676, (_e6676 > 0i)))];
+let _e6681 = global_1.member[bitcast<u32>(select(0i, _e6676, (_e6676 > 0i)))];
 let _e6682 = bitcast<f32>(_e6681);
 let _e6683 = local_22.member[2u];
 let _e6684 = (_e6672 + _e6683);
 let _e6686 = select(_e1315, _e6684, (_e6684 < _e1315));
-let _e6691 = global_2.member[bitcast<u32>(select(0i, _e6686, (_e6686 > 0i)))];
+let _e6691 = global_1.member[bitcast<u32>(select(0i, _e6686, (_e6686 > 0i)))];
 let _e6693 = local_23[0u];
 let _e6697 = (_e6414 + _e6403);
 let _e6698 = local_22.member[1u];
 let _e6699 = (_e6697 + _e6698);
 let _e6701 = select(_e1315, _e6699, (_e6699 < _e1315));
-let _e6706 = global_2.member[bitcast<u32>(select(0i, _e6701, (_e6701 > 0i)))];
+let _e6706 = global_1.member[bitcast<u32>(select(0i, _e6701, (_e6701 > 0i)))];
 let _e6707 = bitcast<f32>(_e6706);
 let _e6708 = local_22.member[2u];
 let _e6709 = (_e6697 + _e6708);
 let _e6711 = select(_e1315, _e6709, (_e6709 < _e1315));
-let _e6716 = global_2.member[bitcast<u32>(select(0i, _e6711, (_e6711 > 0i)))];
+let _e6716 = global_1.member[bitcast<u32>(select(0i, _e6711, (_e6711 > 0i)))];
 let _e6718 = local_23[0u];
 let _e6721 = (_e6707 + ((bitcast<f32>(_e6716) - _e6707) * _e6718));
 let _e6722 = (_e6414 + _e6412);
 let _e6723 = local_22.member[1u];
 let _e6724 = (_e6722 + _e6723);
 let _e6726 = select(_e1315, _e6724, (_e6724 < _e1315));
-let _e6731 = global_2.member[bitcast<u32>(select(0i, _e6726, (_e6726 > 0i)))];
+let _e6731 = global_1.member[bitcast<u32>(select(0i, _e6726, (_e6726 > 0i)))];
 let _e6732 = bitcast<f32>(_e6731);
 let _e6733 = local_22.member[2u];
 let _e6734 = (_e6722 + _e6733);
 let _e6736 = select(_e1315, _e6734, (_e6734 < _e1315));
-let _e6741 = global_2.member[bitcast<u32>(select(0i, _e6736, (_e6736 > 0i)))];
+let _e6741 = global_1.member[bitcast<u32>(select(0i, _e6736, (_e6736 > 0i)))];
 let _e6743 = local_23[0u];
 let _e6747 = (_e6405 + _e6409);
 let _e6748 = local_22.member[1u];
 let _e6749 = (_e6747 + _e6748);
 let _e6751 = select(_e1315, _e6749, (_e6749 < _e1315));
-let _e6756 = global_2.member[bitcast<u32>(select(0i, _e6751, (_e6751 > 0i)))];
+let _e6756 = global_1.member[bitcast<u32>(select(0i, _e6751, (_e6751 > 0i)))];
 let _e6757 = bitcast<f32>(_e6756);
 let _e6758 = local_22.member[2u];
 let _e6759 = (_e6747 + _e6758);
 let _e6761 = select(_e1315, _e6759, (_e6759 < _e1315));
-let _e6766 = global_2.member[bitcast<u32>(select(0i, _e6761, (_e6761 > 0i)))];
+let _e6766 = global_1.member[bitcast<u32>(select(0i, _e6761, (_e6761 > 0i)))];
 let _e6768 = local_23[0u];
 let _e6771 = (_e6757 + ((bitcast<f32>(_e6766) - _e6757) * _e6768));
 let _e6772 = (_e6416 + _e6409);
 let _e6773 = local_22.member[1u];
 let _e6774 = (_e6772 + _e6773);
 let _e6776 = select(_e1315, _e6774, (_e6774 < _e1315));
-let _e6781 = global_2.member[bitcast<u32>(select(0i, _e6776, (_e6776 > 0i)))];
+let _e6781 = global_1.member[bitcast<u32>(select(0i, _e6776, (_e6776 > 0i)))];
 let _e6782 = bitcast<f32>(_e6781);
 let _e6783 = local_22.member[2u];
 let _e6784 = (_e6772 + _e6783);
 let _e6786 = select(_e1315, _e6784, (_e6784 < _e1315));
-let _e6791 = global_2.member[bitcast<u32>(select(0i, _e6786, (_e6786 > 0i)))];
+let _e6791 = global_1.member[bitcast<u32>(select(0i, _e6786, (_e6786 > 0i)))];
 let _e6793 = local_23[0u];
 let _e6796 = (_e6782 + ((bitcast<f32>(_e6791) - _e6782) * _e6793));
 let _e6797 = (_e6405 + _e6410);
 let _e6798 = local_22.member[1u];
 let _e6799 = (_e6797 + _e6798);
 let _e6801 = select(_e1315, _e6799, (_e6799 < _e1315));
-let _e6806 = global_2.member[bitcast<u32>(select(0i, _e6801, (_e6801 > 0i)))];
+let _e6806 = global_1.member[bitcast<u32>(select(0i, _e6801, (_e6801 > 0i)))];
 let _e6807 = bitcast<f32>(_e6806);
 let _e6808 = local_22.member[2u];
 let _e6809 = (_e6797 + _e6808);
 let _e6811 = select(_e1315, _e6809, (_e6809 < _e1315));
-let _e6816 = global_2.member[bitcast<u32>(select(0i, _e6811, (_e6811 > 0i)))];
+let _e6816 = global_1.member[bitcast<u32>(select(0i, _e6811, (_e6811 > 0i)))];
 let _e6818 = local_23[0u];
 let _e6822 = (_e6416 + _e6410);
 let _e6823 = local_22.member[1u];
 let _e6824 = (_e6822 + _e6823);
 let _e6826 = select(_e1315, _e6824, (_e6824 < _e1315));
-let _e6831 = global_2.member[bitcast<u32>(select(0i, _e6826, (_e6826 > 0i)))];
+let _e6831 = global_1.member[bitcast<u32>(select(0i, _e6826, (_e6826 > 0i)))];
 let _e6832 = bitcast<f32>(_e6831);
 let _e6833 = local_22.member[2u];
 let _e6834 = (_e6822 + _e6833);
 let _e6836 = select(_e1315, _e6834, (_e6834 < _e1315));
-let _e6841 = global_2.member[bitcast<u32>(select(0i, _e6836, (_e6836 > 0i)))];
+let _e6841 = global_1.member[bitcast<u32>(select(0i, _e6836, (_e6836 > 0i)))];
 let _e6843 = local_23[0u];
 let _e6848 = local_23[1u];
 let _e6851 = (_e6483 + ((_e6536 - _e6483) * _e6848));
@@ -2593,50 +2593,50 @@ local_21 = _e6967;
 let _e6968 = local_21;
 let _e6970 = (bitcast<i32>(_e230) - 1i);
 let _e6972 = select(_e6970, 263197i, (263197i < _e6970));
-let _e6977 = global_3.member[bitcast<u32>(select(0i, _e6972, (_e6972 > 0i)))];
+let _e6977 = global_2.member[bitcast<u32>(select(0i, _e6972, (_e6972 > 0i)))];
 let _e6978 = bitcast<f32>(_e6977);
 let _e6980 = select(_e6970, 263198i, (263198i < _e6970));
 let _e6983 = bitcast<u32>(select(0i, _e6980, (_e6980 > 0i)));
-let _e6985 = global_3.member[_e6983];
+let _e6985 = global_2.member[_e6983];
 let _e6986 = bitcast<f32>(_e6985);
 let _e6988 = select(_e6970, 263199i, (263199i < _e6970));
-let _e6993 = global_3.member[bitcast<u32>(select(0i, _e6988, (_e6988 > 0i)))];
+let _e6993 = global_2.member[bitcast<u32>(select(0i, _e6988, (_e6988 > 0i)))];
 let _e6994 = bitcast<f32>(_e6993);
 let _e6996 = ((_e6968 - _e6978) * _e6986);
 let _e6998 = select(0f, _e6996, (_e6996 > 0f));
 let _e7001 = local_21;
 let _e7003 = select(_e6970, 263200i, (263200i < _e6970));
-let _e7008 = global_3.member[bitcast<u32>(select(0i, _e7003, (_e7003 > 0i)))];
+let _e7008 = global_2.member[bitcast<u32>(select(0i, _e7003, (_e7003 > 0i)))];
 let _e7009 = bitcast<f32>(_e7008);
 let _e7011 = select(_e6970, 263201i, (263201i < _e6970));
-let _e7016 = global_3.member[bitcast<u32>(select(0i, _e7011, (_e7011 > 0i)))];
+let _e7016 = global_2.member[bitcast<u32>(select(0i, _e7011, (_e7011 > 0i)))];
 let _e7017 = bitcast<f32>(_e7016);
 let _e7019 = select(_e6970, 263202i, (263202i < _e6970));
-let _e7024 = global_3.member[bitcast<u32>(select(0i, _e7019, (_e7019 > 0i)))];
+let _e7024 = global_2.member[bitcast<u32>(select(0i, _e7019, (_e7019 > 0i)))];
 let _e7025 = bitcast<f32>(_e7024);
 let _e7027 = ((_e7001 - _e7009) * _e7017);
 let _e7029 = select(0f, _e7027, (_e7027 > 0f));
 let _e7033 = local_21;
 let _e7035 = select(_e6970, 263203i, (263203i < _e6970));
-let _e7040 = global_3.member[bitcast<u32>(select(0i, _e7035, (_e7035 > 0i)))];
+let _e7040 = global_2.member[bitcast<u32>(select(0i, _e7035, (_e7035 > 0i)))];
 let _e7041 = bitcast<f32>(_e7040);
 let _e7043 = select(_e6970, 263204i, (263204i < _e6970));
-let _e7048 = global_3.member[bitcast<u32>(select(0i, _e7043, (_e7043 > 0i)))];
+let _e7048 = global_2.member[bitcast<u32>(select(0i, _e7043, (_e7043 > 0i)))];
 let _e7049 = bitcast<f32>(_e7048);
 let _e7051 = select(_e6970, 263205i, (263205i < _e6970));
-let _e7056 = global_3.member[bitcast<u32>(select(0i, _e7051, (_e7051 > 0i)))];
+let _e7056 = global_2.member[bitcast<u32>(select(0i, _e7051, (_e7051 > 0i)))];
 let _e7057 = bitcast<f32>(_e7056);
 let _e7059 = ((_e7033 - _e7041) * _e7049);
 let _e7061 = select(0f, _e7059, (_e7059 > 0f));
 let _e7064 = local_21;
 let _e7066 = select(_e6970, 263206i, (263206i < _e6970));
-let _e7071 = global_3.member[bitcast<u32>(select(0i, _e7066, (_e7066 > 0i)))];
+let _e7071 = global_2.member[bitcast<u32>(select(0i, _e7066, (_e7066 > 0i)))];
 let _e7072 = bitcast<f32>(_e7071);
 let _e7074 = select(_e6970, 263207i, (263207i < _e6970));
-let _e7079 = global_3.member[bitcast<u32>(select(0i, _e7074, (_e7074 > 0i)))];
+let _e7079 = global_2.member[bitcast<u32>(select(0i, _e7074, (_e7074 > 0i)))];
 let _e7080 = bitcast<f32>(_e7079);
 let _e7082 = select(_e6970, 263208i, (263208i < _e6970));
-let _e7087 = global_3.member[bitcast<u32>(select(0i, _e7082, (_e7082 > 0i)))];
+let _e7087 = global_2.member[bitcast<u32>(select(0i, _e7082, (_e7082 > 0i)))];
 let _e7088 = bitcast<f32>(_e7087);
 let _e7090 = ((_e7064 - _e7072) * _e7080);
 let _e7092 = select(0f, _e7090, (_e7090 > 0f));
@@ -2647,34 +2647,34 @@ let _e7107 = select(0i, select(select(i32(_e7100), i32(-2147483648), (_e7100 < -
 let _e7111 = (_e7107 - select(0i, 1i, (_e7100 < f32(_e7107))));
 let _e7112 = (262147i + _e7111);
 let _e7114 = select(_e6970, _e7112, (_e7112 < _e6970));
-let _e7120 = global_3.member[bitcast<u32>(select(0i, _e7114, (_e7114 > 0i)))];
+let _e7120 = global_2.member[bitcast<u32>(select(0i, _e7114, (_e7114 > 0i)))];
 let _e7130 = select(_e6970, 262146i, (262146i < _e6970));
-let _e7136 = global_3.member[bitcast<u32>(select(0i, _e7130, (_e7130 > 0i)))];
+let _e7136 = global_2.member[bitcast<u32>(select(0i, _e7130, (_e7130 > 0i)))];
 let _e7137 = bitcast<f32>(_e7136);
 let _e7138 = (f32((bitcast<i32>((_e7120 & 4095u)) - 2048i)) * _e7137);
 let _e7140 = select(_e6970, 262144i, (262144i < _e6970));
-let _e7146 = global_3.member[bitcast<u32>(select(0i, _e7140, (_e7140 > 0i)))];
+let _e7146 = global_2.member[bitcast<u32>(select(0i, _e7140, (_e7140 > 0i)))];
 let _e7147 = bitcast<f32>(_e7146);
 let _e7149 = select(_e6970, 262145i, (262145i < _e6970));
-let _e7155 = global_3.member[bitcast<u32>(select(0i, _e7149, (_e7149 > 0i)))];
+let _e7155 = global_2.member[bitcast<u32>(select(0i, _e7149, (_e7149 > 0i)))];
 let _e7156 = bitcast<f32>(_e7155);
 let _e7162 = ((_e7147 + (f32(bitcast<i32>((_e7120 >> bitcast<u32>(12u)))) * _e7156)) + (_e7138 * (_e7096 - f32(_e7111))));
-let _e7165 = global_3.member[_e6983];
+let _e7165 = global_2.member[_e6983];
 let _e7167 = local_20;
 let _e7170 = local_20;
 let _e7173 = local_20;
 let _e7177 = select(_e6970, 263209i, (263209i < _e6970));
-let _e7183 = global_3.member[bitcast<u32>(select(0i, _e7177, (_e7177 > 0i)))];
+let _e7183 = global_2.member[bitcast<u32>(select(0i, _e7177, (_e7177 > 0i)))];
 let _e7185 = local_20;
 let _e7188 = select(_e6970, 263210i, (263210i < _e6970));
-let _e7194 = global_3.member[bitcast<u32>(select(0i, _e7188, (_e7188 > 0i)))];
+let _e7194 = global_2.member[bitcast<u32>(select(0i, _e7188, (_e7188 > 0i)))];
 let _e7196 = local_20;
 let _e7200 = (_e7138 * select(0f, select(select(select(bitcast<f32>(_e7165), _e7017, (_e7167 >= _e7009)), _e7049, (_e7170 >= _e7041)), _e7080, (_e7173 >= _e7072)), ((_e7185 >= bitcast<f32>(_e7183)) && (_e7196 <= bitcast<f32>(_e7194)))));
 if _e837 {
 let _e7651 = ((0.5f * (_e6942 - _e6936)) * _e7200);
 let _e7652 = ((0.5f * (_e6954 - _e6948)) * _e7200);
 let _e7653 = ((0.5f * (_e6966 - _e6960)) * _e7200);
-phi_19353_ = type_34(_e7162, vec3<f32>(_e7651, _e7652, _e7653), vec3<f32>((_e7651 * _e7162), (_e7652 * _e7162), (_e7653 * _e7162)));
+phi_19353_ = type_32(_e7162, vec3<f32>(_e7651, _e7652, _e7653), vec3<f32>((_e7651 * _e7162), (_e7652 * _e7162), (_e7653 * _e7162)));
 } else {
 local_18 = _e6936;
 let _e7201 = local_18;
@@ -2698,7 +2698,7 @@ let _e7243 = select(0i, select(select(i32(_e7236), i32(-2147483648), (_e7236 < -
 let _e7247 = (_e7243 - select(0i, 1i, (_e7236 < f32(_e7243))));
 let _e7248 = (262147i + _e7247);
 let _e7250 = select(_e6970, _e7248, (_e7248 < _e6970));
-let _e7256 = global_3.member[bitcast<u32>(select(0i, _e7250, (_e7250 > 0i)))];
+let _e7256 = global_2.member[bitcast<u32>(select(0i, _e7250, (_e7250 > 0i)))];
 let _e7271 = ((_e7147 + (f32(bitcast<i32>((_e7256 >> bitcast<u32>(12u)))) * _e7156)) + ((f32((bitcast<i32>((_e7256 & 4095u)) - 2048i)) * _e7137) * (_e7232 - f32(_e7247))));
 local_16 = _e6942;
 let _e7272 = local_16;
@@ -2722,7 +2722,7 @@ let _e7314 = select(0i, select(select(i32(_e7307), i32(-2147483648), (_e7307 < -
 let _e7318 = (_e7314 - select(0i, 1i, (_e7307 < f32(_e7314))));
 let _e7319 = (262147i + _e7318);
 let _e7321 = select(_e6970, _e7319, (_e7319 < _e6970));
-let _e7327 = global_3.member[bitcast<u32>(select(0i, _e7321, (_e7321 > 0i)))];
+let _e7327 = global_2.member[bitcast<u32>(select(0i, _e7321, (_e7321 > 0i)))];
 let _e7342 = ((_e7147 + (f32(bitcast<i32>((_e7327 >> bitcast<u32>(12u)))) * _e7156)) + ((f32((bitcast<i32>((_e7327 & 4095u)) - 2048i)) * _e7137) * (_e7303 - f32(_e7318))));
 local_14 = _e6948;
 let _e7343 = local_14;
@@ -2746,7 +2746,7 @@ let _e7385 = select(0i, select(select(i32(_e7378), i32(-2147483648), (_e7378 < -
 let _e7389 = (_e7385 - select(0i, 1i, (_e7378 < f32(_e7385))));
 let _e7390 = (262147i + _e7389);
 let _e7392 = select(_e6970, _e7390, (_e7390 < _e6970));
-let _e7398 = global_3.member[bitcast<u32>(select(0i, _e7392, (_e7392 > 0i)))];
+let _e7398 = global_2.member[bitcast<u32>(select(0i, _e7392, (_e7392 > 0i)))];
 let _e7413 = ((_e7147 + (f32(bitcast<i32>((_e7398 >> bitcast<u32>(12u)))) * _e7156)) + ((f32((bitcast<i32>((_e7398 & 4095u)) - 2048i)) * _e7137) * (_e7374 - f32(_e7389))));
 local_12 = _e6954;
 let _e7414 = local_12;
@@ -2770,7 +2770,7 @@ let _e7456 = select(0i, select(select(i32(_e7449), i32(-2147483648), (_e7449 < -
 let _e7460 = (_e7456 - select(0i, 1i, (_e7449 < f32(_e7456))));
 let _e7461 = (262147i + _e7460);
 let _e7463 = select(_e6970, _e7461, (_e7461 < _e6970));
-let _e7469 = global_3.member[bitcast<u32>(select(0i, _e7463, (_e7463 > 0i)))];
+let _e7469 = global_2.member[bitcast<u32>(select(0i, _e7463, (_e7463 > 0i)))];
 let _e7484 = ((_e7147 + (f32(bitcast<i32>((_e7469 >> bitcast<u32>(12u)))) * _e7156)) + ((f32((bitcast<i32>((_e7469 & 4095u)) - 2048i)) * _e7137) * (_e7445 - f32(_e7460))));
 local_10 = _e6960;
 let _e7485 = local_10;
@@ -2794,7 +2794,7 @@ let _e7527 = select(0i, select(select(i32(_e7520), i32(-2147483648), (_e7520 < -
 let _e7531 = (_e7527 - select(0i, 1i, (_e7520 < f32(_e7527))));
 let _e7532 = (262147i + _e7531);
 let _e7534 = select(_e6970, _e7532, (_e7532 < _e6970));
-let _e7540 = global_3.member[bitcast<u32>(select(0i, _e7534, (_e7534 > 0i)))];
+let _e7540 = global_2.member[bitcast<u32>(select(0i, _e7534, (_e7534 > 0i)))];
 let _e7555 = ((_e7147 + (f32(bitcast<i32>((_e7540 >> bitcast<u32>(12u)))) * _e7156)) + ((f32((bitcast<i32>((_e7540 & 4095u)) - 2048i)) * _e7137) * (_e7516 - f32(_e7531))));
 local_8 = _e6966;
 let _e7556 = local_8;
@@ -2818,12 +2818,12 @@ let _e7598 = select(0i, select(select(i32(_e7591), i32(-2147483648), (_e7591 < -
 let _e7602 = (_e7598 - select(0i, 1i, (_e7591 < f32(_e7598))));
 let _e7603 = (262147i + _e7602);
 let _e7605 = select(_e6970, _e7603, (_e7603 < _e6970));
-let _e7611 = global_3.member[bitcast<u32>(select(0i, _e7605, (_e7605 > 0i)))];
+let _e7611 = global_2.member[bitcast<u32>(select(0i, _e7605, (_e7605 > 0i)))];
 let _e7626 = ((_e7147 + (f32(bitcast<i32>((_e7611 >> bitcast<u32>(12u)))) * _e7156)) + ((f32((bitcast<i32>((_e7611 & 4095u)) - 2048i)) * _e7137) * (_e7587 - f32(_e7602))));
 let _e7627 = (_e7342 - _e7271);
 let _e7629 = (_e7484 - _e7413);
 let _e7631 = (_e7626 - _e7555);
-phi_19353_ = type_34(_e7162, vec3<f32>((0.5f * _e7627), (0.5f * _e7629), (0.5f * _e7631)), vec3<f32>((0.25f * (_e7627 * (_e7342 + _e7271))), (0.25f * (_e7629 * (_e7484 + _e7413))), (0.25f * (_e7631 * (_e7626 + _e7555)))));
+phi_19353_ = type_32(_e7162, vec3<f32>((0.5f * _e7627), (0.5f * _e7629), (0.5f * _e7631)), vec3<f32>((0.25f * (_e7627 * (_e7342 + _e7271))), (0.25f * (_e7629 * (_e7484 + _e7413))), (0.25f * (_e7631 * (_e7626 + _e7555)))));
 }
 let _e7661 = phi_19353_;
 let _e7676 = select(0f, 1f, ((((((_e6081 >= -0.5f) && (_e6081 <= _e634)) && (_e6087 >= -0.5f)) && (_e6087 <= _e645)) && (_e6093 >= -0.5f)) && (_e6093 <= _e656)));
@@ -2839,7 +2839,7 @@ let _e7724 = global_5.member[_e459].member_6.member_1.member.member_2;
 let _e7731 = global_5.member[_e459].member_6.member_2.member.member;
 let _e7738 = global_5.member[_e459].member_6.member_2.member.member_1;
 let _e7745 = global_5.member[_e459].member_6.member_2.member.member_2;
-phi_19963_ = type_35(_e6930, vec3<f32>(((((_e7689 * _e7678) + (_e7710 * _e7680)) + (_e7731 * _e7682)) * _e7676), ((((_e7696 * _e7678) + (_e7717 * _e7680)) + (_e7738 * _e7682)) * _e7676), ((((_e7703 * _e7678) + (_e7724 * _e7680)) + (_e7745 * _e7682)) * _e7676)), _e7661.member, vec3<f32>(((((_e7689 * _e7661.member_2.x) + (_e7710 * _e7661.member_2.y)) + (_e7731 * _e7661.member_2.z)) * _e7676), ((((_e7696 * _e7661.member_2.x) + (_e7717 * _e7661.member_2.y)) + (_e7738 * _e7661.member_2.z)) * _e7676), ((((_e7703 * _e7661.member_2.x) + (_e7724 * _e7661.member_2.y)) + (_e7745 * _e7661.member_2.z)) * _e7676)), vec3<f32>(((((_e7689 * _e7661.member_1.x) + (_e7710 * _e7661.member_1.y)) + (_e7731 * _e7661.member_1.z)) * _e7676), ((((_e7696 * _e7661.member_1.x) + (_e7717 * _e7661.member_1.y)) + (_e7738 * _e7661.member_1.z)) * _e7676), ((((_e7703 * _e7661.member_1.x) + (_e7724 * _e7661.member_1.y)) + (_e7745 * _e7661.member_1.z)) * _e7676)));
+phi_19963_ = type_33(_e6930, vec3<f32>(((((_e7689 * _e7678) + (_e7710 * _e7680)) + (_e7731 * _e7682)) * _e7676), ((((_e7696 * _e7678) + (_e7717 * _e7680)) + (_e7738 * _e7682)) * _e7676), ((((_e7703 * _e7678) + (_e7724 * _e7680)) + (_e7745 * _e7682)) * _e7676)), _e7661.member, vec3<f32>(((((_e7689 * _e7661.member_2.x) + (_e7710 * _e7661.member_2.y)) + (_e7731 * _e7661.member_2.z)) * _e7676), ((((_e7696 * _e7661.member_2.x) + (_e7717 * _e7661.member_2.y)) + (_e7738 * _e7661.member_2.z)) * _e7676), ((((_e7703 * _e7661.member_2.x) + (_e7724 * _e7661.member_2.y)) + (_e7745 * _e7661.member_2.z)) * _e7676)), vec3<f32>(((((_e7689 * _e7661.member_1.x) + (_e7710 * _e7661.member_1.y)) + (_e7731 * _e7661.member_1.z)) * _e7676), ((((_e7696 * _e7661.member_1.x) + (_e7717 * _e7661.member_1.y)) + (_e7738 * _e7661.member_1.z)) * _e7676), ((((_e7703 * _e7661.member_1.x) + (_e7724 * _e7661.member_1.y)) + (_e7745 * _e7661.member_1.z)) * _e7676)));
 } else {
 let _e6095 = select(-0.5f, _e6081, (_e6081 > -0.5f));
 let _e6097 = select(_e634, _e6095, (_e6095 < _e634));
@@ -2864,7 +2864,7 @@ let _e6152 = (_e6135 + 1i);
 let _e6153 = (_e6150 + 1i);
 let _e6163 = ((_e6151 >> bitcast<u32>(4i)) + (_e1296 * ((_e6152 >> bitcast<u32>(4i)) + (_e1303 * (_e6153 >> bitcast<u32>(4i))))));
 let _e6165 = select(_e1315, _e6163, (_e6163 < _e1315));
-let _e6171 = global_2.member[bitcast<u32>(select(0i, _e6165, (_e6165 > 0i)))];
+let _e6171 = global_1.member[bitcast<u32>(select(0i, _e6165, (_e6165 > 0i)))];
 let _e6173 = (_e6151 & 15i);
 let _e6176 = ((_e6152 & 15i) * _e1281);
 let _e6178 = (bitcast<i32>(_e6171) + ((_e6153 & 15i) * _e1286));
@@ -2872,30 +2872,30 @@ let _e6182 = (_e6176 + _e1281);
 let _e6183 = (_e6176 + _e1335);
 let _e6184 = (_e6178 + _e1286);
 let _e6185 = (_e6178 + _e1338);
-local_6 = type_33(array<i32, 4>(_e6173, (_e6173 + 1i), (_e6173 + 2i), (_e6173 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_28(array<i32, 4>(_e6173, (_e6173 + 1i), (_e6173 + 2i), (_e6173 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e6097 - f32(_e6120)), (_e6101 - f32(_e6135)), (_e6105 - f32(_e6150)));
 let _e6196 = (_e6184 + _e6182);
 let _e6199 = local_6.member[1u];
 let _e6200 = (_e6196 + _e6199);
 let _e6202 = select(_e1315, _e6200, (_e6200 < _e1315));
-let _e6207 = global_2.member[bitcast<u32>(select(0i, _e6202, (_e6202 > 0i)))];
+let _e6207 = global_1.member[bitcast<u32>(select(0i, _e6202, (_e6202 > 0i)))];
 let _e6208 = bitcast<f32>(_e6207);
 let _e6211 = local_6.member[2u];
 let _e6212 = (_e6196 + _e6211);
 let _e6214 = select(_e1315, _e6212, (_e6212 < _e1315));
-let _e6219 = global_2.member[bitcast<u32>(select(0i, _e6214, (_e6214 > 0i)))];
+let _e6219 = global_1.member[bitcast<u32>(select(0i, _e6214, (_e6214 > 0i)))];
 let _e6221 = local_7[0u];
 let _e6224 = (_e6208 + ((bitcast<f32>(_e6219) - _e6208) * _e6221));
 let _e6225 = (_e6184 + _e6183);
 let _e6226 = local_6.member[1u];
 let _e6227 = (_e6225 + _e6226);
 let _e6229 = select(_e1315, _e6227, (_e6227 < _e1315));
-let _e6234 = global_2.member[bitcast<u32>(select(0i, _e6229, (_e6229 > 0i)))];
+let _e6234 = global_1.member[bitcast<u32>(select(0i, _e6229, (_e6229 > 0i)))];
 let _e6235 = bitcast<f32>(_e6234);
 let _e6236 = local_6.member[2u];
 let _e6237 = (_e6225 + _e6236);
 let _e6239 = select(_e1315, _e6237, (_e6237 < _e1315));
-let _e6244 = global_2.member[bitcast<u32>(select(0i, _e6239, (_e6239 > 0i)))];
+let _e6244 = global_1.member[bitcast<u32>(select(0i, _e6239, (_e6239 > 0i)))];
 let _e6246 = local_7[0u];
 let _e6251 = local_7[1u];
 let _e6254 = (_e6224 + (((_e6235 + ((bitcast<f32>(_e6244) - _e6235) * _e6246)) - _e6224) * _e6251));
@@ -2903,36 +2903,36 @@ let _e6255 = (_e6185 + _e6182);
 let _e6256 = local_6.member[1u];
 let _e6257 = (_e6255 + _e6256);
 let _e6259 = select(_e1315, _e6257, (_e6257 < _e1315));
-let _e6264 = global_2.member[bitcast<u32>(select(0i, _e6259, (_e6259 > 0i)))];
+let _e6264 = global_1.member[bitcast<u32>(select(0i, _e6259, (_e6259 > 0i)))];
 let _e6265 = bitcast<f32>(_e6264);
 let _e6266 = local_6.member[2u];
 let _e6267 = (_e6255 + _e6266);
 let _e6269 = select(_e1315, _e6267, (_e6267 < _e1315));
-let _e6274 = global_2.member[bitcast<u32>(select(0i, _e6269, (_e6269 > 0i)))];
+let _e6274 = global_1.member[bitcast<u32>(select(0i, _e6269, (_e6269 > 0i)))];
 let _e6276 = local_7[0u];
 let _e6279 = (_e6265 + ((bitcast<f32>(_e6274) - _e6265) * _e6276));
 let _e6280 = (_e6185 + _e6183);
 let _e6281 = local_6.member[1u];
 let _e6282 = (_e6280 + _e6281);
 let _e6284 = select(_e1315, _e6282, (_e6282 < _e1315));
-let _e6289 = global_2.member[bitcast<u32>(select(0i, _e6284, (_e6284 > 0i)))];
+let _e6289 = global_1.member[bitcast<u32>(select(0i, _e6284, (_e6284 > 0i)))];
 let _e6290 = bitcast<f32>(_e6289);
 let _e6291 = local_6.member[2u];
 let _e6292 = (_e6280 + _e6291);
 let _e6294 = select(_e1315, _e6292, (_e6292 < _e1315));
-let _e6299 = global_2.member[bitcast<u32>(select(0i, _e6294, (_e6294 > 0i)))];
+let _e6299 = global_1.member[bitcast<u32>(select(0i, _e6294, (_e6294 > 0i)))];
 let _e6301 = local_7[0u];
 let _e6305 = local_7[1u];
 let _e6310 = local_7[2u];
 let _e6315 = (((_e6254 + (((_e6279 + (((_e6290 + ((bitcast<f32>(_e6299) - _e6290) * _e6301)) - _e6279) * _e6305)) - _e6254) * _e6310)) - _e1472) * _e1477);
 let _e6317 = select(_e1480, _e6315, (_e6315 > _e1480));
-phi_19963_ = type_35(select(1e9f, _e6317, (_e6317 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_19963_ = type_33(select(1e9f, _e6317, (_e6317 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e7811 = phi_19963_;
 let _e7814 = select(1f, select(1f, _e1219, (_e1219 < 1f)), _e556);
 let _e7816 = ((_e799 & 16u) == 0u);
 if _e7816 {
-phi_20376_ = type_5(1f, 1f, 1f);
+phi_20376_ = type_7(1f, 1f, 1f);
 } else {
 let _e7821 = global_5.member[_e459].member_14.member;
 let _e7832 = ((((_e7821.member.member * _e492) + (_e7821.member.member_1 * _e494)) + (_e7821.member.member_2 * _e488)) + _e7821.member_1);
@@ -2978,7 +2978,7 @@ let _e8005 = select(0f, _e8003, (_e8003 > 0f));
 let _e8011 = select(select(select(1f, _e8005, (_e8005 < 1f)), 1f, (_e7998 <= 0f)), 0f, (_e7996 > 0f));
 let _e8017 = global_5.member[_e459].member_17.member_1;
 let _e8018 = (_e8017 != 0u);
-phi_20376_ = type_5(((((1f * _e7855) * _e7907) * _e7959) * _e8011), ((((1f * select(1f, _e7855, _e7862)) * select(1f, _e7907, _e7914)) * select(1f, _e7959, _e7966)) * select(1f, _e8011, _e8018)), ((((1f * select(1f, 0f, (_e7862 && (_e7838 > 0f)))) * select(1f, 0f, (_e7914 && (_e7890 > 0f)))) * select(1f, 0f, (_e7966 && (_e7942 > 0f)))) * select(1f, 0f, (_e8018 && (_e7994 > 0f)))));
+phi_20376_ = type_7(((((1f * _e7855) * _e7907) * _e7959) * _e8011), ((((1f * select(1f, _e7855, _e7862)) * select(1f, _e7907, _e7914)) * select(1f, _e7959, _e7966)) * select(1f, _e8011, _e8018)), ((((1f * select(1f, 0f, (_e7862 && (_e7838 > 0f)))) * select(1f, 0f, (_e7914 && (_e7890 > 0f)))) * select(1f, 0f, (_e7966 && (_e7942 > 0f)))) * select(1f, 0f, (_e8018 && (_e7994 > 0f)))));
 }
 let _e8027 = phi_20376_;
 let _e8034 = global_5.member[_e459].member_5.member_3;
@@ -2990,97 +2990,97 @@ local_5 = _e1485;
 let _e9196 = local_5;
 let _e9198 = (bitcast<i32>(_e230) - 1i);
 let _e9200 = select(_e9198, 263171i, (263171i < _e9198));
-let _e9205 = global_3.member[bitcast<u32>(select(0i, _e9200, (_e9200 > 0i)))];
+let _e9205 = global_2.member[bitcast<u32>(select(0i, _e9200, (_e9200 > 0i)))];
 let _e9206 = bitcast<f32>(_e9205);
 let _e9208 = select(_e9198, 263172i, (263172i < _e9198));
-let _e9213 = global_3.member[bitcast<u32>(select(0i, _e9208, (_e9208 > 0i)))];
+let _e9213 = global_2.member[bitcast<u32>(select(0i, _e9208, (_e9208 > 0i)))];
 let _e9214 = bitcast<f32>(_e9213);
 let _e9216 = select(_e9198, 263173i, (263173i < _e9198));
-let _e9221 = global_3.member[bitcast<u32>(select(0i, _e9216, (_e9216 > 0i)))];
+let _e9221 = global_2.member[bitcast<u32>(select(0i, _e9216, (_e9216 > 0i)))];
 let _e9222 = bitcast<f32>(_e9221);
 let _e9224 = ((_e9196 - _e9206) * _e9214);
 let _e9226 = select(0f, _e9224, (_e9224 > 0f));
 let _e9229 = local_5;
 let _e9231 = select(_e9198, 263174i, (263174i < _e9198));
-let _e9236 = global_3.member[bitcast<u32>(select(0i, _e9231, (_e9231 > 0i)))];
+let _e9236 = global_2.member[bitcast<u32>(select(0i, _e9231, (_e9231 > 0i)))];
 let _e9237 = bitcast<f32>(_e9236);
 let _e9239 = select(_e9198, 263175i, (263175i < _e9198));
-let _e9244 = global_3.member[bitcast<u32>(select(0i, _e9239, (_e9239 > 0i)))];
+let _e9244 = global_2.member[bitcast<u32>(select(0i, _e9239, (_e9239 > 0i)))];
 let _e9245 = bitcast<f32>(_e9244);
 let _e9247 = select(_e9198, 263176i, (263176i < _e9198));
-let _e9252 = global_3.member[bitcast<u32>(select(0i, _e9247, (_e9247 > 0i)))];
+let _e9252 = global_2.member[bitcast<u32>(select(0i, _e9247, (_e9247 > 0i)))];
 let _e9253 = bitcast<f32>(_e9252);
 let _e9255 = ((_e9229 - _e9237) * _e9245);
 let _e9257 = select(0f, _e9255, (_e9255 > 0f));
 let _e9261 = local_5;
 let _e9263 = select(_e9198, 263177i, (263177i < _e9198));
-let _e9268 = global_3.member[bitcast<u32>(select(0i, _e9263, (_e9263 > 0i)))];
+let _e9268 = global_2.member[bitcast<u32>(select(0i, _e9263, (_e9263 > 0i)))];
 let _e9269 = bitcast<f32>(_e9268);
 let _e9271 = select(_e9198, 263178i, (263178i < _e9198));
-let _e9276 = global_3.member[bitcast<u32>(select(0i, _e9271, (_e9271 > 0i)))];
+let _e9276 = global_2.member[bitcast<u32>(select(0i, _e9271, (_e9271 > 0i)))];
 let _e9277 = bitcast<f32>(_e9276);
 let _e9279 = select(_e9198, 263179i, (263179i < _e9198));
-let _e9284 = global_3.member[bitcast<u32>(select(0i, _e9279, (_e9279 > 0i)))];
+let _e9284 = global_2.member[bitcast<u32>(select(0i, _e9279, (_e9279 > 0i)))];
 let _e9285 = bitcast<f32>(_e9284);
 let _e9287 = ((_e9261 - _e9269) * _e9277);
 let _e9289 = select(0f, _e9287, (_e9287 > 0f));
 let _e9292 = local_5;
 let _e9294 = select(_e9198, 263180i, (263180i < _e9198));
-let _e9299 = global_3.member[bitcast<u32>(select(0i, _e9294, (_e9294 > 0i)))];
+let _e9299 = global_2.member[bitcast<u32>(select(0i, _e9294, (_e9294 > 0i)))];
 let _e9300 = bitcast<f32>(_e9299);
 let _e9302 = select(_e9198, 263181i, (263181i < _e9198));
-let _e9307 = global_3.member[bitcast<u32>(select(0i, _e9302, (_e9302 > 0i)))];
+let _e9307 = global_2.member[bitcast<u32>(select(0i, _e9302, (_e9302 > 0i)))];
 let _e9308 = bitcast<f32>(_e9307);
 let _e9310 = select(_e9198, 263182i, (263182i < _e9198));
-let _e9315 = global_3.member[bitcast<u32>(select(0i, _e9310, (_e9310 > 0i)))];
+let _e9315 = global_2.member[bitcast<u32>(select(0i, _e9310, (_e9310 > 0i)))];
 let _e9316 = bitcast<f32>(_e9315);
 let _e9318 = ((_e9292 - _e9300) * _e9308);
 let _e9320 = select(0f, _e9318, (_e9318 > 0f));
 let _e9325 = local_5;
 let _e9327 = select(_e9198, 263183i, (263183i < _e9198));
-let _e9332 = global_3.member[bitcast<u32>(select(0i, _e9327, (_e9327 > 0i)))];
+let _e9332 = global_2.member[bitcast<u32>(select(0i, _e9327, (_e9327 > 0i)))];
 let _e9333 = bitcast<f32>(_e9332);
 let _e9335 = select(_e9198, 263184i, (263184i < _e9198));
-let _e9340 = global_3.member[bitcast<u32>(select(0i, _e9335, (_e9335 > 0i)))];
+let _e9340 = global_2.member[bitcast<u32>(select(0i, _e9335, (_e9335 > 0i)))];
 let _e9341 = bitcast<f32>(_e9340);
 let _e9343 = select(_e9198, 263185i, (263185i < _e9198));
-let _e9348 = global_3.member[bitcast<u32>(select(0i, _e9343, (_e9343 > 0i)))];
+let _e9348 = global_2.member[bitcast<u32>(select(0i, _e9343, (_e9343 > 0i)))];
 let _e9349 = bitcast<f32>(_e9348);
 let _e9351 = ((_e9325 - _e9333) * _e9341);
 let _e9353 = select(0f, _e9351, (_e9351 > 0f));
 let _e9356 = local_5;
 let _e9358 = select(_e9198, 263186i, (263186i < _e9198));
-let _e9363 = global_3.member[bitcast<u32>(select(0i, _e9358, (_e9358 > 0i)))];
+let _e9363 = global_2.member[bitcast<u32>(select(0i, _e9358, (_e9358 > 0i)))];
 let _e9364 = bitcast<f32>(_e9363);
 let _e9366 = select(_e9198, 263187i, (263187i < _e9198));
-let _e9371 = global_3.member[bitcast<u32>(select(0i, _e9366, (_e9366 > 0i)))];
+let _e9371 = global_2.member[bitcast<u32>(select(0i, _e9366, (_e9366 > 0i)))];
 let _e9372 = bitcast<f32>(_e9371);
 let _e9374 = select(_e9198, 263188i, (263188i < _e9198));
-let _e9379 = global_3.member[bitcast<u32>(select(0i, _e9374, (_e9374 > 0i)))];
+let _e9379 = global_2.member[bitcast<u32>(select(0i, _e9374, (_e9374 > 0i)))];
 let _e9380 = bitcast<f32>(_e9379);
 let _e9382 = ((_e9356 - _e9364) * _e9372);
 let _e9384 = select(0f, _e9382, (_e9382 > 0f));
 let _e9388 = local_5;
 let _e9390 = select(_e9198, 263189i, (263189i < _e9198));
-let _e9395 = global_3.member[bitcast<u32>(select(0i, _e9390, (_e9390 > 0i)))];
+let _e9395 = global_2.member[bitcast<u32>(select(0i, _e9390, (_e9390 > 0i)))];
 let _e9396 = bitcast<f32>(_e9395);
 let _e9398 = select(_e9198, 263190i, (263190i < _e9198));
-let _e9403 = global_3.member[bitcast<u32>(select(0i, _e9398, (_e9398 > 0i)))];
+let _e9403 = global_2.member[bitcast<u32>(select(0i, _e9398, (_e9398 > 0i)))];
 let _e9404 = bitcast<f32>(_e9403);
 let _e9406 = select(_e9198, 263191i, (263191i < _e9198));
-let _e9411 = global_3.member[bitcast<u32>(select(0i, _e9406, (_e9406 > 0i)))];
+let _e9411 = global_2.member[bitcast<u32>(select(0i, _e9406, (_e9406 > 0i)))];
 let _e9412 = bitcast<f32>(_e9411);
 let _e9414 = ((_e9388 - _e9396) * _e9404);
 let _e9416 = select(0f, _e9414, (_e9414 > 0f));
 let _e9419 = local_5;
 let _e9421 = select(_e9198, 263192i, (263192i < _e9198));
-let _e9426 = global_3.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
+let _e9426 = global_2.member[bitcast<u32>(select(0i, _e9421, (_e9421 > 0i)))];
 let _e9427 = bitcast<f32>(_e9426);
 let _e9429 = select(_e9198, 263193i, (263193i < _e9198));
-let _e9434 = global_3.member[bitcast<u32>(select(0i, _e9429, (_e9429 > 0i)))];
+let _e9434 = global_2.member[bitcast<u32>(select(0i, _e9429, (_e9429 > 0i)))];
 let _e9435 = bitcast<f32>(_e9434);
 let _e9437 = select(_e9198, 263194i, (263194i < _e9198));
-let _e9442 = global_3.member[bitcast<u32>(select(0i, _e9437, (_e9437 > 0i)))];
+let _e9442 = global_2.member[bitcast<u32>(select(0i, _e9437, (_e9437 > 0i)))];
 let _e9443 = bitcast<f32>(_e9442);
 let _e9445 = ((_e9419 - _e9427) * _e9435);
 let _e9447 = select(0f, _e9445, (_e9445 > 0f));
@@ -3121,10 +3121,10 @@ let _e9535 = select(_e9516, _e9533, (_e9533 < _e9516));
 let _e9542 = select(0i, select(select(i32(_e9535), i32(-2147483648), (_e9535 < -2147483600f)), 2147483647i, (_e9535 > 2147483500f)), (_e9535 == _e9535));
 let _e9546 = (_e9542 - select(0i, 1i, (_e9535 < f32(_e9542))));
 let _e9548 = select(_e9198, 263195i, (263195i < _e9198));
-let _e9554 = global_3.member[bitcast<u32>(select(0i, _e9548, (_e9548 > 0i)))];
+let _e9554 = global_2.member[bitcast<u32>(select(0i, _e9548, (_e9548 > 0i)))];
 let _e9555 = bitcast<f32>(_e9554);
 let _e9557 = select(_e9198, 263196i, (263196i < _e9198));
-let _e9563 = global_3.member[bitcast<u32>(select(0i, _e9557, (_e9557 > 0i)))];
+let _e9563 = global_2.member[bitcast<u32>(select(0i, _e9557, (_e9557 > 0i)))];
 let _e9564 = bitcast<f32>(_e9563);
 let _e9565 = (_e7811.member - _e1485);
 let _e9571 = (1f / select(_e9565, 1f, (bitcast<f32>((bitcast<u32>(_e9565) & 2147483647u)) < 1e-20f)));
@@ -3136,20 +3136,20 @@ let _e9590 = (_e9515 - f32(_e9546));
 let _e9592 = (1f - (_e9577 + _e9583));
 let _e9593 = (_e9586 + 2i);
 let _e9595 = select(_e9198, _e9593, (_e9593 < _e9198));
-let _e9601 = global_3.member[bitcast<u32>(select(0i, _e9595, (_e9595 > 0i)))];
+let _e9601 = global_2.member[bitcast<u32>(select(0i, _e9595, (_e9595 > 0i)))];
 let _e9602 = (_e9586 + 6i);
 let _e9604 = select(_e9198, _e9602, (_e9602 < _e9198));
-let _e9610 = global_3.member[bitcast<u32>(select(0i, _e9604, (_e9604 > 0i)))];
+let _e9610 = global_2.member[bitcast<u32>(select(0i, _e9604, (_e9604 > 0i)))];
 let _e9611 = (_e9586 + 1026i);
 let _e9613 = select(_e9198, _e9611, (_e9611 < _e9198));
-let _e9619 = global_3.member[bitcast<u32>(select(0i, _e9613, (_e9613 > 0i)))];
+let _e9619 = global_2.member[bitcast<u32>(select(0i, _e9613, (_e9613 > 0i)))];
 let _e9620 = (_e9586 + 1030i);
 let _e9622 = select(_e9198, _e9620, (_e9620 < _e9198));
-let _e9628 = global_3.member[bitcast<u32>(select(0i, _e9622, (_e9622 > 0i)))];
+let _e9628 = global_2.member[bitcast<u32>(select(0i, _e9622, (_e9622 > 0i)))];
 let _e9630 = select(_e9198, 2i, (2i < _e9198));
-let _e9636 = global_3.member[bitcast<u32>(select(0i, _e9630, (_e9630 > 0i)))];
+let _e9636 = global_2.member[bitcast<u32>(select(0i, _e9630, (_e9630 > 0i)))];
 let _e9638 = select(_e9198, 262142i, (262142i < _e9198));
-let _e9644 = global_3.member[bitcast<u32>(select(0i, _e9638, (_e9638 > 0i)))];
+let _e9644 = global_2.member[bitcast<u32>(select(0i, _e9638, (_e9638 > 0i)))];
 let _e9649 = (bitcast<f32>(((_e9601 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9657 = (_e9649 + (((bitcast<f32>(((_e9610 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9649) * _e9590));
 let _e9662 = (bitcast<f32>(((_e9619 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3158,20 +3158,20 @@ let _e9713 = (_e9705 + (((bitcast<f32>((((_e9610 >> bitcast<u32>(16i)) & 32767u)
 let _e9718 = (bitcast<f32>((((_e9619 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9745 = (_e9586 + 3i);
 let _e9747 = select(_e9198, _e9745, (_e9745 < _e9198));
-let _e9753 = global_3.member[bitcast<u32>(select(0i, _e9747, (_e9747 > 0i)))];
+let _e9753 = global_2.member[bitcast<u32>(select(0i, _e9747, (_e9747 > 0i)))];
 let _e9754 = (_e9586 + 7i);
 let _e9756 = select(_e9198, _e9754, (_e9754 < _e9198));
-let _e9762 = global_3.member[bitcast<u32>(select(0i, _e9756, (_e9756 > 0i)))];
+let _e9762 = global_2.member[bitcast<u32>(select(0i, _e9756, (_e9756 > 0i)))];
 let _e9763 = (_e9586 + 1027i);
 let _e9765 = select(_e9198, _e9763, (_e9763 < _e9198));
-let _e9771 = global_3.member[bitcast<u32>(select(0i, _e9765, (_e9765 > 0i)))];
+let _e9771 = global_2.member[bitcast<u32>(select(0i, _e9765, (_e9765 > 0i)))];
 let _e9772 = (_e9586 + 1031i);
 let _e9774 = select(_e9198, _e9772, (_e9772 < _e9198));
-let _e9780 = global_3.member[bitcast<u32>(select(0i, _e9774, (_e9774 > 0i)))];
+let _e9780 = global_2.member[bitcast<u32>(select(0i, _e9774, (_e9774 > 0i)))];
 let _e9782 = select(_e9198, 3i, (3i < _e9198));
-let _e9788 = global_3.member[bitcast<u32>(select(0i, _e9782, (_e9782 > 0i)))];
+let _e9788 = global_2.member[bitcast<u32>(select(0i, _e9782, (_e9782 > 0i)))];
 let _e9790 = select(_e9198, 262143i, (262143i < _e9198));
-let _e9796 = global_3.member[bitcast<u32>(select(0i, _e9790, (_e9790 > 0i)))];
+let _e9796 = global_2.member[bitcast<u32>(select(0i, _e9790, (_e9790 > 0i)))];
 let _e9801 = (bitcast<f32>(((_e9753 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9809 = (_e9801 + (((bitcast<f32>(((_e9762 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9801) * _e9590));
 let _e9814 = (bitcast<f32>(((_e9771 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3198,97 +3198,97 @@ local_3 = _e1485;
 let _e8041 = local_3;
 let _e8043 = (bitcast<i32>(_e230) - 1i);
 let _e8045 = select(_e8043, 263171i, (263171i < _e8043));
-let _e8050 = global_3.member[bitcast<u32>(select(0i, _e8045, (_e8045 > 0i)))];
+let _e8050 = global_2.member[bitcast<u32>(select(0i, _e8045, (_e8045 > 0i)))];
 let _e8051 = bitcast<f32>(_e8050);
 let _e8053 = select(_e8043, 263172i, (263172i < _e8043));
-let _e8058 = global_3.member[bitcast<u32>(select(0i, _e8053, (_e8053 > 0i)))];
+let _e8058 = global_2.member[bitcast<u32>(select(0i, _e8053, (_e8053 > 0i)))];
 let _e8059 = bitcast<f32>(_e8058);
 let _e8061 = select(_e8043, 263173i, (263173i < _e8043));
-let _e8066 = global_3.member[bitcast<u32>(select(0i, _e8061, (_e8061 > 0i)))];
+let _e8066 = global_2.member[bitcast<u32>(select(0i, _e8061, (_e8061 > 0i)))];
 let _e8067 = bitcast<f32>(_e8066);
 let _e8069 = ((_e8041 - _e8051) * _e8059);
 let _e8071 = select(0f, _e8069, (_e8069 > 0f));
 let _e8074 = local_3;
 let _e8076 = select(_e8043, 263174i, (263174i < _e8043));
-let _e8081 = global_3.member[bitcast<u32>(select(0i, _e8076, (_e8076 > 0i)))];
+let _e8081 = global_2.member[bitcast<u32>(select(0i, _e8076, (_e8076 > 0i)))];
 let _e8082 = bitcast<f32>(_e8081);
 let _e8084 = select(_e8043, 263175i, (263175i < _e8043));
-let _e8089 = global_3.member[bitcast<u32>(select(0i, _e8084, (_e8084 > 0i)))];
+let _e8089 = global_2.member[bitcast<u32>(select(0i, _e8084, (_e8084 > 0i)))];
 let _e8090 = bitcast<f32>(_e8089);
 let _e8092 = select(_e8043, 263176i, (263176i < _e8043));
-let _e8097 = global_3.member[bitcast<u32>(select(0i, _e8092, (_e8092 > 0i)))];
+let _e8097 = global_2.member[bitcast<u32>(select(0i, _e8092, (_e8092 > 0i)))];
 let _e8098 = bitcast<f32>(_e8097);
 let _e8100 = ((_e8074 - _e8082) * _e8090);
 let _e8102 = select(0f, _e8100, (_e8100 > 0f));
 let _e8106 = local_3;
 let _e8108 = select(_e8043, 263177i, (263177i < _e8043));
-let _e8113 = global_3.member[bitcast<u32>(select(0i, _e8108, (_e8108 > 0i)))];
+let _e8113 = global_2.member[bitcast<u32>(select(0i, _e8108, (_e8108 > 0i)))];
 let _e8114 = bitcast<f32>(_e8113);
 let _e8116 = select(_e8043, 263178i, (263178i < _e8043));
-let _e8121 = global_3.member[bitcast<u32>(select(0i, _e8116, (_e8116 > 0i)))];
+let _e8121 = global_2.member[bitcast<u32>(select(0i, _e8116, (_e8116 > 0i)))];
 let _e8122 = bitcast<f32>(_e8121);
 let _e8124 = select(_e8043, 263179i, (263179i < _e8043));
-let _e8129 = global_3.member[bitcast<u32>(select(0i, _e8124, (_e8124 > 0i)))];
+let _e8129 = global_2.member[bitcast<u32>(select(0i, _e8124, (_e8124 > 0i)))];
 let _e8130 = bitcast<f32>(_e8129);
 let _e8132 = ((_e8106 - _e8114) * _e8122);
 let _e8134 = select(0f, _e8132, (_e8132 > 0f));
 let _e8137 = local_3;
 let _e8139 = select(_e8043, 263180i, (263180i < _e8043));
-let _e8144 = global_3.member[bitcast<u32>(select(0i, _e8139, (_e8139 > 0i)))];
+let _e8144 = global_2.member[bitcast<u32>(select(0i, _e8139, (_e8139 > 0i)))];
 let _e8145 = bitcast<f32>(_e8144);
 let _e8147 = select(_e8043, 263181i, (263181i < _e8043));
-let _e8152 = global_3.member[bitcast<u32>(select(0i, _e8147, (_e8147 > 0i)))];
+let _e8152 = global_2.member[bitcast<u32>(select(0i, _e8147, (_e8147 > 0i)))];
 let _e8153 = bitcast<f32>(_e8152);
 let _e8155 = select(_e8043, 263182i, (263182i < _e8043));
-let _e8160 = global_3.member[bitcast<u32>(select(0i, _e8155, (_e8155 > 0i)))];
+let _e8160 = global_2.member[bitcast<u32>(select(0i, _e8155, (_e8155 > 0i)))];
 let _e8161 = bitcast<f32>(_e8160);
 let _e8163 = ((_e8137 - _e8145) * _e8153);
 let _e8165 = select(0f, _e8163, (_e8163 > 0f));
 let _e8170 = local_3;
 let _e8172 = select(_e8043, 263183i, (263183i < _e8043));
-let _e8177 = global_3.member[bitcast<u32>(select(0i, _e8172, (_e8172 > 0i)))];
+let _e8177 = global_2.member[bitcast<u32>(select(0i, _e8172, (_e8172 > 0i)))];
 let _e8178 = bitcast<f32>(_e8177);
 let _e8180 = select(_e8043, 263184i, (263184i < _e8043));
-let _e8185 = global_3.member[bitcast<u32>(select(0i, _e8180, (_e8180 > 0i)))];
+let _e8185 = global_2.member[bitcast<u32>(select(0i, _e8180, (_e8180 > 0i)))];
 let _e8186 = bitcast<f32>(_e8185);
 let _e8188 = select(_e8043, 263185i, (263185i < _e8043));
-let _e8193 = global_3.member[bitcast<u32>(select(0i, _e8188, (_e8188 > 0i)))];
+let _e8193 = global_2.member[bitcast<u32>(select(0i, _e8188, (_e8188 > 0i)))];
 let _e8194 = bitcast<f32>(_e8193);
 let _e8196 = ((_e8170 - _e8178) * _e8186);
 let _e8198 = select(0f, _e8196, (_e8196 > 0f));
 let _e8201 = local_3;
 let _e8203 = select(_e8043, 263186i, (263186i < _e8043));
-let _e8208 = global_3.member[bitcast<u32>(select(0i, _e8203, (_e8203 > 0i)))];
+let _e8208 = global_2.member[bitcast<u32>(select(0i, _e8203, (_e8203 > 0i)))];
 let _e8209 = bitcast<f32>(_e8208);
 let _e8211 = select(_e8043, 263187i, (263187i < _e8043));
-let _e8216 = global_3.member[bitcast<u32>(select(0i, _e8211, (_e8211 > 0i)))];
+let _e8216 = global_2.member[bitcast<u32>(select(0i, _e8211, (_e8211 > 0i)))];
 let _e8217 = bitcast<f32>(_e8216);
 let _e8219 = select(_e8043, 263188i, (263188i < _e8043));
-let _e8224 = global_3.member[bitcast<u32>(select(0i, _e8219, (_e8219 > 0i)))];
+let _e8224 = global_2.member[bitcast<u32>(select(0i, _e8219, (_e8219 > 0i)))];
 let _e8225 = bitcast<f32>(_e8224);
 let _e8227 = ((_e8201 - _e8209) * _e8217);
 let _e8229 = select(0f, _e8227, (_e8227 > 0f));
 let _e8233 = local_3;
 let _e8235 = select(_e8043, 263189i, (263189i < _e8043));
-let _e8240 = global_3.member[bitcast<u32>(select(0i, _e8235, (_e8235 > 0i)))];
+let _e8240 = global_2.member[bitcast<u32>(select(0i, _e8235, (_e8235 > 0i)))];
 let _e8241 = bitcast<f32>(_e8240);
 let _e8243 = select(_e8043, 263190i, (263190i < _e8043));
-let _e8248 = global_3.member[bitcast<u32>(select(0i, _e8243, (_e8243 > 0i)))];
+let _e8248 = global_2.member[bitcast<u32>(select(0i, _e8243, (_e8243 > 0i)))];
 let _e8249 = bitcast<f32>(_e8248);
 let _e8251 = select(_e8043, 263191i, (263191i < _e8043));
-let _e8256 = global_3.member[bitcast<u32>(select(0i, _e8251, (_e8251 > 0i)))];
+let _e8256 = global_2.member[bitcast<u32>(select(0i, _e8251, (_e8251 > 0i)))];
 let _e8257 = bitcast<f32>(_e8256);
 let _e8259 = ((_e8233 - _e8241) * _e8249);
 let _e8261 = select(0f, _e8259, (_e8259 > 0f));
 let _e8264 = local_3;
 let _e8266 = select(_e8043, 263192i, (263192i < _e8043));
-let _e8271 = global_3.member[bitcast<u32>(select(0i, _e8266, (_e8266 > 0i)))];
+let _e8271 = global_2.member[bitcast<u32>(select(0i, _e8266, (_e8266 > 0i)))];
 let _e8272 = bitcast<f32>(_e8271);
 let _e8274 = select(_e8043, 263193i, (263193i < _e8043));
-let _e8279 = global_3.member[bitcast<u32>(select(0i, _e8274, (_e8274 > 0i)))];
+let _e8279 = global_2.member[bitcast<u32>(select(0i, _e8274, (_e8274 > 0i)))];
 let _e8280 = bitcast<f32>(_e8279);
 let _e8282 = select(_e8043, 263194i, (263194i < _e8043));
-let _e8287 = global_3.member[bitcast<u32>(select(0i, _e8282, (_e8282 > 0i)))];
+let _e8287 = global_2.member[bitcast<u32>(select(0i, _e8282, (_e8282 > 0i)))];
 let _e8288 = bitcast<f32>(_e8287);
 let _e8290 = ((_e8264 - _e8272) * _e8280);
 let _e8292 = select(0f, _e8290, (_e8290 > 0f));
@@ -3329,10 +3329,10 @@ let _e8380 = select(_e8361, _e8378, (_e8378 < _e8361));
 let _e8387 = select(0i, select(select(i32(_e8380), i32(-2147483648), (_e8380 < -2147483600f)), 2147483647i, (_e8380 > 2147483500f)), (_e8380 == _e8380));
 let _e8391 = (_e8387 - select(0i, 1i, (_e8380 < f32(_e8387))));
 let _e8393 = select(_e8043, 263195i, (263195i < _e8043));
-let _e8399 = global_3.member[bitcast<u32>(select(0i, _e8393, (_e8393 > 0i)))];
+let _e8399 = global_2.member[bitcast<u32>(select(0i, _e8393, (_e8393 > 0i)))];
 let _e8400 = bitcast<f32>(_e8399);
 let _e8402 = select(_e8043, 263196i, (263196i < _e8043));
-let _e8408 = global_3.member[bitcast<u32>(select(0i, _e8402, (_e8402 > 0i)))];
+let _e8408 = global_2.member[bitcast<u32>(select(0i, _e8402, (_e8402 > 0i)))];
 let _e8409 = bitcast<f32>(_e8408);
 let _e8410 = (_e7811.member - _e1485);
 let _e8416 = (1f / select(_e8410, 1f, (bitcast<f32>((bitcast<u32>(_e8410) & 2147483647u)) < 1e-20f)));
@@ -3343,20 +3343,20 @@ let _e8433 = (_e8297 - f32(_e8376));
 let _e8435 = (_e8360 - f32(_e8391));
 let _e8437 = (1f - (_e8422 + _e8428));
 let _e8439 = select(_e8043, _e8431, (_e8431 < _e8043));
-let _e8445 = global_3.member[bitcast<u32>(select(0i, _e8439, (_e8439 > 0i)))];
+let _e8445 = global_2.member[bitcast<u32>(select(0i, _e8439, (_e8439 > 0i)))];
 let _e8446 = (_e8431 + 4i);
 let _e8448 = select(_e8043, _e8446, (_e8446 < _e8043));
-let _e8454 = global_3.member[bitcast<u32>(select(0i, _e8448, (_e8448 > 0i)))];
+let _e8454 = global_2.member[bitcast<u32>(select(0i, _e8448, (_e8448 > 0i)))];
 let _e8455 = (_e8431 + 1024i);
 let _e8457 = select(_e8043, _e8455, (_e8455 < _e8043));
-let _e8463 = global_3.member[bitcast<u32>(select(0i, _e8457, (_e8457 > 0i)))];
+let _e8463 = global_2.member[bitcast<u32>(select(0i, _e8457, (_e8457 > 0i)))];
 let _e8464 = (_e8431 + 1028i);
 let _e8466 = select(_e8043, _e8464, (_e8464 < _e8043));
-let _e8472 = global_3.member[bitcast<u32>(select(0i, _e8466, (_e8466 > 0i)))];
+let _e8472 = global_2.member[bitcast<u32>(select(0i, _e8466, (_e8466 > 0i)))];
 let _e8474 = select(_e8043, 0i, (0i < _e8043));
-let _e8480 = global_3.member[bitcast<u32>(select(0i, _e8474, (_e8474 > 0i)))];
+let _e8480 = global_2.member[bitcast<u32>(select(0i, _e8474, (_e8474 > 0i)))];
 let _e8482 = select(_e8043, 262140i, (262140i < _e8043));
-let _e8488 = global_3.member[bitcast<u32>(select(0i, _e8482, (_e8482 > 0i)))];
+let _e8488 = global_2.member[bitcast<u32>(select(0i, _e8482, (_e8482 > 0i)))];
 let _e8493 = (bitcast<f32>(((_e8445 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8501 = (_e8493 + (((bitcast<f32>(((_e8454 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8493) * _e8435));
 let _e8506 = (bitcast<f32>(((_e8463 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3366,20 +3366,20 @@ let _e8557 = (_e8549 + (((bitcast<f32>((((_e8454 >> bitcast<u32>(16i)) & 32767u)
 let _e8562 = (bitcast<f32>((((_e8463 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8589 = (_e8431 + 1i);
 let _e8591 = select(_e8043, _e8589, (_e8589 < _e8043));
-let _e8597 = global_3.member[bitcast<u32>(select(0i, _e8591, (_e8591 > 0i)))];
+let _e8597 = global_2.member[bitcast<u32>(select(0i, _e8591, (_e8591 > 0i)))];
 let _e8598 = (_e8431 + 5i);
 let _e8600 = select(_e8043, _e8598, (_e8598 < _e8043));
-let _e8606 = global_3.member[bitcast<u32>(select(0i, _e8600, (_e8600 > 0i)))];
+let _e8606 = global_2.member[bitcast<u32>(select(0i, _e8600, (_e8600 > 0i)))];
 let _e8607 = (_e8431 + 1025i);
 let _e8609 = select(_e8043, _e8607, (_e8607 < _e8043));
-let _e8615 = global_3.member[bitcast<u32>(select(0i, _e8609, (_e8609 > 0i)))];
+let _e8615 = global_2.member[bitcast<u32>(select(0i, _e8609, (_e8609 > 0i)))];
 let _e8616 = (_e8431 + 1029i);
 let _e8618 = select(_e8043, _e8616, (_e8616 < _e8043));
-let _e8624 = global_3.member[bitcast<u32>(select(0i, _e8618, (_e8618 > 0i)))];
+let _e8624 = global_2.member[bitcast<u32>(select(0i, _e8618, (_e8618 > 0i)))];
 let _e8626 = select(_e8043, 1i, (1i < _e8043));
-let _e8632 = global_3.member[bitcast<u32>(select(0i, _e8626, (_e8626 > 0i)))];
+let _e8632 = global_2.member[bitcast<u32>(select(0i, _e8626, (_e8626 > 0i)))];
 let _e8634 = select(_e8043, 262141i, (262141i < _e8043));
-let _e8640 = global_3.member[bitcast<u32>(select(0i, _e8634, (_e8634 > 0i)))];
+let _e8640 = global_2.member[bitcast<u32>(select(0i, _e8634, (_e8634 > 0i)))];
 let _e8645 = (bitcast<f32>(((_e8597 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8653 = (_e8645 + (((bitcast<f32>(((_e8606 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8645) * _e8435));
 let _e8658 = (bitcast<f32>(((_e8615 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3388,20 +3388,20 @@ let _e8709 = (_e8701 + (((bitcast<f32>((((_e8606 >> bitcast<u32>(16i)) & 32767u)
 let _e8714 = (bitcast<f32>((((_e8615 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8741 = (_e8431 + 2i);
 let _e8743 = select(_e8043, _e8741, (_e8741 < _e8043));
-let _e8749 = global_3.member[bitcast<u32>(select(0i, _e8743, (_e8743 > 0i)))];
+let _e8749 = global_2.member[bitcast<u32>(select(0i, _e8743, (_e8743 > 0i)))];
 let _e8750 = (_e8431 + 6i);
 let _e8752 = select(_e8043, _e8750, (_e8750 < _e8043));
-let _e8758 = global_3.member[bitcast<u32>(select(0i, _e8752, (_e8752 > 0i)))];
+let _e8758 = global_2.member[bitcast<u32>(select(0i, _e8752, (_e8752 > 0i)))];
 let _e8759 = (_e8431 + 1026i);
 let _e8761 = select(_e8043, _e8759, (_e8759 < _e8043));
-let _e8767 = global_3.member[bitcast<u32>(select(0i, _e8761, (_e8761 > 0i)))];
+let _e8767 = global_2.member[bitcast<u32>(select(0i, _e8761, (_e8761 > 0i)))];
 let _e8768 = (_e8431 + 1030i);
 let _e8770 = select(_e8043, _e8768, (_e8768 < _e8043));
-let _e8776 = global_3.member[bitcast<u32>(select(0i, _e8770, (_e8770 > 0i)))];
+let _e8776 = global_2.member[bitcast<u32>(select(0i, _e8770, (_e8770 > 0i)))];
 let _e8778 = select(_e8043, 2i, (2i < _e8043));
-let _e8784 = global_3.member[bitcast<u32>(select(0i, _e8778, (_e8778 > 0i)))];
+let _e8784 = global_2.member[bitcast<u32>(select(0i, _e8778, (_e8778 > 0i)))];
 let _e8786 = select(_e8043, 262142i, (262142i < _e8043));
-let _e8792 = global_3.member[bitcast<u32>(select(0i, _e8786, (_e8786 > 0i)))];
+let _e8792 = global_2.member[bitcast<u32>(select(0i, _e8786, (_e8786 > 0i)))];
 let _e8797 = (bitcast<f32>(((_e8749 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8805 = (_e8797 + (((bitcast<f32>(((_e8758 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8797) * _e8435));
 let _e8810 = (bitcast<f32>(((_e8767 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3410,20 +3410,20 @@ let _e8861 = (_e8853 + (((bitcast<f32>((((_e8758 >> bitcast<u32>(16i)) & 32767u)
 let _e8866 = (bitcast<f32>((((_e8767 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8893 = (_e8431 + 3i);
 let _e8895 = select(_e8043, _e8893, (_e8893 < _e8043));
-let _e8901 = global_3.member[bitcast<u32>(select(0i, _e8895, (_e8895 > 0i)))];
+let _e8901 = global_2.member[bitcast<u32>(select(0i, _e8895, (_e8895 > 0i)))];
 let _e8902 = (_e8431 + 7i);
 let _e8904 = select(_e8043, _e8902, (_e8902 < _e8043));
-let _e8910 = global_3.member[bitcast<u32>(select(0i, _e8904, (_e8904 > 0i)))];
+let _e8910 = global_2.member[bitcast<u32>(select(0i, _e8904, (_e8904 > 0i)))];
 let _e8911 = (_e8431 + 1027i);
 let _e8913 = select(_e8043, _e8911, (_e8911 < _e8043));
-let _e8919 = global_3.member[bitcast<u32>(select(0i, _e8913, (_e8913 > 0i)))];
+let _e8919 = global_2.member[bitcast<u32>(select(0i, _e8913, (_e8913 > 0i)))];
 let _e8920 = (_e8431 + 1031i);
 let _e8922 = select(_e8043, _e8920, (_e8920 < _e8043));
-let _e8928 = global_3.member[bitcast<u32>(select(0i, _e8922, (_e8922 > 0i)))];
+let _e8928 = global_2.member[bitcast<u32>(select(0i, _e8922, (_e8922 > 0i)))];
 let _e8930 = select(_e8043, 3i, (3i < _e8043));
-let _e8936 = global_3.member[bitcast<u32>(select(0i, _e8930, (_e8930 > 0i)))];
+let _e8936 = global_2.member[bitcast<u32>(select(0i, _e8930, (_e8930 > 0i)))];
 let _e8938 = select(_e8043, 262143i, (262143i < _e8043));
-let _e8944 = global_3.member[bitcast<u32>(select(0i, _e8938, (_e8938 > 0i)))];
+let _e8944 = global_2.member[bitcast<u32>(select(0i, _e8938, (_e8938 > 0i)))];
 let _e8949 = (bitcast<f32>(((_e8901 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e8957 = (_e8949 + (((bitcast<f32>(((_e8910 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8949) * _e8435));
 let _e8962 = (bitcast<f32>(((_e8919 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3487,7 +3487,7 @@ let _e11653 = (_e11652 == 0u);
 if _e11653 {
 let _e11882 = global_5.member[_e459].member_9.member_1;
 let _e11891 = global_5.member[_e459].member_9.member;
-phi_24811_ = type_28(vec3<f32>(_e11882.member, _e11882.member_1, _e11882.member_2), vec3<f32>(_e11891.member, _e11891.member_1, _e11891.member_2));
+phi_24811_ = type_35(vec3<f32>(_e11882.member, _e11882.member_1, _e11882.member_2), vec3<f32>(_e11891.member, _e11891.member_1, _e11891.member_2));
 } else {
 let _e11658 = global_5.member[_e459].member_10.member;
 let _e11669 = ((((_e11658.member.member * _e9965) + (_e11658.member.member_1 * _e9966)) + (_e11658.member.member_2 * _e9967)) + _e11658.member_1);
@@ -3543,7 +3543,7 @@ let _e11834 = select(1f, (_e11817 * _e11828), _e11806);
 let _e11840 = global_5.member[_e459].member_10.member.member;
 let _e11852 = global_5.member[_e459].member_10.member_1.member;
 let _e11867 = global_5.member[_e459].member_10.member_2.member;
-phi_24811_ = type_28(vec3<f32>((_e11706.member * _e11801), (_e11706.member_1 * _e11801), (_e11706.member_2 * _e11801)), (vec3<f32>(((_e11840.member * _e11832) + (_e11852.member * _e11833)), ((_e11840.member_1 * _e11832) + (_e11852.member_1 * _e11833)), ((_e11840.member_2 * _e11832) + (_e11852.member_2 * _e11833))) + vec3<f32>((_e11867.member * _e11834), (_e11867.member_1 * _e11834), (_e11867.member_2 * _e11834))));
+phi_24811_ = type_35(vec3<f32>((_e11706.member * _e11801), (_e11706.member_1 * _e11801), (_e11706.member_2 * _e11801)), (vec3<f32>(((_e11840.member * _e11832) + (_e11852.member * _e11833)), ((_e11840.member_1 * _e11832) + (_e11852.member_1 * _e11833)), ((_e11840.member_2 * _e11832) + (_e11852.member_2 * _e11833))) + vec3<f32>((_e11867.member * _e11834), (_e11867.member_1 * _e11834), (_e11867.member_2 * _e11834))));
 }
 let _e11898 = phi_24811_;
 phi_27223_ = _e11898;
@@ -3582,7 +3582,7 @@ local_1 = (_e11135 + ((_e11113 * _e11073) + _e11098));
 let _e11137 = local_1;
 let _e11139 = (bitcast<i32>(_e233) - 1i);
 let _e11141 = select(_e11139, _e11137, (_e11137 < _e11139));
-let _e11146 = global_4.member[bitcast<u32>(select(0i, _e11141, (_e11141 > 0i)))];
+let _e11146 = global_3.member[bitcast<u32>(select(0i, _e11141, (_e11141 > 0i)))];
 let _e11148 = bitcast<u32>(bitcast<f32>(_e11146));
 let _e11152 = f32((bitcast<i32>((_e11148 & 65535u)) - 32768i));
 let _e11158 = f32((bitcast<i32>(((_e11148 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3590,13 +3590,13 @@ let _e11163 = select(_e11158, -(_e11158), ((_e11148 >> bitcast<u32>(31i)) != 0u)
 let _e11164 = local_1;
 let _e11165 = (_e11164 + 1i);
 let _e11167 = select(_e11139, _e11165, (_e11165 < _e11139));
-let _e11172 = global_4.member[bitcast<u32>(select(0i, _e11167, (_e11167 > 0i)))];
+let _e11172 = global_3.member[bitcast<u32>(select(0i, _e11167, (_e11167 > 0i)))];
 let _e11174 = bitcast<u32>(bitcast<f32>(_e11172));
 let _e11184 = f32((bitcast<i32>(((_e11174 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11190 = local_1;
 let _e11191 = (_e11190 + _e11073);
 let _e11193 = select(_e11139, _e11191, (_e11191 < _e11139));
-let _e11198 = global_4.member[bitcast<u32>(select(0i, _e11193, (_e11193 > 0i)))];
+let _e11198 = global_3.member[bitcast<u32>(select(0i, _e11193, (_e11193 > 0i)))];
 let _e11200 = bitcast<u32>(bitcast<f32>(_e11198));
 let _e11204 = f32((bitcast<i32>((_e11200 & 65535u)) - 32768i));
 let _e11210 = f32((bitcast<i32>(((_e11200 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3605,7 +3605,7 @@ let _e11216 = (_e11073 + 1i);
 let _e11217 = local_1;
 let _e11218 = (_e11217 + _e11216);
 let _e11220 = select(_e11139, _e11218, (_e11218 < _e11139));
-let _e11225 = global_4.member[bitcast<u32>(select(0i, _e11220, (_e11220 > 0i)))];
+let _e11225 = global_3.member[bitcast<u32>(select(0i, _e11220, (_e11220 > 0i)))];
 let _e11227 = bitcast<u32>(bitcast<f32>(_e11225));
 let _e11237 = f32((bitcast<i32>(((_e11227 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11245 = (_e11152 + ((f32((bitcast<i32>((_e11174 & 65535u)) - 32768i)) - _e11152) * _e11117));
@@ -3635,60 +3635,60 @@ let _e11332 = (_e11296 - f32(_e11326));
 let _e11339 = ((((_e11295 >= 0f) && (_e11295 <= _e11075)) && (_e11296 >= 0f)) && (_e11296 <= _e11083));
 let _e11340 = (_e11131 + _e11328);
 let _e11342 = select(_e11139, _e11340, (_e11340 < _e11139));
-let _e11348 = global_4.member[bitcast<u32>(select(0i, _e11342, (_e11342 > 0i)))];
+let _e11348 = global_3.member[bitcast<u32>(select(0i, _e11342, (_e11342 > 0i)))];
 let _e11349 = bitcast<f32>(_e11348);
 let _e11350 = (_e11340 + 1i);
 let _e11352 = select(_e11139, _e11350, (_e11350 < _e11139));
-let _e11358 = global_4.member[bitcast<u32>(select(0i, _e11352, (_e11352 > 0i)))];
+let _e11358 = global_3.member[bitcast<u32>(select(0i, _e11352, (_e11352 > 0i)))];
 let _e11362 = (_e11349 + ((bitcast<f32>(_e11358) - _e11349) * _e11330));
 let _e11363 = (_e11340 + _e11073);
 let _e11365 = select(_e11139, _e11363, (_e11363 < _e11139));
-let _e11371 = global_4.member[bitcast<u32>(select(0i, _e11365, (_e11365 > 0i)))];
+let _e11371 = global_3.member[bitcast<u32>(select(0i, _e11365, (_e11365 > 0i)))];
 let _e11372 = bitcast<f32>(_e11371);
 let _e11373 = (_e11363 + 1i);
 let _e11375 = select(_e11139, _e11373, (_e11373 < _e11139));
-let _e11381 = global_4.member[bitcast<u32>(select(0i, _e11375, (_e11375 > 0i)))];
+let _e11381 = global_3.member[bitcast<u32>(select(0i, _e11375, (_e11375 > 0i)))];
 let _e11389 = select(1f, (_e11362 + (((_e11372 + ((bitcast<f32>(_e11381) - _e11372) * _e11330)) - _e11362) * _e11332)), _e11339);
 if _e8039 {
 phi_25556_ = vec3(_e11389);
 } else {
 let _e11392 = ((_e11131 + _e11133) + _e11328);
 let _e11394 = select(_e11139, _e11392, (_e11392 < _e11139));
-let _e11400 = global_4.member[bitcast<u32>(select(0i, _e11394, (_e11394 > 0i)))];
+let _e11400 = global_3.member[bitcast<u32>(select(0i, _e11394, (_e11394 > 0i)))];
 let _e11401 = bitcast<f32>(_e11400);
 let _e11402 = (_e11392 + 1i);
 let _e11404 = select(_e11139, _e11402, (_e11402 < _e11139));
-let _e11410 = global_4.member[bitcast<u32>(select(0i, _e11404, (_e11404 > 0i)))];
+let _e11410 = global_3.member[bitcast<u32>(select(0i, _e11404, (_e11404 > 0i)))];
 let _e11414 = (_e11401 + ((bitcast<f32>(_e11410) - _e11401) * _e11330));
 let _e11415 = (_e11392 + _e11073);
 let _e11417 = select(_e11139, _e11415, (_e11415 < _e11139));
-let _e11423 = global_4.member[bitcast<u32>(select(0i, _e11417, (_e11417 > 0i)))];
+let _e11423 = global_3.member[bitcast<u32>(select(0i, _e11417, (_e11417 > 0i)))];
 let _e11424 = bitcast<f32>(_e11423);
 let _e11425 = (_e11415 + 1i);
 let _e11427 = select(_e11139, _e11425, (_e11425 < _e11139));
-let _e11433 = global_4.member[bitcast<u32>(select(0i, _e11427, (_e11427 > 0i)))];
+let _e11433 = global_3.member[bitcast<u32>(select(0i, _e11427, (_e11427 > 0i)))];
 let _e11444 = ((_e11131 + (2i * _e11133)) + _e11328);
 let _e11446 = select(_e11139, _e11444, (_e11444 < _e11139));
-let _e11452 = global_4.member[bitcast<u32>(select(0i, _e11446, (_e11446 > 0i)))];
+let _e11452 = global_3.member[bitcast<u32>(select(0i, _e11446, (_e11446 > 0i)))];
 let _e11453 = bitcast<f32>(_e11452);
 let _e11454 = (_e11444 + 1i);
 let _e11456 = select(_e11139, _e11454, (_e11454 < _e11139));
-let _e11462 = global_4.member[bitcast<u32>(select(0i, _e11456, (_e11456 > 0i)))];
+let _e11462 = global_3.member[bitcast<u32>(select(0i, _e11456, (_e11456 > 0i)))];
 let _e11466 = (_e11453 + ((bitcast<f32>(_e11462) - _e11453) * _e11330));
 let _e11467 = (_e11444 + _e11073);
 let _e11469 = select(_e11139, _e11467, (_e11467 < _e11139));
-let _e11475 = global_4.member[bitcast<u32>(select(0i, _e11469, (_e11469 > 0i)))];
+let _e11475 = global_3.member[bitcast<u32>(select(0i, _e11469, (_e11469 > 0i)))];
 let _e11476 = bitcast<f32>(_e11475);
 let _e11477 = (_e11467 + 1i);
 let _e11479 = select(_e11139, _e11477, (_e11477 < _e11139));
-let _e11485 = global_4.member[bitcast<u32>(select(0i, _e11479, (_e11479 > 0i)))];
+let _e11485 = global_3.member[bitcast<u32>(select(0i, _e11479, (_e11479 > 0i)))];
 phi_25556_ = vec3<f32>(_e11389, select(1f, (_e11414 + (((_e11424 + ((bitcast<f32>(_e11433) - _e11424) * _e11330)) - _e11414) * _e11332)), _e11339), select(1f, (_e11466 + (((_e11476 + ((bitcast<f32>(_e11485) - _e11476) * _e11330)) - _e11466) * _e11332)), _e11339));
 }
 let _e11496 = phi_25556_;
 local = (_e11135 + _e11328);
 let _e11498 = local;
 let _e11500 = select(_e11139, _e11498, (_e11498 < _e11139));
-let _e11505 = global_4.member[bitcast<u32>(select(0i, _e11500, (_e11500 > 0i)))];
+let _e11505 = global_3.member[bitcast<u32>(select(0i, _e11500, (_e11500 > 0i)))];
 let _e11507 = bitcast<u32>(bitcast<f32>(_e11505));
 let _e11511 = f32((bitcast<i32>((_e11507 & 65535u)) - 32768i));
 let _e11517 = f32((bitcast<i32>(((_e11507 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3696,13 +3696,13 @@ let _e11522 = select(_e11517, -(_e11517), ((_e11507 >> bitcast<u32>(31i)) != 0u)
 let _e11523 = local;
 let _e11524 = (_e11523 + 1i);
 let _e11526 = select(_e11139, _e11524, (_e11524 < _e11139));
-let _e11531 = global_4.member[bitcast<u32>(select(0i, _e11526, (_e11526 > 0i)))];
+let _e11531 = global_3.member[bitcast<u32>(select(0i, _e11526, (_e11526 > 0i)))];
 let _e11533 = bitcast<u32>(bitcast<f32>(_e11531));
 let _e11543 = f32((bitcast<i32>(((_e11533 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11549 = local;
 let _e11550 = (_e11549 + _e11073);
 let _e11552 = select(_e11139, _e11550, (_e11550 < _e11139));
-let _e11557 = global_4.member[bitcast<u32>(select(0i, _e11552, (_e11552 > 0i)))];
+let _e11557 = global_3.member[bitcast<u32>(select(0i, _e11552, (_e11552 > 0i)))];
 let _e11559 = bitcast<u32>(bitcast<f32>(_e11557));
 let _e11563 = f32((bitcast<i32>((_e11559 & 65535u)) - 32768i));
 let _e11569 = f32((bitcast<i32>(((_e11559 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3710,7 +3710,7 @@ let _e11574 = select(_e11569, -(_e11569), ((_e11559 >> bitcast<u32>(31i)) != 0u)
 let _e11575 = local;
 let _e11576 = (_e11575 + _e11216);
 let _e11578 = select(_e11139, _e11576, (_e11576 < _e11139));
-let _e11583 = global_4.member[bitcast<u32>(select(0i, _e11578, (_e11578 > 0i)))];
+let _e11583 = global_3.member[bitcast<u32>(select(0i, _e11578, (_e11578 > 0i)))];
 let _e11585 = bitcast<u32>(bitcast<f32>(_e11583));
 let _e11595 = f32((bitcast<i32>(((_e11585 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11603 = (_e11511 + ((f32((bitcast<i32>((_e11533 & 65535u)) - 32768i)) - _e11511) * _e11330));
@@ -3720,7 +3720,7 @@ let _e11632 = (_e11267.member + (select(0f, (_e11603 + (((_e11563 + ((f32((bitca
 let _e11634 = (_e11267.member_1 + (select(0f, (_e11612 + (((_e11574 + ((select(_e11595, -(_e11595), ((_e11585 >> bitcast<u32>(31i)) != 0u)) - _e11574) * _e11330)) - _e11612) * _e11332)), _e11339) * _e11270));
 let _e11638 = (1f - ((_e11632 * _e11632) + (_e11634 * _e11634)));
 let _e11640 = select(1e-4f, _e11638, (_e11638 > 1e-4f));
-phi_27222_ = type_28((_e11496 * vec3<f32>(_e11625.member, _e11625.member_1, _e11625.member_2)), vec3<f32>(_e11632, _e11634, sqrt(select(0f, _e11640, (_e11640 > 0f)))));
+phi_27222_ = type_35((_e11496 * vec3<f32>(_e11625.member, _e11625.member_1, _e11625.member_2)), vec3<f32>(_e11632, _e11634, sqrt(select(0f, _e11640, (_e11640 > 0f)))));
 } else {
 let _e9970 = (1f - _e9957.member);
 let _e9972 = select(1e-6f, _e9957.member, (_e9957.member > 1e-6f));
@@ -3786,9 +3786,9 @@ let _e10231 = phi_26070_;
 let _e10232 = (_e10231 + 1i);
 let _e10234 = (bitcast<i32>(_e233) - 1i);
 let _e10236 = select(_e10234, _e10232, (_e10232 < _e10234));
-let _e10242 = global_4.member[bitcast<u32>(select(0i, _e10236, (_e10236 > 0i)))];
+let _e10242 = global_3.member[bitcast<u32>(select(0i, _e10236, (_e10236 > 0i)))];
 let _e10244 = select(_e10234, _e10231, (_e10231 < _e10234));
-let _e10250 = global_4.member[bitcast<u32>(select(0i, _e10244, (_e10244 > 0i)))];
+let _e10250 = global_3.member[bitcast<u32>(select(0i, _e10244, (_e10244 > 0i)))];
 let _e10253 = select(_e10242, 0u, (_e10231 < 0i));
 let _e10258 = global_5.member[_e459].member_10.member_13;
 let _e10259 = (_e10253 * 81u);
@@ -3800,35 +3800,35 @@ let _e10276 = (_e10126 - f32(_e10169));
 let _e10278 = (_e10138 - f32(_e10184));
 let _e10279 = (_e10253 != 0u);
 let _e10281 = select(_e10234, _e10271, (_e10271 < _e10234));
-let _e10287 = global_4.member[bitcast<u32>(select(0i, _e10281, (_e10281 > 0i)))];
+let _e10287 = global_3.member[bitcast<u32>(select(0i, _e10281, (_e10281 > 0i)))];
 let _e10288 = bitcast<f32>(_e10287);
 let _e10289 = (_e10271 + 1i);
 let _e10291 = select(_e10234, _e10289, (_e10289 < _e10234));
-let _e10297 = global_4.member[bitcast<u32>(select(0i, _e10291, (_e10291 > 0i)))];
+let _e10297 = global_3.member[bitcast<u32>(select(0i, _e10291, (_e10291 > 0i)))];
 let _e10301 = (_e10288 + ((bitcast<f32>(_e10297) - _e10288) * _e10274));
 let _e10302 = (_e10271 + 9i);
 let _e10304 = select(_e10234, _e10302, (_e10302 < _e10234));
-let _e10310 = global_4.member[bitcast<u32>(select(0i, _e10304, (_e10304 > 0i)))];
+let _e10310 = global_3.member[bitcast<u32>(select(0i, _e10304, (_e10304 > 0i)))];
 let _e10311 = bitcast<f32>(_e10310);
 let _e10312 = (_e10271 + 10i);
 let _e10314 = select(_e10234, _e10312, (_e10312 < _e10234));
-let _e10320 = global_4.member[bitcast<u32>(select(0i, _e10314, (_e10314 > 0i)))];
+let _e10320 = global_3.member[bitcast<u32>(select(0i, _e10314, (_e10314 > 0i)))];
 let _e10327 = (_e10301 + (((_e10311 + ((bitcast<f32>(_e10320) - _e10311) * _e10274)) - _e10301) * _e10276));
 let _e10328 = (_e10271 + _e10263);
 let _e10330 = select(_e10234, _e10328, (_e10328 < _e10234));
-let _e10336 = global_4.member[bitcast<u32>(select(0i, _e10330, (_e10330 > 0i)))];
+let _e10336 = global_3.member[bitcast<u32>(select(0i, _e10330, (_e10330 > 0i)))];
 let _e10337 = bitcast<f32>(_e10336);
 let _e10338 = (_e10328 + 1i);
 let _e10340 = select(_e10234, _e10338, (_e10338 < _e10234));
-let _e10346 = global_4.member[bitcast<u32>(select(0i, _e10340, (_e10340 > 0i)))];
+let _e10346 = global_3.member[bitcast<u32>(select(0i, _e10340, (_e10340 > 0i)))];
 let _e10350 = (_e10337 + ((bitcast<f32>(_e10346) - _e10337) * _e10274));
 let _e10351 = (_e10328 + 9i);
 let _e10353 = select(_e10234, _e10351, (_e10351 < _e10234));
-let _e10359 = global_4.member[bitcast<u32>(select(0i, _e10353, (_e10353 > 0i)))];
+let _e10359 = global_3.member[bitcast<u32>(select(0i, _e10353, (_e10353 > 0i)))];
 let _e10360 = bitcast<f32>(_e10359);
 let _e10361 = (_e10328 + 10i);
 let _e10363 = select(_e10234, _e10361, (_e10361 < _e10234));
-let _e10369 = global_4.member[bitcast<u32>(select(0i, _e10363, (_e10363 > 0i)))];
+let _e10369 = global_3.member[bitcast<u32>(select(0i, _e10363, (_e10363 > 0i)))];
 let _e10380 = select(1f, (_e10327 + (((_e10350 + (((_e10360 + ((bitcast<f32>(_e10369) - _e10360) * _e10274)) - _e10350) * _e10276)) - _e10327) * _e10278)), _e10279);
 if _e8039 {
 phi_26647_ = vec3(_e10380);
@@ -3837,66 +3837,66 @@ let _e10386 = global_5.member[_e459].member_10.member_12;
 let _e10387 = (_e10386 > 1u);
 let _e10391 = (_e10271 + (select(0i, 1i, _e10387) * _e10272));
 let _e10393 = select(_e10234, _e10391, (_e10391 < _e10234));
-let _e10399 = global_4.member[bitcast<u32>(select(0i, _e10393, (_e10393 > 0i)))];
+let _e10399 = global_3.member[bitcast<u32>(select(0i, _e10393, (_e10393 > 0i)))];
 let _e10400 = bitcast<f32>(_e10399);
 let _e10401 = (_e10391 + 1i);
 let _e10403 = select(_e10234, _e10401, (_e10401 < _e10234));
-let _e10409 = global_4.member[bitcast<u32>(select(0i, _e10403, (_e10403 > 0i)))];
+let _e10409 = global_3.member[bitcast<u32>(select(0i, _e10403, (_e10403 > 0i)))];
 let _e10413 = (_e10400 + ((bitcast<f32>(_e10409) - _e10400) * _e10274));
 let _e10414 = (_e10391 + 9i);
 let _e10416 = select(_e10234, _e10414, (_e10414 < _e10234));
-let _e10422 = global_4.member[bitcast<u32>(select(0i, _e10416, (_e10416 > 0i)))];
+let _e10422 = global_3.member[bitcast<u32>(select(0i, _e10416, (_e10416 > 0i)))];
 let _e10423 = bitcast<f32>(_e10422);
 let _e10424 = (_e10391 + 10i);
 let _e10426 = select(_e10234, _e10424, (_e10424 < _e10234));
-let _e10432 = global_4.member[bitcast<u32>(select(0i, _e10426, (_e10426 > 0i)))];
+let _e10432 = global_3.member[bitcast<u32>(select(0i, _e10426, (_e10426 > 0i)))];
 let _e10439 = (_e10413 + (((_e10423 + ((bitcast<f32>(_e10432) - _e10423) * _e10274)) - _e10413) * _e10276));
 let _e10440 = (_e10391 + _e10263);
 let _e10442 = select(_e10234, _e10440, (_e10440 < _e10234));
-let _e10448 = global_4.member[bitcast<u32>(select(0i, _e10442, (_e10442 > 0i)))];
+let _e10448 = global_3.member[bitcast<u32>(select(0i, _e10442, (_e10442 > 0i)))];
 let _e10449 = bitcast<f32>(_e10448);
 let _e10450 = (_e10440 + 1i);
 let _e10452 = select(_e10234, _e10450, (_e10450 < _e10234));
-let _e10458 = global_4.member[bitcast<u32>(select(0i, _e10452, (_e10452 > 0i)))];
+let _e10458 = global_3.member[bitcast<u32>(select(0i, _e10452, (_e10452 > 0i)))];
 let _e10462 = (_e10449 + ((bitcast<f32>(_e10458) - _e10449) * _e10274));
 let _e10463 = (_e10440 + 9i);
 let _e10465 = select(_e10234, _e10463, (_e10463 < _e10234));
-let _e10471 = global_4.member[bitcast<u32>(select(0i, _e10465, (_e10465 > 0i)))];
+let _e10471 = global_3.member[bitcast<u32>(select(0i, _e10465, (_e10465 > 0i)))];
 let _e10472 = bitcast<f32>(_e10471);
 let _e10473 = (_e10440 + 10i);
 let _e10475 = select(_e10234, _e10473, (_e10473 < _e10234));
-let _e10481 = global_4.member[bitcast<u32>(select(0i, _e10475, (_e10475 > 0i)))];
+let _e10481 = global_3.member[bitcast<u32>(select(0i, _e10475, (_e10475 > 0i)))];
 let _e10494 = (_e10271 + (select(0i, 2i, _e10387) * _e10272));
 let _e10496 = select(_e10234, _e10494, (_e10494 < _e10234));
-let _e10502 = global_4.member[bitcast<u32>(select(0i, _e10496, (_e10496 > 0i)))];
+let _e10502 = global_3.member[bitcast<u32>(select(0i, _e10496, (_e10496 > 0i)))];
 let _e10503 = bitcast<f32>(_e10502);
 let _e10504 = (_e10494 + 1i);
 let _e10506 = select(_e10234, _e10504, (_e10504 < _e10234));
-let _e10512 = global_4.member[bitcast<u32>(select(0i, _e10506, (_e10506 > 0i)))];
+let _e10512 = global_3.member[bitcast<u32>(select(0i, _e10506, (_e10506 > 0i)))];
 let _e10516 = (_e10503 + ((bitcast<f32>(_e10512) - _e10503) * _e10274));
 let _e10517 = (_e10494 + 9i);
 let _e10519 = select(_e10234, _e10517, (_e10517 < _e10234));
-let _e10525 = global_4.member[bitcast<u32>(select(0i, _e10519, (_e10519 > 0i)))];
+let _e10525 = global_3.member[bitcast<u32>(select(0i, _e10519, (_e10519 > 0i)))];
 let _e10526 = bitcast<f32>(_e10525);
 let _e10527 = (_e10494 + 10i);
 let _e10529 = select(_e10234, _e10527, (_e10527 < _e10234));
-let _e10535 = global_4.member[bitcast<u32>(select(0i, _e10529, (_e10529 > 0i)))];
+let _e10535 = global_3.member[bitcast<u32>(select(0i, _e10529, (_e10529 > 0i)))];
 let _e10542 = (_e10516 + (((_e10526 + ((bitcast<f32>(_e10535) - _e10526) * _e10274)) - _e10516) * _e10276));
 let _e10543 = (_e10494 + _e10263);
 let _e10545 = select(_e10234, _e10543, (_e10543 < _e10234));
-let _e10551 = global_4.member[bitcast<u32>(select(0i, _e10545, (_e10545 > 0i)))];
+let _e10551 = global_3.member[bitcast<u32>(select(0i, _e10545, (_e10545 > 0i)))];
 let _e10552 = bitcast<f32>(_e10551);
 let _e10553 = (_e10543 + 1i);
 let _e10555 = select(_e10234, _e10553, (_e10553 < _e10234));
-let _e10561 = global_4.member[bitcast<u32>(select(0i, _e10555, (_e10555 > 0i)))];
+let _e10561 = global_3.member[bitcast<u32>(select(0i, _e10555, (_e10555 > 0i)))];
 let _e10565 = (_e10552 + ((bitcast<f32>(_e10561) - _e10552) * _e10274));
 let _e10566 = (_e10543 + 9i);
 let _e10568 = select(_e10234, _e10566, (_e10566 < _e10234));
-let _e10574 = global_4.member[bitcast<u32>(select(0i, _e10568, (_e10568 > 0i)))];
+let _e10574 = global_3.member[bitcast<u32>(select(0i, _e10568, (_e10568 > 0i)))];
 let _e10575 = bitcast<f32>(_e10574);
 let _e10576 = (_e10543 + 10i);
 let _e10578 = select(_e10234, _e10576, (_e10576 < _e10234));
-let _e10584 = global_4.member[bitcast<u32>(select(0i, _e10578, (_e10578 > 0i)))];
+let _e10584 = global_3.member[bitcast<u32>(select(0i, _e10578, (_e10578 > 0i)))];
 phi_26647_ = vec3<f32>(_e10380, select(1f, (_e10439 + (((_e10462 + (((_e10472 + ((bitcast<f32>(_e10481) - _e10472) * _e10274)) - _e10462) * _e10276)) - _e10439) * _e10278)), _e10279), select(1f, (_e10542 + (((_e10565 + (((_e10575 + ((bitcast<f32>(_e10584) - _e10575) * _e10274)) - _e10565) * _e10276)) - _e10542) * _e10278)), _e10279));
 }
 let _e10598 = phi_26647_;
@@ -3912,56 +3912,56 @@ let _e10621 = select(0f, (_e10604 * _e10616), _e10083);
 if _e838 {
 let _e10627 = (_e10271 + ((bitcast<i32>(_e10258) - 1i) * _e10272));
 let _e10629 = select(_e10234, _e10627, (_e10627 < _e10234));
-let _e10635 = global_4.member[bitcast<u32>(select(0i, _e10629, (_e10629 > 0i)))];
+let _e10635 = global_3.member[bitcast<u32>(select(0i, _e10629, (_e10629 > 0i)))];
 let _e10637 = bitcast<u32>(bitcast<f32>(_e10635));
 let _e10641 = f32((bitcast<i32>((_e10637 & 65535u)) - 32768i));
 let _e10647 = f32((bitcast<i32>(((_e10637 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10652 = select(_e10647, -(_e10647), ((_e10637 >> bitcast<u32>(31i)) != 0u));
 let _e10653 = (_e10627 + 1i);
 let _e10655 = select(_e10234, _e10653, (_e10653 < _e10234));
-let _e10661 = global_4.member[bitcast<u32>(select(0i, _e10655, (_e10655 > 0i)))];
+let _e10661 = global_3.member[bitcast<u32>(select(0i, _e10655, (_e10655 > 0i)))];
 let _e10663 = bitcast<u32>(bitcast<f32>(_e10661));
 let _e10673 = f32((bitcast<i32>(((_e10663 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10681 = (_e10641 + ((f32((bitcast<i32>((_e10663 & 65535u)) - 32768i)) - _e10641) * _e10274));
 let _e10684 = (_e10652 + ((select(_e10673, -(_e10673), ((_e10663 >> bitcast<u32>(31i)) != 0u)) - _e10652) * _e10274));
 let _e10685 = (_e10627 + 9i);
 let _e10687 = select(_e10234, _e10685, (_e10685 < _e10234));
-let _e10693 = global_4.member[bitcast<u32>(select(0i, _e10687, (_e10687 > 0i)))];
+let _e10693 = global_3.member[bitcast<u32>(select(0i, _e10687, (_e10687 > 0i)))];
 let _e10695 = bitcast<u32>(bitcast<f32>(_e10693));
 let _e10699 = f32((bitcast<i32>((_e10695 & 65535u)) - 32768i));
 let _e10705 = f32((bitcast<i32>(((_e10695 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10710 = select(_e10705, -(_e10705), ((_e10695 >> bitcast<u32>(31i)) != 0u));
 let _e10711 = (_e10627 + 10i);
 let _e10713 = select(_e10234, _e10711, (_e10711 < _e10234));
-let _e10719 = global_4.member[bitcast<u32>(select(0i, _e10713, (_e10713 > 0i)))];
+let _e10719 = global_3.member[bitcast<u32>(select(0i, _e10713, (_e10713 > 0i)))];
 let _e10721 = bitcast<u32>(bitcast<f32>(_e10719));
 let _e10731 = f32((bitcast<i32>(((_e10721 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10745 = (_e10681 + (((_e10699 + ((f32((bitcast<i32>((_e10721 & 65535u)) - 32768i)) - _e10699) * _e10274)) - _e10681) * _e10276));
 let _e10748 = (_e10684 + (((_e10710 + ((select(_e10731, -(_e10731), ((_e10721 >> bitcast<u32>(31i)) != 0u)) - _e10710) * _e10274)) - _e10684) * _e10276));
 let _e10749 = (_e10627 + _e10263);
 let _e10751 = select(_e10234, _e10749, (_e10749 < _e10234));
-let _e10757 = global_4.member[bitcast<u32>(select(0i, _e10751, (_e10751 > 0i)))];
+let _e10757 = global_3.member[bitcast<u32>(select(0i, _e10751, (_e10751 > 0i)))];
 let _e10759 = bitcast<u32>(bitcast<f32>(_e10757));
 let _e10763 = f32((bitcast<i32>((_e10759 & 65535u)) - 32768i));
 let _e10769 = f32((bitcast<i32>(((_e10759 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10774 = select(_e10769, -(_e10769), ((_e10759 >> bitcast<u32>(31i)) != 0u));
 let _e10775 = (_e10749 + 1i);
 let _e10777 = select(_e10234, _e10775, (_e10775 < _e10234));
-let _e10783 = global_4.member[bitcast<u32>(select(0i, _e10777, (_e10777 > 0i)))];
+let _e10783 = global_3.member[bitcast<u32>(select(0i, _e10777, (_e10777 > 0i)))];
 let _e10785 = bitcast<u32>(bitcast<f32>(_e10783));
 let _e10795 = f32((bitcast<i32>(((_e10785 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10803 = (_e10763 + ((f32((bitcast<i32>((_e10785 & 65535u)) - 32768i)) - _e10763) * _e10274));
 let _e10806 = (_e10774 + ((select(_e10795, -(_e10795), ((_e10785 >> bitcast<u32>(31i)) != 0u)) - _e10774) * _e10274));
 let _e10807 = (_e10749 + 9i);
 let _e10809 = select(_e10234, _e10807, (_e10807 < _e10234));
-let _e10815 = global_4.member[bitcast<u32>(select(0i, _e10809, (_e10809 > 0i)))];
+let _e10815 = global_3.member[bitcast<u32>(select(0i, _e10809, (_e10809 > 0i)))];
 let _e10817 = bitcast<u32>(bitcast<f32>(_e10815));
 let _e10821 = f32((bitcast<i32>((_e10817 & 65535u)) - 32768i));
 let _e10827 = f32((bitcast<i32>(((_e10817 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10832 = select(_e10827, -(_e10827), ((_e10817 >> bitcast<u32>(31i)) != 0u));
 let _e10833 = (_e10749 + 10i);
 let _e10835 = select(_e10234, _e10833, (_e10833 < _e10234));
-let _e10841 = global_4.member[bitcast<u32>(select(0i, _e10835, (_e10835 > 0i)))];
+let _e10841 = global_3.member[bitcast<u32>(select(0i, _e10835, (_e10835 > 0i)))];
 let _e10843 = bitcast<u32>(bitcast<f32>(_e10841));
 let _e10853 = f32((bitcast<i32>(((_e10843 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e10879 = (_e10620 + select(0f, ((_e10745 + (((_e10803 + (((_e10821 + ((f32((bitcast<i32>((_e10843 & 65535u)) - 32768i)) - _e10821) * _e10274)) - _e10803) * _e10276)) - _e10745) * _e10278)) * 6.151953e-5f), _e10279));
@@ -4002,7 +4002,7 @@ let _e10976 = (_e10975 * select(_e10955, 1f, (_e838 && _e10279)));
 let _e10986 = global_5.member[_e459].member_10.member.member;
 let _e10999 = global_5.member[_e459].member_10.member_1.member;
 let _e11015 = global_5.member[_e459].member_10.member_2.member;
-phi_27222_ = type_28(vec3<f32>(((_e10598.x * _e10961.member) * _e10976), ((_e10598.y * _e10961.member_1) * _e10976), ((_e10598.z * _e10961.member_2) * _e10976)), (vec3<f32>(((_e10986.member * _e10894.x) + (_e10999.member * _e10894.y)), ((_e10986.member_1 * _e10894.x) + (_e10999.member_1 * _e10894.y)), ((_e10986.member_2 * _e10894.x) + (_e10999.member_2 * _e10894.y))) + vec3<f32>((_e11015.member * _e10894.z), (_e11015.member_1 * _e10894.z), (_e11015.member_2 * _e10894.z))));
+phi_27222_ = type_35(vec3<f32>(((_e10598.x * _e10961.member) * _e10976), ((_e10598.y * _e10961.member_1) * _e10976), ((_e10598.z * _e10961.member_2) * _e10976)), (vec3<f32>(((_e10986.member * _e10894.x) + (_e10999.member * _e10894.y)), ((_e10986.member_1 * _e10894.x) + (_e10999.member_1 * _e10894.y)), ((_e10986.member_2 * _e10894.x) + (_e10999.member_2 * _e10894.y))) + vec3<f32>((_e11015.member * _e10894.z), (_e11015.member_1 * _e10894.z), (_e11015.member_2 * _e10894.z))));
 }
 let _e11647 = phi_27222_;
 phi_27223_ = _e11647;
@@ -4188,51 +4188,51 @@ let _e12589 = ((bitcast<i32>(_e12585) + (_e12559 * _e12403)) + _e12542);
 let _e12590 = (_e12403 * _e12411);
 let _e12592 = (bitcast<i32>(_e233) - 1i);
 let _e12594 = select(_e12592, _e12589, (_e12589 < _e12592));
-let _e12600 = global_4.member[bitcast<u32>(select(0i, _e12594, (_e12594 > 0i)))];
+let _e12600 = global_3.member[bitcast<u32>(select(0i, _e12594, (_e12594 > 0i)))];
 let _e12601 = bitcast<f32>(_e12600);
 let _e12602 = (_e12589 + 1i);
 let _e12604 = select(_e12592, _e12602, (_e12602 < _e12592));
-let _e12610 = global_4.member[bitcast<u32>(select(0i, _e12604, (_e12604 > 0i)))];
+let _e12610 = global_3.member[bitcast<u32>(select(0i, _e12604, (_e12604 > 0i)))];
 let _e12614 = (_e12601 + ((bitcast<f32>(_e12610) - _e12601) * _e12565));
 let _e12615 = (_e12589 + _e12403);
 let _e12617 = select(_e12592, _e12615, (_e12615 < _e12592));
-let _e12623 = global_4.member[bitcast<u32>(select(0i, _e12617, (_e12617 > 0i)))];
+let _e12623 = global_3.member[bitcast<u32>(select(0i, _e12617, (_e12617 > 0i)))];
 let _e12624 = bitcast<f32>(_e12623);
 let _e12625 = (_e12615 + 1i);
 let _e12627 = select(_e12592, _e12625, (_e12625 < _e12592));
-let _e12633 = global_4.member[bitcast<u32>(select(0i, _e12627, (_e12627 > 0i)))];
+let _e12633 = global_3.member[bitcast<u32>(select(0i, _e12627, (_e12627 > 0i)))];
 let _e12640 = (_e12614 + (((_e12624 + ((bitcast<f32>(_e12633) - _e12624) * _e12565)) - _e12614) * _e12571));
 let _e12641 = (_e12589 + _e12590);
 let _e12643 = select(_e12592, _e12641, (_e12641 < _e12592));
-let _e12649 = global_4.member[bitcast<u32>(select(0i, _e12643, (_e12643 > 0i)))];
+let _e12649 = global_3.member[bitcast<u32>(select(0i, _e12643, (_e12643 > 0i)))];
 let _e12650 = bitcast<f32>(_e12649);
 let _e12651 = (_e12641 + 1i);
 let _e12653 = select(_e12592, _e12651, (_e12651 < _e12592));
-let _e12659 = global_4.member[bitcast<u32>(select(0i, _e12653, (_e12653 > 0i)))];
+let _e12659 = global_3.member[bitcast<u32>(select(0i, _e12653, (_e12653 > 0i)))];
 let _e12663 = (_e12650 + ((bitcast<f32>(_e12659) - _e12650) * _e12565));
 let _e12664 = (_e12641 + _e12403);
 let _e12666 = select(_e12592, _e12664, (_e12664 < _e12592));
-let _e12672 = global_4.member[bitcast<u32>(select(0i, _e12666, (_e12666 > 0i)))];
+let _e12672 = global_3.member[bitcast<u32>(select(0i, _e12666, (_e12666 > 0i)))];
 let _e12673 = bitcast<f32>(_e12672);
 let _e12674 = (_e12664 + 1i);
 let _e12676 = select(_e12592, _e12674, (_e12674 < _e12592));
-let _e12682 = global_4.member[bitcast<u32>(select(0i, _e12676, (_e12676 > 0i)))];
+let _e12682 = global_3.member[bitcast<u32>(select(0i, _e12676, (_e12676 > 0i)))];
 let _e12689 = (_e12663 + (((_e12673 + ((bitcast<f32>(_e12682) - _e12673) * _e12565)) - _e12663) * _e12571));
 let _e12691 = (_e12589 + (2i * _e12590));
 let _e12693 = select(_e12592, _e12691, (_e12691 < _e12592));
-let _e12699 = global_4.member[bitcast<u32>(select(0i, _e12693, (_e12693 > 0i)))];
+let _e12699 = global_3.member[bitcast<u32>(select(0i, _e12693, (_e12693 > 0i)))];
 let _e12700 = bitcast<f32>(_e12699);
 let _e12701 = (_e12691 + 1i);
 let _e12703 = select(_e12592, _e12701, (_e12701 < _e12592));
-let _e12709 = global_4.member[bitcast<u32>(select(0i, _e12703, (_e12703 > 0i)))];
+let _e12709 = global_3.member[bitcast<u32>(select(0i, _e12703, (_e12703 > 0i)))];
 let _e12713 = (_e12700 + ((bitcast<f32>(_e12709) - _e12700) * _e12565));
 let _e12714 = (_e12691 + _e12403);
 let _e12716 = select(_e12592, _e12714, (_e12714 < _e12592));
-let _e12722 = global_4.member[bitcast<u32>(select(0i, _e12716, (_e12716 > 0i)))];
+let _e12722 = global_3.member[bitcast<u32>(select(0i, _e12716, (_e12716 > 0i)))];
 let _e12723 = bitcast<f32>(_e12722);
 let _e12724 = (_e12714 + 1i);
 let _e12726 = select(_e12592, _e12724, (_e12724 < _e12592));
-let _e12732 = global_4.member[bitcast<u32>(select(0i, _e12726, (_e12726 > 0i)))];
+let _e12732 = global_3.member[bitcast<u32>(select(0i, _e12726, (_e12726 > 0i)))];
 let _e12739 = (_e12713 + (((_e12723 + ((bitcast<f32>(_e12732) - _e12723) * _e12565)) - _e12713) * _e12571));
 let _e12741 = (_e12222 == 0u);
 if _e12741 {
@@ -4269,13 +4269,13 @@ phi_28391_ = vec3<f32>((select(0f, _e12806, (_e12806 > 0f)) * _e12819), (select(
 }
 let _e12825 = phi_28391_;
 let _e12830 = global_5.member[_e459].member_9.member_1;
-phi_28651_ = type_28((vec3<f32>(_e12830.member, _e12830.member_1, _e12830.member_2) * _e12825), _e12293);
+phi_28651_ = type_35((vec3<f32>(_e12830.member, _e12830.member_1, _e12830.member_2) * _e12825), _e12293);
 } else {
 let _e12296 = (_e12222 == 0u);
 if _e12296 {
 let _e12379 = global_5.member[_e459].member_9.member_1;
 let _e12388 = global_5.member[_e459].member_9.member;
-phi_28650_ = type_28(vec3<f32>(_e12379.member, _e12379.member_1, _e12379.member_2), vec3<f32>(_e12388.member, _e12388.member_1, _e12388.member_2));
+phi_28650_ = type_35(vec3<f32>(_e12379.member, _e12379.member_1, _e12379.member_2), vec3<f32>(_e12388.member, _e12388.member_1, _e12388.member_2));
 } else {
 let _e12301 = global_5.member[_e459].member_9.member_1;
 if _e12296 {
@@ -4302,7 +4302,7 @@ phi_28578_ = select(1f, select(0f, ((_e12358 * _e12358) * (3f - (2f * _e12358)))
 }
 let _e12368 = phi_28578_;
 let _e12369 = (_e12309 * _e12368);
-phi_28650_ = type_28(vec3<f32>((_e12301.member * _e12369), (_e12301.member_1 * _e12369), (_e12301.member_2 * _e12369)), _e12293);
+phi_28650_ = type_35(vec3<f32>((_e12301.member * _e12369), (_e12301.member_1 * _e12369), (_e12301.member_2 * _e12369)), _e12293);
 }
 let _e12395 = phi_28650_;
 phi_28651_ = _e12395;
@@ -4436,7 +4436,7 @@ let _e13203 = select(select(select(select(select(select(0f, _e12942.member, _e12
 let _e13204 = select(select(select(select(select(select(0f, _e12942.member_1, _e12984), _e12942.member_1, _e13024), _e12951.member_1, _e13064), _e12951.member_1, _e13104), _e12960.member_1, _e13144), _e12960.member_1, _e13184);
 let _e13205 = select(select(select(select(select(select(1f, _e12942.member_2, _e12984), _e12942.member_2, _e13024), _e12951.member_2, _e13064), _e12951.member_2, _e13104), _e12960.member_2, _e13144), _e12960.member_2, _e13184);
 if _e7816 {
-phi_30142_ = type_36(_e13190, vec3<f32>(_e13191, _e13192, _e13193), _e13195, vec3<f32>(_e13196, _e13197, _e13198), _e13200, _e13202, vec3<f32>(_e13203, _e13204, _e13205));
+phi_30142_ = type_34(_e13190, vec3<f32>(_e13191, _e13192, _e13193), _e13195, vec3<f32>(_e13196, _e13197, _e13198), _e13200, _e13202, vec3<f32>(_e13203, _e13204, _e13205));
 } else {
 let _e13212 = (((_e12942.member * _e12942.member) + (_e12942.member_1 * _e12942.member_1)) + (_e12942.member_2 * _e12942.member_2));
 let _e13215 = sqrt(select(0f, _e13212, (_e13212 > 0f)));
@@ -4516,7 +4516,7 @@ let _e13511 = select(2f, select(0f, _e13503, (_e13483 < 0f)), (_e13484 > 0f));
 let _e13512 = (_e13483 > _e13447);
 let _e13516 = ((_e13507 > _e13439) || ((_e13507 == _e13439) && _e13512));
 let _e13517 = (_e13511 < _e13443);
-phi_30142_ = type_36(select(_e13439, _e13507, _e13516), vec3<f32>(select(select(select(select(_e13191, _e13253.member, _e13279), _e13332.member, _e13358), _e13411.member, _e13437), _e13490.member, _e13516), select(select(select(select(_e13192, _e13253.member_1, _e13279), _e13332.member_1, _e13358), _e13411.member_1, _e13437), _e13490.member_1, _e13516), select(select(select(select(_e13193, _e13253.member_2, _e13279), _e13332.member_2, _e13358), _e13411.member_2, _e13437), _e13490.member_2, _e13516)), select(_e13443, _e13511, _e13517), vec3<f32>(select(select(select(select(_e13196, _e13253.member, _e13280), _e13332.member, _e13359), _e13411.member, _e13438), _e13490.member, _e13517), select(select(select(select(_e13197, _e13253.member_1, _e13280), _e13332.member_1, _e13359), _e13411.member_1, _e13438), _e13490.member_1, _e13517), select(select(select(select(_e13198, _e13253.member_2, _e13280), _e13332.member_2, _e13359), _e13411.member_2, _e13438), _e13490.member_2, _e13517)), select(_e13447, _e13483, _e13512), select(_e13449, _e13484, (_e13484 > _e13449)), vec3<f32>(select(select(select(select(_e13203, _e13253.member, _e13275), _e13332.member, _e13354), _e13411.member, _e13433), _e13490.member, _e13512), select(select(select(select(_e13204, _e13253.member_1, _e13275), _e13332.member_1, _e13354), _e13411.member_1, _e13433), _e13490.member_1, _e13512), select(select(select(select(_e13205, _e13253.member_2, _e13275), _e13332.member_2, _e13354), _e13411.member_2, _e13433), _e13490.member_2, _e13512)));
+phi_30142_ = type_34(select(_e13439, _e13507, _e13516), vec3<f32>(select(select(select(select(_e13191, _e13253.member, _e13279), _e13332.member, _e13358), _e13411.member, _e13437), _e13490.member, _e13516), select(select(select(select(_e13192, _e13253.member_1, _e13279), _e13332.member_1, _e13358), _e13411.member_1, _e13437), _e13490.member_1, _e13516), select(select(select(select(_e13193, _e13253.member_2, _e13279), _e13332.member_2, _e13358), _e13411.member_2, _e13437), _e13490.member_2, _e13516)), select(_e13443, _e13511, _e13517), vec3<f32>(select(select(select(select(_e13196, _e13253.member, _e13280), _e13332.member, _e13359), _e13411.member, _e13438), _e13490.member, _e13517), select(select(select(select(_e13197, _e13253.member_1, _e13280), _e13332.member_1, _e13359), _e13411.member_1, _e13438), _e13490.member_1, _e13517), select(select(select(select(_e13198, _e13253.member_2, _e13280), _e13332.member_2, _e13359), _e13411.member_2, _e13438), _e13490.member_2, _e13517)), select(_e13447, _e13483, _e13512), select(_e13449, _e13484, (_e13484 > _e13449)), vec3<f32>(select(select(select(select(_e13203, _e13253.member, _e13275), _e13332.member, _e13354), _e13411.member, _e13433), _e13490.member, _e13512), select(select(select(select(_e13204, _e13253.member_1, _e13275), _e13332.member_1, _e13354), _e13411.member_1, _e13433), _e13490.member_1, _e13512), select(select(select(select(_e13205, _e13253.member_2, _e13275), _e13332.member_2, _e13354), _e13411.member_2, _e13433), _e13490.member_2, _e13512)));
 }
 let _e13537 = phi_30142_;
 let _e13544 = (_e8027.member_2 * select(0f, 1f, _e6064.member_6));
@@ -4587,41 +4587,41 @@ break;
 let _e13712 = local_40;
 if _e13712 {
 let _e13714 = local_41;
-global_1.member[_e259] = _e13714[0];
+global_4.member[_e259] = _e13714[0];
 let _e13719 = local_42;
-global_1.member[_e271] = _e13719[1];
+global_4.member[_e271] = _e13719[1];
 let _e13724 = local_43;
-global_1.member[_e282] = _e13724[2];
+global_4.member[_e282] = _e13724[2];
 let _e13729 = local_44;
-global_1.member[_e293] = _e13729[3];
+global_4.member[_e293] = _e13729[3];
 let _e13734 = local_45;
-global_1.member[_e304] = _e13734[4];
+global_4.member[_e304] = _e13734[4];
 let _e13739 = local_46;
-global_1.member[_e315] = _e13739[5];
+global_4.member[_e315] = _e13739[5];
 let _e13744 = local_47;
-global_1.member[_e326] = _e13744[6];
+global_4.member[_e326] = _e13744[6];
 let _e13749 = local_48;
-global_1.member[_e337] = _e13749[7];
+global_4.member[_e337] = _e13749[7];
 let _e13754 = local_49;
-global_1.member[_e348] = _e13754[8];
+global_4.member[_e348] = _e13754[8];
 let _e13759 = local_50;
-global_1.member[_e359] = _e13759[9];
+global_4.member[_e359] = _e13759[9];
 let _e13764 = local_51;
-global_1.member[_e370] = _e13764[10];
+global_4.member[_e370] = _e13764[10];
 let _e13769 = local_52;
-global_1.member[_e381] = _e13769[11];
+global_4.member[_e381] = _e13769[11];
 let _e13774 = local_53;
-global_1.member[_e392] = _e13774[12];
+global_4.member[_e392] = _e13774[12];
 let _e13779 = local_54;
-global_1.member[_e403] = _e13779[13];
+global_4.member[_e403] = _e13779[13];
 let _e13784 = local_55;
-global_1.member[_e414] = _e13784[14];
+global_4.member[_e414] = _e13784[14];
 let _e13789 = local_56;
-global_1.member[_e425] = _e13789[15];
+global_4.member[_e425] = _e13789[15];
 let _e13794 = local_57;
-global_1.member[_e436] = _e13794[16];
+global_4.member[_e436] = _e13794[16];
 let _e13799 = local_58;
-global_1.member[_e447] = _e13799[17];
+global_4.member[_e447] = _e13799[17];
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,72 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_29 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_30 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_33 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_34 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -199,11 +191,15 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_38 {
-member: array<type_27>,
+struct type_35 {
+member: vec3<f32>,
+member_1: vec3<f32>,
 }
-struct type_39 {
-member: type_29,
+struct type_37 {
+member: array<type_21>,
+}
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -213,6 +209,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -220,20 +220,20 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(6)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(5)
-var<storage> global_4: type_17;
+var<storage> global_3: type_23;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_25;
 @group(0) @binding(0)
-var<storage> global_5: type_38;
+var<storage> global_5: type_37;
 @group(0) @binding(2)
-var<storage> global_6: type_17;
+var<storage> global_6: type_23;
 @group(0) @binding(3)
-var<storage> global_7: type_17;
+var<storage> global_7: type_23;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -241,7 +241,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_33;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -257,27 +257,27 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_33;
+var local_22: type_28;
 var local_23: vec3<f32>;
-var local_24: type_33;
+var local_24: type_28;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_33;
+var local_28: type_28;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_33;
+var local_32: type_28;
 var local_33: vec3<f32>;
 var local_34: f32;
 var local_35: f32;
-var local_36: type_33;
+var local_36: type_28;
 var local_37: vec3<f32>;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_33;
+var local_40: type_28;
 var local_41: vec3<f32>;
-var local_42: type_33;
+var local_42: type_28;
 var local_43: vec3<f32>;
 var phi_688_: u32;
 var phi_691_: bool;
@@ -286,24 +286,24 @@ var phi_1749_: bool;
 var phi_1929_: bool;
 var phi_1932_: bool;
 var phi_3727_: f32;
-var phi_5333_: type_36;
+var phi_5333_: type_34;
 var phi_5346_: bool;
-var phi_5376_: type_30;
+var phi_5376_: type_39;
 var phi_5388_: bool;
-var phi_6468_: type_29;
-var phi_7991_: type_36;
-var phi_9103_: type_29;
-var phi_10641_: type_36;
-var phi_11753_: type_29;
-var phi_13291_: type_36;
-var phi_15039_: type_29;
-var phi_15052_: type_39;
+var phi_6468_: type_31;
+var phi_7991_: type_34;
+var phi_9103_: type_31;
+var phi_10641_: type_34;
+var phi_11753_: type_31;
+var phi_13291_: type_34;
+var phi_15039_: type_31;
+var phi_15052_: type_38;
 var phi_15053_: vec3<f32>;
 var phi_15054_: bool;
 var phi_15055_: f32;
-var phi_21622_: type_34;
-var phi_22269_: type_35;
-var phi_22682_: type_5;
+var phi_21622_: type_32;
+var phi_22269_: type_33;
+var phi_22682_: type_7;
 var phi_26847_: type_40;
 var phi_28376_: i32;
 var phi_28953_: vec3<f32>;
@@ -311,24 +311,24 @@ var phi_29360_: vec3<f32>;
 var phi_29454_: f32;
 var phi_29496_: f32;
 var phi_27862_: vec3<f32>;
-var phi_29528_: type_28;
+var phi_29528_: type_35;
 var phi_26961_: f32;
 var phi_27045_: f32;
-var phi_27117_: type_28;
-var phi_29529_: type_28;
+var phi_27117_: type_35;
+var phi_29529_: type_35;
 var phi_29612_: f32;
 var phi_29613_: f32;
 var phi_29870_: vec3<f32>;
 var phi_30800_: f32;
 var phi_30884_: f32;
-var phi_30956_: type_28;
+var phi_30956_: type_35;
 var phi_30299_: u32;
 var phi_30636_: f32;
 var phi_30692_: f32;
 var phi_30697_: vec3<f32>;
-var phi_30957_: type_28;
-var phi_30958_: type_28;
-var phi_32448_: type_36;
+var phi_30957_: type_35;
+var phi_30958_: type_35;
+var phi_32448_: type_34;
 var phi_32604_: vec3<f32>;
 var phi_32605_: bool;
 var phi_32765_: array<f32, 18>;
@@ -360,8 +360,8 @@ default: {
 let _e224 = global;
 let _e226 = arrayLength((&global_5.member));
 let _e232 = arrayLength((&global_6.member));
-let _e237 = arrayLength((&global_3.member));
-let _e240 = arrayLength((&global_4.member));
+let _e237 = arrayLength((&global_2.member));
+let _e240 = arrayLength((&global_3.member));
 if (0u < _e226) {
 } else {
 break;
@@ -375,77 +375,77 @@ if (_e261 < _e247.member_3) {
 let _e264 = (_e251.member * _e251.member_1);
 let _e266 = ((_e261 * _e251.member) + _e259);
 let _e267 = bitcast<i32>(_e266);
-let _e269 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e269 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e271 = select(_e269, _e267, (_e267 < _e269));
-let _e277 = global_1.member[bitcast<u32>(select(0i, _e271, (_e271 > 0i)))];
+let _e277 = global_4.member[bitcast<u32>(select(0i, _e271, (_e271 > 0i)))];
 let _e278 = (_e264 + _e266);
 let _e279 = bitcast<i32>(_e278);
 let _e281 = select(_e269, _e279, (_e279 < _e269));
-let _e287 = global_1.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
+let _e287 = global_4.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
 let _e289 = ((2u * _e264) + _e266);
 let _e290 = bitcast<i32>(_e289);
 let _e292 = select(_e269, _e290, (_e290 < _e269));
-let _e298 = global_1.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
+let _e298 = global_4.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
 let _e300 = ((3u * _e264) + _e266);
 let _e301 = bitcast<i32>(_e300);
 let _e303 = select(_e269, _e301, (_e301 < _e269));
-let _e309 = global_1.member[bitcast<u32>(select(0i, _e303, (_e303 > 0i)))];
+let _e309 = global_4.member[bitcast<u32>(select(0i, _e303, (_e303 > 0i)))];
 let _e311 = ((4u * _e264) + _e266);
 let _e312 = bitcast<i32>(_e311);
 let _e314 = select(_e269, _e312, (_e312 < _e269));
-let _e320 = global_1.member[bitcast<u32>(select(0i, _e314, (_e314 > 0i)))];
+let _e320 = global_4.member[bitcast<u32>(select(0i, _e314, (_e314 > 0i)))];
 let _e322 = ((5u * _e264) + _e266);
 let _e323 = bitcast<i32>(_e322);
 let _e325 = select(_e269, _e323, (_e323 < _e269));
-let _e331 = global_1.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
+let _e331 = global_4.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
 let _e333 = ((6u * _e264) + _e266);
 let _e334 = bitcast<i32>(_e333);
 let _e336 = select(_e269, _e334, (_e334 < _e269));
-let _e342 = global_1.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
+let _e342 = global_4.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
 let _e344 = ((7u * _e264) + _e266);
 let _e345 = bitcast<i32>(_e344);
 let _e347 = select(_e269, _e345, (_e345 < _e269));
-let _e353 = global_1.member[bitcast<u32>(select(0i, _e347, (_e347 > 0i)))];
+let _e353 = global_4.member[bitcast<u32>(select(0i, _e347, (_e347 > 0i)))];
 let _e355 = ((8u * _e264) + _e266);
 let _e356 = bitcast<i32>(_e355);
 let _e358 = select(_e269, _e356, (_e356 < _e269));
-let _e364 = global_1.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
+let _e364 = global_4.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
 let _e366 = ((9u * _e264) + _e266);
 let _e367 = bitcast<i32>(_e366);
 let _e369 = select(_e269, _e367, (_e367 < _e269));
-let _e375 = global_1.member[bitcast<u32>(select(0i, _e369, (_e369 > 0i)))];
+let _e375 = global_4.member[bitcast<u32>(select(0i, _e369, (_e369 > 0i)))];
 let _e377 = ((10u * _e264) + _e266);
 let _e378 = bitcast<i32>(_e377);
 let _e380 = select(_e269, _e378, (_e378 < _e269));
-let _e386 = global_1.member[bitcast<u32>(select(0i, _e380, (_e380 > 0i)))];
+let _e386 = global_4.member[bitcast<u32>(select(0i, _e380, (_e380 > 0i)))];
 let _e388 = ((11u * _e264) + _e266);
 let _e389 = bitcast<i32>(_e388);
 let _e391 = select(_e269, _e389, (_e389 < _e269));
-let _e397 = global_1.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
+let _e397 = global_4.member[bitcast<u32>(select(0i, _e391, (_e391 > 0i)))];
 let _e399 = ((12u * _e264) + _e266);
 let _e400 = bitcast<i32>(_e399);
 let _e402 = select(_e269, _e400, (_e400 < _e269));
-let _e408 = global_1.member[bitcast<u32>(select(0i, _e402, (_e402 > 0i)))];
+let _e408 = global_4.member[bitcast<u32>(select(0i, _e402, (_e402 > 0i)))];
 let _e410 = ((13u * _e264) + _e266);
 let _e411 = bitcast<i32>(_e410);
 let _e413 = select(_e269, _e411, (_e411 < _e269));
-let _e419 = global_1.member[bitcast<u32>(select(0i, _e413, (_e413 > 0i)))];
+let _e419 = global_4.member[bitcast<u32>(select(0i, _e413, (_e413 > 0i)))];
 let _e421 = ((14u * _e264) + _e266);
 let _e422 = bitcast<i32>(_e421);
 let _e424 = select(_e269, _e422, (_e422 < _e269));
-let _e430 = global_1.member[bitcast<u32>(select(0i, _e424, (_e424 > 0i)))];
+let _e430 = global_4.member[bitcast<u32>(select(0i, _e424, (_e424 > 0i)))];
 let _e432 = ((15u * _e264) + _e266);
 let _e433 = bitcast<i32>(_e432);
 let _e435 = select(_e269, _e433, (_e433 < _e269));
-let _e441 = global_1.member[bitcast<u32>(select(0i, _e435, (_e435 > 0i)))];
+let _e441 = global_4.member[bitcast<u32>(select(0i, _e435, (_e435 > 0i)))];
 let _e443 = ((16u * _e264) + _e266);
 let _e444 = bitcast<i32>(_e443);
 let _e446 = select(_e269, _e444, (_e444 < _e269));
-let _e452 = global_1.member[bitcast<u32>(select(0i, _e446, (_e446 > 0i)))];
+let _e452 = global_4.member[bitcast<u32>(select(0i, _e446, (_e446 > 0i)))];
 let _e454 = ((17u * _e264) + _e266);
 let _e455 = bitcast<i32>(_e454);
 let _e457 = select(_e269, _e455, (_e455 < _e269));
-let _e463 = global_1.member[bitcast<u32>(select(0i, _e457, (_e457 > 0i)))];
+let _e463 = global_4.member[bitcast<u32>(select(0i, _e457, (_e457 > 0i)))];
 phi_688_ = 0u;
 phi_691_ = false;
 phi_693_ = array<f32, 18>(_e277, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364, _e375, _e386, _e397, _e408, _e419, _e430, _e441, _e452, _e463);
@@ -714,31 +714,31 @@ let _e1576 = (select(0i, _e1505, (_e1505 > 0i)) * _e1525);
 let _e1577 = (select(_e1538, _e1541, (_e1541 < _e1538)) * _e1525);
 let _e1578 = (select(0i, _e1520, (_e1520 > 0i)) * _e1530);
 let _e1579 = (select(_e1551, _e1554, (_e1554 < _e1551)) * _e1530);
-local_42 = type_33(array<i32, 4>(select(0i, _e1565, (_e1565 > 0i)), select(0i, _e1490, (_e1490 > 0i)), select(_e1564, _e1570, (_e1570 < _e1564)), select(_e1564, _e1573, (_e1573 < _e1564))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_42 = type_28(array<i32, 4>(select(0i, _e1565, (_e1565 > 0i)), select(0i, _e1490, (_e1490 > 0i)), select(_e1564, _e1570, (_e1570 < _e1564)), select(_e1564, _e1573, (_e1573 < _e1564))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_43 = vec3<f32>((_e1467 - f32(_e1490)), (_e1471 - f32(_e1505)), (_e1475 - f32(_e1520)));
 let _e1590 = (_e1578 + _e1576);
 let _e1593 = local_42.member[1u];
 let _e1594 = (_e1590 + _e1593);
-let _e1596 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e1596 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
 let _e1598 = select(_e1596, _e1594, (_e1594 < _e1596));
-let _e1603 = global_2.member[bitcast<u32>(select(0i, _e1598, (_e1598 > 0i)))];
+let _e1603 = global_1.member[bitcast<u32>(select(0i, _e1598, (_e1598 > 0i)))];
 let _e1604 = bitcast<f32>(_e1603);
 let _e1607 = local_42.member[2u];
 let _e1608 = (_e1590 + _e1607);
 let _e1610 = select(_e1596, _e1608, (_e1608 < _e1596));
-let _e1615 = global_2.member[bitcast<u32>(select(0i, _e1610, (_e1610 > 0i)))];
+let _e1615 = global_1.member[bitcast<u32>(select(0i, _e1610, (_e1610 > 0i)))];
 let _e1617 = local_43[0u];
 let _e1620 = (_e1604 + ((bitcast<f32>(_e1615) - _e1604) * _e1617));
 let _e1621 = (_e1578 + _e1577);
 let _e1622 = local_42.member[1u];
 let _e1623 = (_e1621 + _e1622);
 let _e1625 = select(_e1596, _e1623, (_e1623 < _e1596));
-let _e1630 = global_2.member[bitcast<u32>(select(0i, _e1625, (_e1625 > 0i)))];
+let _e1630 = global_1.member[bitcast<u32>(select(0i, _e1625, (_e1625 > 0i)))];
 let _e1631 = bitcast<f32>(_e1630);
 let _e1632 = local_42.member[2u];
 let _e1633 = (_e1621 + _e1632);
 let _e1635 = select(_e1596, _e1633, (_e1633 < _e1596));
-let _e1640 = global_2.member[bitcast<u32>(select(0i, _e1635, (_e1635 > 0i)))];
+let _e1640 = global_1.member[bitcast<u32>(select(0i, _e1635, (_e1635 > 0i)))];
 let _e1642 = local_43[0u];
 let _e1647 = local_43[1u];
 let _e1650 = (_e1620 + (((_e1631 + ((bitcast<f32>(_e1640) - _e1631) * _e1642)) - _e1620) * _e1647));
@@ -746,24 +746,24 @@ let _e1651 = (_e1579 + _e1576);
 let _e1652 = local_42.member[1u];
 let _e1653 = (_e1651 + _e1652);
 let _e1655 = select(_e1596, _e1653, (_e1653 < _e1596));
-let _e1660 = global_2.member[bitcast<u32>(select(0i, _e1655, (_e1655 > 0i)))];
+let _e1660 = global_1.member[bitcast<u32>(select(0i, _e1655, (_e1655 > 0i)))];
 let _e1661 = bitcast<f32>(_e1660);
 let _e1662 = local_42.member[2u];
 let _e1663 = (_e1651 + _e1662);
 let _e1665 = select(_e1596, _e1663, (_e1663 < _e1596));
-let _e1670 = global_2.member[bitcast<u32>(select(0i, _e1665, (_e1665 > 0i)))];
+let _e1670 = global_1.member[bitcast<u32>(select(0i, _e1665, (_e1665 > 0i)))];
 let _e1672 = local_43[0u];
 let _e1675 = (_e1661 + ((bitcast<f32>(_e1670) - _e1661) * _e1672));
 let _e1676 = (_e1579 + _e1577);
 let _e1677 = local_42.member[1u];
 let _e1678 = (_e1676 + _e1677);
 let _e1680 = select(_e1596, _e1678, (_e1678 < _e1596));
-let _e1685 = global_2.member[bitcast<u32>(select(0i, _e1680, (_e1680 > 0i)))];
+let _e1685 = global_1.member[bitcast<u32>(select(0i, _e1680, (_e1680 > 0i)))];
 let _e1686 = bitcast<f32>(_e1685);
 let _e1687 = local_42.member[2u];
 let _e1688 = (_e1676 + _e1687);
 let _e1690 = select(_e1596, _e1688, (_e1688 < _e1596));
-let _e1695 = global_2.member[bitcast<u32>(select(0i, _e1690, (_e1690 > 0i)))];
+let _e1695 = global_1.member[bitcast<u32>(select(0i, _e1690, (_e1690 > 0i)))];
 let _e1697 = local_43[0u];
 let _e1701 = local_43[1u];
 let _e1706 = local_43[2u];
@@ -806,7 +806,7 @@ let _e1840 = (select(0i, _e1769, (_e1769 > 0i)) * _e1789);
 let _e1841 = (select(_e1802, _e1805, (_e1805 < _e1802)) * _e1789);
 let _e1842 = (select(0i, _e1784, (_e1784 > 0i)) * _e1794);
 let _e1843 = (select(_e1815, _e1818, (_e1818 < _e1815)) * _e1794);
-local_40 = type_33(array<i32, 4>(select(0i, _e1829, (_e1829 > 0i)), select(0i, _e1754, (_e1754 > 0i)), select(_e1828, _e1834, (_e1834 < _e1828)), select(_e1828, _e1837, (_e1837 < _e1828))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_40 = type_28(array<i32, 4>(select(0i, _e1829, (_e1829 > 0i)), select(0i, _e1754, (_e1754 > 0i)), select(_e1828, _e1834, (_e1834 < _e1828)), select(_e1828, _e1837, (_e1837 < _e1828))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_41 = vec3<f32>((_e1731 - f32(_e1754)), (_e1735 - f32(_e1769)), (_e1739 - f32(_e1784)));
 let _e1854 = (_e1842 + _e1840);
 let _e1857 = local_40.member[1u];
@@ -869,41 +869,41 @@ local_39 = _e1990;
 let _e1991 = local_39;
 let _e1993 = (bitcast<i32>(_e237) - 1i);
 let _e1995 = select(_e1993, 263197i, (263197i < _e1993));
-let _e2000 = global_3.member[bitcast<u32>(select(0i, _e1995, (_e1995 > 0i)))];
+let _e2000 = global_2.member[bitcast<u32>(select(0i, _e1995, (_e1995 > 0i)))];
 let _e2003 = select(_e1993, 263198i, (263198i < _e1993));
-let _e2008 = global_3.member[bitcast<u32>(select(0i, _e2003, (_e2003 > 0i)))];
+let _e2008 = global_2.member[bitcast<u32>(select(0i, _e2003, (_e2003 > 0i)))];
 let _e2011 = select(_e1993, 263199i, (263199i < _e1993));
-let _e2016 = global_3.member[bitcast<u32>(select(0i, _e2011, (_e2011 > 0i)))];
+let _e2016 = global_2.member[bitcast<u32>(select(0i, _e2011, (_e2011 > 0i)))];
 let _e2017 = bitcast<f32>(_e2016);
 let _e2019 = ((_e1991 - bitcast<f32>(_e2000)) * bitcast<f32>(_e2008));
 let _e2021 = select(0f, _e2019, (_e2019 > 0f));
 let _e2024 = local_39;
 let _e2026 = select(_e1993, 263200i, (263200i < _e1993));
-let _e2031 = global_3.member[bitcast<u32>(select(0i, _e2026, (_e2026 > 0i)))];
+let _e2031 = global_2.member[bitcast<u32>(select(0i, _e2026, (_e2026 > 0i)))];
 let _e2034 = select(_e1993, 263201i, (263201i < _e1993));
-let _e2039 = global_3.member[bitcast<u32>(select(0i, _e2034, (_e2034 > 0i)))];
+let _e2039 = global_2.member[bitcast<u32>(select(0i, _e2034, (_e2034 > 0i)))];
 let _e2042 = select(_e1993, 263202i, (263202i < _e1993));
-let _e2047 = global_3.member[bitcast<u32>(select(0i, _e2042, (_e2042 > 0i)))];
+let _e2047 = global_2.member[bitcast<u32>(select(0i, _e2042, (_e2042 > 0i)))];
 let _e2048 = bitcast<f32>(_e2047);
 let _e2050 = ((_e2024 - bitcast<f32>(_e2031)) * bitcast<f32>(_e2039));
 let _e2052 = select(0f, _e2050, (_e2050 > 0f));
 let _e2056 = local_39;
 let _e2058 = select(_e1993, 263203i, (263203i < _e1993));
-let _e2063 = global_3.member[bitcast<u32>(select(0i, _e2058, (_e2058 > 0i)))];
+let _e2063 = global_2.member[bitcast<u32>(select(0i, _e2058, (_e2058 > 0i)))];
 let _e2066 = select(_e1993, 263204i, (263204i < _e1993));
-let _e2071 = global_3.member[bitcast<u32>(select(0i, _e2066, (_e2066 > 0i)))];
+let _e2071 = global_2.member[bitcast<u32>(select(0i, _e2066, (_e2066 > 0i)))];
 let _e2074 = select(_e1993, 263205i, (263205i < _e1993));
-let _e2079 = global_3.member[bitcast<u32>(select(0i, _e2074, (_e2074 > 0i)))];
+let _e2079 = global_2.member[bitcast<u32>(select(0i, _e2074, (_e2074 > 0i)))];
 let _e2080 = bitcast<f32>(_e2079);
 let _e2082 = ((_e2056 - bitcast<f32>(_e2063)) * bitcast<f32>(_e2071));
 let _e2084 = select(0f, _e2082, (_e2082 > 0f));
 let _e2087 = local_39;
 let _e2089 = select(_e1993, 263206i, (263206i < _e1993));
-let _e2094 = global_3.member[bitcast<u32>(select(0i, _e2089, (_e2089 > 0i)))];
+let _e2094 = global_2.member[bitcast<u32>(select(0i, _e2089, (_e2089 > 0i)))];
 let _e2097 = select(_e1993, 263207i, (263207i < _e1993));
-let _e2102 = global_3.member[bitcast<u32>(select(0i, _e2097, (_e2097 > 0i)))];
+let _e2102 = global_2.member[bitcast<u32>(select(0i, _e2097, (_e2097 > 0i)))];
 let _e2105 = select(_e1993, 263208i, (263208i < _e1993));
-let _e2110 = global_3.member[bitcast<u32>(select(0i, _e2105, (_e2105 > 0i)))];
+let _e2110 = global_2.member[bitcast<u32>(select(0i, _e2105, (_e2105 > 0i)))];
 let _e2111 = bitcast<f32>(_e2110);
 let _e2113 = ((_e2087 - bitcast<f32>(_e2094)) * bitcast<f32>(_e2102));
 let _e2115 = select(0f, _e2113, (_e2113 > 0f));
@@ -914,13 +914,13 @@ let _e2130 = select(0i, select(select(i32(_e2123), i32(-2147483648), (_e2123 < -
 let _e2134 = (_e2130 - select(0i, 1i, (_e2123 < f32(_e2130))));
 let _e2135 = (262147i + _e2134);
 let _e2137 = select(_e1993, _e2135, (_e2135 < _e1993));
-let _e2143 = global_3.member[bitcast<u32>(select(0i, _e2137, (_e2137 > 0i)))];
+let _e2143 = global_2.member[bitcast<u32>(select(0i, _e2137, (_e2137 > 0i)))];
 let _e2153 = select(_e1993, 262146i, (262146i < _e1993));
-let _e2159 = global_3.member[bitcast<u32>(select(0i, _e2153, (_e2153 > 0i)))];
+let _e2159 = global_2.member[bitcast<u32>(select(0i, _e2153, (_e2153 > 0i)))];
 let _e2163 = select(_e1993, 262144i, (262144i < _e1993));
-let _e2169 = global_3.member[bitcast<u32>(select(0i, _e2163, (_e2163 > 0i)))];
+let _e2169 = global_2.member[bitcast<u32>(select(0i, _e2163, (_e2163 > 0i)))];
 let _e2172 = select(_e1993, 262145i, (262145i < _e1993));
-let _e2178 = global_3.member[bitcast<u32>(select(0i, _e2172, (_e2172 > 0i)))];
+let _e2178 = global_2.member[bitcast<u32>(select(0i, _e2172, (_e2172 > 0i)))];
 phi_3727_ = select(_e470[16], ((bitcast<f32>(_e2169) + (f32(bitcast<i32>((_e2143 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2178))) + ((f32((bitcast<i32>((_e2143 & 4095u)) - 2048i)) * bitcast<f32>(_e2159)) * (_e2119 - f32(_e2134)))), _e1384);
 } else {
 phi_3727_ = _e470[16];
@@ -931,7 +931,7 @@ let _e2190 = (_e505 - _e501);
 let _e2191 = (_e510 - _e495);
 let _e2196 = (((_e2189 * _e2189) + (_e2190 * _e2190)) + (_e2191 * _e2191));
 let _e2199 = sqrt(select(0f, _e2196, (_e2196 > 0f)));
-let _e2200 = type_39(type_29(1f, 1f), vec3<f32>(_e503, _e505, _e510), _e1395, _e2199, _e490, _e1395, true, false, false);
+let _e2200 = type_38(type_31(1f, 1f), vec3<f32>(_e503, _e505, _e510), _e1395, _e2199, _e490, _e1395, true, false, false);
 let _e2201 = (_e673 < 1e-12f);
 let _e2203 = (1f / select(_e668, 1f, _e2201));
 let _e2204 = (-0.5f - _e579);
@@ -1086,7 +1086,7 @@ let _e2564 = select(select(select(select(select(select(0f, _e2302.member_1, _e23
 let _e2565 = select(select(select(select(select(select(1f, _e2302.member_2, _e2344), _e2302.member_2, _e2384), _e2311.member_2, _e2424), _e2311.member_2, _e2464), _e2320.member_2, _e2504), _e2320.member_2, _e2544);
 let _e2569 = ((_e1043 & 16u) == 0u);
 if _e2569 {
-phi_5333_ = type_36(_e2550, vec3<f32>(_e2551, _e2552, _e2553), _e2555, vec3<f32>(_e2556, _e2557, _e2558), _e2560, _e2562, vec3<f32>(_e2563, _e2564, _e2565));
+phi_5333_ = type_34(_e2550, vec3<f32>(_e2551, _e2552, _e2553), _e2555, vec3<f32>(_e2556, _e2557, _e2558), _e2560, _e2562, vec3<f32>(_e2563, _e2564, _e2565));
 } else {
 let _e2574 = (((_e2302.member * _e2302.member) + (_e2302.member_1 * _e2302.member_1)) + (_e2302.member_2 * _e2302.member_2));
 let _e2577 = sqrt(select(0f, _e2574, (_e2574 > 0f)));
@@ -1166,7 +1166,7 @@ let _e2873 = select(2f, select(0f, _e2865, (_e2845 < 0f)), (_e2846 > 0f));
 let _e2874 = (_e2845 > _e2809);
 let _e2878 = ((_e2869 > _e2801) || ((_e2869 == _e2801) && _e2874));
 let _e2879 = (_e2873 < _e2805);
-phi_5333_ = type_36(select(_e2801, _e2869, _e2878), vec3<f32>(select(select(select(select(_e2551, _e2615.member, _e2641), _e2694.member, _e2720), _e2773.member, _e2799), _e2852.member, _e2878), select(select(select(select(_e2552, _e2615.member_1, _e2641), _e2694.member_1, _e2720), _e2773.member_1, _e2799), _e2852.member_1, _e2878), select(select(select(select(_e2553, _e2615.member_2, _e2641), _e2694.member_2, _e2720), _e2773.member_2, _e2799), _e2852.member_2, _e2878)), select(_e2805, _e2873, _e2879), vec3<f32>(select(select(select(select(_e2556, _e2615.member, _e2642), _e2694.member, _e2721), _e2773.member, _e2800), _e2852.member, _e2879), select(select(select(select(_e2557, _e2615.member_1, _e2642), _e2694.member_1, _e2721), _e2773.member_1, _e2800), _e2852.member_1, _e2879), select(select(select(select(_e2558, _e2615.member_2, _e2642), _e2694.member_2, _e2721), _e2773.member_2, _e2800), _e2852.member_2, _e2879)), select(_e2809, _e2845, _e2874), select(_e2811, _e2846, (_e2846 > _e2811)), vec3<f32>(select(select(select(select(_e2563, _e2615.member, _e2637), _e2694.member, _e2716), _e2773.member, _e2795), _e2852.member, _e2874), select(select(select(select(_e2564, _e2615.member_1, _e2637), _e2694.member_1, _e2716), _e2773.member_1, _e2795), _e2852.member_1, _e2874), select(select(select(select(_e2565, _e2615.member_2, _e2637), _e2694.member_2, _e2716), _e2773.member_2, _e2795), _e2852.member_2, _e2874)));
+phi_5333_ = type_34(select(_e2801, _e2869, _e2878), vec3<f32>(select(select(select(select(_e2551, _e2615.member, _e2641), _e2694.member, _e2720), _e2773.member, _e2799), _e2852.member, _e2878), select(select(select(select(_e2552, _e2615.member_1, _e2641), _e2694.member_1, _e2720), _e2773.member_1, _e2799), _e2852.member_1, _e2878), select(select(select(select(_e2553, _e2615.member_2, _e2641), _e2694.member_2, _e2720), _e2773.member_2, _e2799), _e2852.member_2, _e2878)), select(_e2805, _e2873, _e2879), vec3<f32>(select(select(select(select(_e2556, _e2615.member, _e2642), _e2694.member, _e2721), _e2773.member, _e2800), _e2852.member, _e2879), select(select(select(select(_e2557, _e2615.member_1, _e2642), _e2694.member_1, _e2721), _e2773.member_1, _e2800), _e2852.member_1, _e2879), select(select(select(select(_e2558, _e2615.member_2, _e2642), _e2694.member_2, _e2721), _e2773.member_2, _e2800), _e2852.member_2, _e2879)), select(_e2809, _e2845, _e2874), select(_e2811, _e2846, (_e2846 > _e2811)), vec3<f32>(select(select(select(select(_e2563, _e2615.member, _e2637), _e2694.member, _e2716), _e2773.member, _e2795), _e2852.member, _e2874), select(select(select(select(_e2564, _e2615.member_1, _e2637), _e2694.member_1, _e2716), _e2773.member_1, _e2795), _e2852.member_1, _e2874), select(select(select(select(_e2565, _e2615.member_2, _e2637), _e2694.member_2, _e2716), _e2773.member_2, _e2795), _e2852.member_2, _e2874)));
 }
 let _e2899 = phi_5333_;
 if ((_e2899.member_4 > -(0.015625f)) && (_e2899.member_4 < 0.015625f)) {
@@ -1181,9 +1181,9 @@ let _e2912 = (_e470[3] * _e2911);
 let _e2913 = (_e470[4] * _e2911);
 let _e2914 = (_e470[5] * _e2911);
 if _e2908 {
-phi_5376_ = type_30(_e2899.member_2, _e2899.member_3);
+phi_5376_ = type_39(_e2899.member_2, _e2899.member_3);
 } else {
-phi_5376_ = type_30(_e2899.member, _e2899.member_1);
+phi_5376_ = type_39(_e2899.member, _e2899.member_1);
 }
 let _e2923 = phi_5376_;
 if _e2908 {
@@ -1231,7 +1231,7 @@ let _e3072 = (select(0i, _e3001, (_e3001 > 0i)) * _e3021);
 let _e3073 = (select(_e3034, _e3037, (_e3037 < _e3034)) * _e3021);
 let _e3074 = (select(0i, _e3016, (_e3016 > 0i)) * _e3026);
 let _e3075 = (select(_e3047, _e3050, (_e3050 < _e3047)) * _e3026);
-local_36 = type_33(array<i32, 4>(select(0i, _e3061, (_e3061 > 0i)), select(0i, _e2986, (_e2986 > 0i)), select(_e3060, _e3066, (_e3066 < _e3060)), select(_e3060, _e3069, (_e3069 < _e3060))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_36 = type_28(array<i32, 4>(select(0i, _e3061, (_e3061 > 0i)), select(0i, _e2986, (_e2986 > 0i)), select(_e3060, _e3066, (_e3066 < _e3060)), select(_e3060, _e3069, (_e3069 < _e3060))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_37 = vec3<f32>((_e2963 - f32(_e2986)), (_e2967 - f32(_e3001)), (_e2971 - f32(_e3016)));
 let _e3086 = (_e3074 + _e3072);
 let _e3089 = local_36.member[1u];
@@ -1294,49 +1294,49 @@ local_35 = _e3222;
 let _e3223 = local_35;
 let _e3225 = (bitcast<i32>(_e237) - 1i);
 let _e3227 = select(_e3225, 263197i, (263197i < _e3225));
-let _e3232 = global_3.member[bitcast<u32>(select(0i, _e3227, (_e3227 > 0i)))];
+let _e3232 = global_2.member[bitcast<u32>(select(0i, _e3227, (_e3227 > 0i)))];
 let _e3233 = bitcast<f32>(_e3232);
 let _e3235 = select(_e3225, 263198i, (263198i < _e3225));
-let _e3240 = global_3.member[bitcast<u32>(select(0i, _e3235, (_e3235 > 0i)))];
+let _e3240 = global_2.member[bitcast<u32>(select(0i, _e3235, (_e3235 > 0i)))];
 let _e3241 = bitcast<f32>(_e3240);
 let _e3243 = select(_e3225, 263199i, (263199i < _e3225));
-let _e3248 = global_3.member[bitcast<u32>(select(0i, _e3243, (_e3243 > 0i)))];
+let _e3248 = global_2.member[bitcast<u32>(select(0i, _e3243, (_e3243 > 0i)))];
 let _e3249 = bitcast<f32>(_e3248);
 let _e3251 = ((_e3223 - _e3233) * _e3241);
 let _e3253 = select(0f, _e3251, (_e3251 > 0f));
 let _e3256 = local_35;
 let _e3258 = select(_e3225, 263200i, (263200i < _e3225));
-let _e3263 = global_3.member[bitcast<u32>(select(0i, _e3258, (_e3258 > 0i)))];
+let _e3263 = global_2.member[bitcast<u32>(select(0i, _e3258, (_e3258 > 0i)))];
 let _e3264 = bitcast<f32>(_e3263);
 let _e3266 = select(_e3225, 263201i, (263201i < _e3225));
-let _e3271 = global_3.member[bitcast<u32>(select(0i, _e3266, (_e3266 > 0i)))];
+let _e3271 = global_2.member[bitcast<u32>(select(0i, _e3266, (_e3266 > 0i)))];
 let _e3272 = bitcast<f32>(_e3271);
 let _e3274 = select(_e3225, 263202i, (263202i < _e3225));
-let _e3279 = global_3.member[bitcast<u32>(select(0i, _e3274, (_e3274 > 0i)))];
+let _e3279 = global_2.member[bitcast<u32>(select(0i, _e3274, (_e3274 > 0i)))];
 let _e3280 = bitcast<f32>(_e3279);
 let _e3282 = ((_e3256 - _e3264) * _e3272);
 let _e3284 = select(0f, _e3282, (_e3282 > 0f));
 let _e3288 = local_35;
 let _e3290 = select(_e3225, 263203i, (263203i < _e3225));
-let _e3295 = global_3.member[bitcast<u32>(select(0i, _e3290, (_e3290 > 0i)))];
+let _e3295 = global_2.member[bitcast<u32>(select(0i, _e3290, (_e3290 > 0i)))];
 let _e3296 = bitcast<f32>(_e3295);
 let _e3298 = select(_e3225, 263204i, (263204i < _e3225));
-let _e3303 = global_3.member[bitcast<u32>(select(0i, _e3298, (_e3298 > 0i)))];
+let _e3303 = global_2.member[bitcast<u32>(select(0i, _e3298, (_e3298 > 0i)))];
 let _e3304 = bitcast<f32>(_e3303);
 let _e3306 = select(_e3225, 263205i, (263205i < _e3225));
-let _e3311 = global_3.member[bitcast<u32>(select(0i, _e3306, (_e3306 > 0i)))];
+let _e3311 = global_2.member[bitcast<u32>(select(0i, _e3306, (_e3306 > 0i)))];
 let _e3312 = bitcast<f32>(_e3311);
 let _e3314 = ((_e3288 - _e3296) * _e3304);
 let _e3316 = select(0f, _e3314, (_e3314 > 0f));
 let _e3319 = local_35;
 let _e3321 = select(_e3225, 263206i, (263206i < _e3225));
-let _e3326 = global_3.member[bitcast<u32>(select(0i, _e3321, (_e3321 > 0i)))];
+let _e3326 = global_2.member[bitcast<u32>(select(0i, _e3321, (_e3321 > 0i)))];
 let _e3327 = bitcast<f32>(_e3326);
 let _e3329 = select(_e3225, 263207i, (263207i < _e3225));
-let _e3334 = global_3.member[bitcast<u32>(select(0i, _e3329, (_e3329 > 0i)))];
+let _e3334 = global_2.member[bitcast<u32>(select(0i, _e3329, (_e3329 > 0i)))];
 let _e3335 = bitcast<f32>(_e3334);
 let _e3337 = select(_e3225, 263208i, (263208i < _e3225));
-let _e3342 = global_3.member[bitcast<u32>(select(0i, _e3337, (_e3337 > 0i)))];
+let _e3342 = global_2.member[bitcast<u32>(select(0i, _e3337, (_e3337 > 0i)))];
 let _e3343 = bitcast<f32>(_e3342);
 let _e3345 = ((_e3319 - _e3327) * _e3335);
 let _e3347 = select(0f, _e3345, (_e3345 > 0f));
@@ -1347,21 +1347,21 @@ let _e3362 = select(0i, select(select(i32(_e3355), i32(-2147483648), (_e3355 < -
 let _e3366 = (_e3362 - select(0i, 1i, (_e3355 < f32(_e3362))));
 let _e3367 = (262147i + _e3366);
 let _e3369 = select(_e3225, _e3367, (_e3367 < _e3225));
-let _e3374 = global_3.member[bitcast<u32>(select(0i, _e3369, (_e3369 > 0i)))];
+let _e3374 = global_2.member[bitcast<u32>(select(0i, _e3369, (_e3369 > 0i)))];
 let _e3384 = select(_e3225, 262146i, (262146i < _e3225));
-let _e3389 = global_3.member[bitcast<u32>(select(0i, _e3384, (_e3384 > 0i)))];
+let _e3389 = global_2.member[bitcast<u32>(select(0i, _e3384, (_e3384 > 0i)))];
 let _e3390 = bitcast<f32>(_e3389);
 let _e3393 = select(_e3225, 262144i, (262144i < _e3225));
-let _e3398 = global_3.member[bitcast<u32>(select(0i, _e3393, (_e3393 > 0i)))];
+let _e3398 = global_2.member[bitcast<u32>(select(0i, _e3393, (_e3393 > 0i)))];
 let _e3399 = bitcast<f32>(_e3398);
 let _e3401 = select(_e3225, 262145i, (262145i < _e3225));
-let _e3406 = global_3.member[bitcast<u32>(select(0i, _e3401, (_e3401 > 0i)))];
+let _e3406 = global_2.member[bitcast<u32>(select(0i, _e3401, (_e3401 > 0i)))];
 let _e3407 = bitcast<f32>(_e3406);
 let _e3413 = ((_e3399 + (f32(bitcast<i32>((_e3374 >> bitcast<u32>(12u)))) * _e3407)) + ((f32((bitcast<i32>((_e3374 & 4095u)) - 2048i)) * _e3390) * (_e3351 - f32(_e3366))));
 if _e2908 {
-phi_6468_ = type_29(_e3413, 1f);
+phi_6468_ = type_31(_e3413, 1f);
 } else {
-phi_6468_ = type_29(1f, _e3413);
+phi_6468_ = type_31(1f, _e3413);
 }
 let _e3417 = phi_6468_;
 let _e3422 = ((_e3417.member_1 * _e3417.member_1) - (_e3417.member * _e3417.member));
@@ -1499,7 +1499,7 @@ let _e3762 = select(select(select(select(select(select(0f, _e2302.member, _e3543
 let _e3763 = select(select(select(select(select(select(0f, _e2302.member_1, _e3543), _e2302.member_1, _e3583), _e2311.member_1, _e3623), _e2311.member_1, _e3663), _e2320.member_1, _e3703), _e2320.member_1, _e3743);
 let _e3764 = select(select(select(select(select(select(1f, _e2302.member_2, _e3543), _e2302.member_2, _e3583), _e2311.member_2, _e3623), _e2311.member_2, _e3663), _e2320.member_2, _e3703), _e2320.member_2, _e3743);
 if _e2569 {
-phi_7991_ = type_36(_e3749, vec3<f32>(_e3750, _e3751, _e3752), _e3754, vec3<f32>(_e3755, _e3756, _e3757), _e3759, _e3761, vec3<f32>(_e3762, _e3763, _e3764));
+phi_7991_ = type_34(_e3749, vec3<f32>(_e3750, _e3751, _e3752), _e3754, vec3<f32>(_e3755, _e3756, _e3757), _e3759, _e3761, vec3<f32>(_e3762, _e3763, _e3764));
 } else {
 let _e3771 = (((_e2302.member * _e2302.member) + (_e2302.member_1 * _e2302.member_1)) + (_e2302.member_2 * _e2302.member_2));
 let _e3774 = sqrt(select(0f, _e3771, (_e3771 > 0f)));
@@ -1579,7 +1579,7 @@ let _e4070 = select(2f, select(0f, _e4062, (_e4042 < 0f)), (_e4043 > 0f));
 let _e4071 = (_e4042 > _e4006);
 let _e4075 = ((_e4066 > _e3998) || ((_e4066 == _e3998) && _e4071));
 let _e4076 = (_e4070 < _e4002);
-phi_7991_ = type_36(select(_e3998, _e4066, _e4075), vec3<f32>(select(select(select(select(_e3750, _e3812.member, _e3838), _e3891.member, _e3917), _e3970.member, _e3996), _e4049.member, _e4075), select(select(select(select(_e3751, _e3812.member_1, _e3838), _e3891.member_1, _e3917), _e3970.member_1, _e3996), _e4049.member_1, _e4075), select(select(select(select(_e3752, _e3812.member_2, _e3838), _e3891.member_2, _e3917), _e3970.member_2, _e3996), _e4049.member_2, _e4075)), select(_e4002, _e4070, _e4076), vec3<f32>(select(select(select(select(_e3755, _e3812.member, _e3839), _e3891.member, _e3918), _e3970.member, _e3997), _e4049.member, _e4076), select(select(select(select(_e3756, _e3812.member_1, _e3839), _e3891.member_1, _e3918), _e3970.member_1, _e3997), _e4049.member_1, _e4076), select(select(select(select(_e3757, _e3812.member_2, _e3839), _e3891.member_2, _e3918), _e3970.member_2, _e3997), _e4049.member_2, _e4076)), select(_e4006, _e4042, _e4071), select(_e4008, _e4043, (_e4043 > _e4008)), vec3<f32>(select(select(select(select(_e3762, _e3812.member, _e3834), _e3891.member, _e3913), _e3970.member, _e3992), _e4049.member, _e4071), select(select(select(select(_e3763, _e3812.member_1, _e3834), _e3891.member_1, _e3913), _e3970.member_1, _e3992), _e4049.member_1, _e4071), select(select(select(select(_e3764, _e3812.member_2, _e3834), _e3891.member_2, _e3913), _e3970.member_2, _e3992), _e4049.member_2, _e4071)));
+phi_7991_ = type_34(select(_e3998, _e4066, _e4075), vec3<f32>(select(select(select(select(_e3750, _e3812.member, _e3838), _e3891.member, _e3917), _e3970.member, _e3996), _e4049.member, _e4075), select(select(select(select(_e3751, _e3812.member_1, _e3838), _e3891.member_1, _e3917), _e3970.member_1, _e3996), _e4049.member_1, _e4075), select(select(select(select(_e3752, _e3812.member_2, _e3838), _e3891.member_2, _e3917), _e3970.member_2, _e3996), _e4049.member_2, _e4075)), select(_e4002, _e4070, _e4076), vec3<f32>(select(select(select(select(_e3755, _e3812.member, _e3839), _e3891.member, _e3918), _e3970.member, _e3997), _e4049.member, _e4076), select(select(select(select(_e3756, _e3812.member_1, _e3839), _e3891.member_1, _e3918), _e3970.member_1, _e3997), _e4049.member_1, _e4076), select(select(select(select(_e3757, _e3812.member_2, _e3839), _e3891.member_2, _e3918), _e3970.member_2, _e3997), _e4049.member_2, _e4076)), select(_e4006, _e4042, _e4071), select(_e4008, _e4043, (_e4043 > _e4008)), vec3<f32>(select(select(select(select(_e3762, _e3812.member, _e3834), _e3891.member, _e3913), _e3970.member, _e3992), _e4049.member, _e4071), select(select(select(select(_e3763, _e3812.member_1, _e3834), _e3891.member_1, _e3913), _e3970.member_1, _e3992), _e4049.member_1, _e4071), select(select(select(select(_e3764, _e3812.member_2, _e3834), _e3891.member_2, _e3913), _e3970.member_2, _e3992), _e4049.member_2, _e4071)));
 }
 let _e4096 = phi_7991_;
 let _e4102 = (((_e2931 && _e3504) && !(_e3489)) && (_e4096.member_2 <= 1f));
@@ -1622,7 +1622,7 @@ let _e4212 = (select(0i, _e4175, (_e4175 > 0i)) * _e3021);
 let _e4213 = (select(_e3034, _e4193, (_e4193 < _e3034)) * _e3021);
 let _e4214 = (select(0i, _e4190, (_e4190 > 0i)) * _e3026);
 let _e4215 = (select(_e3047, _e4198, (_e4198 < _e3047)) * _e3026);
-local_32 = type_33(array<i32, 4>(select(0i, _e4201, (_e4201 > 0i)), select(0i, _e4160, (_e4160 > 0i)), select(_e3060, _e4206, (_e4206 < _e3060)), select(_e3060, _e4209, (_e4209 < _e3060))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_32 = type_28(array<i32, 4>(select(0i, _e4201, (_e4201 > 0i)), select(0i, _e4160, (_e4160 > 0i)), select(_e3060, _e4206, (_e4206 < _e3060)), select(_e3060, _e4209, (_e4209 < _e3060))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_33 = vec3<f32>((_e4137 - f32(_e4160)), (_e4141 - f32(_e4175)), (_e4145 - f32(_e4190)));
 let _e4226 = (_e4214 + _e4212);
 let _e4229 = local_32.member[1u];
@@ -1698,12 +1698,12 @@ let _e4392 = select(0i, select(select(i32(_e4385), i32(-2147483648), (_e4385 < -
 let _e4396 = (_e4392 - select(0i, 1i, (_e4385 < f32(_e4392))));
 let _e4397 = (262147i + _e4396);
 let _e4399 = select(_e3225, _e4397, (_e4397 < _e3225));
-let _e4404 = global_3.member[bitcast<u32>(select(0i, _e4399, (_e4399 > 0i)))];
+let _e4404 = global_2.member[bitcast<u32>(select(0i, _e4399, (_e4399 > 0i)))];
 let _e4419 = ((_e3399 + (f32(bitcast<i32>((_e4404 >> bitcast<u32>(12u)))) * _e3407)) + ((f32((bitcast<i32>((_e4404 & 4095u)) - 2048i)) * _e3390) * (_e4381 - f32(_e4396))));
 if _e3504 {
-phi_9103_ = type_29(_e4419, 1f);
+phi_9103_ = type_31(_e4419, 1f);
 } else {
-phi_9103_ = type_29(1f, _e4419);
+phi_9103_ = type_31(1f, _e4419);
 }
 let _e4423 = phi_9103_;
 let _e4428 = ((_e4423.member_1 * _e4423.member_1) - (_e4423.member * _e4423.member));
@@ -1842,7 +1842,7 @@ let _e4784 = select(select(select(select(select(select(0f, _e2302.member, _e4565
 let _e4785 = select(select(select(select(select(select(0f, _e2302.member_1, _e4565), _e2302.member_1, _e4605), _e2311.member_1, _e4645), _e2311.member_1, _e4685), _e2320.member_1, _e4725), _e2320.member_1, _e4765);
 let _e4786 = select(select(select(select(select(select(1f, _e2302.member_2, _e4565), _e2302.member_2, _e4605), _e2311.member_2, _e4645), _e2311.member_2, _e4685), _e2320.member_2, _e4725), _e2320.member_2, _e4765);
 if _e2569 {
-phi_10641_ = type_36(_e4771, vec3<f32>(_e4772, _e4773, _e4774), _e4776, vec3<f32>(_e4777, _e4778, _e4779), _e4781, _e4783, vec3<f32>(_e4784, _e4785, _e4786));
+phi_10641_ = type_34(_e4771, vec3<f32>(_e4772, _e4773, _e4774), _e4776, vec3<f32>(_e4777, _e4778, _e4779), _e4781, _e4783, vec3<f32>(_e4784, _e4785, _e4786));
 } else {
 let _e4793 = (((_e2302.member * _e2302.member) + (_e2302.member_1 * _e2302.member_1)) + (_e2302.member_2 * _e2302.member_2));
 let _e4796 = sqrt(select(0f, _e4793, (_e4793 > 0f)));
@@ -1922,7 +1922,7 @@ let _e5092 = select(2f, select(0f, _e5084, (_e5064 < 0f)), (_e5065 > 0f));
 let _e5093 = (_e5064 > _e5028);
 let _e5097 = ((_e5088 > _e5020) || ((_e5088 == _e5020) && _e5093));
 let _e5098 = (_e5092 < _e5024);
-phi_10641_ = type_36(select(_e5020, _e5088, _e5097), vec3<f32>(select(select(select(select(_e4772, _e4834.member, _e4860), _e4913.member, _e4939), _e4992.member, _e5018), _e5071.member, _e5097), select(select(select(select(_e4773, _e4834.member_1, _e4860), _e4913.member_1, _e4939), _e4992.member_1, _e5018), _e5071.member_1, _e5097), select(select(select(select(_e4774, _e4834.member_2, _e4860), _e4913.member_2, _e4939), _e4992.member_2, _e5018), _e5071.member_2, _e5097)), select(_e5024, _e5092, _e5098), vec3<f32>(select(select(select(select(_e4777, _e4834.member, _e4861), _e4913.member, _e4940), _e4992.member, _e5019), _e5071.member, _e5098), select(select(select(select(_e4778, _e4834.member_1, _e4861), _e4913.member_1, _e4940), _e4992.member_1, _e5019), _e5071.member_1, _e5098), select(select(select(select(_e4779, _e4834.member_2, _e4861), _e4913.member_2, _e4940), _e4992.member_2, _e5019), _e5071.member_2, _e5098)), select(_e5028, _e5064, _e5093), select(_e5030, _e5065, (_e5065 > _e5030)), vec3<f32>(select(select(select(select(_e4784, _e4834.member, _e4856), _e4913.member, _e4935), _e4992.member, _e5014), _e5071.member, _e5093), select(select(select(select(_e4785, _e4834.member_1, _e4856), _e4913.member_1, _e4935), _e4992.member_1, _e5014), _e5071.member_1, _e5093), select(select(select(select(_e4786, _e4834.member_2, _e4856), _e4913.member_2, _e4935), _e4992.member_2, _e5014), _e5071.member_2, _e5093)));
+phi_10641_ = type_34(select(_e5020, _e5088, _e5097), vec3<f32>(select(select(select(select(_e4772, _e4834.member, _e4860), _e4913.member, _e4939), _e4992.member, _e5018), _e5071.member, _e5097), select(select(select(select(_e4773, _e4834.member_1, _e4860), _e4913.member_1, _e4939), _e4992.member_1, _e5018), _e5071.member_1, _e5097), select(select(select(select(_e4774, _e4834.member_2, _e4860), _e4913.member_2, _e4939), _e4992.member_2, _e5018), _e5071.member_2, _e5097)), select(_e5024, _e5092, _e5098), vec3<f32>(select(select(select(select(_e4777, _e4834.member, _e4861), _e4913.member, _e4940), _e4992.member, _e5019), _e5071.member, _e5098), select(select(select(select(_e4778, _e4834.member_1, _e4861), _e4913.member_1, _e4940), _e4992.member_1, _e5019), _e5071.member_1, _e5098), select(select(select(select(_e4779, _e4834.member_2, _e4861), _e4913.member_2, _e4940), _e4992.member_2, _e5019), _e5071.member_2, _e5098)), select(_e5028, _e5064, _e5093), select(_e5030, _e5065, (_e5065 > _e5030)), vec3<f32>(select(select(select(select(_e4784, _e4834.member, _e4856), _e4913.member, _e4935), _e4992.member, _e5014), _e5071.member, _e5093), select(select(select(select(_e4785, _e4834.member_1, _e4856), _e4913.member_1, _e4935), _e4992.member_1, _e5014), _e5071.member_1, _e5093), select(select(select(select(_e4786, _e4834.member_2, _e4856), _e4913.member_2, _e4935), _e4992.member_2, _e5014), _e5071.member_2, _e5093)));
 }
 let _e5118 = phi_10641_;
 let _e5124 = (((_e4102 && _e4505) && !(_e4489)) && (_e5118.member_2 <= 1f));
@@ -1964,7 +1964,7 @@ let _e5234 = (select(0i, _e5197, (_e5197 > 0i)) * _e3021);
 let _e5235 = (select(_e3034, _e5215, (_e5215 < _e3034)) * _e3021);
 let _e5236 = (select(0i, _e5212, (_e5212 > 0i)) * _e3026);
 let _e5237 = (select(_e3047, _e5220, (_e5220 < _e3047)) * _e3026);
-local_28 = type_33(array<i32, 4>(select(0i, _e5223, (_e5223 > 0i)), select(0i, _e5182, (_e5182 > 0i)), select(_e3060, _e5228, (_e5228 < _e3060)), select(_e3060, _e5231, (_e5231 < _e3060))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_28 = type_28(array<i32, 4>(select(0i, _e5223, (_e5223 > 0i)), select(0i, _e5182, (_e5182 > 0i)), select(_e3060, _e5228, (_e5228 < _e3060)), select(_e3060, _e5231, (_e5231 < _e3060))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_29 = vec3<f32>((_e5159 - f32(_e5182)), (_e5163 - f32(_e5197)), (_e5167 - f32(_e5212)));
 let _e5248 = (_e5236 + _e5234);
 let _e5251 = local_28.member[1u];
@@ -2040,12 +2040,12 @@ let _e5414 = select(0i, select(select(i32(_e5407), i32(-2147483648), (_e5407 < -
 let _e5418 = (_e5414 - select(0i, 1i, (_e5407 < f32(_e5414))));
 let _e5419 = (262147i + _e5418);
 let _e5421 = select(_e3225, _e5419, (_e5419 < _e3225));
-let _e5426 = global_3.member[bitcast<u32>(select(0i, _e5421, (_e5421 > 0i)))];
+let _e5426 = global_2.member[bitcast<u32>(select(0i, _e5421, (_e5421 > 0i)))];
 let _e5441 = ((_e3399 + (f32(bitcast<i32>((_e5426 >> bitcast<u32>(12u)))) * _e3407)) + ((f32((bitcast<i32>((_e5426 & 4095u)) - 2048i)) * _e3390) * (_e5403 - f32(_e5418))));
 if _e4505 {
-phi_11753_ = type_29(_e5441, 1f);
+phi_11753_ = type_31(_e5441, 1f);
 } else {
-phi_11753_ = type_29(1f, _e5441);
+phi_11753_ = type_31(1f, _e5441);
 }
 let _e5445 = phi_11753_;
 let _e5450 = ((_e5445.member_1 * _e5445.member_1) - (_e5445.member * _e5445.member));
@@ -2184,7 +2184,7 @@ let _e5807 = select(select(select(select(select(select(0f, _e2302.member, _e5588
 let _e5808 = select(select(select(select(select(select(0f, _e2302.member_1, _e5588), _e2302.member_1, _e5628), _e2311.member_1, _e5668), _e2311.member_1, _e5708), _e2320.member_1, _e5748), _e2320.member_1, _e5788);
 let _e5809 = select(select(select(select(select(select(1f, _e2302.member_2, _e5588), _e2302.member_2, _e5628), _e2311.member_2, _e5668), _e2311.member_2, _e5708), _e2320.member_2, _e5748), _e2320.member_2, _e5788);
 if _e2569 {
-phi_13291_ = type_36(_e5794, vec3<f32>(_e5795, _e5796, _e5797), _e5799, vec3<f32>(_e5800, _e5801, _e5802), _e5804, _e5806, vec3<f32>(_e5807, _e5808, _e5809));
+phi_13291_ = type_34(_e5794, vec3<f32>(_e5795, _e5796, _e5797), _e5799, vec3<f32>(_e5800, _e5801, _e5802), _e5804, _e5806, vec3<f32>(_e5807, _e5808, _e5809));
 } else {
 let _e5816 = (((_e2302.member * _e2302.member) + (_e2302.member_1 * _e2302.member_1)) + (_e2302.member_2 * _e2302.member_2));
 let _e5819 = sqrt(select(0f, _e5816, (_e5816 > 0f)));
@@ -2264,7 +2264,7 @@ let _e6115 = select(2f, select(0f, _e6107, (_e6087 < 0f)), (_e6088 > 0f));
 let _e6116 = (_e6087 > _e6051);
 let _e6120 = ((_e6111 > _e6043) || ((_e6111 == _e6043) && _e6116));
 let _e6121 = (_e6115 < _e6047);
-phi_13291_ = type_36(select(_e6043, _e6111, _e6120), vec3<f32>(select(select(select(select(_e5795, _e5857.member, _e5883), _e5936.member, _e5962), _e6015.member, _e6041), _e6094.member, _e6120), select(select(select(select(_e5796, _e5857.member_1, _e5883), _e5936.member_1, _e5962), _e6015.member_1, _e6041), _e6094.member_1, _e6120), select(select(select(select(_e5797, _e5857.member_2, _e5883), _e5936.member_2, _e5962), _e6015.member_2, _e6041), _e6094.member_2, _e6120)), select(_e6047, _e6115, _e6121), vec3<f32>(select(select(select(select(_e5800, _e5857.member, _e5884), _e5936.member, _e5963), _e6015.member, _e6042), _e6094.member, _e6121), select(select(select(select(_e5801, _e5857.member_1, _e5884), _e5936.member_1, _e5963), _e6015.member_1, _e6042), _e6094.member_1, _e6121), select(select(select(select(_e5802, _e5857.member_2, _e5884), _e5936.member_2, _e5963), _e6015.member_2, _e6042), _e6094.member_2, _e6121)), select(_e6051, _e6087, _e6116), select(_e6053, _e6088, (_e6088 > _e6053)), vec3<f32>(select(select(select(select(_e5807, _e5857.member, _e5879), _e5936.member, _e5958), _e6015.member, _e6037), _e6094.member, _e6116), select(select(select(select(_e5808, _e5857.member_1, _e5879), _e5936.member_1, _e5958), _e6015.member_1, _e6037), _e6094.member_1, _e6116), select(select(select(select(_e5809, _e5857.member_2, _e5879), _e5936.member_2, _e5958), _e6015.member_2, _e6037), _e6094.member_2, _e6116)));
+phi_13291_ = type_34(select(_e6043, _e6111, _e6120), vec3<f32>(select(select(select(select(_e5795, _e5857.member, _e5883), _e5936.member, _e5962), _e6015.member, _e6041), _e6094.member, _e6120), select(select(select(select(_e5796, _e5857.member_1, _e5883), _e5936.member_1, _e5962), _e6015.member_1, _e6041), _e6094.member_1, _e6120), select(select(select(select(_e5797, _e5857.member_2, _e5883), _e5936.member_2, _e5962), _e6015.member_2, _e6041), _e6094.member_2, _e6120)), select(_e6047, _e6115, _e6121), vec3<f32>(select(select(select(select(_e5800, _e5857.member, _e5884), _e5936.member, _e5963), _e6015.member, _e6042), _e6094.member, _e6121), select(select(select(select(_e5801, _e5857.member_1, _e5884), _e5936.member_1, _e5963), _e6015.member_1, _e6042), _e6094.member_1, _e6121), select(select(select(select(_e5802, _e5857.member_2, _e5884), _e5936.member_2, _e5963), _e6015.member_2, _e6042), _e6094.member_2, _e6121)), select(_e6051, _e6087, _e6116), select(_e6053, _e6088, (_e6088 > _e6053)), vec3<f32>(select(select(select(select(_e5807, _e5857.member, _e5879), _e5936.member, _e5958), _e6015.member, _e6037), _e6094.member, _e6116), select(select(select(select(_e5808, _e5857.member_1, _e5879), _e5936.member_1, _e5958), _e6015.member_1, _e6037), _e6094.member_1, _e6116), select(select(select(select(_e5809, _e5857.member_2, _e5879), _e5936.member_2, _e5958), _e6015.member_2, _e6037), _e6094.member_2, _e6116)));
 }
 let _e6141 = phi_13291_;
 let _e6147 = (((_e5124 && _e5528) && !(_e5512)) && (_e6141.member_2 <= 1f));
@@ -2444,12 +2444,12 @@ phi_15039_ = _e3417;
 phi_15039_ = _e4423;
 }
 let _e6668 = phi_15039_;
-phi_15052_ = type_39(_e6668, vec3<f32>(select(_e5523, _e5137.x, _e6147), select(_e5524, _e5137.y, _e6147), select(_e5525, _e5137.z, _e6147)), vec3<f32>(_e5497, _e5498, _e5499), select(_e2287, ((((sqrt(select(0f, _e6155, (_e6155 > 0f))) * select(0f, _e6254, (_e6254 > 0f))) + (sqrt(select(0f, _e6265, (_e6265 > 0f))) * select(0f, _e6382, (_e6382 > 0f)))) + (sqrt(select(0f, _e6394, (_e6394 > 0f))) * select(0f, _e6511, (_e6511 > 0f)))) + select(0f, (sqrt(select(0f, _e6523, (_e6523 > 0f))) * select(0f, _e6640, (_e6640 > 0f))), _e5124)), _e6647), select((_e489 / _e5499), (2f * (_e4106 / _e3471)), (((_e2931 && !(_e2908)) && _e3504) && !(_e4102))), select(_e4096.member_3, _e2923.member_1, vec3(_e3485)), _e5528, _e6647, (((_e3489 || _e4489) || _e5512) || _e6147));
+phi_15052_ = type_38(_e6668, vec3<f32>(select(_e5523, _e5137.x, _e6147), select(_e5524, _e5137.y, _e6147), select(_e5525, _e5137.z, _e6147)), vec3<f32>(_e5497, _e5498, _e5499), select(_e2287, ((((sqrt(select(0f, _e6155, (_e6155 > 0f))) * select(0f, _e6254, (_e6254 > 0f))) + (sqrt(select(0f, _e6265, (_e6265 > 0f))) * select(0f, _e6382, (_e6382 > 0f)))) + (sqrt(select(0f, _e6394, (_e6394 > 0f))) * select(0f, _e6511, (_e6511 > 0f)))) + select(0f, (sqrt(select(0f, _e6523, (_e6523 > 0f))) * select(0f, _e6640, (_e6640 > 0f))), _e5124)), _e6647), select((_e489 / _e5499), (2f * (_e4106 / _e3471)), (((_e2931 && !(_e2908)) && _e3504) && !(_e4102))), select(_e4096.member_3, _e2923.member_1, vec3(_e3485)), _e5528, _e6647, (((_e3489 || _e4489) || _e5512) || _e6147));
 phi_15053_ = vec3<f32>(_e2912, _e2913, _e2914);
 phi_15054_ = _e2908;
 phi_15055_ = _e2909;
 } else {
-phi_15052_ = type_39(_e2200.member, _e2200.member_1, _e2200.member_2, _e2287, _e2200.member_4, _e2200.member_5, _e2200.member_6, _e2200.member_7, _e2200.member_8);
+phi_15052_ = type_38(_e2200.member, _e2200.member_1, _e2200.member_2, _e2287, _e2200.member_4, _e2200.member_5, _e2200.member_6, _e2200.member_7, _e2200.member_8);
 phi_15053_ = _e1395;
 phi_15054_ = true;
 phi_15055_ = _e2188;
@@ -2492,53 +2492,53 @@ let _e7014 = (select(0i, _e6977, (_e6977 > 0i)) * _e1525);
 let _e7015 = (select(_e1538, _e6995, (_e6995 < _e1538)) * _e1525);
 let _e7016 = (select(0i, _e6992, (_e6992 > 0i)) * _e1530);
 let _e7017 = (select(_e1551, _e7000, (_e7000 < _e1551)) * _e1530);
-local_24 = type_33(array<i32, 4>(select(0i, _e7003, (_e7003 > 0i)), select(0i, _e6962, (_e6962 > 0i)), select(_e1564, _e7008, (_e7008 < _e1564)), select(_e1564, _e7011, (_e7011 < _e1564))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_24 = type_28(array<i32, 4>(select(0i, _e7003, (_e7003 > 0i)), select(0i, _e6962, (_e6962 > 0i)), select(_e1564, _e7008, (_e7008 < _e1564)), select(_e1564, _e7011, (_e7011 < _e1564))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_25 = vec3<f32>((_e6939 - f32(_e6962)), (_e6943 - f32(_e6977)), (_e6947 - f32(_e6992)));
 let _e7028 = (_e7016 + _e7014);
 let _e7031 = local_24.member[1u];
 let _e7032 = (_e7028 + _e7031);
 let _e7034 = select(_e1596, _e7032, (_e7032 < _e1596));
-let _e7039 = global_2.member[bitcast<u32>(select(0i, _e7034, (_e7034 > 0i)))];
+let _e7039 = global_1.member[bitcast<u32>(select(0i, _e7034, (_e7034 > 0i)))];
 let _e7040 = bitcast<f32>(_e7039);
 let _e7043 = local_24.member[2u];
 let _e7044 = (_e7028 + _e7043);
 let _e7046 = select(_e1596, _e7044, (_e7044 < _e1596));
-let _e7051 = global_2.member[bitcast<u32>(select(0i, _e7046, (_e7046 > 0i)))];
+let _e7051 = global_1.member[bitcast<u32>(select(0i, _e7046, (_e7046 > 0i)))];
 let _e7053 = local_25[0u];
 let _e7056 = (_e7040 + ((bitcast<f32>(_e7051) - _e7040) * _e7053));
 let _e7057 = (_e7016 + _e7015);
 let _e7058 = local_24.member[1u];
 let _e7059 = (_e7057 + _e7058);
 let _e7061 = select(_e1596, _e7059, (_e7059 < _e1596));
-let _e7066 = global_2.member[bitcast<u32>(select(0i, _e7061, (_e7061 > 0i)))];
+let _e7066 = global_1.member[bitcast<u32>(select(0i, _e7061, (_e7061 > 0i)))];
 let _e7067 = bitcast<f32>(_e7066);
 let _e7068 = local_24.member[2u];
 let _e7069 = (_e7057 + _e7068);
 let _e7071 = select(_e1596, _e7069, (_e7069 < _e1596));
-let _e7076 = global_2.member[bitcast<u32>(select(0i, _e7071, (_e7071 > 0i)))];
+let _e7076 = global_1.member[bitcast<u32>(select(0i, _e7071, (_e7071 > 0i)))];
 let _e7078 = local_25[0u];
 let _e7082 = (_e7017 + _e7014);
 let _e7083 = local_24.member[1u];
 let _e7084 = (_e7082 + _e7083);
 let _e7086 = select(_e1596, _e7084, (_e7084 < _e1596));
-let _e7091 = global_2.member[bitcast<u32>(select(0i, _e7086, (_e7086 > 0i)))];
+let _e7091 = global_1.member[bitcast<u32>(select(0i, _e7086, (_e7086 > 0i)))];
 let _e7092 = bitcast<f32>(_e7091);
 let _e7093 = local_24.member[2u];
 let _e7094 = (_e7082 + _e7093);
 let _e7096 = select(_e1596, _e7094, (_e7094 < _e1596));
-let _e7101 = global_2.member[bitcast<u32>(select(0i, _e7096, (_e7096 > 0i)))];
+let _e7101 = global_1.member[bitcast<u32>(select(0i, _e7096, (_e7096 > 0i)))];
 let _e7103 = local_25[0u];
 let _e7106 = (_e7092 + ((bitcast<f32>(_e7101) - _e7092) * _e7103));
 let _e7107 = (_e7017 + _e7015);
 let _e7108 = local_24.member[1u];
 let _e7109 = (_e7107 + _e7108);
 let _e7111 = select(_e1596, _e7109, (_e7109 < _e1596));
-let _e7116 = global_2.member[bitcast<u32>(select(0i, _e7111, (_e7111 > 0i)))];
+let _e7116 = global_1.member[bitcast<u32>(select(0i, _e7111, (_e7111 > 0i)))];
 let _e7117 = bitcast<f32>(_e7116);
 let _e7118 = local_24.member[2u];
 let _e7119 = (_e7107 + _e7118);
 let _e7121 = select(_e1596, _e7119, (_e7119 < _e1596));
-let _e7126 = global_2.member[bitcast<u32>(select(0i, _e7121, (_e7121 > 0i)))];
+let _e7126 = global_1.member[bitcast<u32>(select(0i, _e7121, (_e7121 > 0i)))];
 let _e7128 = local_25[0u];
 let _e7133 = local_25[1u];
 let _e7136 = (_e7056 + (((_e7067 + ((bitcast<f32>(_e7076) - _e7067) * _e7078)) - _e7056) * _e7133));
@@ -2586,7 +2586,7 @@ let _e7280 = (select(0i, _e7246, (_e7246 > 0i)) * _e7218);
 let _e7281 = (select(0i, _e7208, (_e7208 > 0i)) * _e7218);
 let _e7282 = (select(_e7245, _e7251, (_e7251 < _e7245)) * _e7218);
 let _e7283 = (select(_e7245, _e7254, (_e7254 < _e7245)) * _e7218);
-local_22 = type_33(array<i32, 4>(select(0i, _e7265, (_e7265 > 0i)), select(0i, _e7178, (_e7178 > 0i)), select(_e7264, _e7270, (_e7270 < _e7264)), select(_e7264, _e7273, (_e7273 < _e7264))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_22 = type_28(array<i32, 4>(select(0i, _e7265, (_e7265 > 0i)), select(0i, _e7178, (_e7178 > 0i)), select(_e7264, _e7270, (_e7270 < _e7264)), select(_e7264, _e7273, (_e7273 < _e7264))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_23 = vec3<f32>((_e7155 - f32(_e7178)), (_e7159 - f32(_e7193)), (_e7163 - f32(_e7208)));
 let _e7294 = (_e7281 + _e7277);
 let _e7297 = local_22.member[0u];
@@ -2835,50 +2835,50 @@ local_21 = _e7846;
 let _e7847 = local_21;
 let _e7849 = (bitcast<i32>(_e237) - 1i);
 let _e7851 = select(_e7849, 263197i, (263197i < _e7849));
-let _e7856 = global_3.member[bitcast<u32>(select(0i, _e7851, (_e7851 > 0i)))];
+let _e7856 = global_2.member[bitcast<u32>(select(0i, _e7851, (_e7851 > 0i)))];
 let _e7857 = bitcast<f32>(_e7856);
 let _e7859 = select(_e7849, 263198i, (263198i < _e7849));
 let _e7862 = bitcast<u32>(select(0i, _e7859, (_e7859 > 0i)));
-let _e7864 = global_3.member[_e7862];
+let _e7864 = global_2.member[_e7862];
 let _e7865 = bitcast<f32>(_e7864);
 let _e7867 = select(_e7849, 263199i, (263199i < _e7849));
-let _e7872 = global_3.member[bitcast<u32>(select(0i, _e7867, (_e7867 > 0i)))];
+let _e7872 = global_2.member[bitcast<u32>(select(0i, _e7867, (_e7867 > 0i)))];
 let _e7873 = bitcast<f32>(_e7872);
 let _e7875 = ((_e7847 - _e7857) * _e7865);
 let _e7877 = select(0f, _e7875, (_e7875 > 0f));
 let _e7880 = local_21;
 let _e7882 = select(_e7849, 263200i, (263200i < _e7849));
-let _e7887 = global_3.member[bitcast<u32>(select(0i, _e7882, (_e7882 > 0i)))];
+let _e7887 = global_2.member[bitcast<u32>(select(0i, _e7882, (_e7882 > 0i)))];
 let _e7888 = bitcast<f32>(_e7887);
 let _e7890 = select(_e7849, 263201i, (263201i < _e7849));
-let _e7895 = global_3.member[bitcast<u32>(select(0i, _e7890, (_e7890 > 0i)))];
+let _e7895 = global_2.member[bitcast<u32>(select(0i, _e7890, (_e7890 > 0i)))];
 let _e7896 = bitcast<f32>(_e7895);
 let _e7898 = select(_e7849, 263202i, (263202i < _e7849));
-let _e7903 = global_3.member[bitcast<u32>(select(0i, _e7898, (_e7898 > 0i)))];
+let _e7903 = global_2.member[bitcast<u32>(select(0i, _e7898, (_e7898 > 0i)))];
 let _e7904 = bitcast<f32>(_e7903);
 let _e7906 = ((_e7880 - _e7888) * _e7896);
 let _e7908 = select(0f, _e7906, (_e7906 > 0f));
 let _e7912 = local_21;
 let _e7914 = select(_e7849, 263203i, (263203i < _e7849));
-let _e7919 = global_3.member[bitcast<u32>(select(0i, _e7914, (_e7914 > 0i)))];
+let _e7919 = global_2.member[bitcast<u32>(select(0i, _e7914, (_e7914 > 0i)))];
 let _e7920 = bitcast<f32>(_e7919);
 let _e7922 = select(_e7849, 263204i, (263204i < _e7849));
-let _e7927 = global_3.member[bitcast<u32>(select(0i, _e7922, (_e7922 > 0i)))];
+let _e7927 = global_2.member[bitcast<u32>(select(0i, _e7922, (_e7922 > 0i)))];
 let _e7928 = bitcast<f32>(_e7927);
 let _e7930 = select(_e7849, 263205i, (263205i < _e7849));
-let _e7935 = global_3.member[bitcast<u32>(select(0i, _e7930, (_e7930 > 0i)))];
+let _e7935 = global_2.member[bitcast<u32>(select(0i, _e7930, (_e7930 > 0i)))];
 let _e7936 = bitcast<f32>(_e7935);
 let _e7938 = ((_e7912 - _e7920) * _e7928);
 let _e7940 = select(0f, _e7938, (_e7938 > 0f));
 let _e7943 = local_21;
 let _e7945 = select(_e7849, 263206i, (263206i < _e7849));
-let _e7950 = global_3.member[bitcast<u32>(select(0i, _e7945, (_e7945 > 0i)))];
+let _e7950 = global_2.member[bitcast<u32>(select(0i, _e7945, (_e7945 > 0i)))];
 let _e7951 = bitcast<f32>(_e7950);
 let _e7953 = select(_e7849, 263207i, (263207i < _e7849));
-let _e7958 = global_3.member[bitcast<u32>(select(0i, _e7953, (_e7953 > 0i)))];
+let _e7958 = global_2.member[bitcast<u32>(select(0i, _e7953, (_e7953 > 0i)))];
 let _e7959 = bitcast<f32>(_e7958);
 let _e7961 = select(_e7849, 263208i, (263208i < _e7849));
-let _e7966 = global_3.member[bitcast<u32>(select(0i, _e7961, (_e7961 > 0i)))];
+let _e7966 = global_2.member[bitcast<u32>(select(0i, _e7961, (_e7961 > 0i)))];
 let _e7967 = bitcast<f32>(_e7966);
 let _e7969 = ((_e7943 - _e7951) * _e7959);
 let _e7971 = select(0f, _e7969, (_e7969 > 0f));
@@ -2889,34 +2889,34 @@ let _e7986 = select(0i, select(select(i32(_e7979), i32(-2147483648), (_e7979 < -
 let _e7990 = (_e7986 - select(0i, 1i, (_e7979 < f32(_e7986))));
 let _e7991 = (262147i + _e7990);
 let _e7993 = select(_e7849, _e7991, (_e7991 < _e7849));
-let _e7999 = global_3.member[bitcast<u32>(select(0i, _e7993, (_e7993 > 0i)))];
+let _e7999 = global_2.member[bitcast<u32>(select(0i, _e7993, (_e7993 > 0i)))];
 let _e8009 = select(_e7849, 262146i, (262146i < _e7849));
-let _e8015 = global_3.member[bitcast<u32>(select(0i, _e8009, (_e8009 > 0i)))];
+let _e8015 = global_2.member[bitcast<u32>(select(0i, _e8009, (_e8009 > 0i)))];
 let _e8016 = bitcast<f32>(_e8015);
 let _e8017 = (f32((bitcast<i32>((_e7999 & 4095u)) - 2048i)) * _e8016);
 let _e8019 = select(_e7849, 262144i, (262144i < _e7849));
-let _e8025 = global_3.member[bitcast<u32>(select(0i, _e8019, (_e8019 > 0i)))];
+let _e8025 = global_2.member[bitcast<u32>(select(0i, _e8019, (_e8019 > 0i)))];
 let _e8026 = bitcast<f32>(_e8025);
 let _e8028 = select(_e7849, 262145i, (262145i < _e7849));
-let _e8034 = global_3.member[bitcast<u32>(select(0i, _e8028, (_e8028 > 0i)))];
+let _e8034 = global_2.member[bitcast<u32>(select(0i, _e8028, (_e8028 > 0i)))];
 let _e8035 = bitcast<f32>(_e8034);
 let _e8041 = ((_e8026 + (f32(bitcast<i32>((_e7999 >> bitcast<u32>(12u)))) * _e8035)) + (_e8017 * (_e7975 - f32(_e7990))));
-let _e8044 = global_3.member[_e7862];
+let _e8044 = global_2.member[_e7862];
 let _e8046 = local_20;
 let _e8049 = local_20;
 let _e8052 = local_20;
 let _e8056 = select(_e7849, 263209i, (263209i < _e7849));
-let _e8062 = global_3.member[bitcast<u32>(select(0i, _e8056, (_e8056 > 0i)))];
+let _e8062 = global_2.member[bitcast<u32>(select(0i, _e8056, (_e8056 > 0i)))];
 let _e8064 = local_20;
 let _e8067 = select(_e7849, 263210i, (263210i < _e7849));
-let _e8073 = global_3.member[bitcast<u32>(select(0i, _e8067, (_e8067 > 0i)))];
+let _e8073 = global_2.member[bitcast<u32>(select(0i, _e8067, (_e8067 > 0i)))];
 let _e8075 = local_20;
 let _e8079 = (_e8017 * select(0f, select(select(select(bitcast<f32>(_e8044), _e7896, (_e8046 >= _e7888)), _e7928, (_e8049 >= _e7920)), _e7959, (_e8052 >= _e7951)), ((_e8064 >= bitcast<f32>(_e8062)) && (_e8075 <= bitcast<f32>(_e8073)))));
 if _e1081 {
 let _e8530 = ((0.5f * (_e7821 - _e7815)) * _e8079);
 let _e8531 = ((0.5f * (_e7833 - _e7827)) * _e8079);
 let _e8532 = ((0.5f * (_e7845 - _e7839)) * _e8079);
-phi_21622_ = type_34(_e8041, vec3<f32>(_e8530, _e8531, _e8532), vec3<f32>((_e8530 * _e8041), (_e8531 * _e8041), (_e8532 * _e8041)));
+phi_21622_ = type_32(_e8041, vec3<f32>(_e8530, _e8531, _e8532), vec3<f32>((_e8530 * _e8041), (_e8531 * _e8041), (_e8532 * _e8041)));
 } else {
 local_18 = _e7815;
 let _e8080 = local_18;
@@ -2940,7 +2940,7 @@ let _e8122 = select(0i, select(select(i32(_e8115), i32(-2147483648), (_e8115 < -
 let _e8126 = (_e8122 - select(0i, 1i, (_e8115 < f32(_e8122))));
 let _e8127 = (262147i + _e8126);
 let _e8129 = select(_e7849, _e8127, (_e8127 < _e7849));
-let _e8135 = global_3.member[bitcast<u32>(select(0i, _e8129, (_e8129 > 0i)))];
+let _e8135 = global_2.member[bitcast<u32>(select(0i, _e8129, (_e8129 > 0i)))];
 let _e8150 = ((_e8026 + (f32(bitcast<i32>((_e8135 >> bitcast<u32>(12u)))) * _e8035)) + ((f32((bitcast<i32>((_e8135 & 4095u)) - 2048i)) * _e8016) * (_e8111 - f32(_e8126))));
 local_16 = _e7821;
 let _e8151 = local_16;
@@ -2964,7 +2964,7 @@ let _e8193 = select(0i, select(select(i32(_e8186), i32(-2147483648), (_e8186 < -
 let _e8197 = (_e8193 - select(0i, 1i, (_e8186 < f32(_e8193))));
 let _e8198 = (262147i + _e8197);
 let _e8200 = select(_e7849, _e8198, (_e8198 < _e7849));
-let _e8206 = global_3.member[bitcast<u32>(select(0i, _e8200, (_e8200 > 0i)))];
+let _e8206 = global_2.member[bitcast<u32>(select(0i, _e8200, (_e8200 > 0i)))];
 let _e8221 = ((_e8026 + (f32(bitcast<i32>((_e8206 >> bitcast<u32>(12u)))) * _e8035)) + ((f32((bitcast<i32>((_e8206 & 4095u)) - 2048i)) * _e8016) * (_e8182 - f32(_e8197))));
 local_14 = _e7827;
 let _e8222 = local_14;
@@ -2988,7 +2988,7 @@ let _e8264 = select(0i, select(select(i32(_e8257), i32(-2147483648), (_e8257 < -
 let _e8268 = (_e8264 - select(0i, 1i, (_e8257 < f32(_e8264))));
 let _e8269 = (262147i + _e8268);
 let _e8271 = select(_e7849, _e8269, (_e8269 < _e7849));
-let _e8277 = global_3.member[bitcast<u32>(select(0i, _e8271, (_e8271 > 0i)))];
+let _e8277 = global_2.member[bitcast<u32>(select(0i, _e8271, (_e8271 > 0i)))];
 let _e8292 = ((_e8026 + (f32(bitcast<i32>((_e8277 >> bitcast<u32>(12u)))) * _e8035)) + ((f32((bitcast<i32>((_e8277 & 4095u)) - 2048i)) * _e8016) * (_e8253 - f32(_e8268))));
 local_12 = _e7833;
 let _e8293 = local_12;
@@ -3012,7 +3012,7 @@ let _e8335 = select(0i, select(select(i32(_e8328), i32(-2147483648), (_e8328 < -
 let _e8339 = (_e8335 - select(0i, 1i, (_e8328 < f32(_e8335))));
 let _e8340 = (262147i + _e8339);
 let _e8342 = select(_e7849, _e8340, (_e8340 < _e7849));
-let _e8348 = global_3.member[bitcast<u32>(select(0i, _e8342, (_e8342 > 0i)))];
+let _e8348 = global_2.member[bitcast<u32>(select(0i, _e8342, (_e8342 > 0i)))];
 let _e8363 = ((_e8026 + (f32(bitcast<i32>((_e8348 >> bitcast<u32>(12u)))) * _e8035)) + ((f32((bitcast<i32>((_e8348 & 4095u)) - 2048i)) * _e8016) * (_e8324 - f32(_e8339))));
 local_10 = _e7839;
 let _e8364 = local_10;
@@ -3036,7 +3036,7 @@ let _e8406 = select(0i, select(select(i32(_e8399), i32(-2147483648), (_e8399 < -
 let _e8410 = (_e8406 - select(0i, 1i, (_e8399 < f32(_e8406))));
 let _e8411 = (262147i + _e8410);
 let _e8413 = select(_e7849, _e8411, (_e8411 < _e7849));
-let _e8419 = global_3.member[bitcast<u32>(select(0i, _e8413, (_e8413 > 0i)))];
+let _e8419 = global_2.member[bitcast<u32>(select(0i, _e8413, (_e8413 > 0i)))];
 let _e8434 = ((_e8026 + (f32(bitcast<i32>((_e8419 >> bitcast<u32>(12u)))) * _e8035)) + ((f32((bitcast<i32>((_e8419 & 4095u)) - 2048i)) * _e8016) * (_e8395 - f32(_e8410))));
 local_8 = _e7845;
 let _e8435 = local_8;
@@ -3060,12 +3060,12 @@ let _e8477 = select(0i, select(select(i32(_e8470), i32(-2147483648), (_e8470 < -
 let _e8481 = (_e8477 - select(0i, 1i, (_e8470 < f32(_e8477))));
 let _e8482 = (262147i + _e8481);
 let _e8484 = select(_e7849, _e8482, (_e8482 < _e7849));
-let _e8490 = global_3.member[bitcast<u32>(select(0i, _e8484, (_e8484 > 0i)))];
+let _e8490 = global_2.member[bitcast<u32>(select(0i, _e8484, (_e8484 > 0i)))];
 let _e8505 = ((_e8026 + (f32(bitcast<i32>((_e8490 >> bitcast<u32>(12u)))) * _e8035)) + ((f32((bitcast<i32>((_e8490 & 4095u)) - 2048i)) * _e8016) * (_e8466 - f32(_e8481))));
 let _e8506 = (_e8221 - _e8150);
 let _e8508 = (_e8363 - _e8292);
 let _e8510 = (_e8505 - _e8434);
-phi_21622_ = type_34(_e8041, vec3<f32>((0.5f * _e8506), (0.5f * _e8508), (0.5f * _e8510)), vec3<f32>((0.25f * (_e8506 * (_e8221 + _e8150))), (0.25f * (_e8508 * (_e8363 + _e8292))), (0.25f * (_e8510 * (_e8505 + _e8434)))));
+phi_21622_ = type_32(_e8041, vec3<f32>((0.5f * _e8506), (0.5f * _e8508), (0.5f * _e8510)), vec3<f32>((0.25f * (_e8506 * (_e8221 + _e8150))), (0.25f * (_e8508 * (_e8363 + _e8292))), (0.25f * (_e8510 * (_e8505 + _e8434)))));
 }
 let _e8540 = phi_21622_;
 let _e8555 = select(0f, 1f, ((((((_e6706 >= -0.5f) && (_e6706 <= _e880)) && (_e6712 >= -0.5f)) && (_e6712 <= _e891)) && (_e6718 >= -0.5f)) && (_e6718 <= _e902)));
@@ -3081,7 +3081,7 @@ let _e8603 = global_5.member[_e466].member_7.member_1.member.member_2;
 let _e8610 = global_5.member[_e466].member_7.member_2.member.member;
 let _e8617 = global_5.member[_e466].member_7.member_2.member.member_1;
 let _e8624 = global_5.member[_e466].member_7.member_2.member.member_2;
-phi_22269_ = type_35(select(1e9f, _e7149, (_e7149 < 1e9f)), vec3<f32>(((((_e8568 * _e8557) + (_e8589 * _e8559)) + (_e8610 * _e8561)) * _e8555), ((((_e8575 * _e8557) + (_e8596 * _e8559)) + (_e8617 * _e8561)) * _e8555), ((((_e8582 * _e8557) + (_e8603 * _e8559)) + (_e8624 * _e8561)) * _e8555)), _e8540.member, vec3<f32>(((((_e8568 * _e8540.member_2.x) + (_e8589 * _e8540.member_2.y)) + (_e8610 * _e8540.member_2.z)) * _e8555), ((((_e8575 * _e8540.member_2.x) + (_e8596 * _e8540.member_2.y)) + (_e8617 * _e8540.member_2.z)) * _e8555), ((((_e8582 * _e8540.member_2.x) + (_e8603 * _e8540.member_2.y)) + (_e8624 * _e8540.member_2.z)) * _e8555)), vec3<f32>(((((_e8568 * _e8540.member_1.x) + (_e8589 * _e8540.member_1.y)) + (_e8610 * _e8540.member_1.z)) * _e8555), ((((_e8575 * _e8540.member_1.x) + (_e8596 * _e8540.member_1.y)) + (_e8617 * _e8540.member_1.z)) * _e8555), ((((_e8582 * _e8540.member_1.x) + (_e8603 * _e8540.member_1.y)) + (_e8624 * _e8540.member_1.z)) * _e8555)));
+phi_22269_ = type_33(select(1e9f, _e7149, (_e7149 < 1e9f)), vec3<f32>(((((_e8568 * _e8557) + (_e8589 * _e8559)) + (_e8610 * _e8561)) * _e8555), ((((_e8575 * _e8557) + (_e8596 * _e8559)) + (_e8617 * _e8561)) * _e8555), ((((_e8582 * _e8557) + (_e8603 * _e8559)) + (_e8624 * _e8561)) * _e8555)), _e8540.member, vec3<f32>(((((_e8568 * _e8540.member_2.x) + (_e8589 * _e8540.member_2.y)) + (_e8610 * _e8540.member_2.z)) * _e8555), ((((_e8575 * _e8540.member_2.x) + (_e8596 * _e8540.member_2.y)) + (_e8617 * _e8540.member_2.z)) * _e8555), ((((_e8582 * _e8540.member_2.x) + (_e8603 * _e8540.member_2.y)) + (_e8624 * _e8540.member_2.z)) * _e8555)), vec3<f32>(((((_e8568 * _e8540.member_1.x) + (_e8589 * _e8540.member_1.y)) + (_e8610 * _e8540.member_1.z)) * _e8555), ((((_e8575 * _e8540.member_1.x) + (_e8596 * _e8540.member_1.y)) + (_e8617 * _e8540.member_1.z)) * _e8555), ((((_e8582 * _e8540.member_1.x) + (_e8603 * _e8540.member_1.y)) + (_e8624 * _e8540.member_1.z)) * _e8555)));
 } else {
 let _e6720 = select(-0.5f, _e6688, (_e6688 > -0.5f));
 let _e6722 = select(_e641, _e6720, (_e6720 < _e641));
@@ -3110,30 +3110,30 @@ let _e6797 = (select(0i, _e6760, (_e6760 > 0i)) * _e1525);
 let _e6798 = (select(_e1538, _e6778, (_e6778 < _e1538)) * _e1525);
 let _e6799 = (select(0i, _e6775, (_e6775 > 0i)) * _e1530);
 let _e6800 = (select(_e1551, _e6783, (_e6783 < _e1551)) * _e1530);
-local_6 = type_33(array<i32, 4>(select(0i, _e6786, (_e6786 > 0i)), select(0i, _e6745, (_e6745 > 0i)), select(_e1564, _e6791, (_e6791 < _e1564)), select(_e1564, _e6794, (_e6794 < _e1564))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_6 = type_28(array<i32, 4>(select(0i, _e6786, (_e6786 > 0i)), select(0i, _e6745, (_e6745 > 0i)), select(_e1564, _e6791, (_e6791 < _e1564)), select(_e1564, _e6794, (_e6794 < _e1564))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_7 = vec3<f32>((_e6722 - f32(_e6745)), (_e6726 - f32(_e6760)), (_e6730 - f32(_e6775)));
 let _e6811 = (_e6799 + _e6797);
 let _e6814 = local_6.member[1u];
 let _e6815 = (_e6811 + _e6814);
 let _e6817 = select(_e1596, _e6815, (_e6815 < _e1596));
-let _e6822 = global_2.member[bitcast<u32>(select(0i, _e6817, (_e6817 > 0i)))];
+let _e6822 = global_1.member[bitcast<u32>(select(0i, _e6817, (_e6817 > 0i)))];
 let _e6823 = bitcast<f32>(_e6822);
 let _e6826 = local_6.member[2u];
 let _e6827 = (_e6811 + _e6826);
 let _e6829 = select(_e1596, _e6827, (_e6827 < _e1596));
-let _e6834 = global_2.member[bitcast<u32>(select(0i, _e6829, (_e6829 > 0i)))];
+let _e6834 = global_1.member[bitcast<u32>(select(0i, _e6829, (_e6829 > 0i)))];
 let _e6836 = local_7[0u];
 let _e6839 = (_e6823 + ((bitcast<f32>(_e6834) - _e6823) * _e6836));
 let _e6840 = (_e6799 + _e6798);
 let _e6841 = local_6.member[1u];
 let _e6842 = (_e6840 + _e6841);
 let _e6844 = select(_e1596, _e6842, (_e6842 < _e1596));
-let _e6849 = global_2.member[bitcast<u32>(select(0i, _e6844, (_e6844 > 0i)))];
+let _e6849 = global_1.member[bitcast<u32>(select(0i, _e6844, (_e6844 > 0i)))];
 let _e6850 = bitcast<f32>(_e6849);
 let _e6851 = local_6.member[2u];
 let _e6852 = (_e6840 + _e6851);
 let _e6854 = select(_e1596, _e6852, (_e6852 < _e1596));
-let _e6859 = global_2.member[bitcast<u32>(select(0i, _e6854, (_e6854 > 0i)))];
+let _e6859 = global_1.member[bitcast<u32>(select(0i, _e6854, (_e6854 > 0i)))];
 let _e6861 = local_7[0u];
 let _e6866 = local_7[1u];
 let _e6869 = (_e6839 + (((_e6850 + ((bitcast<f32>(_e6859) - _e6850) * _e6861)) - _e6839) * _e6866));
@@ -3141,36 +3141,36 @@ let _e6870 = (_e6800 + _e6797);
 let _e6871 = local_6.member[1u];
 let _e6872 = (_e6870 + _e6871);
 let _e6874 = select(_e1596, _e6872, (_e6872 < _e1596));
-let _e6879 = global_2.member[bitcast<u32>(select(0i, _e6874, (_e6874 > 0i)))];
+let _e6879 = global_1.member[bitcast<u32>(select(0i, _e6874, (_e6874 > 0i)))];
 let _e6880 = bitcast<f32>(_e6879);
 let _e6881 = local_6.member[2u];
 let _e6882 = (_e6870 + _e6881);
 let _e6884 = select(_e1596, _e6882, (_e6882 < _e1596));
-let _e6889 = global_2.member[bitcast<u32>(select(0i, _e6884, (_e6884 > 0i)))];
+let _e6889 = global_1.member[bitcast<u32>(select(0i, _e6884, (_e6884 > 0i)))];
 let _e6891 = local_7[0u];
 let _e6894 = (_e6880 + ((bitcast<f32>(_e6889) - _e6880) * _e6891));
 let _e6895 = (_e6800 + _e6798);
 let _e6896 = local_6.member[1u];
 let _e6897 = (_e6895 + _e6896);
 let _e6899 = select(_e1596, _e6897, (_e6897 < _e1596));
-let _e6904 = global_2.member[bitcast<u32>(select(0i, _e6899, (_e6899 > 0i)))];
+let _e6904 = global_1.member[bitcast<u32>(select(0i, _e6899, (_e6899 > 0i)))];
 let _e6905 = bitcast<f32>(_e6904);
 let _e6906 = local_6.member[2u];
 let _e6907 = (_e6895 + _e6906);
 let _e6909 = select(_e1596, _e6907, (_e6907 < _e1596));
-let _e6914 = global_2.member[bitcast<u32>(select(0i, _e6909, (_e6909 > 0i)))];
+let _e6914 = global_1.member[bitcast<u32>(select(0i, _e6909, (_e6909 > 0i)))];
 let _e6916 = local_7[0u];
 let _e6920 = local_7[1u];
 let _e6925 = local_7[2u];
 let _e6930 = (((_e6869 + (((_e6894 + (((_e6905 + ((bitcast<f32>(_e6914) - _e6905) * _e6916)) - _e6894) * _e6920)) - _e6869) * _e6925)) - _e1714) * _e1719);
 let _e6932 = select(_e1722, _e6930, (_e6930 > _e1722));
-phi_22269_ = type_35(select(1e9f, _e6932, (_e6932 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_22269_ = type_33(select(1e9f, _e6932, (_e6932 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8690 = phi_22269_;
 let _e8693 = select(1f, select(1f, _e1463, (_e1463 < 1f)), _e563);
 let _e8695 = ((_e1043 & 16u) == 0u);
 if _e8695 {
-phi_22682_ = type_5(1f, 1f, 1f);
+phi_22682_ = type_7(1f, 1f, 1f);
 } else {
 let _e8700 = global_5.member[_e466].member_14.member;
 let _e8711 = ((((_e8700.member.member * _e499) + (_e8700.member.member_1 * _e501)) + (_e8700.member.member_2 * _e495)) + _e8700.member_1);
@@ -3216,7 +3216,7 @@ let _e8884 = select(0f, _e8882, (_e8882 > 0f));
 let _e8890 = select(select(select(1f, _e8884, (_e8884 < 1f)), 1f, (_e8877 <= 0f)), 0f, (_e8875 > 0f));
 let _e8896 = global_5.member[_e466].member_17.member_1;
 let _e8897 = (_e8896 != 0u);
-phi_22682_ = type_5(((((1f * _e8734) * _e8786) * _e8838) * _e8890), ((((1f * select(1f, _e8734, _e8741)) * select(1f, _e8786, _e8793)) * select(1f, _e8838, _e8845)) * select(1f, _e8890, _e8897)), ((((1f * select(1f, 0f, (_e8741 && (_e8717 > 0f)))) * select(1f, 0f, (_e8793 && (_e8769 > 0f)))) * select(1f, 0f, (_e8845 && (_e8821 > 0f)))) * select(1f, 0f, (_e8897 && (_e8873 > 0f)))));
+phi_22682_ = type_7(((((1f * _e8734) * _e8786) * _e8838) * _e8890), ((((1f * select(1f, _e8734, _e8741)) * select(1f, _e8786, _e8793)) * select(1f, _e8838, _e8845)) * select(1f, _e8890, _e8897)), ((((1f * select(1f, 0f, (_e8741 && (_e8717 > 0f)))) * select(1f, 0f, (_e8793 && (_e8769 > 0f)))) * select(1f, 0f, (_e8845 && (_e8821 > 0f)))) * select(1f, 0f, (_e8897 && (_e8873 > 0f)))));
 }
 let _e8906 = phi_22682_;
 let _e8913 = global_5.member[_e466].member_5.member_3;
@@ -3228,97 +3228,97 @@ local_5 = _e1727;
 let _e10075 = local_5;
 let _e10077 = (bitcast<i32>(_e237) - 1i);
 let _e10079 = select(_e10077, 263171i, (263171i < _e10077));
-let _e10084 = global_3.member[bitcast<u32>(select(0i, _e10079, (_e10079 > 0i)))];
+let _e10084 = global_2.member[bitcast<u32>(select(0i, _e10079, (_e10079 > 0i)))];
 let _e10085 = bitcast<f32>(_e10084);
 let _e10087 = select(_e10077, 263172i, (263172i < _e10077));
-let _e10092 = global_3.member[bitcast<u32>(select(0i, _e10087, (_e10087 > 0i)))];
+let _e10092 = global_2.member[bitcast<u32>(select(0i, _e10087, (_e10087 > 0i)))];
 let _e10093 = bitcast<f32>(_e10092);
 let _e10095 = select(_e10077, 263173i, (263173i < _e10077));
-let _e10100 = global_3.member[bitcast<u32>(select(0i, _e10095, (_e10095 > 0i)))];
+let _e10100 = global_2.member[bitcast<u32>(select(0i, _e10095, (_e10095 > 0i)))];
 let _e10101 = bitcast<f32>(_e10100);
 let _e10103 = ((_e10075 - _e10085) * _e10093);
 let _e10105 = select(0f, _e10103, (_e10103 > 0f));
 let _e10108 = local_5;
 let _e10110 = select(_e10077, 263174i, (263174i < _e10077));
-let _e10115 = global_3.member[bitcast<u32>(select(0i, _e10110, (_e10110 > 0i)))];
+let _e10115 = global_2.member[bitcast<u32>(select(0i, _e10110, (_e10110 > 0i)))];
 let _e10116 = bitcast<f32>(_e10115);
 let _e10118 = select(_e10077, 263175i, (263175i < _e10077));
-let _e10123 = global_3.member[bitcast<u32>(select(0i, _e10118, (_e10118 > 0i)))];
+let _e10123 = global_2.member[bitcast<u32>(select(0i, _e10118, (_e10118 > 0i)))];
 let _e10124 = bitcast<f32>(_e10123);
 let _e10126 = select(_e10077, 263176i, (263176i < _e10077));
-let _e10131 = global_3.member[bitcast<u32>(select(0i, _e10126, (_e10126 > 0i)))];
+let _e10131 = global_2.member[bitcast<u32>(select(0i, _e10126, (_e10126 > 0i)))];
 let _e10132 = bitcast<f32>(_e10131);
 let _e10134 = ((_e10108 - _e10116) * _e10124);
 let _e10136 = select(0f, _e10134, (_e10134 > 0f));
 let _e10140 = local_5;
 let _e10142 = select(_e10077, 263177i, (263177i < _e10077));
-let _e10147 = global_3.member[bitcast<u32>(select(0i, _e10142, (_e10142 > 0i)))];
+let _e10147 = global_2.member[bitcast<u32>(select(0i, _e10142, (_e10142 > 0i)))];
 let _e10148 = bitcast<f32>(_e10147);
 let _e10150 = select(_e10077, 263178i, (263178i < _e10077));
-let _e10155 = global_3.member[bitcast<u32>(select(0i, _e10150, (_e10150 > 0i)))];
+let _e10155 = global_2.member[bitcast<u32>(select(0i, _e10150, (_e10150 > 0i)))];
 let _e10156 = bitcast<f32>(_e10155);
 let _e10158 = select(_e10077, 263179i, (263179i < _e10077));
-let _e10163 = global_3.member[bitcast<u32>(select(0i, _e10158, (_e10158 > 0i)))];
+let _e10163 = global_2.member[bitcast<u32>(select(0i, _e10158, (_e10158 > 0i)))];
 let _e10164 = bitcast<f32>(_e10163);
 let _e10166 = ((_e10140 - _e10148) * _e10156);
 let _e10168 = select(0f, _e10166, (_e10166 > 0f));
 let _e10171 = local_5;
 let _e10173 = select(_e10077, 263180i, (263180i < _e10077));
-let _e10178 = global_3.member[bitcast<u32>(select(0i, _e10173, (_e10173 > 0i)))];
+let _e10178 = global_2.member[bitcast<u32>(select(0i, _e10173, (_e10173 > 0i)))];
 let _e10179 = bitcast<f32>(_e10178);
 let _e10181 = select(_e10077, 263181i, (263181i < _e10077));
-let _e10186 = global_3.member[bitcast<u32>(select(0i, _e10181, (_e10181 > 0i)))];
+let _e10186 = global_2.member[bitcast<u32>(select(0i, _e10181, (_e10181 > 0i)))];
 let _e10187 = bitcast<f32>(_e10186);
 let _e10189 = select(_e10077, 263182i, (263182i < _e10077));
-let _e10194 = global_3.member[bitcast<u32>(select(0i, _e10189, (_e10189 > 0i)))];
+let _e10194 = global_2.member[bitcast<u32>(select(0i, _e10189, (_e10189 > 0i)))];
 let _e10195 = bitcast<f32>(_e10194);
 let _e10197 = ((_e10171 - _e10179) * _e10187);
 let _e10199 = select(0f, _e10197, (_e10197 > 0f));
 let _e10204 = local_5;
 let _e10206 = select(_e10077, 263183i, (263183i < _e10077));
-let _e10211 = global_3.member[bitcast<u32>(select(0i, _e10206, (_e10206 > 0i)))];
+let _e10211 = global_2.member[bitcast<u32>(select(0i, _e10206, (_e10206 > 0i)))];
 let _e10212 = bitcast<f32>(_e10211);
 let _e10214 = select(_e10077, 263184i, (263184i < _e10077));
-let _e10219 = global_3.member[bitcast<u32>(select(0i, _e10214, (_e10214 > 0i)))];
+let _e10219 = global_2.member[bitcast<u32>(select(0i, _e10214, (_e10214 > 0i)))];
 let _e10220 = bitcast<f32>(_e10219);
 let _e10222 = select(_e10077, 263185i, (263185i < _e10077));
-let _e10227 = global_3.member[bitcast<u32>(select(0i, _e10222, (_e10222 > 0i)))];
+let _e10227 = global_2.member[bitcast<u32>(select(0i, _e10222, (_e10222 > 0i)))];
 let _e10228 = bitcast<f32>(_e10227);
 let _e10230 = ((_e10204 - _e10212) * _e10220);
 let _e10232 = select(0f, _e10230, (_e10230 > 0f));
 let _e10235 = local_5;
 let _e10237 = select(_e10077, 263186i, (263186i < _e10077));
-let _e10242 = global_3.member[bitcast<u32>(select(0i, _e10237, (_e10237 > 0i)))];
+let _e10242 = global_2.member[bitcast<u32>(select(0i, _e10237, (_e10237 > 0i)))];
 let _e10243 = bitcast<f32>(_e10242);
 let _e10245 = select(_e10077, 263187i, (263187i < _e10077));
-let _e10250 = global_3.member[bitcast<u32>(select(0i, _e10245, (_e10245 > 0i)))];
+let _e10250 = global_2.member[bitcast<u32>(select(0i, _e10245, (_e10245 > 0i)))];
 let _e10251 = bitcast<f32>(_e10250);
 let _e10253 = select(_e10077, 263188i, (263188i < _e10077));
-let _e10258 = global_3.member[bitcast<u32>(select(0i, _e10253, (_e10253 > 0i)))];
+let _e10258 = global_2.member[bitcast<u32>(select(0i, _e10253, (_e10253 > 0i)))];
 let _e10259 = bitcast<f32>(_e10258);
 let _e10261 = ((_e10235 - _e10243) * _e10251);
 let _e10263 = select(0f, _e10261, (_e10261 > 0f));
 let _e10267 = local_5;
 let _e10269 = select(_e10077, 263189i, (263189i < _e10077));
-let _e10274 = global_3.member[bitcast<u32>(select(0i, _e10269, (_e10269 > 0i)))];
+let _e10274 = global_2.member[bitcast<u32>(select(0i, _e10269, (_e10269 > 0i)))];
 let _e10275 = bitcast<f32>(_e10274);
 let _e10277 = select(_e10077, 263190i, (263190i < _e10077));
-let _e10282 = global_3.member[bitcast<u32>(select(0i, _e10277, (_e10277 > 0i)))];
+let _e10282 = global_2.member[bitcast<u32>(select(0i, _e10277, (_e10277 > 0i)))];
 let _e10283 = bitcast<f32>(_e10282);
 let _e10285 = select(_e10077, 263191i, (263191i < _e10077));
-let _e10290 = global_3.member[bitcast<u32>(select(0i, _e10285, (_e10285 > 0i)))];
+let _e10290 = global_2.member[bitcast<u32>(select(0i, _e10285, (_e10285 > 0i)))];
 let _e10291 = bitcast<f32>(_e10290);
 let _e10293 = ((_e10267 - _e10275) * _e10283);
 let _e10295 = select(0f, _e10293, (_e10293 > 0f));
 let _e10298 = local_5;
 let _e10300 = select(_e10077, 263192i, (263192i < _e10077));
-let _e10305 = global_3.member[bitcast<u32>(select(0i, _e10300, (_e10300 > 0i)))];
+let _e10305 = global_2.member[bitcast<u32>(select(0i, _e10300, (_e10300 > 0i)))];
 let _e10306 = bitcast<f32>(_e10305);
 let _e10308 = select(_e10077, 263193i, (263193i < _e10077));
-let _e10313 = global_3.member[bitcast<u32>(select(0i, _e10308, (_e10308 > 0i)))];
+let _e10313 = global_2.member[bitcast<u32>(select(0i, _e10308, (_e10308 > 0i)))];
 let _e10314 = bitcast<f32>(_e10313);
 let _e10316 = select(_e10077, 263194i, (263194i < _e10077));
-let _e10321 = global_3.member[bitcast<u32>(select(0i, _e10316, (_e10316 > 0i)))];
+let _e10321 = global_2.member[bitcast<u32>(select(0i, _e10316, (_e10316 > 0i)))];
 let _e10322 = bitcast<f32>(_e10321);
 let _e10324 = ((_e10298 - _e10306) * _e10314);
 let _e10326 = select(0f, _e10324, (_e10324 > 0f));
@@ -3359,10 +3359,10 @@ let _e10414 = select(_e10395, _e10412, (_e10412 < _e10395));
 let _e10421 = select(0i, select(select(i32(_e10414), i32(-2147483648), (_e10414 < -2147483600f)), 2147483647i, (_e10414 > 2147483500f)), (_e10414 == _e10414));
 let _e10425 = (_e10421 - select(0i, 1i, (_e10414 < f32(_e10421))));
 let _e10427 = select(_e10077, 263195i, (263195i < _e10077));
-let _e10433 = global_3.member[bitcast<u32>(select(0i, _e10427, (_e10427 > 0i)))];
+let _e10433 = global_2.member[bitcast<u32>(select(0i, _e10427, (_e10427 > 0i)))];
 let _e10434 = bitcast<f32>(_e10433);
 let _e10436 = select(_e10077, 263196i, (263196i < _e10077));
-let _e10442 = global_3.member[bitcast<u32>(select(0i, _e10436, (_e10436 > 0i)))];
+let _e10442 = global_2.member[bitcast<u32>(select(0i, _e10436, (_e10436 > 0i)))];
 let _e10443 = bitcast<f32>(_e10442);
 let _e10444 = (_e8690.member - _e1727);
 let _e10450 = (1f / select(_e10444, 1f, (bitcast<f32>((bitcast<u32>(_e10444) & 2147483647u)) < 1e-20f)));
@@ -3374,20 +3374,20 @@ let _e10469 = (_e10394 - f32(_e10425));
 let _e10471 = (1f - (_e10456 + _e10462));
 let _e10472 = (_e10465 + 2i);
 let _e10474 = select(_e10077, _e10472, (_e10472 < _e10077));
-let _e10480 = global_3.member[bitcast<u32>(select(0i, _e10474, (_e10474 > 0i)))];
+let _e10480 = global_2.member[bitcast<u32>(select(0i, _e10474, (_e10474 > 0i)))];
 let _e10481 = (_e10465 + 6i);
 let _e10483 = select(_e10077, _e10481, (_e10481 < _e10077));
-let _e10489 = global_3.member[bitcast<u32>(select(0i, _e10483, (_e10483 > 0i)))];
+let _e10489 = global_2.member[bitcast<u32>(select(0i, _e10483, (_e10483 > 0i)))];
 let _e10490 = (_e10465 + 1026i);
 let _e10492 = select(_e10077, _e10490, (_e10490 < _e10077));
-let _e10498 = global_3.member[bitcast<u32>(select(0i, _e10492, (_e10492 > 0i)))];
+let _e10498 = global_2.member[bitcast<u32>(select(0i, _e10492, (_e10492 > 0i)))];
 let _e10499 = (_e10465 + 1030i);
 let _e10501 = select(_e10077, _e10499, (_e10499 < _e10077));
-let _e10507 = global_3.member[bitcast<u32>(select(0i, _e10501, (_e10501 > 0i)))];
+let _e10507 = global_2.member[bitcast<u32>(select(0i, _e10501, (_e10501 > 0i)))];
 let _e10509 = select(_e10077, 2i, (2i < _e10077));
-let _e10515 = global_3.member[bitcast<u32>(select(0i, _e10509, (_e10509 > 0i)))];
+let _e10515 = global_2.member[bitcast<u32>(select(0i, _e10509, (_e10509 > 0i)))];
 let _e10517 = select(_e10077, 262142i, (262142i < _e10077));
-let _e10523 = global_3.member[bitcast<u32>(select(0i, _e10517, (_e10517 > 0i)))];
+let _e10523 = global_2.member[bitcast<u32>(select(0i, _e10517, (_e10517 > 0i)))];
 let _e10528 = (bitcast<f32>(((_e10480 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10536 = (_e10528 + (((bitcast<f32>(((_e10489 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10528) * _e10469));
 let _e10541 = (bitcast<f32>(((_e10498 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3396,20 +3396,20 @@ let _e10592 = (_e10584 + (((bitcast<f32>((((_e10489 >> bitcast<u32>(16i)) & 3276
 let _e10597 = (bitcast<f32>((((_e10498 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10624 = (_e10465 + 3i);
 let _e10626 = select(_e10077, _e10624, (_e10624 < _e10077));
-let _e10632 = global_3.member[bitcast<u32>(select(0i, _e10626, (_e10626 > 0i)))];
+let _e10632 = global_2.member[bitcast<u32>(select(0i, _e10626, (_e10626 > 0i)))];
 let _e10633 = (_e10465 + 7i);
 let _e10635 = select(_e10077, _e10633, (_e10633 < _e10077));
-let _e10641 = global_3.member[bitcast<u32>(select(0i, _e10635, (_e10635 > 0i)))];
+let _e10641 = global_2.member[bitcast<u32>(select(0i, _e10635, (_e10635 > 0i)))];
 let _e10642 = (_e10465 + 1027i);
 let _e10644 = select(_e10077, _e10642, (_e10642 < _e10077));
-let _e10650 = global_3.member[bitcast<u32>(select(0i, _e10644, (_e10644 > 0i)))];
+let _e10650 = global_2.member[bitcast<u32>(select(0i, _e10644, (_e10644 > 0i)))];
 let _e10651 = (_e10465 + 1031i);
 let _e10653 = select(_e10077, _e10651, (_e10651 < _e10077));
-let _e10659 = global_3.member[bitcast<u32>(select(0i, _e10653, (_e10653 > 0i)))];
+let _e10659 = global_2.member[bitcast<u32>(select(0i, _e10653, (_e10653 > 0i)))];
 let _e10661 = select(_e10077, 3i, (3i < _e10077));
-let _e10667 = global_3.member[bitcast<u32>(select(0i, _e10661, (_e10661 > 0i)))];
+let _e10667 = global_2.member[bitcast<u32>(select(0i, _e10661, (_e10661 > 0i)))];
 let _e10669 = select(_e10077, 262143i, (262143i < _e10077));
-let _e10675 = global_3.member[bitcast<u32>(select(0i, _e10669, (_e10669 > 0i)))];
+let _e10675 = global_2.member[bitcast<u32>(select(0i, _e10669, (_e10669 > 0i)))];
 let _e10680 = (bitcast<f32>(((_e10632 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10688 = (_e10680 + (((bitcast<f32>(((_e10641 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10680) * _e10469));
 let _e10693 = (bitcast<f32>(((_e10650 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3436,97 +3436,97 @@ local_3 = _e1727;
 let _e8920 = local_3;
 let _e8922 = (bitcast<i32>(_e237) - 1i);
 let _e8924 = select(_e8922, 263171i, (263171i < _e8922));
-let _e8929 = global_3.member[bitcast<u32>(select(0i, _e8924, (_e8924 > 0i)))];
+let _e8929 = global_2.member[bitcast<u32>(select(0i, _e8924, (_e8924 > 0i)))];
 let _e8930 = bitcast<f32>(_e8929);
 let _e8932 = select(_e8922, 263172i, (263172i < _e8922));
-let _e8937 = global_3.member[bitcast<u32>(select(0i, _e8932, (_e8932 > 0i)))];
+let _e8937 = global_2.member[bitcast<u32>(select(0i, _e8932, (_e8932 > 0i)))];
 let _e8938 = bitcast<f32>(_e8937);
 let _e8940 = select(_e8922, 263173i, (263173i < _e8922));
-let _e8945 = global_3.member[bitcast<u32>(select(0i, _e8940, (_e8940 > 0i)))];
+let _e8945 = global_2.member[bitcast<u32>(select(0i, _e8940, (_e8940 > 0i)))];
 let _e8946 = bitcast<f32>(_e8945);
 let _e8948 = ((_e8920 - _e8930) * _e8938);
 let _e8950 = select(0f, _e8948, (_e8948 > 0f));
 let _e8953 = local_3;
 let _e8955 = select(_e8922, 263174i, (263174i < _e8922));
-let _e8960 = global_3.member[bitcast<u32>(select(0i, _e8955, (_e8955 > 0i)))];
+let _e8960 = global_2.member[bitcast<u32>(select(0i, _e8955, (_e8955 > 0i)))];
 let _e8961 = bitcast<f32>(_e8960);
 let _e8963 = select(_e8922, 263175i, (263175i < _e8922));
-let _e8968 = global_3.member[bitcast<u32>(select(0i, _e8963, (_e8963 > 0i)))];
+let _e8968 = global_2.member[bitcast<u32>(select(0i, _e8963, (_e8963 > 0i)))];
 let _e8969 = bitcast<f32>(_e8968);
 let _e8971 = select(_e8922, 263176i, (263176i < _e8922));
-let _e8976 = global_3.member[bitcast<u32>(select(0i, _e8971, (_e8971 > 0i)))];
+let _e8976 = global_2.member[bitcast<u32>(select(0i, _e8971, (_e8971 > 0i)))];
 let _e8977 = bitcast<f32>(_e8976);
 let _e8979 = ((_e8953 - _e8961) * _e8969);
 let _e8981 = select(0f, _e8979, (_e8979 > 0f));
 let _e8985 = local_3;
 let _e8987 = select(_e8922, 263177i, (263177i < _e8922));
-let _e8992 = global_3.member[bitcast<u32>(select(0i, _e8987, (_e8987 > 0i)))];
+let _e8992 = global_2.member[bitcast<u32>(select(0i, _e8987, (_e8987 > 0i)))];
 let _e8993 = bitcast<f32>(_e8992);
 let _e8995 = select(_e8922, 263178i, (263178i < _e8922));
-let _e9000 = global_3.member[bitcast<u32>(select(0i, _e8995, (_e8995 > 0i)))];
+let _e9000 = global_2.member[bitcast<u32>(select(0i, _e8995, (_e8995 > 0i)))];
 let _e9001 = bitcast<f32>(_e9000);
 let _e9003 = select(_e8922, 263179i, (263179i < _e8922));
-let _e9008 = global_3.member[bitcast<u32>(select(0i, _e9003, (_e9003 > 0i)))];
+let _e9008 = global_2.member[bitcast<u32>(select(0i, _e9003, (_e9003 > 0i)))];
 let _e9009 = bitcast<f32>(_e9008);
 let _e9011 = ((_e8985 - _e8993) * _e9001);
 let _e9013 = select(0f, _e9011, (_e9011 > 0f));
 let _e9016 = local_3;
 let _e9018 = select(_e8922, 263180i, (263180i < _e8922));
-let _e9023 = global_3.member[bitcast<u32>(select(0i, _e9018, (_e9018 > 0i)))];
+let _e9023 = global_2.member[bitcast<u32>(select(0i, _e9018, (_e9018 > 0i)))];
 let _e9024 = bitcast<f32>(_e9023);
 let _e9026 = select(_e8922, 263181i, (263181i < _e8922));
-let _e9031 = global_3.member[bitcast<u32>(select(0i, _e9026, (_e9026 > 0i)))];
+let _e9031 = global_2.member[bitcast<u32>(select(0i, _e9026, (_e9026 > 0i)))];
 let _e9032 = bitcast<f32>(_e9031);
 let _e9034 = select(_e8922, 263182i, (263182i < _e8922));
-let _e9039 = global_3.member[bitcast<u32>(select(0i, _e9034, (_e9034 > 0i)))];
+let _e9039 = global_2.member[bitcast<u32>(select(0i, _e9034, (_e9034 > 0i)))];
 let _e9040 = bitcast<f32>(_e9039);
 let _e9042 = ((_e9016 - _e9024) * _e9032);
 let _e9044 = select(0f, _e9042, (_e9042 > 0f));
 let _e9049 = local_3;
 let _e9051 = select(_e8922, 263183i, (263183i < _e8922));
-let _e9056 = global_3.member[bitcast<u32>(select(0i, _e9051, (_e9051 > 0i)))];
+let _e9056 = global_2.member[bitcast<u32>(select(0i, _e9051, (_e9051 > 0i)))];
 let _e9057 = bitcast<f32>(_e9056);
 let _e9059 = select(_e8922, 263184i, (263184i < _e8922));
-let _e9064 = global_3.member[bitcast<u32>(select(0i, _e9059, (_e9059 > 0i)))];
+let _e9064 = global_2.member[bitcast<u32>(select(0i, _e9059, (_e9059 > 0i)))];
 let _e9065 = bitcast<f32>(_e9064);
 let _e9067 = select(_e8922, 263185i, (263185i < _e8922));
-let _e9072 = global_3.member[bitcast<u32>(select(0i, _e9067, (_e9067 > 0i)))];
+let _e9072 = global_2.member[bitcast<u32>(select(0i, _e9067, (_e9067 > 0i)))];
 let _e9073 = bitcast<f32>(_e9072);
 let _e9075 = ((_e9049 - _e9057) * _e9065);
 let _e9077 = select(0f, _e9075, (_e9075 > 0f));
 let _e9080 = local_3;
 let _e9082 = select(_e8922, 263186i, (263186i < _e8922));
-let _e9087 = global_3.member[bitcast<u32>(select(0i, _e9082, (_e9082 > 0i)))];
+let _e9087 = global_2.member[bitcast<u32>(select(0i, _e9082, (_e9082 > 0i)))];
 let _e9088 = bitcast<f32>(_e9087);
 let _e9090 = select(_e8922, 263187i, (263187i < _e8922));
-let _e9095 = global_3.member[bitcast<u32>(select(0i, _e9090, (_e9090 > 0i)))];
+let _e9095 = global_2.member[bitcast<u32>(select(0i, _e9090, (_e9090 > 0i)))];
 let _e9096 = bitcast<f32>(_e9095);
 let _e9098 = select(_e8922, 263188i, (263188i < _e8922));
-let _e9103 = global_3.member[bitcast<u32>(select(0i, _e9098, (_e9098 > 0i)))];
+let _e9103 = global_2.member[bitcast<u32>(select(0i, _e9098, (_e9098 > 0i)))];
 let _e9104 = bitcast<f32>(_e9103);
 let _e9106 = ((_e9080 - _e9088) * _e9096);
 let _e9108 = select(0f, _e9106, (_e9106 > 0f));
 let _e9112 = local_3;
 let _e9114 = select(_e8922, 263189i, (263189i < _e8922));
-let _e9119 = global_3.member[bitcast<u32>(select(0i, _e9114, (_e9114 > 0i)))];
+let _e9119 = global_2.member[bitcast<u32>(select(0i, _e9114, (_e9114 > 0i)))];
 let _e9120 = bitcast<f32>(_e9119);
 let _e9122 = select(_e8922, 263190i, (263190i < _e8922));
-let _e9127 = global_3.member[bitcast<u32>(select(0i, _e9122, (_e9122 > 0i)))];
+let _e9127 = global_2.member[bitcast<u32>(select(0i, _e9122, (_e9122 > 0i)))];
 let _e9128 = bitcast<f32>(_e9127);
 let _e9130 = select(_e8922, 263191i, (263191i < _e8922));
-let _e9135 = global_3.member[bitcast<u32>(select(0i, _e9130, (_e9130 > 0i)))];
+let _e9135 = global_2.member[bitcast<u32>(select(0i, _e9130, (_e9130 > 0i)))];
 let _e9136 = bitcast<f32>(_e9135);
 let _e9138 = ((_e9112 - _e9120) * _e9128);
 let _e9140 = select(0f, _e9138, (_e9138 > 0f));
 let _e9143 = local_3;
 let _e9145 = select(_e8922, 263192i, (263192i < _e8922));
-let _e9150 = global_3.member[bitcast<u32>(select(0i, _e9145, (_e9145 > 0i)))];
+let _e9150 = global_2.member[bitcast<u32>(select(0i, _e9145, (_e9145 > 0i)))];
 let _e9151 = bitcast<f32>(_e9150);
 let _e9153 = select(_e8922, 263193i, (263193i < _e8922));
-let _e9158 = global_3.member[bitcast<u32>(select(0i, _e9153, (_e9153 > 0i)))];
+let _e9158 = global_2.member[bitcast<u32>(select(0i, _e9153, (_e9153 > 0i)))];
 let _e9159 = bitcast<f32>(_e9158);
 let _e9161 = select(_e8922, 263194i, (263194i < _e8922));
-let _e9166 = global_3.member[bitcast<u32>(select(0i, _e9161, (_e9161 > 0i)))];
+let _e9166 = global_2.member[bitcast<u32>(select(0i, _e9161, (_e9161 > 0i)))];
 let _e9167 = bitcast<f32>(_e9166);
 let _e9169 = ((_e9143 - _e9151) * _e9159);
 let _e9171 = select(0f, _e9169, (_e9169 > 0f));
@@ -3567,10 +3567,10 @@ let _e9259 = select(_e9240, _e9257, (_e9257 < _e9240));
 let _e9266 = select(0i, select(select(i32(_e9259), i32(-2147483648), (_e9259 < -2147483600f)), 2147483647i, (_e9259 > 2147483500f)), (_e9259 == _e9259));
 let _e9270 = (_e9266 - select(0i, 1i, (_e9259 < f32(_e9266))));
 let _e9272 = select(_e8922, 263195i, (263195i < _e8922));
-let _e9278 = global_3.member[bitcast<u32>(select(0i, _e9272, (_e9272 > 0i)))];
+let _e9278 = global_2.member[bitcast<u32>(select(0i, _e9272, (_e9272 > 0i)))];
 let _e9279 = bitcast<f32>(_e9278);
 let _e9281 = select(_e8922, 263196i, (263196i < _e8922));
-let _e9287 = global_3.member[bitcast<u32>(select(0i, _e9281, (_e9281 > 0i)))];
+let _e9287 = global_2.member[bitcast<u32>(select(0i, _e9281, (_e9281 > 0i)))];
 let _e9288 = bitcast<f32>(_e9287);
 let _e9289 = (_e8690.member - _e1727);
 let _e9295 = (1f / select(_e9289, 1f, (bitcast<f32>((bitcast<u32>(_e9289) & 2147483647u)) < 1e-20f)));
@@ -3581,20 +3581,20 @@ let _e9312 = (_e9176 - f32(_e9255));
 let _e9314 = (_e9239 - f32(_e9270));
 let _e9316 = (1f - (_e9301 + _e9307));
 let _e9318 = select(_e8922, _e9310, (_e9310 < _e8922));
-let _e9324 = global_3.member[bitcast<u32>(select(0i, _e9318, (_e9318 > 0i)))];
+let _e9324 = global_2.member[bitcast<u32>(select(0i, _e9318, (_e9318 > 0i)))];
 let _e9325 = (_e9310 + 4i);
 let _e9327 = select(_e8922, _e9325, (_e9325 < _e8922));
-let _e9333 = global_3.member[bitcast<u32>(select(0i, _e9327, (_e9327 > 0i)))];
+let _e9333 = global_2.member[bitcast<u32>(select(0i, _e9327, (_e9327 > 0i)))];
 let _e9334 = (_e9310 + 1024i);
 let _e9336 = select(_e8922, _e9334, (_e9334 < _e8922));
-let _e9342 = global_3.member[bitcast<u32>(select(0i, _e9336, (_e9336 > 0i)))];
+let _e9342 = global_2.member[bitcast<u32>(select(0i, _e9336, (_e9336 > 0i)))];
 let _e9343 = (_e9310 + 1028i);
 let _e9345 = select(_e8922, _e9343, (_e9343 < _e8922));
-let _e9351 = global_3.member[bitcast<u32>(select(0i, _e9345, (_e9345 > 0i)))];
+let _e9351 = global_2.member[bitcast<u32>(select(0i, _e9345, (_e9345 > 0i)))];
 let _e9353 = select(_e8922, 0i, (0i < _e8922));
-let _e9359 = global_3.member[bitcast<u32>(select(0i, _e9353, (_e9353 > 0i)))];
+let _e9359 = global_2.member[bitcast<u32>(select(0i, _e9353, (_e9353 > 0i)))];
 let _e9361 = select(_e8922, 262140i, (262140i < _e8922));
-let _e9367 = global_3.member[bitcast<u32>(select(0i, _e9361, (_e9361 > 0i)))];
+let _e9367 = global_2.member[bitcast<u32>(select(0i, _e9361, (_e9361 > 0i)))];
 let _e9372 = (bitcast<f32>(((_e9324 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9380 = (_e9372 + (((bitcast<f32>(((_e9333 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9372) * _e9314));
 let _e9385 = (bitcast<f32>(((_e9342 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3604,20 +3604,20 @@ let _e9436 = (_e9428 + (((bitcast<f32>((((_e9333 >> bitcast<u32>(16i)) & 32767u)
 let _e9441 = (bitcast<f32>((((_e9342 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9468 = (_e9310 + 1i);
 let _e9470 = select(_e8922, _e9468, (_e9468 < _e8922));
-let _e9476 = global_3.member[bitcast<u32>(select(0i, _e9470, (_e9470 > 0i)))];
+let _e9476 = global_2.member[bitcast<u32>(select(0i, _e9470, (_e9470 > 0i)))];
 let _e9477 = (_e9310 + 5i);
 let _e9479 = select(_e8922, _e9477, (_e9477 < _e8922));
-let _e9485 = global_3.member[bitcast<u32>(select(0i, _e9479, (_e9479 > 0i)))];
+let _e9485 = global_2.member[bitcast<u32>(select(0i, _e9479, (_e9479 > 0i)))];
 let _e9486 = (_e9310 + 1025i);
 let _e9488 = select(_e8922, _e9486, (_e9486 < _e8922));
-let _e9494 = global_3.member[bitcast<u32>(select(0i, _e9488, (_e9488 > 0i)))];
+let _e9494 = global_2.member[bitcast<u32>(select(0i, _e9488, (_e9488 > 0i)))];
 let _e9495 = (_e9310 + 1029i);
 let _e9497 = select(_e8922, _e9495, (_e9495 < _e8922));
-let _e9503 = global_3.member[bitcast<u32>(select(0i, _e9497, (_e9497 > 0i)))];
+let _e9503 = global_2.member[bitcast<u32>(select(0i, _e9497, (_e9497 > 0i)))];
 let _e9505 = select(_e8922, 1i, (1i < _e8922));
-let _e9511 = global_3.member[bitcast<u32>(select(0i, _e9505, (_e9505 > 0i)))];
+let _e9511 = global_2.member[bitcast<u32>(select(0i, _e9505, (_e9505 > 0i)))];
 let _e9513 = select(_e8922, 262141i, (262141i < _e8922));
-let _e9519 = global_3.member[bitcast<u32>(select(0i, _e9513, (_e9513 > 0i)))];
+let _e9519 = global_2.member[bitcast<u32>(select(0i, _e9513, (_e9513 > 0i)))];
 let _e9524 = (bitcast<f32>(((_e9476 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9532 = (_e9524 + (((bitcast<f32>(((_e9485 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9524) * _e9314));
 let _e9537 = (bitcast<f32>(((_e9494 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3626,20 +3626,20 @@ let _e9588 = (_e9580 + (((bitcast<f32>((((_e9485 >> bitcast<u32>(16i)) & 32767u)
 let _e9593 = (bitcast<f32>((((_e9494 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9620 = (_e9310 + 2i);
 let _e9622 = select(_e8922, _e9620, (_e9620 < _e8922));
-let _e9628 = global_3.member[bitcast<u32>(select(0i, _e9622, (_e9622 > 0i)))];
+let _e9628 = global_2.member[bitcast<u32>(select(0i, _e9622, (_e9622 > 0i)))];
 let _e9629 = (_e9310 + 6i);
 let _e9631 = select(_e8922, _e9629, (_e9629 < _e8922));
-let _e9637 = global_3.member[bitcast<u32>(select(0i, _e9631, (_e9631 > 0i)))];
+let _e9637 = global_2.member[bitcast<u32>(select(0i, _e9631, (_e9631 > 0i)))];
 let _e9638 = (_e9310 + 1026i);
 let _e9640 = select(_e8922, _e9638, (_e9638 < _e8922));
-let _e9646 = global_3.member[bitcast<u32>(select(0i, _e9640, (_e9640 > 0i)))];
+let _e9646 = global_2.member[bitcast<u32>(select(0i, _e9640, (_e9640 > 0i)))];
 let _e9647 = (_e9310 + 1030i);
 let _e9649 = select(_e8922, _e9647, (_e9647 < _e8922));
-let _e9655 = global_3.member[bitcast<u32>(select(0i, _e9649, (_e9649 > 0i)))];
+let _e9655 = global_2.member[bitcast<u32>(select(0i, _e9649, (_e9649 > 0i)))];
 let _e9657 = select(_e8922, 2i, (2i < _e8922));
-let _e9663 = global_3.member[bitcast<u32>(select(0i, _e9657, (_e9657 > 0i)))];
+let _e9663 = global_2.member[bitcast<u32>(select(0i, _e9657, (_e9657 > 0i)))];
 let _e9665 = select(_e8922, 262142i, (262142i < _e8922));
-let _e9671 = global_3.member[bitcast<u32>(select(0i, _e9665, (_e9665 > 0i)))];
+let _e9671 = global_2.member[bitcast<u32>(select(0i, _e9665, (_e9665 > 0i)))];
 let _e9676 = (bitcast<f32>(((_e9628 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9684 = (_e9676 + (((bitcast<f32>(((_e9637 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9676) * _e9314));
 let _e9689 = (bitcast<f32>(((_e9646 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3648,20 +3648,20 @@ let _e9740 = (_e9732 + (((bitcast<f32>((((_e9637 >> bitcast<u32>(16i)) & 32767u)
 let _e9745 = (bitcast<f32>((((_e9646 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9772 = (_e9310 + 3i);
 let _e9774 = select(_e8922, _e9772, (_e9772 < _e8922));
-let _e9780 = global_3.member[bitcast<u32>(select(0i, _e9774, (_e9774 > 0i)))];
+let _e9780 = global_2.member[bitcast<u32>(select(0i, _e9774, (_e9774 > 0i)))];
 let _e9781 = (_e9310 + 7i);
 let _e9783 = select(_e8922, _e9781, (_e9781 < _e8922));
-let _e9789 = global_3.member[bitcast<u32>(select(0i, _e9783, (_e9783 > 0i)))];
+let _e9789 = global_2.member[bitcast<u32>(select(0i, _e9783, (_e9783 > 0i)))];
 let _e9790 = (_e9310 + 1027i);
 let _e9792 = select(_e8922, _e9790, (_e9790 < _e8922));
-let _e9798 = global_3.member[bitcast<u32>(select(0i, _e9792, (_e9792 > 0i)))];
+let _e9798 = global_2.member[bitcast<u32>(select(0i, _e9792, (_e9792 > 0i)))];
 let _e9799 = (_e9310 + 1031i);
 let _e9801 = select(_e8922, _e9799, (_e9799 < _e8922));
-let _e9807 = global_3.member[bitcast<u32>(select(0i, _e9801, (_e9801 > 0i)))];
+let _e9807 = global_2.member[bitcast<u32>(select(0i, _e9801, (_e9801 > 0i)))];
 let _e9809 = select(_e8922, 3i, (3i < _e8922));
-let _e9815 = global_3.member[bitcast<u32>(select(0i, _e9809, (_e9809 > 0i)))];
+let _e9815 = global_2.member[bitcast<u32>(select(0i, _e9809, (_e9809 > 0i)))];
 let _e9817 = select(_e8922, 262143i, (262143i < _e8922));
-let _e9823 = global_3.member[bitcast<u32>(select(0i, _e9817, (_e9817 > 0i)))];
+let _e9823 = global_2.member[bitcast<u32>(select(0i, _e9817, (_e9817 > 0i)))];
 let _e9828 = (bitcast<f32>(((_e9780 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9836 = (_e9828 + (((bitcast<f32>(((_e9789 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9828) * _e9314));
 let _e9841 = (bitcast<f32>(((_e9798 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3725,7 +3725,7 @@ let _e12532 = (_e12531 == 0u);
 if _e12532 {
 let _e12761 = global_5.member[_e466].member_9.member_1;
 let _e12770 = global_5.member[_e466].member_9.member;
-phi_27117_ = type_28(vec3<f32>(_e12761.member, _e12761.member_1, _e12761.member_2), vec3<f32>(_e12770.member, _e12770.member_1, _e12770.member_2));
+phi_27117_ = type_35(vec3<f32>(_e12761.member, _e12761.member_1, _e12761.member_2), vec3<f32>(_e12770.member, _e12770.member_1, _e12770.member_2));
 } else {
 let _e12537 = global_5.member[_e466].member_10.member;
 let _e12548 = ((((_e12537.member.member * _e10844) + (_e12537.member.member_1 * _e10845)) + (_e12537.member.member_2 * _e10846)) + _e12537.member_1);
@@ -3781,7 +3781,7 @@ let _e12713 = select(1f, (_e12696 * _e12707), _e12685);
 let _e12719 = global_5.member[_e466].member_10.member.member;
 let _e12731 = global_5.member[_e466].member_10.member_1.member;
 let _e12746 = global_5.member[_e466].member_10.member_2.member;
-phi_27117_ = type_28(vec3<f32>((_e12585.member * _e12680), (_e12585.member_1 * _e12680), (_e12585.member_2 * _e12680)), (vec3<f32>(((_e12719.member * _e12711) + (_e12731.member * _e12712)), ((_e12719.member_1 * _e12711) + (_e12731.member_1 * _e12712)), ((_e12719.member_2 * _e12711) + (_e12731.member_2 * _e12712))) + vec3<f32>((_e12746.member * _e12713), (_e12746.member_1 * _e12713), (_e12746.member_2 * _e12713))));
+phi_27117_ = type_35(vec3<f32>((_e12585.member * _e12680), (_e12585.member_1 * _e12680), (_e12585.member_2 * _e12680)), (vec3<f32>(((_e12719.member * _e12711) + (_e12731.member * _e12712)), ((_e12719.member_1 * _e12711) + (_e12731.member_1 * _e12712)), ((_e12719.member_2 * _e12711) + (_e12731.member_2 * _e12712))) + vec3<f32>((_e12746.member * _e12713), (_e12746.member_1 * _e12713), (_e12746.member_2 * _e12713))));
 }
 let _e12777 = phi_27117_;
 phi_29529_ = _e12777;
@@ -3820,7 +3820,7 @@ local_1 = (_e12014 + ((_e11992 * _e11952) + _e11977));
 let _e12016 = local_1;
 let _e12018 = (bitcast<i32>(_e240) - 1i);
 let _e12020 = select(_e12018, _e12016, (_e12016 < _e12018));
-let _e12025 = global_4.member[bitcast<u32>(select(0i, _e12020, (_e12020 > 0i)))];
+let _e12025 = global_3.member[bitcast<u32>(select(0i, _e12020, (_e12020 > 0i)))];
 let _e12027 = bitcast<u32>(bitcast<f32>(_e12025));
 let _e12031 = f32((bitcast<i32>((_e12027 & 65535u)) - 32768i));
 let _e12037 = f32((bitcast<i32>(((_e12027 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3828,13 +3828,13 @@ let _e12042 = select(_e12037, -(_e12037), ((_e12027 >> bitcast<u32>(31i)) != 0u)
 let _e12043 = local_1;
 let _e12044 = (_e12043 + 1i);
 let _e12046 = select(_e12018, _e12044, (_e12044 < _e12018));
-let _e12051 = global_4.member[bitcast<u32>(select(0i, _e12046, (_e12046 > 0i)))];
+let _e12051 = global_3.member[bitcast<u32>(select(0i, _e12046, (_e12046 > 0i)))];
 let _e12053 = bitcast<u32>(bitcast<f32>(_e12051));
 let _e12063 = f32((bitcast<i32>(((_e12053 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12069 = local_1;
 let _e12070 = (_e12069 + _e11952);
 let _e12072 = select(_e12018, _e12070, (_e12070 < _e12018));
-let _e12077 = global_4.member[bitcast<u32>(select(0i, _e12072, (_e12072 > 0i)))];
+let _e12077 = global_3.member[bitcast<u32>(select(0i, _e12072, (_e12072 > 0i)))];
 let _e12079 = bitcast<u32>(bitcast<f32>(_e12077));
 let _e12083 = f32((bitcast<i32>((_e12079 & 65535u)) - 32768i));
 let _e12089 = f32((bitcast<i32>(((_e12079 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3843,7 +3843,7 @@ let _e12095 = (_e11952 + 1i);
 let _e12096 = local_1;
 let _e12097 = (_e12096 + _e12095);
 let _e12099 = select(_e12018, _e12097, (_e12097 < _e12018));
-let _e12104 = global_4.member[bitcast<u32>(select(0i, _e12099, (_e12099 > 0i)))];
+let _e12104 = global_3.member[bitcast<u32>(select(0i, _e12099, (_e12099 > 0i)))];
 let _e12106 = bitcast<u32>(bitcast<f32>(_e12104));
 let _e12116 = f32((bitcast<i32>(((_e12106 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12124 = (_e12031 + ((f32((bitcast<i32>((_e12053 & 65535u)) - 32768i)) - _e12031) * _e11996));
@@ -3873,60 +3873,60 @@ let _e12211 = (_e12175 - f32(_e12205));
 let _e12218 = ((((_e12174 >= 0f) && (_e12174 <= _e11954)) && (_e12175 >= 0f)) && (_e12175 <= _e11962));
 let _e12219 = (_e12010 + _e12207);
 let _e12221 = select(_e12018, _e12219, (_e12219 < _e12018));
-let _e12227 = global_4.member[bitcast<u32>(select(0i, _e12221, (_e12221 > 0i)))];
+let _e12227 = global_3.member[bitcast<u32>(select(0i, _e12221, (_e12221 > 0i)))];
 let _e12228 = bitcast<f32>(_e12227);
 let _e12229 = (_e12219 + 1i);
 let _e12231 = select(_e12018, _e12229, (_e12229 < _e12018));
-let _e12237 = global_4.member[bitcast<u32>(select(0i, _e12231, (_e12231 > 0i)))];
+let _e12237 = global_3.member[bitcast<u32>(select(0i, _e12231, (_e12231 > 0i)))];
 let _e12241 = (_e12228 + ((bitcast<f32>(_e12237) - _e12228) * _e12209));
 let _e12242 = (_e12219 + _e11952);
 let _e12244 = select(_e12018, _e12242, (_e12242 < _e12018));
-let _e12250 = global_4.member[bitcast<u32>(select(0i, _e12244, (_e12244 > 0i)))];
+let _e12250 = global_3.member[bitcast<u32>(select(0i, _e12244, (_e12244 > 0i)))];
 let _e12251 = bitcast<f32>(_e12250);
 let _e12252 = (_e12242 + 1i);
 let _e12254 = select(_e12018, _e12252, (_e12252 < _e12018));
-let _e12260 = global_4.member[bitcast<u32>(select(0i, _e12254, (_e12254 > 0i)))];
+let _e12260 = global_3.member[bitcast<u32>(select(0i, _e12254, (_e12254 > 0i)))];
 let _e12268 = select(1f, (_e12241 + (((_e12251 + ((bitcast<f32>(_e12260) - _e12251) * _e12209)) - _e12241) * _e12211)), _e12218);
 if _e8918 {
 phi_27862_ = vec3(_e12268);
 } else {
 let _e12271 = ((_e12010 + _e12012) + _e12207);
 let _e12273 = select(_e12018, _e12271, (_e12271 < _e12018));
-let _e12279 = global_4.member[bitcast<u32>(select(0i, _e12273, (_e12273 > 0i)))];
+let _e12279 = global_3.member[bitcast<u32>(select(0i, _e12273, (_e12273 > 0i)))];
 let _e12280 = bitcast<f32>(_e12279);
 let _e12281 = (_e12271 + 1i);
 let _e12283 = select(_e12018, _e12281, (_e12281 < _e12018));
-let _e12289 = global_4.member[bitcast<u32>(select(0i, _e12283, (_e12283 > 0i)))];
+let _e12289 = global_3.member[bitcast<u32>(select(0i, _e12283, (_e12283 > 0i)))];
 let _e12293 = (_e12280 + ((bitcast<f32>(_e12289) - _e12280) * _e12209));
 let _e12294 = (_e12271 + _e11952);
 let _e12296 = select(_e12018, _e12294, (_e12294 < _e12018));
-let _e12302 = global_4.member[bitcast<u32>(select(0i, _e12296, (_e12296 > 0i)))];
+let _e12302 = global_3.member[bitcast<u32>(select(0i, _e12296, (_e12296 > 0i)))];
 let _e12303 = bitcast<f32>(_e12302);
 let _e12304 = (_e12294 + 1i);
 let _e12306 = select(_e12018, _e12304, (_e12304 < _e12018));
-let _e12312 = global_4.member[bitcast<u32>(select(0i, _e12306, (_e12306 > 0i)))];
+let _e12312 = global_3.member[bitcast<u32>(select(0i, _e12306, (_e12306 > 0i)))];
 let _e12323 = ((_e12010 + (2i * _e12012)) + _e12207);
 let _e12325 = select(_e12018, _e12323, (_e12323 < _e12018));
-let _e12331 = global_4.member[bitcast<u32>(select(0i, _e12325, (_e12325 > 0i)))];
+let _e12331 = global_3.member[bitcast<u32>(select(0i, _e12325, (_e12325 > 0i)))];
 let _e12332 = bitcast<f32>(_e12331);
 let _e12333 = (_e12323 + 1i);
 let _e12335 = select(_e12018, _e12333, (_e12333 < _e12018));
-let _e12341 = global_4.member[bitcast<u32>(select(0i, _e12335, (_e12335 > 0i)))];
+let _e12341 = global_3.member[bitcast<u32>(select(0i, _e12335, (_e12335 > 0i)))];
 let _e12345 = (_e12332 + ((bitcast<f32>(_e12341) - _e12332) * _e12209));
 let _e12346 = (_e12323 + _e11952);
 let _e12348 = select(_e12018, _e12346, (_e12346 < _e12018));
-let _e12354 = global_4.member[bitcast<u32>(select(0i, _e12348, (_e12348 > 0i)))];
+let _e12354 = global_3.member[bitcast<u32>(select(0i, _e12348, (_e12348 > 0i)))];
 let _e12355 = bitcast<f32>(_e12354);
 let _e12356 = (_e12346 + 1i);
 let _e12358 = select(_e12018, _e12356, (_e12356 < _e12018));
-let _e12364 = global_4.member[bitcast<u32>(select(0i, _e12358, (_e12358 > 0i)))];
+let _e12364 = global_3.member[bitcast<u32>(select(0i, _e12358, (_e12358 > 0i)))];
 phi_27862_ = vec3<f32>(_e12268, select(1f, (_e12293 + (((_e12303 + ((bitcast<f32>(_e12312) - _e12303) * _e12209)) - _e12293) * _e12211)), _e12218), select(1f, (_e12345 + (((_e12355 + ((bitcast<f32>(_e12364) - _e12355) * _e12209)) - _e12345) * _e12211)), _e12218));
 }
 let _e12375 = phi_27862_;
 local = (_e12014 + _e12207);
 let _e12377 = local;
 let _e12379 = select(_e12018, _e12377, (_e12377 < _e12018));
-let _e12384 = global_4.member[bitcast<u32>(select(0i, _e12379, (_e12379 > 0i)))];
+let _e12384 = global_3.member[bitcast<u32>(select(0i, _e12379, (_e12379 > 0i)))];
 let _e12386 = bitcast<u32>(bitcast<f32>(_e12384));
 let _e12390 = f32((bitcast<i32>((_e12386 & 65535u)) - 32768i));
 let _e12396 = f32((bitcast<i32>(((_e12386 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3934,13 +3934,13 @@ let _e12401 = select(_e12396, -(_e12396), ((_e12386 >> bitcast<u32>(31i)) != 0u)
 let _e12402 = local;
 let _e12403 = (_e12402 + 1i);
 let _e12405 = select(_e12018, _e12403, (_e12403 < _e12018));
-let _e12410 = global_4.member[bitcast<u32>(select(0i, _e12405, (_e12405 > 0i)))];
+let _e12410 = global_3.member[bitcast<u32>(select(0i, _e12405, (_e12405 > 0i)))];
 let _e12412 = bitcast<u32>(bitcast<f32>(_e12410));
 let _e12422 = f32((bitcast<i32>(((_e12412 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12428 = local;
 let _e12429 = (_e12428 + _e11952);
 let _e12431 = select(_e12018, _e12429, (_e12429 < _e12018));
-let _e12436 = global_4.member[bitcast<u32>(select(0i, _e12431, (_e12431 > 0i)))];
+let _e12436 = global_3.member[bitcast<u32>(select(0i, _e12431, (_e12431 > 0i)))];
 let _e12438 = bitcast<u32>(bitcast<f32>(_e12436));
 let _e12442 = f32((bitcast<i32>((_e12438 & 65535u)) - 32768i));
 let _e12448 = f32((bitcast<i32>(((_e12438 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3948,7 +3948,7 @@ let _e12453 = select(_e12448, -(_e12448), ((_e12438 >> bitcast<u32>(31i)) != 0u)
 let _e12454 = local;
 let _e12455 = (_e12454 + _e12095);
 let _e12457 = select(_e12018, _e12455, (_e12455 < _e12018));
-let _e12462 = global_4.member[bitcast<u32>(select(0i, _e12457, (_e12457 > 0i)))];
+let _e12462 = global_3.member[bitcast<u32>(select(0i, _e12457, (_e12457 > 0i)))];
 let _e12464 = bitcast<u32>(bitcast<f32>(_e12462));
 let _e12474 = f32((bitcast<i32>(((_e12464 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12482 = (_e12390 + ((f32((bitcast<i32>((_e12412 & 65535u)) - 32768i)) - _e12390) * _e12209));
@@ -3958,7 +3958,7 @@ let _e12511 = (_e12146.member + (select(0f, (_e12482 + (((_e12442 + ((f32((bitca
 let _e12513 = (_e12146.member_1 + (select(0f, (_e12491 + (((_e12453 + ((select(_e12474, -(_e12474), ((_e12464 >> bitcast<u32>(31i)) != 0u)) - _e12453) * _e12209)) - _e12491) * _e12211)), _e12218) * _e12149));
 let _e12517 = (1f - ((_e12511 * _e12511) + (_e12513 * _e12513)));
 let _e12519 = select(1e-4f, _e12517, (_e12517 > 1e-4f));
-phi_29528_ = type_28((_e12375 * vec3<f32>(_e12504.member, _e12504.member_1, _e12504.member_2)), vec3<f32>(_e12511, _e12513, sqrt(select(0f, _e12519, (_e12519 > 0f)))));
+phi_29528_ = type_35((_e12375 * vec3<f32>(_e12504.member, _e12504.member_1, _e12504.member_2)), vec3<f32>(_e12511, _e12513, sqrt(select(0f, _e12519, (_e12519 > 0f)))));
 } else {
 let _e10849 = (1f - _e10836.member);
 let _e10851 = select(1e-6f, _e10836.member, (_e10836.member > 1e-6f));
@@ -4024,9 +4024,9 @@ let _e11110 = phi_28376_;
 let _e11111 = (_e11110 + 1i);
 let _e11113 = (bitcast<i32>(_e240) - 1i);
 let _e11115 = select(_e11113, _e11111, (_e11111 < _e11113));
-let _e11121 = global_4.member[bitcast<u32>(select(0i, _e11115, (_e11115 > 0i)))];
+let _e11121 = global_3.member[bitcast<u32>(select(0i, _e11115, (_e11115 > 0i)))];
 let _e11123 = select(_e11113, _e11110, (_e11110 < _e11113));
-let _e11129 = global_4.member[bitcast<u32>(select(0i, _e11123, (_e11123 > 0i)))];
+let _e11129 = global_3.member[bitcast<u32>(select(0i, _e11123, (_e11123 > 0i)))];
 let _e11132 = select(_e11121, 0u, (_e11110 < 0i));
 let _e11137 = global_5.member[_e466].member_10.member_13;
 let _e11138 = (_e11132 * 81u);
@@ -4038,35 +4038,35 @@ let _e11155 = (_e11005 - f32(_e11048));
 let _e11157 = (_e11017 - f32(_e11063));
 let _e11158 = (_e11132 != 0u);
 let _e11160 = select(_e11113, _e11150, (_e11150 < _e11113));
-let _e11166 = global_4.member[bitcast<u32>(select(0i, _e11160, (_e11160 > 0i)))];
+let _e11166 = global_3.member[bitcast<u32>(select(0i, _e11160, (_e11160 > 0i)))];
 let _e11167 = bitcast<f32>(_e11166);
 let _e11168 = (_e11150 + 1i);
 let _e11170 = select(_e11113, _e11168, (_e11168 < _e11113));
-let _e11176 = global_4.member[bitcast<u32>(select(0i, _e11170, (_e11170 > 0i)))];
+let _e11176 = global_3.member[bitcast<u32>(select(0i, _e11170, (_e11170 > 0i)))];
 let _e11180 = (_e11167 + ((bitcast<f32>(_e11176) - _e11167) * _e11153));
 let _e11181 = (_e11150 + 9i);
 let _e11183 = select(_e11113, _e11181, (_e11181 < _e11113));
-let _e11189 = global_4.member[bitcast<u32>(select(0i, _e11183, (_e11183 > 0i)))];
+let _e11189 = global_3.member[bitcast<u32>(select(0i, _e11183, (_e11183 > 0i)))];
 let _e11190 = bitcast<f32>(_e11189);
 let _e11191 = (_e11150 + 10i);
 let _e11193 = select(_e11113, _e11191, (_e11191 < _e11113));
-let _e11199 = global_4.member[bitcast<u32>(select(0i, _e11193, (_e11193 > 0i)))];
+let _e11199 = global_3.member[bitcast<u32>(select(0i, _e11193, (_e11193 > 0i)))];
 let _e11206 = (_e11180 + (((_e11190 + ((bitcast<f32>(_e11199) - _e11190) * _e11153)) - _e11180) * _e11155));
 let _e11207 = (_e11150 + _e11142);
 let _e11209 = select(_e11113, _e11207, (_e11207 < _e11113));
-let _e11215 = global_4.member[bitcast<u32>(select(0i, _e11209, (_e11209 > 0i)))];
+let _e11215 = global_3.member[bitcast<u32>(select(0i, _e11209, (_e11209 > 0i)))];
 let _e11216 = bitcast<f32>(_e11215);
 let _e11217 = (_e11207 + 1i);
 let _e11219 = select(_e11113, _e11217, (_e11217 < _e11113));
-let _e11225 = global_4.member[bitcast<u32>(select(0i, _e11219, (_e11219 > 0i)))];
+let _e11225 = global_3.member[bitcast<u32>(select(0i, _e11219, (_e11219 > 0i)))];
 let _e11229 = (_e11216 + ((bitcast<f32>(_e11225) - _e11216) * _e11153));
 let _e11230 = (_e11207 + 9i);
 let _e11232 = select(_e11113, _e11230, (_e11230 < _e11113));
-let _e11238 = global_4.member[bitcast<u32>(select(0i, _e11232, (_e11232 > 0i)))];
+let _e11238 = global_3.member[bitcast<u32>(select(0i, _e11232, (_e11232 > 0i)))];
 let _e11239 = bitcast<f32>(_e11238);
 let _e11240 = (_e11207 + 10i);
 let _e11242 = select(_e11113, _e11240, (_e11240 < _e11113));
-let _e11248 = global_4.member[bitcast<u32>(select(0i, _e11242, (_e11242 > 0i)))];
+let _e11248 = global_3.member[bitcast<u32>(select(0i, _e11242, (_e11242 > 0i)))];
 let _e11259 = select(1f, (_e11206 + (((_e11229 + (((_e11239 + ((bitcast<f32>(_e11248) - _e11239) * _e11153)) - _e11229) * _e11155)) - _e11206) * _e11157)), _e11158);
 if _e8918 {
 phi_28953_ = vec3(_e11259);
@@ -4075,66 +4075,66 @@ let _e11265 = global_5.member[_e466].member_10.member_12;
 let _e11266 = (_e11265 > 1u);
 let _e11270 = (_e11150 + (select(0i, 1i, _e11266) * _e11151));
 let _e11272 = select(_e11113, _e11270, (_e11270 < _e11113));
-let _e11278 = global_4.member[bitcast<u32>(select(0i, _e11272, (_e11272 > 0i)))];
+let _e11278 = global_3.member[bitcast<u32>(select(0i, _e11272, (_e11272 > 0i)))];
 let _e11279 = bitcast<f32>(_e11278);
 let _e11280 = (_e11270 + 1i);
 let _e11282 = select(_e11113, _e11280, (_e11280 < _e11113));
-let _e11288 = global_4.member[bitcast<u32>(select(0i, _e11282, (_e11282 > 0i)))];
+let _e11288 = global_3.member[bitcast<u32>(select(0i, _e11282, (_e11282 > 0i)))];
 let _e11292 = (_e11279 + ((bitcast<f32>(_e11288) - _e11279) * _e11153));
 let _e11293 = (_e11270 + 9i);
 let _e11295 = select(_e11113, _e11293, (_e11293 < _e11113));
-let _e11301 = global_4.member[bitcast<u32>(select(0i, _e11295, (_e11295 > 0i)))];
+let _e11301 = global_3.member[bitcast<u32>(select(0i, _e11295, (_e11295 > 0i)))];
 let _e11302 = bitcast<f32>(_e11301);
 let _e11303 = (_e11270 + 10i);
 let _e11305 = select(_e11113, _e11303, (_e11303 < _e11113));
-let _e11311 = global_4.member[bitcast<u32>(select(0i, _e11305, (_e11305 > 0i)))];
+let _e11311 = global_3.member[bitcast<u32>(select(0i, _e11305, (_e11305 > 0i)))];
 let _e11318 = (_e11292 + (((_e11302 + ((bitcast<f32>(_e11311) - _e11302) * _e11153)) - _e11292) * _e11155));
 let _e11319 = (_e11270 + _e11142);
 let _e11321 = select(_e11113, _e11319, (_e11319 < _e11113));
-let _e11327 = global_4.member[bitcast<u32>(select(0i, _e11321, (_e11321 > 0i)))];
+let _e11327 = global_3.member[bitcast<u32>(select(0i, _e11321, (_e11321 > 0i)))];
 let _e11328 = bitcast<f32>(_e11327);
 let _e11329 = (_e11319 + 1i);
 let _e11331 = select(_e11113, _e11329, (_e11329 < _e11113));
-let _e11337 = global_4.member[bitcast<u32>(select(0i, _e11331, (_e11331 > 0i)))];
+let _e11337 = global_3.member[bitcast<u32>(select(0i, _e11331, (_e11331 > 0i)))];
 let _e11341 = (_e11328 + ((bitcast<f32>(_e11337) - _e11328) * _e11153));
 let _e11342 = (_e11319 + 9i);
 let _e11344 = select(_e11113, _e11342, (_e11342 < _e11113));
-let _e11350 = global_4.member[bitcast<u32>(select(0i, _e11344, (_e11344 > 0i)))];
+let _e11350 = global_3.member[bitcast<u32>(select(0i, _e11344, (_e11344 > 0i)))];
 let _e11351 = bitcast<f32>(_e11350);
 let _e11352 = (_e11319 + 10i);
 let _e11354 = select(_e11113, _e11352, (_e11352 < _e11113));
-let _e11360 = global_4.member[bitcast<u32>(select(0i, _e11354, (_e11354 > 0i)))];
+let _e11360 = global_3.member[bitcast<u32>(select(0i, _e11354, (_e11354 > 0i)))];
 let _e11373 = (_e11150 + (select(0i, 2i, _e11266) * _e11151));
 let _e11375 = select(_e11113, _e11373, (_e11373 < _e11113));
-let _e11381 = global_4.member[bitcast<u32>(select(0i, _e11375, (_e11375 > 0i)))];
+let _e11381 = global_3.member[bitcast<u32>(select(0i, _e11375, (_e11375 > 0i)))];
 let _e11382 = bitcast<f32>(_e11381);
 let _e11383 = (_e11373 + 1i);
 let _e11385 = select(_e11113, _e11383, (_e11383 < _e11113));
-let _e11391 = global_4.member[bitcast<u32>(select(0i, _e11385, (_e11385 > 0i)))];
+let _e11391 = global_3.member[bitcast<u32>(select(0i, _e11385, (_e11385 > 0i)))];
 let _e11395 = (_e11382 + ((bitcast<f32>(_e11391) - _e11382) * _e11153));
 let _e11396 = (_e11373 + 9i);
 let _e11398 = select(_e11113, _e11396, (_e11396 < _e11113));
-let _e11404 = global_4.member[bitcast<u32>(select(0i, _e11398, (_e11398 > 0i)))];
+let _e11404 = global_3.member[bitcast<u32>(select(0i, _e11398, (_e11398 > 0i)))];
 let _e11405 = bitcast<f32>(_e11404);
 let _e11406 = (_e11373 + 10i);
 let _e11408 = select(_e11113, _e11406, (_e11406 < _e11113));
-let _e11414 = global_4.member[bitcast<u32>(select(0i, _e11408, (_e11408 > 0i)))];
+let _e11414 = global_3.member[bitcast<u32>(select(0i, _e11408, (_e11408 > 0i)))];
 let _e11421 = (_e11395 + (((_e11405 + ((bitcast<f32>(_e11414) - _e11405) * _e11153)) - _e11395) * _e11155));
 let _e11422 = (_e11373 + _e11142);
 let _e11424 = select(_e11113, _e11422, (_e11422 < _e11113));
-let _e11430 = global_4.member[bitcast<u32>(select(0i, _e11424, (_e11424 > 0i)))];
+let _e11430 = global_3.member[bitcast<u32>(select(0i, _e11424, (_e11424 > 0i)))];
 let _e11431 = bitcast<f32>(_e11430);
 let _e11432 = (_e11422 + 1i);
 let _e11434 = select(_e11113, _e11432, (_e11432 < _e11113));
-let _e11440 = global_4.member[bitcast<u32>(select(0i, _e11434, (_e11434 > 0i)))];
+let _e11440 = global_3.member[bitcast<u32>(select(0i, _e11434, (_e11434 > 0i)))];
 let _e11444 = (_e11431 + ((bitcast<f32>(_e11440) - _e11431) * _e11153));
 let _e11445 = (_e11422 + 9i);
 let _e11447 = select(_e11113, _e11445, (_e11445 < _e11113));
-let _e11453 = global_4.member[bitcast<u32>(select(0i, _e11447, (_e11447 > 0i)))];
+let _e11453 = global_3.member[bitcast<u32>(select(0i, _e11447, (_e11447 > 0i)))];
 let _e11454 = bitcast<f32>(_e11453);
 let _e11455 = (_e11422 + 10i);
 let _e11457 = select(_e11113, _e11455, (_e11455 < _e11113));
-let _e11463 = global_4.member[bitcast<u32>(select(0i, _e11457, (_e11457 > 0i)))];
+let _e11463 = global_3.member[bitcast<u32>(select(0i, _e11457, (_e11457 > 0i)))];
 phi_28953_ = vec3<f32>(_e11259, select(1f, (_e11318 + (((_e11341 + (((_e11351 + ((bitcast<f32>(_e11360) - _e11351) * _e11153)) - _e11341) * _e11155)) - _e11318) * _e11157)), _e11158), select(1f, (_e11421 + (((_e11444 + (((_e11454 + ((bitcast<f32>(_e11463) - _e11454) * _e11153)) - _e11444) * _e11155)) - _e11421) * _e11157)), _e11158));
 }
 let _e11477 = phi_28953_;
@@ -4150,56 +4150,56 @@ let _e11500 = select(0f, (_e11483 * _e11495), _e10962);
 if _e1082 {
 let _e11506 = (_e11150 + ((bitcast<i32>(_e11137) - 1i) * _e11151));
 let _e11508 = select(_e11113, _e11506, (_e11506 < _e11113));
-let _e11514 = global_4.member[bitcast<u32>(select(0i, _e11508, (_e11508 > 0i)))];
+let _e11514 = global_3.member[bitcast<u32>(select(0i, _e11508, (_e11508 > 0i)))];
 let _e11516 = bitcast<u32>(bitcast<f32>(_e11514));
 let _e11520 = f32((bitcast<i32>((_e11516 & 65535u)) - 32768i));
 let _e11526 = f32((bitcast<i32>(((_e11516 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11531 = select(_e11526, -(_e11526), ((_e11516 >> bitcast<u32>(31i)) != 0u));
 let _e11532 = (_e11506 + 1i);
 let _e11534 = select(_e11113, _e11532, (_e11532 < _e11113));
-let _e11540 = global_4.member[bitcast<u32>(select(0i, _e11534, (_e11534 > 0i)))];
+let _e11540 = global_3.member[bitcast<u32>(select(0i, _e11534, (_e11534 > 0i)))];
 let _e11542 = bitcast<u32>(bitcast<f32>(_e11540));
 let _e11552 = f32((bitcast<i32>(((_e11542 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11560 = (_e11520 + ((f32((bitcast<i32>((_e11542 & 65535u)) - 32768i)) - _e11520) * _e11153));
 let _e11563 = (_e11531 + ((select(_e11552, -(_e11552), ((_e11542 >> bitcast<u32>(31i)) != 0u)) - _e11531) * _e11153));
 let _e11564 = (_e11506 + 9i);
 let _e11566 = select(_e11113, _e11564, (_e11564 < _e11113));
-let _e11572 = global_4.member[bitcast<u32>(select(0i, _e11566, (_e11566 > 0i)))];
+let _e11572 = global_3.member[bitcast<u32>(select(0i, _e11566, (_e11566 > 0i)))];
 let _e11574 = bitcast<u32>(bitcast<f32>(_e11572));
 let _e11578 = f32((bitcast<i32>((_e11574 & 65535u)) - 32768i));
 let _e11584 = f32((bitcast<i32>(((_e11574 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11589 = select(_e11584, -(_e11584), ((_e11574 >> bitcast<u32>(31i)) != 0u));
 let _e11590 = (_e11506 + 10i);
 let _e11592 = select(_e11113, _e11590, (_e11590 < _e11113));
-let _e11598 = global_4.member[bitcast<u32>(select(0i, _e11592, (_e11592 > 0i)))];
+let _e11598 = global_3.member[bitcast<u32>(select(0i, _e11592, (_e11592 > 0i)))];
 let _e11600 = bitcast<u32>(bitcast<f32>(_e11598));
 let _e11610 = f32((bitcast<i32>(((_e11600 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11624 = (_e11560 + (((_e11578 + ((f32((bitcast<i32>((_e11600 & 65535u)) - 32768i)) - _e11578) * _e11153)) - _e11560) * _e11155));
 let _e11627 = (_e11563 + (((_e11589 + ((select(_e11610, -(_e11610), ((_e11600 >> bitcast<u32>(31i)) != 0u)) - _e11589) * _e11153)) - _e11563) * _e11155));
 let _e11628 = (_e11506 + _e11142);
 let _e11630 = select(_e11113, _e11628, (_e11628 < _e11113));
-let _e11636 = global_4.member[bitcast<u32>(select(0i, _e11630, (_e11630 > 0i)))];
+let _e11636 = global_3.member[bitcast<u32>(select(0i, _e11630, (_e11630 > 0i)))];
 let _e11638 = bitcast<u32>(bitcast<f32>(_e11636));
 let _e11642 = f32((bitcast<i32>((_e11638 & 65535u)) - 32768i));
 let _e11648 = f32((bitcast<i32>(((_e11638 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11653 = select(_e11648, -(_e11648), ((_e11638 >> bitcast<u32>(31i)) != 0u));
 let _e11654 = (_e11628 + 1i);
 let _e11656 = select(_e11113, _e11654, (_e11654 < _e11113));
-let _e11662 = global_4.member[bitcast<u32>(select(0i, _e11656, (_e11656 > 0i)))];
+let _e11662 = global_3.member[bitcast<u32>(select(0i, _e11656, (_e11656 > 0i)))];
 let _e11664 = bitcast<u32>(bitcast<f32>(_e11662));
 let _e11674 = f32((bitcast<i32>(((_e11664 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11682 = (_e11642 + ((f32((bitcast<i32>((_e11664 & 65535u)) - 32768i)) - _e11642) * _e11153));
 let _e11685 = (_e11653 + ((select(_e11674, -(_e11674), ((_e11664 >> bitcast<u32>(31i)) != 0u)) - _e11653) * _e11153));
 let _e11686 = (_e11628 + 9i);
 let _e11688 = select(_e11113, _e11686, (_e11686 < _e11113));
-let _e11694 = global_4.member[bitcast<u32>(select(0i, _e11688, (_e11688 > 0i)))];
+let _e11694 = global_3.member[bitcast<u32>(select(0i, _e11688, (_e11688 > 0i)))];
 let _e11696 = bitcast<u32>(bitcast<f32>(_e11694));
 let _e11700 = f32((bitcast<i32>((_e11696 & 65535u)) - 32768i));
 let _e11706 = f32((bitcast<i32>(((_e11696 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11711 = select(_e11706, -(_e11706), ((_e11696 >> bitcast<u32>(31i)) != 0u));
 let _e11712 = (_e11628 + 10i);
 let _e11714 = select(_e11113, _e11712, (_e11712 < _e11113));
-let _e11720 = global_4.member[bitcast<u32>(select(0i, _e11714, (_e11714 > 0i)))];
+let _e11720 = global_3.member[bitcast<u32>(select(0i, _e11714, (_e11714 > 0i)))];
 let _e11722 = bitcast<u32>(bitcast<f32>(_e11720));
 let _e11732 = f32((bitcast<i32>(((_e11722 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11758 = (_e11499 + select(0f, ((_e11624 + (((_e11682 + (((_e11700 + ((f32((bitcast<i32>((_e11722 & 65535u)) - 32768i)) - _e11700) * _e11153)) - _e11682) * _e11155)) - _e11624) * _e11157)) * 6.151953e-5f), _e11158));
@@ -4240,7 +4240,7 @@ let _e11855 = (_e11854 * select(_e11834, 1f, (_e1082 && _e11158)));
 let _e11865 = global_5.member[_e466].member_10.member.member;
 let _e11878 = global_5.member[_e466].member_10.member_1.member;
 let _e11894 = global_5.member[_e466].member_10.member_2.member;
-phi_29528_ = type_28(vec3<f32>(((_e11477.x * _e11840.member) * _e11855), ((_e11477.y * _e11840.member_1) * _e11855), ((_e11477.z * _e11840.member_2) * _e11855)), (vec3<f32>(((_e11865.member * _e11773.x) + (_e11878.member * _e11773.y)), ((_e11865.member_1 * _e11773.x) + (_e11878.member_1 * _e11773.y)), ((_e11865.member_2 * _e11773.x) + (_e11878.member_2 * _e11773.y))) + vec3<f32>((_e11894.member * _e11773.z), (_e11894.member_1 * _e11773.z), (_e11894.member_2 * _e11773.z))));
+phi_29528_ = type_35(vec3<f32>(((_e11477.x * _e11840.member) * _e11855), ((_e11477.y * _e11840.member_1) * _e11855), ((_e11477.z * _e11840.member_2) * _e11855)), (vec3<f32>(((_e11865.member * _e11773.x) + (_e11878.member * _e11773.y)), ((_e11865.member_1 * _e11773.x) + (_e11878.member_1 * _e11773.y)), ((_e11865.member_2 * _e11773.x) + (_e11878.member_2 * _e11773.y))) + vec3<f32>((_e11894.member * _e11773.z), (_e11894.member_1 * _e11773.z), (_e11894.member_2 * _e11773.z))));
 }
 let _e12526 = phi_29528_;
 phi_29529_ = _e12526;
@@ -4426,51 +4426,51 @@ let _e13468 = ((bitcast<i32>(_e13464) + (_e13438 * _e13282)) + _e13421);
 let _e13469 = (_e13282 * _e13290);
 let _e13471 = (bitcast<i32>(_e240) - 1i);
 let _e13473 = select(_e13471, _e13468, (_e13468 < _e13471));
-let _e13479 = global_4.member[bitcast<u32>(select(0i, _e13473, (_e13473 > 0i)))];
+let _e13479 = global_3.member[bitcast<u32>(select(0i, _e13473, (_e13473 > 0i)))];
 let _e13480 = bitcast<f32>(_e13479);
 let _e13481 = (_e13468 + 1i);
 let _e13483 = select(_e13471, _e13481, (_e13481 < _e13471));
-let _e13489 = global_4.member[bitcast<u32>(select(0i, _e13483, (_e13483 > 0i)))];
+let _e13489 = global_3.member[bitcast<u32>(select(0i, _e13483, (_e13483 > 0i)))];
 let _e13493 = (_e13480 + ((bitcast<f32>(_e13489) - _e13480) * _e13444));
 let _e13494 = (_e13468 + _e13282);
 let _e13496 = select(_e13471, _e13494, (_e13494 < _e13471));
-let _e13502 = global_4.member[bitcast<u32>(select(0i, _e13496, (_e13496 > 0i)))];
+let _e13502 = global_3.member[bitcast<u32>(select(0i, _e13496, (_e13496 > 0i)))];
 let _e13503 = bitcast<f32>(_e13502);
 let _e13504 = (_e13494 + 1i);
 let _e13506 = select(_e13471, _e13504, (_e13504 < _e13471));
-let _e13512 = global_4.member[bitcast<u32>(select(0i, _e13506, (_e13506 > 0i)))];
+let _e13512 = global_3.member[bitcast<u32>(select(0i, _e13506, (_e13506 > 0i)))];
 let _e13519 = (_e13493 + (((_e13503 + ((bitcast<f32>(_e13512) - _e13503) * _e13444)) - _e13493) * _e13450));
 let _e13520 = (_e13468 + _e13469);
 let _e13522 = select(_e13471, _e13520, (_e13520 < _e13471));
-let _e13528 = global_4.member[bitcast<u32>(select(0i, _e13522, (_e13522 > 0i)))];
+let _e13528 = global_3.member[bitcast<u32>(select(0i, _e13522, (_e13522 > 0i)))];
 let _e13529 = bitcast<f32>(_e13528);
 let _e13530 = (_e13520 + 1i);
 let _e13532 = select(_e13471, _e13530, (_e13530 < _e13471));
-let _e13538 = global_4.member[bitcast<u32>(select(0i, _e13532, (_e13532 > 0i)))];
+let _e13538 = global_3.member[bitcast<u32>(select(0i, _e13532, (_e13532 > 0i)))];
 let _e13542 = (_e13529 + ((bitcast<f32>(_e13538) - _e13529) * _e13444));
 let _e13543 = (_e13520 + _e13282);
 let _e13545 = select(_e13471, _e13543, (_e13543 < _e13471));
-let _e13551 = global_4.member[bitcast<u32>(select(0i, _e13545, (_e13545 > 0i)))];
+let _e13551 = global_3.member[bitcast<u32>(select(0i, _e13545, (_e13545 > 0i)))];
 let _e13552 = bitcast<f32>(_e13551);
 let _e13553 = (_e13543 + 1i);
 let _e13555 = select(_e13471, _e13553, (_e13553 < _e13471));
-let _e13561 = global_4.member[bitcast<u32>(select(0i, _e13555, (_e13555 > 0i)))];
+let _e13561 = global_3.member[bitcast<u32>(select(0i, _e13555, (_e13555 > 0i)))];
 let _e13568 = (_e13542 + (((_e13552 + ((bitcast<f32>(_e13561) - _e13552) * _e13444)) - _e13542) * _e13450));
 let _e13570 = (_e13468 + (2i * _e13469));
 let _e13572 = select(_e13471, _e13570, (_e13570 < _e13471));
-let _e13578 = global_4.member[bitcast<u32>(select(0i, _e13572, (_e13572 > 0i)))];
+let _e13578 = global_3.member[bitcast<u32>(select(0i, _e13572, (_e13572 > 0i)))];
 let _e13579 = bitcast<f32>(_e13578);
 let _e13580 = (_e13570 + 1i);
 let _e13582 = select(_e13471, _e13580, (_e13580 < _e13471));
-let _e13588 = global_4.member[bitcast<u32>(select(0i, _e13582, (_e13582 > 0i)))];
+let _e13588 = global_3.member[bitcast<u32>(select(0i, _e13582, (_e13582 > 0i)))];
 let _e13592 = (_e13579 + ((bitcast<f32>(_e13588) - _e13579) * _e13444));
 let _e13593 = (_e13570 + _e13282);
 let _e13595 = select(_e13471, _e13593, (_e13593 < _e13471));
-let _e13601 = global_4.member[bitcast<u32>(select(0i, _e13595, (_e13595 > 0i)))];
+let _e13601 = global_3.member[bitcast<u32>(select(0i, _e13595, (_e13595 > 0i)))];
 let _e13602 = bitcast<f32>(_e13601);
 let _e13603 = (_e13593 + 1i);
 let _e13605 = select(_e13471, _e13603, (_e13603 < _e13471));
-let _e13611 = global_4.member[bitcast<u32>(select(0i, _e13605, (_e13605 > 0i)))];
+let _e13611 = global_3.member[bitcast<u32>(select(0i, _e13605, (_e13605 > 0i)))];
 let _e13618 = (_e13592 + (((_e13602 + ((bitcast<f32>(_e13611) - _e13602) * _e13444)) - _e13592) * _e13450));
 let _e13620 = (_e13101 == 0u);
 if _e13620 {
@@ -4507,13 +4507,13 @@ phi_30697_ = vec3<f32>((select(0f, _e13685, (_e13685 > 0f)) * _e13698), (select(
 }
 let _e13704 = phi_30697_;
 let _e13709 = global_5.member[_e466].member_9.member_1;
-phi_30957_ = type_28((vec3<f32>(_e13709.member, _e13709.member_1, _e13709.member_2) * _e13704), _e13172);
+phi_30957_ = type_35((vec3<f32>(_e13709.member, _e13709.member_1, _e13709.member_2) * _e13704), _e13172);
 } else {
 let _e13175 = (_e13101 == 0u);
 if _e13175 {
 let _e13258 = global_5.member[_e466].member_9.member_1;
 let _e13267 = global_5.member[_e466].member_9.member;
-phi_30956_ = type_28(vec3<f32>(_e13258.member, _e13258.member_1, _e13258.member_2), vec3<f32>(_e13267.member, _e13267.member_1, _e13267.member_2));
+phi_30956_ = type_35(vec3<f32>(_e13258.member, _e13258.member_1, _e13258.member_2), vec3<f32>(_e13267.member, _e13267.member_1, _e13267.member_2));
 } else {
 let _e13180 = global_5.member[_e466].member_9.member_1;
 if _e13175 {
@@ -4540,7 +4540,7 @@ phi_30884_ = select(1f, select(0f, ((_e13237 * _e13237) * (3f - (2f * _e13237)))
 }
 let _e13247 = phi_30884_;
 let _e13248 = (_e13188 * _e13247);
-phi_30956_ = type_28(vec3<f32>((_e13180.member * _e13248), (_e13180.member_1 * _e13248), (_e13180.member_2 * _e13248)), _e13172);
+phi_30956_ = type_35(vec3<f32>((_e13180.member * _e13248), (_e13180.member_1 * _e13248), (_e13180.member_2 * _e13248)), _e13172);
 }
 let _e13274 = phi_30956_;
 phi_30957_ = _e13274;
@@ -4674,7 +4674,7 @@ let _e14082 = select(select(select(select(select(select(0f, _e13821.member, _e13
 let _e14083 = select(select(select(select(select(select(0f, _e13821.member_1, _e13863), _e13821.member_1, _e13903), _e13830.member_1, _e13943), _e13830.member_1, _e13983), _e13839.member_1, _e14023), _e13839.member_1, _e14063);
 let _e14084 = select(select(select(select(select(select(1f, _e13821.member_2, _e13863), _e13821.member_2, _e13903), _e13830.member_2, _e13943), _e13830.member_2, _e13983), _e13839.member_2, _e14023), _e13839.member_2, _e14063);
 if _e8695 {
-phi_32448_ = type_36(_e14069, vec3<f32>(_e14070, _e14071, _e14072), _e14074, vec3<f32>(_e14075, _e14076, _e14077), _e14079, _e14081, vec3<f32>(_e14082, _e14083, _e14084));
+phi_32448_ = type_34(_e14069, vec3<f32>(_e14070, _e14071, _e14072), _e14074, vec3<f32>(_e14075, _e14076, _e14077), _e14079, _e14081, vec3<f32>(_e14082, _e14083, _e14084));
 } else {
 let _e14091 = (((_e13821.member * _e13821.member) + (_e13821.member_1 * _e13821.member_1)) + (_e13821.member_2 * _e13821.member_2));
 let _e14094 = sqrt(select(0f, _e14091, (_e14091 > 0f)));
@@ -4754,7 +4754,7 @@ let _e14390 = select(2f, select(0f, _e14382, (_e14362 < 0f)), (_e14363 > 0f));
 let _e14391 = (_e14362 > _e14326);
 let _e14395 = ((_e14386 > _e14318) || ((_e14386 == _e14318) && _e14391));
 let _e14396 = (_e14390 < _e14322);
-phi_32448_ = type_36(select(_e14318, _e14386, _e14395), vec3<f32>(select(select(select(select(_e14070, _e14132.member, _e14158), _e14211.member, _e14237), _e14290.member, _e14316), _e14369.member, _e14395), select(select(select(select(_e14071, _e14132.member_1, _e14158), _e14211.member_1, _e14237), _e14290.member_1, _e14316), _e14369.member_1, _e14395), select(select(select(select(_e14072, _e14132.member_2, _e14158), _e14211.member_2, _e14237), _e14290.member_2, _e14316), _e14369.member_2, _e14395)), select(_e14322, _e14390, _e14396), vec3<f32>(select(select(select(select(_e14075, _e14132.member, _e14159), _e14211.member, _e14238), _e14290.member, _e14317), _e14369.member, _e14396), select(select(select(select(_e14076, _e14132.member_1, _e14159), _e14211.member_1, _e14238), _e14290.member_1, _e14317), _e14369.member_1, _e14396), select(select(select(select(_e14077, _e14132.member_2, _e14159), _e14211.member_2, _e14238), _e14290.member_2, _e14317), _e14369.member_2, _e14396)), select(_e14326, _e14362, _e14391), select(_e14328, _e14363, (_e14363 > _e14328)), vec3<f32>(select(select(select(select(_e14082, _e14132.member, _e14154), _e14211.member, _e14233), _e14290.member, _e14312), _e14369.member, _e14391), select(select(select(select(_e14083, _e14132.member_1, _e14154), _e14211.member_1, _e14233), _e14290.member_1, _e14312), _e14369.member_1, _e14391), select(select(select(select(_e14084, _e14132.member_2, _e14154), _e14211.member_2, _e14233), _e14290.member_2, _e14312), _e14369.member_2, _e14391)));
+phi_32448_ = type_34(select(_e14318, _e14386, _e14395), vec3<f32>(select(select(select(select(_e14070, _e14132.member, _e14158), _e14211.member, _e14237), _e14290.member, _e14316), _e14369.member, _e14395), select(select(select(select(_e14071, _e14132.member_1, _e14158), _e14211.member_1, _e14237), _e14290.member_1, _e14316), _e14369.member_1, _e14395), select(select(select(select(_e14072, _e14132.member_2, _e14158), _e14211.member_2, _e14237), _e14290.member_2, _e14316), _e14369.member_2, _e14395)), select(_e14322, _e14390, _e14396), vec3<f32>(select(select(select(select(_e14075, _e14132.member, _e14159), _e14211.member, _e14238), _e14290.member, _e14317), _e14369.member, _e14396), select(select(select(select(_e14076, _e14132.member_1, _e14159), _e14211.member_1, _e14238), _e14290.member_1, _e14317), _e14369.member_1, _e14396), select(select(select(select(_e14077, _e14132.member_2, _e14159), _e14211.member_2, _e14238), _e14290.member_2, _e14317), _e14369.member_2, _e14396)), select(_e14326, _e14362, _e14391), select(_e14328, _e14363, (_e14363 > _e14328)), vec3<f32>(select(select(select(select(_e14082, _e14132.member, _e14154), _e14211.member, _e14233), _e14290.member, _e14312), _e14369.member, _e14391), select(select(select(select(_e14083, _e14132.member_1, _e14154), _e14211.member_1, _e14233), _e14290.member_1, _e14312), _e14369.member_1, _e14391), select(select(select(select(_e14084, _e14132.member_2, _e14154), _e14211.member_2, _e14233), _e14290.member_2, _e14312), _e14369.member_2, _e14391)));
 }
 let _e14416 = phi_32448_;
 let _e14423 = (_e8906.member_2 * select(0f, 1f, _e6671.member_6));
@@ -4825,41 +4825,41 @@ break;
 let _e14591 = local_44;
 if _e14591 {
 let _e14593 = local_45;
-global_1.member[_e266] = _e14593[0];
+global_4.member[_e266] = _e14593[0];
 let _e14598 = local_46;
-global_1.member[_e278] = _e14598[1];
+global_4.member[_e278] = _e14598[1];
 let _e14603 = local_47;
-global_1.member[_e289] = _e14603[2];
+global_4.member[_e289] = _e14603[2];
 let _e14608 = local_48;
-global_1.member[_e300] = _e14608[3];
+global_4.member[_e300] = _e14608[3];
 let _e14613 = local_49;
-global_1.member[_e311] = _e14613[4];
+global_4.member[_e311] = _e14613[4];
 let _e14618 = local_50;
-global_1.member[_e322] = _e14618[5];
+global_4.member[_e322] = _e14618[5];
 let _e14623 = local_51;
-global_1.member[_e333] = _e14623[6];
+global_4.member[_e333] = _e14623[6];
 let _e14628 = local_52;
-global_1.member[_e344] = _e14628[7];
+global_4.member[_e344] = _e14628[7];
 let _e14633 = local_53;
-global_1.member[_e355] = _e14633[8];
+global_4.member[_e355] = _e14633[8];
 let _e14638 = local_54;
-global_1.member[_e366] = _e14638[9];
+global_4.member[_e366] = _e14638[9];
 let _e14643 = local_55;
-global_1.member[_e377] = _e14643[10];
+global_4.member[_e377] = _e14643[10];
 let _e14648 = local_56;
-global_1.member[_e388] = _e14648[11];
+global_4.member[_e388] = _e14648[11];
 let _e14653 = local_57;
-global_1.member[_e399] = _e14653[12];
+global_4.member[_e399] = _e14653[12];
 let _e14658 = local_58;
-global_1.member[_e410] = _e14658[13];
+global_4.member[_e410] = _e14658[13];
 let _e14663 = local_59;
-global_1.member[_e421] = _e14663[14];
+global_4.member[_e421] = _e14663[14];
 let _e14668 = local_60;
-global_1.member[_e432] = _e14668[15];
+global_4.member[_e432] = _e14668[15];
 let _e14673 = local_61;
-global_1.member[_e443] = _e14673[16];
+global_4.member[_e443] = _e14673[16];
 let _e14678 = local_62;
-global_1.member[_e454] = _e14678[17];
+global_4.member[_e454] = _e14678[17];
 }
 }
 }

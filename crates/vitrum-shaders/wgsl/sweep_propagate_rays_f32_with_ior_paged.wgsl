@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,72 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_29 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_30 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_33 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_34 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -199,11 +191,15 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_38 {
-member: array<type_27>,
+struct type_35 {
+member: vec3<f32>,
+member_1: vec3<f32>,
 }
-struct type_39 {
-member: type_29,
+struct type_37 {
+member: array<type_21>,
+}
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -213,6 +209,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -220,20 +220,20 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(6)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(5)
-var<storage> global_4: type_17;
+var<storage> global_3: type_23;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_25;
 @group(0) @binding(0)
-var<storage> global_5: type_38;
+var<storage> global_5: type_37;
 @group(0) @binding(2)
-var<storage> global_6: type_17;
+var<storage> global_6: type_23;
 @group(0) @binding(3)
-var<storage> global_7: type_17;
+var<storage> global_7: type_23;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -241,7 +241,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_33;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -257,27 +257,27 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_33;
+var local_22: type_28;
 var local_23: vec3<f32>;
-var local_24: type_33;
+var local_24: type_28;
 var local_25: vec3<f32>;
 var local_26: f32;
 var local_27: f32;
-var local_28: type_33;
+var local_28: type_28;
 var local_29: vec3<f32>;
 var local_30: f32;
 var local_31: f32;
-var local_32: type_33;
+var local_32: type_28;
 var local_33: vec3<f32>;
 var local_34: f32;
 var local_35: f32;
-var local_36: type_33;
+var local_36: type_28;
 var local_37: vec3<f32>;
 var local_38: f32;
 var local_39: f32;
-var local_40: type_33;
+var local_40: type_28;
 var local_41: vec3<f32>;
-var local_42: type_33;
+var local_42: type_28;
 var local_43: vec3<f32>;
 var phi_689_: u32;
 var phi_692_: bool;
@@ -286,24 +286,24 @@ var phi_1750_: bool;
 var phi_1930_: bool;
 var phi_1933_: bool;
 var phi_3654_: f32;
-var phi_5260_: type_36;
+var phi_5260_: type_34;
 var phi_5273_: bool;
-var phi_5303_: type_30;
+var phi_5303_: type_39;
 var phi_5315_: bool;
-var phi_6358_: type_29;
-var phi_7881_: type_36;
-var phi_8956_: type_29;
-var phi_10494_: type_36;
-var phi_11569_: type_29;
-var phi_13107_: type_36;
-var phi_14855_: type_29;
-var phi_14868_: type_39;
+var phi_6358_: type_31;
+var phi_7881_: type_34;
+var phi_8956_: type_31;
+var phi_10494_: type_34;
+var phi_11569_: type_31;
+var phi_13107_: type_34;
+var phi_14855_: type_31;
+var phi_14868_: type_38;
 var phi_14869_: vec3<f32>;
 var phi_14870_: bool;
 var phi_14871_: f32;
-var phi_21316_: type_34;
-var phi_21926_: type_35;
-var phi_22339_: type_5;
+var phi_21316_: type_32;
+var phi_21926_: type_33;
+var phi_22339_: type_7;
 var phi_26504_: type_40;
 var phi_28033_: i32;
 var phi_28610_: vec3<f32>;
@@ -311,24 +311,24 @@ var phi_29017_: vec3<f32>;
 var phi_29111_: f32;
 var phi_29153_: f32;
 var phi_27519_: vec3<f32>;
-var phi_29185_: type_28;
+var phi_29185_: type_35;
 var phi_26618_: f32;
 var phi_26702_: f32;
-var phi_26774_: type_28;
-var phi_29186_: type_28;
+var phi_26774_: type_35;
+var phi_29186_: type_35;
 var phi_29269_: f32;
 var phi_29270_: f32;
 var phi_29527_: vec3<f32>;
 var phi_30457_: f32;
 var phi_30541_: f32;
-var phi_30613_: type_28;
+var phi_30613_: type_35;
 var phi_29956_: u32;
 var phi_30293_: f32;
 var phi_30349_: f32;
 var phi_30354_: vec3<f32>;
-var phi_30614_: type_28;
-var phi_30615_: type_28;
-var phi_32105_: type_36;
+var phi_30614_: type_35;
+var phi_30615_: type_35;
+var phi_32105_: type_34;
 var phi_32261_: vec3<f32>;
 var phi_32262_: bool;
 var phi_32422_: array<f32, 18>;
@@ -360,8 +360,8 @@ default: {
 let _e225 = global;
 let _e227 = arrayLength((&global_5.member));
 let _e233 = arrayLength((&global_6.member));
-let _e238 = arrayLength((&global_3.member));
-let _e241 = arrayLength((&global_4.member));
+let _e238 = arrayLength((&global_2.member));
+let _e241 = arrayLength((&global_3.member));
 if (0u < _e227) {
 } else {
 break;
@@ -375,77 +375,77 @@ if (_e262 < _e248.member_3) {
 let _e265 = (_e252.member * _e252.member_1);
 let _e267 = ((_e262 * _e252.member) + _e260);
 let _e268 = bitcast<i32>(_e267);
-let _e270 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e270 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e272 = select(_e270, _e268, (_e268 < _e270));
-let _e278 = global_1.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
+let _e278 = global_4.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
 let _e279 = (_e265 + _e267);
 let _e280 = bitcast<i32>(_e279);
 let _e282 = select(_e270, _e280, (_e280 < _e270));
-let _e288 = global_1.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
+let _e288 = global_4.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
 let _e290 = ((2u * _e265) + _e267);
 let _e291 = bitcast<i32>(_e290);
 let _e293 = select(_e270, _e291, (_e291 < _e270));
-let _e299 = global_1.member[bitcast<u32>(select(0i, _e293, (_e293 > 0i)))];
+let _e299 = global_4.member[bitcast<u32>(select(0i, _e293, (_e293 > 0i)))];
 let _e301 = ((3u * _e265) + _e267);
 let _e302 = bitcast<i32>(_e301);
 let _e304 = select(_e270, _e302, (_e302 < _e270));
-let _e310 = global_1.member[bitcast<u32>(select(0i, _e304, (_e304 > 0i)))];
+let _e310 = global_4.member[bitcast<u32>(select(0i, _e304, (_e304 > 0i)))];
 let _e312 = ((4u * _e265) + _e267);
 let _e313 = bitcast<i32>(_e312);
 let _e315 = select(_e270, _e313, (_e313 < _e270));
-let _e321 = global_1.member[bitcast<u32>(select(0i, _e315, (_e315 > 0i)))];
+let _e321 = global_4.member[bitcast<u32>(select(0i, _e315, (_e315 > 0i)))];
 let _e323 = ((5u * _e265) + _e267);
 let _e324 = bitcast<i32>(_e323);
 let _e326 = select(_e270, _e324, (_e324 < _e270));
-let _e332 = global_1.member[bitcast<u32>(select(0i, _e326, (_e326 > 0i)))];
+let _e332 = global_4.member[bitcast<u32>(select(0i, _e326, (_e326 > 0i)))];
 let _e334 = ((6u * _e265) + _e267);
 let _e335 = bitcast<i32>(_e334);
 let _e337 = select(_e270, _e335, (_e335 < _e270));
-let _e343 = global_1.member[bitcast<u32>(select(0i, _e337, (_e337 > 0i)))];
+let _e343 = global_4.member[bitcast<u32>(select(0i, _e337, (_e337 > 0i)))];
 let _e345 = ((7u * _e265) + _e267);
 let _e346 = bitcast<i32>(_e345);
 let _e348 = select(_e270, _e346, (_e346 < _e270));
-let _e354 = global_1.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
+let _e354 = global_4.member[bitcast<u32>(select(0i, _e348, (_e348 > 0i)))];
 let _e356 = ((8u * _e265) + _e267);
 let _e357 = bitcast<i32>(_e356);
 let _e359 = select(_e270, _e357, (_e357 < _e270));
-let _e365 = global_1.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
+let _e365 = global_4.member[bitcast<u32>(select(0i, _e359, (_e359 > 0i)))];
 let _e367 = ((9u * _e265) + _e267);
 let _e368 = bitcast<i32>(_e367);
 let _e370 = select(_e270, _e368, (_e368 < _e270));
-let _e376 = global_1.member[bitcast<u32>(select(0i, _e370, (_e370 > 0i)))];
+let _e376 = global_4.member[bitcast<u32>(select(0i, _e370, (_e370 > 0i)))];
 let _e378 = ((10u * _e265) + _e267);
 let _e379 = bitcast<i32>(_e378);
 let _e381 = select(_e270, _e379, (_e379 < _e270));
-let _e387 = global_1.member[bitcast<u32>(select(0i, _e381, (_e381 > 0i)))];
+let _e387 = global_4.member[bitcast<u32>(select(0i, _e381, (_e381 > 0i)))];
 let _e389 = ((11u * _e265) + _e267);
 let _e390 = bitcast<i32>(_e389);
 let _e392 = select(_e270, _e390, (_e390 < _e270));
-let _e398 = global_1.member[bitcast<u32>(select(0i, _e392, (_e392 > 0i)))];
+let _e398 = global_4.member[bitcast<u32>(select(0i, _e392, (_e392 > 0i)))];
 let _e400 = ((12u * _e265) + _e267);
 let _e401 = bitcast<i32>(_e400);
 let _e403 = select(_e270, _e401, (_e401 < _e270));
-let _e409 = global_1.member[bitcast<u32>(select(0i, _e403, (_e403 > 0i)))];
+let _e409 = global_4.member[bitcast<u32>(select(0i, _e403, (_e403 > 0i)))];
 let _e411 = ((13u * _e265) + _e267);
 let _e412 = bitcast<i32>(_e411);
 let _e414 = select(_e270, _e412, (_e412 < _e270));
-let _e420 = global_1.member[bitcast<u32>(select(0i, _e414, (_e414 > 0i)))];
+let _e420 = global_4.member[bitcast<u32>(select(0i, _e414, (_e414 > 0i)))];
 let _e422 = ((14u * _e265) + _e267);
 let _e423 = bitcast<i32>(_e422);
 let _e425 = select(_e270, _e423, (_e423 < _e270));
-let _e431 = global_1.member[bitcast<u32>(select(0i, _e425, (_e425 > 0i)))];
+let _e431 = global_4.member[bitcast<u32>(select(0i, _e425, (_e425 > 0i)))];
 let _e433 = ((15u * _e265) + _e267);
 let _e434 = bitcast<i32>(_e433);
 let _e436 = select(_e270, _e434, (_e434 < _e270));
-let _e442 = global_1.member[bitcast<u32>(select(0i, _e436, (_e436 > 0i)))];
+let _e442 = global_4.member[bitcast<u32>(select(0i, _e436, (_e436 > 0i)))];
 let _e444 = ((16u * _e265) + _e267);
 let _e445 = bitcast<i32>(_e444);
 let _e447 = select(_e270, _e445, (_e445 < _e270));
-let _e453 = global_1.member[bitcast<u32>(select(0i, _e447, (_e447 > 0i)))];
+let _e453 = global_4.member[bitcast<u32>(select(0i, _e447, (_e447 > 0i)))];
 let _e455 = ((17u * _e265) + _e267);
 let _e456 = bitcast<i32>(_e455);
 let _e458 = select(_e270, _e456, (_e456 < _e270));
-let _e464 = global_1.member[bitcast<u32>(select(0i, _e458, (_e458 > 0i)))];
+let _e464 = global_4.member[bitcast<u32>(select(0i, _e458, (_e458 > 0i)))];
 phi_689_ = 0u;
 phi_692_ = false;
 phi_694_ = array<f32, 18>(_e278, _e288, _e299, _e310, _e321, _e332, _e343, _e354, _e365, _e376, _e387, _e398, _e409, _e420, _e431, _e442, _e453, _e464);
@@ -710,9 +710,9 @@ let _e1541 = bitcast<i32>(_e1540);
 let _e1547 = global_5.member[_e467].member_6.member_11.member_1;
 let _e1548 = bitcast<i32>(_e1547);
 let _e1558 = ((_e1532 >> bitcast<u32>(4i)) + (_e1541 * ((_e1533 >> bitcast<u32>(4i)) + (_e1548 * (_e1534 >> bitcast<u32>(4i))))));
-let _e1560 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e1560 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
 let _e1562 = select(_e1560, _e1558, (_e1558 < _e1560));
-let _e1568 = global_2.member[bitcast<u32>(select(0i, _e1562, (_e1562 > 0i)))];
+let _e1568 = global_1.member[bitcast<u32>(select(0i, _e1562, (_e1562 > 0i)))];
 let _e1570 = (_e1532 & 15i);
 let _e1573 = ((_e1533 & 15i) * _e1526);
 let _e1575 = (bitcast<i32>(_e1568) + ((_e1534 & 15i) * _e1531));
@@ -722,30 +722,30 @@ let _e1581 = (_e1573 + _e1580);
 let _e1582 = (_e1575 + _e1531);
 let _e1583 = (2i * _e1531);
 let _e1584 = (_e1575 + _e1583);
-local_42 = type_33(array<i32, 4>(_e1570, (_e1570 + 1i), (_e1570 + 2i), (_e1570 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_42 = type_28(array<i32, 4>(_e1570, (_e1570 + 1i), (_e1570 + 2i), (_e1570 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_43 = vec3<f32>((_e1468 - f32(_e1491)), (_e1472 - f32(_e1506)), (_e1476 - f32(_e1521)));
 let _e1595 = (_e1582 + _e1579);
 let _e1598 = local_42.member[1u];
 let _e1599 = (_e1595 + _e1598);
 let _e1601 = select(_e1560, _e1599, (_e1599 < _e1560));
-let _e1606 = global_2.member[bitcast<u32>(select(0i, _e1601, (_e1601 > 0i)))];
+let _e1606 = global_1.member[bitcast<u32>(select(0i, _e1601, (_e1601 > 0i)))];
 let _e1607 = bitcast<f32>(_e1606);
 let _e1610 = local_42.member[2u];
 let _e1611 = (_e1595 + _e1610);
 let _e1613 = select(_e1560, _e1611, (_e1611 < _e1560));
-let _e1618 = global_2.member[bitcast<u32>(select(0i, _e1613, (_e1613 > 0i)))];
+let _e1618 = global_1.member[bitcast<u32>(select(0i, _e1613, (_e1613 > 0i)))];
 let _e1620 = local_43[0u];
 let _e1623 = (_e1607 + ((bitcast<f32>(_e1618) - _e1607) * _e1620));
 let _e1624 = (_e1582 + _e1581);
 let _e1625 = local_42.member[1u];
 let _e1626 = (_e1624 + _e1625);
 let _e1628 = select(_e1560, _e1626, (_e1626 < _e1560));
-let _e1633 = global_2.member[bitcast<u32>(select(0i, _e1628, (_e1628 > 0i)))];
+let _e1633 = global_1.member[bitcast<u32>(select(0i, _e1628, (_e1628 > 0i)))];
 let _e1634 = bitcast<f32>(_e1633);
 let _e1635 = local_42.member[2u];
 let _e1636 = (_e1624 + _e1635);
 let _e1638 = select(_e1560, _e1636, (_e1636 < _e1560));
-let _e1643 = global_2.member[bitcast<u32>(select(0i, _e1638, (_e1638 > 0i)))];
+let _e1643 = global_1.member[bitcast<u32>(select(0i, _e1638, (_e1638 > 0i)))];
 let _e1645 = local_43[0u];
 let _e1650 = local_43[1u];
 let _e1653 = (_e1623 + (((_e1634 + ((bitcast<f32>(_e1643) - _e1634) * _e1645)) - _e1623) * _e1650));
@@ -753,24 +753,24 @@ let _e1654 = (_e1584 + _e1579);
 let _e1655 = local_42.member[1u];
 let _e1656 = (_e1654 + _e1655);
 let _e1658 = select(_e1560, _e1656, (_e1656 < _e1560));
-let _e1663 = global_2.member[bitcast<u32>(select(0i, _e1658, (_e1658 > 0i)))];
+let _e1663 = global_1.member[bitcast<u32>(select(0i, _e1658, (_e1658 > 0i)))];
 let _e1664 = bitcast<f32>(_e1663);
 let _e1665 = local_42.member[2u];
 let _e1666 = (_e1654 + _e1665);
 let _e1668 = select(_e1560, _e1666, (_e1666 < _e1560));
-let _e1673 = global_2.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
+let _e1673 = global_1.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
 let _e1675 = local_43[0u];
 let _e1678 = (_e1664 + ((bitcast<f32>(_e1673) - _e1664) * _e1675));
 let _e1679 = (_e1584 + _e1581);
 let _e1680 = local_42.member[1u];
 let _e1681 = (_e1679 + _e1680);
 let _e1683 = select(_e1560, _e1681, (_e1681 < _e1560));
-let _e1688 = global_2.member[bitcast<u32>(select(0i, _e1683, (_e1683 > 0i)))];
+let _e1688 = global_1.member[bitcast<u32>(select(0i, _e1683, (_e1683 > 0i)))];
 let _e1689 = bitcast<f32>(_e1688);
 let _e1690 = local_42.member[2u];
 let _e1691 = (_e1679 + _e1690);
 let _e1693 = select(_e1560, _e1691, (_e1691 < _e1560));
-let _e1698 = global_2.member[bitcast<u32>(select(0i, _e1693, (_e1693 > 0i)))];
+let _e1698 = global_1.member[bitcast<u32>(select(0i, _e1693, (_e1693 > 0i)))];
 let _e1700 = local_43[0u];
 let _e1704 = local_43[1u];
 let _e1709 = local_43[2u];
@@ -817,7 +817,7 @@ let _e1845 = (_e1839 + _e1792);
 let _e1847 = (_e1839 + (2i * _e1792));
 let _e1848 = (_e1841 + _e1797);
 let _e1850 = (_e1841 + (2i * _e1797));
-local_40 = type_33(array<i32, 4>(_e1836, (_e1836 + 1i), (_e1836 + 2i), (_e1836 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_40 = type_28(array<i32, 4>(_e1836, (_e1836 + 1i), (_e1836 + 2i), (_e1836 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_41 = vec3<f32>((_e1734 - f32(_e1757)), (_e1738 - f32(_e1772)), (_e1742 - f32(_e1787)));
 let _e1861 = (_e1848 + _e1845);
 let _e1864 = local_40.member[1u];
@@ -879,41 +879,41 @@ local_39 = _e1995;
 let _e1996 = local_39;
 let _e1998 = (bitcast<i32>(_e238) - 1i);
 let _e2000 = select(_e1998, 263197i, (263197i < _e1998));
-let _e2005 = global_3.member[bitcast<u32>(select(0i, _e2000, (_e2000 > 0i)))];
+let _e2005 = global_2.member[bitcast<u32>(select(0i, _e2000, (_e2000 > 0i)))];
 let _e2008 = select(_e1998, 263198i, (263198i < _e1998));
-let _e2013 = global_3.member[bitcast<u32>(select(0i, _e2008, (_e2008 > 0i)))];
+let _e2013 = global_2.member[bitcast<u32>(select(0i, _e2008, (_e2008 > 0i)))];
 let _e2016 = select(_e1998, 263199i, (263199i < _e1998));
-let _e2021 = global_3.member[bitcast<u32>(select(0i, _e2016, (_e2016 > 0i)))];
+let _e2021 = global_2.member[bitcast<u32>(select(0i, _e2016, (_e2016 > 0i)))];
 let _e2022 = bitcast<f32>(_e2021);
 let _e2024 = ((_e1996 - bitcast<f32>(_e2005)) * bitcast<f32>(_e2013));
 let _e2026 = select(0f, _e2024, (_e2024 > 0f));
 let _e2029 = local_39;
 let _e2031 = select(_e1998, 263200i, (263200i < _e1998));
-let _e2036 = global_3.member[bitcast<u32>(select(0i, _e2031, (_e2031 > 0i)))];
+let _e2036 = global_2.member[bitcast<u32>(select(0i, _e2031, (_e2031 > 0i)))];
 let _e2039 = select(_e1998, 263201i, (263201i < _e1998));
-let _e2044 = global_3.member[bitcast<u32>(select(0i, _e2039, (_e2039 > 0i)))];
+let _e2044 = global_2.member[bitcast<u32>(select(0i, _e2039, (_e2039 > 0i)))];
 let _e2047 = select(_e1998, 263202i, (263202i < _e1998));
-let _e2052 = global_3.member[bitcast<u32>(select(0i, _e2047, (_e2047 > 0i)))];
+let _e2052 = global_2.member[bitcast<u32>(select(0i, _e2047, (_e2047 > 0i)))];
 let _e2053 = bitcast<f32>(_e2052);
 let _e2055 = ((_e2029 - bitcast<f32>(_e2036)) * bitcast<f32>(_e2044));
 let _e2057 = select(0f, _e2055, (_e2055 > 0f));
 let _e2061 = local_39;
 let _e2063 = select(_e1998, 263203i, (263203i < _e1998));
-let _e2068 = global_3.member[bitcast<u32>(select(0i, _e2063, (_e2063 > 0i)))];
+let _e2068 = global_2.member[bitcast<u32>(select(0i, _e2063, (_e2063 > 0i)))];
 let _e2071 = select(_e1998, 263204i, (263204i < _e1998));
-let _e2076 = global_3.member[bitcast<u32>(select(0i, _e2071, (_e2071 > 0i)))];
+let _e2076 = global_2.member[bitcast<u32>(select(0i, _e2071, (_e2071 > 0i)))];
 let _e2079 = select(_e1998, 263205i, (263205i < _e1998));
-let _e2084 = global_3.member[bitcast<u32>(select(0i, _e2079, (_e2079 > 0i)))];
+let _e2084 = global_2.member[bitcast<u32>(select(0i, _e2079, (_e2079 > 0i)))];
 let _e2085 = bitcast<f32>(_e2084);
 let _e2087 = ((_e2061 - bitcast<f32>(_e2068)) * bitcast<f32>(_e2076));
 let _e2089 = select(0f, _e2087, (_e2087 > 0f));
 let _e2092 = local_39;
 let _e2094 = select(_e1998, 263206i, (263206i < _e1998));
-let _e2099 = global_3.member[bitcast<u32>(select(0i, _e2094, (_e2094 > 0i)))];
+let _e2099 = global_2.member[bitcast<u32>(select(0i, _e2094, (_e2094 > 0i)))];
 let _e2102 = select(_e1998, 263207i, (263207i < _e1998));
-let _e2107 = global_3.member[bitcast<u32>(select(0i, _e2102, (_e2102 > 0i)))];
+let _e2107 = global_2.member[bitcast<u32>(select(0i, _e2102, (_e2102 > 0i)))];
 let _e2110 = select(_e1998, 263208i, (263208i < _e1998));
-let _e2115 = global_3.member[bitcast<u32>(select(0i, _e2110, (_e2110 > 0i)))];
+let _e2115 = global_2.member[bitcast<u32>(select(0i, _e2110, (_e2110 > 0i)))];
 let _e2116 = bitcast<f32>(_e2115);
 let _e2118 = ((_e2092 - bitcast<f32>(_e2099)) * bitcast<f32>(_e2107));
 let _e2120 = select(0f, _e2118, (_e2118 > 0f));
@@ -924,13 +924,13 @@ let _e2135 = select(0i, select(select(i32(_e2128), i32(-2147483648), (_e2128 < -
 let _e2139 = (_e2135 - select(0i, 1i, (_e2128 < f32(_e2135))));
 let _e2140 = (262147i + _e2139);
 let _e2142 = select(_e1998, _e2140, (_e2140 < _e1998));
-let _e2148 = global_3.member[bitcast<u32>(select(0i, _e2142, (_e2142 > 0i)))];
+let _e2148 = global_2.member[bitcast<u32>(select(0i, _e2142, (_e2142 > 0i)))];
 let _e2158 = select(_e1998, 262146i, (262146i < _e1998));
-let _e2164 = global_3.member[bitcast<u32>(select(0i, _e2158, (_e2158 > 0i)))];
+let _e2164 = global_2.member[bitcast<u32>(select(0i, _e2158, (_e2158 > 0i)))];
 let _e2168 = select(_e1998, 262144i, (262144i < _e1998));
-let _e2174 = global_3.member[bitcast<u32>(select(0i, _e2168, (_e2168 > 0i)))];
+let _e2174 = global_2.member[bitcast<u32>(select(0i, _e2168, (_e2168 > 0i)))];
 let _e2177 = select(_e1998, 262145i, (262145i < _e1998));
-let _e2183 = global_3.member[bitcast<u32>(select(0i, _e2177, (_e2177 > 0i)))];
+let _e2183 = global_2.member[bitcast<u32>(select(0i, _e2177, (_e2177 > 0i)))];
 phi_3654_ = select(_e471[16], ((bitcast<f32>(_e2174) + (f32(bitcast<i32>((_e2148 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2183))) + ((f32((bitcast<i32>((_e2148 & 4095u)) - 2048i)) * bitcast<f32>(_e2164)) * (_e2124 - f32(_e2139)))), _e1385);
 } else {
 phi_3654_ = _e471[16];
@@ -941,7 +941,7 @@ let _e2195 = (_e506 - _e502);
 let _e2196 = (_e511 - _e496);
 let _e2201 = (((_e2194 * _e2194) + (_e2195 * _e2195)) + (_e2196 * _e2196));
 let _e2204 = sqrt(select(0f, _e2201, (_e2201 > 0f)));
-let _e2205 = type_39(type_29(1f, 1f), vec3<f32>(_e504, _e506, _e511), _e1396, _e2204, _e491, _e1396, true, false, false);
+let _e2205 = type_38(type_31(1f, 1f), vec3<f32>(_e504, _e506, _e511), _e1396, _e2204, _e491, _e1396, true, false, false);
 let _e2206 = (_e674 < 1e-12f);
 let _e2208 = (1f / select(_e669, 1f, _e2206));
 let _e2209 = (-0.5f - _e580);
@@ -1096,7 +1096,7 @@ let _e2569 = select(select(select(select(select(select(0f, _e2307.member_1, _e23
 let _e2570 = select(select(select(select(select(select(1f, _e2307.member_2, _e2349), _e2307.member_2, _e2389), _e2316.member_2, _e2429), _e2316.member_2, _e2469), _e2325.member_2, _e2509), _e2325.member_2, _e2549);
 let _e2574 = ((_e1044 & 16u) == 0u);
 if _e2574 {
-phi_5260_ = type_36(_e2555, vec3<f32>(_e2556, _e2557, _e2558), _e2560, vec3<f32>(_e2561, _e2562, _e2563), _e2565, _e2567, vec3<f32>(_e2568, _e2569, _e2570));
+phi_5260_ = type_34(_e2555, vec3<f32>(_e2556, _e2557, _e2558), _e2560, vec3<f32>(_e2561, _e2562, _e2563), _e2565, _e2567, vec3<f32>(_e2568, _e2569, _e2570));
 } else {
 let _e2579 = (((_e2307.member * _e2307.member) + (_e2307.member_1 * _e2307.member_1)) + (_e2307.member_2 * _e2307.member_2));
 let _e2582 = sqrt(select(0f, _e2579, (_e2579 > 0f)));
@@ -1176,7 +1176,7 @@ let _e2878 = select(2f, select(0f, _e2870, (_e2850 < 0f)), (_e2851 > 0f));
 let _e2879 = (_e2850 > _e2814);
 let _e2883 = ((_e2874 > _e2806) || ((_e2874 == _e2806) && _e2879));
 let _e2884 = (_e2878 < _e2810);
-phi_5260_ = type_36(select(_e2806, _e2874, _e2883), vec3<f32>(select(select(select(select(_e2556, _e2620.member, _e2646), _e2699.member, _e2725), _e2778.member, _e2804), _e2857.member, _e2883), select(select(select(select(_e2557, _e2620.member_1, _e2646), _e2699.member_1, _e2725), _e2778.member_1, _e2804), _e2857.member_1, _e2883), select(select(select(select(_e2558, _e2620.member_2, _e2646), _e2699.member_2, _e2725), _e2778.member_2, _e2804), _e2857.member_2, _e2883)), select(_e2810, _e2878, _e2884), vec3<f32>(select(select(select(select(_e2561, _e2620.member, _e2647), _e2699.member, _e2726), _e2778.member, _e2805), _e2857.member, _e2884), select(select(select(select(_e2562, _e2620.member_1, _e2647), _e2699.member_1, _e2726), _e2778.member_1, _e2805), _e2857.member_1, _e2884), select(select(select(select(_e2563, _e2620.member_2, _e2647), _e2699.member_2, _e2726), _e2778.member_2, _e2805), _e2857.member_2, _e2884)), select(_e2814, _e2850, _e2879), select(_e2816, _e2851, (_e2851 > _e2816)), vec3<f32>(select(select(select(select(_e2568, _e2620.member, _e2642), _e2699.member, _e2721), _e2778.member, _e2800), _e2857.member, _e2879), select(select(select(select(_e2569, _e2620.member_1, _e2642), _e2699.member_1, _e2721), _e2778.member_1, _e2800), _e2857.member_1, _e2879), select(select(select(select(_e2570, _e2620.member_2, _e2642), _e2699.member_2, _e2721), _e2778.member_2, _e2800), _e2857.member_2, _e2879)));
+phi_5260_ = type_34(select(_e2806, _e2874, _e2883), vec3<f32>(select(select(select(select(_e2556, _e2620.member, _e2646), _e2699.member, _e2725), _e2778.member, _e2804), _e2857.member, _e2883), select(select(select(select(_e2557, _e2620.member_1, _e2646), _e2699.member_1, _e2725), _e2778.member_1, _e2804), _e2857.member_1, _e2883), select(select(select(select(_e2558, _e2620.member_2, _e2646), _e2699.member_2, _e2725), _e2778.member_2, _e2804), _e2857.member_2, _e2883)), select(_e2810, _e2878, _e2884), vec3<f32>(select(select(select(select(_e2561, _e2620.member, _e2647), _e2699.member, _e2726), _e2778.member, _e2805), _e2857.member, _e2884), select(select(select(select(_e2562, _e2620.member_1, _e2647), _e2699.member_1, _e2726), _e2778.member_1, _e2805), _e2857.member_1, _e2884), select(select(select(select(_e2563, _e2620.member_2, _e2647), _e2699.member_2, _e2726), _e2778.member_2, _e2805), _e2857.member_2, _e2884)), select(_e2814, _e2850, _e2879), select(_e2816, _e2851, (_e2851 > _e2816)), vec3<f32>(select(select(select(select(_e2568, _e2620.member, _e2642), _e2699.member, _e2721), _e2778.member, _e2800), _e2857.member, _e2879), select(select(select(select(_e2569, _e2620.member_1, _e2642), _e2699.member_1, _e2721), _e2778.member_1, _e2800), _e2857.member_1, _e2879), select(select(select(select(_e2570, _e2620.member_2, _e2642), _e2699.member_2, _e2721), _e2778.member_2, _e2800), _e2857.member_2, _e2879)));
 }
 let _e2904 = phi_5260_;
 if ((_e2904.member_4 > -(0.015625f)) && (_e2904.member_4 < 0.015625f)) {
@@ -1191,9 +1191,9 @@ let _e2917 = (_e471[3] * _e2916);
 let _e2918 = (_e471[4] * _e2916);
 let _e2919 = (_e471[5] * _e2916);
 if _e2913 {
-phi_5303_ = type_30(_e2904.member_2, _e2904.member_3);
+phi_5303_ = type_39(_e2904.member_2, _e2904.member_3);
 } else {
-phi_5303_ = type_30(_e2904.member, _e2904.member_1);
+phi_5303_ = type_39(_e2904.member, _e2904.member_1);
 }
 let _e2928 = phi_5303_;
 if _e2913 {
@@ -1249,7 +1249,7 @@ let _e3080 = (_e3072 + _e3079);
 let _e3081 = (_e3074 + _e3031);
 let _e3082 = (2i * _e3031);
 let _e3083 = (_e3074 + _e3082);
-local_36 = type_33(array<i32, 4>(_e3069, (_e3069 + 1i), (_e3069 + 2i), (_e3069 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_36 = type_28(array<i32, 4>(_e3069, (_e3069 + 1i), (_e3069 + 2i), (_e3069 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_37 = vec3<f32>((_e2968 - f32(_e2991)), (_e2972 - f32(_e3006)), (_e2976 - f32(_e3021)));
 let _e3094 = (_e3081 + _e3078);
 let _e3097 = local_36.member[1u];
@@ -1311,49 +1311,49 @@ local_35 = _e3228;
 let _e3229 = local_35;
 let _e3231 = (bitcast<i32>(_e238) - 1i);
 let _e3233 = select(_e3231, 263197i, (263197i < _e3231));
-let _e3238 = global_3.member[bitcast<u32>(select(0i, _e3233, (_e3233 > 0i)))];
+let _e3238 = global_2.member[bitcast<u32>(select(0i, _e3233, (_e3233 > 0i)))];
 let _e3239 = bitcast<f32>(_e3238);
 let _e3241 = select(_e3231, 263198i, (263198i < _e3231));
-let _e3246 = global_3.member[bitcast<u32>(select(0i, _e3241, (_e3241 > 0i)))];
+let _e3246 = global_2.member[bitcast<u32>(select(0i, _e3241, (_e3241 > 0i)))];
 let _e3247 = bitcast<f32>(_e3246);
 let _e3249 = select(_e3231, 263199i, (263199i < _e3231));
-let _e3254 = global_3.member[bitcast<u32>(select(0i, _e3249, (_e3249 > 0i)))];
+let _e3254 = global_2.member[bitcast<u32>(select(0i, _e3249, (_e3249 > 0i)))];
 let _e3255 = bitcast<f32>(_e3254);
 let _e3257 = ((_e3229 - _e3239) * _e3247);
 let _e3259 = select(0f, _e3257, (_e3257 > 0f));
 let _e3262 = local_35;
 let _e3264 = select(_e3231, 263200i, (263200i < _e3231));
-let _e3269 = global_3.member[bitcast<u32>(select(0i, _e3264, (_e3264 > 0i)))];
+let _e3269 = global_2.member[bitcast<u32>(select(0i, _e3264, (_e3264 > 0i)))];
 let _e3270 = bitcast<f32>(_e3269);
 let _e3272 = select(_e3231, 263201i, (263201i < _e3231));
-let _e3277 = global_3.member[bitcast<u32>(select(0i, _e3272, (_e3272 > 0i)))];
+let _e3277 = global_2.member[bitcast<u32>(select(0i, _e3272, (_e3272 > 0i)))];
 let _e3278 = bitcast<f32>(_e3277);
 let _e3280 = select(_e3231, 263202i, (263202i < _e3231));
-let _e3285 = global_3.member[bitcast<u32>(select(0i, _e3280, (_e3280 > 0i)))];
+let _e3285 = global_2.member[bitcast<u32>(select(0i, _e3280, (_e3280 > 0i)))];
 let _e3286 = bitcast<f32>(_e3285);
 let _e3288 = ((_e3262 - _e3270) * _e3278);
 let _e3290 = select(0f, _e3288, (_e3288 > 0f));
 let _e3294 = local_35;
 let _e3296 = select(_e3231, 263203i, (263203i < _e3231));
-let _e3301 = global_3.member[bitcast<u32>(select(0i, _e3296, (_e3296 > 0i)))];
+let _e3301 = global_2.member[bitcast<u32>(select(0i, _e3296, (_e3296 > 0i)))];
 let _e3302 = bitcast<f32>(_e3301);
 let _e3304 = select(_e3231, 263204i, (263204i < _e3231));
-let _e3309 = global_3.member[bitcast<u32>(select(0i, _e3304, (_e3304 > 0i)))];
+let _e3309 = global_2.member[bitcast<u32>(select(0i, _e3304, (_e3304 > 0i)))];
 let _e3310 = bitcast<f32>(_e3309);
 let _e3312 = select(_e3231, 263205i, (263205i < _e3231));
-let _e3317 = global_3.member[bitcast<u32>(select(0i, _e3312, (_e3312 > 0i)))];
+let _e3317 = global_2.member[bitcast<u32>(select(0i, _e3312, (_e3312 > 0i)))];
 let _e3318 = bitcast<f32>(_e3317);
 let _e3320 = ((_e3294 - _e3302) * _e3310);
 let _e3322 = select(0f, _e3320, (_e3320 > 0f));
 let _e3325 = local_35;
 let _e3327 = select(_e3231, 263206i, (263206i < _e3231));
-let _e3332 = global_3.member[bitcast<u32>(select(0i, _e3327, (_e3327 > 0i)))];
+let _e3332 = global_2.member[bitcast<u32>(select(0i, _e3327, (_e3327 > 0i)))];
 let _e3333 = bitcast<f32>(_e3332);
 let _e3335 = select(_e3231, 263207i, (263207i < _e3231));
-let _e3340 = global_3.member[bitcast<u32>(select(0i, _e3335, (_e3335 > 0i)))];
+let _e3340 = global_2.member[bitcast<u32>(select(0i, _e3335, (_e3335 > 0i)))];
 let _e3341 = bitcast<f32>(_e3340);
 let _e3343 = select(_e3231, 263208i, (263208i < _e3231));
-let _e3348 = global_3.member[bitcast<u32>(select(0i, _e3343, (_e3343 > 0i)))];
+let _e3348 = global_2.member[bitcast<u32>(select(0i, _e3343, (_e3343 > 0i)))];
 let _e3349 = bitcast<f32>(_e3348);
 let _e3351 = ((_e3325 - _e3333) * _e3341);
 let _e3353 = select(0f, _e3351, (_e3351 > 0f));
@@ -1364,21 +1364,21 @@ let _e3368 = select(0i, select(select(i32(_e3361), i32(-2147483648), (_e3361 < -
 let _e3372 = (_e3368 - select(0i, 1i, (_e3361 < f32(_e3368))));
 let _e3373 = (262147i + _e3372);
 let _e3375 = select(_e3231, _e3373, (_e3373 < _e3231));
-let _e3380 = global_3.member[bitcast<u32>(select(0i, _e3375, (_e3375 > 0i)))];
+let _e3380 = global_2.member[bitcast<u32>(select(0i, _e3375, (_e3375 > 0i)))];
 let _e3390 = select(_e3231, 262146i, (262146i < _e3231));
-let _e3395 = global_3.member[bitcast<u32>(select(0i, _e3390, (_e3390 > 0i)))];
+let _e3395 = global_2.member[bitcast<u32>(select(0i, _e3390, (_e3390 > 0i)))];
 let _e3396 = bitcast<f32>(_e3395);
 let _e3399 = select(_e3231, 262144i, (262144i < _e3231));
-let _e3404 = global_3.member[bitcast<u32>(select(0i, _e3399, (_e3399 > 0i)))];
+let _e3404 = global_2.member[bitcast<u32>(select(0i, _e3399, (_e3399 > 0i)))];
 let _e3405 = bitcast<f32>(_e3404);
 let _e3407 = select(_e3231, 262145i, (262145i < _e3231));
-let _e3412 = global_3.member[bitcast<u32>(select(0i, _e3407, (_e3407 > 0i)))];
+let _e3412 = global_2.member[bitcast<u32>(select(0i, _e3407, (_e3407 > 0i)))];
 let _e3413 = bitcast<f32>(_e3412);
 let _e3419 = ((_e3405 + (f32(bitcast<i32>((_e3380 >> bitcast<u32>(12u)))) * _e3413)) + ((f32((bitcast<i32>((_e3380 & 4095u)) - 2048i)) * _e3396) * (_e3357 - f32(_e3372))));
 if _e2913 {
-phi_6358_ = type_29(_e3419, 1f);
+phi_6358_ = type_31(_e3419, 1f);
 } else {
-phi_6358_ = type_29(1f, _e3419);
+phi_6358_ = type_31(1f, _e3419);
 }
 let _e3423 = phi_6358_;
 let _e3428 = ((_e3423.member_1 * _e3423.member_1) - (_e3423.member * _e3423.member));
@@ -1516,7 +1516,7 @@ let _e3768 = select(select(select(select(select(select(0f, _e2307.member, _e3549
 let _e3769 = select(select(select(select(select(select(0f, _e2307.member_1, _e3549), _e2307.member_1, _e3589), _e2316.member_1, _e3629), _e2316.member_1, _e3669), _e2325.member_1, _e3709), _e2325.member_1, _e3749);
 let _e3770 = select(select(select(select(select(select(1f, _e2307.member_2, _e3549), _e2307.member_2, _e3589), _e2316.member_2, _e3629), _e2316.member_2, _e3669), _e2325.member_2, _e3709), _e2325.member_2, _e3749);
 if _e2574 {
-phi_7881_ = type_36(_e3755, vec3<f32>(_e3756, _e3757, _e3758), _e3760, vec3<f32>(_e3761, _e3762, _e3763), _e3765, _e3767, vec3<f32>(_e3768, _e3769, _e3770));
+phi_7881_ = type_34(_e3755, vec3<f32>(_e3756, _e3757, _e3758), _e3760, vec3<f32>(_e3761, _e3762, _e3763), _e3765, _e3767, vec3<f32>(_e3768, _e3769, _e3770));
 } else {
 let _e3777 = (((_e2307.member * _e2307.member) + (_e2307.member_1 * _e2307.member_1)) + (_e2307.member_2 * _e2307.member_2));
 let _e3780 = sqrt(select(0f, _e3777, (_e3777 > 0f)));
@@ -1596,7 +1596,7 @@ let _e4076 = select(2f, select(0f, _e4068, (_e4048 < 0f)), (_e4049 > 0f));
 let _e4077 = (_e4048 > _e4012);
 let _e4081 = ((_e4072 > _e4004) || ((_e4072 == _e4004) && _e4077));
 let _e4082 = (_e4076 < _e4008);
-phi_7881_ = type_36(select(_e4004, _e4072, _e4081), vec3<f32>(select(select(select(select(_e3756, _e3818.member, _e3844), _e3897.member, _e3923), _e3976.member, _e4002), _e4055.member, _e4081), select(select(select(select(_e3757, _e3818.member_1, _e3844), _e3897.member_1, _e3923), _e3976.member_1, _e4002), _e4055.member_1, _e4081), select(select(select(select(_e3758, _e3818.member_2, _e3844), _e3897.member_2, _e3923), _e3976.member_2, _e4002), _e4055.member_2, _e4081)), select(_e4008, _e4076, _e4082), vec3<f32>(select(select(select(select(_e3761, _e3818.member, _e3845), _e3897.member, _e3924), _e3976.member, _e4003), _e4055.member, _e4082), select(select(select(select(_e3762, _e3818.member_1, _e3845), _e3897.member_1, _e3924), _e3976.member_1, _e4003), _e4055.member_1, _e4082), select(select(select(select(_e3763, _e3818.member_2, _e3845), _e3897.member_2, _e3924), _e3976.member_2, _e4003), _e4055.member_2, _e4082)), select(_e4012, _e4048, _e4077), select(_e4014, _e4049, (_e4049 > _e4014)), vec3<f32>(select(select(select(select(_e3768, _e3818.member, _e3840), _e3897.member, _e3919), _e3976.member, _e3998), _e4055.member, _e4077), select(select(select(select(_e3769, _e3818.member_1, _e3840), _e3897.member_1, _e3919), _e3976.member_1, _e3998), _e4055.member_1, _e4077), select(select(select(select(_e3770, _e3818.member_2, _e3840), _e3897.member_2, _e3919), _e3976.member_2, _e3998), _e4055.member_2, _e4077)));
+phi_7881_ = type_34(select(_e4004, _e4072, _e4081), vec3<f32>(select(select(select(select(_e3756, _e3818.member, _e3844), _e3897.member, _e3923), _e3976.member, _e4002), _e4055.member, _e4081), select(select(select(select(_e3757, _e3818.member_1, _e3844), _e3897.member_1, _e3923), _e3976.member_1, _e4002), _e4055.member_1, _e4081), select(select(select(select(_e3758, _e3818.member_2, _e3844), _e3897.member_2, _e3923), _e3976.member_2, _e4002), _e4055.member_2, _e4081)), select(_e4008, _e4076, _e4082), vec3<f32>(select(select(select(select(_e3761, _e3818.member, _e3845), _e3897.member, _e3924), _e3976.member, _e4003), _e4055.member, _e4082), select(select(select(select(_e3762, _e3818.member_1, _e3845), _e3897.member_1, _e3924), _e3976.member_1, _e4003), _e4055.member_1, _e4082), select(select(select(select(_e3763, _e3818.member_2, _e3845), _e3897.member_2, _e3924), _e3976.member_2, _e4003), _e4055.member_2, _e4082)), select(_e4012, _e4048, _e4077), select(_e4014, _e4049, (_e4049 > _e4014)), vec3<f32>(select(select(select(select(_e3768, _e3818.member, _e3840), _e3897.member, _e3919), _e3976.member, _e3998), _e4055.member, _e4077), select(select(select(select(_e3769, _e3818.member_1, _e3840), _e3897.member_1, _e3919), _e3976.member_1, _e3998), _e4055.member_1, _e4077), select(select(select(select(_e3770, _e3818.member_2, _e3840), _e3897.member_2, _e3919), _e3976.member_2, _e3998), _e4055.member_2, _e4077)));
 }
 let _e4102 = phi_7881_;
 let _e4108 = (((_e2936 && _e3510) && !(_e3495)) && (_e4102.member_2 <= 1f));
@@ -1643,7 +1643,7 @@ let _e4227 = (_e4221 + _e3026);
 let _e4228 = (_e4221 + _e3079);
 let _e4229 = (_e4223 + _e3031);
 let _e4230 = (_e4223 + _e3082);
-local_32 = type_33(array<i32, 4>(_e4218, (_e4218 + 1i), (_e4218 + 2i), (_e4218 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_32 = type_28(array<i32, 4>(_e4218, (_e4218 + 1i), (_e4218 + 2i), (_e4218 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_33 = vec3<f32>((_e4143 - f32(_e4166)), (_e4147 - f32(_e4181)), (_e4151 - f32(_e4196)));
 let _e4241 = (_e4229 + _e4227);
 let _e4244 = local_32.member[1u];
@@ -1719,12 +1719,12 @@ let _e4407 = select(0i, select(select(i32(_e4400), i32(-2147483648), (_e4400 < -
 let _e4411 = (_e4407 - select(0i, 1i, (_e4400 < f32(_e4407))));
 let _e4412 = (262147i + _e4411);
 let _e4414 = select(_e3231, _e4412, (_e4412 < _e3231));
-let _e4419 = global_3.member[bitcast<u32>(select(0i, _e4414, (_e4414 > 0i)))];
+let _e4419 = global_2.member[bitcast<u32>(select(0i, _e4414, (_e4414 > 0i)))];
 let _e4434 = ((_e3405 + (f32(bitcast<i32>((_e4419 >> bitcast<u32>(12u)))) * _e3413)) + ((f32((bitcast<i32>((_e4419 & 4095u)) - 2048i)) * _e3396) * (_e4396 - f32(_e4411))));
 if _e3510 {
-phi_8956_ = type_29(_e4434, 1f);
+phi_8956_ = type_31(_e4434, 1f);
 } else {
-phi_8956_ = type_29(1f, _e4434);
+phi_8956_ = type_31(1f, _e4434);
 }
 let _e4438 = phi_8956_;
 let _e4443 = ((_e4438.member_1 * _e4438.member_1) - (_e4438.member * _e4438.member));
@@ -1863,7 +1863,7 @@ let _e4799 = select(select(select(select(select(select(0f, _e2307.member, _e4580
 let _e4800 = select(select(select(select(select(select(0f, _e2307.member_1, _e4580), _e2307.member_1, _e4620), _e2316.member_1, _e4660), _e2316.member_1, _e4700), _e2325.member_1, _e4740), _e2325.member_1, _e4780);
 let _e4801 = select(select(select(select(select(select(1f, _e2307.member_2, _e4580), _e2307.member_2, _e4620), _e2316.member_2, _e4660), _e2316.member_2, _e4700), _e2325.member_2, _e4740), _e2325.member_2, _e4780);
 if _e2574 {
-phi_10494_ = type_36(_e4786, vec3<f32>(_e4787, _e4788, _e4789), _e4791, vec3<f32>(_e4792, _e4793, _e4794), _e4796, _e4798, vec3<f32>(_e4799, _e4800, _e4801));
+phi_10494_ = type_34(_e4786, vec3<f32>(_e4787, _e4788, _e4789), _e4791, vec3<f32>(_e4792, _e4793, _e4794), _e4796, _e4798, vec3<f32>(_e4799, _e4800, _e4801));
 } else {
 let _e4808 = (((_e2307.member * _e2307.member) + (_e2307.member_1 * _e2307.member_1)) + (_e2307.member_2 * _e2307.member_2));
 let _e4811 = sqrt(select(0f, _e4808, (_e4808 > 0f)));
@@ -1943,7 +1943,7 @@ let _e5107 = select(2f, select(0f, _e5099, (_e5079 < 0f)), (_e5080 > 0f));
 let _e5108 = (_e5079 > _e5043);
 let _e5112 = ((_e5103 > _e5035) || ((_e5103 == _e5035) && _e5108));
 let _e5113 = (_e5107 < _e5039);
-phi_10494_ = type_36(select(_e5035, _e5103, _e5112), vec3<f32>(select(select(select(select(_e4787, _e4849.member, _e4875), _e4928.member, _e4954), _e5007.member, _e5033), _e5086.member, _e5112), select(select(select(select(_e4788, _e4849.member_1, _e4875), _e4928.member_1, _e4954), _e5007.member_1, _e5033), _e5086.member_1, _e5112), select(select(select(select(_e4789, _e4849.member_2, _e4875), _e4928.member_2, _e4954), _e5007.member_2, _e5033), _e5086.member_2, _e5112)), select(_e5039, _e5107, _e5113), vec3<f32>(select(select(select(select(_e4792, _e4849.member, _e4876), _e4928.member, _e4955), _e5007.member, _e5034), _e5086.member, _e5113), select(select(select(select(_e4793, _e4849.member_1, _e4876), _e4928.member_1, _e4955), _e5007.member_1, _e5034), _e5086.member_1, _e5113), select(select(select(select(_e4794, _e4849.member_2, _e4876), _e4928.member_2, _e4955), _e5007.member_2, _e5034), _e5086.member_2, _e5113)), select(_e5043, _e5079, _e5108), select(_e5045, _e5080, (_e5080 > _e5045)), vec3<f32>(select(select(select(select(_e4799, _e4849.member, _e4871), _e4928.member, _e4950), _e5007.member, _e5029), _e5086.member, _e5108), select(select(select(select(_e4800, _e4849.member_1, _e4871), _e4928.member_1, _e4950), _e5007.member_1, _e5029), _e5086.member_1, _e5108), select(select(select(select(_e4801, _e4849.member_2, _e4871), _e4928.member_2, _e4950), _e5007.member_2, _e5029), _e5086.member_2, _e5108)));
+phi_10494_ = type_34(select(_e5035, _e5103, _e5112), vec3<f32>(select(select(select(select(_e4787, _e4849.member, _e4875), _e4928.member, _e4954), _e5007.member, _e5033), _e5086.member, _e5112), select(select(select(select(_e4788, _e4849.member_1, _e4875), _e4928.member_1, _e4954), _e5007.member_1, _e5033), _e5086.member_1, _e5112), select(select(select(select(_e4789, _e4849.member_2, _e4875), _e4928.member_2, _e4954), _e5007.member_2, _e5033), _e5086.member_2, _e5112)), select(_e5039, _e5107, _e5113), vec3<f32>(select(select(select(select(_e4792, _e4849.member, _e4876), _e4928.member, _e4955), _e5007.member, _e5034), _e5086.member, _e5113), select(select(select(select(_e4793, _e4849.member_1, _e4876), _e4928.member_1, _e4955), _e5007.member_1, _e5034), _e5086.member_1, _e5113), select(select(select(select(_e4794, _e4849.member_2, _e4876), _e4928.member_2, _e4955), _e5007.member_2, _e5034), _e5086.member_2, _e5113)), select(_e5043, _e5079, _e5108), select(_e5045, _e5080, (_e5080 > _e5045)), vec3<f32>(select(select(select(select(_e4799, _e4849.member, _e4871), _e4928.member, _e4950), _e5007.member, _e5029), _e5086.member, _e5108), select(select(select(select(_e4800, _e4849.member_1, _e4871), _e4928.member_1, _e4950), _e5007.member_1, _e5029), _e5086.member_1, _e5108), select(select(select(select(_e4801, _e4849.member_2, _e4871), _e4928.member_2, _e4950), _e5007.member_2, _e5029), _e5086.member_2, _e5108)));
 }
 let _e5133 = phi_10494_;
 let _e5139 = (((_e4108 && _e4520) && !(_e4504)) && (_e5133.member_2 <= 1f));
@@ -1989,7 +1989,7 @@ let _e5258 = (_e5252 + _e3026);
 let _e5259 = (_e5252 + _e3079);
 let _e5260 = (_e5254 + _e3031);
 let _e5261 = (_e5254 + _e3082);
-local_28 = type_33(array<i32, 4>(_e5249, (_e5249 + 1i), (_e5249 + 2i), (_e5249 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_28 = type_28(array<i32, 4>(_e5249, (_e5249 + 1i), (_e5249 + 2i), (_e5249 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_29 = vec3<f32>((_e5174 - f32(_e5197)), (_e5178 - f32(_e5212)), (_e5182 - f32(_e5227)));
 let _e5272 = (_e5260 + _e5258);
 let _e5275 = local_28.member[1u];
@@ -2065,12 +2065,12 @@ let _e5438 = select(0i, select(select(i32(_e5431), i32(-2147483648), (_e5431 < -
 let _e5442 = (_e5438 - select(0i, 1i, (_e5431 < f32(_e5438))));
 let _e5443 = (262147i + _e5442);
 let _e5445 = select(_e3231, _e5443, (_e5443 < _e3231));
-let _e5450 = global_3.member[bitcast<u32>(select(0i, _e5445, (_e5445 > 0i)))];
+let _e5450 = global_2.member[bitcast<u32>(select(0i, _e5445, (_e5445 > 0i)))];
 let _e5465 = ((_e3405 + (f32(bitcast<i32>((_e5450 >> bitcast<u32>(12u)))) * _e3413)) + ((f32((bitcast<i32>((_e5450 & 4095u)) - 2048i)) * _e3396) * (_e5427 - f32(_e5442))));
 if _e4520 {
-phi_11569_ = type_29(_e5465, 1f);
+phi_11569_ = type_31(_e5465, 1f);
 } else {
-phi_11569_ = type_29(1f, _e5465);
+phi_11569_ = type_31(1f, _e5465);
 }
 let _e5469 = phi_11569_;
 let _e5474 = ((_e5469.member_1 * _e5469.member_1) - (_e5469.member * _e5469.member));
@@ -2209,7 +2209,7 @@ let _e5831 = select(select(select(select(select(select(0f, _e2307.member, _e5612
 let _e5832 = select(select(select(select(select(select(0f, _e2307.member_1, _e5612), _e2307.member_1, _e5652), _e2316.member_1, _e5692), _e2316.member_1, _e5732), _e2325.member_1, _e5772), _e2325.member_1, _e5812);
 let _e5833 = select(select(select(select(select(select(1f, _e2307.member_2, _e5612), _e2307.member_2, _e5652), _e2316.member_2, _e5692), _e2316.member_2, _e5732), _e2325.member_2, _e5772), _e2325.member_2, _e5812);
 if _e2574 {
-phi_13107_ = type_36(_e5818, vec3<f32>(_e5819, _e5820, _e5821), _e5823, vec3<f32>(_e5824, _e5825, _e5826), _e5828, _e5830, vec3<f32>(_e5831, _e5832, _e5833));
+phi_13107_ = type_34(_e5818, vec3<f32>(_e5819, _e5820, _e5821), _e5823, vec3<f32>(_e5824, _e5825, _e5826), _e5828, _e5830, vec3<f32>(_e5831, _e5832, _e5833));
 } else {
 let _e5840 = (((_e2307.member * _e2307.member) + (_e2307.member_1 * _e2307.member_1)) + (_e2307.member_2 * _e2307.member_2));
 let _e5843 = sqrt(select(0f, _e5840, (_e5840 > 0f)));
@@ -2289,7 +2289,7 @@ let _e6139 = select(2f, select(0f, _e6131, (_e6111 < 0f)), (_e6112 > 0f));
 let _e6140 = (_e6111 > _e6075);
 let _e6144 = ((_e6135 > _e6067) || ((_e6135 == _e6067) && _e6140));
 let _e6145 = (_e6139 < _e6071);
-phi_13107_ = type_36(select(_e6067, _e6135, _e6144), vec3<f32>(select(select(select(select(_e5819, _e5881.member, _e5907), _e5960.member, _e5986), _e6039.member, _e6065), _e6118.member, _e6144), select(select(select(select(_e5820, _e5881.member_1, _e5907), _e5960.member_1, _e5986), _e6039.member_1, _e6065), _e6118.member_1, _e6144), select(select(select(select(_e5821, _e5881.member_2, _e5907), _e5960.member_2, _e5986), _e6039.member_2, _e6065), _e6118.member_2, _e6144)), select(_e6071, _e6139, _e6145), vec3<f32>(select(select(select(select(_e5824, _e5881.member, _e5908), _e5960.member, _e5987), _e6039.member, _e6066), _e6118.member, _e6145), select(select(select(select(_e5825, _e5881.member_1, _e5908), _e5960.member_1, _e5987), _e6039.member_1, _e6066), _e6118.member_1, _e6145), select(select(select(select(_e5826, _e5881.member_2, _e5908), _e5960.member_2, _e5987), _e6039.member_2, _e6066), _e6118.member_2, _e6145)), select(_e6075, _e6111, _e6140), select(_e6077, _e6112, (_e6112 > _e6077)), vec3<f32>(select(select(select(select(_e5831, _e5881.member, _e5903), _e5960.member, _e5982), _e6039.member, _e6061), _e6118.member, _e6140), select(select(select(select(_e5832, _e5881.member_1, _e5903), _e5960.member_1, _e5982), _e6039.member_1, _e6061), _e6118.member_1, _e6140), select(select(select(select(_e5833, _e5881.member_2, _e5903), _e5960.member_2, _e5982), _e6039.member_2, _e6061), _e6118.member_2, _e6140)));
+phi_13107_ = type_34(select(_e6067, _e6135, _e6144), vec3<f32>(select(select(select(select(_e5819, _e5881.member, _e5907), _e5960.member, _e5986), _e6039.member, _e6065), _e6118.member, _e6144), select(select(select(select(_e5820, _e5881.member_1, _e5907), _e5960.member_1, _e5986), _e6039.member_1, _e6065), _e6118.member_1, _e6144), select(select(select(select(_e5821, _e5881.member_2, _e5907), _e5960.member_2, _e5986), _e6039.member_2, _e6065), _e6118.member_2, _e6144)), select(_e6071, _e6139, _e6145), vec3<f32>(select(select(select(select(_e5824, _e5881.member, _e5908), _e5960.member, _e5987), _e6039.member, _e6066), _e6118.member, _e6145), select(select(select(select(_e5825, _e5881.member_1, _e5908), _e5960.member_1, _e5987), _e6039.member_1, _e6066), _e6118.member_1, _e6145), select(select(select(select(_e5826, _e5881.member_2, _e5908), _e5960.member_2, _e5987), _e6039.member_2, _e6066), _e6118.member_2, _e6145)), select(_e6075, _e6111, _e6140), select(_e6077, _e6112, (_e6112 > _e6077)), vec3<f32>(select(select(select(select(_e5831, _e5881.member, _e5903), _e5960.member, _e5982), _e6039.member, _e6061), _e6118.member, _e6140), select(select(select(select(_e5832, _e5881.member_1, _e5903), _e5960.member_1, _e5982), _e6039.member_1, _e6061), _e6118.member_1, _e6140), select(select(select(select(_e5833, _e5881.member_2, _e5903), _e5960.member_2, _e5982), _e6039.member_2, _e6061), _e6118.member_2, _e6140)));
 }
 let _e6165 = phi_13107_;
 let _e6171 = (((_e5139 && _e5552) && !(_e5536)) && (_e6165.member_2 <= 1f));
@@ -2469,12 +2469,12 @@ phi_14855_ = _e3423;
 phi_14855_ = _e4438;
 }
 let _e6692 = phi_14855_;
-phi_14868_ = type_39(_e6692, vec3<f32>(select(_e5547, _e5152.x, _e6171), select(_e5548, _e5152.y, _e6171), select(_e5549, _e5152.z, _e6171)), vec3<f32>(_e5521, _e5522, _e5523), select(_e2292, ((((sqrt(select(0f, _e6179, (_e6179 > 0f))) * select(0f, _e6278, (_e6278 > 0f))) + (sqrt(select(0f, _e6289, (_e6289 > 0f))) * select(0f, _e6406, (_e6406 > 0f)))) + (sqrt(select(0f, _e6418, (_e6418 > 0f))) * select(0f, _e6535, (_e6535 > 0f)))) + select(0f, (sqrt(select(0f, _e6547, (_e6547 > 0f))) * select(0f, _e6664, (_e6664 > 0f))), _e5139)), _e6671), select((_e490 / _e5523), (2f * (_e4112 / _e3477)), (((_e2936 && !(_e2913)) && _e3510) && !(_e4108))), select(_e4102.member_3, _e2928.member_1, vec3(_e3491)), _e5552, _e6671, (((_e3495 || _e4504) || _e5536) || _e6171));
+phi_14868_ = type_38(_e6692, vec3<f32>(select(_e5547, _e5152.x, _e6171), select(_e5548, _e5152.y, _e6171), select(_e5549, _e5152.z, _e6171)), vec3<f32>(_e5521, _e5522, _e5523), select(_e2292, ((((sqrt(select(0f, _e6179, (_e6179 > 0f))) * select(0f, _e6278, (_e6278 > 0f))) + (sqrt(select(0f, _e6289, (_e6289 > 0f))) * select(0f, _e6406, (_e6406 > 0f)))) + (sqrt(select(0f, _e6418, (_e6418 > 0f))) * select(0f, _e6535, (_e6535 > 0f)))) + select(0f, (sqrt(select(0f, _e6547, (_e6547 > 0f))) * select(0f, _e6664, (_e6664 > 0f))), _e5139)), _e6671), select((_e490 / _e5523), (2f * (_e4112 / _e3477)), (((_e2936 && !(_e2913)) && _e3510) && !(_e4108))), select(_e4102.member_3, _e2928.member_1, vec3(_e3491)), _e5552, _e6671, (((_e3495 || _e4504) || _e5536) || _e6171));
 phi_14869_ = vec3<f32>(_e2917, _e2918, _e2919);
 phi_14870_ = _e2913;
 phi_14871_ = _e2914;
 } else {
-phi_14868_ = type_39(_e2205.member, _e2205.member_1, _e2205.member_2, _e2292, _e2205.member_4, _e2205.member_5, _e2205.member_6, _e2205.member_7, _e2205.member_8);
+phi_14868_ = type_38(_e2205.member, _e2205.member_1, _e2205.member_2, _e2292, _e2205.member_4, _e2205.member_5, _e2205.member_6, _e2205.member_7, _e2205.member_8);
 phi_14869_ = _e1396;
 phi_14870_ = true;
 phi_14871_ = _e2193;
@@ -2513,7 +2513,7 @@ let _e7028 = (_e7011 + 1i);
 let _e7029 = (_e7026 + 1i);
 let _e7039 = ((_e7027 >> bitcast<u32>(4i)) + (_e1541 * ((_e7028 >> bitcast<u32>(4i)) + (_e1548 * (_e7029 >> bitcast<u32>(4i))))));
 let _e7041 = select(_e1560, _e7039, (_e7039 < _e1560));
-let _e7047 = global_2.member[bitcast<u32>(select(0i, _e7041, (_e7041 > 0i)))];
+let _e7047 = global_1.member[bitcast<u32>(select(0i, _e7041, (_e7041 > 0i)))];
 let _e7049 = (_e7027 & 15i);
 let _e7052 = ((_e7028 & 15i) * _e1526);
 let _e7054 = (bitcast<i32>(_e7047) + ((_e7029 & 15i) * _e1531));
@@ -2521,53 +2521,53 @@ let _e7058 = (_e7052 + _e1526);
 let _e7059 = (_e7052 + _e1580);
 let _e7060 = (_e7054 + _e1531);
 let _e7061 = (_e7054 + _e1583);
-local_24 = type_33(array<i32, 4>(_e7049, (_e7049 + 1i), (_e7049 + 2i), (_e7049 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_24 = type_28(array<i32, 4>(_e7049, (_e7049 + 1i), (_e7049 + 2i), (_e7049 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_25 = vec3<f32>((_e6973 - f32(_e6996)), (_e6977 - f32(_e7011)), (_e6981 - f32(_e7026)));
 let _e7072 = (_e7060 + _e7058);
 let _e7075 = local_24.member[1u];
 let _e7076 = (_e7072 + _e7075);
 let _e7078 = select(_e1560, _e7076, (_e7076 < _e1560));
-let _e7083 = global_2.member[bitcast<u32>(select(0i, _e7078, (_e7078 > 0i)))];
+let _e7083 = global_1.member[bitcast<u32>(select(0i, _e7078, (_e7078 > 0i)))];
 let _e7084 = bitcast<f32>(_e7083);
 let _e7087 = local_24.member[2u];
 let _e7088 = (_e7072 + _e7087);
 let _e7090 = select(_e1560, _e7088, (_e7088 < _e1560));
-let _e7095 = global_2.member[bitcast<u32>(select(0i, _e7090, (_e7090 > 0i)))];
+let _e7095 = global_1.member[bitcast<u32>(select(0i, _e7090, (_e7090 > 0i)))];
 let _e7097 = local_25[0u];
 let _e7100 = (_e7084 + ((bitcast<f32>(_e7095) - _e7084) * _e7097));
 let _e7101 = (_e7060 + _e7059);
 let _e7102 = local_24.member[1u];
 let _e7103 = (_e7101 + _e7102);
 let _e7105 = select(_e1560, _e7103, (_e7103 < _e1560));
-let _e7110 = global_2.member[bitcast<u32>(select(0i, _e7105, (_e7105 > 0i)))];
+let _e7110 = global_1.member[bitcast<u32>(select(0i, _e7105, (_e7105 > 0i)))];
 let _e7111 = bitcast<f32>(_e7110);
 let _e7112 = local_24.member[2u];
 let _e7113 = (_e7101 + _e7112);
 let _e7115 = select(_e1560, _e7113, (_e7113 < _e1560));
-let _e7120 = global_2.member[bitcast<u32>(select(0i, _e7115, (_e7115 > 0i)))];
+let _e7120 = global_1.member[bitcast<u32>(select(0i, _e7115, (_e7115 > 0i)))];
 let _e7122 = local_25[0u];
 let _e7126 = (_e7061 + _e7058);
 let _e7127 = local_24.member[1u];
 let _e7128 = (_e7126 + _e7127);
 let _e7130 = select(_e1560, _e7128, (_e7128 < _e1560));
-let _e7135 = global_2.member[bitcast<u32>(select(0i, _e7130, (_e7130 > 0i)))];
+let _e7135 = global_1.member[bitcast<u32>(select(0i, _e7130, (_e7130 > 0i)))];
 let _e7136 = bitcast<f32>(_e7135);
 let _e7137 = local_24.member[2u];
 let _e7138 = (_e7126 + _e7137);
 let _e7140 = select(_e1560, _e7138, (_e7138 < _e1560));
-let _e7145 = global_2.member[bitcast<u32>(select(0i, _e7140, (_e7140 > 0i)))];
+let _e7145 = global_1.member[bitcast<u32>(select(0i, _e7140, (_e7140 > 0i)))];
 let _e7147 = local_25[0u];
 let _e7150 = (_e7136 + ((bitcast<f32>(_e7145) - _e7136) * _e7147));
 let _e7151 = (_e7061 + _e7059);
 let _e7152 = local_24.member[1u];
 let _e7153 = (_e7151 + _e7152);
 let _e7155 = select(_e1560, _e7153, (_e7153 < _e1560));
-let _e7160 = global_2.member[bitcast<u32>(select(0i, _e7155, (_e7155 > 0i)))];
+let _e7160 = global_1.member[bitcast<u32>(select(0i, _e7155, (_e7155 > 0i)))];
 let _e7161 = bitcast<f32>(_e7160);
 let _e7162 = local_24.member[2u];
 let _e7163 = (_e7151 + _e7162);
 let _e7165 = select(_e1560, _e7163, (_e7163 < _e1560));
-let _e7170 = global_2.member[bitcast<u32>(select(0i, _e7165, (_e7165 > 0i)))];
+let _e7170 = global_1.member[bitcast<u32>(select(0i, _e7165, (_e7165 > 0i)))];
 let _e7172 = local_25[0u];
 let _e7177 = local_25[1u];
 let _e7180 = (_e7100 + (((_e7111 + ((bitcast<f32>(_e7120) - _e7111) * _e7122)) - _e7100) * _e7177));
@@ -2613,7 +2613,7 @@ let _e7314 = (_e7304 + (3i * _e7257));
 let _e7315 = (_e7306 + _e7262);
 let _e7317 = (_e7306 + (2i * _e7262));
 let _e7319 = (_e7306 + (3i * _e7262));
-local_22 = type_33(array<i32, 4>(_e7301, (_e7301 + 1i), (_e7301 + 2i), (_e7301 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_28(array<i32, 4>(_e7301, (_e7301 + 1i), (_e7301 + 2i), (_e7301 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e7199 - f32(_e7222)), (_e7203 - f32(_e7237)), (_e7207 - f32(_e7252)));
 let _e7330 = (_e7315 + _e7310);
 let _e7333 = local_22.member[0u];
@@ -2861,50 +2861,50 @@ local_21 = _e7880;
 let _e7881 = local_21;
 let _e7883 = (bitcast<i32>(_e238) - 1i);
 let _e7885 = select(_e7883, 263197i, (263197i < _e7883));
-let _e7890 = global_3.member[bitcast<u32>(select(0i, _e7885, (_e7885 > 0i)))];
+let _e7890 = global_2.member[bitcast<u32>(select(0i, _e7885, (_e7885 > 0i)))];
 let _e7891 = bitcast<f32>(_e7890);
 let _e7893 = select(_e7883, 263198i, (263198i < _e7883));
 let _e7896 = bitcast<u32>(select(0i, _e7893, (_e7893 > 0i)));
-let _e7898 = global_3.member[_e7896];
+let _e7898 = global_2.member[_e7896];
 let _e7899 = bitcast<f32>(_e7898);
 let _e7901 = select(_e7883, 263199i, (263199i < _e7883));
-let _e7906 = global_3.member[bitcast<u32>(select(0i, _e7901, (_e7901 > 0i)))];
+let _e7906 = global_2.member[bitcast<u32>(select(0i, _e7901, (_e7901 > 0i)))];
 let _e7907 = bitcast<f32>(_e7906);
 let _e7909 = ((_e7881 - _e7891) * _e7899);
 let _e7911 = select(0f, _e7909, (_e7909 > 0f));
 let _e7914 = local_21;
 let _e7916 = select(_e7883, 263200i, (263200i < _e7883));
-let _e7921 = global_3.member[bitcast<u32>(select(0i, _e7916, (_e7916 > 0i)))];
+let _e7921 = global_2.member[bitcast<u32>(select(0i, _e7916, (_e7916 > 0i)))];
 let _e7922 = bitcast<f32>(_e7921);
 let _e7924 = select(_e7883, 263201i, (263201i < _e7883));
-let _e7929 = global_3.member[bitcast<u32>(select(0i, _e7924, (_e7924 > 0i)))];
+let _e7929 = global_2.member[bitcast<u32>(select(0i, _e7924, (_e7924 > 0i)))];
 let _e7930 = bitcast<f32>(_e7929);
 let _e7932 = select(_e7883, 263202i, (263202i < _e7883));
-let _e7937 = global_3.member[bitcast<u32>(select(0i, _e7932, (_e7932 > 0i)))];
+let _e7937 = global_2.member[bitcast<u32>(select(0i, _e7932, (_e7932 > 0i)))];
 let _e7938 = bitcast<f32>(_e7937);
 let _e7940 = ((_e7914 - _e7922) * _e7930);
 let _e7942 = select(0f, _e7940, (_e7940 > 0f));
 let _e7946 = local_21;
 let _e7948 = select(_e7883, 263203i, (263203i < _e7883));
-let _e7953 = global_3.member[bitcast<u32>(select(0i, _e7948, (_e7948 > 0i)))];
+let _e7953 = global_2.member[bitcast<u32>(select(0i, _e7948, (_e7948 > 0i)))];
 let _e7954 = bitcast<f32>(_e7953);
 let _e7956 = select(_e7883, 263204i, (263204i < _e7883));
-let _e7961 = global_3.member[bitcast<u32>(select(0i, _e7956, (_e7956 > 0i)))];
+let _e7961 = global_2.member[bitcast<u32>(select(0i, _e7956, (_e7956 > 0i)))];
 let _e7962 = bitcast<f32>(_e7961);
 let _e7964 = select(_e7883, 263205i, (263205i < _e7883));
-let _e7969 = global_3.member[bitcast<u32>(select(0i, _e7964, (_e7964 > 0i)))];
+let _e7969 = global_2.member[bitcast<u32>(select(0i, _e7964, (_e7964 > 0i)))];
 let _e7970 = bitcast<f32>(_e7969);
 let _e7972 = ((_e7946 - _e7954) * _e7962);
 let _e7974 = select(0f, _e7972, (_e7972 > 0f));
 let _e7977 = local_21;
 let _e7979 = select(_e7883, 263206i, (263206i < _e7883));
-let _e7984 = global_3.member[bitcast<u32>(select(0i, _e7979, (_e7979 > 0i)))];
+let _e7984 = global_2.member[bitcast<u32>(select(0i, _e7979, (_e7979 > 0i)))];
 let _e7985 = bitcast<f32>(_e7984);
 let _e7987 = select(_e7883, 263207i, (263207i < _e7883));
-let _e7992 = global_3.member[bitcast<u32>(select(0i, _e7987, (_e7987 > 0i)))];
+let _e7992 = global_2.member[bitcast<u32>(select(0i, _e7987, (_e7987 > 0i)))];
 let _e7993 = bitcast<f32>(_e7992);
 let _e7995 = select(_e7883, 263208i, (263208i < _e7883));
-let _e8000 = global_3.member[bitcast<u32>(select(0i, _e7995, (_e7995 > 0i)))];
+let _e8000 = global_2.member[bitcast<u32>(select(0i, _e7995, (_e7995 > 0i)))];
 let _e8001 = bitcast<f32>(_e8000);
 let _e8003 = ((_e7977 - _e7985) * _e7993);
 let _e8005 = select(0f, _e8003, (_e8003 > 0f));
@@ -2915,34 +2915,34 @@ let _e8020 = select(0i, select(select(i32(_e8013), i32(-2147483648), (_e8013 < -
 let _e8024 = (_e8020 - select(0i, 1i, (_e8013 < f32(_e8020))));
 let _e8025 = (262147i + _e8024);
 let _e8027 = select(_e7883, _e8025, (_e8025 < _e7883));
-let _e8033 = global_3.member[bitcast<u32>(select(0i, _e8027, (_e8027 > 0i)))];
+let _e8033 = global_2.member[bitcast<u32>(select(0i, _e8027, (_e8027 > 0i)))];
 let _e8043 = select(_e7883, 262146i, (262146i < _e7883));
-let _e8049 = global_3.member[bitcast<u32>(select(0i, _e8043, (_e8043 > 0i)))];
+let _e8049 = global_2.member[bitcast<u32>(select(0i, _e8043, (_e8043 > 0i)))];
 let _e8050 = bitcast<f32>(_e8049);
 let _e8051 = (f32((bitcast<i32>((_e8033 & 4095u)) - 2048i)) * _e8050);
 let _e8053 = select(_e7883, 262144i, (262144i < _e7883));
-let _e8059 = global_3.member[bitcast<u32>(select(0i, _e8053, (_e8053 > 0i)))];
+let _e8059 = global_2.member[bitcast<u32>(select(0i, _e8053, (_e8053 > 0i)))];
 let _e8060 = bitcast<f32>(_e8059);
 let _e8062 = select(_e7883, 262145i, (262145i < _e7883));
-let _e8068 = global_3.member[bitcast<u32>(select(0i, _e8062, (_e8062 > 0i)))];
+let _e8068 = global_2.member[bitcast<u32>(select(0i, _e8062, (_e8062 > 0i)))];
 let _e8069 = bitcast<f32>(_e8068);
 let _e8075 = ((_e8060 + (f32(bitcast<i32>((_e8033 >> bitcast<u32>(12u)))) * _e8069)) + (_e8051 * (_e8009 - f32(_e8024))));
-let _e8078 = global_3.member[_e7896];
+let _e8078 = global_2.member[_e7896];
 let _e8080 = local_20;
 let _e8083 = local_20;
 let _e8086 = local_20;
 let _e8090 = select(_e7883, 263209i, (263209i < _e7883));
-let _e8096 = global_3.member[bitcast<u32>(select(0i, _e8090, (_e8090 > 0i)))];
+let _e8096 = global_2.member[bitcast<u32>(select(0i, _e8090, (_e8090 > 0i)))];
 let _e8098 = local_20;
 let _e8101 = select(_e7883, 263210i, (263210i < _e7883));
-let _e8107 = global_3.member[bitcast<u32>(select(0i, _e8101, (_e8101 > 0i)))];
+let _e8107 = global_2.member[bitcast<u32>(select(0i, _e8101, (_e8101 > 0i)))];
 let _e8109 = local_20;
 let _e8113 = (_e8051 * select(0f, select(select(select(bitcast<f32>(_e8078), _e7930, (_e8080 >= _e7922)), _e7962, (_e8083 >= _e7954)), _e7993, (_e8086 >= _e7985)), ((_e8098 >= bitcast<f32>(_e8096)) && (_e8109 <= bitcast<f32>(_e8107)))));
 if _e1082 {
 let _e8564 = ((0.5f * (_e7855 - _e7849)) * _e8113);
 let _e8565 = ((0.5f * (_e7867 - _e7861)) * _e8113);
 let _e8566 = ((0.5f * (_e7879 - _e7873)) * _e8113);
-phi_21316_ = type_34(_e8075, vec3<f32>(_e8564, _e8565, _e8566), vec3<f32>((_e8564 * _e8075), (_e8565 * _e8075), (_e8566 * _e8075)));
+phi_21316_ = type_32(_e8075, vec3<f32>(_e8564, _e8565, _e8566), vec3<f32>((_e8564 * _e8075), (_e8565 * _e8075), (_e8566 * _e8075)));
 } else {
 local_18 = _e7849;
 let _e8114 = local_18;
@@ -2966,7 +2966,7 @@ let _e8156 = select(0i, select(select(i32(_e8149), i32(-2147483648), (_e8149 < -
 let _e8160 = (_e8156 - select(0i, 1i, (_e8149 < f32(_e8156))));
 let _e8161 = (262147i + _e8160);
 let _e8163 = select(_e7883, _e8161, (_e8161 < _e7883));
-let _e8169 = global_3.member[bitcast<u32>(select(0i, _e8163, (_e8163 > 0i)))];
+let _e8169 = global_2.member[bitcast<u32>(select(0i, _e8163, (_e8163 > 0i)))];
 let _e8184 = ((_e8060 + (f32(bitcast<i32>((_e8169 >> bitcast<u32>(12u)))) * _e8069)) + ((f32((bitcast<i32>((_e8169 & 4095u)) - 2048i)) * _e8050) * (_e8145 - f32(_e8160))));
 local_16 = _e7855;
 let _e8185 = local_16;
@@ -2990,7 +2990,7 @@ let _e8227 = select(0i, select(select(i32(_e8220), i32(-2147483648), (_e8220 < -
 let _e8231 = (_e8227 - select(0i, 1i, (_e8220 < f32(_e8227))));
 let _e8232 = (262147i + _e8231);
 let _e8234 = select(_e7883, _e8232, (_e8232 < _e7883));
-let _e8240 = global_3.member[bitcast<u32>(select(0i, _e8234, (_e8234 > 0i)))];
+let _e8240 = global_2.member[bitcast<u32>(select(0i, _e8234, (_e8234 > 0i)))];
 let _e8255 = ((_e8060 + (f32(bitcast<i32>((_e8240 >> bitcast<u32>(12u)))) * _e8069)) + ((f32((bitcast<i32>((_e8240 & 4095u)) - 2048i)) * _e8050) * (_e8216 - f32(_e8231))));
 local_14 = _e7861;
 let _e8256 = local_14;
@@ -3014,7 +3014,7 @@ let _e8298 = select(0i, select(select(i32(_e8291), i32(-2147483648), (_e8291 < -
 let _e8302 = (_e8298 - select(0i, 1i, (_e8291 < f32(_e8298))));
 let _e8303 = (262147i + _e8302);
 let _e8305 = select(_e7883, _e8303, (_e8303 < _e7883));
-let _e8311 = global_3.member[bitcast<u32>(select(0i, _e8305, (_e8305 > 0i)))];
+let _e8311 = global_2.member[bitcast<u32>(select(0i, _e8305, (_e8305 > 0i)))];
 let _e8326 = ((_e8060 + (f32(bitcast<i32>((_e8311 >> bitcast<u32>(12u)))) * _e8069)) + ((f32((bitcast<i32>((_e8311 & 4095u)) - 2048i)) * _e8050) * (_e8287 - f32(_e8302))));
 local_12 = _e7867;
 let _e8327 = local_12;
@@ -3038,7 +3038,7 @@ let _e8369 = select(0i, select(select(i32(_e8362), i32(-2147483648), (_e8362 < -
 let _e8373 = (_e8369 - select(0i, 1i, (_e8362 < f32(_e8369))));
 let _e8374 = (262147i + _e8373);
 let _e8376 = select(_e7883, _e8374, (_e8374 < _e7883));
-let _e8382 = global_3.member[bitcast<u32>(select(0i, _e8376, (_e8376 > 0i)))];
+let _e8382 = global_2.member[bitcast<u32>(select(0i, _e8376, (_e8376 > 0i)))];
 let _e8397 = ((_e8060 + (f32(bitcast<i32>((_e8382 >> bitcast<u32>(12u)))) * _e8069)) + ((f32((bitcast<i32>((_e8382 & 4095u)) - 2048i)) * _e8050) * (_e8358 - f32(_e8373))));
 local_10 = _e7873;
 let _e8398 = local_10;
@@ -3062,7 +3062,7 @@ let _e8440 = select(0i, select(select(i32(_e8433), i32(-2147483648), (_e8433 < -
 let _e8444 = (_e8440 - select(0i, 1i, (_e8433 < f32(_e8440))));
 let _e8445 = (262147i + _e8444);
 let _e8447 = select(_e7883, _e8445, (_e8445 < _e7883));
-let _e8453 = global_3.member[bitcast<u32>(select(0i, _e8447, (_e8447 > 0i)))];
+let _e8453 = global_2.member[bitcast<u32>(select(0i, _e8447, (_e8447 > 0i)))];
 let _e8468 = ((_e8060 + (f32(bitcast<i32>((_e8453 >> bitcast<u32>(12u)))) * _e8069)) + ((f32((bitcast<i32>((_e8453 & 4095u)) - 2048i)) * _e8050) * (_e8429 - f32(_e8444))));
 local_8 = _e7879;
 let _e8469 = local_8;
@@ -3086,12 +3086,12 @@ let _e8511 = select(0i, select(select(i32(_e8504), i32(-2147483648), (_e8504 < -
 let _e8515 = (_e8511 - select(0i, 1i, (_e8504 < f32(_e8511))));
 let _e8516 = (262147i + _e8515);
 let _e8518 = select(_e7883, _e8516, (_e8516 < _e7883));
-let _e8524 = global_3.member[bitcast<u32>(select(0i, _e8518, (_e8518 > 0i)))];
+let _e8524 = global_2.member[bitcast<u32>(select(0i, _e8518, (_e8518 > 0i)))];
 let _e8539 = ((_e8060 + (f32(bitcast<i32>((_e8524 >> bitcast<u32>(12u)))) * _e8069)) + ((f32((bitcast<i32>((_e8524 & 4095u)) - 2048i)) * _e8050) * (_e8500 - f32(_e8515))));
 let _e8540 = (_e8255 - _e8184);
 let _e8542 = (_e8397 - _e8326);
 let _e8544 = (_e8539 - _e8468);
-phi_21316_ = type_34(_e8075, vec3<f32>((0.5f * _e8540), (0.5f * _e8542), (0.5f * _e8544)), vec3<f32>((0.25f * (_e8540 * (_e8255 + _e8184))), (0.25f * (_e8542 * (_e8397 + _e8326))), (0.25f * (_e8544 * (_e8539 + _e8468)))));
+phi_21316_ = type_32(_e8075, vec3<f32>((0.5f * _e8540), (0.5f * _e8542), (0.5f * _e8544)), vec3<f32>((0.25f * (_e8540 * (_e8255 + _e8184))), (0.25f * (_e8542 * (_e8397 + _e8326))), (0.25f * (_e8544 * (_e8539 + _e8468)))));
 }
 let _e8574 = phi_21316_;
 let _e8589 = select(0f, 1f, ((((((_e6730 >= -0.5f) && (_e6730 <= _e881)) && (_e6736 >= -0.5f)) && (_e6736 <= _e892)) && (_e6742 >= -0.5f)) && (_e6742 <= _e903)));
@@ -3107,7 +3107,7 @@ let _e8637 = global_5.member[_e467].member_7.member_1.member.member_2;
 let _e8644 = global_5.member[_e467].member_7.member_2.member.member;
 let _e8651 = global_5.member[_e467].member_7.member_2.member.member_1;
 let _e8658 = global_5.member[_e467].member_7.member_2.member.member_2;
-phi_21926_ = type_35(select(1e9f, _e7193, (_e7193 < 1e9f)), vec3<f32>(((((_e8602 * _e8591) + (_e8623 * _e8593)) + (_e8644 * _e8595)) * _e8589), ((((_e8609 * _e8591) + (_e8630 * _e8593)) + (_e8651 * _e8595)) * _e8589), ((((_e8616 * _e8591) + (_e8637 * _e8593)) + (_e8658 * _e8595)) * _e8589)), _e8574.member, vec3<f32>(((((_e8602 * _e8574.member_2.x) + (_e8623 * _e8574.member_2.y)) + (_e8644 * _e8574.member_2.z)) * _e8589), ((((_e8609 * _e8574.member_2.x) + (_e8630 * _e8574.member_2.y)) + (_e8651 * _e8574.member_2.z)) * _e8589), ((((_e8616 * _e8574.member_2.x) + (_e8637 * _e8574.member_2.y)) + (_e8658 * _e8574.member_2.z)) * _e8589)), vec3<f32>(((((_e8602 * _e8574.member_1.x) + (_e8623 * _e8574.member_1.y)) + (_e8644 * _e8574.member_1.z)) * _e8589), ((((_e8609 * _e8574.member_1.x) + (_e8630 * _e8574.member_1.y)) + (_e8651 * _e8574.member_1.z)) * _e8589), ((((_e8616 * _e8574.member_1.x) + (_e8637 * _e8574.member_1.y)) + (_e8658 * _e8574.member_1.z)) * _e8589)));
+phi_21926_ = type_33(select(1e9f, _e7193, (_e7193 < 1e9f)), vec3<f32>(((((_e8602 * _e8591) + (_e8623 * _e8593)) + (_e8644 * _e8595)) * _e8589), ((((_e8609 * _e8591) + (_e8630 * _e8593)) + (_e8651 * _e8595)) * _e8589), ((((_e8616 * _e8591) + (_e8637 * _e8593)) + (_e8658 * _e8595)) * _e8589)), _e8574.member, vec3<f32>(((((_e8602 * _e8574.member_2.x) + (_e8623 * _e8574.member_2.y)) + (_e8644 * _e8574.member_2.z)) * _e8589), ((((_e8609 * _e8574.member_2.x) + (_e8630 * _e8574.member_2.y)) + (_e8651 * _e8574.member_2.z)) * _e8589), ((((_e8616 * _e8574.member_2.x) + (_e8637 * _e8574.member_2.y)) + (_e8658 * _e8574.member_2.z)) * _e8589)), vec3<f32>(((((_e8602 * _e8574.member_1.x) + (_e8623 * _e8574.member_1.y)) + (_e8644 * _e8574.member_1.z)) * _e8589), ((((_e8609 * _e8574.member_1.x) + (_e8630 * _e8574.member_1.y)) + (_e8651 * _e8574.member_1.z)) * _e8589), ((((_e8616 * _e8574.member_1.x) + (_e8637 * _e8574.member_1.y)) + (_e8658 * _e8574.member_1.z)) * _e8589)));
 } else {
 let _e6744 = select(-0.5f, _e6712, (_e6712 > -0.5f));
 let _e6746 = select(_e642, _e6744, (_e6744 < _e642));
@@ -3132,7 +3132,7 @@ let _e6801 = (_e6784 + 1i);
 let _e6802 = (_e6799 + 1i);
 let _e6812 = ((_e6800 >> bitcast<u32>(4i)) + (_e1541 * ((_e6801 >> bitcast<u32>(4i)) + (_e1548 * (_e6802 >> bitcast<u32>(4i))))));
 let _e6814 = select(_e1560, _e6812, (_e6812 < _e1560));
-let _e6820 = global_2.member[bitcast<u32>(select(0i, _e6814, (_e6814 > 0i)))];
+let _e6820 = global_1.member[bitcast<u32>(select(0i, _e6814, (_e6814 > 0i)))];
 let _e6822 = (_e6800 & 15i);
 let _e6825 = ((_e6801 & 15i) * _e1526);
 let _e6827 = (bitcast<i32>(_e6820) + ((_e6802 & 15i) * _e1531));
@@ -3140,30 +3140,30 @@ let _e6831 = (_e6825 + _e1526);
 let _e6832 = (_e6825 + _e1580);
 let _e6833 = (_e6827 + _e1531);
 let _e6834 = (_e6827 + _e1583);
-local_6 = type_33(array<i32, 4>(_e6822, (_e6822 + 1i), (_e6822 + 2i), (_e6822 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_28(array<i32, 4>(_e6822, (_e6822 + 1i), (_e6822 + 2i), (_e6822 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e6746 - f32(_e6769)), (_e6750 - f32(_e6784)), (_e6754 - f32(_e6799)));
 let _e6845 = (_e6833 + _e6831);
 let _e6848 = local_6.member[1u];
 let _e6849 = (_e6845 + _e6848);
 let _e6851 = select(_e1560, _e6849, (_e6849 < _e1560));
-let _e6856 = global_2.member[bitcast<u32>(select(0i, _e6851, (_e6851 > 0i)))];
+let _e6856 = global_1.member[bitcast<u32>(select(0i, _e6851, (_e6851 > 0i)))];
 let _e6857 = bitcast<f32>(_e6856);
 let _e6860 = local_6.member[2u];
 let _e6861 = (_e6845 + _e6860);
 let _e6863 = select(_e1560, _e6861, (_e6861 < _e1560));
-let _e6868 = global_2.member[bitcast<u32>(select(0i, _e6863, (_e6863 > 0i)))];
+let _e6868 = global_1.member[bitcast<u32>(select(0i, _e6863, (_e6863 > 0i)))];
 let _e6870 = local_7[0u];
 let _e6873 = (_e6857 + ((bitcast<f32>(_e6868) - _e6857) * _e6870));
 let _e6874 = (_e6833 + _e6832);
 let _e6875 = local_6.member[1u];
 let _e6876 = (_e6874 + _e6875);
 let _e6878 = select(_e1560, _e6876, (_e6876 < _e1560));
-let _e6883 = global_2.member[bitcast<u32>(select(0i, _e6878, (_e6878 > 0i)))];
+let _e6883 = global_1.member[bitcast<u32>(select(0i, _e6878, (_e6878 > 0i)))];
 let _e6884 = bitcast<f32>(_e6883);
 let _e6885 = local_6.member[2u];
 let _e6886 = (_e6874 + _e6885);
 let _e6888 = select(_e1560, _e6886, (_e6886 < _e1560));
-let _e6893 = global_2.member[bitcast<u32>(select(0i, _e6888, (_e6888 > 0i)))];
+let _e6893 = global_1.member[bitcast<u32>(select(0i, _e6888, (_e6888 > 0i)))];
 let _e6895 = local_7[0u];
 let _e6900 = local_7[1u];
 let _e6903 = (_e6873 + (((_e6884 + ((bitcast<f32>(_e6893) - _e6884) * _e6895)) - _e6873) * _e6900));
@@ -3171,36 +3171,36 @@ let _e6904 = (_e6834 + _e6831);
 let _e6905 = local_6.member[1u];
 let _e6906 = (_e6904 + _e6905);
 let _e6908 = select(_e1560, _e6906, (_e6906 < _e1560));
-let _e6913 = global_2.member[bitcast<u32>(select(0i, _e6908, (_e6908 > 0i)))];
+let _e6913 = global_1.member[bitcast<u32>(select(0i, _e6908, (_e6908 > 0i)))];
 let _e6914 = bitcast<f32>(_e6913);
 let _e6915 = local_6.member[2u];
 let _e6916 = (_e6904 + _e6915);
 let _e6918 = select(_e1560, _e6916, (_e6916 < _e1560));
-let _e6923 = global_2.member[bitcast<u32>(select(0i, _e6918, (_e6918 > 0i)))];
+let _e6923 = global_1.member[bitcast<u32>(select(0i, _e6918, (_e6918 > 0i)))];
 let _e6925 = local_7[0u];
 let _e6928 = (_e6914 + ((bitcast<f32>(_e6923) - _e6914) * _e6925));
 let _e6929 = (_e6834 + _e6832);
 let _e6930 = local_6.member[1u];
 let _e6931 = (_e6929 + _e6930);
 let _e6933 = select(_e1560, _e6931, (_e6931 < _e1560));
-let _e6938 = global_2.member[bitcast<u32>(select(0i, _e6933, (_e6933 > 0i)))];
+let _e6938 = global_1.member[bitcast<u32>(select(0i, _e6933, (_e6933 > 0i)))];
 let _e6939 = bitcast<f32>(_e6938);
 let _e6940 = local_6.member[2u];
 let _e6941 = (_e6929 + _e6940);
 let _e6943 = select(_e1560, _e6941, (_e6941 < _e1560));
-let _e6948 = global_2.member[bitcast<u32>(select(0i, _e6943, (_e6943 > 0i)))];
+let _e6948 = global_1.member[bitcast<u32>(select(0i, _e6943, (_e6943 > 0i)))];
 let _e6950 = local_7[0u];
 let _e6954 = local_7[1u];
 let _e6959 = local_7[2u];
 let _e6964 = (((_e6903 + (((_e6928 + (((_e6939 + ((bitcast<f32>(_e6948) - _e6939) * _e6950)) - _e6928) * _e6954)) - _e6903) * _e6959)) - _e1717) * _e1722);
 let _e6966 = select(_e1725, _e6964, (_e6964 > _e1725));
-phi_21926_ = type_35(select(1e9f, _e6966, (_e6966 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21926_ = type_33(select(1e9f, _e6966, (_e6966 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8724 = phi_21926_;
 let _e8727 = select(1f, select(1f, _e1464, (_e1464 < 1f)), _e564);
 let _e8729 = ((_e1044 & 16u) == 0u);
 if _e8729 {
-phi_22339_ = type_5(1f, 1f, 1f);
+phi_22339_ = type_7(1f, 1f, 1f);
 } else {
 let _e8734 = global_5.member[_e467].member_14.member;
 let _e8745 = ((((_e8734.member.member * _e500) + (_e8734.member.member_1 * _e502)) + (_e8734.member.member_2 * _e496)) + _e8734.member_1);
@@ -3246,7 +3246,7 @@ let _e8918 = select(0f, _e8916, (_e8916 > 0f));
 let _e8924 = select(select(select(1f, _e8918, (_e8918 < 1f)), 1f, (_e8911 <= 0f)), 0f, (_e8909 > 0f));
 let _e8930 = global_5.member[_e467].member_17.member_1;
 let _e8931 = (_e8930 != 0u);
-phi_22339_ = type_5(((((1f * _e8768) * _e8820) * _e8872) * _e8924), ((((1f * select(1f, _e8768, _e8775)) * select(1f, _e8820, _e8827)) * select(1f, _e8872, _e8879)) * select(1f, _e8924, _e8931)), ((((1f * select(1f, 0f, (_e8775 && (_e8751 > 0f)))) * select(1f, 0f, (_e8827 && (_e8803 > 0f)))) * select(1f, 0f, (_e8879 && (_e8855 > 0f)))) * select(1f, 0f, (_e8931 && (_e8907 > 0f)))));
+phi_22339_ = type_7(((((1f * _e8768) * _e8820) * _e8872) * _e8924), ((((1f * select(1f, _e8768, _e8775)) * select(1f, _e8820, _e8827)) * select(1f, _e8872, _e8879)) * select(1f, _e8924, _e8931)), ((((1f * select(1f, 0f, (_e8775 && (_e8751 > 0f)))) * select(1f, 0f, (_e8827 && (_e8803 > 0f)))) * select(1f, 0f, (_e8879 && (_e8855 > 0f)))) * select(1f, 0f, (_e8931 && (_e8907 > 0f)))));
 }
 let _e8940 = phi_22339_;
 let _e8947 = global_5.member[_e467].member_5.member_3;
@@ -3258,97 +3258,97 @@ local_5 = _e1730;
 let _e10109 = local_5;
 let _e10111 = (bitcast<i32>(_e238) - 1i);
 let _e10113 = select(_e10111, 263171i, (263171i < _e10111));
-let _e10118 = global_3.member[bitcast<u32>(select(0i, _e10113, (_e10113 > 0i)))];
+let _e10118 = global_2.member[bitcast<u32>(select(0i, _e10113, (_e10113 > 0i)))];
 let _e10119 = bitcast<f32>(_e10118);
 let _e10121 = select(_e10111, 263172i, (263172i < _e10111));
-let _e10126 = global_3.member[bitcast<u32>(select(0i, _e10121, (_e10121 > 0i)))];
+let _e10126 = global_2.member[bitcast<u32>(select(0i, _e10121, (_e10121 > 0i)))];
 let _e10127 = bitcast<f32>(_e10126);
 let _e10129 = select(_e10111, 263173i, (263173i < _e10111));
-let _e10134 = global_3.member[bitcast<u32>(select(0i, _e10129, (_e10129 > 0i)))];
+let _e10134 = global_2.member[bitcast<u32>(select(0i, _e10129, (_e10129 > 0i)))];
 let _e10135 = bitcast<f32>(_e10134);
 let _e10137 = ((_e10109 - _e10119) * _e10127);
 let _e10139 = select(0f, _e10137, (_e10137 > 0f));
 let _e10142 = local_5;
 let _e10144 = select(_e10111, 263174i, (263174i < _e10111));
-let _e10149 = global_3.member[bitcast<u32>(select(0i, _e10144, (_e10144 > 0i)))];
+let _e10149 = global_2.member[bitcast<u32>(select(0i, _e10144, (_e10144 > 0i)))];
 let _e10150 = bitcast<f32>(_e10149);
 let _e10152 = select(_e10111, 263175i, (263175i < _e10111));
-let _e10157 = global_3.member[bitcast<u32>(select(0i, _e10152, (_e10152 > 0i)))];
+let _e10157 = global_2.member[bitcast<u32>(select(0i, _e10152, (_e10152 > 0i)))];
 let _e10158 = bitcast<f32>(_e10157);
 let _e10160 = select(_e10111, 263176i, (263176i < _e10111));
-let _e10165 = global_3.member[bitcast<u32>(select(0i, _e10160, (_e10160 > 0i)))];
+let _e10165 = global_2.member[bitcast<u32>(select(0i, _e10160, (_e10160 > 0i)))];
 let _e10166 = bitcast<f32>(_e10165);
 let _e10168 = ((_e10142 - _e10150) * _e10158);
 let _e10170 = select(0f, _e10168, (_e10168 > 0f));
 let _e10174 = local_5;
 let _e10176 = select(_e10111, 263177i, (263177i < _e10111));
-let _e10181 = global_3.member[bitcast<u32>(select(0i, _e10176, (_e10176 > 0i)))];
+let _e10181 = global_2.member[bitcast<u32>(select(0i, _e10176, (_e10176 > 0i)))];
 let _e10182 = bitcast<f32>(_e10181);
 let _e10184 = select(_e10111, 263178i, (263178i < _e10111));
-let _e10189 = global_3.member[bitcast<u32>(select(0i, _e10184, (_e10184 > 0i)))];
+let _e10189 = global_2.member[bitcast<u32>(select(0i, _e10184, (_e10184 > 0i)))];
 let _e10190 = bitcast<f32>(_e10189);
 let _e10192 = select(_e10111, 263179i, (263179i < _e10111));
-let _e10197 = global_3.member[bitcast<u32>(select(0i, _e10192, (_e10192 > 0i)))];
+let _e10197 = global_2.member[bitcast<u32>(select(0i, _e10192, (_e10192 > 0i)))];
 let _e10198 = bitcast<f32>(_e10197);
 let _e10200 = ((_e10174 - _e10182) * _e10190);
 let _e10202 = select(0f, _e10200, (_e10200 > 0f));
 let _e10205 = local_5;
 let _e10207 = select(_e10111, 263180i, (263180i < _e10111));
-let _e10212 = global_3.member[bitcast<u32>(select(0i, _e10207, (_e10207 > 0i)))];
+let _e10212 = global_2.member[bitcast<u32>(select(0i, _e10207, (_e10207 > 0i)))];
 let _e10213 = bitcast<f32>(_e10212);
 let _e10215 = select(_e10111, 263181i, (263181i < _e10111));
-let _e10220 = global_3.member[bitcast<u32>(select(0i, _e10215, (_e10215 > 0i)))];
+let _e10220 = global_2.member[bitcast<u32>(select(0i, _e10215, (_e10215 > 0i)))];
 let _e10221 = bitcast<f32>(_e10220);
 let _e10223 = select(_e10111, 263182i, (263182i < _e10111));
-let _e10228 = global_3.member[bitcast<u32>(select(0i, _e10223, (_e10223 > 0i)))];
+let _e10228 = global_2.member[bitcast<u32>(select(0i, _e10223, (_e10223 > 0i)))];
 let _e10229 = bitcast<f32>(_e10228);
 let _e10231 = ((_e10205 - _e10213) * _e10221);
 let _e10233 = select(0f, _e10231, (_e10231 > 0f));
 let _e10238 = local_5;
 let _e10240 = select(_e10111, 263183i, (263183i < _e10111));
-let _e10245 = global_3.member[bitcast<u32>(select(0i, _e10240, (_e10240 > 0i)))];
+let _e10245 = global_2.member[bitcast<u32>(select(0i, _e10240, (_e10240 > 0i)))];
 let _e10246 = bitcast<f32>(_e10245);
 let _e10248 = select(_e10111, 263184i, (263184i < _e10111));
-let _e10253 = global_3.member[bitcast<u32>(select(0i, _e10248, (_e10248 > 0i)))];
+let _e10253 = global_2.member[bitcast<u32>(select(0i, _e10248, (_e10248 > 0i)))];
 let _e10254 = bitcast<f32>(_e10253);
 let _e10256 = select(_e10111, 263185i, (263185i < _e10111));
-let _e10261 = global_3.member[bitcast<u32>(select(0i, _e10256, (_e10256 > 0i)))];
+let _e10261 = global_2.member[bitcast<u32>(select(0i, _e10256, (_e10256 > 0i)))];
 let _e10262 = bitcast<f32>(_e10261);
 let _e10264 = ((_e10238 - _e10246) * _e10254);
 let _e10266 = select(0f, _e10264, (_e10264 > 0f));
 let _e10269 = local_5;
 let _e10271 = select(_e10111, 263186i, (263186i < _e10111));
-let _e10276 = global_3.member[bitcast<u32>(select(0i, _e10271, (_e10271 > 0i)))];
+let _e10276 = global_2.member[bitcast<u32>(select(0i, _e10271, (_e10271 > 0i)))];
 let _e10277 = bitcast<f32>(_e10276);
 let _e10279 = select(_e10111, 263187i, (263187i < _e10111));
-let _e10284 = global_3.member[bitcast<u32>(select(0i, _e10279, (_e10279 > 0i)))];
+let _e10284 = global_2.member[bitcast<u32>(select(0i, _e10279, (_e10279 > 0i)))];
 let _e10285 = bitcast<f32>(_e10284);
 let _e10287 = select(_e10111, 263188i, (263188i < _e10111));
-let _e10292 = global_3.member[bitcast<u32>(select(0i, _e10287, (_e10287 > 0i)))];
+let _e10292 = global_2.member[bitcast<u32>(select(0i, _e10287, (_e10287 > 0i)))];
 let _e10293 = bitcast<f32>(_e10292);
 let _e10295 = ((_e10269 - _e10277) * _e10285);
 let _e10297 = select(0f, _e10295, (_e10295 > 0f));
 let _e10301 = local_5;
 let _e10303 = select(_e10111, 263189i, (263189i < _e10111));
-let _e10308 = global_3.member[bitcast<u32>(select(0i, _e10303, (_e10303 > 0i)))];
+let _e10308 = global_2.member[bitcast<u32>(select(0i, _e10303, (_e10303 > 0i)))];
 let _e10309 = bitcast<f32>(_e10308);
 let _e10311 = select(_e10111, 263190i, (263190i < _e10111));
-let _e10316 = global_3.member[bitcast<u32>(select(0i, _e10311, (_e10311 > 0i)))];
+let _e10316 = global_2.member[bitcast<u32>(select(0i, _e10311, (_e10311 > 0i)))];
 let _e10317 = bitcast<f32>(_e10316);
 let _e10319 = select(_e10111, 263191i, (263191i < _e10111));
-let _e10324 = global_3.member[bitcast<u32>(select(0i, _e10319, (_e10319 > 0i)))];
+let _e10324 = global_2.member[bitcast<u32>(select(0i, _e10319, (_e10319 > 0i)))];
 let _e10325 = bitcast<f32>(_e10324);
 let _e10327 = ((_e10301 - _e10309) * _e10317);
 let _e10329 = select(0f, _e10327, (_e10327 > 0f));
 let _e10332 = local_5;
 let _e10334 = select(_e10111, 263192i, (263192i < _e10111));
-let _e10339 = global_3.member[bitcast<u32>(select(0i, _e10334, (_e10334 > 0i)))];
+let _e10339 = global_2.member[bitcast<u32>(select(0i, _e10334, (_e10334 > 0i)))];
 let _e10340 = bitcast<f32>(_e10339);
 let _e10342 = select(_e10111, 263193i, (263193i < _e10111));
-let _e10347 = global_3.member[bitcast<u32>(select(0i, _e10342, (_e10342 > 0i)))];
+let _e10347 = global_2.member[bitcast<u32>(select(0i, _e10342, (_e10342 > 0i)))];
 let _e10348 = bitcast<f32>(_e10347);
 let _e10350 = select(_e10111, 263194i, (263194i < _e10111));
-let _e10355 = global_3.member[bitcast<u32>(select(0i, _e10350, (_e10350 > 0i)))];
+let _e10355 = global_2.member[bitcast<u32>(select(0i, _e10350, (_e10350 > 0i)))];
 let _e10356 = bitcast<f32>(_e10355);
 let _e10358 = ((_e10332 - _e10340) * _e10348);
 let _e10360 = select(0f, _e10358, (_e10358 > 0f));
@@ -3389,10 +3389,10 @@ let _e10448 = select(_e10429, _e10446, (_e10446 < _e10429));
 let _e10455 = select(0i, select(select(i32(_e10448), i32(-2147483648), (_e10448 < -2147483600f)), 2147483647i, (_e10448 > 2147483500f)), (_e10448 == _e10448));
 let _e10459 = (_e10455 - select(0i, 1i, (_e10448 < f32(_e10455))));
 let _e10461 = select(_e10111, 263195i, (263195i < _e10111));
-let _e10467 = global_3.member[bitcast<u32>(select(0i, _e10461, (_e10461 > 0i)))];
+let _e10467 = global_2.member[bitcast<u32>(select(0i, _e10461, (_e10461 > 0i)))];
 let _e10468 = bitcast<f32>(_e10467);
 let _e10470 = select(_e10111, 263196i, (263196i < _e10111));
-let _e10476 = global_3.member[bitcast<u32>(select(0i, _e10470, (_e10470 > 0i)))];
+let _e10476 = global_2.member[bitcast<u32>(select(0i, _e10470, (_e10470 > 0i)))];
 let _e10477 = bitcast<f32>(_e10476);
 let _e10478 = (_e8724.member - _e1730);
 let _e10484 = (1f / select(_e10478, 1f, (bitcast<f32>((bitcast<u32>(_e10478) & 2147483647u)) < 1e-20f)));
@@ -3404,20 +3404,20 @@ let _e10503 = (_e10428 - f32(_e10459));
 let _e10505 = (1f - (_e10490 + _e10496));
 let _e10506 = (_e10499 + 2i);
 let _e10508 = select(_e10111, _e10506, (_e10506 < _e10111));
-let _e10514 = global_3.member[bitcast<u32>(select(0i, _e10508, (_e10508 > 0i)))];
+let _e10514 = global_2.member[bitcast<u32>(select(0i, _e10508, (_e10508 > 0i)))];
 let _e10515 = (_e10499 + 6i);
 let _e10517 = select(_e10111, _e10515, (_e10515 < _e10111));
-let _e10523 = global_3.member[bitcast<u32>(select(0i, _e10517, (_e10517 > 0i)))];
+let _e10523 = global_2.member[bitcast<u32>(select(0i, _e10517, (_e10517 > 0i)))];
 let _e10524 = (_e10499 + 1026i);
 let _e10526 = select(_e10111, _e10524, (_e10524 < _e10111));
-let _e10532 = global_3.member[bitcast<u32>(select(0i, _e10526, (_e10526 > 0i)))];
+let _e10532 = global_2.member[bitcast<u32>(select(0i, _e10526, (_e10526 > 0i)))];
 let _e10533 = (_e10499 + 1030i);
 let _e10535 = select(_e10111, _e10533, (_e10533 < _e10111));
-let _e10541 = global_3.member[bitcast<u32>(select(0i, _e10535, (_e10535 > 0i)))];
+let _e10541 = global_2.member[bitcast<u32>(select(0i, _e10535, (_e10535 > 0i)))];
 let _e10543 = select(_e10111, 2i, (2i < _e10111));
-let _e10549 = global_3.member[bitcast<u32>(select(0i, _e10543, (_e10543 > 0i)))];
+let _e10549 = global_2.member[bitcast<u32>(select(0i, _e10543, (_e10543 > 0i)))];
 let _e10551 = select(_e10111, 262142i, (262142i < _e10111));
-let _e10557 = global_3.member[bitcast<u32>(select(0i, _e10551, (_e10551 > 0i)))];
+let _e10557 = global_2.member[bitcast<u32>(select(0i, _e10551, (_e10551 > 0i)))];
 let _e10562 = (bitcast<f32>(((_e10514 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10570 = (_e10562 + (((bitcast<f32>(((_e10523 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10562) * _e10503));
 let _e10575 = (bitcast<f32>(((_e10532 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3426,20 +3426,20 @@ let _e10626 = (_e10618 + (((bitcast<f32>((((_e10523 >> bitcast<u32>(16i)) & 3276
 let _e10631 = (bitcast<f32>((((_e10532 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10658 = (_e10499 + 3i);
 let _e10660 = select(_e10111, _e10658, (_e10658 < _e10111));
-let _e10666 = global_3.member[bitcast<u32>(select(0i, _e10660, (_e10660 > 0i)))];
+let _e10666 = global_2.member[bitcast<u32>(select(0i, _e10660, (_e10660 > 0i)))];
 let _e10667 = (_e10499 + 7i);
 let _e10669 = select(_e10111, _e10667, (_e10667 < _e10111));
-let _e10675 = global_3.member[bitcast<u32>(select(0i, _e10669, (_e10669 > 0i)))];
+let _e10675 = global_2.member[bitcast<u32>(select(0i, _e10669, (_e10669 > 0i)))];
 let _e10676 = (_e10499 + 1027i);
 let _e10678 = select(_e10111, _e10676, (_e10676 < _e10111));
-let _e10684 = global_3.member[bitcast<u32>(select(0i, _e10678, (_e10678 > 0i)))];
+let _e10684 = global_2.member[bitcast<u32>(select(0i, _e10678, (_e10678 > 0i)))];
 let _e10685 = (_e10499 + 1031i);
 let _e10687 = select(_e10111, _e10685, (_e10685 < _e10111));
-let _e10693 = global_3.member[bitcast<u32>(select(0i, _e10687, (_e10687 > 0i)))];
+let _e10693 = global_2.member[bitcast<u32>(select(0i, _e10687, (_e10687 > 0i)))];
 let _e10695 = select(_e10111, 3i, (3i < _e10111));
-let _e10701 = global_3.member[bitcast<u32>(select(0i, _e10695, (_e10695 > 0i)))];
+let _e10701 = global_2.member[bitcast<u32>(select(0i, _e10695, (_e10695 > 0i)))];
 let _e10703 = select(_e10111, 262143i, (262143i < _e10111));
-let _e10709 = global_3.member[bitcast<u32>(select(0i, _e10703, (_e10703 > 0i)))];
+let _e10709 = global_2.member[bitcast<u32>(select(0i, _e10703, (_e10703 > 0i)))];
 let _e10714 = (bitcast<f32>(((_e10666 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10722 = (_e10714 + (((bitcast<f32>(((_e10675 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10714) * _e10503));
 let _e10727 = (bitcast<f32>(((_e10684 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3466,97 +3466,97 @@ local_3 = _e1730;
 let _e8954 = local_3;
 let _e8956 = (bitcast<i32>(_e238) - 1i);
 let _e8958 = select(_e8956, 263171i, (263171i < _e8956));
-let _e8963 = global_3.member[bitcast<u32>(select(0i, _e8958, (_e8958 > 0i)))];
+let _e8963 = global_2.member[bitcast<u32>(select(0i, _e8958, (_e8958 > 0i)))];
 let _e8964 = bitcast<f32>(_e8963);
 let _e8966 = select(_e8956, 263172i, (263172i < _e8956));
-let _e8971 = global_3.member[bitcast<u32>(select(0i, _e8966, (_e8966 > 0i)))];
+let _e8971 = global_2.member[bitcast<u32>(select(0i, _e8966, (_e8966 > 0i)))];
 let _e8972 = bitcast<f32>(_e8971);
 let _e8974 = select(_e8956, 263173i, (263173i < _e8956));
-let _e8979 = global_3.member[bitcast<u32>(select(0i, _e8974, (_e8974 > 0i)))];
+let _e8979 = global_2.member[bitcast<u32>(select(0i, _e8974, (_e8974 > 0i)))];
 let _e8980 = bitcast<f32>(_e8979);
 let _e8982 = ((_e8954 - _e8964) * _e8972);
 let _e8984 = select(0f, _e8982, (_e8982 > 0f));
 let _e8987 = local_3;
 let _e8989 = select(_e8956, 263174i, (263174i < _e8956));
-let _e8994 = global_3.member[bitcast<u32>(select(0i, _e8989, (_e8989 > 0i)))];
+let _e8994 = global_2.member[bitcast<u32>(select(0i, _e8989, (_e8989 > 0i)))];
 let _e8995 = bitcast<f32>(_e8994);
 let _e8997 = select(_e8956, 263175i, (263175i < _e8956));
-let _e9002 = global_3.member[bitcast<u32>(select(0i, _e8997, (_e8997 > 0i)))];
+let _e9002 = global_2.member[bitcast<u32>(select(0i, _e8997, (_e8997 > 0i)))];
 let _e9003 = bitcast<f32>(_e9002);
 let _e9005 = select(_e8956, 263176i, (263176i < _e8956));
-let _e9010 = global_3.member[bitcast<u32>(select(0i, _e9005, (_e9005 > 0i)))];
+let _e9010 = global_2.member[bitcast<u32>(select(0i, _e9005, (_e9005 > 0i)))];
 let _e9011 = bitcast<f32>(_e9010);
 let _e9013 = ((_e8987 - _e8995) * _e9003);
 let _e9015 = select(0f, _e9013, (_e9013 > 0f));
 let _e9019 = local_3;
 let _e9021 = select(_e8956, 263177i, (263177i < _e8956));
-let _e9026 = global_3.member[bitcast<u32>(select(0i, _e9021, (_e9021 > 0i)))];
+let _e9026 = global_2.member[bitcast<u32>(select(0i, _e9021, (_e9021 > 0i)))];
 let _e9027 = bitcast<f32>(_e9026);
 let _e9029 = select(_e8956, 263178i, (263178i < _e8956));
-let _e9034 = global_3.member[bitcast<u32>(select(0i, _e9029, (_e9029 > 0i)))];
+let _e9034 = global_2.member[bitcast<u32>(select(0i, _e9029, (_e9029 > 0i)))];
 let _e9035 = bitcast<f32>(_e9034);
 let _e9037 = select(_e8956, 263179i, (263179i < _e8956));
-let _e9042 = global_3.member[bitcast<u32>(select(0i, _e9037, (_e9037 > 0i)))];
+let _e9042 = global_2.member[bitcast<u32>(select(0i, _e9037, (_e9037 > 0i)))];
 let _e9043 = bitcast<f32>(_e9042);
 let _e9045 = ((_e9019 - _e9027) * _e9035);
 let _e9047 = select(0f, _e9045, (_e9045 > 0f));
 let _e9050 = local_3;
 let _e9052 = select(_e8956, 263180i, (263180i < _e8956));
-let _e9057 = global_3.member[bitcast<u32>(select(0i, _e9052, (_e9052 > 0i)))];
+let _e9057 = global_2.member[bitcast<u32>(select(0i, _e9052, (_e9052 > 0i)))];
 let _e9058 = bitcast<f32>(_e9057);
 let _e9060 = select(_e8956, 263181i, (263181i < _e8956));
-let _e9065 = global_3.member[bitcast<u32>(select(0i, _e9060, (_e9060 > 0i)))];
+let _e9065 = global_2.member[bitcast<u32>(select(0i, _e9060, (_e9060 > 0i)))];
 let _e9066 = bitcast<f32>(_e9065);
 let _e9068 = select(_e8956, 263182i, (263182i < _e8956));
-let _e9073 = global_3.member[bitcast<u32>(select(0i, _e9068, (_e9068 > 0i)))];
+let _e9073 = global_2.member[bitcast<u32>(select(0i, _e9068, (_e9068 > 0i)))];
 let _e9074 = bitcast<f32>(_e9073);
 let _e9076 = ((_e9050 - _e9058) * _e9066);
 let _e9078 = select(0f, _e9076, (_e9076 > 0f));
 let _e9083 = local_3;
 let _e9085 = select(_e8956, 263183i, (263183i < _e8956));
-let _e9090 = global_3.member[bitcast<u32>(select(0i, _e9085, (_e9085 > 0i)))];
+let _e9090 = global_2.member[bitcast<u32>(select(0i, _e9085, (_e9085 > 0i)))];
 let _e9091 = bitcast<f32>(_e9090);
 let _e9093 = select(_e8956, 263184i, (263184i < _e8956));
-let _e9098 = global_3.member[bitcast<u32>(select(0i, _e9093, (_e9093 > 0i)))];
+let _e9098 = global_2.member[bitcast<u32>(select(0i, _e9093, (_e9093 > 0i)))];
 let _e9099 = bitcast<f32>(_e9098);
 let _e9101 = select(_e8956, 263185i, (263185i < _e8956));
-let _e9106 = global_3.member[bitcast<u32>(select(0i, _e9101, (_e9101 > 0i)))];
+let _e9106 = global_2.member[bitcast<u32>(select(0i, _e9101, (_e9101 > 0i)))];
 let _e9107 = bitcast<f32>(_e9106);
 let _e9109 = ((_e9083 - _e9091) * _e9099);
 let _e9111 = select(0f, _e9109, (_e9109 > 0f));
 let _e9114 = local_3;
 let _e9116 = select(_e8956, 263186i, (263186i < _e8956));
-let _e9121 = global_3.member[bitcast<u32>(select(0i, _e9116, (_e9116 > 0i)))];
+let _e9121 = global_2.member[bitcast<u32>(select(0i, _e9116, (_e9116 > 0i)))];
 let _e9122 = bitcast<f32>(_e9121);
 let _e9124 = select(_e8956, 263187i, (263187i < _e8956));
-let _e9129 = global_3.member[bitcast<u32>(select(0i, _e9124, (_e9124 > 0i)))];
+let _e9129 = global_2.member[bitcast<u32>(select(0i, _e9124, (_e9124 > 0i)))];
 let _e9130 = bitcast<f32>(_e9129);
 let _e9132 = select(_e8956, 263188i, (263188i < _e8956));
-let _e9137 = global_3.member[bitcast<u32>(select(0i, _e9132, (_e9132 > 0i)))];
+let _e9137 = global_2.member[bitcast<u32>(select(0i, _e9132, (_e9132 > 0i)))];
 let _e9138 = bitcast<f32>(_e9137);
 let _e9140 = ((_e9114 - _e9122) * _e9130);
 let _e9142 = select(0f, _e9140, (_e9140 > 0f));
 let _e9146 = local_3;
 let _e9148 = select(_e8956, 263189i, (263189i < _e8956));
-let _e9153 = global_3.member[bitcast<u32>(select(0i, _e9148, (_e9148 > 0i)))];
+let _e9153 = global_2.member[bitcast<u32>(select(0i, _e9148, (_e9148 > 0i)))];
 let _e9154 = bitcast<f32>(_e9153);
 let _e9156 = select(_e8956, 263190i, (263190i < _e8956));
-let _e9161 = global_3.member[bitcast<u32>(select(0i, _e9156, (_e9156 > 0i)))];
+let _e9161 = global_2.member[bitcast<u32>(select(0i, _e9156, (_e9156 > 0i)))];
 let _e9162 = bitcast<f32>(_e9161);
 let _e9164 = select(_e8956, 263191i, (263191i < _e8956));
-let _e9169 = global_3.member[bitcast<u32>(select(0i, _e9164, (_e9164 > 0i)))];
+let _e9169 = global_2.member[bitcast<u32>(select(0i, _e9164, (_e9164 > 0i)))];
 let _e9170 = bitcast<f32>(_e9169);
 let _e9172 = ((_e9146 - _e9154) * _e9162);
 let _e9174 = select(0f, _e9172, (_e9172 > 0f));
 let _e9177 = local_3;
 let _e9179 = select(_e8956, 263192i, (263192i < _e8956));
-let _e9184 = global_3.member[bitcast<u32>(select(0i, _e9179, (_e9179 > 0i)))];
+let _e9184 = global_2.member[bitcast<u32>(select(0i, _e9179, (_e9179 > 0i)))];
 let _e9185 = bitcast<f32>(_e9184);
 let _e9187 = select(_e8956, 263193i, (263193i < _e8956));
-let _e9192 = global_3.member[bitcast<u32>(select(0i, _e9187, (_e9187 > 0i)))];
+let _e9192 = global_2.member[bitcast<u32>(select(0i, _e9187, (_e9187 > 0i)))];
 let _e9193 = bitcast<f32>(_e9192);
 let _e9195 = select(_e8956, 263194i, (263194i < _e8956));
-let _e9200 = global_3.member[bitcast<u32>(select(0i, _e9195, (_e9195 > 0i)))];
+let _e9200 = global_2.member[bitcast<u32>(select(0i, _e9195, (_e9195 > 0i)))];
 let _e9201 = bitcast<f32>(_e9200);
 let _e9203 = ((_e9177 - _e9185) * _e9193);
 let _e9205 = select(0f, _e9203, (_e9203 > 0f));
@@ -3597,10 +3597,10 @@ let _e9293 = select(_e9274, _e9291, (_e9291 < _e9274));
 let _e9300 = select(0i, select(select(i32(_e9293), i32(-2147483648), (_e9293 < -2147483600f)), 2147483647i, (_e9293 > 2147483500f)), (_e9293 == _e9293));
 let _e9304 = (_e9300 - select(0i, 1i, (_e9293 < f32(_e9300))));
 let _e9306 = select(_e8956, 263195i, (263195i < _e8956));
-let _e9312 = global_3.member[bitcast<u32>(select(0i, _e9306, (_e9306 > 0i)))];
+let _e9312 = global_2.member[bitcast<u32>(select(0i, _e9306, (_e9306 > 0i)))];
 let _e9313 = bitcast<f32>(_e9312);
 let _e9315 = select(_e8956, 263196i, (263196i < _e8956));
-let _e9321 = global_3.member[bitcast<u32>(select(0i, _e9315, (_e9315 > 0i)))];
+let _e9321 = global_2.member[bitcast<u32>(select(0i, _e9315, (_e9315 > 0i)))];
 let _e9322 = bitcast<f32>(_e9321);
 let _e9323 = (_e8724.member - _e1730);
 let _e9329 = (1f / select(_e9323, 1f, (bitcast<f32>((bitcast<u32>(_e9323) & 2147483647u)) < 1e-20f)));
@@ -3611,20 +3611,20 @@ let _e9346 = (_e9210 - f32(_e9289));
 let _e9348 = (_e9273 - f32(_e9304));
 let _e9350 = (1f - (_e9335 + _e9341));
 let _e9352 = select(_e8956, _e9344, (_e9344 < _e8956));
-let _e9358 = global_3.member[bitcast<u32>(select(0i, _e9352, (_e9352 > 0i)))];
+let _e9358 = global_2.member[bitcast<u32>(select(0i, _e9352, (_e9352 > 0i)))];
 let _e9359 = (_e9344 + 4i);
 let _e9361 = select(_e8956, _e9359, (_e9359 < _e8956));
-let _e9367 = global_3.member[bitcast<u32>(select(0i, _e9361, (_e9361 > 0i)))];
+let _e9367 = global_2.member[bitcast<u32>(select(0i, _e9361, (_e9361 > 0i)))];
 let _e9368 = (_e9344 + 1024i);
 let _e9370 = select(_e8956, _e9368, (_e9368 < _e8956));
-let _e9376 = global_3.member[bitcast<u32>(select(0i, _e9370, (_e9370 > 0i)))];
+let _e9376 = global_2.member[bitcast<u32>(select(0i, _e9370, (_e9370 > 0i)))];
 let _e9377 = (_e9344 + 1028i);
 let _e9379 = select(_e8956, _e9377, (_e9377 < _e8956));
-let _e9385 = global_3.member[bitcast<u32>(select(0i, _e9379, (_e9379 > 0i)))];
+let _e9385 = global_2.member[bitcast<u32>(select(0i, _e9379, (_e9379 > 0i)))];
 let _e9387 = select(_e8956, 0i, (0i < _e8956));
-let _e9393 = global_3.member[bitcast<u32>(select(0i, _e9387, (_e9387 > 0i)))];
+let _e9393 = global_2.member[bitcast<u32>(select(0i, _e9387, (_e9387 > 0i)))];
 let _e9395 = select(_e8956, 262140i, (262140i < _e8956));
-let _e9401 = global_3.member[bitcast<u32>(select(0i, _e9395, (_e9395 > 0i)))];
+let _e9401 = global_2.member[bitcast<u32>(select(0i, _e9395, (_e9395 > 0i)))];
 let _e9406 = (bitcast<f32>(((_e9358 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9414 = (_e9406 + (((bitcast<f32>(((_e9367 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9406) * _e9348));
 let _e9419 = (bitcast<f32>(((_e9376 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3634,20 +3634,20 @@ let _e9470 = (_e9462 + (((bitcast<f32>((((_e9367 >> bitcast<u32>(16i)) & 32767u)
 let _e9475 = (bitcast<f32>((((_e9376 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9502 = (_e9344 + 1i);
 let _e9504 = select(_e8956, _e9502, (_e9502 < _e8956));
-let _e9510 = global_3.member[bitcast<u32>(select(0i, _e9504, (_e9504 > 0i)))];
+let _e9510 = global_2.member[bitcast<u32>(select(0i, _e9504, (_e9504 > 0i)))];
 let _e9511 = (_e9344 + 5i);
 let _e9513 = select(_e8956, _e9511, (_e9511 < _e8956));
-let _e9519 = global_3.member[bitcast<u32>(select(0i, _e9513, (_e9513 > 0i)))];
+let _e9519 = global_2.member[bitcast<u32>(select(0i, _e9513, (_e9513 > 0i)))];
 let _e9520 = (_e9344 + 1025i);
 let _e9522 = select(_e8956, _e9520, (_e9520 < _e8956));
-let _e9528 = global_3.member[bitcast<u32>(select(0i, _e9522, (_e9522 > 0i)))];
+let _e9528 = global_2.member[bitcast<u32>(select(0i, _e9522, (_e9522 > 0i)))];
 let _e9529 = (_e9344 + 1029i);
 let _e9531 = select(_e8956, _e9529, (_e9529 < _e8956));
-let _e9537 = global_3.member[bitcast<u32>(select(0i, _e9531, (_e9531 > 0i)))];
+let _e9537 = global_2.member[bitcast<u32>(select(0i, _e9531, (_e9531 > 0i)))];
 let _e9539 = select(_e8956, 1i, (1i < _e8956));
-let _e9545 = global_3.member[bitcast<u32>(select(0i, _e9539, (_e9539 > 0i)))];
+let _e9545 = global_2.member[bitcast<u32>(select(0i, _e9539, (_e9539 > 0i)))];
 let _e9547 = select(_e8956, 262141i, (262141i < _e8956));
-let _e9553 = global_3.member[bitcast<u32>(select(0i, _e9547, (_e9547 > 0i)))];
+let _e9553 = global_2.member[bitcast<u32>(select(0i, _e9547, (_e9547 > 0i)))];
 let _e9558 = (bitcast<f32>(((_e9510 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9566 = (_e9558 + (((bitcast<f32>(((_e9519 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9558) * _e9348));
 let _e9571 = (bitcast<f32>(((_e9528 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3656,20 +3656,20 @@ let _e9622 = (_e9614 + (((bitcast<f32>((((_e9519 >> bitcast<u32>(16i)) & 32767u)
 let _e9627 = (bitcast<f32>((((_e9528 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9654 = (_e9344 + 2i);
 let _e9656 = select(_e8956, _e9654, (_e9654 < _e8956));
-let _e9662 = global_3.member[bitcast<u32>(select(0i, _e9656, (_e9656 > 0i)))];
+let _e9662 = global_2.member[bitcast<u32>(select(0i, _e9656, (_e9656 > 0i)))];
 let _e9663 = (_e9344 + 6i);
 let _e9665 = select(_e8956, _e9663, (_e9663 < _e8956));
-let _e9671 = global_3.member[bitcast<u32>(select(0i, _e9665, (_e9665 > 0i)))];
+let _e9671 = global_2.member[bitcast<u32>(select(0i, _e9665, (_e9665 > 0i)))];
 let _e9672 = (_e9344 + 1026i);
 let _e9674 = select(_e8956, _e9672, (_e9672 < _e8956));
-let _e9680 = global_3.member[bitcast<u32>(select(0i, _e9674, (_e9674 > 0i)))];
+let _e9680 = global_2.member[bitcast<u32>(select(0i, _e9674, (_e9674 > 0i)))];
 let _e9681 = (_e9344 + 1030i);
 let _e9683 = select(_e8956, _e9681, (_e9681 < _e8956));
-let _e9689 = global_3.member[bitcast<u32>(select(0i, _e9683, (_e9683 > 0i)))];
+let _e9689 = global_2.member[bitcast<u32>(select(0i, _e9683, (_e9683 > 0i)))];
 let _e9691 = select(_e8956, 2i, (2i < _e8956));
-let _e9697 = global_3.member[bitcast<u32>(select(0i, _e9691, (_e9691 > 0i)))];
+let _e9697 = global_2.member[bitcast<u32>(select(0i, _e9691, (_e9691 > 0i)))];
 let _e9699 = select(_e8956, 262142i, (262142i < _e8956));
-let _e9705 = global_3.member[bitcast<u32>(select(0i, _e9699, (_e9699 > 0i)))];
+let _e9705 = global_2.member[bitcast<u32>(select(0i, _e9699, (_e9699 > 0i)))];
 let _e9710 = (bitcast<f32>(((_e9662 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9718 = (_e9710 + (((bitcast<f32>(((_e9671 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9710) * _e9348));
 let _e9723 = (bitcast<f32>(((_e9680 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3678,20 +3678,20 @@ let _e9774 = (_e9766 + (((bitcast<f32>((((_e9671 >> bitcast<u32>(16i)) & 32767u)
 let _e9779 = (bitcast<f32>((((_e9680 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9806 = (_e9344 + 3i);
 let _e9808 = select(_e8956, _e9806, (_e9806 < _e8956));
-let _e9814 = global_3.member[bitcast<u32>(select(0i, _e9808, (_e9808 > 0i)))];
+let _e9814 = global_2.member[bitcast<u32>(select(0i, _e9808, (_e9808 > 0i)))];
 let _e9815 = (_e9344 + 7i);
 let _e9817 = select(_e8956, _e9815, (_e9815 < _e8956));
-let _e9823 = global_3.member[bitcast<u32>(select(0i, _e9817, (_e9817 > 0i)))];
+let _e9823 = global_2.member[bitcast<u32>(select(0i, _e9817, (_e9817 > 0i)))];
 let _e9824 = (_e9344 + 1027i);
 let _e9826 = select(_e8956, _e9824, (_e9824 < _e8956));
-let _e9832 = global_3.member[bitcast<u32>(select(0i, _e9826, (_e9826 > 0i)))];
+let _e9832 = global_2.member[bitcast<u32>(select(0i, _e9826, (_e9826 > 0i)))];
 let _e9833 = (_e9344 + 1031i);
 let _e9835 = select(_e8956, _e9833, (_e9833 < _e8956));
-let _e9841 = global_3.member[bitcast<u32>(select(0i, _e9835, (_e9835 > 0i)))];
+let _e9841 = global_2.member[bitcast<u32>(select(0i, _e9835, (_e9835 > 0i)))];
 let _e9843 = select(_e8956, 3i, (3i < _e8956));
-let _e9849 = global_3.member[bitcast<u32>(select(0i, _e9843, (_e9843 > 0i)))];
+let _e9849 = global_2.member[bitcast<u32>(select(0i, _e9843, (_e9843 > 0i)))];
 let _e9851 = select(_e8956, 262143i, (262143i < _e8956));
-let _e9857 = global_3.member[bitcast<u32>(select(0i, _e9851, (_e9851 > 0i)))];
+let _e9857 = global_2.member[bitcast<u32>(select(0i, _e9851, (_e9851 > 0i)))];
 let _e9862 = (bitcast<f32>(((_e9814 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9870 = (_e9862 + (((bitcast<f32>(((_e9823 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9862) * _e9348));
 let _e9875 = (bitcast<f32>(((_e9832 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3755,7 +3755,7 @@ let _e12566 = (_e12565 == 0u);
 if _e12566 {
 let _e12795 = global_5.member[_e467].member_9.member_1;
 let _e12804 = global_5.member[_e467].member_9.member;
-phi_26774_ = type_28(vec3<f32>(_e12795.member, _e12795.member_1, _e12795.member_2), vec3<f32>(_e12804.member, _e12804.member_1, _e12804.member_2));
+phi_26774_ = type_35(vec3<f32>(_e12795.member, _e12795.member_1, _e12795.member_2), vec3<f32>(_e12804.member, _e12804.member_1, _e12804.member_2));
 } else {
 let _e12571 = global_5.member[_e467].member_10.member;
 let _e12582 = ((((_e12571.member.member * _e10878) + (_e12571.member.member_1 * _e10879)) + (_e12571.member.member_2 * _e10880)) + _e12571.member_1);
@@ -3811,7 +3811,7 @@ let _e12747 = select(1f, (_e12730 * _e12741), _e12719);
 let _e12753 = global_5.member[_e467].member_10.member.member;
 let _e12765 = global_5.member[_e467].member_10.member_1.member;
 let _e12780 = global_5.member[_e467].member_10.member_2.member;
-phi_26774_ = type_28(vec3<f32>((_e12619.member * _e12714), (_e12619.member_1 * _e12714), (_e12619.member_2 * _e12714)), (vec3<f32>(((_e12753.member * _e12745) + (_e12765.member * _e12746)), ((_e12753.member_1 * _e12745) + (_e12765.member_1 * _e12746)), ((_e12753.member_2 * _e12745) + (_e12765.member_2 * _e12746))) + vec3<f32>((_e12780.member * _e12747), (_e12780.member_1 * _e12747), (_e12780.member_2 * _e12747))));
+phi_26774_ = type_35(vec3<f32>((_e12619.member * _e12714), (_e12619.member_1 * _e12714), (_e12619.member_2 * _e12714)), (vec3<f32>(((_e12753.member * _e12745) + (_e12765.member * _e12746)), ((_e12753.member_1 * _e12745) + (_e12765.member_1 * _e12746)), ((_e12753.member_2 * _e12745) + (_e12765.member_2 * _e12746))) + vec3<f32>((_e12780.member * _e12747), (_e12780.member_1 * _e12747), (_e12780.member_2 * _e12747))));
 }
 let _e12811 = phi_26774_;
 phi_29186_ = _e12811;
@@ -3850,7 +3850,7 @@ local_1 = (_e12048 + ((_e12026 * _e11986) + _e12011));
 let _e12050 = local_1;
 let _e12052 = (bitcast<i32>(_e241) - 1i);
 let _e12054 = select(_e12052, _e12050, (_e12050 < _e12052));
-let _e12059 = global_4.member[bitcast<u32>(select(0i, _e12054, (_e12054 > 0i)))];
+let _e12059 = global_3.member[bitcast<u32>(select(0i, _e12054, (_e12054 > 0i)))];
 let _e12061 = bitcast<u32>(bitcast<f32>(_e12059));
 let _e12065 = f32((bitcast<i32>((_e12061 & 65535u)) - 32768i));
 let _e12071 = f32((bitcast<i32>(((_e12061 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3858,13 +3858,13 @@ let _e12076 = select(_e12071, -(_e12071), ((_e12061 >> bitcast<u32>(31i)) != 0u)
 let _e12077 = local_1;
 let _e12078 = (_e12077 + 1i);
 let _e12080 = select(_e12052, _e12078, (_e12078 < _e12052));
-let _e12085 = global_4.member[bitcast<u32>(select(0i, _e12080, (_e12080 > 0i)))];
+let _e12085 = global_3.member[bitcast<u32>(select(0i, _e12080, (_e12080 > 0i)))];
 let _e12087 = bitcast<u32>(bitcast<f32>(_e12085));
 let _e12097 = f32((bitcast<i32>(((_e12087 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12103 = local_1;
 let _e12104 = (_e12103 + _e11986);
 let _e12106 = select(_e12052, _e12104, (_e12104 < _e12052));
-let _e12111 = global_4.member[bitcast<u32>(select(0i, _e12106, (_e12106 > 0i)))];
+let _e12111 = global_3.member[bitcast<u32>(select(0i, _e12106, (_e12106 > 0i)))];
 let _e12113 = bitcast<u32>(bitcast<f32>(_e12111));
 let _e12117 = f32((bitcast<i32>((_e12113 & 65535u)) - 32768i));
 let _e12123 = f32((bitcast<i32>(((_e12113 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3873,7 +3873,7 @@ let _e12129 = (_e11986 + 1i);
 let _e12130 = local_1;
 let _e12131 = (_e12130 + _e12129);
 let _e12133 = select(_e12052, _e12131, (_e12131 < _e12052));
-let _e12138 = global_4.member[bitcast<u32>(select(0i, _e12133, (_e12133 > 0i)))];
+let _e12138 = global_3.member[bitcast<u32>(select(0i, _e12133, (_e12133 > 0i)))];
 let _e12140 = bitcast<u32>(bitcast<f32>(_e12138));
 let _e12150 = f32((bitcast<i32>(((_e12140 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12158 = (_e12065 + ((f32((bitcast<i32>((_e12087 & 65535u)) - 32768i)) - _e12065) * _e12030));
@@ -3903,60 +3903,60 @@ let _e12245 = (_e12209 - f32(_e12239));
 let _e12252 = ((((_e12208 >= 0f) && (_e12208 <= _e11988)) && (_e12209 >= 0f)) && (_e12209 <= _e11996));
 let _e12253 = (_e12044 + _e12241);
 let _e12255 = select(_e12052, _e12253, (_e12253 < _e12052));
-let _e12261 = global_4.member[bitcast<u32>(select(0i, _e12255, (_e12255 > 0i)))];
+let _e12261 = global_3.member[bitcast<u32>(select(0i, _e12255, (_e12255 > 0i)))];
 let _e12262 = bitcast<f32>(_e12261);
 let _e12263 = (_e12253 + 1i);
 let _e12265 = select(_e12052, _e12263, (_e12263 < _e12052));
-let _e12271 = global_4.member[bitcast<u32>(select(0i, _e12265, (_e12265 > 0i)))];
+let _e12271 = global_3.member[bitcast<u32>(select(0i, _e12265, (_e12265 > 0i)))];
 let _e12275 = (_e12262 + ((bitcast<f32>(_e12271) - _e12262) * _e12243));
 let _e12276 = (_e12253 + _e11986);
 let _e12278 = select(_e12052, _e12276, (_e12276 < _e12052));
-let _e12284 = global_4.member[bitcast<u32>(select(0i, _e12278, (_e12278 > 0i)))];
+let _e12284 = global_3.member[bitcast<u32>(select(0i, _e12278, (_e12278 > 0i)))];
 let _e12285 = bitcast<f32>(_e12284);
 let _e12286 = (_e12276 + 1i);
 let _e12288 = select(_e12052, _e12286, (_e12286 < _e12052));
-let _e12294 = global_4.member[bitcast<u32>(select(0i, _e12288, (_e12288 > 0i)))];
+let _e12294 = global_3.member[bitcast<u32>(select(0i, _e12288, (_e12288 > 0i)))];
 let _e12302 = select(1f, (_e12275 + (((_e12285 + ((bitcast<f32>(_e12294) - _e12285) * _e12243)) - _e12275) * _e12245)), _e12252);
 if _e8952 {
 phi_27519_ = vec3(_e12302);
 } else {
 let _e12305 = ((_e12044 + _e12046) + _e12241);
 let _e12307 = select(_e12052, _e12305, (_e12305 < _e12052));
-let _e12313 = global_4.member[bitcast<u32>(select(0i, _e12307, (_e12307 > 0i)))];
+let _e12313 = global_3.member[bitcast<u32>(select(0i, _e12307, (_e12307 > 0i)))];
 let _e12314 = bitcast<f32>(_e12313);
 let _e12315 = (_e12305 + 1i);
 let _e12317 = select(_e12052, _e12315, (_e12315 < _e12052));
-let _e12323 = global_4.member[bitcast<u32>(select(0i, _e12317, (_e12317 > 0i)))];
+let _e12323 = global_3.member[bitcast<u32>(select(0i, _e12317, (_e12317 > 0i)))];
 let _e12327 = (_e12314 + ((bitcast<f32>(_e12323) - _e12314) * _e12243));
 let _e12328 = (_e12305 + _e11986);
 let _e12330 = select(_e12052, _e12328, (_e12328 < _e12052));
-let _e12336 = global_4.member[bitcast<u32>(select(0i, _e12330, (_e12330 > 0i)))];
+let _e12336 = global_3.member[bitcast<u32>(select(0i, _e12330, (_e12330 > 0i)))];
 let _e12337 = bitcast<f32>(_e12336);
 let _e12338 = (_e12328 + 1i);
 let _e12340 = select(_e12052, _e12338, (_e12338 < _e12052));
-let _e12346 = global_4.member[bitcast<u32>(select(0i, _e12340, (_e12340 > 0i)))];
+let _e12346 = global_3.member[bitcast<u32>(select(0i, _e12340, (_e12340 > 0i)))];
 let _e12357 = ((_e12044 + (2i * _e12046)) + _e12241);
 let _e12359 = select(_e12052, _e12357, (_e12357 < _e12052));
-let _e12365 = global_4.member[bitcast<u32>(select(0i, _e12359, (_e12359 > 0i)))];
+let _e12365 = global_3.member[bitcast<u32>(select(0i, _e12359, (_e12359 > 0i)))];
 let _e12366 = bitcast<f32>(_e12365);
 let _e12367 = (_e12357 + 1i);
 let _e12369 = select(_e12052, _e12367, (_e12367 < _e12052));
-let _e12375 = global_4.member[bitcast<u32>(select(0i, _e12369, (_e12369 > 0i)))];
+let _e12375 = global_3.member[bitcast<u32>(select(0i, _e12369, (_e12369 > 0i)))];
 let _e12379 = (_e12366 + ((bitcast<f32>(_e12375) - _e12366) * _e12243));
 let _e12380 = (_e12357 + _e11986);
 let _e12382 = select(_e12052, _e12380, (_e12380 < _e12052));
-let _e12388 = global_4.member[bitcast<u32>(select(0i, _e12382, (_e12382 > 0i)))];
+let _e12388 = global_3.member[bitcast<u32>(select(0i, _e12382, (_e12382 > 0i)))];
 let _e12389 = bitcast<f32>(_e12388);
 let _e12390 = (_e12380 + 1i);
 let _e12392 = select(_e12052, _e12390, (_e12390 < _e12052));
-let _e12398 = global_4.member[bitcast<u32>(select(0i, _e12392, (_e12392 > 0i)))];
+let _e12398 = global_3.member[bitcast<u32>(select(0i, _e12392, (_e12392 > 0i)))];
 phi_27519_ = vec3<f32>(_e12302, select(1f, (_e12327 + (((_e12337 + ((bitcast<f32>(_e12346) - _e12337) * _e12243)) - _e12327) * _e12245)), _e12252), select(1f, (_e12379 + (((_e12389 + ((bitcast<f32>(_e12398) - _e12389) * _e12243)) - _e12379) * _e12245)), _e12252));
 }
 let _e12409 = phi_27519_;
 local = (_e12048 + _e12241);
 let _e12411 = local;
 let _e12413 = select(_e12052, _e12411, (_e12411 < _e12052));
-let _e12418 = global_4.member[bitcast<u32>(select(0i, _e12413, (_e12413 > 0i)))];
+let _e12418 = global_3.member[bitcast<u32>(select(0i, _e12413, (_e12413 > 0i)))];
 let _e12420 = bitcast<u32>(bitcast<f32>(_e12418));
 let _e12424 = f32((bitcast<i32>((_e12420 & 65535u)) - 32768i));
 let _e12430 = f32((bitcast<i32>(((_e12420 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3964,13 +3964,13 @@ let _e12435 = select(_e12430, -(_e12430), ((_e12420 >> bitcast<u32>(31i)) != 0u)
 let _e12436 = local;
 let _e12437 = (_e12436 + 1i);
 let _e12439 = select(_e12052, _e12437, (_e12437 < _e12052));
-let _e12444 = global_4.member[bitcast<u32>(select(0i, _e12439, (_e12439 > 0i)))];
+let _e12444 = global_3.member[bitcast<u32>(select(0i, _e12439, (_e12439 > 0i)))];
 let _e12446 = bitcast<u32>(bitcast<f32>(_e12444));
 let _e12456 = f32((bitcast<i32>(((_e12446 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12462 = local;
 let _e12463 = (_e12462 + _e11986);
 let _e12465 = select(_e12052, _e12463, (_e12463 < _e12052));
-let _e12470 = global_4.member[bitcast<u32>(select(0i, _e12465, (_e12465 > 0i)))];
+let _e12470 = global_3.member[bitcast<u32>(select(0i, _e12465, (_e12465 > 0i)))];
 let _e12472 = bitcast<u32>(bitcast<f32>(_e12470));
 let _e12476 = f32((bitcast<i32>((_e12472 & 65535u)) - 32768i));
 let _e12482 = f32((bitcast<i32>(((_e12472 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3978,7 +3978,7 @@ let _e12487 = select(_e12482, -(_e12482), ((_e12472 >> bitcast<u32>(31i)) != 0u)
 let _e12488 = local;
 let _e12489 = (_e12488 + _e12129);
 let _e12491 = select(_e12052, _e12489, (_e12489 < _e12052));
-let _e12496 = global_4.member[bitcast<u32>(select(0i, _e12491, (_e12491 > 0i)))];
+let _e12496 = global_3.member[bitcast<u32>(select(0i, _e12491, (_e12491 > 0i)))];
 let _e12498 = bitcast<u32>(bitcast<f32>(_e12496));
 let _e12508 = f32((bitcast<i32>(((_e12498 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12516 = (_e12424 + ((f32((bitcast<i32>((_e12446 & 65535u)) - 32768i)) - _e12424) * _e12243));
@@ -3988,7 +3988,7 @@ let _e12545 = (_e12180.member + (select(0f, (_e12516 + (((_e12476 + ((f32((bitca
 let _e12547 = (_e12180.member_1 + (select(0f, (_e12525 + (((_e12487 + ((select(_e12508, -(_e12508), ((_e12498 >> bitcast<u32>(31i)) != 0u)) - _e12487) * _e12243)) - _e12525) * _e12245)), _e12252) * _e12183));
 let _e12551 = (1f - ((_e12545 * _e12545) + (_e12547 * _e12547)));
 let _e12553 = select(1e-4f, _e12551, (_e12551 > 1e-4f));
-phi_29185_ = type_28((_e12409 * vec3<f32>(_e12538.member, _e12538.member_1, _e12538.member_2)), vec3<f32>(_e12545, _e12547, sqrt(select(0f, _e12553, (_e12553 > 0f)))));
+phi_29185_ = type_35((_e12409 * vec3<f32>(_e12538.member, _e12538.member_1, _e12538.member_2)), vec3<f32>(_e12545, _e12547, sqrt(select(0f, _e12553, (_e12553 > 0f)))));
 } else {
 let _e10883 = (1f - _e10870.member);
 let _e10885 = select(1e-6f, _e10870.member, (_e10870.member > 1e-6f));
@@ -4054,9 +4054,9 @@ let _e11144 = phi_28033_;
 let _e11145 = (_e11144 + 1i);
 let _e11147 = (bitcast<i32>(_e241) - 1i);
 let _e11149 = select(_e11147, _e11145, (_e11145 < _e11147));
-let _e11155 = global_4.member[bitcast<u32>(select(0i, _e11149, (_e11149 > 0i)))];
+let _e11155 = global_3.member[bitcast<u32>(select(0i, _e11149, (_e11149 > 0i)))];
 let _e11157 = select(_e11147, _e11144, (_e11144 < _e11147));
-let _e11163 = global_4.member[bitcast<u32>(select(0i, _e11157, (_e11157 > 0i)))];
+let _e11163 = global_3.member[bitcast<u32>(select(0i, _e11157, (_e11157 > 0i)))];
 let _e11166 = select(_e11155, 0u, (_e11144 < 0i));
 let _e11171 = global_5.member[_e467].member_10.member_13;
 let _e11172 = (_e11166 * 81u);
@@ -4068,35 +4068,35 @@ let _e11189 = (_e11039 - f32(_e11082));
 let _e11191 = (_e11051 - f32(_e11097));
 let _e11192 = (_e11166 != 0u);
 let _e11194 = select(_e11147, _e11184, (_e11184 < _e11147));
-let _e11200 = global_4.member[bitcast<u32>(select(0i, _e11194, (_e11194 > 0i)))];
+let _e11200 = global_3.member[bitcast<u32>(select(0i, _e11194, (_e11194 > 0i)))];
 let _e11201 = bitcast<f32>(_e11200);
 let _e11202 = (_e11184 + 1i);
 let _e11204 = select(_e11147, _e11202, (_e11202 < _e11147));
-let _e11210 = global_4.member[bitcast<u32>(select(0i, _e11204, (_e11204 > 0i)))];
+let _e11210 = global_3.member[bitcast<u32>(select(0i, _e11204, (_e11204 > 0i)))];
 let _e11214 = (_e11201 + ((bitcast<f32>(_e11210) - _e11201) * _e11187));
 let _e11215 = (_e11184 + 9i);
 let _e11217 = select(_e11147, _e11215, (_e11215 < _e11147));
-let _e11223 = global_4.member[bitcast<u32>(select(0i, _e11217, (_e11217 > 0i)))];
+let _e11223 = global_3.member[bitcast<u32>(select(0i, _e11217, (_e11217 > 0i)))];
 let _e11224 = bitcast<f32>(_e11223);
 let _e11225 = (_e11184 + 10i);
 let _e11227 = select(_e11147, _e11225, (_e11225 < _e11147));
-let _e11233 = global_4.member[bitcast<u32>(select(0i, _e11227, (_e11227 > 0i)))];
+let _e11233 = global_3.member[bitcast<u32>(select(0i, _e11227, (_e11227 > 0i)))];
 let _e11240 = (_e11214 + (((_e11224 + ((bitcast<f32>(_e11233) - _e11224) * _e11187)) - _e11214) * _e11189));
 let _e11241 = (_e11184 + _e11176);
 let _e11243 = select(_e11147, _e11241, (_e11241 < _e11147));
-let _e11249 = global_4.member[bitcast<u32>(select(0i, _e11243, (_e11243 > 0i)))];
+let _e11249 = global_3.member[bitcast<u32>(select(0i, _e11243, (_e11243 > 0i)))];
 let _e11250 = bitcast<f32>(_e11249);
 let _e11251 = (_e11241 + 1i);
 let _e11253 = select(_e11147, _e11251, (_e11251 < _e11147));
-let _e11259 = global_4.member[bitcast<u32>(select(0i, _e11253, (_e11253 > 0i)))];
+let _e11259 = global_3.member[bitcast<u32>(select(0i, _e11253, (_e11253 > 0i)))];
 let _e11263 = (_e11250 + ((bitcast<f32>(_e11259) - _e11250) * _e11187));
 let _e11264 = (_e11241 + 9i);
 let _e11266 = select(_e11147, _e11264, (_e11264 < _e11147));
-let _e11272 = global_4.member[bitcast<u32>(select(0i, _e11266, (_e11266 > 0i)))];
+let _e11272 = global_3.member[bitcast<u32>(select(0i, _e11266, (_e11266 > 0i)))];
 let _e11273 = bitcast<f32>(_e11272);
 let _e11274 = (_e11241 + 10i);
 let _e11276 = select(_e11147, _e11274, (_e11274 < _e11147));
-let _e11282 = global_4.member[bitcast<u32>(select(0i, _e11276, (_e11276 > 0i)))];
+let _e11282 = global_3.member[bitcast<u32>(select(0i, _e11276, (_e11276 > 0i)))];
 let _e11293 = select(1f, (_e11240 + (((_e11263 + (((_e11273 + ((bitcast<f32>(_e11282) - _e11273) * _e11187)) - _e11263) * _e11189)) - _e11240) * _e11191)), _e11192);
 if _e8952 {
 phi_28610_ = vec3(_e11293);
@@ -4105,66 +4105,66 @@ let _e11299 = global_5.member[_e467].member_10.member_12;
 let _e11300 = (_e11299 > 1u);
 let _e11304 = (_e11184 + (select(0i, 1i, _e11300) * _e11185));
 let _e11306 = select(_e11147, _e11304, (_e11304 < _e11147));
-let _e11312 = global_4.member[bitcast<u32>(select(0i, _e11306, (_e11306 > 0i)))];
+let _e11312 = global_3.member[bitcast<u32>(select(0i, _e11306, (_e11306 > 0i)))];
 let _e11313 = bitcast<f32>(_e11312);
 let _e11314 = (_e11304 + 1i);
 let _e11316 = select(_e11147, _e11314, (_e11314 < _e11147));
-let _e11322 = global_4.member[bitcast<u32>(select(0i, _e11316, (_e11316 > 0i)))];
+let _e11322 = global_3.member[bitcast<u32>(select(0i, _e11316, (_e11316 > 0i)))];
 let _e11326 = (_e11313 + ((bitcast<f32>(_e11322) - _e11313) * _e11187));
 let _e11327 = (_e11304 + 9i);
 let _e11329 = select(_e11147, _e11327, (_e11327 < _e11147));
-let _e11335 = global_4.member[bitcast<u32>(select(0i, _e11329, (_e11329 > 0i)))];
+let _e11335 = global_3.member[bitcast<u32>(select(0i, _e11329, (_e11329 > 0i)))];
 let _e11336 = bitcast<f32>(_e11335);
 let _e11337 = (_e11304 + 10i);
 let _e11339 = select(_e11147, _e11337, (_e11337 < _e11147));
-let _e11345 = global_4.member[bitcast<u32>(select(0i, _e11339, (_e11339 > 0i)))];
+let _e11345 = global_3.member[bitcast<u32>(select(0i, _e11339, (_e11339 > 0i)))];
 let _e11352 = (_e11326 + (((_e11336 + ((bitcast<f32>(_e11345) - _e11336) * _e11187)) - _e11326) * _e11189));
 let _e11353 = (_e11304 + _e11176);
 let _e11355 = select(_e11147, _e11353, (_e11353 < _e11147));
-let _e11361 = global_4.member[bitcast<u32>(select(0i, _e11355, (_e11355 > 0i)))];
+let _e11361 = global_3.member[bitcast<u32>(select(0i, _e11355, (_e11355 > 0i)))];
 let _e11362 = bitcast<f32>(_e11361);
 let _e11363 = (_e11353 + 1i);
 let _e11365 = select(_e11147, _e11363, (_e11363 < _e11147));
-let _e11371 = global_4.member[bitcast<u32>(select(0i, _e11365, (_e11365 > 0i)))];
+let _e11371 = global_3.member[bitcast<u32>(select(0i, _e11365, (_e11365 > 0i)))];
 let _e11375 = (_e11362 + ((bitcast<f32>(_e11371) - _e11362) * _e11187));
 let _e11376 = (_e11353 + 9i);
 let _e11378 = select(_e11147, _e11376, (_e11376 < _e11147));
-let _e11384 = global_4.member[bitcast<u32>(select(0i, _e11378, (_e11378 > 0i)))];
+let _e11384 = global_3.member[bitcast<u32>(select(0i, _e11378, (_e11378 > 0i)))];
 let _e11385 = bitcast<f32>(_e11384);
 let _e11386 = (_e11353 + 10i);
 let _e11388 = select(_e11147, _e11386, (_e11386 < _e11147));
-let _e11394 = global_4.member[bitcast<u32>(select(0i, _e11388, (_e11388 > 0i)))];
+let _e11394 = global_3.member[bitcast<u32>(select(0i, _e11388, (_e11388 > 0i)))];
 let _e11407 = (_e11184 + (select(0i, 2i, _e11300) * _e11185));
 let _e11409 = select(_e11147, _e11407, (_e11407 < _e11147));
-let _e11415 = global_4.member[bitcast<u32>(select(0i, _e11409, (_e11409 > 0i)))];
+let _e11415 = global_3.member[bitcast<u32>(select(0i, _e11409, (_e11409 > 0i)))];
 let _e11416 = bitcast<f32>(_e11415);
 let _e11417 = (_e11407 + 1i);
 let _e11419 = select(_e11147, _e11417, (_e11417 < _e11147));
-let _e11425 = global_4.member[bitcast<u32>(select(0i, _e11419, (_e11419 > 0i)))];
+let _e11425 = global_3.member[bitcast<u32>(select(0i, _e11419, (_e11419 > 0i)))];
 let _e11429 = (_e11416 + ((bitcast<f32>(_e11425) - _e11416) * _e11187));
 let _e11430 = (_e11407 + 9i);
 let _e11432 = select(_e11147, _e11430, (_e11430 < _e11147));
-let _e11438 = global_4.member[bitcast<u32>(select(0i, _e11432, (_e11432 > 0i)))];
+let _e11438 = global_3.member[bitcast<u32>(select(0i, _e11432, (_e11432 > 0i)))];
 let _e11439 = bitcast<f32>(_e11438);
 let _e11440 = (_e11407 + 10i);
 let _e11442 = select(_e11147, _e11440, (_e11440 < _e11147));
-let _e11448 = global_4.member[bitcast<u32>(select(0i, _e11442, (_e11442 > 0i)))];
+let _e11448 = global_3.member[bitcast<u32>(select(0i, _e11442, (_e11442 > 0i)))];
 let _e11455 = (_e11429 + (((_e11439 + ((bitcast<f32>(_e11448) - _e11439) * _e11187)) - _e11429) * _e11189));
 let _e11456 = (_e11407 + _e11176);
 let _e11458 = select(_e11147, _e11456, (_e11456 < _e11147));
-let _e11464 = global_4.member[bitcast<u32>(select(0i, _e11458, (_e11458 > 0i)))];
+let _e11464 = global_3.member[bitcast<u32>(select(0i, _e11458, (_e11458 > 0i)))];
 let _e11465 = bitcast<f32>(_e11464);
 let _e11466 = (_e11456 + 1i);
 let _e11468 = select(_e11147, _e11466, (_e11466 < _e11147));
-let _e11474 = global_4.member[bitcast<u32>(select(0i, _e11468, (_e11468 > 0i)))];
+let _e11474 = global_3.member[bitcast<u32>(select(0i, _e11468, (_e11468 > 0i)))];
 let _e11478 = (_e11465 + ((bitcast<f32>(_e11474) - _e11465) * _e11187));
 let _e11479 = (_e11456 + 9i);
 let _e11481 = select(_e11147, _e11479, (_e11479 < _e11147));
-let _e11487 = global_4.member[bitcast<u32>(select(0i, _e11481, (_e11481 > 0i)))];
+let _e11487 = global_3.member[bitcast<u32>(select(0i, _e11481, (_e11481 > 0i)))];
 let _e11488 = bitcast<f32>(_e11487);
 let _e11489 = (_e11456 + 10i);
 let _e11491 = select(_e11147, _e11489, (_e11489 < _e11147));
-let _e11497 = global_4.member[bitcast<u32>(select(0i, _e11491, (_e11491 > 0i)))];
+let _e11497 = global_3.member[bitcast<u32>(select(0i, _e11491, (_e11491 > 0i)))];
 phi_28610_ = vec3<f32>(_e11293, select(1f, (_e11352 + (((_e11375 + (((_e11385 + ((bitcast<f32>(_e11394) - _e11385) * _e11187)) - _e11375) * _e11189)) - _e11352) * _e11191)), _e11192), select(1f, (_e11455 + (((_e11478 + (((_e11488 + ((bitcast<f32>(_e11497) - _e11488) * _e11187)) - _e11478) * _e11189)) - _e11455) * _e11191)), _e11192));
 }
 let _e11511 = phi_28610_;
@@ -4180,56 +4180,56 @@ let _e11534 = select(0f, (_e11517 * _e11529), _e10996);
 if _e1083 {
 let _e11540 = (_e11184 + ((bitcast<i32>(_e11171) - 1i) * _e11185));
 let _e11542 = select(_e11147, _e11540, (_e11540 < _e11147));
-let _e11548 = global_4.member[bitcast<u32>(select(0i, _e11542, (_e11542 > 0i)))];
+let _e11548 = global_3.member[bitcast<u32>(select(0i, _e11542, (_e11542 > 0i)))];
 let _e11550 = bitcast<u32>(bitcast<f32>(_e11548));
 let _e11554 = f32((bitcast<i32>((_e11550 & 65535u)) - 32768i));
 let _e11560 = f32((bitcast<i32>(((_e11550 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11565 = select(_e11560, -(_e11560), ((_e11550 >> bitcast<u32>(31i)) != 0u));
 let _e11566 = (_e11540 + 1i);
 let _e11568 = select(_e11147, _e11566, (_e11566 < _e11147));
-let _e11574 = global_4.member[bitcast<u32>(select(0i, _e11568, (_e11568 > 0i)))];
+let _e11574 = global_3.member[bitcast<u32>(select(0i, _e11568, (_e11568 > 0i)))];
 let _e11576 = bitcast<u32>(bitcast<f32>(_e11574));
 let _e11586 = f32((bitcast<i32>(((_e11576 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11594 = (_e11554 + ((f32((bitcast<i32>((_e11576 & 65535u)) - 32768i)) - _e11554) * _e11187));
 let _e11597 = (_e11565 + ((select(_e11586, -(_e11586), ((_e11576 >> bitcast<u32>(31i)) != 0u)) - _e11565) * _e11187));
 let _e11598 = (_e11540 + 9i);
 let _e11600 = select(_e11147, _e11598, (_e11598 < _e11147));
-let _e11606 = global_4.member[bitcast<u32>(select(0i, _e11600, (_e11600 > 0i)))];
+let _e11606 = global_3.member[bitcast<u32>(select(0i, _e11600, (_e11600 > 0i)))];
 let _e11608 = bitcast<u32>(bitcast<f32>(_e11606));
 let _e11612 = f32((bitcast<i32>((_e11608 & 65535u)) - 32768i));
 let _e11618 = f32((bitcast<i32>(((_e11608 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11623 = select(_e11618, -(_e11618), ((_e11608 >> bitcast<u32>(31i)) != 0u));
 let _e11624 = (_e11540 + 10i);
 let _e11626 = select(_e11147, _e11624, (_e11624 < _e11147));
-let _e11632 = global_4.member[bitcast<u32>(select(0i, _e11626, (_e11626 > 0i)))];
+let _e11632 = global_3.member[bitcast<u32>(select(0i, _e11626, (_e11626 > 0i)))];
 let _e11634 = bitcast<u32>(bitcast<f32>(_e11632));
 let _e11644 = f32((bitcast<i32>(((_e11634 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11658 = (_e11594 + (((_e11612 + ((f32((bitcast<i32>((_e11634 & 65535u)) - 32768i)) - _e11612) * _e11187)) - _e11594) * _e11189));
 let _e11661 = (_e11597 + (((_e11623 + ((select(_e11644, -(_e11644), ((_e11634 >> bitcast<u32>(31i)) != 0u)) - _e11623) * _e11187)) - _e11597) * _e11189));
 let _e11662 = (_e11540 + _e11176);
 let _e11664 = select(_e11147, _e11662, (_e11662 < _e11147));
-let _e11670 = global_4.member[bitcast<u32>(select(0i, _e11664, (_e11664 > 0i)))];
+let _e11670 = global_3.member[bitcast<u32>(select(0i, _e11664, (_e11664 > 0i)))];
 let _e11672 = bitcast<u32>(bitcast<f32>(_e11670));
 let _e11676 = f32((bitcast<i32>((_e11672 & 65535u)) - 32768i));
 let _e11682 = f32((bitcast<i32>(((_e11672 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11687 = select(_e11682, -(_e11682), ((_e11672 >> bitcast<u32>(31i)) != 0u));
 let _e11688 = (_e11662 + 1i);
 let _e11690 = select(_e11147, _e11688, (_e11688 < _e11147));
-let _e11696 = global_4.member[bitcast<u32>(select(0i, _e11690, (_e11690 > 0i)))];
+let _e11696 = global_3.member[bitcast<u32>(select(0i, _e11690, (_e11690 > 0i)))];
 let _e11698 = bitcast<u32>(bitcast<f32>(_e11696));
 let _e11708 = f32((bitcast<i32>(((_e11698 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11716 = (_e11676 + ((f32((bitcast<i32>((_e11698 & 65535u)) - 32768i)) - _e11676) * _e11187));
 let _e11719 = (_e11687 + ((select(_e11708, -(_e11708), ((_e11698 >> bitcast<u32>(31i)) != 0u)) - _e11687) * _e11187));
 let _e11720 = (_e11662 + 9i);
 let _e11722 = select(_e11147, _e11720, (_e11720 < _e11147));
-let _e11728 = global_4.member[bitcast<u32>(select(0i, _e11722, (_e11722 > 0i)))];
+let _e11728 = global_3.member[bitcast<u32>(select(0i, _e11722, (_e11722 > 0i)))];
 let _e11730 = bitcast<u32>(bitcast<f32>(_e11728));
 let _e11734 = f32((bitcast<i32>((_e11730 & 65535u)) - 32768i));
 let _e11740 = f32((bitcast<i32>(((_e11730 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11745 = select(_e11740, -(_e11740), ((_e11730 >> bitcast<u32>(31i)) != 0u));
 let _e11746 = (_e11662 + 10i);
 let _e11748 = select(_e11147, _e11746, (_e11746 < _e11147));
-let _e11754 = global_4.member[bitcast<u32>(select(0i, _e11748, (_e11748 > 0i)))];
+let _e11754 = global_3.member[bitcast<u32>(select(0i, _e11748, (_e11748 > 0i)))];
 let _e11756 = bitcast<u32>(bitcast<f32>(_e11754));
 let _e11766 = f32((bitcast<i32>(((_e11756 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11792 = (_e11533 + select(0f, ((_e11658 + (((_e11716 + (((_e11734 + ((f32((bitcast<i32>((_e11756 & 65535u)) - 32768i)) - _e11734) * _e11187)) - _e11716) * _e11189)) - _e11658) * _e11191)) * 6.151953e-5f), _e11192));
@@ -4270,7 +4270,7 @@ let _e11889 = (_e11888 * select(_e11868, 1f, (_e1083 && _e11192)));
 let _e11899 = global_5.member[_e467].member_10.member.member;
 let _e11912 = global_5.member[_e467].member_10.member_1.member;
 let _e11928 = global_5.member[_e467].member_10.member_2.member;
-phi_29185_ = type_28(vec3<f32>(((_e11511.x * _e11874.member) * _e11889), ((_e11511.y * _e11874.member_1) * _e11889), ((_e11511.z * _e11874.member_2) * _e11889)), (vec3<f32>(((_e11899.member * _e11807.x) + (_e11912.member * _e11807.y)), ((_e11899.member_1 * _e11807.x) + (_e11912.member_1 * _e11807.y)), ((_e11899.member_2 * _e11807.x) + (_e11912.member_2 * _e11807.y))) + vec3<f32>((_e11928.member * _e11807.z), (_e11928.member_1 * _e11807.z), (_e11928.member_2 * _e11807.z))));
+phi_29185_ = type_35(vec3<f32>(((_e11511.x * _e11874.member) * _e11889), ((_e11511.y * _e11874.member_1) * _e11889), ((_e11511.z * _e11874.member_2) * _e11889)), (vec3<f32>(((_e11899.member * _e11807.x) + (_e11912.member * _e11807.y)), ((_e11899.member_1 * _e11807.x) + (_e11912.member_1 * _e11807.y)), ((_e11899.member_2 * _e11807.x) + (_e11912.member_2 * _e11807.y))) + vec3<f32>((_e11928.member * _e11807.z), (_e11928.member_1 * _e11807.z), (_e11928.member_2 * _e11807.z))));
 }
 let _e12560 = phi_29185_;
 phi_29186_ = _e12560;
@@ -4456,51 +4456,51 @@ let _e13502 = ((bitcast<i32>(_e13498) + (_e13472 * _e13316)) + _e13455);
 let _e13503 = (_e13316 * _e13324);
 let _e13505 = (bitcast<i32>(_e241) - 1i);
 let _e13507 = select(_e13505, _e13502, (_e13502 < _e13505));
-let _e13513 = global_4.member[bitcast<u32>(select(0i, _e13507, (_e13507 > 0i)))];
+let _e13513 = global_3.member[bitcast<u32>(select(0i, _e13507, (_e13507 > 0i)))];
 let _e13514 = bitcast<f32>(_e13513);
 let _e13515 = (_e13502 + 1i);
 let _e13517 = select(_e13505, _e13515, (_e13515 < _e13505));
-let _e13523 = global_4.member[bitcast<u32>(select(0i, _e13517, (_e13517 > 0i)))];
+let _e13523 = global_3.member[bitcast<u32>(select(0i, _e13517, (_e13517 > 0i)))];
 let _e13527 = (_e13514 + ((bitcast<f32>(_e13523) - _e13514) * _e13478));
 let _e13528 = (_e13502 + _e13316);
 let _e13530 = select(_e13505, _e13528, (_e13528 < _e13505));
-let _e13536 = global_4.member[bitcast<u32>(select(0i, _e13530, (_e13530 > 0i)))];
+let _e13536 = global_3.member[bitcast<u32>(select(0i, _e13530, (_e13530 > 0i)))];
 let _e13537 = bitcast<f32>(_e13536);
 let _e13538 = (_e13528 + 1i);
 let _e13540 = select(_e13505, _e13538, (_e13538 < _e13505));
-let _e13546 = global_4.member[bitcast<u32>(select(0i, _e13540, (_e13540 > 0i)))];
+let _e13546 = global_3.member[bitcast<u32>(select(0i, _e13540, (_e13540 > 0i)))];
 let _e13553 = (_e13527 + (((_e13537 + ((bitcast<f32>(_e13546) - _e13537) * _e13478)) - _e13527) * _e13484));
 let _e13554 = (_e13502 + _e13503);
 let _e13556 = select(_e13505, _e13554, (_e13554 < _e13505));
-let _e13562 = global_4.member[bitcast<u32>(select(0i, _e13556, (_e13556 > 0i)))];
+let _e13562 = global_3.member[bitcast<u32>(select(0i, _e13556, (_e13556 > 0i)))];
 let _e13563 = bitcast<f32>(_e13562);
 let _e13564 = (_e13554 + 1i);
 let _e13566 = select(_e13505, _e13564, (_e13564 < _e13505));
-let _e13572 = global_4.member[bitcast<u32>(select(0i, _e13566, (_e13566 > 0i)))];
+let _e13572 = global_3.member[bitcast<u32>(select(0i, _e13566, (_e13566 > 0i)))];
 let _e13576 = (_e13563 + ((bitcast<f32>(_e13572) - _e13563) * _e13478));
 let _e13577 = (_e13554 + _e13316);
 let _e13579 = select(_e13505, _e13577, (_e13577 < _e13505));
-let _e13585 = global_4.member[bitcast<u32>(select(0i, _e13579, (_e13579 > 0i)))];
+let _e13585 = global_3.member[bitcast<u32>(select(0i, _e13579, (_e13579 > 0i)))];
 let _e13586 = bitcast<f32>(_e13585);
 let _e13587 = (_e13577 + 1i);
 let _e13589 = select(_e13505, _e13587, (_e13587 < _e13505));
-let _e13595 = global_4.member[bitcast<u32>(select(0i, _e13589, (_e13589 > 0i)))];
+let _e13595 = global_3.member[bitcast<u32>(select(0i, _e13589, (_e13589 > 0i)))];
 let _e13602 = (_e13576 + (((_e13586 + ((bitcast<f32>(_e13595) - _e13586) * _e13478)) - _e13576) * _e13484));
 let _e13604 = (_e13502 + (2i * _e13503));
 let _e13606 = select(_e13505, _e13604, (_e13604 < _e13505));
-let _e13612 = global_4.member[bitcast<u32>(select(0i, _e13606, (_e13606 > 0i)))];
+let _e13612 = global_3.member[bitcast<u32>(select(0i, _e13606, (_e13606 > 0i)))];
 let _e13613 = bitcast<f32>(_e13612);
 let _e13614 = (_e13604 + 1i);
 let _e13616 = select(_e13505, _e13614, (_e13614 < _e13505));
-let _e13622 = global_4.member[bitcast<u32>(select(0i, _e13616, (_e13616 > 0i)))];
+let _e13622 = global_3.member[bitcast<u32>(select(0i, _e13616, (_e13616 > 0i)))];
 let _e13626 = (_e13613 + ((bitcast<f32>(_e13622) - _e13613) * _e13478));
 let _e13627 = (_e13604 + _e13316);
 let _e13629 = select(_e13505, _e13627, (_e13627 < _e13505));
-let _e13635 = global_4.member[bitcast<u32>(select(0i, _e13629, (_e13629 > 0i)))];
+let _e13635 = global_3.member[bitcast<u32>(select(0i, _e13629, (_e13629 > 0i)))];
 let _e13636 = bitcast<f32>(_e13635);
 let _e13637 = (_e13627 + 1i);
 let _e13639 = select(_e13505, _e13637, (_e13637 < _e13505));
-let _e13645 = global_4.member[bitcast<u32>(select(0i, _e13639, (_e13639 > 0i)))];
+let _e13645 = global_3.member[bitcast<u32>(select(0i, _e13639, (_e13639 > 0i)))];
 let _e13652 = (_e13626 + (((_e13636 + ((bitcast<f32>(_e13645) - _e13636) * _e13478)) - _e13626) * _e13484));
 let _e13654 = (_e13135 == 0u);
 if _e13654 {
@@ -4537,13 +4537,13 @@ phi_30354_ = vec3<f32>((select(0f, _e13719, (_e13719 > 0f)) * _e13732), (select(
 }
 let _e13738 = phi_30354_;
 let _e13743 = global_5.member[_e467].member_9.member_1;
-phi_30614_ = type_28((vec3<f32>(_e13743.member, _e13743.member_1, _e13743.member_2) * _e13738), _e13206);
+phi_30614_ = type_35((vec3<f32>(_e13743.member, _e13743.member_1, _e13743.member_2) * _e13738), _e13206);
 } else {
 let _e13209 = (_e13135 == 0u);
 if _e13209 {
 let _e13292 = global_5.member[_e467].member_9.member_1;
 let _e13301 = global_5.member[_e467].member_9.member;
-phi_30613_ = type_28(vec3<f32>(_e13292.member, _e13292.member_1, _e13292.member_2), vec3<f32>(_e13301.member, _e13301.member_1, _e13301.member_2));
+phi_30613_ = type_35(vec3<f32>(_e13292.member, _e13292.member_1, _e13292.member_2), vec3<f32>(_e13301.member, _e13301.member_1, _e13301.member_2));
 } else {
 let _e13214 = global_5.member[_e467].member_9.member_1;
 if _e13209 {
@@ -4570,7 +4570,7 @@ phi_30541_ = select(1f, select(0f, ((_e13271 * _e13271) * (3f - (2f * _e13271)))
 }
 let _e13281 = phi_30541_;
 let _e13282 = (_e13222 * _e13281);
-phi_30613_ = type_28(vec3<f32>((_e13214.member * _e13282), (_e13214.member_1 * _e13282), (_e13214.member_2 * _e13282)), _e13206);
+phi_30613_ = type_35(vec3<f32>((_e13214.member * _e13282), (_e13214.member_1 * _e13282), (_e13214.member_2 * _e13282)), _e13206);
 }
 let _e13308 = phi_30613_;
 phi_30614_ = _e13308;
@@ -4704,7 +4704,7 @@ let _e14116 = select(select(select(select(select(select(0f, _e13855.member, _e13
 let _e14117 = select(select(select(select(select(select(0f, _e13855.member_1, _e13897), _e13855.member_1, _e13937), _e13864.member_1, _e13977), _e13864.member_1, _e14017), _e13873.member_1, _e14057), _e13873.member_1, _e14097);
 let _e14118 = select(select(select(select(select(select(1f, _e13855.member_2, _e13897), _e13855.member_2, _e13937), _e13864.member_2, _e13977), _e13864.member_2, _e14017), _e13873.member_2, _e14057), _e13873.member_2, _e14097);
 if _e8729 {
-phi_32105_ = type_36(_e14103, vec3<f32>(_e14104, _e14105, _e14106), _e14108, vec3<f32>(_e14109, _e14110, _e14111), _e14113, _e14115, vec3<f32>(_e14116, _e14117, _e14118));
+phi_32105_ = type_34(_e14103, vec3<f32>(_e14104, _e14105, _e14106), _e14108, vec3<f32>(_e14109, _e14110, _e14111), _e14113, _e14115, vec3<f32>(_e14116, _e14117, _e14118));
 } else {
 let _e14125 = (((_e13855.member * _e13855.member) + (_e13855.member_1 * _e13855.member_1)) + (_e13855.member_2 * _e13855.member_2));
 let _e14128 = sqrt(select(0f, _e14125, (_e14125 > 0f)));
@@ -4784,7 +4784,7 @@ let _e14424 = select(2f, select(0f, _e14416, (_e14396 < 0f)), (_e14397 > 0f));
 let _e14425 = (_e14396 > _e14360);
 let _e14429 = ((_e14420 > _e14352) || ((_e14420 == _e14352) && _e14425));
 let _e14430 = (_e14424 < _e14356);
-phi_32105_ = type_36(select(_e14352, _e14420, _e14429), vec3<f32>(select(select(select(select(_e14104, _e14166.member, _e14192), _e14245.member, _e14271), _e14324.member, _e14350), _e14403.member, _e14429), select(select(select(select(_e14105, _e14166.member_1, _e14192), _e14245.member_1, _e14271), _e14324.member_1, _e14350), _e14403.member_1, _e14429), select(select(select(select(_e14106, _e14166.member_2, _e14192), _e14245.member_2, _e14271), _e14324.member_2, _e14350), _e14403.member_2, _e14429)), select(_e14356, _e14424, _e14430), vec3<f32>(select(select(select(select(_e14109, _e14166.member, _e14193), _e14245.member, _e14272), _e14324.member, _e14351), _e14403.member, _e14430), select(select(select(select(_e14110, _e14166.member_1, _e14193), _e14245.member_1, _e14272), _e14324.member_1, _e14351), _e14403.member_1, _e14430), select(select(select(select(_e14111, _e14166.member_2, _e14193), _e14245.member_2, _e14272), _e14324.member_2, _e14351), _e14403.member_2, _e14430)), select(_e14360, _e14396, _e14425), select(_e14362, _e14397, (_e14397 > _e14362)), vec3<f32>(select(select(select(select(_e14116, _e14166.member, _e14188), _e14245.member, _e14267), _e14324.member, _e14346), _e14403.member, _e14425), select(select(select(select(_e14117, _e14166.member_1, _e14188), _e14245.member_1, _e14267), _e14324.member_1, _e14346), _e14403.member_1, _e14425), select(select(select(select(_e14118, _e14166.member_2, _e14188), _e14245.member_2, _e14267), _e14324.member_2, _e14346), _e14403.member_2, _e14425)));
+phi_32105_ = type_34(select(_e14352, _e14420, _e14429), vec3<f32>(select(select(select(select(_e14104, _e14166.member, _e14192), _e14245.member, _e14271), _e14324.member, _e14350), _e14403.member, _e14429), select(select(select(select(_e14105, _e14166.member_1, _e14192), _e14245.member_1, _e14271), _e14324.member_1, _e14350), _e14403.member_1, _e14429), select(select(select(select(_e14106, _e14166.member_2, _e14192), _e14245.member_2, _e14271), _e14324.member_2, _e14350), _e14403.member_2, _e14429)), select(_e14356, _e14424, _e14430), vec3<f32>(select(select(select(select(_e14109, _e14166.member, _e14193), _e14245.member, _e14272), _e14324.member, _e14351), _e14403.member, _e14430), select(select(select(select(_e14110, _e14166.member_1, _e14193), _e14245.member_1, _e14272), _e14324.member_1, _e14351), _e14403.member_1, _e14430), select(select(select(select(_e14111, _e14166.member_2, _e14193), _e14245.member_2, _e14272), _e14324.member_2, _e14351), _e14403.member_2, _e14430)), select(_e14360, _e14396, _e14425), select(_e14362, _e14397, (_e14397 > _e14362)), vec3<f32>(select(select(select(select(_e14116, _e14166.member, _e14188), _e14245.member, _e14267), _e14324.member, _e14346), _e14403.member, _e14425), select(select(select(select(_e14117, _e14166.member_1, _e14188), _e14245.member_1, _e14267), _e14324.member_1, _e14346), _e14403.member_1, _e14425), select(select(select(select(_e14118, _e14166.member_2, _e14188), _e14245.member_2, _e14267), _e14324.member_2, _e14346), _e14403.member_2, _e14425)));
 }
 let _e14450 = phi_32105_;
 let _e14457 = (_e8940.member_2 * select(0f, 1f, _e6695.member_6));
@@ -4855,41 +4855,41 @@ break;
 let _e14625 = local_44;
 if _e14625 {
 let _e14627 = local_45;
-global_1.member[_e267] = _e14627[0];
+global_4.member[_e267] = _e14627[0];
 let _e14632 = local_46;
-global_1.member[_e279] = _e14632[1];
+global_4.member[_e279] = _e14632[1];
 let _e14637 = local_47;
-global_1.member[_e290] = _e14637[2];
+global_4.member[_e290] = _e14637[2];
 let _e14642 = local_48;
-global_1.member[_e301] = _e14642[3];
+global_4.member[_e301] = _e14642[3];
 let _e14647 = local_49;
-global_1.member[_e312] = _e14647[4];
+global_4.member[_e312] = _e14647[4];
 let _e14652 = local_50;
-global_1.member[_e323] = _e14652[5];
+global_4.member[_e323] = _e14652[5];
 let _e14657 = local_51;
-global_1.member[_e334] = _e14657[6];
+global_4.member[_e334] = _e14657[6];
 let _e14662 = local_52;
-global_1.member[_e345] = _e14662[7];
+global_4.member[_e345] = _e14662[7];
 let _e14667 = local_53;
-global_1.member[_e356] = _e14667[8];
+global_4.member[_e356] = _e14667[8];
 let _e14672 = local_54;
-global_1.member[_e367] = _e14672[9];
+global_4.member[_e367] = _e14672[9];
 let _e14677 = local_55;
-global_1.member[_e378] = _e14677[10];
+global_4.member[_e378] = _e14677[10];
 let _e14682 = local_56;
-global_1.member[_e389] = _e14682[11];
+global_4.member[_e389] = _e14682[11];
 let _e14687 = local_57;
-global_1.member[_e400] = _e14687[12];
+global_4.member[_e400] = _e14687[12];
 let _e14692 = local_58;
-global_1.member[_e411] = _e14692[13];
+global_4.member[_e411] = _e14692[13];
 let _e14697 = local_59;
-global_1.member[_e422] = _e14697[14];
+global_4.member[_e422] = _e14697[14];
 let _e14702 = local_60;
-global_1.member[_e433] = _e14702[15];
+global_4.member[_e433] = _e14702[15];
 let _e14707 = local_61;
-global_1.member[_e444] = _e14707[16];
+global_4.member[_e444] = _e14707[16];
 let _e14712 = local_62;
-global_1.member[_e455] = _e14712[17];
+global_4.member[_e455] = _e14712[17];
 }
 }
 }

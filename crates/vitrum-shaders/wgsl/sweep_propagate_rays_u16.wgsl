@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,72 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_29 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_30 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_33 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_34 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -199,11 +191,15 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_38 {
-member: array<type_27>,
+struct type_35 {
+member: vec3<f32>,
+member_1: vec3<f32>,
 }
-struct type_39 {
-member: type_29,
+struct type_37 {
+member: array<type_21>,
+}
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -213,6 +209,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -220,18 +220,18 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(6)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(5)
-var<storage> global_4: type_17;
+var<storage> global_3: type_23;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_25;
 @group(0) @binding(0)
-var<storage> global_5: type_38;
+var<storage> global_5: type_37;
 @group(0) @binding(3)
-var<storage> global_6: type_17;
+var<storage> global_6: type_23;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -239,7 +239,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_33;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -255,23 +255,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_33;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_33;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_33;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_33;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_33;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_685_: u32;
 var phi_688_: bool;
@@ -280,24 +280,24 @@ var phi_1445_: bool;
 var phi_1625_: bool;
 var phi_1628_: bool;
 var phi_3061_: f32;
-var phi_4667_: type_36;
+var phi_4667_: type_34;
 var phi_4680_: bool;
-var phi_4710_: type_30;
+var phi_4710_: type_39;
 var phi_4722_: bool;
-var phi_5934_: type_29;
-var phi_7457_: type_36;
-var phi_8701_: type_29;
-var phi_10239_: type_36;
-var phi_11483_: type_29;
-var phi_13021_: type_36;
-var phi_14769_: type_29;
-var phi_14782_: type_39;
+var phi_5934_: type_31;
+var phi_7457_: type_34;
+var phi_8701_: type_31;
+var phi_10239_: type_34;
+var phi_11483_: type_31;
+var phi_13021_: type_34;
+var phi_14769_: type_31;
+var phi_14782_: type_38;
 var phi_14783_: vec3<f32>;
 var phi_14784_: bool;
 var phi_14785_: f32;
-var phi_20498_: type_34;
-var phi_21277_: type_35;
-var phi_21690_: type_5;
+var phi_20498_: type_32;
+var phi_21277_: type_33;
+var phi_21690_: type_7;
 var phi_25855_: type_40;
 var phi_27384_: i32;
 var phi_27961_: vec3<f32>;
@@ -305,24 +305,24 @@ var phi_28368_: vec3<f32>;
 var phi_28462_: f32;
 var phi_28504_: f32;
 var phi_26870_: vec3<f32>;
-var phi_28536_: type_28;
+var phi_28536_: type_35;
 var phi_25969_: f32;
 var phi_26053_: f32;
-var phi_26125_: type_28;
-var phi_28537_: type_28;
+var phi_26125_: type_35;
+var phi_28537_: type_35;
 var phi_28620_: f32;
 var phi_28621_: f32;
 var phi_28878_: vec3<f32>;
 var phi_29808_: f32;
 var phi_29892_: f32;
-var phi_29964_: type_28;
+var phi_29964_: type_35;
 var phi_29307_: u32;
 var phi_29644_: f32;
 var phi_29700_: f32;
 var phi_29705_: vec3<f32>;
-var phi_29965_: type_28;
-var phi_29966_: type_28;
-var phi_31456_: type_36;
+var phi_29965_: type_35;
+var phi_29966_: type_35;
+var phi_31456_: type_34;
 var phi_31612_: vec3<f32>;
 var phi_31613_: bool;
 var phi_31773_: array<f32, 18>;
@@ -353,8 +353,8 @@ switch bitcast<i32>(0u) {
 default: {
 let _e218 = global;
 let _e220 = arrayLength((&global_5.member));
-let _e228 = arrayLength((&global_3.member));
-let _e231 = arrayLength((&global_4.member));
+let _e228 = arrayLength((&global_2.member));
+let _e231 = arrayLength((&global_3.member));
 if (0u < _e220) {
 } else {
 break;
@@ -368,77 +368,77 @@ if (_e252 < _e238.member_3) {
 let _e255 = (_e242.member * _e242.member_1);
 let _e257 = ((_e252 * _e242.member) + _e250);
 let _e258 = bitcast<i32>(_e257);
-let _e260 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e260 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e262 = select(_e260, _e258, (_e258 < _e260));
-let _e268 = global_1.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
+let _e268 = global_4.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
 let _e269 = (_e255 + _e257);
 let _e270 = bitcast<i32>(_e269);
 let _e272 = select(_e260, _e270, (_e270 < _e260));
-let _e278 = global_1.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
+let _e278 = global_4.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
 let _e280 = ((2u * _e255) + _e257);
 let _e281 = bitcast<i32>(_e280);
 let _e283 = select(_e260, _e281, (_e281 < _e260));
-let _e289 = global_1.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
+let _e289 = global_4.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
 let _e291 = ((3u * _e255) + _e257);
 let _e292 = bitcast<i32>(_e291);
 let _e294 = select(_e260, _e292, (_e292 < _e260));
-let _e300 = global_1.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
+let _e300 = global_4.member[bitcast<u32>(select(0i, _e294, (_e294 > 0i)))];
 let _e302 = ((4u * _e255) + _e257);
 let _e303 = bitcast<i32>(_e302);
 let _e305 = select(_e260, _e303, (_e303 < _e260));
-let _e311 = global_1.member[bitcast<u32>(select(0i, _e305, (_e305 > 0i)))];
+let _e311 = global_4.member[bitcast<u32>(select(0i, _e305, (_e305 > 0i)))];
 let _e313 = ((5u * _e255) + _e257);
 let _e314 = bitcast<i32>(_e313);
 let _e316 = select(_e260, _e314, (_e314 < _e260));
-let _e322 = global_1.member[bitcast<u32>(select(0i, _e316, (_e316 > 0i)))];
+let _e322 = global_4.member[bitcast<u32>(select(0i, _e316, (_e316 > 0i)))];
 let _e324 = ((6u * _e255) + _e257);
 let _e325 = bitcast<i32>(_e324);
 let _e327 = select(_e260, _e325, (_e325 < _e260));
-let _e333 = global_1.member[bitcast<u32>(select(0i, _e327, (_e327 > 0i)))];
+let _e333 = global_4.member[bitcast<u32>(select(0i, _e327, (_e327 > 0i)))];
 let _e335 = ((7u * _e255) + _e257);
 let _e336 = bitcast<i32>(_e335);
 let _e338 = select(_e260, _e336, (_e336 < _e260));
-let _e344 = global_1.member[bitcast<u32>(select(0i, _e338, (_e338 > 0i)))];
+let _e344 = global_4.member[bitcast<u32>(select(0i, _e338, (_e338 > 0i)))];
 let _e346 = ((8u * _e255) + _e257);
 let _e347 = bitcast<i32>(_e346);
 let _e349 = select(_e260, _e347, (_e347 < _e260));
-let _e355 = global_1.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
+let _e355 = global_4.member[bitcast<u32>(select(0i, _e349, (_e349 > 0i)))];
 let _e357 = ((9u * _e255) + _e257);
 let _e358 = bitcast<i32>(_e357);
 let _e360 = select(_e260, _e358, (_e358 < _e260));
-let _e366 = global_1.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
+let _e366 = global_4.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
 let _e368 = ((10u * _e255) + _e257);
 let _e369 = bitcast<i32>(_e368);
 let _e371 = select(_e260, _e369, (_e369 < _e260));
-let _e377 = global_1.member[bitcast<u32>(select(0i, _e371, (_e371 > 0i)))];
+let _e377 = global_4.member[bitcast<u32>(select(0i, _e371, (_e371 > 0i)))];
 let _e379 = ((11u * _e255) + _e257);
 let _e380 = bitcast<i32>(_e379);
 let _e382 = select(_e260, _e380, (_e380 < _e260));
-let _e388 = global_1.member[bitcast<u32>(select(0i, _e382, (_e382 > 0i)))];
+let _e388 = global_4.member[bitcast<u32>(select(0i, _e382, (_e382 > 0i)))];
 let _e390 = ((12u * _e255) + _e257);
 let _e391 = bitcast<i32>(_e390);
 let _e393 = select(_e260, _e391, (_e391 < _e260));
-let _e399 = global_1.member[bitcast<u32>(select(0i, _e393, (_e393 > 0i)))];
+let _e399 = global_4.member[bitcast<u32>(select(0i, _e393, (_e393 > 0i)))];
 let _e401 = ((13u * _e255) + _e257);
 let _e402 = bitcast<i32>(_e401);
 let _e404 = select(_e260, _e402, (_e402 < _e260));
-let _e410 = global_1.member[bitcast<u32>(select(0i, _e404, (_e404 > 0i)))];
+let _e410 = global_4.member[bitcast<u32>(select(0i, _e404, (_e404 > 0i)))];
 let _e412 = ((14u * _e255) + _e257);
 let _e413 = bitcast<i32>(_e412);
 let _e415 = select(_e260, _e413, (_e413 < _e260));
-let _e421 = global_1.member[bitcast<u32>(select(0i, _e415, (_e415 > 0i)))];
+let _e421 = global_4.member[bitcast<u32>(select(0i, _e415, (_e415 > 0i)))];
 let _e423 = ((15u * _e255) + _e257);
 let _e424 = bitcast<i32>(_e423);
 let _e426 = select(_e260, _e424, (_e424 < _e260));
-let _e432 = global_1.member[bitcast<u32>(select(0i, _e426, (_e426 > 0i)))];
+let _e432 = global_4.member[bitcast<u32>(select(0i, _e426, (_e426 > 0i)))];
 let _e434 = ((16u * _e255) + _e257);
 let _e435 = bitcast<i32>(_e434);
 let _e437 = select(_e260, _e435, (_e435 < _e260));
-let _e443 = global_1.member[bitcast<u32>(select(0i, _e437, (_e437 > 0i)))];
+let _e443 = global_4.member[bitcast<u32>(select(0i, _e437, (_e437 > 0i)))];
 let _e445 = ((17u * _e255) + _e257);
 let _e446 = bitcast<i32>(_e445);
 let _e448 = select(_e260, _e446, (_e446 < _e260));
-let _e454 = global_1.member[bitcast<u32>(select(0i, _e448, (_e448 > 0i)))];
+let _e454 = global_4.member[bitcast<u32>(select(0i, _e448, (_e448 > 0i)))];
 phi_685_ = 0u;
 phi_688_ = false;
 phi_690_ = array<f32, 18>(_e268, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366, _e377, _e388, _e399, _e410, _e421, _e432, _e443, _e454);
@@ -663,18 +663,18 @@ let _e1357 = (select(0i, _e1259, (_e1259 > 0i)) * _e1279);
 let _e1358 = (select(_e1292, _e1295, (_e1295 < _e1292)) * _e1279);
 let _e1359 = (select(0i, _e1274, (_e1274 > 0i)) * _e1284);
 let _e1360 = (select(_e1305, _e1308, (_e1308 < _e1305)) * _e1284);
-local_38 = type_33(array<i32, 4>(_e1334, _e1336, _e1338, 0i), array<u32, 6>(bitcast<u32>(((_e1321 - _e1334) * 16i)), bitcast<u32>(((_e1323 - _e1334) * 16i)), bitcast<u32>(((_e1323 - _e1336) * 16i)), bitcast<u32>(((_e1326 - _e1336) * 16i)), bitcast<u32>(((_e1326 - _e1338) * 16i)), bitcast<u32>(((select(_e1318, _e1327, (_e1327 < _e1318)) - _e1338) * 16i))));
+local_38 = type_28(array<i32, 4>(_e1334, _e1336, _e1338, 0i), array<u32, 6>(bitcast<u32>(((_e1321 - _e1334) * 16i)), bitcast<u32>(((_e1323 - _e1334) * 16i)), bitcast<u32>(((_e1323 - _e1336) * 16i)), bitcast<u32>(((_e1326 - _e1336) * 16i)), bitcast<u32>(((_e1326 - _e1338) * 16i)), bitcast<u32>(((select(_e1318, _e1327, (_e1327 < _e1318)) - _e1338) * 16i))));
 local_39 = vec3<f32>((_e1221 - f32(_e1244)), (_e1225 - f32(_e1259)), (_e1229 - f32(_e1274)));
 let _e1375 = local_38.member[1u];
 let _e1376 = ((_e1359 + _e1357) + _e1375);
 let _e1378 = (_e1376 >> bitcast<u32>(1i));
 let _e1381 = bitcast<u32>(((_e1376 & 1i) * 16i));
-let _e1383 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e1383 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
 let _e1385 = select(_e1383, _e1378, (_e1378 < _e1383));
-let _e1390 = global_2.member[bitcast<u32>(select(0i, _e1385, (_e1385 > 0i)))];
+let _e1390 = global_1.member[bitcast<u32>(select(0i, _e1385, (_e1385 > 0i)))];
 let _e1394 = (_e1378 + 1i);
 let _e1396 = select(_e1383, _e1394, (_e1394 < _e1383));
-let _e1401 = global_2.member[bitcast<u32>(select(0i, _e1396, (_e1396 > 0i)))];
+let _e1401 = global_1.member[bitcast<u32>(select(0i, _e1396, (_e1396 > 0i)))];
 let _e1408 = ((_e1390 >> bitcast<u32>((_e1381 & 31u))) | ((_e1401 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1381) & 31u))));
 let _e1411 = local_38.member_1[2u];
 let _e1417 = f32(bitcast<i32>(((_e1408 >> bitcast<u32>((_e1411 & 31u))) & 65535u)));
@@ -686,10 +686,10 @@ let _e1433 = ((_e1359 + _e1358) + _e1432);
 let _e1435 = (_e1433 >> bitcast<u32>(1i));
 let _e1438 = bitcast<u32>(((_e1433 & 1i) * 16i));
 let _e1440 = select(_e1383, _e1435, (_e1435 < _e1383));
-let _e1445 = global_2.member[bitcast<u32>(select(0i, _e1440, (_e1440 > 0i)))];
+let _e1445 = global_1.member[bitcast<u32>(select(0i, _e1440, (_e1440 > 0i)))];
 let _e1449 = (_e1435 + 1i);
 let _e1451 = select(_e1383, _e1449, (_e1449 < _e1383));
-let _e1456 = global_2.member[bitcast<u32>(select(0i, _e1451, (_e1451 > 0i)))];
+let _e1456 = global_1.member[bitcast<u32>(select(0i, _e1451, (_e1451 > 0i)))];
 let _e1463 = ((_e1445 >> bitcast<u32>((_e1438 & 31u))) | ((_e1456 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1438) & 31u))));
 let _e1464 = local_38.member_1[2u];
 let _e1470 = f32(bitcast<i32>(((_e1463 >> bitcast<u32>((_e1464 & 31u))) & 65535u)));
@@ -702,10 +702,10 @@ let _e1489 = ((_e1360 + _e1357) + _e1488);
 let _e1491 = (_e1489 >> bitcast<u32>(1i));
 let _e1494 = bitcast<u32>(((_e1489 & 1i) * 16i));
 let _e1496 = select(_e1383, _e1491, (_e1491 < _e1383));
-let _e1501 = global_2.member[bitcast<u32>(select(0i, _e1496, (_e1496 > 0i)))];
+let _e1501 = global_1.member[bitcast<u32>(select(0i, _e1496, (_e1496 > 0i)))];
 let _e1505 = (_e1491 + 1i);
 let _e1507 = select(_e1383, _e1505, (_e1505 < _e1383));
-let _e1512 = global_2.member[bitcast<u32>(select(0i, _e1507, (_e1507 > 0i)))];
+let _e1512 = global_1.member[bitcast<u32>(select(0i, _e1507, (_e1507 > 0i)))];
 let _e1519 = ((_e1501 >> bitcast<u32>((_e1494 & 31u))) | ((_e1512 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1494) & 31u))));
 let _e1520 = local_38.member_1[2u];
 let _e1526 = f32(bitcast<i32>(((_e1519 >> bitcast<u32>((_e1520 & 31u))) & 65535u)));
@@ -717,10 +717,10 @@ let _e1540 = ((_e1360 + _e1358) + _e1539);
 let _e1542 = (_e1540 >> bitcast<u32>(1i));
 let _e1545 = bitcast<u32>(((_e1540 & 1i) * 16i));
 let _e1547 = select(_e1383, _e1542, (_e1542 < _e1383));
-let _e1552 = global_2.member[bitcast<u32>(select(0i, _e1547, (_e1547 > 0i)))];
+let _e1552 = global_1.member[bitcast<u32>(select(0i, _e1547, (_e1547 > 0i)))];
 let _e1556 = (_e1542 + 1i);
 let _e1558 = select(_e1383, _e1556, (_e1556 < _e1383));
-let _e1563 = global_2.member[bitcast<u32>(select(0i, _e1558, (_e1558 > 0i)))];
+let _e1563 = global_1.member[bitcast<u32>(select(0i, _e1558, (_e1558 > 0i)))];
 let _e1570 = ((_e1552 >> bitcast<u32>((_e1545 & 31u))) | ((_e1563 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1545) & 31u))));
 let _e1571 = local_38.member_1[2u];
 let _e1577 = f32(bitcast<i32>(((_e1570 >> bitcast<u32>((_e1571 & 31u))) & 65535u)));
@@ -742,41 +742,41 @@ local_37 = _e1616;
 let _e1617 = local_37;
 let _e1619 = (bitcast<i32>(_e228) - 1i);
 let _e1621 = select(_e1619, 263197i, (263197i < _e1619));
-let _e1626 = global_3.member[bitcast<u32>(select(0i, _e1621, (_e1621 > 0i)))];
+let _e1626 = global_2.member[bitcast<u32>(select(0i, _e1621, (_e1621 > 0i)))];
 let _e1629 = select(_e1619, 263198i, (263198i < _e1619));
-let _e1634 = global_3.member[bitcast<u32>(select(0i, _e1629, (_e1629 > 0i)))];
+let _e1634 = global_2.member[bitcast<u32>(select(0i, _e1629, (_e1629 > 0i)))];
 let _e1637 = select(_e1619, 263199i, (263199i < _e1619));
-let _e1642 = global_3.member[bitcast<u32>(select(0i, _e1637, (_e1637 > 0i)))];
+let _e1642 = global_2.member[bitcast<u32>(select(0i, _e1637, (_e1637 > 0i)))];
 let _e1643 = bitcast<f32>(_e1642);
 let _e1645 = ((_e1617 - bitcast<f32>(_e1626)) * bitcast<f32>(_e1634));
 let _e1647 = select(0f, _e1645, (_e1645 > 0f));
 let _e1650 = local_37;
 let _e1652 = select(_e1619, 263200i, (263200i < _e1619));
-let _e1657 = global_3.member[bitcast<u32>(select(0i, _e1652, (_e1652 > 0i)))];
+let _e1657 = global_2.member[bitcast<u32>(select(0i, _e1652, (_e1652 > 0i)))];
 let _e1660 = select(_e1619, 263201i, (263201i < _e1619));
-let _e1665 = global_3.member[bitcast<u32>(select(0i, _e1660, (_e1660 > 0i)))];
+let _e1665 = global_2.member[bitcast<u32>(select(0i, _e1660, (_e1660 > 0i)))];
 let _e1668 = select(_e1619, 263202i, (263202i < _e1619));
-let _e1673 = global_3.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
+let _e1673 = global_2.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
 let _e1674 = bitcast<f32>(_e1673);
 let _e1676 = ((_e1650 - bitcast<f32>(_e1657)) * bitcast<f32>(_e1665));
 let _e1678 = select(0f, _e1676, (_e1676 > 0f));
 let _e1682 = local_37;
 let _e1684 = select(_e1619, 263203i, (263203i < _e1619));
-let _e1689 = global_3.member[bitcast<u32>(select(0i, _e1684, (_e1684 > 0i)))];
+let _e1689 = global_2.member[bitcast<u32>(select(0i, _e1684, (_e1684 > 0i)))];
 let _e1692 = select(_e1619, 263204i, (263204i < _e1619));
-let _e1697 = global_3.member[bitcast<u32>(select(0i, _e1692, (_e1692 > 0i)))];
+let _e1697 = global_2.member[bitcast<u32>(select(0i, _e1692, (_e1692 > 0i)))];
 let _e1700 = select(_e1619, 263205i, (263205i < _e1619));
-let _e1705 = global_3.member[bitcast<u32>(select(0i, _e1700, (_e1700 > 0i)))];
+let _e1705 = global_2.member[bitcast<u32>(select(0i, _e1700, (_e1700 > 0i)))];
 let _e1706 = bitcast<f32>(_e1705);
 let _e1708 = ((_e1682 - bitcast<f32>(_e1689)) * bitcast<f32>(_e1697));
 let _e1710 = select(0f, _e1708, (_e1708 > 0f));
 let _e1713 = local_37;
 let _e1715 = select(_e1619, 263206i, (263206i < _e1619));
-let _e1720 = global_3.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
+let _e1720 = global_2.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
 let _e1723 = select(_e1619, 263207i, (263207i < _e1619));
-let _e1728 = global_3.member[bitcast<u32>(select(0i, _e1723, (_e1723 > 0i)))];
+let _e1728 = global_2.member[bitcast<u32>(select(0i, _e1723, (_e1723 > 0i)))];
 let _e1731 = select(_e1619, 263208i, (263208i < _e1619));
-let _e1736 = global_3.member[bitcast<u32>(select(0i, _e1731, (_e1731 > 0i)))];
+let _e1736 = global_2.member[bitcast<u32>(select(0i, _e1731, (_e1731 > 0i)))];
 let _e1737 = bitcast<f32>(_e1736);
 let _e1739 = ((_e1713 - bitcast<f32>(_e1720)) * bitcast<f32>(_e1728));
 let _e1741 = select(0f, _e1739, (_e1739 > 0f));
@@ -787,13 +787,13 @@ let _e1756 = select(0i, select(select(i32(_e1749), i32(-2147483648), (_e1749 < -
 let _e1760 = (_e1756 - select(0i, 1i, (_e1749 < f32(_e1756))));
 let _e1761 = (262147i + _e1760);
 let _e1763 = select(_e1619, _e1761, (_e1761 < _e1619));
-let _e1769 = global_3.member[bitcast<u32>(select(0i, _e1763, (_e1763 > 0i)))];
+let _e1769 = global_2.member[bitcast<u32>(select(0i, _e1763, (_e1763 > 0i)))];
 let _e1779 = select(_e1619, 262146i, (262146i < _e1619));
-let _e1785 = global_3.member[bitcast<u32>(select(0i, _e1779, (_e1779 > 0i)))];
+let _e1785 = global_2.member[bitcast<u32>(select(0i, _e1779, (_e1779 > 0i)))];
 let _e1789 = select(_e1619, 262144i, (262144i < _e1619));
-let _e1795 = global_3.member[bitcast<u32>(select(0i, _e1789, (_e1789 > 0i)))];
+let _e1795 = global_2.member[bitcast<u32>(select(0i, _e1789, (_e1789 > 0i)))];
 let _e1798 = select(_e1619, 262145i, (262145i < _e1619));
-let _e1804 = global_3.member[bitcast<u32>(select(0i, _e1798, (_e1798 > 0i)))];
+let _e1804 = global_2.member[bitcast<u32>(select(0i, _e1798, (_e1798 > 0i)))];
 phi_3061_ = select(_e461[16], ((bitcast<f32>(_e1795) + (f32(bitcast<i32>((_e1769 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1804))) + ((f32((bitcast<i32>((_e1769 & 4095u)) - 2048i)) * bitcast<f32>(_e1785)) * (_e1745 - f32(_e1760)))), _e1138);
 } else {
 phi_3061_ = _e461[16];
@@ -804,7 +804,7 @@ let _e1816 = (_e496 - _e492);
 let _e1817 = (_e501 - _e486);
 let _e1822 = (((_e1815 * _e1815) + (_e1816 * _e1816)) + (_e1817 * _e1817));
 let _e1825 = sqrt(select(0f, _e1822, (_e1822 > 0f)));
-let _e1826 = type_39(type_29(1f, 1f), vec3<f32>(_e494, _e496, _e501), _e1149, _e1825, _e481, _e1149, true, false, false);
+let _e1826 = type_38(type_31(1f, 1f), vec3<f32>(_e494, _e496, _e501), _e1149, _e1825, _e481, _e1149, true, false, false);
 let _e1827 = (_e664 < 1e-12f);
 let _e1829 = (1f / select(_e659, 1f, _e1827));
 let _e1830 = (-0.5f - _e570);
@@ -956,7 +956,7 @@ let _e2187 = select(select(select(select(select(select(0f, _e1928.member_1, _e19
 let _e2188 = select(select(select(select(select(select(1f, _e1928.member_2, _e1969), _e1928.member_2, _e2009), _e1937.member_2, _e2048), _e1937.member_2, _e2088), _e1946.member_2, _e2127), _e1946.member_2, _e2167);
 let _e2192 = ((_e797 & 16u) == 0u);
 if _e2192 {
-phi_4667_ = type_36(_e2173, vec3<f32>(_e2174, _e2175, _e2176), _e2178, vec3<f32>(_e2179, _e2180, _e2181), _e2183, _e2185, vec3<f32>(_e2186, _e2187, _e2188));
+phi_4667_ = type_34(_e2173, vec3<f32>(_e2174, _e2175, _e2176), _e2178, vec3<f32>(_e2179, _e2180, _e2181), _e2183, _e2185, vec3<f32>(_e2186, _e2187, _e2188));
 } else {
 let _e2197 = (((_e1928.member * _e1928.member) + (_e1928.member_1 * _e1928.member_1)) + (_e1928.member_2 * _e1928.member_2));
 let _e2200 = sqrt(select(0f, _e2197, (_e2197 > 0f)));
@@ -1036,7 +1036,7 @@ let _e2496 = select(2f, select(0f, _e2488, (_e2468 < 0f)), (_e2469 > 0f));
 let _e2497 = (_e2468 > _e2432);
 let _e2501 = ((_e2492 > _e2424) || ((_e2492 == _e2424) && _e2497));
 let _e2502 = (_e2496 < _e2428);
-phi_4667_ = type_36(select(_e2424, _e2492, _e2501), vec3<f32>(select(select(select(select(_e2174, _e2238.member, _e2264), _e2317.member, _e2343), _e2396.member, _e2422), _e2475.member, _e2501), select(select(select(select(_e2175, _e2238.member_1, _e2264), _e2317.member_1, _e2343), _e2396.member_1, _e2422), _e2475.member_1, _e2501), select(select(select(select(_e2176, _e2238.member_2, _e2264), _e2317.member_2, _e2343), _e2396.member_2, _e2422), _e2475.member_2, _e2501)), select(_e2428, _e2496, _e2502), vec3<f32>(select(select(select(select(_e2179, _e2238.member, _e2265), _e2317.member, _e2344), _e2396.member, _e2423), _e2475.member, _e2502), select(select(select(select(_e2180, _e2238.member_1, _e2265), _e2317.member_1, _e2344), _e2396.member_1, _e2423), _e2475.member_1, _e2502), select(select(select(select(_e2181, _e2238.member_2, _e2265), _e2317.member_2, _e2344), _e2396.member_2, _e2423), _e2475.member_2, _e2502)), select(_e2432, _e2468, _e2497), select(_e2434, _e2469, (_e2469 > _e2434)), vec3<f32>(select(select(select(select(_e2186, _e2238.member, _e2260), _e2317.member, _e2339), _e2396.member, _e2418), _e2475.member, _e2497), select(select(select(select(_e2187, _e2238.member_1, _e2260), _e2317.member_1, _e2339), _e2396.member_1, _e2418), _e2475.member_1, _e2497), select(select(select(select(_e2188, _e2238.member_2, _e2260), _e2317.member_2, _e2339), _e2396.member_2, _e2418), _e2475.member_2, _e2497)));
+phi_4667_ = type_34(select(_e2424, _e2492, _e2501), vec3<f32>(select(select(select(select(_e2174, _e2238.member, _e2264), _e2317.member, _e2343), _e2396.member, _e2422), _e2475.member, _e2501), select(select(select(select(_e2175, _e2238.member_1, _e2264), _e2317.member_1, _e2343), _e2396.member_1, _e2422), _e2475.member_1, _e2501), select(select(select(select(_e2176, _e2238.member_2, _e2264), _e2317.member_2, _e2343), _e2396.member_2, _e2422), _e2475.member_2, _e2501)), select(_e2428, _e2496, _e2502), vec3<f32>(select(select(select(select(_e2179, _e2238.member, _e2265), _e2317.member, _e2344), _e2396.member, _e2423), _e2475.member, _e2502), select(select(select(select(_e2180, _e2238.member_1, _e2265), _e2317.member_1, _e2344), _e2396.member_1, _e2423), _e2475.member_1, _e2502), select(select(select(select(_e2181, _e2238.member_2, _e2265), _e2317.member_2, _e2344), _e2396.member_2, _e2423), _e2475.member_2, _e2502)), select(_e2432, _e2468, _e2497), select(_e2434, _e2469, (_e2469 > _e2434)), vec3<f32>(select(select(select(select(_e2186, _e2238.member, _e2260), _e2317.member, _e2339), _e2396.member, _e2418), _e2475.member, _e2497), select(select(select(select(_e2187, _e2238.member_1, _e2260), _e2317.member_1, _e2339), _e2396.member_1, _e2418), _e2475.member_1, _e2497), select(select(select(select(_e2188, _e2238.member_2, _e2260), _e2317.member_2, _e2339), _e2396.member_2, _e2418), _e2475.member_2, _e2497)));
 }
 let _e2522 = phi_4667_;
 if ((_e2522.member_4 > -(0.015625f)) && (_e2522.member_4 < 0.015625f)) {
@@ -1051,9 +1051,9 @@ let _e2535 = (_e461[3] * _e2534);
 let _e2536 = (_e461[4] * _e2534);
 let _e2537 = (_e461[5] * _e2534);
 if _e2531 {
-phi_4710_ = type_30(_e2522.member_2, _e2522.member_3);
+phi_4710_ = type_39(_e2522.member_2, _e2522.member_3);
 } else {
-phi_4710_ = type_30(_e2522.member, _e2522.member_1);
+phi_4710_ = type_39(_e2522.member, _e2522.member_1);
 }
 let _e2546 = phi_4710_;
 if _e2531 {
@@ -1102,17 +1102,17 @@ let _e2685 = (select(0i, _e2624, (_e2624 > 0i)) * _e1279);
 let _e2686 = (select(_e1292, _e2642, (_e2642 < _e1292)) * _e1279);
 let _e2687 = (select(0i, _e2639, (_e2639 > 0i)) * _e1284);
 let _e2688 = (select(_e1305, _e2647, (_e2647 < _e1305)) * _e1284);
-local_34 = type_33(array<i32, 4>(_e2662, _e2664, _e2666, 0i), array<u32, 6>(bitcast<u32>(((_e2652 - _e2662) * 16i)), bitcast<u32>(((_e2654 - _e2662) * 16i)), bitcast<u32>(((_e2654 - _e2664) * 16i)), bitcast<u32>(((_e2657 - _e2664) * 16i)), bitcast<u32>(((_e2657 - _e2666) * 16i)), bitcast<u32>(((select(_e1318, _e2658, (_e2658 < _e1318)) - _e2666) * 16i))));
+local_34 = type_28(array<i32, 4>(_e2662, _e2664, _e2666, 0i), array<u32, 6>(bitcast<u32>(((_e2652 - _e2662) * 16i)), bitcast<u32>(((_e2654 - _e2662) * 16i)), bitcast<u32>(((_e2654 - _e2664) * 16i)), bitcast<u32>(((_e2657 - _e2664) * 16i)), bitcast<u32>(((_e2657 - _e2666) * 16i)), bitcast<u32>(((select(_e1318, _e2658, (_e2658 < _e1318)) - _e2666) * 16i))));
 local_35 = vec3<f32>((_e2586 - f32(_e2609)), (_e2590 - f32(_e2624)), (_e2594 - f32(_e2639)));
 let _e2703 = local_34.member[1u];
 let _e2704 = ((_e2687 + _e2685) + _e2703);
 let _e2706 = (_e2704 >> bitcast<u32>(1i));
 let _e2709 = bitcast<u32>(((_e2704 & 1i) * 16i));
 let _e2711 = select(_e1383, _e2706, (_e2706 < _e1383));
-let _e2716 = global_2.member[bitcast<u32>(select(0i, _e2711, (_e2711 > 0i)))];
+let _e2716 = global_1.member[bitcast<u32>(select(0i, _e2711, (_e2711 > 0i)))];
 let _e2720 = (_e2706 + 1i);
 let _e2722 = select(_e1383, _e2720, (_e2720 < _e1383));
-let _e2727 = global_2.member[bitcast<u32>(select(0i, _e2722, (_e2722 > 0i)))];
+let _e2727 = global_1.member[bitcast<u32>(select(0i, _e2722, (_e2722 > 0i)))];
 let _e2734 = ((_e2716 >> bitcast<u32>((_e2709 & 31u))) | ((_e2727 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2709) & 31u))));
 let _e2737 = local_34.member_1[2u];
 let _e2743 = f32(bitcast<i32>(((_e2734 >> bitcast<u32>((_e2737 & 31u))) & 65535u)));
@@ -1124,10 +1124,10 @@ let _e2759 = ((_e2687 + _e2686) + _e2758);
 let _e2761 = (_e2759 >> bitcast<u32>(1i));
 let _e2764 = bitcast<u32>(((_e2759 & 1i) * 16i));
 let _e2766 = select(_e1383, _e2761, (_e2761 < _e1383));
-let _e2771 = global_2.member[bitcast<u32>(select(0i, _e2766, (_e2766 > 0i)))];
+let _e2771 = global_1.member[bitcast<u32>(select(0i, _e2766, (_e2766 > 0i)))];
 let _e2775 = (_e2761 + 1i);
 let _e2777 = select(_e1383, _e2775, (_e2775 < _e1383));
-let _e2782 = global_2.member[bitcast<u32>(select(0i, _e2777, (_e2777 > 0i)))];
+let _e2782 = global_1.member[bitcast<u32>(select(0i, _e2777, (_e2777 > 0i)))];
 let _e2789 = ((_e2771 >> bitcast<u32>((_e2764 & 31u))) | ((_e2782 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2764) & 31u))));
 let _e2790 = local_34.member_1[2u];
 let _e2796 = f32(bitcast<i32>(((_e2789 >> bitcast<u32>((_e2790 & 31u))) & 65535u)));
@@ -1140,10 +1140,10 @@ let _e2815 = ((_e2688 + _e2685) + _e2814);
 let _e2817 = (_e2815 >> bitcast<u32>(1i));
 let _e2820 = bitcast<u32>(((_e2815 & 1i) * 16i));
 let _e2822 = select(_e1383, _e2817, (_e2817 < _e1383));
-let _e2827 = global_2.member[bitcast<u32>(select(0i, _e2822, (_e2822 > 0i)))];
+let _e2827 = global_1.member[bitcast<u32>(select(0i, _e2822, (_e2822 > 0i)))];
 let _e2831 = (_e2817 + 1i);
 let _e2833 = select(_e1383, _e2831, (_e2831 < _e1383));
-let _e2838 = global_2.member[bitcast<u32>(select(0i, _e2833, (_e2833 > 0i)))];
+let _e2838 = global_1.member[bitcast<u32>(select(0i, _e2833, (_e2833 > 0i)))];
 let _e2845 = ((_e2827 >> bitcast<u32>((_e2820 & 31u))) | ((_e2838 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2820) & 31u))));
 let _e2846 = local_34.member_1[2u];
 let _e2852 = f32(bitcast<i32>(((_e2845 >> bitcast<u32>((_e2846 & 31u))) & 65535u)));
@@ -1155,10 +1155,10 @@ let _e2866 = ((_e2688 + _e2686) + _e2865);
 let _e2868 = (_e2866 >> bitcast<u32>(1i));
 let _e2871 = bitcast<u32>(((_e2866 & 1i) * 16i));
 let _e2873 = select(_e1383, _e2868, (_e2868 < _e1383));
-let _e2878 = global_2.member[bitcast<u32>(select(0i, _e2873, (_e2873 > 0i)))];
+let _e2878 = global_1.member[bitcast<u32>(select(0i, _e2873, (_e2873 > 0i)))];
 let _e2882 = (_e2868 + 1i);
 let _e2884 = select(_e1383, _e2882, (_e2882 < _e1383));
-let _e2889 = global_2.member[bitcast<u32>(select(0i, _e2884, (_e2884 > 0i)))];
+let _e2889 = global_1.member[bitcast<u32>(select(0i, _e2884, (_e2884 > 0i)))];
 let _e2896 = ((_e2878 >> bitcast<u32>((_e2871 & 31u))) | ((_e2889 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2871) & 31u))));
 let _e2897 = local_34.member_1[2u];
 let _e2903 = f32(bitcast<i32>(((_e2896 >> bitcast<u32>((_e2897 & 31u))) & 65535u)));
@@ -1174,49 +1174,49 @@ local_33 = _e2930;
 let _e2931 = local_33;
 let _e2933 = (bitcast<i32>(_e228) - 1i);
 let _e2935 = select(_e2933, 263197i, (263197i < _e2933));
-let _e2940 = global_3.member[bitcast<u32>(select(0i, _e2935, (_e2935 > 0i)))];
+let _e2940 = global_2.member[bitcast<u32>(select(0i, _e2935, (_e2935 > 0i)))];
 let _e2941 = bitcast<f32>(_e2940);
 let _e2943 = select(_e2933, 263198i, (263198i < _e2933));
-let _e2948 = global_3.member[bitcast<u32>(select(0i, _e2943, (_e2943 > 0i)))];
+let _e2948 = global_2.member[bitcast<u32>(select(0i, _e2943, (_e2943 > 0i)))];
 let _e2949 = bitcast<f32>(_e2948);
 let _e2951 = select(_e2933, 263199i, (263199i < _e2933));
-let _e2956 = global_3.member[bitcast<u32>(select(0i, _e2951, (_e2951 > 0i)))];
+let _e2956 = global_2.member[bitcast<u32>(select(0i, _e2951, (_e2951 > 0i)))];
 let _e2957 = bitcast<f32>(_e2956);
 let _e2959 = ((_e2931 - _e2941) * _e2949);
 let _e2961 = select(0f, _e2959, (_e2959 > 0f));
 let _e2964 = local_33;
 let _e2966 = select(_e2933, 263200i, (263200i < _e2933));
-let _e2971 = global_3.member[bitcast<u32>(select(0i, _e2966, (_e2966 > 0i)))];
+let _e2971 = global_2.member[bitcast<u32>(select(0i, _e2966, (_e2966 > 0i)))];
 let _e2972 = bitcast<f32>(_e2971);
 let _e2974 = select(_e2933, 263201i, (263201i < _e2933));
-let _e2979 = global_3.member[bitcast<u32>(select(0i, _e2974, (_e2974 > 0i)))];
+let _e2979 = global_2.member[bitcast<u32>(select(0i, _e2974, (_e2974 > 0i)))];
 let _e2980 = bitcast<f32>(_e2979);
 let _e2982 = select(_e2933, 263202i, (263202i < _e2933));
-let _e2987 = global_3.member[bitcast<u32>(select(0i, _e2982, (_e2982 > 0i)))];
+let _e2987 = global_2.member[bitcast<u32>(select(0i, _e2982, (_e2982 > 0i)))];
 let _e2988 = bitcast<f32>(_e2987);
 let _e2990 = ((_e2964 - _e2972) * _e2980);
 let _e2992 = select(0f, _e2990, (_e2990 > 0f));
 let _e2996 = local_33;
 let _e2998 = select(_e2933, 263203i, (263203i < _e2933));
-let _e3003 = global_3.member[bitcast<u32>(select(0i, _e2998, (_e2998 > 0i)))];
+let _e3003 = global_2.member[bitcast<u32>(select(0i, _e2998, (_e2998 > 0i)))];
 let _e3004 = bitcast<f32>(_e3003);
 let _e3006 = select(_e2933, 263204i, (263204i < _e2933));
-let _e3011 = global_3.member[bitcast<u32>(select(0i, _e3006, (_e3006 > 0i)))];
+let _e3011 = global_2.member[bitcast<u32>(select(0i, _e3006, (_e3006 > 0i)))];
 let _e3012 = bitcast<f32>(_e3011);
 let _e3014 = select(_e2933, 263205i, (263205i < _e2933));
-let _e3019 = global_3.member[bitcast<u32>(select(0i, _e3014, (_e3014 > 0i)))];
+let _e3019 = global_2.member[bitcast<u32>(select(0i, _e3014, (_e3014 > 0i)))];
 let _e3020 = bitcast<f32>(_e3019);
 let _e3022 = ((_e2996 - _e3004) * _e3012);
 let _e3024 = select(0f, _e3022, (_e3022 > 0f));
 let _e3027 = local_33;
 let _e3029 = select(_e2933, 263206i, (263206i < _e2933));
-let _e3034 = global_3.member[bitcast<u32>(select(0i, _e3029, (_e3029 > 0i)))];
+let _e3034 = global_2.member[bitcast<u32>(select(0i, _e3029, (_e3029 > 0i)))];
 let _e3035 = bitcast<f32>(_e3034);
 let _e3037 = select(_e2933, 263207i, (263207i < _e2933));
-let _e3042 = global_3.member[bitcast<u32>(select(0i, _e3037, (_e3037 > 0i)))];
+let _e3042 = global_2.member[bitcast<u32>(select(0i, _e3037, (_e3037 > 0i)))];
 let _e3043 = bitcast<f32>(_e3042);
 let _e3045 = select(_e2933, 263208i, (263208i < _e2933));
-let _e3050 = global_3.member[bitcast<u32>(select(0i, _e3045, (_e3045 > 0i)))];
+let _e3050 = global_2.member[bitcast<u32>(select(0i, _e3045, (_e3045 > 0i)))];
 let _e3051 = bitcast<f32>(_e3050);
 let _e3053 = ((_e3027 - _e3035) * _e3043);
 let _e3055 = select(0f, _e3053, (_e3053 > 0f));
@@ -1227,21 +1227,21 @@ let _e3070 = select(0i, select(select(i32(_e3063), i32(-2147483648), (_e3063 < -
 let _e3074 = (_e3070 - select(0i, 1i, (_e3063 < f32(_e3070))));
 let _e3075 = (262147i + _e3074);
 let _e3077 = select(_e2933, _e3075, (_e3075 < _e2933));
-let _e3082 = global_3.member[bitcast<u32>(select(0i, _e3077, (_e3077 > 0i)))];
+let _e3082 = global_2.member[bitcast<u32>(select(0i, _e3077, (_e3077 > 0i)))];
 let _e3092 = select(_e2933, 262146i, (262146i < _e2933));
-let _e3097 = global_3.member[bitcast<u32>(select(0i, _e3092, (_e3092 > 0i)))];
+let _e3097 = global_2.member[bitcast<u32>(select(0i, _e3092, (_e3092 > 0i)))];
 let _e3098 = bitcast<f32>(_e3097);
 let _e3101 = select(_e2933, 262144i, (262144i < _e2933));
-let _e3106 = global_3.member[bitcast<u32>(select(0i, _e3101, (_e3101 > 0i)))];
+let _e3106 = global_2.member[bitcast<u32>(select(0i, _e3101, (_e3101 > 0i)))];
 let _e3107 = bitcast<f32>(_e3106);
 let _e3109 = select(_e2933, 262145i, (262145i < _e2933));
-let _e3114 = global_3.member[bitcast<u32>(select(0i, _e3109, (_e3109 > 0i)))];
+let _e3114 = global_2.member[bitcast<u32>(select(0i, _e3109, (_e3109 > 0i)))];
 let _e3115 = bitcast<f32>(_e3114);
 let _e3121 = ((_e3107 + (f32(bitcast<i32>((_e3082 >> bitcast<u32>(12u)))) * _e3115)) + ((f32((bitcast<i32>((_e3082 & 4095u)) - 2048i)) * _e3098) * (_e3059 - f32(_e3074))));
 if _e2531 {
-phi_5934_ = type_29(_e3121, 1f);
+phi_5934_ = type_31(_e3121, 1f);
 } else {
-phi_5934_ = type_29(1f, _e3121);
+phi_5934_ = type_31(1f, _e3121);
 }
 let _e3125 = phi_5934_;
 let _e3130 = ((_e3125.member_1 * _e3125.member_1) - (_e3125.member * _e3125.member));
@@ -1379,7 +1379,7 @@ let _e3470 = select(select(select(select(select(select(0f, _e1928.member, _e3251
 let _e3471 = select(select(select(select(select(select(0f, _e1928.member_1, _e3251), _e1928.member_1, _e3291), _e1937.member_1, _e3331), _e1937.member_1, _e3371), _e1946.member_1, _e3411), _e1946.member_1, _e3451);
 let _e3472 = select(select(select(select(select(select(1f, _e1928.member_2, _e3251), _e1928.member_2, _e3291), _e1937.member_2, _e3331), _e1937.member_2, _e3371), _e1946.member_2, _e3411), _e1946.member_2, _e3451);
 if _e2192 {
-phi_7457_ = type_36(_e3457, vec3<f32>(_e3458, _e3459, _e3460), _e3462, vec3<f32>(_e3463, _e3464, _e3465), _e3467, _e3469, vec3<f32>(_e3470, _e3471, _e3472));
+phi_7457_ = type_34(_e3457, vec3<f32>(_e3458, _e3459, _e3460), _e3462, vec3<f32>(_e3463, _e3464, _e3465), _e3467, _e3469, vec3<f32>(_e3470, _e3471, _e3472));
 } else {
 let _e3479 = (((_e1928.member * _e1928.member) + (_e1928.member_1 * _e1928.member_1)) + (_e1928.member_2 * _e1928.member_2));
 let _e3482 = sqrt(select(0f, _e3479, (_e3479 > 0f)));
@@ -1459,7 +1459,7 @@ let _e3778 = select(2f, select(0f, _e3770, (_e3750 < 0f)), (_e3751 > 0f));
 let _e3779 = (_e3750 > _e3714);
 let _e3783 = ((_e3774 > _e3706) || ((_e3774 == _e3706) && _e3779));
 let _e3784 = (_e3778 < _e3710);
-phi_7457_ = type_36(select(_e3706, _e3774, _e3783), vec3<f32>(select(select(select(select(_e3458, _e3520.member, _e3546), _e3599.member, _e3625), _e3678.member, _e3704), _e3757.member, _e3783), select(select(select(select(_e3459, _e3520.member_1, _e3546), _e3599.member_1, _e3625), _e3678.member_1, _e3704), _e3757.member_1, _e3783), select(select(select(select(_e3460, _e3520.member_2, _e3546), _e3599.member_2, _e3625), _e3678.member_2, _e3704), _e3757.member_2, _e3783)), select(_e3710, _e3778, _e3784), vec3<f32>(select(select(select(select(_e3463, _e3520.member, _e3547), _e3599.member, _e3626), _e3678.member, _e3705), _e3757.member, _e3784), select(select(select(select(_e3464, _e3520.member_1, _e3547), _e3599.member_1, _e3626), _e3678.member_1, _e3705), _e3757.member_1, _e3784), select(select(select(select(_e3465, _e3520.member_2, _e3547), _e3599.member_2, _e3626), _e3678.member_2, _e3705), _e3757.member_2, _e3784)), select(_e3714, _e3750, _e3779), select(_e3716, _e3751, (_e3751 > _e3716)), vec3<f32>(select(select(select(select(_e3470, _e3520.member, _e3542), _e3599.member, _e3621), _e3678.member, _e3700), _e3757.member, _e3779), select(select(select(select(_e3471, _e3520.member_1, _e3542), _e3599.member_1, _e3621), _e3678.member_1, _e3700), _e3757.member_1, _e3779), select(select(select(select(_e3472, _e3520.member_2, _e3542), _e3599.member_2, _e3621), _e3678.member_2, _e3700), _e3757.member_2, _e3779)));
+phi_7457_ = type_34(select(_e3706, _e3774, _e3783), vec3<f32>(select(select(select(select(_e3458, _e3520.member, _e3546), _e3599.member, _e3625), _e3678.member, _e3704), _e3757.member, _e3783), select(select(select(select(_e3459, _e3520.member_1, _e3546), _e3599.member_1, _e3625), _e3678.member_1, _e3704), _e3757.member_1, _e3783), select(select(select(select(_e3460, _e3520.member_2, _e3546), _e3599.member_2, _e3625), _e3678.member_2, _e3704), _e3757.member_2, _e3783)), select(_e3710, _e3778, _e3784), vec3<f32>(select(select(select(select(_e3463, _e3520.member, _e3547), _e3599.member, _e3626), _e3678.member, _e3705), _e3757.member, _e3784), select(select(select(select(_e3464, _e3520.member_1, _e3547), _e3599.member_1, _e3626), _e3678.member_1, _e3705), _e3757.member_1, _e3784), select(select(select(select(_e3465, _e3520.member_2, _e3547), _e3599.member_2, _e3626), _e3678.member_2, _e3705), _e3757.member_2, _e3784)), select(_e3714, _e3750, _e3779), select(_e3716, _e3751, (_e3751 > _e3716)), vec3<f32>(select(select(select(select(_e3470, _e3520.member, _e3542), _e3599.member, _e3621), _e3678.member, _e3700), _e3757.member, _e3779), select(select(select(select(_e3471, _e3520.member_1, _e3542), _e3599.member_1, _e3621), _e3678.member_1, _e3700), _e3757.member_1, _e3779), select(select(select(select(_e3472, _e3520.member_2, _e3542), _e3599.member_2, _e3621), _e3678.member_2, _e3700), _e3757.member_2, _e3779)));
 }
 let _e3804 = phi_7457_;
 let _e3810 = (((_e2554 && _e3212) && !(_e3197)) && (_e3804.member_2 <= 1f));
@@ -1508,17 +1508,17 @@ let _e3944 = (select(0i, _e3883, (_e3883 > 0i)) * _e1279);
 let _e3945 = (select(_e1292, _e3901, (_e3901 < _e1292)) * _e1279);
 let _e3946 = (select(0i, _e3898, (_e3898 > 0i)) * _e1284);
 let _e3947 = (select(_e1305, _e3906, (_e3906 < _e1305)) * _e1284);
-local_30 = type_33(array<i32, 4>(_e3921, _e3923, _e3925, 0i), array<u32, 6>(bitcast<u32>(((_e3911 - _e3921) * 16i)), bitcast<u32>(((_e3913 - _e3921) * 16i)), bitcast<u32>(((_e3913 - _e3923) * 16i)), bitcast<u32>(((_e3916 - _e3923) * 16i)), bitcast<u32>(((_e3916 - _e3925) * 16i)), bitcast<u32>(((select(_e1318, _e3917, (_e3917 < _e1318)) - _e3925) * 16i))));
+local_30 = type_28(array<i32, 4>(_e3921, _e3923, _e3925, 0i), array<u32, 6>(bitcast<u32>(((_e3911 - _e3921) * 16i)), bitcast<u32>(((_e3913 - _e3921) * 16i)), bitcast<u32>(((_e3913 - _e3923) * 16i)), bitcast<u32>(((_e3916 - _e3923) * 16i)), bitcast<u32>(((_e3916 - _e3925) * 16i)), bitcast<u32>(((select(_e1318, _e3917, (_e3917 < _e1318)) - _e3925) * 16i))));
 local_31 = vec3<f32>((_e3845 - f32(_e3868)), (_e3849 - f32(_e3883)), (_e3853 - f32(_e3898)));
 let _e3962 = local_30.member[1u];
 let _e3963 = ((_e3946 + _e3944) + _e3962);
 let _e3965 = (_e3963 >> bitcast<u32>(1i));
 let _e3968 = bitcast<u32>(((_e3963 & 1i) * 16i));
 let _e3970 = select(_e1383, _e3965, (_e3965 < _e1383));
-let _e3975 = global_2.member[bitcast<u32>(select(0i, _e3970, (_e3970 > 0i)))];
+let _e3975 = global_1.member[bitcast<u32>(select(0i, _e3970, (_e3970 > 0i)))];
 let _e3979 = (_e3965 + 1i);
 let _e3981 = select(_e1383, _e3979, (_e3979 < _e1383));
-let _e3986 = global_2.member[bitcast<u32>(select(0i, _e3981, (_e3981 > 0i)))];
+let _e3986 = global_1.member[bitcast<u32>(select(0i, _e3981, (_e3981 > 0i)))];
 let _e3993 = ((_e3975 >> bitcast<u32>((_e3968 & 31u))) | ((_e3986 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3968) & 31u))));
 let _e3996 = local_30.member_1[2u];
 let _e4002 = f32(bitcast<i32>(((_e3993 >> bitcast<u32>((_e3996 & 31u))) & 65535u)));
@@ -1530,10 +1530,10 @@ let _e4018 = ((_e3946 + _e3945) + _e4017);
 let _e4020 = (_e4018 >> bitcast<u32>(1i));
 let _e4023 = bitcast<u32>(((_e4018 & 1i) * 16i));
 let _e4025 = select(_e1383, _e4020, (_e4020 < _e1383));
-let _e4030 = global_2.member[bitcast<u32>(select(0i, _e4025, (_e4025 > 0i)))];
+let _e4030 = global_1.member[bitcast<u32>(select(0i, _e4025, (_e4025 > 0i)))];
 let _e4034 = (_e4020 + 1i);
 let _e4036 = select(_e1383, _e4034, (_e4034 < _e1383));
-let _e4041 = global_2.member[bitcast<u32>(select(0i, _e4036, (_e4036 > 0i)))];
+let _e4041 = global_1.member[bitcast<u32>(select(0i, _e4036, (_e4036 > 0i)))];
 let _e4048 = ((_e4030 >> bitcast<u32>((_e4023 & 31u))) | ((_e4041 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4023) & 31u))));
 let _e4049 = local_30.member_1[2u];
 let _e4055 = f32(bitcast<i32>(((_e4048 >> bitcast<u32>((_e4049 & 31u))) & 65535u)));
@@ -1546,10 +1546,10 @@ let _e4074 = ((_e3947 + _e3944) + _e4073);
 let _e4076 = (_e4074 >> bitcast<u32>(1i));
 let _e4079 = bitcast<u32>(((_e4074 & 1i) * 16i));
 let _e4081 = select(_e1383, _e4076, (_e4076 < _e1383));
-let _e4086 = global_2.member[bitcast<u32>(select(0i, _e4081, (_e4081 > 0i)))];
+let _e4086 = global_1.member[bitcast<u32>(select(0i, _e4081, (_e4081 > 0i)))];
 let _e4090 = (_e4076 + 1i);
 let _e4092 = select(_e1383, _e4090, (_e4090 < _e1383));
-let _e4097 = global_2.member[bitcast<u32>(select(0i, _e4092, (_e4092 > 0i)))];
+let _e4097 = global_1.member[bitcast<u32>(select(0i, _e4092, (_e4092 > 0i)))];
 let _e4104 = ((_e4086 >> bitcast<u32>((_e4079 & 31u))) | ((_e4097 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4079) & 31u))));
 let _e4105 = local_30.member_1[2u];
 let _e4111 = f32(bitcast<i32>(((_e4104 >> bitcast<u32>((_e4105 & 31u))) & 65535u)));
@@ -1561,10 +1561,10 @@ let _e4125 = ((_e3947 + _e3945) + _e4124);
 let _e4127 = (_e4125 >> bitcast<u32>(1i));
 let _e4130 = bitcast<u32>(((_e4125 & 1i) * 16i));
 let _e4132 = select(_e1383, _e4127, (_e4127 < _e1383));
-let _e4137 = global_2.member[bitcast<u32>(select(0i, _e4132, (_e4132 > 0i)))];
+let _e4137 = global_1.member[bitcast<u32>(select(0i, _e4132, (_e4132 > 0i)))];
 let _e4141 = (_e4127 + 1i);
 let _e4143 = select(_e1383, _e4141, (_e4141 < _e1383));
-let _e4148 = global_2.member[bitcast<u32>(select(0i, _e4143, (_e4143 > 0i)))];
+let _e4148 = global_1.member[bitcast<u32>(select(0i, _e4143, (_e4143 > 0i)))];
 let _e4155 = ((_e4137 >> bitcast<u32>((_e4130 & 31u))) | ((_e4148 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4130) & 31u))));
 let _e4156 = local_30.member_1[2u];
 let _e4162 = f32(bitcast<i32>(((_e4155 >> bitcast<u32>((_e4156 & 31u))) & 65535u)));
@@ -1596,12 +1596,12 @@ let _e4231 = select(0i, select(select(i32(_e4224), i32(-2147483648), (_e4224 < -
 let _e4235 = (_e4231 - select(0i, 1i, (_e4224 < f32(_e4231))));
 let _e4236 = (262147i + _e4235);
 let _e4238 = select(_e2933, _e4236, (_e4236 < _e2933));
-let _e4243 = global_3.member[bitcast<u32>(select(0i, _e4238, (_e4238 > 0i)))];
+let _e4243 = global_2.member[bitcast<u32>(select(0i, _e4238, (_e4238 > 0i)))];
 let _e4258 = ((_e3107 + (f32(bitcast<i32>((_e4243 >> bitcast<u32>(12u)))) * _e3115)) + ((f32((bitcast<i32>((_e4243 & 4095u)) - 2048i)) * _e3098) * (_e4220 - f32(_e4235))));
 if _e3212 {
-phi_8701_ = type_29(_e4258, 1f);
+phi_8701_ = type_31(_e4258, 1f);
 } else {
-phi_8701_ = type_29(1f, _e4258);
+phi_8701_ = type_31(1f, _e4258);
 }
 let _e4262 = phi_8701_;
 let _e4267 = ((_e4262.member_1 * _e4262.member_1) - (_e4262.member * _e4262.member));
@@ -1740,7 +1740,7 @@ let _e4623 = select(select(select(select(select(select(0f, _e1928.member, _e4404
 let _e4624 = select(select(select(select(select(select(0f, _e1928.member_1, _e4404), _e1928.member_1, _e4444), _e1937.member_1, _e4484), _e1937.member_1, _e4524), _e1946.member_1, _e4564), _e1946.member_1, _e4604);
 let _e4625 = select(select(select(select(select(select(1f, _e1928.member_2, _e4404), _e1928.member_2, _e4444), _e1937.member_2, _e4484), _e1937.member_2, _e4524), _e1946.member_2, _e4564), _e1946.member_2, _e4604);
 if _e2192 {
-phi_10239_ = type_36(_e4610, vec3<f32>(_e4611, _e4612, _e4613), _e4615, vec3<f32>(_e4616, _e4617, _e4618), _e4620, _e4622, vec3<f32>(_e4623, _e4624, _e4625));
+phi_10239_ = type_34(_e4610, vec3<f32>(_e4611, _e4612, _e4613), _e4615, vec3<f32>(_e4616, _e4617, _e4618), _e4620, _e4622, vec3<f32>(_e4623, _e4624, _e4625));
 } else {
 let _e4632 = (((_e1928.member * _e1928.member) + (_e1928.member_1 * _e1928.member_1)) + (_e1928.member_2 * _e1928.member_2));
 let _e4635 = sqrt(select(0f, _e4632, (_e4632 > 0f)));
@@ -1820,7 +1820,7 @@ let _e4931 = select(2f, select(0f, _e4923, (_e4903 < 0f)), (_e4904 > 0f));
 let _e4932 = (_e4903 > _e4867);
 let _e4936 = ((_e4927 > _e4859) || ((_e4927 == _e4859) && _e4932));
 let _e4937 = (_e4931 < _e4863);
-phi_10239_ = type_36(select(_e4859, _e4927, _e4936), vec3<f32>(select(select(select(select(_e4611, _e4673.member, _e4699), _e4752.member, _e4778), _e4831.member, _e4857), _e4910.member, _e4936), select(select(select(select(_e4612, _e4673.member_1, _e4699), _e4752.member_1, _e4778), _e4831.member_1, _e4857), _e4910.member_1, _e4936), select(select(select(select(_e4613, _e4673.member_2, _e4699), _e4752.member_2, _e4778), _e4831.member_2, _e4857), _e4910.member_2, _e4936)), select(_e4863, _e4931, _e4937), vec3<f32>(select(select(select(select(_e4616, _e4673.member, _e4700), _e4752.member, _e4779), _e4831.member, _e4858), _e4910.member, _e4937), select(select(select(select(_e4617, _e4673.member_1, _e4700), _e4752.member_1, _e4779), _e4831.member_1, _e4858), _e4910.member_1, _e4937), select(select(select(select(_e4618, _e4673.member_2, _e4700), _e4752.member_2, _e4779), _e4831.member_2, _e4858), _e4910.member_2, _e4937)), select(_e4867, _e4903, _e4932), select(_e4869, _e4904, (_e4904 > _e4869)), vec3<f32>(select(select(select(select(_e4623, _e4673.member, _e4695), _e4752.member, _e4774), _e4831.member, _e4853), _e4910.member, _e4932), select(select(select(select(_e4624, _e4673.member_1, _e4695), _e4752.member_1, _e4774), _e4831.member_1, _e4853), _e4910.member_1, _e4932), select(select(select(select(_e4625, _e4673.member_2, _e4695), _e4752.member_2, _e4774), _e4831.member_2, _e4853), _e4910.member_2, _e4932)));
+phi_10239_ = type_34(select(_e4859, _e4927, _e4936), vec3<f32>(select(select(select(select(_e4611, _e4673.member, _e4699), _e4752.member, _e4778), _e4831.member, _e4857), _e4910.member, _e4936), select(select(select(select(_e4612, _e4673.member_1, _e4699), _e4752.member_1, _e4778), _e4831.member_1, _e4857), _e4910.member_1, _e4936), select(select(select(select(_e4613, _e4673.member_2, _e4699), _e4752.member_2, _e4778), _e4831.member_2, _e4857), _e4910.member_2, _e4936)), select(_e4863, _e4931, _e4937), vec3<f32>(select(select(select(select(_e4616, _e4673.member, _e4700), _e4752.member, _e4779), _e4831.member, _e4858), _e4910.member, _e4937), select(select(select(select(_e4617, _e4673.member_1, _e4700), _e4752.member_1, _e4779), _e4831.member_1, _e4858), _e4910.member_1, _e4937), select(select(select(select(_e4618, _e4673.member_2, _e4700), _e4752.member_2, _e4779), _e4831.member_2, _e4858), _e4910.member_2, _e4937)), select(_e4867, _e4903, _e4932), select(_e4869, _e4904, (_e4904 > _e4869)), vec3<f32>(select(select(select(select(_e4623, _e4673.member, _e4695), _e4752.member, _e4774), _e4831.member, _e4853), _e4910.member, _e4932), select(select(select(select(_e4624, _e4673.member_1, _e4695), _e4752.member_1, _e4774), _e4831.member_1, _e4853), _e4910.member_1, _e4932), select(select(select(select(_e4625, _e4673.member_2, _e4695), _e4752.member_2, _e4774), _e4831.member_2, _e4853), _e4910.member_2, _e4932)));
 }
 let _e4957 = phi_10239_;
 let _e4963 = (((_e3810 && _e4344) && !(_e4328)) && (_e4957.member_2 <= 1f));
@@ -1868,17 +1868,17 @@ let _e5097 = (select(0i, _e5036, (_e5036 > 0i)) * _e1279);
 let _e5098 = (select(_e1292, _e5054, (_e5054 < _e1292)) * _e1279);
 let _e5099 = (select(0i, _e5051, (_e5051 > 0i)) * _e1284);
 let _e5100 = (select(_e1305, _e5059, (_e5059 < _e1305)) * _e1284);
-local_26 = type_33(array<i32, 4>(_e5074, _e5076, _e5078, 0i), array<u32, 6>(bitcast<u32>(((_e5064 - _e5074) * 16i)), bitcast<u32>(((_e5066 - _e5074) * 16i)), bitcast<u32>(((_e5066 - _e5076) * 16i)), bitcast<u32>(((_e5069 - _e5076) * 16i)), bitcast<u32>(((_e5069 - _e5078) * 16i)), bitcast<u32>(((select(_e1318, _e5070, (_e5070 < _e1318)) - _e5078) * 16i))));
+local_26 = type_28(array<i32, 4>(_e5074, _e5076, _e5078, 0i), array<u32, 6>(bitcast<u32>(((_e5064 - _e5074) * 16i)), bitcast<u32>(((_e5066 - _e5074) * 16i)), bitcast<u32>(((_e5066 - _e5076) * 16i)), bitcast<u32>(((_e5069 - _e5076) * 16i)), bitcast<u32>(((_e5069 - _e5078) * 16i)), bitcast<u32>(((select(_e1318, _e5070, (_e5070 < _e1318)) - _e5078) * 16i))));
 local_27 = vec3<f32>((_e4998 - f32(_e5021)), (_e5002 - f32(_e5036)), (_e5006 - f32(_e5051)));
 let _e5115 = local_26.member[1u];
 let _e5116 = ((_e5099 + _e5097) + _e5115);
 let _e5118 = (_e5116 >> bitcast<u32>(1i));
 let _e5121 = bitcast<u32>(((_e5116 & 1i) * 16i));
 let _e5123 = select(_e1383, _e5118, (_e5118 < _e1383));
-let _e5128 = global_2.member[bitcast<u32>(select(0i, _e5123, (_e5123 > 0i)))];
+let _e5128 = global_1.member[bitcast<u32>(select(0i, _e5123, (_e5123 > 0i)))];
 let _e5132 = (_e5118 + 1i);
 let _e5134 = select(_e1383, _e5132, (_e5132 < _e1383));
-let _e5139 = global_2.member[bitcast<u32>(select(0i, _e5134, (_e5134 > 0i)))];
+let _e5139 = global_1.member[bitcast<u32>(select(0i, _e5134, (_e5134 > 0i)))];
 let _e5146 = ((_e5128 >> bitcast<u32>((_e5121 & 31u))) | ((_e5139 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5121) & 31u))));
 let _e5149 = local_26.member_1[2u];
 let _e5155 = f32(bitcast<i32>(((_e5146 >> bitcast<u32>((_e5149 & 31u))) & 65535u)));
@@ -1890,10 +1890,10 @@ let _e5171 = ((_e5099 + _e5098) + _e5170);
 let _e5173 = (_e5171 >> bitcast<u32>(1i));
 let _e5176 = bitcast<u32>(((_e5171 & 1i) * 16i));
 let _e5178 = select(_e1383, _e5173, (_e5173 < _e1383));
-let _e5183 = global_2.member[bitcast<u32>(select(0i, _e5178, (_e5178 > 0i)))];
+let _e5183 = global_1.member[bitcast<u32>(select(0i, _e5178, (_e5178 > 0i)))];
 let _e5187 = (_e5173 + 1i);
 let _e5189 = select(_e1383, _e5187, (_e5187 < _e1383));
-let _e5194 = global_2.member[bitcast<u32>(select(0i, _e5189, (_e5189 > 0i)))];
+let _e5194 = global_1.member[bitcast<u32>(select(0i, _e5189, (_e5189 > 0i)))];
 let _e5201 = ((_e5183 >> bitcast<u32>((_e5176 & 31u))) | ((_e5194 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5176) & 31u))));
 let _e5202 = local_26.member_1[2u];
 let _e5208 = f32(bitcast<i32>(((_e5201 >> bitcast<u32>((_e5202 & 31u))) & 65535u)));
@@ -1906,10 +1906,10 @@ let _e5227 = ((_e5100 + _e5097) + _e5226);
 let _e5229 = (_e5227 >> bitcast<u32>(1i));
 let _e5232 = bitcast<u32>(((_e5227 & 1i) * 16i));
 let _e5234 = select(_e1383, _e5229, (_e5229 < _e1383));
-let _e5239 = global_2.member[bitcast<u32>(select(0i, _e5234, (_e5234 > 0i)))];
+let _e5239 = global_1.member[bitcast<u32>(select(0i, _e5234, (_e5234 > 0i)))];
 let _e5243 = (_e5229 + 1i);
 let _e5245 = select(_e1383, _e5243, (_e5243 < _e1383));
-let _e5250 = global_2.member[bitcast<u32>(select(0i, _e5245, (_e5245 > 0i)))];
+let _e5250 = global_1.member[bitcast<u32>(select(0i, _e5245, (_e5245 > 0i)))];
 let _e5257 = ((_e5239 >> bitcast<u32>((_e5232 & 31u))) | ((_e5250 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5232) & 31u))));
 let _e5258 = local_26.member_1[2u];
 let _e5264 = f32(bitcast<i32>(((_e5257 >> bitcast<u32>((_e5258 & 31u))) & 65535u)));
@@ -1921,10 +1921,10 @@ let _e5278 = ((_e5100 + _e5098) + _e5277);
 let _e5280 = (_e5278 >> bitcast<u32>(1i));
 let _e5283 = bitcast<u32>(((_e5278 & 1i) * 16i));
 let _e5285 = select(_e1383, _e5280, (_e5280 < _e1383));
-let _e5290 = global_2.member[bitcast<u32>(select(0i, _e5285, (_e5285 > 0i)))];
+let _e5290 = global_1.member[bitcast<u32>(select(0i, _e5285, (_e5285 > 0i)))];
 let _e5294 = (_e5280 + 1i);
 let _e5296 = select(_e1383, _e5294, (_e5294 < _e1383));
-let _e5301 = global_2.member[bitcast<u32>(select(0i, _e5296, (_e5296 > 0i)))];
+let _e5301 = global_1.member[bitcast<u32>(select(0i, _e5296, (_e5296 > 0i)))];
 let _e5308 = ((_e5290 >> bitcast<u32>((_e5283 & 31u))) | ((_e5301 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5283) & 31u))));
 let _e5309 = local_26.member_1[2u];
 let _e5315 = f32(bitcast<i32>(((_e5308 >> bitcast<u32>((_e5309 & 31u))) & 65535u)));
@@ -1956,12 +1956,12 @@ let _e5384 = select(0i, select(select(i32(_e5377), i32(-2147483648), (_e5377 < -
 let _e5388 = (_e5384 - select(0i, 1i, (_e5377 < f32(_e5384))));
 let _e5389 = (262147i + _e5388);
 let _e5391 = select(_e2933, _e5389, (_e5389 < _e2933));
-let _e5396 = global_3.member[bitcast<u32>(select(0i, _e5391, (_e5391 > 0i)))];
+let _e5396 = global_2.member[bitcast<u32>(select(0i, _e5391, (_e5391 > 0i)))];
 let _e5411 = ((_e3107 + (f32(bitcast<i32>((_e5396 >> bitcast<u32>(12u)))) * _e3115)) + ((f32((bitcast<i32>((_e5396 & 4095u)) - 2048i)) * _e3098) * (_e5373 - f32(_e5388))));
 if _e4344 {
-phi_11483_ = type_29(_e5411, 1f);
+phi_11483_ = type_31(_e5411, 1f);
 } else {
-phi_11483_ = type_29(1f, _e5411);
+phi_11483_ = type_31(1f, _e5411);
 }
 let _e5415 = phi_11483_;
 let _e5420 = ((_e5415.member_1 * _e5415.member_1) - (_e5415.member * _e5415.member));
@@ -2100,7 +2100,7 @@ let _e5777 = select(select(select(select(select(select(0f, _e1928.member, _e5558
 let _e5778 = select(select(select(select(select(select(0f, _e1928.member_1, _e5558), _e1928.member_1, _e5598), _e1937.member_1, _e5638), _e1937.member_1, _e5678), _e1946.member_1, _e5718), _e1946.member_1, _e5758);
 let _e5779 = select(select(select(select(select(select(1f, _e1928.member_2, _e5558), _e1928.member_2, _e5598), _e1937.member_2, _e5638), _e1937.member_2, _e5678), _e1946.member_2, _e5718), _e1946.member_2, _e5758);
 if _e2192 {
-phi_13021_ = type_36(_e5764, vec3<f32>(_e5765, _e5766, _e5767), _e5769, vec3<f32>(_e5770, _e5771, _e5772), _e5774, _e5776, vec3<f32>(_e5777, _e5778, _e5779));
+phi_13021_ = type_34(_e5764, vec3<f32>(_e5765, _e5766, _e5767), _e5769, vec3<f32>(_e5770, _e5771, _e5772), _e5774, _e5776, vec3<f32>(_e5777, _e5778, _e5779));
 } else {
 let _e5786 = (((_e1928.member * _e1928.member) + (_e1928.member_1 * _e1928.member_1)) + (_e1928.member_2 * _e1928.member_2));
 let _e5789 = sqrt(select(0f, _e5786, (_e5786 > 0f)));
@@ -2180,7 +2180,7 @@ let _e6085 = select(2f, select(0f, _e6077, (_e6057 < 0f)), (_e6058 > 0f));
 let _e6086 = (_e6057 > _e6021);
 let _e6090 = ((_e6081 > _e6013) || ((_e6081 == _e6013) && _e6086));
 let _e6091 = (_e6085 < _e6017);
-phi_13021_ = type_36(select(_e6013, _e6081, _e6090), vec3<f32>(select(select(select(select(_e5765, _e5827.member, _e5853), _e5906.member, _e5932), _e5985.member, _e6011), _e6064.member, _e6090), select(select(select(select(_e5766, _e5827.member_1, _e5853), _e5906.member_1, _e5932), _e5985.member_1, _e6011), _e6064.member_1, _e6090), select(select(select(select(_e5767, _e5827.member_2, _e5853), _e5906.member_2, _e5932), _e5985.member_2, _e6011), _e6064.member_2, _e6090)), select(_e6017, _e6085, _e6091), vec3<f32>(select(select(select(select(_e5770, _e5827.member, _e5854), _e5906.member, _e5933), _e5985.member, _e6012), _e6064.member, _e6091), select(select(select(select(_e5771, _e5827.member_1, _e5854), _e5906.member_1, _e5933), _e5985.member_1, _e6012), _e6064.member_1, _e6091), select(select(select(select(_e5772, _e5827.member_2, _e5854), _e5906.member_2, _e5933), _e5985.member_2, _e6012), _e6064.member_2, _e6091)), select(_e6021, _e6057, _e6086), select(_e6023, _e6058, (_e6058 > _e6023)), vec3<f32>(select(select(select(select(_e5777, _e5827.member, _e5849), _e5906.member, _e5928), _e5985.member, _e6007), _e6064.member, _e6086), select(select(select(select(_e5778, _e5827.member_1, _e5849), _e5906.member_1, _e5928), _e5985.member_1, _e6007), _e6064.member_1, _e6086), select(select(select(select(_e5779, _e5827.member_2, _e5849), _e5906.member_2, _e5928), _e5985.member_2, _e6007), _e6064.member_2, _e6086)));
+phi_13021_ = type_34(select(_e6013, _e6081, _e6090), vec3<f32>(select(select(select(select(_e5765, _e5827.member, _e5853), _e5906.member, _e5932), _e5985.member, _e6011), _e6064.member, _e6090), select(select(select(select(_e5766, _e5827.member_1, _e5853), _e5906.member_1, _e5932), _e5985.member_1, _e6011), _e6064.member_1, _e6090), select(select(select(select(_e5767, _e5827.member_2, _e5853), _e5906.member_2, _e5932), _e5985.member_2, _e6011), _e6064.member_2, _e6090)), select(_e6017, _e6085, _e6091), vec3<f32>(select(select(select(select(_e5770, _e5827.member, _e5854), _e5906.member, _e5933), _e5985.member, _e6012), _e6064.member, _e6091), select(select(select(select(_e5771, _e5827.member_1, _e5854), _e5906.member_1, _e5933), _e5985.member_1, _e6012), _e6064.member_1, _e6091), select(select(select(select(_e5772, _e5827.member_2, _e5854), _e5906.member_2, _e5933), _e5985.member_2, _e6012), _e6064.member_2, _e6091)), select(_e6021, _e6057, _e6086), select(_e6023, _e6058, (_e6058 > _e6023)), vec3<f32>(select(select(select(select(_e5777, _e5827.member, _e5849), _e5906.member, _e5928), _e5985.member, _e6007), _e6064.member, _e6086), select(select(select(select(_e5778, _e5827.member_1, _e5849), _e5906.member_1, _e5928), _e5985.member_1, _e6007), _e6064.member_1, _e6086), select(select(select(select(_e5779, _e5827.member_2, _e5849), _e5906.member_2, _e5928), _e5985.member_2, _e6007), _e6064.member_2, _e6086)));
 }
 let _e6111 = phi_13021_;
 let _e6117 = (((_e4963 && _e5498) && !(_e5482)) && (_e6111.member_2 <= 1f));
@@ -2351,12 +2351,12 @@ phi_14769_ = _e3125;
 phi_14769_ = _e4262;
 }
 let _e6557 = phi_14769_;
-phi_14782_ = type_39(_e6557, vec3<f32>(select(_e5493, _e4976.x, _e6117), select(_e5494, _e4976.y, _e6117), select(_e5495, _e4976.z, _e6117)), vec3<f32>(_e5467, _e5468, _e5469), select(_e1913, ((((sqrt(select(0f, _e6125, (_e6125 > 0f))) * select(0f, _e6206, (_e6206 > 0f))) + (sqrt(select(0f, _e6217, (_e6217 > 0f))) * select(0f, _e6313, (_e6313 > 0f)))) + (sqrt(select(0f, _e6325, (_e6325 > 0f))) * select(0f, _e6421, (_e6421 > 0f)))) + select(0f, (sqrt(select(0f, _e6433, (_e6433 > 0f))) * select(0f, _e6529, (_e6529 > 0f))), _e4963)), _e6536), select((_e480 / _e5469), (2f * (_e3814 / _e3179)), (((_e2554 && !(_e2531)) && _e3212) && !(_e3810))), select(_e3804.member_3, _e2546.member_1, vec3(_e3193)), _e5498, _e6536, (((_e3197 || _e4328) || _e5482) || _e6117));
+phi_14782_ = type_38(_e6557, vec3<f32>(select(_e5493, _e4976.x, _e6117), select(_e5494, _e4976.y, _e6117), select(_e5495, _e4976.z, _e6117)), vec3<f32>(_e5467, _e5468, _e5469), select(_e1913, ((((sqrt(select(0f, _e6125, (_e6125 > 0f))) * select(0f, _e6206, (_e6206 > 0f))) + (sqrt(select(0f, _e6217, (_e6217 > 0f))) * select(0f, _e6313, (_e6313 > 0f)))) + (sqrt(select(0f, _e6325, (_e6325 > 0f))) * select(0f, _e6421, (_e6421 > 0f)))) + select(0f, (sqrt(select(0f, _e6433, (_e6433 > 0f))) * select(0f, _e6529, (_e6529 > 0f))), _e4963)), _e6536), select((_e480 / _e5469), (2f * (_e3814 / _e3179)), (((_e2554 && !(_e2531)) && _e3212) && !(_e3810))), select(_e3804.member_3, _e2546.member_1, vec3(_e3193)), _e5498, _e6536, (((_e3197 || _e4328) || _e5482) || _e6117));
 phi_14783_ = vec3<f32>(_e2535, _e2536, _e2537);
 phi_14784_ = _e2531;
 phi_14785_ = _e2532;
 } else {
-phi_14782_ = type_39(_e1826.member, _e1826.member_1, _e1826.member_2, _e1913, _e1826.member_4, _e1826.member_5, _e1826.member_6, _e1826.member_7, _e1826.member_8);
+phi_14782_ = type_38(_e1826.member, _e1826.member_1, _e1826.member_2, _e1913, _e1826.member_4, _e1826.member_5, _e1826.member_6, _e1826.member_7, _e1826.member_8);
 phi_14783_ = _e1149;
 phi_14784_ = true;
 phi_14785_ = _e1814;
@@ -2410,7 +2410,7 @@ let _e7056 = (select(0i, _e7006, (_e7006 > 0i)) * _e1284);
 let _e7057 = (select(0i, _e6994, (_e6994 > 0i)) * _e1284);
 let _e7058 = (select(_e1305, _e7011, (_e7011 < _e1305)) * _e1284);
 let _e7059 = (select(_e1305, _e7014, (_e7014 < _e1305)) * _e1284);
-local_22 = type_33(array<i32, 4>(_e7029, _e7031, _e7033, 0i), array<u32, 6>(bitcast<u32>(((_e7019 - _e7029) * 16i)), bitcast<u32>(((_e7021 - _e7029) * 16i)), bitcast<u32>(((_e7021 - _e7031) * 16i)), bitcast<u32>(((_e7024 - _e7031) * 16i)), bitcast<u32>(((_e7024 - _e7033) * 16i)), bitcast<u32>(((select(_e1318, _e7025, (_e7025 < _e1318)) - _e7033) * 16i))));
+local_22 = type_28(array<i32, 4>(_e7029, _e7031, _e7033, 0i), array<u32, 6>(bitcast<u32>(((_e7019 - _e7029) * 16i)), bitcast<u32>(((_e7021 - _e7029) * 16i)), bitcast<u32>(((_e7021 - _e7031) * 16i)), bitcast<u32>(((_e7024 - _e7031) * 16i)), bitcast<u32>(((_e7024 - _e7033) * 16i)), bitcast<u32>(((select(_e1318, _e7025, (_e7025 < _e1318)) - _e7033) * 16i))));
 local_23 = vec3<f32>((_e6941 - f32(_e6964)), (_e6945 - f32(_e6979)), (_e6949 - f32(_e6994)));
 let _e7071 = (_e7057 + _e7053);
 let _e7074 = local_22.member[0u];
@@ -2418,20 +2418,20 @@ let _e7075 = (_e7071 + _e7074);
 let _e7077 = (_e7075 >> bitcast<u32>(1i));
 let _e7080 = bitcast<u32>(((_e7075 & 1i) * 16i));
 let _e7082 = select(_e1383, _e7077, (_e7077 < _e1383));
-let _e7087 = global_2.member[bitcast<u32>(select(0i, _e7082, (_e7082 > 0i)))];
+let _e7087 = global_1.member[bitcast<u32>(select(0i, _e7082, (_e7082 > 0i)))];
 let _e7091 = (_e7077 + 1i);
 let _e7093 = select(_e1383, _e7091, (_e7091 < _e1383));
-let _e7098 = global_2.member[bitcast<u32>(select(0i, _e7093, (_e7093 > 0i)))];
+let _e7098 = global_1.member[bitcast<u32>(select(0i, _e7093, (_e7093 > 0i)))];
 let _e7105 = ((_e7087 >> bitcast<u32>((_e7080 & 31u))) | ((_e7098 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7080) & 31u))));
 let _e7108 = local_22.member[2u];
 let _e7109 = (_e7071 + _e7108);
 let _e7111 = (_e7109 >> bitcast<u32>(1i));
 let _e7114 = bitcast<u32>(((_e7109 & 1i) * 16i));
 let _e7116 = select(_e1383, _e7111, (_e7111 < _e1383));
-let _e7121 = global_2.member[bitcast<u32>(select(0i, _e7116, (_e7116 > 0i)))];
+let _e7121 = global_1.member[bitcast<u32>(select(0i, _e7116, (_e7116 > 0i)))];
 let _e7125 = (_e7111 + 1i);
 let _e7127 = select(_e1383, _e7125, (_e7125 < _e1383));
-let _e7132 = global_2.member[bitcast<u32>(select(0i, _e7127, (_e7127 > 0i)))];
+let _e7132 = global_1.member[bitcast<u32>(select(0i, _e7127, (_e7127 > 0i)))];
 let _e7139 = ((_e7121 >> bitcast<u32>((_e7114 & 31u))) | ((_e7132 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7114) & 31u))));
 let _e7142 = local_22.member_1[0u];
 let _e7148 = f32(bitcast<i32>(((_e7105 >> bitcast<u32>((_e7142 & 31u))) & 65535u)));
@@ -2452,20 +2452,20 @@ let _e7190 = (_e7188 + _e7189);
 let _e7192 = (_e7190 >> bitcast<u32>(1i));
 let _e7195 = bitcast<u32>(((_e7190 & 1i) * 16i));
 let _e7197 = select(_e1383, _e7192, (_e7192 < _e1383));
-let _e7202 = global_2.member[bitcast<u32>(select(0i, _e7197, (_e7197 > 0i)))];
+let _e7202 = global_1.member[bitcast<u32>(select(0i, _e7197, (_e7197 > 0i)))];
 let _e7206 = (_e7192 + 1i);
 let _e7208 = select(_e1383, _e7206, (_e7206 < _e1383));
-let _e7213 = global_2.member[bitcast<u32>(select(0i, _e7208, (_e7208 > 0i)))];
+let _e7213 = global_1.member[bitcast<u32>(select(0i, _e7208, (_e7208 > 0i)))];
 let _e7220 = ((_e7202 >> bitcast<u32>((_e7195 & 31u))) | ((_e7213 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7195) & 31u))));
 let _e7221 = local_22.member[2u];
 let _e7222 = (_e7188 + _e7221);
 let _e7224 = (_e7222 >> bitcast<u32>(1i));
 let _e7227 = bitcast<u32>(((_e7222 & 1i) * 16i));
 let _e7229 = select(_e1383, _e7224, (_e7224 < _e1383));
-let _e7234 = global_2.member[bitcast<u32>(select(0i, _e7229, (_e7229 > 0i)))];
+let _e7234 = global_1.member[bitcast<u32>(select(0i, _e7229, (_e7229 > 0i)))];
 let _e7238 = (_e7224 + 1i);
 let _e7240 = select(_e1383, _e7238, (_e7238 < _e1383));
-let _e7245 = global_2.member[bitcast<u32>(select(0i, _e7240, (_e7240 > 0i)))];
+let _e7245 = global_1.member[bitcast<u32>(select(0i, _e7240, (_e7240 > 0i)))];
 let _e7252 = ((_e7234 >> bitcast<u32>((_e7227 & 31u))) | ((_e7245 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7227) & 31u))));
 let _e7253 = local_22.member_1[0u];
 let _e7259 = f32(bitcast<i32>(((_e7220 >> bitcast<u32>((_e7253 & 31u))) & 65535u)));
@@ -2484,20 +2484,20 @@ let _e7295 = (_e7293 + _e7294);
 let _e7297 = (_e7295 >> bitcast<u32>(1i));
 let _e7300 = bitcast<u32>(((_e7295 & 1i) * 16i));
 let _e7302 = select(_e1383, _e7297, (_e7297 < _e1383));
-let _e7307 = global_2.member[bitcast<u32>(select(0i, _e7302, (_e7302 > 0i)))];
+let _e7307 = global_1.member[bitcast<u32>(select(0i, _e7302, (_e7302 > 0i)))];
 let _e7311 = (_e7297 + 1i);
 let _e7313 = select(_e1383, _e7311, (_e7311 < _e1383));
-let _e7318 = global_2.member[bitcast<u32>(select(0i, _e7313, (_e7313 > 0i)))];
+let _e7318 = global_1.member[bitcast<u32>(select(0i, _e7313, (_e7313 > 0i)))];
 let _e7325 = ((_e7307 >> bitcast<u32>((_e7300 & 31u))) | ((_e7318 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7300) & 31u))));
 let _e7326 = local_22.member[2u];
 let _e7327 = (_e7293 + _e7326);
 let _e7329 = (_e7327 >> bitcast<u32>(1i));
 let _e7332 = bitcast<u32>(((_e7327 & 1i) * 16i));
 let _e7334 = select(_e1383, _e7329, (_e7329 < _e1383));
-let _e7339 = global_2.member[bitcast<u32>(select(0i, _e7334, (_e7334 > 0i)))];
+let _e7339 = global_1.member[bitcast<u32>(select(0i, _e7334, (_e7334 > 0i)))];
 let _e7343 = (_e7329 + 1i);
 let _e7345 = select(_e1383, _e7343, (_e7343 < _e1383));
-let _e7350 = global_2.member[bitcast<u32>(select(0i, _e7345, (_e7345 > 0i)))];
+let _e7350 = global_1.member[bitcast<u32>(select(0i, _e7345, (_e7345 > 0i)))];
 let _e7357 = ((_e7339 >> bitcast<u32>((_e7332 & 31u))) | ((_e7350 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7332) & 31u))));
 let _e7358 = local_22.member_1[0u];
 let _e7364 = f32(bitcast<i32>(((_e7325 >> bitcast<u32>((_e7358 & 31u))) & 65535u)));
@@ -2518,20 +2518,20 @@ let _e7400 = (_e7398 + _e7399);
 let _e7402 = (_e7400 >> bitcast<u32>(1i));
 let _e7405 = bitcast<u32>(((_e7400 & 1i) * 16i));
 let _e7407 = select(_e1383, _e7402, (_e7402 < _e1383));
-let _e7412 = global_2.member[bitcast<u32>(select(0i, _e7407, (_e7407 > 0i)))];
+let _e7412 = global_1.member[bitcast<u32>(select(0i, _e7407, (_e7407 > 0i)))];
 let _e7416 = (_e7402 + 1i);
 let _e7418 = select(_e1383, _e7416, (_e7416 < _e1383));
-let _e7423 = global_2.member[bitcast<u32>(select(0i, _e7418, (_e7418 > 0i)))];
+let _e7423 = global_1.member[bitcast<u32>(select(0i, _e7418, (_e7418 > 0i)))];
 let _e7430 = ((_e7412 >> bitcast<u32>((_e7405 & 31u))) | ((_e7423 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7405) & 31u))));
 let _e7431 = local_22.member[2u];
 let _e7432 = (_e7398 + _e7431);
 let _e7434 = (_e7432 >> bitcast<u32>(1i));
 let _e7437 = bitcast<u32>(((_e7432 & 1i) * 16i));
 let _e7439 = select(_e1383, _e7434, (_e7434 < _e1383));
-let _e7444 = global_2.member[bitcast<u32>(select(0i, _e7439, (_e7439 > 0i)))];
+let _e7444 = global_1.member[bitcast<u32>(select(0i, _e7439, (_e7439 > 0i)))];
 let _e7448 = (_e7434 + 1i);
 let _e7450 = select(_e1383, _e7448, (_e7448 < _e1383));
-let _e7455 = global_2.member[bitcast<u32>(select(0i, _e7450, (_e7450 > 0i)))];
+let _e7455 = global_1.member[bitcast<u32>(select(0i, _e7450, (_e7450 > 0i)))];
 let _e7462 = ((_e7444 >> bitcast<u32>((_e7437 & 31u))) | ((_e7455 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7437) & 31u))));
 let _e7463 = local_22.member_1[0u];
 let _e7469 = f32(bitcast<i32>(((_e7430 >> bitcast<u32>((_e7463 & 31u))) & 65535u)));
@@ -2549,10 +2549,10 @@ let _e7507 = ((_e7057 + _e7052) + _e7506);
 let _e7509 = (_e7507 >> bitcast<u32>(1i));
 let _e7512 = bitcast<u32>(((_e7507 & 1i) * 16i));
 let _e7514 = select(_e1383, _e7509, (_e7509 < _e1383));
-let _e7519 = global_2.member[bitcast<u32>(select(0i, _e7514, (_e7514 > 0i)))];
+let _e7519 = global_1.member[bitcast<u32>(select(0i, _e7514, (_e7514 > 0i)))];
 let _e7523 = (_e7509 + 1i);
 let _e7525 = select(_e1383, _e7523, (_e7523 < _e1383));
-let _e7530 = global_2.member[bitcast<u32>(select(0i, _e7525, (_e7525 > 0i)))];
+let _e7530 = global_1.member[bitcast<u32>(select(0i, _e7525, (_e7525 > 0i)))];
 let _e7537 = ((_e7519 >> bitcast<u32>((_e7512 & 31u))) | ((_e7530 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7512) & 31u))));
 let _e7540 = local_22.member_1[2u];
 let _e7546 = f32(bitcast<i32>(((_e7537 >> bitcast<u32>((_e7540 & 31u))) & 65535u)));
@@ -2564,10 +2564,10 @@ let _e7562 = ((_e7057 + _e7055) + _e7561);
 let _e7564 = (_e7562 >> bitcast<u32>(1i));
 let _e7567 = bitcast<u32>(((_e7562 & 1i) * 16i));
 let _e7569 = select(_e1383, _e7564, (_e7564 < _e1383));
-let _e7574 = global_2.member[bitcast<u32>(select(0i, _e7569, (_e7569 > 0i)))];
+let _e7574 = global_1.member[bitcast<u32>(select(0i, _e7569, (_e7569 > 0i)))];
 let _e7578 = (_e7564 + 1i);
 let _e7580 = select(_e1383, _e7578, (_e7578 < _e1383));
-let _e7585 = global_2.member[bitcast<u32>(select(0i, _e7580, (_e7580 > 0i)))];
+let _e7585 = global_1.member[bitcast<u32>(select(0i, _e7580, (_e7580 > 0i)))];
 let _e7592 = ((_e7574 >> bitcast<u32>((_e7567 & 31u))) | ((_e7585 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7567) & 31u))));
 let _e7593 = local_22.member_1[2u];
 let _e7599 = f32(bitcast<i32>(((_e7592 >> bitcast<u32>((_e7593 & 31u))) & 65535u)));
@@ -2578,10 +2578,10 @@ let _e7613 = ((_e7058 + _e7052) + _e7612);
 let _e7615 = (_e7613 >> bitcast<u32>(1i));
 let _e7618 = bitcast<u32>(((_e7613 & 1i) * 16i));
 let _e7620 = select(_e1383, _e7615, (_e7615 < _e1383));
-let _e7625 = global_2.member[bitcast<u32>(select(0i, _e7620, (_e7620 > 0i)))];
+let _e7625 = global_1.member[bitcast<u32>(select(0i, _e7620, (_e7620 > 0i)))];
 let _e7629 = (_e7615 + 1i);
 let _e7631 = select(_e1383, _e7629, (_e7629 < _e1383));
-let _e7636 = global_2.member[bitcast<u32>(select(0i, _e7631, (_e7631 > 0i)))];
+let _e7636 = global_1.member[bitcast<u32>(select(0i, _e7631, (_e7631 > 0i)))];
 let _e7643 = ((_e7625 >> bitcast<u32>((_e7618 & 31u))) | ((_e7636 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7618) & 31u))));
 let _e7644 = local_22.member_1[2u];
 let _e7650 = f32(bitcast<i32>(((_e7643 >> bitcast<u32>((_e7644 & 31u))) & 65535u)));
@@ -2593,10 +2593,10 @@ let _e7664 = ((_e7058 + _e7055) + _e7663);
 let _e7666 = (_e7664 >> bitcast<u32>(1i));
 let _e7669 = bitcast<u32>(((_e7664 & 1i) * 16i));
 let _e7671 = select(_e1383, _e7666, (_e7666 < _e1383));
-let _e7676 = global_2.member[bitcast<u32>(select(0i, _e7671, (_e7671 > 0i)))];
+let _e7676 = global_1.member[bitcast<u32>(select(0i, _e7671, (_e7671 > 0i)))];
 let _e7680 = (_e7666 + 1i);
 let _e7682 = select(_e1383, _e7680, (_e7680 < _e1383));
-let _e7687 = global_2.member[bitcast<u32>(select(0i, _e7682, (_e7682 > 0i)))];
+let _e7687 = global_1.member[bitcast<u32>(select(0i, _e7682, (_e7682 > 0i)))];
 let _e7694 = ((_e7676 >> bitcast<u32>((_e7669 & 31u))) | ((_e7687 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7669) & 31u))));
 let _e7695 = local_22.member_1[2u];
 let _e7701 = f32(bitcast<i32>(((_e7694 >> bitcast<u32>((_e7695 & 31u))) & 65535u)));
@@ -2607,10 +2607,10 @@ let _e7715 = ((_e7056 + _e7053) + _e7714);
 let _e7717 = (_e7715 >> bitcast<u32>(1i));
 let _e7720 = bitcast<u32>(((_e7715 & 1i) * 16i));
 let _e7722 = select(_e1383, _e7717, (_e7717 < _e1383));
-let _e7727 = global_2.member[bitcast<u32>(select(0i, _e7722, (_e7722 > 0i)))];
+let _e7727 = global_1.member[bitcast<u32>(select(0i, _e7722, (_e7722 > 0i)))];
 let _e7731 = (_e7717 + 1i);
 let _e7733 = select(_e1383, _e7731, (_e7731 < _e1383));
-let _e7738 = global_2.member[bitcast<u32>(select(0i, _e7733, (_e7733 > 0i)))];
+let _e7738 = global_1.member[bitcast<u32>(select(0i, _e7733, (_e7733 > 0i)))];
 let _e7745 = ((_e7727 >> bitcast<u32>((_e7720 & 31u))) | ((_e7738 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7720) & 31u))));
 let _e7746 = local_22.member_1[2u];
 let _e7752 = f32(bitcast<i32>(((_e7745 >> bitcast<u32>((_e7746 & 31u))) & 65535u)));
@@ -2622,10 +2622,10 @@ let _e7766 = ((_e7059 + _e7053) + _e7765);
 let _e7768 = (_e7766 >> bitcast<u32>(1i));
 let _e7771 = bitcast<u32>(((_e7766 & 1i) * 16i));
 let _e7773 = select(_e1383, _e7768, (_e7768 < _e1383));
-let _e7778 = global_2.member[bitcast<u32>(select(0i, _e7773, (_e7773 > 0i)))];
+let _e7778 = global_1.member[bitcast<u32>(select(0i, _e7773, (_e7773 > 0i)))];
 let _e7782 = (_e7768 + 1i);
 let _e7784 = select(_e1383, _e7782, (_e7782 < _e1383));
-let _e7789 = global_2.member[bitcast<u32>(select(0i, _e7784, (_e7784 > 0i)))];
+let _e7789 = global_1.member[bitcast<u32>(select(0i, _e7784, (_e7784 > 0i)))];
 let _e7796 = ((_e7778 >> bitcast<u32>((_e7771 & 31u))) | ((_e7789 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7771) & 31u))));
 let _e7797 = local_22.member_1[2u];
 let _e7803 = f32(bitcast<i32>(((_e7796 >> bitcast<u32>((_e7797 & 31u))) & 65535u)));
@@ -2637,10 +2637,10 @@ let _e7817 = ((_e7056 + _e7054) + _e7816);
 let _e7819 = (_e7817 >> bitcast<u32>(1i));
 let _e7822 = bitcast<u32>(((_e7817 & 1i) * 16i));
 let _e7824 = select(_e1383, _e7819, (_e7819 < _e1383));
-let _e7829 = global_2.member[bitcast<u32>(select(0i, _e7824, (_e7824 > 0i)))];
+let _e7829 = global_1.member[bitcast<u32>(select(0i, _e7824, (_e7824 > 0i)))];
 let _e7833 = (_e7819 + 1i);
 let _e7835 = select(_e1383, _e7833, (_e7833 < _e1383));
-let _e7840 = global_2.member[bitcast<u32>(select(0i, _e7835, (_e7835 > 0i)))];
+let _e7840 = global_1.member[bitcast<u32>(select(0i, _e7835, (_e7835 > 0i)))];
 let _e7847 = ((_e7829 >> bitcast<u32>((_e7822 & 31u))) | ((_e7840 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7822) & 31u))));
 let _e7848 = local_22.member_1[2u];
 let _e7854 = f32(bitcast<i32>(((_e7847 >> bitcast<u32>((_e7848 & 31u))) & 65535u)));
@@ -2651,10 +2651,10 @@ let _e7868 = ((_e7059 + _e7054) + _e7867);
 let _e7870 = (_e7868 >> bitcast<u32>(1i));
 let _e7873 = bitcast<u32>(((_e7868 & 1i) * 16i));
 let _e7875 = select(_e1383, _e7870, (_e7870 < _e1383));
-let _e7880 = global_2.member[bitcast<u32>(select(0i, _e7875, (_e7875 > 0i)))];
+let _e7880 = global_1.member[bitcast<u32>(select(0i, _e7875, (_e7875 > 0i)))];
 let _e7884 = (_e7870 + 1i);
 let _e7886 = select(_e1383, _e7884, (_e7884 < _e1383));
-let _e7891 = global_2.member[bitcast<u32>(select(0i, _e7886, (_e7886 > 0i)))];
+let _e7891 = global_1.member[bitcast<u32>(select(0i, _e7886, (_e7886 > 0i)))];
 let _e7898 = ((_e7880 >> bitcast<u32>((_e7873 & 31u))) | ((_e7891 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7873) & 31u))));
 let _e7899 = local_22.member_1[2u];
 let _e7905 = f32(bitcast<i32>(((_e7898 >> bitcast<u32>((_e7899 & 31u))) & 65535u)));
@@ -2713,50 +2713,50 @@ local_21 = _e8037;
 let _e8038 = local_21;
 let _e8040 = (bitcast<i32>(_e228) - 1i);
 let _e8042 = select(_e8040, 263197i, (263197i < _e8040));
-let _e8047 = global_3.member[bitcast<u32>(select(0i, _e8042, (_e8042 > 0i)))];
+let _e8047 = global_2.member[bitcast<u32>(select(0i, _e8042, (_e8042 > 0i)))];
 let _e8048 = bitcast<f32>(_e8047);
 let _e8050 = select(_e8040, 263198i, (263198i < _e8040));
 let _e8053 = bitcast<u32>(select(0i, _e8050, (_e8050 > 0i)));
-let _e8055 = global_3.member[_e8053];
+let _e8055 = global_2.member[_e8053];
 let _e8056 = bitcast<f32>(_e8055);
 let _e8058 = select(_e8040, 263199i, (263199i < _e8040));
-let _e8063 = global_3.member[bitcast<u32>(select(0i, _e8058, (_e8058 > 0i)))];
+let _e8063 = global_2.member[bitcast<u32>(select(0i, _e8058, (_e8058 > 0i)))];
 let _e8064 = bitcast<f32>(_e8063);
 let _e8066 = ((_e8038 - _e8048) * _e8056);
 let _e8068 = select(0f, _e8066, (_e8066 > 0f));
 let _e8071 = local_21;
 let _e8073 = select(_e8040, 263200i, (263200i < _e8040));
-let _e8078 = global_3.member[bitcast<u32>(select(0i, _e8073, (_e8073 > 0i)))];
+let _e8078 = global_2.member[bitcast<u32>(select(0i, _e8073, (_e8073 > 0i)))];
 let _e8079 = bitcast<f32>(_e8078);
 let _e8081 = select(_e8040, 263201i, (263201i < _e8040));
-let _e8086 = global_3.member[bitcast<u32>(select(0i, _e8081, (_e8081 > 0i)))];
+let _e8086 = global_2.member[bitcast<u32>(select(0i, _e8081, (_e8081 > 0i)))];
 let _e8087 = bitcast<f32>(_e8086);
 let _e8089 = select(_e8040, 263202i, (263202i < _e8040));
-let _e8094 = global_3.member[bitcast<u32>(select(0i, _e8089, (_e8089 > 0i)))];
+let _e8094 = global_2.member[bitcast<u32>(select(0i, _e8089, (_e8089 > 0i)))];
 let _e8095 = bitcast<f32>(_e8094);
 let _e8097 = ((_e8071 - _e8079) * _e8087);
 let _e8099 = select(0f, _e8097, (_e8097 > 0f));
 let _e8103 = local_21;
 let _e8105 = select(_e8040, 263203i, (263203i < _e8040));
-let _e8110 = global_3.member[bitcast<u32>(select(0i, _e8105, (_e8105 > 0i)))];
+let _e8110 = global_2.member[bitcast<u32>(select(0i, _e8105, (_e8105 > 0i)))];
 let _e8111 = bitcast<f32>(_e8110);
 let _e8113 = select(_e8040, 263204i, (263204i < _e8040));
-let _e8118 = global_3.member[bitcast<u32>(select(0i, _e8113, (_e8113 > 0i)))];
+let _e8118 = global_2.member[bitcast<u32>(select(0i, _e8113, (_e8113 > 0i)))];
 let _e8119 = bitcast<f32>(_e8118);
 let _e8121 = select(_e8040, 263205i, (263205i < _e8040));
-let _e8126 = global_3.member[bitcast<u32>(select(0i, _e8121, (_e8121 > 0i)))];
+let _e8126 = global_2.member[bitcast<u32>(select(0i, _e8121, (_e8121 > 0i)))];
 let _e8127 = bitcast<f32>(_e8126);
 let _e8129 = ((_e8103 - _e8111) * _e8119);
 let _e8131 = select(0f, _e8129, (_e8129 > 0f));
 let _e8134 = local_21;
 let _e8136 = select(_e8040, 263206i, (263206i < _e8040));
-let _e8141 = global_3.member[bitcast<u32>(select(0i, _e8136, (_e8136 > 0i)))];
+let _e8141 = global_2.member[bitcast<u32>(select(0i, _e8136, (_e8136 > 0i)))];
 let _e8142 = bitcast<f32>(_e8141);
 let _e8144 = select(_e8040, 263207i, (263207i < _e8040));
-let _e8149 = global_3.member[bitcast<u32>(select(0i, _e8144, (_e8144 > 0i)))];
+let _e8149 = global_2.member[bitcast<u32>(select(0i, _e8144, (_e8144 > 0i)))];
 let _e8150 = bitcast<f32>(_e8149);
 let _e8152 = select(_e8040, 263208i, (263208i < _e8040));
-let _e8157 = global_3.member[bitcast<u32>(select(0i, _e8152, (_e8152 > 0i)))];
+let _e8157 = global_2.member[bitcast<u32>(select(0i, _e8152, (_e8152 > 0i)))];
 let _e8158 = bitcast<f32>(_e8157);
 let _e8160 = ((_e8134 - _e8142) * _e8150);
 let _e8162 = select(0f, _e8160, (_e8160 > 0f));
@@ -2767,34 +2767,34 @@ let _e8177 = select(0i, select(select(i32(_e8170), i32(-2147483648), (_e8170 < -
 let _e8181 = (_e8177 - select(0i, 1i, (_e8170 < f32(_e8177))));
 let _e8182 = (262147i + _e8181);
 let _e8184 = select(_e8040, _e8182, (_e8182 < _e8040));
-let _e8190 = global_3.member[bitcast<u32>(select(0i, _e8184, (_e8184 > 0i)))];
+let _e8190 = global_2.member[bitcast<u32>(select(0i, _e8184, (_e8184 > 0i)))];
 let _e8200 = select(_e8040, 262146i, (262146i < _e8040));
-let _e8206 = global_3.member[bitcast<u32>(select(0i, _e8200, (_e8200 > 0i)))];
+let _e8206 = global_2.member[bitcast<u32>(select(0i, _e8200, (_e8200 > 0i)))];
 let _e8207 = bitcast<f32>(_e8206);
 let _e8208 = (f32((bitcast<i32>((_e8190 & 4095u)) - 2048i)) * _e8207);
 let _e8210 = select(_e8040, 262144i, (262144i < _e8040));
-let _e8216 = global_3.member[bitcast<u32>(select(0i, _e8210, (_e8210 > 0i)))];
+let _e8216 = global_2.member[bitcast<u32>(select(0i, _e8210, (_e8210 > 0i)))];
 let _e8217 = bitcast<f32>(_e8216);
 let _e8219 = select(_e8040, 262145i, (262145i < _e8040));
-let _e8225 = global_3.member[bitcast<u32>(select(0i, _e8219, (_e8219 > 0i)))];
+let _e8225 = global_2.member[bitcast<u32>(select(0i, _e8219, (_e8219 > 0i)))];
 let _e8226 = bitcast<f32>(_e8225);
 let _e8232 = ((_e8217 + (f32(bitcast<i32>((_e8190 >> bitcast<u32>(12u)))) * _e8226)) + (_e8208 * (_e8166 - f32(_e8181))));
-let _e8235 = global_3.member[_e8053];
+let _e8235 = global_2.member[_e8053];
 let _e8237 = local_20;
 let _e8240 = local_20;
 let _e8243 = local_20;
 let _e8247 = select(_e8040, 263209i, (263209i < _e8040));
-let _e8253 = global_3.member[bitcast<u32>(select(0i, _e8247, (_e8247 > 0i)))];
+let _e8253 = global_2.member[bitcast<u32>(select(0i, _e8247, (_e8247 > 0i)))];
 let _e8255 = local_20;
 let _e8258 = select(_e8040, 263210i, (263210i < _e8040));
-let _e8264 = global_3.member[bitcast<u32>(select(0i, _e8258, (_e8258 > 0i)))];
+let _e8264 = global_2.member[bitcast<u32>(select(0i, _e8258, (_e8258 > 0i)))];
 let _e8266 = local_20;
 let _e8270 = (_e8208 * select(0f, select(select(select(bitcast<f32>(_e8235), _e8087, (_e8237 >= _e8079)), _e8119, (_e8240 >= _e8111)), _e8150, (_e8243 >= _e8142)), ((_e8255 >= bitcast<f32>(_e8253)) && (_e8266 <= bitcast<f32>(_e8264)))));
 if _e835 {
 let _e8721 = ((0.5f * (_e8012 - _e8006)) * _e8270);
 let _e8722 = ((0.5f * (_e8024 - _e8018)) * _e8270);
 let _e8723 = ((0.5f * (_e8036 - _e8030)) * _e8270);
-phi_20498_ = type_34(_e8232, vec3<f32>(_e8721, _e8722, _e8723), vec3<f32>((_e8721 * _e8232), (_e8722 * _e8232), (_e8723 * _e8232)));
+phi_20498_ = type_32(_e8232, vec3<f32>(_e8721, _e8722, _e8723), vec3<f32>((_e8721 * _e8232), (_e8722 * _e8232), (_e8723 * _e8232)));
 } else {
 local_18 = _e8006;
 let _e8271 = local_18;
@@ -2818,7 +2818,7 @@ let _e8313 = select(0i, select(select(i32(_e8306), i32(-2147483648), (_e8306 < -
 let _e8317 = (_e8313 - select(0i, 1i, (_e8306 < f32(_e8313))));
 let _e8318 = (262147i + _e8317);
 let _e8320 = select(_e8040, _e8318, (_e8318 < _e8040));
-let _e8326 = global_3.member[bitcast<u32>(select(0i, _e8320, (_e8320 > 0i)))];
+let _e8326 = global_2.member[bitcast<u32>(select(0i, _e8320, (_e8320 > 0i)))];
 let _e8341 = ((_e8217 + (f32(bitcast<i32>((_e8326 >> bitcast<u32>(12u)))) * _e8226)) + ((f32((bitcast<i32>((_e8326 & 4095u)) - 2048i)) * _e8207) * (_e8302 - f32(_e8317))));
 local_16 = _e8012;
 let _e8342 = local_16;
@@ -2842,7 +2842,7 @@ let _e8384 = select(0i, select(select(i32(_e8377), i32(-2147483648), (_e8377 < -
 let _e8388 = (_e8384 - select(0i, 1i, (_e8377 < f32(_e8384))));
 let _e8389 = (262147i + _e8388);
 let _e8391 = select(_e8040, _e8389, (_e8389 < _e8040));
-let _e8397 = global_3.member[bitcast<u32>(select(0i, _e8391, (_e8391 > 0i)))];
+let _e8397 = global_2.member[bitcast<u32>(select(0i, _e8391, (_e8391 > 0i)))];
 let _e8412 = ((_e8217 + (f32(bitcast<i32>((_e8397 >> bitcast<u32>(12u)))) * _e8226)) + ((f32((bitcast<i32>((_e8397 & 4095u)) - 2048i)) * _e8207) * (_e8373 - f32(_e8388))));
 local_14 = _e8018;
 let _e8413 = local_14;
@@ -2866,7 +2866,7 @@ let _e8455 = select(0i, select(select(i32(_e8448), i32(-2147483648), (_e8448 < -
 let _e8459 = (_e8455 - select(0i, 1i, (_e8448 < f32(_e8455))));
 let _e8460 = (262147i + _e8459);
 let _e8462 = select(_e8040, _e8460, (_e8460 < _e8040));
-let _e8468 = global_3.member[bitcast<u32>(select(0i, _e8462, (_e8462 > 0i)))];
+let _e8468 = global_2.member[bitcast<u32>(select(0i, _e8462, (_e8462 > 0i)))];
 let _e8483 = ((_e8217 + (f32(bitcast<i32>((_e8468 >> bitcast<u32>(12u)))) * _e8226)) + ((f32((bitcast<i32>((_e8468 & 4095u)) - 2048i)) * _e8207) * (_e8444 - f32(_e8459))));
 local_12 = _e8024;
 let _e8484 = local_12;
@@ -2890,7 +2890,7 @@ let _e8526 = select(0i, select(select(i32(_e8519), i32(-2147483648), (_e8519 < -
 let _e8530 = (_e8526 - select(0i, 1i, (_e8519 < f32(_e8526))));
 let _e8531 = (262147i + _e8530);
 let _e8533 = select(_e8040, _e8531, (_e8531 < _e8040));
-let _e8539 = global_3.member[bitcast<u32>(select(0i, _e8533, (_e8533 > 0i)))];
+let _e8539 = global_2.member[bitcast<u32>(select(0i, _e8533, (_e8533 > 0i)))];
 let _e8554 = ((_e8217 + (f32(bitcast<i32>((_e8539 >> bitcast<u32>(12u)))) * _e8226)) + ((f32((bitcast<i32>((_e8539 & 4095u)) - 2048i)) * _e8207) * (_e8515 - f32(_e8530))));
 local_10 = _e8030;
 let _e8555 = local_10;
@@ -2914,7 +2914,7 @@ let _e8597 = select(0i, select(select(i32(_e8590), i32(-2147483648), (_e8590 < -
 let _e8601 = (_e8597 - select(0i, 1i, (_e8590 < f32(_e8597))));
 let _e8602 = (262147i + _e8601);
 let _e8604 = select(_e8040, _e8602, (_e8602 < _e8040));
-let _e8610 = global_3.member[bitcast<u32>(select(0i, _e8604, (_e8604 > 0i)))];
+let _e8610 = global_2.member[bitcast<u32>(select(0i, _e8604, (_e8604 > 0i)))];
 let _e8625 = ((_e8217 + (f32(bitcast<i32>((_e8610 >> bitcast<u32>(12u)))) * _e8226)) + ((f32((bitcast<i32>((_e8610 & 4095u)) - 2048i)) * _e8207) * (_e8586 - f32(_e8601))));
 local_8 = _e8036;
 let _e8626 = local_8;
@@ -2938,12 +2938,12 @@ let _e8668 = select(0i, select(select(i32(_e8661), i32(-2147483648), (_e8661 < -
 let _e8672 = (_e8668 - select(0i, 1i, (_e8661 < f32(_e8668))));
 let _e8673 = (262147i + _e8672);
 let _e8675 = select(_e8040, _e8673, (_e8673 < _e8040));
-let _e8681 = global_3.member[bitcast<u32>(select(0i, _e8675, (_e8675 > 0i)))];
+let _e8681 = global_2.member[bitcast<u32>(select(0i, _e8675, (_e8675 > 0i)))];
 let _e8696 = ((_e8217 + (f32(bitcast<i32>((_e8681 >> bitcast<u32>(12u)))) * _e8226)) + ((f32((bitcast<i32>((_e8681 & 4095u)) - 2048i)) * _e8207) * (_e8657 - f32(_e8672))));
 let _e8697 = (_e8412 - _e8341);
 let _e8699 = (_e8554 - _e8483);
 let _e8701 = (_e8696 - _e8625);
-phi_20498_ = type_34(_e8232, vec3<f32>((0.5f * _e8697), (0.5f * _e8699), (0.5f * _e8701)), vec3<f32>((0.25f * (_e8697 * (_e8412 + _e8341))), (0.25f * (_e8699 * (_e8554 + _e8483))), (0.25f * (_e8701 * (_e8696 + _e8625)))));
+phi_20498_ = type_32(_e8232, vec3<f32>((0.5f * _e8697), (0.5f * _e8699), (0.5f * _e8701)), vec3<f32>((0.25f * (_e8697 * (_e8412 + _e8341))), (0.25f * (_e8699 * (_e8554 + _e8483))), (0.25f * (_e8701 * (_e8696 + _e8625)))));
 }
 let _e8731 = phi_20498_;
 let _e8746 = select(0f, 1f, ((((((_e6577 >= -0.5f) && (_e6577 <= _e632)) && (_e6583 >= -0.5f)) && (_e6583 <= _e643)) && (_e6589 >= -0.5f)) && (_e6589 <= _e654)));
@@ -2959,7 +2959,7 @@ let _e8794 = global_5.member[_e457].member_6.member_1.member.member_2;
 let _e8801 = global_5.member[_e457].member_6.member_2.member.member;
 let _e8808 = global_5.member[_e457].member_6.member_2.member.member_1;
 let _e8815 = global_5.member[_e457].member_6.member_2.member.member_2;
-phi_21277_ = type_35(_e8000, vec3<f32>(((((_e8759 * _e8748) + (_e8780 * _e8750)) + (_e8801 * _e8752)) * _e8746), ((((_e8766 * _e8748) + (_e8787 * _e8750)) + (_e8808 * _e8752)) * _e8746), ((((_e8773 * _e8748) + (_e8794 * _e8750)) + (_e8815 * _e8752)) * _e8746)), _e8731.member, vec3<f32>(((((_e8759 * _e8731.member_2.x) + (_e8780 * _e8731.member_2.y)) + (_e8801 * _e8731.member_2.z)) * _e8746), ((((_e8766 * _e8731.member_2.x) + (_e8787 * _e8731.member_2.y)) + (_e8808 * _e8731.member_2.z)) * _e8746), ((((_e8773 * _e8731.member_2.x) + (_e8794 * _e8731.member_2.y)) + (_e8815 * _e8731.member_2.z)) * _e8746)), vec3<f32>(((((_e8759 * _e8731.member_1.x) + (_e8780 * _e8731.member_1.y)) + (_e8801 * _e8731.member_1.z)) * _e8746), ((((_e8766 * _e8731.member_1.x) + (_e8787 * _e8731.member_1.y)) + (_e8808 * _e8731.member_1.z)) * _e8746), ((((_e8773 * _e8731.member_1.x) + (_e8794 * _e8731.member_1.y)) + (_e8815 * _e8731.member_1.z)) * _e8746)));
+phi_21277_ = type_33(_e8000, vec3<f32>(((((_e8759 * _e8748) + (_e8780 * _e8750)) + (_e8801 * _e8752)) * _e8746), ((((_e8766 * _e8748) + (_e8787 * _e8750)) + (_e8808 * _e8752)) * _e8746), ((((_e8773 * _e8748) + (_e8794 * _e8750)) + (_e8815 * _e8752)) * _e8746)), _e8731.member, vec3<f32>(((((_e8759 * _e8731.member_2.x) + (_e8780 * _e8731.member_2.y)) + (_e8801 * _e8731.member_2.z)) * _e8746), ((((_e8766 * _e8731.member_2.x) + (_e8787 * _e8731.member_2.y)) + (_e8808 * _e8731.member_2.z)) * _e8746), ((((_e8773 * _e8731.member_2.x) + (_e8794 * _e8731.member_2.y)) + (_e8815 * _e8731.member_2.z)) * _e8746)), vec3<f32>(((((_e8759 * _e8731.member_1.x) + (_e8780 * _e8731.member_1.y)) + (_e8801 * _e8731.member_1.z)) * _e8746), ((((_e8766 * _e8731.member_1.x) + (_e8787 * _e8731.member_1.y)) + (_e8808 * _e8731.member_1.z)) * _e8746), ((((_e8773 * _e8731.member_1.x) + (_e8794 * _e8731.member_1.y)) + (_e8815 * _e8731.member_1.z)) * _e8746)));
 } else {
 let _e6591 = select(-0.5f, _e6577, (_e6577 > -0.5f));
 let _e6593 = select(_e632, _e6591, (_e6591 < _e632));
@@ -2994,17 +2994,17 @@ let _e6692 = (select(0i, _e6631, (_e6631 > 0i)) * _e1279);
 let _e6693 = (select(_e1292, _e6649, (_e6649 < _e1292)) * _e1279);
 let _e6694 = (select(0i, _e6646, (_e6646 > 0i)) * _e1284);
 let _e6695 = (select(_e1305, _e6654, (_e6654 < _e1305)) * _e1284);
-local_6 = type_33(array<i32, 4>(_e6669, _e6671, _e6673, 0i), array<u32, 6>(bitcast<u32>(((_e6659 - _e6669) * 16i)), bitcast<u32>(((_e6661 - _e6669) * 16i)), bitcast<u32>(((_e6661 - _e6671) * 16i)), bitcast<u32>(((_e6664 - _e6671) * 16i)), bitcast<u32>(((_e6664 - _e6673) * 16i)), bitcast<u32>(((select(_e1318, _e6665, (_e6665 < _e1318)) - _e6673) * 16i))));
+local_6 = type_28(array<i32, 4>(_e6669, _e6671, _e6673, 0i), array<u32, 6>(bitcast<u32>(((_e6659 - _e6669) * 16i)), bitcast<u32>(((_e6661 - _e6669) * 16i)), bitcast<u32>(((_e6661 - _e6671) * 16i)), bitcast<u32>(((_e6664 - _e6671) * 16i)), bitcast<u32>(((_e6664 - _e6673) * 16i)), bitcast<u32>(((select(_e1318, _e6665, (_e6665 < _e1318)) - _e6673) * 16i))));
 local_7 = vec3<f32>((_e6593 - f32(_e6616)), (_e6597 - f32(_e6631)), (_e6601 - f32(_e6646)));
 let _e6710 = local_6.member[1u];
 let _e6711 = ((_e6694 + _e6692) + _e6710);
 let _e6713 = (_e6711 >> bitcast<u32>(1i));
 let _e6716 = bitcast<u32>(((_e6711 & 1i) * 16i));
 let _e6718 = select(_e1383, _e6713, (_e6713 < _e1383));
-let _e6723 = global_2.member[bitcast<u32>(select(0i, _e6718, (_e6718 > 0i)))];
+let _e6723 = global_1.member[bitcast<u32>(select(0i, _e6718, (_e6718 > 0i)))];
 let _e6727 = (_e6713 + 1i);
 let _e6729 = select(_e1383, _e6727, (_e6727 < _e1383));
-let _e6734 = global_2.member[bitcast<u32>(select(0i, _e6729, (_e6729 > 0i)))];
+let _e6734 = global_1.member[bitcast<u32>(select(0i, _e6729, (_e6729 > 0i)))];
 let _e6741 = ((_e6723 >> bitcast<u32>((_e6716 & 31u))) | ((_e6734 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6716) & 31u))));
 let _e6744 = local_6.member_1[2u];
 let _e6750 = f32(bitcast<i32>(((_e6741 >> bitcast<u32>((_e6744 & 31u))) & 65535u)));
@@ -3016,10 +3016,10 @@ let _e6766 = ((_e6694 + _e6693) + _e6765);
 let _e6768 = (_e6766 >> bitcast<u32>(1i));
 let _e6771 = bitcast<u32>(((_e6766 & 1i) * 16i));
 let _e6773 = select(_e1383, _e6768, (_e6768 < _e1383));
-let _e6778 = global_2.member[bitcast<u32>(select(0i, _e6773, (_e6773 > 0i)))];
+let _e6778 = global_1.member[bitcast<u32>(select(0i, _e6773, (_e6773 > 0i)))];
 let _e6782 = (_e6768 + 1i);
 let _e6784 = select(_e1383, _e6782, (_e6782 < _e1383));
-let _e6789 = global_2.member[bitcast<u32>(select(0i, _e6784, (_e6784 > 0i)))];
+let _e6789 = global_1.member[bitcast<u32>(select(0i, _e6784, (_e6784 > 0i)))];
 let _e6796 = ((_e6778 >> bitcast<u32>((_e6771 & 31u))) | ((_e6789 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6771) & 31u))));
 let _e6797 = local_6.member_1[2u];
 let _e6803 = f32(bitcast<i32>(((_e6796 >> bitcast<u32>((_e6797 & 31u))) & 65535u)));
@@ -3032,10 +3032,10 @@ let _e6822 = ((_e6695 + _e6692) + _e6821);
 let _e6824 = (_e6822 >> bitcast<u32>(1i));
 let _e6827 = bitcast<u32>(((_e6822 & 1i) * 16i));
 let _e6829 = select(_e1383, _e6824, (_e6824 < _e1383));
-let _e6834 = global_2.member[bitcast<u32>(select(0i, _e6829, (_e6829 > 0i)))];
+let _e6834 = global_1.member[bitcast<u32>(select(0i, _e6829, (_e6829 > 0i)))];
 let _e6838 = (_e6824 + 1i);
 let _e6840 = select(_e1383, _e6838, (_e6838 < _e1383));
-let _e6845 = global_2.member[bitcast<u32>(select(0i, _e6840, (_e6840 > 0i)))];
+let _e6845 = global_1.member[bitcast<u32>(select(0i, _e6840, (_e6840 > 0i)))];
 let _e6852 = ((_e6834 >> bitcast<u32>((_e6827 & 31u))) | ((_e6845 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6827) & 31u))));
 let _e6853 = local_6.member_1[2u];
 let _e6859 = f32(bitcast<i32>(((_e6852 >> bitcast<u32>((_e6853 & 31u))) & 65535u)));
@@ -3047,10 +3047,10 @@ let _e6873 = ((_e6695 + _e6693) + _e6872);
 let _e6875 = (_e6873 >> bitcast<u32>(1i));
 let _e6878 = bitcast<u32>(((_e6873 & 1i) * 16i));
 let _e6880 = select(_e1383, _e6875, (_e6875 < _e1383));
-let _e6885 = global_2.member[bitcast<u32>(select(0i, _e6880, (_e6880 > 0i)))];
+let _e6885 = global_1.member[bitcast<u32>(select(0i, _e6880, (_e6880 > 0i)))];
 let _e6889 = (_e6875 + 1i);
 let _e6891 = select(_e1383, _e6889, (_e6889 < _e1383));
-let _e6896 = global_2.member[bitcast<u32>(select(0i, _e6891, (_e6891 > 0i)))];
+let _e6896 = global_1.member[bitcast<u32>(select(0i, _e6891, (_e6891 > 0i)))];
 let _e6903 = ((_e6885 >> bitcast<u32>((_e6878 & 31u))) | ((_e6896 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6878) & 31u))));
 let _e6904 = local_6.member_1[2u];
 let _e6910 = f32(bitcast<i32>(((_e6903 >> bitcast<u32>((_e6904 & 31u))) & 65535u)));
@@ -3060,13 +3060,13 @@ let _e6922 = local_7[1u];
 let _e6927 = local_7[2u];
 let _e6932 = (((_e6819 + (((_e6870 + (((_e6910 + ((f32(bitcast<i32>(((_e6903 >> bitcast<u32>((_e6911 & 31u))) & 65535u))) - _e6910) * _e6918)) - _e6870) * _e6922)) - _e6819) * _e6927)) - _e1602) * _e1607);
 let _e6934 = select(_e1610, _e6932, (_e6932 > _e1610));
-phi_21277_ = type_35(select(1e9f, _e6934, (_e6934 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21277_ = type_33(select(1e9f, _e6934, (_e6934 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8881 = phi_21277_;
 let _e8884 = select(1f, select(1f, _e1217, (_e1217 < 1f)), _e554);
 let _e8886 = ((_e797 & 16u) == 0u);
 if _e8886 {
-phi_21690_ = type_5(1f, 1f, 1f);
+phi_21690_ = type_7(1f, 1f, 1f);
 } else {
 let _e8891 = global_5.member[_e457].member_14.member;
 let _e8902 = ((((_e8891.member.member * _e490) + (_e8891.member.member_1 * _e492)) + (_e8891.member.member_2 * _e486)) + _e8891.member_1);
@@ -3112,7 +3112,7 @@ let _e9075 = select(0f, _e9073, (_e9073 > 0f));
 let _e9081 = select(select(select(1f, _e9075, (_e9075 < 1f)), 1f, (_e9068 <= 0f)), 0f, (_e9066 > 0f));
 let _e9087 = global_5.member[_e457].member_17.member_1;
 let _e9088 = (_e9087 != 0u);
-phi_21690_ = type_5(((((1f * _e8925) * _e8977) * _e9029) * _e9081), ((((1f * select(1f, _e8925, _e8932)) * select(1f, _e8977, _e8984)) * select(1f, _e9029, _e9036)) * select(1f, _e9081, _e9088)), ((((1f * select(1f, 0f, (_e8932 && (_e8908 > 0f)))) * select(1f, 0f, (_e8984 && (_e8960 > 0f)))) * select(1f, 0f, (_e9036 && (_e9012 > 0f)))) * select(1f, 0f, (_e9088 && (_e9064 > 0f)))));
+phi_21690_ = type_7(((((1f * _e8925) * _e8977) * _e9029) * _e9081), ((((1f * select(1f, _e8925, _e8932)) * select(1f, _e8977, _e8984)) * select(1f, _e9029, _e9036)) * select(1f, _e9081, _e9088)), ((((1f * select(1f, 0f, (_e8932 && (_e8908 > 0f)))) * select(1f, 0f, (_e8984 && (_e8960 > 0f)))) * select(1f, 0f, (_e9036 && (_e9012 > 0f)))) * select(1f, 0f, (_e9088 && (_e9064 > 0f)))));
 }
 let _e9097 = phi_21690_;
 let _e9104 = global_5.member[_e457].member_5.member_3;
@@ -3124,97 +3124,97 @@ local_5 = _e1615;
 let _e10266 = local_5;
 let _e10268 = (bitcast<i32>(_e228) - 1i);
 let _e10270 = select(_e10268, 263171i, (263171i < _e10268));
-let _e10275 = global_3.member[bitcast<u32>(select(0i, _e10270, (_e10270 > 0i)))];
+let _e10275 = global_2.member[bitcast<u32>(select(0i, _e10270, (_e10270 > 0i)))];
 let _e10276 = bitcast<f32>(_e10275);
 let _e10278 = select(_e10268, 263172i, (263172i < _e10268));
-let _e10283 = global_3.member[bitcast<u32>(select(0i, _e10278, (_e10278 > 0i)))];
+let _e10283 = global_2.member[bitcast<u32>(select(0i, _e10278, (_e10278 > 0i)))];
 let _e10284 = bitcast<f32>(_e10283);
 let _e10286 = select(_e10268, 263173i, (263173i < _e10268));
-let _e10291 = global_3.member[bitcast<u32>(select(0i, _e10286, (_e10286 > 0i)))];
+let _e10291 = global_2.member[bitcast<u32>(select(0i, _e10286, (_e10286 > 0i)))];
 let _e10292 = bitcast<f32>(_e10291);
 let _e10294 = ((_e10266 - _e10276) * _e10284);
 let _e10296 = select(0f, _e10294, (_e10294 > 0f));
 let _e10299 = local_5;
 let _e10301 = select(_e10268, 263174i, (263174i < _e10268));
-let _e10306 = global_3.member[bitcast<u32>(select(0i, _e10301, (_e10301 > 0i)))];
+let _e10306 = global_2.member[bitcast<u32>(select(0i, _e10301, (_e10301 > 0i)))];
 let _e10307 = bitcast<f32>(_e10306);
 let _e10309 = select(_e10268, 263175i, (263175i < _e10268));
-let _e10314 = global_3.member[bitcast<u32>(select(0i, _e10309, (_e10309 > 0i)))];
+let _e10314 = global_2.member[bitcast<u32>(select(0i, _e10309, (_e10309 > 0i)))];
 let _e10315 = bitcast<f32>(_e10314);
 let _e10317 = select(_e10268, 263176i, (263176i < _e10268));
-let _e10322 = global_3.member[bitcast<u32>(select(0i, _e10317, (_e10317 > 0i)))];
+let _e10322 = global_2.member[bitcast<u32>(select(0i, _e10317, (_e10317 > 0i)))];
 let _e10323 = bitcast<f32>(_e10322);
 let _e10325 = ((_e10299 - _e10307) * _e10315);
 let _e10327 = select(0f, _e10325, (_e10325 > 0f));
 let _e10331 = local_5;
 let _e10333 = select(_e10268, 263177i, (263177i < _e10268));
-let _e10338 = global_3.member[bitcast<u32>(select(0i, _e10333, (_e10333 > 0i)))];
+let _e10338 = global_2.member[bitcast<u32>(select(0i, _e10333, (_e10333 > 0i)))];
 let _e10339 = bitcast<f32>(_e10338);
 let _e10341 = select(_e10268, 263178i, (263178i < _e10268));
-let _e10346 = global_3.member[bitcast<u32>(select(0i, _e10341, (_e10341 > 0i)))];
+let _e10346 = global_2.member[bitcast<u32>(select(0i, _e10341, (_e10341 > 0i)))];
 let _e10347 = bitcast<f32>(_e10346);
 let _e10349 = select(_e10268, 263179i, (263179i < _e10268));
-let _e10354 = global_3.member[bitcast<u32>(select(0i, _e10349, (_e10349 > 0i)))];
+let _e10354 = global_2.member[bitcast<u32>(select(0i, _e10349, (_e10349 > 0i)))];
 let _e10355 = bitcast<f32>(_e10354);
 let _e10357 = ((_e10331 - _e10339) * _e10347);
 let _e10359 = select(0f, _e10357, (_e10357 > 0f));
 let _e10362 = local_5;
 let _e10364 = select(_e10268, 263180i, (263180i < _e10268));
-let _e10369 = global_3.member[bitcast<u32>(select(0i, _e10364, (_e10364 > 0i)))];
+let _e10369 = global_2.member[bitcast<u32>(select(0i, _e10364, (_e10364 > 0i)))];
 let _e10370 = bitcast<f32>(_e10369);
 let _e10372 = select(_e10268, 263181i, (263181i < _e10268));
-let _e10377 = global_3.member[bitcast<u32>(select(0i, _e10372, (_e10372 > 0i)))];
+let _e10377 = global_2.member[bitcast<u32>(select(0i, _e10372, (_e10372 > 0i)))];
 let _e10378 = bitcast<f32>(_e10377);
 let _e10380 = select(_e10268, 263182i, (263182i < _e10268));
-let _e10385 = global_3.member[bitcast<u32>(select(0i, _e10380, (_e10380 > 0i)))];
+let _e10385 = global_2.member[bitcast<u32>(select(0i, _e10380, (_e10380 > 0i)))];
 let _e10386 = bitcast<f32>(_e10385);
 let _e10388 = ((_e10362 - _e10370) * _e10378);
 let _e10390 = select(0f, _e10388, (_e10388 > 0f));
 let _e10395 = local_5;
 let _e10397 = select(_e10268, 263183i, (263183i < _e10268));
-let _e10402 = global_3.member[bitcast<u32>(select(0i, _e10397, (_e10397 > 0i)))];
+let _e10402 = global_2.member[bitcast<u32>(select(0i, _e10397, (_e10397 > 0i)))];
 let _e10403 = bitcast<f32>(_e10402);
 let _e10405 = select(_e10268, 263184i, (263184i < _e10268));
-let _e10410 = global_3.member[bitcast<u32>(select(0i, _e10405, (_e10405 > 0i)))];
+let _e10410 = global_2.member[bitcast<u32>(select(0i, _e10405, (_e10405 > 0i)))];
 let _e10411 = bitcast<f32>(_e10410);
 let _e10413 = select(_e10268, 263185i, (263185i < _e10268));
-let _e10418 = global_3.member[bitcast<u32>(select(0i, _e10413, (_e10413 > 0i)))];
+let _e10418 = global_2.member[bitcast<u32>(select(0i, _e10413, (_e10413 > 0i)))];
 let _e10419 = bitcast<f32>(_e10418);
 let _e10421 = ((_e10395 - _e10403) * _e10411);
 let _e10423 = select(0f, _e10421, (_e10421 > 0f));
 let _e10426 = local_5;
 let _e10428 = select(_e10268, 263186i, (263186i < _e10268));
-let _e10433 = global_3.member[bitcast<u32>(select(0i, _e10428, (_e10428 > 0i)))];
+let _e10433 = global_2.member[bitcast<u32>(select(0i, _e10428, (_e10428 > 0i)))];
 let _e10434 = bitcast<f32>(_e10433);
 let _e10436 = select(_e10268, 263187i, (263187i < _e10268));
-let _e10441 = global_3.member[bitcast<u32>(select(0i, _e10436, (_e10436 > 0i)))];
+let _e10441 = global_2.member[bitcast<u32>(select(0i, _e10436, (_e10436 > 0i)))];
 let _e10442 = bitcast<f32>(_e10441);
 let _e10444 = select(_e10268, 263188i, (263188i < _e10268));
-let _e10449 = global_3.member[bitcast<u32>(select(0i, _e10444, (_e10444 > 0i)))];
+let _e10449 = global_2.member[bitcast<u32>(select(0i, _e10444, (_e10444 > 0i)))];
 let _e10450 = bitcast<f32>(_e10449);
 let _e10452 = ((_e10426 - _e10434) * _e10442);
 let _e10454 = select(0f, _e10452, (_e10452 > 0f));
 let _e10458 = local_5;
 let _e10460 = select(_e10268, 263189i, (263189i < _e10268));
-let _e10465 = global_3.member[bitcast<u32>(select(0i, _e10460, (_e10460 > 0i)))];
+let _e10465 = global_2.member[bitcast<u32>(select(0i, _e10460, (_e10460 > 0i)))];
 let _e10466 = bitcast<f32>(_e10465);
 let _e10468 = select(_e10268, 263190i, (263190i < _e10268));
-let _e10473 = global_3.member[bitcast<u32>(select(0i, _e10468, (_e10468 > 0i)))];
+let _e10473 = global_2.member[bitcast<u32>(select(0i, _e10468, (_e10468 > 0i)))];
 let _e10474 = bitcast<f32>(_e10473);
 let _e10476 = select(_e10268, 263191i, (263191i < _e10268));
-let _e10481 = global_3.member[bitcast<u32>(select(0i, _e10476, (_e10476 > 0i)))];
+let _e10481 = global_2.member[bitcast<u32>(select(0i, _e10476, (_e10476 > 0i)))];
 let _e10482 = bitcast<f32>(_e10481);
 let _e10484 = ((_e10458 - _e10466) * _e10474);
 let _e10486 = select(0f, _e10484, (_e10484 > 0f));
 let _e10489 = local_5;
 let _e10491 = select(_e10268, 263192i, (263192i < _e10268));
-let _e10496 = global_3.member[bitcast<u32>(select(0i, _e10491, (_e10491 > 0i)))];
+let _e10496 = global_2.member[bitcast<u32>(select(0i, _e10491, (_e10491 > 0i)))];
 let _e10497 = bitcast<f32>(_e10496);
 let _e10499 = select(_e10268, 263193i, (263193i < _e10268));
-let _e10504 = global_3.member[bitcast<u32>(select(0i, _e10499, (_e10499 > 0i)))];
+let _e10504 = global_2.member[bitcast<u32>(select(0i, _e10499, (_e10499 > 0i)))];
 let _e10505 = bitcast<f32>(_e10504);
 let _e10507 = select(_e10268, 263194i, (263194i < _e10268));
-let _e10512 = global_3.member[bitcast<u32>(select(0i, _e10507, (_e10507 > 0i)))];
+let _e10512 = global_2.member[bitcast<u32>(select(0i, _e10507, (_e10507 > 0i)))];
 let _e10513 = bitcast<f32>(_e10512);
 let _e10515 = ((_e10489 - _e10497) * _e10505);
 let _e10517 = select(0f, _e10515, (_e10515 > 0f));
@@ -3255,10 +3255,10 @@ let _e10605 = select(_e10586, _e10603, (_e10603 < _e10586));
 let _e10612 = select(0i, select(select(i32(_e10605), i32(-2147483648), (_e10605 < -2147483600f)), 2147483647i, (_e10605 > 2147483500f)), (_e10605 == _e10605));
 let _e10616 = (_e10612 - select(0i, 1i, (_e10605 < f32(_e10612))));
 let _e10618 = select(_e10268, 263195i, (263195i < _e10268));
-let _e10624 = global_3.member[bitcast<u32>(select(0i, _e10618, (_e10618 > 0i)))];
+let _e10624 = global_2.member[bitcast<u32>(select(0i, _e10618, (_e10618 > 0i)))];
 let _e10625 = bitcast<f32>(_e10624);
 let _e10627 = select(_e10268, 263196i, (263196i < _e10268));
-let _e10633 = global_3.member[bitcast<u32>(select(0i, _e10627, (_e10627 > 0i)))];
+let _e10633 = global_2.member[bitcast<u32>(select(0i, _e10627, (_e10627 > 0i)))];
 let _e10634 = bitcast<f32>(_e10633);
 let _e10635 = (_e8881.member - _e1615);
 let _e10641 = (1f / select(_e10635, 1f, (bitcast<f32>((bitcast<u32>(_e10635) & 2147483647u)) < 1e-20f)));
@@ -3270,20 +3270,20 @@ let _e10660 = (_e10585 - f32(_e10616));
 let _e10662 = (1f - (_e10647 + _e10653));
 let _e10663 = (_e10656 + 2i);
 let _e10665 = select(_e10268, _e10663, (_e10663 < _e10268));
-let _e10671 = global_3.member[bitcast<u32>(select(0i, _e10665, (_e10665 > 0i)))];
+let _e10671 = global_2.member[bitcast<u32>(select(0i, _e10665, (_e10665 > 0i)))];
 let _e10672 = (_e10656 + 6i);
 let _e10674 = select(_e10268, _e10672, (_e10672 < _e10268));
-let _e10680 = global_3.member[bitcast<u32>(select(0i, _e10674, (_e10674 > 0i)))];
+let _e10680 = global_2.member[bitcast<u32>(select(0i, _e10674, (_e10674 > 0i)))];
 let _e10681 = (_e10656 + 1026i);
 let _e10683 = select(_e10268, _e10681, (_e10681 < _e10268));
-let _e10689 = global_3.member[bitcast<u32>(select(0i, _e10683, (_e10683 > 0i)))];
+let _e10689 = global_2.member[bitcast<u32>(select(0i, _e10683, (_e10683 > 0i)))];
 let _e10690 = (_e10656 + 1030i);
 let _e10692 = select(_e10268, _e10690, (_e10690 < _e10268));
-let _e10698 = global_3.member[bitcast<u32>(select(0i, _e10692, (_e10692 > 0i)))];
+let _e10698 = global_2.member[bitcast<u32>(select(0i, _e10692, (_e10692 > 0i)))];
 let _e10700 = select(_e10268, 2i, (2i < _e10268));
-let _e10706 = global_3.member[bitcast<u32>(select(0i, _e10700, (_e10700 > 0i)))];
+let _e10706 = global_2.member[bitcast<u32>(select(0i, _e10700, (_e10700 > 0i)))];
 let _e10708 = select(_e10268, 262142i, (262142i < _e10268));
-let _e10714 = global_3.member[bitcast<u32>(select(0i, _e10708, (_e10708 > 0i)))];
+let _e10714 = global_2.member[bitcast<u32>(select(0i, _e10708, (_e10708 > 0i)))];
 let _e10719 = (bitcast<f32>(((_e10671 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10727 = (_e10719 + (((bitcast<f32>(((_e10680 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10719) * _e10660));
 let _e10732 = (bitcast<f32>(((_e10689 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3292,20 +3292,20 @@ let _e10783 = (_e10775 + (((bitcast<f32>((((_e10680 >> bitcast<u32>(16i)) & 3276
 let _e10788 = (bitcast<f32>((((_e10689 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10815 = (_e10656 + 3i);
 let _e10817 = select(_e10268, _e10815, (_e10815 < _e10268));
-let _e10823 = global_3.member[bitcast<u32>(select(0i, _e10817, (_e10817 > 0i)))];
+let _e10823 = global_2.member[bitcast<u32>(select(0i, _e10817, (_e10817 > 0i)))];
 let _e10824 = (_e10656 + 7i);
 let _e10826 = select(_e10268, _e10824, (_e10824 < _e10268));
-let _e10832 = global_3.member[bitcast<u32>(select(0i, _e10826, (_e10826 > 0i)))];
+let _e10832 = global_2.member[bitcast<u32>(select(0i, _e10826, (_e10826 > 0i)))];
 let _e10833 = (_e10656 + 1027i);
 let _e10835 = select(_e10268, _e10833, (_e10833 < _e10268));
-let _e10841 = global_3.member[bitcast<u32>(select(0i, _e10835, (_e10835 > 0i)))];
+let _e10841 = global_2.member[bitcast<u32>(select(0i, _e10835, (_e10835 > 0i)))];
 let _e10842 = (_e10656 + 1031i);
 let _e10844 = select(_e10268, _e10842, (_e10842 < _e10268));
-let _e10850 = global_3.member[bitcast<u32>(select(0i, _e10844, (_e10844 > 0i)))];
+let _e10850 = global_2.member[bitcast<u32>(select(0i, _e10844, (_e10844 > 0i)))];
 let _e10852 = select(_e10268, 3i, (3i < _e10268));
-let _e10858 = global_3.member[bitcast<u32>(select(0i, _e10852, (_e10852 > 0i)))];
+let _e10858 = global_2.member[bitcast<u32>(select(0i, _e10852, (_e10852 > 0i)))];
 let _e10860 = select(_e10268, 262143i, (262143i < _e10268));
-let _e10866 = global_3.member[bitcast<u32>(select(0i, _e10860, (_e10860 > 0i)))];
+let _e10866 = global_2.member[bitcast<u32>(select(0i, _e10860, (_e10860 > 0i)))];
 let _e10871 = (bitcast<f32>(((_e10823 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10879 = (_e10871 + (((bitcast<f32>(((_e10832 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10871) * _e10660));
 let _e10884 = (bitcast<f32>(((_e10841 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3332,97 +3332,97 @@ local_3 = _e1615;
 let _e9111 = local_3;
 let _e9113 = (bitcast<i32>(_e228) - 1i);
 let _e9115 = select(_e9113, 263171i, (263171i < _e9113));
-let _e9120 = global_3.member[bitcast<u32>(select(0i, _e9115, (_e9115 > 0i)))];
+let _e9120 = global_2.member[bitcast<u32>(select(0i, _e9115, (_e9115 > 0i)))];
 let _e9121 = bitcast<f32>(_e9120);
 let _e9123 = select(_e9113, 263172i, (263172i < _e9113));
-let _e9128 = global_3.member[bitcast<u32>(select(0i, _e9123, (_e9123 > 0i)))];
+let _e9128 = global_2.member[bitcast<u32>(select(0i, _e9123, (_e9123 > 0i)))];
 let _e9129 = bitcast<f32>(_e9128);
 let _e9131 = select(_e9113, 263173i, (263173i < _e9113));
-let _e9136 = global_3.member[bitcast<u32>(select(0i, _e9131, (_e9131 > 0i)))];
+let _e9136 = global_2.member[bitcast<u32>(select(0i, _e9131, (_e9131 > 0i)))];
 let _e9137 = bitcast<f32>(_e9136);
 let _e9139 = ((_e9111 - _e9121) * _e9129);
 let _e9141 = select(0f, _e9139, (_e9139 > 0f));
 let _e9144 = local_3;
 let _e9146 = select(_e9113, 263174i, (263174i < _e9113));
-let _e9151 = global_3.member[bitcast<u32>(select(0i, _e9146, (_e9146 > 0i)))];
+let _e9151 = global_2.member[bitcast<u32>(select(0i, _e9146, (_e9146 > 0i)))];
 let _e9152 = bitcast<f32>(_e9151);
 let _e9154 = select(_e9113, 263175i, (263175i < _e9113));
-let _e9159 = global_3.member[bitcast<u32>(select(0i, _e9154, (_e9154 > 0i)))];
+let _e9159 = global_2.member[bitcast<u32>(select(0i, _e9154, (_e9154 > 0i)))];
 let _e9160 = bitcast<f32>(_e9159);
 let _e9162 = select(_e9113, 263176i, (263176i < _e9113));
-let _e9167 = global_3.member[bitcast<u32>(select(0i, _e9162, (_e9162 > 0i)))];
+let _e9167 = global_2.member[bitcast<u32>(select(0i, _e9162, (_e9162 > 0i)))];
 let _e9168 = bitcast<f32>(_e9167);
 let _e9170 = ((_e9144 - _e9152) * _e9160);
 let _e9172 = select(0f, _e9170, (_e9170 > 0f));
 let _e9176 = local_3;
 let _e9178 = select(_e9113, 263177i, (263177i < _e9113));
-let _e9183 = global_3.member[bitcast<u32>(select(0i, _e9178, (_e9178 > 0i)))];
+let _e9183 = global_2.member[bitcast<u32>(select(0i, _e9178, (_e9178 > 0i)))];
 let _e9184 = bitcast<f32>(_e9183);
 let _e9186 = select(_e9113, 263178i, (263178i < _e9113));
-let _e9191 = global_3.member[bitcast<u32>(select(0i, _e9186, (_e9186 > 0i)))];
+let _e9191 = global_2.member[bitcast<u32>(select(0i, _e9186, (_e9186 > 0i)))];
 let _e9192 = bitcast<f32>(_e9191);
 let _e9194 = select(_e9113, 263179i, (263179i < _e9113));
-let _e9199 = global_3.member[bitcast<u32>(select(0i, _e9194, (_e9194 > 0i)))];
+let _e9199 = global_2.member[bitcast<u32>(select(0i, _e9194, (_e9194 > 0i)))];
 let _e9200 = bitcast<f32>(_e9199);
 let _e9202 = ((_e9176 - _e9184) * _e9192);
 let _e9204 = select(0f, _e9202, (_e9202 > 0f));
 let _e9207 = local_3;
 let _e9209 = select(_e9113, 263180i, (263180i < _e9113));
-let _e9214 = global_3.member[bitcast<u32>(select(0i, _e9209, (_e9209 > 0i)))];
+let _e9214 = global_2.member[bitcast<u32>(select(0i, _e9209, (_e9209 > 0i)))];
 let _e9215 = bitcast<f32>(_e9214);
 let _e9217 = select(_e9113, 263181i, (263181i < _e9113));
-let _e9222 = global_3.member[bitcast<u32>(select(0i, _e9217, (_e9217 > 0i)))];
+let _e9222 = global_2.member[bitcast<u32>(select(0i, _e9217, (_e9217 > 0i)))];
 let _e9223 = bitcast<f32>(_e9222);
 let _e9225 = select(_e9113, 263182i, (263182i < _e9113));
-let _e9230 = global_3.member[bitcast<u32>(select(0i, _e9225, (_e9225 > 0i)))];
+let _e9230 = global_2.member[bitcast<u32>(select(0i, _e9225, (_e9225 > 0i)))];
 let _e9231 = bitcast<f32>(_e9230);
 let _e9233 = ((_e9207 - _e9215) * _e9223);
 let _e9235 = select(0f, _e9233, (_e9233 > 0f));
 let _e9240 = local_3;
 let _e9242 = select(_e9113, 263183i, (263183i < _e9113));
-let _e9247 = global_3.member[bitcast<u32>(select(0i, _e9242, (_e9242 > 0i)))];
+let _e9247 = global_2.member[bitcast<u32>(select(0i, _e9242, (_e9242 > 0i)))];
 let _e9248 = bitcast<f32>(_e9247);
 let _e9250 = select(_e9113, 263184i, (263184i < _e9113));
-let _e9255 = global_3.member[bitcast<u32>(select(0i, _e9250, (_e9250 > 0i)))];
+let _e9255 = global_2.member[bitcast<u32>(select(0i, _e9250, (_e9250 > 0i)))];
 let _e9256 = bitcast<f32>(_e9255);
 let _e9258 = select(_e9113, 263185i, (263185i < _e9113));
-let _e9263 = global_3.member[bitcast<u32>(select(0i, _e9258, (_e9258 > 0i)))];
+let _e9263 = global_2.member[bitcast<u32>(select(0i, _e9258, (_e9258 > 0i)))];
 let _e9264 = bitcast<f32>(_e9263);
 let _e9266 = ((_e9240 - _e9248) * _e9256);
 let _e9268 = select(0f, _e9266, (_e9266 > 0f));
 let _e9271 = local_3;
 let _e9273 = select(_e9113, 263186i, (263186i < _e9113));
-let _e9278 = global_3.member[bitcast<u32>(select(0i, _e9273, (_e9273 > 0i)))];
+let _e9278 = global_2.member[bitcast<u32>(select(0i, _e9273, (_e9273 > 0i)))];
 let _e9279 = bitcast<f32>(_e9278);
 let _e9281 = select(_e9113, 263187i, (263187i < _e9113));
-let _e9286 = global_3.member[bitcast<u32>(select(0i, _e9281, (_e9281 > 0i)))];
+let _e9286 = global_2.member[bitcast<u32>(select(0i, _e9281, (_e9281 > 0i)))];
 let _e9287 = bitcast<f32>(_e9286);
 let _e9289 = select(_e9113, 263188i, (263188i < _e9113));
-let _e9294 = global_3.member[bitcast<u32>(select(0i, _e9289, (_e9289 > 0i)))];
+let _e9294 = global_2.member[bitcast<u32>(select(0i, _e9289, (_e9289 > 0i)))];
 let _e9295 = bitcast<f32>(_e9294);
 let _e9297 = ((_e9271 - _e9279) * _e9287);
 let _e9299 = select(0f, _e9297, (_e9297 > 0f));
 let _e9303 = local_3;
 let _e9305 = select(_e9113, 263189i, (263189i < _e9113));
-let _e9310 = global_3.member[bitcast<u32>(select(0i, _e9305, (_e9305 > 0i)))];
+let _e9310 = global_2.member[bitcast<u32>(select(0i, _e9305, (_e9305 > 0i)))];
 let _e9311 = bitcast<f32>(_e9310);
 let _e9313 = select(_e9113, 263190i, (263190i < _e9113));
-let _e9318 = global_3.member[bitcast<u32>(select(0i, _e9313, (_e9313 > 0i)))];
+let _e9318 = global_2.member[bitcast<u32>(select(0i, _e9313, (_e9313 > 0i)))];
 let _e9319 = bitcast<f32>(_e9318);
 let _e9321 = select(_e9113, 263191i, (263191i < _e9113));
-let _e9326 = global_3.member[bitcast<u32>(select(0i, _e9321, (_e9321 > 0i)))];
+let _e9326 = global_2.member[bitcast<u32>(select(0i, _e9321, (_e9321 > 0i)))];
 let _e9327 = bitcast<f32>(_e9326);
 let _e9329 = ((_e9303 - _e9311) * _e9319);
 let _e9331 = select(0f, _e9329, (_e9329 > 0f));
 let _e9334 = local_3;
 let _e9336 = select(_e9113, 263192i, (263192i < _e9113));
-let _e9341 = global_3.member[bitcast<u32>(select(0i, _e9336, (_e9336 > 0i)))];
+let _e9341 = global_2.member[bitcast<u32>(select(0i, _e9336, (_e9336 > 0i)))];
 let _e9342 = bitcast<f32>(_e9341);
 let _e9344 = select(_e9113, 263193i, (263193i < _e9113));
-let _e9349 = global_3.member[bitcast<u32>(select(0i, _e9344, (_e9344 > 0i)))];
+let _e9349 = global_2.member[bitcast<u32>(select(0i, _e9344, (_e9344 > 0i)))];
 let _e9350 = bitcast<f32>(_e9349);
 let _e9352 = select(_e9113, 263194i, (263194i < _e9113));
-let _e9357 = global_3.member[bitcast<u32>(select(0i, _e9352, (_e9352 > 0i)))];
+let _e9357 = global_2.member[bitcast<u32>(select(0i, _e9352, (_e9352 > 0i)))];
 let _e9358 = bitcast<f32>(_e9357);
 let _e9360 = ((_e9334 - _e9342) * _e9350);
 let _e9362 = select(0f, _e9360, (_e9360 > 0f));
@@ -3463,10 +3463,10 @@ let _e9450 = select(_e9431, _e9448, (_e9448 < _e9431));
 let _e9457 = select(0i, select(select(i32(_e9450), i32(-2147483648), (_e9450 < -2147483600f)), 2147483647i, (_e9450 > 2147483500f)), (_e9450 == _e9450));
 let _e9461 = (_e9457 - select(0i, 1i, (_e9450 < f32(_e9457))));
 let _e9463 = select(_e9113, 263195i, (263195i < _e9113));
-let _e9469 = global_3.member[bitcast<u32>(select(0i, _e9463, (_e9463 > 0i)))];
+let _e9469 = global_2.member[bitcast<u32>(select(0i, _e9463, (_e9463 > 0i)))];
 let _e9470 = bitcast<f32>(_e9469);
 let _e9472 = select(_e9113, 263196i, (263196i < _e9113));
-let _e9478 = global_3.member[bitcast<u32>(select(0i, _e9472, (_e9472 > 0i)))];
+let _e9478 = global_2.member[bitcast<u32>(select(0i, _e9472, (_e9472 > 0i)))];
 let _e9479 = bitcast<f32>(_e9478);
 let _e9480 = (_e8881.member - _e1615);
 let _e9486 = (1f / select(_e9480, 1f, (bitcast<f32>((bitcast<u32>(_e9480) & 2147483647u)) < 1e-20f)));
@@ -3477,20 +3477,20 @@ let _e9503 = (_e9367 - f32(_e9446));
 let _e9505 = (_e9430 - f32(_e9461));
 let _e9507 = (1f - (_e9492 + _e9498));
 let _e9509 = select(_e9113, _e9501, (_e9501 < _e9113));
-let _e9515 = global_3.member[bitcast<u32>(select(0i, _e9509, (_e9509 > 0i)))];
+let _e9515 = global_2.member[bitcast<u32>(select(0i, _e9509, (_e9509 > 0i)))];
 let _e9516 = (_e9501 + 4i);
 let _e9518 = select(_e9113, _e9516, (_e9516 < _e9113));
-let _e9524 = global_3.member[bitcast<u32>(select(0i, _e9518, (_e9518 > 0i)))];
+let _e9524 = global_2.member[bitcast<u32>(select(0i, _e9518, (_e9518 > 0i)))];
 let _e9525 = (_e9501 + 1024i);
 let _e9527 = select(_e9113, _e9525, (_e9525 < _e9113));
-let _e9533 = global_3.member[bitcast<u32>(select(0i, _e9527, (_e9527 > 0i)))];
+let _e9533 = global_2.member[bitcast<u32>(select(0i, _e9527, (_e9527 > 0i)))];
 let _e9534 = (_e9501 + 1028i);
 let _e9536 = select(_e9113, _e9534, (_e9534 < _e9113));
-let _e9542 = global_3.member[bitcast<u32>(select(0i, _e9536, (_e9536 > 0i)))];
+let _e9542 = global_2.member[bitcast<u32>(select(0i, _e9536, (_e9536 > 0i)))];
 let _e9544 = select(_e9113, 0i, (0i < _e9113));
-let _e9550 = global_3.member[bitcast<u32>(select(0i, _e9544, (_e9544 > 0i)))];
+let _e9550 = global_2.member[bitcast<u32>(select(0i, _e9544, (_e9544 > 0i)))];
 let _e9552 = select(_e9113, 262140i, (262140i < _e9113));
-let _e9558 = global_3.member[bitcast<u32>(select(0i, _e9552, (_e9552 > 0i)))];
+let _e9558 = global_2.member[bitcast<u32>(select(0i, _e9552, (_e9552 > 0i)))];
 let _e9563 = (bitcast<f32>(((_e9515 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9571 = (_e9563 + (((bitcast<f32>(((_e9524 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9563) * _e9505));
 let _e9576 = (bitcast<f32>(((_e9533 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3500,20 +3500,20 @@ let _e9627 = (_e9619 + (((bitcast<f32>((((_e9524 >> bitcast<u32>(16i)) & 32767u)
 let _e9632 = (bitcast<f32>((((_e9533 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9659 = (_e9501 + 1i);
 let _e9661 = select(_e9113, _e9659, (_e9659 < _e9113));
-let _e9667 = global_3.member[bitcast<u32>(select(0i, _e9661, (_e9661 > 0i)))];
+let _e9667 = global_2.member[bitcast<u32>(select(0i, _e9661, (_e9661 > 0i)))];
 let _e9668 = (_e9501 + 5i);
 let _e9670 = select(_e9113, _e9668, (_e9668 < _e9113));
-let _e9676 = global_3.member[bitcast<u32>(select(0i, _e9670, (_e9670 > 0i)))];
+let _e9676 = global_2.member[bitcast<u32>(select(0i, _e9670, (_e9670 > 0i)))];
 let _e9677 = (_e9501 + 1025i);
 let _e9679 = select(_e9113, _e9677, (_e9677 < _e9113));
-let _e9685 = global_3.member[bitcast<u32>(select(0i, _e9679, (_e9679 > 0i)))];
+let _e9685 = global_2.member[bitcast<u32>(select(0i, _e9679, (_e9679 > 0i)))];
 let _e9686 = (_e9501 + 1029i);
 let _e9688 = select(_e9113, _e9686, (_e9686 < _e9113));
-let _e9694 = global_3.member[bitcast<u32>(select(0i, _e9688, (_e9688 > 0i)))];
+let _e9694 = global_2.member[bitcast<u32>(select(0i, _e9688, (_e9688 > 0i)))];
 let _e9696 = select(_e9113, 1i, (1i < _e9113));
-let _e9702 = global_3.member[bitcast<u32>(select(0i, _e9696, (_e9696 > 0i)))];
+let _e9702 = global_2.member[bitcast<u32>(select(0i, _e9696, (_e9696 > 0i)))];
 let _e9704 = select(_e9113, 262141i, (262141i < _e9113));
-let _e9710 = global_3.member[bitcast<u32>(select(0i, _e9704, (_e9704 > 0i)))];
+let _e9710 = global_2.member[bitcast<u32>(select(0i, _e9704, (_e9704 > 0i)))];
 let _e9715 = (bitcast<f32>(((_e9667 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9723 = (_e9715 + (((bitcast<f32>(((_e9676 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9715) * _e9505));
 let _e9728 = (bitcast<f32>(((_e9685 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3522,20 +3522,20 @@ let _e9779 = (_e9771 + (((bitcast<f32>((((_e9676 >> bitcast<u32>(16i)) & 32767u)
 let _e9784 = (bitcast<f32>((((_e9685 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9811 = (_e9501 + 2i);
 let _e9813 = select(_e9113, _e9811, (_e9811 < _e9113));
-let _e9819 = global_3.member[bitcast<u32>(select(0i, _e9813, (_e9813 > 0i)))];
+let _e9819 = global_2.member[bitcast<u32>(select(0i, _e9813, (_e9813 > 0i)))];
 let _e9820 = (_e9501 + 6i);
 let _e9822 = select(_e9113, _e9820, (_e9820 < _e9113));
-let _e9828 = global_3.member[bitcast<u32>(select(0i, _e9822, (_e9822 > 0i)))];
+let _e9828 = global_2.member[bitcast<u32>(select(0i, _e9822, (_e9822 > 0i)))];
 let _e9829 = (_e9501 + 1026i);
 let _e9831 = select(_e9113, _e9829, (_e9829 < _e9113));
-let _e9837 = global_3.member[bitcast<u32>(select(0i, _e9831, (_e9831 > 0i)))];
+let _e9837 = global_2.member[bitcast<u32>(select(0i, _e9831, (_e9831 > 0i)))];
 let _e9838 = (_e9501 + 1030i);
 let _e9840 = select(_e9113, _e9838, (_e9838 < _e9113));
-let _e9846 = global_3.member[bitcast<u32>(select(0i, _e9840, (_e9840 > 0i)))];
+let _e9846 = global_2.member[bitcast<u32>(select(0i, _e9840, (_e9840 > 0i)))];
 let _e9848 = select(_e9113, 2i, (2i < _e9113));
-let _e9854 = global_3.member[bitcast<u32>(select(0i, _e9848, (_e9848 > 0i)))];
+let _e9854 = global_2.member[bitcast<u32>(select(0i, _e9848, (_e9848 > 0i)))];
 let _e9856 = select(_e9113, 262142i, (262142i < _e9113));
-let _e9862 = global_3.member[bitcast<u32>(select(0i, _e9856, (_e9856 > 0i)))];
+let _e9862 = global_2.member[bitcast<u32>(select(0i, _e9856, (_e9856 > 0i)))];
 let _e9867 = (bitcast<f32>(((_e9819 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9875 = (_e9867 + (((bitcast<f32>(((_e9828 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9867) * _e9505));
 let _e9880 = (bitcast<f32>(((_e9837 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3544,20 +3544,20 @@ let _e9931 = (_e9923 + (((bitcast<f32>((((_e9828 >> bitcast<u32>(16i)) & 32767u)
 let _e9936 = (bitcast<f32>((((_e9837 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9963 = (_e9501 + 3i);
 let _e9965 = select(_e9113, _e9963, (_e9963 < _e9113));
-let _e9971 = global_3.member[bitcast<u32>(select(0i, _e9965, (_e9965 > 0i)))];
+let _e9971 = global_2.member[bitcast<u32>(select(0i, _e9965, (_e9965 > 0i)))];
 let _e9972 = (_e9501 + 7i);
 let _e9974 = select(_e9113, _e9972, (_e9972 < _e9113));
-let _e9980 = global_3.member[bitcast<u32>(select(0i, _e9974, (_e9974 > 0i)))];
+let _e9980 = global_2.member[bitcast<u32>(select(0i, _e9974, (_e9974 > 0i)))];
 let _e9981 = (_e9501 + 1027i);
 let _e9983 = select(_e9113, _e9981, (_e9981 < _e9113));
-let _e9989 = global_3.member[bitcast<u32>(select(0i, _e9983, (_e9983 > 0i)))];
+let _e9989 = global_2.member[bitcast<u32>(select(0i, _e9983, (_e9983 > 0i)))];
 let _e9990 = (_e9501 + 1031i);
 let _e9992 = select(_e9113, _e9990, (_e9990 < _e9113));
-let _e9998 = global_3.member[bitcast<u32>(select(0i, _e9992, (_e9992 > 0i)))];
+let _e9998 = global_2.member[bitcast<u32>(select(0i, _e9992, (_e9992 > 0i)))];
 let _e10000 = select(_e9113, 3i, (3i < _e9113));
-let _e10006 = global_3.member[bitcast<u32>(select(0i, _e10000, (_e10000 > 0i)))];
+let _e10006 = global_2.member[bitcast<u32>(select(0i, _e10000, (_e10000 > 0i)))];
 let _e10008 = select(_e9113, 262143i, (262143i < _e9113));
-let _e10014 = global_3.member[bitcast<u32>(select(0i, _e10008, (_e10008 > 0i)))];
+let _e10014 = global_2.member[bitcast<u32>(select(0i, _e10008, (_e10008 > 0i)))];
 let _e10019 = (bitcast<f32>(((_e9971 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10027 = (_e10019 + (((bitcast<f32>(((_e9980 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10019) * _e9505));
 let _e10032 = (bitcast<f32>(((_e9989 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3621,7 +3621,7 @@ let _e12723 = (_e12722 == 0u);
 if _e12723 {
 let _e12952 = global_5.member[_e457].member_9.member_1;
 let _e12961 = global_5.member[_e457].member_9.member;
-phi_26125_ = type_28(vec3<f32>(_e12952.member, _e12952.member_1, _e12952.member_2), vec3<f32>(_e12961.member, _e12961.member_1, _e12961.member_2));
+phi_26125_ = type_35(vec3<f32>(_e12952.member, _e12952.member_1, _e12952.member_2), vec3<f32>(_e12961.member, _e12961.member_1, _e12961.member_2));
 } else {
 let _e12728 = global_5.member[_e457].member_10.member;
 let _e12739 = ((((_e12728.member.member * _e11035) + (_e12728.member.member_1 * _e11036)) + (_e12728.member.member_2 * _e11037)) + _e12728.member_1);
@@ -3677,7 +3677,7 @@ let _e12904 = select(1f, (_e12887 * _e12898), _e12876);
 let _e12910 = global_5.member[_e457].member_10.member.member;
 let _e12922 = global_5.member[_e457].member_10.member_1.member;
 let _e12937 = global_5.member[_e457].member_10.member_2.member;
-phi_26125_ = type_28(vec3<f32>((_e12776.member * _e12871), (_e12776.member_1 * _e12871), (_e12776.member_2 * _e12871)), (vec3<f32>(((_e12910.member * _e12902) + (_e12922.member * _e12903)), ((_e12910.member_1 * _e12902) + (_e12922.member_1 * _e12903)), ((_e12910.member_2 * _e12902) + (_e12922.member_2 * _e12903))) + vec3<f32>((_e12937.member * _e12904), (_e12937.member_1 * _e12904), (_e12937.member_2 * _e12904))));
+phi_26125_ = type_35(vec3<f32>((_e12776.member * _e12871), (_e12776.member_1 * _e12871), (_e12776.member_2 * _e12871)), (vec3<f32>(((_e12910.member * _e12902) + (_e12922.member * _e12903)), ((_e12910.member_1 * _e12902) + (_e12922.member_1 * _e12903)), ((_e12910.member_2 * _e12902) + (_e12922.member_2 * _e12903))) + vec3<f32>((_e12937.member * _e12904), (_e12937.member_1 * _e12904), (_e12937.member_2 * _e12904))));
 }
 let _e12968 = phi_26125_;
 phi_28537_ = _e12968;
@@ -3716,7 +3716,7 @@ local_1 = (_e12205 + ((_e12183 * _e12143) + _e12168));
 let _e12207 = local_1;
 let _e12209 = (bitcast<i32>(_e231) - 1i);
 let _e12211 = select(_e12209, _e12207, (_e12207 < _e12209));
-let _e12216 = global_4.member[bitcast<u32>(select(0i, _e12211, (_e12211 > 0i)))];
+let _e12216 = global_3.member[bitcast<u32>(select(0i, _e12211, (_e12211 > 0i)))];
 let _e12218 = bitcast<u32>(bitcast<f32>(_e12216));
 let _e12222 = f32((bitcast<i32>((_e12218 & 65535u)) - 32768i));
 let _e12228 = f32((bitcast<i32>(((_e12218 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3724,13 +3724,13 @@ let _e12233 = select(_e12228, -(_e12228), ((_e12218 >> bitcast<u32>(31i)) != 0u)
 let _e12234 = local_1;
 let _e12235 = (_e12234 + 1i);
 let _e12237 = select(_e12209, _e12235, (_e12235 < _e12209));
-let _e12242 = global_4.member[bitcast<u32>(select(0i, _e12237, (_e12237 > 0i)))];
+let _e12242 = global_3.member[bitcast<u32>(select(0i, _e12237, (_e12237 > 0i)))];
 let _e12244 = bitcast<u32>(bitcast<f32>(_e12242));
 let _e12254 = f32((bitcast<i32>(((_e12244 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12260 = local_1;
 let _e12261 = (_e12260 + _e12143);
 let _e12263 = select(_e12209, _e12261, (_e12261 < _e12209));
-let _e12268 = global_4.member[bitcast<u32>(select(0i, _e12263, (_e12263 > 0i)))];
+let _e12268 = global_3.member[bitcast<u32>(select(0i, _e12263, (_e12263 > 0i)))];
 let _e12270 = bitcast<u32>(bitcast<f32>(_e12268));
 let _e12274 = f32((bitcast<i32>((_e12270 & 65535u)) - 32768i));
 let _e12280 = f32((bitcast<i32>(((_e12270 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3739,7 +3739,7 @@ let _e12286 = (_e12143 + 1i);
 let _e12287 = local_1;
 let _e12288 = (_e12287 + _e12286);
 let _e12290 = select(_e12209, _e12288, (_e12288 < _e12209));
-let _e12295 = global_4.member[bitcast<u32>(select(0i, _e12290, (_e12290 > 0i)))];
+let _e12295 = global_3.member[bitcast<u32>(select(0i, _e12290, (_e12290 > 0i)))];
 let _e12297 = bitcast<u32>(bitcast<f32>(_e12295));
 let _e12307 = f32((bitcast<i32>(((_e12297 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12315 = (_e12222 + ((f32((bitcast<i32>((_e12244 & 65535u)) - 32768i)) - _e12222) * _e12187));
@@ -3769,60 +3769,60 @@ let _e12402 = (_e12366 - f32(_e12396));
 let _e12409 = ((((_e12365 >= 0f) && (_e12365 <= _e12145)) && (_e12366 >= 0f)) && (_e12366 <= _e12153));
 let _e12410 = (_e12201 + _e12398);
 let _e12412 = select(_e12209, _e12410, (_e12410 < _e12209));
-let _e12418 = global_4.member[bitcast<u32>(select(0i, _e12412, (_e12412 > 0i)))];
+let _e12418 = global_3.member[bitcast<u32>(select(0i, _e12412, (_e12412 > 0i)))];
 let _e12419 = bitcast<f32>(_e12418);
 let _e12420 = (_e12410 + 1i);
 let _e12422 = select(_e12209, _e12420, (_e12420 < _e12209));
-let _e12428 = global_4.member[bitcast<u32>(select(0i, _e12422, (_e12422 > 0i)))];
+let _e12428 = global_3.member[bitcast<u32>(select(0i, _e12422, (_e12422 > 0i)))];
 let _e12432 = (_e12419 + ((bitcast<f32>(_e12428) - _e12419) * _e12400));
 let _e12433 = (_e12410 + _e12143);
 let _e12435 = select(_e12209, _e12433, (_e12433 < _e12209));
-let _e12441 = global_4.member[bitcast<u32>(select(0i, _e12435, (_e12435 > 0i)))];
+let _e12441 = global_3.member[bitcast<u32>(select(0i, _e12435, (_e12435 > 0i)))];
 let _e12442 = bitcast<f32>(_e12441);
 let _e12443 = (_e12433 + 1i);
 let _e12445 = select(_e12209, _e12443, (_e12443 < _e12209));
-let _e12451 = global_4.member[bitcast<u32>(select(0i, _e12445, (_e12445 > 0i)))];
+let _e12451 = global_3.member[bitcast<u32>(select(0i, _e12445, (_e12445 > 0i)))];
 let _e12459 = select(1f, (_e12432 + (((_e12442 + ((bitcast<f32>(_e12451) - _e12442) * _e12400)) - _e12432) * _e12402)), _e12409);
 if _e9109 {
 phi_26870_ = vec3(_e12459);
 } else {
 let _e12462 = ((_e12201 + _e12203) + _e12398);
 let _e12464 = select(_e12209, _e12462, (_e12462 < _e12209));
-let _e12470 = global_4.member[bitcast<u32>(select(0i, _e12464, (_e12464 > 0i)))];
+let _e12470 = global_3.member[bitcast<u32>(select(0i, _e12464, (_e12464 > 0i)))];
 let _e12471 = bitcast<f32>(_e12470);
 let _e12472 = (_e12462 + 1i);
 let _e12474 = select(_e12209, _e12472, (_e12472 < _e12209));
-let _e12480 = global_4.member[bitcast<u32>(select(0i, _e12474, (_e12474 > 0i)))];
+let _e12480 = global_3.member[bitcast<u32>(select(0i, _e12474, (_e12474 > 0i)))];
 let _e12484 = (_e12471 + ((bitcast<f32>(_e12480) - _e12471) * _e12400));
 let _e12485 = (_e12462 + _e12143);
 let _e12487 = select(_e12209, _e12485, (_e12485 < _e12209));
-let _e12493 = global_4.member[bitcast<u32>(select(0i, _e12487, (_e12487 > 0i)))];
+let _e12493 = global_3.member[bitcast<u32>(select(0i, _e12487, (_e12487 > 0i)))];
 let _e12494 = bitcast<f32>(_e12493);
 let _e12495 = (_e12485 + 1i);
 let _e12497 = select(_e12209, _e12495, (_e12495 < _e12209));
-let _e12503 = global_4.member[bitcast<u32>(select(0i, _e12497, (_e12497 > 0i)))];
+let _e12503 = global_3.member[bitcast<u32>(select(0i, _e12497, (_e12497 > 0i)))];
 let _e12514 = ((_e12201 + (2i * _e12203)) + _e12398);
 let _e12516 = select(_e12209, _e12514, (_e12514 < _e12209));
-let _e12522 = global_4.member[bitcast<u32>(select(0i, _e12516, (_e12516 > 0i)))];
+let _e12522 = global_3.member[bitcast<u32>(select(0i, _e12516, (_e12516 > 0i)))];
 let _e12523 = bitcast<f32>(_e12522);
 let _e12524 = (_e12514 + 1i);
 let _e12526 = select(_e12209, _e12524, (_e12524 < _e12209));
-let _e12532 = global_4.member[bitcast<u32>(select(0i, _e12526, (_e12526 > 0i)))];
+let _e12532 = global_3.member[bitcast<u32>(select(0i, _e12526, (_e12526 > 0i)))];
 let _e12536 = (_e12523 + ((bitcast<f32>(_e12532) - _e12523) * _e12400));
 let _e12537 = (_e12514 + _e12143);
 let _e12539 = select(_e12209, _e12537, (_e12537 < _e12209));
-let _e12545 = global_4.member[bitcast<u32>(select(0i, _e12539, (_e12539 > 0i)))];
+let _e12545 = global_3.member[bitcast<u32>(select(0i, _e12539, (_e12539 > 0i)))];
 let _e12546 = bitcast<f32>(_e12545);
 let _e12547 = (_e12537 + 1i);
 let _e12549 = select(_e12209, _e12547, (_e12547 < _e12209));
-let _e12555 = global_4.member[bitcast<u32>(select(0i, _e12549, (_e12549 > 0i)))];
+let _e12555 = global_3.member[bitcast<u32>(select(0i, _e12549, (_e12549 > 0i)))];
 phi_26870_ = vec3<f32>(_e12459, select(1f, (_e12484 + (((_e12494 + ((bitcast<f32>(_e12503) - _e12494) * _e12400)) - _e12484) * _e12402)), _e12409), select(1f, (_e12536 + (((_e12546 + ((bitcast<f32>(_e12555) - _e12546) * _e12400)) - _e12536) * _e12402)), _e12409));
 }
 let _e12566 = phi_26870_;
 local = (_e12205 + _e12398);
 let _e12568 = local;
 let _e12570 = select(_e12209, _e12568, (_e12568 < _e12209));
-let _e12575 = global_4.member[bitcast<u32>(select(0i, _e12570, (_e12570 > 0i)))];
+let _e12575 = global_3.member[bitcast<u32>(select(0i, _e12570, (_e12570 > 0i)))];
 let _e12577 = bitcast<u32>(bitcast<f32>(_e12575));
 let _e12581 = f32((bitcast<i32>((_e12577 & 65535u)) - 32768i));
 let _e12587 = f32((bitcast<i32>(((_e12577 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3830,13 +3830,13 @@ let _e12592 = select(_e12587, -(_e12587), ((_e12577 >> bitcast<u32>(31i)) != 0u)
 let _e12593 = local;
 let _e12594 = (_e12593 + 1i);
 let _e12596 = select(_e12209, _e12594, (_e12594 < _e12209));
-let _e12601 = global_4.member[bitcast<u32>(select(0i, _e12596, (_e12596 > 0i)))];
+let _e12601 = global_3.member[bitcast<u32>(select(0i, _e12596, (_e12596 > 0i)))];
 let _e12603 = bitcast<u32>(bitcast<f32>(_e12601));
 let _e12613 = f32((bitcast<i32>(((_e12603 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12619 = local;
 let _e12620 = (_e12619 + _e12143);
 let _e12622 = select(_e12209, _e12620, (_e12620 < _e12209));
-let _e12627 = global_4.member[bitcast<u32>(select(0i, _e12622, (_e12622 > 0i)))];
+let _e12627 = global_3.member[bitcast<u32>(select(0i, _e12622, (_e12622 > 0i)))];
 let _e12629 = bitcast<u32>(bitcast<f32>(_e12627));
 let _e12633 = f32((bitcast<i32>((_e12629 & 65535u)) - 32768i));
 let _e12639 = f32((bitcast<i32>(((_e12629 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3844,7 +3844,7 @@ let _e12644 = select(_e12639, -(_e12639), ((_e12629 >> bitcast<u32>(31i)) != 0u)
 let _e12645 = local;
 let _e12646 = (_e12645 + _e12286);
 let _e12648 = select(_e12209, _e12646, (_e12646 < _e12209));
-let _e12653 = global_4.member[bitcast<u32>(select(0i, _e12648, (_e12648 > 0i)))];
+let _e12653 = global_3.member[bitcast<u32>(select(0i, _e12648, (_e12648 > 0i)))];
 let _e12655 = bitcast<u32>(bitcast<f32>(_e12653));
 let _e12665 = f32((bitcast<i32>(((_e12655 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12673 = (_e12581 + ((f32((bitcast<i32>((_e12603 & 65535u)) - 32768i)) - _e12581) * _e12400));
@@ -3854,7 +3854,7 @@ let _e12702 = (_e12337.member + (select(0f, (_e12673 + (((_e12633 + ((f32((bitca
 let _e12704 = (_e12337.member_1 + (select(0f, (_e12682 + (((_e12644 + ((select(_e12665, -(_e12665), ((_e12655 >> bitcast<u32>(31i)) != 0u)) - _e12644) * _e12400)) - _e12682) * _e12402)), _e12409) * _e12340));
 let _e12708 = (1f - ((_e12702 * _e12702) + (_e12704 * _e12704)));
 let _e12710 = select(1e-4f, _e12708, (_e12708 > 1e-4f));
-phi_28536_ = type_28((_e12566 * vec3<f32>(_e12695.member, _e12695.member_1, _e12695.member_2)), vec3<f32>(_e12702, _e12704, sqrt(select(0f, _e12710, (_e12710 > 0f)))));
+phi_28536_ = type_35((_e12566 * vec3<f32>(_e12695.member, _e12695.member_1, _e12695.member_2)), vec3<f32>(_e12702, _e12704, sqrt(select(0f, _e12710, (_e12710 > 0f)))));
 } else {
 let _e11040 = (1f - _e11027.member);
 let _e11042 = select(1e-6f, _e11027.member, (_e11027.member > 1e-6f));
@@ -3920,9 +3920,9 @@ let _e11301 = phi_27384_;
 let _e11302 = (_e11301 + 1i);
 let _e11304 = (bitcast<i32>(_e231) - 1i);
 let _e11306 = select(_e11304, _e11302, (_e11302 < _e11304));
-let _e11312 = global_4.member[bitcast<u32>(select(0i, _e11306, (_e11306 > 0i)))];
+let _e11312 = global_3.member[bitcast<u32>(select(0i, _e11306, (_e11306 > 0i)))];
 let _e11314 = select(_e11304, _e11301, (_e11301 < _e11304));
-let _e11320 = global_4.member[bitcast<u32>(select(0i, _e11314, (_e11314 > 0i)))];
+let _e11320 = global_3.member[bitcast<u32>(select(0i, _e11314, (_e11314 > 0i)))];
 let _e11323 = select(_e11312, 0u, (_e11301 < 0i));
 let _e11328 = global_5.member[_e457].member_10.member_13;
 let _e11329 = (_e11323 * 81u);
@@ -3934,35 +3934,35 @@ let _e11346 = (_e11196 - f32(_e11239));
 let _e11348 = (_e11208 - f32(_e11254));
 let _e11349 = (_e11323 != 0u);
 let _e11351 = select(_e11304, _e11341, (_e11341 < _e11304));
-let _e11357 = global_4.member[bitcast<u32>(select(0i, _e11351, (_e11351 > 0i)))];
+let _e11357 = global_3.member[bitcast<u32>(select(0i, _e11351, (_e11351 > 0i)))];
 let _e11358 = bitcast<f32>(_e11357);
 let _e11359 = (_e11341 + 1i);
 let _e11361 = select(_e11304, _e11359, (_e11359 < _e11304));
-let _e11367 = global_4.member[bitcast<u32>(select(0i, _e11361, (_e11361 > 0i)))];
+let _e11367 = global_3.member[bitcast<u32>(select(0i, _e11361, (_e11361 > 0i)))];
 let _e11371 = (_e11358 + ((bitcast<f32>(_e11367) - _e11358) * _e11344));
 let _e11372 = (_e11341 + 9i);
 let _e11374 = select(_e11304, _e11372, (_e11372 < _e11304));
-let _e11380 = global_4.member[bitcast<u32>(select(0i, _e11374, (_e11374 > 0i)))];
+let _e11380 = global_3.member[bitcast<u32>(select(0i, _e11374, (_e11374 > 0i)))];
 let _e11381 = bitcast<f32>(_e11380);
 let _e11382 = (_e11341 + 10i);
 let _e11384 = select(_e11304, _e11382, (_e11382 < _e11304));
-let _e11390 = global_4.member[bitcast<u32>(select(0i, _e11384, (_e11384 > 0i)))];
+let _e11390 = global_3.member[bitcast<u32>(select(0i, _e11384, (_e11384 > 0i)))];
 let _e11397 = (_e11371 + (((_e11381 + ((bitcast<f32>(_e11390) - _e11381) * _e11344)) - _e11371) * _e11346));
 let _e11398 = (_e11341 + _e11333);
 let _e11400 = select(_e11304, _e11398, (_e11398 < _e11304));
-let _e11406 = global_4.member[bitcast<u32>(select(0i, _e11400, (_e11400 > 0i)))];
+let _e11406 = global_3.member[bitcast<u32>(select(0i, _e11400, (_e11400 > 0i)))];
 let _e11407 = bitcast<f32>(_e11406);
 let _e11408 = (_e11398 + 1i);
 let _e11410 = select(_e11304, _e11408, (_e11408 < _e11304));
-let _e11416 = global_4.member[bitcast<u32>(select(0i, _e11410, (_e11410 > 0i)))];
+let _e11416 = global_3.member[bitcast<u32>(select(0i, _e11410, (_e11410 > 0i)))];
 let _e11420 = (_e11407 + ((bitcast<f32>(_e11416) - _e11407) * _e11344));
 let _e11421 = (_e11398 + 9i);
 let _e11423 = select(_e11304, _e11421, (_e11421 < _e11304));
-let _e11429 = global_4.member[bitcast<u32>(select(0i, _e11423, (_e11423 > 0i)))];
+let _e11429 = global_3.member[bitcast<u32>(select(0i, _e11423, (_e11423 > 0i)))];
 let _e11430 = bitcast<f32>(_e11429);
 let _e11431 = (_e11398 + 10i);
 let _e11433 = select(_e11304, _e11431, (_e11431 < _e11304));
-let _e11439 = global_4.member[bitcast<u32>(select(0i, _e11433, (_e11433 > 0i)))];
+let _e11439 = global_3.member[bitcast<u32>(select(0i, _e11433, (_e11433 > 0i)))];
 let _e11450 = select(1f, (_e11397 + (((_e11420 + (((_e11430 + ((bitcast<f32>(_e11439) - _e11430) * _e11344)) - _e11420) * _e11346)) - _e11397) * _e11348)), _e11349);
 if _e9109 {
 phi_27961_ = vec3(_e11450);
@@ -3971,66 +3971,66 @@ let _e11456 = global_5.member[_e457].member_10.member_12;
 let _e11457 = (_e11456 > 1u);
 let _e11461 = (_e11341 + (select(0i, 1i, _e11457) * _e11342));
 let _e11463 = select(_e11304, _e11461, (_e11461 < _e11304));
-let _e11469 = global_4.member[bitcast<u32>(select(0i, _e11463, (_e11463 > 0i)))];
+let _e11469 = global_3.member[bitcast<u32>(select(0i, _e11463, (_e11463 > 0i)))];
 let _e11470 = bitcast<f32>(_e11469);
 let _e11471 = (_e11461 + 1i);
 let _e11473 = select(_e11304, _e11471, (_e11471 < _e11304));
-let _e11479 = global_4.member[bitcast<u32>(select(0i, _e11473, (_e11473 > 0i)))];
+let _e11479 = global_3.member[bitcast<u32>(select(0i, _e11473, (_e11473 > 0i)))];
 let _e11483 = (_e11470 + ((bitcast<f32>(_e11479) - _e11470) * _e11344));
 let _e11484 = (_e11461 + 9i);
 let _e11486 = select(_e11304, _e11484, (_e11484 < _e11304));
-let _e11492 = global_4.member[bitcast<u32>(select(0i, _e11486, (_e11486 > 0i)))];
+let _e11492 = global_3.member[bitcast<u32>(select(0i, _e11486, (_e11486 > 0i)))];
 let _e11493 = bitcast<f32>(_e11492);
 let _e11494 = (_e11461 + 10i);
 let _e11496 = select(_e11304, _e11494, (_e11494 < _e11304));
-let _e11502 = global_4.member[bitcast<u32>(select(0i, _e11496, (_e11496 > 0i)))];
+let _e11502 = global_3.member[bitcast<u32>(select(0i, _e11496, (_e11496 > 0i)))];
 let _e11509 = (_e11483 + (((_e11493 + ((bitcast<f32>(_e11502) - _e11493) * _e11344)) - _e11483) * _e11346));
 let _e11510 = (_e11461 + _e11333);
 let _e11512 = select(_e11304, _e11510, (_e11510 < _e11304));
-let _e11518 = global_4.member[bitcast<u32>(select(0i, _e11512, (_e11512 > 0i)))];
+let _e11518 = global_3.member[bitcast<u32>(select(0i, _e11512, (_e11512 > 0i)))];
 let _e11519 = bitcast<f32>(_e11518);
 let _e11520 = (_e11510 + 1i);
 let _e11522 = select(_e11304, _e11520, (_e11520 < _e11304));
-let _e11528 = global_4.member[bitcast<u32>(select(0i, _e11522, (_e11522 > 0i)))];
+let _e11528 = global_3.member[bitcast<u32>(select(0i, _e11522, (_e11522 > 0i)))];
 let _e11532 = (_e11519 + ((bitcast<f32>(_e11528) - _e11519) * _e11344));
 let _e11533 = (_e11510 + 9i);
 let _e11535 = select(_e11304, _e11533, (_e11533 < _e11304));
-let _e11541 = global_4.member[bitcast<u32>(select(0i, _e11535, (_e11535 > 0i)))];
+let _e11541 = global_3.member[bitcast<u32>(select(0i, _e11535, (_e11535 > 0i)))];
 let _e11542 = bitcast<f32>(_e11541);
 let _e11543 = (_e11510 + 10i);
 let _e11545 = select(_e11304, _e11543, (_e11543 < _e11304));
-let _e11551 = global_4.member[bitcast<u32>(select(0i, _e11545, (_e11545 > 0i)))];
+let _e11551 = global_3.member[bitcast<u32>(select(0i, _e11545, (_e11545 > 0i)))];
 let _e11564 = (_e11341 + (select(0i, 2i, _e11457) * _e11342));
 let _e11566 = select(_e11304, _e11564, (_e11564 < _e11304));
-let _e11572 = global_4.member[bitcast<u32>(select(0i, _e11566, (_e11566 > 0i)))];
+let _e11572 = global_3.member[bitcast<u32>(select(0i, _e11566, (_e11566 > 0i)))];
 let _e11573 = bitcast<f32>(_e11572);
 let _e11574 = (_e11564 + 1i);
 let _e11576 = select(_e11304, _e11574, (_e11574 < _e11304));
-let _e11582 = global_4.member[bitcast<u32>(select(0i, _e11576, (_e11576 > 0i)))];
+let _e11582 = global_3.member[bitcast<u32>(select(0i, _e11576, (_e11576 > 0i)))];
 let _e11586 = (_e11573 + ((bitcast<f32>(_e11582) - _e11573) * _e11344));
 let _e11587 = (_e11564 + 9i);
 let _e11589 = select(_e11304, _e11587, (_e11587 < _e11304));
-let _e11595 = global_4.member[bitcast<u32>(select(0i, _e11589, (_e11589 > 0i)))];
+let _e11595 = global_3.member[bitcast<u32>(select(0i, _e11589, (_e11589 > 0i)))];
 let _e11596 = bitcast<f32>(_e11595);
 let _e11597 = (_e11564 + 10i);
 let _e11599 = select(_e11304, _e11597, (_e11597 < _e11304));
-let _e11605 = global_4.member[bitcast<u32>(select(0i, _e11599, (_e11599 > 0i)))];
+let _e11605 = global_3.member[bitcast<u32>(select(0i, _e11599, (_e11599 > 0i)))];
 let _e11612 = (_e11586 + (((_e11596 + ((bitcast<f32>(_e11605) - _e11596) * _e11344)) - _e11586) * _e11346));
 let _e11613 = (_e11564 + _e11333);
 let _e11615 = select(_e11304, _e11613, (_e11613 < _e11304));
-let _e11621 = global_4.member[bitcast<u32>(select(0i, _e11615, (_e11615 > 0i)))];
+let _e11621 = global_3.member[bitcast<u32>(select(0i, _e11615, (_e11615 > 0i)))];
 let _e11622 = bitcast<f32>(_e11621);
 let _e11623 = (_e11613 + 1i);
 let _e11625 = select(_e11304, _e11623, (_e11623 < _e11304));
-let _e11631 = global_4.member[bitcast<u32>(select(0i, _e11625, (_e11625 > 0i)))];
+let _e11631 = global_3.member[bitcast<u32>(select(0i, _e11625, (_e11625 > 0i)))];
 let _e11635 = (_e11622 + ((bitcast<f32>(_e11631) - _e11622) * _e11344));
 let _e11636 = (_e11613 + 9i);
 let _e11638 = select(_e11304, _e11636, (_e11636 < _e11304));
-let _e11644 = global_4.member[bitcast<u32>(select(0i, _e11638, (_e11638 > 0i)))];
+let _e11644 = global_3.member[bitcast<u32>(select(0i, _e11638, (_e11638 > 0i)))];
 let _e11645 = bitcast<f32>(_e11644);
 let _e11646 = (_e11613 + 10i);
 let _e11648 = select(_e11304, _e11646, (_e11646 < _e11304));
-let _e11654 = global_4.member[bitcast<u32>(select(0i, _e11648, (_e11648 > 0i)))];
+let _e11654 = global_3.member[bitcast<u32>(select(0i, _e11648, (_e11648 > 0i)))];
 phi_27961_ = vec3<f32>(_e11450, select(1f, (_e11509 + (((_e11532 + (((_e11542 + ((bitcast<f32>(_e11551) - _e11542) * _e11344)) - _e11532) * _e11346)) - _e11509) * _e11348)), _e11349), select(1f, (_e11612 + (((_e11635 + (((_e11645 + ((bitcast<f32>(_e11654) - _e11645) * _e11344)) - _e11635) * _e11346)) - _e11612) * _e11348)), _e11349));
 }
 let _e11668 = phi_27961_;
@@ -4046,56 +4046,56 @@ let _e11691 = select(0f, (_e11674 * _e11686), _e11153);
 if _e836 {
 let _e11697 = (_e11341 + ((bitcast<i32>(_e11328) - 1i) * _e11342));
 let _e11699 = select(_e11304, _e11697, (_e11697 < _e11304));
-let _e11705 = global_4.member[bitcast<u32>(select(0i, _e11699, (_e11699 > 0i)))];
+let _e11705 = global_3.member[bitcast<u32>(select(0i, _e11699, (_e11699 > 0i)))];
 let _e11707 = bitcast<u32>(bitcast<f32>(_e11705));
 let _e11711 = f32((bitcast<i32>((_e11707 & 65535u)) - 32768i));
 let _e11717 = f32((bitcast<i32>(((_e11707 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11722 = select(_e11717, -(_e11717), ((_e11707 >> bitcast<u32>(31i)) != 0u));
 let _e11723 = (_e11697 + 1i);
 let _e11725 = select(_e11304, _e11723, (_e11723 < _e11304));
-let _e11731 = global_4.member[bitcast<u32>(select(0i, _e11725, (_e11725 > 0i)))];
+let _e11731 = global_3.member[bitcast<u32>(select(0i, _e11725, (_e11725 > 0i)))];
 let _e11733 = bitcast<u32>(bitcast<f32>(_e11731));
 let _e11743 = f32((bitcast<i32>(((_e11733 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11751 = (_e11711 + ((f32((bitcast<i32>((_e11733 & 65535u)) - 32768i)) - _e11711) * _e11344));
 let _e11754 = (_e11722 + ((select(_e11743, -(_e11743), ((_e11733 >> bitcast<u32>(31i)) != 0u)) - _e11722) * _e11344));
 let _e11755 = (_e11697 + 9i);
 let _e11757 = select(_e11304, _e11755, (_e11755 < _e11304));
-let _e11763 = global_4.member[bitcast<u32>(select(0i, _e11757, (_e11757 > 0i)))];
+let _e11763 = global_3.member[bitcast<u32>(select(0i, _e11757, (_e11757 > 0i)))];
 let _e11765 = bitcast<u32>(bitcast<f32>(_e11763));
 let _e11769 = f32((bitcast<i32>((_e11765 & 65535u)) - 32768i));
 let _e11775 = f32((bitcast<i32>(((_e11765 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11780 = select(_e11775, -(_e11775), ((_e11765 >> bitcast<u32>(31i)) != 0u));
 let _e11781 = (_e11697 + 10i);
 let _e11783 = select(_e11304, _e11781, (_e11781 < _e11304));
-let _e11789 = global_4.member[bitcast<u32>(select(0i, _e11783, (_e11783 > 0i)))];
+let _e11789 = global_3.member[bitcast<u32>(select(0i, _e11783, (_e11783 > 0i)))];
 let _e11791 = bitcast<u32>(bitcast<f32>(_e11789));
 let _e11801 = f32((bitcast<i32>(((_e11791 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11815 = (_e11751 + (((_e11769 + ((f32((bitcast<i32>((_e11791 & 65535u)) - 32768i)) - _e11769) * _e11344)) - _e11751) * _e11346));
 let _e11818 = (_e11754 + (((_e11780 + ((select(_e11801, -(_e11801), ((_e11791 >> bitcast<u32>(31i)) != 0u)) - _e11780) * _e11344)) - _e11754) * _e11346));
 let _e11819 = (_e11697 + _e11333);
 let _e11821 = select(_e11304, _e11819, (_e11819 < _e11304));
-let _e11827 = global_4.member[bitcast<u32>(select(0i, _e11821, (_e11821 > 0i)))];
+let _e11827 = global_3.member[bitcast<u32>(select(0i, _e11821, (_e11821 > 0i)))];
 let _e11829 = bitcast<u32>(bitcast<f32>(_e11827));
 let _e11833 = f32((bitcast<i32>((_e11829 & 65535u)) - 32768i));
 let _e11839 = f32((bitcast<i32>(((_e11829 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11844 = select(_e11839, -(_e11839), ((_e11829 >> bitcast<u32>(31i)) != 0u));
 let _e11845 = (_e11819 + 1i);
 let _e11847 = select(_e11304, _e11845, (_e11845 < _e11304));
-let _e11853 = global_4.member[bitcast<u32>(select(0i, _e11847, (_e11847 > 0i)))];
+let _e11853 = global_3.member[bitcast<u32>(select(0i, _e11847, (_e11847 > 0i)))];
 let _e11855 = bitcast<u32>(bitcast<f32>(_e11853));
 let _e11865 = f32((bitcast<i32>(((_e11855 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11873 = (_e11833 + ((f32((bitcast<i32>((_e11855 & 65535u)) - 32768i)) - _e11833) * _e11344));
 let _e11876 = (_e11844 + ((select(_e11865, -(_e11865), ((_e11855 >> bitcast<u32>(31i)) != 0u)) - _e11844) * _e11344));
 let _e11877 = (_e11819 + 9i);
 let _e11879 = select(_e11304, _e11877, (_e11877 < _e11304));
-let _e11885 = global_4.member[bitcast<u32>(select(0i, _e11879, (_e11879 > 0i)))];
+let _e11885 = global_3.member[bitcast<u32>(select(0i, _e11879, (_e11879 > 0i)))];
 let _e11887 = bitcast<u32>(bitcast<f32>(_e11885));
 let _e11891 = f32((bitcast<i32>((_e11887 & 65535u)) - 32768i));
 let _e11897 = f32((bitcast<i32>(((_e11887 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11902 = select(_e11897, -(_e11897), ((_e11887 >> bitcast<u32>(31i)) != 0u));
 let _e11903 = (_e11819 + 10i);
 let _e11905 = select(_e11304, _e11903, (_e11903 < _e11304));
-let _e11911 = global_4.member[bitcast<u32>(select(0i, _e11905, (_e11905 > 0i)))];
+let _e11911 = global_3.member[bitcast<u32>(select(0i, _e11905, (_e11905 > 0i)))];
 let _e11913 = bitcast<u32>(bitcast<f32>(_e11911));
 let _e11923 = f32((bitcast<i32>(((_e11913 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11949 = (_e11690 + select(0f, ((_e11815 + (((_e11873 + (((_e11891 + ((f32((bitcast<i32>((_e11913 & 65535u)) - 32768i)) - _e11891) * _e11344)) - _e11873) * _e11346)) - _e11815) * _e11348)) * 6.151953e-5f), _e11349));
@@ -4136,7 +4136,7 @@ let _e12046 = (_e12045 * select(_e12025, 1f, (_e836 && _e11349)));
 let _e12056 = global_5.member[_e457].member_10.member.member;
 let _e12069 = global_5.member[_e457].member_10.member_1.member;
 let _e12085 = global_5.member[_e457].member_10.member_2.member;
-phi_28536_ = type_28(vec3<f32>(((_e11668.x * _e12031.member) * _e12046), ((_e11668.y * _e12031.member_1) * _e12046), ((_e11668.z * _e12031.member_2) * _e12046)), (vec3<f32>(((_e12056.member * _e11964.x) + (_e12069.member * _e11964.y)), ((_e12056.member_1 * _e11964.x) + (_e12069.member_1 * _e11964.y)), ((_e12056.member_2 * _e11964.x) + (_e12069.member_2 * _e11964.y))) + vec3<f32>((_e12085.member * _e11964.z), (_e12085.member_1 * _e11964.z), (_e12085.member_2 * _e11964.z))));
+phi_28536_ = type_35(vec3<f32>(((_e11668.x * _e12031.member) * _e12046), ((_e11668.y * _e12031.member_1) * _e12046), ((_e11668.z * _e12031.member_2) * _e12046)), (vec3<f32>(((_e12056.member * _e11964.x) + (_e12069.member * _e11964.y)), ((_e12056.member_1 * _e11964.x) + (_e12069.member_1 * _e11964.y)), ((_e12056.member_2 * _e11964.x) + (_e12069.member_2 * _e11964.y))) + vec3<f32>((_e12085.member * _e11964.z), (_e12085.member_1 * _e11964.z), (_e12085.member_2 * _e11964.z))));
 }
 let _e12717 = phi_28536_;
 phi_28537_ = _e12717;
@@ -4322,51 +4322,51 @@ let _e13659 = ((bitcast<i32>(_e13655) + (_e13629 * _e13473)) + _e13612);
 let _e13660 = (_e13473 * _e13481);
 let _e13662 = (bitcast<i32>(_e231) - 1i);
 let _e13664 = select(_e13662, _e13659, (_e13659 < _e13662));
-let _e13670 = global_4.member[bitcast<u32>(select(0i, _e13664, (_e13664 > 0i)))];
+let _e13670 = global_3.member[bitcast<u32>(select(0i, _e13664, (_e13664 > 0i)))];
 let _e13671 = bitcast<f32>(_e13670);
 let _e13672 = (_e13659 + 1i);
 let _e13674 = select(_e13662, _e13672, (_e13672 < _e13662));
-let _e13680 = global_4.member[bitcast<u32>(select(0i, _e13674, (_e13674 > 0i)))];
+let _e13680 = global_3.member[bitcast<u32>(select(0i, _e13674, (_e13674 > 0i)))];
 let _e13684 = (_e13671 + ((bitcast<f32>(_e13680) - _e13671) * _e13635));
 let _e13685 = (_e13659 + _e13473);
 let _e13687 = select(_e13662, _e13685, (_e13685 < _e13662));
-let _e13693 = global_4.member[bitcast<u32>(select(0i, _e13687, (_e13687 > 0i)))];
+let _e13693 = global_3.member[bitcast<u32>(select(0i, _e13687, (_e13687 > 0i)))];
 let _e13694 = bitcast<f32>(_e13693);
 let _e13695 = (_e13685 + 1i);
 let _e13697 = select(_e13662, _e13695, (_e13695 < _e13662));
-let _e13703 = global_4.member[bitcast<u32>(select(0i, _e13697, (_e13697 > 0i)))];
+let _e13703 = global_3.member[bitcast<u32>(select(0i, _e13697, (_e13697 > 0i)))];
 let _e13710 = (_e13684 + (((_e13694 + ((bitcast<f32>(_e13703) - _e13694) * _e13635)) - _e13684) * _e13641));
 let _e13711 = (_e13659 + _e13660);
 let _e13713 = select(_e13662, _e13711, (_e13711 < _e13662));
-let _e13719 = global_4.member[bitcast<u32>(select(0i, _e13713, (_e13713 > 0i)))];
+let _e13719 = global_3.member[bitcast<u32>(select(0i, _e13713, (_e13713 > 0i)))];
 let _e13720 = bitcast<f32>(_e13719);
 let _e13721 = (_e13711 + 1i);
 let _e13723 = select(_e13662, _e13721, (_e13721 < _e13662));
-let _e13729 = global_4.member[bitcast<u32>(select(0i, _e13723, (_e13723 > 0i)))];
+let _e13729 = global_3.member[bitcast<u32>(select(0i, _e13723, (_e13723 > 0i)))];
 let _e13733 = (_e13720 + ((bitcast<f32>(_e13729) - _e13720) * _e13635));
 let _e13734 = (_e13711 + _e13473);
 let _e13736 = select(_e13662, _e13734, (_e13734 < _e13662));
-let _e13742 = global_4.member[bitcast<u32>(select(0i, _e13736, (_e13736 > 0i)))];
+let _e13742 = global_3.member[bitcast<u32>(select(0i, _e13736, (_e13736 > 0i)))];
 let _e13743 = bitcast<f32>(_e13742);
 let _e13744 = (_e13734 + 1i);
 let _e13746 = select(_e13662, _e13744, (_e13744 < _e13662));
-let _e13752 = global_4.member[bitcast<u32>(select(0i, _e13746, (_e13746 > 0i)))];
+let _e13752 = global_3.member[bitcast<u32>(select(0i, _e13746, (_e13746 > 0i)))];
 let _e13759 = (_e13733 + (((_e13743 + ((bitcast<f32>(_e13752) - _e13743) * _e13635)) - _e13733) * _e13641));
 let _e13761 = (_e13659 + (2i * _e13660));
 let _e13763 = select(_e13662, _e13761, (_e13761 < _e13662));
-let _e13769 = global_4.member[bitcast<u32>(select(0i, _e13763, (_e13763 > 0i)))];
+let _e13769 = global_3.member[bitcast<u32>(select(0i, _e13763, (_e13763 > 0i)))];
 let _e13770 = bitcast<f32>(_e13769);
 let _e13771 = (_e13761 + 1i);
 let _e13773 = select(_e13662, _e13771, (_e13771 < _e13662));
-let _e13779 = global_4.member[bitcast<u32>(select(0i, _e13773, (_e13773 > 0i)))];
+let _e13779 = global_3.member[bitcast<u32>(select(0i, _e13773, (_e13773 > 0i)))];
 let _e13783 = (_e13770 + ((bitcast<f32>(_e13779) - _e13770) * _e13635));
 let _e13784 = (_e13761 + _e13473);
 let _e13786 = select(_e13662, _e13784, (_e13784 < _e13662));
-let _e13792 = global_4.member[bitcast<u32>(select(0i, _e13786, (_e13786 > 0i)))];
+let _e13792 = global_3.member[bitcast<u32>(select(0i, _e13786, (_e13786 > 0i)))];
 let _e13793 = bitcast<f32>(_e13792);
 let _e13794 = (_e13784 + 1i);
 let _e13796 = select(_e13662, _e13794, (_e13794 < _e13662));
-let _e13802 = global_4.member[bitcast<u32>(select(0i, _e13796, (_e13796 > 0i)))];
+let _e13802 = global_3.member[bitcast<u32>(select(0i, _e13796, (_e13796 > 0i)))];
 let _e13809 = (_e13783 + (((_e13793 + ((bitcast<f32>(_e13802) - _e13793) * _e13635)) - _e13783) * _e13641));
 let _e13811 = (_e13292 == 0u);
 if _e13811 {
@@ -4403,13 +4403,13 @@ phi_29705_ = vec3<f32>((select(0f, _e13876, (_e13876 > 0f)) * _e13889), (select(
 }
 let _e13895 = phi_29705_;
 let _e13900 = global_5.member[_e457].member_9.member_1;
-phi_29965_ = type_28((vec3<f32>(_e13900.member, _e13900.member_1, _e13900.member_2) * _e13895), _e13363);
+phi_29965_ = type_35((vec3<f32>(_e13900.member, _e13900.member_1, _e13900.member_2) * _e13895), _e13363);
 } else {
 let _e13366 = (_e13292 == 0u);
 if _e13366 {
 let _e13449 = global_5.member[_e457].member_9.member_1;
 let _e13458 = global_5.member[_e457].member_9.member;
-phi_29964_ = type_28(vec3<f32>(_e13449.member, _e13449.member_1, _e13449.member_2), vec3<f32>(_e13458.member, _e13458.member_1, _e13458.member_2));
+phi_29964_ = type_35(vec3<f32>(_e13449.member, _e13449.member_1, _e13449.member_2), vec3<f32>(_e13458.member, _e13458.member_1, _e13458.member_2));
 } else {
 let _e13371 = global_5.member[_e457].member_9.member_1;
 if _e13366 {
@@ -4436,7 +4436,7 @@ phi_29892_ = select(1f, select(0f, ((_e13428 * _e13428) * (3f - (2f * _e13428)))
 }
 let _e13438 = phi_29892_;
 let _e13439 = (_e13379 * _e13438);
-phi_29964_ = type_28(vec3<f32>((_e13371.member * _e13439), (_e13371.member_1 * _e13439), (_e13371.member_2 * _e13439)), _e13363);
+phi_29964_ = type_35(vec3<f32>((_e13371.member * _e13439), (_e13371.member_1 * _e13439), (_e13371.member_2 * _e13439)), _e13363);
 }
 let _e13465 = phi_29964_;
 phi_29965_ = _e13465;
@@ -4570,7 +4570,7 @@ let _e14273 = select(select(select(select(select(select(0f, _e14012.member, _e14
 let _e14274 = select(select(select(select(select(select(0f, _e14012.member_1, _e14054), _e14012.member_1, _e14094), _e14021.member_1, _e14134), _e14021.member_1, _e14174), _e14030.member_1, _e14214), _e14030.member_1, _e14254);
 let _e14275 = select(select(select(select(select(select(1f, _e14012.member_2, _e14054), _e14012.member_2, _e14094), _e14021.member_2, _e14134), _e14021.member_2, _e14174), _e14030.member_2, _e14214), _e14030.member_2, _e14254);
 if _e8886 {
-phi_31456_ = type_36(_e14260, vec3<f32>(_e14261, _e14262, _e14263), _e14265, vec3<f32>(_e14266, _e14267, _e14268), _e14270, _e14272, vec3<f32>(_e14273, _e14274, _e14275));
+phi_31456_ = type_34(_e14260, vec3<f32>(_e14261, _e14262, _e14263), _e14265, vec3<f32>(_e14266, _e14267, _e14268), _e14270, _e14272, vec3<f32>(_e14273, _e14274, _e14275));
 } else {
 let _e14282 = (((_e14012.member * _e14012.member) + (_e14012.member_1 * _e14012.member_1)) + (_e14012.member_2 * _e14012.member_2));
 let _e14285 = sqrt(select(0f, _e14282, (_e14282 > 0f)));
@@ -4650,7 +4650,7 @@ let _e14581 = select(2f, select(0f, _e14573, (_e14553 < 0f)), (_e14554 > 0f));
 let _e14582 = (_e14553 > _e14517);
 let _e14586 = ((_e14577 > _e14509) || ((_e14577 == _e14509) && _e14582));
 let _e14587 = (_e14581 < _e14513);
-phi_31456_ = type_36(select(_e14509, _e14577, _e14586), vec3<f32>(select(select(select(select(_e14261, _e14323.member, _e14349), _e14402.member, _e14428), _e14481.member, _e14507), _e14560.member, _e14586), select(select(select(select(_e14262, _e14323.member_1, _e14349), _e14402.member_1, _e14428), _e14481.member_1, _e14507), _e14560.member_1, _e14586), select(select(select(select(_e14263, _e14323.member_2, _e14349), _e14402.member_2, _e14428), _e14481.member_2, _e14507), _e14560.member_2, _e14586)), select(_e14513, _e14581, _e14587), vec3<f32>(select(select(select(select(_e14266, _e14323.member, _e14350), _e14402.member, _e14429), _e14481.member, _e14508), _e14560.member, _e14587), select(select(select(select(_e14267, _e14323.member_1, _e14350), _e14402.member_1, _e14429), _e14481.member_1, _e14508), _e14560.member_1, _e14587), select(select(select(select(_e14268, _e14323.member_2, _e14350), _e14402.member_2, _e14429), _e14481.member_2, _e14508), _e14560.member_2, _e14587)), select(_e14517, _e14553, _e14582), select(_e14519, _e14554, (_e14554 > _e14519)), vec3<f32>(select(select(select(select(_e14273, _e14323.member, _e14345), _e14402.member, _e14424), _e14481.member, _e14503), _e14560.member, _e14582), select(select(select(select(_e14274, _e14323.member_1, _e14345), _e14402.member_1, _e14424), _e14481.member_1, _e14503), _e14560.member_1, _e14582), select(select(select(select(_e14275, _e14323.member_2, _e14345), _e14402.member_2, _e14424), _e14481.member_2, _e14503), _e14560.member_2, _e14582)));
+phi_31456_ = type_34(select(_e14509, _e14577, _e14586), vec3<f32>(select(select(select(select(_e14261, _e14323.member, _e14349), _e14402.member, _e14428), _e14481.member, _e14507), _e14560.member, _e14586), select(select(select(select(_e14262, _e14323.member_1, _e14349), _e14402.member_1, _e14428), _e14481.member_1, _e14507), _e14560.member_1, _e14586), select(select(select(select(_e14263, _e14323.member_2, _e14349), _e14402.member_2, _e14428), _e14481.member_2, _e14507), _e14560.member_2, _e14586)), select(_e14513, _e14581, _e14587), vec3<f32>(select(select(select(select(_e14266, _e14323.member, _e14350), _e14402.member, _e14429), _e14481.member, _e14508), _e14560.member, _e14587), select(select(select(select(_e14267, _e14323.member_1, _e14350), _e14402.member_1, _e14429), _e14481.member_1, _e14508), _e14560.member_1, _e14587), select(select(select(select(_e14268, _e14323.member_2, _e14350), _e14402.member_2, _e14429), _e14481.member_2, _e14508), _e14560.member_2, _e14587)), select(_e14517, _e14553, _e14582), select(_e14519, _e14554, (_e14554 > _e14519)), vec3<f32>(select(select(select(select(_e14273, _e14323.member, _e14345), _e14402.member, _e14424), _e14481.member, _e14503), _e14560.member, _e14582), select(select(select(select(_e14274, _e14323.member_1, _e14345), _e14402.member_1, _e14424), _e14481.member_1, _e14503), _e14560.member_1, _e14582), select(select(select(select(_e14275, _e14323.member_2, _e14345), _e14402.member_2, _e14424), _e14481.member_2, _e14503), _e14560.member_2, _e14582)));
 }
 let _e14607 = phi_31456_;
 let _e14614 = (_e9097.member_2 * select(0f, 1f, _e6560.member_6));
@@ -4721,41 +4721,41 @@ break;
 let _e14782 = local_40;
 if _e14782 {
 let _e14784 = local_41;
-global_1.member[_e257] = _e14784[0];
+global_4.member[_e257] = _e14784[0];
 let _e14789 = local_42;
-global_1.member[_e269] = _e14789[1];
+global_4.member[_e269] = _e14789[1];
 let _e14794 = local_43;
-global_1.member[_e280] = _e14794[2];
+global_4.member[_e280] = _e14794[2];
 let _e14799 = local_44;
-global_1.member[_e291] = _e14799[3];
+global_4.member[_e291] = _e14799[3];
 let _e14804 = local_45;
-global_1.member[_e302] = _e14804[4];
+global_4.member[_e302] = _e14804[4];
 let _e14809 = local_46;
-global_1.member[_e313] = _e14809[5];
+global_4.member[_e313] = _e14809[5];
 let _e14814 = local_47;
-global_1.member[_e324] = _e14814[6];
+global_4.member[_e324] = _e14814[6];
 let _e14819 = local_48;
-global_1.member[_e335] = _e14819[7];
+global_4.member[_e335] = _e14819[7];
 let _e14824 = local_49;
-global_1.member[_e346] = _e14824[8];
+global_4.member[_e346] = _e14824[8];
 let _e14829 = local_50;
-global_1.member[_e357] = _e14829[9];
+global_4.member[_e357] = _e14829[9];
 let _e14834 = local_51;
-global_1.member[_e368] = _e14834[10];
+global_4.member[_e368] = _e14834[10];
 let _e14839 = local_52;
-global_1.member[_e379] = _e14839[11];
+global_4.member[_e379] = _e14839[11];
 let _e14844 = local_53;
-global_1.member[_e390] = _e14844[12];
+global_4.member[_e390] = _e14844[12];
 let _e14849 = local_54;
-global_1.member[_e401] = _e14849[13];
+global_4.member[_e401] = _e14849[13];
 let _e14854 = local_55;
-global_1.member[_e412] = _e14854[14];
+global_4.member[_e412] = _e14854[14];
 let _e14859 = local_56;
-global_1.member[_e423] = _e14859[15];
+global_4.member[_e423] = _e14859[15];
 let _e14864 = local_57;
-global_1.member[_e434] = _e14864[16];
+global_4.member[_e434] = _e14864[16];
 let _e14869 = local_58;
-global_1.member[_e445] = _e14869[17];
+global_4.member[_e445] = _e14869[17];
 }
 }
 }

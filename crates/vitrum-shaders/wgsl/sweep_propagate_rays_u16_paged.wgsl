@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,72 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_29 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_30 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_33 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_34 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -199,11 +191,15 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_38 {
-member: array<type_27>,
+struct type_35 {
+member: vec3<f32>,
+member_1: vec3<f32>,
 }
-struct type_39 {
-member: type_29,
+struct type_37 {
+member: array<type_21>,
+}
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -213,6 +209,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -220,18 +220,18 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(6)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(5)
-var<storage> global_4: type_17;
+var<storage> global_3: type_23;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_25;
 @group(0) @binding(0)
-var<storage> global_5: type_38;
+var<storage> global_5: type_37;
 @group(0) @binding(3)
-var<storage> global_6: type_17;
+var<storage> global_6: type_23;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -239,7 +239,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_33;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -255,23 +255,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_33;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_33;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_33;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_33;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_33;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_687_: u32;
 var phi_690_: bool;
@@ -280,24 +280,24 @@ var phi_1447_: bool;
 var phi_1627_: bool;
 var phi_1630_: bool;
 var phi_2986_: f32;
-var phi_4592_: type_36;
+var phi_4592_: type_34;
 var phi_4605_: bool;
-var phi_4635_: type_30;
+var phi_4635_: type_39;
 var phi_4647_: bool;
-var phi_5782_: type_29;
-var phi_7305_: type_36;
-var phi_8472_: type_29;
-var phi_10010_: type_36;
-var phi_11177_: type_29;
-var phi_12715_: type_36;
-var phi_14463_: type_29;
-var phi_14476_: type_39;
+var phi_5782_: type_31;
+var phi_7305_: type_34;
+var phi_8472_: type_31;
+var phi_10010_: type_34;
+var phi_11177_: type_31;
+var phi_12715_: type_34;
+var phi_14463_: type_31;
+var phi_14476_: type_38;
 var phi_14477_: vec3<f32>;
 var phi_14478_: bool;
 var phi_14479_: f32;
-var phi_20091_: type_34;
-var phi_20793_: type_35;
-var phi_21206_: type_5;
+var phi_20091_: type_32;
+var phi_20793_: type_33;
+var phi_21206_: type_7;
 var phi_25371_: type_40;
 var phi_26900_: i32;
 var phi_27477_: vec3<f32>;
@@ -305,24 +305,24 @@ var phi_27884_: vec3<f32>;
 var phi_27978_: f32;
 var phi_28020_: f32;
 var phi_26386_: vec3<f32>;
-var phi_28052_: type_28;
+var phi_28052_: type_35;
 var phi_25485_: f32;
 var phi_25569_: f32;
-var phi_25641_: type_28;
-var phi_28053_: type_28;
+var phi_25641_: type_35;
+var phi_28053_: type_35;
 var phi_28136_: f32;
 var phi_28137_: f32;
 var phi_28394_: vec3<f32>;
 var phi_29324_: f32;
 var phi_29408_: f32;
-var phi_29480_: type_28;
+var phi_29480_: type_35;
 var phi_28823_: u32;
 var phi_29160_: f32;
 var phi_29216_: f32;
 var phi_29221_: vec3<f32>;
-var phi_29481_: type_28;
-var phi_29482_: type_28;
-var phi_30972_: type_36;
+var phi_29481_: type_35;
+var phi_29482_: type_35;
+var phi_30972_: type_34;
 var phi_31128_: vec3<f32>;
 var phi_31129_: bool;
 var phi_31289_: array<f32, 18>;
@@ -353,8 +353,8 @@ switch bitcast<i32>(0u) {
 default: {
 let _e220 = global;
 let _e222 = arrayLength((&global_5.member));
-let _e230 = arrayLength((&global_3.member));
-let _e233 = arrayLength((&global_4.member));
+let _e230 = arrayLength((&global_2.member));
+let _e233 = arrayLength((&global_3.member));
 if (0u < _e222) {
 } else {
 break;
@@ -368,77 +368,77 @@ if (_e254 < _e240.member_3) {
 let _e257 = (_e244.member * _e244.member_1);
 let _e259 = ((_e254 * _e244.member) + _e252);
 let _e260 = bitcast<i32>(_e259);
-let _e262 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e262 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e264 = select(_e262, _e260, (_e260 < _e262));
-let _e270 = global_1.member[bitcast<u32>(select(0i, _e264, (_e264 > 0i)))];
+let _e270 = global_4.member[bitcast<u32>(select(0i, _e264, (_e264 > 0i)))];
 let _e271 = (_e257 + _e259);
 let _e272 = bitcast<i32>(_e271);
 let _e274 = select(_e262, _e272, (_e272 < _e262));
-let _e280 = global_1.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
+let _e280 = global_4.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
 let _e282 = ((2u * _e257) + _e259);
 let _e283 = bitcast<i32>(_e282);
 let _e285 = select(_e262, _e283, (_e283 < _e262));
-let _e291 = global_1.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
+let _e291 = global_4.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
 let _e293 = ((3u * _e257) + _e259);
 let _e294 = bitcast<i32>(_e293);
 let _e296 = select(_e262, _e294, (_e294 < _e262));
-let _e302 = global_1.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
+let _e302 = global_4.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
 let _e304 = ((4u * _e257) + _e259);
 let _e305 = bitcast<i32>(_e304);
 let _e307 = select(_e262, _e305, (_e305 < _e262));
-let _e313 = global_1.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
+let _e313 = global_4.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
 let _e315 = ((5u * _e257) + _e259);
 let _e316 = bitcast<i32>(_e315);
 let _e318 = select(_e262, _e316, (_e316 < _e262));
-let _e324 = global_1.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
+let _e324 = global_4.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
 let _e326 = ((6u * _e257) + _e259);
 let _e327 = bitcast<i32>(_e326);
 let _e329 = select(_e262, _e327, (_e327 < _e262));
-let _e335 = global_1.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
+let _e335 = global_4.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
 let _e337 = ((7u * _e257) + _e259);
 let _e338 = bitcast<i32>(_e337);
 let _e340 = select(_e262, _e338, (_e338 < _e262));
-let _e346 = global_1.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
+let _e346 = global_4.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
 let _e348 = ((8u * _e257) + _e259);
 let _e349 = bitcast<i32>(_e348);
 let _e351 = select(_e262, _e349, (_e349 < _e262));
-let _e357 = global_1.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
+let _e357 = global_4.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
 let _e359 = ((9u * _e257) + _e259);
 let _e360 = bitcast<i32>(_e359);
 let _e362 = select(_e262, _e360, (_e360 < _e262));
-let _e368 = global_1.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
+let _e368 = global_4.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
 let _e370 = ((10u * _e257) + _e259);
 let _e371 = bitcast<i32>(_e370);
 let _e373 = select(_e262, _e371, (_e371 < _e262));
-let _e379 = global_1.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
+let _e379 = global_4.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
 let _e381 = ((11u * _e257) + _e259);
 let _e382 = bitcast<i32>(_e381);
 let _e384 = select(_e262, _e382, (_e382 < _e262));
-let _e390 = global_1.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
+let _e390 = global_4.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
 let _e392 = ((12u * _e257) + _e259);
 let _e393 = bitcast<i32>(_e392);
 let _e395 = select(_e262, _e393, (_e393 < _e262));
-let _e401 = global_1.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
+let _e401 = global_4.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
 let _e403 = ((13u * _e257) + _e259);
 let _e404 = bitcast<i32>(_e403);
 let _e406 = select(_e262, _e404, (_e404 < _e262));
-let _e412 = global_1.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
+let _e412 = global_4.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
 let _e414 = ((14u * _e257) + _e259);
 let _e415 = bitcast<i32>(_e414);
 let _e417 = select(_e262, _e415, (_e415 < _e262));
-let _e423 = global_1.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
+let _e423 = global_4.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
 let _e425 = ((15u * _e257) + _e259);
 let _e426 = bitcast<i32>(_e425);
 let _e428 = select(_e262, _e426, (_e426 < _e262));
-let _e434 = global_1.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
+let _e434 = global_4.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
 let _e436 = ((16u * _e257) + _e259);
 let _e437 = bitcast<i32>(_e436);
 let _e439 = select(_e262, _e437, (_e437 < _e262));
-let _e445 = global_1.member[bitcast<u32>(select(0i, _e439, (_e439 > 0i)))];
+let _e445 = global_4.member[bitcast<u32>(select(0i, _e439, (_e439 > 0i)))];
 let _e447 = ((17u * _e257) + _e259);
 let _e448 = bitcast<i32>(_e447);
 let _e450 = select(_e262, _e448, (_e448 < _e262));
-let _e456 = global_1.member[bitcast<u32>(select(0i, _e450, (_e450 > 0i)))];
+let _e456 = global_4.member[bitcast<u32>(select(0i, _e450, (_e450 > 0i)))];
 phi_687_ = 0u;
 phi_690_ = false;
 phi_692_ = array<f32, 18>(_e270, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368, _e379, _e390, _e401, _e412, _e423, _e434, _e445, _e456);
@@ -650,9 +650,9 @@ let _e1296 = bitcast<i32>(_e1295);
 let _e1302 = global_5.member[_e459].member_6.member_11.member_1;
 let _e1303 = bitcast<i32>(_e1302);
 let _e1313 = ((_e1287 >> bitcast<u32>(4i)) + (_e1296 * ((_e1288 >> bitcast<u32>(4i)) + (_e1303 * (_e1289 >> bitcast<u32>(4i))))));
-let _e1315 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e1315 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
 let _e1317 = select(_e1315, _e1313, (_e1313 < _e1315));
-let _e1323 = global_2.member[bitcast<u32>(select(0i, _e1317, (_e1317 > 0i)))];
+let _e1323 = global_1.member[bitcast<u32>(select(0i, _e1317, (_e1317 > 0i)))];
 let _e1325 = (_e1287 & 15i);
 let _e1328 = ((_e1288 & 15i) * _e1281);
 let _e1330 = (bitcast<i32>(_e1323) + ((_e1289 & 15i) * _e1286));
@@ -662,17 +662,17 @@ let _e1336 = (_e1328 + _e1335);
 let _e1337 = (_e1330 + _e1286);
 let _e1338 = (2i * _e1286);
 let _e1339 = (_e1330 + _e1338);
-local_38 = type_33(array<i32, 4>(_e1325, (_e1325 + 1i), (_e1325 + 2i), (_e1325 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_38 = type_28(array<i32, 4>(_e1325, (_e1325 + 1i), (_e1325 + 2i), (_e1325 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_39 = vec3<f32>((_e1223 - f32(_e1246)), (_e1227 - f32(_e1261)), (_e1231 - f32(_e1276)));
 let _e1353 = local_38.member[1u];
 let _e1354 = ((_e1337 + _e1334) + _e1353);
 let _e1356 = (_e1354 >> bitcast<u32>(1i));
 let _e1359 = bitcast<u32>(((_e1354 & 1i) * 16i));
 let _e1361 = select(_e1315, _e1356, (_e1356 < _e1315));
-let _e1366 = global_2.member[bitcast<u32>(select(0i, _e1361, (_e1361 > 0i)))];
+let _e1366 = global_1.member[bitcast<u32>(select(0i, _e1361, (_e1361 > 0i)))];
 let _e1370 = (_e1356 + 1i);
 let _e1372 = select(_e1315, _e1370, (_e1370 < _e1315));
-let _e1377 = global_2.member[bitcast<u32>(select(0i, _e1372, (_e1372 > 0i)))];
+let _e1377 = global_1.member[bitcast<u32>(select(0i, _e1372, (_e1372 > 0i)))];
 let _e1384 = ((_e1366 >> bitcast<u32>((_e1359 & 31u))) | ((_e1377 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1359) & 31u))));
 let _e1387 = local_38.member_1[2u];
 let _e1393 = f32(bitcast<i32>(((_e1384 >> bitcast<u32>((_e1387 & 31u))) & 65535u)));
@@ -684,10 +684,10 @@ let _e1409 = ((_e1337 + _e1336) + _e1408);
 let _e1411 = (_e1409 >> bitcast<u32>(1i));
 let _e1414 = bitcast<u32>(((_e1409 & 1i) * 16i));
 let _e1416 = select(_e1315, _e1411, (_e1411 < _e1315));
-let _e1421 = global_2.member[bitcast<u32>(select(0i, _e1416, (_e1416 > 0i)))];
+let _e1421 = global_1.member[bitcast<u32>(select(0i, _e1416, (_e1416 > 0i)))];
 let _e1425 = (_e1411 + 1i);
 let _e1427 = select(_e1315, _e1425, (_e1425 < _e1315));
-let _e1432 = global_2.member[bitcast<u32>(select(0i, _e1427, (_e1427 > 0i)))];
+let _e1432 = global_1.member[bitcast<u32>(select(0i, _e1427, (_e1427 > 0i)))];
 let _e1439 = ((_e1421 >> bitcast<u32>((_e1414 & 31u))) | ((_e1432 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1414) & 31u))));
 let _e1440 = local_38.member_1[2u];
 let _e1446 = f32(bitcast<i32>(((_e1439 >> bitcast<u32>((_e1440 & 31u))) & 65535u)));
@@ -700,10 +700,10 @@ let _e1465 = ((_e1339 + _e1334) + _e1464);
 let _e1467 = (_e1465 >> bitcast<u32>(1i));
 let _e1470 = bitcast<u32>(((_e1465 & 1i) * 16i));
 let _e1472 = select(_e1315, _e1467, (_e1467 < _e1315));
-let _e1477 = global_2.member[bitcast<u32>(select(0i, _e1472, (_e1472 > 0i)))];
+let _e1477 = global_1.member[bitcast<u32>(select(0i, _e1472, (_e1472 > 0i)))];
 let _e1481 = (_e1467 + 1i);
 let _e1483 = select(_e1315, _e1481, (_e1481 < _e1315));
-let _e1488 = global_2.member[bitcast<u32>(select(0i, _e1483, (_e1483 > 0i)))];
+let _e1488 = global_1.member[bitcast<u32>(select(0i, _e1483, (_e1483 > 0i)))];
 let _e1495 = ((_e1477 >> bitcast<u32>((_e1470 & 31u))) | ((_e1488 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1470) & 31u))));
 let _e1496 = local_38.member_1[2u];
 let _e1502 = f32(bitcast<i32>(((_e1495 >> bitcast<u32>((_e1496 & 31u))) & 65535u)));
@@ -715,10 +715,10 @@ let _e1516 = ((_e1339 + _e1336) + _e1515);
 let _e1518 = (_e1516 >> bitcast<u32>(1i));
 let _e1521 = bitcast<u32>(((_e1516 & 1i) * 16i));
 let _e1523 = select(_e1315, _e1518, (_e1518 < _e1315));
-let _e1528 = global_2.member[bitcast<u32>(select(0i, _e1523, (_e1523 > 0i)))];
+let _e1528 = global_1.member[bitcast<u32>(select(0i, _e1523, (_e1523 > 0i)))];
 let _e1532 = (_e1518 + 1i);
 let _e1534 = select(_e1315, _e1532, (_e1532 < _e1315));
-let _e1539 = global_2.member[bitcast<u32>(select(0i, _e1534, (_e1534 > 0i)))];
+let _e1539 = global_1.member[bitcast<u32>(select(0i, _e1534, (_e1534 > 0i)))];
 let _e1546 = ((_e1528 >> bitcast<u32>((_e1521 & 31u))) | ((_e1539 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1521) & 31u))));
 let _e1547 = local_38.member_1[2u];
 let _e1553 = f32(bitcast<i32>(((_e1546 >> bitcast<u32>((_e1547 & 31u))) & 65535u)));
@@ -740,41 +740,41 @@ local_37 = _e1592;
 let _e1593 = local_37;
 let _e1595 = (bitcast<i32>(_e230) - 1i);
 let _e1597 = select(_e1595, 263197i, (263197i < _e1595));
-let _e1602 = global_3.member[bitcast<u32>(select(0i, _e1597, (_e1597 > 0i)))];
+let _e1602 = global_2.member[bitcast<u32>(select(0i, _e1597, (_e1597 > 0i)))];
 let _e1605 = select(_e1595, 263198i, (263198i < _e1595));
-let _e1610 = global_3.member[bitcast<u32>(select(0i, _e1605, (_e1605 > 0i)))];
+let _e1610 = global_2.member[bitcast<u32>(select(0i, _e1605, (_e1605 > 0i)))];
 let _e1613 = select(_e1595, 263199i, (263199i < _e1595));
-let _e1618 = global_3.member[bitcast<u32>(select(0i, _e1613, (_e1613 > 0i)))];
+let _e1618 = global_2.member[bitcast<u32>(select(0i, _e1613, (_e1613 > 0i)))];
 let _e1619 = bitcast<f32>(_e1618);
 let _e1621 = ((_e1593 - bitcast<f32>(_e1602)) * bitcast<f32>(_e1610));
 let _e1623 = select(0f, _e1621, (_e1621 > 0f));
 let _e1626 = local_37;
 let _e1628 = select(_e1595, 263200i, (263200i < _e1595));
-let _e1633 = global_3.member[bitcast<u32>(select(0i, _e1628, (_e1628 > 0i)))];
+let _e1633 = global_2.member[bitcast<u32>(select(0i, _e1628, (_e1628 > 0i)))];
 let _e1636 = select(_e1595, 263201i, (263201i < _e1595));
-let _e1641 = global_3.member[bitcast<u32>(select(0i, _e1636, (_e1636 > 0i)))];
+let _e1641 = global_2.member[bitcast<u32>(select(0i, _e1636, (_e1636 > 0i)))];
 let _e1644 = select(_e1595, 263202i, (263202i < _e1595));
-let _e1649 = global_3.member[bitcast<u32>(select(0i, _e1644, (_e1644 > 0i)))];
+let _e1649 = global_2.member[bitcast<u32>(select(0i, _e1644, (_e1644 > 0i)))];
 let _e1650 = bitcast<f32>(_e1649);
 let _e1652 = ((_e1626 - bitcast<f32>(_e1633)) * bitcast<f32>(_e1641));
 let _e1654 = select(0f, _e1652, (_e1652 > 0f));
 let _e1658 = local_37;
 let _e1660 = select(_e1595, 263203i, (263203i < _e1595));
-let _e1665 = global_3.member[bitcast<u32>(select(0i, _e1660, (_e1660 > 0i)))];
+let _e1665 = global_2.member[bitcast<u32>(select(0i, _e1660, (_e1660 > 0i)))];
 let _e1668 = select(_e1595, 263204i, (263204i < _e1595));
-let _e1673 = global_3.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
+let _e1673 = global_2.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
 let _e1676 = select(_e1595, 263205i, (263205i < _e1595));
-let _e1681 = global_3.member[bitcast<u32>(select(0i, _e1676, (_e1676 > 0i)))];
+let _e1681 = global_2.member[bitcast<u32>(select(0i, _e1676, (_e1676 > 0i)))];
 let _e1682 = bitcast<f32>(_e1681);
 let _e1684 = ((_e1658 - bitcast<f32>(_e1665)) * bitcast<f32>(_e1673));
 let _e1686 = select(0f, _e1684, (_e1684 > 0f));
 let _e1689 = local_37;
 let _e1691 = select(_e1595, 263206i, (263206i < _e1595));
-let _e1696 = global_3.member[bitcast<u32>(select(0i, _e1691, (_e1691 > 0i)))];
+let _e1696 = global_2.member[bitcast<u32>(select(0i, _e1691, (_e1691 > 0i)))];
 let _e1699 = select(_e1595, 263207i, (263207i < _e1595));
-let _e1704 = global_3.member[bitcast<u32>(select(0i, _e1699, (_e1699 > 0i)))];
+let _e1704 = global_2.member[bitcast<u32>(select(0i, _e1699, (_e1699 > 0i)))];
 let _e1707 = select(_e1595, 263208i, (263208i < _e1595));
-let _e1712 = global_3.member[bitcast<u32>(select(0i, _e1707, (_e1707 > 0i)))];
+let _e1712 = global_2.member[bitcast<u32>(select(0i, _e1707, (_e1707 > 0i)))];
 let _e1713 = bitcast<f32>(_e1712);
 let _e1715 = ((_e1689 - bitcast<f32>(_e1696)) * bitcast<f32>(_e1704));
 let _e1717 = select(0f, _e1715, (_e1715 > 0f));
@@ -785,13 +785,13 @@ let _e1732 = select(0i, select(select(i32(_e1725), i32(-2147483648), (_e1725 < -
 let _e1736 = (_e1732 - select(0i, 1i, (_e1725 < f32(_e1732))));
 let _e1737 = (262147i + _e1736);
 let _e1739 = select(_e1595, _e1737, (_e1737 < _e1595));
-let _e1745 = global_3.member[bitcast<u32>(select(0i, _e1739, (_e1739 > 0i)))];
+let _e1745 = global_2.member[bitcast<u32>(select(0i, _e1739, (_e1739 > 0i)))];
 let _e1755 = select(_e1595, 262146i, (262146i < _e1595));
-let _e1761 = global_3.member[bitcast<u32>(select(0i, _e1755, (_e1755 > 0i)))];
+let _e1761 = global_2.member[bitcast<u32>(select(0i, _e1755, (_e1755 > 0i)))];
 let _e1765 = select(_e1595, 262144i, (262144i < _e1595));
-let _e1771 = global_3.member[bitcast<u32>(select(0i, _e1765, (_e1765 > 0i)))];
+let _e1771 = global_2.member[bitcast<u32>(select(0i, _e1765, (_e1765 > 0i)))];
 let _e1774 = select(_e1595, 262145i, (262145i < _e1595));
-let _e1780 = global_3.member[bitcast<u32>(select(0i, _e1774, (_e1774 > 0i)))];
+let _e1780 = global_2.member[bitcast<u32>(select(0i, _e1774, (_e1774 > 0i)))];
 phi_2986_ = select(_e463[16], ((bitcast<f32>(_e1771) + (f32(bitcast<i32>((_e1745 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1780))) + ((f32((bitcast<i32>((_e1745 & 4095u)) - 2048i)) * bitcast<f32>(_e1761)) * (_e1721 - f32(_e1736)))), _e1140);
 } else {
 phi_2986_ = _e463[16];
@@ -802,7 +802,7 @@ let _e1792 = (_e498 - _e494);
 let _e1793 = (_e503 - _e488);
 let _e1798 = (((_e1791 * _e1791) + (_e1792 * _e1792)) + (_e1793 * _e1793));
 let _e1801 = sqrt(select(0f, _e1798, (_e1798 > 0f)));
-let _e1802 = type_39(type_29(1f, 1f), vec3<f32>(_e496, _e498, _e503), _e1151, _e1801, _e483, _e1151, true, false, false);
+let _e1802 = type_38(type_31(1f, 1f), vec3<f32>(_e496, _e498, _e503), _e1151, _e1801, _e483, _e1151, true, false, false);
 let _e1803 = (_e666 < 1e-12f);
 let _e1805 = (1f / select(_e661, 1f, _e1803));
 let _e1806 = (-0.5f - _e572);
@@ -954,7 +954,7 @@ let _e2163 = select(select(select(select(select(select(0f, _e1904.member_1, _e19
 let _e2164 = select(select(select(select(select(select(1f, _e1904.member_2, _e1945), _e1904.member_2, _e1985), _e1913.member_2, _e2024), _e1913.member_2, _e2064), _e1922.member_2, _e2103), _e1922.member_2, _e2143);
 let _e2168 = ((_e799 & 16u) == 0u);
 if _e2168 {
-phi_4592_ = type_36(_e2149, vec3<f32>(_e2150, _e2151, _e2152), _e2154, vec3<f32>(_e2155, _e2156, _e2157), _e2159, _e2161, vec3<f32>(_e2162, _e2163, _e2164));
+phi_4592_ = type_34(_e2149, vec3<f32>(_e2150, _e2151, _e2152), _e2154, vec3<f32>(_e2155, _e2156, _e2157), _e2159, _e2161, vec3<f32>(_e2162, _e2163, _e2164));
 } else {
 let _e2173 = (((_e1904.member * _e1904.member) + (_e1904.member_1 * _e1904.member_1)) + (_e1904.member_2 * _e1904.member_2));
 let _e2176 = sqrt(select(0f, _e2173, (_e2173 > 0f)));
@@ -1034,7 +1034,7 @@ let _e2472 = select(2f, select(0f, _e2464, (_e2444 < 0f)), (_e2445 > 0f));
 let _e2473 = (_e2444 > _e2408);
 let _e2477 = ((_e2468 > _e2400) || ((_e2468 == _e2400) && _e2473));
 let _e2478 = (_e2472 < _e2404);
-phi_4592_ = type_36(select(_e2400, _e2468, _e2477), vec3<f32>(select(select(select(select(_e2150, _e2214.member, _e2240), _e2293.member, _e2319), _e2372.member, _e2398), _e2451.member, _e2477), select(select(select(select(_e2151, _e2214.member_1, _e2240), _e2293.member_1, _e2319), _e2372.member_1, _e2398), _e2451.member_1, _e2477), select(select(select(select(_e2152, _e2214.member_2, _e2240), _e2293.member_2, _e2319), _e2372.member_2, _e2398), _e2451.member_2, _e2477)), select(_e2404, _e2472, _e2478), vec3<f32>(select(select(select(select(_e2155, _e2214.member, _e2241), _e2293.member, _e2320), _e2372.member, _e2399), _e2451.member, _e2478), select(select(select(select(_e2156, _e2214.member_1, _e2241), _e2293.member_1, _e2320), _e2372.member_1, _e2399), _e2451.member_1, _e2478), select(select(select(select(_e2157, _e2214.member_2, _e2241), _e2293.member_2, _e2320), _e2372.member_2, _e2399), _e2451.member_2, _e2478)), select(_e2408, _e2444, _e2473), select(_e2410, _e2445, (_e2445 > _e2410)), vec3<f32>(select(select(select(select(_e2162, _e2214.member, _e2236), _e2293.member, _e2315), _e2372.member, _e2394), _e2451.member, _e2473), select(select(select(select(_e2163, _e2214.member_1, _e2236), _e2293.member_1, _e2315), _e2372.member_1, _e2394), _e2451.member_1, _e2473), select(select(select(select(_e2164, _e2214.member_2, _e2236), _e2293.member_2, _e2315), _e2372.member_2, _e2394), _e2451.member_2, _e2473)));
+phi_4592_ = type_34(select(_e2400, _e2468, _e2477), vec3<f32>(select(select(select(select(_e2150, _e2214.member, _e2240), _e2293.member, _e2319), _e2372.member, _e2398), _e2451.member, _e2477), select(select(select(select(_e2151, _e2214.member_1, _e2240), _e2293.member_1, _e2319), _e2372.member_1, _e2398), _e2451.member_1, _e2477), select(select(select(select(_e2152, _e2214.member_2, _e2240), _e2293.member_2, _e2319), _e2372.member_2, _e2398), _e2451.member_2, _e2477)), select(_e2404, _e2472, _e2478), vec3<f32>(select(select(select(select(_e2155, _e2214.member, _e2241), _e2293.member, _e2320), _e2372.member, _e2399), _e2451.member, _e2478), select(select(select(select(_e2156, _e2214.member_1, _e2241), _e2293.member_1, _e2320), _e2372.member_1, _e2399), _e2451.member_1, _e2478), select(select(select(select(_e2157, _e2214.member_2, _e2241), _e2293.member_2, _e2320), _e2372.member_2, _e2399), _e2451.member_2, _e2478)), select(_e2408, _e2444, _e2473), select(_e2410, _e2445, (_e2445 > _e2410)), vec3<f32>(select(select(select(select(_e2162, _e2214.member, _e2236), _e2293.member, _e2315), _e2372.member, _e2394), _e2451.member, _e2473), select(select(select(select(_e2163, _e2214.member_1, _e2236), _e2293.member_1, _e2315), _e2372.member_1, _e2394), _e2451.member_1, _e2473), select(select(select(select(_e2164, _e2214.member_2, _e2236), _e2293.member_2, _e2315), _e2372.member_2, _e2394), _e2451.member_2, _e2473)));
 }
 let _e2498 = phi_4592_;
 if ((_e2498.member_4 > -(0.015625f)) && (_e2498.member_4 < 0.015625f)) {
@@ -1049,9 +1049,9 @@ let _e2511 = (_e463[3] * _e2510);
 let _e2512 = (_e463[4] * _e2510);
 let _e2513 = (_e463[5] * _e2510);
 if _e2507 {
-phi_4635_ = type_30(_e2498.member_2, _e2498.member_3);
+phi_4635_ = type_39(_e2498.member_2, _e2498.member_3);
 } else {
-phi_4635_ = type_30(_e2498.member, _e2498.member_1);
+phi_4635_ = type_39(_e2498.member, _e2498.member_1);
 }
 let _e2522 = phi_4635_;
 if _e2507 {
@@ -1090,7 +1090,7 @@ let _e2617 = (_e2600 + 1i);
 let _e2618 = (_e2615 + 1i);
 let _e2628 = ((_e2616 >> bitcast<u32>(4i)) + (_e1296 * ((_e2617 >> bitcast<u32>(4i)) + (_e1303 * (_e2618 >> bitcast<u32>(4i))))));
 let _e2630 = select(_e1315, _e2628, (_e2628 < _e1315));
-let _e2635 = global_2.member[bitcast<u32>(select(0i, _e2630, (_e2630 > 0i)))];
+let _e2635 = global_1.member[bitcast<u32>(select(0i, _e2630, (_e2630 > 0i)))];
 let _e2637 = (_e2616 & 15i);
 let _e2640 = ((_e2617 & 15i) * _e1281);
 let _e2642 = (bitcast<i32>(_e2635) + ((_e2618 & 15i) * _e1286));
@@ -1098,17 +1098,17 @@ let _e2646 = (_e2640 + _e1281);
 let _e2647 = (_e2640 + _e1335);
 let _e2648 = (_e2642 + _e1286);
 let _e2649 = (_e2642 + _e1338);
-local_34 = type_33(array<i32, 4>(_e2637, (_e2637 + 1i), (_e2637 + 2i), (_e2637 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_34 = type_28(array<i32, 4>(_e2637, (_e2637 + 1i), (_e2637 + 2i), (_e2637 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_35 = vec3<f32>((_e2562 - f32(_e2585)), (_e2566 - f32(_e2600)), (_e2570 - f32(_e2615)));
 let _e2663 = local_34.member[1u];
 let _e2664 = ((_e2648 + _e2646) + _e2663);
 let _e2666 = (_e2664 >> bitcast<u32>(1i));
 let _e2669 = bitcast<u32>(((_e2664 & 1i) * 16i));
 let _e2671 = select(_e1315, _e2666, (_e2666 < _e1315));
-let _e2676 = global_2.member[bitcast<u32>(select(0i, _e2671, (_e2671 > 0i)))];
+let _e2676 = global_1.member[bitcast<u32>(select(0i, _e2671, (_e2671 > 0i)))];
 let _e2680 = (_e2666 + 1i);
 let _e2682 = select(_e1315, _e2680, (_e2680 < _e1315));
-let _e2687 = global_2.member[bitcast<u32>(select(0i, _e2682, (_e2682 > 0i)))];
+let _e2687 = global_1.member[bitcast<u32>(select(0i, _e2682, (_e2682 > 0i)))];
 let _e2694 = ((_e2676 >> bitcast<u32>((_e2669 & 31u))) | ((_e2687 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2669) & 31u))));
 let _e2697 = local_34.member_1[2u];
 let _e2703 = f32(bitcast<i32>(((_e2694 >> bitcast<u32>((_e2697 & 31u))) & 65535u)));
@@ -1120,10 +1120,10 @@ let _e2719 = ((_e2648 + _e2647) + _e2718);
 let _e2721 = (_e2719 >> bitcast<u32>(1i));
 let _e2724 = bitcast<u32>(((_e2719 & 1i) * 16i));
 let _e2726 = select(_e1315, _e2721, (_e2721 < _e1315));
-let _e2731 = global_2.member[bitcast<u32>(select(0i, _e2726, (_e2726 > 0i)))];
+let _e2731 = global_1.member[bitcast<u32>(select(0i, _e2726, (_e2726 > 0i)))];
 let _e2735 = (_e2721 + 1i);
 let _e2737 = select(_e1315, _e2735, (_e2735 < _e1315));
-let _e2742 = global_2.member[bitcast<u32>(select(0i, _e2737, (_e2737 > 0i)))];
+let _e2742 = global_1.member[bitcast<u32>(select(0i, _e2737, (_e2737 > 0i)))];
 let _e2749 = ((_e2731 >> bitcast<u32>((_e2724 & 31u))) | ((_e2742 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2724) & 31u))));
 let _e2750 = local_34.member_1[2u];
 let _e2756 = f32(bitcast<i32>(((_e2749 >> bitcast<u32>((_e2750 & 31u))) & 65535u)));
@@ -1136,10 +1136,10 @@ let _e2775 = ((_e2649 + _e2646) + _e2774);
 let _e2777 = (_e2775 >> bitcast<u32>(1i));
 let _e2780 = bitcast<u32>(((_e2775 & 1i) * 16i));
 let _e2782 = select(_e1315, _e2777, (_e2777 < _e1315));
-let _e2787 = global_2.member[bitcast<u32>(select(0i, _e2782, (_e2782 > 0i)))];
+let _e2787 = global_1.member[bitcast<u32>(select(0i, _e2782, (_e2782 > 0i)))];
 let _e2791 = (_e2777 + 1i);
 let _e2793 = select(_e1315, _e2791, (_e2791 < _e1315));
-let _e2798 = global_2.member[bitcast<u32>(select(0i, _e2793, (_e2793 > 0i)))];
+let _e2798 = global_1.member[bitcast<u32>(select(0i, _e2793, (_e2793 > 0i)))];
 let _e2805 = ((_e2787 >> bitcast<u32>((_e2780 & 31u))) | ((_e2798 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2780) & 31u))));
 let _e2806 = local_34.member_1[2u];
 let _e2812 = f32(bitcast<i32>(((_e2805 >> bitcast<u32>((_e2806 & 31u))) & 65535u)));
@@ -1151,10 +1151,10 @@ let _e2826 = ((_e2649 + _e2647) + _e2825);
 let _e2828 = (_e2826 >> bitcast<u32>(1i));
 let _e2831 = bitcast<u32>(((_e2826 & 1i) * 16i));
 let _e2833 = select(_e1315, _e2828, (_e2828 < _e1315));
-let _e2838 = global_2.member[bitcast<u32>(select(0i, _e2833, (_e2833 > 0i)))];
+let _e2838 = global_1.member[bitcast<u32>(select(0i, _e2833, (_e2833 > 0i)))];
 let _e2842 = (_e2828 + 1i);
 let _e2844 = select(_e1315, _e2842, (_e2842 < _e1315));
-let _e2849 = global_2.member[bitcast<u32>(select(0i, _e2844, (_e2844 > 0i)))];
+let _e2849 = global_1.member[bitcast<u32>(select(0i, _e2844, (_e2844 > 0i)))];
 let _e2856 = ((_e2838 >> bitcast<u32>((_e2831 & 31u))) | ((_e2849 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2831) & 31u))));
 let _e2857 = local_34.member_1[2u];
 let _e2863 = f32(bitcast<i32>(((_e2856 >> bitcast<u32>((_e2857 & 31u))) & 65535u)));
@@ -1170,49 +1170,49 @@ local_33 = _e2890;
 let _e2891 = local_33;
 let _e2893 = (bitcast<i32>(_e230) - 1i);
 let _e2895 = select(_e2893, 263197i, (263197i < _e2893));
-let _e2900 = global_3.member[bitcast<u32>(select(0i, _e2895, (_e2895 > 0i)))];
+let _e2900 = global_2.member[bitcast<u32>(select(0i, _e2895, (_e2895 > 0i)))];
 let _e2901 = bitcast<f32>(_e2900);
 let _e2903 = select(_e2893, 263198i, (263198i < _e2893));
-let _e2908 = global_3.member[bitcast<u32>(select(0i, _e2903, (_e2903 > 0i)))];
+let _e2908 = global_2.member[bitcast<u32>(select(0i, _e2903, (_e2903 > 0i)))];
 let _e2909 = bitcast<f32>(_e2908);
 let _e2911 = select(_e2893, 263199i, (263199i < _e2893));
-let _e2916 = global_3.member[bitcast<u32>(select(0i, _e2911, (_e2911 > 0i)))];
+let _e2916 = global_2.member[bitcast<u32>(select(0i, _e2911, (_e2911 > 0i)))];
 let _e2917 = bitcast<f32>(_e2916);
 let _e2919 = ((_e2891 - _e2901) * _e2909);
 let _e2921 = select(0f, _e2919, (_e2919 > 0f));
 let _e2924 = local_33;
 let _e2926 = select(_e2893, 263200i, (263200i < _e2893));
-let _e2931 = global_3.member[bitcast<u32>(select(0i, _e2926, (_e2926 > 0i)))];
+let _e2931 = global_2.member[bitcast<u32>(select(0i, _e2926, (_e2926 > 0i)))];
 let _e2932 = bitcast<f32>(_e2931);
 let _e2934 = select(_e2893, 263201i, (263201i < _e2893));
-let _e2939 = global_3.member[bitcast<u32>(select(0i, _e2934, (_e2934 > 0i)))];
+let _e2939 = global_2.member[bitcast<u32>(select(0i, _e2934, (_e2934 > 0i)))];
 let _e2940 = bitcast<f32>(_e2939);
 let _e2942 = select(_e2893, 263202i, (263202i < _e2893));
-let _e2947 = global_3.member[bitcast<u32>(select(0i, _e2942, (_e2942 > 0i)))];
+let _e2947 = global_2.member[bitcast<u32>(select(0i, _e2942, (_e2942 > 0i)))];
 let _e2948 = bitcast<f32>(_e2947);
 let _e2950 = ((_e2924 - _e2932) * _e2940);
 let _e2952 = select(0f, _e2950, (_e2950 > 0f));
 let _e2956 = local_33;
 let _e2958 = select(_e2893, 263203i, (263203i < _e2893));
-let _e2963 = global_3.member[bitcast<u32>(select(0i, _e2958, (_e2958 > 0i)))];
+let _e2963 = global_2.member[bitcast<u32>(select(0i, _e2958, (_e2958 > 0i)))];
 let _e2964 = bitcast<f32>(_e2963);
 let _e2966 = select(_e2893, 263204i, (263204i < _e2893));
-let _e2971 = global_3.member[bitcast<u32>(select(0i, _e2966, (_e2966 > 0i)))];
+let _e2971 = global_2.member[bitcast<u32>(select(0i, _e2966, (_e2966 > 0i)))];
 let _e2972 = bitcast<f32>(_e2971);
 let _e2974 = select(_e2893, 263205i, (263205i < _e2893));
-let _e2979 = global_3.member[bitcast<u32>(select(0i, _e2974, (_e2974 > 0i)))];
+let _e2979 = global_2.member[bitcast<u32>(select(0i, _e2974, (_e2974 > 0i)))];
 let _e2980 = bitcast<f32>(_e2979);
 let _e2982 = ((_e2956 - _e2964) * _e2972);
 let _e2984 = select(0f, _e2982, (_e2982 > 0f));
 let _e2987 = local_33;
 let _e2989 = select(_e2893, 263206i, (263206i < _e2893));
-let _e2994 = global_3.member[bitcast<u32>(select(0i, _e2989, (_e2989 > 0i)))];
+let _e2994 = global_2.member[bitcast<u32>(select(0i, _e2989, (_e2989 > 0i)))];
 let _e2995 = bitcast<f32>(_e2994);
 let _e2997 = select(_e2893, 263207i, (263207i < _e2893));
-let _e3002 = global_3.member[bitcast<u32>(select(0i, _e2997, (_e2997 > 0i)))];
+let _e3002 = global_2.member[bitcast<u32>(select(0i, _e2997, (_e2997 > 0i)))];
 let _e3003 = bitcast<f32>(_e3002);
 let _e3005 = select(_e2893, 263208i, (263208i < _e2893));
-let _e3010 = global_3.member[bitcast<u32>(select(0i, _e3005, (_e3005 > 0i)))];
+let _e3010 = global_2.member[bitcast<u32>(select(0i, _e3005, (_e3005 > 0i)))];
 let _e3011 = bitcast<f32>(_e3010);
 let _e3013 = ((_e2987 - _e2995) * _e3003);
 let _e3015 = select(0f, _e3013, (_e3013 > 0f));
@@ -1223,21 +1223,21 @@ let _e3030 = select(0i, select(select(i32(_e3023), i32(-2147483648), (_e3023 < -
 let _e3034 = (_e3030 - select(0i, 1i, (_e3023 < f32(_e3030))));
 let _e3035 = (262147i + _e3034);
 let _e3037 = select(_e2893, _e3035, (_e3035 < _e2893));
-let _e3042 = global_3.member[bitcast<u32>(select(0i, _e3037, (_e3037 > 0i)))];
+let _e3042 = global_2.member[bitcast<u32>(select(0i, _e3037, (_e3037 > 0i)))];
 let _e3052 = select(_e2893, 262146i, (262146i < _e2893));
-let _e3057 = global_3.member[bitcast<u32>(select(0i, _e3052, (_e3052 > 0i)))];
+let _e3057 = global_2.member[bitcast<u32>(select(0i, _e3052, (_e3052 > 0i)))];
 let _e3058 = bitcast<f32>(_e3057);
 let _e3061 = select(_e2893, 262144i, (262144i < _e2893));
-let _e3066 = global_3.member[bitcast<u32>(select(0i, _e3061, (_e3061 > 0i)))];
+let _e3066 = global_2.member[bitcast<u32>(select(0i, _e3061, (_e3061 > 0i)))];
 let _e3067 = bitcast<f32>(_e3066);
 let _e3069 = select(_e2893, 262145i, (262145i < _e2893));
-let _e3074 = global_3.member[bitcast<u32>(select(0i, _e3069, (_e3069 > 0i)))];
+let _e3074 = global_2.member[bitcast<u32>(select(0i, _e3069, (_e3069 > 0i)))];
 let _e3075 = bitcast<f32>(_e3074);
 let _e3081 = ((_e3067 + (f32(bitcast<i32>((_e3042 >> bitcast<u32>(12u)))) * _e3075)) + ((f32((bitcast<i32>((_e3042 & 4095u)) - 2048i)) * _e3058) * (_e3019 - f32(_e3034))));
 if _e2507 {
-phi_5782_ = type_29(_e3081, 1f);
+phi_5782_ = type_31(_e3081, 1f);
 } else {
-phi_5782_ = type_29(1f, _e3081);
+phi_5782_ = type_31(1f, _e3081);
 }
 let _e3085 = phi_5782_;
 let _e3090 = ((_e3085.member_1 * _e3085.member_1) - (_e3085.member * _e3085.member));
@@ -1375,7 +1375,7 @@ let _e3430 = select(select(select(select(select(select(0f, _e1904.member, _e3211
 let _e3431 = select(select(select(select(select(select(0f, _e1904.member_1, _e3211), _e1904.member_1, _e3251), _e1913.member_1, _e3291), _e1913.member_1, _e3331), _e1922.member_1, _e3371), _e1922.member_1, _e3411);
 let _e3432 = select(select(select(select(select(select(1f, _e1904.member_2, _e3211), _e1904.member_2, _e3251), _e1913.member_2, _e3291), _e1913.member_2, _e3331), _e1922.member_2, _e3371), _e1922.member_2, _e3411);
 if _e2168 {
-phi_7305_ = type_36(_e3417, vec3<f32>(_e3418, _e3419, _e3420), _e3422, vec3<f32>(_e3423, _e3424, _e3425), _e3427, _e3429, vec3<f32>(_e3430, _e3431, _e3432));
+phi_7305_ = type_34(_e3417, vec3<f32>(_e3418, _e3419, _e3420), _e3422, vec3<f32>(_e3423, _e3424, _e3425), _e3427, _e3429, vec3<f32>(_e3430, _e3431, _e3432));
 } else {
 let _e3439 = (((_e1904.member * _e1904.member) + (_e1904.member_1 * _e1904.member_1)) + (_e1904.member_2 * _e1904.member_2));
 let _e3442 = sqrt(select(0f, _e3439, (_e3439 > 0f)));
@@ -1455,7 +1455,7 @@ let _e3738 = select(2f, select(0f, _e3730, (_e3710 < 0f)), (_e3711 > 0f));
 let _e3739 = (_e3710 > _e3674);
 let _e3743 = ((_e3734 > _e3666) || ((_e3734 == _e3666) && _e3739));
 let _e3744 = (_e3738 < _e3670);
-phi_7305_ = type_36(select(_e3666, _e3734, _e3743), vec3<f32>(select(select(select(select(_e3418, _e3480.member, _e3506), _e3559.member, _e3585), _e3638.member, _e3664), _e3717.member, _e3743), select(select(select(select(_e3419, _e3480.member_1, _e3506), _e3559.member_1, _e3585), _e3638.member_1, _e3664), _e3717.member_1, _e3743), select(select(select(select(_e3420, _e3480.member_2, _e3506), _e3559.member_2, _e3585), _e3638.member_2, _e3664), _e3717.member_2, _e3743)), select(_e3670, _e3738, _e3744), vec3<f32>(select(select(select(select(_e3423, _e3480.member, _e3507), _e3559.member, _e3586), _e3638.member, _e3665), _e3717.member, _e3744), select(select(select(select(_e3424, _e3480.member_1, _e3507), _e3559.member_1, _e3586), _e3638.member_1, _e3665), _e3717.member_1, _e3744), select(select(select(select(_e3425, _e3480.member_2, _e3507), _e3559.member_2, _e3586), _e3638.member_2, _e3665), _e3717.member_2, _e3744)), select(_e3674, _e3710, _e3739), select(_e3676, _e3711, (_e3711 > _e3676)), vec3<f32>(select(select(select(select(_e3430, _e3480.member, _e3502), _e3559.member, _e3581), _e3638.member, _e3660), _e3717.member, _e3739), select(select(select(select(_e3431, _e3480.member_1, _e3502), _e3559.member_1, _e3581), _e3638.member_1, _e3660), _e3717.member_1, _e3739), select(select(select(select(_e3432, _e3480.member_2, _e3502), _e3559.member_2, _e3581), _e3638.member_2, _e3660), _e3717.member_2, _e3739)));
+phi_7305_ = type_34(select(_e3666, _e3734, _e3743), vec3<f32>(select(select(select(select(_e3418, _e3480.member, _e3506), _e3559.member, _e3585), _e3638.member, _e3664), _e3717.member, _e3743), select(select(select(select(_e3419, _e3480.member_1, _e3506), _e3559.member_1, _e3585), _e3638.member_1, _e3664), _e3717.member_1, _e3743), select(select(select(select(_e3420, _e3480.member_2, _e3506), _e3559.member_2, _e3585), _e3638.member_2, _e3664), _e3717.member_2, _e3743)), select(_e3670, _e3738, _e3744), vec3<f32>(select(select(select(select(_e3423, _e3480.member, _e3507), _e3559.member, _e3586), _e3638.member, _e3665), _e3717.member, _e3744), select(select(select(select(_e3424, _e3480.member_1, _e3507), _e3559.member_1, _e3586), _e3638.member_1, _e3665), _e3717.member_1, _e3744), select(select(select(select(_e3425, _e3480.member_2, _e3507), _e3559.member_2, _e3586), _e3638.member_2, _e3665), _e3717.member_2, _e3744)), select(_e3674, _e3710, _e3739), select(_e3676, _e3711, (_e3711 > _e3676)), vec3<f32>(select(select(select(select(_e3430, _e3480.member, _e3502), _e3559.member, _e3581), _e3638.member, _e3660), _e3717.member, _e3739), select(select(select(select(_e3431, _e3480.member_1, _e3502), _e3559.member_1, _e3581), _e3638.member_1, _e3660), _e3717.member_1, _e3739), select(select(select(select(_e3432, _e3480.member_2, _e3502), _e3559.member_2, _e3581), _e3638.member_2, _e3660), _e3717.member_2, _e3739)));
 }
 let _e3764 = phi_7305_;
 let _e3770 = (((_e2530 && _e3172) && !(_e3157)) && (_e3764.member_2 <= 1f));
@@ -1494,7 +1494,7 @@ let _e3860 = (_e3843 + 1i);
 let _e3861 = (_e3858 + 1i);
 let _e3871 = ((_e3859 >> bitcast<u32>(4i)) + (_e1296 * ((_e3860 >> bitcast<u32>(4i)) + (_e1303 * (_e3861 >> bitcast<u32>(4i))))));
 let _e3873 = select(_e1315, _e3871, (_e3871 < _e1315));
-let _e3878 = global_2.member[bitcast<u32>(select(0i, _e3873, (_e3873 > 0i)))];
+let _e3878 = global_1.member[bitcast<u32>(select(0i, _e3873, (_e3873 > 0i)))];
 let _e3880 = (_e3859 & 15i);
 let _e3883 = ((_e3860 & 15i) * _e1281);
 let _e3885 = (bitcast<i32>(_e3878) + ((_e3861 & 15i) * _e1286));
@@ -1502,17 +1502,17 @@ let _e3889 = (_e3883 + _e1281);
 let _e3890 = (_e3883 + _e1335);
 let _e3891 = (_e3885 + _e1286);
 let _e3892 = (_e3885 + _e1338);
-local_30 = type_33(array<i32, 4>(_e3880, (_e3880 + 1i), (_e3880 + 2i), (_e3880 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_30 = type_28(array<i32, 4>(_e3880, (_e3880 + 1i), (_e3880 + 2i), (_e3880 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_31 = vec3<f32>((_e3805 - f32(_e3828)), (_e3809 - f32(_e3843)), (_e3813 - f32(_e3858)));
 let _e3906 = local_30.member[1u];
 let _e3907 = ((_e3891 + _e3889) + _e3906);
 let _e3909 = (_e3907 >> bitcast<u32>(1i));
 let _e3912 = bitcast<u32>(((_e3907 & 1i) * 16i));
 let _e3914 = select(_e1315, _e3909, (_e3909 < _e1315));
-let _e3919 = global_2.member[bitcast<u32>(select(0i, _e3914, (_e3914 > 0i)))];
+let _e3919 = global_1.member[bitcast<u32>(select(0i, _e3914, (_e3914 > 0i)))];
 let _e3923 = (_e3909 + 1i);
 let _e3925 = select(_e1315, _e3923, (_e3923 < _e1315));
-let _e3930 = global_2.member[bitcast<u32>(select(0i, _e3925, (_e3925 > 0i)))];
+let _e3930 = global_1.member[bitcast<u32>(select(0i, _e3925, (_e3925 > 0i)))];
 let _e3937 = ((_e3919 >> bitcast<u32>((_e3912 & 31u))) | ((_e3930 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3912) & 31u))));
 let _e3940 = local_30.member_1[2u];
 let _e3946 = f32(bitcast<i32>(((_e3937 >> bitcast<u32>((_e3940 & 31u))) & 65535u)));
@@ -1524,10 +1524,10 @@ let _e3962 = ((_e3891 + _e3890) + _e3961);
 let _e3964 = (_e3962 >> bitcast<u32>(1i));
 let _e3967 = bitcast<u32>(((_e3962 & 1i) * 16i));
 let _e3969 = select(_e1315, _e3964, (_e3964 < _e1315));
-let _e3974 = global_2.member[bitcast<u32>(select(0i, _e3969, (_e3969 > 0i)))];
+let _e3974 = global_1.member[bitcast<u32>(select(0i, _e3969, (_e3969 > 0i)))];
 let _e3978 = (_e3964 + 1i);
 let _e3980 = select(_e1315, _e3978, (_e3978 < _e1315));
-let _e3985 = global_2.member[bitcast<u32>(select(0i, _e3980, (_e3980 > 0i)))];
+let _e3985 = global_1.member[bitcast<u32>(select(0i, _e3980, (_e3980 > 0i)))];
 let _e3992 = ((_e3974 >> bitcast<u32>((_e3967 & 31u))) | ((_e3985 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3967) & 31u))));
 let _e3993 = local_30.member_1[2u];
 let _e3999 = f32(bitcast<i32>(((_e3992 >> bitcast<u32>((_e3993 & 31u))) & 65535u)));
@@ -1540,10 +1540,10 @@ let _e4018 = ((_e3892 + _e3889) + _e4017);
 let _e4020 = (_e4018 >> bitcast<u32>(1i));
 let _e4023 = bitcast<u32>(((_e4018 & 1i) * 16i));
 let _e4025 = select(_e1315, _e4020, (_e4020 < _e1315));
-let _e4030 = global_2.member[bitcast<u32>(select(0i, _e4025, (_e4025 > 0i)))];
+let _e4030 = global_1.member[bitcast<u32>(select(0i, _e4025, (_e4025 > 0i)))];
 let _e4034 = (_e4020 + 1i);
 let _e4036 = select(_e1315, _e4034, (_e4034 < _e1315));
-let _e4041 = global_2.member[bitcast<u32>(select(0i, _e4036, (_e4036 > 0i)))];
+let _e4041 = global_1.member[bitcast<u32>(select(0i, _e4036, (_e4036 > 0i)))];
 let _e4048 = ((_e4030 >> bitcast<u32>((_e4023 & 31u))) | ((_e4041 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4023) & 31u))));
 let _e4049 = local_30.member_1[2u];
 let _e4055 = f32(bitcast<i32>(((_e4048 >> bitcast<u32>((_e4049 & 31u))) & 65535u)));
@@ -1555,10 +1555,10 @@ let _e4069 = ((_e3892 + _e3890) + _e4068);
 let _e4071 = (_e4069 >> bitcast<u32>(1i));
 let _e4074 = bitcast<u32>(((_e4069 & 1i) * 16i));
 let _e4076 = select(_e1315, _e4071, (_e4071 < _e1315));
-let _e4081 = global_2.member[bitcast<u32>(select(0i, _e4076, (_e4076 > 0i)))];
+let _e4081 = global_1.member[bitcast<u32>(select(0i, _e4076, (_e4076 > 0i)))];
 let _e4085 = (_e4071 + 1i);
 let _e4087 = select(_e1315, _e4085, (_e4085 < _e1315));
-let _e4092 = global_2.member[bitcast<u32>(select(0i, _e4087, (_e4087 > 0i)))];
+let _e4092 = global_1.member[bitcast<u32>(select(0i, _e4087, (_e4087 > 0i)))];
 let _e4099 = ((_e4081 >> bitcast<u32>((_e4074 & 31u))) | ((_e4092 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4074) & 31u))));
 let _e4100 = local_30.member_1[2u];
 let _e4106 = f32(bitcast<i32>(((_e4099 >> bitcast<u32>((_e4100 & 31u))) & 65535u)));
@@ -1590,12 +1590,12 @@ let _e4175 = select(0i, select(select(i32(_e4168), i32(-2147483648), (_e4168 < -
 let _e4179 = (_e4175 - select(0i, 1i, (_e4168 < f32(_e4175))));
 let _e4180 = (262147i + _e4179);
 let _e4182 = select(_e2893, _e4180, (_e4180 < _e2893));
-let _e4187 = global_3.member[bitcast<u32>(select(0i, _e4182, (_e4182 > 0i)))];
+let _e4187 = global_2.member[bitcast<u32>(select(0i, _e4182, (_e4182 > 0i)))];
 let _e4202 = ((_e3067 + (f32(bitcast<i32>((_e4187 >> bitcast<u32>(12u)))) * _e3075)) + ((f32((bitcast<i32>((_e4187 & 4095u)) - 2048i)) * _e3058) * (_e4164 - f32(_e4179))));
 if _e3172 {
-phi_8472_ = type_29(_e4202, 1f);
+phi_8472_ = type_31(_e4202, 1f);
 } else {
-phi_8472_ = type_29(1f, _e4202);
+phi_8472_ = type_31(1f, _e4202);
 }
 let _e4206 = phi_8472_;
 let _e4211 = ((_e4206.member_1 * _e4206.member_1) - (_e4206.member * _e4206.member));
@@ -1734,7 +1734,7 @@ let _e4567 = select(select(select(select(select(select(0f, _e1904.member, _e4348
 let _e4568 = select(select(select(select(select(select(0f, _e1904.member_1, _e4348), _e1904.member_1, _e4388), _e1913.member_1, _e4428), _e1913.member_1, _e4468), _e1922.member_1, _e4508), _e1922.member_1, _e4548);
 let _e4569 = select(select(select(select(select(select(1f, _e1904.member_2, _e4348), _e1904.member_2, _e4388), _e1913.member_2, _e4428), _e1913.member_2, _e4468), _e1922.member_2, _e4508), _e1922.member_2, _e4548);
 if _e2168 {
-phi_10010_ = type_36(_e4554, vec3<f32>(_e4555, _e4556, _e4557), _e4559, vec3<f32>(_e4560, _e4561, _e4562), _e4564, _e4566, vec3<f32>(_e4567, _e4568, _e4569));
+phi_10010_ = type_34(_e4554, vec3<f32>(_e4555, _e4556, _e4557), _e4559, vec3<f32>(_e4560, _e4561, _e4562), _e4564, _e4566, vec3<f32>(_e4567, _e4568, _e4569));
 } else {
 let _e4576 = (((_e1904.member * _e1904.member) + (_e1904.member_1 * _e1904.member_1)) + (_e1904.member_2 * _e1904.member_2));
 let _e4579 = sqrt(select(0f, _e4576, (_e4576 > 0f)));
@@ -1814,7 +1814,7 @@ let _e4875 = select(2f, select(0f, _e4867, (_e4847 < 0f)), (_e4848 > 0f));
 let _e4876 = (_e4847 > _e4811);
 let _e4880 = ((_e4871 > _e4803) || ((_e4871 == _e4803) && _e4876));
 let _e4881 = (_e4875 < _e4807);
-phi_10010_ = type_36(select(_e4803, _e4871, _e4880), vec3<f32>(select(select(select(select(_e4555, _e4617.member, _e4643), _e4696.member, _e4722), _e4775.member, _e4801), _e4854.member, _e4880), select(select(select(select(_e4556, _e4617.member_1, _e4643), _e4696.member_1, _e4722), _e4775.member_1, _e4801), _e4854.member_1, _e4880), select(select(select(select(_e4557, _e4617.member_2, _e4643), _e4696.member_2, _e4722), _e4775.member_2, _e4801), _e4854.member_2, _e4880)), select(_e4807, _e4875, _e4881), vec3<f32>(select(select(select(select(_e4560, _e4617.member, _e4644), _e4696.member, _e4723), _e4775.member, _e4802), _e4854.member, _e4881), select(select(select(select(_e4561, _e4617.member_1, _e4644), _e4696.member_1, _e4723), _e4775.member_1, _e4802), _e4854.member_1, _e4881), select(select(select(select(_e4562, _e4617.member_2, _e4644), _e4696.member_2, _e4723), _e4775.member_2, _e4802), _e4854.member_2, _e4881)), select(_e4811, _e4847, _e4876), select(_e4813, _e4848, (_e4848 > _e4813)), vec3<f32>(select(select(select(select(_e4567, _e4617.member, _e4639), _e4696.member, _e4718), _e4775.member, _e4797), _e4854.member, _e4876), select(select(select(select(_e4568, _e4617.member_1, _e4639), _e4696.member_1, _e4718), _e4775.member_1, _e4797), _e4854.member_1, _e4876), select(select(select(select(_e4569, _e4617.member_2, _e4639), _e4696.member_2, _e4718), _e4775.member_2, _e4797), _e4854.member_2, _e4876)));
+phi_10010_ = type_34(select(_e4803, _e4871, _e4880), vec3<f32>(select(select(select(select(_e4555, _e4617.member, _e4643), _e4696.member, _e4722), _e4775.member, _e4801), _e4854.member, _e4880), select(select(select(select(_e4556, _e4617.member_1, _e4643), _e4696.member_1, _e4722), _e4775.member_1, _e4801), _e4854.member_1, _e4880), select(select(select(select(_e4557, _e4617.member_2, _e4643), _e4696.member_2, _e4722), _e4775.member_2, _e4801), _e4854.member_2, _e4880)), select(_e4807, _e4875, _e4881), vec3<f32>(select(select(select(select(_e4560, _e4617.member, _e4644), _e4696.member, _e4723), _e4775.member, _e4802), _e4854.member, _e4881), select(select(select(select(_e4561, _e4617.member_1, _e4644), _e4696.member_1, _e4723), _e4775.member_1, _e4802), _e4854.member_1, _e4881), select(select(select(select(_e4562, _e4617.member_2, _e4644), _e4696.member_2, _e4723), _e4775.member_2, _e4802), _e4854.member_2, _e4881)), select(_e4811, _e4847, _e4876), select(_e4813, _e4848, (_e4848 > _e4813)), vec3<f32>(select(select(select(select(_e4567, _e4617.member, _e4639), _e4696.member, _e4718), _e4775.member, _e4797), _e4854.member, _e4876), select(select(select(select(_e4568, _e4617.member_1, _e4639), _e4696.member_1, _e4718), _e4775.member_1, _e4797), _e4854.member_1, _e4876), select(select(select(select(_e4569, _e4617.member_2, _e4639), _e4696.member_2, _e4718), _e4775.member_2, _e4797), _e4854.member_2, _e4876)));
 }
 let _e4901 = phi_10010_;
 let _e4907 = (((_e3770 && _e4288) && !(_e4272)) && (_e4901.member_2 <= 1f));
@@ -1852,7 +1852,7 @@ let _e4997 = (_e4980 + 1i);
 let _e4998 = (_e4995 + 1i);
 let _e5008 = ((_e4996 >> bitcast<u32>(4i)) + (_e1296 * ((_e4997 >> bitcast<u32>(4i)) + (_e1303 * (_e4998 >> bitcast<u32>(4i))))));
 let _e5010 = select(_e1315, _e5008, (_e5008 < _e1315));
-let _e5015 = global_2.member[bitcast<u32>(select(0i, _e5010, (_e5010 > 0i)))];
+let _e5015 = global_1.member[bitcast<u32>(select(0i, _e5010, (_e5010 > 0i)))];
 let _e5017 = (_e4996 & 15i);
 let _e5020 = ((_e4997 & 15i) * _e1281);
 let _e5022 = (bitcast<i32>(_e5015) + ((_e4998 & 15i) * _e1286));
@@ -1860,17 +1860,17 @@ let _e5026 = (_e5020 + _e1281);
 let _e5027 = (_e5020 + _e1335);
 let _e5028 = (_e5022 + _e1286);
 let _e5029 = (_e5022 + _e1338);
-local_26 = type_33(array<i32, 4>(_e5017, (_e5017 + 1i), (_e5017 + 2i), (_e5017 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_28(array<i32, 4>(_e5017, (_e5017 + 1i), (_e5017 + 2i), (_e5017 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e4942 - f32(_e4965)), (_e4946 - f32(_e4980)), (_e4950 - f32(_e4995)));
 let _e5043 = local_26.member[1u];
 let _e5044 = ((_e5028 + _e5026) + _e5043);
 let _e5046 = (_e5044 >> bitcast<u32>(1i));
 let _e5049 = bitcast<u32>(((_e5044 & 1i) * 16i));
 let _e5051 = select(_e1315, _e5046, (_e5046 < _e1315));
-let _e5056 = global_2.member[bitcast<u32>(select(0i, _e5051, (_e5051 > 0i)))];
+let _e5056 = global_1.member[bitcast<u32>(select(0i, _e5051, (_e5051 > 0i)))];
 let _e5060 = (_e5046 + 1i);
 let _e5062 = select(_e1315, _e5060, (_e5060 < _e1315));
-let _e5067 = global_2.member[bitcast<u32>(select(0i, _e5062, (_e5062 > 0i)))];
+let _e5067 = global_1.member[bitcast<u32>(select(0i, _e5062, (_e5062 > 0i)))];
 let _e5074 = ((_e5056 >> bitcast<u32>((_e5049 & 31u))) | ((_e5067 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5049) & 31u))));
 let _e5077 = local_26.member_1[2u];
 let _e5083 = f32(bitcast<i32>(((_e5074 >> bitcast<u32>((_e5077 & 31u))) & 65535u)));
@@ -1882,10 +1882,10 @@ let _e5099 = ((_e5028 + _e5027) + _e5098);
 let _e5101 = (_e5099 >> bitcast<u32>(1i));
 let _e5104 = bitcast<u32>(((_e5099 & 1i) * 16i));
 let _e5106 = select(_e1315, _e5101, (_e5101 < _e1315));
-let _e5111 = global_2.member[bitcast<u32>(select(0i, _e5106, (_e5106 > 0i)))];
+let _e5111 = global_1.member[bitcast<u32>(select(0i, _e5106, (_e5106 > 0i)))];
 let _e5115 = (_e5101 + 1i);
 let _e5117 = select(_e1315, _e5115, (_e5115 < _e1315));
-let _e5122 = global_2.member[bitcast<u32>(select(0i, _e5117, (_e5117 > 0i)))];
+let _e5122 = global_1.member[bitcast<u32>(select(0i, _e5117, (_e5117 > 0i)))];
 let _e5129 = ((_e5111 >> bitcast<u32>((_e5104 & 31u))) | ((_e5122 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5104) & 31u))));
 let _e5130 = local_26.member_1[2u];
 let _e5136 = f32(bitcast<i32>(((_e5129 >> bitcast<u32>((_e5130 & 31u))) & 65535u)));
@@ -1898,10 +1898,10 @@ let _e5155 = ((_e5029 + _e5026) + _e5154);
 let _e5157 = (_e5155 >> bitcast<u32>(1i));
 let _e5160 = bitcast<u32>(((_e5155 & 1i) * 16i));
 let _e5162 = select(_e1315, _e5157, (_e5157 < _e1315));
-let _e5167 = global_2.member[bitcast<u32>(select(0i, _e5162, (_e5162 > 0i)))];
+let _e5167 = global_1.member[bitcast<u32>(select(0i, _e5162, (_e5162 > 0i)))];
 let _e5171 = (_e5157 + 1i);
 let _e5173 = select(_e1315, _e5171, (_e5171 < _e1315));
-let _e5178 = global_2.member[bitcast<u32>(select(0i, _e5173, (_e5173 > 0i)))];
+let _e5178 = global_1.member[bitcast<u32>(select(0i, _e5173, (_e5173 > 0i)))];
 let _e5185 = ((_e5167 >> bitcast<u32>((_e5160 & 31u))) | ((_e5178 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5160) & 31u))));
 let _e5186 = local_26.member_1[2u];
 let _e5192 = f32(bitcast<i32>(((_e5185 >> bitcast<u32>((_e5186 & 31u))) & 65535u)));
@@ -1913,10 +1913,10 @@ let _e5206 = ((_e5029 + _e5027) + _e5205);
 let _e5208 = (_e5206 >> bitcast<u32>(1i));
 let _e5211 = bitcast<u32>(((_e5206 & 1i) * 16i));
 let _e5213 = select(_e1315, _e5208, (_e5208 < _e1315));
-let _e5218 = global_2.member[bitcast<u32>(select(0i, _e5213, (_e5213 > 0i)))];
+let _e5218 = global_1.member[bitcast<u32>(select(0i, _e5213, (_e5213 > 0i)))];
 let _e5222 = (_e5208 + 1i);
 let _e5224 = select(_e1315, _e5222, (_e5222 < _e1315));
-let _e5229 = global_2.member[bitcast<u32>(select(0i, _e5224, (_e5224 > 0i)))];
+let _e5229 = global_1.member[bitcast<u32>(select(0i, _e5224, (_e5224 > 0i)))];
 let _e5236 = ((_e5218 >> bitcast<u32>((_e5211 & 31u))) | ((_e5229 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5211) & 31u))));
 let _e5237 = local_26.member_1[2u];
 let _e5243 = f32(bitcast<i32>(((_e5236 >> bitcast<u32>((_e5237 & 31u))) & 65535u)));
@@ -1948,12 +1948,12 @@ let _e5312 = select(0i, select(select(i32(_e5305), i32(-2147483648), (_e5305 < -
 let _e5316 = (_e5312 - select(0i, 1i, (_e5305 < f32(_e5312))));
 let _e5317 = (262147i + _e5316);
 let _e5319 = select(_e2893, _e5317, (_e5317 < _e2893));
-let _e5324 = global_3.member[bitcast<u32>(select(0i, _e5319, (_e5319 > 0i)))];
+let _e5324 = global_2.member[bitcast<u32>(select(0i, _e5319, (_e5319 > 0i)))];
 let _e5339 = ((_e3067 + (f32(bitcast<i32>((_e5324 >> bitcast<u32>(12u)))) * _e3075)) + ((f32((bitcast<i32>((_e5324 & 4095u)) - 2048i)) * _e3058) * (_e5301 - f32(_e5316))));
 if _e4288 {
-phi_11177_ = type_29(_e5339, 1f);
+phi_11177_ = type_31(_e5339, 1f);
 } else {
-phi_11177_ = type_29(1f, _e5339);
+phi_11177_ = type_31(1f, _e5339);
 }
 let _e5343 = phi_11177_;
 let _e5348 = ((_e5343.member_1 * _e5343.member_1) - (_e5343.member * _e5343.member));
@@ -2092,7 +2092,7 @@ let _e5705 = select(select(select(select(select(select(0f, _e1904.member, _e5486
 let _e5706 = select(select(select(select(select(select(0f, _e1904.member_1, _e5486), _e1904.member_1, _e5526), _e1913.member_1, _e5566), _e1913.member_1, _e5606), _e1922.member_1, _e5646), _e1922.member_1, _e5686);
 let _e5707 = select(select(select(select(select(select(1f, _e1904.member_2, _e5486), _e1904.member_2, _e5526), _e1913.member_2, _e5566), _e1913.member_2, _e5606), _e1922.member_2, _e5646), _e1922.member_2, _e5686);
 if _e2168 {
-phi_12715_ = type_36(_e5692, vec3<f32>(_e5693, _e5694, _e5695), _e5697, vec3<f32>(_e5698, _e5699, _e5700), _e5702, _e5704, vec3<f32>(_e5705, _e5706, _e5707));
+phi_12715_ = type_34(_e5692, vec3<f32>(_e5693, _e5694, _e5695), _e5697, vec3<f32>(_e5698, _e5699, _e5700), _e5702, _e5704, vec3<f32>(_e5705, _e5706, _e5707));
 } else {
 let _e5714 = (((_e1904.member * _e1904.member) + (_e1904.member_1 * _e1904.member_1)) + (_e1904.member_2 * _e1904.member_2));
 let _e5717 = sqrt(select(0f, _e5714, (_e5714 > 0f)));
@@ -2172,7 +2172,7 @@ let _e6013 = select(2f, select(0f, _e6005, (_e5985 < 0f)), (_e5986 > 0f));
 let _e6014 = (_e5985 > _e5949);
 let _e6018 = ((_e6009 > _e5941) || ((_e6009 == _e5941) && _e6014));
 let _e6019 = (_e6013 < _e5945);
-phi_12715_ = type_36(select(_e5941, _e6009, _e6018), vec3<f32>(select(select(select(select(_e5693, _e5755.member, _e5781), _e5834.member, _e5860), _e5913.member, _e5939), _e5992.member, _e6018), select(select(select(select(_e5694, _e5755.member_1, _e5781), _e5834.member_1, _e5860), _e5913.member_1, _e5939), _e5992.member_1, _e6018), select(select(select(select(_e5695, _e5755.member_2, _e5781), _e5834.member_2, _e5860), _e5913.member_2, _e5939), _e5992.member_2, _e6018)), select(_e5945, _e6013, _e6019), vec3<f32>(select(select(select(select(_e5698, _e5755.member, _e5782), _e5834.member, _e5861), _e5913.member, _e5940), _e5992.member, _e6019), select(select(select(select(_e5699, _e5755.member_1, _e5782), _e5834.member_1, _e5861), _e5913.member_1, _e5940), _e5992.member_1, _e6019), select(select(select(select(_e5700, _e5755.member_2, _e5782), _e5834.member_2, _e5861), _e5913.member_2, _e5940), _e5992.member_2, _e6019)), select(_e5949, _e5985, _e6014), select(_e5951, _e5986, (_e5986 > _e5951)), vec3<f32>(select(select(select(select(_e5705, _e5755.member, _e5777), _e5834.member, _e5856), _e5913.member, _e5935), _e5992.member, _e6014), select(select(select(select(_e5706, _e5755.member_1, _e5777), _e5834.member_1, _e5856), _e5913.member_1, _e5935), _e5992.member_1, _e6014), select(select(select(select(_e5707, _e5755.member_2, _e5777), _e5834.member_2, _e5856), _e5913.member_2, _e5935), _e5992.member_2, _e6014)));
+phi_12715_ = type_34(select(_e5941, _e6009, _e6018), vec3<f32>(select(select(select(select(_e5693, _e5755.member, _e5781), _e5834.member, _e5860), _e5913.member, _e5939), _e5992.member, _e6018), select(select(select(select(_e5694, _e5755.member_1, _e5781), _e5834.member_1, _e5860), _e5913.member_1, _e5939), _e5992.member_1, _e6018), select(select(select(select(_e5695, _e5755.member_2, _e5781), _e5834.member_2, _e5860), _e5913.member_2, _e5939), _e5992.member_2, _e6018)), select(_e5945, _e6013, _e6019), vec3<f32>(select(select(select(select(_e5698, _e5755.member, _e5782), _e5834.member, _e5861), _e5913.member, _e5940), _e5992.member, _e6019), select(select(select(select(_e5699, _e5755.member_1, _e5782), _e5834.member_1, _e5861), _e5913.member_1, _e5940), _e5992.member_1, _e6019), select(select(select(select(_e5700, _e5755.member_2, _e5782), _e5834.member_2, _e5861), _e5913.member_2, _e5940), _e5992.member_2, _e6019)), select(_e5949, _e5985, _e6014), select(_e5951, _e5986, (_e5986 > _e5951)), vec3<f32>(select(select(select(select(_e5705, _e5755.member, _e5777), _e5834.member, _e5856), _e5913.member, _e5935), _e5992.member, _e6014), select(select(select(select(_e5706, _e5755.member_1, _e5777), _e5834.member_1, _e5856), _e5913.member_1, _e5935), _e5992.member_1, _e6014), select(select(select(select(_e5707, _e5755.member_2, _e5777), _e5834.member_2, _e5856), _e5913.member_2, _e5935), _e5992.member_2, _e6014)));
 }
 let _e6039 = phi_12715_;
 let _e6045 = (((_e4907 && _e5426) && !(_e5410)) && (_e6039.member_2 <= 1f));
@@ -2343,12 +2343,12 @@ phi_14463_ = _e3085;
 phi_14463_ = _e4206;
 }
 let _e6485 = phi_14463_;
-phi_14476_ = type_39(_e6485, vec3<f32>(select(_e5421, _e4920.x, _e6045), select(_e5422, _e4920.y, _e6045), select(_e5423, _e4920.z, _e6045)), vec3<f32>(_e5395, _e5396, _e5397), select(_e1889, ((((sqrt(select(0f, _e6053, (_e6053 > 0f))) * select(0f, _e6134, (_e6134 > 0f))) + (sqrt(select(0f, _e6145, (_e6145 > 0f))) * select(0f, _e6241, (_e6241 > 0f)))) + (sqrt(select(0f, _e6253, (_e6253 > 0f))) * select(0f, _e6349, (_e6349 > 0f)))) + select(0f, (sqrt(select(0f, _e6361, (_e6361 > 0f))) * select(0f, _e6457, (_e6457 > 0f))), _e4907)), _e6464), select((_e482 / _e5397), (2f * (_e3774 / _e3139)), (((_e2530 && !(_e2507)) && _e3172) && !(_e3770))), select(_e3764.member_3, _e2522.member_1, vec3(_e3153)), _e5426, _e6464, (((_e3157 || _e4272) || _e5410) || _e6045));
+phi_14476_ = type_38(_e6485, vec3<f32>(select(_e5421, _e4920.x, _e6045), select(_e5422, _e4920.y, _e6045), select(_e5423, _e4920.z, _e6045)), vec3<f32>(_e5395, _e5396, _e5397), select(_e1889, ((((sqrt(select(0f, _e6053, (_e6053 > 0f))) * select(0f, _e6134, (_e6134 > 0f))) + (sqrt(select(0f, _e6145, (_e6145 > 0f))) * select(0f, _e6241, (_e6241 > 0f)))) + (sqrt(select(0f, _e6253, (_e6253 > 0f))) * select(0f, _e6349, (_e6349 > 0f)))) + select(0f, (sqrt(select(0f, _e6361, (_e6361 > 0f))) * select(0f, _e6457, (_e6457 > 0f))), _e4907)), _e6464), select((_e482 / _e5397), (2f * (_e3774 / _e3139)), (((_e2530 && !(_e2507)) && _e3172) && !(_e3770))), select(_e3764.member_3, _e2522.member_1, vec3(_e3153)), _e5426, _e6464, (((_e3157 || _e4272) || _e5410) || _e6045));
 phi_14477_ = vec3<f32>(_e2511, _e2512, _e2513);
 phi_14478_ = _e2507;
 phi_14479_ = _e2508;
 } else {
-phi_14476_ = type_39(_e1802.member, _e1802.member_1, _e1802.member_2, _e1889, _e1802.member_4, _e1802.member_5, _e1802.member_6, _e1802.member_7, _e1802.member_8);
+phi_14476_ = type_38(_e1802.member, _e1802.member_1, _e1802.member_2, _e1889, _e1802.member_4, _e1802.member_5, _e1802.member_6, _e1802.member_7, _e1802.member_8);
 phi_14477_ = _e1151;
 phi_14478_ = true;
 phi_14479_ = _e1790;
@@ -2384,7 +2384,7 @@ let _e6909 = (_e6892 + 1i);
 let _e6910 = (_e6907 + 1i);
 let _e6920 = ((_e6908 >> bitcast<u32>(4i)) + (_e1296 * ((_e6909 >> bitcast<u32>(4i)) + (_e1303 * (_e6910 >> bitcast<u32>(4i))))));
 let _e6922 = select(_e1315, _e6920, (_e6920 < _e1315));
-let _e6928 = global_2.member[bitcast<u32>(select(0i, _e6922, (_e6922 > 0i)))];
+let _e6928 = global_1.member[bitcast<u32>(select(0i, _e6922, (_e6922 > 0i)))];
 let _e6930 = (_e6908 & 15i);
 let _e6933 = ((_e6909 & 15i) * _e1281);
 let _e6935 = (bitcast<i32>(_e6928) + ((_e6910 & 15i) * _e1286));
@@ -2394,7 +2394,7 @@ let _e6942 = (_e6933 + (3i * _e1281));
 let _e6943 = (_e6935 + _e1286);
 let _e6944 = (_e6935 + _e1338);
 let _e6946 = (_e6935 + (3i * _e1286));
-local_22 = type_33(array<i32, 4>(_e6930, (_e6930 + 1i), (_e6930 + 2i), (_e6930 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_22 = type_28(array<i32, 4>(_e6930, (_e6930 + 1i), (_e6930 + 2i), (_e6930 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_23 = vec3<f32>((_e6854 - f32(_e6877)), (_e6858 - f32(_e6892)), (_e6862 - f32(_e6907)));
 let _e6957 = (_e6943 + _e6939);
 let _e6960 = local_22.member[0u];
@@ -2402,20 +2402,20 @@ let _e6961 = (_e6957 + _e6960);
 let _e6963 = (_e6961 >> bitcast<u32>(1i));
 let _e6966 = bitcast<u32>(((_e6961 & 1i) * 16i));
 let _e6968 = select(_e1315, _e6963, (_e6963 < _e1315));
-let _e6973 = global_2.member[bitcast<u32>(select(0i, _e6968, (_e6968 > 0i)))];
+let _e6973 = global_1.member[bitcast<u32>(select(0i, _e6968, (_e6968 > 0i)))];
 let _e6977 = (_e6963 + 1i);
 let _e6979 = select(_e1315, _e6977, (_e6977 < _e1315));
-let _e6984 = global_2.member[bitcast<u32>(select(0i, _e6979, (_e6979 > 0i)))];
+let _e6984 = global_1.member[bitcast<u32>(select(0i, _e6979, (_e6979 > 0i)))];
 let _e6991 = ((_e6973 >> bitcast<u32>((_e6966 & 31u))) | ((_e6984 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6966) & 31u))));
 let _e6994 = local_22.member[2u];
 let _e6995 = (_e6957 + _e6994);
 let _e6997 = (_e6995 >> bitcast<u32>(1i));
 let _e7000 = bitcast<u32>(((_e6995 & 1i) * 16i));
 let _e7002 = select(_e1315, _e6997, (_e6997 < _e1315));
-let _e7007 = global_2.member[bitcast<u32>(select(0i, _e7002, (_e7002 > 0i)))];
+let _e7007 = global_1.member[bitcast<u32>(select(0i, _e7002, (_e7002 > 0i)))];
 let _e7011 = (_e6997 + 1i);
 let _e7013 = select(_e1315, _e7011, (_e7011 < _e1315));
-let _e7018 = global_2.member[bitcast<u32>(select(0i, _e7013, (_e7013 > 0i)))];
+let _e7018 = global_1.member[bitcast<u32>(select(0i, _e7013, (_e7013 > 0i)))];
 let _e7025 = ((_e7007 >> bitcast<u32>((_e7000 & 31u))) | ((_e7018 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7000) & 31u))));
 let _e7028 = local_22.member_1[0u];
 let _e7034 = f32(bitcast<i32>(((_e6991 >> bitcast<u32>((_e7028 & 31u))) & 65535u)));
@@ -2436,20 +2436,20 @@ let _e7076 = (_e7074 + _e7075);
 let _e7078 = (_e7076 >> bitcast<u32>(1i));
 let _e7081 = bitcast<u32>(((_e7076 & 1i) * 16i));
 let _e7083 = select(_e1315, _e7078, (_e7078 < _e1315));
-let _e7088 = global_2.member[bitcast<u32>(select(0i, _e7083, (_e7083 > 0i)))];
+let _e7088 = global_1.member[bitcast<u32>(select(0i, _e7083, (_e7083 > 0i)))];
 let _e7092 = (_e7078 + 1i);
 let _e7094 = select(_e1315, _e7092, (_e7092 < _e1315));
-let _e7099 = global_2.member[bitcast<u32>(select(0i, _e7094, (_e7094 > 0i)))];
+let _e7099 = global_1.member[bitcast<u32>(select(0i, _e7094, (_e7094 > 0i)))];
 let _e7106 = ((_e7088 >> bitcast<u32>((_e7081 & 31u))) | ((_e7099 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7081) & 31u))));
 let _e7107 = local_22.member[2u];
 let _e7108 = (_e7074 + _e7107);
 let _e7110 = (_e7108 >> bitcast<u32>(1i));
 let _e7113 = bitcast<u32>(((_e7108 & 1i) * 16i));
 let _e7115 = select(_e1315, _e7110, (_e7110 < _e1315));
-let _e7120 = global_2.member[bitcast<u32>(select(0i, _e7115, (_e7115 > 0i)))];
+let _e7120 = global_1.member[bitcast<u32>(select(0i, _e7115, (_e7115 > 0i)))];
 let _e7124 = (_e7110 + 1i);
 let _e7126 = select(_e1315, _e7124, (_e7124 < _e1315));
-let _e7131 = global_2.member[bitcast<u32>(select(0i, _e7126, (_e7126 > 0i)))];
+let _e7131 = global_1.member[bitcast<u32>(select(0i, _e7126, (_e7126 > 0i)))];
 let _e7138 = ((_e7120 >> bitcast<u32>((_e7113 & 31u))) | ((_e7131 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7113) & 31u))));
 let _e7139 = local_22.member_1[0u];
 let _e7145 = f32(bitcast<i32>(((_e7106 >> bitcast<u32>((_e7139 & 31u))) & 65535u)));
@@ -2468,20 +2468,20 @@ let _e7181 = (_e7179 + _e7180);
 let _e7183 = (_e7181 >> bitcast<u32>(1i));
 let _e7186 = bitcast<u32>(((_e7181 & 1i) * 16i));
 let _e7188 = select(_e1315, _e7183, (_e7183 < _e1315));
-let _e7193 = global_2.member[bitcast<u32>(select(0i, _e7188, (_e7188 > 0i)))];
+let _e7193 = global_1.member[bitcast<u32>(select(0i, _e7188, (_e7188 > 0i)))];
 let _e7197 = (_e7183 + 1i);
 let _e7199 = select(_e1315, _e7197, (_e7197 < _e1315));
-let _e7204 = global_2.member[bitcast<u32>(select(0i, _e7199, (_e7199 > 0i)))];
+let _e7204 = global_1.member[bitcast<u32>(select(0i, _e7199, (_e7199 > 0i)))];
 let _e7211 = ((_e7193 >> bitcast<u32>((_e7186 & 31u))) | ((_e7204 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7186) & 31u))));
 let _e7212 = local_22.member[2u];
 let _e7213 = (_e7179 + _e7212);
 let _e7215 = (_e7213 >> bitcast<u32>(1i));
 let _e7218 = bitcast<u32>(((_e7213 & 1i) * 16i));
 let _e7220 = select(_e1315, _e7215, (_e7215 < _e1315));
-let _e7225 = global_2.member[bitcast<u32>(select(0i, _e7220, (_e7220 > 0i)))];
+let _e7225 = global_1.member[bitcast<u32>(select(0i, _e7220, (_e7220 > 0i)))];
 let _e7229 = (_e7215 + 1i);
 let _e7231 = select(_e1315, _e7229, (_e7229 < _e1315));
-let _e7236 = global_2.member[bitcast<u32>(select(0i, _e7231, (_e7231 > 0i)))];
+let _e7236 = global_1.member[bitcast<u32>(select(0i, _e7231, (_e7231 > 0i)))];
 let _e7243 = ((_e7225 >> bitcast<u32>((_e7218 & 31u))) | ((_e7236 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7218) & 31u))));
 let _e7244 = local_22.member_1[0u];
 let _e7250 = f32(bitcast<i32>(((_e7211 >> bitcast<u32>((_e7244 & 31u))) & 65535u)));
@@ -2502,20 +2502,20 @@ let _e7286 = (_e7284 + _e7285);
 let _e7288 = (_e7286 >> bitcast<u32>(1i));
 let _e7291 = bitcast<u32>(((_e7286 & 1i) * 16i));
 let _e7293 = select(_e1315, _e7288, (_e7288 < _e1315));
-let _e7298 = global_2.member[bitcast<u32>(select(0i, _e7293, (_e7293 > 0i)))];
+let _e7298 = global_1.member[bitcast<u32>(select(0i, _e7293, (_e7293 > 0i)))];
 let _e7302 = (_e7288 + 1i);
 let _e7304 = select(_e1315, _e7302, (_e7302 < _e1315));
-let _e7309 = global_2.member[bitcast<u32>(select(0i, _e7304, (_e7304 > 0i)))];
+let _e7309 = global_1.member[bitcast<u32>(select(0i, _e7304, (_e7304 > 0i)))];
 let _e7316 = ((_e7298 >> bitcast<u32>((_e7291 & 31u))) | ((_e7309 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7291) & 31u))));
 let _e7317 = local_22.member[2u];
 let _e7318 = (_e7284 + _e7317);
 let _e7320 = (_e7318 >> bitcast<u32>(1i));
 let _e7323 = bitcast<u32>(((_e7318 & 1i) * 16i));
 let _e7325 = select(_e1315, _e7320, (_e7320 < _e1315));
-let _e7330 = global_2.member[bitcast<u32>(select(0i, _e7325, (_e7325 > 0i)))];
+let _e7330 = global_1.member[bitcast<u32>(select(0i, _e7325, (_e7325 > 0i)))];
 let _e7334 = (_e7320 + 1i);
 let _e7336 = select(_e1315, _e7334, (_e7334 < _e1315));
-let _e7341 = global_2.member[bitcast<u32>(select(0i, _e7336, (_e7336 > 0i)))];
+let _e7341 = global_1.member[bitcast<u32>(select(0i, _e7336, (_e7336 > 0i)))];
 let _e7348 = ((_e7330 >> bitcast<u32>((_e7323 & 31u))) | ((_e7341 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7323) & 31u))));
 let _e7349 = local_22.member_1[0u];
 let _e7355 = f32(bitcast<i32>(((_e7316 >> bitcast<u32>((_e7349 & 31u))) & 65535u)));
@@ -2533,10 +2533,10 @@ let _e7393 = ((_e6943 + _e6933) + _e7392);
 let _e7395 = (_e7393 >> bitcast<u32>(1i));
 let _e7398 = bitcast<u32>(((_e7393 & 1i) * 16i));
 let _e7400 = select(_e1315, _e7395, (_e7395 < _e1315));
-let _e7405 = global_2.member[bitcast<u32>(select(0i, _e7400, (_e7400 > 0i)))];
+let _e7405 = global_1.member[bitcast<u32>(select(0i, _e7400, (_e7400 > 0i)))];
 let _e7409 = (_e7395 + 1i);
 let _e7411 = select(_e1315, _e7409, (_e7409 < _e1315));
-let _e7416 = global_2.member[bitcast<u32>(select(0i, _e7411, (_e7411 > 0i)))];
+let _e7416 = global_1.member[bitcast<u32>(select(0i, _e7411, (_e7411 > 0i)))];
 let _e7423 = ((_e7405 >> bitcast<u32>((_e7398 & 31u))) | ((_e7416 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7398) & 31u))));
 let _e7426 = local_22.member_1[2u];
 let _e7432 = f32(bitcast<i32>(((_e7423 >> bitcast<u32>((_e7426 & 31u))) & 65535u)));
@@ -2548,10 +2548,10 @@ let _e7448 = ((_e6943 + _e6942) + _e7447);
 let _e7450 = (_e7448 >> bitcast<u32>(1i));
 let _e7453 = bitcast<u32>(((_e7448 & 1i) * 16i));
 let _e7455 = select(_e1315, _e7450, (_e7450 < _e1315));
-let _e7460 = global_2.member[bitcast<u32>(select(0i, _e7455, (_e7455 > 0i)))];
+let _e7460 = global_1.member[bitcast<u32>(select(0i, _e7455, (_e7455 > 0i)))];
 let _e7464 = (_e7450 + 1i);
 let _e7466 = select(_e1315, _e7464, (_e7464 < _e1315));
-let _e7471 = global_2.member[bitcast<u32>(select(0i, _e7466, (_e7466 > 0i)))];
+let _e7471 = global_1.member[bitcast<u32>(select(0i, _e7466, (_e7466 > 0i)))];
 let _e7478 = ((_e7460 >> bitcast<u32>((_e7453 & 31u))) | ((_e7471 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7453) & 31u))));
 let _e7479 = local_22.member_1[2u];
 let _e7485 = f32(bitcast<i32>(((_e7478 >> bitcast<u32>((_e7479 & 31u))) & 65535u)));
@@ -2562,10 +2562,10 @@ let _e7499 = ((_e6944 + _e6933) + _e7498);
 let _e7501 = (_e7499 >> bitcast<u32>(1i));
 let _e7504 = bitcast<u32>(((_e7499 & 1i) * 16i));
 let _e7506 = select(_e1315, _e7501, (_e7501 < _e1315));
-let _e7511 = global_2.member[bitcast<u32>(select(0i, _e7506, (_e7506 > 0i)))];
+let _e7511 = global_1.member[bitcast<u32>(select(0i, _e7506, (_e7506 > 0i)))];
 let _e7515 = (_e7501 + 1i);
 let _e7517 = select(_e1315, _e7515, (_e7515 < _e1315));
-let _e7522 = global_2.member[bitcast<u32>(select(0i, _e7517, (_e7517 > 0i)))];
+let _e7522 = global_1.member[bitcast<u32>(select(0i, _e7517, (_e7517 > 0i)))];
 let _e7529 = ((_e7511 >> bitcast<u32>((_e7504 & 31u))) | ((_e7522 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7504) & 31u))));
 let _e7530 = local_22.member_1[2u];
 let _e7536 = f32(bitcast<i32>(((_e7529 >> bitcast<u32>((_e7530 & 31u))) & 65535u)));
@@ -2577,10 +2577,10 @@ let _e7550 = ((_e6944 + _e6942) + _e7549);
 let _e7552 = (_e7550 >> bitcast<u32>(1i));
 let _e7555 = bitcast<u32>(((_e7550 & 1i) * 16i));
 let _e7557 = select(_e1315, _e7552, (_e7552 < _e1315));
-let _e7562 = global_2.member[bitcast<u32>(select(0i, _e7557, (_e7557 > 0i)))];
+let _e7562 = global_1.member[bitcast<u32>(select(0i, _e7557, (_e7557 > 0i)))];
 let _e7566 = (_e7552 + 1i);
 let _e7568 = select(_e1315, _e7566, (_e7566 < _e1315));
-let _e7573 = global_2.member[bitcast<u32>(select(0i, _e7568, (_e7568 > 0i)))];
+let _e7573 = global_1.member[bitcast<u32>(select(0i, _e7568, (_e7568 > 0i)))];
 let _e7580 = ((_e7562 >> bitcast<u32>((_e7555 & 31u))) | ((_e7573 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7555) & 31u))));
 let _e7581 = local_22.member_1[2u];
 let _e7587 = f32(bitcast<i32>(((_e7580 >> bitcast<u32>((_e7581 & 31u))) & 65535u)));
@@ -2591,10 +2591,10 @@ let _e7601 = ((_e6935 + _e6939) + _e7600);
 let _e7603 = (_e7601 >> bitcast<u32>(1i));
 let _e7606 = bitcast<u32>(((_e7601 & 1i) * 16i));
 let _e7608 = select(_e1315, _e7603, (_e7603 < _e1315));
-let _e7613 = global_2.member[bitcast<u32>(select(0i, _e7608, (_e7608 > 0i)))];
+let _e7613 = global_1.member[bitcast<u32>(select(0i, _e7608, (_e7608 > 0i)))];
 let _e7617 = (_e7603 + 1i);
 let _e7619 = select(_e1315, _e7617, (_e7617 < _e1315));
-let _e7624 = global_2.member[bitcast<u32>(select(0i, _e7619, (_e7619 > 0i)))];
+let _e7624 = global_1.member[bitcast<u32>(select(0i, _e7619, (_e7619 > 0i)))];
 let _e7631 = ((_e7613 >> bitcast<u32>((_e7606 & 31u))) | ((_e7624 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7606) & 31u))));
 let _e7632 = local_22.member_1[2u];
 let _e7638 = f32(bitcast<i32>(((_e7631 >> bitcast<u32>((_e7632 & 31u))) & 65535u)));
@@ -2606,10 +2606,10 @@ let _e7652 = ((_e6946 + _e6939) + _e7651);
 let _e7654 = (_e7652 >> bitcast<u32>(1i));
 let _e7657 = bitcast<u32>(((_e7652 & 1i) * 16i));
 let _e7659 = select(_e1315, _e7654, (_e7654 < _e1315));
-let _e7664 = global_2.member[bitcast<u32>(select(0i, _e7659, (_e7659 > 0i)))];
+let _e7664 = global_1.member[bitcast<u32>(select(0i, _e7659, (_e7659 > 0i)))];
 let _e7668 = (_e7654 + 1i);
 let _e7670 = select(_e1315, _e7668, (_e7668 < _e1315));
-let _e7675 = global_2.member[bitcast<u32>(select(0i, _e7670, (_e7670 > 0i)))];
+let _e7675 = global_1.member[bitcast<u32>(select(0i, _e7670, (_e7670 > 0i)))];
 let _e7682 = ((_e7664 >> bitcast<u32>((_e7657 & 31u))) | ((_e7675 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7657) & 31u))));
 let _e7683 = local_22.member_1[2u];
 let _e7689 = f32(bitcast<i32>(((_e7682 >> bitcast<u32>((_e7683 & 31u))) & 65535u)));
@@ -2621,10 +2621,10 @@ let _e7703 = ((_e6935 + _e6940) + _e7702);
 let _e7705 = (_e7703 >> bitcast<u32>(1i));
 let _e7708 = bitcast<u32>(((_e7703 & 1i) * 16i));
 let _e7710 = select(_e1315, _e7705, (_e7705 < _e1315));
-let _e7715 = global_2.member[bitcast<u32>(select(0i, _e7710, (_e7710 > 0i)))];
+let _e7715 = global_1.member[bitcast<u32>(select(0i, _e7710, (_e7710 > 0i)))];
 let _e7719 = (_e7705 + 1i);
 let _e7721 = select(_e1315, _e7719, (_e7719 < _e1315));
-let _e7726 = global_2.member[bitcast<u32>(select(0i, _e7721, (_e7721 > 0i)))];
+let _e7726 = global_1.member[bitcast<u32>(select(0i, _e7721, (_e7721 > 0i)))];
 let _e7733 = ((_e7715 >> bitcast<u32>((_e7708 & 31u))) | ((_e7726 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7708) & 31u))));
 let _e7734 = local_22.member_1[2u];
 let _e7740 = f32(bitcast<i32>(((_e7733 >> bitcast<u32>((_e7734 & 31u))) & 65535u)));
@@ -2635,10 +2635,10 @@ let _e7754 = ((_e6946 + _e6940) + _e7753);
 let _e7756 = (_e7754 >> bitcast<u32>(1i));
 let _e7759 = bitcast<u32>(((_e7754 & 1i) * 16i));
 let _e7761 = select(_e1315, _e7756, (_e7756 < _e1315));
-let _e7766 = global_2.member[bitcast<u32>(select(0i, _e7761, (_e7761 > 0i)))];
+let _e7766 = global_1.member[bitcast<u32>(select(0i, _e7761, (_e7761 > 0i)))];
 let _e7770 = (_e7756 + 1i);
 let _e7772 = select(_e1315, _e7770, (_e7770 < _e1315));
-let _e7777 = global_2.member[bitcast<u32>(select(0i, _e7772, (_e7772 > 0i)))];
+let _e7777 = global_1.member[bitcast<u32>(select(0i, _e7772, (_e7772 > 0i)))];
 let _e7784 = ((_e7766 >> bitcast<u32>((_e7759 & 31u))) | ((_e7777 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7759) & 31u))));
 let _e7785 = local_22.member_1[2u];
 let _e7791 = f32(bitcast<i32>(((_e7784 >> bitcast<u32>((_e7785 & 31u))) & 65535u)));
@@ -2697,50 +2697,50 @@ local_21 = _e7923;
 let _e7924 = local_21;
 let _e7926 = (bitcast<i32>(_e230) - 1i);
 let _e7928 = select(_e7926, 263197i, (263197i < _e7926));
-let _e7933 = global_3.member[bitcast<u32>(select(0i, _e7928, (_e7928 > 0i)))];
+let _e7933 = global_2.member[bitcast<u32>(select(0i, _e7928, (_e7928 > 0i)))];
 let _e7934 = bitcast<f32>(_e7933);
 let _e7936 = select(_e7926, 263198i, (263198i < _e7926));
 let _e7939 = bitcast<u32>(select(0i, _e7936, (_e7936 > 0i)));
-let _e7941 = global_3.member[_e7939];
+let _e7941 = global_2.member[_e7939];
 let _e7942 = bitcast<f32>(_e7941);
 let _e7944 = select(_e7926, 263199i, (263199i < _e7926));
-let _e7949 = global_3.member[bitcast<u32>(select(0i, _e7944, (_e7944 > 0i)))];
+let _e7949 = global_2.member[bitcast<u32>(select(0i, _e7944, (_e7944 > 0i)))];
 let _e7950 = bitcast<f32>(_e7949);
 let _e7952 = ((_e7924 - _e7934) * _e7942);
 let _e7954 = select(0f, _e7952, (_e7952 > 0f));
 let _e7957 = local_21;
 let _e7959 = select(_e7926, 263200i, (263200i < _e7926));
-let _e7964 = global_3.member[bitcast<u32>(select(0i, _e7959, (_e7959 > 0i)))];
+let _e7964 = global_2.member[bitcast<u32>(select(0i, _e7959, (_e7959 > 0i)))];
 let _e7965 = bitcast<f32>(_e7964);
 let _e7967 = select(_e7926, 263201i, (263201i < _e7926));
-let _e7972 = global_3.member[bitcast<u32>(select(0i, _e7967, (_e7967 > 0i)))];
+let _e7972 = global_2.member[bitcast<u32>(select(0i, _e7967, (_e7967 > 0i)))];
 let _e7973 = bitcast<f32>(_e7972);
 let _e7975 = select(_e7926, 263202i, (263202i < _e7926));
-let _e7980 = global_3.member[bitcast<u32>(select(0i, _e7975, (_e7975 > 0i)))];
+let _e7980 = global_2.member[bitcast<u32>(select(0i, _e7975, (_e7975 > 0i)))];
 let _e7981 = bitcast<f32>(_e7980);
 let _e7983 = ((_e7957 - _e7965) * _e7973);
 let _e7985 = select(0f, _e7983, (_e7983 > 0f));
 let _e7989 = local_21;
 let _e7991 = select(_e7926, 263203i, (263203i < _e7926));
-let _e7996 = global_3.member[bitcast<u32>(select(0i, _e7991, (_e7991 > 0i)))];
+let _e7996 = global_2.member[bitcast<u32>(select(0i, _e7991, (_e7991 > 0i)))];
 let _e7997 = bitcast<f32>(_e7996);
 let _e7999 = select(_e7926, 263204i, (263204i < _e7926));
-let _e8004 = global_3.member[bitcast<u32>(select(0i, _e7999, (_e7999 > 0i)))];
+let _e8004 = global_2.member[bitcast<u32>(select(0i, _e7999, (_e7999 > 0i)))];
 let _e8005 = bitcast<f32>(_e8004);
 let _e8007 = select(_e7926, 263205i, (263205i < _e7926));
-let _e8012 = global_3.member[bitcast<u32>(select(0i, _e8007, (_e8007 > 0i)))];
+let _e8012 = global_2.member[bitcast<u32>(select(0i, _e8007, (_e8007 > 0i)))];
 let _e8013 = bitcast<f32>(_e8012);
 let _e8015 = ((_e7989 - _e7997) * _e8005);
 let _e8017 = select(0f, _e8015, (_e8015 > 0f));
 let _e8020 = local_21;
 let _e8022 = select(_e7926, 263206i, (263206i < _e7926));
-let _e8027 = global_3.member[bitcast<u32>(select(0i, _e8022, (_e8022 > 0i)))];
+let _e8027 = global_2.member[bitcast<u32>(select(0i, _e8022, (_e8022 > 0i)))];
 let _e8028 = bitcast<f32>(_e8027);
 let _e8030 = select(_e7926, 263207i, (263207i < _e7926));
-let _e8035 = global_3.member[bitcast<u32>(select(0i, _e8030, (_e8030 > 0i)))];
+let _e8035 = global_2.member[bitcast<u32>(select(0i, _e8030, (_e8030 > 0i)))];
 let _e8036 = bitcast<f32>(_e8035);
 let _e8038 = select(_e7926, 263208i, (263208i < _e7926));
-let _e8043 = global_3.member[bitcast<u32>(select(0i, _e8038, (_e8038 > 0i)))];
+let _e8043 = global_2.member[bitcast<u32>(select(0i, _e8038, (_e8038 > 0i)))];
 let _e8044 = bitcast<f32>(_e8043);
 let _e8046 = ((_e8020 - _e8028) * _e8036);
 let _e8048 = select(0f, _e8046, (_e8046 > 0f));
@@ -2751,34 +2751,34 @@ let _e8063 = select(0i, select(select(i32(_e8056), i32(-2147483648), (_e8056 < -
 let _e8067 = (_e8063 - select(0i, 1i, (_e8056 < f32(_e8063))));
 let _e8068 = (262147i + _e8067);
 let _e8070 = select(_e7926, _e8068, (_e8068 < _e7926));
-let _e8076 = global_3.member[bitcast<u32>(select(0i, _e8070, (_e8070 > 0i)))];
+let _e8076 = global_2.member[bitcast<u32>(select(0i, _e8070, (_e8070 > 0i)))];
 let _e8086 = select(_e7926, 262146i, (262146i < _e7926));
-let _e8092 = global_3.member[bitcast<u32>(select(0i, _e8086, (_e8086 > 0i)))];
+let _e8092 = global_2.member[bitcast<u32>(select(0i, _e8086, (_e8086 > 0i)))];
 let _e8093 = bitcast<f32>(_e8092);
 let _e8094 = (f32((bitcast<i32>((_e8076 & 4095u)) - 2048i)) * _e8093);
 let _e8096 = select(_e7926, 262144i, (262144i < _e7926));
-let _e8102 = global_3.member[bitcast<u32>(select(0i, _e8096, (_e8096 > 0i)))];
+let _e8102 = global_2.member[bitcast<u32>(select(0i, _e8096, (_e8096 > 0i)))];
 let _e8103 = bitcast<f32>(_e8102);
 let _e8105 = select(_e7926, 262145i, (262145i < _e7926));
-let _e8111 = global_3.member[bitcast<u32>(select(0i, _e8105, (_e8105 > 0i)))];
+let _e8111 = global_2.member[bitcast<u32>(select(0i, _e8105, (_e8105 > 0i)))];
 let _e8112 = bitcast<f32>(_e8111);
 let _e8118 = ((_e8103 + (f32(bitcast<i32>((_e8076 >> bitcast<u32>(12u)))) * _e8112)) + (_e8094 * (_e8052 - f32(_e8067))));
-let _e8121 = global_3.member[_e7939];
+let _e8121 = global_2.member[_e7939];
 let _e8123 = local_20;
 let _e8126 = local_20;
 let _e8129 = local_20;
 let _e8133 = select(_e7926, 263209i, (263209i < _e7926));
-let _e8139 = global_3.member[bitcast<u32>(select(0i, _e8133, (_e8133 > 0i)))];
+let _e8139 = global_2.member[bitcast<u32>(select(0i, _e8133, (_e8133 > 0i)))];
 let _e8141 = local_20;
 let _e8144 = select(_e7926, 263210i, (263210i < _e7926));
-let _e8150 = global_3.member[bitcast<u32>(select(0i, _e8144, (_e8144 > 0i)))];
+let _e8150 = global_2.member[bitcast<u32>(select(0i, _e8144, (_e8144 > 0i)))];
 let _e8152 = local_20;
 let _e8156 = (_e8094 * select(0f, select(select(select(bitcast<f32>(_e8121), _e7973, (_e8123 >= _e7965)), _e8005, (_e8126 >= _e7997)), _e8036, (_e8129 >= _e8028)), ((_e8141 >= bitcast<f32>(_e8139)) && (_e8152 <= bitcast<f32>(_e8150)))));
 if _e837 {
 let _e8607 = ((0.5f * (_e7898 - _e7892)) * _e8156);
 let _e8608 = ((0.5f * (_e7910 - _e7904)) * _e8156);
 let _e8609 = ((0.5f * (_e7922 - _e7916)) * _e8156);
-phi_20091_ = type_34(_e8118, vec3<f32>(_e8607, _e8608, _e8609), vec3<f32>((_e8607 * _e8118), (_e8608 * _e8118), (_e8609 * _e8118)));
+phi_20091_ = type_32(_e8118, vec3<f32>(_e8607, _e8608, _e8609), vec3<f32>((_e8607 * _e8118), (_e8608 * _e8118), (_e8609 * _e8118)));
 } else {
 local_18 = _e7892;
 let _e8157 = local_18;
@@ -2802,7 +2802,7 @@ let _e8199 = select(0i, select(select(i32(_e8192), i32(-2147483648), (_e8192 < -
 let _e8203 = (_e8199 - select(0i, 1i, (_e8192 < f32(_e8199))));
 let _e8204 = (262147i + _e8203);
 let _e8206 = select(_e7926, _e8204, (_e8204 < _e7926));
-let _e8212 = global_3.member[bitcast<u32>(select(0i, _e8206, (_e8206 > 0i)))];
+let _e8212 = global_2.member[bitcast<u32>(select(0i, _e8206, (_e8206 > 0i)))];
 let _e8227 = ((_e8103 + (f32(bitcast<i32>((_e8212 >> bitcast<u32>(12u)))) * _e8112)) + ((f32((bitcast<i32>((_e8212 & 4095u)) - 2048i)) * _e8093) * (_e8188 - f32(_e8203))));
 local_16 = _e7898;
 let _e8228 = local_16;
@@ -2826,7 +2826,7 @@ let _e8270 = select(0i, select(select(i32(_e8263), i32(-2147483648), (_e8263 < -
 let _e8274 = (_e8270 - select(0i, 1i, (_e8263 < f32(_e8270))));
 let _e8275 = (262147i + _e8274);
 let _e8277 = select(_e7926, _e8275, (_e8275 < _e7926));
-let _e8283 = global_3.member[bitcast<u32>(select(0i, _e8277, (_e8277 > 0i)))];
+let _e8283 = global_2.member[bitcast<u32>(select(0i, _e8277, (_e8277 > 0i)))];
 let _e8298 = ((_e8103 + (f32(bitcast<i32>((_e8283 >> bitcast<u32>(12u)))) * _e8112)) + ((f32((bitcast<i32>((_e8283 & 4095u)) - 2048i)) * _e8093) * (_e8259 - f32(_e8274))));
 local_14 = _e7904;
 let _e8299 = local_14;
@@ -2850,7 +2850,7 @@ let _e8341 = select(0i, select(select(i32(_e8334), i32(-2147483648), (_e8334 < -
 let _e8345 = (_e8341 - select(0i, 1i, (_e8334 < f32(_e8341))));
 let _e8346 = (262147i + _e8345);
 let _e8348 = select(_e7926, _e8346, (_e8346 < _e7926));
-let _e8354 = global_3.member[bitcast<u32>(select(0i, _e8348, (_e8348 > 0i)))];
+let _e8354 = global_2.member[bitcast<u32>(select(0i, _e8348, (_e8348 > 0i)))];
 let _e8369 = ((_e8103 + (f32(bitcast<i32>((_e8354 >> bitcast<u32>(12u)))) * _e8112)) + ((f32((bitcast<i32>((_e8354 & 4095u)) - 2048i)) * _e8093) * (_e8330 - f32(_e8345))));
 local_12 = _e7910;
 let _e8370 = local_12;
@@ -2874,7 +2874,7 @@ let _e8412 = select(0i, select(select(i32(_e8405), i32(-2147483648), (_e8405 < -
 let _e8416 = (_e8412 - select(0i, 1i, (_e8405 < f32(_e8412))));
 let _e8417 = (262147i + _e8416);
 let _e8419 = select(_e7926, _e8417, (_e8417 < _e7926));
-let _e8425 = global_3.member[bitcast<u32>(select(0i, _e8419, (_e8419 > 0i)))];
+let _e8425 = global_2.member[bitcast<u32>(select(0i, _e8419, (_e8419 > 0i)))];
 let _e8440 = ((_e8103 + (f32(bitcast<i32>((_e8425 >> bitcast<u32>(12u)))) * _e8112)) + ((f32((bitcast<i32>((_e8425 & 4095u)) - 2048i)) * _e8093) * (_e8401 - f32(_e8416))));
 local_10 = _e7916;
 let _e8441 = local_10;
@@ -2898,7 +2898,7 @@ let _e8483 = select(0i, select(select(i32(_e8476), i32(-2147483648), (_e8476 < -
 let _e8487 = (_e8483 - select(0i, 1i, (_e8476 < f32(_e8483))));
 let _e8488 = (262147i + _e8487);
 let _e8490 = select(_e7926, _e8488, (_e8488 < _e7926));
-let _e8496 = global_3.member[bitcast<u32>(select(0i, _e8490, (_e8490 > 0i)))];
+let _e8496 = global_2.member[bitcast<u32>(select(0i, _e8490, (_e8490 > 0i)))];
 let _e8511 = ((_e8103 + (f32(bitcast<i32>((_e8496 >> bitcast<u32>(12u)))) * _e8112)) + ((f32((bitcast<i32>((_e8496 & 4095u)) - 2048i)) * _e8093) * (_e8472 - f32(_e8487))));
 local_8 = _e7922;
 let _e8512 = local_8;
@@ -2922,12 +2922,12 @@ let _e8554 = select(0i, select(select(i32(_e8547), i32(-2147483648), (_e8547 < -
 let _e8558 = (_e8554 - select(0i, 1i, (_e8547 < f32(_e8554))));
 let _e8559 = (262147i + _e8558);
 let _e8561 = select(_e7926, _e8559, (_e8559 < _e7926));
-let _e8567 = global_3.member[bitcast<u32>(select(0i, _e8561, (_e8561 > 0i)))];
+let _e8567 = global_2.member[bitcast<u32>(select(0i, _e8561, (_e8561 > 0i)))];
 let _e8582 = ((_e8103 + (f32(bitcast<i32>((_e8567 >> bitcast<u32>(12u)))) * _e8112)) + ((f32((bitcast<i32>((_e8567 & 4095u)) - 2048i)) * _e8093) * (_e8543 - f32(_e8558))));
 let _e8583 = (_e8298 - _e8227);
 let _e8585 = (_e8440 - _e8369);
 let _e8587 = (_e8582 - _e8511);
-phi_20091_ = type_34(_e8118, vec3<f32>((0.5f * _e8583), (0.5f * _e8585), (0.5f * _e8587)), vec3<f32>((0.25f * (_e8583 * (_e8298 + _e8227))), (0.25f * (_e8585 * (_e8440 + _e8369))), (0.25f * (_e8587 * (_e8582 + _e8511)))));
+phi_20091_ = type_32(_e8118, vec3<f32>((0.5f * _e8583), (0.5f * _e8585), (0.5f * _e8587)), vec3<f32>((0.25f * (_e8583 * (_e8298 + _e8227))), (0.25f * (_e8585 * (_e8440 + _e8369))), (0.25f * (_e8587 * (_e8582 + _e8511)))));
 }
 let _e8617 = phi_20091_;
 let _e8632 = select(0f, 1f, ((((((_e6505 >= -0.5f) && (_e6505 <= _e634)) && (_e6511 >= -0.5f)) && (_e6511 <= _e645)) && (_e6517 >= -0.5f)) && (_e6517 <= _e656)));
@@ -2943,7 +2943,7 @@ let _e8680 = global_5.member[_e459].member_6.member_1.member.member_2;
 let _e8687 = global_5.member[_e459].member_6.member_2.member.member;
 let _e8694 = global_5.member[_e459].member_6.member_2.member.member_1;
 let _e8701 = global_5.member[_e459].member_6.member_2.member.member_2;
-phi_20793_ = type_35(_e7886, vec3<f32>(((((_e8645 * _e8634) + (_e8666 * _e8636)) + (_e8687 * _e8638)) * _e8632), ((((_e8652 * _e8634) + (_e8673 * _e8636)) + (_e8694 * _e8638)) * _e8632), ((((_e8659 * _e8634) + (_e8680 * _e8636)) + (_e8701 * _e8638)) * _e8632)), _e8617.member, vec3<f32>(((((_e8645 * _e8617.member_2.x) + (_e8666 * _e8617.member_2.y)) + (_e8687 * _e8617.member_2.z)) * _e8632), ((((_e8652 * _e8617.member_2.x) + (_e8673 * _e8617.member_2.y)) + (_e8694 * _e8617.member_2.z)) * _e8632), ((((_e8659 * _e8617.member_2.x) + (_e8680 * _e8617.member_2.y)) + (_e8701 * _e8617.member_2.z)) * _e8632)), vec3<f32>(((((_e8645 * _e8617.member_1.x) + (_e8666 * _e8617.member_1.y)) + (_e8687 * _e8617.member_1.z)) * _e8632), ((((_e8652 * _e8617.member_1.x) + (_e8673 * _e8617.member_1.y)) + (_e8694 * _e8617.member_1.z)) * _e8632), ((((_e8659 * _e8617.member_1.x) + (_e8680 * _e8617.member_1.y)) + (_e8701 * _e8617.member_1.z)) * _e8632)));
+phi_20793_ = type_33(_e7886, vec3<f32>(((((_e8645 * _e8634) + (_e8666 * _e8636)) + (_e8687 * _e8638)) * _e8632), ((((_e8652 * _e8634) + (_e8673 * _e8636)) + (_e8694 * _e8638)) * _e8632), ((((_e8659 * _e8634) + (_e8680 * _e8636)) + (_e8701 * _e8638)) * _e8632)), _e8617.member, vec3<f32>(((((_e8645 * _e8617.member_2.x) + (_e8666 * _e8617.member_2.y)) + (_e8687 * _e8617.member_2.z)) * _e8632), ((((_e8652 * _e8617.member_2.x) + (_e8673 * _e8617.member_2.y)) + (_e8694 * _e8617.member_2.z)) * _e8632), ((((_e8659 * _e8617.member_2.x) + (_e8680 * _e8617.member_2.y)) + (_e8701 * _e8617.member_2.z)) * _e8632)), vec3<f32>(((((_e8645 * _e8617.member_1.x) + (_e8666 * _e8617.member_1.y)) + (_e8687 * _e8617.member_1.z)) * _e8632), ((((_e8652 * _e8617.member_1.x) + (_e8673 * _e8617.member_1.y)) + (_e8694 * _e8617.member_1.z)) * _e8632), ((((_e8659 * _e8617.member_1.x) + (_e8680 * _e8617.member_1.y)) + (_e8701 * _e8617.member_1.z)) * _e8632)));
 } else {
 let _e6519 = select(-0.5f, _e6505, (_e6505 > -0.5f));
 let _e6521 = select(_e634, _e6519, (_e6519 < _e634));
@@ -2968,7 +2968,7 @@ let _e6576 = (_e6559 + 1i);
 let _e6577 = (_e6574 + 1i);
 let _e6587 = ((_e6575 >> bitcast<u32>(4i)) + (_e1296 * ((_e6576 >> bitcast<u32>(4i)) + (_e1303 * (_e6577 >> bitcast<u32>(4i))))));
 let _e6589 = select(_e1315, _e6587, (_e6587 < _e1315));
-let _e6595 = global_2.member[bitcast<u32>(select(0i, _e6589, (_e6589 > 0i)))];
+let _e6595 = global_1.member[bitcast<u32>(select(0i, _e6589, (_e6589 > 0i)))];
 let _e6597 = (_e6575 & 15i);
 let _e6600 = ((_e6576 & 15i) * _e1281);
 let _e6602 = (bitcast<i32>(_e6595) + ((_e6577 & 15i) * _e1286));
@@ -2976,17 +2976,17 @@ let _e6606 = (_e6600 + _e1281);
 let _e6607 = (_e6600 + _e1335);
 let _e6608 = (_e6602 + _e1286);
 let _e6609 = (_e6602 + _e1338);
-local_6 = type_33(array<i32, 4>(_e6597, (_e6597 + 1i), (_e6597 + 2i), (_e6597 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_6 = type_28(array<i32, 4>(_e6597, (_e6597 + 1i), (_e6597 + 2i), (_e6597 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_7 = vec3<f32>((_e6521 - f32(_e6544)), (_e6525 - f32(_e6559)), (_e6529 - f32(_e6574)));
 let _e6623 = local_6.member[1u];
 let _e6624 = ((_e6608 + _e6606) + _e6623);
 let _e6626 = (_e6624 >> bitcast<u32>(1i));
 let _e6629 = bitcast<u32>(((_e6624 & 1i) * 16i));
 let _e6631 = select(_e1315, _e6626, (_e6626 < _e1315));
-let _e6636 = global_2.member[bitcast<u32>(select(0i, _e6631, (_e6631 > 0i)))];
+let _e6636 = global_1.member[bitcast<u32>(select(0i, _e6631, (_e6631 > 0i)))];
 let _e6640 = (_e6626 + 1i);
 let _e6642 = select(_e1315, _e6640, (_e6640 < _e1315));
-let _e6647 = global_2.member[bitcast<u32>(select(0i, _e6642, (_e6642 > 0i)))];
+let _e6647 = global_1.member[bitcast<u32>(select(0i, _e6642, (_e6642 > 0i)))];
 let _e6654 = ((_e6636 >> bitcast<u32>((_e6629 & 31u))) | ((_e6647 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6629) & 31u))));
 let _e6657 = local_6.member_1[2u];
 let _e6663 = f32(bitcast<i32>(((_e6654 >> bitcast<u32>((_e6657 & 31u))) & 65535u)));
@@ -2998,10 +2998,10 @@ let _e6679 = ((_e6608 + _e6607) + _e6678);
 let _e6681 = (_e6679 >> bitcast<u32>(1i));
 let _e6684 = bitcast<u32>(((_e6679 & 1i) * 16i));
 let _e6686 = select(_e1315, _e6681, (_e6681 < _e1315));
-let _e6691 = global_2.member[bitcast<u32>(select(0i, _e6686, (_e6686 > 0i)))];
+let _e6691 = global_1.member[bitcast<u32>(select(0i, _e6686, (_e6686 > 0i)))];
 let _e6695 = (_e6681 + 1i);
 let _e6697 = select(_e1315, _e6695, (_e6695 < _e1315));
-let _e6702 = global_2.member[bitcast<u32>(select(0i, _e6697, (_e6697 > 0i)))];
+let _e6702 = global_1.member[bitcast<u32>(select(0i, _e6697, (_e6697 > 0i)))];
 let _e6709 = ((_e6691 >> bitcast<u32>((_e6684 & 31u))) | ((_e6702 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6684) & 31u))));
 let _e6710 = local_6.member_1[2u];
 let _e6716 = f32(bitcast<i32>(((_e6709 >> bitcast<u32>((_e6710 & 31u))) & 65535u)));
@@ -3014,10 +3014,10 @@ let _e6735 = ((_e6609 + _e6606) + _e6734);
 let _e6737 = (_e6735 >> bitcast<u32>(1i));
 let _e6740 = bitcast<u32>(((_e6735 & 1i) * 16i));
 let _e6742 = select(_e1315, _e6737, (_e6737 < _e1315));
-let _e6747 = global_2.member[bitcast<u32>(select(0i, _e6742, (_e6742 > 0i)))];
+let _e6747 = global_1.member[bitcast<u32>(select(0i, _e6742, (_e6742 > 0i)))];
 let _e6751 = (_e6737 + 1i);
 let _e6753 = select(_e1315, _e6751, (_e6751 < _e1315));
-let _e6758 = global_2.member[bitcast<u32>(select(0i, _e6753, (_e6753 > 0i)))];
+let _e6758 = global_1.member[bitcast<u32>(select(0i, _e6753, (_e6753 > 0i)))];
 let _e6765 = ((_e6747 >> bitcast<u32>((_e6740 & 31u))) | ((_e6758 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6740) & 31u))));
 let _e6766 = local_6.member_1[2u];
 let _e6772 = f32(bitcast<i32>(((_e6765 >> bitcast<u32>((_e6766 & 31u))) & 65535u)));
@@ -3029,10 +3029,10 @@ let _e6786 = ((_e6609 + _e6607) + _e6785);
 let _e6788 = (_e6786 >> bitcast<u32>(1i));
 let _e6791 = bitcast<u32>(((_e6786 & 1i) * 16i));
 let _e6793 = select(_e1315, _e6788, (_e6788 < _e1315));
-let _e6798 = global_2.member[bitcast<u32>(select(0i, _e6793, (_e6793 > 0i)))];
+let _e6798 = global_1.member[bitcast<u32>(select(0i, _e6793, (_e6793 > 0i)))];
 let _e6802 = (_e6788 + 1i);
 let _e6804 = select(_e1315, _e6802, (_e6802 < _e1315));
-let _e6809 = global_2.member[bitcast<u32>(select(0i, _e6804, (_e6804 > 0i)))];
+let _e6809 = global_1.member[bitcast<u32>(select(0i, _e6804, (_e6804 > 0i)))];
 let _e6816 = ((_e6798 >> bitcast<u32>((_e6791 & 31u))) | ((_e6809 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6791) & 31u))));
 let _e6817 = local_6.member_1[2u];
 let _e6823 = f32(bitcast<i32>(((_e6816 >> bitcast<u32>((_e6817 & 31u))) & 65535u)));
@@ -3042,13 +3042,13 @@ let _e6835 = local_7[1u];
 let _e6840 = local_7[2u];
 let _e6845 = (((_e6732 + (((_e6783 + (((_e6823 + ((f32(bitcast<i32>(((_e6816 >> bitcast<u32>((_e6824 & 31u))) & 65535u))) - _e6823) * _e6831)) - _e6783) * _e6835)) - _e6732) * _e6840)) - _e1578) * _e1583);
 let _e6847 = select(_e1586, _e6845, (_e6845 > _e1586));
-phi_20793_ = type_35(select(1e9f, _e6847, (_e6847 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20793_ = type_33(select(1e9f, _e6847, (_e6847 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8767 = phi_20793_;
 let _e8770 = select(1f, select(1f, _e1219, (_e1219 < 1f)), _e556);
 let _e8772 = ((_e799 & 16u) == 0u);
 if _e8772 {
-phi_21206_ = type_5(1f, 1f, 1f);
+phi_21206_ = type_7(1f, 1f, 1f);
 } else {
 let _e8777 = global_5.member[_e459].member_14.member;
 let _e8788 = ((((_e8777.member.member * _e492) + (_e8777.member.member_1 * _e494)) + (_e8777.member.member_2 * _e488)) + _e8777.member_1);
@@ -3094,7 +3094,7 @@ let _e8961 = select(0f, _e8959, (_e8959 > 0f));
 let _e8967 = select(select(select(1f, _e8961, (_e8961 < 1f)), 1f, (_e8954 <= 0f)), 0f, (_e8952 > 0f));
 let _e8973 = global_5.member[_e459].member_17.member_1;
 let _e8974 = (_e8973 != 0u);
-phi_21206_ = type_5(((((1f * _e8811) * _e8863) * _e8915) * _e8967), ((((1f * select(1f, _e8811, _e8818)) * select(1f, _e8863, _e8870)) * select(1f, _e8915, _e8922)) * select(1f, _e8967, _e8974)), ((((1f * select(1f, 0f, (_e8818 && (_e8794 > 0f)))) * select(1f, 0f, (_e8870 && (_e8846 > 0f)))) * select(1f, 0f, (_e8922 && (_e8898 > 0f)))) * select(1f, 0f, (_e8974 && (_e8950 > 0f)))));
+phi_21206_ = type_7(((((1f * _e8811) * _e8863) * _e8915) * _e8967), ((((1f * select(1f, _e8811, _e8818)) * select(1f, _e8863, _e8870)) * select(1f, _e8915, _e8922)) * select(1f, _e8967, _e8974)), ((((1f * select(1f, 0f, (_e8818 && (_e8794 > 0f)))) * select(1f, 0f, (_e8870 && (_e8846 > 0f)))) * select(1f, 0f, (_e8922 && (_e8898 > 0f)))) * select(1f, 0f, (_e8974 && (_e8950 > 0f)))));
 }
 let _e8983 = phi_21206_;
 let _e8990 = global_5.member[_e459].member_5.member_3;
@@ -3106,97 +3106,97 @@ local_5 = _e1591;
 let _e10152 = local_5;
 let _e10154 = (bitcast<i32>(_e230) - 1i);
 let _e10156 = select(_e10154, 263171i, (263171i < _e10154));
-let _e10161 = global_3.member[bitcast<u32>(select(0i, _e10156, (_e10156 > 0i)))];
+let _e10161 = global_2.member[bitcast<u32>(select(0i, _e10156, (_e10156 > 0i)))];
 let _e10162 = bitcast<f32>(_e10161);
 let _e10164 = select(_e10154, 263172i, (263172i < _e10154));
-let _e10169 = global_3.member[bitcast<u32>(select(0i, _e10164, (_e10164 > 0i)))];
+let _e10169 = global_2.member[bitcast<u32>(select(0i, _e10164, (_e10164 > 0i)))];
 let _e10170 = bitcast<f32>(_e10169);
 let _e10172 = select(_e10154, 263173i, (263173i < _e10154));
-let _e10177 = global_3.member[bitcast<u32>(select(0i, _e10172, (_e10172 > 0i)))];
+let _e10177 = global_2.member[bitcast<u32>(select(0i, _e10172, (_e10172 > 0i)))];
 let _e10178 = bitcast<f32>(_e10177);
 let _e10180 = ((_e10152 - _e10162) * _e10170);
 let _e10182 = select(0f, _e10180, (_e10180 > 0f));
 let _e10185 = local_5;
 let _e10187 = select(_e10154, 263174i, (263174i < _e10154));
-let _e10192 = global_3.member[bitcast<u32>(select(0i, _e10187, (_e10187 > 0i)))];
+let _e10192 = global_2.member[bitcast<u32>(select(0i, _e10187, (_e10187 > 0i)))];
 let _e10193 = bitcast<f32>(_e10192);
 let _e10195 = select(_e10154, 263175i, (263175i < _e10154));
-let _e10200 = global_3.member[bitcast<u32>(select(0i, _e10195, (_e10195 > 0i)))];
+let _e10200 = global_2.member[bitcast<u32>(select(0i, _e10195, (_e10195 > 0i)))];
 let _e10201 = bitcast<f32>(_e10200);
 let _e10203 = select(_e10154, 263176i, (263176i < _e10154));
-let _e10208 = global_3.member[bitcast<u32>(select(0i, _e10203, (_e10203 > 0i)))];
+let _e10208 = global_2.member[bitcast<u32>(select(0i, _e10203, (_e10203 > 0i)))];
 let _e10209 = bitcast<f32>(_e10208);
 let _e10211 = ((_e10185 - _e10193) * _e10201);
 let _e10213 = select(0f, _e10211, (_e10211 > 0f));
 let _e10217 = local_5;
 let _e10219 = select(_e10154, 263177i, (263177i < _e10154));
-let _e10224 = global_3.member[bitcast<u32>(select(0i, _e10219, (_e10219 > 0i)))];
+let _e10224 = global_2.member[bitcast<u32>(select(0i, _e10219, (_e10219 > 0i)))];
 let _e10225 = bitcast<f32>(_e10224);
 let _e10227 = select(_e10154, 263178i, (263178i < _e10154));
-let _e10232 = global_3.member[bitcast<u32>(select(0i, _e10227, (_e10227 > 0i)))];
+let _e10232 = global_2.member[bitcast<u32>(select(0i, _e10227, (_e10227 > 0i)))];
 let _e10233 = bitcast<f32>(_e10232);
 let _e10235 = select(_e10154, 263179i, (263179i < _e10154));
-let _e10240 = global_3.member[bitcast<u32>(select(0i, _e10235, (_e10235 > 0i)))];
+let _e10240 = global_2.member[bitcast<u32>(select(0i, _e10235, (_e10235 > 0i)))];
 let _e10241 = bitcast<f32>(_e10240);
 let _e10243 = ((_e10217 - _e10225) * _e10233);
 let _e10245 = select(0f, _e10243, (_e10243 > 0f));
 let _e10248 = local_5;
 let _e10250 = select(_e10154, 263180i, (263180i < _e10154));
-let _e10255 = global_3.member[bitcast<u32>(select(0i, _e10250, (_e10250 > 0i)))];
+let _e10255 = global_2.member[bitcast<u32>(select(0i, _e10250, (_e10250 > 0i)))];
 let _e10256 = bitcast<f32>(_e10255);
 let _e10258 = select(_e10154, 263181i, (263181i < _e10154));
-let _e10263 = global_3.member[bitcast<u32>(select(0i, _e10258, (_e10258 > 0i)))];
+let _e10263 = global_2.member[bitcast<u32>(select(0i, _e10258, (_e10258 > 0i)))];
 let _e10264 = bitcast<f32>(_e10263);
 let _e10266 = select(_e10154, 263182i, (263182i < _e10154));
-let _e10271 = global_3.member[bitcast<u32>(select(0i, _e10266, (_e10266 > 0i)))];
+let _e10271 = global_2.member[bitcast<u32>(select(0i, _e10266, (_e10266 > 0i)))];
 let _e10272 = bitcast<f32>(_e10271);
 let _e10274 = ((_e10248 - _e10256) * _e10264);
 let _e10276 = select(0f, _e10274, (_e10274 > 0f));
 let _e10281 = local_5;
 let _e10283 = select(_e10154, 263183i, (263183i < _e10154));
-let _e10288 = global_3.member[bitcast<u32>(select(0i, _e10283, (_e10283 > 0i)))];
+let _e10288 = global_2.member[bitcast<u32>(select(0i, _e10283, (_e10283 > 0i)))];
 let _e10289 = bitcast<f32>(_e10288);
 let _e10291 = select(_e10154, 263184i, (263184i < _e10154));
-let _e10296 = global_3.member[bitcast<u32>(select(0i, _e10291, (_e10291 > 0i)))];
+let _e10296 = global_2.member[bitcast<u32>(select(0i, _e10291, (_e10291 > 0i)))];
 let _e10297 = bitcast<f32>(_e10296);
 let _e10299 = select(_e10154, 263185i, (263185i < _e10154));
-let _e10304 = global_3.member[bitcast<u32>(select(0i, _e10299, (_e10299 > 0i)))];
+let _e10304 = global_2.member[bitcast<u32>(select(0i, _e10299, (_e10299 > 0i)))];
 let _e10305 = bitcast<f32>(_e10304);
 let _e10307 = ((_e10281 - _e10289) * _e10297);
 let _e10309 = select(0f, _e10307, (_e10307 > 0f));
 let _e10312 = local_5;
 let _e10314 = select(_e10154, 263186i, (263186i < _e10154));
-let _e10319 = global_3.member[bitcast<u32>(select(0i, _e10314, (_e10314 > 0i)))];
+let _e10319 = global_2.member[bitcast<u32>(select(0i, _e10314, (_e10314 > 0i)))];
 let _e10320 = bitcast<f32>(_e10319);
 let _e10322 = select(_e10154, 263187i, (263187i < _e10154));
-let _e10327 = global_3.member[bitcast<u32>(select(0i, _e10322, (_e10322 > 0i)))];
+let _e10327 = global_2.member[bitcast<u32>(select(0i, _e10322, (_e10322 > 0i)))];
 let _e10328 = bitcast<f32>(_e10327);
 let _e10330 = select(_e10154, 263188i, (263188i < _e10154));
-let _e10335 = global_3.member[bitcast<u32>(select(0i, _e10330, (_e10330 > 0i)))];
+let _e10335 = global_2.member[bitcast<u32>(select(0i, _e10330, (_e10330 > 0i)))];
 let _e10336 = bitcast<f32>(_e10335);
 let _e10338 = ((_e10312 - _e10320) * _e10328);
 let _e10340 = select(0f, _e10338, (_e10338 > 0f));
 let _e10344 = local_5;
 let _e10346 = select(_e10154, 263189i, (263189i < _e10154));
-let _e10351 = global_3.member[bitcast<u32>(select(0i, _e10346, (_e10346 > 0i)))];
+let _e10351 = global_2.member[bitcast<u32>(select(0i, _e10346, (_e10346 > 0i)))];
 let _e10352 = bitcast<f32>(_e10351);
 let _e10354 = select(_e10154, 263190i, (263190i < _e10154));
-let _e10359 = global_3.member[bitcast<u32>(select(0i, _e10354, (_e10354 > 0i)))];
+let _e10359 = global_2.member[bitcast<u32>(select(0i, _e10354, (_e10354 > 0i)))];
 let _e10360 = bitcast<f32>(_e10359);
 let _e10362 = select(_e10154, 263191i, (263191i < _e10154));
-let _e10367 = global_3.member[bitcast<u32>(select(0i, _e10362, (_e10362 > 0i)))];
+let _e10367 = global_2.member[bitcast<u32>(select(0i, _e10362, (_e10362 > 0i)))];
 let _e10368 = bitcast<f32>(_e10367);
 let _e10370 = ((_e10344 - _e10352) * _e10360);
 let _e10372 = select(0f, _e10370, (_e10370 > 0f));
 let _e10375 = local_5;
 let _e10377 = select(_e10154, 263192i, (263192i < _e10154));
-let _e10382 = global_3.member[bitcast<u32>(select(0i, _e10377, (_e10377 > 0i)))];
+let _e10382 = global_2.member[bitcast<u32>(select(0i, _e10377, (_e10377 > 0i)))];
 let _e10383 = bitcast<f32>(_e10382);
 let _e10385 = select(_e10154, 263193i, (263193i < _e10154));
-let _e10390 = global_3.member[bitcast<u32>(select(0i, _e10385, (_e10385 > 0i)))];
+let _e10390 = global_2.member[bitcast<u32>(select(0i, _e10385, (_e10385 > 0i)))];
 let _e10391 = bitcast<f32>(_e10390);
 let _e10393 = select(_e10154, 263194i, (263194i < _e10154));
-let _e10398 = global_3.member[bitcast<u32>(select(0i, _e10393, (_e10393 > 0i)))];
+let _e10398 = global_2.member[bitcast<u32>(select(0i, _e10393, (_e10393 > 0i)))];
 let _e10399 = bitcast<f32>(_e10398);
 let _e10401 = ((_e10375 - _e10383) * _e10391);
 let _e10403 = select(0f, _e10401, (_e10401 > 0f));
@@ -3237,10 +3237,10 @@ let _e10491 = select(_e10472, _e10489, (_e10489 < _e10472));
 let _e10498 = select(0i, select(select(i32(_e10491), i32(-2147483648), (_e10491 < -2147483600f)), 2147483647i, (_e10491 > 2147483500f)), (_e10491 == _e10491));
 let _e10502 = (_e10498 - select(0i, 1i, (_e10491 < f32(_e10498))));
 let _e10504 = select(_e10154, 263195i, (263195i < _e10154));
-let _e10510 = global_3.member[bitcast<u32>(select(0i, _e10504, (_e10504 > 0i)))];
+let _e10510 = global_2.member[bitcast<u32>(select(0i, _e10504, (_e10504 > 0i)))];
 let _e10511 = bitcast<f32>(_e10510);
 let _e10513 = select(_e10154, 263196i, (263196i < _e10154));
-let _e10519 = global_3.member[bitcast<u32>(select(0i, _e10513, (_e10513 > 0i)))];
+let _e10519 = global_2.member[bitcast<u32>(select(0i, _e10513, (_e10513 > 0i)))];
 let _e10520 = bitcast<f32>(_e10519);
 let _e10521 = (_e8767.member - _e1591);
 let _e10527 = (1f / select(_e10521, 1f, (bitcast<f32>((bitcast<u32>(_e10521) & 2147483647u)) < 1e-20f)));
@@ -3252,20 +3252,20 @@ let _e10546 = (_e10471 - f32(_e10502));
 let _e10548 = (1f - (_e10533 + _e10539));
 let _e10549 = (_e10542 + 2i);
 let _e10551 = select(_e10154, _e10549, (_e10549 < _e10154));
-let _e10557 = global_3.member[bitcast<u32>(select(0i, _e10551, (_e10551 > 0i)))];
+let _e10557 = global_2.member[bitcast<u32>(select(0i, _e10551, (_e10551 > 0i)))];
 let _e10558 = (_e10542 + 6i);
 let _e10560 = select(_e10154, _e10558, (_e10558 < _e10154));
-let _e10566 = global_3.member[bitcast<u32>(select(0i, _e10560, (_e10560 > 0i)))];
+let _e10566 = global_2.member[bitcast<u32>(select(0i, _e10560, (_e10560 > 0i)))];
 let _e10567 = (_e10542 + 1026i);
 let _e10569 = select(_e10154, _e10567, (_e10567 < _e10154));
-let _e10575 = global_3.member[bitcast<u32>(select(0i, _e10569, (_e10569 > 0i)))];
+let _e10575 = global_2.member[bitcast<u32>(select(0i, _e10569, (_e10569 > 0i)))];
 let _e10576 = (_e10542 + 1030i);
 let _e10578 = select(_e10154, _e10576, (_e10576 < _e10154));
-let _e10584 = global_3.member[bitcast<u32>(select(0i, _e10578, (_e10578 > 0i)))];
+let _e10584 = global_2.member[bitcast<u32>(select(0i, _e10578, (_e10578 > 0i)))];
 let _e10586 = select(_e10154, 2i, (2i < _e10154));
-let _e10592 = global_3.member[bitcast<u32>(select(0i, _e10586, (_e10586 > 0i)))];
+let _e10592 = global_2.member[bitcast<u32>(select(0i, _e10586, (_e10586 > 0i)))];
 let _e10594 = select(_e10154, 262142i, (262142i < _e10154));
-let _e10600 = global_3.member[bitcast<u32>(select(0i, _e10594, (_e10594 > 0i)))];
+let _e10600 = global_2.member[bitcast<u32>(select(0i, _e10594, (_e10594 > 0i)))];
 let _e10605 = (bitcast<f32>(((_e10557 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10613 = (_e10605 + (((bitcast<f32>(((_e10566 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10605) * _e10546));
 let _e10618 = (bitcast<f32>(((_e10575 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3274,20 +3274,20 @@ let _e10669 = (_e10661 + (((bitcast<f32>((((_e10566 >> bitcast<u32>(16i)) & 3276
 let _e10674 = (bitcast<f32>((((_e10575 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10701 = (_e10542 + 3i);
 let _e10703 = select(_e10154, _e10701, (_e10701 < _e10154));
-let _e10709 = global_3.member[bitcast<u32>(select(0i, _e10703, (_e10703 > 0i)))];
+let _e10709 = global_2.member[bitcast<u32>(select(0i, _e10703, (_e10703 > 0i)))];
 let _e10710 = (_e10542 + 7i);
 let _e10712 = select(_e10154, _e10710, (_e10710 < _e10154));
-let _e10718 = global_3.member[bitcast<u32>(select(0i, _e10712, (_e10712 > 0i)))];
+let _e10718 = global_2.member[bitcast<u32>(select(0i, _e10712, (_e10712 > 0i)))];
 let _e10719 = (_e10542 + 1027i);
 let _e10721 = select(_e10154, _e10719, (_e10719 < _e10154));
-let _e10727 = global_3.member[bitcast<u32>(select(0i, _e10721, (_e10721 > 0i)))];
+let _e10727 = global_2.member[bitcast<u32>(select(0i, _e10721, (_e10721 > 0i)))];
 let _e10728 = (_e10542 + 1031i);
 let _e10730 = select(_e10154, _e10728, (_e10728 < _e10154));
-let _e10736 = global_3.member[bitcast<u32>(select(0i, _e10730, (_e10730 > 0i)))];
+let _e10736 = global_2.member[bitcast<u32>(select(0i, _e10730, (_e10730 > 0i)))];
 let _e10738 = select(_e10154, 3i, (3i < _e10154));
-let _e10744 = global_3.member[bitcast<u32>(select(0i, _e10738, (_e10738 > 0i)))];
+let _e10744 = global_2.member[bitcast<u32>(select(0i, _e10738, (_e10738 > 0i)))];
 let _e10746 = select(_e10154, 262143i, (262143i < _e10154));
-let _e10752 = global_3.member[bitcast<u32>(select(0i, _e10746, (_e10746 > 0i)))];
+let _e10752 = global_2.member[bitcast<u32>(select(0i, _e10746, (_e10746 > 0i)))];
 let _e10757 = (bitcast<f32>(((_e10709 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10765 = (_e10757 + (((bitcast<f32>(((_e10718 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10757) * _e10546));
 let _e10770 = (bitcast<f32>(((_e10727 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3314,97 +3314,97 @@ local_3 = _e1591;
 let _e8997 = local_3;
 let _e8999 = (bitcast<i32>(_e230) - 1i);
 let _e9001 = select(_e8999, 263171i, (263171i < _e8999));
-let _e9006 = global_3.member[bitcast<u32>(select(0i, _e9001, (_e9001 > 0i)))];
+let _e9006 = global_2.member[bitcast<u32>(select(0i, _e9001, (_e9001 > 0i)))];
 let _e9007 = bitcast<f32>(_e9006);
 let _e9009 = select(_e8999, 263172i, (263172i < _e8999));
-let _e9014 = global_3.member[bitcast<u32>(select(0i, _e9009, (_e9009 > 0i)))];
+let _e9014 = global_2.member[bitcast<u32>(select(0i, _e9009, (_e9009 > 0i)))];
 let _e9015 = bitcast<f32>(_e9014);
 let _e9017 = select(_e8999, 263173i, (263173i < _e8999));
-let _e9022 = global_3.member[bitcast<u32>(select(0i, _e9017, (_e9017 > 0i)))];
+let _e9022 = global_2.member[bitcast<u32>(select(0i, _e9017, (_e9017 > 0i)))];
 let _e9023 = bitcast<f32>(_e9022);
 let _e9025 = ((_e8997 - _e9007) * _e9015);
 let _e9027 = select(0f, _e9025, (_e9025 > 0f));
 let _e9030 = local_3;
 let _e9032 = select(_e8999, 263174i, (263174i < _e8999));
-let _e9037 = global_3.member[bitcast<u32>(select(0i, _e9032, (_e9032 > 0i)))];
+let _e9037 = global_2.member[bitcast<u32>(select(0i, _e9032, (_e9032 > 0i)))];
 let _e9038 = bitcast<f32>(_e9037);
 let _e9040 = select(_e8999, 263175i, (263175i < _e8999));
-let _e9045 = global_3.member[bitcast<u32>(select(0i, _e9040, (_e9040 > 0i)))];
+let _e9045 = global_2.member[bitcast<u32>(select(0i, _e9040, (_e9040 > 0i)))];
 let _e9046 = bitcast<f32>(_e9045);
 let _e9048 = select(_e8999, 263176i, (263176i < _e8999));
-let _e9053 = global_3.member[bitcast<u32>(select(0i, _e9048, (_e9048 > 0i)))];
+let _e9053 = global_2.member[bitcast<u32>(select(0i, _e9048, (_e9048 > 0i)))];
 let _e9054 = bitcast<f32>(_e9053);
 let _e9056 = ((_e9030 - _e9038) * _e9046);
 let _e9058 = select(0f, _e9056, (_e9056 > 0f));
 let _e9062 = local_3;
 let _e9064 = select(_e8999, 263177i, (263177i < _e8999));
-let _e9069 = global_3.member[bitcast<u32>(select(0i, _e9064, (_e9064 > 0i)))];
+let _e9069 = global_2.member[bitcast<u32>(select(0i, _e9064, (_e9064 > 0i)))];
 let _e9070 = bitcast<f32>(_e9069);
 let _e9072 = select(_e8999, 263178i, (263178i < _e8999));
-let _e9077 = global_3.member[bitcast<u32>(select(0i, _e9072, (_e9072 > 0i)))];
+let _e9077 = global_2.member[bitcast<u32>(select(0i, _e9072, (_e9072 > 0i)))];
 let _e9078 = bitcast<f32>(_e9077);
 let _e9080 = select(_e8999, 263179i, (263179i < _e8999));
-let _e9085 = global_3.member[bitcast<u32>(select(0i, _e9080, (_e9080 > 0i)))];
+let _e9085 = global_2.member[bitcast<u32>(select(0i, _e9080, (_e9080 > 0i)))];
 let _e9086 = bitcast<f32>(_e9085);
 let _e9088 = ((_e9062 - _e9070) * _e9078);
 let _e9090 = select(0f, _e9088, (_e9088 > 0f));
 let _e9093 = local_3;
 let _e9095 = select(_e8999, 263180i, (263180i < _e8999));
-let _e9100 = global_3.member[bitcast<u32>(select(0i, _e9095, (_e9095 > 0i)))];
+let _e9100 = global_2.member[bitcast<u32>(select(0i, _e9095, (_e9095 > 0i)))];
 let _e9101 = bitcast<f32>(_e9100);
 let _e9103 = select(_e8999, 263181i, (263181i < _e8999));
-let _e9108 = global_3.member[bitcast<u32>(select(0i, _e9103, (_e9103 > 0i)))];
+let _e9108 = global_2.member[bitcast<u32>(select(0i, _e9103, (_e9103 > 0i)))];
 let _e9109 = bitcast<f32>(_e9108);
 let _e9111 = select(_e8999, 263182i, (263182i < _e8999));
-let _e9116 = global_3.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
+let _e9116 = global_2.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
 let _e9117 = bitcast<f32>(_e9116);
 let _e9119 = ((_e9093 - _e9101) * _e9109);
 let _e9121 = select(0f, _e9119, (_e9119 > 0f));
 let _e9126 = local_3;
 let _e9128 = select(_e8999, 263183i, (263183i < _e8999));
-let _e9133 = global_3.member[bitcast<u32>(select(0i, _e9128, (_e9128 > 0i)))];
+let _e9133 = global_2.member[bitcast<u32>(select(0i, _e9128, (_e9128 > 0i)))];
 let _e9134 = bitcast<f32>(_e9133);
 let _e9136 = select(_e8999, 263184i, (263184i < _e8999));
-let _e9141 = global_3.member[bitcast<u32>(select(0i, _e9136, (_e9136 > 0i)))];
+let _e9141 = global_2.member[bitcast<u32>(select(0i, _e9136, (_e9136 > 0i)))];
 let _e9142 = bitcast<f32>(_e9141);
 let _e9144 = select(_e8999, 263185i, (263185i < _e8999));
-let _e9149 = global_3.member[bitcast<u32>(select(0i, _e9144, (_e9144 > 0i)))];
+let _e9149 = global_2.member[bitcast<u32>(select(0i, _e9144, (_e9144 > 0i)))];
 let _e9150 = bitcast<f32>(_e9149);
 let _e9152 = ((_e9126 - _e9134) * _e9142);
 let _e9154 = select(0f, _e9152, (_e9152 > 0f));
 let _e9157 = local_3;
 let _e9159 = select(_e8999, 263186i, (263186i < _e8999));
-let _e9164 = global_3.member[bitcast<u32>(select(0i, _e9159, (_e9159 > 0i)))];
+let _e9164 = global_2.member[bitcast<u32>(select(0i, _e9159, (_e9159 > 0i)))];
 let _e9165 = bitcast<f32>(_e9164);
 let _e9167 = select(_e8999, 263187i, (263187i < _e8999));
-let _e9172 = global_3.member[bitcast<u32>(select(0i, _e9167, (_e9167 > 0i)))];
+let _e9172 = global_2.member[bitcast<u32>(select(0i, _e9167, (_e9167 > 0i)))];
 let _e9173 = bitcast<f32>(_e9172);
 let _e9175 = select(_e8999, 263188i, (263188i < _e8999));
-let _e9180 = global_3.member[bitcast<u32>(select(0i, _e9175, (_e9175 > 0i)))];
+let _e9180 = global_2.member[bitcast<u32>(select(0i, _e9175, (_e9175 > 0i)))];
 let _e9181 = bitcast<f32>(_e9180);
 let _e9183 = ((_e9157 - _e9165) * _e9173);
 let _e9185 = select(0f, _e9183, (_e9183 > 0f));
 let _e9189 = local_3;
 let _e9191 = select(_e8999, 263189i, (263189i < _e8999));
-let _e9196 = global_3.member[bitcast<u32>(select(0i, _e9191, (_e9191 > 0i)))];
+let _e9196 = global_2.member[bitcast<u32>(select(0i, _e9191, (_e9191 > 0i)))];
 let _e9197 = bitcast<f32>(_e9196);
 let _e9199 = select(_e8999, 263190i, (263190i < _e8999));
-let _e9204 = global_3.member[bitcast<u32>(select(0i, _e9199, (_e9199 > 0i)))];
+let _e9204 = global_2.member[bitcast<u32>(select(0i, _e9199, (_e9199 > 0i)))];
 let _e9205 = bitcast<f32>(_e9204);
 let _e9207 = select(_e8999, 263191i, (263191i < _e8999));
-let _e9212 = global_3.member[bitcast<u32>(select(0i, _e9207, (_e9207 > 0i)))];
+let _e9212 = global_2.member[bitcast<u32>(select(0i, _e9207, (_e9207 > 0i)))];
 let _e9213 = bitcast<f32>(_e9212);
 let _e9215 = ((_e9189 - _e9197) * _e9205);
 let _e9217 = select(0f, _e9215, (_e9215 > 0f));
 let _e9220 = local_3;
 let _e9222 = select(_e8999, 263192i, (263192i < _e8999));
-let _e9227 = global_3.member[bitcast<u32>(select(0i, _e9222, (_e9222 > 0i)))];
+let _e9227 = global_2.member[bitcast<u32>(select(0i, _e9222, (_e9222 > 0i)))];
 let _e9228 = bitcast<f32>(_e9227);
 let _e9230 = select(_e8999, 263193i, (263193i < _e8999));
-let _e9235 = global_3.member[bitcast<u32>(select(0i, _e9230, (_e9230 > 0i)))];
+let _e9235 = global_2.member[bitcast<u32>(select(0i, _e9230, (_e9230 > 0i)))];
 let _e9236 = bitcast<f32>(_e9235);
 let _e9238 = select(_e8999, 263194i, (263194i < _e8999));
-let _e9243 = global_3.member[bitcast<u32>(select(0i, _e9238, (_e9238 > 0i)))];
+let _e9243 = global_2.member[bitcast<u32>(select(0i, _e9238, (_e9238 > 0i)))];
 let _e9244 = bitcast<f32>(_e9243);
 let _e9246 = ((_e9220 - _e9228) * _e9236);
 let _e9248 = select(0f, _e9246, (_e9246 > 0f));
@@ -3445,10 +3445,10 @@ let _e9336 = select(_e9317, _e9334, (_e9334 < _e9317));
 let _e9343 = select(0i, select(select(i32(_e9336), i32(-2147483648), (_e9336 < -2147483600f)), 2147483647i, (_e9336 > 2147483500f)), (_e9336 == _e9336));
 let _e9347 = (_e9343 - select(0i, 1i, (_e9336 < f32(_e9343))));
 let _e9349 = select(_e8999, 263195i, (263195i < _e8999));
-let _e9355 = global_3.member[bitcast<u32>(select(0i, _e9349, (_e9349 > 0i)))];
+let _e9355 = global_2.member[bitcast<u32>(select(0i, _e9349, (_e9349 > 0i)))];
 let _e9356 = bitcast<f32>(_e9355);
 let _e9358 = select(_e8999, 263196i, (263196i < _e8999));
-let _e9364 = global_3.member[bitcast<u32>(select(0i, _e9358, (_e9358 > 0i)))];
+let _e9364 = global_2.member[bitcast<u32>(select(0i, _e9358, (_e9358 > 0i)))];
 let _e9365 = bitcast<f32>(_e9364);
 let _e9366 = (_e8767.member - _e1591);
 let _e9372 = (1f / select(_e9366, 1f, (bitcast<f32>((bitcast<u32>(_e9366) & 2147483647u)) < 1e-20f)));
@@ -3459,20 +3459,20 @@ let _e9389 = (_e9253 - f32(_e9332));
 let _e9391 = (_e9316 - f32(_e9347));
 let _e9393 = (1f - (_e9378 + _e9384));
 let _e9395 = select(_e8999, _e9387, (_e9387 < _e8999));
-let _e9401 = global_3.member[bitcast<u32>(select(0i, _e9395, (_e9395 > 0i)))];
+let _e9401 = global_2.member[bitcast<u32>(select(0i, _e9395, (_e9395 > 0i)))];
 let _e9402 = (_e9387 + 4i);
 let _e9404 = select(_e8999, _e9402, (_e9402 < _e8999));
-let _e9410 = global_3.member[bitcast<u32>(select(0i, _e9404, (_e9404 > 0i)))];
+let _e9410 = global_2.member[bitcast<u32>(select(0i, _e9404, (_e9404 > 0i)))];
 let _e9411 = (_e9387 + 1024i);
 let _e9413 = select(_e8999, _e9411, (_e9411 < _e8999));
-let _e9419 = global_3.member[bitcast<u32>(select(0i, _e9413, (_e9413 > 0i)))];
+let _e9419 = global_2.member[bitcast<u32>(select(0i, _e9413, (_e9413 > 0i)))];
 let _e9420 = (_e9387 + 1028i);
 let _e9422 = select(_e8999, _e9420, (_e9420 < _e8999));
-let _e9428 = global_3.member[bitcast<u32>(select(0i, _e9422, (_e9422 > 0i)))];
+let _e9428 = global_2.member[bitcast<u32>(select(0i, _e9422, (_e9422 > 0i)))];
 let _e9430 = select(_e8999, 0i, (0i < _e8999));
-let _e9436 = global_3.member[bitcast<u32>(select(0i, _e9430, (_e9430 > 0i)))];
+let _e9436 = global_2.member[bitcast<u32>(select(0i, _e9430, (_e9430 > 0i)))];
 let _e9438 = select(_e8999, 262140i, (262140i < _e8999));
-let _e9444 = global_3.member[bitcast<u32>(select(0i, _e9438, (_e9438 > 0i)))];
+let _e9444 = global_2.member[bitcast<u32>(select(0i, _e9438, (_e9438 > 0i)))];
 let _e9449 = (bitcast<f32>(((_e9401 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9457 = (_e9449 + (((bitcast<f32>(((_e9410 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9449) * _e9391));
 let _e9462 = (bitcast<f32>(((_e9419 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3482,20 +3482,20 @@ let _e9513 = (_e9505 + (((bitcast<f32>((((_e9410 >> bitcast<u32>(16i)) & 32767u)
 let _e9518 = (bitcast<f32>((((_e9419 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9545 = (_e9387 + 1i);
 let _e9547 = select(_e8999, _e9545, (_e9545 < _e8999));
-let _e9553 = global_3.member[bitcast<u32>(select(0i, _e9547, (_e9547 > 0i)))];
+let _e9553 = global_2.member[bitcast<u32>(select(0i, _e9547, (_e9547 > 0i)))];
 let _e9554 = (_e9387 + 5i);
 let _e9556 = select(_e8999, _e9554, (_e9554 < _e8999));
-let _e9562 = global_3.member[bitcast<u32>(select(0i, _e9556, (_e9556 > 0i)))];
+let _e9562 = global_2.member[bitcast<u32>(select(0i, _e9556, (_e9556 > 0i)))];
 let _e9563 = (_e9387 + 1025i);
 let _e9565 = select(_e8999, _e9563, (_e9563 < _e8999));
-let _e9571 = global_3.member[bitcast<u32>(select(0i, _e9565, (_e9565 > 0i)))];
+let _e9571 = global_2.member[bitcast<u32>(select(0i, _e9565, (_e9565 > 0i)))];
 let _e9572 = (_e9387 + 1029i);
 let _e9574 = select(_e8999, _e9572, (_e9572 < _e8999));
-let _e9580 = global_3.member[bitcast<u32>(select(0i, _e9574, (_e9574 > 0i)))];
+let _e9580 = global_2.member[bitcast<u32>(select(0i, _e9574, (_e9574 > 0i)))];
 let _e9582 = select(_e8999, 1i, (1i < _e8999));
-let _e9588 = global_3.member[bitcast<u32>(select(0i, _e9582, (_e9582 > 0i)))];
+let _e9588 = global_2.member[bitcast<u32>(select(0i, _e9582, (_e9582 > 0i)))];
 let _e9590 = select(_e8999, 262141i, (262141i < _e8999));
-let _e9596 = global_3.member[bitcast<u32>(select(0i, _e9590, (_e9590 > 0i)))];
+let _e9596 = global_2.member[bitcast<u32>(select(0i, _e9590, (_e9590 > 0i)))];
 let _e9601 = (bitcast<f32>(((_e9553 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9609 = (_e9601 + (((bitcast<f32>(((_e9562 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9601) * _e9391));
 let _e9614 = (bitcast<f32>(((_e9571 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3504,20 +3504,20 @@ let _e9665 = (_e9657 + (((bitcast<f32>((((_e9562 >> bitcast<u32>(16i)) & 32767u)
 let _e9670 = (bitcast<f32>((((_e9571 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9697 = (_e9387 + 2i);
 let _e9699 = select(_e8999, _e9697, (_e9697 < _e8999));
-let _e9705 = global_3.member[bitcast<u32>(select(0i, _e9699, (_e9699 > 0i)))];
+let _e9705 = global_2.member[bitcast<u32>(select(0i, _e9699, (_e9699 > 0i)))];
 let _e9706 = (_e9387 + 6i);
 let _e9708 = select(_e8999, _e9706, (_e9706 < _e8999));
-let _e9714 = global_3.member[bitcast<u32>(select(0i, _e9708, (_e9708 > 0i)))];
+let _e9714 = global_2.member[bitcast<u32>(select(0i, _e9708, (_e9708 > 0i)))];
 let _e9715 = (_e9387 + 1026i);
 let _e9717 = select(_e8999, _e9715, (_e9715 < _e8999));
-let _e9723 = global_3.member[bitcast<u32>(select(0i, _e9717, (_e9717 > 0i)))];
+let _e9723 = global_2.member[bitcast<u32>(select(0i, _e9717, (_e9717 > 0i)))];
 let _e9724 = (_e9387 + 1030i);
 let _e9726 = select(_e8999, _e9724, (_e9724 < _e8999));
-let _e9732 = global_3.member[bitcast<u32>(select(0i, _e9726, (_e9726 > 0i)))];
+let _e9732 = global_2.member[bitcast<u32>(select(0i, _e9726, (_e9726 > 0i)))];
 let _e9734 = select(_e8999, 2i, (2i < _e8999));
-let _e9740 = global_3.member[bitcast<u32>(select(0i, _e9734, (_e9734 > 0i)))];
+let _e9740 = global_2.member[bitcast<u32>(select(0i, _e9734, (_e9734 > 0i)))];
 let _e9742 = select(_e8999, 262142i, (262142i < _e8999));
-let _e9748 = global_3.member[bitcast<u32>(select(0i, _e9742, (_e9742 > 0i)))];
+let _e9748 = global_2.member[bitcast<u32>(select(0i, _e9742, (_e9742 > 0i)))];
 let _e9753 = (bitcast<f32>(((_e9705 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9761 = (_e9753 + (((bitcast<f32>(((_e9714 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9753) * _e9391));
 let _e9766 = (bitcast<f32>(((_e9723 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3526,20 +3526,20 @@ let _e9817 = (_e9809 + (((bitcast<f32>((((_e9714 >> bitcast<u32>(16i)) & 32767u)
 let _e9822 = (bitcast<f32>((((_e9723 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9849 = (_e9387 + 3i);
 let _e9851 = select(_e8999, _e9849, (_e9849 < _e8999));
-let _e9857 = global_3.member[bitcast<u32>(select(0i, _e9851, (_e9851 > 0i)))];
+let _e9857 = global_2.member[bitcast<u32>(select(0i, _e9851, (_e9851 > 0i)))];
 let _e9858 = (_e9387 + 7i);
 let _e9860 = select(_e8999, _e9858, (_e9858 < _e8999));
-let _e9866 = global_3.member[bitcast<u32>(select(0i, _e9860, (_e9860 > 0i)))];
+let _e9866 = global_2.member[bitcast<u32>(select(0i, _e9860, (_e9860 > 0i)))];
 let _e9867 = (_e9387 + 1027i);
 let _e9869 = select(_e8999, _e9867, (_e9867 < _e8999));
-let _e9875 = global_3.member[bitcast<u32>(select(0i, _e9869, (_e9869 > 0i)))];
+let _e9875 = global_2.member[bitcast<u32>(select(0i, _e9869, (_e9869 > 0i)))];
 let _e9876 = (_e9387 + 1031i);
 let _e9878 = select(_e8999, _e9876, (_e9876 < _e8999));
-let _e9884 = global_3.member[bitcast<u32>(select(0i, _e9878, (_e9878 > 0i)))];
+let _e9884 = global_2.member[bitcast<u32>(select(0i, _e9878, (_e9878 > 0i)))];
 let _e9886 = select(_e8999, 3i, (3i < _e8999));
-let _e9892 = global_3.member[bitcast<u32>(select(0i, _e9886, (_e9886 > 0i)))];
+let _e9892 = global_2.member[bitcast<u32>(select(0i, _e9886, (_e9886 > 0i)))];
 let _e9894 = select(_e8999, 262143i, (262143i < _e8999));
-let _e9900 = global_3.member[bitcast<u32>(select(0i, _e9894, (_e9894 > 0i)))];
+let _e9900 = global_2.member[bitcast<u32>(select(0i, _e9894, (_e9894 > 0i)))];
 let _e9905 = (bitcast<f32>(((_e9857 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9913 = (_e9905 + (((bitcast<f32>(((_e9866 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9905) * _e9391));
 let _e9918 = (bitcast<f32>(((_e9875 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3603,7 +3603,7 @@ let _e12609 = (_e12608 == 0u);
 if _e12609 {
 let _e12838 = global_5.member[_e459].member_9.member_1;
 let _e12847 = global_5.member[_e459].member_9.member;
-phi_25641_ = type_28(vec3<f32>(_e12838.member, _e12838.member_1, _e12838.member_2), vec3<f32>(_e12847.member, _e12847.member_1, _e12847.member_2));
+phi_25641_ = type_35(vec3<f32>(_e12838.member, _e12838.member_1, _e12838.member_2), vec3<f32>(_e12847.member, _e12847.member_1, _e12847.member_2));
 } else {
 let _e12614 = global_5.member[_e459].member_10.member;
 let _e12625 = ((((_e12614.member.member * _e10921) + (_e12614.member.member_1 * _e10922)) + (_e12614.member.member_2 * _e10923)) + _e12614.member_1);
@@ -3659,7 +3659,7 @@ let _e12790 = select(1f, (_e12773 * _e12784), _e12762);
 let _e12796 = global_5.member[_e459].member_10.member.member;
 let _e12808 = global_5.member[_e459].member_10.member_1.member;
 let _e12823 = global_5.member[_e459].member_10.member_2.member;
-phi_25641_ = type_28(vec3<f32>((_e12662.member * _e12757), (_e12662.member_1 * _e12757), (_e12662.member_2 * _e12757)), (vec3<f32>(((_e12796.member * _e12788) + (_e12808.member * _e12789)), ((_e12796.member_1 * _e12788) + (_e12808.member_1 * _e12789)), ((_e12796.member_2 * _e12788) + (_e12808.member_2 * _e12789))) + vec3<f32>((_e12823.member * _e12790), (_e12823.member_1 * _e12790), (_e12823.member_2 * _e12790))));
+phi_25641_ = type_35(vec3<f32>((_e12662.member * _e12757), (_e12662.member_1 * _e12757), (_e12662.member_2 * _e12757)), (vec3<f32>(((_e12796.member * _e12788) + (_e12808.member * _e12789)), ((_e12796.member_1 * _e12788) + (_e12808.member_1 * _e12789)), ((_e12796.member_2 * _e12788) + (_e12808.member_2 * _e12789))) + vec3<f32>((_e12823.member * _e12790), (_e12823.member_1 * _e12790), (_e12823.member_2 * _e12790))));
 }
 let _e12854 = phi_25641_;
 phi_28053_ = _e12854;
@@ -3698,7 +3698,7 @@ local_1 = (_e12091 + ((_e12069 * _e12029) + _e12054));
 let _e12093 = local_1;
 let _e12095 = (bitcast<i32>(_e233) - 1i);
 let _e12097 = select(_e12095, _e12093, (_e12093 < _e12095));
-let _e12102 = global_4.member[bitcast<u32>(select(0i, _e12097, (_e12097 > 0i)))];
+let _e12102 = global_3.member[bitcast<u32>(select(0i, _e12097, (_e12097 > 0i)))];
 let _e12104 = bitcast<u32>(bitcast<f32>(_e12102));
 let _e12108 = f32((bitcast<i32>((_e12104 & 65535u)) - 32768i));
 let _e12114 = f32((bitcast<i32>(((_e12104 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3706,13 +3706,13 @@ let _e12119 = select(_e12114, -(_e12114), ((_e12104 >> bitcast<u32>(31i)) != 0u)
 let _e12120 = local_1;
 let _e12121 = (_e12120 + 1i);
 let _e12123 = select(_e12095, _e12121, (_e12121 < _e12095));
-let _e12128 = global_4.member[bitcast<u32>(select(0i, _e12123, (_e12123 > 0i)))];
+let _e12128 = global_3.member[bitcast<u32>(select(0i, _e12123, (_e12123 > 0i)))];
 let _e12130 = bitcast<u32>(bitcast<f32>(_e12128));
 let _e12140 = f32((bitcast<i32>(((_e12130 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12146 = local_1;
 let _e12147 = (_e12146 + _e12029);
 let _e12149 = select(_e12095, _e12147, (_e12147 < _e12095));
-let _e12154 = global_4.member[bitcast<u32>(select(0i, _e12149, (_e12149 > 0i)))];
+let _e12154 = global_3.member[bitcast<u32>(select(0i, _e12149, (_e12149 > 0i)))];
 let _e12156 = bitcast<u32>(bitcast<f32>(_e12154));
 let _e12160 = f32((bitcast<i32>((_e12156 & 65535u)) - 32768i));
 let _e12166 = f32((bitcast<i32>(((_e12156 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3721,7 +3721,7 @@ let _e12172 = (_e12029 + 1i);
 let _e12173 = local_1;
 let _e12174 = (_e12173 + _e12172);
 let _e12176 = select(_e12095, _e12174, (_e12174 < _e12095));
-let _e12181 = global_4.member[bitcast<u32>(select(0i, _e12176, (_e12176 > 0i)))];
+let _e12181 = global_3.member[bitcast<u32>(select(0i, _e12176, (_e12176 > 0i)))];
 let _e12183 = bitcast<u32>(bitcast<f32>(_e12181));
 let _e12193 = f32((bitcast<i32>(((_e12183 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12201 = (_e12108 + ((f32((bitcast<i32>((_e12130 & 65535u)) - 32768i)) - _e12108) * _e12073));
@@ -3751,60 +3751,60 @@ let _e12288 = (_e12252 - f32(_e12282));
 let _e12295 = ((((_e12251 >= 0f) && (_e12251 <= _e12031)) && (_e12252 >= 0f)) && (_e12252 <= _e12039));
 let _e12296 = (_e12087 + _e12284);
 let _e12298 = select(_e12095, _e12296, (_e12296 < _e12095));
-let _e12304 = global_4.member[bitcast<u32>(select(0i, _e12298, (_e12298 > 0i)))];
+let _e12304 = global_3.member[bitcast<u32>(select(0i, _e12298, (_e12298 > 0i)))];
 let _e12305 = bitcast<f32>(_e12304);
 let _e12306 = (_e12296 + 1i);
 let _e12308 = select(_e12095, _e12306, (_e12306 < _e12095));
-let _e12314 = global_4.member[bitcast<u32>(select(0i, _e12308, (_e12308 > 0i)))];
+let _e12314 = global_3.member[bitcast<u32>(select(0i, _e12308, (_e12308 > 0i)))];
 let _e12318 = (_e12305 + ((bitcast<f32>(_e12314) - _e12305) * _e12286));
 let _e12319 = (_e12296 + _e12029);
 let _e12321 = select(_e12095, _e12319, (_e12319 < _e12095));
-let _e12327 = global_4.member[bitcast<u32>(select(0i, _e12321, (_e12321 > 0i)))];
+let _e12327 = global_3.member[bitcast<u32>(select(0i, _e12321, (_e12321 > 0i)))];
 let _e12328 = bitcast<f32>(_e12327);
 let _e12329 = (_e12319 + 1i);
 let _e12331 = select(_e12095, _e12329, (_e12329 < _e12095));
-let _e12337 = global_4.member[bitcast<u32>(select(0i, _e12331, (_e12331 > 0i)))];
+let _e12337 = global_3.member[bitcast<u32>(select(0i, _e12331, (_e12331 > 0i)))];
 let _e12345 = select(1f, (_e12318 + (((_e12328 + ((bitcast<f32>(_e12337) - _e12328) * _e12286)) - _e12318) * _e12288)), _e12295);
 if _e8995 {
 phi_26386_ = vec3(_e12345);
 } else {
 let _e12348 = ((_e12087 + _e12089) + _e12284);
 let _e12350 = select(_e12095, _e12348, (_e12348 < _e12095));
-let _e12356 = global_4.member[bitcast<u32>(select(0i, _e12350, (_e12350 > 0i)))];
+let _e12356 = global_3.member[bitcast<u32>(select(0i, _e12350, (_e12350 > 0i)))];
 let _e12357 = bitcast<f32>(_e12356);
 let _e12358 = (_e12348 + 1i);
 let _e12360 = select(_e12095, _e12358, (_e12358 < _e12095));
-let _e12366 = global_4.member[bitcast<u32>(select(0i, _e12360, (_e12360 > 0i)))];
+let _e12366 = global_3.member[bitcast<u32>(select(0i, _e12360, (_e12360 > 0i)))];
 let _e12370 = (_e12357 + ((bitcast<f32>(_e12366) - _e12357) * _e12286));
 let _e12371 = (_e12348 + _e12029);
 let _e12373 = select(_e12095, _e12371, (_e12371 < _e12095));
-let _e12379 = global_4.member[bitcast<u32>(select(0i, _e12373, (_e12373 > 0i)))];
+let _e12379 = global_3.member[bitcast<u32>(select(0i, _e12373, (_e12373 > 0i)))];
 let _e12380 = bitcast<f32>(_e12379);
 let _e12381 = (_e12371 + 1i);
 let _e12383 = select(_e12095, _e12381, (_e12381 < _e12095));
-let _e12389 = global_4.member[bitcast<u32>(select(0i, _e12383, (_e12383 > 0i)))];
+let _e12389 = global_3.member[bitcast<u32>(select(0i, _e12383, (_e12383 > 0i)))];
 let _e12400 = ((_e12087 + (2i * _e12089)) + _e12284);
 let _e12402 = select(_e12095, _e12400, (_e12400 < _e12095));
-let _e12408 = global_4.member[bitcast<u32>(select(0i, _e12402, (_e12402 > 0i)))];
+let _e12408 = global_3.member[bitcast<u32>(select(0i, _e12402, (_e12402 > 0i)))];
 let _e12409 = bitcast<f32>(_e12408);
 let _e12410 = (_e12400 + 1i);
 let _e12412 = select(_e12095, _e12410, (_e12410 < _e12095));
-let _e12418 = global_4.member[bitcast<u32>(select(0i, _e12412, (_e12412 > 0i)))];
+let _e12418 = global_3.member[bitcast<u32>(select(0i, _e12412, (_e12412 > 0i)))];
 let _e12422 = (_e12409 + ((bitcast<f32>(_e12418) - _e12409) * _e12286));
 let _e12423 = (_e12400 + _e12029);
 let _e12425 = select(_e12095, _e12423, (_e12423 < _e12095));
-let _e12431 = global_4.member[bitcast<u32>(select(0i, _e12425, (_e12425 > 0i)))];
+let _e12431 = global_3.member[bitcast<u32>(select(0i, _e12425, (_e12425 > 0i)))];
 let _e12432 = bitcast<f32>(_e12431);
 let _e12433 = (_e12423 + 1i);
 let _e12435 = select(_e12095, _e12433, (_e12433 < _e12095));
-let _e12441 = global_4.member[bitcast<u32>(select(0i, _e12435, (_e12435 > 0i)))];
+let _e12441 = global_3.member[bitcast<u32>(select(0i, _e12435, (_e12435 > 0i)))];
 phi_26386_ = vec3<f32>(_e12345, select(1f, (_e12370 + (((_e12380 + ((bitcast<f32>(_e12389) - _e12380) * _e12286)) - _e12370) * _e12288)), _e12295), select(1f, (_e12422 + (((_e12432 + ((bitcast<f32>(_e12441) - _e12432) * _e12286)) - _e12422) * _e12288)), _e12295));
 }
 let _e12452 = phi_26386_;
 local = (_e12091 + _e12284);
 let _e12454 = local;
 let _e12456 = select(_e12095, _e12454, (_e12454 < _e12095));
-let _e12461 = global_4.member[bitcast<u32>(select(0i, _e12456, (_e12456 > 0i)))];
+let _e12461 = global_3.member[bitcast<u32>(select(0i, _e12456, (_e12456 > 0i)))];
 let _e12463 = bitcast<u32>(bitcast<f32>(_e12461));
 let _e12467 = f32((bitcast<i32>((_e12463 & 65535u)) - 32768i));
 let _e12473 = f32((bitcast<i32>(((_e12463 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3812,13 +3812,13 @@ let _e12478 = select(_e12473, -(_e12473), ((_e12463 >> bitcast<u32>(31i)) != 0u)
 let _e12479 = local;
 let _e12480 = (_e12479 + 1i);
 let _e12482 = select(_e12095, _e12480, (_e12480 < _e12095));
-let _e12487 = global_4.member[bitcast<u32>(select(0i, _e12482, (_e12482 > 0i)))];
+let _e12487 = global_3.member[bitcast<u32>(select(0i, _e12482, (_e12482 > 0i)))];
 let _e12489 = bitcast<u32>(bitcast<f32>(_e12487));
 let _e12499 = f32((bitcast<i32>(((_e12489 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12505 = local;
 let _e12506 = (_e12505 + _e12029);
 let _e12508 = select(_e12095, _e12506, (_e12506 < _e12095));
-let _e12513 = global_4.member[bitcast<u32>(select(0i, _e12508, (_e12508 > 0i)))];
+let _e12513 = global_3.member[bitcast<u32>(select(0i, _e12508, (_e12508 > 0i)))];
 let _e12515 = bitcast<u32>(bitcast<f32>(_e12513));
 let _e12519 = f32((bitcast<i32>((_e12515 & 65535u)) - 32768i));
 let _e12525 = f32((bitcast<i32>(((_e12515 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3826,7 +3826,7 @@ let _e12530 = select(_e12525, -(_e12525), ((_e12515 >> bitcast<u32>(31i)) != 0u)
 let _e12531 = local;
 let _e12532 = (_e12531 + _e12172);
 let _e12534 = select(_e12095, _e12532, (_e12532 < _e12095));
-let _e12539 = global_4.member[bitcast<u32>(select(0i, _e12534, (_e12534 > 0i)))];
+let _e12539 = global_3.member[bitcast<u32>(select(0i, _e12534, (_e12534 > 0i)))];
 let _e12541 = bitcast<u32>(bitcast<f32>(_e12539));
 let _e12551 = f32((bitcast<i32>(((_e12541 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12559 = (_e12467 + ((f32((bitcast<i32>((_e12489 & 65535u)) - 32768i)) - _e12467) * _e12286));
@@ -3836,7 +3836,7 @@ let _e12588 = (_e12223.member + (select(0f, (_e12559 + (((_e12519 + ((f32((bitca
 let _e12590 = (_e12223.member_1 + (select(0f, (_e12568 + (((_e12530 + ((select(_e12551, -(_e12551), ((_e12541 >> bitcast<u32>(31i)) != 0u)) - _e12530) * _e12286)) - _e12568) * _e12288)), _e12295) * _e12226));
 let _e12594 = (1f - ((_e12588 * _e12588) + (_e12590 * _e12590)));
 let _e12596 = select(1e-4f, _e12594, (_e12594 > 1e-4f));
-phi_28052_ = type_28((_e12452 * vec3<f32>(_e12581.member, _e12581.member_1, _e12581.member_2)), vec3<f32>(_e12588, _e12590, sqrt(select(0f, _e12596, (_e12596 > 0f)))));
+phi_28052_ = type_35((_e12452 * vec3<f32>(_e12581.member, _e12581.member_1, _e12581.member_2)), vec3<f32>(_e12588, _e12590, sqrt(select(0f, _e12596, (_e12596 > 0f)))));
 } else {
 let _e10926 = (1f - _e10913.member);
 let _e10928 = select(1e-6f, _e10913.member, (_e10913.member > 1e-6f));
@@ -3902,9 +3902,9 @@ let _e11187 = phi_26900_;
 let _e11188 = (_e11187 + 1i);
 let _e11190 = (bitcast<i32>(_e233) - 1i);
 let _e11192 = select(_e11190, _e11188, (_e11188 < _e11190));
-let _e11198 = global_4.member[bitcast<u32>(select(0i, _e11192, (_e11192 > 0i)))];
+let _e11198 = global_3.member[bitcast<u32>(select(0i, _e11192, (_e11192 > 0i)))];
 let _e11200 = select(_e11190, _e11187, (_e11187 < _e11190));
-let _e11206 = global_4.member[bitcast<u32>(select(0i, _e11200, (_e11200 > 0i)))];
+let _e11206 = global_3.member[bitcast<u32>(select(0i, _e11200, (_e11200 > 0i)))];
 let _e11209 = select(_e11198, 0u, (_e11187 < 0i));
 let _e11214 = global_5.member[_e459].member_10.member_13;
 let _e11215 = (_e11209 * 81u);
@@ -3916,35 +3916,35 @@ let _e11232 = (_e11082 - f32(_e11125));
 let _e11234 = (_e11094 - f32(_e11140));
 let _e11235 = (_e11209 != 0u);
 let _e11237 = select(_e11190, _e11227, (_e11227 < _e11190));
-let _e11243 = global_4.member[bitcast<u32>(select(0i, _e11237, (_e11237 > 0i)))];
+let _e11243 = global_3.member[bitcast<u32>(select(0i, _e11237, (_e11237 > 0i)))];
 let _e11244 = bitcast<f32>(_e11243);
 let _e11245 = (_e11227 + 1i);
 let _e11247 = select(_e11190, _e11245, (_e11245 < _e11190));
-let _e11253 = global_4.member[bitcast<u32>(select(0i, _e11247, (_e11247 > 0i)))];
+let _e11253 = global_3.member[bitcast<u32>(select(0i, _e11247, (_e11247 > 0i)))];
 let _e11257 = (_e11244 + ((bitcast<f32>(_e11253) - _e11244) * _e11230));
 let _e11258 = (_e11227 + 9i);
 let _e11260 = select(_e11190, _e11258, (_e11258 < _e11190));
-let _e11266 = global_4.member[bitcast<u32>(select(0i, _e11260, (_e11260 > 0i)))];
+let _e11266 = global_3.member[bitcast<u32>(select(0i, _e11260, (_e11260 > 0i)))];
 let _e11267 = bitcast<f32>(_e11266);
 let _e11268 = (_e11227 + 10i);
 let _e11270 = select(_e11190, _e11268, (_e11268 < _e11190));
-let _e11276 = global_4.member[bitcast<u32>(select(0i, _e11270, (_e11270 > 0i)))];
+let _e11276 = global_3.member[bitcast<u32>(select(0i, _e11270, (_e11270 > 0i)))];
 let _e11283 = (_e11257 + (((_e11267 + ((bitcast<f32>(_e11276) - _e11267) * _e11230)) - _e11257) * _e11232));
 let _e11284 = (_e11227 + _e11219);
 let _e11286 = select(_e11190, _e11284, (_e11284 < _e11190));
-let _e11292 = global_4.member[bitcast<u32>(select(0i, _e11286, (_e11286 > 0i)))];
+let _e11292 = global_3.member[bitcast<u32>(select(0i, _e11286, (_e11286 > 0i)))];
 let _e11293 = bitcast<f32>(_e11292);
 let _e11294 = (_e11284 + 1i);
 let _e11296 = select(_e11190, _e11294, (_e11294 < _e11190));
-let _e11302 = global_4.member[bitcast<u32>(select(0i, _e11296, (_e11296 > 0i)))];
+let _e11302 = global_3.member[bitcast<u32>(select(0i, _e11296, (_e11296 > 0i)))];
 let _e11306 = (_e11293 + ((bitcast<f32>(_e11302) - _e11293) * _e11230));
 let _e11307 = (_e11284 + 9i);
 let _e11309 = select(_e11190, _e11307, (_e11307 < _e11190));
-let _e11315 = global_4.member[bitcast<u32>(select(0i, _e11309, (_e11309 > 0i)))];
+let _e11315 = global_3.member[bitcast<u32>(select(0i, _e11309, (_e11309 > 0i)))];
 let _e11316 = bitcast<f32>(_e11315);
 let _e11317 = (_e11284 + 10i);
 let _e11319 = select(_e11190, _e11317, (_e11317 < _e11190));
-let _e11325 = global_4.member[bitcast<u32>(select(0i, _e11319, (_e11319 > 0i)))];
+let _e11325 = global_3.member[bitcast<u32>(select(0i, _e11319, (_e11319 > 0i)))];
 let _e11336 = select(1f, (_e11283 + (((_e11306 + (((_e11316 + ((bitcast<f32>(_e11325) - _e11316) * _e11230)) - _e11306) * _e11232)) - _e11283) * _e11234)), _e11235);
 if _e8995 {
 phi_27477_ = vec3(_e11336);
@@ -3953,66 +3953,66 @@ let _e11342 = global_5.member[_e459].member_10.member_12;
 let _e11343 = (_e11342 > 1u);
 let _e11347 = (_e11227 + (select(0i, 1i, _e11343) * _e11228));
 let _e11349 = select(_e11190, _e11347, (_e11347 < _e11190));
-let _e11355 = global_4.member[bitcast<u32>(select(0i, _e11349, (_e11349 > 0i)))];
+let _e11355 = global_3.member[bitcast<u32>(select(0i, _e11349, (_e11349 > 0i)))];
 let _e11356 = bitcast<f32>(_e11355);
 let _e11357 = (_e11347 + 1i);
 let _e11359 = select(_e11190, _e11357, (_e11357 < _e11190));
-let _e11365 = global_4.member[bitcast<u32>(select(0i, _e11359, (_e11359 > 0i)))];
+let _e11365 = global_3.member[bitcast<u32>(select(0i, _e11359, (_e11359 > 0i)))];
 let _e11369 = (_e11356 + ((bitcast<f32>(_e11365) - _e11356) * _e11230));
 let _e11370 = (_e11347 + 9i);
 let _e11372 = select(_e11190, _e11370, (_e11370 < _e11190));
-let _e11378 = global_4.member[bitcast<u32>(select(0i, _e11372, (_e11372 > 0i)))];
+let _e11378 = global_3.member[bitcast<u32>(select(0i, _e11372, (_e11372 > 0i)))];
 let _e11379 = bitcast<f32>(_e11378);
 let _e11380 = (_e11347 + 10i);
 let _e11382 = select(_e11190, _e11380, (_e11380 < _e11190));
-let _e11388 = global_4.member[bitcast<u32>(select(0i, _e11382, (_e11382 > 0i)))];
+let _e11388 = global_3.member[bitcast<u32>(select(0i, _e11382, (_e11382 > 0i)))];
 let _e11395 = (_e11369 + (((_e11379 + ((bitcast<f32>(_e11388) - _e11379) * _e11230)) - _e11369) * _e11232));
 let _e11396 = (_e11347 + _e11219);
 let _e11398 = select(_e11190, _e11396, (_e11396 < _e11190));
-let _e11404 = global_4.member[bitcast<u32>(select(0i, _e11398, (_e11398 > 0i)))];
+let _e11404 = global_3.member[bitcast<u32>(select(0i, _e11398, (_e11398 > 0i)))];
 let _e11405 = bitcast<f32>(_e11404);
 let _e11406 = (_e11396 + 1i);
 let _e11408 = select(_e11190, _e11406, (_e11406 < _e11190));
-let _e11414 = global_4.member[bitcast<u32>(select(0i, _e11408, (_e11408 > 0i)))];
+let _e11414 = global_3.member[bitcast<u32>(select(0i, _e11408, (_e11408 > 0i)))];
 let _e11418 = (_e11405 + ((bitcast<f32>(_e11414) - _e11405) * _e11230));
 let _e11419 = (_e11396 + 9i);
 let _e11421 = select(_e11190, _e11419, (_e11419 < _e11190));
-let _e11427 = global_4.member[bitcast<u32>(select(0i, _e11421, (_e11421 > 0i)))];
+let _e11427 = global_3.member[bitcast<u32>(select(0i, _e11421, (_e11421 > 0i)))];
 let _e11428 = bitcast<f32>(_e11427);
 let _e11429 = (_e11396 + 10i);
 let _e11431 = select(_e11190, _e11429, (_e11429 < _e11190));
-let _e11437 = global_4.member[bitcast<u32>(select(0i, _e11431, (_e11431 > 0i)))];
+let _e11437 = global_3.member[bitcast<u32>(select(0i, _e11431, (_e11431 > 0i)))];
 let _e11450 = (_e11227 + (select(0i, 2i, _e11343) * _e11228));
 let _e11452 = select(_e11190, _e11450, (_e11450 < _e11190));
-let _e11458 = global_4.member[bitcast<u32>(select(0i, _e11452, (_e11452 > 0i)))];
+let _e11458 = global_3.member[bitcast<u32>(select(0i, _e11452, (_e11452 > 0i)))];
 let _e11459 = bitcast<f32>(_e11458);
 let _e11460 = (_e11450 + 1i);
 let _e11462 = select(_e11190, _e11460, (_e11460 < _e11190));
-let _e11468 = global_4.member[bitcast<u32>(select(0i, _e11462, (_e11462 > 0i)))];
+let _e11468 = global_3.member[bitcast<u32>(select(0i, _e11462, (_e11462 > 0i)))];
 let _e11472 = (_e11459 + ((bitcast<f32>(_e11468) - _e11459) * _e11230));
 let _e11473 = (_e11450 + 9i);
 let _e11475 = select(_e11190, _e11473, (_e11473 < _e11190));
-let _e11481 = global_4.member[bitcast<u32>(select(0i, _e11475, (_e11475 > 0i)))];
+let _e11481 = global_3.member[bitcast<u32>(select(0i, _e11475, (_e11475 > 0i)))];
 let _e11482 = bitcast<f32>(_e11481);
 let _e11483 = (_e11450 + 10i);
 let _e11485 = select(_e11190, _e11483, (_e11483 < _e11190));
-let _e11491 = global_4.member[bitcast<u32>(select(0i, _e11485, (_e11485 > 0i)))];
+let _e11491 = global_3.member[bitcast<u32>(select(0i, _e11485, (_e11485 > 0i)))];
 let _e11498 = (_e11472 + (((_e11482 + ((bitcast<f32>(_e11491) - _e11482) * _e11230)) - _e11472) * _e11232));
 let _e11499 = (_e11450 + _e11219);
 let _e11501 = select(_e11190, _e11499, (_e11499 < _e11190));
-let _e11507 = global_4.member[bitcast<u32>(select(0i, _e11501, (_e11501 > 0i)))];
+let _e11507 = global_3.member[bitcast<u32>(select(0i, _e11501, (_e11501 > 0i)))];
 let _e11508 = bitcast<f32>(_e11507);
 let _e11509 = (_e11499 + 1i);
 let _e11511 = select(_e11190, _e11509, (_e11509 < _e11190));
-let _e11517 = global_4.member[bitcast<u32>(select(0i, _e11511, (_e11511 > 0i)))];
+let _e11517 = global_3.member[bitcast<u32>(select(0i, _e11511, (_e11511 > 0i)))];
 let _e11521 = (_e11508 + ((bitcast<f32>(_e11517) - _e11508) * _e11230));
 let _e11522 = (_e11499 + 9i);
 let _e11524 = select(_e11190, _e11522, (_e11522 < _e11190));
-let _e11530 = global_4.member[bitcast<u32>(select(0i, _e11524, (_e11524 > 0i)))];
+let _e11530 = global_3.member[bitcast<u32>(select(0i, _e11524, (_e11524 > 0i)))];
 let _e11531 = bitcast<f32>(_e11530);
 let _e11532 = (_e11499 + 10i);
 let _e11534 = select(_e11190, _e11532, (_e11532 < _e11190));
-let _e11540 = global_4.member[bitcast<u32>(select(0i, _e11534, (_e11534 > 0i)))];
+let _e11540 = global_3.member[bitcast<u32>(select(0i, _e11534, (_e11534 > 0i)))];
 phi_27477_ = vec3<f32>(_e11336, select(1f, (_e11395 + (((_e11418 + (((_e11428 + ((bitcast<f32>(_e11437) - _e11428) * _e11230)) - _e11418) * _e11232)) - _e11395) * _e11234)), _e11235), select(1f, (_e11498 + (((_e11521 + (((_e11531 + ((bitcast<f32>(_e11540) - _e11531) * _e11230)) - _e11521) * _e11232)) - _e11498) * _e11234)), _e11235));
 }
 let _e11554 = phi_27477_;
@@ -4028,56 +4028,56 @@ let _e11577 = select(0f, (_e11560 * _e11572), _e11039);
 if _e838 {
 let _e11583 = (_e11227 + ((bitcast<i32>(_e11214) - 1i) * _e11228));
 let _e11585 = select(_e11190, _e11583, (_e11583 < _e11190));
-let _e11591 = global_4.member[bitcast<u32>(select(0i, _e11585, (_e11585 > 0i)))];
+let _e11591 = global_3.member[bitcast<u32>(select(0i, _e11585, (_e11585 > 0i)))];
 let _e11593 = bitcast<u32>(bitcast<f32>(_e11591));
 let _e11597 = f32((bitcast<i32>((_e11593 & 65535u)) - 32768i));
 let _e11603 = f32((bitcast<i32>(((_e11593 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11608 = select(_e11603, -(_e11603), ((_e11593 >> bitcast<u32>(31i)) != 0u));
 let _e11609 = (_e11583 + 1i);
 let _e11611 = select(_e11190, _e11609, (_e11609 < _e11190));
-let _e11617 = global_4.member[bitcast<u32>(select(0i, _e11611, (_e11611 > 0i)))];
+let _e11617 = global_3.member[bitcast<u32>(select(0i, _e11611, (_e11611 > 0i)))];
 let _e11619 = bitcast<u32>(bitcast<f32>(_e11617));
 let _e11629 = f32((bitcast<i32>(((_e11619 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11637 = (_e11597 + ((f32((bitcast<i32>((_e11619 & 65535u)) - 32768i)) - _e11597) * _e11230));
 let _e11640 = (_e11608 + ((select(_e11629, -(_e11629), ((_e11619 >> bitcast<u32>(31i)) != 0u)) - _e11608) * _e11230));
 let _e11641 = (_e11583 + 9i);
 let _e11643 = select(_e11190, _e11641, (_e11641 < _e11190));
-let _e11649 = global_4.member[bitcast<u32>(select(0i, _e11643, (_e11643 > 0i)))];
+let _e11649 = global_3.member[bitcast<u32>(select(0i, _e11643, (_e11643 > 0i)))];
 let _e11651 = bitcast<u32>(bitcast<f32>(_e11649));
 let _e11655 = f32((bitcast<i32>((_e11651 & 65535u)) - 32768i));
 let _e11661 = f32((bitcast<i32>(((_e11651 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11666 = select(_e11661, -(_e11661), ((_e11651 >> bitcast<u32>(31i)) != 0u));
 let _e11667 = (_e11583 + 10i);
 let _e11669 = select(_e11190, _e11667, (_e11667 < _e11190));
-let _e11675 = global_4.member[bitcast<u32>(select(0i, _e11669, (_e11669 > 0i)))];
+let _e11675 = global_3.member[bitcast<u32>(select(0i, _e11669, (_e11669 > 0i)))];
 let _e11677 = bitcast<u32>(bitcast<f32>(_e11675));
 let _e11687 = f32((bitcast<i32>(((_e11677 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11701 = (_e11637 + (((_e11655 + ((f32((bitcast<i32>((_e11677 & 65535u)) - 32768i)) - _e11655) * _e11230)) - _e11637) * _e11232));
 let _e11704 = (_e11640 + (((_e11666 + ((select(_e11687, -(_e11687), ((_e11677 >> bitcast<u32>(31i)) != 0u)) - _e11666) * _e11230)) - _e11640) * _e11232));
 let _e11705 = (_e11583 + _e11219);
 let _e11707 = select(_e11190, _e11705, (_e11705 < _e11190));
-let _e11713 = global_4.member[bitcast<u32>(select(0i, _e11707, (_e11707 > 0i)))];
+let _e11713 = global_3.member[bitcast<u32>(select(0i, _e11707, (_e11707 > 0i)))];
 let _e11715 = bitcast<u32>(bitcast<f32>(_e11713));
 let _e11719 = f32((bitcast<i32>((_e11715 & 65535u)) - 32768i));
 let _e11725 = f32((bitcast<i32>(((_e11715 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11730 = select(_e11725, -(_e11725), ((_e11715 >> bitcast<u32>(31i)) != 0u));
 let _e11731 = (_e11705 + 1i);
 let _e11733 = select(_e11190, _e11731, (_e11731 < _e11190));
-let _e11739 = global_4.member[bitcast<u32>(select(0i, _e11733, (_e11733 > 0i)))];
+let _e11739 = global_3.member[bitcast<u32>(select(0i, _e11733, (_e11733 > 0i)))];
 let _e11741 = bitcast<u32>(bitcast<f32>(_e11739));
 let _e11751 = f32((bitcast<i32>(((_e11741 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11759 = (_e11719 + ((f32((bitcast<i32>((_e11741 & 65535u)) - 32768i)) - _e11719) * _e11230));
 let _e11762 = (_e11730 + ((select(_e11751, -(_e11751), ((_e11741 >> bitcast<u32>(31i)) != 0u)) - _e11730) * _e11230));
 let _e11763 = (_e11705 + 9i);
 let _e11765 = select(_e11190, _e11763, (_e11763 < _e11190));
-let _e11771 = global_4.member[bitcast<u32>(select(0i, _e11765, (_e11765 > 0i)))];
+let _e11771 = global_3.member[bitcast<u32>(select(0i, _e11765, (_e11765 > 0i)))];
 let _e11773 = bitcast<u32>(bitcast<f32>(_e11771));
 let _e11777 = f32((bitcast<i32>((_e11773 & 65535u)) - 32768i));
 let _e11783 = f32((bitcast<i32>(((_e11773 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11788 = select(_e11783, -(_e11783), ((_e11773 >> bitcast<u32>(31i)) != 0u));
 let _e11789 = (_e11705 + 10i);
 let _e11791 = select(_e11190, _e11789, (_e11789 < _e11190));
-let _e11797 = global_4.member[bitcast<u32>(select(0i, _e11791, (_e11791 > 0i)))];
+let _e11797 = global_3.member[bitcast<u32>(select(0i, _e11791, (_e11791 > 0i)))];
 let _e11799 = bitcast<u32>(bitcast<f32>(_e11797));
 let _e11809 = f32((bitcast<i32>(((_e11799 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11835 = (_e11576 + select(0f, ((_e11701 + (((_e11759 + (((_e11777 + ((f32((bitcast<i32>((_e11799 & 65535u)) - 32768i)) - _e11777) * _e11230)) - _e11759) * _e11232)) - _e11701) * _e11234)) * 6.151953e-5f), _e11235));
@@ -4118,7 +4118,7 @@ let _e11932 = (_e11931 * select(_e11911, 1f, (_e838 && _e11235)));
 let _e11942 = global_5.member[_e459].member_10.member.member;
 let _e11955 = global_5.member[_e459].member_10.member_1.member;
 let _e11971 = global_5.member[_e459].member_10.member_2.member;
-phi_28052_ = type_28(vec3<f32>(((_e11554.x * _e11917.member) * _e11932), ((_e11554.y * _e11917.member_1) * _e11932), ((_e11554.z * _e11917.member_2) * _e11932)), (vec3<f32>(((_e11942.member * _e11850.x) + (_e11955.member * _e11850.y)), ((_e11942.member_1 * _e11850.x) + (_e11955.member_1 * _e11850.y)), ((_e11942.member_2 * _e11850.x) + (_e11955.member_2 * _e11850.y))) + vec3<f32>((_e11971.member * _e11850.z), (_e11971.member_1 * _e11850.z), (_e11971.member_2 * _e11850.z))));
+phi_28052_ = type_35(vec3<f32>(((_e11554.x * _e11917.member) * _e11932), ((_e11554.y * _e11917.member_1) * _e11932), ((_e11554.z * _e11917.member_2) * _e11932)), (vec3<f32>(((_e11942.member * _e11850.x) + (_e11955.member * _e11850.y)), ((_e11942.member_1 * _e11850.x) + (_e11955.member_1 * _e11850.y)), ((_e11942.member_2 * _e11850.x) + (_e11955.member_2 * _e11850.y))) + vec3<f32>((_e11971.member * _e11850.z), (_e11971.member_1 * _e11850.z), (_e11971.member_2 * _e11850.z))));
 }
 let _e12603 = phi_28052_;
 phi_28053_ = _e12603;
@@ -4304,51 +4304,51 @@ let _e13545 = ((bitcast<i32>(_e13541) + (_e13515 * _e13359)) + _e13498);
 let _e13546 = (_e13359 * _e13367);
 let _e13548 = (bitcast<i32>(_e233) - 1i);
 let _e13550 = select(_e13548, _e13545, (_e13545 < _e13548));
-let _e13556 = global_4.member[bitcast<u32>(select(0i, _e13550, (_e13550 > 0i)))];
+let _e13556 = global_3.member[bitcast<u32>(select(0i, _e13550, (_e13550 > 0i)))];
 let _e13557 = bitcast<f32>(_e13556);
 let _e13558 = (_e13545 + 1i);
 let _e13560 = select(_e13548, _e13558, (_e13558 < _e13548));
-let _e13566 = global_4.member[bitcast<u32>(select(0i, _e13560, (_e13560 > 0i)))];
+let _e13566 = global_3.member[bitcast<u32>(select(0i, _e13560, (_e13560 > 0i)))];
 let _e13570 = (_e13557 + ((bitcast<f32>(_e13566) - _e13557) * _e13521));
 let _e13571 = (_e13545 + _e13359);
 let _e13573 = select(_e13548, _e13571, (_e13571 < _e13548));
-let _e13579 = global_4.member[bitcast<u32>(select(0i, _e13573, (_e13573 > 0i)))];
+let _e13579 = global_3.member[bitcast<u32>(select(0i, _e13573, (_e13573 > 0i)))];
 let _e13580 = bitcast<f32>(_e13579);
 let _e13581 = (_e13571 + 1i);
 let _e13583 = select(_e13548, _e13581, (_e13581 < _e13548));
-let _e13589 = global_4.member[bitcast<u32>(select(0i, _e13583, (_e13583 > 0i)))];
+let _e13589 = global_3.member[bitcast<u32>(select(0i, _e13583, (_e13583 > 0i)))];
 let _e13596 = (_e13570 + (((_e13580 + ((bitcast<f32>(_e13589) - _e13580) * _e13521)) - _e13570) * _e13527));
 let _e13597 = (_e13545 + _e13546);
 let _e13599 = select(_e13548, _e13597, (_e13597 < _e13548));
-let _e13605 = global_4.member[bitcast<u32>(select(0i, _e13599, (_e13599 > 0i)))];
+let _e13605 = global_3.member[bitcast<u32>(select(0i, _e13599, (_e13599 > 0i)))];
 let _e13606 = bitcast<f32>(_e13605);
 let _e13607 = (_e13597 + 1i);
 let _e13609 = select(_e13548, _e13607, (_e13607 < _e13548));
-let _e13615 = global_4.member[bitcast<u32>(select(0i, _e13609, (_e13609 > 0i)))];
+let _e13615 = global_3.member[bitcast<u32>(select(0i, _e13609, (_e13609 > 0i)))];
 let _e13619 = (_e13606 + ((bitcast<f32>(_e13615) - _e13606) * _e13521));
 let _e13620 = (_e13597 + _e13359);
 let _e13622 = select(_e13548, _e13620, (_e13620 < _e13548));
-let _e13628 = global_4.member[bitcast<u32>(select(0i, _e13622, (_e13622 > 0i)))];
+let _e13628 = global_3.member[bitcast<u32>(select(0i, _e13622, (_e13622 > 0i)))];
 let _e13629 = bitcast<f32>(_e13628);
 let _e13630 = (_e13620 + 1i);
 let _e13632 = select(_e13548, _e13630, (_e13630 < _e13548));
-let _e13638 = global_4.member[bitcast<u32>(select(0i, _e13632, (_e13632 > 0i)))];
+let _e13638 = global_3.member[bitcast<u32>(select(0i, _e13632, (_e13632 > 0i)))];
 let _e13645 = (_e13619 + (((_e13629 + ((bitcast<f32>(_e13638) - _e13629) * _e13521)) - _e13619) * _e13527));
 let _e13647 = (_e13545 + (2i * _e13546));
 let _e13649 = select(_e13548, _e13647, (_e13647 < _e13548));
-let _e13655 = global_4.member[bitcast<u32>(select(0i, _e13649, (_e13649 > 0i)))];
+let _e13655 = global_3.member[bitcast<u32>(select(0i, _e13649, (_e13649 > 0i)))];
 let _e13656 = bitcast<f32>(_e13655);
 let _e13657 = (_e13647 + 1i);
 let _e13659 = select(_e13548, _e13657, (_e13657 < _e13548));
-let _e13665 = global_4.member[bitcast<u32>(select(0i, _e13659, (_e13659 > 0i)))];
+let _e13665 = global_3.member[bitcast<u32>(select(0i, _e13659, (_e13659 > 0i)))];
 let _e13669 = (_e13656 + ((bitcast<f32>(_e13665) - _e13656) * _e13521));
 let _e13670 = (_e13647 + _e13359);
 let _e13672 = select(_e13548, _e13670, (_e13670 < _e13548));
-let _e13678 = global_4.member[bitcast<u32>(select(0i, _e13672, (_e13672 > 0i)))];
+let _e13678 = global_3.member[bitcast<u32>(select(0i, _e13672, (_e13672 > 0i)))];
 let _e13679 = bitcast<f32>(_e13678);
 let _e13680 = (_e13670 + 1i);
 let _e13682 = select(_e13548, _e13680, (_e13680 < _e13548));
-let _e13688 = global_4.member[bitcast<u32>(select(0i, _e13682, (_e13682 > 0i)))];
+let _e13688 = global_3.member[bitcast<u32>(select(0i, _e13682, (_e13682 > 0i)))];
 let _e13695 = (_e13669 + (((_e13679 + ((bitcast<f32>(_e13688) - _e13679) * _e13521)) - _e13669) * _e13527));
 let _e13697 = (_e13178 == 0u);
 if _e13697 {
@@ -4385,13 +4385,13 @@ phi_29221_ = vec3<f32>((select(0f, _e13762, (_e13762 > 0f)) * _e13775), (select(
 }
 let _e13781 = phi_29221_;
 let _e13786 = global_5.member[_e459].member_9.member_1;
-phi_29481_ = type_28((vec3<f32>(_e13786.member, _e13786.member_1, _e13786.member_2) * _e13781), _e13249);
+phi_29481_ = type_35((vec3<f32>(_e13786.member, _e13786.member_1, _e13786.member_2) * _e13781), _e13249);
 } else {
 let _e13252 = (_e13178 == 0u);
 if _e13252 {
 let _e13335 = global_5.member[_e459].member_9.member_1;
 let _e13344 = global_5.member[_e459].member_9.member;
-phi_29480_ = type_28(vec3<f32>(_e13335.member, _e13335.member_1, _e13335.member_2), vec3<f32>(_e13344.member, _e13344.member_1, _e13344.member_2));
+phi_29480_ = type_35(vec3<f32>(_e13335.member, _e13335.member_1, _e13335.member_2), vec3<f32>(_e13344.member, _e13344.member_1, _e13344.member_2));
 } else {
 let _e13257 = global_5.member[_e459].member_9.member_1;
 if _e13252 {
@@ -4418,7 +4418,7 @@ phi_29408_ = select(1f, select(0f, ((_e13314 * _e13314) * (3f - (2f * _e13314)))
 }
 let _e13324 = phi_29408_;
 let _e13325 = (_e13265 * _e13324);
-phi_29480_ = type_28(vec3<f32>((_e13257.member * _e13325), (_e13257.member_1 * _e13325), (_e13257.member_2 * _e13325)), _e13249);
+phi_29480_ = type_35(vec3<f32>((_e13257.member * _e13325), (_e13257.member_1 * _e13325), (_e13257.member_2 * _e13325)), _e13249);
 }
 let _e13351 = phi_29480_;
 phi_29481_ = _e13351;
@@ -4552,7 +4552,7 @@ let _e14159 = select(select(select(select(select(select(0f, _e13898.member, _e13
 let _e14160 = select(select(select(select(select(select(0f, _e13898.member_1, _e13940), _e13898.member_1, _e13980), _e13907.member_1, _e14020), _e13907.member_1, _e14060), _e13916.member_1, _e14100), _e13916.member_1, _e14140);
 let _e14161 = select(select(select(select(select(select(1f, _e13898.member_2, _e13940), _e13898.member_2, _e13980), _e13907.member_2, _e14020), _e13907.member_2, _e14060), _e13916.member_2, _e14100), _e13916.member_2, _e14140);
 if _e8772 {
-phi_30972_ = type_36(_e14146, vec3<f32>(_e14147, _e14148, _e14149), _e14151, vec3<f32>(_e14152, _e14153, _e14154), _e14156, _e14158, vec3<f32>(_e14159, _e14160, _e14161));
+phi_30972_ = type_34(_e14146, vec3<f32>(_e14147, _e14148, _e14149), _e14151, vec3<f32>(_e14152, _e14153, _e14154), _e14156, _e14158, vec3<f32>(_e14159, _e14160, _e14161));
 } else {
 let _e14168 = (((_e13898.member * _e13898.member) + (_e13898.member_1 * _e13898.member_1)) + (_e13898.member_2 * _e13898.member_2));
 let _e14171 = sqrt(select(0f, _e14168, (_e14168 > 0f)));
@@ -4632,7 +4632,7 @@ let _e14467 = select(2f, select(0f, _e14459, (_e14439 < 0f)), (_e14440 > 0f));
 let _e14468 = (_e14439 > _e14403);
 let _e14472 = ((_e14463 > _e14395) || ((_e14463 == _e14395) && _e14468));
 let _e14473 = (_e14467 < _e14399);
-phi_30972_ = type_36(select(_e14395, _e14463, _e14472), vec3<f32>(select(select(select(select(_e14147, _e14209.member, _e14235), _e14288.member, _e14314), _e14367.member, _e14393), _e14446.member, _e14472), select(select(select(select(_e14148, _e14209.member_1, _e14235), _e14288.member_1, _e14314), _e14367.member_1, _e14393), _e14446.member_1, _e14472), select(select(select(select(_e14149, _e14209.member_2, _e14235), _e14288.member_2, _e14314), _e14367.member_2, _e14393), _e14446.member_2, _e14472)), select(_e14399, _e14467, _e14473), vec3<f32>(select(select(select(select(_e14152, _e14209.member, _e14236), _e14288.member, _e14315), _e14367.member, _e14394), _e14446.member, _e14473), select(select(select(select(_e14153, _e14209.member_1, _e14236), _e14288.member_1, _e14315), _e14367.member_1, _e14394), _e14446.member_1, _e14473), select(select(select(select(_e14154, _e14209.member_2, _e14236), _e14288.member_2, _e14315), _e14367.member_2, _e14394), _e14446.member_2, _e14473)), select(_e14403, _e14439, _e14468), select(_e14405, _e14440, (_e14440 > _e14405)), vec3<f32>(select(select(select(select(_e14159, _e14209.member, _e14231), _e14288.member, _e14310), _e14367.member, _e14389), _e14446.member, _e14468), select(select(select(select(_e14160, _e14209.member_1, _e14231), _e14288.member_1, _e14310), _e14367.member_1, _e14389), _e14446.member_1, _e14468), select(select(select(select(_e14161, _e14209.member_2, _e14231), _e14288.member_2, _e14310), _e14367.member_2, _e14389), _e14446.member_2, _e14468)));
+phi_30972_ = type_34(select(_e14395, _e14463, _e14472), vec3<f32>(select(select(select(select(_e14147, _e14209.member, _e14235), _e14288.member, _e14314), _e14367.member, _e14393), _e14446.member, _e14472), select(select(select(select(_e14148, _e14209.member_1, _e14235), _e14288.member_1, _e14314), _e14367.member_1, _e14393), _e14446.member_1, _e14472), select(select(select(select(_e14149, _e14209.member_2, _e14235), _e14288.member_2, _e14314), _e14367.member_2, _e14393), _e14446.member_2, _e14472)), select(_e14399, _e14467, _e14473), vec3<f32>(select(select(select(select(_e14152, _e14209.member, _e14236), _e14288.member, _e14315), _e14367.member, _e14394), _e14446.member, _e14473), select(select(select(select(_e14153, _e14209.member_1, _e14236), _e14288.member_1, _e14315), _e14367.member_1, _e14394), _e14446.member_1, _e14473), select(select(select(select(_e14154, _e14209.member_2, _e14236), _e14288.member_2, _e14315), _e14367.member_2, _e14394), _e14446.member_2, _e14473)), select(_e14403, _e14439, _e14468), select(_e14405, _e14440, (_e14440 > _e14405)), vec3<f32>(select(select(select(select(_e14159, _e14209.member, _e14231), _e14288.member, _e14310), _e14367.member, _e14389), _e14446.member, _e14468), select(select(select(select(_e14160, _e14209.member_1, _e14231), _e14288.member_1, _e14310), _e14367.member_1, _e14389), _e14446.member_1, _e14468), select(select(select(select(_e14161, _e14209.member_2, _e14231), _e14288.member_2, _e14310), _e14367.member_2, _e14389), _e14446.member_2, _e14468)));
 }
 let _e14493 = phi_30972_;
 let _e14500 = (_e8983.member_2 * select(0f, 1f, _e6488.member_6));
@@ -4703,41 +4703,41 @@ break;
 let _e14668 = local_40;
 if _e14668 {
 let _e14670 = local_41;
-global_1.member[_e259] = _e14670[0];
+global_4.member[_e259] = _e14670[0];
 let _e14675 = local_42;
-global_1.member[_e271] = _e14675[1];
+global_4.member[_e271] = _e14675[1];
 let _e14680 = local_43;
-global_1.member[_e282] = _e14680[2];
+global_4.member[_e282] = _e14680[2];
 let _e14685 = local_44;
-global_1.member[_e293] = _e14685[3];
+global_4.member[_e293] = _e14685[3];
 let _e14690 = local_45;
-global_1.member[_e304] = _e14690[4];
+global_4.member[_e304] = _e14690[4];
 let _e14695 = local_46;
-global_1.member[_e315] = _e14695[5];
+global_4.member[_e315] = _e14695[5];
 let _e14700 = local_47;
-global_1.member[_e326] = _e14700[6];
+global_4.member[_e326] = _e14700[6];
 let _e14705 = local_48;
-global_1.member[_e337] = _e14705[7];
+global_4.member[_e337] = _e14705[7];
 let _e14710 = local_49;
-global_1.member[_e348] = _e14710[8];
+global_4.member[_e348] = _e14710[8];
 let _e14715 = local_50;
-global_1.member[_e359] = _e14715[9];
+global_4.member[_e359] = _e14715[9];
 let _e14720 = local_51;
-global_1.member[_e370] = _e14720[10];
+global_4.member[_e370] = _e14720[10];
 let _e14725 = local_52;
-global_1.member[_e381] = _e14725[11];
+global_4.member[_e381] = _e14725[11];
 let _e14730 = local_53;
-global_1.member[_e392] = _e14730[12];
+global_4.member[_e392] = _e14730[12];
 let _e14735 = local_54;
-global_1.member[_e403] = _e14735[13];
+global_4.member[_e403] = _e14735[13];
 let _e14740 = local_55;
-global_1.member[_e414] = _e14740[14];
+global_4.member[_e414] = _e14740[14];
 let _e14745 = local_56;
-global_1.member[_e425] = _e14745[15];
+global_4.member[_e425] = _e14745[15];
 let _e14750 = local_57;
-global_1.member[_e436] = _e14750[16];
+global_4.member[_e436] = _e14750[16];
 let _e14755 = local_58;
-global_1.member[_e447] = _e14755[17];
+global_4.member[_e447] = _e14755[17];
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,72 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_29 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_30 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_33 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_34 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -199,11 +191,15 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_38 {
-member: array<type_27>,
+struct type_35 {
+member: vec3<f32>,
+member_1: vec3<f32>,
 }
-struct type_39 {
-member: type_29,
+struct type_37 {
+member: array<type_21>,
+}
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -213,6 +209,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -220,18 +220,18 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(6)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(5)
-var<storage> global_4: type_17;
+var<storage> global_3: type_23;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_25;
 @group(0) @binding(0)
-var<storage> global_5: type_38;
+var<storage> global_5: type_37;
 @group(0) @binding(3)
-var<storage> global_6: type_17;
+var<storage> global_6: type_23;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -239,7 +239,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_33;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -255,23 +255,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_33;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_33;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_33;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_33;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_33;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_687_: u32;
 var phi_690_: bool;
@@ -280,24 +280,24 @@ var phi_1447_: bool;
 var phi_1627_: bool;
 var phi_1630_: bool;
 var phi_3047_: f32;
-var phi_4653_: type_36;
+var phi_4653_: type_34;
 var phi_4666_: bool;
-var phi_4696_: type_30;
+var phi_4696_: type_39;
 var phi_4708_: bool;
-var phi_5904_: type_29;
-var phi_7427_: type_36;
-var phi_8655_: type_29;
-var phi_10193_: type_36;
-var phi_11421_: type_29;
-var phi_12959_: type_36;
-var phi_14707_: type_29;
-var phi_14720_: type_39;
+var phi_5904_: type_31;
+var phi_7427_: type_34;
+var phi_8655_: type_31;
+var phi_10193_: type_34;
+var phi_11421_: type_31;
+var phi_12959_: type_34;
+var phi_14707_: type_31;
+var phi_14720_: type_38;
 var phi_14721_: vec3<f32>;
 var phi_14722_: bool;
 var phi_14723_: f32;
-var phi_20240_: type_34;
-var phi_21003_: type_35;
-var phi_21416_: type_5;
+var phi_20240_: type_32;
+var phi_21003_: type_33;
+var phi_21416_: type_7;
 var phi_25581_: type_40;
 var phi_27110_: i32;
 var phi_27687_: vec3<f32>;
@@ -305,24 +305,24 @@ var phi_28094_: vec3<f32>;
 var phi_28188_: f32;
 var phi_28230_: f32;
 var phi_26596_: vec3<f32>;
-var phi_28262_: type_28;
+var phi_28262_: type_35;
 var phi_25695_: f32;
 var phi_25779_: f32;
-var phi_25851_: type_28;
-var phi_28263_: type_28;
+var phi_25851_: type_35;
+var phi_28263_: type_35;
 var phi_28346_: f32;
 var phi_28347_: f32;
 var phi_28604_: vec3<f32>;
 var phi_29534_: f32;
 var phi_29618_: f32;
-var phi_29690_: type_28;
+var phi_29690_: type_35;
 var phi_29033_: u32;
 var phi_29370_: f32;
 var phi_29426_: f32;
 var phi_29431_: vec3<f32>;
-var phi_29691_: type_28;
-var phi_29692_: type_28;
-var phi_31182_: type_36;
+var phi_29691_: type_35;
+var phi_29692_: type_35;
+var phi_31182_: type_34;
 var phi_31338_: vec3<f32>;
 var phi_31339_: bool;
 var phi_31499_: array<f32, 18>;
@@ -353,8 +353,8 @@ switch bitcast<i32>(0u) {
 default: {
 let _e220 = global;
 let _e222 = arrayLength((&global_5.member));
-let _e230 = arrayLength((&global_3.member));
-let _e233 = arrayLength((&global_4.member));
+let _e230 = arrayLength((&global_2.member));
+let _e233 = arrayLength((&global_3.member));
 if (0u < _e222) {
 } else {
 break;
@@ -368,77 +368,77 @@ if (_e254 < _e240.member_3) {
 let _e257 = (_e244.member * _e244.member_1);
 let _e259 = ((_e254 * _e244.member) + _e252);
 let _e260 = bitcast<i32>(_e259);
-let _e262 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e262 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e264 = select(_e262, _e260, (_e260 < _e262));
-let _e270 = global_1.member[bitcast<u32>(select(0i, _e264, (_e264 > 0i)))];
+let _e270 = global_4.member[bitcast<u32>(select(0i, _e264, (_e264 > 0i)))];
 let _e271 = (_e257 + _e259);
 let _e272 = bitcast<i32>(_e271);
 let _e274 = select(_e262, _e272, (_e272 < _e262));
-let _e280 = global_1.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
+let _e280 = global_4.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
 let _e282 = ((2u * _e257) + _e259);
 let _e283 = bitcast<i32>(_e282);
 let _e285 = select(_e262, _e283, (_e283 < _e262));
-let _e291 = global_1.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
+let _e291 = global_4.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
 let _e293 = ((3u * _e257) + _e259);
 let _e294 = bitcast<i32>(_e293);
 let _e296 = select(_e262, _e294, (_e294 < _e262));
-let _e302 = global_1.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
+let _e302 = global_4.member[bitcast<u32>(select(0i, _e296, (_e296 > 0i)))];
 let _e304 = ((4u * _e257) + _e259);
 let _e305 = bitcast<i32>(_e304);
 let _e307 = select(_e262, _e305, (_e305 < _e262));
-let _e313 = global_1.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
+let _e313 = global_4.member[bitcast<u32>(select(0i, _e307, (_e307 > 0i)))];
 let _e315 = ((5u * _e257) + _e259);
 let _e316 = bitcast<i32>(_e315);
 let _e318 = select(_e262, _e316, (_e316 < _e262));
-let _e324 = global_1.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
+let _e324 = global_4.member[bitcast<u32>(select(0i, _e318, (_e318 > 0i)))];
 let _e326 = ((6u * _e257) + _e259);
 let _e327 = bitcast<i32>(_e326);
 let _e329 = select(_e262, _e327, (_e327 < _e262));
-let _e335 = global_1.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
+let _e335 = global_4.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
 let _e337 = ((7u * _e257) + _e259);
 let _e338 = bitcast<i32>(_e337);
 let _e340 = select(_e262, _e338, (_e338 < _e262));
-let _e346 = global_1.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
+let _e346 = global_4.member[bitcast<u32>(select(0i, _e340, (_e340 > 0i)))];
 let _e348 = ((8u * _e257) + _e259);
 let _e349 = bitcast<i32>(_e348);
 let _e351 = select(_e262, _e349, (_e349 < _e262));
-let _e357 = global_1.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
+let _e357 = global_4.member[bitcast<u32>(select(0i, _e351, (_e351 > 0i)))];
 let _e359 = ((9u * _e257) + _e259);
 let _e360 = bitcast<i32>(_e359);
 let _e362 = select(_e262, _e360, (_e360 < _e262));
-let _e368 = global_1.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
+let _e368 = global_4.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
 let _e370 = ((10u * _e257) + _e259);
 let _e371 = bitcast<i32>(_e370);
 let _e373 = select(_e262, _e371, (_e371 < _e262));
-let _e379 = global_1.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
+let _e379 = global_4.member[bitcast<u32>(select(0i, _e373, (_e373 > 0i)))];
 let _e381 = ((11u * _e257) + _e259);
 let _e382 = bitcast<i32>(_e381);
 let _e384 = select(_e262, _e382, (_e382 < _e262));
-let _e390 = global_1.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
+let _e390 = global_4.member[bitcast<u32>(select(0i, _e384, (_e384 > 0i)))];
 let _e392 = ((12u * _e257) + _e259);
 let _e393 = bitcast<i32>(_e392);
 let _e395 = select(_e262, _e393, (_e393 < _e262));
-let _e401 = global_1.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
+let _e401 = global_4.member[bitcast<u32>(select(0i, _e395, (_e395 > 0i)))];
 let _e403 = ((13u * _e257) + _e259);
 let _e404 = bitcast<i32>(_e403);
 let _e406 = select(_e262, _e404, (_e404 < _e262));
-let _e412 = global_1.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
+let _e412 = global_4.member[bitcast<u32>(select(0i, _e406, (_e406 > 0i)))];
 let _e414 = ((14u * _e257) + _e259);
 let _e415 = bitcast<i32>(_e414);
 let _e417 = select(_e262, _e415, (_e415 < _e262));
-let _e423 = global_1.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
+let _e423 = global_4.member[bitcast<u32>(select(0i, _e417, (_e417 > 0i)))];
 let _e425 = ((15u * _e257) + _e259);
 let _e426 = bitcast<i32>(_e425);
 let _e428 = select(_e262, _e426, (_e426 < _e262));
-let _e434 = global_1.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
+let _e434 = global_4.member[bitcast<u32>(select(0i, _e428, (_e428 > 0i)))];
 let _e436 = ((16u * _e257) + _e259);
 let _e437 = bitcast<i32>(_e436);
 let _e439 = select(_e262, _e437, (_e437 < _e262));
-let _e445 = global_1.member[bitcast<u32>(select(0i, _e439, (_e439 > 0i)))];
+let _e445 = global_4.member[bitcast<u32>(select(0i, _e439, (_e439 > 0i)))];
 let _e447 = ((17u * _e257) + _e259);
 let _e448 = bitcast<i32>(_e447);
 let _e450 = select(_e262, _e448, (_e448 < _e262));
-let _e456 = global_1.member[bitcast<u32>(select(0i, _e450, (_e450 > 0i)))];
+let _e456 = global_4.member[bitcast<u32>(select(0i, _e450, (_e450 > 0i)))];
 phi_687_ = 0u;
 phi_690_ = false;
 phi_692_ = array<f32, 18>(_e270, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368, _e379, _e390, _e401, _e412, _e423, _e434, _e445, _e456);
@@ -659,18 +659,18 @@ let _e1349 = (select(0i, _e1261, (_e1261 > 0i)) * _e1281);
 let _e1350 = (select(_e1294, _e1297, (_e1297 < _e1294)) * _e1281);
 let _e1351 = (select(0i, _e1276, (_e1276 > 0i)) * _e1286);
 let _e1352 = (select(_e1307, _e1310, (_e1310 < _e1307)) * _e1286);
-local_38 = type_33(array<i32, 4>(_e1336, _e1336, _e1336, _e1336), array<u32, 6>(bitcast<u32>(((_e1323 - _e1336) * 8i)), bitcast<u32>(((select(0i, _e1246, (_e1246 > 0i)) - _e1336) * 8i)), bitcast<u32>(((select(_e1320, _e1326, (_e1326 < _e1320)) - _e1336) * 8i)), bitcast<u32>(((select(_e1320, _e1329, (_e1329 < _e1320)) - _e1336) * 8i)), 0u, 0u));
+local_38 = type_28(array<i32, 4>(_e1336, _e1336, _e1336, _e1336), array<u32, 6>(bitcast<u32>(((_e1323 - _e1336) * 8i)), bitcast<u32>(((select(0i, _e1246, (_e1246 > 0i)) - _e1336) * 8i)), bitcast<u32>(((select(_e1320, _e1326, (_e1326 < _e1320)) - _e1336) * 8i)), bitcast<u32>(((select(_e1320, _e1329, (_e1329 < _e1320)) - _e1336) * 8i)), 0u, 0u));
 local_39 = vec3<f32>((_e1223 - f32(_e1246)), (_e1227 - f32(_e1261)), (_e1231 - f32(_e1276)));
 let _e1367 = local_38.member[0u];
 let _e1368 = ((_e1351 + _e1349) + _e1367);
 let _e1370 = (_e1368 >> bitcast<u32>(2i));
 let _e1373 = bitcast<u32>(((_e1368 & 3i) * 8i));
-let _e1375 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e1375 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
 let _e1377 = select(_e1375, _e1370, (_e1370 < _e1375));
-let _e1382 = global_2.member[bitcast<u32>(select(0i, _e1377, (_e1377 > 0i)))];
+let _e1382 = global_1.member[bitcast<u32>(select(0i, _e1377, (_e1377 > 0i)))];
 let _e1386 = (_e1370 + 1i);
 let _e1388 = select(_e1375, _e1386, (_e1386 < _e1375));
-let _e1393 = global_2.member[bitcast<u32>(select(0i, _e1388, (_e1388 > 0i)))];
+let _e1393 = global_1.member[bitcast<u32>(select(0i, _e1388, (_e1388 > 0i)))];
 let _e1400 = ((_e1382 >> bitcast<u32>((_e1373 & 31u))) | ((_e1393 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1373) & 31u))));
 let _e1403 = local_38.member_1[1u];
 let _e1409 = f32(bitcast<i32>(((_e1400 >> bitcast<u32>((_e1403 & 31u))) & 255u)));
@@ -682,10 +682,10 @@ let _e1425 = ((_e1351 + _e1350) + _e1424);
 let _e1427 = (_e1425 >> bitcast<u32>(2i));
 let _e1430 = bitcast<u32>(((_e1425 & 3i) * 8i));
 let _e1432 = select(_e1375, _e1427, (_e1427 < _e1375));
-let _e1437 = global_2.member[bitcast<u32>(select(0i, _e1432, (_e1432 > 0i)))];
+let _e1437 = global_1.member[bitcast<u32>(select(0i, _e1432, (_e1432 > 0i)))];
 let _e1441 = (_e1427 + 1i);
 let _e1443 = select(_e1375, _e1441, (_e1441 < _e1375));
-let _e1448 = global_2.member[bitcast<u32>(select(0i, _e1443, (_e1443 > 0i)))];
+let _e1448 = global_1.member[bitcast<u32>(select(0i, _e1443, (_e1443 > 0i)))];
 let _e1455 = ((_e1437 >> bitcast<u32>((_e1430 & 31u))) | ((_e1448 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1430) & 31u))));
 let _e1456 = local_38.member_1[1u];
 let _e1462 = f32(bitcast<i32>(((_e1455 >> bitcast<u32>((_e1456 & 31u))) & 255u)));
@@ -698,10 +698,10 @@ let _e1481 = ((_e1352 + _e1349) + _e1480);
 let _e1483 = (_e1481 >> bitcast<u32>(2i));
 let _e1486 = bitcast<u32>(((_e1481 & 3i) * 8i));
 let _e1488 = select(_e1375, _e1483, (_e1483 < _e1375));
-let _e1493 = global_2.member[bitcast<u32>(select(0i, _e1488, (_e1488 > 0i)))];
+let _e1493 = global_1.member[bitcast<u32>(select(0i, _e1488, (_e1488 > 0i)))];
 let _e1497 = (_e1483 + 1i);
 let _e1499 = select(_e1375, _e1497, (_e1497 < _e1375));
-let _e1504 = global_2.member[bitcast<u32>(select(0i, _e1499, (_e1499 > 0i)))];
+let _e1504 = global_1.member[bitcast<u32>(select(0i, _e1499, (_e1499 > 0i)))];
 let _e1511 = ((_e1493 >> bitcast<u32>((_e1486 & 31u))) | ((_e1504 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1486) & 31u))));
 let _e1512 = local_38.member_1[1u];
 let _e1518 = f32(bitcast<i32>(((_e1511 >> bitcast<u32>((_e1512 & 31u))) & 255u)));
@@ -713,10 +713,10 @@ let _e1532 = ((_e1352 + _e1350) + _e1531);
 let _e1534 = (_e1532 >> bitcast<u32>(2i));
 let _e1537 = bitcast<u32>(((_e1532 & 3i) * 8i));
 let _e1539 = select(_e1375, _e1534, (_e1534 < _e1375));
-let _e1544 = global_2.member[bitcast<u32>(select(0i, _e1539, (_e1539 > 0i)))];
+let _e1544 = global_1.member[bitcast<u32>(select(0i, _e1539, (_e1539 > 0i)))];
 let _e1548 = (_e1534 + 1i);
 let _e1550 = select(_e1375, _e1548, (_e1548 < _e1375));
-let _e1555 = global_2.member[bitcast<u32>(select(0i, _e1550, (_e1550 > 0i)))];
+let _e1555 = global_1.member[bitcast<u32>(select(0i, _e1550, (_e1550 > 0i)))];
 let _e1562 = ((_e1544 >> bitcast<u32>((_e1537 & 31u))) | ((_e1555 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1537) & 31u))));
 let _e1563 = local_38.member_1[1u];
 let _e1569 = f32(bitcast<i32>(((_e1562 >> bitcast<u32>((_e1563 & 31u))) & 255u)));
@@ -738,41 +738,41 @@ local_37 = _e1608;
 let _e1609 = local_37;
 let _e1611 = (bitcast<i32>(_e230) - 1i);
 let _e1613 = select(_e1611, 263197i, (263197i < _e1611));
-let _e1618 = global_3.member[bitcast<u32>(select(0i, _e1613, (_e1613 > 0i)))];
+let _e1618 = global_2.member[bitcast<u32>(select(0i, _e1613, (_e1613 > 0i)))];
 let _e1621 = select(_e1611, 263198i, (263198i < _e1611));
-let _e1626 = global_3.member[bitcast<u32>(select(0i, _e1621, (_e1621 > 0i)))];
+let _e1626 = global_2.member[bitcast<u32>(select(0i, _e1621, (_e1621 > 0i)))];
 let _e1629 = select(_e1611, 263199i, (263199i < _e1611));
-let _e1634 = global_3.member[bitcast<u32>(select(0i, _e1629, (_e1629 > 0i)))];
+let _e1634 = global_2.member[bitcast<u32>(select(0i, _e1629, (_e1629 > 0i)))];
 let _e1635 = bitcast<f32>(_e1634);
 let _e1637 = ((_e1609 - bitcast<f32>(_e1618)) * bitcast<f32>(_e1626));
 let _e1639 = select(0f, _e1637, (_e1637 > 0f));
 let _e1642 = local_37;
 let _e1644 = select(_e1611, 263200i, (263200i < _e1611));
-let _e1649 = global_3.member[bitcast<u32>(select(0i, _e1644, (_e1644 > 0i)))];
+let _e1649 = global_2.member[bitcast<u32>(select(0i, _e1644, (_e1644 > 0i)))];
 let _e1652 = select(_e1611, 263201i, (263201i < _e1611));
-let _e1657 = global_3.member[bitcast<u32>(select(0i, _e1652, (_e1652 > 0i)))];
+let _e1657 = global_2.member[bitcast<u32>(select(0i, _e1652, (_e1652 > 0i)))];
 let _e1660 = select(_e1611, 263202i, (263202i < _e1611));
-let _e1665 = global_3.member[bitcast<u32>(select(0i, _e1660, (_e1660 > 0i)))];
+let _e1665 = global_2.member[bitcast<u32>(select(0i, _e1660, (_e1660 > 0i)))];
 let _e1666 = bitcast<f32>(_e1665);
 let _e1668 = ((_e1642 - bitcast<f32>(_e1649)) * bitcast<f32>(_e1657));
 let _e1670 = select(0f, _e1668, (_e1668 > 0f));
 let _e1674 = local_37;
 let _e1676 = select(_e1611, 263203i, (263203i < _e1611));
-let _e1681 = global_3.member[bitcast<u32>(select(0i, _e1676, (_e1676 > 0i)))];
+let _e1681 = global_2.member[bitcast<u32>(select(0i, _e1676, (_e1676 > 0i)))];
 let _e1684 = select(_e1611, 263204i, (263204i < _e1611));
-let _e1689 = global_3.member[bitcast<u32>(select(0i, _e1684, (_e1684 > 0i)))];
+let _e1689 = global_2.member[bitcast<u32>(select(0i, _e1684, (_e1684 > 0i)))];
 let _e1692 = select(_e1611, 263205i, (263205i < _e1611));
-let _e1697 = global_3.member[bitcast<u32>(select(0i, _e1692, (_e1692 > 0i)))];
+let _e1697 = global_2.member[bitcast<u32>(select(0i, _e1692, (_e1692 > 0i)))];
 let _e1698 = bitcast<f32>(_e1697);
 let _e1700 = ((_e1674 - bitcast<f32>(_e1681)) * bitcast<f32>(_e1689));
 let _e1702 = select(0f, _e1700, (_e1700 > 0f));
 let _e1705 = local_37;
 let _e1707 = select(_e1611, 263206i, (263206i < _e1611));
-let _e1712 = global_3.member[bitcast<u32>(select(0i, _e1707, (_e1707 > 0i)))];
+let _e1712 = global_2.member[bitcast<u32>(select(0i, _e1707, (_e1707 > 0i)))];
 let _e1715 = select(_e1611, 263207i, (263207i < _e1611));
-let _e1720 = global_3.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
+let _e1720 = global_2.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
 let _e1723 = select(_e1611, 263208i, (263208i < _e1611));
-let _e1728 = global_3.member[bitcast<u32>(select(0i, _e1723, (_e1723 > 0i)))];
+let _e1728 = global_2.member[bitcast<u32>(select(0i, _e1723, (_e1723 > 0i)))];
 let _e1729 = bitcast<f32>(_e1728);
 let _e1731 = ((_e1705 - bitcast<f32>(_e1712)) * bitcast<f32>(_e1720));
 let _e1733 = select(0f, _e1731, (_e1731 > 0f));
@@ -783,13 +783,13 @@ let _e1748 = select(0i, select(select(i32(_e1741), i32(-2147483648), (_e1741 < -
 let _e1752 = (_e1748 - select(0i, 1i, (_e1741 < f32(_e1748))));
 let _e1753 = (262147i + _e1752);
 let _e1755 = select(_e1611, _e1753, (_e1753 < _e1611));
-let _e1761 = global_3.member[bitcast<u32>(select(0i, _e1755, (_e1755 > 0i)))];
+let _e1761 = global_2.member[bitcast<u32>(select(0i, _e1755, (_e1755 > 0i)))];
 let _e1771 = select(_e1611, 262146i, (262146i < _e1611));
-let _e1777 = global_3.member[bitcast<u32>(select(0i, _e1771, (_e1771 > 0i)))];
+let _e1777 = global_2.member[bitcast<u32>(select(0i, _e1771, (_e1771 > 0i)))];
 let _e1781 = select(_e1611, 262144i, (262144i < _e1611));
-let _e1787 = global_3.member[bitcast<u32>(select(0i, _e1781, (_e1781 > 0i)))];
+let _e1787 = global_2.member[bitcast<u32>(select(0i, _e1781, (_e1781 > 0i)))];
 let _e1790 = select(_e1611, 262145i, (262145i < _e1611));
-let _e1796 = global_3.member[bitcast<u32>(select(0i, _e1790, (_e1790 > 0i)))];
+let _e1796 = global_2.member[bitcast<u32>(select(0i, _e1790, (_e1790 > 0i)))];
 phi_3047_ = select(_e463[16], ((bitcast<f32>(_e1787) + (f32(bitcast<i32>((_e1761 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1796))) + ((f32((bitcast<i32>((_e1761 & 4095u)) - 2048i)) * bitcast<f32>(_e1777)) * (_e1737 - f32(_e1752)))), _e1140);
 } else {
 phi_3047_ = _e463[16];
@@ -800,7 +800,7 @@ let _e1808 = (_e498 - _e494);
 let _e1809 = (_e503 - _e488);
 let _e1814 = (((_e1807 * _e1807) + (_e1808 * _e1808)) + (_e1809 * _e1809));
 let _e1817 = sqrt(select(0f, _e1814, (_e1814 > 0f)));
-let _e1818 = type_39(type_29(1f, 1f), vec3<f32>(_e496, _e498, _e503), _e1151, _e1817, _e483, _e1151, true, false, false);
+let _e1818 = type_38(type_31(1f, 1f), vec3<f32>(_e496, _e498, _e503), _e1151, _e1817, _e483, _e1151, true, false, false);
 let _e1819 = (_e666 < 1e-12f);
 let _e1821 = (1f / select(_e661, 1f, _e1819));
 let _e1822 = (-0.5f - _e572);
@@ -952,7 +952,7 @@ let _e2179 = select(select(select(select(select(select(0f, _e1920.member_1, _e19
 let _e2180 = select(select(select(select(select(select(1f, _e1920.member_2, _e1961), _e1920.member_2, _e2001), _e1929.member_2, _e2040), _e1929.member_2, _e2080), _e1938.member_2, _e2119), _e1938.member_2, _e2159);
 let _e2184 = ((_e799 & 16u) == 0u);
 if _e2184 {
-phi_4653_ = type_36(_e2165, vec3<f32>(_e2166, _e2167, _e2168), _e2170, vec3<f32>(_e2171, _e2172, _e2173), _e2175, _e2177, vec3<f32>(_e2178, _e2179, _e2180));
+phi_4653_ = type_34(_e2165, vec3<f32>(_e2166, _e2167, _e2168), _e2170, vec3<f32>(_e2171, _e2172, _e2173), _e2175, _e2177, vec3<f32>(_e2178, _e2179, _e2180));
 } else {
 let _e2189 = (((_e1920.member * _e1920.member) + (_e1920.member_1 * _e1920.member_1)) + (_e1920.member_2 * _e1920.member_2));
 let _e2192 = sqrt(select(0f, _e2189, (_e2189 > 0f)));
@@ -1032,7 +1032,7 @@ let _e2488 = select(2f, select(0f, _e2480, (_e2460 < 0f)), (_e2461 > 0f));
 let _e2489 = (_e2460 > _e2424);
 let _e2493 = ((_e2484 > _e2416) || ((_e2484 == _e2416) && _e2489));
 let _e2494 = (_e2488 < _e2420);
-phi_4653_ = type_36(select(_e2416, _e2484, _e2493), vec3<f32>(select(select(select(select(_e2166, _e2230.member, _e2256), _e2309.member, _e2335), _e2388.member, _e2414), _e2467.member, _e2493), select(select(select(select(_e2167, _e2230.member_1, _e2256), _e2309.member_1, _e2335), _e2388.member_1, _e2414), _e2467.member_1, _e2493), select(select(select(select(_e2168, _e2230.member_2, _e2256), _e2309.member_2, _e2335), _e2388.member_2, _e2414), _e2467.member_2, _e2493)), select(_e2420, _e2488, _e2494), vec3<f32>(select(select(select(select(_e2171, _e2230.member, _e2257), _e2309.member, _e2336), _e2388.member, _e2415), _e2467.member, _e2494), select(select(select(select(_e2172, _e2230.member_1, _e2257), _e2309.member_1, _e2336), _e2388.member_1, _e2415), _e2467.member_1, _e2494), select(select(select(select(_e2173, _e2230.member_2, _e2257), _e2309.member_2, _e2336), _e2388.member_2, _e2415), _e2467.member_2, _e2494)), select(_e2424, _e2460, _e2489), select(_e2426, _e2461, (_e2461 > _e2426)), vec3<f32>(select(select(select(select(_e2178, _e2230.member, _e2252), _e2309.member, _e2331), _e2388.member, _e2410), _e2467.member, _e2489), select(select(select(select(_e2179, _e2230.member_1, _e2252), _e2309.member_1, _e2331), _e2388.member_1, _e2410), _e2467.member_1, _e2489), select(select(select(select(_e2180, _e2230.member_2, _e2252), _e2309.member_2, _e2331), _e2388.member_2, _e2410), _e2467.member_2, _e2489)));
+phi_4653_ = type_34(select(_e2416, _e2484, _e2493), vec3<f32>(select(select(select(select(_e2166, _e2230.member, _e2256), _e2309.member, _e2335), _e2388.member, _e2414), _e2467.member, _e2493), select(select(select(select(_e2167, _e2230.member_1, _e2256), _e2309.member_1, _e2335), _e2388.member_1, _e2414), _e2467.member_1, _e2493), select(select(select(select(_e2168, _e2230.member_2, _e2256), _e2309.member_2, _e2335), _e2388.member_2, _e2414), _e2467.member_2, _e2493)), select(_e2420, _e2488, _e2494), vec3<f32>(select(select(select(select(_e2171, _e2230.member, _e2257), _e2309.member, _e2336), _e2388.member, _e2415), _e2467.member, _e2494), select(select(select(select(_e2172, _e2230.member_1, _e2257), _e2309.member_1, _e2336), _e2388.member_1, _e2415), _e2467.member_1, _e2494), select(select(select(select(_e2173, _e2230.member_2, _e2257), _e2309.member_2, _e2336), _e2388.member_2, _e2415), _e2467.member_2, _e2494)), select(_e2424, _e2460, _e2489), select(_e2426, _e2461, (_e2461 > _e2426)), vec3<f32>(select(select(select(select(_e2178, _e2230.member, _e2252), _e2309.member, _e2331), _e2388.member, _e2410), _e2467.member, _e2489), select(select(select(select(_e2179, _e2230.member_1, _e2252), _e2309.member_1, _e2331), _e2388.member_1, _e2410), _e2467.member_1, _e2489), select(select(select(select(_e2180, _e2230.member_2, _e2252), _e2309.member_2, _e2331), _e2388.member_2, _e2410), _e2467.member_2, _e2489)));
 }
 let _e2514 = phi_4653_;
 if ((_e2514.member_4 > -(0.015625f)) && (_e2514.member_4 < 0.015625f)) {
@@ -1047,9 +1047,9 @@ let _e2527 = (_e463[3] * _e2526);
 let _e2528 = (_e463[4] * _e2526);
 let _e2529 = (_e463[5] * _e2526);
 if _e2523 {
-phi_4696_ = type_30(_e2514.member_2, _e2514.member_3);
+phi_4696_ = type_39(_e2514.member_2, _e2514.member_3);
 } else {
-phi_4696_ = type_30(_e2514.member, _e2514.member_1);
+phi_4696_ = type_39(_e2514.member, _e2514.member_1);
 }
 let _e2538 = phi_4696_;
 if _e2523 {
@@ -1094,17 +1094,17 @@ let _e2667 = (select(0i, _e2616, (_e2616 > 0i)) * _e1281);
 let _e2668 = (select(_e1294, _e2634, (_e2634 < _e1294)) * _e1281);
 let _e2669 = (select(0i, _e2631, (_e2631 > 0i)) * _e1286);
 let _e2670 = (select(_e1307, _e2639, (_e2639 < _e1307)) * _e1286);
-local_34 = type_33(array<i32, 4>(_e2654, _e2654, _e2654, _e2654), array<u32, 6>(bitcast<u32>(((_e2644 - _e2654) * 8i)), bitcast<u32>(((select(0i, _e2601, (_e2601 > 0i)) - _e2654) * 8i)), bitcast<u32>(((select(_e1320, _e2647, (_e2647 < _e1320)) - _e2654) * 8i)), bitcast<u32>(((select(_e1320, _e2650, (_e2650 < _e1320)) - _e2654) * 8i)), 0u, 0u));
+local_34 = type_28(array<i32, 4>(_e2654, _e2654, _e2654, _e2654), array<u32, 6>(bitcast<u32>(((_e2644 - _e2654) * 8i)), bitcast<u32>(((select(0i, _e2601, (_e2601 > 0i)) - _e2654) * 8i)), bitcast<u32>(((select(_e1320, _e2647, (_e2647 < _e1320)) - _e2654) * 8i)), bitcast<u32>(((select(_e1320, _e2650, (_e2650 < _e1320)) - _e2654) * 8i)), 0u, 0u));
 local_35 = vec3<f32>((_e2578 - f32(_e2601)), (_e2582 - f32(_e2616)), (_e2586 - f32(_e2631)));
 let _e2685 = local_34.member[0u];
 let _e2686 = ((_e2669 + _e2667) + _e2685);
 let _e2688 = (_e2686 >> bitcast<u32>(2i));
 let _e2691 = bitcast<u32>(((_e2686 & 3i) * 8i));
 let _e2693 = select(_e1375, _e2688, (_e2688 < _e1375));
-let _e2698 = global_2.member[bitcast<u32>(select(0i, _e2693, (_e2693 > 0i)))];
+let _e2698 = global_1.member[bitcast<u32>(select(0i, _e2693, (_e2693 > 0i)))];
 let _e2702 = (_e2688 + 1i);
 let _e2704 = select(_e1375, _e2702, (_e2702 < _e1375));
-let _e2709 = global_2.member[bitcast<u32>(select(0i, _e2704, (_e2704 > 0i)))];
+let _e2709 = global_1.member[bitcast<u32>(select(0i, _e2704, (_e2704 > 0i)))];
 let _e2716 = ((_e2698 >> bitcast<u32>((_e2691 & 31u))) | ((_e2709 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2691) & 31u))));
 let _e2719 = local_34.member_1[1u];
 let _e2725 = f32(bitcast<i32>(((_e2716 >> bitcast<u32>((_e2719 & 31u))) & 255u)));
@@ -1116,10 +1116,10 @@ let _e2741 = ((_e2669 + _e2668) + _e2740);
 let _e2743 = (_e2741 >> bitcast<u32>(2i));
 let _e2746 = bitcast<u32>(((_e2741 & 3i) * 8i));
 let _e2748 = select(_e1375, _e2743, (_e2743 < _e1375));
-let _e2753 = global_2.member[bitcast<u32>(select(0i, _e2748, (_e2748 > 0i)))];
+let _e2753 = global_1.member[bitcast<u32>(select(0i, _e2748, (_e2748 > 0i)))];
 let _e2757 = (_e2743 + 1i);
 let _e2759 = select(_e1375, _e2757, (_e2757 < _e1375));
-let _e2764 = global_2.member[bitcast<u32>(select(0i, _e2759, (_e2759 > 0i)))];
+let _e2764 = global_1.member[bitcast<u32>(select(0i, _e2759, (_e2759 > 0i)))];
 let _e2771 = ((_e2753 >> bitcast<u32>((_e2746 & 31u))) | ((_e2764 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2746) & 31u))));
 let _e2772 = local_34.member_1[1u];
 let _e2778 = f32(bitcast<i32>(((_e2771 >> bitcast<u32>((_e2772 & 31u))) & 255u)));
@@ -1132,10 +1132,10 @@ let _e2797 = ((_e2670 + _e2667) + _e2796);
 let _e2799 = (_e2797 >> bitcast<u32>(2i));
 let _e2802 = bitcast<u32>(((_e2797 & 3i) * 8i));
 let _e2804 = select(_e1375, _e2799, (_e2799 < _e1375));
-let _e2809 = global_2.member[bitcast<u32>(select(0i, _e2804, (_e2804 > 0i)))];
+let _e2809 = global_1.member[bitcast<u32>(select(0i, _e2804, (_e2804 > 0i)))];
 let _e2813 = (_e2799 + 1i);
 let _e2815 = select(_e1375, _e2813, (_e2813 < _e1375));
-let _e2820 = global_2.member[bitcast<u32>(select(0i, _e2815, (_e2815 > 0i)))];
+let _e2820 = global_1.member[bitcast<u32>(select(0i, _e2815, (_e2815 > 0i)))];
 let _e2827 = ((_e2809 >> bitcast<u32>((_e2802 & 31u))) | ((_e2820 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2802) & 31u))));
 let _e2828 = local_34.member_1[1u];
 let _e2834 = f32(bitcast<i32>(((_e2827 >> bitcast<u32>((_e2828 & 31u))) & 255u)));
@@ -1147,10 +1147,10 @@ let _e2848 = ((_e2670 + _e2668) + _e2847);
 let _e2850 = (_e2848 >> bitcast<u32>(2i));
 let _e2853 = bitcast<u32>(((_e2848 & 3i) * 8i));
 let _e2855 = select(_e1375, _e2850, (_e2850 < _e1375));
-let _e2860 = global_2.member[bitcast<u32>(select(0i, _e2855, (_e2855 > 0i)))];
+let _e2860 = global_1.member[bitcast<u32>(select(0i, _e2855, (_e2855 > 0i)))];
 let _e2864 = (_e2850 + 1i);
 let _e2866 = select(_e1375, _e2864, (_e2864 < _e1375));
-let _e2871 = global_2.member[bitcast<u32>(select(0i, _e2866, (_e2866 > 0i)))];
+let _e2871 = global_1.member[bitcast<u32>(select(0i, _e2866, (_e2866 > 0i)))];
 let _e2878 = ((_e2860 >> bitcast<u32>((_e2853 & 31u))) | ((_e2871 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2853) & 31u))));
 let _e2879 = local_34.member_1[1u];
 let _e2885 = f32(bitcast<i32>(((_e2878 >> bitcast<u32>((_e2879 & 31u))) & 255u)));
@@ -1166,49 +1166,49 @@ local_33 = _e2912;
 let _e2913 = local_33;
 let _e2915 = (bitcast<i32>(_e230) - 1i);
 let _e2917 = select(_e2915, 263197i, (263197i < _e2915));
-let _e2922 = global_3.member[bitcast<u32>(select(0i, _e2917, (_e2917 > 0i)))];
+let _e2922 = global_2.member[bitcast<u32>(select(0i, _e2917, (_e2917 > 0i)))];
 let _e2923 = bitcast<f32>(_e2922);
 let _e2925 = select(_e2915, 263198i, (263198i < _e2915));
-let _e2930 = global_3.member[bitcast<u32>(select(0i, _e2925, (_e2925 > 0i)))];
+let _e2930 = global_2.member[bitcast<u32>(select(0i, _e2925, (_e2925 > 0i)))];
 let _e2931 = bitcast<f32>(_e2930);
 let _e2933 = select(_e2915, 263199i, (263199i < _e2915));
-let _e2938 = global_3.member[bitcast<u32>(select(0i, _e2933, (_e2933 > 0i)))];
+let _e2938 = global_2.member[bitcast<u32>(select(0i, _e2933, (_e2933 > 0i)))];
 let _e2939 = bitcast<f32>(_e2938);
 let _e2941 = ((_e2913 - _e2923) * _e2931);
 let _e2943 = select(0f, _e2941, (_e2941 > 0f));
 let _e2946 = local_33;
 let _e2948 = select(_e2915, 263200i, (263200i < _e2915));
-let _e2953 = global_3.member[bitcast<u32>(select(0i, _e2948, (_e2948 > 0i)))];
+let _e2953 = global_2.member[bitcast<u32>(select(0i, _e2948, (_e2948 > 0i)))];
 let _e2954 = bitcast<f32>(_e2953);
 let _e2956 = select(_e2915, 263201i, (263201i < _e2915));
-let _e2961 = global_3.member[bitcast<u32>(select(0i, _e2956, (_e2956 > 0i)))];
+let _e2961 = global_2.member[bitcast<u32>(select(0i, _e2956, (_e2956 > 0i)))];
 let _e2962 = bitcast<f32>(_e2961);
 let _e2964 = select(_e2915, 263202i, (263202i < _e2915));
-let _e2969 = global_3.member[bitcast<u32>(select(0i, _e2964, (_e2964 > 0i)))];
+let _e2969 = global_2.member[bitcast<u32>(select(0i, _e2964, (_e2964 > 0i)))];
 let _e2970 = bitcast<f32>(_e2969);
 let _e2972 = ((_e2946 - _e2954) * _e2962);
 let _e2974 = select(0f, _e2972, (_e2972 > 0f));
 let _e2978 = local_33;
 let _e2980 = select(_e2915, 263203i, (263203i < _e2915));
-let _e2985 = global_3.member[bitcast<u32>(select(0i, _e2980, (_e2980 > 0i)))];
+let _e2985 = global_2.member[bitcast<u32>(select(0i, _e2980, (_e2980 > 0i)))];
 let _e2986 = bitcast<f32>(_e2985);
 let _e2988 = select(_e2915, 263204i, (263204i < _e2915));
-let _e2993 = global_3.member[bitcast<u32>(select(0i, _e2988, (_e2988 > 0i)))];
+let _e2993 = global_2.member[bitcast<u32>(select(0i, _e2988, (_e2988 > 0i)))];
 let _e2994 = bitcast<f32>(_e2993);
 let _e2996 = select(_e2915, 263205i, (263205i < _e2915));
-let _e3001 = global_3.member[bitcast<u32>(select(0i, _e2996, (_e2996 > 0i)))];
+let _e3001 = global_2.member[bitcast<u32>(select(0i, _e2996, (_e2996 > 0i)))];
 let _e3002 = bitcast<f32>(_e3001);
 let _e3004 = ((_e2978 - _e2986) * _e2994);
 let _e3006 = select(0f, _e3004, (_e3004 > 0f));
 let _e3009 = local_33;
 let _e3011 = select(_e2915, 263206i, (263206i < _e2915));
-let _e3016 = global_3.member[bitcast<u32>(select(0i, _e3011, (_e3011 > 0i)))];
+let _e3016 = global_2.member[bitcast<u32>(select(0i, _e3011, (_e3011 > 0i)))];
 let _e3017 = bitcast<f32>(_e3016);
 let _e3019 = select(_e2915, 263207i, (263207i < _e2915));
-let _e3024 = global_3.member[bitcast<u32>(select(0i, _e3019, (_e3019 > 0i)))];
+let _e3024 = global_2.member[bitcast<u32>(select(0i, _e3019, (_e3019 > 0i)))];
 let _e3025 = bitcast<f32>(_e3024);
 let _e3027 = select(_e2915, 263208i, (263208i < _e2915));
-let _e3032 = global_3.member[bitcast<u32>(select(0i, _e3027, (_e3027 > 0i)))];
+let _e3032 = global_2.member[bitcast<u32>(select(0i, _e3027, (_e3027 > 0i)))];
 let _e3033 = bitcast<f32>(_e3032);
 let _e3035 = ((_e3009 - _e3017) * _e3025);
 let _e3037 = select(0f, _e3035, (_e3035 > 0f));
@@ -1219,21 +1219,21 @@ let _e3052 = select(0i, select(select(i32(_e3045), i32(-2147483648), (_e3045 < -
 let _e3056 = (_e3052 - select(0i, 1i, (_e3045 < f32(_e3052))));
 let _e3057 = (262147i + _e3056);
 let _e3059 = select(_e2915, _e3057, (_e3057 < _e2915));
-let _e3064 = global_3.member[bitcast<u32>(select(0i, _e3059, (_e3059 > 0i)))];
+let _e3064 = global_2.member[bitcast<u32>(select(0i, _e3059, (_e3059 > 0i)))];
 let _e3074 = select(_e2915, 262146i, (262146i < _e2915));
-let _e3079 = global_3.member[bitcast<u32>(select(0i, _e3074, (_e3074 > 0i)))];
+let _e3079 = global_2.member[bitcast<u32>(select(0i, _e3074, (_e3074 > 0i)))];
 let _e3080 = bitcast<f32>(_e3079);
 let _e3083 = select(_e2915, 262144i, (262144i < _e2915));
-let _e3088 = global_3.member[bitcast<u32>(select(0i, _e3083, (_e3083 > 0i)))];
+let _e3088 = global_2.member[bitcast<u32>(select(0i, _e3083, (_e3083 > 0i)))];
 let _e3089 = bitcast<f32>(_e3088);
 let _e3091 = select(_e2915, 262145i, (262145i < _e2915));
-let _e3096 = global_3.member[bitcast<u32>(select(0i, _e3091, (_e3091 > 0i)))];
+let _e3096 = global_2.member[bitcast<u32>(select(0i, _e3091, (_e3091 > 0i)))];
 let _e3097 = bitcast<f32>(_e3096);
 let _e3103 = ((_e3089 + (f32(bitcast<i32>((_e3064 >> bitcast<u32>(12u)))) * _e3097)) + ((f32((bitcast<i32>((_e3064 & 4095u)) - 2048i)) * _e3080) * (_e3041 - f32(_e3056))));
 if _e2523 {
-phi_5904_ = type_29(_e3103, 1f);
+phi_5904_ = type_31(_e3103, 1f);
 } else {
-phi_5904_ = type_29(1f, _e3103);
+phi_5904_ = type_31(1f, _e3103);
 }
 let _e3107 = phi_5904_;
 let _e3112 = ((_e3107.member_1 * _e3107.member_1) - (_e3107.member * _e3107.member));
@@ -1371,7 +1371,7 @@ let _e3452 = select(select(select(select(select(select(0f, _e1920.member, _e3233
 let _e3453 = select(select(select(select(select(select(0f, _e1920.member_1, _e3233), _e1920.member_1, _e3273), _e1929.member_1, _e3313), _e1929.member_1, _e3353), _e1938.member_1, _e3393), _e1938.member_1, _e3433);
 let _e3454 = select(select(select(select(select(select(1f, _e1920.member_2, _e3233), _e1920.member_2, _e3273), _e1929.member_2, _e3313), _e1929.member_2, _e3353), _e1938.member_2, _e3393), _e1938.member_2, _e3433);
 if _e2184 {
-phi_7427_ = type_36(_e3439, vec3<f32>(_e3440, _e3441, _e3442), _e3444, vec3<f32>(_e3445, _e3446, _e3447), _e3449, _e3451, vec3<f32>(_e3452, _e3453, _e3454));
+phi_7427_ = type_34(_e3439, vec3<f32>(_e3440, _e3441, _e3442), _e3444, vec3<f32>(_e3445, _e3446, _e3447), _e3449, _e3451, vec3<f32>(_e3452, _e3453, _e3454));
 } else {
 let _e3461 = (((_e1920.member * _e1920.member) + (_e1920.member_1 * _e1920.member_1)) + (_e1920.member_2 * _e1920.member_2));
 let _e3464 = sqrt(select(0f, _e3461, (_e3461 > 0f)));
@@ -1451,7 +1451,7 @@ let _e3760 = select(2f, select(0f, _e3752, (_e3732 < 0f)), (_e3733 > 0f));
 let _e3761 = (_e3732 > _e3696);
 let _e3765 = ((_e3756 > _e3688) || ((_e3756 == _e3688) && _e3761));
 let _e3766 = (_e3760 < _e3692);
-phi_7427_ = type_36(select(_e3688, _e3756, _e3765), vec3<f32>(select(select(select(select(_e3440, _e3502.member, _e3528), _e3581.member, _e3607), _e3660.member, _e3686), _e3739.member, _e3765), select(select(select(select(_e3441, _e3502.member_1, _e3528), _e3581.member_1, _e3607), _e3660.member_1, _e3686), _e3739.member_1, _e3765), select(select(select(select(_e3442, _e3502.member_2, _e3528), _e3581.member_2, _e3607), _e3660.member_2, _e3686), _e3739.member_2, _e3765)), select(_e3692, _e3760, _e3766), vec3<f32>(select(select(select(select(_e3445, _e3502.member, _e3529), _e3581.member, _e3608), _e3660.member, _e3687), _e3739.member, _e3766), select(select(select(select(_e3446, _e3502.member_1, _e3529), _e3581.member_1, _e3608), _e3660.member_1, _e3687), _e3739.member_1, _e3766), select(select(select(select(_e3447, _e3502.member_2, _e3529), _e3581.member_2, _e3608), _e3660.member_2, _e3687), _e3739.member_2, _e3766)), select(_e3696, _e3732, _e3761), select(_e3698, _e3733, (_e3733 > _e3698)), vec3<f32>(select(select(select(select(_e3452, _e3502.member, _e3524), _e3581.member, _e3603), _e3660.member, _e3682), _e3739.member, _e3761), select(select(select(select(_e3453, _e3502.member_1, _e3524), _e3581.member_1, _e3603), _e3660.member_1, _e3682), _e3739.member_1, _e3761), select(select(select(select(_e3454, _e3502.member_2, _e3524), _e3581.member_2, _e3603), _e3660.member_2, _e3682), _e3739.member_2, _e3761)));
+phi_7427_ = type_34(select(_e3688, _e3756, _e3765), vec3<f32>(select(select(select(select(_e3440, _e3502.member, _e3528), _e3581.member, _e3607), _e3660.member, _e3686), _e3739.member, _e3765), select(select(select(select(_e3441, _e3502.member_1, _e3528), _e3581.member_1, _e3607), _e3660.member_1, _e3686), _e3739.member_1, _e3765), select(select(select(select(_e3442, _e3502.member_2, _e3528), _e3581.member_2, _e3607), _e3660.member_2, _e3686), _e3739.member_2, _e3765)), select(_e3692, _e3760, _e3766), vec3<f32>(select(select(select(select(_e3445, _e3502.member, _e3529), _e3581.member, _e3608), _e3660.member, _e3687), _e3739.member, _e3766), select(select(select(select(_e3446, _e3502.member_1, _e3529), _e3581.member_1, _e3608), _e3660.member_1, _e3687), _e3739.member_1, _e3766), select(select(select(select(_e3447, _e3502.member_2, _e3529), _e3581.member_2, _e3608), _e3660.member_2, _e3687), _e3739.member_2, _e3766)), select(_e3696, _e3732, _e3761), select(_e3698, _e3733, (_e3733 > _e3698)), vec3<f32>(select(select(select(select(_e3452, _e3502.member, _e3524), _e3581.member, _e3603), _e3660.member, _e3682), _e3739.member, _e3761), select(select(select(select(_e3453, _e3502.member_1, _e3524), _e3581.member_1, _e3603), _e3660.member_1, _e3682), _e3739.member_1, _e3761), select(select(select(select(_e3454, _e3502.member_2, _e3524), _e3581.member_2, _e3603), _e3660.member_2, _e3682), _e3739.member_2, _e3761)));
 }
 let _e3786 = phi_7427_;
 let _e3792 = (((_e2546 && _e3194) && !(_e3179)) && (_e3786.member_2 <= 1f));
@@ -1496,17 +1496,17 @@ let _e3916 = (select(0i, _e3865, (_e3865 > 0i)) * _e1281);
 let _e3917 = (select(_e1294, _e3883, (_e3883 < _e1294)) * _e1281);
 let _e3918 = (select(0i, _e3880, (_e3880 > 0i)) * _e1286);
 let _e3919 = (select(_e1307, _e3888, (_e3888 < _e1307)) * _e1286);
-local_30 = type_33(array<i32, 4>(_e3903, _e3903, _e3903, _e3903), array<u32, 6>(bitcast<u32>(((_e3893 - _e3903) * 8i)), bitcast<u32>(((select(0i, _e3850, (_e3850 > 0i)) - _e3903) * 8i)), bitcast<u32>(((select(_e1320, _e3896, (_e3896 < _e1320)) - _e3903) * 8i)), bitcast<u32>(((select(_e1320, _e3899, (_e3899 < _e1320)) - _e3903) * 8i)), 0u, 0u));
+local_30 = type_28(array<i32, 4>(_e3903, _e3903, _e3903, _e3903), array<u32, 6>(bitcast<u32>(((_e3893 - _e3903) * 8i)), bitcast<u32>(((select(0i, _e3850, (_e3850 > 0i)) - _e3903) * 8i)), bitcast<u32>(((select(_e1320, _e3896, (_e3896 < _e1320)) - _e3903) * 8i)), bitcast<u32>(((select(_e1320, _e3899, (_e3899 < _e1320)) - _e3903) * 8i)), 0u, 0u));
 local_31 = vec3<f32>((_e3827 - f32(_e3850)), (_e3831 - f32(_e3865)), (_e3835 - f32(_e3880)));
 let _e3934 = local_30.member[0u];
 let _e3935 = ((_e3918 + _e3916) + _e3934);
 let _e3937 = (_e3935 >> bitcast<u32>(2i));
 let _e3940 = bitcast<u32>(((_e3935 & 3i) * 8i));
 let _e3942 = select(_e1375, _e3937, (_e3937 < _e1375));
-let _e3947 = global_2.member[bitcast<u32>(select(0i, _e3942, (_e3942 > 0i)))];
+let _e3947 = global_1.member[bitcast<u32>(select(0i, _e3942, (_e3942 > 0i)))];
 let _e3951 = (_e3937 + 1i);
 let _e3953 = select(_e1375, _e3951, (_e3951 < _e1375));
-let _e3958 = global_2.member[bitcast<u32>(select(0i, _e3953, (_e3953 > 0i)))];
+let _e3958 = global_1.member[bitcast<u32>(select(0i, _e3953, (_e3953 > 0i)))];
 let _e3965 = ((_e3947 >> bitcast<u32>((_e3940 & 31u))) | ((_e3958 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3940) & 31u))));
 let _e3968 = local_30.member_1[1u];
 let _e3974 = f32(bitcast<i32>(((_e3965 >> bitcast<u32>((_e3968 & 31u))) & 255u)));
@@ -1518,10 +1518,10 @@ let _e3990 = ((_e3918 + _e3917) + _e3989);
 let _e3992 = (_e3990 >> bitcast<u32>(2i));
 let _e3995 = bitcast<u32>(((_e3990 & 3i) * 8i));
 let _e3997 = select(_e1375, _e3992, (_e3992 < _e1375));
-let _e4002 = global_2.member[bitcast<u32>(select(0i, _e3997, (_e3997 > 0i)))];
+let _e4002 = global_1.member[bitcast<u32>(select(0i, _e3997, (_e3997 > 0i)))];
 let _e4006 = (_e3992 + 1i);
 let _e4008 = select(_e1375, _e4006, (_e4006 < _e1375));
-let _e4013 = global_2.member[bitcast<u32>(select(0i, _e4008, (_e4008 > 0i)))];
+let _e4013 = global_1.member[bitcast<u32>(select(0i, _e4008, (_e4008 > 0i)))];
 let _e4020 = ((_e4002 >> bitcast<u32>((_e3995 & 31u))) | ((_e4013 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3995) & 31u))));
 let _e4021 = local_30.member_1[1u];
 let _e4027 = f32(bitcast<i32>(((_e4020 >> bitcast<u32>((_e4021 & 31u))) & 255u)));
@@ -1534,10 +1534,10 @@ let _e4046 = ((_e3919 + _e3916) + _e4045);
 let _e4048 = (_e4046 >> bitcast<u32>(2i));
 let _e4051 = bitcast<u32>(((_e4046 & 3i) * 8i));
 let _e4053 = select(_e1375, _e4048, (_e4048 < _e1375));
-let _e4058 = global_2.member[bitcast<u32>(select(0i, _e4053, (_e4053 > 0i)))];
+let _e4058 = global_1.member[bitcast<u32>(select(0i, _e4053, (_e4053 > 0i)))];
 let _e4062 = (_e4048 + 1i);
 let _e4064 = select(_e1375, _e4062, (_e4062 < _e1375));
-let _e4069 = global_2.member[bitcast<u32>(select(0i, _e4064, (_e4064 > 0i)))];
+let _e4069 = global_1.member[bitcast<u32>(select(0i, _e4064, (_e4064 > 0i)))];
 let _e4076 = ((_e4058 >> bitcast<u32>((_e4051 & 31u))) | ((_e4069 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4051) & 31u))));
 let _e4077 = local_30.member_1[1u];
 let _e4083 = f32(bitcast<i32>(((_e4076 >> bitcast<u32>((_e4077 & 31u))) & 255u)));
@@ -1549,10 +1549,10 @@ let _e4097 = ((_e3919 + _e3917) + _e4096);
 let _e4099 = (_e4097 >> bitcast<u32>(2i));
 let _e4102 = bitcast<u32>(((_e4097 & 3i) * 8i));
 let _e4104 = select(_e1375, _e4099, (_e4099 < _e1375));
-let _e4109 = global_2.member[bitcast<u32>(select(0i, _e4104, (_e4104 > 0i)))];
+let _e4109 = global_1.member[bitcast<u32>(select(0i, _e4104, (_e4104 > 0i)))];
 let _e4113 = (_e4099 + 1i);
 let _e4115 = select(_e1375, _e4113, (_e4113 < _e1375));
-let _e4120 = global_2.member[bitcast<u32>(select(0i, _e4115, (_e4115 > 0i)))];
+let _e4120 = global_1.member[bitcast<u32>(select(0i, _e4115, (_e4115 > 0i)))];
 let _e4127 = ((_e4109 >> bitcast<u32>((_e4102 & 31u))) | ((_e4120 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4102) & 31u))));
 let _e4128 = local_30.member_1[1u];
 let _e4134 = f32(bitcast<i32>(((_e4127 >> bitcast<u32>((_e4128 & 31u))) & 255u)));
@@ -1584,12 +1584,12 @@ let _e4203 = select(0i, select(select(i32(_e4196), i32(-2147483648), (_e4196 < -
 let _e4207 = (_e4203 - select(0i, 1i, (_e4196 < f32(_e4203))));
 let _e4208 = (262147i + _e4207);
 let _e4210 = select(_e2915, _e4208, (_e4208 < _e2915));
-let _e4215 = global_3.member[bitcast<u32>(select(0i, _e4210, (_e4210 > 0i)))];
+let _e4215 = global_2.member[bitcast<u32>(select(0i, _e4210, (_e4210 > 0i)))];
 let _e4230 = ((_e3089 + (f32(bitcast<i32>((_e4215 >> bitcast<u32>(12u)))) * _e3097)) + ((f32((bitcast<i32>((_e4215 & 4095u)) - 2048i)) * _e3080) * (_e4192 - f32(_e4207))));
 if _e3194 {
-phi_8655_ = type_29(_e4230, 1f);
+phi_8655_ = type_31(_e4230, 1f);
 } else {
-phi_8655_ = type_29(1f, _e4230);
+phi_8655_ = type_31(1f, _e4230);
 }
 let _e4234 = phi_8655_;
 let _e4239 = ((_e4234.member_1 * _e4234.member_1) - (_e4234.member * _e4234.member));
@@ -1728,7 +1728,7 @@ let _e4595 = select(select(select(select(select(select(0f, _e1920.member, _e4376
 let _e4596 = select(select(select(select(select(select(0f, _e1920.member_1, _e4376), _e1920.member_1, _e4416), _e1929.member_1, _e4456), _e1929.member_1, _e4496), _e1938.member_1, _e4536), _e1938.member_1, _e4576);
 let _e4597 = select(select(select(select(select(select(1f, _e1920.member_2, _e4376), _e1920.member_2, _e4416), _e1929.member_2, _e4456), _e1929.member_2, _e4496), _e1938.member_2, _e4536), _e1938.member_2, _e4576);
 if _e2184 {
-phi_10193_ = type_36(_e4582, vec3<f32>(_e4583, _e4584, _e4585), _e4587, vec3<f32>(_e4588, _e4589, _e4590), _e4592, _e4594, vec3<f32>(_e4595, _e4596, _e4597));
+phi_10193_ = type_34(_e4582, vec3<f32>(_e4583, _e4584, _e4585), _e4587, vec3<f32>(_e4588, _e4589, _e4590), _e4592, _e4594, vec3<f32>(_e4595, _e4596, _e4597));
 } else {
 let _e4604 = (((_e1920.member * _e1920.member) + (_e1920.member_1 * _e1920.member_1)) + (_e1920.member_2 * _e1920.member_2));
 let _e4607 = sqrt(select(0f, _e4604, (_e4604 > 0f)));
@@ -1808,7 +1808,7 @@ let _e4903 = select(2f, select(0f, _e4895, (_e4875 < 0f)), (_e4876 > 0f));
 let _e4904 = (_e4875 > _e4839);
 let _e4908 = ((_e4899 > _e4831) || ((_e4899 == _e4831) && _e4904));
 let _e4909 = (_e4903 < _e4835);
-phi_10193_ = type_36(select(_e4831, _e4899, _e4908), vec3<f32>(select(select(select(select(_e4583, _e4645.member, _e4671), _e4724.member, _e4750), _e4803.member, _e4829), _e4882.member, _e4908), select(select(select(select(_e4584, _e4645.member_1, _e4671), _e4724.member_1, _e4750), _e4803.member_1, _e4829), _e4882.member_1, _e4908), select(select(select(select(_e4585, _e4645.member_2, _e4671), _e4724.member_2, _e4750), _e4803.member_2, _e4829), _e4882.member_2, _e4908)), select(_e4835, _e4903, _e4909), vec3<f32>(select(select(select(select(_e4588, _e4645.member, _e4672), _e4724.member, _e4751), _e4803.member, _e4830), _e4882.member, _e4909), select(select(select(select(_e4589, _e4645.member_1, _e4672), _e4724.member_1, _e4751), _e4803.member_1, _e4830), _e4882.member_1, _e4909), select(select(select(select(_e4590, _e4645.member_2, _e4672), _e4724.member_2, _e4751), _e4803.member_2, _e4830), _e4882.member_2, _e4909)), select(_e4839, _e4875, _e4904), select(_e4841, _e4876, (_e4876 > _e4841)), vec3<f32>(select(select(select(select(_e4595, _e4645.member, _e4667), _e4724.member, _e4746), _e4803.member, _e4825), _e4882.member, _e4904), select(select(select(select(_e4596, _e4645.member_1, _e4667), _e4724.member_1, _e4746), _e4803.member_1, _e4825), _e4882.member_1, _e4904), select(select(select(select(_e4597, _e4645.member_2, _e4667), _e4724.member_2, _e4746), _e4803.member_2, _e4825), _e4882.member_2, _e4904)));
+phi_10193_ = type_34(select(_e4831, _e4899, _e4908), vec3<f32>(select(select(select(select(_e4583, _e4645.member, _e4671), _e4724.member, _e4750), _e4803.member, _e4829), _e4882.member, _e4908), select(select(select(select(_e4584, _e4645.member_1, _e4671), _e4724.member_1, _e4750), _e4803.member_1, _e4829), _e4882.member_1, _e4908), select(select(select(select(_e4585, _e4645.member_2, _e4671), _e4724.member_2, _e4750), _e4803.member_2, _e4829), _e4882.member_2, _e4908)), select(_e4835, _e4903, _e4909), vec3<f32>(select(select(select(select(_e4588, _e4645.member, _e4672), _e4724.member, _e4751), _e4803.member, _e4830), _e4882.member, _e4909), select(select(select(select(_e4589, _e4645.member_1, _e4672), _e4724.member_1, _e4751), _e4803.member_1, _e4830), _e4882.member_1, _e4909), select(select(select(select(_e4590, _e4645.member_2, _e4672), _e4724.member_2, _e4751), _e4803.member_2, _e4830), _e4882.member_2, _e4909)), select(_e4839, _e4875, _e4904), select(_e4841, _e4876, (_e4876 > _e4841)), vec3<f32>(select(select(select(select(_e4595, _e4645.member, _e4667), _e4724.member, _e4746), _e4803.member, _e4825), _e4882.member, _e4904), select(select(select(select(_e4596, _e4645.member_1, _e4667), _e4724.member_1, _e4746), _e4803.member_1, _e4825), _e4882.member_1, _e4904), select(select(select(select(_e4597, _e4645.member_2, _e4667), _e4724.member_2, _e4746), _e4803.member_2, _e4825), _e4882.member_2, _e4904)));
 }
 let _e4929 = phi_10193_;
 let _e4935 = (((_e3792 && _e4316) && !(_e4300)) && (_e4929.member_2 <= 1f));
@@ -1852,17 +1852,17 @@ let _e5059 = (select(0i, _e5008, (_e5008 > 0i)) * _e1281);
 let _e5060 = (select(_e1294, _e5026, (_e5026 < _e1294)) * _e1281);
 let _e5061 = (select(0i, _e5023, (_e5023 > 0i)) * _e1286);
 let _e5062 = (select(_e1307, _e5031, (_e5031 < _e1307)) * _e1286);
-local_26 = type_33(array<i32, 4>(_e5046, _e5046, _e5046, _e5046), array<u32, 6>(bitcast<u32>(((_e5036 - _e5046) * 8i)), bitcast<u32>(((select(0i, _e4993, (_e4993 > 0i)) - _e5046) * 8i)), bitcast<u32>(((select(_e1320, _e5039, (_e5039 < _e1320)) - _e5046) * 8i)), bitcast<u32>(((select(_e1320, _e5042, (_e5042 < _e1320)) - _e5046) * 8i)), 0u, 0u));
+local_26 = type_28(array<i32, 4>(_e5046, _e5046, _e5046, _e5046), array<u32, 6>(bitcast<u32>(((_e5036 - _e5046) * 8i)), bitcast<u32>(((select(0i, _e4993, (_e4993 > 0i)) - _e5046) * 8i)), bitcast<u32>(((select(_e1320, _e5039, (_e5039 < _e1320)) - _e5046) * 8i)), bitcast<u32>(((select(_e1320, _e5042, (_e5042 < _e1320)) - _e5046) * 8i)), 0u, 0u));
 local_27 = vec3<f32>((_e4970 - f32(_e4993)), (_e4974 - f32(_e5008)), (_e4978 - f32(_e5023)));
 let _e5077 = local_26.member[0u];
 let _e5078 = ((_e5061 + _e5059) + _e5077);
 let _e5080 = (_e5078 >> bitcast<u32>(2i));
 let _e5083 = bitcast<u32>(((_e5078 & 3i) * 8i));
 let _e5085 = select(_e1375, _e5080, (_e5080 < _e1375));
-let _e5090 = global_2.member[bitcast<u32>(select(0i, _e5085, (_e5085 > 0i)))];
+let _e5090 = global_1.member[bitcast<u32>(select(0i, _e5085, (_e5085 > 0i)))];
 let _e5094 = (_e5080 + 1i);
 let _e5096 = select(_e1375, _e5094, (_e5094 < _e1375));
-let _e5101 = global_2.member[bitcast<u32>(select(0i, _e5096, (_e5096 > 0i)))];
+let _e5101 = global_1.member[bitcast<u32>(select(0i, _e5096, (_e5096 > 0i)))];
 let _e5108 = ((_e5090 >> bitcast<u32>((_e5083 & 31u))) | ((_e5101 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5083) & 31u))));
 let _e5111 = local_26.member_1[1u];
 let _e5117 = f32(bitcast<i32>(((_e5108 >> bitcast<u32>((_e5111 & 31u))) & 255u)));
@@ -1874,10 +1874,10 @@ let _e5133 = ((_e5061 + _e5060) + _e5132);
 let _e5135 = (_e5133 >> bitcast<u32>(2i));
 let _e5138 = bitcast<u32>(((_e5133 & 3i) * 8i));
 let _e5140 = select(_e1375, _e5135, (_e5135 < _e1375));
-let _e5145 = global_2.member[bitcast<u32>(select(0i, _e5140, (_e5140 > 0i)))];
+let _e5145 = global_1.member[bitcast<u32>(select(0i, _e5140, (_e5140 > 0i)))];
 let _e5149 = (_e5135 + 1i);
 let _e5151 = select(_e1375, _e5149, (_e5149 < _e1375));
-let _e5156 = global_2.member[bitcast<u32>(select(0i, _e5151, (_e5151 > 0i)))];
+let _e5156 = global_1.member[bitcast<u32>(select(0i, _e5151, (_e5151 > 0i)))];
 let _e5163 = ((_e5145 >> bitcast<u32>((_e5138 & 31u))) | ((_e5156 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5138) & 31u))));
 let _e5164 = local_26.member_1[1u];
 let _e5170 = f32(bitcast<i32>(((_e5163 >> bitcast<u32>((_e5164 & 31u))) & 255u)));
@@ -1890,10 +1890,10 @@ let _e5189 = ((_e5062 + _e5059) + _e5188);
 let _e5191 = (_e5189 >> bitcast<u32>(2i));
 let _e5194 = bitcast<u32>(((_e5189 & 3i) * 8i));
 let _e5196 = select(_e1375, _e5191, (_e5191 < _e1375));
-let _e5201 = global_2.member[bitcast<u32>(select(0i, _e5196, (_e5196 > 0i)))];
+let _e5201 = global_1.member[bitcast<u32>(select(0i, _e5196, (_e5196 > 0i)))];
 let _e5205 = (_e5191 + 1i);
 let _e5207 = select(_e1375, _e5205, (_e5205 < _e1375));
-let _e5212 = global_2.member[bitcast<u32>(select(0i, _e5207, (_e5207 > 0i)))];
+let _e5212 = global_1.member[bitcast<u32>(select(0i, _e5207, (_e5207 > 0i)))];
 let _e5219 = ((_e5201 >> bitcast<u32>((_e5194 & 31u))) | ((_e5212 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5194) & 31u))));
 let _e5220 = local_26.member_1[1u];
 let _e5226 = f32(bitcast<i32>(((_e5219 >> bitcast<u32>((_e5220 & 31u))) & 255u)));
@@ -1905,10 +1905,10 @@ let _e5240 = ((_e5062 + _e5060) + _e5239);
 let _e5242 = (_e5240 >> bitcast<u32>(2i));
 let _e5245 = bitcast<u32>(((_e5240 & 3i) * 8i));
 let _e5247 = select(_e1375, _e5242, (_e5242 < _e1375));
-let _e5252 = global_2.member[bitcast<u32>(select(0i, _e5247, (_e5247 > 0i)))];
+let _e5252 = global_1.member[bitcast<u32>(select(0i, _e5247, (_e5247 > 0i)))];
 let _e5256 = (_e5242 + 1i);
 let _e5258 = select(_e1375, _e5256, (_e5256 < _e1375));
-let _e5263 = global_2.member[bitcast<u32>(select(0i, _e5258, (_e5258 > 0i)))];
+let _e5263 = global_1.member[bitcast<u32>(select(0i, _e5258, (_e5258 > 0i)))];
 let _e5270 = ((_e5252 >> bitcast<u32>((_e5245 & 31u))) | ((_e5263 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5245) & 31u))));
 let _e5271 = local_26.member_1[1u];
 let _e5277 = f32(bitcast<i32>(((_e5270 >> bitcast<u32>((_e5271 & 31u))) & 255u)));
@@ -1940,12 +1940,12 @@ let _e5346 = select(0i, select(select(i32(_e5339), i32(-2147483648), (_e5339 < -
 let _e5350 = (_e5346 - select(0i, 1i, (_e5339 < f32(_e5346))));
 let _e5351 = (262147i + _e5350);
 let _e5353 = select(_e2915, _e5351, (_e5351 < _e2915));
-let _e5358 = global_3.member[bitcast<u32>(select(0i, _e5353, (_e5353 > 0i)))];
+let _e5358 = global_2.member[bitcast<u32>(select(0i, _e5353, (_e5353 > 0i)))];
 let _e5373 = ((_e3089 + (f32(bitcast<i32>((_e5358 >> bitcast<u32>(12u)))) * _e3097)) + ((f32((bitcast<i32>((_e5358 & 4095u)) - 2048i)) * _e3080) * (_e5335 - f32(_e5350))));
 if _e4316 {
-phi_11421_ = type_29(_e5373, 1f);
+phi_11421_ = type_31(_e5373, 1f);
 } else {
-phi_11421_ = type_29(1f, _e5373);
+phi_11421_ = type_31(1f, _e5373);
 }
 let _e5377 = phi_11421_;
 let _e5382 = ((_e5377.member_1 * _e5377.member_1) - (_e5377.member * _e5377.member));
@@ -2084,7 +2084,7 @@ let _e5739 = select(select(select(select(select(select(0f, _e1920.member, _e5520
 let _e5740 = select(select(select(select(select(select(0f, _e1920.member_1, _e5520), _e1920.member_1, _e5560), _e1929.member_1, _e5600), _e1929.member_1, _e5640), _e1938.member_1, _e5680), _e1938.member_1, _e5720);
 let _e5741 = select(select(select(select(select(select(1f, _e1920.member_2, _e5520), _e1920.member_2, _e5560), _e1929.member_2, _e5600), _e1929.member_2, _e5640), _e1938.member_2, _e5680), _e1938.member_2, _e5720);
 if _e2184 {
-phi_12959_ = type_36(_e5726, vec3<f32>(_e5727, _e5728, _e5729), _e5731, vec3<f32>(_e5732, _e5733, _e5734), _e5736, _e5738, vec3<f32>(_e5739, _e5740, _e5741));
+phi_12959_ = type_34(_e5726, vec3<f32>(_e5727, _e5728, _e5729), _e5731, vec3<f32>(_e5732, _e5733, _e5734), _e5736, _e5738, vec3<f32>(_e5739, _e5740, _e5741));
 } else {
 let _e5748 = (((_e1920.member * _e1920.member) + (_e1920.member_1 * _e1920.member_1)) + (_e1920.member_2 * _e1920.member_2));
 let _e5751 = sqrt(select(0f, _e5748, (_e5748 > 0f)));
@@ -2164,7 +2164,7 @@ let _e6047 = select(2f, select(0f, _e6039, (_e6019 < 0f)), (_e6020 > 0f));
 let _e6048 = (_e6019 > _e5983);
 let _e6052 = ((_e6043 > _e5975) || ((_e6043 == _e5975) && _e6048));
 let _e6053 = (_e6047 < _e5979);
-phi_12959_ = type_36(select(_e5975, _e6043, _e6052), vec3<f32>(select(select(select(select(_e5727, _e5789.member, _e5815), _e5868.member, _e5894), _e5947.member, _e5973), _e6026.member, _e6052), select(select(select(select(_e5728, _e5789.member_1, _e5815), _e5868.member_1, _e5894), _e5947.member_1, _e5973), _e6026.member_1, _e6052), select(select(select(select(_e5729, _e5789.member_2, _e5815), _e5868.member_2, _e5894), _e5947.member_2, _e5973), _e6026.member_2, _e6052)), select(_e5979, _e6047, _e6053), vec3<f32>(select(select(select(select(_e5732, _e5789.member, _e5816), _e5868.member, _e5895), _e5947.member, _e5974), _e6026.member, _e6053), select(select(select(select(_e5733, _e5789.member_1, _e5816), _e5868.member_1, _e5895), _e5947.member_1, _e5974), _e6026.member_1, _e6053), select(select(select(select(_e5734, _e5789.member_2, _e5816), _e5868.member_2, _e5895), _e5947.member_2, _e5974), _e6026.member_2, _e6053)), select(_e5983, _e6019, _e6048), select(_e5985, _e6020, (_e6020 > _e5985)), vec3<f32>(select(select(select(select(_e5739, _e5789.member, _e5811), _e5868.member, _e5890), _e5947.member, _e5969), _e6026.member, _e6048), select(select(select(select(_e5740, _e5789.member_1, _e5811), _e5868.member_1, _e5890), _e5947.member_1, _e5969), _e6026.member_1, _e6048), select(select(select(select(_e5741, _e5789.member_2, _e5811), _e5868.member_2, _e5890), _e5947.member_2, _e5969), _e6026.member_2, _e6048)));
+phi_12959_ = type_34(select(_e5975, _e6043, _e6052), vec3<f32>(select(select(select(select(_e5727, _e5789.member, _e5815), _e5868.member, _e5894), _e5947.member, _e5973), _e6026.member, _e6052), select(select(select(select(_e5728, _e5789.member_1, _e5815), _e5868.member_1, _e5894), _e5947.member_1, _e5973), _e6026.member_1, _e6052), select(select(select(select(_e5729, _e5789.member_2, _e5815), _e5868.member_2, _e5894), _e5947.member_2, _e5973), _e6026.member_2, _e6052)), select(_e5979, _e6047, _e6053), vec3<f32>(select(select(select(select(_e5732, _e5789.member, _e5816), _e5868.member, _e5895), _e5947.member, _e5974), _e6026.member, _e6053), select(select(select(select(_e5733, _e5789.member_1, _e5816), _e5868.member_1, _e5895), _e5947.member_1, _e5974), _e6026.member_1, _e6053), select(select(select(select(_e5734, _e5789.member_2, _e5816), _e5868.member_2, _e5895), _e5947.member_2, _e5974), _e6026.member_2, _e6053)), select(_e5983, _e6019, _e6048), select(_e5985, _e6020, (_e6020 > _e5985)), vec3<f32>(select(select(select(select(_e5739, _e5789.member, _e5811), _e5868.member, _e5890), _e5947.member, _e5969), _e6026.member, _e6048), select(select(select(select(_e5740, _e5789.member_1, _e5811), _e5868.member_1, _e5890), _e5947.member_1, _e5969), _e6026.member_1, _e6048), select(select(select(select(_e5741, _e5789.member_2, _e5811), _e5868.member_2, _e5890), _e5947.member_2, _e5969), _e6026.member_2, _e6048)));
 }
 let _e6073 = phi_12959_;
 let _e6079 = (((_e4935 && _e5460) && !(_e5444)) && (_e6073.member_2 <= 1f));
@@ -2335,12 +2335,12 @@ phi_14707_ = _e3107;
 phi_14707_ = _e4234;
 }
 let _e6519 = phi_14707_;
-phi_14720_ = type_39(_e6519, vec3<f32>(select(_e5455, _e4948.x, _e6079), select(_e5456, _e4948.y, _e6079), select(_e5457, _e4948.z, _e6079)), vec3<f32>(_e5429, _e5430, _e5431), select(_e1905, ((((sqrt(select(0f, _e6087, (_e6087 > 0f))) * select(0f, _e6168, (_e6168 > 0f))) + (sqrt(select(0f, _e6179, (_e6179 > 0f))) * select(0f, _e6275, (_e6275 > 0f)))) + (sqrt(select(0f, _e6287, (_e6287 > 0f))) * select(0f, _e6383, (_e6383 > 0f)))) + select(0f, (sqrt(select(0f, _e6395, (_e6395 > 0f))) * select(0f, _e6491, (_e6491 > 0f))), _e4935)), _e6498), select((_e482 / _e5431), (2f * (_e3796 / _e3161)), (((_e2546 && !(_e2523)) && _e3194) && !(_e3792))), select(_e3786.member_3, _e2538.member_1, vec3(_e3175)), _e5460, _e6498, (((_e3179 || _e4300) || _e5444) || _e6079));
+phi_14720_ = type_38(_e6519, vec3<f32>(select(_e5455, _e4948.x, _e6079), select(_e5456, _e4948.y, _e6079), select(_e5457, _e4948.z, _e6079)), vec3<f32>(_e5429, _e5430, _e5431), select(_e1905, ((((sqrt(select(0f, _e6087, (_e6087 > 0f))) * select(0f, _e6168, (_e6168 > 0f))) + (sqrt(select(0f, _e6179, (_e6179 > 0f))) * select(0f, _e6275, (_e6275 > 0f)))) + (sqrt(select(0f, _e6287, (_e6287 > 0f))) * select(0f, _e6383, (_e6383 > 0f)))) + select(0f, (sqrt(select(0f, _e6395, (_e6395 > 0f))) * select(0f, _e6491, (_e6491 > 0f))), _e4935)), _e6498), select((_e482 / _e5431), (2f * (_e3796 / _e3161)), (((_e2546 && !(_e2523)) && _e3194) && !(_e3792))), select(_e3786.member_3, _e2538.member_1, vec3(_e3175)), _e5460, _e6498, (((_e3179 || _e4300) || _e5444) || _e6079));
 phi_14721_ = vec3<f32>(_e2527, _e2528, _e2529);
 phi_14722_ = _e2523;
 phi_14723_ = _e2524;
 } else {
-phi_14720_ = type_39(_e1818.member, _e1818.member_1, _e1818.member_2, _e1905, _e1818.member_4, _e1818.member_5, _e1818.member_6, _e1818.member_7, _e1818.member_8);
+phi_14720_ = type_38(_e1818.member, _e1818.member_1, _e1818.member_2, _e1905, _e1818.member_4, _e1818.member_5, _e1818.member_6, _e1818.member_7, _e1818.member_8);
 phi_14721_ = _e1151;
 phi_14722_ = true;
 phi_14723_ = _e1806;
@@ -2390,17 +2390,17 @@ let _e6998 = (select(0i, _e6958, (_e6958 > 0i)) * _e1286);
 let _e6999 = (select(0i, _e6946, (_e6946 > 0i)) * _e1286);
 let _e7000 = (select(_e1307, _e6963, (_e6963 < _e1307)) * _e1286);
 let _e7001 = (select(_e1307, _e6966, (_e6966 < _e1307)) * _e1286);
-local_22 = type_33(array<i32, 4>(_e6981, _e6981, _e6981, _e6981), array<u32, 6>(bitcast<u32>(((_e6971 - _e6981) * 8i)), bitcast<u32>(((select(0i, _e6916, (_e6916 > 0i)) - _e6981) * 8i)), bitcast<u32>(((select(_e1320, _e6974, (_e6974 < _e1320)) - _e6981) * 8i)), bitcast<u32>(((select(_e1320, _e6977, (_e6977 < _e1320)) - _e6981) * 8i)), 0u, 0u));
+local_22 = type_28(array<i32, 4>(_e6981, _e6981, _e6981, _e6981), array<u32, 6>(bitcast<u32>(((_e6971 - _e6981) * 8i)), bitcast<u32>(((select(0i, _e6916, (_e6916 > 0i)) - _e6981) * 8i)), bitcast<u32>(((select(_e1320, _e6974, (_e6974 < _e1320)) - _e6981) * 8i)), bitcast<u32>(((select(_e1320, _e6977, (_e6977 < _e1320)) - _e6981) * 8i)), 0u, 0u));
 local_23 = vec3<f32>((_e6893 - f32(_e6916)), (_e6897 - f32(_e6931)), (_e6901 - f32(_e6946)));
 let _e7016 = local_22.member[0u];
 let _e7017 = ((_e6999 + _e6995) + _e7016);
 let _e7019 = (_e7017 >> bitcast<u32>(2i));
 let _e7022 = bitcast<u32>(((_e7017 & 3i) * 8i));
 let _e7024 = select(_e1375, _e7019, (_e7019 < _e1375));
-let _e7029 = global_2.member[bitcast<u32>(select(0i, _e7024, (_e7024 > 0i)))];
+let _e7029 = global_1.member[bitcast<u32>(select(0i, _e7024, (_e7024 > 0i)))];
 let _e7033 = (_e7019 + 1i);
 let _e7035 = select(_e1375, _e7033, (_e7033 < _e1375));
-let _e7040 = global_2.member[bitcast<u32>(select(0i, _e7035, (_e7035 > 0i)))];
+let _e7040 = global_1.member[bitcast<u32>(select(0i, _e7035, (_e7035 > 0i)))];
 let _e7047 = ((_e7029 >> bitcast<u32>((_e7022 & 31u))) | ((_e7040 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7022) & 31u))));
 let _e7050 = local_22.member_1[0u];
 let _e7056 = f32(bitcast<i32>(((_e7047 >> bitcast<u32>((_e7050 & 31u))) & 255u)));
@@ -2420,10 +2420,10 @@ let _e7098 = ((_e6999 + _e6996) + _e7097);
 let _e7100 = (_e7098 >> bitcast<u32>(2i));
 let _e7103 = bitcast<u32>(((_e7098 & 3i) * 8i));
 let _e7105 = select(_e1375, _e7100, (_e7100 < _e1375));
-let _e7110 = global_2.member[bitcast<u32>(select(0i, _e7105, (_e7105 > 0i)))];
+let _e7110 = global_1.member[bitcast<u32>(select(0i, _e7105, (_e7105 > 0i)))];
 let _e7114 = (_e7100 + 1i);
 let _e7116 = select(_e1375, _e7114, (_e7114 < _e1375));
-let _e7121 = global_2.member[bitcast<u32>(select(0i, _e7116, (_e7116 > 0i)))];
+let _e7121 = global_1.member[bitcast<u32>(select(0i, _e7116, (_e7116 > 0i)))];
 let _e7128 = ((_e7110 >> bitcast<u32>((_e7103 & 31u))) | ((_e7121 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7103) & 31u))));
 let _e7129 = local_22.member_1[0u];
 let _e7135 = f32(bitcast<i32>(((_e7128 >> bitcast<u32>((_e7129 & 31u))) & 255u)));
@@ -2441,10 +2441,10 @@ let _e7171 = ((_e7000 + _e6995) + _e7170);
 let _e7173 = (_e7171 >> bitcast<u32>(2i));
 let _e7176 = bitcast<u32>(((_e7171 & 3i) * 8i));
 let _e7178 = select(_e1375, _e7173, (_e7173 < _e1375));
-let _e7183 = global_2.member[bitcast<u32>(select(0i, _e7178, (_e7178 > 0i)))];
+let _e7183 = global_1.member[bitcast<u32>(select(0i, _e7178, (_e7178 > 0i)))];
 let _e7187 = (_e7173 + 1i);
 let _e7189 = select(_e1375, _e7187, (_e7187 < _e1375));
-let _e7194 = global_2.member[bitcast<u32>(select(0i, _e7189, (_e7189 > 0i)))];
+let _e7194 = global_1.member[bitcast<u32>(select(0i, _e7189, (_e7189 > 0i)))];
 let _e7201 = ((_e7183 >> bitcast<u32>((_e7176 & 31u))) | ((_e7194 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7176) & 31u))));
 let _e7202 = local_22.member_1[0u];
 let _e7208 = f32(bitcast<i32>(((_e7201 >> bitcast<u32>((_e7202 & 31u))) & 255u)));
@@ -2464,10 +2464,10 @@ let _e7244 = ((_e7000 + _e6996) + _e7243);
 let _e7246 = (_e7244 >> bitcast<u32>(2i));
 let _e7249 = bitcast<u32>(((_e7244 & 3i) * 8i));
 let _e7251 = select(_e1375, _e7246, (_e7246 < _e1375));
-let _e7256 = global_2.member[bitcast<u32>(select(0i, _e7251, (_e7251 > 0i)))];
+let _e7256 = global_1.member[bitcast<u32>(select(0i, _e7251, (_e7251 > 0i)))];
 let _e7260 = (_e7246 + 1i);
 let _e7262 = select(_e1375, _e7260, (_e7260 < _e1375));
-let _e7267 = global_2.member[bitcast<u32>(select(0i, _e7262, (_e7262 > 0i)))];
+let _e7267 = global_1.member[bitcast<u32>(select(0i, _e7262, (_e7262 > 0i)))];
 let _e7274 = ((_e7256 >> bitcast<u32>((_e7249 & 31u))) | ((_e7267 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7249) & 31u))));
 let _e7275 = local_22.member_1[0u];
 let _e7281 = f32(bitcast<i32>(((_e7274 >> bitcast<u32>((_e7275 & 31u))) & 255u)));
@@ -2485,10 +2485,10 @@ let _e7317 = ((_e6999 + _e6994) + _e7316);
 let _e7319 = (_e7317 >> bitcast<u32>(2i));
 let _e7322 = bitcast<u32>(((_e7317 & 3i) * 8i));
 let _e7324 = select(_e1375, _e7319, (_e7319 < _e1375));
-let _e7329 = global_2.member[bitcast<u32>(select(0i, _e7324, (_e7324 > 0i)))];
+let _e7329 = global_1.member[bitcast<u32>(select(0i, _e7324, (_e7324 > 0i)))];
 let _e7333 = (_e7319 + 1i);
 let _e7335 = select(_e1375, _e7333, (_e7333 < _e1375));
-let _e7340 = global_2.member[bitcast<u32>(select(0i, _e7335, (_e7335 > 0i)))];
+let _e7340 = global_1.member[bitcast<u32>(select(0i, _e7335, (_e7335 > 0i)))];
 let _e7347 = ((_e7329 >> bitcast<u32>((_e7322 & 31u))) | ((_e7340 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7322) & 31u))));
 let _e7348 = local_22.member_1[1u];
 let _e7354 = f32(bitcast<i32>(((_e7347 >> bitcast<u32>((_e7348 & 31u))) & 255u)));
@@ -2500,10 +2500,10 @@ let _e7368 = ((_e6999 + _e6997) + _e7367);
 let _e7370 = (_e7368 >> bitcast<u32>(2i));
 let _e7373 = bitcast<u32>(((_e7368 & 3i) * 8i));
 let _e7375 = select(_e1375, _e7370, (_e7370 < _e1375));
-let _e7380 = global_2.member[bitcast<u32>(select(0i, _e7375, (_e7375 > 0i)))];
+let _e7380 = global_1.member[bitcast<u32>(select(0i, _e7375, (_e7375 > 0i)))];
 let _e7384 = (_e7370 + 1i);
 let _e7386 = select(_e1375, _e7384, (_e7384 < _e1375));
-let _e7391 = global_2.member[bitcast<u32>(select(0i, _e7386, (_e7386 > 0i)))];
+let _e7391 = global_1.member[bitcast<u32>(select(0i, _e7386, (_e7386 > 0i)))];
 let _e7398 = ((_e7380 >> bitcast<u32>((_e7373 & 31u))) | ((_e7391 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7373) & 31u))));
 let _e7399 = local_22.member_1[1u];
 let _e7405 = f32(bitcast<i32>(((_e7398 >> bitcast<u32>((_e7399 & 31u))) & 255u)));
@@ -2514,10 +2514,10 @@ let _e7419 = ((_e7000 + _e6994) + _e7418);
 let _e7421 = (_e7419 >> bitcast<u32>(2i));
 let _e7424 = bitcast<u32>(((_e7419 & 3i) * 8i));
 let _e7426 = select(_e1375, _e7421, (_e7421 < _e1375));
-let _e7431 = global_2.member[bitcast<u32>(select(0i, _e7426, (_e7426 > 0i)))];
+let _e7431 = global_1.member[bitcast<u32>(select(0i, _e7426, (_e7426 > 0i)))];
 let _e7435 = (_e7421 + 1i);
 let _e7437 = select(_e1375, _e7435, (_e7435 < _e1375));
-let _e7442 = global_2.member[bitcast<u32>(select(0i, _e7437, (_e7437 > 0i)))];
+let _e7442 = global_1.member[bitcast<u32>(select(0i, _e7437, (_e7437 > 0i)))];
 let _e7449 = ((_e7431 >> bitcast<u32>((_e7424 & 31u))) | ((_e7442 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7424) & 31u))));
 let _e7450 = local_22.member_1[1u];
 let _e7456 = f32(bitcast<i32>(((_e7449 >> bitcast<u32>((_e7450 & 31u))) & 255u)));
@@ -2529,10 +2529,10 @@ let _e7470 = ((_e7000 + _e6997) + _e7469);
 let _e7472 = (_e7470 >> bitcast<u32>(2i));
 let _e7475 = bitcast<u32>(((_e7470 & 3i) * 8i));
 let _e7477 = select(_e1375, _e7472, (_e7472 < _e1375));
-let _e7482 = global_2.member[bitcast<u32>(select(0i, _e7477, (_e7477 > 0i)))];
+let _e7482 = global_1.member[bitcast<u32>(select(0i, _e7477, (_e7477 > 0i)))];
 let _e7486 = (_e7472 + 1i);
 let _e7488 = select(_e1375, _e7486, (_e7486 < _e1375));
-let _e7493 = global_2.member[bitcast<u32>(select(0i, _e7488, (_e7488 > 0i)))];
+let _e7493 = global_1.member[bitcast<u32>(select(0i, _e7488, (_e7488 > 0i)))];
 let _e7500 = ((_e7482 >> bitcast<u32>((_e7475 & 31u))) | ((_e7493 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7475) & 31u))));
 let _e7501 = local_22.member_1[1u];
 let _e7507 = f32(bitcast<i32>(((_e7500 >> bitcast<u32>((_e7501 & 31u))) & 255u)));
@@ -2543,10 +2543,10 @@ let _e7521 = ((_e6998 + _e6995) + _e7520);
 let _e7523 = (_e7521 >> bitcast<u32>(2i));
 let _e7526 = bitcast<u32>(((_e7521 & 3i) * 8i));
 let _e7528 = select(_e1375, _e7523, (_e7523 < _e1375));
-let _e7533 = global_2.member[bitcast<u32>(select(0i, _e7528, (_e7528 > 0i)))];
+let _e7533 = global_1.member[bitcast<u32>(select(0i, _e7528, (_e7528 > 0i)))];
 let _e7537 = (_e7523 + 1i);
 let _e7539 = select(_e1375, _e7537, (_e7537 < _e1375));
-let _e7544 = global_2.member[bitcast<u32>(select(0i, _e7539, (_e7539 > 0i)))];
+let _e7544 = global_1.member[bitcast<u32>(select(0i, _e7539, (_e7539 > 0i)))];
 let _e7551 = ((_e7533 >> bitcast<u32>((_e7526 & 31u))) | ((_e7544 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7526) & 31u))));
 let _e7552 = local_22.member_1[1u];
 let _e7558 = f32(bitcast<i32>(((_e7551 >> bitcast<u32>((_e7552 & 31u))) & 255u)));
@@ -2558,10 +2558,10 @@ let _e7572 = ((_e7001 + _e6995) + _e7571);
 let _e7574 = (_e7572 >> bitcast<u32>(2i));
 let _e7577 = bitcast<u32>(((_e7572 & 3i) * 8i));
 let _e7579 = select(_e1375, _e7574, (_e7574 < _e1375));
-let _e7584 = global_2.member[bitcast<u32>(select(0i, _e7579, (_e7579 > 0i)))];
+let _e7584 = global_1.member[bitcast<u32>(select(0i, _e7579, (_e7579 > 0i)))];
 let _e7588 = (_e7574 + 1i);
 let _e7590 = select(_e1375, _e7588, (_e7588 < _e1375));
-let _e7595 = global_2.member[bitcast<u32>(select(0i, _e7590, (_e7590 > 0i)))];
+let _e7595 = global_1.member[bitcast<u32>(select(0i, _e7590, (_e7590 > 0i)))];
 let _e7602 = ((_e7584 >> bitcast<u32>((_e7577 & 31u))) | ((_e7595 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7577) & 31u))));
 let _e7603 = local_22.member_1[1u];
 let _e7609 = f32(bitcast<i32>(((_e7602 >> bitcast<u32>((_e7603 & 31u))) & 255u)));
@@ -2573,10 +2573,10 @@ let _e7623 = ((_e6998 + _e6996) + _e7622);
 let _e7625 = (_e7623 >> bitcast<u32>(2i));
 let _e7628 = bitcast<u32>(((_e7623 & 3i) * 8i));
 let _e7630 = select(_e1375, _e7625, (_e7625 < _e1375));
-let _e7635 = global_2.member[bitcast<u32>(select(0i, _e7630, (_e7630 > 0i)))];
+let _e7635 = global_1.member[bitcast<u32>(select(0i, _e7630, (_e7630 > 0i)))];
 let _e7639 = (_e7625 + 1i);
 let _e7641 = select(_e1375, _e7639, (_e7639 < _e1375));
-let _e7646 = global_2.member[bitcast<u32>(select(0i, _e7641, (_e7641 > 0i)))];
+let _e7646 = global_1.member[bitcast<u32>(select(0i, _e7641, (_e7641 > 0i)))];
 let _e7653 = ((_e7635 >> bitcast<u32>((_e7628 & 31u))) | ((_e7646 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7628) & 31u))));
 let _e7654 = local_22.member_1[1u];
 let _e7660 = f32(bitcast<i32>(((_e7653 >> bitcast<u32>((_e7654 & 31u))) & 255u)));
@@ -2587,10 +2587,10 @@ let _e7674 = ((_e7001 + _e6996) + _e7673);
 let _e7676 = (_e7674 >> bitcast<u32>(2i));
 let _e7679 = bitcast<u32>(((_e7674 & 3i) * 8i));
 let _e7681 = select(_e1375, _e7676, (_e7676 < _e1375));
-let _e7686 = global_2.member[bitcast<u32>(select(0i, _e7681, (_e7681 > 0i)))];
+let _e7686 = global_1.member[bitcast<u32>(select(0i, _e7681, (_e7681 > 0i)))];
 let _e7690 = (_e7676 + 1i);
 let _e7692 = select(_e1375, _e7690, (_e7690 < _e1375));
-let _e7697 = global_2.member[bitcast<u32>(select(0i, _e7692, (_e7692 > 0i)))];
+let _e7697 = global_1.member[bitcast<u32>(select(0i, _e7692, (_e7692 > 0i)))];
 let _e7704 = ((_e7686 >> bitcast<u32>((_e7679 & 31u))) | ((_e7697 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7679) & 31u))));
 let _e7705 = local_22.member_1[1u];
 let _e7711 = f32(bitcast<i32>(((_e7704 >> bitcast<u32>((_e7705 & 31u))) & 255u)));
@@ -2649,50 +2649,50 @@ local_21 = _e7843;
 let _e7844 = local_21;
 let _e7846 = (bitcast<i32>(_e230) - 1i);
 let _e7848 = select(_e7846, 263197i, (263197i < _e7846));
-let _e7853 = global_3.member[bitcast<u32>(select(0i, _e7848, (_e7848 > 0i)))];
+let _e7853 = global_2.member[bitcast<u32>(select(0i, _e7848, (_e7848 > 0i)))];
 let _e7854 = bitcast<f32>(_e7853);
 let _e7856 = select(_e7846, 263198i, (263198i < _e7846));
 let _e7859 = bitcast<u32>(select(0i, _e7856, (_e7856 > 0i)));
-let _e7861 = global_3.member[_e7859];
+let _e7861 = global_2.member[_e7859];
 let _e7862 = bitcast<f32>(_e7861);
 let _e7864 = select(_e7846, 263199i, (263199i < _e7846));
-let _e7869 = global_3.member[bitcast<u32>(select(0i, _e7864, (_e7864 > 0i)))];
+let _e7869 = global_2.member[bitcast<u32>(select(0i, _e7864, (_e7864 > 0i)))];
 let _e7870 = bitcast<f32>(_e7869);
 let _e7872 = ((_e7844 - _e7854) * _e7862);
 let _e7874 = select(0f, _e7872, (_e7872 > 0f));
 let _e7877 = local_21;
 let _e7879 = select(_e7846, 263200i, (263200i < _e7846));
-let _e7884 = global_3.member[bitcast<u32>(select(0i, _e7879, (_e7879 > 0i)))];
+let _e7884 = global_2.member[bitcast<u32>(select(0i, _e7879, (_e7879 > 0i)))];
 let _e7885 = bitcast<f32>(_e7884);
 let _e7887 = select(_e7846, 263201i, (263201i < _e7846));
-let _e7892 = global_3.member[bitcast<u32>(select(0i, _e7887, (_e7887 > 0i)))];
+let _e7892 = global_2.member[bitcast<u32>(select(0i, _e7887, (_e7887 > 0i)))];
 let _e7893 = bitcast<f32>(_e7892);
 let _e7895 = select(_e7846, 263202i, (263202i < _e7846));
-let _e7900 = global_3.member[bitcast<u32>(select(0i, _e7895, (_e7895 > 0i)))];
+let _e7900 = global_2.member[bitcast<u32>(select(0i, _e7895, (_e7895 > 0i)))];
 let _e7901 = bitcast<f32>(_e7900);
 let _e7903 = ((_e7877 - _e7885) * _e7893);
 let _e7905 = select(0f, _e7903, (_e7903 > 0f));
 let _e7909 = local_21;
 let _e7911 = select(_e7846, 263203i, (263203i < _e7846));
-let _e7916 = global_3.member[bitcast<u32>(select(0i, _e7911, (_e7911 > 0i)))];
+let _e7916 = global_2.member[bitcast<u32>(select(0i, _e7911, (_e7911 > 0i)))];
 let _e7917 = bitcast<f32>(_e7916);
 let _e7919 = select(_e7846, 263204i, (263204i < _e7846));
-let _e7924 = global_3.member[bitcast<u32>(select(0i, _e7919, (_e7919 > 0i)))];
+let _e7924 = global_2.member[bitcast<u32>(select(0i, _e7919, (_e7919 > 0i)))];
 let _e7925 = bitcast<f32>(_e7924);
 let _e7927 = select(_e7846, 263205i, (263205i < _e7846));
-let _e7932 = global_3.member[bitcast<u32>(select(0i, _e7927, (_e7927 > 0i)))];
+let _e7932 = global_2.member[bitcast<u32>(select(0i, _e7927, (_e7927 > 0i)))];
 let _e7933 = bitcast<f32>(_e7932);
 let _e7935 = ((_e7909 - _e7917) * _e7925);
 let _e7937 = select(0f, _e7935, (_e7935 > 0f));
 let _e7940 = local_21;
 let _e7942 = select(_e7846, 263206i, (263206i < _e7846));
-let _e7947 = global_3.member[bitcast<u32>(select(0i, _e7942, (_e7942 > 0i)))];
+let _e7947 = global_2.member[bitcast<u32>(select(0i, _e7942, (_e7942 > 0i)))];
 let _e7948 = bitcast<f32>(_e7947);
 let _e7950 = select(_e7846, 263207i, (263207i < _e7846));
-let _e7955 = global_3.member[bitcast<u32>(select(0i, _e7950, (_e7950 > 0i)))];
+let _e7955 = global_2.member[bitcast<u32>(select(0i, _e7950, (_e7950 > 0i)))];
 let _e7956 = bitcast<f32>(_e7955);
 let _e7958 = select(_e7846, 263208i, (263208i < _e7846));
-let _e7963 = global_3.member[bitcast<u32>(select(0i, _e7958, (_e7958 > 0i)))];
+let _e7963 = global_2.member[bitcast<u32>(select(0i, _e7958, (_e7958 > 0i)))];
 let _e7964 = bitcast<f32>(_e7963);
 let _e7966 = ((_e7940 - _e7948) * _e7956);
 let _e7968 = select(0f, _e7966, (_e7966 > 0f));
@@ -2703,34 +2703,34 @@ let _e7983 = select(0i, select(select(i32(_e7976), i32(-2147483648), (_e7976 < -
 let _e7987 = (_e7983 - select(0i, 1i, (_e7976 < f32(_e7983))));
 let _e7988 = (262147i + _e7987);
 let _e7990 = select(_e7846, _e7988, (_e7988 < _e7846));
-let _e7996 = global_3.member[bitcast<u32>(select(0i, _e7990, (_e7990 > 0i)))];
+let _e7996 = global_2.member[bitcast<u32>(select(0i, _e7990, (_e7990 > 0i)))];
 let _e8006 = select(_e7846, 262146i, (262146i < _e7846));
-let _e8012 = global_3.member[bitcast<u32>(select(0i, _e8006, (_e8006 > 0i)))];
+let _e8012 = global_2.member[bitcast<u32>(select(0i, _e8006, (_e8006 > 0i)))];
 let _e8013 = bitcast<f32>(_e8012);
 let _e8014 = (f32((bitcast<i32>((_e7996 & 4095u)) - 2048i)) * _e8013);
 let _e8016 = select(_e7846, 262144i, (262144i < _e7846));
-let _e8022 = global_3.member[bitcast<u32>(select(0i, _e8016, (_e8016 > 0i)))];
+let _e8022 = global_2.member[bitcast<u32>(select(0i, _e8016, (_e8016 > 0i)))];
 let _e8023 = bitcast<f32>(_e8022);
 let _e8025 = select(_e7846, 262145i, (262145i < _e7846));
-let _e8031 = global_3.member[bitcast<u32>(select(0i, _e8025, (_e8025 > 0i)))];
+let _e8031 = global_2.member[bitcast<u32>(select(0i, _e8025, (_e8025 > 0i)))];
 let _e8032 = bitcast<f32>(_e8031);
 let _e8038 = ((_e8023 + (f32(bitcast<i32>((_e7996 >> bitcast<u32>(12u)))) * _e8032)) + (_e8014 * (_e7972 - f32(_e7987))));
-let _e8041 = global_3.member[_e7859];
+let _e8041 = global_2.member[_e7859];
 let _e8043 = local_20;
 let _e8046 = local_20;
 let _e8049 = local_20;
 let _e8053 = select(_e7846, 263209i, (263209i < _e7846));
-let _e8059 = global_3.member[bitcast<u32>(select(0i, _e8053, (_e8053 > 0i)))];
+let _e8059 = global_2.member[bitcast<u32>(select(0i, _e8053, (_e8053 > 0i)))];
 let _e8061 = local_20;
 let _e8064 = select(_e7846, 263210i, (263210i < _e7846));
-let _e8070 = global_3.member[bitcast<u32>(select(0i, _e8064, (_e8064 > 0i)))];
+let _e8070 = global_2.member[bitcast<u32>(select(0i, _e8064, (_e8064 > 0i)))];
 let _e8072 = local_20;
 let _e8076 = (_e8014 * select(0f, select(select(select(bitcast<f32>(_e8041), _e7893, (_e8043 >= _e7885)), _e7925, (_e8046 >= _e7917)), _e7956, (_e8049 >= _e7948)), ((_e8061 >= bitcast<f32>(_e8059)) && (_e8072 <= bitcast<f32>(_e8070)))));
 if _e837 {
 let _e8527 = ((0.5f * (_e7818 - _e7812)) * _e8076);
 let _e8528 = ((0.5f * (_e7830 - _e7824)) * _e8076);
 let _e8529 = ((0.5f * (_e7842 - _e7836)) * _e8076);
-phi_20240_ = type_34(_e8038, vec3<f32>(_e8527, _e8528, _e8529), vec3<f32>((_e8527 * _e8038), (_e8528 * _e8038), (_e8529 * _e8038)));
+phi_20240_ = type_32(_e8038, vec3<f32>(_e8527, _e8528, _e8529), vec3<f32>((_e8527 * _e8038), (_e8528 * _e8038), (_e8529 * _e8038)));
 } else {
 local_18 = _e7812;
 let _e8077 = local_18;
@@ -2754,7 +2754,7 @@ let _e8119 = select(0i, select(select(i32(_e8112), i32(-2147483648), (_e8112 < -
 let _e8123 = (_e8119 - select(0i, 1i, (_e8112 < f32(_e8119))));
 let _e8124 = (262147i + _e8123);
 let _e8126 = select(_e7846, _e8124, (_e8124 < _e7846));
-let _e8132 = global_3.member[bitcast<u32>(select(0i, _e8126, (_e8126 > 0i)))];
+let _e8132 = global_2.member[bitcast<u32>(select(0i, _e8126, (_e8126 > 0i)))];
 let _e8147 = ((_e8023 + (f32(bitcast<i32>((_e8132 >> bitcast<u32>(12u)))) * _e8032)) + ((f32((bitcast<i32>((_e8132 & 4095u)) - 2048i)) * _e8013) * (_e8108 - f32(_e8123))));
 local_16 = _e7818;
 let _e8148 = local_16;
@@ -2778,7 +2778,7 @@ let _e8190 = select(0i, select(select(i32(_e8183), i32(-2147483648), (_e8183 < -
 let _e8194 = (_e8190 - select(0i, 1i, (_e8183 < f32(_e8190))));
 let _e8195 = (262147i + _e8194);
 let _e8197 = select(_e7846, _e8195, (_e8195 < _e7846));
-let _e8203 = global_3.member[bitcast<u32>(select(0i, _e8197, (_e8197 > 0i)))];
+let _e8203 = global_2.member[bitcast<u32>(select(0i, _e8197, (_e8197 > 0i)))];
 let _e8218 = ((_e8023 + (f32(bitcast<i32>((_e8203 >> bitcast<u32>(12u)))) * _e8032)) + ((f32((bitcast<i32>((_e8203 & 4095u)) - 2048i)) * _e8013) * (_e8179 - f32(_e8194))));
 local_14 = _e7824;
 let _e8219 = local_14;
@@ -2802,7 +2802,7 @@ let _e8261 = select(0i, select(select(i32(_e8254), i32(-2147483648), (_e8254 < -
 let _e8265 = (_e8261 - select(0i, 1i, (_e8254 < f32(_e8261))));
 let _e8266 = (262147i + _e8265);
 let _e8268 = select(_e7846, _e8266, (_e8266 < _e7846));
-let _e8274 = global_3.member[bitcast<u32>(select(0i, _e8268, (_e8268 > 0i)))];
+let _e8274 = global_2.member[bitcast<u32>(select(0i, _e8268, (_e8268 > 0i)))];
 let _e8289 = ((_e8023 + (f32(bitcast<i32>((_e8274 >> bitcast<u32>(12u)))) * _e8032)) + ((f32((bitcast<i32>((_e8274 & 4095u)) - 2048i)) * _e8013) * (_e8250 - f32(_e8265))));
 local_12 = _e7830;
 let _e8290 = local_12;
@@ -2826,7 +2826,7 @@ let _e8332 = select(0i, select(select(i32(_e8325), i32(-2147483648), (_e8325 < -
 let _e8336 = (_e8332 - select(0i, 1i, (_e8325 < f32(_e8332))));
 let _e8337 = (262147i + _e8336);
 let _e8339 = select(_e7846, _e8337, (_e8337 < _e7846));
-let _e8345 = global_3.member[bitcast<u32>(select(0i, _e8339, (_e8339 > 0i)))];
+let _e8345 = global_2.member[bitcast<u32>(select(0i, _e8339, (_e8339 > 0i)))];
 let _e8360 = ((_e8023 + (f32(bitcast<i32>((_e8345 >> bitcast<u32>(12u)))) * _e8032)) + ((f32((bitcast<i32>((_e8345 & 4095u)) - 2048i)) * _e8013) * (_e8321 - f32(_e8336))));
 local_10 = _e7836;
 let _e8361 = local_10;
@@ -2850,7 +2850,7 @@ let _e8403 = select(0i, select(select(i32(_e8396), i32(-2147483648), (_e8396 < -
 let _e8407 = (_e8403 - select(0i, 1i, (_e8396 < f32(_e8403))));
 let _e8408 = (262147i + _e8407);
 let _e8410 = select(_e7846, _e8408, (_e8408 < _e7846));
-let _e8416 = global_3.member[bitcast<u32>(select(0i, _e8410, (_e8410 > 0i)))];
+let _e8416 = global_2.member[bitcast<u32>(select(0i, _e8410, (_e8410 > 0i)))];
 let _e8431 = ((_e8023 + (f32(bitcast<i32>((_e8416 >> bitcast<u32>(12u)))) * _e8032)) + ((f32((bitcast<i32>((_e8416 & 4095u)) - 2048i)) * _e8013) * (_e8392 - f32(_e8407))));
 local_8 = _e7842;
 let _e8432 = local_8;
@@ -2874,12 +2874,12 @@ let _e8474 = select(0i, select(select(i32(_e8467), i32(-2147483648), (_e8467 < -
 let _e8478 = (_e8474 - select(0i, 1i, (_e8467 < f32(_e8474))));
 let _e8479 = (262147i + _e8478);
 let _e8481 = select(_e7846, _e8479, (_e8479 < _e7846));
-let _e8487 = global_3.member[bitcast<u32>(select(0i, _e8481, (_e8481 > 0i)))];
+let _e8487 = global_2.member[bitcast<u32>(select(0i, _e8481, (_e8481 > 0i)))];
 let _e8502 = ((_e8023 + (f32(bitcast<i32>((_e8487 >> bitcast<u32>(12u)))) * _e8032)) + ((f32((bitcast<i32>((_e8487 & 4095u)) - 2048i)) * _e8013) * (_e8463 - f32(_e8478))));
 let _e8503 = (_e8218 - _e8147);
 let _e8505 = (_e8360 - _e8289);
 let _e8507 = (_e8502 - _e8431);
-phi_20240_ = type_34(_e8038, vec3<f32>((0.5f * _e8503), (0.5f * _e8505), (0.5f * _e8507)), vec3<f32>((0.25f * (_e8503 * (_e8218 + _e8147))), (0.25f * (_e8505 * (_e8360 + _e8289))), (0.25f * (_e8507 * (_e8502 + _e8431)))));
+phi_20240_ = type_32(_e8038, vec3<f32>((0.5f * _e8503), (0.5f * _e8505), (0.5f * _e8507)), vec3<f32>((0.25f * (_e8503 * (_e8218 + _e8147))), (0.25f * (_e8505 * (_e8360 + _e8289))), (0.25f * (_e8507 * (_e8502 + _e8431)))));
 }
 let _e8537 = phi_20240_;
 let _e8552 = select(0f, 1f, ((((((_e6539 >= -0.5f) && (_e6539 <= _e634)) && (_e6545 >= -0.5f)) && (_e6545 <= _e645)) && (_e6551 >= -0.5f)) && (_e6551 <= _e656)));
@@ -2895,7 +2895,7 @@ let _e8600 = global_5.member[_e459].member_6.member_1.member.member_2;
 let _e8607 = global_5.member[_e459].member_6.member_2.member.member;
 let _e8614 = global_5.member[_e459].member_6.member_2.member.member_1;
 let _e8621 = global_5.member[_e459].member_6.member_2.member.member_2;
-phi_21003_ = type_35(_e7806, vec3<f32>(((((_e8565 * _e8554) + (_e8586 * _e8556)) + (_e8607 * _e8558)) * _e8552), ((((_e8572 * _e8554) + (_e8593 * _e8556)) + (_e8614 * _e8558)) * _e8552), ((((_e8579 * _e8554) + (_e8600 * _e8556)) + (_e8621 * _e8558)) * _e8552)), _e8537.member, vec3<f32>(((((_e8565 * _e8537.member_2.x) + (_e8586 * _e8537.member_2.y)) + (_e8607 * _e8537.member_2.z)) * _e8552), ((((_e8572 * _e8537.member_2.x) + (_e8593 * _e8537.member_2.y)) + (_e8614 * _e8537.member_2.z)) * _e8552), ((((_e8579 * _e8537.member_2.x) + (_e8600 * _e8537.member_2.y)) + (_e8621 * _e8537.member_2.z)) * _e8552)), vec3<f32>(((((_e8565 * _e8537.member_1.x) + (_e8586 * _e8537.member_1.y)) + (_e8607 * _e8537.member_1.z)) * _e8552), ((((_e8572 * _e8537.member_1.x) + (_e8593 * _e8537.member_1.y)) + (_e8614 * _e8537.member_1.z)) * _e8552), ((((_e8579 * _e8537.member_1.x) + (_e8600 * _e8537.member_1.y)) + (_e8621 * _e8537.member_1.z)) * _e8552)));
+phi_21003_ = type_33(_e7806, vec3<f32>(((((_e8565 * _e8554) + (_e8586 * _e8556)) + (_e8607 * _e8558)) * _e8552), ((((_e8572 * _e8554) + (_e8593 * _e8556)) + (_e8614 * _e8558)) * _e8552), ((((_e8579 * _e8554) + (_e8600 * _e8556)) + (_e8621 * _e8558)) * _e8552)), _e8537.member, vec3<f32>(((((_e8565 * _e8537.member_2.x) + (_e8586 * _e8537.member_2.y)) + (_e8607 * _e8537.member_2.z)) * _e8552), ((((_e8572 * _e8537.member_2.x) + (_e8593 * _e8537.member_2.y)) + (_e8614 * _e8537.member_2.z)) * _e8552), ((((_e8579 * _e8537.member_2.x) + (_e8600 * _e8537.member_2.y)) + (_e8621 * _e8537.member_2.z)) * _e8552)), vec3<f32>(((((_e8565 * _e8537.member_1.x) + (_e8586 * _e8537.member_1.y)) + (_e8607 * _e8537.member_1.z)) * _e8552), ((((_e8572 * _e8537.member_1.x) + (_e8593 * _e8537.member_1.y)) + (_e8614 * _e8537.member_1.z)) * _e8552), ((((_e8579 * _e8537.member_1.x) + (_e8600 * _e8537.member_1.y)) + (_e8621 * _e8537.member_1.z)) * _e8552)));
 } else {
 let _e6553 = select(-0.5f, _e6539, (_e6539 > -0.5f));
 let _e6555 = select(_e634, _e6553, (_e6553 < _e634));
@@ -2926,17 +2926,17 @@ let _e6644 = (select(0i, _e6593, (_e6593 > 0i)) * _e1281);
 let _e6645 = (select(_e1294, _e6611, (_e6611 < _e1294)) * _e1281);
 let _e6646 = (select(0i, _e6608, (_e6608 > 0i)) * _e1286);
 let _e6647 = (select(_e1307, _e6616, (_e6616 < _e1307)) * _e1286);
-local_6 = type_33(array<i32, 4>(_e6631, _e6631, _e6631, _e6631), array<u32, 6>(bitcast<u32>(((_e6621 - _e6631) * 8i)), bitcast<u32>(((select(0i, _e6578, (_e6578 > 0i)) - _e6631) * 8i)), bitcast<u32>(((select(_e1320, _e6624, (_e6624 < _e1320)) - _e6631) * 8i)), bitcast<u32>(((select(_e1320, _e6627, (_e6627 < _e1320)) - _e6631) * 8i)), 0u, 0u));
+local_6 = type_28(array<i32, 4>(_e6631, _e6631, _e6631, _e6631), array<u32, 6>(bitcast<u32>(((_e6621 - _e6631) * 8i)), bitcast<u32>(((select(0i, _e6578, (_e6578 > 0i)) - _e6631) * 8i)), bitcast<u32>(((select(_e1320, _e6624, (_e6624 < _e1320)) - _e6631) * 8i)), bitcast<u32>(((select(_e1320, _e6627, (_e6627 < _e1320)) - _e6631) * 8i)), 0u, 0u));
 local_7 = vec3<f32>((_e6555 - f32(_e6578)), (_e6559 - f32(_e6593)), (_e6563 - f32(_e6608)));
 let _e6662 = local_6.member[0u];
 let _e6663 = ((_e6646 + _e6644) + _e6662);
 let _e6665 = (_e6663 >> bitcast<u32>(2i));
 let _e6668 = bitcast<u32>(((_e6663 & 3i) * 8i));
 let _e6670 = select(_e1375, _e6665, (_e6665 < _e1375));
-let _e6675 = global_2.member[bitcast<u32>(select(0i, _e6670, (_e6670 > 0i)))];
+let _e6675 = global_1.member[bitcast<u32>(select(0i, _e6670, (_e6670 > 0i)))];
 let _e6679 = (_e6665 + 1i);
 let _e6681 = select(_e1375, _e6679, (_e6679 < _e1375));
-let _e6686 = global_2.member[bitcast<u32>(select(0i, _e6681, (_e6681 > 0i)))];
+let _e6686 = global_1.member[bitcast<u32>(select(0i, _e6681, (_e6681 > 0i)))];
 let _e6693 = ((_e6675 >> bitcast<u32>((_e6668 & 31u))) | ((_e6686 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6668) & 31u))));
 let _e6696 = local_6.member_1[1u];
 let _e6702 = f32(bitcast<i32>(((_e6693 >> bitcast<u32>((_e6696 & 31u))) & 255u)));
@@ -2948,10 +2948,10 @@ let _e6718 = ((_e6646 + _e6645) + _e6717);
 let _e6720 = (_e6718 >> bitcast<u32>(2i));
 let _e6723 = bitcast<u32>(((_e6718 & 3i) * 8i));
 let _e6725 = select(_e1375, _e6720, (_e6720 < _e1375));
-let _e6730 = global_2.member[bitcast<u32>(select(0i, _e6725, (_e6725 > 0i)))];
+let _e6730 = global_1.member[bitcast<u32>(select(0i, _e6725, (_e6725 > 0i)))];
 let _e6734 = (_e6720 + 1i);
 let _e6736 = select(_e1375, _e6734, (_e6734 < _e1375));
-let _e6741 = global_2.member[bitcast<u32>(select(0i, _e6736, (_e6736 > 0i)))];
+let _e6741 = global_1.member[bitcast<u32>(select(0i, _e6736, (_e6736 > 0i)))];
 let _e6748 = ((_e6730 >> bitcast<u32>((_e6723 & 31u))) | ((_e6741 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6723) & 31u))));
 let _e6749 = local_6.member_1[1u];
 let _e6755 = f32(bitcast<i32>(((_e6748 >> bitcast<u32>((_e6749 & 31u))) & 255u)));
@@ -2964,10 +2964,10 @@ let _e6774 = ((_e6647 + _e6644) + _e6773);
 let _e6776 = (_e6774 >> bitcast<u32>(2i));
 let _e6779 = bitcast<u32>(((_e6774 & 3i) * 8i));
 let _e6781 = select(_e1375, _e6776, (_e6776 < _e1375));
-let _e6786 = global_2.member[bitcast<u32>(select(0i, _e6781, (_e6781 > 0i)))];
+let _e6786 = global_1.member[bitcast<u32>(select(0i, _e6781, (_e6781 > 0i)))];
 let _e6790 = (_e6776 + 1i);
 let _e6792 = select(_e1375, _e6790, (_e6790 < _e1375));
-let _e6797 = global_2.member[bitcast<u32>(select(0i, _e6792, (_e6792 > 0i)))];
+let _e6797 = global_1.member[bitcast<u32>(select(0i, _e6792, (_e6792 > 0i)))];
 let _e6804 = ((_e6786 >> bitcast<u32>((_e6779 & 31u))) | ((_e6797 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6779) & 31u))));
 let _e6805 = local_6.member_1[1u];
 let _e6811 = f32(bitcast<i32>(((_e6804 >> bitcast<u32>((_e6805 & 31u))) & 255u)));
@@ -2979,10 +2979,10 @@ let _e6825 = ((_e6647 + _e6645) + _e6824);
 let _e6827 = (_e6825 >> bitcast<u32>(2i));
 let _e6830 = bitcast<u32>(((_e6825 & 3i) * 8i));
 let _e6832 = select(_e1375, _e6827, (_e6827 < _e1375));
-let _e6837 = global_2.member[bitcast<u32>(select(0i, _e6832, (_e6832 > 0i)))];
+let _e6837 = global_1.member[bitcast<u32>(select(0i, _e6832, (_e6832 > 0i)))];
 let _e6841 = (_e6827 + 1i);
 let _e6843 = select(_e1375, _e6841, (_e6841 < _e1375));
-let _e6848 = global_2.member[bitcast<u32>(select(0i, _e6843, (_e6843 > 0i)))];
+let _e6848 = global_1.member[bitcast<u32>(select(0i, _e6843, (_e6843 > 0i)))];
 let _e6855 = ((_e6837 >> bitcast<u32>((_e6830 & 31u))) | ((_e6848 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6830) & 31u))));
 let _e6856 = local_6.member_1[1u];
 let _e6862 = f32(bitcast<i32>(((_e6855 >> bitcast<u32>((_e6856 & 31u))) & 255u)));
@@ -2992,13 +2992,13 @@ let _e6874 = local_7[1u];
 let _e6879 = local_7[2u];
 let _e6884 = (((_e6771 + (((_e6822 + (((_e6862 + ((f32(bitcast<i32>(((_e6855 >> bitcast<u32>((_e6863 & 31u))) & 255u))) - _e6862) * _e6870)) - _e6822) * _e6874)) - _e6771) * _e6879)) - _e1594) * _e1599);
 let _e6886 = select(_e1602, _e6884, (_e6884 > _e1602));
-phi_21003_ = type_35(select(1e9f, _e6886, (_e6886 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21003_ = type_33(select(1e9f, _e6886, (_e6886 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8687 = phi_21003_;
 let _e8690 = select(1f, select(1f, _e1219, (_e1219 < 1f)), _e556);
 let _e8692 = ((_e799 & 16u) == 0u);
 if _e8692 {
-phi_21416_ = type_5(1f, 1f, 1f);
+phi_21416_ = type_7(1f, 1f, 1f);
 } else {
 let _e8697 = global_5.member[_e459].member_14.member;
 let _e8708 = ((((_e8697.member.member * _e492) + (_e8697.member.member_1 * _e494)) + (_e8697.member.member_2 * _e488)) + _e8697.member_1);
@@ -3044,7 +3044,7 @@ let _e8881 = select(0f, _e8879, (_e8879 > 0f));
 let _e8887 = select(select(select(1f, _e8881, (_e8881 < 1f)), 1f, (_e8874 <= 0f)), 0f, (_e8872 > 0f));
 let _e8893 = global_5.member[_e459].member_17.member_1;
 let _e8894 = (_e8893 != 0u);
-phi_21416_ = type_5(((((1f * _e8731) * _e8783) * _e8835) * _e8887), ((((1f * select(1f, _e8731, _e8738)) * select(1f, _e8783, _e8790)) * select(1f, _e8835, _e8842)) * select(1f, _e8887, _e8894)), ((((1f * select(1f, 0f, (_e8738 && (_e8714 > 0f)))) * select(1f, 0f, (_e8790 && (_e8766 > 0f)))) * select(1f, 0f, (_e8842 && (_e8818 > 0f)))) * select(1f, 0f, (_e8894 && (_e8870 > 0f)))));
+phi_21416_ = type_7(((((1f * _e8731) * _e8783) * _e8835) * _e8887), ((((1f * select(1f, _e8731, _e8738)) * select(1f, _e8783, _e8790)) * select(1f, _e8835, _e8842)) * select(1f, _e8887, _e8894)), ((((1f * select(1f, 0f, (_e8738 && (_e8714 > 0f)))) * select(1f, 0f, (_e8790 && (_e8766 > 0f)))) * select(1f, 0f, (_e8842 && (_e8818 > 0f)))) * select(1f, 0f, (_e8894 && (_e8870 > 0f)))));
 }
 let _e8903 = phi_21416_;
 let _e8910 = global_5.member[_e459].member_5.member_3;
@@ -3056,97 +3056,97 @@ local_5 = _e1607;
 let _e10072 = local_5;
 let _e10074 = (bitcast<i32>(_e230) - 1i);
 let _e10076 = select(_e10074, 263171i, (263171i < _e10074));
-let _e10081 = global_3.member[bitcast<u32>(select(0i, _e10076, (_e10076 > 0i)))];
+let _e10081 = global_2.member[bitcast<u32>(select(0i, _e10076, (_e10076 > 0i)))];
 let _e10082 = bitcast<f32>(_e10081);
 let _e10084 = select(_e10074, 263172i, (263172i < _e10074));
-let _e10089 = global_3.member[bitcast<u32>(select(0i, _e10084, (_e10084 > 0i)))];
+let _e10089 = global_2.member[bitcast<u32>(select(0i, _e10084, (_e10084 > 0i)))];
 let _e10090 = bitcast<f32>(_e10089);
 let _e10092 = select(_e10074, 263173i, (263173i < _e10074));
-let _e10097 = global_3.member[bitcast<u32>(select(0i, _e10092, (_e10092 > 0i)))];
+let _e10097 = global_2.member[bitcast<u32>(select(0i, _e10092, (_e10092 > 0i)))];
 let _e10098 = bitcast<f32>(_e10097);
 let _e10100 = ((_e10072 - _e10082) * _e10090);
 let _e10102 = select(0f, _e10100, (_e10100 > 0f));
 let _e10105 = local_5;
 let _e10107 = select(_e10074, 263174i, (263174i < _e10074));
-let _e10112 = global_3.member[bitcast<u32>(select(0i, _e10107, (_e10107 > 0i)))];
+let _e10112 = global_2.member[bitcast<u32>(select(0i, _e10107, (_e10107 > 0i)))];
 let _e10113 = bitcast<f32>(_e10112);
 let _e10115 = select(_e10074, 263175i, (263175i < _e10074));
-let _e10120 = global_3.member[bitcast<u32>(select(0i, _e10115, (_e10115 > 0i)))];
+let _e10120 = global_2.member[bitcast<u32>(select(0i, _e10115, (_e10115 > 0i)))];
 let _e10121 = bitcast<f32>(_e10120);
 let _e10123 = select(_e10074, 263176i, (263176i < _e10074));
-let _e10128 = global_3.member[bitcast<u32>(select(0i, _e10123, (_e10123 > 0i)))];
+let _e10128 = global_2.member[bitcast<u32>(select(0i, _e10123, (_e10123 > 0i)))];
 let _e10129 = bitcast<f32>(_e10128);
 let _e10131 = ((_e10105 - _e10113) * _e10121);
 let _e10133 = select(0f, _e10131, (_e10131 > 0f));
 let _e10137 = local_5;
 let _e10139 = select(_e10074, 263177i, (263177i < _e10074));
-let _e10144 = global_3.member[bitcast<u32>(select(0i, _e10139, (_e10139 > 0i)))];
+let _e10144 = global_2.member[bitcast<u32>(select(0i, _e10139, (_e10139 > 0i)))];
 let _e10145 = bitcast<f32>(_e10144);
 let _e10147 = select(_e10074, 263178i, (263178i < _e10074));
-let _e10152 = global_3.member[bitcast<u32>(select(0i, _e10147, (_e10147 > 0i)))];
+let _e10152 = global_2.member[bitcast<u32>(select(0i, _e10147, (_e10147 > 0i)))];
 let _e10153 = bitcast<f32>(_e10152);
 let _e10155 = select(_e10074, 263179i, (263179i < _e10074));
-let _e10160 = global_3.member[bitcast<u32>(select(0i, _e10155, (_e10155 > 0i)))];
+let _e10160 = global_2.member[bitcast<u32>(select(0i, _e10155, (_e10155 > 0i)))];
 let _e10161 = bitcast<f32>(_e10160);
 let _e10163 = ((_e10137 - _e10145) * _e10153);
 let _e10165 = select(0f, _e10163, (_e10163 > 0f));
 let _e10168 = local_5;
 let _e10170 = select(_e10074, 263180i, (263180i < _e10074));
-let _e10175 = global_3.member[bitcast<u32>(select(0i, _e10170, (_e10170 > 0i)))];
+let _e10175 = global_2.member[bitcast<u32>(select(0i, _e10170, (_e10170 > 0i)))];
 let _e10176 = bitcast<f32>(_e10175);
 let _e10178 = select(_e10074, 263181i, (263181i < _e10074));
-let _e10183 = global_3.member[bitcast<u32>(select(0i, _e10178, (_e10178 > 0i)))];
+let _e10183 = global_2.member[bitcast<u32>(select(0i, _e10178, (_e10178 > 0i)))];
 let _e10184 = bitcast<f32>(_e10183);
 let _e10186 = select(_e10074, 263182i, (263182i < _e10074));
-let _e10191 = global_3.member[bitcast<u32>(select(0i, _e10186, (_e10186 > 0i)))];
+let _e10191 = global_2.member[bitcast<u32>(select(0i, _e10186, (_e10186 > 0i)))];
 let _e10192 = bitcast<f32>(_e10191);
 let _e10194 = ((_e10168 - _e10176) * _e10184);
 let _e10196 = select(0f, _e10194, (_e10194 > 0f));
 let _e10201 = local_5;
 let _e10203 = select(_e10074, 263183i, (263183i < _e10074));
-let _e10208 = global_3.member[bitcast<u32>(select(0i, _e10203, (_e10203 > 0i)))];
+let _e10208 = global_2.member[bitcast<u32>(select(0i, _e10203, (_e10203 > 0i)))];
 let _e10209 = bitcast<f32>(_e10208);
 let _e10211 = select(_e10074, 263184i, (263184i < _e10074));
-let _e10216 = global_3.member[bitcast<u32>(select(0i, _e10211, (_e10211 > 0i)))];
+let _e10216 = global_2.member[bitcast<u32>(select(0i, _e10211, (_e10211 > 0i)))];
 let _e10217 = bitcast<f32>(_e10216);
 let _e10219 = select(_e10074, 263185i, (263185i < _e10074));
-let _e10224 = global_3.member[bitcast<u32>(select(0i, _e10219, (_e10219 > 0i)))];
+let _e10224 = global_2.member[bitcast<u32>(select(0i, _e10219, (_e10219 > 0i)))];
 let _e10225 = bitcast<f32>(_e10224);
 let _e10227 = ((_e10201 - _e10209) * _e10217);
 let _e10229 = select(0f, _e10227, (_e10227 > 0f));
 let _e10232 = local_5;
 let _e10234 = select(_e10074, 263186i, (263186i < _e10074));
-let _e10239 = global_3.member[bitcast<u32>(select(0i, _e10234, (_e10234 > 0i)))];
+let _e10239 = global_2.member[bitcast<u32>(select(0i, _e10234, (_e10234 > 0i)))];
 let _e10240 = bitcast<f32>(_e10239);
 let _e10242 = select(_e10074, 263187i, (263187i < _e10074));
-let _e10247 = global_3.member[bitcast<u32>(select(0i, _e10242, (_e10242 > 0i)))];
+let _e10247 = global_2.member[bitcast<u32>(select(0i, _e10242, (_e10242 > 0i)))];
 let _e10248 = bitcast<f32>(_e10247);
 let _e10250 = select(_e10074, 263188i, (263188i < _e10074));
-let _e10255 = global_3.member[bitcast<u32>(select(0i, _e10250, (_e10250 > 0i)))];
+let _e10255 = global_2.member[bitcast<u32>(select(0i, _e10250, (_e10250 > 0i)))];
 let _e10256 = bitcast<f32>(_e10255);
 let _e10258 = ((_e10232 - _e10240) * _e10248);
 let _e10260 = select(0f, _e10258, (_e10258 > 0f));
 let _e10264 = local_5;
 let _e10266 = select(_e10074, 263189i, (263189i < _e10074));
-let _e10271 = global_3.member[bitcast<u32>(select(0i, _e10266, (_e10266 > 0i)))];
+let _e10271 = global_2.member[bitcast<u32>(select(0i, _e10266, (_e10266 > 0i)))];
 let _e10272 = bitcast<f32>(_e10271);
 let _e10274 = select(_e10074, 263190i, (263190i < _e10074));
-let _e10279 = global_3.member[bitcast<u32>(select(0i, _e10274, (_e10274 > 0i)))];
+let _e10279 = global_2.member[bitcast<u32>(select(0i, _e10274, (_e10274 > 0i)))];
 let _e10280 = bitcast<f32>(_e10279);
 let _e10282 = select(_e10074, 263191i, (263191i < _e10074));
-let _e10287 = global_3.member[bitcast<u32>(select(0i, _e10282, (_e10282 > 0i)))];
+let _e10287 = global_2.member[bitcast<u32>(select(0i, _e10282, (_e10282 > 0i)))];
 let _e10288 = bitcast<f32>(_e10287);
 let _e10290 = ((_e10264 - _e10272) * _e10280);
 let _e10292 = select(0f, _e10290, (_e10290 > 0f));
 let _e10295 = local_5;
 let _e10297 = select(_e10074, 263192i, (263192i < _e10074));
-let _e10302 = global_3.member[bitcast<u32>(select(0i, _e10297, (_e10297 > 0i)))];
+let _e10302 = global_2.member[bitcast<u32>(select(0i, _e10297, (_e10297 > 0i)))];
 let _e10303 = bitcast<f32>(_e10302);
 let _e10305 = select(_e10074, 263193i, (263193i < _e10074));
-let _e10310 = global_3.member[bitcast<u32>(select(0i, _e10305, (_e10305 > 0i)))];
+let _e10310 = global_2.member[bitcast<u32>(select(0i, _e10305, (_e10305 > 0i)))];
 let _e10311 = bitcast<f32>(_e10310);
 let _e10313 = select(_e10074, 263194i, (263194i < _e10074));
-let _e10318 = global_3.member[bitcast<u32>(select(0i, _e10313, (_e10313 > 0i)))];
+let _e10318 = global_2.member[bitcast<u32>(select(0i, _e10313, (_e10313 > 0i)))];
 let _e10319 = bitcast<f32>(_e10318);
 let _e10321 = ((_e10295 - _e10303) * _e10311);
 let _e10323 = select(0f, _e10321, (_e10321 > 0f));
@@ -3187,10 +3187,10 @@ let _e10411 = select(_e10392, _e10409, (_e10409 < _e10392));
 let _e10418 = select(0i, select(select(i32(_e10411), i32(-2147483648), (_e10411 < -2147483600f)), 2147483647i, (_e10411 > 2147483500f)), (_e10411 == _e10411));
 let _e10422 = (_e10418 - select(0i, 1i, (_e10411 < f32(_e10418))));
 let _e10424 = select(_e10074, 263195i, (263195i < _e10074));
-let _e10430 = global_3.member[bitcast<u32>(select(0i, _e10424, (_e10424 > 0i)))];
+let _e10430 = global_2.member[bitcast<u32>(select(0i, _e10424, (_e10424 > 0i)))];
 let _e10431 = bitcast<f32>(_e10430);
 let _e10433 = select(_e10074, 263196i, (263196i < _e10074));
-let _e10439 = global_3.member[bitcast<u32>(select(0i, _e10433, (_e10433 > 0i)))];
+let _e10439 = global_2.member[bitcast<u32>(select(0i, _e10433, (_e10433 > 0i)))];
 let _e10440 = bitcast<f32>(_e10439);
 let _e10441 = (_e8687.member - _e1607);
 let _e10447 = (1f / select(_e10441, 1f, (bitcast<f32>((bitcast<u32>(_e10441) & 2147483647u)) < 1e-20f)));
@@ -3202,20 +3202,20 @@ let _e10466 = (_e10391 - f32(_e10422));
 let _e10468 = (1f - (_e10453 + _e10459));
 let _e10469 = (_e10462 + 2i);
 let _e10471 = select(_e10074, _e10469, (_e10469 < _e10074));
-let _e10477 = global_3.member[bitcast<u32>(select(0i, _e10471, (_e10471 > 0i)))];
+let _e10477 = global_2.member[bitcast<u32>(select(0i, _e10471, (_e10471 > 0i)))];
 let _e10478 = (_e10462 + 6i);
 let _e10480 = select(_e10074, _e10478, (_e10478 < _e10074));
-let _e10486 = global_3.member[bitcast<u32>(select(0i, _e10480, (_e10480 > 0i)))];
+let _e10486 = global_2.member[bitcast<u32>(select(0i, _e10480, (_e10480 > 0i)))];
 let _e10487 = (_e10462 + 1026i);
 let _e10489 = select(_e10074, _e10487, (_e10487 < _e10074));
-let _e10495 = global_3.member[bitcast<u32>(select(0i, _e10489, (_e10489 > 0i)))];
+let _e10495 = global_2.member[bitcast<u32>(select(0i, _e10489, (_e10489 > 0i)))];
 let _e10496 = (_e10462 + 1030i);
 let _e10498 = select(_e10074, _e10496, (_e10496 < _e10074));
-let _e10504 = global_3.member[bitcast<u32>(select(0i, _e10498, (_e10498 > 0i)))];
+let _e10504 = global_2.member[bitcast<u32>(select(0i, _e10498, (_e10498 > 0i)))];
 let _e10506 = select(_e10074, 2i, (2i < _e10074));
-let _e10512 = global_3.member[bitcast<u32>(select(0i, _e10506, (_e10506 > 0i)))];
+let _e10512 = global_2.member[bitcast<u32>(select(0i, _e10506, (_e10506 > 0i)))];
 let _e10514 = select(_e10074, 262142i, (262142i < _e10074));
-let _e10520 = global_3.member[bitcast<u32>(select(0i, _e10514, (_e10514 > 0i)))];
+let _e10520 = global_2.member[bitcast<u32>(select(0i, _e10514, (_e10514 > 0i)))];
 let _e10525 = (bitcast<f32>(((_e10477 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10533 = (_e10525 + (((bitcast<f32>(((_e10486 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10525) * _e10466));
 let _e10538 = (bitcast<f32>(((_e10495 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3224,20 +3224,20 @@ let _e10589 = (_e10581 + (((bitcast<f32>((((_e10486 >> bitcast<u32>(16i)) & 3276
 let _e10594 = (bitcast<f32>((((_e10495 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10621 = (_e10462 + 3i);
 let _e10623 = select(_e10074, _e10621, (_e10621 < _e10074));
-let _e10629 = global_3.member[bitcast<u32>(select(0i, _e10623, (_e10623 > 0i)))];
+let _e10629 = global_2.member[bitcast<u32>(select(0i, _e10623, (_e10623 > 0i)))];
 let _e10630 = (_e10462 + 7i);
 let _e10632 = select(_e10074, _e10630, (_e10630 < _e10074));
-let _e10638 = global_3.member[bitcast<u32>(select(0i, _e10632, (_e10632 > 0i)))];
+let _e10638 = global_2.member[bitcast<u32>(select(0i, _e10632, (_e10632 > 0i)))];
 let _e10639 = (_e10462 + 1027i);
 let _e10641 = select(_e10074, _e10639, (_e10639 < _e10074));
-let _e10647 = global_3.member[bitcast<u32>(select(0i, _e10641, (_e10641 > 0i)))];
+let _e10647 = global_2.member[bitcast<u32>(select(0i, _e10641, (_e10641 > 0i)))];
 let _e10648 = (_e10462 + 1031i);
 let _e10650 = select(_e10074, _e10648, (_e10648 < _e10074));
-let _e10656 = global_3.member[bitcast<u32>(select(0i, _e10650, (_e10650 > 0i)))];
+let _e10656 = global_2.member[bitcast<u32>(select(0i, _e10650, (_e10650 > 0i)))];
 let _e10658 = select(_e10074, 3i, (3i < _e10074));
-let _e10664 = global_3.member[bitcast<u32>(select(0i, _e10658, (_e10658 > 0i)))];
+let _e10664 = global_2.member[bitcast<u32>(select(0i, _e10658, (_e10658 > 0i)))];
 let _e10666 = select(_e10074, 262143i, (262143i < _e10074));
-let _e10672 = global_3.member[bitcast<u32>(select(0i, _e10666, (_e10666 > 0i)))];
+let _e10672 = global_2.member[bitcast<u32>(select(0i, _e10666, (_e10666 > 0i)))];
 let _e10677 = (bitcast<f32>(((_e10629 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10685 = (_e10677 + (((bitcast<f32>(((_e10638 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10677) * _e10466));
 let _e10690 = (bitcast<f32>(((_e10647 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3264,97 +3264,97 @@ local_3 = _e1607;
 let _e8917 = local_3;
 let _e8919 = (bitcast<i32>(_e230) - 1i);
 let _e8921 = select(_e8919, 263171i, (263171i < _e8919));
-let _e8926 = global_3.member[bitcast<u32>(select(0i, _e8921, (_e8921 > 0i)))];
+let _e8926 = global_2.member[bitcast<u32>(select(0i, _e8921, (_e8921 > 0i)))];
 let _e8927 = bitcast<f32>(_e8926);
 let _e8929 = select(_e8919, 263172i, (263172i < _e8919));
-let _e8934 = global_3.member[bitcast<u32>(select(0i, _e8929, (_e8929 > 0i)))];
+let _e8934 = global_2.member[bitcast<u32>(select(0i, _e8929, (_e8929 > 0i)))];
 let _e8935 = bitcast<f32>(_e8934);
 let _e8937 = select(_e8919, 263173i, (263173i < _e8919));
-let _e8942 = global_3.member[bitcast<u32>(select(0i, _e8937, (_e8937 > 0i)))];
+let _e8942 = global_2.member[bitcast<u32>(select(0i, _e8937, (_e8937 > 0i)))];
 let _e8943 = bitcast<f32>(_e8942);
 let _e8945 = ((_e8917 - _e8927) * _e8935);
 let _e8947 = select(0f, _e8945, (_e8945 > 0f));
 let _e8950 = local_3;
 let _e8952 = select(_e8919, 263174i, (263174i < _e8919));
-let _e8957 = global_3.member[bitcast<u32>(select(0i, _e8952, (_e8952 > 0i)))];
+let _e8957 = global_2.member[bitcast<u32>(select(0i, _e8952, (_e8952 > 0i)))];
 let _e8958 = bitcast<f32>(_e8957);
 let _e8960 = select(_e8919, 263175i, (263175i < _e8919));
-let _e8965 = global_3.member[bitcast<u32>(select(0i, _e8960, (_e8960 > 0i)))];
+let _e8965 = global_2.member[bitcast<u32>(select(0i, _e8960, (_e8960 > 0i)))];
 let _e8966 = bitcast<f32>(_e8965);
 let _e8968 = select(_e8919, 263176i, (263176i < _e8919));
-let _e8973 = global_3.member[bitcast<u32>(select(0i, _e8968, (_e8968 > 0i)))];
+let _e8973 = global_2.member[bitcast<u32>(select(0i, _e8968, (_e8968 > 0i)))];
 let _e8974 = bitcast<f32>(_e8973);
 let _e8976 = ((_e8950 - _e8958) * _e8966);
 let _e8978 = select(0f, _e8976, (_e8976 > 0f));
 let _e8982 = local_3;
 let _e8984 = select(_e8919, 263177i, (263177i < _e8919));
-let _e8989 = global_3.member[bitcast<u32>(select(0i, _e8984, (_e8984 > 0i)))];
+let _e8989 = global_2.member[bitcast<u32>(select(0i, _e8984, (_e8984 > 0i)))];
 let _e8990 = bitcast<f32>(_e8989);
 let _e8992 = select(_e8919, 263178i, (263178i < _e8919));
-let _e8997 = global_3.member[bitcast<u32>(select(0i, _e8992, (_e8992 > 0i)))];
+let _e8997 = global_2.member[bitcast<u32>(select(0i, _e8992, (_e8992 > 0i)))];
 let _e8998 = bitcast<f32>(_e8997);
 let _e9000 = select(_e8919, 263179i, (263179i < _e8919));
-let _e9005 = global_3.member[bitcast<u32>(select(0i, _e9000, (_e9000 > 0i)))];
+let _e9005 = global_2.member[bitcast<u32>(select(0i, _e9000, (_e9000 > 0i)))];
 let _e9006 = bitcast<f32>(_e9005);
 let _e9008 = ((_e8982 - _e8990) * _e8998);
 let _e9010 = select(0f, _e9008, (_e9008 > 0f));
 let _e9013 = local_3;
 let _e9015 = select(_e8919, 263180i, (263180i < _e8919));
-let _e9020 = global_3.member[bitcast<u32>(select(0i, _e9015, (_e9015 > 0i)))];
+let _e9020 = global_2.member[bitcast<u32>(select(0i, _e9015, (_e9015 > 0i)))];
 let _e9021 = bitcast<f32>(_e9020);
 let _e9023 = select(_e8919, 263181i, (263181i < _e8919));
-let _e9028 = global_3.member[bitcast<u32>(select(0i, _e9023, (_e9023 > 0i)))];
+let _e9028 = global_2.member[bitcast<u32>(select(0i, _e9023, (_e9023 > 0i)))];
 let _e9029 = bitcast<f32>(_e9028);
 let _e9031 = select(_e8919, 263182i, (263182i < _e8919));
-let _e9036 = global_3.member[bitcast<u32>(select(0i, _e9031, (_e9031 > 0i)))];
+let _e9036 = global_2.member[bitcast<u32>(select(0i, _e9031, (_e9031 > 0i)))];
 let _e9037 = bitcast<f32>(_e9036);
 let _e9039 = ((_e9013 - _e9021) * _e9029);
 let _e9041 = select(0f, _e9039, (_e9039 > 0f));
 let _e9046 = local_3;
 let _e9048 = select(_e8919, 263183i, (263183i < _e8919));
-let _e9053 = global_3.member[bitcast<u32>(select(0i, _e9048, (_e9048 > 0i)))];
+let _e9053 = global_2.member[bitcast<u32>(select(0i, _e9048, (_e9048 > 0i)))];
 let _e9054 = bitcast<f32>(_e9053);
 let _e9056 = select(_e8919, 263184i, (263184i < _e8919));
-let _e9061 = global_3.member[bitcast<u32>(select(0i, _e9056, (_e9056 > 0i)))];
+let _e9061 = global_2.member[bitcast<u32>(select(0i, _e9056, (_e9056 > 0i)))];
 let _e9062 = bitcast<f32>(_e9061);
 let _e9064 = select(_e8919, 263185i, (263185i < _e8919));
-let _e9069 = global_3.member[bitcast<u32>(select(0i, _e9064, (_e9064 > 0i)))];
+let _e9069 = global_2.member[bitcast<u32>(select(0i, _e9064, (_e9064 > 0i)))];
 let _e9070 = bitcast<f32>(_e9069);
 let _e9072 = ((_e9046 - _e9054) * _e9062);
 let _e9074 = select(0f, _e9072, (_e9072 > 0f));
 let _e9077 = local_3;
 let _e9079 = select(_e8919, 263186i, (263186i < _e8919));
-let _e9084 = global_3.member[bitcast<u32>(select(0i, _e9079, (_e9079 > 0i)))];
+let _e9084 = global_2.member[bitcast<u32>(select(0i, _e9079, (_e9079 > 0i)))];
 let _e9085 = bitcast<f32>(_e9084);
 let _e9087 = select(_e8919, 263187i, (263187i < _e8919));
-let _e9092 = global_3.member[bitcast<u32>(select(0i, _e9087, (_e9087 > 0i)))];
+let _e9092 = global_2.member[bitcast<u32>(select(0i, _e9087, (_e9087 > 0i)))];
 let _e9093 = bitcast<f32>(_e9092);
 let _e9095 = select(_e8919, 263188i, (263188i < _e8919));
-let _e9100 = global_3.member[bitcast<u32>(select(0i, _e9095, (_e9095 > 0i)))];
+let _e9100 = global_2.member[bitcast<u32>(select(0i, _e9095, (_e9095 > 0i)))];
 let _e9101 = bitcast<f32>(_e9100);
 let _e9103 = ((_e9077 - _e9085) * _e9093);
 let _e9105 = select(0f, _e9103, (_e9103 > 0f));
 let _e9109 = local_3;
 let _e9111 = select(_e8919, 263189i, (263189i < _e8919));
-let _e9116 = global_3.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
+let _e9116 = global_2.member[bitcast<u32>(select(0i, _e9111, (_e9111 > 0i)))];
 let _e9117 = bitcast<f32>(_e9116);
 let _e9119 = select(_e8919, 263190i, (263190i < _e8919));
-let _e9124 = global_3.member[bitcast<u32>(select(0i, _e9119, (_e9119 > 0i)))];
+let _e9124 = global_2.member[bitcast<u32>(select(0i, _e9119, (_e9119 > 0i)))];
 let _e9125 = bitcast<f32>(_e9124);
 let _e9127 = select(_e8919, 263191i, (263191i < _e8919));
-let _e9132 = global_3.member[bitcast<u32>(select(0i, _e9127, (_e9127 > 0i)))];
+let _e9132 = global_2.member[bitcast<u32>(select(0i, _e9127, (_e9127 > 0i)))];
 let _e9133 = bitcast<f32>(_e9132);
 let _e9135 = ((_e9109 - _e9117) * _e9125);
 let _e9137 = select(0f, _e9135, (_e9135 > 0f));
 let _e9140 = local_3;
 let _e9142 = select(_e8919, 263192i, (263192i < _e8919));
-let _e9147 = global_3.member[bitcast<u32>(select(0i, _e9142, (_e9142 > 0i)))];
+let _e9147 = global_2.member[bitcast<u32>(select(0i, _e9142, (_e9142 > 0i)))];
 let _e9148 = bitcast<f32>(_e9147);
 let _e9150 = select(_e8919, 263193i, (263193i < _e8919));
-let _e9155 = global_3.member[bitcast<u32>(select(0i, _e9150, (_e9150 > 0i)))];
+let _e9155 = global_2.member[bitcast<u32>(select(0i, _e9150, (_e9150 > 0i)))];
 let _e9156 = bitcast<f32>(_e9155);
 let _e9158 = select(_e8919, 263194i, (263194i < _e8919));
-let _e9163 = global_3.member[bitcast<u32>(select(0i, _e9158, (_e9158 > 0i)))];
+let _e9163 = global_2.member[bitcast<u32>(select(0i, _e9158, (_e9158 > 0i)))];
 let _e9164 = bitcast<f32>(_e9163);
 let _e9166 = ((_e9140 - _e9148) * _e9156);
 let _e9168 = select(0f, _e9166, (_e9166 > 0f));
@@ -3395,10 +3395,10 @@ let _e9256 = select(_e9237, _e9254, (_e9254 < _e9237));
 let _e9263 = select(0i, select(select(i32(_e9256), i32(-2147483648), (_e9256 < -2147483600f)), 2147483647i, (_e9256 > 2147483500f)), (_e9256 == _e9256));
 let _e9267 = (_e9263 - select(0i, 1i, (_e9256 < f32(_e9263))));
 let _e9269 = select(_e8919, 263195i, (263195i < _e8919));
-let _e9275 = global_3.member[bitcast<u32>(select(0i, _e9269, (_e9269 > 0i)))];
+let _e9275 = global_2.member[bitcast<u32>(select(0i, _e9269, (_e9269 > 0i)))];
 let _e9276 = bitcast<f32>(_e9275);
 let _e9278 = select(_e8919, 263196i, (263196i < _e8919));
-let _e9284 = global_3.member[bitcast<u32>(select(0i, _e9278, (_e9278 > 0i)))];
+let _e9284 = global_2.member[bitcast<u32>(select(0i, _e9278, (_e9278 > 0i)))];
 let _e9285 = bitcast<f32>(_e9284);
 let _e9286 = (_e8687.member - _e1607);
 let _e9292 = (1f / select(_e9286, 1f, (bitcast<f32>((bitcast<u32>(_e9286) & 2147483647u)) < 1e-20f)));
@@ -3409,20 +3409,20 @@ let _e9309 = (_e9173 - f32(_e9252));
 let _e9311 = (_e9236 - f32(_e9267));
 let _e9313 = (1f - (_e9298 + _e9304));
 let _e9315 = select(_e8919, _e9307, (_e9307 < _e8919));
-let _e9321 = global_3.member[bitcast<u32>(select(0i, _e9315, (_e9315 > 0i)))];
+let _e9321 = global_2.member[bitcast<u32>(select(0i, _e9315, (_e9315 > 0i)))];
 let _e9322 = (_e9307 + 4i);
 let _e9324 = select(_e8919, _e9322, (_e9322 < _e8919));
-let _e9330 = global_3.member[bitcast<u32>(select(0i, _e9324, (_e9324 > 0i)))];
+let _e9330 = global_2.member[bitcast<u32>(select(0i, _e9324, (_e9324 > 0i)))];
 let _e9331 = (_e9307 + 1024i);
 let _e9333 = select(_e8919, _e9331, (_e9331 < _e8919));
-let _e9339 = global_3.member[bitcast<u32>(select(0i, _e9333, (_e9333 > 0i)))];
+let _e9339 = global_2.member[bitcast<u32>(select(0i, _e9333, (_e9333 > 0i)))];
 let _e9340 = (_e9307 + 1028i);
 let _e9342 = select(_e8919, _e9340, (_e9340 < _e8919));
-let _e9348 = global_3.member[bitcast<u32>(select(0i, _e9342, (_e9342 > 0i)))];
+let _e9348 = global_2.member[bitcast<u32>(select(0i, _e9342, (_e9342 > 0i)))];
 let _e9350 = select(_e8919, 0i, (0i < _e8919));
-let _e9356 = global_3.member[bitcast<u32>(select(0i, _e9350, (_e9350 > 0i)))];
+let _e9356 = global_2.member[bitcast<u32>(select(0i, _e9350, (_e9350 > 0i)))];
 let _e9358 = select(_e8919, 262140i, (262140i < _e8919));
-let _e9364 = global_3.member[bitcast<u32>(select(0i, _e9358, (_e9358 > 0i)))];
+let _e9364 = global_2.member[bitcast<u32>(select(0i, _e9358, (_e9358 > 0i)))];
 let _e9369 = (bitcast<f32>(((_e9321 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9377 = (_e9369 + (((bitcast<f32>(((_e9330 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9369) * _e9311));
 let _e9382 = (bitcast<f32>(((_e9339 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3432,20 +3432,20 @@ let _e9433 = (_e9425 + (((bitcast<f32>((((_e9330 >> bitcast<u32>(16i)) & 32767u)
 let _e9438 = (bitcast<f32>((((_e9339 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9465 = (_e9307 + 1i);
 let _e9467 = select(_e8919, _e9465, (_e9465 < _e8919));
-let _e9473 = global_3.member[bitcast<u32>(select(0i, _e9467, (_e9467 > 0i)))];
+let _e9473 = global_2.member[bitcast<u32>(select(0i, _e9467, (_e9467 > 0i)))];
 let _e9474 = (_e9307 + 5i);
 let _e9476 = select(_e8919, _e9474, (_e9474 < _e8919));
-let _e9482 = global_3.member[bitcast<u32>(select(0i, _e9476, (_e9476 > 0i)))];
+let _e9482 = global_2.member[bitcast<u32>(select(0i, _e9476, (_e9476 > 0i)))];
 let _e9483 = (_e9307 + 1025i);
 let _e9485 = select(_e8919, _e9483, (_e9483 < _e8919));
-let _e9491 = global_3.member[bitcast<u32>(select(0i, _e9485, (_e9485 > 0i)))];
+let _e9491 = global_2.member[bitcast<u32>(select(0i, _e9485, (_e9485 > 0i)))];
 let _e9492 = (_e9307 + 1029i);
 let _e9494 = select(_e8919, _e9492, (_e9492 < _e8919));
-let _e9500 = global_3.member[bitcast<u32>(select(0i, _e9494, (_e9494 > 0i)))];
+let _e9500 = global_2.member[bitcast<u32>(select(0i, _e9494, (_e9494 > 0i)))];
 let _e9502 = select(_e8919, 1i, (1i < _e8919));
-let _e9508 = global_3.member[bitcast<u32>(select(0i, _e9502, (_e9502 > 0i)))];
+let _e9508 = global_2.member[bitcast<u32>(select(0i, _e9502, (_e9502 > 0i)))];
 let _e9510 = select(_e8919, 262141i, (262141i < _e8919));
-let _e9516 = global_3.member[bitcast<u32>(select(0i, _e9510, (_e9510 > 0i)))];
+let _e9516 = global_2.member[bitcast<u32>(select(0i, _e9510, (_e9510 > 0i)))];
 let _e9521 = (bitcast<f32>(((_e9473 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9529 = (_e9521 + (((bitcast<f32>(((_e9482 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9521) * _e9311));
 let _e9534 = (bitcast<f32>(((_e9491 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3454,20 +3454,20 @@ let _e9585 = (_e9577 + (((bitcast<f32>((((_e9482 >> bitcast<u32>(16i)) & 32767u)
 let _e9590 = (bitcast<f32>((((_e9491 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9617 = (_e9307 + 2i);
 let _e9619 = select(_e8919, _e9617, (_e9617 < _e8919));
-let _e9625 = global_3.member[bitcast<u32>(select(0i, _e9619, (_e9619 > 0i)))];
+let _e9625 = global_2.member[bitcast<u32>(select(0i, _e9619, (_e9619 > 0i)))];
 let _e9626 = (_e9307 + 6i);
 let _e9628 = select(_e8919, _e9626, (_e9626 < _e8919));
-let _e9634 = global_3.member[bitcast<u32>(select(0i, _e9628, (_e9628 > 0i)))];
+let _e9634 = global_2.member[bitcast<u32>(select(0i, _e9628, (_e9628 > 0i)))];
 let _e9635 = (_e9307 + 1026i);
 let _e9637 = select(_e8919, _e9635, (_e9635 < _e8919));
-let _e9643 = global_3.member[bitcast<u32>(select(0i, _e9637, (_e9637 > 0i)))];
+let _e9643 = global_2.member[bitcast<u32>(select(0i, _e9637, (_e9637 > 0i)))];
 let _e9644 = (_e9307 + 1030i);
 let _e9646 = select(_e8919, _e9644, (_e9644 < _e8919));
-let _e9652 = global_3.member[bitcast<u32>(select(0i, _e9646, (_e9646 > 0i)))];
+let _e9652 = global_2.member[bitcast<u32>(select(0i, _e9646, (_e9646 > 0i)))];
 let _e9654 = select(_e8919, 2i, (2i < _e8919));
-let _e9660 = global_3.member[bitcast<u32>(select(0i, _e9654, (_e9654 > 0i)))];
+let _e9660 = global_2.member[bitcast<u32>(select(0i, _e9654, (_e9654 > 0i)))];
 let _e9662 = select(_e8919, 262142i, (262142i < _e8919));
-let _e9668 = global_3.member[bitcast<u32>(select(0i, _e9662, (_e9662 > 0i)))];
+let _e9668 = global_2.member[bitcast<u32>(select(0i, _e9662, (_e9662 > 0i)))];
 let _e9673 = (bitcast<f32>(((_e9625 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9681 = (_e9673 + (((bitcast<f32>(((_e9634 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9673) * _e9311));
 let _e9686 = (bitcast<f32>(((_e9643 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3476,20 +3476,20 @@ let _e9737 = (_e9729 + (((bitcast<f32>((((_e9634 >> bitcast<u32>(16i)) & 32767u)
 let _e9742 = (bitcast<f32>((((_e9643 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9769 = (_e9307 + 3i);
 let _e9771 = select(_e8919, _e9769, (_e9769 < _e8919));
-let _e9777 = global_3.member[bitcast<u32>(select(0i, _e9771, (_e9771 > 0i)))];
+let _e9777 = global_2.member[bitcast<u32>(select(0i, _e9771, (_e9771 > 0i)))];
 let _e9778 = (_e9307 + 7i);
 let _e9780 = select(_e8919, _e9778, (_e9778 < _e8919));
-let _e9786 = global_3.member[bitcast<u32>(select(0i, _e9780, (_e9780 > 0i)))];
+let _e9786 = global_2.member[bitcast<u32>(select(0i, _e9780, (_e9780 > 0i)))];
 let _e9787 = (_e9307 + 1027i);
 let _e9789 = select(_e8919, _e9787, (_e9787 < _e8919));
-let _e9795 = global_3.member[bitcast<u32>(select(0i, _e9789, (_e9789 > 0i)))];
+let _e9795 = global_2.member[bitcast<u32>(select(0i, _e9789, (_e9789 > 0i)))];
 let _e9796 = (_e9307 + 1031i);
 let _e9798 = select(_e8919, _e9796, (_e9796 < _e8919));
-let _e9804 = global_3.member[bitcast<u32>(select(0i, _e9798, (_e9798 > 0i)))];
+let _e9804 = global_2.member[bitcast<u32>(select(0i, _e9798, (_e9798 > 0i)))];
 let _e9806 = select(_e8919, 3i, (3i < _e8919));
-let _e9812 = global_3.member[bitcast<u32>(select(0i, _e9806, (_e9806 > 0i)))];
+let _e9812 = global_2.member[bitcast<u32>(select(0i, _e9806, (_e9806 > 0i)))];
 let _e9814 = select(_e8919, 262143i, (262143i < _e8919));
-let _e9820 = global_3.member[bitcast<u32>(select(0i, _e9814, (_e9814 > 0i)))];
+let _e9820 = global_2.member[bitcast<u32>(select(0i, _e9814, (_e9814 > 0i)))];
 let _e9825 = (bitcast<f32>(((_e9777 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9833 = (_e9825 + (((bitcast<f32>(((_e9786 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9825) * _e9311));
 let _e9838 = (bitcast<f32>(((_e9795 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3553,7 +3553,7 @@ let _e12529 = (_e12528 == 0u);
 if _e12529 {
 let _e12758 = global_5.member[_e459].member_9.member_1;
 let _e12767 = global_5.member[_e459].member_9.member;
-phi_25851_ = type_28(vec3<f32>(_e12758.member, _e12758.member_1, _e12758.member_2), vec3<f32>(_e12767.member, _e12767.member_1, _e12767.member_2));
+phi_25851_ = type_35(vec3<f32>(_e12758.member, _e12758.member_1, _e12758.member_2), vec3<f32>(_e12767.member, _e12767.member_1, _e12767.member_2));
 } else {
 let _e12534 = global_5.member[_e459].member_10.member;
 let _e12545 = ((((_e12534.member.member * _e10841) + (_e12534.member.member_1 * _e10842)) + (_e12534.member.member_2 * _e10843)) + _e12534.member_1);
@@ -3609,7 +3609,7 @@ let _e12710 = select(1f, (_e12693 * _e12704), _e12682);
 let _e12716 = global_5.member[_e459].member_10.member.member;
 let _e12728 = global_5.member[_e459].member_10.member_1.member;
 let _e12743 = global_5.member[_e459].member_10.member_2.member;
-phi_25851_ = type_28(vec3<f32>((_e12582.member * _e12677), (_e12582.member_1 * _e12677), (_e12582.member_2 * _e12677)), (vec3<f32>(((_e12716.member * _e12708) + (_e12728.member * _e12709)), ((_e12716.member_1 * _e12708) + (_e12728.member_1 * _e12709)), ((_e12716.member_2 * _e12708) + (_e12728.member_2 * _e12709))) + vec3<f32>((_e12743.member * _e12710), (_e12743.member_1 * _e12710), (_e12743.member_2 * _e12710))));
+phi_25851_ = type_35(vec3<f32>((_e12582.member * _e12677), (_e12582.member_1 * _e12677), (_e12582.member_2 * _e12677)), (vec3<f32>(((_e12716.member * _e12708) + (_e12728.member * _e12709)), ((_e12716.member_1 * _e12708) + (_e12728.member_1 * _e12709)), ((_e12716.member_2 * _e12708) + (_e12728.member_2 * _e12709))) + vec3<f32>((_e12743.member * _e12710), (_e12743.member_1 * _e12710), (_e12743.member_2 * _e12710))));
 }
 let _e12774 = phi_25851_;
 phi_28263_ = _e12774;
@@ -3648,7 +3648,7 @@ local_1 = (_e12011 + ((_e11989 * _e11949) + _e11974));
 let _e12013 = local_1;
 let _e12015 = (bitcast<i32>(_e233) - 1i);
 let _e12017 = select(_e12015, _e12013, (_e12013 < _e12015));
-let _e12022 = global_4.member[bitcast<u32>(select(0i, _e12017, (_e12017 > 0i)))];
+let _e12022 = global_3.member[bitcast<u32>(select(0i, _e12017, (_e12017 > 0i)))];
 let _e12024 = bitcast<u32>(bitcast<f32>(_e12022));
 let _e12028 = f32((bitcast<i32>((_e12024 & 65535u)) - 32768i));
 let _e12034 = f32((bitcast<i32>(((_e12024 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3656,13 +3656,13 @@ let _e12039 = select(_e12034, -(_e12034), ((_e12024 >> bitcast<u32>(31i)) != 0u)
 let _e12040 = local_1;
 let _e12041 = (_e12040 + 1i);
 let _e12043 = select(_e12015, _e12041, (_e12041 < _e12015));
-let _e12048 = global_4.member[bitcast<u32>(select(0i, _e12043, (_e12043 > 0i)))];
+let _e12048 = global_3.member[bitcast<u32>(select(0i, _e12043, (_e12043 > 0i)))];
 let _e12050 = bitcast<u32>(bitcast<f32>(_e12048));
 let _e12060 = f32((bitcast<i32>(((_e12050 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12066 = local_1;
 let _e12067 = (_e12066 + _e11949);
 let _e12069 = select(_e12015, _e12067, (_e12067 < _e12015));
-let _e12074 = global_4.member[bitcast<u32>(select(0i, _e12069, (_e12069 > 0i)))];
+let _e12074 = global_3.member[bitcast<u32>(select(0i, _e12069, (_e12069 > 0i)))];
 let _e12076 = bitcast<u32>(bitcast<f32>(_e12074));
 let _e12080 = f32((bitcast<i32>((_e12076 & 65535u)) - 32768i));
 let _e12086 = f32((bitcast<i32>(((_e12076 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3671,7 +3671,7 @@ let _e12092 = (_e11949 + 1i);
 let _e12093 = local_1;
 let _e12094 = (_e12093 + _e12092);
 let _e12096 = select(_e12015, _e12094, (_e12094 < _e12015));
-let _e12101 = global_4.member[bitcast<u32>(select(0i, _e12096, (_e12096 > 0i)))];
+let _e12101 = global_3.member[bitcast<u32>(select(0i, _e12096, (_e12096 > 0i)))];
 let _e12103 = bitcast<u32>(bitcast<f32>(_e12101));
 let _e12113 = f32((bitcast<i32>(((_e12103 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12121 = (_e12028 + ((f32((bitcast<i32>((_e12050 & 65535u)) - 32768i)) - _e12028) * _e11993));
@@ -3701,60 +3701,60 @@ let _e12208 = (_e12172 - f32(_e12202));
 let _e12215 = ((((_e12171 >= 0f) && (_e12171 <= _e11951)) && (_e12172 >= 0f)) && (_e12172 <= _e11959));
 let _e12216 = (_e12007 + _e12204);
 let _e12218 = select(_e12015, _e12216, (_e12216 < _e12015));
-let _e12224 = global_4.member[bitcast<u32>(select(0i, _e12218, (_e12218 > 0i)))];
+let _e12224 = global_3.member[bitcast<u32>(select(0i, _e12218, (_e12218 > 0i)))];
 let _e12225 = bitcast<f32>(_e12224);
 let _e12226 = (_e12216 + 1i);
 let _e12228 = select(_e12015, _e12226, (_e12226 < _e12015));
-let _e12234 = global_4.member[bitcast<u32>(select(0i, _e12228, (_e12228 > 0i)))];
+let _e12234 = global_3.member[bitcast<u32>(select(0i, _e12228, (_e12228 > 0i)))];
 let _e12238 = (_e12225 + ((bitcast<f32>(_e12234) - _e12225) * _e12206));
 let _e12239 = (_e12216 + _e11949);
 let _e12241 = select(_e12015, _e12239, (_e12239 < _e12015));
-let _e12247 = global_4.member[bitcast<u32>(select(0i, _e12241, (_e12241 > 0i)))];
+let _e12247 = global_3.member[bitcast<u32>(select(0i, _e12241, (_e12241 > 0i)))];
 let _e12248 = bitcast<f32>(_e12247);
 let _e12249 = (_e12239 + 1i);
 let _e12251 = select(_e12015, _e12249, (_e12249 < _e12015));
-let _e12257 = global_4.member[bitcast<u32>(select(0i, _e12251, (_e12251 > 0i)))];
+let _e12257 = global_3.member[bitcast<u32>(select(0i, _e12251, (_e12251 > 0i)))];
 let _e12265 = select(1f, (_e12238 + (((_e12248 + ((bitcast<f32>(_e12257) - _e12248) * _e12206)) - _e12238) * _e12208)), _e12215);
 if _e8915 {
 phi_26596_ = vec3(_e12265);
 } else {
 let _e12268 = ((_e12007 + _e12009) + _e12204);
 let _e12270 = select(_e12015, _e12268, (_e12268 < _e12015));
-let _e12276 = global_4.member[bitcast<u32>(select(0i, _e12270, (_e12270 > 0i)))];
+let _e12276 = global_3.member[bitcast<u32>(select(0i, _e12270, (_e12270 > 0i)))];
 let _e12277 = bitcast<f32>(_e12276);
 let _e12278 = (_e12268 + 1i);
 let _e12280 = select(_e12015, _e12278, (_e12278 < _e12015));
-let _e12286 = global_4.member[bitcast<u32>(select(0i, _e12280, (_e12280 > 0i)))];
+let _e12286 = global_3.member[bitcast<u32>(select(0i, _e12280, (_e12280 > 0i)))];
 let _e12290 = (_e12277 + ((bitcast<f32>(_e12286) - _e12277) * _e12206));
 let _e12291 = (_e12268 + _e11949);
 let _e12293 = select(_e12015, _e12291, (_e12291 < _e12015));
-let _e12299 = global_4.member[bitcast<u32>(select(0i, _e12293, (_e12293 > 0i)))];
+let _e12299 = global_3.member[bitcast<u32>(select(0i, _e12293, (_e12293 > 0i)))];
 let _e12300 = bitcast<f32>(_e12299);
 let _e12301 = (_e12291 + 1i);
 let _e12303 = select(_e12015, _e12301, (_e12301 < _e12015));
-let _e12309 = global_4.member[bitcast<u32>(select(0i, _e12303, (_e12303 > 0i)))];
+let _e12309 = global_3.member[bitcast<u32>(select(0i, _e12303, (_e12303 > 0i)))];
 let _e12320 = ((_e12007 + (2i * _e12009)) + _e12204);
 let _e12322 = select(_e12015, _e12320, (_e12320 < _e12015));
-let _e12328 = global_4.member[bitcast<u32>(select(0i, _e12322, (_e12322 > 0i)))];
+let _e12328 = global_3.member[bitcast<u32>(select(0i, _e12322, (_e12322 > 0i)))];
 let _e12329 = bitcast<f32>(_e12328);
 let _e12330 = (_e12320 + 1i);
 let _e12332 = select(_e12015, _e12330, (_e12330 < _e12015));
-let _e12338 = global_4.member[bitcast<u32>(select(0i, _e12332, (_e12332 > 0i)))];
+let _e12338 = global_3.member[bitcast<u32>(select(0i, _e12332, (_e12332 > 0i)))];
 let _e12342 = (_e12329 + ((bitcast<f32>(_e12338) - _e12329) * _e12206));
 let _e12343 = (_e12320 + _e11949);
 let _e12345 = select(_e12015, _e12343, (_e12343 < _e12015));
-let _e12351 = global_4.member[bitcast<u32>(select(0i, _e12345, (_e12345 > 0i)))];
+let _e12351 = global_3.member[bitcast<u32>(select(0i, _e12345, (_e12345 > 0i)))];
 let _e12352 = bitcast<f32>(_e12351);
 let _e12353 = (_e12343 + 1i);
 let _e12355 = select(_e12015, _e12353, (_e12353 < _e12015));
-let _e12361 = global_4.member[bitcast<u32>(select(0i, _e12355, (_e12355 > 0i)))];
+let _e12361 = global_3.member[bitcast<u32>(select(0i, _e12355, (_e12355 > 0i)))];
 phi_26596_ = vec3<f32>(_e12265, select(1f, (_e12290 + (((_e12300 + ((bitcast<f32>(_e12309) - _e12300) * _e12206)) - _e12290) * _e12208)), _e12215), select(1f, (_e12342 + (((_e12352 + ((bitcast<f32>(_e12361) - _e12352) * _e12206)) - _e12342) * _e12208)), _e12215));
 }
 let _e12372 = phi_26596_;
 local = (_e12011 + _e12204);
 let _e12374 = local;
 let _e12376 = select(_e12015, _e12374, (_e12374 < _e12015));
-let _e12381 = global_4.member[bitcast<u32>(select(0i, _e12376, (_e12376 > 0i)))];
+let _e12381 = global_3.member[bitcast<u32>(select(0i, _e12376, (_e12376 > 0i)))];
 let _e12383 = bitcast<u32>(bitcast<f32>(_e12381));
 let _e12387 = f32((bitcast<i32>((_e12383 & 65535u)) - 32768i));
 let _e12393 = f32((bitcast<i32>(((_e12383 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3762,13 +3762,13 @@ let _e12398 = select(_e12393, -(_e12393), ((_e12383 >> bitcast<u32>(31i)) != 0u)
 let _e12399 = local;
 let _e12400 = (_e12399 + 1i);
 let _e12402 = select(_e12015, _e12400, (_e12400 < _e12015));
-let _e12407 = global_4.member[bitcast<u32>(select(0i, _e12402, (_e12402 > 0i)))];
+let _e12407 = global_3.member[bitcast<u32>(select(0i, _e12402, (_e12402 > 0i)))];
 let _e12409 = bitcast<u32>(bitcast<f32>(_e12407));
 let _e12419 = f32((bitcast<i32>(((_e12409 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12425 = local;
 let _e12426 = (_e12425 + _e11949);
 let _e12428 = select(_e12015, _e12426, (_e12426 < _e12015));
-let _e12433 = global_4.member[bitcast<u32>(select(0i, _e12428, (_e12428 > 0i)))];
+let _e12433 = global_3.member[bitcast<u32>(select(0i, _e12428, (_e12428 > 0i)))];
 let _e12435 = bitcast<u32>(bitcast<f32>(_e12433));
 let _e12439 = f32((bitcast<i32>((_e12435 & 65535u)) - 32768i));
 let _e12445 = f32((bitcast<i32>(((_e12435 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3776,7 +3776,7 @@ let _e12450 = select(_e12445, -(_e12445), ((_e12435 >> bitcast<u32>(31i)) != 0u)
 let _e12451 = local;
 let _e12452 = (_e12451 + _e12092);
 let _e12454 = select(_e12015, _e12452, (_e12452 < _e12015));
-let _e12459 = global_4.member[bitcast<u32>(select(0i, _e12454, (_e12454 > 0i)))];
+let _e12459 = global_3.member[bitcast<u32>(select(0i, _e12454, (_e12454 > 0i)))];
 let _e12461 = bitcast<u32>(bitcast<f32>(_e12459));
 let _e12471 = f32((bitcast<i32>(((_e12461 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12479 = (_e12387 + ((f32((bitcast<i32>((_e12409 & 65535u)) - 32768i)) - _e12387) * _e12206));
@@ -3786,7 +3786,7 @@ let _e12508 = (_e12143.member + (select(0f, (_e12479 + (((_e12439 + ((f32((bitca
 let _e12510 = (_e12143.member_1 + (select(0f, (_e12488 + (((_e12450 + ((select(_e12471, -(_e12471), ((_e12461 >> bitcast<u32>(31i)) != 0u)) - _e12450) * _e12206)) - _e12488) * _e12208)), _e12215) * _e12146));
 let _e12514 = (1f - ((_e12508 * _e12508) + (_e12510 * _e12510)));
 let _e12516 = select(1e-4f, _e12514, (_e12514 > 1e-4f));
-phi_28262_ = type_28((_e12372 * vec3<f32>(_e12501.member, _e12501.member_1, _e12501.member_2)), vec3<f32>(_e12508, _e12510, sqrt(select(0f, _e12516, (_e12516 > 0f)))));
+phi_28262_ = type_35((_e12372 * vec3<f32>(_e12501.member, _e12501.member_1, _e12501.member_2)), vec3<f32>(_e12508, _e12510, sqrt(select(0f, _e12516, (_e12516 > 0f)))));
 } else {
 let _e10846 = (1f - _e10833.member);
 let _e10848 = select(1e-6f, _e10833.member, (_e10833.member > 1e-6f));
@@ -3852,9 +3852,9 @@ let _e11107 = phi_27110_;
 let _e11108 = (_e11107 + 1i);
 let _e11110 = (bitcast<i32>(_e233) - 1i);
 let _e11112 = select(_e11110, _e11108, (_e11108 < _e11110));
-let _e11118 = global_4.member[bitcast<u32>(select(0i, _e11112, (_e11112 > 0i)))];
+let _e11118 = global_3.member[bitcast<u32>(select(0i, _e11112, (_e11112 > 0i)))];
 let _e11120 = select(_e11110, _e11107, (_e11107 < _e11110));
-let _e11126 = global_4.member[bitcast<u32>(select(0i, _e11120, (_e11120 > 0i)))];
+let _e11126 = global_3.member[bitcast<u32>(select(0i, _e11120, (_e11120 > 0i)))];
 let _e11129 = select(_e11118, 0u, (_e11107 < 0i));
 let _e11134 = global_5.member[_e459].member_10.member_13;
 let _e11135 = (_e11129 * 81u);
@@ -3866,35 +3866,35 @@ let _e11152 = (_e11002 - f32(_e11045));
 let _e11154 = (_e11014 - f32(_e11060));
 let _e11155 = (_e11129 != 0u);
 let _e11157 = select(_e11110, _e11147, (_e11147 < _e11110));
-let _e11163 = global_4.member[bitcast<u32>(select(0i, _e11157, (_e11157 > 0i)))];
+let _e11163 = global_3.member[bitcast<u32>(select(0i, _e11157, (_e11157 > 0i)))];
 let _e11164 = bitcast<f32>(_e11163);
 let _e11165 = (_e11147 + 1i);
 let _e11167 = select(_e11110, _e11165, (_e11165 < _e11110));
-let _e11173 = global_4.member[bitcast<u32>(select(0i, _e11167, (_e11167 > 0i)))];
+let _e11173 = global_3.member[bitcast<u32>(select(0i, _e11167, (_e11167 > 0i)))];
 let _e11177 = (_e11164 + ((bitcast<f32>(_e11173) - _e11164) * _e11150));
 let _e11178 = (_e11147 + 9i);
 let _e11180 = select(_e11110, _e11178, (_e11178 < _e11110));
-let _e11186 = global_4.member[bitcast<u32>(select(0i, _e11180, (_e11180 > 0i)))];
+let _e11186 = global_3.member[bitcast<u32>(select(0i, _e11180, (_e11180 > 0i)))];
 let _e11187 = bitcast<f32>(_e11186);
 let _e11188 = (_e11147 + 10i);
 let _e11190 = select(_e11110, _e11188, (_e11188 < _e11110));
-let _e11196 = global_4.member[bitcast<u32>(select(0i, _e11190, (_e11190 > 0i)))];
+let _e11196 = global_3.member[bitcast<u32>(select(0i, _e11190, (_e11190 > 0i)))];
 let _e11203 = (_e11177 + (((_e11187 + ((bitcast<f32>(_e11196) - _e11187) * _e11150)) - _e11177) * _e11152));
 let _e11204 = (_e11147 + _e11139);
 let _e11206 = select(_e11110, _e11204, (_e11204 < _e11110));
-let _e11212 = global_4.member[bitcast<u32>(select(0i, _e11206, (_e11206 > 0i)))];
+let _e11212 = global_3.member[bitcast<u32>(select(0i, _e11206, (_e11206 > 0i)))];
 let _e11213 = bitcast<f32>(_e11212);
 let _e11214 = (_e11204 + 1i);
 let _e11216 = select(_e11110, _e11214, (_e11214 < _e11110));
-let _e11222 = global_4.member[bitcast<u32>(select(0i, _e11216, (_e11216 > 0i)))];
+let _e11222 = global_3.member[bitcast<u32>(select(0i, _e11216, (_e11216 > 0i)))];
 let _e11226 = (_e11213 + ((bitcast<f32>(_e11222) - _e11213) * _e11150));
 let _e11227 = (_e11204 + 9i);
 let _e11229 = select(_e11110, _e11227, (_e11227 < _e11110));
-let _e11235 = global_4.member[bitcast<u32>(select(0i, _e11229, (_e11229 > 0i)))];
+let _e11235 = global_3.member[bitcast<u32>(select(0i, _e11229, (_e11229 > 0i)))];
 let _e11236 = bitcast<f32>(_e11235);
 let _e11237 = (_e11204 + 10i);
 let _e11239 = select(_e11110, _e11237, (_e11237 < _e11110));
-let _e11245 = global_4.member[bitcast<u32>(select(0i, _e11239, (_e11239 > 0i)))];
+let _e11245 = global_3.member[bitcast<u32>(select(0i, _e11239, (_e11239 > 0i)))];
 let _e11256 = select(1f, (_e11203 + (((_e11226 + (((_e11236 + ((bitcast<f32>(_e11245) - _e11236) * _e11150)) - _e11226) * _e11152)) - _e11203) * _e11154)), _e11155);
 if _e8915 {
 phi_27687_ = vec3(_e11256);
@@ -3903,66 +3903,66 @@ let _e11262 = global_5.member[_e459].member_10.member_12;
 let _e11263 = (_e11262 > 1u);
 let _e11267 = (_e11147 + (select(0i, 1i, _e11263) * _e11148));
 let _e11269 = select(_e11110, _e11267, (_e11267 < _e11110));
-let _e11275 = global_4.member[bitcast<u32>(select(0i, _e11269, (_e11269 > 0i)))];
+let _e11275 = global_3.member[bitcast<u32>(select(0i, _e11269, (_e11269 > 0i)))];
 let _e11276 = bitcast<f32>(_e11275);
 let _e11277 = (_e11267 + 1i);
 let _e11279 = select(_e11110, _e11277, (_e11277 < _e11110));
-let _e11285 = global_4.member[bitcast<u32>(select(0i, _e11279, (_e11279 > 0i)))];
+let _e11285 = global_3.member[bitcast<u32>(select(0i, _e11279, (_e11279 > 0i)))];
 let _e11289 = (_e11276 + ((bitcast<f32>(_e11285) - _e11276) * _e11150));
 let _e11290 = (_e11267 + 9i);
 let _e11292 = select(_e11110, _e11290, (_e11290 < _e11110));
-let _e11298 = global_4.member[bitcast<u32>(select(0i, _e11292, (_e11292 > 0i)))];
+let _e11298 = global_3.member[bitcast<u32>(select(0i, _e11292, (_e11292 > 0i)))];
 let _e11299 = bitcast<f32>(_e11298);
 let _e11300 = (_e11267 + 10i);
 let _e11302 = select(_e11110, _e11300, (_e11300 < _e11110));
-let _e11308 = global_4.member[bitcast<u32>(select(0i, _e11302, (_e11302 > 0i)))];
+let _e11308 = global_3.member[bitcast<u32>(select(0i, _e11302, (_e11302 > 0i)))];
 let _e11315 = (_e11289 + (((_e11299 + ((bitcast<f32>(_e11308) - _e11299) * _e11150)) - _e11289) * _e11152));
 let _e11316 = (_e11267 + _e11139);
 let _e11318 = select(_e11110, _e11316, (_e11316 < _e11110));
-let _e11324 = global_4.member[bitcast<u32>(select(0i, _e11318, (_e11318 > 0i)))];
+let _e11324 = global_3.member[bitcast<u32>(select(0i, _e11318, (_e11318 > 0i)))];
 let _e11325 = bitcast<f32>(_e11324);
 let _e11326 = (_e11316 + 1i);
 let _e11328 = select(_e11110, _e11326, (_e11326 < _e11110));
-let _e11334 = global_4.member[bitcast<u32>(select(0i, _e11328, (_e11328 > 0i)))];
+let _e11334 = global_3.member[bitcast<u32>(select(0i, _e11328, (_e11328 > 0i)))];
 let _e11338 = (_e11325 + ((bitcast<f32>(_e11334) - _e11325) * _e11150));
 let _e11339 = (_e11316 + 9i);
 let _e11341 = select(_e11110, _e11339, (_e11339 < _e11110));
-let _e11347 = global_4.member[bitcast<u32>(select(0i, _e11341, (_e11341 > 0i)))];
+let _e11347 = global_3.member[bitcast<u32>(select(0i, _e11341, (_e11341 > 0i)))];
 let _e11348 = bitcast<f32>(_e11347);
 let _e11349 = (_e11316 + 10i);
 let _e11351 = select(_e11110, _e11349, (_e11349 < _e11110));
-let _e11357 = global_4.member[bitcast<u32>(select(0i, _e11351, (_e11351 > 0i)))];
+let _e11357 = global_3.member[bitcast<u32>(select(0i, _e11351, (_e11351 > 0i)))];
 let _e11370 = (_e11147 + (select(0i, 2i, _e11263) * _e11148));
 let _e11372 = select(_e11110, _e11370, (_e11370 < _e11110));
-let _e11378 = global_4.member[bitcast<u32>(select(0i, _e11372, (_e11372 > 0i)))];
+let _e11378 = global_3.member[bitcast<u32>(select(0i, _e11372, (_e11372 > 0i)))];
 let _e11379 = bitcast<f32>(_e11378);
 let _e11380 = (_e11370 + 1i);
 let _e11382 = select(_e11110, _e11380, (_e11380 < _e11110));
-let _e11388 = global_4.member[bitcast<u32>(select(0i, _e11382, (_e11382 > 0i)))];
+let _e11388 = global_3.member[bitcast<u32>(select(0i, _e11382, (_e11382 > 0i)))];
 let _e11392 = (_e11379 + ((bitcast<f32>(_e11388) - _e11379) * _e11150));
 let _e11393 = (_e11370 + 9i);
 let _e11395 = select(_e11110, _e11393, (_e11393 < _e11110));
-let _e11401 = global_4.member[bitcast<u32>(select(0i, _e11395, (_e11395 > 0i)))];
+let _e11401 = global_3.member[bitcast<u32>(select(0i, _e11395, (_e11395 > 0i)))];
 let _e11402 = bitcast<f32>(_e11401);
 let _e11403 = (_e11370 + 10i);
 let _e11405 = select(_e11110, _e11403, (_e11403 < _e11110));
-let _e11411 = global_4.member[bitcast<u32>(select(0i, _e11405, (_e11405 > 0i)))];
+let _e11411 = global_3.member[bitcast<u32>(select(0i, _e11405, (_e11405 > 0i)))];
 let _e11418 = (_e11392 + (((_e11402 + ((bitcast<f32>(_e11411) - _e11402) * _e11150)) - _e11392) * _e11152));
 let _e11419 = (_e11370 + _e11139);
 let _e11421 = select(_e11110, _e11419, (_e11419 < _e11110));
-let _e11427 = global_4.member[bitcast<u32>(select(0i, _e11421, (_e11421 > 0i)))];
+let _e11427 = global_3.member[bitcast<u32>(select(0i, _e11421, (_e11421 > 0i)))];
 let _e11428 = bitcast<f32>(_e11427);
 let _e11429 = (_e11419 + 1i);
 let _e11431 = select(_e11110, _e11429, (_e11429 < _e11110));
-let _e11437 = global_4.member[bitcast<u32>(select(0i, _e11431, (_e11431 > 0i)))];
+let _e11437 = global_3.member[bitcast<u32>(select(0i, _e11431, (_e11431 > 0i)))];
 let _e11441 = (_e11428 + ((bitcast<f32>(_e11437) - _e11428) * _e11150));
 let _e11442 = (_e11419 + 9i);
 let _e11444 = select(_e11110, _e11442, (_e11442 < _e11110));
-let _e11450 = global_4.member[bitcast<u32>(select(0i, _e11444, (_e11444 > 0i)))];
+let _e11450 = global_3.member[bitcast<u32>(select(0i, _e11444, (_e11444 > 0i)))];
 let _e11451 = bitcast<f32>(_e11450);
 let _e11452 = (_e11419 + 10i);
 let _e11454 = select(_e11110, _e11452, (_e11452 < _e11110));
-let _e11460 = global_4.member[bitcast<u32>(select(0i, _e11454, (_e11454 > 0i)))];
+let _e11460 = global_3.member[bitcast<u32>(select(0i, _e11454, (_e11454 > 0i)))];
 phi_27687_ = vec3<f32>(_e11256, select(1f, (_e11315 + (((_e11338 + (((_e11348 + ((bitcast<f32>(_e11357) - _e11348) * _e11150)) - _e11338) * _e11152)) - _e11315) * _e11154)), _e11155), select(1f, (_e11418 + (((_e11441 + (((_e11451 + ((bitcast<f32>(_e11460) - _e11451) * _e11150)) - _e11441) * _e11152)) - _e11418) * _e11154)), _e11155));
 }
 let _e11474 = phi_27687_;
@@ -3978,56 +3978,56 @@ let _e11497 = select(0f, (_e11480 * _e11492), _e10959);
 if _e838 {
 let _e11503 = (_e11147 + ((bitcast<i32>(_e11134) - 1i) * _e11148));
 let _e11505 = select(_e11110, _e11503, (_e11503 < _e11110));
-let _e11511 = global_4.member[bitcast<u32>(select(0i, _e11505, (_e11505 > 0i)))];
+let _e11511 = global_3.member[bitcast<u32>(select(0i, _e11505, (_e11505 > 0i)))];
 let _e11513 = bitcast<u32>(bitcast<f32>(_e11511));
 let _e11517 = f32((bitcast<i32>((_e11513 & 65535u)) - 32768i));
 let _e11523 = f32((bitcast<i32>(((_e11513 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11528 = select(_e11523, -(_e11523), ((_e11513 >> bitcast<u32>(31i)) != 0u));
 let _e11529 = (_e11503 + 1i);
 let _e11531 = select(_e11110, _e11529, (_e11529 < _e11110));
-let _e11537 = global_4.member[bitcast<u32>(select(0i, _e11531, (_e11531 > 0i)))];
+let _e11537 = global_3.member[bitcast<u32>(select(0i, _e11531, (_e11531 > 0i)))];
 let _e11539 = bitcast<u32>(bitcast<f32>(_e11537));
 let _e11549 = f32((bitcast<i32>(((_e11539 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11557 = (_e11517 + ((f32((bitcast<i32>((_e11539 & 65535u)) - 32768i)) - _e11517) * _e11150));
 let _e11560 = (_e11528 + ((select(_e11549, -(_e11549), ((_e11539 >> bitcast<u32>(31i)) != 0u)) - _e11528) * _e11150));
 let _e11561 = (_e11503 + 9i);
 let _e11563 = select(_e11110, _e11561, (_e11561 < _e11110));
-let _e11569 = global_4.member[bitcast<u32>(select(0i, _e11563, (_e11563 > 0i)))];
+let _e11569 = global_3.member[bitcast<u32>(select(0i, _e11563, (_e11563 > 0i)))];
 let _e11571 = bitcast<u32>(bitcast<f32>(_e11569));
 let _e11575 = f32((bitcast<i32>((_e11571 & 65535u)) - 32768i));
 let _e11581 = f32((bitcast<i32>(((_e11571 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11586 = select(_e11581, -(_e11581), ((_e11571 >> bitcast<u32>(31i)) != 0u));
 let _e11587 = (_e11503 + 10i);
 let _e11589 = select(_e11110, _e11587, (_e11587 < _e11110));
-let _e11595 = global_4.member[bitcast<u32>(select(0i, _e11589, (_e11589 > 0i)))];
+let _e11595 = global_3.member[bitcast<u32>(select(0i, _e11589, (_e11589 > 0i)))];
 let _e11597 = bitcast<u32>(bitcast<f32>(_e11595));
 let _e11607 = f32((bitcast<i32>(((_e11597 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11621 = (_e11557 + (((_e11575 + ((f32((bitcast<i32>((_e11597 & 65535u)) - 32768i)) - _e11575) * _e11150)) - _e11557) * _e11152));
 let _e11624 = (_e11560 + (((_e11586 + ((select(_e11607, -(_e11607), ((_e11597 >> bitcast<u32>(31i)) != 0u)) - _e11586) * _e11150)) - _e11560) * _e11152));
 let _e11625 = (_e11503 + _e11139);
 let _e11627 = select(_e11110, _e11625, (_e11625 < _e11110));
-let _e11633 = global_4.member[bitcast<u32>(select(0i, _e11627, (_e11627 > 0i)))];
+let _e11633 = global_3.member[bitcast<u32>(select(0i, _e11627, (_e11627 > 0i)))];
 let _e11635 = bitcast<u32>(bitcast<f32>(_e11633));
 let _e11639 = f32((bitcast<i32>((_e11635 & 65535u)) - 32768i));
 let _e11645 = f32((bitcast<i32>(((_e11635 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11650 = select(_e11645, -(_e11645), ((_e11635 >> bitcast<u32>(31i)) != 0u));
 let _e11651 = (_e11625 + 1i);
 let _e11653 = select(_e11110, _e11651, (_e11651 < _e11110));
-let _e11659 = global_4.member[bitcast<u32>(select(0i, _e11653, (_e11653 > 0i)))];
+let _e11659 = global_3.member[bitcast<u32>(select(0i, _e11653, (_e11653 > 0i)))];
 let _e11661 = bitcast<u32>(bitcast<f32>(_e11659));
 let _e11671 = f32((bitcast<i32>(((_e11661 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11679 = (_e11639 + ((f32((bitcast<i32>((_e11661 & 65535u)) - 32768i)) - _e11639) * _e11150));
 let _e11682 = (_e11650 + ((select(_e11671, -(_e11671), ((_e11661 >> bitcast<u32>(31i)) != 0u)) - _e11650) * _e11150));
 let _e11683 = (_e11625 + 9i);
 let _e11685 = select(_e11110, _e11683, (_e11683 < _e11110));
-let _e11691 = global_4.member[bitcast<u32>(select(0i, _e11685, (_e11685 > 0i)))];
+let _e11691 = global_3.member[bitcast<u32>(select(0i, _e11685, (_e11685 > 0i)))];
 let _e11693 = bitcast<u32>(bitcast<f32>(_e11691));
 let _e11697 = f32((bitcast<i32>((_e11693 & 65535u)) - 32768i));
 let _e11703 = f32((bitcast<i32>(((_e11693 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11708 = select(_e11703, -(_e11703), ((_e11693 >> bitcast<u32>(31i)) != 0u));
 let _e11709 = (_e11625 + 10i);
 let _e11711 = select(_e11110, _e11709, (_e11709 < _e11110));
-let _e11717 = global_4.member[bitcast<u32>(select(0i, _e11711, (_e11711 > 0i)))];
+let _e11717 = global_3.member[bitcast<u32>(select(0i, _e11711, (_e11711 > 0i)))];
 let _e11719 = bitcast<u32>(bitcast<f32>(_e11717));
 let _e11729 = f32((bitcast<i32>(((_e11719 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11755 = (_e11496 + select(0f, ((_e11621 + (((_e11679 + (((_e11697 + ((f32((bitcast<i32>((_e11719 & 65535u)) - 32768i)) - _e11697) * _e11150)) - _e11679) * _e11152)) - _e11621) * _e11154)) * 6.151953e-5f), _e11155));
@@ -4068,7 +4068,7 @@ let _e11852 = (_e11851 * select(_e11831, 1f, (_e838 && _e11155)));
 let _e11862 = global_5.member[_e459].member_10.member.member;
 let _e11875 = global_5.member[_e459].member_10.member_1.member;
 let _e11891 = global_5.member[_e459].member_10.member_2.member;
-phi_28262_ = type_28(vec3<f32>(((_e11474.x * _e11837.member) * _e11852), ((_e11474.y * _e11837.member_1) * _e11852), ((_e11474.z * _e11837.member_2) * _e11852)), (vec3<f32>(((_e11862.member * _e11770.x) + (_e11875.member * _e11770.y)), ((_e11862.member_1 * _e11770.x) + (_e11875.member_1 * _e11770.y)), ((_e11862.member_2 * _e11770.x) + (_e11875.member_2 * _e11770.y))) + vec3<f32>((_e11891.member * _e11770.z), (_e11891.member_1 * _e11770.z), (_e11891.member_2 * _e11770.z))));
+phi_28262_ = type_35(vec3<f32>(((_e11474.x * _e11837.member) * _e11852), ((_e11474.y * _e11837.member_1) * _e11852), ((_e11474.z * _e11837.member_2) * _e11852)), (vec3<f32>(((_e11862.member * _e11770.x) + (_e11875.member * _e11770.y)), ((_e11862.member_1 * _e11770.x) + (_e11875.member_1 * _e11770.y)), ((_e11862.member_2 * _e11770.x) + (_e11875.member_2 * _e11770.y))) + vec3<f32>((_e11891.member * _e11770.z), (_e11891.member_1 * _e11770.z), (_e11891.member_2 * _e11770.z))));
 }
 let _e12523 = phi_28262_;
 phi_28263_ = _e12523;
@@ -4254,51 +4254,51 @@ let _e13465 = ((bitcast<i32>(_e13461) + (_e13435 * _e13279)) + _e13418);
 let _e13466 = (_e13279 * _e13287);
 let _e13468 = (bitcast<i32>(_e233) - 1i);
 let _e13470 = select(_e13468, _e13465, (_e13465 < _e13468));
-let _e13476 = global_4.member[bitcast<u32>(select(0i, _e13470, (_e13470 > 0i)))];
+let _e13476 = global_3.member[bitcast<u32>(select(0i, _e13470, (_e13470 > 0i)))];
 let _e13477 = bitcast<f32>(_e13476);
 let _e13478 = (_e13465 + 1i);
 let _e13480 = select(_e13468, _e13478, (_e13478 < _e13468));
-let _e13486 = global_4.member[bitcast<u32>(select(0i, _e13480, (_e13480 > 0i)))];
+let _e13486 = global_3.member[bitcast<u32>(select(0i, _e13480, (_e13480 > 0i)))];
 let _e13490 = (_e13477 + ((bitcast<f32>(_e13486) - _e13477) * _e13441));
 let _e13491 = (_e13465 + _e13279);
 let _e13493 = select(_e13468, _e13491, (_e13491 < _e13468));
-let _e13499 = global_4.member[bitcast<u32>(select(0i, _e13493, (_e13493 > 0i)))];
+let _e13499 = global_3.member[bitcast<u32>(select(0i, _e13493, (_e13493 > 0i)))];
 let _e13500 = bitcast<f32>(_e13499);
 let _e13501 = (_e13491 + 1i);
 let _e13503 = select(_e13468, _e13501, (_e13501 < _e13468));
-let _e13509 = global_4.member[bitcast<u32>(select(0i, _e13503, (_e13503 > 0i)))];
+let _e13509 = global_3.member[bitcast<u32>(select(0i, _e13503, (_e13503 > 0i)))];
 let _e13516 = (_e13490 + (((_e13500 + ((bitcast<f32>(_e13509) - _e13500) * _e13441)) - _e13490) * _e13447));
 let _e13517 = (_e13465 + _e13466);
 let _e13519 = select(_e13468, _e13517, (_e13517 < _e13468));
-let _e13525 = global_4.member[bitcast<u32>(select(0i, _e13519, (_e13519 > 0i)))];
+let _e13525 = global_3.member[bitcast<u32>(select(0i, _e13519, (_e13519 > 0i)))];
 let _e13526 = bitcast<f32>(_e13525);
 let _e13527 = (_e13517 + 1i);
 let _e13529 = select(_e13468, _e13527, (_e13527 < _e13468));
-let _e13535 = global_4.member[bitcast<u32>(select(0i, _e13529, (_e13529 > 0i)))];
+let _e13535 = global_3.member[bitcast<u32>(select(0i, _e13529, (_e13529 > 0i)))];
 let _e13539 = (_e13526 + ((bitcast<f32>(_e13535) - _e13526) * _e13441));
 let _e13540 = (_e13517 + _e13279);
 let _e13542 = select(_e13468, _e13540, (_e13540 < _e13468));
-let _e13548 = global_4.member[bitcast<u32>(select(0i, _e13542, (_e13542 > 0i)))];
+let _e13548 = global_3.member[bitcast<u32>(select(0i, _e13542, (_e13542 > 0i)))];
 let _e13549 = bitcast<f32>(_e13548);
 let _e13550 = (_e13540 + 1i);
 let _e13552 = select(_e13468, _e13550, (_e13550 < _e13468));
-let _e13558 = global_4.member[bitcast<u32>(select(0i, _e13552, (_e13552 > 0i)))];
+let _e13558 = global_3.member[bitcast<u32>(select(0i, _e13552, (_e13552 > 0i)))];
 let _e13565 = (_e13539 + (((_e13549 + ((bitcast<f32>(_e13558) - _e13549) * _e13441)) - _e13539) * _e13447));
 let _e13567 = (_e13465 + (2i * _e13466));
 let _e13569 = select(_e13468, _e13567, (_e13567 < _e13468));
-let _e13575 = global_4.member[bitcast<u32>(select(0i, _e13569, (_e13569 > 0i)))];
+let _e13575 = global_3.member[bitcast<u32>(select(0i, _e13569, (_e13569 > 0i)))];
 let _e13576 = bitcast<f32>(_e13575);
 let _e13577 = (_e13567 + 1i);
 let _e13579 = select(_e13468, _e13577, (_e13577 < _e13468));
-let _e13585 = global_4.member[bitcast<u32>(select(0i, _e13579, (_e13579 > 0i)))];
+let _e13585 = global_3.member[bitcast<u32>(select(0i, _e13579, (_e13579 > 0i)))];
 let _e13589 = (_e13576 + ((bitcast<f32>(_e13585) - _e13576) * _e13441));
 let _e13590 = (_e13567 + _e13279);
 let _e13592 = select(_e13468, _e13590, (_e13590 < _e13468));
-let _e13598 = global_4.member[bitcast<u32>(select(0i, _e13592, (_e13592 > 0i)))];
+let _e13598 = global_3.member[bitcast<u32>(select(0i, _e13592, (_e13592 > 0i)))];
 let _e13599 = bitcast<f32>(_e13598);
 let _e13600 = (_e13590 + 1i);
 let _e13602 = select(_e13468, _e13600, (_e13600 < _e13468));
-let _e13608 = global_4.member[bitcast<u32>(select(0i, _e13602, (_e13602 > 0i)))];
+let _e13608 = global_3.member[bitcast<u32>(select(0i, _e13602, (_e13602 > 0i)))];
 let _e13615 = (_e13589 + (((_e13599 + ((bitcast<f32>(_e13608) - _e13599) * _e13441)) - _e13589) * _e13447));
 let _e13617 = (_e13098 == 0u);
 if _e13617 {
@@ -4335,13 +4335,13 @@ phi_29431_ = vec3<f32>((select(0f, _e13682, (_e13682 > 0f)) * _e13695), (select(
 }
 let _e13701 = phi_29431_;
 let _e13706 = global_5.member[_e459].member_9.member_1;
-phi_29691_ = type_28((vec3<f32>(_e13706.member, _e13706.member_1, _e13706.member_2) * _e13701), _e13169);
+phi_29691_ = type_35((vec3<f32>(_e13706.member, _e13706.member_1, _e13706.member_2) * _e13701), _e13169);
 } else {
 let _e13172 = (_e13098 == 0u);
 if _e13172 {
 let _e13255 = global_5.member[_e459].member_9.member_1;
 let _e13264 = global_5.member[_e459].member_9.member;
-phi_29690_ = type_28(vec3<f32>(_e13255.member, _e13255.member_1, _e13255.member_2), vec3<f32>(_e13264.member, _e13264.member_1, _e13264.member_2));
+phi_29690_ = type_35(vec3<f32>(_e13255.member, _e13255.member_1, _e13255.member_2), vec3<f32>(_e13264.member, _e13264.member_1, _e13264.member_2));
 } else {
 let _e13177 = global_5.member[_e459].member_9.member_1;
 if _e13172 {
@@ -4368,7 +4368,7 @@ phi_29618_ = select(1f, select(0f, ((_e13234 * _e13234) * (3f - (2f * _e13234)))
 }
 let _e13244 = phi_29618_;
 let _e13245 = (_e13185 * _e13244);
-phi_29690_ = type_28(vec3<f32>((_e13177.member * _e13245), (_e13177.member_1 * _e13245), (_e13177.member_2 * _e13245)), _e13169);
+phi_29690_ = type_35(vec3<f32>((_e13177.member * _e13245), (_e13177.member_1 * _e13245), (_e13177.member_2 * _e13245)), _e13169);
 }
 let _e13271 = phi_29690_;
 phi_29691_ = _e13271;
@@ -4502,7 +4502,7 @@ let _e14079 = select(select(select(select(select(select(0f, _e13818.member, _e13
 let _e14080 = select(select(select(select(select(select(0f, _e13818.member_1, _e13860), _e13818.member_1, _e13900), _e13827.member_1, _e13940), _e13827.member_1, _e13980), _e13836.member_1, _e14020), _e13836.member_1, _e14060);
 let _e14081 = select(select(select(select(select(select(1f, _e13818.member_2, _e13860), _e13818.member_2, _e13900), _e13827.member_2, _e13940), _e13827.member_2, _e13980), _e13836.member_2, _e14020), _e13836.member_2, _e14060);
 if _e8692 {
-phi_31182_ = type_36(_e14066, vec3<f32>(_e14067, _e14068, _e14069), _e14071, vec3<f32>(_e14072, _e14073, _e14074), _e14076, _e14078, vec3<f32>(_e14079, _e14080, _e14081));
+phi_31182_ = type_34(_e14066, vec3<f32>(_e14067, _e14068, _e14069), _e14071, vec3<f32>(_e14072, _e14073, _e14074), _e14076, _e14078, vec3<f32>(_e14079, _e14080, _e14081));
 } else {
 let _e14088 = (((_e13818.member * _e13818.member) + (_e13818.member_1 * _e13818.member_1)) + (_e13818.member_2 * _e13818.member_2));
 let _e14091 = sqrt(select(0f, _e14088, (_e14088 > 0f)));
@@ -4582,7 +4582,7 @@ let _e14387 = select(2f, select(0f, _e14379, (_e14359 < 0f)), (_e14360 > 0f));
 let _e14388 = (_e14359 > _e14323);
 let _e14392 = ((_e14383 > _e14315) || ((_e14383 == _e14315) && _e14388));
 let _e14393 = (_e14387 < _e14319);
-phi_31182_ = type_36(select(_e14315, _e14383, _e14392), vec3<f32>(select(select(select(select(_e14067, _e14129.member, _e14155), _e14208.member, _e14234), _e14287.member, _e14313), _e14366.member, _e14392), select(select(select(select(_e14068, _e14129.member_1, _e14155), _e14208.member_1, _e14234), _e14287.member_1, _e14313), _e14366.member_1, _e14392), select(select(select(select(_e14069, _e14129.member_2, _e14155), _e14208.member_2, _e14234), _e14287.member_2, _e14313), _e14366.member_2, _e14392)), select(_e14319, _e14387, _e14393), vec3<f32>(select(select(select(select(_e14072, _e14129.member, _e14156), _e14208.member, _e14235), _e14287.member, _e14314), _e14366.member, _e14393), select(select(select(select(_e14073, _e14129.member_1, _e14156), _e14208.member_1, _e14235), _e14287.member_1, _e14314), _e14366.member_1, _e14393), select(select(select(select(_e14074, _e14129.member_2, _e14156), _e14208.member_2, _e14235), _e14287.member_2, _e14314), _e14366.member_2, _e14393)), select(_e14323, _e14359, _e14388), select(_e14325, _e14360, (_e14360 > _e14325)), vec3<f32>(select(select(select(select(_e14079, _e14129.member, _e14151), _e14208.member, _e14230), _e14287.member, _e14309), _e14366.member, _e14388), select(select(select(select(_e14080, _e14129.member_1, _e14151), _e14208.member_1, _e14230), _e14287.member_1, _e14309), _e14366.member_1, _e14388), select(select(select(select(_e14081, _e14129.member_2, _e14151), _e14208.member_2, _e14230), _e14287.member_2, _e14309), _e14366.member_2, _e14388)));
+phi_31182_ = type_34(select(_e14315, _e14383, _e14392), vec3<f32>(select(select(select(select(_e14067, _e14129.member, _e14155), _e14208.member, _e14234), _e14287.member, _e14313), _e14366.member, _e14392), select(select(select(select(_e14068, _e14129.member_1, _e14155), _e14208.member_1, _e14234), _e14287.member_1, _e14313), _e14366.member_1, _e14392), select(select(select(select(_e14069, _e14129.member_2, _e14155), _e14208.member_2, _e14234), _e14287.member_2, _e14313), _e14366.member_2, _e14392)), select(_e14319, _e14387, _e14393), vec3<f32>(select(select(select(select(_e14072, _e14129.member, _e14156), _e14208.member, _e14235), _e14287.member, _e14314), _e14366.member, _e14393), select(select(select(select(_e14073, _e14129.member_1, _e14156), _e14208.member_1, _e14235), _e14287.member_1, _e14314), _e14366.member_1, _e14393), select(select(select(select(_e14074, _e14129.member_2, _e14156), _e14208.member_2, _e14235), _e14287.member_2, _e14314), _e14366.member_2, _e14393)), select(_e14323, _e14359, _e14388), select(_e14325, _e14360, (_e14360 > _e14325)), vec3<f32>(select(select(select(select(_e14079, _e14129.member, _e14151), _e14208.member, _e14230), _e14287.member, _e14309), _e14366.member, _e14388), select(select(select(select(_e14080, _e14129.member_1, _e14151), _e14208.member_1, _e14230), _e14287.member_1, _e14309), _e14366.member_1, _e14388), select(select(select(select(_e14081, _e14129.member_2, _e14151), _e14208.member_2, _e14230), _e14287.member_2, _e14309), _e14366.member_2, _e14388)));
 }
 let _e14413 = phi_31182_;
 let _e14420 = (_e8903.member_2 * select(0f, 1f, _e6522.member_6));
@@ -4653,41 +4653,41 @@ break;
 let _e14588 = local_40;
 if _e14588 {
 let _e14590 = local_41;
-global_1.member[_e259] = _e14590[0];
+global_4.member[_e259] = _e14590[0];
 let _e14595 = local_42;
-global_1.member[_e271] = _e14595[1];
+global_4.member[_e271] = _e14595[1];
 let _e14600 = local_43;
-global_1.member[_e282] = _e14600[2];
+global_4.member[_e282] = _e14600[2];
 let _e14605 = local_44;
-global_1.member[_e293] = _e14605[3];
+global_4.member[_e293] = _e14605[3];
 let _e14610 = local_45;
-global_1.member[_e304] = _e14610[4];
+global_4.member[_e304] = _e14610[4];
 let _e14615 = local_46;
-global_1.member[_e315] = _e14615[5];
+global_4.member[_e315] = _e14615[5];
 let _e14620 = local_47;
-global_1.member[_e326] = _e14620[6];
+global_4.member[_e326] = _e14620[6];
 let _e14625 = local_48;
-global_1.member[_e337] = _e14625[7];
+global_4.member[_e337] = _e14625[7];
 let _e14630 = local_49;
-global_1.member[_e348] = _e14630[8];
+global_4.member[_e348] = _e14630[8];
 let _e14635 = local_50;
-global_1.member[_e359] = _e14635[9];
+global_4.member[_e359] = _e14635[9];
 let _e14640 = local_51;
-global_1.member[_e370] = _e14640[10];
+global_4.member[_e370] = _e14640[10];
 let _e14645 = local_52;
-global_1.member[_e381] = _e14645[11];
+global_4.member[_e381] = _e14645[11];
 let _e14650 = local_53;
-global_1.member[_e392] = _e14650[12];
+global_4.member[_e392] = _e14650[12];
 let _e14655 = local_54;
-global_1.member[_e403] = _e14655[13];
+global_4.member[_e403] = _e14655[13];
 let _e14660 = local_55;
-global_1.member[_e414] = _e14660[14];
+global_4.member[_e414] = _e14660[14];
 let _e14665 = local_56;
-global_1.member[_e425] = _e14665[15];
+global_4.member[_e425] = _e14665[15];
 let _e14670 = local_57;
-global_1.member[_e436] = _e14670[16];
+global_4.member[_e436] = _e14670[16];
 let _e14675 = local_58;
-global_1.member[_e447] = _e14675[17];
+global_4.member[_e447] = _e14675[17];
 }
 }
 }

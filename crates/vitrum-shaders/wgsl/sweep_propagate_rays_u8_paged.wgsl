@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,72 +90,99 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
-member_1: u32,
-}
-struct type_27 {
-member: type_2,
-member_1: u32,
-member_2: type_18,
-member_3: type_15,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
-}
-struct type_28 {
-member: vec3<f32>,
-member_1: vec3<f32>,
-}
-struct type_29 {
+struct type_16 {
 member: f32,
 member_1: f32,
+member_2: f32,
+member_3: u32,
 }
-struct type_30 {
-member: f32,
-member_1: vec3<f32>,
+struct type_17 {
+member: type_8,
+member_1: type_7,
 }
-struct type_33 {
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
+member_1: u32,
+}
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
+member: type_2,
+member_1: u32,
+member_2: type_3,
+member_3: type_4,
+member_4: u32,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
+member_19: f32,
+member_20: f32,
+member_21: type_20,
+}
+struct type_23 {
+member: array<u32>,
+}
+struct type_25 {
+member: array<f32>,
+}
+struct type_28 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
-struct type_34 {
+struct type_31 {
+member: f32,
+member_1: f32,
+}
+struct type_32 {
 member: f32,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 }
-struct type_35 {
+struct type_33 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
 member_3: vec3<f32>,
 member_4: vec3<f32>,
 }
-struct type_36 {
+struct type_34 {
 member: f32,
 member_1: vec3<f32>,
 member_2: f32,
@@ -199,11 +191,15 @@ member_4: f32,
 member_5: f32,
 member_6: vec3<f32>,
 }
-struct type_38 {
-member: array<type_27>,
+struct type_35 {
+member: vec3<f32>,
+member_1: vec3<f32>,
 }
-struct type_39 {
-member: type_29,
+struct type_37 {
+member: array<type_21>,
+}
+struct type_38 {
+member: type_31,
 member_1: vec3<f32>,
 member_2: vec3<f32>,
 member_3: f32,
@@ -213,6 +209,10 @@ member_6: bool,
 member_7: bool,
 member_8: bool,
 }
+struct type_39 {
+member: f32,
+member_1: vec3<f32>,
+}
 struct type_40 {
 member: f32,
 member_1: f32,
@@ -220,18 +220,18 @@ member_2: vec3<f32>,
 member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
-@group(0) @binding(6)
-var<storage, read_write> global_1: type_11;
 @group(0) @binding(1)
-var<storage> global_2: type_17;
+var<storage> global_1: type_23;
 @group(0) @binding(4)
-var<storage> global_3: type_17;
+var<storage> global_2: type_23;
 @group(0) @binding(5)
-var<storage> global_4: type_17;
+var<storage> global_3: type_23;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_25;
 @group(0) @binding(0)
-var<storage> global_5: type_38;
+var<storage> global_5: type_37;
 @group(0) @binding(3)
-var<storage> global_6: type_17;
+var<storage> global_6: type_23;
 fn function_() {
 var local: i32;
 var local_1: i32;
@@ -239,7 +239,7 @@ var local_2: f32;
 var local_3: f32;
 var local_4: f32;
 var local_5: f32;
-var local_6: type_33;
+var local_6: type_28;
 var local_7: vec3<f32>;
 var local_8: f32;
 var local_9: f32;
@@ -255,23 +255,23 @@ var local_18: f32;
 var local_19: f32;
 var local_20: f32;
 var local_21: f32;
-var local_22: type_33;
+var local_22: type_28;
 var local_23: vec3<f32>;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_33;
+var local_26: type_28;
 var local_27: vec3<f32>;
 var local_28: f32;
 var local_29: f32;
-var local_30: type_33;
+var local_30: type_28;
 var local_31: vec3<f32>;
 var local_32: f32;
 var local_33: f32;
-var local_34: type_33;
+var local_34: type_28;
 var local_35: vec3<f32>;
 var local_36: f32;
 var local_37: f32;
-var local_38: type_33;
+var local_38: type_28;
 var local_39: vec3<f32>;
 var phi_689_: u32;
 var phi_692_: bool;
@@ -280,24 +280,24 @@ var phi_1449_: bool;
 var phi_1629_: bool;
 var phi_1632_: bool;
 var phi_2989_: f32;
-var phi_4595_: type_36;
+var phi_4595_: type_34;
 var phi_4608_: bool;
-var phi_4638_: type_30;
+var phi_4638_: type_39;
 var phi_4650_: bool;
-var phi_5786_: type_29;
-var phi_7309_: type_36;
-var phi_8477_: type_29;
-var phi_10015_: type_36;
-var phi_11183_: type_29;
-var phi_12721_: type_36;
-var phi_14469_: type_29;
-var phi_14482_: type_39;
+var phi_5786_: type_31;
+var phi_7309_: type_34;
+var phi_8477_: type_31;
+var phi_10015_: type_34;
+var phi_11183_: type_31;
+var phi_12721_: type_34;
+var phi_14469_: type_31;
+var phi_14482_: type_38;
 var phi_14483_: vec3<f32>;
 var phi_14484_: bool;
 var phi_14485_: f32;
-var phi_19918_: type_34;
-var phi_20621_: type_35;
-var phi_21034_: type_5;
+var phi_19918_: type_32;
+var phi_20621_: type_33;
+var phi_21034_: type_7;
 var phi_25199_: type_40;
 var phi_26728_: i32;
 var phi_27305_: vec3<f32>;
@@ -305,24 +305,24 @@ var phi_27712_: vec3<f32>;
 var phi_27806_: f32;
 var phi_27848_: f32;
 var phi_26214_: vec3<f32>;
-var phi_27880_: type_28;
+var phi_27880_: type_35;
 var phi_25313_: f32;
 var phi_25397_: f32;
-var phi_25469_: type_28;
-var phi_27881_: type_28;
+var phi_25469_: type_35;
+var phi_27881_: type_35;
 var phi_27964_: f32;
 var phi_27965_: f32;
 var phi_28222_: vec3<f32>;
 var phi_29152_: f32;
 var phi_29236_: f32;
-var phi_29308_: type_28;
+var phi_29308_: type_35;
 var phi_28651_: u32;
 var phi_28988_: f32;
 var phi_29044_: f32;
 var phi_29049_: vec3<f32>;
-var phi_29309_: type_28;
-var phi_29310_: type_28;
-var phi_30800_: type_36;
+var phi_29309_: type_35;
+var phi_29310_: type_35;
+var phi_30800_: type_34;
 var phi_30956_: vec3<f32>;
 var phi_30957_: bool;
 var phi_31117_: array<f32, 18>;
@@ -353,8 +353,8 @@ switch bitcast<i32>(0u) {
 default: {
 let _e222 = global;
 let _e224 = arrayLength((&global_5.member));
-let _e232 = arrayLength((&global_3.member));
-let _e235 = arrayLength((&global_4.member));
+let _e232 = arrayLength((&global_2.member));
+let _e235 = arrayLength((&global_3.member));
 if (0u < _e224) {
 } else {
 break;
@@ -368,77 +368,77 @@ if (_e256 < _e242.member_3) {
 let _e259 = (_e246.member * _e246.member_1);
 let _e261 = ((_e256 * _e246.member) + _e254);
 let _e262 = bitcast<i32>(_e261);
-let _e264 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
+let _e264 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e266 = select(_e264, _e262, (_e262 < _e264));
-let _e272 = global_1.member[bitcast<u32>(select(0i, _e266, (_e266 > 0i)))];
+let _e272 = global_4.member[bitcast<u32>(select(0i, _e266, (_e266 > 0i)))];
 let _e273 = (_e259 + _e261);
 let _e274 = bitcast<i32>(_e273);
 let _e276 = select(_e264, _e274, (_e274 < _e264));
-let _e282 = global_1.member[bitcast<u32>(select(0i, _e276, (_e276 > 0i)))];
+let _e282 = global_4.member[bitcast<u32>(select(0i, _e276, (_e276 > 0i)))];
 let _e284 = ((2u * _e259) + _e261);
 let _e285 = bitcast<i32>(_e284);
 let _e287 = select(_e264, _e285, (_e285 < _e264));
-let _e293 = global_1.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
+let _e293 = global_4.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
 let _e295 = ((3u * _e259) + _e261);
 let _e296 = bitcast<i32>(_e295);
 let _e298 = select(_e264, _e296, (_e296 < _e264));
-let _e304 = global_1.member[bitcast<u32>(select(0i, _e298, (_e298 > 0i)))];
+let _e304 = global_4.member[bitcast<u32>(select(0i, _e298, (_e298 > 0i)))];
 let _e306 = ((4u * _e259) + _e261);
 let _e307 = bitcast<i32>(_e306);
 let _e309 = select(_e264, _e307, (_e307 < _e264));
-let _e315 = global_1.member[bitcast<u32>(select(0i, _e309, (_e309 > 0i)))];
+let _e315 = global_4.member[bitcast<u32>(select(0i, _e309, (_e309 > 0i)))];
 let _e317 = ((5u * _e259) + _e261);
 let _e318 = bitcast<i32>(_e317);
 let _e320 = select(_e264, _e318, (_e318 < _e264));
-let _e326 = global_1.member[bitcast<u32>(select(0i, _e320, (_e320 > 0i)))];
+let _e326 = global_4.member[bitcast<u32>(select(0i, _e320, (_e320 > 0i)))];
 let _e328 = ((6u * _e259) + _e261);
 let _e329 = bitcast<i32>(_e328);
 let _e331 = select(_e264, _e329, (_e329 < _e264));
-let _e337 = global_1.member[bitcast<u32>(select(0i, _e331, (_e331 > 0i)))];
+let _e337 = global_4.member[bitcast<u32>(select(0i, _e331, (_e331 > 0i)))];
 let _e339 = ((7u * _e259) + _e261);
 let _e340 = bitcast<i32>(_e339);
 let _e342 = select(_e264, _e340, (_e340 < _e264));
-let _e348 = global_1.member[bitcast<u32>(select(0i, _e342, (_e342 > 0i)))];
+let _e348 = global_4.member[bitcast<u32>(select(0i, _e342, (_e342 > 0i)))];
 let _e350 = ((8u * _e259) + _e261);
 let _e351 = bitcast<i32>(_e350);
 let _e353 = select(_e264, _e351, (_e351 < _e264));
-let _e359 = global_1.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
+let _e359 = global_4.member[bitcast<u32>(select(0i, _e353, (_e353 > 0i)))];
 let _e361 = ((9u * _e259) + _e261);
 let _e362 = bitcast<i32>(_e361);
 let _e364 = select(_e264, _e362, (_e362 < _e264));
-let _e370 = global_1.member[bitcast<u32>(select(0i, _e364, (_e364 > 0i)))];
+let _e370 = global_4.member[bitcast<u32>(select(0i, _e364, (_e364 > 0i)))];
 let _e372 = ((10u * _e259) + _e261);
 let _e373 = bitcast<i32>(_e372);
 let _e375 = select(_e264, _e373, (_e373 < _e264));
-let _e381 = global_1.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
+let _e381 = global_4.member[bitcast<u32>(select(0i, _e375, (_e375 > 0i)))];
 let _e383 = ((11u * _e259) + _e261);
 let _e384 = bitcast<i32>(_e383);
 let _e386 = select(_e264, _e384, (_e384 < _e264));
-let _e392 = global_1.member[bitcast<u32>(select(0i, _e386, (_e386 > 0i)))];
+let _e392 = global_4.member[bitcast<u32>(select(0i, _e386, (_e386 > 0i)))];
 let _e394 = ((12u * _e259) + _e261);
 let _e395 = bitcast<i32>(_e394);
 let _e397 = select(_e264, _e395, (_e395 < _e264));
-let _e403 = global_1.member[bitcast<u32>(select(0i, _e397, (_e397 > 0i)))];
+let _e403 = global_4.member[bitcast<u32>(select(0i, _e397, (_e397 > 0i)))];
 let _e405 = ((13u * _e259) + _e261);
 let _e406 = bitcast<i32>(_e405);
 let _e408 = select(_e264, _e406, (_e406 < _e264));
-let _e414 = global_1.member[bitcast<u32>(select(0i, _e408, (_e408 > 0i)))];
+let _e414 = global_4.member[bitcast<u32>(select(0i, _e408, (_e408 > 0i)))];
 let _e416 = ((14u * _e259) + _e261);
 let _e417 = bitcast<i32>(_e416);
 let _e419 = select(_e264, _e417, (_e417 < _e264));
-let _e425 = global_1.member[bitcast<u32>(select(0i, _e419, (_e419 > 0i)))];
+let _e425 = global_4.member[bitcast<u32>(select(0i, _e419, (_e419 > 0i)))];
 let _e427 = ((15u * _e259) + _e261);
 let _e428 = bitcast<i32>(_e427);
 let _e430 = select(_e264, _e428, (_e428 < _e264));
-let _e436 = global_1.member[bitcast<u32>(select(0i, _e430, (_e430 > 0i)))];
+let _e436 = global_4.member[bitcast<u32>(select(0i, _e430, (_e430 > 0i)))];
 let _e438 = ((16u * _e259) + _e261);
 let _e439 = bitcast<i32>(_e438);
 let _e441 = select(_e264, _e439, (_e439 < _e264));
-let _e447 = global_1.member[bitcast<u32>(select(0i, _e441, (_e441 > 0i)))];
+let _e447 = global_4.member[bitcast<u32>(select(0i, _e441, (_e441 > 0i)))];
 let _e449 = ((17u * _e259) + _e261);
 let _e450 = bitcast<i32>(_e449);
 let _e452 = select(_e264, _e450, (_e450 < _e264));
-let _e458 = global_1.member[bitcast<u32>(select(0i, _e452, (_e452 > 0i)))];
+let _e458 = global_4.member[bitcast<u32>(select(0i, _e452, (_e452 > 0i)))];
 phi_689_ = 0u;
 phi_692_ = false;
 phi_694_ = array<f32, 18>(_e272, _e282, _e293, _e304, _e315, _e326, _e337, _e348, _e359, _e370, _e381, _e392, _e403, _e414, _e425, _e436, _e447, _e458);
@@ -650,9 +650,9 @@ let _e1298 = bitcast<i32>(_e1297);
 let _e1304 = global_5.member[_e461].member_6.member_11.member_1;
 let _e1305 = bitcast<i32>(_e1304);
 let _e1315 = ((_e1289 >> bitcast<u32>(4i)) + (_e1298 * ((_e1290 >> bitcast<u32>(4i)) + (_e1305 * (_e1291 >> bitcast<u32>(4i))))));
-let _e1317 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e1317 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
 let _e1319 = select(_e1317, _e1315, (_e1315 < _e1317));
-let _e1325 = global_2.member[bitcast<u32>(select(0i, _e1319, (_e1319 > 0i)))];
+let _e1325 = global_1.member[bitcast<u32>(select(0i, _e1319, (_e1319 > 0i)))];
 let _e1327 = (_e1289 & 15i);
 let _e1330 = ((_e1290 & 15i) * _e1283);
 let _e1332 = (bitcast<i32>(_e1325) + ((_e1291 & 15i) * _e1288));
@@ -662,17 +662,17 @@ let _e1335 = (_e1330 + _e1334);
 let _e1336 = (_e1332 + _e1288);
 let _e1337 = (2i * _e1288);
 let _e1338 = (_e1332 + _e1337);
-local_38 = type_33(array<i32, 4>(_e1327, _e1327, _e1327, _e1327), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_38 = type_28(array<i32, 4>(_e1327, _e1327, _e1327, _e1327), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_39 = vec3<f32>((_e1225 - f32(_e1248)), (_e1229 - f32(_e1263)), (_e1233 - f32(_e1278)));
 let _e1352 = local_38.member[0u];
 let _e1353 = ((_e1336 + _e1333) + _e1352);
 let _e1355 = (_e1353 >> bitcast<u32>(2i));
 let _e1358 = bitcast<u32>(((_e1353 & 3i) * 8i));
 let _e1360 = select(_e1317, _e1355, (_e1355 < _e1317));
-let _e1365 = global_2.member[bitcast<u32>(select(0i, _e1360, (_e1360 > 0i)))];
+let _e1365 = global_1.member[bitcast<u32>(select(0i, _e1360, (_e1360 > 0i)))];
 let _e1369 = (_e1355 + 1i);
 let _e1371 = select(_e1317, _e1369, (_e1369 < _e1317));
-let _e1376 = global_2.member[bitcast<u32>(select(0i, _e1371, (_e1371 > 0i)))];
+let _e1376 = global_1.member[bitcast<u32>(select(0i, _e1371, (_e1371 > 0i)))];
 let _e1383 = ((_e1365 >> bitcast<u32>((_e1358 & 31u))) | ((_e1376 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1358) & 31u))));
 let _e1386 = local_38.member_1[1u];
 let _e1392 = f32(bitcast<i32>(((_e1383 >> bitcast<u32>((_e1386 & 31u))) & 255u)));
@@ -684,10 +684,10 @@ let _e1408 = ((_e1336 + _e1335) + _e1407);
 let _e1410 = (_e1408 >> bitcast<u32>(2i));
 let _e1413 = bitcast<u32>(((_e1408 & 3i) * 8i));
 let _e1415 = select(_e1317, _e1410, (_e1410 < _e1317));
-let _e1420 = global_2.member[bitcast<u32>(select(0i, _e1415, (_e1415 > 0i)))];
+let _e1420 = global_1.member[bitcast<u32>(select(0i, _e1415, (_e1415 > 0i)))];
 let _e1424 = (_e1410 + 1i);
 let _e1426 = select(_e1317, _e1424, (_e1424 < _e1317));
-let _e1431 = global_2.member[bitcast<u32>(select(0i, _e1426, (_e1426 > 0i)))];
+let _e1431 = global_1.member[bitcast<u32>(select(0i, _e1426, (_e1426 > 0i)))];
 let _e1438 = ((_e1420 >> bitcast<u32>((_e1413 & 31u))) | ((_e1431 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1413) & 31u))));
 let _e1439 = local_38.member_1[1u];
 let _e1445 = f32(bitcast<i32>(((_e1438 >> bitcast<u32>((_e1439 & 31u))) & 255u)));
@@ -700,10 +700,10 @@ let _e1464 = ((_e1338 + _e1333) + _e1463);
 let _e1466 = (_e1464 >> bitcast<u32>(2i));
 let _e1469 = bitcast<u32>(((_e1464 & 3i) * 8i));
 let _e1471 = select(_e1317, _e1466, (_e1466 < _e1317));
-let _e1476 = global_2.member[bitcast<u32>(select(0i, _e1471, (_e1471 > 0i)))];
+let _e1476 = global_1.member[bitcast<u32>(select(0i, _e1471, (_e1471 > 0i)))];
 let _e1480 = (_e1466 + 1i);
 let _e1482 = select(_e1317, _e1480, (_e1480 < _e1317));
-let _e1487 = global_2.member[bitcast<u32>(select(0i, _e1482, (_e1482 > 0i)))];
+let _e1487 = global_1.member[bitcast<u32>(select(0i, _e1482, (_e1482 > 0i)))];
 let _e1494 = ((_e1476 >> bitcast<u32>((_e1469 & 31u))) | ((_e1487 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1469) & 31u))));
 let _e1495 = local_38.member_1[1u];
 let _e1501 = f32(bitcast<i32>(((_e1494 >> bitcast<u32>((_e1495 & 31u))) & 255u)));
@@ -715,10 +715,10 @@ let _e1515 = ((_e1338 + _e1335) + _e1514);
 let _e1517 = (_e1515 >> bitcast<u32>(2i));
 let _e1520 = bitcast<u32>(((_e1515 & 3i) * 8i));
 let _e1522 = select(_e1317, _e1517, (_e1517 < _e1317));
-let _e1527 = global_2.member[bitcast<u32>(select(0i, _e1522, (_e1522 > 0i)))];
+let _e1527 = global_1.member[bitcast<u32>(select(0i, _e1522, (_e1522 > 0i)))];
 let _e1531 = (_e1517 + 1i);
 let _e1533 = select(_e1317, _e1531, (_e1531 < _e1317));
-let _e1538 = global_2.member[bitcast<u32>(select(0i, _e1533, (_e1533 > 0i)))];
+let _e1538 = global_1.member[bitcast<u32>(select(0i, _e1533, (_e1533 > 0i)))];
 let _e1545 = ((_e1527 >> bitcast<u32>((_e1520 & 31u))) | ((_e1538 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1520) & 31u))));
 let _e1546 = local_38.member_1[1u];
 let _e1552 = f32(bitcast<i32>(((_e1545 >> bitcast<u32>((_e1546 & 31u))) & 255u)));
@@ -740,41 +740,41 @@ local_37 = _e1591;
 let _e1592 = local_37;
 let _e1594 = (bitcast<i32>(_e232) - 1i);
 let _e1596 = select(_e1594, 263197i, (263197i < _e1594));
-let _e1601 = global_3.member[bitcast<u32>(select(0i, _e1596, (_e1596 > 0i)))];
+let _e1601 = global_2.member[bitcast<u32>(select(0i, _e1596, (_e1596 > 0i)))];
 let _e1604 = select(_e1594, 263198i, (263198i < _e1594));
-let _e1609 = global_3.member[bitcast<u32>(select(0i, _e1604, (_e1604 > 0i)))];
+let _e1609 = global_2.member[bitcast<u32>(select(0i, _e1604, (_e1604 > 0i)))];
 let _e1612 = select(_e1594, 263199i, (263199i < _e1594));
-let _e1617 = global_3.member[bitcast<u32>(select(0i, _e1612, (_e1612 > 0i)))];
+let _e1617 = global_2.member[bitcast<u32>(select(0i, _e1612, (_e1612 > 0i)))];
 let _e1618 = bitcast<f32>(_e1617);
 let _e1620 = ((_e1592 - bitcast<f32>(_e1601)) * bitcast<f32>(_e1609));
 let _e1622 = select(0f, _e1620, (_e1620 > 0f));
 let _e1625 = local_37;
 let _e1627 = select(_e1594, 263200i, (263200i < _e1594));
-let _e1632 = global_3.member[bitcast<u32>(select(0i, _e1627, (_e1627 > 0i)))];
+let _e1632 = global_2.member[bitcast<u32>(select(0i, _e1627, (_e1627 > 0i)))];
 let _e1635 = select(_e1594, 263201i, (263201i < _e1594));
-let _e1640 = global_3.member[bitcast<u32>(select(0i, _e1635, (_e1635 > 0i)))];
+let _e1640 = global_2.member[bitcast<u32>(select(0i, _e1635, (_e1635 > 0i)))];
 let _e1643 = select(_e1594, 263202i, (263202i < _e1594));
-let _e1648 = global_3.member[bitcast<u32>(select(0i, _e1643, (_e1643 > 0i)))];
+let _e1648 = global_2.member[bitcast<u32>(select(0i, _e1643, (_e1643 > 0i)))];
 let _e1649 = bitcast<f32>(_e1648);
 let _e1651 = ((_e1625 - bitcast<f32>(_e1632)) * bitcast<f32>(_e1640));
 let _e1653 = select(0f, _e1651, (_e1651 > 0f));
 let _e1657 = local_37;
 let _e1659 = select(_e1594, 263203i, (263203i < _e1594));
-let _e1664 = global_3.member[bitcast<u32>(select(0i, _e1659, (_e1659 > 0i)))];
+let _e1664 = global_2.member[bitcast<u32>(select(0i, _e1659, (_e1659 > 0i)))];
 let _e1667 = select(_e1594, 263204i, (263204i < _e1594));
-let _e1672 = global_3.member[bitcast<u32>(select(0i, _e1667, (_e1667 > 0i)))];
+let _e1672 = global_2.member[bitcast<u32>(select(0i, _e1667, (_e1667 > 0i)))];
 let _e1675 = select(_e1594, 263205i, (263205i < _e1594));
-let _e1680 = global_3.member[bitcast<u32>(select(0i, _e1675, (_e1675 > 0i)))];
+let _e1680 = global_2.member[bitcast<u32>(select(0i, _e1675, (_e1675 > 0i)))];
 let _e1681 = bitcast<f32>(_e1680);
 let _e1683 = ((_e1657 - bitcast<f32>(_e1664)) * bitcast<f32>(_e1672));
 let _e1685 = select(0f, _e1683, (_e1683 > 0f));
 let _e1688 = local_37;
 let _e1690 = select(_e1594, 263206i, (263206i < _e1594));
-let _e1695 = global_3.member[bitcast<u32>(select(0i, _e1690, (_e1690 > 0i)))];
+let _e1695 = global_2.member[bitcast<u32>(select(0i, _e1690, (_e1690 > 0i)))];
 let _e1698 = select(_e1594, 263207i, (263207i < _e1594));
-let _e1703 = global_3.member[bitcast<u32>(select(0i, _e1698, (_e1698 > 0i)))];
+let _e1703 = global_2.member[bitcast<u32>(select(0i, _e1698, (_e1698 > 0i)))];
 let _e1706 = select(_e1594, 263208i, (263208i < _e1594));
-let _e1711 = global_3.member[bitcast<u32>(select(0i, _e1706, (_e1706 > 0i)))];
+let _e1711 = global_2.member[bitcast<u32>(select(0i, _e1706, (_e1706 > 0i)))];
 let _e1712 = bitcast<f32>(_e1711);
 let _e1714 = ((_e1688 - bitcast<f32>(_e1695)) * bitcast<f32>(_e1703));
 let _e1716 = select(0f, _e1714, (_e1714 > 0f));
@@ -785,13 +785,13 @@ let _e1731 = select(0i, select(select(i32(_e1724), i32(-2147483648), (_e1724 < -
 let _e1735 = (_e1731 - select(0i, 1i, (_e1724 < f32(_e1731))));
 let _e1736 = (262147i + _e1735);
 let _e1738 = select(_e1594, _e1736, (_e1736 < _e1594));
-let _e1744 = global_3.member[bitcast<u32>(select(0i, _e1738, (_e1738 > 0i)))];
+let _e1744 = global_2.member[bitcast<u32>(select(0i, _e1738, (_e1738 > 0i)))];
 let _e1754 = select(_e1594, 262146i, (262146i < _e1594));
-let _e1760 = global_3.member[bitcast<u32>(select(0i, _e1754, (_e1754 > 0i)))];
+let _e1760 = global_2.member[bitcast<u32>(select(0i, _e1754, (_e1754 > 0i)))];
 let _e1764 = select(_e1594, 262144i, (262144i < _e1594));
-let _e1770 = global_3.member[bitcast<u32>(select(0i, _e1764, (_e1764 > 0i)))];
+let _e1770 = global_2.member[bitcast<u32>(select(0i, _e1764, (_e1764 > 0i)))];
 let _e1773 = select(_e1594, 262145i, (262145i < _e1594));
-let _e1779 = global_3.member[bitcast<u32>(select(0i, _e1773, (_e1773 > 0i)))];
+let _e1779 = global_2.member[bitcast<u32>(select(0i, _e1773, (_e1773 > 0i)))];
 phi_2989_ = select(_e465[16], ((bitcast<f32>(_e1770) + (f32(bitcast<i32>((_e1744 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1779))) + ((f32((bitcast<i32>((_e1744 & 4095u)) - 2048i)) * bitcast<f32>(_e1760)) * (_e1720 - f32(_e1735)))), _e1142);
 } else {
 phi_2989_ = _e465[16];
@@ -802,7 +802,7 @@ let _e1791 = (_e500 - _e496);
 let _e1792 = (_e505 - _e490);
 let _e1797 = (((_e1790 * _e1790) + (_e1791 * _e1791)) + (_e1792 * _e1792));
 let _e1800 = sqrt(select(0f, _e1797, (_e1797 > 0f)));
-let _e1801 = type_39(type_29(1f, 1f), vec3<f32>(_e498, _e500, _e505), _e1153, _e1800, _e485, _e1153, true, false, false);
+let _e1801 = type_38(type_31(1f, 1f), vec3<f32>(_e498, _e500, _e505), _e1153, _e1800, _e485, _e1153, true, false, false);
 let _e1802 = (_e668 < 1e-12f);
 let _e1804 = (1f / select(_e663, 1f, _e1802));
 let _e1805 = (-0.5f - _e574);
@@ -954,7 +954,7 @@ let _e2162 = select(select(select(select(select(select(0f, _e1903.member_1, _e19
 let _e2163 = select(select(select(select(select(select(1f, _e1903.member_2, _e1944), _e1903.member_2, _e1984), _e1912.member_2, _e2023), _e1912.member_2, _e2063), _e1921.member_2, _e2102), _e1921.member_2, _e2142);
 let _e2167 = ((_e801 & 16u) == 0u);
 if _e2167 {
-phi_4595_ = type_36(_e2148, vec3<f32>(_e2149, _e2150, _e2151), _e2153, vec3<f32>(_e2154, _e2155, _e2156), _e2158, _e2160, vec3<f32>(_e2161, _e2162, _e2163));
+phi_4595_ = type_34(_e2148, vec3<f32>(_e2149, _e2150, _e2151), _e2153, vec3<f32>(_e2154, _e2155, _e2156), _e2158, _e2160, vec3<f32>(_e2161, _e2162, _e2163));
 } else {
 let _e2172 = (((_e1903.member * _e1903.member) + (_e1903.member_1 * _e1903.member_1)) + (_e1903.member_2 * _e1903.member_2));
 let _e2175 = sqrt(select(0f, _e2172, (_e2172 > 0f)));
@@ -1034,7 +1034,7 @@ let _e2471 = select(2f, select(0f, _e2463, (_e2443 < 0f)), (_e2444 > 0f));
 let _e2472 = (_e2443 > _e2407);
 let _e2476 = ((_e2467 > _e2399) || ((_e2467 == _e2399) && _e2472));
 let _e2477 = (_e2471 < _e2403);
-phi_4595_ = type_36(select(_e2399, _e2467, _e2476), vec3<f32>(select(select(select(select(_e2149, _e2213.member, _e2239), _e2292.member, _e2318), _e2371.member, _e2397), _e2450.member, _e2476), select(select(select(select(_e2150, _e2213.member_1, _e2239), _e2292.member_1, _e2318), _e2371.member_1, _e2397), _e2450.member_1, _e2476), select(select(select(select(_e2151, _e2213.member_2, _e2239), _e2292.member_2, _e2318), _e2371.member_2, _e2397), _e2450.member_2, _e2476)), select(_e2403, _e2471, _e2477), vec3<f32>(select(select(select(select(_e2154, _e2213.member, _e2240), _e2292.member, _e2319), _e2371.member, _e2398), _e2450.member, _e2477), select(select(select(select(_e2155, _e2213.member_1, _e2240), _e2292.member_1, _e2319), _e2371.member_1, _e2398), _e2450.member_1, _e2477), select(select(select(select(_e2156, _e2213.member_2, _e2240), _e2292.member_2, _e2319), _e2371.member_2, _e2398), _e2450.member_2, _e2477)), select(_e2407, _e2443, _e2472), select(_e2409, _e2444, (_e2444 > _e2409)), vec3<f32>(select(select(select(select(_e2161, _e2213.member, _e2235), _e2292.member, _e2314), _e2371.member, _e2393), _e2450.member, _e2472), select(select(select(select(_e2162, _e2213.member_1, _e2235), _e2292.member_1, _e2314), _e2371.member_1, _e2393), _e2450.member_1, _e2472), select(select(select(select(_e2163, _e2213.member_2, _e2235), _e2292.member_2, _e2314), _e2371.member_2, _e2393), _e2450.member_2, _e2472)));
+phi_4595_ = type_34(select(_e2399, _e2467, _e2476), vec3<f32>(select(select(select(select(_e2149, _e2213.member, _e2239), _e2292.member, _e2318), _e2371.member, _e2397), _e2450.member, _e2476), select(select(select(select(_e2150, _e2213.member_1, _e2239), _e2292.member_1, _e2318), _e2371.member_1, _e2397), _e2450.member_1, _e2476), select(select(select(select(_e2151, _e2213.member_2, _e2239), _e2292.member_2, _e2318), _e2371.member_2, _e2397), _e2450.member_2, _e2476)), select(_e2403, _e2471, _e2477), vec3<f32>(select(select(select(select(_e2154, _e2213.member, _e2240), _e2292.member, _e2319), _e2371.member, _e2398), _e2450.member, _e2477), select(select(select(select(_e2155, _e2213.member_1, _e2240), _e2292.member_1, _e2319), _e2371.member_1, _e2398), _e2450.member_1, _e2477), select(select(select(select(_e2156, _e2213.member_2, _e2240), _e2292.member_2, _e2319), _e2371.member_2, _e2398), _e2450.member_2, _e2477)), select(_e2407, _e2443, _e2472), select(_e2409, _e2444, (_e2444 > _e2409)), vec3<f32>(select(select(select(select(_e2161, _e2213.member, _e2235), _e2292.member, _e2314), _e2371.member, _e2393), _e2450.member, _e2472), select(select(select(select(_e2162, _e2213.member_1, _e2235), _e2292.member_1, _e2314), _e2371.member_1, _e2393), _e2450.member_1, _e2472), select(select(select(select(_e2163, _e2213.member_2, _e2235), _e2292.member_2, _e2314), _e2371.member_2, _e2393), _e2450.member_2, _e2472)));
 }
 let _e2497 = phi_4595_;
 if ((_e2497.member_4 > -(0.015625f)) && (_e2497.member_4 < 0.015625f)) {
@@ -1049,9 +1049,9 @@ let _e2510 = (_e465[3] * _e2509);
 let _e2511 = (_e465[4] * _e2509);
 let _e2512 = (_e465[5] * _e2509);
 if _e2506 {
-phi_4638_ = type_30(_e2497.member_2, _e2497.member_3);
+phi_4638_ = type_39(_e2497.member_2, _e2497.member_3);
 } else {
-phi_4638_ = type_30(_e2497.member, _e2497.member_1);
+phi_4638_ = type_39(_e2497.member, _e2497.member_1);
 }
 let _e2521 = phi_4638_;
 if _e2506 {
@@ -1090,7 +1090,7 @@ let _e2616 = (_e2599 + 1i);
 let _e2617 = (_e2614 + 1i);
 let _e2627 = ((_e2615 >> bitcast<u32>(4i)) + (_e1298 * ((_e2616 >> bitcast<u32>(4i)) + (_e1305 * (_e2617 >> bitcast<u32>(4i))))));
 let _e2629 = select(_e1317, _e2627, (_e2627 < _e1317));
-let _e2634 = global_2.member[bitcast<u32>(select(0i, _e2629, (_e2629 > 0i)))];
+let _e2634 = global_1.member[bitcast<u32>(select(0i, _e2629, (_e2629 > 0i)))];
 let _e2636 = (_e2615 & 15i);
 let _e2639 = ((_e2616 & 15i) * _e1283);
 let _e2641 = (bitcast<i32>(_e2634) + ((_e2617 & 15i) * _e1288));
@@ -1098,17 +1098,17 @@ let _e2642 = (_e2639 + _e1283);
 let _e2643 = (_e2639 + _e1334);
 let _e2644 = (_e2641 + _e1288);
 let _e2645 = (_e2641 + _e1337);
-local_34 = type_33(array<i32, 4>(_e2636, _e2636, _e2636, _e2636), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_34 = type_28(array<i32, 4>(_e2636, _e2636, _e2636, _e2636), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_35 = vec3<f32>((_e2561 - f32(_e2584)), (_e2565 - f32(_e2599)), (_e2569 - f32(_e2614)));
 let _e2659 = local_34.member[0u];
 let _e2660 = ((_e2644 + _e2642) + _e2659);
 let _e2662 = (_e2660 >> bitcast<u32>(2i));
 let _e2665 = bitcast<u32>(((_e2660 & 3i) * 8i));
 let _e2667 = select(_e1317, _e2662, (_e2662 < _e1317));
-let _e2672 = global_2.member[bitcast<u32>(select(0i, _e2667, (_e2667 > 0i)))];
+let _e2672 = global_1.member[bitcast<u32>(select(0i, _e2667, (_e2667 > 0i)))];
 let _e2676 = (_e2662 + 1i);
 let _e2678 = select(_e1317, _e2676, (_e2676 < _e1317));
-let _e2683 = global_2.member[bitcast<u32>(select(0i, _e2678, (_e2678 > 0i)))];
+let _e2683 = global_1.member[bitcast<u32>(select(0i, _e2678, (_e2678 > 0i)))];
 let _e2690 = ((_e2672 >> bitcast<u32>((_e2665 & 31u))) | ((_e2683 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2665) & 31u))));
 let _e2693 = local_34.member_1[1u];
 let _e2699 = f32(bitcast<i32>(((_e2690 >> bitcast<u32>((_e2693 & 31u))) & 255u)));
@@ -1120,10 +1120,10 @@ let _e2715 = ((_e2644 + _e2643) + _e2714);
 let _e2717 = (_e2715 >> bitcast<u32>(2i));
 let _e2720 = bitcast<u32>(((_e2715 & 3i) * 8i));
 let _e2722 = select(_e1317, _e2717, (_e2717 < _e1317));
-let _e2727 = global_2.member[bitcast<u32>(select(0i, _e2722, (_e2722 > 0i)))];
+let _e2727 = global_1.member[bitcast<u32>(select(0i, _e2722, (_e2722 > 0i)))];
 let _e2731 = (_e2717 + 1i);
 let _e2733 = select(_e1317, _e2731, (_e2731 < _e1317));
-let _e2738 = global_2.member[bitcast<u32>(select(0i, _e2733, (_e2733 > 0i)))];
+let _e2738 = global_1.member[bitcast<u32>(select(0i, _e2733, (_e2733 > 0i)))];
 let _e2745 = ((_e2727 >> bitcast<u32>((_e2720 & 31u))) | ((_e2738 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2720) & 31u))));
 let _e2746 = local_34.member_1[1u];
 let _e2752 = f32(bitcast<i32>(((_e2745 >> bitcast<u32>((_e2746 & 31u))) & 255u)));
@@ -1136,10 +1136,10 @@ let _e2771 = ((_e2645 + _e2642) + _e2770);
 let _e2773 = (_e2771 >> bitcast<u32>(2i));
 let _e2776 = bitcast<u32>(((_e2771 & 3i) * 8i));
 let _e2778 = select(_e1317, _e2773, (_e2773 < _e1317));
-let _e2783 = global_2.member[bitcast<u32>(select(0i, _e2778, (_e2778 > 0i)))];
+let _e2783 = global_1.member[bitcast<u32>(select(0i, _e2778, (_e2778 > 0i)))];
 let _e2787 = (_e2773 + 1i);
 let _e2789 = select(_e1317, _e2787, (_e2787 < _e1317));
-let _e2794 = global_2.member[bitcast<u32>(select(0i, _e2789, (_e2789 > 0i)))];
+let _e2794 = global_1.member[bitcast<u32>(select(0i, _e2789, (_e2789 > 0i)))];
 let _e2801 = ((_e2783 >> bitcast<u32>((_e2776 & 31u))) | ((_e2794 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2776) & 31u))));
 let _e2802 = local_34.member_1[1u];
 let _e2808 = f32(bitcast<i32>(((_e2801 >> bitcast<u32>((_e2802 & 31u))) & 255u)));
@@ -1151,10 +1151,10 @@ let _e2822 = ((_e2645 + _e2643) + _e2821);
 let _e2824 = (_e2822 >> bitcast<u32>(2i));
 let _e2827 = bitcast<u32>(((_e2822 & 3i) * 8i));
 let _e2829 = select(_e1317, _e2824, (_e2824 < _e1317));
-let _e2834 = global_2.member[bitcast<u32>(select(0i, _e2829, (_e2829 > 0i)))];
+let _e2834 = global_1.member[bitcast<u32>(select(0i, _e2829, (_e2829 > 0i)))];
 let _e2838 = (_e2824 + 1i);
 let _e2840 = select(_e1317, _e2838, (_e2838 < _e1317));
-let _e2845 = global_2.member[bitcast<u32>(select(0i, _e2840, (_e2840 > 0i)))];
+let _e2845 = global_1.member[bitcast<u32>(select(0i, _e2840, (_e2840 > 0i)))];
 let _e2852 = ((_e2834 >> bitcast<u32>((_e2827 & 31u))) | ((_e2845 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2827) & 31u))));
 let _e2853 = local_34.member_1[1u];
 let _e2859 = f32(bitcast<i32>(((_e2852 >> bitcast<u32>((_e2853 & 31u))) & 255u)));
@@ -1170,49 +1170,49 @@ local_33 = _e2886;
 let _e2887 = local_33;
 let _e2889 = (bitcast<i32>(_e232) - 1i);
 let _e2891 = select(_e2889, 263197i, (263197i < _e2889));
-let _e2896 = global_3.member[bitcast<u32>(select(0i, _e2891, (_e2891 > 0i)))];
+let _e2896 = global_2.member[bitcast<u32>(select(0i, _e2891, (_e2891 > 0i)))];
 let _e2897 = bitcast<f32>(_e2896);
 let _e2899 = select(_e2889, 263198i, (263198i < _e2889));
-let _e2904 = global_3.member[bitcast<u32>(select(0i, _e2899, (_e2899 > 0i)))];
+let _e2904 = global_2.member[bitcast<u32>(select(0i, _e2899, (_e2899 > 0i)))];
 let _e2905 = bitcast<f32>(_e2904);
 let _e2907 = select(_e2889, 263199i, (263199i < _e2889));
-let _e2912 = global_3.member[bitcast<u32>(select(0i, _e2907, (_e2907 > 0i)))];
+let _e2912 = global_2.member[bitcast<u32>(select(0i, _e2907, (_e2907 > 0i)))];
 let _e2913 = bitcast<f32>(_e2912);
 let _e2915 = ((_e2887 - _e2897) * _e2905);
 let _e2917 = select(0f, _e2915, (_e2915 > 0f));
 let _e2920 = local_33;
 let _e2922 = select(_e2889, 263200i, (263200i < _e2889));
-let _e2927 = global_3.member[bitcast<u32>(select(0i, _e2922, (_e2922 > 0i)))];
+let _e2927 = global_2.member[bitcast<u32>(select(0i, _e2922, (_e2922 > 0i)))];
 let _e2928 = bitcast<f32>(_e2927);
 let _e2930 = select(_e2889, 263201i, (263201i < _e2889));
-let _e2935 = global_3.member[bitcast<u32>(select(0i, _e2930, (_e2930 > 0i)))];
+let _e2935 = global_2.member[bitcast<u32>(select(0i, _e2930, (_e2930 > 0i)))];
 let _e2936 = bitcast<f32>(_e2935);
 let _e2938 = select(_e2889, 263202i, (263202i < _e2889));
-let _e2943 = global_3.member[bitcast<u32>(select(0i, _e2938, (_e2938 > 0i)))];
+let _e2943 = global_2.member[bitcast<u32>(select(0i, _e2938, (_e2938 > 0i)))];
 let _e2944 = bitcast<f32>(_e2943);
 let _e2946 = ((_e2920 - _e2928) * _e2936);
 let _e2948 = select(0f, _e2946, (_e2946 > 0f));
 let _e2952 = local_33;
 let _e2954 = select(_e2889, 263203i, (263203i < _e2889));
-let _e2959 = global_3.member[bitcast<u32>(select(0i, _e2954, (_e2954 > 0i)))];
+let _e2959 = global_2.member[bitcast<u32>(select(0i, _e2954, (_e2954 > 0i)))];
 let _e2960 = bitcast<f32>(_e2959);
 let _e2962 = select(_e2889, 263204i, (263204i < _e2889));
-let _e2967 = global_3.member[bitcast<u32>(select(0i, _e2962, (_e2962 > 0i)))];
+let _e2967 = global_2.member[bitcast<u32>(select(0i, _e2962, (_e2962 > 0i)))];
 let _e2968 = bitcast<f32>(_e2967);
 let _e2970 = select(_e2889, 263205i, (263205i < _e2889));
-let _e2975 = global_3.member[bitcast<u32>(select(0i, _e2970, (_e2970 > 0i)))];
+let _e2975 = global_2.member[bitcast<u32>(select(0i, _e2970, (_e2970 > 0i)))];
 let _e2976 = bitcast<f32>(_e2975);
 let _e2978 = ((_e2952 - _e2960) * _e2968);
 let _e2980 = select(0f, _e2978, (_e2978 > 0f));
 let _e2983 = local_33;
 let _e2985 = select(_e2889, 263206i, (263206i < _e2889));
-let _e2990 = global_3.member[bitcast<u32>(select(0i, _e2985, (_e2985 > 0i)))];
+let _e2990 = global_2.member[bitcast<u32>(select(0i, _e2985, (_e2985 > 0i)))];
 let _e2991 = bitcast<f32>(_e2990);
 let _e2993 = select(_e2889, 263207i, (263207i < _e2889));
-let _e2998 = global_3.member[bitcast<u32>(select(0i, _e2993, (_e2993 > 0i)))];
+let _e2998 = global_2.member[bitcast<u32>(select(0i, _e2993, (_e2993 > 0i)))];
 let _e2999 = bitcast<f32>(_e2998);
 let _e3001 = select(_e2889, 263208i, (263208i < _e2889));
-let _e3006 = global_3.member[bitcast<u32>(select(0i, _e3001, (_e3001 > 0i)))];
+let _e3006 = global_2.member[bitcast<u32>(select(0i, _e3001, (_e3001 > 0i)))];
 let _e3007 = bitcast<f32>(_e3006);
 let _e3009 = ((_e2983 - _e2991) * _e2999);
 let _e3011 = select(0f, _e3009, (_e3009 > 0f));
@@ -1223,21 +1223,21 @@ let _e3026 = select(0i, select(select(i32(_e3019), i32(-2147483648), (_e3019 < -
 let _e3030 = (_e3026 - select(0i, 1i, (_e3019 < f32(_e3026))));
 let _e3031 = (262147i + _e3030);
 let _e3033 = select(_e2889, _e3031, (_e3031 < _e2889));
-let _e3038 = global_3.member[bitcast<u32>(select(0i, _e3033, (_e3033 > 0i)))];
+let _e3038 = global_2.member[bitcast<u32>(select(0i, _e3033, (_e3033 > 0i)))];
 let _e3048 = select(_e2889, 262146i, (262146i < _e2889));
-let _e3053 = global_3.member[bitcast<u32>(select(0i, _e3048, (_e3048 > 0i)))];
+let _e3053 = global_2.member[bitcast<u32>(select(0i, _e3048, (_e3048 > 0i)))];
 let _e3054 = bitcast<f32>(_e3053);
 let _e3057 = select(_e2889, 262144i, (262144i < _e2889));
-let _e3062 = global_3.member[bitcast<u32>(select(0i, _e3057, (_e3057 > 0i)))];
+let _e3062 = global_2.member[bitcast<u32>(select(0i, _e3057, (_e3057 > 0i)))];
 let _e3063 = bitcast<f32>(_e3062);
 let _e3065 = select(_e2889, 262145i, (262145i < _e2889));
-let _e3070 = global_3.member[bitcast<u32>(select(0i, _e3065, (_e3065 > 0i)))];
+let _e3070 = global_2.member[bitcast<u32>(select(0i, _e3065, (_e3065 > 0i)))];
 let _e3071 = bitcast<f32>(_e3070);
 let _e3077 = ((_e3063 + (f32(bitcast<i32>((_e3038 >> bitcast<u32>(12u)))) * _e3071)) + ((f32((bitcast<i32>((_e3038 & 4095u)) - 2048i)) * _e3054) * (_e3015 - f32(_e3030))));
 if _e2506 {
-phi_5786_ = type_29(_e3077, 1f);
+phi_5786_ = type_31(_e3077, 1f);
 } else {
-phi_5786_ = type_29(1f, _e3077);
+phi_5786_ = type_31(1f, _e3077);
 }
 let _e3081 = phi_5786_;
 let _e3086 = ((_e3081.member_1 * _e3081.member_1) - (_e3081.member * _e3081.member));
@@ -1375,7 +1375,7 @@ let _e3426 = select(select(select(select(select(select(0f, _e1903.member, _e3207
 let _e3427 = select(select(select(select(select(select(0f, _e1903.member_1, _e3207), _e1903.member_1, _e3247), _e1912.member_1, _e3287), _e1912.member_1, _e3327), _e1921.member_1, _e3367), _e1921.member_1, _e3407);
 let _e3428 = select(select(select(select(select(select(1f, _e1903.member_2, _e3207), _e1903.member_2, _e3247), _e1912.member_2, _e3287), _e1912.member_2, _e3327), _e1921.member_2, _e3367), _e1921.member_2, _e3407);
 if _e2167 {
-phi_7309_ = type_36(_e3413, vec3<f32>(_e3414, _e3415, _e3416), _e3418, vec3<f32>(_e3419, _e3420, _e3421), _e3423, _e3425, vec3<f32>(_e3426, _e3427, _e3428));
+phi_7309_ = type_34(_e3413, vec3<f32>(_e3414, _e3415, _e3416), _e3418, vec3<f32>(_e3419, _e3420, _e3421), _e3423, _e3425, vec3<f32>(_e3426, _e3427, _e3428));
 } else {
 let _e3435 = (((_e1903.member * _e1903.member) + (_e1903.member_1 * _e1903.member_1)) + (_e1903.member_2 * _e1903.member_2));
 let _e3438 = sqrt(select(0f, _e3435, (_e3435 > 0f)));
@@ -1455,7 +1455,7 @@ let _e3734 = select(2f, select(0f, _e3726, (_e3706 < 0f)), (_e3707 > 0f));
 let _e3735 = (_e3706 > _e3670);
 let _e3739 = ((_e3730 > _e3662) || ((_e3730 == _e3662) && _e3735));
 let _e3740 = (_e3734 < _e3666);
-phi_7309_ = type_36(select(_e3662, _e3730, _e3739), vec3<f32>(select(select(select(select(_e3414, _e3476.member, _e3502), _e3555.member, _e3581), _e3634.member, _e3660), _e3713.member, _e3739), select(select(select(select(_e3415, _e3476.member_1, _e3502), _e3555.member_1, _e3581), _e3634.member_1, _e3660), _e3713.member_1, _e3739), select(select(select(select(_e3416, _e3476.member_2, _e3502), _e3555.member_2, _e3581), _e3634.member_2, _e3660), _e3713.member_2, _e3739)), select(_e3666, _e3734, _e3740), vec3<f32>(select(select(select(select(_e3419, _e3476.member, _e3503), _e3555.member, _e3582), _e3634.member, _e3661), _e3713.member, _e3740), select(select(select(select(_e3420, _e3476.member_1, _e3503), _e3555.member_1, _e3582), _e3634.member_1, _e3661), _e3713.member_1, _e3740), select(select(select(select(_e3421, _e3476.member_2, _e3503), _e3555.member_2, _e3582), _e3634.member_2, _e3661), _e3713.member_2, _e3740)), select(_e3670, _e3706, _e3735), select(_e3672, _e3707, (_e3707 > _e3672)), vec3<f32>(select(select(select(select(_e3426, _e3476.member, _e3498), _e3555.member, _e3577), _e3634.member, _e3656), _e3713.member, _e3735), select(select(select(select(_e3427, _e3476.member_1, _e3498), _e3555.member_1, _e3577), _e3634.member_1, _e3656), _e3713.member_1, _e3735), select(select(select(select(_e3428, _e3476.member_2, _e3498), _e3555.member_2, _e3577), _e3634.member_2, _e3656), _e3713.member_2, _e3735)));
+phi_7309_ = type_34(select(_e3662, _e3730, _e3739), vec3<f32>(select(select(select(select(_e3414, _e3476.member, _e3502), _e3555.member, _e3581), _e3634.member, _e3660), _e3713.member, _e3739), select(select(select(select(_e3415, _e3476.member_1, _e3502), _e3555.member_1, _e3581), _e3634.member_1, _e3660), _e3713.member_1, _e3739), select(select(select(select(_e3416, _e3476.member_2, _e3502), _e3555.member_2, _e3581), _e3634.member_2, _e3660), _e3713.member_2, _e3739)), select(_e3666, _e3734, _e3740), vec3<f32>(select(select(select(select(_e3419, _e3476.member, _e3503), _e3555.member, _e3582), _e3634.member, _e3661), _e3713.member, _e3740), select(select(select(select(_e3420, _e3476.member_1, _e3503), _e3555.member_1, _e3582), _e3634.member_1, _e3661), _e3713.member_1, _e3740), select(select(select(select(_e3421, _e3476.member_2, _e3503), _e3555.member_2, _e3582), _e3634.member_2, _e3661), _e3713.member_2, _e3740)), select(_e3670, _e3706, _e3735), select(_e3672, _e3707, (_e3707 > _e3672)), vec3<f32>(select(select(select(select(_e3426, _e3476.member, _e3498), _e3555.member, _e3577), _e3634.member, _e3656), _e3713.member, _e3735), select(select(select(select(_e3427, _e3476.member_1, _e3498), _e3555.member_1, _e3577), _e3634.member_1, _e3656), _e3713.member_1, _e3735), select(select(select(select(_e3428, _e3476.member_2, _e3498), _e3555.member_2, _e3577), _e3634.member_2, _e3656), _e3713.member_2, _e3735)));
 }
 let _e3760 = phi_7309_;
 let _e3766 = (((_e2529 && _e3168) && !(_e3153)) && (_e3760.member_2 <= 1f));
@@ -1494,7 +1494,7 @@ let _e3856 = (_e3839 + 1i);
 let _e3857 = (_e3854 + 1i);
 let _e3867 = ((_e3855 >> bitcast<u32>(4i)) + (_e1298 * ((_e3856 >> bitcast<u32>(4i)) + (_e1305 * (_e3857 >> bitcast<u32>(4i))))));
 let _e3869 = select(_e1317, _e3867, (_e3867 < _e1317));
-let _e3874 = global_2.member[bitcast<u32>(select(0i, _e3869, (_e3869 > 0i)))];
+let _e3874 = global_1.member[bitcast<u32>(select(0i, _e3869, (_e3869 > 0i)))];
 let _e3876 = (_e3855 & 15i);
 let _e3879 = ((_e3856 & 15i) * _e1283);
 let _e3881 = (bitcast<i32>(_e3874) + ((_e3857 & 15i) * _e1288));
@@ -1502,17 +1502,17 @@ let _e3882 = (_e3879 + _e1283);
 let _e3883 = (_e3879 + _e1334);
 let _e3884 = (_e3881 + _e1288);
 let _e3885 = (_e3881 + _e1337);
-local_30 = type_33(array<i32, 4>(_e3876, _e3876, _e3876, _e3876), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_30 = type_28(array<i32, 4>(_e3876, _e3876, _e3876, _e3876), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_31 = vec3<f32>((_e3801 - f32(_e3824)), (_e3805 - f32(_e3839)), (_e3809 - f32(_e3854)));
 let _e3899 = local_30.member[0u];
 let _e3900 = ((_e3884 + _e3882) + _e3899);
 let _e3902 = (_e3900 >> bitcast<u32>(2i));
 let _e3905 = bitcast<u32>(((_e3900 & 3i) * 8i));
 let _e3907 = select(_e1317, _e3902, (_e3902 < _e1317));
-let _e3912 = global_2.member[bitcast<u32>(select(0i, _e3907, (_e3907 > 0i)))];
+let _e3912 = global_1.member[bitcast<u32>(select(0i, _e3907, (_e3907 > 0i)))];
 let _e3916 = (_e3902 + 1i);
 let _e3918 = select(_e1317, _e3916, (_e3916 < _e1317));
-let _e3923 = global_2.member[bitcast<u32>(select(0i, _e3918, (_e3918 > 0i)))];
+let _e3923 = global_1.member[bitcast<u32>(select(0i, _e3918, (_e3918 > 0i)))];
 let _e3930 = ((_e3912 >> bitcast<u32>((_e3905 & 31u))) | ((_e3923 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3905) & 31u))));
 let _e3933 = local_30.member_1[1u];
 let _e3939 = f32(bitcast<i32>(((_e3930 >> bitcast<u32>((_e3933 & 31u))) & 255u)));
@@ -1524,10 +1524,10 @@ let _e3955 = ((_e3884 + _e3883) + _e3954);
 let _e3957 = (_e3955 >> bitcast<u32>(2i));
 let _e3960 = bitcast<u32>(((_e3955 & 3i) * 8i));
 let _e3962 = select(_e1317, _e3957, (_e3957 < _e1317));
-let _e3967 = global_2.member[bitcast<u32>(select(0i, _e3962, (_e3962 > 0i)))];
+let _e3967 = global_1.member[bitcast<u32>(select(0i, _e3962, (_e3962 > 0i)))];
 let _e3971 = (_e3957 + 1i);
 let _e3973 = select(_e1317, _e3971, (_e3971 < _e1317));
-let _e3978 = global_2.member[bitcast<u32>(select(0i, _e3973, (_e3973 > 0i)))];
+let _e3978 = global_1.member[bitcast<u32>(select(0i, _e3973, (_e3973 > 0i)))];
 let _e3985 = ((_e3967 >> bitcast<u32>((_e3960 & 31u))) | ((_e3978 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3960) & 31u))));
 let _e3986 = local_30.member_1[1u];
 let _e3992 = f32(bitcast<i32>(((_e3985 >> bitcast<u32>((_e3986 & 31u))) & 255u)));
@@ -1540,10 +1540,10 @@ let _e4011 = ((_e3885 + _e3882) + _e4010);
 let _e4013 = (_e4011 >> bitcast<u32>(2i));
 let _e4016 = bitcast<u32>(((_e4011 & 3i) * 8i));
 let _e4018 = select(_e1317, _e4013, (_e4013 < _e1317));
-let _e4023 = global_2.member[bitcast<u32>(select(0i, _e4018, (_e4018 > 0i)))];
+let _e4023 = global_1.member[bitcast<u32>(select(0i, _e4018, (_e4018 > 0i)))];
 let _e4027 = (_e4013 + 1i);
 let _e4029 = select(_e1317, _e4027, (_e4027 < _e1317));
-let _e4034 = global_2.member[bitcast<u32>(select(0i, _e4029, (_e4029 > 0i)))];
+let _e4034 = global_1.member[bitcast<u32>(select(0i, _e4029, (_e4029 > 0i)))];
 let _e4041 = ((_e4023 >> bitcast<u32>((_e4016 & 31u))) | ((_e4034 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4016) & 31u))));
 let _e4042 = local_30.member_1[1u];
 let _e4048 = f32(bitcast<i32>(((_e4041 >> bitcast<u32>((_e4042 & 31u))) & 255u)));
@@ -1555,10 +1555,10 @@ let _e4062 = ((_e3885 + _e3883) + _e4061);
 let _e4064 = (_e4062 >> bitcast<u32>(2i));
 let _e4067 = bitcast<u32>(((_e4062 & 3i) * 8i));
 let _e4069 = select(_e1317, _e4064, (_e4064 < _e1317));
-let _e4074 = global_2.member[bitcast<u32>(select(0i, _e4069, (_e4069 > 0i)))];
+let _e4074 = global_1.member[bitcast<u32>(select(0i, _e4069, (_e4069 > 0i)))];
 let _e4078 = (_e4064 + 1i);
 let _e4080 = select(_e1317, _e4078, (_e4078 < _e1317));
-let _e4085 = global_2.member[bitcast<u32>(select(0i, _e4080, (_e4080 > 0i)))];
+let _e4085 = global_1.member[bitcast<u32>(select(0i, _e4080, (_e4080 > 0i)))];
 let _e4092 = ((_e4074 >> bitcast<u32>((_e4067 & 31u))) | ((_e4085 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e4067) & 31u))));
 let _e4093 = local_30.member_1[1u];
 let _e4099 = f32(bitcast<i32>(((_e4092 >> bitcast<u32>((_e4093 & 31u))) & 255u)));
@@ -1590,12 +1590,12 @@ let _e4168 = select(0i, select(select(i32(_e4161), i32(-2147483648), (_e4161 < -
 let _e4172 = (_e4168 - select(0i, 1i, (_e4161 < f32(_e4168))));
 let _e4173 = (262147i + _e4172);
 let _e4175 = select(_e2889, _e4173, (_e4173 < _e2889));
-let _e4180 = global_3.member[bitcast<u32>(select(0i, _e4175, (_e4175 > 0i)))];
+let _e4180 = global_2.member[bitcast<u32>(select(0i, _e4175, (_e4175 > 0i)))];
 let _e4195 = ((_e3063 + (f32(bitcast<i32>((_e4180 >> bitcast<u32>(12u)))) * _e3071)) + ((f32((bitcast<i32>((_e4180 & 4095u)) - 2048i)) * _e3054) * (_e4157 - f32(_e4172))));
 if _e3168 {
-phi_8477_ = type_29(_e4195, 1f);
+phi_8477_ = type_31(_e4195, 1f);
 } else {
-phi_8477_ = type_29(1f, _e4195);
+phi_8477_ = type_31(1f, _e4195);
 }
 let _e4199 = phi_8477_;
 let _e4204 = ((_e4199.member_1 * _e4199.member_1) - (_e4199.member * _e4199.member));
@@ -1734,7 +1734,7 @@ let _e4560 = select(select(select(select(select(select(0f, _e1903.member, _e4341
 let _e4561 = select(select(select(select(select(select(0f, _e1903.member_1, _e4341), _e1903.member_1, _e4381), _e1912.member_1, _e4421), _e1912.member_1, _e4461), _e1921.member_1, _e4501), _e1921.member_1, _e4541);
 let _e4562 = select(select(select(select(select(select(1f, _e1903.member_2, _e4341), _e1903.member_2, _e4381), _e1912.member_2, _e4421), _e1912.member_2, _e4461), _e1921.member_2, _e4501), _e1921.member_2, _e4541);
 if _e2167 {
-phi_10015_ = type_36(_e4547, vec3<f32>(_e4548, _e4549, _e4550), _e4552, vec3<f32>(_e4553, _e4554, _e4555), _e4557, _e4559, vec3<f32>(_e4560, _e4561, _e4562));
+phi_10015_ = type_34(_e4547, vec3<f32>(_e4548, _e4549, _e4550), _e4552, vec3<f32>(_e4553, _e4554, _e4555), _e4557, _e4559, vec3<f32>(_e4560, _e4561, _e4562));
 } else {
 let _e4569 = (((_e1903.member * _e1903.member) + (_e1903.member_1 * _e1903.member_1)) + (_e1903.member_2 * _e1903.member_2));
 let _e4572 = sqrt(select(0f, _e4569, (_e4569 > 0f)));
@@ -1814,7 +1814,7 @@ let _e4868 = select(2f, select(0f, _e4860, (_e4840 < 0f)), (_e4841 > 0f));
 let _e4869 = (_e4840 > _e4804);
 let _e4873 = ((_e4864 > _e4796) || ((_e4864 == _e4796) && _e4869));
 let _e4874 = (_e4868 < _e4800);
-phi_10015_ = type_36(select(_e4796, _e4864, _e4873), vec3<f32>(select(select(select(select(_e4548, _e4610.member, _e4636), _e4689.member, _e4715), _e4768.member, _e4794), _e4847.member, _e4873), select(select(select(select(_e4549, _e4610.member_1, _e4636), _e4689.member_1, _e4715), _e4768.member_1, _e4794), _e4847.member_1, _e4873), select(select(select(select(_e4550, _e4610.member_2, _e4636), _e4689.member_2, _e4715), _e4768.member_2, _e4794), _e4847.member_2, _e4873)), select(_e4800, _e4868, _e4874), vec3<f32>(select(select(select(select(_e4553, _e4610.member, _e4637), _e4689.member, _e4716), _e4768.member, _e4795), _e4847.member, _e4874), select(select(select(select(_e4554, _e4610.member_1, _e4637), _e4689.member_1, _e4716), _e4768.member_1, _e4795), _e4847.member_1, _e4874), select(select(select(select(_e4555, _e4610.member_2, _e4637), _e4689.member_2, _e4716), _e4768.member_2, _e4795), _e4847.member_2, _e4874)), select(_e4804, _e4840, _e4869), select(_e4806, _e4841, (_e4841 > _e4806)), vec3<f32>(select(select(select(select(_e4560, _e4610.member, _e4632), _e4689.member, _e4711), _e4768.member, _e4790), _e4847.member, _e4869), select(select(select(select(_e4561, _e4610.member_1, _e4632), _e4689.member_1, _e4711), _e4768.member_1, _e4790), _e4847.member_1, _e4869), select(select(select(select(_e4562, _e4610.member_2, _e4632), _e4689.member_2, _e4711), _e4768.member_2, _e4790), _e4847.member_2, _e4869)));
+phi_10015_ = type_34(select(_e4796, _e4864, _e4873), vec3<f32>(select(select(select(select(_e4548, _e4610.member, _e4636), _e4689.member, _e4715), _e4768.member, _e4794), _e4847.member, _e4873), select(select(select(select(_e4549, _e4610.member_1, _e4636), _e4689.member_1, _e4715), _e4768.member_1, _e4794), _e4847.member_1, _e4873), select(select(select(select(_e4550, _e4610.member_2, _e4636), _e4689.member_2, _e4715), _e4768.member_2, _e4794), _e4847.member_2, _e4873)), select(_e4800, _e4868, _e4874), vec3<f32>(select(select(select(select(_e4553, _e4610.member, _e4637), _e4689.member, _e4716), _e4768.member, _e4795), _e4847.member, _e4874), select(select(select(select(_e4554, _e4610.member_1, _e4637), _e4689.member_1, _e4716), _e4768.member_1, _e4795), _e4847.member_1, _e4874), select(select(select(select(_e4555, _e4610.member_2, _e4637), _e4689.member_2, _e4716), _e4768.member_2, _e4795), _e4847.member_2, _e4874)), select(_e4804, _e4840, _e4869), select(_e4806, _e4841, (_e4841 > _e4806)), vec3<f32>(select(select(select(select(_e4560, _e4610.member, _e4632), _e4689.member, _e4711), _e4768.member, _e4790), _e4847.member, _e4869), select(select(select(select(_e4561, _e4610.member_1, _e4632), _e4689.member_1, _e4711), _e4768.member_1, _e4790), _e4847.member_1, _e4869), select(select(select(select(_e4562, _e4610.member_2, _e4632), _e4689.member_2, _e4711), _e4768.member_2, _e4790), _e4847.member_2, _e4869)));
 }
 let _e4894 = phi_10015_;
 let _e4900 = (((_e3766 && _e4281) && !(_e4265)) && (_e4894.member_2 <= 1f));
@@ -1852,7 +1852,7 @@ let _e4990 = (_e4973 + 1i);
 let _e4991 = (_e4988 + 1i);
 let _e5001 = ((_e4989 >> bitcast<u32>(4i)) + (_e1298 * ((_e4990 >> bitcast<u32>(4i)) + (_e1305 * (_e4991 >> bitcast<u32>(4i))))));
 let _e5003 = select(_e1317, _e5001, (_e5001 < _e1317));
-let _e5008 = global_2.member[bitcast<u32>(select(0i, _e5003, (_e5003 > 0i)))];
+let _e5008 = global_1.member[bitcast<u32>(select(0i, _e5003, (_e5003 > 0i)))];
 let _e5010 = (_e4989 & 15i);
 let _e5013 = ((_e4990 & 15i) * _e1283);
 let _e5015 = (bitcast<i32>(_e5008) + ((_e4991 & 15i) * _e1288));
@@ -1860,17 +1860,17 @@ let _e5016 = (_e5013 + _e1283);
 let _e5017 = (_e5013 + _e1334);
 let _e5018 = (_e5015 + _e1288);
 let _e5019 = (_e5015 + _e1337);
-local_26 = type_33(array<i32, 4>(_e5010, _e5010, _e5010, _e5010), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_26 = type_28(array<i32, 4>(_e5010, _e5010, _e5010, _e5010), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_27 = vec3<f32>((_e4935 - f32(_e4958)), (_e4939 - f32(_e4973)), (_e4943 - f32(_e4988)));
 let _e5033 = local_26.member[0u];
 let _e5034 = ((_e5018 + _e5016) + _e5033);
 let _e5036 = (_e5034 >> bitcast<u32>(2i));
 let _e5039 = bitcast<u32>(((_e5034 & 3i) * 8i));
 let _e5041 = select(_e1317, _e5036, (_e5036 < _e1317));
-let _e5046 = global_2.member[bitcast<u32>(select(0i, _e5041, (_e5041 > 0i)))];
+let _e5046 = global_1.member[bitcast<u32>(select(0i, _e5041, (_e5041 > 0i)))];
 let _e5050 = (_e5036 + 1i);
 let _e5052 = select(_e1317, _e5050, (_e5050 < _e1317));
-let _e5057 = global_2.member[bitcast<u32>(select(0i, _e5052, (_e5052 > 0i)))];
+let _e5057 = global_1.member[bitcast<u32>(select(0i, _e5052, (_e5052 > 0i)))];
 let _e5064 = ((_e5046 >> bitcast<u32>((_e5039 & 31u))) | ((_e5057 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5039) & 31u))));
 let _e5067 = local_26.member_1[1u];
 let _e5073 = f32(bitcast<i32>(((_e5064 >> bitcast<u32>((_e5067 & 31u))) & 255u)));
@@ -1882,10 +1882,10 @@ let _e5089 = ((_e5018 + _e5017) + _e5088);
 let _e5091 = (_e5089 >> bitcast<u32>(2i));
 let _e5094 = bitcast<u32>(((_e5089 & 3i) * 8i));
 let _e5096 = select(_e1317, _e5091, (_e5091 < _e1317));
-let _e5101 = global_2.member[bitcast<u32>(select(0i, _e5096, (_e5096 > 0i)))];
+let _e5101 = global_1.member[bitcast<u32>(select(0i, _e5096, (_e5096 > 0i)))];
 let _e5105 = (_e5091 + 1i);
 let _e5107 = select(_e1317, _e5105, (_e5105 < _e1317));
-let _e5112 = global_2.member[bitcast<u32>(select(0i, _e5107, (_e5107 > 0i)))];
+let _e5112 = global_1.member[bitcast<u32>(select(0i, _e5107, (_e5107 > 0i)))];
 let _e5119 = ((_e5101 >> bitcast<u32>((_e5094 & 31u))) | ((_e5112 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5094) & 31u))));
 let _e5120 = local_26.member_1[1u];
 let _e5126 = f32(bitcast<i32>(((_e5119 >> bitcast<u32>((_e5120 & 31u))) & 255u)));
@@ -1898,10 +1898,10 @@ let _e5145 = ((_e5019 + _e5016) + _e5144);
 let _e5147 = (_e5145 >> bitcast<u32>(2i));
 let _e5150 = bitcast<u32>(((_e5145 & 3i) * 8i));
 let _e5152 = select(_e1317, _e5147, (_e5147 < _e1317));
-let _e5157 = global_2.member[bitcast<u32>(select(0i, _e5152, (_e5152 > 0i)))];
+let _e5157 = global_1.member[bitcast<u32>(select(0i, _e5152, (_e5152 > 0i)))];
 let _e5161 = (_e5147 + 1i);
 let _e5163 = select(_e1317, _e5161, (_e5161 < _e1317));
-let _e5168 = global_2.member[bitcast<u32>(select(0i, _e5163, (_e5163 > 0i)))];
+let _e5168 = global_1.member[bitcast<u32>(select(0i, _e5163, (_e5163 > 0i)))];
 let _e5175 = ((_e5157 >> bitcast<u32>((_e5150 & 31u))) | ((_e5168 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5150) & 31u))));
 let _e5176 = local_26.member_1[1u];
 let _e5182 = f32(bitcast<i32>(((_e5175 >> bitcast<u32>((_e5176 & 31u))) & 255u)));
@@ -1913,10 +1913,10 @@ let _e5196 = ((_e5019 + _e5017) + _e5195);
 let _e5198 = (_e5196 >> bitcast<u32>(2i));
 let _e5201 = bitcast<u32>(((_e5196 & 3i) * 8i));
 let _e5203 = select(_e1317, _e5198, (_e5198 < _e1317));
-let _e5208 = global_2.member[bitcast<u32>(select(0i, _e5203, (_e5203 > 0i)))];
+let _e5208 = global_1.member[bitcast<u32>(select(0i, _e5203, (_e5203 > 0i)))];
 let _e5212 = (_e5198 + 1i);
 let _e5214 = select(_e1317, _e5212, (_e5212 < _e1317));
-let _e5219 = global_2.member[bitcast<u32>(select(0i, _e5214, (_e5214 > 0i)))];
+let _e5219 = global_1.member[bitcast<u32>(select(0i, _e5214, (_e5214 > 0i)))];
 let _e5226 = ((_e5208 >> bitcast<u32>((_e5201 & 31u))) | ((_e5219 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e5201) & 31u))));
 let _e5227 = local_26.member_1[1u];
 let _e5233 = f32(bitcast<i32>(((_e5226 >> bitcast<u32>((_e5227 & 31u))) & 255u)));
@@ -1948,12 +1948,12 @@ let _e5302 = select(0i, select(select(i32(_e5295), i32(-2147483648), (_e5295 < -
 let _e5306 = (_e5302 - select(0i, 1i, (_e5295 < f32(_e5302))));
 let _e5307 = (262147i + _e5306);
 let _e5309 = select(_e2889, _e5307, (_e5307 < _e2889));
-let _e5314 = global_3.member[bitcast<u32>(select(0i, _e5309, (_e5309 > 0i)))];
+let _e5314 = global_2.member[bitcast<u32>(select(0i, _e5309, (_e5309 > 0i)))];
 let _e5329 = ((_e3063 + (f32(bitcast<i32>((_e5314 >> bitcast<u32>(12u)))) * _e3071)) + ((f32((bitcast<i32>((_e5314 & 4095u)) - 2048i)) * _e3054) * (_e5291 - f32(_e5306))));
 if _e4281 {
-phi_11183_ = type_29(_e5329, 1f);
+phi_11183_ = type_31(_e5329, 1f);
 } else {
-phi_11183_ = type_29(1f, _e5329);
+phi_11183_ = type_31(1f, _e5329);
 }
 let _e5333 = phi_11183_;
 let _e5338 = ((_e5333.member_1 * _e5333.member_1) - (_e5333.member * _e5333.member));
@@ -2092,7 +2092,7 @@ let _e5695 = select(select(select(select(select(select(0f, _e1903.member, _e5476
 let _e5696 = select(select(select(select(select(select(0f, _e1903.member_1, _e5476), _e1903.member_1, _e5516), _e1912.member_1, _e5556), _e1912.member_1, _e5596), _e1921.member_1, _e5636), _e1921.member_1, _e5676);
 let _e5697 = select(select(select(select(select(select(1f, _e1903.member_2, _e5476), _e1903.member_2, _e5516), _e1912.member_2, _e5556), _e1912.member_2, _e5596), _e1921.member_2, _e5636), _e1921.member_2, _e5676);
 if _e2167 {
-phi_12721_ = type_36(_e5682, vec3<f32>(_e5683, _e5684, _e5685), _e5687, vec3<f32>(_e5688, _e5689, _e5690), _e5692, _e5694, vec3<f32>(_e5695, _e5696, _e5697));
+phi_12721_ = type_34(_e5682, vec3<f32>(_e5683, _e5684, _e5685), _e5687, vec3<f32>(_e5688, _e5689, _e5690), _e5692, _e5694, vec3<f32>(_e5695, _e5696, _e5697));
 } else {
 let _e5704 = (((_e1903.member * _e1903.member) + (_e1903.member_1 * _e1903.member_1)) + (_e1903.member_2 * _e1903.member_2));
 let _e5707 = sqrt(select(0f, _e5704, (_e5704 > 0f)));
@@ -2172,7 +2172,7 @@ let _e6003 = select(2f, select(0f, _e5995, (_e5975 < 0f)), (_e5976 > 0f));
 let _e6004 = (_e5975 > _e5939);
 let _e6008 = ((_e5999 > _e5931) || ((_e5999 == _e5931) && _e6004));
 let _e6009 = (_e6003 < _e5935);
-phi_12721_ = type_36(select(_e5931, _e5999, _e6008), vec3<f32>(select(select(select(select(_e5683, _e5745.member, _e5771), _e5824.member, _e5850), _e5903.member, _e5929), _e5982.member, _e6008), select(select(select(select(_e5684, _e5745.member_1, _e5771), _e5824.member_1, _e5850), _e5903.member_1, _e5929), _e5982.member_1, _e6008), select(select(select(select(_e5685, _e5745.member_2, _e5771), _e5824.member_2, _e5850), _e5903.member_2, _e5929), _e5982.member_2, _e6008)), select(_e5935, _e6003, _e6009), vec3<f32>(select(select(select(select(_e5688, _e5745.member, _e5772), _e5824.member, _e5851), _e5903.member, _e5930), _e5982.member, _e6009), select(select(select(select(_e5689, _e5745.member_1, _e5772), _e5824.member_1, _e5851), _e5903.member_1, _e5930), _e5982.member_1, _e6009), select(select(select(select(_e5690, _e5745.member_2, _e5772), _e5824.member_2, _e5851), _e5903.member_2, _e5930), _e5982.member_2, _e6009)), select(_e5939, _e5975, _e6004), select(_e5941, _e5976, (_e5976 > _e5941)), vec3<f32>(select(select(select(select(_e5695, _e5745.member, _e5767), _e5824.member, _e5846), _e5903.member, _e5925), _e5982.member, _e6004), select(select(select(select(_e5696, _e5745.member_1, _e5767), _e5824.member_1, _e5846), _e5903.member_1, _e5925), _e5982.member_1, _e6004), select(select(select(select(_e5697, _e5745.member_2, _e5767), _e5824.member_2, _e5846), _e5903.member_2, _e5925), _e5982.member_2, _e6004)));
+phi_12721_ = type_34(select(_e5931, _e5999, _e6008), vec3<f32>(select(select(select(select(_e5683, _e5745.member, _e5771), _e5824.member, _e5850), _e5903.member, _e5929), _e5982.member, _e6008), select(select(select(select(_e5684, _e5745.member_1, _e5771), _e5824.member_1, _e5850), _e5903.member_1, _e5929), _e5982.member_1, _e6008), select(select(select(select(_e5685, _e5745.member_2, _e5771), _e5824.member_2, _e5850), _e5903.member_2, _e5929), _e5982.member_2, _e6008)), select(_e5935, _e6003, _e6009), vec3<f32>(select(select(select(select(_e5688, _e5745.member, _e5772), _e5824.member, _e5851), _e5903.member, _e5930), _e5982.member, _e6009), select(select(select(select(_e5689, _e5745.member_1, _e5772), _e5824.member_1, _e5851), _e5903.member_1, _e5930), _e5982.member_1, _e6009), select(select(select(select(_e5690, _e5745.member_2, _e5772), _e5824.member_2, _e5851), _e5903.member_2, _e5930), _e5982.member_2, _e6009)), select(_e5939, _e5975, _e6004), select(_e5941, _e5976, (_e5976 > _e5941)), vec3<f32>(select(select(select(select(_e5695, _e5745.member, _e5767), _e5824.member, _e5846), _e5903.member, _e5925), _e5982.member, _e6004), select(select(select(select(_e5696, _e5745.member_1, _e5767), _e5824.member_1, _e5846), _e5903.member_1, _e5925), _e5982.member_1, _e6004), select(select(select(select(_e5697, _e5745.member_2, _e5767), _e5824.member_2, _e5846), _e5903.member_2, _e5925), _e5982.member_2, _e6004)));
 }
 let _e6029 = phi_12721_;
 let _e6035 = (((_e4900 && _e5416) && !(_e5400)) && (_e6029.member_2 <= 1f));
@@ -2343,12 +2343,12 @@ phi_14469_ = _e3081;
 phi_14469_ = _e4199;
 }
 let _e6475 = phi_14469_;
-phi_14482_ = type_39(_e6475, vec3<f32>(select(_e5411, _e4913.x, _e6035), select(_e5412, _e4913.y, _e6035), select(_e5413, _e4913.z, _e6035)), vec3<f32>(_e5385, _e5386, _e5387), select(_e1888, ((((sqrt(select(0f, _e6043, (_e6043 > 0f))) * select(0f, _e6124, (_e6124 > 0f))) + (sqrt(select(0f, _e6135, (_e6135 > 0f))) * select(0f, _e6231, (_e6231 > 0f)))) + (sqrt(select(0f, _e6243, (_e6243 > 0f))) * select(0f, _e6339, (_e6339 > 0f)))) + select(0f, (sqrt(select(0f, _e6351, (_e6351 > 0f))) * select(0f, _e6447, (_e6447 > 0f))), _e4900)), _e6454), select((_e484 / _e5387), (2f * (_e3770 / _e3135)), (((_e2529 && !(_e2506)) && _e3168) && !(_e3766))), select(_e3760.member_3, _e2521.member_1, vec3(_e3149)), _e5416, _e6454, (((_e3153 || _e4265) || _e5400) || _e6035));
+phi_14482_ = type_38(_e6475, vec3<f32>(select(_e5411, _e4913.x, _e6035), select(_e5412, _e4913.y, _e6035), select(_e5413, _e4913.z, _e6035)), vec3<f32>(_e5385, _e5386, _e5387), select(_e1888, ((((sqrt(select(0f, _e6043, (_e6043 > 0f))) * select(0f, _e6124, (_e6124 > 0f))) + (sqrt(select(0f, _e6135, (_e6135 > 0f))) * select(0f, _e6231, (_e6231 > 0f)))) + (sqrt(select(0f, _e6243, (_e6243 > 0f))) * select(0f, _e6339, (_e6339 > 0f)))) + select(0f, (sqrt(select(0f, _e6351, (_e6351 > 0f))) * select(0f, _e6447, (_e6447 > 0f))), _e4900)), _e6454), select((_e484 / _e5387), (2f * (_e3770 / _e3135)), (((_e2529 && !(_e2506)) && _e3168) && !(_e3766))), select(_e3760.member_3, _e2521.member_1, vec3(_e3149)), _e5416, _e6454, (((_e3153 || _e4265) || _e5400) || _e6035));
 phi_14483_ = vec3<f32>(_e2510, _e2511, _e2512);
 phi_14484_ = _e2506;
 phi_14485_ = _e2507;
 } else {
-phi_14482_ = type_39(_e1801.member, _e1801.member_1, _e1801.member_2, _e1888, _e1801.member_4, _e1801.member_5, _e1801.member_6, _e1801.member_7, _e1801.member_8);
+phi_14482_ = type_38(_e1801.member, _e1801.member_1, _e1801.member_2, _e1888, _e1801.member_4, _e1801.member_5, _e1801.member_6, _e1801.member_7, _e1801.member_8);
 phi_14483_ = _e1153;
 phi_14484_ = true;
 phi_14485_ = _e1789;
@@ -2384,7 +2384,7 @@ let _e6896 = (_e6879 + 1i);
 let _e6897 = (_e6894 + 1i);
 let _e6907 = ((_e6895 >> bitcast<u32>(4i)) + (_e1298 * ((_e6896 >> bitcast<u32>(4i)) + (_e1305 * (_e6897 >> bitcast<u32>(4i))))));
 let _e6909 = select(_e1317, _e6907, (_e6907 < _e1317));
-let _e6915 = global_2.member[bitcast<u32>(select(0i, _e6909, (_e6909 > 0i)))];
+let _e6915 = global_1.member[bitcast<u32>(select(0i, _e6909, (_e6909 > 0i)))];
 let _e6917 = (_e6895 & 15i);
 let _e6920 = ((_e6896 & 15i) * _e1283);
 let _e6922 = (bitcast<i32>(_e6915) + ((_e6897 & 15i) * _e1288));
@@ -2394,17 +2394,17 @@ let _e6926 = (_e6920 + (3i * _e1283));
 let _e6927 = (_e6922 + _e1288);
 let _e6928 = (_e6922 + _e1337);
 let _e6930 = (_e6922 + (3i * _e1288));
-local_22 = type_33(array<i32, 4>(_e6917, _e6917, _e6917, _e6917), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_22 = type_28(array<i32, 4>(_e6917, _e6917, _e6917, _e6917), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_23 = vec3<f32>((_e6841 - f32(_e6864)), (_e6845 - f32(_e6879)), (_e6849 - f32(_e6894)));
 let _e6944 = local_22.member[0u];
 let _e6945 = ((_e6927 + _e6923) + _e6944);
 let _e6947 = (_e6945 >> bitcast<u32>(2i));
 let _e6950 = bitcast<u32>(((_e6945 & 3i) * 8i));
 let _e6952 = select(_e1317, _e6947, (_e6947 < _e1317));
-let _e6957 = global_2.member[bitcast<u32>(select(0i, _e6952, (_e6952 > 0i)))];
+let _e6957 = global_1.member[bitcast<u32>(select(0i, _e6952, (_e6952 > 0i)))];
 let _e6961 = (_e6947 + 1i);
 let _e6963 = select(_e1317, _e6961, (_e6961 < _e1317));
-let _e6968 = global_2.member[bitcast<u32>(select(0i, _e6963, (_e6963 > 0i)))];
+let _e6968 = global_1.member[bitcast<u32>(select(0i, _e6963, (_e6963 > 0i)))];
 let _e6975 = ((_e6957 >> bitcast<u32>((_e6950 & 31u))) | ((_e6968 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6950) & 31u))));
 let _e6978 = local_22.member_1[0u];
 let _e6984 = f32(bitcast<i32>(((_e6975 >> bitcast<u32>((_e6978 & 31u))) & 255u)));
@@ -2424,10 +2424,10 @@ let _e7026 = ((_e6927 + _e6924) + _e7025);
 let _e7028 = (_e7026 >> bitcast<u32>(2i));
 let _e7031 = bitcast<u32>(((_e7026 & 3i) * 8i));
 let _e7033 = select(_e1317, _e7028, (_e7028 < _e1317));
-let _e7038 = global_2.member[bitcast<u32>(select(0i, _e7033, (_e7033 > 0i)))];
+let _e7038 = global_1.member[bitcast<u32>(select(0i, _e7033, (_e7033 > 0i)))];
 let _e7042 = (_e7028 + 1i);
 let _e7044 = select(_e1317, _e7042, (_e7042 < _e1317));
-let _e7049 = global_2.member[bitcast<u32>(select(0i, _e7044, (_e7044 > 0i)))];
+let _e7049 = global_1.member[bitcast<u32>(select(0i, _e7044, (_e7044 > 0i)))];
 let _e7056 = ((_e7038 >> bitcast<u32>((_e7031 & 31u))) | ((_e7049 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7031) & 31u))));
 let _e7057 = local_22.member_1[0u];
 let _e7063 = f32(bitcast<i32>(((_e7056 >> bitcast<u32>((_e7057 & 31u))) & 255u)));
@@ -2445,10 +2445,10 @@ let _e7099 = ((_e6928 + _e6923) + _e7098);
 let _e7101 = (_e7099 >> bitcast<u32>(2i));
 let _e7104 = bitcast<u32>(((_e7099 & 3i) * 8i));
 let _e7106 = select(_e1317, _e7101, (_e7101 < _e1317));
-let _e7111 = global_2.member[bitcast<u32>(select(0i, _e7106, (_e7106 > 0i)))];
+let _e7111 = global_1.member[bitcast<u32>(select(0i, _e7106, (_e7106 > 0i)))];
 let _e7115 = (_e7101 + 1i);
 let _e7117 = select(_e1317, _e7115, (_e7115 < _e1317));
-let _e7122 = global_2.member[bitcast<u32>(select(0i, _e7117, (_e7117 > 0i)))];
+let _e7122 = global_1.member[bitcast<u32>(select(0i, _e7117, (_e7117 > 0i)))];
 let _e7129 = ((_e7111 >> bitcast<u32>((_e7104 & 31u))) | ((_e7122 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7104) & 31u))));
 let _e7130 = local_22.member_1[0u];
 let _e7136 = f32(bitcast<i32>(((_e7129 >> bitcast<u32>((_e7130 & 31u))) & 255u)));
@@ -2468,10 +2468,10 @@ let _e7172 = ((_e6928 + _e6924) + _e7171);
 let _e7174 = (_e7172 >> bitcast<u32>(2i));
 let _e7177 = bitcast<u32>(((_e7172 & 3i) * 8i));
 let _e7179 = select(_e1317, _e7174, (_e7174 < _e1317));
-let _e7184 = global_2.member[bitcast<u32>(select(0i, _e7179, (_e7179 > 0i)))];
+let _e7184 = global_1.member[bitcast<u32>(select(0i, _e7179, (_e7179 > 0i)))];
 let _e7188 = (_e7174 + 1i);
 let _e7190 = select(_e1317, _e7188, (_e7188 < _e1317));
-let _e7195 = global_2.member[bitcast<u32>(select(0i, _e7190, (_e7190 > 0i)))];
+let _e7195 = global_1.member[bitcast<u32>(select(0i, _e7190, (_e7190 > 0i)))];
 let _e7202 = ((_e7184 >> bitcast<u32>((_e7177 & 31u))) | ((_e7195 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7177) & 31u))));
 let _e7203 = local_22.member_1[0u];
 let _e7209 = f32(bitcast<i32>(((_e7202 >> bitcast<u32>((_e7203 & 31u))) & 255u)));
@@ -2489,10 +2489,10 @@ let _e7245 = ((_e6927 + _e6920) + _e7244);
 let _e7247 = (_e7245 >> bitcast<u32>(2i));
 let _e7250 = bitcast<u32>(((_e7245 & 3i) * 8i));
 let _e7252 = select(_e1317, _e7247, (_e7247 < _e1317));
-let _e7257 = global_2.member[bitcast<u32>(select(0i, _e7252, (_e7252 > 0i)))];
+let _e7257 = global_1.member[bitcast<u32>(select(0i, _e7252, (_e7252 > 0i)))];
 let _e7261 = (_e7247 + 1i);
 let _e7263 = select(_e1317, _e7261, (_e7261 < _e1317));
-let _e7268 = global_2.member[bitcast<u32>(select(0i, _e7263, (_e7263 > 0i)))];
+let _e7268 = global_1.member[bitcast<u32>(select(0i, _e7263, (_e7263 > 0i)))];
 let _e7275 = ((_e7257 >> bitcast<u32>((_e7250 & 31u))) | ((_e7268 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7250) & 31u))));
 let _e7276 = local_22.member_1[1u];
 let _e7282 = f32(bitcast<i32>(((_e7275 >> bitcast<u32>((_e7276 & 31u))) & 255u)));
@@ -2504,10 +2504,10 @@ let _e7296 = ((_e6927 + _e6926) + _e7295);
 let _e7298 = (_e7296 >> bitcast<u32>(2i));
 let _e7301 = bitcast<u32>(((_e7296 & 3i) * 8i));
 let _e7303 = select(_e1317, _e7298, (_e7298 < _e1317));
-let _e7308 = global_2.member[bitcast<u32>(select(0i, _e7303, (_e7303 > 0i)))];
+let _e7308 = global_1.member[bitcast<u32>(select(0i, _e7303, (_e7303 > 0i)))];
 let _e7312 = (_e7298 + 1i);
 let _e7314 = select(_e1317, _e7312, (_e7312 < _e1317));
-let _e7319 = global_2.member[bitcast<u32>(select(0i, _e7314, (_e7314 > 0i)))];
+let _e7319 = global_1.member[bitcast<u32>(select(0i, _e7314, (_e7314 > 0i)))];
 let _e7326 = ((_e7308 >> bitcast<u32>((_e7301 & 31u))) | ((_e7319 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7301) & 31u))));
 let _e7327 = local_22.member_1[1u];
 let _e7333 = f32(bitcast<i32>(((_e7326 >> bitcast<u32>((_e7327 & 31u))) & 255u)));
@@ -2518,10 +2518,10 @@ let _e7347 = ((_e6928 + _e6920) + _e7346);
 let _e7349 = (_e7347 >> bitcast<u32>(2i));
 let _e7352 = bitcast<u32>(((_e7347 & 3i) * 8i));
 let _e7354 = select(_e1317, _e7349, (_e7349 < _e1317));
-let _e7359 = global_2.member[bitcast<u32>(select(0i, _e7354, (_e7354 > 0i)))];
+let _e7359 = global_1.member[bitcast<u32>(select(0i, _e7354, (_e7354 > 0i)))];
 let _e7363 = (_e7349 + 1i);
 let _e7365 = select(_e1317, _e7363, (_e7363 < _e1317));
-let _e7370 = global_2.member[bitcast<u32>(select(0i, _e7365, (_e7365 > 0i)))];
+let _e7370 = global_1.member[bitcast<u32>(select(0i, _e7365, (_e7365 > 0i)))];
 let _e7377 = ((_e7359 >> bitcast<u32>((_e7352 & 31u))) | ((_e7370 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7352) & 31u))));
 let _e7378 = local_22.member_1[1u];
 let _e7384 = f32(bitcast<i32>(((_e7377 >> bitcast<u32>((_e7378 & 31u))) & 255u)));
@@ -2533,10 +2533,10 @@ let _e7398 = ((_e6928 + _e6926) + _e7397);
 let _e7400 = (_e7398 >> bitcast<u32>(2i));
 let _e7403 = bitcast<u32>(((_e7398 & 3i) * 8i));
 let _e7405 = select(_e1317, _e7400, (_e7400 < _e1317));
-let _e7410 = global_2.member[bitcast<u32>(select(0i, _e7405, (_e7405 > 0i)))];
+let _e7410 = global_1.member[bitcast<u32>(select(0i, _e7405, (_e7405 > 0i)))];
 let _e7414 = (_e7400 + 1i);
 let _e7416 = select(_e1317, _e7414, (_e7414 < _e1317));
-let _e7421 = global_2.member[bitcast<u32>(select(0i, _e7416, (_e7416 > 0i)))];
+let _e7421 = global_1.member[bitcast<u32>(select(0i, _e7416, (_e7416 > 0i)))];
 let _e7428 = ((_e7410 >> bitcast<u32>((_e7403 & 31u))) | ((_e7421 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7403) & 31u))));
 let _e7429 = local_22.member_1[1u];
 let _e7435 = f32(bitcast<i32>(((_e7428 >> bitcast<u32>((_e7429 & 31u))) & 255u)));
@@ -2547,10 +2547,10 @@ let _e7449 = ((_e6922 + _e6923) + _e7448);
 let _e7451 = (_e7449 >> bitcast<u32>(2i));
 let _e7454 = bitcast<u32>(((_e7449 & 3i) * 8i));
 let _e7456 = select(_e1317, _e7451, (_e7451 < _e1317));
-let _e7461 = global_2.member[bitcast<u32>(select(0i, _e7456, (_e7456 > 0i)))];
+let _e7461 = global_1.member[bitcast<u32>(select(0i, _e7456, (_e7456 > 0i)))];
 let _e7465 = (_e7451 + 1i);
 let _e7467 = select(_e1317, _e7465, (_e7465 < _e1317));
-let _e7472 = global_2.member[bitcast<u32>(select(0i, _e7467, (_e7467 > 0i)))];
+let _e7472 = global_1.member[bitcast<u32>(select(0i, _e7467, (_e7467 > 0i)))];
 let _e7479 = ((_e7461 >> bitcast<u32>((_e7454 & 31u))) | ((_e7472 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7454) & 31u))));
 let _e7480 = local_22.member_1[1u];
 let _e7486 = f32(bitcast<i32>(((_e7479 >> bitcast<u32>((_e7480 & 31u))) & 255u)));
@@ -2562,10 +2562,10 @@ let _e7500 = ((_e6930 + _e6923) + _e7499);
 let _e7502 = (_e7500 >> bitcast<u32>(2i));
 let _e7505 = bitcast<u32>(((_e7500 & 3i) * 8i));
 let _e7507 = select(_e1317, _e7502, (_e7502 < _e1317));
-let _e7512 = global_2.member[bitcast<u32>(select(0i, _e7507, (_e7507 > 0i)))];
+let _e7512 = global_1.member[bitcast<u32>(select(0i, _e7507, (_e7507 > 0i)))];
 let _e7516 = (_e7502 + 1i);
 let _e7518 = select(_e1317, _e7516, (_e7516 < _e1317));
-let _e7523 = global_2.member[bitcast<u32>(select(0i, _e7518, (_e7518 > 0i)))];
+let _e7523 = global_1.member[bitcast<u32>(select(0i, _e7518, (_e7518 > 0i)))];
 let _e7530 = ((_e7512 >> bitcast<u32>((_e7505 & 31u))) | ((_e7523 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7505) & 31u))));
 let _e7531 = local_22.member_1[1u];
 let _e7537 = f32(bitcast<i32>(((_e7530 >> bitcast<u32>((_e7531 & 31u))) & 255u)));
@@ -2577,10 +2577,10 @@ let _e7551 = ((_e6922 + _e6924) + _e7550);
 let _e7553 = (_e7551 >> bitcast<u32>(2i));
 let _e7556 = bitcast<u32>(((_e7551 & 3i) * 8i));
 let _e7558 = select(_e1317, _e7553, (_e7553 < _e1317));
-let _e7563 = global_2.member[bitcast<u32>(select(0i, _e7558, (_e7558 > 0i)))];
+let _e7563 = global_1.member[bitcast<u32>(select(0i, _e7558, (_e7558 > 0i)))];
 let _e7567 = (_e7553 + 1i);
 let _e7569 = select(_e1317, _e7567, (_e7567 < _e1317));
-let _e7574 = global_2.member[bitcast<u32>(select(0i, _e7569, (_e7569 > 0i)))];
+let _e7574 = global_1.member[bitcast<u32>(select(0i, _e7569, (_e7569 > 0i)))];
 let _e7581 = ((_e7563 >> bitcast<u32>((_e7556 & 31u))) | ((_e7574 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7556) & 31u))));
 let _e7582 = local_22.member_1[1u];
 let _e7588 = f32(bitcast<i32>(((_e7581 >> bitcast<u32>((_e7582 & 31u))) & 255u)));
@@ -2591,10 +2591,10 @@ let _e7602 = ((_e6930 + _e6924) + _e7601);
 let _e7604 = (_e7602 >> bitcast<u32>(2i));
 let _e7607 = bitcast<u32>(((_e7602 & 3i) * 8i));
 let _e7609 = select(_e1317, _e7604, (_e7604 < _e1317));
-let _e7614 = global_2.member[bitcast<u32>(select(0i, _e7609, (_e7609 > 0i)))];
+let _e7614 = global_1.member[bitcast<u32>(select(0i, _e7609, (_e7609 > 0i)))];
 let _e7618 = (_e7604 + 1i);
 let _e7620 = select(_e1317, _e7618, (_e7618 < _e1317));
-let _e7625 = global_2.member[bitcast<u32>(select(0i, _e7620, (_e7620 > 0i)))];
+let _e7625 = global_1.member[bitcast<u32>(select(0i, _e7620, (_e7620 > 0i)))];
 let _e7632 = ((_e7614 >> bitcast<u32>((_e7607 & 31u))) | ((_e7625 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e7607) & 31u))));
 let _e7633 = local_22.member_1[1u];
 let _e7639 = f32(bitcast<i32>(((_e7632 >> bitcast<u32>((_e7633 & 31u))) & 255u)));
@@ -2653,50 +2653,50 @@ local_21 = _e7771;
 let _e7772 = local_21;
 let _e7774 = (bitcast<i32>(_e232) - 1i);
 let _e7776 = select(_e7774, 263197i, (263197i < _e7774));
-let _e7781 = global_3.member[bitcast<u32>(select(0i, _e7776, (_e7776 > 0i)))];
+let _e7781 = global_2.member[bitcast<u32>(select(0i, _e7776, (_e7776 > 0i)))];
 let _e7782 = bitcast<f32>(_e7781);
 let _e7784 = select(_e7774, 263198i, (263198i < _e7774));
 let _e7787 = bitcast<u32>(select(0i, _e7784, (_e7784 > 0i)));
-let _e7789 = global_3.member[_e7787];
+let _e7789 = global_2.member[_e7787];
 let _e7790 = bitcast<f32>(_e7789);
 let _e7792 = select(_e7774, 263199i, (263199i < _e7774));
-let _e7797 = global_3.member[bitcast<u32>(select(0i, _e7792, (_e7792 > 0i)))];
+let _e7797 = global_2.member[bitcast<u32>(select(0i, _e7792, (_e7792 > 0i)))];
 let _e7798 = bitcast<f32>(_e7797);
 let _e7800 = ((_e7772 - _e7782) * _e7790);
 let _e7802 = select(0f, _e7800, (_e7800 > 0f));
 let _e7805 = local_21;
 let _e7807 = select(_e7774, 263200i, (263200i < _e7774));
-let _e7812 = global_3.member[bitcast<u32>(select(0i, _e7807, (_e7807 > 0i)))];
+let _e7812 = global_2.member[bitcast<u32>(select(0i, _e7807, (_e7807 > 0i)))];
 let _e7813 = bitcast<f32>(_e7812);
 let _e7815 = select(_e7774, 263201i, (263201i < _e7774));
-let _e7820 = global_3.member[bitcast<u32>(select(0i, _e7815, (_e7815 > 0i)))];
+let _e7820 = global_2.member[bitcast<u32>(select(0i, _e7815, (_e7815 > 0i)))];
 let _e7821 = bitcast<f32>(_e7820);
 let _e7823 = select(_e7774, 263202i, (263202i < _e7774));
-let _e7828 = global_3.member[bitcast<u32>(select(0i, _e7823, (_e7823 > 0i)))];
+let _e7828 = global_2.member[bitcast<u32>(select(0i, _e7823, (_e7823 > 0i)))];
 let _e7829 = bitcast<f32>(_e7828);
 let _e7831 = ((_e7805 - _e7813) * _e7821);
 let _e7833 = select(0f, _e7831, (_e7831 > 0f));
 let _e7837 = local_21;
 let _e7839 = select(_e7774, 263203i, (263203i < _e7774));
-let _e7844 = global_3.member[bitcast<u32>(select(0i, _e7839, (_e7839 > 0i)))];
+let _e7844 = global_2.member[bitcast<u32>(select(0i, _e7839, (_e7839 > 0i)))];
 let _e7845 = bitcast<f32>(_e7844);
 let _e7847 = select(_e7774, 263204i, (263204i < _e7774));
-let _e7852 = global_3.member[bitcast<u32>(select(0i, _e7847, (_e7847 > 0i)))];
+let _e7852 = global_2.member[bitcast<u32>(select(0i, _e7847, (_e7847 > 0i)))];
 let _e7853 = bitcast<f32>(_e7852);
 let _e7855 = select(_e7774, 263205i, (263205i < _e7774));
-let _e7860 = global_3.member[bitcast<u32>(select(0i, _e7855, (_e7855 > 0i)))];
+let _e7860 = global_2.member[bitcast<u32>(select(0i, _e7855, (_e7855 > 0i)))];
 let _e7861 = bitcast<f32>(_e7860);
 let _e7863 = ((_e7837 - _e7845) * _e7853);
 let _e7865 = select(0f, _e7863, (_e7863 > 0f));
 let _e7868 = local_21;
 let _e7870 = select(_e7774, 263206i, (263206i < _e7774));
-let _e7875 = global_3.member[bitcast<u32>(select(0i, _e7870, (_e7870 > 0i)))];
+let _e7875 = global_2.member[bitcast<u32>(select(0i, _e7870, (_e7870 > 0i)))];
 let _e7876 = bitcast<f32>(_e7875);
 let _e7878 = select(_e7774, 263207i, (263207i < _e7774));
-let _e7883 = global_3.member[bitcast<u32>(select(0i, _e7878, (_e7878 > 0i)))];
+let _e7883 = global_2.member[bitcast<u32>(select(0i, _e7878, (_e7878 > 0i)))];
 let _e7884 = bitcast<f32>(_e7883);
 let _e7886 = select(_e7774, 263208i, (263208i < _e7774));
-let _e7891 = global_3.member[bitcast<u32>(select(0i, _e7886, (_e7886 > 0i)))];
+let _e7891 = global_2.member[bitcast<u32>(select(0i, _e7886, (_e7886 > 0i)))];
 let _e7892 = bitcast<f32>(_e7891);
 let _e7894 = ((_e7868 - _e7876) * _e7884);
 let _e7896 = select(0f, _e7894, (_e7894 > 0f));
@@ -2707,34 +2707,34 @@ let _e7911 = select(0i, select(select(i32(_e7904), i32(-2147483648), (_e7904 < -
 let _e7915 = (_e7911 - select(0i, 1i, (_e7904 < f32(_e7911))));
 let _e7916 = (262147i + _e7915);
 let _e7918 = select(_e7774, _e7916, (_e7916 < _e7774));
-let _e7924 = global_3.member[bitcast<u32>(select(0i, _e7918, (_e7918 > 0i)))];
+let _e7924 = global_2.member[bitcast<u32>(select(0i, _e7918, (_e7918 > 0i)))];
 let _e7934 = select(_e7774, 262146i, (262146i < _e7774));
-let _e7940 = global_3.member[bitcast<u32>(select(0i, _e7934, (_e7934 > 0i)))];
+let _e7940 = global_2.member[bitcast<u32>(select(0i, _e7934, (_e7934 > 0i)))];
 let _e7941 = bitcast<f32>(_e7940);
 let _e7942 = (f32((bitcast<i32>((_e7924 & 4095u)) - 2048i)) * _e7941);
 let _e7944 = select(_e7774, 262144i, (262144i < _e7774));
-let _e7950 = global_3.member[bitcast<u32>(select(0i, _e7944, (_e7944 > 0i)))];
+let _e7950 = global_2.member[bitcast<u32>(select(0i, _e7944, (_e7944 > 0i)))];
 let _e7951 = bitcast<f32>(_e7950);
 let _e7953 = select(_e7774, 262145i, (262145i < _e7774));
-let _e7959 = global_3.member[bitcast<u32>(select(0i, _e7953, (_e7953 > 0i)))];
+let _e7959 = global_2.member[bitcast<u32>(select(0i, _e7953, (_e7953 > 0i)))];
 let _e7960 = bitcast<f32>(_e7959);
 let _e7966 = ((_e7951 + (f32(bitcast<i32>((_e7924 >> bitcast<u32>(12u)))) * _e7960)) + (_e7942 * (_e7900 - f32(_e7915))));
-let _e7969 = global_3.member[_e7787];
+let _e7969 = global_2.member[_e7787];
 let _e7971 = local_20;
 let _e7974 = local_20;
 let _e7977 = local_20;
 let _e7981 = select(_e7774, 263209i, (263209i < _e7774));
-let _e7987 = global_3.member[bitcast<u32>(select(0i, _e7981, (_e7981 > 0i)))];
+let _e7987 = global_2.member[bitcast<u32>(select(0i, _e7981, (_e7981 > 0i)))];
 let _e7989 = local_20;
 let _e7992 = select(_e7774, 263210i, (263210i < _e7774));
-let _e7998 = global_3.member[bitcast<u32>(select(0i, _e7992, (_e7992 > 0i)))];
+let _e7998 = global_2.member[bitcast<u32>(select(0i, _e7992, (_e7992 > 0i)))];
 let _e8000 = local_20;
 let _e8004 = (_e7942 * select(0f, select(select(select(bitcast<f32>(_e7969), _e7821, (_e7971 >= _e7813)), _e7853, (_e7974 >= _e7845)), _e7884, (_e7977 >= _e7876)), ((_e7989 >= bitcast<f32>(_e7987)) && (_e8000 <= bitcast<f32>(_e7998)))));
 if _e839 {
 let _e8455 = ((0.5f * (_e7746 - _e7740)) * _e8004);
 let _e8456 = ((0.5f * (_e7758 - _e7752)) * _e8004);
 let _e8457 = ((0.5f * (_e7770 - _e7764)) * _e8004);
-phi_19918_ = type_34(_e7966, vec3<f32>(_e8455, _e8456, _e8457), vec3<f32>((_e8455 * _e7966), (_e8456 * _e7966), (_e8457 * _e7966)));
+phi_19918_ = type_32(_e7966, vec3<f32>(_e8455, _e8456, _e8457), vec3<f32>((_e8455 * _e7966), (_e8456 * _e7966), (_e8457 * _e7966)));
 } else {
 local_18 = _e7740;
 let _e8005 = local_18;
@@ -2758,7 +2758,7 @@ let _e8047 = select(0i, select(select(i32(_e8040), i32(-2147483648), (_e8040 < -
 let _e8051 = (_e8047 - select(0i, 1i, (_e8040 < f32(_e8047))));
 let _e8052 = (262147i + _e8051);
 let _e8054 = select(_e7774, _e8052, (_e8052 < _e7774));
-let _e8060 = global_3.member[bitcast<u32>(select(0i, _e8054, (_e8054 > 0i)))];
+let _e8060 = global_2.member[bitcast<u32>(select(0i, _e8054, (_e8054 > 0i)))];
 let _e8075 = ((_e7951 + (f32(bitcast<i32>((_e8060 >> bitcast<u32>(12u)))) * _e7960)) + ((f32((bitcast<i32>((_e8060 & 4095u)) - 2048i)) * _e7941) * (_e8036 - f32(_e8051))));
 local_16 = _e7746;
 let _e8076 = local_16;
@@ -2782,7 +2782,7 @@ let _e8118 = select(0i, select(select(i32(_e8111), i32(-2147483648), (_e8111 < -
 let _e8122 = (_e8118 - select(0i, 1i, (_e8111 < f32(_e8118))));
 let _e8123 = (262147i + _e8122);
 let _e8125 = select(_e7774, _e8123, (_e8123 < _e7774));
-let _e8131 = global_3.member[bitcast<u32>(select(0i, _e8125, (_e8125 > 0i)))];
+let _e8131 = global_2.member[bitcast<u32>(select(0i, _e8125, (_e8125 > 0i)))];
 let _e8146 = ((_e7951 + (f32(bitcast<i32>((_e8131 >> bitcast<u32>(12u)))) * _e7960)) + ((f32((bitcast<i32>((_e8131 & 4095u)) - 2048i)) * _e7941) * (_e8107 - f32(_e8122))));
 local_14 = _e7752;
 let _e8147 = local_14;
@@ -2806,7 +2806,7 @@ let _e8189 = select(0i, select(select(i32(_e8182), i32(-2147483648), (_e8182 < -
 let _e8193 = (_e8189 - select(0i, 1i, (_e8182 < f32(_e8189))));
 let _e8194 = (262147i + _e8193);
 let _e8196 = select(_e7774, _e8194, (_e8194 < _e7774));
-let _e8202 = global_3.member[bitcast<u32>(select(0i, _e8196, (_e8196 > 0i)))];
+let _e8202 = global_2.member[bitcast<u32>(select(0i, _e8196, (_e8196 > 0i)))];
 let _e8217 = ((_e7951 + (f32(bitcast<i32>((_e8202 >> bitcast<u32>(12u)))) * _e7960)) + ((f32((bitcast<i32>((_e8202 & 4095u)) - 2048i)) * _e7941) * (_e8178 - f32(_e8193))));
 local_12 = _e7758;
 let _e8218 = local_12;
@@ -2830,7 +2830,7 @@ let _e8260 = select(0i, select(select(i32(_e8253), i32(-2147483648), (_e8253 < -
 let _e8264 = (_e8260 - select(0i, 1i, (_e8253 < f32(_e8260))));
 let _e8265 = (262147i + _e8264);
 let _e8267 = select(_e7774, _e8265, (_e8265 < _e7774));
-let _e8273 = global_3.member[bitcast<u32>(select(0i, _e8267, (_e8267 > 0i)))];
+let _e8273 = global_2.member[bitcast<u32>(select(0i, _e8267, (_e8267 > 0i)))];
 let _e8288 = ((_e7951 + (f32(bitcast<i32>((_e8273 >> bitcast<u32>(12u)))) * _e7960)) + ((f32((bitcast<i32>((_e8273 & 4095u)) - 2048i)) * _e7941) * (_e8249 - f32(_e8264))));
 local_10 = _e7764;
 let _e8289 = local_10;
@@ -2854,7 +2854,7 @@ let _e8331 = select(0i, select(select(i32(_e8324), i32(-2147483648), (_e8324 < -
 let _e8335 = (_e8331 - select(0i, 1i, (_e8324 < f32(_e8331))));
 let _e8336 = (262147i + _e8335);
 let _e8338 = select(_e7774, _e8336, (_e8336 < _e7774));
-let _e8344 = global_3.member[bitcast<u32>(select(0i, _e8338, (_e8338 > 0i)))];
+let _e8344 = global_2.member[bitcast<u32>(select(0i, _e8338, (_e8338 > 0i)))];
 let _e8359 = ((_e7951 + (f32(bitcast<i32>((_e8344 >> bitcast<u32>(12u)))) * _e7960)) + ((f32((bitcast<i32>((_e8344 & 4095u)) - 2048i)) * _e7941) * (_e8320 - f32(_e8335))));
 local_8 = _e7770;
 let _e8360 = local_8;
@@ -2878,12 +2878,12 @@ let _e8402 = select(0i, select(select(i32(_e8395), i32(-2147483648), (_e8395 < -
 let _e8406 = (_e8402 - select(0i, 1i, (_e8395 < f32(_e8402))));
 let _e8407 = (262147i + _e8406);
 let _e8409 = select(_e7774, _e8407, (_e8407 < _e7774));
-let _e8415 = global_3.member[bitcast<u32>(select(0i, _e8409, (_e8409 > 0i)))];
+let _e8415 = global_2.member[bitcast<u32>(select(0i, _e8409, (_e8409 > 0i)))];
 let _e8430 = ((_e7951 + (f32(bitcast<i32>((_e8415 >> bitcast<u32>(12u)))) * _e7960)) + ((f32((bitcast<i32>((_e8415 & 4095u)) - 2048i)) * _e7941) * (_e8391 - f32(_e8406))));
 let _e8431 = (_e8146 - _e8075);
 let _e8433 = (_e8288 - _e8217);
 let _e8435 = (_e8430 - _e8359);
-phi_19918_ = type_34(_e7966, vec3<f32>((0.5f * _e8431), (0.5f * _e8433), (0.5f * _e8435)), vec3<f32>((0.25f * (_e8431 * (_e8146 + _e8075))), (0.25f * (_e8433 * (_e8288 + _e8217))), (0.25f * (_e8435 * (_e8430 + _e8359)))));
+phi_19918_ = type_32(_e7966, vec3<f32>((0.5f * _e8431), (0.5f * _e8433), (0.5f * _e8435)), vec3<f32>((0.25f * (_e8431 * (_e8146 + _e8075))), (0.25f * (_e8433 * (_e8288 + _e8217))), (0.25f * (_e8435 * (_e8430 + _e8359)))));
 }
 let _e8465 = phi_19918_;
 let _e8480 = select(0f, 1f, ((((((_e6495 >= -0.5f) && (_e6495 <= _e636)) && (_e6501 >= -0.5f)) && (_e6501 <= _e647)) && (_e6507 >= -0.5f)) && (_e6507 <= _e658)));
@@ -2899,7 +2899,7 @@ let _e8528 = global_5.member[_e461].member_6.member_1.member.member_2;
 let _e8535 = global_5.member[_e461].member_6.member_2.member.member;
 let _e8542 = global_5.member[_e461].member_6.member_2.member.member_1;
 let _e8549 = global_5.member[_e461].member_6.member_2.member.member_2;
-phi_20621_ = type_35(_e7734, vec3<f32>(((((_e8493 * _e8482) + (_e8514 * _e8484)) + (_e8535 * _e8486)) * _e8480), ((((_e8500 * _e8482) + (_e8521 * _e8484)) + (_e8542 * _e8486)) * _e8480), ((((_e8507 * _e8482) + (_e8528 * _e8484)) + (_e8549 * _e8486)) * _e8480)), _e8465.member, vec3<f32>(((((_e8493 * _e8465.member_2.x) + (_e8514 * _e8465.member_2.y)) + (_e8535 * _e8465.member_2.z)) * _e8480), ((((_e8500 * _e8465.member_2.x) + (_e8521 * _e8465.member_2.y)) + (_e8542 * _e8465.member_2.z)) * _e8480), ((((_e8507 * _e8465.member_2.x) + (_e8528 * _e8465.member_2.y)) + (_e8549 * _e8465.member_2.z)) * _e8480)), vec3<f32>(((((_e8493 * _e8465.member_1.x) + (_e8514 * _e8465.member_1.y)) + (_e8535 * _e8465.member_1.z)) * _e8480), ((((_e8500 * _e8465.member_1.x) + (_e8521 * _e8465.member_1.y)) + (_e8542 * _e8465.member_1.z)) * _e8480), ((((_e8507 * _e8465.member_1.x) + (_e8528 * _e8465.member_1.y)) + (_e8549 * _e8465.member_1.z)) * _e8480)));
+phi_20621_ = type_33(_e7734, vec3<f32>(((((_e8493 * _e8482) + (_e8514 * _e8484)) + (_e8535 * _e8486)) * _e8480), ((((_e8500 * _e8482) + (_e8521 * _e8484)) + (_e8542 * _e8486)) * _e8480), ((((_e8507 * _e8482) + (_e8528 * _e8484)) + (_e8549 * _e8486)) * _e8480)), _e8465.member, vec3<f32>(((((_e8493 * _e8465.member_2.x) + (_e8514 * _e8465.member_2.y)) + (_e8535 * _e8465.member_2.z)) * _e8480), ((((_e8500 * _e8465.member_2.x) + (_e8521 * _e8465.member_2.y)) + (_e8542 * _e8465.member_2.z)) * _e8480), ((((_e8507 * _e8465.member_2.x) + (_e8528 * _e8465.member_2.y)) + (_e8549 * _e8465.member_2.z)) * _e8480)), vec3<f32>(((((_e8493 * _e8465.member_1.x) + (_e8514 * _e8465.member_1.y)) + (_e8535 * _e8465.member_1.z)) * _e8480), ((((_e8500 * _e8465.member_1.x) + (_e8521 * _e8465.member_1.y)) + (_e8542 * _e8465.member_1.z)) * _e8480), ((((_e8507 * _e8465.member_1.x) + (_e8528 * _e8465.member_1.y)) + (_e8549 * _e8465.member_1.z)) * _e8480)));
 } else {
 let _e6509 = select(-0.5f, _e6495, (_e6495 > -0.5f));
 let _e6511 = select(_e636, _e6509, (_e6509 < _e636));
@@ -2924,7 +2924,7 @@ let _e6566 = (_e6549 + 1i);
 let _e6567 = (_e6564 + 1i);
 let _e6577 = ((_e6565 >> bitcast<u32>(4i)) + (_e1298 * ((_e6566 >> bitcast<u32>(4i)) + (_e1305 * (_e6567 >> bitcast<u32>(4i))))));
 let _e6579 = select(_e1317, _e6577, (_e6577 < _e1317));
-let _e6585 = global_2.member[bitcast<u32>(select(0i, _e6579, (_e6579 > 0i)))];
+let _e6585 = global_1.member[bitcast<u32>(select(0i, _e6579, (_e6579 > 0i)))];
 let _e6587 = (_e6565 & 15i);
 let _e6590 = ((_e6566 & 15i) * _e1283);
 let _e6592 = (bitcast<i32>(_e6585) + ((_e6567 & 15i) * _e1288));
@@ -2932,17 +2932,17 @@ let _e6593 = (_e6590 + _e1283);
 let _e6594 = (_e6590 + _e1334);
 let _e6595 = (_e6592 + _e1288);
 let _e6596 = (_e6592 + _e1337);
-local_6 = type_33(array<i32, 4>(_e6587, _e6587, _e6587, _e6587), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_6 = type_28(array<i32, 4>(_e6587, _e6587, _e6587, _e6587), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_7 = vec3<f32>((_e6511 - f32(_e6534)), (_e6515 - f32(_e6549)), (_e6519 - f32(_e6564)));
 let _e6610 = local_6.member[0u];
 let _e6611 = ((_e6595 + _e6593) + _e6610);
 let _e6613 = (_e6611 >> bitcast<u32>(2i));
 let _e6616 = bitcast<u32>(((_e6611 & 3i) * 8i));
 let _e6618 = select(_e1317, _e6613, (_e6613 < _e1317));
-let _e6623 = global_2.member[bitcast<u32>(select(0i, _e6618, (_e6618 > 0i)))];
+let _e6623 = global_1.member[bitcast<u32>(select(0i, _e6618, (_e6618 > 0i)))];
 let _e6627 = (_e6613 + 1i);
 let _e6629 = select(_e1317, _e6627, (_e6627 < _e1317));
-let _e6634 = global_2.member[bitcast<u32>(select(0i, _e6629, (_e6629 > 0i)))];
+let _e6634 = global_1.member[bitcast<u32>(select(0i, _e6629, (_e6629 > 0i)))];
 let _e6641 = ((_e6623 >> bitcast<u32>((_e6616 & 31u))) | ((_e6634 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6616) & 31u))));
 let _e6644 = local_6.member_1[1u];
 let _e6650 = f32(bitcast<i32>(((_e6641 >> bitcast<u32>((_e6644 & 31u))) & 255u)));
@@ -2954,10 +2954,10 @@ let _e6666 = ((_e6595 + _e6594) + _e6665);
 let _e6668 = (_e6666 >> bitcast<u32>(2i));
 let _e6671 = bitcast<u32>(((_e6666 & 3i) * 8i));
 let _e6673 = select(_e1317, _e6668, (_e6668 < _e1317));
-let _e6678 = global_2.member[bitcast<u32>(select(0i, _e6673, (_e6673 > 0i)))];
+let _e6678 = global_1.member[bitcast<u32>(select(0i, _e6673, (_e6673 > 0i)))];
 let _e6682 = (_e6668 + 1i);
 let _e6684 = select(_e1317, _e6682, (_e6682 < _e1317));
-let _e6689 = global_2.member[bitcast<u32>(select(0i, _e6684, (_e6684 > 0i)))];
+let _e6689 = global_1.member[bitcast<u32>(select(0i, _e6684, (_e6684 > 0i)))];
 let _e6696 = ((_e6678 >> bitcast<u32>((_e6671 & 31u))) | ((_e6689 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6671) & 31u))));
 let _e6697 = local_6.member_1[1u];
 let _e6703 = f32(bitcast<i32>(((_e6696 >> bitcast<u32>((_e6697 & 31u))) & 255u)));
@@ -2970,10 +2970,10 @@ let _e6722 = ((_e6596 + _e6593) + _e6721);
 let _e6724 = (_e6722 >> bitcast<u32>(2i));
 let _e6727 = bitcast<u32>(((_e6722 & 3i) * 8i));
 let _e6729 = select(_e1317, _e6724, (_e6724 < _e1317));
-let _e6734 = global_2.member[bitcast<u32>(select(0i, _e6729, (_e6729 > 0i)))];
+let _e6734 = global_1.member[bitcast<u32>(select(0i, _e6729, (_e6729 > 0i)))];
 let _e6738 = (_e6724 + 1i);
 let _e6740 = select(_e1317, _e6738, (_e6738 < _e1317));
-let _e6745 = global_2.member[bitcast<u32>(select(0i, _e6740, (_e6740 > 0i)))];
+let _e6745 = global_1.member[bitcast<u32>(select(0i, _e6740, (_e6740 > 0i)))];
 let _e6752 = ((_e6734 >> bitcast<u32>((_e6727 & 31u))) | ((_e6745 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6727) & 31u))));
 let _e6753 = local_6.member_1[1u];
 let _e6759 = f32(bitcast<i32>(((_e6752 >> bitcast<u32>((_e6753 & 31u))) & 255u)));
@@ -2985,10 +2985,10 @@ let _e6773 = ((_e6596 + _e6594) + _e6772);
 let _e6775 = (_e6773 >> bitcast<u32>(2i));
 let _e6778 = bitcast<u32>(((_e6773 & 3i) * 8i));
 let _e6780 = select(_e1317, _e6775, (_e6775 < _e1317));
-let _e6785 = global_2.member[bitcast<u32>(select(0i, _e6780, (_e6780 > 0i)))];
+let _e6785 = global_1.member[bitcast<u32>(select(0i, _e6780, (_e6780 > 0i)))];
 let _e6789 = (_e6775 + 1i);
 let _e6791 = select(_e1317, _e6789, (_e6789 < _e1317));
-let _e6796 = global_2.member[bitcast<u32>(select(0i, _e6791, (_e6791 > 0i)))];
+let _e6796 = global_1.member[bitcast<u32>(select(0i, _e6791, (_e6791 > 0i)))];
 let _e6803 = ((_e6785 >> bitcast<u32>((_e6778 & 31u))) | ((_e6796 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6778) & 31u))));
 let _e6804 = local_6.member_1[1u];
 let _e6810 = f32(bitcast<i32>(((_e6803 >> bitcast<u32>((_e6804 & 31u))) & 255u)));
@@ -2998,13 +2998,13 @@ let _e6822 = local_7[1u];
 let _e6827 = local_7[2u];
 let _e6832 = (((_e6719 + (((_e6770 + (((_e6810 + ((f32(bitcast<i32>(((_e6803 >> bitcast<u32>((_e6811 & 31u))) & 255u))) - _e6810) * _e6818)) - _e6770) * _e6822)) - _e6719) * _e6827)) - _e1577) * _e1582);
 let _e6834 = select(_e1585, _e6832, (_e6832 > _e1585));
-phi_20621_ = type_35(select(1e9f, _e6834, (_e6834 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20621_ = type_33(select(1e9f, _e6834, (_e6834 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e8615 = phi_20621_;
 let _e8618 = select(1f, select(1f, _e1221, (_e1221 < 1f)), _e558);
 let _e8620 = ((_e801 & 16u) == 0u);
 if _e8620 {
-phi_21034_ = type_5(1f, 1f, 1f);
+phi_21034_ = type_7(1f, 1f, 1f);
 } else {
 let _e8625 = global_5.member[_e461].member_14.member;
 let _e8636 = ((((_e8625.member.member * _e494) + (_e8625.member.member_1 * _e496)) + (_e8625.member.member_2 * _e490)) + _e8625.member_1);
@@ -3050,7 +3050,7 @@ let _e8809 = select(0f, _e8807, (_e8807 > 0f));
 let _e8815 = select(select(select(1f, _e8809, (_e8809 < 1f)), 1f, (_e8802 <= 0f)), 0f, (_e8800 > 0f));
 let _e8821 = global_5.member[_e461].member_17.member_1;
 let _e8822 = (_e8821 != 0u);
-phi_21034_ = type_5(((((1f * _e8659) * _e8711) * _e8763) * _e8815), ((((1f * select(1f, _e8659, _e8666)) * select(1f, _e8711, _e8718)) * select(1f, _e8763, _e8770)) * select(1f, _e8815, _e8822)), ((((1f * select(1f, 0f, (_e8666 && (_e8642 > 0f)))) * select(1f, 0f, (_e8718 && (_e8694 > 0f)))) * select(1f, 0f, (_e8770 && (_e8746 > 0f)))) * select(1f, 0f, (_e8822 && (_e8798 > 0f)))));
+phi_21034_ = type_7(((((1f * _e8659) * _e8711) * _e8763) * _e8815), ((((1f * select(1f, _e8659, _e8666)) * select(1f, _e8711, _e8718)) * select(1f, _e8763, _e8770)) * select(1f, _e8815, _e8822)), ((((1f * select(1f, 0f, (_e8666 && (_e8642 > 0f)))) * select(1f, 0f, (_e8718 && (_e8694 > 0f)))) * select(1f, 0f, (_e8770 && (_e8746 > 0f)))) * select(1f, 0f, (_e8822 && (_e8798 > 0f)))));
 }
 let _e8831 = phi_21034_;
 let _e8838 = global_5.member[_e461].member_5.member_3;
@@ -3062,97 +3062,97 @@ local_5 = _e1590;
 let _e10000 = local_5;
 let _e10002 = (bitcast<i32>(_e232) - 1i);
 let _e10004 = select(_e10002, 263171i, (263171i < _e10002));
-let _e10009 = global_3.member[bitcast<u32>(select(0i, _e10004, (_e10004 > 0i)))];
+let _e10009 = global_2.member[bitcast<u32>(select(0i, _e10004, (_e10004 > 0i)))];
 let _e10010 = bitcast<f32>(_e10009);
 let _e10012 = select(_e10002, 263172i, (263172i < _e10002));
-let _e10017 = global_3.member[bitcast<u32>(select(0i, _e10012, (_e10012 > 0i)))];
+let _e10017 = global_2.member[bitcast<u32>(select(0i, _e10012, (_e10012 > 0i)))];
 let _e10018 = bitcast<f32>(_e10017);
 let _e10020 = select(_e10002, 263173i, (263173i < _e10002));
-let _e10025 = global_3.member[bitcast<u32>(select(0i, _e10020, (_e10020 > 0i)))];
+let _e10025 = global_2.member[bitcast<u32>(select(0i, _e10020, (_e10020 > 0i)))];
 let _e10026 = bitcast<f32>(_e10025);
 let _e10028 = ((_e10000 - _e10010) * _e10018);
 let _e10030 = select(0f, _e10028, (_e10028 > 0f));
 let _e10033 = local_5;
 let _e10035 = select(_e10002, 263174i, (263174i < _e10002));
-let _e10040 = global_3.member[bitcast<u32>(select(0i, _e10035, (_e10035 > 0i)))];
+let _e10040 = global_2.member[bitcast<u32>(select(0i, _e10035, (_e10035 > 0i)))];
 let _e10041 = bitcast<f32>(_e10040);
 let _e10043 = select(_e10002, 263175i, (263175i < _e10002));
-let _e10048 = global_3.member[bitcast<u32>(select(0i, _e10043, (_e10043 > 0i)))];
+let _e10048 = global_2.member[bitcast<u32>(select(0i, _e10043, (_e10043 > 0i)))];
 let _e10049 = bitcast<f32>(_e10048);
 let _e10051 = select(_e10002, 263176i, (263176i < _e10002));
-let _e10056 = global_3.member[bitcast<u32>(select(0i, _e10051, (_e10051 > 0i)))];
+let _e10056 = global_2.member[bitcast<u32>(select(0i, _e10051, (_e10051 > 0i)))];
 let _e10057 = bitcast<f32>(_e10056);
 let _e10059 = ((_e10033 - _e10041) * _e10049);
 let _e10061 = select(0f, _e10059, (_e10059 > 0f));
 let _e10065 = local_5;
 let _e10067 = select(_e10002, 263177i, (263177i < _e10002));
-let _e10072 = global_3.member[bitcast<u32>(select(0i, _e10067, (_e10067 > 0i)))];
+let _e10072 = global_2.member[bitcast<u32>(select(0i, _e10067, (_e10067 > 0i)))];
 let _e10073 = bitcast<f32>(_e10072);
 let _e10075 = select(_e10002, 263178i, (263178i < _e10002));
-let _e10080 = global_3.member[bitcast<u32>(select(0i, _e10075, (_e10075 > 0i)))];
+let _e10080 = global_2.member[bitcast<u32>(select(0i, _e10075, (_e10075 > 0i)))];
 let _e10081 = bitcast<f32>(_e10080);
 let _e10083 = select(_e10002, 263179i, (263179i < _e10002));
-let _e10088 = global_3.member[bitcast<u32>(select(0i, _e10083, (_e10083 > 0i)))];
+let _e10088 = global_2.member[bitcast<u32>(select(0i, _e10083, (_e10083 > 0i)))];
 let _e10089 = bitcast<f32>(_e10088);
 let _e10091 = ((_e10065 - _e10073) * _e10081);
 let _e10093 = select(0f, _e10091, (_e10091 > 0f));
 let _e10096 = local_5;
 let _e10098 = select(_e10002, 263180i, (263180i < _e10002));
-let _e10103 = global_3.member[bitcast<u32>(select(0i, _e10098, (_e10098 > 0i)))];
+let _e10103 = global_2.member[bitcast<u32>(select(0i, _e10098, (_e10098 > 0i)))];
 let _e10104 = bitcast<f32>(_e10103);
 let _e10106 = select(_e10002, 263181i, (263181i < _e10002));
-let _e10111 = global_3.member[bitcast<u32>(select(0i, _e10106, (_e10106 > 0i)))];
+let _e10111 = global_2.member[bitcast<u32>(select(0i, _e10106, (_e10106 > 0i)))];
 let _e10112 = bitcast<f32>(_e10111);
 let _e10114 = select(_e10002, 263182i, (263182i < _e10002));
-let _e10119 = global_3.member[bitcast<u32>(select(0i, _e10114, (_e10114 > 0i)))];
+let _e10119 = global_2.member[bitcast<u32>(select(0i, _e10114, (_e10114 > 0i)))];
 let _e10120 = bitcast<f32>(_e10119);
 let _e10122 = ((_e10096 - _e10104) * _e10112);
 let _e10124 = select(0f, _e10122, (_e10122 > 0f));
 let _e10129 = local_5;
 let _e10131 = select(_e10002, 263183i, (263183i < _e10002));
-let _e10136 = global_3.member[bitcast<u32>(select(0i, _e10131, (_e10131 > 0i)))];
+let _e10136 = global_2.member[bitcast<u32>(select(0i, _e10131, (_e10131 > 0i)))];
 let _e10137 = bitcast<f32>(_e10136);
 let _e10139 = select(_e10002, 263184i, (263184i < _e10002));
-let _e10144 = global_3.member[bitcast<u32>(select(0i, _e10139, (_e10139 > 0i)))];
+let _e10144 = global_2.member[bitcast<u32>(select(0i, _e10139, (_e10139 > 0i)))];
 let _e10145 = bitcast<f32>(_e10144);
 let _e10147 = select(_e10002, 263185i, (263185i < _e10002));
-let _e10152 = global_3.member[bitcast<u32>(select(0i, _e10147, (_e10147 > 0i)))];
+let _e10152 = global_2.member[bitcast<u32>(select(0i, _e10147, (_e10147 > 0i)))];
 let _e10153 = bitcast<f32>(_e10152);
 let _e10155 = ((_e10129 - _e10137) * _e10145);
 let _e10157 = select(0f, _e10155, (_e10155 > 0f));
 let _e10160 = local_5;
 let _e10162 = select(_e10002, 263186i, (263186i < _e10002));
-let _e10167 = global_3.member[bitcast<u32>(select(0i, _e10162, (_e10162 > 0i)))];
+let _e10167 = global_2.member[bitcast<u32>(select(0i, _e10162, (_e10162 > 0i)))];
 let _e10168 = bitcast<f32>(_e10167);
 let _e10170 = select(_e10002, 263187i, (263187i < _e10002));
-let _e10175 = global_3.member[bitcast<u32>(select(0i, _e10170, (_e10170 > 0i)))];
+let _e10175 = global_2.member[bitcast<u32>(select(0i, _e10170, (_e10170 > 0i)))];
 let _e10176 = bitcast<f32>(_e10175);
 let _e10178 = select(_e10002, 263188i, (263188i < _e10002));
-let _e10183 = global_3.member[bitcast<u32>(select(0i, _e10178, (_e10178 > 0i)))];
+let _e10183 = global_2.member[bitcast<u32>(select(0i, _e10178, (_e10178 > 0i)))];
 let _e10184 = bitcast<f32>(_e10183);
 let _e10186 = ((_e10160 - _e10168) * _e10176);
 let _e10188 = select(0f, _e10186, (_e10186 > 0f));
 let _e10192 = local_5;
 let _e10194 = select(_e10002, 263189i, (263189i < _e10002));
-let _e10199 = global_3.member[bitcast<u32>(select(0i, _e10194, (_e10194 > 0i)))];
+let _e10199 = global_2.member[bitcast<u32>(select(0i, _e10194, (_e10194 > 0i)))];
 let _e10200 = bitcast<f32>(_e10199);
 let _e10202 = select(_e10002, 263190i, (263190i < _e10002));
-let _e10207 = global_3.member[bitcast<u32>(select(0i, _e10202, (_e10202 > 0i)))];
+let _e10207 = global_2.member[bitcast<u32>(select(0i, _e10202, (_e10202 > 0i)))];
 let _e10208 = bitcast<f32>(_e10207);
 let _e10210 = select(_e10002, 263191i, (263191i < _e10002));
-let _e10215 = global_3.member[bitcast<u32>(select(0i, _e10210, (_e10210 > 0i)))];
+let _e10215 = global_2.member[bitcast<u32>(select(0i, _e10210, (_e10210 > 0i)))];
 let _e10216 = bitcast<f32>(_e10215);
 let _e10218 = ((_e10192 - _e10200) * _e10208);
 let _e10220 = select(0f, _e10218, (_e10218 > 0f));
 let _e10223 = local_5;
 let _e10225 = select(_e10002, 263192i, (263192i < _e10002));
-let _e10230 = global_3.member[bitcast<u32>(select(0i, _e10225, (_e10225 > 0i)))];
+let _e10230 = global_2.member[bitcast<u32>(select(0i, _e10225, (_e10225 > 0i)))];
 let _e10231 = bitcast<f32>(_e10230);
 let _e10233 = select(_e10002, 263193i, (263193i < _e10002));
-let _e10238 = global_3.member[bitcast<u32>(select(0i, _e10233, (_e10233 > 0i)))];
+let _e10238 = global_2.member[bitcast<u32>(select(0i, _e10233, (_e10233 > 0i)))];
 let _e10239 = bitcast<f32>(_e10238);
 let _e10241 = select(_e10002, 263194i, (263194i < _e10002));
-let _e10246 = global_3.member[bitcast<u32>(select(0i, _e10241, (_e10241 > 0i)))];
+let _e10246 = global_2.member[bitcast<u32>(select(0i, _e10241, (_e10241 > 0i)))];
 let _e10247 = bitcast<f32>(_e10246);
 let _e10249 = ((_e10223 - _e10231) * _e10239);
 let _e10251 = select(0f, _e10249, (_e10249 > 0f));
@@ -3193,10 +3193,10 @@ let _e10339 = select(_e10320, _e10337, (_e10337 < _e10320));
 let _e10346 = select(0i, select(select(i32(_e10339), i32(-2147483648), (_e10339 < -2147483600f)), 2147483647i, (_e10339 > 2147483500f)), (_e10339 == _e10339));
 let _e10350 = (_e10346 - select(0i, 1i, (_e10339 < f32(_e10346))));
 let _e10352 = select(_e10002, 263195i, (263195i < _e10002));
-let _e10358 = global_3.member[bitcast<u32>(select(0i, _e10352, (_e10352 > 0i)))];
+let _e10358 = global_2.member[bitcast<u32>(select(0i, _e10352, (_e10352 > 0i)))];
 let _e10359 = bitcast<f32>(_e10358);
 let _e10361 = select(_e10002, 263196i, (263196i < _e10002));
-let _e10367 = global_3.member[bitcast<u32>(select(0i, _e10361, (_e10361 > 0i)))];
+let _e10367 = global_2.member[bitcast<u32>(select(0i, _e10361, (_e10361 > 0i)))];
 let _e10368 = bitcast<f32>(_e10367);
 let _e10369 = (_e8615.member - _e1590);
 let _e10375 = (1f / select(_e10369, 1f, (bitcast<f32>((bitcast<u32>(_e10369) & 2147483647u)) < 1e-20f)));
@@ -3208,20 +3208,20 @@ let _e10394 = (_e10319 - f32(_e10350));
 let _e10396 = (1f - (_e10381 + _e10387));
 let _e10397 = (_e10390 + 2i);
 let _e10399 = select(_e10002, _e10397, (_e10397 < _e10002));
-let _e10405 = global_3.member[bitcast<u32>(select(0i, _e10399, (_e10399 > 0i)))];
+let _e10405 = global_2.member[bitcast<u32>(select(0i, _e10399, (_e10399 > 0i)))];
 let _e10406 = (_e10390 + 6i);
 let _e10408 = select(_e10002, _e10406, (_e10406 < _e10002));
-let _e10414 = global_3.member[bitcast<u32>(select(0i, _e10408, (_e10408 > 0i)))];
+let _e10414 = global_2.member[bitcast<u32>(select(0i, _e10408, (_e10408 > 0i)))];
 let _e10415 = (_e10390 + 1026i);
 let _e10417 = select(_e10002, _e10415, (_e10415 < _e10002));
-let _e10423 = global_3.member[bitcast<u32>(select(0i, _e10417, (_e10417 > 0i)))];
+let _e10423 = global_2.member[bitcast<u32>(select(0i, _e10417, (_e10417 > 0i)))];
 let _e10424 = (_e10390 + 1030i);
 let _e10426 = select(_e10002, _e10424, (_e10424 < _e10002));
-let _e10432 = global_3.member[bitcast<u32>(select(0i, _e10426, (_e10426 > 0i)))];
+let _e10432 = global_2.member[bitcast<u32>(select(0i, _e10426, (_e10426 > 0i)))];
 let _e10434 = select(_e10002, 2i, (2i < _e10002));
-let _e10440 = global_3.member[bitcast<u32>(select(0i, _e10434, (_e10434 > 0i)))];
+let _e10440 = global_2.member[bitcast<u32>(select(0i, _e10434, (_e10434 > 0i)))];
 let _e10442 = select(_e10002, 262142i, (262142i < _e10002));
-let _e10448 = global_3.member[bitcast<u32>(select(0i, _e10442, (_e10442 > 0i)))];
+let _e10448 = global_2.member[bitcast<u32>(select(0i, _e10442, (_e10442 > 0i)))];
 let _e10453 = (bitcast<f32>(((_e10405 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10461 = (_e10453 + (((bitcast<f32>(((_e10414 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10453) * _e10394));
 let _e10466 = (bitcast<f32>(((_e10423 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3230,20 +3230,20 @@ let _e10517 = (_e10509 + (((bitcast<f32>((((_e10414 >> bitcast<u32>(16i)) & 3276
 let _e10522 = (bitcast<f32>((((_e10423 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10549 = (_e10390 + 3i);
 let _e10551 = select(_e10002, _e10549, (_e10549 < _e10002));
-let _e10557 = global_3.member[bitcast<u32>(select(0i, _e10551, (_e10551 > 0i)))];
+let _e10557 = global_2.member[bitcast<u32>(select(0i, _e10551, (_e10551 > 0i)))];
 let _e10558 = (_e10390 + 7i);
 let _e10560 = select(_e10002, _e10558, (_e10558 < _e10002));
-let _e10566 = global_3.member[bitcast<u32>(select(0i, _e10560, (_e10560 > 0i)))];
+let _e10566 = global_2.member[bitcast<u32>(select(0i, _e10560, (_e10560 > 0i)))];
 let _e10567 = (_e10390 + 1027i);
 let _e10569 = select(_e10002, _e10567, (_e10567 < _e10002));
-let _e10575 = global_3.member[bitcast<u32>(select(0i, _e10569, (_e10569 > 0i)))];
+let _e10575 = global_2.member[bitcast<u32>(select(0i, _e10569, (_e10569 > 0i)))];
 let _e10576 = (_e10390 + 1031i);
 let _e10578 = select(_e10002, _e10576, (_e10576 < _e10002));
-let _e10584 = global_3.member[bitcast<u32>(select(0i, _e10578, (_e10578 > 0i)))];
+let _e10584 = global_2.member[bitcast<u32>(select(0i, _e10578, (_e10578 > 0i)))];
 let _e10586 = select(_e10002, 3i, (3i < _e10002));
-let _e10592 = global_3.member[bitcast<u32>(select(0i, _e10586, (_e10586 > 0i)))];
+let _e10592 = global_2.member[bitcast<u32>(select(0i, _e10586, (_e10586 > 0i)))];
 let _e10594 = select(_e10002, 262143i, (262143i < _e10002));
-let _e10600 = global_3.member[bitcast<u32>(select(0i, _e10594, (_e10594 > 0i)))];
+let _e10600 = global_2.member[bitcast<u32>(select(0i, _e10594, (_e10594 > 0i)))];
 let _e10605 = (bitcast<f32>(((_e10557 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e10613 = (_e10605 + (((bitcast<f32>(((_e10566 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10605) * _e10394));
 let _e10618 = (bitcast<f32>(((_e10575 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3270,97 +3270,97 @@ local_3 = _e1590;
 let _e8845 = local_3;
 let _e8847 = (bitcast<i32>(_e232) - 1i);
 let _e8849 = select(_e8847, 263171i, (263171i < _e8847));
-let _e8854 = global_3.member[bitcast<u32>(select(0i, _e8849, (_e8849 > 0i)))];
+let _e8854 = global_2.member[bitcast<u32>(select(0i, _e8849, (_e8849 > 0i)))];
 let _e8855 = bitcast<f32>(_e8854);
 let _e8857 = select(_e8847, 263172i, (263172i < _e8847));
-let _e8862 = global_3.member[bitcast<u32>(select(0i, _e8857, (_e8857 > 0i)))];
+let _e8862 = global_2.member[bitcast<u32>(select(0i, _e8857, (_e8857 > 0i)))];
 let _e8863 = bitcast<f32>(_e8862);
 let _e8865 = select(_e8847, 263173i, (263173i < _e8847));
-let _e8870 = global_3.member[bitcast<u32>(select(0i, _e8865, (_e8865 > 0i)))];
+let _e8870 = global_2.member[bitcast<u32>(select(0i, _e8865, (_e8865 > 0i)))];
 let _e8871 = bitcast<f32>(_e8870);
 let _e8873 = ((_e8845 - _e8855) * _e8863);
 let _e8875 = select(0f, _e8873, (_e8873 > 0f));
 let _e8878 = local_3;
 let _e8880 = select(_e8847, 263174i, (263174i < _e8847));
-let _e8885 = global_3.member[bitcast<u32>(select(0i, _e8880, (_e8880 > 0i)))];
+let _e8885 = global_2.member[bitcast<u32>(select(0i, _e8880, (_e8880 > 0i)))];
 let _e8886 = bitcast<f32>(_e8885);
 let _e8888 = select(_e8847, 263175i, (263175i < _e8847));
-let _e8893 = global_3.member[bitcast<u32>(select(0i, _e8888, (_e8888 > 0i)))];
+let _e8893 = global_2.member[bitcast<u32>(select(0i, _e8888, (_e8888 > 0i)))];
 let _e8894 = bitcast<f32>(_e8893);
 let _e8896 = select(_e8847, 263176i, (263176i < _e8847));
-let _e8901 = global_3.member[bitcast<u32>(select(0i, _e8896, (_e8896 > 0i)))];
+let _e8901 = global_2.member[bitcast<u32>(select(0i, _e8896, (_e8896 > 0i)))];
 let _e8902 = bitcast<f32>(_e8901);
 let _e8904 = ((_e8878 - _e8886) * _e8894);
 let _e8906 = select(0f, _e8904, (_e8904 > 0f));
 let _e8910 = local_3;
 let _e8912 = select(_e8847, 263177i, (263177i < _e8847));
-let _e8917 = global_3.member[bitcast<u32>(select(0i, _e8912, (_e8912 > 0i)))];
+let _e8917 = global_2.member[bitcast<u32>(select(0i, _e8912, (_e8912 > 0i)))];
 let _e8918 = bitcast<f32>(_e8917);
 let _e8920 = select(_e8847, 263178i, (263178i < _e8847));
-let _e8925 = global_3.member[bitcast<u32>(select(0i, _e8920, (_e8920 > 0i)))];
+let _e8925 = global_2.member[bitcast<u32>(select(0i, _e8920, (_e8920 > 0i)))];
 let _e8926 = bitcast<f32>(_e8925);
 let _e8928 = select(_e8847, 263179i, (263179i < _e8847));
-let _e8933 = global_3.member[bitcast<u32>(select(0i, _e8928, (_e8928 > 0i)))];
+let _e8933 = global_2.member[bitcast<u32>(select(0i, _e8928, (_e8928 > 0i)))];
 let _e8934 = bitcast<f32>(_e8933);
 let _e8936 = ((_e8910 - _e8918) * _e8926);
 let _e8938 = select(0f, _e8936, (_e8936 > 0f));
 let _e8941 = local_3;
 let _e8943 = select(_e8847, 263180i, (263180i < _e8847));
-let _e8948 = global_3.member[bitcast<u32>(select(0i, _e8943, (_e8943 > 0i)))];
+let _e8948 = global_2.member[bitcast<u32>(select(0i, _e8943, (_e8943 > 0i)))];
 let _e8949 = bitcast<f32>(_e8948);
 let _e8951 = select(_e8847, 263181i, (263181i < _e8847));
-let _e8956 = global_3.member[bitcast<u32>(select(0i, _e8951, (_e8951 > 0i)))];
+let _e8956 = global_2.member[bitcast<u32>(select(0i, _e8951, (_e8951 > 0i)))];
 let _e8957 = bitcast<f32>(_e8956);
 let _e8959 = select(_e8847, 263182i, (263182i < _e8847));
-let _e8964 = global_3.member[bitcast<u32>(select(0i, _e8959, (_e8959 > 0i)))];
+let _e8964 = global_2.member[bitcast<u32>(select(0i, _e8959, (_e8959 > 0i)))];
 let _e8965 = bitcast<f32>(_e8964);
 let _e8967 = ((_e8941 - _e8949) * _e8957);
 let _e8969 = select(0f, _e8967, (_e8967 > 0f));
 let _e8974 = local_3;
 let _e8976 = select(_e8847, 263183i, (263183i < _e8847));
-let _e8981 = global_3.member[bitcast<u32>(select(0i, _e8976, (_e8976 > 0i)))];
+let _e8981 = global_2.member[bitcast<u32>(select(0i, _e8976, (_e8976 > 0i)))];
 let _e8982 = bitcast<f32>(_e8981);
 let _e8984 = select(_e8847, 263184i, (263184i < _e8847));
-let _e8989 = global_3.member[bitcast<u32>(select(0i, _e8984, (_e8984 > 0i)))];
+let _e8989 = global_2.member[bitcast<u32>(select(0i, _e8984, (_e8984 > 0i)))];
 let _e8990 = bitcast<f32>(_e8989);
 let _e8992 = select(_e8847, 263185i, (263185i < _e8847));
-let _e8997 = global_3.member[bitcast<u32>(select(0i, _e8992, (_e8992 > 0i)))];
+let _e8997 = global_2.member[bitcast<u32>(select(0i, _e8992, (_e8992 > 0i)))];
 let _e8998 = bitcast<f32>(_e8997);
 let _e9000 = ((_e8974 - _e8982) * _e8990);
 let _e9002 = select(0f, _e9000, (_e9000 > 0f));
 let _e9005 = local_3;
 let _e9007 = select(_e8847, 263186i, (263186i < _e8847));
-let _e9012 = global_3.member[bitcast<u32>(select(0i, _e9007, (_e9007 > 0i)))];
+let _e9012 = global_2.member[bitcast<u32>(select(0i, _e9007, (_e9007 > 0i)))];
 let _e9013 = bitcast<f32>(_e9012);
 let _e9015 = select(_e8847, 263187i, (263187i < _e8847));
-let _e9020 = global_3.member[bitcast<u32>(select(0i, _e9015, (_e9015 > 0i)))];
+let _e9020 = global_2.member[bitcast<u32>(select(0i, _e9015, (_e9015 > 0i)))];
 let _e9021 = bitcast<f32>(_e9020);
 let _e9023 = select(_e8847, 263188i, (263188i < _e8847));
-let _e9028 = global_3.member[bitcast<u32>(select(0i, _e9023, (_e9023 > 0i)))];
+let _e9028 = global_2.member[bitcast<u32>(select(0i, _e9023, (_e9023 > 0i)))];
 let _e9029 = bitcast<f32>(_e9028);
 let _e9031 = ((_e9005 - _e9013) * _e9021);
 let _e9033 = select(0f, _e9031, (_e9031 > 0f));
 let _e9037 = local_3;
 let _e9039 = select(_e8847, 263189i, (263189i < _e8847));
-let _e9044 = global_3.member[bitcast<u32>(select(0i, _e9039, (_e9039 > 0i)))];
+let _e9044 = global_2.member[bitcast<u32>(select(0i, _e9039, (_e9039 > 0i)))];
 let _e9045 = bitcast<f32>(_e9044);
 let _e9047 = select(_e8847, 263190i, (263190i < _e8847));
-let _e9052 = global_3.member[bitcast<u32>(select(0i, _e9047, (_e9047 > 0i)))];
+let _e9052 = global_2.member[bitcast<u32>(select(0i, _e9047, (_e9047 > 0i)))];
 let _e9053 = bitcast<f32>(_e9052);
 let _e9055 = select(_e8847, 263191i, (263191i < _e8847));
-let _e9060 = global_3.member[bitcast<u32>(select(0i, _e9055, (_e9055 > 0i)))];
+let _e9060 = global_2.member[bitcast<u32>(select(0i, _e9055, (_e9055 > 0i)))];
 let _e9061 = bitcast<f32>(_e9060);
 let _e9063 = ((_e9037 - _e9045) * _e9053);
 let _e9065 = select(0f, _e9063, (_e9063 > 0f));
 let _e9068 = local_3;
 let _e9070 = select(_e8847, 263192i, (263192i < _e8847));
-let _e9075 = global_3.member[bitcast<u32>(select(0i, _e9070, (_e9070 > 0i)))];
+let _e9075 = global_2.member[bitcast<u32>(select(0i, _e9070, (_e9070 > 0i)))];
 let _e9076 = bitcast<f32>(_e9075);
 let _e9078 = select(_e8847, 263193i, (263193i < _e8847));
-let _e9083 = global_3.member[bitcast<u32>(select(0i, _e9078, (_e9078 > 0i)))];
+let _e9083 = global_2.member[bitcast<u32>(select(0i, _e9078, (_e9078 > 0i)))];
 let _e9084 = bitcast<f32>(_e9083);
 let _e9086 = select(_e8847, 263194i, (263194i < _e8847));
-let _e9091 = global_3.member[bitcast<u32>(select(0i, _e9086, (_e9086 > 0i)))];
+let _e9091 = global_2.member[bitcast<u32>(select(0i, _e9086, (_e9086 > 0i)))];
 let _e9092 = bitcast<f32>(_e9091);
 let _e9094 = ((_e9068 - _e9076) * _e9084);
 let _e9096 = select(0f, _e9094, (_e9094 > 0f));
@@ -3401,10 +3401,10 @@ let _e9184 = select(_e9165, _e9182, (_e9182 < _e9165));
 let _e9191 = select(0i, select(select(i32(_e9184), i32(-2147483648), (_e9184 < -2147483600f)), 2147483647i, (_e9184 > 2147483500f)), (_e9184 == _e9184));
 let _e9195 = (_e9191 - select(0i, 1i, (_e9184 < f32(_e9191))));
 let _e9197 = select(_e8847, 263195i, (263195i < _e8847));
-let _e9203 = global_3.member[bitcast<u32>(select(0i, _e9197, (_e9197 > 0i)))];
+let _e9203 = global_2.member[bitcast<u32>(select(0i, _e9197, (_e9197 > 0i)))];
 let _e9204 = bitcast<f32>(_e9203);
 let _e9206 = select(_e8847, 263196i, (263196i < _e8847));
-let _e9212 = global_3.member[bitcast<u32>(select(0i, _e9206, (_e9206 > 0i)))];
+let _e9212 = global_2.member[bitcast<u32>(select(0i, _e9206, (_e9206 > 0i)))];
 let _e9213 = bitcast<f32>(_e9212);
 let _e9214 = (_e8615.member - _e1590);
 let _e9220 = (1f / select(_e9214, 1f, (bitcast<f32>((bitcast<u32>(_e9214) & 2147483647u)) < 1e-20f)));
@@ -3415,20 +3415,20 @@ let _e9237 = (_e9101 - f32(_e9180));
 let _e9239 = (_e9164 - f32(_e9195));
 let _e9241 = (1f - (_e9226 + _e9232));
 let _e9243 = select(_e8847, _e9235, (_e9235 < _e8847));
-let _e9249 = global_3.member[bitcast<u32>(select(0i, _e9243, (_e9243 > 0i)))];
+let _e9249 = global_2.member[bitcast<u32>(select(0i, _e9243, (_e9243 > 0i)))];
 let _e9250 = (_e9235 + 4i);
 let _e9252 = select(_e8847, _e9250, (_e9250 < _e8847));
-let _e9258 = global_3.member[bitcast<u32>(select(0i, _e9252, (_e9252 > 0i)))];
+let _e9258 = global_2.member[bitcast<u32>(select(0i, _e9252, (_e9252 > 0i)))];
 let _e9259 = (_e9235 + 1024i);
 let _e9261 = select(_e8847, _e9259, (_e9259 < _e8847));
-let _e9267 = global_3.member[bitcast<u32>(select(0i, _e9261, (_e9261 > 0i)))];
+let _e9267 = global_2.member[bitcast<u32>(select(0i, _e9261, (_e9261 > 0i)))];
 let _e9268 = (_e9235 + 1028i);
 let _e9270 = select(_e8847, _e9268, (_e9268 < _e8847));
-let _e9276 = global_3.member[bitcast<u32>(select(0i, _e9270, (_e9270 > 0i)))];
+let _e9276 = global_2.member[bitcast<u32>(select(0i, _e9270, (_e9270 > 0i)))];
 let _e9278 = select(_e8847, 0i, (0i < _e8847));
-let _e9284 = global_3.member[bitcast<u32>(select(0i, _e9278, (_e9278 > 0i)))];
+let _e9284 = global_2.member[bitcast<u32>(select(0i, _e9278, (_e9278 > 0i)))];
 let _e9286 = select(_e8847, 262140i, (262140i < _e8847));
-let _e9292 = global_3.member[bitcast<u32>(select(0i, _e9286, (_e9286 > 0i)))];
+let _e9292 = global_2.member[bitcast<u32>(select(0i, _e9286, (_e9286 > 0i)))];
 let _e9297 = (bitcast<f32>(((_e9249 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9305 = (_e9297 + (((bitcast<f32>(((_e9258 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9297) * _e9239));
 let _e9310 = (bitcast<f32>(((_e9267 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3438,20 +3438,20 @@ let _e9361 = (_e9353 + (((bitcast<f32>((((_e9258 >> bitcast<u32>(16i)) & 32767u)
 let _e9366 = (bitcast<f32>((((_e9267 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9393 = (_e9235 + 1i);
 let _e9395 = select(_e8847, _e9393, (_e9393 < _e8847));
-let _e9401 = global_3.member[bitcast<u32>(select(0i, _e9395, (_e9395 > 0i)))];
+let _e9401 = global_2.member[bitcast<u32>(select(0i, _e9395, (_e9395 > 0i)))];
 let _e9402 = (_e9235 + 5i);
 let _e9404 = select(_e8847, _e9402, (_e9402 < _e8847));
-let _e9410 = global_3.member[bitcast<u32>(select(0i, _e9404, (_e9404 > 0i)))];
+let _e9410 = global_2.member[bitcast<u32>(select(0i, _e9404, (_e9404 > 0i)))];
 let _e9411 = (_e9235 + 1025i);
 let _e9413 = select(_e8847, _e9411, (_e9411 < _e8847));
-let _e9419 = global_3.member[bitcast<u32>(select(0i, _e9413, (_e9413 > 0i)))];
+let _e9419 = global_2.member[bitcast<u32>(select(0i, _e9413, (_e9413 > 0i)))];
 let _e9420 = (_e9235 + 1029i);
 let _e9422 = select(_e8847, _e9420, (_e9420 < _e8847));
-let _e9428 = global_3.member[bitcast<u32>(select(0i, _e9422, (_e9422 > 0i)))];
+let _e9428 = global_2.member[bitcast<u32>(select(0i, _e9422, (_e9422 > 0i)))];
 let _e9430 = select(_e8847, 1i, (1i < _e8847));
-let _e9436 = global_3.member[bitcast<u32>(select(0i, _e9430, (_e9430 > 0i)))];
+let _e9436 = global_2.member[bitcast<u32>(select(0i, _e9430, (_e9430 > 0i)))];
 let _e9438 = select(_e8847, 262141i, (262141i < _e8847));
-let _e9444 = global_3.member[bitcast<u32>(select(0i, _e9438, (_e9438 > 0i)))];
+let _e9444 = global_2.member[bitcast<u32>(select(0i, _e9438, (_e9438 > 0i)))];
 let _e9449 = (bitcast<f32>(((_e9401 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9457 = (_e9449 + (((bitcast<f32>(((_e9410 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9449) * _e9239));
 let _e9462 = (bitcast<f32>(((_e9419 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3460,20 +3460,20 @@ let _e9513 = (_e9505 + (((bitcast<f32>((((_e9410 >> bitcast<u32>(16i)) & 32767u)
 let _e9518 = (bitcast<f32>((((_e9419 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9545 = (_e9235 + 2i);
 let _e9547 = select(_e8847, _e9545, (_e9545 < _e8847));
-let _e9553 = global_3.member[bitcast<u32>(select(0i, _e9547, (_e9547 > 0i)))];
+let _e9553 = global_2.member[bitcast<u32>(select(0i, _e9547, (_e9547 > 0i)))];
 let _e9554 = (_e9235 + 6i);
 let _e9556 = select(_e8847, _e9554, (_e9554 < _e8847));
-let _e9562 = global_3.member[bitcast<u32>(select(0i, _e9556, (_e9556 > 0i)))];
+let _e9562 = global_2.member[bitcast<u32>(select(0i, _e9556, (_e9556 > 0i)))];
 let _e9563 = (_e9235 + 1026i);
 let _e9565 = select(_e8847, _e9563, (_e9563 < _e8847));
-let _e9571 = global_3.member[bitcast<u32>(select(0i, _e9565, (_e9565 > 0i)))];
+let _e9571 = global_2.member[bitcast<u32>(select(0i, _e9565, (_e9565 > 0i)))];
 let _e9572 = (_e9235 + 1030i);
 let _e9574 = select(_e8847, _e9572, (_e9572 < _e8847));
-let _e9580 = global_3.member[bitcast<u32>(select(0i, _e9574, (_e9574 > 0i)))];
+let _e9580 = global_2.member[bitcast<u32>(select(0i, _e9574, (_e9574 > 0i)))];
 let _e9582 = select(_e8847, 2i, (2i < _e8847));
-let _e9588 = global_3.member[bitcast<u32>(select(0i, _e9582, (_e9582 > 0i)))];
+let _e9588 = global_2.member[bitcast<u32>(select(0i, _e9582, (_e9582 > 0i)))];
 let _e9590 = select(_e8847, 262142i, (262142i < _e8847));
-let _e9596 = global_3.member[bitcast<u32>(select(0i, _e9590, (_e9590 > 0i)))];
+let _e9596 = global_2.member[bitcast<u32>(select(0i, _e9590, (_e9590 > 0i)))];
 let _e9601 = (bitcast<f32>(((_e9553 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9609 = (_e9601 + (((bitcast<f32>(((_e9562 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9601) * _e9239));
 let _e9614 = (bitcast<f32>(((_e9571 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3482,20 +3482,20 @@ let _e9665 = (_e9657 + (((bitcast<f32>((((_e9562 >> bitcast<u32>(16i)) & 32767u)
 let _e9670 = (bitcast<f32>((((_e9571 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9697 = (_e9235 + 3i);
 let _e9699 = select(_e8847, _e9697, (_e9697 < _e8847));
-let _e9705 = global_3.member[bitcast<u32>(select(0i, _e9699, (_e9699 > 0i)))];
+let _e9705 = global_2.member[bitcast<u32>(select(0i, _e9699, (_e9699 > 0i)))];
 let _e9706 = (_e9235 + 7i);
 let _e9708 = select(_e8847, _e9706, (_e9706 < _e8847));
-let _e9714 = global_3.member[bitcast<u32>(select(0i, _e9708, (_e9708 > 0i)))];
+let _e9714 = global_2.member[bitcast<u32>(select(0i, _e9708, (_e9708 > 0i)))];
 let _e9715 = (_e9235 + 1027i);
 let _e9717 = select(_e8847, _e9715, (_e9715 < _e8847));
-let _e9723 = global_3.member[bitcast<u32>(select(0i, _e9717, (_e9717 > 0i)))];
+let _e9723 = global_2.member[bitcast<u32>(select(0i, _e9717, (_e9717 > 0i)))];
 let _e9724 = (_e9235 + 1031i);
 let _e9726 = select(_e8847, _e9724, (_e9724 < _e8847));
-let _e9732 = global_3.member[bitcast<u32>(select(0i, _e9726, (_e9726 > 0i)))];
+let _e9732 = global_2.member[bitcast<u32>(select(0i, _e9726, (_e9726 > 0i)))];
 let _e9734 = select(_e8847, 3i, (3i < _e8847));
-let _e9740 = global_3.member[bitcast<u32>(select(0i, _e9734, (_e9734 > 0i)))];
+let _e9740 = global_2.member[bitcast<u32>(select(0i, _e9734, (_e9734 > 0i)))];
 let _e9742 = select(_e8847, 262143i, (262143i < _e8847));
-let _e9748 = global_3.member[bitcast<u32>(select(0i, _e9742, (_e9742 > 0i)))];
+let _e9748 = global_2.member[bitcast<u32>(select(0i, _e9742, (_e9742 > 0i)))];
 let _e9753 = (bitcast<f32>(((_e9705 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e9761 = (_e9753 + (((bitcast<f32>(((_e9714 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9753) * _e9239));
 let _e9766 = (bitcast<f32>(((_e9723 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -3559,7 +3559,7 @@ let _e12457 = (_e12456 == 0u);
 if _e12457 {
 let _e12686 = global_5.member[_e461].member_9.member_1;
 let _e12695 = global_5.member[_e461].member_9.member;
-phi_25469_ = type_28(vec3<f32>(_e12686.member, _e12686.member_1, _e12686.member_2), vec3<f32>(_e12695.member, _e12695.member_1, _e12695.member_2));
+phi_25469_ = type_35(vec3<f32>(_e12686.member, _e12686.member_1, _e12686.member_2), vec3<f32>(_e12695.member, _e12695.member_1, _e12695.member_2));
 } else {
 let _e12462 = global_5.member[_e461].member_10.member;
 let _e12473 = ((((_e12462.member.member * _e10769) + (_e12462.member.member_1 * _e10770)) + (_e12462.member.member_2 * _e10771)) + _e12462.member_1);
@@ -3615,7 +3615,7 @@ let _e12638 = select(1f, (_e12621 * _e12632), _e12610);
 let _e12644 = global_5.member[_e461].member_10.member.member;
 let _e12656 = global_5.member[_e461].member_10.member_1.member;
 let _e12671 = global_5.member[_e461].member_10.member_2.member;
-phi_25469_ = type_28(vec3<f32>((_e12510.member * _e12605), (_e12510.member_1 * _e12605), (_e12510.member_2 * _e12605)), (vec3<f32>(((_e12644.member * _e12636) + (_e12656.member * _e12637)), ((_e12644.member_1 * _e12636) + (_e12656.member_1 * _e12637)), ((_e12644.member_2 * _e12636) + (_e12656.member_2 * _e12637))) + vec3<f32>((_e12671.member * _e12638), (_e12671.member_1 * _e12638), (_e12671.member_2 * _e12638))));
+phi_25469_ = type_35(vec3<f32>((_e12510.member * _e12605), (_e12510.member_1 * _e12605), (_e12510.member_2 * _e12605)), (vec3<f32>(((_e12644.member * _e12636) + (_e12656.member * _e12637)), ((_e12644.member_1 * _e12636) + (_e12656.member_1 * _e12637)), ((_e12644.member_2 * _e12636) + (_e12656.member_2 * _e12637))) + vec3<f32>((_e12671.member * _e12638), (_e12671.member_1 * _e12638), (_e12671.member_2 * _e12638))));
 }
 let _e12702 = phi_25469_;
 phi_27881_ = _e12702;
@@ -3654,7 +3654,7 @@ local_1 = (_e11939 + ((_e11917 * _e11877) + _e11902));
 let _e11941 = local_1;
 let _e11943 = (bitcast<i32>(_e235) - 1i);
 let _e11945 = select(_e11943, _e11941, (_e11941 < _e11943));
-let _e11950 = global_4.member[bitcast<u32>(select(0i, _e11945, (_e11945 > 0i)))];
+let _e11950 = global_3.member[bitcast<u32>(select(0i, _e11945, (_e11945 > 0i)))];
 let _e11952 = bitcast<u32>(bitcast<f32>(_e11950));
 let _e11956 = f32((bitcast<i32>((_e11952 & 65535u)) - 32768i));
 let _e11962 = f32((bitcast<i32>(((_e11952 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3662,13 +3662,13 @@ let _e11967 = select(_e11962, -(_e11962), ((_e11952 >> bitcast<u32>(31i)) != 0u)
 let _e11968 = local_1;
 let _e11969 = (_e11968 + 1i);
 let _e11971 = select(_e11943, _e11969, (_e11969 < _e11943));
-let _e11976 = global_4.member[bitcast<u32>(select(0i, _e11971, (_e11971 > 0i)))];
+let _e11976 = global_3.member[bitcast<u32>(select(0i, _e11971, (_e11971 > 0i)))];
 let _e11978 = bitcast<u32>(bitcast<f32>(_e11976));
 let _e11988 = f32((bitcast<i32>(((_e11978 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11994 = local_1;
 let _e11995 = (_e11994 + _e11877);
 let _e11997 = select(_e11943, _e11995, (_e11995 < _e11943));
-let _e12002 = global_4.member[bitcast<u32>(select(0i, _e11997, (_e11997 > 0i)))];
+let _e12002 = global_3.member[bitcast<u32>(select(0i, _e11997, (_e11997 > 0i)))];
 let _e12004 = bitcast<u32>(bitcast<f32>(_e12002));
 let _e12008 = f32((bitcast<i32>((_e12004 & 65535u)) - 32768i));
 let _e12014 = f32((bitcast<i32>(((_e12004 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3677,7 +3677,7 @@ let _e12020 = (_e11877 + 1i);
 let _e12021 = local_1;
 let _e12022 = (_e12021 + _e12020);
 let _e12024 = select(_e11943, _e12022, (_e12022 < _e11943));
-let _e12029 = global_4.member[bitcast<u32>(select(0i, _e12024, (_e12024 > 0i)))];
+let _e12029 = global_3.member[bitcast<u32>(select(0i, _e12024, (_e12024 > 0i)))];
 let _e12031 = bitcast<u32>(bitcast<f32>(_e12029));
 let _e12041 = f32((bitcast<i32>(((_e12031 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12049 = (_e11956 + ((f32((bitcast<i32>((_e11978 & 65535u)) - 32768i)) - _e11956) * _e11921));
@@ -3707,60 +3707,60 @@ let _e12136 = (_e12100 - f32(_e12130));
 let _e12143 = ((((_e12099 >= 0f) && (_e12099 <= _e11879)) && (_e12100 >= 0f)) && (_e12100 <= _e11887));
 let _e12144 = (_e11935 + _e12132);
 let _e12146 = select(_e11943, _e12144, (_e12144 < _e11943));
-let _e12152 = global_4.member[bitcast<u32>(select(0i, _e12146, (_e12146 > 0i)))];
+let _e12152 = global_3.member[bitcast<u32>(select(0i, _e12146, (_e12146 > 0i)))];
 let _e12153 = bitcast<f32>(_e12152);
 let _e12154 = (_e12144 + 1i);
 let _e12156 = select(_e11943, _e12154, (_e12154 < _e11943));
-let _e12162 = global_4.member[bitcast<u32>(select(0i, _e12156, (_e12156 > 0i)))];
+let _e12162 = global_3.member[bitcast<u32>(select(0i, _e12156, (_e12156 > 0i)))];
 let _e12166 = (_e12153 + ((bitcast<f32>(_e12162) - _e12153) * _e12134));
 let _e12167 = (_e12144 + _e11877);
 let _e12169 = select(_e11943, _e12167, (_e12167 < _e11943));
-let _e12175 = global_4.member[bitcast<u32>(select(0i, _e12169, (_e12169 > 0i)))];
+let _e12175 = global_3.member[bitcast<u32>(select(0i, _e12169, (_e12169 > 0i)))];
 let _e12176 = bitcast<f32>(_e12175);
 let _e12177 = (_e12167 + 1i);
 let _e12179 = select(_e11943, _e12177, (_e12177 < _e11943));
-let _e12185 = global_4.member[bitcast<u32>(select(0i, _e12179, (_e12179 > 0i)))];
+let _e12185 = global_3.member[bitcast<u32>(select(0i, _e12179, (_e12179 > 0i)))];
 let _e12193 = select(1f, (_e12166 + (((_e12176 + ((bitcast<f32>(_e12185) - _e12176) * _e12134)) - _e12166) * _e12136)), _e12143);
 if _e8843 {
 phi_26214_ = vec3(_e12193);
 } else {
 let _e12196 = ((_e11935 + _e11937) + _e12132);
 let _e12198 = select(_e11943, _e12196, (_e12196 < _e11943));
-let _e12204 = global_4.member[bitcast<u32>(select(0i, _e12198, (_e12198 > 0i)))];
+let _e12204 = global_3.member[bitcast<u32>(select(0i, _e12198, (_e12198 > 0i)))];
 let _e12205 = bitcast<f32>(_e12204);
 let _e12206 = (_e12196 + 1i);
 let _e12208 = select(_e11943, _e12206, (_e12206 < _e11943));
-let _e12214 = global_4.member[bitcast<u32>(select(0i, _e12208, (_e12208 > 0i)))];
+let _e12214 = global_3.member[bitcast<u32>(select(0i, _e12208, (_e12208 > 0i)))];
 let _e12218 = (_e12205 + ((bitcast<f32>(_e12214) - _e12205) * _e12134));
 let _e12219 = (_e12196 + _e11877);
 let _e12221 = select(_e11943, _e12219, (_e12219 < _e11943));
-let _e12227 = global_4.member[bitcast<u32>(select(0i, _e12221, (_e12221 > 0i)))];
+let _e12227 = global_3.member[bitcast<u32>(select(0i, _e12221, (_e12221 > 0i)))];
 let _e12228 = bitcast<f32>(_e12227);
 let _e12229 = (_e12219 + 1i);
 let _e12231 = select(_e11943, _e12229, (_e12229 < _e11943));
-let _e12237 = global_4.member[bitcast<u32>(select(0i, _e12231, (_e12231 > 0i)))];
+let _e12237 = global_3.member[bitcast<u32>(select(0i, _e12231, (_e12231 > 0i)))];
 let _e12248 = ((_e11935 + (2i * _e11937)) + _e12132);
 let _e12250 = select(_e11943, _e12248, (_e12248 < _e11943));
-let _e12256 = global_4.member[bitcast<u32>(select(0i, _e12250, (_e12250 > 0i)))];
+let _e12256 = global_3.member[bitcast<u32>(select(0i, _e12250, (_e12250 > 0i)))];
 let _e12257 = bitcast<f32>(_e12256);
 let _e12258 = (_e12248 + 1i);
 let _e12260 = select(_e11943, _e12258, (_e12258 < _e11943));
-let _e12266 = global_4.member[bitcast<u32>(select(0i, _e12260, (_e12260 > 0i)))];
+let _e12266 = global_3.member[bitcast<u32>(select(0i, _e12260, (_e12260 > 0i)))];
 let _e12270 = (_e12257 + ((bitcast<f32>(_e12266) - _e12257) * _e12134));
 let _e12271 = (_e12248 + _e11877);
 let _e12273 = select(_e11943, _e12271, (_e12271 < _e11943));
-let _e12279 = global_4.member[bitcast<u32>(select(0i, _e12273, (_e12273 > 0i)))];
+let _e12279 = global_3.member[bitcast<u32>(select(0i, _e12273, (_e12273 > 0i)))];
 let _e12280 = bitcast<f32>(_e12279);
 let _e12281 = (_e12271 + 1i);
 let _e12283 = select(_e11943, _e12281, (_e12281 < _e11943));
-let _e12289 = global_4.member[bitcast<u32>(select(0i, _e12283, (_e12283 > 0i)))];
+let _e12289 = global_3.member[bitcast<u32>(select(0i, _e12283, (_e12283 > 0i)))];
 phi_26214_ = vec3<f32>(_e12193, select(1f, (_e12218 + (((_e12228 + ((bitcast<f32>(_e12237) - _e12228) * _e12134)) - _e12218) * _e12136)), _e12143), select(1f, (_e12270 + (((_e12280 + ((bitcast<f32>(_e12289) - _e12280) * _e12134)) - _e12270) * _e12136)), _e12143));
 }
 let _e12300 = phi_26214_;
 local = (_e11939 + _e12132);
 let _e12302 = local;
 let _e12304 = select(_e11943, _e12302, (_e12302 < _e11943));
-let _e12309 = global_4.member[bitcast<u32>(select(0i, _e12304, (_e12304 > 0i)))];
+let _e12309 = global_3.member[bitcast<u32>(select(0i, _e12304, (_e12304 > 0i)))];
 let _e12311 = bitcast<u32>(bitcast<f32>(_e12309));
 let _e12315 = f32((bitcast<i32>((_e12311 & 65535u)) - 32768i));
 let _e12321 = f32((bitcast<i32>(((_e12311 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3768,13 +3768,13 @@ let _e12326 = select(_e12321, -(_e12321), ((_e12311 >> bitcast<u32>(31i)) != 0u)
 let _e12327 = local;
 let _e12328 = (_e12327 + 1i);
 let _e12330 = select(_e11943, _e12328, (_e12328 < _e11943));
-let _e12335 = global_4.member[bitcast<u32>(select(0i, _e12330, (_e12330 > 0i)))];
+let _e12335 = global_3.member[bitcast<u32>(select(0i, _e12330, (_e12330 > 0i)))];
 let _e12337 = bitcast<u32>(bitcast<f32>(_e12335));
 let _e12347 = f32((bitcast<i32>(((_e12337 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12353 = local;
 let _e12354 = (_e12353 + _e11877);
 let _e12356 = select(_e11943, _e12354, (_e12354 < _e11943));
-let _e12361 = global_4.member[bitcast<u32>(select(0i, _e12356, (_e12356 > 0i)))];
+let _e12361 = global_3.member[bitcast<u32>(select(0i, _e12356, (_e12356 > 0i)))];
 let _e12363 = bitcast<u32>(bitcast<f32>(_e12361));
 let _e12367 = f32((bitcast<i32>((_e12363 & 65535u)) - 32768i));
 let _e12373 = f32((bitcast<i32>(((_e12363 >> bitcast<u32>(16i)) & 32767u)) - 128i));
@@ -3782,7 +3782,7 @@ let _e12378 = select(_e12373, -(_e12373), ((_e12363 >> bitcast<u32>(31i)) != 0u)
 let _e12379 = local;
 let _e12380 = (_e12379 + _e12020);
 let _e12382 = select(_e11943, _e12380, (_e12380 < _e11943));
-let _e12387 = global_4.member[bitcast<u32>(select(0i, _e12382, (_e12382 > 0i)))];
+let _e12387 = global_3.member[bitcast<u32>(select(0i, _e12382, (_e12382 > 0i)))];
 let _e12389 = bitcast<u32>(bitcast<f32>(_e12387));
 let _e12399 = f32((bitcast<i32>(((_e12389 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12407 = (_e12315 + ((f32((bitcast<i32>((_e12337 & 65535u)) - 32768i)) - _e12315) * _e12134));
@@ -3792,7 +3792,7 @@ let _e12436 = (_e12071.member + (select(0f, (_e12407 + (((_e12367 + ((f32((bitca
 let _e12438 = (_e12071.member_1 + (select(0f, (_e12416 + (((_e12378 + ((select(_e12399, -(_e12399), ((_e12389 >> bitcast<u32>(31i)) != 0u)) - _e12378) * _e12134)) - _e12416) * _e12136)), _e12143) * _e12074));
 let _e12442 = (1f - ((_e12436 * _e12436) + (_e12438 * _e12438)));
 let _e12444 = select(1e-4f, _e12442, (_e12442 > 1e-4f));
-phi_27880_ = type_28((_e12300 * vec3<f32>(_e12429.member, _e12429.member_1, _e12429.member_2)), vec3<f32>(_e12436, _e12438, sqrt(select(0f, _e12444, (_e12444 > 0f)))));
+phi_27880_ = type_35((_e12300 * vec3<f32>(_e12429.member, _e12429.member_1, _e12429.member_2)), vec3<f32>(_e12436, _e12438, sqrt(select(0f, _e12444, (_e12444 > 0f)))));
 } else {
 let _e10774 = (1f - _e10761.member);
 let _e10776 = select(1e-6f, _e10761.member, (_e10761.member > 1e-6f));
@@ -3858,9 +3858,9 @@ let _e11035 = phi_26728_;
 let _e11036 = (_e11035 + 1i);
 let _e11038 = (bitcast<i32>(_e235) - 1i);
 let _e11040 = select(_e11038, _e11036, (_e11036 < _e11038));
-let _e11046 = global_4.member[bitcast<u32>(select(0i, _e11040, (_e11040 > 0i)))];
+let _e11046 = global_3.member[bitcast<u32>(select(0i, _e11040, (_e11040 > 0i)))];
 let _e11048 = select(_e11038, _e11035, (_e11035 < _e11038));
-let _e11054 = global_4.member[bitcast<u32>(select(0i, _e11048, (_e11048 > 0i)))];
+let _e11054 = global_3.member[bitcast<u32>(select(0i, _e11048, (_e11048 > 0i)))];
 let _e11057 = select(_e11046, 0u, (_e11035 < 0i));
 let _e11062 = global_5.member[_e461].member_10.member_13;
 let _e11063 = (_e11057 * 81u);
@@ -3872,35 +3872,35 @@ let _e11080 = (_e10930 - f32(_e10973));
 let _e11082 = (_e10942 - f32(_e10988));
 let _e11083 = (_e11057 != 0u);
 let _e11085 = select(_e11038, _e11075, (_e11075 < _e11038));
-let _e11091 = global_4.member[bitcast<u32>(select(0i, _e11085, (_e11085 > 0i)))];
+let _e11091 = global_3.member[bitcast<u32>(select(0i, _e11085, (_e11085 > 0i)))];
 let _e11092 = bitcast<f32>(_e11091);
 let _e11093 = (_e11075 + 1i);
 let _e11095 = select(_e11038, _e11093, (_e11093 < _e11038));
-let _e11101 = global_4.member[bitcast<u32>(select(0i, _e11095, (_e11095 > 0i)))];
+let _e11101 = global_3.member[bitcast<u32>(select(0i, _e11095, (_e11095 > 0i)))];
 let _e11105 = (_e11092 + ((bitcast<f32>(_e11101) - _e11092) * _e11078));
 let _e11106 = (_e11075 + 9i);
 let _e11108 = select(_e11038, _e11106, (_e11106 < _e11038));
-let _e11114 = global_4.member[bitcast<u32>(select(0i, _e11108, (_e11108 > 0i)))];
+let _e11114 = global_3.member[bitcast<u32>(select(0i, _e11108, (_e11108 > 0i)))];
 let _e11115 = bitcast<f32>(_e11114);
 let _e11116 = (_e11075 + 10i);
 let _e11118 = select(_e11038, _e11116, (_e11116 < _e11038));
-let _e11124 = global_4.member[bitcast<u32>(select(0i, _e11118, (_e11118 > 0i)))];
+let _e11124 = global_3.member[bitcast<u32>(select(0i, _e11118, (_e11118 > 0i)))];
 let _e11131 = (_e11105 + (((_e11115 + ((bitcast<f32>(_e11124) - _e11115) * _e11078)) - _e11105) * _e11080));
 let _e11132 = (_e11075 + _e11067);
 let _e11134 = select(_e11038, _e11132, (_e11132 < _e11038));
-let _e11140 = global_4.member[bitcast<u32>(select(0i, _e11134, (_e11134 > 0i)))];
+let _e11140 = global_3.member[bitcast<u32>(select(0i, _e11134, (_e11134 > 0i)))];
 let _e11141 = bitcast<f32>(_e11140);
 let _e11142 = (_e11132 + 1i);
 let _e11144 = select(_e11038, _e11142, (_e11142 < _e11038));
-let _e11150 = global_4.member[bitcast<u32>(select(0i, _e11144, (_e11144 > 0i)))];
+let _e11150 = global_3.member[bitcast<u32>(select(0i, _e11144, (_e11144 > 0i)))];
 let _e11154 = (_e11141 + ((bitcast<f32>(_e11150) - _e11141) * _e11078));
 let _e11155 = (_e11132 + 9i);
 let _e11157 = select(_e11038, _e11155, (_e11155 < _e11038));
-let _e11163 = global_4.member[bitcast<u32>(select(0i, _e11157, (_e11157 > 0i)))];
+let _e11163 = global_3.member[bitcast<u32>(select(0i, _e11157, (_e11157 > 0i)))];
 let _e11164 = bitcast<f32>(_e11163);
 let _e11165 = (_e11132 + 10i);
 let _e11167 = select(_e11038, _e11165, (_e11165 < _e11038));
-let _e11173 = global_4.member[bitcast<u32>(select(0i, _e11167, (_e11167 > 0i)))];
+let _e11173 = global_3.member[bitcast<u32>(select(0i, _e11167, (_e11167 > 0i)))];
 let _e11184 = select(1f, (_e11131 + (((_e11154 + (((_e11164 + ((bitcast<f32>(_e11173) - _e11164) * _e11078)) - _e11154) * _e11080)) - _e11131) * _e11082)), _e11083);
 if _e8843 {
 phi_27305_ = vec3(_e11184);
@@ -3909,66 +3909,66 @@ let _e11190 = global_5.member[_e461].member_10.member_12;
 let _e11191 = (_e11190 > 1u);
 let _e11195 = (_e11075 + (select(0i, 1i, _e11191) * _e11076));
 let _e11197 = select(_e11038, _e11195, (_e11195 < _e11038));
-let _e11203 = global_4.member[bitcast<u32>(select(0i, _e11197, (_e11197 > 0i)))];
+let _e11203 = global_3.member[bitcast<u32>(select(0i, _e11197, (_e11197 > 0i)))];
 let _e11204 = bitcast<f32>(_e11203);
 let _e11205 = (_e11195 + 1i);
 let _e11207 = select(_e11038, _e11205, (_e11205 < _e11038));
-let _e11213 = global_4.member[bitcast<u32>(select(0i, _e11207, (_e11207 > 0i)))];
+let _e11213 = global_3.member[bitcast<u32>(select(0i, _e11207, (_e11207 > 0i)))];
 let _e11217 = (_e11204 + ((bitcast<f32>(_e11213) - _e11204) * _e11078));
 let _e11218 = (_e11195 + 9i);
 let _e11220 = select(_e11038, _e11218, (_e11218 < _e11038));
-let _e11226 = global_4.member[bitcast<u32>(select(0i, _e11220, (_e11220 > 0i)))];
+let _e11226 = global_3.member[bitcast<u32>(select(0i, _e11220, (_e11220 > 0i)))];
 let _e11227 = bitcast<f32>(_e11226);
 let _e11228 = (_e11195 + 10i);
 let _e11230 = select(_e11038, _e11228, (_e11228 < _e11038));
-let _e11236 = global_4.member[bitcast<u32>(select(0i, _e11230, (_e11230 > 0i)))];
+let _e11236 = global_3.member[bitcast<u32>(select(0i, _e11230, (_e11230 > 0i)))];
 let _e11243 = (_e11217 + (((_e11227 + ((bitcast<f32>(_e11236) - _e11227) * _e11078)) - _e11217) * _e11080));
 let _e11244 = (_e11195 + _e11067);
 let _e11246 = select(_e11038, _e11244, (_e11244 < _e11038));
-let _e11252 = global_4.member[bitcast<u32>(select(0i, _e11246, (_e11246 > 0i)))];
+let _e11252 = global_3.member[bitcast<u32>(select(0i, _e11246, (_e11246 > 0i)))];
 let _e11253 = bitcast<f32>(_e11252);
 let _e11254 = (_e11244 + 1i);
 let _e11256 = select(_e11038, _e11254, (_e11254 < _e11038));
-let _e11262 = global_4.member[bitcast<u32>(select(0i, _e11256, (_e11256 > 0i)))];
+let _e11262 = global_3.member[bitcast<u32>(select(0i, _e11256, (_e11256 > 0i)))];
 let _e11266 = (_e11253 + ((bitcast<f32>(_e11262) - _e11253) * _e11078));
 let _e11267 = (_e11244 + 9i);
 let _e11269 = select(_e11038, _e11267, (_e11267 < _e11038));
-let _e11275 = global_4.member[bitcast<u32>(select(0i, _e11269, (_e11269 > 0i)))];
+let _e11275 = global_3.member[bitcast<u32>(select(0i, _e11269, (_e11269 > 0i)))];
 let _e11276 = bitcast<f32>(_e11275);
 let _e11277 = (_e11244 + 10i);
 let _e11279 = select(_e11038, _e11277, (_e11277 < _e11038));
-let _e11285 = global_4.member[bitcast<u32>(select(0i, _e11279, (_e11279 > 0i)))];
+let _e11285 = global_3.member[bitcast<u32>(select(0i, _e11279, (_e11279 > 0i)))];
 let _e11298 = (_e11075 + (select(0i, 2i, _e11191) * _e11076));
 let _e11300 = select(_e11038, _e11298, (_e11298 < _e11038));
-let _e11306 = global_4.member[bitcast<u32>(select(0i, _e11300, (_e11300 > 0i)))];
+let _e11306 = global_3.member[bitcast<u32>(select(0i, _e11300, (_e11300 > 0i)))];
 let _e11307 = bitcast<f32>(_e11306);
 let _e11308 = (_e11298 + 1i);
 let _e11310 = select(_e11038, _e11308, (_e11308 < _e11038));
-let _e11316 = global_4.member[bitcast<u32>(select(0i, _e11310, (_e11310 > 0i)))];
+let _e11316 = global_3.member[bitcast<u32>(select(0i, _e11310, (_e11310 > 0i)))];
 let _e11320 = (_e11307 + ((bitcast<f32>(_e11316) - _e11307) * _e11078));
 let _e11321 = (_e11298 + 9i);
 let _e11323 = select(_e11038, _e11321, (_e11321 < _e11038));
-let _e11329 = global_4.member[bitcast<u32>(select(0i, _e11323, (_e11323 > 0i)))];
+let _e11329 = global_3.member[bitcast<u32>(select(0i, _e11323, (_e11323 > 0i)))];
 let _e11330 = bitcast<f32>(_e11329);
 let _e11331 = (_e11298 + 10i);
 let _e11333 = select(_e11038, _e11331, (_e11331 < _e11038));
-let _e11339 = global_4.member[bitcast<u32>(select(0i, _e11333, (_e11333 > 0i)))];
+let _e11339 = global_3.member[bitcast<u32>(select(0i, _e11333, (_e11333 > 0i)))];
 let _e11346 = (_e11320 + (((_e11330 + ((bitcast<f32>(_e11339) - _e11330) * _e11078)) - _e11320) * _e11080));
 let _e11347 = (_e11298 + _e11067);
 let _e11349 = select(_e11038, _e11347, (_e11347 < _e11038));
-let _e11355 = global_4.member[bitcast<u32>(select(0i, _e11349, (_e11349 > 0i)))];
+let _e11355 = global_3.member[bitcast<u32>(select(0i, _e11349, (_e11349 > 0i)))];
 let _e11356 = bitcast<f32>(_e11355);
 let _e11357 = (_e11347 + 1i);
 let _e11359 = select(_e11038, _e11357, (_e11357 < _e11038));
-let _e11365 = global_4.member[bitcast<u32>(select(0i, _e11359, (_e11359 > 0i)))];
+let _e11365 = global_3.member[bitcast<u32>(select(0i, _e11359, (_e11359 > 0i)))];
 let _e11369 = (_e11356 + ((bitcast<f32>(_e11365) - _e11356) * _e11078));
 let _e11370 = (_e11347 + 9i);
 let _e11372 = select(_e11038, _e11370, (_e11370 < _e11038));
-let _e11378 = global_4.member[bitcast<u32>(select(0i, _e11372, (_e11372 > 0i)))];
+let _e11378 = global_3.member[bitcast<u32>(select(0i, _e11372, (_e11372 > 0i)))];
 let _e11379 = bitcast<f32>(_e11378);
 let _e11380 = (_e11347 + 10i);
 let _e11382 = select(_e11038, _e11380, (_e11380 < _e11038));
-let _e11388 = global_4.member[bitcast<u32>(select(0i, _e11382, (_e11382 > 0i)))];
+let _e11388 = global_3.member[bitcast<u32>(select(0i, _e11382, (_e11382 > 0i)))];
 phi_27305_ = vec3<f32>(_e11184, select(1f, (_e11243 + (((_e11266 + (((_e11276 + ((bitcast<f32>(_e11285) - _e11276) * _e11078)) - _e11266) * _e11080)) - _e11243) * _e11082)), _e11083), select(1f, (_e11346 + (((_e11369 + (((_e11379 + ((bitcast<f32>(_e11388) - _e11379) * _e11078)) - _e11369) * _e11080)) - _e11346) * _e11082)), _e11083));
 }
 let _e11402 = phi_27305_;
@@ -3984,56 +3984,56 @@ let _e11425 = select(0f, (_e11408 * _e11420), _e10887);
 if _e840 {
 let _e11431 = (_e11075 + ((bitcast<i32>(_e11062) - 1i) * _e11076));
 let _e11433 = select(_e11038, _e11431, (_e11431 < _e11038));
-let _e11439 = global_4.member[bitcast<u32>(select(0i, _e11433, (_e11433 > 0i)))];
+let _e11439 = global_3.member[bitcast<u32>(select(0i, _e11433, (_e11433 > 0i)))];
 let _e11441 = bitcast<u32>(bitcast<f32>(_e11439));
 let _e11445 = f32((bitcast<i32>((_e11441 & 65535u)) - 32768i));
 let _e11451 = f32((bitcast<i32>(((_e11441 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11456 = select(_e11451, -(_e11451), ((_e11441 >> bitcast<u32>(31i)) != 0u));
 let _e11457 = (_e11431 + 1i);
 let _e11459 = select(_e11038, _e11457, (_e11457 < _e11038));
-let _e11465 = global_4.member[bitcast<u32>(select(0i, _e11459, (_e11459 > 0i)))];
+let _e11465 = global_3.member[bitcast<u32>(select(0i, _e11459, (_e11459 > 0i)))];
 let _e11467 = bitcast<u32>(bitcast<f32>(_e11465));
 let _e11477 = f32((bitcast<i32>(((_e11467 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11485 = (_e11445 + ((f32((bitcast<i32>((_e11467 & 65535u)) - 32768i)) - _e11445) * _e11078));
 let _e11488 = (_e11456 + ((select(_e11477, -(_e11477), ((_e11467 >> bitcast<u32>(31i)) != 0u)) - _e11456) * _e11078));
 let _e11489 = (_e11431 + 9i);
 let _e11491 = select(_e11038, _e11489, (_e11489 < _e11038));
-let _e11497 = global_4.member[bitcast<u32>(select(0i, _e11491, (_e11491 > 0i)))];
+let _e11497 = global_3.member[bitcast<u32>(select(0i, _e11491, (_e11491 > 0i)))];
 let _e11499 = bitcast<u32>(bitcast<f32>(_e11497));
 let _e11503 = f32((bitcast<i32>((_e11499 & 65535u)) - 32768i));
 let _e11509 = f32((bitcast<i32>(((_e11499 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11514 = select(_e11509, -(_e11509), ((_e11499 >> bitcast<u32>(31i)) != 0u));
 let _e11515 = (_e11431 + 10i);
 let _e11517 = select(_e11038, _e11515, (_e11515 < _e11038));
-let _e11523 = global_4.member[bitcast<u32>(select(0i, _e11517, (_e11517 > 0i)))];
+let _e11523 = global_3.member[bitcast<u32>(select(0i, _e11517, (_e11517 > 0i)))];
 let _e11525 = bitcast<u32>(bitcast<f32>(_e11523));
 let _e11535 = f32((bitcast<i32>(((_e11525 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11549 = (_e11485 + (((_e11503 + ((f32((bitcast<i32>((_e11525 & 65535u)) - 32768i)) - _e11503) * _e11078)) - _e11485) * _e11080));
 let _e11552 = (_e11488 + (((_e11514 + ((select(_e11535, -(_e11535), ((_e11525 >> bitcast<u32>(31i)) != 0u)) - _e11514) * _e11078)) - _e11488) * _e11080));
 let _e11553 = (_e11431 + _e11067);
 let _e11555 = select(_e11038, _e11553, (_e11553 < _e11038));
-let _e11561 = global_4.member[bitcast<u32>(select(0i, _e11555, (_e11555 > 0i)))];
+let _e11561 = global_3.member[bitcast<u32>(select(0i, _e11555, (_e11555 > 0i)))];
 let _e11563 = bitcast<u32>(bitcast<f32>(_e11561));
 let _e11567 = f32((bitcast<i32>((_e11563 & 65535u)) - 32768i));
 let _e11573 = f32((bitcast<i32>(((_e11563 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11578 = select(_e11573, -(_e11573), ((_e11563 >> bitcast<u32>(31i)) != 0u));
 let _e11579 = (_e11553 + 1i);
 let _e11581 = select(_e11038, _e11579, (_e11579 < _e11038));
-let _e11587 = global_4.member[bitcast<u32>(select(0i, _e11581, (_e11581 > 0i)))];
+let _e11587 = global_3.member[bitcast<u32>(select(0i, _e11581, (_e11581 > 0i)))];
 let _e11589 = bitcast<u32>(bitcast<f32>(_e11587));
 let _e11599 = f32((bitcast<i32>(((_e11589 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11607 = (_e11567 + ((f32((bitcast<i32>((_e11589 & 65535u)) - 32768i)) - _e11567) * _e11078));
 let _e11610 = (_e11578 + ((select(_e11599, -(_e11599), ((_e11589 >> bitcast<u32>(31i)) != 0u)) - _e11578) * _e11078));
 let _e11611 = (_e11553 + 9i);
 let _e11613 = select(_e11038, _e11611, (_e11611 < _e11038));
-let _e11619 = global_4.member[bitcast<u32>(select(0i, _e11613, (_e11613 > 0i)))];
+let _e11619 = global_3.member[bitcast<u32>(select(0i, _e11613, (_e11613 > 0i)))];
 let _e11621 = bitcast<u32>(bitcast<f32>(_e11619));
 let _e11625 = f32((bitcast<i32>((_e11621 & 65535u)) - 32768i));
 let _e11631 = f32((bitcast<i32>(((_e11621 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11636 = select(_e11631, -(_e11631), ((_e11621 >> bitcast<u32>(31i)) != 0u));
 let _e11637 = (_e11553 + 10i);
 let _e11639 = select(_e11038, _e11637, (_e11637 < _e11038));
-let _e11645 = global_4.member[bitcast<u32>(select(0i, _e11639, (_e11639 > 0i)))];
+let _e11645 = global_3.member[bitcast<u32>(select(0i, _e11639, (_e11639 > 0i)))];
 let _e11647 = bitcast<u32>(bitcast<f32>(_e11645));
 let _e11657 = f32((bitcast<i32>(((_e11647 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11683 = (_e11424 + select(0f, ((_e11549 + (((_e11607 + (((_e11625 + ((f32((bitcast<i32>((_e11647 & 65535u)) - 32768i)) - _e11625) * _e11078)) - _e11607) * _e11080)) - _e11549) * _e11082)) * 6.151953e-5f), _e11083));
@@ -4074,7 +4074,7 @@ let _e11780 = (_e11779 * select(_e11759, 1f, (_e840 && _e11083)));
 let _e11790 = global_5.member[_e461].member_10.member.member;
 let _e11803 = global_5.member[_e461].member_10.member_1.member;
 let _e11819 = global_5.member[_e461].member_10.member_2.member;
-phi_27880_ = type_28(vec3<f32>(((_e11402.x * _e11765.member) * _e11780), ((_e11402.y * _e11765.member_1) * _e11780), ((_e11402.z * _e11765.member_2) * _e11780)), (vec3<f32>(((_e11790.member * _e11698.x) + (_e11803.member * _e11698.y)), ((_e11790.member_1 * _e11698.x) + (_e11803.member_1 * _e11698.y)), ((_e11790.member_2 * _e11698.x) + (_e11803.member_2 * _e11698.y))) + vec3<f32>((_e11819.member * _e11698.z), (_e11819.member_1 * _e11698.z), (_e11819.member_2 * _e11698.z))));
+phi_27880_ = type_35(vec3<f32>(((_e11402.x * _e11765.member) * _e11780), ((_e11402.y * _e11765.member_1) * _e11780), ((_e11402.z * _e11765.member_2) * _e11780)), (vec3<f32>(((_e11790.member * _e11698.x) + (_e11803.member * _e11698.y)), ((_e11790.member_1 * _e11698.x) + (_e11803.member_1 * _e11698.y)), ((_e11790.member_2 * _e11698.x) + (_e11803.member_2 * _e11698.y))) + vec3<f32>((_e11819.member * _e11698.z), (_e11819.member_1 * _e11698.z), (_e11819.member_2 * _e11698.z))));
 }
 let _e12451 = phi_27880_;
 phi_27881_ = _e12451;
@@ -4260,51 +4260,51 @@ let _e13393 = ((bitcast<i32>(_e13389) + (_e13363 * _e13207)) + _e13346);
 let _e13394 = (_e13207 * _e13215);
 let _e13396 = (bitcast<i32>(_e235) - 1i);
 let _e13398 = select(_e13396, _e13393, (_e13393 < _e13396));
-let _e13404 = global_4.member[bitcast<u32>(select(0i, _e13398, (_e13398 > 0i)))];
+let _e13404 = global_3.member[bitcast<u32>(select(0i, _e13398, (_e13398 > 0i)))];
 let _e13405 = bitcast<f32>(_e13404);
 let _e13406 = (_e13393 + 1i);
 let _e13408 = select(_e13396, _e13406, (_e13406 < _e13396));
-let _e13414 = global_4.member[bitcast<u32>(select(0i, _e13408, (_e13408 > 0i)))];
+let _e13414 = global_3.member[bitcast<u32>(select(0i, _e13408, (_e13408 > 0i)))];
 let _e13418 = (_e13405 + ((bitcast<f32>(_e13414) - _e13405) * _e13369));
 let _e13419 = (_e13393 + _e13207);
 let _e13421 = select(_e13396, _e13419, (_e13419 < _e13396));
-let _e13427 = global_4.member[bitcast<u32>(select(0i, _e13421, (_e13421 > 0i)))];
+let _e13427 = global_3.member[bitcast<u32>(select(0i, _e13421, (_e13421 > 0i)))];
 let _e13428 = bitcast<f32>(_e13427);
 let _e13429 = (_e13419 + 1i);
 let _e13431 = select(_e13396, _e13429, (_e13429 < _e13396));
-let _e13437 = global_4.member[bitcast<u32>(select(0i, _e13431, (_e13431 > 0i)))];
+let _e13437 = global_3.member[bitcast<u32>(select(0i, _e13431, (_e13431 > 0i)))];
 let _e13444 = (_e13418 + (((_e13428 + ((bitcast<f32>(_e13437) - _e13428) * _e13369)) - _e13418) * _e13375));
 let _e13445 = (_e13393 + _e13394);
 let _e13447 = select(_e13396, _e13445, (_e13445 < _e13396));
-let _e13453 = global_4.member[bitcast<u32>(select(0i, _e13447, (_e13447 > 0i)))];
+let _e13453 = global_3.member[bitcast<u32>(select(0i, _e13447, (_e13447 > 0i)))];
 let _e13454 = bitcast<f32>(_e13453);
 let _e13455 = (_e13445 + 1i);
 let _e13457 = select(_e13396, _e13455, (_e13455 < _e13396));
-let _e13463 = global_4.member[bitcast<u32>(select(0i, _e13457, (_e13457 > 0i)))];
+let _e13463 = global_3.member[bitcast<u32>(select(0i, _e13457, (_e13457 > 0i)))];
 let _e13467 = (_e13454 + ((bitcast<f32>(_e13463) - _e13454) * _e13369));
 let _e13468 = (_e13445 + _e13207);
 let _e13470 = select(_e13396, _e13468, (_e13468 < _e13396));
-let _e13476 = global_4.member[bitcast<u32>(select(0i, _e13470, (_e13470 > 0i)))];
+let _e13476 = global_3.member[bitcast<u32>(select(0i, _e13470, (_e13470 > 0i)))];
 let _e13477 = bitcast<f32>(_e13476);
 let _e13478 = (_e13468 + 1i);
 let _e13480 = select(_e13396, _e13478, (_e13478 < _e13396));
-let _e13486 = global_4.member[bitcast<u32>(select(0i, _e13480, (_e13480 > 0i)))];
+let _e13486 = global_3.member[bitcast<u32>(select(0i, _e13480, (_e13480 > 0i)))];
 let _e13493 = (_e13467 + (((_e13477 + ((bitcast<f32>(_e13486) - _e13477) * _e13369)) - _e13467) * _e13375));
 let _e13495 = (_e13393 + (2i * _e13394));
 let _e13497 = select(_e13396, _e13495, (_e13495 < _e13396));
-let _e13503 = global_4.member[bitcast<u32>(select(0i, _e13497, (_e13497 > 0i)))];
+let _e13503 = global_3.member[bitcast<u32>(select(0i, _e13497, (_e13497 > 0i)))];
 let _e13504 = bitcast<f32>(_e13503);
 let _e13505 = (_e13495 + 1i);
 let _e13507 = select(_e13396, _e13505, (_e13505 < _e13396));
-let _e13513 = global_4.member[bitcast<u32>(select(0i, _e13507, (_e13507 > 0i)))];
+let _e13513 = global_3.member[bitcast<u32>(select(0i, _e13507, (_e13507 > 0i)))];
 let _e13517 = (_e13504 + ((bitcast<f32>(_e13513) - _e13504) * _e13369));
 let _e13518 = (_e13495 + _e13207);
 let _e13520 = select(_e13396, _e13518, (_e13518 < _e13396));
-let _e13526 = global_4.member[bitcast<u32>(select(0i, _e13520, (_e13520 > 0i)))];
+let _e13526 = global_3.member[bitcast<u32>(select(0i, _e13520, (_e13520 > 0i)))];
 let _e13527 = bitcast<f32>(_e13526);
 let _e13528 = (_e13518 + 1i);
 let _e13530 = select(_e13396, _e13528, (_e13528 < _e13396));
-let _e13536 = global_4.member[bitcast<u32>(select(0i, _e13530, (_e13530 > 0i)))];
+let _e13536 = global_3.member[bitcast<u32>(select(0i, _e13530, (_e13530 > 0i)))];
 let _e13543 = (_e13517 + (((_e13527 + ((bitcast<f32>(_e13536) - _e13527) * _e13369)) - _e13517) * _e13375));
 let _e13545 = (_e13026 == 0u);
 if _e13545 {
@@ -4341,13 +4341,13 @@ phi_29049_ = vec3<f32>((select(0f, _e13610, (_e13610 > 0f)) * _e13623), (select(
 }
 let _e13629 = phi_29049_;
 let _e13634 = global_5.member[_e461].member_9.member_1;
-phi_29309_ = type_28((vec3<f32>(_e13634.member, _e13634.member_1, _e13634.member_2) * _e13629), _e13097);
+phi_29309_ = type_35((vec3<f32>(_e13634.member, _e13634.member_1, _e13634.member_2) * _e13629), _e13097);
 } else {
 let _e13100 = (_e13026 == 0u);
 if _e13100 {
 let _e13183 = global_5.member[_e461].member_9.member_1;
 let _e13192 = global_5.member[_e461].member_9.member;
-phi_29308_ = type_28(vec3<f32>(_e13183.member, _e13183.member_1, _e13183.member_2), vec3<f32>(_e13192.member, _e13192.member_1, _e13192.member_2));
+phi_29308_ = type_35(vec3<f32>(_e13183.member, _e13183.member_1, _e13183.member_2), vec3<f32>(_e13192.member, _e13192.member_1, _e13192.member_2));
 } else {
 let _e13105 = global_5.member[_e461].member_9.member_1;
 if _e13100 {
@@ -4374,7 +4374,7 @@ phi_29236_ = select(1f, select(0f, ((_e13162 * _e13162) * (3f - (2f * _e13162)))
 }
 let _e13172 = phi_29236_;
 let _e13173 = (_e13113 * _e13172);
-phi_29308_ = type_28(vec3<f32>((_e13105.member * _e13173), (_e13105.member_1 * _e13173), (_e13105.member_2 * _e13173)), _e13097);
+phi_29308_ = type_35(vec3<f32>((_e13105.member * _e13173), (_e13105.member_1 * _e13173), (_e13105.member_2 * _e13173)), _e13097);
 }
 let _e13199 = phi_29308_;
 phi_29309_ = _e13199;
@@ -4508,7 +4508,7 @@ let _e14007 = select(select(select(select(select(select(0f, _e13746.member, _e13
 let _e14008 = select(select(select(select(select(select(0f, _e13746.member_1, _e13788), _e13746.member_1, _e13828), _e13755.member_1, _e13868), _e13755.member_1, _e13908), _e13764.member_1, _e13948), _e13764.member_1, _e13988);
 let _e14009 = select(select(select(select(select(select(1f, _e13746.member_2, _e13788), _e13746.member_2, _e13828), _e13755.member_2, _e13868), _e13755.member_2, _e13908), _e13764.member_2, _e13948), _e13764.member_2, _e13988);
 if _e8620 {
-phi_30800_ = type_36(_e13994, vec3<f32>(_e13995, _e13996, _e13997), _e13999, vec3<f32>(_e14000, _e14001, _e14002), _e14004, _e14006, vec3<f32>(_e14007, _e14008, _e14009));
+phi_30800_ = type_34(_e13994, vec3<f32>(_e13995, _e13996, _e13997), _e13999, vec3<f32>(_e14000, _e14001, _e14002), _e14004, _e14006, vec3<f32>(_e14007, _e14008, _e14009));
 } else {
 let _e14016 = (((_e13746.member * _e13746.member) + (_e13746.member_1 * _e13746.member_1)) + (_e13746.member_2 * _e13746.member_2));
 let _e14019 = sqrt(select(0f, _e14016, (_e14016 > 0f)));
@@ -4588,7 +4588,7 @@ let _e14315 = select(2f, select(0f, _e14307, (_e14287 < 0f)), (_e14288 > 0f));
 let _e14316 = (_e14287 > _e14251);
 let _e14320 = ((_e14311 > _e14243) || ((_e14311 == _e14243) && _e14316));
 let _e14321 = (_e14315 < _e14247);
-phi_30800_ = type_36(select(_e14243, _e14311, _e14320), vec3<f32>(select(select(select(select(_e13995, _e14057.member, _e14083), _e14136.member, _e14162), _e14215.member, _e14241), _e14294.member, _e14320), select(select(select(select(_e13996, _e14057.member_1, _e14083), _e14136.member_1, _e14162), _e14215.member_1, _e14241), _e14294.member_1, _e14320), select(select(select(select(_e13997, _e14057.member_2, _e14083), _e14136.member_2, _e14162), _e14215.member_2, _e14241), _e14294.member_2, _e14320)), select(_e14247, _e14315, _e14321), vec3<f32>(select(select(select(select(_e14000, _e14057.member, _e14084), _e14136.member, _e14163), _e14215.member, _e14242), _e14294.member, _e14321), select(select(select(select(_e14001, _e14057.member_1, _e14084), _e14136.member_1, _e14163), _e14215.member_1, _e14242), _e14294.member_1, _e14321), select(select(select(select(_e14002, _e14057.member_2, _e14084), _e14136.member_2, _e14163), _e14215.member_2, _e14242), _e14294.member_2, _e14321)), select(_e14251, _e14287, _e14316), select(_e14253, _e14288, (_e14288 > _e14253)), vec3<f32>(select(select(select(select(_e14007, _e14057.member, _e14079), _e14136.member, _e14158), _e14215.member, _e14237), _e14294.member, _e14316), select(select(select(select(_e14008, _e14057.member_1, _e14079), _e14136.member_1, _e14158), _e14215.member_1, _e14237), _e14294.member_1, _e14316), select(select(select(select(_e14009, _e14057.member_2, _e14079), _e14136.member_2, _e14158), _e14215.member_2, _e14237), _e14294.member_2, _e14316)));
+phi_30800_ = type_34(select(_e14243, _e14311, _e14320), vec3<f32>(select(select(select(select(_e13995, _e14057.member, _e14083), _e14136.member, _e14162), _e14215.member, _e14241), _e14294.member, _e14320), select(select(select(select(_e13996, _e14057.member_1, _e14083), _e14136.member_1, _e14162), _e14215.member_1, _e14241), _e14294.member_1, _e14320), select(select(select(select(_e13997, _e14057.member_2, _e14083), _e14136.member_2, _e14162), _e14215.member_2, _e14241), _e14294.member_2, _e14320)), select(_e14247, _e14315, _e14321), vec3<f32>(select(select(select(select(_e14000, _e14057.member, _e14084), _e14136.member, _e14163), _e14215.member, _e14242), _e14294.member, _e14321), select(select(select(select(_e14001, _e14057.member_1, _e14084), _e14136.member_1, _e14163), _e14215.member_1, _e14242), _e14294.member_1, _e14321), select(select(select(select(_e14002, _e14057.member_2, _e14084), _e14136.member_2, _e14163), _e14215.member_2, _e14242), _e14294.member_2, _e14321)), select(_e14251, _e14287, _e14316), select(_e14253, _e14288, (_e14288 > _e14253)), vec3<f32>(select(select(select(select(_e14007, _e14057.member, _e14079), _e14136.member, _e14158), _e14215.member, _e14237), _e14294.member, _e14316), select(select(select(select(_e14008, _e14057.member_1, _e14079), _e14136.member_1, _e14158), _e14215.member_1, _e14237), _e14294.member_1, _e14316), select(select(select(select(_e14009, _e14057.member_2, _e14079), _e14136.member_2, _e14158), _e14215.member_2, _e14237), _e14294.member_2, _e14316)));
 }
 let _e14341 = phi_30800_;
 let _e14348 = (_e8831.member_2 * select(0f, 1f, _e6478.member_6));
@@ -4659,41 +4659,41 @@ break;
 let _e14516 = local_40;
 if _e14516 {
 let _e14518 = local_41;
-global_1.member[_e261] = _e14518[0];
+global_4.member[_e261] = _e14518[0];
 let _e14523 = local_42;
-global_1.member[_e273] = _e14523[1];
+global_4.member[_e273] = _e14523[1];
 let _e14528 = local_43;
-global_1.member[_e284] = _e14528[2];
+global_4.member[_e284] = _e14528[2];
 let _e14533 = local_44;
-global_1.member[_e295] = _e14533[3];
+global_4.member[_e295] = _e14533[3];
 let _e14538 = local_45;
-global_1.member[_e306] = _e14538[4];
+global_4.member[_e306] = _e14538[4];
 let _e14543 = local_46;
-global_1.member[_e317] = _e14543[5];
+global_4.member[_e317] = _e14543[5];
 let _e14548 = local_47;
-global_1.member[_e328] = _e14548[6];
+global_4.member[_e328] = _e14548[6];
 let _e14553 = local_48;
-global_1.member[_e339] = _e14553[7];
+global_4.member[_e339] = _e14553[7];
 let _e14558 = local_49;
-global_1.member[_e350] = _e14558[8];
+global_4.member[_e350] = _e14558[8];
 let _e14563 = local_50;
-global_1.member[_e361] = _e14563[9];
+global_4.member[_e361] = _e14563[9];
 let _e14568 = local_51;
-global_1.member[_e372] = _e14568[10];
+global_4.member[_e372] = _e14568[10];
 let _e14573 = local_52;
-global_1.member[_e383] = _e14573[11];
+global_4.member[_e383] = _e14573[11];
 let _e14578 = local_53;
-global_1.member[_e394] = _e14578[12];
+global_4.member[_e394] = _e14578[12];
 let _e14583 = local_54;
-global_1.member[_e405] = _e14583[13];
+global_4.member[_e405] = _e14583[13];
 let _e14588 = local_55;
-global_1.member[_e416] = _e14588[14];
+global_4.member[_e416] = _e14588[14];
 let _e14593 = local_56;
-global_1.member[_e427] = _e14593[15];
+global_4.member[_e427] = _e14593[15];
 let _e14598 = local_57;
-global_1.member[_e438] = _e14598[16];
+global_4.member[_e438] = _e14598[16];
 let _e14603 = local_58;
-global_1.member[_e449] = _e14603[17];
+global_4.member[_e449] = _e14603[17];
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,47 +90,82 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
 }
-struct type_31 {
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
+}
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
@@ -198,29 +198,29 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_3: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_4: type_17;
+var<storage> global_3: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_26;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_5: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_11;
+var<storage> global_6: type_26;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_31;
+var local_2: type_29;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_31;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_31;
+var local_10: type_29;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -236,7 +236,7 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_31;
+var local_26: type_29;
 var local_27: vec3<f32>;
 var phi_898_: bool;
 var phi_1078_: bool;
@@ -245,7 +245,7 @@ var phi_1265_: bool;
 var phi_1588_: u32;
 var phi_7051_: type_32;
 var phi_7698_: type_33;
-var phi_8532_: type_5;
+var phi_8532_: type_7;
 var phi_12260_: type_35;
 var phi_13579_: type_34;
 var phi_13592_: vec3<f32>;
@@ -254,8 +254,8 @@ var phi_16209_: type_34;
 var phi_16361_: vec3<f32>;
 var phi_16362_: f32;
 let _e155 = global;
-let _e158 = arrayLength((&global_3.member));
-let _e163 = arrayLength((&global_4.member));
+let _e158 = arrayLength((&global_2.member));
+let _e163 = arrayLength((&global_3.member));
 let _e165 = arrayLength((&global_6.member));
 let _e170 = global_1.member.member_2;
 let _e173 = global_1.member.member;
@@ -266,41 +266,41 @@ if (_e183 < _e170.member_3) {
 let _e186 = (_e173.member * _e173.member_1);
 let _e188 = ((_e183 * _e173.member) + _e181);
 let _e189 = bitcast<i32>(_e188);
-let _e191 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e191 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e193 = select(_e191, _e189, (_e189 < _e191));
-let _e199 = global_2.member[bitcast<u32>(select(0i, _e193, (_e193 > 0i)))];
+let _e199 = global_4.member[bitcast<u32>(select(0i, _e193, (_e193 > 0i)))];
 let _e200 = (_e186 + _e188);
 let _e201 = bitcast<i32>(_e200);
 let _e203 = select(_e191, _e201, (_e201 < _e191));
-let _e209 = global_2.member[bitcast<u32>(select(0i, _e203, (_e203 > 0i)))];
+let _e209 = global_4.member[bitcast<u32>(select(0i, _e203, (_e203 > 0i)))];
 let _e211 = ((2u * _e186) + _e188);
 let _e212 = bitcast<i32>(_e211);
 let _e214 = select(_e191, _e212, (_e212 < _e191));
-let _e220 = global_2.member[bitcast<u32>(select(0i, _e214, (_e214 > 0i)))];
+let _e220 = global_4.member[bitcast<u32>(select(0i, _e214, (_e214 > 0i)))];
 let _e222 = ((3u * _e186) + _e188);
 let _e223 = bitcast<i32>(_e222);
 let _e225 = select(_e191, _e223, (_e223 < _e191));
-let _e231 = global_2.member[bitcast<u32>(select(0i, _e225, (_e225 > 0i)))];
+let _e231 = global_4.member[bitcast<u32>(select(0i, _e225, (_e225 > 0i)))];
 let _e233 = ((4u * _e186) + _e188);
 let _e234 = bitcast<i32>(_e233);
 let _e236 = select(_e191, _e234, (_e234 < _e191));
-let _e242 = global_2.member[bitcast<u32>(select(0i, _e236, (_e236 > 0i)))];
+let _e242 = global_4.member[bitcast<u32>(select(0i, _e236, (_e236 > 0i)))];
 let _e244 = ((5u * _e186) + _e188);
 let _e245 = bitcast<i32>(_e244);
 let _e247 = select(_e191, _e245, (_e245 < _e191));
-let _e253 = global_2.member[bitcast<u32>(select(0i, _e247, (_e247 > 0i)))];
+let _e253 = global_4.member[bitcast<u32>(select(0i, _e247, (_e247 > 0i)))];
 let _e255 = ((6u * _e186) + _e188);
 let _e256 = bitcast<i32>(_e255);
 let _e258 = select(_e191, _e256, (_e256 < _e191));
-let _e264 = global_2.member[bitcast<u32>(select(0i, _e258, (_e258 > 0i)))];
+let _e264 = global_4.member[bitcast<u32>(select(0i, _e258, (_e258 > 0i)))];
 let _e266 = ((7u * _e186) + _e188);
 let _e267 = bitcast<i32>(_e266);
 let _e269 = select(_e191, _e267, (_e267 < _e191));
-let _e275 = global_2.member[bitcast<u32>(select(0i, _e269, (_e269 > 0i)))];
+let _e275 = global_4.member[bitcast<u32>(select(0i, _e269, (_e269 > 0i)))];
 let _e277 = ((8u * _e186) + _e188);
 let _e278 = bitcast<i32>(_e277);
 let _e280 = select(_e191, _e278, (_e278 < _e191));
-let _e286 = global_2.member[bitcast<u32>(select(0i, _e280, (_e280 > 0i)))];
+let _e286 = global_4.member[bitcast<u32>(select(0i, _e280, (_e280 > 0i)))];
 let _e291 = global_1.member.member_8.member;
 let _e295 = global_1.member.member_8.member_1;
 let _e296 = (_e291 * _e295);
@@ -553,29 +553,29 @@ let _e1372 = (select(0i, _e1338, (_e1338 > 0i)) * _e1310);
 let _e1373 = (select(0i, _e1302, (_e1302 > 0i)) * _e1310);
 let _e1374 = (select(_e1337, _e1343, (_e1343 < _e1337)) * _e1310);
 let _e1375 = (select(_e1337, _e1346, (_e1346 < _e1337)) * _e1310);
-local_26 = type_31(array<i32, 4>(select(0i, _e1357, (_e1357 > 0i)), select(0i, _e1272, (_e1272 > 0i)), select(_e1356, _e1362, (_e1362 < _e1356)), select(_e1356, _e1365, (_e1365 < _e1356))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_26 = type_29(array<i32, 4>(select(0i, _e1357, (_e1357 > 0i)), select(0i, _e1272, (_e1272 > 0i)), select(_e1356, _e1362, (_e1362 < _e1356)), select(_e1356, _e1365, (_e1365 < _e1356))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_27 = vec3<f32>((_e1237 - f32(_e1272)), (_e1247 - f32(_e1287)), (_e1257 - f32(_e1302)));
 let _e1386 = (_e1373 + _e1369);
 let _e1389 = local_26.member[0u];
 let _e1390 = (_e1386 + _e1389);
 let _e1392 = (bitcast<i32>(_e158) - 1i);
 let _e1394 = select(_e1392, _e1390, (_e1390 < _e1392));
-let _e1399 = global_3.member[bitcast<u32>(select(0i, _e1394, (_e1394 > 0i)))];
+let _e1399 = global_2.member[bitcast<u32>(select(0i, _e1394, (_e1394 > 0i)))];
 let _e1400 = bitcast<f32>(_e1399);
 let _e1403 = local_26.member[1u];
 let _e1404 = (_e1386 + _e1403);
 let _e1406 = select(_e1392, _e1404, (_e1404 < _e1392));
-let _e1411 = global_3.member[bitcast<u32>(select(0i, _e1406, (_e1406 > 0i)))];
+let _e1411 = global_2.member[bitcast<u32>(select(0i, _e1406, (_e1406 > 0i)))];
 let _e1412 = bitcast<f32>(_e1411);
 let _e1415 = local_26.member[2u];
 let _e1416 = (_e1386 + _e1415);
 let _e1418 = select(_e1392, _e1416, (_e1416 < _e1392));
-let _e1423 = global_3.member[bitcast<u32>(select(0i, _e1418, (_e1418 > 0i)))];
+let _e1423 = global_2.member[bitcast<u32>(select(0i, _e1418, (_e1418 > 0i)))];
 let _e1424 = bitcast<f32>(_e1423);
 let _e1427 = local_26.member[3u];
 let _e1428 = (_e1386 + _e1427);
 let _e1430 = select(_e1392, _e1428, (_e1428 < _e1392));
-let _e1435 = global_3.member[bitcast<u32>(select(0i, _e1430, (_e1430 > 0i)))];
+let _e1435 = global_2.member[bitcast<u32>(select(0i, _e1430, (_e1430 > 0i)))];
 let _e1437 = local_27[0u];
 let _e1440 = (_e1400 + ((_e1412 - _e1400) * _e1437));
 let _e1441 = local_27[0u];
@@ -586,22 +586,22 @@ let _e1449 = (_e1373 + _e1370);
 let _e1450 = local_26.member[0u];
 let _e1451 = (_e1449 + _e1450);
 let _e1453 = select(_e1392, _e1451, (_e1451 < _e1392));
-let _e1458 = global_3.member[bitcast<u32>(select(0i, _e1453, (_e1453 > 0i)))];
+let _e1458 = global_2.member[bitcast<u32>(select(0i, _e1453, (_e1453 > 0i)))];
 let _e1459 = bitcast<f32>(_e1458);
 let _e1460 = local_26.member[1u];
 let _e1461 = (_e1449 + _e1460);
 let _e1463 = select(_e1392, _e1461, (_e1461 < _e1392));
-let _e1468 = global_3.member[bitcast<u32>(select(0i, _e1463, (_e1463 > 0i)))];
+let _e1468 = global_2.member[bitcast<u32>(select(0i, _e1463, (_e1463 > 0i)))];
 let _e1469 = bitcast<f32>(_e1468);
 let _e1470 = local_26.member[2u];
 let _e1471 = (_e1449 + _e1470);
 let _e1473 = select(_e1392, _e1471, (_e1471 < _e1392));
-let _e1478 = global_3.member[bitcast<u32>(select(0i, _e1473, (_e1473 > 0i)))];
+let _e1478 = global_2.member[bitcast<u32>(select(0i, _e1473, (_e1473 > 0i)))];
 let _e1479 = bitcast<f32>(_e1478);
 let _e1480 = local_26.member[3u];
 let _e1481 = (_e1449 + _e1480);
 let _e1483 = select(_e1392, _e1481, (_e1481 < _e1392));
-let _e1488 = global_3.member[bitcast<u32>(select(0i, _e1483, (_e1483 > 0i)))];
+let _e1488 = global_2.member[bitcast<u32>(select(0i, _e1483, (_e1483 > 0i)))];
 let _e1490 = local_27[0u];
 let _e1494 = local_27[0u];
 let _e1497 = (_e1469 + ((_e1479 - _e1469) * _e1494));
@@ -610,22 +610,22 @@ let _e1502 = (_e1374 + _e1369);
 let _e1503 = local_26.member[0u];
 let _e1504 = (_e1502 + _e1503);
 let _e1506 = select(_e1392, _e1504, (_e1504 < _e1392));
-let _e1511 = global_3.member[bitcast<u32>(select(0i, _e1506, (_e1506 > 0i)))];
+let _e1511 = global_2.member[bitcast<u32>(select(0i, _e1506, (_e1506 > 0i)))];
 let _e1512 = bitcast<f32>(_e1511);
 let _e1513 = local_26.member[1u];
 let _e1514 = (_e1502 + _e1513);
 let _e1516 = select(_e1392, _e1514, (_e1514 < _e1392));
-let _e1521 = global_3.member[bitcast<u32>(select(0i, _e1516, (_e1516 > 0i)))];
+let _e1521 = global_2.member[bitcast<u32>(select(0i, _e1516, (_e1516 > 0i)))];
 let _e1522 = bitcast<f32>(_e1521);
 let _e1523 = local_26.member[2u];
 let _e1524 = (_e1502 + _e1523);
 let _e1526 = select(_e1392, _e1524, (_e1524 < _e1392));
-let _e1531 = global_3.member[bitcast<u32>(select(0i, _e1526, (_e1526 > 0i)))];
+let _e1531 = global_2.member[bitcast<u32>(select(0i, _e1526, (_e1526 > 0i)))];
 let _e1532 = bitcast<f32>(_e1531);
 let _e1533 = local_26.member[3u];
 let _e1534 = (_e1502 + _e1533);
 let _e1536 = select(_e1392, _e1534, (_e1534 < _e1392));
-let _e1541 = global_3.member[bitcast<u32>(select(0i, _e1536, (_e1536 > 0i)))];
+let _e1541 = global_2.member[bitcast<u32>(select(0i, _e1536, (_e1536 > 0i)))];
 let _e1543 = local_27[0u];
 let _e1546 = (_e1512 + ((_e1522 - _e1512) * _e1543));
 let _e1547 = local_27[0u];
@@ -636,22 +636,22 @@ let _e1555 = (_e1374 + _e1370);
 let _e1556 = local_26.member[0u];
 let _e1557 = (_e1555 + _e1556);
 let _e1559 = select(_e1392, _e1557, (_e1557 < _e1392));
-let _e1564 = global_3.member[bitcast<u32>(select(0i, _e1559, (_e1559 > 0i)))];
+let _e1564 = global_2.member[bitcast<u32>(select(0i, _e1559, (_e1559 > 0i)))];
 let _e1565 = bitcast<f32>(_e1564);
 let _e1566 = local_26.member[1u];
 let _e1567 = (_e1555 + _e1566);
 let _e1569 = select(_e1392, _e1567, (_e1567 < _e1392));
-let _e1574 = global_3.member[bitcast<u32>(select(0i, _e1569, (_e1569 > 0i)))];
+let _e1574 = global_2.member[bitcast<u32>(select(0i, _e1569, (_e1569 > 0i)))];
 let _e1575 = bitcast<f32>(_e1574);
 let _e1576 = local_26.member[2u];
 let _e1577 = (_e1555 + _e1576);
 let _e1579 = select(_e1392, _e1577, (_e1577 < _e1392));
-let _e1584 = global_3.member[bitcast<u32>(select(0i, _e1579, (_e1579 > 0i)))];
+let _e1584 = global_2.member[bitcast<u32>(select(0i, _e1579, (_e1579 > 0i)))];
 let _e1585 = bitcast<f32>(_e1584);
 let _e1586 = local_26.member[3u];
 let _e1587 = (_e1555 + _e1586);
 let _e1589 = select(_e1392, _e1587, (_e1587 < _e1392));
-let _e1594 = global_3.member[bitcast<u32>(select(0i, _e1589, (_e1589 > 0i)))];
+let _e1594 = global_2.member[bitcast<u32>(select(0i, _e1589, (_e1589 > 0i)))];
 let _e1596 = local_27[0u];
 let _e1600 = local_27[0u];
 let _e1603 = (_e1575 + ((_e1585 - _e1575) * _e1600));
@@ -660,93 +660,93 @@ let _e1608 = (_e1373 + _e1368);
 let _e1609 = local_26.member[1u];
 let _e1610 = (_e1608 + _e1609);
 let _e1612 = select(_e1392, _e1610, (_e1610 < _e1392));
-let _e1617 = global_3.member[bitcast<u32>(select(0i, _e1612, (_e1612 > 0i)))];
+let _e1617 = global_2.member[bitcast<u32>(select(0i, _e1612, (_e1612 > 0i)))];
 let _e1618 = bitcast<f32>(_e1617);
 let _e1619 = local_26.member[2u];
 let _e1620 = (_e1608 + _e1619);
 let _e1622 = select(_e1392, _e1620, (_e1620 < _e1392));
-let _e1627 = global_3.member[bitcast<u32>(select(0i, _e1622, (_e1622 > 0i)))];
+let _e1627 = global_2.member[bitcast<u32>(select(0i, _e1622, (_e1622 > 0i)))];
 let _e1629 = local_27[0u];
 let _e1632 = (_e1618 + ((bitcast<f32>(_e1627) - _e1618) * _e1629));
 let _e1633 = (_e1373 + _e1371);
 let _e1634 = local_26.member[1u];
 let _e1635 = (_e1633 + _e1634);
 let _e1637 = select(_e1392, _e1635, (_e1635 < _e1392));
-let _e1642 = global_3.member[bitcast<u32>(select(0i, _e1637, (_e1637 > 0i)))];
+let _e1642 = global_2.member[bitcast<u32>(select(0i, _e1637, (_e1637 > 0i)))];
 let _e1643 = bitcast<f32>(_e1642);
 let _e1644 = local_26.member[2u];
 let _e1645 = (_e1633 + _e1644);
 let _e1647 = select(_e1392, _e1645, (_e1645 < _e1392));
-let _e1652 = global_3.member[bitcast<u32>(select(0i, _e1647, (_e1647 > 0i)))];
+let _e1652 = global_2.member[bitcast<u32>(select(0i, _e1647, (_e1647 > 0i)))];
 let _e1654 = local_27[0u];
 let _e1658 = (_e1374 + _e1368);
 let _e1659 = local_26.member[1u];
 let _e1660 = (_e1658 + _e1659);
 let _e1662 = select(_e1392, _e1660, (_e1660 < _e1392));
-let _e1667 = global_3.member[bitcast<u32>(select(0i, _e1662, (_e1662 > 0i)))];
+let _e1667 = global_2.member[bitcast<u32>(select(0i, _e1662, (_e1662 > 0i)))];
 let _e1668 = bitcast<f32>(_e1667);
 let _e1669 = local_26.member[2u];
 let _e1670 = (_e1658 + _e1669);
 let _e1672 = select(_e1392, _e1670, (_e1670 < _e1392));
-let _e1677 = global_3.member[bitcast<u32>(select(0i, _e1672, (_e1672 > 0i)))];
+let _e1677 = global_2.member[bitcast<u32>(select(0i, _e1672, (_e1672 > 0i)))];
 let _e1679 = local_27[0u];
 let _e1682 = (_e1668 + ((bitcast<f32>(_e1677) - _e1668) * _e1679));
 let _e1683 = (_e1374 + _e1371);
 let _e1684 = local_26.member[1u];
 let _e1685 = (_e1683 + _e1684);
 let _e1687 = select(_e1392, _e1685, (_e1685 < _e1392));
-let _e1692 = global_3.member[bitcast<u32>(select(0i, _e1687, (_e1687 > 0i)))];
+let _e1692 = global_2.member[bitcast<u32>(select(0i, _e1687, (_e1687 > 0i)))];
 let _e1693 = bitcast<f32>(_e1692);
 let _e1694 = local_26.member[2u];
 let _e1695 = (_e1683 + _e1694);
 let _e1697 = select(_e1392, _e1695, (_e1695 < _e1392));
-let _e1702 = global_3.member[bitcast<u32>(select(0i, _e1697, (_e1697 > 0i)))];
+let _e1702 = global_2.member[bitcast<u32>(select(0i, _e1697, (_e1697 > 0i)))];
 let _e1704 = local_27[0u];
 let _e1708 = (_e1372 + _e1369);
 let _e1709 = local_26.member[1u];
 let _e1710 = (_e1708 + _e1709);
 let _e1712 = select(_e1392, _e1710, (_e1710 < _e1392));
-let _e1717 = global_3.member[bitcast<u32>(select(0i, _e1712, (_e1712 > 0i)))];
+let _e1717 = global_2.member[bitcast<u32>(select(0i, _e1712, (_e1712 > 0i)))];
 let _e1718 = bitcast<f32>(_e1717);
 let _e1719 = local_26.member[2u];
 let _e1720 = (_e1708 + _e1719);
 let _e1722 = select(_e1392, _e1720, (_e1720 < _e1392));
-let _e1727 = global_3.member[bitcast<u32>(select(0i, _e1722, (_e1722 > 0i)))];
+let _e1727 = global_2.member[bitcast<u32>(select(0i, _e1722, (_e1722 > 0i)))];
 let _e1729 = local_27[0u];
 let _e1732 = (_e1718 + ((bitcast<f32>(_e1727) - _e1718) * _e1729));
 let _e1733 = (_e1375 + _e1369);
 let _e1734 = local_26.member[1u];
 let _e1735 = (_e1733 + _e1734);
 let _e1737 = select(_e1392, _e1735, (_e1735 < _e1392));
-let _e1742 = global_3.member[bitcast<u32>(select(0i, _e1737, (_e1737 > 0i)))];
+let _e1742 = global_2.member[bitcast<u32>(select(0i, _e1737, (_e1737 > 0i)))];
 let _e1743 = bitcast<f32>(_e1742);
 let _e1744 = local_26.member[2u];
 let _e1745 = (_e1733 + _e1744);
 let _e1747 = select(_e1392, _e1745, (_e1745 < _e1392));
-let _e1752 = global_3.member[bitcast<u32>(select(0i, _e1747, (_e1747 > 0i)))];
+let _e1752 = global_2.member[bitcast<u32>(select(0i, _e1747, (_e1747 > 0i)))];
 let _e1754 = local_27[0u];
 let _e1757 = (_e1743 + ((bitcast<f32>(_e1752) - _e1743) * _e1754));
 let _e1758 = (_e1372 + _e1370);
 let _e1759 = local_26.member[1u];
 let _e1760 = (_e1758 + _e1759);
 let _e1762 = select(_e1392, _e1760, (_e1760 < _e1392));
-let _e1767 = global_3.member[bitcast<u32>(select(0i, _e1762, (_e1762 > 0i)))];
+let _e1767 = global_2.member[bitcast<u32>(select(0i, _e1762, (_e1762 > 0i)))];
 let _e1768 = bitcast<f32>(_e1767);
 let _e1769 = local_26.member[2u];
 let _e1770 = (_e1758 + _e1769);
 let _e1772 = select(_e1392, _e1770, (_e1770 < _e1392));
-let _e1777 = global_3.member[bitcast<u32>(select(0i, _e1772, (_e1772 > 0i)))];
+let _e1777 = global_2.member[bitcast<u32>(select(0i, _e1772, (_e1772 > 0i)))];
 let _e1779 = local_27[0u];
 let _e1783 = (_e1375 + _e1370);
 let _e1784 = local_26.member[1u];
 let _e1785 = (_e1783 + _e1784);
 let _e1787 = select(_e1392, _e1785, (_e1785 < _e1392));
-let _e1792 = global_3.member[bitcast<u32>(select(0i, _e1787, (_e1787 > 0i)))];
+let _e1792 = global_2.member[bitcast<u32>(select(0i, _e1787, (_e1787 > 0i)))];
 let _e1793 = bitcast<f32>(_e1792);
 let _e1794 = local_26.member[2u];
 let _e1795 = (_e1783 + _e1794);
 let _e1797 = select(_e1392, _e1795, (_e1795 < _e1392));
-let _e1802 = global_3.member[bitcast<u32>(select(0i, _e1797, (_e1797 > 0i)))];
+let _e1802 = global_2.member[bitcast<u32>(select(0i, _e1797, (_e1797 > 0i)))];
 let _e1804 = local_27[0u];
 let _e1809 = local_27[1u];
 let _e1812 = (_e1444 + ((_e1497 - _e1444) * _e1809));
@@ -804,50 +804,50 @@ local_25 = _e1937;
 let _e1938 = local_25;
 let _e1940 = (bitcast<i32>(_e163) - 1i);
 let _e1942 = select(_e1940, 263197i, (263197i < _e1940));
-let _e1947 = global_4.member[bitcast<u32>(select(0i, _e1942, (_e1942 > 0i)))];
+let _e1947 = global_3.member[bitcast<u32>(select(0i, _e1942, (_e1942 > 0i)))];
 let _e1948 = bitcast<f32>(_e1947);
 let _e1950 = select(_e1940, 263198i, (263198i < _e1940));
 let _e1953 = bitcast<u32>(select(0i, _e1950, (_e1950 > 0i)));
-let _e1955 = global_4.member[_e1953];
+let _e1955 = global_3.member[_e1953];
 let _e1956 = bitcast<f32>(_e1955);
 let _e1958 = select(_e1940, 263199i, (263199i < _e1940));
-let _e1963 = global_4.member[bitcast<u32>(select(0i, _e1958, (_e1958 > 0i)))];
+let _e1963 = global_3.member[bitcast<u32>(select(0i, _e1958, (_e1958 > 0i)))];
 let _e1964 = bitcast<f32>(_e1963);
 let _e1966 = ((_e1938 - _e1948) * _e1956);
 let _e1968 = select(0f, _e1966, (_e1966 > 0f));
 let _e1971 = local_25;
 let _e1973 = select(_e1940, 263200i, (263200i < _e1940));
-let _e1978 = global_4.member[bitcast<u32>(select(0i, _e1973, (_e1973 > 0i)))];
+let _e1978 = global_3.member[bitcast<u32>(select(0i, _e1973, (_e1973 > 0i)))];
 let _e1979 = bitcast<f32>(_e1978);
 let _e1981 = select(_e1940, 263201i, (263201i < _e1940));
-let _e1986 = global_4.member[bitcast<u32>(select(0i, _e1981, (_e1981 > 0i)))];
+let _e1986 = global_3.member[bitcast<u32>(select(0i, _e1981, (_e1981 > 0i)))];
 let _e1987 = bitcast<f32>(_e1986);
 let _e1989 = select(_e1940, 263202i, (263202i < _e1940));
-let _e1994 = global_4.member[bitcast<u32>(select(0i, _e1989, (_e1989 > 0i)))];
+let _e1994 = global_3.member[bitcast<u32>(select(0i, _e1989, (_e1989 > 0i)))];
 let _e1995 = bitcast<f32>(_e1994);
 let _e1997 = ((_e1971 - _e1979) * _e1987);
 let _e1999 = select(0f, _e1997, (_e1997 > 0f));
 let _e2003 = local_25;
 let _e2005 = select(_e1940, 263203i, (263203i < _e1940));
-let _e2010 = global_4.member[bitcast<u32>(select(0i, _e2005, (_e2005 > 0i)))];
+let _e2010 = global_3.member[bitcast<u32>(select(0i, _e2005, (_e2005 > 0i)))];
 let _e2011 = bitcast<f32>(_e2010);
 let _e2013 = select(_e1940, 263204i, (263204i < _e1940));
-let _e2018 = global_4.member[bitcast<u32>(select(0i, _e2013, (_e2013 > 0i)))];
+let _e2018 = global_3.member[bitcast<u32>(select(0i, _e2013, (_e2013 > 0i)))];
 let _e2019 = bitcast<f32>(_e2018);
 let _e2021 = select(_e1940, 263205i, (263205i < _e1940));
-let _e2026 = global_4.member[bitcast<u32>(select(0i, _e2021, (_e2021 > 0i)))];
+let _e2026 = global_3.member[bitcast<u32>(select(0i, _e2021, (_e2021 > 0i)))];
 let _e2027 = bitcast<f32>(_e2026);
 let _e2029 = ((_e2003 - _e2011) * _e2019);
 let _e2031 = select(0f, _e2029, (_e2029 > 0f));
 let _e2034 = local_25;
 let _e2036 = select(_e1940, 263206i, (263206i < _e1940));
-let _e2041 = global_4.member[bitcast<u32>(select(0i, _e2036, (_e2036 > 0i)))];
+let _e2041 = global_3.member[bitcast<u32>(select(0i, _e2036, (_e2036 > 0i)))];
 let _e2042 = bitcast<f32>(_e2041);
 let _e2044 = select(_e1940, 263207i, (263207i < _e1940));
-let _e2049 = global_4.member[bitcast<u32>(select(0i, _e2044, (_e2044 > 0i)))];
+let _e2049 = global_3.member[bitcast<u32>(select(0i, _e2044, (_e2044 > 0i)))];
 let _e2050 = bitcast<f32>(_e2049);
 let _e2052 = select(_e1940, 263208i, (263208i < _e1940));
-let _e2057 = global_4.member[bitcast<u32>(select(0i, _e2052, (_e2052 > 0i)))];
+let _e2057 = global_3.member[bitcast<u32>(select(0i, _e2052, (_e2052 > 0i)))];
 let _e2058 = bitcast<f32>(_e2057);
 let _e2060 = ((_e2034 - _e2042) * _e2050);
 let _e2062 = select(0f, _e2060, (_e2060 > 0f));
@@ -858,27 +858,27 @@ let _e2077 = select(0i, select(select(i32(_e2070), i32(-2147483648), (_e2070 < -
 let _e2081 = (_e2077 - select(0i, 1i, (_e2070 < f32(_e2077))));
 let _e2082 = (262147i + _e2081);
 let _e2084 = select(_e1940, _e2082, (_e2082 < _e1940));
-let _e2090 = global_4.member[bitcast<u32>(select(0i, _e2084, (_e2084 > 0i)))];
+let _e2090 = global_3.member[bitcast<u32>(select(0i, _e2084, (_e2084 > 0i)))];
 let _e2100 = select(_e1940, 262146i, (262146i < _e1940));
-let _e2106 = global_4.member[bitcast<u32>(select(0i, _e2100, (_e2100 > 0i)))];
+let _e2106 = global_3.member[bitcast<u32>(select(0i, _e2100, (_e2100 > 0i)))];
 let _e2107 = bitcast<f32>(_e2106);
 let _e2108 = (f32((bitcast<i32>((_e2090 & 4095u)) - 2048i)) * _e2107);
 let _e2110 = select(_e1940, 262144i, (262144i < _e1940));
-let _e2116 = global_4.member[bitcast<u32>(select(0i, _e2110, (_e2110 > 0i)))];
+let _e2116 = global_3.member[bitcast<u32>(select(0i, _e2110, (_e2110 > 0i)))];
 let _e2117 = bitcast<f32>(_e2116);
 let _e2119 = select(_e1940, 262145i, (262145i < _e1940));
-let _e2125 = global_4.member[bitcast<u32>(select(0i, _e2119, (_e2119 > 0i)))];
+let _e2125 = global_3.member[bitcast<u32>(select(0i, _e2119, (_e2119 > 0i)))];
 let _e2126 = bitcast<f32>(_e2125);
 let _e2132 = ((_e2117 + (f32(bitcast<i32>((_e2090 >> bitcast<u32>(12u)))) * _e2126)) + (_e2108 * (_e2066 - f32(_e2081))));
-let _e2135 = global_4.member[_e1953];
+let _e2135 = global_3.member[_e1953];
 let _e2137 = local_24;
 let _e2140 = local_24;
 let _e2143 = local_24;
 let _e2147 = select(_e1940, 263209i, (263209i < _e1940));
-let _e2153 = global_4.member[bitcast<u32>(select(0i, _e2147, (_e2147 > 0i)))];
+let _e2153 = global_3.member[bitcast<u32>(select(0i, _e2147, (_e2147 > 0i)))];
 let _e2155 = local_24;
 let _e2158 = select(_e1940, 263210i, (263210i < _e1940));
-let _e2164 = global_4.member[bitcast<u32>(select(0i, _e2158, (_e2158 > 0i)))];
+let _e2164 = global_3.member[bitcast<u32>(select(0i, _e2158, (_e2158 > 0i)))];
 let _e2166 = local_24;
 let _e2170 = (_e2108 * select(0f, select(select(select(bitcast<f32>(_e2135), _e1987, (_e2137 >= _e1979)), _e2019, (_e2140 >= _e2011)), _e2050, (_e2143 >= _e2042)), ((_e2155 >= bitcast<f32>(_e2153)) && (_e2166 <= bitcast<f32>(_e2164)))));
 if _e1226 {
@@ -909,7 +909,7 @@ let _e2228 = select(0i, select(select(i32(_e2221), i32(-2147483648), (_e2221 < -
 let _e2232 = (_e2228 - select(0i, 1i, (_e2221 < f32(_e2228))));
 let _e2233 = (262147i + _e2232);
 let _e2235 = select(_e1940, _e2233, (_e2233 < _e1940));
-let _e2241 = global_4.member[bitcast<u32>(select(0i, _e2235, (_e2235 > 0i)))];
+let _e2241 = global_3.member[bitcast<u32>(select(0i, _e2235, (_e2235 > 0i)))];
 let _e2256 = ((_e2117 + (f32(bitcast<i32>((_e2241 >> bitcast<u32>(12u)))) * _e2126)) + ((f32((bitcast<i32>((_e2241 & 4095u)) - 2048i)) * _e2107) * (_e2217 - f32(_e2232))));
 local_20 = _e1912;
 let _e2257 = local_20;
@@ -933,7 +933,7 @@ let _e2299 = select(0i, select(select(i32(_e2292), i32(-2147483648), (_e2292 < -
 let _e2303 = (_e2299 - select(0i, 1i, (_e2292 < f32(_e2299))));
 let _e2304 = (262147i + _e2303);
 let _e2306 = select(_e1940, _e2304, (_e2304 < _e1940));
-let _e2312 = global_4.member[bitcast<u32>(select(0i, _e2306, (_e2306 > 0i)))];
+let _e2312 = global_3.member[bitcast<u32>(select(0i, _e2306, (_e2306 > 0i)))];
 let _e2327 = ((_e2117 + (f32(bitcast<i32>((_e2312 >> bitcast<u32>(12u)))) * _e2126)) + ((f32((bitcast<i32>((_e2312 & 4095u)) - 2048i)) * _e2107) * (_e2288 - f32(_e2303))));
 local_18 = _e1918;
 let _e2328 = local_18;
@@ -957,7 +957,7 @@ let _e2370 = select(0i, select(select(i32(_e2363), i32(-2147483648), (_e2363 < -
 let _e2374 = (_e2370 - select(0i, 1i, (_e2363 < f32(_e2370))));
 let _e2375 = (262147i + _e2374);
 let _e2377 = select(_e1940, _e2375, (_e2375 < _e1940));
-let _e2383 = global_4.member[bitcast<u32>(select(0i, _e2377, (_e2377 > 0i)))];
+let _e2383 = global_3.member[bitcast<u32>(select(0i, _e2377, (_e2377 > 0i)))];
 let _e2398 = ((_e2117 + (f32(bitcast<i32>((_e2383 >> bitcast<u32>(12u)))) * _e2126)) + ((f32((bitcast<i32>((_e2383 & 4095u)) - 2048i)) * _e2107) * (_e2359 - f32(_e2374))));
 local_16 = _e1924;
 let _e2399 = local_16;
@@ -981,7 +981,7 @@ let _e2441 = select(0i, select(select(i32(_e2434), i32(-2147483648), (_e2434 < -
 let _e2445 = (_e2441 - select(0i, 1i, (_e2434 < f32(_e2441))));
 let _e2446 = (262147i + _e2445);
 let _e2448 = select(_e1940, _e2446, (_e2446 < _e1940));
-let _e2454 = global_4.member[bitcast<u32>(select(0i, _e2448, (_e2448 > 0i)))];
+let _e2454 = global_3.member[bitcast<u32>(select(0i, _e2448, (_e2448 > 0i)))];
 let _e2469 = ((_e2117 + (f32(bitcast<i32>((_e2454 >> bitcast<u32>(12u)))) * _e2126)) + ((f32((bitcast<i32>((_e2454 & 4095u)) - 2048i)) * _e2107) * (_e2430 - f32(_e2445))));
 local_14 = _e1930;
 let _e2470 = local_14;
@@ -1005,7 +1005,7 @@ let _e2512 = select(0i, select(select(i32(_e2505), i32(-2147483648), (_e2505 < -
 let _e2516 = (_e2512 - select(0i, 1i, (_e2505 < f32(_e2512))));
 let _e2517 = (262147i + _e2516);
 let _e2519 = select(_e1940, _e2517, (_e2517 < _e1940));
-let _e2525 = global_4.member[bitcast<u32>(select(0i, _e2519, (_e2519 > 0i)))];
+let _e2525 = global_3.member[bitcast<u32>(select(0i, _e2519, (_e2519 > 0i)))];
 let _e2540 = ((_e2117 + (f32(bitcast<i32>((_e2525 >> bitcast<u32>(12u)))) * _e2126)) + ((f32((bitcast<i32>((_e2525 & 4095u)) - 2048i)) * _e2107) * (_e2501 - f32(_e2516))));
 local_12 = _e1936;
 let _e2541 = local_12;
@@ -1029,7 +1029,7 @@ let _e2583 = select(0i, select(select(i32(_e2576), i32(-2147483648), (_e2576 < -
 let _e2587 = (_e2583 - select(0i, 1i, (_e2576 < f32(_e2583))));
 let _e2588 = (262147i + _e2587);
 let _e2590 = select(_e1940, _e2588, (_e2588 < _e1940));
-let _e2596 = global_4.member[bitcast<u32>(select(0i, _e2590, (_e2590 > 0i)))];
+let _e2596 = global_3.member[bitcast<u32>(select(0i, _e2590, (_e2590 > 0i)))];
 let _e2611 = ((_e2117 + (f32(bitcast<i32>((_e2596 >> bitcast<u32>(12u)))) * _e2126)) + ((f32((bitcast<i32>((_e2596 & 4095u)) - 2048i)) * _e2107) * (_e2572 - f32(_e2587))));
 let _e2612 = (_e2327 - _e2256);
 let _e2614 = (_e2469 - _e2398);
@@ -1090,31 +1090,31 @@ let _e2899 = (select(0i, _e2830, (_e2830 > 0i)) * _e2849);
 let _e2900 = (select(_e2861, _e2864, (_e2864 < _e2861)) * _e2849);
 let _e2901 = (select(0i, _e2845, (_e2845 > 0i)) * _e2853);
 let _e2902 = (select(_e2874, _e2877, (_e2877 < _e2874)) * _e2853);
-local_10 = type_31(array<i32, 4>(select(0i, _e2888, (_e2888 > 0i)), select(0i, _e2815, (_e2815 > 0i)), select(_e2887, _e2893, (_e2893 < _e2887)), select(_e2887, _e2896, (_e2896 < _e2887))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_10 = type_29(array<i32, 4>(select(0i, _e2888, (_e2888 > 0i)), select(0i, _e2815, (_e2815 > 0i)), select(_e2887, _e2893, (_e2893 < _e2887)), select(_e2887, _e2896, (_e2896 < _e2887))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_11 = vec3<f32>((_e2780 - f32(_e2815)), (_e2790 - f32(_e2830)), (_e2800 - f32(_e2845)));
 let _e2913 = (_e2901 + _e2899);
 let _e2916 = local_10.member[1u];
 let _e2917 = (_e2913 + _e2916);
 let _e2919 = (bitcast<i32>(_e158) - 1i);
 let _e2921 = select(_e2919, _e2917, (_e2917 < _e2919));
-let _e2926 = global_3.member[bitcast<u32>(select(0i, _e2921, (_e2921 > 0i)))];
+let _e2926 = global_2.member[bitcast<u32>(select(0i, _e2921, (_e2921 > 0i)))];
 let _e2927 = bitcast<f32>(_e2926);
 let _e2930 = local_10.member[2u];
 let _e2931 = (_e2913 + _e2930);
 let _e2933 = select(_e2919, _e2931, (_e2931 < _e2919));
-let _e2938 = global_3.member[bitcast<u32>(select(0i, _e2933, (_e2933 > 0i)))];
+let _e2938 = global_2.member[bitcast<u32>(select(0i, _e2933, (_e2933 > 0i)))];
 let _e2940 = local_11[0u];
 let _e2943 = (_e2927 + ((bitcast<f32>(_e2938) - _e2927) * _e2940));
 let _e2944 = (_e2901 + _e2900);
 let _e2945 = local_10.member[1u];
 let _e2946 = (_e2944 + _e2945);
 let _e2948 = select(_e2919, _e2946, (_e2946 < _e2919));
-let _e2953 = global_3.member[bitcast<u32>(select(0i, _e2948, (_e2948 > 0i)))];
+let _e2953 = global_2.member[bitcast<u32>(select(0i, _e2948, (_e2948 > 0i)))];
 let _e2954 = bitcast<f32>(_e2953);
 let _e2955 = local_10.member[2u];
 let _e2956 = (_e2944 + _e2955);
 let _e2958 = select(_e2919, _e2956, (_e2956 < _e2919));
-let _e2963 = global_3.member[bitcast<u32>(select(0i, _e2958, (_e2958 > 0i)))];
+let _e2963 = global_2.member[bitcast<u32>(select(0i, _e2958, (_e2958 > 0i)))];
 let _e2965 = local_11[0u];
 let _e2970 = local_11[1u];
 let _e2973 = (_e2943 + (((_e2954 + ((bitcast<f32>(_e2963) - _e2954) * _e2965)) - _e2943) * _e2970));
@@ -1122,24 +1122,24 @@ let _e2974 = (_e2902 + _e2899);
 let _e2975 = local_10.member[1u];
 let _e2976 = (_e2974 + _e2975);
 let _e2978 = select(_e2919, _e2976, (_e2976 < _e2919));
-let _e2983 = global_3.member[bitcast<u32>(select(0i, _e2978, (_e2978 > 0i)))];
+let _e2983 = global_2.member[bitcast<u32>(select(0i, _e2978, (_e2978 > 0i)))];
 let _e2984 = bitcast<f32>(_e2983);
 let _e2985 = local_10.member[2u];
 let _e2986 = (_e2974 + _e2985);
 let _e2988 = select(_e2919, _e2986, (_e2986 < _e2919));
-let _e2993 = global_3.member[bitcast<u32>(select(0i, _e2988, (_e2988 > 0i)))];
+let _e2993 = global_2.member[bitcast<u32>(select(0i, _e2988, (_e2988 > 0i)))];
 let _e2995 = local_11[0u];
 let _e2998 = (_e2984 + ((bitcast<f32>(_e2993) - _e2984) * _e2995));
 let _e2999 = (_e2902 + _e2900);
 let _e3000 = local_10.member[1u];
 let _e3001 = (_e2999 + _e3000);
 let _e3003 = select(_e2919, _e3001, (_e3001 < _e2919));
-let _e3008 = global_3.member[bitcast<u32>(select(0i, _e3003, (_e3003 > 0i)))];
+let _e3008 = global_2.member[bitcast<u32>(select(0i, _e3003, (_e3003 > 0i)))];
 let _e3009 = bitcast<f32>(_e3008);
 let _e3010 = local_10.member[2u];
 let _e3011 = (_e2999 + _e3010);
 let _e3013 = select(_e2919, _e3011, (_e3011 < _e2919));
-let _e3018 = global_3.member[bitcast<u32>(select(0i, _e3013, (_e3013 > 0i)))];
+let _e3018 = global_2.member[bitcast<u32>(select(0i, _e3013, (_e3013 > 0i)))];
 let _e3020 = local_11[0u];
 let _e3024 = local_11[1u];
 let _e3029 = local_11[2u];
@@ -1189,31 +1189,31 @@ let _e3179 = (select(0i, _e3110, (_e3110 > 0i)) * _e3129);
 let _e3180 = (select(_e3141, _e3144, (_e3144 < _e3141)) * _e3129);
 let _e3181 = (select(0i, _e3125, (_e3125 > 0i)) * _e3133);
 let _e3182 = (select(_e3154, _e3157, (_e3157 < _e3154)) * _e3133);
-local_8 = type_31(array<i32, 4>(select(0i, _e3168, (_e3168 > 0i)), select(0i, _e3095, (_e3095 > 0i)), select(_e3167, _e3173, (_e3173 < _e3167)), select(_e3167, _e3176, (_e3176 < _e3167))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_8 = type_29(array<i32, 4>(select(0i, _e3168, (_e3168 > 0i)), select(0i, _e3095, (_e3095 > 0i)), select(_e3167, _e3173, (_e3173 < _e3167)), select(_e3167, _e3176, (_e3176 < _e3167))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_9 = vec3<f32>((_e3060 - f32(_e3095)), (_e3070 - f32(_e3110)), (_e3080 - f32(_e3125)));
 let _e3193 = (_e3181 + _e3179);
 let _e3196 = local_8.member[1u];
 let _e3197 = (_e3193 + _e3196);
 let _e3199 = (bitcast<i32>(_e158) - 1i);
 let _e3201 = select(_e3199, _e3197, (_e3197 < _e3199));
-let _e3206 = global_3.member[bitcast<u32>(select(0i, _e3201, (_e3201 > 0i)))];
+let _e3206 = global_2.member[bitcast<u32>(select(0i, _e3201, (_e3201 > 0i)))];
 let _e3207 = bitcast<f32>(_e3206);
 let _e3210 = local_8.member[2u];
 let _e3211 = (_e3193 + _e3210);
 let _e3213 = select(_e3199, _e3211, (_e3211 < _e3199));
-let _e3218 = global_3.member[bitcast<u32>(select(0i, _e3213, (_e3213 > 0i)))];
+let _e3218 = global_2.member[bitcast<u32>(select(0i, _e3213, (_e3213 > 0i)))];
 let _e3220 = local_9[0u];
 let _e3223 = (_e3207 + ((bitcast<f32>(_e3218) - _e3207) * _e3220));
 let _e3224 = (_e3181 + _e3180);
 let _e3225 = local_8.member[1u];
 let _e3226 = (_e3224 + _e3225);
 let _e3228 = select(_e3199, _e3226, (_e3226 < _e3199));
-let _e3233 = global_3.member[bitcast<u32>(select(0i, _e3228, (_e3228 > 0i)))];
+let _e3233 = global_2.member[bitcast<u32>(select(0i, _e3228, (_e3228 > 0i)))];
 let _e3234 = bitcast<f32>(_e3233);
 let _e3235 = local_8.member[2u];
 let _e3236 = (_e3224 + _e3235);
 let _e3238 = select(_e3199, _e3236, (_e3236 < _e3199));
-let _e3243 = global_3.member[bitcast<u32>(select(0i, _e3238, (_e3238 > 0i)))];
+let _e3243 = global_2.member[bitcast<u32>(select(0i, _e3238, (_e3238 > 0i)))];
 let _e3245 = local_9[0u];
 let _e3250 = local_9[1u];
 let _e3253 = (_e3223 + (((_e3234 + ((bitcast<f32>(_e3243) - _e3234) * _e3245)) - _e3223) * _e3250));
@@ -1221,24 +1221,24 @@ let _e3254 = (_e3182 + _e3179);
 let _e3255 = local_8.member[1u];
 let _e3256 = (_e3254 + _e3255);
 let _e3258 = select(_e3199, _e3256, (_e3256 < _e3199));
-let _e3263 = global_3.member[bitcast<u32>(select(0i, _e3258, (_e3258 > 0i)))];
+let _e3263 = global_2.member[bitcast<u32>(select(0i, _e3258, (_e3258 > 0i)))];
 let _e3264 = bitcast<f32>(_e3263);
 let _e3265 = local_8.member[2u];
 let _e3266 = (_e3254 + _e3265);
 let _e3268 = select(_e3199, _e3266, (_e3266 < _e3199));
-let _e3273 = global_3.member[bitcast<u32>(select(0i, _e3268, (_e3268 > 0i)))];
+let _e3273 = global_2.member[bitcast<u32>(select(0i, _e3268, (_e3268 > 0i)))];
 let _e3275 = local_9[0u];
 let _e3278 = (_e3264 + ((bitcast<f32>(_e3273) - _e3264) * _e3275));
 let _e3279 = (_e3182 + _e3180);
 let _e3280 = local_8.member[1u];
 let _e3281 = (_e3279 + _e3280);
 let _e3283 = select(_e3199, _e3281, (_e3281 < _e3199));
-let _e3288 = global_3.member[bitcast<u32>(select(0i, _e3283, (_e3283 > 0i)))];
+let _e3288 = global_2.member[bitcast<u32>(select(0i, _e3283, (_e3283 > 0i)))];
 let _e3289 = bitcast<f32>(_e3288);
 let _e3290 = local_8.member[2u];
 let _e3291 = (_e3279 + _e3290);
 let _e3293 = select(_e3199, _e3291, (_e3291 < _e3199));
-let _e3298 = global_3.member[bitcast<u32>(select(0i, _e3293, (_e3293 > 0i)))];
+let _e3298 = global_2.member[bitcast<u32>(select(0i, _e3293, (_e3293 > 0i)))];
 let _e3300 = local_9[0u];
 let _e3304 = local_9[1u];
 let _e3309 = local_9[2u];
@@ -1251,7 +1251,7 @@ let _e3327 = select(1e9f, _e3325, (_e3325 < 1e9f));
 let _e3330 = global_1.member.member_1;
 let _e3332 = ((_e3330 & 16u) == 0u);
 if _e3332 {
-phi_8532_ = type_5(1f, 1f, 1f);
+phi_8532_ = type_7(1f, 1f, 1f);
 } else {
 let _e3336 = global_1.member.member_14.member;
 let _e3347 = ((((_e3336.member.member * _e1127) + (_e3336.member.member_1 * _e1140)) + (_e3336.member.member_2 * _e1105)) + _e3336.member_1);
@@ -1297,7 +1297,7 @@ let _e3514 = select(0f, _e3512, (_e3512 > 0f));
 let _e3520 = select(select(select(1f, _e3514, (_e3514 < 1f)), 1f, (_e3507 <= 0f)), 0f, (_e3505 > 0f));
 let _e3525 = global_1.member.member_17.member_1;
 let _e3526 = (_e3525 != 0u);
-phi_8532_ = type_5(((((1f * _e3370) * _e3420) * _e3470) * _e3520), ((((1f * select(1f, _e3370, _e3376)) * select(1f, _e3420, _e3426)) * select(1f, _e3470, _e3476)) * select(1f, _e3520, _e3526)), ((((1f * select(1f, 0f, (_e3376 && (_e3353 > 0f)))) * select(1f, 0f, (_e3426 && (_e3403 > 0f)))) * select(1f, 0f, (_e3476 && (_e3453 > 0f)))) * select(1f, 0f, (_e3526 && (_e3503 > 0f)))));
+phi_8532_ = type_7(((((1f * _e3370) * _e3420) * _e3470) * _e3520), ((((1f * select(1f, _e3370, _e3376)) * select(1f, _e3420, _e3426)) * select(1f, _e3470, _e3476)) * select(1f, _e3520, _e3526)), ((((1f * select(1f, 0f, (_e3376 && (_e3353 > 0f)))) * select(1f, 0f, (_e3426 && (_e3403 > 0f)))) * select(1f, 0f, (_e3476 && (_e3453 > 0f)))) * select(1f, 0f, (_e3526 && (_e3503 > 0f)))));
 }
 let _e3535 = phi_8532_;
 let _e3536 = (_e1206 - _e1170);
@@ -1350,97 +1350,97 @@ local_7 = _e3327;
 let _e3656 = local_7;
 let _e3658 = (bitcast<i32>(_e163) - 1i);
 let _e3660 = select(_e3658, 263171i, (263171i < _e3658));
-let _e3665 = global_4.member[bitcast<u32>(select(0i, _e3660, (_e3660 > 0i)))];
+let _e3665 = global_3.member[bitcast<u32>(select(0i, _e3660, (_e3660 > 0i)))];
 let _e3666 = bitcast<f32>(_e3665);
 let _e3668 = select(_e3658, 263172i, (263172i < _e3658));
-let _e3673 = global_4.member[bitcast<u32>(select(0i, _e3668, (_e3668 > 0i)))];
+let _e3673 = global_3.member[bitcast<u32>(select(0i, _e3668, (_e3668 > 0i)))];
 let _e3674 = bitcast<f32>(_e3673);
 let _e3676 = select(_e3658, 263173i, (263173i < _e3658));
-let _e3681 = global_4.member[bitcast<u32>(select(0i, _e3676, (_e3676 > 0i)))];
+let _e3681 = global_3.member[bitcast<u32>(select(0i, _e3676, (_e3676 > 0i)))];
 let _e3682 = bitcast<f32>(_e3681);
 let _e3684 = ((_e3656 - _e3666) * _e3674);
 let _e3686 = select(0f, _e3684, (_e3684 > 0f));
 let _e3689 = local_7;
 let _e3691 = select(_e3658, 263174i, (263174i < _e3658));
-let _e3696 = global_4.member[bitcast<u32>(select(0i, _e3691, (_e3691 > 0i)))];
+let _e3696 = global_3.member[bitcast<u32>(select(0i, _e3691, (_e3691 > 0i)))];
 let _e3697 = bitcast<f32>(_e3696);
 let _e3699 = select(_e3658, 263175i, (263175i < _e3658));
-let _e3704 = global_4.member[bitcast<u32>(select(0i, _e3699, (_e3699 > 0i)))];
+let _e3704 = global_3.member[bitcast<u32>(select(0i, _e3699, (_e3699 > 0i)))];
 let _e3705 = bitcast<f32>(_e3704);
 let _e3707 = select(_e3658, 263176i, (263176i < _e3658));
-let _e3712 = global_4.member[bitcast<u32>(select(0i, _e3707, (_e3707 > 0i)))];
+let _e3712 = global_3.member[bitcast<u32>(select(0i, _e3707, (_e3707 > 0i)))];
 let _e3713 = bitcast<f32>(_e3712);
 let _e3715 = ((_e3689 - _e3697) * _e3705);
 let _e3717 = select(0f, _e3715, (_e3715 > 0f));
 let _e3721 = local_7;
 let _e3723 = select(_e3658, 263177i, (263177i < _e3658));
-let _e3728 = global_4.member[bitcast<u32>(select(0i, _e3723, (_e3723 > 0i)))];
+let _e3728 = global_3.member[bitcast<u32>(select(0i, _e3723, (_e3723 > 0i)))];
 let _e3729 = bitcast<f32>(_e3728);
 let _e3731 = select(_e3658, 263178i, (263178i < _e3658));
-let _e3736 = global_4.member[bitcast<u32>(select(0i, _e3731, (_e3731 > 0i)))];
+let _e3736 = global_3.member[bitcast<u32>(select(0i, _e3731, (_e3731 > 0i)))];
 let _e3737 = bitcast<f32>(_e3736);
 let _e3739 = select(_e3658, 263179i, (263179i < _e3658));
-let _e3744 = global_4.member[bitcast<u32>(select(0i, _e3739, (_e3739 > 0i)))];
+let _e3744 = global_3.member[bitcast<u32>(select(0i, _e3739, (_e3739 > 0i)))];
 let _e3745 = bitcast<f32>(_e3744);
 let _e3747 = ((_e3721 - _e3729) * _e3737);
 let _e3749 = select(0f, _e3747, (_e3747 > 0f));
 let _e3752 = local_7;
 let _e3754 = select(_e3658, 263180i, (263180i < _e3658));
-let _e3759 = global_4.member[bitcast<u32>(select(0i, _e3754, (_e3754 > 0i)))];
+let _e3759 = global_3.member[bitcast<u32>(select(0i, _e3754, (_e3754 > 0i)))];
 let _e3760 = bitcast<f32>(_e3759);
 let _e3762 = select(_e3658, 263181i, (263181i < _e3658));
-let _e3767 = global_4.member[bitcast<u32>(select(0i, _e3762, (_e3762 > 0i)))];
+let _e3767 = global_3.member[bitcast<u32>(select(0i, _e3762, (_e3762 > 0i)))];
 let _e3768 = bitcast<f32>(_e3767);
 let _e3770 = select(_e3658, 263182i, (263182i < _e3658));
-let _e3775 = global_4.member[bitcast<u32>(select(0i, _e3770, (_e3770 > 0i)))];
+let _e3775 = global_3.member[bitcast<u32>(select(0i, _e3770, (_e3770 > 0i)))];
 let _e3776 = bitcast<f32>(_e3775);
 let _e3778 = ((_e3752 - _e3760) * _e3768);
 let _e3780 = select(0f, _e3778, (_e3778 > 0f));
 let _e3785 = local_7;
 let _e3787 = select(_e3658, 263183i, (263183i < _e3658));
-let _e3792 = global_4.member[bitcast<u32>(select(0i, _e3787, (_e3787 > 0i)))];
+let _e3792 = global_3.member[bitcast<u32>(select(0i, _e3787, (_e3787 > 0i)))];
 let _e3793 = bitcast<f32>(_e3792);
 let _e3795 = select(_e3658, 263184i, (263184i < _e3658));
-let _e3800 = global_4.member[bitcast<u32>(select(0i, _e3795, (_e3795 > 0i)))];
+let _e3800 = global_3.member[bitcast<u32>(select(0i, _e3795, (_e3795 > 0i)))];
 let _e3801 = bitcast<f32>(_e3800);
 let _e3803 = select(_e3658, 263185i, (263185i < _e3658));
-let _e3808 = global_4.member[bitcast<u32>(select(0i, _e3803, (_e3803 > 0i)))];
+let _e3808 = global_3.member[bitcast<u32>(select(0i, _e3803, (_e3803 > 0i)))];
 let _e3809 = bitcast<f32>(_e3808);
 let _e3811 = ((_e3785 - _e3793) * _e3801);
 let _e3813 = select(0f, _e3811, (_e3811 > 0f));
 let _e3816 = local_7;
 let _e3818 = select(_e3658, 263186i, (263186i < _e3658));
-let _e3823 = global_4.member[bitcast<u32>(select(0i, _e3818, (_e3818 > 0i)))];
+let _e3823 = global_3.member[bitcast<u32>(select(0i, _e3818, (_e3818 > 0i)))];
 let _e3824 = bitcast<f32>(_e3823);
 let _e3826 = select(_e3658, 263187i, (263187i < _e3658));
-let _e3831 = global_4.member[bitcast<u32>(select(0i, _e3826, (_e3826 > 0i)))];
+let _e3831 = global_3.member[bitcast<u32>(select(0i, _e3826, (_e3826 > 0i)))];
 let _e3832 = bitcast<f32>(_e3831);
 let _e3834 = select(_e3658, 263188i, (263188i < _e3658));
-let _e3839 = global_4.member[bitcast<u32>(select(0i, _e3834, (_e3834 > 0i)))];
+let _e3839 = global_3.member[bitcast<u32>(select(0i, _e3834, (_e3834 > 0i)))];
 let _e3840 = bitcast<f32>(_e3839);
 let _e3842 = ((_e3816 - _e3824) * _e3832);
 let _e3844 = select(0f, _e3842, (_e3842 > 0f));
 let _e3848 = local_7;
 let _e3850 = select(_e3658, 263189i, (263189i < _e3658));
-let _e3855 = global_4.member[bitcast<u32>(select(0i, _e3850, (_e3850 > 0i)))];
+let _e3855 = global_3.member[bitcast<u32>(select(0i, _e3850, (_e3850 > 0i)))];
 let _e3856 = bitcast<f32>(_e3855);
 let _e3858 = select(_e3658, 263190i, (263190i < _e3658));
-let _e3863 = global_4.member[bitcast<u32>(select(0i, _e3858, (_e3858 > 0i)))];
+let _e3863 = global_3.member[bitcast<u32>(select(0i, _e3858, (_e3858 > 0i)))];
 let _e3864 = bitcast<f32>(_e3863);
 let _e3866 = select(_e3658, 263191i, (263191i < _e3658));
-let _e3871 = global_4.member[bitcast<u32>(select(0i, _e3866, (_e3866 > 0i)))];
+let _e3871 = global_3.member[bitcast<u32>(select(0i, _e3866, (_e3866 > 0i)))];
 let _e3872 = bitcast<f32>(_e3871);
 let _e3874 = ((_e3848 - _e3856) * _e3864);
 let _e3876 = select(0f, _e3874, (_e3874 > 0f));
 let _e3879 = local_7;
 let _e3881 = select(_e3658, 263192i, (263192i < _e3658));
-let _e3886 = global_4.member[bitcast<u32>(select(0i, _e3881, (_e3881 > 0i)))];
+let _e3886 = global_3.member[bitcast<u32>(select(0i, _e3881, (_e3881 > 0i)))];
 let _e3887 = bitcast<f32>(_e3886);
 let _e3889 = select(_e3658, 263193i, (263193i < _e3658));
-let _e3894 = global_4.member[bitcast<u32>(select(0i, _e3889, (_e3889 > 0i)))];
+let _e3894 = global_3.member[bitcast<u32>(select(0i, _e3889, (_e3889 > 0i)))];
 let _e3895 = bitcast<f32>(_e3894);
 let _e3897 = select(_e3658, 263194i, (263194i < _e3658));
-let _e3902 = global_4.member[bitcast<u32>(select(0i, _e3897, (_e3897 > 0i)))];
+let _e3902 = global_3.member[bitcast<u32>(select(0i, _e3897, (_e3897 > 0i)))];
 let _e3903 = bitcast<f32>(_e3902);
 let _e3905 = ((_e3879 - _e3887) * _e3895);
 let _e3907 = select(0f, _e3905, (_e3905 > 0f));
@@ -1481,10 +1481,10 @@ let _e3995 = select(_e3976, _e3993, (_e3993 < _e3976));
 let _e4002 = select(0i, select(select(i32(_e3995), i32(-2147483648), (_e3995 < -2147483600f)), 2147483647i, (_e3995 > 2147483500f)), (_e3995 == _e3995));
 let _e4006 = (_e4002 - select(0i, 1i, (_e3995 < f32(_e4002))));
 let _e4008 = select(_e3658, 263195i, (263195i < _e3658));
-let _e4014 = global_4.member[bitcast<u32>(select(0i, _e4008, (_e4008 > 0i)))];
+let _e4014 = global_3.member[bitcast<u32>(select(0i, _e4008, (_e4008 > 0i)))];
 let _e4015 = bitcast<f32>(_e4014);
 let _e4017 = select(_e3658, 263196i, (263196i < _e3658));
-let _e4023 = global_4.member[bitcast<u32>(select(0i, _e4017, (_e4017 > 0i)))];
+let _e4023 = global_3.member[bitcast<u32>(select(0i, _e4017, (_e4017 > 0i)))];
 let _e4024 = bitcast<f32>(_e4023);
 let _e4025 = (_e3050.member - _e3327);
 let _e4031 = (1f / select(_e4025, 1f, (bitcast<f32>((bitcast<u32>(_e4025) & 2147483647u)) < 1e-20f)));
@@ -1493,20 +1493,20 @@ let _e4043 = ((select(_e4024, _e3050.member, (_e3050.member > _e4024)) - select(
 let _e4046 = (((_e3991 * 256i) + _e4006) * 4i);
 let _e4050 = (_e3975 - f32(_e4006));
 let _e4054 = select(_e3658, _e4046, (_e4046 < _e3658));
-let _e4060 = global_4.member[bitcast<u32>(select(0i, _e4054, (_e4054 > 0i)))];
+let _e4060 = global_3.member[bitcast<u32>(select(0i, _e4054, (_e4054 > 0i)))];
 let _e4061 = (_e4046 + 4i);
 let _e4063 = select(_e3658, _e4061, (_e4061 < _e3658));
-let _e4069 = global_4.member[bitcast<u32>(select(0i, _e4063, (_e4063 > 0i)))];
+let _e4069 = global_3.member[bitcast<u32>(select(0i, _e4063, (_e4063 > 0i)))];
 let _e4070 = (_e4046 + 1024i);
 let _e4072 = select(_e3658, _e4070, (_e4070 < _e3658));
-let _e4078 = global_4.member[bitcast<u32>(select(0i, _e4072, (_e4072 > 0i)))];
+let _e4078 = global_3.member[bitcast<u32>(select(0i, _e4072, (_e4072 > 0i)))];
 let _e4079 = (_e4046 + 1028i);
 let _e4081 = select(_e3658, _e4079, (_e4079 < _e3658));
-let _e4087 = global_4.member[bitcast<u32>(select(0i, _e4081, (_e4081 > 0i)))];
+let _e4087 = global_3.member[bitcast<u32>(select(0i, _e4081, (_e4081 > 0i)))];
 let _e4089 = select(_e3658, 0i, (0i < _e3658));
-let _e4095 = global_4.member[bitcast<u32>(select(0i, _e4089, (_e4089 > 0i)))];
+let _e4095 = global_3.member[bitcast<u32>(select(0i, _e4089, (_e4089 > 0i)))];
 let _e4097 = select(_e3658, 262140i, (262140i < _e3658));
-let _e4103 = global_4.member[bitcast<u32>(select(0i, _e4097, (_e4097 > 0i)))];
+let _e4103 = global_3.member[bitcast<u32>(select(0i, _e4097, (_e4097 > 0i)))];
 let _e4108 = (bitcast<f32>(((_e4060 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4116 = (_e4108 + (((bitcast<f32>(((_e4069 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4108) * _e4050));
 let _e4121 = (bitcast<f32>(((_e4078 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1529,97 +1529,97 @@ local_5 = _e3327;
 let _e4206 = local_5;
 let _e4208 = (bitcast<i32>(_e163) - 1i);
 let _e4210 = select(_e4208, 263171i, (263171i < _e4208));
-let _e4215 = global_4.member[bitcast<u32>(select(0i, _e4210, (_e4210 > 0i)))];
+let _e4215 = global_3.member[bitcast<u32>(select(0i, _e4210, (_e4210 > 0i)))];
 let _e4216 = bitcast<f32>(_e4215);
 let _e4218 = select(_e4208, 263172i, (263172i < _e4208));
-let _e4223 = global_4.member[bitcast<u32>(select(0i, _e4218, (_e4218 > 0i)))];
+let _e4223 = global_3.member[bitcast<u32>(select(0i, _e4218, (_e4218 > 0i)))];
 let _e4224 = bitcast<f32>(_e4223);
 let _e4226 = select(_e4208, 263173i, (263173i < _e4208));
-let _e4231 = global_4.member[bitcast<u32>(select(0i, _e4226, (_e4226 > 0i)))];
+let _e4231 = global_3.member[bitcast<u32>(select(0i, _e4226, (_e4226 > 0i)))];
 let _e4232 = bitcast<f32>(_e4231);
 let _e4234 = ((_e4206 - _e4216) * _e4224);
 let _e4236 = select(0f, _e4234, (_e4234 > 0f));
 let _e4239 = local_5;
 let _e4241 = select(_e4208, 263174i, (263174i < _e4208));
-let _e4246 = global_4.member[bitcast<u32>(select(0i, _e4241, (_e4241 > 0i)))];
+let _e4246 = global_3.member[bitcast<u32>(select(0i, _e4241, (_e4241 > 0i)))];
 let _e4247 = bitcast<f32>(_e4246);
 let _e4249 = select(_e4208, 263175i, (263175i < _e4208));
-let _e4254 = global_4.member[bitcast<u32>(select(0i, _e4249, (_e4249 > 0i)))];
+let _e4254 = global_3.member[bitcast<u32>(select(0i, _e4249, (_e4249 > 0i)))];
 let _e4255 = bitcast<f32>(_e4254);
 let _e4257 = select(_e4208, 263176i, (263176i < _e4208));
-let _e4262 = global_4.member[bitcast<u32>(select(0i, _e4257, (_e4257 > 0i)))];
+let _e4262 = global_3.member[bitcast<u32>(select(0i, _e4257, (_e4257 > 0i)))];
 let _e4263 = bitcast<f32>(_e4262);
 let _e4265 = ((_e4239 - _e4247) * _e4255);
 let _e4267 = select(0f, _e4265, (_e4265 > 0f));
 let _e4271 = local_5;
 let _e4273 = select(_e4208, 263177i, (263177i < _e4208));
-let _e4278 = global_4.member[bitcast<u32>(select(0i, _e4273, (_e4273 > 0i)))];
+let _e4278 = global_3.member[bitcast<u32>(select(0i, _e4273, (_e4273 > 0i)))];
 let _e4279 = bitcast<f32>(_e4278);
 let _e4281 = select(_e4208, 263178i, (263178i < _e4208));
-let _e4286 = global_4.member[bitcast<u32>(select(0i, _e4281, (_e4281 > 0i)))];
+let _e4286 = global_3.member[bitcast<u32>(select(0i, _e4281, (_e4281 > 0i)))];
 let _e4287 = bitcast<f32>(_e4286);
 let _e4289 = select(_e4208, 263179i, (263179i < _e4208));
-let _e4294 = global_4.member[bitcast<u32>(select(0i, _e4289, (_e4289 > 0i)))];
+let _e4294 = global_3.member[bitcast<u32>(select(0i, _e4289, (_e4289 > 0i)))];
 let _e4295 = bitcast<f32>(_e4294);
 let _e4297 = ((_e4271 - _e4279) * _e4287);
 let _e4299 = select(0f, _e4297, (_e4297 > 0f));
 let _e4302 = local_5;
 let _e4304 = select(_e4208, 263180i, (263180i < _e4208));
-let _e4309 = global_4.member[bitcast<u32>(select(0i, _e4304, (_e4304 > 0i)))];
+let _e4309 = global_3.member[bitcast<u32>(select(0i, _e4304, (_e4304 > 0i)))];
 let _e4310 = bitcast<f32>(_e4309);
 let _e4312 = select(_e4208, 263181i, (263181i < _e4208));
-let _e4317 = global_4.member[bitcast<u32>(select(0i, _e4312, (_e4312 > 0i)))];
+let _e4317 = global_3.member[bitcast<u32>(select(0i, _e4312, (_e4312 > 0i)))];
 let _e4318 = bitcast<f32>(_e4317);
 let _e4320 = select(_e4208, 263182i, (263182i < _e4208));
-let _e4325 = global_4.member[bitcast<u32>(select(0i, _e4320, (_e4320 > 0i)))];
+let _e4325 = global_3.member[bitcast<u32>(select(0i, _e4320, (_e4320 > 0i)))];
 let _e4326 = bitcast<f32>(_e4325);
 let _e4328 = ((_e4302 - _e4310) * _e4318);
 let _e4330 = select(0f, _e4328, (_e4328 > 0f));
 let _e4335 = local_5;
 let _e4337 = select(_e4208, 263183i, (263183i < _e4208));
-let _e4342 = global_4.member[bitcast<u32>(select(0i, _e4337, (_e4337 > 0i)))];
+let _e4342 = global_3.member[bitcast<u32>(select(0i, _e4337, (_e4337 > 0i)))];
 let _e4343 = bitcast<f32>(_e4342);
 let _e4345 = select(_e4208, 263184i, (263184i < _e4208));
-let _e4350 = global_4.member[bitcast<u32>(select(0i, _e4345, (_e4345 > 0i)))];
+let _e4350 = global_3.member[bitcast<u32>(select(0i, _e4345, (_e4345 > 0i)))];
 let _e4351 = bitcast<f32>(_e4350);
 let _e4353 = select(_e4208, 263185i, (263185i < _e4208));
-let _e4358 = global_4.member[bitcast<u32>(select(0i, _e4353, (_e4353 > 0i)))];
+let _e4358 = global_3.member[bitcast<u32>(select(0i, _e4353, (_e4353 > 0i)))];
 let _e4359 = bitcast<f32>(_e4358);
 let _e4361 = ((_e4335 - _e4343) * _e4351);
 let _e4363 = select(0f, _e4361, (_e4361 > 0f));
 let _e4366 = local_5;
 let _e4368 = select(_e4208, 263186i, (263186i < _e4208));
-let _e4373 = global_4.member[bitcast<u32>(select(0i, _e4368, (_e4368 > 0i)))];
+let _e4373 = global_3.member[bitcast<u32>(select(0i, _e4368, (_e4368 > 0i)))];
 let _e4374 = bitcast<f32>(_e4373);
 let _e4376 = select(_e4208, 263187i, (263187i < _e4208));
-let _e4381 = global_4.member[bitcast<u32>(select(0i, _e4376, (_e4376 > 0i)))];
+let _e4381 = global_3.member[bitcast<u32>(select(0i, _e4376, (_e4376 > 0i)))];
 let _e4382 = bitcast<f32>(_e4381);
 let _e4384 = select(_e4208, 263188i, (263188i < _e4208));
-let _e4389 = global_4.member[bitcast<u32>(select(0i, _e4384, (_e4384 > 0i)))];
+let _e4389 = global_3.member[bitcast<u32>(select(0i, _e4384, (_e4384 > 0i)))];
 let _e4390 = bitcast<f32>(_e4389);
 let _e4392 = ((_e4366 - _e4374) * _e4382);
 let _e4394 = select(0f, _e4392, (_e4392 > 0f));
 let _e4398 = local_5;
 let _e4400 = select(_e4208, 263189i, (263189i < _e4208));
-let _e4405 = global_4.member[bitcast<u32>(select(0i, _e4400, (_e4400 > 0i)))];
+let _e4405 = global_3.member[bitcast<u32>(select(0i, _e4400, (_e4400 > 0i)))];
 let _e4406 = bitcast<f32>(_e4405);
 let _e4408 = select(_e4208, 263190i, (263190i < _e4208));
-let _e4413 = global_4.member[bitcast<u32>(select(0i, _e4408, (_e4408 > 0i)))];
+let _e4413 = global_3.member[bitcast<u32>(select(0i, _e4408, (_e4408 > 0i)))];
 let _e4414 = bitcast<f32>(_e4413);
 let _e4416 = select(_e4208, 263191i, (263191i < _e4208));
-let _e4421 = global_4.member[bitcast<u32>(select(0i, _e4416, (_e4416 > 0i)))];
+let _e4421 = global_3.member[bitcast<u32>(select(0i, _e4416, (_e4416 > 0i)))];
 let _e4422 = bitcast<f32>(_e4421);
 let _e4424 = ((_e4398 - _e4406) * _e4414);
 let _e4426 = select(0f, _e4424, (_e4424 > 0f));
 let _e4429 = local_5;
 let _e4431 = select(_e4208, 263192i, (263192i < _e4208));
-let _e4436 = global_4.member[bitcast<u32>(select(0i, _e4431, (_e4431 > 0i)))];
+let _e4436 = global_3.member[bitcast<u32>(select(0i, _e4431, (_e4431 > 0i)))];
 let _e4437 = bitcast<f32>(_e4436);
 let _e4439 = select(_e4208, 263193i, (263193i < _e4208));
-let _e4444 = global_4.member[bitcast<u32>(select(0i, _e4439, (_e4439 > 0i)))];
+let _e4444 = global_3.member[bitcast<u32>(select(0i, _e4439, (_e4439 > 0i)))];
 let _e4445 = bitcast<f32>(_e4444);
 let _e4447 = select(_e4208, 263194i, (263194i < _e4208));
-let _e4452 = global_4.member[bitcast<u32>(select(0i, _e4447, (_e4447 > 0i)))];
+let _e4452 = global_3.member[bitcast<u32>(select(0i, _e4447, (_e4447 > 0i)))];
 let _e4453 = bitcast<f32>(_e4452);
 let _e4455 = ((_e4429 - _e4437) * _e4445);
 let _e4457 = select(0f, _e4455, (_e4455 > 0f));
@@ -1660,10 +1660,10 @@ let _e4545 = select(_e4526, _e4543, (_e4543 < _e4526));
 let _e4552 = select(0i, select(select(i32(_e4545), i32(-2147483648), (_e4545 < -2147483600f)), 2147483647i, (_e4545 > 2147483500f)), (_e4545 == _e4545));
 let _e4556 = (_e4552 - select(0i, 1i, (_e4545 < f32(_e4552))));
 let _e4558 = select(_e4208, 263195i, (263195i < _e4208));
-let _e4564 = global_4.member[bitcast<u32>(select(0i, _e4558, (_e4558 > 0i)))];
+let _e4564 = global_3.member[bitcast<u32>(select(0i, _e4558, (_e4558 > 0i)))];
 let _e4565 = bitcast<f32>(_e4564);
 let _e4567 = select(_e4208, 263196i, (263196i < _e4208));
-let _e4573 = global_4.member[bitcast<u32>(select(0i, _e4567, (_e4567 > 0i)))];
+let _e4573 = global_3.member[bitcast<u32>(select(0i, _e4567, (_e4567 > 0i)))];
 let _e4574 = bitcast<f32>(_e4573);
 let _e4575 = (_e3050.member - _e3327);
 let _e4581 = (1f / select(_e4575, 1f, (bitcast<f32>((bitcast<u32>(_e4575) & 2147483647u)) < 1e-20f)));
@@ -1674,20 +1674,20 @@ let _e4598 = (_e4462 - f32(_e4541));
 let _e4600 = (_e4525 - f32(_e4556));
 let _e4602 = (1f - (_e4587 + _e4593));
 let _e4604 = select(_e4208, _e4596, (_e4596 < _e4208));
-let _e4610 = global_4.member[bitcast<u32>(select(0i, _e4604, (_e4604 > 0i)))];
+let _e4610 = global_3.member[bitcast<u32>(select(0i, _e4604, (_e4604 > 0i)))];
 let _e4611 = (_e4596 + 4i);
 let _e4613 = select(_e4208, _e4611, (_e4611 < _e4208));
-let _e4619 = global_4.member[bitcast<u32>(select(0i, _e4613, (_e4613 > 0i)))];
+let _e4619 = global_3.member[bitcast<u32>(select(0i, _e4613, (_e4613 > 0i)))];
 let _e4620 = (_e4596 + 1024i);
 let _e4622 = select(_e4208, _e4620, (_e4620 < _e4208));
-let _e4628 = global_4.member[bitcast<u32>(select(0i, _e4622, (_e4622 > 0i)))];
+let _e4628 = global_3.member[bitcast<u32>(select(0i, _e4622, (_e4622 > 0i)))];
 let _e4629 = (_e4596 + 1028i);
 let _e4631 = select(_e4208, _e4629, (_e4629 < _e4208));
-let _e4637 = global_4.member[bitcast<u32>(select(0i, _e4631, (_e4631 > 0i)))];
+let _e4637 = global_3.member[bitcast<u32>(select(0i, _e4631, (_e4631 > 0i)))];
 let _e4639 = select(_e4208, 0i, (0i < _e4208));
-let _e4645 = global_4.member[bitcast<u32>(select(0i, _e4639, (_e4639 > 0i)))];
+let _e4645 = global_3.member[bitcast<u32>(select(0i, _e4639, (_e4639 > 0i)))];
 let _e4647 = select(_e4208, 262140i, (262140i < _e4208));
-let _e4653 = global_4.member[bitcast<u32>(select(0i, _e4647, (_e4647 > 0i)))];
+let _e4653 = global_3.member[bitcast<u32>(select(0i, _e4647, (_e4647 > 0i)))];
 let _e4658 = (bitcast<f32>(((_e4610 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4666 = (_e4658 + (((bitcast<f32>(((_e4619 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4658) * _e4600));
 let _e4671 = (bitcast<f32>(((_e4628 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1697,20 +1697,20 @@ let _e4722 = (_e4714 + (((bitcast<f32>((((_e4619 >> bitcast<u32>(16i)) & 32767u)
 let _e4727 = (bitcast<f32>((((_e4628 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4754 = (_e4596 + 1i);
 let _e4756 = select(_e4208, _e4754, (_e4754 < _e4208));
-let _e4762 = global_4.member[bitcast<u32>(select(0i, _e4756, (_e4756 > 0i)))];
+let _e4762 = global_3.member[bitcast<u32>(select(0i, _e4756, (_e4756 > 0i)))];
 let _e4763 = (_e4596 + 5i);
 let _e4765 = select(_e4208, _e4763, (_e4763 < _e4208));
-let _e4771 = global_4.member[bitcast<u32>(select(0i, _e4765, (_e4765 > 0i)))];
+let _e4771 = global_3.member[bitcast<u32>(select(0i, _e4765, (_e4765 > 0i)))];
 let _e4772 = (_e4596 + 1025i);
 let _e4774 = select(_e4208, _e4772, (_e4772 < _e4208));
-let _e4780 = global_4.member[bitcast<u32>(select(0i, _e4774, (_e4774 > 0i)))];
+let _e4780 = global_3.member[bitcast<u32>(select(0i, _e4774, (_e4774 > 0i)))];
 let _e4781 = (_e4596 + 1029i);
 let _e4783 = select(_e4208, _e4781, (_e4781 < _e4208));
-let _e4789 = global_4.member[bitcast<u32>(select(0i, _e4783, (_e4783 > 0i)))];
+let _e4789 = global_3.member[bitcast<u32>(select(0i, _e4783, (_e4783 > 0i)))];
 let _e4791 = select(_e4208, 1i, (1i < _e4208));
-let _e4797 = global_4.member[bitcast<u32>(select(0i, _e4791, (_e4791 > 0i)))];
+let _e4797 = global_3.member[bitcast<u32>(select(0i, _e4791, (_e4791 > 0i)))];
 let _e4799 = select(_e4208, 262141i, (262141i < _e4208));
-let _e4805 = global_4.member[bitcast<u32>(select(0i, _e4799, (_e4799 > 0i)))];
+let _e4805 = global_3.member[bitcast<u32>(select(0i, _e4799, (_e4799 > 0i)))];
 let _e4810 = (bitcast<f32>(((_e4762 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4818 = (_e4810 + (((bitcast<f32>(((_e4771 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4810) * _e4600));
 let _e4823 = (bitcast<f32>(((_e4780 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2020,30 +2020,30 @@ let _e5828 = (select(0i, _e5791, (_e5791 > 0i)) * _e3129);
 let _e5829 = (select(_e3141, _e5809, (_e5809 < _e3141)) * _e3129);
 let _e5830 = (select(0i, _e5806, (_e5806 > 0i)) * _e3133);
 let _e5831 = (select(_e3154, _e5814, (_e5814 < _e3154)) * _e3133);
-local_2 = type_31(array<i32, 4>(select(0i, _e5817, (_e5817 > 0i)), select(0i, _e5776, (_e5776 > 0i)), select(_e3167, _e5822, (_e5822 < _e3167)), select(_e3167, _e5825, (_e5825 < _e3167))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_2 = type_29(array<i32, 4>(select(0i, _e5817, (_e5817 > 0i)), select(0i, _e5776, (_e5776 > 0i)), select(_e3167, _e5822, (_e5822 < _e3167)), select(_e3167, _e5825, (_e5825 < _e3167))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_3 = vec3<f32>((_e5753 - f32(_e5776)), (_e5757 - f32(_e5791)), (_e5761 - f32(_e5806)));
 let _e5842 = (_e5830 + _e5828);
 let _e5845 = local_2.member[1u];
 let _e5846 = (_e5842 + _e5845);
 let _e5848 = select(_e3199, _e5846, (_e5846 < _e3199));
-let _e5853 = global_3.member[bitcast<u32>(select(0i, _e5848, (_e5848 > 0i)))];
+let _e5853 = global_2.member[bitcast<u32>(select(0i, _e5848, (_e5848 > 0i)))];
 let _e5854 = bitcast<f32>(_e5853);
 let _e5857 = local_2.member[2u];
 let _e5858 = (_e5842 + _e5857);
 let _e5860 = select(_e3199, _e5858, (_e5858 < _e3199));
-let _e5865 = global_3.member[bitcast<u32>(select(0i, _e5860, (_e5860 > 0i)))];
+let _e5865 = global_2.member[bitcast<u32>(select(0i, _e5860, (_e5860 > 0i)))];
 let _e5867 = local_3[0u];
 let _e5870 = (_e5854 + ((bitcast<f32>(_e5865) - _e5854) * _e5867));
 let _e5871 = (_e5830 + _e5829);
 let _e5872 = local_2.member[1u];
 let _e5873 = (_e5871 + _e5872);
 let _e5875 = select(_e3199, _e5873, (_e5873 < _e3199));
-let _e5880 = global_3.member[bitcast<u32>(select(0i, _e5875, (_e5875 > 0i)))];
+let _e5880 = global_2.member[bitcast<u32>(select(0i, _e5875, (_e5875 > 0i)))];
 let _e5881 = bitcast<f32>(_e5880);
 let _e5882 = local_2.member[2u];
 let _e5883 = (_e5871 + _e5882);
 let _e5885 = select(_e3199, _e5883, (_e5883 < _e3199));
-let _e5890 = global_3.member[bitcast<u32>(select(0i, _e5885, (_e5885 > 0i)))];
+let _e5890 = global_2.member[bitcast<u32>(select(0i, _e5885, (_e5885 > 0i)))];
 let _e5892 = local_3[0u];
 let _e5897 = local_3[1u];
 let _e5900 = (_e5870 + (((_e5881 + ((bitcast<f32>(_e5890) - _e5881) * _e5892)) - _e5870) * _e5897));
@@ -2051,24 +2051,24 @@ let _e5901 = (_e5831 + _e5828);
 let _e5902 = local_2.member[1u];
 let _e5903 = (_e5901 + _e5902);
 let _e5905 = select(_e3199, _e5903, (_e5903 < _e3199));
-let _e5910 = global_3.member[bitcast<u32>(select(0i, _e5905, (_e5905 > 0i)))];
+let _e5910 = global_2.member[bitcast<u32>(select(0i, _e5905, (_e5905 > 0i)))];
 let _e5911 = bitcast<f32>(_e5910);
 let _e5912 = local_2.member[2u];
 let _e5913 = (_e5901 + _e5912);
 let _e5915 = select(_e3199, _e5913, (_e5913 < _e3199));
-let _e5920 = global_3.member[bitcast<u32>(select(0i, _e5915, (_e5915 > 0i)))];
+let _e5920 = global_2.member[bitcast<u32>(select(0i, _e5915, (_e5915 > 0i)))];
 let _e5922 = local_3[0u];
 let _e5925 = (_e5911 + ((bitcast<f32>(_e5920) - _e5911) * _e5922));
 let _e5926 = (_e5831 + _e5829);
 let _e5927 = local_2.member[1u];
 let _e5928 = (_e5926 + _e5927);
 let _e5930 = select(_e3199, _e5928, (_e5928 < _e3199));
-let _e5935 = global_3.member[bitcast<u32>(select(0i, _e5930, (_e5930 > 0i)))];
+let _e5935 = global_2.member[bitcast<u32>(select(0i, _e5930, (_e5930 > 0i)))];
 let _e5936 = bitcast<f32>(_e5935);
 let _e5937 = local_2.member[2u];
 let _e5938 = (_e5926 + _e5937);
 let _e5940 = select(_e3199, _e5938, (_e5938 < _e3199));
-let _e5945 = global_3.member[bitcast<u32>(select(0i, _e5940, (_e5940 > 0i)))];
+let _e5945 = global_2.member[bitcast<u32>(select(0i, _e5940, (_e5940 > 0i)))];
 let _e5947 = local_3[0u];
 let _e5951 = local_3[1u];
 let _e5956 = local_3[2u];
@@ -2080,41 +2080,41 @@ local_1 = _e5966;
 let _e5967 = local_1;
 let _e5969 = (bitcast<i32>(_e163) - 1i);
 let _e5971 = select(_e5969, 263197i, (263197i < _e5969));
-let _e5976 = global_4.member[bitcast<u32>(select(0i, _e5971, (_e5971 > 0i)))];
+let _e5976 = global_3.member[bitcast<u32>(select(0i, _e5971, (_e5971 > 0i)))];
 let _e5979 = select(_e5969, 263198i, (263198i < _e5969));
-let _e5984 = global_4.member[bitcast<u32>(select(0i, _e5979, (_e5979 > 0i)))];
+let _e5984 = global_3.member[bitcast<u32>(select(0i, _e5979, (_e5979 > 0i)))];
 let _e5987 = select(_e5969, 263199i, (263199i < _e5969));
-let _e5992 = global_4.member[bitcast<u32>(select(0i, _e5987, (_e5987 > 0i)))];
+let _e5992 = global_3.member[bitcast<u32>(select(0i, _e5987, (_e5987 > 0i)))];
 let _e5993 = bitcast<f32>(_e5992);
 let _e5995 = ((_e5967 - bitcast<f32>(_e5976)) * bitcast<f32>(_e5984));
 let _e5997 = select(0f, _e5995, (_e5995 > 0f));
 let _e6000 = local_1;
 let _e6002 = select(_e5969, 263200i, (263200i < _e5969));
-let _e6007 = global_4.member[bitcast<u32>(select(0i, _e6002, (_e6002 > 0i)))];
+let _e6007 = global_3.member[bitcast<u32>(select(0i, _e6002, (_e6002 > 0i)))];
 let _e6010 = select(_e5969, 263201i, (263201i < _e5969));
-let _e6015 = global_4.member[bitcast<u32>(select(0i, _e6010, (_e6010 > 0i)))];
+let _e6015 = global_3.member[bitcast<u32>(select(0i, _e6010, (_e6010 > 0i)))];
 let _e6018 = select(_e5969, 263202i, (263202i < _e5969));
-let _e6023 = global_4.member[bitcast<u32>(select(0i, _e6018, (_e6018 > 0i)))];
+let _e6023 = global_3.member[bitcast<u32>(select(0i, _e6018, (_e6018 > 0i)))];
 let _e6024 = bitcast<f32>(_e6023);
 let _e6026 = ((_e6000 - bitcast<f32>(_e6007)) * bitcast<f32>(_e6015));
 let _e6028 = select(0f, _e6026, (_e6026 > 0f));
 let _e6032 = local_1;
 let _e6034 = select(_e5969, 263203i, (263203i < _e5969));
-let _e6039 = global_4.member[bitcast<u32>(select(0i, _e6034, (_e6034 > 0i)))];
+let _e6039 = global_3.member[bitcast<u32>(select(0i, _e6034, (_e6034 > 0i)))];
 let _e6042 = select(_e5969, 263204i, (263204i < _e5969));
-let _e6047 = global_4.member[bitcast<u32>(select(0i, _e6042, (_e6042 > 0i)))];
+let _e6047 = global_3.member[bitcast<u32>(select(0i, _e6042, (_e6042 > 0i)))];
 let _e6050 = select(_e5969, 263205i, (263205i < _e5969));
-let _e6055 = global_4.member[bitcast<u32>(select(0i, _e6050, (_e6050 > 0i)))];
+let _e6055 = global_3.member[bitcast<u32>(select(0i, _e6050, (_e6050 > 0i)))];
 let _e6056 = bitcast<f32>(_e6055);
 let _e6058 = ((_e6032 - bitcast<f32>(_e6039)) * bitcast<f32>(_e6047));
 let _e6060 = select(0f, _e6058, (_e6058 > 0f));
 let _e6063 = local_1;
 let _e6065 = select(_e5969, 263206i, (263206i < _e5969));
-let _e6070 = global_4.member[bitcast<u32>(select(0i, _e6065, (_e6065 > 0i)))];
+let _e6070 = global_3.member[bitcast<u32>(select(0i, _e6065, (_e6065 > 0i)))];
 let _e6073 = select(_e5969, 263207i, (263207i < _e5969));
-let _e6078 = global_4.member[bitcast<u32>(select(0i, _e6073, (_e6073 > 0i)))];
+let _e6078 = global_3.member[bitcast<u32>(select(0i, _e6073, (_e6073 > 0i)))];
 let _e6081 = select(_e5969, 263208i, (263208i < _e5969));
-let _e6086 = global_4.member[bitcast<u32>(select(0i, _e6081, (_e6081 > 0i)))];
+let _e6086 = global_3.member[bitcast<u32>(select(0i, _e6081, (_e6081 > 0i)))];
 let _e6087 = bitcast<f32>(_e6086);
 let _e6089 = ((_e6063 - bitcast<f32>(_e6070)) * bitcast<f32>(_e6078));
 let _e6091 = select(0f, _e6089, (_e6089 > 0f));
@@ -2125,13 +2125,13 @@ let _e6106 = select(0i, select(select(i32(_e6099), i32(-2147483648), (_e6099 < -
 let _e6110 = (_e6106 - select(0i, 1i, (_e6099 < f32(_e6106))));
 let _e6111 = (262147i + _e6110);
 let _e6113 = select(_e5969, _e6111, (_e6111 < _e5969));
-let _e6119 = global_4.member[bitcast<u32>(select(0i, _e6113, (_e6113 > 0i)))];
+let _e6119 = global_3.member[bitcast<u32>(select(0i, _e6113, (_e6113 > 0i)))];
 let _e6129 = select(_e5969, 262146i, (262146i < _e5969));
-let _e6135 = global_4.member[bitcast<u32>(select(0i, _e6129, (_e6129 > 0i)))];
+let _e6135 = global_3.member[bitcast<u32>(select(0i, _e6129, (_e6129 > 0i)))];
 let _e6139 = select(_e5969, 262144i, (262144i < _e5969));
-let _e6145 = global_4.member[bitcast<u32>(select(0i, _e6139, (_e6139 > 0i)))];
+let _e6145 = global_3.member[bitcast<u32>(select(0i, _e6139, (_e6139 > 0i)))];
 let _e6148 = select(_e5969, 262145i, (262145i < _e5969));
-let _e6154 = global_4.member[bitcast<u32>(select(0i, _e6148, (_e6148 > 0i)))];
+let _e6154 = global_3.member[bitcast<u32>(select(0i, _e6148, (_e6148 > 0i)))];
 let _e6161 = ((bitcast<f32>(_e6145) + (f32(bitcast<i32>((_e6119 >> bitcast<u32>(12u)))) * bitcast<f32>(_e6154))) + ((f32((bitcast<i32>((_e6119 & 4095u)) - 2048i)) * bitcast<f32>(_e6135)) * (_e6095 - f32(_e6110))));
 let _e6165 = select(_e5694.member_6.x, _e5705.x, _e5699);
 let _e6168 = select(_e5694.member_6.y, _e5705.y, _e5699);
@@ -2370,15 +2370,15 @@ phi_16362_ = 1f;
 let _e6906 = phi_16361_;
 let _e6908 = phi_16362_;
 let _e6911 = (_e5111.member * _e6908);
-global_2.member[_e188] = (_e199 * (_e5111.member_2.x * _e6911));
-global_2.member[_e200] = (_e209 * (_e5111.member_2.y * _e6911));
-global_2.member[_e211] = (_e220 * (_e5111.member_2.z * _e6911));
-global_2.member[_e222] = _e6906.x;
-global_2.member[_e233] = _e6906.y;
-global_2.member[_e244] = _e6906.z;
-global_2.member[_e255] = _e264;
-global_2.member[_e266] = _e275;
-global_2.member[_e277] = _e286;
+global_4.member[_e188] = (_e199 * (_e5111.member_2.x * _e6911));
+global_4.member[_e200] = (_e209 * (_e5111.member_2.y * _e6911));
+global_4.member[_e211] = (_e220 * (_e5111.member_2.z * _e6911));
+global_4.member[_e222] = _e6906.x;
+global_4.member[_e233] = _e6906.y;
+global_4.member[_e244] = _e6906.z;
+global_4.member[_e255] = _e264;
+global_4.member[_e266] = _e275;
+global_4.member[_e277] = _e286;
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,47 +90,82 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
 }
-struct type_31 {
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
+}
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
@@ -198,29 +198,29 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_3: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_4: type_17;
+var<storage> global_3: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_26;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_5: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_11;
+var<storage> global_6: type_26;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_31;
+var local_2: type_29;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_31;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_31;
+var local_10: type_29;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -236,7 +236,7 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_31;
+var local_26: type_29;
 var local_27: vec3<f32>;
 var phi_901_: bool;
 var phi_1081_: bool;
@@ -245,7 +245,7 @@ var phi_1268_: bool;
 var phi_1591_: u32;
 var phi_6993_: type_32;
 var phi_7603_: type_33;
-var phi_8400_: type_5;
+var phi_8400_: type_7;
 var phi_12128_: type_35;
 var phi_13447_: type_34;
 var phi_13460_: vec3<f32>;
@@ -254,8 +254,8 @@ var phi_16040_: type_34;
 var phi_16192_: vec3<f32>;
 var phi_16193_: f32;
 let _e157 = global;
-let _e160 = arrayLength((&global_3.member));
-let _e165 = arrayLength((&global_4.member));
+let _e160 = arrayLength((&global_2.member));
+let _e165 = arrayLength((&global_3.member));
 let _e167 = arrayLength((&global_6.member));
 let _e172 = global_1.member.member_2;
 let _e175 = global_1.member.member;
@@ -266,41 +266,41 @@ if (_e185 < _e172.member_3) {
 let _e188 = (_e175.member * _e175.member_1);
 let _e190 = ((_e185 * _e175.member) + _e183);
 let _e191 = bitcast<i32>(_e190);
-let _e193 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e193 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e195 = select(_e193, _e191, (_e191 < _e193));
-let _e201 = global_2.member[bitcast<u32>(select(0i, _e195, (_e195 > 0i)))];
+let _e201 = global_4.member[bitcast<u32>(select(0i, _e195, (_e195 > 0i)))];
 let _e202 = (_e188 + _e190);
 let _e203 = bitcast<i32>(_e202);
 let _e205 = select(_e193, _e203, (_e203 < _e193));
-let _e211 = global_2.member[bitcast<u32>(select(0i, _e205, (_e205 > 0i)))];
+let _e211 = global_4.member[bitcast<u32>(select(0i, _e205, (_e205 > 0i)))];
 let _e213 = ((2u * _e188) + _e190);
 let _e214 = bitcast<i32>(_e213);
 let _e216 = select(_e193, _e214, (_e214 < _e193));
-let _e222 = global_2.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
+let _e222 = global_4.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
 let _e224 = ((3u * _e188) + _e190);
 let _e225 = bitcast<i32>(_e224);
 let _e227 = select(_e193, _e225, (_e225 < _e193));
-let _e233 = global_2.member[bitcast<u32>(select(0i, _e227, (_e227 > 0i)))];
+let _e233 = global_4.member[bitcast<u32>(select(0i, _e227, (_e227 > 0i)))];
 let _e235 = ((4u * _e188) + _e190);
 let _e236 = bitcast<i32>(_e235);
 let _e238 = select(_e193, _e236, (_e236 < _e193));
-let _e244 = global_2.member[bitcast<u32>(select(0i, _e238, (_e238 > 0i)))];
+let _e244 = global_4.member[bitcast<u32>(select(0i, _e238, (_e238 > 0i)))];
 let _e246 = ((5u * _e188) + _e190);
 let _e247 = bitcast<i32>(_e246);
 let _e249 = select(_e193, _e247, (_e247 < _e193));
-let _e255 = global_2.member[bitcast<u32>(select(0i, _e249, (_e249 > 0i)))];
+let _e255 = global_4.member[bitcast<u32>(select(0i, _e249, (_e249 > 0i)))];
 let _e257 = ((6u * _e188) + _e190);
 let _e258 = bitcast<i32>(_e257);
 let _e260 = select(_e193, _e258, (_e258 < _e193));
-let _e266 = global_2.member[bitcast<u32>(select(0i, _e260, (_e260 > 0i)))];
+let _e266 = global_4.member[bitcast<u32>(select(0i, _e260, (_e260 > 0i)))];
 let _e268 = ((7u * _e188) + _e190);
 let _e269 = bitcast<i32>(_e268);
 let _e271 = select(_e193, _e269, (_e269 < _e193));
-let _e277 = global_2.member[bitcast<u32>(select(0i, _e271, (_e271 > 0i)))];
+let _e277 = global_4.member[bitcast<u32>(select(0i, _e271, (_e271 > 0i)))];
 let _e279 = ((8u * _e188) + _e190);
 let _e280 = bitcast<i32>(_e279);
 let _e282 = select(_e193, _e280, (_e280 < _e193));
-let _e288 = global_2.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
+let _e288 = global_4.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
 let _e293 = global_1.member.member_8.member;
 let _e297 = global_1.member.member_8.member_1;
 let _e298 = (_e293 * _e297);
@@ -541,7 +541,7 @@ let _e1326 = global_1.member.member_6.member_11.member_1;
 let _e1337 = ((_e1313 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1320) * ((_e1314 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1326) * (_e1315 >> bitcast<u32>(4i))))));
 let _e1339 = (bitcast<i32>(_e160) - 1i);
 let _e1341 = select(_e1339, _e1337, (_e1337 < _e1339));
-let _e1347 = global_3.member[bitcast<u32>(select(0i, _e1341, (_e1341 > 0i)))];
+let _e1347 = global_2.member[bitcast<u32>(select(0i, _e1341, (_e1341 > 0i)))];
 let _e1349 = (_e1313 & 15i);
 let _e1352 = ((_e1314 & 15i) * _e1308);
 let _e1354 = (bitcast<i32>(_e1347) + ((_e1315 & 15i) * _e1312));
@@ -551,28 +551,28 @@ let _e1362 = (_e1352 + (3i * _e1308));
 let _e1363 = (_e1354 + _e1312);
 let _e1365 = (_e1354 + (2i * _e1312));
 let _e1367 = (_e1354 + (3i * _e1312));
-local_26 = type_31(array<i32, 4>(_e1349, (_e1349 + 1i), (_e1349 + 2i), (_e1349 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_29(array<i32, 4>(_e1349, (_e1349 + 1i), (_e1349 + 2i), (_e1349 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e1239 - f32(_e1274)), (_e1249 - f32(_e1289)), (_e1259 - f32(_e1304)));
 let _e1378 = (_e1363 + _e1358);
 let _e1381 = local_26.member[0u];
 let _e1382 = (_e1378 + _e1381);
 let _e1384 = select(_e1339, _e1382, (_e1382 < _e1339));
-let _e1389 = global_3.member[bitcast<u32>(select(0i, _e1384, (_e1384 > 0i)))];
+let _e1389 = global_2.member[bitcast<u32>(select(0i, _e1384, (_e1384 > 0i)))];
 let _e1390 = bitcast<f32>(_e1389);
 let _e1393 = local_26.member[1u];
 let _e1394 = (_e1378 + _e1393);
 let _e1396 = select(_e1339, _e1394, (_e1394 < _e1339));
-let _e1401 = global_3.member[bitcast<u32>(select(0i, _e1396, (_e1396 > 0i)))];
+let _e1401 = global_2.member[bitcast<u32>(select(0i, _e1396, (_e1396 > 0i)))];
 let _e1402 = bitcast<f32>(_e1401);
 let _e1405 = local_26.member[2u];
 let _e1406 = (_e1378 + _e1405);
 let _e1408 = select(_e1339, _e1406, (_e1406 < _e1339));
-let _e1413 = global_3.member[bitcast<u32>(select(0i, _e1408, (_e1408 > 0i)))];
+let _e1413 = global_2.member[bitcast<u32>(select(0i, _e1408, (_e1408 > 0i)))];
 let _e1414 = bitcast<f32>(_e1413);
 let _e1417 = local_26.member[3u];
 let _e1418 = (_e1378 + _e1417);
 let _e1420 = select(_e1339, _e1418, (_e1418 < _e1339));
-let _e1425 = global_3.member[bitcast<u32>(select(0i, _e1420, (_e1420 > 0i)))];
+let _e1425 = global_2.member[bitcast<u32>(select(0i, _e1420, (_e1420 > 0i)))];
 let _e1427 = local_27[0u];
 let _e1430 = (_e1390 + ((_e1402 - _e1390) * _e1427));
 let _e1431 = local_27[0u];
@@ -583,22 +583,22 @@ let _e1439 = (_e1363 + _e1360);
 let _e1440 = local_26.member[0u];
 let _e1441 = (_e1439 + _e1440);
 let _e1443 = select(_e1339, _e1441, (_e1441 < _e1339));
-let _e1448 = global_3.member[bitcast<u32>(select(0i, _e1443, (_e1443 > 0i)))];
+let _e1448 = global_2.member[bitcast<u32>(select(0i, _e1443, (_e1443 > 0i)))];
 let _e1449 = bitcast<f32>(_e1448);
 let _e1450 = local_26.member[1u];
 let _e1451 = (_e1439 + _e1450);
 let _e1453 = select(_e1339, _e1451, (_e1451 < _e1339));
-let _e1458 = global_3.member[bitcast<u32>(select(0i, _e1453, (_e1453 > 0i)))];
+let _e1458 = global_2.member[bitcast<u32>(select(0i, _e1453, (_e1453 > 0i)))];
 let _e1459 = bitcast<f32>(_e1458);
 let _e1460 = local_26.member[2u];
 let _e1461 = (_e1439 + _e1460);
 let _e1463 = select(_e1339, _e1461, (_e1461 < _e1339));
-let _e1468 = global_3.member[bitcast<u32>(select(0i, _e1463, (_e1463 > 0i)))];
+let _e1468 = global_2.member[bitcast<u32>(select(0i, _e1463, (_e1463 > 0i)))];
 let _e1469 = bitcast<f32>(_e1468);
 let _e1470 = local_26.member[3u];
 let _e1471 = (_e1439 + _e1470);
 let _e1473 = select(_e1339, _e1471, (_e1471 < _e1339));
-let _e1478 = global_3.member[bitcast<u32>(select(0i, _e1473, (_e1473 > 0i)))];
+let _e1478 = global_2.member[bitcast<u32>(select(0i, _e1473, (_e1473 > 0i)))];
 let _e1480 = local_27[0u];
 let _e1484 = local_27[0u];
 let _e1487 = (_e1459 + ((_e1469 - _e1459) * _e1484));
@@ -607,22 +607,22 @@ let _e1492 = (_e1365 + _e1358);
 let _e1493 = local_26.member[0u];
 let _e1494 = (_e1492 + _e1493);
 let _e1496 = select(_e1339, _e1494, (_e1494 < _e1339));
-let _e1501 = global_3.member[bitcast<u32>(select(0i, _e1496, (_e1496 > 0i)))];
+let _e1501 = global_2.member[bitcast<u32>(select(0i, _e1496, (_e1496 > 0i)))];
 let _e1502 = bitcast<f32>(_e1501);
 let _e1503 = local_26.member[1u];
 let _e1504 = (_e1492 + _e1503);
 let _e1506 = select(_e1339, _e1504, (_e1504 < _e1339));
-let _e1511 = global_3.member[bitcast<u32>(select(0i, _e1506, (_e1506 > 0i)))];
+let _e1511 = global_2.member[bitcast<u32>(select(0i, _e1506, (_e1506 > 0i)))];
 let _e1512 = bitcast<f32>(_e1511);
 let _e1513 = local_26.member[2u];
 let _e1514 = (_e1492 + _e1513);
 let _e1516 = select(_e1339, _e1514, (_e1514 < _e1339));
-let _e1521 = global_3.member[bitcast<u32>(select(0i, _e1516, (_e1516 > 0i)))];
+let _e1521 = global_2.member[bitcast<u32>(select(0i, _e1516, (_e1516 > 0i)))];
 let _e1522 = bitcast<f32>(_e1521);
 let _e1523 = local_26.member[3u];
 let _e1524 = (_e1492 + _e1523);
 let _e1526 = select(_e1339, _e1524, (_e1524 < _e1339));
-let _e1531 = global_3.member[bitcast<u32>(select(0i, _e1526, (_e1526 > 0i)))];
+let _e1531 = global_2.member[bitcast<u32>(select(0i, _e1526, (_e1526 > 0i)))];
 let _e1533 = local_27[0u];
 let _e1536 = (_e1502 + ((_e1512 - _e1502) * _e1533));
 let _e1537 = local_27[0u];
@@ -633,22 +633,22 @@ let _e1545 = (_e1365 + _e1360);
 let _e1546 = local_26.member[0u];
 let _e1547 = (_e1545 + _e1546);
 let _e1549 = select(_e1339, _e1547, (_e1547 < _e1339));
-let _e1554 = global_3.member[bitcast<u32>(select(0i, _e1549, (_e1549 > 0i)))];
+let _e1554 = global_2.member[bitcast<u32>(select(0i, _e1549, (_e1549 > 0i)))];
 let _e1555 = bitcast<f32>(_e1554);
 let _e1556 = local_26.member[1u];
 let _e1557 = (_e1545 + _e1556);
 let _e1559 = select(_e1339, _e1557, (_e1557 < _e1339));
-let _e1564 = global_3.member[bitcast<u32>(select(0i, _e1559, (_e1559 > 0i)))];
+let _e1564 = global_2.member[bitcast<u32>(select(0i, _e1559, (_e1559 > 0i)))];
 let _e1565 = bitcast<f32>(_e1564);
 let _e1566 = local_26.member[2u];
 let _e1567 = (_e1545 + _e1566);
 let _e1569 = select(_e1339, _e1567, (_e1567 < _e1339));
-let _e1574 = global_3.member[bitcast<u32>(select(0i, _e1569, (_e1569 > 0i)))];
+let _e1574 = global_2.member[bitcast<u32>(select(0i, _e1569, (_e1569 > 0i)))];
 let _e1575 = bitcast<f32>(_e1574);
 let _e1576 = local_26.member[3u];
 let _e1577 = (_e1545 + _e1576);
 let _e1579 = select(_e1339, _e1577, (_e1577 < _e1339));
-let _e1584 = global_3.member[bitcast<u32>(select(0i, _e1579, (_e1579 > 0i)))];
+let _e1584 = global_2.member[bitcast<u32>(select(0i, _e1579, (_e1579 > 0i)))];
 let _e1586 = local_27[0u];
 let _e1590 = local_27[0u];
 let _e1593 = (_e1565 + ((_e1575 - _e1565) * _e1590));
@@ -657,93 +657,93 @@ let _e1598 = (_e1363 + _e1352);
 let _e1599 = local_26.member[1u];
 let _e1600 = (_e1598 + _e1599);
 let _e1602 = select(_e1339, _e1600, (_e1600 < _e1339));
-let _e1607 = global_3.member[bitcast<u32>(select(0i, _e1602, (_e1602 > 0i)))];
+let _e1607 = global_2.member[bitcast<u32>(select(0i, _e1602, (_e1602 > 0i)))];
 let _e1608 = bitcast<f32>(_e1607);
 let _e1609 = local_26.member[2u];
 let _e1610 = (_e1598 + _e1609);
 let _e1612 = select(_e1339, _e1610, (_e1610 < _e1339));
-let _e1617 = global_3.member[bitcast<u32>(select(0i, _e1612, (_e1612 > 0i)))];
+let _e1617 = global_2.member[bitcast<u32>(select(0i, _e1612, (_e1612 > 0i)))];
 let _e1619 = local_27[0u];
 let _e1622 = (_e1608 + ((bitcast<f32>(_e1617) - _e1608) * _e1619));
 let _e1623 = (_e1363 + _e1362);
 let _e1624 = local_26.member[1u];
 let _e1625 = (_e1623 + _e1624);
 let _e1627 = select(_e1339, _e1625, (_e1625 < _e1339));
-let _e1632 = global_3.member[bitcast<u32>(select(0i, _e1627, (_e1627 > 0i)))];
+let _e1632 = global_2.member[bitcast<u32>(select(0i, _e1627, (_e1627 > 0i)))];
 let _e1633 = bitcast<f32>(_e1632);
 let _e1634 = local_26.member[2u];
 let _e1635 = (_e1623 + _e1634);
 let _e1637 = select(_e1339, _e1635, (_e1635 < _e1339));
-let _e1642 = global_3.member[bitcast<u32>(select(0i, _e1637, (_e1637 > 0i)))];
+let _e1642 = global_2.member[bitcast<u32>(select(0i, _e1637, (_e1637 > 0i)))];
 let _e1644 = local_27[0u];
 let _e1648 = (_e1365 + _e1352);
 let _e1649 = local_26.member[1u];
 let _e1650 = (_e1648 + _e1649);
 let _e1652 = select(_e1339, _e1650, (_e1650 < _e1339));
-let _e1657 = global_3.member[bitcast<u32>(select(0i, _e1652, (_e1652 > 0i)))];
+let _e1657 = global_2.member[bitcast<u32>(select(0i, _e1652, (_e1652 > 0i)))];
 let _e1658 = bitcast<f32>(_e1657);
 let _e1659 = local_26.member[2u];
 let _e1660 = (_e1648 + _e1659);
 let _e1662 = select(_e1339, _e1660, (_e1660 < _e1339));
-let _e1667 = global_3.member[bitcast<u32>(select(0i, _e1662, (_e1662 > 0i)))];
+let _e1667 = global_2.member[bitcast<u32>(select(0i, _e1662, (_e1662 > 0i)))];
 let _e1669 = local_27[0u];
 let _e1672 = (_e1658 + ((bitcast<f32>(_e1667) - _e1658) * _e1669));
 let _e1673 = (_e1365 + _e1362);
 let _e1674 = local_26.member[1u];
 let _e1675 = (_e1673 + _e1674);
 let _e1677 = select(_e1339, _e1675, (_e1675 < _e1339));
-let _e1682 = global_3.member[bitcast<u32>(select(0i, _e1677, (_e1677 > 0i)))];
+let _e1682 = global_2.member[bitcast<u32>(select(0i, _e1677, (_e1677 > 0i)))];
 let _e1683 = bitcast<f32>(_e1682);
 let _e1684 = local_26.member[2u];
 let _e1685 = (_e1673 + _e1684);
 let _e1687 = select(_e1339, _e1685, (_e1685 < _e1339));
-let _e1692 = global_3.member[bitcast<u32>(select(0i, _e1687, (_e1687 > 0i)))];
+let _e1692 = global_2.member[bitcast<u32>(select(0i, _e1687, (_e1687 > 0i)))];
 let _e1694 = local_27[0u];
 let _e1698 = (_e1354 + _e1358);
 let _e1699 = local_26.member[1u];
 let _e1700 = (_e1698 + _e1699);
 let _e1702 = select(_e1339, _e1700, (_e1700 < _e1339));
-let _e1707 = global_3.member[bitcast<u32>(select(0i, _e1702, (_e1702 > 0i)))];
+let _e1707 = global_2.member[bitcast<u32>(select(0i, _e1702, (_e1702 > 0i)))];
 let _e1708 = bitcast<f32>(_e1707);
 let _e1709 = local_26.member[2u];
 let _e1710 = (_e1698 + _e1709);
 let _e1712 = select(_e1339, _e1710, (_e1710 < _e1339));
-let _e1717 = global_3.member[bitcast<u32>(select(0i, _e1712, (_e1712 > 0i)))];
+let _e1717 = global_2.member[bitcast<u32>(select(0i, _e1712, (_e1712 > 0i)))];
 let _e1719 = local_27[0u];
 let _e1722 = (_e1708 + ((bitcast<f32>(_e1717) - _e1708) * _e1719));
 let _e1723 = (_e1367 + _e1358);
 let _e1724 = local_26.member[1u];
 let _e1725 = (_e1723 + _e1724);
 let _e1727 = select(_e1339, _e1725, (_e1725 < _e1339));
-let _e1732 = global_3.member[bitcast<u32>(select(0i, _e1727, (_e1727 > 0i)))];
+let _e1732 = global_2.member[bitcast<u32>(select(0i, _e1727, (_e1727 > 0i)))];
 let _e1733 = bitcast<f32>(_e1732);
 let _e1734 = local_26.member[2u];
 let _e1735 = (_e1723 + _e1734);
 let _e1737 = select(_e1339, _e1735, (_e1735 < _e1339));
-let _e1742 = global_3.member[bitcast<u32>(select(0i, _e1737, (_e1737 > 0i)))];
+let _e1742 = global_2.member[bitcast<u32>(select(0i, _e1737, (_e1737 > 0i)))];
 let _e1744 = local_27[0u];
 let _e1747 = (_e1733 + ((bitcast<f32>(_e1742) - _e1733) * _e1744));
 let _e1748 = (_e1354 + _e1360);
 let _e1749 = local_26.member[1u];
 let _e1750 = (_e1748 + _e1749);
 let _e1752 = select(_e1339, _e1750, (_e1750 < _e1339));
-let _e1757 = global_3.member[bitcast<u32>(select(0i, _e1752, (_e1752 > 0i)))];
+let _e1757 = global_2.member[bitcast<u32>(select(0i, _e1752, (_e1752 > 0i)))];
 let _e1758 = bitcast<f32>(_e1757);
 let _e1759 = local_26.member[2u];
 let _e1760 = (_e1748 + _e1759);
 let _e1762 = select(_e1339, _e1760, (_e1760 < _e1339));
-let _e1767 = global_3.member[bitcast<u32>(select(0i, _e1762, (_e1762 > 0i)))];
+let _e1767 = global_2.member[bitcast<u32>(select(0i, _e1762, (_e1762 > 0i)))];
 let _e1769 = local_27[0u];
 let _e1773 = (_e1367 + _e1360);
 let _e1774 = local_26.member[1u];
 let _e1775 = (_e1773 + _e1774);
 let _e1777 = select(_e1339, _e1775, (_e1775 < _e1339));
-let _e1782 = global_3.member[bitcast<u32>(select(0i, _e1777, (_e1777 > 0i)))];
+let _e1782 = global_2.member[bitcast<u32>(select(0i, _e1777, (_e1777 > 0i)))];
 let _e1783 = bitcast<f32>(_e1782);
 let _e1784 = local_26.member[2u];
 let _e1785 = (_e1773 + _e1784);
 let _e1787 = select(_e1339, _e1785, (_e1785 < _e1339));
-let _e1792 = global_3.member[bitcast<u32>(select(0i, _e1787, (_e1787 > 0i)))];
+let _e1792 = global_2.member[bitcast<u32>(select(0i, _e1787, (_e1787 > 0i)))];
 let _e1794 = local_27[0u];
 let _e1799 = local_27[1u];
 let _e1802 = (_e1434 + ((_e1487 - _e1434) * _e1799));
@@ -801,50 +801,50 @@ local_25 = _e1927;
 let _e1928 = local_25;
 let _e1930 = (bitcast<i32>(_e165) - 1i);
 let _e1932 = select(_e1930, 263197i, (263197i < _e1930));
-let _e1937 = global_4.member[bitcast<u32>(select(0i, _e1932, (_e1932 > 0i)))];
+let _e1937 = global_3.member[bitcast<u32>(select(0i, _e1932, (_e1932 > 0i)))];
 let _e1938 = bitcast<f32>(_e1937);
 let _e1940 = select(_e1930, 263198i, (263198i < _e1930));
 let _e1943 = bitcast<u32>(select(0i, _e1940, (_e1940 > 0i)));
-let _e1945 = global_4.member[_e1943];
+let _e1945 = global_3.member[_e1943];
 let _e1946 = bitcast<f32>(_e1945);
 let _e1948 = select(_e1930, 263199i, (263199i < _e1930));
-let _e1953 = global_4.member[bitcast<u32>(select(0i, _e1948, (_e1948 > 0i)))];
+let _e1953 = global_3.member[bitcast<u32>(select(0i, _e1948, (_e1948 > 0i)))];
 let _e1954 = bitcast<f32>(_e1953);
 let _e1956 = ((_e1928 - _e1938) * _e1946);
 let _e1958 = select(0f, _e1956, (_e1956 > 0f));
 let _e1961 = local_25;
 let _e1963 = select(_e1930, 263200i, (263200i < _e1930));
-let _e1968 = global_4.member[bitcast<u32>(select(0i, _e1963, (_e1963 > 0i)))];
+let _e1968 = global_3.member[bitcast<u32>(select(0i, _e1963, (_e1963 > 0i)))];
 let _e1969 = bitcast<f32>(_e1968);
 let _e1971 = select(_e1930, 263201i, (263201i < _e1930));
-let _e1976 = global_4.member[bitcast<u32>(select(0i, _e1971, (_e1971 > 0i)))];
+let _e1976 = global_3.member[bitcast<u32>(select(0i, _e1971, (_e1971 > 0i)))];
 let _e1977 = bitcast<f32>(_e1976);
 let _e1979 = select(_e1930, 263202i, (263202i < _e1930));
-let _e1984 = global_4.member[bitcast<u32>(select(0i, _e1979, (_e1979 > 0i)))];
+let _e1984 = global_3.member[bitcast<u32>(select(0i, _e1979, (_e1979 > 0i)))];
 let _e1985 = bitcast<f32>(_e1984);
 let _e1987 = ((_e1961 - _e1969) * _e1977);
 let _e1989 = select(0f, _e1987, (_e1987 > 0f));
 let _e1993 = local_25;
 let _e1995 = select(_e1930, 263203i, (263203i < _e1930));
-let _e2000 = global_4.member[bitcast<u32>(select(0i, _e1995, (_e1995 > 0i)))];
+let _e2000 = global_3.member[bitcast<u32>(select(0i, _e1995, (_e1995 > 0i)))];
 let _e2001 = bitcast<f32>(_e2000);
 let _e2003 = select(_e1930, 263204i, (263204i < _e1930));
-let _e2008 = global_4.member[bitcast<u32>(select(0i, _e2003, (_e2003 > 0i)))];
+let _e2008 = global_3.member[bitcast<u32>(select(0i, _e2003, (_e2003 > 0i)))];
 let _e2009 = bitcast<f32>(_e2008);
 let _e2011 = select(_e1930, 263205i, (263205i < _e1930));
-let _e2016 = global_4.member[bitcast<u32>(select(0i, _e2011, (_e2011 > 0i)))];
+let _e2016 = global_3.member[bitcast<u32>(select(0i, _e2011, (_e2011 > 0i)))];
 let _e2017 = bitcast<f32>(_e2016);
 let _e2019 = ((_e1993 - _e2001) * _e2009);
 let _e2021 = select(0f, _e2019, (_e2019 > 0f));
 let _e2024 = local_25;
 let _e2026 = select(_e1930, 263206i, (263206i < _e1930));
-let _e2031 = global_4.member[bitcast<u32>(select(0i, _e2026, (_e2026 > 0i)))];
+let _e2031 = global_3.member[bitcast<u32>(select(0i, _e2026, (_e2026 > 0i)))];
 let _e2032 = bitcast<f32>(_e2031);
 let _e2034 = select(_e1930, 263207i, (263207i < _e1930));
-let _e2039 = global_4.member[bitcast<u32>(select(0i, _e2034, (_e2034 > 0i)))];
+let _e2039 = global_3.member[bitcast<u32>(select(0i, _e2034, (_e2034 > 0i)))];
 let _e2040 = bitcast<f32>(_e2039);
 let _e2042 = select(_e1930, 263208i, (263208i < _e1930));
-let _e2047 = global_4.member[bitcast<u32>(select(0i, _e2042, (_e2042 > 0i)))];
+let _e2047 = global_3.member[bitcast<u32>(select(0i, _e2042, (_e2042 > 0i)))];
 let _e2048 = bitcast<f32>(_e2047);
 let _e2050 = ((_e2024 - _e2032) * _e2040);
 let _e2052 = select(0f, _e2050, (_e2050 > 0f));
@@ -855,27 +855,27 @@ let _e2067 = select(0i, select(select(i32(_e2060), i32(-2147483648), (_e2060 < -
 let _e2071 = (_e2067 - select(0i, 1i, (_e2060 < f32(_e2067))));
 let _e2072 = (262147i + _e2071);
 let _e2074 = select(_e1930, _e2072, (_e2072 < _e1930));
-let _e2080 = global_4.member[bitcast<u32>(select(0i, _e2074, (_e2074 > 0i)))];
+let _e2080 = global_3.member[bitcast<u32>(select(0i, _e2074, (_e2074 > 0i)))];
 let _e2090 = select(_e1930, 262146i, (262146i < _e1930));
-let _e2096 = global_4.member[bitcast<u32>(select(0i, _e2090, (_e2090 > 0i)))];
+let _e2096 = global_3.member[bitcast<u32>(select(0i, _e2090, (_e2090 > 0i)))];
 let _e2097 = bitcast<f32>(_e2096);
 let _e2098 = (f32((bitcast<i32>((_e2080 & 4095u)) - 2048i)) * _e2097);
 let _e2100 = select(_e1930, 262144i, (262144i < _e1930));
-let _e2106 = global_4.member[bitcast<u32>(select(0i, _e2100, (_e2100 > 0i)))];
+let _e2106 = global_3.member[bitcast<u32>(select(0i, _e2100, (_e2100 > 0i)))];
 let _e2107 = bitcast<f32>(_e2106);
 let _e2109 = select(_e1930, 262145i, (262145i < _e1930));
-let _e2115 = global_4.member[bitcast<u32>(select(0i, _e2109, (_e2109 > 0i)))];
+let _e2115 = global_3.member[bitcast<u32>(select(0i, _e2109, (_e2109 > 0i)))];
 let _e2116 = bitcast<f32>(_e2115);
 let _e2122 = ((_e2107 + (f32(bitcast<i32>((_e2080 >> bitcast<u32>(12u)))) * _e2116)) + (_e2098 * (_e2056 - f32(_e2071))));
-let _e2125 = global_4.member[_e1943];
+let _e2125 = global_3.member[_e1943];
 let _e2127 = local_24;
 let _e2130 = local_24;
 let _e2133 = local_24;
 let _e2137 = select(_e1930, 263209i, (263209i < _e1930));
-let _e2143 = global_4.member[bitcast<u32>(select(0i, _e2137, (_e2137 > 0i)))];
+let _e2143 = global_3.member[bitcast<u32>(select(0i, _e2137, (_e2137 > 0i)))];
 let _e2145 = local_24;
 let _e2148 = select(_e1930, 263210i, (263210i < _e1930));
-let _e2154 = global_4.member[bitcast<u32>(select(0i, _e2148, (_e2148 > 0i)))];
+let _e2154 = global_3.member[bitcast<u32>(select(0i, _e2148, (_e2148 > 0i)))];
 let _e2156 = local_24;
 let _e2160 = (_e2098 * select(0f, select(select(select(bitcast<f32>(_e2125), _e1977, (_e2127 >= _e1969)), _e2009, (_e2130 >= _e2001)), _e2040, (_e2133 >= _e2032)), ((_e2145 >= bitcast<f32>(_e2143)) && (_e2156 <= bitcast<f32>(_e2154)))));
 if _e1228 {
@@ -906,7 +906,7 @@ let _e2218 = select(0i, select(select(i32(_e2211), i32(-2147483648), (_e2211 < -
 let _e2222 = (_e2218 - select(0i, 1i, (_e2211 < f32(_e2218))));
 let _e2223 = (262147i + _e2222);
 let _e2225 = select(_e1930, _e2223, (_e2223 < _e1930));
-let _e2231 = global_4.member[bitcast<u32>(select(0i, _e2225, (_e2225 > 0i)))];
+let _e2231 = global_3.member[bitcast<u32>(select(0i, _e2225, (_e2225 > 0i)))];
 let _e2246 = ((_e2107 + (f32(bitcast<i32>((_e2231 >> bitcast<u32>(12u)))) * _e2116)) + ((f32((bitcast<i32>((_e2231 & 4095u)) - 2048i)) * _e2097) * (_e2207 - f32(_e2222))));
 local_20 = _e1902;
 let _e2247 = local_20;
@@ -930,7 +930,7 @@ let _e2289 = select(0i, select(select(i32(_e2282), i32(-2147483648), (_e2282 < -
 let _e2293 = (_e2289 - select(0i, 1i, (_e2282 < f32(_e2289))));
 let _e2294 = (262147i + _e2293);
 let _e2296 = select(_e1930, _e2294, (_e2294 < _e1930));
-let _e2302 = global_4.member[bitcast<u32>(select(0i, _e2296, (_e2296 > 0i)))];
+let _e2302 = global_3.member[bitcast<u32>(select(0i, _e2296, (_e2296 > 0i)))];
 let _e2317 = ((_e2107 + (f32(bitcast<i32>((_e2302 >> bitcast<u32>(12u)))) * _e2116)) + ((f32((bitcast<i32>((_e2302 & 4095u)) - 2048i)) * _e2097) * (_e2278 - f32(_e2293))));
 local_18 = _e1908;
 let _e2318 = local_18;
@@ -954,7 +954,7 @@ let _e2360 = select(0i, select(select(i32(_e2353), i32(-2147483648), (_e2353 < -
 let _e2364 = (_e2360 - select(0i, 1i, (_e2353 < f32(_e2360))));
 let _e2365 = (262147i + _e2364);
 let _e2367 = select(_e1930, _e2365, (_e2365 < _e1930));
-let _e2373 = global_4.member[bitcast<u32>(select(0i, _e2367, (_e2367 > 0i)))];
+let _e2373 = global_3.member[bitcast<u32>(select(0i, _e2367, (_e2367 > 0i)))];
 let _e2388 = ((_e2107 + (f32(bitcast<i32>((_e2373 >> bitcast<u32>(12u)))) * _e2116)) + ((f32((bitcast<i32>((_e2373 & 4095u)) - 2048i)) * _e2097) * (_e2349 - f32(_e2364))));
 local_16 = _e1914;
 let _e2389 = local_16;
@@ -978,7 +978,7 @@ let _e2431 = select(0i, select(select(i32(_e2424), i32(-2147483648), (_e2424 < -
 let _e2435 = (_e2431 - select(0i, 1i, (_e2424 < f32(_e2431))));
 let _e2436 = (262147i + _e2435);
 let _e2438 = select(_e1930, _e2436, (_e2436 < _e1930));
-let _e2444 = global_4.member[bitcast<u32>(select(0i, _e2438, (_e2438 > 0i)))];
+let _e2444 = global_3.member[bitcast<u32>(select(0i, _e2438, (_e2438 > 0i)))];
 let _e2459 = ((_e2107 + (f32(bitcast<i32>((_e2444 >> bitcast<u32>(12u)))) * _e2116)) + ((f32((bitcast<i32>((_e2444 & 4095u)) - 2048i)) * _e2097) * (_e2420 - f32(_e2435))));
 local_14 = _e1920;
 let _e2460 = local_14;
@@ -1002,7 +1002,7 @@ let _e2502 = select(0i, select(select(i32(_e2495), i32(-2147483648), (_e2495 < -
 let _e2506 = (_e2502 - select(0i, 1i, (_e2495 < f32(_e2502))));
 let _e2507 = (262147i + _e2506);
 let _e2509 = select(_e1930, _e2507, (_e2507 < _e1930));
-let _e2515 = global_4.member[bitcast<u32>(select(0i, _e2509, (_e2509 > 0i)))];
+let _e2515 = global_3.member[bitcast<u32>(select(0i, _e2509, (_e2509 > 0i)))];
 let _e2530 = ((_e2107 + (f32(bitcast<i32>((_e2515 >> bitcast<u32>(12u)))) * _e2116)) + ((f32((bitcast<i32>((_e2515 & 4095u)) - 2048i)) * _e2097) * (_e2491 - f32(_e2506))));
 local_12 = _e1926;
 let _e2531 = local_12;
@@ -1026,7 +1026,7 @@ let _e2573 = select(0i, select(select(i32(_e2566), i32(-2147483648), (_e2566 < -
 let _e2577 = (_e2573 - select(0i, 1i, (_e2566 < f32(_e2573))));
 let _e2578 = (262147i + _e2577);
 let _e2580 = select(_e1930, _e2578, (_e2578 < _e1930));
-let _e2586 = global_4.member[bitcast<u32>(select(0i, _e2580, (_e2580 > 0i)))];
+let _e2586 = global_3.member[bitcast<u32>(select(0i, _e2580, (_e2580 > 0i)))];
 let _e2601 = ((_e2107 + (f32(bitcast<i32>((_e2586 >> bitcast<u32>(12u)))) * _e2116)) + ((f32((bitcast<i32>((_e2586 & 4095u)) - 2048i)) * _e2097) * (_e2562 - f32(_e2577))));
 let _e2602 = (_e2317 - _e2246);
 let _e2604 = (_e2459 - _e2388);
@@ -1083,7 +1083,7 @@ let _e2857 = global_1.member.member_6.member_11.member_1;
 let _e2868 = ((_e2844 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2851) * ((_e2845 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2857) * (_e2846 >> bitcast<u32>(4i))))));
 let _e2870 = (bitcast<i32>(_e160) - 1i);
 let _e2872 = select(_e2870, _e2868, (_e2868 < _e2870));
-let _e2878 = global_3.member[bitcast<u32>(select(0i, _e2872, (_e2872 > 0i)))];
+let _e2878 = global_2.member[bitcast<u32>(select(0i, _e2872, (_e2872 > 0i)))];
 let _e2880 = (_e2844 & 15i);
 let _e2883 = ((_e2845 & 15i) * _e2839);
 let _e2885 = (bitcast<i32>(_e2878) + ((_e2846 & 15i) * _e2843));
@@ -1091,30 +1091,30 @@ let _e2889 = (_e2883 + _e2839);
 let _e2891 = (_e2883 + (2i * _e2839));
 let _e2892 = (_e2885 + _e2843);
 let _e2894 = (_e2885 + (2i * _e2843));
-local_10 = type_31(array<i32, 4>(_e2880, (_e2880 + 1i), (_e2880 + 2i), (_e2880 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_10 = type_29(array<i32, 4>(_e2880, (_e2880 + 1i), (_e2880 + 2i), (_e2880 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_11 = vec3<f32>((_e2770 - f32(_e2805)), (_e2780 - f32(_e2820)), (_e2790 - f32(_e2835)));
 let _e2905 = (_e2892 + _e2889);
 let _e2908 = local_10.member[1u];
 let _e2909 = (_e2905 + _e2908);
 let _e2911 = select(_e2870, _e2909, (_e2909 < _e2870));
-let _e2916 = global_3.member[bitcast<u32>(select(0i, _e2911, (_e2911 > 0i)))];
+let _e2916 = global_2.member[bitcast<u32>(select(0i, _e2911, (_e2911 > 0i)))];
 let _e2917 = bitcast<f32>(_e2916);
 let _e2920 = local_10.member[2u];
 let _e2921 = (_e2905 + _e2920);
 let _e2923 = select(_e2870, _e2921, (_e2921 < _e2870));
-let _e2928 = global_3.member[bitcast<u32>(select(0i, _e2923, (_e2923 > 0i)))];
+let _e2928 = global_2.member[bitcast<u32>(select(0i, _e2923, (_e2923 > 0i)))];
 let _e2930 = local_11[0u];
 let _e2933 = (_e2917 + ((bitcast<f32>(_e2928) - _e2917) * _e2930));
 let _e2934 = (_e2892 + _e2891);
 let _e2935 = local_10.member[1u];
 let _e2936 = (_e2934 + _e2935);
 let _e2938 = select(_e2870, _e2936, (_e2936 < _e2870));
-let _e2943 = global_3.member[bitcast<u32>(select(0i, _e2938, (_e2938 > 0i)))];
+let _e2943 = global_2.member[bitcast<u32>(select(0i, _e2938, (_e2938 > 0i)))];
 let _e2944 = bitcast<f32>(_e2943);
 let _e2945 = local_10.member[2u];
 let _e2946 = (_e2934 + _e2945);
 let _e2948 = select(_e2870, _e2946, (_e2946 < _e2870));
-let _e2953 = global_3.member[bitcast<u32>(select(0i, _e2948, (_e2948 > 0i)))];
+let _e2953 = global_2.member[bitcast<u32>(select(0i, _e2948, (_e2948 > 0i)))];
 let _e2955 = local_11[0u];
 let _e2960 = local_11[1u];
 let _e2963 = (_e2933 + (((_e2944 + ((bitcast<f32>(_e2953) - _e2944) * _e2955)) - _e2933) * _e2960));
@@ -1122,24 +1122,24 @@ let _e2964 = (_e2894 + _e2889);
 let _e2965 = local_10.member[1u];
 let _e2966 = (_e2964 + _e2965);
 let _e2968 = select(_e2870, _e2966, (_e2966 < _e2870));
-let _e2973 = global_3.member[bitcast<u32>(select(0i, _e2968, (_e2968 > 0i)))];
+let _e2973 = global_2.member[bitcast<u32>(select(0i, _e2968, (_e2968 > 0i)))];
 let _e2974 = bitcast<f32>(_e2973);
 let _e2975 = local_10.member[2u];
 let _e2976 = (_e2964 + _e2975);
 let _e2978 = select(_e2870, _e2976, (_e2976 < _e2870));
-let _e2983 = global_3.member[bitcast<u32>(select(0i, _e2978, (_e2978 > 0i)))];
+let _e2983 = global_2.member[bitcast<u32>(select(0i, _e2978, (_e2978 > 0i)))];
 let _e2985 = local_11[0u];
 let _e2988 = (_e2974 + ((bitcast<f32>(_e2983) - _e2974) * _e2985));
 let _e2989 = (_e2894 + _e2891);
 let _e2990 = local_10.member[1u];
 let _e2991 = (_e2989 + _e2990);
 let _e2993 = select(_e2870, _e2991, (_e2991 < _e2870));
-let _e2998 = global_3.member[bitcast<u32>(select(0i, _e2993, (_e2993 > 0i)))];
+let _e2998 = global_2.member[bitcast<u32>(select(0i, _e2993, (_e2993 > 0i)))];
 let _e2999 = bitcast<f32>(_e2998);
 let _e3000 = local_10.member[2u];
 let _e3001 = (_e2989 + _e3000);
 let _e3003 = select(_e2870, _e3001, (_e3001 < _e2870));
-let _e3008 = global_3.member[bitcast<u32>(select(0i, _e3003, (_e3003 > 0i)))];
+let _e3008 = global_2.member[bitcast<u32>(select(0i, _e3003, (_e3003 > 0i)))];
 let _e3010 = local_11[0u];
 let _e3014 = local_11[1u];
 let _e3019 = local_11[2u];
@@ -1187,7 +1187,7 @@ let _e3138 = bitcast<i32>(_e3137);
 let _e3148 = ((_e3124 >> bitcast<u32>(4i)) + (_e3132 * ((_e3125 >> bitcast<u32>(4i)) + (_e3138 * (_e3126 >> bitcast<u32>(4i))))));
 let _e3150 = (bitcast<i32>(_e160) - 1i);
 let _e3152 = select(_e3150, _e3148, (_e3148 < _e3150));
-let _e3158 = global_3.member[bitcast<u32>(select(0i, _e3152, (_e3152 > 0i)))];
+let _e3158 = global_2.member[bitcast<u32>(select(0i, _e3152, (_e3152 > 0i)))];
 let _e3160 = (_e3124 & 15i);
 let _e3163 = ((_e3125 & 15i) * _e3119);
 let _e3165 = (bitcast<i32>(_e3158) + ((_e3126 & 15i) * _e3123));
@@ -1197,30 +1197,30 @@ let _e3171 = (_e3163 + _e3170);
 let _e3172 = (_e3165 + _e3123);
 let _e3173 = (2i * _e3123);
 let _e3174 = (_e3165 + _e3173);
-local_8 = type_31(array<i32, 4>(_e3160, (_e3160 + 1i), (_e3160 + 2i), (_e3160 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_8 = type_29(array<i32, 4>(_e3160, (_e3160 + 1i), (_e3160 + 2i), (_e3160 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_9 = vec3<f32>((_e3050 - f32(_e3085)), (_e3060 - f32(_e3100)), (_e3070 - f32(_e3115)));
 let _e3185 = (_e3172 + _e3169);
 let _e3188 = local_8.member[1u];
 let _e3189 = (_e3185 + _e3188);
 let _e3191 = select(_e3150, _e3189, (_e3189 < _e3150));
-let _e3196 = global_3.member[bitcast<u32>(select(0i, _e3191, (_e3191 > 0i)))];
+let _e3196 = global_2.member[bitcast<u32>(select(0i, _e3191, (_e3191 > 0i)))];
 let _e3197 = bitcast<f32>(_e3196);
 let _e3200 = local_8.member[2u];
 let _e3201 = (_e3185 + _e3200);
 let _e3203 = select(_e3150, _e3201, (_e3201 < _e3150));
-let _e3208 = global_3.member[bitcast<u32>(select(0i, _e3203, (_e3203 > 0i)))];
+let _e3208 = global_2.member[bitcast<u32>(select(0i, _e3203, (_e3203 > 0i)))];
 let _e3210 = local_9[0u];
 let _e3213 = (_e3197 + ((bitcast<f32>(_e3208) - _e3197) * _e3210));
 let _e3214 = (_e3172 + _e3171);
 let _e3215 = local_8.member[1u];
 let _e3216 = (_e3214 + _e3215);
 let _e3218 = select(_e3150, _e3216, (_e3216 < _e3150));
-let _e3223 = global_3.member[bitcast<u32>(select(0i, _e3218, (_e3218 > 0i)))];
+let _e3223 = global_2.member[bitcast<u32>(select(0i, _e3218, (_e3218 > 0i)))];
 let _e3224 = bitcast<f32>(_e3223);
 let _e3225 = local_8.member[2u];
 let _e3226 = (_e3214 + _e3225);
 let _e3228 = select(_e3150, _e3226, (_e3226 < _e3150));
-let _e3233 = global_3.member[bitcast<u32>(select(0i, _e3228, (_e3228 > 0i)))];
+let _e3233 = global_2.member[bitcast<u32>(select(0i, _e3228, (_e3228 > 0i)))];
 let _e3235 = local_9[0u];
 let _e3240 = local_9[1u];
 let _e3243 = (_e3213 + (((_e3224 + ((bitcast<f32>(_e3233) - _e3224) * _e3235)) - _e3213) * _e3240));
@@ -1228,24 +1228,24 @@ let _e3244 = (_e3174 + _e3169);
 let _e3245 = local_8.member[1u];
 let _e3246 = (_e3244 + _e3245);
 let _e3248 = select(_e3150, _e3246, (_e3246 < _e3150));
-let _e3253 = global_3.member[bitcast<u32>(select(0i, _e3248, (_e3248 > 0i)))];
+let _e3253 = global_2.member[bitcast<u32>(select(0i, _e3248, (_e3248 > 0i)))];
 let _e3254 = bitcast<f32>(_e3253);
 let _e3255 = local_8.member[2u];
 let _e3256 = (_e3244 + _e3255);
 let _e3258 = select(_e3150, _e3256, (_e3256 < _e3150));
-let _e3263 = global_3.member[bitcast<u32>(select(0i, _e3258, (_e3258 > 0i)))];
+let _e3263 = global_2.member[bitcast<u32>(select(0i, _e3258, (_e3258 > 0i)))];
 let _e3265 = local_9[0u];
 let _e3268 = (_e3254 + ((bitcast<f32>(_e3263) - _e3254) * _e3265));
 let _e3269 = (_e3174 + _e3171);
 let _e3270 = local_8.member[1u];
 let _e3271 = (_e3269 + _e3270);
 let _e3273 = select(_e3150, _e3271, (_e3271 < _e3150));
-let _e3278 = global_3.member[bitcast<u32>(select(0i, _e3273, (_e3273 > 0i)))];
+let _e3278 = global_2.member[bitcast<u32>(select(0i, _e3273, (_e3273 > 0i)))];
 let _e3279 = bitcast<f32>(_e3278);
 let _e3280 = local_8.member[2u];
 let _e3281 = (_e3269 + _e3280);
 let _e3283 = select(_e3150, _e3281, (_e3281 < _e3150));
-let _e3288 = global_3.member[bitcast<u32>(select(0i, _e3283, (_e3283 > 0i)))];
+let _e3288 = global_2.member[bitcast<u32>(select(0i, _e3283, (_e3283 > 0i)))];
 let _e3290 = local_9[0u];
 let _e3294 = local_9[1u];
 let _e3299 = local_9[2u];
@@ -1258,7 +1258,7 @@ let _e3317 = select(1e9f, _e3315, (_e3315 < 1e9f));
 let _e3320 = global_1.member.member_1;
 let _e3322 = ((_e3320 & 16u) == 0u);
 if _e3322 {
-phi_8400_ = type_5(1f, 1f, 1f);
+phi_8400_ = type_7(1f, 1f, 1f);
 } else {
 let _e3326 = global_1.member.member_14.member;
 let _e3337 = ((((_e3326.member.member * _e1129) + (_e3326.member.member_1 * _e1142)) + (_e3326.member.member_2 * _e1107)) + _e3326.member_1);
@@ -1304,7 +1304,7 @@ let _e3504 = select(0f, _e3502, (_e3502 > 0f));
 let _e3510 = select(select(select(1f, _e3504, (_e3504 < 1f)), 1f, (_e3497 <= 0f)), 0f, (_e3495 > 0f));
 let _e3515 = global_1.member.member_17.member_1;
 let _e3516 = (_e3515 != 0u);
-phi_8400_ = type_5(((((1f * _e3360) * _e3410) * _e3460) * _e3510), ((((1f * select(1f, _e3360, _e3366)) * select(1f, _e3410, _e3416)) * select(1f, _e3460, _e3466)) * select(1f, _e3510, _e3516)), ((((1f * select(1f, 0f, (_e3366 && (_e3343 > 0f)))) * select(1f, 0f, (_e3416 && (_e3393 > 0f)))) * select(1f, 0f, (_e3466 && (_e3443 > 0f)))) * select(1f, 0f, (_e3516 && (_e3493 > 0f)))));
+phi_8400_ = type_7(((((1f * _e3360) * _e3410) * _e3460) * _e3510), ((((1f * select(1f, _e3360, _e3366)) * select(1f, _e3410, _e3416)) * select(1f, _e3460, _e3466)) * select(1f, _e3510, _e3516)), ((((1f * select(1f, 0f, (_e3366 && (_e3343 > 0f)))) * select(1f, 0f, (_e3416 && (_e3393 > 0f)))) * select(1f, 0f, (_e3466 && (_e3443 > 0f)))) * select(1f, 0f, (_e3516 && (_e3493 > 0f)))));
 }
 let _e3525 = phi_8400_;
 let _e3526 = (_e1208 - _e1172);
@@ -1357,97 +1357,97 @@ local_7 = _e3317;
 let _e3646 = local_7;
 let _e3648 = (bitcast<i32>(_e165) - 1i);
 let _e3650 = select(_e3648, 263171i, (263171i < _e3648));
-let _e3655 = global_4.member[bitcast<u32>(select(0i, _e3650, (_e3650 > 0i)))];
+let _e3655 = global_3.member[bitcast<u32>(select(0i, _e3650, (_e3650 > 0i)))];
 let _e3656 = bitcast<f32>(_e3655);
 let _e3658 = select(_e3648, 263172i, (263172i < _e3648));
-let _e3663 = global_4.member[bitcast<u32>(select(0i, _e3658, (_e3658 > 0i)))];
+let _e3663 = global_3.member[bitcast<u32>(select(0i, _e3658, (_e3658 > 0i)))];
 let _e3664 = bitcast<f32>(_e3663);
 let _e3666 = select(_e3648, 263173i, (263173i < _e3648));
-let _e3671 = global_4.member[bitcast<u32>(select(0i, _e3666, (_e3666 > 0i)))];
+let _e3671 = global_3.member[bitcast<u32>(select(0i, _e3666, (_e3666 > 0i)))];
 let _e3672 = bitcast<f32>(_e3671);
 let _e3674 = ((_e3646 - _e3656) * _e3664);
 let _e3676 = select(0f, _e3674, (_e3674 > 0f));
 let _e3679 = local_7;
 let _e3681 = select(_e3648, 263174i, (263174i < _e3648));
-let _e3686 = global_4.member[bitcast<u32>(select(0i, _e3681, (_e3681 > 0i)))];
+let _e3686 = global_3.member[bitcast<u32>(select(0i, _e3681, (_e3681 > 0i)))];
 let _e3687 = bitcast<f32>(_e3686);
 let _e3689 = select(_e3648, 263175i, (263175i < _e3648));
-let _e3694 = global_4.member[bitcast<u32>(select(0i, _e3689, (_e3689 > 0i)))];
+let _e3694 = global_3.member[bitcast<u32>(select(0i, _e3689, (_e3689 > 0i)))];
 let _e3695 = bitcast<f32>(_e3694);
 let _e3697 = select(_e3648, 263176i, (263176i < _e3648));
-let _e3702 = global_4.member[bitcast<u32>(select(0i, _e3697, (_e3697 > 0i)))];
+let _e3702 = global_3.member[bitcast<u32>(select(0i, _e3697, (_e3697 > 0i)))];
 let _e3703 = bitcast<f32>(_e3702);
 let _e3705 = ((_e3679 - _e3687) * _e3695);
 let _e3707 = select(0f, _e3705, (_e3705 > 0f));
 let _e3711 = local_7;
 let _e3713 = select(_e3648, 263177i, (263177i < _e3648));
-let _e3718 = global_4.member[bitcast<u32>(select(0i, _e3713, (_e3713 > 0i)))];
+let _e3718 = global_3.member[bitcast<u32>(select(0i, _e3713, (_e3713 > 0i)))];
 let _e3719 = bitcast<f32>(_e3718);
 let _e3721 = select(_e3648, 263178i, (263178i < _e3648));
-let _e3726 = global_4.member[bitcast<u32>(select(0i, _e3721, (_e3721 > 0i)))];
+let _e3726 = global_3.member[bitcast<u32>(select(0i, _e3721, (_e3721 > 0i)))];
 let _e3727 = bitcast<f32>(_e3726);
 let _e3729 = select(_e3648, 263179i, (263179i < _e3648));
-let _e3734 = global_4.member[bitcast<u32>(select(0i, _e3729, (_e3729 > 0i)))];
+let _e3734 = global_3.member[bitcast<u32>(select(0i, _e3729, (_e3729 > 0i)))];
 let _e3735 = bitcast<f32>(_e3734);
 let _e3737 = ((_e3711 - _e3719) * _e3727);
 let _e3739 = select(0f, _e3737, (_e3737 > 0f));
 let _e3742 = local_7;
 let _e3744 = select(_e3648, 263180i, (263180i < _e3648));
-let _e3749 = global_4.member[bitcast<u32>(select(0i, _e3744, (_e3744 > 0i)))];
+let _e3749 = global_3.member[bitcast<u32>(select(0i, _e3744, (_e3744 > 0i)))];
 let _e3750 = bitcast<f32>(_e3749);
 let _e3752 = select(_e3648, 263181i, (263181i < _e3648));
-let _e3757 = global_4.member[bitcast<u32>(select(0i, _e3752, (_e3752 > 0i)))];
+let _e3757 = global_3.member[bitcast<u32>(select(0i, _e3752, (_e3752 > 0i)))];
 let _e3758 = bitcast<f32>(_e3757);
 let _e3760 = select(_e3648, 263182i, (263182i < _e3648));
-let _e3765 = global_4.member[bitcast<u32>(select(0i, _e3760, (_e3760 > 0i)))];
+let _e3765 = global_3.member[bitcast<u32>(select(0i, _e3760, (_e3760 > 0i)))];
 let _e3766 = bitcast<f32>(_e3765);
 let _e3768 = ((_e3742 - _e3750) * _e3758);
 let _e3770 = select(0f, _e3768, (_e3768 > 0f));
 let _e3775 = local_7;
 let _e3777 = select(_e3648, 263183i, (263183i < _e3648));
-let _e3782 = global_4.member[bitcast<u32>(select(0i, _e3777, (_e3777 > 0i)))];
+let _e3782 = global_3.member[bitcast<u32>(select(0i, _e3777, (_e3777 > 0i)))];
 let _e3783 = bitcast<f32>(_e3782);
 let _e3785 = select(_e3648, 263184i, (263184i < _e3648));
-let _e3790 = global_4.member[bitcast<u32>(select(0i, _e3785, (_e3785 > 0i)))];
+let _e3790 = global_3.member[bitcast<u32>(select(0i, _e3785, (_e3785 > 0i)))];
 let _e3791 = bitcast<f32>(_e3790);
 let _e3793 = select(_e3648, 263185i, (263185i < _e3648));
-let _e3798 = global_4.member[bitcast<u32>(select(0i, _e3793, (_e3793 > 0i)))];
+let _e3798 = global_3.member[bitcast<u32>(select(0i, _e3793, (_e3793 > 0i)))];
 let _e3799 = bitcast<f32>(_e3798);
 let _e3801 = ((_e3775 - _e3783) * _e3791);
 let _e3803 = select(0f, _e3801, (_e3801 > 0f));
 let _e3806 = local_7;
 let _e3808 = select(_e3648, 263186i, (263186i < _e3648));
-let _e3813 = global_4.member[bitcast<u32>(select(0i, _e3808, (_e3808 > 0i)))];
+let _e3813 = global_3.member[bitcast<u32>(select(0i, _e3808, (_e3808 > 0i)))];
 let _e3814 = bitcast<f32>(_e3813);
 let _e3816 = select(_e3648, 263187i, (263187i < _e3648));
-let _e3821 = global_4.member[bitcast<u32>(select(0i, _e3816, (_e3816 > 0i)))];
+let _e3821 = global_3.member[bitcast<u32>(select(0i, _e3816, (_e3816 > 0i)))];
 let _e3822 = bitcast<f32>(_e3821);
 let _e3824 = select(_e3648, 263188i, (263188i < _e3648));
-let _e3829 = global_4.member[bitcast<u32>(select(0i, _e3824, (_e3824 > 0i)))];
+let _e3829 = global_3.member[bitcast<u32>(select(0i, _e3824, (_e3824 > 0i)))];
 let _e3830 = bitcast<f32>(_e3829);
 let _e3832 = ((_e3806 - _e3814) * _e3822);
 let _e3834 = select(0f, _e3832, (_e3832 > 0f));
 let _e3838 = local_7;
 let _e3840 = select(_e3648, 263189i, (263189i < _e3648));
-let _e3845 = global_4.member[bitcast<u32>(select(0i, _e3840, (_e3840 > 0i)))];
+let _e3845 = global_3.member[bitcast<u32>(select(0i, _e3840, (_e3840 > 0i)))];
 let _e3846 = bitcast<f32>(_e3845);
 let _e3848 = select(_e3648, 263190i, (263190i < _e3648));
-let _e3853 = global_4.member[bitcast<u32>(select(0i, _e3848, (_e3848 > 0i)))];
+let _e3853 = global_3.member[bitcast<u32>(select(0i, _e3848, (_e3848 > 0i)))];
 let _e3854 = bitcast<f32>(_e3853);
 let _e3856 = select(_e3648, 263191i, (263191i < _e3648));
-let _e3861 = global_4.member[bitcast<u32>(select(0i, _e3856, (_e3856 > 0i)))];
+let _e3861 = global_3.member[bitcast<u32>(select(0i, _e3856, (_e3856 > 0i)))];
 let _e3862 = bitcast<f32>(_e3861);
 let _e3864 = ((_e3838 - _e3846) * _e3854);
 let _e3866 = select(0f, _e3864, (_e3864 > 0f));
 let _e3869 = local_7;
 let _e3871 = select(_e3648, 263192i, (263192i < _e3648));
-let _e3876 = global_4.member[bitcast<u32>(select(0i, _e3871, (_e3871 > 0i)))];
+let _e3876 = global_3.member[bitcast<u32>(select(0i, _e3871, (_e3871 > 0i)))];
 let _e3877 = bitcast<f32>(_e3876);
 let _e3879 = select(_e3648, 263193i, (263193i < _e3648));
-let _e3884 = global_4.member[bitcast<u32>(select(0i, _e3879, (_e3879 > 0i)))];
+let _e3884 = global_3.member[bitcast<u32>(select(0i, _e3879, (_e3879 > 0i)))];
 let _e3885 = bitcast<f32>(_e3884);
 let _e3887 = select(_e3648, 263194i, (263194i < _e3648));
-let _e3892 = global_4.member[bitcast<u32>(select(0i, _e3887, (_e3887 > 0i)))];
+let _e3892 = global_3.member[bitcast<u32>(select(0i, _e3887, (_e3887 > 0i)))];
 let _e3893 = bitcast<f32>(_e3892);
 let _e3895 = ((_e3869 - _e3877) * _e3885);
 let _e3897 = select(0f, _e3895, (_e3895 > 0f));
@@ -1488,10 +1488,10 @@ let _e3985 = select(_e3966, _e3983, (_e3983 < _e3966));
 let _e3992 = select(0i, select(select(i32(_e3985), i32(-2147483648), (_e3985 < -2147483600f)), 2147483647i, (_e3985 > 2147483500f)), (_e3985 == _e3985));
 let _e3996 = (_e3992 - select(0i, 1i, (_e3985 < f32(_e3992))));
 let _e3998 = select(_e3648, 263195i, (263195i < _e3648));
-let _e4004 = global_4.member[bitcast<u32>(select(0i, _e3998, (_e3998 > 0i)))];
+let _e4004 = global_3.member[bitcast<u32>(select(0i, _e3998, (_e3998 > 0i)))];
 let _e4005 = bitcast<f32>(_e4004);
 let _e4007 = select(_e3648, 263196i, (263196i < _e3648));
-let _e4013 = global_4.member[bitcast<u32>(select(0i, _e4007, (_e4007 > 0i)))];
+let _e4013 = global_3.member[bitcast<u32>(select(0i, _e4007, (_e4007 > 0i)))];
 let _e4014 = bitcast<f32>(_e4013);
 let _e4015 = (_e3040.member - _e3317);
 let _e4021 = (1f / select(_e4015, 1f, (bitcast<f32>((bitcast<u32>(_e4015) & 2147483647u)) < 1e-20f)));
@@ -1500,20 +1500,20 @@ let _e4033 = ((select(_e4014, _e3040.member, (_e3040.member > _e4014)) - select(
 let _e4036 = (((_e3981 * 256i) + _e3996) * 4i);
 let _e4040 = (_e3965 - f32(_e3996));
 let _e4044 = select(_e3648, _e4036, (_e4036 < _e3648));
-let _e4050 = global_4.member[bitcast<u32>(select(0i, _e4044, (_e4044 > 0i)))];
+let _e4050 = global_3.member[bitcast<u32>(select(0i, _e4044, (_e4044 > 0i)))];
 let _e4051 = (_e4036 + 4i);
 let _e4053 = select(_e3648, _e4051, (_e4051 < _e3648));
-let _e4059 = global_4.member[bitcast<u32>(select(0i, _e4053, (_e4053 > 0i)))];
+let _e4059 = global_3.member[bitcast<u32>(select(0i, _e4053, (_e4053 > 0i)))];
 let _e4060 = (_e4036 + 1024i);
 let _e4062 = select(_e3648, _e4060, (_e4060 < _e3648));
-let _e4068 = global_4.member[bitcast<u32>(select(0i, _e4062, (_e4062 > 0i)))];
+let _e4068 = global_3.member[bitcast<u32>(select(0i, _e4062, (_e4062 > 0i)))];
 let _e4069 = (_e4036 + 1028i);
 let _e4071 = select(_e3648, _e4069, (_e4069 < _e3648));
-let _e4077 = global_4.member[bitcast<u32>(select(0i, _e4071, (_e4071 > 0i)))];
+let _e4077 = global_3.member[bitcast<u32>(select(0i, _e4071, (_e4071 > 0i)))];
 let _e4079 = select(_e3648, 0i, (0i < _e3648));
-let _e4085 = global_4.member[bitcast<u32>(select(0i, _e4079, (_e4079 > 0i)))];
+let _e4085 = global_3.member[bitcast<u32>(select(0i, _e4079, (_e4079 > 0i)))];
 let _e4087 = select(_e3648, 262140i, (262140i < _e3648));
-let _e4093 = global_4.member[bitcast<u32>(select(0i, _e4087, (_e4087 > 0i)))];
+let _e4093 = global_3.member[bitcast<u32>(select(0i, _e4087, (_e4087 > 0i)))];
 let _e4098 = (bitcast<f32>(((_e4050 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4106 = (_e4098 + (((bitcast<f32>(((_e4059 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4098) * _e4040));
 let _e4111 = (bitcast<f32>(((_e4068 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1536,97 +1536,97 @@ local_5 = _e3317;
 let _e4196 = local_5;
 let _e4198 = (bitcast<i32>(_e165) - 1i);
 let _e4200 = select(_e4198, 263171i, (263171i < _e4198));
-let _e4205 = global_4.member[bitcast<u32>(select(0i, _e4200, (_e4200 > 0i)))];
+let _e4205 = global_3.member[bitcast<u32>(select(0i, _e4200, (_e4200 > 0i)))];
 let _e4206 = bitcast<f32>(_e4205);
 let _e4208 = select(_e4198, 263172i, (263172i < _e4198));
-let _e4213 = global_4.member[bitcast<u32>(select(0i, _e4208, (_e4208 > 0i)))];
+let _e4213 = global_3.member[bitcast<u32>(select(0i, _e4208, (_e4208 > 0i)))];
 let _e4214 = bitcast<f32>(_e4213);
 let _e4216 = select(_e4198, 263173i, (263173i < _e4198));
-let _e4221 = global_4.member[bitcast<u32>(select(0i, _e4216, (_e4216 > 0i)))];
+let _e4221 = global_3.member[bitcast<u32>(select(0i, _e4216, (_e4216 > 0i)))];
 let _e4222 = bitcast<f32>(_e4221);
 let _e4224 = ((_e4196 - _e4206) * _e4214);
 let _e4226 = select(0f, _e4224, (_e4224 > 0f));
 let _e4229 = local_5;
 let _e4231 = select(_e4198, 263174i, (263174i < _e4198));
-let _e4236 = global_4.member[bitcast<u32>(select(0i, _e4231, (_e4231 > 0i)))];
+let _e4236 = global_3.member[bitcast<u32>(select(0i, _e4231, (_e4231 > 0i)))];
 let _e4237 = bitcast<f32>(_e4236);
 let _e4239 = select(_e4198, 263175i, (263175i < _e4198));
-let _e4244 = global_4.member[bitcast<u32>(select(0i, _e4239, (_e4239 > 0i)))];
+let _e4244 = global_3.member[bitcast<u32>(select(0i, _e4239, (_e4239 > 0i)))];
 let _e4245 = bitcast<f32>(_e4244);
 let _e4247 = select(_e4198, 263176i, (263176i < _e4198));
-let _e4252 = global_4.member[bitcast<u32>(select(0i, _e4247, (_e4247 > 0i)))];
+let _e4252 = global_3.member[bitcast<u32>(select(0i, _e4247, (_e4247 > 0i)))];
 let _e4253 = bitcast<f32>(_e4252);
 let _e4255 = ((_e4229 - _e4237) * _e4245);
 let _e4257 = select(0f, _e4255, (_e4255 > 0f));
 let _e4261 = local_5;
 let _e4263 = select(_e4198, 263177i, (263177i < _e4198));
-let _e4268 = global_4.member[bitcast<u32>(select(0i, _e4263, (_e4263 > 0i)))];
+let _e4268 = global_3.member[bitcast<u32>(select(0i, _e4263, (_e4263 > 0i)))];
 let _e4269 = bitcast<f32>(_e4268);
 let _e4271 = select(_e4198, 263178i, (263178i < _e4198));
-let _e4276 = global_4.member[bitcast<u32>(select(0i, _e4271, (_e4271 > 0i)))];
+let _e4276 = global_3.member[bitcast<u32>(select(0i, _e4271, (_e4271 > 0i)))];
 let _e4277 = bitcast<f32>(_e4276);
 let _e4279 = select(_e4198, 263179i, (263179i < _e4198));
-let _e4284 = global_4.member[bitcast<u32>(select(0i, _e4279, (_e4279 > 0i)))];
+let _e4284 = global_3.member[bitcast<u32>(select(0i, _e4279, (_e4279 > 0i)))];
 let _e4285 = bitcast<f32>(_e4284);
 let _e4287 = ((_e4261 - _e4269) * _e4277);
 let _e4289 = select(0f, _e4287, (_e4287 > 0f));
 let _e4292 = local_5;
 let _e4294 = select(_e4198, 263180i, (263180i < _e4198));
-let _e4299 = global_4.member[bitcast<u32>(select(0i, _e4294, (_e4294 > 0i)))];
+let _e4299 = global_3.member[bitcast<u32>(select(0i, _e4294, (_e4294 > 0i)))];
 let _e4300 = bitcast<f32>(_e4299);
 let _e4302 = select(_e4198, 263181i, (263181i < _e4198));
-let _e4307 = global_4.member[bitcast<u32>(select(0i, _e4302, (_e4302 > 0i)))];
+let _e4307 = global_3.member[bitcast<u32>(select(0i, _e4302, (_e4302 > 0i)))];
 let _e4308 = bitcast<f32>(_e4307);
 let _e4310 = select(_e4198, 263182i, (263182i < _e4198));
-let _e4315 = global_4.member[bitcast<u32>(select(0i, _e4310, (_e4310 > 0i)))];
+let _e4315 = global_3.member[bitcast<u32>(select(0i, _e4310, (_e4310 > 0i)))];
 let _e4316 = bitcast<f32>(_e4315);
 let _e4318 = ((_e4292 - _e4300) * _e4308);
 let _e4320 = select(0f, _e4318, (_e4318 > 0f));
 let _e4325 = local_5;
 let _e4327 = select(_e4198, 263183i, (263183i < _e4198));
-let _e4332 = global_4.member[bitcast<u32>(select(0i, _e4327, (_e4327 > 0i)))];
+let _e4332 = global_3.member[bitcast<u32>(select(0i, _e4327, (_e4327 > 0i)))];
 let _e4333 = bitcast<f32>(_e4332);
 let _e4335 = select(_e4198, 263184i, (263184i < _e4198));
-let _e4340 = global_4.member[bitcast<u32>(select(0i, _e4335, (_e4335 > 0i)))];
+let _e4340 = global_3.member[bitcast<u32>(select(0i, _e4335, (_e4335 > 0i)))];
 let _e4341 = bitcast<f32>(_e4340);
 let _e4343 = select(_e4198, 263185i, (263185i < _e4198));
-let _e4348 = global_4.member[bitcast<u32>(select(0i, _e4343, (_e4343 > 0i)))];
+let _e4348 = global_3.member[bitcast<u32>(select(0i, _e4343, (_e4343 > 0i)))];
 let _e4349 = bitcast<f32>(_e4348);
 let _e4351 = ((_e4325 - _e4333) * _e4341);
 let _e4353 = select(0f, _e4351, (_e4351 > 0f));
 let _e4356 = local_5;
 let _e4358 = select(_e4198, 263186i, (263186i < _e4198));
-let _e4363 = global_4.member[bitcast<u32>(select(0i, _e4358, (_e4358 > 0i)))];
+let _e4363 = global_3.member[bitcast<u32>(select(0i, _e4358, (_e4358 > 0i)))];
 let _e4364 = bitcast<f32>(_e4363);
 let _e4366 = select(_e4198, 263187i, (263187i < _e4198));
-let _e4371 = global_4.member[bitcast<u32>(select(0i, _e4366, (_e4366 > 0i)))];
+let _e4371 = global_3.member[bitcast<u32>(select(0i, _e4366, (_e4366 > 0i)))];
 let _e4372 = bitcast<f32>(_e4371);
 let _e4374 = select(_e4198, 263188i, (263188i < _e4198));
-let _e4379 = global_4.member[bitcast<u32>(select(0i, _e4374, (_e4374 > 0i)))];
+let _e4379 = global_3.member[bitcast<u32>(select(0i, _e4374, (_e4374 > 0i)))];
 let _e4380 = bitcast<f32>(_e4379);
 let _e4382 = ((_e4356 - _e4364) * _e4372);
 let _e4384 = select(0f, _e4382, (_e4382 > 0f));
 let _e4388 = local_5;
 let _e4390 = select(_e4198, 263189i, (263189i < _e4198));
-let _e4395 = global_4.member[bitcast<u32>(select(0i, _e4390, (_e4390 > 0i)))];
+let _e4395 = global_3.member[bitcast<u32>(select(0i, _e4390, (_e4390 > 0i)))];
 let _e4396 = bitcast<f32>(_e4395);
 let _e4398 = select(_e4198, 263190i, (263190i < _e4198));
-let _e4403 = global_4.member[bitcast<u32>(select(0i, _e4398, (_e4398 > 0i)))];
+let _e4403 = global_3.member[bitcast<u32>(select(0i, _e4398, (_e4398 > 0i)))];
 let _e4404 = bitcast<f32>(_e4403);
 let _e4406 = select(_e4198, 263191i, (263191i < _e4198));
-let _e4411 = global_4.member[bitcast<u32>(select(0i, _e4406, (_e4406 > 0i)))];
+let _e4411 = global_3.member[bitcast<u32>(select(0i, _e4406, (_e4406 > 0i)))];
 let _e4412 = bitcast<f32>(_e4411);
 let _e4414 = ((_e4388 - _e4396) * _e4404);
 let _e4416 = select(0f, _e4414, (_e4414 > 0f));
 let _e4419 = local_5;
 let _e4421 = select(_e4198, 263192i, (263192i < _e4198));
-let _e4426 = global_4.member[bitcast<u32>(select(0i, _e4421, (_e4421 > 0i)))];
+let _e4426 = global_3.member[bitcast<u32>(select(0i, _e4421, (_e4421 > 0i)))];
 let _e4427 = bitcast<f32>(_e4426);
 let _e4429 = select(_e4198, 263193i, (263193i < _e4198));
-let _e4434 = global_4.member[bitcast<u32>(select(0i, _e4429, (_e4429 > 0i)))];
+let _e4434 = global_3.member[bitcast<u32>(select(0i, _e4429, (_e4429 > 0i)))];
 let _e4435 = bitcast<f32>(_e4434);
 let _e4437 = select(_e4198, 263194i, (263194i < _e4198));
-let _e4442 = global_4.member[bitcast<u32>(select(0i, _e4437, (_e4437 > 0i)))];
+let _e4442 = global_3.member[bitcast<u32>(select(0i, _e4437, (_e4437 > 0i)))];
 let _e4443 = bitcast<f32>(_e4442);
 let _e4445 = ((_e4419 - _e4427) * _e4435);
 let _e4447 = select(0f, _e4445, (_e4445 > 0f));
@@ -1667,10 +1667,10 @@ let _e4535 = select(_e4516, _e4533, (_e4533 < _e4516));
 let _e4542 = select(0i, select(select(i32(_e4535), i32(-2147483648), (_e4535 < -2147483600f)), 2147483647i, (_e4535 > 2147483500f)), (_e4535 == _e4535));
 let _e4546 = (_e4542 - select(0i, 1i, (_e4535 < f32(_e4542))));
 let _e4548 = select(_e4198, 263195i, (263195i < _e4198));
-let _e4554 = global_4.member[bitcast<u32>(select(0i, _e4548, (_e4548 > 0i)))];
+let _e4554 = global_3.member[bitcast<u32>(select(0i, _e4548, (_e4548 > 0i)))];
 let _e4555 = bitcast<f32>(_e4554);
 let _e4557 = select(_e4198, 263196i, (263196i < _e4198));
-let _e4563 = global_4.member[bitcast<u32>(select(0i, _e4557, (_e4557 > 0i)))];
+let _e4563 = global_3.member[bitcast<u32>(select(0i, _e4557, (_e4557 > 0i)))];
 let _e4564 = bitcast<f32>(_e4563);
 let _e4565 = (_e3040.member - _e3317);
 let _e4571 = (1f / select(_e4565, 1f, (bitcast<f32>((bitcast<u32>(_e4565) & 2147483647u)) < 1e-20f)));
@@ -1681,20 +1681,20 @@ let _e4588 = (_e4452 - f32(_e4531));
 let _e4590 = (_e4515 - f32(_e4546));
 let _e4592 = (1f - (_e4577 + _e4583));
 let _e4594 = select(_e4198, _e4586, (_e4586 < _e4198));
-let _e4600 = global_4.member[bitcast<u32>(select(0i, _e4594, (_e4594 > 0i)))];
+let _e4600 = global_3.member[bitcast<u32>(select(0i, _e4594, (_e4594 > 0i)))];
 let _e4601 = (_e4586 + 4i);
 let _e4603 = select(_e4198, _e4601, (_e4601 < _e4198));
-let _e4609 = global_4.member[bitcast<u32>(select(0i, _e4603, (_e4603 > 0i)))];
+let _e4609 = global_3.member[bitcast<u32>(select(0i, _e4603, (_e4603 > 0i)))];
 let _e4610 = (_e4586 + 1024i);
 let _e4612 = select(_e4198, _e4610, (_e4610 < _e4198));
-let _e4618 = global_4.member[bitcast<u32>(select(0i, _e4612, (_e4612 > 0i)))];
+let _e4618 = global_3.member[bitcast<u32>(select(0i, _e4612, (_e4612 > 0i)))];
 let _e4619 = (_e4586 + 1028i);
 let _e4621 = select(_e4198, _e4619, (_e4619 < _e4198));
-let _e4627 = global_4.member[bitcast<u32>(select(0i, _e4621, (_e4621 > 0i)))];
+let _e4627 = global_3.member[bitcast<u32>(select(0i, _e4621, (_e4621 > 0i)))];
 let _e4629 = select(_e4198, 0i, (0i < _e4198));
-let _e4635 = global_4.member[bitcast<u32>(select(0i, _e4629, (_e4629 > 0i)))];
+let _e4635 = global_3.member[bitcast<u32>(select(0i, _e4629, (_e4629 > 0i)))];
 let _e4637 = select(_e4198, 262140i, (262140i < _e4198));
-let _e4643 = global_4.member[bitcast<u32>(select(0i, _e4637, (_e4637 > 0i)))];
+let _e4643 = global_3.member[bitcast<u32>(select(0i, _e4637, (_e4637 > 0i)))];
 let _e4648 = (bitcast<f32>(((_e4600 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4656 = (_e4648 + (((bitcast<f32>(((_e4609 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4648) * _e4590));
 let _e4661 = (bitcast<f32>(((_e4618 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1704,20 +1704,20 @@ let _e4712 = (_e4704 + (((bitcast<f32>((((_e4609 >> bitcast<u32>(16i)) & 32767u)
 let _e4717 = (bitcast<f32>((((_e4618 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4744 = (_e4586 + 1i);
 let _e4746 = select(_e4198, _e4744, (_e4744 < _e4198));
-let _e4752 = global_4.member[bitcast<u32>(select(0i, _e4746, (_e4746 > 0i)))];
+let _e4752 = global_3.member[bitcast<u32>(select(0i, _e4746, (_e4746 > 0i)))];
 let _e4753 = (_e4586 + 5i);
 let _e4755 = select(_e4198, _e4753, (_e4753 < _e4198));
-let _e4761 = global_4.member[bitcast<u32>(select(0i, _e4755, (_e4755 > 0i)))];
+let _e4761 = global_3.member[bitcast<u32>(select(0i, _e4755, (_e4755 > 0i)))];
 let _e4762 = (_e4586 + 1025i);
 let _e4764 = select(_e4198, _e4762, (_e4762 < _e4198));
-let _e4770 = global_4.member[bitcast<u32>(select(0i, _e4764, (_e4764 > 0i)))];
+let _e4770 = global_3.member[bitcast<u32>(select(0i, _e4764, (_e4764 > 0i)))];
 let _e4771 = (_e4586 + 1029i);
 let _e4773 = select(_e4198, _e4771, (_e4771 < _e4198));
-let _e4779 = global_4.member[bitcast<u32>(select(0i, _e4773, (_e4773 > 0i)))];
+let _e4779 = global_3.member[bitcast<u32>(select(0i, _e4773, (_e4773 > 0i)))];
 let _e4781 = select(_e4198, 1i, (1i < _e4198));
-let _e4787 = global_4.member[bitcast<u32>(select(0i, _e4781, (_e4781 > 0i)))];
+let _e4787 = global_3.member[bitcast<u32>(select(0i, _e4781, (_e4781 > 0i)))];
 let _e4789 = select(_e4198, 262141i, (262141i < _e4198));
-let _e4795 = global_4.member[bitcast<u32>(select(0i, _e4789, (_e4789 > 0i)))];
+let _e4795 = global_3.member[bitcast<u32>(select(0i, _e4789, (_e4789 > 0i)))];
 let _e4800 = (bitcast<f32>(((_e4752 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4808 = (_e4800 + (((bitcast<f32>(((_e4761 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4800) * _e4590));
 let _e4813 = (bitcast<f32>(((_e4770 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2023,7 +2023,7 @@ let _e5798 = (_e5781 + 1i);
 let _e5799 = (_e5796 + 1i);
 let _e5809 = ((_e5797 >> bitcast<u32>(4i)) + (_e3132 * ((_e5798 >> bitcast<u32>(4i)) + (_e3138 * (_e5799 >> bitcast<u32>(4i))))));
 let _e5811 = select(_e3150, _e5809, (_e5809 < _e3150));
-let _e5817 = global_3.member[bitcast<u32>(select(0i, _e5811, (_e5811 > 0i)))];
+let _e5817 = global_2.member[bitcast<u32>(select(0i, _e5811, (_e5811 > 0i)))];
 let _e5819 = (_e5797 & 15i);
 let _e5822 = ((_e5798 & 15i) * _e3119);
 let _e5824 = (bitcast<i32>(_e5817) + ((_e5799 & 15i) * _e3123));
@@ -2031,30 +2031,30 @@ let _e5828 = (_e5822 + _e3119);
 let _e5829 = (_e5822 + _e3170);
 let _e5830 = (_e5824 + _e3123);
 let _e5831 = (_e5824 + _e3173);
-local_2 = type_31(array<i32, 4>(_e5819, (_e5819 + 1i), (_e5819 + 2i), (_e5819 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_29(array<i32, 4>(_e5819, (_e5819 + 1i), (_e5819 + 2i), (_e5819 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e5743 - f32(_e5766)), (_e5747 - f32(_e5781)), (_e5751 - f32(_e5796)));
 let _e5842 = (_e5830 + _e5828);
 let _e5845 = local_2.member[1u];
 let _e5846 = (_e5842 + _e5845);
 let _e5848 = select(_e3150, _e5846, (_e5846 < _e3150));
-let _e5853 = global_3.member[bitcast<u32>(select(0i, _e5848, (_e5848 > 0i)))];
+let _e5853 = global_2.member[bitcast<u32>(select(0i, _e5848, (_e5848 > 0i)))];
 let _e5854 = bitcast<f32>(_e5853);
 let _e5857 = local_2.member[2u];
 let _e5858 = (_e5842 + _e5857);
 let _e5860 = select(_e3150, _e5858, (_e5858 < _e3150));
-let _e5865 = global_3.member[bitcast<u32>(select(0i, _e5860, (_e5860 > 0i)))];
+let _e5865 = global_2.member[bitcast<u32>(select(0i, _e5860, (_e5860 > 0i)))];
 let _e5867 = local_3[0u];
 let _e5870 = (_e5854 + ((bitcast<f32>(_e5865) - _e5854) * _e5867));
 let _e5871 = (_e5830 + _e5829);
 let _e5872 = local_2.member[1u];
 let _e5873 = (_e5871 + _e5872);
 let _e5875 = select(_e3150, _e5873, (_e5873 < _e3150));
-let _e5880 = global_3.member[bitcast<u32>(select(0i, _e5875, (_e5875 > 0i)))];
+let _e5880 = global_2.member[bitcast<u32>(select(0i, _e5875, (_e5875 > 0i)))];
 let _e5881 = bitcast<f32>(_e5880);
 let _e5882 = local_2.member[2u];
 let _e5883 = (_e5871 + _e5882);
 let _e5885 = select(_e3150, _e5883, (_e5883 < _e3150));
-let _e5890 = global_3.member[bitcast<u32>(select(0i, _e5885, (_e5885 > 0i)))];
+let _e5890 = global_2.member[bitcast<u32>(select(0i, _e5885, (_e5885 > 0i)))];
 let _e5892 = local_3[0u];
 let _e5897 = local_3[1u];
 let _e5900 = (_e5870 + (((_e5881 + ((bitcast<f32>(_e5890) - _e5881) * _e5892)) - _e5870) * _e5897));
@@ -2062,24 +2062,24 @@ let _e5901 = (_e5831 + _e5828);
 let _e5902 = local_2.member[1u];
 let _e5903 = (_e5901 + _e5902);
 let _e5905 = select(_e3150, _e5903, (_e5903 < _e3150));
-let _e5910 = global_3.member[bitcast<u32>(select(0i, _e5905, (_e5905 > 0i)))];
+let _e5910 = global_2.member[bitcast<u32>(select(0i, _e5905, (_e5905 > 0i)))];
 let _e5911 = bitcast<f32>(_e5910);
 let _e5912 = local_2.member[2u];
 let _e5913 = (_e5901 + _e5912);
 let _e5915 = select(_e3150, _e5913, (_e5913 < _e3150));
-let _e5920 = global_3.member[bitcast<u32>(select(0i, _e5915, (_e5915 > 0i)))];
+let _e5920 = global_2.member[bitcast<u32>(select(0i, _e5915, (_e5915 > 0i)))];
 let _e5922 = local_3[0u];
 let _e5925 = (_e5911 + ((bitcast<f32>(_e5920) - _e5911) * _e5922));
 let _e5926 = (_e5831 + _e5829);
 let _e5927 = local_2.member[1u];
 let _e5928 = (_e5926 + _e5927);
 let _e5930 = select(_e3150, _e5928, (_e5928 < _e3150));
-let _e5935 = global_3.member[bitcast<u32>(select(0i, _e5930, (_e5930 > 0i)))];
+let _e5935 = global_2.member[bitcast<u32>(select(0i, _e5930, (_e5930 > 0i)))];
 let _e5936 = bitcast<f32>(_e5935);
 let _e5937 = local_2.member[2u];
 let _e5938 = (_e5926 + _e5937);
 let _e5940 = select(_e3150, _e5938, (_e5938 < _e3150));
-let _e5945 = global_3.member[bitcast<u32>(select(0i, _e5940, (_e5940 > 0i)))];
+let _e5945 = global_2.member[bitcast<u32>(select(0i, _e5940, (_e5940 > 0i)))];
 let _e5947 = local_3[0u];
 let _e5951 = local_3[1u];
 let _e5956 = local_3[2u];
@@ -2091,41 +2091,41 @@ local_1 = _e5966;
 let _e5967 = local_1;
 let _e5969 = (bitcast<i32>(_e165) - 1i);
 let _e5971 = select(_e5969, 263197i, (263197i < _e5969));
-let _e5976 = global_4.member[bitcast<u32>(select(0i, _e5971, (_e5971 > 0i)))];
+let _e5976 = global_3.member[bitcast<u32>(select(0i, _e5971, (_e5971 > 0i)))];
 let _e5979 = select(_e5969, 263198i, (263198i < _e5969));
-let _e5984 = global_4.member[bitcast<u32>(select(0i, _e5979, (_e5979 > 0i)))];
+let _e5984 = global_3.member[bitcast<u32>(select(0i, _e5979, (_e5979 > 0i)))];
 let _e5987 = select(_e5969, 263199i, (263199i < _e5969));
-let _e5992 = global_4.member[bitcast<u32>(select(0i, _e5987, (_e5987 > 0i)))];
+let _e5992 = global_3.member[bitcast<u32>(select(0i, _e5987, (_e5987 > 0i)))];
 let _e5993 = bitcast<f32>(_e5992);
 let _e5995 = ((_e5967 - bitcast<f32>(_e5976)) * bitcast<f32>(_e5984));
 let _e5997 = select(0f, _e5995, (_e5995 > 0f));
 let _e6000 = local_1;
 let _e6002 = select(_e5969, 263200i, (263200i < _e5969));
-let _e6007 = global_4.member[bitcast<u32>(select(0i, _e6002, (_e6002 > 0i)))];
+let _e6007 = global_3.member[bitcast<u32>(select(0i, _e6002, (_e6002 > 0i)))];
 let _e6010 = select(_e5969, 263201i, (263201i < _e5969));
-let _e6015 = global_4.member[bitcast<u32>(select(0i, _e6010, (_e6010 > 0i)))];
+let _e6015 = global_3.member[bitcast<u32>(select(0i, _e6010, (_e6010 > 0i)))];
 let _e6018 = select(_e5969, 263202i, (263202i < _e5969));
-let _e6023 = global_4.member[bitcast<u32>(select(0i, _e6018, (_e6018 > 0i)))];
+let _e6023 = global_3.member[bitcast<u32>(select(0i, _e6018, (_e6018 > 0i)))];
 let _e6024 = bitcast<f32>(_e6023);
 let _e6026 = ((_e6000 - bitcast<f32>(_e6007)) * bitcast<f32>(_e6015));
 let _e6028 = select(0f, _e6026, (_e6026 > 0f));
 let _e6032 = local_1;
 let _e6034 = select(_e5969, 263203i, (263203i < _e5969));
-let _e6039 = global_4.member[bitcast<u32>(select(0i, _e6034, (_e6034 > 0i)))];
+let _e6039 = global_3.member[bitcast<u32>(select(0i, _e6034, (_e6034 > 0i)))];
 let _e6042 = select(_e5969, 263204i, (263204i < _e5969));
-let _e6047 = global_4.member[bitcast<u32>(select(0i, _e6042, (_e6042 > 0i)))];
+let _e6047 = global_3.member[bitcast<u32>(select(0i, _e6042, (_e6042 > 0i)))];
 let _e6050 = select(_e5969, 263205i, (263205i < _e5969));
-let _e6055 = global_4.member[bitcast<u32>(select(0i, _e6050, (_e6050 > 0i)))];
+let _e6055 = global_3.member[bitcast<u32>(select(0i, _e6050, (_e6050 > 0i)))];
 let _e6056 = bitcast<f32>(_e6055);
 let _e6058 = ((_e6032 - bitcast<f32>(_e6039)) * bitcast<f32>(_e6047));
 let _e6060 = select(0f, _e6058, (_e6058 > 0f));
 let _e6063 = local_1;
 let _e6065 = select(_e5969, 263206i, (263206i < _e5969));
-let _e6070 = global_4.member[bitcast<u32>(select(0i, _e6065, (_e6065 > 0i)))];
+let _e6070 = global_3.member[bitcast<u32>(select(0i, _e6065, (_e6065 > 0i)))];
 let _e6073 = select(_e5969, 263207i, (263207i < _e5969));
-let _e6078 = global_4.member[bitcast<u32>(select(0i, _e6073, (_e6073 > 0i)))];
+let _e6078 = global_3.member[bitcast<u32>(select(0i, _e6073, (_e6073 > 0i)))];
 let _e6081 = select(_e5969, 263208i, (263208i < _e5969));
-let _e6086 = global_4.member[bitcast<u32>(select(0i, _e6081, (_e6081 > 0i)))];
+let _e6086 = global_3.member[bitcast<u32>(select(0i, _e6081, (_e6081 > 0i)))];
 let _e6087 = bitcast<f32>(_e6086);
 let _e6089 = ((_e6063 - bitcast<f32>(_e6070)) * bitcast<f32>(_e6078));
 let _e6091 = select(0f, _e6089, (_e6089 > 0f));
@@ -2136,13 +2136,13 @@ let _e6106 = select(0i, select(select(i32(_e6099), i32(-2147483648), (_e6099 < -
 let _e6110 = (_e6106 - select(0i, 1i, (_e6099 < f32(_e6106))));
 let _e6111 = (262147i + _e6110);
 let _e6113 = select(_e5969, _e6111, (_e6111 < _e5969));
-let _e6119 = global_4.member[bitcast<u32>(select(0i, _e6113, (_e6113 > 0i)))];
+let _e6119 = global_3.member[bitcast<u32>(select(0i, _e6113, (_e6113 > 0i)))];
 let _e6129 = select(_e5969, 262146i, (262146i < _e5969));
-let _e6135 = global_4.member[bitcast<u32>(select(0i, _e6129, (_e6129 > 0i)))];
+let _e6135 = global_3.member[bitcast<u32>(select(0i, _e6129, (_e6129 > 0i)))];
 let _e6139 = select(_e5969, 262144i, (262144i < _e5969));
-let _e6145 = global_4.member[bitcast<u32>(select(0i, _e6139, (_e6139 > 0i)))];
+let _e6145 = global_3.member[bitcast<u32>(select(0i, _e6139, (_e6139 > 0i)))];
 let _e6148 = select(_e5969, 262145i, (262145i < _e5969));
-let _e6154 = global_4.member[bitcast<u32>(select(0i, _e6148, (_e6148 > 0i)))];
+let _e6154 = global_3.member[bitcast<u32>(select(0i, _e6148, (_e6148 > 0i)))];
 let _e6161 = ((bitcast<f32>(_e6145) + (f32(bitcast<i32>((_e6119 >> bitcast<u32>(12u)))) * bitcast<f32>(_e6154))) + ((f32((bitcast<i32>((_e6119 & 4095u)) - 2048i)) * bitcast<f32>(_e6135)) * (_e6095 - f32(_e6110))));
 let _e6165 = select(_e5684.member_6.x, _e5695.x, _e5689);
 let _e6168 = select(_e5684.member_6.y, _e5695.y, _e5689);
@@ -2381,15 +2381,15 @@ phi_16193_ = 1f;
 let _e6906 = phi_16192_;
 let _e6908 = phi_16193_;
 let _e6911 = (_e5101.member * _e6908);
-global_2.member[_e190] = (_e201 * (_e5101.member_2.x * _e6911));
-global_2.member[_e202] = (_e211 * (_e5101.member_2.y * _e6911));
-global_2.member[_e213] = (_e222 * (_e5101.member_2.z * _e6911));
-global_2.member[_e224] = _e6906.x;
-global_2.member[_e235] = _e6906.y;
-global_2.member[_e246] = _e6906.z;
-global_2.member[_e257] = _e266;
-global_2.member[_e268] = _e277;
-global_2.member[_e279] = _e288;
+global_4.member[_e190] = (_e201 * (_e5101.member_2.x * _e6911));
+global_4.member[_e202] = (_e211 * (_e5101.member_2.y * _e6911));
+global_4.member[_e213] = (_e222 * (_e5101.member_2.z * _e6911));
+global_4.member[_e224] = _e6906.x;
+global_4.member[_e235] = _e6906.y;
+global_4.member[_e246] = _e6906.z;
+global_4.member[_e257] = _e266;
+global_4.member[_e268] = _e277;
+global_4.member[_e279] = _e288;
 }
 }
 }

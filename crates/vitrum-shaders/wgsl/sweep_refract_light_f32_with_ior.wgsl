@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,47 +90,82 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
 }
-struct type_31 {
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
+}
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
@@ -198,31 +198,31 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_3: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_4: type_17;
+var<storage> global_3: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_26;
 @group(0) @binding(2)
-var<storage> global_5: type_17;
+var<storage> global_5: type_24;
 @group(0) @binding(3)
-var<storage> global_6: type_17;
+var<storage> global_6: type_24;
 @group(0) @binding(5)
-var<storage> global_7: type_11;
+var<storage> global_7: type_26;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_31;
+var local_2: type_29;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_31;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_31;
+var local_10: type_29;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -238,9 +238,9 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_31;
+var local_26: type_29;
 var local_27: vec3<f32>;
-var local_28: type_31;
+var local_28: type_29;
 var local_29: vec3<f32>;
 var phi_902_: bool;
 var phi_1082_: bool;
@@ -249,7 +249,7 @@ var phi_1269_: bool;
 var phi_1893_: u32;
 var phi_8609_: type_32;
 var phi_9256_: type_33;
-var phi_10090_: type_5;
+var phi_10090_: type_7;
 var phi_13818_: type_35;
 var phi_15137_: type_34;
 var phi_15150_: vec3<f32>;
@@ -258,9 +258,9 @@ var phi_17767_: type_34;
 var phi_17919_: vec3<f32>;
 var phi_17920_: f32;
 let _e157 = global;
-let _e160 = arrayLength((&global_3.member));
+let _e160 = arrayLength((&global_2.member));
 let _e163 = arrayLength((&global_5.member));
-let _e168 = arrayLength((&global_4.member));
+let _e168 = arrayLength((&global_3.member));
 let _e170 = arrayLength((&global_7.member));
 let _e175 = global_1.member.member_2;
 let _e178 = global_1.member.member;
@@ -271,41 +271,41 @@ if (_e188 < _e175.member_3) {
 let _e191 = (_e178.member * _e178.member_1);
 let _e193 = ((_e188 * _e178.member) + _e186);
 let _e194 = bitcast<i32>(_e193);
-let _e196 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e196 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e198 = select(_e196, _e194, (_e194 < _e196));
-let _e204 = global_2.member[bitcast<u32>(select(0i, _e198, (_e198 > 0i)))];
+let _e204 = global_4.member[bitcast<u32>(select(0i, _e198, (_e198 > 0i)))];
 let _e205 = (_e191 + _e193);
 let _e206 = bitcast<i32>(_e205);
 let _e208 = select(_e196, _e206, (_e206 < _e196));
-let _e214 = global_2.member[bitcast<u32>(select(0i, _e208, (_e208 > 0i)))];
+let _e214 = global_4.member[bitcast<u32>(select(0i, _e208, (_e208 > 0i)))];
 let _e216 = ((2u * _e191) + _e193);
 let _e217 = bitcast<i32>(_e216);
 let _e219 = select(_e196, _e217, (_e217 < _e196));
-let _e225 = global_2.member[bitcast<u32>(select(0i, _e219, (_e219 > 0i)))];
+let _e225 = global_4.member[bitcast<u32>(select(0i, _e219, (_e219 > 0i)))];
 let _e227 = ((3u * _e191) + _e193);
 let _e228 = bitcast<i32>(_e227);
 let _e230 = select(_e196, _e228, (_e228 < _e196));
-let _e236 = global_2.member[bitcast<u32>(select(0i, _e230, (_e230 > 0i)))];
+let _e236 = global_4.member[bitcast<u32>(select(0i, _e230, (_e230 > 0i)))];
 let _e238 = ((4u * _e191) + _e193);
 let _e239 = bitcast<i32>(_e238);
 let _e241 = select(_e196, _e239, (_e239 < _e196));
-let _e247 = global_2.member[bitcast<u32>(select(0i, _e241, (_e241 > 0i)))];
+let _e247 = global_4.member[bitcast<u32>(select(0i, _e241, (_e241 > 0i)))];
 let _e249 = ((5u * _e191) + _e193);
 let _e250 = bitcast<i32>(_e249);
 let _e252 = select(_e196, _e250, (_e250 < _e196));
-let _e258 = global_2.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
+let _e258 = global_4.member[bitcast<u32>(select(0i, _e252, (_e252 > 0i)))];
 let _e260 = ((6u * _e191) + _e193);
 let _e261 = bitcast<i32>(_e260);
 let _e263 = select(_e196, _e261, (_e261 < _e196));
-let _e269 = global_2.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
+let _e269 = global_4.member[bitcast<u32>(select(0i, _e263, (_e263 > 0i)))];
 let _e271 = ((7u * _e191) + _e193);
 let _e272 = bitcast<i32>(_e271);
 let _e274 = select(_e196, _e272, (_e272 < _e196));
-let _e280 = global_2.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
+let _e280 = global_4.member[bitcast<u32>(select(0i, _e274, (_e274 > 0i)))];
 let _e282 = ((8u * _e191) + _e193);
 let _e283 = bitcast<i32>(_e282);
 let _e285 = select(_e196, _e283, (_e283 < _e196));
-let _e291 = global_2.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
+let _e291 = global_4.member[bitcast<u32>(select(0i, _e285, (_e285 > 0i)))];
 let _e296 = global_1.member.member_8.member;
 let _e300 = global_1.member.member_8.member_1;
 let _e301 = (_e296 * _e300);
@@ -615,54 +615,54 @@ let _e1692 = (select(0i, _e1623, (_e1623 > 0i)) * _e1642);
 let _e1693 = (select(_e1654, _e1657, (_e1657 < _e1654)) * _e1642);
 let _e1694 = (select(0i, _e1638, (_e1638 > 0i)) * _e1646);
 let _e1695 = (select(_e1667, _e1670, (_e1670 < _e1667)) * _e1646);
-local_28 = type_31(array<i32, 4>(select(0i, _e1681, (_e1681 > 0i)), select(0i, _e1608, (_e1608 > 0i)), select(_e1680, _e1686, (_e1686 < _e1680)), select(_e1680, _e1689, (_e1689 < _e1680))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_28 = type_29(array<i32, 4>(select(0i, _e1681, (_e1681 > 0i)), select(0i, _e1608, (_e1608 > 0i)), select(_e1680, _e1686, (_e1686 < _e1680)), select(_e1680, _e1689, (_e1689 < _e1680))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_29 = vec3<f32>((_e1573 - f32(_e1608)), (_e1583 - f32(_e1623)), (_e1593 - f32(_e1638)));
 let _e1706 = (_e1694 + _e1692);
 let _e1708 = (bitcast<i32>(_e160) - 1i);
 let _e1711 = local_28.member[1u];
 let _e1712 = (_e1706 + _e1711);
 let _e1714 = select(_e1708, _e1712, (_e1712 < _e1708));
-let _e1719 = global_3.member[bitcast<u32>(select(0i, _e1714, (_e1714 > 0i)))];
+let _e1719 = global_2.member[bitcast<u32>(select(0i, _e1714, (_e1714 > 0i)))];
 let _e1720 = bitcast<f32>(_e1719);
 let _e1723 = local_28.member[2u];
 let _e1724 = (_e1706 + _e1723);
 let _e1726 = select(_e1708, _e1724, (_e1724 < _e1708));
-let _e1731 = global_3.member[bitcast<u32>(select(0i, _e1726, (_e1726 > 0i)))];
+let _e1731 = global_2.member[bitcast<u32>(select(0i, _e1726, (_e1726 > 0i)))];
 let _e1733 = local_29[0u];
 let _e1736 = (_e1720 + ((bitcast<f32>(_e1731) - _e1720) * _e1733));
 let _e1737 = (_e1694 + _e1693);
 let _e1738 = local_28.member[1u];
 let _e1739 = (_e1737 + _e1738);
 let _e1741 = select(_e1708, _e1739, (_e1739 < _e1708));
-let _e1746 = global_3.member[bitcast<u32>(select(0i, _e1741, (_e1741 > 0i)))];
+let _e1746 = global_2.member[bitcast<u32>(select(0i, _e1741, (_e1741 > 0i)))];
 let _e1747 = bitcast<f32>(_e1746);
 let _e1748 = local_28.member[2u];
 let _e1749 = (_e1737 + _e1748);
 let _e1751 = select(_e1708, _e1749, (_e1749 < _e1708));
-let _e1756 = global_3.member[bitcast<u32>(select(0i, _e1751, (_e1751 > 0i)))];
+let _e1756 = global_2.member[bitcast<u32>(select(0i, _e1751, (_e1751 > 0i)))];
 let _e1758 = local_29[0u];
 let _e1762 = (_e1695 + _e1692);
 let _e1763 = local_28.member[1u];
 let _e1764 = (_e1762 + _e1763);
 let _e1766 = select(_e1708, _e1764, (_e1764 < _e1708));
-let _e1771 = global_3.member[bitcast<u32>(select(0i, _e1766, (_e1766 > 0i)))];
+let _e1771 = global_2.member[bitcast<u32>(select(0i, _e1766, (_e1766 > 0i)))];
 let _e1772 = bitcast<f32>(_e1771);
 let _e1773 = local_28.member[2u];
 let _e1774 = (_e1762 + _e1773);
 let _e1776 = select(_e1708, _e1774, (_e1774 < _e1708));
-let _e1781 = global_3.member[bitcast<u32>(select(0i, _e1776, (_e1776 > 0i)))];
+let _e1781 = global_2.member[bitcast<u32>(select(0i, _e1776, (_e1776 > 0i)))];
 let _e1783 = local_29[0u];
 let _e1786 = (_e1772 + ((bitcast<f32>(_e1781) - _e1772) * _e1783));
 let _e1787 = (_e1695 + _e1693);
 let _e1788 = local_28.member[1u];
 let _e1789 = (_e1787 + _e1788);
 let _e1791 = select(_e1708, _e1789, (_e1789 < _e1708));
-let _e1796 = global_3.member[bitcast<u32>(select(0i, _e1791, (_e1791 > 0i)))];
+let _e1796 = global_2.member[bitcast<u32>(select(0i, _e1791, (_e1791 > 0i)))];
 let _e1797 = bitcast<f32>(_e1796);
 let _e1798 = local_28.member[2u];
 let _e1799 = (_e1787 + _e1798);
 let _e1801 = select(_e1708, _e1799, (_e1799 < _e1708));
-let _e1806 = global_3.member[bitcast<u32>(select(0i, _e1801, (_e1801 > 0i)))];
+let _e1806 = global_2.member[bitcast<u32>(select(0i, _e1801, (_e1801 > 0i)))];
 let _e1808 = local_29[0u];
 let _e1813 = local_29[1u];
 let _e1816 = (_e1736 + (((_e1747 + ((bitcast<f32>(_e1756) - _e1747) * _e1758)) - _e1736) * _e1813));
@@ -719,7 +719,7 @@ let _e1985 = (select(0i, _e1951, (_e1951 > 0i)) * _e1923);
 let _e1986 = (select(0i, _e1915, (_e1915 > 0i)) * _e1923);
 let _e1987 = (select(_e1950, _e1956, (_e1956 < _e1950)) * _e1923);
 let _e1988 = (select(_e1950, _e1959, (_e1959 < _e1950)) * _e1923);
-local_26 = type_31(array<i32, 4>(select(0i, _e1970, (_e1970 > 0i)), select(0i, _e1885, (_e1885 > 0i)), select(_e1969, _e1975, (_e1975 < _e1969)), select(_e1969, _e1978, (_e1978 < _e1969))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_26 = type_29(array<i32, 4>(select(0i, _e1970, (_e1970 > 0i)), select(0i, _e1885, (_e1885 > 0i)), select(_e1969, _e1975, (_e1975 < _e1969)), select(_e1969, _e1978, (_e1978 < _e1969))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_27 = vec3<f32>((_e1850 - f32(_e1885)), (_e1860 - f32(_e1900)), (_e1870 - f32(_e1915)));
 let _e1999 = (_e1986 + _e1982);
 let _e2002 = local_26.member[0u];
@@ -968,50 +968,50 @@ local_25 = _e2549;
 let _e2550 = local_25;
 let _e2552 = (bitcast<i32>(_e168) - 1i);
 let _e2554 = select(_e2552, 263197i, (263197i < _e2552));
-let _e2559 = global_4.member[bitcast<u32>(select(0i, _e2554, (_e2554 > 0i)))];
+let _e2559 = global_3.member[bitcast<u32>(select(0i, _e2554, (_e2554 > 0i)))];
 let _e2560 = bitcast<f32>(_e2559);
 let _e2562 = select(_e2552, 263198i, (263198i < _e2552));
 let _e2565 = bitcast<u32>(select(0i, _e2562, (_e2562 > 0i)));
-let _e2567 = global_4.member[_e2565];
+let _e2567 = global_3.member[_e2565];
 let _e2568 = bitcast<f32>(_e2567);
 let _e2570 = select(_e2552, 263199i, (263199i < _e2552));
-let _e2575 = global_4.member[bitcast<u32>(select(0i, _e2570, (_e2570 > 0i)))];
+let _e2575 = global_3.member[bitcast<u32>(select(0i, _e2570, (_e2570 > 0i)))];
 let _e2576 = bitcast<f32>(_e2575);
 let _e2578 = ((_e2550 - _e2560) * _e2568);
 let _e2580 = select(0f, _e2578, (_e2578 > 0f));
 let _e2583 = local_25;
 let _e2585 = select(_e2552, 263200i, (263200i < _e2552));
-let _e2590 = global_4.member[bitcast<u32>(select(0i, _e2585, (_e2585 > 0i)))];
+let _e2590 = global_3.member[bitcast<u32>(select(0i, _e2585, (_e2585 > 0i)))];
 let _e2591 = bitcast<f32>(_e2590);
 let _e2593 = select(_e2552, 263201i, (263201i < _e2552));
-let _e2598 = global_4.member[bitcast<u32>(select(0i, _e2593, (_e2593 > 0i)))];
+let _e2598 = global_3.member[bitcast<u32>(select(0i, _e2593, (_e2593 > 0i)))];
 let _e2599 = bitcast<f32>(_e2598);
 let _e2601 = select(_e2552, 263202i, (263202i < _e2552));
-let _e2606 = global_4.member[bitcast<u32>(select(0i, _e2601, (_e2601 > 0i)))];
+let _e2606 = global_3.member[bitcast<u32>(select(0i, _e2601, (_e2601 > 0i)))];
 let _e2607 = bitcast<f32>(_e2606);
 let _e2609 = ((_e2583 - _e2591) * _e2599);
 let _e2611 = select(0f, _e2609, (_e2609 > 0f));
 let _e2615 = local_25;
 let _e2617 = select(_e2552, 263203i, (263203i < _e2552));
-let _e2622 = global_4.member[bitcast<u32>(select(0i, _e2617, (_e2617 > 0i)))];
+let _e2622 = global_3.member[bitcast<u32>(select(0i, _e2617, (_e2617 > 0i)))];
 let _e2623 = bitcast<f32>(_e2622);
 let _e2625 = select(_e2552, 263204i, (263204i < _e2552));
-let _e2630 = global_4.member[bitcast<u32>(select(0i, _e2625, (_e2625 > 0i)))];
+let _e2630 = global_3.member[bitcast<u32>(select(0i, _e2625, (_e2625 > 0i)))];
 let _e2631 = bitcast<f32>(_e2630);
 let _e2633 = select(_e2552, 263205i, (263205i < _e2552));
-let _e2638 = global_4.member[bitcast<u32>(select(0i, _e2633, (_e2633 > 0i)))];
+let _e2638 = global_3.member[bitcast<u32>(select(0i, _e2633, (_e2633 > 0i)))];
 let _e2639 = bitcast<f32>(_e2638);
 let _e2641 = ((_e2615 - _e2623) * _e2631);
 let _e2643 = select(0f, _e2641, (_e2641 > 0f));
 let _e2646 = local_25;
 let _e2648 = select(_e2552, 263206i, (263206i < _e2552));
-let _e2653 = global_4.member[bitcast<u32>(select(0i, _e2648, (_e2648 > 0i)))];
+let _e2653 = global_3.member[bitcast<u32>(select(0i, _e2648, (_e2648 > 0i)))];
 let _e2654 = bitcast<f32>(_e2653);
 let _e2656 = select(_e2552, 263207i, (263207i < _e2552));
-let _e2661 = global_4.member[bitcast<u32>(select(0i, _e2656, (_e2656 > 0i)))];
+let _e2661 = global_3.member[bitcast<u32>(select(0i, _e2656, (_e2656 > 0i)))];
 let _e2662 = bitcast<f32>(_e2661);
 let _e2664 = select(_e2552, 263208i, (263208i < _e2552));
-let _e2669 = global_4.member[bitcast<u32>(select(0i, _e2664, (_e2664 > 0i)))];
+let _e2669 = global_3.member[bitcast<u32>(select(0i, _e2664, (_e2664 > 0i)))];
 let _e2670 = bitcast<f32>(_e2669);
 let _e2672 = ((_e2646 - _e2654) * _e2662);
 let _e2674 = select(0f, _e2672, (_e2672 > 0f));
@@ -1022,27 +1022,27 @@ let _e2689 = select(0i, select(select(i32(_e2682), i32(-2147483648), (_e2682 < -
 let _e2693 = (_e2689 - select(0i, 1i, (_e2682 < f32(_e2689))));
 let _e2694 = (262147i + _e2693);
 let _e2696 = select(_e2552, _e2694, (_e2694 < _e2552));
-let _e2702 = global_4.member[bitcast<u32>(select(0i, _e2696, (_e2696 > 0i)))];
+let _e2702 = global_3.member[bitcast<u32>(select(0i, _e2696, (_e2696 > 0i)))];
 let _e2712 = select(_e2552, 262146i, (262146i < _e2552));
-let _e2718 = global_4.member[bitcast<u32>(select(0i, _e2712, (_e2712 > 0i)))];
+let _e2718 = global_3.member[bitcast<u32>(select(0i, _e2712, (_e2712 > 0i)))];
 let _e2719 = bitcast<f32>(_e2718);
 let _e2720 = (f32((bitcast<i32>((_e2702 & 4095u)) - 2048i)) * _e2719);
 let _e2722 = select(_e2552, 262144i, (262144i < _e2552));
-let _e2728 = global_4.member[bitcast<u32>(select(0i, _e2722, (_e2722 > 0i)))];
+let _e2728 = global_3.member[bitcast<u32>(select(0i, _e2722, (_e2722 > 0i)))];
 let _e2729 = bitcast<f32>(_e2728);
 let _e2731 = select(_e2552, 262145i, (262145i < _e2552));
-let _e2737 = global_4.member[bitcast<u32>(select(0i, _e2731, (_e2731 > 0i)))];
+let _e2737 = global_3.member[bitcast<u32>(select(0i, _e2731, (_e2731 > 0i)))];
 let _e2738 = bitcast<f32>(_e2737);
 let _e2744 = ((_e2729 + (f32(bitcast<i32>((_e2702 >> bitcast<u32>(12u)))) * _e2738)) + (_e2720 * (_e2678 - f32(_e2693))));
-let _e2747 = global_4.member[_e2565];
+let _e2747 = global_3.member[_e2565];
 let _e2749 = local_24;
 let _e2752 = local_24;
 let _e2755 = local_24;
 let _e2759 = select(_e2552, 263209i, (263209i < _e2552));
-let _e2765 = global_4.member[bitcast<u32>(select(0i, _e2759, (_e2759 > 0i)))];
+let _e2765 = global_3.member[bitcast<u32>(select(0i, _e2759, (_e2759 > 0i)))];
 let _e2767 = local_24;
 let _e2770 = select(_e2552, 263210i, (263210i < _e2552));
-let _e2776 = global_4.member[bitcast<u32>(select(0i, _e2770, (_e2770 > 0i)))];
+let _e2776 = global_3.member[bitcast<u32>(select(0i, _e2770, (_e2770 > 0i)))];
 let _e2778 = local_24;
 let _e2782 = (_e2720 * select(0f, select(select(select(bitcast<f32>(_e2747), _e2599, (_e2749 >= _e2591)), _e2631, (_e2752 >= _e2623)), _e2662, (_e2755 >= _e2654)), ((_e2767 >= bitcast<f32>(_e2765)) && (_e2778 <= bitcast<f32>(_e2776)))));
 if _e1562 {
@@ -1073,7 +1073,7 @@ let _e2840 = select(0i, select(select(i32(_e2833), i32(-2147483648), (_e2833 < -
 let _e2844 = (_e2840 - select(0i, 1i, (_e2833 < f32(_e2840))));
 let _e2845 = (262147i + _e2844);
 let _e2847 = select(_e2552, _e2845, (_e2845 < _e2552));
-let _e2853 = global_4.member[bitcast<u32>(select(0i, _e2847, (_e2847 > 0i)))];
+let _e2853 = global_3.member[bitcast<u32>(select(0i, _e2847, (_e2847 > 0i)))];
 let _e2868 = ((_e2729 + (f32(bitcast<i32>((_e2853 >> bitcast<u32>(12u)))) * _e2738)) + ((f32((bitcast<i32>((_e2853 & 4095u)) - 2048i)) * _e2719) * (_e2829 - f32(_e2844))));
 local_20 = _e2524;
 let _e2869 = local_20;
@@ -1097,7 +1097,7 @@ let _e2911 = select(0i, select(select(i32(_e2904), i32(-2147483648), (_e2904 < -
 let _e2915 = (_e2911 - select(0i, 1i, (_e2904 < f32(_e2911))));
 let _e2916 = (262147i + _e2915);
 let _e2918 = select(_e2552, _e2916, (_e2916 < _e2552));
-let _e2924 = global_4.member[bitcast<u32>(select(0i, _e2918, (_e2918 > 0i)))];
+let _e2924 = global_3.member[bitcast<u32>(select(0i, _e2918, (_e2918 > 0i)))];
 let _e2939 = ((_e2729 + (f32(bitcast<i32>((_e2924 >> bitcast<u32>(12u)))) * _e2738)) + ((f32((bitcast<i32>((_e2924 & 4095u)) - 2048i)) * _e2719) * (_e2900 - f32(_e2915))));
 local_18 = _e2530;
 let _e2940 = local_18;
@@ -1121,7 +1121,7 @@ let _e2982 = select(0i, select(select(i32(_e2975), i32(-2147483648), (_e2975 < -
 let _e2986 = (_e2982 - select(0i, 1i, (_e2975 < f32(_e2982))));
 let _e2987 = (262147i + _e2986);
 let _e2989 = select(_e2552, _e2987, (_e2987 < _e2552));
-let _e2995 = global_4.member[bitcast<u32>(select(0i, _e2989, (_e2989 > 0i)))];
+let _e2995 = global_3.member[bitcast<u32>(select(0i, _e2989, (_e2989 > 0i)))];
 let _e3010 = ((_e2729 + (f32(bitcast<i32>((_e2995 >> bitcast<u32>(12u)))) * _e2738)) + ((f32((bitcast<i32>((_e2995 & 4095u)) - 2048i)) * _e2719) * (_e2971 - f32(_e2986))));
 local_16 = _e2536;
 let _e3011 = local_16;
@@ -1145,7 +1145,7 @@ let _e3053 = select(0i, select(select(i32(_e3046), i32(-2147483648), (_e3046 < -
 let _e3057 = (_e3053 - select(0i, 1i, (_e3046 < f32(_e3053))));
 let _e3058 = (262147i + _e3057);
 let _e3060 = select(_e2552, _e3058, (_e3058 < _e2552));
-let _e3066 = global_4.member[bitcast<u32>(select(0i, _e3060, (_e3060 > 0i)))];
+let _e3066 = global_3.member[bitcast<u32>(select(0i, _e3060, (_e3060 > 0i)))];
 let _e3081 = ((_e2729 + (f32(bitcast<i32>((_e3066 >> bitcast<u32>(12u)))) * _e2738)) + ((f32((bitcast<i32>((_e3066 & 4095u)) - 2048i)) * _e2719) * (_e3042 - f32(_e3057))));
 local_14 = _e2542;
 let _e3082 = local_14;
@@ -1169,7 +1169,7 @@ let _e3124 = select(0i, select(select(i32(_e3117), i32(-2147483648), (_e3117 < -
 let _e3128 = (_e3124 - select(0i, 1i, (_e3117 < f32(_e3124))));
 let _e3129 = (262147i + _e3128);
 let _e3131 = select(_e2552, _e3129, (_e3129 < _e2552));
-let _e3137 = global_4.member[bitcast<u32>(select(0i, _e3131, (_e3131 > 0i)))];
+let _e3137 = global_3.member[bitcast<u32>(select(0i, _e3131, (_e3131 > 0i)))];
 let _e3152 = ((_e2729 + (f32(bitcast<i32>((_e3137 >> bitcast<u32>(12u)))) * _e2738)) + ((f32((bitcast<i32>((_e3137 & 4095u)) - 2048i)) * _e2719) * (_e3113 - f32(_e3128))));
 local_12 = _e2548;
 let _e3153 = local_12;
@@ -1193,7 +1193,7 @@ let _e3195 = select(0i, select(select(i32(_e3188), i32(-2147483648), (_e3188 < -
 let _e3199 = (_e3195 - select(0i, 1i, (_e3188 < f32(_e3195))));
 let _e3200 = (262147i + _e3199);
 let _e3202 = select(_e2552, _e3200, (_e3200 < _e2552));
-let _e3208 = global_4.member[bitcast<u32>(select(0i, _e3202, (_e3202 > 0i)))];
+let _e3208 = global_3.member[bitcast<u32>(select(0i, _e3202, (_e3202 > 0i)))];
 let _e3223 = ((_e2729 + (f32(bitcast<i32>((_e3208 >> bitcast<u32>(12u)))) * _e2738)) + ((f32((bitcast<i32>((_e3208 & 4095u)) - 2048i)) * _e2719) * (_e3184 - f32(_e3199))));
 let _e3224 = (_e2939 - _e2868);
 let _e3226 = (_e3081 - _e3010);
@@ -1254,31 +1254,31 @@ let _e3511 = (select(0i, _e3442, (_e3442 > 0i)) * _e3461);
 let _e3512 = (select(_e3473, _e3476, (_e3476 < _e3473)) * _e3461);
 let _e3513 = (select(0i, _e3457, (_e3457 > 0i)) * _e3465);
 let _e3514 = (select(_e3486, _e3489, (_e3489 < _e3486)) * _e3465);
-local_10 = type_31(array<i32, 4>(select(0i, _e3500, (_e3500 > 0i)), select(0i, _e3427, (_e3427 > 0i)), select(_e3499, _e3505, (_e3505 < _e3499)), select(_e3499, _e3508, (_e3508 < _e3499))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_10 = type_29(array<i32, 4>(select(0i, _e3500, (_e3500 > 0i)), select(0i, _e3427, (_e3427 > 0i)), select(_e3499, _e3505, (_e3505 < _e3499)), select(_e3499, _e3508, (_e3508 < _e3499))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_11 = vec3<f32>((_e3392 - f32(_e3427)), (_e3402 - f32(_e3442)), (_e3412 - f32(_e3457)));
 let _e3525 = (_e3513 + _e3511);
 let _e3528 = local_10.member[1u];
 let _e3529 = (_e3525 + _e3528);
 let _e3531 = (bitcast<i32>(_e160) - 1i);
 let _e3533 = select(_e3531, _e3529, (_e3529 < _e3531));
-let _e3538 = global_3.member[bitcast<u32>(select(0i, _e3533, (_e3533 > 0i)))];
+let _e3538 = global_2.member[bitcast<u32>(select(0i, _e3533, (_e3533 > 0i)))];
 let _e3539 = bitcast<f32>(_e3538);
 let _e3542 = local_10.member[2u];
 let _e3543 = (_e3525 + _e3542);
 let _e3545 = select(_e3531, _e3543, (_e3543 < _e3531));
-let _e3550 = global_3.member[bitcast<u32>(select(0i, _e3545, (_e3545 > 0i)))];
+let _e3550 = global_2.member[bitcast<u32>(select(0i, _e3545, (_e3545 > 0i)))];
 let _e3552 = local_11[0u];
 let _e3555 = (_e3539 + ((bitcast<f32>(_e3550) - _e3539) * _e3552));
 let _e3556 = (_e3513 + _e3512);
 let _e3557 = local_10.member[1u];
 let _e3558 = (_e3556 + _e3557);
 let _e3560 = select(_e3531, _e3558, (_e3558 < _e3531));
-let _e3565 = global_3.member[bitcast<u32>(select(0i, _e3560, (_e3560 > 0i)))];
+let _e3565 = global_2.member[bitcast<u32>(select(0i, _e3560, (_e3560 > 0i)))];
 let _e3566 = bitcast<f32>(_e3565);
 let _e3567 = local_10.member[2u];
 let _e3568 = (_e3556 + _e3567);
 let _e3570 = select(_e3531, _e3568, (_e3568 < _e3531));
-let _e3575 = global_3.member[bitcast<u32>(select(0i, _e3570, (_e3570 > 0i)))];
+let _e3575 = global_2.member[bitcast<u32>(select(0i, _e3570, (_e3570 > 0i)))];
 let _e3577 = local_11[0u];
 let _e3582 = local_11[1u];
 let _e3585 = (_e3555 + (((_e3566 + ((bitcast<f32>(_e3575) - _e3566) * _e3577)) - _e3555) * _e3582));
@@ -1286,24 +1286,24 @@ let _e3586 = (_e3514 + _e3511);
 let _e3587 = local_10.member[1u];
 let _e3588 = (_e3586 + _e3587);
 let _e3590 = select(_e3531, _e3588, (_e3588 < _e3531));
-let _e3595 = global_3.member[bitcast<u32>(select(0i, _e3590, (_e3590 > 0i)))];
+let _e3595 = global_2.member[bitcast<u32>(select(0i, _e3590, (_e3590 > 0i)))];
 let _e3596 = bitcast<f32>(_e3595);
 let _e3597 = local_10.member[2u];
 let _e3598 = (_e3586 + _e3597);
 let _e3600 = select(_e3531, _e3598, (_e3598 < _e3531));
-let _e3605 = global_3.member[bitcast<u32>(select(0i, _e3600, (_e3600 > 0i)))];
+let _e3605 = global_2.member[bitcast<u32>(select(0i, _e3600, (_e3600 > 0i)))];
 let _e3607 = local_11[0u];
 let _e3610 = (_e3596 + ((bitcast<f32>(_e3605) - _e3596) * _e3607));
 let _e3611 = (_e3514 + _e3512);
 let _e3612 = local_10.member[1u];
 let _e3613 = (_e3611 + _e3612);
 let _e3615 = select(_e3531, _e3613, (_e3613 < _e3531));
-let _e3620 = global_3.member[bitcast<u32>(select(0i, _e3615, (_e3615 > 0i)))];
+let _e3620 = global_2.member[bitcast<u32>(select(0i, _e3615, (_e3615 > 0i)))];
 let _e3621 = bitcast<f32>(_e3620);
 let _e3622 = local_10.member[2u];
 let _e3623 = (_e3611 + _e3622);
 let _e3625 = select(_e3531, _e3623, (_e3623 < _e3531));
-let _e3630 = global_3.member[bitcast<u32>(select(0i, _e3625, (_e3625 > 0i)))];
+let _e3630 = global_2.member[bitcast<u32>(select(0i, _e3625, (_e3625 > 0i)))];
 let _e3632 = local_11[0u];
 let _e3636 = local_11[1u];
 let _e3641 = local_11[2u];
@@ -1353,31 +1353,31 @@ let _e3791 = (select(0i, _e3722, (_e3722 > 0i)) * _e3741);
 let _e3792 = (select(_e3753, _e3756, (_e3756 < _e3753)) * _e3741);
 let _e3793 = (select(0i, _e3737, (_e3737 > 0i)) * _e3745);
 let _e3794 = (select(_e3766, _e3769, (_e3769 < _e3766)) * _e3745);
-local_8 = type_31(array<i32, 4>(select(0i, _e3780, (_e3780 > 0i)), select(0i, _e3707, (_e3707 > 0i)), select(_e3779, _e3785, (_e3785 < _e3779)), select(_e3779, _e3788, (_e3788 < _e3779))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_8 = type_29(array<i32, 4>(select(0i, _e3780, (_e3780 > 0i)), select(0i, _e3707, (_e3707 > 0i)), select(_e3779, _e3785, (_e3785 < _e3779)), select(_e3779, _e3788, (_e3788 < _e3779))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_9 = vec3<f32>((_e3672 - f32(_e3707)), (_e3682 - f32(_e3722)), (_e3692 - f32(_e3737)));
 let _e3805 = (_e3793 + _e3791);
 let _e3808 = local_8.member[1u];
 let _e3809 = (_e3805 + _e3808);
 let _e3811 = (bitcast<i32>(_e160) - 1i);
 let _e3813 = select(_e3811, _e3809, (_e3809 < _e3811));
-let _e3818 = global_3.member[bitcast<u32>(select(0i, _e3813, (_e3813 > 0i)))];
+let _e3818 = global_2.member[bitcast<u32>(select(0i, _e3813, (_e3813 > 0i)))];
 let _e3819 = bitcast<f32>(_e3818);
 let _e3822 = local_8.member[2u];
 let _e3823 = (_e3805 + _e3822);
 let _e3825 = select(_e3811, _e3823, (_e3823 < _e3811));
-let _e3830 = global_3.member[bitcast<u32>(select(0i, _e3825, (_e3825 > 0i)))];
+let _e3830 = global_2.member[bitcast<u32>(select(0i, _e3825, (_e3825 > 0i)))];
 let _e3832 = local_9[0u];
 let _e3835 = (_e3819 + ((bitcast<f32>(_e3830) - _e3819) * _e3832));
 let _e3836 = (_e3793 + _e3792);
 let _e3837 = local_8.member[1u];
 let _e3838 = (_e3836 + _e3837);
 let _e3840 = select(_e3811, _e3838, (_e3838 < _e3811));
-let _e3845 = global_3.member[bitcast<u32>(select(0i, _e3840, (_e3840 > 0i)))];
+let _e3845 = global_2.member[bitcast<u32>(select(0i, _e3840, (_e3840 > 0i)))];
 let _e3846 = bitcast<f32>(_e3845);
 let _e3847 = local_8.member[2u];
 let _e3848 = (_e3836 + _e3847);
 let _e3850 = select(_e3811, _e3848, (_e3848 < _e3811));
-let _e3855 = global_3.member[bitcast<u32>(select(0i, _e3850, (_e3850 > 0i)))];
+let _e3855 = global_2.member[bitcast<u32>(select(0i, _e3850, (_e3850 > 0i)))];
 let _e3857 = local_9[0u];
 let _e3862 = local_9[1u];
 let _e3865 = (_e3835 + (((_e3846 + ((bitcast<f32>(_e3855) - _e3846) * _e3857)) - _e3835) * _e3862));
@@ -1385,24 +1385,24 @@ let _e3866 = (_e3794 + _e3791);
 let _e3867 = local_8.member[1u];
 let _e3868 = (_e3866 + _e3867);
 let _e3870 = select(_e3811, _e3868, (_e3868 < _e3811));
-let _e3875 = global_3.member[bitcast<u32>(select(0i, _e3870, (_e3870 > 0i)))];
+let _e3875 = global_2.member[bitcast<u32>(select(0i, _e3870, (_e3870 > 0i)))];
 let _e3876 = bitcast<f32>(_e3875);
 let _e3877 = local_8.member[2u];
 let _e3878 = (_e3866 + _e3877);
 let _e3880 = select(_e3811, _e3878, (_e3878 < _e3811));
-let _e3885 = global_3.member[bitcast<u32>(select(0i, _e3880, (_e3880 > 0i)))];
+let _e3885 = global_2.member[bitcast<u32>(select(0i, _e3880, (_e3880 > 0i)))];
 let _e3887 = local_9[0u];
 let _e3890 = (_e3876 + ((bitcast<f32>(_e3885) - _e3876) * _e3887));
 let _e3891 = (_e3794 + _e3792);
 let _e3892 = local_8.member[1u];
 let _e3893 = (_e3891 + _e3892);
 let _e3895 = select(_e3811, _e3893, (_e3893 < _e3811));
-let _e3900 = global_3.member[bitcast<u32>(select(0i, _e3895, (_e3895 > 0i)))];
+let _e3900 = global_2.member[bitcast<u32>(select(0i, _e3895, (_e3895 > 0i)))];
 let _e3901 = bitcast<f32>(_e3900);
 let _e3902 = local_8.member[2u];
 let _e3903 = (_e3891 + _e3902);
 let _e3905 = select(_e3811, _e3903, (_e3903 < _e3811));
-let _e3910 = global_3.member[bitcast<u32>(select(0i, _e3905, (_e3905 > 0i)))];
+let _e3910 = global_2.member[bitcast<u32>(select(0i, _e3905, (_e3905 > 0i)))];
 let _e3912 = local_9[0u];
 let _e3916 = local_9[1u];
 let _e3921 = local_9[2u];
@@ -1415,7 +1415,7 @@ let _e3939 = select(1e9f, _e3937, (_e3937 < 1e9f));
 let _e3942 = global_1.member.member_1;
 let _e3944 = ((_e3942 & 16u) == 0u);
 if _e3944 {
-phi_10090_ = type_5(1f, 1f, 1f);
+phi_10090_ = type_7(1f, 1f, 1f);
 } else {
 let _e3948 = global_1.member.member_14.member;
 let _e3959 = ((((_e3948.member.member * _e1418) + (_e3948.member.member_1 * _e1431)) + (_e3948.member.member_2 * _e1396)) + _e3948.member_1);
@@ -1461,7 +1461,7 @@ let _e4126 = select(0f, _e4124, (_e4124 > 0f));
 let _e4132 = select(select(select(1f, _e4126, (_e4126 < 1f)), 1f, (_e4119 <= 0f)), 0f, (_e4117 > 0f));
 let _e4137 = global_1.member.member_17.member_1;
 let _e4138 = (_e4137 != 0u);
-phi_10090_ = type_5(((((1f * _e3982) * _e4032) * _e4082) * _e4132), ((((1f * select(1f, _e3982, _e3988)) * select(1f, _e4032, _e4038)) * select(1f, _e4082, _e4088)) * select(1f, _e4132, _e4138)), ((((1f * select(1f, 0f, (_e3988 && (_e3965 > 0f)))) * select(1f, 0f, (_e4038 && (_e4015 > 0f)))) * select(1f, 0f, (_e4088 && (_e4065 > 0f)))) * select(1f, 0f, (_e4138 && (_e4115 > 0f)))));
+phi_10090_ = type_7(((((1f * _e3982) * _e4032) * _e4082) * _e4132), ((((1f * select(1f, _e3982, _e3988)) * select(1f, _e4032, _e4038)) * select(1f, _e4082, _e4088)) * select(1f, _e4132, _e4138)), ((((1f * select(1f, 0f, (_e3988 && (_e3965 > 0f)))) * select(1f, 0f, (_e4038 && (_e4015 > 0f)))) * select(1f, 0f, (_e4088 && (_e4065 > 0f)))) * select(1f, 0f, (_e4138 && (_e4115 > 0f)))));
 }
 let _e4147 = phi_10090_;
 let _e4148 = (_e1497 - _e1461);
@@ -1511,97 +1511,97 @@ local_7 = _e3939;
 let _e4268 = local_7;
 let _e4270 = (bitcast<i32>(_e168) - 1i);
 let _e4272 = select(_e4270, 263171i, (263171i < _e4270));
-let _e4277 = global_4.member[bitcast<u32>(select(0i, _e4272, (_e4272 > 0i)))];
+let _e4277 = global_3.member[bitcast<u32>(select(0i, _e4272, (_e4272 > 0i)))];
 let _e4278 = bitcast<f32>(_e4277);
 let _e4280 = select(_e4270, 263172i, (263172i < _e4270));
-let _e4285 = global_4.member[bitcast<u32>(select(0i, _e4280, (_e4280 > 0i)))];
+let _e4285 = global_3.member[bitcast<u32>(select(0i, _e4280, (_e4280 > 0i)))];
 let _e4286 = bitcast<f32>(_e4285);
 let _e4288 = select(_e4270, 263173i, (263173i < _e4270));
-let _e4293 = global_4.member[bitcast<u32>(select(0i, _e4288, (_e4288 > 0i)))];
+let _e4293 = global_3.member[bitcast<u32>(select(0i, _e4288, (_e4288 > 0i)))];
 let _e4294 = bitcast<f32>(_e4293);
 let _e4296 = ((_e4268 - _e4278) * _e4286);
 let _e4298 = select(0f, _e4296, (_e4296 > 0f));
 let _e4301 = local_7;
 let _e4303 = select(_e4270, 263174i, (263174i < _e4270));
-let _e4308 = global_4.member[bitcast<u32>(select(0i, _e4303, (_e4303 > 0i)))];
+let _e4308 = global_3.member[bitcast<u32>(select(0i, _e4303, (_e4303 > 0i)))];
 let _e4309 = bitcast<f32>(_e4308);
 let _e4311 = select(_e4270, 263175i, (263175i < _e4270));
-let _e4316 = global_4.member[bitcast<u32>(select(0i, _e4311, (_e4311 > 0i)))];
+let _e4316 = global_3.member[bitcast<u32>(select(0i, _e4311, (_e4311 > 0i)))];
 let _e4317 = bitcast<f32>(_e4316);
 let _e4319 = select(_e4270, 263176i, (263176i < _e4270));
-let _e4324 = global_4.member[bitcast<u32>(select(0i, _e4319, (_e4319 > 0i)))];
+let _e4324 = global_3.member[bitcast<u32>(select(0i, _e4319, (_e4319 > 0i)))];
 let _e4325 = bitcast<f32>(_e4324);
 let _e4327 = ((_e4301 - _e4309) * _e4317);
 let _e4329 = select(0f, _e4327, (_e4327 > 0f));
 let _e4333 = local_7;
 let _e4335 = select(_e4270, 263177i, (263177i < _e4270));
-let _e4340 = global_4.member[bitcast<u32>(select(0i, _e4335, (_e4335 > 0i)))];
+let _e4340 = global_3.member[bitcast<u32>(select(0i, _e4335, (_e4335 > 0i)))];
 let _e4341 = bitcast<f32>(_e4340);
 let _e4343 = select(_e4270, 263178i, (263178i < _e4270));
-let _e4348 = global_4.member[bitcast<u32>(select(0i, _e4343, (_e4343 > 0i)))];
+let _e4348 = global_3.member[bitcast<u32>(select(0i, _e4343, (_e4343 > 0i)))];
 let _e4349 = bitcast<f32>(_e4348);
 let _e4351 = select(_e4270, 263179i, (263179i < _e4270));
-let _e4356 = global_4.member[bitcast<u32>(select(0i, _e4351, (_e4351 > 0i)))];
+let _e4356 = global_3.member[bitcast<u32>(select(0i, _e4351, (_e4351 > 0i)))];
 let _e4357 = bitcast<f32>(_e4356);
 let _e4359 = ((_e4333 - _e4341) * _e4349);
 let _e4361 = select(0f, _e4359, (_e4359 > 0f));
 let _e4364 = local_7;
 let _e4366 = select(_e4270, 263180i, (263180i < _e4270));
-let _e4371 = global_4.member[bitcast<u32>(select(0i, _e4366, (_e4366 > 0i)))];
+let _e4371 = global_3.member[bitcast<u32>(select(0i, _e4366, (_e4366 > 0i)))];
 let _e4372 = bitcast<f32>(_e4371);
 let _e4374 = select(_e4270, 263181i, (263181i < _e4270));
-let _e4379 = global_4.member[bitcast<u32>(select(0i, _e4374, (_e4374 > 0i)))];
+let _e4379 = global_3.member[bitcast<u32>(select(0i, _e4374, (_e4374 > 0i)))];
 let _e4380 = bitcast<f32>(_e4379);
 let _e4382 = select(_e4270, 263182i, (263182i < _e4270));
-let _e4387 = global_4.member[bitcast<u32>(select(0i, _e4382, (_e4382 > 0i)))];
+let _e4387 = global_3.member[bitcast<u32>(select(0i, _e4382, (_e4382 > 0i)))];
 let _e4388 = bitcast<f32>(_e4387);
 let _e4390 = ((_e4364 - _e4372) * _e4380);
 let _e4392 = select(0f, _e4390, (_e4390 > 0f));
 let _e4397 = local_7;
 let _e4399 = select(_e4270, 263183i, (263183i < _e4270));
-let _e4404 = global_4.member[bitcast<u32>(select(0i, _e4399, (_e4399 > 0i)))];
+let _e4404 = global_3.member[bitcast<u32>(select(0i, _e4399, (_e4399 > 0i)))];
 let _e4405 = bitcast<f32>(_e4404);
 let _e4407 = select(_e4270, 263184i, (263184i < _e4270));
-let _e4412 = global_4.member[bitcast<u32>(select(0i, _e4407, (_e4407 > 0i)))];
+let _e4412 = global_3.member[bitcast<u32>(select(0i, _e4407, (_e4407 > 0i)))];
 let _e4413 = bitcast<f32>(_e4412);
 let _e4415 = select(_e4270, 263185i, (263185i < _e4270));
-let _e4420 = global_4.member[bitcast<u32>(select(0i, _e4415, (_e4415 > 0i)))];
+let _e4420 = global_3.member[bitcast<u32>(select(0i, _e4415, (_e4415 > 0i)))];
 let _e4421 = bitcast<f32>(_e4420);
 let _e4423 = ((_e4397 - _e4405) * _e4413);
 let _e4425 = select(0f, _e4423, (_e4423 > 0f));
 let _e4428 = local_7;
 let _e4430 = select(_e4270, 263186i, (263186i < _e4270));
-let _e4435 = global_4.member[bitcast<u32>(select(0i, _e4430, (_e4430 > 0i)))];
+let _e4435 = global_3.member[bitcast<u32>(select(0i, _e4430, (_e4430 > 0i)))];
 let _e4436 = bitcast<f32>(_e4435);
 let _e4438 = select(_e4270, 263187i, (263187i < _e4270));
-let _e4443 = global_4.member[bitcast<u32>(select(0i, _e4438, (_e4438 > 0i)))];
+let _e4443 = global_3.member[bitcast<u32>(select(0i, _e4438, (_e4438 > 0i)))];
 let _e4444 = bitcast<f32>(_e4443);
 let _e4446 = select(_e4270, 263188i, (263188i < _e4270));
-let _e4451 = global_4.member[bitcast<u32>(select(0i, _e4446, (_e4446 > 0i)))];
+let _e4451 = global_3.member[bitcast<u32>(select(0i, _e4446, (_e4446 > 0i)))];
 let _e4452 = bitcast<f32>(_e4451);
 let _e4454 = ((_e4428 - _e4436) * _e4444);
 let _e4456 = select(0f, _e4454, (_e4454 > 0f));
 let _e4460 = local_7;
 let _e4462 = select(_e4270, 263189i, (263189i < _e4270));
-let _e4467 = global_4.member[bitcast<u32>(select(0i, _e4462, (_e4462 > 0i)))];
+let _e4467 = global_3.member[bitcast<u32>(select(0i, _e4462, (_e4462 > 0i)))];
 let _e4468 = bitcast<f32>(_e4467);
 let _e4470 = select(_e4270, 263190i, (263190i < _e4270));
-let _e4475 = global_4.member[bitcast<u32>(select(0i, _e4470, (_e4470 > 0i)))];
+let _e4475 = global_3.member[bitcast<u32>(select(0i, _e4470, (_e4470 > 0i)))];
 let _e4476 = bitcast<f32>(_e4475);
 let _e4478 = select(_e4270, 263191i, (263191i < _e4270));
-let _e4483 = global_4.member[bitcast<u32>(select(0i, _e4478, (_e4478 > 0i)))];
+let _e4483 = global_3.member[bitcast<u32>(select(0i, _e4478, (_e4478 > 0i)))];
 let _e4484 = bitcast<f32>(_e4483);
 let _e4486 = ((_e4460 - _e4468) * _e4476);
 let _e4488 = select(0f, _e4486, (_e4486 > 0f));
 let _e4491 = local_7;
 let _e4493 = select(_e4270, 263192i, (263192i < _e4270));
-let _e4498 = global_4.member[bitcast<u32>(select(0i, _e4493, (_e4493 > 0i)))];
+let _e4498 = global_3.member[bitcast<u32>(select(0i, _e4493, (_e4493 > 0i)))];
 let _e4499 = bitcast<f32>(_e4498);
 let _e4501 = select(_e4270, 263193i, (263193i < _e4270));
-let _e4506 = global_4.member[bitcast<u32>(select(0i, _e4501, (_e4501 > 0i)))];
+let _e4506 = global_3.member[bitcast<u32>(select(0i, _e4501, (_e4501 > 0i)))];
 let _e4507 = bitcast<f32>(_e4506);
 let _e4509 = select(_e4270, 263194i, (263194i < _e4270));
-let _e4514 = global_4.member[bitcast<u32>(select(0i, _e4509, (_e4509 > 0i)))];
+let _e4514 = global_3.member[bitcast<u32>(select(0i, _e4509, (_e4509 > 0i)))];
 let _e4515 = bitcast<f32>(_e4514);
 let _e4517 = ((_e4491 - _e4499) * _e4507);
 let _e4519 = select(0f, _e4517, (_e4517 > 0f));
@@ -1642,10 +1642,10 @@ let _e4607 = select(_e4588, _e4605, (_e4605 < _e4588));
 let _e4614 = select(0i, select(select(i32(_e4607), i32(-2147483648), (_e4607 < -2147483600f)), 2147483647i, (_e4607 > 2147483500f)), (_e4607 == _e4607));
 let _e4618 = (_e4614 - select(0i, 1i, (_e4607 < f32(_e4614))));
 let _e4620 = select(_e4270, 263195i, (263195i < _e4270));
-let _e4626 = global_4.member[bitcast<u32>(select(0i, _e4620, (_e4620 > 0i)))];
+let _e4626 = global_3.member[bitcast<u32>(select(0i, _e4620, (_e4620 > 0i)))];
 let _e4627 = bitcast<f32>(_e4626);
 let _e4629 = select(_e4270, 263196i, (263196i < _e4270));
-let _e4635 = global_4.member[bitcast<u32>(select(0i, _e4629, (_e4629 > 0i)))];
+let _e4635 = global_3.member[bitcast<u32>(select(0i, _e4629, (_e4629 > 0i)))];
 let _e4636 = bitcast<f32>(_e4635);
 let _e4637 = (_e3662.member - _e3939);
 let _e4643 = (1f / select(_e4637, 1f, (bitcast<f32>((bitcast<u32>(_e4637) & 2147483647u)) < 1e-20f)));
@@ -1654,20 +1654,20 @@ let _e4655 = ((select(_e4636, _e3662.member, (_e3662.member > _e4636)) - select(
 let _e4658 = (((_e4603 * 256i) + _e4618) * 4i);
 let _e4662 = (_e4587 - f32(_e4618));
 let _e4666 = select(_e4270, _e4658, (_e4658 < _e4270));
-let _e4672 = global_4.member[bitcast<u32>(select(0i, _e4666, (_e4666 > 0i)))];
+let _e4672 = global_3.member[bitcast<u32>(select(0i, _e4666, (_e4666 > 0i)))];
 let _e4673 = (_e4658 + 4i);
 let _e4675 = select(_e4270, _e4673, (_e4673 < _e4270));
-let _e4681 = global_4.member[bitcast<u32>(select(0i, _e4675, (_e4675 > 0i)))];
+let _e4681 = global_3.member[bitcast<u32>(select(0i, _e4675, (_e4675 > 0i)))];
 let _e4682 = (_e4658 + 1024i);
 let _e4684 = select(_e4270, _e4682, (_e4682 < _e4270));
-let _e4690 = global_4.member[bitcast<u32>(select(0i, _e4684, (_e4684 > 0i)))];
+let _e4690 = global_3.member[bitcast<u32>(select(0i, _e4684, (_e4684 > 0i)))];
 let _e4691 = (_e4658 + 1028i);
 let _e4693 = select(_e4270, _e4691, (_e4691 < _e4270));
-let _e4699 = global_4.member[bitcast<u32>(select(0i, _e4693, (_e4693 > 0i)))];
+let _e4699 = global_3.member[bitcast<u32>(select(0i, _e4693, (_e4693 > 0i)))];
 let _e4701 = select(_e4270, 0i, (0i < _e4270));
-let _e4707 = global_4.member[bitcast<u32>(select(0i, _e4701, (_e4701 > 0i)))];
+let _e4707 = global_3.member[bitcast<u32>(select(0i, _e4701, (_e4701 > 0i)))];
 let _e4709 = select(_e4270, 262140i, (262140i < _e4270));
-let _e4715 = global_4.member[bitcast<u32>(select(0i, _e4709, (_e4709 > 0i)))];
+let _e4715 = global_3.member[bitcast<u32>(select(0i, _e4709, (_e4709 > 0i)))];
 let _e4720 = (bitcast<f32>(((_e4672 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4728 = (_e4720 + (((bitcast<f32>(((_e4681 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4720) * _e4662));
 let _e4733 = (bitcast<f32>(((_e4690 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1690,97 +1690,97 @@ local_5 = _e3939;
 let _e4818 = local_5;
 let _e4820 = (bitcast<i32>(_e168) - 1i);
 let _e4822 = select(_e4820, 263171i, (263171i < _e4820));
-let _e4827 = global_4.member[bitcast<u32>(select(0i, _e4822, (_e4822 > 0i)))];
+let _e4827 = global_3.member[bitcast<u32>(select(0i, _e4822, (_e4822 > 0i)))];
 let _e4828 = bitcast<f32>(_e4827);
 let _e4830 = select(_e4820, 263172i, (263172i < _e4820));
-let _e4835 = global_4.member[bitcast<u32>(select(0i, _e4830, (_e4830 > 0i)))];
+let _e4835 = global_3.member[bitcast<u32>(select(0i, _e4830, (_e4830 > 0i)))];
 let _e4836 = bitcast<f32>(_e4835);
 let _e4838 = select(_e4820, 263173i, (263173i < _e4820));
-let _e4843 = global_4.member[bitcast<u32>(select(0i, _e4838, (_e4838 > 0i)))];
+let _e4843 = global_3.member[bitcast<u32>(select(0i, _e4838, (_e4838 > 0i)))];
 let _e4844 = bitcast<f32>(_e4843);
 let _e4846 = ((_e4818 - _e4828) * _e4836);
 let _e4848 = select(0f, _e4846, (_e4846 > 0f));
 let _e4851 = local_5;
 let _e4853 = select(_e4820, 263174i, (263174i < _e4820));
-let _e4858 = global_4.member[bitcast<u32>(select(0i, _e4853, (_e4853 > 0i)))];
+let _e4858 = global_3.member[bitcast<u32>(select(0i, _e4853, (_e4853 > 0i)))];
 let _e4859 = bitcast<f32>(_e4858);
 let _e4861 = select(_e4820, 263175i, (263175i < _e4820));
-let _e4866 = global_4.member[bitcast<u32>(select(0i, _e4861, (_e4861 > 0i)))];
+let _e4866 = global_3.member[bitcast<u32>(select(0i, _e4861, (_e4861 > 0i)))];
 let _e4867 = bitcast<f32>(_e4866);
 let _e4869 = select(_e4820, 263176i, (263176i < _e4820));
-let _e4874 = global_4.member[bitcast<u32>(select(0i, _e4869, (_e4869 > 0i)))];
+let _e4874 = global_3.member[bitcast<u32>(select(0i, _e4869, (_e4869 > 0i)))];
 let _e4875 = bitcast<f32>(_e4874);
 let _e4877 = ((_e4851 - _e4859) * _e4867);
 let _e4879 = select(0f, _e4877, (_e4877 > 0f));
 let _e4883 = local_5;
 let _e4885 = select(_e4820, 263177i, (263177i < _e4820));
-let _e4890 = global_4.member[bitcast<u32>(select(0i, _e4885, (_e4885 > 0i)))];
+let _e4890 = global_3.member[bitcast<u32>(select(0i, _e4885, (_e4885 > 0i)))];
 let _e4891 = bitcast<f32>(_e4890);
 let _e4893 = select(_e4820, 263178i, (263178i < _e4820));
-let _e4898 = global_4.member[bitcast<u32>(select(0i, _e4893, (_e4893 > 0i)))];
+let _e4898 = global_3.member[bitcast<u32>(select(0i, _e4893, (_e4893 > 0i)))];
 let _e4899 = bitcast<f32>(_e4898);
 let _e4901 = select(_e4820, 263179i, (263179i < _e4820));
-let _e4906 = global_4.member[bitcast<u32>(select(0i, _e4901, (_e4901 > 0i)))];
+let _e4906 = global_3.member[bitcast<u32>(select(0i, _e4901, (_e4901 > 0i)))];
 let _e4907 = bitcast<f32>(_e4906);
 let _e4909 = ((_e4883 - _e4891) * _e4899);
 let _e4911 = select(0f, _e4909, (_e4909 > 0f));
 let _e4914 = local_5;
 let _e4916 = select(_e4820, 263180i, (263180i < _e4820));
-let _e4921 = global_4.member[bitcast<u32>(select(0i, _e4916, (_e4916 > 0i)))];
+let _e4921 = global_3.member[bitcast<u32>(select(0i, _e4916, (_e4916 > 0i)))];
 let _e4922 = bitcast<f32>(_e4921);
 let _e4924 = select(_e4820, 263181i, (263181i < _e4820));
-let _e4929 = global_4.member[bitcast<u32>(select(0i, _e4924, (_e4924 > 0i)))];
+let _e4929 = global_3.member[bitcast<u32>(select(0i, _e4924, (_e4924 > 0i)))];
 let _e4930 = bitcast<f32>(_e4929);
 let _e4932 = select(_e4820, 263182i, (263182i < _e4820));
-let _e4937 = global_4.member[bitcast<u32>(select(0i, _e4932, (_e4932 > 0i)))];
+let _e4937 = global_3.member[bitcast<u32>(select(0i, _e4932, (_e4932 > 0i)))];
 let _e4938 = bitcast<f32>(_e4937);
 let _e4940 = ((_e4914 - _e4922) * _e4930);
 let _e4942 = select(0f, _e4940, (_e4940 > 0f));
 let _e4947 = local_5;
 let _e4949 = select(_e4820, 263183i, (263183i < _e4820));
-let _e4954 = global_4.member[bitcast<u32>(select(0i, _e4949, (_e4949 > 0i)))];
+let _e4954 = global_3.member[bitcast<u32>(select(0i, _e4949, (_e4949 > 0i)))];
 let _e4955 = bitcast<f32>(_e4954);
 let _e4957 = select(_e4820, 263184i, (263184i < _e4820));
-let _e4962 = global_4.member[bitcast<u32>(select(0i, _e4957, (_e4957 > 0i)))];
+let _e4962 = global_3.member[bitcast<u32>(select(0i, _e4957, (_e4957 > 0i)))];
 let _e4963 = bitcast<f32>(_e4962);
 let _e4965 = select(_e4820, 263185i, (263185i < _e4820));
-let _e4970 = global_4.member[bitcast<u32>(select(0i, _e4965, (_e4965 > 0i)))];
+let _e4970 = global_3.member[bitcast<u32>(select(0i, _e4965, (_e4965 > 0i)))];
 let _e4971 = bitcast<f32>(_e4970);
 let _e4973 = ((_e4947 - _e4955) * _e4963);
 let _e4975 = select(0f, _e4973, (_e4973 > 0f));
 let _e4978 = local_5;
 let _e4980 = select(_e4820, 263186i, (263186i < _e4820));
-let _e4985 = global_4.member[bitcast<u32>(select(0i, _e4980, (_e4980 > 0i)))];
+let _e4985 = global_3.member[bitcast<u32>(select(0i, _e4980, (_e4980 > 0i)))];
 let _e4986 = bitcast<f32>(_e4985);
 let _e4988 = select(_e4820, 263187i, (263187i < _e4820));
-let _e4993 = global_4.member[bitcast<u32>(select(0i, _e4988, (_e4988 > 0i)))];
+let _e4993 = global_3.member[bitcast<u32>(select(0i, _e4988, (_e4988 > 0i)))];
 let _e4994 = bitcast<f32>(_e4993);
 let _e4996 = select(_e4820, 263188i, (263188i < _e4820));
-let _e5001 = global_4.member[bitcast<u32>(select(0i, _e4996, (_e4996 > 0i)))];
+let _e5001 = global_3.member[bitcast<u32>(select(0i, _e4996, (_e4996 > 0i)))];
 let _e5002 = bitcast<f32>(_e5001);
 let _e5004 = ((_e4978 - _e4986) * _e4994);
 let _e5006 = select(0f, _e5004, (_e5004 > 0f));
 let _e5010 = local_5;
 let _e5012 = select(_e4820, 263189i, (263189i < _e4820));
-let _e5017 = global_4.member[bitcast<u32>(select(0i, _e5012, (_e5012 > 0i)))];
+let _e5017 = global_3.member[bitcast<u32>(select(0i, _e5012, (_e5012 > 0i)))];
 let _e5018 = bitcast<f32>(_e5017);
 let _e5020 = select(_e4820, 263190i, (263190i < _e4820));
-let _e5025 = global_4.member[bitcast<u32>(select(0i, _e5020, (_e5020 > 0i)))];
+let _e5025 = global_3.member[bitcast<u32>(select(0i, _e5020, (_e5020 > 0i)))];
 let _e5026 = bitcast<f32>(_e5025);
 let _e5028 = select(_e4820, 263191i, (263191i < _e4820));
-let _e5033 = global_4.member[bitcast<u32>(select(0i, _e5028, (_e5028 > 0i)))];
+let _e5033 = global_3.member[bitcast<u32>(select(0i, _e5028, (_e5028 > 0i)))];
 let _e5034 = bitcast<f32>(_e5033);
 let _e5036 = ((_e5010 - _e5018) * _e5026);
 let _e5038 = select(0f, _e5036, (_e5036 > 0f));
 let _e5041 = local_5;
 let _e5043 = select(_e4820, 263192i, (263192i < _e4820));
-let _e5048 = global_4.member[bitcast<u32>(select(0i, _e5043, (_e5043 > 0i)))];
+let _e5048 = global_3.member[bitcast<u32>(select(0i, _e5043, (_e5043 > 0i)))];
 let _e5049 = bitcast<f32>(_e5048);
 let _e5051 = select(_e4820, 263193i, (263193i < _e4820));
-let _e5056 = global_4.member[bitcast<u32>(select(0i, _e5051, (_e5051 > 0i)))];
+let _e5056 = global_3.member[bitcast<u32>(select(0i, _e5051, (_e5051 > 0i)))];
 let _e5057 = bitcast<f32>(_e5056);
 let _e5059 = select(_e4820, 263194i, (263194i < _e4820));
-let _e5064 = global_4.member[bitcast<u32>(select(0i, _e5059, (_e5059 > 0i)))];
+let _e5064 = global_3.member[bitcast<u32>(select(0i, _e5059, (_e5059 > 0i)))];
 let _e5065 = bitcast<f32>(_e5064);
 let _e5067 = ((_e5041 - _e5049) * _e5057);
 let _e5069 = select(0f, _e5067, (_e5067 > 0f));
@@ -1821,10 +1821,10 @@ let _e5157 = select(_e5138, _e5155, (_e5155 < _e5138));
 let _e5164 = select(0i, select(select(i32(_e5157), i32(-2147483648), (_e5157 < -2147483600f)), 2147483647i, (_e5157 > 2147483500f)), (_e5157 == _e5157));
 let _e5168 = (_e5164 - select(0i, 1i, (_e5157 < f32(_e5164))));
 let _e5170 = select(_e4820, 263195i, (263195i < _e4820));
-let _e5176 = global_4.member[bitcast<u32>(select(0i, _e5170, (_e5170 > 0i)))];
+let _e5176 = global_3.member[bitcast<u32>(select(0i, _e5170, (_e5170 > 0i)))];
 let _e5177 = bitcast<f32>(_e5176);
 let _e5179 = select(_e4820, 263196i, (263196i < _e4820));
-let _e5185 = global_4.member[bitcast<u32>(select(0i, _e5179, (_e5179 > 0i)))];
+let _e5185 = global_3.member[bitcast<u32>(select(0i, _e5179, (_e5179 > 0i)))];
 let _e5186 = bitcast<f32>(_e5185);
 let _e5187 = (_e3662.member - _e3939);
 let _e5193 = (1f / select(_e5187, 1f, (bitcast<f32>((bitcast<u32>(_e5187) & 2147483647u)) < 1e-20f)));
@@ -1835,20 +1835,20 @@ let _e5210 = (_e5074 - f32(_e5153));
 let _e5212 = (_e5137 - f32(_e5168));
 let _e5214 = (1f - (_e5199 + _e5205));
 let _e5216 = select(_e4820, _e5208, (_e5208 < _e4820));
-let _e5222 = global_4.member[bitcast<u32>(select(0i, _e5216, (_e5216 > 0i)))];
+let _e5222 = global_3.member[bitcast<u32>(select(0i, _e5216, (_e5216 > 0i)))];
 let _e5223 = (_e5208 + 4i);
 let _e5225 = select(_e4820, _e5223, (_e5223 < _e4820));
-let _e5231 = global_4.member[bitcast<u32>(select(0i, _e5225, (_e5225 > 0i)))];
+let _e5231 = global_3.member[bitcast<u32>(select(0i, _e5225, (_e5225 > 0i)))];
 let _e5232 = (_e5208 + 1024i);
 let _e5234 = select(_e4820, _e5232, (_e5232 < _e4820));
-let _e5240 = global_4.member[bitcast<u32>(select(0i, _e5234, (_e5234 > 0i)))];
+let _e5240 = global_3.member[bitcast<u32>(select(0i, _e5234, (_e5234 > 0i)))];
 let _e5241 = (_e5208 + 1028i);
 let _e5243 = select(_e4820, _e5241, (_e5241 < _e4820));
-let _e5249 = global_4.member[bitcast<u32>(select(0i, _e5243, (_e5243 > 0i)))];
+let _e5249 = global_3.member[bitcast<u32>(select(0i, _e5243, (_e5243 > 0i)))];
 let _e5251 = select(_e4820, 0i, (0i < _e4820));
-let _e5257 = global_4.member[bitcast<u32>(select(0i, _e5251, (_e5251 > 0i)))];
+let _e5257 = global_3.member[bitcast<u32>(select(0i, _e5251, (_e5251 > 0i)))];
 let _e5259 = select(_e4820, 262140i, (262140i < _e4820));
-let _e5265 = global_4.member[bitcast<u32>(select(0i, _e5259, (_e5259 > 0i)))];
+let _e5265 = global_3.member[bitcast<u32>(select(0i, _e5259, (_e5259 > 0i)))];
 let _e5270 = (bitcast<f32>(((_e5222 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5278 = (_e5270 + (((bitcast<f32>(((_e5231 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5270) * _e5212));
 let _e5283 = (bitcast<f32>(((_e5240 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1858,20 +1858,20 @@ let _e5334 = (_e5326 + (((bitcast<f32>((((_e5231 >> bitcast<u32>(16i)) & 32767u)
 let _e5339 = (bitcast<f32>((((_e5240 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5366 = (_e5208 + 1i);
 let _e5368 = select(_e4820, _e5366, (_e5366 < _e4820));
-let _e5374 = global_4.member[bitcast<u32>(select(0i, _e5368, (_e5368 > 0i)))];
+let _e5374 = global_3.member[bitcast<u32>(select(0i, _e5368, (_e5368 > 0i)))];
 let _e5375 = (_e5208 + 5i);
 let _e5377 = select(_e4820, _e5375, (_e5375 < _e4820));
-let _e5383 = global_4.member[bitcast<u32>(select(0i, _e5377, (_e5377 > 0i)))];
+let _e5383 = global_3.member[bitcast<u32>(select(0i, _e5377, (_e5377 > 0i)))];
 let _e5384 = (_e5208 + 1025i);
 let _e5386 = select(_e4820, _e5384, (_e5384 < _e4820));
-let _e5392 = global_4.member[bitcast<u32>(select(0i, _e5386, (_e5386 > 0i)))];
+let _e5392 = global_3.member[bitcast<u32>(select(0i, _e5386, (_e5386 > 0i)))];
 let _e5393 = (_e5208 + 1029i);
 let _e5395 = select(_e4820, _e5393, (_e5393 < _e4820));
-let _e5401 = global_4.member[bitcast<u32>(select(0i, _e5395, (_e5395 > 0i)))];
+let _e5401 = global_3.member[bitcast<u32>(select(0i, _e5395, (_e5395 > 0i)))];
 let _e5403 = select(_e4820, 1i, (1i < _e4820));
-let _e5409 = global_4.member[bitcast<u32>(select(0i, _e5403, (_e5403 > 0i)))];
+let _e5409 = global_3.member[bitcast<u32>(select(0i, _e5403, (_e5403 > 0i)))];
 let _e5411 = select(_e4820, 262141i, (262141i < _e4820));
-let _e5417 = global_4.member[bitcast<u32>(select(0i, _e5411, (_e5411 > 0i)))];
+let _e5417 = global_3.member[bitcast<u32>(select(0i, _e5411, (_e5411 > 0i)))];
 let _e5422 = (bitcast<f32>(((_e5374 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5430 = (_e5422 + (((bitcast<f32>(((_e5383 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5422) * _e5212));
 let _e5435 = (bitcast<f32>(((_e5392 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2198,7 +2198,7 @@ let _e6511 = (select(0i, _e6442, (_e6442 > 0i)) * _e6461);
 let _e6512 = (select(_e6473, _e6476, (_e6476 < _e6473)) * _e6461);
 let _e6513 = (select(0i, _e6457, (_e6457 > 0i)) * _e6465);
 let _e6514 = (select(_e6486, _e6489, (_e6489 < _e6486)) * _e6465);
-local_2 = type_31(array<i32, 4>(select(0i, _e6500, (_e6500 > 0i)), select(0i, _e6427, (_e6427 > 0i)), select(_e6499, _e6505, (_e6505 < _e6499)), select(_e6499, _e6508, (_e6508 < _e6499))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
+local_2 = type_29(array<i32, 4>(select(0i, _e6500, (_e6500 > 0i)), select(0i, _e6427, (_e6427 > 0i)), select(_e6499, _e6505, (_e6505 < _e6499)), select(_e6499, _e6508, (_e6508 < _e6499))), array<u32, 6>(0u, 0u, 0u, 0u, 0u, 0u));
 local_3 = vec3<f32>((_e6404 - f32(_e6427)), (_e6408 - f32(_e6442)), (_e6412 - f32(_e6457)));
 let _e6525 = (_e6513 + _e6511);
 let _e6528 = local_2.member[1u];
@@ -2261,41 +2261,41 @@ local_1 = _e6659;
 let _e6660 = local_1;
 let _e6662 = (bitcast<i32>(_e168) - 1i);
 let _e6664 = select(_e6662, 263197i, (263197i < _e6662));
-let _e6669 = global_4.member[bitcast<u32>(select(0i, _e6664, (_e6664 > 0i)))];
+let _e6669 = global_3.member[bitcast<u32>(select(0i, _e6664, (_e6664 > 0i)))];
 let _e6672 = select(_e6662, 263198i, (263198i < _e6662));
-let _e6677 = global_4.member[bitcast<u32>(select(0i, _e6672, (_e6672 > 0i)))];
+let _e6677 = global_3.member[bitcast<u32>(select(0i, _e6672, (_e6672 > 0i)))];
 let _e6680 = select(_e6662, 263199i, (263199i < _e6662));
-let _e6685 = global_4.member[bitcast<u32>(select(0i, _e6680, (_e6680 > 0i)))];
+let _e6685 = global_3.member[bitcast<u32>(select(0i, _e6680, (_e6680 > 0i)))];
 let _e6686 = bitcast<f32>(_e6685);
 let _e6688 = ((_e6660 - bitcast<f32>(_e6669)) * bitcast<f32>(_e6677));
 let _e6690 = select(0f, _e6688, (_e6688 > 0f));
 let _e6693 = local_1;
 let _e6695 = select(_e6662, 263200i, (263200i < _e6662));
-let _e6700 = global_4.member[bitcast<u32>(select(0i, _e6695, (_e6695 > 0i)))];
+let _e6700 = global_3.member[bitcast<u32>(select(0i, _e6695, (_e6695 > 0i)))];
 let _e6703 = select(_e6662, 263201i, (263201i < _e6662));
-let _e6708 = global_4.member[bitcast<u32>(select(0i, _e6703, (_e6703 > 0i)))];
+let _e6708 = global_3.member[bitcast<u32>(select(0i, _e6703, (_e6703 > 0i)))];
 let _e6711 = select(_e6662, 263202i, (263202i < _e6662));
-let _e6716 = global_4.member[bitcast<u32>(select(0i, _e6711, (_e6711 > 0i)))];
+let _e6716 = global_3.member[bitcast<u32>(select(0i, _e6711, (_e6711 > 0i)))];
 let _e6717 = bitcast<f32>(_e6716);
 let _e6719 = ((_e6693 - bitcast<f32>(_e6700)) * bitcast<f32>(_e6708));
 let _e6721 = select(0f, _e6719, (_e6719 > 0f));
 let _e6725 = local_1;
 let _e6727 = select(_e6662, 263203i, (263203i < _e6662));
-let _e6732 = global_4.member[bitcast<u32>(select(0i, _e6727, (_e6727 > 0i)))];
+let _e6732 = global_3.member[bitcast<u32>(select(0i, _e6727, (_e6727 > 0i)))];
 let _e6735 = select(_e6662, 263204i, (263204i < _e6662));
-let _e6740 = global_4.member[bitcast<u32>(select(0i, _e6735, (_e6735 > 0i)))];
+let _e6740 = global_3.member[bitcast<u32>(select(0i, _e6735, (_e6735 > 0i)))];
 let _e6743 = select(_e6662, 263205i, (263205i < _e6662));
-let _e6748 = global_4.member[bitcast<u32>(select(0i, _e6743, (_e6743 > 0i)))];
+let _e6748 = global_3.member[bitcast<u32>(select(0i, _e6743, (_e6743 > 0i)))];
 let _e6749 = bitcast<f32>(_e6748);
 let _e6751 = ((_e6725 - bitcast<f32>(_e6732)) * bitcast<f32>(_e6740));
 let _e6753 = select(0f, _e6751, (_e6751 > 0f));
 let _e6756 = local_1;
 let _e6758 = select(_e6662, 263206i, (263206i < _e6662));
-let _e6763 = global_4.member[bitcast<u32>(select(0i, _e6758, (_e6758 > 0i)))];
+let _e6763 = global_3.member[bitcast<u32>(select(0i, _e6758, (_e6758 > 0i)))];
 let _e6766 = select(_e6662, 263207i, (263207i < _e6662));
-let _e6771 = global_4.member[bitcast<u32>(select(0i, _e6766, (_e6766 > 0i)))];
+let _e6771 = global_3.member[bitcast<u32>(select(0i, _e6766, (_e6766 > 0i)))];
 let _e6774 = select(_e6662, 263208i, (263208i < _e6662));
-let _e6779 = global_4.member[bitcast<u32>(select(0i, _e6774, (_e6774 > 0i)))];
+let _e6779 = global_3.member[bitcast<u32>(select(0i, _e6774, (_e6774 > 0i)))];
 let _e6780 = bitcast<f32>(_e6779);
 let _e6782 = ((_e6756 - bitcast<f32>(_e6763)) * bitcast<f32>(_e6771));
 let _e6784 = select(0f, _e6782, (_e6782 > 0f));
@@ -2306,13 +2306,13 @@ let _e6799 = select(0i, select(select(i32(_e6792), i32(-2147483648), (_e6792 < -
 let _e6803 = (_e6799 - select(0i, 1i, (_e6792 < f32(_e6799))));
 let _e6804 = (262147i + _e6803);
 let _e6806 = select(_e6662, _e6804, (_e6804 < _e6662));
-let _e6812 = global_4.member[bitcast<u32>(select(0i, _e6806, (_e6806 > 0i)))];
+let _e6812 = global_3.member[bitcast<u32>(select(0i, _e6806, (_e6806 > 0i)))];
 let _e6822 = select(_e6662, 262146i, (262146i < _e6662));
-let _e6828 = global_4.member[bitcast<u32>(select(0i, _e6822, (_e6822 > 0i)))];
+let _e6828 = global_3.member[bitcast<u32>(select(0i, _e6822, (_e6822 > 0i)))];
 let _e6832 = select(_e6662, 262144i, (262144i < _e6662));
-let _e6838 = global_4.member[bitcast<u32>(select(0i, _e6832, (_e6832 > 0i)))];
+let _e6838 = global_3.member[bitcast<u32>(select(0i, _e6832, (_e6832 > 0i)))];
 let _e6841 = select(_e6662, 262145i, (262145i < _e6662));
-let _e6847 = global_4.member[bitcast<u32>(select(0i, _e6841, (_e6841 > 0i)))];
+let _e6847 = global_3.member[bitcast<u32>(select(0i, _e6841, (_e6841 > 0i)))];
 let _e6854 = ((bitcast<f32>(_e6838) + (f32(bitcast<i32>((_e6812 >> bitcast<u32>(12u)))) * bitcast<f32>(_e6847))) + ((f32((bitcast<i32>((_e6812 & 4095u)) - 2048i)) * bitcast<f32>(_e6828)) * (_e6788 - f32(_e6803))));
 let _e6858 = select(_e6345.member_6.x, _e6356.x, _e6350);
 let _e6861 = select(_e6345.member_6.y, _e6356.y, _e6350);
@@ -2551,15 +2551,15 @@ phi_17920_ = 1f;
 let _e7599 = phi_17919_;
 let _e7601 = phi_17920_;
 let _e7604 = (_e5723.member * _e7601);
-global_2.member[_e193] = (_e204 * (_e5723.member_2.x * _e7604));
-global_2.member[_e205] = (_e214 * (_e5723.member_2.y * _e7604));
-global_2.member[_e216] = (_e225 * (_e5723.member_2.z * _e7604));
-global_2.member[_e227] = _e7599.x;
-global_2.member[_e238] = _e7599.y;
-global_2.member[_e249] = _e7599.z;
-global_2.member[_e260] = _e269;
-global_2.member[_e271] = _e280;
-global_2.member[_e282] = _e291;
+global_4.member[_e193] = (_e204 * (_e5723.member_2.x * _e7604));
+global_4.member[_e205] = (_e214 * (_e5723.member_2.y * _e7604));
+global_4.member[_e216] = (_e225 * (_e5723.member_2.z * _e7604));
+global_4.member[_e227] = _e7599.x;
+global_4.member[_e238] = _e7599.y;
+global_4.member[_e249] = _e7599.z;
+global_4.member[_e260] = _e269;
+global_4.member[_e271] = _e280;
+global_4.member[_e282] = _e291;
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,47 +90,82 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
 }
-struct type_31 {
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
+}
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
@@ -198,31 +198,31 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_3: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_4: type_17;
+var<storage> global_3: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_26;
 @group(0) @binding(2)
-var<storage> global_5: type_17;
+var<storage> global_5: type_24;
 @group(0) @binding(3)
-var<storage> global_6: type_17;
+var<storage> global_6: type_24;
 @group(0) @binding(5)
-var<storage> global_7: type_11;
+var<storage> global_7: type_26;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_31;
+var local_2: type_29;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_31;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_31;
+var local_10: type_29;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -238,9 +238,9 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_31;
+var local_26: type_29;
 var local_27: vec3<f32>;
-var local_28: type_31;
+var local_28: type_29;
 var local_29: vec3<f32>;
 var phi_905_: bool;
 var phi_1085_: bool;
@@ -249,7 +249,7 @@ var phi_1272_: bool;
 var phi_1896_: u32;
 var phi_8490_: type_32;
 var phi_9100_: type_33;
-var phi_9897_: type_5;
+var phi_9897_: type_7;
 var phi_13625_: type_35;
 var phi_14944_: type_34;
 var phi_14957_: vec3<f32>;
@@ -258,9 +258,9 @@ var phi_17537_: type_34;
 var phi_17689_: vec3<f32>;
 var phi_17690_: f32;
 let _e159 = global;
-let _e162 = arrayLength((&global_3.member));
+let _e162 = arrayLength((&global_2.member));
 let _e165 = arrayLength((&global_5.member));
-let _e170 = arrayLength((&global_4.member));
+let _e170 = arrayLength((&global_3.member));
 let _e172 = arrayLength((&global_7.member));
 let _e177 = global_1.member.member_2;
 let _e180 = global_1.member.member;
@@ -271,41 +271,41 @@ if (_e190 < _e177.member_3) {
 let _e193 = (_e180.member * _e180.member_1);
 let _e195 = ((_e190 * _e180.member) + _e188);
 let _e196 = bitcast<i32>(_e195);
-let _e198 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e198 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e200 = select(_e198, _e196, (_e196 < _e198));
-let _e206 = global_2.member[bitcast<u32>(select(0i, _e200, (_e200 > 0i)))];
+let _e206 = global_4.member[bitcast<u32>(select(0i, _e200, (_e200 > 0i)))];
 let _e207 = (_e193 + _e195);
 let _e208 = bitcast<i32>(_e207);
 let _e210 = select(_e198, _e208, (_e208 < _e198));
-let _e216 = global_2.member[bitcast<u32>(select(0i, _e210, (_e210 > 0i)))];
+let _e216 = global_4.member[bitcast<u32>(select(0i, _e210, (_e210 > 0i)))];
 let _e218 = ((2u * _e193) + _e195);
 let _e219 = bitcast<i32>(_e218);
 let _e221 = select(_e198, _e219, (_e219 < _e198));
-let _e227 = global_2.member[bitcast<u32>(select(0i, _e221, (_e221 > 0i)))];
+let _e227 = global_4.member[bitcast<u32>(select(0i, _e221, (_e221 > 0i)))];
 let _e229 = ((3u * _e193) + _e195);
 let _e230 = bitcast<i32>(_e229);
 let _e232 = select(_e198, _e230, (_e230 < _e198));
-let _e238 = global_2.member[bitcast<u32>(select(0i, _e232, (_e232 > 0i)))];
+let _e238 = global_4.member[bitcast<u32>(select(0i, _e232, (_e232 > 0i)))];
 let _e240 = ((4u * _e193) + _e195);
 let _e241 = bitcast<i32>(_e240);
 let _e243 = select(_e198, _e241, (_e241 < _e198));
-let _e249 = global_2.member[bitcast<u32>(select(0i, _e243, (_e243 > 0i)))];
+let _e249 = global_4.member[bitcast<u32>(select(0i, _e243, (_e243 > 0i)))];
 let _e251 = ((5u * _e193) + _e195);
 let _e252 = bitcast<i32>(_e251);
 let _e254 = select(_e198, _e252, (_e252 < _e198));
-let _e260 = global_2.member[bitcast<u32>(select(0i, _e254, (_e254 > 0i)))];
+let _e260 = global_4.member[bitcast<u32>(select(0i, _e254, (_e254 > 0i)))];
 let _e262 = ((6u * _e193) + _e195);
 let _e263 = bitcast<i32>(_e262);
 let _e265 = select(_e198, _e263, (_e263 < _e198));
-let _e271 = global_2.member[bitcast<u32>(select(0i, _e265, (_e265 > 0i)))];
+let _e271 = global_4.member[bitcast<u32>(select(0i, _e265, (_e265 > 0i)))];
 let _e273 = ((7u * _e193) + _e195);
 let _e274 = bitcast<i32>(_e273);
 let _e276 = select(_e198, _e274, (_e274 < _e198));
-let _e282 = global_2.member[bitcast<u32>(select(0i, _e276, (_e276 > 0i)))];
+let _e282 = global_4.member[bitcast<u32>(select(0i, _e276, (_e276 > 0i)))];
 let _e284 = ((8u * _e193) + _e195);
 let _e285 = bitcast<i32>(_e284);
 let _e287 = select(_e198, _e285, (_e285 < _e198));
-let _e293 = global_2.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
+let _e293 = global_4.member[bitcast<u32>(select(0i, _e287, (_e287 > 0i)))];
 let _e298 = global_1.member.member_8.member;
 let _e302 = global_1.member.member_8.member_1;
 let _e303 = (_e298 * _e302);
@@ -611,7 +611,7 @@ let _e1662 = global_1.member.member_6.member_11.member_1;
 let _e1673 = ((_e1649 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1656) * ((_e1650 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1662) * (_e1651 >> bitcast<u32>(4i))))));
 let _e1675 = (bitcast<i32>(_e162) - 1i);
 let _e1677 = select(_e1675, _e1673, (_e1673 < _e1675));
-let _e1683 = global_3.member[bitcast<u32>(select(0i, _e1677, (_e1677 > 0i)))];
+let _e1683 = global_2.member[bitcast<u32>(select(0i, _e1677, (_e1677 > 0i)))];
 let _e1685 = (_e1649 & 15i);
 let _e1688 = ((_e1650 & 15i) * _e1644);
 let _e1690 = (bitcast<i32>(_e1683) + ((_e1651 & 15i) * _e1648));
@@ -619,53 +619,53 @@ let _e1694 = (_e1688 + _e1644);
 let _e1696 = (_e1688 + (2i * _e1644));
 let _e1697 = (_e1690 + _e1648);
 let _e1699 = (_e1690 + (2i * _e1648));
-local_28 = type_31(array<i32, 4>(_e1685, (_e1685 + 1i), (_e1685 + 2i), (_e1685 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_28 = type_29(array<i32, 4>(_e1685, (_e1685 + 1i), (_e1685 + 2i), (_e1685 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_29 = vec3<f32>((_e1575 - f32(_e1610)), (_e1585 - f32(_e1625)), (_e1595 - f32(_e1640)));
 let _e1710 = (_e1697 + _e1694);
 let _e1713 = local_28.member[1u];
 let _e1714 = (_e1710 + _e1713);
 let _e1716 = select(_e1675, _e1714, (_e1714 < _e1675));
-let _e1721 = global_3.member[bitcast<u32>(select(0i, _e1716, (_e1716 > 0i)))];
+let _e1721 = global_2.member[bitcast<u32>(select(0i, _e1716, (_e1716 > 0i)))];
 let _e1722 = bitcast<f32>(_e1721);
 let _e1725 = local_28.member[2u];
 let _e1726 = (_e1710 + _e1725);
 let _e1728 = select(_e1675, _e1726, (_e1726 < _e1675));
-let _e1733 = global_3.member[bitcast<u32>(select(0i, _e1728, (_e1728 > 0i)))];
+let _e1733 = global_2.member[bitcast<u32>(select(0i, _e1728, (_e1728 > 0i)))];
 let _e1735 = local_29[0u];
 let _e1738 = (_e1722 + ((bitcast<f32>(_e1733) - _e1722) * _e1735));
 let _e1739 = (_e1697 + _e1696);
 let _e1740 = local_28.member[1u];
 let _e1741 = (_e1739 + _e1740);
 let _e1743 = select(_e1675, _e1741, (_e1741 < _e1675));
-let _e1748 = global_3.member[bitcast<u32>(select(0i, _e1743, (_e1743 > 0i)))];
+let _e1748 = global_2.member[bitcast<u32>(select(0i, _e1743, (_e1743 > 0i)))];
 let _e1749 = bitcast<f32>(_e1748);
 let _e1750 = local_28.member[2u];
 let _e1751 = (_e1739 + _e1750);
 let _e1753 = select(_e1675, _e1751, (_e1751 < _e1675));
-let _e1758 = global_3.member[bitcast<u32>(select(0i, _e1753, (_e1753 > 0i)))];
+let _e1758 = global_2.member[bitcast<u32>(select(0i, _e1753, (_e1753 > 0i)))];
 let _e1760 = local_29[0u];
 let _e1764 = (_e1699 + _e1694);
 let _e1765 = local_28.member[1u];
 let _e1766 = (_e1764 + _e1765);
 let _e1768 = select(_e1675, _e1766, (_e1766 < _e1675));
-let _e1773 = global_3.member[bitcast<u32>(select(0i, _e1768, (_e1768 > 0i)))];
+let _e1773 = global_2.member[bitcast<u32>(select(0i, _e1768, (_e1768 > 0i)))];
 let _e1774 = bitcast<f32>(_e1773);
 let _e1775 = local_28.member[2u];
 let _e1776 = (_e1764 + _e1775);
 let _e1778 = select(_e1675, _e1776, (_e1776 < _e1675));
-let _e1783 = global_3.member[bitcast<u32>(select(0i, _e1778, (_e1778 > 0i)))];
+let _e1783 = global_2.member[bitcast<u32>(select(0i, _e1778, (_e1778 > 0i)))];
 let _e1785 = local_29[0u];
 let _e1788 = (_e1774 + ((bitcast<f32>(_e1783) - _e1774) * _e1785));
 let _e1789 = (_e1699 + _e1696);
 let _e1790 = local_28.member[1u];
 let _e1791 = (_e1789 + _e1790);
 let _e1793 = select(_e1675, _e1791, (_e1791 < _e1675));
-let _e1798 = global_3.member[bitcast<u32>(select(0i, _e1793, (_e1793 > 0i)))];
+let _e1798 = global_2.member[bitcast<u32>(select(0i, _e1793, (_e1793 > 0i)))];
 let _e1799 = bitcast<f32>(_e1798);
 let _e1800 = local_28.member[2u];
 let _e1801 = (_e1789 + _e1800);
 let _e1803 = select(_e1675, _e1801, (_e1801 < _e1675));
-let _e1808 = global_3.member[bitcast<u32>(select(0i, _e1803, (_e1803 > 0i)))];
+let _e1808 = global_2.member[bitcast<u32>(select(0i, _e1803, (_e1803 > 0i)))];
 let _e1810 = local_29[0u];
 let _e1815 = local_29[1u];
 let _e1818 = (_e1738 + (((_e1749 + ((bitcast<f32>(_e1758) - _e1749) * _e1760)) - _e1738) * _e1815));
@@ -720,7 +720,7 @@ let _e1975 = (_e1965 + (3i * _e1921));
 let _e1976 = (_e1967 + _e1925);
 let _e1978 = (_e1967 + (2i * _e1925));
 let _e1980 = (_e1967 + (3i * _e1925));
-local_26 = type_31(array<i32, 4>(_e1962, (_e1962 + 1i), (_e1962 + 2i), (_e1962 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_29(array<i32, 4>(_e1962, (_e1962 + 1i), (_e1962 + 2i), (_e1962 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e1852 - f32(_e1887)), (_e1862 - f32(_e1902)), (_e1872 - f32(_e1917)));
 let _e1991 = (_e1976 + _e1971);
 let _e1994 = local_26.member[0u];
@@ -968,50 +968,50 @@ local_25 = _e2539;
 let _e2540 = local_25;
 let _e2542 = (bitcast<i32>(_e170) - 1i);
 let _e2544 = select(_e2542, 263197i, (263197i < _e2542));
-let _e2549 = global_4.member[bitcast<u32>(select(0i, _e2544, (_e2544 > 0i)))];
+let _e2549 = global_3.member[bitcast<u32>(select(0i, _e2544, (_e2544 > 0i)))];
 let _e2550 = bitcast<f32>(_e2549);
 let _e2552 = select(_e2542, 263198i, (263198i < _e2542));
 let _e2555 = bitcast<u32>(select(0i, _e2552, (_e2552 > 0i)));
-let _e2557 = global_4.member[_e2555];
+let _e2557 = global_3.member[_e2555];
 let _e2558 = bitcast<f32>(_e2557);
 let _e2560 = select(_e2542, 263199i, (263199i < _e2542));
-let _e2565 = global_4.member[bitcast<u32>(select(0i, _e2560, (_e2560 > 0i)))];
+let _e2565 = global_3.member[bitcast<u32>(select(0i, _e2560, (_e2560 > 0i)))];
 let _e2566 = bitcast<f32>(_e2565);
 let _e2568 = ((_e2540 - _e2550) * _e2558);
 let _e2570 = select(0f, _e2568, (_e2568 > 0f));
 let _e2573 = local_25;
 let _e2575 = select(_e2542, 263200i, (263200i < _e2542));
-let _e2580 = global_4.member[bitcast<u32>(select(0i, _e2575, (_e2575 > 0i)))];
+let _e2580 = global_3.member[bitcast<u32>(select(0i, _e2575, (_e2575 > 0i)))];
 let _e2581 = bitcast<f32>(_e2580);
 let _e2583 = select(_e2542, 263201i, (263201i < _e2542));
-let _e2588 = global_4.member[bitcast<u32>(select(0i, _e2583, (_e2583 > 0i)))];
+let _e2588 = global_3.member[bitcast<u32>(select(0i, _e2583, (_e2583 > 0i)))];
 let _e2589 = bitcast<f32>(_e2588);
 let _e2591 = select(_e2542, 263202i, (263202i < _e2542));
-let _e2596 = global_4.member[bitcast<u32>(select(0i, _e2591, (_e2591 > 0i)))];
+let _e2596 = global_3.member[bitcast<u32>(select(0i, _e2591, (_e2591 > 0i)))];
 let _e2597 = bitcast<f32>(_e2596);
 let _e2599 = ((_e2573 - _e2581) * _e2589);
 let _e2601 = select(0f, _e2599, (_e2599 > 0f));
 let _e2605 = local_25;
 let _e2607 = select(_e2542, 263203i, (263203i < _e2542));
-let _e2612 = global_4.member[bitcast<u32>(select(0i, _e2607, (_e2607 > 0i)))];
+let _e2612 = global_3.member[bitcast<u32>(select(0i, _e2607, (_e2607 > 0i)))];
 let _e2613 = bitcast<f32>(_e2612);
 let _e2615 = select(_e2542, 263204i, (263204i < _e2542));
-let _e2620 = global_4.member[bitcast<u32>(select(0i, _e2615, (_e2615 > 0i)))];
+let _e2620 = global_3.member[bitcast<u32>(select(0i, _e2615, (_e2615 > 0i)))];
 let _e2621 = bitcast<f32>(_e2620);
 let _e2623 = select(_e2542, 263205i, (263205i < _e2542));
-let _e2628 = global_4.member[bitcast<u32>(select(0i, _e2623, (_e2623 > 0i)))];
+let _e2628 = global_3.member[bitcast<u32>(select(0i, _e2623, (_e2623 > 0i)))];
 let _e2629 = bitcast<f32>(_e2628);
 let _e2631 = ((_e2605 - _e2613) * _e2621);
 let _e2633 = select(0f, _e2631, (_e2631 > 0f));
 let _e2636 = local_25;
 let _e2638 = select(_e2542, 263206i, (263206i < _e2542));
-let _e2643 = global_4.member[bitcast<u32>(select(0i, _e2638, (_e2638 > 0i)))];
+let _e2643 = global_3.member[bitcast<u32>(select(0i, _e2638, (_e2638 > 0i)))];
 let _e2644 = bitcast<f32>(_e2643);
 let _e2646 = select(_e2542, 263207i, (263207i < _e2542));
-let _e2651 = global_4.member[bitcast<u32>(select(0i, _e2646, (_e2646 > 0i)))];
+let _e2651 = global_3.member[bitcast<u32>(select(0i, _e2646, (_e2646 > 0i)))];
 let _e2652 = bitcast<f32>(_e2651);
 let _e2654 = select(_e2542, 263208i, (263208i < _e2542));
-let _e2659 = global_4.member[bitcast<u32>(select(0i, _e2654, (_e2654 > 0i)))];
+let _e2659 = global_3.member[bitcast<u32>(select(0i, _e2654, (_e2654 > 0i)))];
 let _e2660 = bitcast<f32>(_e2659);
 let _e2662 = ((_e2636 - _e2644) * _e2652);
 let _e2664 = select(0f, _e2662, (_e2662 > 0f));
@@ -1022,27 +1022,27 @@ let _e2679 = select(0i, select(select(i32(_e2672), i32(-2147483648), (_e2672 < -
 let _e2683 = (_e2679 - select(0i, 1i, (_e2672 < f32(_e2679))));
 let _e2684 = (262147i + _e2683);
 let _e2686 = select(_e2542, _e2684, (_e2684 < _e2542));
-let _e2692 = global_4.member[bitcast<u32>(select(0i, _e2686, (_e2686 > 0i)))];
+let _e2692 = global_3.member[bitcast<u32>(select(0i, _e2686, (_e2686 > 0i)))];
 let _e2702 = select(_e2542, 262146i, (262146i < _e2542));
-let _e2708 = global_4.member[bitcast<u32>(select(0i, _e2702, (_e2702 > 0i)))];
+let _e2708 = global_3.member[bitcast<u32>(select(0i, _e2702, (_e2702 > 0i)))];
 let _e2709 = bitcast<f32>(_e2708);
 let _e2710 = (f32((bitcast<i32>((_e2692 & 4095u)) - 2048i)) * _e2709);
 let _e2712 = select(_e2542, 262144i, (262144i < _e2542));
-let _e2718 = global_4.member[bitcast<u32>(select(0i, _e2712, (_e2712 > 0i)))];
+let _e2718 = global_3.member[bitcast<u32>(select(0i, _e2712, (_e2712 > 0i)))];
 let _e2719 = bitcast<f32>(_e2718);
 let _e2721 = select(_e2542, 262145i, (262145i < _e2542));
-let _e2727 = global_4.member[bitcast<u32>(select(0i, _e2721, (_e2721 > 0i)))];
+let _e2727 = global_3.member[bitcast<u32>(select(0i, _e2721, (_e2721 > 0i)))];
 let _e2728 = bitcast<f32>(_e2727);
 let _e2734 = ((_e2719 + (f32(bitcast<i32>((_e2692 >> bitcast<u32>(12u)))) * _e2728)) + (_e2710 * (_e2668 - f32(_e2683))));
-let _e2737 = global_4.member[_e2555];
+let _e2737 = global_3.member[_e2555];
 let _e2739 = local_24;
 let _e2742 = local_24;
 let _e2745 = local_24;
 let _e2749 = select(_e2542, 263209i, (263209i < _e2542));
-let _e2755 = global_4.member[bitcast<u32>(select(0i, _e2749, (_e2749 > 0i)))];
+let _e2755 = global_3.member[bitcast<u32>(select(0i, _e2749, (_e2749 > 0i)))];
 let _e2757 = local_24;
 let _e2760 = select(_e2542, 263210i, (263210i < _e2542));
-let _e2766 = global_4.member[bitcast<u32>(select(0i, _e2760, (_e2760 > 0i)))];
+let _e2766 = global_3.member[bitcast<u32>(select(0i, _e2760, (_e2760 > 0i)))];
 let _e2768 = local_24;
 let _e2772 = (_e2710 * select(0f, select(select(select(bitcast<f32>(_e2737), _e2589, (_e2739 >= _e2581)), _e2621, (_e2742 >= _e2613)), _e2652, (_e2745 >= _e2644)), ((_e2757 >= bitcast<f32>(_e2755)) && (_e2768 <= bitcast<f32>(_e2766)))));
 if _e1564 {
@@ -1073,7 +1073,7 @@ let _e2830 = select(0i, select(select(i32(_e2823), i32(-2147483648), (_e2823 < -
 let _e2834 = (_e2830 - select(0i, 1i, (_e2823 < f32(_e2830))));
 let _e2835 = (262147i + _e2834);
 let _e2837 = select(_e2542, _e2835, (_e2835 < _e2542));
-let _e2843 = global_4.member[bitcast<u32>(select(0i, _e2837, (_e2837 > 0i)))];
+let _e2843 = global_3.member[bitcast<u32>(select(0i, _e2837, (_e2837 > 0i)))];
 let _e2858 = ((_e2719 + (f32(bitcast<i32>((_e2843 >> bitcast<u32>(12u)))) * _e2728)) + ((f32((bitcast<i32>((_e2843 & 4095u)) - 2048i)) * _e2709) * (_e2819 - f32(_e2834))));
 local_20 = _e2514;
 let _e2859 = local_20;
@@ -1097,7 +1097,7 @@ let _e2901 = select(0i, select(select(i32(_e2894), i32(-2147483648), (_e2894 < -
 let _e2905 = (_e2901 - select(0i, 1i, (_e2894 < f32(_e2901))));
 let _e2906 = (262147i + _e2905);
 let _e2908 = select(_e2542, _e2906, (_e2906 < _e2542));
-let _e2914 = global_4.member[bitcast<u32>(select(0i, _e2908, (_e2908 > 0i)))];
+let _e2914 = global_3.member[bitcast<u32>(select(0i, _e2908, (_e2908 > 0i)))];
 let _e2929 = ((_e2719 + (f32(bitcast<i32>((_e2914 >> bitcast<u32>(12u)))) * _e2728)) + ((f32((bitcast<i32>((_e2914 & 4095u)) - 2048i)) * _e2709) * (_e2890 - f32(_e2905))));
 local_18 = _e2520;
 let _e2930 = local_18;
@@ -1121,7 +1121,7 @@ let _e2972 = select(0i, select(select(i32(_e2965), i32(-2147483648), (_e2965 < -
 let _e2976 = (_e2972 - select(0i, 1i, (_e2965 < f32(_e2972))));
 let _e2977 = (262147i + _e2976);
 let _e2979 = select(_e2542, _e2977, (_e2977 < _e2542));
-let _e2985 = global_4.member[bitcast<u32>(select(0i, _e2979, (_e2979 > 0i)))];
+let _e2985 = global_3.member[bitcast<u32>(select(0i, _e2979, (_e2979 > 0i)))];
 let _e3000 = ((_e2719 + (f32(bitcast<i32>((_e2985 >> bitcast<u32>(12u)))) * _e2728)) + ((f32((bitcast<i32>((_e2985 & 4095u)) - 2048i)) * _e2709) * (_e2961 - f32(_e2976))));
 local_16 = _e2526;
 let _e3001 = local_16;
@@ -1145,7 +1145,7 @@ let _e3043 = select(0i, select(select(i32(_e3036), i32(-2147483648), (_e3036 < -
 let _e3047 = (_e3043 - select(0i, 1i, (_e3036 < f32(_e3043))));
 let _e3048 = (262147i + _e3047);
 let _e3050 = select(_e2542, _e3048, (_e3048 < _e2542));
-let _e3056 = global_4.member[bitcast<u32>(select(0i, _e3050, (_e3050 > 0i)))];
+let _e3056 = global_3.member[bitcast<u32>(select(0i, _e3050, (_e3050 > 0i)))];
 let _e3071 = ((_e2719 + (f32(bitcast<i32>((_e3056 >> bitcast<u32>(12u)))) * _e2728)) + ((f32((bitcast<i32>((_e3056 & 4095u)) - 2048i)) * _e2709) * (_e3032 - f32(_e3047))));
 local_14 = _e2532;
 let _e3072 = local_14;
@@ -1169,7 +1169,7 @@ let _e3114 = select(0i, select(select(i32(_e3107), i32(-2147483648), (_e3107 < -
 let _e3118 = (_e3114 - select(0i, 1i, (_e3107 < f32(_e3114))));
 let _e3119 = (262147i + _e3118);
 let _e3121 = select(_e2542, _e3119, (_e3119 < _e2542));
-let _e3127 = global_4.member[bitcast<u32>(select(0i, _e3121, (_e3121 > 0i)))];
+let _e3127 = global_3.member[bitcast<u32>(select(0i, _e3121, (_e3121 > 0i)))];
 let _e3142 = ((_e2719 + (f32(bitcast<i32>((_e3127 >> bitcast<u32>(12u)))) * _e2728)) + ((f32((bitcast<i32>((_e3127 & 4095u)) - 2048i)) * _e2709) * (_e3103 - f32(_e3118))));
 local_12 = _e2538;
 let _e3143 = local_12;
@@ -1193,7 +1193,7 @@ let _e3185 = select(0i, select(select(i32(_e3178), i32(-2147483648), (_e3178 < -
 let _e3189 = (_e3185 - select(0i, 1i, (_e3178 < f32(_e3185))));
 let _e3190 = (262147i + _e3189);
 let _e3192 = select(_e2542, _e3190, (_e3190 < _e2542));
-let _e3198 = global_4.member[bitcast<u32>(select(0i, _e3192, (_e3192 > 0i)))];
+let _e3198 = global_3.member[bitcast<u32>(select(0i, _e3192, (_e3192 > 0i)))];
 let _e3213 = ((_e2719 + (f32(bitcast<i32>((_e3198 >> bitcast<u32>(12u)))) * _e2728)) + ((f32((bitcast<i32>((_e3198 & 4095u)) - 2048i)) * _e2709) * (_e3174 - f32(_e3189))));
 let _e3214 = (_e2929 - _e2858);
 let _e3216 = (_e3071 - _e3000);
@@ -1250,7 +1250,7 @@ let _e3469 = global_1.member.member_6.member_11.member_1;
 let _e3480 = ((_e3456 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3463) * ((_e3457 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3469) * (_e3458 >> bitcast<u32>(4i))))));
 let _e3482 = (bitcast<i32>(_e162) - 1i);
 let _e3484 = select(_e3482, _e3480, (_e3480 < _e3482));
-let _e3490 = global_3.member[bitcast<u32>(select(0i, _e3484, (_e3484 > 0i)))];
+let _e3490 = global_2.member[bitcast<u32>(select(0i, _e3484, (_e3484 > 0i)))];
 let _e3492 = (_e3456 & 15i);
 let _e3495 = ((_e3457 & 15i) * _e3451);
 let _e3497 = (bitcast<i32>(_e3490) + ((_e3458 & 15i) * _e3455));
@@ -1258,30 +1258,30 @@ let _e3501 = (_e3495 + _e3451);
 let _e3503 = (_e3495 + (2i * _e3451));
 let _e3504 = (_e3497 + _e3455);
 let _e3506 = (_e3497 + (2i * _e3455));
-local_10 = type_31(array<i32, 4>(_e3492, (_e3492 + 1i), (_e3492 + 2i), (_e3492 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_10 = type_29(array<i32, 4>(_e3492, (_e3492 + 1i), (_e3492 + 2i), (_e3492 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_11 = vec3<f32>((_e3382 - f32(_e3417)), (_e3392 - f32(_e3432)), (_e3402 - f32(_e3447)));
 let _e3517 = (_e3504 + _e3501);
 let _e3520 = local_10.member[1u];
 let _e3521 = (_e3517 + _e3520);
 let _e3523 = select(_e3482, _e3521, (_e3521 < _e3482));
-let _e3528 = global_3.member[bitcast<u32>(select(0i, _e3523, (_e3523 > 0i)))];
+let _e3528 = global_2.member[bitcast<u32>(select(0i, _e3523, (_e3523 > 0i)))];
 let _e3529 = bitcast<f32>(_e3528);
 let _e3532 = local_10.member[2u];
 let _e3533 = (_e3517 + _e3532);
 let _e3535 = select(_e3482, _e3533, (_e3533 < _e3482));
-let _e3540 = global_3.member[bitcast<u32>(select(0i, _e3535, (_e3535 > 0i)))];
+let _e3540 = global_2.member[bitcast<u32>(select(0i, _e3535, (_e3535 > 0i)))];
 let _e3542 = local_11[0u];
 let _e3545 = (_e3529 + ((bitcast<f32>(_e3540) - _e3529) * _e3542));
 let _e3546 = (_e3504 + _e3503);
 let _e3547 = local_10.member[1u];
 let _e3548 = (_e3546 + _e3547);
 let _e3550 = select(_e3482, _e3548, (_e3548 < _e3482));
-let _e3555 = global_3.member[bitcast<u32>(select(0i, _e3550, (_e3550 > 0i)))];
+let _e3555 = global_2.member[bitcast<u32>(select(0i, _e3550, (_e3550 > 0i)))];
 let _e3556 = bitcast<f32>(_e3555);
 let _e3557 = local_10.member[2u];
 let _e3558 = (_e3546 + _e3557);
 let _e3560 = select(_e3482, _e3558, (_e3558 < _e3482));
-let _e3565 = global_3.member[bitcast<u32>(select(0i, _e3560, (_e3560 > 0i)))];
+let _e3565 = global_2.member[bitcast<u32>(select(0i, _e3560, (_e3560 > 0i)))];
 let _e3567 = local_11[0u];
 let _e3572 = local_11[1u];
 let _e3575 = (_e3545 + (((_e3556 + ((bitcast<f32>(_e3565) - _e3556) * _e3567)) - _e3545) * _e3572));
@@ -1289,24 +1289,24 @@ let _e3576 = (_e3506 + _e3501);
 let _e3577 = local_10.member[1u];
 let _e3578 = (_e3576 + _e3577);
 let _e3580 = select(_e3482, _e3578, (_e3578 < _e3482));
-let _e3585 = global_3.member[bitcast<u32>(select(0i, _e3580, (_e3580 > 0i)))];
+let _e3585 = global_2.member[bitcast<u32>(select(0i, _e3580, (_e3580 > 0i)))];
 let _e3586 = bitcast<f32>(_e3585);
 let _e3587 = local_10.member[2u];
 let _e3588 = (_e3576 + _e3587);
 let _e3590 = select(_e3482, _e3588, (_e3588 < _e3482));
-let _e3595 = global_3.member[bitcast<u32>(select(0i, _e3590, (_e3590 > 0i)))];
+let _e3595 = global_2.member[bitcast<u32>(select(0i, _e3590, (_e3590 > 0i)))];
 let _e3597 = local_11[0u];
 let _e3600 = (_e3586 + ((bitcast<f32>(_e3595) - _e3586) * _e3597));
 let _e3601 = (_e3506 + _e3503);
 let _e3602 = local_10.member[1u];
 let _e3603 = (_e3601 + _e3602);
 let _e3605 = select(_e3482, _e3603, (_e3603 < _e3482));
-let _e3610 = global_3.member[bitcast<u32>(select(0i, _e3605, (_e3605 > 0i)))];
+let _e3610 = global_2.member[bitcast<u32>(select(0i, _e3605, (_e3605 > 0i)))];
 let _e3611 = bitcast<f32>(_e3610);
 let _e3612 = local_10.member[2u];
 let _e3613 = (_e3601 + _e3612);
 let _e3615 = select(_e3482, _e3613, (_e3613 < _e3482));
-let _e3620 = global_3.member[bitcast<u32>(select(0i, _e3615, (_e3615 > 0i)))];
+let _e3620 = global_2.member[bitcast<u32>(select(0i, _e3615, (_e3615 > 0i)))];
 let _e3622 = local_11[0u];
 let _e3626 = local_11[1u];
 let _e3631 = local_11[2u];
@@ -1352,7 +1352,7 @@ let _e3749 = global_1.member.member_6.member_11.member_1;
 let _e3760 = ((_e3736 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3743) * ((_e3737 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3749) * (_e3738 >> bitcast<u32>(4i))))));
 let _e3762 = (bitcast<i32>(_e162) - 1i);
 let _e3764 = select(_e3762, _e3760, (_e3760 < _e3762));
-let _e3770 = global_3.member[bitcast<u32>(select(0i, _e3764, (_e3764 > 0i)))];
+let _e3770 = global_2.member[bitcast<u32>(select(0i, _e3764, (_e3764 > 0i)))];
 let _e3772 = (_e3736 & 15i);
 let _e3775 = ((_e3737 & 15i) * _e3731);
 let _e3777 = (bitcast<i32>(_e3770) + ((_e3738 & 15i) * _e3735));
@@ -1360,30 +1360,30 @@ let _e3781 = (_e3775 + _e3731);
 let _e3783 = (_e3775 + (2i * _e3731));
 let _e3784 = (_e3777 + _e3735);
 let _e3786 = (_e3777 + (2i * _e3735));
-local_8 = type_31(array<i32, 4>(_e3772, (_e3772 + 1i), (_e3772 + 2i), (_e3772 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_8 = type_29(array<i32, 4>(_e3772, (_e3772 + 1i), (_e3772 + 2i), (_e3772 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_9 = vec3<f32>((_e3662 - f32(_e3697)), (_e3672 - f32(_e3712)), (_e3682 - f32(_e3727)));
 let _e3797 = (_e3784 + _e3781);
 let _e3800 = local_8.member[1u];
 let _e3801 = (_e3797 + _e3800);
 let _e3803 = select(_e3762, _e3801, (_e3801 < _e3762));
-let _e3808 = global_3.member[bitcast<u32>(select(0i, _e3803, (_e3803 > 0i)))];
+let _e3808 = global_2.member[bitcast<u32>(select(0i, _e3803, (_e3803 > 0i)))];
 let _e3809 = bitcast<f32>(_e3808);
 let _e3812 = local_8.member[2u];
 let _e3813 = (_e3797 + _e3812);
 let _e3815 = select(_e3762, _e3813, (_e3813 < _e3762));
-let _e3820 = global_3.member[bitcast<u32>(select(0i, _e3815, (_e3815 > 0i)))];
+let _e3820 = global_2.member[bitcast<u32>(select(0i, _e3815, (_e3815 > 0i)))];
 let _e3822 = local_9[0u];
 let _e3825 = (_e3809 + ((bitcast<f32>(_e3820) - _e3809) * _e3822));
 let _e3826 = (_e3784 + _e3783);
 let _e3827 = local_8.member[1u];
 let _e3828 = (_e3826 + _e3827);
 let _e3830 = select(_e3762, _e3828, (_e3828 < _e3762));
-let _e3835 = global_3.member[bitcast<u32>(select(0i, _e3830, (_e3830 > 0i)))];
+let _e3835 = global_2.member[bitcast<u32>(select(0i, _e3830, (_e3830 > 0i)))];
 let _e3836 = bitcast<f32>(_e3835);
 let _e3837 = local_8.member[2u];
 let _e3838 = (_e3826 + _e3837);
 let _e3840 = select(_e3762, _e3838, (_e3838 < _e3762));
-let _e3845 = global_3.member[bitcast<u32>(select(0i, _e3840, (_e3840 > 0i)))];
+let _e3845 = global_2.member[bitcast<u32>(select(0i, _e3840, (_e3840 > 0i)))];
 let _e3847 = local_9[0u];
 let _e3852 = local_9[1u];
 let _e3855 = (_e3825 + (((_e3836 + ((bitcast<f32>(_e3845) - _e3836) * _e3847)) - _e3825) * _e3852));
@@ -1391,24 +1391,24 @@ let _e3856 = (_e3786 + _e3781);
 let _e3857 = local_8.member[1u];
 let _e3858 = (_e3856 + _e3857);
 let _e3860 = select(_e3762, _e3858, (_e3858 < _e3762));
-let _e3865 = global_3.member[bitcast<u32>(select(0i, _e3860, (_e3860 > 0i)))];
+let _e3865 = global_2.member[bitcast<u32>(select(0i, _e3860, (_e3860 > 0i)))];
 let _e3866 = bitcast<f32>(_e3865);
 let _e3867 = local_8.member[2u];
 let _e3868 = (_e3856 + _e3867);
 let _e3870 = select(_e3762, _e3868, (_e3868 < _e3762));
-let _e3875 = global_3.member[bitcast<u32>(select(0i, _e3870, (_e3870 > 0i)))];
+let _e3875 = global_2.member[bitcast<u32>(select(0i, _e3870, (_e3870 > 0i)))];
 let _e3877 = local_9[0u];
 let _e3880 = (_e3866 + ((bitcast<f32>(_e3875) - _e3866) * _e3877));
 let _e3881 = (_e3786 + _e3783);
 let _e3882 = local_8.member[1u];
 let _e3883 = (_e3881 + _e3882);
 let _e3885 = select(_e3762, _e3883, (_e3883 < _e3762));
-let _e3890 = global_3.member[bitcast<u32>(select(0i, _e3885, (_e3885 > 0i)))];
+let _e3890 = global_2.member[bitcast<u32>(select(0i, _e3885, (_e3885 > 0i)))];
 let _e3891 = bitcast<f32>(_e3890);
 let _e3892 = local_8.member[2u];
 let _e3893 = (_e3881 + _e3892);
 let _e3895 = select(_e3762, _e3893, (_e3893 < _e3762));
-let _e3900 = global_3.member[bitcast<u32>(select(0i, _e3895, (_e3895 > 0i)))];
+let _e3900 = global_2.member[bitcast<u32>(select(0i, _e3895, (_e3895 > 0i)))];
 let _e3902 = local_9[0u];
 let _e3906 = local_9[1u];
 let _e3911 = local_9[2u];
@@ -1421,7 +1421,7 @@ let _e3929 = select(1e9f, _e3927, (_e3927 < 1e9f));
 let _e3932 = global_1.member.member_1;
 let _e3934 = ((_e3932 & 16u) == 0u);
 if _e3934 {
-phi_9897_ = type_5(1f, 1f, 1f);
+phi_9897_ = type_7(1f, 1f, 1f);
 } else {
 let _e3938 = global_1.member.member_14.member;
 let _e3949 = ((((_e3938.member.member * _e1420) + (_e3938.member.member_1 * _e1433)) + (_e3938.member.member_2 * _e1398)) + _e3938.member_1);
@@ -1467,7 +1467,7 @@ let _e4116 = select(0f, _e4114, (_e4114 > 0f));
 let _e4122 = select(select(select(1f, _e4116, (_e4116 < 1f)), 1f, (_e4109 <= 0f)), 0f, (_e4107 > 0f));
 let _e4127 = global_1.member.member_17.member_1;
 let _e4128 = (_e4127 != 0u);
-phi_9897_ = type_5(((((1f * _e3972) * _e4022) * _e4072) * _e4122), ((((1f * select(1f, _e3972, _e3978)) * select(1f, _e4022, _e4028)) * select(1f, _e4072, _e4078)) * select(1f, _e4122, _e4128)), ((((1f * select(1f, 0f, (_e3978 && (_e3955 > 0f)))) * select(1f, 0f, (_e4028 && (_e4005 > 0f)))) * select(1f, 0f, (_e4078 && (_e4055 > 0f)))) * select(1f, 0f, (_e4128 && (_e4105 > 0f)))));
+phi_9897_ = type_7(((((1f * _e3972) * _e4022) * _e4072) * _e4122), ((((1f * select(1f, _e3972, _e3978)) * select(1f, _e4022, _e4028)) * select(1f, _e4072, _e4078)) * select(1f, _e4122, _e4128)), ((((1f * select(1f, 0f, (_e3978 && (_e3955 > 0f)))) * select(1f, 0f, (_e4028 && (_e4005 > 0f)))) * select(1f, 0f, (_e4078 && (_e4055 > 0f)))) * select(1f, 0f, (_e4128 && (_e4105 > 0f)))));
 }
 let _e4137 = phi_9897_;
 let _e4138 = (_e1499 - _e1463);
@@ -1517,97 +1517,97 @@ local_7 = _e3929;
 let _e4258 = local_7;
 let _e4260 = (bitcast<i32>(_e170) - 1i);
 let _e4262 = select(_e4260, 263171i, (263171i < _e4260));
-let _e4267 = global_4.member[bitcast<u32>(select(0i, _e4262, (_e4262 > 0i)))];
+let _e4267 = global_3.member[bitcast<u32>(select(0i, _e4262, (_e4262 > 0i)))];
 let _e4268 = bitcast<f32>(_e4267);
 let _e4270 = select(_e4260, 263172i, (263172i < _e4260));
-let _e4275 = global_4.member[bitcast<u32>(select(0i, _e4270, (_e4270 > 0i)))];
+let _e4275 = global_3.member[bitcast<u32>(select(0i, _e4270, (_e4270 > 0i)))];
 let _e4276 = bitcast<f32>(_e4275);
 let _e4278 = select(_e4260, 263173i, (263173i < _e4260));
-let _e4283 = global_4.member[bitcast<u32>(select(0i, _e4278, (_e4278 > 0i)))];
+let _e4283 = global_3.member[bitcast<u32>(select(0i, _e4278, (_e4278 > 0i)))];
 let _e4284 = bitcast<f32>(_e4283);
 let _e4286 = ((_e4258 - _e4268) * _e4276);
 let _e4288 = select(0f, _e4286, (_e4286 > 0f));
 let _e4291 = local_7;
 let _e4293 = select(_e4260, 263174i, (263174i < _e4260));
-let _e4298 = global_4.member[bitcast<u32>(select(0i, _e4293, (_e4293 > 0i)))];
+let _e4298 = global_3.member[bitcast<u32>(select(0i, _e4293, (_e4293 > 0i)))];
 let _e4299 = bitcast<f32>(_e4298);
 let _e4301 = select(_e4260, 263175i, (263175i < _e4260));
-let _e4306 = global_4.member[bitcast<u32>(select(0i, _e4301, (_e4301 > 0i)))];
+let _e4306 = global_3.member[bitcast<u32>(select(0i, _e4301, (_e4301 > 0i)))];
 let _e4307 = bitcast<f32>(_e4306);
 let _e4309 = select(_e4260, 263176i, (263176i < _e4260));
-let _e4314 = global_4.member[bitcast<u32>(select(0i, _e4309, (_e4309 > 0i)))];
+let _e4314 = global_3.member[bitcast<u32>(select(0i, _e4309, (_e4309 > 0i)))];
 let _e4315 = bitcast<f32>(_e4314);
 let _e4317 = ((_e4291 - _e4299) * _e4307);
 let _e4319 = select(0f, _e4317, (_e4317 > 0f));
 let _e4323 = local_7;
 let _e4325 = select(_e4260, 263177i, (263177i < _e4260));
-let _e4330 = global_4.member[bitcast<u32>(select(0i, _e4325, (_e4325 > 0i)))];
+let _e4330 = global_3.member[bitcast<u32>(select(0i, _e4325, (_e4325 > 0i)))];
 let _e4331 = bitcast<f32>(_e4330);
 let _e4333 = select(_e4260, 263178i, (263178i < _e4260));
-let _e4338 = global_4.member[bitcast<u32>(select(0i, _e4333, (_e4333 > 0i)))];
+let _e4338 = global_3.member[bitcast<u32>(select(0i, _e4333, (_e4333 > 0i)))];
 let _e4339 = bitcast<f32>(_e4338);
 let _e4341 = select(_e4260, 263179i, (263179i < _e4260));
-let _e4346 = global_4.member[bitcast<u32>(select(0i, _e4341, (_e4341 > 0i)))];
+let _e4346 = global_3.member[bitcast<u32>(select(0i, _e4341, (_e4341 > 0i)))];
 let _e4347 = bitcast<f32>(_e4346);
 let _e4349 = ((_e4323 - _e4331) * _e4339);
 let _e4351 = select(0f, _e4349, (_e4349 > 0f));
 let _e4354 = local_7;
 let _e4356 = select(_e4260, 263180i, (263180i < _e4260));
-let _e4361 = global_4.member[bitcast<u32>(select(0i, _e4356, (_e4356 > 0i)))];
+let _e4361 = global_3.member[bitcast<u32>(select(0i, _e4356, (_e4356 > 0i)))];
 let _e4362 = bitcast<f32>(_e4361);
 let _e4364 = select(_e4260, 263181i, (263181i < _e4260));
-let _e4369 = global_4.member[bitcast<u32>(select(0i, _e4364, (_e4364 > 0i)))];
+let _e4369 = global_3.member[bitcast<u32>(select(0i, _e4364, (_e4364 > 0i)))];
 let _e4370 = bitcast<f32>(_e4369);
 let _e4372 = select(_e4260, 263182i, (263182i < _e4260));
-let _e4377 = global_4.member[bitcast<u32>(select(0i, _e4372, (_e4372 > 0i)))];
+let _e4377 = global_3.member[bitcast<u32>(select(0i, _e4372, (_e4372 > 0i)))];
 let _e4378 = bitcast<f32>(_e4377);
 let _e4380 = ((_e4354 - _e4362) * _e4370);
 let _e4382 = select(0f, _e4380, (_e4380 > 0f));
 let _e4387 = local_7;
 let _e4389 = select(_e4260, 263183i, (263183i < _e4260));
-let _e4394 = global_4.member[bitcast<u32>(select(0i, _e4389, (_e4389 > 0i)))];
+let _e4394 = global_3.member[bitcast<u32>(select(0i, _e4389, (_e4389 > 0i)))];
 let _e4395 = bitcast<f32>(_e4394);
 let _e4397 = select(_e4260, 263184i, (263184i < _e4260));
-let _e4402 = global_4.member[bitcast<u32>(select(0i, _e4397, (_e4397 > 0i)))];
+let _e4402 = global_3.member[bitcast<u32>(select(0i, _e4397, (_e4397 > 0i)))];
 let _e4403 = bitcast<f32>(_e4402);
 let _e4405 = select(_e4260, 263185i, (263185i < _e4260));
-let _e4410 = global_4.member[bitcast<u32>(select(0i, _e4405, (_e4405 > 0i)))];
+let _e4410 = global_3.member[bitcast<u32>(select(0i, _e4405, (_e4405 > 0i)))];
 let _e4411 = bitcast<f32>(_e4410);
 let _e4413 = ((_e4387 - _e4395) * _e4403);
 let _e4415 = select(0f, _e4413, (_e4413 > 0f));
 let _e4418 = local_7;
 let _e4420 = select(_e4260, 263186i, (263186i < _e4260));
-let _e4425 = global_4.member[bitcast<u32>(select(0i, _e4420, (_e4420 > 0i)))];
+let _e4425 = global_3.member[bitcast<u32>(select(0i, _e4420, (_e4420 > 0i)))];
 let _e4426 = bitcast<f32>(_e4425);
 let _e4428 = select(_e4260, 263187i, (263187i < _e4260));
-let _e4433 = global_4.member[bitcast<u32>(select(0i, _e4428, (_e4428 > 0i)))];
+let _e4433 = global_3.member[bitcast<u32>(select(0i, _e4428, (_e4428 > 0i)))];
 let _e4434 = bitcast<f32>(_e4433);
 let _e4436 = select(_e4260, 263188i, (263188i < _e4260));
-let _e4441 = global_4.member[bitcast<u32>(select(0i, _e4436, (_e4436 > 0i)))];
+let _e4441 = global_3.member[bitcast<u32>(select(0i, _e4436, (_e4436 > 0i)))];
 let _e4442 = bitcast<f32>(_e4441);
 let _e4444 = ((_e4418 - _e4426) * _e4434);
 let _e4446 = select(0f, _e4444, (_e4444 > 0f));
 let _e4450 = local_7;
 let _e4452 = select(_e4260, 263189i, (263189i < _e4260));
-let _e4457 = global_4.member[bitcast<u32>(select(0i, _e4452, (_e4452 > 0i)))];
+let _e4457 = global_3.member[bitcast<u32>(select(0i, _e4452, (_e4452 > 0i)))];
 let _e4458 = bitcast<f32>(_e4457);
 let _e4460 = select(_e4260, 263190i, (263190i < _e4260));
-let _e4465 = global_4.member[bitcast<u32>(select(0i, _e4460, (_e4460 > 0i)))];
+let _e4465 = global_3.member[bitcast<u32>(select(0i, _e4460, (_e4460 > 0i)))];
 let _e4466 = bitcast<f32>(_e4465);
 let _e4468 = select(_e4260, 263191i, (263191i < _e4260));
-let _e4473 = global_4.member[bitcast<u32>(select(0i, _e4468, (_e4468 > 0i)))];
+let _e4473 = global_3.member[bitcast<u32>(select(0i, _e4468, (_e4468 > 0i)))];
 let _e4474 = bitcast<f32>(_e4473);
 let _e4476 = ((_e4450 - _e4458) * _e4466);
 let _e4478 = select(0f, _e4476, (_e4476 > 0f));
 let _e4481 = local_7;
 let _e4483 = select(_e4260, 263192i, (263192i < _e4260));
-let _e4488 = global_4.member[bitcast<u32>(select(0i, _e4483, (_e4483 > 0i)))];
+let _e4488 = global_3.member[bitcast<u32>(select(0i, _e4483, (_e4483 > 0i)))];
 let _e4489 = bitcast<f32>(_e4488);
 let _e4491 = select(_e4260, 263193i, (263193i < _e4260));
-let _e4496 = global_4.member[bitcast<u32>(select(0i, _e4491, (_e4491 > 0i)))];
+let _e4496 = global_3.member[bitcast<u32>(select(0i, _e4491, (_e4491 > 0i)))];
 let _e4497 = bitcast<f32>(_e4496);
 let _e4499 = select(_e4260, 263194i, (263194i < _e4260));
-let _e4504 = global_4.member[bitcast<u32>(select(0i, _e4499, (_e4499 > 0i)))];
+let _e4504 = global_3.member[bitcast<u32>(select(0i, _e4499, (_e4499 > 0i)))];
 let _e4505 = bitcast<f32>(_e4504);
 let _e4507 = ((_e4481 - _e4489) * _e4497);
 let _e4509 = select(0f, _e4507, (_e4507 > 0f));
@@ -1648,10 +1648,10 @@ let _e4597 = select(_e4578, _e4595, (_e4595 < _e4578));
 let _e4604 = select(0i, select(select(i32(_e4597), i32(-2147483648), (_e4597 < -2147483600f)), 2147483647i, (_e4597 > 2147483500f)), (_e4597 == _e4597));
 let _e4608 = (_e4604 - select(0i, 1i, (_e4597 < f32(_e4604))));
 let _e4610 = select(_e4260, 263195i, (263195i < _e4260));
-let _e4616 = global_4.member[bitcast<u32>(select(0i, _e4610, (_e4610 > 0i)))];
+let _e4616 = global_3.member[bitcast<u32>(select(0i, _e4610, (_e4610 > 0i)))];
 let _e4617 = bitcast<f32>(_e4616);
 let _e4619 = select(_e4260, 263196i, (263196i < _e4260));
-let _e4625 = global_4.member[bitcast<u32>(select(0i, _e4619, (_e4619 > 0i)))];
+let _e4625 = global_3.member[bitcast<u32>(select(0i, _e4619, (_e4619 > 0i)))];
 let _e4626 = bitcast<f32>(_e4625);
 let _e4627 = (_e3652.member - _e3929);
 let _e4633 = (1f / select(_e4627, 1f, (bitcast<f32>((bitcast<u32>(_e4627) & 2147483647u)) < 1e-20f)));
@@ -1660,20 +1660,20 @@ let _e4645 = ((select(_e4626, _e3652.member, (_e3652.member > _e4626)) - select(
 let _e4648 = (((_e4593 * 256i) + _e4608) * 4i);
 let _e4652 = (_e4577 - f32(_e4608));
 let _e4656 = select(_e4260, _e4648, (_e4648 < _e4260));
-let _e4662 = global_4.member[bitcast<u32>(select(0i, _e4656, (_e4656 > 0i)))];
+let _e4662 = global_3.member[bitcast<u32>(select(0i, _e4656, (_e4656 > 0i)))];
 let _e4663 = (_e4648 + 4i);
 let _e4665 = select(_e4260, _e4663, (_e4663 < _e4260));
-let _e4671 = global_4.member[bitcast<u32>(select(0i, _e4665, (_e4665 > 0i)))];
+let _e4671 = global_3.member[bitcast<u32>(select(0i, _e4665, (_e4665 > 0i)))];
 let _e4672 = (_e4648 + 1024i);
 let _e4674 = select(_e4260, _e4672, (_e4672 < _e4260));
-let _e4680 = global_4.member[bitcast<u32>(select(0i, _e4674, (_e4674 > 0i)))];
+let _e4680 = global_3.member[bitcast<u32>(select(0i, _e4674, (_e4674 > 0i)))];
 let _e4681 = (_e4648 + 1028i);
 let _e4683 = select(_e4260, _e4681, (_e4681 < _e4260));
-let _e4689 = global_4.member[bitcast<u32>(select(0i, _e4683, (_e4683 > 0i)))];
+let _e4689 = global_3.member[bitcast<u32>(select(0i, _e4683, (_e4683 > 0i)))];
 let _e4691 = select(_e4260, 0i, (0i < _e4260));
-let _e4697 = global_4.member[bitcast<u32>(select(0i, _e4691, (_e4691 > 0i)))];
+let _e4697 = global_3.member[bitcast<u32>(select(0i, _e4691, (_e4691 > 0i)))];
 let _e4699 = select(_e4260, 262140i, (262140i < _e4260));
-let _e4705 = global_4.member[bitcast<u32>(select(0i, _e4699, (_e4699 > 0i)))];
+let _e4705 = global_3.member[bitcast<u32>(select(0i, _e4699, (_e4699 > 0i)))];
 let _e4710 = (bitcast<f32>(((_e4662 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4718 = (_e4710 + (((bitcast<f32>(((_e4671 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4710) * _e4652));
 let _e4723 = (bitcast<f32>(((_e4680 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1696,97 +1696,97 @@ local_5 = _e3929;
 let _e4808 = local_5;
 let _e4810 = (bitcast<i32>(_e170) - 1i);
 let _e4812 = select(_e4810, 263171i, (263171i < _e4810));
-let _e4817 = global_4.member[bitcast<u32>(select(0i, _e4812, (_e4812 > 0i)))];
+let _e4817 = global_3.member[bitcast<u32>(select(0i, _e4812, (_e4812 > 0i)))];
 let _e4818 = bitcast<f32>(_e4817);
 let _e4820 = select(_e4810, 263172i, (263172i < _e4810));
-let _e4825 = global_4.member[bitcast<u32>(select(0i, _e4820, (_e4820 > 0i)))];
+let _e4825 = global_3.member[bitcast<u32>(select(0i, _e4820, (_e4820 > 0i)))];
 let _e4826 = bitcast<f32>(_e4825);
 let _e4828 = select(_e4810, 263173i, (263173i < _e4810));
-let _e4833 = global_4.member[bitcast<u32>(select(0i, _e4828, (_e4828 > 0i)))];
+let _e4833 = global_3.member[bitcast<u32>(select(0i, _e4828, (_e4828 > 0i)))];
 let _e4834 = bitcast<f32>(_e4833);
 let _e4836 = ((_e4808 - _e4818) * _e4826);
 let _e4838 = select(0f, _e4836, (_e4836 > 0f));
 let _e4841 = local_5;
 let _e4843 = select(_e4810, 263174i, (263174i < _e4810));
-let _e4848 = global_4.member[bitcast<u32>(select(0i, _e4843, (_e4843 > 0i)))];
+let _e4848 = global_3.member[bitcast<u32>(select(0i, _e4843, (_e4843 > 0i)))];
 let _e4849 = bitcast<f32>(_e4848);
 let _e4851 = select(_e4810, 263175i, (263175i < _e4810));
-let _e4856 = global_4.member[bitcast<u32>(select(0i, _e4851, (_e4851 > 0i)))];
+let _e4856 = global_3.member[bitcast<u32>(select(0i, _e4851, (_e4851 > 0i)))];
 let _e4857 = bitcast<f32>(_e4856);
 let _e4859 = select(_e4810, 263176i, (263176i < _e4810));
-let _e4864 = global_4.member[bitcast<u32>(select(0i, _e4859, (_e4859 > 0i)))];
+let _e4864 = global_3.member[bitcast<u32>(select(0i, _e4859, (_e4859 > 0i)))];
 let _e4865 = bitcast<f32>(_e4864);
 let _e4867 = ((_e4841 - _e4849) * _e4857);
 let _e4869 = select(0f, _e4867, (_e4867 > 0f));
 let _e4873 = local_5;
 let _e4875 = select(_e4810, 263177i, (263177i < _e4810));
-let _e4880 = global_4.member[bitcast<u32>(select(0i, _e4875, (_e4875 > 0i)))];
+let _e4880 = global_3.member[bitcast<u32>(select(0i, _e4875, (_e4875 > 0i)))];
 let _e4881 = bitcast<f32>(_e4880);
 let _e4883 = select(_e4810, 263178i, (263178i < _e4810));
-let _e4888 = global_4.member[bitcast<u32>(select(0i, _e4883, (_e4883 > 0i)))];
+let _e4888 = global_3.member[bitcast<u32>(select(0i, _e4883, (_e4883 > 0i)))];
 let _e4889 = bitcast<f32>(_e4888);
 let _e4891 = select(_e4810, 263179i, (263179i < _e4810));
-let _e4896 = global_4.member[bitcast<u32>(select(0i, _e4891, (_e4891 > 0i)))];
+let _e4896 = global_3.member[bitcast<u32>(select(0i, _e4891, (_e4891 > 0i)))];
 let _e4897 = bitcast<f32>(_e4896);
 let _e4899 = ((_e4873 - _e4881) * _e4889);
 let _e4901 = select(0f, _e4899, (_e4899 > 0f));
 let _e4904 = local_5;
 let _e4906 = select(_e4810, 263180i, (263180i < _e4810));
-let _e4911 = global_4.member[bitcast<u32>(select(0i, _e4906, (_e4906 > 0i)))];
+let _e4911 = global_3.member[bitcast<u32>(select(0i, _e4906, (_e4906 > 0i)))];
 let _e4912 = bitcast<f32>(_e4911);
 let _e4914 = select(_e4810, 263181i, (263181i < _e4810));
-let _e4919 = global_4.member[bitcast<u32>(select(0i, _e4914, (_e4914 > 0i)))];
+let _e4919 = global_3.member[bitcast<u32>(select(0i, _e4914, (_e4914 > 0i)))];
 let _e4920 = bitcast<f32>(_e4919);
 let _e4922 = select(_e4810, 263182i, (263182i < _e4810));
-let _e4927 = global_4.member[bitcast<u32>(select(0i, _e4922, (_e4922 > 0i)))];
+let _e4927 = global_3.member[bitcast<u32>(select(0i, _e4922, (_e4922 > 0i)))];
 let _e4928 = bitcast<f32>(_e4927);
 let _e4930 = ((_e4904 - _e4912) * _e4920);
 let _e4932 = select(0f, _e4930, (_e4930 > 0f));
 let _e4937 = local_5;
 let _e4939 = select(_e4810, 263183i, (263183i < _e4810));
-let _e4944 = global_4.member[bitcast<u32>(select(0i, _e4939, (_e4939 > 0i)))];
+let _e4944 = global_3.member[bitcast<u32>(select(0i, _e4939, (_e4939 > 0i)))];
 let _e4945 = bitcast<f32>(_e4944);
 let _e4947 = select(_e4810, 263184i, (263184i < _e4810));
-let _e4952 = global_4.member[bitcast<u32>(select(0i, _e4947, (_e4947 > 0i)))];
+let _e4952 = global_3.member[bitcast<u32>(select(0i, _e4947, (_e4947 > 0i)))];
 let _e4953 = bitcast<f32>(_e4952);
 let _e4955 = select(_e4810, 263185i, (263185i < _e4810));
-let _e4960 = global_4.member[bitcast<u32>(select(0i, _e4955, (_e4955 > 0i)))];
+let _e4960 = global_3.member[bitcast<u32>(select(0i, _e4955, (_e4955 > 0i)))];
 let _e4961 = bitcast<f32>(_e4960);
 let _e4963 = ((_e4937 - _e4945) * _e4953);
 let _e4965 = select(0f, _e4963, (_e4963 > 0f));
 let _e4968 = local_5;
 let _e4970 = select(_e4810, 263186i, (263186i < _e4810));
-let _e4975 = global_4.member[bitcast<u32>(select(0i, _e4970, (_e4970 > 0i)))];
+let _e4975 = global_3.member[bitcast<u32>(select(0i, _e4970, (_e4970 > 0i)))];
 let _e4976 = bitcast<f32>(_e4975);
 let _e4978 = select(_e4810, 263187i, (263187i < _e4810));
-let _e4983 = global_4.member[bitcast<u32>(select(0i, _e4978, (_e4978 > 0i)))];
+let _e4983 = global_3.member[bitcast<u32>(select(0i, _e4978, (_e4978 > 0i)))];
 let _e4984 = bitcast<f32>(_e4983);
 let _e4986 = select(_e4810, 263188i, (263188i < _e4810));
-let _e4991 = global_4.member[bitcast<u32>(select(0i, _e4986, (_e4986 > 0i)))];
+let _e4991 = global_3.member[bitcast<u32>(select(0i, _e4986, (_e4986 > 0i)))];
 let _e4992 = bitcast<f32>(_e4991);
 let _e4994 = ((_e4968 - _e4976) * _e4984);
 let _e4996 = select(0f, _e4994, (_e4994 > 0f));
 let _e5000 = local_5;
 let _e5002 = select(_e4810, 263189i, (263189i < _e4810));
-let _e5007 = global_4.member[bitcast<u32>(select(0i, _e5002, (_e5002 > 0i)))];
+let _e5007 = global_3.member[bitcast<u32>(select(0i, _e5002, (_e5002 > 0i)))];
 let _e5008 = bitcast<f32>(_e5007);
 let _e5010 = select(_e4810, 263190i, (263190i < _e4810));
-let _e5015 = global_4.member[bitcast<u32>(select(0i, _e5010, (_e5010 > 0i)))];
+let _e5015 = global_3.member[bitcast<u32>(select(0i, _e5010, (_e5010 > 0i)))];
 let _e5016 = bitcast<f32>(_e5015);
 let _e5018 = select(_e4810, 263191i, (263191i < _e4810));
-let _e5023 = global_4.member[bitcast<u32>(select(0i, _e5018, (_e5018 > 0i)))];
+let _e5023 = global_3.member[bitcast<u32>(select(0i, _e5018, (_e5018 > 0i)))];
 let _e5024 = bitcast<f32>(_e5023);
 let _e5026 = ((_e5000 - _e5008) * _e5016);
 let _e5028 = select(0f, _e5026, (_e5026 > 0f));
 let _e5031 = local_5;
 let _e5033 = select(_e4810, 263192i, (263192i < _e4810));
-let _e5038 = global_4.member[bitcast<u32>(select(0i, _e5033, (_e5033 > 0i)))];
+let _e5038 = global_3.member[bitcast<u32>(select(0i, _e5033, (_e5033 > 0i)))];
 let _e5039 = bitcast<f32>(_e5038);
 let _e5041 = select(_e4810, 263193i, (263193i < _e4810));
-let _e5046 = global_4.member[bitcast<u32>(select(0i, _e5041, (_e5041 > 0i)))];
+let _e5046 = global_3.member[bitcast<u32>(select(0i, _e5041, (_e5041 > 0i)))];
 let _e5047 = bitcast<f32>(_e5046);
 let _e5049 = select(_e4810, 263194i, (263194i < _e4810));
-let _e5054 = global_4.member[bitcast<u32>(select(0i, _e5049, (_e5049 > 0i)))];
+let _e5054 = global_3.member[bitcast<u32>(select(0i, _e5049, (_e5049 > 0i)))];
 let _e5055 = bitcast<f32>(_e5054);
 let _e5057 = ((_e5031 - _e5039) * _e5047);
 let _e5059 = select(0f, _e5057, (_e5057 > 0f));
@@ -1827,10 +1827,10 @@ let _e5147 = select(_e5128, _e5145, (_e5145 < _e5128));
 let _e5154 = select(0i, select(select(i32(_e5147), i32(-2147483648), (_e5147 < -2147483600f)), 2147483647i, (_e5147 > 2147483500f)), (_e5147 == _e5147));
 let _e5158 = (_e5154 - select(0i, 1i, (_e5147 < f32(_e5154))));
 let _e5160 = select(_e4810, 263195i, (263195i < _e4810));
-let _e5166 = global_4.member[bitcast<u32>(select(0i, _e5160, (_e5160 > 0i)))];
+let _e5166 = global_3.member[bitcast<u32>(select(0i, _e5160, (_e5160 > 0i)))];
 let _e5167 = bitcast<f32>(_e5166);
 let _e5169 = select(_e4810, 263196i, (263196i < _e4810));
-let _e5175 = global_4.member[bitcast<u32>(select(0i, _e5169, (_e5169 > 0i)))];
+let _e5175 = global_3.member[bitcast<u32>(select(0i, _e5169, (_e5169 > 0i)))];
 let _e5176 = bitcast<f32>(_e5175);
 let _e5177 = (_e3652.member - _e3929);
 let _e5183 = (1f / select(_e5177, 1f, (bitcast<f32>((bitcast<u32>(_e5177) & 2147483647u)) < 1e-20f)));
@@ -1841,20 +1841,20 @@ let _e5200 = (_e5064 - f32(_e5143));
 let _e5202 = (_e5127 - f32(_e5158));
 let _e5204 = (1f - (_e5189 + _e5195));
 let _e5206 = select(_e4810, _e5198, (_e5198 < _e4810));
-let _e5212 = global_4.member[bitcast<u32>(select(0i, _e5206, (_e5206 > 0i)))];
+let _e5212 = global_3.member[bitcast<u32>(select(0i, _e5206, (_e5206 > 0i)))];
 let _e5213 = (_e5198 + 4i);
 let _e5215 = select(_e4810, _e5213, (_e5213 < _e4810));
-let _e5221 = global_4.member[bitcast<u32>(select(0i, _e5215, (_e5215 > 0i)))];
+let _e5221 = global_3.member[bitcast<u32>(select(0i, _e5215, (_e5215 > 0i)))];
 let _e5222 = (_e5198 + 1024i);
 let _e5224 = select(_e4810, _e5222, (_e5222 < _e4810));
-let _e5230 = global_4.member[bitcast<u32>(select(0i, _e5224, (_e5224 > 0i)))];
+let _e5230 = global_3.member[bitcast<u32>(select(0i, _e5224, (_e5224 > 0i)))];
 let _e5231 = (_e5198 + 1028i);
 let _e5233 = select(_e4810, _e5231, (_e5231 < _e4810));
-let _e5239 = global_4.member[bitcast<u32>(select(0i, _e5233, (_e5233 > 0i)))];
+let _e5239 = global_3.member[bitcast<u32>(select(0i, _e5233, (_e5233 > 0i)))];
 let _e5241 = select(_e4810, 0i, (0i < _e4810));
-let _e5247 = global_4.member[bitcast<u32>(select(0i, _e5241, (_e5241 > 0i)))];
+let _e5247 = global_3.member[bitcast<u32>(select(0i, _e5241, (_e5241 > 0i)))];
 let _e5249 = select(_e4810, 262140i, (262140i < _e4810));
-let _e5255 = global_4.member[bitcast<u32>(select(0i, _e5249, (_e5249 > 0i)))];
+let _e5255 = global_3.member[bitcast<u32>(select(0i, _e5249, (_e5249 > 0i)))];
 let _e5260 = (bitcast<f32>(((_e5212 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5268 = (_e5260 + (((bitcast<f32>(((_e5221 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5260) * _e5202));
 let _e5273 = (bitcast<f32>(((_e5230 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1864,20 +1864,20 @@ let _e5324 = (_e5316 + (((bitcast<f32>((((_e5221 >> bitcast<u32>(16i)) & 32767u)
 let _e5329 = (bitcast<f32>((((_e5230 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5356 = (_e5198 + 1i);
 let _e5358 = select(_e4810, _e5356, (_e5356 < _e4810));
-let _e5364 = global_4.member[bitcast<u32>(select(0i, _e5358, (_e5358 > 0i)))];
+let _e5364 = global_3.member[bitcast<u32>(select(0i, _e5358, (_e5358 > 0i)))];
 let _e5365 = (_e5198 + 5i);
 let _e5367 = select(_e4810, _e5365, (_e5365 < _e4810));
-let _e5373 = global_4.member[bitcast<u32>(select(0i, _e5367, (_e5367 > 0i)))];
+let _e5373 = global_3.member[bitcast<u32>(select(0i, _e5367, (_e5367 > 0i)))];
 let _e5374 = (_e5198 + 1025i);
 let _e5376 = select(_e4810, _e5374, (_e5374 < _e4810));
-let _e5382 = global_4.member[bitcast<u32>(select(0i, _e5376, (_e5376 > 0i)))];
+let _e5382 = global_3.member[bitcast<u32>(select(0i, _e5376, (_e5376 > 0i)))];
 let _e5383 = (_e5198 + 1029i);
 let _e5385 = select(_e4810, _e5383, (_e5383 < _e4810));
-let _e5391 = global_4.member[bitcast<u32>(select(0i, _e5385, (_e5385 > 0i)))];
+let _e5391 = global_3.member[bitcast<u32>(select(0i, _e5385, (_e5385 > 0i)))];
 let _e5393 = select(_e4810, 1i, (1i < _e4810));
-let _e5399 = global_4.member[bitcast<u32>(select(0i, _e5393, (_e5393 > 0i)))];
+let _e5399 = global_3.member[bitcast<u32>(select(0i, _e5393, (_e5393 > 0i)))];
 let _e5401 = select(_e4810, 262141i, (262141i < _e4810));
-let _e5407 = global_4.member[bitcast<u32>(select(0i, _e5401, (_e5401 > 0i)))];
+let _e5407 = global_3.member[bitcast<u32>(select(0i, _e5401, (_e5401 > 0i)))];
 let _e5412 = (bitcast<f32>(((_e5364 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5420 = (_e5412 + (((bitcast<f32>(((_e5373 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5412) * _e5202));
 let _e5425 = (bitcast<f32>(((_e5382 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2208,7 +2208,7 @@ let _e6501 = (_e6495 + _e6451);
 let _e6503 = (_e6495 + (2i * _e6451));
 let _e6504 = (_e6497 + _e6455);
 let _e6506 = (_e6497 + (2i * _e6455));
-local_2 = type_31(array<i32, 4>(_e6492, (_e6492 + 1i), (_e6492 + 2i), (_e6492 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_29(array<i32, 4>(_e6492, (_e6492 + 1i), (_e6492 + 2i), (_e6492 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e6394 - f32(_e6417)), (_e6398 - f32(_e6432)), (_e6402 - f32(_e6447)));
 let _e6517 = (_e6504 + _e6501);
 let _e6520 = local_2.member[1u];
@@ -2270,41 +2270,41 @@ local_1 = _e6649;
 let _e6650 = local_1;
 let _e6652 = (bitcast<i32>(_e170) - 1i);
 let _e6654 = select(_e6652, 263197i, (263197i < _e6652));
-let _e6659 = global_4.member[bitcast<u32>(select(0i, _e6654, (_e6654 > 0i)))];
+let _e6659 = global_3.member[bitcast<u32>(select(0i, _e6654, (_e6654 > 0i)))];
 let _e6662 = select(_e6652, 263198i, (263198i < _e6652));
-let _e6667 = global_4.member[bitcast<u32>(select(0i, _e6662, (_e6662 > 0i)))];
+let _e6667 = global_3.member[bitcast<u32>(select(0i, _e6662, (_e6662 > 0i)))];
 let _e6670 = select(_e6652, 263199i, (263199i < _e6652));
-let _e6675 = global_4.member[bitcast<u32>(select(0i, _e6670, (_e6670 > 0i)))];
+let _e6675 = global_3.member[bitcast<u32>(select(0i, _e6670, (_e6670 > 0i)))];
 let _e6676 = bitcast<f32>(_e6675);
 let _e6678 = ((_e6650 - bitcast<f32>(_e6659)) * bitcast<f32>(_e6667));
 let _e6680 = select(0f, _e6678, (_e6678 > 0f));
 let _e6683 = local_1;
 let _e6685 = select(_e6652, 263200i, (263200i < _e6652));
-let _e6690 = global_4.member[bitcast<u32>(select(0i, _e6685, (_e6685 > 0i)))];
+let _e6690 = global_3.member[bitcast<u32>(select(0i, _e6685, (_e6685 > 0i)))];
 let _e6693 = select(_e6652, 263201i, (263201i < _e6652));
-let _e6698 = global_4.member[bitcast<u32>(select(0i, _e6693, (_e6693 > 0i)))];
+let _e6698 = global_3.member[bitcast<u32>(select(0i, _e6693, (_e6693 > 0i)))];
 let _e6701 = select(_e6652, 263202i, (263202i < _e6652));
-let _e6706 = global_4.member[bitcast<u32>(select(0i, _e6701, (_e6701 > 0i)))];
+let _e6706 = global_3.member[bitcast<u32>(select(0i, _e6701, (_e6701 > 0i)))];
 let _e6707 = bitcast<f32>(_e6706);
 let _e6709 = ((_e6683 - bitcast<f32>(_e6690)) * bitcast<f32>(_e6698));
 let _e6711 = select(0f, _e6709, (_e6709 > 0f));
 let _e6715 = local_1;
 let _e6717 = select(_e6652, 263203i, (263203i < _e6652));
-let _e6722 = global_4.member[bitcast<u32>(select(0i, _e6717, (_e6717 > 0i)))];
+let _e6722 = global_3.member[bitcast<u32>(select(0i, _e6717, (_e6717 > 0i)))];
 let _e6725 = select(_e6652, 263204i, (263204i < _e6652));
-let _e6730 = global_4.member[bitcast<u32>(select(0i, _e6725, (_e6725 > 0i)))];
+let _e6730 = global_3.member[bitcast<u32>(select(0i, _e6725, (_e6725 > 0i)))];
 let _e6733 = select(_e6652, 263205i, (263205i < _e6652));
-let _e6738 = global_4.member[bitcast<u32>(select(0i, _e6733, (_e6733 > 0i)))];
+let _e6738 = global_3.member[bitcast<u32>(select(0i, _e6733, (_e6733 > 0i)))];
 let _e6739 = bitcast<f32>(_e6738);
 let _e6741 = ((_e6715 - bitcast<f32>(_e6722)) * bitcast<f32>(_e6730));
 let _e6743 = select(0f, _e6741, (_e6741 > 0f));
 let _e6746 = local_1;
 let _e6748 = select(_e6652, 263206i, (263206i < _e6652));
-let _e6753 = global_4.member[bitcast<u32>(select(0i, _e6748, (_e6748 > 0i)))];
+let _e6753 = global_3.member[bitcast<u32>(select(0i, _e6748, (_e6748 > 0i)))];
 let _e6756 = select(_e6652, 263207i, (263207i < _e6652));
-let _e6761 = global_4.member[bitcast<u32>(select(0i, _e6756, (_e6756 > 0i)))];
+let _e6761 = global_3.member[bitcast<u32>(select(0i, _e6756, (_e6756 > 0i)))];
 let _e6764 = select(_e6652, 263208i, (263208i < _e6652));
-let _e6769 = global_4.member[bitcast<u32>(select(0i, _e6764, (_e6764 > 0i)))];
+let _e6769 = global_3.member[bitcast<u32>(select(0i, _e6764, (_e6764 > 0i)))];
 let _e6770 = bitcast<f32>(_e6769);
 let _e6772 = ((_e6746 - bitcast<f32>(_e6753)) * bitcast<f32>(_e6761));
 let _e6774 = select(0f, _e6772, (_e6772 > 0f));
@@ -2315,13 +2315,13 @@ let _e6789 = select(0i, select(select(i32(_e6782), i32(-2147483648), (_e6782 < -
 let _e6793 = (_e6789 - select(0i, 1i, (_e6782 < f32(_e6789))));
 let _e6794 = (262147i + _e6793);
 let _e6796 = select(_e6652, _e6794, (_e6794 < _e6652));
-let _e6802 = global_4.member[bitcast<u32>(select(0i, _e6796, (_e6796 > 0i)))];
+let _e6802 = global_3.member[bitcast<u32>(select(0i, _e6796, (_e6796 > 0i)))];
 let _e6812 = select(_e6652, 262146i, (262146i < _e6652));
-let _e6818 = global_4.member[bitcast<u32>(select(0i, _e6812, (_e6812 > 0i)))];
+let _e6818 = global_3.member[bitcast<u32>(select(0i, _e6812, (_e6812 > 0i)))];
 let _e6822 = select(_e6652, 262144i, (262144i < _e6652));
-let _e6828 = global_4.member[bitcast<u32>(select(0i, _e6822, (_e6822 > 0i)))];
+let _e6828 = global_3.member[bitcast<u32>(select(0i, _e6822, (_e6822 > 0i)))];
 let _e6831 = select(_e6652, 262145i, (262145i < _e6652));
-let _e6837 = global_4.member[bitcast<u32>(select(0i, _e6831, (_e6831 > 0i)))];
+let _e6837 = global_3.member[bitcast<u32>(select(0i, _e6831, (_e6831 > 0i)))];
 let _e6844 = ((bitcast<f32>(_e6828) + (f32(bitcast<i32>((_e6802 >> bitcast<u32>(12u)))) * bitcast<f32>(_e6837))) + ((f32((bitcast<i32>((_e6802 & 4095u)) - 2048i)) * bitcast<f32>(_e6818)) * (_e6778 - f32(_e6793))));
 let _e6848 = select(_e6335.member_6.x, _e6346.x, _e6340);
 let _e6851 = select(_e6335.member_6.y, _e6346.y, _e6340);
@@ -2560,15 +2560,15 @@ phi_17690_ = 1f;
 let _e7589 = phi_17689_;
 let _e7591 = phi_17690_;
 let _e7594 = (_e5713.member * _e7591);
-global_2.member[_e195] = (_e206 * (_e5713.member_2.x * _e7594));
-global_2.member[_e207] = (_e216 * (_e5713.member_2.y * _e7594));
-global_2.member[_e218] = (_e227 * (_e5713.member_2.z * _e7594));
-global_2.member[_e229] = _e7589.x;
-global_2.member[_e240] = _e7589.y;
-global_2.member[_e251] = _e7589.z;
-global_2.member[_e262] = _e271;
-global_2.member[_e273] = _e282;
-global_2.member[_e284] = _e293;
+global_4.member[_e195] = (_e206 * (_e5713.member_2.x * _e7594));
+global_4.member[_e207] = (_e216 * (_e5713.member_2.y * _e7594));
+global_4.member[_e218] = (_e227 * (_e5713.member_2.z * _e7594));
+global_4.member[_e229] = _e7589.x;
+global_4.member[_e240] = _e7589.y;
+global_4.member[_e251] = _e7589.z;
+global_4.member[_e262] = _e271;
+global_4.member[_e273] = _e282;
+global_4.member[_e284] = _e293;
 }
 }
 }

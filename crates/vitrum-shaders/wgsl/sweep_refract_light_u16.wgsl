@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,47 +90,82 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
 }
-struct type_31 {
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
+}
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
@@ -198,29 +198,29 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_3: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_4: type_17;
+var<storage> global_3: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_26;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_5: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_11;
+var<storage> global_6: type_26;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_31;
+var local_2: type_29;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_31;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_31;
+var local_10: type_29;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -236,7 +236,7 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_31;
+var local_26: type_29;
 var local_27: vec3<f32>;
 var phi_899_: bool;
 var phi_1079_: bool;
@@ -245,7 +245,7 @@ var phi_1266_: bool;
 var phi_1589_: u32;
 var phi_7460_: type_32;
 var phi_8239_: type_33;
-var phi_9205_: type_5;
+var phi_9205_: type_7;
 var phi_12933_: type_35;
 var phi_14252_: type_34;
 var phi_14265_: vec3<f32>;
@@ -254,8 +254,8 @@ var phi_17014_: type_34;
 var phi_17166_: vec3<f32>;
 var phi_17167_: f32;
 let _e155 = global;
-let _e158 = arrayLength((&global_3.member));
-let _e163 = arrayLength((&global_4.member));
+let _e158 = arrayLength((&global_2.member));
+let _e163 = arrayLength((&global_3.member));
 let _e165 = arrayLength((&global_6.member));
 let _e170 = global_1.member.member_2;
 let _e173 = global_1.member.member;
@@ -266,41 +266,41 @@ if (_e183 < _e170.member_3) {
 let _e186 = (_e173.member * _e173.member_1);
 let _e188 = ((_e183 * _e173.member) + _e181);
 let _e189 = bitcast<i32>(_e188);
-let _e191 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e191 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e193 = select(_e191, _e189, (_e189 < _e191));
-let _e199 = global_2.member[bitcast<u32>(select(0i, _e193, (_e193 > 0i)))];
+let _e199 = global_4.member[bitcast<u32>(select(0i, _e193, (_e193 > 0i)))];
 let _e200 = (_e186 + _e188);
 let _e201 = bitcast<i32>(_e200);
 let _e203 = select(_e191, _e201, (_e201 < _e191));
-let _e209 = global_2.member[bitcast<u32>(select(0i, _e203, (_e203 > 0i)))];
+let _e209 = global_4.member[bitcast<u32>(select(0i, _e203, (_e203 > 0i)))];
 let _e211 = ((2u * _e186) + _e188);
 let _e212 = bitcast<i32>(_e211);
 let _e214 = select(_e191, _e212, (_e212 < _e191));
-let _e220 = global_2.member[bitcast<u32>(select(0i, _e214, (_e214 > 0i)))];
+let _e220 = global_4.member[bitcast<u32>(select(0i, _e214, (_e214 > 0i)))];
 let _e222 = ((3u * _e186) + _e188);
 let _e223 = bitcast<i32>(_e222);
 let _e225 = select(_e191, _e223, (_e223 < _e191));
-let _e231 = global_2.member[bitcast<u32>(select(0i, _e225, (_e225 > 0i)))];
+let _e231 = global_4.member[bitcast<u32>(select(0i, _e225, (_e225 > 0i)))];
 let _e233 = ((4u * _e186) + _e188);
 let _e234 = bitcast<i32>(_e233);
 let _e236 = select(_e191, _e234, (_e234 < _e191));
-let _e242 = global_2.member[bitcast<u32>(select(0i, _e236, (_e236 > 0i)))];
+let _e242 = global_4.member[bitcast<u32>(select(0i, _e236, (_e236 > 0i)))];
 let _e244 = ((5u * _e186) + _e188);
 let _e245 = bitcast<i32>(_e244);
 let _e247 = select(_e191, _e245, (_e245 < _e191));
-let _e253 = global_2.member[bitcast<u32>(select(0i, _e247, (_e247 > 0i)))];
+let _e253 = global_4.member[bitcast<u32>(select(0i, _e247, (_e247 > 0i)))];
 let _e255 = ((6u * _e186) + _e188);
 let _e256 = bitcast<i32>(_e255);
 let _e258 = select(_e191, _e256, (_e256 < _e191));
-let _e264 = global_2.member[bitcast<u32>(select(0i, _e258, (_e258 > 0i)))];
+let _e264 = global_4.member[bitcast<u32>(select(0i, _e258, (_e258 > 0i)))];
 let _e266 = ((7u * _e186) + _e188);
 let _e267 = bitcast<i32>(_e266);
 let _e269 = select(_e191, _e267, (_e267 < _e191));
-let _e275 = global_2.member[bitcast<u32>(select(0i, _e269, (_e269 > 0i)))];
+let _e275 = global_4.member[bitcast<u32>(select(0i, _e269, (_e269 > 0i)))];
 let _e277 = ((8u * _e186) + _e188);
 let _e278 = bitcast<i32>(_e277);
 let _e280 = select(_e191, _e278, (_e278 < _e191));
-let _e286 = global_2.member[bitcast<u32>(select(0i, _e280, (_e280 > 0i)))];
+let _e286 = global_4.member[bitcast<u32>(select(0i, _e280, (_e280 > 0i)))];
 let _e291 = global_1.member.member_8.member;
 let _e295 = global_1.member.member_8.member_1;
 let _e296 = (_e291 * _e295);
@@ -562,7 +562,7 @@ let _e1399 = (select(0i, _e1338, (_e1338 > 0i)) * _e1310);
 let _e1400 = (select(0i, _e1302, (_e1302 > 0i)) * _e1310);
 let _e1401 = (select(_e1337, _e1343, (_e1343 < _e1337)) * _e1310);
 let _e1402 = (select(_e1337, _e1346, (_e1346 < _e1337)) * _e1310);
-local_26 = type_31(array<i32, 4>(_e1372, _e1374, _e1376, 0i), array<u32, 6>(bitcast<u32>(((_e1359 - _e1372) * 16i)), bitcast<u32>(((_e1361 - _e1372) * 16i)), bitcast<u32>(((_e1361 - _e1374) * 16i)), bitcast<u32>(((_e1364 - _e1374) * 16i)), bitcast<u32>(((_e1364 - _e1376) * 16i)), bitcast<u32>(((select(_e1356, _e1365, (_e1365 < _e1356)) - _e1376) * 16i))));
+local_26 = type_29(array<i32, 4>(_e1372, _e1374, _e1376, 0i), array<u32, 6>(bitcast<u32>(((_e1359 - _e1372) * 16i)), bitcast<u32>(((_e1361 - _e1372) * 16i)), bitcast<u32>(((_e1361 - _e1374) * 16i)), bitcast<u32>(((_e1364 - _e1374) * 16i)), bitcast<u32>(((_e1364 - _e1376) * 16i)), bitcast<u32>(((select(_e1356, _e1365, (_e1365 < _e1356)) - _e1376) * 16i))));
 local_27 = vec3<f32>((_e1237 - f32(_e1272)), (_e1247 - f32(_e1287)), (_e1257 - f32(_e1302)));
 let _e1414 = (_e1400 + _e1396);
 let _e1417 = local_26.member[0u];
@@ -571,20 +571,20 @@ let _e1420 = (_e1418 >> bitcast<u32>(1i));
 let _e1423 = bitcast<u32>(((_e1418 & 1i) * 16i));
 let _e1425 = (bitcast<i32>(_e158) - 1i);
 let _e1427 = select(_e1425, _e1420, (_e1420 < _e1425));
-let _e1432 = global_3.member[bitcast<u32>(select(0i, _e1427, (_e1427 > 0i)))];
+let _e1432 = global_2.member[bitcast<u32>(select(0i, _e1427, (_e1427 > 0i)))];
 let _e1436 = (_e1420 + 1i);
 let _e1438 = select(_e1425, _e1436, (_e1436 < _e1425));
-let _e1443 = global_3.member[bitcast<u32>(select(0i, _e1438, (_e1438 > 0i)))];
+let _e1443 = global_2.member[bitcast<u32>(select(0i, _e1438, (_e1438 > 0i)))];
 let _e1450 = ((_e1432 >> bitcast<u32>((_e1423 & 31u))) | ((_e1443 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1423) & 31u))));
 let _e1453 = local_26.member[2u];
 let _e1454 = (_e1414 + _e1453);
 let _e1456 = (_e1454 >> bitcast<u32>(1i));
 let _e1459 = bitcast<u32>(((_e1454 & 1i) * 16i));
 let _e1461 = select(_e1425, _e1456, (_e1456 < _e1425));
-let _e1466 = global_3.member[bitcast<u32>(select(0i, _e1461, (_e1461 > 0i)))];
+let _e1466 = global_2.member[bitcast<u32>(select(0i, _e1461, (_e1461 > 0i)))];
 let _e1470 = (_e1456 + 1i);
 let _e1472 = select(_e1425, _e1470, (_e1470 < _e1425));
-let _e1477 = global_3.member[bitcast<u32>(select(0i, _e1472, (_e1472 > 0i)))];
+let _e1477 = global_2.member[bitcast<u32>(select(0i, _e1472, (_e1472 > 0i)))];
 let _e1484 = ((_e1466 >> bitcast<u32>((_e1459 & 31u))) | ((_e1477 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1459) & 31u))));
 let _e1487 = local_26.member_1[0u];
 let _e1493 = f32(bitcast<i32>(((_e1450 >> bitcast<u32>((_e1487 & 31u))) & 65535u)));
@@ -605,20 +605,20 @@ let _e1535 = (_e1533 + _e1534);
 let _e1537 = (_e1535 >> bitcast<u32>(1i));
 let _e1540 = bitcast<u32>(((_e1535 & 1i) * 16i));
 let _e1542 = select(_e1425, _e1537, (_e1537 < _e1425));
-let _e1547 = global_3.member[bitcast<u32>(select(0i, _e1542, (_e1542 > 0i)))];
+let _e1547 = global_2.member[bitcast<u32>(select(0i, _e1542, (_e1542 > 0i)))];
 let _e1551 = (_e1537 + 1i);
 let _e1553 = select(_e1425, _e1551, (_e1551 < _e1425));
-let _e1558 = global_3.member[bitcast<u32>(select(0i, _e1553, (_e1553 > 0i)))];
+let _e1558 = global_2.member[bitcast<u32>(select(0i, _e1553, (_e1553 > 0i)))];
 let _e1565 = ((_e1547 >> bitcast<u32>((_e1540 & 31u))) | ((_e1558 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1540) & 31u))));
 let _e1566 = local_26.member[2u];
 let _e1567 = (_e1533 + _e1566);
 let _e1569 = (_e1567 >> bitcast<u32>(1i));
 let _e1572 = bitcast<u32>(((_e1567 & 1i) * 16i));
 let _e1574 = select(_e1425, _e1569, (_e1569 < _e1425));
-let _e1579 = global_3.member[bitcast<u32>(select(0i, _e1574, (_e1574 > 0i)))];
+let _e1579 = global_2.member[bitcast<u32>(select(0i, _e1574, (_e1574 > 0i)))];
 let _e1583 = (_e1569 + 1i);
 let _e1585 = select(_e1425, _e1583, (_e1583 < _e1425));
-let _e1590 = global_3.member[bitcast<u32>(select(0i, _e1585, (_e1585 > 0i)))];
+let _e1590 = global_2.member[bitcast<u32>(select(0i, _e1585, (_e1585 > 0i)))];
 let _e1597 = ((_e1579 >> bitcast<u32>((_e1572 & 31u))) | ((_e1590 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1572) & 31u))));
 let _e1598 = local_26.member_1[0u];
 let _e1604 = f32(bitcast<i32>(((_e1565 >> bitcast<u32>((_e1598 & 31u))) & 65535u)));
@@ -637,20 +637,20 @@ let _e1640 = (_e1638 + _e1639);
 let _e1642 = (_e1640 >> bitcast<u32>(1i));
 let _e1645 = bitcast<u32>(((_e1640 & 1i) * 16i));
 let _e1647 = select(_e1425, _e1642, (_e1642 < _e1425));
-let _e1652 = global_3.member[bitcast<u32>(select(0i, _e1647, (_e1647 > 0i)))];
+let _e1652 = global_2.member[bitcast<u32>(select(0i, _e1647, (_e1647 > 0i)))];
 let _e1656 = (_e1642 + 1i);
 let _e1658 = select(_e1425, _e1656, (_e1656 < _e1425));
-let _e1663 = global_3.member[bitcast<u32>(select(0i, _e1658, (_e1658 > 0i)))];
+let _e1663 = global_2.member[bitcast<u32>(select(0i, _e1658, (_e1658 > 0i)))];
 let _e1670 = ((_e1652 >> bitcast<u32>((_e1645 & 31u))) | ((_e1663 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1645) & 31u))));
 let _e1671 = local_26.member[2u];
 let _e1672 = (_e1638 + _e1671);
 let _e1674 = (_e1672 >> bitcast<u32>(1i));
 let _e1677 = bitcast<u32>(((_e1672 & 1i) * 16i));
 let _e1679 = select(_e1425, _e1674, (_e1674 < _e1425));
-let _e1684 = global_3.member[bitcast<u32>(select(0i, _e1679, (_e1679 > 0i)))];
+let _e1684 = global_2.member[bitcast<u32>(select(0i, _e1679, (_e1679 > 0i)))];
 let _e1688 = (_e1674 + 1i);
 let _e1690 = select(_e1425, _e1688, (_e1688 < _e1425));
-let _e1695 = global_3.member[bitcast<u32>(select(0i, _e1690, (_e1690 > 0i)))];
+let _e1695 = global_2.member[bitcast<u32>(select(0i, _e1690, (_e1690 > 0i)))];
 let _e1702 = ((_e1684 >> bitcast<u32>((_e1677 & 31u))) | ((_e1695 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1677) & 31u))));
 let _e1703 = local_26.member_1[0u];
 let _e1709 = f32(bitcast<i32>(((_e1670 >> bitcast<u32>((_e1703 & 31u))) & 65535u)));
@@ -671,20 +671,20 @@ let _e1745 = (_e1743 + _e1744);
 let _e1747 = (_e1745 >> bitcast<u32>(1i));
 let _e1750 = bitcast<u32>(((_e1745 & 1i) * 16i));
 let _e1752 = select(_e1425, _e1747, (_e1747 < _e1425));
-let _e1757 = global_3.member[bitcast<u32>(select(0i, _e1752, (_e1752 > 0i)))];
+let _e1757 = global_2.member[bitcast<u32>(select(0i, _e1752, (_e1752 > 0i)))];
 let _e1761 = (_e1747 + 1i);
 let _e1763 = select(_e1425, _e1761, (_e1761 < _e1425));
-let _e1768 = global_3.member[bitcast<u32>(select(0i, _e1763, (_e1763 > 0i)))];
+let _e1768 = global_2.member[bitcast<u32>(select(0i, _e1763, (_e1763 > 0i)))];
 let _e1775 = ((_e1757 >> bitcast<u32>((_e1750 & 31u))) | ((_e1768 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1750) & 31u))));
 let _e1776 = local_26.member[2u];
 let _e1777 = (_e1743 + _e1776);
 let _e1779 = (_e1777 >> bitcast<u32>(1i));
 let _e1782 = bitcast<u32>(((_e1777 & 1i) * 16i));
 let _e1784 = select(_e1425, _e1779, (_e1779 < _e1425));
-let _e1789 = global_3.member[bitcast<u32>(select(0i, _e1784, (_e1784 > 0i)))];
+let _e1789 = global_2.member[bitcast<u32>(select(0i, _e1784, (_e1784 > 0i)))];
 let _e1793 = (_e1779 + 1i);
 let _e1795 = select(_e1425, _e1793, (_e1793 < _e1425));
-let _e1800 = global_3.member[bitcast<u32>(select(0i, _e1795, (_e1795 > 0i)))];
+let _e1800 = global_2.member[bitcast<u32>(select(0i, _e1795, (_e1795 > 0i)))];
 let _e1807 = ((_e1789 >> bitcast<u32>((_e1782 & 31u))) | ((_e1800 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1782) & 31u))));
 let _e1808 = local_26.member_1[0u];
 let _e1814 = f32(bitcast<i32>(((_e1775 >> bitcast<u32>((_e1808 & 31u))) & 65535u)));
@@ -702,10 +702,10 @@ let _e1852 = ((_e1400 + _e1395) + _e1851);
 let _e1854 = (_e1852 >> bitcast<u32>(1i));
 let _e1857 = bitcast<u32>(((_e1852 & 1i) * 16i));
 let _e1859 = select(_e1425, _e1854, (_e1854 < _e1425));
-let _e1864 = global_3.member[bitcast<u32>(select(0i, _e1859, (_e1859 > 0i)))];
+let _e1864 = global_2.member[bitcast<u32>(select(0i, _e1859, (_e1859 > 0i)))];
 let _e1868 = (_e1854 + 1i);
 let _e1870 = select(_e1425, _e1868, (_e1868 < _e1425));
-let _e1875 = global_3.member[bitcast<u32>(select(0i, _e1870, (_e1870 > 0i)))];
+let _e1875 = global_2.member[bitcast<u32>(select(0i, _e1870, (_e1870 > 0i)))];
 let _e1882 = ((_e1864 >> bitcast<u32>((_e1857 & 31u))) | ((_e1875 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1857) & 31u))));
 let _e1885 = local_26.member_1[2u];
 let _e1891 = f32(bitcast<i32>(((_e1882 >> bitcast<u32>((_e1885 & 31u))) & 65535u)));
@@ -717,10 +717,10 @@ let _e1907 = ((_e1400 + _e1398) + _e1906);
 let _e1909 = (_e1907 >> bitcast<u32>(1i));
 let _e1912 = bitcast<u32>(((_e1907 & 1i) * 16i));
 let _e1914 = select(_e1425, _e1909, (_e1909 < _e1425));
-let _e1919 = global_3.member[bitcast<u32>(select(0i, _e1914, (_e1914 > 0i)))];
+let _e1919 = global_2.member[bitcast<u32>(select(0i, _e1914, (_e1914 > 0i)))];
 let _e1923 = (_e1909 + 1i);
 let _e1925 = select(_e1425, _e1923, (_e1923 < _e1425));
-let _e1930 = global_3.member[bitcast<u32>(select(0i, _e1925, (_e1925 > 0i)))];
+let _e1930 = global_2.member[bitcast<u32>(select(0i, _e1925, (_e1925 > 0i)))];
 let _e1937 = ((_e1919 >> bitcast<u32>((_e1912 & 31u))) | ((_e1930 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1912) & 31u))));
 let _e1938 = local_26.member_1[2u];
 let _e1944 = f32(bitcast<i32>(((_e1937 >> bitcast<u32>((_e1938 & 31u))) & 65535u)));
@@ -731,10 +731,10 @@ let _e1958 = ((_e1401 + _e1395) + _e1957);
 let _e1960 = (_e1958 >> bitcast<u32>(1i));
 let _e1963 = bitcast<u32>(((_e1958 & 1i) * 16i));
 let _e1965 = select(_e1425, _e1960, (_e1960 < _e1425));
-let _e1970 = global_3.member[bitcast<u32>(select(0i, _e1965, (_e1965 > 0i)))];
+let _e1970 = global_2.member[bitcast<u32>(select(0i, _e1965, (_e1965 > 0i)))];
 let _e1974 = (_e1960 + 1i);
 let _e1976 = select(_e1425, _e1974, (_e1974 < _e1425));
-let _e1981 = global_3.member[bitcast<u32>(select(0i, _e1976, (_e1976 > 0i)))];
+let _e1981 = global_2.member[bitcast<u32>(select(0i, _e1976, (_e1976 > 0i)))];
 let _e1988 = ((_e1970 >> bitcast<u32>((_e1963 & 31u))) | ((_e1981 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1963) & 31u))));
 let _e1989 = local_26.member_1[2u];
 let _e1995 = f32(bitcast<i32>(((_e1988 >> bitcast<u32>((_e1989 & 31u))) & 65535u)));
@@ -746,10 +746,10 @@ let _e2009 = ((_e1401 + _e1398) + _e2008);
 let _e2011 = (_e2009 >> bitcast<u32>(1i));
 let _e2014 = bitcast<u32>(((_e2009 & 1i) * 16i));
 let _e2016 = select(_e1425, _e2011, (_e2011 < _e1425));
-let _e2021 = global_3.member[bitcast<u32>(select(0i, _e2016, (_e2016 > 0i)))];
+let _e2021 = global_2.member[bitcast<u32>(select(0i, _e2016, (_e2016 > 0i)))];
 let _e2025 = (_e2011 + 1i);
 let _e2027 = select(_e1425, _e2025, (_e2025 < _e1425));
-let _e2032 = global_3.member[bitcast<u32>(select(0i, _e2027, (_e2027 > 0i)))];
+let _e2032 = global_2.member[bitcast<u32>(select(0i, _e2027, (_e2027 > 0i)))];
 let _e2039 = ((_e2021 >> bitcast<u32>((_e2014 & 31u))) | ((_e2032 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2014) & 31u))));
 let _e2040 = local_26.member_1[2u];
 let _e2046 = f32(bitcast<i32>(((_e2039 >> bitcast<u32>((_e2040 & 31u))) & 65535u)));
@@ -760,10 +760,10 @@ let _e2060 = ((_e1399 + _e1396) + _e2059);
 let _e2062 = (_e2060 >> bitcast<u32>(1i));
 let _e2065 = bitcast<u32>(((_e2060 & 1i) * 16i));
 let _e2067 = select(_e1425, _e2062, (_e2062 < _e1425));
-let _e2072 = global_3.member[bitcast<u32>(select(0i, _e2067, (_e2067 > 0i)))];
+let _e2072 = global_2.member[bitcast<u32>(select(0i, _e2067, (_e2067 > 0i)))];
 let _e2076 = (_e2062 + 1i);
 let _e2078 = select(_e1425, _e2076, (_e2076 < _e1425));
-let _e2083 = global_3.member[bitcast<u32>(select(0i, _e2078, (_e2078 > 0i)))];
+let _e2083 = global_2.member[bitcast<u32>(select(0i, _e2078, (_e2078 > 0i)))];
 let _e2090 = ((_e2072 >> bitcast<u32>((_e2065 & 31u))) | ((_e2083 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2065) & 31u))));
 let _e2091 = local_26.member_1[2u];
 let _e2097 = f32(bitcast<i32>(((_e2090 >> bitcast<u32>((_e2091 & 31u))) & 65535u)));
@@ -775,10 +775,10 @@ let _e2111 = ((_e1402 + _e1396) + _e2110);
 let _e2113 = (_e2111 >> bitcast<u32>(1i));
 let _e2116 = bitcast<u32>(((_e2111 & 1i) * 16i));
 let _e2118 = select(_e1425, _e2113, (_e2113 < _e1425));
-let _e2123 = global_3.member[bitcast<u32>(select(0i, _e2118, (_e2118 > 0i)))];
+let _e2123 = global_2.member[bitcast<u32>(select(0i, _e2118, (_e2118 > 0i)))];
 let _e2127 = (_e2113 + 1i);
 let _e2129 = select(_e1425, _e2127, (_e2127 < _e1425));
-let _e2134 = global_3.member[bitcast<u32>(select(0i, _e2129, (_e2129 > 0i)))];
+let _e2134 = global_2.member[bitcast<u32>(select(0i, _e2129, (_e2129 > 0i)))];
 let _e2141 = ((_e2123 >> bitcast<u32>((_e2116 & 31u))) | ((_e2134 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2116) & 31u))));
 let _e2142 = local_26.member_1[2u];
 let _e2148 = f32(bitcast<i32>(((_e2141 >> bitcast<u32>((_e2142 & 31u))) & 65535u)));
@@ -790,10 +790,10 @@ let _e2162 = ((_e1399 + _e1397) + _e2161);
 let _e2164 = (_e2162 >> bitcast<u32>(1i));
 let _e2167 = bitcast<u32>(((_e2162 & 1i) * 16i));
 let _e2169 = select(_e1425, _e2164, (_e2164 < _e1425));
-let _e2174 = global_3.member[bitcast<u32>(select(0i, _e2169, (_e2169 > 0i)))];
+let _e2174 = global_2.member[bitcast<u32>(select(0i, _e2169, (_e2169 > 0i)))];
 let _e2178 = (_e2164 + 1i);
 let _e2180 = select(_e1425, _e2178, (_e2178 < _e1425));
-let _e2185 = global_3.member[bitcast<u32>(select(0i, _e2180, (_e2180 > 0i)))];
+let _e2185 = global_2.member[bitcast<u32>(select(0i, _e2180, (_e2180 > 0i)))];
 let _e2192 = ((_e2174 >> bitcast<u32>((_e2167 & 31u))) | ((_e2185 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2167) & 31u))));
 let _e2193 = local_26.member_1[2u];
 let _e2199 = f32(bitcast<i32>(((_e2192 >> bitcast<u32>((_e2193 & 31u))) & 65535u)));
@@ -804,10 +804,10 @@ let _e2213 = ((_e1402 + _e1397) + _e2212);
 let _e2215 = (_e2213 >> bitcast<u32>(1i));
 let _e2218 = bitcast<u32>(((_e2213 & 1i) * 16i));
 let _e2220 = select(_e1425, _e2215, (_e2215 < _e1425));
-let _e2225 = global_3.member[bitcast<u32>(select(0i, _e2220, (_e2220 > 0i)))];
+let _e2225 = global_2.member[bitcast<u32>(select(0i, _e2220, (_e2220 > 0i)))];
 let _e2229 = (_e2215 + 1i);
 let _e2231 = select(_e1425, _e2229, (_e2229 < _e1425));
-let _e2236 = global_3.member[bitcast<u32>(select(0i, _e2231, (_e2231 > 0i)))];
+let _e2236 = global_2.member[bitcast<u32>(select(0i, _e2231, (_e2231 > 0i)))];
 let _e2243 = ((_e2225 >> bitcast<u32>((_e2218 & 31u))) | ((_e2236 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2218) & 31u))));
 let _e2244 = local_26.member_1[2u];
 let _e2250 = f32(bitcast<i32>(((_e2243 >> bitcast<u32>((_e2244 & 31u))) & 65535u)));
@@ -869,50 +869,50 @@ local_25 = _e2391;
 let _e2392 = local_25;
 let _e2394 = (bitcast<i32>(_e163) - 1i);
 let _e2396 = select(_e2394, 263197i, (263197i < _e2394));
-let _e2401 = global_4.member[bitcast<u32>(select(0i, _e2396, (_e2396 > 0i)))];
+let _e2401 = global_3.member[bitcast<u32>(select(0i, _e2396, (_e2396 > 0i)))];
 let _e2402 = bitcast<f32>(_e2401);
 let _e2404 = select(_e2394, 263198i, (263198i < _e2394));
 let _e2407 = bitcast<u32>(select(0i, _e2404, (_e2404 > 0i)));
-let _e2409 = global_4.member[_e2407];
+let _e2409 = global_3.member[_e2407];
 let _e2410 = bitcast<f32>(_e2409);
 let _e2412 = select(_e2394, 263199i, (263199i < _e2394));
-let _e2417 = global_4.member[bitcast<u32>(select(0i, _e2412, (_e2412 > 0i)))];
+let _e2417 = global_3.member[bitcast<u32>(select(0i, _e2412, (_e2412 > 0i)))];
 let _e2418 = bitcast<f32>(_e2417);
 let _e2420 = ((_e2392 - _e2402) * _e2410);
 let _e2422 = select(0f, _e2420, (_e2420 > 0f));
 let _e2425 = local_25;
 let _e2427 = select(_e2394, 263200i, (263200i < _e2394));
-let _e2432 = global_4.member[bitcast<u32>(select(0i, _e2427, (_e2427 > 0i)))];
+let _e2432 = global_3.member[bitcast<u32>(select(0i, _e2427, (_e2427 > 0i)))];
 let _e2433 = bitcast<f32>(_e2432);
 let _e2435 = select(_e2394, 263201i, (263201i < _e2394));
-let _e2440 = global_4.member[bitcast<u32>(select(0i, _e2435, (_e2435 > 0i)))];
+let _e2440 = global_3.member[bitcast<u32>(select(0i, _e2435, (_e2435 > 0i)))];
 let _e2441 = bitcast<f32>(_e2440);
 let _e2443 = select(_e2394, 263202i, (263202i < _e2394));
-let _e2448 = global_4.member[bitcast<u32>(select(0i, _e2443, (_e2443 > 0i)))];
+let _e2448 = global_3.member[bitcast<u32>(select(0i, _e2443, (_e2443 > 0i)))];
 let _e2449 = bitcast<f32>(_e2448);
 let _e2451 = ((_e2425 - _e2433) * _e2441);
 let _e2453 = select(0f, _e2451, (_e2451 > 0f));
 let _e2457 = local_25;
 let _e2459 = select(_e2394, 263203i, (263203i < _e2394));
-let _e2464 = global_4.member[bitcast<u32>(select(0i, _e2459, (_e2459 > 0i)))];
+let _e2464 = global_3.member[bitcast<u32>(select(0i, _e2459, (_e2459 > 0i)))];
 let _e2465 = bitcast<f32>(_e2464);
 let _e2467 = select(_e2394, 263204i, (263204i < _e2394));
-let _e2472 = global_4.member[bitcast<u32>(select(0i, _e2467, (_e2467 > 0i)))];
+let _e2472 = global_3.member[bitcast<u32>(select(0i, _e2467, (_e2467 > 0i)))];
 let _e2473 = bitcast<f32>(_e2472);
 let _e2475 = select(_e2394, 263205i, (263205i < _e2394));
-let _e2480 = global_4.member[bitcast<u32>(select(0i, _e2475, (_e2475 > 0i)))];
+let _e2480 = global_3.member[bitcast<u32>(select(0i, _e2475, (_e2475 > 0i)))];
 let _e2481 = bitcast<f32>(_e2480);
 let _e2483 = ((_e2457 - _e2465) * _e2473);
 let _e2485 = select(0f, _e2483, (_e2483 > 0f));
 let _e2488 = local_25;
 let _e2490 = select(_e2394, 263206i, (263206i < _e2394));
-let _e2495 = global_4.member[bitcast<u32>(select(0i, _e2490, (_e2490 > 0i)))];
+let _e2495 = global_3.member[bitcast<u32>(select(0i, _e2490, (_e2490 > 0i)))];
 let _e2496 = bitcast<f32>(_e2495);
 let _e2498 = select(_e2394, 263207i, (263207i < _e2394));
-let _e2503 = global_4.member[bitcast<u32>(select(0i, _e2498, (_e2498 > 0i)))];
+let _e2503 = global_3.member[bitcast<u32>(select(0i, _e2498, (_e2498 > 0i)))];
 let _e2504 = bitcast<f32>(_e2503);
 let _e2506 = select(_e2394, 263208i, (263208i < _e2394));
-let _e2511 = global_4.member[bitcast<u32>(select(0i, _e2506, (_e2506 > 0i)))];
+let _e2511 = global_3.member[bitcast<u32>(select(0i, _e2506, (_e2506 > 0i)))];
 let _e2512 = bitcast<f32>(_e2511);
 let _e2514 = ((_e2488 - _e2496) * _e2504);
 let _e2516 = select(0f, _e2514, (_e2514 > 0f));
@@ -923,27 +923,27 @@ let _e2531 = select(0i, select(select(i32(_e2524), i32(-2147483648), (_e2524 < -
 let _e2535 = (_e2531 - select(0i, 1i, (_e2524 < f32(_e2531))));
 let _e2536 = (262147i + _e2535);
 let _e2538 = select(_e2394, _e2536, (_e2536 < _e2394));
-let _e2544 = global_4.member[bitcast<u32>(select(0i, _e2538, (_e2538 > 0i)))];
+let _e2544 = global_3.member[bitcast<u32>(select(0i, _e2538, (_e2538 > 0i)))];
 let _e2554 = select(_e2394, 262146i, (262146i < _e2394));
-let _e2560 = global_4.member[bitcast<u32>(select(0i, _e2554, (_e2554 > 0i)))];
+let _e2560 = global_3.member[bitcast<u32>(select(0i, _e2554, (_e2554 > 0i)))];
 let _e2561 = bitcast<f32>(_e2560);
 let _e2562 = (f32((bitcast<i32>((_e2544 & 4095u)) - 2048i)) * _e2561);
 let _e2564 = select(_e2394, 262144i, (262144i < _e2394));
-let _e2570 = global_4.member[bitcast<u32>(select(0i, _e2564, (_e2564 > 0i)))];
+let _e2570 = global_3.member[bitcast<u32>(select(0i, _e2564, (_e2564 > 0i)))];
 let _e2571 = bitcast<f32>(_e2570);
 let _e2573 = select(_e2394, 262145i, (262145i < _e2394));
-let _e2579 = global_4.member[bitcast<u32>(select(0i, _e2573, (_e2573 > 0i)))];
+let _e2579 = global_3.member[bitcast<u32>(select(0i, _e2573, (_e2573 > 0i)))];
 let _e2580 = bitcast<f32>(_e2579);
 let _e2586 = ((_e2571 + (f32(bitcast<i32>((_e2544 >> bitcast<u32>(12u)))) * _e2580)) + (_e2562 * (_e2520 - f32(_e2535))));
-let _e2589 = global_4.member[_e2407];
+let _e2589 = global_3.member[_e2407];
 let _e2591 = local_24;
 let _e2594 = local_24;
 let _e2597 = local_24;
 let _e2601 = select(_e2394, 263209i, (263209i < _e2394));
-let _e2607 = global_4.member[bitcast<u32>(select(0i, _e2601, (_e2601 > 0i)))];
+let _e2607 = global_3.member[bitcast<u32>(select(0i, _e2601, (_e2601 > 0i)))];
 let _e2609 = local_24;
 let _e2612 = select(_e2394, 263210i, (263210i < _e2394));
-let _e2618 = global_4.member[bitcast<u32>(select(0i, _e2612, (_e2612 > 0i)))];
+let _e2618 = global_3.member[bitcast<u32>(select(0i, _e2612, (_e2612 > 0i)))];
 let _e2620 = local_24;
 let _e2624 = (_e2562 * select(0f, select(select(select(bitcast<f32>(_e2589), _e2441, (_e2591 >= _e2433)), _e2473, (_e2594 >= _e2465)), _e2504, (_e2597 >= _e2496)), ((_e2609 >= bitcast<f32>(_e2607)) && (_e2620 <= bitcast<f32>(_e2618)))));
 if _e1226 {
@@ -974,7 +974,7 @@ let _e2682 = select(0i, select(select(i32(_e2675), i32(-2147483648), (_e2675 < -
 let _e2686 = (_e2682 - select(0i, 1i, (_e2675 < f32(_e2682))));
 let _e2687 = (262147i + _e2686);
 let _e2689 = select(_e2394, _e2687, (_e2687 < _e2394));
-let _e2695 = global_4.member[bitcast<u32>(select(0i, _e2689, (_e2689 > 0i)))];
+let _e2695 = global_3.member[bitcast<u32>(select(0i, _e2689, (_e2689 > 0i)))];
 let _e2710 = ((_e2571 + (f32(bitcast<i32>((_e2695 >> bitcast<u32>(12u)))) * _e2580)) + ((f32((bitcast<i32>((_e2695 & 4095u)) - 2048i)) * _e2561) * (_e2671 - f32(_e2686))));
 local_20 = _e2366;
 let _e2711 = local_20;
@@ -998,7 +998,7 @@ let _e2753 = select(0i, select(select(i32(_e2746), i32(-2147483648), (_e2746 < -
 let _e2757 = (_e2753 - select(0i, 1i, (_e2746 < f32(_e2753))));
 let _e2758 = (262147i + _e2757);
 let _e2760 = select(_e2394, _e2758, (_e2758 < _e2394));
-let _e2766 = global_4.member[bitcast<u32>(select(0i, _e2760, (_e2760 > 0i)))];
+let _e2766 = global_3.member[bitcast<u32>(select(0i, _e2760, (_e2760 > 0i)))];
 let _e2781 = ((_e2571 + (f32(bitcast<i32>((_e2766 >> bitcast<u32>(12u)))) * _e2580)) + ((f32((bitcast<i32>((_e2766 & 4095u)) - 2048i)) * _e2561) * (_e2742 - f32(_e2757))));
 local_18 = _e2372;
 let _e2782 = local_18;
@@ -1022,7 +1022,7 @@ let _e2824 = select(0i, select(select(i32(_e2817), i32(-2147483648), (_e2817 < -
 let _e2828 = (_e2824 - select(0i, 1i, (_e2817 < f32(_e2824))));
 let _e2829 = (262147i + _e2828);
 let _e2831 = select(_e2394, _e2829, (_e2829 < _e2394));
-let _e2837 = global_4.member[bitcast<u32>(select(0i, _e2831, (_e2831 > 0i)))];
+let _e2837 = global_3.member[bitcast<u32>(select(0i, _e2831, (_e2831 > 0i)))];
 let _e2852 = ((_e2571 + (f32(bitcast<i32>((_e2837 >> bitcast<u32>(12u)))) * _e2580)) + ((f32((bitcast<i32>((_e2837 & 4095u)) - 2048i)) * _e2561) * (_e2813 - f32(_e2828))));
 local_16 = _e2378;
 let _e2853 = local_16;
@@ -1046,7 +1046,7 @@ let _e2895 = select(0i, select(select(i32(_e2888), i32(-2147483648), (_e2888 < -
 let _e2899 = (_e2895 - select(0i, 1i, (_e2888 < f32(_e2895))));
 let _e2900 = (262147i + _e2899);
 let _e2902 = select(_e2394, _e2900, (_e2900 < _e2394));
-let _e2908 = global_4.member[bitcast<u32>(select(0i, _e2902, (_e2902 > 0i)))];
+let _e2908 = global_3.member[bitcast<u32>(select(0i, _e2902, (_e2902 > 0i)))];
 let _e2923 = ((_e2571 + (f32(bitcast<i32>((_e2908 >> bitcast<u32>(12u)))) * _e2580)) + ((f32((bitcast<i32>((_e2908 & 4095u)) - 2048i)) * _e2561) * (_e2884 - f32(_e2899))));
 local_14 = _e2384;
 let _e2924 = local_14;
@@ -1070,7 +1070,7 @@ let _e2966 = select(0i, select(select(i32(_e2959), i32(-2147483648), (_e2959 < -
 let _e2970 = (_e2966 - select(0i, 1i, (_e2959 < f32(_e2966))));
 let _e2971 = (262147i + _e2970);
 let _e2973 = select(_e2394, _e2971, (_e2971 < _e2394));
-let _e2979 = global_4.member[bitcast<u32>(select(0i, _e2973, (_e2973 > 0i)))];
+let _e2979 = global_3.member[bitcast<u32>(select(0i, _e2973, (_e2973 > 0i)))];
 let _e2994 = ((_e2571 + (f32(bitcast<i32>((_e2979 >> bitcast<u32>(12u)))) * _e2580)) + ((f32((bitcast<i32>((_e2979 & 4095u)) - 2048i)) * _e2561) * (_e2955 - f32(_e2970))));
 local_12 = _e2390;
 let _e2995 = local_12;
@@ -1094,7 +1094,7 @@ let _e3037 = select(0i, select(select(i32(_e3030), i32(-2147483648), (_e3030 < -
 let _e3041 = (_e3037 - select(0i, 1i, (_e3030 < f32(_e3037))));
 let _e3042 = (262147i + _e3041);
 let _e3044 = select(_e2394, _e3042, (_e3042 < _e2394));
-let _e3050 = global_4.member[bitcast<u32>(select(0i, _e3044, (_e3044 > 0i)))];
+let _e3050 = global_3.member[bitcast<u32>(select(0i, _e3044, (_e3044 > 0i)))];
 let _e3065 = ((_e2571 + (f32(bitcast<i32>((_e3050 >> bitcast<u32>(12u)))) * _e2580)) + ((f32((bitcast<i32>((_e3050 & 4095u)) - 2048i)) * _e2561) * (_e3026 - f32(_e3041))));
 let _e3066 = (_e2781 - _e2710);
 let _e3068 = (_e2923 - _e2852);
@@ -1164,7 +1164,7 @@ let _e3380 = (select(0i, _e3284, (_e3284 > 0i)) * _e3303);
 let _e3381 = (select(_e3315, _e3318, (_e3318 < _e3315)) * _e3303);
 let _e3382 = (select(0i, _e3299, (_e3299 > 0i)) * _e3307);
 let _e3383 = (select(_e3328, _e3331, (_e3331 < _e3328)) * _e3307);
-local_10 = type_31(array<i32, 4>(_e3357, _e3359, _e3361, 0i), array<u32, 6>(bitcast<u32>(((_e3344 - _e3357) * 16i)), bitcast<u32>(((_e3346 - _e3357) * 16i)), bitcast<u32>(((_e3346 - _e3359) * 16i)), bitcast<u32>(((_e3349 - _e3359) * 16i)), bitcast<u32>(((_e3349 - _e3361) * 16i)), bitcast<u32>(((select(_e3341, _e3350, (_e3350 < _e3341)) - _e3361) * 16i))));
+local_10 = type_29(array<i32, 4>(_e3357, _e3359, _e3361, 0i), array<u32, 6>(bitcast<u32>(((_e3344 - _e3357) * 16i)), bitcast<u32>(((_e3346 - _e3357) * 16i)), bitcast<u32>(((_e3346 - _e3359) * 16i)), bitcast<u32>(((_e3349 - _e3359) * 16i)), bitcast<u32>(((_e3349 - _e3361) * 16i)), bitcast<u32>(((select(_e3341, _e3350, (_e3350 < _e3341)) - _e3361) * 16i))));
 local_11 = vec3<f32>((_e3234 - f32(_e3269)), (_e3244 - f32(_e3284)), (_e3254 - f32(_e3299)));
 let _e3398 = local_10.member[1u];
 let _e3399 = ((_e3382 + _e3380) + _e3398);
@@ -1172,10 +1172,10 @@ let _e3401 = (_e3399 >> bitcast<u32>(1i));
 let _e3404 = bitcast<u32>(((_e3399 & 1i) * 16i));
 let _e3406 = (bitcast<i32>(_e158) - 1i);
 let _e3408 = select(_e3406, _e3401, (_e3401 < _e3406));
-let _e3413 = global_3.member[bitcast<u32>(select(0i, _e3408, (_e3408 > 0i)))];
+let _e3413 = global_2.member[bitcast<u32>(select(0i, _e3408, (_e3408 > 0i)))];
 let _e3417 = (_e3401 + 1i);
 let _e3419 = select(_e3406, _e3417, (_e3417 < _e3406));
-let _e3424 = global_3.member[bitcast<u32>(select(0i, _e3419, (_e3419 > 0i)))];
+let _e3424 = global_2.member[bitcast<u32>(select(0i, _e3419, (_e3419 > 0i)))];
 let _e3431 = ((_e3413 >> bitcast<u32>((_e3404 & 31u))) | ((_e3424 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3404) & 31u))));
 let _e3434 = local_10.member_1[2u];
 let _e3440 = f32(bitcast<i32>(((_e3431 >> bitcast<u32>((_e3434 & 31u))) & 65535u)));
@@ -1187,10 +1187,10 @@ let _e3456 = ((_e3382 + _e3381) + _e3455);
 let _e3458 = (_e3456 >> bitcast<u32>(1i));
 let _e3461 = bitcast<u32>(((_e3456 & 1i) * 16i));
 let _e3463 = select(_e3406, _e3458, (_e3458 < _e3406));
-let _e3468 = global_3.member[bitcast<u32>(select(0i, _e3463, (_e3463 > 0i)))];
+let _e3468 = global_2.member[bitcast<u32>(select(0i, _e3463, (_e3463 > 0i)))];
 let _e3472 = (_e3458 + 1i);
 let _e3474 = select(_e3406, _e3472, (_e3472 < _e3406));
-let _e3479 = global_3.member[bitcast<u32>(select(0i, _e3474, (_e3474 > 0i)))];
+let _e3479 = global_2.member[bitcast<u32>(select(0i, _e3474, (_e3474 > 0i)))];
 let _e3486 = ((_e3468 >> bitcast<u32>((_e3461 & 31u))) | ((_e3479 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3461) & 31u))));
 let _e3487 = local_10.member_1[2u];
 let _e3493 = f32(bitcast<i32>(((_e3486 >> bitcast<u32>((_e3487 & 31u))) & 65535u)));
@@ -1203,10 +1203,10 @@ let _e3512 = ((_e3383 + _e3380) + _e3511);
 let _e3514 = (_e3512 >> bitcast<u32>(1i));
 let _e3517 = bitcast<u32>(((_e3512 & 1i) * 16i));
 let _e3519 = select(_e3406, _e3514, (_e3514 < _e3406));
-let _e3524 = global_3.member[bitcast<u32>(select(0i, _e3519, (_e3519 > 0i)))];
+let _e3524 = global_2.member[bitcast<u32>(select(0i, _e3519, (_e3519 > 0i)))];
 let _e3528 = (_e3514 + 1i);
 let _e3530 = select(_e3406, _e3528, (_e3528 < _e3406));
-let _e3535 = global_3.member[bitcast<u32>(select(0i, _e3530, (_e3530 > 0i)))];
+let _e3535 = global_2.member[bitcast<u32>(select(0i, _e3530, (_e3530 > 0i)))];
 let _e3542 = ((_e3524 >> bitcast<u32>((_e3517 & 31u))) | ((_e3535 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3517) & 31u))));
 let _e3543 = local_10.member_1[2u];
 let _e3549 = f32(bitcast<i32>(((_e3542 >> bitcast<u32>((_e3543 & 31u))) & 65535u)));
@@ -1218,10 +1218,10 @@ let _e3563 = ((_e3383 + _e3381) + _e3562);
 let _e3565 = (_e3563 >> bitcast<u32>(1i));
 let _e3568 = bitcast<u32>(((_e3563 & 1i) * 16i));
 let _e3570 = select(_e3406, _e3565, (_e3565 < _e3406));
-let _e3575 = global_3.member[bitcast<u32>(select(0i, _e3570, (_e3570 > 0i)))];
+let _e3575 = global_2.member[bitcast<u32>(select(0i, _e3570, (_e3570 > 0i)))];
 let _e3579 = (_e3565 + 1i);
 let _e3581 = select(_e3406, _e3579, (_e3579 < _e3406));
-let _e3586 = global_3.member[bitcast<u32>(select(0i, _e3581, (_e3581 > 0i)))];
+let _e3586 = global_2.member[bitcast<u32>(select(0i, _e3581, (_e3581 > 0i)))];
 let _e3593 = ((_e3575 >> bitcast<u32>((_e3568 & 31u))) | ((_e3586 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3568) & 31u))));
 let _e3594 = local_10.member_1[2u];
 let _e3600 = f32(bitcast<i32>(((_e3593 >> bitcast<u32>((_e3594 & 31u))) & 65535u)));
@@ -1284,7 +1284,7 @@ let _e3794 = (select(0i, _e3698, (_e3698 > 0i)) * _e3717);
 let _e3795 = (select(_e3729, _e3732, (_e3732 < _e3729)) * _e3717);
 let _e3796 = (select(0i, _e3713, (_e3713 > 0i)) * _e3721);
 let _e3797 = (select(_e3742, _e3745, (_e3745 < _e3742)) * _e3721);
-local_8 = type_31(array<i32, 4>(_e3771, _e3773, _e3775, 0i), array<u32, 6>(bitcast<u32>(((_e3758 - _e3771) * 16i)), bitcast<u32>(((_e3760 - _e3771) * 16i)), bitcast<u32>(((_e3760 - _e3773) * 16i)), bitcast<u32>(((_e3763 - _e3773) * 16i)), bitcast<u32>(((_e3763 - _e3775) * 16i)), bitcast<u32>(((select(_e3755, _e3764, (_e3764 < _e3755)) - _e3775) * 16i))));
+local_8 = type_29(array<i32, 4>(_e3771, _e3773, _e3775, 0i), array<u32, 6>(bitcast<u32>(((_e3758 - _e3771) * 16i)), bitcast<u32>(((_e3760 - _e3771) * 16i)), bitcast<u32>(((_e3760 - _e3773) * 16i)), bitcast<u32>(((_e3763 - _e3773) * 16i)), bitcast<u32>(((_e3763 - _e3775) * 16i)), bitcast<u32>(((select(_e3755, _e3764, (_e3764 < _e3755)) - _e3775) * 16i))));
 local_9 = vec3<f32>((_e3648 - f32(_e3683)), (_e3658 - f32(_e3698)), (_e3668 - f32(_e3713)));
 let _e3812 = local_8.member[1u];
 let _e3813 = ((_e3796 + _e3794) + _e3812);
@@ -1292,10 +1292,10 @@ let _e3815 = (_e3813 >> bitcast<u32>(1i));
 let _e3818 = bitcast<u32>(((_e3813 & 1i) * 16i));
 let _e3820 = (bitcast<i32>(_e158) - 1i);
 let _e3822 = select(_e3820, _e3815, (_e3815 < _e3820));
-let _e3827 = global_3.member[bitcast<u32>(select(0i, _e3822, (_e3822 > 0i)))];
+let _e3827 = global_2.member[bitcast<u32>(select(0i, _e3822, (_e3822 > 0i)))];
 let _e3831 = (_e3815 + 1i);
 let _e3833 = select(_e3820, _e3831, (_e3831 < _e3820));
-let _e3838 = global_3.member[bitcast<u32>(select(0i, _e3833, (_e3833 > 0i)))];
+let _e3838 = global_2.member[bitcast<u32>(select(0i, _e3833, (_e3833 > 0i)))];
 let _e3845 = ((_e3827 >> bitcast<u32>((_e3818 & 31u))) | ((_e3838 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3818) & 31u))));
 let _e3848 = local_8.member_1[2u];
 let _e3854 = f32(bitcast<i32>(((_e3845 >> bitcast<u32>((_e3848 & 31u))) & 65535u)));
@@ -1307,10 +1307,10 @@ let _e3870 = ((_e3796 + _e3795) + _e3869);
 let _e3872 = (_e3870 >> bitcast<u32>(1i));
 let _e3875 = bitcast<u32>(((_e3870 & 1i) * 16i));
 let _e3877 = select(_e3820, _e3872, (_e3872 < _e3820));
-let _e3882 = global_3.member[bitcast<u32>(select(0i, _e3877, (_e3877 > 0i)))];
+let _e3882 = global_2.member[bitcast<u32>(select(0i, _e3877, (_e3877 > 0i)))];
 let _e3886 = (_e3872 + 1i);
 let _e3888 = select(_e3820, _e3886, (_e3886 < _e3820));
-let _e3893 = global_3.member[bitcast<u32>(select(0i, _e3888, (_e3888 > 0i)))];
+let _e3893 = global_2.member[bitcast<u32>(select(0i, _e3888, (_e3888 > 0i)))];
 let _e3900 = ((_e3882 >> bitcast<u32>((_e3875 & 31u))) | ((_e3893 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3875) & 31u))));
 let _e3901 = local_8.member_1[2u];
 let _e3907 = f32(bitcast<i32>(((_e3900 >> bitcast<u32>((_e3901 & 31u))) & 65535u)));
@@ -1323,10 +1323,10 @@ let _e3926 = ((_e3797 + _e3794) + _e3925);
 let _e3928 = (_e3926 >> bitcast<u32>(1i));
 let _e3931 = bitcast<u32>(((_e3926 & 1i) * 16i));
 let _e3933 = select(_e3820, _e3928, (_e3928 < _e3820));
-let _e3938 = global_3.member[bitcast<u32>(select(0i, _e3933, (_e3933 > 0i)))];
+let _e3938 = global_2.member[bitcast<u32>(select(0i, _e3933, (_e3933 > 0i)))];
 let _e3942 = (_e3928 + 1i);
 let _e3944 = select(_e3820, _e3942, (_e3942 < _e3820));
-let _e3949 = global_3.member[bitcast<u32>(select(0i, _e3944, (_e3944 > 0i)))];
+let _e3949 = global_2.member[bitcast<u32>(select(0i, _e3944, (_e3944 > 0i)))];
 let _e3956 = ((_e3938 >> bitcast<u32>((_e3931 & 31u))) | ((_e3949 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3931) & 31u))));
 let _e3957 = local_8.member_1[2u];
 let _e3963 = f32(bitcast<i32>(((_e3956 >> bitcast<u32>((_e3957 & 31u))) & 65535u)));
@@ -1338,10 +1338,10 @@ let _e3977 = ((_e3797 + _e3795) + _e3976);
 let _e3979 = (_e3977 >> bitcast<u32>(1i));
 let _e3982 = bitcast<u32>(((_e3977 & 1i) * 16i));
 let _e3984 = select(_e3820, _e3979, (_e3979 < _e3820));
-let _e3989 = global_3.member[bitcast<u32>(select(0i, _e3984, (_e3984 > 0i)))];
+let _e3989 = global_2.member[bitcast<u32>(select(0i, _e3984, (_e3984 > 0i)))];
 let _e3993 = (_e3979 + 1i);
 let _e3995 = select(_e3820, _e3993, (_e3993 < _e3820));
-let _e4000 = global_3.member[bitcast<u32>(select(0i, _e3995, (_e3995 > 0i)))];
+let _e4000 = global_2.member[bitcast<u32>(select(0i, _e3995, (_e3995 > 0i)))];
 let _e4007 = ((_e3989 >> bitcast<u32>((_e3982 & 31u))) | ((_e4000 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3982) & 31u))));
 let _e4008 = local_8.member_1[2u];
 let _e4014 = f32(bitcast<i32>(((_e4007 >> bitcast<u32>((_e4008 & 31u))) & 65535u)));
@@ -1358,7 +1358,7 @@ let _e4049 = select(1e9f, _e4047, (_e4047 < 1e9f));
 let _e4052 = global_1.member.member_1;
 let _e4054 = ((_e4052 & 16u) == 0u);
 if _e4054 {
-phi_9205_ = type_5(1f, 1f, 1f);
+phi_9205_ = type_7(1f, 1f, 1f);
 } else {
 let _e4058 = global_1.member.member_14.member;
 let _e4069 = ((((_e4058.member.member * _e1127) + (_e4058.member.member_1 * _e1140)) + (_e4058.member.member_2 * _e1105)) + _e4058.member_1);
@@ -1404,7 +1404,7 @@ let _e4236 = select(0f, _e4234, (_e4234 > 0f));
 let _e4242 = select(select(select(1f, _e4236, (_e4236 < 1f)), 1f, (_e4229 <= 0f)), 0f, (_e4227 > 0f));
 let _e4247 = global_1.member.member_17.member_1;
 let _e4248 = (_e4247 != 0u);
-phi_9205_ = type_5(((((1f * _e4092) * _e4142) * _e4192) * _e4242), ((((1f * select(1f, _e4092, _e4098)) * select(1f, _e4142, _e4148)) * select(1f, _e4192, _e4198)) * select(1f, _e4242, _e4248)), ((((1f * select(1f, 0f, (_e4098 && (_e4075 > 0f)))) * select(1f, 0f, (_e4148 && (_e4125 > 0f)))) * select(1f, 0f, (_e4198 && (_e4175 > 0f)))) * select(1f, 0f, (_e4248 && (_e4225 > 0f)))));
+phi_9205_ = type_7(((((1f * _e4092) * _e4142) * _e4192) * _e4242), ((((1f * select(1f, _e4092, _e4098)) * select(1f, _e4142, _e4148)) * select(1f, _e4192, _e4198)) * select(1f, _e4242, _e4248)), ((((1f * select(1f, 0f, (_e4098 && (_e4075 > 0f)))) * select(1f, 0f, (_e4148 && (_e4125 > 0f)))) * select(1f, 0f, (_e4198 && (_e4175 > 0f)))) * select(1f, 0f, (_e4248 && (_e4225 > 0f)))));
 }
 let _e4257 = phi_9205_;
 let _e4258 = (_e1206 - _e1170);
@@ -1457,97 +1457,97 @@ local_7 = _e4049;
 let _e4378 = local_7;
 let _e4380 = (bitcast<i32>(_e163) - 1i);
 let _e4382 = select(_e4380, 263171i, (263171i < _e4380));
-let _e4387 = global_4.member[bitcast<u32>(select(0i, _e4382, (_e4382 > 0i)))];
+let _e4387 = global_3.member[bitcast<u32>(select(0i, _e4382, (_e4382 > 0i)))];
 let _e4388 = bitcast<f32>(_e4387);
 let _e4390 = select(_e4380, 263172i, (263172i < _e4380));
-let _e4395 = global_4.member[bitcast<u32>(select(0i, _e4390, (_e4390 > 0i)))];
+let _e4395 = global_3.member[bitcast<u32>(select(0i, _e4390, (_e4390 > 0i)))];
 let _e4396 = bitcast<f32>(_e4395);
 let _e4398 = select(_e4380, 263173i, (263173i < _e4380));
-let _e4403 = global_4.member[bitcast<u32>(select(0i, _e4398, (_e4398 > 0i)))];
+let _e4403 = global_3.member[bitcast<u32>(select(0i, _e4398, (_e4398 > 0i)))];
 let _e4404 = bitcast<f32>(_e4403);
 let _e4406 = ((_e4378 - _e4388) * _e4396);
 let _e4408 = select(0f, _e4406, (_e4406 > 0f));
 let _e4411 = local_7;
 let _e4413 = select(_e4380, 263174i, (263174i < _e4380));
-let _e4418 = global_4.member[bitcast<u32>(select(0i, _e4413, (_e4413 > 0i)))];
+let _e4418 = global_3.member[bitcast<u32>(select(0i, _e4413, (_e4413 > 0i)))];
 let _e4419 = bitcast<f32>(_e4418);
 let _e4421 = select(_e4380, 263175i, (263175i < _e4380));
-let _e4426 = global_4.member[bitcast<u32>(select(0i, _e4421, (_e4421 > 0i)))];
+let _e4426 = global_3.member[bitcast<u32>(select(0i, _e4421, (_e4421 > 0i)))];
 let _e4427 = bitcast<f32>(_e4426);
 let _e4429 = select(_e4380, 263176i, (263176i < _e4380));
-let _e4434 = global_4.member[bitcast<u32>(select(0i, _e4429, (_e4429 > 0i)))];
+let _e4434 = global_3.member[bitcast<u32>(select(0i, _e4429, (_e4429 > 0i)))];
 let _e4435 = bitcast<f32>(_e4434);
 let _e4437 = ((_e4411 - _e4419) * _e4427);
 let _e4439 = select(0f, _e4437, (_e4437 > 0f));
 let _e4443 = local_7;
 let _e4445 = select(_e4380, 263177i, (263177i < _e4380));
-let _e4450 = global_4.member[bitcast<u32>(select(0i, _e4445, (_e4445 > 0i)))];
+let _e4450 = global_3.member[bitcast<u32>(select(0i, _e4445, (_e4445 > 0i)))];
 let _e4451 = bitcast<f32>(_e4450);
 let _e4453 = select(_e4380, 263178i, (263178i < _e4380));
-let _e4458 = global_4.member[bitcast<u32>(select(0i, _e4453, (_e4453 > 0i)))];
+let _e4458 = global_3.member[bitcast<u32>(select(0i, _e4453, (_e4453 > 0i)))];
 let _e4459 = bitcast<f32>(_e4458);
 let _e4461 = select(_e4380, 263179i, (263179i < _e4380));
-let _e4466 = global_4.member[bitcast<u32>(select(0i, _e4461, (_e4461 > 0i)))];
+let _e4466 = global_3.member[bitcast<u32>(select(0i, _e4461, (_e4461 > 0i)))];
 let _e4467 = bitcast<f32>(_e4466);
 let _e4469 = ((_e4443 - _e4451) * _e4459);
 let _e4471 = select(0f, _e4469, (_e4469 > 0f));
 let _e4474 = local_7;
 let _e4476 = select(_e4380, 263180i, (263180i < _e4380));
-let _e4481 = global_4.member[bitcast<u32>(select(0i, _e4476, (_e4476 > 0i)))];
+let _e4481 = global_3.member[bitcast<u32>(select(0i, _e4476, (_e4476 > 0i)))];
 let _e4482 = bitcast<f32>(_e4481);
 let _e4484 = select(_e4380, 263181i, (263181i < _e4380));
-let _e4489 = global_4.member[bitcast<u32>(select(0i, _e4484, (_e4484 > 0i)))];
+let _e4489 = global_3.member[bitcast<u32>(select(0i, _e4484, (_e4484 > 0i)))];
 let _e4490 = bitcast<f32>(_e4489);
 let _e4492 = select(_e4380, 263182i, (263182i < _e4380));
-let _e4497 = global_4.member[bitcast<u32>(select(0i, _e4492, (_e4492 > 0i)))];
+let _e4497 = global_3.member[bitcast<u32>(select(0i, _e4492, (_e4492 > 0i)))];
 let _e4498 = bitcast<f32>(_e4497);
 let _e4500 = ((_e4474 - _e4482) * _e4490);
 let _e4502 = select(0f, _e4500, (_e4500 > 0f));
 let _e4507 = local_7;
 let _e4509 = select(_e4380, 263183i, (263183i < _e4380));
-let _e4514 = global_4.member[bitcast<u32>(select(0i, _e4509, (_e4509 > 0i)))];
+let _e4514 = global_3.member[bitcast<u32>(select(0i, _e4509, (_e4509 > 0i)))];
 let _e4515 = bitcast<f32>(_e4514);
 let _e4517 = select(_e4380, 263184i, (263184i < _e4380));
-let _e4522 = global_4.member[bitcast<u32>(select(0i, _e4517, (_e4517 > 0i)))];
+let _e4522 = global_3.member[bitcast<u32>(select(0i, _e4517, (_e4517 > 0i)))];
 let _e4523 = bitcast<f32>(_e4522);
 let _e4525 = select(_e4380, 263185i, (263185i < _e4380));
-let _e4530 = global_4.member[bitcast<u32>(select(0i, _e4525, (_e4525 > 0i)))];
+let _e4530 = global_3.member[bitcast<u32>(select(0i, _e4525, (_e4525 > 0i)))];
 let _e4531 = bitcast<f32>(_e4530);
 let _e4533 = ((_e4507 - _e4515) * _e4523);
 let _e4535 = select(0f, _e4533, (_e4533 > 0f));
 let _e4538 = local_7;
 let _e4540 = select(_e4380, 263186i, (263186i < _e4380));
-let _e4545 = global_4.member[bitcast<u32>(select(0i, _e4540, (_e4540 > 0i)))];
+let _e4545 = global_3.member[bitcast<u32>(select(0i, _e4540, (_e4540 > 0i)))];
 let _e4546 = bitcast<f32>(_e4545);
 let _e4548 = select(_e4380, 263187i, (263187i < _e4380));
-let _e4553 = global_4.member[bitcast<u32>(select(0i, _e4548, (_e4548 > 0i)))];
+let _e4553 = global_3.member[bitcast<u32>(select(0i, _e4548, (_e4548 > 0i)))];
 let _e4554 = bitcast<f32>(_e4553);
 let _e4556 = select(_e4380, 263188i, (263188i < _e4380));
-let _e4561 = global_4.member[bitcast<u32>(select(0i, _e4556, (_e4556 > 0i)))];
+let _e4561 = global_3.member[bitcast<u32>(select(0i, _e4556, (_e4556 > 0i)))];
 let _e4562 = bitcast<f32>(_e4561);
 let _e4564 = ((_e4538 - _e4546) * _e4554);
 let _e4566 = select(0f, _e4564, (_e4564 > 0f));
 let _e4570 = local_7;
 let _e4572 = select(_e4380, 263189i, (263189i < _e4380));
-let _e4577 = global_4.member[bitcast<u32>(select(0i, _e4572, (_e4572 > 0i)))];
+let _e4577 = global_3.member[bitcast<u32>(select(0i, _e4572, (_e4572 > 0i)))];
 let _e4578 = bitcast<f32>(_e4577);
 let _e4580 = select(_e4380, 263190i, (263190i < _e4380));
-let _e4585 = global_4.member[bitcast<u32>(select(0i, _e4580, (_e4580 > 0i)))];
+let _e4585 = global_3.member[bitcast<u32>(select(0i, _e4580, (_e4580 > 0i)))];
 let _e4586 = bitcast<f32>(_e4585);
 let _e4588 = select(_e4380, 263191i, (263191i < _e4380));
-let _e4593 = global_4.member[bitcast<u32>(select(0i, _e4588, (_e4588 > 0i)))];
+let _e4593 = global_3.member[bitcast<u32>(select(0i, _e4588, (_e4588 > 0i)))];
 let _e4594 = bitcast<f32>(_e4593);
 let _e4596 = ((_e4570 - _e4578) * _e4586);
 let _e4598 = select(0f, _e4596, (_e4596 > 0f));
 let _e4601 = local_7;
 let _e4603 = select(_e4380, 263192i, (263192i < _e4380));
-let _e4608 = global_4.member[bitcast<u32>(select(0i, _e4603, (_e4603 > 0i)))];
+let _e4608 = global_3.member[bitcast<u32>(select(0i, _e4603, (_e4603 > 0i)))];
 let _e4609 = bitcast<f32>(_e4608);
 let _e4611 = select(_e4380, 263193i, (263193i < _e4380));
-let _e4616 = global_4.member[bitcast<u32>(select(0i, _e4611, (_e4611 > 0i)))];
+let _e4616 = global_3.member[bitcast<u32>(select(0i, _e4611, (_e4611 > 0i)))];
 let _e4617 = bitcast<f32>(_e4616);
 let _e4619 = select(_e4380, 263194i, (263194i < _e4380));
-let _e4624 = global_4.member[bitcast<u32>(select(0i, _e4619, (_e4619 > 0i)))];
+let _e4624 = global_3.member[bitcast<u32>(select(0i, _e4619, (_e4619 > 0i)))];
 let _e4625 = bitcast<f32>(_e4624);
 let _e4627 = ((_e4601 - _e4609) * _e4617);
 let _e4629 = select(0f, _e4627, (_e4627 > 0f));
@@ -1588,10 +1588,10 @@ let _e4717 = select(_e4698, _e4715, (_e4715 < _e4698));
 let _e4724 = select(0i, select(select(i32(_e4717), i32(-2147483648), (_e4717 < -2147483600f)), 2147483647i, (_e4717 > 2147483500f)), (_e4717 == _e4717));
 let _e4728 = (_e4724 - select(0i, 1i, (_e4717 < f32(_e4724))));
 let _e4730 = select(_e4380, 263195i, (263195i < _e4380));
-let _e4736 = global_4.member[bitcast<u32>(select(0i, _e4730, (_e4730 > 0i)))];
+let _e4736 = global_3.member[bitcast<u32>(select(0i, _e4730, (_e4730 > 0i)))];
 let _e4737 = bitcast<f32>(_e4736);
 let _e4739 = select(_e4380, 263196i, (263196i < _e4380));
-let _e4745 = global_4.member[bitcast<u32>(select(0i, _e4739, (_e4739 > 0i)))];
+let _e4745 = global_3.member[bitcast<u32>(select(0i, _e4739, (_e4739 > 0i)))];
 let _e4746 = bitcast<f32>(_e4745);
 let _e4747 = (_e3638.member - _e4049);
 let _e4753 = (1f / select(_e4747, 1f, (bitcast<f32>((bitcast<u32>(_e4747) & 2147483647u)) < 1e-20f)));
@@ -1600,20 +1600,20 @@ let _e4765 = ((select(_e4746, _e3638.member, (_e3638.member > _e4746)) - select(
 let _e4768 = (((_e4713 * 256i) + _e4728) * 4i);
 let _e4772 = (_e4697 - f32(_e4728));
 let _e4776 = select(_e4380, _e4768, (_e4768 < _e4380));
-let _e4782 = global_4.member[bitcast<u32>(select(0i, _e4776, (_e4776 > 0i)))];
+let _e4782 = global_3.member[bitcast<u32>(select(0i, _e4776, (_e4776 > 0i)))];
 let _e4783 = (_e4768 + 4i);
 let _e4785 = select(_e4380, _e4783, (_e4783 < _e4380));
-let _e4791 = global_4.member[bitcast<u32>(select(0i, _e4785, (_e4785 > 0i)))];
+let _e4791 = global_3.member[bitcast<u32>(select(0i, _e4785, (_e4785 > 0i)))];
 let _e4792 = (_e4768 + 1024i);
 let _e4794 = select(_e4380, _e4792, (_e4792 < _e4380));
-let _e4800 = global_4.member[bitcast<u32>(select(0i, _e4794, (_e4794 > 0i)))];
+let _e4800 = global_3.member[bitcast<u32>(select(0i, _e4794, (_e4794 > 0i)))];
 let _e4801 = (_e4768 + 1028i);
 let _e4803 = select(_e4380, _e4801, (_e4801 < _e4380));
-let _e4809 = global_4.member[bitcast<u32>(select(0i, _e4803, (_e4803 > 0i)))];
+let _e4809 = global_3.member[bitcast<u32>(select(0i, _e4803, (_e4803 > 0i)))];
 let _e4811 = select(_e4380, 0i, (0i < _e4380));
-let _e4817 = global_4.member[bitcast<u32>(select(0i, _e4811, (_e4811 > 0i)))];
+let _e4817 = global_3.member[bitcast<u32>(select(0i, _e4811, (_e4811 > 0i)))];
 let _e4819 = select(_e4380, 262140i, (262140i < _e4380));
-let _e4825 = global_4.member[bitcast<u32>(select(0i, _e4819, (_e4819 > 0i)))];
+let _e4825 = global_3.member[bitcast<u32>(select(0i, _e4819, (_e4819 > 0i)))];
 let _e4830 = (bitcast<f32>(((_e4782 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4838 = (_e4830 + (((bitcast<f32>(((_e4791 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4830) * _e4772));
 let _e4843 = (bitcast<f32>(((_e4800 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1636,97 +1636,97 @@ local_5 = _e4049;
 let _e4928 = local_5;
 let _e4930 = (bitcast<i32>(_e163) - 1i);
 let _e4932 = select(_e4930, 263171i, (263171i < _e4930));
-let _e4937 = global_4.member[bitcast<u32>(select(0i, _e4932, (_e4932 > 0i)))];
+let _e4937 = global_3.member[bitcast<u32>(select(0i, _e4932, (_e4932 > 0i)))];
 let _e4938 = bitcast<f32>(_e4937);
 let _e4940 = select(_e4930, 263172i, (263172i < _e4930));
-let _e4945 = global_4.member[bitcast<u32>(select(0i, _e4940, (_e4940 > 0i)))];
+let _e4945 = global_3.member[bitcast<u32>(select(0i, _e4940, (_e4940 > 0i)))];
 let _e4946 = bitcast<f32>(_e4945);
 let _e4948 = select(_e4930, 263173i, (263173i < _e4930));
-let _e4953 = global_4.member[bitcast<u32>(select(0i, _e4948, (_e4948 > 0i)))];
+let _e4953 = global_3.member[bitcast<u32>(select(0i, _e4948, (_e4948 > 0i)))];
 let _e4954 = bitcast<f32>(_e4953);
 let _e4956 = ((_e4928 - _e4938) * _e4946);
 let _e4958 = select(0f, _e4956, (_e4956 > 0f));
 let _e4961 = local_5;
 let _e4963 = select(_e4930, 263174i, (263174i < _e4930));
-let _e4968 = global_4.member[bitcast<u32>(select(0i, _e4963, (_e4963 > 0i)))];
+let _e4968 = global_3.member[bitcast<u32>(select(0i, _e4963, (_e4963 > 0i)))];
 let _e4969 = bitcast<f32>(_e4968);
 let _e4971 = select(_e4930, 263175i, (263175i < _e4930));
-let _e4976 = global_4.member[bitcast<u32>(select(0i, _e4971, (_e4971 > 0i)))];
+let _e4976 = global_3.member[bitcast<u32>(select(0i, _e4971, (_e4971 > 0i)))];
 let _e4977 = bitcast<f32>(_e4976);
 let _e4979 = select(_e4930, 263176i, (263176i < _e4930));
-let _e4984 = global_4.member[bitcast<u32>(select(0i, _e4979, (_e4979 > 0i)))];
+let _e4984 = global_3.member[bitcast<u32>(select(0i, _e4979, (_e4979 > 0i)))];
 let _e4985 = bitcast<f32>(_e4984);
 let _e4987 = ((_e4961 - _e4969) * _e4977);
 let _e4989 = select(0f, _e4987, (_e4987 > 0f));
 let _e4993 = local_5;
 let _e4995 = select(_e4930, 263177i, (263177i < _e4930));
-let _e5000 = global_4.member[bitcast<u32>(select(0i, _e4995, (_e4995 > 0i)))];
+let _e5000 = global_3.member[bitcast<u32>(select(0i, _e4995, (_e4995 > 0i)))];
 let _e5001 = bitcast<f32>(_e5000);
 let _e5003 = select(_e4930, 263178i, (263178i < _e4930));
-let _e5008 = global_4.member[bitcast<u32>(select(0i, _e5003, (_e5003 > 0i)))];
+let _e5008 = global_3.member[bitcast<u32>(select(0i, _e5003, (_e5003 > 0i)))];
 let _e5009 = bitcast<f32>(_e5008);
 let _e5011 = select(_e4930, 263179i, (263179i < _e4930));
-let _e5016 = global_4.member[bitcast<u32>(select(0i, _e5011, (_e5011 > 0i)))];
+let _e5016 = global_3.member[bitcast<u32>(select(0i, _e5011, (_e5011 > 0i)))];
 let _e5017 = bitcast<f32>(_e5016);
 let _e5019 = ((_e4993 - _e5001) * _e5009);
 let _e5021 = select(0f, _e5019, (_e5019 > 0f));
 let _e5024 = local_5;
 let _e5026 = select(_e4930, 263180i, (263180i < _e4930));
-let _e5031 = global_4.member[bitcast<u32>(select(0i, _e5026, (_e5026 > 0i)))];
+let _e5031 = global_3.member[bitcast<u32>(select(0i, _e5026, (_e5026 > 0i)))];
 let _e5032 = bitcast<f32>(_e5031);
 let _e5034 = select(_e4930, 263181i, (263181i < _e4930));
-let _e5039 = global_4.member[bitcast<u32>(select(0i, _e5034, (_e5034 > 0i)))];
+let _e5039 = global_3.member[bitcast<u32>(select(0i, _e5034, (_e5034 > 0i)))];
 let _e5040 = bitcast<f32>(_e5039);
 let _e5042 = select(_e4930, 263182i, (263182i < _e4930));
-let _e5047 = global_4.member[bitcast<u32>(select(0i, _e5042, (_e5042 > 0i)))];
+let _e5047 = global_3.member[bitcast<u32>(select(0i, _e5042, (_e5042 > 0i)))];
 let _e5048 = bitcast<f32>(_e5047);
 let _e5050 = ((_e5024 - _e5032) * _e5040);
 let _e5052 = select(0f, _e5050, (_e5050 > 0f));
 let _e5057 = local_5;
 let _e5059 = select(_e4930, 263183i, (263183i < _e4930));
-let _e5064 = global_4.member[bitcast<u32>(select(0i, _e5059, (_e5059 > 0i)))];
+let _e5064 = global_3.member[bitcast<u32>(select(0i, _e5059, (_e5059 > 0i)))];
 let _e5065 = bitcast<f32>(_e5064);
 let _e5067 = select(_e4930, 263184i, (263184i < _e4930));
-let _e5072 = global_4.member[bitcast<u32>(select(0i, _e5067, (_e5067 > 0i)))];
+let _e5072 = global_3.member[bitcast<u32>(select(0i, _e5067, (_e5067 > 0i)))];
 let _e5073 = bitcast<f32>(_e5072);
 let _e5075 = select(_e4930, 263185i, (263185i < _e4930));
-let _e5080 = global_4.member[bitcast<u32>(select(0i, _e5075, (_e5075 > 0i)))];
+let _e5080 = global_3.member[bitcast<u32>(select(0i, _e5075, (_e5075 > 0i)))];
 let _e5081 = bitcast<f32>(_e5080);
 let _e5083 = ((_e5057 - _e5065) * _e5073);
 let _e5085 = select(0f, _e5083, (_e5083 > 0f));
 let _e5088 = local_5;
 let _e5090 = select(_e4930, 263186i, (263186i < _e4930));
-let _e5095 = global_4.member[bitcast<u32>(select(0i, _e5090, (_e5090 > 0i)))];
+let _e5095 = global_3.member[bitcast<u32>(select(0i, _e5090, (_e5090 > 0i)))];
 let _e5096 = bitcast<f32>(_e5095);
 let _e5098 = select(_e4930, 263187i, (263187i < _e4930));
-let _e5103 = global_4.member[bitcast<u32>(select(0i, _e5098, (_e5098 > 0i)))];
+let _e5103 = global_3.member[bitcast<u32>(select(0i, _e5098, (_e5098 > 0i)))];
 let _e5104 = bitcast<f32>(_e5103);
 let _e5106 = select(_e4930, 263188i, (263188i < _e4930));
-let _e5111 = global_4.member[bitcast<u32>(select(0i, _e5106, (_e5106 > 0i)))];
+let _e5111 = global_3.member[bitcast<u32>(select(0i, _e5106, (_e5106 > 0i)))];
 let _e5112 = bitcast<f32>(_e5111);
 let _e5114 = ((_e5088 - _e5096) * _e5104);
 let _e5116 = select(0f, _e5114, (_e5114 > 0f));
 let _e5120 = local_5;
 let _e5122 = select(_e4930, 263189i, (263189i < _e4930));
-let _e5127 = global_4.member[bitcast<u32>(select(0i, _e5122, (_e5122 > 0i)))];
+let _e5127 = global_3.member[bitcast<u32>(select(0i, _e5122, (_e5122 > 0i)))];
 let _e5128 = bitcast<f32>(_e5127);
 let _e5130 = select(_e4930, 263190i, (263190i < _e4930));
-let _e5135 = global_4.member[bitcast<u32>(select(0i, _e5130, (_e5130 > 0i)))];
+let _e5135 = global_3.member[bitcast<u32>(select(0i, _e5130, (_e5130 > 0i)))];
 let _e5136 = bitcast<f32>(_e5135);
 let _e5138 = select(_e4930, 263191i, (263191i < _e4930));
-let _e5143 = global_4.member[bitcast<u32>(select(0i, _e5138, (_e5138 > 0i)))];
+let _e5143 = global_3.member[bitcast<u32>(select(0i, _e5138, (_e5138 > 0i)))];
 let _e5144 = bitcast<f32>(_e5143);
 let _e5146 = ((_e5120 - _e5128) * _e5136);
 let _e5148 = select(0f, _e5146, (_e5146 > 0f));
 let _e5151 = local_5;
 let _e5153 = select(_e4930, 263192i, (263192i < _e4930));
-let _e5158 = global_4.member[bitcast<u32>(select(0i, _e5153, (_e5153 > 0i)))];
+let _e5158 = global_3.member[bitcast<u32>(select(0i, _e5153, (_e5153 > 0i)))];
 let _e5159 = bitcast<f32>(_e5158);
 let _e5161 = select(_e4930, 263193i, (263193i < _e4930));
-let _e5166 = global_4.member[bitcast<u32>(select(0i, _e5161, (_e5161 > 0i)))];
+let _e5166 = global_3.member[bitcast<u32>(select(0i, _e5161, (_e5161 > 0i)))];
 let _e5167 = bitcast<f32>(_e5166);
 let _e5169 = select(_e4930, 263194i, (263194i < _e4930));
-let _e5174 = global_4.member[bitcast<u32>(select(0i, _e5169, (_e5169 > 0i)))];
+let _e5174 = global_3.member[bitcast<u32>(select(0i, _e5169, (_e5169 > 0i)))];
 let _e5175 = bitcast<f32>(_e5174);
 let _e5177 = ((_e5151 - _e5159) * _e5167);
 let _e5179 = select(0f, _e5177, (_e5177 > 0f));
@@ -1767,10 +1767,10 @@ let _e5267 = select(_e5248, _e5265, (_e5265 < _e5248));
 let _e5274 = select(0i, select(select(i32(_e5267), i32(-2147483648), (_e5267 < -2147483600f)), 2147483647i, (_e5267 > 2147483500f)), (_e5267 == _e5267));
 let _e5278 = (_e5274 - select(0i, 1i, (_e5267 < f32(_e5274))));
 let _e5280 = select(_e4930, 263195i, (263195i < _e4930));
-let _e5286 = global_4.member[bitcast<u32>(select(0i, _e5280, (_e5280 > 0i)))];
+let _e5286 = global_3.member[bitcast<u32>(select(0i, _e5280, (_e5280 > 0i)))];
 let _e5287 = bitcast<f32>(_e5286);
 let _e5289 = select(_e4930, 263196i, (263196i < _e4930));
-let _e5295 = global_4.member[bitcast<u32>(select(0i, _e5289, (_e5289 > 0i)))];
+let _e5295 = global_3.member[bitcast<u32>(select(0i, _e5289, (_e5289 > 0i)))];
 let _e5296 = bitcast<f32>(_e5295);
 let _e5297 = (_e3638.member - _e4049);
 let _e5303 = (1f / select(_e5297, 1f, (bitcast<f32>((bitcast<u32>(_e5297) & 2147483647u)) < 1e-20f)));
@@ -1781,20 +1781,20 @@ let _e5320 = (_e5184 - f32(_e5263));
 let _e5322 = (_e5247 - f32(_e5278));
 let _e5324 = (1f - (_e5309 + _e5315));
 let _e5326 = select(_e4930, _e5318, (_e5318 < _e4930));
-let _e5332 = global_4.member[bitcast<u32>(select(0i, _e5326, (_e5326 > 0i)))];
+let _e5332 = global_3.member[bitcast<u32>(select(0i, _e5326, (_e5326 > 0i)))];
 let _e5333 = (_e5318 + 4i);
 let _e5335 = select(_e4930, _e5333, (_e5333 < _e4930));
-let _e5341 = global_4.member[bitcast<u32>(select(0i, _e5335, (_e5335 > 0i)))];
+let _e5341 = global_3.member[bitcast<u32>(select(0i, _e5335, (_e5335 > 0i)))];
 let _e5342 = (_e5318 + 1024i);
 let _e5344 = select(_e4930, _e5342, (_e5342 < _e4930));
-let _e5350 = global_4.member[bitcast<u32>(select(0i, _e5344, (_e5344 > 0i)))];
+let _e5350 = global_3.member[bitcast<u32>(select(0i, _e5344, (_e5344 > 0i)))];
 let _e5351 = (_e5318 + 1028i);
 let _e5353 = select(_e4930, _e5351, (_e5351 < _e4930));
-let _e5359 = global_4.member[bitcast<u32>(select(0i, _e5353, (_e5353 > 0i)))];
+let _e5359 = global_3.member[bitcast<u32>(select(0i, _e5353, (_e5353 > 0i)))];
 let _e5361 = select(_e4930, 0i, (0i < _e4930));
-let _e5367 = global_4.member[bitcast<u32>(select(0i, _e5361, (_e5361 > 0i)))];
+let _e5367 = global_3.member[bitcast<u32>(select(0i, _e5361, (_e5361 > 0i)))];
 let _e5369 = select(_e4930, 262140i, (262140i < _e4930));
-let _e5375 = global_4.member[bitcast<u32>(select(0i, _e5369, (_e5369 > 0i)))];
+let _e5375 = global_3.member[bitcast<u32>(select(0i, _e5369, (_e5369 > 0i)))];
 let _e5380 = (bitcast<f32>(((_e5332 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5388 = (_e5380 + (((bitcast<f32>(((_e5341 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5380) * _e5322));
 let _e5393 = (bitcast<f32>(((_e5350 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1804,20 +1804,20 @@ let _e5444 = (_e5436 + (((bitcast<f32>((((_e5341 >> bitcast<u32>(16i)) & 32767u)
 let _e5449 = (bitcast<f32>((((_e5350 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5476 = (_e5318 + 1i);
 let _e5478 = select(_e4930, _e5476, (_e5476 < _e4930));
-let _e5484 = global_4.member[bitcast<u32>(select(0i, _e5478, (_e5478 > 0i)))];
+let _e5484 = global_3.member[bitcast<u32>(select(0i, _e5478, (_e5478 > 0i)))];
 let _e5485 = (_e5318 + 5i);
 let _e5487 = select(_e4930, _e5485, (_e5485 < _e4930));
-let _e5493 = global_4.member[bitcast<u32>(select(0i, _e5487, (_e5487 > 0i)))];
+let _e5493 = global_3.member[bitcast<u32>(select(0i, _e5487, (_e5487 > 0i)))];
 let _e5494 = (_e5318 + 1025i);
 let _e5496 = select(_e4930, _e5494, (_e5494 < _e4930));
-let _e5502 = global_4.member[bitcast<u32>(select(0i, _e5496, (_e5496 > 0i)))];
+let _e5502 = global_3.member[bitcast<u32>(select(0i, _e5496, (_e5496 > 0i)))];
 let _e5503 = (_e5318 + 1029i);
 let _e5505 = select(_e4930, _e5503, (_e5503 < _e4930));
-let _e5511 = global_4.member[bitcast<u32>(select(0i, _e5505, (_e5505 > 0i)))];
+let _e5511 = global_3.member[bitcast<u32>(select(0i, _e5505, (_e5505 > 0i)))];
 let _e5513 = select(_e4930, 1i, (1i < _e4930));
-let _e5519 = global_4.member[bitcast<u32>(select(0i, _e5513, (_e5513 > 0i)))];
+let _e5519 = global_3.member[bitcast<u32>(select(0i, _e5513, (_e5513 > 0i)))];
 let _e5521 = select(_e4930, 262141i, (262141i < _e4930));
-let _e5527 = global_4.member[bitcast<u32>(select(0i, _e5521, (_e5521 > 0i)))];
+let _e5527 = global_3.member[bitcast<u32>(select(0i, _e5521, (_e5521 > 0i)))];
 let _e5532 = (bitcast<f32>(((_e5484 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5540 = (_e5532 + (((bitcast<f32>(((_e5493 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5532) * _e5322));
 let _e5545 = (bitcast<f32>(((_e5502 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2133,17 +2133,17 @@ let _e6574 = (select(0i, _e6513, (_e6513 > 0i)) * _e3717);
 let _e6575 = (select(_e3729, _e6531, (_e6531 < _e3729)) * _e3717);
 let _e6576 = (select(0i, _e6528, (_e6528 > 0i)) * _e3721);
 let _e6577 = (select(_e3742, _e6536, (_e6536 < _e3742)) * _e3721);
-local_2 = type_31(array<i32, 4>(_e6551, _e6553, _e6555, 0i), array<u32, 6>(bitcast<u32>(((_e6541 - _e6551) * 16i)), bitcast<u32>(((_e6543 - _e6551) * 16i)), bitcast<u32>(((_e6543 - _e6553) * 16i)), bitcast<u32>(((_e6546 - _e6553) * 16i)), bitcast<u32>(((_e6546 - _e6555) * 16i)), bitcast<u32>(((select(_e3755, _e6547, (_e6547 < _e3755)) - _e6555) * 16i))));
+local_2 = type_29(array<i32, 4>(_e6551, _e6553, _e6555, 0i), array<u32, 6>(bitcast<u32>(((_e6541 - _e6551) * 16i)), bitcast<u32>(((_e6543 - _e6551) * 16i)), bitcast<u32>(((_e6543 - _e6553) * 16i)), bitcast<u32>(((_e6546 - _e6553) * 16i)), bitcast<u32>(((_e6546 - _e6555) * 16i)), bitcast<u32>(((select(_e3755, _e6547, (_e6547 < _e3755)) - _e6555) * 16i))));
 local_3 = vec3<f32>((_e6475 - f32(_e6498)), (_e6479 - f32(_e6513)), (_e6483 - f32(_e6528)));
 let _e6592 = local_2.member[1u];
 let _e6593 = ((_e6576 + _e6574) + _e6592);
 let _e6595 = (_e6593 >> bitcast<u32>(1i));
 let _e6598 = bitcast<u32>(((_e6593 & 1i) * 16i));
 let _e6600 = select(_e3820, _e6595, (_e6595 < _e3820));
-let _e6605 = global_3.member[bitcast<u32>(select(0i, _e6600, (_e6600 > 0i)))];
+let _e6605 = global_2.member[bitcast<u32>(select(0i, _e6600, (_e6600 > 0i)))];
 let _e6609 = (_e6595 + 1i);
 let _e6611 = select(_e3820, _e6609, (_e6609 < _e3820));
-let _e6616 = global_3.member[bitcast<u32>(select(0i, _e6611, (_e6611 > 0i)))];
+let _e6616 = global_2.member[bitcast<u32>(select(0i, _e6611, (_e6611 > 0i)))];
 let _e6623 = ((_e6605 >> bitcast<u32>((_e6598 & 31u))) | ((_e6616 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6598) & 31u))));
 let _e6626 = local_2.member_1[2u];
 let _e6632 = f32(bitcast<i32>(((_e6623 >> bitcast<u32>((_e6626 & 31u))) & 65535u)));
@@ -2155,10 +2155,10 @@ let _e6648 = ((_e6576 + _e6575) + _e6647);
 let _e6650 = (_e6648 >> bitcast<u32>(1i));
 let _e6653 = bitcast<u32>(((_e6648 & 1i) * 16i));
 let _e6655 = select(_e3820, _e6650, (_e6650 < _e3820));
-let _e6660 = global_3.member[bitcast<u32>(select(0i, _e6655, (_e6655 > 0i)))];
+let _e6660 = global_2.member[bitcast<u32>(select(0i, _e6655, (_e6655 > 0i)))];
 let _e6664 = (_e6650 + 1i);
 let _e6666 = select(_e3820, _e6664, (_e6664 < _e3820));
-let _e6671 = global_3.member[bitcast<u32>(select(0i, _e6666, (_e6666 > 0i)))];
+let _e6671 = global_2.member[bitcast<u32>(select(0i, _e6666, (_e6666 > 0i)))];
 let _e6678 = ((_e6660 >> bitcast<u32>((_e6653 & 31u))) | ((_e6671 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6653) & 31u))));
 let _e6679 = local_2.member_1[2u];
 let _e6685 = f32(bitcast<i32>(((_e6678 >> bitcast<u32>((_e6679 & 31u))) & 65535u)));
@@ -2171,10 +2171,10 @@ let _e6704 = ((_e6577 + _e6574) + _e6703);
 let _e6706 = (_e6704 >> bitcast<u32>(1i));
 let _e6709 = bitcast<u32>(((_e6704 & 1i) * 16i));
 let _e6711 = select(_e3820, _e6706, (_e6706 < _e3820));
-let _e6716 = global_3.member[bitcast<u32>(select(0i, _e6711, (_e6711 > 0i)))];
+let _e6716 = global_2.member[bitcast<u32>(select(0i, _e6711, (_e6711 > 0i)))];
 let _e6720 = (_e6706 + 1i);
 let _e6722 = select(_e3820, _e6720, (_e6720 < _e3820));
-let _e6727 = global_3.member[bitcast<u32>(select(0i, _e6722, (_e6722 > 0i)))];
+let _e6727 = global_2.member[bitcast<u32>(select(0i, _e6722, (_e6722 > 0i)))];
 let _e6734 = ((_e6716 >> bitcast<u32>((_e6709 & 31u))) | ((_e6727 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6709) & 31u))));
 let _e6735 = local_2.member_1[2u];
 let _e6741 = f32(bitcast<i32>(((_e6734 >> bitcast<u32>((_e6735 & 31u))) & 65535u)));
@@ -2186,10 +2186,10 @@ let _e6755 = ((_e6577 + _e6575) + _e6754);
 let _e6757 = (_e6755 >> bitcast<u32>(1i));
 let _e6760 = bitcast<u32>(((_e6755 & 1i) * 16i));
 let _e6762 = select(_e3820, _e6757, (_e6757 < _e3820));
-let _e6767 = global_3.member[bitcast<u32>(select(0i, _e6762, (_e6762 > 0i)))];
+let _e6767 = global_2.member[bitcast<u32>(select(0i, _e6762, (_e6762 > 0i)))];
 let _e6771 = (_e6757 + 1i);
 let _e6773 = select(_e3820, _e6771, (_e6771 < _e3820));
-let _e6778 = global_3.member[bitcast<u32>(select(0i, _e6773, (_e6773 > 0i)))];
+let _e6778 = global_2.member[bitcast<u32>(select(0i, _e6773, (_e6773 > 0i)))];
 let _e6785 = ((_e6767 >> bitcast<u32>((_e6760 & 31u))) | ((_e6778 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6760) & 31u))));
 let _e6786 = local_2.member_1[2u];
 let _e6792 = f32(bitcast<i32>(((_e6785 >> bitcast<u32>((_e6786 & 31u))) & 65535u)));
@@ -2205,41 +2205,41 @@ local_1 = _e6819;
 let _e6820 = local_1;
 let _e6822 = (bitcast<i32>(_e163) - 1i);
 let _e6824 = select(_e6822, 263197i, (263197i < _e6822));
-let _e6829 = global_4.member[bitcast<u32>(select(0i, _e6824, (_e6824 > 0i)))];
+let _e6829 = global_3.member[bitcast<u32>(select(0i, _e6824, (_e6824 > 0i)))];
 let _e6832 = select(_e6822, 263198i, (263198i < _e6822));
-let _e6837 = global_4.member[bitcast<u32>(select(0i, _e6832, (_e6832 > 0i)))];
+let _e6837 = global_3.member[bitcast<u32>(select(0i, _e6832, (_e6832 > 0i)))];
 let _e6840 = select(_e6822, 263199i, (263199i < _e6822));
-let _e6845 = global_4.member[bitcast<u32>(select(0i, _e6840, (_e6840 > 0i)))];
+let _e6845 = global_3.member[bitcast<u32>(select(0i, _e6840, (_e6840 > 0i)))];
 let _e6846 = bitcast<f32>(_e6845);
 let _e6848 = ((_e6820 - bitcast<f32>(_e6829)) * bitcast<f32>(_e6837));
 let _e6850 = select(0f, _e6848, (_e6848 > 0f));
 let _e6853 = local_1;
 let _e6855 = select(_e6822, 263200i, (263200i < _e6822));
-let _e6860 = global_4.member[bitcast<u32>(select(0i, _e6855, (_e6855 > 0i)))];
+let _e6860 = global_3.member[bitcast<u32>(select(0i, _e6855, (_e6855 > 0i)))];
 let _e6863 = select(_e6822, 263201i, (263201i < _e6822));
-let _e6868 = global_4.member[bitcast<u32>(select(0i, _e6863, (_e6863 > 0i)))];
+let _e6868 = global_3.member[bitcast<u32>(select(0i, _e6863, (_e6863 > 0i)))];
 let _e6871 = select(_e6822, 263202i, (263202i < _e6822));
-let _e6876 = global_4.member[bitcast<u32>(select(0i, _e6871, (_e6871 > 0i)))];
+let _e6876 = global_3.member[bitcast<u32>(select(0i, _e6871, (_e6871 > 0i)))];
 let _e6877 = bitcast<f32>(_e6876);
 let _e6879 = ((_e6853 - bitcast<f32>(_e6860)) * bitcast<f32>(_e6868));
 let _e6881 = select(0f, _e6879, (_e6879 > 0f));
 let _e6885 = local_1;
 let _e6887 = select(_e6822, 263203i, (263203i < _e6822));
-let _e6892 = global_4.member[bitcast<u32>(select(0i, _e6887, (_e6887 > 0i)))];
+let _e6892 = global_3.member[bitcast<u32>(select(0i, _e6887, (_e6887 > 0i)))];
 let _e6895 = select(_e6822, 263204i, (263204i < _e6822));
-let _e6900 = global_4.member[bitcast<u32>(select(0i, _e6895, (_e6895 > 0i)))];
+let _e6900 = global_3.member[bitcast<u32>(select(0i, _e6895, (_e6895 > 0i)))];
 let _e6903 = select(_e6822, 263205i, (263205i < _e6822));
-let _e6908 = global_4.member[bitcast<u32>(select(0i, _e6903, (_e6903 > 0i)))];
+let _e6908 = global_3.member[bitcast<u32>(select(0i, _e6903, (_e6903 > 0i)))];
 let _e6909 = bitcast<f32>(_e6908);
 let _e6911 = ((_e6885 - bitcast<f32>(_e6892)) * bitcast<f32>(_e6900));
 let _e6913 = select(0f, _e6911, (_e6911 > 0f));
 let _e6916 = local_1;
 let _e6918 = select(_e6822, 263206i, (263206i < _e6822));
-let _e6923 = global_4.member[bitcast<u32>(select(0i, _e6918, (_e6918 > 0i)))];
+let _e6923 = global_3.member[bitcast<u32>(select(0i, _e6918, (_e6918 > 0i)))];
 let _e6926 = select(_e6822, 263207i, (263207i < _e6822));
-let _e6931 = global_4.member[bitcast<u32>(select(0i, _e6926, (_e6926 > 0i)))];
+let _e6931 = global_3.member[bitcast<u32>(select(0i, _e6926, (_e6926 > 0i)))];
 let _e6934 = select(_e6822, 263208i, (263208i < _e6822));
-let _e6939 = global_4.member[bitcast<u32>(select(0i, _e6934, (_e6934 > 0i)))];
+let _e6939 = global_3.member[bitcast<u32>(select(0i, _e6934, (_e6934 > 0i)))];
 let _e6940 = bitcast<f32>(_e6939);
 let _e6942 = ((_e6916 - bitcast<f32>(_e6923)) * bitcast<f32>(_e6931));
 let _e6944 = select(0f, _e6942, (_e6942 > 0f));
@@ -2250,13 +2250,13 @@ let _e6959 = select(0i, select(select(i32(_e6952), i32(-2147483648), (_e6952 < -
 let _e6963 = (_e6959 - select(0i, 1i, (_e6952 < f32(_e6959))));
 let _e6964 = (262147i + _e6963);
 let _e6966 = select(_e6822, _e6964, (_e6964 < _e6822));
-let _e6972 = global_4.member[bitcast<u32>(select(0i, _e6966, (_e6966 > 0i)))];
+let _e6972 = global_3.member[bitcast<u32>(select(0i, _e6966, (_e6966 > 0i)))];
 let _e6982 = select(_e6822, 262146i, (262146i < _e6822));
-let _e6988 = global_4.member[bitcast<u32>(select(0i, _e6982, (_e6982 > 0i)))];
+let _e6988 = global_3.member[bitcast<u32>(select(0i, _e6982, (_e6982 > 0i)))];
 let _e6992 = select(_e6822, 262144i, (262144i < _e6822));
-let _e6998 = global_4.member[bitcast<u32>(select(0i, _e6992, (_e6992 > 0i)))];
+let _e6998 = global_3.member[bitcast<u32>(select(0i, _e6992, (_e6992 > 0i)))];
 let _e7001 = select(_e6822, 262145i, (262145i < _e6822));
-let _e7007 = global_4.member[bitcast<u32>(select(0i, _e7001, (_e7001 > 0i)))];
+let _e7007 = global_3.member[bitcast<u32>(select(0i, _e7001, (_e7001 > 0i)))];
 let _e7014 = ((bitcast<f32>(_e6998) + (f32(bitcast<i32>((_e6972 >> bitcast<u32>(12u)))) * bitcast<f32>(_e7007))) + ((f32((bitcast<i32>((_e6972 & 4095u)) - 2048i)) * bitcast<f32>(_e6988)) * (_e6948 - f32(_e6963))));
 let _e7018 = select(_e6416.member_6.x, _e6427.x, _e6421);
 let _e7021 = select(_e6416.member_6.y, _e6427.y, _e6421);
@@ -2495,15 +2495,15 @@ phi_17167_ = 1f;
 let _e7759 = phi_17166_;
 let _e7761 = phi_17167_;
 let _e7764 = (_e5833.member * _e7761);
-global_2.member[_e188] = (_e199 * (_e5833.member_2.x * _e7764));
-global_2.member[_e200] = (_e209 * (_e5833.member_2.y * _e7764));
-global_2.member[_e211] = (_e220 * (_e5833.member_2.z * _e7764));
-global_2.member[_e222] = _e7759.x;
-global_2.member[_e233] = _e7759.y;
-global_2.member[_e244] = _e7759.z;
-global_2.member[_e255] = _e264;
-global_2.member[_e266] = _e275;
-global_2.member[_e277] = _e286;
+global_4.member[_e188] = (_e199 * (_e5833.member_2.x * _e7764));
+global_4.member[_e200] = (_e209 * (_e5833.member_2.y * _e7764));
+global_4.member[_e211] = (_e220 * (_e5833.member_2.z * _e7764));
+global_4.member[_e222] = _e7759.x;
+global_4.member[_e233] = _e7759.y;
+global_4.member[_e244] = _e7759.z;
+global_4.member[_e255] = _e264;
+global_4.member[_e266] = _e275;
+global_4.member[_e277] = _e286;
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,47 +90,82 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
 }
-struct type_31 {
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
+}
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
@@ -198,29 +198,29 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_3: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_4: type_17;
+var<storage> global_3: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_26;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_5: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_11;
+var<storage> global_6: type_26;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_31;
+var local_2: type_29;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_31;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_31;
+var local_10: type_29;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -236,7 +236,7 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_31;
+var local_26: type_29;
 var local_27: vec3<f32>;
 var phi_903_: bool;
 var phi_1083_: bool;
@@ -245,7 +245,7 @@ var phi_1270_: bool;
 var phi_1593_: u32;
 var phi_7363_: type_32;
 var phi_8065_: type_33;
-var phi_8954_: type_5;
+var phi_8954_: type_7;
 var phi_12682_: type_35;
 var phi_14001_: type_34;
 var phi_14014_: vec3<f32>;
@@ -254,8 +254,8 @@ var phi_16686_: type_34;
 var phi_16838_: vec3<f32>;
 var phi_16839_: f32;
 let _e158 = global;
-let _e161 = arrayLength((&global_3.member));
-let _e166 = arrayLength((&global_4.member));
+let _e161 = arrayLength((&global_2.member));
+let _e166 = arrayLength((&global_3.member));
 let _e168 = arrayLength((&global_6.member));
 let _e173 = global_1.member.member_2;
 let _e176 = global_1.member.member;
@@ -266,41 +266,41 @@ if (_e186 < _e173.member_3) {
 let _e189 = (_e176.member * _e176.member_1);
 let _e191 = ((_e186 * _e176.member) + _e184);
 let _e192 = bitcast<i32>(_e191);
-let _e194 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e194 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e196 = select(_e194, _e192, (_e192 < _e194));
-let _e202 = global_2.member[bitcast<u32>(select(0i, _e196, (_e196 > 0i)))];
+let _e202 = global_4.member[bitcast<u32>(select(0i, _e196, (_e196 > 0i)))];
 let _e203 = (_e189 + _e191);
 let _e204 = bitcast<i32>(_e203);
 let _e206 = select(_e194, _e204, (_e204 < _e194));
-let _e212 = global_2.member[bitcast<u32>(select(0i, _e206, (_e206 > 0i)))];
+let _e212 = global_4.member[bitcast<u32>(select(0i, _e206, (_e206 > 0i)))];
 let _e214 = ((2u * _e189) + _e191);
 let _e215 = bitcast<i32>(_e214);
 let _e217 = select(_e194, _e215, (_e215 < _e194));
-let _e223 = global_2.member[bitcast<u32>(select(0i, _e217, (_e217 > 0i)))];
+let _e223 = global_4.member[bitcast<u32>(select(0i, _e217, (_e217 > 0i)))];
 let _e225 = ((3u * _e189) + _e191);
 let _e226 = bitcast<i32>(_e225);
 let _e228 = select(_e194, _e226, (_e226 < _e194));
-let _e234 = global_2.member[bitcast<u32>(select(0i, _e228, (_e228 > 0i)))];
+let _e234 = global_4.member[bitcast<u32>(select(0i, _e228, (_e228 > 0i)))];
 let _e236 = ((4u * _e189) + _e191);
 let _e237 = bitcast<i32>(_e236);
 let _e239 = select(_e194, _e237, (_e237 < _e194));
-let _e245 = global_2.member[bitcast<u32>(select(0i, _e239, (_e239 > 0i)))];
+let _e245 = global_4.member[bitcast<u32>(select(0i, _e239, (_e239 > 0i)))];
 let _e247 = ((5u * _e189) + _e191);
 let _e248 = bitcast<i32>(_e247);
 let _e250 = select(_e194, _e248, (_e248 < _e194));
-let _e256 = global_2.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
+let _e256 = global_4.member[bitcast<u32>(select(0i, _e250, (_e250 > 0i)))];
 let _e258 = ((6u * _e189) + _e191);
 let _e259 = bitcast<i32>(_e258);
 let _e261 = select(_e194, _e259, (_e259 < _e194));
-let _e267 = global_2.member[bitcast<u32>(select(0i, _e261, (_e261 > 0i)))];
+let _e267 = global_4.member[bitcast<u32>(select(0i, _e261, (_e261 > 0i)))];
 let _e269 = ((7u * _e189) + _e191);
 let _e270 = bitcast<i32>(_e269);
 let _e272 = select(_e194, _e270, (_e270 < _e194));
-let _e278 = global_2.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
+let _e278 = global_4.member[bitcast<u32>(select(0i, _e272, (_e272 > 0i)))];
 let _e280 = ((8u * _e189) + _e191);
 let _e281 = bitcast<i32>(_e280);
 let _e283 = select(_e194, _e281, (_e281 < _e194));
-let _e289 = global_2.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
+let _e289 = global_4.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
 let _e294 = global_1.member.member_8.member;
 let _e298 = global_1.member.member_8.member_1;
 let _e299 = (_e294 * _e298);
@@ -541,7 +541,7 @@ let _e1327 = global_1.member.member_6.member_11.member_1;
 let _e1338 = ((_e1314 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1321) * ((_e1315 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1327) * (_e1316 >> bitcast<u32>(4i))))));
 let _e1340 = (bitcast<i32>(_e161) - 1i);
 let _e1342 = select(_e1340, _e1338, (_e1338 < _e1340));
-let _e1348 = global_3.member[bitcast<u32>(select(0i, _e1342, (_e1342 > 0i)))];
+let _e1348 = global_2.member[bitcast<u32>(select(0i, _e1342, (_e1342 > 0i)))];
 let _e1350 = (_e1314 & 15i);
 let _e1353 = ((_e1315 & 15i) * _e1309);
 let _e1355 = (bitcast<i32>(_e1348) + ((_e1316 & 15i) * _e1313));
@@ -551,7 +551,7 @@ let _e1363 = (_e1353 + (3i * _e1309));
 let _e1364 = (_e1355 + _e1313);
 let _e1366 = (_e1355 + (2i * _e1313));
 let _e1368 = (_e1355 + (3i * _e1313));
-local_26 = type_31(array<i32, 4>(_e1350, (_e1350 + 1i), (_e1350 + 2i), (_e1350 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_26 = type_29(array<i32, 4>(_e1350, (_e1350 + 1i), (_e1350 + 2i), (_e1350 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_27 = vec3<f32>((_e1240 - f32(_e1275)), (_e1250 - f32(_e1290)), (_e1260 - f32(_e1305)));
 let _e1379 = (_e1364 + _e1359);
 let _e1382 = local_26.member[0u];
@@ -559,20 +559,20 @@ let _e1383 = (_e1379 + _e1382);
 let _e1385 = (_e1383 >> bitcast<u32>(1i));
 let _e1388 = bitcast<u32>(((_e1383 & 1i) * 16i));
 let _e1390 = select(_e1340, _e1385, (_e1385 < _e1340));
-let _e1395 = global_3.member[bitcast<u32>(select(0i, _e1390, (_e1390 > 0i)))];
+let _e1395 = global_2.member[bitcast<u32>(select(0i, _e1390, (_e1390 > 0i)))];
 let _e1399 = (_e1385 + 1i);
 let _e1401 = select(_e1340, _e1399, (_e1399 < _e1340));
-let _e1406 = global_3.member[bitcast<u32>(select(0i, _e1401, (_e1401 > 0i)))];
+let _e1406 = global_2.member[bitcast<u32>(select(0i, _e1401, (_e1401 > 0i)))];
 let _e1413 = ((_e1395 >> bitcast<u32>((_e1388 & 31u))) | ((_e1406 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1388) & 31u))));
 let _e1416 = local_26.member[2u];
 let _e1417 = (_e1379 + _e1416);
 let _e1419 = (_e1417 >> bitcast<u32>(1i));
 let _e1422 = bitcast<u32>(((_e1417 & 1i) * 16i));
 let _e1424 = select(_e1340, _e1419, (_e1419 < _e1340));
-let _e1429 = global_3.member[bitcast<u32>(select(0i, _e1424, (_e1424 > 0i)))];
+let _e1429 = global_2.member[bitcast<u32>(select(0i, _e1424, (_e1424 > 0i)))];
 let _e1433 = (_e1419 + 1i);
 let _e1435 = select(_e1340, _e1433, (_e1433 < _e1340));
-let _e1440 = global_3.member[bitcast<u32>(select(0i, _e1435, (_e1435 > 0i)))];
+let _e1440 = global_2.member[bitcast<u32>(select(0i, _e1435, (_e1435 > 0i)))];
 let _e1447 = ((_e1429 >> bitcast<u32>((_e1422 & 31u))) | ((_e1440 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1422) & 31u))));
 let _e1450 = local_26.member_1[0u];
 let _e1456 = f32(bitcast<i32>(((_e1413 >> bitcast<u32>((_e1450 & 31u))) & 65535u)));
@@ -593,20 +593,20 @@ let _e1498 = (_e1496 + _e1497);
 let _e1500 = (_e1498 >> bitcast<u32>(1i));
 let _e1503 = bitcast<u32>(((_e1498 & 1i) * 16i));
 let _e1505 = select(_e1340, _e1500, (_e1500 < _e1340));
-let _e1510 = global_3.member[bitcast<u32>(select(0i, _e1505, (_e1505 > 0i)))];
+let _e1510 = global_2.member[bitcast<u32>(select(0i, _e1505, (_e1505 > 0i)))];
 let _e1514 = (_e1500 + 1i);
 let _e1516 = select(_e1340, _e1514, (_e1514 < _e1340));
-let _e1521 = global_3.member[bitcast<u32>(select(0i, _e1516, (_e1516 > 0i)))];
+let _e1521 = global_2.member[bitcast<u32>(select(0i, _e1516, (_e1516 > 0i)))];
 let _e1528 = ((_e1510 >> bitcast<u32>((_e1503 & 31u))) | ((_e1521 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1503) & 31u))));
 let _e1529 = local_26.member[2u];
 let _e1530 = (_e1496 + _e1529);
 let _e1532 = (_e1530 >> bitcast<u32>(1i));
 let _e1535 = bitcast<u32>(((_e1530 & 1i) * 16i));
 let _e1537 = select(_e1340, _e1532, (_e1532 < _e1340));
-let _e1542 = global_3.member[bitcast<u32>(select(0i, _e1537, (_e1537 > 0i)))];
+let _e1542 = global_2.member[bitcast<u32>(select(0i, _e1537, (_e1537 > 0i)))];
 let _e1546 = (_e1532 + 1i);
 let _e1548 = select(_e1340, _e1546, (_e1546 < _e1340));
-let _e1553 = global_3.member[bitcast<u32>(select(0i, _e1548, (_e1548 > 0i)))];
+let _e1553 = global_2.member[bitcast<u32>(select(0i, _e1548, (_e1548 > 0i)))];
 let _e1560 = ((_e1542 >> bitcast<u32>((_e1535 & 31u))) | ((_e1553 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1535) & 31u))));
 let _e1561 = local_26.member_1[0u];
 let _e1567 = f32(bitcast<i32>(((_e1528 >> bitcast<u32>((_e1561 & 31u))) & 65535u)));
@@ -625,20 +625,20 @@ let _e1603 = (_e1601 + _e1602);
 let _e1605 = (_e1603 >> bitcast<u32>(1i));
 let _e1608 = bitcast<u32>(((_e1603 & 1i) * 16i));
 let _e1610 = select(_e1340, _e1605, (_e1605 < _e1340));
-let _e1615 = global_3.member[bitcast<u32>(select(0i, _e1610, (_e1610 > 0i)))];
+let _e1615 = global_2.member[bitcast<u32>(select(0i, _e1610, (_e1610 > 0i)))];
 let _e1619 = (_e1605 + 1i);
 let _e1621 = select(_e1340, _e1619, (_e1619 < _e1340));
-let _e1626 = global_3.member[bitcast<u32>(select(0i, _e1621, (_e1621 > 0i)))];
+let _e1626 = global_2.member[bitcast<u32>(select(0i, _e1621, (_e1621 > 0i)))];
 let _e1633 = ((_e1615 >> bitcast<u32>((_e1608 & 31u))) | ((_e1626 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1608) & 31u))));
 let _e1634 = local_26.member[2u];
 let _e1635 = (_e1601 + _e1634);
 let _e1637 = (_e1635 >> bitcast<u32>(1i));
 let _e1640 = bitcast<u32>(((_e1635 & 1i) * 16i));
 let _e1642 = select(_e1340, _e1637, (_e1637 < _e1340));
-let _e1647 = global_3.member[bitcast<u32>(select(0i, _e1642, (_e1642 > 0i)))];
+let _e1647 = global_2.member[bitcast<u32>(select(0i, _e1642, (_e1642 > 0i)))];
 let _e1651 = (_e1637 + 1i);
 let _e1653 = select(_e1340, _e1651, (_e1651 < _e1340));
-let _e1658 = global_3.member[bitcast<u32>(select(0i, _e1653, (_e1653 > 0i)))];
+let _e1658 = global_2.member[bitcast<u32>(select(0i, _e1653, (_e1653 > 0i)))];
 let _e1665 = ((_e1647 >> bitcast<u32>((_e1640 & 31u))) | ((_e1658 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1640) & 31u))));
 let _e1666 = local_26.member_1[0u];
 let _e1672 = f32(bitcast<i32>(((_e1633 >> bitcast<u32>((_e1666 & 31u))) & 65535u)));
@@ -659,20 +659,20 @@ let _e1708 = (_e1706 + _e1707);
 let _e1710 = (_e1708 >> bitcast<u32>(1i));
 let _e1713 = bitcast<u32>(((_e1708 & 1i) * 16i));
 let _e1715 = select(_e1340, _e1710, (_e1710 < _e1340));
-let _e1720 = global_3.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
+let _e1720 = global_2.member[bitcast<u32>(select(0i, _e1715, (_e1715 > 0i)))];
 let _e1724 = (_e1710 + 1i);
 let _e1726 = select(_e1340, _e1724, (_e1724 < _e1340));
-let _e1731 = global_3.member[bitcast<u32>(select(0i, _e1726, (_e1726 > 0i)))];
+let _e1731 = global_2.member[bitcast<u32>(select(0i, _e1726, (_e1726 > 0i)))];
 let _e1738 = ((_e1720 >> bitcast<u32>((_e1713 & 31u))) | ((_e1731 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1713) & 31u))));
 let _e1739 = local_26.member[2u];
 let _e1740 = (_e1706 + _e1739);
 let _e1742 = (_e1740 >> bitcast<u32>(1i));
 let _e1745 = bitcast<u32>(((_e1740 & 1i) * 16i));
 let _e1747 = select(_e1340, _e1742, (_e1742 < _e1340));
-let _e1752 = global_3.member[bitcast<u32>(select(0i, _e1747, (_e1747 > 0i)))];
+let _e1752 = global_2.member[bitcast<u32>(select(0i, _e1747, (_e1747 > 0i)))];
 let _e1756 = (_e1742 + 1i);
 let _e1758 = select(_e1340, _e1756, (_e1756 < _e1340));
-let _e1763 = global_3.member[bitcast<u32>(select(0i, _e1758, (_e1758 > 0i)))];
+let _e1763 = global_2.member[bitcast<u32>(select(0i, _e1758, (_e1758 > 0i)))];
 let _e1770 = ((_e1752 >> bitcast<u32>((_e1745 & 31u))) | ((_e1763 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1745) & 31u))));
 let _e1771 = local_26.member_1[0u];
 let _e1777 = f32(bitcast<i32>(((_e1738 >> bitcast<u32>((_e1771 & 31u))) & 65535u)));
@@ -690,10 +690,10 @@ let _e1815 = ((_e1364 + _e1353) + _e1814);
 let _e1817 = (_e1815 >> bitcast<u32>(1i));
 let _e1820 = bitcast<u32>(((_e1815 & 1i) * 16i));
 let _e1822 = select(_e1340, _e1817, (_e1817 < _e1340));
-let _e1827 = global_3.member[bitcast<u32>(select(0i, _e1822, (_e1822 > 0i)))];
+let _e1827 = global_2.member[bitcast<u32>(select(0i, _e1822, (_e1822 > 0i)))];
 let _e1831 = (_e1817 + 1i);
 let _e1833 = select(_e1340, _e1831, (_e1831 < _e1340));
-let _e1838 = global_3.member[bitcast<u32>(select(0i, _e1833, (_e1833 > 0i)))];
+let _e1838 = global_2.member[bitcast<u32>(select(0i, _e1833, (_e1833 > 0i)))];
 let _e1845 = ((_e1827 >> bitcast<u32>((_e1820 & 31u))) | ((_e1838 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1820) & 31u))));
 let _e1848 = local_26.member_1[2u];
 let _e1854 = f32(bitcast<i32>(((_e1845 >> bitcast<u32>((_e1848 & 31u))) & 65535u)));
@@ -705,10 +705,10 @@ let _e1870 = ((_e1364 + _e1363) + _e1869);
 let _e1872 = (_e1870 >> bitcast<u32>(1i));
 let _e1875 = bitcast<u32>(((_e1870 & 1i) * 16i));
 let _e1877 = select(_e1340, _e1872, (_e1872 < _e1340));
-let _e1882 = global_3.member[bitcast<u32>(select(0i, _e1877, (_e1877 > 0i)))];
+let _e1882 = global_2.member[bitcast<u32>(select(0i, _e1877, (_e1877 > 0i)))];
 let _e1886 = (_e1872 + 1i);
 let _e1888 = select(_e1340, _e1886, (_e1886 < _e1340));
-let _e1893 = global_3.member[bitcast<u32>(select(0i, _e1888, (_e1888 > 0i)))];
+let _e1893 = global_2.member[bitcast<u32>(select(0i, _e1888, (_e1888 > 0i)))];
 let _e1900 = ((_e1882 >> bitcast<u32>((_e1875 & 31u))) | ((_e1893 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1875) & 31u))));
 let _e1901 = local_26.member_1[2u];
 let _e1907 = f32(bitcast<i32>(((_e1900 >> bitcast<u32>((_e1901 & 31u))) & 65535u)));
@@ -719,10 +719,10 @@ let _e1921 = ((_e1366 + _e1353) + _e1920);
 let _e1923 = (_e1921 >> bitcast<u32>(1i));
 let _e1926 = bitcast<u32>(((_e1921 & 1i) * 16i));
 let _e1928 = select(_e1340, _e1923, (_e1923 < _e1340));
-let _e1933 = global_3.member[bitcast<u32>(select(0i, _e1928, (_e1928 > 0i)))];
+let _e1933 = global_2.member[bitcast<u32>(select(0i, _e1928, (_e1928 > 0i)))];
 let _e1937 = (_e1923 + 1i);
 let _e1939 = select(_e1340, _e1937, (_e1937 < _e1340));
-let _e1944 = global_3.member[bitcast<u32>(select(0i, _e1939, (_e1939 > 0i)))];
+let _e1944 = global_2.member[bitcast<u32>(select(0i, _e1939, (_e1939 > 0i)))];
 let _e1951 = ((_e1933 >> bitcast<u32>((_e1926 & 31u))) | ((_e1944 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1926) & 31u))));
 let _e1952 = local_26.member_1[2u];
 let _e1958 = f32(bitcast<i32>(((_e1951 >> bitcast<u32>((_e1952 & 31u))) & 65535u)));
@@ -734,10 +734,10 @@ let _e1972 = ((_e1366 + _e1363) + _e1971);
 let _e1974 = (_e1972 >> bitcast<u32>(1i));
 let _e1977 = bitcast<u32>(((_e1972 & 1i) * 16i));
 let _e1979 = select(_e1340, _e1974, (_e1974 < _e1340));
-let _e1984 = global_3.member[bitcast<u32>(select(0i, _e1979, (_e1979 > 0i)))];
+let _e1984 = global_2.member[bitcast<u32>(select(0i, _e1979, (_e1979 > 0i)))];
 let _e1988 = (_e1974 + 1i);
 let _e1990 = select(_e1340, _e1988, (_e1988 < _e1340));
-let _e1995 = global_3.member[bitcast<u32>(select(0i, _e1990, (_e1990 > 0i)))];
+let _e1995 = global_2.member[bitcast<u32>(select(0i, _e1990, (_e1990 > 0i)))];
 let _e2002 = ((_e1984 >> bitcast<u32>((_e1977 & 31u))) | ((_e1995 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1977) & 31u))));
 let _e2003 = local_26.member_1[2u];
 let _e2009 = f32(bitcast<i32>(((_e2002 >> bitcast<u32>((_e2003 & 31u))) & 65535u)));
@@ -748,10 +748,10 @@ let _e2023 = ((_e1355 + _e1359) + _e2022);
 let _e2025 = (_e2023 >> bitcast<u32>(1i));
 let _e2028 = bitcast<u32>(((_e2023 & 1i) * 16i));
 let _e2030 = select(_e1340, _e2025, (_e2025 < _e1340));
-let _e2035 = global_3.member[bitcast<u32>(select(0i, _e2030, (_e2030 > 0i)))];
+let _e2035 = global_2.member[bitcast<u32>(select(0i, _e2030, (_e2030 > 0i)))];
 let _e2039 = (_e2025 + 1i);
 let _e2041 = select(_e1340, _e2039, (_e2039 < _e1340));
-let _e2046 = global_3.member[bitcast<u32>(select(0i, _e2041, (_e2041 > 0i)))];
+let _e2046 = global_2.member[bitcast<u32>(select(0i, _e2041, (_e2041 > 0i)))];
 let _e2053 = ((_e2035 >> bitcast<u32>((_e2028 & 31u))) | ((_e2046 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2028) & 31u))));
 let _e2054 = local_26.member_1[2u];
 let _e2060 = f32(bitcast<i32>(((_e2053 >> bitcast<u32>((_e2054 & 31u))) & 65535u)));
@@ -763,10 +763,10 @@ let _e2074 = ((_e1368 + _e1359) + _e2073);
 let _e2076 = (_e2074 >> bitcast<u32>(1i));
 let _e2079 = bitcast<u32>(((_e2074 & 1i) * 16i));
 let _e2081 = select(_e1340, _e2076, (_e2076 < _e1340));
-let _e2086 = global_3.member[bitcast<u32>(select(0i, _e2081, (_e2081 > 0i)))];
+let _e2086 = global_2.member[bitcast<u32>(select(0i, _e2081, (_e2081 > 0i)))];
 let _e2090 = (_e2076 + 1i);
 let _e2092 = select(_e1340, _e2090, (_e2090 < _e1340));
-let _e2097 = global_3.member[bitcast<u32>(select(0i, _e2092, (_e2092 > 0i)))];
+let _e2097 = global_2.member[bitcast<u32>(select(0i, _e2092, (_e2092 > 0i)))];
 let _e2104 = ((_e2086 >> bitcast<u32>((_e2079 & 31u))) | ((_e2097 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2079) & 31u))));
 let _e2105 = local_26.member_1[2u];
 let _e2111 = f32(bitcast<i32>(((_e2104 >> bitcast<u32>((_e2105 & 31u))) & 65535u)));
@@ -778,10 +778,10 @@ let _e2125 = ((_e1355 + _e1361) + _e2124);
 let _e2127 = (_e2125 >> bitcast<u32>(1i));
 let _e2130 = bitcast<u32>(((_e2125 & 1i) * 16i));
 let _e2132 = select(_e1340, _e2127, (_e2127 < _e1340));
-let _e2137 = global_3.member[bitcast<u32>(select(0i, _e2132, (_e2132 > 0i)))];
+let _e2137 = global_2.member[bitcast<u32>(select(0i, _e2132, (_e2132 > 0i)))];
 let _e2141 = (_e2127 + 1i);
 let _e2143 = select(_e1340, _e2141, (_e2141 < _e1340));
-let _e2148 = global_3.member[bitcast<u32>(select(0i, _e2143, (_e2143 > 0i)))];
+let _e2148 = global_2.member[bitcast<u32>(select(0i, _e2143, (_e2143 > 0i)))];
 let _e2155 = ((_e2137 >> bitcast<u32>((_e2130 & 31u))) | ((_e2148 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2130) & 31u))));
 let _e2156 = local_26.member_1[2u];
 let _e2162 = f32(bitcast<i32>(((_e2155 >> bitcast<u32>((_e2156 & 31u))) & 65535u)));
@@ -792,10 +792,10 @@ let _e2176 = ((_e1368 + _e1361) + _e2175);
 let _e2178 = (_e2176 >> bitcast<u32>(1i));
 let _e2181 = bitcast<u32>(((_e2176 & 1i) * 16i));
 let _e2183 = select(_e1340, _e2178, (_e2178 < _e1340));
-let _e2188 = global_3.member[bitcast<u32>(select(0i, _e2183, (_e2183 > 0i)))];
+let _e2188 = global_2.member[bitcast<u32>(select(0i, _e2183, (_e2183 > 0i)))];
 let _e2192 = (_e2178 + 1i);
 let _e2194 = select(_e1340, _e2192, (_e2192 < _e1340));
-let _e2199 = global_3.member[bitcast<u32>(select(0i, _e2194, (_e2194 > 0i)))];
+let _e2199 = global_2.member[bitcast<u32>(select(0i, _e2194, (_e2194 > 0i)))];
 let _e2206 = ((_e2188 >> bitcast<u32>((_e2181 & 31u))) | ((_e2199 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2181) & 31u))));
 let _e2207 = local_26.member_1[2u];
 let _e2213 = f32(bitcast<i32>(((_e2206 >> bitcast<u32>((_e2207 & 31u))) & 65535u)));
@@ -857,50 +857,50 @@ local_25 = _e2354;
 let _e2355 = local_25;
 let _e2357 = (bitcast<i32>(_e166) - 1i);
 let _e2359 = select(_e2357, 263197i, (263197i < _e2357));
-let _e2364 = global_4.member[bitcast<u32>(select(0i, _e2359, (_e2359 > 0i)))];
+let _e2364 = global_3.member[bitcast<u32>(select(0i, _e2359, (_e2359 > 0i)))];
 let _e2365 = bitcast<f32>(_e2364);
 let _e2367 = select(_e2357, 263198i, (263198i < _e2357));
 let _e2370 = bitcast<u32>(select(0i, _e2367, (_e2367 > 0i)));
-let _e2372 = global_4.member[_e2370];
+let _e2372 = global_3.member[_e2370];
 let _e2373 = bitcast<f32>(_e2372);
 let _e2375 = select(_e2357, 263199i, (263199i < _e2357));
-let _e2380 = global_4.member[bitcast<u32>(select(0i, _e2375, (_e2375 > 0i)))];
+let _e2380 = global_3.member[bitcast<u32>(select(0i, _e2375, (_e2375 > 0i)))];
 let _e2381 = bitcast<f32>(_e2380);
 let _e2383 = ((_e2355 - _e2365) * _e2373);
 let _e2385 = select(0f, _e2383, (_e2383 > 0f));
 let _e2388 = local_25;
 let _e2390 = select(_e2357, 263200i, (263200i < _e2357));
-let _e2395 = global_4.member[bitcast<u32>(select(0i, _e2390, (_e2390 > 0i)))];
+let _e2395 = global_3.member[bitcast<u32>(select(0i, _e2390, (_e2390 > 0i)))];
 let _e2396 = bitcast<f32>(_e2395);
 let _e2398 = select(_e2357, 263201i, (263201i < _e2357));
-let _e2403 = global_4.member[bitcast<u32>(select(0i, _e2398, (_e2398 > 0i)))];
+let _e2403 = global_3.member[bitcast<u32>(select(0i, _e2398, (_e2398 > 0i)))];
 let _e2404 = bitcast<f32>(_e2403);
 let _e2406 = select(_e2357, 263202i, (263202i < _e2357));
-let _e2411 = global_4.member[bitcast<u32>(select(0i, _e2406, (_e2406 > 0i)))];
+let _e2411 = global_3.member[bitcast<u32>(select(0i, _e2406, (_e2406 > 0i)))];
 let _e2412 = bitcast<f32>(_e2411);
 let _e2414 = ((_e2388 - _e2396) * _e2404);
 let _e2416 = select(0f, _e2414, (_e2414 > 0f));
 let _e2420 = local_25;
 let _e2422 = select(_e2357, 263203i, (263203i < _e2357));
-let _e2427 = global_4.member[bitcast<u32>(select(0i, _e2422, (_e2422 > 0i)))];
+let _e2427 = global_3.member[bitcast<u32>(select(0i, _e2422, (_e2422 > 0i)))];
 let _e2428 = bitcast<f32>(_e2427);
 let _e2430 = select(_e2357, 263204i, (263204i < _e2357));
-let _e2435 = global_4.member[bitcast<u32>(select(0i, _e2430, (_e2430 > 0i)))];
+let _e2435 = global_3.member[bitcast<u32>(select(0i, _e2430, (_e2430 > 0i)))];
 let _e2436 = bitcast<f32>(_e2435);
 let _e2438 = select(_e2357, 263205i, (263205i < _e2357));
-let _e2443 = global_4.member[bitcast<u32>(select(0i, _e2438, (_e2438 > 0i)))];
+let _e2443 = global_3.member[bitcast<u32>(select(0i, _e2438, (_e2438 > 0i)))];
 let _e2444 = bitcast<f32>(_e2443);
 let _e2446 = ((_e2420 - _e2428) * _e2436);
 let _e2448 = select(0f, _e2446, (_e2446 > 0f));
 let _e2451 = local_25;
 let _e2453 = select(_e2357, 263206i, (263206i < _e2357));
-let _e2458 = global_4.member[bitcast<u32>(select(0i, _e2453, (_e2453 > 0i)))];
+let _e2458 = global_3.member[bitcast<u32>(select(0i, _e2453, (_e2453 > 0i)))];
 let _e2459 = bitcast<f32>(_e2458);
 let _e2461 = select(_e2357, 263207i, (263207i < _e2357));
-let _e2466 = global_4.member[bitcast<u32>(select(0i, _e2461, (_e2461 > 0i)))];
+let _e2466 = global_3.member[bitcast<u32>(select(0i, _e2461, (_e2461 > 0i)))];
 let _e2467 = bitcast<f32>(_e2466);
 let _e2469 = select(_e2357, 263208i, (263208i < _e2357));
-let _e2474 = global_4.member[bitcast<u32>(select(0i, _e2469, (_e2469 > 0i)))];
+let _e2474 = global_3.member[bitcast<u32>(select(0i, _e2469, (_e2469 > 0i)))];
 let _e2475 = bitcast<f32>(_e2474);
 let _e2477 = ((_e2451 - _e2459) * _e2467);
 let _e2479 = select(0f, _e2477, (_e2477 > 0f));
@@ -911,27 +911,27 @@ let _e2494 = select(0i, select(select(i32(_e2487), i32(-2147483648), (_e2487 < -
 let _e2498 = (_e2494 - select(0i, 1i, (_e2487 < f32(_e2494))));
 let _e2499 = (262147i + _e2498);
 let _e2501 = select(_e2357, _e2499, (_e2499 < _e2357));
-let _e2507 = global_4.member[bitcast<u32>(select(0i, _e2501, (_e2501 > 0i)))];
+let _e2507 = global_3.member[bitcast<u32>(select(0i, _e2501, (_e2501 > 0i)))];
 let _e2517 = select(_e2357, 262146i, (262146i < _e2357));
-let _e2523 = global_4.member[bitcast<u32>(select(0i, _e2517, (_e2517 > 0i)))];
+let _e2523 = global_3.member[bitcast<u32>(select(0i, _e2517, (_e2517 > 0i)))];
 let _e2524 = bitcast<f32>(_e2523);
 let _e2525 = (f32((bitcast<i32>((_e2507 & 4095u)) - 2048i)) * _e2524);
 let _e2527 = select(_e2357, 262144i, (262144i < _e2357));
-let _e2533 = global_4.member[bitcast<u32>(select(0i, _e2527, (_e2527 > 0i)))];
+let _e2533 = global_3.member[bitcast<u32>(select(0i, _e2527, (_e2527 > 0i)))];
 let _e2534 = bitcast<f32>(_e2533);
 let _e2536 = select(_e2357, 262145i, (262145i < _e2357));
-let _e2542 = global_4.member[bitcast<u32>(select(0i, _e2536, (_e2536 > 0i)))];
+let _e2542 = global_3.member[bitcast<u32>(select(0i, _e2536, (_e2536 > 0i)))];
 let _e2543 = bitcast<f32>(_e2542);
 let _e2549 = ((_e2534 + (f32(bitcast<i32>((_e2507 >> bitcast<u32>(12u)))) * _e2543)) + (_e2525 * (_e2483 - f32(_e2498))));
-let _e2552 = global_4.member[_e2370];
+let _e2552 = global_3.member[_e2370];
 let _e2554 = local_24;
 let _e2557 = local_24;
 let _e2560 = local_24;
 let _e2564 = select(_e2357, 263209i, (263209i < _e2357));
-let _e2570 = global_4.member[bitcast<u32>(select(0i, _e2564, (_e2564 > 0i)))];
+let _e2570 = global_3.member[bitcast<u32>(select(0i, _e2564, (_e2564 > 0i)))];
 let _e2572 = local_24;
 let _e2575 = select(_e2357, 263210i, (263210i < _e2357));
-let _e2581 = global_4.member[bitcast<u32>(select(0i, _e2575, (_e2575 > 0i)))];
+let _e2581 = global_3.member[bitcast<u32>(select(0i, _e2575, (_e2575 > 0i)))];
 let _e2583 = local_24;
 let _e2587 = (_e2525 * select(0f, select(select(select(bitcast<f32>(_e2552), _e2404, (_e2554 >= _e2396)), _e2436, (_e2557 >= _e2428)), _e2467, (_e2560 >= _e2459)), ((_e2572 >= bitcast<f32>(_e2570)) && (_e2583 <= bitcast<f32>(_e2581)))));
 if _e1229 {
@@ -962,7 +962,7 @@ let _e2645 = select(0i, select(select(i32(_e2638), i32(-2147483648), (_e2638 < -
 let _e2649 = (_e2645 - select(0i, 1i, (_e2638 < f32(_e2645))));
 let _e2650 = (262147i + _e2649);
 let _e2652 = select(_e2357, _e2650, (_e2650 < _e2357));
-let _e2658 = global_4.member[bitcast<u32>(select(0i, _e2652, (_e2652 > 0i)))];
+let _e2658 = global_3.member[bitcast<u32>(select(0i, _e2652, (_e2652 > 0i)))];
 let _e2673 = ((_e2534 + (f32(bitcast<i32>((_e2658 >> bitcast<u32>(12u)))) * _e2543)) + ((f32((bitcast<i32>((_e2658 & 4095u)) - 2048i)) * _e2524) * (_e2634 - f32(_e2649))));
 local_20 = _e2329;
 let _e2674 = local_20;
@@ -986,7 +986,7 @@ let _e2716 = select(0i, select(select(i32(_e2709), i32(-2147483648), (_e2709 < -
 let _e2720 = (_e2716 - select(0i, 1i, (_e2709 < f32(_e2716))));
 let _e2721 = (262147i + _e2720);
 let _e2723 = select(_e2357, _e2721, (_e2721 < _e2357));
-let _e2729 = global_4.member[bitcast<u32>(select(0i, _e2723, (_e2723 > 0i)))];
+let _e2729 = global_3.member[bitcast<u32>(select(0i, _e2723, (_e2723 > 0i)))];
 let _e2744 = ((_e2534 + (f32(bitcast<i32>((_e2729 >> bitcast<u32>(12u)))) * _e2543)) + ((f32((bitcast<i32>((_e2729 & 4095u)) - 2048i)) * _e2524) * (_e2705 - f32(_e2720))));
 local_18 = _e2335;
 let _e2745 = local_18;
@@ -1010,7 +1010,7 @@ let _e2787 = select(0i, select(select(i32(_e2780), i32(-2147483648), (_e2780 < -
 let _e2791 = (_e2787 - select(0i, 1i, (_e2780 < f32(_e2787))));
 let _e2792 = (262147i + _e2791);
 let _e2794 = select(_e2357, _e2792, (_e2792 < _e2357));
-let _e2800 = global_4.member[bitcast<u32>(select(0i, _e2794, (_e2794 > 0i)))];
+let _e2800 = global_3.member[bitcast<u32>(select(0i, _e2794, (_e2794 > 0i)))];
 let _e2815 = ((_e2534 + (f32(bitcast<i32>((_e2800 >> bitcast<u32>(12u)))) * _e2543)) + ((f32((bitcast<i32>((_e2800 & 4095u)) - 2048i)) * _e2524) * (_e2776 - f32(_e2791))));
 local_16 = _e2341;
 let _e2816 = local_16;
@@ -1034,7 +1034,7 @@ let _e2858 = select(0i, select(select(i32(_e2851), i32(-2147483648), (_e2851 < -
 let _e2862 = (_e2858 - select(0i, 1i, (_e2851 < f32(_e2858))));
 let _e2863 = (262147i + _e2862);
 let _e2865 = select(_e2357, _e2863, (_e2863 < _e2357));
-let _e2871 = global_4.member[bitcast<u32>(select(0i, _e2865, (_e2865 > 0i)))];
+let _e2871 = global_3.member[bitcast<u32>(select(0i, _e2865, (_e2865 > 0i)))];
 let _e2886 = ((_e2534 + (f32(bitcast<i32>((_e2871 >> bitcast<u32>(12u)))) * _e2543)) + ((f32((bitcast<i32>((_e2871 & 4095u)) - 2048i)) * _e2524) * (_e2847 - f32(_e2862))));
 local_14 = _e2347;
 let _e2887 = local_14;
@@ -1058,7 +1058,7 @@ let _e2929 = select(0i, select(select(i32(_e2922), i32(-2147483648), (_e2922 < -
 let _e2933 = (_e2929 - select(0i, 1i, (_e2922 < f32(_e2929))));
 let _e2934 = (262147i + _e2933);
 let _e2936 = select(_e2357, _e2934, (_e2934 < _e2357));
-let _e2942 = global_4.member[bitcast<u32>(select(0i, _e2936, (_e2936 > 0i)))];
+let _e2942 = global_3.member[bitcast<u32>(select(0i, _e2936, (_e2936 > 0i)))];
 let _e2957 = ((_e2534 + (f32(bitcast<i32>((_e2942 >> bitcast<u32>(12u)))) * _e2543)) + ((f32((bitcast<i32>((_e2942 & 4095u)) - 2048i)) * _e2524) * (_e2918 - f32(_e2933))));
 local_12 = _e2353;
 let _e2958 = local_12;
@@ -1082,7 +1082,7 @@ let _e3000 = select(0i, select(select(i32(_e2993), i32(-2147483648), (_e2993 < -
 let _e3004 = (_e3000 - select(0i, 1i, (_e2993 < f32(_e3000))));
 let _e3005 = (262147i + _e3004);
 let _e3007 = select(_e2357, _e3005, (_e3005 < _e2357));
-let _e3013 = global_4.member[bitcast<u32>(select(0i, _e3007, (_e3007 > 0i)))];
+let _e3013 = global_3.member[bitcast<u32>(select(0i, _e3007, (_e3007 > 0i)))];
 let _e3028 = ((_e2534 + (f32(bitcast<i32>((_e3013 >> bitcast<u32>(12u)))) * _e2543)) + ((f32((bitcast<i32>((_e3013 & 4095u)) - 2048i)) * _e2524) * (_e2989 - f32(_e3004))));
 let _e3029 = (_e2744 - _e2673);
 let _e3031 = (_e2886 - _e2815);
@@ -1139,7 +1139,7 @@ let _e3284 = global_1.member.member_6.member_11.member_1;
 let _e3295 = ((_e3271 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3278) * ((_e3272 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3284) * (_e3273 >> bitcast<u32>(4i))))));
 let _e3297 = (bitcast<i32>(_e161) - 1i);
 let _e3299 = select(_e3297, _e3295, (_e3295 < _e3297));
-let _e3305 = global_3.member[bitcast<u32>(select(0i, _e3299, (_e3299 > 0i)))];
+let _e3305 = global_2.member[bitcast<u32>(select(0i, _e3299, (_e3299 > 0i)))];
 let _e3307 = (_e3271 & 15i);
 let _e3310 = ((_e3272 & 15i) * _e3266);
 let _e3312 = (bitcast<i32>(_e3305) + ((_e3273 & 15i) * _e3270));
@@ -1147,17 +1147,17 @@ let _e3316 = (_e3310 + _e3266);
 let _e3318 = (_e3310 + (2i * _e3266));
 let _e3319 = (_e3312 + _e3270);
 let _e3321 = (_e3312 + (2i * _e3270));
-local_10 = type_31(array<i32, 4>(_e3307, (_e3307 + 1i), (_e3307 + 2i), (_e3307 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_10 = type_29(array<i32, 4>(_e3307, (_e3307 + 1i), (_e3307 + 2i), (_e3307 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_11 = vec3<f32>((_e3197 - f32(_e3232)), (_e3207 - f32(_e3247)), (_e3217 - f32(_e3262)));
 let _e3335 = local_10.member[1u];
 let _e3336 = ((_e3319 + _e3316) + _e3335);
 let _e3338 = (_e3336 >> bitcast<u32>(1i));
 let _e3341 = bitcast<u32>(((_e3336 & 1i) * 16i));
 let _e3343 = select(_e3297, _e3338, (_e3338 < _e3297));
-let _e3348 = global_3.member[bitcast<u32>(select(0i, _e3343, (_e3343 > 0i)))];
+let _e3348 = global_2.member[bitcast<u32>(select(0i, _e3343, (_e3343 > 0i)))];
 let _e3352 = (_e3338 + 1i);
 let _e3354 = select(_e3297, _e3352, (_e3352 < _e3297));
-let _e3359 = global_3.member[bitcast<u32>(select(0i, _e3354, (_e3354 > 0i)))];
+let _e3359 = global_2.member[bitcast<u32>(select(0i, _e3354, (_e3354 > 0i)))];
 let _e3366 = ((_e3348 >> bitcast<u32>((_e3341 & 31u))) | ((_e3359 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3341) & 31u))));
 let _e3369 = local_10.member_1[2u];
 let _e3375 = f32(bitcast<i32>(((_e3366 >> bitcast<u32>((_e3369 & 31u))) & 65535u)));
@@ -1169,10 +1169,10 @@ let _e3391 = ((_e3319 + _e3318) + _e3390);
 let _e3393 = (_e3391 >> bitcast<u32>(1i));
 let _e3396 = bitcast<u32>(((_e3391 & 1i) * 16i));
 let _e3398 = select(_e3297, _e3393, (_e3393 < _e3297));
-let _e3403 = global_3.member[bitcast<u32>(select(0i, _e3398, (_e3398 > 0i)))];
+let _e3403 = global_2.member[bitcast<u32>(select(0i, _e3398, (_e3398 > 0i)))];
 let _e3407 = (_e3393 + 1i);
 let _e3409 = select(_e3297, _e3407, (_e3407 < _e3297));
-let _e3414 = global_3.member[bitcast<u32>(select(0i, _e3409, (_e3409 > 0i)))];
+let _e3414 = global_2.member[bitcast<u32>(select(0i, _e3409, (_e3409 > 0i)))];
 let _e3421 = ((_e3403 >> bitcast<u32>((_e3396 & 31u))) | ((_e3414 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3396) & 31u))));
 let _e3422 = local_10.member_1[2u];
 let _e3428 = f32(bitcast<i32>(((_e3421 >> bitcast<u32>((_e3422 & 31u))) & 65535u)));
@@ -1185,10 +1185,10 @@ let _e3447 = ((_e3321 + _e3316) + _e3446);
 let _e3449 = (_e3447 >> bitcast<u32>(1i));
 let _e3452 = bitcast<u32>(((_e3447 & 1i) * 16i));
 let _e3454 = select(_e3297, _e3449, (_e3449 < _e3297));
-let _e3459 = global_3.member[bitcast<u32>(select(0i, _e3454, (_e3454 > 0i)))];
+let _e3459 = global_2.member[bitcast<u32>(select(0i, _e3454, (_e3454 > 0i)))];
 let _e3463 = (_e3449 + 1i);
 let _e3465 = select(_e3297, _e3463, (_e3463 < _e3297));
-let _e3470 = global_3.member[bitcast<u32>(select(0i, _e3465, (_e3465 > 0i)))];
+let _e3470 = global_2.member[bitcast<u32>(select(0i, _e3465, (_e3465 > 0i)))];
 let _e3477 = ((_e3459 >> bitcast<u32>((_e3452 & 31u))) | ((_e3470 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3452) & 31u))));
 let _e3478 = local_10.member_1[2u];
 let _e3484 = f32(bitcast<i32>(((_e3477 >> bitcast<u32>((_e3478 & 31u))) & 65535u)));
@@ -1200,10 +1200,10 @@ let _e3498 = ((_e3321 + _e3318) + _e3497);
 let _e3500 = (_e3498 >> bitcast<u32>(1i));
 let _e3503 = bitcast<u32>(((_e3498 & 1i) * 16i));
 let _e3505 = select(_e3297, _e3500, (_e3500 < _e3297));
-let _e3510 = global_3.member[bitcast<u32>(select(0i, _e3505, (_e3505 > 0i)))];
+let _e3510 = global_2.member[bitcast<u32>(select(0i, _e3505, (_e3505 > 0i)))];
 let _e3514 = (_e3500 + 1i);
 let _e3516 = select(_e3297, _e3514, (_e3514 < _e3297));
-let _e3521 = global_3.member[bitcast<u32>(select(0i, _e3516, (_e3516 > 0i)))];
+let _e3521 = global_2.member[bitcast<u32>(select(0i, _e3516, (_e3516 > 0i)))];
 let _e3528 = ((_e3510 >> bitcast<u32>((_e3503 & 31u))) | ((_e3521 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3503) & 31u))));
 let _e3529 = local_10.member_1[2u];
 let _e3535 = f32(bitcast<i32>(((_e3528 >> bitcast<u32>((_e3529 & 31u))) & 65535u)));
@@ -1255,7 +1255,7 @@ let _e3671 = bitcast<i32>(_e3670);
 let _e3681 = ((_e3657 >> bitcast<u32>(4i)) + (_e3665 * ((_e3658 >> bitcast<u32>(4i)) + (_e3671 * (_e3659 >> bitcast<u32>(4i))))));
 let _e3683 = (bitcast<i32>(_e161) - 1i);
 let _e3685 = select(_e3683, _e3681, (_e3681 < _e3683));
-let _e3691 = global_3.member[bitcast<u32>(select(0i, _e3685, (_e3685 > 0i)))];
+let _e3691 = global_2.member[bitcast<u32>(select(0i, _e3685, (_e3685 > 0i)))];
 let _e3693 = (_e3657 & 15i);
 let _e3696 = ((_e3658 & 15i) * _e3652);
 let _e3698 = (bitcast<i32>(_e3691) + ((_e3659 & 15i) * _e3656));
@@ -1265,17 +1265,17 @@ let _e3704 = (_e3696 + _e3703);
 let _e3705 = (_e3698 + _e3656);
 let _e3706 = (2i * _e3656);
 let _e3707 = (_e3698 + _e3706);
-local_8 = type_31(array<i32, 4>(_e3693, (_e3693 + 1i), (_e3693 + 2i), (_e3693 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_8 = type_29(array<i32, 4>(_e3693, (_e3693 + 1i), (_e3693 + 2i), (_e3693 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_9 = vec3<f32>((_e3583 - f32(_e3618)), (_e3593 - f32(_e3633)), (_e3603 - f32(_e3648)));
 let _e3721 = local_8.member[1u];
 let _e3722 = ((_e3705 + _e3702) + _e3721);
 let _e3724 = (_e3722 >> bitcast<u32>(1i));
 let _e3727 = bitcast<u32>(((_e3722 & 1i) * 16i));
 let _e3729 = select(_e3683, _e3724, (_e3724 < _e3683));
-let _e3734 = global_3.member[bitcast<u32>(select(0i, _e3729, (_e3729 > 0i)))];
+let _e3734 = global_2.member[bitcast<u32>(select(0i, _e3729, (_e3729 > 0i)))];
 let _e3738 = (_e3724 + 1i);
 let _e3740 = select(_e3683, _e3738, (_e3738 < _e3683));
-let _e3745 = global_3.member[bitcast<u32>(select(0i, _e3740, (_e3740 > 0i)))];
+let _e3745 = global_2.member[bitcast<u32>(select(0i, _e3740, (_e3740 > 0i)))];
 let _e3752 = ((_e3734 >> bitcast<u32>((_e3727 & 31u))) | ((_e3745 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3727) & 31u))));
 let _e3755 = local_8.member_1[2u];
 let _e3761 = f32(bitcast<i32>(((_e3752 >> bitcast<u32>((_e3755 & 31u))) & 65535u)));
@@ -1287,10 +1287,10 @@ let _e3777 = ((_e3705 + _e3704) + _e3776);
 let _e3779 = (_e3777 >> bitcast<u32>(1i));
 let _e3782 = bitcast<u32>(((_e3777 & 1i) * 16i));
 let _e3784 = select(_e3683, _e3779, (_e3779 < _e3683));
-let _e3789 = global_3.member[bitcast<u32>(select(0i, _e3784, (_e3784 > 0i)))];
+let _e3789 = global_2.member[bitcast<u32>(select(0i, _e3784, (_e3784 > 0i)))];
 let _e3793 = (_e3779 + 1i);
 let _e3795 = select(_e3683, _e3793, (_e3793 < _e3683));
-let _e3800 = global_3.member[bitcast<u32>(select(0i, _e3795, (_e3795 > 0i)))];
+let _e3800 = global_2.member[bitcast<u32>(select(0i, _e3795, (_e3795 > 0i)))];
 let _e3807 = ((_e3789 >> bitcast<u32>((_e3782 & 31u))) | ((_e3800 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3782) & 31u))));
 let _e3808 = local_8.member_1[2u];
 let _e3814 = f32(bitcast<i32>(((_e3807 >> bitcast<u32>((_e3808 & 31u))) & 65535u)));
@@ -1303,10 +1303,10 @@ let _e3833 = ((_e3707 + _e3702) + _e3832);
 let _e3835 = (_e3833 >> bitcast<u32>(1i));
 let _e3838 = bitcast<u32>(((_e3833 & 1i) * 16i));
 let _e3840 = select(_e3683, _e3835, (_e3835 < _e3683));
-let _e3845 = global_3.member[bitcast<u32>(select(0i, _e3840, (_e3840 > 0i)))];
+let _e3845 = global_2.member[bitcast<u32>(select(0i, _e3840, (_e3840 > 0i)))];
 let _e3849 = (_e3835 + 1i);
 let _e3851 = select(_e3683, _e3849, (_e3849 < _e3683));
-let _e3856 = global_3.member[bitcast<u32>(select(0i, _e3851, (_e3851 > 0i)))];
+let _e3856 = global_2.member[bitcast<u32>(select(0i, _e3851, (_e3851 > 0i)))];
 let _e3863 = ((_e3845 >> bitcast<u32>((_e3838 & 31u))) | ((_e3856 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3838) & 31u))));
 let _e3864 = local_8.member_1[2u];
 let _e3870 = f32(bitcast<i32>(((_e3863 >> bitcast<u32>((_e3864 & 31u))) & 65535u)));
@@ -1318,10 +1318,10 @@ let _e3884 = ((_e3707 + _e3704) + _e3883);
 let _e3886 = (_e3884 >> bitcast<u32>(1i));
 let _e3889 = bitcast<u32>(((_e3884 & 1i) * 16i));
 let _e3891 = select(_e3683, _e3886, (_e3886 < _e3683));
-let _e3896 = global_3.member[bitcast<u32>(select(0i, _e3891, (_e3891 > 0i)))];
+let _e3896 = global_2.member[bitcast<u32>(select(0i, _e3891, (_e3891 > 0i)))];
 let _e3900 = (_e3886 + 1i);
 let _e3902 = select(_e3683, _e3900, (_e3900 < _e3683));
-let _e3907 = global_3.member[bitcast<u32>(select(0i, _e3902, (_e3902 > 0i)))];
+let _e3907 = global_2.member[bitcast<u32>(select(0i, _e3902, (_e3902 > 0i)))];
 let _e3914 = ((_e3896 >> bitcast<u32>((_e3889 & 31u))) | ((_e3907 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3889) & 31u))));
 let _e3915 = local_8.member_1[2u];
 let _e3921 = f32(bitcast<i32>(((_e3914 >> bitcast<u32>((_e3915 & 31u))) & 65535u)));
@@ -1338,7 +1338,7 @@ let _e3956 = select(1e9f, _e3954, (_e3954 < 1e9f));
 let _e3959 = global_1.member.member_1;
 let _e3961 = ((_e3959 & 16u) == 0u);
 if _e3961 {
-phi_8954_ = type_5(1f, 1f, 1f);
+phi_8954_ = type_7(1f, 1f, 1f);
 } else {
 let _e3965 = global_1.member.member_14.member;
 let _e3976 = ((((_e3965.member.member * _e1130) + (_e3965.member.member_1 * _e1143)) + (_e3965.member.member_2 * _e1108)) + _e3965.member_1);
@@ -1384,7 +1384,7 @@ let _e4143 = select(0f, _e4141, (_e4141 > 0f));
 let _e4149 = select(select(select(1f, _e4143, (_e4143 < 1f)), 1f, (_e4136 <= 0f)), 0f, (_e4134 > 0f));
 let _e4154 = global_1.member.member_17.member_1;
 let _e4155 = (_e4154 != 0u);
-phi_8954_ = type_5(((((1f * _e3999) * _e4049) * _e4099) * _e4149), ((((1f * select(1f, _e3999, _e4005)) * select(1f, _e4049, _e4055)) * select(1f, _e4099, _e4105)) * select(1f, _e4149, _e4155)), ((((1f * select(1f, 0f, (_e4005 && (_e3982 > 0f)))) * select(1f, 0f, (_e4055 && (_e4032 > 0f)))) * select(1f, 0f, (_e4105 && (_e4082 > 0f)))) * select(1f, 0f, (_e4155 && (_e4132 > 0f)))));
+phi_8954_ = type_7(((((1f * _e3999) * _e4049) * _e4099) * _e4149), ((((1f * select(1f, _e3999, _e4005)) * select(1f, _e4049, _e4055)) * select(1f, _e4099, _e4105)) * select(1f, _e4149, _e4155)), ((((1f * select(1f, 0f, (_e4005 && (_e3982 > 0f)))) * select(1f, 0f, (_e4055 && (_e4032 > 0f)))) * select(1f, 0f, (_e4105 && (_e4082 > 0f)))) * select(1f, 0f, (_e4155 && (_e4132 > 0f)))));
 }
 let _e4164 = phi_8954_;
 let _e4165 = (_e1209 - _e1173);
@@ -1437,97 +1437,97 @@ local_7 = _e3956;
 let _e4285 = local_7;
 let _e4287 = (bitcast<i32>(_e166) - 1i);
 let _e4289 = select(_e4287, 263171i, (263171i < _e4287));
-let _e4294 = global_4.member[bitcast<u32>(select(0i, _e4289, (_e4289 > 0i)))];
+let _e4294 = global_3.member[bitcast<u32>(select(0i, _e4289, (_e4289 > 0i)))];
 let _e4295 = bitcast<f32>(_e4294);
 let _e4297 = select(_e4287, 263172i, (263172i < _e4287));
-let _e4302 = global_4.member[bitcast<u32>(select(0i, _e4297, (_e4297 > 0i)))];
+let _e4302 = global_3.member[bitcast<u32>(select(0i, _e4297, (_e4297 > 0i)))];
 let _e4303 = bitcast<f32>(_e4302);
 let _e4305 = select(_e4287, 263173i, (263173i < _e4287));
-let _e4310 = global_4.member[bitcast<u32>(select(0i, _e4305, (_e4305 > 0i)))];
+let _e4310 = global_3.member[bitcast<u32>(select(0i, _e4305, (_e4305 > 0i)))];
 let _e4311 = bitcast<f32>(_e4310);
 let _e4313 = ((_e4285 - _e4295) * _e4303);
 let _e4315 = select(0f, _e4313, (_e4313 > 0f));
 let _e4318 = local_7;
 let _e4320 = select(_e4287, 263174i, (263174i < _e4287));
-let _e4325 = global_4.member[bitcast<u32>(select(0i, _e4320, (_e4320 > 0i)))];
+let _e4325 = global_3.member[bitcast<u32>(select(0i, _e4320, (_e4320 > 0i)))];
 let _e4326 = bitcast<f32>(_e4325);
 let _e4328 = select(_e4287, 263175i, (263175i < _e4287));
-let _e4333 = global_4.member[bitcast<u32>(select(0i, _e4328, (_e4328 > 0i)))];
+let _e4333 = global_3.member[bitcast<u32>(select(0i, _e4328, (_e4328 > 0i)))];
 let _e4334 = bitcast<f32>(_e4333);
 let _e4336 = select(_e4287, 263176i, (263176i < _e4287));
-let _e4341 = global_4.member[bitcast<u32>(select(0i, _e4336, (_e4336 > 0i)))];
+let _e4341 = global_3.member[bitcast<u32>(select(0i, _e4336, (_e4336 > 0i)))];
 let _e4342 = bitcast<f32>(_e4341);
 let _e4344 = ((_e4318 - _e4326) * _e4334);
 let _e4346 = select(0f, _e4344, (_e4344 > 0f));
 let _e4350 = local_7;
 let _e4352 = select(_e4287, 263177i, (263177i < _e4287));
-let _e4357 = global_4.member[bitcast<u32>(select(0i, _e4352, (_e4352 > 0i)))];
+let _e4357 = global_3.member[bitcast<u32>(select(0i, _e4352, (_e4352 > 0i)))];
 let _e4358 = bitcast<f32>(_e4357);
 let _e4360 = select(_e4287, 263178i, (263178i < _e4287));
-let _e4365 = global_4.member[bitcast<u32>(select(0i, _e4360, (_e4360 > 0i)))];
+let _e4365 = global_3.member[bitcast<u32>(select(0i, _e4360, (_e4360 > 0i)))];
 let _e4366 = bitcast<f32>(_e4365);
 let _e4368 = select(_e4287, 263179i, (263179i < _e4287));
-let _e4373 = global_4.member[bitcast<u32>(select(0i, _e4368, (_e4368 > 0i)))];
+let _e4373 = global_3.member[bitcast<u32>(select(0i, _e4368, (_e4368 > 0i)))];
 let _e4374 = bitcast<f32>(_e4373);
 let _e4376 = ((_e4350 - _e4358) * _e4366);
 let _e4378 = select(0f, _e4376, (_e4376 > 0f));
 let _e4381 = local_7;
 let _e4383 = select(_e4287, 263180i, (263180i < _e4287));
-let _e4388 = global_4.member[bitcast<u32>(select(0i, _e4383, (_e4383 > 0i)))];
+let _e4388 = global_3.member[bitcast<u32>(select(0i, _e4383, (_e4383 > 0i)))];
 let _e4389 = bitcast<f32>(_e4388);
 let _e4391 = select(_e4287, 263181i, (263181i < _e4287));
-let _e4396 = global_4.member[bitcast<u32>(select(0i, _e4391, (_e4391 > 0i)))];
+let _e4396 = global_3.member[bitcast<u32>(select(0i, _e4391, (_e4391 > 0i)))];
 let _e4397 = bitcast<f32>(_e4396);
 let _e4399 = select(_e4287, 263182i, (263182i < _e4287));
-let _e4404 = global_4.member[bitcast<u32>(select(0i, _e4399, (_e4399 > 0i)))];
+let _e4404 = global_3.member[bitcast<u32>(select(0i, _e4399, (_e4399 > 0i)))];
 let _e4405 = bitcast<f32>(_e4404);
 let _e4407 = ((_e4381 - _e4389) * _e4397);
 let _e4409 = select(0f, _e4407, (_e4407 > 0f));
 let _e4414 = local_7;
 let _e4416 = select(_e4287, 263183i, (263183i < _e4287));
-let _e4421 = global_4.member[bitcast<u32>(select(0i, _e4416, (_e4416 > 0i)))];
+let _e4421 = global_3.member[bitcast<u32>(select(0i, _e4416, (_e4416 > 0i)))];
 let _e4422 = bitcast<f32>(_e4421);
 let _e4424 = select(_e4287, 263184i, (263184i < _e4287));
-let _e4429 = global_4.member[bitcast<u32>(select(0i, _e4424, (_e4424 > 0i)))];
+let _e4429 = global_3.member[bitcast<u32>(select(0i, _e4424, (_e4424 > 0i)))];
 let _e4430 = bitcast<f32>(_e4429);
 let _e4432 = select(_e4287, 263185i, (263185i < _e4287));
-let _e4437 = global_4.member[bitcast<u32>(select(0i, _e4432, (_e4432 > 0i)))];
+let _e4437 = global_3.member[bitcast<u32>(select(0i, _e4432, (_e4432 > 0i)))];
 let _e4438 = bitcast<f32>(_e4437);
 let _e4440 = ((_e4414 - _e4422) * _e4430);
 let _e4442 = select(0f, _e4440, (_e4440 > 0f));
 let _e4445 = local_7;
 let _e4447 = select(_e4287, 263186i, (263186i < _e4287));
-let _e4452 = global_4.member[bitcast<u32>(select(0i, _e4447, (_e4447 > 0i)))];
+let _e4452 = global_3.member[bitcast<u32>(select(0i, _e4447, (_e4447 > 0i)))];
 let _e4453 = bitcast<f32>(_e4452);
 let _e4455 = select(_e4287, 263187i, (263187i < _e4287));
-let _e4460 = global_4.member[bitcast<u32>(select(0i, _e4455, (_e4455 > 0i)))];
+let _e4460 = global_3.member[bitcast<u32>(select(0i, _e4455, (_e4455 > 0i)))];
 let _e4461 = bitcast<f32>(_e4460);
 let _e4463 = select(_e4287, 263188i, (263188i < _e4287));
-let _e4468 = global_4.member[bitcast<u32>(select(0i, _e4463, (_e4463 > 0i)))];
+let _e4468 = global_3.member[bitcast<u32>(select(0i, _e4463, (_e4463 > 0i)))];
 let _e4469 = bitcast<f32>(_e4468);
 let _e4471 = ((_e4445 - _e4453) * _e4461);
 let _e4473 = select(0f, _e4471, (_e4471 > 0f));
 let _e4477 = local_7;
 let _e4479 = select(_e4287, 263189i, (263189i < _e4287));
-let _e4484 = global_4.member[bitcast<u32>(select(0i, _e4479, (_e4479 > 0i)))];
+let _e4484 = global_3.member[bitcast<u32>(select(0i, _e4479, (_e4479 > 0i)))];
 let _e4485 = bitcast<f32>(_e4484);
 let _e4487 = select(_e4287, 263190i, (263190i < _e4287));
-let _e4492 = global_4.member[bitcast<u32>(select(0i, _e4487, (_e4487 > 0i)))];
+let _e4492 = global_3.member[bitcast<u32>(select(0i, _e4487, (_e4487 > 0i)))];
 let _e4493 = bitcast<f32>(_e4492);
 let _e4495 = select(_e4287, 263191i, (263191i < _e4287));
-let _e4500 = global_4.member[bitcast<u32>(select(0i, _e4495, (_e4495 > 0i)))];
+let _e4500 = global_3.member[bitcast<u32>(select(0i, _e4495, (_e4495 > 0i)))];
 let _e4501 = bitcast<f32>(_e4500);
 let _e4503 = ((_e4477 - _e4485) * _e4493);
 let _e4505 = select(0f, _e4503, (_e4503 > 0f));
 let _e4508 = local_7;
 let _e4510 = select(_e4287, 263192i, (263192i < _e4287));
-let _e4515 = global_4.member[bitcast<u32>(select(0i, _e4510, (_e4510 > 0i)))];
+let _e4515 = global_3.member[bitcast<u32>(select(0i, _e4510, (_e4510 > 0i)))];
 let _e4516 = bitcast<f32>(_e4515);
 let _e4518 = select(_e4287, 263193i, (263193i < _e4287));
-let _e4523 = global_4.member[bitcast<u32>(select(0i, _e4518, (_e4518 > 0i)))];
+let _e4523 = global_3.member[bitcast<u32>(select(0i, _e4518, (_e4518 > 0i)))];
 let _e4524 = bitcast<f32>(_e4523);
 let _e4526 = select(_e4287, 263194i, (263194i < _e4287));
-let _e4531 = global_4.member[bitcast<u32>(select(0i, _e4526, (_e4526 > 0i)))];
+let _e4531 = global_3.member[bitcast<u32>(select(0i, _e4526, (_e4526 > 0i)))];
 let _e4532 = bitcast<f32>(_e4531);
 let _e4534 = ((_e4508 - _e4516) * _e4524);
 let _e4536 = select(0f, _e4534, (_e4534 > 0f));
@@ -1568,10 +1568,10 @@ let _e4624 = select(_e4605, _e4622, (_e4622 < _e4605));
 let _e4631 = select(0i, select(select(i32(_e4624), i32(-2147483648), (_e4624 < -2147483600f)), 2147483647i, (_e4624 > 2147483500f)), (_e4624 == _e4624));
 let _e4635 = (_e4631 - select(0i, 1i, (_e4624 < f32(_e4631))));
 let _e4637 = select(_e4287, 263195i, (263195i < _e4287));
-let _e4643 = global_4.member[bitcast<u32>(select(0i, _e4637, (_e4637 > 0i)))];
+let _e4643 = global_3.member[bitcast<u32>(select(0i, _e4637, (_e4637 > 0i)))];
 let _e4644 = bitcast<f32>(_e4643);
 let _e4646 = select(_e4287, 263196i, (263196i < _e4287));
-let _e4652 = global_4.member[bitcast<u32>(select(0i, _e4646, (_e4646 > 0i)))];
+let _e4652 = global_3.member[bitcast<u32>(select(0i, _e4646, (_e4646 > 0i)))];
 let _e4653 = bitcast<f32>(_e4652);
 let _e4654 = (_e3573.member - _e3956);
 let _e4660 = (1f / select(_e4654, 1f, (bitcast<f32>((bitcast<u32>(_e4654) & 2147483647u)) < 1e-20f)));
@@ -1580,20 +1580,20 @@ let _e4672 = ((select(_e4653, _e3573.member, (_e3573.member > _e4653)) - select(
 let _e4675 = (((_e4620 * 256i) + _e4635) * 4i);
 let _e4679 = (_e4604 - f32(_e4635));
 let _e4683 = select(_e4287, _e4675, (_e4675 < _e4287));
-let _e4689 = global_4.member[bitcast<u32>(select(0i, _e4683, (_e4683 > 0i)))];
+let _e4689 = global_3.member[bitcast<u32>(select(0i, _e4683, (_e4683 > 0i)))];
 let _e4690 = (_e4675 + 4i);
 let _e4692 = select(_e4287, _e4690, (_e4690 < _e4287));
-let _e4698 = global_4.member[bitcast<u32>(select(0i, _e4692, (_e4692 > 0i)))];
+let _e4698 = global_3.member[bitcast<u32>(select(0i, _e4692, (_e4692 > 0i)))];
 let _e4699 = (_e4675 + 1024i);
 let _e4701 = select(_e4287, _e4699, (_e4699 < _e4287));
-let _e4707 = global_4.member[bitcast<u32>(select(0i, _e4701, (_e4701 > 0i)))];
+let _e4707 = global_3.member[bitcast<u32>(select(0i, _e4701, (_e4701 > 0i)))];
 let _e4708 = (_e4675 + 1028i);
 let _e4710 = select(_e4287, _e4708, (_e4708 < _e4287));
-let _e4716 = global_4.member[bitcast<u32>(select(0i, _e4710, (_e4710 > 0i)))];
+let _e4716 = global_3.member[bitcast<u32>(select(0i, _e4710, (_e4710 > 0i)))];
 let _e4718 = select(_e4287, 0i, (0i < _e4287));
-let _e4724 = global_4.member[bitcast<u32>(select(0i, _e4718, (_e4718 > 0i)))];
+let _e4724 = global_3.member[bitcast<u32>(select(0i, _e4718, (_e4718 > 0i)))];
 let _e4726 = select(_e4287, 262140i, (262140i < _e4287));
-let _e4732 = global_4.member[bitcast<u32>(select(0i, _e4726, (_e4726 > 0i)))];
+let _e4732 = global_3.member[bitcast<u32>(select(0i, _e4726, (_e4726 > 0i)))];
 let _e4737 = (bitcast<f32>(((_e4689 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4745 = (_e4737 + (((bitcast<f32>(((_e4698 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4737) * _e4679));
 let _e4750 = (bitcast<f32>(((_e4707 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1616,97 +1616,97 @@ local_5 = _e3956;
 let _e4835 = local_5;
 let _e4837 = (bitcast<i32>(_e166) - 1i);
 let _e4839 = select(_e4837, 263171i, (263171i < _e4837));
-let _e4844 = global_4.member[bitcast<u32>(select(0i, _e4839, (_e4839 > 0i)))];
+let _e4844 = global_3.member[bitcast<u32>(select(0i, _e4839, (_e4839 > 0i)))];
 let _e4845 = bitcast<f32>(_e4844);
 let _e4847 = select(_e4837, 263172i, (263172i < _e4837));
-let _e4852 = global_4.member[bitcast<u32>(select(0i, _e4847, (_e4847 > 0i)))];
+let _e4852 = global_3.member[bitcast<u32>(select(0i, _e4847, (_e4847 > 0i)))];
 let _e4853 = bitcast<f32>(_e4852);
 let _e4855 = select(_e4837, 263173i, (263173i < _e4837));
-let _e4860 = global_4.member[bitcast<u32>(select(0i, _e4855, (_e4855 > 0i)))];
+let _e4860 = global_3.member[bitcast<u32>(select(0i, _e4855, (_e4855 > 0i)))];
 let _e4861 = bitcast<f32>(_e4860);
 let _e4863 = ((_e4835 - _e4845) * _e4853);
 let _e4865 = select(0f, _e4863, (_e4863 > 0f));
 let _e4868 = local_5;
 let _e4870 = select(_e4837, 263174i, (263174i < _e4837));
-let _e4875 = global_4.member[bitcast<u32>(select(0i, _e4870, (_e4870 > 0i)))];
+let _e4875 = global_3.member[bitcast<u32>(select(0i, _e4870, (_e4870 > 0i)))];
 let _e4876 = bitcast<f32>(_e4875);
 let _e4878 = select(_e4837, 263175i, (263175i < _e4837));
-let _e4883 = global_4.member[bitcast<u32>(select(0i, _e4878, (_e4878 > 0i)))];
+let _e4883 = global_3.member[bitcast<u32>(select(0i, _e4878, (_e4878 > 0i)))];
 let _e4884 = bitcast<f32>(_e4883);
 let _e4886 = select(_e4837, 263176i, (263176i < _e4837));
-let _e4891 = global_4.member[bitcast<u32>(select(0i, _e4886, (_e4886 > 0i)))];
+let _e4891 = global_3.member[bitcast<u32>(select(0i, _e4886, (_e4886 > 0i)))];
 let _e4892 = bitcast<f32>(_e4891);
 let _e4894 = ((_e4868 - _e4876) * _e4884);
 let _e4896 = select(0f, _e4894, (_e4894 > 0f));
 let _e4900 = local_5;
 let _e4902 = select(_e4837, 263177i, (263177i < _e4837));
-let _e4907 = global_4.member[bitcast<u32>(select(0i, _e4902, (_e4902 > 0i)))];
+let _e4907 = global_3.member[bitcast<u32>(select(0i, _e4902, (_e4902 > 0i)))];
 let _e4908 = bitcast<f32>(_e4907);
 let _e4910 = select(_e4837, 263178i, (263178i < _e4837));
-let _e4915 = global_4.member[bitcast<u32>(select(0i, _e4910, (_e4910 > 0i)))];
+let _e4915 = global_3.member[bitcast<u32>(select(0i, _e4910, (_e4910 > 0i)))];
 let _e4916 = bitcast<f32>(_e4915);
 let _e4918 = select(_e4837, 263179i, (263179i < _e4837));
-let _e4923 = global_4.member[bitcast<u32>(select(0i, _e4918, (_e4918 > 0i)))];
+let _e4923 = global_3.member[bitcast<u32>(select(0i, _e4918, (_e4918 > 0i)))];
 let _e4924 = bitcast<f32>(_e4923);
 let _e4926 = ((_e4900 - _e4908) * _e4916);
 let _e4928 = select(0f, _e4926, (_e4926 > 0f));
 let _e4931 = local_5;
 let _e4933 = select(_e4837, 263180i, (263180i < _e4837));
-let _e4938 = global_4.member[bitcast<u32>(select(0i, _e4933, (_e4933 > 0i)))];
+let _e4938 = global_3.member[bitcast<u32>(select(0i, _e4933, (_e4933 > 0i)))];
 let _e4939 = bitcast<f32>(_e4938);
 let _e4941 = select(_e4837, 263181i, (263181i < _e4837));
-let _e4946 = global_4.member[bitcast<u32>(select(0i, _e4941, (_e4941 > 0i)))];
+let _e4946 = global_3.member[bitcast<u32>(select(0i, _e4941, (_e4941 > 0i)))];
 let _e4947 = bitcast<f32>(_e4946);
 let _e4949 = select(_e4837, 263182i, (263182i < _e4837));
-let _e4954 = global_4.member[bitcast<u32>(select(0i, _e4949, (_e4949 > 0i)))];
+let _e4954 = global_3.member[bitcast<u32>(select(0i, _e4949, (_e4949 > 0i)))];
 let _e4955 = bitcast<f32>(_e4954);
 let _e4957 = ((_e4931 - _e4939) * _e4947);
 let _e4959 = select(0f, _e4957, (_e4957 > 0f));
 let _e4964 = local_5;
 let _e4966 = select(_e4837, 263183i, (263183i < _e4837));
-let _e4971 = global_4.member[bitcast<u32>(select(0i, _e4966, (_e4966 > 0i)))];
+let _e4971 = global_3.member[bitcast<u32>(select(0i, _e4966, (_e4966 > 0i)))];
 let _e4972 = bitcast<f32>(_e4971);
 let _e4974 = select(_e4837, 263184i, (263184i < _e4837));
-let _e4979 = global_4.member[bitcast<u32>(select(0i, _e4974, (_e4974 > 0i)))];
+let _e4979 = global_3.member[bitcast<u32>(select(0i, _e4974, (_e4974 > 0i)))];
 let _e4980 = bitcast<f32>(_e4979);
 let _e4982 = select(_e4837, 263185i, (263185i < _e4837));
-let _e4987 = global_4.member[bitcast<u32>(select(0i, _e4982, (_e4982 > 0i)))];
+let _e4987 = global_3.member[bitcast<u32>(select(0i, _e4982, (_e4982 > 0i)))];
 let _e4988 = bitcast<f32>(_e4987);
 let _e4990 = ((_e4964 - _e4972) * _e4980);
 let _e4992 = select(0f, _e4990, (_e4990 > 0f));
 let _e4995 = local_5;
 let _e4997 = select(_e4837, 263186i, (263186i < _e4837));
-let _e5002 = global_4.member[bitcast<u32>(select(0i, _e4997, (_e4997 > 0i)))];
+let _e5002 = global_3.member[bitcast<u32>(select(0i, _e4997, (_e4997 > 0i)))];
 let _e5003 = bitcast<f32>(_e5002);
 let _e5005 = select(_e4837, 263187i, (263187i < _e4837));
-let _e5010 = global_4.member[bitcast<u32>(select(0i, _e5005, (_e5005 > 0i)))];
+let _e5010 = global_3.member[bitcast<u32>(select(0i, _e5005, (_e5005 > 0i)))];
 let _e5011 = bitcast<f32>(_e5010);
 let _e5013 = select(_e4837, 263188i, (263188i < _e4837));
-let _e5018 = global_4.member[bitcast<u32>(select(0i, _e5013, (_e5013 > 0i)))];
+let _e5018 = global_3.member[bitcast<u32>(select(0i, _e5013, (_e5013 > 0i)))];
 let _e5019 = bitcast<f32>(_e5018);
 let _e5021 = ((_e4995 - _e5003) * _e5011);
 let _e5023 = select(0f, _e5021, (_e5021 > 0f));
 let _e5027 = local_5;
 let _e5029 = select(_e4837, 263189i, (263189i < _e4837));
-let _e5034 = global_4.member[bitcast<u32>(select(0i, _e5029, (_e5029 > 0i)))];
+let _e5034 = global_3.member[bitcast<u32>(select(0i, _e5029, (_e5029 > 0i)))];
 let _e5035 = bitcast<f32>(_e5034);
 let _e5037 = select(_e4837, 263190i, (263190i < _e4837));
-let _e5042 = global_4.member[bitcast<u32>(select(0i, _e5037, (_e5037 > 0i)))];
+let _e5042 = global_3.member[bitcast<u32>(select(0i, _e5037, (_e5037 > 0i)))];
 let _e5043 = bitcast<f32>(_e5042);
 let _e5045 = select(_e4837, 263191i, (263191i < _e4837));
-let _e5050 = global_4.member[bitcast<u32>(select(0i, _e5045, (_e5045 > 0i)))];
+let _e5050 = global_3.member[bitcast<u32>(select(0i, _e5045, (_e5045 > 0i)))];
 let _e5051 = bitcast<f32>(_e5050);
 let _e5053 = ((_e5027 - _e5035) * _e5043);
 let _e5055 = select(0f, _e5053, (_e5053 > 0f));
 let _e5058 = local_5;
 let _e5060 = select(_e4837, 263192i, (263192i < _e4837));
-let _e5065 = global_4.member[bitcast<u32>(select(0i, _e5060, (_e5060 > 0i)))];
+let _e5065 = global_3.member[bitcast<u32>(select(0i, _e5060, (_e5060 > 0i)))];
 let _e5066 = bitcast<f32>(_e5065);
 let _e5068 = select(_e4837, 263193i, (263193i < _e4837));
-let _e5073 = global_4.member[bitcast<u32>(select(0i, _e5068, (_e5068 > 0i)))];
+let _e5073 = global_3.member[bitcast<u32>(select(0i, _e5068, (_e5068 > 0i)))];
 let _e5074 = bitcast<f32>(_e5073);
 let _e5076 = select(_e4837, 263194i, (263194i < _e4837));
-let _e5081 = global_4.member[bitcast<u32>(select(0i, _e5076, (_e5076 > 0i)))];
+let _e5081 = global_3.member[bitcast<u32>(select(0i, _e5076, (_e5076 > 0i)))];
 let _e5082 = bitcast<f32>(_e5081);
 let _e5084 = ((_e5058 - _e5066) * _e5074);
 let _e5086 = select(0f, _e5084, (_e5084 > 0f));
@@ -1747,10 +1747,10 @@ let _e5174 = select(_e5155, _e5172, (_e5172 < _e5155));
 let _e5181 = select(0i, select(select(i32(_e5174), i32(-2147483648), (_e5174 < -2147483600f)), 2147483647i, (_e5174 > 2147483500f)), (_e5174 == _e5174));
 let _e5185 = (_e5181 - select(0i, 1i, (_e5174 < f32(_e5181))));
 let _e5187 = select(_e4837, 263195i, (263195i < _e4837));
-let _e5193 = global_4.member[bitcast<u32>(select(0i, _e5187, (_e5187 > 0i)))];
+let _e5193 = global_3.member[bitcast<u32>(select(0i, _e5187, (_e5187 > 0i)))];
 let _e5194 = bitcast<f32>(_e5193);
 let _e5196 = select(_e4837, 263196i, (263196i < _e4837));
-let _e5202 = global_4.member[bitcast<u32>(select(0i, _e5196, (_e5196 > 0i)))];
+let _e5202 = global_3.member[bitcast<u32>(select(0i, _e5196, (_e5196 > 0i)))];
 let _e5203 = bitcast<f32>(_e5202);
 let _e5204 = (_e3573.member - _e3956);
 let _e5210 = (1f / select(_e5204, 1f, (bitcast<f32>((bitcast<u32>(_e5204) & 2147483647u)) < 1e-20f)));
@@ -1761,20 +1761,20 @@ let _e5227 = (_e5091 - f32(_e5170));
 let _e5229 = (_e5154 - f32(_e5185));
 let _e5231 = (1f - (_e5216 + _e5222));
 let _e5233 = select(_e4837, _e5225, (_e5225 < _e4837));
-let _e5239 = global_4.member[bitcast<u32>(select(0i, _e5233, (_e5233 > 0i)))];
+let _e5239 = global_3.member[bitcast<u32>(select(0i, _e5233, (_e5233 > 0i)))];
 let _e5240 = (_e5225 + 4i);
 let _e5242 = select(_e4837, _e5240, (_e5240 < _e4837));
-let _e5248 = global_4.member[bitcast<u32>(select(0i, _e5242, (_e5242 > 0i)))];
+let _e5248 = global_3.member[bitcast<u32>(select(0i, _e5242, (_e5242 > 0i)))];
 let _e5249 = (_e5225 + 1024i);
 let _e5251 = select(_e4837, _e5249, (_e5249 < _e4837));
-let _e5257 = global_4.member[bitcast<u32>(select(0i, _e5251, (_e5251 > 0i)))];
+let _e5257 = global_3.member[bitcast<u32>(select(0i, _e5251, (_e5251 > 0i)))];
 let _e5258 = (_e5225 + 1028i);
 let _e5260 = select(_e4837, _e5258, (_e5258 < _e4837));
-let _e5266 = global_4.member[bitcast<u32>(select(0i, _e5260, (_e5260 > 0i)))];
+let _e5266 = global_3.member[bitcast<u32>(select(0i, _e5260, (_e5260 > 0i)))];
 let _e5268 = select(_e4837, 0i, (0i < _e4837));
-let _e5274 = global_4.member[bitcast<u32>(select(0i, _e5268, (_e5268 > 0i)))];
+let _e5274 = global_3.member[bitcast<u32>(select(0i, _e5268, (_e5268 > 0i)))];
 let _e5276 = select(_e4837, 262140i, (262140i < _e4837));
-let _e5282 = global_4.member[bitcast<u32>(select(0i, _e5276, (_e5276 > 0i)))];
+let _e5282 = global_3.member[bitcast<u32>(select(0i, _e5276, (_e5276 > 0i)))];
 let _e5287 = (bitcast<f32>(((_e5239 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5295 = (_e5287 + (((bitcast<f32>(((_e5248 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5287) * _e5229));
 let _e5300 = (bitcast<f32>(((_e5257 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1784,20 +1784,20 @@ let _e5351 = (_e5343 + (((bitcast<f32>((((_e5248 >> bitcast<u32>(16i)) & 32767u)
 let _e5356 = (bitcast<f32>((((_e5257 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5383 = (_e5225 + 1i);
 let _e5385 = select(_e4837, _e5383, (_e5383 < _e4837));
-let _e5391 = global_4.member[bitcast<u32>(select(0i, _e5385, (_e5385 > 0i)))];
+let _e5391 = global_3.member[bitcast<u32>(select(0i, _e5385, (_e5385 > 0i)))];
 let _e5392 = (_e5225 + 5i);
 let _e5394 = select(_e4837, _e5392, (_e5392 < _e4837));
-let _e5400 = global_4.member[bitcast<u32>(select(0i, _e5394, (_e5394 > 0i)))];
+let _e5400 = global_3.member[bitcast<u32>(select(0i, _e5394, (_e5394 > 0i)))];
 let _e5401 = (_e5225 + 1025i);
 let _e5403 = select(_e4837, _e5401, (_e5401 < _e4837));
-let _e5409 = global_4.member[bitcast<u32>(select(0i, _e5403, (_e5403 > 0i)))];
+let _e5409 = global_3.member[bitcast<u32>(select(0i, _e5403, (_e5403 > 0i)))];
 let _e5410 = (_e5225 + 1029i);
 let _e5412 = select(_e4837, _e5410, (_e5410 < _e4837));
-let _e5418 = global_4.member[bitcast<u32>(select(0i, _e5412, (_e5412 > 0i)))];
+let _e5418 = global_3.member[bitcast<u32>(select(0i, _e5412, (_e5412 > 0i)))];
 let _e5420 = select(_e4837, 1i, (1i < _e4837));
-let _e5426 = global_4.member[bitcast<u32>(select(0i, _e5420, (_e5420 > 0i)))];
+let _e5426 = global_3.member[bitcast<u32>(select(0i, _e5420, (_e5420 > 0i)))];
 let _e5428 = select(_e4837, 262141i, (262141i < _e4837));
-let _e5434 = global_4.member[bitcast<u32>(select(0i, _e5428, (_e5428 > 0i)))];
+let _e5434 = global_3.member[bitcast<u32>(select(0i, _e5428, (_e5428 > 0i)))];
 let _e5439 = (bitcast<f32>(((_e5391 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5447 = (_e5439 + (((bitcast<f32>(((_e5400 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5439) * _e5229));
 let _e5452 = (bitcast<f32>(((_e5409 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2103,7 +2103,7 @@ let _e6437 = (_e6420 + 1i);
 let _e6438 = (_e6435 + 1i);
 let _e6448 = ((_e6436 >> bitcast<u32>(4i)) + (_e3665 * ((_e6437 >> bitcast<u32>(4i)) + (_e3671 * (_e6438 >> bitcast<u32>(4i))))));
 let _e6450 = select(_e3683, _e6448, (_e6448 < _e3683));
-let _e6456 = global_3.member[bitcast<u32>(select(0i, _e6450, (_e6450 > 0i)))];
+let _e6456 = global_2.member[bitcast<u32>(select(0i, _e6450, (_e6450 > 0i)))];
 let _e6458 = (_e6436 & 15i);
 let _e6461 = ((_e6437 & 15i) * _e3652);
 let _e6463 = (bitcast<i32>(_e6456) + ((_e6438 & 15i) * _e3656));
@@ -2111,17 +2111,17 @@ let _e6467 = (_e6461 + _e3652);
 let _e6468 = (_e6461 + _e3703);
 let _e6469 = (_e6463 + _e3656);
 let _e6470 = (_e6463 + _e3706);
-local_2 = type_31(array<i32, 4>(_e6458, (_e6458 + 1i), (_e6458 + 2i), (_e6458 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
+local_2 = type_29(array<i32, 4>(_e6458, (_e6458 + 1i), (_e6458 + 2i), (_e6458 + 3i)), array<u32, 6>(0u, 16u, 0u, 16u, 0u, 16u));
 local_3 = vec3<f32>((_e6382 - f32(_e6405)), (_e6386 - f32(_e6420)), (_e6390 - f32(_e6435)));
 let _e6484 = local_2.member[1u];
 let _e6485 = ((_e6469 + _e6467) + _e6484);
 let _e6487 = (_e6485 >> bitcast<u32>(1i));
 let _e6490 = bitcast<u32>(((_e6485 & 1i) * 16i));
 let _e6492 = select(_e3683, _e6487, (_e6487 < _e3683));
-let _e6497 = global_3.member[bitcast<u32>(select(0i, _e6492, (_e6492 > 0i)))];
+let _e6497 = global_2.member[bitcast<u32>(select(0i, _e6492, (_e6492 > 0i)))];
 let _e6501 = (_e6487 + 1i);
 let _e6503 = select(_e3683, _e6501, (_e6501 < _e3683));
-let _e6508 = global_3.member[bitcast<u32>(select(0i, _e6503, (_e6503 > 0i)))];
+let _e6508 = global_2.member[bitcast<u32>(select(0i, _e6503, (_e6503 > 0i)))];
 let _e6515 = ((_e6497 >> bitcast<u32>((_e6490 & 31u))) | ((_e6508 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6490) & 31u))));
 let _e6518 = local_2.member_1[2u];
 let _e6524 = f32(bitcast<i32>(((_e6515 >> bitcast<u32>((_e6518 & 31u))) & 65535u)));
@@ -2133,10 +2133,10 @@ let _e6540 = ((_e6469 + _e6468) + _e6539);
 let _e6542 = (_e6540 >> bitcast<u32>(1i));
 let _e6545 = bitcast<u32>(((_e6540 & 1i) * 16i));
 let _e6547 = select(_e3683, _e6542, (_e6542 < _e3683));
-let _e6552 = global_3.member[bitcast<u32>(select(0i, _e6547, (_e6547 > 0i)))];
+let _e6552 = global_2.member[bitcast<u32>(select(0i, _e6547, (_e6547 > 0i)))];
 let _e6556 = (_e6542 + 1i);
 let _e6558 = select(_e3683, _e6556, (_e6556 < _e3683));
-let _e6563 = global_3.member[bitcast<u32>(select(0i, _e6558, (_e6558 > 0i)))];
+let _e6563 = global_2.member[bitcast<u32>(select(0i, _e6558, (_e6558 > 0i)))];
 let _e6570 = ((_e6552 >> bitcast<u32>((_e6545 & 31u))) | ((_e6563 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6545) & 31u))));
 let _e6571 = local_2.member_1[2u];
 let _e6577 = f32(bitcast<i32>(((_e6570 >> bitcast<u32>((_e6571 & 31u))) & 65535u)));
@@ -2149,10 +2149,10 @@ let _e6596 = ((_e6470 + _e6467) + _e6595);
 let _e6598 = (_e6596 >> bitcast<u32>(1i));
 let _e6601 = bitcast<u32>(((_e6596 & 1i) * 16i));
 let _e6603 = select(_e3683, _e6598, (_e6598 < _e3683));
-let _e6608 = global_3.member[bitcast<u32>(select(0i, _e6603, (_e6603 > 0i)))];
+let _e6608 = global_2.member[bitcast<u32>(select(0i, _e6603, (_e6603 > 0i)))];
 let _e6612 = (_e6598 + 1i);
 let _e6614 = select(_e3683, _e6612, (_e6612 < _e3683));
-let _e6619 = global_3.member[bitcast<u32>(select(0i, _e6614, (_e6614 > 0i)))];
+let _e6619 = global_2.member[bitcast<u32>(select(0i, _e6614, (_e6614 > 0i)))];
 let _e6626 = ((_e6608 >> bitcast<u32>((_e6601 & 31u))) | ((_e6619 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6601) & 31u))));
 let _e6627 = local_2.member_1[2u];
 let _e6633 = f32(bitcast<i32>(((_e6626 >> bitcast<u32>((_e6627 & 31u))) & 65535u)));
@@ -2164,10 +2164,10 @@ let _e6647 = ((_e6470 + _e6468) + _e6646);
 let _e6649 = (_e6647 >> bitcast<u32>(1i));
 let _e6652 = bitcast<u32>(((_e6647 & 1i) * 16i));
 let _e6654 = select(_e3683, _e6649, (_e6649 < _e3683));
-let _e6659 = global_3.member[bitcast<u32>(select(0i, _e6654, (_e6654 > 0i)))];
+let _e6659 = global_2.member[bitcast<u32>(select(0i, _e6654, (_e6654 > 0i)))];
 let _e6663 = (_e6649 + 1i);
 let _e6665 = select(_e3683, _e6663, (_e6663 < _e3683));
-let _e6670 = global_3.member[bitcast<u32>(select(0i, _e6665, (_e6665 > 0i)))];
+let _e6670 = global_2.member[bitcast<u32>(select(0i, _e6665, (_e6665 > 0i)))];
 let _e6677 = ((_e6659 >> bitcast<u32>((_e6652 & 31u))) | ((_e6670 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6652) & 31u))));
 let _e6678 = local_2.member_1[2u];
 let _e6684 = f32(bitcast<i32>(((_e6677 >> bitcast<u32>((_e6678 & 31u))) & 65535u)));
@@ -2183,41 +2183,41 @@ local_1 = _e6711;
 let _e6712 = local_1;
 let _e6714 = (bitcast<i32>(_e166) - 1i);
 let _e6716 = select(_e6714, 263197i, (263197i < _e6714));
-let _e6721 = global_4.member[bitcast<u32>(select(0i, _e6716, (_e6716 > 0i)))];
+let _e6721 = global_3.member[bitcast<u32>(select(0i, _e6716, (_e6716 > 0i)))];
 let _e6724 = select(_e6714, 263198i, (263198i < _e6714));
-let _e6729 = global_4.member[bitcast<u32>(select(0i, _e6724, (_e6724 > 0i)))];
+let _e6729 = global_3.member[bitcast<u32>(select(0i, _e6724, (_e6724 > 0i)))];
 let _e6732 = select(_e6714, 263199i, (263199i < _e6714));
-let _e6737 = global_4.member[bitcast<u32>(select(0i, _e6732, (_e6732 > 0i)))];
+let _e6737 = global_3.member[bitcast<u32>(select(0i, _e6732, (_e6732 > 0i)))];
 let _e6738 = bitcast<f32>(_e6737);
 let _e6740 = ((_e6712 - bitcast<f32>(_e6721)) * bitcast<f32>(_e6729));
 let _e6742 = select(0f, _e6740, (_e6740 > 0f));
 let _e6745 = local_1;
 let _e6747 = select(_e6714, 263200i, (263200i < _e6714));
-let _e6752 = global_4.member[bitcast<u32>(select(0i, _e6747, (_e6747 > 0i)))];
+let _e6752 = global_3.member[bitcast<u32>(select(0i, _e6747, (_e6747 > 0i)))];
 let _e6755 = select(_e6714, 263201i, (263201i < _e6714));
-let _e6760 = global_4.member[bitcast<u32>(select(0i, _e6755, (_e6755 > 0i)))];
+let _e6760 = global_3.member[bitcast<u32>(select(0i, _e6755, (_e6755 > 0i)))];
 let _e6763 = select(_e6714, 263202i, (263202i < _e6714));
-let _e6768 = global_4.member[bitcast<u32>(select(0i, _e6763, (_e6763 > 0i)))];
+let _e6768 = global_3.member[bitcast<u32>(select(0i, _e6763, (_e6763 > 0i)))];
 let _e6769 = bitcast<f32>(_e6768);
 let _e6771 = ((_e6745 - bitcast<f32>(_e6752)) * bitcast<f32>(_e6760));
 let _e6773 = select(0f, _e6771, (_e6771 > 0f));
 let _e6777 = local_1;
 let _e6779 = select(_e6714, 263203i, (263203i < _e6714));
-let _e6784 = global_4.member[bitcast<u32>(select(0i, _e6779, (_e6779 > 0i)))];
+let _e6784 = global_3.member[bitcast<u32>(select(0i, _e6779, (_e6779 > 0i)))];
 let _e6787 = select(_e6714, 263204i, (263204i < _e6714));
-let _e6792 = global_4.member[bitcast<u32>(select(0i, _e6787, (_e6787 > 0i)))];
+let _e6792 = global_3.member[bitcast<u32>(select(0i, _e6787, (_e6787 > 0i)))];
 let _e6795 = select(_e6714, 263205i, (263205i < _e6714));
-let _e6800 = global_4.member[bitcast<u32>(select(0i, _e6795, (_e6795 > 0i)))];
+let _e6800 = global_3.member[bitcast<u32>(select(0i, _e6795, (_e6795 > 0i)))];
 let _e6801 = bitcast<f32>(_e6800);
 let _e6803 = ((_e6777 - bitcast<f32>(_e6784)) * bitcast<f32>(_e6792));
 let _e6805 = select(0f, _e6803, (_e6803 > 0f));
 let _e6808 = local_1;
 let _e6810 = select(_e6714, 263206i, (263206i < _e6714));
-let _e6815 = global_4.member[bitcast<u32>(select(0i, _e6810, (_e6810 > 0i)))];
+let _e6815 = global_3.member[bitcast<u32>(select(0i, _e6810, (_e6810 > 0i)))];
 let _e6818 = select(_e6714, 263207i, (263207i < _e6714));
-let _e6823 = global_4.member[bitcast<u32>(select(0i, _e6818, (_e6818 > 0i)))];
+let _e6823 = global_3.member[bitcast<u32>(select(0i, _e6818, (_e6818 > 0i)))];
 let _e6826 = select(_e6714, 263208i, (263208i < _e6714));
-let _e6831 = global_4.member[bitcast<u32>(select(0i, _e6826, (_e6826 > 0i)))];
+let _e6831 = global_3.member[bitcast<u32>(select(0i, _e6826, (_e6826 > 0i)))];
 let _e6832 = bitcast<f32>(_e6831);
 let _e6834 = ((_e6808 - bitcast<f32>(_e6815)) * bitcast<f32>(_e6823));
 let _e6836 = select(0f, _e6834, (_e6834 > 0f));
@@ -2228,13 +2228,13 @@ let _e6851 = select(0i, select(select(i32(_e6844), i32(-2147483648), (_e6844 < -
 let _e6855 = (_e6851 - select(0i, 1i, (_e6844 < f32(_e6851))));
 let _e6856 = (262147i + _e6855);
 let _e6858 = select(_e6714, _e6856, (_e6856 < _e6714));
-let _e6864 = global_4.member[bitcast<u32>(select(0i, _e6858, (_e6858 > 0i)))];
+let _e6864 = global_3.member[bitcast<u32>(select(0i, _e6858, (_e6858 > 0i)))];
 let _e6874 = select(_e6714, 262146i, (262146i < _e6714));
-let _e6880 = global_4.member[bitcast<u32>(select(0i, _e6874, (_e6874 > 0i)))];
+let _e6880 = global_3.member[bitcast<u32>(select(0i, _e6874, (_e6874 > 0i)))];
 let _e6884 = select(_e6714, 262144i, (262144i < _e6714));
-let _e6890 = global_4.member[bitcast<u32>(select(0i, _e6884, (_e6884 > 0i)))];
+let _e6890 = global_3.member[bitcast<u32>(select(0i, _e6884, (_e6884 > 0i)))];
 let _e6893 = select(_e6714, 262145i, (262145i < _e6714));
-let _e6899 = global_4.member[bitcast<u32>(select(0i, _e6893, (_e6893 > 0i)))];
+let _e6899 = global_3.member[bitcast<u32>(select(0i, _e6893, (_e6893 > 0i)))];
 let _e6906 = ((bitcast<f32>(_e6890) + (f32(bitcast<i32>((_e6864 >> bitcast<u32>(12u)))) * bitcast<f32>(_e6899))) + ((f32((bitcast<i32>((_e6864 & 4095u)) - 2048i)) * bitcast<f32>(_e6880)) * (_e6840 - f32(_e6855))));
 let _e6910 = select(_e6323.member_6.x, _e6334.x, _e6328);
 let _e6913 = select(_e6323.member_6.y, _e6334.y, _e6328);
@@ -2473,15 +2473,15 @@ phi_16839_ = 1f;
 let _e7651 = phi_16838_;
 let _e7653 = phi_16839_;
 let _e7656 = (_e5740.member * _e7653);
-global_2.member[_e191] = (_e202 * (_e5740.member_2.x * _e7656));
-global_2.member[_e203] = (_e212 * (_e5740.member_2.y * _e7656));
-global_2.member[_e214] = (_e223 * (_e5740.member_2.z * _e7656));
-global_2.member[_e225] = _e7651.x;
-global_2.member[_e236] = _e7651.y;
-global_2.member[_e247] = _e7651.z;
-global_2.member[_e258] = _e267;
-global_2.member[_e269] = _e278;
-global_2.member[_e280] = _e289;
+global_4.member[_e191] = (_e202 * (_e5740.member_2.x * _e7656));
+global_4.member[_e203] = (_e212 * (_e5740.member_2.y * _e7656));
+global_4.member[_e214] = (_e223 * (_e5740.member_2.z * _e7656));
+global_4.member[_e225] = _e7651.x;
+global_4.member[_e236] = _e7651.y;
+global_4.member[_e247] = _e7651.z;
+global_4.member[_e258] = _e267;
+global_4.member[_e269] = _e278;
+global_4.member[_e280] = _e289;
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,47 +90,82 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
 }
-struct type_31 {
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
+}
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
@@ -198,29 +198,29 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_3: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_4: type_17;
+var<storage> global_3: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_26;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_5: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_11;
+var<storage> global_6: type_26;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_31;
+var local_2: type_29;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_31;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_31;
+var local_10: type_29;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -236,7 +236,7 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_31;
+var local_26: type_29;
 var local_27: vec3<f32>;
 var phi_902_: bool;
 var phi_1082_: bool;
@@ -245,7 +245,7 @@ var phi_1269_: bool;
 var phi_1592_: u32;
 var phi_7267_: type_32;
 var phi_8030_: type_33;
-var phi_8980_: type_5;
+var phi_8980_: type_7;
 var phi_12708_: type_35;
 var phi_14027_: type_34;
 var phi_14040_: vec3<f32>;
@@ -254,8 +254,8 @@ var phi_16773_: type_34;
 var phi_16925_: vec3<f32>;
 var phi_16926_: f32;
 let _e157 = global;
-let _e160 = arrayLength((&global_3.member));
-let _e165 = arrayLength((&global_4.member));
+let _e160 = arrayLength((&global_2.member));
+let _e165 = arrayLength((&global_3.member));
 let _e167 = arrayLength((&global_6.member));
 let _e172 = global_1.member.member_2;
 let _e175 = global_1.member.member;
@@ -266,41 +266,41 @@ if (_e185 < _e172.member_3) {
 let _e188 = (_e175.member * _e175.member_1);
 let _e190 = ((_e185 * _e175.member) + _e183);
 let _e191 = bitcast<i32>(_e190);
-let _e193 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e193 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e195 = select(_e193, _e191, (_e191 < _e193));
-let _e201 = global_2.member[bitcast<u32>(select(0i, _e195, (_e195 > 0i)))];
+let _e201 = global_4.member[bitcast<u32>(select(0i, _e195, (_e195 > 0i)))];
 let _e202 = (_e188 + _e190);
 let _e203 = bitcast<i32>(_e202);
 let _e205 = select(_e193, _e203, (_e203 < _e193));
-let _e211 = global_2.member[bitcast<u32>(select(0i, _e205, (_e205 > 0i)))];
+let _e211 = global_4.member[bitcast<u32>(select(0i, _e205, (_e205 > 0i)))];
 let _e213 = ((2u * _e188) + _e190);
 let _e214 = bitcast<i32>(_e213);
 let _e216 = select(_e193, _e214, (_e214 < _e193));
-let _e222 = global_2.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
+let _e222 = global_4.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
 let _e224 = ((3u * _e188) + _e190);
 let _e225 = bitcast<i32>(_e224);
 let _e227 = select(_e193, _e225, (_e225 < _e193));
-let _e233 = global_2.member[bitcast<u32>(select(0i, _e227, (_e227 > 0i)))];
+let _e233 = global_4.member[bitcast<u32>(select(0i, _e227, (_e227 > 0i)))];
 let _e235 = ((4u * _e188) + _e190);
 let _e236 = bitcast<i32>(_e235);
 let _e238 = select(_e193, _e236, (_e236 < _e193));
-let _e244 = global_2.member[bitcast<u32>(select(0i, _e238, (_e238 > 0i)))];
+let _e244 = global_4.member[bitcast<u32>(select(0i, _e238, (_e238 > 0i)))];
 let _e246 = ((5u * _e188) + _e190);
 let _e247 = bitcast<i32>(_e246);
 let _e249 = select(_e193, _e247, (_e247 < _e193));
-let _e255 = global_2.member[bitcast<u32>(select(0i, _e249, (_e249 > 0i)))];
+let _e255 = global_4.member[bitcast<u32>(select(0i, _e249, (_e249 > 0i)))];
 let _e257 = ((6u * _e188) + _e190);
 let _e258 = bitcast<i32>(_e257);
 let _e260 = select(_e193, _e258, (_e258 < _e193));
-let _e266 = global_2.member[bitcast<u32>(select(0i, _e260, (_e260 > 0i)))];
+let _e266 = global_4.member[bitcast<u32>(select(0i, _e260, (_e260 > 0i)))];
 let _e268 = ((7u * _e188) + _e190);
 let _e269 = bitcast<i32>(_e268);
 let _e271 = select(_e193, _e269, (_e269 < _e193));
-let _e277 = global_2.member[bitcast<u32>(select(0i, _e271, (_e271 > 0i)))];
+let _e277 = global_4.member[bitcast<u32>(select(0i, _e271, (_e271 > 0i)))];
 let _e279 = ((8u * _e188) + _e190);
 let _e280 = bitcast<i32>(_e279);
 let _e282 = select(_e193, _e280, (_e280 < _e193));
-let _e288 = global_2.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
+let _e288 = global_4.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
 let _e293 = global_1.member.member_8.member;
 let _e297 = global_1.member.member_8.member_1;
 let _e298 = (_e293 * _e297);
@@ -558,7 +558,7 @@ let _e1391 = (select(0i, _e1340, (_e1340 > 0i)) * _e1312);
 let _e1392 = (select(0i, _e1304, (_e1304 > 0i)) * _e1312);
 let _e1393 = (select(_e1339, _e1345, (_e1345 < _e1339)) * _e1312);
 let _e1394 = (select(_e1339, _e1348, (_e1348 < _e1339)) * _e1312);
-local_26 = type_31(array<i32, 4>(_e1374, _e1374, _e1374, _e1374), array<u32, 6>(bitcast<u32>(((_e1361 - _e1374) * 8i)), bitcast<u32>(((select(0i, _e1274, (_e1274 > 0i)) - _e1374) * 8i)), bitcast<u32>(((select(_e1358, _e1364, (_e1364 < _e1358)) - _e1374) * 8i)), bitcast<u32>(((select(_e1358, _e1367, (_e1367 < _e1358)) - _e1374) * 8i)), 0u, 0u));
+local_26 = type_29(array<i32, 4>(_e1374, _e1374, _e1374, _e1374), array<u32, 6>(bitcast<u32>(((_e1361 - _e1374) * 8i)), bitcast<u32>(((select(0i, _e1274, (_e1274 > 0i)) - _e1374) * 8i)), bitcast<u32>(((select(_e1358, _e1364, (_e1364 < _e1358)) - _e1374) * 8i)), bitcast<u32>(((select(_e1358, _e1367, (_e1367 < _e1358)) - _e1374) * 8i)), 0u, 0u));
 local_27 = vec3<f32>((_e1239 - f32(_e1274)), (_e1249 - f32(_e1289)), (_e1259 - f32(_e1304)));
 let _e1409 = local_26.member[0u];
 let _e1410 = ((_e1392 + _e1388) + _e1409);
@@ -566,10 +566,10 @@ let _e1412 = (_e1410 >> bitcast<u32>(2i));
 let _e1415 = bitcast<u32>(((_e1410 & 3i) * 8i));
 let _e1417 = (bitcast<i32>(_e160) - 1i);
 let _e1419 = select(_e1417, _e1412, (_e1412 < _e1417));
-let _e1424 = global_3.member[bitcast<u32>(select(0i, _e1419, (_e1419 > 0i)))];
+let _e1424 = global_2.member[bitcast<u32>(select(0i, _e1419, (_e1419 > 0i)))];
 let _e1428 = (_e1412 + 1i);
 let _e1430 = select(_e1417, _e1428, (_e1428 < _e1417));
-let _e1435 = global_3.member[bitcast<u32>(select(0i, _e1430, (_e1430 > 0i)))];
+let _e1435 = global_2.member[bitcast<u32>(select(0i, _e1430, (_e1430 > 0i)))];
 let _e1442 = ((_e1424 >> bitcast<u32>((_e1415 & 31u))) | ((_e1435 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1415) & 31u))));
 let _e1445 = local_26.member_1[0u];
 let _e1451 = f32(bitcast<i32>(((_e1442 >> bitcast<u32>((_e1445 & 31u))) & 255u)));
@@ -589,10 +589,10 @@ let _e1493 = ((_e1392 + _e1389) + _e1492);
 let _e1495 = (_e1493 >> bitcast<u32>(2i));
 let _e1498 = bitcast<u32>(((_e1493 & 3i) * 8i));
 let _e1500 = select(_e1417, _e1495, (_e1495 < _e1417));
-let _e1505 = global_3.member[bitcast<u32>(select(0i, _e1500, (_e1500 > 0i)))];
+let _e1505 = global_2.member[bitcast<u32>(select(0i, _e1500, (_e1500 > 0i)))];
 let _e1509 = (_e1495 + 1i);
 let _e1511 = select(_e1417, _e1509, (_e1509 < _e1417));
-let _e1516 = global_3.member[bitcast<u32>(select(0i, _e1511, (_e1511 > 0i)))];
+let _e1516 = global_2.member[bitcast<u32>(select(0i, _e1511, (_e1511 > 0i)))];
 let _e1523 = ((_e1505 >> bitcast<u32>((_e1498 & 31u))) | ((_e1516 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1498) & 31u))));
 let _e1524 = local_26.member_1[0u];
 let _e1530 = f32(bitcast<i32>(((_e1523 >> bitcast<u32>((_e1524 & 31u))) & 255u)));
@@ -610,10 +610,10 @@ let _e1566 = ((_e1393 + _e1388) + _e1565);
 let _e1568 = (_e1566 >> bitcast<u32>(2i));
 let _e1571 = bitcast<u32>(((_e1566 & 3i) * 8i));
 let _e1573 = select(_e1417, _e1568, (_e1568 < _e1417));
-let _e1578 = global_3.member[bitcast<u32>(select(0i, _e1573, (_e1573 > 0i)))];
+let _e1578 = global_2.member[bitcast<u32>(select(0i, _e1573, (_e1573 > 0i)))];
 let _e1582 = (_e1568 + 1i);
 let _e1584 = select(_e1417, _e1582, (_e1582 < _e1417));
-let _e1589 = global_3.member[bitcast<u32>(select(0i, _e1584, (_e1584 > 0i)))];
+let _e1589 = global_2.member[bitcast<u32>(select(0i, _e1584, (_e1584 > 0i)))];
 let _e1596 = ((_e1578 >> bitcast<u32>((_e1571 & 31u))) | ((_e1589 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1571) & 31u))));
 let _e1597 = local_26.member_1[0u];
 let _e1603 = f32(bitcast<i32>(((_e1596 >> bitcast<u32>((_e1597 & 31u))) & 255u)));
@@ -633,10 +633,10 @@ let _e1639 = ((_e1393 + _e1389) + _e1638);
 let _e1641 = (_e1639 >> bitcast<u32>(2i));
 let _e1644 = bitcast<u32>(((_e1639 & 3i) * 8i));
 let _e1646 = select(_e1417, _e1641, (_e1641 < _e1417));
-let _e1651 = global_3.member[bitcast<u32>(select(0i, _e1646, (_e1646 > 0i)))];
+let _e1651 = global_2.member[bitcast<u32>(select(0i, _e1646, (_e1646 > 0i)))];
 let _e1655 = (_e1641 + 1i);
 let _e1657 = select(_e1417, _e1655, (_e1655 < _e1417));
-let _e1662 = global_3.member[bitcast<u32>(select(0i, _e1657, (_e1657 > 0i)))];
+let _e1662 = global_2.member[bitcast<u32>(select(0i, _e1657, (_e1657 > 0i)))];
 let _e1669 = ((_e1651 >> bitcast<u32>((_e1644 & 31u))) | ((_e1662 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1644) & 31u))));
 let _e1670 = local_26.member_1[0u];
 let _e1676 = f32(bitcast<i32>(((_e1669 >> bitcast<u32>((_e1670 & 31u))) & 255u)));
@@ -654,10 +654,10 @@ let _e1712 = ((_e1392 + _e1387) + _e1711);
 let _e1714 = (_e1712 >> bitcast<u32>(2i));
 let _e1717 = bitcast<u32>(((_e1712 & 3i) * 8i));
 let _e1719 = select(_e1417, _e1714, (_e1714 < _e1417));
-let _e1724 = global_3.member[bitcast<u32>(select(0i, _e1719, (_e1719 > 0i)))];
+let _e1724 = global_2.member[bitcast<u32>(select(0i, _e1719, (_e1719 > 0i)))];
 let _e1728 = (_e1714 + 1i);
 let _e1730 = select(_e1417, _e1728, (_e1728 < _e1417));
-let _e1735 = global_3.member[bitcast<u32>(select(0i, _e1730, (_e1730 > 0i)))];
+let _e1735 = global_2.member[bitcast<u32>(select(0i, _e1730, (_e1730 > 0i)))];
 let _e1742 = ((_e1724 >> bitcast<u32>((_e1717 & 31u))) | ((_e1735 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1717) & 31u))));
 let _e1743 = local_26.member_1[1u];
 let _e1749 = f32(bitcast<i32>(((_e1742 >> bitcast<u32>((_e1743 & 31u))) & 255u)));
@@ -669,10 +669,10 @@ let _e1763 = ((_e1392 + _e1390) + _e1762);
 let _e1765 = (_e1763 >> bitcast<u32>(2i));
 let _e1768 = bitcast<u32>(((_e1763 & 3i) * 8i));
 let _e1770 = select(_e1417, _e1765, (_e1765 < _e1417));
-let _e1775 = global_3.member[bitcast<u32>(select(0i, _e1770, (_e1770 > 0i)))];
+let _e1775 = global_2.member[bitcast<u32>(select(0i, _e1770, (_e1770 > 0i)))];
 let _e1779 = (_e1765 + 1i);
 let _e1781 = select(_e1417, _e1779, (_e1779 < _e1417));
-let _e1786 = global_3.member[bitcast<u32>(select(0i, _e1781, (_e1781 > 0i)))];
+let _e1786 = global_2.member[bitcast<u32>(select(0i, _e1781, (_e1781 > 0i)))];
 let _e1793 = ((_e1775 >> bitcast<u32>((_e1768 & 31u))) | ((_e1786 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1768) & 31u))));
 let _e1794 = local_26.member_1[1u];
 let _e1800 = f32(bitcast<i32>(((_e1793 >> bitcast<u32>((_e1794 & 31u))) & 255u)));
@@ -683,10 +683,10 @@ let _e1814 = ((_e1393 + _e1387) + _e1813);
 let _e1816 = (_e1814 >> bitcast<u32>(2i));
 let _e1819 = bitcast<u32>(((_e1814 & 3i) * 8i));
 let _e1821 = select(_e1417, _e1816, (_e1816 < _e1417));
-let _e1826 = global_3.member[bitcast<u32>(select(0i, _e1821, (_e1821 > 0i)))];
+let _e1826 = global_2.member[bitcast<u32>(select(0i, _e1821, (_e1821 > 0i)))];
 let _e1830 = (_e1816 + 1i);
 let _e1832 = select(_e1417, _e1830, (_e1830 < _e1417));
-let _e1837 = global_3.member[bitcast<u32>(select(0i, _e1832, (_e1832 > 0i)))];
+let _e1837 = global_2.member[bitcast<u32>(select(0i, _e1832, (_e1832 > 0i)))];
 let _e1844 = ((_e1826 >> bitcast<u32>((_e1819 & 31u))) | ((_e1837 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1819) & 31u))));
 let _e1845 = local_26.member_1[1u];
 let _e1851 = f32(bitcast<i32>(((_e1844 >> bitcast<u32>((_e1845 & 31u))) & 255u)));
@@ -698,10 +698,10 @@ let _e1865 = ((_e1393 + _e1390) + _e1864);
 let _e1867 = (_e1865 >> bitcast<u32>(2i));
 let _e1870 = bitcast<u32>(((_e1865 & 3i) * 8i));
 let _e1872 = select(_e1417, _e1867, (_e1867 < _e1417));
-let _e1877 = global_3.member[bitcast<u32>(select(0i, _e1872, (_e1872 > 0i)))];
+let _e1877 = global_2.member[bitcast<u32>(select(0i, _e1872, (_e1872 > 0i)))];
 let _e1881 = (_e1867 + 1i);
 let _e1883 = select(_e1417, _e1881, (_e1881 < _e1417));
-let _e1888 = global_3.member[bitcast<u32>(select(0i, _e1883, (_e1883 > 0i)))];
+let _e1888 = global_2.member[bitcast<u32>(select(0i, _e1883, (_e1883 > 0i)))];
 let _e1895 = ((_e1877 >> bitcast<u32>((_e1870 & 31u))) | ((_e1888 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1870) & 31u))));
 let _e1896 = local_26.member_1[1u];
 let _e1902 = f32(bitcast<i32>(((_e1895 >> bitcast<u32>((_e1896 & 31u))) & 255u)));
@@ -712,10 +712,10 @@ let _e1916 = ((_e1391 + _e1388) + _e1915);
 let _e1918 = (_e1916 >> bitcast<u32>(2i));
 let _e1921 = bitcast<u32>(((_e1916 & 3i) * 8i));
 let _e1923 = select(_e1417, _e1918, (_e1918 < _e1417));
-let _e1928 = global_3.member[bitcast<u32>(select(0i, _e1923, (_e1923 > 0i)))];
+let _e1928 = global_2.member[bitcast<u32>(select(0i, _e1923, (_e1923 > 0i)))];
 let _e1932 = (_e1918 + 1i);
 let _e1934 = select(_e1417, _e1932, (_e1932 < _e1417));
-let _e1939 = global_3.member[bitcast<u32>(select(0i, _e1934, (_e1934 > 0i)))];
+let _e1939 = global_2.member[bitcast<u32>(select(0i, _e1934, (_e1934 > 0i)))];
 let _e1946 = ((_e1928 >> bitcast<u32>((_e1921 & 31u))) | ((_e1939 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1921) & 31u))));
 let _e1947 = local_26.member_1[1u];
 let _e1953 = f32(bitcast<i32>(((_e1946 >> bitcast<u32>((_e1947 & 31u))) & 255u)));
@@ -727,10 +727,10 @@ let _e1967 = ((_e1394 + _e1388) + _e1966);
 let _e1969 = (_e1967 >> bitcast<u32>(2i));
 let _e1972 = bitcast<u32>(((_e1967 & 3i) * 8i));
 let _e1974 = select(_e1417, _e1969, (_e1969 < _e1417));
-let _e1979 = global_3.member[bitcast<u32>(select(0i, _e1974, (_e1974 > 0i)))];
+let _e1979 = global_2.member[bitcast<u32>(select(0i, _e1974, (_e1974 > 0i)))];
 let _e1983 = (_e1969 + 1i);
 let _e1985 = select(_e1417, _e1983, (_e1983 < _e1417));
-let _e1990 = global_3.member[bitcast<u32>(select(0i, _e1985, (_e1985 > 0i)))];
+let _e1990 = global_2.member[bitcast<u32>(select(0i, _e1985, (_e1985 > 0i)))];
 let _e1997 = ((_e1979 >> bitcast<u32>((_e1972 & 31u))) | ((_e1990 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1972) & 31u))));
 let _e1998 = local_26.member_1[1u];
 let _e2004 = f32(bitcast<i32>(((_e1997 >> bitcast<u32>((_e1998 & 31u))) & 255u)));
@@ -742,10 +742,10 @@ let _e2018 = ((_e1391 + _e1389) + _e2017);
 let _e2020 = (_e2018 >> bitcast<u32>(2i));
 let _e2023 = bitcast<u32>(((_e2018 & 3i) * 8i));
 let _e2025 = select(_e1417, _e2020, (_e2020 < _e1417));
-let _e2030 = global_3.member[bitcast<u32>(select(0i, _e2025, (_e2025 > 0i)))];
+let _e2030 = global_2.member[bitcast<u32>(select(0i, _e2025, (_e2025 > 0i)))];
 let _e2034 = (_e2020 + 1i);
 let _e2036 = select(_e1417, _e2034, (_e2034 < _e1417));
-let _e2041 = global_3.member[bitcast<u32>(select(0i, _e2036, (_e2036 > 0i)))];
+let _e2041 = global_2.member[bitcast<u32>(select(0i, _e2036, (_e2036 > 0i)))];
 let _e2048 = ((_e2030 >> bitcast<u32>((_e2023 & 31u))) | ((_e2041 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2023) & 31u))));
 let _e2049 = local_26.member_1[1u];
 let _e2055 = f32(bitcast<i32>(((_e2048 >> bitcast<u32>((_e2049 & 31u))) & 255u)));
@@ -756,10 +756,10 @@ let _e2069 = ((_e1394 + _e1389) + _e2068);
 let _e2071 = (_e2069 >> bitcast<u32>(2i));
 let _e2074 = bitcast<u32>(((_e2069 & 3i) * 8i));
 let _e2076 = select(_e1417, _e2071, (_e2071 < _e1417));
-let _e2081 = global_3.member[bitcast<u32>(select(0i, _e2076, (_e2076 > 0i)))];
+let _e2081 = global_2.member[bitcast<u32>(select(0i, _e2076, (_e2076 > 0i)))];
 let _e2085 = (_e2071 + 1i);
 let _e2087 = select(_e1417, _e2085, (_e2085 < _e1417));
-let _e2092 = global_3.member[bitcast<u32>(select(0i, _e2087, (_e2087 > 0i)))];
+let _e2092 = global_2.member[bitcast<u32>(select(0i, _e2087, (_e2087 > 0i)))];
 let _e2099 = ((_e2081 >> bitcast<u32>((_e2074 & 31u))) | ((_e2092 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2074) & 31u))));
 let _e2100 = local_26.member_1[1u];
 let _e2106 = f32(bitcast<i32>(((_e2099 >> bitcast<u32>((_e2100 & 31u))) & 255u)));
@@ -821,50 +821,50 @@ local_25 = _e2247;
 let _e2248 = local_25;
 let _e2250 = (bitcast<i32>(_e165) - 1i);
 let _e2252 = select(_e2250, 263197i, (263197i < _e2250));
-let _e2257 = global_4.member[bitcast<u32>(select(0i, _e2252, (_e2252 > 0i)))];
+let _e2257 = global_3.member[bitcast<u32>(select(0i, _e2252, (_e2252 > 0i)))];
 let _e2258 = bitcast<f32>(_e2257);
 let _e2260 = select(_e2250, 263198i, (263198i < _e2250));
 let _e2263 = bitcast<u32>(select(0i, _e2260, (_e2260 > 0i)));
-let _e2265 = global_4.member[_e2263];
+let _e2265 = global_3.member[_e2263];
 let _e2266 = bitcast<f32>(_e2265);
 let _e2268 = select(_e2250, 263199i, (263199i < _e2250));
-let _e2273 = global_4.member[bitcast<u32>(select(0i, _e2268, (_e2268 > 0i)))];
+let _e2273 = global_3.member[bitcast<u32>(select(0i, _e2268, (_e2268 > 0i)))];
 let _e2274 = bitcast<f32>(_e2273);
 let _e2276 = ((_e2248 - _e2258) * _e2266);
 let _e2278 = select(0f, _e2276, (_e2276 > 0f));
 let _e2281 = local_25;
 let _e2283 = select(_e2250, 263200i, (263200i < _e2250));
-let _e2288 = global_4.member[bitcast<u32>(select(0i, _e2283, (_e2283 > 0i)))];
+let _e2288 = global_3.member[bitcast<u32>(select(0i, _e2283, (_e2283 > 0i)))];
 let _e2289 = bitcast<f32>(_e2288);
 let _e2291 = select(_e2250, 263201i, (263201i < _e2250));
-let _e2296 = global_4.member[bitcast<u32>(select(0i, _e2291, (_e2291 > 0i)))];
+let _e2296 = global_3.member[bitcast<u32>(select(0i, _e2291, (_e2291 > 0i)))];
 let _e2297 = bitcast<f32>(_e2296);
 let _e2299 = select(_e2250, 263202i, (263202i < _e2250));
-let _e2304 = global_4.member[bitcast<u32>(select(0i, _e2299, (_e2299 > 0i)))];
+let _e2304 = global_3.member[bitcast<u32>(select(0i, _e2299, (_e2299 > 0i)))];
 let _e2305 = bitcast<f32>(_e2304);
 let _e2307 = ((_e2281 - _e2289) * _e2297);
 let _e2309 = select(0f, _e2307, (_e2307 > 0f));
 let _e2313 = local_25;
 let _e2315 = select(_e2250, 263203i, (263203i < _e2250));
-let _e2320 = global_4.member[bitcast<u32>(select(0i, _e2315, (_e2315 > 0i)))];
+let _e2320 = global_3.member[bitcast<u32>(select(0i, _e2315, (_e2315 > 0i)))];
 let _e2321 = bitcast<f32>(_e2320);
 let _e2323 = select(_e2250, 263204i, (263204i < _e2250));
-let _e2328 = global_4.member[bitcast<u32>(select(0i, _e2323, (_e2323 > 0i)))];
+let _e2328 = global_3.member[bitcast<u32>(select(0i, _e2323, (_e2323 > 0i)))];
 let _e2329 = bitcast<f32>(_e2328);
 let _e2331 = select(_e2250, 263205i, (263205i < _e2250));
-let _e2336 = global_4.member[bitcast<u32>(select(0i, _e2331, (_e2331 > 0i)))];
+let _e2336 = global_3.member[bitcast<u32>(select(0i, _e2331, (_e2331 > 0i)))];
 let _e2337 = bitcast<f32>(_e2336);
 let _e2339 = ((_e2313 - _e2321) * _e2329);
 let _e2341 = select(0f, _e2339, (_e2339 > 0f));
 let _e2344 = local_25;
 let _e2346 = select(_e2250, 263206i, (263206i < _e2250));
-let _e2351 = global_4.member[bitcast<u32>(select(0i, _e2346, (_e2346 > 0i)))];
+let _e2351 = global_3.member[bitcast<u32>(select(0i, _e2346, (_e2346 > 0i)))];
 let _e2352 = bitcast<f32>(_e2351);
 let _e2354 = select(_e2250, 263207i, (263207i < _e2250));
-let _e2359 = global_4.member[bitcast<u32>(select(0i, _e2354, (_e2354 > 0i)))];
+let _e2359 = global_3.member[bitcast<u32>(select(0i, _e2354, (_e2354 > 0i)))];
 let _e2360 = bitcast<f32>(_e2359);
 let _e2362 = select(_e2250, 263208i, (263208i < _e2250));
-let _e2367 = global_4.member[bitcast<u32>(select(0i, _e2362, (_e2362 > 0i)))];
+let _e2367 = global_3.member[bitcast<u32>(select(0i, _e2362, (_e2362 > 0i)))];
 let _e2368 = bitcast<f32>(_e2367);
 let _e2370 = ((_e2344 - _e2352) * _e2360);
 let _e2372 = select(0f, _e2370, (_e2370 > 0f));
@@ -875,27 +875,27 @@ let _e2387 = select(0i, select(select(i32(_e2380), i32(-2147483648), (_e2380 < -
 let _e2391 = (_e2387 - select(0i, 1i, (_e2380 < f32(_e2387))));
 let _e2392 = (262147i + _e2391);
 let _e2394 = select(_e2250, _e2392, (_e2392 < _e2250));
-let _e2400 = global_4.member[bitcast<u32>(select(0i, _e2394, (_e2394 > 0i)))];
+let _e2400 = global_3.member[bitcast<u32>(select(0i, _e2394, (_e2394 > 0i)))];
 let _e2410 = select(_e2250, 262146i, (262146i < _e2250));
-let _e2416 = global_4.member[bitcast<u32>(select(0i, _e2410, (_e2410 > 0i)))];
+let _e2416 = global_3.member[bitcast<u32>(select(0i, _e2410, (_e2410 > 0i)))];
 let _e2417 = bitcast<f32>(_e2416);
 let _e2418 = (f32((bitcast<i32>((_e2400 & 4095u)) - 2048i)) * _e2417);
 let _e2420 = select(_e2250, 262144i, (262144i < _e2250));
-let _e2426 = global_4.member[bitcast<u32>(select(0i, _e2420, (_e2420 > 0i)))];
+let _e2426 = global_3.member[bitcast<u32>(select(0i, _e2420, (_e2420 > 0i)))];
 let _e2427 = bitcast<f32>(_e2426);
 let _e2429 = select(_e2250, 262145i, (262145i < _e2250));
-let _e2435 = global_4.member[bitcast<u32>(select(0i, _e2429, (_e2429 > 0i)))];
+let _e2435 = global_3.member[bitcast<u32>(select(0i, _e2429, (_e2429 > 0i)))];
 let _e2436 = bitcast<f32>(_e2435);
 let _e2442 = ((_e2427 + (f32(bitcast<i32>((_e2400 >> bitcast<u32>(12u)))) * _e2436)) + (_e2418 * (_e2376 - f32(_e2391))));
-let _e2445 = global_4.member[_e2263];
+let _e2445 = global_3.member[_e2263];
 let _e2447 = local_24;
 let _e2450 = local_24;
 let _e2453 = local_24;
 let _e2457 = select(_e2250, 263209i, (263209i < _e2250));
-let _e2463 = global_4.member[bitcast<u32>(select(0i, _e2457, (_e2457 > 0i)))];
+let _e2463 = global_3.member[bitcast<u32>(select(0i, _e2457, (_e2457 > 0i)))];
 let _e2465 = local_24;
 let _e2468 = select(_e2250, 263210i, (263210i < _e2250));
-let _e2474 = global_4.member[bitcast<u32>(select(0i, _e2468, (_e2468 > 0i)))];
+let _e2474 = global_3.member[bitcast<u32>(select(0i, _e2468, (_e2468 > 0i)))];
 let _e2476 = local_24;
 let _e2480 = (_e2418 * select(0f, select(select(select(bitcast<f32>(_e2445), _e2297, (_e2447 >= _e2289)), _e2329, (_e2450 >= _e2321)), _e2360, (_e2453 >= _e2352)), ((_e2465 >= bitcast<f32>(_e2463)) && (_e2476 <= bitcast<f32>(_e2474)))));
 if _e1228 {
@@ -926,7 +926,7 @@ let _e2538 = select(0i, select(select(i32(_e2531), i32(-2147483648), (_e2531 < -
 let _e2542 = (_e2538 - select(0i, 1i, (_e2531 < f32(_e2538))));
 let _e2543 = (262147i + _e2542);
 let _e2545 = select(_e2250, _e2543, (_e2543 < _e2250));
-let _e2551 = global_4.member[bitcast<u32>(select(0i, _e2545, (_e2545 > 0i)))];
+let _e2551 = global_3.member[bitcast<u32>(select(0i, _e2545, (_e2545 > 0i)))];
 let _e2566 = ((_e2427 + (f32(bitcast<i32>((_e2551 >> bitcast<u32>(12u)))) * _e2436)) + ((f32((bitcast<i32>((_e2551 & 4095u)) - 2048i)) * _e2417) * (_e2527 - f32(_e2542))));
 local_20 = _e2222;
 let _e2567 = local_20;
@@ -950,7 +950,7 @@ let _e2609 = select(0i, select(select(i32(_e2602), i32(-2147483648), (_e2602 < -
 let _e2613 = (_e2609 - select(0i, 1i, (_e2602 < f32(_e2609))));
 let _e2614 = (262147i + _e2613);
 let _e2616 = select(_e2250, _e2614, (_e2614 < _e2250));
-let _e2622 = global_4.member[bitcast<u32>(select(0i, _e2616, (_e2616 > 0i)))];
+let _e2622 = global_3.member[bitcast<u32>(select(0i, _e2616, (_e2616 > 0i)))];
 let _e2637 = ((_e2427 + (f32(bitcast<i32>((_e2622 >> bitcast<u32>(12u)))) * _e2436)) + ((f32((bitcast<i32>((_e2622 & 4095u)) - 2048i)) * _e2417) * (_e2598 - f32(_e2613))));
 local_18 = _e2228;
 let _e2638 = local_18;
@@ -974,7 +974,7 @@ let _e2680 = select(0i, select(select(i32(_e2673), i32(-2147483648), (_e2673 < -
 let _e2684 = (_e2680 - select(0i, 1i, (_e2673 < f32(_e2680))));
 let _e2685 = (262147i + _e2684);
 let _e2687 = select(_e2250, _e2685, (_e2685 < _e2250));
-let _e2693 = global_4.member[bitcast<u32>(select(0i, _e2687, (_e2687 > 0i)))];
+let _e2693 = global_3.member[bitcast<u32>(select(0i, _e2687, (_e2687 > 0i)))];
 let _e2708 = ((_e2427 + (f32(bitcast<i32>((_e2693 >> bitcast<u32>(12u)))) * _e2436)) + ((f32((bitcast<i32>((_e2693 & 4095u)) - 2048i)) * _e2417) * (_e2669 - f32(_e2684))));
 local_16 = _e2234;
 let _e2709 = local_16;
@@ -998,7 +998,7 @@ let _e2751 = select(0i, select(select(i32(_e2744), i32(-2147483648), (_e2744 < -
 let _e2755 = (_e2751 - select(0i, 1i, (_e2744 < f32(_e2751))));
 let _e2756 = (262147i + _e2755);
 let _e2758 = select(_e2250, _e2756, (_e2756 < _e2250));
-let _e2764 = global_4.member[bitcast<u32>(select(0i, _e2758, (_e2758 > 0i)))];
+let _e2764 = global_3.member[bitcast<u32>(select(0i, _e2758, (_e2758 > 0i)))];
 let _e2779 = ((_e2427 + (f32(bitcast<i32>((_e2764 >> bitcast<u32>(12u)))) * _e2436)) + ((f32((bitcast<i32>((_e2764 & 4095u)) - 2048i)) * _e2417) * (_e2740 - f32(_e2755))));
 local_14 = _e2240;
 let _e2780 = local_14;
@@ -1022,7 +1022,7 @@ let _e2822 = select(0i, select(select(i32(_e2815), i32(-2147483648), (_e2815 < -
 let _e2826 = (_e2822 - select(0i, 1i, (_e2815 < f32(_e2822))));
 let _e2827 = (262147i + _e2826);
 let _e2829 = select(_e2250, _e2827, (_e2827 < _e2250));
-let _e2835 = global_4.member[bitcast<u32>(select(0i, _e2829, (_e2829 > 0i)))];
+let _e2835 = global_3.member[bitcast<u32>(select(0i, _e2829, (_e2829 > 0i)))];
 let _e2850 = ((_e2427 + (f32(bitcast<i32>((_e2835 >> bitcast<u32>(12u)))) * _e2436)) + ((f32((bitcast<i32>((_e2835 & 4095u)) - 2048i)) * _e2417) * (_e2811 - f32(_e2826))));
 local_12 = _e2246;
 let _e2851 = local_12;
@@ -1046,7 +1046,7 @@ let _e2893 = select(0i, select(select(i32(_e2886), i32(-2147483648), (_e2886 < -
 let _e2897 = (_e2893 - select(0i, 1i, (_e2886 < f32(_e2893))));
 let _e2898 = (262147i + _e2897);
 let _e2900 = select(_e2250, _e2898, (_e2898 < _e2250));
-let _e2906 = global_4.member[bitcast<u32>(select(0i, _e2900, (_e2900 > 0i)))];
+let _e2906 = global_3.member[bitcast<u32>(select(0i, _e2900, (_e2900 > 0i)))];
 let _e2921 = ((_e2427 + (f32(bitcast<i32>((_e2906 >> bitcast<u32>(12u)))) * _e2436)) + ((f32((bitcast<i32>((_e2906 & 4095u)) - 2048i)) * _e2417) * (_e2882 - f32(_e2897))));
 let _e2922 = (_e2637 - _e2566);
 let _e2924 = (_e2779 - _e2708);
@@ -1112,7 +1112,7 @@ let _e3226 = (select(0i, _e3140, (_e3140 > 0i)) * _e3159);
 let _e3227 = (select(_e3171, _e3174, (_e3174 < _e3171)) * _e3159);
 let _e3228 = (select(0i, _e3155, (_e3155 > 0i)) * _e3163);
 let _e3229 = (select(_e3184, _e3187, (_e3187 < _e3184)) * _e3163);
-local_10 = type_31(array<i32, 4>(_e3213, _e3213, _e3213, _e3213), array<u32, 6>(bitcast<u32>(((_e3200 - _e3213) * 8i)), bitcast<u32>(((select(0i, _e3125, (_e3125 > 0i)) - _e3213) * 8i)), bitcast<u32>(((select(_e3197, _e3203, (_e3203 < _e3197)) - _e3213) * 8i)), bitcast<u32>(((select(_e3197, _e3206, (_e3206 < _e3197)) - _e3213) * 8i)), 0u, 0u));
+local_10 = type_29(array<i32, 4>(_e3213, _e3213, _e3213, _e3213), array<u32, 6>(bitcast<u32>(((_e3200 - _e3213) * 8i)), bitcast<u32>(((select(0i, _e3125, (_e3125 > 0i)) - _e3213) * 8i)), bitcast<u32>(((select(_e3197, _e3203, (_e3203 < _e3197)) - _e3213) * 8i)), bitcast<u32>(((select(_e3197, _e3206, (_e3206 < _e3197)) - _e3213) * 8i)), 0u, 0u));
 local_11 = vec3<f32>((_e3090 - f32(_e3125)), (_e3100 - f32(_e3140)), (_e3110 - f32(_e3155)));
 let _e3244 = local_10.member[0u];
 let _e3245 = ((_e3228 + _e3226) + _e3244);
@@ -1120,10 +1120,10 @@ let _e3247 = (_e3245 >> bitcast<u32>(2i));
 let _e3250 = bitcast<u32>(((_e3245 & 3i) * 8i));
 let _e3252 = (bitcast<i32>(_e160) - 1i);
 let _e3254 = select(_e3252, _e3247, (_e3247 < _e3252));
-let _e3259 = global_3.member[bitcast<u32>(select(0i, _e3254, (_e3254 > 0i)))];
+let _e3259 = global_2.member[bitcast<u32>(select(0i, _e3254, (_e3254 > 0i)))];
 let _e3263 = (_e3247 + 1i);
 let _e3265 = select(_e3252, _e3263, (_e3263 < _e3252));
-let _e3270 = global_3.member[bitcast<u32>(select(0i, _e3265, (_e3265 > 0i)))];
+let _e3270 = global_2.member[bitcast<u32>(select(0i, _e3265, (_e3265 > 0i)))];
 let _e3277 = ((_e3259 >> bitcast<u32>((_e3250 & 31u))) | ((_e3270 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3250) & 31u))));
 let _e3280 = local_10.member_1[1u];
 let _e3286 = f32(bitcast<i32>(((_e3277 >> bitcast<u32>((_e3280 & 31u))) & 255u)));
@@ -1135,10 +1135,10 @@ let _e3302 = ((_e3228 + _e3227) + _e3301);
 let _e3304 = (_e3302 >> bitcast<u32>(2i));
 let _e3307 = bitcast<u32>(((_e3302 & 3i) * 8i));
 let _e3309 = select(_e3252, _e3304, (_e3304 < _e3252));
-let _e3314 = global_3.member[bitcast<u32>(select(0i, _e3309, (_e3309 > 0i)))];
+let _e3314 = global_2.member[bitcast<u32>(select(0i, _e3309, (_e3309 > 0i)))];
 let _e3318 = (_e3304 + 1i);
 let _e3320 = select(_e3252, _e3318, (_e3318 < _e3252));
-let _e3325 = global_3.member[bitcast<u32>(select(0i, _e3320, (_e3320 > 0i)))];
+let _e3325 = global_2.member[bitcast<u32>(select(0i, _e3320, (_e3320 > 0i)))];
 let _e3332 = ((_e3314 >> bitcast<u32>((_e3307 & 31u))) | ((_e3325 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3307) & 31u))));
 let _e3333 = local_10.member_1[1u];
 let _e3339 = f32(bitcast<i32>(((_e3332 >> bitcast<u32>((_e3333 & 31u))) & 255u)));
@@ -1151,10 +1151,10 @@ let _e3358 = ((_e3229 + _e3226) + _e3357);
 let _e3360 = (_e3358 >> bitcast<u32>(2i));
 let _e3363 = bitcast<u32>(((_e3358 & 3i) * 8i));
 let _e3365 = select(_e3252, _e3360, (_e3360 < _e3252));
-let _e3370 = global_3.member[bitcast<u32>(select(0i, _e3365, (_e3365 > 0i)))];
+let _e3370 = global_2.member[bitcast<u32>(select(0i, _e3365, (_e3365 > 0i)))];
 let _e3374 = (_e3360 + 1i);
 let _e3376 = select(_e3252, _e3374, (_e3374 < _e3252));
-let _e3381 = global_3.member[bitcast<u32>(select(0i, _e3376, (_e3376 > 0i)))];
+let _e3381 = global_2.member[bitcast<u32>(select(0i, _e3376, (_e3376 > 0i)))];
 let _e3388 = ((_e3370 >> bitcast<u32>((_e3363 & 31u))) | ((_e3381 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3363) & 31u))));
 let _e3389 = local_10.member_1[1u];
 let _e3395 = f32(bitcast<i32>(((_e3388 >> bitcast<u32>((_e3389 & 31u))) & 255u)));
@@ -1166,10 +1166,10 @@ let _e3409 = ((_e3229 + _e3227) + _e3408);
 let _e3411 = (_e3409 >> bitcast<u32>(2i));
 let _e3414 = bitcast<u32>(((_e3409 & 3i) * 8i));
 let _e3416 = select(_e3252, _e3411, (_e3411 < _e3252));
-let _e3421 = global_3.member[bitcast<u32>(select(0i, _e3416, (_e3416 > 0i)))];
+let _e3421 = global_2.member[bitcast<u32>(select(0i, _e3416, (_e3416 > 0i)))];
 let _e3425 = (_e3411 + 1i);
 let _e3427 = select(_e3252, _e3425, (_e3425 < _e3252));
-let _e3432 = global_3.member[bitcast<u32>(select(0i, _e3427, (_e3427 > 0i)))];
+let _e3432 = global_2.member[bitcast<u32>(select(0i, _e3427, (_e3427 > 0i)))];
 let _e3439 = ((_e3421 >> bitcast<u32>((_e3414 & 31u))) | ((_e3432 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3414) & 31u))));
 let _e3440 = local_10.member_1[1u];
 let _e3446 = f32(bitcast<i32>(((_e3439 >> bitcast<u32>((_e3440 & 31u))) & 255u)));
@@ -1228,7 +1228,7 @@ let _e3630 = (select(0i, _e3544, (_e3544 > 0i)) * _e3563);
 let _e3631 = (select(_e3575, _e3578, (_e3578 < _e3575)) * _e3563);
 let _e3632 = (select(0i, _e3559, (_e3559 > 0i)) * _e3567);
 let _e3633 = (select(_e3588, _e3591, (_e3591 < _e3588)) * _e3567);
-local_8 = type_31(array<i32, 4>(_e3617, _e3617, _e3617, _e3617), array<u32, 6>(bitcast<u32>(((_e3604 - _e3617) * 8i)), bitcast<u32>(((select(0i, _e3529, (_e3529 > 0i)) - _e3617) * 8i)), bitcast<u32>(((select(_e3601, _e3607, (_e3607 < _e3601)) - _e3617) * 8i)), bitcast<u32>(((select(_e3601, _e3610, (_e3610 < _e3601)) - _e3617) * 8i)), 0u, 0u));
+local_8 = type_29(array<i32, 4>(_e3617, _e3617, _e3617, _e3617), array<u32, 6>(bitcast<u32>(((_e3604 - _e3617) * 8i)), bitcast<u32>(((select(0i, _e3529, (_e3529 > 0i)) - _e3617) * 8i)), bitcast<u32>(((select(_e3601, _e3607, (_e3607 < _e3601)) - _e3617) * 8i)), bitcast<u32>(((select(_e3601, _e3610, (_e3610 < _e3601)) - _e3617) * 8i)), 0u, 0u));
 local_9 = vec3<f32>((_e3494 - f32(_e3529)), (_e3504 - f32(_e3544)), (_e3514 - f32(_e3559)));
 let _e3648 = local_8.member[0u];
 let _e3649 = ((_e3632 + _e3630) + _e3648);
@@ -1236,10 +1236,10 @@ let _e3651 = (_e3649 >> bitcast<u32>(2i));
 let _e3654 = bitcast<u32>(((_e3649 & 3i) * 8i));
 let _e3656 = (bitcast<i32>(_e160) - 1i);
 let _e3658 = select(_e3656, _e3651, (_e3651 < _e3656));
-let _e3663 = global_3.member[bitcast<u32>(select(0i, _e3658, (_e3658 > 0i)))];
+let _e3663 = global_2.member[bitcast<u32>(select(0i, _e3658, (_e3658 > 0i)))];
 let _e3667 = (_e3651 + 1i);
 let _e3669 = select(_e3656, _e3667, (_e3667 < _e3656));
-let _e3674 = global_3.member[bitcast<u32>(select(0i, _e3669, (_e3669 > 0i)))];
+let _e3674 = global_2.member[bitcast<u32>(select(0i, _e3669, (_e3669 > 0i)))];
 let _e3681 = ((_e3663 >> bitcast<u32>((_e3654 & 31u))) | ((_e3674 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3654) & 31u))));
 let _e3684 = local_8.member_1[1u];
 let _e3690 = f32(bitcast<i32>(((_e3681 >> bitcast<u32>((_e3684 & 31u))) & 255u)));
@@ -1251,10 +1251,10 @@ let _e3706 = ((_e3632 + _e3631) + _e3705);
 let _e3708 = (_e3706 >> bitcast<u32>(2i));
 let _e3711 = bitcast<u32>(((_e3706 & 3i) * 8i));
 let _e3713 = select(_e3656, _e3708, (_e3708 < _e3656));
-let _e3718 = global_3.member[bitcast<u32>(select(0i, _e3713, (_e3713 > 0i)))];
+let _e3718 = global_2.member[bitcast<u32>(select(0i, _e3713, (_e3713 > 0i)))];
 let _e3722 = (_e3708 + 1i);
 let _e3724 = select(_e3656, _e3722, (_e3722 < _e3656));
-let _e3729 = global_3.member[bitcast<u32>(select(0i, _e3724, (_e3724 > 0i)))];
+let _e3729 = global_2.member[bitcast<u32>(select(0i, _e3724, (_e3724 > 0i)))];
 let _e3736 = ((_e3718 >> bitcast<u32>((_e3711 & 31u))) | ((_e3729 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3711) & 31u))));
 let _e3737 = local_8.member_1[1u];
 let _e3743 = f32(bitcast<i32>(((_e3736 >> bitcast<u32>((_e3737 & 31u))) & 255u)));
@@ -1267,10 +1267,10 @@ let _e3762 = ((_e3633 + _e3630) + _e3761);
 let _e3764 = (_e3762 >> bitcast<u32>(2i));
 let _e3767 = bitcast<u32>(((_e3762 & 3i) * 8i));
 let _e3769 = select(_e3656, _e3764, (_e3764 < _e3656));
-let _e3774 = global_3.member[bitcast<u32>(select(0i, _e3769, (_e3769 > 0i)))];
+let _e3774 = global_2.member[bitcast<u32>(select(0i, _e3769, (_e3769 > 0i)))];
 let _e3778 = (_e3764 + 1i);
 let _e3780 = select(_e3656, _e3778, (_e3778 < _e3656));
-let _e3785 = global_3.member[bitcast<u32>(select(0i, _e3780, (_e3780 > 0i)))];
+let _e3785 = global_2.member[bitcast<u32>(select(0i, _e3780, (_e3780 > 0i)))];
 let _e3792 = ((_e3774 >> bitcast<u32>((_e3767 & 31u))) | ((_e3785 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3767) & 31u))));
 let _e3793 = local_8.member_1[1u];
 let _e3799 = f32(bitcast<i32>(((_e3792 >> bitcast<u32>((_e3793 & 31u))) & 255u)));
@@ -1282,10 +1282,10 @@ let _e3813 = ((_e3633 + _e3631) + _e3812);
 let _e3815 = (_e3813 >> bitcast<u32>(2i));
 let _e3818 = bitcast<u32>(((_e3813 & 3i) * 8i));
 let _e3820 = select(_e3656, _e3815, (_e3815 < _e3656));
-let _e3825 = global_3.member[bitcast<u32>(select(0i, _e3820, (_e3820 > 0i)))];
+let _e3825 = global_2.member[bitcast<u32>(select(0i, _e3820, (_e3820 > 0i)))];
 let _e3829 = (_e3815 + 1i);
 let _e3831 = select(_e3656, _e3829, (_e3829 < _e3656));
-let _e3836 = global_3.member[bitcast<u32>(select(0i, _e3831, (_e3831 > 0i)))];
+let _e3836 = global_2.member[bitcast<u32>(select(0i, _e3831, (_e3831 > 0i)))];
 let _e3843 = ((_e3825 >> bitcast<u32>((_e3818 & 31u))) | ((_e3836 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3818) & 31u))));
 let _e3844 = local_8.member_1[1u];
 let _e3850 = f32(bitcast<i32>(((_e3843 >> bitcast<u32>((_e3844 & 31u))) & 255u)));
@@ -1302,7 +1302,7 @@ let _e3885 = select(1e9f, _e3883, (_e3883 < 1e9f));
 let _e3888 = global_1.member.member_1;
 let _e3890 = ((_e3888 & 16u) == 0u);
 if _e3890 {
-phi_8980_ = type_5(1f, 1f, 1f);
+phi_8980_ = type_7(1f, 1f, 1f);
 } else {
 let _e3894 = global_1.member.member_14.member;
 let _e3905 = ((((_e3894.member.member * _e1129) + (_e3894.member.member_1 * _e1142)) + (_e3894.member.member_2 * _e1107)) + _e3894.member_1);
@@ -1348,7 +1348,7 @@ let _e4072 = select(0f, _e4070, (_e4070 > 0f));
 let _e4078 = select(select(select(1f, _e4072, (_e4072 < 1f)), 1f, (_e4065 <= 0f)), 0f, (_e4063 > 0f));
 let _e4083 = global_1.member.member_17.member_1;
 let _e4084 = (_e4083 != 0u);
-phi_8980_ = type_5(((((1f * _e3928) * _e3978) * _e4028) * _e4078), ((((1f * select(1f, _e3928, _e3934)) * select(1f, _e3978, _e3984)) * select(1f, _e4028, _e4034)) * select(1f, _e4078, _e4084)), ((((1f * select(1f, 0f, (_e3934 && (_e3911 > 0f)))) * select(1f, 0f, (_e3984 && (_e3961 > 0f)))) * select(1f, 0f, (_e4034 && (_e4011 > 0f)))) * select(1f, 0f, (_e4084 && (_e4061 > 0f)))));
+phi_8980_ = type_7(((((1f * _e3928) * _e3978) * _e4028) * _e4078), ((((1f * select(1f, _e3928, _e3934)) * select(1f, _e3978, _e3984)) * select(1f, _e4028, _e4034)) * select(1f, _e4078, _e4084)), ((((1f * select(1f, 0f, (_e3934 && (_e3911 > 0f)))) * select(1f, 0f, (_e3984 && (_e3961 > 0f)))) * select(1f, 0f, (_e4034 && (_e4011 > 0f)))) * select(1f, 0f, (_e4084 && (_e4061 > 0f)))));
 }
 let _e4093 = phi_8980_;
 let _e4094 = (_e1208 - _e1172);
@@ -1401,97 +1401,97 @@ local_7 = _e3885;
 let _e4214 = local_7;
 let _e4216 = (bitcast<i32>(_e165) - 1i);
 let _e4218 = select(_e4216, 263171i, (263171i < _e4216));
-let _e4223 = global_4.member[bitcast<u32>(select(0i, _e4218, (_e4218 > 0i)))];
+let _e4223 = global_3.member[bitcast<u32>(select(0i, _e4218, (_e4218 > 0i)))];
 let _e4224 = bitcast<f32>(_e4223);
 let _e4226 = select(_e4216, 263172i, (263172i < _e4216));
-let _e4231 = global_4.member[bitcast<u32>(select(0i, _e4226, (_e4226 > 0i)))];
+let _e4231 = global_3.member[bitcast<u32>(select(0i, _e4226, (_e4226 > 0i)))];
 let _e4232 = bitcast<f32>(_e4231);
 let _e4234 = select(_e4216, 263173i, (263173i < _e4216));
-let _e4239 = global_4.member[bitcast<u32>(select(0i, _e4234, (_e4234 > 0i)))];
+let _e4239 = global_3.member[bitcast<u32>(select(0i, _e4234, (_e4234 > 0i)))];
 let _e4240 = bitcast<f32>(_e4239);
 let _e4242 = ((_e4214 - _e4224) * _e4232);
 let _e4244 = select(0f, _e4242, (_e4242 > 0f));
 let _e4247 = local_7;
 let _e4249 = select(_e4216, 263174i, (263174i < _e4216));
-let _e4254 = global_4.member[bitcast<u32>(select(0i, _e4249, (_e4249 > 0i)))];
+let _e4254 = global_3.member[bitcast<u32>(select(0i, _e4249, (_e4249 > 0i)))];
 let _e4255 = bitcast<f32>(_e4254);
 let _e4257 = select(_e4216, 263175i, (263175i < _e4216));
-let _e4262 = global_4.member[bitcast<u32>(select(0i, _e4257, (_e4257 > 0i)))];
+let _e4262 = global_3.member[bitcast<u32>(select(0i, _e4257, (_e4257 > 0i)))];
 let _e4263 = bitcast<f32>(_e4262);
 let _e4265 = select(_e4216, 263176i, (263176i < _e4216));
-let _e4270 = global_4.member[bitcast<u32>(select(0i, _e4265, (_e4265 > 0i)))];
+let _e4270 = global_3.member[bitcast<u32>(select(0i, _e4265, (_e4265 > 0i)))];
 let _e4271 = bitcast<f32>(_e4270);
 let _e4273 = ((_e4247 - _e4255) * _e4263);
 let _e4275 = select(0f, _e4273, (_e4273 > 0f));
 let _e4279 = local_7;
 let _e4281 = select(_e4216, 263177i, (263177i < _e4216));
-let _e4286 = global_4.member[bitcast<u32>(select(0i, _e4281, (_e4281 > 0i)))];
+let _e4286 = global_3.member[bitcast<u32>(select(0i, _e4281, (_e4281 > 0i)))];
 let _e4287 = bitcast<f32>(_e4286);
 let _e4289 = select(_e4216, 263178i, (263178i < _e4216));
-let _e4294 = global_4.member[bitcast<u32>(select(0i, _e4289, (_e4289 > 0i)))];
+let _e4294 = global_3.member[bitcast<u32>(select(0i, _e4289, (_e4289 > 0i)))];
 let _e4295 = bitcast<f32>(_e4294);
 let _e4297 = select(_e4216, 263179i, (263179i < _e4216));
-let _e4302 = global_4.member[bitcast<u32>(select(0i, _e4297, (_e4297 > 0i)))];
+let _e4302 = global_3.member[bitcast<u32>(select(0i, _e4297, (_e4297 > 0i)))];
 let _e4303 = bitcast<f32>(_e4302);
 let _e4305 = ((_e4279 - _e4287) * _e4295);
 let _e4307 = select(0f, _e4305, (_e4305 > 0f));
 let _e4310 = local_7;
 let _e4312 = select(_e4216, 263180i, (263180i < _e4216));
-let _e4317 = global_4.member[bitcast<u32>(select(0i, _e4312, (_e4312 > 0i)))];
+let _e4317 = global_3.member[bitcast<u32>(select(0i, _e4312, (_e4312 > 0i)))];
 let _e4318 = bitcast<f32>(_e4317);
 let _e4320 = select(_e4216, 263181i, (263181i < _e4216));
-let _e4325 = global_4.member[bitcast<u32>(select(0i, _e4320, (_e4320 > 0i)))];
+let _e4325 = global_3.member[bitcast<u32>(select(0i, _e4320, (_e4320 > 0i)))];
 let _e4326 = bitcast<f32>(_e4325);
 let _e4328 = select(_e4216, 263182i, (263182i < _e4216));
-let _e4333 = global_4.member[bitcast<u32>(select(0i, _e4328, (_e4328 > 0i)))];
+let _e4333 = global_3.member[bitcast<u32>(select(0i, _e4328, (_e4328 > 0i)))];
 let _e4334 = bitcast<f32>(_e4333);
 let _e4336 = ((_e4310 - _e4318) * _e4326);
 let _e4338 = select(0f, _e4336, (_e4336 > 0f));
 let _e4343 = local_7;
 let _e4345 = select(_e4216, 263183i, (263183i < _e4216));
-let _e4350 = global_4.member[bitcast<u32>(select(0i, _e4345, (_e4345 > 0i)))];
+let _e4350 = global_3.member[bitcast<u32>(select(0i, _e4345, (_e4345 > 0i)))];
 let _e4351 = bitcast<f32>(_e4350);
 let _e4353 = select(_e4216, 263184i, (263184i < _e4216));
-let _e4358 = global_4.member[bitcast<u32>(select(0i, _e4353, (_e4353 > 0i)))];
+let _e4358 = global_3.member[bitcast<u32>(select(0i, _e4353, (_e4353 > 0i)))];
 let _e4359 = bitcast<f32>(_e4358);
 let _e4361 = select(_e4216, 263185i, (263185i < _e4216));
-let _e4366 = global_4.member[bitcast<u32>(select(0i, _e4361, (_e4361 > 0i)))];
+let _e4366 = global_3.member[bitcast<u32>(select(0i, _e4361, (_e4361 > 0i)))];
 let _e4367 = bitcast<f32>(_e4366);
 let _e4369 = ((_e4343 - _e4351) * _e4359);
 let _e4371 = select(0f, _e4369, (_e4369 > 0f));
 let _e4374 = local_7;
 let _e4376 = select(_e4216, 263186i, (263186i < _e4216));
-let _e4381 = global_4.member[bitcast<u32>(select(0i, _e4376, (_e4376 > 0i)))];
+let _e4381 = global_3.member[bitcast<u32>(select(0i, _e4376, (_e4376 > 0i)))];
 let _e4382 = bitcast<f32>(_e4381);
 let _e4384 = select(_e4216, 263187i, (263187i < _e4216));
-let _e4389 = global_4.member[bitcast<u32>(select(0i, _e4384, (_e4384 > 0i)))];
+let _e4389 = global_3.member[bitcast<u32>(select(0i, _e4384, (_e4384 > 0i)))];
 let _e4390 = bitcast<f32>(_e4389);
 let _e4392 = select(_e4216, 263188i, (263188i < _e4216));
-let _e4397 = global_4.member[bitcast<u32>(select(0i, _e4392, (_e4392 > 0i)))];
+let _e4397 = global_3.member[bitcast<u32>(select(0i, _e4392, (_e4392 > 0i)))];
 let _e4398 = bitcast<f32>(_e4397);
 let _e4400 = ((_e4374 - _e4382) * _e4390);
 let _e4402 = select(0f, _e4400, (_e4400 > 0f));
 let _e4406 = local_7;
 let _e4408 = select(_e4216, 263189i, (263189i < _e4216));
-let _e4413 = global_4.member[bitcast<u32>(select(0i, _e4408, (_e4408 > 0i)))];
+let _e4413 = global_3.member[bitcast<u32>(select(0i, _e4408, (_e4408 > 0i)))];
 let _e4414 = bitcast<f32>(_e4413);
 let _e4416 = select(_e4216, 263190i, (263190i < _e4216));
-let _e4421 = global_4.member[bitcast<u32>(select(0i, _e4416, (_e4416 > 0i)))];
+let _e4421 = global_3.member[bitcast<u32>(select(0i, _e4416, (_e4416 > 0i)))];
 let _e4422 = bitcast<f32>(_e4421);
 let _e4424 = select(_e4216, 263191i, (263191i < _e4216));
-let _e4429 = global_4.member[bitcast<u32>(select(0i, _e4424, (_e4424 > 0i)))];
+let _e4429 = global_3.member[bitcast<u32>(select(0i, _e4424, (_e4424 > 0i)))];
 let _e4430 = bitcast<f32>(_e4429);
 let _e4432 = ((_e4406 - _e4414) * _e4422);
 let _e4434 = select(0f, _e4432, (_e4432 > 0f));
 let _e4437 = local_7;
 let _e4439 = select(_e4216, 263192i, (263192i < _e4216));
-let _e4444 = global_4.member[bitcast<u32>(select(0i, _e4439, (_e4439 > 0i)))];
+let _e4444 = global_3.member[bitcast<u32>(select(0i, _e4439, (_e4439 > 0i)))];
 let _e4445 = bitcast<f32>(_e4444);
 let _e4447 = select(_e4216, 263193i, (263193i < _e4216));
-let _e4452 = global_4.member[bitcast<u32>(select(0i, _e4447, (_e4447 > 0i)))];
+let _e4452 = global_3.member[bitcast<u32>(select(0i, _e4447, (_e4447 > 0i)))];
 let _e4453 = bitcast<f32>(_e4452);
 let _e4455 = select(_e4216, 263194i, (263194i < _e4216));
-let _e4460 = global_4.member[bitcast<u32>(select(0i, _e4455, (_e4455 > 0i)))];
+let _e4460 = global_3.member[bitcast<u32>(select(0i, _e4455, (_e4455 > 0i)))];
 let _e4461 = bitcast<f32>(_e4460);
 let _e4463 = ((_e4437 - _e4445) * _e4453);
 let _e4465 = select(0f, _e4463, (_e4463 > 0f));
@@ -1532,10 +1532,10 @@ let _e4553 = select(_e4534, _e4551, (_e4551 < _e4534));
 let _e4560 = select(0i, select(select(i32(_e4553), i32(-2147483648), (_e4553 < -2147483600f)), 2147483647i, (_e4553 > 2147483500f)), (_e4553 == _e4553));
 let _e4564 = (_e4560 - select(0i, 1i, (_e4553 < f32(_e4560))));
 let _e4566 = select(_e4216, 263195i, (263195i < _e4216));
-let _e4572 = global_4.member[bitcast<u32>(select(0i, _e4566, (_e4566 > 0i)))];
+let _e4572 = global_3.member[bitcast<u32>(select(0i, _e4566, (_e4566 > 0i)))];
 let _e4573 = bitcast<f32>(_e4572);
 let _e4575 = select(_e4216, 263196i, (263196i < _e4216));
-let _e4581 = global_4.member[bitcast<u32>(select(0i, _e4575, (_e4575 > 0i)))];
+let _e4581 = global_3.member[bitcast<u32>(select(0i, _e4575, (_e4575 > 0i)))];
 let _e4582 = bitcast<f32>(_e4581);
 let _e4583 = (_e3484.member - _e3885);
 let _e4589 = (1f / select(_e4583, 1f, (bitcast<f32>((bitcast<u32>(_e4583) & 2147483647u)) < 1e-20f)));
@@ -1544,20 +1544,20 @@ let _e4601 = ((select(_e4582, _e3484.member, (_e3484.member > _e4582)) - select(
 let _e4604 = (((_e4549 * 256i) + _e4564) * 4i);
 let _e4608 = (_e4533 - f32(_e4564));
 let _e4612 = select(_e4216, _e4604, (_e4604 < _e4216));
-let _e4618 = global_4.member[bitcast<u32>(select(0i, _e4612, (_e4612 > 0i)))];
+let _e4618 = global_3.member[bitcast<u32>(select(0i, _e4612, (_e4612 > 0i)))];
 let _e4619 = (_e4604 + 4i);
 let _e4621 = select(_e4216, _e4619, (_e4619 < _e4216));
-let _e4627 = global_4.member[bitcast<u32>(select(0i, _e4621, (_e4621 > 0i)))];
+let _e4627 = global_3.member[bitcast<u32>(select(0i, _e4621, (_e4621 > 0i)))];
 let _e4628 = (_e4604 + 1024i);
 let _e4630 = select(_e4216, _e4628, (_e4628 < _e4216));
-let _e4636 = global_4.member[bitcast<u32>(select(0i, _e4630, (_e4630 > 0i)))];
+let _e4636 = global_3.member[bitcast<u32>(select(0i, _e4630, (_e4630 > 0i)))];
 let _e4637 = (_e4604 + 1028i);
 let _e4639 = select(_e4216, _e4637, (_e4637 < _e4216));
-let _e4645 = global_4.member[bitcast<u32>(select(0i, _e4639, (_e4639 > 0i)))];
+let _e4645 = global_3.member[bitcast<u32>(select(0i, _e4639, (_e4639 > 0i)))];
 let _e4647 = select(_e4216, 0i, (0i < _e4216));
-let _e4653 = global_4.member[bitcast<u32>(select(0i, _e4647, (_e4647 > 0i)))];
+let _e4653 = global_3.member[bitcast<u32>(select(0i, _e4647, (_e4647 > 0i)))];
 let _e4655 = select(_e4216, 262140i, (262140i < _e4216));
-let _e4661 = global_4.member[bitcast<u32>(select(0i, _e4655, (_e4655 > 0i)))];
+let _e4661 = global_3.member[bitcast<u32>(select(0i, _e4655, (_e4655 > 0i)))];
 let _e4666 = (bitcast<f32>(((_e4618 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4674 = (_e4666 + (((bitcast<f32>(((_e4627 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4666) * _e4608));
 let _e4679 = (bitcast<f32>(((_e4636 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1580,97 +1580,97 @@ local_5 = _e3885;
 let _e4764 = local_5;
 let _e4766 = (bitcast<i32>(_e165) - 1i);
 let _e4768 = select(_e4766, 263171i, (263171i < _e4766));
-let _e4773 = global_4.member[bitcast<u32>(select(0i, _e4768, (_e4768 > 0i)))];
+let _e4773 = global_3.member[bitcast<u32>(select(0i, _e4768, (_e4768 > 0i)))];
 let _e4774 = bitcast<f32>(_e4773);
 let _e4776 = select(_e4766, 263172i, (263172i < _e4766));
-let _e4781 = global_4.member[bitcast<u32>(select(0i, _e4776, (_e4776 > 0i)))];
+let _e4781 = global_3.member[bitcast<u32>(select(0i, _e4776, (_e4776 > 0i)))];
 let _e4782 = bitcast<f32>(_e4781);
 let _e4784 = select(_e4766, 263173i, (263173i < _e4766));
-let _e4789 = global_4.member[bitcast<u32>(select(0i, _e4784, (_e4784 > 0i)))];
+let _e4789 = global_3.member[bitcast<u32>(select(0i, _e4784, (_e4784 > 0i)))];
 let _e4790 = bitcast<f32>(_e4789);
 let _e4792 = ((_e4764 - _e4774) * _e4782);
 let _e4794 = select(0f, _e4792, (_e4792 > 0f));
 let _e4797 = local_5;
 let _e4799 = select(_e4766, 263174i, (263174i < _e4766));
-let _e4804 = global_4.member[bitcast<u32>(select(0i, _e4799, (_e4799 > 0i)))];
+let _e4804 = global_3.member[bitcast<u32>(select(0i, _e4799, (_e4799 > 0i)))];
 let _e4805 = bitcast<f32>(_e4804);
 let _e4807 = select(_e4766, 263175i, (263175i < _e4766));
-let _e4812 = global_4.member[bitcast<u32>(select(0i, _e4807, (_e4807 > 0i)))];
+let _e4812 = global_3.member[bitcast<u32>(select(0i, _e4807, (_e4807 > 0i)))];
 let _e4813 = bitcast<f32>(_e4812);
 let _e4815 = select(_e4766, 263176i, (263176i < _e4766));
-let _e4820 = global_4.member[bitcast<u32>(select(0i, _e4815, (_e4815 > 0i)))];
+let _e4820 = global_3.member[bitcast<u32>(select(0i, _e4815, (_e4815 > 0i)))];
 let _e4821 = bitcast<f32>(_e4820);
 let _e4823 = ((_e4797 - _e4805) * _e4813);
 let _e4825 = select(0f, _e4823, (_e4823 > 0f));
 let _e4829 = local_5;
 let _e4831 = select(_e4766, 263177i, (263177i < _e4766));
-let _e4836 = global_4.member[bitcast<u32>(select(0i, _e4831, (_e4831 > 0i)))];
+let _e4836 = global_3.member[bitcast<u32>(select(0i, _e4831, (_e4831 > 0i)))];
 let _e4837 = bitcast<f32>(_e4836);
 let _e4839 = select(_e4766, 263178i, (263178i < _e4766));
-let _e4844 = global_4.member[bitcast<u32>(select(0i, _e4839, (_e4839 > 0i)))];
+let _e4844 = global_3.member[bitcast<u32>(select(0i, _e4839, (_e4839 > 0i)))];
 let _e4845 = bitcast<f32>(_e4844);
 let _e4847 = select(_e4766, 263179i, (263179i < _e4766));
-let _e4852 = global_4.member[bitcast<u32>(select(0i, _e4847, (_e4847 > 0i)))];
+let _e4852 = global_3.member[bitcast<u32>(select(0i, _e4847, (_e4847 > 0i)))];
 let _e4853 = bitcast<f32>(_e4852);
 let _e4855 = ((_e4829 - _e4837) * _e4845);
 let _e4857 = select(0f, _e4855, (_e4855 > 0f));
 let _e4860 = local_5;
 let _e4862 = select(_e4766, 263180i, (263180i < _e4766));
-let _e4867 = global_4.member[bitcast<u32>(select(0i, _e4862, (_e4862 > 0i)))];
+let _e4867 = global_3.member[bitcast<u32>(select(0i, _e4862, (_e4862 > 0i)))];
 let _e4868 = bitcast<f32>(_e4867);
 let _e4870 = select(_e4766, 263181i, (263181i < _e4766));
-let _e4875 = global_4.member[bitcast<u32>(select(0i, _e4870, (_e4870 > 0i)))];
+let _e4875 = global_3.member[bitcast<u32>(select(0i, _e4870, (_e4870 > 0i)))];
 let _e4876 = bitcast<f32>(_e4875);
 let _e4878 = select(_e4766, 263182i, (263182i < _e4766));
-let _e4883 = global_4.member[bitcast<u32>(select(0i, _e4878, (_e4878 > 0i)))];
+let _e4883 = global_3.member[bitcast<u32>(select(0i, _e4878, (_e4878 > 0i)))];
 let _e4884 = bitcast<f32>(_e4883);
 let _e4886 = ((_e4860 - _e4868) * _e4876);
 let _e4888 = select(0f, _e4886, (_e4886 > 0f));
 let _e4893 = local_5;
 let _e4895 = select(_e4766, 263183i, (263183i < _e4766));
-let _e4900 = global_4.member[bitcast<u32>(select(0i, _e4895, (_e4895 > 0i)))];
+let _e4900 = global_3.member[bitcast<u32>(select(0i, _e4895, (_e4895 > 0i)))];
 let _e4901 = bitcast<f32>(_e4900);
 let _e4903 = select(_e4766, 263184i, (263184i < _e4766));
-let _e4908 = global_4.member[bitcast<u32>(select(0i, _e4903, (_e4903 > 0i)))];
+let _e4908 = global_3.member[bitcast<u32>(select(0i, _e4903, (_e4903 > 0i)))];
 let _e4909 = bitcast<f32>(_e4908);
 let _e4911 = select(_e4766, 263185i, (263185i < _e4766));
-let _e4916 = global_4.member[bitcast<u32>(select(0i, _e4911, (_e4911 > 0i)))];
+let _e4916 = global_3.member[bitcast<u32>(select(0i, _e4911, (_e4911 > 0i)))];
 let _e4917 = bitcast<f32>(_e4916);
 let _e4919 = ((_e4893 - _e4901) * _e4909);
 let _e4921 = select(0f, _e4919, (_e4919 > 0f));
 let _e4924 = local_5;
 let _e4926 = select(_e4766, 263186i, (263186i < _e4766));
-let _e4931 = global_4.member[bitcast<u32>(select(0i, _e4926, (_e4926 > 0i)))];
+let _e4931 = global_3.member[bitcast<u32>(select(0i, _e4926, (_e4926 > 0i)))];
 let _e4932 = bitcast<f32>(_e4931);
 let _e4934 = select(_e4766, 263187i, (263187i < _e4766));
-let _e4939 = global_4.member[bitcast<u32>(select(0i, _e4934, (_e4934 > 0i)))];
+let _e4939 = global_3.member[bitcast<u32>(select(0i, _e4934, (_e4934 > 0i)))];
 let _e4940 = bitcast<f32>(_e4939);
 let _e4942 = select(_e4766, 263188i, (263188i < _e4766));
-let _e4947 = global_4.member[bitcast<u32>(select(0i, _e4942, (_e4942 > 0i)))];
+let _e4947 = global_3.member[bitcast<u32>(select(0i, _e4942, (_e4942 > 0i)))];
 let _e4948 = bitcast<f32>(_e4947);
 let _e4950 = ((_e4924 - _e4932) * _e4940);
 let _e4952 = select(0f, _e4950, (_e4950 > 0f));
 let _e4956 = local_5;
 let _e4958 = select(_e4766, 263189i, (263189i < _e4766));
-let _e4963 = global_4.member[bitcast<u32>(select(0i, _e4958, (_e4958 > 0i)))];
+let _e4963 = global_3.member[bitcast<u32>(select(0i, _e4958, (_e4958 > 0i)))];
 let _e4964 = bitcast<f32>(_e4963);
 let _e4966 = select(_e4766, 263190i, (263190i < _e4766));
-let _e4971 = global_4.member[bitcast<u32>(select(0i, _e4966, (_e4966 > 0i)))];
+let _e4971 = global_3.member[bitcast<u32>(select(0i, _e4966, (_e4966 > 0i)))];
 let _e4972 = bitcast<f32>(_e4971);
 let _e4974 = select(_e4766, 263191i, (263191i < _e4766));
-let _e4979 = global_4.member[bitcast<u32>(select(0i, _e4974, (_e4974 > 0i)))];
+let _e4979 = global_3.member[bitcast<u32>(select(0i, _e4974, (_e4974 > 0i)))];
 let _e4980 = bitcast<f32>(_e4979);
 let _e4982 = ((_e4956 - _e4964) * _e4972);
 let _e4984 = select(0f, _e4982, (_e4982 > 0f));
 let _e4987 = local_5;
 let _e4989 = select(_e4766, 263192i, (263192i < _e4766));
-let _e4994 = global_4.member[bitcast<u32>(select(0i, _e4989, (_e4989 > 0i)))];
+let _e4994 = global_3.member[bitcast<u32>(select(0i, _e4989, (_e4989 > 0i)))];
 let _e4995 = bitcast<f32>(_e4994);
 let _e4997 = select(_e4766, 263193i, (263193i < _e4766));
-let _e5002 = global_4.member[bitcast<u32>(select(0i, _e4997, (_e4997 > 0i)))];
+let _e5002 = global_3.member[bitcast<u32>(select(0i, _e4997, (_e4997 > 0i)))];
 let _e5003 = bitcast<f32>(_e5002);
 let _e5005 = select(_e4766, 263194i, (263194i < _e4766));
-let _e5010 = global_4.member[bitcast<u32>(select(0i, _e5005, (_e5005 > 0i)))];
+let _e5010 = global_3.member[bitcast<u32>(select(0i, _e5005, (_e5005 > 0i)))];
 let _e5011 = bitcast<f32>(_e5010);
 let _e5013 = ((_e4987 - _e4995) * _e5003);
 let _e5015 = select(0f, _e5013, (_e5013 > 0f));
@@ -1711,10 +1711,10 @@ let _e5103 = select(_e5084, _e5101, (_e5101 < _e5084));
 let _e5110 = select(0i, select(select(i32(_e5103), i32(-2147483648), (_e5103 < -2147483600f)), 2147483647i, (_e5103 > 2147483500f)), (_e5103 == _e5103));
 let _e5114 = (_e5110 - select(0i, 1i, (_e5103 < f32(_e5110))));
 let _e5116 = select(_e4766, 263195i, (263195i < _e4766));
-let _e5122 = global_4.member[bitcast<u32>(select(0i, _e5116, (_e5116 > 0i)))];
+let _e5122 = global_3.member[bitcast<u32>(select(0i, _e5116, (_e5116 > 0i)))];
 let _e5123 = bitcast<f32>(_e5122);
 let _e5125 = select(_e4766, 263196i, (263196i < _e4766));
-let _e5131 = global_4.member[bitcast<u32>(select(0i, _e5125, (_e5125 > 0i)))];
+let _e5131 = global_3.member[bitcast<u32>(select(0i, _e5125, (_e5125 > 0i)))];
 let _e5132 = bitcast<f32>(_e5131);
 let _e5133 = (_e3484.member - _e3885);
 let _e5139 = (1f / select(_e5133, 1f, (bitcast<f32>((bitcast<u32>(_e5133) & 2147483647u)) < 1e-20f)));
@@ -1725,20 +1725,20 @@ let _e5156 = (_e5020 - f32(_e5099));
 let _e5158 = (_e5083 - f32(_e5114));
 let _e5160 = (1f - (_e5145 + _e5151));
 let _e5162 = select(_e4766, _e5154, (_e5154 < _e4766));
-let _e5168 = global_4.member[bitcast<u32>(select(0i, _e5162, (_e5162 > 0i)))];
+let _e5168 = global_3.member[bitcast<u32>(select(0i, _e5162, (_e5162 > 0i)))];
 let _e5169 = (_e5154 + 4i);
 let _e5171 = select(_e4766, _e5169, (_e5169 < _e4766));
-let _e5177 = global_4.member[bitcast<u32>(select(0i, _e5171, (_e5171 > 0i)))];
+let _e5177 = global_3.member[bitcast<u32>(select(0i, _e5171, (_e5171 > 0i)))];
 let _e5178 = (_e5154 + 1024i);
 let _e5180 = select(_e4766, _e5178, (_e5178 < _e4766));
-let _e5186 = global_4.member[bitcast<u32>(select(0i, _e5180, (_e5180 > 0i)))];
+let _e5186 = global_3.member[bitcast<u32>(select(0i, _e5180, (_e5180 > 0i)))];
 let _e5187 = (_e5154 + 1028i);
 let _e5189 = select(_e4766, _e5187, (_e5187 < _e4766));
-let _e5195 = global_4.member[bitcast<u32>(select(0i, _e5189, (_e5189 > 0i)))];
+let _e5195 = global_3.member[bitcast<u32>(select(0i, _e5189, (_e5189 > 0i)))];
 let _e5197 = select(_e4766, 0i, (0i < _e4766));
-let _e5203 = global_4.member[bitcast<u32>(select(0i, _e5197, (_e5197 > 0i)))];
+let _e5203 = global_3.member[bitcast<u32>(select(0i, _e5197, (_e5197 > 0i)))];
 let _e5205 = select(_e4766, 262140i, (262140i < _e4766));
-let _e5211 = global_4.member[bitcast<u32>(select(0i, _e5205, (_e5205 > 0i)))];
+let _e5211 = global_3.member[bitcast<u32>(select(0i, _e5205, (_e5205 > 0i)))];
 let _e5216 = (bitcast<f32>(((_e5168 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5224 = (_e5216 + (((bitcast<f32>(((_e5177 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5216) * _e5158));
 let _e5229 = (bitcast<f32>(((_e5186 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1748,20 +1748,20 @@ let _e5280 = (_e5272 + (((bitcast<f32>((((_e5177 >> bitcast<u32>(16i)) & 32767u)
 let _e5285 = (bitcast<f32>((((_e5186 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5312 = (_e5154 + 1i);
 let _e5314 = select(_e4766, _e5312, (_e5312 < _e4766));
-let _e5320 = global_4.member[bitcast<u32>(select(0i, _e5314, (_e5314 > 0i)))];
+let _e5320 = global_3.member[bitcast<u32>(select(0i, _e5314, (_e5314 > 0i)))];
 let _e5321 = (_e5154 + 5i);
 let _e5323 = select(_e4766, _e5321, (_e5321 < _e4766));
-let _e5329 = global_4.member[bitcast<u32>(select(0i, _e5323, (_e5323 > 0i)))];
+let _e5329 = global_3.member[bitcast<u32>(select(0i, _e5323, (_e5323 > 0i)))];
 let _e5330 = (_e5154 + 1025i);
 let _e5332 = select(_e4766, _e5330, (_e5330 < _e4766));
-let _e5338 = global_4.member[bitcast<u32>(select(0i, _e5332, (_e5332 > 0i)))];
+let _e5338 = global_3.member[bitcast<u32>(select(0i, _e5332, (_e5332 > 0i)))];
 let _e5339 = (_e5154 + 1029i);
 let _e5341 = select(_e4766, _e5339, (_e5339 < _e4766));
-let _e5347 = global_4.member[bitcast<u32>(select(0i, _e5341, (_e5341 > 0i)))];
+let _e5347 = global_3.member[bitcast<u32>(select(0i, _e5341, (_e5341 > 0i)))];
 let _e5349 = select(_e4766, 1i, (1i < _e4766));
-let _e5355 = global_4.member[bitcast<u32>(select(0i, _e5349, (_e5349 > 0i)))];
+let _e5355 = global_3.member[bitcast<u32>(select(0i, _e5349, (_e5349 > 0i)))];
 let _e5357 = select(_e4766, 262141i, (262141i < _e4766));
-let _e5363 = global_4.member[bitcast<u32>(select(0i, _e5357, (_e5357 > 0i)))];
+let _e5363 = global_3.member[bitcast<u32>(select(0i, _e5357, (_e5357 > 0i)))];
 let _e5368 = (bitcast<f32>(((_e5320 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5376 = (_e5368 + (((bitcast<f32>(((_e5329 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5368) * _e5158));
 let _e5381 = (bitcast<f32>(((_e5338 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2073,17 +2073,17 @@ let _e6400 = (select(0i, _e6349, (_e6349 > 0i)) * _e3563);
 let _e6401 = (select(_e3575, _e6367, (_e6367 < _e3575)) * _e3563);
 let _e6402 = (select(0i, _e6364, (_e6364 > 0i)) * _e3567);
 let _e6403 = (select(_e3588, _e6372, (_e6372 < _e3588)) * _e3567);
-local_2 = type_31(array<i32, 4>(_e6387, _e6387, _e6387, _e6387), array<u32, 6>(bitcast<u32>(((_e6377 - _e6387) * 8i)), bitcast<u32>(((select(0i, _e6334, (_e6334 > 0i)) - _e6387) * 8i)), bitcast<u32>(((select(_e3601, _e6380, (_e6380 < _e3601)) - _e6387) * 8i)), bitcast<u32>(((select(_e3601, _e6383, (_e6383 < _e3601)) - _e6387) * 8i)), 0u, 0u));
+local_2 = type_29(array<i32, 4>(_e6387, _e6387, _e6387, _e6387), array<u32, 6>(bitcast<u32>(((_e6377 - _e6387) * 8i)), bitcast<u32>(((select(0i, _e6334, (_e6334 > 0i)) - _e6387) * 8i)), bitcast<u32>(((select(_e3601, _e6380, (_e6380 < _e3601)) - _e6387) * 8i)), bitcast<u32>(((select(_e3601, _e6383, (_e6383 < _e3601)) - _e6387) * 8i)), 0u, 0u));
 local_3 = vec3<f32>((_e6311 - f32(_e6334)), (_e6315 - f32(_e6349)), (_e6319 - f32(_e6364)));
 let _e6418 = local_2.member[0u];
 let _e6419 = ((_e6402 + _e6400) + _e6418);
 let _e6421 = (_e6419 >> bitcast<u32>(2i));
 let _e6424 = bitcast<u32>(((_e6419 & 3i) * 8i));
 let _e6426 = select(_e3656, _e6421, (_e6421 < _e3656));
-let _e6431 = global_3.member[bitcast<u32>(select(0i, _e6426, (_e6426 > 0i)))];
+let _e6431 = global_2.member[bitcast<u32>(select(0i, _e6426, (_e6426 > 0i)))];
 let _e6435 = (_e6421 + 1i);
 let _e6437 = select(_e3656, _e6435, (_e6435 < _e3656));
-let _e6442 = global_3.member[bitcast<u32>(select(0i, _e6437, (_e6437 > 0i)))];
+let _e6442 = global_2.member[bitcast<u32>(select(0i, _e6437, (_e6437 > 0i)))];
 let _e6449 = ((_e6431 >> bitcast<u32>((_e6424 & 31u))) | ((_e6442 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6424) & 31u))));
 let _e6452 = local_2.member_1[1u];
 let _e6458 = f32(bitcast<i32>(((_e6449 >> bitcast<u32>((_e6452 & 31u))) & 255u)));
@@ -2095,10 +2095,10 @@ let _e6474 = ((_e6402 + _e6401) + _e6473);
 let _e6476 = (_e6474 >> bitcast<u32>(2i));
 let _e6479 = bitcast<u32>(((_e6474 & 3i) * 8i));
 let _e6481 = select(_e3656, _e6476, (_e6476 < _e3656));
-let _e6486 = global_3.member[bitcast<u32>(select(0i, _e6481, (_e6481 > 0i)))];
+let _e6486 = global_2.member[bitcast<u32>(select(0i, _e6481, (_e6481 > 0i)))];
 let _e6490 = (_e6476 + 1i);
 let _e6492 = select(_e3656, _e6490, (_e6490 < _e3656));
-let _e6497 = global_3.member[bitcast<u32>(select(0i, _e6492, (_e6492 > 0i)))];
+let _e6497 = global_2.member[bitcast<u32>(select(0i, _e6492, (_e6492 > 0i)))];
 let _e6504 = ((_e6486 >> bitcast<u32>((_e6479 & 31u))) | ((_e6497 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6479) & 31u))));
 let _e6505 = local_2.member_1[1u];
 let _e6511 = f32(bitcast<i32>(((_e6504 >> bitcast<u32>((_e6505 & 31u))) & 255u)));
@@ -2111,10 +2111,10 @@ let _e6530 = ((_e6403 + _e6400) + _e6529);
 let _e6532 = (_e6530 >> bitcast<u32>(2i));
 let _e6535 = bitcast<u32>(((_e6530 & 3i) * 8i));
 let _e6537 = select(_e3656, _e6532, (_e6532 < _e3656));
-let _e6542 = global_3.member[bitcast<u32>(select(0i, _e6537, (_e6537 > 0i)))];
+let _e6542 = global_2.member[bitcast<u32>(select(0i, _e6537, (_e6537 > 0i)))];
 let _e6546 = (_e6532 + 1i);
 let _e6548 = select(_e3656, _e6546, (_e6546 < _e3656));
-let _e6553 = global_3.member[bitcast<u32>(select(0i, _e6548, (_e6548 > 0i)))];
+let _e6553 = global_2.member[bitcast<u32>(select(0i, _e6548, (_e6548 > 0i)))];
 let _e6560 = ((_e6542 >> bitcast<u32>((_e6535 & 31u))) | ((_e6553 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6535) & 31u))));
 let _e6561 = local_2.member_1[1u];
 let _e6567 = f32(bitcast<i32>(((_e6560 >> bitcast<u32>((_e6561 & 31u))) & 255u)));
@@ -2126,10 +2126,10 @@ let _e6581 = ((_e6403 + _e6401) + _e6580);
 let _e6583 = (_e6581 >> bitcast<u32>(2i));
 let _e6586 = bitcast<u32>(((_e6581 & 3i) * 8i));
 let _e6588 = select(_e3656, _e6583, (_e6583 < _e3656));
-let _e6593 = global_3.member[bitcast<u32>(select(0i, _e6588, (_e6588 > 0i)))];
+let _e6593 = global_2.member[bitcast<u32>(select(0i, _e6588, (_e6588 > 0i)))];
 let _e6597 = (_e6583 + 1i);
 let _e6599 = select(_e3656, _e6597, (_e6597 < _e3656));
-let _e6604 = global_3.member[bitcast<u32>(select(0i, _e6599, (_e6599 > 0i)))];
+let _e6604 = global_2.member[bitcast<u32>(select(0i, _e6599, (_e6599 > 0i)))];
 let _e6611 = ((_e6593 >> bitcast<u32>((_e6586 & 31u))) | ((_e6604 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6586) & 31u))));
 let _e6612 = local_2.member_1[1u];
 let _e6618 = f32(bitcast<i32>(((_e6611 >> bitcast<u32>((_e6612 & 31u))) & 255u)));
@@ -2145,41 +2145,41 @@ local_1 = _e6645;
 let _e6646 = local_1;
 let _e6648 = (bitcast<i32>(_e165) - 1i);
 let _e6650 = select(_e6648, 263197i, (263197i < _e6648));
-let _e6655 = global_4.member[bitcast<u32>(select(0i, _e6650, (_e6650 > 0i)))];
+let _e6655 = global_3.member[bitcast<u32>(select(0i, _e6650, (_e6650 > 0i)))];
 let _e6658 = select(_e6648, 263198i, (263198i < _e6648));
-let _e6663 = global_4.member[bitcast<u32>(select(0i, _e6658, (_e6658 > 0i)))];
+let _e6663 = global_3.member[bitcast<u32>(select(0i, _e6658, (_e6658 > 0i)))];
 let _e6666 = select(_e6648, 263199i, (263199i < _e6648));
-let _e6671 = global_4.member[bitcast<u32>(select(0i, _e6666, (_e6666 > 0i)))];
+let _e6671 = global_3.member[bitcast<u32>(select(0i, _e6666, (_e6666 > 0i)))];
 let _e6672 = bitcast<f32>(_e6671);
 let _e6674 = ((_e6646 - bitcast<f32>(_e6655)) * bitcast<f32>(_e6663));
 let _e6676 = select(0f, _e6674, (_e6674 > 0f));
 let _e6679 = local_1;
 let _e6681 = select(_e6648, 263200i, (263200i < _e6648));
-let _e6686 = global_4.member[bitcast<u32>(select(0i, _e6681, (_e6681 > 0i)))];
+let _e6686 = global_3.member[bitcast<u32>(select(0i, _e6681, (_e6681 > 0i)))];
 let _e6689 = select(_e6648, 263201i, (263201i < _e6648));
-let _e6694 = global_4.member[bitcast<u32>(select(0i, _e6689, (_e6689 > 0i)))];
+let _e6694 = global_3.member[bitcast<u32>(select(0i, _e6689, (_e6689 > 0i)))];
 let _e6697 = select(_e6648, 263202i, (263202i < _e6648));
-let _e6702 = global_4.member[bitcast<u32>(select(0i, _e6697, (_e6697 > 0i)))];
+let _e6702 = global_3.member[bitcast<u32>(select(0i, _e6697, (_e6697 > 0i)))];
 let _e6703 = bitcast<f32>(_e6702);
 let _e6705 = ((_e6679 - bitcast<f32>(_e6686)) * bitcast<f32>(_e6694));
 let _e6707 = select(0f, _e6705, (_e6705 > 0f));
 let _e6711 = local_1;
 let _e6713 = select(_e6648, 263203i, (263203i < _e6648));
-let _e6718 = global_4.member[bitcast<u32>(select(0i, _e6713, (_e6713 > 0i)))];
+let _e6718 = global_3.member[bitcast<u32>(select(0i, _e6713, (_e6713 > 0i)))];
 let _e6721 = select(_e6648, 263204i, (263204i < _e6648));
-let _e6726 = global_4.member[bitcast<u32>(select(0i, _e6721, (_e6721 > 0i)))];
+let _e6726 = global_3.member[bitcast<u32>(select(0i, _e6721, (_e6721 > 0i)))];
 let _e6729 = select(_e6648, 263205i, (263205i < _e6648));
-let _e6734 = global_4.member[bitcast<u32>(select(0i, _e6729, (_e6729 > 0i)))];
+let _e6734 = global_3.member[bitcast<u32>(select(0i, _e6729, (_e6729 > 0i)))];
 let _e6735 = bitcast<f32>(_e6734);
 let _e6737 = ((_e6711 - bitcast<f32>(_e6718)) * bitcast<f32>(_e6726));
 let _e6739 = select(0f, _e6737, (_e6737 > 0f));
 let _e6742 = local_1;
 let _e6744 = select(_e6648, 263206i, (263206i < _e6648));
-let _e6749 = global_4.member[bitcast<u32>(select(0i, _e6744, (_e6744 > 0i)))];
+let _e6749 = global_3.member[bitcast<u32>(select(0i, _e6744, (_e6744 > 0i)))];
 let _e6752 = select(_e6648, 263207i, (263207i < _e6648));
-let _e6757 = global_4.member[bitcast<u32>(select(0i, _e6752, (_e6752 > 0i)))];
+let _e6757 = global_3.member[bitcast<u32>(select(0i, _e6752, (_e6752 > 0i)))];
 let _e6760 = select(_e6648, 263208i, (263208i < _e6648));
-let _e6765 = global_4.member[bitcast<u32>(select(0i, _e6760, (_e6760 > 0i)))];
+let _e6765 = global_3.member[bitcast<u32>(select(0i, _e6760, (_e6760 > 0i)))];
 let _e6766 = bitcast<f32>(_e6765);
 let _e6768 = ((_e6742 - bitcast<f32>(_e6749)) * bitcast<f32>(_e6757));
 let _e6770 = select(0f, _e6768, (_e6768 > 0f));
@@ -2190,13 +2190,13 @@ let _e6785 = select(0i, select(select(i32(_e6778), i32(-2147483648), (_e6778 < -
 let _e6789 = (_e6785 - select(0i, 1i, (_e6778 < f32(_e6785))));
 let _e6790 = (262147i + _e6789);
 let _e6792 = select(_e6648, _e6790, (_e6790 < _e6648));
-let _e6798 = global_4.member[bitcast<u32>(select(0i, _e6792, (_e6792 > 0i)))];
+let _e6798 = global_3.member[bitcast<u32>(select(0i, _e6792, (_e6792 > 0i)))];
 let _e6808 = select(_e6648, 262146i, (262146i < _e6648));
-let _e6814 = global_4.member[bitcast<u32>(select(0i, _e6808, (_e6808 > 0i)))];
+let _e6814 = global_3.member[bitcast<u32>(select(0i, _e6808, (_e6808 > 0i)))];
 let _e6818 = select(_e6648, 262144i, (262144i < _e6648));
-let _e6824 = global_4.member[bitcast<u32>(select(0i, _e6818, (_e6818 > 0i)))];
+let _e6824 = global_3.member[bitcast<u32>(select(0i, _e6818, (_e6818 > 0i)))];
 let _e6827 = select(_e6648, 262145i, (262145i < _e6648));
-let _e6833 = global_4.member[bitcast<u32>(select(0i, _e6827, (_e6827 > 0i)))];
+let _e6833 = global_3.member[bitcast<u32>(select(0i, _e6827, (_e6827 > 0i)))];
 let _e6840 = ((bitcast<f32>(_e6824) + (f32(bitcast<i32>((_e6798 >> bitcast<u32>(12u)))) * bitcast<f32>(_e6833))) + ((f32((bitcast<i32>((_e6798 & 4095u)) - 2048i)) * bitcast<f32>(_e6814)) * (_e6774 - f32(_e6789))));
 let _e6844 = select(_e6252.member_6.x, _e6263.x, _e6257);
 let _e6847 = select(_e6252.member_6.y, _e6263.y, _e6257);
@@ -2435,15 +2435,15 @@ phi_16926_ = 1f;
 let _e7585 = phi_16925_;
 let _e7587 = phi_16926_;
 let _e7590 = (_e5669.member * _e7587);
-global_2.member[_e190] = (_e201 * (_e5669.member_2.x * _e7590));
-global_2.member[_e202] = (_e211 * (_e5669.member_2.y * _e7590));
-global_2.member[_e213] = (_e222 * (_e5669.member_2.z * _e7590));
-global_2.member[_e224] = _e7585.x;
-global_2.member[_e235] = _e7585.y;
-global_2.member[_e246] = _e7585.z;
-global_2.member[_e257] = _e266;
-global_2.member[_e268] = _e277;
-global_2.member[_e279] = _e288;
+global_4.member[_e190] = (_e201 * (_e5669.member_2.x * _e7590));
+global_4.member[_e202] = (_e211 * (_e5669.member_2.y * _e7590));
+global_4.member[_e213] = (_e222 * (_e5669.member_2.z * _e7590));
+global_4.member[_e224] = _e7585.x;
+global_4.member[_e235] = _e7585.y;
+global_4.member[_e246] = _e7585.z;
+global_4.member[_e257] = _e266;
+global_4.member[_e268] = _e277;
+global_4.member[_e279] = _e288;
 }
 }
 }

@@ -3,61 +3,17 @@ member: u32,
 member_1: u32,
 member_2: u32,
 }
-struct type_4 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_3 {
+member: u32,
+member_1: u32,
+member_2: u32,
 member_3: u32,
 }
-struct type_5 {
-member: f32,
-member_1: f32,
-member_2: f32,
+struct type_4 {
+member: u32,
+member_1: u32,
 }
 struct type_6 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-member_4: type_5,
-member_5: type_5,
-member_6: type_5,
-member_7: type_5,
-member_8: type_5,
-member_9: type_5,
-member_10: f32,
-member_11: f32,
-member_12: f32,
-}
-struct type_7 {
-member: type_5,
-member_1: f32,
-}
-struct type_8 {
-member: type_7,
-member_1: type_5,
-}
-struct type_9 {
-member: type_8,
-member_1: type_8,
-}
-struct type_11 {
-member: array<f32>,
-}
-struct type_15 {
-member: u32,
-member_1: u32,
-}
-struct type_17 {
-member: array<u32>,
-}
-struct type_18 {
-member: u32,
-member_1: u32,
-member_2: u32,
-member_3: u32,
-}
-struct type_19 {
 member: f32,
 member_1: f32,
 member_2: f32,
@@ -65,11 +21,20 @@ member_3: f32,
 member_4: f32,
 member_5: f32,
 }
-struct type_20 {
+struct type_7 {
+member: f32,
+member_1: f32,
+member_2: f32,
+}
+struct type_8 {
 member: type_7,
-member_1: type_7,
-member_2: type_7,
-member_3: type_5,
+member_1: f32,
+}
+struct type_10 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
+member_3: type_7,
 member_4: f32,
 member_5: f32,
 member_6: f32,
@@ -80,7 +45,7 @@ member_10: u32,
 member_11: type_2,
 member_12: u32,
 }
-struct type_21 {
+struct type_11 {
 member: u32,
 member_1: u32,
 member_2: f32,
@@ -91,28 +56,28 @@ member_6: f32,
 member_7: f32,
 member_8: f32,
 }
-struct type_22 {
-member: type_5,
-member_1: type_5,
+struct type_12 {
+member: type_7,
+member_1: type_7,
 }
-struct type_23 {
-member: type_15,
+struct type_13 {
+member: type_4,
 member_1: f32,
 member_2: f32,
 member_3: u32,
 member_4: u32,
 }
-struct type_24 {
-member: type_5,
+struct type_14 {
+member: type_7,
 member_1: f32,
 member_2: f32,
 }
-struct type_25 {
-member: type_7,
-member_1: type_7,
-member_2: type_7,
+struct type_15 {
+member: type_8,
+member_1: type_8,
+member_2: type_8,
 member_3: u32,
-member_4: type_15,
+member_4: type_4,
 member_5: f32,
 member_6: f32,
 member_7: f32,
@@ -125,47 +90,82 @@ member_13: u32,
 member_14: type_2,
 member_15: u32,
 member_16: u32,
-member_17: type_15,
-member_18: type_23,
-member_19: type_5,
-member_20: type_24,
+member_17: type_4,
+member_18: type_13,
+member_19: type_7,
+member_20: type_14,
 member_21: f32,
 member_22: f32,
 member_23: f32,
 member_24: f32,
 }
-struct type_26 {
-member: type_7,
+struct type_16 {
+member: f32,
+member_1: f32,
+member_2: f32,
+member_3: u32,
+}
+struct type_17 {
+member: type_8,
+member_1: type_7,
+}
+struct type_18 {
+member: type_17,
+member_1: type_17,
+}
+struct type_19 {
+member: type_8,
 member_1: u32,
 }
-struct type_27 {
+struct type_20 {
+member: u32,
+member_1: u32,
+member_2: u32,
+member_3: u32,
+member_4: type_7,
+member_5: type_7,
+member_6: type_7,
+member_7: type_7,
+member_8: type_7,
+member_9: type_7,
+member_10: f32,
+member_11: f32,
+member_12: f32,
+}
+struct type_21 {
 member: type_2,
 member_1: u32,
-member_2: type_18,
-member_3: type_15,
+member_2: type_3,
+member_3: type_4,
 member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
-member_16: type_26,
-member_17: type_26,
-member_18: type_5,
+member_5: type_6,
+member_6: type_10,
+member_7: type_10,
+member_8: type_11,
+member_9: type_12,
+member_10: type_15,
+member_11: type_6,
+member_12: type_16,
+member_13: type_18,
+member_14: type_19,
+member_15: type_19,
+member_16: type_19,
+member_17: type_19,
+member_18: type_7,
 member_19: f32,
 member_20: f32,
-member_21: type_6,
+member_21: type_20,
 }
-struct type_28 {
-member: type_27,
+struct type_22 {
+member: type_21,
 }
-struct type_31 {
+struct type_24 {
+member: array<u32>,
+}
+struct type_26 {
+member: array<f32>,
+}
+struct type_29 {
 member: array<i32, 4>,
 member_1: array<u32, 6>,
 }
@@ -198,29 +198,29 @@ member_3: vec3<f32>,
 }
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
-var<storage> global_1: type_28;
-@group(0) @binding(6)
-var<storage, read_write> global_2: type_11;
+var<storage> global_1: type_22;
 @group(0) @binding(1)
-var<storage> global_3: type_17;
+var<storage> global_2: type_24;
 @group(0) @binding(4)
-var<storage> global_4: type_17;
+var<storage> global_3: type_24;
+@group(0) @binding(6)
+var<storage, read_write> global_4: type_26;
 @group(0) @binding(3)
-var<storage> global_5: type_17;
+var<storage> global_5: type_24;
 @group(0) @binding(5)
-var<storage> global_6: type_11;
+var<storage> global_6: type_26;
 fn function_() {
 var local: f32;
 var local_1: f32;
-var local_2: type_31;
+var local_2: type_29;
 var local_3: vec3<f32>;
 var local_4: f32;
 var local_5: f32;
 var local_6: f32;
 var local_7: f32;
-var local_8: type_31;
+var local_8: type_29;
 var local_9: vec3<f32>;
-var local_10: type_31;
+var local_10: type_29;
 var local_11: vec3<f32>;
 var local_12: f32;
 var local_13: f32;
@@ -236,7 +236,7 @@ var local_22: f32;
 var local_23: f32;
 var local_24: f32;
 var local_25: f32;
-var local_26: type_31;
+var local_26: type_29;
 var local_27: vec3<f32>;
 var phi_905_: bool;
 var phi_1085_: bool;
@@ -245,7 +245,7 @@ var phi_1272_: bool;
 var phi_1595_: u32;
 var phi_7186_: type_32;
 var phi_7889_: type_33;
-var phi_8779_: type_5;
+var phi_8779_: type_7;
 var phi_12507_: type_35;
 var phi_13826_: type_34;
 var phi_13839_: vec3<f32>;
@@ -254,8 +254,8 @@ var phi_16512_: type_34;
 var phi_16664_: vec3<f32>;
 var phi_16665_: f32;
 let _e159 = global;
-let _e162 = arrayLength((&global_3.member));
-let _e167 = arrayLength((&global_4.member));
+let _e162 = arrayLength((&global_2.member));
+let _e167 = arrayLength((&global_3.member));
 let _e169 = arrayLength((&global_6.member));
 let _e174 = global_1.member.member_2;
 let _e177 = global_1.member.member;
@@ -266,41 +266,41 @@ if (_e187 < _e174.member_3) {
 let _e190 = (_e177.member * _e177.member_1);
 let _e192 = ((_e187 * _e177.member) + _e185);
 let _e193 = bitcast<i32>(_e192);
-let _e195 = (bitcast<i32>(arrayLength((&global_2.member))) - 1i);
+let _e195 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e197 = select(_e195, _e193, (_e193 < _e195));
-let _e203 = global_2.member[bitcast<u32>(select(0i, _e197, (_e197 > 0i)))];
+let _e203 = global_4.member[bitcast<u32>(select(0i, _e197, (_e197 > 0i)))];
 let _e204 = (_e190 + _e192);
 let _e205 = bitcast<i32>(_e204);
 let _e207 = select(_e195, _e205, (_e205 < _e195));
-let _e213 = global_2.member[bitcast<u32>(select(0i, _e207, (_e207 > 0i)))];
+let _e213 = global_4.member[bitcast<u32>(select(0i, _e207, (_e207 > 0i)))];
 let _e215 = ((2u * _e190) + _e192);
 let _e216 = bitcast<i32>(_e215);
 let _e218 = select(_e195, _e216, (_e216 < _e195));
-let _e224 = global_2.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
+let _e224 = global_4.member[bitcast<u32>(select(0i, _e218, (_e218 > 0i)))];
 let _e226 = ((3u * _e190) + _e192);
 let _e227 = bitcast<i32>(_e226);
 let _e229 = select(_e195, _e227, (_e227 < _e195));
-let _e235 = global_2.member[bitcast<u32>(select(0i, _e229, (_e229 > 0i)))];
+let _e235 = global_4.member[bitcast<u32>(select(0i, _e229, (_e229 > 0i)))];
 let _e237 = ((4u * _e190) + _e192);
 let _e238 = bitcast<i32>(_e237);
 let _e240 = select(_e195, _e238, (_e238 < _e195));
-let _e246 = global_2.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
+let _e246 = global_4.member[bitcast<u32>(select(0i, _e240, (_e240 > 0i)))];
 let _e248 = ((5u * _e190) + _e192);
 let _e249 = bitcast<i32>(_e248);
 let _e251 = select(_e195, _e249, (_e249 < _e195));
-let _e257 = global_2.member[bitcast<u32>(select(0i, _e251, (_e251 > 0i)))];
+let _e257 = global_4.member[bitcast<u32>(select(0i, _e251, (_e251 > 0i)))];
 let _e259 = ((6u * _e190) + _e192);
 let _e260 = bitcast<i32>(_e259);
 let _e262 = select(_e195, _e260, (_e260 < _e195));
-let _e268 = global_2.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
+let _e268 = global_4.member[bitcast<u32>(select(0i, _e262, (_e262 > 0i)))];
 let _e270 = ((7u * _e190) + _e192);
 let _e271 = bitcast<i32>(_e270);
 let _e273 = select(_e195, _e271, (_e271 < _e195));
-let _e279 = global_2.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
+let _e279 = global_4.member[bitcast<u32>(select(0i, _e273, (_e273 > 0i)))];
 let _e281 = ((8u * _e190) + _e192);
 let _e282 = bitcast<i32>(_e281);
 let _e284 = select(_e195, _e282, (_e282 < _e195));
-let _e290 = global_2.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
+let _e290 = global_4.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
 let _e295 = global_1.member.member_8.member;
 let _e299 = global_1.member.member_8.member_1;
 let _e300 = (_e295 * _e299);
@@ -541,7 +541,7 @@ let _e1328 = global_1.member.member_6.member_11.member_1;
 let _e1339 = ((_e1315 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1322) * ((_e1316 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1328) * (_e1317 >> bitcast<u32>(4i))))));
 let _e1341 = (bitcast<i32>(_e162) - 1i);
 let _e1343 = select(_e1341, _e1339, (_e1339 < _e1341));
-let _e1349 = global_3.member[bitcast<u32>(select(0i, _e1343, (_e1343 > 0i)))];
+let _e1349 = global_2.member[bitcast<u32>(select(0i, _e1343, (_e1343 > 0i)))];
 let _e1351 = (_e1315 & 15i);
 let _e1354 = ((_e1316 & 15i) * _e1310);
 let _e1356 = (bitcast<i32>(_e1349) + ((_e1317 & 15i) * _e1314));
@@ -551,17 +551,17 @@ let _e1361 = (_e1354 + (3i * _e1310));
 let _e1362 = (_e1356 + _e1314);
 let _e1364 = (_e1356 + (2i * _e1314));
 let _e1366 = (_e1356 + (3i * _e1314));
-local_26 = type_31(array<i32, 4>(_e1351, _e1351, _e1351, _e1351), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_26 = type_29(array<i32, 4>(_e1351, _e1351, _e1351, _e1351), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_27 = vec3<f32>((_e1241 - f32(_e1276)), (_e1251 - f32(_e1291)), (_e1261 - f32(_e1306)));
 let _e1380 = local_26.member[0u];
 let _e1381 = ((_e1362 + _e1357) + _e1380);
 let _e1383 = (_e1381 >> bitcast<u32>(2i));
 let _e1386 = bitcast<u32>(((_e1381 & 3i) * 8i));
 let _e1388 = select(_e1341, _e1383, (_e1383 < _e1341));
-let _e1393 = global_3.member[bitcast<u32>(select(0i, _e1388, (_e1388 > 0i)))];
+let _e1393 = global_2.member[bitcast<u32>(select(0i, _e1388, (_e1388 > 0i)))];
 let _e1397 = (_e1383 + 1i);
 let _e1399 = select(_e1341, _e1397, (_e1397 < _e1341));
-let _e1404 = global_3.member[bitcast<u32>(select(0i, _e1399, (_e1399 > 0i)))];
+let _e1404 = global_2.member[bitcast<u32>(select(0i, _e1399, (_e1399 > 0i)))];
 let _e1411 = ((_e1393 >> bitcast<u32>((_e1386 & 31u))) | ((_e1404 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1386) & 31u))));
 let _e1414 = local_26.member_1[0u];
 let _e1420 = f32(bitcast<i32>(((_e1411 >> bitcast<u32>((_e1414 & 31u))) & 255u)));
@@ -581,10 +581,10 @@ let _e1462 = ((_e1362 + _e1359) + _e1461);
 let _e1464 = (_e1462 >> bitcast<u32>(2i));
 let _e1467 = bitcast<u32>(((_e1462 & 3i) * 8i));
 let _e1469 = select(_e1341, _e1464, (_e1464 < _e1341));
-let _e1474 = global_3.member[bitcast<u32>(select(0i, _e1469, (_e1469 > 0i)))];
+let _e1474 = global_2.member[bitcast<u32>(select(0i, _e1469, (_e1469 > 0i)))];
 let _e1478 = (_e1464 + 1i);
 let _e1480 = select(_e1341, _e1478, (_e1478 < _e1341));
-let _e1485 = global_3.member[bitcast<u32>(select(0i, _e1480, (_e1480 > 0i)))];
+let _e1485 = global_2.member[bitcast<u32>(select(0i, _e1480, (_e1480 > 0i)))];
 let _e1492 = ((_e1474 >> bitcast<u32>((_e1467 & 31u))) | ((_e1485 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1467) & 31u))));
 let _e1493 = local_26.member_1[0u];
 let _e1499 = f32(bitcast<i32>(((_e1492 >> bitcast<u32>((_e1493 & 31u))) & 255u)));
@@ -602,10 +602,10 @@ let _e1535 = ((_e1364 + _e1357) + _e1534);
 let _e1537 = (_e1535 >> bitcast<u32>(2i));
 let _e1540 = bitcast<u32>(((_e1535 & 3i) * 8i));
 let _e1542 = select(_e1341, _e1537, (_e1537 < _e1341));
-let _e1547 = global_3.member[bitcast<u32>(select(0i, _e1542, (_e1542 > 0i)))];
+let _e1547 = global_2.member[bitcast<u32>(select(0i, _e1542, (_e1542 > 0i)))];
 let _e1551 = (_e1537 + 1i);
 let _e1553 = select(_e1341, _e1551, (_e1551 < _e1341));
-let _e1558 = global_3.member[bitcast<u32>(select(0i, _e1553, (_e1553 > 0i)))];
+let _e1558 = global_2.member[bitcast<u32>(select(0i, _e1553, (_e1553 > 0i)))];
 let _e1565 = ((_e1547 >> bitcast<u32>((_e1540 & 31u))) | ((_e1558 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1540) & 31u))));
 let _e1566 = local_26.member_1[0u];
 let _e1572 = f32(bitcast<i32>(((_e1565 >> bitcast<u32>((_e1566 & 31u))) & 255u)));
@@ -625,10 +625,10 @@ let _e1608 = ((_e1364 + _e1359) + _e1607);
 let _e1610 = (_e1608 >> bitcast<u32>(2i));
 let _e1613 = bitcast<u32>(((_e1608 & 3i) * 8i));
 let _e1615 = select(_e1341, _e1610, (_e1610 < _e1341));
-let _e1620 = global_3.member[bitcast<u32>(select(0i, _e1615, (_e1615 > 0i)))];
+let _e1620 = global_2.member[bitcast<u32>(select(0i, _e1615, (_e1615 > 0i)))];
 let _e1624 = (_e1610 + 1i);
 let _e1626 = select(_e1341, _e1624, (_e1624 < _e1341));
-let _e1631 = global_3.member[bitcast<u32>(select(0i, _e1626, (_e1626 > 0i)))];
+let _e1631 = global_2.member[bitcast<u32>(select(0i, _e1626, (_e1626 > 0i)))];
 let _e1638 = ((_e1620 >> bitcast<u32>((_e1613 & 31u))) | ((_e1631 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1613) & 31u))));
 let _e1639 = local_26.member_1[0u];
 let _e1645 = f32(bitcast<i32>(((_e1638 >> bitcast<u32>((_e1639 & 31u))) & 255u)));
@@ -646,10 +646,10 @@ let _e1681 = ((_e1362 + _e1354) + _e1680);
 let _e1683 = (_e1681 >> bitcast<u32>(2i));
 let _e1686 = bitcast<u32>(((_e1681 & 3i) * 8i));
 let _e1688 = select(_e1341, _e1683, (_e1683 < _e1341));
-let _e1693 = global_3.member[bitcast<u32>(select(0i, _e1688, (_e1688 > 0i)))];
+let _e1693 = global_2.member[bitcast<u32>(select(0i, _e1688, (_e1688 > 0i)))];
 let _e1697 = (_e1683 + 1i);
 let _e1699 = select(_e1341, _e1697, (_e1697 < _e1341));
-let _e1704 = global_3.member[bitcast<u32>(select(0i, _e1699, (_e1699 > 0i)))];
+let _e1704 = global_2.member[bitcast<u32>(select(0i, _e1699, (_e1699 > 0i)))];
 let _e1711 = ((_e1693 >> bitcast<u32>((_e1686 & 31u))) | ((_e1704 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1686) & 31u))));
 let _e1712 = local_26.member_1[1u];
 let _e1718 = f32(bitcast<i32>(((_e1711 >> bitcast<u32>((_e1712 & 31u))) & 255u)));
@@ -661,10 +661,10 @@ let _e1732 = ((_e1362 + _e1361) + _e1731);
 let _e1734 = (_e1732 >> bitcast<u32>(2i));
 let _e1737 = bitcast<u32>(((_e1732 & 3i) * 8i));
 let _e1739 = select(_e1341, _e1734, (_e1734 < _e1341));
-let _e1744 = global_3.member[bitcast<u32>(select(0i, _e1739, (_e1739 > 0i)))];
+let _e1744 = global_2.member[bitcast<u32>(select(0i, _e1739, (_e1739 > 0i)))];
 let _e1748 = (_e1734 + 1i);
 let _e1750 = select(_e1341, _e1748, (_e1748 < _e1341));
-let _e1755 = global_3.member[bitcast<u32>(select(0i, _e1750, (_e1750 > 0i)))];
+let _e1755 = global_2.member[bitcast<u32>(select(0i, _e1750, (_e1750 > 0i)))];
 let _e1762 = ((_e1744 >> bitcast<u32>((_e1737 & 31u))) | ((_e1755 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1737) & 31u))));
 let _e1763 = local_26.member_1[1u];
 let _e1769 = f32(bitcast<i32>(((_e1762 >> bitcast<u32>((_e1763 & 31u))) & 255u)));
@@ -675,10 +675,10 @@ let _e1783 = ((_e1364 + _e1354) + _e1782);
 let _e1785 = (_e1783 >> bitcast<u32>(2i));
 let _e1788 = bitcast<u32>(((_e1783 & 3i) * 8i));
 let _e1790 = select(_e1341, _e1785, (_e1785 < _e1341));
-let _e1795 = global_3.member[bitcast<u32>(select(0i, _e1790, (_e1790 > 0i)))];
+let _e1795 = global_2.member[bitcast<u32>(select(0i, _e1790, (_e1790 > 0i)))];
 let _e1799 = (_e1785 + 1i);
 let _e1801 = select(_e1341, _e1799, (_e1799 < _e1341));
-let _e1806 = global_3.member[bitcast<u32>(select(0i, _e1801, (_e1801 > 0i)))];
+let _e1806 = global_2.member[bitcast<u32>(select(0i, _e1801, (_e1801 > 0i)))];
 let _e1813 = ((_e1795 >> bitcast<u32>((_e1788 & 31u))) | ((_e1806 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1788) & 31u))));
 let _e1814 = local_26.member_1[1u];
 let _e1820 = f32(bitcast<i32>(((_e1813 >> bitcast<u32>((_e1814 & 31u))) & 255u)));
@@ -690,10 +690,10 @@ let _e1834 = ((_e1364 + _e1361) + _e1833);
 let _e1836 = (_e1834 >> bitcast<u32>(2i));
 let _e1839 = bitcast<u32>(((_e1834 & 3i) * 8i));
 let _e1841 = select(_e1341, _e1836, (_e1836 < _e1341));
-let _e1846 = global_3.member[bitcast<u32>(select(0i, _e1841, (_e1841 > 0i)))];
+let _e1846 = global_2.member[bitcast<u32>(select(0i, _e1841, (_e1841 > 0i)))];
 let _e1850 = (_e1836 + 1i);
 let _e1852 = select(_e1341, _e1850, (_e1850 < _e1341));
-let _e1857 = global_3.member[bitcast<u32>(select(0i, _e1852, (_e1852 > 0i)))];
+let _e1857 = global_2.member[bitcast<u32>(select(0i, _e1852, (_e1852 > 0i)))];
 let _e1864 = ((_e1846 >> bitcast<u32>((_e1839 & 31u))) | ((_e1857 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1839) & 31u))));
 let _e1865 = local_26.member_1[1u];
 let _e1871 = f32(bitcast<i32>(((_e1864 >> bitcast<u32>((_e1865 & 31u))) & 255u)));
@@ -704,10 +704,10 @@ let _e1885 = ((_e1356 + _e1357) + _e1884);
 let _e1887 = (_e1885 >> bitcast<u32>(2i));
 let _e1890 = bitcast<u32>(((_e1885 & 3i) * 8i));
 let _e1892 = select(_e1341, _e1887, (_e1887 < _e1341));
-let _e1897 = global_3.member[bitcast<u32>(select(0i, _e1892, (_e1892 > 0i)))];
+let _e1897 = global_2.member[bitcast<u32>(select(0i, _e1892, (_e1892 > 0i)))];
 let _e1901 = (_e1887 + 1i);
 let _e1903 = select(_e1341, _e1901, (_e1901 < _e1341));
-let _e1908 = global_3.member[bitcast<u32>(select(0i, _e1903, (_e1903 > 0i)))];
+let _e1908 = global_2.member[bitcast<u32>(select(0i, _e1903, (_e1903 > 0i)))];
 let _e1915 = ((_e1897 >> bitcast<u32>((_e1890 & 31u))) | ((_e1908 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1890) & 31u))));
 let _e1916 = local_26.member_1[1u];
 let _e1922 = f32(bitcast<i32>(((_e1915 >> bitcast<u32>((_e1916 & 31u))) & 255u)));
@@ -719,10 +719,10 @@ let _e1936 = ((_e1366 + _e1357) + _e1935);
 let _e1938 = (_e1936 >> bitcast<u32>(2i));
 let _e1941 = bitcast<u32>(((_e1936 & 3i) * 8i));
 let _e1943 = select(_e1341, _e1938, (_e1938 < _e1341));
-let _e1948 = global_3.member[bitcast<u32>(select(0i, _e1943, (_e1943 > 0i)))];
+let _e1948 = global_2.member[bitcast<u32>(select(0i, _e1943, (_e1943 > 0i)))];
 let _e1952 = (_e1938 + 1i);
 let _e1954 = select(_e1341, _e1952, (_e1952 < _e1341));
-let _e1959 = global_3.member[bitcast<u32>(select(0i, _e1954, (_e1954 > 0i)))];
+let _e1959 = global_2.member[bitcast<u32>(select(0i, _e1954, (_e1954 > 0i)))];
 let _e1966 = ((_e1948 >> bitcast<u32>((_e1941 & 31u))) | ((_e1959 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1941) & 31u))));
 let _e1967 = local_26.member_1[1u];
 let _e1973 = f32(bitcast<i32>(((_e1966 >> bitcast<u32>((_e1967 & 31u))) & 255u)));
@@ -734,10 +734,10 @@ let _e1987 = ((_e1356 + _e1359) + _e1986);
 let _e1989 = (_e1987 >> bitcast<u32>(2i));
 let _e1992 = bitcast<u32>(((_e1987 & 3i) * 8i));
 let _e1994 = select(_e1341, _e1989, (_e1989 < _e1341));
-let _e1999 = global_3.member[bitcast<u32>(select(0i, _e1994, (_e1994 > 0i)))];
+let _e1999 = global_2.member[bitcast<u32>(select(0i, _e1994, (_e1994 > 0i)))];
 let _e2003 = (_e1989 + 1i);
 let _e2005 = select(_e1341, _e2003, (_e2003 < _e1341));
-let _e2010 = global_3.member[bitcast<u32>(select(0i, _e2005, (_e2005 > 0i)))];
+let _e2010 = global_2.member[bitcast<u32>(select(0i, _e2005, (_e2005 > 0i)))];
 let _e2017 = ((_e1999 >> bitcast<u32>((_e1992 & 31u))) | ((_e2010 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e1992) & 31u))));
 let _e2018 = local_26.member_1[1u];
 let _e2024 = f32(bitcast<i32>(((_e2017 >> bitcast<u32>((_e2018 & 31u))) & 255u)));
@@ -748,10 +748,10 @@ let _e2038 = ((_e1366 + _e1359) + _e2037);
 let _e2040 = (_e2038 >> bitcast<u32>(2i));
 let _e2043 = bitcast<u32>(((_e2038 & 3i) * 8i));
 let _e2045 = select(_e1341, _e2040, (_e2040 < _e1341));
-let _e2050 = global_3.member[bitcast<u32>(select(0i, _e2045, (_e2045 > 0i)))];
+let _e2050 = global_2.member[bitcast<u32>(select(0i, _e2045, (_e2045 > 0i)))];
 let _e2054 = (_e2040 + 1i);
 let _e2056 = select(_e1341, _e2054, (_e2054 < _e1341));
-let _e2061 = global_3.member[bitcast<u32>(select(0i, _e2056, (_e2056 > 0i)))];
+let _e2061 = global_2.member[bitcast<u32>(select(0i, _e2056, (_e2056 > 0i)))];
 let _e2068 = ((_e2050 >> bitcast<u32>((_e2043 & 31u))) | ((_e2061 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e2043) & 31u))));
 let _e2069 = local_26.member_1[1u];
 let _e2075 = f32(bitcast<i32>(((_e2068 >> bitcast<u32>((_e2069 & 31u))) & 255u)));
@@ -813,50 +813,50 @@ local_25 = _e2216;
 let _e2217 = local_25;
 let _e2219 = (bitcast<i32>(_e167) - 1i);
 let _e2221 = select(_e2219, 263197i, (263197i < _e2219));
-let _e2226 = global_4.member[bitcast<u32>(select(0i, _e2221, (_e2221 > 0i)))];
+let _e2226 = global_3.member[bitcast<u32>(select(0i, _e2221, (_e2221 > 0i)))];
 let _e2227 = bitcast<f32>(_e2226);
 let _e2229 = select(_e2219, 263198i, (263198i < _e2219));
 let _e2232 = bitcast<u32>(select(0i, _e2229, (_e2229 > 0i)));
-let _e2234 = global_4.member[_e2232];
+let _e2234 = global_3.member[_e2232];
 let _e2235 = bitcast<f32>(_e2234);
 let _e2237 = select(_e2219, 263199i, (263199i < _e2219));
-let _e2242 = global_4.member[bitcast<u32>(select(0i, _e2237, (_e2237 > 0i)))];
+let _e2242 = global_3.member[bitcast<u32>(select(0i, _e2237, (_e2237 > 0i)))];
 let _e2243 = bitcast<f32>(_e2242);
 let _e2245 = ((_e2217 - _e2227) * _e2235);
 let _e2247 = select(0f, _e2245, (_e2245 > 0f));
 let _e2250 = local_25;
 let _e2252 = select(_e2219, 263200i, (263200i < _e2219));
-let _e2257 = global_4.member[bitcast<u32>(select(0i, _e2252, (_e2252 > 0i)))];
+let _e2257 = global_3.member[bitcast<u32>(select(0i, _e2252, (_e2252 > 0i)))];
 let _e2258 = bitcast<f32>(_e2257);
 let _e2260 = select(_e2219, 263201i, (263201i < _e2219));
-let _e2265 = global_4.member[bitcast<u32>(select(0i, _e2260, (_e2260 > 0i)))];
+let _e2265 = global_3.member[bitcast<u32>(select(0i, _e2260, (_e2260 > 0i)))];
 let _e2266 = bitcast<f32>(_e2265);
 let _e2268 = select(_e2219, 263202i, (263202i < _e2219));
-let _e2273 = global_4.member[bitcast<u32>(select(0i, _e2268, (_e2268 > 0i)))];
+let _e2273 = global_3.member[bitcast<u32>(select(0i, _e2268, (_e2268 > 0i)))];
 let _e2274 = bitcast<f32>(_e2273);
 let _e2276 = ((_e2250 - _e2258) * _e2266);
 let _e2278 = select(0f, _e2276, (_e2276 > 0f));
 let _e2282 = local_25;
 let _e2284 = select(_e2219, 263203i, (263203i < _e2219));
-let _e2289 = global_4.member[bitcast<u32>(select(0i, _e2284, (_e2284 > 0i)))];
+let _e2289 = global_3.member[bitcast<u32>(select(0i, _e2284, (_e2284 > 0i)))];
 let _e2290 = bitcast<f32>(_e2289);
 let _e2292 = select(_e2219, 263204i, (263204i < _e2219));
-let _e2297 = global_4.member[bitcast<u32>(select(0i, _e2292, (_e2292 > 0i)))];
+let _e2297 = global_3.member[bitcast<u32>(select(0i, _e2292, (_e2292 > 0i)))];
 let _e2298 = bitcast<f32>(_e2297);
 let _e2300 = select(_e2219, 263205i, (263205i < _e2219));
-let _e2305 = global_4.member[bitcast<u32>(select(0i, _e2300, (_e2300 > 0i)))];
+let _e2305 = global_3.member[bitcast<u32>(select(0i, _e2300, (_e2300 > 0i)))];
 let _e2306 = bitcast<f32>(_e2305);
 let _e2308 = ((_e2282 - _e2290) * _e2298);
 let _e2310 = select(0f, _e2308, (_e2308 > 0f));
 let _e2313 = local_25;
 let _e2315 = select(_e2219, 263206i, (263206i < _e2219));
-let _e2320 = global_4.member[bitcast<u32>(select(0i, _e2315, (_e2315 > 0i)))];
+let _e2320 = global_3.member[bitcast<u32>(select(0i, _e2315, (_e2315 > 0i)))];
 let _e2321 = bitcast<f32>(_e2320);
 let _e2323 = select(_e2219, 263207i, (263207i < _e2219));
-let _e2328 = global_4.member[bitcast<u32>(select(0i, _e2323, (_e2323 > 0i)))];
+let _e2328 = global_3.member[bitcast<u32>(select(0i, _e2323, (_e2323 > 0i)))];
 let _e2329 = bitcast<f32>(_e2328);
 let _e2331 = select(_e2219, 263208i, (263208i < _e2219));
-let _e2336 = global_4.member[bitcast<u32>(select(0i, _e2331, (_e2331 > 0i)))];
+let _e2336 = global_3.member[bitcast<u32>(select(0i, _e2331, (_e2331 > 0i)))];
 let _e2337 = bitcast<f32>(_e2336);
 let _e2339 = ((_e2313 - _e2321) * _e2329);
 let _e2341 = select(0f, _e2339, (_e2339 > 0f));
@@ -867,27 +867,27 @@ let _e2356 = select(0i, select(select(i32(_e2349), i32(-2147483648), (_e2349 < -
 let _e2360 = (_e2356 - select(0i, 1i, (_e2349 < f32(_e2356))));
 let _e2361 = (262147i + _e2360);
 let _e2363 = select(_e2219, _e2361, (_e2361 < _e2219));
-let _e2369 = global_4.member[bitcast<u32>(select(0i, _e2363, (_e2363 > 0i)))];
+let _e2369 = global_3.member[bitcast<u32>(select(0i, _e2363, (_e2363 > 0i)))];
 let _e2379 = select(_e2219, 262146i, (262146i < _e2219));
-let _e2385 = global_4.member[bitcast<u32>(select(0i, _e2379, (_e2379 > 0i)))];
+let _e2385 = global_3.member[bitcast<u32>(select(0i, _e2379, (_e2379 > 0i)))];
 let _e2386 = bitcast<f32>(_e2385);
 let _e2387 = (f32((bitcast<i32>((_e2369 & 4095u)) - 2048i)) * _e2386);
 let _e2389 = select(_e2219, 262144i, (262144i < _e2219));
-let _e2395 = global_4.member[bitcast<u32>(select(0i, _e2389, (_e2389 > 0i)))];
+let _e2395 = global_3.member[bitcast<u32>(select(0i, _e2389, (_e2389 > 0i)))];
 let _e2396 = bitcast<f32>(_e2395);
 let _e2398 = select(_e2219, 262145i, (262145i < _e2219));
-let _e2404 = global_4.member[bitcast<u32>(select(0i, _e2398, (_e2398 > 0i)))];
+let _e2404 = global_3.member[bitcast<u32>(select(0i, _e2398, (_e2398 > 0i)))];
 let _e2405 = bitcast<f32>(_e2404);
 let _e2411 = ((_e2396 + (f32(bitcast<i32>((_e2369 >> bitcast<u32>(12u)))) * _e2405)) + (_e2387 * (_e2345 - f32(_e2360))));
-let _e2414 = global_4.member[_e2232];
+let _e2414 = global_3.member[_e2232];
 let _e2416 = local_24;
 let _e2419 = local_24;
 let _e2422 = local_24;
 let _e2426 = select(_e2219, 263209i, (263209i < _e2219));
-let _e2432 = global_4.member[bitcast<u32>(select(0i, _e2426, (_e2426 > 0i)))];
+let _e2432 = global_3.member[bitcast<u32>(select(0i, _e2426, (_e2426 > 0i)))];
 let _e2434 = local_24;
 let _e2437 = select(_e2219, 263210i, (263210i < _e2219));
-let _e2443 = global_4.member[bitcast<u32>(select(0i, _e2437, (_e2437 > 0i)))];
+let _e2443 = global_3.member[bitcast<u32>(select(0i, _e2437, (_e2437 > 0i)))];
 let _e2445 = local_24;
 let _e2449 = (_e2387 * select(0f, select(select(select(bitcast<f32>(_e2414), _e2266, (_e2416 >= _e2258)), _e2298, (_e2419 >= _e2290)), _e2329, (_e2422 >= _e2321)), ((_e2434 >= bitcast<f32>(_e2432)) && (_e2445 <= bitcast<f32>(_e2443)))));
 if _e1230 {
@@ -918,7 +918,7 @@ let _e2507 = select(0i, select(select(i32(_e2500), i32(-2147483648), (_e2500 < -
 let _e2511 = (_e2507 - select(0i, 1i, (_e2500 < f32(_e2507))));
 let _e2512 = (262147i + _e2511);
 let _e2514 = select(_e2219, _e2512, (_e2512 < _e2219));
-let _e2520 = global_4.member[bitcast<u32>(select(0i, _e2514, (_e2514 > 0i)))];
+let _e2520 = global_3.member[bitcast<u32>(select(0i, _e2514, (_e2514 > 0i)))];
 let _e2535 = ((_e2396 + (f32(bitcast<i32>((_e2520 >> bitcast<u32>(12u)))) * _e2405)) + ((f32((bitcast<i32>((_e2520 & 4095u)) - 2048i)) * _e2386) * (_e2496 - f32(_e2511))));
 local_20 = _e2191;
 let _e2536 = local_20;
@@ -942,7 +942,7 @@ let _e2578 = select(0i, select(select(i32(_e2571), i32(-2147483648), (_e2571 < -
 let _e2582 = (_e2578 - select(0i, 1i, (_e2571 < f32(_e2578))));
 let _e2583 = (262147i + _e2582);
 let _e2585 = select(_e2219, _e2583, (_e2583 < _e2219));
-let _e2591 = global_4.member[bitcast<u32>(select(0i, _e2585, (_e2585 > 0i)))];
+let _e2591 = global_3.member[bitcast<u32>(select(0i, _e2585, (_e2585 > 0i)))];
 let _e2606 = ((_e2396 + (f32(bitcast<i32>((_e2591 >> bitcast<u32>(12u)))) * _e2405)) + ((f32((bitcast<i32>((_e2591 & 4095u)) - 2048i)) * _e2386) * (_e2567 - f32(_e2582))));
 local_18 = _e2197;
 let _e2607 = local_18;
@@ -966,7 +966,7 @@ let _e2649 = select(0i, select(select(i32(_e2642), i32(-2147483648), (_e2642 < -
 let _e2653 = (_e2649 - select(0i, 1i, (_e2642 < f32(_e2649))));
 let _e2654 = (262147i + _e2653);
 let _e2656 = select(_e2219, _e2654, (_e2654 < _e2219));
-let _e2662 = global_4.member[bitcast<u32>(select(0i, _e2656, (_e2656 > 0i)))];
+let _e2662 = global_3.member[bitcast<u32>(select(0i, _e2656, (_e2656 > 0i)))];
 let _e2677 = ((_e2396 + (f32(bitcast<i32>((_e2662 >> bitcast<u32>(12u)))) * _e2405)) + ((f32((bitcast<i32>((_e2662 & 4095u)) - 2048i)) * _e2386) * (_e2638 - f32(_e2653))));
 local_16 = _e2203;
 let _e2678 = local_16;
@@ -990,7 +990,7 @@ let _e2720 = select(0i, select(select(i32(_e2713), i32(-2147483648), (_e2713 < -
 let _e2724 = (_e2720 - select(0i, 1i, (_e2713 < f32(_e2720))));
 let _e2725 = (262147i + _e2724);
 let _e2727 = select(_e2219, _e2725, (_e2725 < _e2219));
-let _e2733 = global_4.member[bitcast<u32>(select(0i, _e2727, (_e2727 > 0i)))];
+let _e2733 = global_3.member[bitcast<u32>(select(0i, _e2727, (_e2727 > 0i)))];
 let _e2748 = ((_e2396 + (f32(bitcast<i32>((_e2733 >> bitcast<u32>(12u)))) * _e2405)) + ((f32((bitcast<i32>((_e2733 & 4095u)) - 2048i)) * _e2386) * (_e2709 - f32(_e2724))));
 local_14 = _e2209;
 let _e2749 = local_14;
@@ -1014,7 +1014,7 @@ let _e2791 = select(0i, select(select(i32(_e2784), i32(-2147483648), (_e2784 < -
 let _e2795 = (_e2791 - select(0i, 1i, (_e2784 < f32(_e2791))));
 let _e2796 = (262147i + _e2795);
 let _e2798 = select(_e2219, _e2796, (_e2796 < _e2219));
-let _e2804 = global_4.member[bitcast<u32>(select(0i, _e2798, (_e2798 > 0i)))];
+let _e2804 = global_3.member[bitcast<u32>(select(0i, _e2798, (_e2798 > 0i)))];
 let _e2819 = ((_e2396 + (f32(bitcast<i32>((_e2804 >> bitcast<u32>(12u)))) * _e2405)) + ((f32((bitcast<i32>((_e2804 & 4095u)) - 2048i)) * _e2386) * (_e2780 - f32(_e2795))));
 local_12 = _e2215;
 let _e2820 = local_12;
@@ -1038,7 +1038,7 @@ let _e2862 = select(0i, select(select(i32(_e2855), i32(-2147483648), (_e2855 < -
 let _e2866 = (_e2862 - select(0i, 1i, (_e2855 < f32(_e2862))));
 let _e2867 = (262147i + _e2866);
 let _e2869 = select(_e2219, _e2867, (_e2867 < _e2219));
-let _e2875 = global_4.member[bitcast<u32>(select(0i, _e2869, (_e2869 > 0i)))];
+let _e2875 = global_3.member[bitcast<u32>(select(0i, _e2869, (_e2869 > 0i)))];
 let _e2890 = ((_e2396 + (f32(bitcast<i32>((_e2875 >> bitcast<u32>(12u)))) * _e2405)) + ((f32((bitcast<i32>((_e2875 & 4095u)) - 2048i)) * _e2386) * (_e2851 - f32(_e2866))));
 let _e2891 = (_e2606 - _e2535);
 let _e2893 = (_e2748 - _e2677);
@@ -1095,7 +1095,7 @@ let _e3146 = global_1.member.member_6.member_11.member_1;
 let _e3157 = ((_e3133 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3140) * ((_e3134 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3146) * (_e3135 >> bitcast<u32>(4i))))));
 let _e3159 = (bitcast<i32>(_e162) - 1i);
 let _e3161 = select(_e3159, _e3157, (_e3157 < _e3159));
-let _e3167 = global_3.member[bitcast<u32>(select(0i, _e3161, (_e3161 > 0i)))];
+let _e3167 = global_2.member[bitcast<u32>(select(0i, _e3161, (_e3161 > 0i)))];
 let _e3169 = (_e3133 & 15i);
 let _e3172 = ((_e3134 & 15i) * _e3128);
 let _e3174 = (bitcast<i32>(_e3167) + ((_e3135 & 15i) * _e3132));
@@ -1103,17 +1103,17 @@ let _e3175 = (_e3172 + _e3128);
 let _e3177 = (_e3172 + (2i * _e3128));
 let _e3178 = (_e3174 + _e3132);
 let _e3180 = (_e3174 + (2i * _e3132));
-local_10 = type_31(array<i32, 4>(_e3169, _e3169, _e3169, _e3169), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_10 = type_29(array<i32, 4>(_e3169, _e3169, _e3169, _e3169), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_11 = vec3<f32>((_e3059 - f32(_e3094)), (_e3069 - f32(_e3109)), (_e3079 - f32(_e3124)));
 let _e3194 = local_10.member[0u];
 let _e3195 = ((_e3178 + _e3175) + _e3194);
 let _e3197 = (_e3195 >> bitcast<u32>(2i));
 let _e3200 = bitcast<u32>(((_e3195 & 3i) * 8i));
 let _e3202 = select(_e3159, _e3197, (_e3197 < _e3159));
-let _e3207 = global_3.member[bitcast<u32>(select(0i, _e3202, (_e3202 > 0i)))];
+let _e3207 = global_2.member[bitcast<u32>(select(0i, _e3202, (_e3202 > 0i)))];
 let _e3211 = (_e3197 + 1i);
 let _e3213 = select(_e3159, _e3211, (_e3211 < _e3159));
-let _e3218 = global_3.member[bitcast<u32>(select(0i, _e3213, (_e3213 > 0i)))];
+let _e3218 = global_2.member[bitcast<u32>(select(0i, _e3213, (_e3213 > 0i)))];
 let _e3225 = ((_e3207 >> bitcast<u32>((_e3200 & 31u))) | ((_e3218 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3200) & 31u))));
 let _e3228 = local_10.member_1[1u];
 let _e3234 = f32(bitcast<i32>(((_e3225 >> bitcast<u32>((_e3228 & 31u))) & 255u)));
@@ -1125,10 +1125,10 @@ let _e3250 = ((_e3178 + _e3177) + _e3249);
 let _e3252 = (_e3250 >> bitcast<u32>(2i));
 let _e3255 = bitcast<u32>(((_e3250 & 3i) * 8i));
 let _e3257 = select(_e3159, _e3252, (_e3252 < _e3159));
-let _e3262 = global_3.member[bitcast<u32>(select(0i, _e3257, (_e3257 > 0i)))];
+let _e3262 = global_2.member[bitcast<u32>(select(0i, _e3257, (_e3257 > 0i)))];
 let _e3266 = (_e3252 + 1i);
 let _e3268 = select(_e3159, _e3266, (_e3266 < _e3159));
-let _e3273 = global_3.member[bitcast<u32>(select(0i, _e3268, (_e3268 > 0i)))];
+let _e3273 = global_2.member[bitcast<u32>(select(0i, _e3268, (_e3268 > 0i)))];
 let _e3280 = ((_e3262 >> bitcast<u32>((_e3255 & 31u))) | ((_e3273 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3255) & 31u))));
 let _e3281 = local_10.member_1[1u];
 let _e3287 = f32(bitcast<i32>(((_e3280 >> bitcast<u32>((_e3281 & 31u))) & 255u)));
@@ -1141,10 +1141,10 @@ let _e3306 = ((_e3180 + _e3175) + _e3305);
 let _e3308 = (_e3306 >> bitcast<u32>(2i));
 let _e3311 = bitcast<u32>(((_e3306 & 3i) * 8i));
 let _e3313 = select(_e3159, _e3308, (_e3308 < _e3159));
-let _e3318 = global_3.member[bitcast<u32>(select(0i, _e3313, (_e3313 > 0i)))];
+let _e3318 = global_2.member[bitcast<u32>(select(0i, _e3313, (_e3313 > 0i)))];
 let _e3322 = (_e3308 + 1i);
 let _e3324 = select(_e3159, _e3322, (_e3322 < _e3159));
-let _e3329 = global_3.member[bitcast<u32>(select(0i, _e3324, (_e3324 > 0i)))];
+let _e3329 = global_2.member[bitcast<u32>(select(0i, _e3324, (_e3324 > 0i)))];
 let _e3336 = ((_e3318 >> bitcast<u32>((_e3311 & 31u))) | ((_e3329 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3311) & 31u))));
 let _e3337 = local_10.member_1[1u];
 let _e3343 = f32(bitcast<i32>(((_e3336 >> bitcast<u32>((_e3337 & 31u))) & 255u)));
@@ -1156,10 +1156,10 @@ let _e3357 = ((_e3180 + _e3177) + _e3356);
 let _e3359 = (_e3357 >> bitcast<u32>(2i));
 let _e3362 = bitcast<u32>(((_e3357 & 3i) * 8i));
 let _e3364 = select(_e3159, _e3359, (_e3359 < _e3159));
-let _e3369 = global_3.member[bitcast<u32>(select(0i, _e3364, (_e3364 > 0i)))];
+let _e3369 = global_2.member[bitcast<u32>(select(0i, _e3364, (_e3364 > 0i)))];
 let _e3373 = (_e3359 + 1i);
 let _e3375 = select(_e3159, _e3373, (_e3373 < _e3159));
-let _e3380 = global_3.member[bitcast<u32>(select(0i, _e3375, (_e3375 > 0i)))];
+let _e3380 = global_2.member[bitcast<u32>(select(0i, _e3375, (_e3375 > 0i)))];
 let _e3387 = ((_e3369 >> bitcast<u32>((_e3362 & 31u))) | ((_e3380 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3362) & 31u))));
 let _e3388 = local_10.member_1[1u];
 let _e3394 = f32(bitcast<i32>(((_e3387 >> bitcast<u32>((_e3388 & 31u))) & 255u)));
@@ -1211,7 +1211,7 @@ let _e3530 = bitcast<i32>(_e3529);
 let _e3540 = ((_e3516 >> bitcast<u32>(4i)) + (_e3524 * ((_e3517 >> bitcast<u32>(4i)) + (_e3530 * (_e3518 >> bitcast<u32>(4i))))));
 let _e3542 = (bitcast<i32>(_e162) - 1i);
 let _e3544 = select(_e3542, _e3540, (_e3540 < _e3542));
-let _e3550 = global_3.member[bitcast<u32>(select(0i, _e3544, (_e3544 > 0i)))];
+let _e3550 = global_2.member[bitcast<u32>(select(0i, _e3544, (_e3544 > 0i)))];
 let _e3552 = (_e3516 & 15i);
 let _e3555 = ((_e3517 & 15i) * _e3511);
 let _e3557 = (bitcast<i32>(_e3550) + ((_e3518 & 15i) * _e3515));
@@ -1221,17 +1221,17 @@ let _e3560 = (_e3555 + _e3559);
 let _e3561 = (_e3557 + _e3515);
 let _e3562 = (2i * _e3515);
 let _e3563 = (_e3557 + _e3562);
-local_8 = type_31(array<i32, 4>(_e3552, _e3552, _e3552, _e3552), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_8 = type_29(array<i32, 4>(_e3552, _e3552, _e3552, _e3552), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_9 = vec3<f32>((_e3442 - f32(_e3477)), (_e3452 - f32(_e3492)), (_e3462 - f32(_e3507)));
 let _e3577 = local_8.member[0u];
 let _e3578 = ((_e3561 + _e3558) + _e3577);
 let _e3580 = (_e3578 >> bitcast<u32>(2i));
 let _e3583 = bitcast<u32>(((_e3578 & 3i) * 8i));
 let _e3585 = select(_e3542, _e3580, (_e3580 < _e3542));
-let _e3590 = global_3.member[bitcast<u32>(select(0i, _e3585, (_e3585 > 0i)))];
+let _e3590 = global_2.member[bitcast<u32>(select(0i, _e3585, (_e3585 > 0i)))];
 let _e3594 = (_e3580 + 1i);
 let _e3596 = select(_e3542, _e3594, (_e3594 < _e3542));
-let _e3601 = global_3.member[bitcast<u32>(select(0i, _e3596, (_e3596 > 0i)))];
+let _e3601 = global_2.member[bitcast<u32>(select(0i, _e3596, (_e3596 > 0i)))];
 let _e3608 = ((_e3590 >> bitcast<u32>((_e3583 & 31u))) | ((_e3601 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3583) & 31u))));
 let _e3611 = local_8.member_1[1u];
 let _e3617 = f32(bitcast<i32>(((_e3608 >> bitcast<u32>((_e3611 & 31u))) & 255u)));
@@ -1243,10 +1243,10 @@ let _e3633 = ((_e3561 + _e3560) + _e3632);
 let _e3635 = (_e3633 >> bitcast<u32>(2i));
 let _e3638 = bitcast<u32>(((_e3633 & 3i) * 8i));
 let _e3640 = select(_e3542, _e3635, (_e3635 < _e3542));
-let _e3645 = global_3.member[bitcast<u32>(select(0i, _e3640, (_e3640 > 0i)))];
+let _e3645 = global_2.member[bitcast<u32>(select(0i, _e3640, (_e3640 > 0i)))];
 let _e3649 = (_e3635 + 1i);
 let _e3651 = select(_e3542, _e3649, (_e3649 < _e3542));
-let _e3656 = global_3.member[bitcast<u32>(select(0i, _e3651, (_e3651 > 0i)))];
+let _e3656 = global_2.member[bitcast<u32>(select(0i, _e3651, (_e3651 > 0i)))];
 let _e3663 = ((_e3645 >> bitcast<u32>((_e3638 & 31u))) | ((_e3656 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3638) & 31u))));
 let _e3664 = local_8.member_1[1u];
 let _e3670 = f32(bitcast<i32>(((_e3663 >> bitcast<u32>((_e3664 & 31u))) & 255u)));
@@ -1259,10 +1259,10 @@ let _e3689 = ((_e3563 + _e3558) + _e3688);
 let _e3691 = (_e3689 >> bitcast<u32>(2i));
 let _e3694 = bitcast<u32>(((_e3689 & 3i) * 8i));
 let _e3696 = select(_e3542, _e3691, (_e3691 < _e3542));
-let _e3701 = global_3.member[bitcast<u32>(select(0i, _e3696, (_e3696 > 0i)))];
+let _e3701 = global_2.member[bitcast<u32>(select(0i, _e3696, (_e3696 > 0i)))];
 let _e3705 = (_e3691 + 1i);
 let _e3707 = select(_e3542, _e3705, (_e3705 < _e3542));
-let _e3712 = global_3.member[bitcast<u32>(select(0i, _e3707, (_e3707 > 0i)))];
+let _e3712 = global_2.member[bitcast<u32>(select(0i, _e3707, (_e3707 > 0i)))];
 let _e3719 = ((_e3701 >> bitcast<u32>((_e3694 & 31u))) | ((_e3712 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3694) & 31u))));
 let _e3720 = local_8.member_1[1u];
 let _e3726 = f32(bitcast<i32>(((_e3719 >> bitcast<u32>((_e3720 & 31u))) & 255u)));
@@ -1274,10 +1274,10 @@ let _e3740 = ((_e3563 + _e3560) + _e3739);
 let _e3742 = (_e3740 >> bitcast<u32>(2i));
 let _e3745 = bitcast<u32>(((_e3740 & 3i) * 8i));
 let _e3747 = select(_e3542, _e3742, (_e3742 < _e3542));
-let _e3752 = global_3.member[bitcast<u32>(select(0i, _e3747, (_e3747 > 0i)))];
+let _e3752 = global_2.member[bitcast<u32>(select(0i, _e3747, (_e3747 > 0i)))];
 let _e3756 = (_e3742 + 1i);
 let _e3758 = select(_e3542, _e3756, (_e3756 < _e3542));
-let _e3763 = global_3.member[bitcast<u32>(select(0i, _e3758, (_e3758 > 0i)))];
+let _e3763 = global_2.member[bitcast<u32>(select(0i, _e3758, (_e3758 > 0i)))];
 let _e3770 = ((_e3752 >> bitcast<u32>((_e3745 & 31u))) | ((_e3763 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e3745) & 31u))));
 let _e3771 = local_8.member_1[1u];
 let _e3777 = f32(bitcast<i32>(((_e3770 >> bitcast<u32>((_e3771 & 31u))) & 255u)));
@@ -1294,7 +1294,7 @@ let _e3812 = select(1e9f, _e3810, (_e3810 < 1e9f));
 let _e3815 = global_1.member.member_1;
 let _e3817 = ((_e3815 & 16u) == 0u);
 if _e3817 {
-phi_8779_ = type_5(1f, 1f, 1f);
+phi_8779_ = type_7(1f, 1f, 1f);
 } else {
 let _e3821 = global_1.member.member_14.member;
 let _e3832 = ((((_e3821.member.member * _e1131) + (_e3821.member.member_1 * _e1144)) + (_e3821.member.member_2 * _e1109)) + _e3821.member_1);
@@ -1340,7 +1340,7 @@ let _e3999 = select(0f, _e3997, (_e3997 > 0f));
 let _e4005 = select(select(select(1f, _e3999, (_e3999 < 1f)), 1f, (_e3992 <= 0f)), 0f, (_e3990 > 0f));
 let _e4010 = global_1.member.member_17.member_1;
 let _e4011 = (_e4010 != 0u);
-phi_8779_ = type_5(((((1f * _e3855) * _e3905) * _e3955) * _e4005), ((((1f * select(1f, _e3855, _e3861)) * select(1f, _e3905, _e3911)) * select(1f, _e3955, _e3961)) * select(1f, _e4005, _e4011)), ((((1f * select(1f, 0f, (_e3861 && (_e3838 > 0f)))) * select(1f, 0f, (_e3911 && (_e3888 > 0f)))) * select(1f, 0f, (_e3961 && (_e3938 > 0f)))) * select(1f, 0f, (_e4011 && (_e3988 > 0f)))));
+phi_8779_ = type_7(((((1f * _e3855) * _e3905) * _e3955) * _e4005), ((((1f * select(1f, _e3855, _e3861)) * select(1f, _e3905, _e3911)) * select(1f, _e3955, _e3961)) * select(1f, _e4005, _e4011)), ((((1f * select(1f, 0f, (_e3861 && (_e3838 > 0f)))) * select(1f, 0f, (_e3911 && (_e3888 > 0f)))) * select(1f, 0f, (_e3961 && (_e3938 > 0f)))) * select(1f, 0f, (_e4011 && (_e3988 > 0f)))));
 }
 let _e4020 = phi_8779_;
 let _e4021 = (_e1210 - _e1174);
@@ -1393,97 +1393,97 @@ local_7 = _e3812;
 let _e4141 = local_7;
 let _e4143 = (bitcast<i32>(_e167) - 1i);
 let _e4145 = select(_e4143, 263171i, (263171i < _e4143));
-let _e4150 = global_4.member[bitcast<u32>(select(0i, _e4145, (_e4145 > 0i)))];
+let _e4150 = global_3.member[bitcast<u32>(select(0i, _e4145, (_e4145 > 0i)))];
 let _e4151 = bitcast<f32>(_e4150);
 let _e4153 = select(_e4143, 263172i, (263172i < _e4143));
-let _e4158 = global_4.member[bitcast<u32>(select(0i, _e4153, (_e4153 > 0i)))];
+let _e4158 = global_3.member[bitcast<u32>(select(0i, _e4153, (_e4153 > 0i)))];
 let _e4159 = bitcast<f32>(_e4158);
 let _e4161 = select(_e4143, 263173i, (263173i < _e4143));
-let _e4166 = global_4.member[bitcast<u32>(select(0i, _e4161, (_e4161 > 0i)))];
+let _e4166 = global_3.member[bitcast<u32>(select(0i, _e4161, (_e4161 > 0i)))];
 let _e4167 = bitcast<f32>(_e4166);
 let _e4169 = ((_e4141 - _e4151) * _e4159);
 let _e4171 = select(0f, _e4169, (_e4169 > 0f));
 let _e4174 = local_7;
 let _e4176 = select(_e4143, 263174i, (263174i < _e4143));
-let _e4181 = global_4.member[bitcast<u32>(select(0i, _e4176, (_e4176 > 0i)))];
+let _e4181 = global_3.member[bitcast<u32>(select(0i, _e4176, (_e4176 > 0i)))];
 let _e4182 = bitcast<f32>(_e4181);
 let _e4184 = select(_e4143, 263175i, (263175i < _e4143));
-let _e4189 = global_4.member[bitcast<u32>(select(0i, _e4184, (_e4184 > 0i)))];
+let _e4189 = global_3.member[bitcast<u32>(select(0i, _e4184, (_e4184 > 0i)))];
 let _e4190 = bitcast<f32>(_e4189);
 let _e4192 = select(_e4143, 263176i, (263176i < _e4143));
-let _e4197 = global_4.member[bitcast<u32>(select(0i, _e4192, (_e4192 > 0i)))];
+let _e4197 = global_3.member[bitcast<u32>(select(0i, _e4192, (_e4192 > 0i)))];
 let _e4198 = bitcast<f32>(_e4197);
 let _e4200 = ((_e4174 - _e4182) * _e4190);
 let _e4202 = select(0f, _e4200, (_e4200 > 0f));
 let _e4206 = local_7;
 let _e4208 = select(_e4143, 263177i, (263177i < _e4143));
-let _e4213 = global_4.member[bitcast<u32>(select(0i, _e4208, (_e4208 > 0i)))];
+let _e4213 = global_3.member[bitcast<u32>(select(0i, _e4208, (_e4208 > 0i)))];
 let _e4214 = bitcast<f32>(_e4213);
 let _e4216 = select(_e4143, 263178i, (263178i < _e4143));
-let _e4221 = global_4.member[bitcast<u32>(select(0i, _e4216, (_e4216 > 0i)))];
+let _e4221 = global_3.member[bitcast<u32>(select(0i, _e4216, (_e4216 > 0i)))];
 let _e4222 = bitcast<f32>(_e4221);
 let _e4224 = select(_e4143, 263179i, (263179i < _e4143));
-let _e4229 = global_4.member[bitcast<u32>(select(0i, _e4224, (_e4224 > 0i)))];
+let _e4229 = global_3.member[bitcast<u32>(select(0i, _e4224, (_e4224 > 0i)))];
 let _e4230 = bitcast<f32>(_e4229);
 let _e4232 = ((_e4206 - _e4214) * _e4222);
 let _e4234 = select(0f, _e4232, (_e4232 > 0f));
 let _e4237 = local_7;
 let _e4239 = select(_e4143, 263180i, (263180i < _e4143));
-let _e4244 = global_4.member[bitcast<u32>(select(0i, _e4239, (_e4239 > 0i)))];
+let _e4244 = global_3.member[bitcast<u32>(select(0i, _e4239, (_e4239 > 0i)))];
 let _e4245 = bitcast<f32>(_e4244);
 let _e4247 = select(_e4143, 263181i, (263181i < _e4143));
-let _e4252 = global_4.member[bitcast<u32>(select(0i, _e4247, (_e4247 > 0i)))];
+let _e4252 = global_3.member[bitcast<u32>(select(0i, _e4247, (_e4247 > 0i)))];
 let _e4253 = bitcast<f32>(_e4252);
 let _e4255 = select(_e4143, 263182i, (263182i < _e4143));
-let _e4260 = global_4.member[bitcast<u32>(select(0i, _e4255, (_e4255 > 0i)))];
+let _e4260 = global_3.member[bitcast<u32>(select(0i, _e4255, (_e4255 > 0i)))];
 let _e4261 = bitcast<f32>(_e4260);
 let _e4263 = ((_e4237 - _e4245) * _e4253);
 let _e4265 = select(0f, _e4263, (_e4263 > 0f));
 let _e4270 = local_7;
 let _e4272 = select(_e4143, 263183i, (263183i < _e4143));
-let _e4277 = global_4.member[bitcast<u32>(select(0i, _e4272, (_e4272 > 0i)))];
+let _e4277 = global_3.member[bitcast<u32>(select(0i, _e4272, (_e4272 > 0i)))];
 let _e4278 = bitcast<f32>(_e4277);
 let _e4280 = select(_e4143, 263184i, (263184i < _e4143));
-let _e4285 = global_4.member[bitcast<u32>(select(0i, _e4280, (_e4280 > 0i)))];
+let _e4285 = global_3.member[bitcast<u32>(select(0i, _e4280, (_e4280 > 0i)))];
 let _e4286 = bitcast<f32>(_e4285);
 let _e4288 = select(_e4143, 263185i, (263185i < _e4143));
-let _e4293 = global_4.member[bitcast<u32>(select(0i, _e4288, (_e4288 > 0i)))];
+let _e4293 = global_3.member[bitcast<u32>(select(0i, _e4288, (_e4288 > 0i)))];
 let _e4294 = bitcast<f32>(_e4293);
 let _e4296 = ((_e4270 - _e4278) * _e4286);
 let _e4298 = select(0f, _e4296, (_e4296 > 0f));
 let _e4301 = local_7;
 let _e4303 = select(_e4143, 263186i, (263186i < _e4143));
-let _e4308 = global_4.member[bitcast<u32>(select(0i, _e4303, (_e4303 > 0i)))];
+let _e4308 = global_3.member[bitcast<u32>(select(0i, _e4303, (_e4303 > 0i)))];
 let _e4309 = bitcast<f32>(_e4308);
 let _e4311 = select(_e4143, 263187i, (263187i < _e4143));
-let _e4316 = global_4.member[bitcast<u32>(select(0i, _e4311, (_e4311 > 0i)))];
+let _e4316 = global_3.member[bitcast<u32>(select(0i, _e4311, (_e4311 > 0i)))];
 let _e4317 = bitcast<f32>(_e4316);
 let _e4319 = select(_e4143, 263188i, (263188i < _e4143));
-let _e4324 = global_4.member[bitcast<u32>(select(0i, _e4319, (_e4319 > 0i)))];
+let _e4324 = global_3.member[bitcast<u32>(select(0i, _e4319, (_e4319 > 0i)))];
 let _e4325 = bitcast<f32>(_e4324);
 let _e4327 = ((_e4301 - _e4309) * _e4317);
 let _e4329 = select(0f, _e4327, (_e4327 > 0f));
 let _e4333 = local_7;
 let _e4335 = select(_e4143, 263189i, (263189i < _e4143));
-let _e4340 = global_4.member[bitcast<u32>(select(0i, _e4335, (_e4335 > 0i)))];
+let _e4340 = global_3.member[bitcast<u32>(select(0i, _e4335, (_e4335 > 0i)))];
 let _e4341 = bitcast<f32>(_e4340);
 let _e4343 = select(_e4143, 263190i, (263190i < _e4143));
-let _e4348 = global_4.member[bitcast<u32>(select(0i, _e4343, (_e4343 > 0i)))];
+let _e4348 = global_3.member[bitcast<u32>(select(0i, _e4343, (_e4343 > 0i)))];
 let _e4349 = bitcast<f32>(_e4348);
 let _e4351 = select(_e4143, 263191i, (263191i < _e4143));
-let _e4356 = global_4.member[bitcast<u32>(select(0i, _e4351, (_e4351 > 0i)))];
+let _e4356 = global_3.member[bitcast<u32>(select(0i, _e4351, (_e4351 > 0i)))];
 let _e4357 = bitcast<f32>(_e4356);
 let _e4359 = ((_e4333 - _e4341) * _e4349);
 let _e4361 = select(0f, _e4359, (_e4359 > 0f));
 let _e4364 = local_7;
 let _e4366 = select(_e4143, 263192i, (263192i < _e4143));
-let _e4371 = global_4.member[bitcast<u32>(select(0i, _e4366, (_e4366 > 0i)))];
+let _e4371 = global_3.member[bitcast<u32>(select(0i, _e4366, (_e4366 > 0i)))];
 let _e4372 = bitcast<f32>(_e4371);
 let _e4374 = select(_e4143, 263193i, (263193i < _e4143));
-let _e4379 = global_4.member[bitcast<u32>(select(0i, _e4374, (_e4374 > 0i)))];
+let _e4379 = global_3.member[bitcast<u32>(select(0i, _e4374, (_e4374 > 0i)))];
 let _e4380 = bitcast<f32>(_e4379);
 let _e4382 = select(_e4143, 263194i, (263194i < _e4143));
-let _e4387 = global_4.member[bitcast<u32>(select(0i, _e4382, (_e4382 > 0i)))];
+let _e4387 = global_3.member[bitcast<u32>(select(0i, _e4382, (_e4382 > 0i)))];
 let _e4388 = bitcast<f32>(_e4387);
 let _e4390 = ((_e4364 - _e4372) * _e4380);
 let _e4392 = select(0f, _e4390, (_e4390 > 0f));
@@ -1524,10 +1524,10 @@ let _e4480 = select(_e4461, _e4478, (_e4478 < _e4461));
 let _e4487 = select(0i, select(select(i32(_e4480), i32(-2147483648), (_e4480 < -2147483600f)), 2147483647i, (_e4480 > 2147483500f)), (_e4480 == _e4480));
 let _e4491 = (_e4487 - select(0i, 1i, (_e4480 < f32(_e4487))));
 let _e4493 = select(_e4143, 263195i, (263195i < _e4143));
-let _e4499 = global_4.member[bitcast<u32>(select(0i, _e4493, (_e4493 > 0i)))];
+let _e4499 = global_3.member[bitcast<u32>(select(0i, _e4493, (_e4493 > 0i)))];
 let _e4500 = bitcast<f32>(_e4499);
 let _e4502 = select(_e4143, 263196i, (263196i < _e4143));
-let _e4508 = global_4.member[bitcast<u32>(select(0i, _e4502, (_e4502 > 0i)))];
+let _e4508 = global_3.member[bitcast<u32>(select(0i, _e4502, (_e4502 > 0i)))];
 let _e4509 = bitcast<f32>(_e4508);
 let _e4510 = (_e3432.member - _e3812);
 let _e4516 = (1f / select(_e4510, 1f, (bitcast<f32>((bitcast<u32>(_e4510) & 2147483647u)) < 1e-20f)));
@@ -1536,20 +1536,20 @@ let _e4528 = ((select(_e4509, _e3432.member, (_e3432.member > _e4509)) - select(
 let _e4531 = (((_e4476 * 256i) + _e4491) * 4i);
 let _e4535 = (_e4460 - f32(_e4491));
 let _e4539 = select(_e4143, _e4531, (_e4531 < _e4143));
-let _e4545 = global_4.member[bitcast<u32>(select(0i, _e4539, (_e4539 > 0i)))];
+let _e4545 = global_3.member[bitcast<u32>(select(0i, _e4539, (_e4539 > 0i)))];
 let _e4546 = (_e4531 + 4i);
 let _e4548 = select(_e4143, _e4546, (_e4546 < _e4143));
-let _e4554 = global_4.member[bitcast<u32>(select(0i, _e4548, (_e4548 > 0i)))];
+let _e4554 = global_3.member[bitcast<u32>(select(0i, _e4548, (_e4548 > 0i)))];
 let _e4555 = (_e4531 + 1024i);
 let _e4557 = select(_e4143, _e4555, (_e4555 < _e4143));
-let _e4563 = global_4.member[bitcast<u32>(select(0i, _e4557, (_e4557 > 0i)))];
+let _e4563 = global_3.member[bitcast<u32>(select(0i, _e4557, (_e4557 > 0i)))];
 let _e4564 = (_e4531 + 1028i);
 let _e4566 = select(_e4143, _e4564, (_e4564 < _e4143));
-let _e4572 = global_4.member[bitcast<u32>(select(0i, _e4566, (_e4566 > 0i)))];
+let _e4572 = global_3.member[bitcast<u32>(select(0i, _e4566, (_e4566 > 0i)))];
 let _e4574 = select(_e4143, 0i, (0i < _e4143));
-let _e4580 = global_4.member[bitcast<u32>(select(0i, _e4574, (_e4574 > 0i)))];
+let _e4580 = global_3.member[bitcast<u32>(select(0i, _e4574, (_e4574 > 0i)))];
 let _e4582 = select(_e4143, 262140i, (262140i < _e4143));
-let _e4588 = global_4.member[bitcast<u32>(select(0i, _e4582, (_e4582 > 0i)))];
+let _e4588 = global_3.member[bitcast<u32>(select(0i, _e4582, (_e4582 > 0i)))];
 let _e4593 = (bitcast<f32>(((_e4545 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e4601 = (_e4593 + (((bitcast<f32>(((_e4554 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e4593) * _e4535));
 let _e4606 = (bitcast<f32>(((_e4563 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1572,97 +1572,97 @@ local_5 = _e3812;
 let _e4691 = local_5;
 let _e4693 = (bitcast<i32>(_e167) - 1i);
 let _e4695 = select(_e4693, 263171i, (263171i < _e4693));
-let _e4700 = global_4.member[bitcast<u32>(select(0i, _e4695, (_e4695 > 0i)))];
+let _e4700 = global_3.member[bitcast<u32>(select(0i, _e4695, (_e4695 > 0i)))];
 let _e4701 = bitcast<f32>(_e4700);
 let _e4703 = select(_e4693, 263172i, (263172i < _e4693));
-let _e4708 = global_4.member[bitcast<u32>(select(0i, _e4703, (_e4703 > 0i)))];
+let _e4708 = global_3.member[bitcast<u32>(select(0i, _e4703, (_e4703 > 0i)))];
 let _e4709 = bitcast<f32>(_e4708);
 let _e4711 = select(_e4693, 263173i, (263173i < _e4693));
-let _e4716 = global_4.member[bitcast<u32>(select(0i, _e4711, (_e4711 > 0i)))];
+let _e4716 = global_3.member[bitcast<u32>(select(0i, _e4711, (_e4711 > 0i)))];
 let _e4717 = bitcast<f32>(_e4716);
 let _e4719 = ((_e4691 - _e4701) * _e4709);
 let _e4721 = select(0f, _e4719, (_e4719 > 0f));
 let _e4724 = local_5;
 let _e4726 = select(_e4693, 263174i, (263174i < _e4693));
-let _e4731 = global_4.member[bitcast<u32>(select(0i, _e4726, (_e4726 > 0i)))];
+let _e4731 = global_3.member[bitcast<u32>(select(0i, _e4726, (_e4726 > 0i)))];
 let _e4732 = bitcast<f32>(_e4731);
 let _e4734 = select(_e4693, 263175i, (263175i < _e4693));
-let _e4739 = global_4.member[bitcast<u32>(select(0i, _e4734, (_e4734 > 0i)))];
+let _e4739 = global_3.member[bitcast<u32>(select(0i, _e4734, (_e4734 > 0i)))];
 let _e4740 = bitcast<f32>(_e4739);
 let _e4742 = select(_e4693, 263176i, (263176i < _e4693));
-let _e4747 = global_4.member[bitcast<u32>(select(0i, _e4742, (_e4742 > 0i)))];
+let _e4747 = global_3.member[bitcast<u32>(select(0i, _e4742, (_e4742 > 0i)))];
 let _e4748 = bitcast<f32>(_e4747);
 let _e4750 = ((_e4724 - _e4732) * _e4740);
 let _e4752 = select(0f, _e4750, (_e4750 > 0f));
 let _e4756 = local_5;
 let _e4758 = select(_e4693, 263177i, (263177i < _e4693));
-let _e4763 = global_4.member[bitcast<u32>(select(0i, _e4758, (_e4758 > 0i)))];
+let _e4763 = global_3.member[bitcast<u32>(select(0i, _e4758, (_e4758 > 0i)))];
 let _e4764 = bitcast<f32>(_e4763);
 let _e4766 = select(_e4693, 263178i, (263178i < _e4693));
-let _e4771 = global_4.member[bitcast<u32>(select(0i, _e4766, (_e4766 > 0i)))];
+let _e4771 = global_3.member[bitcast<u32>(select(0i, _e4766, (_e4766 > 0i)))];
 let _e4772 = bitcast<f32>(_e4771);
 let _e4774 = select(_e4693, 263179i, (263179i < _e4693));
-let _e4779 = global_4.member[bitcast<u32>(select(0i, _e4774, (_e4774 > 0i)))];
+let _e4779 = global_3.member[bitcast<u32>(select(0i, _e4774, (_e4774 > 0i)))];
 let _e4780 = bitcast<f32>(_e4779);
 let _e4782 = ((_e4756 - _e4764) * _e4772);
 let _e4784 = select(0f, _e4782, (_e4782 > 0f));
 let _e4787 = local_5;
 let _e4789 = select(_e4693, 263180i, (263180i < _e4693));
-let _e4794 = global_4.member[bitcast<u32>(select(0i, _e4789, (_e4789 > 0i)))];
+let _e4794 = global_3.member[bitcast<u32>(select(0i, _e4789, (_e4789 > 0i)))];
 let _e4795 = bitcast<f32>(_e4794);
 let _e4797 = select(_e4693, 263181i, (263181i < _e4693));
-let _e4802 = global_4.member[bitcast<u32>(select(0i, _e4797, (_e4797 > 0i)))];
+let _e4802 = global_3.member[bitcast<u32>(select(0i, _e4797, (_e4797 > 0i)))];
 let _e4803 = bitcast<f32>(_e4802);
 let _e4805 = select(_e4693, 263182i, (263182i < _e4693));
-let _e4810 = global_4.member[bitcast<u32>(select(0i, _e4805, (_e4805 > 0i)))];
+let _e4810 = global_3.member[bitcast<u32>(select(0i, _e4805, (_e4805 > 0i)))];
 let _e4811 = bitcast<f32>(_e4810);
 let _e4813 = ((_e4787 - _e4795) * _e4803);
 let _e4815 = select(0f, _e4813, (_e4813 > 0f));
 let _e4820 = local_5;
 let _e4822 = select(_e4693, 263183i, (263183i < _e4693));
-let _e4827 = global_4.member[bitcast<u32>(select(0i, _e4822, (_e4822 > 0i)))];
+let _e4827 = global_3.member[bitcast<u32>(select(0i, _e4822, (_e4822 > 0i)))];
 let _e4828 = bitcast<f32>(_e4827);
 let _e4830 = select(_e4693, 263184i, (263184i < _e4693));
-let _e4835 = global_4.member[bitcast<u32>(select(0i, _e4830, (_e4830 > 0i)))];
+let _e4835 = global_3.member[bitcast<u32>(select(0i, _e4830, (_e4830 > 0i)))];
 let _e4836 = bitcast<f32>(_e4835);
 let _e4838 = select(_e4693, 263185i, (263185i < _e4693));
-let _e4843 = global_4.member[bitcast<u32>(select(0i, _e4838, (_e4838 > 0i)))];
+let _e4843 = global_3.member[bitcast<u32>(select(0i, _e4838, (_e4838 > 0i)))];
 let _e4844 = bitcast<f32>(_e4843);
 let _e4846 = ((_e4820 - _e4828) * _e4836);
 let _e4848 = select(0f, _e4846, (_e4846 > 0f));
 let _e4851 = local_5;
 let _e4853 = select(_e4693, 263186i, (263186i < _e4693));
-let _e4858 = global_4.member[bitcast<u32>(select(0i, _e4853, (_e4853 > 0i)))];
+let _e4858 = global_3.member[bitcast<u32>(select(0i, _e4853, (_e4853 > 0i)))];
 let _e4859 = bitcast<f32>(_e4858);
 let _e4861 = select(_e4693, 263187i, (263187i < _e4693));
-let _e4866 = global_4.member[bitcast<u32>(select(0i, _e4861, (_e4861 > 0i)))];
+let _e4866 = global_3.member[bitcast<u32>(select(0i, _e4861, (_e4861 > 0i)))];
 let _e4867 = bitcast<f32>(_e4866);
 let _e4869 = select(_e4693, 263188i, (263188i < _e4693));
-let _e4874 = global_4.member[bitcast<u32>(select(0i, _e4869, (_e4869 > 0i)))];
+let _e4874 = global_3.member[bitcast<u32>(select(0i, _e4869, (_e4869 > 0i)))];
 let _e4875 = bitcast<f32>(_e4874);
 let _e4877 = ((_e4851 - _e4859) * _e4867);
 let _e4879 = select(0f, _e4877, (_e4877 > 0f));
 let _e4883 = local_5;
 let _e4885 = select(_e4693, 263189i, (263189i < _e4693));
-let _e4890 = global_4.member[bitcast<u32>(select(0i, _e4885, (_e4885 > 0i)))];
+let _e4890 = global_3.member[bitcast<u32>(select(0i, _e4885, (_e4885 > 0i)))];
 let _e4891 = bitcast<f32>(_e4890);
 let _e4893 = select(_e4693, 263190i, (263190i < _e4693));
-let _e4898 = global_4.member[bitcast<u32>(select(0i, _e4893, (_e4893 > 0i)))];
+let _e4898 = global_3.member[bitcast<u32>(select(0i, _e4893, (_e4893 > 0i)))];
 let _e4899 = bitcast<f32>(_e4898);
 let _e4901 = select(_e4693, 263191i, (263191i < _e4693));
-let _e4906 = global_4.member[bitcast<u32>(select(0i, _e4901, (_e4901 > 0i)))];
+let _e4906 = global_3.member[bitcast<u32>(select(0i, _e4901, (_e4901 > 0i)))];
 let _e4907 = bitcast<f32>(_e4906);
 let _e4909 = ((_e4883 - _e4891) * _e4899);
 let _e4911 = select(0f, _e4909, (_e4909 > 0f));
 let _e4914 = local_5;
 let _e4916 = select(_e4693, 263192i, (263192i < _e4693));
-let _e4921 = global_4.member[bitcast<u32>(select(0i, _e4916, (_e4916 > 0i)))];
+let _e4921 = global_3.member[bitcast<u32>(select(0i, _e4916, (_e4916 > 0i)))];
 let _e4922 = bitcast<f32>(_e4921);
 let _e4924 = select(_e4693, 263193i, (263193i < _e4693));
-let _e4929 = global_4.member[bitcast<u32>(select(0i, _e4924, (_e4924 > 0i)))];
+let _e4929 = global_3.member[bitcast<u32>(select(0i, _e4924, (_e4924 > 0i)))];
 let _e4930 = bitcast<f32>(_e4929);
 let _e4932 = select(_e4693, 263194i, (263194i < _e4693));
-let _e4937 = global_4.member[bitcast<u32>(select(0i, _e4932, (_e4932 > 0i)))];
+let _e4937 = global_3.member[bitcast<u32>(select(0i, _e4932, (_e4932 > 0i)))];
 let _e4938 = bitcast<f32>(_e4937);
 let _e4940 = ((_e4914 - _e4922) * _e4930);
 let _e4942 = select(0f, _e4940, (_e4940 > 0f));
@@ -1703,10 +1703,10 @@ let _e5030 = select(_e5011, _e5028, (_e5028 < _e5011));
 let _e5037 = select(0i, select(select(i32(_e5030), i32(-2147483648), (_e5030 < -2147483600f)), 2147483647i, (_e5030 > 2147483500f)), (_e5030 == _e5030));
 let _e5041 = (_e5037 - select(0i, 1i, (_e5030 < f32(_e5037))));
 let _e5043 = select(_e4693, 263195i, (263195i < _e4693));
-let _e5049 = global_4.member[bitcast<u32>(select(0i, _e5043, (_e5043 > 0i)))];
+let _e5049 = global_3.member[bitcast<u32>(select(0i, _e5043, (_e5043 > 0i)))];
 let _e5050 = bitcast<f32>(_e5049);
 let _e5052 = select(_e4693, 263196i, (263196i < _e4693));
-let _e5058 = global_4.member[bitcast<u32>(select(0i, _e5052, (_e5052 > 0i)))];
+let _e5058 = global_3.member[bitcast<u32>(select(0i, _e5052, (_e5052 > 0i)))];
 let _e5059 = bitcast<f32>(_e5058);
 let _e5060 = (_e3432.member - _e3812);
 let _e5066 = (1f / select(_e5060, 1f, (bitcast<f32>((bitcast<u32>(_e5060) & 2147483647u)) < 1e-20f)));
@@ -1717,20 +1717,20 @@ let _e5083 = (_e4947 - f32(_e5026));
 let _e5085 = (_e5010 - f32(_e5041));
 let _e5087 = (1f - (_e5072 + _e5078));
 let _e5089 = select(_e4693, _e5081, (_e5081 < _e4693));
-let _e5095 = global_4.member[bitcast<u32>(select(0i, _e5089, (_e5089 > 0i)))];
+let _e5095 = global_3.member[bitcast<u32>(select(0i, _e5089, (_e5089 > 0i)))];
 let _e5096 = (_e5081 + 4i);
 let _e5098 = select(_e4693, _e5096, (_e5096 < _e4693));
-let _e5104 = global_4.member[bitcast<u32>(select(0i, _e5098, (_e5098 > 0i)))];
+let _e5104 = global_3.member[bitcast<u32>(select(0i, _e5098, (_e5098 > 0i)))];
 let _e5105 = (_e5081 + 1024i);
 let _e5107 = select(_e4693, _e5105, (_e5105 < _e4693));
-let _e5113 = global_4.member[bitcast<u32>(select(0i, _e5107, (_e5107 > 0i)))];
+let _e5113 = global_3.member[bitcast<u32>(select(0i, _e5107, (_e5107 > 0i)))];
 let _e5114 = (_e5081 + 1028i);
 let _e5116 = select(_e4693, _e5114, (_e5114 < _e4693));
-let _e5122 = global_4.member[bitcast<u32>(select(0i, _e5116, (_e5116 > 0i)))];
+let _e5122 = global_3.member[bitcast<u32>(select(0i, _e5116, (_e5116 > 0i)))];
 let _e5124 = select(_e4693, 0i, (0i < _e4693));
-let _e5130 = global_4.member[bitcast<u32>(select(0i, _e5124, (_e5124 > 0i)))];
+let _e5130 = global_3.member[bitcast<u32>(select(0i, _e5124, (_e5124 > 0i)))];
 let _e5132 = select(_e4693, 262140i, (262140i < _e4693));
-let _e5138 = global_4.member[bitcast<u32>(select(0i, _e5132, (_e5132 > 0i)))];
+let _e5138 = global_3.member[bitcast<u32>(select(0i, _e5132, (_e5132 > 0i)))];
 let _e5143 = (bitcast<f32>(((_e5095 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5151 = (_e5143 + (((bitcast<f32>(((_e5104 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5143) * _e5085));
 let _e5156 = (bitcast<f32>(((_e5113 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -1740,20 +1740,20 @@ let _e5207 = (_e5199 + (((bitcast<f32>((((_e5104 >> bitcast<u32>(16i)) & 32767u)
 let _e5212 = (bitcast<f32>((((_e5113 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5239 = (_e5081 + 1i);
 let _e5241 = select(_e4693, _e5239, (_e5239 < _e4693));
-let _e5247 = global_4.member[bitcast<u32>(select(0i, _e5241, (_e5241 > 0i)))];
+let _e5247 = global_3.member[bitcast<u32>(select(0i, _e5241, (_e5241 > 0i)))];
 let _e5248 = (_e5081 + 5i);
 let _e5250 = select(_e4693, _e5248, (_e5248 < _e4693));
-let _e5256 = global_4.member[bitcast<u32>(select(0i, _e5250, (_e5250 > 0i)))];
+let _e5256 = global_3.member[bitcast<u32>(select(0i, _e5250, (_e5250 > 0i)))];
 let _e5257 = (_e5081 + 1025i);
 let _e5259 = select(_e4693, _e5257, (_e5257 < _e4693));
-let _e5265 = global_4.member[bitcast<u32>(select(0i, _e5259, (_e5259 > 0i)))];
+let _e5265 = global_3.member[bitcast<u32>(select(0i, _e5259, (_e5259 > 0i)))];
 let _e5266 = (_e5081 + 1029i);
 let _e5268 = select(_e4693, _e5266, (_e5266 < _e4693));
-let _e5274 = global_4.member[bitcast<u32>(select(0i, _e5268, (_e5268 > 0i)))];
+let _e5274 = global_3.member[bitcast<u32>(select(0i, _e5268, (_e5268 > 0i)))];
 let _e5276 = select(_e4693, 1i, (1i < _e4693));
-let _e5282 = global_4.member[bitcast<u32>(select(0i, _e5276, (_e5276 > 0i)))];
+let _e5282 = global_3.member[bitcast<u32>(select(0i, _e5276, (_e5276 > 0i)))];
 let _e5284 = select(_e4693, 262141i, (262141i < _e4693));
-let _e5290 = global_4.member[bitcast<u32>(select(0i, _e5284, (_e5284 > 0i)))];
+let _e5290 = global_3.member[bitcast<u32>(select(0i, _e5284, (_e5284 > 0i)))];
 let _e5295 = (bitcast<f32>(((_e5247 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
 let _e5303 = (_e5295 + (((bitcast<f32>(((_e5256 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e5295) * _e5085));
 let _e5308 = (bitcast<f32>(((_e5265 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f);
@@ -2059,7 +2059,7 @@ let _e6293 = (_e6276 + 1i);
 let _e6294 = (_e6291 + 1i);
 let _e6304 = ((_e6292 >> bitcast<u32>(4i)) + (_e3524 * ((_e6293 >> bitcast<u32>(4i)) + (_e3530 * (_e6294 >> bitcast<u32>(4i))))));
 let _e6306 = select(_e3542, _e6304, (_e6304 < _e3542));
-let _e6312 = global_3.member[bitcast<u32>(select(0i, _e6306, (_e6306 > 0i)))];
+let _e6312 = global_2.member[bitcast<u32>(select(0i, _e6306, (_e6306 > 0i)))];
 let _e6314 = (_e6292 & 15i);
 let _e6317 = ((_e6293 & 15i) * _e3511);
 let _e6319 = (bitcast<i32>(_e6312) + ((_e6294 & 15i) * _e3515));
@@ -2067,17 +2067,17 @@ let _e6320 = (_e6317 + _e3511);
 let _e6321 = (_e6317 + _e3559);
 let _e6322 = (_e6319 + _e3515);
 let _e6323 = (_e6319 + _e3562);
-local_2 = type_31(array<i32, 4>(_e6314, _e6314, _e6314, _e6314), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
+local_2 = type_29(array<i32, 4>(_e6314, _e6314, _e6314, _e6314), array<u32, 6>(0u, 8u, 16u, 24u, 0u, 0u));
 local_3 = vec3<f32>((_e6238 - f32(_e6261)), (_e6242 - f32(_e6276)), (_e6246 - f32(_e6291)));
 let _e6337 = local_2.member[0u];
 let _e6338 = ((_e6322 + _e6320) + _e6337);
 let _e6340 = (_e6338 >> bitcast<u32>(2i));
 let _e6343 = bitcast<u32>(((_e6338 & 3i) * 8i));
 let _e6345 = select(_e3542, _e6340, (_e6340 < _e3542));
-let _e6350 = global_3.member[bitcast<u32>(select(0i, _e6345, (_e6345 > 0i)))];
+let _e6350 = global_2.member[bitcast<u32>(select(0i, _e6345, (_e6345 > 0i)))];
 let _e6354 = (_e6340 + 1i);
 let _e6356 = select(_e3542, _e6354, (_e6354 < _e3542));
-let _e6361 = global_3.member[bitcast<u32>(select(0i, _e6356, (_e6356 > 0i)))];
+let _e6361 = global_2.member[bitcast<u32>(select(0i, _e6356, (_e6356 > 0i)))];
 let _e6368 = ((_e6350 >> bitcast<u32>((_e6343 & 31u))) | ((_e6361 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6343) & 31u))));
 let _e6371 = local_2.member_1[1u];
 let _e6377 = f32(bitcast<i32>(((_e6368 >> bitcast<u32>((_e6371 & 31u))) & 255u)));
@@ -2089,10 +2089,10 @@ let _e6393 = ((_e6322 + _e6321) + _e6392);
 let _e6395 = (_e6393 >> bitcast<u32>(2i));
 let _e6398 = bitcast<u32>(((_e6393 & 3i) * 8i));
 let _e6400 = select(_e3542, _e6395, (_e6395 < _e3542));
-let _e6405 = global_3.member[bitcast<u32>(select(0i, _e6400, (_e6400 > 0i)))];
+let _e6405 = global_2.member[bitcast<u32>(select(0i, _e6400, (_e6400 > 0i)))];
 let _e6409 = (_e6395 + 1i);
 let _e6411 = select(_e3542, _e6409, (_e6409 < _e3542));
-let _e6416 = global_3.member[bitcast<u32>(select(0i, _e6411, (_e6411 > 0i)))];
+let _e6416 = global_2.member[bitcast<u32>(select(0i, _e6411, (_e6411 > 0i)))];
 let _e6423 = ((_e6405 >> bitcast<u32>((_e6398 & 31u))) | ((_e6416 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6398) & 31u))));
 let _e6424 = local_2.member_1[1u];
 let _e6430 = f32(bitcast<i32>(((_e6423 >> bitcast<u32>((_e6424 & 31u))) & 255u)));
@@ -2105,10 +2105,10 @@ let _e6449 = ((_e6323 + _e6320) + _e6448);
 let _e6451 = (_e6449 >> bitcast<u32>(2i));
 let _e6454 = bitcast<u32>(((_e6449 & 3i) * 8i));
 let _e6456 = select(_e3542, _e6451, (_e6451 < _e3542));
-let _e6461 = global_3.member[bitcast<u32>(select(0i, _e6456, (_e6456 > 0i)))];
+let _e6461 = global_2.member[bitcast<u32>(select(0i, _e6456, (_e6456 > 0i)))];
 let _e6465 = (_e6451 + 1i);
 let _e6467 = select(_e3542, _e6465, (_e6465 < _e3542));
-let _e6472 = global_3.member[bitcast<u32>(select(0i, _e6467, (_e6467 > 0i)))];
+let _e6472 = global_2.member[bitcast<u32>(select(0i, _e6467, (_e6467 > 0i)))];
 let _e6479 = ((_e6461 >> bitcast<u32>((_e6454 & 31u))) | ((_e6472 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6454) & 31u))));
 let _e6480 = local_2.member_1[1u];
 let _e6486 = f32(bitcast<i32>(((_e6479 >> bitcast<u32>((_e6480 & 31u))) & 255u)));
@@ -2120,10 +2120,10 @@ let _e6500 = ((_e6323 + _e6321) + _e6499);
 let _e6502 = (_e6500 >> bitcast<u32>(2i));
 let _e6505 = bitcast<u32>(((_e6500 & 3i) * 8i));
 let _e6507 = select(_e3542, _e6502, (_e6502 < _e3542));
-let _e6512 = global_3.member[bitcast<u32>(select(0i, _e6507, (_e6507 > 0i)))];
+let _e6512 = global_2.member[bitcast<u32>(select(0i, _e6507, (_e6507 > 0i)))];
 let _e6516 = (_e6502 + 1i);
 let _e6518 = select(_e3542, _e6516, (_e6516 < _e3542));
-let _e6523 = global_3.member[bitcast<u32>(select(0i, _e6518, (_e6518 > 0i)))];
+let _e6523 = global_2.member[bitcast<u32>(select(0i, _e6518, (_e6518 > 0i)))];
 let _e6530 = ((_e6512 >> bitcast<u32>((_e6505 & 31u))) | ((_e6523 << bitcast<u32>(1i)) << bitcast<u32>(((31u - _e6505) & 31u))));
 let _e6531 = local_2.member_1[1u];
 let _e6537 = f32(bitcast<i32>(((_e6530 >> bitcast<u32>((_e6531 & 31u))) & 255u)));
@@ -2139,41 +2139,41 @@ local_1 = _e6564;
 let _e6565 = local_1;
 let _e6567 = (bitcast<i32>(_e167) - 1i);
 let _e6569 = select(_e6567, 263197i, (263197i < _e6567));
-let _e6574 = global_4.member[bitcast<u32>(select(0i, _e6569, (_e6569 > 0i)))];
+let _e6574 = global_3.member[bitcast<u32>(select(0i, _e6569, (_e6569 > 0i)))];
 let _e6577 = select(_e6567, 263198i, (263198i < _e6567));
-let _e6582 = global_4.member[bitcast<u32>(select(0i, _e6577, (_e6577 > 0i)))];
+let _e6582 = global_3.member[bitcast<u32>(select(0i, _e6577, (_e6577 > 0i)))];
 let _e6585 = select(_e6567, 263199i, (263199i < _e6567));
-let _e6590 = global_4.member[bitcast<u32>(select(0i, _e6585, (_e6585 > 0i)))];
+let _e6590 = global_3.member[bitcast<u32>(select(0i, _e6585, (_e6585 > 0i)))];
 let _e6591 = bitcast<f32>(_e6590);
 let _e6593 = ((_e6565 - bitcast<f32>(_e6574)) * bitcast<f32>(_e6582));
 let _e6595 = select(0f, _e6593, (_e6593 > 0f));
 let _e6598 = local_1;
 let _e6600 = select(_e6567, 263200i, (263200i < _e6567));
-let _e6605 = global_4.member[bitcast<u32>(select(0i, _e6600, (_e6600 > 0i)))];
+let _e6605 = global_3.member[bitcast<u32>(select(0i, _e6600, (_e6600 > 0i)))];
 let _e6608 = select(_e6567, 263201i, (263201i < _e6567));
-let _e6613 = global_4.member[bitcast<u32>(select(0i, _e6608, (_e6608 > 0i)))];
+let _e6613 = global_3.member[bitcast<u32>(select(0i, _e6608, (_e6608 > 0i)))];
 let _e6616 = select(_e6567, 263202i, (263202i < _e6567));
-let _e6621 = global_4.member[bitcast<u32>(select(0i, _e6616, (_e6616 > 0i)))];
+let _e6621 = global_3.member[bitcast<u32>(select(0i, _e6616, (_e6616 > 0i)))];
 let _e6622 = bitcast<f32>(_e6621);
 let _e6624 = ((_e6598 - bitcast<f32>(_e6605)) * bitcast<f32>(_e6613));
 let _e6626 = select(0f, _e6624, (_e6624 > 0f));
 let _e6630 = local_1;
 let _e6632 = select(_e6567, 263203i, (263203i < _e6567));
-let _e6637 = global_4.member[bitcast<u32>(select(0i, _e6632, (_e6632 > 0i)))];
+let _e6637 = global_3.member[bitcast<u32>(select(0i, _e6632, (_e6632 > 0i)))];
 let _e6640 = select(_e6567, 263204i, (263204i < _e6567));
-let _e6645 = global_4.member[bitcast<u32>(select(0i, _e6640, (_e6640 > 0i)))];
+let _e6645 = global_3.member[bitcast<u32>(select(0i, _e6640, (_e6640 > 0i)))];
 let _e6648 = select(_e6567, 263205i, (263205i < _e6567));
-let _e6653 = global_4.member[bitcast<u32>(select(0i, _e6648, (_e6648 > 0i)))];
+let _e6653 = global_3.member[bitcast<u32>(select(0i, _e6648, (_e6648 > 0i)))];
 let _e6654 = bitcast<f32>(_e6653);
 let _e6656 = ((_e6630 - bitcast<f32>(_e6637)) * bitcast<f32>(_e6645));
 let _e6658 = select(0f, _e6656, (_e6656 > 0f));
 let _e6661 = local_1;
 let _e6663 = select(_e6567, 263206i, (263206i < _e6567));
-let _e6668 = global_4.member[bitcast<u32>(select(0i, _e6663, (_e6663 > 0i)))];
+let _e6668 = global_3.member[bitcast<u32>(select(0i, _e6663, (_e6663 > 0i)))];
 let _e6671 = select(_e6567, 263207i, (263207i < _e6567));
-let _e6676 = global_4.member[bitcast<u32>(select(0i, _e6671, (_e6671 > 0i)))];
+let _e6676 = global_3.member[bitcast<u32>(select(0i, _e6671, (_e6671 > 0i)))];
 let _e6679 = select(_e6567, 263208i, (263208i < _e6567));
-let _e6684 = global_4.member[bitcast<u32>(select(0i, _e6679, (_e6679 > 0i)))];
+let _e6684 = global_3.member[bitcast<u32>(select(0i, _e6679, (_e6679 > 0i)))];
 let _e6685 = bitcast<f32>(_e6684);
 let _e6687 = ((_e6661 - bitcast<f32>(_e6668)) * bitcast<f32>(_e6676));
 let _e6689 = select(0f, _e6687, (_e6687 > 0f));
@@ -2184,13 +2184,13 @@ let _e6704 = select(0i, select(select(i32(_e6697), i32(-2147483648), (_e6697 < -
 let _e6708 = (_e6704 - select(0i, 1i, (_e6697 < f32(_e6704))));
 let _e6709 = (262147i + _e6708);
 let _e6711 = select(_e6567, _e6709, (_e6709 < _e6567));
-let _e6717 = global_4.member[bitcast<u32>(select(0i, _e6711, (_e6711 > 0i)))];
+let _e6717 = global_3.member[bitcast<u32>(select(0i, _e6711, (_e6711 > 0i)))];
 let _e6727 = select(_e6567, 262146i, (262146i < _e6567));
-let _e6733 = global_4.member[bitcast<u32>(select(0i, _e6727, (_e6727 > 0i)))];
+let _e6733 = global_3.member[bitcast<u32>(select(0i, _e6727, (_e6727 > 0i)))];
 let _e6737 = select(_e6567, 262144i, (262144i < _e6567));
-let _e6743 = global_4.member[bitcast<u32>(select(0i, _e6737, (_e6737 > 0i)))];
+let _e6743 = global_3.member[bitcast<u32>(select(0i, _e6737, (_e6737 > 0i)))];
 let _e6746 = select(_e6567, 262145i, (262145i < _e6567));
-let _e6752 = global_4.member[bitcast<u32>(select(0i, _e6746, (_e6746 > 0i)))];
+let _e6752 = global_3.member[bitcast<u32>(select(0i, _e6746, (_e6746 > 0i)))];
 let _e6759 = ((bitcast<f32>(_e6743) + (f32(bitcast<i32>((_e6717 >> bitcast<u32>(12u)))) * bitcast<f32>(_e6752))) + ((f32((bitcast<i32>((_e6717 & 4095u)) - 2048i)) * bitcast<f32>(_e6733)) * (_e6693 - f32(_e6708))));
 let _e6763 = select(_e6179.member_6.x, _e6190.x, _e6184);
 let _e6766 = select(_e6179.member_6.y, _e6190.y, _e6184);
@@ -2429,15 +2429,15 @@ phi_16665_ = 1f;
 let _e7504 = phi_16664_;
 let _e7506 = phi_16665_;
 let _e7509 = (_e5596.member * _e7506);
-global_2.member[_e192] = (_e203 * (_e5596.member_2.x * _e7509));
-global_2.member[_e204] = (_e213 * (_e5596.member_2.y * _e7509));
-global_2.member[_e215] = (_e224 * (_e5596.member_2.z * _e7509));
-global_2.member[_e226] = _e7504.x;
-global_2.member[_e237] = _e7504.y;
-global_2.member[_e248] = _e7504.z;
-global_2.member[_e259] = _e268;
-global_2.member[_e270] = _e279;
-global_2.member[_e281] = _e290;
+global_4.member[_e192] = (_e203 * (_e5596.member_2.x * _e7509));
+global_4.member[_e204] = (_e213 * (_e5596.member_2.y * _e7509));
+global_4.member[_e215] = (_e224 * (_e5596.member_2.z * _e7509));
+global_4.member[_e226] = _e7504.x;
+global_4.member[_e237] = _e7504.y;
+global_4.member[_e248] = _e7504.z;
+global_4.member[_e259] = _e268;
+global_4.member[_e270] = _e279;
+global_4.member[_e281] = _e290;
 }
 }
 }
