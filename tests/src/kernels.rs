@@ -27,6 +27,10 @@ use crate::run::{About, Run};
 
 /// Light that a wavefront carries.
 const FORWARD: &str = "sweep.light=forward";
+/// A point beside and before a built-in volume.
+const POINT: &str = "light.0={kind='point',position=[1.5,2.5,1.5],intensity=12}";
+/// A spot whose cone ends on the volume.
+const SPOT: &str = "light.0={kind='spot',position=[1.5,2.5,1.5],direction=[-1.5,-2.5,-1.5],cone_angle=9,intensity=12}";
 /// Light on texels, which cases have that do not name a carrier.
 const TEXELS: &str = "sweep.light=texels";
 
@@ -65,6 +69,8 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("phantom chain forward", "phantom", &[FORWARD, "sweep.gradient=chain"])?,
         case("phantom straight forward", "phantom", &[FORWARD, "sweep.refraction=false"])?,
         case("phantom soft forward", "phantom", &[FORWARD, "light.0.angular_radius=20"])?,
+        case("phantom point forward", "phantom", &[FORWARD, POINT])?,
+        case("glass spot forward", "glass", &[FORWARD, SPOT])?,
         case("ball forward", "ball", &[FORWARD])?,
         case("glass forward", "glass", &[FORWARD])?,
         case("glass/straight forward", "glass/straight", &[FORWARD])?,

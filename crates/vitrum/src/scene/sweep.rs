@@ -61,7 +61,7 @@ pub struct Sweep {
     /// Carrier of light from plane to plane.
     pub light: Transport,
     /// Cells along the longer side of the wavefront where `light` is `forward`; where none are given, as many as the volume has voxels there, at least
-    /// 160 and at most 400.
+    /// 160 and at most 320.
     #[schemars(range(min = 8, max = 4096), extend("x-unit" = "cells"))]
     pub light_cells: Option<u32>,
     /// Rule that advances a ray by one plane.

@@ -11,7 +11,7 @@ use glam::{DMat3, DVec2, DVec3};
 /// The fewest cells along the longer side of the grid that a small volume gets.
 pub(super) const FEWEST: f64 = 160.0;
 /// The most cells along the longer side of the grid that a large volume gets.
-pub(super) const MOST: f64 = 400.0;
+pub(super) const MOST: f64 = 320.0;
 
 /// The largest optical depth of particles from plane to plane with which light is kept on each second plane alone.
 const FAINT: f64 = 0.25;
