@@ -67,7 +67,9 @@ pub fn on_assumption(assumption: &Assumption) -> String {
         Some(Setting::Up) => format!(
             "{fact}; --up turns it, such as --up -z where the picture stands on its head, and --up y or --up -y where it lies"
         ),
+        Some(Setting::Spacing) => format!("{fact}; --spacing X,Y,Z says it"),
         Some(setting) => match flag(setting) {
+            Some(flag) if choices.is_empty() => format!("{fact}; {flag} takes another"),
             Some(flag) => format!("{fact}; {flag} takes another: {choices}"),
             None => assumption.to_string(),
         },
@@ -81,6 +83,7 @@ fn flag(setting: Setting) -> Option<&'static str> {
         Setting::Raw => Some("--raw"),
         Setting::Array => Some("--array"),
         Setting::Time => Some("--time"),
+        Setting::Spacing => Some("--spacing"),
         Setting::Up => Some("--up"),
         _ => None,
     }
