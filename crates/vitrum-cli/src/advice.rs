@@ -77,6 +77,21 @@ pub fn on_assumption(assumption: &Assumption) -> String {
     }
 }
 
+/// The assumptions of a reader, and what it left out, each under a name that stands before the first of its kind.
+pub fn on_assumptions(assumptions: &[Assumption]) -> Vec<(&'static str, String)> {
+    const LEFT_OUT: &str = "left out: ";
+    let mut rows = Vec::new();
+    for (name, is_left_out) in [("assumed", false), ("left out", true)] {
+        let kind = assumptions.iter().filter(|assumption| assumption.fact.starts_with(LEFT_OUT) == is_left_out);
+        for (index, assumption) in kind.enumerate() {
+            let told = on_assumption(assumption);
+            let told = told.strip_prefix(LEFT_OUT).map(str::to_owned).unwrap_or(told);
+            rows.push((if index == 0 { name } else { "" }, told));
+        }
+    }
+    rows
+}
+
 /// The flag that sets a choice of the library.
 fn flag(setting: Setting) -> Option<&'static str> {
     match setting {
