@@ -17,7 +17,9 @@ pub(crate) fn steps(stated: [f64; 3], unit: f64, options: &OpenOptions, assumpti
     for (axis, step) in steps.iter_mut().enumerate() {
         let name = ["x", "y", "z"][axis];
         let narrow = (*step as f32).abs();
-        if !(narrow > 0.0 && narrow.is_finite() && step.abs() <= LARGEST) {
+        // One that is only too large is told by the check of the extent, unless it is replaced.
+        let replaced = options.spacing.is_some() && step.abs() > LARGEST;
+        if !(narrow > 0.0 && narrow.is_finite()) || replaced {
             if options.spacing.is_none() {
                 let fact = format!("the spacing along {name} is {step}, which is no distance: {unit} was taken");
                 assumptions.push(Assumption::replaceable(fact, Setting::Spacing, ""));

@@ -39,9 +39,11 @@ impl Series {
         let folder = input.path().parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
         let images = images_in(report, folder)?;
         images.note_broken(assumptions);
-        let Images { mut files, refused, .. } = images;
+        let Images { mut files, mut refused, .. } = images;
         files.retain(|file| file.series == opened.series);
-        note_refused(refused.iter().filter(|(series, _)| *series == opened.series), "this", assumptions);
+        if let Some(index) = refused.iter().position(|(series, _)| *series == opened.series) {
+            return Err(refused.swap_remove(index).1);
+        }
         if files.len() > 1 {
             assumptions.push(format!("the {} files beside it of the same series were read, too", files.len() - 1));
         }
@@ -101,11 +103,13 @@ impl Series {
             _ => {}
         }
         let chosen = groups.swap_remove(0);
-        // Where a slice is missing without them, the distances tell.
-        let series = chosen[0].series.clone();
-        let (same, others): (Vec<_>, Vec<_>) = refused.iter().partition(|(other, _)| *other == series);
-        note_refused(same.into_iter(), "the same", assumptions);
-        note_refused(others.into_iter(), "other", assumptions);
+        // A slice of it that is of a kind that is not read would be missing.
+        if let Some(index) = refused.iter().position(|(series, _)| *series == chosen[0].series) {
+            return Err(refused.swap_remove(index).1);
+        }
+        if let Some((_, error)) = refused.first() {
+            assumptions.push(format!("{} files of other series were left out, such as {error}", refused.len()));
+        }
         Ok(Self { files: single(chosen, assumptions) })
     }
 
@@ -197,12 +201,4 @@ fn single(mut files: Vec<File>, assumptions: &mut Assumptions) -> Vec<File> {
         assumptions.push(format!("left out: {count} files whose image is in another one, too, by its instance UID"));
     }
     files
-}
-
-/// Tells of images that are not read.
-fn note_refused<'a>(refused: impl Iterator<Item = &'a (String, Error)>, of: &str, assumptions: &mut Assumptions) {
-    let refused: Vec<_> = refused.collect();
-    if let Some((_, error)) = refused.first() {
-        assumptions.push(format!("{} files of {of} series were left out, such as {error}", refused.len()));
-    }
 }

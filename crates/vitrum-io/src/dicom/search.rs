@@ -101,7 +101,9 @@ pub(super) fn images(report: Report, folder: &Path, assumptions: &mut Assumption
     }
     let folders: Vec<PathBuf> = Below::of(folder).skip(1).collect();
     assumptions.clear();
-    Ok(Images { below: true, ..scan(report, &folders, assumptions)? })
+    let mut below = scan(report, &folders, assumptions)?;
+    below.broken.splice(0..0, direct.broken);
+    Ok(Images { below: true, ..below })
 }
 
 impl Images {

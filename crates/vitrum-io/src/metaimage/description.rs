@@ -85,7 +85,7 @@ impl Description {
 
 /// Fields that are read, or that say nothing about the picture.
 #[rustfmt::skip]
-const KNOWN: &[&str] = &[
+pub(super) const KNOWN: &[&str] = &[
     "AcquisitionDate", "AnatomicalOrientation", "BinaryData", "BinaryDataByteOrderMSB", "CenterOfRotation", "Color",
     "CompressedData", "CompressedDataSize", "CompressionLevel", "DimSize", "DistanceUnits", "ElementByteOrderMSB",
     "ElementMax", "ElementMin", "ElementNBits", "ElementNumberOfChannels", "ElementSize", "ElementSpacing",

@@ -2,8 +2,9 @@
 
 use std::io::BufRead;
 
+use super::description::KNOWN;
 use crate::detached::List;
-use crate::error::{Error, Place, Report};
+use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields, MAX_BYTES};
 use crate::text::Lines;
 use crate::tolerance::LeftOut;
@@ -32,6 +33,15 @@ impl Header {
                 continue;
             }
             let Some(field) = field(&line, lines.number) else {
+                // A line that begins like one that matters has to be one.
+                let first = line.split_whitespace().next().unwrap_or_default();
+                if KNOWN.iter().any(|known| known.eq_ignore_ascii_case(first)) {
+                    return Err(report.invalid(
+                        Place::Line(lines.number),
+                        format!("`{}` is not `Name = value`", clip(&line)),
+                        "correct the line, or make it a `Comment = ...`",
+                    ));
+                }
                 left_out.add("lines of the header that are not `Name = value`");
                 continue;
             };

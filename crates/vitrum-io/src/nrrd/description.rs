@@ -92,7 +92,7 @@ impl Description {
 }
 
 /// Fields that are read, or that say nothing about the picture.
-const KNOWN: &[&str] = &[
+pub(super) const KNOWN: &[&str] = &[
     "blocksize",
     "byteskip",
     "centerings",

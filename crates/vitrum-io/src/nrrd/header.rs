@@ -2,6 +2,7 @@
 
 use std::io::BufRead;
 
+use super::description::KNOWN;
 use crate::detached::List;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields, MAX_BYTES};
@@ -48,6 +49,15 @@ impl Header {
                 continue;
             }
             let Some((name, text)) = line.split_once(':') else {
+                // A line that begins like one that matters has to be one.
+                let first = line.split_whitespace().next().unwrap_or_default().to_ascii_lowercase();
+                if KNOWN.contains(&first.as_str()) {
+                    return Err(report.invalid(
+                        Place::Line(lines.number),
+                        format!("`{}` is neither `field: value` nor `key:=value`", clip(&line)),
+                        "correct the line, or start it with # to make it a comment",
+                    ));
+                }
                 header.left_out.add("lines of the header that are neither `field: value` nor `key:=value`");
                 continue;
             };

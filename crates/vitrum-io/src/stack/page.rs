@@ -110,8 +110,8 @@ impl<'a> Pages<'a> {
         let images = notes.count("images");
         let mut behind = None;
         if images > 1 && count == 1 && thumbnails == 0 {
-            behind = Some(images_behind(&storage, report, &first, images, length)?);
-            count = images;
+            behind = images_behind(&storage, report, &first, images, length)?;
+            count = if behind.is_some() { images } else { 1 };
         }
         Ok(Self { storage, path, first, count, thumbnails, encoding, notes, palette, white_is_zero, behind, name })
     }
@@ -172,29 +172,24 @@ impl Pages<'_> {
     }
 }
 
-/// The first byte of so many images behind one another, which ImageJ writes beyond 4 GiB, and their byte order.
+/// The first byte of so many images behind one another, which ImageJ writes beyond 4 GiB, and their byte order; `None` where they are
+/// not there, as in a page that was taken out of such a file with its description.
 fn images_behind(
     storage: &Storage,
     report: Report,
     page: &Page,
     images: u64,
     length: u64,
-) -> Result<(u64, Endian), Error> {
+) -> Result<Option<(u64, Endian)>, Error> {
     let mut decoder = open(storage, report)?;
     let at = |error| damaged(report, 1, error);
-    let raw = Compression::of(&mut decoder, report, 1)?.name == "raw";
+    let is_raw = Compression::of(&mut decoder, report, 1)?.name == "raw";
     let offsets: Option<Vec<u64>> = decoder.find_tag_unsigned_vec(Tag::StripOffsets).map_err(at)?;
     let start = offsets.and_then(|offsets| offsets.first().copied()).unwrap_or(u64::MAX);
     let bytes = page.voxels().saturating_mul(page.sample.size() as u64).saturating_mul(images);
-    if !raw || bytes > length.saturating_sub(start) {
-        return Err(report.invalid(
-            Place::File,
-            format!("ImageJ wrote {images} images behind one page, which take {bytes} bytes, and they are not there"),
-            "get the whole file, or write it as several pages",
-        ));
-    }
     let big = decoder.byte_order() == tiff::tags::ByteOrder::BigEndian;
-    Ok((start, if big { Endian::Big } else { Endian::Little }))
+    let is_there = is_raw && bytes <= length.saturating_sub(start);
+    Ok(is_there.then_some((start, if big { Endian::Big } else { Endian::Little })))
 }
 
 fn page(decoder: &mut Reader, report: Report, number: u64) -> Result<Page, Error> {

@@ -49,6 +49,11 @@ impl Selection {
         let count = if several_times { frames } else { 1 };
         let times = Times::choose(report, Place::File, count, options, assumptions)?;
         let counted = if several && fits { slices.saturating_mul(frames) / count } else { pages };
+        let images = notes.count("images");
+        if notes.ome.is_none() && images != 1 && images != pages {
+            assumptions
+                .push(format!("ImageJ's description says {images} images, and {pages} are there: these were taken"));
+        }
         if let Some(ome) = notes.ome.as_ref().filter(|ome| ome.images > 1) {
             assumptions.push(format!("the file has {} images, by OME-XML: the first was taken", ome.images));
         }
