@@ -49,7 +49,7 @@ fn broken_files() {
         (changed("3 2 2", "4294967295 4294967295 4294967295"), "line 3: the sizes make"),
         (changed("ElementType = MET_UCHAR\n", ""), "the header has no `ElementType`"),
         (changed("MET_UCHAR", "MET_UCHAR_ARRAY"), "line 4: `MET_UCHAR_ARRAY` is not a type of one number"),
-        (changed("ElementDataFile = LOCAL\n", ""), "is not `Name = value`"),
+        (changed("ElementDataFile = LOCAL\n", ""), "the header has no `ElementDataFile`"),
         (
             b"NDims = 3\nDimSize = 3 2 2\nElementType = MET_UCHAR\n".to_vec(),
             "the header has no `ElementDataFile`; end it by `ElementDataFile = LOCAL`",

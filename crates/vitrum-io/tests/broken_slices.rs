@@ -14,7 +14,6 @@ fn broken_stacks() {
     let both =
         |change: &dyn Fn(Page) -> Page| tiff(true, &[change(Page::bytes(&[1; 6])), change(Page::bytes(&[2; 6]))]);
     let text = |text: &'static str| both(&|page| page.set(270, Value::Text(text)));
-    let alone = |text| tiff(false, &[Page::bytes(&[1; 6]).set(270, Value::Text(text))]);
     let packed = |data: &[u8]| {
         let page = Page::bytes(data).set(259, Value::Short(8));
         tiff(false, &[page.clone(), page])
