@@ -54,7 +54,7 @@ fn broken_files() {
             b"NDims = 3\nDimSize = 3 2 2\nElementType = MET_UCHAR\n".to_vec(),
             "the header has no `ElementDataFile`; end it by `ElementDataFile = LOCAL`",
         ),
-        (with("DimSize = 3 2 2\n"), "line 5: `DimSize` was given in line 3 already"),
+        (with("DimSize = 3 2 3\n"), "line 5: `DimSize` was given in line 3 already"),
         (with("ElementNumberOfChannels = 3\n"), "line 5: the voxels have 3 channels, and a scalar volume has 1"),
         (with("ElementNumberOfChannels = x\n"), "line 5: `x` is not a whole number"),
         (with("BinaryDataByteOrderMSB = middle\n"), "line 5: `middle` is neither True nor False"),
