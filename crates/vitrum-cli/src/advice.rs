@@ -67,12 +67,29 @@ pub fn on_assumption(assumption: &Assumption) -> String {
         Some(Setting::Up) => format!(
             "{fact}; --up turns it, such as --up -z where the picture stands on its head, and --up y or --up -y where it lies"
         ),
+        Some(Setting::Spacing) => format!("{fact}; --spacing X,Y,Z says it"),
         Some(setting) => match flag(setting) {
+            Some(flag) if choices.is_empty() => format!("{fact}; {flag} takes another"),
             Some(flag) => format!("{fact}; {flag} takes another: {choices}"),
             None => assumption.to_string(),
         },
         None => assumption.to_string(),
     }
+}
+
+/// The assumptions of a reader, and what it left out, each under a name that stands before the first of its kind.
+pub fn on_assumptions(assumptions: &[Assumption]) -> Vec<(&'static str, String)> {
+    const LEFT_OUT: &str = "left out: ";
+    let mut rows = Vec::new();
+    for (name, is_left_out) in [("assumed", false), ("left out", true)] {
+        let kind = assumptions.iter().filter(|assumption| assumption.fact.starts_with(LEFT_OUT) == is_left_out);
+        for (index, assumption) in kind.enumerate() {
+            let told = on_assumption(assumption);
+            let told = told.strip_prefix(LEFT_OUT).map(str::to_owned).unwrap_or(told);
+            rows.push((if index == 0 { name } else { "" }, told));
+        }
+    }
+    rows
 }
 
 /// The flag that sets a choice of the library.
@@ -81,6 +98,7 @@ fn flag(setting: Setting) -> Option<&'static str> {
         Setting::Raw => Some("--raw"),
         Setting::Array => Some("--array"),
         Setting::Time => Some("--time"),
+        Setting::Spacing => Some("--spacing"),
         Setting::Up => Some("--up"),
         _ => None,
     }

@@ -148,11 +148,11 @@ fn volume_files_with_mistakes_exit_3() {
     let small = |fields: &str| nrrd("4 4 4", fields, &[7; 64]);
     let mut not_a_number =
         b"NRRD0004\ntype: float\ndimension: 3\nsizes: 2 1 1\nencoding: raw\nendian: little\n\n".to_vec();
-    not_a_number.extend([1.0_f32.to_le_bytes(), f32::NAN.to_le_bytes()].concat());
+    not_a_number.extend([f32::NAN.to_le_bytes(); 2].concat());
     folder.write("truncated.nrrd", nrrd("4 4 4", "", &[7; 63]));
     folder.write("huge.nrrd", nrrd("10000 10000 10000", "", &[7; 900]));
     folder.write("nan.nrrd", not_a_number);
-    folder.write("flat.nrrd", small("spacings: 1 0 1\n"));
+    folder.write("flat.nrrd", small("spacings: 1 1\n"));
     folder.write("empty.nrrd", b"");
     folder.write("noise.nrrd", [0x9d; 300]);
     folder.write("noise.xyz", [0x9d; 300]);
@@ -160,8 +160,8 @@ fn volume_files_with_mistakes_exit_3() {
         ("missing.nrrd", &["cannot be read"][..]),
         ("truncated.nrrd", &["63"]),
         ("huge.nrrd", &["1000000000000"]),
-        ("nan.nrrd", &["voxel (1, 0, 0)", "NaN"]),
-        ("flat.nrrd", &["spacing"]),
+        ("nan.nrrd", &["all of the 2 voxels", "NaN"]),
+        ("flat.nrrd", &["3 numbers"]),
         ("empty.nrrd", &[]),
         ("noise.nrrd", &[]),
         ("noise.xyz", &["NRRD"]),

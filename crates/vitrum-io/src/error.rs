@@ -114,14 +114,6 @@ pub enum Error {
 }
 
 impl Error {
-    /// The error at another place, which only the caller knows.
-    pub(crate) fn at(self, place: Place) -> Self {
-        match self {
-            Self::Invalid { file, problem, advice, .. } => Self::Invalid { file, place, problem, advice },
-            other => other,
-        }
-    }
-
     /// The error with the field of [`OpenOptions`](crate::OpenOptions) that can mend it.
     pub(crate) fn with_setting(self, setting: Setting) -> Self {
         match self {

@@ -49,6 +49,10 @@ pub(crate) struct Fields(Vec<Field>);
 impl Fields {
     pub fn add(&mut self, report: Report, field: Field) -> Result<(), Error> {
         if let Some(first) = self.get(&field.name) {
+            // The same once more contradicts nothing.
+            if first.text == field.text {
+                return Ok(());
+            }
             return Err(report.invalid(
                 field.place(),
                 format!("`{}` was given in line {} already", clip(&field.name), first.line),

@@ -13,6 +13,7 @@ use crate::samples::read_up_to;
 use crate::storage::{ByteReader, Storage};
 use crate::stream;
 use crate::temporary::Temporary;
+use crate::tolerance::BYTE_ORDER_MARK;
 
 /// The path that stands for standard input.
 pub const STANDARD_INPUT: &str = "-";
@@ -169,6 +170,10 @@ impl<'a> Input<'a> {
         let mut head = vec![0; HEAD];
         let (filled, outcome) = read_up_to(&mut packing.unpack(file), &mut head);
         head.truncate(filled);
+        // Readers of text recognise a file behind the mark of some editors, too.
+        if head.starts_with(BYTE_ORDER_MARK) {
+            head.drain(..BYTE_ORDER_MARK.len());
+        }
         (self.packing, self.head) = (packing, head);
         // A damaged stream shows as far as it goes; the reader reports the damage.
         if packing == Packing::Plain {

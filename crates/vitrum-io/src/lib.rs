@@ -72,6 +72,7 @@ pub mod suggest;
 mod temporary;
 mod text;
 mod time;
+mod tolerance;
 mod up;
 mod volume;
 mod volume_file;

@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead, Read};
 
-use flate2::bufread::MultiGzDecoder;
+use flate2::bufread::GzDecoder;
 use ruzstd::decoding::errors::{FrameDecoderError, ReadFrameHeaderError};
 use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
 
@@ -54,7 +54,7 @@ impl Packing {
     pub(crate) fn unpack<'a>(self, file: impl BufRead + 'a) -> Box<dyn Read + 'a> {
         match self {
             Self::Plain => Box::new(file),
-            Self::Gzip => Box::new(MultiGzDecoder::new(file)),
+            Self::Gzip => Box::new(Members::new(file)),
             Self::Zstd => Box::new(Frames::new(file)),
         }
     }
@@ -71,6 +71,48 @@ impl Packing {
             start.and_then(|start| name.get(start..)).is_some_and(|end| end.eq_ignore_ascii_case(extension))
         };
         extensions.iter().find(fits).map_or(name, |extension| &name[..name.len() - extension.len()])
+    }
+}
+
+/// The content of gzip members one after the other. What follows them and is none, such as padding, is left unread, as gzip itself
+/// leaves it.
+pub(crate) struct Members<R> {
+    decoder: Option<GzDecoder<R>>,
+    /// Whether a member has ended before.
+    later: bool,
+    /// Whether the current one has given anything.
+    begun: bool,
+}
+
+impl<R: BufRead> Members<R> {
+    pub fn new(source: R) -> Self {
+        Self { decoder: Some(GzDecoder::new(source)), later: false, begun: false }
+    }
+}
+
+impl<R: BufRead> Read for Members<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        while let Some(decoder) = &mut self.decoder {
+            match decoder.read(buffer) {
+                Ok(0) if !buffer.is_empty() => {}
+                Ok(count) => {
+                    self.begun = true;
+                    return Ok(count);
+                }
+                // It is no member, but padding that begins like one.
+                Err(error) if self.later && !self.begun && error.kind() != io::ErrorKind::Interrupted => {
+                    self.decoder = None;
+                    continue;
+                }
+                Err(error) => return Err(error),
+            }
+            let Some(mut source) = self.decoder.take().map(GzDecoder::into_inner) else { break };
+            if source.fill_buf()?.first() == Some(&0x1f) {
+                self.decoder = Some(GzDecoder::new(source));
+                (self.later, self.begun) = (true, false);
+            }
+        }
+        Ok(0)
     }
 }
 

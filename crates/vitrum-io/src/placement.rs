@@ -3,11 +3,13 @@
 use glam::DVec3;
 
 use crate::error::Error;
+use crate::options::OpenOptions;
 use crate::orientation::Orientation;
 use crate::samples::SampleType;
 use crate::setting::Setting;
-use crate::source::Assumption;
-use crate::volume::Volume;
+use crate::source::{Assumption, Assumptions};
+use crate::tolerance;
+use crate::volume::{IDENTITY, Volume};
 use crate::voxels::Voxels;
 
 /// The assumption about formats and files that do not say how the grid lies in the world.
@@ -51,6 +53,46 @@ impl Placement {
         }
         let origin = origin.map(narrow_origin).transpose()?;
         Ok(Self { spacing: lengths.map(|length| length as f32), axes: unit.map(narrow), origin, orientation })
+    }
+
+    /// As [`Self::from_columns`], mended by the rule of [`tolerance`]: an origin that is not finite is dropped; one column without a
+    /// length takes the direction across the other two; and where the user says what is up, columns that do not span space are
+    /// replaced by the world's.
+    pub fn mended(
+        mut columns: [[f64; 3]; 3],
+        origin: Option<[f64; 3]>,
+        orientation: Orientation,
+        options: &OpenOptions,
+        assumptions: &mut Assumptions,
+    ) -> Result<Self, String> {
+        let origin = tolerance::origin(origin, assumptions);
+        let has_length = |column: &[f64; 3]| {
+            let length = DVec3::from(*column).length() as f32;
+            length > 0.0 && length.is_finite()
+        };
+        let bad: Vec<usize> = (0..3).filter(|&axis| !has_length(&columns[axis])).collect();
+        if let [axis] = bad[..] {
+            let other = |step: usize| DVec3::from(columns[(axis + step) % 3]).normalize();
+            let across = other(1).cross(other(2)).normalize_or_zero();
+            let fact = format!(
+                "the direction {} of axis {} is none: it was taken to stand across the others, with the spacing 1",
+                vector(columns[axis]),
+                ["x", "y", "z"][axis]
+            );
+            columns[axis] = across.to_array();
+            assumptions.push(Assumption::replaceable(fact, Setting::Spacing, ""));
+        }
+        match Self::from_columns(columns, origin, orientation) {
+            Err(problem) if options.up.is_some() => {
+                assumptions.push(format!("{problem}: the world's were taken instead, as what is up was given"));
+                let length = |axis: usize| {
+                    if has_length(&columns[axis]) { DVec3::from(columns[axis]).length() } else { 1.0 }
+                };
+                let columns = [0, 1, 2].map(|axis| IDENTITY[axis].map(|unit| f64::from(unit) * length(axis)));
+                Self::from_columns(columns, origin, Orientation::World)
+            }
+            other => other,
+        }
     }
 
     /// A sentence for [`crate::Source::assumptions`] where the axes are not at right angles.
@@ -114,12 +156,24 @@ fn vector([x, y, z]: [f64; 3]) -> String {
 
 /// Millimetres per unit of length, where the name is known.
 pub(crate) fn millimetres(unit: &str) -> Option<f64> {
-    match unit {
-        "m" | "meter" | "meters" => Some(1e3),
+    match unit.trim() {
+        // By symbol: capitals tell them apart.
+        "m" => Some(1e3),
         "cm" => Some(1e1),
-        "mm" | "millimeter" | "millimeters" => Some(1.0),
-        "um" | "µm" | "μm" | "micron" | "microns" | "micrometer" | "micrometers" => Some(1e-3),
+        "mm" => Some(1.0),
+        "um" | "µm" | "μm" | "\\u00B5m" | "\\u00b5m" => Some(1e-3),
         "nm" => Some(1e-6),
-        _ => None,
+        "pm" => Some(1e-9),
+        "Å" | "\u{212b}" => Some(1e-7),
+        other => match other.to_lowercase().trim_end_matches('s') {
+            "meter" | "metre" => Some(1e3),
+            "cm" | "centimeter" | "centimetre" => Some(1e1),
+            "mm" | "millimeter" | "millimetre" => Some(1.0),
+            "um" | "µm" | "μm" | "micron" | "micrometer" | "micrometre" => Some(1e-3),
+            "nm" | "nanometer" | "nanometre" => Some(1e-6),
+            "angstrom" => Some(1e-7),
+            "in" | "inch" | "inche" => Some(25.4),
+            _ => None,
+        },
     }
 }

@@ -12,6 +12,7 @@ use crate::reader::VolumeReader;
 use crate::samples::{Endian, SampleType, VoxelBuffer};
 use crate::source::{Assumptions, Source};
 use crate::stream;
+use crate::tolerance;
 use crate::volume::Volume;
 
 /// The reader of `.raw` and `.bin` files.
@@ -38,9 +39,7 @@ impl VolumeReader for Raw {
             None => of_name(input, &mut assumptions)?,
         };
         let RawLayout { dimensions, sample, endian, skip } = layout;
-        if options.spacing.is_none() {
-            assumptions.push("the file says no spacing: 1 was taken along each axis".to_owned());
-        }
+        tolerance::note_unspaced(options, &mut assumptions);
         if endian.is_none() && sample.size() > 1 {
             assumptions.push("no byte order is said: little-endian was taken".to_owned());
         }
@@ -66,7 +65,7 @@ impl VolumeReader for Raw {
         let encoding = sample.coding(packing.name(), endian);
         let source =
             Source { format: self.format().name, sample_type: sample.name().to_owned(), encoding, assumptions };
-        Ok(Volume { source, ..volume })
+        Ok(volume.with_source(source))
     }
 }
 

@@ -11,6 +11,8 @@ pub enum Setting {
     Array,
     /// [`OpenOptions::time`](crate::OpenOptions::time): the point in time of several.
     Time,
+    /// [`OpenOptions::spacing`](crate::OpenOptions::spacing): the distances of voxels.
+    Spacing,
     /// [`OpenOptions::up`](crate::OpenOptions::up): the direction that points up.
     Up,
 }

@@ -87,10 +87,12 @@ pub(crate) fn fill(
 /// gives up soon behind: a stream may inflate to a thousand times its size.
 pub(crate) fn refuse_surplus(report: Report, reader: &mut dyn Read, expected: u64) -> Result<(), Error> {
     const SLACK: usize = 64 * 1024;
-    let (surplus, outcome) = read_up_to(reader, &mut vec![0; SLACK]);
+    let mut behind = vec![0; SLACK];
+    let (surplus, outcome) = read_up_to(reader, &mut behind);
     let found = expected + surplus as u64;
     outcome.map_err(|error| damaged(report, found, expected, error))?;
-    if surplus > 0 {
+    // Zeros pad a stream.
+    if behind[..surplus].iter().any(|&byte| byte != 0) {
         let more = if surplus == SLACK { "at least " } else { "" };
         return Err(report.invalid(
             Place::File,

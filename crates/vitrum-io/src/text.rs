@@ -4,6 +4,7 @@ use std::io::{self, BufRead, Take};
 
 use crate::error::{Error, Place, Report, clip};
 use crate::samples::VoxelBuffer;
+use crate::tolerance::BYTE_ORDER_MARK;
 
 /// A header's lines without their ends, LF or CRLF.
 pub(crate) struct Lines<'a, R> {
@@ -38,6 +39,9 @@ impl<'a, R: BufRead> Lines<'a, R> {
             if bytes.last() == Some(&b'\r') {
                 bytes.pop();
             }
+        }
+        if self.number == 1 && bytes.starts_with(BYTE_ORDER_MARK) {
+            bytes.drain(..BYTE_ORDER_MARK.len());
         }
         // Comments are in any encoding; everything that matters is ASCII.
         Ok((count > 0).then(|| String::from_utf8_lossy(&bytes).into_owned()))

@@ -4,7 +4,7 @@ use crate::common_range::common_extremes;
 use crate::error::{Error, Place, Report};
 use crate::orientation::Orientation;
 use crate::samples::SampleType;
-use crate::source::Source;
+use crate::source::{Assumptions, Source};
 use crate::voxels::Voxels;
 
 /// A scalar field on a regular grid, placed in the world.
@@ -37,12 +37,13 @@ pub struct Volume {
 
 impl Volume {
     /// A volume centred on the world's origin with its axes along the world's, whose physical
-    /// values are the stored ones.
+    /// values are the stored ones. NaN is nothing: it takes the least finite value, as which presets show nothing; infinities take
+    /// the ends of the finite range. Both are told among the assumptions.
     ///
     /// # Errors
     ///
     /// [`Error::Invalid`] where the voxels are not as many as `dimensions` says, or none; where a
-    /// spacing is not finite and above 0, or an extent above 1e18; where a voxel is NaN or infinite.
+    /// spacing is not finite and above 0, or an extent above 1e18; where no voxel is finite.
     pub fn new(
         name: impl Into<String>,
         dimensions: [u32; 3],
@@ -54,7 +55,7 @@ impl Volume {
         check_count(report, dimensions, &voxels)?;
         check_spacing(report, spacing)?;
         check_extent(report, dimensions, spacing)?;
-        check_finite(report, dimensions, &voxels)?;
+        let (voxels, assumptions) = finite(report, voxels)?;
         // `check_count` refuses an empty volume, so the extremes are always there.
         let range = voxels.extremes().unwrap_or_default();
         let origin = std::array::from_fn(|axis| -0.5 * (dimensions[axis] - 1) as f32 * spacing[axis]);
@@ -68,7 +69,7 @@ impl Volume {
             axes: IDENTITY,
             orientation: Orientation::World,
             range,
-            source: Source::default(),
+            source: Source { assumptions, ..Source::default() },
             name,
         })
     }
@@ -129,6 +130,13 @@ impl Volume {
         }
         self.spacing = spacing;
         Ok(self)
+    }
+
+    /// The volume with the origin that its reader found; what was told of the volume before stays told.
+    pub(crate) fn with_source(mut self, source: Source) -> Self {
+        let told = std::mem::replace(&mut self.source, source).assumptions;
+        self.source.assumptions.extend(told);
+        self
     }
 
     /// Number of voxels.
@@ -255,19 +263,38 @@ fn check_extent(report: Report, dimensions: [u32; 3], spacing: [f32; 3]) -> Resu
     Ok(())
 }
 
-fn check_finite(report: Report, dimensions: [u32; 3], voxels: &Voxels) -> Result<(), Error> {
-    let Voxels::F32(voxels) = voxels else {
-        return Ok(());
-    };
-    let count = voxels.iter().filter(|voxel| !voxel.is_finite()).count();
-    let Some(first) = voxels.iter().position(|voxel| !voxel.is_finite()) else {
-        return Ok(());
-    };
-    let [width, height, _] = dimensions.map(|size| size as usize);
-    let index = [first % width, first / width % height, first / (width * height)];
-    Err(report.invalid(
-        Place::Voxel(index.map(|index| index as u32)),
-        format!("{count} of {} voxels are NaN, infinite or beyond float32; this is the first", voxels.len()),
-        "replace them by a finite value, such as the background's",
-    ))
+/// The voxels with finite values alone, and what was told of others. Fails where none is finite.
+fn finite(report: Report, mut voxels: Voxels) -> Result<(Voxels, Assumptions), Error> {
+    let mut assumptions = Assumptions::default();
+    let Voxels::F32(floats) = &mut voxels else { return Ok((voxels, assumptions)) };
+    if floats.iter().all(|voxel| voxel.is_finite()) {
+        return Ok((voxels, assumptions));
+    }
+    let ends = [f32::INFINITY, f32::NEG_INFINITY];
+    let is_finite = floats.iter().filter(|voxel| voxel.is_finite());
+    let [low, high] = is_finite.fold(ends, |[low, high], &voxel| [low.min(voxel), high.max(voxel)]);
+    let count = floats.len();
+    if low > high {
+        return Err(report.invalid(
+            Place::File,
+            format!("all of the {count} voxels are NaN, infinite or beyond float32"),
+            "write finite values where something was measured",
+        ));
+    }
+    let (mut nothing, mut infinite) = (0_u64, 0_u64);
+    for voxel in floats.make_mut().iter_mut().filter(|voxel| !voxel.is_finite()) {
+        let counter = if voxel.is_nan() { &mut nothing } else { &mut infinite };
+        *counter += 1;
+        *voxel = if *voxel == f32::INFINITY { high } else { low };
+    }
+    if nothing > 0 {
+        let fact = format!("{nothing} of {count} voxels are NaN, which is nothing: they were given the least value");
+        assumptions.push(fact);
+    }
+    if infinite > 0 {
+        assumptions.push(format!(
+            "{infinite} of {count} voxels are infinite or beyond float32: they were given the ends of the finite range"
+        ));
+    }
+    Ok((voxels, assumptions))
 }

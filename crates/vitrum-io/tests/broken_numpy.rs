@@ -44,7 +44,6 @@ fn broken_files() {
         (shaped("(4, 3)"), "the array has 2 dimensions, and a scalar volume has 3, or 4 with time; save"),
         (shaped("(12,)"), "the array has 1 dimensions"),
         (shaped("()"), "the array has 0 dimensions"),
-        (shaped("(1, 1, 2, 2, 3)"), "the array has 5 dimensions"),
         (shaped("(2, 0, 3)"), "the shape [2, 0, 3] has the size 0, not one from 1"),
         (shaped("(2, 99999999999, 3)"), "has the size 99999999999"),
         (shaped("(2, -2, 3)"), "is not a dictionary"),
@@ -64,7 +63,7 @@ fn broken_files() {
         (npy("", &DATA), "the samples are ``"),
         (npy("|u2", &[DATA, DATA].concat()), "`|u2` names no byte order; use < for little-endian"),
         (npy("=u2", &[DATA, DATA].concat()), "`=u2` names no byte order"),
-        (npy("<f8", &nan), "voxel (0, 0, 0): 12 of 12 voxels are NaN, infinite"),
+        (npy("<f8", &nan), "all of the 12 voxels are NaN, infinite"),
         (b"PK\x03\x04".to_vec(), "byte 0: this does not start with `\\x93NUMPY`"),
         (b"".to_vec(), "byte 0: this does not start with"),
     ];

@@ -14,7 +14,6 @@ fn broken_stacks() {
     let both =
         |change: &dyn Fn(Page) -> Page| tiff(true, &[change(Page::bytes(&[1; 6])), change(Page::bytes(&[2; 6]))]);
     let text = |text: &'static str| both(&|page| page.set(270, Value::Text(text)));
-    let alone = |text| tiff(false, &[Page::bytes(&[1; 6]).set(270, Value::Text(text))]);
     let packed = |data: &[u8]| {
         let page = Page::bytes(data).set(259, Value::Short(8));
         tiff(false, &[page.clone(), page])
@@ -33,7 +32,6 @@ fn broken_stacks() {
             (stack_u8(|page| page.without(279)), "page 2 is damaged"),
             (changed(256, Value::Long(0)), "page 2 is damaged"),
             (changed(257, Value::Long(1)), "page 2 is 3 x 1 uint8, and the first 3 x 2 uint8"),
-            (changed(262, Value::Short(0)), "page 2 is 3 x 2 uint8 with white as 0, and the first 3 x 2 uint8"),
             (changed(339, Value::Short(2)), "page 2 is 3 x 2 int8, and the first 3 x 2 uint8"),
             (changed(273, Value::Long(5000)), "page 2 is damaged"),
             (changed(262, Value::Short(2)), "page 2"),
@@ -50,13 +48,12 @@ fn broken_stacks() {
             (both(&|page| page.set(254, Value::Long(1))), "all pages are thumbnails"),
             (packed(&zlib(&[1; 5])), "page 1 is damaged"),
             (packed(&[0xff; 30]), "page 1 is damaged"),
-            (tiff(false, &vec![Page::new(32, 3, &f32::NAN.to_le_bytes().repeat(6)); 2]), "voxel (0, 0, 0): 12 of 12"),
+            (tiff(false, &vec![Page::new(32, 3, &f32::NAN.to_le_bytes().repeat(6)); 2]), "all of the 12 voxels"),
             (
                 text("ImageJ=1\nchannels=3\n"),
                 "the pages are 3 channels of 1 slices at 1 points in time, as ImageJ says, and 2 are",
             ),
             (text("ImageJ=1\nslices=2\nframes=3\n"), "1 channels of 2 slices at 3 points in time"),
-            (alone("ImageJ=1\nimages=9\n"), "ImageJ wrote 9 images behind one page"),
             (text("ImageJ=1\nunit=mm\nspacing=1e30\n"), "the volume is 2e30 long"),
         ],
     );
@@ -98,7 +95,7 @@ fn broken_raw_files() {
         ("a_3x2x1_u8.raw", plain(), "take 6 bytes, and 12 are there"),
         ("a_3x2x2_u8.raw", vec![], "take 12 bytes, and 0 are there"),
         ("a_4294967295x4294967295x4294967295_u8.raw", plain(), "more than any file holds"),
-        ("a_3x2x2_f32.raw", vec![0xff; 48], "voxel (0, 0, 0): 12 of 12 voxels are NaN"),
+        ("a_3x2x2_f32.raw", vec![0xff; 48], "all of the 12 voxels are NaN"),
         ("a_3x2x3_u8.raw.gz", gzip(&[1; 12]), "the header promises 18 bytes of data, 12 were found"),
         ("a_3x2x1_u8.raw.gz", gzip(&[1; 12]), "the header promises 6 bytes of data, 12 were found"),
         ("a_999x999x999_u8.raw.gz", gzip(&[1; 12]), "compressed bytes can hold"),

@@ -28,8 +28,6 @@ fn broken_nrrd_files() {
     let mut damaged = gzip(&DATA);
     let end = damaged.len() - 6;
     damaged[end] ^= 0xff;
-    let nan = [1.0_f32, 1.0, 1.0, 1.0, f32::NAN, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, f32::INFINITY];
-    let nan: Vec<u8> = nan.iter().flat_map(|value| value.to_le_bytes()).collect();
     let huge: Vec<u8> = [1e300_f64; 12].iter().flat_map(|value| value.to_le_bytes()).collect();
     let cases: Vec<(Vec<u8>, &str)> = vec![
         (changed("NRRD0004", "NRRD0009"), "line 1: NRRD version `0009` is not one of 0001 to 0005"),
@@ -49,29 +47,17 @@ fn broken_nrrd_files() {
         (changed("encoding: raw", "encoding: rar"), "line 5: `rar` is not an encoding"),
         (changed("uint8", "int16"), "the header has no `endian`, which int16 samples in raw need"),
         (with("endian: middle\n"), "line 6: `endian: middle` is neither little nor big"),
-        (with("type: uint8\n"), "line 6: `type` was given in line 2 already"),
-        (with("spacings: 1 0 1\n"), "line 6: the spacing along y is 0, not a finite number above 0"),
-        (with("spacings: 1 1 -2\n"), "the spacing along z is -2"),
-        (with("spacings: nan 1 1\n"), "the spacing along x is NaN"),
+        (with("type: int8\n"), "line 6: `type` was given in line 2 already"),
         (with("spacings: 1 1\n"), "line 6: `1 1` is not 3 numbers"),
-        (with("space: middle-earth\n"), "line 6: `middle-earth` is not a space"),
-        (with("space: right-anterior-superior-time\n"), "is a space with time"),
         (with("space dimension: 2\n"), "a space of 2 dimensions, not 3"),
         (with("space directions: (1,0,0) (0,1,0) (1,1,0)\n"), "do not span space"),
-        (with("space directions: (1,0,0) (0,nan,0) (0,0,1)\n"), "do not span space"),
         (with("space directions: (1,0) (0,1) (0,0)\n"), "is not 3 vector(s) of 3 numbers"),
         (with("space directions: none (0,1,0) (0,0,1)\n"), "`none` is an axis without extent in space"),
-        (
-            with("space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (inf,0,0)\n"),
-            "the origin (inf, 0.0, 0.0) is not finite",
-        ),
-        (with("space origin: (1e300,0,0)\n"), "line 6: the origin (1e300, 0.0, 0.0) is not finite in float32"),
         (with("spacings: 1 1 1e38\n"), "the volume is 2e38 long, and 1e18 is the most"),
         (with("kinds: RGB-color domain domain\n"), "`rgb-color` is an axis without extent in space"),
         (with("byte skip: 5\n"), "promises 12 bytes of data from here, 7 are there"),
         (with("byte skip: -2\n"), "line 6: `byte skip: -2` with raw encoding"),
         (with("line skip: 9\n"), "the header skips 9 lines of data, 1 are there"),
-        (attached(&nrrd("uint8", "gzip", "byte skip: -1\n"), &gzip(&DATA)), "`byte skip: -1` with gzip encoding"),
         (attached(&nrrd("uint8", "gzip", "byte skip: 20\n"), &gzip(&DATA)), "skips 20 bytes of data, 12 are there"),
         (encoded("gzip", &DATA), "the data is damaged after 0 of 12 bytes"),
         (encoded("gzip", &gzip(&DATA[..11])), "the header promises 12 bytes of data, 11 were found"),
@@ -85,10 +71,9 @@ fn broken_nrrd_files() {
         (encoded("text", b"1 2 3 4 5 6 7 8 9 10 11 12 13"), "`13` follows the 12 numbers"),
         (encoded("text", b"1 2 3 256 5 6 7 8 9 10 11 12"), "number 4 of the data, `256`, is not a uint8"),
         (encoded("text", b"1 2 3 four 5 6 7 8 9 10 11 12"), "number 4 of the data, `four`, is not a uint8"),
-        (attached(&nrrd("float", "raw", "endian: little\n"), &nan), "voxel (1, 1, 0): 2 of 12 voxels are NaN"),
         (
             attached(&nrrd("double", "raw", "endian: little\n"), &huge),
-            "voxel (0, 0, 0): 12 of 12 voxels are NaN, infinite or beyond float32",
+            "all of the 12 voxels are NaN, infinite or beyond float32",
         ),
         (
             b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 1 1 1\nencoding: raw\n".to_vec(),
@@ -186,21 +171,12 @@ fn broken_nifti_files() {
         (nifti_u8(|header| header.i16(70, 128)), "byte 70: the samples are colours"),
         (nifti_u8(|header| header.i16(70, 32)), "byte 70: the samples are complex numbers"),
         (nifti_u8(|header| header.i16(70, 77)), "byte 70: the samples are of the unknown type 77"),
-        (nifti_u8(|header| header.f32(80, 0.0)), "the spacing along x is 0"),
-        (nifti_u8(|header| header.f32(84, -1.0)), "the spacing along y is -1"),
-        (nifti_u8(|header| header.f32(88, f32::NAN)), "the spacing along z is NaN"),
         (nifti_u8(|header| header.f32(108, 100.0)), "byte 108: vox_offset is 100"),
         (nifti_u8(|header| header.f32(108, f32::INFINITY)), "byte 108: vox_offset is inf"),
         (
             nifti_u8(|header| header.f32(108, 1e9)),
             "byte 1000000000: the header promises 12 bytes of data from here, 0 are there",
         ),
-        (nifti_u8(|header| header.put(123, &[6])), "byte 123: xyzt_units has 6 for space"),
-        (
-            nifti_u8(|header| header.i16(252, 1).f32(256, 2.0)),
-            "byte 256: the quaternion [2.0, 0.0, 0.0] is no rotation",
-        ),
-        (sheared.with(&DATA), "do not span space"),
         (nifti_u8(|header| header.f32(112, f32::INFINITY)), "byte 112: scl_slope is inf and scl_inter 0"),
         (gzip(&nifti_u8(|header| header))[..40].to_vec(), "this does not start with a NIfTI header"),
     ];
@@ -224,6 +200,6 @@ fn files_of_no_known_kind() {
 
 #[test]
 fn places_are_there_for_programs_too() {
-    let error = Folder::new().open("a.nrrd", with("spacings: 0 1 1\n")).unwrap_err();
+    let error = Folder::new().open("a.nrrd", with("spacings: 1 1\n")).unwrap_err();
     assert!(matches!(error, Error::Invalid { place: Place::Line(6), .. }));
 }

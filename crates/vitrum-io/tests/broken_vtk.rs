@@ -78,10 +78,7 @@ fn broken_images() {
             (extent("0 2 0 1 0 2"), "the header promises 18 numbers"),
             (extent("0 999 0 999 0 999"), "promises 1000000000 numbers from here, and"),
             (extent("0 2 0 1 0 0"), "`7` follows the 6 numbers that the header promises"),
-            (changed("\"1 2 3\"", "\"1 0 3\""), "line 3: the spacing along y is 0, not a finite number above 0"),
             (changed("\"1 2 3\"", "\"1 2\""), "line 3: `Spacing` of `ImageData` is `1 2`, not 3 numbers"),
-            (changed("\"5 6 7\"", "\"5 6 inf\""), "the origin (5.0, 6.0, inf) is not finite"),
-            (changed("Origin", "Direction=\"1 0 0 1 0 0 0 0 1\" Origin"), "line 3: the axis directions"),
             (changed("LittleEndian", "Middle"), "line 2: `byte_order` is `Middle`, neither"),
             (changed(LITTLE, "header_type=\"UInt16\""), "line 2: `header_type` is `UInt16`, neither"),
             (changed("UInt8", "String"), "line 6: the type `String` is not a number's"),
@@ -185,9 +182,7 @@ fn broken_legacy_files() {
                 changed("2\nORIGIN 5 6 7\nSPACING 1 2 3\nPOINT_DATA 12", "2000\nPOINT_DATA 12000"),
                 "12000 numbers from here",
             ),
-            (changed("SPACING 1 2 3", "SPACING 1 0 3"), "line 7: the spacing along y is 0"),
             (changed("SPACING 1 2 3", "SPACING 1 2 x"), "line 7: `SPACING 1 2 x` is not a keyword and 3 number(s)"),
-            (changed("ORIGIN 5 6 7", "ORIGIN nan 6 7"), "line 6: the origin (NaN, 6.0, 7.0) is not finite"),
             (changed("SCALARS", "VECTORS"), "line 9: `density` has 3 components a voxel, not 1"),
             (
                 changed("SCALARS", "FIELD data 1\nSCALARS"),
@@ -203,7 +198,7 @@ fn broken_legacy_files() {
             (changed(" 11 12", "      "), "the header promises 12 numbers, 10 were found"),
             (changed(" 11 12", " 11 12 13"), "`13` follows the 12 numbers that the header promises"),
             (vtk("BINARY", "short", &[1; 23]), "the header promises 24 bytes of data from here, 23 are there"),
-            (vtk("BINARY", "float", &[0xff; 48]), "voxel (0, 0, 0): 12 of 12 voxels are NaN"),
+            (vtk("BINARY", "float", &[0xff; 48]), "all of the 12 voxels are NaN"),
         ],
     );
 }

@@ -82,7 +82,10 @@ fn data_in_other_files_is_refused_by_name_even_where_they_are_there() {
     refused("a.nhdr", nrrd("uint8", "raw", "data file: data.raw\n").as_bytes());
     refused("a.mhd", metaimage("MET_UCHAR", "", "data.raw").as_bytes());
     refused("a.hdr", &NiftiHeader::new(2, 1, false).pair().bytes);
-    let gltf = r#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":12,"uri":"data.raw"}]}"#;
+    let gltf = r#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":12,"uri":"data.raw"}],
+        "bufferViews":[{"buffer":0,"byteLength":12}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"VEC3"}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]}"#;
     let error = open_mesh_bytes(&folder.shown("a.gltf"), gltf.as_bytes(), &OpenOptions::default()).unwrap_err();
     assert!(error.to_string().contains("`data.raw`") && error.to_string().contains(ALONE), "{error}");
     folder.write("a.mtl", "newmtl a\nKd 1 0 0\n");

@@ -134,7 +134,7 @@ fn a_file_that_says_nothing_is_centred() {
     assert_eq!(volume.spacing, [1.0; 3]);
     assert_eq!(volume.axes, [[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]);
     assert!(near(volume.origin, [1.0, 0.5, -0.5]));
-    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("no spacings")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("no spacing")));
     assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("no TransformMatrix")));
 }
 

@@ -143,7 +143,7 @@ fn a_file_that_says_nothing_is_centred() {
     assert_eq!(volume.origin, [-1.0, -0.5, -0.5]);
     assert_eq!(volume.axes, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
     assert_eq!(volume.extent(), [3.0, 2.0, 2.0]);
-    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("no spacings")));
+    assert!(volume.source.assumptions.iter().any(|note| note.fact.contains("no spacing")));
 }
 
 #[test]

@@ -193,7 +193,7 @@ fn what_a_format_does_not_have_cannot_be_picked() {
     let folder = Folder::new();
     let path = folder.write("a.mha", attached(&metaimage("MET_UCHAR", "", "LOCAL"), &DATA));
     assert!(refused(&path, |options| options.array = Some("a".to_owned())).contains("has no arrays with names"));
-    assert!(refused(&path, |options| options.time = Some(1)).contains("only one is read of the format MetaImage"));
+    assert!(refused(&path, |options| options.time = Some(1)).contains("the file has 1"));
     assert!(read(&path, |options| options.time = Some(0)).is_ok());
 }
 

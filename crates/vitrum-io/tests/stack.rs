@@ -66,9 +66,10 @@ fn spacing_comes_from_description_and_resolution() {
     assert_eq!(spacing(plain.clone()), [1.0; 3]);
     assert_eq!(spacing(imagej("ImageJ=1.51n\nimages=2\nslices=2\nunit=mm\nspacing=8.8\n")), [0.5, 0.25, 8.8]);
     assert_eq!(spacing(imagej("ImageJ=1.51n\nunit=cm\nspacing=-2\n")), [5.0, 2.5, 20.0]);
-    assert_eq!(spacing(imagej("ImageJ=1.51n\nunit=\\u00B5m\nspacing=none\n")), [0.0005, 0.00025, 1.0]);
+    assert_eq!(spacing(imagej("ImageJ=1.51n\nunit=\\u00B5m\nspacing=none\n")), [0.0005, 0.00025, 0.001]);
     assert_eq!(spacing(plain.clone().set(270, Value::Text("ImageJ=1\nspacing=3"))), [1.0, 1.0, 3.0]);
-    assert_eq!(spacing(resolution(plain.clone(), 2, 3)), [5.0, 2.5, 1.0]);
+    // Between slices as between pixels, where nothing says it.
+    assert_eq!(spacing(resolution(plain.clone(), 2, 3)), [5.0, 2.5, 5.0]);
     // For printers: only that pixels are twice as long along y.
     assert_eq!(spacing(resolution(plain.clone(), 8, 2)), [1.0, 2.0, 1.0]);
     assert_eq!(spacing(resolution(plain.clone(), 4, 1)), [1.0; 3]);
@@ -79,8 +80,9 @@ fn spacing_comes_from_description_and_resolution() {
 fn white_as_zero_and_thumbnails() {
     let pages = [Page::bytes(&[0, 1, 2, 3, 4, 255]).set(262, Value::Short(0))];
     let volume = open(tiff(true, &pages));
-    assert_eq!(values(&volume), [255.0, 254.0, 253.0, 252.0, 251.0, 0.0]);
-    assert!(notes(&volume).contains("inverted"));
+    // A table of colours changes no value.
+    assert_eq!(values(&volume), [0.0, 1.0, 2.0, 3.0, 4.0, 255.0]);
+    assert!(notes(&volume).contains("0 is meant to be white"));
     let small = Page::bytes(&[9]).set(256, Value::Long(1)).set(257, Value::Long(1)).set(254, Value::Long(1));
     let volume = open(tiff(true, &[Page::bytes(&[1; 6]), small, Page::bytes(&[2; 6])]));
     assert_eq!(volume.dimensions, [3, 2, 2]);

@@ -3,10 +3,22 @@
 use dicom_object::{InMemDicomObject, Tag};
 
 pub(super) const FRAME_OFFSETS: Tag = Tag(0x3004, 0x000c);
+pub(super) const INSTANCE: Tag = Tag(0x0008, 0x0018);
+pub(super) const ACQUISITION_TIME: Tag = Tag(0x0008, 0x0032);
+pub(super) const CONTENT_TIME: Tag = Tag(0x0008, 0x0033);
 pub(super) const MODALITY: Tag = Tag(0x0008, 0x0060);
 pub(super) const SERIES_DESCRIPTION: Tag = Tag(0x0008, 0x103e);
 pub(super) const SLICE_THICKNESS: Tag = Tag(0x0018, 0x0050);
 pub(super) const SPACING_BETWEEN_SLICES: Tag = Tag(0x0018, 0x0088);
+pub(super) const ECHO_TIME: Tag = Tag(0x0018, 0x0081);
+pub(super) const TRIGGER_TIME: Tag = Tag(0x0018, 0x1060);
+pub(super) const IMAGER_PIXEL_SPACING: Tag = Tag(0x0018, 0x1164);
+pub(super) const ACQUISITION_NUMBER: Tag = Tag(0x0020, 0x0012);
+pub(super) const INSTANCE_NUMBER: Tag = Tag(0x0020, 0x0013);
+pub(super) const TEMPORAL_POSITION: Tag = Tag(0x0020, 0x0100);
+pub(super) const FRAME_CONTENT: Tag = Tag(0x0020, 0x9111);
+pub(super) const TEMPORAL_POSITION_INDEX: Tag = Tag(0x0020, 0x9128);
+pub(super) const DETECTORS: Tag = Tag(0x0054, 0x0022);
 pub(super) const SERIES: Tag = Tag(0x0020, 0x000e);
 pub(super) const POSITION: Tag = Tag(0x0020, 0x0032);
 pub(super) const ORIENTATION: Tag = Tag(0x0020, 0x0037);
@@ -30,6 +42,8 @@ pub(super) const PIXEL_MEASURES: Tag = Tag(0x0028, 0x9110);
 pub(super) const TRANSFORMATIONS: Tag = Tag(0x0028, 0x9145);
 pub(super) const SHARED_GROUPS: Tag = Tag(0x5200, 0x9229);
 pub(super) const FRAME_GROUPS: Tag = Tag(0x5200, 0x9230);
+pub(super) const FLOAT_PIXEL_DATA: Tag = Tag(0x7fe0, 0x0008);
+pub(super) const DOUBLE_PIXEL_DATA: Tag = Tag(0x7fe0, 0x0009);
 pub(super) const PIXEL_DATA: Tag = Tag(0x7fe0, 0x0010);
 
 /// A text without the padding around it.

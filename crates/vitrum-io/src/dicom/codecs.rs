@@ -6,12 +6,32 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use hayro_jpeg2000::{DecodeSettings, DecoderContext, Image};
 use jpeg_decoder::Decoder;
 
+/// Why a picture is not decoded.
+#[derive(Debug)]
+pub(super) enum Problem {
+    /// It is damaged, or contradicts the file's header.
+    Damaged(String),
+    /// It may well be whole, but is of a kind that no decoder here reads.
+    Unknown(String),
+}
+
+impl From<String> for Problem {
+    fn from(problem: String) -> Self {
+        Self::Damaged(problem)
+    }
+}
+
 /// Rows and columns, as the file's header says.
 pub(super) type Size = [u32; 2];
 
 /// The pixels of a JPEG picture, with or without loss, each in `bytes` bytes, little-endian; else the problem.
-pub(super) fn jpeg(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, String> {
+pub(super) fn jpeg(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, Problem> {
     check_frame(packed, size, bytes)?;
+    if let Some([precision @ 9..=12, ..]) = frame(packed)
+        && !is_lossless(packed)
+    {
+        return Err(Problem::Unknown(format!("its samples have {precision} bits, and lossy JPEG is read with 8")));
+    }
     // The decoder is not ours: should it panic on a damaged picture, the picture is at fault and not the program.
     let decode = || Decoder::new(packed).decode().map_err(|error| error.to_string());
     let mut pixels = catch_unwind(decode).map_err(|_| "it cannot be decoded".to_owned())??;
@@ -39,8 +59,18 @@ fn check_frame(packed: &[u8], [rows, columns]: Size, bytes: usize) -> Result<(),
     Ok(())
 }
 
+/// Whether a JPEG picture was written without loss.
+fn is_lossless(packed: &[u8]) -> bool {
+    start_of_frame(packed).is_some_and(|(marker, _)| matches!(marker, 0xc3 | 0xc7 | 0xcb | 0xcf))
+}
+
 /// Bits of a sample, rows, columns and components, where these bytes start a JPEG or JPEG-LS picture.
 fn frame(bytes: &[u8]) -> Option<[u32; 4]> {
+    start_of_frame(bytes).map(|(_, frame)| frame)
+}
+
+/// The marker of the start of frame, and what it says.
+fn start_of_frame(bytes: &[u8]) -> Option<(u8, [u32; 4])> {
     let mut rest = bytes.strip_prefix(&[0xff, 0xd8])?;
     loop {
         let [0xff, marker, high, low, after @ ..] = rest else { return None };
@@ -51,7 +81,7 @@ fn frame(bytes: &[u8]) -> Option<[u32; 4]> {
             // A start of frame; the others of its row are tables.
             0xc0..=0xcf | 0xf7 if !matches!(marker, 0xc4 | 0xc8 | 0xcc) => {
                 let word = |at: usize| Some(byte(at)? << 8 | byte(at + 1)?);
-                return Some([byte(0)?, word(1)?, word(3)?, byte(5)?]);
+                return Some((*marker, [byte(0)?, word(1)?, word(3)?, byte(5)?]));
             }
             _ => rest = after.get(usize::from(u16::from_be_bytes([*high, *low])).checked_sub(2)?..)?,
         }
@@ -59,7 +89,7 @@ fn frame(bytes: &[u8]) -> Option<[u32; 4]> {
 }
 
 /// The pixels of a JPEG-LS picture, each in `bytes` bytes, little-endian; else the problem.
-pub(super) fn jpeg_ls(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, String> {
+pub(super) fn jpeg_ls(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, Problem> {
     check_frame(packed, size, bytes)?;
     let [rows, columns] = size;
     // The decoder is not ours: should it panic on a damaged picture, the picture is at fault and not the program.
@@ -70,7 +100,7 @@ pub(super) fn jpeg_ls(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>
 }
 
 /// The pixels of a JPEG 2000 picture, which may have signs, each in `bytes` bytes, little-endian; else the problem.
-pub(super) fn jpeg_2000(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, String> {
+pub(super) fn jpeg_2000(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, Problem> {
     let Codestream { precision, signed } = Codestream::check(packed, size)?;
     // A damaged codestream is an error; its pixels are not guessed.
     let settings = DecodeSettings { resolve_palette_indices: false, strict: true, target_resolution: None };

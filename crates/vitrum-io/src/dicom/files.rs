@@ -1,6 +1,6 @@
 //! The files of a volume: the files of one DICOM series.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use super::header::Header;
@@ -37,7 +37,9 @@ impl Series {
             return Ok(Self { files: vec![opened] });
         }
         let folder = input.path().parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
-        let Images { mut files, mut refused, .. } = images_in(report, folder)?;
+        let images = images_in(report, folder)?;
+        images.note_broken(assumptions);
+        let Images { mut files, mut refused, .. } = images;
         files.retain(|file| file.series == opened.series);
         if let Some(index) = refused.iter().position(|(series, _)| *series == opened.series) {
             return Err(refused.swap_remove(index).1);
@@ -45,12 +47,13 @@ impl Series {
         if files.len() > 1 {
             assumptions.push(format!("the {} files beside it of the same series were read, too", files.len() - 1));
         }
-        Ok(Self { files: if files.is_empty() { vec![opened] } else { files } })
+        Ok(Self { files: if files.is_empty() { vec![opened] } else { single(files, assumptions) } })
     }
 
     /// The series of a folder that is meant: in it the largest, below it the only one.
     fn choose(report: Report, folder: &Path, images: Images, assumptions: &mut Assumptions) -> Result<Self, Error> {
-        let Images { files, mut refused, below } = images;
+        images.note_broken(assumptions);
+        let Images { files, mut broken, mut refused, below } = images;
         let mut groups = grouped(files);
         let slices = |group: &[File]| group.iter().map(|file| file.frames.len()).sum::<usize>();
         groups.sort_by_key(|group| std::cmp::Reverse(slices(group)));
@@ -71,6 +74,7 @@ impl Series {
         };
         let advice = "name a file of the one that is wanted instead of the folder";
         match &groups[..] {
+            [] if refused.is_empty() && !broken.is_empty() => return Err(broken.swap_remove(0)),
             [] if refused.is_empty() => {
                 return Err(report.unsupported(
                     Place::File,
@@ -99,14 +103,31 @@ impl Series {
             _ => {}
         }
         let chosen = groups.swap_remove(0);
-        // A slice of it that is not read would be missing.
+        // A slice of it that is of a kind that is not read would be missing.
         if let Some(index) = refused.iter().position(|(series, _)| *series == chosen[0].series) {
             return Err(refused.swap_remove(index).1);
         }
         if let Some((_, error)) = refused.first() {
             assumptions.push(format!("{} files of other series were left out, such as {error}", refused.len()));
         }
-        Ok(Self { files: chosen })
+        Ok(Self { files: single(chosen, assumptions) })
+    }
+
+    /// Leaves out the few files that are of another size or type than most, such as scouts.
+    pub fn leave_out_unlike(&mut self, assumptions: &mut Assumptions) {
+        let mut kinds: HashMap<String, usize> = HashMap::new();
+        for file in &self.files {
+            *kinds.entry(file.kind()).or_default() += 1;
+        }
+        let Some((usual, count)) = kinds.into_iter().max_by_key(|(_, count)| *count) else { return };
+        let all = self.files.len();
+        if count == all || 2 * count <= all {
+            return;
+        }
+        let unlike = self.files.iter().find(|file| file.kind() != usual).map(File::short_name).unwrap_or_default();
+        self.files.retain(|file| file.kind() == usual);
+        let fact = format!("left out: {} files of another size or type than the others, such as {unlike}", all - count);
+        assumptions.push(fact);
     }
 
     /// The first file, once all others are of its size and type.
@@ -148,8 +169,8 @@ impl Series {
             file.frames.iter().enumerate().map(move |(index, frame)| (file, [number, index], frame))
         });
         let slice = |(file, index, frame): (_, _, &Frame)| {
-            let Frame { position, orientation, rescale } = *frame;
-            Slice { file, index, position, orientation, rescale }
+            let Frame { position, orientation, rescale, times } = *frame;
+            Slice { file, index, position, orientation, rescale, times }
         };
         frames.map(slice).collect()
     }
@@ -168,4 +189,16 @@ fn grouped(files: Vec<File>) -> Vec<Vec<File>> {
         groups[number].push(file);
     }
     groups
+}
+
+/// The files without those whose image is there already, by its identifier.
+fn single(mut files: Vec<File>, assumptions: &mut Assumptions) -> Vec<File> {
+    let before = files.len();
+    let mut seen = HashSet::new();
+    files.retain(|file| file.instance.is_empty() || seen.insert(file.instance.clone()));
+    if files.len() < before {
+        let count = before - files.len();
+        assumptions.push(format!("left out: {count} files whose image is in another one, too, by its instance UID"));
+    }
+    files
 }

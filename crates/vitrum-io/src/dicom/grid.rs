@@ -7,10 +7,12 @@ use super::distances::{check_distances, check_line, uneven};
 use super::image::{Slice, normal};
 use crate::error::{Error, Place, Report};
 use crate::memory;
+use crate::options::OpenOptions;
 use crate::orientation::Orientation;
 use crate::placement::{Placement, unoriented};
+use crate::setting::Setting;
 use crate::shared::Shared;
-use crate::source::Assumptions;
+use crate::source::{Assumption, Assumptions};
 use crate::voxels::Voxels;
 
 /// A grid of slices in the world.
@@ -23,16 +25,33 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    pub fn new(report: Report, slices: &[Slice], assumptions: &mut Assumptions) -> Result<Self, Error> {
+    pub fn new(
+        report: Report,
+        slices: &[Slice],
+        options: &OpenOptions,
+        assumptions: &mut Assumptions,
+    ) -> Result<Self, Error> {
         let first = &slices[0];
         if slices.iter().any(|slice| slice.file.inverted) {
             assumptions.push("the smallest value is meant to be white: values were kept as they are".to_owned());
         }
         let spacing = first.file.spacing.unwrap_or_else(|| {
-            assumptions.push("the files say no distance of pixels: 1 was taken".to_owned());
+            if options.spacing.is_none() {
+                let fact = "the files say no distance of pixels: 1 was taken";
+                assumptions.push(Assumption::replaceable(fact, Setting::Spacing, ""));
+            }
             [1.0; 2]
         });
-        if let Some(other) = slices.iter().find(|slice| slice.file.spacing != first.file.spacing) {
+        if slices.iter().any(|slice| slice.file.palette) {
+            let fact = "values are indices of a palette of colours: they were kept as numbers, without their colours";
+            assumptions.push(fact.to_owned());
+        }
+        // Written with a few digits, equal distances differ in the last.
+        let differs = |slice: &&Slice| {
+            let other = slice.file.spacing.unwrap_or([1.0; 2]);
+            other.iter().zip(&spacing).any(|(a, b)| (a - b).abs() > 1e-3 * b)
+        };
+        if let Some(other) = slices.iter().find(differs).filter(|_| options.spacing.is_none()) {
             return Err(Report::new(&other.file.name).invalid(
                 Place::File,
                 format!("the pixels lie at other distances than those of {}", first.file.short_name()),
@@ -41,7 +60,10 @@ impl Grid {
         }
         let along_z = |assumptions: &mut Assumptions| {
             first.file.step.unwrap_or_else(|| {
-                assumptions.push("the files say no distance of slices: 1 was taken".to_owned());
+                if options.spacing.is_none() {
+                    let fact = "the files say no distance of slices: 1 was taken";
+                    assumptions.push(Assumption::replaceable(fact, Setting::Spacing, ""));
+                }
                 1.0
             })
         };
@@ -141,8 +163,9 @@ fn orientation(slices: &[Slice]) -> Result<[f64; 6], Error> {
     let first = &slices[0];
     let six = first.orientation.unwrap_or_default();
     let [row, column] = [DVec3::new(six[0], six[1], six[2]), DVec3::new(six[3], six[4], six[5])];
-    let unit = |vector: DVec3| (vector.length_squared() - 1.0).abs() < 0.01;
-    if !(unit(row) && unit(column) && row.dot(column).abs() < 0.01) {
+    // Directions with two digits are off by about as much.
+    let unit = |vector: DVec3| (vector.length_squared() - 1.0).abs() < 0.03;
+    if !(unit(row) && unit(column) && row.dot(column).abs() < 0.02) {
         return Err(Report::new(&first.file.name).invalid(
             Place::File,
             format!("Image Orientation (Patient) {six:?} is not two directions of length 1 at right angles"),
@@ -159,7 +182,8 @@ fn orientation(slices: &[Slice]) -> Result<[f64; 6], Error> {
             "leave out the slices that do not lie behind one another, such as scouts",
         ));
     }
-    Ok(six)
+    let [row, column] = [row, column].map(|vector| vector.normalize().to_array());
+    Ok([row[0], row[1], row[2], column[0], column[1], column[2]])
 }
 
 /// The order of the slices along `normal`, their positions, and how far each lies along it.

@@ -2,11 +2,13 @@
 
 use std::path::Path;
 
-use dicom_object::{InMemDicomObject, OpenFileOptions};
+use dicom_object::InMemDicomObject;
 
 use super::attributes::{self, items, numbers, text, vector, whole};
-use super::image::{File, Frame, Pixels, normal};
-use super::{lengths, padding};
+use super::envelope::Envelope;
+use super::image::{File, Frame, Pixels, TIMES, normal};
+use super::padding;
+use super::syntax::BIG_ENDIAN;
 use crate::error::{Error, Place, Report, clip};
 use crate::samples::SampleType;
 use crate::storage::Storage;
@@ -27,17 +29,11 @@ impl File {
     /// Reads the header of the file whose bytes lie in `storage`; `path` is its path, or the name that its bytes were given under.
     pub fn read(storage: &Storage, path: &Path, name: &str, length: u64) -> Result<Header, Error> {
         let report = Report::new(name);
-        let open = || storage.open().map_err(|error| report.unreadable(error));
-        lengths::check(open()?, length).map_err(|(byte, problem)| {
-            report.invalid(Place::Byte(byte), problem, "get the whole file, or write it anew")
-        })?;
-        let object = OpenFileOptions::new()
-            .read_until(attributes::PIXEL_DATA)
-            .from_reader(open()?)
-            .map_err(|error| damaged(report, &error))?;
+        let envelope = Envelope::open(storage, length, report)?;
+        let object = envelope.object(report, false)?;
         let series = text(&object, attributes::SERIES).unwrap_or_default();
-        let syntax = text_of(object.meta().transfer_syntax());
-        match Self::of(&object, path, name, length, syntax) {
+        let place = Origin { path, name, length };
+        match Self::of(&object, &place, &envelope) {
             Ok(Some(file)) => Ok(Header::Image(Box::new(file))),
             Ok(None) => Ok(Header::Other),
             Err(error @ Error::Unsupported { .. }) => Ok(Header::Refused { series, error }),
@@ -46,13 +42,8 @@ impl File {
     }
 
     /// The header of an image; `None` for an object without an image.
-    fn of(
-        object: &InMemDicomObject,
-        path: &Path,
-        name: &str,
-        length: u64,
-        syntax: String,
-    ) -> Result<Option<Self>, Error> {
+    fn of(object: &InMemDicomObject, origin: &Origin, envelope: &Envelope) -> Result<Option<Self>, Error> {
+        let Origin { path, name, length } = *origin;
         let report = Report::new(name);
         let (Some(rows), Some(columns)) = (whole(object, attributes::ROWS), whole(object, attributes::COLUMNS)) else {
             return Ok(None);
@@ -60,31 +51,44 @@ impl File {
         if rows == 0 || columns == 0 {
             return Err(report.invalid(Place::File, "the image has no rows or no columns", "get the whole file"));
         }
-        let inverted = check_gray(object, report)?;
-        let pixels = pixels(object, report)?;
+        let Some((tag, kind)) = envelope.found.pixels else {
+            return Err(report.invalid(Place::File, "there are no pixels behind the header", "get the whole file"));
+        };
+        let (inverted, palette) = check_gray(object, report)?;
+        let pixels = match tag {
+            attributes::FLOAT_PIXEL_DATA => Pixels { sample: SampleType::F32, stored: 32, low_bit: 0 },
+            attributes::DOUBLE_PIXEL_DATA => Pixels { sample: SampleType::F64, stored: 64, low_bit: 0 },
+            _ => pixels(object, report)?,
+        };
         let frames = frames(object, report, length)?;
         let shared = items(object, attributes::SHARED_GROUPS).first();
         let groups = [shared, items(object, attributes::FRAME_GROUPS).first()];
         let measures = groups.into_iter().flatten().find_map(|group| items(group, attributes::PIXEL_MEASURES).first());
         let places = || [Some(object), measures].into_iter().flatten();
         let positive = |value: &f64| *value > 0.0;
-        let spacing = places().find_map(|place| vector::<2>(place, attributes::PIXEL_SPACING));
+        let spacing = [attributes::PIXEL_SPACING, attributes::IMAGER_PIXEL_SPACING]
+            .into_iter()
+            .find_map(|tag| places().find_map(|place| vector::<2>(place, tag)).filter(|two| two.iter().all(positive)));
         let between = places().find_map(|place| numbers(place, attributes::SPACING_BETWEEN_SLICES));
         let thickness = places().find_map(|place| numbers(place, attributes::SLICE_THICKNESS));
-        let step = between.or(thickness).map(|numbers| numbers[0].abs()).filter(positive);
+        let step = [between, thickness].into_iter().flatten().map(|numbers| numbers[0].abs()).find(positive);
         let said = [attributes::MODALITY, attributes::SERIES_DESCRIPTION].map(|tag| text(object, tag));
         Ok(Some(Self {
             path: path.to_owned(),
             length,
             series: text(object, attributes::SERIES).unwrap_or_default(),
             description: clip(&said.into_iter().flatten().collect::<Vec<_>>().join(", ")),
-            syntax,
+            instance: text(object, attributes::INSTANCE).unwrap_or_default(),
+            syntax: envelope.stated.clone(),
+            swapped: envelope.syntax == BIG_ENDIAN && kind == *b"OW" && pixels.sample.size() == 4,
+            data: tag,
+            palette,
             columns,
             rows,
             pixels,
             padding: padding::of(object, pixels),
             inverted,
-            spacing: spacing.filter(|spacing| spacing.iter().all(positive)),
+            spacing,
             step,
             frames,
             name: name.to_owned(),
@@ -92,8 +96,11 @@ impl File {
     }
 }
 
-fn text_of(identifier: &str) -> String {
-    identifier.trim_end_matches(['\0', ' ']).to_owned()
+/// Where a file comes from.
+struct Origin<'a> {
+    path: &'a Path,
+    name: &'a str,
+    length: u64,
 }
 
 pub(super) fn damaged(report: Report, error: &dyn std::error::Error) -> Error {
@@ -110,12 +117,14 @@ pub(super) fn damaged(report: Report, error: &dyn std::error::Error) -> Error {
     )
 }
 
-/// Whether white is the smallest value; an error where the image is in colours.
-fn check_gray(object: &InMemDicomObject, report: Report) -> Result<bool, Error> {
+/// Whether white is the smallest value, and whether values stand for colours; an error where the image itself is in colours.
+fn check_gray(object: &InMemDicomObject, report: Report) -> Result<(bool, bool), Error> {
     let samples = whole(object, attributes::SAMPLES_PER_PIXEL).unwrap_or(1);
     let kind = text(object, attributes::PHOTOMETRIC).unwrap_or_else(|| "MONOCHROME2".to_owned());
     match kind.as_str() {
-        "MONOCHROME1" | "MONOCHROME2" if samples == 1 => Ok(kind == "MONOCHROME1"),
+        "MONOCHROME1" | "MONOCHROME2" | "PALETTE COLOR" if samples == 1 => {
+            Ok((kind == "MONOCHROME1", kind == "PALETTE COLOR"))
+        }
         kind => Err(report.unsupported(
             Place::File,
             format!("the image is in colours ({}, {samples} sample(s) a pixel), not in gray", clip(kind)),
@@ -167,8 +176,11 @@ fn frames(object: &InMemDicomObject, report: Report, length: u64) -> Result<Vec<
     let shared = items(object, attributes::SHARED_GROUPS).first();
     let groups = items(object, attributes::FRAME_GROUPS);
     let offsets = numbers(object, attributes::FRAME_OFFSETS).filter(|offsets| offsets.len() == count as usize);
+    let detector = items(object, attributes::DETECTORS).first();
+    // Nuclear medicine says where the first frame lies, and how far and to which side the others.
+    let step = detector.and_then(|_| numbers(object, attributes::SPACING_BETWEEN_SLICES)).map(|numbers| numbers[0]);
     let frames = (0..count as usize).map(|index| {
-        let places = [groups.get(index), shared, Some(object)];
+        let places = [groups.get(index), shared, Some(object), detector];
         let places = || places.into_iter().flatten();
         // In a group, an attribute lies in a sequence of one item; at the top, by itself.
         let within = |sequence, tag| {
@@ -186,6 +198,11 @@ fn frames(object: &InMemDicomObject, report: Report, length: u64) -> Result<Vec<
                 let normal = normal(orientation);
                 Some([0, 1, 2].map(|axis| position[axis] + offset * normal[axis]))
             }
+            (Some(position), None, Some(orientation)) if step.is_some() && groups.is_empty() => {
+                let normal = normal(orientation);
+                let along = index as f64 * step.unwrap_or_default();
+                Some([0, 1, 2].map(|axis| position[axis] + along * normal[axis]))
+            }
             // One position for many frames is that of none of them but the first.
             (position, ..) if count == 1 || groups.len() == count as usize => position,
             _ => None,
@@ -194,7 +211,23 @@ fn frames(object: &InMemDicomObject, report: Report, length: u64) -> Result<Vec<
             within(attributes::TRANSFORMATIONS, tag).and_then(|numbers| numbers.first().copied()).unwrap_or(absent)
         };
         let rescale = [number(attributes::SLOPE, 1.0), number(attributes::INTERCEPT, 0.0)];
-        Frame { position, orientation, rescale }
+        let index_in_time = within(attributes::FRAME_CONTENT, attributes::TEMPORAL_POSITION_INDEX);
+        let times = TIMES.map(|(tag, _)| match tag {
+            attributes::TEMPORAL_POSITION => {
+                let position = index_in_time.as_ref().and_then(|numbers| numbers.first().copied());
+                position.or_else(|| numbers(object, tag).map(|numbers| numbers[0]))
+            }
+            attributes::ACQUISITION_TIME | attributes::CONTENT_TIME => seconds(&text(object, tag)?),
+            tag => numbers(object, tag).map(|numbers| numbers[0]),
+        });
+        Frame { position, orientation, rescale, times }
     });
     Ok(frames.collect())
+}
+
+/// Seconds since midnight of a time such as `131501.25`.
+fn seconds(time: &str) -> Option<f64> {
+    let part = |range: std::ops::Range<usize>| time.get(range)?.parse::<f64>().ok();
+    let rest = time.get(4..).filter(|rest| !rest.is_empty()).map_or(Some(0.0), |rest| rest.parse().ok());
+    Some(3600.0 * part(0..2)? + 60.0 * part(2..4)? + rest?)
 }

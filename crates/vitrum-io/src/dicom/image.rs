@@ -2,8 +2,10 @@
 
 use std::path::PathBuf;
 
+use dicom_object::Tag;
 use glam::DVec3;
 
+use super::attributes;
 use crate::input::file_name;
 use crate::samples::SampleType;
 
@@ -34,7 +36,20 @@ pub(super) struct Frame {
     pub orientation: Option<[f64; 6]>,
     /// Slope and intercept.
     pub rescale: [f64; 2],
+    /// The attributes that may tell points in time apart, as in [`TIMES`].
+    pub times: [Option<f64>; TIMES.len()],
 }
+
+/// Attributes that tell points in time apart, those that say so first, and their names for people.
+pub(super) const TIMES: [(Tag, &str); 7] = [
+    (attributes::TEMPORAL_POSITION, "temporal positions"),
+    (attributes::TRIGGER_TIME, "trigger times"),
+    (attributes::ECHO_TIME, "echo times"),
+    (attributes::ACQUISITION_NUMBER, "acquisition numbers"),
+    (attributes::ACQUISITION_TIME, "acquisition times"),
+    (attributes::CONTENT_TIME, "content times"),
+    (attributes::INSTANCE_NUMBER, "instance numbers"),
+];
 
 /// A file of one or more frames, all of one size and type.
 #[derive(Debug)]
@@ -45,6 +60,8 @@ pub(super) struct File {
     /// Size of the file in bytes.
     pub length: u64,
     pub series: String,
+    /// The identifier of the image itself; may be empty.
+    pub instance: String,
     /// Description for people, such as `MR, T1 sagittal`.
     pub description: String,
     pub syntax: String,
@@ -53,6 +70,12 @@ pub(super) struct File {
     pub pixels: Pixels,
     pub padding: Option<Padding>,
     pub inverted: bool,
+    /// Whether values are indices of colours.
+    pub palette: bool,
+    /// The element of the pixels.
+    pub data: Tag,
+    /// Whether pixels of 32 bits come as words of 16, the upper one first.
+    pub swapped: bool,
     /// Distance between rows and between columns, in mm.
     pub spacing: Option<[f64; 2]>,
     /// Distance between slices in mm, for files without positions.
@@ -69,12 +92,20 @@ pub(super) struct Slice<'a> {
     pub position: Option<[f64; 3]>,
     pub orientation: Option<[f64; 6]>,
     pub rescale: [f64; 2],
+    /// As [`Frame::times`].
+    pub times: [Option<f64>; TIMES.len()],
 }
 
 impl File {
     /// Name without the folder, for messages about another file of the same series.
     pub fn short_name(&self) -> String {
         file_name(&self.path)
+    }
+
+    /// All that slices of a volume share.
+    pub fn kind(&self) -> String {
+        let Pixels { stored, low_bit, .. } = self.pixels;
+        format!("{} {stored} {low_bit} {}", self.describe(), self.data)
     }
 
     /// Size and type of a frame, such as `256 x 256 int16`.

@@ -7,7 +7,8 @@ use std::io::{self, Read, Seek};
 use dicom_core::dictionary::{DataDictionary, DataDictionaryEntry};
 use dicom_object::{StandardDataDictionary, Tag};
 
-use super::attributes::PIXEL_DATA;
+use super::attributes::{DOUBLE_PIXEL_DATA, FLOAT_PIXEL_DATA, PIXEL_DATA};
+use super::syntax::{BIG_ENDIAN, IMPLICIT};
 use crate::storage::ByteReader;
 
 /// Sequences that lie deeper are no image's.
@@ -58,28 +59,30 @@ struct Coding {
     big: bool,
 }
 
-/// Walks through all elements of a file of so many bytes; the problem, and the byte where it is.
-pub(super) fn check(file: ByteReader, length: u64) -> Result<(), (u64, String)> {
-    let mut walk = Walk { file, position: 0, syntax: String::new(), first_group_end: None };
-    let start = 132;
-    let outcome = walk.seek(start).and_then(|()| {
-        let meta = Coding { explicit: true, big: false };
-        walk.elements(length, meta, 0, Within::Meta)?;
-        // The library goes by what the group says, the walk by its elements.
-        if walk.first_group_end.is_some_and(|end| end != walk.position) {
-            return Err(Problem("the first group does not have the length that it says to have".to_owned()));
-        }
-        let coding = Coding { explicit: walk.syntax != "1.2.840.10008.1.2", big: walk.syntax == "1.2.840.10008.1.2.2" };
-        walk.elements(length, coding, 0, Within::Length)
-    });
-    outcome.map_err(|problem| (walk.position, problem.0))
+/// The elements of pixels in a data set.
+#[derive(Debug, Default, Clone, Copy)]
+pub(super) struct Found {
+    /// Tag and kind of the first that holds pixels: of whole numbers, floats or doubles.
+    pub pixels: Option<(Tag, [u8; 2])>,
+}
+
+/// Whether two bytes name a kind of value.
+pub(super) fn is_kind(bytes: &[u8]) -> bool {
+    SHORT.iter().chain(&LONG).any(|kind| kind.as_slice() == bytes)
+}
+
+/// Walks through all elements from `start` to `end`; what it found, or the problem, and the byte where it is.
+pub(super) fn check(file: ByteReader, start: u64, end: u64, syntax: &str) -> Result<Found, (u64, String)> {
+    let mut walk = Walk { file, position: 0, found: Found::default() };
+    let coding = Coding { explicit: syntax != IMPLICIT, big: syntax == BIG_ENDIAN };
+    let outcome = walk.seek(start).and_then(|()| walk.elements(end, coding, 0, Within::Length));
+    outcome.map_err(|problem| (walk.position, problem.0))?;
+    Ok(walk.found)
 }
 
 /// End of a row of elements.
 #[derive(Clone, Copy, PartialEq)]
 enum Within {
-    /// The first element of another group.
-    Meta,
     /// The length of the items.
     Length,
     /// A delimiter.
@@ -98,10 +101,7 @@ impl From<io::Error> for Problem {
 struct Walk<'a> {
     file: ByteReader<'a>,
     position: u64,
-    /// The transfer syntax, once it was found.
-    syntax: String,
-    /// End of the first group, as it says.
-    first_group_end: Option<u64>,
+    found: Found,
 }
 
 impl Walk<'_> {
@@ -112,11 +112,7 @@ impl Walk<'_> {
         }
         // Less than a tag and a length is padding.
         while self.position + 8 <= end {
-            let before = self.position;
             let tag = self.tag(coding.big)?;
-            if within == Within::Meta && tag[0] != 2 {
-                return self.seek(before);
-            }
             if [ITEM_END, SEQUENCE_END].contains(&tag) {
                 self.word(coding.big)?;
                 if within == Within::Item && tag == ITEM_END {
@@ -128,7 +124,11 @@ impl Walk<'_> {
                 return Err(Problem(format!("({:04x},{:04x}) stands in place of an element", tag[0], tag[1])));
             }
             let (vr, length) = self.head(coding, tag)?;
-            let pixels = tag == [PIXEL_DATA.0, PIXEL_DATA.1];
+            let of_pixels = [PIXEL_DATA, FLOAT_PIXEL_DATA, DOUBLE_PIXEL_DATA];
+            let pixels = of_pixels.contains(&Tag(tag[0], tag[1]));
+            if pixels && depth == 0 && self.found.pixels.is_none() {
+                self.found.pixels = Some((Tag(tag[0], tag[1]), vr));
+            }
             // Items of an unknown value representation are written in implicit VR inside.
             let inside = if vr == *b"UN" { Coding { explicit: false, big: false } } else { coding };
             if length == UNDEFINED {
@@ -141,13 +141,7 @@ impl Walk<'_> {
                 let (kind, unit) = (vr.escape_ascii(), unit(vr));
                 return Err(Problem(format!("the `{kind}` here has {length} bytes, which are no numbers of {unit}")));
             }
-            if tag == [2, 0] && length == 4 {
-                self.first_group_end = Some(last + u64::from(self.word(coding.big)?));
-            } else if tag == [2, 0x10] {
-                let mut text = vec![0; length as usize];
-                self.file.read_exact(&mut text)?;
-                self.syntax = String::from_utf8_lossy(&text).trim_end_matches(['\0', ' ']).to_owned();
-            } else if !pixels && (vr == *b"SQ" || self.starts_an_item(coding, last)?) {
+            if !pixels && (vr == *b"SQ" || self.starts_an_item(coding, last)?) {
                 self.items(last, inside, depth, false, false)?;
             }
             self.seek(last)?;

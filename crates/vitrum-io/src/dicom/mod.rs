@@ -5,6 +5,7 @@
 mod attributes;
 mod codecs;
 mod distances;
+mod envelope;
 mod files;
 mod grid;
 mod header;
@@ -15,6 +16,7 @@ mod pixels;
 mod rle;
 mod search;
 mod syntax;
+mod times;
 
 use std::path::Path;
 
@@ -26,7 +28,7 @@ use crate::folder::has_tiff;
 use crate::formats::{self, Format};
 use crate::input::Input;
 use crate::memory;
-use crate::options::OpenOptions;
+use crate::options::{OpenOptions, Part};
 use crate::reader::VolumeReader;
 use crate::samples::{Endian, SampleType, VoxelBuffer};
 use crate::source::{Assumptions, Source};
@@ -47,13 +49,18 @@ impl VolumeReader for Dicom {
         search::is_dicom(&input.head) || input.folder().is_some_and(holds)
     }
 
+    fn parts(&self) -> &'static [Part] {
+        &[Part::Time]
+    }
+
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
         let mut assumptions = Assumptions::default();
-        let series = Series::find(input, &mut assumptions)?;
+        let mut series = Series::find(input, &mut assumptions)?;
+        series.leave_out_unlike(&mut assumptions);
         let first = series.check_alike()?;
-        let slices: Vec<Slice> = series.slices();
-        let grid = Grid::new(report, &slices, &mut assumptions)?;
+        let slices: Vec<Slice> = times::choose(report, series.slices(), options, &mut assumptions)?;
+        let grid = Grid::new(report, &slices, options, &mut assumptions)?;
         let uniform = slices.iter().all(|slice| slice.rescale == slices[0].rescale);
         let sample = if uniform { first.pixels.sample } else { SampleType::F32 };
         if !uniform {
@@ -90,7 +97,6 @@ impl VolumeReader for Dicom {
         }
         let stored = first.pixels.sample.name().to_owned();
         let encoding = syntax::name(&first.syntax);
-        volume.source = Source { format: self.format().name, sample_type: stored, encoding, assumptions };
-        Ok(volume)
+        Ok(volume.with_source(Source { format: self.format().name, sample_type: stored, encoding, assumptions }))
     }
 }

@@ -2,9 +2,11 @@
 
 use std::borrow::Cow;
 
-use dicom_object::{DefaultDicomObject, OpenFileOptions};
+use dicom_object::DefaultDicomObject;
 
 use super::attributes;
+use super::codecs::Problem;
+use super::envelope::Envelope;
 use super::files::Series;
 use super::header::damaged;
 use super::image::{File, Pixels, Slice};
@@ -59,10 +61,9 @@ impl Opened {
         // Only a file at a path has others beside it.
         let at_path = input.is_at_path() || input.is_folder();
         let storage = if at_path { Storage::Disk(Cow::Borrowed(&file.path)) } else { input.storage() };
-        let bytes = storage.open().map_err(|error| report.unreadable(error))?;
-        let object = OpenFileOptions::new().from_reader(bytes).map_err(|error| damaged(report, &error))?;
+        let object = Envelope::open(&storage, file.length, report)?.object(report, true)?;
         let missing = || report.invalid(Place::File, "there are no pixels behind the header", "get the whole file");
-        let data = object.get(attributes::PIXEL_DATA).ok_or_else(missing)?;
+        let data = object.get(file.data).ok_or_else(missing)?;
         let compression = syntax::compression(report, &file.syntax)?;
         let plain = if compression != Compression::None {
             None
@@ -71,6 +72,9 @@ impl Opened {
             // Words come in the machine's order, bytes in that of the file, which then is its own.
             if cfg!(target_endian = "big") && data.vr().to_string() == "OW" {
                 bytes.chunks_exact_mut(2).for_each(<[u8]>::reverse);
+            }
+            if file.swapped {
+                bytes.chunks_exact_mut(4).for_each(|pixel| pixel.rotate_left(2));
             }
             Some(bytes)
         };
@@ -84,11 +88,19 @@ impl Opened {
         let found = match &self.plain {
             Some(bytes) => bytes.get(frame * size..).unwrap_or_default().iter().copied().take(size).collect(),
             None => self.unpack(file, frame).map_err(|problem| {
-                report.invalid(
-                    Place::File,
-                    format!("the {} of frame {} is damaged: {problem}", syntax::name(&file.syntax), frame + 1),
-                    "get the whole file, or write it anew",
-                )
+                let name = syntax::name(&file.syntax);
+                match problem {
+                    Problem::Damaged(problem) => report.invalid(
+                        Place::File,
+                        format!("the {name} of frame {} is damaged: {problem}", frame + 1),
+                        "get the whole file, or write it anew",
+                    ),
+                    Problem::Unknown(problem) => report.unsupported(
+                        Place::File,
+                        format!("the {name} of frame {} cannot be decoded here: {problem}", frame + 1),
+                        "convert the files, for example by `gdcmconv --raw IN OUT`",
+                    ),
+                }
             })?,
         };
         if found.len() < size {
@@ -131,14 +143,14 @@ impl Opened {
     }
 
     /// The decoded pixels of a compressed frame, or the problem.
-    fn unpack(&self, file: &File, frame: usize) -> Result<Vec<u8>, String> {
+    fn unpack(&self, file: &File, frame: usize) -> Result<Vec<u8>, Problem> {
         let packed = self.fragments(file, frame);
         let (size, bytes) = ([file.rows, file.columns], file.pixels.sample.size());
         match self.compression {
             Compression::Jpeg => codecs::jpeg(&packed, size, bytes),
             Compression::JpegLs => codecs::jpeg_ls(&packed, size, bytes),
             Compression::Jpeg2000 => codecs::jpeg_2000(&packed, size, bytes),
-            _ => rle::decode(&packed, file.rows as usize * file.columns as usize, bytes),
+            _ => Ok(rle::decode(&packed, file.rows as usize * file.columns as usize, bytes)?),
         }
     }
 }
@@ -147,7 +159,7 @@ impl Opened {
 fn straighten(bytes: &mut [u8], pixels: Pixels) {
     let size = pixels.sample.size();
     let width = 8 * size as u32;
-    if pixels.stored == width {
+    if pixels.stored == width || size > 4 {
         return;
     }
     let signed = pixels.sample.value_offset() != 0.0 || pixels.sample == crate::samples::SampleType::I32;
@@ -167,7 +179,15 @@ fn values(bytes: &[u8], slice: &Slice) -> Vec<u8> {
     use crate::samples::SampleType;
     let sample = slice.file.pixels.sample;
     let [slope, intercept] = slice.rescale;
+    let float = |pixel: &[u8]| match *pixel {
+        [a, b, c, d] => f32::from_le_bytes([a, b, c, d]).into(),
+        [a, b, c, d, e, f, g, h] => f64::from_le_bytes([a, b, c, d, e, f, g, h]),
+        _ => 0.0,
+    };
     let value = |pixel: &[u8]| {
+        if matches!(sample, SampleType::F32 | SampleType::F64) {
+            return ((slope * float(pixel) + intercept) as f32).to_le_bytes();
+        }
         let mut word = [0; 4];
         word[..pixel.len()].copy_from_slice(pixel);
         let unsigned = u32::from_le_bytes(word);

@@ -5,6 +5,7 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use super::envelope::begins_data_set;
 use super::header::Header;
 use super::image::File;
 use crate::error::{Error, Place, Report};
@@ -17,10 +18,10 @@ use crate::storage::Storage;
 const MOST_DEPTH: usize = 8;
 
 /// Position of the letters that every file has.
-const MAGIC: std::ops::Range<usize> = 128..132;
+pub(super) const MAGIC: std::ops::Range<usize> = 128..132;
 
 pub(super) fn is_dicom(head: &[u8]) -> bool {
-    head.get(MAGIC) == Some(b"DICM")
+    head.get(MAGIC) == Some(b"DICM") || begins_data_set(head)
 }
 
 /// Whether `path` is a folder with at least one DICOM file in it.
@@ -84,6 +85,8 @@ impl Iterator for Below {
 pub(super) struct Images {
     /// The image files, sorted by name.
     pub files: Vec<File>,
+    /// Errors of files that cannot be read.
+    pub broken: Vec<Error>,
     /// Images of kinds that are not read, with their series.
     pub refused: Vec<(String, Error)>,
     /// Whether they lie below the folder, and not in it.
@@ -98,7 +101,18 @@ pub(super) fn images(report: Report, folder: &Path, assumptions: &mut Assumption
     }
     let folders: Vec<PathBuf> = Below::of(folder).skip(1).collect();
     assumptions.clear();
-    Ok(Images { below: true, ..scan(report, &folders, assumptions)? })
+    let mut below = scan(report, &folders, assumptions)?;
+    below.broken.splice(0..0, direct.broken);
+    Ok(Images { below: true, ..below })
+}
+
+impl Images {
+    /// Tells of the files that cannot be read.
+    pub fn note_broken(&self, assumptions: &mut Assumptions) {
+        if let Some(first) = self.broken.first() {
+            assumptions.push(format!("left out: {} files that cannot be read, such as {first}", self.broken.len()));
+        }
+    }
 }
 
 /// The images in one folder.
@@ -126,14 +140,17 @@ fn scan(report: Report, folders: &[PathBuf], assumptions: &mut Assumptions) -> R
         }
     }
     paths.sort();
-    let mut images = Images { files: Vec::new(), refused: Vec::new(), below: false };
+    let mut images = Images { files: Vec::new(), broken: Vec::new(), refused: Vec::new(), below: false };
     for path in paths {
         let name = display_name(&path);
         let length = fs::metadata(&path).map_err(|error| Report::new(&name).unreadable(error))?.len();
-        match File::read(&Storage::Disk(Cow::Borrowed(&path)), &path, &name, length)? {
-            Header::Image(file) => images.files.push(*file),
-            Header::Refused { series, error } => images.refused.push((series, error)),
-            Header::Other => others += 1,
+        match File::read(&Storage::Disk(Cow::Borrowed(&path)), &path, &name, length) {
+            Ok(Header::Image(file)) => images.files.push(*file),
+            Ok(Header::Refused { series, error }) => images.refused.push((series, error)),
+            Ok(Header::Other) => others += 1,
+            // Memory is no fault of the file.
+            Err(error @ Error::TooLarge { .. }) => return Err(error),
+            Err(error) => images.broken.push(error),
         }
     }
     if others > 0 {

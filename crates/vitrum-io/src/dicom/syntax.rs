@@ -13,11 +13,21 @@ pub(super) enum Compression {
     Jpeg2000,
 }
 
+/// Implicit VR, little-endian.
+pub(super) const IMPLICIT: &str = "1.2.840.10008.1.2";
+/// Explicit VR, little-endian.
+pub(super) const EXPLICIT: &str = "1.2.840.10008.1.2.1";
+/// Explicit VR, big-endian.
+pub(super) const BIG_ENDIAN: &str = "1.2.840.10008.1.2.2";
+/// Explicit VR, little-endian, the data set deflated as a whole.
+pub(super) const DEFLATED: &str = "1.2.840.10008.1.2.1.99";
+
 /// Transfer syntaxes that are read: identifier, name, and compression of pixels.
-const READ: [(&str, &str, Compression); 12] = [
-    ("1.2.840.10008.1.2", "raw, little-endian", Compression::None),
-    ("1.2.840.10008.1.2.1", "raw, little-endian", Compression::None),
-    ("1.2.840.10008.1.2.2", "raw, big-endian", Compression::None),
+const READ: [(&str, &str, Compression); 13] = [
+    (IMPLICIT, "raw, little-endian", Compression::None),
+    (EXPLICIT, "raw, little-endian", Compression::None),
+    (BIG_ENDIAN, "raw, big-endian", Compression::None),
+    (DEFLATED, "deflate, little-endian", Compression::None),
     ("1.2.840.10008.1.2.4.50", "JPEG", Compression::Jpeg),
     ("1.2.840.10008.1.2.4.51", "JPEG, 12 bit", Compression::Jpeg),
     ("1.2.840.10008.1.2.4.57", "JPEG, lossless", Compression::Jpeg),
@@ -45,7 +55,6 @@ pub(super) fn compression(report: Report, identifier: &str) -> Result<Compressio
         return Ok(compression);
     }
     let known = match identifier.strip_prefix("1.2.840.10008.1.2.").unwrap_or_default() {
-        "1.99" => "deflate",
         "4.92" | "4.93" => "JPEG 2000 of several components",
         "4.110" | "4.111" | "4.112" => "JPEG XL",
         "4.201" | "4.202" | "4.203" => "High-Throughput JPEG 2000",

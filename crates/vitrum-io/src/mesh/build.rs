@@ -7,6 +7,7 @@ use crate::error::{Error, Place, Report};
 use crate::input::Input;
 use crate::options::OpenOptions;
 use crate::source::{Assumptions, Source};
+use crate::tolerance::{BYTE_ORDER_MARK, LeftOut};
 
 /// A mesh in the making.
 #[derive(Debug)]
@@ -23,6 +24,7 @@ pub(super) struct Builder<'a> {
     /// Empty, or as many as triangles.
     pub triangle_materials: Vec<u32>,
     pub assumptions: Assumptions,
+    pub left_out: LeftOut,
     /// Polygons that cross themselves.
     crossing: u64,
     pieces: Vec<[usize; 3]>,
@@ -40,6 +42,7 @@ impl<'a> Builder<'a> {
             materials: Vec::new(),
             triangle_materials: Vec::new(),
             assumptions: Assumptions::default(),
+            left_out: LeftOut::default(),
             crossing: 0,
             pieces: Vec::new(),
         }
@@ -49,7 +52,7 @@ impl<'a> Builder<'a> {
         self.budget.push(&mut self.triangles, corners)
     }
 
-    /// Adds a polygon, at least a triangle, whose corners are there already, as triangles.
+    /// Adds a polygon, whose corners are there already, as triangles; one of fewer than 3 corners is left out and counted.
     pub fn polygon(&mut self, place: Place, corners: &[u32]) -> Result<(), Error> {
         if let Some(missing) = corners.iter().find(|&&corner| corner as usize >= self.positions.len()) {
             return Err(self.report.invalid(
@@ -61,8 +64,8 @@ impl<'a> Builder<'a> {
         match *corners {
             [a, b, c] => return self.triangle([a, b, c]),
             [] | [_] | [_, _] => {
-                let problem = format!("a face of {} corner(s), and 3 are the fewest", corners.len());
-                return Err(self.report.invalid(place, problem, "take the face out, or correct it"));
+                self.left_out.add("faces of fewer than 3 corners");
+                return Ok(());
             }
             _ => {}
         }
@@ -98,6 +101,8 @@ impl<'a> Builder<'a> {
         if self.crossing > 0 {
             self.assumptions.push(format!("{} polygons cross themselves: their triangles overlap", self.crossing));
         }
+        self.leave_out_unused();
+        std::mem::take(&mut self.left_out).tell(&mut self.assumptions);
         let normals = self.unit_normals();
         let clamped = clamp_colors(&mut self.colors);
         if clamped > 0 {
@@ -117,26 +122,66 @@ impl<'a> Builder<'a> {
         Ok(mesh)
     }
 
-    /// Normals of length 1 or 0; none at all where one is not finite.
+    /// Leaves out vertices whose position is not finite and that no triangle has.
+    fn leave_out_unused(&mut self) {
+        let is_finite = |position: &[f32; 3]| position.iter().all(|coordinate| coordinate.is_finite());
+        if self.positions.iter().all(is_finite) {
+            return;
+        }
+        let mut kept: Vec<bool> = self.positions.iter().map(is_finite).collect();
+        for &vertex in self.triangles.iter().flatten() {
+            if let Some(kept) = kept.get_mut(vertex as usize) {
+                *kept = true;
+            }
+        }
+        let counted = kept.iter().scan(0, |next, &kept| {
+            let number = *next;
+            *next += u32::from(kept);
+            Some(number)
+        });
+        let numbers: Vec<u32> = counted.collect();
+        kept.iter().filter(|kept| !**kept).for_each(|_| {
+            self.left_out.add("vertices whose position is not finite and that no triangle has");
+        });
+        retain(&mut self.positions, &kept);
+        retain(&mut self.normals, &kept);
+        retain(&mut self.colors, &kept);
+        for vertex in self.triangles.iter_mut().flatten() {
+            // An index beyond the last is told by the check of the mesh.
+            *vertex = numbers.get(*vertex as usize).copied().unwrap_or(u32::MAX);
+        }
+    }
+
+    /// Normals of length 1, or 0 where a vertex has none that is finite.
     fn unit_normals(&mut self) -> Option<Vec<[f32; 3]>> {
         let mut normals = std::mem::take(&mut self.normals);
-        let broken = normals.iter().flatten().filter(|component| !component.is_finite()).count();
-        if broken > 0 {
-            self.assumptions.push(format!("{broken} components of normals are not finite: all normals were left out"));
-            return None;
-        }
+        let mut broken = 0;
         for normal in &mut normals {
-            *normal = unit(normal.map(f64::from));
+            let is_finite = normal.iter().all(|component| component.is_finite());
+            broken += usize::from(!is_finite);
+            *normal = if is_finite { unit(normal.map(f64::from)) } else { [0.0; 3] };
         }
-        (!normals.is_empty()).then_some(normals)
+        if broken > 0 {
+            self.assumptions.push(format!("left out: {broken} normals that are not finite"));
+        }
+        (broken < normals.len()).then_some(normals)
     }
+}
+
+/// Keeps the elements that are marked; an empty list stays empty.
+fn retain<T>(list: &mut Vec<T>, kept: &[bool]) {
+    let mut marks = kept.iter();
+    list.retain(|_| marks.next().copied().unwrap_or(true));
 }
 
 /// The file's bytes and an empty mesh: how every reader starts.
 pub(super) fn start<'a>(input: &'a Input, options: &OpenOptions) -> Result<(Vec<u8>, Builder<'a>), Error> {
     let report = Report::new(&input.name);
     let mut budget = Budget::new(report, options);
-    let bytes = content::read(input, &mut budget)?;
+    let mut bytes = content::read(input, &mut budget)?;
+    if bytes.starts_with(BYTE_ORDER_MARK) {
+        bytes.drain(..BYTE_ORDER_MARK.len());
+    }
     Ok((bytes, Builder::new(report, budget)))
 }
 

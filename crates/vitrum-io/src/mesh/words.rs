@@ -58,19 +58,15 @@ pub(super) fn show(word: &[u8]) -> String {
     clip(&String::from_utf8_lossy(&word[..word.len().min(400)]))
 }
 
-/// A finite float32.
-pub(super) fn number(report: Report, place: Place, word: &[u8]) -> Result<f32, Error> {
-    let parsed = std::str::from_utf8(word).ok().and_then(|word| word.parse::<f32>().ok());
-    parsed.filter(|value| value.is_finite()).ok_or_else(|| {
-        let problem = format!("`{}` is not a finite number within float32", show(word));
-        report.invalid(place, problem, "correct the number")
-    })
+/// A float32, which may be NaN where the word says so, or is infinite; `None` where it is no number.
+pub(super) fn any_number(word: &[u8]) -> Option<f32> {
+    std::str::from_utf8(word).ok()?.parse().ok()
 }
 
-/// A name, which has to be UTF-8.
-pub(super) fn name(report: Report, place: Place, bytes: &[u8]) -> Result<String, Error> {
-    std::str::from_utf8(bytes).map(str::to_owned).map_err(|_| {
-        let problem = format!("the name `{}` is not UTF-8", show(bytes));
-        report.invalid(place, problem, "save the file, and those it names, in UTF-8")
+/// A finite float32.
+pub(super) fn number(report: Report, place: Place, word: &[u8]) -> Result<f32, Error> {
+    any_number(word).filter(|value| value.is_finite()).ok_or_else(|| {
+        let problem = format!("`{}` is not a finite number within float32", show(word));
+        report.invalid(place, problem, "correct the number")
     })
 }

@@ -21,7 +21,8 @@ pub(super) fn locate<'a>(
         detached(header, description, input, report)?
     };
     if description.header_size == HeaderSize::FromEnd {
-        let bytes = description.data_bytes / files.len() as u64;
+        let times = if header.several_files() { 1 } else { description.times.count };
+        let bytes = description.data_bytes.saturating_mul(times) / files.len() as u64;
         files.iter_mut().for_each(|file| file.start = file.length.saturating_sub(bytes).max(file.start));
     }
     Ok(files)
@@ -33,7 +34,10 @@ fn detached<'a>(
     input: &Input,
     report: Report,
 ) -> Result<Vec<DataFile<'a>>, Error> {
-    let names = names(header, description, report)?;
+    let mut names = names(header, description, report)?;
+    if description.times.count > 1 && names.len() > 1 {
+        names = names.drain(..).skip(description.times.chosen as usize).take(1).collect();
+    }
     let skipped = match description.header_size {
         HeaderSize::Bytes(size) => size,
         HeaderSize::None | HeaderSize::FromEnd => 0,
@@ -84,7 +88,8 @@ fn pattern<'a>(text: &'a str, description: &Description) -> Option<NumberedNames
     let (&name, numbers) = words.split_first()?;
     let numbers = numbers.iter().map(|word| word.parse::<i32>().map(i64::from));
     let numbers = numbers.collect::<Result<Vec<_>, _>>().ok()?;
-    let slices = i64::from(description.dimensions[2]);
+    let times = description.times.count;
+    let slices = if times > 1 { times as i64 } else { i64::from(description.dimensions[2]) };
     let (first, last, step) = match *numbers.as_slice() {
         [] => {
             numbered_name(name, 1)?;
@@ -107,7 +112,10 @@ fn check_count(
     count: u64,
 ) -> Result<(), Error> {
     let [_, height, depth] = description.dimensions.map(u64::from);
+    let times = description.times.count;
     let (expected, parts) = match dimension {
+        3.. if times > 1 => (times, "points in time"),
+        _ if times > 1 => (0, "files that hold less than a point in time"),
         1 => (height * depth, "rows"),
         2 => (depth, "slices"),
         _ => (1, "volume"),

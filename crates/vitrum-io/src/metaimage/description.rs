@@ -4,10 +4,12 @@ use super::header::Header;
 use super::space;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields};
+use crate::options::OpenOptions;
 use crate::placement::Placement;
 use crate::samples::{Endian, SampleType};
 use crate::source::Assumptions;
 use crate::stream;
+use crate::time::Times;
 
 /// Coding of the samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,7 +49,9 @@ pub(super) struct Description {
     /// Number of axes in the file, axes of size 1 behind the third included.
     pub rank: usize,
     pub dimensions: [u32; 3],
-    /// Bytes of data, decoded to the file's sample type.
+    /// Points in time, along the one axis behind the third that has several.
+    pub times: Times,
+    /// Bytes of data of one point in time, decoded to the file's sample type.
     pub data_bytes: u64,
     pub header_size: HeaderSize,
     pub placement: Placement,
@@ -55,21 +59,23 @@ pub(super) struct Description {
 }
 
 impl Description {
-    pub fn new(header: &Header, report: Report) -> Result<Self, Error> {
+    pub fn new(header: &Header, options: &OpenOptions, report: Report) -> Result<Self, Error> {
         let fields = &header.fields;
         let mut assumptions = Assumptions::default();
         check_object(fields, report)?;
         let sample = sample_type(fields, report)?;
         let encoding = encoding(fields, report)?;
         let endian = endian(fields, report, sample, encoding, &mut assumptions)?;
-        let (rank, dimensions) = dimensions(fields, report)?;
+        let (rank, dimensions, count) = dimensions(fields, report)?;
         let sizes = fields.get("DimSize").map_or(Place::File, Field::place);
         let data_bytes = stream::data_bytes(report, sizes, dimensions, sample)?;
+        let times = Times::choose(report, sizes, count, options, &mut assumptions)?;
+        times.spans(report, sizes, data_bytes)?;
         let header_size = header_size(fields, report, encoding)?;
-        let placement = space::placement(fields, report, rank, &mut assumptions)?;
+        let placement = space::placement(fields, report, rank, options, &mut assumptions)?;
         assumptions.extend(sample.rounding_note());
         assumptions.extend(fields.unknown_notes(KNOWN));
-        Ok(Self { sample, endian, encoding, rank, dimensions, data_bytes, header_size, placement, assumptions })
+        Ok(Self { sample, endian, encoding, rank, dimensions, times, data_bytes, header_size, placement, assumptions })
     }
 
     pub fn voxel_count(&self) -> u64 {
@@ -79,7 +85,7 @@ impl Description {
 
 /// Fields that are read, or that say nothing about the picture.
 #[rustfmt::skip]
-const KNOWN: &[&str] = &[
+pub(super) const KNOWN: &[&str] = &[
     "AcquisitionDate", "AnatomicalOrientation", "BinaryData", "BinaryDataByteOrderMSB", "CenterOfRotation", "Color",
     "CompressedData", "CompressedDataSize", "CompressionLevel", "DimSize", "DistanceUnits", "ElementByteOrderMSB",
     "ElementMax", "ElementMin", "ElementNBits", "ElementNumberOfChannels", "ElementSize", "ElementSpacing",
@@ -168,8 +174,8 @@ fn endian(
     }
 }
 
-/// The number of axes, and the sizes of the first three; all others have size 1.
-fn dimensions(fields: &Fields, report: Report) -> Result<(usize, [u32; 3]), Error> {
+/// The number of axes, the sizes of the first three, and the number of points in time.
+fn dimensions(fields: &Fields, report: Report) -> Result<(usize, [u32; 3], u64), Error> {
     const MOST_AXES: usize = 10;
     let field = fields.require(report, "NDims", "NDims = 3")?;
     let rank: usize = field.numbers(report, 1)?[0];
@@ -196,14 +202,19 @@ fn dimensions(fields: &Fields, report: Report) -> Result<(usize, [u32; 3]), Erro
             "give each axis a size of at least 1",
         ));
     }
-    if let Some(axis) = sizes.iter().skip(3).position(|&size| size > 1) {
+    let mut several = sizes.iter().skip(3).filter(|&&size| size > 1);
+    let times = several.next().copied().unwrap_or(1);
+    if several.next().is_some() {
         return Err(report.unsupported(
             field.place(),
-            format!("axis {} has size {}, and a scalar volume has 3 axes", axis + 4, sizes[axis + 3]),
+            format!(
+                "`DimSize = {}` has two axes and more behind the third, and one alone can be time",
+                clip(&field.text)
+            ),
             "pick out one volume first, for example by SimpleITK's Extract",
         ));
     }
-    Ok((rank, [sizes[0], sizes[1], sizes[2]]))
+    Ok((rank, [sizes[0], sizes[1], sizes[2]], times.into()))
 }
 
 fn header_size(fields: &Fields, report: Report, encoding: Encoding) -> Result<HeaderSize, Error> {

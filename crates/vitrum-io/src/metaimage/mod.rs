@@ -9,20 +9,22 @@ mod space;
 
 use std::io::{BufRead, Read};
 
-use flate2::bufread::{MultiGzDecoder, ZlibDecoder};
+use flate2::bufread::ZlibDecoder;
 
 use self::description::{Description, Encoding};
 use self::header::Header;
 use crate::detached::{DataFile, DataFiles};
-use crate::error::{Error, Report};
+use crate::error::{Error, Place, Report};
 use crate::formats::{self, Format};
 use crate::input::Input;
-use crate::options::OpenOptions;
+use crate::options::{OpenOptions, Part};
+use crate::packing::Members;
 use crate::reader::VolumeReader;
 use crate::samples::VoxelBuffer;
 use crate::source::{Assumptions, Source};
 use crate::stream;
-use crate::text::{check_text_length, read_text};
+use crate::text::{self, check_text_length, read_text};
+use crate::time::Times;
 use crate::volume::Volume;
 use crate::voxels::Voxels;
 
@@ -38,14 +40,18 @@ impl VolumeReader for MetaImage {
         header::recognises(&input.head)
     }
 
+    fn parts(&self) -> &'static [Part] {
+        &[Part::Time]
+    }
+
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        let header = Header::read(input.open()?, report)?;
-        let mut description = Description::new(&header, report)?;
+        let mut header = Header::read(input.open()?, report)?;
+        let mut description = Description::new(&header, options, report)?;
+        std::mem::take(&mut header.left_out).tell(&mut description.assumptions);
         let voxels = read_data(&header, &mut description, input, options)?;
-        let mut volume =
-            description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
-        volume.source = Source {
+        let volume = description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
+        let volume = volume.with_source(Source {
             format: self.format().name,
             sample_type: description.sample.name().to_owned(),
             encoding: match description.encoding {
@@ -53,7 +59,7 @@ impl VolumeReader for MetaImage {
                 encoding => description.sample.coding(encoding.name(), description.endian),
             },
             assumptions: description.assumptions,
-        };
+        });
         Ok(volume)
     }
 }
@@ -66,6 +72,10 @@ fn read_data(
 ) -> Result<Voxels, Error> {
     let report = Report::new(&input.name);
     let files = data_files::locate(header, description, input, report)?;
+    // A file of its own has that point alone.
+    if header.several_files() {
+        description.times = Times { count: 1, chosen: 0 };
+    }
     let Description { sample, endian, .. } = *description;
     let data = DataFiles { files: &files, count: description.voxel_count(), sample, endian };
     let mut notes = Assumptions::default();
@@ -80,7 +90,8 @@ fn read_data(
 /// Fails where a file is too short for its share of voxels.
 fn check_possible(file: &DataFile, description: &Description, share: u64) -> Result<(), Error> {
     let report = Report::new(&file.name);
-    let bytes = share * description.sample.size() as u64;
+    let share = share.saturating_mul(description.times.count);
+    let bytes = share.saturating_mul(description.sample.size() as u64);
     let there = file.available();
     match description.encoding {
         Encoding::Deflate => stream::check_deflate(report, bytes, there),
@@ -96,19 +107,33 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
     let mut reader = file.open()?;
     let size = description.sample.size();
     let bytes = count as u64 * size as u64;
+    let times = description.times;
+    let (before, all) = times.spans(report, Place::File, bytes)?;
     match description.encoding {
         Encoding::Raw => {
+            stream::skip(report, &mut reader, before)?;
             stream::fill(report, voxels, &mut reader, count, size)?;
-            return Ok(file.available().saturating_sub(bytes));
+            return Ok(file.available().saturating_sub(all));
         }
         Encoding::Deflate => {
             let gzipped = reader.fill_buf().map_err(unreadable)?.starts_with(&[0x1f, 0x8b]);
             let mut inflated: Box<dyn Read> =
-                if gzipped { Box::new(MultiGzDecoder::new(reader)) } else { Box::new(ZlibDecoder::new(reader)) };
+                if gzipped { Box::new(Members::new(reader)) } else { Box::new(ZlibDecoder::new(reader)) };
+            stream::skip(report, &mut inflated, before)?;
             stream::fill(report, voxels, &mut inflated, count, size)?;
-            stream::refuse_surplus(report, &mut inflated, bytes)?;
+            if times.is_last() {
+                stream::refuse_surplus(report, &mut inflated, bytes)?;
+            }
         }
-        Encoding::Text => read_text(report, voxels, &mut reader, count, description.sample.name())?,
+        Encoding::Text => {
+            text::skip_numbers(report, &mut reader, before / size as u64)?;
+            let name = description.sample.name();
+            if times.is_last() {
+                read_text(report, voxels, &mut reader, count, name)?;
+            } else {
+                text::read_numbers(report, voxels, &mut reader, count, name)?;
+            }
+        }
     }
     Ok(0)
 }

@@ -2,11 +2,13 @@
 
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields};
+use crate::options::OpenOptions;
 use crate::orientation::Orientation;
 use crate::placement::{Placement, millimetres};
 use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions};
-use crate::volume::{IDENTITY, check_spacing};
+use crate::tolerance;
+use crate::volume::IDENTITY;
 
 /// The format's world is LPS+: x to the patient's left, y to posterior, z to superior. Ours is RAS+.
 const SIGNS: [f64; 3] = [-1.0, -1.0, 1.0];
@@ -16,10 +18,11 @@ pub(super) fn placement(
     fields: &Fields,
     report: Report,
     rank: usize,
+    options: &OpenOptions,
     assumptions: &mut Assumptions,
 ) -> Result<Placement, Error> {
     let scale = unit_scale(fields, assumptions);
-    let spacing = spacing(fields, report, rank, scale, assumptions)?;
+    let spacing = spacing(fields, report, rank, scale, options, assumptions)?;
     let to_world = |vector: [f64; 3]| -> [f64; 3] { std::array::from_fn(|axis| vector[axis] * SIGNS[axis]) };
     // Newer files say `Offset` and `TransformMatrix`, older ones one of the other names.
     let any_of = |names: [&str; 3]| names.into_iter().find_map(|name| fields.get(name));
@@ -35,10 +38,10 @@ pub(super) fn placement(
             let row = |axis: usize| std::array::from_fn(|component| numbers[rank * axis + component]);
             (std::array::from_fn(row), Orientation::Patient)
         }
-        None => unstated(fields, report, assumptions)?,
+        None => unstated(fields, assumptions),
     };
     let columns = [0, 1, 2].map(|axis| to_world(directions[axis].map(|component| component * spacing[axis])));
-    let placement = Placement::from_columns(columns, origin, orientation).map_err(|problem| {
+    let placement = Placement::mended(columns, origin, orientation, options, assumptions).map_err(|problem| {
         let place = matrix.map(Field::place).or(origin_place).unwrap_or(Place::File);
         report.invalid(place, problem, "correct the directions or the offset")
     })?;
@@ -47,31 +50,28 @@ pub(super) fn placement(
 }
 
 /// The directions of a file without a matrix of them, and whether anything says them.
-fn unstated(
-    fields: &Fields,
-    report: Report,
-    assumptions: &mut Assumptions,
-) -> Result<([[f64; 3]; 3], Orientation), Error> {
+fn unstated(fields: &Fields, assumptions: &mut Assumptions) -> ([[f64; 3]; 3], Orientation) {
     // ITK writes question marks where it does not know.
     let Some(field) = fields.get("AnatomicalOrientation").filter(|field| !field.text.contains('?')) else {
         let fact = "the file has no TransformMatrix: its axes were taken to point to the patient's left, posterior and \
                     superior, the format's default";
         assumptions.push(Assumption::replaceable(fact, Setting::Up, ""));
-        return Ok((IDENTITY.map(|axis| axis.map(f64::from)), Orientation::Unknown));
+        return (IDENTITY.map(|axis| axis.map(f64::from)), Orientation::Unknown);
     };
-    let directions = anatomical(&field.text).ok_or_else(|| {
-        report.invalid(
-            field.place(),
-            format!("`{}` does not name a side for each axis", clip(&field.text)),
-            "write one of R and L, one of A and P, and one of I and S, such as RAI",
-        )
-    })?;
+    let Some(directions) = anatomical(&field.text) else {
+        let fact = format!(
+            "`{}` does not name a side for each axis: they were taken to point to the patient's left, posterior and superior",
+            clip(&field.text)
+        );
+        assumptions.push(Assumption::replaceable(fact, Setting::Up, ""));
+        return (IDENTITY.map(|axis| axis.map(f64::from)), Orientation::Unknown);
+    };
     let fact = format!(
         "the file has no TransformMatrix: its axes were taken to run from {}, as ITK means `AnatomicalOrientation`",
         clip(&field.text)
     );
     assumptions.push(Assumption::replaceable(fact, Setting::Up, ""));
-    Ok((directions, Orientation::Patient))
+    (directions, Orientation::Patient)
 }
 
 /// The directions of axes that begin at the sides that these letters name, such as `RAI`, which is the format's world.
@@ -103,17 +103,16 @@ fn spacing(
     report: Report,
     rank: usize,
     scale: f64,
+    options: &OpenOptions,
     assumptions: &mut Assumptions,
 ) -> Result<[f64; 3], Error> {
     // `ElementSize` is the size of a voxel itself, and stands in where no distance is given.
     let Some(field) = fields.get("ElementSpacing").or_else(|| fields.get("ElementSize")) else {
-        assumptions.push("the file says no spacings: 1 was taken along each axis".to_owned());
+        tolerance::note_unspaced(options, assumptions);
         return Ok([scale; 3]);
     };
     let numbers: Vec<f64> = field.numbers(report, rank)?;
-    let spacing = [0, 1, 2].map(|axis| numbers[axis] * scale);
-    check_spacing(report, spacing.map(|spacing| spacing as f32)).map_err(|error| error.at(field.place()))?;
-    Ok(spacing)
+    Ok(tolerance::steps([0, 1, 2].map(|axis| numbers[axis] * scale), scale, options, assumptions))
 }
 
 /// Millimetres per unit of the file, where it names one; otherwise 1.

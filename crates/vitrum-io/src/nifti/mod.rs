@@ -60,7 +60,7 @@ impl VolumeReader for Nifti {
         }
         let header = Header::parse(&bytes, kind, report)?;
         let mut assumptions = Assumptions::default();
-        let placement = orientation::placement(&header, report, &mut assumptions)?;
+        let placement = orientation::placement(&header, report, options, &mut assumptions)?;
         assumptions.extend(header.sample.rounding_note());
         let (voxels, packing) = if kind.pair {
             let image = pair::image(input, kind)?;
@@ -75,15 +75,12 @@ impl VolumeReader for Nifti {
         let mut volume = Volume::new(name, header.dimensions, placement.spacing, voxels)?;
         placement.apply(&mut volume);
         let volume = apply_scaling(volume, &header)?;
-        Ok(Volume {
-            source: Source {
-                format: kind.layout.name,
-                sample_type: header.sample.name().to_owned(),
-                encoding: format!("{}, {}", packing.name(), header.endian.name()),
-                assumptions,
-            },
-            ..volume
-        })
+        Ok(volume.with_source(Source {
+            format: kind.layout.name,
+            sample_type: header.sample.name().to_owned(),
+            encoding: format!("{}, {}", packing.name(), header.endian.name()),
+            assumptions,
+        }))
     }
 }
 

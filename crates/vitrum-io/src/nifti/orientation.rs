@@ -2,53 +2,72 @@
 
 use super::header::Header;
 use crate::error::{Error, Place, Report};
+use crate::options::OpenOptions;
 use crate::orientation::Orientation;
 use crate::placement::{Placement, unoriented};
 use crate::source::Assumptions;
-use crate::volume::{IDENTITY, check_spacing};
+use crate::tolerance;
+use crate::volume::IDENTITY;
 
-/// The placement of the grid by the header's codes: the sform, an affine matrix; the qform, a rotation; or the spacings alone.
-pub(super) fn placement(header: &Header, report: Report, assumptions: &mut Assumptions) -> Result<Placement, Error> {
-    let scale = unit_scale(header, report, assumptions)?;
-    let pixdim = [header.pixdim[1], header.pixdim[2], header.pixdim[3]];
-    let spacing = pixdim.map(|spacing| (spacing * scale) as f32);
-    let placed = |columns: [[f64; 3]; 3], origin: [f64; 3]| {
-        Placement::from_columns(columns, Some(origin), Orientation::Patient)
-            .map_err(|problem| report.invalid(Place::File, problem, "correct the sform or the qform in the header"))
-    };
+/// The placement of the grid by the header's codes: the sform, an affine matrix; the qform, a rotation; or the spacings alone. Where
+/// one of them is none, the next stands in, and that is told.
+pub(super) fn placement(
+    header: &Header,
+    report: Report,
+    options: &OpenOptions,
+    assumptions: &mut Assumptions,
+) -> Result<Placement, Error> {
+    let scale = unit_scale(header, assumptions);
+    let pixdim = [header.pixdim[1], header.pixdim[2], header.pixdim[3]].map(|spacing| spacing * scale);
     if header.sform_code > 0 {
         let world = |column: usize| header.srow.map(|row| row[column] * scale);
-        let placement = placed([world(0), world(1), world(2)], world(3))?;
-        assumptions.extend(placement.shear_note());
-        let differs = |(a, b): (&f32, &f32)| (a - b).abs() > 0.01 * a;
-        if placement.spacing.iter().zip(&spacing).any(differs) {
-            assumptions.push(format!(
-                "the spacings {:?} of the sform were taken, not {spacing:?} of pixdim",
-                placement.spacing
-            ));
+        let columns = [world(0), world(1), world(2)];
+        // A direction that is missing is found elsewhere before it is made up.
+        let origin = tolerance::origin(Some(world(3)), assumptions);
+        match Placement::from_columns(columns, origin, Orientation::Patient) {
+            Ok(placement) => {
+                assumptions.extend(placement.shear_note());
+                let spacing = pixdim.map(|spacing| spacing as f32);
+                let differs = |(a, b): (&f32, &f32)| (a - b).abs() > 0.01 * a;
+                if placement.spacing.iter().zip(&spacing).any(differs) {
+                    assumptions.push(format!(
+                        "the spacings {:?} of the sform were taken, not {spacing:?} of pixdim",
+                        placement.spacing
+                    ));
+                }
+                return Ok(placement);
+            }
+            Err(problem) => {
+                let next = if header.qform_code > 0 { "the qform" } else { "the spacings of pixdim" };
+                assumptions.push(format!("the sform is none, as {problem}: {next} stood in for it"));
+            }
         }
-        return Ok(placement);
     }
-    check_spacing(report, spacing)?;
-    if header.qform_code > 0 {
-        let rotation = rotation(header.quaternion).ok_or_else(|| {
-            report.invalid(
-                Place::Byte(header.layout.quaternion as u64),
-                format!("the quaternion {:?} is no rotation", header.quaternion),
-                "correct the qform in the header",
-            )
-        })?;
-        // pixdim[0] says whether z is mirrored: a quaternion cannot.
-        let handedness = if header.pixdim[0] < 0.0 { -1.0 } else { 1.0 };
-        let steps = spacing.map(f64::from);
-        let steps = [steps[0], steps[1], steps[2] * handedness];
-        let column = |axis: usize| rotation.map(|row| row[axis] * steps[axis]);
-        let origin = header.qoffset.map(|value| value * scale);
-        return placed([column(0), column(1), column(2)], origin);
+    // A negative distance is no direction here: those are the qform's.
+    let steps = tolerance::steps(pixdim.map(f64::abs), 1.0, options, assumptions);
+    if pixdim.iter().any(|step| *step < 0.0) {
+        assumptions.push(format!("pixdim has spacings below 0, {pixdim:?}: their amounts were taken"));
     }
-    assumptions.push("the file has neither sform nor qform".to_owned());
-    assumptions.push(unoriented());
-    Ok(Placement { spacing, axes: IDENTITY, origin: None, orientation: Orientation::Unknown })
+    let rotation = if header.qform_code > 0 { rotation(header.quaternion) } else { None };
+    if header.qform_code > 0 && rotation.is_none() {
+        let quaternion = header.quaternion;
+        assumptions.push(format!("the quaternion {quaternion:?} of the qform is no rotation: it was left out"));
+    }
+    let Some(rotation) = rotation else {
+        if header.qform_code <= 0 && header.sform_code <= 0 {
+            assumptions.push("the file has neither sform nor qform".to_owned());
+        }
+        assumptions.push(unoriented());
+        let spacing = steps.map(|step| step as f32);
+        return Ok(Placement { spacing, axes: IDENTITY, origin: None, orientation: Orientation::Unknown });
+    };
+    // pixdim[0] says whether z is mirrored: a quaternion cannot.
+    let handedness = if header.pixdim[0] < 0.0 { -1.0 } else { 1.0 };
+    let steps = [steps[0], steps[1], steps[2] * handedness];
+    let column = |axis: usize| rotation.map(|row| row[axis] * steps[axis]);
+    let origin = Some(header.qoffset.map(|value| value * scale));
+    Placement::mended([column(0), column(1), column(2)], origin, Orientation::Patient, options, assumptions)
+        .map_err(|problem| report.invalid(Place::File, problem, "correct the sform or the qform in the header"))
 }
 
 /// The rotation matrix, in rows, of the unit quaternion whose last three parts these are.
@@ -70,21 +89,15 @@ fn rotation(quaternion: [f64; 3]) -> Option<[[f64; 3]; 3]> {
 }
 
 /// Millimetres per unit of the file.
-fn unit_scale(header: &Header, report: Report, assumptions: &mut Assumptions) -> Result<f64, Error> {
+fn unit_scale(header: &Header, assumptions: &mut Assumptions) -> f64 {
     // The low 3 bits are of space, the next 3 of time.
     let (scale, note) = match header.units & 7 {
-        0 => (1.0, "the file names no unit of length: its own was kept"),
-        1 => (1e3, "lengths in m were turned into mm"),
-        2 => return Ok(1.0),
-        3 => (1e-3, "lengths in µm were turned into mm"),
-        other => {
-            return Err(report.invalid(
-                Place::Byte(header.layout.units as u64),
-                format!("xyzt_units has {other} for space, not 0 to 3"),
-                "correct the header",
-            ));
-        }
+        0 => (1.0, "the file names no unit of length: mm were taken".to_owned()),
+        1 => (1e3, "lengths in m were turned into mm".to_owned()),
+        2 => return 1.0,
+        3 => (1e-3, "lengths in µm were turned into mm".to_owned()),
+        other => (1.0, format!("xyzt_units has {other} for space, which is no known unit: mm were taken")),
     };
-    assumptions.push(note.to_owned());
-    Ok(scale)
+    assumptions.push(note);
+    scale
 }

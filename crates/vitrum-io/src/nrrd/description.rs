@@ -69,7 +69,7 @@ impl Description {
         let mut assumptions = Assumptions::default();
         let times = Times::choose(report, sizes, count, options, &mut assumptions)?;
         times.spans(report, sizes, data_bytes)?;
-        let placement = space::placement(header, rank, report, &mut assumptions)?;
+        let placement = space::placement(header, rank, report, options, &mut assumptions)?;
         assumptions.extend(sample.rounding_note());
         assumptions.extend(header.fields.unknown_notes(KNOWN));
         Ok(Self {
@@ -92,7 +92,7 @@ impl Description {
 }
 
 /// Fields that are read, or that say nothing about the picture.
-const KNOWN: &[&str] = &[
+pub(super) const KNOWN: &[&str] = &[
     "blocksize",
     "byteskip",
     "centerings",
@@ -232,11 +232,11 @@ fn skips(header: &Header, report: Report, encoding: Encoding) -> Result<(u64, By
     let skip: i64 = field.numbers(report, 1)?[0];
     match (u64::try_from(skip), encoding) {
         (Ok(skip), _) => Ok((line_skip, ByteSkip::Forward(skip))),
-        (Err(_), Encoding::Raw) if skip == -1 => Ok((line_skip, ByteSkip::FromEnd)),
+        (Err(_), Encoding::Raw | Encoding::Gzip) if skip == -1 => Ok((line_skip, ByteSkip::FromEnd)),
         _ => Err(report.invalid(
             field.place(),
             format!("`byte skip: {skip}` with {} encoding", encoding.name()),
-            "give 0 or more, or -1 with raw encoding for data at the end of the file",
+            "give 0 or more, or -1 with raw or gzip encoding for data at the end of the file",
         )),
     }
 }

@@ -2,10 +2,12 @@
 
 use std::io::BufRead;
 
+use super::description::KNOWN;
 use crate::detached::List;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields, MAX_BYTES};
 use crate::text::Lines;
+use crate::tolerance::LeftOut;
 
 /// The fields of a header, with the list of data files that may follow the last.
 #[derive(Debug)]
@@ -18,13 +20,21 @@ pub(super) struct Header {
     pub length: u64,
     /// Whether a blank line closed it; without one, no data can be attached.
     pub closed: bool,
+    /// Lines without a meaning.
+    pub left_out: LeftOut,
 }
 
 impl Header {
     pub fn read(reader: impl BufRead, report: Report) -> Result<Self, Error> {
         let mut lines = Lines::new(reader, report, MAX_BYTES, "end it by a blank line");
         check_magic(report, lines.next()?.as_deref().unwrap_or_default())?;
-        let mut header = Self { fields: Fields::default(), listed_files: vec![], length: 0, closed: false };
+        let mut header = Self {
+            fields: Fields::default(),
+            listed_files: vec![],
+            length: 0,
+            closed: false,
+            left_out: LeftOut::default(),
+        };
         let mut listing = false;
         while let Some(line) = lines.next()? {
             if line.is_empty() {
@@ -39,11 +49,17 @@ impl Header {
                 continue;
             }
             let Some((name, text)) = line.split_once(':') else {
-                return Err(report.invalid(
-                    Place::Line(lines.number),
-                    format!("`{}` is neither `field: value` nor `key:=value`", clip(&line)),
-                    "correct the line, or start it with # to make it a comment",
-                ));
+                // A line that begins like one that matters has to be one.
+                let first = line.split_whitespace().next().unwrap_or_default().to_ascii_lowercase();
+                if KNOWN.contains(&first.as_str()) {
+                    return Err(report.invalid(
+                        Place::Line(lines.number),
+                        format!("`{}` is neither `field: value` nor `key:=value`", clip(&line)),
+                        "correct the line, or start it with # to make it a comment",
+                    ));
+                }
+                header.left_out.add("lines of the header that are neither `field: value` nor `key:=value`");
+                continue;
             };
             // A key/value pair, for people and other programs.
             if text.starts_with('=') {

@@ -15,8 +15,6 @@ pub use write::{Lattice, check_nrrd_writable, write_nrrd};
 
 use std::io::{self, BufRead, Read, Seek, SeekFrom};
 
-use flate2::bufread::MultiGzDecoder;
-
 use self::description::{ByteSkip, Description, Encoding};
 use self::header::Header;
 use crate::detached::{DataFile, DataFiles};
@@ -24,6 +22,7 @@ use crate::error::{Error, Place, Report};
 use crate::formats::{self, Format};
 use crate::input::Input;
 use crate::options::{OpenOptions, Part};
+use crate::packing::Members;
 use crate::reader::VolumeReader;
 use crate::samples::VoxelBuffer;
 use crate::source::{Assumptions, Source};
@@ -51,17 +50,17 @@ impl VolumeReader for Nrrd {
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        let header = Header::read(input.open()?, report)?;
+        let mut header = Header::read(input.open()?, report)?;
         let mut description = Description::new(&header, options, report)?;
+        std::mem::take(&mut header.left_out).tell(&mut description.assumptions);
         let voxels = read_data(&header, &mut description, input, options)?;
-        let mut volume =
-            description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
-        volume.source = Source {
+        let volume = description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
+        let volume = volume.with_source(Source {
             format: self.format().name,
             sample_type: description.sample.name().to_owned(),
             encoding: description.sample.coding(description.encoding.name(), description.endian),
             assumptions: description.assumptions,
-        };
+        });
         Ok(volume)
     }
 }
@@ -130,7 +129,19 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
             return Ok(there - all);
         }
         Encoding::Gzip => {
-            let mut inflated = MultiGzDecoder::new(reader);
+            if description.byte_skip == ByteSkip::FromEnd {
+                // The end is known once all is inflated, so that it is inflated twice.
+                let length = io::copy(&mut Members::new(reader), &mut io::sink());
+                let length = length.map_err(|error| stream::damaged(report, 0, all, error))?;
+                let mut again = file.open()?;
+                skip_lines(report, &mut again, description.line_skip)?;
+                let mut inflated = Members::new(again);
+                stream::check_length(report, all, 0, length)?;
+                stream::skip(report, &mut inflated, length - all + before)?;
+                stream::fill(report, voxels, &mut inflated, count, size)?;
+                return Ok(0);
+            }
+            let mut inflated = Members::new(reader);
             skip_bytes(report, &mut inflated, description.byte_skip)?;
             stream::skip(report, &mut inflated, before)?;
             stream::fill(report, voxels, &mut inflated, count, size)?;

@@ -3,42 +3,45 @@
 use super::header::Header;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
+use crate::options::OpenOptions;
 use crate::orientation::Orientation;
 use crate::placement::{Placement, millimetres, unoriented};
 use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions};
-use crate::volume::{IDENTITY, check_spacing};
+use crate::tolerance;
+use crate::volume::IDENTITY;
 
 /// `rank` is the number of axes in the file: 3, or 4 with time.
 pub(super) fn placement(
     header: &Header,
     rank: usize,
     report: Report,
+    options: &OpenOptions,
     assumptions: &mut Assumptions,
 ) -> Result<Placement, Error> {
     refuse_components(header, report)?;
     let Space { signs, orientation, note } = space(header, report)?;
     let scale = unit_scale(header, assumptions);
     let to_world = |vector: [f64; 3]| -> [f64; 3] { std::array::from_fn(|axis| vector[axis] * signs[axis] * scale) };
-    let origin = header.get("spaceorigin").map(|field| vectors::<1>(report, field)).transpose()?;
-    let origin = origin.map(|[origin]| to_world(origin));
+    let origin = header.get("spaceorigin").map(|field| vectors(report, field, 1)).transpose()?;
+    let origin = origin.and_then(|origins| origins.first().map(|origin| to_world(*origin)));
     if let Some(field) = header.get("spacedirections") {
         let columns = directions(report, field, rank)?.map(to_world);
-        let placement = Placement::from_columns(columns, origin, orientation)
+        let placement = Placement::mended(columns, origin, orientation, options, assumptions)
             .map_err(|problem| report.invalid(field.place(), problem, "correct the directions or the origin"))?;
-        assumptions.extend(note);
+        if options.up.is_none() {
+            assumptions.extend(note);
+        }
         assumptions.extend(placement.shear_note());
         return Ok(placement);
     }
     let spacing: [f64; 3] = match header.get("spacings") {
         Some(field) => {
             let spacing: Vec<f64> = field.numbers(report, rank)?;
-            let spacing = [0, 1, 2].map(|axis| spacing[axis] * scale);
-            check_spacing(report, spacing.map(|spacing| spacing as f32)).map_err(|error| error.at(field.place()))?;
-            spacing
+            tolerance::steps([0, 1, 2].map(|axis| spacing[axis] * scale), scale, options, assumptions)
         }
         None => {
-            assumptions.push("the file says no spacings: 1 was taken along each axis".to_owned());
+            tolerance::note_unspaced(options, assumptions);
             [1.0; 3]
         }
     };
@@ -51,7 +54,7 @@ pub(super) fn placement(
         );
     }
     assumptions.extend(note);
-    Placement::from_columns(columns, origin, orientation).map_err(|problem| {
+    Placement::mended(columns, origin, orientation, options, assumptions).map_err(|problem| {
         let place = header.get("spaceorigin").map_or(Place::File, Field::place);
         report.invalid(place, problem, "correct the origin")
     })
@@ -69,10 +72,11 @@ struct Space {
 fn space(header: &Header, report: Report) -> Result<Space, Error> {
     if let Some(field) = header.get("spacedimension") {
         let dimension: u32 = field.numbers(report, 1)?[0];
-        if dimension != 3 {
+        // A fourth dimension is time, along which nothing in space lies.
+        if !(3..=4).contains(&dimension) {
             return Err(report.unsupported(
                 field.place(),
-                format!("a space of {dimension} dimensions, not 3"),
+                format!("a space of {dimension} dimensions, not 3, or 4 with time"),
                 "write the volume in a space of 3 dimensions",
             ));
         }
@@ -85,7 +89,15 @@ fn space(header: &Header, report: Report) -> Result<Space, Error> {
         let note = Some(Assumption::replaceable(fact, Setting::Up, ""));
         Ok(Space { signs, orientation: Orientation::World, note })
     };
-    match field.text.to_ascii_lowercase().as_str() {
+    // A space with time is the space, and time.
+    let lower = field.text.to_ascii_lowercase();
+    let space = match lower.as_str() {
+        "rast" => "ras",
+        "last" => "las",
+        "lpst" => "lps",
+        name => name.strip_suffix("-time").unwrap_or(name),
+    };
+    match space {
         "right-anterior-superior" | "ras" => patient([1.0, 1.0, 1.0]),
         "left-anterior-superior" | "las" => patient([-1.0, 1.0, 1.0]),
         "left-posterior-superior" | "lps" => patient([-1.0, -1.0, 1.0]),
@@ -96,17 +108,15 @@ fn space(header: &Header, report: Report) -> Result<Space, Error> {
         "3d-left-handed" => {
             world([1.0, -1.0, 1.0], "the file's space is left-handed: its y was turned round to make the world's")
         }
-        name if name.ends_with("-time") || matches!(name, "rast" | "last" | "lpst") => Err(report.unsupported(
-            field.place(),
-            format!("`{}` is a space with time", clip(name)),
-            "pick out one point in time first",
-        )),
-        other => Err(report.invalid(
-            field.place(),
-            format!("`{}` is not a space", clip(other)),
-            "use one of right-anterior-superior, left-anterior-superior, left-posterior-superior, \
-             scanner-xyz, 3D-right-handed, 3D-left-handed",
-        )),
+        other => {
+            let name = clip(other);
+            let fact = format!("`{name}` is no known space: its x, y, z were taken for the world's");
+            Ok(Space {
+                signs: [1.0; 3],
+                orientation: Orientation::Unknown,
+                note: Some(Assumption::replaceable(fact, Setting::Up, "")),
+            })
+        }
     }
 }
 
@@ -138,15 +148,21 @@ fn unit_scale(header: &Header, assumptions: &mut Assumptions) -> f64 {
         assumptions.push("the file names no unit of length: its own was kept".to_owned());
         return 1.0;
     };
-    // A fourth would be of time.
+    // A fourth would be of time. An axis that names none takes the others'.
     let names: Vec<_> = field.text.split('"').skip(1).step_by(2).take(3).map(str::trim).collect();
-    let scales: Option<Vec<_>> = names.iter().map(|name| millimetres(name)).collect();
+    let unnamed = |name: &str| matches!(name.to_ascii_lowercase().as_str(), "" | "?" | "???" | "none");
+    let named: Vec<&str> = names.iter().copied().filter(|name| !unnamed(name)).collect();
+    let scales: Option<Vec<_>> = named.iter().map(|name| millimetres(name)).collect();
     match scales.as_deref() {
-        Some(&[x, y, z]) if x == y && y == z => {
-            if x != 1.0 {
-                assumptions.push(format!("lengths in {} were turned into mm", names[0]));
+        Some([first, rest @ ..]) if rest.iter().all(|other| other == first) => {
+            if *first != 1.0 {
+                assumptions.push(format!("lengths in {} were turned into mm", clip(named[0])));
             }
-            x
+            if named.len() < names.len() {
+                assumptions
+                    .push(format!("an axis names no unit of length: {} was taken, as of the others", clip(named[0])));
+            }
+            *first
         }
         _ => {
             let text = clip(&field.text);
@@ -156,28 +172,35 @@ fn unit_scale(header: &Header, assumptions: &mut Assumptions) -> f64 {
     }
 }
 
-/// The world step along x, y and z; a fourth axis, of time, has `none`.
+/// The world step along x, y and z; a fourth axis, of time, has `none`, or a vector along the fourth dimension alone.
 fn directions(report: Report, field: &Field, rank: usize) -> Result<[[f64; 3]; 3], Error> {
-    match field.text.trim_end().strip_suffix("none") {
-        Some(text) if rank == 4 => vectors(report, &Field { text: text.to_owned(), ..field.clone() }),
-        _ => vectors(report, field),
-    }
+    let text = field.text.trim_end();
+    let vectors = match text.strip_suffix("none") {
+        Some(text) if rank == 4 => vectors(report, &Field { text: text.to_owned(), ..field.clone() }, 3)?,
+        _ => vectors(report, field, rank)?,
+    };
+    Ok([0, 1, 2].map(|axis| vectors[axis]))
 }
 
-/// `(1,0,0) (0, 1, 0)`: exactly `COUNT` vectors of 3, spaces allowed anywhere.
-fn vectors<const COUNT: usize>(report: Report, field: &Field) -> Result<[[f64; 3]; COUNT], Error> {
+/// `(1,0,0) (0, 1, 0)`: exactly `count` vectors of 3, spaces allowed anywhere. A fourth component, of time, is left out.
+fn vectors(report: Report, field: &Field, count: usize) -> Result<Vec<[f64; 3]>, Error> {
     let parse = || {
-        let mut vectors = [[0.0; 3]; COUNT];
+        let mut vectors = Vec::new();
         let mut rest = field.text.trim();
-        for vector in &mut vectors {
+        while vectors.len() < count {
             let (inside, after) = rest.strip_prefix('(')?.split_once(')')?;
             let mut components = inside.split(',');
-            for component in vector {
+            let mut vector = [0.0; 3];
+            for component in &mut vector {
                 *component = components.next()?.trim().parse().ok()?;
+            }
+            if let Some(time) = components.next() {
+                time.trim().parse::<f64>().ok()?;
             }
             if components.next().is_some() {
                 return None;
             }
+            vectors.push(vector);
             rest = after.trim_start();
         }
         rest.is_empty().then_some(vectors)
@@ -185,7 +208,7 @@ fn vectors<const COUNT: usize>(report: Report, field: &Field) -> Result<[[f64; 3
     parse().ok_or_else(|| {
         report.invalid(
             field.place(),
-            format!("`{}` is not {COUNT} vector(s) of 3 numbers", clip(&field.text)),
+            format!("`{}` is not {count} vector(s) of 3 numbers", clip(&field.text)),
             "write each vector as (x,y,z)",
         )
     })

@@ -8,7 +8,8 @@ use crate::memory;
 use crate::options::OpenOptions;
 use crate::placement::unoriented;
 use crate::samples::VoxelBuffer;
-use crate::source::{Assumptions, Source};
+use crate::setting::Setting;
+use crate::source::{Assumption, Assumptions, Source};
 use crate::stream;
 use crate::time::Times;
 use crate::volume::Volume;
@@ -40,13 +41,13 @@ pub(super) fn read(
     stream::skip(report, reader, before)?;
     stream::fill(report, &mut voxels, reader, count, size)?;
     let name = report.file.to_owned();
-    let mut volume = Volume::of_samples(name, header.dimensions, [1.0; 3], voxels.into_voxels(), header.sample)?;
-    volume.source = Source {
+    let volume = Volume::of_samples(name, header.dimensions, [1.0; 3], voxels.into_voxels(), header.sample)?;
+    let volume = volume.with_source(Source {
         format: "",
         sample_type: header.sample_name().to_owned(),
         encoding: header.sample.coding(packing, header.endian),
         assumptions,
-    };
+    });
     Ok((volume, there - before - bytes))
 }
 
@@ -58,7 +59,8 @@ fn assumptions(header: &Header, spacing_given: bool) -> Assumptions {
         if header.times > 1 { "time" } else { "z" }
     ));
     if !spacing_given {
-        notes.push("an array has no spacings: 1 was taken along each axis".to_owned());
+        let fact = "an array has no spacings: 1 was taken along each axis";
+        notes.push(Assumption::replaceable(fact, Setting::Spacing, ""));
     }
     notes.push(unoriented());
     notes.extend(header.sample.rounding_note());

@@ -91,7 +91,8 @@ impl Header {
         let &Literal::Bool(fortran_order) = get("fortran_order")? else {
             return Err(report.invalid(dictionary, "`fortran_order` is neither True nor False", "use one of the two"));
         };
-        let mut sizes = shape(get("shape")?, dictionary, report)?;
+        let shape = get("shape")?;
+        let mut sizes = sizes(shape, dictionary, report)?;
         // The last index of an array in C order changes fastest, and so is x.
         if !fortran_order {
             sizes.reverse();
@@ -150,11 +151,24 @@ fn sample_type(descr: &Literal, place: Place, report: Report) -> Result<(SampleT
     Ok((sample, endian, kind == "b1"))
 }
 
-/// Three sizes, or four.
-fn shape(shape: &Literal, place: Place, report: Report) -> Result<Vec<u32>, Error> {
+/// Three sizes, or four, without the axes of size 1 that are more than these.
+fn sizes(shape: &Literal, place: Place, report: Report) -> Result<Vec<u32>, Error> {
     let Literal::Tuple(sizes) = shape else {
         return Err(report.invalid(place, "`shape` is not a tuple of sizes", "write the array anew by numpy.save"));
     };
+    // A last or a first axis of size 1 is of channels or of time; an axis of the volume may have size 1, too.
+    let mut sizes = sizes.clone();
+    while sizes.len() > 3 && sizes.last() == Some(&1) {
+        sizes.pop();
+    }
+    while sizes.len() > 3 && sizes.first() == Some(&1) {
+        sizes.remove(0);
+    }
+    while sizes.len() > 4
+        && let Some(index) = sizes.iter().position(|&size| size == 1)
+    {
+        sizes.remove(index);
+    }
     if !(3..=4).contains(&sizes.len()) {
         return Err(report.unsupported(
             place,

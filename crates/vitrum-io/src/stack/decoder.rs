@@ -6,12 +6,13 @@ use tiff::TiffError;
 use tiff::decoder::{Decoder, Limits};
 use tiff::tags::{CompressionMethod, Tag};
 
+use super::patched::Patched;
 use crate::error::{Error, Place, Report};
 use crate::storage::{ByteReader, Storage};
 use crate::stream;
 
 /// A TIFF file at one of its pages.
-pub(super) type Reader<'a> = Decoder<ByteReader<'a>>;
+pub(super) type Reader<'a> = Decoder<Patched<ByteReader<'a>>>;
 
 /// The file at its first page.
 pub(super) fn open<'a>(storage: &Storage<'a>, report: Report) -> Result<Reader<'a>, Error> {
@@ -19,6 +20,9 @@ pub(super) fn open<'a>(storage: &Storage<'a>, report: Report) -> Result<Reader<'
     let mut limits = Limits::default();
     // Strips are read through small buffers, however long they are.
     limits.intermediate_buffer_size = usize::MAX;
+    // The description of a microscope's file may be long.
+    limits.ifd_value_size = 32 << 20;
+    let file = Patched::new(file).map_err(|error| report.unreadable(error))?;
     let decoder = Decoder::new(file).map_err(|error| damaged(report, 1, error))?;
     Ok(decoder.with_limits(limits))
 }

@@ -2,7 +2,9 @@
 
 mod decoder;
 mod folder;
+mod ome;
 mod page;
+mod patched;
 mod selection;
 mod series;
 mod spacing;
@@ -68,13 +70,18 @@ impl VolumeReader for Stack {
         note(&files, &mut assumptions);
         assumptions.push(unoriented());
         assumptions.extend(sample.rounding_note());
-        let spacing = first.notes.spacing(&mut assumptions);
+        let spacing = first.notes.spacing(options, &mut assumptions);
         let name = input.name.clone();
         let mut volume = Volume::of_samples(name, dimensions, spacing, voxels.into_voxels(), sample)?;
         let encoding = first.encoding.clone();
-        volume.source =
-            Source { format: self.format().name, sample_type: sample.name().to_owned(), encoding, assumptions };
-        Ok(volume)
+        if let Some([offset, factor]) = first.notes.calibration() {
+            assumptions.push(format!("values are samples times {factor} and {offset}, by ImageJ's calibration"));
+            let [offset, factor] =
+                [offset + factor * f64::from(sample.value_offset()), factor].map(|value| value as f32);
+            volume = volume.with_value_mapping(factor, offset)?;
+        }
+        let sample_type = sample.name().to_owned();
+        Ok(volume.with_source(Source { format: self.format().name, sample_type, encoding, assumptions }))
     }
 }
 
@@ -125,7 +132,11 @@ fn note(files: &[Pages], assumptions: &mut Assumptions) {
     if thumbnails > 0 {
         assumptions.push(format!("{thumbnails} smaller copies of pages were left unread"));
     }
-    if files.iter().any(|file| file.first.inverted) {
-        assumptions.push("the file's white is 0: its samples were inverted, so that white is the largest".to_owned());
+    if files.iter().any(|file| file.white_is_zero) {
+        assumptions.push("the file's 0 is meant to be white: values were kept as they are".to_owned());
+    }
+    if files.iter().any(|file| file.palette) {
+        let fact = "values are indices of a palette of colours: they were kept as numbers, without their colours";
+        assumptions.push(fact.to_owned());
     }
 }

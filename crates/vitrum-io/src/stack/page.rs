@@ -1,17 +1,19 @@
 //! The pages of one TIFF file, before and while they are decoded.
 
+use std::io::{Read, Seek, SeekFrom};
 use std::path::PathBuf;
 
 use tiff::ColorType;
 use tiff::decoder::DecodingSampleType;
-use tiff::tags::{PhotometricInterpretation, Tag};
+use tiff::tags::Tag;
 
+use super::NATIVE;
 use super::decoder::{Compression, Reader, damaged, is_thumbnail, open, order};
 use super::selection::Selection;
 use super::spacing::Notes;
 use crate::error::{Error, Place, Report};
 use crate::memory;
-use crate::samples::{SampleType, VoxelBuffer};
+use crate::samples::{Endian, SampleType, VoxelBuffer};
 use crate::storage::Storage;
 use crate::stream;
 
@@ -21,15 +23,12 @@ pub(super) struct Page {
     pub width: u32,
     pub height: u32,
     pub sample: SampleType,
-    /// Whether the file's white is 0; its samples then come inverted.
-    pub inverted: bool,
 }
 
 impl Page {
     /// Size and type of the page, such as `384 x 384 uint16`.
     pub fn describe(&self) -> String {
-        let white = if self.inverted { " with white as 0" } else { "" };
-        format!("{} x {} {}{white}", self.width, self.height, self.sample.name())
+        format!("{} x {} {}", self.width, self.height, self.sample.name())
     }
 
     pub fn voxels(&self) -> u64 {
@@ -53,6 +52,12 @@ pub(super) struct Pages<'a> {
     pub encoding: String,
     /// Notes of the first page on its spacing.
     pub notes: Notes,
+    /// Whether values are indices of colours.
+    pub palette: bool,
+    /// Whether the file says that 0 is white.
+    pub white_is_zero: bool,
+    /// The first byte and the order of images that lie behind one another without pages of their own.
+    behind: Option<(u64, Endian)>,
 }
 
 impl<'a> Pages<'a> {
@@ -98,7 +103,17 @@ impl<'a> Pages<'a> {
             return Err(report.invalid(Place::File, "all pages are thumbnails", "get the whole file"));
         };
         stream::check_ratio(report, bytes, length, most)?;
-        Ok(Self { storage, path, first, count, thumbnails, encoding, notes, name })
+        let (palette, white_is_zero) = {
+            let file = decoder.inner();
+            (file.palette, file.white_is_zero)
+        };
+        let images = notes.count("images");
+        let mut behind = None;
+        if images > 1 && count == 1 && thumbnails == 0 {
+            behind = images_behind(&storage, report, &first, images, length)?;
+            count = if behind.is_some() { images } else { 1 };
+        }
+        Ok(Self { storage, path, first, count, thumbnails, encoding, notes, palette, white_is_zero, behind, name })
     }
 
     /// Decodes the slices that are selected.
@@ -109,6 +124,9 @@ impl<'a> Pages<'a> {
         let size = count.saturating_mul(self.first.sample.size());
         let mut bytes = memory::reserve(report, size)?;
         bytes.resize(size, 0_u8);
+        if let Some((start, endian)) = self.behind {
+            return self.read_behind(report, selection, voxels, (start, endian), bytes);
+        }
         let mut index = 0;
         for number in 1.. {
             let at = |error| damaged(report, number, error);
@@ -126,6 +144,52 @@ impl<'a> Pages<'a> {
         }
         Ok(())
     }
+}
+
+impl Pages<'_> {
+    /// Decodes the selected of the images that lie behind one another, through a buffer of one of them.
+    fn read_behind(
+        &self,
+        report: Report,
+        selection: Selection,
+        voxels: &mut VoxelBuffer,
+        (start, endian): (u64, Endian),
+        mut bytes: Vec<u8>,
+    ) -> Result<(), Error> {
+        let unreadable = |error| report.unreadable(error);
+        let mut file = self.storage.open().map_err(unreadable)?;
+        let size = self.first.sample.size();
+        for index in (0..self.count).filter(|&index| selection.contains(index)) {
+            // Within the file, as was checked.
+            file.seek(SeekFrom::Start(start + index * bytes.len() as u64)).map_err(unreadable)?;
+            file.read_exact(&mut bytes).map_err(unreadable)?;
+            if endian != NATIVE {
+                bytes.chunks_exact_mut(size).for_each(<[u8]>::reverse);
+            }
+            stream::fill(report, voxels, &mut bytes.as_slice(), bytes.len() / size, size)?;
+        }
+        Ok(())
+    }
+}
+
+/// The first byte of so many images behind one another, which ImageJ writes beyond 4 GiB, and their byte order; `None` where they are
+/// not there, as in a page that was taken out of such a file with its description.
+fn images_behind(
+    storage: &Storage,
+    report: Report,
+    page: &Page,
+    images: u64,
+    length: u64,
+) -> Result<Option<(u64, Endian)>, Error> {
+    let mut decoder = open(storage, report)?;
+    let at = |error| damaged(report, 1, error);
+    let is_raw = Compression::of(&mut decoder, report, 1)?.name == "raw";
+    let offsets: Option<Vec<u64>> = decoder.find_tag_unsigned_vec(Tag::StripOffsets).map_err(at)?;
+    let start = offsets.and_then(|offsets| offsets.first().copied()).unwrap_or(u64::MAX);
+    let bytes = page.voxels().saturating_mul(page.sample.size() as u64).saturating_mul(images);
+    let big = decoder.byte_order() == tiff::tags::ByteOrder::BigEndian;
+    let is_there = is_raw && bytes <= length.saturating_sub(start);
+    Ok(is_there.then_some((start, if big { Endian::Big } else { Endian::Little })))
 }
 
 fn page(decoder: &mut Reader, report: Report, number: u64) -> Result<Page, Error> {
@@ -160,9 +224,7 @@ fn page(decoder: &mut Reader, report: Report, number: u64) -> Result<Page, Error
             return Err(unsupported(format!("has {bits} bit samples of the format {:?}", layout.sample_format)));
         }
     };
-    let white: Option<u16> = decoder.find_tag_unsigned(Tag::PhotometricInterpretation).map_err(at)?;
-    let inverted = white == Some(PhotometricInterpretation::WhiteIsZero.to_u16());
-    let page = Page { width, height, sample, inverted };
+    let page = Page { width, height, sample };
     let expected = page.voxels().checked_mul(sample.size() as u64);
     let (chunk_width, chunk_height) = decoder.chunk_dimensions();
     let widest = width.next_multiple_of(16).max(1 << 14);

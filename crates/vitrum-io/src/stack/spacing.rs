@@ -1,10 +1,15 @@
 //! Spacing of a TIFF file's pixels and slices.
 
-use crate::source::Assumptions;
+use crate::error::clip;
+use crate::options::OpenOptions;
+use crate::placement::millimetres;
+use crate::setting::Setting;
+use crate::source::{Assumption, Assumptions};
 use tiff::decoder::ifd::Value;
 use tiff::tags::Tag;
 
 use super::decoder::Reader;
+use super::ome::Ome;
 
 /// The tags and the description that matter, as found.
 #[derive(Debug, Default)]
@@ -15,6 +20,8 @@ pub(super) struct Notes {
     unit: u16,
     /// The lines that ImageJ writes, such as `spacing=8.8`.
     imagej: Vec<(String, String)>,
+    /// What OME-XML says, which goes before all else.
+    pub ome: Option<Ome>,
 }
 
 impl Notes {
@@ -31,12 +38,14 @@ impl Notes {
         let unit = decoder.find_tag_unsigned(Tag::ResolutionUnit).ok().flatten();
         let unit = unit.unwrap_or(if resolution.is_some() { 2 } else { 1 });
         let text = match decoder.find_tag(Tag::ImageDescription) {
-            Ok(Some(Value::Ascii(text))) if text.starts_with("ImageJ=") => text,
+            Ok(Some(Value::Ascii(text))) => text,
             _ => String::new(),
         };
+        let ome = Ome::read(&text);
+        let text = if text.starts_with("ImageJ=") { text } else { String::new() };
         let lines = text.lines().filter_map(|line| line.split_once('='));
         let imagej = lines.map(|(name, value)| (name.to_owned(), value.trim().to_owned())).collect();
-        Self { resolution, unit, imagej }
+        Self { resolution, unit, imagej, ome }
     }
 
     fn imagej(&self, name: &str) -> Option<&str> {
@@ -48,15 +57,27 @@ impl Notes {
         self.imagej(name).and_then(|value| value.parse().ok()).unwrap_or(1)
     }
 
+    /// The straight line by which ImageJ turns samples into values: offset and factor. Signed samples are written so.
+    pub fn calibration(&self) -> Option<[f64; 2]> {
+        let number = |name: &str| self.imagej(name)?.parse::<f64>().ok().filter(|value| value.is_finite());
+        let is_line = self.imagej("cf").is_none_or(|function| function == "0");
+        let [offset, factor] = [number("c0")?, number("c1")?];
+        (is_line && factor != 0.0 && [offset, factor] != [0.0, 1.0]).then_some([offset, factor])
+    }
+
     /// The spacing in millimetres, or where no unit is named in the file's own.
-    pub fn spacing(&self, assumptions: &mut Assumptions) -> [f32; 3] {
-        let scale = match (self.imagej("unit"), self.unit) {
-            (Some(unit), _) => millimetres(unit),
+    pub fn spacing(&self, options: &OpenOptions, assumptions: &mut Assumptions) -> [f32; 3] {
+        if let Some(ome) = self.ome.as_ref().filter(|ome| ome.spacing.iter().any(Option::is_some)) {
+            return of_ome(ome, options, assumptions);
+        }
+        let named = self.imagej("unit");
+        let scale = match (named, self.unit) {
+            (Some(unit), _) => unit_of_imagej(unit),
             (None, 3) => Some(10.0),
             (None, 2) => Some(25.4),
             _ => None,
         };
-        if let (Some(unit), None) = (self.imagej("unit"), scale) {
+        if let (Some(unit), None) = (named, scale) {
             assumptions.push(format!("the unit `{}` is not known: it was taken for a millimetre", unit.escape_debug()));
         }
         let along = |resolution: f64| scale.unwrap_or(1.0) / resolution;
@@ -70,30 +91,59 @@ impl Notes {
         let between = self.imagej("spacing").and_then(|value| value.parse().ok()).map(f64::abs);
         let between =
             between.filter(|value| value.is_finite() && *value > 0.0).map(|value| value * scale.unwrap_or(1.0));
-        match (in_slice, between) {
-            (None, None) => assumptions.push("the file says no spacing: 1 was taken along each axis".to_owned()),
-            (Some(_), None) => {
-                assumptions.push("the file says no distance between slices: 1 was taken".to_owned());
+        let mut tell = |fact: &str| {
+            if options.spacing.is_none() {
+                assumptions.push(Assumption::replaceable(fact, Setting::Spacing, ""));
             }
-            (None, Some(_)) => assumptions.push("the file says no size of a pixel: 1 was taken".to_owned()),
-            _ => {}
-        }
+        };
         let [x, y] = in_slice.unwrap_or([1.0; 2]);
-        [x, y, between.unwrap_or(1.0)].map(|value| value as f32)
+        let z = match (in_slice, between) {
+            (_, Some(between)) => {
+                if in_slice.is_none() {
+                    tell("the file says no size of a pixel: 1 was taken");
+                }
+                between
+            }
+            // ImageJ leaves a distance of 1 out.
+            (_, None) if named.is_some() => {
+                tell("ImageJ says no distance between slices, as where it is 1 of its unit: that was taken");
+                scale.unwrap_or(1.0)
+            }
+            (None, None) => {
+                tell("the file says no spacing: 1 was taken along each axis");
+                1.0
+            }
+            (Some([x, _]), None) => {
+                tell("the file says no distance between slices: that of pixels was taken");
+                x
+            }
+        };
+        if in_slice.is_some() || between.is_some() {
+            let from = if self.imagej.is_empty() { "the tags of the resolution" } else { "ImageJ's description" };
+            assumptions.push(format!("the spacing was taken from {from}"));
+        }
+        [x, y, z].map(|value| value as f32)
     }
 }
 
+/// The spacing that OME-XML says; an axis without one takes that of another.
+fn of_ome(ome: &Ome, options: &OpenOptions, assumptions: &mut Assumptions) -> [f32; 3] {
+    if let Some(unit) = &ome.unknown_unit {
+        assumptions.push(format!("the unit `{}` is not known: it was taken for a millimetre", clip(unit)));
+    }
+    assumptions.push("the spacing was taken from OME-XML".to_owned());
+    let other = ome.spacing.into_iter().flatten().next().unwrap_or(1.0);
+    if ome.spacing.iter().any(Option::is_none) && options.spacing.is_none() {
+        let fact = "OME-XML says no spacing of an axis: that of another was taken";
+        assumptions.push(Assumption::replaceable(fact, Setting::Spacing, ""));
+    }
+    ome.spacing.map(|spacing| spacing.unwrap_or(other) as f32)
+}
+
 /// Millimetres in a unit as ImageJ names it.
-fn millimetres(unit: &str) -> Option<f64> {
+fn unit_of_imagej(unit: &str) -> Option<f64> {
     match unit.to_lowercase().as_str() {
-        "nm" | "nanometer" => Some(1e-6),
-        // ImageJ escapes what is not ASCII.
-        "um" | "µm" | "μm" | "micron" | "microns" | "micrometer" | "\\u00b5m" => Some(1e-3),
-        "mm" | "millimeter" => Some(1.0),
-        "cm" | "centimeter" => Some(10.0),
-        "m" | "meter" => Some(1000.0),
-        "inch" | "in" | "inches" => Some(25.4),
         "pixel" | "pixels" => Some(1.0),
-        _ => None,
+        _ => millimetres(unit),
     }
 }

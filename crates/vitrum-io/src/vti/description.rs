@@ -7,13 +7,14 @@ use super::xml::Tag;
 use crate::arrays;
 use crate::error::clip;
 use crate::error::{Error, Report};
+use crate::options::OpenOptions;
 use crate::orientation::Orientation;
 use crate::placement::{Placement, unoriented};
 use crate::samples::{Endian, SampleType};
 use crate::setting::Setting;
 use crate::source::Assumptions;
 use crate::stream;
-use crate::volume::check_spacing;
+use crate::tolerance;
 
 /// Coding of an array's bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,7 +59,8 @@ pub(super) struct Description {
 }
 
 impl Description {
-    pub fn new(layout: &Layout, file_length: u64, asked: Option<&str>, report: Report) -> Result<Self, Error> {
+    pub fn new(layout: &Layout, file_length: u64, options: &OpenOptions, report: Report) -> Result<Self, Error> {
+        let asked = options.array.as_deref();
         let mut assumptions = Assumptions::default();
         let array = choose(layout, asked, report, &mut assumptions)?;
         let sample = sample_type(report, array)?;
@@ -76,7 +78,7 @@ impl Description {
                 ));
             }
         };
-        let (dimensions, placement) = grid(report, &layout.image, array.association, &mut assumptions)?;
+        let (dimensions, placement) = grid(report, &layout.image, array.association, options, &mut assumptions)?;
         let data_bytes = stream::byte_count(dimensions, sample.size())
             .map_err(|problem| report.invalid(layout.image.place(), problem, "correct `WholeExtent`"))?;
         assumptions.extend(sample.rounding_note());
@@ -242,6 +244,7 @@ fn grid(
     report: Report,
     image: &Tag,
     association: Association,
+    options: &OpenOptions,
     assumptions: &mut Assumptions,
 ) -> Result<([u32; 3], Placement), Error> {
     let extent = numbers::<i32, 6>(report, image, "WholeExtent", None)?.map(i64::from);
@@ -259,13 +262,12 @@ fn grid(
             )
         })?;
     }
-    let spacing = numbers(report, image, "Spacing", Some([1.0; 3]))?;
-    check_spacing(report, spacing.map(|value: f64| value as f32)).map_err(|error| error.at(image.place()))?;
+    let spacing = tolerance::steps(numbers(report, image, "Spacing", Some([1.0; 3]))?, 1.0, options, assumptions);
     let stated = !image.get("Direction").is_none_or(numbers_are_identity);
     let orientation = if stated { Orientation::World } else { Orientation::Unknown };
     assumptions.extend((!stated).then(unoriented));
     if image.get("Spacing").is_none() {
-        assumptions.push("the file says no spacing: 1 was taken along each axis".to_owned());
+        tolerance::note_unspaced(options, assumptions);
     }
     let direction = numbers(report, image, "Direction", Some([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]))?;
     let columns: [[f64; 3]; 3] =
@@ -281,7 +283,7 @@ fn grid(
             origin[component] + (0..3).map(|axis| first[axis] * columns[axis][component]).sum::<f64>()
         })
     });
-    let placement = Placement::from_columns(columns, origin, orientation)
+    let placement = Placement::mended(columns, origin, orientation, options, assumptions)
         .map_err(|problem| report.invalid(image.place(), problem, "correct `Direction` or `Origin`"))?;
     Ok((dimensions, placement))
 }

@@ -44,16 +44,15 @@ impl VolumeReader for Vti {
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
         let layout = Layout::read(input.open()?, report)?;
-        let description = Description::new(&layout, input.length, options.array.as_deref(), report)?;
+        let description = Description::new(&layout, input.length, options, report)?;
         let voxels = read_data(&description, input, options)?;
-        let mut volume =
-            description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
-        volume.source = Source {
+        let volume = description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
+        let volume = volume.with_source(Source {
             format: self.format().name,
             sample_type: description.sample.name().to_owned(),
             encoding: description.encoding(),
             assumptions: description.assumptions,
-        };
+        });
         Ok(volume)
     }
 }

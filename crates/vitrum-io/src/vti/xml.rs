@@ -8,6 +8,7 @@ use quick_xml::events::{BytesStart, Event};
 
 use crate::error::clip;
 use crate::error::{Error, Place, Report};
+use crate::tolerance::BYTE_ORDER_MARK;
 
 /// Largest size of the markup in bytes, without the data; real files have a few thousand.
 const MAX_BYTES: u64 = 4 << 20;
@@ -57,12 +58,18 @@ pub(super) struct Document<'a, R> {
     open: Vec<String>,
     /// An element without content ends before anything else is read.
     empty: bool,
+    /// Bytes of a mark in front.
+    before: u64,
 }
 
 impl<'a, R: BufRead> Document<'a, R> {
-    pub fn new(reader: R, report: Report<'a>) -> Self {
+    pub fn new(mut reader: R, report: Report<'a>) -> Self {
+        // The library leaves a mark out of its positions.
+        let mark = reader.fill_buf().is_ok_and(|bytes| bytes.starts_with(BYTE_ORDER_MARK));
+        let before = if mark { BYTE_ORDER_MARK.len() } else { 0 };
+        reader.consume(before);
         let reader = Metered { inner: reader, line: 1, allowance: Some(MAX_BYTES) };
-        Self { reader: Reader::from_reader(reader), report, open: vec![], empty: false }
+        Self { reader: Reader::from_reader(reader), report, open: vec![], empty: false, before: before as u64 }
     }
 
     /// Names of the elements around the current place, outermost first.
@@ -123,7 +130,7 @@ impl<'a, R: BufRead> Document<'a, R> {
 
     /// Skips to the next markup, however far that is.
     pub fn skip_text(&mut self) -> Result<Text, Error> {
-        let start = self.reader.buffer_position();
+        let start = self.before + self.reader.buffer_position();
         let mut text = Text { start, length: 0, blank: true };
         if self.empty {
             return Ok(text);
@@ -151,12 +158,12 @@ impl<'a, R: BufRead> Document<'a, R> {
 
     /// The position behind the next byte that is no white space, where that is `expected`.
     pub fn find(&mut self, expected: u8) -> Result<Option<u64>, Error> {
-        let report = self.report;
+        let (report, before) = (self.report, self.before);
         let mut stream = self.reader.stream();
         for byte in stream.by_ref().bytes() {
             let byte = byte.map_err(|error| report.unreadable(error))?;
             if !byte.is_ascii_whitespace() {
-                return Ok((byte == expected).then_some(stream.offset()));
+                return Ok((byte == expected).then_some(before + stream.offset()));
             }
         }
         Ok(None)

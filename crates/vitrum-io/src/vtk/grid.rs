@@ -4,11 +4,13 @@ use super::blocks::Block;
 use super::fields::{Attributes, Fields};
 use super::header::Header;
 use crate::error::{Error, Place, Report};
+use crate::options::OpenOptions;
 use crate::orientation::Orientation;
 use crate::placement::{Placement, unoriented};
 use crate::source::Assumptions;
 use crate::stream;
-use crate::volume::{IDENTITY, check_spacing};
+use crate::tolerance;
+use crate::volume::IDENTITY;
 
 impl Fields {
     pub fn finish(
@@ -17,6 +19,7 @@ impl Fields {
         block: &Block,
         start: u64,
         (count, cells, count_line): Attributes,
+        options: &OpenOptions,
     ) -> Result<Header, Error> {
         let sample = block.scalar(report)?;
         if !self.dataset {
@@ -45,7 +48,7 @@ impl Fields {
         }
         let mut assumptions = Assumptions::default();
         assumptions.extend(sample.rounding_note());
-        let placement = self.placement(report, points, cells, &mut assumptions)?;
+        let placement = self.placement(report, points, cells, options, &mut assumptions)?;
         let binary = self.binary;
         Ok(Header { binary, sample, dimensions, data_bytes, length: start, placement, assumptions })
     }
@@ -55,16 +58,13 @@ impl Fields {
         report: Report,
         points: [u32; 3],
         cells: bool,
+        options: &OpenOptions,
         assumptions: &mut Assumptions,
     ) -> Result<Placement, Error> {
         let spacing = match self.spacing {
-            Some((spacing, line)) => {
-                let narrow = spacing.map(|value| value as f32);
-                check_spacing(report, narrow).map_err(|error| error.at(Place::Line(line)))?;
-                spacing
-            }
+            Some((spacing, _)) => tolerance::steps(spacing, 1.0, options, assumptions),
             None => {
-                assumptions.push("the file says no spacing: 1 was taken along each axis".to_owned());
+                tolerance::note_unspaced(options, assumptions);
                 [1.0; 3]
             }
         };
@@ -76,7 +76,7 @@ impl Fields {
         let origin = self.origin.map(|(origin, _)| [0, 1, 2].map(|axis| origin[axis] + first(axis)));
         let columns = [0, 1, 2].map(|axis| IDENTITY[axis].map(|unit| f64::from(unit) * spacing[axis]));
         let place = self.origin.map_or(Place::File, |(_, line)| Place::Line(line));
-        Placement::from_columns(columns, origin, Orientation::Unknown)
+        Placement::mended(columns, origin, Orientation::Unknown, options, assumptions)
             .map_err(|problem| report.invalid(place, problem, "correct SPACING or ORIGIN"))
     }
 }

@@ -6,6 +6,7 @@ use super::blocks::Block;
 use super::fields::{Attributes, Fields};
 use crate::arrays;
 use crate::error::{Error, Place, Report, clip};
+use crate::options::OpenOptions;
 use crate::placement::Placement;
 use crate::samples::SampleType;
 use crate::source::Assumptions;
@@ -40,9 +41,10 @@ impl Header {
     pub fn read<R: BufRead + Seek>(
         mut reader: R,
         file_length: u64,
-        asked: Option<&str>,
+        options: &OpenOptions,
         report: Report,
     ) -> Result<Self, Error> {
+        let asked = options.array.as_deref();
         let mut lines = Lines::new(&mut reader, report, MAX_BYTES, ADVICE);
         let magic = lines.next()?.unwrap_or_default();
         if !magic.to_ascii_lowercase().starts_with("# vtk datafile") {
@@ -54,13 +56,19 @@ impl Header {
         }
         // A title, for people.
         lines.next()?;
-        let kind = lines.next()?.unwrap_or_default();
+        // Blank lines may follow it.
+        let kind = loop {
+            match lines.next()? {
+                Some(line) if line.trim().is_empty() => {}
+                other => break other.unwrap_or_default(),
+            }
+        };
         let binary = match kind.trim().to_ascii_lowercase().as_str() {
             "ascii" => false,
             "binary" => true,
             _ => {
                 let problem = format!("`{}` is neither ASCII nor BINARY", clip(&kind));
-                return Err(report.invalid(Place::Line(3), problem, "write one of the two"));
+                return Err(report.invalid(Place::Line(lines.number), problem, "write one of the two"));
             }
         };
         let mut number = lines.number;
@@ -90,7 +98,7 @@ impl Header {
                 return Err(arrays.refusal.unwrap_or(error));
             }
         }
-        arrays.finish(report, fields, number, asked)
+        arrays.finish(report, fields, number, options)
     }
 }
 
@@ -148,7 +156,8 @@ impl Arrays {
         }
     }
 
-    fn finish(self, report: Report, fields: Fields, line: usize, asked: Option<&str>) -> Result<Header, Error> {
+    fn finish(self, report: Report, fields: Fields, line: usize, options: &OpenOptions) -> Result<Header, Error> {
+        let asked = options.array.as_deref();
         let names = self.names.iter().map(String::as_str);
         let Some((block, start, attributes)) = self.chosen else {
             return Err(match (self.refusal, asked) {
@@ -165,7 +174,7 @@ impl Arrays {
         if let Some(index) = others.iter().position(|name| *name == block.name) {
             others.remove(index);
         }
-        let mut header = fields.finish(report, &block, start, attributes)?;
+        let mut header = fields.finish(report, &block, start, attributes, options)?;
         if asked.is_none() {
             header.assumptions.extend(arrays::others_note(&block.name, others.into_iter()));
         }

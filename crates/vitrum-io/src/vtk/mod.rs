@@ -41,15 +41,15 @@ impl VolumeReader for Vtk {
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        let header = Header::read(input.open()?, input.length, options.array.as_deref(), report)?;
+        let header = Header::read(input.open()?, input.length, options, report)?;
         let voxels = read_data(&header, input, options)?;
-        let mut volume = header.placement.volume(&input.name, header.dimensions, voxels, header.sample)?;
-        volume.source = Source {
+        let volume = header.placement.volume(&input.name, header.dimensions, voxels, header.sample)?;
+        let volume = volume.with_source(Source {
             format: self.format().name,
             sample_type: header.sample.name().to_owned(),
             encoding: if header.binary { "binary, big-endian" } else { "ascii" }.to_owned(),
             assumptions: header.assumptions,
-        };
+        });
         Ok(volume)
     }
 }

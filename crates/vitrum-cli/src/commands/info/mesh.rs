@@ -47,8 +47,8 @@ pub fn text(mesh: &Mesh) -> String {
     for (index, material) in mesh.materials.iter().enumerate() {
         row(if index == 0 { "materials" } else { "" }, describe(material));
     }
-    for (index, assumption) in source.assumptions.iter().enumerate() {
-        row(if index == 0 { "assumed" } else { "" }, advice::on_assumption(assumption));
+    for (name, told) in advice::on_assumptions(&source.assumptions) {
+        row(name, told);
     }
     text
 }

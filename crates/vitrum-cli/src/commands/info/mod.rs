@@ -74,8 +74,8 @@ fn text(volume: &Volume) -> String {
     row("axes", format!("x {:?}, y {:?}, z {:?}", volume.axes[0], volume.axes[1], volume.axes[2]));
     row("range", format!("{low} to {high}"));
     row("histogram", format!("{}  (logarithmic)", bars(&volume.histogram(BINS))));
-    for (index, assumption) in source.assumptions.iter().enumerate() {
-        row(if index == 0 { "assumed" } else { "" }, advice::on_assumption(assumption));
+    for (name, told) in advice::on_assumptions(&source.assumptions) {
+        row(name, told);
     }
     text
 }

@@ -10,13 +10,38 @@ use percent_encoding::percent_decode_str;
 use super::document::{Buffer, Document};
 use super::lookup::lookup;
 use crate::detached::locate;
-use crate::error::{Error, Place, clip};
+use crate::error::{Error, Place, Report, clip};
 use crate::input::Input;
 use crate::mesh::build::Builder;
 
 /// The decoded buffers, in the order of the document.
 #[derive(Debug)]
-pub(super) struct Buffers<'a>(Vec<Cow<'a, [u8]>>);
+pub(super) struct Buffers<'a>(Vec<Result<Cow<'a, [u8]>, Missing>>);
+
+/// A buffer that is not there: a fault as soon as a triangle needs it, and none before.
+#[derive(Debug)]
+struct Missing {
+    place: Place,
+    problem: String,
+    advice: String,
+    unsupported: bool,
+}
+
+impl Missing {
+    /// Keeps an error for later; one of memory is returned.
+    fn of(error: Error) -> Result<Self, Error> {
+        match error {
+            Error::Invalid { place, problem, advice, .. } => Ok(Self { place, problem, advice, unsupported: false }),
+            Error::Unsupported { place, problem, advice, .. } => Ok(Self { place, problem, advice, unsupported: true }),
+            error => Err(error),
+        }
+    }
+
+    fn error(&self, report: Report) -> Error {
+        let Self { place, problem, advice, unsupported } = self;
+        if *unsupported { report.unsupported(*place, problem, advice) } else { report.invalid(*place, problem, advice) }
+    }
+}
 
 impl<'a> Buffers<'a> {
     pub fn load(
@@ -27,19 +52,10 @@ impl<'a> Buffers<'a> {
     ) -> Result<Self, Error> {
         let mut buffers = Vec::new();
         for (index, buffer) in document.buffers.iter().enumerate() {
-            let bytes = match &buffer.uri {
-                Some(uri) => Cow::Owned(read(uri, index, buffer, input, builder)?),
-                None => Cow::Borrowed(binary.filter(|_| index == 0).unwrap_or_default()),
-            };
-            // The chunk of a GLB file may be padded.
-            if (bytes.len() as u64) < buffer.byte_length {
-                return Err(builder.report.invalid(
-                    Place::File,
-                    format!("buffers[{index}] promises {} bytes, {} are there", buffer.byte_length, bytes.len()),
-                    "get the whole file, or correct `byteLength`",
-                ));
-            }
-            buffers.push(bytes);
+            buffers.push(match load(buffer, index, binary, input, builder) {
+                Ok(bytes) => Ok(bytes),
+                Err(error) => Err(Missing::of(error)?),
+            });
         }
         Ok(Self(buffers))
     }
@@ -50,6 +66,7 @@ impl<'a> Buffers<'a> {
         let name = || format!("{from}.bufferView");
         let view = lookup(report, &document.buffer_views, "bufferViews", index, name)?;
         let buffer = lookup(report, &self.0, "buffers", view.buffer, || format!("bufferViews[{index}].buffer"))?;
+        let buffer = buffer.as_ref().map_err(|missing| missing.error(report))?;
         let end = view.byte_offset.saturating_add(view.byte_length);
         let range = usize::try_from(view.byte_offset).ok().zip(usize::try_from(end).ok());
         range.and_then(|(start, end)| buffer.get(start..end)).ok_or_else(|| {
@@ -57,6 +74,28 @@ impl<'a> Buffers<'a> {
             report.invalid(Place::File, problem, "correct `byteOffset` and `byteLength`")
         })
     }
+}
+
+fn load<'a>(
+    buffer: &Buffer,
+    index: usize,
+    binary: Option<&'a [u8]>,
+    input: &Input,
+    builder: &mut Builder,
+) -> Result<Cow<'a, [u8]>, Error> {
+    let bytes = match &buffer.uri {
+        Some(uri) => Cow::Owned(read(uri, index, buffer, input, builder)?),
+        None => Cow::Borrowed(binary.filter(|_| index == 0).unwrap_or_default()),
+    };
+    // The chunk of a GLB file may be padded.
+    if (bytes.len() as u64) < buffer.byte_length {
+        return Err(builder.report.invalid(
+            Place::File,
+            format!("buffers[{index}] promises {} bytes, {} are there", buffer.byte_length, bytes.len()),
+            "get the whole file, or correct `byteLength`",
+        ));
+    }
+    Ok(bytes)
 }
 
 fn read(uri: &str, index: usize, buffer: &Buffer, input: &Input, builder: &mut Builder) -> Result<Vec<u8>, Error> {

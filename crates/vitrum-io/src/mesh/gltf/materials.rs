@@ -1,9 +1,8 @@
 //! Materials as glTF and its extensions describe them.
 
 use super::document::MaterialEntry;
-use super::lookup::lookup;
 use super::scene::Assembly;
-use crate::error::{Error, Place};
+use crate::error::Error;
 use crate::mesh::Material;
 
 impl Assembly<'_, '_> {
@@ -12,17 +11,20 @@ impl Assembly<'_, '_> {
         let default = MaterialEntry::default();
         let list = &self.files.document.materials;
         let entry = match index {
-            Some(index) => lookup(self.builder.report, list, "materials", index, || format!("{name}.material"))?,
+            Some(index) if index < list.len() => &list[index],
+            Some(index) => {
+                self.leave_out(format!("left out: {name} names the material {index}, and there are {}", list.len()));
+                &default
+            }
             None => &default,
         };
-        let slot = index.unwrap_or(list.len());
+        let slot = index.unwrap_or(list.len()).min(list.len());
         if let Some(known) = self.materials[slot] {
             return Ok(known);
         }
-        let material = convert(entry);
-        if let Some(problem) = out_of_range(&material) {
-            let problem = format!("materials[{slot}]: {problem}");
-            return Err(self.builder.report.invalid(Place::File, problem, "correct the material"));
+        let mut material = convert(entry);
+        for problem in leave_out_wrong(&mut material) {
+            self.leave_out(format!("left out: materials[{slot}]: {problem}"));
         }
         let number = self.builder.materials.len() as u32;
         self.builder.budget.push(&mut self.builder.materials, material)?;
@@ -53,26 +55,40 @@ fn convert(entry: &MaterialEntry) -> Material {
     }
 }
 
-fn out_of_range(material: &Material) -> Option<String> {
-    let unit = |name: &str, value: Option<f32>| {
-        let value = value.filter(|value| !(0.0..=1.0).contains(value))?;
-        Some(format!("{name} is {value}, not 0 to 1"))
+/// Takes out what is out of range; the problems.
+fn leave_out_wrong(material: &mut Material) -> Vec<String> {
+    let mut problems = Vec::new();
+    let mut drop = |name: &str, is_wrong: bool, expected: &str| {
+        if is_wrong {
+            problems.push(format!("{name} is not {expected}"));
+        }
+        is_wrong
     };
-    let colors = [("the base colour", material.base_color), ("the attenuation colour", material.attenuation_color)];
-    let channels =
-        colors.into_iter().flat_map(|(name, color)| color.into_iter().flatten().map(move |value| (name, Some(value))));
+    let unit = |value: f32| (0.0..=1.0).contains(&value);
+    let colors =
+        [("the base colour", &mut material.base_color), ("the attenuation colour", &mut material.attenuation_color)];
+    for (name, color) in colors {
+        let is_wrong = color.is_some_and(|color| !color.into_iter().all(unit));
+        *color = color.take_if(|_| !drop(name, is_wrong, "0 to 1"));
+    }
     let numbers = [
-        ("the alpha", material.opacity),
-        ("the transmission", material.transmission),
-        ("the roughness", material.roughness),
+        ("the alpha", &mut material.opacity),
+        ("the transmission", &mut material.transmission),
+        ("the roughness", &mut material.roughness),
     ];
-    if let Some(problem) = channels.chain(numbers).find_map(|(name, value)| unit(name, value)) {
-        return Some(problem);
+    for (name, number) in numbers {
+        let is_wrong = number.is_some_and(|number| !unit(number));
+        *number = number.take_if(|_| !drop(name, is_wrong, "0 to 1"));
     }
     // 0 stands for an infinite one.
-    if let Some(ior) = material.index_of_refraction.filter(|&ior| ior != 0.0 && !(1.0..=1e6).contains(&ior)) {
-        return Some(format!("the index of refraction is {ior}, not 1 or more"));
+    let is_index = |ior: f32| ior == 0.0 || (1.0..=1e6).contains(&ior);
+    if drop("the index of refraction", material.index_of_refraction.is_some_and(|ior| !is_index(ior)), "1 or more") {
+        material.index_of_refraction = None;
     }
-    let distance = material.attenuation_distance.filter(|distance| !(*distance > 0.0 && distance.is_finite()));
-    distance.map(|distance| format!("the attenuation distance is {distance}, not above 0"))
+    let is_distance = |distance: f32| distance > 0.0 && distance.is_finite();
+    let is_wrong = material.attenuation_distance.is_some_and(|distance| !is_distance(distance));
+    if drop("the attenuation distance", is_wrong, "a finite number above 0") {
+        (material.attenuation_distance, material.attenuation_color) = (None, None);
+    }
+    problems
 }

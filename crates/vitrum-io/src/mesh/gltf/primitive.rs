@@ -14,7 +14,7 @@ const TRIANGLES: u32 = 4;
 const STRIP: u32 = 5;
 const FAN: u32 = 6;
 
-impl Assembly<'_, '_> {
+impl<'a> Assembly<'a, '_> {
     pub fn add_primitive(&mut self, primitive: &Primitive, map: &DAffine3, name: &str) -> Result<(), Error> {
         let report = self.builder.report;
         let mode = primitive.mode.unwrap_or(TRIANGLES);
@@ -26,19 +26,10 @@ impl Assembly<'_, '_> {
             self.left_out += 1;
             return Ok(());
         };
-        let attribute = |index: Option<usize>, attribute: &str, kinds: &[&str]| {
-            let from = format!("{name}.attributes.{attribute}");
-            index.map(|index| self.files.values(self.builder, index, kinds, &from)).transpose()
-        };
         let positions = self.files.values(self.builder, position, &["VEC3"], &format!("{name}.attributes.POSITION"))?;
-        let normals = attribute(primitive.attributes.normal, "NORMAL", &["VEC3"])?;
-        let colors = attribute(primitive.attributes.color, "COLOR_0", &["VEC3", "VEC4"])?;
-        for (values, attribute) in [(&normals, "NORMAL"), (&colors, "COLOR_0")] {
-            if let Some(values) = values.as_ref().filter(|values| values.count != positions.count) {
-                let problem = format!("{name} has {} of {attribute} for {} vertices", values.count, positions.count);
-                return Err(report.invalid(Place::File, problem, "give each vertex one"));
-            }
-        }
+        let count = positions.count;
+        let normals = self.attribute(primitive.attributes.normal, "NORMAL", &["VEC3"], name, count)?;
+        let colors = self.attribute(primitive.attributes.color, "COLOR_0", &["VEC3", "VEC4"], name, count)?;
         let mut indices = self.indices(primitive, positions.count, name)?;
         let before = self.builder.triangles.len();
         let vertices = Vertices { positions, normals, colors };
@@ -65,6 +56,35 @@ impl Assembly<'_, '_> {
         }
         let material = self.material(primitive.material, name)?;
         self.builder.assign(material)
+    }
+
+    /// An attribute that no triangle needs: one that cannot be read, or is of other vertices, is left out and told.
+    fn attribute(
+        &mut self,
+        index: Option<usize>,
+        attribute: &str,
+        kinds: &[&str],
+        name: &str,
+        count: u32,
+    ) -> Result<Option<Values<'a>>, Error> {
+        let Some(index) = index else { return Ok(None) };
+        let problem = match self.files.values(self.builder, index, kinds, &format!("{name}.attributes.{attribute}")) {
+            Ok(values) if values.count == count => return Ok(Some(values)),
+            Ok(values) => format!("there are {} for {count} vertices", values.count),
+            Err(error @ Error::TooLarge { .. }) => return Err(error),
+            Err(Error::Invalid { problem, .. } | Error::Unsupported { problem, .. }) => problem,
+            Err(error) => error.to_string(),
+        };
+        self.leave_out(format!("left out: {attribute} of {name}, as {problem}"));
+        Ok(None)
+    }
+
+    /// Tells what was left out; a hostile file may have much of it.
+    pub fn leave_out(&mut self, fact: String) {
+        const MOST: usize = 64;
+        if self.builder.assumptions.len() < MOST {
+            self.builder.assumptions.push(fact);
+        }
     }
 
     /// The vertices in the order of corners, each below `count`.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::vertices::Vertices;
-use crate::error::{Error, Place, Report};
+use crate::error::{Error, Place};
 use crate::mesh::build::Builder;
 use crate::mesh::words::show;
 
@@ -11,7 +11,6 @@ use crate::mesh::words::show;
 #[derive(Debug, Default, Clone, Copy)]
 pub(super) struct Before {
     pub positions: usize,
-    pub textures: usize,
     pub normals: usize,
 }
 
@@ -55,16 +54,21 @@ impl<'a> Corners<'a> {
             report.invalid(place, problem, "correct the face")
         };
         let mut parts = word.split(|&byte| byte == b'/');
-        let mut part = |what, before, count| match parts.next() {
-            None | Some([]) => Ok(None),
-            Some(part) => {
-                let parsed = std::str::from_utf8(part).ok().and_then(|part| part.parse().ok());
-                resolve(report, place, what, parsed.ok_or_else(wrong)?, before, count).map(Some)
-            }
+        let number = |part: &[u8]| std::str::from_utf8(part).ok().and_then(|part| part.parse::<i64>().ok());
+        let position = parts.next().and_then(number).ok_or_else(wrong)?;
+        let Some(position) = resolve(position, before.positions, self.positions) else {
+            let count = self.positions;
+            let problem = format!("the face names vertex {position}, counted from 1, and there are {count}");
+            return Err(report.invalid(place, problem, "correct the index, or get the whole file"));
         };
-        let position = part("vertex", before.positions, self.positions)?.ok_or_else(wrong)?;
-        part("texture coordinate", before.textures, self.vertices.textures)?;
-        let normal = part("normal", before.normals, self.vertices.normals.len())?;
+        // Texture coordinates are not read.
+        parts.next();
+        let written = parts.next().filter(|part| !part.is_empty());
+        let normal = written.and_then(number);
+        let normal = normal.and_then(|normal| resolve(normal, before.normals, self.vertices.normals.len()));
+        if written.is_some() && normal.is_none() {
+            builder.left_out.add("normals of corners that name none of the file's");
+        }
         if parts.next().is_some() {
             return Err(wrong());
         }
@@ -117,13 +121,9 @@ impl<'a> Corners<'a> {
     }
 }
 
-/// An index from 0 out of one from 1, or from the last backwards.
-fn resolve(report: Report, place: Place, what: &str, index: i64, before: usize, count: usize) -> Result<u32, Error> {
-    let from_zero = if index > 0 { index - 1 } else { before as i64 + index };
-    if index != 0 && (0..count as i64).contains(&from_zero) {
-        // Fewer than 2^32 of each: positions were counted, and the others are no more than the file's lines.
-        return Ok(from_zero as u32);
-    }
-    let problem = format!("the face names {what} {index}, counted from 1, and there are {count}");
-    Err(report.invalid(place, problem, "correct the index, or get the whole file"))
+/// An index from 0 out of one from 1, or from the last backwards; `None` where there is no such thing.
+fn resolve(index: i64, before: usize, count: usize) -> Option<u32> {
+    let from_zero = if index > 0 { index - 1 } else { (before as i64).checked_add(index)? };
+    // Fewer than 2^32 of each: positions were counted, and the others are no more than the file's lines.
+    (index != 0 && (0..count as i64).contains(&from_zero)).then_some(from_zero as u32)
 }

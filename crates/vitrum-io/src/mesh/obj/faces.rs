@@ -10,7 +10,8 @@ use crate::error::Error;
 use crate::input::Input;
 use crate::mesh::Material;
 use crate::mesh::build::Builder;
-use crate::mesh::words::{name, show};
+use crate::mesh::words::show;
+use crate::tolerance::name;
 
 /// The reader of faces, with the triangles that it has read so far.
 pub(super) struct Faces<'a, 'b> {
@@ -45,13 +46,12 @@ impl<'a, 'b> Faces<'a, 'b> {
         while let Some(statement) = statements.next() {
             match statement.keyword {
                 b"v" => self.before.positions += 1,
-                b"vt" => self.before.textures += 1,
                 b"vn" => self.before.normals += 1,
                 b"f" | b"fo" => self.add_face(&statement)?,
                 b"usemtl" => self.use_material(&statement)?,
                 b"mtllib" => self.library.load(self.builder, &statement)?,
                 // Names and smoothing of groups change no triangle.
-                b"o" | b"g" | b"s" => {}
+                b"o" | b"g" | b"s" | b"vt" => {}
                 // A hostile file may have a new one in each line.
                 keyword if self.left_out.len() < 16 => {
                     self.left_out.insert(format!("`{}`", show(keyword)));
@@ -74,7 +74,7 @@ impl<'a, 'b> Faces<'a, 'b> {
     /// The triangles up to here have the material before.
     fn use_material(&mut self, statement: &Statement) -> Result<(), Error> {
         self.assign()?;
-        let name = name(self.builder.report, statement.place(), statement.rest)?;
+        let name = name(statement.rest);
         self.current = Some(match self.materials.get(&name) {
             Some(&index) => index,
             None => self.add_material(name)?,

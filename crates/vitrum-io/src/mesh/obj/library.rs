@@ -11,7 +11,8 @@ use crate::error::{Error, Place, Report};
 use crate::input::{Input, display_name};
 use crate::mesh::Material;
 use crate::mesh::build::Builder;
-use crate::mesh::words::{name, show};
+use crate::mesh::words::show;
+use crate::tolerance::name;
 
 /// Materials by name.
 pub(super) struct Library<'a> {
@@ -28,15 +29,19 @@ impl<'a> Library<'a> {
 
     /// Reads what a `mtllib` statement names: one file whose name may have spaces, or several.
     pub fn load(&mut self, builder: &mut Builder, statement: &Statement) -> Result<(), Error> {
-        let whole = self.locate(builder.report, statement.place(), statement.rest)?;
-        let words = || statement.words().map(|word| self.locate(builder.report, statement.place(), word));
+        let whole = self.locate(statement.rest);
         let paths: Vec<_> = match whole {
             Some(path) => vec![path],
-            None => words().filter_map(Result::transpose).collect::<Result<_, _>>()?,
+            None => statement.words().filter_map(|word| self.locate(word)).collect(),
         };
         if paths.is_empty() {
-            let why =
-                if self.folder.is_some() { "is missing" } else { "lies beside the mesh, whose bytes alone were given" };
+            let why = match self.folder {
+                Some(_) if !is_below(&relative(statement.rest)) => {
+                    "is not below the folder of the mesh, and was not read"
+                }
+                Some(_) => "is missing",
+                None => "lies beside the mesh, whose bytes alone were given",
+            };
             let note = format!("the file `{}` {why}: its materials have a name alone", show(statement.rest));
             // Some files name it once for each object.
             if !builder.assumptions.iter().any(|other| other.fact == note) {
@@ -45,22 +50,24 @@ impl<'a> Library<'a> {
         }
         for path in paths {
             if !self.loaded.contains(&path) {
-                self.read(builder, &path)?;
+                match self.read(builder, &path) {
+                    Ok(()) => {}
+                    // Memory is the user's limit, and no fault of the file.
+                    Err(error @ Error::TooLarge { .. }) => return Err(error),
+                    Err(error) => builder.assumptions.push(format!("left out: materials, as of {error}")),
+                }
                 self.loaded.push(path);
             }
         }
         Ok(())
     }
 
-    /// The path of a regular file below the folder; `None` where it is missing.
-    fn locate(&self, report: Report, place: Place, written: &[u8]) -> Result<Option<PathBuf>, Error> {
-        // As Windows writes it.
-        let relative = name(report, place, written)?.replace('\\', "/");
-        if !is_below(&relative) {
-            let problem = format!("the file `{}` is not below the folder of the mesh", show(written));
-            return Err(report.invalid(place, problem, "put it beside the mesh, and name it relative to that"));
-        }
-        Ok(self.folder.map(|folder| folder.join(relative)).filter(|path| path.is_file()))
+    /// The path of a regular file below the folder; `None` where it is missing, or lies elsewhere.
+    fn locate(&self, written: &[u8]) -> Option<PathBuf> {
+        let relative = relative(written);
+        let folder = self.folder.filter(|_| is_below(&relative))?;
+        let path = folder.join(relative);
+        path.is_file().then_some(path)
     }
 
     fn read(&mut self, builder: &mut Builder, path: &Path) -> Result<(), Error> {
@@ -76,7 +83,7 @@ impl<'a> Library<'a> {
         // The materials are not much larger than the text.
         builder.budget.take(2 * length)?;
         let bytes = fs::read(path).map_err(|error| report.unreadable(error))?;
-        for material in mtl::read(&bytes, report, &mut builder.assumptions)? {
+        for material in mtl::read(&bytes, report, &mut builder.assumptions) {
             self.materials.entry(material.name.clone()).or_insert(material);
         }
         Ok(())
@@ -98,4 +105,9 @@ impl<'a> Library<'a> {
             builder.assumptions.push(format!("materials that no file describes: {}", undescribed.join(", ")));
         }
     }
+}
+
+/// A file's name with the separators that Windows does not have.
+fn relative(written: &[u8]) -> String {
+    name(written).replace('\\', "/")
 }

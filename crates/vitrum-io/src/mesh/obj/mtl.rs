@@ -3,38 +3,38 @@
 use std::path::Path;
 
 use super::statements::{Statement, Statements};
-use crate::error::{Error, Report};
+use crate::error::Report;
 use crate::input::file_name;
 use crate::mesh::Material;
-use crate::mesh::words::{name, number, show};
+use crate::mesh::words::{any_number, show};
 use crate::source::Assumptions;
+use crate::tolerance::name;
 
-/// The materials in the order of the file.
-pub(super) fn read(bytes: &[u8], report: Report, assumptions: &mut Assumptions) -> Result<Vec<Material>, Error> {
+/// The materials in the order of the file. What cannot be read of them is left out and told: no material decides a triangle.
+pub(super) fn read(bytes: &[u8], report: Report, assumptions: &mut Assumptions) -> Vec<Material> {
     let mut materials: Vec<Material> = Vec::new();
     let mut textures = false;
     let mut statements = Statements::new(bytes);
     while let Some(statement) = statements.next() {
         if statement.keyword == b"newmtl" {
-            let name = name(report, statement.place(), statement.rest)?;
-            materials.push(Material { name, ..Material::default() });
+            materials.push(Material { name: name(statement.rest), ..Material::default() });
             continue;
         }
         let Some(material) = materials.last_mut() else {
-            let problem = format!("`{}` stands before the first `newmtl`", show(statement.keyword));
-            return Err(report.invalid(statement.place(), problem, "check that this is an MTL file"));
+            note(report, &statement, assumptions, "stands before the first `newmtl`");
+            continue;
         };
         let mut unit = || scalar(report, &statement, assumptions, |value| (0.0..=1.0).contains(&value));
         match statement.keyword {
-            b"Kd" => material.base_color = color(report, &statement, assumptions)?,
-            b"Tf" => material.attenuation_color = color(report, &statement, assumptions)?,
-            b"d" => material.opacity = unit()?,
+            b"Kd" => material.base_color = color(report, &statement, assumptions),
+            b"Tf" => material.attenuation_color = color(report, &statement, assumptions),
+            b"d" => material.opacity = unit(),
             // The reverse of `d`, which wins.
-            b"Tr" if material.opacity.is_none() => material.opacity = unit()?.map(|value| 1.0 - value),
-            b"Pr" => material.roughness = unit()?,
+            b"Tr" if material.opacity.is_none() => material.opacity = unit().map(|value| 1.0 - value),
+            b"Pr" => material.roughness = unit(),
             b"Ni" => {
                 let is_index = |value| (0.1..=10.0).contains(&value);
-                material.index_of_refraction = scalar(report, &statement, assumptions, is_index)?;
+                material.index_of_refraction = scalar(report, &statement, assumptions, is_index);
             }
             keyword => textures |= keyword.starts_with(b"map_"),
         }
@@ -42,48 +42,48 @@ pub(super) fn read(bytes: &[u8], report: Report, assumptions: &mut Assumptions) 
     if textures {
         assumptions.push(format!("the textures of {} were left out", short_name(report)));
     }
-    Ok(materials)
+    materials
 }
 
-/// A number, perhaps behind an option; `None`, and a note, where it is out of range.
+/// A number, perhaps behind an option; `None`, and a note, where it is none or out of range.
 fn scalar(
     report: Report,
     statement: &Statement,
     assumptions: &mut Assumptions,
     is_fit: impl Fn(f32) -> bool,
-) -> Result<Option<f32>, Error> {
+) -> Option<f32> {
     let mut words = statement.words().filter(|word| *word != b"-halo");
-    let (Some(word), None) = (words.next(), words.next()) else {
-        let problem = format!("`{}` is not followed by one number", show(statement.keyword));
-        return Err(report.invalid(statement.place(), problem, "correct the line"));
+    let value = match (words.next(), words.next()) {
+        (Some(word), None) => any_number(word),
+        _ => None,
     };
-    let value = number(report, statement.place(), word)?;
-    if !is_fit(value) {
-        note(report, statement, assumptions, "is out of range");
+    let fit = value.filter(|&value| is_fit(value));
+    if fit.is_none() {
+        note(report, statement, assumptions, if value.is_some() { "is out of range" } else { "is not one number" });
     }
-    Ok(is_fit(value).then_some(value))
+    fit
 }
 
 /// Linear RGB; one number is a grey.
-fn color(report: Report, statement: &Statement, assumptions: &mut Assumptions) -> Result<Option<[f32; 3]>, Error> {
+fn color(report: Report, statement: &Statement, assumptions: &mut Assumptions) -> Option<[f32; 3]> {
     if statement.words().next().is_some_and(|word| matches!(word, b"spectral" | b"xyz")) {
         note(report, statement, assumptions, "is no RGB");
-        return Ok(None);
+        return None;
     }
-    let ([red, green, blue, ..], count) = statement.numbers(report, 1, 3)?;
-    let color = match count {
-        3 => [red, green, blue],
-        1 => [red; 3],
+    let numbers: Option<Vec<f32>> = statement.words().take(4).map(any_number).collect();
+    let color = match numbers.as_deref() {
+        Some(&[red, green, blue]) => [red, green, blue],
+        Some(&[gray]) => [gray; 3],
         _ => {
-            let problem = format!("`{}` has 2 numbers, not 1 or 3", show(statement.keyword));
-            return Err(report.invalid(statement.place(), problem, "correct the line"));
+            note(report, statement, assumptions, "is not 1 or 3 numbers");
+            return None;
         }
     };
     let is_fit = color.iter().all(|channel| (0.0..=1.0).contains(channel));
     if !is_fit {
         note(report, statement, assumptions, "is out of range");
     }
-    Ok(is_fit.then_some(color))
+    is_fit.then_some(color)
 }
 
 /// Name of the file without its folder, which is the mesh's folder or one below.

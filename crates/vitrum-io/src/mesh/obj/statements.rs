@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::error::{Error, Place, Report};
-use crate::mesh::words::{number, show};
+use crate::mesh::words::{any_number, number, show};
 
 /// The statements of a file. Not an iterator, as each lives until the next: lines may have to be joined.
 pub(super) struct Statements<'a> {
@@ -87,21 +87,26 @@ impl<'a> Statement<'a> {
         words.take_while(|word| word[0] != b'#')
     }
 
-    /// The numbers of a statement, from `least` to `most` of them and at most 8; the second result is their count.
-    pub fn numbers(&self, report: Report, least: usize, most: usize) -> Result<([f32; 8], usize), Error> {
-        let mut numbers = [0.0; 8];
+    /// The numbers of a position, which may be NaN, as long as no face needs it, and of what follows it; their count is 8 at most.
+    pub fn position(&self, report: Report) -> Result<([f32; 8], usize), Error> {
+        let mut numbers = [f32::NAN; 8];
         let mut count = 0;
-        for word in self.words() {
-            if count < most {
-                numbers[count] = number(report, self.place(), word)?;
+        for word in self.words().take(8) {
+            match any_number(word) {
+                Some(value) => numbers[count] = value,
+                None if count < 3 => {
+                    return Err(number(report, self.place(), word).err().unwrap_or_else(|| self.short(report, count)));
+                }
+                // A comment without its mark, or the like.
+                None => break,
             }
             count += 1;
         }
-        if (least..=most).contains(&count) {
-            return Ok((numbers, count));
-        }
-        let expected = if least == most { format!("{least}") } else { format!("{least} to {most}") };
-        let problem = format!("`{}` has {count} numbers, not {expected}", show(self.keyword));
-        Err(report.invalid(self.place(), problem, "correct the line, or get the whole file"))
+        if count < 3 { Err(self.short(report, count)) } else { Ok((numbers, count)) }
+    }
+
+    fn short(&self, report: Report, count: usize) -> Error {
+        let problem = format!("`{}` has {count} numbers, not 3 and more", show(self.keyword));
+        report.invalid(self.place(), problem, "correct the line, or get the whole file")
     }
 }

@@ -5,13 +5,12 @@ use crate::error::Error;
 use crate::image::srgb_to_linear;
 use crate::mesh::build::Builder;
 use crate::mesh::check;
+use crate::mesh::words::any_number;
 
 /// The vertex data of a file; positions and colours are in the builder.
 #[derive(Debug, Default)]
 pub(super) struct Vertices {
     pub normals: Vec<[f32; 3]>,
-    /// Count of texture coordinates.
-    pub textures: usize,
 }
 
 impl Vertices {
@@ -23,10 +22,11 @@ impl Vertices {
             match statement.keyword {
                 b"v" => weighted += usize::from(add_position(builder, &statement)?),
                 b"vn" => {
-                    let ([x, y, z, ..], _) = statement.numbers(builder.report, 3, 3)?;
-                    builder.budget.push(&mut vertices.normals, [x, y, z])?;
+                    // One that cannot be read keeps its number, and is left out where it is named.
+                    let mut words = statement.words().map(|word| any_number(word).unwrap_or(f32::NAN));
+                    let normal = [0, 1, 2].map(|_| words.next().unwrap_or(f32::NAN));
+                    builder.budget.push(&mut vertices.normals, normal)?;
                 }
-                b"vt" => vertices.textures += 1,
                 _ => {}
             }
         }
@@ -44,18 +44,15 @@ impl Vertices {
 
 /// Adds a vertex. The result says whether it has a weight other than 1.
 fn add_position(builder: &mut Builder, statement: &Statement) -> Result<bool, Error> {
-    let (numbers, count) = statement.numbers(builder.report, 3, 7)?;
+    let (numbers, count) = statement.position(builder.report)?;
     let [x, y, z, a, b, c, d, _] = numbers;
     let color = match count {
         6 => Some([a, b, c, 1.0]),
         7 => Some([a, b, c, d]),
         3 | 4 => None,
         _ => {
-            return Err(builder.report.invalid(
-                statement.place(),
-                format!("`v` has {count} numbers: neither a position, nor one and a weight or a colour"),
-                "give 3 numbers, 4 with a weight, 6 with RGB, or 7 with RGB and alpha",
-            ));
+            builder.left_out.add("vertices' further numbers, neither a weight nor a colour");
+            None
         }
     };
     let before = builder.positions.len();

@@ -1,7 +1,8 @@
 //! The lines in front of a PLY file's data.
 
 use crate::error::{Error, Place, Report};
-use crate::mesh::words::{name, show};
+use crate::mesh::words::show;
+use crate::tolerance::{LeftOut, name};
 
 /// Longest header that is read; real ones are a few hundred bytes.
 const MAX_BYTES: usize = 1 << 20;
@@ -109,6 +110,8 @@ pub(super) struct Header {
     /// Length of the header in bytes.
     pub length: usize,
     pub lines: usize,
+    /// Lines without a meaning.
+    pub left_out: LeftOut,
 }
 
 impl Header {
@@ -122,6 +125,7 @@ impl Header {
         };
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
+        let mut left_out = LeftOut::default();
         let (mut position, mut number) = (0, 0);
         while let Some(length) = find(&head[position..], end) {
             let line = head[position..position + length].trim_ascii();
@@ -143,12 +147,19 @@ impl Header {
                     let advice = "add a line such as `format ascii 1.0`";
                     let encoding =
                         encoding.ok_or_else(|| report.invalid(Place::File, "the header has no `format`", advice))?;
-                    return Ok(Self { encoding, elements, length: position, lines: number });
+                    return Ok(Self { encoding, elements, length: position, lines: number, left_out });
                 }
-                _ => {
+                // A line that begins like one that matters has to be one.
+                [b"format" | b"element" | b"property", ..] => {
                     let problem = format!("`{}` is not a line of a PLY header", show(line));
                     return Err(report.invalid(place, problem, "correct the line"));
                 }
+                _ if number == 1 => {
+                    let problem = format!("`{}` is not `ply`", show(line));
+                    return Err(report.invalid(place, problem, "check that this is a PLY file"));
+                }
+                // A comment without its keyword.
+                _ => left_out.add("lines of the header without a keyword"),
             }
         }
         let problem = match bytes.len() > MAX_BYTES {
@@ -183,7 +194,7 @@ fn parse_element(
     count: &[u8],
 ) -> Result<Element, Error> {
     let place = Place::Line(line);
-    let name = name(report, place, element)?;
+    let name = name(element);
     let parsed = std::str::from_utf8(count).ok().and_then(|count| count.parse().ok());
     let Some(count) = parsed else {
         let problem = format!("the count of the element `{}` is `{}`, not a whole number", show(element), show(count));
@@ -229,7 +240,7 @@ fn add_property(
             return Err(report.invalid(place, problem, "write `property TYPE NAME` or `property list TYPE TYPE NAME`"));
         }
     };
-    let name = name(report, place, property)?;
+    let name = name(property);
     if element.properties.iter().any(|other| other.name == name) {
         let problem = format!("the element `{}` has the property `{name}` already", element.name);
         return Err(report.invalid(place, problem, "keep one of the two"));

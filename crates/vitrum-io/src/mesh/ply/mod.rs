@@ -33,7 +33,8 @@ impl MeshReader for Ply {
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Mesh, Error> {
         let (bytes, mut builder) = start(input, options)?;
         let report = builder.report;
-        let header = Header::read(&bytes, report)?;
+        let mut header = Header::read(&bytes, report)?;
+        std::mem::take(&mut header.left_out).tell(&mut builder.assumptions);
         let mut source = Source::new(&bytes, &header);
         // Faces may stand before the vertices that they name: then they are read in the end.
         let mut early = Vec::new();
