@@ -1,13 +1,14 @@
 //! Whole files of every format, which mutations start from.
 
 use std::fs;
+use std::io::Write;
 
 use zip::CompressionMethod;
 
 use vitrum_io::{Picture, WriteOptions, write_picture_with};
 
 use crate::common::dicom::{
-    Dicom, FRAMES, JPEG, JPEG_2000, JPEG_2000_WORDS, JPEG_LS, JPEG_LS_WORDS, LOSSLESS, POSITION, RLE, rle,
+    Dicom, FRAMES, JPEG, JPEG_2000, JPEG_2000_WORDS, JPEG_LS, JPEG_LS_WORDS, LOSSLESS, POSITION, RLE, element, rle,
 };
 use crate::common::mesh::{cuboid, files, glb, globe, gltf};
 use crate::common::tiff::{Page, Value, stack_u8, tiff};
@@ -65,6 +66,7 @@ fn nrrd_files() -> Vec<Vec<u8>> {
         nrrd("uint8", "raw", "data file: slice%d 1 2 1 2\n").into_bytes(),
         nrrd("uint8", "raw", "data file: LIST\nslice1\nslice2\n").into_bytes(),
         nrrd("uint8", "raw", "byte skip: -1\ndata file: a.bin\n").into_bytes(),
+        attached(&nrrd("uint8", "gzip", "byte skip: -1\n"), &[&gzip(&[1; 20])[..], &[0; 9]].concat()),
     ]
 }
 
@@ -89,6 +91,10 @@ fn metaimage_files() -> Vec<Vec<u8>> {
         attached(&metaimage("MET_UCHAR", "BinaryData = False\n", "LOCAL"), b"1 2 3 4 5 6 7 8 9 10 11 12"),
         metaimage("MET_UCHAR", "HeaderSize = -1\n", "slice%d 1 2 1").into_bytes(),
         metaimage("MET_UCHAR", "", "LIST 2\nslice1\nslice2").into_bytes(),
+        attached(
+            &metaimage("MET_UCHAR", "", "LOCAL").replace("NDims = 3", "NDims = 4").replace("3 2 2", "3 2 2 2"),
+            &[1; 24],
+        ),
     ]
 }
 
@@ -111,7 +117,22 @@ fn stacks() -> Vec<Vec<u8>> {
     let tiles = Page::bytes(&[1; 256]).without(273).without(278).without(279);
     let tiles = tiles.set(322, Value::Long(16)).set(323, Value::Long(16));
     let tiles = tiles.set(324, Value::Long(8)).set(325, Value::Long(256));
-    vec![stack_u8(|page| page), tiff(true, &[packed.clone(), packed]), tiff(true, &[noted]), tiff(false, &[tiles])]
+    let palette = Page::bytes(&[1; 6]).set(262, Value::Short(3));
+    let in_strips = Page::bytes(&[1; 256]).without(278).set(322, Value::Long(16)).set(323, Value::Long(16));
+    let behind = Page::new(16, 1, &[1; 36]).set(279, Value::Long(12));
+    let behind = behind.set(270, Value::Text("ImageJ=1.11a\nimages=3\nslices=3\nc0=-32768\nc1=1\n"));
+    let ome = "<OME><Image><Pixels DimensionOrder=\"XYZCT\" SizeC=\"2\" PhysicalSizeX=\"0.5\"><Channel Name=\"a\"/></Pixels></Image></OME>";
+    let microscope = Page::bytes(&[1; 6]).set(270, Value::Text(ome));
+    vec![
+        stack_u8(|page| page),
+        tiff(true, &[packed.clone(), packed]),
+        tiff(true, &[noted]),
+        tiff(false, &[tiles]),
+        tiff(false, &[palette]),
+        tiff(true, &[in_strips]),
+        tiff(true, &[behind]),
+        tiff(false, &[microscope.clone(), microscope]),
+    ]
 }
 
 /// Every way to write pixels.
@@ -128,7 +149,17 @@ fn dicom_files() -> Vec<Vec<u8>> {
     let mut frames = Dicom::slice(0.0, &[1; 12]);
     frames.text(FRAMES, "IS", "2").remove(POSITION);
     let plain = [Dicom::slice(0.0, &[1, 2, 3, 4, 5, 6]), Dicom::words(1.0, &[1, 2, 3, 4, 5, 6], true)];
-    plain.into_iter().chain([run_lengths, picture, frames]).chain(newer).map(|file| file.bytes()).collect()
+    let mut files: Vec<Vec<u8>> =
+        plain.into_iter().chain([run_lengths, picture, frames]).chain(newer).map(|file| file.bytes()).collect();
+    // Without a preamble, and deflated as a whole.
+    let whole = files[0].clone();
+    files.push(whole[132..].to_vec());
+    let data_set = whole.windows(4).position(|window| window == [8, 0, 0x60, 0]).map_or(132, |start| start);
+    let mut stream = flate2::write::DeflateEncoder::new(Vec::new(), flate2::Compression::default());
+    let packed = stream.write_all(&whole[data_set..]).and_then(|()| stream.finish()).unwrap_or_default();
+    let syntax = element((2, 0x10), "UI", b"1.2.840.10008.1.2.1.99");
+    files.push([&[0; 128][..], b"DICM", &syntax, &packed].concat());
+    files
 }
 
 fn meshes(target: &str) -> Vec<Vec<u8>> {
