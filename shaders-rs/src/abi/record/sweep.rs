@@ -68,7 +68,7 @@ record! {
     blurred: Blurred {
         /// The share of unoccluded light that is left.
         flux: Color,
-        /// The sum of the depths at which light was absorbed, as of [`Node`].
+        /// The sum of the depths at which light was absorbed, as that of a node.
         absorbed_at: f32,
     }
 }
