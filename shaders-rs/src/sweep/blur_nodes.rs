@@ -13,8 +13,8 @@ use crate::math::{absolute, max, min, select};
 use crate::sweep::light::wavefront::{columns, edge, nodes};
 use spirv_std::glam::Vec3;
 
-/// The largest share that a node gives to a neighbour in one pass: with four neighbours, more than a quarter would overshoot.
-const MOST: f32 = 0.2;
+/// The largest share of its light that a node gives to a neighbour in one pass: with four neighbours, more than a quarter would overshoot.
+pub const MOST: f32 = 0.2;
 /// Less light than this share of unoccluded light tells no depth at which it was absorbed.
 const LEAST: f32 = 1e-6;
 /// Less than this is nothing.

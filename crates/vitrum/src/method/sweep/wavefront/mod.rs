@@ -4,8 +4,10 @@
 //! Light is looked at where there are particles, where η changes, and on receivers, and kept there alone: in bricks of samples, and in a map of each
 //! receiver.
 
+mod blur;
 mod bricks;
 mod frame;
+mod landing;
 mod passes;
 mod point;
 

@@ -1,38 +1,29 @@
 //! The passes of a wavefront: from plane to plane, into bricks and onto receivers.
 
+use super::Wavefront;
 use super::bricks::Layer;
-use super::point::Source;
-use super::{Frame, Wavefront};
 use crate::backend::{BackendError, Buffer, Contents, Pass, Write};
 use crate::method::sweep::carrier::{BufferAllocator, VolumeBuffers};
-use std::ops::Range;
 use std::sync::Arc;
 use vitrum_kernels::abi::dispatch::{Dispatch, Region};
 use vitrum_kernels::abi::format::Format;
 use vitrum_kernels::abi::record::{blurred, covered, landed, node, projected, sums};
-use vitrum_kernels::abi::sweep::{SweepUniforms, along, blurred as blurring, mode, receiver};
+use vitrum_kernels::abi::sweep::{SweepUniforms, mode};
 use vitrum_kernels::abi::vector::Size;
 use vitrum_kernels::abi::wavefront::{BRICK, BRICKS_TOGETHER, LAYER, plane_words};
 use vitrum_kernels::kernel::{Kernel, Window, kernels};
 
-/// The largest blur of one pass, as the share of its light that a node gives to a neighbour.
-const MOST_BLUR: f64 = 0.2;
-/// The least blur that is worth a pass: it widens what is a cell wide by a twentieth of a cell.
-const LEAST_BLUR: f64 = 0.05;
-/// The most passes that blur the nodes on one plane. Shadows of a light that needs more are less soft far behind the obstacle.
-const MOST_ROUNDS: f64 = 32.0;
-
 /// The buffers of a wavefront.
 pub(in crate::method::sweep) struct WavefrontBuffers {
     volumes: VolumeBuffers,
-    nodes: Buffer,
+    pub(super) nodes: Buffer,
     /// What blurred nodes have left, of two passes.
-    blurred: [Buffer; 2],
+    pub(super) blurred: [Buffer; 2],
     projected: Buffer,
     covered: Buffer,
     bricks: Buffer,
     sums: Buffer,
-    landed: Buffer,
+    pub(super) landed: Buffer,
     /// The light that viewing rays look up.
     pub(in crate::method::sweep) light: Buffer,
 }
@@ -90,14 +81,6 @@ impl Wavefront {
         Write { before: 0, buffer: buffers.light.clone(), start: 0, words, fill }
     }
 
-    /// The receivers on which light lands, with the first word of each one's map.
-    fn lands(&self) -> impl Iterator<Item = (u32, u32)> {
-        let map = self.seen.map;
-        let [ground, wall] = self.receivers;
-        let on_ground = ground.then_some((receiver::GROUND, map.ground));
-        on_ground.into_iter().chain(wall.then_some((receiver::WALL, map.wall)))
-    }
-
     /// All passes of the wavefront, and the number of the first one of each plane.
     pub(in crate::method::sweep) fn passes(
         &self,
@@ -130,41 +113,6 @@ impl Wavefront {
             self.land(which, map, last, buffers, &mut passes);
         }
         (passes, starts)
-    }
-
-    /// The share of its light that a node gives to a neighbour on the way between two planes, if it was absorbed on the first plane of all: the largest
-    /// share.
-    fn widest_blur(&self, [from, to]: [u32; 2]) -> f64 {
-        let planes = &self.frame.planes;
-        let (first, behind, ahead) = (planes.depth(0), planes.depth(from), planes.depth(to));
-        let radius = f64::from(self.seen.softness) / self.frame.cell;
-        0.125 * radius * radius * ((ahead - behind) * (ahead + behind - 2.0 * first))
-    }
-
-    /// Whether the nodes, which are blurred up to plane `from`, are blurred on plane `to`: on the last one, and as soon as it is worth a pass.
-    fn is_blurred(&self, from: u32, to: u32) -> bool {
-        let last = to + 1 == self.frame.planes.count;
-        self.seen.blur > 0.0 && to > from && (last || self.widest_blur([from, to]) >= LEAST_BLUR)
-    }
-
-    /// Appends the passes that blur the nodes on plane `plane`, which are blurred up to plane `from`.
-    fn blur(&self, [from, plane]: [u32; 2], buffers: &WavefrontBuffers, passes: &mut Vec<Pass>) {
-        let Frame { cells: [width, height], planes, .. } = &self.frame;
-        let rounds = (self.widest_blur([from, plane]) / MOST_BLUR).ceil().clamp(1.0, MOST_ROUNDS);
-        let WavefrontBuffers { nodes, blurred, .. } = buffers;
-        let none = Layer::default();
-        let size = [width + 1, height + 1];
-        for round in 0..rounds as usize {
-            let which = if round == 0 { blurring::NODES } else { blurring::AGAIN };
-            let bound = [nodes, &blurred[(round + 1) % 2], &blurred[round % 2]];
-            let edit = |block: &mut SweepUniforms| {
-                block.step.behind = planes.depth(from) as f32;
-                block.wavefront.blur = (1.0 / rounds) as f32;
-            };
-            passes.push(self.edited(&kernels::sweep_blur_nodes, size, which, plane, &none, &bound, edit));
-        }
-        let last = &blurred[(rounds as usize + 1) % 2];
-        passes.push(self.pass(&kernels::sweep_take_blurred, size, 0, plane, &none, &[last, nodes]));
     }
 
     /// Appends the passes that write the light of plane `plane` to bricks.
@@ -213,69 +161,8 @@ impl Wavefront {
         }
     }
 
-    fn is_soft(&self) -> bool {
-        self.seen.softness > 0.0
-    }
-
-    /// Appends the passes that make the map of receiver `which`, which starts at word `map`.
-    fn land(&self, which: u32, map: u32, plane: u32, buffers: &WavefrontBuffers, passes: &mut Vec<Pass>) {
-        let [width, height] = self.frame.cells;
-        let size = self.seen.map.size;
-        let texels = [size.width, size.height];
-        let none = Layer::default();
-        let WavefrontBuffers { nodes, landed, light, .. } = buffers;
-        if mode::bends(self.mode) || self.is_soft() {
-            passes.push(self.pass(&kernels::sweep_clear_landed, texels, 0, plane, &none, &[landed]));
-            let land = &kernels::sweep_land_cells;
-            passes.push(self.pass(land, [width, height], which, plane, &none, &[nodes, landed]));
-        }
-        if self.is_soft() {
-            let integrate = &kernels::sweep_integrate_landed;
-            for (lines, along) in [(size.height, along::ROWS), (size.width, along::COLUMNS)] {
-                passes.push(self.pass(integrate, [1, lines], along, plane, &none, &[landed]));
-            }
-        }
-        let collect = &kernels::sweep_collect_receiver;
-        let pass = self.pass(collect, texels, 0, plane, &none, &[landed, nodes, light]);
-        passes.push(Pass { start: u64::from(map), ..pass });
-    }
-
-    /// The passes that make the map of the light on plane `plane`, once the nodes are there, and the bytes of the buffer of light in which the map then is.
-    pub(in crate::method::sweep) fn observe(&self, plane: u32, buffers: &WavefrontBuffers) -> (Vec<Pass>, Range<u64>) {
-        let mut passes = Vec::new();
-        self.land(receiver::OBSERVED, self.observed, plane, buffers, &mut passes);
-        let map = self.seen.map.size;
-        let (start, words) = (u64::from(self.observed), u64::from(map.width * map.height * 3));
-        (passes, start * 4..(start + words) * 4)
-    }
-
-    /// The irradiance of the cells' places on plane `plane` over that of unoccluded light, red, green and blue one behind the other, from a map; of a point
-    /// or spot, over that at a distance of 1.
-    pub(in crate::method::sweep) fn of_cells(&self, map: &[f32], plane: u32) -> Vec<f32> {
-        let [width, height] = self.frame.cells;
-        let Size { width: columns, height: rows } = self.seen.map.size;
-        let (margin, edge) = (self.seen.map.margin as u32, self.seen.map.texels as u32);
-        let share = 1.0 / (edge * edge) as f32;
-        let depth = self.frame.planes.depth(plane);
-        let (bare, open) = (Frame { source: self.frame.source.map(Source::bare), ..self.frame }, self.frame);
-        let is_placed = self.frame.source.is_some();
-        let mut found = Vec::with_capacity((3 * width * height) as usize);
-        for channel in map.chunks_exact((columns * rows) as usize) {
-            for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
-                let texels = (0..edge).flat_map(|j| (0..edge).map(move |i| (i, j)));
-                let at = |(i, j): (u32, u32)| (margin + y * edge + j) * columns + margin + x * edge + i;
-                let mean = texels.map(|texel| channel[at(texel) as usize]).sum::<f32>() * share;
-                let place = [f64::from(x) + 0.5, f64::from(y) + 0.5];
-                // A map has the difference from unoccluded light of a point or spot.
-                let of = |frame: &Frame| frame.irradiance(place[0], place[1], depth) as f32;
-                found.push(if is_placed { (mean * of(&bare) + of(&open)).max(0.0) } else { mean });
-            }
-        }
-        found
-    }
-
     /// A pass over `size` invocations that leads to plane `plane`, and writes to the bricks of `layer`.
-    fn pass(
+    pub(super) fn pass(
         &self,
         kernel: &'static Kernel,
         [width, height]: [u32; 2],
@@ -289,7 +176,7 @@ impl Wavefront {
 
     /// As [`Self::pass`], with a uniform block that `edit` has changed.
     #[expect(clippy::too_many_arguments, reason = "all that makes a pass")]
-    fn edited(
+    pub(super) fn edited(
         &self,
         kernel: &'static Kernel,
         [width, height]: [u32; 2],
