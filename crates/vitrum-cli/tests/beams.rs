@@ -113,7 +113,7 @@ fn subjects_that_are_no_mesh_with_a_surface_are_refused() {
     let line = ["render", "line.obj", "-o", "out.png", "--medium", "fog"];
     folder.refuse(&line, 3, &["line.obj", "none of its 1 triangles has an area"]);
     folder.write("nan.obj", "v 0 0 nan\nv 1 1 1\nv 2 2 2\nf 1 2 3\n");
-    folder.refuse(&["render", "nan.obj", "-o", "out.png", "--medium", "fog"], 3, &["nan.obj, line 1"]);
+    folder.refuse(&["render", "nan.obj", "-o", "out.png", "--medium", "fog"], 3, &["nan.obj, vertex 0"]);
 }
 
 /// A lamp within a body would light it from inside, which beams do not follow. What counts is the box around the mesh, in which a body may be anywhere.

@@ -81,7 +81,7 @@ fn wrong_use_is_refused_before_any_work() {
         (&["cube.obj", "-r", "8", "-o", "a.nrrd", "--padding", "1025"], 2, &["0..=1024"]),
         (&["missing.obj", "-r", "8", "-o", "a.nrrd"], 3, &["missing.obj"]),
         (&["point.obj", "-r", "8", "-o", "a.nrrd", "--quiet"], 3, &["point.obj", "one point", "scale the mesh up"]),
-        (&["nan.obj", "-r", "8", "-o", "a.nrrd"], 3, &["nan.obj, line 1"]),
+        (&["nan.obj", "-r", "8", "-o", "a.nrrd"], 3, &["nan.obj, vertex 0"]),
     ] {
         folder.refuse(&[&["voxelize"], arguments].concat(), code, words);
     }
