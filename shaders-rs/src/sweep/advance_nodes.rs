@@ -134,7 +134,9 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let left = node.flux * (layer.medium * layer.clear);
     let mean = (left.x + left.y + left.z) * (1.0 / 3.0);
     let loss = (node.flux.x + node.flux.y + node.flux.z) * (1.0 / 3.0) - mean;
-    let dark = max(max(left.x, left.y), left.z) < DARK;
+    // Only where some is absorbed: in empty space a node stays as it is, and blurred light may be as faint there.
+    let absorbs = (left.x != node.flux.x) | (left.y != node.flux.y) | (left.z != node.flux.z);
+    let dark = absorbs & (max(max(left.x, left.y), left.z) < DARK);
 
     let mut out = arriving;
     let mut turned = false;
