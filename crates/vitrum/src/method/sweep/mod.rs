@@ -8,6 +8,7 @@ mod carrier;
 mod film;
 mod hull;
 mod irradiance_ring;
+mod kept;
 mod light;
 mod mesh_volumes;
 mod occupancy;

@@ -168,6 +168,11 @@ impl Wavefront {
 }
 
 impl Wavefront {
+    /// Bytes of the light that it keeps.
+    pub(super) fn bytes(&self) -> u64 {
+        u64::from(self.words) * 4
+    }
+
     /// All that the light depends on, besides the volumes and their tables.
     pub(super) fn key(&self) -> LightKey {
         LightKey {
