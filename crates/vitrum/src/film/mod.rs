@@ -3,6 +3,7 @@
 mod accumulator;
 mod frame;
 mod output;
+mod refinement;
 mod resolve;
 mod statistics;
 
@@ -10,5 +11,6 @@ pub(crate) use accumulator::Accumulator;
 pub use frame::Frame;
 pub use output::Output;
 pub(crate) use output::{PixelFilter, rgb, rgba, xyz};
+pub(crate) use refinement::{differing, index_of, replace};
 pub(crate) use resolve::RayRecords;
 pub use statistics::{FluxShares, Statistics};

@@ -14,6 +14,7 @@ use super::{Buffers, Carried};
 
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
 use crate::error::Error;
+use crate::method::RefinedPixels;
 use crate::request::OutputRequest;
 use crate::scene::{Removes, Scene};
 use crate::subject::Volumes;
@@ -34,7 +35,7 @@ pub(super) fn build(
     volumes: Volumes<'_>,
     plan: &mut FramePlan,
     (uploaded, map): (&UploadedVolumes, &Buffer),
-    request: OutputRequest,
+    (request, refined): (OutputRequest, Option<RefinedPixels<'_>>),
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
 ) -> Result<(PassList, Buffers, Option<Arc<Carried>>), Error> {
@@ -129,8 +130,16 @@ pub(super) fn build(
     let looked_up =
         carried.as_ref().map_or_else(|| light.irradiance().clone(), |carried| carried.buffers.light.clone());
     let pixels = plan.rays;
-    let rays = buffers.planar("rays", pixels, ray::SIZE)?;
-    let finished = buffers.planar("film", pixels, film::SIZE)?;
+    // A picture's rays and those of its refined pixels take turns.
+    let turn = usize::from(refined.is_some());
+    let rays = buffers.planar(("rays", turn), pixels, ray::SIZE)?;
+    let finished = buffers.planar(("film", turn), pixels, film::SIZE)?;
+    let places = match refined {
+        Some(refined) => {
+            buffers.backend.create("refined pixels", Contents::Bytes(bytemuck::cast_slice(refined.pixels)))?
+        }
+        None => buffers.planar("no refined pixels", [1, 1], 1)?,
+    };
 
     let ray_kernel = kernels::sweep_propagate_rays.get(plan.format);
     // The first pass of each plane, of the wavefront's planes first.
@@ -140,7 +149,7 @@ pub(super) fn build(
         None => (light.start(plan), Vec::new()),
     };
     let entries = carried.as_ref().filter(|_| !is_known).map(|carried| carried.wavefront.entries(&carried.buffers));
-    passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&looked_up, &rays]));
+    passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&looked_up, &places, &rays]));
     starts.push(if carried.is_some() { passes.len() } else { 0 });
     let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &volumes;
     let bound = [voxels, ior_voxels, occupancy, tables, &looked_up, &rays];

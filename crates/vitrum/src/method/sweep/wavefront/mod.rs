@@ -203,6 +203,8 @@ fn block(
     // Nothing of the camera, so that light stays what it is while the camera moves.
     let mut block = SweepUniforms {
         picture: Size::default(),
+        sensor: Size::default(),
+        refined: 0,
         camera: Camera::default(),
         environment: Environment::default(),
         light_grid: LightGrid::default(),
