@@ -4,10 +4,10 @@ use crate::assets::Assets;
 use crate::backend::times::merge;
 use crate::backend::{Backend, BackendError, KernelTime, ReadBack as _};
 use crate::error::Error;
-use crate::film::{Accumulator, Frame, RayRecords, Statistics, differing, index_of, replace};
+use crate::film::{Accumulator, Frame, RayRecords, Rendered, Statistics, index_of, replace};
 use crate::method::{self, Cache, Exposure, Job, Method, Part, PreparedFrame, RefinedPixels, Tools};
 use crate::request::{OutputRequest, Progress, Stage};
-use crate::scene::Scene;
+use crate::scene::{Film, Scene};
 use crate::subject::Subject;
 use std::sync::Arc;
 use vitrum_io::{Layer, Mesh};
@@ -179,7 +179,11 @@ fn frame_here(
     let shown = || method.outputs().iter().filter(|output| !output.channels.is_empty());
     let mut layers: Vec<Layer> = shown().map(|output| rays.layer(output)).collect();
     if method.refines() && scene.film.refinement > scene.film.supersampling {
-        let pixels = differing(&layers[0], size, libm::exp2f(scene.film.exposure));
+        let fates = layers.iter().find(|layer| layer.name == "status").map(|layer| layer.channels[0].data.as_slice());
+        let exposure = libm::exp2f(scene.film.exposure);
+        let Film { supersampling, refinement, refinement_budget, .. } = scene.film;
+        let times = refinement as f32 / supersampling as f32;
+        let pixels = Rendered { color: &layers[0], fates, size, exposure }.differing(times * times, refinement_budget);
         statistics.refined_pixels = Some(pixels.len() as u64);
         course.refine(job, &exposures, &pixels, &mut layers)?;
     }

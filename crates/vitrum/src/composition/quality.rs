@@ -13,6 +13,9 @@ pub enum Quality {
     Best,
 }
 
+/// A budget that no picture needs.
+const WHATEVER_IT_COSTS: f32 = 1000.0;
+
 impl Quality {
     /// Sets the rays of a film that `method` renders.
     pub fn apply(self, film: &mut Film, method: MethodName) {
@@ -22,5 +25,8 @@ impl Quality {
             Self::Good => (film.supersampling, film.refinement.max(3)),
             Self::Best => (film.supersampling.max(if refines { 2 } else { 3 }), film.refinement.max(6)),
         };
+        if self == Self::Best {
+            film.refinement_budget = film.refinement_budget.max(WHATEVER_IT_COSTS);
+        }
     }
 }

@@ -11,6 +11,6 @@ pub(crate) use accumulator::Accumulator;
 pub use frame::Frame;
 pub use output::Output;
 pub(crate) use output::{PixelFilter, rgb, rgba, xyz};
-pub(crate) use refinement::{differing, index_of, replace};
+pub(crate) use refinement::{Rendered, index_of, replace};
 pub(crate) use resolve::RayRecords;
 pub use statistics::{FluxShares, Statistics};

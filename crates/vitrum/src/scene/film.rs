@@ -24,6 +24,9 @@ pub struct Film {
     /// at their edges, for little time; 1 renders no pixel anew.
     #[schemars(range(min = 1, max = 8), extend("x-unit" = "rays"))]
     pub refinement: u32,
+    /// The most that refinement may cost, over the cost of the picture itself: those pixels come first which promise most for their cost.
+    #[schemars(range(min = 0, max = 1000), extend("x-unit" = "factor"))]
+    pub refinement_budget: f32,
 }
 
 impl Film {
@@ -34,7 +37,7 @@ impl Film {
 
 impl Default for Film {
     fn default() -> Self {
-        Self { width: 512, height: 512, exposure: 0.0, supersampling: 1, refinement: 1 }
+        Self { width: 512, height: 512, exposure: 0.0, supersampling: 1, refinement: 1, refinement_budget: 0.5 }
     }
 }
 
