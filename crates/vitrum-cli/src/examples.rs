@@ -36,7 +36,9 @@ Examples:
 pub const CONVERT: &str = "\
 Examples:
   vitrum convert dicom-folder -o head.nrrd
-  vitrum convert series.nii.gz --time 12 -o bold.npy";
+  vitrum convert series.nii.gz --time 12 -o bold.npy
+  vitrum convert head.nrrd --crop 40:200,:,20: --resample 1,1,1 -o part.nrrd
+  vitrum convert labels.nrrd --labels 3,4,7 --blur 1 -o organs.nrrd";
 
 pub const DIFF: &str = "\
 Examples:

@@ -10,16 +10,16 @@ const VOXELS: [u8; 24] = [7; 24];
 #[test]
 fn sides_and_millimetres_are_told_of_a_patient() {
     let folder = Folder::new();
-    let fields = "space: left-posterior-superior\nspace directions: (0.5,-0,0) (0,0.5,-6.24e-29) (0,0.1,2)\nspace origin: (-0,3,4)\n";
+    let fields = "space: left-posterior-superior\nspace directions: (0.5,-0,-6.24e-29) (0,1.2,-0.5) (0,1,2.4)\nspace origin: (-0,3,4)\n";
     folder.write("a.nrrd", nrrd("2 3 4", fields, &VOXELS));
     let text = folder.succeed(&["info", "a.nrrd"]);
     for words in [
-        "spacing     0.5 x 0.5 x 2.0025 mm  (from `space directions`)",
-        "extent      1 x 1.5 x 8.01 mm",
+        "spacing     0.5 x 1.3 x 2.6 mm  (from `space directions`)",
+        "extent      1 x 3.9 x 10.4 mm",
         "origin      (0, -3, 4) mm",
         "orientation patient  (from `space` and `space directions`)",
-        // atan(0.1 / 2) = 2.86 degrees.
-        "axes        x R→L; y A→P; z I→S, 2.9° oblique",
+        // atan(5 / 12) = 22.62 degrees.
+        "axes        x R→L; y A→P, 22.6° oblique; z I→S, 22.6° oblique",
         "range       7 to 7",
     ] {
         assert!(text.contains(words), "there is no `{words}`:\n{text}");

@@ -65,11 +65,11 @@ fn pictures_of_another_scene_are_not_resumed() {
 fn outputs_appear_together_or_not_at_all() {
     let folder = Folder::new();
     folder.write("out.png", "as it was");
-    // 4 blocks of 512 or 1024 bytes hold the PNG of 32 x 24 pixels, and not every output of it in 32 bits.
+    // 100 blocks of 512 or 1024 bytes hold the PNG, and not three floats for each of 128 x 128 pixels.
     let command = format!(
-        "ulimit -f 4; exec '{}' {} -o out.png --aov opacity=a.tif --stats s.json",
+        "ulimit -f 100; exec '{}' {} -o out.png --aov direction=a.tif --stats s.json",
         env!("CARGO_BIN_EXE_vitrum"),
-        BALL.join(" ").replace("32x24", "64x64")
+        BALL.join(" ").replace("32x24", "128x128")
     );
     let output = Command::new("sh").args(["-c", &command]).current_dir(folder.path()).output().expect("a shell");
     let message = String::from_utf8_lossy(&output.stderr);
