@@ -65,9 +65,10 @@ fn a_bright_voxel_spoils_no_preset() {
         for odd in [3e4, 1e9, -1e9] {
             write(&folder, "b.nrrd", Some(odd));
             render(&folder, "b.nrrd", "b.exr", preset, &[]);
-            // A voxel is 1 / 24 of the edge, and covers about a thousandth of the picture.
+            // Interpolated, the voxel is 1 / 12 of the edge: it covers less than 1 % of the picture, shadow included, and differs there by
+            // up to 0.5. A preset that is fitted to it shows nothing of the ball, which is 0.1 and more.
             let difference = rmse(&folder, "a.exr", "b.exr");
-            assert!(difference < 0.03, "{preset} with {odd}: {difference}");
+            assert!(difference < 0.05, "{preset} with {odd}: {difference}");
         }
     }
 }
