@@ -67,6 +67,8 @@ pub fn outputs() -> ArgValueCompleter {
     ArgValueCompleter::new(|typed: &OsStr| {
         let mut names: Vec<_> =
             method::outputs().map(|(_, output)| (format!("{}=", output.name), output.description)).collect();
+        // Methods share names; the sort keeps the first description of each.
+        names.sort_by(|one, other| one.0.cmp(&other.0));
         names.dedup_by(|one, other| one.0 == other.0);
         names.iter().filter_map(|(name, help)| candidate(typed, name, help)).collect()
     })

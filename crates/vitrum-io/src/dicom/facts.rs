@@ -61,5 +61,7 @@ pub(super) fn tell(slices: &[Slice], options: &OpenOptions, assumptions: &mut As
         };
         assumptions.note_origin("spacing", format!("Pixel Spacing{between}"));
     }
-    assumptions.note_fact("unit", "mm", "the format");
+    if first.file.spacing.is_some() {
+        assumptions.note_fact("unit", "mm", "the format");
+    }
 }
