@@ -11,7 +11,7 @@ use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
 use std::process::ExitCode;
-use vitrum::io::{Fact, Volume, Voxels};
+use vitrum::io::{Fact, Orientation, Volume, Voxels};
 
 /// Show what a volume or a mesh is: format, size, spacing, range, histogram; triangles, bounds, area, closed or not
 #[derive(Debug, Args)]
@@ -80,7 +80,8 @@ fn text(volume: &Volume) -> String {
     row("extent", format!("{ex} x {ey} x {ez}{unit}"));
     let [ox, oy, oz] = place::shown(volume.origin);
     row("origin", format!("({ox}, {oy}, {oz}){unit}"));
-    row("orientation", format!("{}{}", volume.orientation.name(), from("orientation")));
+    let oriented = if volume.orientation == Orientation::Unknown { String::new() } else { from("orientation") };
+    row("orientation", format!("{}{oriented}", volume.orientation.name()));
     row("axes", place::axes(volume));
     for fact in facts.iter().filter(|fact| !fact.value.is_empty() && fact.name != "unit") {
         row(fact.name, format!("{}  (from {})", fact.value, fact.from));
