@@ -1,8 +1,9 @@
 //! The command line as a whole; each command's own arguments stand beside it.
 
 use crate::commands::{
-    completions, convert, devices, diff, info, man, presets, render, scene, scenes, schema, turntable, voxelize,
+    completions, convert, devices, diff, info, keys, man, presets, render, scene, scenes, schema, turntable, voxelize,
 };
+use crate::examples;
 use clap::{Parser, Subcommand};
 
 /// Renders volumes with refraction, coloured transmission, soft shadows and caustics.
@@ -10,7 +11,7 @@ use clap::{Parser, Subcommand};
 /// Exit codes: 0 done, 1 a check said no, 2 wrong use, 3 an input could not be read or is invalid, 4 the device failed
 /// or is missing, 124 out of time, 130 interrupted.
 #[derive(Debug, Parser)]
-#[command(name = "vitrum", version, propagate_version = true, arg_required_else_help = true)]
+#[command(name = "vitrum", version, propagate_version = true, arg_required_else_help = true, after_help = examples::PROGRAM)]
 pub struct Arguments {
     #[command(subcommand)]
     pub command: Command,
@@ -18,18 +19,33 @@ pub struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    #[command(after_help = examples::RENDER)]
     Render(Box<render::Arguments>),
+    #[command(after_help = examples::TURNTABLE)]
     Turntable(Box<turntable::Arguments>),
+    #[command(after_help = examples::VOXELIZE)]
     Voxelize(voxelize::Arguments),
+    #[command(after_help = examples::INFO)]
     Info(info::Arguments),
+    #[command(after_help = examples::CONVERT)]
     Convert(convert::Arguments),
+    #[command(after_help = examples::DIFF)]
     Diff(diff::Arguments),
+    #[command(after_help = examples::SCENE)]
     Scene(scene::Arguments),
+    #[command(after_help = examples::DEVICES)]
     Devices(devices::Arguments),
+    #[command(after_help = examples::PRESETS)]
     Presets(presets::Arguments),
+    #[command(after_help = examples::SCENES)]
     Scenes(scenes::Arguments),
+    #[command(after_help = examples::KEYS)]
+    Keys(keys::Arguments),
+    #[command(after_help = examples::SCHEMA)]
     Schema(schema::Arguments),
+    #[command(after_help = examples::COMPLETIONS)]
     Completions(completions::Arguments),
+    #[command(after_help = examples::MAN)]
     Man(man::Arguments),
 }
 

@@ -1,5 +1,6 @@
 //! The device flags, and the renderer that they open.
 
+use crate::complete;
 use crate::failure::{Failure, Status};
 use crate::volume::ByteCount;
 use clap::{Args, ValueEnum};
@@ -15,7 +16,7 @@ pub struct DeviceArguments {
     pub backend: BackendName,
 
     /// Take the GPU whose name has this text in it (`vitrum devices` lists them), software or not
-    #[arg(long, value_name = "SUBSTRING")]
+    #[arg(long, value_name = "SUBSTRING", add = complete::adapters())]
     pub adapter: Option<String>,
 
     /// On a GPU, translate the kernels by naga even where the driver takes their SPIR-V as it is, as Metal and Direct3D 12 always do
@@ -62,6 +63,11 @@ impl From<BackendName> for Choice {
             BackendName::Gpu => Self::Gpu,
         }
     }
+}
+
+/// Names of the GPUs that are here.
+pub fn adapter_names() -> Vec<String> {
+    backend::devices().into_iter().filter(|device| device.backend == "gpu").map(|device| device.name).collect()
 }
 
 impl DeviceArguments {

@@ -7,6 +7,7 @@ use vitrum::backend::BackendError;
 use vitrum::composition::CompositionError;
 use vitrum::preset::PresetError;
 use vitrum::scene::{Origin, SceneError};
+use vitrum::suggest::nearest;
 
 /// The kind of a failure; the numbers are the exit codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -112,8 +113,11 @@ impl From<vitrum::Error> for Failure {
             vitrum::Error::Unrenderable(problem) => {
                 let help = match &*problem {
                     // The program has a command that lists them with their variants.
-                    Unrenderable::UnknownBuiltin { kind: "volume", .. } => {
-                        "`vitrum scenes` lists the built-in scenes".to_owned()
+                    Unrenderable::UnknownBuiltin { kind: "volume", name, known } => {
+                        match nearest(name, known.iter().copied()) {
+                            Some(near) => format!("did you mean `{near}`?"),
+                            None => "`vitrum scenes` lists the built-in scenes".to_owned(),
+                        }
                     }
                     problem => problem.advice(),
                 };

@@ -1,5 +1,6 @@
 //! The input that a person names, and the flags that change its scene.
 
+use crate::complete;
 use crate::failure::{Failure, Status};
 use crate::size::Size;
 use crate::volume::VolumeArguments;
@@ -8,28 +9,30 @@ use std::path::Path;
 use vitrum::composition::{Composed, Composition, Opened, Quality, open};
 use vitrum::io::{Mesh, OpenOptions, Up, Volume};
 use vitrum::scene::MeshSource;
-use vitrum::{load_mesh, load_meshes, load_volume, preset};
+use vitrum::suggest::nearest;
+use vitrum::{builtin, load_mesh, load_meshes, load_volume, preset};
 
 /// The input and the flags that change its scene.
 #[derive(Debug, Args)]
 pub struct SceneArguments {
     /// A scene file (.toml), a volume file, a mesh (.obj, .ply, .stl, .gltf, .glb), a folder of DICOM files, `-` for a volume from standard input, or builtin:NAME
     /// (`vitrum scenes` lists them)
+    #[arg(add = complete::inputs())]
     pub input: String,
 
     #[command(flatten)]
     pub volume: VolumeArguments,
 
     /// Give the scene the look of a preset (`vitrum presets` lists them); volume files without it take `amber`, meshes what their file says or glass
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", add = complete::presets())]
     pub preset: Option<String>,
 
     /// Put meshes into a medium and show the beams of light in it
-    #[arg(long, value_name = "NAME", long_help = medium_help())]
+    #[arg(long, value_name = "NAME", add = complete::media(), long_help = medium_help())]
     pub medium: Option<String>,
 
     /// Set a scene key, such as light.0.angular_radius=3; repeatable, applied in order, after --preset and --medium
-    #[arg(long, value_name = "KEY=VALUE")]
+    #[arg(long, value_name = "KEY=VALUE", add = complete::settings())]
     pub set: Vec<String>,
 
     /// Viewing rays: draft has one for each pixel, good more where neighbouring pixels differ, best four times as many. Without it a scene file's own
@@ -88,7 +91,7 @@ impl SceneArguments {
             settings: self.set.clone(),
             max_bytes: self.volume.limit(),
         };
-        Ok(composition.compose()?)
+        composition.compose().map_err(|error| with_built_in(&self.input, error.into()))
     }
 }
 
@@ -103,7 +106,20 @@ pub fn open_volume(input: &str, arguments: &VolumeArguments) -> Result<Volume, F
     }
     scene.volume.read_as(arguments.source());
     scene.validate()?;
-    Ok(load_volume(&scene.volume, &base, arguments.limit())?)
+    load_volume(&scene.volume, &base, arguments.limit()).map_err(|error| with_built_in(input, error.into()))
+}
+
+/// The failure of an input that is not there, with the built-in scene that was perhaps meant.
+fn with_built_in(input: &str, failure: Failure) -> Failure {
+    if input.contains(':') || Path::new(input).exists() {
+        return failure;
+    }
+    match nearest(input, builtin::names().iter().map(|(name, _)| *name)) {
+        Some(near) if !input.contains('.') => {
+            failure.with_help(&format!("did you mean `builtin:{near}`? There is no such file"))
+        }
+        _ => failure,
+    }
 }
 
 /// The mesh of a file as it stands there, without the other files of the scene. An input without a mesh fails.

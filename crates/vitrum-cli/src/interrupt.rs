@@ -46,6 +46,16 @@ pub fn handle_signals() {
     let _ = ctrlc::set_handler(handler);
 }
 
+/// Lets writing beyond the limit of file sizes fail as on a full disk, instead of ending the program in the middle of it. To be called
+/// before any thread begins.
+pub fn ignore_file_size_signal() {
+    #[cfg(unix)]
+    // SAFETY: no handler is installed, and no other thread is there that could install one meanwhile.
+    unsafe {
+        libc::signal(libc::SIGXFSZ, libc::SIG_IGN);
+    }
+}
+
 /// Begins the time of `timeout`, whose end sets [`requested`], and ends the program as a signal does.
 pub fn listen(timeout: Option<Timeout>) {
     if let Some(Timeout(time)) = timeout {

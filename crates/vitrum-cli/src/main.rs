@@ -6,9 +6,13 @@
 
 mod advice;
 mod arguments;
+mod bash;
 mod commands;
+mod complete;
 mod device;
+mod examples;
 mod failure;
+mod faster;
 mod input;
 mod interrupt;
 mod output;
@@ -22,7 +26,17 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     // First of all: no other thread is there yet.
     silence_device_select();
-    let arguments = arguments::Arguments::parse();
+    complete::answer_shell();
+    interrupt::ignore_file_size_signal();
+    let arguments = match arguments::Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        // Help and versions are results: that they cannot be printed is a failure.
+        Err(told) if !told.use_stderr() => {
+            let printed = output::print_styled(&told.render());
+            return printed.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS);
+        }
+        Err(wrong) => wrong.exit(),
+    };
     commands::run(arguments.command).unwrap_or_else(|failure| failure.report())
 }
 

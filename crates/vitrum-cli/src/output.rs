@@ -2,7 +2,8 @@
 
 use crate::failure::{Failure, Status};
 use clap::ValueEnum;
-use std::io::{ErrorKind, Write, stdout};
+use clap::builder::StyledStr;
+use std::io::{ErrorKind, IsTerminal, Write, stdout};
 use std::path::Path;
 use vitrum::io::{self, WriteOptions};
 
@@ -46,6 +47,15 @@ pub fn print(text: &str) -> Result<(), Failure> {
             "check where it is redirected to",
         )),
         _ => Ok(()),
+    }
+}
+
+/// Prints a text, with its styles on a terminal.
+pub fn print_styled(text: &StyledStr) -> Result<(), Failure> {
+    if stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none() {
+        print(&text.ansi().to_string())
+    } else {
+        print(&text.to_string())
     }
 }
 

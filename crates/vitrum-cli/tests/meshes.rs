@@ -24,7 +24,7 @@ fn a_mesh_is_described_for_people_and_for_machines() {
         "format      OBJ\n",
         "vertices    4 at 4 positions\n",
         "triangles   4, 0 of them without area",
-        "bounds      [0.0, 0.0, 0.0] to [1.0, 2.0, 3.0]\n",
+        "bounds      (0, 0, 0) to (1, 2, 3)\n",
         "area        9\n",
         "volume      1\n",
         "surface     closed: 6 edges, 0 of one triangle, 0 of more than two",
@@ -188,7 +188,7 @@ fn several_meshes_are_shown_together() {
         folder.succeed(&["diff", "apart.exr", "both.exr", "--max-abs", "0"]);
     }
     let info = folder.succeed(&["info", "apart.toml"]);
-    assert!(info.contains("triangles   8") && info.contains("[0.0, 0.0, 0.0] to [6.0, 5.0, 6.0]"), "{info}");
+    assert!(info.contains("triangles   8") && info.contains("(0, 0, 0) to (6, 5, 6)"), "{info}");
     // A material of the scene for one of them alone.
     folder.write(
         "gold.toml",

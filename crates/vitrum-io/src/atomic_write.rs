@@ -1,7 +1,8 @@
 //! Atomic writing: a file is written beside its path and renamed onto it, so that a path never holds half of one.
 
+use std::fs;
 use std::io::{self, BufWriter, Seek, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Report};
 use crate::input::display_name;
@@ -22,6 +23,59 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), Error> {
     write_whole(Report::new(&name), path, |sink| sink.write_all(text.as_bytes()))
 }
 
+/// As [`write_text`], up to the moment when the file appears at `path`.
+///
+/// # Errors
+///
+/// [`Error::Write`] where no file can be written there.
+pub fn stage_text(path: &Path, text: &str) -> Result<Staged, Error> {
+    let name = display_name(path);
+    stage_whole(Report::new(&name), path, |sink| sink.write_all(text.as_bytes()))
+}
+
+/// A file that is whole and beside its path, so that several can appear together; it is removed where it is never put in its place.
+#[derive(Debug)]
+pub struct Staged {
+    beside: Temporary,
+    path: PathBuf,
+}
+
+impl Staged {
+    pub(crate) fn of(beside: Temporary, path: PathBuf) -> Self {
+        Self { beside, path }
+    }
+
+    /// Puts the file in its place.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Write`] where the operating system fails.
+    pub fn put(self) -> Result<(), Error> {
+        let name = display_name(&self.path);
+        self.beside.persist(&link_target(&self.path)).map_err(|error| failed(Report::new(&name), error))
+    }
+}
+
+/// What an output fails with when the operating system does.
+pub(crate) fn failed(report: Report, error: io::Error) -> Error {
+    report.write(
+        error.to_string(),
+        "check the free space on the disk, and the limit of file sizes (ulimit -f)",
+        Some(error),
+    )
+}
+
+/// The file that a path stands for, where it is a link: outputs are written through links, and these stay.
+fn link_target(path: &Path) -> PathBuf {
+    const LONGEST_CHAIN: usize = 40;
+    let mut target = path.to_owned();
+    for _ in 0..LONGEST_CHAIN {
+        let Ok(next) = fs::read_link(&target) else { break };
+        target = target.parent().unwrap_or(Path::new("")).join(next);
+    }
+    target
+}
+
 /// Whether [`write_text`] could write to `path` now; worth asking before long work.
 ///
 /// # Errors
@@ -38,20 +92,29 @@ pub(crate) fn write_whole(
     path: &Path,
     encode: impl FnOnce(&mut dyn Sink) -> io::Result<()>,
 ) -> Result<(), Error> {
+    stage_whole(report, path, encode)?.put()
+}
+
+/// As [`write_whole`], up to the moment when the file appears at `path`.
+pub(crate) fn stage_whole(
+    report: Report,
+    path: &Path,
+    encode: impl FnOnce(&mut dyn Sink) -> io::Result<()>,
+) -> Result<Staged, Error> {
     let beside = create_beside(report, path)?;
-    let failed = |error: io::Error| report.write(error.to_string(), "check the free space on the disk", Some(error));
     let mut sink = BufWriter::new(beside.file());
     encode(&mut sink)
         .and_then(|()| sink.flush())
         // Before the rename, so that a crash behind it cannot leave an empty file at the path.
         .and_then(|()| beside.file().sync_all())
-        .map_err(failed)?;
+        .map_err(|error| failed(report, error))?;
     drop(sink);
-    beside.persist(path).map_err(failed)
+    Ok(Staged { beside, path: path.to_owned() })
 }
 
 /// An empty file in the folder of `path`, thus on the same file system: renaming is atomic there.
 pub(crate) fn create_beside(report: Report, path: &Path) -> Result<Temporary, Error> {
+    let path = &link_target(path);
     let folder = match path.parent() {
         Some(parent) if parent != Path::new("") => parent,
         _ => Path::new("."),

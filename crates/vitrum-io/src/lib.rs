@@ -34,8 +34,10 @@ mod common_range;
 mod detached;
 #[cfg(feature = "dicom")]
 mod dicom;
+mod edit;
 mod error;
 mod fields;
+mod filter;
 mod folder;
 mod formats;
 pub mod image;
@@ -82,15 +84,15 @@ mod vti;
 #[cfg(feature = "vtk")]
 mod vtk;
 
-pub use atomic_write::{check_text_writable, write_text};
+pub use atomic_write::{Staged, check_text_writable, stage_text, write_text};
 pub use error::{Error, Found, Place};
 pub use formats::{Format, MESH_FORMATS, PICTURE_FORMATS, VOLUME_FORMATS};
 #[cfg(all(feature = "animations", not(target_family = "wasm")))]
 pub use image::Animation;
 pub use image::{
-    Channel, Layer, Picture, PictureFormat, WriteOptions, check_holds_vectors, check_writable, encode_picture,
-    linear_to_srgb, read_picture, read_picture_bytes, read_picture_with, srgb_to_linear, write_picture,
-    write_picture_with,
+    Channel, Layer, Picture, PictureFormat, WriteOptions, check_holds_lengths, check_holds_vectors, check_writable,
+    encode_picture, linear_to_srgb, read_picture, read_picture_bytes, read_picture_with, srgb_to_linear,
+    stage_picture_with, write_picture, write_picture_with,
 };
 pub use input::{Input, STANDARD_INPUT};
 pub use memory::require_memory;
@@ -105,7 +107,7 @@ pub use reader::VolumeReader;
 pub use registry::{is_mesh, open, open_bytes, readers};
 pub use setting::Setting;
 pub use shared::Shared;
-pub use source::{Assumption, Assumptions, Source};
+pub use source::{Assumption, Assumptions, Fact, Source};
 pub use temporary::remove_unfinished;
 pub use up::Up;
 pub use volume::Volume;

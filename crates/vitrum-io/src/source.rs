@@ -49,25 +49,64 @@ impl fmt::Display for Assumption {
     }
 }
 
-/// A list of assumptions, in the order in which they were made.
+/// A fact about the data, and where the file says it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fact {
+    /// Name of the fact: `spacing`, `orientation`, `unit`, `values`, or one of the format's own, such as `series`.
+    pub name: &'static str,
+    /// Value for people to read; empty where the volume holds it.
+    pub value: String,
+    /// The part of the file that says it, such as `the sform`.
+    pub from: String,
+}
+
+/// A list of assumptions, in the order in which they were made, and of the facts that needed none.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Assumptions(Vec<Assumption>);
+pub struct Assumptions {
+    assumptions: Vec<Assumption>,
+    facts: Vec<Fact>,
+}
 
 impl Assumptions {
     /// Appends an assumption.
     pub fn push(&mut self, assumption: impl Into<Assumption>) {
-        self.0.push(assumption.into());
+        self.assumptions.push(assumption.into());
     }
 
     /// The statements alone.
     #[must_use]
     pub fn facts(&self) -> Vec<&str> {
-        self.0.iter().map(|assumption| assumption.fact.as_str()).collect()
+        self.assumptions.iter().map(|assumption| assumption.fact.as_str()).collect()
+    }
+
+    /// The facts that the file says by itself, with where it says them.
+    #[must_use]
+    pub fn stated(&self) -> &[Fact] {
+        &self.facts
+    }
+
+    /// Notes where the file says something that the volume holds.
+    pub(crate) fn note_origin(&mut self, name: &'static str, from: impl Into<String>) {
+        self.note_fact(name, "", from);
+    }
+
+    /// Notes that something else than the file says what the volume holds.
+    pub(crate) fn replace_origin(&mut self, name: &'static str, from: &str) {
+        self.facts.retain(|fact| fact.name != name);
+        self.note_origin(name, from);
+    }
+
+    /// Notes a fact that the file says; the first one of a name counts.
+    pub(crate) fn note_fact(&mut self, name: &'static str, value: impl Into<String>, from: impl Into<String>) {
+        if self.facts.iter().all(|fact| fact.name != name) {
+            self.facts.push(Fact { name, value: value.into(), from: from.into() });
+        }
     }
 
     /// Removes all assumptions.
     pub(crate) fn clear(&mut self) {
-        self.0.clear();
+        self.assumptions.clear();
+        self.facts.clear();
     }
 }
 
@@ -75,13 +114,13 @@ impl Deref for Assumptions {
     type Target = [Assumption];
 
     fn deref(&self) -> &[Assumption] {
-        &self.0
+        &self.assumptions
     }
 }
 
 impl<T: Into<Assumption>> Extend<T> for Assumptions {
     fn extend<I: IntoIterator<Item = T>>(&mut self, assumptions: I) {
-        self.0.extend(assumptions.into_iter().map(Into::into));
+        self.assumptions.extend(assumptions.into_iter().map(Into::into));
     }
 }
 
@@ -90,6 +129,6 @@ impl IntoIterator for Assumptions {
     type IntoIter = std::vec::IntoIter<Assumption>;
 
     fn into_iter(self) -> Self::IntoIter {
-        self.0.into_iter()
+        self.assumptions.into_iter()
     }
 }

@@ -126,6 +126,7 @@ impl Volume {
         }
         if self.spacing != spacing {
             let [x, y, z] = self.spacing;
+            self.source.assumptions.replace_origin("spacing", "what was asked for");
             self.source.assumptions.push(format!("the spacing was given, in place of {x} x {y} x {z}"));
         }
         self.spacing = spacing;

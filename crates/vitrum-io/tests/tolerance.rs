@@ -463,13 +463,33 @@ fn frames_of_nuclear_medicine_lie_to_the_side_that_their_spacing_says() {
     }
 }
 
+/// A picture of 3 x 2 pixels in JPEG of 12 bits, all of one value: by ITU-T T.81 that is 2048 + q d / 8, of the difference d, quantized by q.
+fn jpeg_of_12_bits(start_of_frame: u8, scan: [u8; 2]) -> Vec<u8> {
+    let quantization = [&[255, 219, 0, 67, 0][..], &[8; 64]].concat();
+    let frame = [255, start_of_frame, 0, 11, 12, 0, 2, 0, 3, 1, 1, 17, 0];
+    // One code each, of one bit: a difference of 10 bits, and the end of the block.
+    let table = |class: u8, symbol: u8| [&[255, 196, 0, 20, class, 1][..], &[0; 15], &[symbol]].concat();
+    let parts = [&[255, 216][..], &quantization, &frame, &table(0, 10), &table(16, 0)];
+    [&parts.concat()[..], &[255, 218, 0, 8, 1, 1, 0, 0, 63, 0], &scan, &[255, 217]].concat()
+}
+
 #[test]
-fn a_picture_of_12_bits_is_not_called_damaged() {
-    // The start of a picture of 12 bits, with loss.
-    let jpeg = [255, 216, 255, 193, 0, 11, 12, 0, 2, 0, 3, 1, 0, 17, 0, 255, 217];
+fn pictures_of_12_bits_are_decoded() {
+    // The bits 0, the difference in ten, 0, and four to fill up: 800, and -800, which is written as 223.
+    for (scan, expected) in [([0b0110_0100, 0b0000_1111], 2848.0), ([0b0001_1011, 0b1110_1111], 1248.0)] {
+        let mut file = Dicom::words(0.0, &[0; 6], false);
+        file.bits(16, 12, 11, false).compressed("1.2.840.10008.1.2.4.51", vec![jpeg_of_12_bits(193, scan)]);
+        let volume = opened(&folder(&[file.bytes()]).path("slice0"));
+        assert_eq!((volume.dimensions, volume.range), ([3, 2, 1], [expected, expected]));
+    }
+}
+
+#[test]
+fn a_picture_in_arithmetic_code_is_not_called_damaged() {
     let mut file = Dicom::words(0.0, &[0; 6], false);
-    file.compressed("1.2.840.10008.1.2.4.51", vec![jpeg.to_vec()]);
-    let error = vitrum_io::open(&folder(&[file.bytes()]).path("slice0"), &OpenOptions::default()).expect_err("12 bits");
+    let jpeg = jpeg_of_12_bits(201, [0; 2]);
+    file.bits(16, 12, 11, false).compressed("1.2.840.10008.1.2.4.51", vec![jpeg]);
+    let error = vitrum_io::open(&folder(&[file.bytes()]).path("slice0"), &OpenOptions::default()).expect_err("no code");
     let text = error.to_string();
-    assert!(text.contains("12 bits") && text.contains("gdcmconv --raw") && !text.contains("damaged"), "{text}");
+    assert!(text.contains("arithmetic") && text.contains("gdcmconv --raw") && !text.contains("damaged"), "{text}");
 }

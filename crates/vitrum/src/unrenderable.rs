@@ -1,5 +1,6 @@
 //! Why a valid scene and its data make no frame.
 
+use crate::suggest::nearest;
 use std::path::PathBuf;
 
 /// Why a scene and its data, each valid by itself, make no frame together. The display states the fact and the limit;
@@ -310,7 +311,10 @@ impl Unrenderable {
             Self::NoEnvironmentMap => "name an equirectangular picture".to_owned(),
             Self::TwoSources { .. } => "keep one".to_owned(),
             Self::NoSource { .. } => "give one of them".to_owned(),
-            Self::UnknownBuiltin { known, .. } => format!("there are {}", known.join(", ")),
+            Self::UnknownBuiltin { known, name, .. } => match nearest(name, known.iter().copied()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("there are {}", known.join(", ")),
+            },
             Self::BuiltinLeftOut { .. } => "name a file".to_owned(),
             Self::Syntax { .. } => "correct it".to_owned(),
             Self::NeedsMesh { .. } => "give a mesh, or take the method `sweep`".to_owned(),

@@ -7,7 +7,6 @@ mod tables;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use serde_json::Value;
 use vitrum::scene::Scene;
 
 use crate::Failure;
@@ -49,12 +48,10 @@ impl Made {
 pub fn all() -> Result<Vec<Made>, Failure> {
     let folder = crate::root().join("docs");
     let schema = Scene::json_schema();
-    let tree: Value = serde_json::from_str(&schema)
-        .map_err(|error| Failure::Setup(format!("the scene's schema cannot be read: {error}")))?;
     let page = |name: &str| -> Result<Made, Failure> {
         let path = folder.join(name);
         let wrong = |problem: String| Failure::Setup(format!("{}: {problem}", path.display()));
-        let text = keys::filled(&read(&path)?, &tree).map_err(wrong)?;
+        let text = keys::filled(&read(&path)?).map_err(wrong)?;
         Ok(Made { text: tables::filled(&text).map_err(wrong)?, path })
     };
     let mut made = vec![Made { path: folder.join("vitrum-scene.schema.json"), text: format!("{schema}\n") }];

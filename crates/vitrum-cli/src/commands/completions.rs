@@ -1,9 +1,9 @@
 //! `vitrum completions`: the command line, for shells.
 
-use crate::arguments;
+use crate::complete;
 use crate::failure::Failure;
 use crate::output;
-use clap::{Args, CommandFactory};
+use clap::Args;
 use clap_complete::Shell;
 use std::process::ExitCode;
 
@@ -16,8 +16,6 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut arguments::Arguments::command(), "vitrum", &mut script);
-    output::print(&String::from_utf8_lossy(&script))?;
+    output::print(&complete::script(&arguments.shell.to_string()))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -5,6 +5,7 @@ pub mod convert;
 pub mod devices;
 pub mod diff;
 pub mod info;
+pub mod keys;
 pub mod man;
 pub mod presets;
 pub mod render;
@@ -33,6 +34,7 @@ pub fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Devices(arguments) => devices::run(&arguments),
         Command::Presets(arguments) => presets::run(&arguments),
         Command::Scenes(arguments) => scenes::run(&arguments),
+        Command::Keys(arguments) => keys::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),
         Command::Man(arguments) => man::run(&arguments),

@@ -1,6 +1,6 @@
 //! `vitrum scene`: the scene that a render with the same flags would show, as a scene file.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Status};
 use crate::input::SceneArguments;
 use crate::output;
 use clap::Args;
@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use vitrum::io::STANDARD_INPUT;
 use vitrum::scene::Scene;
 
-/// Write the scene file of what would be rendered, every key with its value
+/// Write the scene file of what would be rendered: the keys that differ from their defaults, with comments
 ///
 /// A volume file gives a scene to start from: its preset's thresholds are written out, ready to be changed.
 #[derive(Debug, Args)]
@@ -21,10 +21,14 @@ pub struct Arguments {
     /// The scene file; standard output if absent
     #[arg(short, long, value_name = "FILE.toml")]
     output: Option<PathBuf>,
+
+    /// Write every key with its value
+    #[arg(long)]
+    all: bool,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    arguments.output.as_deref().map_or(Ok(()), output::check_writable)?;
+    arguments.output.as_deref().map_or(Ok(()), check_output)?;
     let composed = arguments.scene.compose()?;
     vitrum::check(&composed.scene, &composed.assets)?;
     let mut scene = composed.scene;
@@ -32,12 +36,21 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if !same_folder(&composed.base, folder) {
         make_absolute(&mut scene, &composed.base);
     }
-    let text = scene.to_toml()?;
+    let text = scene.to_annotated_toml(arguments.all)?;
     match &arguments.output {
         Some(file) => output::write_text(file, &text)?,
         None => output::print(&text)?,
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Whether the scene file could be written now, and would be read as one.
+fn check_output(file: &Path) -> Result<(), Failure> {
+    if file.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("toml")) {
+        let message = format!("{}: scene files are TOML, and others are not read as scenes", file.display());
+        return Err(Failure::new(Status::WrongUse, message, "name it .toml"));
+    }
+    output::check_writable(file)
 }
 
 /// A scene that moves to another folder must name its files by absolute paths.

@@ -27,19 +27,36 @@ pub(super) type Size = [u32; 2];
 /// The pixels of a JPEG picture, with or without loss, each in `bytes` bytes, little-endian; else the problem.
 pub(super) fn jpeg(packed: &[u8], size: Size, bytes: usize) -> Result<Vec<u8>, Problem> {
     check_frame(packed, size, bytes)?;
-    if let Some([precision @ 9..=12, ..]) = frame(packed)
-        && !is_lossless(packed)
-    {
-        return Err(Problem::Unknown(format!("its samples have {precision} bits, and lossy JPEG is read with 8")));
+    if bytes == 2 && !is_lossless(packed) {
+        return jpeg_of_12_bits(packed);
     }
     // The decoder is not ours: should it panic on a damaged picture, the picture is at fault and not the program.
-    let decode = || Decoder::new(packed).decode().map_err(|error| error.to_string());
+    let decode = || {
+        Decoder::new(packed).decode().map_err(|error| match error {
+            jpeg_decoder::Error::Unsupported(_) => Problem::Unknown(error.to_string()),
+            error => Problem::Damaged(error.to_string()),
+        })
+    };
     let mut pixels = catch_unwind(decode).map_err(|_| "it cannot be decoded".to_owned())??;
     if bytes == 2 && cfg!(target_endian = "big") {
         // It gives words in the machine's order.
         pixels.chunks_exact_mut(2).for_each(<[u8]>::reverse);
     }
     Ok(pixels)
+}
+
+/// As [`jpeg`], of a picture with loss whose samples have more than 8 bits.
+fn jpeg_of_12_bits(packed: &[u8]) -> Result<Vec<u8>, Problem> {
+    use oxiarc_jpeg::{DecodeOptions, Decoder, JpegError};
+    let decode = || {
+        Decoder::with_options(packed, DecodeOptions::raw()).decode_u16().map_err(|error| match error {
+            JpegError::Unsupported(_) => Problem::Unknown(error.to_string()),
+            error => Problem::Damaged(error.to_string()),
+        })
+    };
+    // As above.
+    let pixels = catch_unwind(decode).map_err(|_| "it cannot be decoded".to_owned())??;
+    Ok(pixels.into_iter().flat_map(u16::to_le_bytes).collect())
 }
 
 /// Fails where a JPEG or JPEG-LS picture is not one of gray pixels in `bytes` bytes each, or of another size.

@@ -6,6 +6,7 @@ use dicom_object::InMemDicomObject;
 
 use super::attributes::{self, items, numbers, text, vector, whole};
 use super::envelope::Envelope;
+use super::facts;
 use super::image::{File, Frame, Pixels, TIMES, normal};
 use super::padding;
 use super::syntax::BIG_ENDIAN;
@@ -91,6 +92,7 @@ impl File {
             spacing,
             step,
             frames,
+            facts: facts::of(object, &places().collect::<Vec<_>>()),
             name: name.to_owned(),
         }))
     }

@@ -8,6 +8,7 @@ use glam::DVec3;
 use super::attributes;
 use crate::input::file_name;
 use crate::samples::SampleType;
+use crate::source::Fact;
 
 /// The stored values from Pixel Padding Value to Pixel Padding Range Limit, both included.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,6 +82,8 @@ pub(super) struct File {
     /// Distance between slices in mm, for files without positions.
     pub step: Option<f64>,
     pub frames: Vec<Frame>,
+    /// What a radiologist asks first.
+    pub facts: Vec<Fact>,
 }
 
 /// One slice of a volume: a frame of a file.

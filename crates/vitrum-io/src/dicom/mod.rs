@@ -6,6 +6,7 @@ mod attributes;
 mod codecs;
 mod distances;
 mod envelope;
+mod facts;
 mod files;
 mod grid;
 mod header;
@@ -61,6 +62,7 @@ impl VolumeReader for Dicom {
         let first = series.check_alike()?;
         let slices: Vec<Slice> = times::choose(report, series.slices(), options, &mut assumptions)?;
         let grid = Grid::new(report, &slices, options, &mut assumptions)?;
+        facts::tell(&slices, options, &mut assumptions);
         let uniform = slices.iter().all(|slice| slice.rescale == slices[0].rescale);
         let sample = if uniform { first.pixels.sample } else { SampleType::F32 };
         if !uniform {

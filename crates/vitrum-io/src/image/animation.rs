@@ -11,7 +11,7 @@ use png::{BitDepth, ColorType, SrgbRenderingIntent};
 use super::picture::Picture;
 use super::srgb::{linear_to_srgb, to_8_bits};
 use super::video::Video;
-use crate::atomic_write::create_beside;
+use crate::atomic_write::{Staged, create_beside, failed};
 use crate::error::{Error, Place, Report};
 use crate::input::display_name;
 use crate::temporary::Temporary;
@@ -125,12 +125,8 @@ impl Animation {
             Encoder::Video(mut video) => video.end(),
         };
         ended.and_then(|()| self.beside.file().sync_all()).map_err(|error| failed(report, error))?;
-        self.beside.persist(&self.path).map_err(|error| failed(report, error))
+        Staged::of(self.beside, self.path).put()
     }
-}
-
-fn failed(report: Report, error: io::Error) -> Error {
-    report.write(error.to_string(), "check the free space on the disk", Some(error))
 }
 
 fn begin_gif(sink: BufWriter<File>, width: u16, height: u16) -> io::Result<Encoder> {

@@ -61,6 +61,11 @@ impl PictureFormat {
         Err(report.unsupported(Place::File, found, format!("use one of {}", extensions.join(", "))))
     }
 
+    /// Whether the format stores values from 0 to 1 alone.
+    pub(super) fn clips(self) -> bool {
+        matches!(self, Self::Png | Self::Jpeg)
+    }
+
     /// Whether the format stores negative values.
     pub(super) fn is_signed(self) -> bool {
         matches!(self, Self::Exr | Self::Tiff)

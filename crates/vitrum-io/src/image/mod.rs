@@ -32,4 +32,7 @@ pub use self::options::WriteOptions;
 pub use self::picture::{Channel, Layer, Picture};
 pub use self::read::{read_picture, read_picture_bytes, read_picture_with};
 pub use self::srgb::{linear_to_srgb, srgb_to_linear};
-pub use self::write::{check_holds_vectors, check_writable, encode_picture, write_picture, write_picture_with};
+pub use self::write::{
+    check_holds_lengths, check_holds_vectors, check_writable, encode_picture, stage_picture_with, write_picture,
+    write_picture_with,
+};

@@ -7,7 +7,7 @@ use super::check::{check_metadata, check_picture};
 use super::format::PictureFormat;
 use super::options::{Metadata, WriteOptions, check_options};
 use super::picture::Picture;
-use crate::atomic_write::{Sink, create_beside, write_whole};
+use crate::atomic_write::{Sink, Staged, create_beside, stage_whole};
 use crate::error::{Error, Report};
 use crate::input::display_name;
 
@@ -46,11 +46,25 @@ pub fn write_picture_with(
     metadata: &[(String, String)],
     options: &WriteOptions,
 ) -> Result<(), Error> {
+    stage_picture_with(path, picture, metadata, options)?.put()
+}
+
+/// As [`write_picture_with`], up to the moment when the file appears at `path`.
+///
+/// # Errors
+///
+/// Those of [`write_picture_with`].
+pub fn stage_picture_with(
+    path: &Path,
+    picture: &Picture,
+    metadata: &[(String, String)],
+    options: &WriteOptions,
+) -> Result<Staged, Error> {
     let name = display_name(path);
     let report = Report::new(&name);
     let format = PictureFormat::named(report, path)?;
     check(report, picture, format, metadata, *options)?;
-    write_whole(report, path, |sink| encode(sink, picture, format, metadata, *options))
+    stage_whole(report, path, |sink| encode(sink, picture, format, metadata, *options))
 }
 
 /// The bytes of a picture's file, as [`write_picture_with`] writes them.
@@ -90,6 +104,21 @@ pub fn check_writable(path: &Path) -> Result<(), Error> {
     let report = Report::new(&name);
     PictureFormat::named(report, path)?;
     create_beside(report, path).map(drop)
+}
+
+/// Whether values beyond 0 to 1, such as lengths in world units, can be written in the format that the extension of `path` names.
+///
+/// # Errors
+///
+/// [`Error::Unsupported`] where the extension is unknown, [`Error::Write`] where the format clips them.
+pub fn check_holds_lengths(path: &Path, name: &str) -> Result<(), Error> {
+    let shown = display_name(path);
+    let report = Report::new(&shown);
+    if !PictureFormat::named(report, path)?.clips() {
+        return Ok(());
+    }
+    let problem = format!("`{name}` goes beyond 1, and this format holds values from 0 to 1");
+    Err(report.write(problem, "write it to .exr or .tif", None))
 }
 
 /// Whether a vector called `name` can be written in the format that the extension of `path` names.

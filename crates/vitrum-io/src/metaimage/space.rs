@@ -27,12 +27,16 @@ pub(super) fn placement(
     // Newer files say `Offset` and `TransformMatrix`, older ones one of the other names.
     let any_of = |names: [&str; 3]| names.into_iter().find_map(|name| fields.get(name));
     let origin = any_of(["Offset", "Position", "Origin"]);
+    if fields.get("ElementSpacing").or(fields.get("ElementSize")).is_some() {
+        assumptions.note_origin("spacing", "`ElementSpacing`, or else `ElementSize`");
+    }
     let origin_place = origin.map(Field::place);
     let origin = origin.map(|field| field.numbers::<f64>(report, rank)).transpose()?;
     let origin = origin.map(|origin| to_world([0, 1, 2].map(|axis| origin[axis] * scale)));
     let matrix = any_of(["TransformMatrix", "Orientation", "Rotation"]);
     let (directions, orientation): ([[f64; 3]; 3], _) = match matrix {
         Some(field) => {
+            assumptions.note_origin("orientation", "`TransformMatrix`");
             // Each row is an axis of the grid.
             let numbers: Vec<f64> = field.numbers(report, rank * rank)?;
             let row = |axis: usize| std::array::from_fn(|component| numbers[rank * axis + component]);

@@ -27,6 +27,8 @@ pub(super) fn placement(
         match Placement::from_columns(columns, origin, Orientation::Patient) {
             Ok(placement) => {
                 assumptions.extend(placement.shear_note());
+                assumptions.note_origin("spacing", "the sform");
+                assumptions.note_origin("orientation", "the sform");
                 let spacing = pixdim.map(|spacing| spacing as f32);
                 let differs = |(a, b): (&f32, &f32)| (a - b).abs() > 0.01 * a;
                 if placement.spacing.iter().zip(&spacing).any(differs) {
@@ -43,6 +45,7 @@ pub(super) fn placement(
             }
         }
     }
+    assumptions.note_origin("spacing", "pixdim");
     // A negative distance is no direction here: those are the qform's.
     let steps = tolerance::steps(pixdim.map(f64::abs), 1.0, options, assumptions);
     if pixdim.iter().any(|step| *step < 0.0) {
@@ -61,6 +64,7 @@ pub(super) fn placement(
         let spacing = steps.map(|step| step as f32);
         return Ok(Placement { spacing, axes: IDENTITY, origin: None, orientation: Orientation::Unknown });
     };
+    assumptions.note_origin("orientation", "the qform");
     // pixdim[0] says whether z is mirrored: a quaternion cannot.
     let handedness = if header.pixdim[0] < 0.0 { -1.0 } else { 1.0 };
     let steps = [steps[0], steps[1], steps[2] * handedness];
@@ -94,10 +98,16 @@ fn unit_scale(header: &Header, assumptions: &mut Assumptions) -> f64 {
     let (scale, note) = match header.units & 7 {
         0 => (1.0, "the file names no unit of length: mm were taken".to_owned()),
         1 => (1e3, "lengths in m were turned into mm".to_owned()),
-        2 => return 1.0,
+        2 => {
+            assumptions.note_fact("unit", "mm", "xyzt_units");
+            return 1.0;
+        }
         3 => (1e-3, "lengths in µm were turned into mm".to_owned()),
         other => (1.0, format!("xyzt_units has {other} for space, which is no known unit: mm were taken")),
     };
+    if (scale - 1.0_f64).abs() > 0.0 {
+        assumptions.note_fact("unit", "mm", "xyzt_units");
+    }
     assumptions.push(note);
     scale
 }

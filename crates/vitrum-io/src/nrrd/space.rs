@@ -33,11 +33,14 @@ pub(super) fn placement(
             assumptions.extend(note);
         }
         assumptions.extend(placement.shear_note());
+        assumptions.note_origin("spacing", "`space directions`");
+        assumptions.note_origin("orientation", "`space` and `space directions`");
         return Ok(placement);
     }
     let spacing: [f64; 3] = match header.get("spacings") {
         Some(field) => {
             let spacing: Vec<f64> = field.numbers(report, rank)?;
+            assumptions.note_origin("spacing", "`spacings`");
             tolerance::steps([0, 1, 2].map(|axis| spacing[axis] * scale), scale, options, assumptions)
         }
         None => {

@@ -131,6 +131,9 @@ fn of_ome(ome: &Ome, options: &OpenOptions, assumptions: &mut Assumptions) -> [f
     if let Some(unit) = &ome.unknown_unit {
         assumptions.push(format!("the unit `{}` is not known: it was taken for a millimetre", clip(unit)));
     }
+    if ome.unknown_unit.is_none() {
+        assumptions.note_fact("unit", "mm", "OME-XML");
+    }
     assumptions.push("the spacing was taken from OME-XML".to_owned());
     let other = ome.spacing.into_iter().flatten().next().unwrap_or(1.0);
     if ome.spacing.iter().any(Option::is_none) && options.spacing.is_none() {

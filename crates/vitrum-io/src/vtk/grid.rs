@@ -62,7 +62,10 @@ impl Fields {
         assumptions: &mut Assumptions,
     ) -> Result<Placement, Error> {
         let spacing = match self.spacing {
-            Some((spacing, _)) => tolerance::steps(spacing, 1.0, options, assumptions),
+            Some((spacing, _)) => {
+                assumptions.note_origin("spacing", "`SPACING`");
+                tolerance::steps(spacing, 1.0, options, assumptions)
+            }
             None => {
                 tolerance::note_unspaced(options, assumptions);
                 [1.0; 3]

@@ -9,6 +9,8 @@ pub struct Output {
     pub description: &'static str,
     /// Whether the output holds vectors, whose components may be negative.
     pub is_vector: bool,
+    /// Whether the values are lengths or numbers, which go beyond 1 and are no light.
+    pub is_measure: bool,
     /// The names of its channels with their components in the method's film records; none for an output whose size is not the
     /// picture's.
     pub(crate) channels: &'static [(&'static str, usize)],
@@ -53,6 +55,7 @@ impl Output {
             name: "color",
             description,
             is_vector: false,
+            is_measure: false,
             channels,
             pixel: PixelFilter::Mean,
             blend: Blend::Radiance,
@@ -65,7 +68,8 @@ impl Output {
         channels: &'static [(&'static str, usize)],
         description: &'static str,
     ) -> Self {
-        Self { name, description, is_vector: false, channels, pixel: PixelFilter::Mean, blend: Blend::Sum }
+        let pixel = PixelFilter::Mean;
+        Self { name, description, is_vector: false, is_measure: false, channels, pixel, blend: Blend::Sum }
     }
 
     /// An output of radiance: the sum over exposures, those of further lights too.
@@ -84,7 +88,8 @@ impl Output {
         description: &'static str,
     ) -> Self {
         let blend = Blend::Nearest;
-        Self { name, description, is_vector: true, channels, pixel: PixelFilter::Direction, blend }
+        let pixel = PixelFilter::Direction;
+        Self { name, description, is_vector: true, is_measure: false, channels, pixel, blend }
     }
 
     /// An output of which a pixel shows the value of its central ray.
@@ -94,7 +99,8 @@ impl Output {
         description: &'static str,
     ) -> Self {
         let blend = Blend::Nearest;
-        Self { name, description, is_vector: false, channels, pixel: PixelFilter::Nearest, blend }
+        let pixel = PixelFilter::Nearest;
+        Self { name, description, is_vector: false, is_measure: true, channels, pixel, blend }
     }
 
     /// The output with another rule for a pixel that several rays go through, and with the value of the nearest exposure.
@@ -102,9 +108,14 @@ impl Output {
         Self { pixel, blend: Blend::Nearest, ..self }
     }
 
+    /// The output as one of lengths.
+    pub(crate) const fn lengths(self) -> Self {
+        Self { is_measure: true, ..self }
+    }
+
     /// The output as one of vectors.
     pub(crate) const fn vectors(self) -> Self {
-        Self { is_vector: true, ..self }
+        Self { is_vector: true, is_measure: false, ..self }
     }
 }
 

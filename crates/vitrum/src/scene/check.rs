@@ -86,10 +86,20 @@ pub(super) fn unknown_key(shape: Shape<'_>, path: &[String], key: &str) -> Fault
     };
     let full = |name: &str| path.iter().map(String::as_str).chain(item).chain([name]).collect::<Vec<_>>().join(".");
     let near = nearest(key, known.iter().copied());
-    let nearest = near.map(full);
+    let nearest = near.map(full).or_else(|| elsewhere(path, key));
     let known = known.into_iter().map(|key| item.map_or_else(|| key.to_owned(), |item| format!("{item}.{key}")));
     let problem = Problem::UnknownKey { nearest, known: known.collect() };
     Fault { path: [path, &[key.to_owned()]].concat(), problem }
+}
+
+/// The key of that name in another table; where there are several, that in the table that is declared first.
+fn elsewhere(path: &[String], name: &str) -> Option<String> {
+    let keys = super::describe_keys();
+    let inside =
+        |key: &&super::KeyDescription| path.first().is_none_or(|first| key.path.split('.').next() == Some(first));
+    let same = |key: &&super::KeyDescription| key.name == name;
+    let found = keys.iter().filter(same).find(inside).or_else(|| keys.iter().find(same));
+    found.map(|key| key.path.clone())
 }
 
 fn wrong_value(shape: Shape<'_>, path: &[String], value: &Value) -> Fault {

@@ -1,10 +1,10 @@
 //! Reading scenes from TOML.
 
-use super::Scene;
 use super::check::check_table;
 use super::error::{Fault, Origin, Problem, SceneError};
 use super::lines::{line_of, line_of_key};
 use super::schema::Shape;
+use super::{Scene, colors};
 use toml::Table;
 
 impl Scene {
@@ -34,7 +34,8 @@ impl Scene {
     }
 
     /// The scene in a tree of values, each checked for itself.
-    pub(super) fn from_table(table: Table) -> Result<Self, Fault> {
+    pub(super) fn from_table(mut table: Table) -> Result<Self, Fault> {
+        colors::resolve_table(Shape::scene(), &mut table);
         check_table(Shape::scene(), &table, &mut Vec::new())?;
         // The types take every value that the schema lets pass: this error is unreachable, and kept for its message.
         table.try_into().map_err(|error: toml::de::Error| Fault::at(&[], Problem::Syntax(error.message().to_owned())))

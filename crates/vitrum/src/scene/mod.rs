@@ -4,15 +4,18 @@
 //! errors, and `docs/scene.md` documents each key. Lengths are world units (the volume's spacing gives them), angles are
 //! degrees, colours are linear RGB.
 
+mod annotated;
 mod beams;
 mod camera;
 mod check;
 mod clip;
+mod colors;
 mod dispersion;
 mod environment;
 mod error;
 mod film;
 mod key_frames;
+mod keys;
 mod light;
 mod lines;
 mod load;
@@ -43,6 +46,7 @@ pub use environment::{Environment, EnvironmentKind};
 pub use error::{Origin, Problem, SceneError};
 pub use film::Film;
 pub use key_frames::KeyFrames;
+pub use keys::{KeyDescription, describe_keys};
 pub use light::{Attachment, Light, LightKind};
 pub use material::Material;
 pub use medium::{Medium, Phase};

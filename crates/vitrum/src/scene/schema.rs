@@ -3,14 +3,15 @@
 //! Ranges stand once, as `#[schemars(…)]` attributes on the scene's fields: the published schema, the checks of scene
 //! files and settings, and the test that holds `docs/scene.md` against the code all read them from here.
 
-use super::Scene;
+use super::{Scene, colors};
 use schemars::schema_for;
-use serde_json::Value;
+use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
 
-static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
+pub(super) static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
     let mut schema = schema_for!(Scene).to_value();
     shorten_defaults(&mut schema, false);
+    allow_names_of_colors(&mut schema);
     schema
 });
 
@@ -38,6 +39,54 @@ fn shorten_defaults(value: &mut Value, inside_default: bool) {
             }
         }
         _ => {}
+    }
+}
+
+/// Lets keys that hold colours hold their names as well.
+fn allow_names_of_colors(value: &mut Value) {
+    match value {
+        Value::Array(items) => items.iter_mut().for_each(allow_names_of_colors),
+        Value::Object(members) => {
+            members.values_mut().for_each(allow_names_of_colors);
+            let is_of_color =
+                members.get("x-unit").and_then(Value::as_str).is_some_and(|unit| colors::UNITS.contains(&unit));
+            if !is_of_color || members.get("maxItems") != Some(&json!(3)) {
+                return;
+            }
+            let mut list = Map::new();
+            let is_optional = members.get("type").is_some_and(Value::is_array);
+            for name in ["items", "minItems", "maxItems"] {
+                list.extend(members.shift_remove(name).map(|value| (name.to_owned(), value)));
+            }
+            list.insert("type".to_owned(), json!("array"));
+            let name = json!({ "type": "string", "description": "A colour of CSS, such as `white` or `#fff`." });
+            let alternatives =
+                [Value::Object(list), name].into_iter().chain(is_optional.then(|| json!({ "type": "null" })));
+            let alternatives: Vec<Value> = alternatives.collect();
+            members.shift_remove("type");
+            members.insert("x-color".to_owned(), json!(true));
+            members.insert("anyOf".to_owned(), alternatives.into());
+        }
+        _ => {}
+    }
+}
+
+/// Whether two values are the same to the scene, whose numbers are f32.
+fn equal(one: &Value, other: &toml::Value) -> bool {
+    let number = |other: &toml::Value| other.as_float().or(other.as_integer().map(|whole| whole as f64));
+    match (one, other) {
+        (Value::Array(items), toml::Value::Array(others)) => {
+            items.len() == others.len() && items.iter().zip(others).all(|(item, other)| equal(item, other))
+        }
+        (Value::Object(members), toml::Value::Table(others)) => {
+            let given = members.iter().filter(|(_, value)| !value.is_null());
+            given.clone().count() == others.len()
+                && given.into_iter().all(|(name, value)| others.get(name).is_some_and(|other| equal(value, other)))
+        }
+        (Value::String(text), toml::Value::String(other)) => text == other,
+        (Value::Bool(switch), toml::Value::Boolean(other)) => switch == other,
+        (Value::Number(_), other) => one.as_f64().zip(number(other)).is_some_and(|(a, b)| a as f32 == b as f32),
+        _ => false,
     }
 }
 
@@ -110,6 +159,16 @@ impl<'a> Shape<'a> {
         ["anyOf", "type"].iter().any(|name| self.outer[name].as_array().is_some_and(|all| all.iter().any(null)))
     }
 
+    /// Whether the value is the one that the key has where it is left out.
+    pub fn has_default(self, value: &toml::Value) -> bool {
+        self.outer.get("default").is_some_and(|default| equal(default, value))
+    }
+
+    /// Whether the key holds a colour, which may be a text.
+    pub fn is_color(self) -> bool {
+        self.outer["x-color"] == true
+    }
+
     /// The names of a table's keys, in their order of declaration.
     pub fn keys(self) -> Vec<&'a str> {
         self.inner["properties"].as_object().map_or_else(Vec::new, |keys| keys.keys().map(String::as_str).collect())
@@ -163,7 +222,8 @@ impl<'a> Shape<'a> {
         match self.kind() {
             Kind::Table => format!("a table of the keys {}", self.keys().join(", ")),
             Kind::List { least, most } if least == most => {
-                format!("a list of {least} items, each {}", self.item().expected())
+                let colors = if self.is_color() { ", or a colour such as \"white\" or \"#fff\"" } else { "" };
+                format!("a list of {least} items, each {}{colors}", self.item().expected())
             }
             Kind::List { most: usize::MAX, .. } => format!("a list, each item {}", self.item().expected()),
             Kind::List { most, .. } => format!("a list of at most {most} items, each {}", self.item().expected()),

@@ -1,9 +1,9 @@
 //! Changing one key of a scene, as `--set KEY=VALUE` does.
 
-use super::Scene;
 use super::check::{check_value, unknown_key};
 use super::error::{Fault, Origin, Problem, SceneError};
 use super::schema::{Kind, Shape};
+use super::{Scene, colors};
 use toml::{Table, Value};
 
 impl Scene {
@@ -36,7 +36,8 @@ impl Scene {
         let shape = shape_of(&path)?;
         let mut table = self.to_table()?;
         match parse(shape, text.trim(), &path)? {
-            Some(value) => {
+            Some(mut value) => {
+                colors::resolve(shape, &mut value);
                 check_value(shape, &value, &mut path)?;
                 *entry(&mut table, &path)? = value;
             }

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use toml::{Table, Value};
 
 impl Scene {
-    /// The scene as the text of a scene file, with every key that has a value, in the order of `docs/scene.md`.
+    /// The scene as the text of a scene file without comments, with every key that has a value, in the order of `docs/scene.md`.
     ///
     /// [`Scene::from_toml`] gives an equal scene back. Sections are tables, and lists of tables a section for each; lists in
     /// sections stand with an item a line.
@@ -38,14 +38,15 @@ impl Scene {
 }
 
 /// The tables that a value of the scene stands for as sections: itself, or the items of a list.
-fn tables(value: &Value) -> Vec<&Table> {
+pub(super) fn tables(value: &Value) -> Vec<&Table> {
     match value {
         Value::Array(items) => items.iter().filter_map(Value::as_table).collect(),
         _ => value.as_table().into_iter().collect(),
     }
 }
 
-fn push_line(text: &mut String, key: &str, value: &Value) {
+/// Writes a key with its value, and the end of the line.
+pub(super) fn push_line(text: &mut String, key: &str, value: &Value) {
     let _ = match value {
         Value::Array(items) if items.iter().any(Value::is_table) => {
             let lines: String = items.iter().map(|item| format!("  {},\n", inline(item))).collect();

@@ -1,6 +1,8 @@
 //! `vitrum info`: the description of a volume or a mesh, and the assumptions that the reader made.
 
+mod digits;
 mod mesh;
+mod place;
 
 use crate::failure::Failure;
 use crate::volume::VolumeArguments;
@@ -9,13 +11,14 @@ use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
 use std::process::ExitCode;
-use vitrum::io::{Volume, Voxels};
+use vitrum::io::{Fact, Orientation, Volume, Voxels};
 
 /// Show what a volume or a mesh is: format, size, spacing, range, histogram; triangles, bounds, area, closed or not
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// A volume file, a folder of DICOM files, a mesh file, `-` for a volume from standard input, a scene file (.toml; its
     /// volume is shown), or builtin:NAME
+    #[arg(add = crate::complete::inputs())]
     input: String,
 
     #[command(flatten)]
@@ -52,8 +55,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
 fn text(volume: &Volume) -> String {
     let [nx, ny, nz] = volume.dimensions;
-    let [sx, sy, sz] = volume.spacing;
-    let [ex, ey, ez] = volume.extent();
     let [low, high] = volume.range;
     let source = &volume.source;
     let mut text = String::new();
@@ -67,12 +68,26 @@ fn text(volume: &Volume) -> String {
     let file = [&*source.sample_type, &*source.encoding].into_iter().filter(|part| !part.is_empty());
     let file = file.map(|part| format!("{part}, ")).collect::<String>();
     row("type", format!("{file}{} in memory", stored(volume)));
-    row("spacing", format!("{sx} x {sy} x {sz}"));
-    row("extent", format!("{ex} x {ey} x {ez}"));
-    row("origin", format!("{:?}", volume.origin));
-    row("orientation", volume.orientation.name().to_owned());
-    row("axes", format!("x {:?}, y {:?}, z {:?}", volume.axes[0], volume.axes[1], volume.axes[2]));
-    row("range", format!("{low} to {high}"));
+    let facts = source.assumptions.stated();
+    let from = |name: &str| match facts.iter().find(|fact| fact.name == name) {
+        Some(fact) => format!("  (from {})", fact.from),
+        None => String::new(),
+    };
+    let unit = place::unit(volume);
+    let [sx, sy, sz] = place::shown(volume.spacing);
+    row("spacing", format!("{sx} x {sy} x {sz}{unit}{}", from("spacing")));
+    let [ex, ey, ez] = place::shown(volume.extent());
+    row("extent", format!("{ex} x {ey} x {ez}{unit}"));
+    let [ox, oy, oz] = place::shown(volume.origin);
+    row("origin", format!("({ox}, {oy}, {oz}){unit}"));
+    let oriented = if volume.orientation == Orientation::Unknown { String::new() } else { from("orientation") };
+    row("orientation", format!("{}{oriented}", volume.orientation.name()));
+    row("axes", place::axes(volume));
+    for fact in facts.iter().filter(|fact| !fact.value.is_empty() && fact.name != "unit") {
+        row(fact.name, format!("{}  (from {})", fact.value, fact.from));
+    }
+    let hounsfield = facts.iter().any(|fact| fact.name == "values" && fact.value.contains("(HU)"));
+    row("range", format!("{low} to {high}{}", if hounsfield { " HU" } else { "" }));
     row("histogram", format!("{}  (logarithmic)", bars(&volume.histogram(BINS))));
     for (name, told) in advice::on_assumptions(&source.assumptions) {
         row(name, told);
@@ -88,10 +103,13 @@ fn json(volume: &Volume) -> serde_json::Value {
         "encoding": volume.source.encoding,
         "dimensions": volume.dimensions,
         "spacing": volume.spacing,
+        "unit": place::unit_name(volume),
         "extent": volume.extent(),
-        "origin": volume.origin,
+        "origin": place::tidy(volume.origin),
         "orientation": volume.orientation.name(),
-        "axes": volume.axes,
+        "axes": volume.axes.map(place::tidy),
+        "letters": place::letters(volume),
+        "facts": volume.source.assumptions.stated().iter().map(fact).collect::<Vec<_>>(),
         "stored_as": stored(volume),
         "value_scale": volume.value_scale,
         "value_offset": volume.value_offset,
@@ -100,6 +118,10 @@ fn json(volume: &Volume) -> serde_json::Value {
         "histogram": volume.histogram(BINS),
         "assumptions": volume.source.assumptions.iter().map(advice::on_assumption).collect::<Vec<_>>(),
     })
+}
+
+fn fact(fact: &Fact) -> serde_json::Value {
+    json!({ "name": fact.name, "value": fact.value, "from": fact.from })
 }
 
 fn stored(volume: &Volume) -> &'static str {

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 use std::str::FromStr;
-use vitrum::method;
 use vitrum::suggest::nearest;
+use vitrum::{Output, method};
 
 /// A named output, and the file that it goes to.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -11,6 +11,8 @@ pub struct AovRequest {
     pub name: &'static str,
     /// Whether the output holds vectors, which may be negative.
     pub is_vector: bool,
+    /// Whether the output holds lengths or numbers, which go beyond 1.
+    pub is_measure: bool,
     pub file: PathBuf,
 }
 
@@ -21,7 +23,9 @@ impl FromStr for AovRequest {
         let expected = || "expected NAME=FILE, such as depth=depth.exr".to_owned();
         let (name, file) = text.split_once('=').filter(|(_, file)| !file.is_empty()).ok_or_else(expected)?;
         match method::outputs().map(|(_, output)| output).find(|output| output.name == name) {
-            Some(output) => Ok(Self { name: output.name, is_vector: output.is_vector, file: file.into() }),
+            Some(&Output { name, is_vector, is_measure, .. }) => {
+                Ok(Self { name, is_vector, is_measure, file: file.into() })
+            }
             None if name == "medium" => Err("the output `medium` is now `transmittance`".to_owned()),
             None => Err(match nearest(name, names()) {
                 Some(near) => format!("there is no output `{name}`, did you mean `{near}`?"),

@@ -31,7 +31,7 @@ pub struct Arguments {
     pub memory: MemoryArguments,
 
     /// Also write a named output, such as depth=depth.exr; repeatable
-    #[arg(long, value_name = "NAME=FILE", long_help = aov::long_help())]
+    #[arg(long, value_name = "NAME=FILE", add = crate::complete::outputs(), long_help = aov::long_help())]
     pub aov: Vec<AovRequest>,
 
     /// Write statistics as JSON: method, backend, adapter, sizes, times, memory; null where not known

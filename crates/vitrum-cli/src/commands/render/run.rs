@@ -4,7 +4,7 @@ use super::Arguments;
 use super::write::{check_names, check_outputs, write_outputs};
 use crate::failure::Failure;
 use crate::progress::Bar;
-use crate::{interrupt, output};
+use crate::{faster, interrupt, output};
 use std::process::ExitCode;
 use vitrum::composition::Composed;
 use vitrum::method::voxels::bodies;
@@ -46,7 +46,8 @@ fn warn_of_holes(arguments: &Arguments, composed: &Composed, frame: &Frame) -> R
 /// The last of `--frames` frames, with the times of all.
 fn render(arguments: &Arguments, composed: &Composed, renderer: &mut Renderer) -> Result<Frame, Failure> {
     let request = OutputRequest { light: arguments.aov.iter().any(|aov| aov.name == "light") };
-    let bar = Bar::new(arguments.frames, arguments.quiet);
+    let advice = faster::advice(&composed.scene, renderer.backend().name());
+    let bar = Bar::new(arguments.frames, arguments.quiet).warning_of_long_work(arguments.quiet, advice);
     let mut frame_ms = Vec::new();
     // Only the first frame waits for the volume.
     let mut upload_ms = None;

@@ -4,7 +4,9 @@ use super::Arguments;
 use crate::failure::{Failure, Status};
 use crate::output;
 use std::path::Path;
-use vitrum::io::{Picture, check_holds_vectors, check_writable, write_picture_with};
+use vitrum::io::{
+    Picture, Staged, check_holds_lengths, check_holds_vectors, check_writable, stage_picture_with, stage_text,
+};
 use vitrum::scene::Scene;
 use vitrum::{Frame, Statistics, method};
 
@@ -26,6 +28,9 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
     for aov in arguments.aov.iter().filter(|aov| aov.is_vector) {
         check_holds_vectors(&aov.file, aov.name).map_err(|error| Failure::output(&error))?;
     }
+    for aov in arguments.aov.iter().filter(|aov| aov.is_measure) {
+        check_holds_lengths(&aov.file, aov.name).map_err(|error| Failure::output(&error))?;
+    }
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)
 }
 
@@ -39,28 +44,27 @@ pub fn check_names(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> 
     Err(Failure::new(Status::WrongUse, message, format!("it has {}", names.join(", "))))
 }
 
-/// Writes the picture, the named outputs and the statistics.
+/// Writes the picture, the named outputs and the statistics: all of them, or none.
 pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame) -> Result<(), Failure> {
     let metadata = metadata(scene, &frame.statistics)?;
     let options = arguments.bits.options();
-    let write = |file: &Path, picture: &Picture| {
-        write_picture_with(file, picture, &metadata, &options).map_err(|error| Failure::output(&error))
+    let stage = |file: &Path, picture: &Picture| {
+        stage_picture_with(file, picture, &metadata, &options).map_err(|error| Failure::output(&error))
     };
     // Formats without layers write the first one, the color.
-    write(&arguments.output, &frame.picture())?;
+    let mut staged = vec![stage(&arguments.output, &frame.picture())?];
     for aov in &arguments.aov {
         let picture = frame.aov(aov.name).ok_or_else(|| {
             let message = format!("the frame has no output `{}`", aov.name);
             Failure::new(Status::WrongUse, message, "leave it out")
         })?;
-        write(&aov.file, &picture)?;
+        staged.push(stage(&aov.file, &picture)?);
     }
-    match &arguments.stats {
-        Some(file) => {
-            output::write_text(file, &output::json(&serde_json::to_value(&frame.statistics).unwrap_or_default()))
-        }
-        None => Ok(()),
+    if let Some(file) = &arguments.stats {
+        let text = output::json(&serde_json::to_value(&frame.statistics).unwrap_or_default());
+        staged.push(stage_text(file, &text).map_err(|error| Failure::output(&error))?);
     }
+    staged.into_iter().try_for_each(Staged::put).map_err(|error| Failure::output(&error))
 }
 
 /// The metadata from which the picture can be rendered again.

@@ -1,15 +1,18 @@
 //! `vitrum turntable`: an animation of the camera going round, or along key frames.
 
+mod record;
 mod target;
 mod timeline;
 
 use crate::device::{DeviceArguments, MemoryArguments};
 use crate::failure::Failure;
+use crate::faster;
 use crate::input::SceneArguments;
 use crate::interrupt::{self, Timeout};
 use crate::output::{self, Bits};
 use crate::progress::Bar;
 use clap::Args;
+use record::Record;
 use serde_json::Value;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -88,13 +91,18 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.memory.check(timeline.start())?;
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)?;
     let mut target = Target::open(arguments, timeline.start(), timeline.frames())?;
+    let record = Record::of(&assets);
+    let done = |index: u32, file: Option<PathBuf>| match file {
+        Some(file) if arguments.resume => record.is_done(&file, &timeline.scene(index)?),
+        _ => Ok(false),
+    };
+    // All before any work: a picture of another scene may be the last one.
+    let done = (0..timeline.frames()).map(|index| done(index, target.file(index))).collect::<Result<Vec<_>, _>>()?;
     let mut renderer = arguments.device.renderer(&assets, &arguments.memory, arguments.quiet)?;
-    let bar = Bar::new(timeline.frames(), arguments.quiet);
+    let advice = faster::advice(timeline.start(), renderer.backend().name());
+    let bar = Bar::new(timeline.frames(), arguments.quiet).warning_of_long_work(arguments.quiet, advice);
     let mut statistics = Vec::new();
-    for index in 0..timeline.frames() {
-        if arguments.resume && target.file(index).is_some_and(|file| file.exists()) {
-            continue;
-        }
+    for index in (0..).zip(&done).filter_map(|(index, done)| (!done).then_some(index)) {
         let scene = timeline.scene(index)?;
         if timeline.moves_meshes() {
             renderer.deform(meshes.at(&scene.mesh)?);
@@ -104,7 +112,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             !interrupt::requested()
         })?;
         interrupt::check()?;
-        target.add(index, &frame.picture())?;
+        target.add(index, &frame.picture(), &[record.mark(&scene)?])?;
         let mut of_frame = serde_json::json!({ "frame": index });
         if let (Value::Object(of_frame), Ok(Value::Object(more))) =
             (&mut of_frame, serde_json::to_value(&frame.statistics))

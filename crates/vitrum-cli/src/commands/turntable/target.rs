@@ -43,9 +43,10 @@ impl<'a> Target<'a> {
         }
     }
 
-    pub fn add(&mut self, index: u32, picture: &Picture) -> Result<(), Failure> {
+    /// Adds a picture; files of their own keep `metadata`.
+    pub fn add(&mut self, index: u32, picture: &Picture, metadata: &[(String, String)]) -> Result<(), Failure> {
         let written = match (self.file(index), self) {
-            (Some(file), Self::Folder(_, options)) => write_picture_with(&file, picture, &[], options),
+            (Some(file), Self::Folder(_, options)) => write_picture_with(&file, picture, metadata, options),
             (_, Self::Animation(animation)) => animation.push(picture),
             (None, Self::Folder(..)) => Ok(()),
         };

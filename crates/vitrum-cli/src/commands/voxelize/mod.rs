@@ -20,6 +20,7 @@ use write::FieldRequest;
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// A mesh (.obj, .ply, .stl, .gltf or .glb), a scene file that shows one, or builtin:NAME
+    #[arg(add = crate::complete::inputs())]
     pub mesh: String,
 
     /// Voxels along the mesh's longest edge

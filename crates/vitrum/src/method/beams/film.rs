@@ -39,7 +39,8 @@ pub(super) const OUTPUTS: &[Output] = &[
         &[("Z", beam_pixel::DEPTH)],
         "depth of the first surface along the viewing direction, world units; 0 where there is none",
     )
-    .filtered(PixelFilter::Present),
+    .filtered(PixelFilter::Present)
+    .lengths(),
     Output::directions(
         "normal",
         xyz!(beam_pixel::NORMAL),

@@ -23,7 +23,8 @@ pub(super) const OUTPUTS: &[Output] = &[
         &[("Z", film::DEPTH)],
         "opacity-weighted mean depth from the eye along the viewing direction, world units; 0 where nothing is opaque",
     )
-    .filtered(PixelFilter::WeightedBy(film::OPACITY)),
+    .filtered(PixelFilter::WeightedBy(film::OPACITY))
+    .lengths(),
     Output::directions(
         "direction",
         xyz!(film::DIRECTION),

@@ -14,7 +14,8 @@ pub(super) const OUTPUTS: &[Output] = &[
         &[("Z", view::DEPTH)],
         "depth of the first surface along the viewing direction, world units; 0 where there is none",
     )
-    .filtered(PixelFilter::Present),
+    .filtered(PixelFilter::Present)
+    .lengths(),
     Output::directions(
         "direction",
         xyz!(view::DIRECTION),
@@ -26,7 +27,8 @@ pub(super) const OUTPUTS: &[Output] = &[
         "unit normal at the first surface in view space, 0 where there is none",
     ),
     Output::central("bounces", &[("Y", view::BOUNCES)], "surfaces at which the ray was refracted or reflected"),
-    Output::mean("path_length", &[("Y", view::LENGTH)], "length of the ray's way inside the mesh, world units"),
+    Output::mean("path_length", &[("Y", view::LENGTH)], "length of the ray's way inside the mesh, world units")
+        .lengths(),
     Output::mean(
         "transmittance",
         rgb!(view::TRANSMITTANCE),

@@ -1,6 +1,7 @@
 //! Reading key frames from TOML.
 
 use super::super::check::{check_value, renamed_key, unknown_key};
+use super::super::colors;
 use super::super::error::{Fault, Origin, Problem, SceneError};
 use super::super::lines::{line_of, line_of_key};
 use super::super::renamed;
@@ -166,8 +167,10 @@ fn gather(
             Ok(())
         }
         (kind, value) => {
-            check_value(shape, value, &mut written())?;
-            let setting = Setting { frame, value: value.clone(), written: written() };
+            let mut value = value.clone();
+            colors::resolve(shape, &mut value);
+            check_value(shape, &value, &mut written())?;
+            let setting = Setting { frame, value, written: written() };
             match settings.iter_mut().find(|known| known.path == *key) {
                 Some(known) => known.list.push(setting),
                 None => settings.push(Settings {

@@ -122,6 +122,13 @@ fn unreadable(key: &str, problem: &str) -> Fault {
 }
 
 fn check_environment(environment: &Environment) -> Result<(), Fault> {
+    if environment.kind != EnvironmentKind::Map && environment.file.is_some() {
+        return Err(Fault::contradiction(
+            "environment.file",
+            "the picture does not show, as `environment.kind` is not `map`",
+            "set `environment.kind = \"map\"`, or leave the file out",
+        ));
+    }
     if environment.kind == EnvironmentKind::Map && environment.file.is_none() {
         return Err(Fault::contradiction(
             "environment.kind",
