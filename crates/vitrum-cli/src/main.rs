@@ -9,6 +9,7 @@ mod arguments;
 mod commands;
 mod device;
 mod failure;
+mod figure;
 mod input;
 mod interrupt;
 mod output;
