@@ -26,7 +26,7 @@ pub enum Command {
     Diff(diff::Arguments),
     Scene(scene::Arguments),
     Devices(devices::Arguments),
-    Presets(presets::Arguments),
+    Presets(Box<presets::Arguments>),
     Scenes(scenes::Arguments),
     Schema(schema::Arguments),
     Completions(completions::Arguments),

@@ -7,6 +7,7 @@ pub mod diff;
 pub mod info;
 pub mod man;
 pub mod presets;
+mod presets_sheet;
 pub mod render;
 pub mod scene;
 pub mod scenes;
