@@ -6,7 +6,8 @@ use crate::style::Style;
 use vitrum::scene::Annotation;
 
 pub fn add(annotation: &Annotation, style: &Style, canvas: &mut Canvas) {
-    let text = annotation.text.as_deref().unwrap_or_default();
+    // In a setting without quotes the two letters stand for the end of a line.
+    let text = annotation.text.as_deref().unwrap_or_default().replace("\\n", "\n");
     let lines: Vec<&str> = text.lines().collect();
     let [width, height] = block(&lines, style.size);
     let [x, y] = canvas.place(style, [width, height]);

@@ -62,10 +62,11 @@ fn range(schema: &Value, shape: &Value) -> String {
     };
     if is("array") {
         let items = resolved(schema, &shape["items"]);
+        let count = if shape["minItems"] == 2 { "two" } else { "three" };
         return match bounds(items) {
             _ if items.get("properties").is_some() => "a list of points".to_owned(),
-            None => "three numbers".to_owned(),
-            Some(bounds) => format!("three numbers, each {bounds}"),
+            None => format!("{count} numbers"),
+            Some(bounds) => format!("{count} numbers, each {bounds}"),
         };
     }
     match bounds(shape) {
