@@ -12,7 +12,7 @@ pub fn add(job: &Job<'_>, style: &Style, canvas: &mut Canvas) {
     let corners = job.bounds.corners();
     let hidden = hidden_faces(job, &corners);
     let dashes =
-        format!(" stroke-dasharray=\"{} {}\" stroke-opacity=\"0.6\"", Short(2.0 * style.line), Short(4.0 * style.line));
+        format!(" stroke-dasharray=\"{} {}\" opacity=\"0.6\"", Short(2.0 * style.line), Short(4.0 * style.line));
     // What is behind goes first, below the rest.
     for behind in [true, false] {
         for [axis, one, other] in AXES {
