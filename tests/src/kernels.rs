@@ -11,12 +11,13 @@ use std::sync::Arc;
 use vitrum::Assets;
 use vitrum::backend::{Backend, ReadBack as _};
 use vitrum::method::sweep::Sweep;
-use vitrum::method::{self, Cache, Job, PreparedFrame, Tools};
+use vitrum::method::{self, Cache, Job, PreparedFrame, RefinedPixels, Tools};
 use vitrum_io::{Mesh, Picture, Volume, Voxels};
 use vitrum_kernels::abi::record::{inscattered, landed};
 use vitrum_kernels::field::sums::to_number;
 use vitrum_kernels::glam::{DQuat, DVec3, EulerRot};
 use vitrum_kernels::kernel::{Access, kernels};
+use vitrum_kernels::sweep::place::word;
 
 use crate::Failure;
 use crate::bounds;
@@ -72,6 +73,7 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("phantom point forward", "phantom", &[FORWARD, POINT])?,
         case("glass spot forward", "glass", &[FORWARD, SPOT])?,
         case("ball forward", "ball", &[FORWARD])?,
+        case("ball refined", "ball", &[FORWARD, "film.refinement=3", "environment.kind=checkerboard"])?,
         case("glass forward", "glass", &[FORWARD])?,
         case("glass/straight forward", "glass/straight", &[FORWARD])?,
         case("head u8 forward", "head", &[FORWARD])?.in_bytes()?,
@@ -427,7 +429,12 @@ pub fn prepare(case: &Case, backend: &mut dyn Backend) -> Result<Box<dyn Prepare
     }
     let method = method::of(scene.method);
     let exposures = method.exposures(scene, assets);
-    let job = Job { scene: &exposures[0].scene, assets, request: *request };
+    // Pixels here and there.
+    let pixels: Vec<u32> =
+        (0..RefinedPixels::COLUMNS).map(|i| word(7 * i % scene.film.width, 3 * i % scene.film.height)).collect();
+    let edge = scene.film.refinement;
+    let refined = (edge > scene.film.supersampling).then_some(RefinedPixels { pixels: &pixels, edge });
+    let job = Job { scene: &exposures[0].scene, assets, request: *request, refined };
     let mut tools = Tools { backend, progress: &mut |_| true };
     Ok(method.prepare(&job, &mut Cache::default(), &mut tools)?)
 }

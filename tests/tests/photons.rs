@@ -4,7 +4,7 @@ use vitrum::method::View;
 use vitrum::scene::Transport;
 use vitrum_conformance::Failure;
 use vitrum_conformance::case::Case;
-use vitrum_conformance::photons::{Compared, Field, Subject};
+use vitrum_conformance::photons::{Compared, Field, Slopes, Subject};
 
 /// The photons themselves: through a thick glass plate met at 30° they are displaced as Snell says, and none is lost.
 #[test]
@@ -15,7 +15,7 @@ fn photons_obey_snell() {
     let mut scene = case.scene.clone();
     scene.transfer.filter.clear();
     let view = View::new(&scene, case.volume());
-    let field = Field::new(case.volume(), &scene, &view);
+    let field = Field::new(case.volume(), &scene, &view, Slopes::Interpolated);
     // Through the ball's centre nothing bends; beside it the ray crosses the axis where a ball lens has it.
     let (right, away) = (DVec3::X, DVec3::Z);
     let centre = view.point(DVec3::ZERO);
@@ -40,7 +40,8 @@ fn photons_obey_snell() {
 fn before_the_focus_the_sweep_puts_light_where_photons_go() -> Result<(), Failure> {
     for (scene, most) in [("luneburg", 0.05), ("ball", 0.10), ("glass", 0.15)] {
         let subject = Subject::new(scene, 64, 32, Transport::Texels)?;
-        for (third, Compared { misplaced, flux }) in subject.sweep_against(&subject.photons(4)).into_iter().enumerate()
+        for (third, Compared { misplaced, flux }) in
+            subject.sweep_against(&subject.photons(4, Slopes::SixNeighbours)).into_iter().enumerate()
         {
             println!("{scene}, {} thirds of the way: {:.1} % misplaced, flux {flux:.3}", third + 1, misplaced * 100.0);
             assert!(third > 0 || misplaced < most, "{scene}: {misplaced}");
@@ -55,7 +56,7 @@ fn photons_do_not_depend_on_threads() -> Result<(), Failure> {
     let subject = Subject::new("glass", 24, 16, Transport::Texels)?;
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start");
-        pool.install(|| subject.photons(2))
+        pool.install(|| subject.photons(2, Slopes::SixNeighbours))
     };
     assert!(with(1) == with(3), "the sums differ in their bits");
     Ok(())
@@ -67,8 +68,9 @@ fn photons_do_not_depend_on_threads() -> Result<(), Failure> {
 fn more_photons_agree_better() -> Result<(), Failure> {
     for scene in ["luneburg", "ball"] {
         let subject = Subject::new(scene, 48, 32, Transport::Texels)?;
-        let reference = subject.photons(9);
-        let error = |across: u32| subject.compare(&reference, &subject.photons(across))[0].misplaced;
+        let reference = subject.photons(9, Slopes::SixNeighbours);
+        let error =
+            |across: u32| subject.compare(&reference, &subject.photons(across, Slopes::SixNeighbours))[0].misplaced;
         let (few, many) = (error(1), error(3));
         // N grows by 9.
         let order = (few / many).ln() / 9.0f64.ln();
@@ -85,7 +87,7 @@ fn light_carried_forward_goes_where_photons_go() -> Result<(), Failure> {
     // the light turns back. Found were 2.0, 2.8 and 11.6 %.
     for (scene, most, lost) in [("luneburg", 0.025, 0.012), ("ball", 0.03, 0.03), ("glass", 0.125, 0.025)] {
         let subject = Subject::new(scene, 64, 32, Transport::Forward)?;
-        let compared = subject.sweep_against(&subject.photons(4));
+        let compared = subject.sweep_against(&subject.photons(4, Slopes::SixNeighbours));
         let (mut worst, mut far) = (0.0f64, 0.0f64);
         for (third, Compared { misplaced, flux }) in compared.into_iter().enumerate() {
             println!("{scene}, {} thirds of the way: {:.1} % misplaced, flux {flux:.3}", third + 1, misplaced * 100.0);
@@ -107,7 +109,7 @@ fn photons_have_the_spot_of_a_ball_lens() {
     let mut scene = case.scene.clone();
     scene.transfer.filter.clear();
     let view = View::new(&scene, case.volume());
-    let field = Field::new(case.volume(), &scene, &view);
+    let field = Field::new(case.volume(), &scene, &view, Slopes::Interpolated);
     let centre = view.point(DVec3::ZERO);
     let depths = [centre.z + 1.5, centre.z + 2.0, centre.z + 3.0];
     let mut distances: [Vec<f64>; 3] = Default::default();

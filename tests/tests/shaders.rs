@@ -140,7 +140,7 @@ fn sweep_uniforms() -> Vec<Field> {
     let of_taps = fields!(Taps { first_x, first_y, second_x, second_y, third_x, third_y });
     let of_clip = || fields!(Clip { plane: of_affine(), everything });
     fields!(SweepUniforms {
-        dispatch: of_dispatch(), flags, region: of_region, picture: of_size(), irradiance_start,
+        dispatch: of_dispatch(), flags, region: of_region, picture: of_size(), sensor: of_size(), refined, irradiance_start,
         step: of_step, grid: of_grid(), ior_grid: of_grid(), light_grid: of_light_grid, light: of_light(), wavefront: of_wavefront(), taps: of_taps,
         camera: of_camera(), receivers: of_receivers(), clip_0: of_clip(), clip_1: of_clip(), clip_2: of_clip(), clip_3: of_clip(),
         ambient: of_vec3(), roughness, specular, environment: of_environment(),

@@ -5,7 +5,7 @@ use crate::size::Size;
 use crate::volume::VolumeArguments;
 use clap::Args;
 use std::path::Path;
-use vitrum::composition::{Composed, Composition, Opened, Side, open};
+use vitrum::composition::{Composed, Composition, Opened, Quality, Side, open};
 use vitrum::io::{Mesh, OpenOptions, Up, Volume};
 use vitrum::scene::MeshSource;
 use vitrum::{load_mesh, load_meshes, load_volume, preset};
@@ -36,9 +36,35 @@ pub struct SceneArguments {
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 
+    /// Viewing rays: draft has one for each pixel, good more where neighbouring pixels differ, best four times as many. Without it a scene file's own
+    /// keys stand (film.supersampling, film.refinement), and everything else is good
+    #[arg(long, value_enum, value_name = "QUALITY")]
+    pub quality: Option<QualityName>,
+
     /// Pixels across and down, such as 1024x768
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
+}
+
+/// Names of qualities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum QualityName {
+    /// One ray for each pixel
+    Draft,
+    /// More rays where neighbouring pixels differ
+    Good,
+    /// Four times as many rays
+    Best,
+}
+
+impl QualityName {
+    fn quality(self) -> Quality {
+        match self {
+            Self::Draft => Quality::Draft,
+            Self::Good => Quality::Good,
+            Self::Best => Quality::Best,
+        }
+    }
 }
 
 /// The help of `--medium`, with the names and descriptions of all media.
@@ -60,6 +86,7 @@ impl SceneArguments {
             input: self.input.clone(),
             preset: self.preset.clone(),
             medium: self.medium.clone(),
+            quality: self.quality.map(QualityName::quality),
             size: self.size.map(|Size { width, height }| [width, height]),
             source: self.volume.source(),
             side: self.view,

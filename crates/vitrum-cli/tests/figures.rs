@@ -284,6 +284,8 @@ fn a_contact_sheet_shows_every_preset() {
             "one.png",
             "--size",
             "90x70",
+            "--quality",
+            "draft",
             "--preset",
             name,
             "--backend",

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -267,36 +269,36 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_550_: u32;
-var phi_553_: bool;
-var phi_555_: array<f32, 14>;
-var phi_994_: bool;
-var phi_1174_: bool;
-var phi_1177_: bool;
-var phi_3019_: type_34;
-var phi_3032_: bool;
-var phi_4117_: type_39;
-var phi_4129_: bool;
-var phi_5209_: type_31;
-var phi_6732_: type_34;
-var phi_7844_: type_31;
-var phi_9382_: type_34;
-var phi_10494_: type_31;
-var phi_12032_: type_34;
-var phi_13780_: type_31;
-var phi_14052_: type_38;
-var phi_19357_: type_32;
-var phi_20004_: type_33;
-var phi_20862_: type_7;
-var phi_24360_: type_40;
-var phi_25759_: type_34;
-var phi_25915_: vec3<f32>;
-var phi_25916_: bool;
-var phi_26014_: array<f32, 14>;
-var phi_551_: u32;
-var phi_554_: bool;
-var phi_556_: array<f32, 14>;
-var phi_26081_: bool;
+var phi_552_: u32;
+var phi_555_: bool;
+var phi_557_: array<f32, 14>;
+var phi_996_: bool;
+var phi_1176_: bool;
+var phi_1179_: bool;
+var phi_3021_: type_34;
+var phi_3034_: bool;
+var phi_4119_: type_39;
+var phi_4131_: bool;
+var phi_5211_: type_31;
+var phi_6734_: type_34;
+var phi_7846_: type_31;
+var phi_9384_: type_34;
+var phi_10496_: type_31;
+var phi_12034_: type_34;
+var phi_13782_: type_31;
+var phi_14054_: type_38;
+var phi_19359_: type_32;
+var phi_20006_: type_33;
+var phi_20864_: type_7;
+var phi_24362_: type_40;
+var phi_25761_: type_34;
+var phi_25917_: vec3<f32>;
+var phi_25918_: bool;
+var phi_26016_: array<f32, 14>;
+var phi_553_: u32;
+var phi_556_: bool;
+var phi_558_: array<f32, 14>;
+var phi_26083_: bool;
 var local_40: bool;
 var local_41: array<f32, 14>;
 var local_42: array<f32, 14>;
@@ -386,13 +388,13 @@ let _e355 = ((13u * _e209) + _e211);
 let _e356 = bitcast<i32>(_e355);
 let _e358 = select(_e214, _e356, (_e356 < _e214));
 let _e364 = global_5.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
-phi_550_ = 0u;
-phi_553_ = false;
-phi_555_ = array<f32, 14>(_e222, _e232, _e243, _e254, _e265, _e276, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364);
+phi_552_ = 0u;
+phi_555_ = false;
+phi_557_ = array<f32, 14>(_e222, _e232, _e243, _e254, _e265, _e276, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364);
 loop {
-let _e367 = phi_550_;
-let _e369 = phi_553_;
-let _e371 = phi_555_;
+let _e367 = phi_552_;
+let _e369 = phi_555_;
+let _e371 = phi_557_;
 local_40 = _e369;
 local_41 = _e371;
 local_42 = _e371;
@@ -412,36 +414,36 @@ let _e372 = (_e367 < _e177);
 if _e372 {
 if _e372 {
 } else {
-phi_26081_ = true;
+phi_26083_ = true;
 break;
 }
 let _e376 = global_3.member[_e367].member;
-let _e389 = global_3.member[_e367].member_5.member;
+let _e389 = global_3.member[_e367].member_7.member;
 let _e391 = ((_e389 - _e371[2]) / _e371[5]);
 let _e393 = (_e371[0] + (_e371[3] * _e391));
 let _e395 = (_e371[1] + (_e371[4] * _e391));
-let _e400 = global_3.member[_e367].member_5.member_2;
+let _e400 = global_3.member[_e367].member_7.member_2;
 let _e401 = (_e400 / _e371[5]);
 let _e403 = (_e393 + (_e371[3] * _e401));
 let _e405 = (_e395 + (_e371[4] * _e401));
-let _e410 = global_3.member[_e367].member_5.member_1;
-let _e416 = global_3.member[_e367].member_13.member.member;
-let _e442 = global_3.member[_e367].member_13.member_1.member;
+let _e410 = global_3.member[_e367].member_7.member_1;
+let _e416 = global_3.member[_e367].member_15.member.member;
+let _e442 = global_3.member[_e367].member_15.member_1.member;
 let _e463 = (((((((_e416.member.member * _e393) + (_e416.member.member_1 * _e395)) + (_e416.member.member_2 * _e389)) + _e416.member_1) > 0f) && (((((_e416.member.member * _e403) + (_e416.member.member_1 * _e405)) + (_e416.member.member_2 * _e410)) + _e416.member_1) <= 0f)) || ((((((_e442.member.member * _e393) + (_e442.member.member_1 * _e395)) + (_e442.member.member_2 * _e389)) + _e442.member_1) > 0f) && (((((_e442.member.member * _e403) + (_e442.member.member_1 * _e405)) + (_e442.member.member_2 * _e410)) + _e442.member_1) <= 0f)));
-let _e468 = global_3.member[_e367].member_6.member;
+let _e468 = global_3.member[_e367].member_8.member;
 let _e479 = ((((_e468.member.member * _e393) + (_e468.member.member_1 * _e395)) + (_e468.member.member_2 * _e389)) + _e468.member_1);
-let _e484 = global_3.member[_e367].member_6.member_1;
+let _e484 = global_3.member[_e367].member_8.member_1;
 let _e495 = ((((_e484.member.member * _e393) + (_e484.member.member_1 * _e395)) + (_e484.member.member_2 * _e389)) + _e484.member_1);
-let _e500 = global_3.member[_e367].member_6.member_2;
+let _e500 = global_3.member[_e367].member_8.member_2;
 let _e511 = ((((_e500.member.member * _e393) + (_e500.member.member_1 * _e395)) + (_e500.member.member_2 * _e389)) + _e500.member_1);
 let _e517 = ((((_e468.member.member * _e403) + (_e468.member.member_1 * _e405)) + (_e468.member.member_2 * _e410)) + _e468.member_1);
 let _e523 = ((((_e484.member.member * _e403) + (_e484.member.member_1 * _e405)) + (_e484.member.member_2 * _e410)) + _e484.member_1);
 let _e529 = ((((_e500.member.member * _e403) + (_e500.member.member_1 * _e405)) + (_e500.member.member_2 * _e410)) + _e500.member_1);
-let _e536 = global_3.member[_e367].member_6.member_3.member;
+let _e536 = global_3.member[_e367].member_8.member_3.member;
 let _e537 = (_e536 - 1f);
-let _e547 = global_3.member[_e367].member_6.member_3.member_1;
+let _e547 = global_3.member[_e367].member_8.member_3.member_1;
 let _e548 = (_e547 - 1f);
-let _e558 = global_3.member[_e367].member_6.member_3.member_2;
+let _e558 = global_3.member[_e367].member_8.member_3.member_2;
 let _e559 = (_e558 - 1f);
 let _e573 = (((((((_e479 >= 0f) && (_e479 <= _e537)) && (_e495 >= 0f)) && (_e495 <= _e548)) && (_e511 >= 0f)) && (_e511 <= _e559)) && ((((((_e517 >= 0f) && (_e517 <= _e537)) && (_e523 >= 0f)) && (_e523 <= _e548)) && (_e529 >= 0f)) && (_e529 <= _e559)));
 let _e575 = (_e376.member_2 == 5u);
@@ -457,22 +459,22 @@ let _e598 = ((((_e479 >= _e583) && (_e479 <= _e586)) && ((_e495 >= _e583) && (_e
 let _e602 = global_3.member[_e367].member_1;
 let _e604 = ((_e602 & 16u) == 0u);
 if _e604 {
-phi_994_ = _e598;
+phi_996_ = _e598;
 } else {
-let _e610 = global_3.member[_e367].member_6.member.member;
+let _e610 = global_3.member[_e367].member_8.member.member;
 let _e618 = (((_e610.member * _e610.member) + (_e610.member_1 * _e610.member_1)) + (_e610.member_2 * _e610.member_2));
-let _e627 = global_3.member[_e367].member_14.member;
+let _e627 = global_3.member[_e367].member_16.member;
 let _e639 = -((0.5f / sqrt(select(0f, _e618, (_e618 > 0f)))));
-let _e645 = global_3.member[_e367].member_14.member_1;
-let _e652 = global_3.member[_e367].member_15.member;
-let _e669 = global_3.member[_e367].member_15.member_1;
-let _e677 = global_3.member[_e367].member_16.member;
-let _e694 = global_3.member[_e367].member_16.member_1;
-let _e702 = global_3.member[_e367].member_17.member;
-let _e719 = global_3.member[_e367].member_17.member_1;
-phi_994_ = (_e598 && (((((((((_e627.member.member * _e393) + (_e627.member.member_1 * _e395)) + (_e627.member.member_2 * _e389)) + _e627.member_1) <= _e639) || (_e645 == 0u)) && ((((((_e652.member.member * _e393) + (_e652.member.member_1 * _e395)) + (_e652.member.member_2 * _e389)) + _e652.member_1) <= _e639) || (_e669 == 0u))) && ((((((_e677.member.member * _e393) + (_e677.member.member_1 * _e395)) + (_e677.member.member_2 * _e389)) + _e677.member_1) <= _e639) || (_e694 == 0u))) && ((((((_e702.member.member * _e393) + (_e702.member.member_1 * _e395)) + (_e702.member.member_2 * _e389)) + _e702.member_1) <= _e639) || (_e719 == 0u))));
+let _e645 = global_3.member[_e367].member_16.member_1;
+let _e652 = global_3.member[_e367].member_17.member;
+let _e669 = global_3.member[_e367].member_17.member_1;
+let _e677 = global_3.member[_e367].member_18.member;
+let _e694 = global_3.member[_e367].member_18.member_1;
+let _e702 = global_3.member[_e367].member_19.member;
+let _e719 = global_3.member[_e367].member_19.member_1;
+phi_996_ = (_e598 && (((((((((_e627.member.member * _e393) + (_e627.member.member_1 * _e395)) + (_e627.member.member_2 * _e389)) + _e627.member_1) <= _e639) || (_e645 == 0u)) && ((((((_e652.member.member * _e393) + (_e652.member.member_1 * _e395)) + (_e652.member.member_2 * _e389)) + _e652.member_1) <= _e639) || (_e669 == 0u))) && ((((((_e677.member.member * _e393) + (_e677.member.member_1 * _e395)) + (_e677.member.member_2 * _e389)) + _e677.member_1) <= _e639) || (_e694 == 0u))) && ((((((_e702.member.member * _e393) + (_e702.member.member_1 * _e395)) + (_e702.member.member_2 * _e389)) + _e702.member_1) <= _e639) || (_e719 == 0u))));
 }
-let _e725 = phi_994_;
+let _e725 = phi_996_;
 let _e729 = (_e403 + (_e403 - _e393));
 let _e730 = (_e405 + (_e405 - _e395));
 let _e731 = (_e410 + (_e410 - _e389));
@@ -481,29 +483,29 @@ let _e743 = ((((_e484.member.member * _e729) + (_e484.member.member_1 * _e730)) 
 let _e749 = ((((_e500.member.member * _e729) + (_e500.member.member_1 * _e730)) + (_e500.member.member_2 * _e731)) + _e500.member_1);
 let _e760 = ((((_e737 >= _e583) && (_e737 <= _e586)) && ((_e743 >= _e583) && (_e743 <= _e590))) && ((_e749 >= _e583) && (_e749 <= _e595)));
 if _e604 {
-phi_1174_ = _e760;
+phi_1176_ = _e760;
 } else {
-let _e766 = global_3.member[_e367].member_6.member.member;
+let _e766 = global_3.member[_e367].member_8.member.member;
 let _e774 = (((_e766.member * _e766.member) + (_e766.member_1 * _e766.member_1)) + (_e766.member_2 * _e766.member_2));
-let _e783 = global_3.member[_e367].member_14.member;
+let _e783 = global_3.member[_e367].member_16.member;
 let _e795 = -((0.5f / sqrt(select(0f, _e774, (_e774 > 0f)))));
-let _e801 = global_3.member[_e367].member_14.member_1;
-let _e808 = global_3.member[_e367].member_15.member;
-let _e825 = global_3.member[_e367].member_15.member_1;
-let _e833 = global_3.member[_e367].member_16.member;
-let _e850 = global_3.member[_e367].member_16.member_1;
-let _e858 = global_3.member[_e367].member_17.member;
-let _e875 = global_3.member[_e367].member_17.member_1;
-phi_1174_ = (_e760 && (((((((((_e783.member.member * _e729) + (_e783.member.member_1 * _e730)) + (_e783.member.member_2 * _e731)) + _e783.member_1) <= _e795) || (_e801 == 0u)) && ((((((_e808.member.member * _e729) + (_e808.member.member_1 * _e730)) + (_e808.member.member_2 * _e731)) + _e808.member_1) <= _e795) || (_e825 == 0u))) && ((((((_e833.member.member * _e729) + (_e833.member.member_1 * _e730)) + (_e833.member.member_2 * _e731)) + _e833.member_1) <= _e795) || (_e850 == 0u))) && ((((((_e858.member.member * _e729) + (_e858.member.member_1 * _e730)) + (_e858.member.member_2 * _e731)) + _e858.member_1) <= _e795) || (_e875 == 0u))));
+let _e801 = global_3.member[_e367].member_16.member_1;
+let _e808 = global_3.member[_e367].member_17.member;
+let _e825 = global_3.member[_e367].member_17.member_1;
+let _e833 = global_3.member[_e367].member_18.member;
+let _e850 = global_3.member[_e367].member_18.member_1;
+let _e858 = global_3.member[_e367].member_19.member;
+let _e875 = global_3.member[_e367].member_19.member_1;
+phi_1176_ = (_e760 && (((((((((_e783.member.member * _e729) + (_e783.member.member_1 * _e730)) + (_e783.member.member_2 * _e731)) + _e783.member_1) <= _e795) || (_e801 == 0u)) && ((((((_e808.member.member * _e729) + (_e808.member.member_1 * _e730)) + (_e808.member.member_2 * _e731)) + _e808.member_1) <= _e795) || (_e825 == 0u))) && ((((((_e833.member.member * _e729) + (_e833.member.member_1 * _e730)) + (_e833.member.member_2 * _e731)) + _e833.member_1) <= _e795) || (_e850 == 0u))) && ((((((_e858.member.member * _e729) + (_e858.member.member_1 * _e730)) + (_e858.member.member_2 * _e731)) + _e858.member_1) <= _e795) || (_e875 == 0u))));
 }
-let _e881 = phi_1174_;
-phi_1177_ = (_e573 && (_e725 && _e881));
+let _e881 = phi_1176_;
+phi_1179_ = (_e573 && (_e725 && _e881));
 } else {
-phi_1177_ = _e573;
+phi_1179_ = _e573;
 }
-let _e885 = phi_1177_;
+let _e885 = phi_1179_;
 let _e886 = !(_e463);
-let _e894 = global_3.member[_e367].member_6.member_4;
+let _e894 = global_3.member[_e367].member_8.member_4;
 let _e895 = (_e536 - 0.5f);
 let _e897 = select(-0.5f, _e517, (_e517 > -0.5f));
 let _e899 = select(_e895, _e897, (_e897 < _e895));
@@ -528,7 +530,7 @@ let _e944 = (_e899 + 0.5f);
 let _e946 = select(0f, _e944, (_e944 > 0f));
 let _e948 = select(_e537, _e946, (_e946 < _e537));
 let _e955 = select(0i, select(select(i32(_e948), i32(-2147483648), (_e948 < -2147483600f)), 2147483647i, (_e948 > 2147483500f)), (_e948 == _e948));
-let _e964 = global_3.member[_e367].member_6.member_12;
+let _e964 = global_3.member[_e367].member_8.member_12;
 let _e965 = (_e964 & 31u);
 let _e968 = (_e904 + 0.5f);
 let _e970 = select(0f, _e968, (_e968 > 0f));
@@ -538,9 +540,9 @@ let _e986 = (_e909 + 0.5f);
 let _e988 = select(0f, _e986, (_e986 > 0f));
 let _e990 = select(_e559, _e988, (_e988 < _e559));
 let _e997 = select(0i, select(select(i32(_e990), i32(-2147483648), (_e990 < -2147483600f)), 2147483647i, (_e990 > 2147483500f)), (_e990 == _e990));
-let _e1009 = global_3.member[_e367].member_6.member_9.member;
-let _e1016 = global_3.member[_e367].member_6.member_9.member_1;
-let _e1022 = global_3.member[_e367].member_6.member_10;
+let _e1009 = global_3.member[_e367].member_8.member_9.member;
+let _e1016 = global_3.member[_e367].member_8.member_9.member_1;
+let _e1022 = global_3.member[_e367].member_8.member_10;
 let _e1028 = ((bitcast<i32>(_e1022) + ((_e955 - select(0i, 1i, (_e948 < f32(_e955)))) >> bitcast<u32>(_e965))) + (bitcast<i32>(_e1009) * (((_e979 - select(0i, 1i, (_e972 < f32(_e979)))) >> bitcast<u32>(_e965)) + (bitcast<i32>(_e1016) * ((_e997 - select(0i, 1i, (_e990 < f32(_e997)))) >> bitcast<u32>(_e965))))));
 let _e1030 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1032 = select(_e1030, _e1028, (_e1028 < _e1030));
@@ -556,9 +558,9 @@ let _e1073 = (((_e1066 * _e1066) + (_e1067 * _e1067)) + (_e1068 * _e1068));
 let _e1076 = sqrt(select(0f, _e1073, (_e1073 > 0f)));
 let _e1077 = type_38(type_31(1f, 1f), vec3<f32>(_e403, _e405, _e410), _e1057, _e1076, _e401, _e1057, true, false, false);
 if _e582 {
-let _e1179 = global_3.member[_e367].member_6.member.member;
-let _e1188 = global_3.member[_e367].member_6.member_1.member;
-let _e1197 = global_3.member[_e367].member_6.member_2.member;
+let _e1179 = global_3.member[_e367].member_8.member.member;
+let _e1188 = global_3.member[_e367].member_8.member_1.member;
+let _e1197 = global_3.member[_e367].member_8.member_2.member;
 let _e1201 = (-0.5f - _e479);
 let _e1202 = (-0.5f - _e517);
 let _e1203 = -(_e1201);
@@ -666,16 +668,16 @@ let _e1441 = select(select(select(select(select(select(0f, _e1179.member_1, _e12
 let _e1442 = select(select(select(select(select(select(1f, _e1179.member_2, _e1221), _e1179.member_2, _e1261), _e1188.member_2, _e1301), _e1188.member_2, _e1341), _e1197.member_2, _e1381), _e1197.member_2, _e1421);
 let _e1446 = ((_e1045 & 16u) == 0u);
 if _e1446 {
-phi_3019_ = type_34(_e1427, vec3<f32>(_e1428, _e1429, _e1430), _e1432, vec3<f32>(_e1433, _e1434, _e1435), _e1437, _e1439, vec3<f32>(_e1440, _e1441, _e1442));
+phi_3021_ = type_34(_e1427, vec3<f32>(_e1428, _e1429, _e1430), _e1432, vec3<f32>(_e1433, _e1434, _e1435), _e1437, _e1439, vec3<f32>(_e1440, _e1441, _e1442));
 } else {
 let _e1451 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e1454 = sqrt(select(0f, _e1451, (_e1451 > 0f)));
-let _e1459 = global_3.member[_e367].member_14.member_1;
+let _e1459 = global_3.member[_e367].member_16.member_1;
 let _e1460 = (_e1459 != 0u);
-let _e1465 = global_3.member[_e367].member_14.member;
+let _e1465 = global_3.member[_e367].member_16.member;
 let _e1485 = select(-1e6f, (((((_e1465.member.member * _e393) + (_e1465.member.member_1 * _e395)) + (_e1465.member.member_2 * _e389)) + _e1465.member_1) * _e1454), _e1460);
 let _e1486 = select(-1e6f, (((((_e1465.member.member * _e403) + (_e1465.member.member_1 * _e405)) + (_e1465.member.member_2 * _e410)) + _e1465.member_1) * _e1454), _e1460);
-let _e1492 = global_3.member[_e367].member_14.member.member;
+let _e1492 = global_3.member[_e367].member_16.member.member;
 let _e1496 = -(_e1485);
 let _e1499 = (_e1485 - _e1486);
 let _e1500 = (_e1486 - _e1485);
@@ -690,12 +692,12 @@ let _e1520 = select(_e1427, _e1509, _e1518);
 let _e1524 = select(_e1432, _e1513, _e1519);
 let _e1528 = select(_e1437, _e1485, _e1514);
 let _e1530 = select(_e1439, _e1486, (_e1486 > _e1439));
-let _e1538 = global_3.member[_e367].member_15.member_1;
+let _e1538 = global_3.member[_e367].member_17.member_1;
 let _e1539 = (_e1538 != 0u);
-let _e1544 = global_3.member[_e367].member_15.member;
+let _e1544 = global_3.member[_e367].member_17.member;
 let _e1564 = select(-1e6f, (((((_e1544.member.member * _e393) + (_e1544.member.member_1 * _e395)) + (_e1544.member.member_2 * _e389)) + _e1544.member_1) * _e1454), _e1539);
 let _e1565 = select(-1e6f, (((((_e1544.member.member * _e403) + (_e1544.member.member_1 * _e405)) + (_e1544.member.member_2 * _e410)) + _e1544.member_1) * _e1454), _e1539);
-let _e1571 = global_3.member[_e367].member_15.member.member;
+let _e1571 = global_3.member[_e367].member_17.member.member;
 let _e1575 = -(_e1564);
 let _e1578 = (_e1564 - _e1565);
 let _e1579 = (_e1565 - _e1564);
@@ -710,12 +712,12 @@ let _e1599 = select(_e1520, _e1588, _e1597);
 let _e1603 = select(_e1524, _e1592, _e1598);
 let _e1607 = select(_e1528, _e1564, _e1593);
 let _e1609 = select(_e1530, _e1565, (_e1565 > _e1530));
-let _e1617 = global_3.member[_e367].member_16.member_1;
+let _e1617 = global_3.member[_e367].member_18.member_1;
 let _e1618 = (_e1617 != 0u);
-let _e1623 = global_3.member[_e367].member_16.member;
+let _e1623 = global_3.member[_e367].member_18.member;
 let _e1643 = select(-1e6f, (((((_e1623.member.member * _e393) + (_e1623.member.member_1 * _e395)) + (_e1623.member.member_2 * _e389)) + _e1623.member_1) * _e1454), _e1618);
 let _e1644 = select(-1e6f, (((((_e1623.member.member * _e403) + (_e1623.member.member_1 * _e405)) + (_e1623.member.member_2 * _e410)) + _e1623.member_1) * _e1454), _e1618);
-let _e1650 = global_3.member[_e367].member_16.member.member;
+let _e1650 = global_3.member[_e367].member_18.member.member;
 let _e1654 = -(_e1643);
 let _e1657 = (_e1643 - _e1644);
 let _e1658 = (_e1644 - _e1643);
@@ -730,12 +732,12 @@ let _e1678 = select(_e1599, _e1667, _e1676);
 let _e1682 = select(_e1603, _e1671, _e1677);
 let _e1686 = select(_e1607, _e1643, _e1672);
 let _e1688 = select(_e1609, _e1644, (_e1644 > _e1609));
-let _e1696 = global_3.member[_e367].member_17.member_1;
+let _e1696 = global_3.member[_e367].member_19.member_1;
 let _e1697 = (_e1696 != 0u);
-let _e1702 = global_3.member[_e367].member_17.member;
+let _e1702 = global_3.member[_e367].member_19.member;
 let _e1722 = select(-1e6f, (((((_e1702.member.member * _e393) + (_e1702.member.member_1 * _e395)) + (_e1702.member.member_2 * _e389)) + _e1702.member_1) * _e1454), _e1697);
 let _e1723 = select(-1e6f, (((((_e1702.member.member * _e403) + (_e1702.member.member_1 * _e405)) + (_e1702.member.member_2 * _e410)) + _e1702.member_1) * _e1454), _e1697);
-let _e1729 = global_3.member[_e367].member_17.member.member;
+let _e1729 = global_3.member[_e367].member_19.member.member;
 let _e1733 = -(_e1722);
 let _e1736 = (_e1722 - _e1723);
 let _e1737 = (_e1723 - _e1722);
@@ -746,16 +748,16 @@ let _e1750 = select(2f, select(0f, _e1742, (_e1722 < 0f)), (_e1723 > 0f));
 let _e1751 = (_e1722 > _e1686);
 let _e1755 = ((_e1746 > _e1678) || ((_e1746 == _e1678) && _e1751));
 let _e1756 = (_e1750 < _e1682);
-phi_3019_ = type_34(select(_e1678, _e1746, _e1755), vec3<f32>(select(select(select(select(_e1428, _e1492.member, _e1518), _e1571.member, _e1597), _e1650.member, _e1676), _e1729.member, _e1755), select(select(select(select(_e1429, _e1492.member_1, _e1518), _e1571.member_1, _e1597), _e1650.member_1, _e1676), _e1729.member_1, _e1755), select(select(select(select(_e1430, _e1492.member_2, _e1518), _e1571.member_2, _e1597), _e1650.member_2, _e1676), _e1729.member_2, _e1755)), select(_e1682, _e1750, _e1756), vec3<f32>(select(select(select(select(_e1433, _e1492.member, _e1519), _e1571.member, _e1598), _e1650.member, _e1677), _e1729.member, _e1756), select(select(select(select(_e1434, _e1492.member_1, _e1519), _e1571.member_1, _e1598), _e1650.member_1, _e1677), _e1729.member_1, _e1756), select(select(select(select(_e1435, _e1492.member_2, _e1519), _e1571.member_2, _e1598), _e1650.member_2, _e1677), _e1729.member_2, _e1756)), select(_e1686, _e1722, _e1751), select(_e1688, _e1723, (_e1723 > _e1688)), vec3<f32>(select(select(select(select(_e1440, _e1492.member, _e1514), _e1571.member, _e1593), _e1650.member, _e1672), _e1729.member, _e1751), select(select(select(select(_e1441, _e1492.member_1, _e1514), _e1571.member_1, _e1593), _e1650.member_1, _e1672), _e1729.member_1, _e1751), select(select(select(select(_e1442, _e1492.member_2, _e1514), _e1571.member_2, _e1593), _e1650.member_2, _e1672), _e1729.member_2, _e1751)));
+phi_3021_ = type_34(select(_e1678, _e1746, _e1755), vec3<f32>(select(select(select(select(_e1428, _e1492.member, _e1518), _e1571.member, _e1597), _e1650.member, _e1676), _e1729.member, _e1755), select(select(select(select(_e1429, _e1492.member_1, _e1518), _e1571.member_1, _e1597), _e1650.member_1, _e1676), _e1729.member_1, _e1755), select(select(select(select(_e1430, _e1492.member_2, _e1518), _e1571.member_2, _e1597), _e1650.member_2, _e1676), _e1729.member_2, _e1755)), select(_e1682, _e1750, _e1756), vec3<f32>(select(select(select(select(_e1433, _e1492.member, _e1519), _e1571.member, _e1598), _e1650.member, _e1677), _e1729.member, _e1756), select(select(select(select(_e1434, _e1492.member_1, _e1519), _e1571.member_1, _e1598), _e1650.member_1, _e1677), _e1729.member_1, _e1756), select(select(select(select(_e1435, _e1492.member_2, _e1519), _e1571.member_2, _e1598), _e1650.member_2, _e1677), _e1729.member_2, _e1756)), select(_e1686, _e1722, _e1751), select(_e1688, _e1723, (_e1723 > _e1688)), vec3<f32>(select(select(select(select(_e1440, _e1492.member, _e1514), _e1571.member, _e1593), _e1650.member, _e1672), _e1729.member, _e1751), select(select(select(select(_e1441, _e1492.member_1, _e1514), _e1571.member_1, _e1593), _e1650.member_1, _e1672), _e1729.member_1, _e1751), select(select(select(select(_e1442, _e1492.member_2, _e1514), _e1571.member_2, _e1593), _e1650.member_2, _e1672), _e1729.member_2, _e1751)));
 }
-let _e1776 = phi_3019_;
+let _e1776 = phi_3021_;
 if ((_e1776.member_4 > -(0.015625f)) && (_e1776.member_4 < 0.015625f)) {
-phi_3032_ = (_e371[9] != 0f);
+phi_3034_ = (_e371[9] != 0f);
 } else {
-phi_3032_ = (_e1776.member_4 < 0f);
+phi_3034_ = (_e1776.member_4 < 0f);
 }
-let _e1785 = phi_3032_;
-let _e1790 = global_3.member[_e367].member_10.member_9;
+let _e1785 = phi_3034_;
+let _e1790 = global_3.member[_e367].member_12.member_9;
 let _e1794 = select(-0.5f, _e479, (_e479 > -0.5f));
 let _e1796 = select(_e895, _e1794, (_e1794 < _e895));
 let _e1798 = select(-0.5f, _e495, (_e495 > -0.5f));
@@ -774,8 +776,8 @@ let _e1836 = select(-1f, _e1804, (_e1804 > -1f));
 let _e1838 = select(_e558, _e1836, (_e1836 < _e558));
 let _e1845 = select(0i, select(select(i32(_e1838), i32(-2147483648), (_e1838 < -2147483600f)), 2147483647i, (_e1838 > 2147483500f)), (_e1838 == _e1838));
 let _e1849 = (_e1845 - select(0i, 1i, (_e1838 < f32(_e1845))));
-let _e1854 = global_3.member[_e367].member_6.member_7;
-let _e1859 = global_3.member[_e367].member_6.member_8;
+let _e1854 = global_3.member[_e367].member_8.member_7;
+let _e1859 = global_3.member[_e367].member_8.member_8;
 let _e1867 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e1870 = (_e1834 + 1i);
 let _e1880 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -841,8 +843,8 @@ let _e2024 = global_1.member[bitcast<u32>(select(0i, _e2019, (_e2019 > 0i)))];
 let _e2026 = local_39[0u];
 let _e2030 = local_39[1u];
 let _e2035 = local_39[2u];
-let _e2043 = global_3.member[_e367].member_6.member_6;
-let _e2048 = global_3.member[_e367].member_6.member_5;
+let _e2043 = global_3.member[_e367].member_8.member_6;
+let _e2048 = global_3.member[_e367].member_8.member_5;
 let _e2050 = (((_e1979 + (((_e2004 + (((_e2015 + ((bitcast<f32>(_e2024) - _e2015) * _e2026)) - _e2004) * _e2030)) - _e1979) * _e2035)) - _e2043) * _e2048);
 let _e2051 = -(1e9f);
 let _e2053 = select(_e2051, _e2050, (_e2050 > _e2051));
@@ -920,17 +922,17 @@ let _e2253 = (_e371[3] * _e2252);
 let _e2254 = (_e371[4] * _e2252);
 let _e2255 = (_e371[5] * _e2252);
 if _e1785 {
-phi_4117_ = type_39(_e1776.member_2, _e1776.member_3);
+phi_4119_ = type_39(_e1776.member_2, _e1776.member_3);
 } else {
-phi_4117_ = type_39(_e1776.member, _e1776.member_1);
+phi_4119_ = type_39(_e1776.member, _e1776.member_1);
 }
-let _e2263 = phi_4117_;
+let _e2263 = phi_4119_;
 if _e1785 {
-phi_4129_ = (_e1776.member_2 <= 1f);
+phi_4131_ = (_e1776.member_2 <= 1f);
 } else {
-phi_4129_ = ((_e1776.member <= 1f) && (_e1776.member < _e1776.member_2));
+phi_4131_ = ((_e1776.member <= 1f) && (_e1776.member < _e1776.member_2));
 }
-let _e2271 = phi_4129_;
+let _e2271 = phi_4131_;
 let _e2274 = select(1f, _e2263.member, _e2271);
 let _e2278 = (_e393 + (_e1066 * _e2274));
 let _e2279 = (_e395 + (_e1067 * _e2274));
@@ -1050,11 +1052,11 @@ let _e2587 = global_2.member[_e2241];
 let _e2588 = bitcast<f32>(_e2587);
 let _e2594 = ((_e2585 + (f32(bitcast<i32>((_e2570 >> bitcast<u32>(12u)))) * _e2588)) + ((f32((bitcast<i32>((_e2570 & 4095u)) - 2048i)) * _e2581) * (_e2547 - f32(_e2562))));
 if _e1785 {
-phi_5209_ = type_31(_e2594, 1f);
+phi_5211_ = type_31(_e2594, 1f);
 } else {
-phi_5209_ = type_31(1f, _e2594);
+phi_5211_ = type_31(1f, _e2594);
 }
-let _e2598 = phi_5209_;
+let _e2598 = phi_5211_;
 let _e2603 = ((_e2598.member_1 * _e2598.member_1) - (_e2598.member * _e2598.member));
 let _e2611 = (((_e2263.member_1.x * _e2263.member_1.x) + (_e2263.member_1.y * _e2263.member_1.y)) + (_e2263.member_1.z * _e2263.member_1.z));
 let _e2614 = sqrt(select(0f, _e2611, (_e2611 > 0f)));
@@ -1071,7 +1073,7 @@ let _e2638 = (_e2603 == 0f);
 let _e2650 = select(_e2253, select((_e2253 + (_e2618 * _e2637)), _e2253, _e2638), _e2271);
 let _e2651 = select(_e2254, select((_e2254 + (_e2619 * _e2637)), _e2254, _e2638), _e2271);
 let _e2652 = select(_e2255, select((_e2255 + (_e2620 * _e2637)), _e2255, _e2638), _e2271);
-let _e2657 = global_3.member[_e367].member_5.member_4;
+let _e2657 = global_3.member[_e367].member_7.member_4;
 let _e2658 = (_e2657 * _e2657);
 let _e2662 = (_e2652 * _e2652);
 let _e2666 = (_e2271 && (_e2598.member != _e2598.member_1));
@@ -1190,16 +1192,16 @@ let _e2943 = select(select(select(select(select(select(0f, _e1179.member, _e2724
 let _e2944 = select(select(select(select(select(select(0f, _e1179.member_1, _e2724), _e1179.member_1, _e2764), _e1188.member_1, _e2804), _e1188.member_1, _e2844), _e1197.member_1, _e2884), _e1197.member_1, _e2924);
 let _e2945 = select(select(select(select(select(select(1f, _e1179.member_2, _e2724), _e1179.member_2, _e2764), _e1188.member_2, _e2804), _e1188.member_2, _e2844), _e1197.member_2, _e2884), _e1197.member_2, _e2924);
 if _e1446 {
-phi_6732_ = type_34(_e2930, vec3<f32>(_e2931, _e2932, _e2933), _e2935, vec3<f32>(_e2936, _e2937, _e2938), _e2940, _e2942, vec3<f32>(_e2943, _e2944, _e2945));
+phi_6734_ = type_34(_e2930, vec3<f32>(_e2931, _e2932, _e2933), _e2935, vec3<f32>(_e2936, _e2937, _e2938), _e2940, _e2942, vec3<f32>(_e2943, _e2944, _e2945));
 } else {
 let _e2952 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e2955 = sqrt(select(0f, _e2952, (_e2952 > 0f)));
-let _e2960 = global_3.member[_e367].member_14.member_1;
+let _e2960 = global_3.member[_e367].member_16.member_1;
 let _e2961 = (_e2960 != 0u);
-let _e2966 = global_3.member[_e367].member_14.member;
+let _e2966 = global_3.member[_e367].member_16.member;
 let _e2986 = select(-1e6f, (((((_e2966.member.member * _e2278) + (_e2966.member.member_1 * _e2279)) + (_e2966.member.member_2 * _e2280)) + _e2966.member_1) * _e2955), _e2961);
 let _e2987 = select(-1e6f, (((((_e2966.member.member * _e2680) + (_e2966.member.member_1 * _e2681)) + (_e2966.member.member_2 * _e2682)) + _e2966.member_1) * _e2955), _e2961);
-let _e2993 = global_3.member[_e367].member_14.member.member;
+let _e2993 = global_3.member[_e367].member_16.member.member;
 let _e2997 = -(_e2986);
 let _e3000 = (_e2986 - _e2987);
 let _e3001 = (_e2987 - _e2986);
@@ -1214,12 +1216,12 @@ let _e3021 = select(_e2930, _e3010, _e3019);
 let _e3025 = select(_e2935, _e3014, _e3020);
 let _e3029 = select(_e2940, _e2986, _e3015);
 let _e3031 = select(_e2942, _e2987, (_e2987 > _e2942));
-let _e3039 = global_3.member[_e367].member_15.member_1;
+let _e3039 = global_3.member[_e367].member_17.member_1;
 let _e3040 = (_e3039 != 0u);
-let _e3045 = global_3.member[_e367].member_15.member;
+let _e3045 = global_3.member[_e367].member_17.member;
 let _e3065 = select(-1e6f, (((((_e3045.member.member * _e2278) + (_e3045.member.member_1 * _e2279)) + (_e3045.member.member_2 * _e2280)) + _e3045.member_1) * _e2955), _e3040);
 let _e3066 = select(-1e6f, (((((_e3045.member.member * _e2680) + (_e3045.member.member_1 * _e2681)) + (_e3045.member.member_2 * _e2682)) + _e3045.member_1) * _e2955), _e3040);
-let _e3072 = global_3.member[_e367].member_15.member.member;
+let _e3072 = global_3.member[_e367].member_17.member.member;
 let _e3076 = -(_e3065);
 let _e3079 = (_e3065 - _e3066);
 let _e3080 = (_e3066 - _e3065);
@@ -1234,12 +1236,12 @@ let _e3100 = select(_e3021, _e3089, _e3098);
 let _e3104 = select(_e3025, _e3093, _e3099);
 let _e3108 = select(_e3029, _e3065, _e3094);
 let _e3110 = select(_e3031, _e3066, (_e3066 > _e3031));
-let _e3118 = global_3.member[_e367].member_16.member_1;
+let _e3118 = global_3.member[_e367].member_18.member_1;
 let _e3119 = (_e3118 != 0u);
-let _e3124 = global_3.member[_e367].member_16.member;
+let _e3124 = global_3.member[_e367].member_18.member;
 let _e3144 = select(-1e6f, (((((_e3124.member.member * _e2278) + (_e3124.member.member_1 * _e2279)) + (_e3124.member.member_2 * _e2280)) + _e3124.member_1) * _e2955), _e3119);
 let _e3145 = select(-1e6f, (((((_e3124.member.member * _e2680) + (_e3124.member.member_1 * _e2681)) + (_e3124.member.member_2 * _e2682)) + _e3124.member_1) * _e2955), _e3119);
-let _e3151 = global_3.member[_e367].member_16.member.member;
+let _e3151 = global_3.member[_e367].member_18.member.member;
 let _e3155 = -(_e3144);
 let _e3158 = (_e3144 - _e3145);
 let _e3159 = (_e3145 - _e3144);
@@ -1254,12 +1256,12 @@ let _e3179 = select(_e3100, _e3168, _e3177);
 let _e3183 = select(_e3104, _e3172, _e3178);
 let _e3187 = select(_e3108, _e3144, _e3173);
 let _e3189 = select(_e3110, _e3145, (_e3145 > _e3110));
-let _e3197 = global_3.member[_e367].member_17.member_1;
+let _e3197 = global_3.member[_e367].member_19.member_1;
 let _e3198 = (_e3197 != 0u);
-let _e3203 = global_3.member[_e367].member_17.member;
+let _e3203 = global_3.member[_e367].member_19.member;
 let _e3223 = select(-1e6f, (((((_e3203.member.member * _e2278) + (_e3203.member.member_1 * _e2279)) + (_e3203.member.member_2 * _e2280)) + _e3203.member_1) * _e2955), _e3198);
 let _e3224 = select(-1e6f, (((((_e3203.member.member * _e2680) + (_e3203.member.member_1 * _e2681)) + (_e3203.member.member_2 * _e2682)) + _e3203.member_1) * _e2955), _e3198);
-let _e3230 = global_3.member[_e367].member_17.member.member;
+let _e3230 = global_3.member[_e367].member_19.member.member;
 let _e3234 = -(_e3223);
 let _e3237 = (_e3223 - _e3224);
 let _e3238 = (_e3224 - _e3223);
@@ -1270,9 +1272,9 @@ let _e3251 = select(2f, select(0f, _e3243, (_e3223 < 0f)), (_e3224 > 0f));
 let _e3252 = (_e3223 > _e3187);
 let _e3256 = ((_e3247 > _e3179) || ((_e3247 == _e3179) && _e3252));
 let _e3257 = (_e3251 < _e3183);
-phi_6732_ = type_34(select(_e3179, _e3247, _e3256), vec3<f32>(select(select(select(select(_e2931, _e2993.member, _e3019), _e3072.member, _e3098), _e3151.member, _e3177), _e3230.member, _e3256), select(select(select(select(_e2932, _e2993.member_1, _e3019), _e3072.member_1, _e3098), _e3151.member_1, _e3177), _e3230.member_1, _e3256), select(select(select(select(_e2933, _e2993.member_2, _e3019), _e3072.member_2, _e3098), _e3151.member_2, _e3177), _e3230.member_2, _e3256)), select(_e3183, _e3251, _e3257), vec3<f32>(select(select(select(select(_e2936, _e2993.member, _e3020), _e3072.member, _e3099), _e3151.member, _e3178), _e3230.member, _e3257), select(select(select(select(_e2937, _e2993.member_1, _e3020), _e3072.member_1, _e3099), _e3151.member_1, _e3178), _e3230.member_1, _e3257), select(select(select(select(_e2938, _e2993.member_2, _e3020), _e3072.member_2, _e3099), _e3151.member_2, _e3178), _e3230.member_2, _e3257)), select(_e3187, _e3223, _e3252), select(_e3189, _e3224, (_e3224 > _e3189)), vec3<f32>(select(select(select(select(_e2943, _e2993.member, _e3015), _e3072.member, _e3094), _e3151.member, _e3173), _e3230.member, _e3252), select(select(select(select(_e2944, _e2993.member_1, _e3015), _e3072.member_1, _e3094), _e3151.member_1, _e3173), _e3230.member_1, _e3252), select(select(select(select(_e2945, _e2993.member_2, _e3015), _e3072.member_2, _e3094), _e3151.member_2, _e3173), _e3230.member_2, _e3252)));
+phi_6734_ = type_34(select(_e3179, _e3247, _e3256), vec3<f32>(select(select(select(select(_e2931, _e2993.member, _e3019), _e3072.member, _e3098), _e3151.member, _e3177), _e3230.member, _e3256), select(select(select(select(_e2932, _e2993.member_1, _e3019), _e3072.member_1, _e3098), _e3151.member_1, _e3177), _e3230.member_1, _e3256), select(select(select(select(_e2933, _e2993.member_2, _e3019), _e3072.member_2, _e3098), _e3151.member_2, _e3177), _e3230.member_2, _e3256)), select(_e3183, _e3251, _e3257), vec3<f32>(select(select(select(select(_e2936, _e2993.member, _e3020), _e3072.member, _e3099), _e3151.member, _e3178), _e3230.member, _e3257), select(select(select(select(_e2937, _e2993.member_1, _e3020), _e3072.member_1, _e3099), _e3151.member_1, _e3178), _e3230.member_1, _e3257), select(select(select(select(_e2938, _e2993.member_2, _e3020), _e3072.member_2, _e3099), _e3151.member_2, _e3178), _e3230.member_2, _e3257)), select(_e3187, _e3223, _e3252), select(_e3189, _e3224, (_e3224 > _e3189)), vec3<f32>(select(select(select(select(_e2943, _e2993.member, _e3015), _e3072.member, _e3094), _e3151.member, _e3173), _e3230.member, _e3252), select(select(select(select(_e2944, _e2993.member_1, _e3015), _e3072.member_1, _e3094), _e3151.member_1, _e3173), _e3230.member_1, _e3252), select(select(select(select(_e2945, _e2993.member_2, _e3015), _e3072.member_2, _e3094), _e3151.member_2, _e3173), _e3230.member_2, _e3252)));
 }
-let _e3277 = phi_6732_;
+let _e3277 = phi_6734_;
 let _e3283 = (((_e2271 && _e2685) && !(_e2670)) && (_e3277.member_2 <= 1f));
 let _e3287 = (_e2682 - _e2280);
 let _e3288 = select(1f, _e3277.member_2, _e3283);
@@ -1392,11 +1394,11 @@ let _e3580 = select(_e2059, _e3578, (_e3578 < _e2059));
 let _e3585 = global_2.member[bitcast<u32>(select(0i, _e3580, (_e3580 > 0i)))];
 let _e3600 = ((_e2585 + (f32(bitcast<i32>((_e3585 >> bitcast<u32>(12u)))) * _e2588)) + ((f32((bitcast<i32>((_e3585 & 4095u)) - 2048i)) * _e2581) * (_e3562 - f32(_e3577))));
 if _e2685 {
-phi_7844_ = type_31(_e3600, 1f);
+phi_7846_ = type_31(_e3600, 1f);
 } else {
-phi_7844_ = type_31(1f, _e3600);
+phi_7846_ = type_31(1f, _e3600);
 }
-let _e3604 = phi_7844_;
+let _e3604 = phi_7846_;
 let _e3609 = ((_e3604.member_1 * _e3604.member_1) - (_e3604.member * _e3604.member));
 let _e3617 = (((_e3277.member_3.x * _e3277.member_3.x) + (_e3277.member_3.y * _e3277.member_3.y)) + (_e3277.member_3.z * _e3277.member_3.z));
 let _e3620 = sqrt(select(0f, _e3617, (_e3617 > 0f)));
@@ -1533,16 +1535,16 @@ let _e3965 = select(select(select(select(select(select(0f, _e1179.member, _e3746
 let _e3966 = select(select(select(select(select(select(0f, _e1179.member_1, _e3746), _e1179.member_1, _e3786), _e1188.member_1, _e3826), _e1188.member_1, _e3866), _e1197.member_1, _e3906), _e1197.member_1, _e3946);
 let _e3967 = select(select(select(select(select(select(1f, _e1179.member_2, _e3746), _e1179.member_2, _e3786), _e1188.member_2, _e3826), _e1188.member_2, _e3866), _e1197.member_2, _e3906), _e1197.member_2, _e3946);
 if _e1446 {
-phi_9382_ = type_34(_e3952, vec3<f32>(_e3953, _e3954, _e3955), _e3957, vec3<f32>(_e3958, _e3959, _e3960), _e3962, _e3964, vec3<f32>(_e3965, _e3966, _e3967));
+phi_9384_ = type_34(_e3952, vec3<f32>(_e3953, _e3954, _e3955), _e3957, vec3<f32>(_e3958, _e3959, _e3960), _e3962, _e3964, vec3<f32>(_e3965, _e3966, _e3967));
 } else {
 let _e3974 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e3977 = sqrt(select(0f, _e3974, (_e3974 > 0f)));
-let _e3982 = global_3.member[_e367].member_14.member_1;
+let _e3982 = global_3.member[_e367].member_16.member_1;
 let _e3983 = (_e3982 != 0u);
-let _e3988 = global_3.member[_e367].member_14.member;
+let _e3988 = global_3.member[_e367].member_16.member;
 let _e4008 = select(-1e6f, (((((_e3988.member.member * _e3296.x) + (_e3988.member.member_1 * _e3296.y)) + (_e3988.member.member_2 * _e3296.z)) + _e3988.member_1) * _e3977), _e3983);
 let _e4009 = select(-1e6f, (((((_e3988.member.member * _e3681) + (_e3988.member.member_1 * _e3682)) + (_e3988.member.member_2 * _e3683)) + _e3988.member_1) * _e3977), _e3983);
-let _e4015 = global_3.member[_e367].member_14.member.member;
+let _e4015 = global_3.member[_e367].member_16.member.member;
 let _e4019 = -(_e4008);
 let _e4022 = (_e4008 - _e4009);
 let _e4023 = (_e4009 - _e4008);
@@ -1557,12 +1559,12 @@ let _e4043 = select(_e3952, _e4032, _e4041);
 let _e4047 = select(_e3957, _e4036, _e4042);
 let _e4051 = select(_e3962, _e4008, _e4037);
 let _e4053 = select(_e3964, _e4009, (_e4009 > _e3964));
-let _e4061 = global_3.member[_e367].member_15.member_1;
+let _e4061 = global_3.member[_e367].member_17.member_1;
 let _e4062 = (_e4061 != 0u);
-let _e4067 = global_3.member[_e367].member_15.member;
+let _e4067 = global_3.member[_e367].member_17.member;
 let _e4087 = select(-1e6f, (((((_e4067.member.member * _e3296.x) + (_e4067.member.member_1 * _e3296.y)) + (_e4067.member.member_2 * _e3296.z)) + _e4067.member_1) * _e3977), _e4062);
 let _e4088 = select(-1e6f, (((((_e4067.member.member * _e3681) + (_e4067.member.member_1 * _e3682)) + (_e4067.member.member_2 * _e3683)) + _e4067.member_1) * _e3977), _e4062);
-let _e4094 = global_3.member[_e367].member_15.member.member;
+let _e4094 = global_3.member[_e367].member_17.member.member;
 let _e4098 = -(_e4087);
 let _e4101 = (_e4087 - _e4088);
 let _e4102 = (_e4088 - _e4087);
@@ -1577,12 +1579,12 @@ let _e4122 = select(_e4043, _e4111, _e4120);
 let _e4126 = select(_e4047, _e4115, _e4121);
 let _e4130 = select(_e4051, _e4087, _e4116);
 let _e4132 = select(_e4053, _e4088, (_e4088 > _e4053));
-let _e4140 = global_3.member[_e367].member_16.member_1;
+let _e4140 = global_3.member[_e367].member_18.member_1;
 let _e4141 = (_e4140 != 0u);
-let _e4146 = global_3.member[_e367].member_16.member;
+let _e4146 = global_3.member[_e367].member_18.member;
 let _e4166 = select(-1e6f, (((((_e4146.member.member * _e3296.x) + (_e4146.member.member_1 * _e3296.y)) + (_e4146.member.member_2 * _e3296.z)) + _e4146.member_1) * _e3977), _e4141);
 let _e4167 = select(-1e6f, (((((_e4146.member.member * _e3681) + (_e4146.member.member_1 * _e3682)) + (_e4146.member.member_2 * _e3683)) + _e4146.member_1) * _e3977), _e4141);
-let _e4173 = global_3.member[_e367].member_16.member.member;
+let _e4173 = global_3.member[_e367].member_18.member.member;
 let _e4177 = -(_e4166);
 let _e4180 = (_e4166 - _e4167);
 let _e4181 = (_e4167 - _e4166);
@@ -1597,12 +1599,12 @@ let _e4201 = select(_e4122, _e4190, _e4199);
 let _e4205 = select(_e4126, _e4194, _e4200);
 let _e4209 = select(_e4130, _e4166, _e4195);
 let _e4211 = select(_e4132, _e4167, (_e4167 > _e4132));
-let _e4219 = global_3.member[_e367].member_17.member_1;
+let _e4219 = global_3.member[_e367].member_19.member_1;
 let _e4220 = (_e4219 != 0u);
-let _e4225 = global_3.member[_e367].member_17.member;
+let _e4225 = global_3.member[_e367].member_19.member;
 let _e4245 = select(-1e6f, (((((_e4225.member.member * _e3296.x) + (_e4225.member.member_1 * _e3296.y)) + (_e4225.member.member_2 * _e3296.z)) + _e4225.member_1) * _e3977), _e4220);
 let _e4246 = select(-1e6f, (((((_e4225.member.member * _e3681) + (_e4225.member.member_1 * _e3682)) + (_e4225.member.member_2 * _e3683)) + _e4225.member_1) * _e3977), _e4220);
-let _e4252 = global_3.member[_e367].member_17.member.member;
+let _e4252 = global_3.member[_e367].member_19.member.member;
 let _e4256 = -(_e4245);
 let _e4259 = (_e4245 - _e4246);
 let _e4260 = (_e4246 - _e4245);
@@ -1613,9 +1615,9 @@ let _e4273 = select(2f, select(0f, _e4265, (_e4245 < 0f)), (_e4246 > 0f));
 let _e4274 = (_e4245 > _e4209);
 let _e4278 = ((_e4269 > _e4201) || ((_e4269 == _e4201) && _e4274));
 let _e4279 = (_e4273 < _e4205);
-phi_9382_ = type_34(select(_e4201, _e4269, _e4278), vec3<f32>(select(select(select(select(_e3953, _e4015.member, _e4041), _e4094.member, _e4120), _e4173.member, _e4199), _e4252.member, _e4278), select(select(select(select(_e3954, _e4015.member_1, _e4041), _e4094.member_1, _e4120), _e4173.member_1, _e4199), _e4252.member_1, _e4278), select(select(select(select(_e3955, _e4015.member_2, _e4041), _e4094.member_2, _e4120), _e4173.member_2, _e4199), _e4252.member_2, _e4278)), select(_e4205, _e4273, _e4279), vec3<f32>(select(select(select(select(_e3958, _e4015.member, _e4042), _e4094.member, _e4121), _e4173.member, _e4200), _e4252.member, _e4279), select(select(select(select(_e3959, _e4015.member_1, _e4042), _e4094.member_1, _e4121), _e4173.member_1, _e4200), _e4252.member_1, _e4279), select(select(select(select(_e3960, _e4015.member_2, _e4042), _e4094.member_2, _e4121), _e4173.member_2, _e4200), _e4252.member_2, _e4279)), select(_e4209, _e4245, _e4274), select(_e4211, _e4246, (_e4246 > _e4211)), vec3<f32>(select(select(select(select(_e3965, _e4015.member, _e4037), _e4094.member, _e4116), _e4173.member, _e4195), _e4252.member, _e4274), select(select(select(select(_e3966, _e4015.member_1, _e4037), _e4094.member_1, _e4116), _e4173.member_1, _e4195), _e4252.member_1, _e4274), select(select(select(select(_e3967, _e4015.member_2, _e4037), _e4094.member_2, _e4116), _e4173.member_2, _e4195), _e4252.member_2, _e4274)));
+phi_9384_ = type_34(select(_e4201, _e4269, _e4278), vec3<f32>(select(select(select(select(_e3953, _e4015.member, _e4041), _e4094.member, _e4120), _e4173.member, _e4199), _e4252.member, _e4278), select(select(select(select(_e3954, _e4015.member_1, _e4041), _e4094.member_1, _e4120), _e4173.member_1, _e4199), _e4252.member_1, _e4278), select(select(select(select(_e3955, _e4015.member_2, _e4041), _e4094.member_2, _e4120), _e4173.member_2, _e4199), _e4252.member_2, _e4278)), select(_e4205, _e4273, _e4279), vec3<f32>(select(select(select(select(_e3958, _e4015.member, _e4042), _e4094.member, _e4121), _e4173.member, _e4200), _e4252.member, _e4279), select(select(select(select(_e3959, _e4015.member_1, _e4042), _e4094.member_1, _e4121), _e4173.member_1, _e4200), _e4252.member_1, _e4279), select(select(select(select(_e3960, _e4015.member_2, _e4042), _e4094.member_2, _e4121), _e4173.member_2, _e4200), _e4252.member_2, _e4279)), select(_e4209, _e4245, _e4274), select(_e4211, _e4246, (_e4246 > _e4211)), vec3<f32>(select(select(select(select(_e3965, _e4015.member, _e4037), _e4094.member, _e4116), _e4173.member, _e4195), _e4252.member, _e4274), select(select(select(select(_e3966, _e4015.member_1, _e4037), _e4094.member_1, _e4116), _e4173.member_1, _e4195), _e4252.member_1, _e4274), select(select(select(select(_e3967, _e4015.member_2, _e4037), _e4094.member_2, _e4116), _e4173.member_2, _e4195), _e4252.member_2, _e4274)));
 }
-let _e4299 = phi_9382_;
+let _e4299 = phi_9384_;
 let _e4305 = (((_e3283 && _e3686) && !(_e3670)) && (_e4299.member_2 <= 1f));
 let _e4310 = select(1f, _e4299.member_2, _e4305);
 let _e4311 = ((_e3681 - _e3296.x) * _e4310);
@@ -1734,11 +1736,11 @@ let _e4602 = select(_e2059, _e4600, (_e4600 < _e2059));
 let _e4607 = global_2.member[bitcast<u32>(select(0i, _e4602, (_e4602 > 0i)))];
 let _e4622 = ((_e2585 + (f32(bitcast<i32>((_e4607 >> bitcast<u32>(12u)))) * _e2588)) + ((f32((bitcast<i32>((_e4607 & 4095u)) - 2048i)) * _e2581) * (_e4584 - f32(_e4599))));
 if _e3686 {
-phi_10494_ = type_31(_e4622, 1f);
+phi_10496_ = type_31(_e4622, 1f);
 } else {
-phi_10494_ = type_31(1f, _e4622);
+phi_10496_ = type_31(1f, _e4622);
 }
-let _e4626 = phi_10494_;
+let _e4626 = phi_10496_;
 let _e4631 = ((_e4626.member_1 * _e4626.member_1) - (_e4626.member * _e4626.member));
 let _e4639 = (((_e4299.member_3.x * _e4299.member_3.x) + (_e4299.member_3.y * _e4299.member_3.y)) + (_e4299.member_3.z * _e4299.member_3.z));
 let _e4642 = sqrt(select(0f, _e4639, (_e4639 > 0f)));
@@ -1875,16 +1877,16 @@ let _e4988 = select(select(select(select(select(select(0f, _e1179.member, _e4769
 let _e4989 = select(select(select(select(select(select(0f, _e1179.member_1, _e4769), _e1179.member_1, _e4809), _e1188.member_1, _e4849), _e1188.member_1, _e4889), _e1197.member_1, _e4929), _e1197.member_1, _e4969);
 let _e4990 = select(select(select(select(select(select(1f, _e1179.member_2, _e4769), _e1179.member_2, _e4809), _e1188.member_2, _e4849), _e1188.member_2, _e4889), _e1197.member_2, _e4929), _e1197.member_2, _e4969);
 if _e1446 {
-phi_12032_ = type_34(_e4975, vec3<f32>(_e4976, _e4977, _e4978), _e4980, vec3<f32>(_e4981, _e4982, _e4983), _e4985, _e4987, vec3<f32>(_e4988, _e4989, _e4990));
+phi_12034_ = type_34(_e4975, vec3<f32>(_e4976, _e4977, _e4978), _e4980, vec3<f32>(_e4981, _e4982, _e4983), _e4985, _e4987, vec3<f32>(_e4988, _e4989, _e4990));
 } else {
 let _e4997 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e5000 = sqrt(select(0f, _e4997, (_e4997 > 0f)));
-let _e5005 = global_3.member[_e367].member_14.member_1;
+let _e5005 = global_3.member[_e367].member_16.member_1;
 let _e5006 = (_e5005 != 0u);
-let _e5011 = global_3.member[_e367].member_14.member;
+let _e5011 = global_3.member[_e367].member_16.member;
 let _e5031 = select(-1e6f, (((((_e5011.member.member * _e4318.x) + (_e5011.member.member_1 * _e4318.y)) + (_e5011.member.member_2 * _e4318.z)) + _e5011.member_1) * _e5000), _e5006);
 let _e5032 = select(-1e6f, (((((_e5011.member.member * _e4704) + (_e5011.member.member_1 * _e4705)) + (_e5011.member.member_2 * _e4706)) + _e5011.member_1) * _e5000), _e5006);
-let _e5038 = global_3.member[_e367].member_14.member.member;
+let _e5038 = global_3.member[_e367].member_16.member.member;
 let _e5042 = -(_e5031);
 let _e5045 = (_e5031 - _e5032);
 let _e5046 = (_e5032 - _e5031);
@@ -1899,12 +1901,12 @@ let _e5066 = select(_e4975, _e5055, _e5064);
 let _e5070 = select(_e4980, _e5059, _e5065);
 let _e5074 = select(_e4985, _e5031, _e5060);
 let _e5076 = select(_e4987, _e5032, (_e5032 > _e4987));
-let _e5084 = global_3.member[_e367].member_15.member_1;
+let _e5084 = global_3.member[_e367].member_17.member_1;
 let _e5085 = (_e5084 != 0u);
-let _e5090 = global_3.member[_e367].member_15.member;
+let _e5090 = global_3.member[_e367].member_17.member;
 let _e5110 = select(-1e6f, (((((_e5090.member.member * _e4318.x) + (_e5090.member.member_1 * _e4318.y)) + (_e5090.member.member_2 * _e4318.z)) + _e5090.member_1) * _e5000), _e5085);
 let _e5111 = select(-1e6f, (((((_e5090.member.member * _e4704) + (_e5090.member.member_1 * _e4705)) + (_e5090.member.member_2 * _e4706)) + _e5090.member_1) * _e5000), _e5085);
-let _e5117 = global_3.member[_e367].member_15.member.member;
+let _e5117 = global_3.member[_e367].member_17.member.member;
 let _e5121 = -(_e5110);
 let _e5124 = (_e5110 - _e5111);
 let _e5125 = (_e5111 - _e5110);
@@ -1919,12 +1921,12 @@ let _e5145 = select(_e5066, _e5134, _e5143);
 let _e5149 = select(_e5070, _e5138, _e5144);
 let _e5153 = select(_e5074, _e5110, _e5139);
 let _e5155 = select(_e5076, _e5111, (_e5111 > _e5076));
-let _e5163 = global_3.member[_e367].member_16.member_1;
+let _e5163 = global_3.member[_e367].member_18.member_1;
 let _e5164 = (_e5163 != 0u);
-let _e5169 = global_3.member[_e367].member_16.member;
+let _e5169 = global_3.member[_e367].member_18.member;
 let _e5189 = select(-1e6f, (((((_e5169.member.member * _e4318.x) + (_e5169.member.member_1 * _e4318.y)) + (_e5169.member.member_2 * _e4318.z)) + _e5169.member_1) * _e5000), _e5164);
 let _e5190 = select(-1e6f, (((((_e5169.member.member * _e4704) + (_e5169.member.member_1 * _e4705)) + (_e5169.member.member_2 * _e4706)) + _e5169.member_1) * _e5000), _e5164);
-let _e5196 = global_3.member[_e367].member_16.member.member;
+let _e5196 = global_3.member[_e367].member_18.member.member;
 let _e5200 = -(_e5189);
 let _e5203 = (_e5189 - _e5190);
 let _e5204 = (_e5190 - _e5189);
@@ -1939,12 +1941,12 @@ let _e5224 = select(_e5145, _e5213, _e5222);
 let _e5228 = select(_e5149, _e5217, _e5223);
 let _e5232 = select(_e5153, _e5189, _e5218);
 let _e5234 = select(_e5155, _e5190, (_e5190 > _e5155));
-let _e5242 = global_3.member[_e367].member_17.member_1;
+let _e5242 = global_3.member[_e367].member_19.member_1;
 let _e5243 = (_e5242 != 0u);
-let _e5248 = global_3.member[_e367].member_17.member;
+let _e5248 = global_3.member[_e367].member_19.member;
 let _e5268 = select(-1e6f, (((((_e5248.member.member * _e4318.x) + (_e5248.member.member_1 * _e4318.y)) + (_e5248.member.member_2 * _e4318.z)) + _e5248.member_1) * _e5000), _e5243);
 let _e5269 = select(-1e6f, (((((_e5248.member.member * _e4704) + (_e5248.member.member_1 * _e4705)) + (_e5248.member.member_2 * _e4706)) + _e5248.member_1) * _e5000), _e5243);
-let _e5275 = global_3.member[_e367].member_17.member.member;
+let _e5275 = global_3.member[_e367].member_19.member.member;
 let _e5279 = -(_e5268);
 let _e5282 = (_e5268 - _e5269);
 let _e5283 = (_e5269 - _e5268);
@@ -1955,9 +1957,9 @@ let _e5296 = select(2f, select(0f, _e5288, (_e5268 < 0f)), (_e5269 > 0f));
 let _e5297 = (_e5268 > _e5232);
 let _e5301 = ((_e5292 > _e5224) || ((_e5292 == _e5224) && _e5297));
 let _e5302 = (_e5296 < _e5228);
-phi_12032_ = type_34(select(_e5224, _e5292, _e5301), vec3<f32>(select(select(select(select(_e4976, _e5038.member, _e5064), _e5117.member, _e5143), _e5196.member, _e5222), _e5275.member, _e5301), select(select(select(select(_e4977, _e5038.member_1, _e5064), _e5117.member_1, _e5143), _e5196.member_1, _e5222), _e5275.member_1, _e5301), select(select(select(select(_e4978, _e5038.member_2, _e5064), _e5117.member_2, _e5143), _e5196.member_2, _e5222), _e5275.member_2, _e5301)), select(_e5228, _e5296, _e5302), vec3<f32>(select(select(select(select(_e4981, _e5038.member, _e5065), _e5117.member, _e5144), _e5196.member, _e5223), _e5275.member, _e5302), select(select(select(select(_e4982, _e5038.member_1, _e5065), _e5117.member_1, _e5144), _e5196.member_1, _e5223), _e5275.member_1, _e5302), select(select(select(select(_e4983, _e5038.member_2, _e5065), _e5117.member_2, _e5144), _e5196.member_2, _e5223), _e5275.member_2, _e5302)), select(_e5232, _e5268, _e5297), select(_e5234, _e5269, (_e5269 > _e5234)), vec3<f32>(select(select(select(select(_e4988, _e5038.member, _e5060), _e5117.member, _e5139), _e5196.member, _e5218), _e5275.member, _e5297), select(select(select(select(_e4989, _e5038.member_1, _e5060), _e5117.member_1, _e5139), _e5196.member_1, _e5218), _e5275.member_1, _e5297), select(select(select(select(_e4990, _e5038.member_2, _e5060), _e5117.member_2, _e5139), _e5196.member_2, _e5218), _e5275.member_2, _e5297)));
+phi_12034_ = type_34(select(_e5224, _e5292, _e5301), vec3<f32>(select(select(select(select(_e4976, _e5038.member, _e5064), _e5117.member, _e5143), _e5196.member, _e5222), _e5275.member, _e5301), select(select(select(select(_e4977, _e5038.member_1, _e5064), _e5117.member_1, _e5143), _e5196.member_1, _e5222), _e5275.member_1, _e5301), select(select(select(select(_e4978, _e5038.member_2, _e5064), _e5117.member_2, _e5143), _e5196.member_2, _e5222), _e5275.member_2, _e5301)), select(_e5228, _e5296, _e5302), vec3<f32>(select(select(select(select(_e4981, _e5038.member, _e5065), _e5117.member, _e5144), _e5196.member, _e5223), _e5275.member, _e5302), select(select(select(select(_e4982, _e5038.member_1, _e5065), _e5117.member_1, _e5144), _e5196.member_1, _e5223), _e5275.member_1, _e5302), select(select(select(select(_e4983, _e5038.member_2, _e5065), _e5117.member_2, _e5144), _e5196.member_2, _e5223), _e5275.member_2, _e5302)), select(_e5232, _e5268, _e5297), select(_e5234, _e5269, (_e5269 > _e5234)), vec3<f32>(select(select(select(select(_e4988, _e5038.member, _e5060), _e5117.member, _e5139), _e5196.member, _e5218), _e5275.member, _e5297), select(select(select(select(_e4989, _e5038.member_1, _e5060), _e5117.member_1, _e5139), _e5196.member_1, _e5218), _e5275.member_1, _e5297), select(select(select(select(_e4990, _e5038.member_2, _e5060), _e5117.member_2, _e5139), _e5196.member_2, _e5218), _e5275.member_2, _e5297)));
 }
-let _e5322 = phi_12032_;
+let _e5322 = phi_12034_;
 let _e5328 = (((_e4305 && _e4709) && !(_e4693)) && (_e5322.member_2 <= 1f));
 let _e5329 = (_e915 < 1e-12f);
 let _e5331 = (1f / select(_e910, 1f, _e5329));
@@ -2160,12 +2162,12 @@ let _e5821 = select(_e5780, _e5752, (_e5752 > _e5780));
 let _e5824 = (select(_e5815, _e5817, (_e5817 < _e5815)) - select(_e5808, _e5821, (_e5821 > _e5808)));
 let _e5831 = ((_e2666 || _e3666) || _e4689);
 if _e2666 {
-phi_13780_ = _e2598;
+phi_13782_ = _e2598;
 } else {
-phi_13780_ = _e3604;
+phi_13782_ = _e3604;
 }
-let _e5852 = phi_13780_;
-phi_14052_ = type_38(_e5852, vec3<f32>(select(_e4704, _e4318.x, _e5328), select(_e4705, _e4318.y, _e5328), select(_e4706, _e4318.z, _e5328)), vec3<f32>(_e4678, _e4679, _e4680), select((_e1076 * select(0f, _e5409, (_e5409 > 0f))), ((((sqrt(select(0f, _e5420, (_e5420 > 0f))) * select(0f, _e5501, (_e5501 > 0f))) + (sqrt(select(0f, _e5512, (_e5512 > 0f))) * select(0f, _e5608, (_e5608 > 0f)))) + (sqrt(select(0f, _e5620, (_e5620 > 0f))) * select(0f, _e5716, (_e5716 > 0f)))) + select(0f, (sqrt(select(0f, _e5728, (_e5728 > 0f))) * select(0f, _e5824, (_e5824 > 0f))), _e4305)), _e5831), select((_e400 / _e4680), (2f * (_e3287 / _e2652)), (((_e2271 && !(_e1785)) && _e2685) && !(_e3283))), select(_e3277.member_3, _e2263.member_1, vec3(_e2666)), _e4709, _e5831, (((_e2670 || _e3670) || _e4693) || _e5328));
+let _e5852 = phi_13782_;
+phi_14054_ = type_38(_e5852, vec3<f32>(select(_e4704, _e4318.x, _e5328), select(_e4705, _e4318.y, _e5328), select(_e4706, _e4318.z, _e5328)), vec3<f32>(_e4678, _e4679, _e4680), select((_e1076 * select(0f, _e5409, (_e5409 > 0f))), ((((sqrt(select(0f, _e5420, (_e5420 > 0f))) * select(0f, _e5501, (_e5501 > 0f))) + (sqrt(select(0f, _e5512, (_e5512 > 0f))) * select(0f, _e5608, (_e5608 > 0f)))) + (sqrt(select(0f, _e5620, (_e5620 > 0f))) * select(0f, _e5716, (_e5716 > 0f)))) + select(0f, (sqrt(select(0f, _e5728, (_e5728 > 0f))) * select(0f, _e5824, (_e5824 > 0f))), _e4305)), _e5831), select((_e400 / _e4680), (2f * (_e3287 / _e2652)), (((_e2271 && !(_e1785)) && _e2685) && !(_e3283))), select(_e3277.member_3, _e2263.member_1, vec3(_e2666)), _e4709, _e5831, (((_e2670 || _e3670) || _e4693) || _e5328));
 } else {
 let _e1078 = (_e915 < 1e-12f);
 let _e1080 = (1f / select(_e910, 1f, _e1078));
@@ -2200,9 +2202,9 @@ let _e1152 = select(select(1f, _e1149, (_e1149 < 1f)), 1f, _e1128);
 let _e1154 = select(_e1127, _e1102, (_e1102 < _e1127));
 let _e1158 = select(_e1120, _e1095, (_e1095 > _e1120));
 let _e1161 = (select(_e1152, _e1154, (_e1154 < _e1152)) - select(_e1145, _e1158, (_e1158 > _e1145)));
-phi_14052_ = type_38(_e1077.member, _e1077.member_1, _e1077.member_2, (_e1076 * select(0f, _e1161, (_e1161 > 0f))), _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8);
+phi_14054_ = type_38(_e1077.member, _e1077.member_1, _e1077.member_2, (_e1076 * select(0f, _e1161, (_e1161 > 0f))), _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8);
 }
-let _e5855 = phi_14052_;
+let _e5855 = phi_14054_;
 let _e5866 = ((((_e468.member.member * _e5855.member_1.x) + (_e468.member.member_1 * _e5855.member_1.y)) + (_e468.member.member_2 * _e5855.member_1.z)) + _e468.member_1);
 let _e5872 = ((((_e484.member.member * _e5855.member_1.x) + (_e484.member.member_1 * _e5855.member_1.y)) + (_e484.member.member_2 * _e5855.member_1.z)) + _e484.member_1);
 let _e5878 = ((((_e500.member.member * _e5855.member_1.x) + (_e500.member.member_1 * _e5855.member_1.y)) + (_e500.member.member_2 * _e5855.member_1.z)) + _e500.member_1);
@@ -2225,8 +2227,8 @@ let _e6186 = select(-1f, _e6154, (_e6154 > -1f));
 let _e6188 = select(_e558, _e6186, (_e6186 < _e558));
 let _e6195 = select(0i, select(select(i32(_e6188), i32(-2147483648), (_e6188 < -2147483600f)), 2147483647i, (_e6188 > 2147483500f)), (_e6188 == _e6188));
 let _e6199 = (_e6195 - select(0i, 1i, (_e6188 < f32(_e6195))));
-let _e6204 = global_3.member[_e367].member_6.member_7;
-let _e6209 = global_3.member[_e367].member_6.member_8;
+let _e6204 = global_3.member[_e367].member_8.member_7;
+let _e6209 = global_3.member[_e367].member_8.member_8;
 let _e6217 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e6218 = (_e6184 - 1i);
 let _e6223 = (_e6184 + 1i);
@@ -2468,8 +2470,8 @@ let _e6769 = local_23[2u];
 let _e6773 = local_23[1u];
 let _e6777 = local_23[2u];
 let _e6781 = local_23[2u];
-let _e6789 = global_3.member[_e367].member_6.member_6;
-let _e6794 = global_3.member[_e367].member_6.member_5;
+let _e6789 = global_3.member[_e367].member_8.member_6;
+let _e6794 = global_3.member[_e367].member_8.member_5;
 let _e6796 = (((_e6711 + ((_e6715 - _e6711) * _e6781)) - _e6789) * _e6794);
 let _e6797 = -(1e9f);
 let _e6799 = select(_e6797, _e6796, (_e6796 > _e6797));
@@ -2579,7 +2581,7 @@ if _e581 {
 let _e7522 = ((0.5f * (_e6813 - _e6807)) * _e7071);
 let _e7523 = ((0.5f * (_e6825 - _e6819)) * _e7071);
 let _e7524 = ((0.5f * (_e6837 - _e6831)) * _e7071);
-phi_19357_ = type_32(_e7033, vec3<f32>(_e7522, _e7523, _e7524), vec3<f32>((_e7522 * _e7033), (_e7523 * _e7033), (_e7524 * _e7033)));
+phi_19359_ = type_32(_e7033, vec3<f32>(_e7522, _e7523, _e7524), vec3<f32>((_e7522 * _e7033), (_e7523 * _e7033), (_e7524 * _e7033)));
 } else {
 local_18 = _e6807;
 let _e7072 = local_18;
@@ -2728,23 +2730,23 @@ let _e7497 = ((_e7018 + (f32(bitcast<i32>((_e7482 >> bitcast<u32>(12u)))) * _e70
 let _e7498 = (_e7213 - _e7142);
 let _e7500 = (_e7355 - _e7284);
 let _e7502 = (_e7497 - _e7426);
-phi_19357_ = type_32(_e7033, vec3<f32>((0.5f * _e7498), (0.5f * _e7500), (0.5f * _e7502)), vec3<f32>((0.25f * (_e7498 * (_e7213 + _e7142))), (0.25f * (_e7500 * (_e7355 + _e7284))), (0.25f * (_e7502 * (_e7497 + _e7426)))));
+phi_19359_ = type_32(_e7033, vec3<f32>((0.5f * _e7498), (0.5f * _e7500), (0.5f * _e7502)), vec3<f32>((0.25f * (_e7498 * (_e7213 + _e7142))), (0.25f * (_e7500 * (_e7355 + _e7284))), (0.25f * (_e7502 * (_e7497 + _e7426)))));
 }
-let _e7532 = phi_19357_;
+let _e7532 = phi_19359_;
 let _e7547 = select(0f, 1f, ((((((_e5866 >= -0.5f) && (_e5866 <= _e895)) && (_e5872 >= -0.5f)) && (_e5872 <= _e900)) && (_e5878 >= -0.5f)) && (_e5878 <= _e905)));
 let _e7549 = (0.5f * (_e6813 - _e6807));
 let _e7551 = (0.5f * (_e6825 - _e6819));
 let _e7553 = (0.5f * (_e6837 - _e6831));
-let _e7560 = global_3.member[_e367].member_6.member.member.member;
-let _e7567 = global_3.member[_e367].member_6.member.member.member_1;
-let _e7574 = global_3.member[_e367].member_6.member.member.member_2;
-let _e7581 = global_3.member[_e367].member_6.member_1.member.member;
-let _e7588 = global_3.member[_e367].member_6.member_1.member.member_1;
-let _e7595 = global_3.member[_e367].member_6.member_1.member.member_2;
-let _e7602 = global_3.member[_e367].member_6.member_2.member.member;
-let _e7609 = global_3.member[_e367].member_6.member_2.member.member_1;
-let _e7616 = global_3.member[_e367].member_6.member_2.member.member_2;
-phi_20004_ = type_33(_e6801, vec3<f32>(((((_e7560 * _e7549) + (_e7581 * _e7551)) + (_e7602 * _e7553)) * _e7547), ((((_e7567 * _e7549) + (_e7588 * _e7551)) + (_e7609 * _e7553)) * _e7547), ((((_e7574 * _e7549) + (_e7595 * _e7551)) + (_e7616 * _e7553)) * _e7547)), _e7532.member, vec3<f32>(((((_e7560 * _e7532.member_2.x) + (_e7581 * _e7532.member_2.y)) + (_e7602 * _e7532.member_2.z)) * _e7547), ((((_e7567 * _e7532.member_2.x) + (_e7588 * _e7532.member_2.y)) + (_e7609 * _e7532.member_2.z)) * _e7547), ((((_e7574 * _e7532.member_2.x) + (_e7595 * _e7532.member_2.y)) + (_e7616 * _e7532.member_2.z)) * _e7547)), vec3<f32>(((((_e7560 * _e7532.member_1.x) + (_e7581 * _e7532.member_1.y)) + (_e7602 * _e7532.member_1.z)) * _e7547), ((((_e7567 * _e7532.member_1.x) + (_e7588 * _e7532.member_1.y)) + (_e7609 * _e7532.member_1.z)) * _e7547), ((((_e7574 * _e7532.member_1.x) + (_e7595 * _e7532.member_1.y)) + (_e7616 * _e7532.member_1.z)) * _e7547)));
+let _e7560 = global_3.member[_e367].member_8.member.member.member;
+let _e7567 = global_3.member[_e367].member_8.member.member.member_1;
+let _e7574 = global_3.member[_e367].member_8.member.member.member_2;
+let _e7581 = global_3.member[_e367].member_8.member_1.member.member;
+let _e7588 = global_3.member[_e367].member_8.member_1.member.member_1;
+let _e7595 = global_3.member[_e367].member_8.member_1.member.member_2;
+let _e7602 = global_3.member[_e367].member_8.member_2.member.member;
+let _e7609 = global_3.member[_e367].member_8.member_2.member.member_1;
+let _e7616 = global_3.member[_e367].member_8.member_2.member.member_2;
+phi_20006_ = type_33(_e6801, vec3<f32>(((((_e7560 * _e7549) + (_e7581 * _e7551)) + (_e7602 * _e7553)) * _e7547), ((((_e7567 * _e7549) + (_e7588 * _e7551)) + (_e7609 * _e7553)) * _e7547), ((((_e7574 * _e7549) + (_e7595 * _e7551)) + (_e7616 * _e7553)) * _e7547)), _e7532.member, vec3<f32>(((((_e7560 * _e7532.member_2.x) + (_e7581 * _e7532.member_2.y)) + (_e7602 * _e7532.member_2.z)) * _e7547), ((((_e7567 * _e7532.member_2.x) + (_e7588 * _e7532.member_2.y)) + (_e7609 * _e7532.member_2.z)) * _e7547), ((((_e7574 * _e7532.member_2.x) + (_e7595 * _e7532.member_2.y)) + (_e7616 * _e7532.member_2.z)) * _e7547)), vec3<f32>(((((_e7560 * _e7532.member_1.x) + (_e7581 * _e7532.member_1.y)) + (_e7602 * _e7532.member_1.z)) * _e7547), ((((_e7567 * _e7532.member_1.x) + (_e7588 * _e7532.member_1.y)) + (_e7609 * _e7532.member_1.z)) * _e7547), ((((_e7574 * _e7532.member_1.x) + (_e7595 * _e7532.member_1.y)) + (_e7616 * _e7532.member_1.z)) * _e7547)));
 } else {
 let _e5880 = select(-0.5f, _e5866, (_e5866 > -0.5f));
 let _e5882 = select(_e895, _e5880, (_e5880 < _e895));
@@ -2764,8 +2766,8 @@ let _e5922 = select(-1f, _e5890, (_e5890 > -1f));
 let _e5924 = select(_e558, _e5922, (_e5922 < _e558));
 let _e5931 = select(0i, select(select(i32(_e5924), i32(-2147483648), (_e5924 < -2147483600f)), 2147483647i, (_e5924 > 2147483500f)), (_e5924 == _e5924));
 let _e5935 = (_e5931 - select(0i, 1i, (_e5924 < f32(_e5931))));
-let _e5940 = global_3.member[_e367].member_6.member_7;
-let _e5945 = global_3.member[_e367].member_6.member_8;
+let _e5940 = global_3.member[_e367].member_8.member_7;
+let _e5945 = global_3.member[_e367].member_8.member_8;
 let _e5953 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e5956 = (_e5920 + 1i);
 let _e5966 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -2831,14 +2833,14 @@ let _e6110 = global_1.member[bitcast<u32>(select(0i, _e6105, (_e6105 > 0i)))];
 let _e6112 = local_7[0u];
 let _e6116 = local_7[1u];
 let _e6121 = local_7[2u];
-let _e6129 = global_3.member[_e367].member_6.member_6;
-let _e6134 = global_3.member[_e367].member_6.member_5;
+let _e6129 = global_3.member[_e367].member_8.member_6;
+let _e6134 = global_3.member[_e367].member_8.member_5;
 let _e6136 = (((_e6065 + (((_e6090 + (((_e6101 + ((bitcast<f32>(_e6110) - _e6101) * _e6112)) - _e6090) * _e6116)) - _e6065) * _e6121)) - _e6129) * _e6134);
 let _e6137 = -(1e9f);
 let _e6139 = select(_e6137, _e6136, (_e6136 > _e6137));
-phi_20004_ = type_33(select(1e9f, _e6139, (_e6139 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20006_ = type_33(select(1e9f, _e6139, (_e6139 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e7682 = phi_20004_;
+let _e7682 = phi_20006_;
 let _e7684 = select(-0.5f, _e479, (_e479 > -0.5f));
 let _e7686 = select(_e895, _e7684, (_e7684 < _e895));
 let _e7688 = select(-0.5f, _e495, (_e495 > -0.5f));
@@ -2857,8 +2859,8 @@ let _e7726 = select(-1f, _e7694, (_e7694 > -1f));
 let _e7728 = select(_e558, _e7726, (_e7726 < _e558));
 let _e7735 = select(0i, select(select(i32(_e7728), i32(-2147483648), (_e7728 < -2147483600f)), 2147483647i, (_e7728 > 2147483500f)), (_e7728 == _e7728));
 let _e7739 = (_e7735 - select(0i, 1i, (_e7728 < f32(_e7735))));
-let _e7744 = global_3.member[_e367].member_6.member_7;
-let _e7749 = global_3.member[_e367].member_6.member_8;
+let _e7744 = global_3.member[_e367].member_8.member_7;
+let _e7749 = global_3.member[_e367].member_8.member_8;
 let _e7757 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e7760 = (_e7724 + 1i);
 let _e7770 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -2924,17 +2926,17 @@ let _e7914 = global_1.member[bitcast<u32>(select(0i, _e7909, (_e7909 > 0i)))];
 let _e7916 = local_5[0u];
 let _e7920 = local_5[1u];
 let _e7925 = local_5[2u];
-let _e7933 = global_3.member[_e367].member_6.member_6;
-let _e7938 = global_3.member[_e367].member_6.member_5;
+let _e7933 = global_3.member[_e367].member_8.member_6;
+let _e7938 = global_3.member[_e367].member_8.member_5;
 let _e7940 = (((_e7869 + (((_e7894 + (((_e7905 + ((bitcast<f32>(_e7914) - _e7905) * _e7916)) - _e7894) * _e7920)) - _e7869) * _e7925)) - _e7933) * _e7938);
 let _e7941 = -(1e9f);
 let _e7943 = select(_e7941, _e7940, (_e7940 > _e7941));
 let _e7945 = select(1e9f, _e7943, (_e7943 < 1e9f));
 let _e7947 = ((_e1045 & 16u) == 0u);
 if _e7947 {
-phi_20862_ = type_7(1f, 1f, 1f);
+phi_20864_ = type_7(1f, 1f, 1f);
 } else {
-let _e7952 = global_3.member[_e367].member_14.member;
+let _e7952 = global_3.member[_e367].member_16.member;
 let _e7963 = ((((_e7952.member.member * _e393) + (_e7952.member.member_1 * _e395)) + (_e7952.member.member_2 * _e389)) + _e7952.member_1);
 let _e7969 = ((((_e7952.member.member * _e5855.member_1.x) + (_e7952.member.member_1 * _e5855.member_1.y)) + (_e7952.member.member_2 * _e5855.member_1.z)) + _e7952.member_1);
 let _e7971 = select(_e7969, _e7963, (_e7963 < _e7969));
@@ -2943,9 +2945,9 @@ let _e7975 = (_e7973 - _e7971);
 let _e7978 = (-(_e7971) / select(1e-30f, _e7975, (_e7975 > 1e-30f)));
 let _e7980 = select(0f, _e7978, (_e7978 > 0f));
 let _e7986 = select(select(select(1f, _e7980, (_e7980 < 1f)), 1f, (_e7973 <= 0f)), 0f, (_e7971 > 0f));
-let _e7992 = global_3.member[_e367].member_14.member_1;
+let _e7992 = global_3.member[_e367].member_16.member_1;
 let _e7993 = (_e7992 != 0u);
-let _e8004 = global_3.member[_e367].member_15.member;
+let _e8004 = global_3.member[_e367].member_17.member;
 let _e8015 = ((((_e8004.member.member * _e393) + (_e8004.member.member_1 * _e395)) + (_e8004.member.member_2 * _e389)) + _e8004.member_1);
 let _e8021 = ((((_e8004.member.member * _e5855.member_1.x) + (_e8004.member.member_1 * _e5855.member_1.y)) + (_e8004.member.member_2 * _e5855.member_1.z)) + _e8004.member_1);
 let _e8023 = select(_e8021, _e8015, (_e8015 < _e8021));
@@ -2954,9 +2956,9 @@ let _e8027 = (_e8025 - _e8023);
 let _e8030 = (-(_e8023) / select(1e-30f, _e8027, (_e8027 > 1e-30f)));
 let _e8032 = select(0f, _e8030, (_e8030 > 0f));
 let _e8038 = select(select(select(1f, _e8032, (_e8032 < 1f)), 1f, (_e8025 <= 0f)), 0f, (_e8023 > 0f));
-let _e8044 = global_3.member[_e367].member_15.member_1;
+let _e8044 = global_3.member[_e367].member_17.member_1;
 let _e8045 = (_e8044 != 0u);
-let _e8056 = global_3.member[_e367].member_16.member;
+let _e8056 = global_3.member[_e367].member_18.member;
 let _e8067 = ((((_e8056.member.member * _e393) + (_e8056.member.member_1 * _e395)) + (_e8056.member.member_2 * _e389)) + _e8056.member_1);
 let _e8073 = ((((_e8056.member.member * _e5855.member_1.x) + (_e8056.member.member_1 * _e5855.member_1.y)) + (_e8056.member.member_2 * _e5855.member_1.z)) + _e8056.member_1);
 let _e8075 = select(_e8073, _e8067, (_e8067 < _e8073));
@@ -2965,9 +2967,9 @@ let _e8079 = (_e8077 - _e8075);
 let _e8082 = (-(_e8075) / select(1e-30f, _e8079, (_e8079 > 1e-30f)));
 let _e8084 = select(0f, _e8082, (_e8082 > 0f));
 let _e8090 = select(select(select(1f, _e8084, (_e8084 < 1f)), 1f, (_e8077 <= 0f)), 0f, (_e8075 > 0f));
-let _e8096 = global_3.member[_e367].member_16.member_1;
+let _e8096 = global_3.member[_e367].member_18.member_1;
 let _e8097 = (_e8096 != 0u);
-let _e8108 = global_3.member[_e367].member_17.member;
+let _e8108 = global_3.member[_e367].member_19.member;
 let _e8119 = ((((_e8108.member.member * _e393) + (_e8108.member.member_1 * _e395)) + (_e8108.member.member_2 * _e389)) + _e8108.member_1);
 let _e8125 = ((((_e8108.member.member * _e5855.member_1.x) + (_e8108.member.member_1 * _e5855.member_1.y)) + (_e8108.member.member_2 * _e5855.member_1.z)) + _e8108.member_1);
 let _e8127 = select(_e8125, _e8119, (_e8119 < _e8125));
@@ -2976,12 +2978,12 @@ let _e8131 = (_e8129 - _e8127);
 let _e8134 = (-(_e8127) / select(1e-30f, _e8131, (_e8131 > 1e-30f)));
 let _e8136 = select(0f, _e8134, (_e8134 > 0f));
 let _e8142 = select(select(select(1f, _e8136, (_e8136 < 1f)), 1f, (_e8129 <= 0f)), 0f, (_e8127 > 0f));
-let _e8148 = global_3.member[_e367].member_17.member_1;
+let _e8148 = global_3.member[_e367].member_19.member_1;
 let _e8149 = (_e8148 != 0u);
-phi_20862_ = type_7(((((1f * _e7986) * _e8038) * _e8090) * _e8142), ((((1f * select(1f, _e7986, _e7993)) * select(1f, _e8038, _e8045)) * select(1f, _e8090, _e8097)) * select(1f, _e8142, _e8149)), ((((1f * select(1f, 0f, (_e7993 && (_e7969 > 0f)))) * select(1f, 0f, (_e8045 && (_e8021 > 0f)))) * select(1f, 0f, (_e8097 && (_e8073 > 0f)))) * select(1f, 0f, (_e8149 && (_e8125 > 0f)))));
+phi_20864_ = type_7(((((1f * _e7986) * _e8038) * _e8090) * _e8142), ((((1f * select(1f, _e7986, _e7993)) * select(1f, _e8038, _e8045)) * select(1f, _e8090, _e8097)) * select(1f, _e8142, _e8149)), ((((1f * select(1f, 0f, (_e7993 && (_e7969 > 0f)))) * select(1f, 0f, (_e8045 && (_e8021 > 0f)))) * select(1f, 0f, (_e8097 && (_e8073 > 0f)))) * select(1f, 0f, (_e8149 && (_e8125 > 0f)))));
 }
-let _e8158 = phi_20862_;
-let _e8164 = global_3.member[_e367].member_5.member_3;
+let _e8158 = phi_20864_;
+let _e8164 = global_3.member[_e367].member_7.member_3;
 let _e8165 = (_e5855.member_3 * _e8164);
 if (((_e376.member_2 == 3u) || (_e376.member_2 == 4u)) || _e575) {
 local_3 = _e7945;
@@ -3161,7 +3163,7 @@ let _e9593 = f32(_e9592);
 let _e9597 = ((_e9575 - (_e9593 * 0.6933594f)) - (_e9593 * -2.1219444e-4f));
 let _e9617 = ((1f + (_e9597 * (1f + (_e9597 * (0.5f + (_e9597 * (0.16666667f + (_e9597 * (0.041666668f + (_e9597 * (0.008333334f + (_e9597 * (0.001388889f + (_e9597 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9592 + 127i)) << bitcast<u32>(23i))));
 let _e9618 = (1f - _e9617);
-phi_24360_ = type_40(_e9617, _e9618, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e9618 / select(1e-12f, _e9567, (_e9567 > 1e-12f))))));
+phi_24362_ = type_40(_e9617, _e9618, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e9618 / select(1e-12f, _e9567, (_e9567 > 1e-12f))))));
 } else {
 local_1 = _e7945;
 let _e8171 = local_1;
@@ -3398,9 +3400,9 @@ let _e9043 = f32(_e9042);
 let _e9047 = ((_e9025 - (_e9043 * 0.6933594f)) - (_e9043 * -2.1219444e-4f));
 let _e9067 = ((1f + (_e9047 * (1f + (_e9047 * (0.5f + (_e9047 * (0.16666667f + (_e9047 * (0.041666668f + (_e9047 * (0.008333334f + (_e9047 * (0.001388889f + (_e9047 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9042 + 127i)) << bitcast<u32>(23i))));
 let _e9068 = (1f - _e9067);
-phi_24360_ = type_40(_e9067, _e9068, vec3<f32>(((1f + (_e8902 * (1f + (_e8902 * (0.5f + (_e8902 * (0.16666667f + (_e8902 * (0.041666668f + (_e8902 * (0.008333334f + (_e8902 * (0.001388889f + (_e8902 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8897 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e8950 * (1f + (_e8950 * (0.5f + (_e8950 * (0.16666667f + (_e8950 * (0.041666668f + (_e8950 * (0.008333334f + (_e8950 * (0.001388889f + (_e8950 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8945 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e8998 * (1f + (_e8998 * (0.5f + (_e8998 * (0.16666667f + (_e8998 * (0.041666668f + (_e8998 * (0.008333334f + (_e8998 * (0.001388889f + (_e8998 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8993 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e9068 / select(1e-12f, _e8662, (_e8662 > 1e-12f))))));
+phi_24362_ = type_40(_e9067, _e9068, vec3<f32>(((1f + (_e8902 * (1f + (_e8902 * (0.5f + (_e8902 * (0.16666667f + (_e8902 * (0.041666668f + (_e8902 * (0.008333334f + (_e8902 * (0.001388889f + (_e8902 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8897 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e8950 * (1f + (_e8950 * (0.5f + (_e8950 * (0.16666667f + (_e8950 * (0.041666668f + (_e8950 * (0.008333334f + (_e8950 * (0.001388889f + (_e8950 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8945 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e8998 * (1f + (_e8998 * (0.5f + (_e8998 * (0.16666667f + (_e8998 * (0.041666668f + (_e8998 * (0.008333334f + (_e8998 * (0.001388889f + (_e8998 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8993 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e9068 / select(1e-12f, _e8662, (_e8662 > 1e-12f))))));
 }
-let _e9626 = phi_24360_;
+let _e9626 = phi_24362_;
 let _e9635 = (_e371[6] * (_e9626.member_2.x * _e9626.member));
 let _e9636 = (_e371[7] * (_e9626.member_2.y * _e9626.member));
 let _e9637 = (_e371[8] * (_e9626.member_2.z * _e9626.member));
@@ -3416,9 +3418,9 @@ let _e9668 = (_e5855.member_1.z + (_e5855.member_2.z * _e9660));
 let _e9674 = ((((_e468.member.member * _e9666) + (_e468.member.member_1 * _e9667)) + (_e468.member.member_2 * _e9668)) + _e468.member_1);
 let _e9680 = ((((_e484.member.member * _e9666) + (_e484.member.member_1 * _e9667)) + (_e484.member.member_2 * _e9668)) + _e484.member_1);
 let _e9686 = ((((_e500.member.member * _e9666) + (_e500.member.member_1 * _e9667)) + (_e500.member.member_2 * _e9668)) + _e500.member_1);
-let _e9692 = global_3.member[_e367].member_6.member.member;
-let _e9701 = global_3.member[_e367].member_6.member_1.member;
-let _e9710 = global_3.member[_e367].member_6.member_2.member;
+let _e9692 = global_3.member[_e367].member_8.member.member;
+let _e9701 = global_3.member[_e367].member_8.member_1.member;
+let _e9710 = global_3.member[_e367].member_8.member_2.member;
 let _e9714 = (-0.5f - _e5866);
 let _e9715 = (-0.5f - _e9674);
 let _e9716 = -(_e9714);
@@ -3525,16 +3527,16 @@ let _e9953 = select(select(select(select(select(select(0f, _e9692.member, _e9734
 let _e9954 = select(select(select(select(select(select(0f, _e9692.member_1, _e9734), _e9692.member_1, _e9774), _e9701.member_1, _e9814), _e9701.member_1, _e9854), _e9710.member_1, _e9894), _e9710.member_1, _e9934);
 let _e9955 = select(select(select(select(select(select(1f, _e9692.member_2, _e9734), _e9692.member_2, _e9774), _e9701.member_2, _e9814), _e9701.member_2, _e9854), _e9710.member_2, _e9894), _e9710.member_2, _e9934);
 if _e7947 {
-phi_25759_ = type_34(_e9940, vec3<f32>(_e9941, _e9942, _e9943), _e9945, vec3<f32>(_e9946, _e9947, _e9948), _e9950, _e9952, vec3<f32>(_e9953, _e9954, _e9955));
+phi_25761_ = type_34(_e9940, vec3<f32>(_e9941, _e9942, _e9943), _e9945, vec3<f32>(_e9946, _e9947, _e9948), _e9950, _e9952, vec3<f32>(_e9953, _e9954, _e9955));
 } else {
 let _e9962 = (((_e9692.member * _e9692.member) + (_e9692.member_1 * _e9692.member_1)) + (_e9692.member_2 * _e9692.member_2));
 let _e9965 = sqrt(select(0f, _e9962, (_e9962 > 0f)));
-let _e9970 = global_3.member[_e367].member_14.member_1;
+let _e9970 = global_3.member[_e367].member_16.member_1;
 let _e9971 = (_e9970 != 0u);
-let _e9976 = global_3.member[_e367].member_14.member;
+let _e9976 = global_3.member[_e367].member_16.member;
 let _e9996 = select(-1e6f, (((((_e9976.member.member * _e5855.member_1.x) + (_e9976.member.member_1 * _e5855.member_1.y)) + (_e9976.member.member_2 * _e5855.member_1.z)) + _e9976.member_1) * _e9965), _e9971);
 let _e9997 = select(-1e6f, (((((_e9976.member.member * _e9666) + (_e9976.member.member_1 * _e9667)) + (_e9976.member.member_2 * _e9668)) + _e9976.member_1) * _e9965), _e9971);
-let _e10003 = global_3.member[_e367].member_14.member.member;
+let _e10003 = global_3.member[_e367].member_16.member.member;
 let _e10007 = -(_e9996);
 let _e10010 = (_e9996 - _e9997);
 let _e10011 = (_e9997 - _e9996);
@@ -3549,12 +3551,12 @@ let _e10031 = select(_e9940, _e10020, _e10029);
 let _e10035 = select(_e9945, _e10024, _e10030);
 let _e10039 = select(_e9950, _e9996, _e10025);
 let _e10041 = select(_e9952, _e9997, (_e9997 > _e9952));
-let _e10049 = global_3.member[_e367].member_15.member_1;
+let _e10049 = global_3.member[_e367].member_17.member_1;
 let _e10050 = (_e10049 != 0u);
-let _e10055 = global_3.member[_e367].member_15.member;
+let _e10055 = global_3.member[_e367].member_17.member;
 let _e10075 = select(-1e6f, (((((_e10055.member.member * _e5855.member_1.x) + (_e10055.member.member_1 * _e5855.member_1.y)) + (_e10055.member.member_2 * _e5855.member_1.z)) + _e10055.member_1) * _e9965), _e10050);
 let _e10076 = select(-1e6f, (((((_e10055.member.member * _e9666) + (_e10055.member.member_1 * _e9667)) + (_e10055.member.member_2 * _e9668)) + _e10055.member_1) * _e9965), _e10050);
-let _e10082 = global_3.member[_e367].member_15.member.member;
+let _e10082 = global_3.member[_e367].member_17.member.member;
 let _e10086 = -(_e10075);
 let _e10089 = (_e10075 - _e10076);
 let _e10090 = (_e10076 - _e10075);
@@ -3569,12 +3571,12 @@ let _e10110 = select(_e10031, _e10099, _e10108);
 let _e10114 = select(_e10035, _e10103, _e10109);
 let _e10118 = select(_e10039, _e10075, _e10104);
 let _e10120 = select(_e10041, _e10076, (_e10076 > _e10041));
-let _e10128 = global_3.member[_e367].member_16.member_1;
+let _e10128 = global_3.member[_e367].member_18.member_1;
 let _e10129 = (_e10128 != 0u);
-let _e10134 = global_3.member[_e367].member_16.member;
+let _e10134 = global_3.member[_e367].member_18.member;
 let _e10154 = select(-1e6f, (((((_e10134.member.member * _e5855.member_1.x) + (_e10134.member.member_1 * _e5855.member_1.y)) + (_e10134.member.member_2 * _e5855.member_1.z)) + _e10134.member_1) * _e9965), _e10129);
 let _e10155 = select(-1e6f, (((((_e10134.member.member * _e9666) + (_e10134.member.member_1 * _e9667)) + (_e10134.member.member_2 * _e9668)) + _e10134.member_1) * _e9965), _e10129);
-let _e10161 = global_3.member[_e367].member_16.member.member;
+let _e10161 = global_3.member[_e367].member_18.member.member;
 let _e10165 = -(_e10154);
 let _e10168 = (_e10154 - _e10155);
 let _e10169 = (_e10155 - _e10154);
@@ -3589,12 +3591,12 @@ let _e10189 = select(_e10110, _e10178, _e10187);
 let _e10193 = select(_e10114, _e10182, _e10188);
 let _e10197 = select(_e10118, _e10154, _e10183);
 let _e10199 = select(_e10120, _e10155, (_e10155 > _e10120));
-let _e10207 = global_3.member[_e367].member_17.member_1;
+let _e10207 = global_3.member[_e367].member_19.member_1;
 let _e10208 = (_e10207 != 0u);
-let _e10213 = global_3.member[_e367].member_17.member;
+let _e10213 = global_3.member[_e367].member_19.member;
 let _e10233 = select(-1e6f, (((((_e10213.member.member * _e5855.member_1.x) + (_e10213.member.member_1 * _e5855.member_1.y)) + (_e10213.member.member_2 * _e5855.member_1.z)) + _e10213.member_1) * _e9965), _e10208);
 let _e10234 = select(-1e6f, (((((_e10213.member.member * _e9666) + (_e10213.member.member_1 * _e9667)) + (_e10213.member.member_2 * _e9668)) + _e10213.member_1) * _e9965), _e10208);
-let _e10240 = global_3.member[_e367].member_17.member.member;
+let _e10240 = global_3.member[_e367].member_19.member.member;
 let _e10244 = -(_e10233);
 let _e10247 = (_e10233 - _e10234);
 let _e10248 = (_e10234 - _e10233);
@@ -3605,11 +3607,11 @@ let _e10261 = select(2f, select(0f, _e10253, (_e10233 < 0f)), (_e10234 > 0f));
 let _e10262 = (_e10233 > _e10197);
 let _e10266 = ((_e10257 > _e10189) || ((_e10257 == _e10189) && _e10262));
 let _e10267 = (_e10261 < _e10193);
-phi_25759_ = type_34(select(_e10189, _e10257, _e10266), vec3<f32>(select(select(select(select(_e9941, _e10003.member, _e10029), _e10082.member, _e10108), _e10161.member, _e10187), _e10240.member, _e10266), select(select(select(select(_e9942, _e10003.member_1, _e10029), _e10082.member_1, _e10108), _e10161.member_1, _e10187), _e10240.member_1, _e10266), select(select(select(select(_e9943, _e10003.member_2, _e10029), _e10082.member_2, _e10108), _e10161.member_2, _e10187), _e10240.member_2, _e10266)), select(_e10193, _e10261, _e10267), vec3<f32>(select(select(select(select(_e9946, _e10003.member, _e10030), _e10082.member, _e10109), _e10161.member, _e10188), _e10240.member, _e10267), select(select(select(select(_e9947, _e10003.member_1, _e10030), _e10082.member_1, _e10109), _e10161.member_1, _e10188), _e10240.member_1, _e10267), select(select(select(select(_e9948, _e10003.member_2, _e10030), _e10082.member_2, _e10109), _e10161.member_2, _e10188), _e10240.member_2, _e10267)), select(_e10197, _e10233, _e10262), select(_e10199, _e10234, (_e10234 > _e10199)), vec3<f32>(select(select(select(select(_e9953, _e10003.member, _e10025), _e10082.member, _e10104), _e10161.member, _e10183), _e10240.member, _e10262), select(select(select(select(_e9954, _e10003.member_1, _e10025), _e10082.member_1, _e10104), _e10161.member_1, _e10183), _e10240.member_1, _e10262), select(select(select(select(_e9955, _e10003.member_2, _e10025), _e10082.member_2, _e10104), _e10161.member_2, _e10183), _e10240.member_2, _e10262)));
+phi_25761_ = type_34(select(_e10189, _e10257, _e10266), vec3<f32>(select(select(select(select(_e9941, _e10003.member, _e10029), _e10082.member, _e10108), _e10161.member, _e10187), _e10240.member, _e10266), select(select(select(select(_e9942, _e10003.member_1, _e10029), _e10082.member_1, _e10108), _e10161.member_1, _e10187), _e10240.member_1, _e10266), select(select(select(select(_e9943, _e10003.member_2, _e10029), _e10082.member_2, _e10108), _e10161.member_2, _e10187), _e10240.member_2, _e10266)), select(_e10193, _e10261, _e10267), vec3<f32>(select(select(select(select(_e9946, _e10003.member, _e10030), _e10082.member, _e10109), _e10161.member, _e10188), _e10240.member, _e10267), select(select(select(select(_e9947, _e10003.member_1, _e10030), _e10082.member_1, _e10109), _e10161.member_1, _e10188), _e10240.member_1, _e10267), select(select(select(select(_e9948, _e10003.member_2, _e10030), _e10082.member_2, _e10109), _e10161.member_2, _e10188), _e10240.member_2, _e10267)), select(_e10197, _e10233, _e10262), select(_e10199, _e10234, (_e10234 > _e10199)), vec3<f32>(select(select(select(select(_e9953, _e10003.member, _e10025), _e10082.member, _e10104), _e10161.member, _e10183), _e10240.member, _e10262), select(select(select(select(_e9954, _e10003.member_1, _e10025), _e10082.member_1, _e10104), _e10161.member_1, _e10183), _e10240.member_1, _e10262), select(select(select(select(_e9955, _e10003.member_2, _e10025), _e10082.member_2, _e10104), _e10161.member_2, _e10183), _e10240.member_2, _e10262)));
 }
-let _e10287 = phi_25759_;
+let _e10287 = phi_25761_;
 let _e10294 = (_e8158.member_2 * select(0f, 1f, _e5855.member_6));
-let _e10300 = global_3.member[_e367].member_5.member_4;
+let _e10300 = global_3.member[_e367].member_7.member_4;
 let _e10303 = (_e7682.member_3.x * _e10294);
 let _e10305 = (_e7682.member_3.y * _e10294);
 let _e10307 = (_e7682.member_3.z * _e10294);
@@ -3632,43 +3634,43 @@ let _e10361 = (_e5855.member_2.y + ((_e7682.member_4.y * _e10294) * _e400));
 let _e10362 = (_e5855.member_2.z + ((_e7682.member_4.z * _e10294) * _e400));
 let _e10364 = (_e10362 * _e10362);
 let _e10373 = ((_e1045 & 1u) != 0u);
-phi_25915_ = vec3<f32>(select(select(select(_e10330, _e10312, _e10346), _e10360, _e10373), _e5855.member_2.x, _e5855.member_8), select(select(select(_e10331, _e10313, _e10346), _e10361, _e10373), _e5855.member_2.y, _e5855.member_8), select(select(select(_e10332, _e10314, _e10346), _e10362, _e10373), _e5855.member_2.z, _e5855.member_8));
-phi_25916_ = (select(_e10346, ((_e10362 <= 0f) || (_e10364 <= (_e10336 * (((_e10360 * _e10360) + (_e10361 * _e10361)) + _e10364)))), _e10373) || _e5855.member_8);
+phi_25917_ = vec3<f32>(select(select(select(_e10330, _e10312, _e10346), _e10360, _e10373), _e5855.member_2.x, _e5855.member_8), select(select(select(_e10331, _e10313, _e10346), _e10361, _e10373), _e5855.member_2.y, _e5855.member_8), select(select(select(_e10332, _e10314, _e10346), _e10362, _e10373), _e5855.member_2.z, _e5855.member_8));
+phi_25918_ = (select(_e10346, ((_e10362 <= 0f) || (_e10364 <= (_e10336 * (((_e10360 * _e10360) + (_e10361 * _e10361)) + _e10364)))), _e10373) || _e5855.member_8);
 } else {
-phi_25915_ = _e5855.member_2;
-phi_25916_ = false;
+phi_25917_ = _e5855.member_2;
+phi_25918_ = false;
 }
-let _e10385 = phi_25915_;
-let _e10387 = phi_25916_;
+let _e10385 = phi_25917_;
+let _e10387 = phi_25918_;
 let _e10398 = ((((_e5855.member_7 || (_e10385.x != _e371[3])) || (_e10385.y != _e371[4])) || (_e10385.z != _e371[5])) && _e886);
-let _e10403 = global_3.member[_e367].member_10.member_24;
+let _e10403 = global_3.member[_e367].member_12.member_24;
 let _e10412 = (_e371[12] + (((((_e371[6] + _e371[7]) + _e371[8]) * _e9640) - _e9641) * (_e389 + ((_e5855.member_1.z - _e389) * 0.5f))));
-phi_26014_ = array<f32, 14>(select(_e371[0], _e5855.member_1.x, _e10398), select(_e371[1], _e5855.member_1.y, _e10398), select(_e371[2], _e5855.member_1.z, _e10398), select(_e371[3], _e10385.x, _e10398), select(_e371[4], _e10385.y, _e10398), select(_e371[5], _e10385.z, _e10398), select(_e9635, 0f, _e9656), select(_e9636, 0f, _e9656), select(_e9637, 0f, _e9656), select(0f, 1f, _e5855.member_6), select(_e371[10], 1f, _e10398), select(select(select(0f, 1f, _e10387), 2f, (_e9656 && (_e10403 == 0f))), 3f, _e463), _e10412, select(_e371[13], (_e10412 + (_e9641 * _e5855.member_1.z)), (_e10398 && (_e371[10] == 0f))));
+phi_26016_ = array<f32, 14>(select(_e371[0], _e5855.member_1.x, _e10398), select(_e371[1], _e5855.member_1.y, _e10398), select(_e371[2], _e5855.member_1.z, _e10398), select(_e371[3], _e10385.x, _e10398), select(_e371[4], _e10385.y, _e10398), select(_e371[5], _e10385.z, _e10398), select(_e9635, 0f, _e9656), select(_e9636, 0f, _e9656), select(_e9637, 0f, _e9656), select(0f, 1f, _e5855.member_6), select(_e371[10], 1f, _e10398), select(select(select(0f, 1f, _e10387), 2f, (_e9656 && (_e10403 == 0f))), 3f, _e463), _e10412, select(_e371[13], (_e10412 + (_e9641 * _e5855.member_1.z)), (_e10398 && (_e371[10] == 0f))));
 } else {
-phi_26014_ = _e371;
+phi_26016_ = _e371;
 }
-let _e10433 = phi_26014_;
-phi_551_ = (_e367 + 1u);
-phi_554_ = select(_e369, true, _e1056);
-phi_556_ = _e10433;
+let _e10433 = phi_26016_;
+phi_553_ = (_e367 + 1u);
+phi_556_ = select(_e369, true, _e1056);
+phi_558_ = _e10433;
 } else {
-phi_551_ = u32();
-phi_554_ = bool();
-phi_556_ = array<f32, 14>();
+phi_553_ = u32();
+phi_556_ = bool();
+phi_558_ = array<f32, 14>();
 }
-let _e10437 = phi_551_;
-let _e10439 = phi_554_;
-let _e10441 = phi_556_;
+let _e10437 = phi_553_;
+let _e10439 = phi_556_;
+let _e10441 = phi_558_;
 continue;
 continuing {
-phi_550_ = _e10437;
-phi_553_ = _e10439;
-phi_555_ = _e10441;
-phi_26081_ = false;
+phi_552_ = _e10437;
+phi_555_ = _e10439;
+phi_557_ = _e10441;
+phi_26083_ = false;
 break if !(_e372);
 }
 }
-let _e10444 = phi_26081_;
+let _e10444 = phi_26083_;
 if _e10444 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -267,36 +269,36 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_552_: u32;
-var phi_555_: bool;
-var phi_557_: array<f32, 14>;
-var phi_996_: bool;
-var phi_1176_: bool;
-var phi_1179_: bool;
-var phi_3021_: type_34;
-var phi_3034_: bool;
-var phi_4082_: type_39;
-var phi_4094_: bool;
-var phi_5137_: type_31;
-var phi_6660_: type_34;
-var phi_7735_: type_31;
-var phi_9273_: type_34;
-var phi_10348_: type_31;
-var phi_11886_: type_34;
-var phi_13634_: type_31;
-var phi_13906_: type_38;
-var phi_19150_: type_32;
-var phi_19760_: type_33;
-var phi_20581_: type_7;
-var phi_24079_: type_40;
-var phi_25478_: type_34;
-var phi_25634_: vec3<f32>;
-var phi_25635_: bool;
-var phi_25733_: array<f32, 14>;
-var phi_553_: u32;
-var phi_556_: bool;
-var phi_558_: array<f32, 14>;
-var phi_25800_: bool;
+var phi_554_: u32;
+var phi_557_: bool;
+var phi_559_: array<f32, 14>;
+var phi_998_: bool;
+var phi_1178_: bool;
+var phi_1181_: bool;
+var phi_3023_: type_34;
+var phi_3036_: bool;
+var phi_4084_: type_39;
+var phi_4096_: bool;
+var phi_5139_: type_31;
+var phi_6662_: type_34;
+var phi_7737_: type_31;
+var phi_9275_: type_34;
+var phi_10350_: type_31;
+var phi_11888_: type_34;
+var phi_13636_: type_31;
+var phi_13908_: type_38;
+var phi_19152_: type_32;
+var phi_19762_: type_33;
+var phi_20583_: type_7;
+var phi_24081_: type_40;
+var phi_25480_: type_34;
+var phi_25636_: vec3<f32>;
+var phi_25637_: bool;
+var phi_25735_: array<f32, 14>;
+var phi_555_: u32;
+var phi_558_: bool;
+var phi_560_: array<f32, 14>;
+var phi_25802_: bool;
 var local_40: bool;
 var local_41: array<f32, 14>;
 var local_42: array<f32, 14>;
@@ -386,13 +388,13 @@ let _e357 = ((13u * _e211) + _e213);
 let _e358 = bitcast<i32>(_e357);
 let _e360 = select(_e216, _e358, (_e358 < _e216));
 let _e366 = global_5.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
-phi_552_ = 0u;
-phi_555_ = false;
-phi_557_ = array<f32, 14>(_e224, _e234, _e245, _e256, _e267, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366);
+phi_554_ = 0u;
+phi_557_ = false;
+phi_559_ = array<f32, 14>(_e224, _e234, _e245, _e256, _e267, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366);
 loop {
-let _e369 = phi_552_;
-let _e371 = phi_555_;
-let _e373 = phi_557_;
+let _e369 = phi_554_;
+let _e371 = phi_557_;
+let _e373 = phi_559_;
 local_40 = _e371;
 local_41 = _e373;
 local_42 = _e373;
@@ -412,36 +414,36 @@ let _e374 = (_e369 < _e179);
 if _e374 {
 if _e374 {
 } else {
-phi_25800_ = true;
+phi_25802_ = true;
 break;
 }
 let _e378 = global_3.member[_e369].member;
-let _e391 = global_3.member[_e369].member_5.member;
+let _e391 = global_3.member[_e369].member_7.member;
 let _e393 = ((_e391 - _e373[2]) / _e373[5]);
 let _e395 = (_e373[0] + (_e373[3] * _e393));
 let _e397 = (_e373[1] + (_e373[4] * _e393));
-let _e402 = global_3.member[_e369].member_5.member_2;
+let _e402 = global_3.member[_e369].member_7.member_2;
 let _e403 = (_e402 / _e373[5]);
 let _e405 = (_e395 + (_e373[3] * _e403));
 let _e407 = (_e397 + (_e373[4] * _e403));
-let _e412 = global_3.member[_e369].member_5.member_1;
-let _e418 = global_3.member[_e369].member_13.member.member;
-let _e444 = global_3.member[_e369].member_13.member_1.member;
+let _e412 = global_3.member[_e369].member_7.member_1;
+let _e418 = global_3.member[_e369].member_15.member.member;
+let _e444 = global_3.member[_e369].member_15.member_1.member;
 let _e465 = (((((((_e418.member.member * _e395) + (_e418.member.member_1 * _e397)) + (_e418.member.member_2 * _e391)) + _e418.member_1) > 0f) && (((((_e418.member.member * _e405) + (_e418.member.member_1 * _e407)) + (_e418.member.member_2 * _e412)) + _e418.member_1) <= 0f)) || ((((((_e444.member.member * _e395) + (_e444.member.member_1 * _e397)) + (_e444.member.member_2 * _e391)) + _e444.member_1) > 0f) && (((((_e444.member.member * _e405) + (_e444.member.member_1 * _e407)) + (_e444.member.member_2 * _e412)) + _e444.member_1) <= 0f)));
-let _e470 = global_3.member[_e369].member_6.member;
+let _e470 = global_3.member[_e369].member_8.member;
 let _e481 = ((((_e470.member.member * _e395) + (_e470.member.member_1 * _e397)) + (_e470.member.member_2 * _e391)) + _e470.member_1);
-let _e486 = global_3.member[_e369].member_6.member_1;
+let _e486 = global_3.member[_e369].member_8.member_1;
 let _e497 = ((((_e486.member.member * _e395) + (_e486.member.member_1 * _e397)) + (_e486.member.member_2 * _e391)) + _e486.member_1);
-let _e502 = global_3.member[_e369].member_6.member_2;
+let _e502 = global_3.member[_e369].member_8.member_2;
 let _e513 = ((((_e502.member.member * _e395) + (_e502.member.member_1 * _e397)) + (_e502.member.member_2 * _e391)) + _e502.member_1);
 let _e519 = ((((_e470.member.member * _e405) + (_e470.member.member_1 * _e407)) + (_e470.member.member_2 * _e412)) + _e470.member_1);
 let _e525 = ((((_e486.member.member * _e405) + (_e486.member.member_1 * _e407)) + (_e486.member.member_2 * _e412)) + _e486.member_1);
 let _e531 = ((((_e502.member.member * _e405) + (_e502.member.member_1 * _e407)) + (_e502.member.member_2 * _e412)) + _e502.member_1);
-let _e538 = global_3.member[_e369].member_6.member_3.member;
+let _e538 = global_3.member[_e369].member_8.member_3.member;
 let _e539 = (_e538 - 1f);
-let _e549 = global_3.member[_e369].member_6.member_3.member_1;
+let _e549 = global_3.member[_e369].member_8.member_3.member_1;
 let _e550 = (_e549 - 1f);
-let _e560 = global_3.member[_e369].member_6.member_3.member_2;
+let _e560 = global_3.member[_e369].member_8.member_3.member_2;
 let _e561 = (_e560 - 1f);
 let _e575 = (((((((_e481 >= 0f) && (_e481 <= _e539)) && (_e497 >= 0f)) && (_e497 <= _e550)) && (_e513 >= 0f)) && (_e513 <= _e561)) && ((((((_e519 >= 0f) && (_e519 <= _e539)) && (_e525 >= 0f)) && (_e525 <= _e550)) && (_e531 >= 0f)) && (_e531 <= _e561)));
 let _e577 = (_e378.member_2 == 5u);
@@ -457,22 +459,22 @@ let _e600 = ((((_e481 >= _e585) && (_e481 <= _e588)) && ((_e497 >= _e585) && (_e
 let _e604 = global_3.member[_e369].member_1;
 let _e606 = ((_e604 & 16u) == 0u);
 if _e606 {
-phi_996_ = _e600;
+phi_998_ = _e600;
 } else {
-let _e612 = global_3.member[_e369].member_6.member.member;
+let _e612 = global_3.member[_e369].member_8.member.member;
 let _e620 = (((_e612.member * _e612.member) + (_e612.member_1 * _e612.member_1)) + (_e612.member_2 * _e612.member_2));
-let _e629 = global_3.member[_e369].member_14.member;
+let _e629 = global_3.member[_e369].member_16.member;
 let _e641 = -((0.5f / sqrt(select(0f, _e620, (_e620 > 0f)))));
-let _e647 = global_3.member[_e369].member_14.member_1;
-let _e654 = global_3.member[_e369].member_15.member;
-let _e671 = global_3.member[_e369].member_15.member_1;
-let _e679 = global_3.member[_e369].member_16.member;
-let _e696 = global_3.member[_e369].member_16.member_1;
-let _e704 = global_3.member[_e369].member_17.member;
-let _e721 = global_3.member[_e369].member_17.member_1;
-phi_996_ = (_e600 && (((((((((_e629.member.member * _e395) + (_e629.member.member_1 * _e397)) + (_e629.member.member_2 * _e391)) + _e629.member_1) <= _e641) || (_e647 == 0u)) && ((((((_e654.member.member * _e395) + (_e654.member.member_1 * _e397)) + (_e654.member.member_2 * _e391)) + _e654.member_1) <= _e641) || (_e671 == 0u))) && ((((((_e679.member.member * _e395) + (_e679.member.member_1 * _e397)) + (_e679.member.member_2 * _e391)) + _e679.member_1) <= _e641) || (_e696 == 0u))) && ((((((_e704.member.member * _e395) + (_e704.member.member_1 * _e397)) + (_e704.member.member_2 * _e391)) + _e704.member_1) <= _e641) || (_e721 == 0u))));
+let _e647 = global_3.member[_e369].member_16.member_1;
+let _e654 = global_3.member[_e369].member_17.member;
+let _e671 = global_3.member[_e369].member_17.member_1;
+let _e679 = global_3.member[_e369].member_18.member;
+let _e696 = global_3.member[_e369].member_18.member_1;
+let _e704 = global_3.member[_e369].member_19.member;
+let _e721 = global_3.member[_e369].member_19.member_1;
+phi_998_ = (_e600 && (((((((((_e629.member.member * _e395) + (_e629.member.member_1 * _e397)) + (_e629.member.member_2 * _e391)) + _e629.member_1) <= _e641) || (_e647 == 0u)) && ((((((_e654.member.member * _e395) + (_e654.member.member_1 * _e397)) + (_e654.member.member_2 * _e391)) + _e654.member_1) <= _e641) || (_e671 == 0u))) && ((((((_e679.member.member * _e395) + (_e679.member.member_1 * _e397)) + (_e679.member.member_2 * _e391)) + _e679.member_1) <= _e641) || (_e696 == 0u))) && ((((((_e704.member.member * _e395) + (_e704.member.member_1 * _e397)) + (_e704.member.member_2 * _e391)) + _e704.member_1) <= _e641) || (_e721 == 0u))));
 }
-let _e727 = phi_996_;
+let _e727 = phi_998_;
 let _e731 = (_e405 + (_e405 - _e395));
 let _e732 = (_e407 + (_e407 - _e397));
 let _e733 = (_e412 + (_e412 - _e391));
@@ -481,29 +483,29 @@ let _e745 = ((((_e486.member.member * _e731) + (_e486.member.member_1 * _e732)) 
 let _e751 = ((((_e502.member.member * _e731) + (_e502.member.member_1 * _e732)) + (_e502.member.member_2 * _e733)) + _e502.member_1);
 let _e762 = ((((_e739 >= _e585) && (_e739 <= _e588)) && ((_e745 >= _e585) && (_e745 <= _e592))) && ((_e751 >= _e585) && (_e751 <= _e597)));
 if _e606 {
-phi_1176_ = _e762;
+phi_1178_ = _e762;
 } else {
-let _e768 = global_3.member[_e369].member_6.member.member;
+let _e768 = global_3.member[_e369].member_8.member.member;
 let _e776 = (((_e768.member * _e768.member) + (_e768.member_1 * _e768.member_1)) + (_e768.member_2 * _e768.member_2));
-let _e785 = global_3.member[_e369].member_14.member;
+let _e785 = global_3.member[_e369].member_16.member;
 let _e797 = -((0.5f / sqrt(select(0f, _e776, (_e776 > 0f)))));
-let _e803 = global_3.member[_e369].member_14.member_1;
-let _e810 = global_3.member[_e369].member_15.member;
-let _e827 = global_3.member[_e369].member_15.member_1;
-let _e835 = global_3.member[_e369].member_16.member;
-let _e852 = global_3.member[_e369].member_16.member_1;
-let _e860 = global_3.member[_e369].member_17.member;
-let _e877 = global_3.member[_e369].member_17.member_1;
-phi_1176_ = (_e762 && (((((((((_e785.member.member * _e731) + (_e785.member.member_1 * _e732)) + (_e785.member.member_2 * _e733)) + _e785.member_1) <= _e797) || (_e803 == 0u)) && ((((((_e810.member.member * _e731) + (_e810.member.member_1 * _e732)) + (_e810.member.member_2 * _e733)) + _e810.member_1) <= _e797) || (_e827 == 0u))) && ((((((_e835.member.member * _e731) + (_e835.member.member_1 * _e732)) + (_e835.member.member_2 * _e733)) + _e835.member_1) <= _e797) || (_e852 == 0u))) && ((((((_e860.member.member * _e731) + (_e860.member.member_1 * _e732)) + (_e860.member.member_2 * _e733)) + _e860.member_1) <= _e797) || (_e877 == 0u))));
+let _e803 = global_3.member[_e369].member_16.member_1;
+let _e810 = global_3.member[_e369].member_17.member;
+let _e827 = global_3.member[_e369].member_17.member_1;
+let _e835 = global_3.member[_e369].member_18.member;
+let _e852 = global_3.member[_e369].member_18.member_1;
+let _e860 = global_3.member[_e369].member_19.member;
+let _e877 = global_3.member[_e369].member_19.member_1;
+phi_1178_ = (_e762 && (((((((((_e785.member.member * _e731) + (_e785.member.member_1 * _e732)) + (_e785.member.member_2 * _e733)) + _e785.member_1) <= _e797) || (_e803 == 0u)) && ((((((_e810.member.member * _e731) + (_e810.member.member_1 * _e732)) + (_e810.member.member_2 * _e733)) + _e810.member_1) <= _e797) || (_e827 == 0u))) && ((((((_e835.member.member * _e731) + (_e835.member.member_1 * _e732)) + (_e835.member.member_2 * _e733)) + _e835.member_1) <= _e797) || (_e852 == 0u))) && ((((((_e860.member.member * _e731) + (_e860.member.member_1 * _e732)) + (_e860.member.member_2 * _e733)) + _e860.member_1) <= _e797) || (_e877 == 0u))));
 }
-let _e883 = phi_1176_;
-phi_1179_ = (_e575 && (_e727 && _e883));
+let _e883 = phi_1178_;
+phi_1181_ = (_e575 && (_e727 && _e883));
 } else {
-phi_1179_ = _e575;
+phi_1181_ = _e575;
 }
-let _e887 = phi_1179_;
+let _e887 = phi_1181_;
 let _e888 = !(_e465);
-let _e896 = global_3.member[_e369].member_6.member_4;
+let _e896 = global_3.member[_e369].member_8.member_4;
 let _e897 = (_e538 - 0.5f);
 let _e899 = select(-0.5f, _e519, (_e519 > -0.5f));
 let _e901 = select(_e897, _e899, (_e899 < _e897));
@@ -528,7 +530,7 @@ let _e946 = (_e901 + 0.5f);
 let _e948 = select(0f, _e946, (_e946 > 0f));
 let _e950 = select(_e539, _e948, (_e948 < _e539));
 let _e957 = select(0i, select(select(i32(_e950), i32(-2147483648), (_e950 < -2147483600f)), 2147483647i, (_e950 > 2147483500f)), (_e950 == _e950));
-let _e966 = global_3.member[_e369].member_6.member_12;
+let _e966 = global_3.member[_e369].member_8.member_12;
 let _e967 = (_e966 & 31u);
 let _e970 = (_e906 + 0.5f);
 let _e972 = select(0f, _e970, (_e970 > 0f));
@@ -538,9 +540,9 @@ let _e988 = (_e911 + 0.5f);
 let _e990 = select(0f, _e988, (_e988 > 0f));
 let _e992 = select(_e561, _e990, (_e990 < _e561));
 let _e999 = select(0i, select(select(i32(_e992), i32(-2147483648), (_e992 < -2147483600f)), 2147483647i, (_e992 > 2147483500f)), (_e992 == _e992));
-let _e1011 = global_3.member[_e369].member_6.member_9.member;
-let _e1018 = global_3.member[_e369].member_6.member_9.member_1;
-let _e1024 = global_3.member[_e369].member_6.member_10;
+let _e1011 = global_3.member[_e369].member_8.member_9.member;
+let _e1018 = global_3.member[_e369].member_8.member_9.member_1;
+let _e1024 = global_3.member[_e369].member_8.member_10;
 let _e1030 = ((bitcast<i32>(_e1024) + ((_e957 - select(0i, 1i, (_e950 < f32(_e957)))) >> bitcast<u32>(_e967))) + (bitcast<i32>(_e1011) * (((_e981 - select(0i, 1i, (_e974 < f32(_e981)))) >> bitcast<u32>(_e967)) + (bitcast<i32>(_e1018) * ((_e999 - select(0i, 1i, (_e992 < f32(_e999)))) >> bitcast<u32>(_e967))))));
 let _e1032 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1034 = select(_e1032, _e1030, (_e1030 < _e1032));
@@ -556,9 +558,9 @@ let _e1075 = (((_e1068 * _e1068) + (_e1069 * _e1069)) + (_e1070 * _e1070));
 let _e1078 = sqrt(select(0f, _e1075, (_e1075 > 0f)));
 let _e1079 = type_38(type_31(1f, 1f), vec3<f32>(_e405, _e407, _e412), _e1059, _e1078, _e403, _e1059, true, false, false);
 if _e584 {
-let _e1181 = global_3.member[_e369].member_6.member.member;
-let _e1190 = global_3.member[_e369].member_6.member_1.member;
-let _e1199 = global_3.member[_e369].member_6.member_2.member;
+let _e1181 = global_3.member[_e369].member_8.member.member;
+let _e1190 = global_3.member[_e369].member_8.member_1.member;
+let _e1199 = global_3.member[_e369].member_8.member_2.member;
 let _e1203 = (-0.5f - _e481);
 let _e1204 = (-0.5f - _e519);
 let _e1205 = -(_e1203);
@@ -666,16 +668,16 @@ let _e1443 = select(select(select(select(select(select(0f, _e1181.member_1, _e12
 let _e1444 = select(select(select(select(select(select(1f, _e1181.member_2, _e1223), _e1181.member_2, _e1263), _e1190.member_2, _e1303), _e1190.member_2, _e1343), _e1199.member_2, _e1383), _e1199.member_2, _e1423);
 let _e1448 = ((_e1047 & 16u) == 0u);
 if _e1448 {
-phi_3021_ = type_34(_e1429, vec3<f32>(_e1430, _e1431, _e1432), _e1434, vec3<f32>(_e1435, _e1436, _e1437), _e1439, _e1441, vec3<f32>(_e1442, _e1443, _e1444));
+phi_3023_ = type_34(_e1429, vec3<f32>(_e1430, _e1431, _e1432), _e1434, vec3<f32>(_e1435, _e1436, _e1437), _e1439, _e1441, vec3<f32>(_e1442, _e1443, _e1444));
 } else {
 let _e1453 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e1456 = sqrt(select(0f, _e1453, (_e1453 > 0f)));
-let _e1461 = global_3.member[_e369].member_14.member_1;
+let _e1461 = global_3.member[_e369].member_16.member_1;
 let _e1462 = (_e1461 != 0u);
-let _e1467 = global_3.member[_e369].member_14.member;
+let _e1467 = global_3.member[_e369].member_16.member;
 let _e1487 = select(-1e6f, (((((_e1467.member.member * _e395) + (_e1467.member.member_1 * _e397)) + (_e1467.member.member_2 * _e391)) + _e1467.member_1) * _e1456), _e1462);
 let _e1488 = select(-1e6f, (((((_e1467.member.member * _e405) + (_e1467.member.member_1 * _e407)) + (_e1467.member.member_2 * _e412)) + _e1467.member_1) * _e1456), _e1462);
-let _e1494 = global_3.member[_e369].member_14.member.member;
+let _e1494 = global_3.member[_e369].member_16.member.member;
 let _e1498 = -(_e1487);
 let _e1501 = (_e1487 - _e1488);
 let _e1502 = (_e1488 - _e1487);
@@ -690,12 +692,12 @@ let _e1522 = select(_e1429, _e1511, _e1520);
 let _e1526 = select(_e1434, _e1515, _e1521);
 let _e1530 = select(_e1439, _e1487, _e1516);
 let _e1532 = select(_e1441, _e1488, (_e1488 > _e1441));
-let _e1540 = global_3.member[_e369].member_15.member_1;
+let _e1540 = global_3.member[_e369].member_17.member_1;
 let _e1541 = (_e1540 != 0u);
-let _e1546 = global_3.member[_e369].member_15.member;
+let _e1546 = global_3.member[_e369].member_17.member;
 let _e1566 = select(-1e6f, (((((_e1546.member.member * _e395) + (_e1546.member.member_1 * _e397)) + (_e1546.member.member_2 * _e391)) + _e1546.member_1) * _e1456), _e1541);
 let _e1567 = select(-1e6f, (((((_e1546.member.member * _e405) + (_e1546.member.member_1 * _e407)) + (_e1546.member.member_2 * _e412)) + _e1546.member_1) * _e1456), _e1541);
-let _e1573 = global_3.member[_e369].member_15.member.member;
+let _e1573 = global_3.member[_e369].member_17.member.member;
 let _e1577 = -(_e1566);
 let _e1580 = (_e1566 - _e1567);
 let _e1581 = (_e1567 - _e1566);
@@ -710,12 +712,12 @@ let _e1601 = select(_e1522, _e1590, _e1599);
 let _e1605 = select(_e1526, _e1594, _e1600);
 let _e1609 = select(_e1530, _e1566, _e1595);
 let _e1611 = select(_e1532, _e1567, (_e1567 > _e1532));
-let _e1619 = global_3.member[_e369].member_16.member_1;
+let _e1619 = global_3.member[_e369].member_18.member_1;
 let _e1620 = (_e1619 != 0u);
-let _e1625 = global_3.member[_e369].member_16.member;
+let _e1625 = global_3.member[_e369].member_18.member;
 let _e1645 = select(-1e6f, (((((_e1625.member.member * _e395) + (_e1625.member.member_1 * _e397)) + (_e1625.member.member_2 * _e391)) + _e1625.member_1) * _e1456), _e1620);
 let _e1646 = select(-1e6f, (((((_e1625.member.member * _e405) + (_e1625.member.member_1 * _e407)) + (_e1625.member.member_2 * _e412)) + _e1625.member_1) * _e1456), _e1620);
-let _e1652 = global_3.member[_e369].member_16.member.member;
+let _e1652 = global_3.member[_e369].member_18.member.member;
 let _e1656 = -(_e1645);
 let _e1659 = (_e1645 - _e1646);
 let _e1660 = (_e1646 - _e1645);
@@ -730,12 +732,12 @@ let _e1680 = select(_e1601, _e1669, _e1678);
 let _e1684 = select(_e1605, _e1673, _e1679);
 let _e1688 = select(_e1609, _e1645, _e1674);
 let _e1690 = select(_e1611, _e1646, (_e1646 > _e1611));
-let _e1698 = global_3.member[_e369].member_17.member_1;
+let _e1698 = global_3.member[_e369].member_19.member_1;
 let _e1699 = (_e1698 != 0u);
-let _e1704 = global_3.member[_e369].member_17.member;
+let _e1704 = global_3.member[_e369].member_19.member;
 let _e1724 = select(-1e6f, (((((_e1704.member.member * _e395) + (_e1704.member.member_1 * _e397)) + (_e1704.member.member_2 * _e391)) + _e1704.member_1) * _e1456), _e1699);
 let _e1725 = select(-1e6f, (((((_e1704.member.member * _e405) + (_e1704.member.member_1 * _e407)) + (_e1704.member.member_2 * _e412)) + _e1704.member_1) * _e1456), _e1699);
-let _e1731 = global_3.member[_e369].member_17.member.member;
+let _e1731 = global_3.member[_e369].member_19.member.member;
 let _e1735 = -(_e1724);
 let _e1738 = (_e1724 - _e1725);
 let _e1739 = (_e1725 - _e1724);
@@ -746,16 +748,16 @@ let _e1752 = select(2f, select(0f, _e1744, (_e1724 < 0f)), (_e1725 > 0f));
 let _e1753 = (_e1724 > _e1688);
 let _e1757 = ((_e1748 > _e1680) || ((_e1748 == _e1680) && _e1753));
 let _e1758 = (_e1752 < _e1684);
-phi_3021_ = type_34(select(_e1680, _e1748, _e1757), vec3<f32>(select(select(select(select(_e1430, _e1494.member, _e1520), _e1573.member, _e1599), _e1652.member, _e1678), _e1731.member, _e1757), select(select(select(select(_e1431, _e1494.member_1, _e1520), _e1573.member_1, _e1599), _e1652.member_1, _e1678), _e1731.member_1, _e1757), select(select(select(select(_e1432, _e1494.member_2, _e1520), _e1573.member_2, _e1599), _e1652.member_2, _e1678), _e1731.member_2, _e1757)), select(_e1684, _e1752, _e1758), vec3<f32>(select(select(select(select(_e1435, _e1494.member, _e1521), _e1573.member, _e1600), _e1652.member, _e1679), _e1731.member, _e1758), select(select(select(select(_e1436, _e1494.member_1, _e1521), _e1573.member_1, _e1600), _e1652.member_1, _e1679), _e1731.member_1, _e1758), select(select(select(select(_e1437, _e1494.member_2, _e1521), _e1573.member_2, _e1600), _e1652.member_2, _e1679), _e1731.member_2, _e1758)), select(_e1688, _e1724, _e1753), select(_e1690, _e1725, (_e1725 > _e1690)), vec3<f32>(select(select(select(select(_e1442, _e1494.member, _e1516), _e1573.member, _e1595), _e1652.member, _e1674), _e1731.member, _e1753), select(select(select(select(_e1443, _e1494.member_1, _e1516), _e1573.member_1, _e1595), _e1652.member_1, _e1674), _e1731.member_1, _e1753), select(select(select(select(_e1444, _e1494.member_2, _e1516), _e1573.member_2, _e1595), _e1652.member_2, _e1674), _e1731.member_2, _e1753)));
+phi_3023_ = type_34(select(_e1680, _e1748, _e1757), vec3<f32>(select(select(select(select(_e1430, _e1494.member, _e1520), _e1573.member, _e1599), _e1652.member, _e1678), _e1731.member, _e1757), select(select(select(select(_e1431, _e1494.member_1, _e1520), _e1573.member_1, _e1599), _e1652.member_1, _e1678), _e1731.member_1, _e1757), select(select(select(select(_e1432, _e1494.member_2, _e1520), _e1573.member_2, _e1599), _e1652.member_2, _e1678), _e1731.member_2, _e1757)), select(_e1684, _e1752, _e1758), vec3<f32>(select(select(select(select(_e1435, _e1494.member, _e1521), _e1573.member, _e1600), _e1652.member, _e1679), _e1731.member, _e1758), select(select(select(select(_e1436, _e1494.member_1, _e1521), _e1573.member_1, _e1600), _e1652.member_1, _e1679), _e1731.member_1, _e1758), select(select(select(select(_e1437, _e1494.member_2, _e1521), _e1573.member_2, _e1600), _e1652.member_2, _e1679), _e1731.member_2, _e1758)), select(_e1688, _e1724, _e1753), select(_e1690, _e1725, (_e1725 > _e1690)), vec3<f32>(select(select(select(select(_e1442, _e1494.member, _e1516), _e1573.member, _e1595), _e1652.member, _e1674), _e1731.member, _e1753), select(select(select(select(_e1443, _e1494.member_1, _e1516), _e1573.member_1, _e1595), _e1652.member_1, _e1674), _e1731.member_1, _e1753), select(select(select(select(_e1444, _e1494.member_2, _e1516), _e1573.member_2, _e1595), _e1652.member_2, _e1674), _e1731.member_2, _e1753)));
 }
-let _e1778 = phi_3021_;
+let _e1778 = phi_3023_;
 if ((_e1778.member_4 > -(0.015625f)) && (_e1778.member_4 < 0.015625f)) {
-phi_3034_ = (_e373[9] != 0f);
+phi_3036_ = (_e373[9] != 0f);
 } else {
-phi_3034_ = (_e1778.member_4 < 0f);
+phi_3036_ = (_e1778.member_4 < 0f);
 }
-let _e1787 = phi_3034_;
-let _e1792 = global_3.member[_e369].member_10.member_9;
+let _e1787 = phi_3036_;
+let _e1792 = global_3.member[_e369].member_12.member_9;
 let _e1796 = select(-0.5f, _e481, (_e481 > -0.5f));
 let _e1798 = select(_e897, _e1796, (_e1796 < _e897));
 let _e1800 = select(-0.5f, _e497, (_e497 > -0.5f));
@@ -774,14 +776,14 @@ let _e1838 = select(-1f, _e1806, (_e1806 > -1f));
 let _e1840 = select(_e560, _e1838, (_e1838 < _e560));
 let _e1847 = select(0i, select(select(i32(_e1840), i32(-2147483648), (_e1840 < -2147483600f)), 2147483647i, (_e1840 > 2147483500f)), (_e1840 == _e1840));
 let _e1851 = (_e1847 - select(0i, 1i, (_e1840 < f32(_e1847))));
-let _e1856 = global_3.member[_e369].member_6.member_7;
-let _e1861 = global_3.member[_e369].member_6.member_8;
+let _e1856 = global_3.member[_e369].member_8.member_7;
+let _e1861 = global_3.member[_e369].member_8.member_8;
 let _e1862 = (_e1821 + 1i);
 let _e1863 = (_e1836 + 1i);
 let _e1864 = (_e1851 + 1i);
-let _e1870 = global_3.member[_e369].member_6.member_11.member;
+let _e1870 = global_3.member[_e369].member_8.member_11.member;
 let _e1871 = bitcast<i32>(_e1870);
-let _e1877 = global_3.member[_e369].member_6.member_11.member_1;
+let _e1877 = global_3.member[_e369].member_8.member_11.member_1;
 let _e1878 = bitcast<i32>(_e1877);
 let _e1888 = ((_e1862 >> bitcast<u32>(4i)) + (_e1871 * ((_e1863 >> bitcast<u32>(4i)) + (_e1878 * (_e1864 >> bitcast<u32>(4i))))));
 let _e1890 = (bitcast<i32>(_e182) - 1i);
@@ -848,8 +850,8 @@ let _e2028 = global_1.member[bitcast<u32>(select(0i, _e2023, (_e2023 > 0i)))];
 let _e2030 = local_39[0u];
 let _e2034 = local_39[1u];
 let _e2039 = local_39[2u];
-let _e2047 = global_3.member[_e369].member_6.member_6;
-let _e2052 = global_3.member[_e369].member_6.member_5;
+let _e2047 = global_3.member[_e369].member_8.member_6;
+let _e2052 = global_3.member[_e369].member_8.member_5;
 let _e2054 = (((_e1983 + (((_e2008 + (((_e2019 + ((bitcast<f32>(_e2028) - _e2019) * _e2030)) - _e2008) * _e2034)) - _e1983) * _e2039)) - _e2047) * _e2052);
 let _e2055 = -(1e9f);
 let _e2057 = select(_e2055, _e2054, (_e2054 > _e2055));
@@ -927,17 +929,17 @@ let _e2257 = (_e373[3] * _e2256);
 let _e2258 = (_e373[4] * _e2256);
 let _e2259 = (_e373[5] * _e2256);
 if _e1787 {
-phi_4082_ = type_39(_e1778.member_2, _e1778.member_3);
+phi_4084_ = type_39(_e1778.member_2, _e1778.member_3);
 } else {
-phi_4082_ = type_39(_e1778.member, _e1778.member_1);
+phi_4084_ = type_39(_e1778.member, _e1778.member_1);
 }
-let _e2267 = phi_4082_;
+let _e2267 = phi_4084_;
 if _e1787 {
-phi_4094_ = (_e1778.member_2 <= 1f);
+phi_4096_ = (_e1778.member_2 <= 1f);
 } else {
-phi_4094_ = ((_e1778.member <= 1f) && (_e1778.member < _e1778.member_2));
+phi_4096_ = ((_e1778.member <= 1f) && (_e1778.member < _e1778.member_2));
 }
-let _e2275 = phi_4094_;
+let _e2275 = phi_4096_;
 let _e2278 = select(1f, _e2267.member, _e2275);
 let _e2282 = (_e395 + (_e1068 * _e2278));
 let _e2283 = (_e397 + (_e1069 * _e2278));
@@ -1061,11 +1063,11 @@ let _e2600 = global_2.member[_e2245];
 let _e2601 = bitcast<f32>(_e2600);
 let _e2607 = ((_e2598 + (f32(bitcast<i32>((_e2583 >> bitcast<u32>(12u)))) * _e2601)) + ((f32((bitcast<i32>((_e2583 & 4095u)) - 2048i)) * _e2594) * (_e2560 - f32(_e2575))));
 if _e1787 {
-phi_5137_ = type_31(_e2607, 1f);
+phi_5139_ = type_31(_e2607, 1f);
 } else {
-phi_5137_ = type_31(1f, _e2607);
+phi_5139_ = type_31(1f, _e2607);
 }
-let _e2611 = phi_5137_;
+let _e2611 = phi_5139_;
 let _e2616 = ((_e2611.member_1 * _e2611.member_1) - (_e2611.member * _e2611.member));
 let _e2624 = (((_e2267.member_1.x * _e2267.member_1.x) + (_e2267.member_1.y * _e2267.member_1.y)) + (_e2267.member_1.z * _e2267.member_1.z));
 let _e2627 = sqrt(select(0f, _e2624, (_e2624 > 0f)));
@@ -1082,7 +1084,7 @@ let _e2651 = (_e2616 == 0f);
 let _e2663 = select(_e2257, select((_e2257 + (_e2631 * _e2650)), _e2257, _e2651), _e2275);
 let _e2664 = select(_e2258, select((_e2258 + (_e2632 * _e2650)), _e2258, _e2651), _e2275);
 let _e2665 = select(_e2259, select((_e2259 + (_e2633 * _e2650)), _e2259, _e2651), _e2275);
-let _e2670 = global_3.member[_e369].member_5.member_4;
+let _e2670 = global_3.member[_e369].member_7.member_4;
 let _e2671 = (_e2670 * _e2670);
 let _e2675 = (_e2665 * _e2665);
 let _e2679 = (_e2275 && (_e2611.member != _e2611.member_1));
@@ -1201,16 +1203,16 @@ let _e2956 = select(select(select(select(select(select(0f, _e1181.member, _e2737
 let _e2957 = select(select(select(select(select(select(0f, _e1181.member_1, _e2737), _e1181.member_1, _e2777), _e1190.member_1, _e2817), _e1190.member_1, _e2857), _e1199.member_1, _e2897), _e1199.member_1, _e2937);
 let _e2958 = select(select(select(select(select(select(1f, _e1181.member_2, _e2737), _e1181.member_2, _e2777), _e1190.member_2, _e2817), _e1190.member_2, _e2857), _e1199.member_2, _e2897), _e1199.member_2, _e2937);
 if _e1448 {
-phi_6660_ = type_34(_e2943, vec3<f32>(_e2944, _e2945, _e2946), _e2948, vec3<f32>(_e2949, _e2950, _e2951), _e2953, _e2955, vec3<f32>(_e2956, _e2957, _e2958));
+phi_6662_ = type_34(_e2943, vec3<f32>(_e2944, _e2945, _e2946), _e2948, vec3<f32>(_e2949, _e2950, _e2951), _e2953, _e2955, vec3<f32>(_e2956, _e2957, _e2958));
 } else {
 let _e2965 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e2968 = sqrt(select(0f, _e2965, (_e2965 > 0f)));
-let _e2973 = global_3.member[_e369].member_14.member_1;
+let _e2973 = global_3.member[_e369].member_16.member_1;
 let _e2974 = (_e2973 != 0u);
-let _e2979 = global_3.member[_e369].member_14.member;
+let _e2979 = global_3.member[_e369].member_16.member;
 let _e2999 = select(-1e6f, (((((_e2979.member.member * _e2282) + (_e2979.member.member_1 * _e2283)) + (_e2979.member.member_2 * _e2284)) + _e2979.member_1) * _e2968), _e2974);
 let _e3000 = select(-1e6f, (((((_e2979.member.member * _e2693) + (_e2979.member.member_1 * _e2694)) + (_e2979.member.member_2 * _e2695)) + _e2979.member_1) * _e2968), _e2974);
-let _e3006 = global_3.member[_e369].member_14.member.member;
+let _e3006 = global_3.member[_e369].member_16.member.member;
 let _e3010 = -(_e2999);
 let _e3013 = (_e2999 - _e3000);
 let _e3014 = (_e3000 - _e2999);
@@ -1225,12 +1227,12 @@ let _e3034 = select(_e2943, _e3023, _e3032);
 let _e3038 = select(_e2948, _e3027, _e3033);
 let _e3042 = select(_e2953, _e2999, _e3028);
 let _e3044 = select(_e2955, _e3000, (_e3000 > _e2955));
-let _e3052 = global_3.member[_e369].member_15.member_1;
+let _e3052 = global_3.member[_e369].member_17.member_1;
 let _e3053 = (_e3052 != 0u);
-let _e3058 = global_3.member[_e369].member_15.member;
+let _e3058 = global_3.member[_e369].member_17.member;
 let _e3078 = select(-1e6f, (((((_e3058.member.member * _e2282) + (_e3058.member.member_1 * _e2283)) + (_e3058.member.member_2 * _e2284)) + _e3058.member_1) * _e2968), _e3053);
 let _e3079 = select(-1e6f, (((((_e3058.member.member * _e2693) + (_e3058.member.member_1 * _e2694)) + (_e3058.member.member_2 * _e2695)) + _e3058.member_1) * _e2968), _e3053);
-let _e3085 = global_3.member[_e369].member_15.member.member;
+let _e3085 = global_3.member[_e369].member_17.member.member;
 let _e3089 = -(_e3078);
 let _e3092 = (_e3078 - _e3079);
 let _e3093 = (_e3079 - _e3078);
@@ -1245,12 +1247,12 @@ let _e3113 = select(_e3034, _e3102, _e3111);
 let _e3117 = select(_e3038, _e3106, _e3112);
 let _e3121 = select(_e3042, _e3078, _e3107);
 let _e3123 = select(_e3044, _e3079, (_e3079 > _e3044));
-let _e3131 = global_3.member[_e369].member_16.member_1;
+let _e3131 = global_3.member[_e369].member_18.member_1;
 let _e3132 = (_e3131 != 0u);
-let _e3137 = global_3.member[_e369].member_16.member;
+let _e3137 = global_3.member[_e369].member_18.member;
 let _e3157 = select(-1e6f, (((((_e3137.member.member * _e2282) + (_e3137.member.member_1 * _e2283)) + (_e3137.member.member_2 * _e2284)) + _e3137.member_1) * _e2968), _e3132);
 let _e3158 = select(-1e6f, (((((_e3137.member.member * _e2693) + (_e3137.member.member_1 * _e2694)) + (_e3137.member.member_2 * _e2695)) + _e3137.member_1) * _e2968), _e3132);
-let _e3164 = global_3.member[_e369].member_16.member.member;
+let _e3164 = global_3.member[_e369].member_18.member.member;
 let _e3168 = -(_e3157);
 let _e3171 = (_e3157 - _e3158);
 let _e3172 = (_e3158 - _e3157);
@@ -1265,12 +1267,12 @@ let _e3192 = select(_e3113, _e3181, _e3190);
 let _e3196 = select(_e3117, _e3185, _e3191);
 let _e3200 = select(_e3121, _e3157, _e3186);
 let _e3202 = select(_e3123, _e3158, (_e3158 > _e3123));
-let _e3210 = global_3.member[_e369].member_17.member_1;
+let _e3210 = global_3.member[_e369].member_19.member_1;
 let _e3211 = (_e3210 != 0u);
-let _e3216 = global_3.member[_e369].member_17.member;
+let _e3216 = global_3.member[_e369].member_19.member;
 let _e3236 = select(-1e6f, (((((_e3216.member.member * _e2282) + (_e3216.member.member_1 * _e2283)) + (_e3216.member.member_2 * _e2284)) + _e3216.member_1) * _e2968), _e3211);
 let _e3237 = select(-1e6f, (((((_e3216.member.member * _e2693) + (_e3216.member.member_1 * _e2694)) + (_e3216.member.member_2 * _e2695)) + _e3216.member_1) * _e2968), _e3211);
-let _e3243 = global_3.member[_e369].member_17.member.member;
+let _e3243 = global_3.member[_e369].member_19.member.member;
 let _e3247 = -(_e3236);
 let _e3250 = (_e3236 - _e3237);
 let _e3251 = (_e3237 - _e3236);
@@ -1281,9 +1283,9 @@ let _e3264 = select(2f, select(0f, _e3256, (_e3236 < 0f)), (_e3237 > 0f));
 let _e3265 = (_e3236 > _e3200);
 let _e3269 = ((_e3260 > _e3192) || ((_e3260 == _e3192) && _e3265));
 let _e3270 = (_e3264 < _e3196);
-phi_6660_ = type_34(select(_e3192, _e3260, _e3269), vec3<f32>(select(select(select(select(_e2944, _e3006.member, _e3032), _e3085.member, _e3111), _e3164.member, _e3190), _e3243.member, _e3269), select(select(select(select(_e2945, _e3006.member_1, _e3032), _e3085.member_1, _e3111), _e3164.member_1, _e3190), _e3243.member_1, _e3269), select(select(select(select(_e2946, _e3006.member_2, _e3032), _e3085.member_2, _e3111), _e3164.member_2, _e3190), _e3243.member_2, _e3269)), select(_e3196, _e3264, _e3270), vec3<f32>(select(select(select(select(_e2949, _e3006.member, _e3033), _e3085.member, _e3112), _e3164.member, _e3191), _e3243.member, _e3270), select(select(select(select(_e2950, _e3006.member_1, _e3033), _e3085.member_1, _e3112), _e3164.member_1, _e3191), _e3243.member_1, _e3270), select(select(select(select(_e2951, _e3006.member_2, _e3033), _e3085.member_2, _e3112), _e3164.member_2, _e3191), _e3243.member_2, _e3270)), select(_e3200, _e3236, _e3265), select(_e3202, _e3237, (_e3237 > _e3202)), vec3<f32>(select(select(select(select(_e2956, _e3006.member, _e3028), _e3085.member, _e3107), _e3164.member, _e3186), _e3243.member, _e3265), select(select(select(select(_e2957, _e3006.member_1, _e3028), _e3085.member_1, _e3107), _e3164.member_1, _e3186), _e3243.member_1, _e3265), select(select(select(select(_e2958, _e3006.member_2, _e3028), _e3085.member_2, _e3107), _e3164.member_2, _e3186), _e3243.member_2, _e3265)));
+phi_6662_ = type_34(select(_e3192, _e3260, _e3269), vec3<f32>(select(select(select(select(_e2944, _e3006.member, _e3032), _e3085.member, _e3111), _e3164.member, _e3190), _e3243.member, _e3269), select(select(select(select(_e2945, _e3006.member_1, _e3032), _e3085.member_1, _e3111), _e3164.member_1, _e3190), _e3243.member_1, _e3269), select(select(select(select(_e2946, _e3006.member_2, _e3032), _e3085.member_2, _e3111), _e3164.member_2, _e3190), _e3243.member_2, _e3269)), select(_e3196, _e3264, _e3270), vec3<f32>(select(select(select(select(_e2949, _e3006.member, _e3033), _e3085.member, _e3112), _e3164.member, _e3191), _e3243.member, _e3270), select(select(select(select(_e2950, _e3006.member_1, _e3033), _e3085.member_1, _e3112), _e3164.member_1, _e3191), _e3243.member_1, _e3270), select(select(select(select(_e2951, _e3006.member_2, _e3033), _e3085.member_2, _e3112), _e3164.member_2, _e3191), _e3243.member_2, _e3270)), select(_e3200, _e3236, _e3265), select(_e3202, _e3237, (_e3237 > _e3202)), vec3<f32>(select(select(select(select(_e2956, _e3006.member, _e3028), _e3085.member, _e3107), _e3164.member, _e3186), _e3243.member, _e3265), select(select(select(select(_e2957, _e3006.member_1, _e3028), _e3085.member_1, _e3107), _e3164.member_1, _e3186), _e3243.member_1, _e3265), select(select(select(select(_e2958, _e3006.member_2, _e3028), _e3085.member_2, _e3107), _e3164.member_2, _e3186), _e3243.member_2, _e3265)));
 }
-let _e3290 = phi_6660_;
+let _e3290 = phi_6662_;
 let _e3296 = (((_e2275 && _e2698) && !(_e2683)) && (_e3290.member_2 <= 1f));
 let _e3300 = (_e2695 - _e2284);
 let _e3301 = select(1f, _e3290.member_2, _e3296);
@@ -1407,11 +1409,11 @@ let _e3602 = select(_e2063, _e3600, (_e3600 < _e2063));
 let _e3607 = global_2.member[bitcast<u32>(select(0i, _e3602, (_e3602 > 0i)))];
 let _e3622 = ((_e2598 + (f32(bitcast<i32>((_e3607 >> bitcast<u32>(12u)))) * _e2601)) + ((f32((bitcast<i32>((_e3607 & 4095u)) - 2048i)) * _e2594) * (_e3584 - f32(_e3599))));
 if _e2698 {
-phi_7735_ = type_31(_e3622, 1f);
+phi_7737_ = type_31(_e3622, 1f);
 } else {
-phi_7735_ = type_31(1f, _e3622);
+phi_7737_ = type_31(1f, _e3622);
 }
-let _e3626 = phi_7735_;
+let _e3626 = phi_7737_;
 let _e3631 = ((_e3626.member_1 * _e3626.member_1) - (_e3626.member * _e3626.member));
 let _e3639 = (((_e3290.member_3.x * _e3290.member_3.x) + (_e3290.member_3.y * _e3290.member_3.y)) + (_e3290.member_3.z * _e3290.member_3.z));
 let _e3642 = sqrt(select(0f, _e3639, (_e3639 > 0f)));
@@ -1548,16 +1550,16 @@ let _e3987 = select(select(select(select(select(select(0f, _e1181.member, _e3768
 let _e3988 = select(select(select(select(select(select(0f, _e1181.member_1, _e3768), _e1181.member_1, _e3808), _e1190.member_1, _e3848), _e1190.member_1, _e3888), _e1199.member_1, _e3928), _e1199.member_1, _e3968);
 let _e3989 = select(select(select(select(select(select(1f, _e1181.member_2, _e3768), _e1181.member_2, _e3808), _e1190.member_2, _e3848), _e1190.member_2, _e3888), _e1199.member_2, _e3928), _e1199.member_2, _e3968);
 if _e1448 {
-phi_9273_ = type_34(_e3974, vec3<f32>(_e3975, _e3976, _e3977), _e3979, vec3<f32>(_e3980, _e3981, _e3982), _e3984, _e3986, vec3<f32>(_e3987, _e3988, _e3989));
+phi_9275_ = type_34(_e3974, vec3<f32>(_e3975, _e3976, _e3977), _e3979, vec3<f32>(_e3980, _e3981, _e3982), _e3984, _e3986, vec3<f32>(_e3987, _e3988, _e3989));
 } else {
 let _e3996 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e3999 = sqrt(select(0f, _e3996, (_e3996 > 0f)));
-let _e4004 = global_3.member[_e369].member_14.member_1;
+let _e4004 = global_3.member[_e369].member_16.member_1;
 let _e4005 = (_e4004 != 0u);
-let _e4010 = global_3.member[_e369].member_14.member;
+let _e4010 = global_3.member[_e369].member_16.member;
 let _e4030 = select(-1e6f, (((((_e4010.member.member * _e3309.x) + (_e4010.member.member_1 * _e3309.y)) + (_e4010.member.member_2 * _e3309.z)) + _e4010.member_1) * _e3999), _e4005);
 let _e4031 = select(-1e6f, (((((_e4010.member.member * _e3703) + (_e4010.member.member_1 * _e3704)) + (_e4010.member.member_2 * _e3705)) + _e4010.member_1) * _e3999), _e4005);
-let _e4037 = global_3.member[_e369].member_14.member.member;
+let _e4037 = global_3.member[_e369].member_16.member.member;
 let _e4041 = -(_e4030);
 let _e4044 = (_e4030 - _e4031);
 let _e4045 = (_e4031 - _e4030);
@@ -1572,12 +1574,12 @@ let _e4065 = select(_e3974, _e4054, _e4063);
 let _e4069 = select(_e3979, _e4058, _e4064);
 let _e4073 = select(_e3984, _e4030, _e4059);
 let _e4075 = select(_e3986, _e4031, (_e4031 > _e3986));
-let _e4083 = global_3.member[_e369].member_15.member_1;
+let _e4083 = global_3.member[_e369].member_17.member_1;
 let _e4084 = (_e4083 != 0u);
-let _e4089 = global_3.member[_e369].member_15.member;
+let _e4089 = global_3.member[_e369].member_17.member;
 let _e4109 = select(-1e6f, (((((_e4089.member.member * _e3309.x) + (_e4089.member.member_1 * _e3309.y)) + (_e4089.member.member_2 * _e3309.z)) + _e4089.member_1) * _e3999), _e4084);
 let _e4110 = select(-1e6f, (((((_e4089.member.member * _e3703) + (_e4089.member.member_1 * _e3704)) + (_e4089.member.member_2 * _e3705)) + _e4089.member_1) * _e3999), _e4084);
-let _e4116 = global_3.member[_e369].member_15.member.member;
+let _e4116 = global_3.member[_e369].member_17.member.member;
 let _e4120 = -(_e4109);
 let _e4123 = (_e4109 - _e4110);
 let _e4124 = (_e4110 - _e4109);
@@ -1592,12 +1594,12 @@ let _e4144 = select(_e4065, _e4133, _e4142);
 let _e4148 = select(_e4069, _e4137, _e4143);
 let _e4152 = select(_e4073, _e4109, _e4138);
 let _e4154 = select(_e4075, _e4110, (_e4110 > _e4075));
-let _e4162 = global_3.member[_e369].member_16.member_1;
+let _e4162 = global_3.member[_e369].member_18.member_1;
 let _e4163 = (_e4162 != 0u);
-let _e4168 = global_3.member[_e369].member_16.member;
+let _e4168 = global_3.member[_e369].member_18.member;
 let _e4188 = select(-1e6f, (((((_e4168.member.member * _e3309.x) + (_e4168.member.member_1 * _e3309.y)) + (_e4168.member.member_2 * _e3309.z)) + _e4168.member_1) * _e3999), _e4163);
 let _e4189 = select(-1e6f, (((((_e4168.member.member * _e3703) + (_e4168.member.member_1 * _e3704)) + (_e4168.member.member_2 * _e3705)) + _e4168.member_1) * _e3999), _e4163);
-let _e4195 = global_3.member[_e369].member_16.member.member;
+let _e4195 = global_3.member[_e369].member_18.member.member;
 let _e4199 = -(_e4188);
 let _e4202 = (_e4188 - _e4189);
 let _e4203 = (_e4189 - _e4188);
@@ -1612,12 +1614,12 @@ let _e4223 = select(_e4144, _e4212, _e4221);
 let _e4227 = select(_e4148, _e4216, _e4222);
 let _e4231 = select(_e4152, _e4188, _e4217);
 let _e4233 = select(_e4154, _e4189, (_e4189 > _e4154));
-let _e4241 = global_3.member[_e369].member_17.member_1;
+let _e4241 = global_3.member[_e369].member_19.member_1;
 let _e4242 = (_e4241 != 0u);
-let _e4247 = global_3.member[_e369].member_17.member;
+let _e4247 = global_3.member[_e369].member_19.member;
 let _e4267 = select(-1e6f, (((((_e4247.member.member * _e3309.x) + (_e4247.member.member_1 * _e3309.y)) + (_e4247.member.member_2 * _e3309.z)) + _e4247.member_1) * _e3999), _e4242);
 let _e4268 = select(-1e6f, (((((_e4247.member.member * _e3703) + (_e4247.member.member_1 * _e3704)) + (_e4247.member.member_2 * _e3705)) + _e4247.member_1) * _e3999), _e4242);
-let _e4274 = global_3.member[_e369].member_17.member.member;
+let _e4274 = global_3.member[_e369].member_19.member.member;
 let _e4278 = -(_e4267);
 let _e4281 = (_e4267 - _e4268);
 let _e4282 = (_e4268 - _e4267);
@@ -1628,9 +1630,9 @@ let _e4295 = select(2f, select(0f, _e4287, (_e4267 < 0f)), (_e4268 > 0f));
 let _e4296 = (_e4267 > _e4231);
 let _e4300 = ((_e4291 > _e4223) || ((_e4291 == _e4223) && _e4296));
 let _e4301 = (_e4295 < _e4227);
-phi_9273_ = type_34(select(_e4223, _e4291, _e4300), vec3<f32>(select(select(select(select(_e3975, _e4037.member, _e4063), _e4116.member, _e4142), _e4195.member, _e4221), _e4274.member, _e4300), select(select(select(select(_e3976, _e4037.member_1, _e4063), _e4116.member_1, _e4142), _e4195.member_1, _e4221), _e4274.member_1, _e4300), select(select(select(select(_e3977, _e4037.member_2, _e4063), _e4116.member_2, _e4142), _e4195.member_2, _e4221), _e4274.member_2, _e4300)), select(_e4227, _e4295, _e4301), vec3<f32>(select(select(select(select(_e3980, _e4037.member, _e4064), _e4116.member, _e4143), _e4195.member, _e4222), _e4274.member, _e4301), select(select(select(select(_e3981, _e4037.member_1, _e4064), _e4116.member_1, _e4143), _e4195.member_1, _e4222), _e4274.member_1, _e4301), select(select(select(select(_e3982, _e4037.member_2, _e4064), _e4116.member_2, _e4143), _e4195.member_2, _e4222), _e4274.member_2, _e4301)), select(_e4231, _e4267, _e4296), select(_e4233, _e4268, (_e4268 > _e4233)), vec3<f32>(select(select(select(select(_e3987, _e4037.member, _e4059), _e4116.member, _e4138), _e4195.member, _e4217), _e4274.member, _e4296), select(select(select(select(_e3988, _e4037.member_1, _e4059), _e4116.member_1, _e4138), _e4195.member_1, _e4217), _e4274.member_1, _e4296), select(select(select(select(_e3989, _e4037.member_2, _e4059), _e4116.member_2, _e4138), _e4195.member_2, _e4217), _e4274.member_2, _e4296)));
+phi_9275_ = type_34(select(_e4223, _e4291, _e4300), vec3<f32>(select(select(select(select(_e3975, _e4037.member, _e4063), _e4116.member, _e4142), _e4195.member, _e4221), _e4274.member, _e4300), select(select(select(select(_e3976, _e4037.member_1, _e4063), _e4116.member_1, _e4142), _e4195.member_1, _e4221), _e4274.member_1, _e4300), select(select(select(select(_e3977, _e4037.member_2, _e4063), _e4116.member_2, _e4142), _e4195.member_2, _e4221), _e4274.member_2, _e4300)), select(_e4227, _e4295, _e4301), vec3<f32>(select(select(select(select(_e3980, _e4037.member, _e4064), _e4116.member, _e4143), _e4195.member, _e4222), _e4274.member, _e4301), select(select(select(select(_e3981, _e4037.member_1, _e4064), _e4116.member_1, _e4143), _e4195.member_1, _e4222), _e4274.member_1, _e4301), select(select(select(select(_e3982, _e4037.member_2, _e4064), _e4116.member_2, _e4143), _e4195.member_2, _e4222), _e4274.member_2, _e4301)), select(_e4231, _e4267, _e4296), select(_e4233, _e4268, (_e4268 > _e4233)), vec3<f32>(select(select(select(select(_e3987, _e4037.member, _e4059), _e4116.member, _e4138), _e4195.member, _e4217), _e4274.member, _e4296), select(select(select(select(_e3988, _e4037.member_1, _e4059), _e4116.member_1, _e4138), _e4195.member_1, _e4217), _e4274.member_1, _e4296), select(select(select(select(_e3989, _e4037.member_2, _e4059), _e4116.member_2, _e4138), _e4195.member_2, _e4217), _e4274.member_2, _e4296)));
 }
-let _e4321 = phi_9273_;
+let _e4321 = phi_9275_;
 let _e4327 = (((_e3296 && _e3708) && !(_e3692)) && (_e4321.member_2 <= 1f));
 let _e4332 = select(1f, _e4321.member_2, _e4327);
 let _e4333 = ((_e3703 - _e3309.x) * _e4332);
@@ -1753,11 +1755,11 @@ let _e4633 = select(_e2063, _e4631, (_e4631 < _e2063));
 let _e4638 = global_2.member[bitcast<u32>(select(0i, _e4633, (_e4633 > 0i)))];
 let _e4653 = ((_e2598 + (f32(bitcast<i32>((_e4638 >> bitcast<u32>(12u)))) * _e2601)) + ((f32((bitcast<i32>((_e4638 & 4095u)) - 2048i)) * _e2594) * (_e4615 - f32(_e4630))));
 if _e3708 {
-phi_10348_ = type_31(_e4653, 1f);
+phi_10350_ = type_31(_e4653, 1f);
 } else {
-phi_10348_ = type_31(1f, _e4653);
+phi_10350_ = type_31(1f, _e4653);
 }
-let _e4657 = phi_10348_;
+let _e4657 = phi_10350_;
 let _e4662 = ((_e4657.member_1 * _e4657.member_1) - (_e4657.member * _e4657.member));
 let _e4670 = (((_e4321.member_3.x * _e4321.member_3.x) + (_e4321.member_3.y * _e4321.member_3.y)) + (_e4321.member_3.z * _e4321.member_3.z));
 let _e4673 = sqrt(select(0f, _e4670, (_e4670 > 0f)));
@@ -1894,16 +1896,16 @@ let _e5019 = select(select(select(select(select(select(0f, _e1181.member, _e4800
 let _e5020 = select(select(select(select(select(select(0f, _e1181.member_1, _e4800), _e1181.member_1, _e4840), _e1190.member_1, _e4880), _e1190.member_1, _e4920), _e1199.member_1, _e4960), _e1199.member_1, _e5000);
 let _e5021 = select(select(select(select(select(select(1f, _e1181.member_2, _e4800), _e1181.member_2, _e4840), _e1190.member_2, _e4880), _e1190.member_2, _e4920), _e1199.member_2, _e4960), _e1199.member_2, _e5000);
 if _e1448 {
-phi_11886_ = type_34(_e5006, vec3<f32>(_e5007, _e5008, _e5009), _e5011, vec3<f32>(_e5012, _e5013, _e5014), _e5016, _e5018, vec3<f32>(_e5019, _e5020, _e5021));
+phi_11888_ = type_34(_e5006, vec3<f32>(_e5007, _e5008, _e5009), _e5011, vec3<f32>(_e5012, _e5013, _e5014), _e5016, _e5018, vec3<f32>(_e5019, _e5020, _e5021));
 } else {
 let _e5028 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e5031 = sqrt(select(0f, _e5028, (_e5028 > 0f)));
-let _e5036 = global_3.member[_e369].member_14.member_1;
+let _e5036 = global_3.member[_e369].member_16.member_1;
 let _e5037 = (_e5036 != 0u);
-let _e5042 = global_3.member[_e369].member_14.member;
+let _e5042 = global_3.member[_e369].member_16.member;
 let _e5062 = select(-1e6f, (((((_e5042.member.member * _e4340.x) + (_e5042.member.member_1 * _e4340.y)) + (_e5042.member.member_2 * _e4340.z)) + _e5042.member_1) * _e5031), _e5037);
 let _e5063 = select(-1e6f, (((((_e5042.member.member * _e4735) + (_e5042.member.member_1 * _e4736)) + (_e5042.member.member_2 * _e4737)) + _e5042.member_1) * _e5031), _e5037);
-let _e5069 = global_3.member[_e369].member_14.member.member;
+let _e5069 = global_3.member[_e369].member_16.member.member;
 let _e5073 = -(_e5062);
 let _e5076 = (_e5062 - _e5063);
 let _e5077 = (_e5063 - _e5062);
@@ -1918,12 +1920,12 @@ let _e5097 = select(_e5006, _e5086, _e5095);
 let _e5101 = select(_e5011, _e5090, _e5096);
 let _e5105 = select(_e5016, _e5062, _e5091);
 let _e5107 = select(_e5018, _e5063, (_e5063 > _e5018));
-let _e5115 = global_3.member[_e369].member_15.member_1;
+let _e5115 = global_3.member[_e369].member_17.member_1;
 let _e5116 = (_e5115 != 0u);
-let _e5121 = global_3.member[_e369].member_15.member;
+let _e5121 = global_3.member[_e369].member_17.member;
 let _e5141 = select(-1e6f, (((((_e5121.member.member * _e4340.x) + (_e5121.member.member_1 * _e4340.y)) + (_e5121.member.member_2 * _e4340.z)) + _e5121.member_1) * _e5031), _e5116);
 let _e5142 = select(-1e6f, (((((_e5121.member.member * _e4735) + (_e5121.member.member_1 * _e4736)) + (_e5121.member.member_2 * _e4737)) + _e5121.member_1) * _e5031), _e5116);
-let _e5148 = global_3.member[_e369].member_15.member.member;
+let _e5148 = global_3.member[_e369].member_17.member.member;
 let _e5152 = -(_e5141);
 let _e5155 = (_e5141 - _e5142);
 let _e5156 = (_e5142 - _e5141);
@@ -1938,12 +1940,12 @@ let _e5176 = select(_e5097, _e5165, _e5174);
 let _e5180 = select(_e5101, _e5169, _e5175);
 let _e5184 = select(_e5105, _e5141, _e5170);
 let _e5186 = select(_e5107, _e5142, (_e5142 > _e5107));
-let _e5194 = global_3.member[_e369].member_16.member_1;
+let _e5194 = global_3.member[_e369].member_18.member_1;
 let _e5195 = (_e5194 != 0u);
-let _e5200 = global_3.member[_e369].member_16.member;
+let _e5200 = global_3.member[_e369].member_18.member;
 let _e5220 = select(-1e6f, (((((_e5200.member.member * _e4340.x) + (_e5200.member.member_1 * _e4340.y)) + (_e5200.member.member_2 * _e4340.z)) + _e5200.member_1) * _e5031), _e5195);
 let _e5221 = select(-1e6f, (((((_e5200.member.member * _e4735) + (_e5200.member.member_1 * _e4736)) + (_e5200.member.member_2 * _e4737)) + _e5200.member_1) * _e5031), _e5195);
-let _e5227 = global_3.member[_e369].member_16.member.member;
+let _e5227 = global_3.member[_e369].member_18.member.member;
 let _e5231 = -(_e5220);
 let _e5234 = (_e5220 - _e5221);
 let _e5235 = (_e5221 - _e5220);
@@ -1958,12 +1960,12 @@ let _e5255 = select(_e5176, _e5244, _e5253);
 let _e5259 = select(_e5180, _e5248, _e5254);
 let _e5263 = select(_e5184, _e5220, _e5249);
 let _e5265 = select(_e5186, _e5221, (_e5221 > _e5186));
-let _e5273 = global_3.member[_e369].member_17.member_1;
+let _e5273 = global_3.member[_e369].member_19.member_1;
 let _e5274 = (_e5273 != 0u);
-let _e5279 = global_3.member[_e369].member_17.member;
+let _e5279 = global_3.member[_e369].member_19.member;
 let _e5299 = select(-1e6f, (((((_e5279.member.member * _e4340.x) + (_e5279.member.member_1 * _e4340.y)) + (_e5279.member.member_2 * _e4340.z)) + _e5279.member_1) * _e5031), _e5274);
 let _e5300 = select(-1e6f, (((((_e5279.member.member * _e4735) + (_e5279.member.member_1 * _e4736)) + (_e5279.member.member_2 * _e4737)) + _e5279.member_1) * _e5031), _e5274);
-let _e5306 = global_3.member[_e369].member_17.member.member;
+let _e5306 = global_3.member[_e369].member_19.member.member;
 let _e5310 = -(_e5299);
 let _e5313 = (_e5299 - _e5300);
 let _e5314 = (_e5300 - _e5299);
@@ -1974,9 +1976,9 @@ let _e5327 = select(2f, select(0f, _e5319, (_e5299 < 0f)), (_e5300 > 0f));
 let _e5328 = (_e5299 > _e5263);
 let _e5332 = ((_e5323 > _e5255) || ((_e5323 == _e5255) && _e5328));
 let _e5333 = (_e5327 < _e5259);
-phi_11886_ = type_34(select(_e5255, _e5323, _e5332), vec3<f32>(select(select(select(select(_e5007, _e5069.member, _e5095), _e5148.member, _e5174), _e5227.member, _e5253), _e5306.member, _e5332), select(select(select(select(_e5008, _e5069.member_1, _e5095), _e5148.member_1, _e5174), _e5227.member_1, _e5253), _e5306.member_1, _e5332), select(select(select(select(_e5009, _e5069.member_2, _e5095), _e5148.member_2, _e5174), _e5227.member_2, _e5253), _e5306.member_2, _e5332)), select(_e5259, _e5327, _e5333), vec3<f32>(select(select(select(select(_e5012, _e5069.member, _e5096), _e5148.member, _e5175), _e5227.member, _e5254), _e5306.member, _e5333), select(select(select(select(_e5013, _e5069.member_1, _e5096), _e5148.member_1, _e5175), _e5227.member_1, _e5254), _e5306.member_1, _e5333), select(select(select(select(_e5014, _e5069.member_2, _e5096), _e5148.member_2, _e5175), _e5227.member_2, _e5254), _e5306.member_2, _e5333)), select(_e5263, _e5299, _e5328), select(_e5265, _e5300, (_e5300 > _e5265)), vec3<f32>(select(select(select(select(_e5019, _e5069.member, _e5091), _e5148.member, _e5170), _e5227.member, _e5249), _e5306.member, _e5328), select(select(select(select(_e5020, _e5069.member_1, _e5091), _e5148.member_1, _e5170), _e5227.member_1, _e5249), _e5306.member_1, _e5328), select(select(select(select(_e5021, _e5069.member_2, _e5091), _e5148.member_2, _e5170), _e5227.member_2, _e5249), _e5306.member_2, _e5328)));
+phi_11888_ = type_34(select(_e5255, _e5323, _e5332), vec3<f32>(select(select(select(select(_e5007, _e5069.member, _e5095), _e5148.member, _e5174), _e5227.member, _e5253), _e5306.member, _e5332), select(select(select(select(_e5008, _e5069.member_1, _e5095), _e5148.member_1, _e5174), _e5227.member_1, _e5253), _e5306.member_1, _e5332), select(select(select(select(_e5009, _e5069.member_2, _e5095), _e5148.member_2, _e5174), _e5227.member_2, _e5253), _e5306.member_2, _e5332)), select(_e5259, _e5327, _e5333), vec3<f32>(select(select(select(select(_e5012, _e5069.member, _e5096), _e5148.member, _e5175), _e5227.member, _e5254), _e5306.member, _e5333), select(select(select(select(_e5013, _e5069.member_1, _e5096), _e5148.member_1, _e5175), _e5227.member_1, _e5254), _e5306.member_1, _e5333), select(select(select(select(_e5014, _e5069.member_2, _e5096), _e5148.member_2, _e5175), _e5227.member_2, _e5254), _e5306.member_2, _e5333)), select(_e5263, _e5299, _e5328), select(_e5265, _e5300, (_e5300 > _e5265)), vec3<f32>(select(select(select(select(_e5019, _e5069.member, _e5091), _e5148.member, _e5170), _e5227.member, _e5249), _e5306.member, _e5328), select(select(select(select(_e5020, _e5069.member_1, _e5091), _e5148.member_1, _e5170), _e5227.member_1, _e5249), _e5306.member_1, _e5328), select(select(select(select(_e5021, _e5069.member_2, _e5091), _e5148.member_2, _e5170), _e5227.member_2, _e5249), _e5306.member_2, _e5328)));
 }
-let _e5353 = phi_11886_;
+let _e5353 = phi_11888_;
 let _e5359 = (((_e4327 && _e4740) && !(_e4724)) && (_e5353.member_2 <= 1f));
 let _e5360 = (_e917 < 1e-12f);
 let _e5362 = (1f / select(_e912, 1f, _e5360));
@@ -2179,12 +2181,12 @@ let _e5852 = select(_e5811, _e5783, (_e5783 > _e5811));
 let _e5855 = (select(_e5846, _e5848, (_e5848 < _e5846)) - select(_e5839, _e5852, (_e5852 > _e5839)));
 let _e5862 = ((_e2679 || _e3688) || _e4720);
 if _e2679 {
-phi_13634_ = _e2611;
+phi_13636_ = _e2611;
 } else {
-phi_13634_ = _e3626;
+phi_13636_ = _e3626;
 }
-let _e5883 = phi_13634_;
-phi_13906_ = type_38(_e5883, vec3<f32>(select(_e4735, _e4340.x, _e5359), select(_e4736, _e4340.y, _e5359), select(_e4737, _e4340.z, _e5359)), vec3<f32>(_e4709, _e4710, _e4711), select((_e1078 * select(0f, _e5440, (_e5440 > 0f))), ((((sqrt(select(0f, _e5451, (_e5451 > 0f))) * select(0f, _e5532, (_e5532 > 0f))) + (sqrt(select(0f, _e5543, (_e5543 > 0f))) * select(0f, _e5639, (_e5639 > 0f)))) + (sqrt(select(0f, _e5651, (_e5651 > 0f))) * select(0f, _e5747, (_e5747 > 0f)))) + select(0f, (sqrt(select(0f, _e5759, (_e5759 > 0f))) * select(0f, _e5855, (_e5855 > 0f))), _e4327)), _e5862), select((_e402 / _e4711), (2f * (_e3300 / _e2665)), (((_e2275 && !(_e1787)) && _e2698) && !(_e3296))), select(_e3290.member_3, _e2267.member_1, vec3(_e2679)), _e4740, _e5862, (((_e2683 || _e3692) || _e4724) || _e5359));
+let _e5883 = phi_13636_;
+phi_13908_ = type_38(_e5883, vec3<f32>(select(_e4735, _e4340.x, _e5359), select(_e4736, _e4340.y, _e5359), select(_e4737, _e4340.z, _e5359)), vec3<f32>(_e4709, _e4710, _e4711), select((_e1078 * select(0f, _e5440, (_e5440 > 0f))), ((((sqrt(select(0f, _e5451, (_e5451 > 0f))) * select(0f, _e5532, (_e5532 > 0f))) + (sqrt(select(0f, _e5543, (_e5543 > 0f))) * select(0f, _e5639, (_e5639 > 0f)))) + (sqrt(select(0f, _e5651, (_e5651 > 0f))) * select(0f, _e5747, (_e5747 > 0f)))) + select(0f, (sqrt(select(0f, _e5759, (_e5759 > 0f))) * select(0f, _e5855, (_e5855 > 0f))), _e4327)), _e5862), select((_e402 / _e4711), (2f * (_e3300 / _e2665)), (((_e2275 && !(_e1787)) && _e2698) && !(_e3296))), select(_e3290.member_3, _e2267.member_1, vec3(_e2679)), _e4740, _e5862, (((_e2683 || _e3692) || _e4724) || _e5359));
 } else {
 let _e1080 = (_e917 < 1e-12f);
 let _e1082 = (1f / select(_e912, 1f, _e1080));
@@ -2219,9 +2221,9 @@ let _e1154 = select(select(1f, _e1151, (_e1151 < 1f)), 1f, _e1130);
 let _e1156 = select(_e1129, _e1104, (_e1104 < _e1129));
 let _e1160 = select(_e1122, _e1097, (_e1097 > _e1122));
 let _e1163 = (select(_e1154, _e1156, (_e1156 < _e1154)) - select(_e1147, _e1160, (_e1160 > _e1147)));
-phi_13906_ = type_38(_e1079.member, _e1079.member_1, _e1079.member_2, (_e1078 * select(0f, _e1163, (_e1163 > 0f))), _e1079.member_4, _e1079.member_5, _e1079.member_6, _e1079.member_7, _e1079.member_8);
+phi_13908_ = type_38(_e1079.member, _e1079.member_1, _e1079.member_2, (_e1078 * select(0f, _e1163, (_e1163 > 0f))), _e1079.member_4, _e1079.member_5, _e1079.member_6, _e1079.member_7, _e1079.member_8);
 }
-let _e5886 = phi_13906_;
+let _e5886 = phi_13908_;
 let _e5897 = ((((_e470.member.member * _e5886.member_1.x) + (_e470.member.member_1 * _e5886.member_1.y)) + (_e470.member.member_2 * _e5886.member_1.z)) + _e470.member_1);
 let _e5903 = ((((_e486.member.member * _e5886.member_1.x) + (_e486.member.member_1 * _e5886.member_1.y)) + (_e486.member.member_2 * _e5886.member_1.z)) + _e486.member_1);
 let _e5909 = ((((_e502.member.member * _e5886.member_1.x) + (_e502.member.member_1 * _e5886.member_1.y)) + (_e502.member.member_2 * _e5886.member_1.z)) + _e502.member_1);
@@ -2244,13 +2246,13 @@ let _e6219 = select(-1f, _e6187, (_e6187 > -1f));
 let _e6221 = select(_e560, _e6219, (_e6219 < _e560));
 let _e6228 = select(0i, select(select(i32(_e6221), i32(-2147483648), (_e6221 < -2147483600f)), 2147483647i, (_e6221 > 2147483500f)), (_e6221 == _e6221));
 let _e6232 = (_e6228 - select(0i, 1i, (_e6221 < f32(_e6228))));
-let _e6237 = global_3.member[_e369].member_6.member_7;
-let _e6242 = global_3.member[_e369].member_6.member_8;
+let _e6237 = global_3.member[_e369].member_8.member_7;
+let _e6242 = global_3.member[_e369].member_8.member_8;
 let _e6243 = (_e6202 + 1i);
 let _e6244 = (_e6217 + 1i);
 let _e6245 = (_e6232 + 1i);
-let _e6251 = global_3.member[_e369].member_6.member_11.member;
-let _e6258 = global_3.member[_e369].member_6.member_11.member_1;
+let _e6251 = global_3.member[_e369].member_8.member_11.member;
+let _e6258 = global_3.member[_e369].member_8.member_11.member_1;
 let _e6269 = ((_e6243 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6251) * ((_e6244 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6258) * (_e6245 >> bitcast<u32>(4i))))));
 let _e6271 = (bitcast<i32>(_e182) - 1i);
 let _e6273 = select(_e6271, _e6269, (_e6269 < _e6271));
@@ -2484,8 +2486,8 @@ let _e6792 = local_23[2u];
 let _e6796 = local_23[1u];
 let _e6800 = local_23[2u];
 let _e6804 = local_23[2u];
-let _e6812 = global_3.member[_e369].member_6.member_6;
-let _e6817 = global_3.member[_e369].member_6.member_5;
+let _e6812 = global_3.member[_e369].member_8.member_6;
+let _e6817 = global_3.member[_e369].member_8.member_5;
 let _e6819 = (((_e6734 + ((_e6738 - _e6734) * _e6804)) - _e6812) * _e6817);
 let _e6820 = -(1e9f);
 let _e6822 = select(_e6820, _e6819, (_e6819 > _e6820));
@@ -2595,7 +2597,7 @@ if _e583 {
 let _e7545 = ((0.5f * (_e6836 - _e6830)) * _e7094);
 let _e7546 = ((0.5f * (_e6848 - _e6842)) * _e7094);
 let _e7547 = ((0.5f * (_e6860 - _e6854)) * _e7094);
-phi_19150_ = type_32(_e7056, vec3<f32>(_e7545, _e7546, _e7547), vec3<f32>((_e7545 * _e7056), (_e7546 * _e7056), (_e7547 * _e7056)));
+phi_19152_ = type_32(_e7056, vec3<f32>(_e7545, _e7546, _e7547), vec3<f32>((_e7545 * _e7056), (_e7546 * _e7056), (_e7547 * _e7056)));
 } else {
 local_18 = _e6830;
 let _e7095 = local_18;
@@ -2744,23 +2746,23 @@ let _e7520 = ((_e7041 + (f32(bitcast<i32>((_e7505 >> bitcast<u32>(12u)))) * _e70
 let _e7521 = (_e7236 - _e7165);
 let _e7523 = (_e7378 - _e7307);
 let _e7525 = (_e7520 - _e7449);
-phi_19150_ = type_32(_e7056, vec3<f32>((0.5f * _e7521), (0.5f * _e7523), (0.5f * _e7525)), vec3<f32>((0.25f * (_e7521 * (_e7236 + _e7165))), (0.25f * (_e7523 * (_e7378 + _e7307))), (0.25f * (_e7525 * (_e7520 + _e7449)))));
+phi_19152_ = type_32(_e7056, vec3<f32>((0.5f * _e7521), (0.5f * _e7523), (0.5f * _e7525)), vec3<f32>((0.25f * (_e7521 * (_e7236 + _e7165))), (0.25f * (_e7523 * (_e7378 + _e7307))), (0.25f * (_e7525 * (_e7520 + _e7449)))));
 }
-let _e7555 = phi_19150_;
+let _e7555 = phi_19152_;
 let _e7570 = select(0f, 1f, ((((((_e5897 >= -0.5f) && (_e5897 <= _e897)) && (_e5903 >= -0.5f)) && (_e5903 <= _e902)) && (_e5909 >= -0.5f)) && (_e5909 <= _e907)));
 let _e7572 = (0.5f * (_e6836 - _e6830));
 let _e7574 = (0.5f * (_e6848 - _e6842));
 let _e7576 = (0.5f * (_e6860 - _e6854));
-let _e7583 = global_3.member[_e369].member_6.member.member.member;
-let _e7590 = global_3.member[_e369].member_6.member.member.member_1;
-let _e7597 = global_3.member[_e369].member_6.member.member.member_2;
-let _e7604 = global_3.member[_e369].member_6.member_1.member.member;
-let _e7611 = global_3.member[_e369].member_6.member_1.member.member_1;
-let _e7618 = global_3.member[_e369].member_6.member_1.member.member_2;
-let _e7625 = global_3.member[_e369].member_6.member_2.member.member;
-let _e7632 = global_3.member[_e369].member_6.member_2.member.member_1;
-let _e7639 = global_3.member[_e369].member_6.member_2.member.member_2;
-phi_19760_ = type_33(_e6824, vec3<f32>(((((_e7583 * _e7572) + (_e7604 * _e7574)) + (_e7625 * _e7576)) * _e7570), ((((_e7590 * _e7572) + (_e7611 * _e7574)) + (_e7632 * _e7576)) * _e7570), ((((_e7597 * _e7572) + (_e7618 * _e7574)) + (_e7639 * _e7576)) * _e7570)), _e7555.member, vec3<f32>(((((_e7583 * _e7555.member_2.x) + (_e7604 * _e7555.member_2.y)) + (_e7625 * _e7555.member_2.z)) * _e7570), ((((_e7590 * _e7555.member_2.x) + (_e7611 * _e7555.member_2.y)) + (_e7632 * _e7555.member_2.z)) * _e7570), ((((_e7597 * _e7555.member_2.x) + (_e7618 * _e7555.member_2.y)) + (_e7639 * _e7555.member_2.z)) * _e7570)), vec3<f32>(((((_e7583 * _e7555.member_1.x) + (_e7604 * _e7555.member_1.y)) + (_e7625 * _e7555.member_1.z)) * _e7570), ((((_e7590 * _e7555.member_1.x) + (_e7611 * _e7555.member_1.y)) + (_e7632 * _e7555.member_1.z)) * _e7570), ((((_e7597 * _e7555.member_1.x) + (_e7618 * _e7555.member_1.y)) + (_e7639 * _e7555.member_1.z)) * _e7570)));
+let _e7583 = global_3.member[_e369].member_8.member.member.member;
+let _e7590 = global_3.member[_e369].member_8.member.member.member_1;
+let _e7597 = global_3.member[_e369].member_8.member.member.member_2;
+let _e7604 = global_3.member[_e369].member_8.member_1.member.member;
+let _e7611 = global_3.member[_e369].member_8.member_1.member.member_1;
+let _e7618 = global_3.member[_e369].member_8.member_1.member.member_2;
+let _e7625 = global_3.member[_e369].member_8.member_2.member.member;
+let _e7632 = global_3.member[_e369].member_8.member_2.member.member_1;
+let _e7639 = global_3.member[_e369].member_8.member_2.member.member_2;
+phi_19762_ = type_33(_e6824, vec3<f32>(((((_e7583 * _e7572) + (_e7604 * _e7574)) + (_e7625 * _e7576)) * _e7570), ((((_e7590 * _e7572) + (_e7611 * _e7574)) + (_e7632 * _e7576)) * _e7570), ((((_e7597 * _e7572) + (_e7618 * _e7574)) + (_e7639 * _e7576)) * _e7570)), _e7555.member, vec3<f32>(((((_e7583 * _e7555.member_2.x) + (_e7604 * _e7555.member_2.y)) + (_e7625 * _e7555.member_2.z)) * _e7570), ((((_e7590 * _e7555.member_2.x) + (_e7611 * _e7555.member_2.y)) + (_e7632 * _e7555.member_2.z)) * _e7570), ((((_e7597 * _e7555.member_2.x) + (_e7618 * _e7555.member_2.y)) + (_e7639 * _e7555.member_2.z)) * _e7570)), vec3<f32>(((((_e7583 * _e7555.member_1.x) + (_e7604 * _e7555.member_1.y)) + (_e7625 * _e7555.member_1.z)) * _e7570), ((((_e7590 * _e7555.member_1.x) + (_e7611 * _e7555.member_1.y)) + (_e7632 * _e7555.member_1.z)) * _e7570), ((((_e7597 * _e7555.member_1.x) + (_e7618 * _e7555.member_1.y)) + (_e7639 * _e7555.member_1.z)) * _e7570)));
 } else {
 let _e5911 = select(-0.5f, _e5897, (_e5897 > -0.5f));
 let _e5913 = select(_e897, _e5911, (_e5911 < _e897));
@@ -2780,13 +2782,13 @@ let _e5953 = select(-1f, _e5921, (_e5921 > -1f));
 let _e5955 = select(_e560, _e5953, (_e5953 < _e560));
 let _e5962 = select(0i, select(select(i32(_e5955), i32(-2147483648), (_e5955 < -2147483600f)), 2147483647i, (_e5955 > 2147483500f)), (_e5955 == _e5955));
 let _e5966 = (_e5962 - select(0i, 1i, (_e5955 < f32(_e5962))));
-let _e5971 = global_3.member[_e369].member_6.member_7;
-let _e5976 = global_3.member[_e369].member_6.member_8;
+let _e5971 = global_3.member[_e369].member_8.member_7;
+let _e5976 = global_3.member[_e369].member_8.member_8;
 let _e5977 = (_e5936 + 1i);
 let _e5978 = (_e5951 + 1i);
 let _e5979 = (_e5966 + 1i);
-let _e5985 = global_3.member[_e369].member_6.member_11.member;
-let _e5992 = global_3.member[_e369].member_6.member_11.member_1;
+let _e5985 = global_3.member[_e369].member_8.member_11.member;
+let _e5992 = global_3.member[_e369].member_8.member_11.member_1;
 let _e6003 = ((_e5977 >> bitcast<u32>(4i)) + (bitcast<i32>(_e5985) * ((_e5978 >> bitcast<u32>(4i)) + (bitcast<i32>(_e5992) * (_e5979 >> bitcast<u32>(4i))))));
 let _e6005 = (bitcast<i32>(_e182) - 1i);
 let _e6007 = select(_e6005, _e6003, (_e6003 < _e6005));
@@ -2850,14 +2852,14 @@ let _e6143 = global_1.member[bitcast<u32>(select(0i, _e6138, (_e6138 > 0i)))];
 let _e6145 = local_7[0u];
 let _e6149 = local_7[1u];
 let _e6154 = local_7[2u];
-let _e6162 = global_3.member[_e369].member_6.member_6;
-let _e6167 = global_3.member[_e369].member_6.member_5;
+let _e6162 = global_3.member[_e369].member_8.member_6;
+let _e6167 = global_3.member[_e369].member_8.member_5;
 let _e6169 = (((_e6098 + (((_e6123 + (((_e6134 + ((bitcast<f32>(_e6143) - _e6134) * _e6145)) - _e6123) * _e6149)) - _e6098) * _e6154)) - _e6162) * _e6167);
 let _e6170 = -(1e9f);
 let _e6172 = select(_e6170, _e6169, (_e6169 > _e6170));
-phi_19760_ = type_33(select(1e9f, _e6172, (_e6172 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_19762_ = type_33(select(1e9f, _e6172, (_e6172 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e7705 = phi_19760_;
+let _e7705 = phi_19762_;
 let _e7707 = select(-0.5f, _e481, (_e481 > -0.5f));
 let _e7709 = select(_e897, _e7707, (_e7707 < _e897));
 let _e7711 = select(-0.5f, _e497, (_e497 > -0.5f));
@@ -2876,13 +2878,13 @@ let _e7749 = select(-1f, _e7717, (_e7717 > -1f));
 let _e7751 = select(_e560, _e7749, (_e7749 < _e560));
 let _e7758 = select(0i, select(select(i32(_e7751), i32(-2147483648), (_e7751 < -2147483600f)), 2147483647i, (_e7751 > 2147483500f)), (_e7751 == _e7751));
 let _e7762 = (_e7758 - select(0i, 1i, (_e7751 < f32(_e7758))));
-let _e7767 = global_3.member[_e369].member_6.member_7;
-let _e7772 = global_3.member[_e369].member_6.member_8;
+let _e7767 = global_3.member[_e369].member_8.member_7;
+let _e7772 = global_3.member[_e369].member_8.member_8;
 let _e7773 = (_e7732 + 1i);
 let _e7774 = (_e7747 + 1i);
 let _e7775 = (_e7762 + 1i);
-let _e7781 = global_3.member[_e369].member_6.member_11.member;
-let _e7788 = global_3.member[_e369].member_6.member_11.member_1;
+let _e7781 = global_3.member[_e369].member_8.member_11.member;
+let _e7788 = global_3.member[_e369].member_8.member_11.member_1;
 let _e7799 = ((_e7773 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7781) * ((_e7774 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7788) * (_e7775 >> bitcast<u32>(4i))))));
 let _e7801 = (bitcast<i32>(_e182) - 1i);
 let _e7803 = select(_e7801, _e7799, (_e7799 < _e7801));
@@ -2946,17 +2948,17 @@ let _e7939 = global_1.member[bitcast<u32>(select(0i, _e7934, (_e7934 > 0i)))];
 let _e7941 = local_5[0u];
 let _e7945 = local_5[1u];
 let _e7950 = local_5[2u];
-let _e7958 = global_3.member[_e369].member_6.member_6;
-let _e7963 = global_3.member[_e369].member_6.member_5;
+let _e7958 = global_3.member[_e369].member_8.member_6;
+let _e7963 = global_3.member[_e369].member_8.member_5;
 let _e7965 = (((_e7894 + (((_e7919 + (((_e7930 + ((bitcast<f32>(_e7939) - _e7930) * _e7941)) - _e7919) * _e7945)) - _e7894) * _e7950)) - _e7958) * _e7963);
 let _e7966 = -(1e9f);
 let _e7968 = select(_e7966, _e7965, (_e7965 > _e7966));
 let _e7970 = select(1e9f, _e7968, (_e7968 < 1e9f));
 let _e7972 = ((_e1047 & 16u) == 0u);
 if _e7972 {
-phi_20581_ = type_7(1f, 1f, 1f);
+phi_20583_ = type_7(1f, 1f, 1f);
 } else {
-let _e7977 = global_3.member[_e369].member_14.member;
+let _e7977 = global_3.member[_e369].member_16.member;
 let _e7988 = ((((_e7977.member.member * _e395) + (_e7977.member.member_1 * _e397)) + (_e7977.member.member_2 * _e391)) + _e7977.member_1);
 let _e7994 = ((((_e7977.member.member * _e5886.member_1.x) + (_e7977.member.member_1 * _e5886.member_1.y)) + (_e7977.member.member_2 * _e5886.member_1.z)) + _e7977.member_1);
 let _e7996 = select(_e7994, _e7988, (_e7988 < _e7994));
@@ -2965,9 +2967,9 @@ let _e8000 = (_e7998 - _e7996);
 let _e8003 = (-(_e7996) / select(1e-30f, _e8000, (_e8000 > 1e-30f)));
 let _e8005 = select(0f, _e8003, (_e8003 > 0f));
 let _e8011 = select(select(select(1f, _e8005, (_e8005 < 1f)), 1f, (_e7998 <= 0f)), 0f, (_e7996 > 0f));
-let _e8017 = global_3.member[_e369].member_14.member_1;
+let _e8017 = global_3.member[_e369].member_16.member_1;
 let _e8018 = (_e8017 != 0u);
-let _e8029 = global_3.member[_e369].member_15.member;
+let _e8029 = global_3.member[_e369].member_17.member;
 let _e8040 = ((((_e8029.member.member * _e395) + (_e8029.member.member_1 * _e397)) + (_e8029.member.member_2 * _e391)) + _e8029.member_1);
 let _e8046 = ((((_e8029.member.member * _e5886.member_1.x) + (_e8029.member.member_1 * _e5886.member_1.y)) + (_e8029.member.member_2 * _e5886.member_1.z)) + _e8029.member_1);
 let _e8048 = select(_e8046, _e8040, (_e8040 < _e8046));
@@ -2976,9 +2978,9 @@ let _e8052 = (_e8050 - _e8048);
 let _e8055 = (-(_e8048) / select(1e-30f, _e8052, (_e8052 > 1e-30f)));
 let _e8057 = select(0f, _e8055, (_e8055 > 0f));
 let _e8063 = select(select(select(1f, _e8057, (_e8057 < 1f)), 1f, (_e8050 <= 0f)), 0f, (_e8048 > 0f));
-let _e8069 = global_3.member[_e369].member_15.member_1;
+let _e8069 = global_3.member[_e369].member_17.member_1;
 let _e8070 = (_e8069 != 0u);
-let _e8081 = global_3.member[_e369].member_16.member;
+let _e8081 = global_3.member[_e369].member_18.member;
 let _e8092 = ((((_e8081.member.member * _e395) + (_e8081.member.member_1 * _e397)) + (_e8081.member.member_2 * _e391)) + _e8081.member_1);
 let _e8098 = ((((_e8081.member.member * _e5886.member_1.x) + (_e8081.member.member_1 * _e5886.member_1.y)) + (_e8081.member.member_2 * _e5886.member_1.z)) + _e8081.member_1);
 let _e8100 = select(_e8098, _e8092, (_e8092 < _e8098));
@@ -2987,9 +2989,9 @@ let _e8104 = (_e8102 - _e8100);
 let _e8107 = (-(_e8100) / select(1e-30f, _e8104, (_e8104 > 1e-30f)));
 let _e8109 = select(0f, _e8107, (_e8107 > 0f));
 let _e8115 = select(select(select(1f, _e8109, (_e8109 < 1f)), 1f, (_e8102 <= 0f)), 0f, (_e8100 > 0f));
-let _e8121 = global_3.member[_e369].member_16.member_1;
+let _e8121 = global_3.member[_e369].member_18.member_1;
 let _e8122 = (_e8121 != 0u);
-let _e8133 = global_3.member[_e369].member_17.member;
+let _e8133 = global_3.member[_e369].member_19.member;
 let _e8144 = ((((_e8133.member.member * _e395) + (_e8133.member.member_1 * _e397)) + (_e8133.member.member_2 * _e391)) + _e8133.member_1);
 let _e8150 = ((((_e8133.member.member * _e5886.member_1.x) + (_e8133.member.member_1 * _e5886.member_1.y)) + (_e8133.member.member_2 * _e5886.member_1.z)) + _e8133.member_1);
 let _e8152 = select(_e8150, _e8144, (_e8144 < _e8150));
@@ -2998,12 +3000,12 @@ let _e8156 = (_e8154 - _e8152);
 let _e8159 = (-(_e8152) / select(1e-30f, _e8156, (_e8156 > 1e-30f)));
 let _e8161 = select(0f, _e8159, (_e8159 > 0f));
 let _e8167 = select(select(select(1f, _e8161, (_e8161 < 1f)), 1f, (_e8154 <= 0f)), 0f, (_e8152 > 0f));
-let _e8173 = global_3.member[_e369].member_17.member_1;
+let _e8173 = global_3.member[_e369].member_19.member_1;
 let _e8174 = (_e8173 != 0u);
-phi_20581_ = type_7(((((1f * _e8011) * _e8063) * _e8115) * _e8167), ((((1f * select(1f, _e8011, _e8018)) * select(1f, _e8063, _e8070)) * select(1f, _e8115, _e8122)) * select(1f, _e8167, _e8174)), ((((1f * select(1f, 0f, (_e8018 && (_e7994 > 0f)))) * select(1f, 0f, (_e8070 && (_e8046 > 0f)))) * select(1f, 0f, (_e8122 && (_e8098 > 0f)))) * select(1f, 0f, (_e8174 && (_e8150 > 0f)))));
+phi_20583_ = type_7(((((1f * _e8011) * _e8063) * _e8115) * _e8167), ((((1f * select(1f, _e8011, _e8018)) * select(1f, _e8063, _e8070)) * select(1f, _e8115, _e8122)) * select(1f, _e8167, _e8174)), ((((1f * select(1f, 0f, (_e8018 && (_e7994 > 0f)))) * select(1f, 0f, (_e8070 && (_e8046 > 0f)))) * select(1f, 0f, (_e8122 && (_e8098 > 0f)))) * select(1f, 0f, (_e8174 && (_e8150 > 0f)))));
 }
-let _e8183 = phi_20581_;
-let _e8189 = global_3.member[_e369].member_5.member_3;
+let _e8183 = phi_20583_;
+let _e8189 = global_3.member[_e369].member_7.member_3;
 let _e8190 = (_e5886.member_3 * _e8189);
 if (((_e378.member_2 == 3u) || (_e378.member_2 == 4u)) || _e577) {
 local_3 = _e7970;
@@ -3183,7 +3185,7 @@ let _e9618 = f32(_e9617);
 let _e9622 = ((_e9600 - (_e9618 * 0.6933594f)) - (_e9618 * -2.1219444e-4f));
 let _e9642 = ((1f + (_e9622 * (1f + (_e9622 * (0.5f + (_e9622 * (0.16666667f + (_e9622 * (0.041666668f + (_e9622 * (0.008333334f + (_e9622 * (0.001388889f + (_e9622 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9617 + 127i)) << bitcast<u32>(23i))));
 let _e9643 = (1f - _e9642);
-phi_24079_ = type_40(_e9642, _e9643, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e9643 / select(1e-12f, _e9592, (_e9592 > 1e-12f))))));
+phi_24081_ = type_40(_e9642, _e9643, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e9643 / select(1e-12f, _e9592, (_e9592 > 1e-12f))))));
 } else {
 local_1 = _e7970;
 let _e8196 = local_1;
@@ -3420,9 +3422,9 @@ let _e9068 = f32(_e9067);
 let _e9072 = ((_e9050 - (_e9068 * 0.6933594f)) - (_e9068 * -2.1219444e-4f));
 let _e9092 = ((1f + (_e9072 * (1f + (_e9072 * (0.5f + (_e9072 * (0.16666667f + (_e9072 * (0.041666668f + (_e9072 * (0.008333334f + (_e9072 * (0.001388889f + (_e9072 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9067 + 127i)) << bitcast<u32>(23i))));
 let _e9093 = (1f - _e9092);
-phi_24079_ = type_40(_e9092, _e9093, vec3<f32>(((1f + (_e8927 * (1f + (_e8927 * (0.5f + (_e8927 * (0.16666667f + (_e8927 * (0.041666668f + (_e8927 * (0.008333334f + (_e8927 * (0.001388889f + (_e8927 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8922 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e8975 * (1f + (_e8975 * (0.5f + (_e8975 * (0.16666667f + (_e8975 * (0.041666668f + (_e8975 * (0.008333334f + (_e8975 * (0.001388889f + (_e8975 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8970 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9023 * (1f + (_e9023 * (0.5f + (_e9023 * (0.16666667f + (_e9023 * (0.041666668f + (_e9023 * (0.008333334f + (_e9023 * (0.001388889f + (_e9023 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9018 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e9093 / select(1e-12f, _e8687, (_e8687 > 1e-12f))))));
+phi_24081_ = type_40(_e9092, _e9093, vec3<f32>(((1f + (_e8927 * (1f + (_e8927 * (0.5f + (_e8927 * (0.16666667f + (_e8927 * (0.041666668f + (_e8927 * (0.008333334f + (_e8927 * (0.001388889f + (_e8927 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8922 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e8975 * (1f + (_e8975 * (0.5f + (_e8975 * (0.16666667f + (_e8975 * (0.041666668f + (_e8975 * (0.008333334f + (_e8975 * (0.001388889f + (_e8975 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8970 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9023 * (1f + (_e9023 * (0.5f + (_e9023 * (0.16666667f + (_e9023 * (0.041666668f + (_e9023 * (0.008333334f + (_e9023 * (0.001388889f + (_e9023 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9018 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e9093 / select(1e-12f, _e8687, (_e8687 > 1e-12f))))));
 }
-let _e9651 = phi_24079_;
+let _e9651 = phi_24081_;
 let _e9660 = (_e373[6] * (_e9651.member_2.x * _e9651.member));
 let _e9661 = (_e373[7] * (_e9651.member_2.y * _e9651.member));
 let _e9662 = (_e373[8] * (_e9651.member_2.z * _e9651.member));
@@ -3438,9 +3440,9 @@ let _e9693 = (_e5886.member_1.z + (_e5886.member_2.z * _e9685));
 let _e9699 = ((((_e470.member.member * _e9691) + (_e470.member.member_1 * _e9692)) + (_e470.member.member_2 * _e9693)) + _e470.member_1);
 let _e9705 = ((((_e486.member.member * _e9691) + (_e486.member.member_1 * _e9692)) + (_e486.member.member_2 * _e9693)) + _e486.member_1);
 let _e9711 = ((((_e502.member.member * _e9691) + (_e502.member.member_1 * _e9692)) + (_e502.member.member_2 * _e9693)) + _e502.member_1);
-let _e9717 = global_3.member[_e369].member_6.member.member;
-let _e9726 = global_3.member[_e369].member_6.member_1.member;
-let _e9735 = global_3.member[_e369].member_6.member_2.member;
+let _e9717 = global_3.member[_e369].member_8.member.member;
+let _e9726 = global_3.member[_e369].member_8.member_1.member;
+let _e9735 = global_3.member[_e369].member_8.member_2.member;
 let _e9739 = (-0.5f - _e5897);
 let _e9740 = (-0.5f - _e9699);
 let _e9741 = -(_e9739);
@@ -3547,16 +3549,16 @@ let _e9978 = select(select(select(select(select(select(0f, _e9717.member, _e9759
 let _e9979 = select(select(select(select(select(select(0f, _e9717.member_1, _e9759), _e9717.member_1, _e9799), _e9726.member_1, _e9839), _e9726.member_1, _e9879), _e9735.member_1, _e9919), _e9735.member_1, _e9959);
 let _e9980 = select(select(select(select(select(select(1f, _e9717.member_2, _e9759), _e9717.member_2, _e9799), _e9726.member_2, _e9839), _e9726.member_2, _e9879), _e9735.member_2, _e9919), _e9735.member_2, _e9959);
 if _e7972 {
-phi_25478_ = type_34(_e9965, vec3<f32>(_e9966, _e9967, _e9968), _e9970, vec3<f32>(_e9971, _e9972, _e9973), _e9975, _e9977, vec3<f32>(_e9978, _e9979, _e9980));
+phi_25480_ = type_34(_e9965, vec3<f32>(_e9966, _e9967, _e9968), _e9970, vec3<f32>(_e9971, _e9972, _e9973), _e9975, _e9977, vec3<f32>(_e9978, _e9979, _e9980));
 } else {
 let _e9987 = (((_e9717.member * _e9717.member) + (_e9717.member_1 * _e9717.member_1)) + (_e9717.member_2 * _e9717.member_2));
 let _e9990 = sqrt(select(0f, _e9987, (_e9987 > 0f)));
-let _e9995 = global_3.member[_e369].member_14.member_1;
+let _e9995 = global_3.member[_e369].member_16.member_1;
 let _e9996 = (_e9995 != 0u);
-let _e10001 = global_3.member[_e369].member_14.member;
+let _e10001 = global_3.member[_e369].member_16.member;
 let _e10021 = select(-1e6f, (((((_e10001.member.member * _e5886.member_1.x) + (_e10001.member.member_1 * _e5886.member_1.y)) + (_e10001.member.member_2 * _e5886.member_1.z)) + _e10001.member_1) * _e9990), _e9996);
 let _e10022 = select(-1e6f, (((((_e10001.member.member * _e9691) + (_e10001.member.member_1 * _e9692)) + (_e10001.member.member_2 * _e9693)) + _e10001.member_1) * _e9990), _e9996);
-let _e10028 = global_3.member[_e369].member_14.member.member;
+let _e10028 = global_3.member[_e369].member_16.member.member;
 let _e10032 = -(_e10021);
 let _e10035 = (_e10021 - _e10022);
 let _e10036 = (_e10022 - _e10021);
@@ -3571,12 +3573,12 @@ let _e10056 = select(_e9965, _e10045, _e10054);
 let _e10060 = select(_e9970, _e10049, _e10055);
 let _e10064 = select(_e9975, _e10021, _e10050);
 let _e10066 = select(_e9977, _e10022, (_e10022 > _e9977));
-let _e10074 = global_3.member[_e369].member_15.member_1;
+let _e10074 = global_3.member[_e369].member_17.member_1;
 let _e10075 = (_e10074 != 0u);
-let _e10080 = global_3.member[_e369].member_15.member;
+let _e10080 = global_3.member[_e369].member_17.member;
 let _e10100 = select(-1e6f, (((((_e10080.member.member * _e5886.member_1.x) + (_e10080.member.member_1 * _e5886.member_1.y)) + (_e10080.member.member_2 * _e5886.member_1.z)) + _e10080.member_1) * _e9990), _e10075);
 let _e10101 = select(-1e6f, (((((_e10080.member.member * _e9691) + (_e10080.member.member_1 * _e9692)) + (_e10080.member.member_2 * _e9693)) + _e10080.member_1) * _e9990), _e10075);
-let _e10107 = global_3.member[_e369].member_15.member.member;
+let _e10107 = global_3.member[_e369].member_17.member.member;
 let _e10111 = -(_e10100);
 let _e10114 = (_e10100 - _e10101);
 let _e10115 = (_e10101 - _e10100);
@@ -3591,12 +3593,12 @@ let _e10135 = select(_e10056, _e10124, _e10133);
 let _e10139 = select(_e10060, _e10128, _e10134);
 let _e10143 = select(_e10064, _e10100, _e10129);
 let _e10145 = select(_e10066, _e10101, (_e10101 > _e10066));
-let _e10153 = global_3.member[_e369].member_16.member_1;
+let _e10153 = global_3.member[_e369].member_18.member_1;
 let _e10154 = (_e10153 != 0u);
-let _e10159 = global_3.member[_e369].member_16.member;
+let _e10159 = global_3.member[_e369].member_18.member;
 let _e10179 = select(-1e6f, (((((_e10159.member.member * _e5886.member_1.x) + (_e10159.member.member_1 * _e5886.member_1.y)) + (_e10159.member.member_2 * _e5886.member_1.z)) + _e10159.member_1) * _e9990), _e10154);
 let _e10180 = select(-1e6f, (((((_e10159.member.member * _e9691) + (_e10159.member.member_1 * _e9692)) + (_e10159.member.member_2 * _e9693)) + _e10159.member_1) * _e9990), _e10154);
-let _e10186 = global_3.member[_e369].member_16.member.member;
+let _e10186 = global_3.member[_e369].member_18.member.member;
 let _e10190 = -(_e10179);
 let _e10193 = (_e10179 - _e10180);
 let _e10194 = (_e10180 - _e10179);
@@ -3611,12 +3613,12 @@ let _e10214 = select(_e10135, _e10203, _e10212);
 let _e10218 = select(_e10139, _e10207, _e10213);
 let _e10222 = select(_e10143, _e10179, _e10208);
 let _e10224 = select(_e10145, _e10180, (_e10180 > _e10145));
-let _e10232 = global_3.member[_e369].member_17.member_1;
+let _e10232 = global_3.member[_e369].member_19.member_1;
 let _e10233 = (_e10232 != 0u);
-let _e10238 = global_3.member[_e369].member_17.member;
+let _e10238 = global_3.member[_e369].member_19.member;
 let _e10258 = select(-1e6f, (((((_e10238.member.member * _e5886.member_1.x) + (_e10238.member.member_1 * _e5886.member_1.y)) + (_e10238.member.member_2 * _e5886.member_1.z)) + _e10238.member_1) * _e9990), _e10233);
 let _e10259 = select(-1e6f, (((((_e10238.member.member * _e9691) + (_e10238.member.member_1 * _e9692)) + (_e10238.member.member_2 * _e9693)) + _e10238.member_1) * _e9990), _e10233);
-let _e10265 = global_3.member[_e369].member_17.member.member;
+let _e10265 = global_3.member[_e369].member_19.member.member;
 let _e10269 = -(_e10258);
 let _e10272 = (_e10258 - _e10259);
 let _e10273 = (_e10259 - _e10258);
@@ -3627,11 +3629,11 @@ let _e10286 = select(2f, select(0f, _e10278, (_e10258 < 0f)), (_e10259 > 0f));
 let _e10287 = (_e10258 > _e10222);
 let _e10291 = ((_e10282 > _e10214) || ((_e10282 == _e10214) && _e10287));
 let _e10292 = (_e10286 < _e10218);
-phi_25478_ = type_34(select(_e10214, _e10282, _e10291), vec3<f32>(select(select(select(select(_e9966, _e10028.member, _e10054), _e10107.member, _e10133), _e10186.member, _e10212), _e10265.member, _e10291), select(select(select(select(_e9967, _e10028.member_1, _e10054), _e10107.member_1, _e10133), _e10186.member_1, _e10212), _e10265.member_1, _e10291), select(select(select(select(_e9968, _e10028.member_2, _e10054), _e10107.member_2, _e10133), _e10186.member_2, _e10212), _e10265.member_2, _e10291)), select(_e10218, _e10286, _e10292), vec3<f32>(select(select(select(select(_e9971, _e10028.member, _e10055), _e10107.member, _e10134), _e10186.member, _e10213), _e10265.member, _e10292), select(select(select(select(_e9972, _e10028.member_1, _e10055), _e10107.member_1, _e10134), _e10186.member_1, _e10213), _e10265.member_1, _e10292), select(select(select(select(_e9973, _e10028.member_2, _e10055), _e10107.member_2, _e10134), _e10186.member_2, _e10213), _e10265.member_2, _e10292)), select(_e10222, _e10258, _e10287), select(_e10224, _e10259, (_e10259 > _e10224)), vec3<f32>(select(select(select(select(_e9978, _e10028.member, _e10050), _e10107.member, _e10129), _e10186.member, _e10208), _e10265.member, _e10287), select(select(select(select(_e9979, _e10028.member_1, _e10050), _e10107.member_1, _e10129), _e10186.member_1, _e10208), _e10265.member_1, _e10287), select(select(select(select(_e9980, _e10028.member_2, _e10050), _e10107.member_2, _e10129), _e10186.member_2, _e10208), _e10265.member_2, _e10287)));
+phi_25480_ = type_34(select(_e10214, _e10282, _e10291), vec3<f32>(select(select(select(select(_e9966, _e10028.member, _e10054), _e10107.member, _e10133), _e10186.member, _e10212), _e10265.member, _e10291), select(select(select(select(_e9967, _e10028.member_1, _e10054), _e10107.member_1, _e10133), _e10186.member_1, _e10212), _e10265.member_1, _e10291), select(select(select(select(_e9968, _e10028.member_2, _e10054), _e10107.member_2, _e10133), _e10186.member_2, _e10212), _e10265.member_2, _e10291)), select(_e10218, _e10286, _e10292), vec3<f32>(select(select(select(select(_e9971, _e10028.member, _e10055), _e10107.member, _e10134), _e10186.member, _e10213), _e10265.member, _e10292), select(select(select(select(_e9972, _e10028.member_1, _e10055), _e10107.member_1, _e10134), _e10186.member_1, _e10213), _e10265.member_1, _e10292), select(select(select(select(_e9973, _e10028.member_2, _e10055), _e10107.member_2, _e10134), _e10186.member_2, _e10213), _e10265.member_2, _e10292)), select(_e10222, _e10258, _e10287), select(_e10224, _e10259, (_e10259 > _e10224)), vec3<f32>(select(select(select(select(_e9978, _e10028.member, _e10050), _e10107.member, _e10129), _e10186.member, _e10208), _e10265.member, _e10287), select(select(select(select(_e9979, _e10028.member_1, _e10050), _e10107.member_1, _e10129), _e10186.member_1, _e10208), _e10265.member_1, _e10287), select(select(select(select(_e9980, _e10028.member_2, _e10050), _e10107.member_2, _e10129), _e10186.member_2, _e10208), _e10265.member_2, _e10287)));
 }
-let _e10312 = phi_25478_;
+let _e10312 = phi_25480_;
 let _e10319 = (_e8183.member_2 * select(0f, 1f, _e5886.member_6));
-let _e10325 = global_3.member[_e369].member_5.member_4;
+let _e10325 = global_3.member[_e369].member_7.member_4;
 let _e10328 = (_e7705.member_3.x * _e10319);
 let _e10330 = (_e7705.member_3.y * _e10319);
 let _e10332 = (_e7705.member_3.z * _e10319);
@@ -3654,43 +3656,43 @@ let _e10386 = (_e5886.member_2.y + ((_e7705.member_4.y * _e10319) * _e402));
 let _e10387 = (_e5886.member_2.z + ((_e7705.member_4.z * _e10319) * _e402));
 let _e10389 = (_e10387 * _e10387);
 let _e10398 = ((_e1047 & 1u) != 0u);
-phi_25634_ = vec3<f32>(select(select(select(_e10355, _e10337, _e10371), _e10385, _e10398), _e5886.member_2.x, _e5886.member_8), select(select(select(_e10356, _e10338, _e10371), _e10386, _e10398), _e5886.member_2.y, _e5886.member_8), select(select(select(_e10357, _e10339, _e10371), _e10387, _e10398), _e5886.member_2.z, _e5886.member_8));
-phi_25635_ = (select(_e10371, ((_e10387 <= 0f) || (_e10389 <= (_e10361 * (((_e10385 * _e10385) + (_e10386 * _e10386)) + _e10389)))), _e10398) || _e5886.member_8);
+phi_25636_ = vec3<f32>(select(select(select(_e10355, _e10337, _e10371), _e10385, _e10398), _e5886.member_2.x, _e5886.member_8), select(select(select(_e10356, _e10338, _e10371), _e10386, _e10398), _e5886.member_2.y, _e5886.member_8), select(select(select(_e10357, _e10339, _e10371), _e10387, _e10398), _e5886.member_2.z, _e5886.member_8));
+phi_25637_ = (select(_e10371, ((_e10387 <= 0f) || (_e10389 <= (_e10361 * (((_e10385 * _e10385) + (_e10386 * _e10386)) + _e10389)))), _e10398) || _e5886.member_8);
 } else {
-phi_25634_ = _e5886.member_2;
-phi_25635_ = false;
+phi_25636_ = _e5886.member_2;
+phi_25637_ = false;
 }
-let _e10410 = phi_25634_;
-let _e10412 = phi_25635_;
+let _e10410 = phi_25636_;
+let _e10412 = phi_25637_;
 let _e10423 = ((((_e5886.member_7 || (_e10410.x != _e373[3])) || (_e10410.y != _e373[4])) || (_e10410.z != _e373[5])) && _e888);
-let _e10428 = global_3.member[_e369].member_10.member_24;
+let _e10428 = global_3.member[_e369].member_12.member_24;
 let _e10437 = (_e373[12] + (((((_e373[6] + _e373[7]) + _e373[8]) * _e9665) - _e9666) * (_e391 + ((_e5886.member_1.z - _e391) * 0.5f))));
-phi_25733_ = array<f32, 14>(select(_e373[0], _e5886.member_1.x, _e10423), select(_e373[1], _e5886.member_1.y, _e10423), select(_e373[2], _e5886.member_1.z, _e10423), select(_e373[3], _e10410.x, _e10423), select(_e373[4], _e10410.y, _e10423), select(_e373[5], _e10410.z, _e10423), select(_e9660, 0f, _e9681), select(_e9661, 0f, _e9681), select(_e9662, 0f, _e9681), select(0f, 1f, _e5886.member_6), select(_e373[10], 1f, _e10423), select(select(select(0f, 1f, _e10412), 2f, (_e9681 && (_e10428 == 0f))), 3f, _e465), _e10437, select(_e373[13], (_e10437 + (_e9666 * _e5886.member_1.z)), (_e10423 && (_e373[10] == 0f))));
+phi_25735_ = array<f32, 14>(select(_e373[0], _e5886.member_1.x, _e10423), select(_e373[1], _e5886.member_1.y, _e10423), select(_e373[2], _e5886.member_1.z, _e10423), select(_e373[3], _e10410.x, _e10423), select(_e373[4], _e10410.y, _e10423), select(_e373[5], _e10410.z, _e10423), select(_e9660, 0f, _e9681), select(_e9661, 0f, _e9681), select(_e9662, 0f, _e9681), select(0f, 1f, _e5886.member_6), select(_e373[10], 1f, _e10423), select(select(select(0f, 1f, _e10412), 2f, (_e9681 && (_e10428 == 0f))), 3f, _e465), _e10437, select(_e373[13], (_e10437 + (_e9666 * _e5886.member_1.z)), (_e10423 && (_e373[10] == 0f))));
 } else {
-phi_25733_ = _e373;
+phi_25735_ = _e373;
 }
-let _e10458 = phi_25733_;
-phi_553_ = (_e369 + 1u);
-phi_556_ = select(_e371, true, _e1058);
-phi_558_ = _e10458;
+let _e10458 = phi_25735_;
+phi_555_ = (_e369 + 1u);
+phi_558_ = select(_e371, true, _e1058);
+phi_560_ = _e10458;
 } else {
-phi_553_ = u32();
-phi_556_ = bool();
-phi_558_ = array<f32, 14>();
+phi_555_ = u32();
+phi_558_ = bool();
+phi_560_ = array<f32, 14>();
 }
-let _e10462 = phi_553_;
-let _e10464 = phi_556_;
-let _e10466 = phi_558_;
+let _e10462 = phi_555_;
+let _e10464 = phi_558_;
+let _e10466 = phi_560_;
 continue;
 continuing {
-phi_552_ = _e10462;
-phi_555_ = _e10464;
-phi_557_ = _e10466;
-phi_25800_ = false;
+phi_554_ = _e10462;
+phi_557_ = _e10464;
+phi_559_ = _e10466;
+phi_25802_ = false;
 break if !(_e374);
 }
 }
-let _e10469 = phi_25800_;
+let _e10469 = phi_25802_;
 if _e10469 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -271,36 +273,36 @@ var local_38: f32;
 var local_39: f32;
 var local_40: type_28;
 var local_41: vec3<f32>;
-var phi_552_: u32;
-var phi_555_: bool;
-var phi_557_: array<f32, 14>;
-var phi_996_: bool;
-var phi_1176_: bool;
-var phi_1179_: bool;
-var phi_3322_: type_34;
-var phi_3335_: bool;
-var phi_4420_: type_39;
-var phi_4432_: bool;
-var phi_5512_: type_31;
-var phi_7035_: type_34;
-var phi_8147_: type_31;
-var phi_9685_: type_34;
-var phi_10797_: type_31;
-var phi_12335_: type_34;
-var phi_14083_: type_31;
-var phi_14355_: type_38;
-var phi_20922_: type_32;
-var phi_21569_: type_33;
-var phi_22427_: type_7;
-var phi_25925_: type_40;
-var phi_27324_: type_34;
-var phi_27480_: vec3<f32>;
-var phi_27481_: bool;
-var phi_27579_: array<f32, 14>;
-var phi_553_: u32;
-var phi_556_: bool;
-var phi_558_: array<f32, 14>;
-var phi_27646_: bool;
+var phi_554_: u32;
+var phi_557_: bool;
+var phi_559_: array<f32, 14>;
+var phi_998_: bool;
+var phi_1178_: bool;
+var phi_1181_: bool;
+var phi_3324_: type_34;
+var phi_3337_: bool;
+var phi_4422_: type_39;
+var phi_4434_: bool;
+var phi_5514_: type_31;
+var phi_7037_: type_34;
+var phi_8149_: type_31;
+var phi_9687_: type_34;
+var phi_10799_: type_31;
+var phi_12337_: type_34;
+var phi_14085_: type_31;
+var phi_14357_: type_38;
+var phi_20924_: type_32;
+var phi_21571_: type_33;
+var phi_22429_: type_7;
+var phi_25927_: type_40;
+var phi_27326_: type_34;
+var phi_27482_: vec3<f32>;
+var phi_27483_: bool;
+var phi_27581_: array<f32, 14>;
+var phi_555_: u32;
+var phi_558_: bool;
+var phi_560_: array<f32, 14>;
+var phi_27648_: bool;
 var local_42: bool;
 var local_43: array<f32, 14>;
 var local_44: array<f32, 14>;
@@ -391,13 +393,13 @@ let _e361 = ((13u * _e215) + _e217);
 let _e362 = bitcast<i32>(_e361);
 let _e364 = select(_e220, _e362, (_e362 < _e220));
 let _e370 = global_6.member[bitcast<u32>(select(0i, _e364, (_e364 > 0i)))];
-phi_552_ = 0u;
-phi_555_ = false;
-phi_557_ = array<f32, 14>(_e228, _e238, _e249, _e260, _e271, _e282, _e293, _e304, _e315, _e326, _e337, _e348, _e359, _e370);
+phi_554_ = 0u;
+phi_557_ = false;
+phi_559_ = array<f32, 14>(_e228, _e238, _e249, _e260, _e271, _e282, _e293, _e304, _e315, _e326, _e337, _e348, _e359, _e370);
 loop {
-let _e373 = phi_552_;
-let _e375 = phi_555_;
-let _e377 = phi_557_;
+let _e373 = phi_554_;
+let _e375 = phi_557_;
+let _e377 = phi_559_;
 local_42 = _e375;
 local_43 = _e377;
 local_44 = _e377;
@@ -417,76 +419,76 @@ let _e378 = (_e373 < _e180);
 if _e378 {
 if _e378 {
 } else {
-phi_27646_ = true;
+phi_27648_ = true;
 break;
 }
 let _e382 = global_3.member[_e373].member;
-let _e395 = global_3.member[_e373].member_5.member;
+let _e395 = global_3.member[_e373].member_7.member;
 let _e397 = ((_e395 - _e377[2]) / _e377[5]);
 let _e399 = (_e377[0] + (_e377[3] * _e397));
 let _e401 = (_e377[1] + (_e377[4] * _e397));
-let _e406 = global_3.member[_e373].member_5.member_2;
+let _e406 = global_3.member[_e373].member_7.member_2;
 let _e407 = (_e406 / _e377[5]);
 let _e409 = (_e399 + (_e377[3] * _e407));
 let _e411 = (_e401 + (_e377[4] * _e407));
-let _e416 = global_3.member[_e373].member_5.member_1;
-let _e422 = global_3.member[_e373].member_13.member.member;
-let _e448 = global_3.member[_e373].member_13.member_1.member;
+let _e416 = global_3.member[_e373].member_7.member_1;
+let _e422 = global_3.member[_e373].member_15.member.member;
+let _e448 = global_3.member[_e373].member_15.member_1.member;
 let _e469 = (((((((_e422.member.member * _e399) + (_e422.member.member_1 * _e401)) + (_e422.member.member_2 * _e395)) + _e422.member_1) > 0f) && (((((_e422.member.member * _e409) + (_e422.member.member_1 * _e411)) + (_e422.member.member_2 * _e416)) + _e422.member_1) <= 0f)) || ((((((_e448.member.member * _e399) + (_e448.member.member_1 * _e401)) + (_e448.member.member_2 * _e395)) + _e448.member_1) > 0f) && (((((_e448.member.member * _e409) + (_e448.member.member_1 * _e411)) + (_e448.member.member_2 * _e416)) + _e448.member_1) <= 0f)));
-let _e474 = global_3.member[_e373].member_6.member;
+let _e474 = global_3.member[_e373].member_8.member;
 let _e485 = ((((_e474.member.member * _e399) + (_e474.member.member_1 * _e401)) + (_e474.member.member_2 * _e395)) + _e474.member_1);
-let _e490 = global_3.member[_e373].member_6.member_1;
+let _e490 = global_3.member[_e373].member_8.member_1;
 let _e501 = ((((_e490.member.member * _e399) + (_e490.member.member_1 * _e401)) + (_e490.member.member_2 * _e395)) + _e490.member_1);
-let _e506 = global_3.member[_e373].member_6.member_2;
+let _e506 = global_3.member[_e373].member_8.member_2;
 let _e517 = ((((_e506.member.member * _e399) + (_e506.member.member_1 * _e401)) + (_e506.member.member_2 * _e395)) + _e506.member_1);
 let _e523 = ((((_e474.member.member * _e409) + (_e474.member.member_1 * _e411)) + (_e474.member.member_2 * _e416)) + _e474.member_1);
 let _e529 = ((((_e490.member.member * _e409) + (_e490.member.member_1 * _e411)) + (_e490.member.member_2 * _e416)) + _e490.member_1);
 let _e535 = ((((_e506.member.member * _e409) + (_e506.member.member_1 * _e411)) + (_e506.member.member_2 * _e416)) + _e506.member_1);
-let _e542 = global_3.member[_e373].member_6.member_3.member;
+let _e542 = global_3.member[_e373].member_8.member_3.member;
 let _e543 = (_e542 - 1f);
-let _e553 = global_3.member[_e373].member_6.member_3.member_1;
+let _e553 = global_3.member[_e373].member_8.member_3.member_1;
 let _e554 = (_e553 - 1f);
-let _e564 = global_3.member[_e373].member_6.member_3.member_2;
+let _e564 = global_3.member[_e373].member_8.member_3.member_2;
 let _e565 = (_e564 - 1f);
 let _e579 = (((((((_e485 >= 0f) && (_e485 <= _e543)) && (_e501 >= 0f)) && (_e501 <= _e554)) && (_e517 >= 0f)) && (_e517 <= _e565)) && ((((((_e523 >= 0f) && (_e523 <= _e543)) && (_e529 >= 0f)) && (_e529 <= _e554)) && (_e535 >= 0f)) && (_e535 <= _e565)));
 let _e581 = (_e382.member_2 == 5u);
 let _e587 = ((_e382.member_2 == 2u) || (_e382.member_2 == 7u));
 let _e588 = ((((_e382.member_2 == 1u) || _e581) || (_e382.member_2 == 6u)) || _e587);
 if _e588 {
-let _e593 = global_3.member[_e373].member_7.member;
+let _e593 = global_3.member[_e373].member_9.member;
 let _e604 = ((((_e593.member.member * _e399) + (_e593.member.member_1 * _e401)) + (_e593.member.member_2 * _e395)) + _e593.member_1);
-let _e609 = global_3.member[_e373].member_7.member_1;
+let _e609 = global_3.member[_e373].member_9.member_1;
 let _e620 = ((((_e609.member.member * _e399) + (_e609.member.member_1 * _e401)) + (_e609.member.member_2 * _e395)) + _e609.member_1);
-let _e625 = global_3.member[_e373].member_7.member_2;
+let _e625 = global_3.member[_e373].member_9.member_2;
 let _e636 = ((((_e625.member.member * _e399) + (_e625.member.member_1 * _e401)) + (_e625.member.member_2 * _e395)) + _e625.member_1);
 let _e637 = (0.5f - 0.5f);
 let _e638 = (0.5f + 0.5f);
-let _e644 = global_3.member[_e373].member_7.member_3.member;
+let _e644 = global_3.member[_e373].member_9.member_3.member;
 let _e646 = (_e644 - _e638);
-let _e654 = global_3.member[_e373].member_7.member_3.member_1;
+let _e654 = global_3.member[_e373].member_9.member_3.member_1;
 let _e656 = (_e654 - _e638);
-let _e665 = global_3.member[_e373].member_7.member_3.member_2;
+let _e665 = global_3.member[_e373].member_9.member_3.member_2;
 let _e667 = (_e665 - _e638);
 let _e670 = ((((_e604 >= _e637) && (_e604 <= _e646)) && ((_e620 >= _e637) && (_e620 <= _e656))) && ((_e636 >= _e637) && (_e636 <= _e667)));
 let _e674 = global_3.member[_e373].member_1;
 let _e676 = ((_e674 & 16u) == 0u);
 if _e676 {
-phi_996_ = _e670;
+phi_998_ = _e670;
 } else {
-let _e682 = global_3.member[_e373].member_7.member.member;
+let _e682 = global_3.member[_e373].member_9.member.member;
 let _e690 = (((_e682.member * _e682.member) + (_e682.member_1 * _e682.member_1)) + (_e682.member_2 * _e682.member_2));
-let _e699 = global_3.member[_e373].member_14.member;
+let _e699 = global_3.member[_e373].member_16.member;
 let _e711 = -((0.5f / sqrt(select(0f, _e690, (_e690 > 0f)))));
-let _e717 = global_3.member[_e373].member_14.member_1;
-let _e724 = global_3.member[_e373].member_15.member;
-let _e741 = global_3.member[_e373].member_15.member_1;
-let _e749 = global_3.member[_e373].member_16.member;
-let _e766 = global_3.member[_e373].member_16.member_1;
-let _e774 = global_3.member[_e373].member_17.member;
-let _e791 = global_3.member[_e373].member_17.member_1;
-phi_996_ = (_e670 && (((((((((_e699.member.member * _e399) + (_e699.member.member_1 * _e401)) + (_e699.member.member_2 * _e395)) + _e699.member_1) <= _e711) || (_e717 == 0u)) && ((((((_e724.member.member * _e399) + (_e724.member.member_1 * _e401)) + (_e724.member.member_2 * _e395)) + _e724.member_1) <= _e711) || (_e741 == 0u))) && ((((((_e749.member.member * _e399) + (_e749.member.member_1 * _e401)) + (_e749.member.member_2 * _e395)) + _e749.member_1) <= _e711) || (_e766 == 0u))) && ((((((_e774.member.member * _e399) + (_e774.member.member_1 * _e401)) + (_e774.member.member_2 * _e395)) + _e774.member_1) <= _e711) || (_e791 == 0u))));
+let _e717 = global_3.member[_e373].member_16.member_1;
+let _e724 = global_3.member[_e373].member_17.member;
+let _e741 = global_3.member[_e373].member_17.member_1;
+let _e749 = global_3.member[_e373].member_18.member;
+let _e766 = global_3.member[_e373].member_18.member_1;
+let _e774 = global_3.member[_e373].member_19.member;
+let _e791 = global_3.member[_e373].member_19.member_1;
+phi_998_ = (_e670 && (((((((((_e699.member.member * _e399) + (_e699.member.member_1 * _e401)) + (_e699.member.member_2 * _e395)) + _e699.member_1) <= _e711) || (_e717 == 0u)) && ((((((_e724.member.member * _e399) + (_e724.member.member_1 * _e401)) + (_e724.member.member_2 * _e395)) + _e724.member_1) <= _e711) || (_e741 == 0u))) && ((((((_e749.member.member * _e399) + (_e749.member.member_1 * _e401)) + (_e749.member.member_2 * _e395)) + _e749.member_1) <= _e711) || (_e766 == 0u))) && ((((((_e774.member.member * _e399) + (_e774.member.member_1 * _e401)) + (_e774.member.member_2 * _e395)) + _e774.member_1) <= _e711) || (_e791 == 0u))));
 }
-let _e797 = phi_996_;
+let _e797 = phi_998_;
 let _e801 = (_e409 + (_e409 - _e399));
 let _e802 = (_e411 + (_e411 - _e401));
 let _e803 = (_e416 + (_e416 - _e395));
@@ -495,29 +497,29 @@ let _e815 = ((((_e609.member.member * _e801) + (_e609.member.member_1 * _e802)) 
 let _e821 = ((((_e625.member.member * _e801) + (_e625.member.member_1 * _e802)) + (_e625.member.member_2 * _e803)) + _e625.member_1);
 let _e832 = ((((_e809 >= _e637) && (_e809 <= _e646)) && ((_e815 >= _e637) && (_e815 <= _e656))) && ((_e821 >= _e637) && (_e821 <= _e667)));
 if _e676 {
-phi_1176_ = _e832;
+phi_1178_ = _e832;
 } else {
-let _e838 = global_3.member[_e373].member_7.member.member;
+let _e838 = global_3.member[_e373].member_9.member.member;
 let _e846 = (((_e838.member * _e838.member) + (_e838.member_1 * _e838.member_1)) + (_e838.member_2 * _e838.member_2));
-let _e855 = global_3.member[_e373].member_14.member;
+let _e855 = global_3.member[_e373].member_16.member;
 let _e867 = -((0.5f / sqrt(select(0f, _e846, (_e846 > 0f)))));
-let _e873 = global_3.member[_e373].member_14.member_1;
-let _e880 = global_3.member[_e373].member_15.member;
-let _e897 = global_3.member[_e373].member_15.member_1;
-let _e905 = global_3.member[_e373].member_16.member;
-let _e922 = global_3.member[_e373].member_16.member_1;
-let _e930 = global_3.member[_e373].member_17.member;
-let _e947 = global_3.member[_e373].member_17.member_1;
-phi_1176_ = (_e832 && (((((((((_e855.member.member * _e801) + (_e855.member.member_1 * _e802)) + (_e855.member.member_2 * _e803)) + _e855.member_1) <= _e867) || (_e873 == 0u)) && ((((((_e880.member.member * _e801) + (_e880.member.member_1 * _e802)) + (_e880.member.member_2 * _e803)) + _e880.member_1) <= _e867) || (_e897 == 0u))) && ((((((_e905.member.member * _e801) + (_e905.member.member_1 * _e802)) + (_e905.member.member_2 * _e803)) + _e905.member_1) <= _e867) || (_e922 == 0u))) && ((((((_e930.member.member * _e801) + (_e930.member.member_1 * _e802)) + (_e930.member.member_2 * _e803)) + _e930.member_1) <= _e867) || (_e947 == 0u))));
+let _e873 = global_3.member[_e373].member_16.member_1;
+let _e880 = global_3.member[_e373].member_17.member;
+let _e897 = global_3.member[_e373].member_17.member_1;
+let _e905 = global_3.member[_e373].member_18.member;
+let _e922 = global_3.member[_e373].member_18.member_1;
+let _e930 = global_3.member[_e373].member_19.member;
+let _e947 = global_3.member[_e373].member_19.member_1;
+phi_1178_ = (_e832 && (((((((((_e855.member.member * _e801) + (_e855.member.member_1 * _e802)) + (_e855.member.member_2 * _e803)) + _e855.member_1) <= _e867) || (_e873 == 0u)) && ((((((_e880.member.member * _e801) + (_e880.member.member_1 * _e802)) + (_e880.member.member_2 * _e803)) + _e880.member_1) <= _e867) || (_e897 == 0u))) && ((((((_e905.member.member * _e801) + (_e905.member.member_1 * _e802)) + (_e905.member.member_2 * _e803)) + _e905.member_1) <= _e867) || (_e922 == 0u))) && ((((((_e930.member.member * _e801) + (_e930.member.member_1 * _e802)) + (_e930.member.member_2 * _e803)) + _e930.member_1) <= _e867) || (_e947 == 0u))));
 }
-let _e953 = phi_1176_;
-phi_1179_ = (_e579 && (_e797 && _e953));
+let _e953 = phi_1178_;
+phi_1181_ = (_e579 && (_e797 && _e953));
 } else {
-phi_1179_ = _e579;
+phi_1181_ = _e579;
 }
-let _e957 = phi_1179_;
+let _e957 = phi_1181_;
 let _e958 = !(_e469);
-let _e966 = global_3.member[_e373].member_6.member_4;
+let _e966 = global_3.member[_e373].member_8.member_4;
 let _e967 = (_e542 - 0.5f);
 let _e969 = select(-0.5f, _e523, (_e523 > -0.5f));
 let _e971 = select(_e967, _e969, (_e969 < _e967));
@@ -542,7 +544,7 @@ let _e1016 = (_e971 + 0.5f);
 let _e1018 = select(0f, _e1016, (_e1016 > 0f));
 let _e1020 = select(_e543, _e1018, (_e1018 < _e543));
 let _e1027 = select(0i, select(select(i32(_e1020), i32(-2147483648), (_e1020 < -2147483600f)), 2147483647i, (_e1020 > 2147483500f)), (_e1020 == _e1020));
-let _e1036 = global_3.member[_e373].member_6.member_12;
+let _e1036 = global_3.member[_e373].member_8.member_12;
 let _e1037 = (_e1036 & 31u);
 let _e1040 = (_e976 + 0.5f);
 let _e1042 = select(0f, _e1040, (_e1040 > 0f));
@@ -552,32 +554,32 @@ let _e1058 = (_e981 + 0.5f);
 let _e1060 = select(0f, _e1058, (_e1058 > 0f));
 let _e1062 = select(_e565, _e1060, (_e1060 < _e565));
 let _e1069 = select(0i, select(select(i32(_e1062), i32(-2147483648), (_e1062 < -2147483600f)), 2147483647i, (_e1062 > 2147483500f)), (_e1062 == _e1062));
-let _e1081 = global_3.member[_e373].member_6.member_9.member;
-let _e1088 = global_3.member[_e373].member_6.member_9.member_1;
-let _e1094 = global_3.member[_e373].member_6.member_10;
+let _e1081 = global_3.member[_e373].member_8.member_9.member;
+let _e1088 = global_3.member[_e373].member_8.member_9.member_1;
+let _e1094 = global_3.member[_e373].member_8.member_10;
 let _e1100 = ((bitcast<i32>(_e1094) + ((_e1027 - select(0i, 1i, (_e1020 < f32(_e1027)))) >> bitcast<u32>(_e1037))) + (bitcast<i32>(_e1081) * (((_e1051 - select(0i, 1i, (_e1044 < f32(_e1051)))) >> bitcast<u32>(_e1037)) + (bitcast<i32>(_e1088) * ((_e1069 - select(0i, 1i, (_e1062 < f32(_e1069)))) >> bitcast<u32>(_e1037))))));
 let _e1102 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1104 = select(_e1102, _e1100, (_e1100 < _e1102));
 let _e1110 = global_5.member[bitcast<u32>(select(0i, _e1104, (_e1104 > 0i)))];
-let _e1118 = global_3.member[_e373].member_7.member;
+let _e1118 = global_3.member[_e373].member_9.member;
 let _e1129 = ((((_e1118.member.member * _e399) + (_e1118.member.member_1 * _e401)) + (_e1118.member.member_2 * _e395)) + _e1118.member_1);
-let _e1134 = global_3.member[_e373].member_7.member_1;
+let _e1134 = global_3.member[_e373].member_9.member_1;
 let _e1145 = ((((_e1134.member.member * _e399) + (_e1134.member.member_1 * _e401)) + (_e1134.member.member_2 * _e395)) + _e1134.member_1);
-let _e1150 = global_3.member[_e373].member_7.member_2;
+let _e1150 = global_3.member[_e373].member_9.member_2;
 let _e1161 = ((((_e1150.member.member * _e399) + (_e1150.member.member_1 * _e401)) + (_e1150.member.member_2 * _e395)) + _e1150.member_1);
 let _e1167 = ((((_e1118.member.member * _e409) + (_e1118.member.member_1 * _e411)) + (_e1118.member.member_2 * _e416)) + _e1118.member_1);
 let _e1173 = ((((_e1134.member.member * _e409) + (_e1134.member.member_1 * _e411)) + (_e1134.member.member_2 * _e416)) + _e1134.member_1);
 let _e1179 = ((((_e1150.member.member * _e409) + (_e1150.member.member_1 * _e411)) + (_e1150.member.member_2 * _e416)) + _e1150.member_1);
-let _e1184 = global_3.member[_e373].member_7.member_4;
-let _e1190 = global_3.member[_e373].member_7.member_3.member;
+let _e1184 = global_3.member[_e373].member_9.member_4;
+let _e1190 = global_3.member[_e373].member_9.member_3.member;
 let _e1191 = (_e1190 - 0.5f);
 let _e1193 = select(-0.5f, _e1167, (_e1167 > -0.5f));
 let _e1195 = select(_e1191, _e1193, (_e1193 < _e1191));
-let _e1201 = global_3.member[_e373].member_7.member_3.member_1;
+let _e1201 = global_3.member[_e373].member_9.member_3.member_1;
 let _e1202 = (_e1201 - 0.5f);
 let _e1204 = select(-0.5f, _e1173, (_e1173 > -0.5f));
 let _e1206 = select(_e1202, _e1204, (_e1204 < _e1202));
-let _e1212 = global_3.member[_e373].member_7.member_3.member_2;
+let _e1212 = global_3.member[_e373].member_9.member_3.member_2;
 let _e1213 = (_e1212 - 0.5f);
 let _e1215 = select(-0.5f, _e1179, (_e1179 > -0.5f));
 let _e1217 = select(_e1213, _e1215, (_e1215 < _e1213));
@@ -594,7 +596,7 @@ let _e1253 = (_e1190 - 1f);
 let _e1255 = select(0f, _e1252, (_e1252 > 0f));
 let _e1257 = select(_e1253, _e1255, (_e1255 < _e1253));
 let _e1264 = select(0i, select(select(i32(_e1257), i32(-2147483648), (_e1257 < -2147483600f)), 2147483647i, (_e1257 > 2147483500f)), (_e1257 == _e1257));
-let _e1273 = global_3.member[_e373].member_7.member_12;
+let _e1273 = global_3.member[_e373].member_9.member_12;
 let _e1274 = (_e1273 & 31u);
 let _e1277 = (_e1206 + 0.5f);
 let _e1278 = (_e1201 - 1f);
@@ -606,9 +608,9 @@ let _e1297 = (_e1212 - 1f);
 let _e1299 = select(0f, _e1296, (_e1296 > 0f));
 let _e1301 = select(_e1297, _e1299, (_e1299 < _e1297));
 let _e1308 = select(0i, select(select(i32(_e1301), i32(-2147483648), (_e1301 < -2147483600f)), 2147483647i, (_e1301 > 2147483500f)), (_e1301 == _e1301));
-let _e1320 = global_3.member[_e373].member_7.member_9.member;
-let _e1327 = global_3.member[_e373].member_7.member_9.member_1;
-let _e1333 = global_3.member[_e373].member_7.member_10;
+let _e1320 = global_3.member[_e373].member_9.member_9.member;
+let _e1327 = global_3.member[_e373].member_9.member_9.member_1;
+let _e1333 = global_3.member[_e373].member_9.member_10;
 let _e1339 = ((bitcast<i32>(_e1333) + ((_e1264 - select(0i, 1i, (_e1257 < f32(_e1264)))) >> bitcast<u32>(_e1274))) + (bitcast<i32>(_e1320) * (((_e1289 - select(0i, 1i, (_e1282 < f32(_e1289)))) >> bitcast<u32>(_e1274)) + (bitcast<i32>(_e1327) * ((_e1308 - select(0i, 1i, (_e1301 < f32(_e1308)))) >> bitcast<u32>(_e1274))))));
 let _e1341 = select(_e1102, _e1339, (_e1339 < _e1102));
 let _e1347 = global_5.member[bitcast<u32>(select(0i, _e1341, (_e1341 > 0i)))];
@@ -623,9 +625,9 @@ let _e1382 = (((_e1375 * _e1375) + (_e1376 * _e1376)) + (_e1377 * _e1377));
 let _e1385 = sqrt(select(0f, _e1382, (_e1382 > 0f)));
 let _e1386 = type_38(type_31(1f, 1f), vec3<f32>(_e409, _e411, _e416), _e1366, _e1385, _e407, _e1366, true, false, false);
 if _e588 {
-let _e1488 = global_3.member[_e373].member_7.member.member;
-let _e1497 = global_3.member[_e373].member_7.member_1.member;
-let _e1506 = global_3.member[_e373].member_7.member_2.member;
+let _e1488 = global_3.member[_e373].member_9.member.member;
+let _e1497 = global_3.member[_e373].member_9.member_1.member;
+let _e1506 = global_3.member[_e373].member_9.member_2.member;
 let _e1510 = (-0.5f - _e1129);
 let _e1511 = (-0.5f - _e1167);
 let _e1512 = -(_e1510);
@@ -733,16 +735,16 @@ let _e1750 = select(select(select(select(select(select(0f, _e1488.member_1, _e15
 let _e1751 = select(select(select(select(select(select(1f, _e1488.member_2, _e1530), _e1488.member_2, _e1570), _e1497.member_2, _e1610), _e1497.member_2, _e1650), _e1506.member_2, _e1690), _e1506.member_2, _e1730);
 let _e1755 = ((_e1354 & 16u) == 0u);
 if _e1755 {
-phi_3322_ = type_34(_e1736, vec3<f32>(_e1737, _e1738, _e1739), _e1741, vec3<f32>(_e1742, _e1743, _e1744), _e1746, _e1748, vec3<f32>(_e1749, _e1750, _e1751));
+phi_3324_ = type_34(_e1736, vec3<f32>(_e1737, _e1738, _e1739), _e1741, vec3<f32>(_e1742, _e1743, _e1744), _e1746, _e1748, vec3<f32>(_e1749, _e1750, _e1751));
 } else {
 let _e1760 = (((_e1488.member * _e1488.member) + (_e1488.member_1 * _e1488.member_1)) + (_e1488.member_2 * _e1488.member_2));
 let _e1763 = sqrt(select(0f, _e1760, (_e1760 > 0f)));
-let _e1768 = global_3.member[_e373].member_14.member_1;
+let _e1768 = global_3.member[_e373].member_16.member_1;
 let _e1769 = (_e1768 != 0u);
-let _e1774 = global_3.member[_e373].member_14.member;
+let _e1774 = global_3.member[_e373].member_16.member;
 let _e1794 = select(-1e6f, (((((_e1774.member.member * _e399) + (_e1774.member.member_1 * _e401)) + (_e1774.member.member_2 * _e395)) + _e1774.member_1) * _e1763), _e1769);
 let _e1795 = select(-1e6f, (((((_e1774.member.member * _e409) + (_e1774.member.member_1 * _e411)) + (_e1774.member.member_2 * _e416)) + _e1774.member_1) * _e1763), _e1769);
-let _e1801 = global_3.member[_e373].member_14.member.member;
+let _e1801 = global_3.member[_e373].member_16.member.member;
 let _e1805 = -(_e1794);
 let _e1808 = (_e1794 - _e1795);
 let _e1809 = (_e1795 - _e1794);
@@ -757,12 +759,12 @@ let _e1829 = select(_e1736, _e1818, _e1827);
 let _e1833 = select(_e1741, _e1822, _e1828);
 let _e1837 = select(_e1746, _e1794, _e1823);
 let _e1839 = select(_e1748, _e1795, (_e1795 > _e1748));
-let _e1847 = global_3.member[_e373].member_15.member_1;
+let _e1847 = global_3.member[_e373].member_17.member_1;
 let _e1848 = (_e1847 != 0u);
-let _e1853 = global_3.member[_e373].member_15.member;
+let _e1853 = global_3.member[_e373].member_17.member;
 let _e1873 = select(-1e6f, (((((_e1853.member.member * _e399) + (_e1853.member.member_1 * _e401)) + (_e1853.member.member_2 * _e395)) + _e1853.member_1) * _e1763), _e1848);
 let _e1874 = select(-1e6f, (((((_e1853.member.member * _e409) + (_e1853.member.member_1 * _e411)) + (_e1853.member.member_2 * _e416)) + _e1853.member_1) * _e1763), _e1848);
-let _e1880 = global_3.member[_e373].member_15.member.member;
+let _e1880 = global_3.member[_e373].member_17.member.member;
 let _e1884 = -(_e1873);
 let _e1887 = (_e1873 - _e1874);
 let _e1888 = (_e1874 - _e1873);
@@ -777,12 +779,12 @@ let _e1908 = select(_e1829, _e1897, _e1906);
 let _e1912 = select(_e1833, _e1901, _e1907);
 let _e1916 = select(_e1837, _e1873, _e1902);
 let _e1918 = select(_e1839, _e1874, (_e1874 > _e1839));
-let _e1926 = global_3.member[_e373].member_16.member_1;
+let _e1926 = global_3.member[_e373].member_18.member_1;
 let _e1927 = (_e1926 != 0u);
-let _e1932 = global_3.member[_e373].member_16.member;
+let _e1932 = global_3.member[_e373].member_18.member;
 let _e1952 = select(-1e6f, (((((_e1932.member.member * _e399) + (_e1932.member.member_1 * _e401)) + (_e1932.member.member_2 * _e395)) + _e1932.member_1) * _e1763), _e1927);
 let _e1953 = select(-1e6f, (((((_e1932.member.member * _e409) + (_e1932.member.member_1 * _e411)) + (_e1932.member.member_2 * _e416)) + _e1932.member_1) * _e1763), _e1927);
-let _e1959 = global_3.member[_e373].member_16.member.member;
+let _e1959 = global_3.member[_e373].member_18.member.member;
 let _e1963 = -(_e1952);
 let _e1966 = (_e1952 - _e1953);
 let _e1967 = (_e1953 - _e1952);
@@ -797,12 +799,12 @@ let _e1987 = select(_e1908, _e1976, _e1985);
 let _e1991 = select(_e1912, _e1980, _e1986);
 let _e1995 = select(_e1916, _e1952, _e1981);
 let _e1997 = select(_e1918, _e1953, (_e1953 > _e1918));
-let _e2005 = global_3.member[_e373].member_17.member_1;
+let _e2005 = global_3.member[_e373].member_19.member_1;
 let _e2006 = (_e2005 != 0u);
-let _e2011 = global_3.member[_e373].member_17.member;
+let _e2011 = global_3.member[_e373].member_19.member;
 let _e2031 = select(-1e6f, (((((_e2011.member.member * _e399) + (_e2011.member.member_1 * _e401)) + (_e2011.member.member_2 * _e395)) + _e2011.member_1) * _e1763), _e2006);
 let _e2032 = select(-1e6f, (((((_e2011.member.member * _e409) + (_e2011.member.member_1 * _e411)) + (_e2011.member.member_2 * _e416)) + _e2011.member_1) * _e1763), _e2006);
-let _e2038 = global_3.member[_e373].member_17.member.member;
+let _e2038 = global_3.member[_e373].member_19.member.member;
 let _e2042 = -(_e2031);
 let _e2045 = (_e2031 - _e2032);
 let _e2046 = (_e2032 - _e2031);
@@ -813,16 +815,16 @@ let _e2059 = select(2f, select(0f, _e2051, (_e2031 < 0f)), (_e2032 > 0f));
 let _e2060 = (_e2031 > _e1995);
 let _e2064 = ((_e2055 > _e1987) || ((_e2055 == _e1987) && _e2060));
 let _e2065 = (_e2059 < _e1991);
-phi_3322_ = type_34(select(_e1987, _e2055, _e2064), vec3<f32>(select(select(select(select(_e1737, _e1801.member, _e1827), _e1880.member, _e1906), _e1959.member, _e1985), _e2038.member, _e2064), select(select(select(select(_e1738, _e1801.member_1, _e1827), _e1880.member_1, _e1906), _e1959.member_1, _e1985), _e2038.member_1, _e2064), select(select(select(select(_e1739, _e1801.member_2, _e1827), _e1880.member_2, _e1906), _e1959.member_2, _e1985), _e2038.member_2, _e2064)), select(_e1991, _e2059, _e2065), vec3<f32>(select(select(select(select(_e1742, _e1801.member, _e1828), _e1880.member, _e1907), _e1959.member, _e1986), _e2038.member, _e2065), select(select(select(select(_e1743, _e1801.member_1, _e1828), _e1880.member_1, _e1907), _e1959.member_1, _e1986), _e2038.member_1, _e2065), select(select(select(select(_e1744, _e1801.member_2, _e1828), _e1880.member_2, _e1907), _e1959.member_2, _e1986), _e2038.member_2, _e2065)), select(_e1995, _e2031, _e2060), select(_e1997, _e2032, (_e2032 > _e1997)), vec3<f32>(select(select(select(select(_e1749, _e1801.member, _e1823), _e1880.member, _e1902), _e1959.member, _e1981), _e2038.member, _e2060), select(select(select(select(_e1750, _e1801.member_1, _e1823), _e1880.member_1, _e1902), _e1959.member_1, _e1981), _e2038.member_1, _e2060), select(select(select(select(_e1751, _e1801.member_2, _e1823), _e1880.member_2, _e1902), _e1959.member_2, _e1981), _e2038.member_2, _e2060)));
+phi_3324_ = type_34(select(_e1987, _e2055, _e2064), vec3<f32>(select(select(select(select(_e1737, _e1801.member, _e1827), _e1880.member, _e1906), _e1959.member, _e1985), _e2038.member, _e2064), select(select(select(select(_e1738, _e1801.member_1, _e1827), _e1880.member_1, _e1906), _e1959.member_1, _e1985), _e2038.member_1, _e2064), select(select(select(select(_e1739, _e1801.member_2, _e1827), _e1880.member_2, _e1906), _e1959.member_2, _e1985), _e2038.member_2, _e2064)), select(_e1991, _e2059, _e2065), vec3<f32>(select(select(select(select(_e1742, _e1801.member, _e1828), _e1880.member, _e1907), _e1959.member, _e1986), _e2038.member, _e2065), select(select(select(select(_e1743, _e1801.member_1, _e1828), _e1880.member_1, _e1907), _e1959.member_1, _e1986), _e2038.member_1, _e2065), select(select(select(select(_e1744, _e1801.member_2, _e1828), _e1880.member_2, _e1907), _e1959.member_2, _e1986), _e2038.member_2, _e2065)), select(_e1995, _e2031, _e2060), select(_e1997, _e2032, (_e2032 > _e1997)), vec3<f32>(select(select(select(select(_e1749, _e1801.member, _e1823), _e1880.member, _e1902), _e1959.member, _e1981), _e2038.member, _e2060), select(select(select(select(_e1750, _e1801.member_1, _e1823), _e1880.member_1, _e1902), _e1959.member_1, _e1981), _e2038.member_1, _e2060), select(select(select(select(_e1751, _e1801.member_2, _e1823), _e1880.member_2, _e1902), _e1959.member_2, _e1981), _e2038.member_2, _e2060)));
 }
-let _e2085 = phi_3322_;
+let _e2085 = phi_3324_;
 if ((_e2085.member_4 > -(0.015625f)) && (_e2085.member_4 < 0.015625f)) {
-phi_3335_ = (_e377[9] != 0f);
+phi_3337_ = (_e377[9] != 0f);
 } else {
-phi_3335_ = (_e2085.member_4 < 0f);
+phi_3337_ = (_e2085.member_4 < 0f);
 }
-let _e2094 = phi_3335_;
-let _e2099 = global_3.member[_e373].member_10.member_9;
+let _e2094 = phi_3337_;
+let _e2099 = global_3.member[_e373].member_12.member_9;
 let _e2103 = select(-0.5f, _e1129, (_e1129 > -0.5f));
 let _e2105 = select(_e1191, _e2103, (_e2103 < _e1191));
 let _e2107 = select(-0.5f, _e1145, (_e1145 > -0.5f));
@@ -841,8 +843,8 @@ let _e2145 = select(-1f, _e2113, (_e2113 > -1f));
 let _e2147 = select(_e1212, _e2145, (_e2145 < _e1212));
 let _e2154 = select(0i, select(select(i32(_e2147), i32(-2147483648), (_e2147 < -2147483600f)), 2147483647i, (_e2147 > 2147483500f)), (_e2147 == _e2147));
 let _e2158 = (_e2154 - select(0i, 1i, (_e2147 < f32(_e2154))));
-let _e2163 = global_3.member[_e373].member_7.member_7;
-let _e2168 = global_3.member[_e373].member_7.member_8;
+let _e2163 = global_3.member[_e373].member_9.member_7;
+let _e2168 = global_3.member[_e373].member_9.member_8;
 let _e2176 = (select(0i, select(select(i32(_e1201), i32(-2147483648), (_e1201 < -2147483600f)), 2147483647i, (_e1201 > 2147483500f)), (_e1201 == _e1201)) - 1i);
 let _e2179 = (_e2143 + 1i);
 let _e2189 = (select(0i, select(select(i32(_e1212), i32(-2147483648), (_e1212 < -2147483600f)), 2147483647i, (_e1212 > 2147483500f)), (_e1212 == _e1212)) - 1i);
@@ -908,8 +910,8 @@ let _e2333 = global_4.member[bitcast<u32>(select(0i, _e2328, (_e2328 > 0i)))];
 let _e2335 = local_41[0u];
 let _e2339 = local_41[1u];
 let _e2344 = local_41[2u];
-let _e2352 = global_3.member[_e373].member_7.member_6;
-let _e2357 = global_3.member[_e373].member_7.member_5;
+let _e2352 = global_3.member[_e373].member_9.member_6;
+let _e2357 = global_3.member[_e373].member_9.member_5;
 let _e2359 = (((_e2288 + (((_e2313 + (((_e2324 + ((bitcast<f32>(_e2333) - _e2324) * _e2335)) - _e2313) * _e2339)) - _e2288) * _e2344)) - _e2352) * _e2357);
 let _e2360 = -(1e9f);
 let _e2362 = select(_e2360, _e2359, (_e2359 > _e2360));
@@ -987,17 +989,17 @@ let _e2562 = (_e377[3] * _e2561);
 let _e2563 = (_e377[4] * _e2561);
 let _e2564 = (_e377[5] * _e2561);
 if _e2094 {
-phi_4420_ = type_39(_e2085.member_2, _e2085.member_3);
+phi_4422_ = type_39(_e2085.member_2, _e2085.member_3);
 } else {
-phi_4420_ = type_39(_e2085.member, _e2085.member_1);
+phi_4422_ = type_39(_e2085.member, _e2085.member_1);
 }
-let _e2572 = phi_4420_;
+let _e2572 = phi_4422_;
 if _e2094 {
-phi_4432_ = (_e2085.member_2 <= 1f);
+phi_4434_ = (_e2085.member_2 <= 1f);
 } else {
-phi_4432_ = ((_e2085.member <= 1f) && (_e2085.member < _e2085.member_2));
+phi_4434_ = ((_e2085.member <= 1f) && (_e2085.member < _e2085.member_2));
 }
-let _e2580 = phi_4432_;
+let _e2580 = phi_4434_;
 let _e2583 = select(1f, _e2572.member, _e2580);
 let _e2587 = (_e399 + (_e1375 * _e2583));
 let _e2588 = (_e401 + (_e1376 * _e2583));
@@ -1117,11 +1119,11 @@ let _e2896 = global_2.member[_e2550];
 let _e2897 = bitcast<f32>(_e2896);
 let _e2903 = ((_e2894 + (f32(bitcast<i32>((_e2879 >> bitcast<u32>(12u)))) * _e2897)) + ((f32((bitcast<i32>((_e2879 & 4095u)) - 2048i)) * _e2890) * (_e2856 - f32(_e2871))));
 if _e2094 {
-phi_5512_ = type_31(_e2903, 1f);
+phi_5514_ = type_31(_e2903, 1f);
 } else {
-phi_5512_ = type_31(1f, _e2903);
+phi_5514_ = type_31(1f, _e2903);
 }
-let _e2907 = phi_5512_;
+let _e2907 = phi_5514_;
 let _e2912 = ((_e2907.member_1 * _e2907.member_1) - (_e2907.member * _e2907.member));
 let _e2920 = (((_e2572.member_1.x * _e2572.member_1.x) + (_e2572.member_1.y * _e2572.member_1.y)) + (_e2572.member_1.z * _e2572.member_1.z));
 let _e2923 = sqrt(select(0f, _e2920, (_e2920 > 0f)));
@@ -1138,7 +1140,7 @@ let _e2947 = (_e2912 == 0f);
 let _e2959 = select(_e2562, select((_e2562 + (_e2927 * _e2946)), _e2562, _e2947), _e2580);
 let _e2960 = select(_e2563, select((_e2563 + (_e2928 * _e2946)), _e2563, _e2947), _e2580);
 let _e2961 = select(_e2564, select((_e2564 + (_e2929 * _e2946)), _e2564, _e2947), _e2580);
-let _e2966 = global_3.member[_e373].member_5.member_4;
+let _e2966 = global_3.member[_e373].member_7.member_4;
 let _e2967 = (_e2966 * _e2966);
 let _e2971 = (_e2961 * _e2961);
 let _e2975 = (_e2580 && (_e2907.member != _e2907.member_1));
@@ -1257,16 +1259,16 @@ let _e3252 = select(select(select(select(select(select(0f, _e1488.member, _e3033
 let _e3253 = select(select(select(select(select(select(0f, _e1488.member_1, _e3033), _e1488.member_1, _e3073), _e1497.member_1, _e3113), _e1497.member_1, _e3153), _e1506.member_1, _e3193), _e1506.member_1, _e3233);
 let _e3254 = select(select(select(select(select(select(1f, _e1488.member_2, _e3033), _e1488.member_2, _e3073), _e1497.member_2, _e3113), _e1497.member_2, _e3153), _e1506.member_2, _e3193), _e1506.member_2, _e3233);
 if _e1755 {
-phi_7035_ = type_34(_e3239, vec3<f32>(_e3240, _e3241, _e3242), _e3244, vec3<f32>(_e3245, _e3246, _e3247), _e3249, _e3251, vec3<f32>(_e3252, _e3253, _e3254));
+phi_7037_ = type_34(_e3239, vec3<f32>(_e3240, _e3241, _e3242), _e3244, vec3<f32>(_e3245, _e3246, _e3247), _e3249, _e3251, vec3<f32>(_e3252, _e3253, _e3254));
 } else {
 let _e3261 = (((_e1488.member * _e1488.member) + (_e1488.member_1 * _e1488.member_1)) + (_e1488.member_2 * _e1488.member_2));
 let _e3264 = sqrt(select(0f, _e3261, (_e3261 > 0f)));
-let _e3269 = global_3.member[_e373].member_14.member_1;
+let _e3269 = global_3.member[_e373].member_16.member_1;
 let _e3270 = (_e3269 != 0u);
-let _e3275 = global_3.member[_e373].member_14.member;
+let _e3275 = global_3.member[_e373].member_16.member;
 let _e3295 = select(-1e6f, (((((_e3275.member.member * _e2587) + (_e3275.member.member_1 * _e2588)) + (_e3275.member.member_2 * _e2589)) + _e3275.member_1) * _e3264), _e3270);
 let _e3296 = select(-1e6f, (((((_e3275.member.member * _e2989) + (_e3275.member.member_1 * _e2990)) + (_e3275.member.member_2 * _e2991)) + _e3275.member_1) * _e3264), _e3270);
-let _e3302 = global_3.member[_e373].member_14.member.member;
+let _e3302 = global_3.member[_e373].member_16.member.member;
 let _e3306 = -(_e3295);
 let _e3309 = (_e3295 - _e3296);
 let _e3310 = (_e3296 - _e3295);
@@ -1281,12 +1283,12 @@ let _e3330 = select(_e3239, _e3319, _e3328);
 let _e3334 = select(_e3244, _e3323, _e3329);
 let _e3338 = select(_e3249, _e3295, _e3324);
 let _e3340 = select(_e3251, _e3296, (_e3296 > _e3251));
-let _e3348 = global_3.member[_e373].member_15.member_1;
+let _e3348 = global_3.member[_e373].member_17.member_1;
 let _e3349 = (_e3348 != 0u);
-let _e3354 = global_3.member[_e373].member_15.member;
+let _e3354 = global_3.member[_e373].member_17.member;
 let _e3374 = select(-1e6f, (((((_e3354.member.member * _e2587) + (_e3354.member.member_1 * _e2588)) + (_e3354.member.member_2 * _e2589)) + _e3354.member_1) * _e3264), _e3349);
 let _e3375 = select(-1e6f, (((((_e3354.member.member * _e2989) + (_e3354.member.member_1 * _e2990)) + (_e3354.member.member_2 * _e2991)) + _e3354.member_1) * _e3264), _e3349);
-let _e3381 = global_3.member[_e373].member_15.member.member;
+let _e3381 = global_3.member[_e373].member_17.member.member;
 let _e3385 = -(_e3374);
 let _e3388 = (_e3374 - _e3375);
 let _e3389 = (_e3375 - _e3374);
@@ -1301,12 +1303,12 @@ let _e3409 = select(_e3330, _e3398, _e3407);
 let _e3413 = select(_e3334, _e3402, _e3408);
 let _e3417 = select(_e3338, _e3374, _e3403);
 let _e3419 = select(_e3340, _e3375, (_e3375 > _e3340));
-let _e3427 = global_3.member[_e373].member_16.member_1;
+let _e3427 = global_3.member[_e373].member_18.member_1;
 let _e3428 = (_e3427 != 0u);
-let _e3433 = global_3.member[_e373].member_16.member;
+let _e3433 = global_3.member[_e373].member_18.member;
 let _e3453 = select(-1e6f, (((((_e3433.member.member * _e2587) + (_e3433.member.member_1 * _e2588)) + (_e3433.member.member_2 * _e2589)) + _e3433.member_1) * _e3264), _e3428);
 let _e3454 = select(-1e6f, (((((_e3433.member.member * _e2989) + (_e3433.member.member_1 * _e2990)) + (_e3433.member.member_2 * _e2991)) + _e3433.member_1) * _e3264), _e3428);
-let _e3460 = global_3.member[_e373].member_16.member.member;
+let _e3460 = global_3.member[_e373].member_18.member.member;
 let _e3464 = -(_e3453);
 let _e3467 = (_e3453 - _e3454);
 let _e3468 = (_e3454 - _e3453);
@@ -1321,12 +1323,12 @@ let _e3488 = select(_e3409, _e3477, _e3486);
 let _e3492 = select(_e3413, _e3481, _e3487);
 let _e3496 = select(_e3417, _e3453, _e3482);
 let _e3498 = select(_e3419, _e3454, (_e3454 > _e3419));
-let _e3506 = global_3.member[_e373].member_17.member_1;
+let _e3506 = global_3.member[_e373].member_19.member_1;
 let _e3507 = (_e3506 != 0u);
-let _e3512 = global_3.member[_e373].member_17.member;
+let _e3512 = global_3.member[_e373].member_19.member;
 let _e3532 = select(-1e6f, (((((_e3512.member.member * _e2587) + (_e3512.member.member_1 * _e2588)) + (_e3512.member.member_2 * _e2589)) + _e3512.member_1) * _e3264), _e3507);
 let _e3533 = select(-1e6f, (((((_e3512.member.member * _e2989) + (_e3512.member.member_1 * _e2990)) + (_e3512.member.member_2 * _e2991)) + _e3512.member_1) * _e3264), _e3507);
-let _e3539 = global_3.member[_e373].member_17.member.member;
+let _e3539 = global_3.member[_e373].member_19.member.member;
 let _e3543 = -(_e3532);
 let _e3546 = (_e3532 - _e3533);
 let _e3547 = (_e3533 - _e3532);
@@ -1337,9 +1339,9 @@ let _e3560 = select(2f, select(0f, _e3552, (_e3532 < 0f)), (_e3533 > 0f));
 let _e3561 = (_e3532 > _e3496);
 let _e3565 = ((_e3556 > _e3488) || ((_e3556 == _e3488) && _e3561));
 let _e3566 = (_e3560 < _e3492);
-phi_7035_ = type_34(select(_e3488, _e3556, _e3565), vec3<f32>(select(select(select(select(_e3240, _e3302.member, _e3328), _e3381.member, _e3407), _e3460.member, _e3486), _e3539.member, _e3565), select(select(select(select(_e3241, _e3302.member_1, _e3328), _e3381.member_1, _e3407), _e3460.member_1, _e3486), _e3539.member_1, _e3565), select(select(select(select(_e3242, _e3302.member_2, _e3328), _e3381.member_2, _e3407), _e3460.member_2, _e3486), _e3539.member_2, _e3565)), select(_e3492, _e3560, _e3566), vec3<f32>(select(select(select(select(_e3245, _e3302.member, _e3329), _e3381.member, _e3408), _e3460.member, _e3487), _e3539.member, _e3566), select(select(select(select(_e3246, _e3302.member_1, _e3329), _e3381.member_1, _e3408), _e3460.member_1, _e3487), _e3539.member_1, _e3566), select(select(select(select(_e3247, _e3302.member_2, _e3329), _e3381.member_2, _e3408), _e3460.member_2, _e3487), _e3539.member_2, _e3566)), select(_e3496, _e3532, _e3561), select(_e3498, _e3533, (_e3533 > _e3498)), vec3<f32>(select(select(select(select(_e3252, _e3302.member, _e3324), _e3381.member, _e3403), _e3460.member, _e3482), _e3539.member, _e3561), select(select(select(select(_e3253, _e3302.member_1, _e3324), _e3381.member_1, _e3403), _e3460.member_1, _e3482), _e3539.member_1, _e3561), select(select(select(select(_e3254, _e3302.member_2, _e3324), _e3381.member_2, _e3403), _e3460.member_2, _e3482), _e3539.member_2, _e3561)));
+phi_7037_ = type_34(select(_e3488, _e3556, _e3565), vec3<f32>(select(select(select(select(_e3240, _e3302.member, _e3328), _e3381.member, _e3407), _e3460.member, _e3486), _e3539.member, _e3565), select(select(select(select(_e3241, _e3302.member_1, _e3328), _e3381.member_1, _e3407), _e3460.member_1, _e3486), _e3539.member_1, _e3565), select(select(select(select(_e3242, _e3302.member_2, _e3328), _e3381.member_2, _e3407), _e3460.member_2, _e3486), _e3539.member_2, _e3565)), select(_e3492, _e3560, _e3566), vec3<f32>(select(select(select(select(_e3245, _e3302.member, _e3329), _e3381.member, _e3408), _e3460.member, _e3487), _e3539.member, _e3566), select(select(select(select(_e3246, _e3302.member_1, _e3329), _e3381.member_1, _e3408), _e3460.member_1, _e3487), _e3539.member_1, _e3566), select(select(select(select(_e3247, _e3302.member_2, _e3329), _e3381.member_2, _e3408), _e3460.member_2, _e3487), _e3539.member_2, _e3566)), select(_e3496, _e3532, _e3561), select(_e3498, _e3533, (_e3533 > _e3498)), vec3<f32>(select(select(select(select(_e3252, _e3302.member, _e3324), _e3381.member, _e3403), _e3460.member, _e3482), _e3539.member, _e3561), select(select(select(select(_e3253, _e3302.member_1, _e3324), _e3381.member_1, _e3403), _e3460.member_1, _e3482), _e3539.member_1, _e3561), select(select(select(select(_e3254, _e3302.member_2, _e3324), _e3381.member_2, _e3403), _e3460.member_2, _e3482), _e3539.member_2, _e3561)));
 }
-let _e3586 = phi_7035_;
+let _e3586 = phi_7037_;
 let _e3592 = (((_e2580 && _e2994) && !(_e2979)) && (_e3586.member_2 <= 1f));
 let _e3596 = (_e2991 - _e2589);
 let _e3597 = select(1f, _e3586.member_2, _e3592);
@@ -1459,11 +1461,11 @@ let _e3889 = select(_e2368, _e3887, (_e3887 < _e2368));
 let _e3894 = global_2.member[bitcast<u32>(select(0i, _e3889, (_e3889 > 0i)))];
 let _e3909 = ((_e2894 + (f32(bitcast<i32>((_e3894 >> bitcast<u32>(12u)))) * _e2897)) + ((f32((bitcast<i32>((_e3894 & 4095u)) - 2048i)) * _e2890) * (_e3871 - f32(_e3886))));
 if _e2994 {
-phi_8147_ = type_31(_e3909, 1f);
+phi_8149_ = type_31(_e3909, 1f);
 } else {
-phi_8147_ = type_31(1f, _e3909);
+phi_8149_ = type_31(1f, _e3909);
 }
-let _e3913 = phi_8147_;
+let _e3913 = phi_8149_;
 let _e3918 = ((_e3913.member_1 * _e3913.member_1) - (_e3913.member * _e3913.member));
 let _e3926 = (((_e3586.member_3.x * _e3586.member_3.x) + (_e3586.member_3.y * _e3586.member_3.y)) + (_e3586.member_3.z * _e3586.member_3.z));
 let _e3929 = sqrt(select(0f, _e3926, (_e3926 > 0f)));
@@ -1600,16 +1602,16 @@ let _e4274 = select(select(select(select(select(select(0f, _e1488.member, _e4055
 let _e4275 = select(select(select(select(select(select(0f, _e1488.member_1, _e4055), _e1488.member_1, _e4095), _e1497.member_1, _e4135), _e1497.member_1, _e4175), _e1506.member_1, _e4215), _e1506.member_1, _e4255);
 let _e4276 = select(select(select(select(select(select(1f, _e1488.member_2, _e4055), _e1488.member_2, _e4095), _e1497.member_2, _e4135), _e1497.member_2, _e4175), _e1506.member_2, _e4215), _e1506.member_2, _e4255);
 if _e1755 {
-phi_9685_ = type_34(_e4261, vec3<f32>(_e4262, _e4263, _e4264), _e4266, vec3<f32>(_e4267, _e4268, _e4269), _e4271, _e4273, vec3<f32>(_e4274, _e4275, _e4276));
+phi_9687_ = type_34(_e4261, vec3<f32>(_e4262, _e4263, _e4264), _e4266, vec3<f32>(_e4267, _e4268, _e4269), _e4271, _e4273, vec3<f32>(_e4274, _e4275, _e4276));
 } else {
 let _e4283 = (((_e1488.member * _e1488.member) + (_e1488.member_1 * _e1488.member_1)) + (_e1488.member_2 * _e1488.member_2));
 let _e4286 = sqrt(select(0f, _e4283, (_e4283 > 0f)));
-let _e4291 = global_3.member[_e373].member_14.member_1;
+let _e4291 = global_3.member[_e373].member_16.member_1;
 let _e4292 = (_e4291 != 0u);
-let _e4297 = global_3.member[_e373].member_14.member;
+let _e4297 = global_3.member[_e373].member_16.member;
 let _e4317 = select(-1e6f, (((((_e4297.member.member * _e3605.x) + (_e4297.member.member_1 * _e3605.y)) + (_e4297.member.member_2 * _e3605.z)) + _e4297.member_1) * _e4286), _e4292);
 let _e4318 = select(-1e6f, (((((_e4297.member.member * _e3990) + (_e4297.member.member_1 * _e3991)) + (_e4297.member.member_2 * _e3992)) + _e4297.member_1) * _e4286), _e4292);
-let _e4324 = global_3.member[_e373].member_14.member.member;
+let _e4324 = global_3.member[_e373].member_16.member.member;
 let _e4328 = -(_e4317);
 let _e4331 = (_e4317 - _e4318);
 let _e4332 = (_e4318 - _e4317);
@@ -1624,12 +1626,12 @@ let _e4352 = select(_e4261, _e4341, _e4350);
 let _e4356 = select(_e4266, _e4345, _e4351);
 let _e4360 = select(_e4271, _e4317, _e4346);
 let _e4362 = select(_e4273, _e4318, (_e4318 > _e4273));
-let _e4370 = global_3.member[_e373].member_15.member_1;
+let _e4370 = global_3.member[_e373].member_17.member_1;
 let _e4371 = (_e4370 != 0u);
-let _e4376 = global_3.member[_e373].member_15.member;
+let _e4376 = global_3.member[_e373].member_17.member;
 let _e4396 = select(-1e6f, (((((_e4376.member.member * _e3605.x) + (_e4376.member.member_1 * _e3605.y)) + (_e4376.member.member_2 * _e3605.z)) + _e4376.member_1) * _e4286), _e4371);
 let _e4397 = select(-1e6f, (((((_e4376.member.member * _e3990) + (_e4376.member.member_1 * _e3991)) + (_e4376.member.member_2 * _e3992)) + _e4376.member_1) * _e4286), _e4371);
-let _e4403 = global_3.member[_e373].member_15.member.member;
+let _e4403 = global_3.member[_e373].member_17.member.member;
 let _e4407 = -(_e4396);
 let _e4410 = (_e4396 - _e4397);
 let _e4411 = (_e4397 - _e4396);
@@ -1644,12 +1646,12 @@ let _e4431 = select(_e4352, _e4420, _e4429);
 let _e4435 = select(_e4356, _e4424, _e4430);
 let _e4439 = select(_e4360, _e4396, _e4425);
 let _e4441 = select(_e4362, _e4397, (_e4397 > _e4362));
-let _e4449 = global_3.member[_e373].member_16.member_1;
+let _e4449 = global_3.member[_e373].member_18.member_1;
 let _e4450 = (_e4449 != 0u);
-let _e4455 = global_3.member[_e373].member_16.member;
+let _e4455 = global_3.member[_e373].member_18.member;
 let _e4475 = select(-1e6f, (((((_e4455.member.member * _e3605.x) + (_e4455.member.member_1 * _e3605.y)) + (_e4455.member.member_2 * _e3605.z)) + _e4455.member_1) * _e4286), _e4450);
 let _e4476 = select(-1e6f, (((((_e4455.member.member * _e3990) + (_e4455.member.member_1 * _e3991)) + (_e4455.member.member_2 * _e3992)) + _e4455.member_1) * _e4286), _e4450);
-let _e4482 = global_3.member[_e373].member_16.member.member;
+let _e4482 = global_3.member[_e373].member_18.member.member;
 let _e4486 = -(_e4475);
 let _e4489 = (_e4475 - _e4476);
 let _e4490 = (_e4476 - _e4475);
@@ -1664,12 +1666,12 @@ let _e4510 = select(_e4431, _e4499, _e4508);
 let _e4514 = select(_e4435, _e4503, _e4509);
 let _e4518 = select(_e4439, _e4475, _e4504);
 let _e4520 = select(_e4441, _e4476, (_e4476 > _e4441));
-let _e4528 = global_3.member[_e373].member_17.member_1;
+let _e4528 = global_3.member[_e373].member_19.member_1;
 let _e4529 = (_e4528 != 0u);
-let _e4534 = global_3.member[_e373].member_17.member;
+let _e4534 = global_3.member[_e373].member_19.member;
 let _e4554 = select(-1e6f, (((((_e4534.member.member * _e3605.x) + (_e4534.member.member_1 * _e3605.y)) + (_e4534.member.member_2 * _e3605.z)) + _e4534.member_1) * _e4286), _e4529);
 let _e4555 = select(-1e6f, (((((_e4534.member.member * _e3990) + (_e4534.member.member_1 * _e3991)) + (_e4534.member.member_2 * _e3992)) + _e4534.member_1) * _e4286), _e4529);
-let _e4561 = global_3.member[_e373].member_17.member.member;
+let _e4561 = global_3.member[_e373].member_19.member.member;
 let _e4565 = -(_e4554);
 let _e4568 = (_e4554 - _e4555);
 let _e4569 = (_e4555 - _e4554);
@@ -1680,9 +1682,9 @@ let _e4582 = select(2f, select(0f, _e4574, (_e4554 < 0f)), (_e4555 > 0f));
 let _e4583 = (_e4554 > _e4518);
 let _e4587 = ((_e4578 > _e4510) || ((_e4578 == _e4510) && _e4583));
 let _e4588 = (_e4582 < _e4514);
-phi_9685_ = type_34(select(_e4510, _e4578, _e4587), vec3<f32>(select(select(select(select(_e4262, _e4324.member, _e4350), _e4403.member, _e4429), _e4482.member, _e4508), _e4561.member, _e4587), select(select(select(select(_e4263, _e4324.member_1, _e4350), _e4403.member_1, _e4429), _e4482.member_1, _e4508), _e4561.member_1, _e4587), select(select(select(select(_e4264, _e4324.member_2, _e4350), _e4403.member_2, _e4429), _e4482.member_2, _e4508), _e4561.member_2, _e4587)), select(_e4514, _e4582, _e4588), vec3<f32>(select(select(select(select(_e4267, _e4324.member, _e4351), _e4403.member, _e4430), _e4482.member, _e4509), _e4561.member, _e4588), select(select(select(select(_e4268, _e4324.member_1, _e4351), _e4403.member_1, _e4430), _e4482.member_1, _e4509), _e4561.member_1, _e4588), select(select(select(select(_e4269, _e4324.member_2, _e4351), _e4403.member_2, _e4430), _e4482.member_2, _e4509), _e4561.member_2, _e4588)), select(_e4518, _e4554, _e4583), select(_e4520, _e4555, (_e4555 > _e4520)), vec3<f32>(select(select(select(select(_e4274, _e4324.member, _e4346), _e4403.member, _e4425), _e4482.member, _e4504), _e4561.member, _e4583), select(select(select(select(_e4275, _e4324.member_1, _e4346), _e4403.member_1, _e4425), _e4482.member_1, _e4504), _e4561.member_1, _e4583), select(select(select(select(_e4276, _e4324.member_2, _e4346), _e4403.member_2, _e4425), _e4482.member_2, _e4504), _e4561.member_2, _e4583)));
+phi_9687_ = type_34(select(_e4510, _e4578, _e4587), vec3<f32>(select(select(select(select(_e4262, _e4324.member, _e4350), _e4403.member, _e4429), _e4482.member, _e4508), _e4561.member, _e4587), select(select(select(select(_e4263, _e4324.member_1, _e4350), _e4403.member_1, _e4429), _e4482.member_1, _e4508), _e4561.member_1, _e4587), select(select(select(select(_e4264, _e4324.member_2, _e4350), _e4403.member_2, _e4429), _e4482.member_2, _e4508), _e4561.member_2, _e4587)), select(_e4514, _e4582, _e4588), vec3<f32>(select(select(select(select(_e4267, _e4324.member, _e4351), _e4403.member, _e4430), _e4482.member, _e4509), _e4561.member, _e4588), select(select(select(select(_e4268, _e4324.member_1, _e4351), _e4403.member_1, _e4430), _e4482.member_1, _e4509), _e4561.member_1, _e4588), select(select(select(select(_e4269, _e4324.member_2, _e4351), _e4403.member_2, _e4430), _e4482.member_2, _e4509), _e4561.member_2, _e4588)), select(_e4518, _e4554, _e4583), select(_e4520, _e4555, (_e4555 > _e4520)), vec3<f32>(select(select(select(select(_e4274, _e4324.member, _e4346), _e4403.member, _e4425), _e4482.member, _e4504), _e4561.member, _e4583), select(select(select(select(_e4275, _e4324.member_1, _e4346), _e4403.member_1, _e4425), _e4482.member_1, _e4504), _e4561.member_1, _e4583), select(select(select(select(_e4276, _e4324.member_2, _e4346), _e4403.member_2, _e4425), _e4482.member_2, _e4504), _e4561.member_2, _e4583)));
 }
-let _e4608 = phi_9685_;
+let _e4608 = phi_9687_;
 let _e4614 = (((_e3592 && _e3995) && !(_e3979)) && (_e4608.member_2 <= 1f));
 let _e4619 = select(1f, _e4608.member_2, _e4614);
 let _e4620 = ((_e3990 - _e3605.x) * _e4619);
@@ -1801,11 +1803,11 @@ let _e4911 = select(_e2368, _e4909, (_e4909 < _e2368));
 let _e4916 = global_2.member[bitcast<u32>(select(0i, _e4911, (_e4911 > 0i)))];
 let _e4931 = ((_e2894 + (f32(bitcast<i32>((_e4916 >> bitcast<u32>(12u)))) * _e2897)) + ((f32((bitcast<i32>((_e4916 & 4095u)) - 2048i)) * _e2890) * (_e4893 - f32(_e4908))));
 if _e3995 {
-phi_10797_ = type_31(_e4931, 1f);
+phi_10799_ = type_31(_e4931, 1f);
 } else {
-phi_10797_ = type_31(1f, _e4931);
+phi_10799_ = type_31(1f, _e4931);
 }
-let _e4935 = phi_10797_;
+let _e4935 = phi_10799_;
 let _e4940 = ((_e4935.member_1 * _e4935.member_1) - (_e4935.member * _e4935.member));
 let _e4948 = (((_e4608.member_3.x * _e4608.member_3.x) + (_e4608.member_3.y * _e4608.member_3.y)) + (_e4608.member_3.z * _e4608.member_3.z));
 let _e4951 = sqrt(select(0f, _e4948, (_e4948 > 0f)));
@@ -1942,16 +1944,16 @@ let _e5297 = select(select(select(select(select(select(0f, _e1488.member, _e5078
 let _e5298 = select(select(select(select(select(select(0f, _e1488.member_1, _e5078), _e1488.member_1, _e5118), _e1497.member_1, _e5158), _e1497.member_1, _e5198), _e1506.member_1, _e5238), _e1506.member_1, _e5278);
 let _e5299 = select(select(select(select(select(select(1f, _e1488.member_2, _e5078), _e1488.member_2, _e5118), _e1497.member_2, _e5158), _e1497.member_2, _e5198), _e1506.member_2, _e5238), _e1506.member_2, _e5278);
 if _e1755 {
-phi_12335_ = type_34(_e5284, vec3<f32>(_e5285, _e5286, _e5287), _e5289, vec3<f32>(_e5290, _e5291, _e5292), _e5294, _e5296, vec3<f32>(_e5297, _e5298, _e5299));
+phi_12337_ = type_34(_e5284, vec3<f32>(_e5285, _e5286, _e5287), _e5289, vec3<f32>(_e5290, _e5291, _e5292), _e5294, _e5296, vec3<f32>(_e5297, _e5298, _e5299));
 } else {
 let _e5306 = (((_e1488.member * _e1488.member) + (_e1488.member_1 * _e1488.member_1)) + (_e1488.member_2 * _e1488.member_2));
 let _e5309 = sqrt(select(0f, _e5306, (_e5306 > 0f)));
-let _e5314 = global_3.member[_e373].member_14.member_1;
+let _e5314 = global_3.member[_e373].member_16.member_1;
 let _e5315 = (_e5314 != 0u);
-let _e5320 = global_3.member[_e373].member_14.member;
+let _e5320 = global_3.member[_e373].member_16.member;
 let _e5340 = select(-1e6f, (((((_e5320.member.member * _e4627.x) + (_e5320.member.member_1 * _e4627.y)) + (_e5320.member.member_2 * _e4627.z)) + _e5320.member_1) * _e5309), _e5315);
 let _e5341 = select(-1e6f, (((((_e5320.member.member * _e5013) + (_e5320.member.member_1 * _e5014)) + (_e5320.member.member_2 * _e5015)) + _e5320.member_1) * _e5309), _e5315);
-let _e5347 = global_3.member[_e373].member_14.member.member;
+let _e5347 = global_3.member[_e373].member_16.member.member;
 let _e5351 = -(_e5340);
 let _e5354 = (_e5340 - _e5341);
 let _e5355 = (_e5341 - _e5340);
@@ -1966,12 +1968,12 @@ let _e5375 = select(_e5284, _e5364, _e5373);
 let _e5379 = select(_e5289, _e5368, _e5374);
 let _e5383 = select(_e5294, _e5340, _e5369);
 let _e5385 = select(_e5296, _e5341, (_e5341 > _e5296));
-let _e5393 = global_3.member[_e373].member_15.member_1;
+let _e5393 = global_3.member[_e373].member_17.member_1;
 let _e5394 = (_e5393 != 0u);
-let _e5399 = global_3.member[_e373].member_15.member;
+let _e5399 = global_3.member[_e373].member_17.member;
 let _e5419 = select(-1e6f, (((((_e5399.member.member * _e4627.x) + (_e5399.member.member_1 * _e4627.y)) + (_e5399.member.member_2 * _e4627.z)) + _e5399.member_1) * _e5309), _e5394);
 let _e5420 = select(-1e6f, (((((_e5399.member.member * _e5013) + (_e5399.member.member_1 * _e5014)) + (_e5399.member.member_2 * _e5015)) + _e5399.member_1) * _e5309), _e5394);
-let _e5426 = global_3.member[_e373].member_15.member.member;
+let _e5426 = global_3.member[_e373].member_17.member.member;
 let _e5430 = -(_e5419);
 let _e5433 = (_e5419 - _e5420);
 let _e5434 = (_e5420 - _e5419);
@@ -1986,12 +1988,12 @@ let _e5454 = select(_e5375, _e5443, _e5452);
 let _e5458 = select(_e5379, _e5447, _e5453);
 let _e5462 = select(_e5383, _e5419, _e5448);
 let _e5464 = select(_e5385, _e5420, (_e5420 > _e5385));
-let _e5472 = global_3.member[_e373].member_16.member_1;
+let _e5472 = global_3.member[_e373].member_18.member_1;
 let _e5473 = (_e5472 != 0u);
-let _e5478 = global_3.member[_e373].member_16.member;
+let _e5478 = global_3.member[_e373].member_18.member;
 let _e5498 = select(-1e6f, (((((_e5478.member.member * _e4627.x) + (_e5478.member.member_1 * _e4627.y)) + (_e5478.member.member_2 * _e4627.z)) + _e5478.member_1) * _e5309), _e5473);
 let _e5499 = select(-1e6f, (((((_e5478.member.member * _e5013) + (_e5478.member.member_1 * _e5014)) + (_e5478.member.member_2 * _e5015)) + _e5478.member_1) * _e5309), _e5473);
-let _e5505 = global_3.member[_e373].member_16.member.member;
+let _e5505 = global_3.member[_e373].member_18.member.member;
 let _e5509 = -(_e5498);
 let _e5512 = (_e5498 - _e5499);
 let _e5513 = (_e5499 - _e5498);
@@ -2006,12 +2008,12 @@ let _e5533 = select(_e5454, _e5522, _e5531);
 let _e5537 = select(_e5458, _e5526, _e5532);
 let _e5541 = select(_e5462, _e5498, _e5527);
 let _e5543 = select(_e5464, _e5499, (_e5499 > _e5464));
-let _e5551 = global_3.member[_e373].member_17.member_1;
+let _e5551 = global_3.member[_e373].member_19.member_1;
 let _e5552 = (_e5551 != 0u);
-let _e5557 = global_3.member[_e373].member_17.member;
+let _e5557 = global_3.member[_e373].member_19.member;
 let _e5577 = select(-1e6f, (((((_e5557.member.member * _e4627.x) + (_e5557.member.member_1 * _e4627.y)) + (_e5557.member.member_2 * _e4627.z)) + _e5557.member_1) * _e5309), _e5552);
 let _e5578 = select(-1e6f, (((((_e5557.member.member * _e5013) + (_e5557.member.member_1 * _e5014)) + (_e5557.member.member_2 * _e5015)) + _e5557.member_1) * _e5309), _e5552);
-let _e5584 = global_3.member[_e373].member_17.member.member;
+let _e5584 = global_3.member[_e373].member_19.member.member;
 let _e5588 = -(_e5577);
 let _e5591 = (_e5577 - _e5578);
 let _e5592 = (_e5578 - _e5577);
@@ -2022,9 +2024,9 @@ let _e5605 = select(2f, select(0f, _e5597, (_e5577 < 0f)), (_e5578 > 0f));
 let _e5606 = (_e5577 > _e5541);
 let _e5610 = ((_e5601 > _e5533) || ((_e5601 == _e5533) && _e5606));
 let _e5611 = (_e5605 < _e5537);
-phi_12335_ = type_34(select(_e5533, _e5601, _e5610), vec3<f32>(select(select(select(select(_e5285, _e5347.member, _e5373), _e5426.member, _e5452), _e5505.member, _e5531), _e5584.member, _e5610), select(select(select(select(_e5286, _e5347.member_1, _e5373), _e5426.member_1, _e5452), _e5505.member_1, _e5531), _e5584.member_1, _e5610), select(select(select(select(_e5287, _e5347.member_2, _e5373), _e5426.member_2, _e5452), _e5505.member_2, _e5531), _e5584.member_2, _e5610)), select(_e5537, _e5605, _e5611), vec3<f32>(select(select(select(select(_e5290, _e5347.member, _e5374), _e5426.member, _e5453), _e5505.member, _e5532), _e5584.member, _e5611), select(select(select(select(_e5291, _e5347.member_1, _e5374), _e5426.member_1, _e5453), _e5505.member_1, _e5532), _e5584.member_1, _e5611), select(select(select(select(_e5292, _e5347.member_2, _e5374), _e5426.member_2, _e5453), _e5505.member_2, _e5532), _e5584.member_2, _e5611)), select(_e5541, _e5577, _e5606), select(_e5543, _e5578, (_e5578 > _e5543)), vec3<f32>(select(select(select(select(_e5297, _e5347.member, _e5369), _e5426.member, _e5448), _e5505.member, _e5527), _e5584.member, _e5606), select(select(select(select(_e5298, _e5347.member_1, _e5369), _e5426.member_1, _e5448), _e5505.member_1, _e5527), _e5584.member_1, _e5606), select(select(select(select(_e5299, _e5347.member_2, _e5369), _e5426.member_2, _e5448), _e5505.member_2, _e5527), _e5584.member_2, _e5606)));
+phi_12337_ = type_34(select(_e5533, _e5601, _e5610), vec3<f32>(select(select(select(select(_e5285, _e5347.member, _e5373), _e5426.member, _e5452), _e5505.member, _e5531), _e5584.member, _e5610), select(select(select(select(_e5286, _e5347.member_1, _e5373), _e5426.member_1, _e5452), _e5505.member_1, _e5531), _e5584.member_1, _e5610), select(select(select(select(_e5287, _e5347.member_2, _e5373), _e5426.member_2, _e5452), _e5505.member_2, _e5531), _e5584.member_2, _e5610)), select(_e5537, _e5605, _e5611), vec3<f32>(select(select(select(select(_e5290, _e5347.member, _e5374), _e5426.member, _e5453), _e5505.member, _e5532), _e5584.member, _e5611), select(select(select(select(_e5291, _e5347.member_1, _e5374), _e5426.member_1, _e5453), _e5505.member_1, _e5532), _e5584.member_1, _e5611), select(select(select(select(_e5292, _e5347.member_2, _e5374), _e5426.member_2, _e5453), _e5505.member_2, _e5532), _e5584.member_2, _e5611)), select(_e5541, _e5577, _e5606), select(_e5543, _e5578, (_e5578 > _e5543)), vec3<f32>(select(select(select(select(_e5297, _e5347.member, _e5369), _e5426.member, _e5448), _e5505.member, _e5527), _e5584.member, _e5606), select(select(select(select(_e5298, _e5347.member_1, _e5369), _e5426.member_1, _e5448), _e5505.member_1, _e5527), _e5584.member_1, _e5606), select(select(select(select(_e5299, _e5347.member_2, _e5369), _e5426.member_2, _e5448), _e5505.member_2, _e5527), _e5584.member_2, _e5606)));
 }
-let _e5631 = phi_12335_;
+let _e5631 = phi_12337_;
 let _e5637 = (((_e4614 && _e5018) && !(_e5002)) && (_e5631.member_2 <= 1f));
 let _e5638 = (_e987 < 1e-12f);
 let _e5640 = (1f / select(_e982, 1f, _e5638));
@@ -2239,12 +2241,12 @@ let _e6214 = select(_e6172, _e6143, (_e6143 > _e6172));
 let _e6217 = (select(_e6208, _e6210, (_e6210 < _e6208)) - select(_e6201, _e6214, (_e6214 > _e6201)));
 let _e6224 = ((_e2975 || _e3975) || _e4998);
 if _e2975 {
-phi_14083_ = _e2907;
+phi_14085_ = _e2907;
 } else {
-phi_14083_ = _e3913;
+phi_14085_ = _e3913;
 }
-let _e6245 = phi_14083_;
-phi_14355_ = type_38(_e6245, vec3<f32>(select(_e5013, _e4627.x, _e5637), select(_e5014, _e4627.y, _e5637), select(_e5015, _e4627.z, _e5637)), vec3<f32>(_e4987, _e4988, _e4989), select((_e1385 * select(0f, _e5721, (_e5721 > 0f))), ((((sqrt(select(0f, _e5732, (_e5732 > 0f))) * select(0f, _e5831, (_e5831 > 0f))) + (sqrt(select(0f, _e5842, (_e5842 > 0f))) * select(0f, _e5959, (_e5959 > 0f)))) + (sqrt(select(0f, _e5971, (_e5971 > 0f))) * select(0f, _e6088, (_e6088 > 0f)))) + select(0f, (sqrt(select(0f, _e6100, (_e6100 > 0f))) * select(0f, _e6217, (_e6217 > 0f))), _e4614)), _e6224), select((_e406 / _e4989), (2f * (_e3596 / _e2961)), (((_e2580 && !(_e2094)) && _e2994) && !(_e3592))), select(_e3586.member_3, _e2572.member_1, vec3(_e2975)), _e5018, _e6224, (((_e2979 || _e3979) || _e5002) || _e5637));
+let _e6245 = phi_14085_;
+phi_14357_ = type_38(_e6245, vec3<f32>(select(_e5013, _e4627.x, _e5637), select(_e5014, _e4627.y, _e5637), select(_e5015, _e4627.z, _e5637)), vec3<f32>(_e4987, _e4988, _e4989), select((_e1385 * select(0f, _e5721, (_e5721 > 0f))), ((((sqrt(select(0f, _e5732, (_e5732 > 0f))) * select(0f, _e5831, (_e5831 > 0f))) + (sqrt(select(0f, _e5842, (_e5842 > 0f))) * select(0f, _e5959, (_e5959 > 0f)))) + (sqrt(select(0f, _e5971, (_e5971 > 0f))) * select(0f, _e6088, (_e6088 > 0f)))) + select(0f, (sqrt(select(0f, _e6100, (_e6100 > 0f))) * select(0f, _e6217, (_e6217 > 0f))), _e4614)), _e6224), select((_e406 / _e4989), (2f * (_e3596 / _e2961)), (((_e2580 && !(_e2094)) && _e2994) && !(_e3592))), select(_e3586.member_3, _e2572.member_1, vec3(_e2975)), _e5018, _e6224, (((_e2979 || _e3979) || _e5002) || _e5637));
 } else {
 let _e1387 = (_e987 < 1e-12f);
 let _e1389 = (1f / select(_e982, 1f, _e1387));
@@ -2279,9 +2281,9 @@ let _e1461 = select(select(1f, _e1458, (_e1458 < 1f)), 1f, _e1437);
 let _e1463 = select(_e1436, _e1411, (_e1411 < _e1436));
 let _e1467 = select(_e1429, _e1404, (_e1404 > _e1429));
 let _e1470 = (select(_e1461, _e1463, (_e1463 < _e1461)) - select(_e1454, _e1467, (_e1467 > _e1454)));
-phi_14355_ = type_38(_e1386.member, _e1386.member_1, _e1386.member_2, (_e1385 * select(0f, _e1470, (_e1470 > 0f))), _e1386.member_4, _e1386.member_5, _e1386.member_6, _e1386.member_7, _e1386.member_8);
+phi_14357_ = type_38(_e1386.member, _e1386.member_1, _e1386.member_2, (_e1385 * select(0f, _e1470, (_e1470 > 0f))), _e1386.member_4, _e1386.member_5, _e1386.member_6, _e1386.member_7, _e1386.member_8);
 }
-let _e6248 = phi_14355_;
+let _e6248 = phi_14357_;
 let _e6259 = ((((_e474.member.member * _e6248.member_1.x) + (_e474.member.member_1 * _e6248.member_1.y)) + (_e474.member.member_2 * _e6248.member_1.z)) + _e474.member_1);
 let _e6265 = ((((_e490.member.member * _e6248.member_1.x) + (_e490.member.member_1 * _e6248.member_1.y)) + (_e490.member.member_2 * _e6248.member_1.z)) + _e490.member_1);
 let _e6271 = ((((_e506.member.member * _e6248.member_1.x) + (_e506.member.member_1 * _e6248.member_1.y)) + (_e506.member.member_2 * _e6248.member_1.z)) + _e506.member_1);
@@ -2307,8 +2309,8 @@ let _e6597 = select(-1f, _e6565, (_e6565 > -1f));
 let _e6599 = select(_e564, _e6597, (_e6597 < _e564));
 let _e6606 = select(0i, select(select(i32(_e6599), i32(-2147483648), (_e6599 < -2147483600f)), 2147483647i, (_e6599 > 2147483500f)), (_e6599 == _e6599));
 let _e6610 = (_e6606 - select(0i, 1i, (_e6599 < f32(_e6606))));
-let _e6615 = global_3.member[_e373].member_6.member_7;
-let _e6620 = global_3.member[_e373].member_6.member_8;
+let _e6615 = global_3.member[_e373].member_8.member_7;
+let _e6620 = global_3.member[_e373].member_8.member_8;
 let _e6628 = (select(0i, select(select(i32(_e553), i32(-2147483648), (_e553 < -2147483600f)), 2147483647i, (_e553 > 2147483500f)), (_e553 == _e553)) - 1i);
 let _e6631 = (_e6595 + 1i);
 let _e6641 = (select(0i, select(select(i32(_e564), i32(-2147483648), (_e564 < -2147483600f)), 2147483647i, (_e564 > 2147483500f)), (_e564 == _e564)) - 1i);
@@ -2374,8 +2376,8 @@ let _e6787 = local_25[1u];
 let _e6790 = (_e6710 + (((_e6721 + ((bitcast<f32>(_e6730) - _e6721) * _e6732)) - _e6710) * _e6787));
 let _e6791 = local_25[1u];
 let _e6796 = local_25[2u];
-let _e6804 = global_3.member[_e373].member_6.member_6;
-let _e6809 = global_3.member[_e373].member_6.member_5;
+let _e6804 = global_3.member[_e373].member_8.member_6;
+let _e6809 = global_3.member[_e373].member_8.member_5;
 let _e6811 = (((_e6790 + (((_e6760 + (((_e6771 + ((bitcast<f32>(_e6780) - _e6771) * _e6782)) - _e6760) * _e6791)) - _e6790) * _e6796)) - _e6804) * _e6809);
 let _e6812 = -(1e9f);
 let _e6814 = select(_e6812, _e6811, (_e6811 > _e6812));
@@ -2397,8 +2399,8 @@ let _e6860 = select(-1f, _e6828, (_e6828 > -1f));
 let _e6862 = select(_e1212, _e6860, (_e6860 < _e1212));
 let _e6869 = select(0i, select(select(i32(_e6862), i32(-2147483648), (_e6862 < -2147483600f)), 2147483647i, (_e6862 > 2147483500f)), (_e6862 == _e6862));
 let _e6873 = (_e6869 - select(0i, 1i, (_e6862 < f32(_e6869))));
-let _e6878 = global_3.member[_e373].member_7.member_7;
-let _e6883 = global_3.member[_e373].member_7.member_8;
+let _e6878 = global_3.member[_e373].member_9.member_7;
+let _e6883 = global_3.member[_e373].member_9.member_8;
 let _e6891 = (select(0i, select(select(i32(_e1201), i32(-2147483648), (_e1201 < -2147483600f)), 2147483647i, (_e1201 > 2147483500f)), (_e1201 == _e1201)) - 1i);
 let _e6892 = (_e6858 - 1i);
 let _e6897 = (_e6858 + 1i);
@@ -2640,8 +2642,8 @@ let _e7443 = local_23[2u];
 let _e7447 = local_23[1u];
 let _e7451 = local_23[2u];
 let _e7455 = local_23[2u];
-let _e7463 = global_3.member[_e373].member_7.member_6;
-let _e7468 = global_3.member[_e373].member_7.member_5;
+let _e7463 = global_3.member[_e373].member_9.member_6;
+let _e7468 = global_3.member[_e373].member_9.member_5;
 let _e7470 = (((_e7385 + ((_e7389 - _e7385) * _e7455)) - _e7463) * _e7468);
 let _e7472 = select(_e6812, _e7470, (_e7470 > _e6812));
 let _e7476 = (((_e7393 + (((_e7119 + (((_e7138 + ((_e7148 - _e7138) * _e7169)) - _e7119) * _e7394)) - _e7393) * _e7399)) - _e7463) * _e7468);
@@ -2749,7 +2751,7 @@ if _e587 {
 let _e8195 = ((0.5f * (_e7486 - _e7480)) * _e7744);
 let _e8196 = ((0.5f * (_e7498 - _e7492)) * _e7744);
 let _e8197 = ((0.5f * (_e7510 - _e7504)) * _e7744);
-phi_20922_ = type_32(_e7706, vec3<f32>(_e8195, _e8196, _e8197), vec3<f32>((_e8195 * _e7706), (_e8196 * _e7706), (_e8197 * _e7706)));
+phi_20924_ = type_32(_e7706, vec3<f32>(_e8195, _e8196, _e8197), vec3<f32>((_e8195 * _e7706), (_e8196 * _e7706), (_e8197 * _e7706)));
 } else {
 local_18 = _e7480;
 let _e7745 = local_18;
@@ -2898,23 +2900,23 @@ let _e8170 = ((_e7691 + (f32(bitcast<i32>((_e8155 >> bitcast<u32>(12u)))) * _e77
 let _e8171 = (_e7886 - _e7815);
 let _e8173 = (_e8028 - _e7957);
 let _e8175 = (_e8170 - _e8099);
-phi_20922_ = type_32(_e7706, vec3<f32>((0.5f * _e8171), (0.5f * _e8173), (0.5f * _e8175)), vec3<f32>((0.25f * (_e8171 * (_e7886 + _e7815))), (0.25f * (_e8173 * (_e8028 + _e7957))), (0.25f * (_e8175 * (_e8170 + _e8099)))));
+phi_20924_ = type_32(_e7706, vec3<f32>((0.5f * _e8171), (0.5f * _e8173), (0.5f * _e8175)), vec3<f32>((0.25f * (_e8171 * (_e7886 + _e7815))), (0.25f * (_e8173 * (_e8028 + _e7957))), (0.25f * (_e8175 * (_e8170 + _e8099)))));
 }
-let _e8205 = phi_20922_;
+let _e8205 = phi_20924_;
 let _e8220 = select(0f, 1f, ((((((_e6277 >= -0.5f) && (_e6277 <= _e1191)) && (_e6283 >= -0.5f)) && (_e6283 <= _e1202)) && (_e6289 >= -0.5f)) && (_e6289 <= _e1213)));
 let _e8222 = (0.5f * (_e7486 - _e7480));
 let _e8224 = (0.5f * (_e7498 - _e7492));
 let _e8226 = (0.5f * (_e7510 - _e7504));
-let _e8233 = global_3.member[_e373].member_7.member.member.member;
-let _e8240 = global_3.member[_e373].member_7.member.member.member_1;
-let _e8247 = global_3.member[_e373].member_7.member.member.member_2;
-let _e8254 = global_3.member[_e373].member_7.member_1.member.member;
-let _e8261 = global_3.member[_e373].member_7.member_1.member.member_1;
-let _e8268 = global_3.member[_e373].member_7.member_1.member.member_2;
-let _e8275 = global_3.member[_e373].member_7.member_2.member.member;
-let _e8282 = global_3.member[_e373].member_7.member_2.member.member_1;
-let _e8289 = global_3.member[_e373].member_7.member_2.member.member_2;
-phi_21569_ = type_33(select(1e9f, _e6814, (_e6814 < 1e9f)), vec3<f32>(((((_e8233 * _e8222) + (_e8254 * _e8224)) + (_e8275 * _e8226)) * _e8220), ((((_e8240 * _e8222) + (_e8261 * _e8224)) + (_e8282 * _e8226)) * _e8220), ((((_e8247 * _e8222) + (_e8268 * _e8224)) + (_e8289 * _e8226)) * _e8220)), _e8205.member, vec3<f32>(((((_e8233 * _e8205.member_2.x) + (_e8254 * _e8205.member_2.y)) + (_e8275 * _e8205.member_2.z)) * _e8220), ((((_e8240 * _e8205.member_2.x) + (_e8261 * _e8205.member_2.y)) + (_e8282 * _e8205.member_2.z)) * _e8220), ((((_e8247 * _e8205.member_2.x) + (_e8268 * _e8205.member_2.y)) + (_e8289 * _e8205.member_2.z)) * _e8220)), vec3<f32>(((((_e8233 * _e8205.member_1.x) + (_e8254 * _e8205.member_1.y)) + (_e8275 * _e8205.member_1.z)) * _e8220), ((((_e8240 * _e8205.member_1.x) + (_e8261 * _e8205.member_1.y)) + (_e8282 * _e8205.member_1.z)) * _e8220), ((((_e8247 * _e8205.member_1.x) + (_e8268 * _e8205.member_1.y)) + (_e8289 * _e8205.member_1.z)) * _e8220)));
+let _e8233 = global_3.member[_e373].member_9.member.member.member;
+let _e8240 = global_3.member[_e373].member_9.member.member.member_1;
+let _e8247 = global_3.member[_e373].member_9.member.member.member_2;
+let _e8254 = global_3.member[_e373].member_9.member_1.member.member;
+let _e8261 = global_3.member[_e373].member_9.member_1.member.member_1;
+let _e8268 = global_3.member[_e373].member_9.member_1.member.member_2;
+let _e8275 = global_3.member[_e373].member_9.member_2.member.member;
+let _e8282 = global_3.member[_e373].member_9.member_2.member.member_1;
+let _e8289 = global_3.member[_e373].member_9.member_2.member.member_2;
+phi_21571_ = type_33(select(1e9f, _e6814, (_e6814 < 1e9f)), vec3<f32>(((((_e8233 * _e8222) + (_e8254 * _e8224)) + (_e8275 * _e8226)) * _e8220), ((((_e8240 * _e8222) + (_e8261 * _e8224)) + (_e8282 * _e8226)) * _e8220), ((((_e8247 * _e8222) + (_e8268 * _e8224)) + (_e8289 * _e8226)) * _e8220)), _e8205.member, vec3<f32>(((((_e8233 * _e8205.member_2.x) + (_e8254 * _e8205.member_2.y)) + (_e8275 * _e8205.member_2.z)) * _e8220), ((((_e8240 * _e8205.member_2.x) + (_e8261 * _e8205.member_2.y)) + (_e8282 * _e8205.member_2.z)) * _e8220), ((((_e8247 * _e8205.member_2.x) + (_e8268 * _e8205.member_2.y)) + (_e8289 * _e8205.member_2.z)) * _e8220)), vec3<f32>(((((_e8233 * _e8205.member_1.x) + (_e8254 * _e8205.member_1.y)) + (_e8275 * _e8205.member_1.z)) * _e8220), ((((_e8240 * _e8205.member_1.x) + (_e8261 * _e8205.member_1.y)) + (_e8282 * _e8205.member_1.z)) * _e8220), ((((_e8247 * _e8205.member_1.x) + (_e8268 * _e8205.member_1.y)) + (_e8289 * _e8205.member_1.z)) * _e8220)));
 } else {
 let _e6291 = select(-0.5f, _e6259, (_e6259 > -0.5f));
 let _e6293 = select(_e967, _e6291, (_e6291 < _e967));
@@ -2934,8 +2936,8 @@ let _e6333 = select(-1f, _e6301, (_e6301 > -1f));
 let _e6335 = select(_e564, _e6333, (_e6333 < _e564));
 let _e6342 = select(0i, select(select(i32(_e6335), i32(-2147483648), (_e6335 < -2147483600f)), 2147483647i, (_e6335 > 2147483500f)), (_e6335 == _e6335));
 let _e6346 = (_e6342 - select(0i, 1i, (_e6335 < f32(_e6342))));
-let _e6351 = global_3.member[_e373].member_6.member_7;
-let _e6356 = global_3.member[_e373].member_6.member_8;
+let _e6351 = global_3.member[_e373].member_8.member_7;
+let _e6356 = global_3.member[_e373].member_8.member_8;
 let _e6364 = (select(0i, select(select(i32(_e553), i32(-2147483648), (_e553 < -2147483600f)), 2147483647i, (_e553 > 2147483500f)), (_e553 == _e553)) - 1i);
 let _e6367 = (_e6331 + 1i);
 let _e6377 = (select(0i, select(select(i32(_e564), i32(-2147483648), (_e564 < -2147483600f)), 2147483647i, (_e564 > 2147483500f)), (_e564 == _e564)) - 1i);
@@ -3001,14 +3003,14 @@ let _e6521 = global_1.member[bitcast<u32>(select(0i, _e6516, (_e6516 > 0i)))];
 let _e6523 = local_7[0u];
 let _e6527 = local_7[1u];
 let _e6532 = local_7[2u];
-let _e6540 = global_3.member[_e373].member_6.member_6;
-let _e6545 = global_3.member[_e373].member_6.member_5;
+let _e6540 = global_3.member[_e373].member_8.member_6;
+let _e6545 = global_3.member[_e373].member_8.member_5;
 let _e6547 = (((_e6476 + (((_e6501 + (((_e6512 + ((bitcast<f32>(_e6521) - _e6512) * _e6523)) - _e6501) * _e6527)) - _e6476) * _e6532)) - _e6540) * _e6545);
 let _e6548 = -(1e9f);
 let _e6550 = select(_e6548, _e6547, (_e6547 > _e6548));
-phi_21569_ = type_33(select(1e9f, _e6550, (_e6550 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21571_ = type_33(select(1e9f, _e6550, (_e6550 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8355 = phi_21569_;
+let _e8355 = phi_21571_;
 let _e8357 = select(-0.5f, _e485, (_e485 > -0.5f));
 let _e8359 = select(_e967, _e8357, (_e8357 < _e967));
 let _e8361 = select(-0.5f, _e501, (_e501 > -0.5f));
@@ -3027,8 +3029,8 @@ let _e8399 = select(-1f, _e8367, (_e8367 > -1f));
 let _e8401 = select(_e564, _e8399, (_e8399 < _e564));
 let _e8408 = select(0i, select(select(i32(_e8401), i32(-2147483648), (_e8401 < -2147483600f)), 2147483647i, (_e8401 > 2147483500f)), (_e8401 == _e8401));
 let _e8412 = (_e8408 - select(0i, 1i, (_e8401 < f32(_e8408))));
-let _e8417 = global_3.member[_e373].member_6.member_7;
-let _e8422 = global_3.member[_e373].member_6.member_8;
+let _e8417 = global_3.member[_e373].member_8.member_7;
+let _e8422 = global_3.member[_e373].member_8.member_8;
 let _e8430 = (select(0i, select(select(i32(_e553), i32(-2147483648), (_e553 < -2147483600f)), 2147483647i, (_e553 > 2147483500f)), (_e553 == _e553)) - 1i);
 let _e8433 = (_e8397 + 1i);
 let _e8443 = (select(0i, select(select(i32(_e564), i32(-2147483648), (_e564 < -2147483600f)), 2147483647i, (_e564 > 2147483500f)), (_e564 == _e564)) - 1i);
@@ -3094,17 +3096,17 @@ let _e8587 = global_1.member[bitcast<u32>(select(0i, _e8582, (_e8582 > 0i)))];
 let _e8589 = local_5[0u];
 let _e8593 = local_5[1u];
 let _e8598 = local_5[2u];
-let _e8606 = global_3.member[_e373].member_6.member_6;
-let _e8611 = global_3.member[_e373].member_6.member_5;
+let _e8606 = global_3.member[_e373].member_8.member_6;
+let _e8611 = global_3.member[_e373].member_8.member_5;
 let _e8613 = (((_e8542 + (((_e8567 + (((_e8578 + ((bitcast<f32>(_e8587) - _e8578) * _e8589)) - _e8567) * _e8593)) - _e8542) * _e8598)) - _e8606) * _e8611);
 let _e8614 = -(1e9f);
 let _e8616 = select(_e8614, _e8613, (_e8613 > _e8614));
 let _e8618 = select(1e9f, _e8616, (_e8616 < 1e9f));
 let _e8620 = ((_e1354 & 16u) == 0u);
 if _e8620 {
-phi_22427_ = type_7(1f, 1f, 1f);
+phi_22429_ = type_7(1f, 1f, 1f);
 } else {
-let _e8625 = global_3.member[_e373].member_14.member;
+let _e8625 = global_3.member[_e373].member_16.member;
 let _e8636 = ((((_e8625.member.member * _e399) + (_e8625.member.member_1 * _e401)) + (_e8625.member.member_2 * _e395)) + _e8625.member_1);
 let _e8642 = ((((_e8625.member.member * _e6248.member_1.x) + (_e8625.member.member_1 * _e6248.member_1.y)) + (_e8625.member.member_2 * _e6248.member_1.z)) + _e8625.member_1);
 let _e8644 = select(_e8642, _e8636, (_e8636 < _e8642));
@@ -3113,9 +3115,9 @@ let _e8648 = (_e8646 - _e8644);
 let _e8651 = (-(_e8644) / select(1e-30f, _e8648, (_e8648 > 1e-30f)));
 let _e8653 = select(0f, _e8651, (_e8651 > 0f));
 let _e8659 = select(select(select(1f, _e8653, (_e8653 < 1f)), 1f, (_e8646 <= 0f)), 0f, (_e8644 > 0f));
-let _e8665 = global_3.member[_e373].member_14.member_1;
+let _e8665 = global_3.member[_e373].member_16.member_1;
 let _e8666 = (_e8665 != 0u);
-let _e8677 = global_3.member[_e373].member_15.member;
+let _e8677 = global_3.member[_e373].member_17.member;
 let _e8688 = ((((_e8677.member.member * _e399) + (_e8677.member.member_1 * _e401)) + (_e8677.member.member_2 * _e395)) + _e8677.member_1);
 let _e8694 = ((((_e8677.member.member * _e6248.member_1.x) + (_e8677.member.member_1 * _e6248.member_1.y)) + (_e8677.member.member_2 * _e6248.member_1.z)) + _e8677.member_1);
 let _e8696 = select(_e8694, _e8688, (_e8688 < _e8694));
@@ -3124,9 +3126,9 @@ let _e8700 = (_e8698 - _e8696);
 let _e8703 = (-(_e8696) / select(1e-30f, _e8700, (_e8700 > 1e-30f)));
 let _e8705 = select(0f, _e8703, (_e8703 > 0f));
 let _e8711 = select(select(select(1f, _e8705, (_e8705 < 1f)), 1f, (_e8698 <= 0f)), 0f, (_e8696 > 0f));
-let _e8717 = global_3.member[_e373].member_15.member_1;
+let _e8717 = global_3.member[_e373].member_17.member_1;
 let _e8718 = (_e8717 != 0u);
-let _e8729 = global_3.member[_e373].member_16.member;
+let _e8729 = global_3.member[_e373].member_18.member;
 let _e8740 = ((((_e8729.member.member * _e399) + (_e8729.member.member_1 * _e401)) + (_e8729.member.member_2 * _e395)) + _e8729.member_1);
 let _e8746 = ((((_e8729.member.member * _e6248.member_1.x) + (_e8729.member.member_1 * _e6248.member_1.y)) + (_e8729.member.member_2 * _e6248.member_1.z)) + _e8729.member_1);
 let _e8748 = select(_e8746, _e8740, (_e8740 < _e8746));
@@ -3135,9 +3137,9 @@ let _e8752 = (_e8750 - _e8748);
 let _e8755 = (-(_e8748) / select(1e-30f, _e8752, (_e8752 > 1e-30f)));
 let _e8757 = select(0f, _e8755, (_e8755 > 0f));
 let _e8763 = select(select(select(1f, _e8757, (_e8757 < 1f)), 1f, (_e8750 <= 0f)), 0f, (_e8748 > 0f));
-let _e8769 = global_3.member[_e373].member_16.member_1;
+let _e8769 = global_3.member[_e373].member_18.member_1;
 let _e8770 = (_e8769 != 0u);
-let _e8781 = global_3.member[_e373].member_17.member;
+let _e8781 = global_3.member[_e373].member_19.member;
 let _e8792 = ((((_e8781.member.member * _e399) + (_e8781.member.member_1 * _e401)) + (_e8781.member.member_2 * _e395)) + _e8781.member_1);
 let _e8798 = ((((_e8781.member.member * _e6248.member_1.x) + (_e8781.member.member_1 * _e6248.member_1.y)) + (_e8781.member.member_2 * _e6248.member_1.z)) + _e8781.member_1);
 let _e8800 = select(_e8798, _e8792, (_e8792 < _e8798));
@@ -3146,12 +3148,12 @@ let _e8804 = (_e8802 - _e8800);
 let _e8807 = (-(_e8800) / select(1e-30f, _e8804, (_e8804 > 1e-30f)));
 let _e8809 = select(0f, _e8807, (_e8807 > 0f));
 let _e8815 = select(select(select(1f, _e8809, (_e8809 < 1f)), 1f, (_e8802 <= 0f)), 0f, (_e8800 > 0f));
-let _e8821 = global_3.member[_e373].member_17.member_1;
+let _e8821 = global_3.member[_e373].member_19.member_1;
 let _e8822 = (_e8821 != 0u);
-phi_22427_ = type_7(((((1f * _e8659) * _e8711) * _e8763) * _e8815), ((((1f * select(1f, _e8659, _e8666)) * select(1f, _e8711, _e8718)) * select(1f, _e8763, _e8770)) * select(1f, _e8815, _e8822)), ((((1f * select(1f, 0f, (_e8666 && (_e8642 > 0f)))) * select(1f, 0f, (_e8718 && (_e8694 > 0f)))) * select(1f, 0f, (_e8770 && (_e8746 > 0f)))) * select(1f, 0f, (_e8822 && (_e8798 > 0f)))));
+phi_22429_ = type_7(((((1f * _e8659) * _e8711) * _e8763) * _e8815), ((((1f * select(1f, _e8659, _e8666)) * select(1f, _e8711, _e8718)) * select(1f, _e8763, _e8770)) * select(1f, _e8815, _e8822)), ((((1f * select(1f, 0f, (_e8666 && (_e8642 > 0f)))) * select(1f, 0f, (_e8718 && (_e8694 > 0f)))) * select(1f, 0f, (_e8770 && (_e8746 > 0f)))) * select(1f, 0f, (_e8822 && (_e8798 > 0f)))));
 }
-let _e8831 = phi_22427_;
-let _e8837 = global_3.member[_e373].member_5.member_3;
+let _e8831 = phi_22429_;
+let _e8837 = global_3.member[_e373].member_7.member_3;
 let _e8838 = (_e6248.member_3 * _e8837);
 if (((_e382.member_2 == 3u) || (_e382.member_2 == 4u)) || _e581) {
 local_3 = _e8618;
@@ -3331,7 +3333,7 @@ let _e10266 = f32(_e10265);
 let _e10270 = ((_e10248 - (_e10266 * 0.6933594f)) - (_e10266 * -2.1219444e-4f));
 let _e10290 = ((1f + (_e10270 * (1f + (_e10270 * (0.5f + (_e10270 * (0.16666667f + (_e10270 * (0.041666668f + (_e10270 * (0.008333334f + (_e10270 * (0.001388889f + (_e10270 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10265 + 127i)) << bitcast<u32>(23i))));
 let _e10291 = (1f - _e10290);
-phi_25925_ = type_40(_e10290, _e10291, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e10291 / select(1e-12f, _e10240, (_e10240 > 1e-12f))))));
+phi_25927_ = type_40(_e10290, _e10291, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e10291 / select(1e-12f, _e10240, (_e10240 > 1e-12f))))));
 } else {
 local_1 = _e8618;
 let _e8844 = local_1;
@@ -3568,9 +3570,9 @@ let _e9716 = f32(_e9715);
 let _e9720 = ((_e9698 - (_e9716 * 0.6933594f)) - (_e9716 * -2.1219444e-4f));
 let _e9740 = ((1f + (_e9720 * (1f + (_e9720 * (0.5f + (_e9720 * (0.16666667f + (_e9720 * (0.041666668f + (_e9720 * (0.008333334f + (_e9720 * (0.001388889f + (_e9720 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9715 + 127i)) << bitcast<u32>(23i))));
 let _e9741 = (1f - _e9740);
-phi_25925_ = type_40(_e9740, _e9741, vec3<f32>(((1f + (_e9575 * (1f + (_e9575 * (0.5f + (_e9575 * (0.16666667f + (_e9575 * (0.041666668f + (_e9575 * (0.008333334f + (_e9575 * (0.001388889f + (_e9575 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9570 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9623 * (1f + (_e9623 * (0.5f + (_e9623 * (0.16666667f + (_e9623 * (0.041666668f + (_e9623 * (0.008333334f + (_e9623 * (0.001388889f + (_e9623 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9618 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9671 * (1f + (_e9671 * (0.5f + (_e9671 * (0.16666667f + (_e9671 * (0.041666668f + (_e9671 * (0.008333334f + (_e9671 * (0.001388889f + (_e9671 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9666 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e9741 / select(1e-12f, _e9335, (_e9335 > 1e-12f))))));
+phi_25927_ = type_40(_e9740, _e9741, vec3<f32>(((1f + (_e9575 * (1f + (_e9575 * (0.5f + (_e9575 * (0.16666667f + (_e9575 * (0.041666668f + (_e9575 * (0.008333334f + (_e9575 * (0.001388889f + (_e9575 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9570 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9623 * (1f + (_e9623 * (0.5f + (_e9623 * (0.16666667f + (_e9623 * (0.041666668f + (_e9623 * (0.008333334f + (_e9623 * (0.001388889f + (_e9623 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9618 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9671 * (1f + (_e9671 * (0.5f + (_e9671 * (0.16666667f + (_e9671 * (0.041666668f + (_e9671 * (0.008333334f + (_e9671 * (0.001388889f + (_e9671 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9666 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e9741 / select(1e-12f, _e9335, (_e9335 > 1e-12f))))));
 }
-let _e10299 = phi_25925_;
+let _e10299 = phi_25927_;
 let _e10308 = (_e377[6] * (_e10299.member_2.x * _e10299.member));
 let _e10309 = (_e377[7] * (_e10299.member_2.y * _e10299.member));
 let _e10310 = (_e377[8] * (_e10299.member_2.z * _e10299.member));
@@ -3586,9 +3588,9 @@ let _e10341 = (_e6248.member_1.z + (_e6248.member_2.z * _e10333));
 let _e10347 = ((((_e1118.member.member * _e10339) + (_e1118.member.member_1 * _e10340)) + (_e1118.member.member_2 * _e10341)) + _e1118.member_1);
 let _e10353 = ((((_e1134.member.member * _e10339) + (_e1134.member.member_1 * _e10340)) + (_e1134.member.member_2 * _e10341)) + _e1134.member_1);
 let _e10359 = ((((_e1150.member.member * _e10339) + (_e1150.member.member_1 * _e10340)) + (_e1150.member.member_2 * _e10341)) + _e1150.member_1);
-let _e10365 = global_3.member[_e373].member_7.member.member;
-let _e10374 = global_3.member[_e373].member_7.member_1.member;
-let _e10383 = global_3.member[_e373].member_7.member_2.member;
+let _e10365 = global_3.member[_e373].member_9.member.member;
+let _e10374 = global_3.member[_e373].member_9.member_1.member;
+let _e10383 = global_3.member[_e373].member_9.member_2.member;
 let _e10387 = (-0.5f - _e6277);
 let _e10388 = (-0.5f - _e10347);
 let _e10389 = -(_e10387);
@@ -3695,16 +3697,16 @@ let _e10626 = select(select(select(select(select(select(0f, _e10365.member, _e10
 let _e10627 = select(select(select(select(select(select(0f, _e10365.member_1, _e10407), _e10365.member_1, _e10447), _e10374.member_1, _e10487), _e10374.member_1, _e10527), _e10383.member_1, _e10567), _e10383.member_1, _e10607);
 let _e10628 = select(select(select(select(select(select(1f, _e10365.member_2, _e10407), _e10365.member_2, _e10447), _e10374.member_2, _e10487), _e10374.member_2, _e10527), _e10383.member_2, _e10567), _e10383.member_2, _e10607);
 if _e8620 {
-phi_27324_ = type_34(_e10613, vec3<f32>(_e10614, _e10615, _e10616), _e10618, vec3<f32>(_e10619, _e10620, _e10621), _e10623, _e10625, vec3<f32>(_e10626, _e10627, _e10628));
+phi_27326_ = type_34(_e10613, vec3<f32>(_e10614, _e10615, _e10616), _e10618, vec3<f32>(_e10619, _e10620, _e10621), _e10623, _e10625, vec3<f32>(_e10626, _e10627, _e10628));
 } else {
 let _e10635 = (((_e10365.member * _e10365.member) + (_e10365.member_1 * _e10365.member_1)) + (_e10365.member_2 * _e10365.member_2));
 let _e10638 = sqrt(select(0f, _e10635, (_e10635 > 0f)));
-let _e10643 = global_3.member[_e373].member_14.member_1;
+let _e10643 = global_3.member[_e373].member_16.member_1;
 let _e10644 = (_e10643 != 0u);
-let _e10649 = global_3.member[_e373].member_14.member;
+let _e10649 = global_3.member[_e373].member_16.member;
 let _e10669 = select(-1e6f, (((((_e10649.member.member * _e6248.member_1.x) + (_e10649.member.member_1 * _e6248.member_1.y)) + (_e10649.member.member_2 * _e6248.member_1.z)) + _e10649.member_1) * _e10638), _e10644);
 let _e10670 = select(-1e6f, (((((_e10649.member.member * _e10339) + (_e10649.member.member_1 * _e10340)) + (_e10649.member.member_2 * _e10341)) + _e10649.member_1) * _e10638), _e10644);
-let _e10676 = global_3.member[_e373].member_14.member.member;
+let _e10676 = global_3.member[_e373].member_16.member.member;
 let _e10680 = -(_e10669);
 let _e10683 = (_e10669 - _e10670);
 let _e10684 = (_e10670 - _e10669);
@@ -3719,12 +3721,12 @@ let _e10704 = select(_e10613, _e10693, _e10702);
 let _e10708 = select(_e10618, _e10697, _e10703);
 let _e10712 = select(_e10623, _e10669, _e10698);
 let _e10714 = select(_e10625, _e10670, (_e10670 > _e10625));
-let _e10722 = global_3.member[_e373].member_15.member_1;
+let _e10722 = global_3.member[_e373].member_17.member_1;
 let _e10723 = (_e10722 != 0u);
-let _e10728 = global_3.member[_e373].member_15.member;
+let _e10728 = global_3.member[_e373].member_17.member;
 let _e10748 = select(-1e6f, (((((_e10728.member.member * _e6248.member_1.x) + (_e10728.member.member_1 * _e6248.member_1.y)) + (_e10728.member.member_2 * _e6248.member_1.z)) + _e10728.member_1) * _e10638), _e10723);
 let _e10749 = select(-1e6f, (((((_e10728.member.member * _e10339) + (_e10728.member.member_1 * _e10340)) + (_e10728.member.member_2 * _e10341)) + _e10728.member_1) * _e10638), _e10723);
-let _e10755 = global_3.member[_e373].member_15.member.member;
+let _e10755 = global_3.member[_e373].member_17.member.member;
 let _e10759 = -(_e10748);
 let _e10762 = (_e10748 - _e10749);
 let _e10763 = (_e10749 - _e10748);
@@ -3739,12 +3741,12 @@ let _e10783 = select(_e10704, _e10772, _e10781);
 let _e10787 = select(_e10708, _e10776, _e10782);
 let _e10791 = select(_e10712, _e10748, _e10777);
 let _e10793 = select(_e10714, _e10749, (_e10749 > _e10714));
-let _e10801 = global_3.member[_e373].member_16.member_1;
+let _e10801 = global_3.member[_e373].member_18.member_1;
 let _e10802 = (_e10801 != 0u);
-let _e10807 = global_3.member[_e373].member_16.member;
+let _e10807 = global_3.member[_e373].member_18.member;
 let _e10827 = select(-1e6f, (((((_e10807.member.member * _e6248.member_1.x) + (_e10807.member.member_1 * _e6248.member_1.y)) + (_e10807.member.member_2 * _e6248.member_1.z)) + _e10807.member_1) * _e10638), _e10802);
 let _e10828 = select(-1e6f, (((((_e10807.member.member * _e10339) + (_e10807.member.member_1 * _e10340)) + (_e10807.member.member_2 * _e10341)) + _e10807.member_1) * _e10638), _e10802);
-let _e10834 = global_3.member[_e373].member_16.member.member;
+let _e10834 = global_3.member[_e373].member_18.member.member;
 let _e10838 = -(_e10827);
 let _e10841 = (_e10827 - _e10828);
 let _e10842 = (_e10828 - _e10827);
@@ -3759,12 +3761,12 @@ let _e10862 = select(_e10783, _e10851, _e10860);
 let _e10866 = select(_e10787, _e10855, _e10861);
 let _e10870 = select(_e10791, _e10827, _e10856);
 let _e10872 = select(_e10793, _e10828, (_e10828 > _e10793));
-let _e10880 = global_3.member[_e373].member_17.member_1;
+let _e10880 = global_3.member[_e373].member_19.member_1;
 let _e10881 = (_e10880 != 0u);
-let _e10886 = global_3.member[_e373].member_17.member;
+let _e10886 = global_3.member[_e373].member_19.member;
 let _e10906 = select(-1e6f, (((((_e10886.member.member * _e6248.member_1.x) + (_e10886.member.member_1 * _e6248.member_1.y)) + (_e10886.member.member_2 * _e6248.member_1.z)) + _e10886.member_1) * _e10638), _e10881);
 let _e10907 = select(-1e6f, (((((_e10886.member.member * _e10339) + (_e10886.member.member_1 * _e10340)) + (_e10886.member.member_2 * _e10341)) + _e10886.member_1) * _e10638), _e10881);
-let _e10913 = global_3.member[_e373].member_17.member.member;
+let _e10913 = global_3.member[_e373].member_19.member.member;
 let _e10917 = -(_e10906);
 let _e10920 = (_e10906 - _e10907);
 let _e10921 = (_e10907 - _e10906);
@@ -3775,11 +3777,11 @@ let _e10934 = select(2f, select(0f, _e10926, (_e10906 < 0f)), (_e10907 > 0f));
 let _e10935 = (_e10906 > _e10870);
 let _e10939 = ((_e10930 > _e10862) || ((_e10930 == _e10862) && _e10935));
 let _e10940 = (_e10934 < _e10866);
-phi_27324_ = type_34(select(_e10862, _e10930, _e10939), vec3<f32>(select(select(select(select(_e10614, _e10676.member, _e10702), _e10755.member, _e10781), _e10834.member, _e10860), _e10913.member, _e10939), select(select(select(select(_e10615, _e10676.member_1, _e10702), _e10755.member_1, _e10781), _e10834.member_1, _e10860), _e10913.member_1, _e10939), select(select(select(select(_e10616, _e10676.member_2, _e10702), _e10755.member_2, _e10781), _e10834.member_2, _e10860), _e10913.member_2, _e10939)), select(_e10866, _e10934, _e10940), vec3<f32>(select(select(select(select(_e10619, _e10676.member, _e10703), _e10755.member, _e10782), _e10834.member, _e10861), _e10913.member, _e10940), select(select(select(select(_e10620, _e10676.member_1, _e10703), _e10755.member_1, _e10782), _e10834.member_1, _e10861), _e10913.member_1, _e10940), select(select(select(select(_e10621, _e10676.member_2, _e10703), _e10755.member_2, _e10782), _e10834.member_2, _e10861), _e10913.member_2, _e10940)), select(_e10870, _e10906, _e10935), select(_e10872, _e10907, (_e10907 > _e10872)), vec3<f32>(select(select(select(select(_e10626, _e10676.member, _e10698), _e10755.member, _e10777), _e10834.member, _e10856), _e10913.member, _e10935), select(select(select(select(_e10627, _e10676.member_1, _e10698), _e10755.member_1, _e10777), _e10834.member_1, _e10856), _e10913.member_1, _e10935), select(select(select(select(_e10628, _e10676.member_2, _e10698), _e10755.member_2, _e10777), _e10834.member_2, _e10856), _e10913.member_2, _e10935)));
+phi_27326_ = type_34(select(_e10862, _e10930, _e10939), vec3<f32>(select(select(select(select(_e10614, _e10676.member, _e10702), _e10755.member, _e10781), _e10834.member, _e10860), _e10913.member, _e10939), select(select(select(select(_e10615, _e10676.member_1, _e10702), _e10755.member_1, _e10781), _e10834.member_1, _e10860), _e10913.member_1, _e10939), select(select(select(select(_e10616, _e10676.member_2, _e10702), _e10755.member_2, _e10781), _e10834.member_2, _e10860), _e10913.member_2, _e10939)), select(_e10866, _e10934, _e10940), vec3<f32>(select(select(select(select(_e10619, _e10676.member, _e10703), _e10755.member, _e10782), _e10834.member, _e10861), _e10913.member, _e10940), select(select(select(select(_e10620, _e10676.member_1, _e10703), _e10755.member_1, _e10782), _e10834.member_1, _e10861), _e10913.member_1, _e10940), select(select(select(select(_e10621, _e10676.member_2, _e10703), _e10755.member_2, _e10782), _e10834.member_2, _e10861), _e10913.member_2, _e10940)), select(_e10870, _e10906, _e10935), select(_e10872, _e10907, (_e10907 > _e10872)), vec3<f32>(select(select(select(select(_e10626, _e10676.member, _e10698), _e10755.member, _e10777), _e10834.member, _e10856), _e10913.member, _e10935), select(select(select(select(_e10627, _e10676.member_1, _e10698), _e10755.member_1, _e10777), _e10834.member_1, _e10856), _e10913.member_1, _e10935), select(select(select(select(_e10628, _e10676.member_2, _e10698), _e10755.member_2, _e10777), _e10834.member_2, _e10856), _e10913.member_2, _e10935)));
 }
-let _e10960 = phi_27324_;
+let _e10960 = phi_27326_;
 let _e10967 = (_e8831.member_2 * select(0f, 1f, _e6248.member_6));
-let _e10973 = global_3.member[_e373].member_5.member_4;
+let _e10973 = global_3.member[_e373].member_7.member_4;
 let _e10976 = (_e8355.member_3.x * _e10967);
 let _e10978 = (_e8355.member_3.y * _e10967);
 let _e10980 = (_e8355.member_3.z * _e10967);
@@ -3802,43 +3804,43 @@ let _e11034 = (_e6248.member_2.y + ((_e8355.member_4.y * _e10967) * _e406));
 let _e11035 = (_e6248.member_2.z + ((_e8355.member_4.z * _e10967) * _e406));
 let _e11037 = (_e11035 * _e11035);
 let _e11046 = ((_e1354 & 1u) != 0u);
-phi_27480_ = vec3<f32>(select(select(select(_e11003, _e10985, _e11019), _e11033, _e11046), _e6248.member_2.x, _e6248.member_8), select(select(select(_e11004, _e10986, _e11019), _e11034, _e11046), _e6248.member_2.y, _e6248.member_8), select(select(select(_e11005, _e10987, _e11019), _e11035, _e11046), _e6248.member_2.z, _e6248.member_8));
-phi_27481_ = (select(_e11019, ((_e11035 <= 0f) || (_e11037 <= (_e11009 * (((_e11033 * _e11033) + (_e11034 * _e11034)) + _e11037)))), _e11046) || _e6248.member_8);
+phi_27482_ = vec3<f32>(select(select(select(_e11003, _e10985, _e11019), _e11033, _e11046), _e6248.member_2.x, _e6248.member_8), select(select(select(_e11004, _e10986, _e11019), _e11034, _e11046), _e6248.member_2.y, _e6248.member_8), select(select(select(_e11005, _e10987, _e11019), _e11035, _e11046), _e6248.member_2.z, _e6248.member_8));
+phi_27483_ = (select(_e11019, ((_e11035 <= 0f) || (_e11037 <= (_e11009 * (((_e11033 * _e11033) + (_e11034 * _e11034)) + _e11037)))), _e11046) || _e6248.member_8);
 } else {
-phi_27480_ = _e6248.member_2;
-phi_27481_ = false;
+phi_27482_ = _e6248.member_2;
+phi_27483_ = false;
 }
-let _e11058 = phi_27480_;
-let _e11060 = phi_27481_;
+let _e11058 = phi_27482_;
+let _e11060 = phi_27483_;
 let _e11071 = ((((_e6248.member_7 || (_e11058.x != _e377[3])) || (_e11058.y != _e377[4])) || (_e11058.z != _e377[5])) && _e958);
-let _e11076 = global_3.member[_e373].member_10.member_24;
+let _e11076 = global_3.member[_e373].member_12.member_24;
 let _e11085 = (_e377[12] + (((((_e377[6] + _e377[7]) + _e377[8]) * _e10313) - _e10314) * (_e395 + ((_e6248.member_1.z - _e395) * 0.5f))));
-phi_27579_ = array<f32, 14>(select(_e377[0], _e6248.member_1.x, _e11071), select(_e377[1], _e6248.member_1.y, _e11071), select(_e377[2], _e6248.member_1.z, _e11071), select(_e377[3], _e11058.x, _e11071), select(_e377[4], _e11058.y, _e11071), select(_e377[5], _e11058.z, _e11071), select(_e10308, 0f, _e10329), select(_e10309, 0f, _e10329), select(_e10310, 0f, _e10329), select(0f, 1f, _e6248.member_6), select(_e377[10], 1f, _e11071), select(select(select(0f, 1f, _e11060), 2f, (_e10329 && (_e11076 == 0f))), 3f, _e469), _e11085, select(_e377[13], (_e11085 + (_e10314 * _e6248.member_1.z)), (_e11071 && (_e377[10] == 0f))));
+phi_27581_ = array<f32, 14>(select(_e377[0], _e6248.member_1.x, _e11071), select(_e377[1], _e6248.member_1.y, _e11071), select(_e377[2], _e6248.member_1.z, _e11071), select(_e377[3], _e11058.x, _e11071), select(_e377[4], _e11058.y, _e11071), select(_e377[5], _e11058.z, _e11071), select(_e10308, 0f, _e10329), select(_e10309, 0f, _e10329), select(_e10310, 0f, _e10329), select(0f, 1f, _e6248.member_6), select(_e377[10], 1f, _e11071), select(select(select(0f, 1f, _e11060), 2f, (_e10329 && (_e11076 == 0f))), 3f, _e469), _e11085, select(_e377[13], (_e11085 + (_e10314 * _e6248.member_1.z)), (_e11071 && (_e377[10] == 0f))));
 } else {
-phi_27579_ = _e377;
+phi_27581_ = _e377;
 }
-let _e11106 = phi_27579_;
-phi_553_ = (_e373 + 1u);
-phi_556_ = select(_e375, true, _e1365);
-phi_558_ = _e11106;
+let _e11106 = phi_27581_;
+phi_555_ = (_e373 + 1u);
+phi_558_ = select(_e375, true, _e1365);
+phi_560_ = _e11106;
 } else {
-phi_553_ = u32();
-phi_556_ = bool();
-phi_558_ = array<f32, 14>();
+phi_555_ = u32();
+phi_558_ = bool();
+phi_560_ = array<f32, 14>();
 }
-let _e11110 = phi_553_;
-let _e11112 = phi_556_;
-let _e11114 = phi_558_;
+let _e11110 = phi_555_;
+let _e11112 = phi_558_;
+let _e11114 = phi_560_;
 continue;
 continuing {
-phi_552_ = _e11110;
-phi_555_ = _e11112;
-phi_557_ = _e11114;
-phi_27646_ = false;
+phi_554_ = _e11110;
+phi_557_ = _e11112;
+phi_559_ = _e11114;
+phi_27648_ = false;
 break if !(_e378);
 }
 }
-let _e11117 = phi_27646_;
+let _e11117 = phi_27648_;
 if _e11117 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -267,36 +269,36 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_551_: u32;
-var phi_554_: bool;
-var phi_556_: array<f32, 14>;
-var phi_995_: bool;
-var phi_1175_: bool;
-var phi_1178_: bool;
-var phi_3020_: type_34;
-var phi_3033_: bool;
-var phi_4250_: type_39;
-var phi_4262_: bool;
-var phi_5474_: type_31;
-var phi_6997_: type_34;
-var phi_8241_: type_31;
-var phi_9779_: type_34;
-var phi_11023_: type_31;
-var phi_12561_: type_34;
-var phi_14309_: type_31;
-var phi_14581_: type_38;
-var phi_20294_: type_32;
-var phi_21073_: type_33;
-var phi_22063_: type_7;
-var phi_25561_: type_40;
-var phi_26960_: type_34;
-var phi_27116_: vec3<f32>;
-var phi_27117_: bool;
-var phi_27215_: array<f32, 14>;
-var phi_552_: u32;
-var phi_555_: bool;
-var phi_557_: array<f32, 14>;
-var phi_27282_: bool;
+var phi_553_: u32;
+var phi_556_: bool;
+var phi_558_: array<f32, 14>;
+var phi_997_: bool;
+var phi_1177_: bool;
+var phi_1180_: bool;
+var phi_3022_: type_34;
+var phi_3035_: bool;
+var phi_4252_: type_39;
+var phi_4264_: bool;
+var phi_5476_: type_31;
+var phi_6999_: type_34;
+var phi_8243_: type_31;
+var phi_9781_: type_34;
+var phi_11025_: type_31;
+var phi_12563_: type_34;
+var phi_14311_: type_31;
+var phi_14583_: type_38;
+var phi_20296_: type_32;
+var phi_21075_: type_33;
+var phi_22065_: type_7;
+var phi_25563_: type_40;
+var phi_26962_: type_34;
+var phi_27118_: vec3<f32>;
+var phi_27119_: bool;
+var phi_27217_: array<f32, 14>;
+var phi_554_: u32;
+var phi_557_: bool;
+var phi_559_: array<f32, 14>;
+var phi_27284_: bool;
 var local_40: bool;
 var local_41: array<f32, 14>;
 var local_42: array<f32, 14>;
@@ -386,13 +388,13 @@ let _e355 = ((13u * _e209) + _e211);
 let _e356 = bitcast<i32>(_e355);
 let _e358 = select(_e214, _e356, (_e356 < _e214));
 let _e364 = global_5.member[bitcast<u32>(select(0i, _e358, (_e358 > 0i)))];
-phi_551_ = 0u;
-phi_554_ = false;
-phi_556_ = array<f32, 14>(_e222, _e232, _e243, _e254, _e265, _e276, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364);
+phi_553_ = 0u;
+phi_556_ = false;
+phi_558_ = array<f32, 14>(_e222, _e232, _e243, _e254, _e265, _e276, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364);
 loop {
-let _e367 = phi_551_;
-let _e369 = phi_554_;
-let _e371 = phi_556_;
+let _e367 = phi_553_;
+let _e369 = phi_556_;
+let _e371 = phi_558_;
 local_40 = _e369;
 local_41 = _e371;
 local_42 = _e371;
@@ -412,36 +414,36 @@ let _e372 = (_e367 < _e177);
 if _e372 {
 if _e372 {
 } else {
-phi_27282_ = true;
+phi_27284_ = true;
 break;
 }
 let _e376 = global_3.member[_e367].member;
-let _e389 = global_3.member[_e367].member_5.member;
+let _e389 = global_3.member[_e367].member_7.member;
 let _e391 = ((_e389 - _e371[2]) / _e371[5]);
 let _e393 = (_e371[0] + (_e371[3] * _e391));
 let _e395 = (_e371[1] + (_e371[4] * _e391));
-let _e400 = global_3.member[_e367].member_5.member_2;
+let _e400 = global_3.member[_e367].member_7.member_2;
 let _e401 = (_e400 / _e371[5]);
 let _e403 = (_e393 + (_e371[3] * _e401));
 let _e405 = (_e395 + (_e371[4] * _e401));
-let _e410 = global_3.member[_e367].member_5.member_1;
-let _e416 = global_3.member[_e367].member_13.member.member;
-let _e442 = global_3.member[_e367].member_13.member_1.member;
+let _e410 = global_3.member[_e367].member_7.member_1;
+let _e416 = global_3.member[_e367].member_15.member.member;
+let _e442 = global_3.member[_e367].member_15.member_1.member;
 let _e463 = (((((((_e416.member.member * _e393) + (_e416.member.member_1 * _e395)) + (_e416.member.member_2 * _e389)) + _e416.member_1) > 0f) && (((((_e416.member.member * _e403) + (_e416.member.member_1 * _e405)) + (_e416.member.member_2 * _e410)) + _e416.member_1) <= 0f)) || ((((((_e442.member.member * _e393) + (_e442.member.member_1 * _e395)) + (_e442.member.member_2 * _e389)) + _e442.member_1) > 0f) && (((((_e442.member.member * _e403) + (_e442.member.member_1 * _e405)) + (_e442.member.member_2 * _e410)) + _e442.member_1) <= 0f)));
-let _e468 = global_3.member[_e367].member_6.member;
+let _e468 = global_3.member[_e367].member_8.member;
 let _e479 = ((((_e468.member.member * _e393) + (_e468.member.member_1 * _e395)) + (_e468.member.member_2 * _e389)) + _e468.member_1);
-let _e484 = global_3.member[_e367].member_6.member_1;
+let _e484 = global_3.member[_e367].member_8.member_1;
 let _e495 = ((((_e484.member.member * _e393) + (_e484.member.member_1 * _e395)) + (_e484.member.member_2 * _e389)) + _e484.member_1);
-let _e500 = global_3.member[_e367].member_6.member_2;
+let _e500 = global_3.member[_e367].member_8.member_2;
 let _e511 = ((((_e500.member.member * _e393) + (_e500.member.member_1 * _e395)) + (_e500.member.member_2 * _e389)) + _e500.member_1);
 let _e517 = ((((_e468.member.member * _e403) + (_e468.member.member_1 * _e405)) + (_e468.member.member_2 * _e410)) + _e468.member_1);
 let _e523 = ((((_e484.member.member * _e403) + (_e484.member.member_1 * _e405)) + (_e484.member.member_2 * _e410)) + _e484.member_1);
 let _e529 = ((((_e500.member.member * _e403) + (_e500.member.member_1 * _e405)) + (_e500.member.member_2 * _e410)) + _e500.member_1);
-let _e536 = global_3.member[_e367].member_6.member_3.member;
+let _e536 = global_3.member[_e367].member_8.member_3.member;
 let _e537 = (_e536 - 1f);
-let _e547 = global_3.member[_e367].member_6.member_3.member_1;
+let _e547 = global_3.member[_e367].member_8.member_3.member_1;
 let _e548 = (_e547 - 1f);
-let _e558 = global_3.member[_e367].member_6.member_3.member_2;
+let _e558 = global_3.member[_e367].member_8.member_3.member_2;
 let _e559 = (_e558 - 1f);
 let _e573 = (((((((_e479 >= 0f) && (_e479 <= _e537)) && (_e495 >= 0f)) && (_e495 <= _e548)) && (_e511 >= 0f)) && (_e511 <= _e559)) && ((((((_e517 >= 0f) && (_e517 <= _e537)) && (_e523 >= 0f)) && (_e523 <= _e548)) && (_e529 >= 0f)) && (_e529 <= _e559)));
 let _e575 = (_e376.member_2 == 5u);
@@ -457,22 +459,22 @@ let _e598 = ((((_e479 >= _e583) && (_e479 <= _e586)) && ((_e495 >= _e583) && (_e
 let _e602 = global_3.member[_e367].member_1;
 let _e604 = ((_e602 & 16u) == 0u);
 if _e604 {
-phi_995_ = _e598;
+phi_997_ = _e598;
 } else {
-let _e610 = global_3.member[_e367].member_6.member.member;
+let _e610 = global_3.member[_e367].member_8.member.member;
 let _e618 = (((_e610.member * _e610.member) + (_e610.member_1 * _e610.member_1)) + (_e610.member_2 * _e610.member_2));
-let _e627 = global_3.member[_e367].member_14.member;
+let _e627 = global_3.member[_e367].member_16.member;
 let _e639 = -((0.5f / sqrt(select(0f, _e618, (_e618 > 0f)))));
-let _e645 = global_3.member[_e367].member_14.member_1;
-let _e652 = global_3.member[_e367].member_15.member;
-let _e669 = global_3.member[_e367].member_15.member_1;
-let _e677 = global_3.member[_e367].member_16.member;
-let _e694 = global_3.member[_e367].member_16.member_1;
-let _e702 = global_3.member[_e367].member_17.member;
-let _e719 = global_3.member[_e367].member_17.member_1;
-phi_995_ = (_e598 && (((((((((_e627.member.member * _e393) + (_e627.member.member_1 * _e395)) + (_e627.member.member_2 * _e389)) + _e627.member_1) <= _e639) || (_e645 == 0u)) && ((((((_e652.member.member * _e393) + (_e652.member.member_1 * _e395)) + (_e652.member.member_2 * _e389)) + _e652.member_1) <= _e639) || (_e669 == 0u))) && ((((((_e677.member.member * _e393) + (_e677.member.member_1 * _e395)) + (_e677.member.member_2 * _e389)) + _e677.member_1) <= _e639) || (_e694 == 0u))) && ((((((_e702.member.member * _e393) + (_e702.member.member_1 * _e395)) + (_e702.member.member_2 * _e389)) + _e702.member_1) <= _e639) || (_e719 == 0u))));
+let _e645 = global_3.member[_e367].member_16.member_1;
+let _e652 = global_3.member[_e367].member_17.member;
+let _e669 = global_3.member[_e367].member_17.member_1;
+let _e677 = global_3.member[_e367].member_18.member;
+let _e694 = global_3.member[_e367].member_18.member_1;
+let _e702 = global_3.member[_e367].member_19.member;
+let _e719 = global_3.member[_e367].member_19.member_1;
+phi_997_ = (_e598 && (((((((((_e627.member.member * _e393) + (_e627.member.member_1 * _e395)) + (_e627.member.member_2 * _e389)) + _e627.member_1) <= _e639) || (_e645 == 0u)) && ((((((_e652.member.member * _e393) + (_e652.member.member_1 * _e395)) + (_e652.member.member_2 * _e389)) + _e652.member_1) <= _e639) || (_e669 == 0u))) && ((((((_e677.member.member * _e393) + (_e677.member.member_1 * _e395)) + (_e677.member.member_2 * _e389)) + _e677.member_1) <= _e639) || (_e694 == 0u))) && ((((((_e702.member.member * _e393) + (_e702.member.member_1 * _e395)) + (_e702.member.member_2 * _e389)) + _e702.member_1) <= _e639) || (_e719 == 0u))));
 }
-let _e725 = phi_995_;
+let _e725 = phi_997_;
 let _e729 = (_e403 + (_e403 - _e393));
 let _e730 = (_e405 + (_e405 - _e395));
 let _e731 = (_e410 + (_e410 - _e389));
@@ -481,29 +483,29 @@ let _e743 = ((((_e484.member.member * _e729) + (_e484.member.member_1 * _e730)) 
 let _e749 = ((((_e500.member.member * _e729) + (_e500.member.member_1 * _e730)) + (_e500.member.member_2 * _e731)) + _e500.member_1);
 let _e760 = ((((_e737 >= _e583) && (_e737 <= _e586)) && ((_e743 >= _e583) && (_e743 <= _e590))) && ((_e749 >= _e583) && (_e749 <= _e595)));
 if _e604 {
-phi_1175_ = _e760;
+phi_1177_ = _e760;
 } else {
-let _e766 = global_3.member[_e367].member_6.member.member;
+let _e766 = global_3.member[_e367].member_8.member.member;
 let _e774 = (((_e766.member * _e766.member) + (_e766.member_1 * _e766.member_1)) + (_e766.member_2 * _e766.member_2));
-let _e783 = global_3.member[_e367].member_14.member;
+let _e783 = global_3.member[_e367].member_16.member;
 let _e795 = -((0.5f / sqrt(select(0f, _e774, (_e774 > 0f)))));
-let _e801 = global_3.member[_e367].member_14.member_1;
-let _e808 = global_3.member[_e367].member_15.member;
-let _e825 = global_3.member[_e367].member_15.member_1;
-let _e833 = global_3.member[_e367].member_16.member;
-let _e850 = global_3.member[_e367].member_16.member_1;
-let _e858 = global_3.member[_e367].member_17.member;
-let _e875 = global_3.member[_e367].member_17.member_1;
-phi_1175_ = (_e760 && (((((((((_e783.member.member * _e729) + (_e783.member.member_1 * _e730)) + (_e783.member.member_2 * _e731)) + _e783.member_1) <= _e795) || (_e801 == 0u)) && ((((((_e808.member.member * _e729) + (_e808.member.member_1 * _e730)) + (_e808.member.member_2 * _e731)) + _e808.member_1) <= _e795) || (_e825 == 0u))) && ((((((_e833.member.member * _e729) + (_e833.member.member_1 * _e730)) + (_e833.member.member_2 * _e731)) + _e833.member_1) <= _e795) || (_e850 == 0u))) && ((((((_e858.member.member * _e729) + (_e858.member.member_1 * _e730)) + (_e858.member.member_2 * _e731)) + _e858.member_1) <= _e795) || (_e875 == 0u))));
+let _e801 = global_3.member[_e367].member_16.member_1;
+let _e808 = global_3.member[_e367].member_17.member;
+let _e825 = global_3.member[_e367].member_17.member_1;
+let _e833 = global_3.member[_e367].member_18.member;
+let _e850 = global_3.member[_e367].member_18.member_1;
+let _e858 = global_3.member[_e367].member_19.member;
+let _e875 = global_3.member[_e367].member_19.member_1;
+phi_1177_ = (_e760 && (((((((((_e783.member.member * _e729) + (_e783.member.member_1 * _e730)) + (_e783.member.member_2 * _e731)) + _e783.member_1) <= _e795) || (_e801 == 0u)) && ((((((_e808.member.member * _e729) + (_e808.member.member_1 * _e730)) + (_e808.member.member_2 * _e731)) + _e808.member_1) <= _e795) || (_e825 == 0u))) && ((((((_e833.member.member * _e729) + (_e833.member.member_1 * _e730)) + (_e833.member.member_2 * _e731)) + _e833.member_1) <= _e795) || (_e850 == 0u))) && ((((((_e858.member.member * _e729) + (_e858.member.member_1 * _e730)) + (_e858.member.member_2 * _e731)) + _e858.member_1) <= _e795) || (_e875 == 0u))));
 }
-let _e881 = phi_1175_;
-phi_1178_ = (_e573 && (_e725 && _e881));
+let _e881 = phi_1177_;
+phi_1180_ = (_e573 && (_e725 && _e881));
 } else {
-phi_1178_ = _e573;
+phi_1180_ = _e573;
 }
-let _e885 = phi_1178_;
+let _e885 = phi_1180_;
 let _e886 = !(_e463);
-let _e894 = global_3.member[_e367].member_6.member_4;
+let _e894 = global_3.member[_e367].member_8.member_4;
 let _e895 = (_e536 - 0.5f);
 let _e897 = select(-0.5f, _e517, (_e517 > -0.5f));
 let _e899 = select(_e895, _e897, (_e897 < _e895));
@@ -528,7 +530,7 @@ let _e944 = (_e899 + 0.5f);
 let _e946 = select(0f, _e944, (_e944 > 0f));
 let _e948 = select(_e537, _e946, (_e946 < _e537));
 let _e955 = select(0i, select(select(i32(_e948), i32(-2147483648), (_e948 < -2147483600f)), 2147483647i, (_e948 > 2147483500f)), (_e948 == _e948));
-let _e964 = global_3.member[_e367].member_6.member_12;
+let _e964 = global_3.member[_e367].member_8.member_12;
 let _e965 = (_e964 & 31u);
 let _e968 = (_e904 + 0.5f);
 let _e970 = select(0f, _e968, (_e968 > 0f));
@@ -538,9 +540,9 @@ let _e986 = (_e909 + 0.5f);
 let _e988 = select(0f, _e986, (_e986 > 0f));
 let _e990 = select(_e559, _e988, (_e988 < _e559));
 let _e997 = select(0i, select(select(i32(_e990), i32(-2147483648), (_e990 < -2147483600f)), 2147483647i, (_e990 > 2147483500f)), (_e990 == _e990));
-let _e1009 = global_3.member[_e367].member_6.member_9.member;
-let _e1016 = global_3.member[_e367].member_6.member_9.member_1;
-let _e1022 = global_3.member[_e367].member_6.member_10;
+let _e1009 = global_3.member[_e367].member_8.member_9.member;
+let _e1016 = global_3.member[_e367].member_8.member_9.member_1;
+let _e1022 = global_3.member[_e367].member_8.member_10;
 let _e1028 = ((bitcast<i32>(_e1022) + ((_e955 - select(0i, 1i, (_e948 < f32(_e955)))) >> bitcast<u32>(_e965))) + (bitcast<i32>(_e1009) * (((_e979 - select(0i, 1i, (_e972 < f32(_e979)))) >> bitcast<u32>(_e965)) + (bitcast<i32>(_e1016) * ((_e997 - select(0i, 1i, (_e990 < f32(_e997)))) >> bitcast<u32>(_e965))))));
 let _e1030 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1032 = select(_e1030, _e1028, (_e1028 < _e1030));
@@ -556,9 +558,9 @@ let _e1073 = (((_e1066 * _e1066) + (_e1067 * _e1067)) + (_e1068 * _e1068));
 let _e1076 = sqrt(select(0f, _e1073, (_e1073 > 0f)));
 let _e1077 = type_38(type_31(1f, 1f), vec3<f32>(_e403, _e405, _e410), _e1057, _e1076, _e401, _e1057, true, false, false);
 if _e582 {
-let _e1179 = global_3.member[_e367].member_6.member.member;
-let _e1188 = global_3.member[_e367].member_6.member_1.member;
-let _e1197 = global_3.member[_e367].member_6.member_2.member;
+let _e1179 = global_3.member[_e367].member_8.member.member;
+let _e1188 = global_3.member[_e367].member_8.member_1.member;
+let _e1197 = global_3.member[_e367].member_8.member_2.member;
 let _e1201 = (-0.5f - _e479);
 let _e1202 = (-0.5f - _e517);
 let _e1203 = -(_e1201);
@@ -666,16 +668,16 @@ let _e1441 = select(select(select(select(select(select(0f, _e1179.member_1, _e12
 let _e1442 = select(select(select(select(select(select(1f, _e1179.member_2, _e1221), _e1179.member_2, _e1261), _e1188.member_2, _e1301), _e1188.member_2, _e1341), _e1197.member_2, _e1381), _e1197.member_2, _e1421);
 let _e1446 = ((_e1045 & 16u) == 0u);
 if _e1446 {
-phi_3020_ = type_34(_e1427, vec3<f32>(_e1428, _e1429, _e1430), _e1432, vec3<f32>(_e1433, _e1434, _e1435), _e1437, _e1439, vec3<f32>(_e1440, _e1441, _e1442));
+phi_3022_ = type_34(_e1427, vec3<f32>(_e1428, _e1429, _e1430), _e1432, vec3<f32>(_e1433, _e1434, _e1435), _e1437, _e1439, vec3<f32>(_e1440, _e1441, _e1442));
 } else {
 let _e1451 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e1454 = sqrt(select(0f, _e1451, (_e1451 > 0f)));
-let _e1459 = global_3.member[_e367].member_14.member_1;
+let _e1459 = global_3.member[_e367].member_16.member_1;
 let _e1460 = (_e1459 != 0u);
-let _e1465 = global_3.member[_e367].member_14.member;
+let _e1465 = global_3.member[_e367].member_16.member;
 let _e1485 = select(-1e6f, (((((_e1465.member.member * _e393) + (_e1465.member.member_1 * _e395)) + (_e1465.member.member_2 * _e389)) + _e1465.member_1) * _e1454), _e1460);
 let _e1486 = select(-1e6f, (((((_e1465.member.member * _e403) + (_e1465.member.member_1 * _e405)) + (_e1465.member.member_2 * _e410)) + _e1465.member_1) * _e1454), _e1460);
-let _e1492 = global_3.member[_e367].member_14.member.member;
+let _e1492 = global_3.member[_e367].member_16.member.member;
 let _e1496 = -(_e1485);
 let _e1499 = (_e1485 - _e1486);
 let _e1500 = (_e1486 - _e1485);
@@ -690,12 +692,12 @@ let _e1520 = select(_e1427, _e1509, _e1518);
 let _e1524 = select(_e1432, _e1513, _e1519);
 let _e1528 = select(_e1437, _e1485, _e1514);
 let _e1530 = select(_e1439, _e1486, (_e1486 > _e1439));
-let _e1538 = global_3.member[_e367].member_15.member_1;
+let _e1538 = global_3.member[_e367].member_17.member_1;
 let _e1539 = (_e1538 != 0u);
-let _e1544 = global_3.member[_e367].member_15.member;
+let _e1544 = global_3.member[_e367].member_17.member;
 let _e1564 = select(-1e6f, (((((_e1544.member.member * _e393) + (_e1544.member.member_1 * _e395)) + (_e1544.member.member_2 * _e389)) + _e1544.member_1) * _e1454), _e1539);
 let _e1565 = select(-1e6f, (((((_e1544.member.member * _e403) + (_e1544.member.member_1 * _e405)) + (_e1544.member.member_2 * _e410)) + _e1544.member_1) * _e1454), _e1539);
-let _e1571 = global_3.member[_e367].member_15.member.member;
+let _e1571 = global_3.member[_e367].member_17.member.member;
 let _e1575 = -(_e1564);
 let _e1578 = (_e1564 - _e1565);
 let _e1579 = (_e1565 - _e1564);
@@ -710,12 +712,12 @@ let _e1599 = select(_e1520, _e1588, _e1597);
 let _e1603 = select(_e1524, _e1592, _e1598);
 let _e1607 = select(_e1528, _e1564, _e1593);
 let _e1609 = select(_e1530, _e1565, (_e1565 > _e1530));
-let _e1617 = global_3.member[_e367].member_16.member_1;
+let _e1617 = global_3.member[_e367].member_18.member_1;
 let _e1618 = (_e1617 != 0u);
-let _e1623 = global_3.member[_e367].member_16.member;
+let _e1623 = global_3.member[_e367].member_18.member;
 let _e1643 = select(-1e6f, (((((_e1623.member.member * _e393) + (_e1623.member.member_1 * _e395)) + (_e1623.member.member_2 * _e389)) + _e1623.member_1) * _e1454), _e1618);
 let _e1644 = select(-1e6f, (((((_e1623.member.member * _e403) + (_e1623.member.member_1 * _e405)) + (_e1623.member.member_2 * _e410)) + _e1623.member_1) * _e1454), _e1618);
-let _e1650 = global_3.member[_e367].member_16.member.member;
+let _e1650 = global_3.member[_e367].member_18.member.member;
 let _e1654 = -(_e1643);
 let _e1657 = (_e1643 - _e1644);
 let _e1658 = (_e1644 - _e1643);
@@ -730,12 +732,12 @@ let _e1678 = select(_e1599, _e1667, _e1676);
 let _e1682 = select(_e1603, _e1671, _e1677);
 let _e1686 = select(_e1607, _e1643, _e1672);
 let _e1688 = select(_e1609, _e1644, (_e1644 > _e1609));
-let _e1696 = global_3.member[_e367].member_17.member_1;
+let _e1696 = global_3.member[_e367].member_19.member_1;
 let _e1697 = (_e1696 != 0u);
-let _e1702 = global_3.member[_e367].member_17.member;
+let _e1702 = global_3.member[_e367].member_19.member;
 let _e1722 = select(-1e6f, (((((_e1702.member.member * _e393) + (_e1702.member.member_1 * _e395)) + (_e1702.member.member_2 * _e389)) + _e1702.member_1) * _e1454), _e1697);
 let _e1723 = select(-1e6f, (((((_e1702.member.member * _e403) + (_e1702.member.member_1 * _e405)) + (_e1702.member.member_2 * _e410)) + _e1702.member_1) * _e1454), _e1697);
-let _e1729 = global_3.member[_e367].member_17.member.member;
+let _e1729 = global_3.member[_e367].member_19.member.member;
 let _e1733 = -(_e1722);
 let _e1736 = (_e1722 - _e1723);
 let _e1737 = (_e1723 - _e1722);
@@ -746,16 +748,16 @@ let _e1750 = select(2f, select(0f, _e1742, (_e1722 < 0f)), (_e1723 > 0f));
 let _e1751 = (_e1722 > _e1686);
 let _e1755 = ((_e1746 > _e1678) || ((_e1746 == _e1678) && _e1751));
 let _e1756 = (_e1750 < _e1682);
-phi_3020_ = type_34(select(_e1678, _e1746, _e1755), vec3<f32>(select(select(select(select(_e1428, _e1492.member, _e1518), _e1571.member, _e1597), _e1650.member, _e1676), _e1729.member, _e1755), select(select(select(select(_e1429, _e1492.member_1, _e1518), _e1571.member_1, _e1597), _e1650.member_1, _e1676), _e1729.member_1, _e1755), select(select(select(select(_e1430, _e1492.member_2, _e1518), _e1571.member_2, _e1597), _e1650.member_2, _e1676), _e1729.member_2, _e1755)), select(_e1682, _e1750, _e1756), vec3<f32>(select(select(select(select(_e1433, _e1492.member, _e1519), _e1571.member, _e1598), _e1650.member, _e1677), _e1729.member, _e1756), select(select(select(select(_e1434, _e1492.member_1, _e1519), _e1571.member_1, _e1598), _e1650.member_1, _e1677), _e1729.member_1, _e1756), select(select(select(select(_e1435, _e1492.member_2, _e1519), _e1571.member_2, _e1598), _e1650.member_2, _e1677), _e1729.member_2, _e1756)), select(_e1686, _e1722, _e1751), select(_e1688, _e1723, (_e1723 > _e1688)), vec3<f32>(select(select(select(select(_e1440, _e1492.member, _e1514), _e1571.member, _e1593), _e1650.member, _e1672), _e1729.member, _e1751), select(select(select(select(_e1441, _e1492.member_1, _e1514), _e1571.member_1, _e1593), _e1650.member_1, _e1672), _e1729.member_1, _e1751), select(select(select(select(_e1442, _e1492.member_2, _e1514), _e1571.member_2, _e1593), _e1650.member_2, _e1672), _e1729.member_2, _e1751)));
+phi_3022_ = type_34(select(_e1678, _e1746, _e1755), vec3<f32>(select(select(select(select(_e1428, _e1492.member, _e1518), _e1571.member, _e1597), _e1650.member, _e1676), _e1729.member, _e1755), select(select(select(select(_e1429, _e1492.member_1, _e1518), _e1571.member_1, _e1597), _e1650.member_1, _e1676), _e1729.member_1, _e1755), select(select(select(select(_e1430, _e1492.member_2, _e1518), _e1571.member_2, _e1597), _e1650.member_2, _e1676), _e1729.member_2, _e1755)), select(_e1682, _e1750, _e1756), vec3<f32>(select(select(select(select(_e1433, _e1492.member, _e1519), _e1571.member, _e1598), _e1650.member, _e1677), _e1729.member, _e1756), select(select(select(select(_e1434, _e1492.member_1, _e1519), _e1571.member_1, _e1598), _e1650.member_1, _e1677), _e1729.member_1, _e1756), select(select(select(select(_e1435, _e1492.member_2, _e1519), _e1571.member_2, _e1598), _e1650.member_2, _e1677), _e1729.member_2, _e1756)), select(_e1686, _e1722, _e1751), select(_e1688, _e1723, (_e1723 > _e1688)), vec3<f32>(select(select(select(select(_e1440, _e1492.member, _e1514), _e1571.member, _e1593), _e1650.member, _e1672), _e1729.member, _e1751), select(select(select(select(_e1441, _e1492.member_1, _e1514), _e1571.member_1, _e1593), _e1650.member_1, _e1672), _e1729.member_1, _e1751), select(select(select(select(_e1442, _e1492.member_2, _e1514), _e1571.member_2, _e1593), _e1650.member_2, _e1672), _e1729.member_2, _e1751)));
 }
-let _e1776 = phi_3020_;
+let _e1776 = phi_3022_;
 if ((_e1776.member_4 > -(0.015625f)) && (_e1776.member_4 < 0.015625f)) {
-phi_3033_ = (_e371[9] != 0f);
+phi_3035_ = (_e371[9] != 0f);
 } else {
-phi_3033_ = (_e1776.member_4 < 0f);
+phi_3035_ = (_e1776.member_4 < 0f);
 }
-let _e1785 = phi_3033_;
-let _e1790 = global_3.member[_e367].member_10.member_9;
+let _e1785 = phi_3035_;
+let _e1790 = global_3.member[_e367].member_12.member_9;
 let _e1794 = select(-0.5f, _e479, (_e479 > -0.5f));
 let _e1796 = select(_e895, _e1794, (_e1794 < _e895));
 let _e1798 = select(-0.5f, _e495, (_e495 > -0.5f));
@@ -774,8 +776,8 @@ let _e1836 = select(-1f, _e1804, (_e1804 > -1f));
 let _e1838 = select(_e558, _e1836, (_e1836 < _e558));
 let _e1845 = select(0i, select(select(i32(_e1838), i32(-2147483648), (_e1838 < -2147483600f)), 2147483647i, (_e1838 > 2147483500f)), (_e1838 == _e1838));
 let _e1849 = (_e1845 - select(0i, 1i, (_e1838 < f32(_e1845))));
-let _e1854 = global_3.member[_e367].member_6.member_7;
-let _e1859 = global_3.member[_e367].member_6.member_8;
+let _e1854 = global_3.member[_e367].member_8.member_7;
+let _e1859 = global_3.member[_e367].member_8.member_8;
 let _e1867 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e1870 = (_e1834 + 1i);
 let _e1880 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -862,8 +864,8 @@ let _e2153 = local_38.member_1[3u];
 let _e2160 = local_39[0u];
 let _e2164 = local_39[1u];
 let _e2169 = local_39[2u];
-let _e2177 = global_3.member[_e367].member_6.member_6;
-let _e2182 = global_3.member[_e367].member_6.member_5;
+let _e2177 = global_3.member[_e367].member_8.member_6;
+let _e2182 = global_3.member[_e367].member_8.member_5;
 let _e2184 = (((_e2061 + (((_e2112 + (((_e2152 + ((f32(bitcast<i32>(((_e2145 >> bitcast<u32>((_e2153 & 31u))) & 65535u))) - _e2152) * _e2160)) - _e2112) * _e2164)) - _e2061) * _e2169)) - _e2177) * _e2182);
 let _e2185 = -(1e9f);
 let _e2187 = select(_e2185, _e2184, (_e2184 > _e2185));
@@ -941,17 +943,17 @@ let _e2387 = (_e371[3] * _e2386);
 let _e2388 = (_e371[4] * _e2386);
 let _e2389 = (_e371[5] * _e2386);
 if _e1785 {
-phi_4250_ = type_39(_e1776.member_2, _e1776.member_3);
+phi_4252_ = type_39(_e1776.member_2, _e1776.member_3);
 } else {
-phi_4250_ = type_39(_e1776.member, _e1776.member_1);
+phi_4252_ = type_39(_e1776.member, _e1776.member_1);
 }
-let _e2397 = phi_4250_;
+let _e2397 = phi_4252_;
 if _e1785 {
-phi_4262_ = (_e1776.member_2 <= 1f);
+phi_4264_ = (_e1776.member_2 <= 1f);
 } else {
-phi_4262_ = ((_e1776.member <= 1f) && (_e1776.member < _e1776.member_2));
+phi_4264_ = ((_e1776.member <= 1f) && (_e1776.member < _e1776.member_2));
 }
-let _e2405 = phi_4262_;
+let _e2405 = phi_4264_;
 let _e2408 = select(1f, _e2397.member, _e2405);
 let _e2412 = (_e393 + (_e1066 * _e2408));
 let _e2413 = (_e395 + (_e1067 * _e2408));
@@ -1089,11 +1091,11 @@ let _e2852 = global_2.member[_e2375];
 let _e2853 = bitcast<f32>(_e2852);
 let _e2859 = ((_e2850 + (f32(bitcast<i32>((_e2835 >> bitcast<u32>(12u)))) * _e2853)) + ((f32((bitcast<i32>((_e2835 & 4095u)) - 2048i)) * _e2846) * (_e2812 - f32(_e2827))));
 if _e1785 {
-phi_5474_ = type_31(_e2859, 1f);
+phi_5476_ = type_31(_e2859, 1f);
 } else {
-phi_5474_ = type_31(1f, _e2859);
+phi_5476_ = type_31(1f, _e2859);
 }
-let _e2863 = phi_5474_;
+let _e2863 = phi_5476_;
 let _e2868 = ((_e2863.member_1 * _e2863.member_1) - (_e2863.member * _e2863.member));
 let _e2876 = (((_e2397.member_1.x * _e2397.member_1.x) + (_e2397.member_1.y * _e2397.member_1.y)) + (_e2397.member_1.z * _e2397.member_1.z));
 let _e2879 = sqrt(select(0f, _e2876, (_e2876 > 0f)));
@@ -1110,7 +1112,7 @@ let _e2903 = (_e2868 == 0f);
 let _e2915 = select(_e2387, select((_e2387 + (_e2883 * _e2902)), _e2387, _e2903), _e2405);
 let _e2916 = select(_e2388, select((_e2388 + (_e2884 * _e2902)), _e2388, _e2903), _e2405);
 let _e2917 = select(_e2389, select((_e2389 + (_e2885 * _e2902)), _e2389, _e2903), _e2405);
-let _e2922 = global_3.member[_e367].member_5.member_4;
+let _e2922 = global_3.member[_e367].member_7.member_4;
 let _e2923 = (_e2922 * _e2922);
 let _e2927 = (_e2917 * _e2917);
 let _e2931 = (_e2405 && (_e2863.member != _e2863.member_1));
@@ -1229,16 +1231,16 @@ let _e3208 = select(select(select(select(select(select(0f, _e1179.member, _e2989
 let _e3209 = select(select(select(select(select(select(0f, _e1179.member_1, _e2989), _e1179.member_1, _e3029), _e1188.member_1, _e3069), _e1188.member_1, _e3109), _e1197.member_1, _e3149), _e1197.member_1, _e3189);
 let _e3210 = select(select(select(select(select(select(1f, _e1179.member_2, _e2989), _e1179.member_2, _e3029), _e1188.member_2, _e3069), _e1188.member_2, _e3109), _e1197.member_2, _e3149), _e1197.member_2, _e3189);
 if _e1446 {
-phi_6997_ = type_34(_e3195, vec3<f32>(_e3196, _e3197, _e3198), _e3200, vec3<f32>(_e3201, _e3202, _e3203), _e3205, _e3207, vec3<f32>(_e3208, _e3209, _e3210));
+phi_6999_ = type_34(_e3195, vec3<f32>(_e3196, _e3197, _e3198), _e3200, vec3<f32>(_e3201, _e3202, _e3203), _e3205, _e3207, vec3<f32>(_e3208, _e3209, _e3210));
 } else {
 let _e3217 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e3220 = sqrt(select(0f, _e3217, (_e3217 > 0f)));
-let _e3225 = global_3.member[_e367].member_14.member_1;
+let _e3225 = global_3.member[_e367].member_16.member_1;
 let _e3226 = (_e3225 != 0u);
-let _e3231 = global_3.member[_e367].member_14.member;
+let _e3231 = global_3.member[_e367].member_16.member;
 let _e3251 = select(-1e6f, (((((_e3231.member.member * _e2412) + (_e3231.member.member_1 * _e2413)) + (_e3231.member.member_2 * _e2414)) + _e3231.member_1) * _e3220), _e3226);
 let _e3252 = select(-1e6f, (((((_e3231.member.member * _e2945) + (_e3231.member.member_1 * _e2946)) + (_e3231.member.member_2 * _e2947)) + _e3231.member_1) * _e3220), _e3226);
-let _e3258 = global_3.member[_e367].member_14.member.member;
+let _e3258 = global_3.member[_e367].member_16.member.member;
 let _e3262 = -(_e3251);
 let _e3265 = (_e3251 - _e3252);
 let _e3266 = (_e3252 - _e3251);
@@ -1253,12 +1255,12 @@ let _e3286 = select(_e3195, _e3275, _e3284);
 let _e3290 = select(_e3200, _e3279, _e3285);
 let _e3294 = select(_e3205, _e3251, _e3280);
 let _e3296 = select(_e3207, _e3252, (_e3252 > _e3207));
-let _e3304 = global_3.member[_e367].member_15.member_1;
+let _e3304 = global_3.member[_e367].member_17.member_1;
 let _e3305 = (_e3304 != 0u);
-let _e3310 = global_3.member[_e367].member_15.member;
+let _e3310 = global_3.member[_e367].member_17.member;
 let _e3330 = select(-1e6f, (((((_e3310.member.member * _e2412) + (_e3310.member.member_1 * _e2413)) + (_e3310.member.member_2 * _e2414)) + _e3310.member_1) * _e3220), _e3305);
 let _e3331 = select(-1e6f, (((((_e3310.member.member * _e2945) + (_e3310.member.member_1 * _e2946)) + (_e3310.member.member_2 * _e2947)) + _e3310.member_1) * _e3220), _e3305);
-let _e3337 = global_3.member[_e367].member_15.member.member;
+let _e3337 = global_3.member[_e367].member_17.member.member;
 let _e3341 = -(_e3330);
 let _e3344 = (_e3330 - _e3331);
 let _e3345 = (_e3331 - _e3330);
@@ -1273,12 +1275,12 @@ let _e3365 = select(_e3286, _e3354, _e3363);
 let _e3369 = select(_e3290, _e3358, _e3364);
 let _e3373 = select(_e3294, _e3330, _e3359);
 let _e3375 = select(_e3296, _e3331, (_e3331 > _e3296));
-let _e3383 = global_3.member[_e367].member_16.member_1;
+let _e3383 = global_3.member[_e367].member_18.member_1;
 let _e3384 = (_e3383 != 0u);
-let _e3389 = global_3.member[_e367].member_16.member;
+let _e3389 = global_3.member[_e367].member_18.member;
 let _e3409 = select(-1e6f, (((((_e3389.member.member * _e2412) + (_e3389.member.member_1 * _e2413)) + (_e3389.member.member_2 * _e2414)) + _e3389.member_1) * _e3220), _e3384);
 let _e3410 = select(-1e6f, (((((_e3389.member.member * _e2945) + (_e3389.member.member_1 * _e2946)) + (_e3389.member.member_2 * _e2947)) + _e3389.member_1) * _e3220), _e3384);
-let _e3416 = global_3.member[_e367].member_16.member.member;
+let _e3416 = global_3.member[_e367].member_18.member.member;
 let _e3420 = -(_e3409);
 let _e3423 = (_e3409 - _e3410);
 let _e3424 = (_e3410 - _e3409);
@@ -1293,12 +1295,12 @@ let _e3444 = select(_e3365, _e3433, _e3442);
 let _e3448 = select(_e3369, _e3437, _e3443);
 let _e3452 = select(_e3373, _e3409, _e3438);
 let _e3454 = select(_e3375, _e3410, (_e3410 > _e3375));
-let _e3462 = global_3.member[_e367].member_17.member_1;
+let _e3462 = global_3.member[_e367].member_19.member_1;
 let _e3463 = (_e3462 != 0u);
-let _e3468 = global_3.member[_e367].member_17.member;
+let _e3468 = global_3.member[_e367].member_19.member;
 let _e3488 = select(-1e6f, (((((_e3468.member.member * _e2412) + (_e3468.member.member_1 * _e2413)) + (_e3468.member.member_2 * _e2414)) + _e3468.member_1) * _e3220), _e3463);
 let _e3489 = select(-1e6f, (((((_e3468.member.member * _e2945) + (_e3468.member.member_1 * _e2946)) + (_e3468.member.member_2 * _e2947)) + _e3468.member_1) * _e3220), _e3463);
-let _e3495 = global_3.member[_e367].member_17.member.member;
+let _e3495 = global_3.member[_e367].member_19.member.member;
 let _e3499 = -(_e3488);
 let _e3502 = (_e3488 - _e3489);
 let _e3503 = (_e3489 - _e3488);
@@ -1309,9 +1311,9 @@ let _e3516 = select(2f, select(0f, _e3508, (_e3488 < 0f)), (_e3489 > 0f));
 let _e3517 = (_e3488 > _e3452);
 let _e3521 = ((_e3512 > _e3444) || ((_e3512 == _e3444) && _e3517));
 let _e3522 = (_e3516 < _e3448);
-phi_6997_ = type_34(select(_e3444, _e3512, _e3521), vec3<f32>(select(select(select(select(_e3196, _e3258.member, _e3284), _e3337.member, _e3363), _e3416.member, _e3442), _e3495.member, _e3521), select(select(select(select(_e3197, _e3258.member_1, _e3284), _e3337.member_1, _e3363), _e3416.member_1, _e3442), _e3495.member_1, _e3521), select(select(select(select(_e3198, _e3258.member_2, _e3284), _e3337.member_2, _e3363), _e3416.member_2, _e3442), _e3495.member_2, _e3521)), select(_e3448, _e3516, _e3522), vec3<f32>(select(select(select(select(_e3201, _e3258.member, _e3285), _e3337.member, _e3364), _e3416.member, _e3443), _e3495.member, _e3522), select(select(select(select(_e3202, _e3258.member_1, _e3285), _e3337.member_1, _e3364), _e3416.member_1, _e3443), _e3495.member_1, _e3522), select(select(select(select(_e3203, _e3258.member_2, _e3285), _e3337.member_2, _e3364), _e3416.member_2, _e3443), _e3495.member_2, _e3522)), select(_e3452, _e3488, _e3517), select(_e3454, _e3489, (_e3489 > _e3454)), vec3<f32>(select(select(select(select(_e3208, _e3258.member, _e3280), _e3337.member, _e3359), _e3416.member, _e3438), _e3495.member, _e3517), select(select(select(select(_e3209, _e3258.member_1, _e3280), _e3337.member_1, _e3359), _e3416.member_1, _e3438), _e3495.member_1, _e3517), select(select(select(select(_e3210, _e3258.member_2, _e3280), _e3337.member_2, _e3359), _e3416.member_2, _e3438), _e3495.member_2, _e3517)));
+phi_6999_ = type_34(select(_e3444, _e3512, _e3521), vec3<f32>(select(select(select(select(_e3196, _e3258.member, _e3284), _e3337.member, _e3363), _e3416.member, _e3442), _e3495.member, _e3521), select(select(select(select(_e3197, _e3258.member_1, _e3284), _e3337.member_1, _e3363), _e3416.member_1, _e3442), _e3495.member_1, _e3521), select(select(select(select(_e3198, _e3258.member_2, _e3284), _e3337.member_2, _e3363), _e3416.member_2, _e3442), _e3495.member_2, _e3521)), select(_e3448, _e3516, _e3522), vec3<f32>(select(select(select(select(_e3201, _e3258.member, _e3285), _e3337.member, _e3364), _e3416.member, _e3443), _e3495.member, _e3522), select(select(select(select(_e3202, _e3258.member_1, _e3285), _e3337.member_1, _e3364), _e3416.member_1, _e3443), _e3495.member_1, _e3522), select(select(select(select(_e3203, _e3258.member_2, _e3285), _e3337.member_2, _e3364), _e3416.member_2, _e3443), _e3495.member_2, _e3522)), select(_e3452, _e3488, _e3517), select(_e3454, _e3489, (_e3489 > _e3454)), vec3<f32>(select(select(select(select(_e3208, _e3258.member, _e3280), _e3337.member, _e3359), _e3416.member, _e3438), _e3495.member, _e3517), select(select(select(select(_e3209, _e3258.member_1, _e3280), _e3337.member_1, _e3359), _e3416.member_1, _e3438), _e3495.member_1, _e3517), select(select(select(select(_e3210, _e3258.member_2, _e3280), _e3337.member_2, _e3359), _e3416.member_2, _e3438), _e3495.member_2, _e3517)));
 }
-let _e3542 = phi_6997_;
+let _e3542 = phi_6999_;
 let _e3548 = (((_e2405 && _e2950) && !(_e2935)) && (_e3542.member_2 <= 1f));
 let _e3552 = (_e2947 - _e2414);
 let _e3553 = select(1f, _e3542.member_2, _e3548);
@@ -1449,11 +1451,11 @@ let _e3976 = select(_e2193, _e3974, (_e3974 < _e2193));
 let _e3981 = global_2.member[bitcast<u32>(select(0i, _e3976, (_e3976 > 0i)))];
 let _e3996 = ((_e2850 + (f32(bitcast<i32>((_e3981 >> bitcast<u32>(12u)))) * _e2853)) + ((f32((bitcast<i32>((_e3981 & 4095u)) - 2048i)) * _e2846) * (_e3958 - f32(_e3973))));
 if _e2950 {
-phi_8241_ = type_31(_e3996, 1f);
+phi_8243_ = type_31(_e3996, 1f);
 } else {
-phi_8241_ = type_31(1f, _e3996);
+phi_8243_ = type_31(1f, _e3996);
 }
-let _e4000 = phi_8241_;
+let _e4000 = phi_8243_;
 let _e4005 = ((_e4000.member_1 * _e4000.member_1) - (_e4000.member * _e4000.member));
 let _e4013 = (((_e3542.member_3.x * _e3542.member_3.x) + (_e3542.member_3.y * _e3542.member_3.y)) + (_e3542.member_3.z * _e3542.member_3.z));
 let _e4016 = sqrt(select(0f, _e4013, (_e4013 > 0f)));
@@ -1590,16 +1592,16 @@ let _e4361 = select(select(select(select(select(select(0f, _e1179.member, _e4142
 let _e4362 = select(select(select(select(select(select(0f, _e1179.member_1, _e4142), _e1179.member_1, _e4182), _e1188.member_1, _e4222), _e1188.member_1, _e4262), _e1197.member_1, _e4302), _e1197.member_1, _e4342);
 let _e4363 = select(select(select(select(select(select(1f, _e1179.member_2, _e4142), _e1179.member_2, _e4182), _e1188.member_2, _e4222), _e1188.member_2, _e4262), _e1197.member_2, _e4302), _e1197.member_2, _e4342);
 if _e1446 {
-phi_9779_ = type_34(_e4348, vec3<f32>(_e4349, _e4350, _e4351), _e4353, vec3<f32>(_e4354, _e4355, _e4356), _e4358, _e4360, vec3<f32>(_e4361, _e4362, _e4363));
+phi_9781_ = type_34(_e4348, vec3<f32>(_e4349, _e4350, _e4351), _e4353, vec3<f32>(_e4354, _e4355, _e4356), _e4358, _e4360, vec3<f32>(_e4361, _e4362, _e4363));
 } else {
 let _e4370 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e4373 = sqrt(select(0f, _e4370, (_e4370 > 0f)));
-let _e4378 = global_3.member[_e367].member_14.member_1;
+let _e4378 = global_3.member[_e367].member_16.member_1;
 let _e4379 = (_e4378 != 0u);
-let _e4384 = global_3.member[_e367].member_14.member;
+let _e4384 = global_3.member[_e367].member_16.member;
 let _e4404 = select(-1e6f, (((((_e4384.member.member * _e3561.x) + (_e4384.member.member_1 * _e3561.y)) + (_e4384.member.member_2 * _e3561.z)) + _e4384.member_1) * _e4373), _e4379);
 let _e4405 = select(-1e6f, (((((_e4384.member.member * _e4077) + (_e4384.member.member_1 * _e4078)) + (_e4384.member.member_2 * _e4079)) + _e4384.member_1) * _e4373), _e4379);
-let _e4411 = global_3.member[_e367].member_14.member.member;
+let _e4411 = global_3.member[_e367].member_16.member.member;
 let _e4415 = -(_e4404);
 let _e4418 = (_e4404 - _e4405);
 let _e4419 = (_e4405 - _e4404);
@@ -1614,12 +1616,12 @@ let _e4439 = select(_e4348, _e4428, _e4437);
 let _e4443 = select(_e4353, _e4432, _e4438);
 let _e4447 = select(_e4358, _e4404, _e4433);
 let _e4449 = select(_e4360, _e4405, (_e4405 > _e4360));
-let _e4457 = global_3.member[_e367].member_15.member_1;
+let _e4457 = global_3.member[_e367].member_17.member_1;
 let _e4458 = (_e4457 != 0u);
-let _e4463 = global_3.member[_e367].member_15.member;
+let _e4463 = global_3.member[_e367].member_17.member;
 let _e4483 = select(-1e6f, (((((_e4463.member.member * _e3561.x) + (_e4463.member.member_1 * _e3561.y)) + (_e4463.member.member_2 * _e3561.z)) + _e4463.member_1) * _e4373), _e4458);
 let _e4484 = select(-1e6f, (((((_e4463.member.member * _e4077) + (_e4463.member.member_1 * _e4078)) + (_e4463.member.member_2 * _e4079)) + _e4463.member_1) * _e4373), _e4458);
-let _e4490 = global_3.member[_e367].member_15.member.member;
+let _e4490 = global_3.member[_e367].member_17.member.member;
 let _e4494 = -(_e4483);
 let _e4497 = (_e4483 - _e4484);
 let _e4498 = (_e4484 - _e4483);
@@ -1634,12 +1636,12 @@ let _e4518 = select(_e4439, _e4507, _e4516);
 let _e4522 = select(_e4443, _e4511, _e4517);
 let _e4526 = select(_e4447, _e4483, _e4512);
 let _e4528 = select(_e4449, _e4484, (_e4484 > _e4449));
-let _e4536 = global_3.member[_e367].member_16.member_1;
+let _e4536 = global_3.member[_e367].member_18.member_1;
 let _e4537 = (_e4536 != 0u);
-let _e4542 = global_3.member[_e367].member_16.member;
+let _e4542 = global_3.member[_e367].member_18.member;
 let _e4562 = select(-1e6f, (((((_e4542.member.member * _e3561.x) + (_e4542.member.member_1 * _e3561.y)) + (_e4542.member.member_2 * _e3561.z)) + _e4542.member_1) * _e4373), _e4537);
 let _e4563 = select(-1e6f, (((((_e4542.member.member * _e4077) + (_e4542.member.member_1 * _e4078)) + (_e4542.member.member_2 * _e4079)) + _e4542.member_1) * _e4373), _e4537);
-let _e4569 = global_3.member[_e367].member_16.member.member;
+let _e4569 = global_3.member[_e367].member_18.member.member;
 let _e4573 = -(_e4562);
 let _e4576 = (_e4562 - _e4563);
 let _e4577 = (_e4563 - _e4562);
@@ -1654,12 +1656,12 @@ let _e4597 = select(_e4518, _e4586, _e4595);
 let _e4601 = select(_e4522, _e4590, _e4596);
 let _e4605 = select(_e4526, _e4562, _e4591);
 let _e4607 = select(_e4528, _e4563, (_e4563 > _e4528));
-let _e4615 = global_3.member[_e367].member_17.member_1;
+let _e4615 = global_3.member[_e367].member_19.member_1;
 let _e4616 = (_e4615 != 0u);
-let _e4621 = global_3.member[_e367].member_17.member;
+let _e4621 = global_3.member[_e367].member_19.member;
 let _e4641 = select(-1e6f, (((((_e4621.member.member * _e3561.x) + (_e4621.member.member_1 * _e3561.y)) + (_e4621.member.member_2 * _e3561.z)) + _e4621.member_1) * _e4373), _e4616);
 let _e4642 = select(-1e6f, (((((_e4621.member.member * _e4077) + (_e4621.member.member_1 * _e4078)) + (_e4621.member.member_2 * _e4079)) + _e4621.member_1) * _e4373), _e4616);
-let _e4648 = global_3.member[_e367].member_17.member.member;
+let _e4648 = global_3.member[_e367].member_19.member.member;
 let _e4652 = -(_e4641);
 let _e4655 = (_e4641 - _e4642);
 let _e4656 = (_e4642 - _e4641);
@@ -1670,9 +1672,9 @@ let _e4669 = select(2f, select(0f, _e4661, (_e4641 < 0f)), (_e4642 > 0f));
 let _e4670 = (_e4641 > _e4605);
 let _e4674 = ((_e4665 > _e4597) || ((_e4665 == _e4597) && _e4670));
 let _e4675 = (_e4669 < _e4601);
-phi_9779_ = type_34(select(_e4597, _e4665, _e4674), vec3<f32>(select(select(select(select(_e4349, _e4411.member, _e4437), _e4490.member, _e4516), _e4569.member, _e4595), _e4648.member, _e4674), select(select(select(select(_e4350, _e4411.member_1, _e4437), _e4490.member_1, _e4516), _e4569.member_1, _e4595), _e4648.member_1, _e4674), select(select(select(select(_e4351, _e4411.member_2, _e4437), _e4490.member_2, _e4516), _e4569.member_2, _e4595), _e4648.member_2, _e4674)), select(_e4601, _e4669, _e4675), vec3<f32>(select(select(select(select(_e4354, _e4411.member, _e4438), _e4490.member, _e4517), _e4569.member, _e4596), _e4648.member, _e4675), select(select(select(select(_e4355, _e4411.member_1, _e4438), _e4490.member_1, _e4517), _e4569.member_1, _e4596), _e4648.member_1, _e4675), select(select(select(select(_e4356, _e4411.member_2, _e4438), _e4490.member_2, _e4517), _e4569.member_2, _e4596), _e4648.member_2, _e4675)), select(_e4605, _e4641, _e4670), select(_e4607, _e4642, (_e4642 > _e4607)), vec3<f32>(select(select(select(select(_e4361, _e4411.member, _e4433), _e4490.member, _e4512), _e4569.member, _e4591), _e4648.member, _e4670), select(select(select(select(_e4362, _e4411.member_1, _e4433), _e4490.member_1, _e4512), _e4569.member_1, _e4591), _e4648.member_1, _e4670), select(select(select(select(_e4363, _e4411.member_2, _e4433), _e4490.member_2, _e4512), _e4569.member_2, _e4591), _e4648.member_2, _e4670)));
+phi_9781_ = type_34(select(_e4597, _e4665, _e4674), vec3<f32>(select(select(select(select(_e4349, _e4411.member, _e4437), _e4490.member, _e4516), _e4569.member, _e4595), _e4648.member, _e4674), select(select(select(select(_e4350, _e4411.member_1, _e4437), _e4490.member_1, _e4516), _e4569.member_1, _e4595), _e4648.member_1, _e4674), select(select(select(select(_e4351, _e4411.member_2, _e4437), _e4490.member_2, _e4516), _e4569.member_2, _e4595), _e4648.member_2, _e4674)), select(_e4601, _e4669, _e4675), vec3<f32>(select(select(select(select(_e4354, _e4411.member, _e4438), _e4490.member, _e4517), _e4569.member, _e4596), _e4648.member, _e4675), select(select(select(select(_e4355, _e4411.member_1, _e4438), _e4490.member_1, _e4517), _e4569.member_1, _e4596), _e4648.member_1, _e4675), select(select(select(select(_e4356, _e4411.member_2, _e4438), _e4490.member_2, _e4517), _e4569.member_2, _e4596), _e4648.member_2, _e4675)), select(_e4605, _e4641, _e4670), select(_e4607, _e4642, (_e4642 > _e4607)), vec3<f32>(select(select(select(select(_e4361, _e4411.member, _e4433), _e4490.member, _e4512), _e4569.member, _e4591), _e4648.member, _e4670), select(select(select(select(_e4362, _e4411.member_1, _e4433), _e4490.member_1, _e4512), _e4569.member_1, _e4591), _e4648.member_1, _e4670), select(select(select(select(_e4363, _e4411.member_2, _e4433), _e4490.member_2, _e4512), _e4569.member_2, _e4591), _e4648.member_2, _e4670)));
 }
-let _e4695 = phi_9779_;
+let _e4695 = phi_9781_;
 let _e4701 = (((_e3548 && _e4082) && !(_e4066)) && (_e4695.member_2 <= 1f));
 let _e4706 = select(1f, _e4695.member_2, _e4701);
 let _e4707 = ((_e4077 - _e3561.x) * _e4706);
@@ -1809,11 +1811,11 @@ let _e5129 = select(_e2193, _e5127, (_e5127 < _e2193));
 let _e5134 = global_2.member[bitcast<u32>(select(0i, _e5129, (_e5129 > 0i)))];
 let _e5149 = ((_e2850 + (f32(bitcast<i32>((_e5134 >> bitcast<u32>(12u)))) * _e2853)) + ((f32((bitcast<i32>((_e5134 & 4095u)) - 2048i)) * _e2846) * (_e5111 - f32(_e5126))));
 if _e4082 {
-phi_11023_ = type_31(_e5149, 1f);
+phi_11025_ = type_31(_e5149, 1f);
 } else {
-phi_11023_ = type_31(1f, _e5149);
+phi_11025_ = type_31(1f, _e5149);
 }
-let _e5153 = phi_11023_;
+let _e5153 = phi_11025_;
 let _e5158 = ((_e5153.member_1 * _e5153.member_1) - (_e5153.member * _e5153.member));
 let _e5166 = (((_e4695.member_3.x * _e4695.member_3.x) + (_e4695.member_3.y * _e4695.member_3.y)) + (_e4695.member_3.z * _e4695.member_3.z));
 let _e5169 = sqrt(select(0f, _e5166, (_e5166 > 0f)));
@@ -1950,16 +1952,16 @@ let _e5515 = select(select(select(select(select(select(0f, _e1179.member, _e5296
 let _e5516 = select(select(select(select(select(select(0f, _e1179.member_1, _e5296), _e1179.member_1, _e5336), _e1188.member_1, _e5376), _e1188.member_1, _e5416), _e1197.member_1, _e5456), _e1197.member_1, _e5496);
 let _e5517 = select(select(select(select(select(select(1f, _e1179.member_2, _e5296), _e1179.member_2, _e5336), _e1188.member_2, _e5376), _e1188.member_2, _e5416), _e1197.member_2, _e5456), _e1197.member_2, _e5496);
 if _e1446 {
-phi_12561_ = type_34(_e5502, vec3<f32>(_e5503, _e5504, _e5505), _e5507, vec3<f32>(_e5508, _e5509, _e5510), _e5512, _e5514, vec3<f32>(_e5515, _e5516, _e5517));
+phi_12563_ = type_34(_e5502, vec3<f32>(_e5503, _e5504, _e5505), _e5507, vec3<f32>(_e5508, _e5509, _e5510), _e5512, _e5514, vec3<f32>(_e5515, _e5516, _e5517));
 } else {
 let _e5524 = (((_e1179.member * _e1179.member) + (_e1179.member_1 * _e1179.member_1)) + (_e1179.member_2 * _e1179.member_2));
 let _e5527 = sqrt(select(0f, _e5524, (_e5524 > 0f)));
-let _e5532 = global_3.member[_e367].member_14.member_1;
+let _e5532 = global_3.member[_e367].member_16.member_1;
 let _e5533 = (_e5532 != 0u);
-let _e5538 = global_3.member[_e367].member_14.member;
+let _e5538 = global_3.member[_e367].member_16.member;
 let _e5558 = select(-1e6f, (((((_e5538.member.member * _e4714.x) + (_e5538.member.member_1 * _e4714.y)) + (_e5538.member.member_2 * _e4714.z)) + _e5538.member_1) * _e5527), _e5533);
 let _e5559 = select(-1e6f, (((((_e5538.member.member * _e5231) + (_e5538.member.member_1 * _e5232)) + (_e5538.member.member_2 * _e5233)) + _e5538.member_1) * _e5527), _e5533);
-let _e5565 = global_3.member[_e367].member_14.member.member;
+let _e5565 = global_3.member[_e367].member_16.member.member;
 let _e5569 = -(_e5558);
 let _e5572 = (_e5558 - _e5559);
 let _e5573 = (_e5559 - _e5558);
@@ -1974,12 +1976,12 @@ let _e5593 = select(_e5502, _e5582, _e5591);
 let _e5597 = select(_e5507, _e5586, _e5592);
 let _e5601 = select(_e5512, _e5558, _e5587);
 let _e5603 = select(_e5514, _e5559, (_e5559 > _e5514));
-let _e5611 = global_3.member[_e367].member_15.member_1;
+let _e5611 = global_3.member[_e367].member_17.member_1;
 let _e5612 = (_e5611 != 0u);
-let _e5617 = global_3.member[_e367].member_15.member;
+let _e5617 = global_3.member[_e367].member_17.member;
 let _e5637 = select(-1e6f, (((((_e5617.member.member * _e4714.x) + (_e5617.member.member_1 * _e4714.y)) + (_e5617.member.member_2 * _e4714.z)) + _e5617.member_1) * _e5527), _e5612);
 let _e5638 = select(-1e6f, (((((_e5617.member.member * _e5231) + (_e5617.member.member_1 * _e5232)) + (_e5617.member.member_2 * _e5233)) + _e5617.member_1) * _e5527), _e5612);
-let _e5644 = global_3.member[_e367].member_15.member.member;
+let _e5644 = global_3.member[_e367].member_17.member.member;
 let _e5648 = -(_e5637);
 let _e5651 = (_e5637 - _e5638);
 let _e5652 = (_e5638 - _e5637);
@@ -1994,12 +1996,12 @@ let _e5672 = select(_e5593, _e5661, _e5670);
 let _e5676 = select(_e5597, _e5665, _e5671);
 let _e5680 = select(_e5601, _e5637, _e5666);
 let _e5682 = select(_e5603, _e5638, (_e5638 > _e5603));
-let _e5690 = global_3.member[_e367].member_16.member_1;
+let _e5690 = global_3.member[_e367].member_18.member_1;
 let _e5691 = (_e5690 != 0u);
-let _e5696 = global_3.member[_e367].member_16.member;
+let _e5696 = global_3.member[_e367].member_18.member;
 let _e5716 = select(-1e6f, (((((_e5696.member.member * _e4714.x) + (_e5696.member.member_1 * _e4714.y)) + (_e5696.member.member_2 * _e4714.z)) + _e5696.member_1) * _e5527), _e5691);
 let _e5717 = select(-1e6f, (((((_e5696.member.member * _e5231) + (_e5696.member.member_1 * _e5232)) + (_e5696.member.member_2 * _e5233)) + _e5696.member_1) * _e5527), _e5691);
-let _e5723 = global_3.member[_e367].member_16.member.member;
+let _e5723 = global_3.member[_e367].member_18.member.member;
 let _e5727 = -(_e5716);
 let _e5730 = (_e5716 - _e5717);
 let _e5731 = (_e5717 - _e5716);
@@ -2014,12 +2016,12 @@ let _e5751 = select(_e5672, _e5740, _e5749);
 let _e5755 = select(_e5676, _e5744, _e5750);
 let _e5759 = select(_e5680, _e5716, _e5745);
 let _e5761 = select(_e5682, _e5717, (_e5717 > _e5682));
-let _e5769 = global_3.member[_e367].member_17.member_1;
+let _e5769 = global_3.member[_e367].member_19.member_1;
 let _e5770 = (_e5769 != 0u);
-let _e5775 = global_3.member[_e367].member_17.member;
+let _e5775 = global_3.member[_e367].member_19.member;
 let _e5795 = select(-1e6f, (((((_e5775.member.member * _e4714.x) + (_e5775.member.member_1 * _e4714.y)) + (_e5775.member.member_2 * _e4714.z)) + _e5775.member_1) * _e5527), _e5770);
 let _e5796 = select(-1e6f, (((((_e5775.member.member * _e5231) + (_e5775.member.member_1 * _e5232)) + (_e5775.member.member_2 * _e5233)) + _e5775.member_1) * _e5527), _e5770);
-let _e5802 = global_3.member[_e367].member_17.member.member;
+let _e5802 = global_3.member[_e367].member_19.member.member;
 let _e5806 = -(_e5795);
 let _e5809 = (_e5795 - _e5796);
 let _e5810 = (_e5796 - _e5795);
@@ -2030,9 +2032,9 @@ let _e5823 = select(2f, select(0f, _e5815, (_e5795 < 0f)), (_e5796 > 0f));
 let _e5824 = (_e5795 > _e5759);
 let _e5828 = ((_e5819 > _e5751) || ((_e5819 == _e5751) && _e5824));
 let _e5829 = (_e5823 < _e5755);
-phi_12561_ = type_34(select(_e5751, _e5819, _e5828), vec3<f32>(select(select(select(select(_e5503, _e5565.member, _e5591), _e5644.member, _e5670), _e5723.member, _e5749), _e5802.member, _e5828), select(select(select(select(_e5504, _e5565.member_1, _e5591), _e5644.member_1, _e5670), _e5723.member_1, _e5749), _e5802.member_1, _e5828), select(select(select(select(_e5505, _e5565.member_2, _e5591), _e5644.member_2, _e5670), _e5723.member_2, _e5749), _e5802.member_2, _e5828)), select(_e5755, _e5823, _e5829), vec3<f32>(select(select(select(select(_e5508, _e5565.member, _e5592), _e5644.member, _e5671), _e5723.member, _e5750), _e5802.member, _e5829), select(select(select(select(_e5509, _e5565.member_1, _e5592), _e5644.member_1, _e5671), _e5723.member_1, _e5750), _e5802.member_1, _e5829), select(select(select(select(_e5510, _e5565.member_2, _e5592), _e5644.member_2, _e5671), _e5723.member_2, _e5750), _e5802.member_2, _e5829)), select(_e5759, _e5795, _e5824), select(_e5761, _e5796, (_e5796 > _e5761)), vec3<f32>(select(select(select(select(_e5515, _e5565.member, _e5587), _e5644.member, _e5666), _e5723.member, _e5745), _e5802.member, _e5824), select(select(select(select(_e5516, _e5565.member_1, _e5587), _e5644.member_1, _e5666), _e5723.member_1, _e5745), _e5802.member_1, _e5824), select(select(select(select(_e5517, _e5565.member_2, _e5587), _e5644.member_2, _e5666), _e5723.member_2, _e5745), _e5802.member_2, _e5824)));
+phi_12563_ = type_34(select(_e5751, _e5819, _e5828), vec3<f32>(select(select(select(select(_e5503, _e5565.member, _e5591), _e5644.member, _e5670), _e5723.member, _e5749), _e5802.member, _e5828), select(select(select(select(_e5504, _e5565.member_1, _e5591), _e5644.member_1, _e5670), _e5723.member_1, _e5749), _e5802.member_1, _e5828), select(select(select(select(_e5505, _e5565.member_2, _e5591), _e5644.member_2, _e5670), _e5723.member_2, _e5749), _e5802.member_2, _e5828)), select(_e5755, _e5823, _e5829), vec3<f32>(select(select(select(select(_e5508, _e5565.member, _e5592), _e5644.member, _e5671), _e5723.member, _e5750), _e5802.member, _e5829), select(select(select(select(_e5509, _e5565.member_1, _e5592), _e5644.member_1, _e5671), _e5723.member_1, _e5750), _e5802.member_1, _e5829), select(select(select(select(_e5510, _e5565.member_2, _e5592), _e5644.member_2, _e5671), _e5723.member_2, _e5750), _e5802.member_2, _e5829)), select(_e5759, _e5795, _e5824), select(_e5761, _e5796, (_e5796 > _e5761)), vec3<f32>(select(select(select(select(_e5515, _e5565.member, _e5587), _e5644.member, _e5666), _e5723.member, _e5745), _e5802.member, _e5824), select(select(select(select(_e5516, _e5565.member_1, _e5587), _e5644.member_1, _e5666), _e5723.member_1, _e5745), _e5802.member_1, _e5824), select(select(select(select(_e5517, _e5565.member_2, _e5587), _e5644.member_2, _e5666), _e5723.member_2, _e5745), _e5802.member_2, _e5824)));
 }
-let _e5849 = phi_12561_;
+let _e5849 = phi_12563_;
 let _e5855 = (((_e4701 && _e5236) && !(_e5220)) && (_e5849.member_2 <= 1f));
 let _e5856 = (_e915 < 1e-12f);
 let _e5858 = (1f / select(_e910, 1f, _e5856));
@@ -2235,12 +2237,12 @@ let _e6348 = select(_e6307, _e6279, (_e6279 > _e6307));
 let _e6351 = (select(_e6342, _e6344, (_e6344 < _e6342)) - select(_e6335, _e6348, (_e6348 > _e6335)));
 let _e6358 = ((_e2931 || _e4062) || _e5216);
 if _e2931 {
-phi_14309_ = _e2863;
+phi_14311_ = _e2863;
 } else {
-phi_14309_ = _e4000;
+phi_14311_ = _e4000;
 }
-let _e6379 = phi_14309_;
-phi_14581_ = type_38(_e6379, vec3<f32>(select(_e5231, _e4714.x, _e5855), select(_e5232, _e4714.y, _e5855), select(_e5233, _e4714.z, _e5855)), vec3<f32>(_e5205, _e5206, _e5207), select((_e1076 * select(0f, _e5936, (_e5936 > 0f))), ((((sqrt(select(0f, _e5947, (_e5947 > 0f))) * select(0f, _e6028, (_e6028 > 0f))) + (sqrt(select(0f, _e6039, (_e6039 > 0f))) * select(0f, _e6135, (_e6135 > 0f)))) + (sqrt(select(0f, _e6147, (_e6147 > 0f))) * select(0f, _e6243, (_e6243 > 0f)))) + select(0f, (sqrt(select(0f, _e6255, (_e6255 > 0f))) * select(0f, _e6351, (_e6351 > 0f))), _e4701)), _e6358), select((_e400 / _e5207), (2f * (_e3552 / _e2917)), (((_e2405 && !(_e1785)) && _e2950) && !(_e3548))), select(_e3542.member_3, _e2397.member_1, vec3(_e2931)), _e5236, _e6358, (((_e2935 || _e4066) || _e5220) || _e5855));
+let _e6379 = phi_14311_;
+phi_14583_ = type_38(_e6379, vec3<f32>(select(_e5231, _e4714.x, _e5855), select(_e5232, _e4714.y, _e5855), select(_e5233, _e4714.z, _e5855)), vec3<f32>(_e5205, _e5206, _e5207), select((_e1076 * select(0f, _e5936, (_e5936 > 0f))), ((((sqrt(select(0f, _e5947, (_e5947 > 0f))) * select(0f, _e6028, (_e6028 > 0f))) + (sqrt(select(0f, _e6039, (_e6039 > 0f))) * select(0f, _e6135, (_e6135 > 0f)))) + (sqrt(select(0f, _e6147, (_e6147 > 0f))) * select(0f, _e6243, (_e6243 > 0f)))) + select(0f, (sqrt(select(0f, _e6255, (_e6255 > 0f))) * select(0f, _e6351, (_e6351 > 0f))), _e4701)), _e6358), select((_e400 / _e5207), (2f * (_e3552 / _e2917)), (((_e2405 && !(_e1785)) && _e2950) && !(_e3548))), select(_e3542.member_3, _e2397.member_1, vec3(_e2931)), _e5236, _e6358, (((_e2935 || _e4066) || _e5220) || _e5855));
 } else {
 let _e1078 = (_e915 < 1e-12f);
 let _e1080 = (1f / select(_e910, 1f, _e1078));
@@ -2275,9 +2277,9 @@ let _e1152 = select(select(1f, _e1149, (_e1149 < 1f)), 1f, _e1128);
 let _e1154 = select(_e1127, _e1102, (_e1102 < _e1127));
 let _e1158 = select(_e1120, _e1095, (_e1095 > _e1120));
 let _e1161 = (select(_e1152, _e1154, (_e1154 < _e1152)) - select(_e1145, _e1158, (_e1158 > _e1145)));
-phi_14581_ = type_38(_e1077.member, _e1077.member_1, _e1077.member_2, (_e1076 * select(0f, _e1161, (_e1161 > 0f))), _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8);
+phi_14583_ = type_38(_e1077.member, _e1077.member_1, _e1077.member_2, (_e1076 * select(0f, _e1161, (_e1161 > 0f))), _e1077.member_4, _e1077.member_5, _e1077.member_6, _e1077.member_7, _e1077.member_8);
 }
-let _e6382 = phi_14581_;
+let _e6382 = phi_14583_;
 let _e6393 = ((((_e468.member.member * _e6382.member_1.x) + (_e468.member.member_1 * _e6382.member_1.y)) + (_e468.member.member_2 * _e6382.member_1.z)) + _e468.member_1);
 let _e6399 = ((((_e484.member.member * _e6382.member_1.x) + (_e484.member.member_1 * _e6382.member_1.y)) + (_e484.member.member_2 * _e6382.member_1.z)) + _e484.member_1);
 let _e6405 = ((((_e500.member.member * _e6382.member_1.x) + (_e500.member.member_1 * _e6382.member_1.y)) + (_e500.member.member_2 * _e6382.member_1.z)) + _e500.member_1);
@@ -2300,8 +2302,8 @@ let _e6847 = select(-1f, _e6815, (_e6815 > -1f));
 let _e6849 = select(_e558, _e6847, (_e6847 < _e558));
 let _e6856 = select(0i, select(select(i32(_e6849), i32(-2147483648), (_e6849 < -2147483600f)), 2147483647i, (_e6849 > 2147483500f)), (_e6849 == _e6849));
 let _e6860 = (_e6856 - select(0i, 1i, (_e6849 < f32(_e6856))));
-let _e6865 = global_3.member[_e367].member_6.member_7;
-let _e6870 = global_3.member[_e367].member_6.member_8;
+let _e6865 = global_3.member[_e367].member_8.member_7;
+let _e6870 = global_3.member[_e367].member_8.member_8;
 let _e6878 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e6879 = (_e6845 - 1i);
 let _e6884 = (_e6845 + 1i);
@@ -2608,8 +2610,8 @@ let _e7884 = local_23[2u];
 let _e7888 = local_23[1u];
 let _e7892 = local_23[2u];
 let _e7896 = local_23[2u];
-let _e7904 = global_3.member[_e367].member_6.member_6;
-let _e7909 = global_3.member[_e367].member_6.member_5;
+let _e7904 = global_3.member[_e367].member_8.member_6;
+let _e7909 = global_3.member[_e367].member_8.member_5;
 let _e7911 = (((_e7826 + ((_e7830 - _e7826) * _e7896)) - _e7904) * _e7909);
 let _e7912 = -(1e9f);
 let _e7914 = select(_e7912, _e7911, (_e7911 > _e7912));
@@ -2719,7 +2721,7 @@ if _e581 {
 let _e8637 = ((0.5f * (_e7928 - _e7922)) * _e8186);
 let _e8638 = ((0.5f * (_e7940 - _e7934)) * _e8186);
 let _e8639 = ((0.5f * (_e7952 - _e7946)) * _e8186);
-phi_20294_ = type_32(_e8148, vec3<f32>(_e8637, _e8638, _e8639), vec3<f32>((_e8637 * _e8148), (_e8638 * _e8148), (_e8639 * _e8148)));
+phi_20296_ = type_32(_e8148, vec3<f32>(_e8637, _e8638, _e8639), vec3<f32>((_e8637 * _e8148), (_e8638 * _e8148), (_e8639 * _e8148)));
 } else {
 local_18 = _e7922;
 let _e8187 = local_18;
@@ -2868,23 +2870,23 @@ let _e8612 = ((_e8133 + (f32(bitcast<i32>((_e8597 >> bitcast<u32>(12u)))) * _e81
 let _e8613 = (_e8328 - _e8257);
 let _e8615 = (_e8470 - _e8399);
 let _e8617 = (_e8612 - _e8541);
-phi_20294_ = type_32(_e8148, vec3<f32>((0.5f * _e8613), (0.5f * _e8615), (0.5f * _e8617)), vec3<f32>((0.25f * (_e8613 * (_e8328 + _e8257))), (0.25f * (_e8615 * (_e8470 + _e8399))), (0.25f * (_e8617 * (_e8612 + _e8541)))));
+phi_20296_ = type_32(_e8148, vec3<f32>((0.5f * _e8613), (0.5f * _e8615), (0.5f * _e8617)), vec3<f32>((0.25f * (_e8613 * (_e8328 + _e8257))), (0.25f * (_e8615 * (_e8470 + _e8399))), (0.25f * (_e8617 * (_e8612 + _e8541)))));
 }
-let _e8647 = phi_20294_;
+let _e8647 = phi_20296_;
 let _e8662 = select(0f, 1f, ((((((_e6393 >= -0.5f) && (_e6393 <= _e895)) && (_e6399 >= -0.5f)) && (_e6399 <= _e900)) && (_e6405 >= -0.5f)) && (_e6405 <= _e905)));
 let _e8664 = (0.5f * (_e7928 - _e7922));
 let _e8666 = (0.5f * (_e7940 - _e7934));
 let _e8668 = (0.5f * (_e7952 - _e7946));
-let _e8675 = global_3.member[_e367].member_6.member.member.member;
-let _e8682 = global_3.member[_e367].member_6.member.member.member_1;
-let _e8689 = global_3.member[_e367].member_6.member.member.member_2;
-let _e8696 = global_3.member[_e367].member_6.member_1.member.member;
-let _e8703 = global_3.member[_e367].member_6.member_1.member.member_1;
-let _e8710 = global_3.member[_e367].member_6.member_1.member.member_2;
-let _e8717 = global_3.member[_e367].member_6.member_2.member.member;
-let _e8724 = global_3.member[_e367].member_6.member_2.member.member_1;
-let _e8731 = global_3.member[_e367].member_6.member_2.member.member_2;
-phi_21073_ = type_33(_e7916, vec3<f32>(((((_e8675 * _e8664) + (_e8696 * _e8666)) + (_e8717 * _e8668)) * _e8662), ((((_e8682 * _e8664) + (_e8703 * _e8666)) + (_e8724 * _e8668)) * _e8662), ((((_e8689 * _e8664) + (_e8710 * _e8666)) + (_e8731 * _e8668)) * _e8662)), _e8647.member, vec3<f32>(((((_e8675 * _e8647.member_2.x) + (_e8696 * _e8647.member_2.y)) + (_e8717 * _e8647.member_2.z)) * _e8662), ((((_e8682 * _e8647.member_2.x) + (_e8703 * _e8647.member_2.y)) + (_e8724 * _e8647.member_2.z)) * _e8662), ((((_e8689 * _e8647.member_2.x) + (_e8710 * _e8647.member_2.y)) + (_e8731 * _e8647.member_2.z)) * _e8662)), vec3<f32>(((((_e8675 * _e8647.member_1.x) + (_e8696 * _e8647.member_1.y)) + (_e8717 * _e8647.member_1.z)) * _e8662), ((((_e8682 * _e8647.member_1.x) + (_e8703 * _e8647.member_1.y)) + (_e8724 * _e8647.member_1.z)) * _e8662), ((((_e8689 * _e8647.member_1.x) + (_e8710 * _e8647.member_1.y)) + (_e8731 * _e8647.member_1.z)) * _e8662)));
+let _e8675 = global_3.member[_e367].member_8.member.member.member;
+let _e8682 = global_3.member[_e367].member_8.member.member.member_1;
+let _e8689 = global_3.member[_e367].member_8.member.member.member_2;
+let _e8696 = global_3.member[_e367].member_8.member_1.member.member;
+let _e8703 = global_3.member[_e367].member_8.member_1.member.member_1;
+let _e8710 = global_3.member[_e367].member_8.member_1.member.member_2;
+let _e8717 = global_3.member[_e367].member_8.member_2.member.member;
+let _e8724 = global_3.member[_e367].member_8.member_2.member.member_1;
+let _e8731 = global_3.member[_e367].member_8.member_2.member.member_2;
+phi_21075_ = type_33(_e7916, vec3<f32>(((((_e8675 * _e8664) + (_e8696 * _e8666)) + (_e8717 * _e8668)) * _e8662), ((((_e8682 * _e8664) + (_e8703 * _e8666)) + (_e8724 * _e8668)) * _e8662), ((((_e8689 * _e8664) + (_e8710 * _e8666)) + (_e8731 * _e8668)) * _e8662)), _e8647.member, vec3<f32>(((((_e8675 * _e8647.member_2.x) + (_e8696 * _e8647.member_2.y)) + (_e8717 * _e8647.member_2.z)) * _e8662), ((((_e8682 * _e8647.member_2.x) + (_e8703 * _e8647.member_2.y)) + (_e8724 * _e8647.member_2.z)) * _e8662), ((((_e8689 * _e8647.member_2.x) + (_e8710 * _e8647.member_2.y)) + (_e8731 * _e8647.member_2.z)) * _e8662)), vec3<f32>(((((_e8675 * _e8647.member_1.x) + (_e8696 * _e8647.member_1.y)) + (_e8717 * _e8647.member_1.z)) * _e8662), ((((_e8682 * _e8647.member_1.x) + (_e8703 * _e8647.member_1.y)) + (_e8724 * _e8647.member_1.z)) * _e8662), ((((_e8689 * _e8647.member_1.x) + (_e8710 * _e8647.member_1.y)) + (_e8731 * _e8647.member_1.z)) * _e8662)));
 } else {
 let _e6407 = select(-0.5f, _e6393, (_e6393 > -0.5f));
 let _e6409 = select(_e895, _e6407, (_e6407 < _e895));
@@ -2904,8 +2906,8 @@ let _e6449 = select(-1f, _e6417, (_e6417 > -1f));
 let _e6451 = select(_e558, _e6449, (_e6449 < _e558));
 let _e6458 = select(0i, select(select(i32(_e6451), i32(-2147483648), (_e6451 < -2147483600f)), 2147483647i, (_e6451 > 2147483500f)), (_e6451 == _e6451));
 let _e6462 = (_e6458 - select(0i, 1i, (_e6451 < f32(_e6458))));
-let _e6467 = global_3.member[_e367].member_6.member_7;
-let _e6472 = global_3.member[_e367].member_6.member_8;
+let _e6467 = global_3.member[_e367].member_8.member_7;
+let _e6472 = global_3.member[_e367].member_8.member_8;
 let _e6480 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e6483 = (_e6447 + 1i);
 let _e6493 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -2992,14 +2994,14 @@ let _e6766 = local_6.member_1[3u];
 let _e6773 = local_7[0u];
 let _e6777 = local_7[1u];
 let _e6782 = local_7[2u];
-let _e6790 = global_3.member[_e367].member_6.member_6;
-let _e6795 = global_3.member[_e367].member_6.member_5;
+let _e6790 = global_3.member[_e367].member_8.member_6;
+let _e6795 = global_3.member[_e367].member_8.member_5;
 let _e6797 = (((_e6674 + (((_e6725 + (((_e6765 + ((f32(bitcast<i32>(((_e6758 >> bitcast<u32>((_e6766 & 31u))) & 65535u))) - _e6765) * _e6773)) - _e6725) * _e6777)) - _e6674) * _e6782)) - _e6790) * _e6795);
 let _e6798 = -(1e9f);
 let _e6800 = select(_e6798, _e6797, (_e6797 > _e6798));
-phi_21073_ = type_33(select(1e9f, _e6800, (_e6800 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21075_ = type_33(select(1e9f, _e6800, (_e6800 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8797 = phi_21073_;
+let _e8797 = phi_21075_;
 let _e8799 = select(-0.5f, _e479, (_e479 > -0.5f));
 let _e8801 = select(_e895, _e8799, (_e8799 < _e895));
 let _e8803 = select(-0.5f, _e495, (_e495 > -0.5f));
@@ -3018,8 +3020,8 @@ let _e8841 = select(-1f, _e8809, (_e8809 > -1f));
 let _e8843 = select(_e558, _e8841, (_e8841 < _e558));
 let _e8850 = select(0i, select(select(i32(_e8843), i32(-2147483648), (_e8843 < -2147483600f)), 2147483647i, (_e8843 > 2147483500f)), (_e8843 == _e8843));
 let _e8854 = (_e8850 - select(0i, 1i, (_e8843 < f32(_e8850))));
-let _e8859 = global_3.member[_e367].member_6.member_7;
-let _e8864 = global_3.member[_e367].member_6.member_8;
+let _e8859 = global_3.member[_e367].member_8.member_7;
+let _e8864 = global_3.member[_e367].member_8.member_8;
 let _e8872 = (select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < -2147483600f)), 2147483647i, (_e547 > 2147483500f)), (_e547 == _e547)) - 1i);
 let _e8875 = (_e8839 + 1i);
 let _e8885 = (select(0i, select(select(i32(_e558), i32(-2147483648), (_e558 < -2147483600f)), 2147483647i, (_e558 > 2147483500f)), (_e558 == _e558)) - 1i);
@@ -3106,17 +3108,17 @@ let _e9158 = local_4.member_1[3u];
 let _e9165 = local_5[0u];
 let _e9169 = local_5[1u];
 let _e9174 = local_5[2u];
-let _e9182 = global_3.member[_e367].member_6.member_6;
-let _e9187 = global_3.member[_e367].member_6.member_5;
+let _e9182 = global_3.member[_e367].member_8.member_6;
+let _e9187 = global_3.member[_e367].member_8.member_5;
 let _e9189 = (((_e9066 + (((_e9117 + (((_e9157 + ((f32(bitcast<i32>(((_e9150 >> bitcast<u32>((_e9158 & 31u))) & 65535u))) - _e9157) * _e9165)) - _e9117) * _e9169)) - _e9066) * _e9174)) - _e9182) * _e9187);
 let _e9190 = -(1e9f);
 let _e9192 = select(_e9190, _e9189, (_e9189 > _e9190));
 let _e9194 = select(1e9f, _e9192, (_e9192 < 1e9f));
 let _e9196 = ((_e1045 & 16u) == 0u);
 if _e9196 {
-phi_22063_ = type_7(1f, 1f, 1f);
+phi_22065_ = type_7(1f, 1f, 1f);
 } else {
-let _e9201 = global_3.member[_e367].member_14.member;
+let _e9201 = global_3.member[_e367].member_16.member;
 let _e9212 = ((((_e9201.member.member * _e393) + (_e9201.member.member_1 * _e395)) + (_e9201.member.member_2 * _e389)) + _e9201.member_1);
 let _e9218 = ((((_e9201.member.member * _e6382.member_1.x) + (_e9201.member.member_1 * _e6382.member_1.y)) + (_e9201.member.member_2 * _e6382.member_1.z)) + _e9201.member_1);
 let _e9220 = select(_e9218, _e9212, (_e9212 < _e9218));
@@ -3125,9 +3127,9 @@ let _e9224 = (_e9222 - _e9220);
 let _e9227 = (-(_e9220) / select(1e-30f, _e9224, (_e9224 > 1e-30f)));
 let _e9229 = select(0f, _e9227, (_e9227 > 0f));
 let _e9235 = select(select(select(1f, _e9229, (_e9229 < 1f)), 1f, (_e9222 <= 0f)), 0f, (_e9220 > 0f));
-let _e9241 = global_3.member[_e367].member_14.member_1;
+let _e9241 = global_3.member[_e367].member_16.member_1;
 let _e9242 = (_e9241 != 0u);
-let _e9253 = global_3.member[_e367].member_15.member;
+let _e9253 = global_3.member[_e367].member_17.member;
 let _e9264 = ((((_e9253.member.member * _e393) + (_e9253.member.member_1 * _e395)) + (_e9253.member.member_2 * _e389)) + _e9253.member_1);
 let _e9270 = ((((_e9253.member.member * _e6382.member_1.x) + (_e9253.member.member_1 * _e6382.member_1.y)) + (_e9253.member.member_2 * _e6382.member_1.z)) + _e9253.member_1);
 let _e9272 = select(_e9270, _e9264, (_e9264 < _e9270));
@@ -3136,9 +3138,9 @@ let _e9276 = (_e9274 - _e9272);
 let _e9279 = (-(_e9272) / select(1e-30f, _e9276, (_e9276 > 1e-30f)));
 let _e9281 = select(0f, _e9279, (_e9279 > 0f));
 let _e9287 = select(select(select(1f, _e9281, (_e9281 < 1f)), 1f, (_e9274 <= 0f)), 0f, (_e9272 > 0f));
-let _e9293 = global_3.member[_e367].member_15.member_1;
+let _e9293 = global_3.member[_e367].member_17.member_1;
 let _e9294 = (_e9293 != 0u);
-let _e9305 = global_3.member[_e367].member_16.member;
+let _e9305 = global_3.member[_e367].member_18.member;
 let _e9316 = ((((_e9305.member.member * _e393) + (_e9305.member.member_1 * _e395)) + (_e9305.member.member_2 * _e389)) + _e9305.member_1);
 let _e9322 = ((((_e9305.member.member * _e6382.member_1.x) + (_e9305.member.member_1 * _e6382.member_1.y)) + (_e9305.member.member_2 * _e6382.member_1.z)) + _e9305.member_1);
 let _e9324 = select(_e9322, _e9316, (_e9316 < _e9322));
@@ -3147,9 +3149,9 @@ let _e9328 = (_e9326 - _e9324);
 let _e9331 = (-(_e9324) / select(1e-30f, _e9328, (_e9328 > 1e-30f)));
 let _e9333 = select(0f, _e9331, (_e9331 > 0f));
 let _e9339 = select(select(select(1f, _e9333, (_e9333 < 1f)), 1f, (_e9326 <= 0f)), 0f, (_e9324 > 0f));
-let _e9345 = global_3.member[_e367].member_16.member_1;
+let _e9345 = global_3.member[_e367].member_18.member_1;
 let _e9346 = (_e9345 != 0u);
-let _e9357 = global_3.member[_e367].member_17.member;
+let _e9357 = global_3.member[_e367].member_19.member;
 let _e9368 = ((((_e9357.member.member * _e393) + (_e9357.member.member_1 * _e395)) + (_e9357.member.member_2 * _e389)) + _e9357.member_1);
 let _e9374 = ((((_e9357.member.member * _e6382.member_1.x) + (_e9357.member.member_1 * _e6382.member_1.y)) + (_e9357.member.member_2 * _e6382.member_1.z)) + _e9357.member_1);
 let _e9376 = select(_e9374, _e9368, (_e9368 < _e9374));
@@ -3158,12 +3160,12 @@ let _e9380 = (_e9378 - _e9376);
 let _e9383 = (-(_e9376) / select(1e-30f, _e9380, (_e9380 > 1e-30f)));
 let _e9385 = select(0f, _e9383, (_e9383 > 0f));
 let _e9391 = select(select(select(1f, _e9385, (_e9385 < 1f)), 1f, (_e9378 <= 0f)), 0f, (_e9376 > 0f));
-let _e9397 = global_3.member[_e367].member_17.member_1;
+let _e9397 = global_3.member[_e367].member_19.member_1;
 let _e9398 = (_e9397 != 0u);
-phi_22063_ = type_7(((((1f * _e9235) * _e9287) * _e9339) * _e9391), ((((1f * select(1f, _e9235, _e9242)) * select(1f, _e9287, _e9294)) * select(1f, _e9339, _e9346)) * select(1f, _e9391, _e9398)), ((((1f * select(1f, 0f, (_e9242 && (_e9218 > 0f)))) * select(1f, 0f, (_e9294 && (_e9270 > 0f)))) * select(1f, 0f, (_e9346 && (_e9322 > 0f)))) * select(1f, 0f, (_e9398 && (_e9374 > 0f)))));
+phi_22065_ = type_7(((((1f * _e9235) * _e9287) * _e9339) * _e9391), ((((1f * select(1f, _e9235, _e9242)) * select(1f, _e9287, _e9294)) * select(1f, _e9339, _e9346)) * select(1f, _e9391, _e9398)), ((((1f * select(1f, 0f, (_e9242 && (_e9218 > 0f)))) * select(1f, 0f, (_e9294 && (_e9270 > 0f)))) * select(1f, 0f, (_e9346 && (_e9322 > 0f)))) * select(1f, 0f, (_e9398 && (_e9374 > 0f)))));
 }
-let _e9407 = phi_22063_;
-let _e9413 = global_3.member[_e367].member_5.member_3;
+let _e9407 = phi_22065_;
+let _e9413 = global_3.member[_e367].member_7.member_3;
 let _e9414 = (_e6382.member_3 * _e9413);
 if (((_e376.member_2 == 3u) || (_e376.member_2 == 4u)) || _e575) {
 local_3 = _e9194;
@@ -3343,7 +3345,7 @@ let _e10842 = f32(_e10841);
 let _e10846 = ((_e10824 - (_e10842 * 0.6933594f)) - (_e10842 * -2.1219444e-4f));
 let _e10866 = ((1f + (_e10846 * (1f + (_e10846 * (0.5f + (_e10846 * (0.16666667f + (_e10846 * (0.041666668f + (_e10846 * (0.008333334f + (_e10846 * (0.001388889f + (_e10846 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10841 + 127i)) << bitcast<u32>(23i))));
 let _e10867 = (1f - _e10866);
-phi_25561_ = type_40(_e10866, _e10867, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e10867 / select(1e-12f, _e10816, (_e10816 > 1e-12f))))));
+phi_25563_ = type_40(_e10866, _e10867, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e10867 / select(1e-12f, _e10816, (_e10816 > 1e-12f))))));
 } else {
 local_1 = _e9194;
 let _e9420 = local_1;
@@ -3580,9 +3582,9 @@ let _e10292 = f32(_e10291);
 let _e10296 = ((_e10274 - (_e10292 * 0.6933594f)) - (_e10292 * -2.1219444e-4f));
 let _e10316 = ((1f + (_e10296 * (1f + (_e10296 * (0.5f + (_e10296 * (0.16666667f + (_e10296 * (0.041666668f + (_e10296 * (0.008333334f + (_e10296 * (0.001388889f + (_e10296 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10291 + 127i)) << bitcast<u32>(23i))));
 let _e10317 = (1f - _e10316);
-phi_25561_ = type_40(_e10316, _e10317, vec3<f32>(((1f + (_e10151 * (1f + (_e10151 * (0.5f + (_e10151 * (0.16666667f + (_e10151 * (0.041666668f + (_e10151 * (0.008333334f + (_e10151 * (0.001388889f + (_e10151 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10146 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10199 * (1f + (_e10199 * (0.5f + (_e10199 * (0.16666667f + (_e10199 * (0.041666668f + (_e10199 * (0.008333334f + (_e10199 * (0.001388889f + (_e10199 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10194 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10247 * (1f + (_e10247 * (0.5f + (_e10247 * (0.16666667f + (_e10247 * (0.041666668f + (_e10247 * (0.008333334f + (_e10247 * (0.001388889f + (_e10247 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10242 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e10317 / select(1e-12f, _e9911, (_e9911 > 1e-12f))))));
+phi_25563_ = type_40(_e10316, _e10317, vec3<f32>(((1f + (_e10151 * (1f + (_e10151 * (0.5f + (_e10151 * (0.16666667f + (_e10151 * (0.041666668f + (_e10151 * (0.008333334f + (_e10151 * (0.001388889f + (_e10151 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10146 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10199 * (1f + (_e10199 * (0.5f + (_e10199 * (0.16666667f + (_e10199 * (0.041666668f + (_e10199 * (0.008333334f + (_e10199 * (0.001388889f + (_e10199 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10194 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10247 * (1f + (_e10247 * (0.5f + (_e10247 * (0.16666667f + (_e10247 * (0.041666668f + (_e10247 * (0.008333334f + (_e10247 * (0.001388889f + (_e10247 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10242 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e10317 / select(1e-12f, _e9911, (_e9911 > 1e-12f))))));
 }
-let _e10875 = phi_25561_;
+let _e10875 = phi_25563_;
 let _e10884 = (_e371[6] * (_e10875.member_2.x * _e10875.member));
 let _e10885 = (_e371[7] * (_e10875.member_2.y * _e10875.member));
 let _e10886 = (_e371[8] * (_e10875.member_2.z * _e10875.member));
@@ -3598,9 +3600,9 @@ let _e10917 = (_e6382.member_1.z + (_e6382.member_2.z * _e10909));
 let _e10923 = ((((_e468.member.member * _e10915) + (_e468.member.member_1 * _e10916)) + (_e468.member.member_2 * _e10917)) + _e468.member_1);
 let _e10929 = ((((_e484.member.member * _e10915) + (_e484.member.member_1 * _e10916)) + (_e484.member.member_2 * _e10917)) + _e484.member_1);
 let _e10935 = ((((_e500.member.member * _e10915) + (_e500.member.member_1 * _e10916)) + (_e500.member.member_2 * _e10917)) + _e500.member_1);
-let _e10941 = global_3.member[_e367].member_6.member.member;
-let _e10950 = global_3.member[_e367].member_6.member_1.member;
-let _e10959 = global_3.member[_e367].member_6.member_2.member;
+let _e10941 = global_3.member[_e367].member_8.member.member;
+let _e10950 = global_3.member[_e367].member_8.member_1.member;
+let _e10959 = global_3.member[_e367].member_8.member_2.member;
 let _e10963 = (-0.5f - _e6393);
 let _e10964 = (-0.5f - _e10923);
 let _e10965 = -(_e10963);
@@ -3707,16 +3709,16 @@ let _e11202 = select(select(select(select(select(select(0f, _e10941.member, _e10
 let _e11203 = select(select(select(select(select(select(0f, _e10941.member_1, _e10983), _e10941.member_1, _e11023), _e10950.member_1, _e11063), _e10950.member_1, _e11103), _e10959.member_1, _e11143), _e10959.member_1, _e11183);
 let _e11204 = select(select(select(select(select(select(1f, _e10941.member_2, _e10983), _e10941.member_2, _e11023), _e10950.member_2, _e11063), _e10950.member_2, _e11103), _e10959.member_2, _e11143), _e10959.member_2, _e11183);
 if _e9196 {
-phi_26960_ = type_34(_e11189, vec3<f32>(_e11190, _e11191, _e11192), _e11194, vec3<f32>(_e11195, _e11196, _e11197), _e11199, _e11201, vec3<f32>(_e11202, _e11203, _e11204));
+phi_26962_ = type_34(_e11189, vec3<f32>(_e11190, _e11191, _e11192), _e11194, vec3<f32>(_e11195, _e11196, _e11197), _e11199, _e11201, vec3<f32>(_e11202, _e11203, _e11204));
 } else {
 let _e11211 = (((_e10941.member * _e10941.member) + (_e10941.member_1 * _e10941.member_1)) + (_e10941.member_2 * _e10941.member_2));
 let _e11214 = sqrt(select(0f, _e11211, (_e11211 > 0f)));
-let _e11219 = global_3.member[_e367].member_14.member_1;
+let _e11219 = global_3.member[_e367].member_16.member_1;
 let _e11220 = (_e11219 != 0u);
-let _e11225 = global_3.member[_e367].member_14.member;
+let _e11225 = global_3.member[_e367].member_16.member;
 let _e11245 = select(-1e6f, (((((_e11225.member.member * _e6382.member_1.x) + (_e11225.member.member_1 * _e6382.member_1.y)) + (_e11225.member.member_2 * _e6382.member_1.z)) + _e11225.member_1) * _e11214), _e11220);
 let _e11246 = select(-1e6f, (((((_e11225.member.member * _e10915) + (_e11225.member.member_1 * _e10916)) + (_e11225.member.member_2 * _e10917)) + _e11225.member_1) * _e11214), _e11220);
-let _e11252 = global_3.member[_e367].member_14.member.member;
+let _e11252 = global_3.member[_e367].member_16.member.member;
 let _e11256 = -(_e11245);
 let _e11259 = (_e11245 - _e11246);
 let _e11260 = (_e11246 - _e11245);
@@ -3731,12 +3733,12 @@ let _e11280 = select(_e11189, _e11269, _e11278);
 let _e11284 = select(_e11194, _e11273, _e11279);
 let _e11288 = select(_e11199, _e11245, _e11274);
 let _e11290 = select(_e11201, _e11246, (_e11246 > _e11201));
-let _e11298 = global_3.member[_e367].member_15.member_1;
+let _e11298 = global_3.member[_e367].member_17.member_1;
 let _e11299 = (_e11298 != 0u);
-let _e11304 = global_3.member[_e367].member_15.member;
+let _e11304 = global_3.member[_e367].member_17.member;
 let _e11324 = select(-1e6f, (((((_e11304.member.member * _e6382.member_1.x) + (_e11304.member.member_1 * _e6382.member_1.y)) + (_e11304.member.member_2 * _e6382.member_1.z)) + _e11304.member_1) * _e11214), _e11299);
 let _e11325 = select(-1e6f, (((((_e11304.member.member * _e10915) + (_e11304.member.member_1 * _e10916)) + (_e11304.member.member_2 * _e10917)) + _e11304.member_1) * _e11214), _e11299);
-let _e11331 = global_3.member[_e367].member_15.member.member;
+let _e11331 = global_3.member[_e367].member_17.member.member;
 let _e11335 = -(_e11324);
 let _e11338 = (_e11324 - _e11325);
 let _e11339 = (_e11325 - _e11324);
@@ -3751,12 +3753,12 @@ let _e11359 = select(_e11280, _e11348, _e11357);
 let _e11363 = select(_e11284, _e11352, _e11358);
 let _e11367 = select(_e11288, _e11324, _e11353);
 let _e11369 = select(_e11290, _e11325, (_e11325 > _e11290));
-let _e11377 = global_3.member[_e367].member_16.member_1;
+let _e11377 = global_3.member[_e367].member_18.member_1;
 let _e11378 = (_e11377 != 0u);
-let _e11383 = global_3.member[_e367].member_16.member;
+let _e11383 = global_3.member[_e367].member_18.member;
 let _e11403 = select(-1e6f, (((((_e11383.member.member * _e6382.member_1.x) + (_e11383.member.member_1 * _e6382.member_1.y)) + (_e11383.member.member_2 * _e6382.member_1.z)) + _e11383.member_1) * _e11214), _e11378);
 let _e11404 = select(-1e6f, (((((_e11383.member.member * _e10915) + (_e11383.member.member_1 * _e10916)) + (_e11383.member.member_2 * _e10917)) + _e11383.member_1) * _e11214), _e11378);
-let _e11410 = global_3.member[_e367].member_16.member.member;
+let _e11410 = global_3.member[_e367].member_18.member.member;
 let _e11414 = -(_e11403);
 let _e11417 = (_e11403 - _e11404);
 let _e11418 = (_e11404 - _e11403);
@@ -3771,12 +3773,12 @@ let _e11438 = select(_e11359, _e11427, _e11436);
 let _e11442 = select(_e11363, _e11431, _e11437);
 let _e11446 = select(_e11367, _e11403, _e11432);
 let _e11448 = select(_e11369, _e11404, (_e11404 > _e11369));
-let _e11456 = global_3.member[_e367].member_17.member_1;
+let _e11456 = global_3.member[_e367].member_19.member_1;
 let _e11457 = (_e11456 != 0u);
-let _e11462 = global_3.member[_e367].member_17.member;
+let _e11462 = global_3.member[_e367].member_19.member;
 let _e11482 = select(-1e6f, (((((_e11462.member.member * _e6382.member_1.x) + (_e11462.member.member_1 * _e6382.member_1.y)) + (_e11462.member.member_2 * _e6382.member_1.z)) + _e11462.member_1) * _e11214), _e11457);
 let _e11483 = select(-1e6f, (((((_e11462.member.member * _e10915) + (_e11462.member.member_1 * _e10916)) + (_e11462.member.member_2 * _e10917)) + _e11462.member_1) * _e11214), _e11457);
-let _e11489 = global_3.member[_e367].member_17.member.member;
+let _e11489 = global_3.member[_e367].member_19.member.member;
 let _e11493 = -(_e11482);
 let _e11496 = (_e11482 - _e11483);
 let _e11497 = (_e11483 - _e11482);
@@ -3787,11 +3789,11 @@ let _e11510 = select(2f, select(0f, _e11502, (_e11482 < 0f)), (_e11483 > 0f));
 let _e11511 = (_e11482 > _e11446);
 let _e11515 = ((_e11506 > _e11438) || ((_e11506 == _e11438) && _e11511));
 let _e11516 = (_e11510 < _e11442);
-phi_26960_ = type_34(select(_e11438, _e11506, _e11515), vec3<f32>(select(select(select(select(_e11190, _e11252.member, _e11278), _e11331.member, _e11357), _e11410.member, _e11436), _e11489.member, _e11515), select(select(select(select(_e11191, _e11252.member_1, _e11278), _e11331.member_1, _e11357), _e11410.member_1, _e11436), _e11489.member_1, _e11515), select(select(select(select(_e11192, _e11252.member_2, _e11278), _e11331.member_2, _e11357), _e11410.member_2, _e11436), _e11489.member_2, _e11515)), select(_e11442, _e11510, _e11516), vec3<f32>(select(select(select(select(_e11195, _e11252.member, _e11279), _e11331.member, _e11358), _e11410.member, _e11437), _e11489.member, _e11516), select(select(select(select(_e11196, _e11252.member_1, _e11279), _e11331.member_1, _e11358), _e11410.member_1, _e11437), _e11489.member_1, _e11516), select(select(select(select(_e11197, _e11252.member_2, _e11279), _e11331.member_2, _e11358), _e11410.member_2, _e11437), _e11489.member_2, _e11516)), select(_e11446, _e11482, _e11511), select(_e11448, _e11483, (_e11483 > _e11448)), vec3<f32>(select(select(select(select(_e11202, _e11252.member, _e11274), _e11331.member, _e11353), _e11410.member, _e11432), _e11489.member, _e11511), select(select(select(select(_e11203, _e11252.member_1, _e11274), _e11331.member_1, _e11353), _e11410.member_1, _e11432), _e11489.member_1, _e11511), select(select(select(select(_e11204, _e11252.member_2, _e11274), _e11331.member_2, _e11353), _e11410.member_2, _e11432), _e11489.member_2, _e11511)));
+phi_26962_ = type_34(select(_e11438, _e11506, _e11515), vec3<f32>(select(select(select(select(_e11190, _e11252.member, _e11278), _e11331.member, _e11357), _e11410.member, _e11436), _e11489.member, _e11515), select(select(select(select(_e11191, _e11252.member_1, _e11278), _e11331.member_1, _e11357), _e11410.member_1, _e11436), _e11489.member_1, _e11515), select(select(select(select(_e11192, _e11252.member_2, _e11278), _e11331.member_2, _e11357), _e11410.member_2, _e11436), _e11489.member_2, _e11515)), select(_e11442, _e11510, _e11516), vec3<f32>(select(select(select(select(_e11195, _e11252.member, _e11279), _e11331.member, _e11358), _e11410.member, _e11437), _e11489.member, _e11516), select(select(select(select(_e11196, _e11252.member_1, _e11279), _e11331.member_1, _e11358), _e11410.member_1, _e11437), _e11489.member_1, _e11516), select(select(select(select(_e11197, _e11252.member_2, _e11279), _e11331.member_2, _e11358), _e11410.member_2, _e11437), _e11489.member_2, _e11516)), select(_e11446, _e11482, _e11511), select(_e11448, _e11483, (_e11483 > _e11448)), vec3<f32>(select(select(select(select(_e11202, _e11252.member, _e11274), _e11331.member, _e11353), _e11410.member, _e11432), _e11489.member, _e11511), select(select(select(select(_e11203, _e11252.member_1, _e11274), _e11331.member_1, _e11353), _e11410.member_1, _e11432), _e11489.member_1, _e11511), select(select(select(select(_e11204, _e11252.member_2, _e11274), _e11331.member_2, _e11353), _e11410.member_2, _e11432), _e11489.member_2, _e11511)));
 }
-let _e11536 = phi_26960_;
+let _e11536 = phi_26962_;
 let _e11543 = (_e9407.member_2 * select(0f, 1f, _e6382.member_6));
-let _e11549 = global_3.member[_e367].member_5.member_4;
+let _e11549 = global_3.member[_e367].member_7.member_4;
 let _e11552 = (_e8797.member_3.x * _e11543);
 let _e11554 = (_e8797.member_3.y * _e11543);
 let _e11556 = (_e8797.member_3.z * _e11543);
@@ -3814,43 +3816,43 @@ let _e11610 = (_e6382.member_2.y + ((_e8797.member_4.y * _e11543) * _e400));
 let _e11611 = (_e6382.member_2.z + ((_e8797.member_4.z * _e11543) * _e400));
 let _e11613 = (_e11611 * _e11611);
 let _e11622 = ((_e1045 & 1u) != 0u);
-phi_27116_ = vec3<f32>(select(select(select(_e11579, _e11561, _e11595), _e11609, _e11622), _e6382.member_2.x, _e6382.member_8), select(select(select(_e11580, _e11562, _e11595), _e11610, _e11622), _e6382.member_2.y, _e6382.member_8), select(select(select(_e11581, _e11563, _e11595), _e11611, _e11622), _e6382.member_2.z, _e6382.member_8));
-phi_27117_ = (select(_e11595, ((_e11611 <= 0f) || (_e11613 <= (_e11585 * (((_e11609 * _e11609) + (_e11610 * _e11610)) + _e11613)))), _e11622) || _e6382.member_8);
+phi_27118_ = vec3<f32>(select(select(select(_e11579, _e11561, _e11595), _e11609, _e11622), _e6382.member_2.x, _e6382.member_8), select(select(select(_e11580, _e11562, _e11595), _e11610, _e11622), _e6382.member_2.y, _e6382.member_8), select(select(select(_e11581, _e11563, _e11595), _e11611, _e11622), _e6382.member_2.z, _e6382.member_8));
+phi_27119_ = (select(_e11595, ((_e11611 <= 0f) || (_e11613 <= (_e11585 * (((_e11609 * _e11609) + (_e11610 * _e11610)) + _e11613)))), _e11622) || _e6382.member_8);
 } else {
-phi_27116_ = _e6382.member_2;
-phi_27117_ = false;
+phi_27118_ = _e6382.member_2;
+phi_27119_ = false;
 }
-let _e11634 = phi_27116_;
-let _e11636 = phi_27117_;
+let _e11634 = phi_27118_;
+let _e11636 = phi_27119_;
 let _e11647 = ((((_e6382.member_7 || (_e11634.x != _e371[3])) || (_e11634.y != _e371[4])) || (_e11634.z != _e371[5])) && _e886);
-let _e11652 = global_3.member[_e367].member_10.member_24;
+let _e11652 = global_3.member[_e367].member_12.member_24;
 let _e11661 = (_e371[12] + (((((_e371[6] + _e371[7]) + _e371[8]) * _e10889) - _e10890) * (_e389 + ((_e6382.member_1.z - _e389) * 0.5f))));
-phi_27215_ = array<f32, 14>(select(_e371[0], _e6382.member_1.x, _e11647), select(_e371[1], _e6382.member_1.y, _e11647), select(_e371[2], _e6382.member_1.z, _e11647), select(_e371[3], _e11634.x, _e11647), select(_e371[4], _e11634.y, _e11647), select(_e371[5], _e11634.z, _e11647), select(_e10884, 0f, _e10905), select(_e10885, 0f, _e10905), select(_e10886, 0f, _e10905), select(0f, 1f, _e6382.member_6), select(_e371[10], 1f, _e11647), select(select(select(0f, 1f, _e11636), 2f, (_e10905 && (_e11652 == 0f))), 3f, _e463), _e11661, select(_e371[13], (_e11661 + (_e10890 * _e6382.member_1.z)), (_e11647 && (_e371[10] == 0f))));
+phi_27217_ = array<f32, 14>(select(_e371[0], _e6382.member_1.x, _e11647), select(_e371[1], _e6382.member_1.y, _e11647), select(_e371[2], _e6382.member_1.z, _e11647), select(_e371[3], _e11634.x, _e11647), select(_e371[4], _e11634.y, _e11647), select(_e371[5], _e11634.z, _e11647), select(_e10884, 0f, _e10905), select(_e10885, 0f, _e10905), select(_e10886, 0f, _e10905), select(0f, 1f, _e6382.member_6), select(_e371[10], 1f, _e11647), select(select(select(0f, 1f, _e11636), 2f, (_e10905 && (_e11652 == 0f))), 3f, _e463), _e11661, select(_e371[13], (_e11661 + (_e10890 * _e6382.member_1.z)), (_e11647 && (_e371[10] == 0f))));
 } else {
-phi_27215_ = _e371;
+phi_27217_ = _e371;
 }
-let _e11682 = phi_27215_;
-phi_552_ = (_e367 + 1u);
-phi_555_ = select(_e369, true, _e1056);
-phi_557_ = _e11682;
+let _e11682 = phi_27217_;
+phi_554_ = (_e367 + 1u);
+phi_557_ = select(_e369, true, _e1056);
+phi_559_ = _e11682;
 } else {
-phi_552_ = u32();
-phi_555_ = bool();
-phi_557_ = array<f32, 14>();
+phi_554_ = u32();
+phi_557_ = bool();
+phi_559_ = array<f32, 14>();
 }
-let _e11686 = phi_552_;
-let _e11688 = phi_555_;
-let _e11690 = phi_557_;
+let _e11686 = phi_554_;
+let _e11688 = phi_557_;
+let _e11690 = phi_559_;
 continue;
 continuing {
-phi_551_ = _e11686;
-phi_554_ = _e11688;
-phi_556_ = _e11690;
-phi_27282_ = false;
+phi_553_ = _e11686;
+phi_556_ = _e11688;
+phi_558_ = _e11690;
+phi_27284_ = false;
 break if !(_e372);
 }
 }
-let _e11693 = phi_27282_;
+let _e11693 = phi_27284_;
 if _e11693 {
 break;
 }

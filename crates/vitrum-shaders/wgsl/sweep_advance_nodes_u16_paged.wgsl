@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -267,36 +269,36 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_554_: u32;
-var phi_557_: bool;
-var phi_559_: array<f32, 14>;
-var phi_998_: bool;
-var phi_1178_: bool;
-var phi_1181_: bool;
-var phi_3023_: type_34;
-var phi_3036_: bool;
-var phi_4176_: type_39;
-var phi_4188_: bool;
-var phi_5323_: type_31;
-var phi_6846_: type_34;
-var phi_8013_: type_31;
-var phi_9551_: type_34;
-var phi_10718_: type_31;
-var phi_12256_: type_34;
-var phi_14004_: type_31;
-var phi_14276_: type_38;
-var phi_19888_: type_32;
-var phi_20590_: type_33;
-var phi_21503_: type_7;
-var phi_25001_: type_40;
-var phi_26400_: type_34;
-var phi_26556_: vec3<f32>;
-var phi_26557_: bool;
-var phi_26655_: array<f32, 14>;
-var phi_555_: u32;
-var phi_558_: bool;
-var phi_560_: array<f32, 14>;
-var phi_26722_: bool;
+var phi_556_: u32;
+var phi_559_: bool;
+var phi_561_: array<f32, 14>;
+var phi_1000_: bool;
+var phi_1180_: bool;
+var phi_1183_: bool;
+var phi_3025_: type_34;
+var phi_3038_: bool;
+var phi_4178_: type_39;
+var phi_4190_: bool;
+var phi_5325_: type_31;
+var phi_6848_: type_34;
+var phi_8015_: type_31;
+var phi_9553_: type_34;
+var phi_10720_: type_31;
+var phi_12258_: type_34;
+var phi_14006_: type_31;
+var phi_14278_: type_38;
+var phi_19890_: type_32;
+var phi_20592_: type_33;
+var phi_21505_: type_7;
+var phi_25003_: type_40;
+var phi_26402_: type_34;
+var phi_26558_: vec3<f32>;
+var phi_26559_: bool;
+var phi_26657_: array<f32, 14>;
+var phi_557_: u32;
+var phi_560_: bool;
+var phi_562_: array<f32, 14>;
+var phi_26724_: bool;
 var local_40: bool;
 var local_41: array<f32, 14>;
 var local_42: array<f32, 14>;
@@ -386,13 +388,13 @@ let _e358 = ((13u * _e212) + _e214);
 let _e359 = bitcast<i32>(_e358);
 let _e361 = select(_e217, _e359, (_e359 < _e217));
 let _e367 = global_5.member[bitcast<u32>(select(0i, _e361, (_e361 > 0i)))];
-phi_554_ = 0u;
-phi_557_ = false;
-phi_559_ = array<f32, 14>(_e225, _e235, _e246, _e257, _e268, _e279, _e290, _e301, _e312, _e323, _e334, _e345, _e356, _e367);
+phi_556_ = 0u;
+phi_559_ = false;
+phi_561_ = array<f32, 14>(_e225, _e235, _e246, _e257, _e268, _e279, _e290, _e301, _e312, _e323, _e334, _e345, _e356, _e367);
 loop {
-let _e370 = phi_554_;
-let _e372 = phi_557_;
-let _e374 = phi_559_;
+let _e370 = phi_556_;
+let _e372 = phi_559_;
+let _e374 = phi_561_;
 local_40 = _e372;
 local_41 = _e374;
 local_42 = _e374;
@@ -412,36 +414,36 @@ let _e375 = (_e370 < _e180);
 if _e375 {
 if _e375 {
 } else {
-phi_26722_ = true;
+phi_26724_ = true;
 break;
 }
 let _e379 = global_3.member[_e370].member;
-let _e392 = global_3.member[_e370].member_5.member;
+let _e392 = global_3.member[_e370].member_7.member;
 let _e394 = ((_e392 - _e374[2]) / _e374[5]);
 let _e396 = (_e374[0] + (_e374[3] * _e394));
 let _e398 = (_e374[1] + (_e374[4] * _e394));
-let _e403 = global_3.member[_e370].member_5.member_2;
+let _e403 = global_3.member[_e370].member_7.member_2;
 let _e404 = (_e403 / _e374[5]);
 let _e406 = (_e396 + (_e374[3] * _e404));
 let _e408 = (_e398 + (_e374[4] * _e404));
-let _e413 = global_3.member[_e370].member_5.member_1;
-let _e419 = global_3.member[_e370].member_13.member.member;
-let _e445 = global_3.member[_e370].member_13.member_1.member;
+let _e413 = global_3.member[_e370].member_7.member_1;
+let _e419 = global_3.member[_e370].member_15.member.member;
+let _e445 = global_3.member[_e370].member_15.member_1.member;
 let _e466 = (((((((_e419.member.member * _e396) + (_e419.member.member_1 * _e398)) + (_e419.member.member_2 * _e392)) + _e419.member_1) > 0f) && (((((_e419.member.member * _e406) + (_e419.member.member_1 * _e408)) + (_e419.member.member_2 * _e413)) + _e419.member_1) <= 0f)) || ((((((_e445.member.member * _e396) + (_e445.member.member_1 * _e398)) + (_e445.member.member_2 * _e392)) + _e445.member_1) > 0f) && (((((_e445.member.member * _e406) + (_e445.member.member_1 * _e408)) + (_e445.member.member_2 * _e413)) + _e445.member_1) <= 0f)));
-let _e471 = global_3.member[_e370].member_6.member;
+let _e471 = global_3.member[_e370].member_8.member;
 let _e482 = ((((_e471.member.member * _e396) + (_e471.member.member_1 * _e398)) + (_e471.member.member_2 * _e392)) + _e471.member_1);
-let _e487 = global_3.member[_e370].member_6.member_1;
+let _e487 = global_3.member[_e370].member_8.member_1;
 let _e498 = ((((_e487.member.member * _e396) + (_e487.member.member_1 * _e398)) + (_e487.member.member_2 * _e392)) + _e487.member_1);
-let _e503 = global_3.member[_e370].member_6.member_2;
+let _e503 = global_3.member[_e370].member_8.member_2;
 let _e514 = ((((_e503.member.member * _e396) + (_e503.member.member_1 * _e398)) + (_e503.member.member_2 * _e392)) + _e503.member_1);
 let _e520 = ((((_e471.member.member * _e406) + (_e471.member.member_1 * _e408)) + (_e471.member.member_2 * _e413)) + _e471.member_1);
 let _e526 = ((((_e487.member.member * _e406) + (_e487.member.member_1 * _e408)) + (_e487.member.member_2 * _e413)) + _e487.member_1);
 let _e532 = ((((_e503.member.member * _e406) + (_e503.member.member_1 * _e408)) + (_e503.member.member_2 * _e413)) + _e503.member_1);
-let _e539 = global_3.member[_e370].member_6.member_3.member;
+let _e539 = global_3.member[_e370].member_8.member_3.member;
 let _e540 = (_e539 - 1f);
-let _e550 = global_3.member[_e370].member_6.member_3.member_1;
+let _e550 = global_3.member[_e370].member_8.member_3.member_1;
 let _e551 = (_e550 - 1f);
-let _e561 = global_3.member[_e370].member_6.member_3.member_2;
+let _e561 = global_3.member[_e370].member_8.member_3.member_2;
 let _e562 = (_e561 - 1f);
 let _e576 = (((((((_e482 >= 0f) && (_e482 <= _e540)) && (_e498 >= 0f)) && (_e498 <= _e551)) && (_e514 >= 0f)) && (_e514 <= _e562)) && ((((((_e520 >= 0f) && (_e520 <= _e540)) && (_e526 >= 0f)) && (_e526 <= _e551)) && (_e532 >= 0f)) && (_e532 <= _e562)));
 let _e578 = (_e379.member_2 == 5u);
@@ -457,22 +459,22 @@ let _e601 = ((((_e482 >= _e586) && (_e482 <= _e589)) && ((_e498 >= _e586) && (_e
 let _e605 = global_3.member[_e370].member_1;
 let _e607 = ((_e605 & 16u) == 0u);
 if _e607 {
-phi_998_ = _e601;
+phi_1000_ = _e601;
 } else {
-let _e613 = global_3.member[_e370].member_6.member.member;
+let _e613 = global_3.member[_e370].member_8.member.member;
 let _e621 = (((_e613.member * _e613.member) + (_e613.member_1 * _e613.member_1)) + (_e613.member_2 * _e613.member_2));
-let _e630 = global_3.member[_e370].member_14.member;
+let _e630 = global_3.member[_e370].member_16.member;
 let _e642 = -((0.5f / sqrt(select(0f, _e621, (_e621 > 0f)))));
-let _e648 = global_3.member[_e370].member_14.member_1;
-let _e655 = global_3.member[_e370].member_15.member;
-let _e672 = global_3.member[_e370].member_15.member_1;
-let _e680 = global_3.member[_e370].member_16.member;
-let _e697 = global_3.member[_e370].member_16.member_1;
-let _e705 = global_3.member[_e370].member_17.member;
-let _e722 = global_3.member[_e370].member_17.member_1;
-phi_998_ = (_e601 && (((((((((_e630.member.member * _e396) + (_e630.member.member_1 * _e398)) + (_e630.member.member_2 * _e392)) + _e630.member_1) <= _e642) || (_e648 == 0u)) && ((((((_e655.member.member * _e396) + (_e655.member.member_1 * _e398)) + (_e655.member.member_2 * _e392)) + _e655.member_1) <= _e642) || (_e672 == 0u))) && ((((((_e680.member.member * _e396) + (_e680.member.member_1 * _e398)) + (_e680.member.member_2 * _e392)) + _e680.member_1) <= _e642) || (_e697 == 0u))) && ((((((_e705.member.member * _e396) + (_e705.member.member_1 * _e398)) + (_e705.member.member_2 * _e392)) + _e705.member_1) <= _e642) || (_e722 == 0u))));
+let _e648 = global_3.member[_e370].member_16.member_1;
+let _e655 = global_3.member[_e370].member_17.member;
+let _e672 = global_3.member[_e370].member_17.member_1;
+let _e680 = global_3.member[_e370].member_18.member;
+let _e697 = global_3.member[_e370].member_18.member_1;
+let _e705 = global_3.member[_e370].member_19.member;
+let _e722 = global_3.member[_e370].member_19.member_1;
+phi_1000_ = (_e601 && (((((((((_e630.member.member * _e396) + (_e630.member.member_1 * _e398)) + (_e630.member.member_2 * _e392)) + _e630.member_1) <= _e642) || (_e648 == 0u)) && ((((((_e655.member.member * _e396) + (_e655.member.member_1 * _e398)) + (_e655.member.member_2 * _e392)) + _e655.member_1) <= _e642) || (_e672 == 0u))) && ((((((_e680.member.member * _e396) + (_e680.member.member_1 * _e398)) + (_e680.member.member_2 * _e392)) + _e680.member_1) <= _e642) || (_e697 == 0u))) && ((((((_e705.member.member * _e396) + (_e705.member.member_1 * _e398)) + (_e705.member.member_2 * _e392)) + _e705.member_1) <= _e642) || (_e722 == 0u))));
 }
-let _e728 = phi_998_;
+let _e728 = phi_1000_;
 let _e732 = (_e406 + (_e406 - _e396));
 let _e733 = (_e408 + (_e408 - _e398));
 let _e734 = (_e413 + (_e413 - _e392));
@@ -481,29 +483,29 @@ let _e746 = ((((_e487.member.member * _e732) + (_e487.member.member_1 * _e733)) 
 let _e752 = ((((_e503.member.member * _e732) + (_e503.member.member_1 * _e733)) + (_e503.member.member_2 * _e734)) + _e503.member_1);
 let _e763 = ((((_e740 >= _e586) && (_e740 <= _e589)) && ((_e746 >= _e586) && (_e746 <= _e593))) && ((_e752 >= _e586) && (_e752 <= _e598)));
 if _e607 {
-phi_1178_ = _e763;
+phi_1180_ = _e763;
 } else {
-let _e769 = global_3.member[_e370].member_6.member.member;
+let _e769 = global_3.member[_e370].member_8.member.member;
 let _e777 = (((_e769.member * _e769.member) + (_e769.member_1 * _e769.member_1)) + (_e769.member_2 * _e769.member_2));
-let _e786 = global_3.member[_e370].member_14.member;
+let _e786 = global_3.member[_e370].member_16.member;
 let _e798 = -((0.5f / sqrt(select(0f, _e777, (_e777 > 0f)))));
-let _e804 = global_3.member[_e370].member_14.member_1;
-let _e811 = global_3.member[_e370].member_15.member;
-let _e828 = global_3.member[_e370].member_15.member_1;
-let _e836 = global_3.member[_e370].member_16.member;
-let _e853 = global_3.member[_e370].member_16.member_1;
-let _e861 = global_3.member[_e370].member_17.member;
-let _e878 = global_3.member[_e370].member_17.member_1;
-phi_1178_ = (_e763 && (((((((((_e786.member.member * _e732) + (_e786.member.member_1 * _e733)) + (_e786.member.member_2 * _e734)) + _e786.member_1) <= _e798) || (_e804 == 0u)) && ((((((_e811.member.member * _e732) + (_e811.member.member_1 * _e733)) + (_e811.member.member_2 * _e734)) + _e811.member_1) <= _e798) || (_e828 == 0u))) && ((((((_e836.member.member * _e732) + (_e836.member.member_1 * _e733)) + (_e836.member.member_2 * _e734)) + _e836.member_1) <= _e798) || (_e853 == 0u))) && ((((((_e861.member.member * _e732) + (_e861.member.member_1 * _e733)) + (_e861.member.member_2 * _e734)) + _e861.member_1) <= _e798) || (_e878 == 0u))));
+let _e804 = global_3.member[_e370].member_16.member_1;
+let _e811 = global_3.member[_e370].member_17.member;
+let _e828 = global_3.member[_e370].member_17.member_1;
+let _e836 = global_3.member[_e370].member_18.member;
+let _e853 = global_3.member[_e370].member_18.member_1;
+let _e861 = global_3.member[_e370].member_19.member;
+let _e878 = global_3.member[_e370].member_19.member_1;
+phi_1180_ = (_e763 && (((((((((_e786.member.member * _e732) + (_e786.member.member_1 * _e733)) + (_e786.member.member_2 * _e734)) + _e786.member_1) <= _e798) || (_e804 == 0u)) && ((((((_e811.member.member * _e732) + (_e811.member.member_1 * _e733)) + (_e811.member.member_2 * _e734)) + _e811.member_1) <= _e798) || (_e828 == 0u))) && ((((((_e836.member.member * _e732) + (_e836.member.member_1 * _e733)) + (_e836.member.member_2 * _e734)) + _e836.member_1) <= _e798) || (_e853 == 0u))) && ((((((_e861.member.member * _e732) + (_e861.member.member_1 * _e733)) + (_e861.member.member_2 * _e734)) + _e861.member_1) <= _e798) || (_e878 == 0u))));
 }
-let _e884 = phi_1178_;
-phi_1181_ = (_e576 && (_e728 && _e884));
+let _e884 = phi_1180_;
+phi_1183_ = (_e576 && (_e728 && _e884));
 } else {
-phi_1181_ = _e576;
+phi_1183_ = _e576;
 }
-let _e888 = phi_1181_;
+let _e888 = phi_1183_;
 let _e889 = !(_e466);
-let _e897 = global_3.member[_e370].member_6.member_4;
+let _e897 = global_3.member[_e370].member_8.member_4;
 let _e898 = (_e539 - 0.5f);
 let _e900 = select(-0.5f, _e520, (_e520 > -0.5f));
 let _e902 = select(_e898, _e900, (_e900 < _e898));
@@ -528,7 +530,7 @@ let _e947 = (_e902 + 0.5f);
 let _e949 = select(0f, _e947, (_e947 > 0f));
 let _e951 = select(_e540, _e949, (_e949 < _e540));
 let _e958 = select(0i, select(select(i32(_e951), i32(-2147483648), (_e951 < -2147483600f)), 2147483647i, (_e951 > 2147483500f)), (_e951 == _e951));
-let _e967 = global_3.member[_e370].member_6.member_12;
+let _e967 = global_3.member[_e370].member_8.member_12;
 let _e968 = (_e967 & 31u);
 let _e971 = (_e907 + 0.5f);
 let _e973 = select(0f, _e971, (_e971 > 0f));
@@ -538,9 +540,9 @@ let _e989 = (_e912 + 0.5f);
 let _e991 = select(0f, _e989, (_e989 > 0f));
 let _e993 = select(_e562, _e991, (_e991 < _e562));
 let _e1000 = select(0i, select(select(i32(_e993), i32(-2147483648), (_e993 < -2147483600f)), 2147483647i, (_e993 > 2147483500f)), (_e993 == _e993));
-let _e1012 = global_3.member[_e370].member_6.member_9.member;
-let _e1019 = global_3.member[_e370].member_6.member_9.member_1;
-let _e1025 = global_3.member[_e370].member_6.member_10;
+let _e1012 = global_3.member[_e370].member_8.member_9.member;
+let _e1019 = global_3.member[_e370].member_8.member_9.member_1;
+let _e1025 = global_3.member[_e370].member_8.member_10;
 let _e1031 = ((bitcast<i32>(_e1025) + ((_e958 - select(0i, 1i, (_e951 < f32(_e958)))) >> bitcast<u32>(_e968))) + (bitcast<i32>(_e1012) * (((_e982 - select(0i, 1i, (_e975 < f32(_e982)))) >> bitcast<u32>(_e968)) + (bitcast<i32>(_e1019) * ((_e1000 - select(0i, 1i, (_e993 < f32(_e1000)))) >> bitcast<u32>(_e968))))));
 let _e1033 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1035 = select(_e1033, _e1031, (_e1031 < _e1033));
@@ -556,9 +558,9 @@ let _e1076 = (((_e1069 * _e1069) + (_e1070 * _e1070)) + (_e1071 * _e1071));
 let _e1079 = sqrt(select(0f, _e1076, (_e1076 > 0f)));
 let _e1080 = type_38(type_31(1f, 1f), vec3<f32>(_e406, _e408, _e413), _e1060, _e1079, _e404, _e1060, true, false, false);
 if _e585 {
-let _e1182 = global_3.member[_e370].member_6.member.member;
-let _e1191 = global_3.member[_e370].member_6.member_1.member;
-let _e1200 = global_3.member[_e370].member_6.member_2.member;
+let _e1182 = global_3.member[_e370].member_8.member.member;
+let _e1191 = global_3.member[_e370].member_8.member_1.member;
+let _e1200 = global_3.member[_e370].member_8.member_2.member;
 let _e1204 = (-0.5f - _e482);
 let _e1205 = (-0.5f - _e520);
 let _e1206 = -(_e1204);
@@ -666,16 +668,16 @@ let _e1444 = select(select(select(select(select(select(0f, _e1182.member_1, _e12
 let _e1445 = select(select(select(select(select(select(1f, _e1182.member_2, _e1224), _e1182.member_2, _e1264), _e1191.member_2, _e1304), _e1191.member_2, _e1344), _e1200.member_2, _e1384), _e1200.member_2, _e1424);
 let _e1449 = ((_e1048 & 16u) == 0u);
 if _e1449 {
-phi_3023_ = type_34(_e1430, vec3<f32>(_e1431, _e1432, _e1433), _e1435, vec3<f32>(_e1436, _e1437, _e1438), _e1440, _e1442, vec3<f32>(_e1443, _e1444, _e1445));
+phi_3025_ = type_34(_e1430, vec3<f32>(_e1431, _e1432, _e1433), _e1435, vec3<f32>(_e1436, _e1437, _e1438), _e1440, _e1442, vec3<f32>(_e1443, _e1444, _e1445));
 } else {
 let _e1454 = (((_e1182.member * _e1182.member) + (_e1182.member_1 * _e1182.member_1)) + (_e1182.member_2 * _e1182.member_2));
 let _e1457 = sqrt(select(0f, _e1454, (_e1454 > 0f)));
-let _e1462 = global_3.member[_e370].member_14.member_1;
+let _e1462 = global_3.member[_e370].member_16.member_1;
 let _e1463 = (_e1462 != 0u);
-let _e1468 = global_3.member[_e370].member_14.member;
+let _e1468 = global_3.member[_e370].member_16.member;
 let _e1488 = select(-1e6f, (((((_e1468.member.member * _e396) + (_e1468.member.member_1 * _e398)) + (_e1468.member.member_2 * _e392)) + _e1468.member_1) * _e1457), _e1463);
 let _e1489 = select(-1e6f, (((((_e1468.member.member * _e406) + (_e1468.member.member_1 * _e408)) + (_e1468.member.member_2 * _e413)) + _e1468.member_1) * _e1457), _e1463);
-let _e1495 = global_3.member[_e370].member_14.member.member;
+let _e1495 = global_3.member[_e370].member_16.member.member;
 let _e1499 = -(_e1488);
 let _e1502 = (_e1488 - _e1489);
 let _e1503 = (_e1489 - _e1488);
@@ -690,12 +692,12 @@ let _e1523 = select(_e1430, _e1512, _e1521);
 let _e1527 = select(_e1435, _e1516, _e1522);
 let _e1531 = select(_e1440, _e1488, _e1517);
 let _e1533 = select(_e1442, _e1489, (_e1489 > _e1442));
-let _e1541 = global_3.member[_e370].member_15.member_1;
+let _e1541 = global_3.member[_e370].member_17.member_1;
 let _e1542 = (_e1541 != 0u);
-let _e1547 = global_3.member[_e370].member_15.member;
+let _e1547 = global_3.member[_e370].member_17.member;
 let _e1567 = select(-1e6f, (((((_e1547.member.member * _e396) + (_e1547.member.member_1 * _e398)) + (_e1547.member.member_2 * _e392)) + _e1547.member_1) * _e1457), _e1542);
 let _e1568 = select(-1e6f, (((((_e1547.member.member * _e406) + (_e1547.member.member_1 * _e408)) + (_e1547.member.member_2 * _e413)) + _e1547.member_1) * _e1457), _e1542);
-let _e1574 = global_3.member[_e370].member_15.member.member;
+let _e1574 = global_3.member[_e370].member_17.member.member;
 let _e1578 = -(_e1567);
 let _e1581 = (_e1567 - _e1568);
 let _e1582 = (_e1568 - _e1567);
@@ -710,12 +712,12 @@ let _e1602 = select(_e1523, _e1591, _e1600);
 let _e1606 = select(_e1527, _e1595, _e1601);
 let _e1610 = select(_e1531, _e1567, _e1596);
 let _e1612 = select(_e1533, _e1568, (_e1568 > _e1533));
-let _e1620 = global_3.member[_e370].member_16.member_1;
+let _e1620 = global_3.member[_e370].member_18.member_1;
 let _e1621 = (_e1620 != 0u);
-let _e1626 = global_3.member[_e370].member_16.member;
+let _e1626 = global_3.member[_e370].member_18.member;
 let _e1646 = select(-1e6f, (((((_e1626.member.member * _e396) + (_e1626.member.member_1 * _e398)) + (_e1626.member.member_2 * _e392)) + _e1626.member_1) * _e1457), _e1621);
 let _e1647 = select(-1e6f, (((((_e1626.member.member * _e406) + (_e1626.member.member_1 * _e408)) + (_e1626.member.member_2 * _e413)) + _e1626.member_1) * _e1457), _e1621);
-let _e1653 = global_3.member[_e370].member_16.member.member;
+let _e1653 = global_3.member[_e370].member_18.member.member;
 let _e1657 = -(_e1646);
 let _e1660 = (_e1646 - _e1647);
 let _e1661 = (_e1647 - _e1646);
@@ -730,12 +732,12 @@ let _e1681 = select(_e1602, _e1670, _e1679);
 let _e1685 = select(_e1606, _e1674, _e1680);
 let _e1689 = select(_e1610, _e1646, _e1675);
 let _e1691 = select(_e1612, _e1647, (_e1647 > _e1612));
-let _e1699 = global_3.member[_e370].member_17.member_1;
+let _e1699 = global_3.member[_e370].member_19.member_1;
 let _e1700 = (_e1699 != 0u);
-let _e1705 = global_3.member[_e370].member_17.member;
+let _e1705 = global_3.member[_e370].member_19.member;
 let _e1725 = select(-1e6f, (((((_e1705.member.member * _e396) + (_e1705.member.member_1 * _e398)) + (_e1705.member.member_2 * _e392)) + _e1705.member_1) * _e1457), _e1700);
 let _e1726 = select(-1e6f, (((((_e1705.member.member * _e406) + (_e1705.member.member_1 * _e408)) + (_e1705.member.member_2 * _e413)) + _e1705.member_1) * _e1457), _e1700);
-let _e1732 = global_3.member[_e370].member_17.member.member;
+let _e1732 = global_3.member[_e370].member_19.member.member;
 let _e1736 = -(_e1725);
 let _e1739 = (_e1725 - _e1726);
 let _e1740 = (_e1726 - _e1725);
@@ -746,16 +748,16 @@ let _e1753 = select(2f, select(0f, _e1745, (_e1725 < 0f)), (_e1726 > 0f));
 let _e1754 = (_e1725 > _e1689);
 let _e1758 = ((_e1749 > _e1681) || ((_e1749 == _e1681) && _e1754));
 let _e1759 = (_e1753 < _e1685);
-phi_3023_ = type_34(select(_e1681, _e1749, _e1758), vec3<f32>(select(select(select(select(_e1431, _e1495.member, _e1521), _e1574.member, _e1600), _e1653.member, _e1679), _e1732.member, _e1758), select(select(select(select(_e1432, _e1495.member_1, _e1521), _e1574.member_1, _e1600), _e1653.member_1, _e1679), _e1732.member_1, _e1758), select(select(select(select(_e1433, _e1495.member_2, _e1521), _e1574.member_2, _e1600), _e1653.member_2, _e1679), _e1732.member_2, _e1758)), select(_e1685, _e1753, _e1759), vec3<f32>(select(select(select(select(_e1436, _e1495.member, _e1522), _e1574.member, _e1601), _e1653.member, _e1680), _e1732.member, _e1759), select(select(select(select(_e1437, _e1495.member_1, _e1522), _e1574.member_1, _e1601), _e1653.member_1, _e1680), _e1732.member_1, _e1759), select(select(select(select(_e1438, _e1495.member_2, _e1522), _e1574.member_2, _e1601), _e1653.member_2, _e1680), _e1732.member_2, _e1759)), select(_e1689, _e1725, _e1754), select(_e1691, _e1726, (_e1726 > _e1691)), vec3<f32>(select(select(select(select(_e1443, _e1495.member, _e1517), _e1574.member, _e1596), _e1653.member, _e1675), _e1732.member, _e1754), select(select(select(select(_e1444, _e1495.member_1, _e1517), _e1574.member_1, _e1596), _e1653.member_1, _e1675), _e1732.member_1, _e1754), select(select(select(select(_e1445, _e1495.member_2, _e1517), _e1574.member_2, _e1596), _e1653.member_2, _e1675), _e1732.member_2, _e1754)));
+phi_3025_ = type_34(select(_e1681, _e1749, _e1758), vec3<f32>(select(select(select(select(_e1431, _e1495.member, _e1521), _e1574.member, _e1600), _e1653.member, _e1679), _e1732.member, _e1758), select(select(select(select(_e1432, _e1495.member_1, _e1521), _e1574.member_1, _e1600), _e1653.member_1, _e1679), _e1732.member_1, _e1758), select(select(select(select(_e1433, _e1495.member_2, _e1521), _e1574.member_2, _e1600), _e1653.member_2, _e1679), _e1732.member_2, _e1758)), select(_e1685, _e1753, _e1759), vec3<f32>(select(select(select(select(_e1436, _e1495.member, _e1522), _e1574.member, _e1601), _e1653.member, _e1680), _e1732.member, _e1759), select(select(select(select(_e1437, _e1495.member_1, _e1522), _e1574.member_1, _e1601), _e1653.member_1, _e1680), _e1732.member_1, _e1759), select(select(select(select(_e1438, _e1495.member_2, _e1522), _e1574.member_2, _e1601), _e1653.member_2, _e1680), _e1732.member_2, _e1759)), select(_e1689, _e1725, _e1754), select(_e1691, _e1726, (_e1726 > _e1691)), vec3<f32>(select(select(select(select(_e1443, _e1495.member, _e1517), _e1574.member, _e1596), _e1653.member, _e1675), _e1732.member, _e1754), select(select(select(select(_e1444, _e1495.member_1, _e1517), _e1574.member_1, _e1596), _e1653.member_1, _e1675), _e1732.member_1, _e1754), select(select(select(select(_e1445, _e1495.member_2, _e1517), _e1574.member_2, _e1596), _e1653.member_2, _e1675), _e1732.member_2, _e1754)));
 }
-let _e1779 = phi_3023_;
+let _e1779 = phi_3025_;
 if ((_e1779.member_4 > -(0.015625f)) && (_e1779.member_4 < 0.015625f)) {
-phi_3036_ = (_e374[9] != 0f);
+phi_3038_ = (_e374[9] != 0f);
 } else {
-phi_3036_ = (_e1779.member_4 < 0f);
+phi_3038_ = (_e1779.member_4 < 0f);
 }
-let _e1788 = phi_3036_;
-let _e1793 = global_3.member[_e370].member_10.member_9;
+let _e1788 = phi_3038_;
+let _e1793 = global_3.member[_e370].member_12.member_9;
 let _e1797 = select(-0.5f, _e482, (_e482 > -0.5f));
 let _e1799 = select(_e898, _e1797, (_e1797 < _e898));
 let _e1801 = select(-0.5f, _e498, (_e498 > -0.5f));
@@ -774,14 +776,14 @@ let _e1839 = select(-1f, _e1807, (_e1807 > -1f));
 let _e1841 = select(_e561, _e1839, (_e1839 < _e561));
 let _e1848 = select(0i, select(select(i32(_e1841), i32(-2147483648), (_e1841 < -2147483600f)), 2147483647i, (_e1841 > 2147483500f)), (_e1841 == _e1841));
 let _e1852 = (_e1848 - select(0i, 1i, (_e1841 < f32(_e1848))));
-let _e1857 = global_3.member[_e370].member_6.member_7;
-let _e1862 = global_3.member[_e370].member_6.member_8;
+let _e1857 = global_3.member[_e370].member_8.member_7;
+let _e1862 = global_3.member[_e370].member_8.member_8;
 let _e1863 = (_e1822 + 1i);
 let _e1864 = (_e1837 + 1i);
 let _e1865 = (_e1852 + 1i);
-let _e1871 = global_3.member[_e370].member_6.member_11.member;
+let _e1871 = global_3.member[_e370].member_8.member_11.member;
 let _e1872 = bitcast<i32>(_e1871);
-let _e1878 = global_3.member[_e370].member_6.member_11.member_1;
+let _e1878 = global_3.member[_e370].member_8.member_11.member_1;
 let _e1879 = bitcast<i32>(_e1878);
 let _e1889 = ((_e1863 >> bitcast<u32>(4i)) + (_e1872 * ((_e1864 >> bitcast<u32>(4i)) + (_e1879 * (_e1865 >> bitcast<u32>(4i))))));
 let _e1891 = (bitcast<i32>(_e183) - 1i);
@@ -860,8 +862,8 @@ let _e2130 = local_38.member_1[3u];
 let _e2137 = local_39[0u];
 let _e2141 = local_39[1u];
 let _e2146 = local_39[2u];
-let _e2154 = global_3.member[_e370].member_6.member_6;
-let _e2159 = global_3.member[_e370].member_6.member_5;
+let _e2154 = global_3.member[_e370].member_8.member_6;
+let _e2159 = global_3.member[_e370].member_8.member_5;
 let _e2161 = (((_e2038 + (((_e2089 + (((_e2129 + ((f32(bitcast<i32>(((_e2122 >> bitcast<u32>((_e2130 & 31u))) & 65535u))) - _e2129) * _e2137)) - _e2089) * _e2141)) - _e2038) * _e2146)) - _e2154) * _e2159);
 let _e2162 = -(1e9f);
 let _e2164 = select(_e2162, _e2161, (_e2161 > _e2162));
@@ -939,17 +941,17 @@ let _e2364 = (_e374[3] * _e2363);
 let _e2365 = (_e374[4] * _e2363);
 let _e2366 = (_e374[5] * _e2363);
 if _e1788 {
-phi_4176_ = type_39(_e1779.member_2, _e1779.member_3);
+phi_4178_ = type_39(_e1779.member_2, _e1779.member_3);
 } else {
-phi_4176_ = type_39(_e1779.member, _e1779.member_1);
+phi_4178_ = type_39(_e1779.member, _e1779.member_1);
 }
-let _e2374 = phi_4176_;
+let _e2374 = phi_4178_;
 if _e1788 {
-phi_4188_ = (_e1779.member_2 <= 1f);
+phi_4190_ = (_e1779.member_2 <= 1f);
 } else {
-phi_4188_ = ((_e1779.member <= 1f) && (_e1779.member < _e1779.member_2));
+phi_4190_ = ((_e1779.member <= 1f) && (_e1779.member < _e1779.member_2));
 }
-let _e2382 = phi_4188_;
+let _e2382 = phi_4190_;
 let _e2385 = select(1f, _e2374.member, _e2382);
 let _e2389 = (_e396 + (_e1069 * _e2385));
 let _e2390 = (_e398 + (_e1070 * _e2385));
@@ -1085,11 +1087,11 @@ let _e2813 = global_2.member[_e2352];
 let _e2814 = bitcast<f32>(_e2813);
 let _e2820 = ((_e2811 + (f32(bitcast<i32>((_e2796 >> bitcast<u32>(12u)))) * _e2814)) + ((f32((bitcast<i32>((_e2796 & 4095u)) - 2048i)) * _e2807) * (_e2773 - f32(_e2788))));
 if _e1788 {
-phi_5323_ = type_31(_e2820, 1f);
+phi_5325_ = type_31(_e2820, 1f);
 } else {
-phi_5323_ = type_31(1f, _e2820);
+phi_5325_ = type_31(1f, _e2820);
 }
-let _e2824 = phi_5323_;
+let _e2824 = phi_5325_;
 let _e2829 = ((_e2824.member_1 * _e2824.member_1) - (_e2824.member * _e2824.member));
 let _e2837 = (((_e2374.member_1.x * _e2374.member_1.x) + (_e2374.member_1.y * _e2374.member_1.y)) + (_e2374.member_1.z * _e2374.member_1.z));
 let _e2840 = sqrt(select(0f, _e2837, (_e2837 > 0f)));
@@ -1106,7 +1108,7 @@ let _e2864 = (_e2829 == 0f);
 let _e2876 = select(_e2364, select((_e2364 + (_e2844 * _e2863)), _e2364, _e2864), _e2382);
 let _e2877 = select(_e2365, select((_e2365 + (_e2845 * _e2863)), _e2365, _e2864), _e2382);
 let _e2878 = select(_e2366, select((_e2366 + (_e2846 * _e2863)), _e2366, _e2864), _e2382);
-let _e2883 = global_3.member[_e370].member_5.member_4;
+let _e2883 = global_3.member[_e370].member_7.member_4;
 let _e2884 = (_e2883 * _e2883);
 let _e2888 = (_e2878 * _e2878);
 let _e2892 = (_e2382 && (_e2824.member != _e2824.member_1));
@@ -1225,16 +1227,16 @@ let _e3169 = select(select(select(select(select(select(0f, _e1182.member, _e2950
 let _e3170 = select(select(select(select(select(select(0f, _e1182.member_1, _e2950), _e1182.member_1, _e2990), _e1191.member_1, _e3030), _e1191.member_1, _e3070), _e1200.member_1, _e3110), _e1200.member_1, _e3150);
 let _e3171 = select(select(select(select(select(select(1f, _e1182.member_2, _e2950), _e1182.member_2, _e2990), _e1191.member_2, _e3030), _e1191.member_2, _e3070), _e1200.member_2, _e3110), _e1200.member_2, _e3150);
 if _e1449 {
-phi_6846_ = type_34(_e3156, vec3<f32>(_e3157, _e3158, _e3159), _e3161, vec3<f32>(_e3162, _e3163, _e3164), _e3166, _e3168, vec3<f32>(_e3169, _e3170, _e3171));
+phi_6848_ = type_34(_e3156, vec3<f32>(_e3157, _e3158, _e3159), _e3161, vec3<f32>(_e3162, _e3163, _e3164), _e3166, _e3168, vec3<f32>(_e3169, _e3170, _e3171));
 } else {
 let _e3178 = (((_e1182.member * _e1182.member) + (_e1182.member_1 * _e1182.member_1)) + (_e1182.member_2 * _e1182.member_2));
 let _e3181 = sqrt(select(0f, _e3178, (_e3178 > 0f)));
-let _e3186 = global_3.member[_e370].member_14.member_1;
+let _e3186 = global_3.member[_e370].member_16.member_1;
 let _e3187 = (_e3186 != 0u);
-let _e3192 = global_3.member[_e370].member_14.member;
+let _e3192 = global_3.member[_e370].member_16.member;
 let _e3212 = select(-1e6f, (((((_e3192.member.member * _e2389) + (_e3192.member.member_1 * _e2390)) + (_e3192.member.member_2 * _e2391)) + _e3192.member_1) * _e3181), _e3187);
 let _e3213 = select(-1e6f, (((((_e3192.member.member * _e2906) + (_e3192.member.member_1 * _e2907)) + (_e3192.member.member_2 * _e2908)) + _e3192.member_1) * _e3181), _e3187);
-let _e3219 = global_3.member[_e370].member_14.member.member;
+let _e3219 = global_3.member[_e370].member_16.member.member;
 let _e3223 = -(_e3212);
 let _e3226 = (_e3212 - _e3213);
 let _e3227 = (_e3213 - _e3212);
@@ -1249,12 +1251,12 @@ let _e3247 = select(_e3156, _e3236, _e3245);
 let _e3251 = select(_e3161, _e3240, _e3246);
 let _e3255 = select(_e3166, _e3212, _e3241);
 let _e3257 = select(_e3168, _e3213, (_e3213 > _e3168));
-let _e3265 = global_3.member[_e370].member_15.member_1;
+let _e3265 = global_3.member[_e370].member_17.member_1;
 let _e3266 = (_e3265 != 0u);
-let _e3271 = global_3.member[_e370].member_15.member;
+let _e3271 = global_3.member[_e370].member_17.member;
 let _e3291 = select(-1e6f, (((((_e3271.member.member * _e2389) + (_e3271.member.member_1 * _e2390)) + (_e3271.member.member_2 * _e2391)) + _e3271.member_1) * _e3181), _e3266);
 let _e3292 = select(-1e6f, (((((_e3271.member.member * _e2906) + (_e3271.member.member_1 * _e2907)) + (_e3271.member.member_2 * _e2908)) + _e3271.member_1) * _e3181), _e3266);
-let _e3298 = global_3.member[_e370].member_15.member.member;
+let _e3298 = global_3.member[_e370].member_17.member.member;
 let _e3302 = -(_e3291);
 let _e3305 = (_e3291 - _e3292);
 let _e3306 = (_e3292 - _e3291);
@@ -1269,12 +1271,12 @@ let _e3326 = select(_e3247, _e3315, _e3324);
 let _e3330 = select(_e3251, _e3319, _e3325);
 let _e3334 = select(_e3255, _e3291, _e3320);
 let _e3336 = select(_e3257, _e3292, (_e3292 > _e3257));
-let _e3344 = global_3.member[_e370].member_16.member_1;
+let _e3344 = global_3.member[_e370].member_18.member_1;
 let _e3345 = (_e3344 != 0u);
-let _e3350 = global_3.member[_e370].member_16.member;
+let _e3350 = global_3.member[_e370].member_18.member;
 let _e3370 = select(-1e6f, (((((_e3350.member.member * _e2389) + (_e3350.member.member_1 * _e2390)) + (_e3350.member.member_2 * _e2391)) + _e3350.member_1) * _e3181), _e3345);
 let _e3371 = select(-1e6f, (((((_e3350.member.member * _e2906) + (_e3350.member.member_1 * _e2907)) + (_e3350.member.member_2 * _e2908)) + _e3350.member_1) * _e3181), _e3345);
-let _e3377 = global_3.member[_e370].member_16.member.member;
+let _e3377 = global_3.member[_e370].member_18.member.member;
 let _e3381 = -(_e3370);
 let _e3384 = (_e3370 - _e3371);
 let _e3385 = (_e3371 - _e3370);
@@ -1289,12 +1291,12 @@ let _e3405 = select(_e3326, _e3394, _e3403);
 let _e3409 = select(_e3330, _e3398, _e3404);
 let _e3413 = select(_e3334, _e3370, _e3399);
 let _e3415 = select(_e3336, _e3371, (_e3371 > _e3336));
-let _e3423 = global_3.member[_e370].member_17.member_1;
+let _e3423 = global_3.member[_e370].member_19.member_1;
 let _e3424 = (_e3423 != 0u);
-let _e3429 = global_3.member[_e370].member_17.member;
+let _e3429 = global_3.member[_e370].member_19.member;
 let _e3449 = select(-1e6f, (((((_e3429.member.member * _e2389) + (_e3429.member.member_1 * _e2390)) + (_e3429.member.member_2 * _e2391)) + _e3429.member_1) * _e3181), _e3424);
 let _e3450 = select(-1e6f, (((((_e3429.member.member * _e2906) + (_e3429.member.member_1 * _e2907)) + (_e3429.member.member_2 * _e2908)) + _e3429.member_1) * _e3181), _e3424);
-let _e3456 = global_3.member[_e370].member_17.member.member;
+let _e3456 = global_3.member[_e370].member_19.member.member;
 let _e3460 = -(_e3449);
 let _e3463 = (_e3449 - _e3450);
 let _e3464 = (_e3450 - _e3449);
@@ -1305,9 +1307,9 @@ let _e3477 = select(2f, select(0f, _e3469, (_e3449 < 0f)), (_e3450 > 0f));
 let _e3478 = (_e3449 > _e3413);
 let _e3482 = ((_e3473 > _e3405) || ((_e3473 == _e3405) && _e3478));
 let _e3483 = (_e3477 < _e3409);
-phi_6846_ = type_34(select(_e3405, _e3473, _e3482), vec3<f32>(select(select(select(select(_e3157, _e3219.member, _e3245), _e3298.member, _e3324), _e3377.member, _e3403), _e3456.member, _e3482), select(select(select(select(_e3158, _e3219.member_1, _e3245), _e3298.member_1, _e3324), _e3377.member_1, _e3403), _e3456.member_1, _e3482), select(select(select(select(_e3159, _e3219.member_2, _e3245), _e3298.member_2, _e3324), _e3377.member_2, _e3403), _e3456.member_2, _e3482)), select(_e3409, _e3477, _e3483), vec3<f32>(select(select(select(select(_e3162, _e3219.member, _e3246), _e3298.member, _e3325), _e3377.member, _e3404), _e3456.member, _e3483), select(select(select(select(_e3163, _e3219.member_1, _e3246), _e3298.member_1, _e3325), _e3377.member_1, _e3404), _e3456.member_1, _e3483), select(select(select(select(_e3164, _e3219.member_2, _e3246), _e3298.member_2, _e3325), _e3377.member_2, _e3404), _e3456.member_2, _e3483)), select(_e3413, _e3449, _e3478), select(_e3415, _e3450, (_e3450 > _e3415)), vec3<f32>(select(select(select(select(_e3169, _e3219.member, _e3241), _e3298.member, _e3320), _e3377.member, _e3399), _e3456.member, _e3478), select(select(select(select(_e3170, _e3219.member_1, _e3241), _e3298.member_1, _e3320), _e3377.member_1, _e3399), _e3456.member_1, _e3478), select(select(select(select(_e3171, _e3219.member_2, _e3241), _e3298.member_2, _e3320), _e3377.member_2, _e3399), _e3456.member_2, _e3478)));
+phi_6848_ = type_34(select(_e3405, _e3473, _e3482), vec3<f32>(select(select(select(select(_e3157, _e3219.member, _e3245), _e3298.member, _e3324), _e3377.member, _e3403), _e3456.member, _e3482), select(select(select(select(_e3158, _e3219.member_1, _e3245), _e3298.member_1, _e3324), _e3377.member_1, _e3403), _e3456.member_1, _e3482), select(select(select(select(_e3159, _e3219.member_2, _e3245), _e3298.member_2, _e3324), _e3377.member_2, _e3403), _e3456.member_2, _e3482)), select(_e3409, _e3477, _e3483), vec3<f32>(select(select(select(select(_e3162, _e3219.member, _e3246), _e3298.member, _e3325), _e3377.member, _e3404), _e3456.member, _e3483), select(select(select(select(_e3163, _e3219.member_1, _e3246), _e3298.member_1, _e3325), _e3377.member_1, _e3404), _e3456.member_1, _e3483), select(select(select(select(_e3164, _e3219.member_2, _e3246), _e3298.member_2, _e3325), _e3377.member_2, _e3404), _e3456.member_2, _e3483)), select(_e3413, _e3449, _e3478), select(_e3415, _e3450, (_e3450 > _e3415)), vec3<f32>(select(select(select(select(_e3169, _e3219.member, _e3241), _e3298.member, _e3320), _e3377.member, _e3399), _e3456.member, _e3478), select(select(select(select(_e3170, _e3219.member_1, _e3241), _e3298.member_1, _e3320), _e3377.member_1, _e3399), _e3456.member_1, _e3478), select(select(select(select(_e3171, _e3219.member_2, _e3241), _e3298.member_2, _e3320), _e3377.member_2, _e3399), _e3456.member_2, _e3478)));
 }
-let _e3503 = phi_6846_;
+let _e3503 = phi_6848_;
 let _e3509 = (((_e2382 && _e2911) && !(_e2896)) && (_e3503.member_2 <= 1f));
 let _e3513 = (_e2908 - _e2391);
 let _e3514 = select(1f, _e3503.member_2, _e3509);
@@ -1443,11 +1445,11 @@ let _e3921 = select(_e2170, _e3919, (_e3919 < _e2170));
 let _e3926 = global_2.member[bitcast<u32>(select(0i, _e3921, (_e3921 > 0i)))];
 let _e3941 = ((_e2811 + (f32(bitcast<i32>((_e3926 >> bitcast<u32>(12u)))) * _e2814)) + ((f32((bitcast<i32>((_e3926 & 4095u)) - 2048i)) * _e2807) * (_e3903 - f32(_e3918))));
 if _e2911 {
-phi_8013_ = type_31(_e3941, 1f);
+phi_8015_ = type_31(_e3941, 1f);
 } else {
-phi_8013_ = type_31(1f, _e3941);
+phi_8015_ = type_31(1f, _e3941);
 }
-let _e3945 = phi_8013_;
+let _e3945 = phi_8015_;
 let _e3950 = ((_e3945.member_1 * _e3945.member_1) - (_e3945.member * _e3945.member));
 let _e3958 = (((_e3503.member_3.x * _e3503.member_3.x) + (_e3503.member_3.y * _e3503.member_3.y)) + (_e3503.member_3.z * _e3503.member_3.z));
 let _e3961 = sqrt(select(0f, _e3958, (_e3958 > 0f)));
@@ -1584,16 +1586,16 @@ let _e4306 = select(select(select(select(select(select(0f, _e1182.member, _e4087
 let _e4307 = select(select(select(select(select(select(0f, _e1182.member_1, _e4087), _e1182.member_1, _e4127), _e1191.member_1, _e4167), _e1191.member_1, _e4207), _e1200.member_1, _e4247), _e1200.member_1, _e4287);
 let _e4308 = select(select(select(select(select(select(1f, _e1182.member_2, _e4087), _e1182.member_2, _e4127), _e1191.member_2, _e4167), _e1191.member_2, _e4207), _e1200.member_2, _e4247), _e1200.member_2, _e4287);
 if _e1449 {
-phi_9551_ = type_34(_e4293, vec3<f32>(_e4294, _e4295, _e4296), _e4298, vec3<f32>(_e4299, _e4300, _e4301), _e4303, _e4305, vec3<f32>(_e4306, _e4307, _e4308));
+phi_9553_ = type_34(_e4293, vec3<f32>(_e4294, _e4295, _e4296), _e4298, vec3<f32>(_e4299, _e4300, _e4301), _e4303, _e4305, vec3<f32>(_e4306, _e4307, _e4308));
 } else {
 let _e4315 = (((_e1182.member * _e1182.member) + (_e1182.member_1 * _e1182.member_1)) + (_e1182.member_2 * _e1182.member_2));
 let _e4318 = sqrt(select(0f, _e4315, (_e4315 > 0f)));
-let _e4323 = global_3.member[_e370].member_14.member_1;
+let _e4323 = global_3.member[_e370].member_16.member_1;
 let _e4324 = (_e4323 != 0u);
-let _e4329 = global_3.member[_e370].member_14.member;
+let _e4329 = global_3.member[_e370].member_16.member;
 let _e4349 = select(-1e6f, (((((_e4329.member.member * _e3522.x) + (_e4329.member.member_1 * _e3522.y)) + (_e4329.member.member_2 * _e3522.z)) + _e4329.member_1) * _e4318), _e4324);
 let _e4350 = select(-1e6f, (((((_e4329.member.member * _e4022) + (_e4329.member.member_1 * _e4023)) + (_e4329.member.member_2 * _e4024)) + _e4329.member_1) * _e4318), _e4324);
-let _e4356 = global_3.member[_e370].member_14.member.member;
+let _e4356 = global_3.member[_e370].member_16.member.member;
 let _e4360 = -(_e4349);
 let _e4363 = (_e4349 - _e4350);
 let _e4364 = (_e4350 - _e4349);
@@ -1608,12 +1610,12 @@ let _e4384 = select(_e4293, _e4373, _e4382);
 let _e4388 = select(_e4298, _e4377, _e4383);
 let _e4392 = select(_e4303, _e4349, _e4378);
 let _e4394 = select(_e4305, _e4350, (_e4350 > _e4305));
-let _e4402 = global_3.member[_e370].member_15.member_1;
+let _e4402 = global_3.member[_e370].member_17.member_1;
 let _e4403 = (_e4402 != 0u);
-let _e4408 = global_3.member[_e370].member_15.member;
+let _e4408 = global_3.member[_e370].member_17.member;
 let _e4428 = select(-1e6f, (((((_e4408.member.member * _e3522.x) + (_e4408.member.member_1 * _e3522.y)) + (_e4408.member.member_2 * _e3522.z)) + _e4408.member_1) * _e4318), _e4403);
 let _e4429 = select(-1e6f, (((((_e4408.member.member * _e4022) + (_e4408.member.member_1 * _e4023)) + (_e4408.member.member_2 * _e4024)) + _e4408.member_1) * _e4318), _e4403);
-let _e4435 = global_3.member[_e370].member_15.member.member;
+let _e4435 = global_3.member[_e370].member_17.member.member;
 let _e4439 = -(_e4428);
 let _e4442 = (_e4428 - _e4429);
 let _e4443 = (_e4429 - _e4428);
@@ -1628,12 +1630,12 @@ let _e4463 = select(_e4384, _e4452, _e4461);
 let _e4467 = select(_e4388, _e4456, _e4462);
 let _e4471 = select(_e4392, _e4428, _e4457);
 let _e4473 = select(_e4394, _e4429, (_e4429 > _e4394));
-let _e4481 = global_3.member[_e370].member_16.member_1;
+let _e4481 = global_3.member[_e370].member_18.member_1;
 let _e4482 = (_e4481 != 0u);
-let _e4487 = global_3.member[_e370].member_16.member;
+let _e4487 = global_3.member[_e370].member_18.member;
 let _e4507 = select(-1e6f, (((((_e4487.member.member * _e3522.x) + (_e4487.member.member_1 * _e3522.y)) + (_e4487.member.member_2 * _e3522.z)) + _e4487.member_1) * _e4318), _e4482);
 let _e4508 = select(-1e6f, (((((_e4487.member.member * _e4022) + (_e4487.member.member_1 * _e4023)) + (_e4487.member.member_2 * _e4024)) + _e4487.member_1) * _e4318), _e4482);
-let _e4514 = global_3.member[_e370].member_16.member.member;
+let _e4514 = global_3.member[_e370].member_18.member.member;
 let _e4518 = -(_e4507);
 let _e4521 = (_e4507 - _e4508);
 let _e4522 = (_e4508 - _e4507);
@@ -1648,12 +1650,12 @@ let _e4542 = select(_e4463, _e4531, _e4540);
 let _e4546 = select(_e4467, _e4535, _e4541);
 let _e4550 = select(_e4471, _e4507, _e4536);
 let _e4552 = select(_e4473, _e4508, (_e4508 > _e4473));
-let _e4560 = global_3.member[_e370].member_17.member_1;
+let _e4560 = global_3.member[_e370].member_19.member_1;
 let _e4561 = (_e4560 != 0u);
-let _e4566 = global_3.member[_e370].member_17.member;
+let _e4566 = global_3.member[_e370].member_19.member;
 let _e4586 = select(-1e6f, (((((_e4566.member.member * _e3522.x) + (_e4566.member.member_1 * _e3522.y)) + (_e4566.member.member_2 * _e3522.z)) + _e4566.member_1) * _e4318), _e4561);
 let _e4587 = select(-1e6f, (((((_e4566.member.member * _e4022) + (_e4566.member.member_1 * _e4023)) + (_e4566.member.member_2 * _e4024)) + _e4566.member_1) * _e4318), _e4561);
-let _e4593 = global_3.member[_e370].member_17.member.member;
+let _e4593 = global_3.member[_e370].member_19.member.member;
 let _e4597 = -(_e4586);
 let _e4600 = (_e4586 - _e4587);
 let _e4601 = (_e4587 - _e4586);
@@ -1664,9 +1666,9 @@ let _e4614 = select(2f, select(0f, _e4606, (_e4586 < 0f)), (_e4587 > 0f));
 let _e4615 = (_e4586 > _e4550);
 let _e4619 = ((_e4610 > _e4542) || ((_e4610 == _e4542) && _e4615));
 let _e4620 = (_e4614 < _e4546);
-phi_9551_ = type_34(select(_e4542, _e4610, _e4619), vec3<f32>(select(select(select(select(_e4294, _e4356.member, _e4382), _e4435.member, _e4461), _e4514.member, _e4540), _e4593.member, _e4619), select(select(select(select(_e4295, _e4356.member_1, _e4382), _e4435.member_1, _e4461), _e4514.member_1, _e4540), _e4593.member_1, _e4619), select(select(select(select(_e4296, _e4356.member_2, _e4382), _e4435.member_2, _e4461), _e4514.member_2, _e4540), _e4593.member_2, _e4619)), select(_e4546, _e4614, _e4620), vec3<f32>(select(select(select(select(_e4299, _e4356.member, _e4383), _e4435.member, _e4462), _e4514.member, _e4541), _e4593.member, _e4620), select(select(select(select(_e4300, _e4356.member_1, _e4383), _e4435.member_1, _e4462), _e4514.member_1, _e4541), _e4593.member_1, _e4620), select(select(select(select(_e4301, _e4356.member_2, _e4383), _e4435.member_2, _e4462), _e4514.member_2, _e4541), _e4593.member_2, _e4620)), select(_e4550, _e4586, _e4615), select(_e4552, _e4587, (_e4587 > _e4552)), vec3<f32>(select(select(select(select(_e4306, _e4356.member, _e4378), _e4435.member, _e4457), _e4514.member, _e4536), _e4593.member, _e4615), select(select(select(select(_e4307, _e4356.member_1, _e4378), _e4435.member_1, _e4457), _e4514.member_1, _e4536), _e4593.member_1, _e4615), select(select(select(select(_e4308, _e4356.member_2, _e4378), _e4435.member_2, _e4457), _e4514.member_2, _e4536), _e4593.member_2, _e4615)));
+phi_9553_ = type_34(select(_e4542, _e4610, _e4619), vec3<f32>(select(select(select(select(_e4294, _e4356.member, _e4382), _e4435.member, _e4461), _e4514.member, _e4540), _e4593.member, _e4619), select(select(select(select(_e4295, _e4356.member_1, _e4382), _e4435.member_1, _e4461), _e4514.member_1, _e4540), _e4593.member_1, _e4619), select(select(select(select(_e4296, _e4356.member_2, _e4382), _e4435.member_2, _e4461), _e4514.member_2, _e4540), _e4593.member_2, _e4619)), select(_e4546, _e4614, _e4620), vec3<f32>(select(select(select(select(_e4299, _e4356.member, _e4383), _e4435.member, _e4462), _e4514.member, _e4541), _e4593.member, _e4620), select(select(select(select(_e4300, _e4356.member_1, _e4383), _e4435.member_1, _e4462), _e4514.member_1, _e4541), _e4593.member_1, _e4620), select(select(select(select(_e4301, _e4356.member_2, _e4383), _e4435.member_2, _e4462), _e4514.member_2, _e4541), _e4593.member_2, _e4620)), select(_e4550, _e4586, _e4615), select(_e4552, _e4587, (_e4587 > _e4552)), vec3<f32>(select(select(select(select(_e4306, _e4356.member, _e4378), _e4435.member, _e4457), _e4514.member, _e4536), _e4593.member, _e4615), select(select(select(select(_e4307, _e4356.member_1, _e4378), _e4435.member_1, _e4457), _e4514.member_1, _e4536), _e4593.member_1, _e4615), select(select(select(select(_e4308, _e4356.member_2, _e4378), _e4435.member_2, _e4457), _e4514.member_2, _e4536), _e4593.member_2, _e4615)));
 }
-let _e4640 = phi_9551_;
+let _e4640 = phi_9553_;
 let _e4646 = (((_e3509 && _e4027) && !(_e4011)) && (_e4640.member_2 <= 1f));
 let _e4651 = select(1f, _e4640.member_2, _e4646);
 let _e4652 = ((_e4022 - _e3522.x) * _e4651);
@@ -1801,11 +1803,11 @@ let _e5058 = select(_e2170, _e5056, (_e5056 < _e2170));
 let _e5063 = global_2.member[bitcast<u32>(select(0i, _e5058, (_e5058 > 0i)))];
 let _e5078 = ((_e2811 + (f32(bitcast<i32>((_e5063 >> bitcast<u32>(12u)))) * _e2814)) + ((f32((bitcast<i32>((_e5063 & 4095u)) - 2048i)) * _e2807) * (_e5040 - f32(_e5055))));
 if _e4027 {
-phi_10718_ = type_31(_e5078, 1f);
+phi_10720_ = type_31(_e5078, 1f);
 } else {
-phi_10718_ = type_31(1f, _e5078);
+phi_10720_ = type_31(1f, _e5078);
 }
-let _e5082 = phi_10718_;
+let _e5082 = phi_10720_;
 let _e5087 = ((_e5082.member_1 * _e5082.member_1) - (_e5082.member * _e5082.member));
 let _e5095 = (((_e4640.member_3.x * _e4640.member_3.x) + (_e4640.member_3.y * _e4640.member_3.y)) + (_e4640.member_3.z * _e4640.member_3.z));
 let _e5098 = sqrt(select(0f, _e5095, (_e5095 > 0f)));
@@ -1942,16 +1944,16 @@ let _e5444 = select(select(select(select(select(select(0f, _e1182.member, _e5225
 let _e5445 = select(select(select(select(select(select(0f, _e1182.member_1, _e5225), _e1182.member_1, _e5265), _e1191.member_1, _e5305), _e1191.member_1, _e5345), _e1200.member_1, _e5385), _e1200.member_1, _e5425);
 let _e5446 = select(select(select(select(select(select(1f, _e1182.member_2, _e5225), _e1182.member_2, _e5265), _e1191.member_2, _e5305), _e1191.member_2, _e5345), _e1200.member_2, _e5385), _e1200.member_2, _e5425);
 if _e1449 {
-phi_12256_ = type_34(_e5431, vec3<f32>(_e5432, _e5433, _e5434), _e5436, vec3<f32>(_e5437, _e5438, _e5439), _e5441, _e5443, vec3<f32>(_e5444, _e5445, _e5446));
+phi_12258_ = type_34(_e5431, vec3<f32>(_e5432, _e5433, _e5434), _e5436, vec3<f32>(_e5437, _e5438, _e5439), _e5441, _e5443, vec3<f32>(_e5444, _e5445, _e5446));
 } else {
 let _e5453 = (((_e1182.member * _e1182.member) + (_e1182.member_1 * _e1182.member_1)) + (_e1182.member_2 * _e1182.member_2));
 let _e5456 = sqrt(select(0f, _e5453, (_e5453 > 0f)));
-let _e5461 = global_3.member[_e370].member_14.member_1;
+let _e5461 = global_3.member[_e370].member_16.member_1;
 let _e5462 = (_e5461 != 0u);
-let _e5467 = global_3.member[_e370].member_14.member;
+let _e5467 = global_3.member[_e370].member_16.member;
 let _e5487 = select(-1e6f, (((((_e5467.member.member * _e4659.x) + (_e5467.member.member_1 * _e4659.y)) + (_e5467.member.member_2 * _e4659.z)) + _e5467.member_1) * _e5456), _e5462);
 let _e5488 = select(-1e6f, (((((_e5467.member.member * _e5160) + (_e5467.member.member_1 * _e5161)) + (_e5467.member.member_2 * _e5162)) + _e5467.member_1) * _e5456), _e5462);
-let _e5494 = global_3.member[_e370].member_14.member.member;
+let _e5494 = global_3.member[_e370].member_16.member.member;
 let _e5498 = -(_e5487);
 let _e5501 = (_e5487 - _e5488);
 let _e5502 = (_e5488 - _e5487);
@@ -1966,12 +1968,12 @@ let _e5522 = select(_e5431, _e5511, _e5520);
 let _e5526 = select(_e5436, _e5515, _e5521);
 let _e5530 = select(_e5441, _e5487, _e5516);
 let _e5532 = select(_e5443, _e5488, (_e5488 > _e5443));
-let _e5540 = global_3.member[_e370].member_15.member_1;
+let _e5540 = global_3.member[_e370].member_17.member_1;
 let _e5541 = (_e5540 != 0u);
-let _e5546 = global_3.member[_e370].member_15.member;
+let _e5546 = global_3.member[_e370].member_17.member;
 let _e5566 = select(-1e6f, (((((_e5546.member.member * _e4659.x) + (_e5546.member.member_1 * _e4659.y)) + (_e5546.member.member_2 * _e4659.z)) + _e5546.member_1) * _e5456), _e5541);
 let _e5567 = select(-1e6f, (((((_e5546.member.member * _e5160) + (_e5546.member.member_1 * _e5161)) + (_e5546.member.member_2 * _e5162)) + _e5546.member_1) * _e5456), _e5541);
-let _e5573 = global_3.member[_e370].member_15.member.member;
+let _e5573 = global_3.member[_e370].member_17.member.member;
 let _e5577 = -(_e5566);
 let _e5580 = (_e5566 - _e5567);
 let _e5581 = (_e5567 - _e5566);
@@ -1986,12 +1988,12 @@ let _e5601 = select(_e5522, _e5590, _e5599);
 let _e5605 = select(_e5526, _e5594, _e5600);
 let _e5609 = select(_e5530, _e5566, _e5595);
 let _e5611 = select(_e5532, _e5567, (_e5567 > _e5532));
-let _e5619 = global_3.member[_e370].member_16.member_1;
+let _e5619 = global_3.member[_e370].member_18.member_1;
 let _e5620 = (_e5619 != 0u);
-let _e5625 = global_3.member[_e370].member_16.member;
+let _e5625 = global_3.member[_e370].member_18.member;
 let _e5645 = select(-1e6f, (((((_e5625.member.member * _e4659.x) + (_e5625.member.member_1 * _e4659.y)) + (_e5625.member.member_2 * _e4659.z)) + _e5625.member_1) * _e5456), _e5620);
 let _e5646 = select(-1e6f, (((((_e5625.member.member * _e5160) + (_e5625.member.member_1 * _e5161)) + (_e5625.member.member_2 * _e5162)) + _e5625.member_1) * _e5456), _e5620);
-let _e5652 = global_3.member[_e370].member_16.member.member;
+let _e5652 = global_3.member[_e370].member_18.member.member;
 let _e5656 = -(_e5645);
 let _e5659 = (_e5645 - _e5646);
 let _e5660 = (_e5646 - _e5645);
@@ -2006,12 +2008,12 @@ let _e5680 = select(_e5601, _e5669, _e5678);
 let _e5684 = select(_e5605, _e5673, _e5679);
 let _e5688 = select(_e5609, _e5645, _e5674);
 let _e5690 = select(_e5611, _e5646, (_e5646 > _e5611));
-let _e5698 = global_3.member[_e370].member_17.member_1;
+let _e5698 = global_3.member[_e370].member_19.member_1;
 let _e5699 = (_e5698 != 0u);
-let _e5704 = global_3.member[_e370].member_17.member;
+let _e5704 = global_3.member[_e370].member_19.member;
 let _e5724 = select(-1e6f, (((((_e5704.member.member * _e4659.x) + (_e5704.member.member_1 * _e4659.y)) + (_e5704.member.member_2 * _e4659.z)) + _e5704.member_1) * _e5456), _e5699);
 let _e5725 = select(-1e6f, (((((_e5704.member.member * _e5160) + (_e5704.member.member_1 * _e5161)) + (_e5704.member.member_2 * _e5162)) + _e5704.member_1) * _e5456), _e5699);
-let _e5731 = global_3.member[_e370].member_17.member.member;
+let _e5731 = global_3.member[_e370].member_19.member.member;
 let _e5735 = -(_e5724);
 let _e5738 = (_e5724 - _e5725);
 let _e5739 = (_e5725 - _e5724);
@@ -2022,9 +2024,9 @@ let _e5752 = select(2f, select(0f, _e5744, (_e5724 < 0f)), (_e5725 > 0f));
 let _e5753 = (_e5724 > _e5688);
 let _e5757 = ((_e5748 > _e5680) || ((_e5748 == _e5680) && _e5753));
 let _e5758 = (_e5752 < _e5684);
-phi_12256_ = type_34(select(_e5680, _e5748, _e5757), vec3<f32>(select(select(select(select(_e5432, _e5494.member, _e5520), _e5573.member, _e5599), _e5652.member, _e5678), _e5731.member, _e5757), select(select(select(select(_e5433, _e5494.member_1, _e5520), _e5573.member_1, _e5599), _e5652.member_1, _e5678), _e5731.member_1, _e5757), select(select(select(select(_e5434, _e5494.member_2, _e5520), _e5573.member_2, _e5599), _e5652.member_2, _e5678), _e5731.member_2, _e5757)), select(_e5684, _e5752, _e5758), vec3<f32>(select(select(select(select(_e5437, _e5494.member, _e5521), _e5573.member, _e5600), _e5652.member, _e5679), _e5731.member, _e5758), select(select(select(select(_e5438, _e5494.member_1, _e5521), _e5573.member_1, _e5600), _e5652.member_1, _e5679), _e5731.member_1, _e5758), select(select(select(select(_e5439, _e5494.member_2, _e5521), _e5573.member_2, _e5600), _e5652.member_2, _e5679), _e5731.member_2, _e5758)), select(_e5688, _e5724, _e5753), select(_e5690, _e5725, (_e5725 > _e5690)), vec3<f32>(select(select(select(select(_e5444, _e5494.member, _e5516), _e5573.member, _e5595), _e5652.member, _e5674), _e5731.member, _e5753), select(select(select(select(_e5445, _e5494.member_1, _e5516), _e5573.member_1, _e5595), _e5652.member_1, _e5674), _e5731.member_1, _e5753), select(select(select(select(_e5446, _e5494.member_2, _e5516), _e5573.member_2, _e5595), _e5652.member_2, _e5674), _e5731.member_2, _e5753)));
+phi_12258_ = type_34(select(_e5680, _e5748, _e5757), vec3<f32>(select(select(select(select(_e5432, _e5494.member, _e5520), _e5573.member, _e5599), _e5652.member, _e5678), _e5731.member, _e5757), select(select(select(select(_e5433, _e5494.member_1, _e5520), _e5573.member_1, _e5599), _e5652.member_1, _e5678), _e5731.member_1, _e5757), select(select(select(select(_e5434, _e5494.member_2, _e5520), _e5573.member_2, _e5599), _e5652.member_2, _e5678), _e5731.member_2, _e5757)), select(_e5684, _e5752, _e5758), vec3<f32>(select(select(select(select(_e5437, _e5494.member, _e5521), _e5573.member, _e5600), _e5652.member, _e5679), _e5731.member, _e5758), select(select(select(select(_e5438, _e5494.member_1, _e5521), _e5573.member_1, _e5600), _e5652.member_1, _e5679), _e5731.member_1, _e5758), select(select(select(select(_e5439, _e5494.member_2, _e5521), _e5573.member_2, _e5600), _e5652.member_2, _e5679), _e5731.member_2, _e5758)), select(_e5688, _e5724, _e5753), select(_e5690, _e5725, (_e5725 > _e5690)), vec3<f32>(select(select(select(select(_e5444, _e5494.member, _e5516), _e5573.member, _e5595), _e5652.member, _e5674), _e5731.member, _e5753), select(select(select(select(_e5445, _e5494.member_1, _e5516), _e5573.member_1, _e5595), _e5652.member_1, _e5674), _e5731.member_1, _e5753), select(select(select(select(_e5446, _e5494.member_2, _e5516), _e5573.member_2, _e5595), _e5652.member_2, _e5674), _e5731.member_2, _e5753)));
 }
-let _e5778 = phi_12256_;
+let _e5778 = phi_12258_;
 let _e5784 = (((_e4646 && _e5165) && !(_e5149)) && (_e5778.member_2 <= 1f));
 let _e5785 = (_e918 < 1e-12f);
 let _e5787 = (1f / select(_e913, 1f, _e5785));
@@ -2227,12 +2229,12 @@ let _e6277 = select(_e6236, _e6208, (_e6208 > _e6236));
 let _e6280 = (select(_e6271, _e6273, (_e6273 < _e6271)) - select(_e6264, _e6277, (_e6277 > _e6264)));
 let _e6287 = ((_e2892 || _e4007) || _e5145);
 if _e2892 {
-phi_14004_ = _e2824;
+phi_14006_ = _e2824;
 } else {
-phi_14004_ = _e3945;
+phi_14006_ = _e3945;
 }
-let _e6308 = phi_14004_;
-phi_14276_ = type_38(_e6308, vec3<f32>(select(_e5160, _e4659.x, _e5784), select(_e5161, _e4659.y, _e5784), select(_e5162, _e4659.z, _e5784)), vec3<f32>(_e5134, _e5135, _e5136), select((_e1079 * select(0f, _e5865, (_e5865 > 0f))), ((((sqrt(select(0f, _e5876, (_e5876 > 0f))) * select(0f, _e5957, (_e5957 > 0f))) + (sqrt(select(0f, _e5968, (_e5968 > 0f))) * select(0f, _e6064, (_e6064 > 0f)))) + (sqrt(select(0f, _e6076, (_e6076 > 0f))) * select(0f, _e6172, (_e6172 > 0f)))) + select(0f, (sqrt(select(0f, _e6184, (_e6184 > 0f))) * select(0f, _e6280, (_e6280 > 0f))), _e4646)), _e6287), select((_e403 / _e5136), (2f * (_e3513 / _e2878)), (((_e2382 && !(_e1788)) && _e2911) && !(_e3509))), select(_e3503.member_3, _e2374.member_1, vec3(_e2892)), _e5165, _e6287, (((_e2896 || _e4011) || _e5149) || _e5784));
+let _e6308 = phi_14006_;
+phi_14278_ = type_38(_e6308, vec3<f32>(select(_e5160, _e4659.x, _e5784), select(_e5161, _e4659.y, _e5784), select(_e5162, _e4659.z, _e5784)), vec3<f32>(_e5134, _e5135, _e5136), select((_e1079 * select(0f, _e5865, (_e5865 > 0f))), ((((sqrt(select(0f, _e5876, (_e5876 > 0f))) * select(0f, _e5957, (_e5957 > 0f))) + (sqrt(select(0f, _e5968, (_e5968 > 0f))) * select(0f, _e6064, (_e6064 > 0f)))) + (sqrt(select(0f, _e6076, (_e6076 > 0f))) * select(0f, _e6172, (_e6172 > 0f)))) + select(0f, (sqrt(select(0f, _e6184, (_e6184 > 0f))) * select(0f, _e6280, (_e6280 > 0f))), _e4646)), _e6287), select((_e403 / _e5136), (2f * (_e3513 / _e2878)), (((_e2382 && !(_e1788)) && _e2911) && !(_e3509))), select(_e3503.member_3, _e2374.member_1, vec3(_e2892)), _e5165, _e6287, (((_e2896 || _e4011) || _e5149) || _e5784));
 } else {
 let _e1081 = (_e918 < 1e-12f);
 let _e1083 = (1f / select(_e913, 1f, _e1081));
@@ -2267,9 +2269,9 @@ let _e1155 = select(select(1f, _e1152, (_e1152 < 1f)), 1f, _e1131);
 let _e1157 = select(_e1130, _e1105, (_e1105 < _e1130));
 let _e1161 = select(_e1123, _e1098, (_e1098 > _e1123));
 let _e1164 = (select(_e1155, _e1157, (_e1157 < _e1155)) - select(_e1148, _e1161, (_e1161 > _e1148)));
-phi_14276_ = type_38(_e1080.member, _e1080.member_1, _e1080.member_2, (_e1079 * select(0f, _e1164, (_e1164 > 0f))), _e1080.member_4, _e1080.member_5, _e1080.member_6, _e1080.member_7, _e1080.member_8);
+phi_14278_ = type_38(_e1080.member, _e1080.member_1, _e1080.member_2, (_e1079 * select(0f, _e1164, (_e1164 > 0f))), _e1080.member_4, _e1080.member_5, _e1080.member_6, _e1080.member_7, _e1080.member_8);
 }
-let _e6311 = phi_14276_;
+let _e6311 = phi_14278_;
 let _e6322 = ((((_e471.member.member * _e6311.member_1.x) + (_e471.member.member_1 * _e6311.member_1.y)) + (_e471.member.member_2 * _e6311.member_1.z)) + _e471.member_1);
 let _e6328 = ((((_e487.member.member * _e6311.member_1.x) + (_e487.member.member_1 * _e6311.member_1.y)) + (_e487.member.member_2 * _e6311.member_1.z)) + _e487.member_1);
 let _e6334 = ((((_e503.member.member * _e6311.member_1.x) + (_e503.member.member_1 * _e6311.member_1.y)) + (_e503.member.member_2 * _e6311.member_1.z)) + _e503.member_1);
@@ -2292,13 +2294,13 @@ let _e6750 = select(-1f, _e6718, (_e6718 > -1f));
 let _e6752 = select(_e561, _e6750, (_e6750 < _e561));
 let _e6759 = select(0i, select(select(i32(_e6752), i32(-2147483648), (_e6752 < -2147483600f)), 2147483647i, (_e6752 > 2147483500f)), (_e6752 == _e6752));
 let _e6763 = (_e6759 - select(0i, 1i, (_e6752 < f32(_e6759))));
-let _e6768 = global_3.member[_e370].member_6.member_7;
-let _e6773 = global_3.member[_e370].member_6.member_8;
+let _e6768 = global_3.member[_e370].member_8.member_7;
+let _e6773 = global_3.member[_e370].member_8.member_8;
 let _e6774 = (_e6733 + 1i);
 let _e6775 = (_e6748 + 1i);
 let _e6776 = (_e6763 + 1i);
-let _e6782 = global_3.member[_e370].member_6.member_11.member;
-let _e6789 = global_3.member[_e370].member_6.member_11.member_1;
+let _e6782 = global_3.member[_e370].member_8.member_11.member;
+let _e6789 = global_3.member[_e370].member_8.member_11.member_1;
 let _e6800 = ((_e6774 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6782) * ((_e6775 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6789) * (_e6776 >> bitcast<u32>(4i))))));
 let _e6802 = (bitcast<i32>(_e183) - 1i);
 let _e6804 = select(_e6802, _e6800, (_e6800 < _e6802));
@@ -2588,8 +2590,8 @@ let _e7749 = local_23[2u];
 let _e7753 = local_23[1u];
 let _e7757 = local_23[2u];
 let _e7761 = local_23[2u];
-let _e7769 = global_3.member[_e370].member_6.member_6;
-let _e7774 = global_3.member[_e370].member_6.member_5;
+let _e7769 = global_3.member[_e370].member_8.member_6;
+let _e7774 = global_3.member[_e370].member_8.member_5;
 let _e7776 = (((_e7691 + ((_e7695 - _e7691) * _e7761)) - _e7769) * _e7774);
 let _e7777 = -(1e9f);
 let _e7779 = select(_e7777, _e7776, (_e7776 > _e7777));
@@ -2699,7 +2701,7 @@ if _e584 {
 let _e8502 = ((0.5f * (_e7793 - _e7787)) * _e8051);
 let _e8503 = ((0.5f * (_e7805 - _e7799)) * _e8051);
 let _e8504 = ((0.5f * (_e7817 - _e7811)) * _e8051);
-phi_19888_ = type_32(_e8013, vec3<f32>(_e8502, _e8503, _e8504), vec3<f32>((_e8502 * _e8013), (_e8503 * _e8013), (_e8504 * _e8013)));
+phi_19890_ = type_32(_e8013, vec3<f32>(_e8502, _e8503, _e8504), vec3<f32>((_e8502 * _e8013), (_e8503 * _e8013), (_e8504 * _e8013)));
 } else {
 local_18 = _e7787;
 let _e8052 = local_18;
@@ -2848,23 +2850,23 @@ let _e8477 = ((_e7998 + (f32(bitcast<i32>((_e8462 >> bitcast<u32>(12u)))) * _e80
 let _e8478 = (_e8193 - _e8122);
 let _e8480 = (_e8335 - _e8264);
 let _e8482 = (_e8477 - _e8406);
-phi_19888_ = type_32(_e8013, vec3<f32>((0.5f * _e8478), (0.5f * _e8480), (0.5f * _e8482)), vec3<f32>((0.25f * (_e8478 * (_e8193 + _e8122))), (0.25f * (_e8480 * (_e8335 + _e8264))), (0.25f * (_e8482 * (_e8477 + _e8406)))));
+phi_19890_ = type_32(_e8013, vec3<f32>((0.5f * _e8478), (0.5f * _e8480), (0.5f * _e8482)), vec3<f32>((0.25f * (_e8478 * (_e8193 + _e8122))), (0.25f * (_e8480 * (_e8335 + _e8264))), (0.25f * (_e8482 * (_e8477 + _e8406)))));
 }
-let _e8512 = phi_19888_;
+let _e8512 = phi_19890_;
 let _e8527 = select(0f, 1f, ((((((_e6322 >= -0.5f) && (_e6322 <= _e898)) && (_e6328 >= -0.5f)) && (_e6328 <= _e903)) && (_e6334 >= -0.5f)) && (_e6334 <= _e908)));
 let _e8529 = (0.5f * (_e7793 - _e7787));
 let _e8531 = (0.5f * (_e7805 - _e7799));
 let _e8533 = (0.5f * (_e7817 - _e7811));
-let _e8540 = global_3.member[_e370].member_6.member.member.member;
-let _e8547 = global_3.member[_e370].member_6.member.member.member_1;
-let _e8554 = global_3.member[_e370].member_6.member.member.member_2;
-let _e8561 = global_3.member[_e370].member_6.member_1.member.member;
-let _e8568 = global_3.member[_e370].member_6.member_1.member.member_1;
-let _e8575 = global_3.member[_e370].member_6.member_1.member.member_2;
-let _e8582 = global_3.member[_e370].member_6.member_2.member.member;
-let _e8589 = global_3.member[_e370].member_6.member_2.member.member_1;
-let _e8596 = global_3.member[_e370].member_6.member_2.member.member_2;
-phi_20590_ = type_33(_e7781, vec3<f32>(((((_e8540 * _e8529) + (_e8561 * _e8531)) + (_e8582 * _e8533)) * _e8527), ((((_e8547 * _e8529) + (_e8568 * _e8531)) + (_e8589 * _e8533)) * _e8527), ((((_e8554 * _e8529) + (_e8575 * _e8531)) + (_e8596 * _e8533)) * _e8527)), _e8512.member, vec3<f32>(((((_e8540 * _e8512.member_2.x) + (_e8561 * _e8512.member_2.y)) + (_e8582 * _e8512.member_2.z)) * _e8527), ((((_e8547 * _e8512.member_2.x) + (_e8568 * _e8512.member_2.y)) + (_e8589 * _e8512.member_2.z)) * _e8527), ((((_e8554 * _e8512.member_2.x) + (_e8575 * _e8512.member_2.y)) + (_e8596 * _e8512.member_2.z)) * _e8527)), vec3<f32>(((((_e8540 * _e8512.member_1.x) + (_e8561 * _e8512.member_1.y)) + (_e8582 * _e8512.member_1.z)) * _e8527), ((((_e8547 * _e8512.member_1.x) + (_e8568 * _e8512.member_1.y)) + (_e8589 * _e8512.member_1.z)) * _e8527), ((((_e8554 * _e8512.member_1.x) + (_e8575 * _e8512.member_1.y)) + (_e8596 * _e8512.member_1.z)) * _e8527)));
+let _e8540 = global_3.member[_e370].member_8.member.member.member;
+let _e8547 = global_3.member[_e370].member_8.member.member.member_1;
+let _e8554 = global_3.member[_e370].member_8.member.member.member_2;
+let _e8561 = global_3.member[_e370].member_8.member_1.member.member;
+let _e8568 = global_3.member[_e370].member_8.member_1.member.member_1;
+let _e8575 = global_3.member[_e370].member_8.member_1.member.member_2;
+let _e8582 = global_3.member[_e370].member_8.member_2.member.member;
+let _e8589 = global_3.member[_e370].member_8.member_2.member.member_1;
+let _e8596 = global_3.member[_e370].member_8.member_2.member.member_2;
+phi_20592_ = type_33(_e7781, vec3<f32>(((((_e8540 * _e8529) + (_e8561 * _e8531)) + (_e8582 * _e8533)) * _e8527), ((((_e8547 * _e8529) + (_e8568 * _e8531)) + (_e8589 * _e8533)) * _e8527), ((((_e8554 * _e8529) + (_e8575 * _e8531)) + (_e8596 * _e8533)) * _e8527)), _e8512.member, vec3<f32>(((((_e8540 * _e8512.member_2.x) + (_e8561 * _e8512.member_2.y)) + (_e8582 * _e8512.member_2.z)) * _e8527), ((((_e8547 * _e8512.member_2.x) + (_e8568 * _e8512.member_2.y)) + (_e8589 * _e8512.member_2.z)) * _e8527), ((((_e8554 * _e8512.member_2.x) + (_e8575 * _e8512.member_2.y)) + (_e8596 * _e8512.member_2.z)) * _e8527)), vec3<f32>(((((_e8540 * _e8512.member_1.x) + (_e8561 * _e8512.member_1.y)) + (_e8582 * _e8512.member_1.z)) * _e8527), ((((_e8547 * _e8512.member_1.x) + (_e8568 * _e8512.member_1.y)) + (_e8589 * _e8512.member_1.z)) * _e8527), ((((_e8554 * _e8512.member_1.x) + (_e8575 * _e8512.member_1.y)) + (_e8596 * _e8512.member_1.z)) * _e8527)));
 } else {
 let _e6336 = select(-0.5f, _e6322, (_e6322 > -0.5f));
 let _e6338 = select(_e898, _e6336, (_e6336 < _e898));
@@ -2884,13 +2886,13 @@ let _e6378 = select(-1f, _e6346, (_e6346 > -1f));
 let _e6380 = select(_e561, _e6378, (_e6378 < _e561));
 let _e6387 = select(0i, select(select(i32(_e6380), i32(-2147483648), (_e6380 < -2147483600f)), 2147483647i, (_e6380 > 2147483500f)), (_e6380 == _e6380));
 let _e6391 = (_e6387 - select(0i, 1i, (_e6380 < f32(_e6387))));
-let _e6396 = global_3.member[_e370].member_6.member_7;
-let _e6401 = global_3.member[_e370].member_6.member_8;
+let _e6396 = global_3.member[_e370].member_8.member_7;
+let _e6401 = global_3.member[_e370].member_8.member_8;
 let _e6402 = (_e6361 + 1i);
 let _e6403 = (_e6376 + 1i);
 let _e6404 = (_e6391 + 1i);
-let _e6410 = global_3.member[_e370].member_6.member_11.member;
-let _e6417 = global_3.member[_e370].member_6.member_11.member_1;
+let _e6410 = global_3.member[_e370].member_8.member_11.member;
+let _e6417 = global_3.member[_e370].member_8.member_11.member_1;
 let _e6428 = ((_e6402 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6410) * ((_e6403 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6417) * (_e6404 >> bitcast<u32>(4i))))));
 let _e6430 = (bitcast<i32>(_e183) - 1i);
 let _e6432 = select(_e6430, _e6428, (_e6428 < _e6430));
@@ -2966,14 +2968,14 @@ let _e6669 = local_6.member_1[3u];
 let _e6676 = local_7[0u];
 let _e6680 = local_7[1u];
 let _e6685 = local_7[2u];
-let _e6693 = global_3.member[_e370].member_6.member_6;
-let _e6698 = global_3.member[_e370].member_6.member_5;
+let _e6693 = global_3.member[_e370].member_8.member_6;
+let _e6698 = global_3.member[_e370].member_8.member_5;
 let _e6700 = (((_e6577 + (((_e6628 + (((_e6668 + ((f32(bitcast<i32>(((_e6661 >> bitcast<u32>((_e6669 & 31u))) & 65535u))) - _e6668) * _e6676)) - _e6628) * _e6680)) - _e6577) * _e6685)) - _e6693) * _e6698);
 let _e6701 = -(1e9f);
 let _e6703 = select(_e6701, _e6700, (_e6700 > _e6701));
-phi_20590_ = type_33(select(1e9f, _e6703, (_e6703 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20592_ = type_33(select(1e9f, _e6703, (_e6703 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8662 = phi_20590_;
+let _e8662 = phi_20592_;
 let _e8664 = select(-0.5f, _e482, (_e482 > -0.5f));
 let _e8666 = select(_e898, _e8664, (_e8664 < _e898));
 let _e8668 = select(-0.5f, _e498, (_e498 > -0.5f));
@@ -2992,13 +2994,13 @@ let _e8706 = select(-1f, _e8674, (_e8674 > -1f));
 let _e8708 = select(_e561, _e8706, (_e8706 < _e561));
 let _e8715 = select(0i, select(select(i32(_e8708), i32(-2147483648), (_e8708 < -2147483600f)), 2147483647i, (_e8708 > 2147483500f)), (_e8708 == _e8708));
 let _e8719 = (_e8715 - select(0i, 1i, (_e8708 < f32(_e8715))));
-let _e8724 = global_3.member[_e370].member_6.member_7;
-let _e8729 = global_3.member[_e370].member_6.member_8;
+let _e8724 = global_3.member[_e370].member_8.member_7;
+let _e8729 = global_3.member[_e370].member_8.member_8;
 let _e8730 = (_e8689 + 1i);
 let _e8731 = (_e8704 + 1i);
 let _e8732 = (_e8719 + 1i);
-let _e8738 = global_3.member[_e370].member_6.member_11.member;
-let _e8745 = global_3.member[_e370].member_6.member_11.member_1;
+let _e8738 = global_3.member[_e370].member_8.member_11.member;
+let _e8745 = global_3.member[_e370].member_8.member_11.member_1;
 let _e8756 = ((_e8730 >> bitcast<u32>(4i)) + (bitcast<i32>(_e8738) * ((_e8731 >> bitcast<u32>(4i)) + (bitcast<i32>(_e8745) * (_e8732 >> bitcast<u32>(4i))))));
 let _e8758 = (bitcast<i32>(_e183) - 1i);
 let _e8760 = select(_e8758, _e8756, (_e8756 < _e8758));
@@ -3074,17 +3076,17 @@ let _e8997 = local_4.member_1[3u];
 let _e9004 = local_5[0u];
 let _e9008 = local_5[1u];
 let _e9013 = local_5[2u];
-let _e9021 = global_3.member[_e370].member_6.member_6;
-let _e9026 = global_3.member[_e370].member_6.member_5;
+let _e9021 = global_3.member[_e370].member_8.member_6;
+let _e9026 = global_3.member[_e370].member_8.member_5;
 let _e9028 = (((_e8905 + (((_e8956 + (((_e8996 + ((f32(bitcast<i32>(((_e8989 >> bitcast<u32>((_e8997 & 31u))) & 65535u))) - _e8996) * _e9004)) - _e8956) * _e9008)) - _e8905) * _e9013)) - _e9021) * _e9026);
 let _e9029 = -(1e9f);
 let _e9031 = select(_e9029, _e9028, (_e9028 > _e9029));
 let _e9033 = select(1e9f, _e9031, (_e9031 < 1e9f));
 let _e9035 = ((_e1048 & 16u) == 0u);
 if _e9035 {
-phi_21503_ = type_7(1f, 1f, 1f);
+phi_21505_ = type_7(1f, 1f, 1f);
 } else {
-let _e9040 = global_3.member[_e370].member_14.member;
+let _e9040 = global_3.member[_e370].member_16.member;
 let _e9051 = ((((_e9040.member.member * _e396) + (_e9040.member.member_1 * _e398)) + (_e9040.member.member_2 * _e392)) + _e9040.member_1);
 let _e9057 = ((((_e9040.member.member * _e6311.member_1.x) + (_e9040.member.member_1 * _e6311.member_1.y)) + (_e9040.member.member_2 * _e6311.member_1.z)) + _e9040.member_1);
 let _e9059 = select(_e9057, _e9051, (_e9051 < _e9057));
@@ -3093,9 +3095,9 @@ let _e9063 = (_e9061 - _e9059);
 let _e9066 = (-(_e9059) / select(1e-30f, _e9063, (_e9063 > 1e-30f)));
 let _e9068 = select(0f, _e9066, (_e9066 > 0f));
 let _e9074 = select(select(select(1f, _e9068, (_e9068 < 1f)), 1f, (_e9061 <= 0f)), 0f, (_e9059 > 0f));
-let _e9080 = global_3.member[_e370].member_14.member_1;
+let _e9080 = global_3.member[_e370].member_16.member_1;
 let _e9081 = (_e9080 != 0u);
-let _e9092 = global_3.member[_e370].member_15.member;
+let _e9092 = global_3.member[_e370].member_17.member;
 let _e9103 = ((((_e9092.member.member * _e396) + (_e9092.member.member_1 * _e398)) + (_e9092.member.member_2 * _e392)) + _e9092.member_1);
 let _e9109 = ((((_e9092.member.member * _e6311.member_1.x) + (_e9092.member.member_1 * _e6311.member_1.y)) + (_e9092.member.member_2 * _e6311.member_1.z)) + _e9092.member_1);
 let _e9111 = select(_e9109, _e9103, (_e9103 < _e9109));
@@ -3104,9 +3106,9 @@ let _e9115 = (_e9113 - _e9111);
 let _e9118 = (-(_e9111) / select(1e-30f, _e9115, (_e9115 > 1e-30f)));
 let _e9120 = select(0f, _e9118, (_e9118 > 0f));
 let _e9126 = select(select(select(1f, _e9120, (_e9120 < 1f)), 1f, (_e9113 <= 0f)), 0f, (_e9111 > 0f));
-let _e9132 = global_3.member[_e370].member_15.member_1;
+let _e9132 = global_3.member[_e370].member_17.member_1;
 let _e9133 = (_e9132 != 0u);
-let _e9144 = global_3.member[_e370].member_16.member;
+let _e9144 = global_3.member[_e370].member_18.member;
 let _e9155 = ((((_e9144.member.member * _e396) + (_e9144.member.member_1 * _e398)) + (_e9144.member.member_2 * _e392)) + _e9144.member_1);
 let _e9161 = ((((_e9144.member.member * _e6311.member_1.x) + (_e9144.member.member_1 * _e6311.member_1.y)) + (_e9144.member.member_2 * _e6311.member_1.z)) + _e9144.member_1);
 let _e9163 = select(_e9161, _e9155, (_e9155 < _e9161));
@@ -3115,9 +3117,9 @@ let _e9167 = (_e9165 - _e9163);
 let _e9170 = (-(_e9163) / select(1e-30f, _e9167, (_e9167 > 1e-30f)));
 let _e9172 = select(0f, _e9170, (_e9170 > 0f));
 let _e9178 = select(select(select(1f, _e9172, (_e9172 < 1f)), 1f, (_e9165 <= 0f)), 0f, (_e9163 > 0f));
-let _e9184 = global_3.member[_e370].member_16.member_1;
+let _e9184 = global_3.member[_e370].member_18.member_1;
 let _e9185 = (_e9184 != 0u);
-let _e9196 = global_3.member[_e370].member_17.member;
+let _e9196 = global_3.member[_e370].member_19.member;
 let _e9207 = ((((_e9196.member.member * _e396) + (_e9196.member.member_1 * _e398)) + (_e9196.member.member_2 * _e392)) + _e9196.member_1);
 let _e9213 = ((((_e9196.member.member * _e6311.member_1.x) + (_e9196.member.member_1 * _e6311.member_1.y)) + (_e9196.member.member_2 * _e6311.member_1.z)) + _e9196.member_1);
 let _e9215 = select(_e9213, _e9207, (_e9207 < _e9213));
@@ -3126,12 +3128,12 @@ let _e9219 = (_e9217 - _e9215);
 let _e9222 = (-(_e9215) / select(1e-30f, _e9219, (_e9219 > 1e-30f)));
 let _e9224 = select(0f, _e9222, (_e9222 > 0f));
 let _e9230 = select(select(select(1f, _e9224, (_e9224 < 1f)), 1f, (_e9217 <= 0f)), 0f, (_e9215 > 0f));
-let _e9236 = global_3.member[_e370].member_17.member_1;
+let _e9236 = global_3.member[_e370].member_19.member_1;
 let _e9237 = (_e9236 != 0u);
-phi_21503_ = type_7(((((1f * _e9074) * _e9126) * _e9178) * _e9230), ((((1f * select(1f, _e9074, _e9081)) * select(1f, _e9126, _e9133)) * select(1f, _e9178, _e9185)) * select(1f, _e9230, _e9237)), ((((1f * select(1f, 0f, (_e9081 && (_e9057 > 0f)))) * select(1f, 0f, (_e9133 && (_e9109 > 0f)))) * select(1f, 0f, (_e9185 && (_e9161 > 0f)))) * select(1f, 0f, (_e9237 && (_e9213 > 0f)))));
+phi_21505_ = type_7(((((1f * _e9074) * _e9126) * _e9178) * _e9230), ((((1f * select(1f, _e9074, _e9081)) * select(1f, _e9126, _e9133)) * select(1f, _e9178, _e9185)) * select(1f, _e9230, _e9237)), ((((1f * select(1f, 0f, (_e9081 && (_e9057 > 0f)))) * select(1f, 0f, (_e9133 && (_e9109 > 0f)))) * select(1f, 0f, (_e9185 && (_e9161 > 0f)))) * select(1f, 0f, (_e9237 && (_e9213 > 0f)))));
 }
-let _e9246 = phi_21503_;
-let _e9252 = global_3.member[_e370].member_5.member_3;
+let _e9246 = phi_21505_;
+let _e9252 = global_3.member[_e370].member_7.member_3;
 let _e9253 = (_e6311.member_3 * _e9252);
 if (((_e379.member_2 == 3u) || (_e379.member_2 == 4u)) || _e578) {
 local_3 = _e9033;
@@ -3311,7 +3313,7 @@ let _e10681 = f32(_e10680);
 let _e10685 = ((_e10663 - (_e10681 * 0.6933594f)) - (_e10681 * -2.1219444e-4f));
 let _e10705 = ((1f + (_e10685 * (1f + (_e10685 * (0.5f + (_e10685 * (0.16666667f + (_e10685 * (0.041666668f + (_e10685 * (0.008333334f + (_e10685 * (0.001388889f + (_e10685 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10680 + 127i)) << bitcast<u32>(23i))));
 let _e10706 = (1f - _e10705);
-phi_25001_ = type_40(_e10705, _e10706, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e10706 / select(1e-12f, _e10655, (_e10655 > 1e-12f))))));
+phi_25003_ = type_40(_e10705, _e10706, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e10706 / select(1e-12f, _e10655, (_e10655 > 1e-12f))))));
 } else {
 local_1 = _e9033;
 let _e9259 = local_1;
@@ -3548,9 +3550,9 @@ let _e10131 = f32(_e10130);
 let _e10135 = ((_e10113 - (_e10131 * 0.6933594f)) - (_e10131 * -2.1219444e-4f));
 let _e10155 = ((1f + (_e10135 * (1f + (_e10135 * (0.5f + (_e10135 * (0.16666667f + (_e10135 * (0.041666668f + (_e10135 * (0.008333334f + (_e10135 * (0.001388889f + (_e10135 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10130 + 127i)) << bitcast<u32>(23i))));
 let _e10156 = (1f - _e10155);
-phi_25001_ = type_40(_e10155, _e10156, vec3<f32>(((1f + (_e9990 * (1f + (_e9990 * (0.5f + (_e9990 * (0.16666667f + (_e9990 * (0.041666668f + (_e9990 * (0.008333334f + (_e9990 * (0.001388889f + (_e9990 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9985 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10038 * (1f + (_e10038 * (0.5f + (_e10038 * (0.16666667f + (_e10038 * (0.041666668f + (_e10038 * (0.008333334f + (_e10038 * (0.001388889f + (_e10038 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10033 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10086 * (1f + (_e10086 * (0.5f + (_e10086 * (0.16666667f + (_e10086 * (0.041666668f + (_e10086 * (0.008333334f + (_e10086 * (0.001388889f + (_e10086 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10081 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e10156 / select(1e-12f, _e9750, (_e9750 > 1e-12f))))));
+phi_25003_ = type_40(_e10155, _e10156, vec3<f32>(((1f + (_e9990 * (1f + (_e9990 * (0.5f + (_e9990 * (0.16666667f + (_e9990 * (0.041666668f + (_e9990 * (0.008333334f + (_e9990 * (0.001388889f + (_e9990 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9985 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10038 * (1f + (_e10038 * (0.5f + (_e10038 * (0.16666667f + (_e10038 * (0.041666668f + (_e10038 * (0.008333334f + (_e10038 * (0.001388889f + (_e10038 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10033 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10086 * (1f + (_e10086 * (0.5f + (_e10086 * (0.16666667f + (_e10086 * (0.041666668f + (_e10086 * (0.008333334f + (_e10086 * (0.001388889f + (_e10086 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10081 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e10156 / select(1e-12f, _e9750, (_e9750 > 1e-12f))))));
 }
-let _e10714 = phi_25001_;
+let _e10714 = phi_25003_;
 let _e10723 = (_e374[6] * (_e10714.member_2.x * _e10714.member));
 let _e10724 = (_e374[7] * (_e10714.member_2.y * _e10714.member));
 let _e10725 = (_e374[8] * (_e10714.member_2.z * _e10714.member));
@@ -3566,9 +3568,9 @@ let _e10756 = (_e6311.member_1.z + (_e6311.member_2.z * _e10748));
 let _e10762 = ((((_e471.member.member * _e10754) + (_e471.member.member_1 * _e10755)) + (_e471.member.member_2 * _e10756)) + _e471.member_1);
 let _e10768 = ((((_e487.member.member * _e10754) + (_e487.member.member_1 * _e10755)) + (_e487.member.member_2 * _e10756)) + _e487.member_1);
 let _e10774 = ((((_e503.member.member * _e10754) + (_e503.member.member_1 * _e10755)) + (_e503.member.member_2 * _e10756)) + _e503.member_1);
-let _e10780 = global_3.member[_e370].member_6.member.member;
-let _e10789 = global_3.member[_e370].member_6.member_1.member;
-let _e10798 = global_3.member[_e370].member_6.member_2.member;
+let _e10780 = global_3.member[_e370].member_8.member.member;
+let _e10789 = global_3.member[_e370].member_8.member_1.member;
+let _e10798 = global_3.member[_e370].member_8.member_2.member;
 let _e10802 = (-0.5f - _e6322);
 let _e10803 = (-0.5f - _e10762);
 let _e10804 = -(_e10802);
@@ -3675,16 +3677,16 @@ let _e11041 = select(select(select(select(select(select(0f, _e10780.member, _e10
 let _e11042 = select(select(select(select(select(select(0f, _e10780.member_1, _e10822), _e10780.member_1, _e10862), _e10789.member_1, _e10902), _e10789.member_1, _e10942), _e10798.member_1, _e10982), _e10798.member_1, _e11022);
 let _e11043 = select(select(select(select(select(select(1f, _e10780.member_2, _e10822), _e10780.member_2, _e10862), _e10789.member_2, _e10902), _e10789.member_2, _e10942), _e10798.member_2, _e10982), _e10798.member_2, _e11022);
 if _e9035 {
-phi_26400_ = type_34(_e11028, vec3<f32>(_e11029, _e11030, _e11031), _e11033, vec3<f32>(_e11034, _e11035, _e11036), _e11038, _e11040, vec3<f32>(_e11041, _e11042, _e11043));
+phi_26402_ = type_34(_e11028, vec3<f32>(_e11029, _e11030, _e11031), _e11033, vec3<f32>(_e11034, _e11035, _e11036), _e11038, _e11040, vec3<f32>(_e11041, _e11042, _e11043));
 } else {
 let _e11050 = (((_e10780.member * _e10780.member) + (_e10780.member_1 * _e10780.member_1)) + (_e10780.member_2 * _e10780.member_2));
 let _e11053 = sqrt(select(0f, _e11050, (_e11050 > 0f)));
-let _e11058 = global_3.member[_e370].member_14.member_1;
+let _e11058 = global_3.member[_e370].member_16.member_1;
 let _e11059 = (_e11058 != 0u);
-let _e11064 = global_3.member[_e370].member_14.member;
+let _e11064 = global_3.member[_e370].member_16.member;
 let _e11084 = select(-1e6f, (((((_e11064.member.member * _e6311.member_1.x) + (_e11064.member.member_1 * _e6311.member_1.y)) + (_e11064.member.member_2 * _e6311.member_1.z)) + _e11064.member_1) * _e11053), _e11059);
 let _e11085 = select(-1e6f, (((((_e11064.member.member * _e10754) + (_e11064.member.member_1 * _e10755)) + (_e11064.member.member_2 * _e10756)) + _e11064.member_1) * _e11053), _e11059);
-let _e11091 = global_3.member[_e370].member_14.member.member;
+let _e11091 = global_3.member[_e370].member_16.member.member;
 let _e11095 = -(_e11084);
 let _e11098 = (_e11084 - _e11085);
 let _e11099 = (_e11085 - _e11084);
@@ -3699,12 +3701,12 @@ let _e11119 = select(_e11028, _e11108, _e11117);
 let _e11123 = select(_e11033, _e11112, _e11118);
 let _e11127 = select(_e11038, _e11084, _e11113);
 let _e11129 = select(_e11040, _e11085, (_e11085 > _e11040));
-let _e11137 = global_3.member[_e370].member_15.member_1;
+let _e11137 = global_3.member[_e370].member_17.member_1;
 let _e11138 = (_e11137 != 0u);
-let _e11143 = global_3.member[_e370].member_15.member;
+let _e11143 = global_3.member[_e370].member_17.member;
 let _e11163 = select(-1e6f, (((((_e11143.member.member * _e6311.member_1.x) + (_e11143.member.member_1 * _e6311.member_1.y)) + (_e11143.member.member_2 * _e6311.member_1.z)) + _e11143.member_1) * _e11053), _e11138);
 let _e11164 = select(-1e6f, (((((_e11143.member.member * _e10754) + (_e11143.member.member_1 * _e10755)) + (_e11143.member.member_2 * _e10756)) + _e11143.member_1) * _e11053), _e11138);
-let _e11170 = global_3.member[_e370].member_15.member.member;
+let _e11170 = global_3.member[_e370].member_17.member.member;
 let _e11174 = -(_e11163);
 let _e11177 = (_e11163 - _e11164);
 let _e11178 = (_e11164 - _e11163);
@@ -3719,12 +3721,12 @@ let _e11198 = select(_e11119, _e11187, _e11196);
 let _e11202 = select(_e11123, _e11191, _e11197);
 let _e11206 = select(_e11127, _e11163, _e11192);
 let _e11208 = select(_e11129, _e11164, (_e11164 > _e11129));
-let _e11216 = global_3.member[_e370].member_16.member_1;
+let _e11216 = global_3.member[_e370].member_18.member_1;
 let _e11217 = (_e11216 != 0u);
-let _e11222 = global_3.member[_e370].member_16.member;
+let _e11222 = global_3.member[_e370].member_18.member;
 let _e11242 = select(-1e6f, (((((_e11222.member.member * _e6311.member_1.x) + (_e11222.member.member_1 * _e6311.member_1.y)) + (_e11222.member.member_2 * _e6311.member_1.z)) + _e11222.member_1) * _e11053), _e11217);
 let _e11243 = select(-1e6f, (((((_e11222.member.member * _e10754) + (_e11222.member.member_1 * _e10755)) + (_e11222.member.member_2 * _e10756)) + _e11222.member_1) * _e11053), _e11217);
-let _e11249 = global_3.member[_e370].member_16.member.member;
+let _e11249 = global_3.member[_e370].member_18.member.member;
 let _e11253 = -(_e11242);
 let _e11256 = (_e11242 - _e11243);
 let _e11257 = (_e11243 - _e11242);
@@ -3739,12 +3741,12 @@ let _e11277 = select(_e11198, _e11266, _e11275);
 let _e11281 = select(_e11202, _e11270, _e11276);
 let _e11285 = select(_e11206, _e11242, _e11271);
 let _e11287 = select(_e11208, _e11243, (_e11243 > _e11208));
-let _e11295 = global_3.member[_e370].member_17.member_1;
+let _e11295 = global_3.member[_e370].member_19.member_1;
 let _e11296 = (_e11295 != 0u);
-let _e11301 = global_3.member[_e370].member_17.member;
+let _e11301 = global_3.member[_e370].member_19.member;
 let _e11321 = select(-1e6f, (((((_e11301.member.member * _e6311.member_1.x) + (_e11301.member.member_1 * _e6311.member_1.y)) + (_e11301.member.member_2 * _e6311.member_1.z)) + _e11301.member_1) * _e11053), _e11296);
 let _e11322 = select(-1e6f, (((((_e11301.member.member * _e10754) + (_e11301.member.member_1 * _e10755)) + (_e11301.member.member_2 * _e10756)) + _e11301.member_1) * _e11053), _e11296);
-let _e11328 = global_3.member[_e370].member_17.member.member;
+let _e11328 = global_3.member[_e370].member_19.member.member;
 let _e11332 = -(_e11321);
 let _e11335 = (_e11321 - _e11322);
 let _e11336 = (_e11322 - _e11321);
@@ -3755,11 +3757,11 @@ let _e11349 = select(2f, select(0f, _e11341, (_e11321 < 0f)), (_e11322 > 0f));
 let _e11350 = (_e11321 > _e11285);
 let _e11354 = ((_e11345 > _e11277) || ((_e11345 == _e11277) && _e11350));
 let _e11355 = (_e11349 < _e11281);
-phi_26400_ = type_34(select(_e11277, _e11345, _e11354), vec3<f32>(select(select(select(select(_e11029, _e11091.member, _e11117), _e11170.member, _e11196), _e11249.member, _e11275), _e11328.member, _e11354), select(select(select(select(_e11030, _e11091.member_1, _e11117), _e11170.member_1, _e11196), _e11249.member_1, _e11275), _e11328.member_1, _e11354), select(select(select(select(_e11031, _e11091.member_2, _e11117), _e11170.member_2, _e11196), _e11249.member_2, _e11275), _e11328.member_2, _e11354)), select(_e11281, _e11349, _e11355), vec3<f32>(select(select(select(select(_e11034, _e11091.member, _e11118), _e11170.member, _e11197), _e11249.member, _e11276), _e11328.member, _e11355), select(select(select(select(_e11035, _e11091.member_1, _e11118), _e11170.member_1, _e11197), _e11249.member_1, _e11276), _e11328.member_1, _e11355), select(select(select(select(_e11036, _e11091.member_2, _e11118), _e11170.member_2, _e11197), _e11249.member_2, _e11276), _e11328.member_2, _e11355)), select(_e11285, _e11321, _e11350), select(_e11287, _e11322, (_e11322 > _e11287)), vec3<f32>(select(select(select(select(_e11041, _e11091.member, _e11113), _e11170.member, _e11192), _e11249.member, _e11271), _e11328.member, _e11350), select(select(select(select(_e11042, _e11091.member_1, _e11113), _e11170.member_1, _e11192), _e11249.member_1, _e11271), _e11328.member_1, _e11350), select(select(select(select(_e11043, _e11091.member_2, _e11113), _e11170.member_2, _e11192), _e11249.member_2, _e11271), _e11328.member_2, _e11350)));
+phi_26402_ = type_34(select(_e11277, _e11345, _e11354), vec3<f32>(select(select(select(select(_e11029, _e11091.member, _e11117), _e11170.member, _e11196), _e11249.member, _e11275), _e11328.member, _e11354), select(select(select(select(_e11030, _e11091.member_1, _e11117), _e11170.member_1, _e11196), _e11249.member_1, _e11275), _e11328.member_1, _e11354), select(select(select(select(_e11031, _e11091.member_2, _e11117), _e11170.member_2, _e11196), _e11249.member_2, _e11275), _e11328.member_2, _e11354)), select(_e11281, _e11349, _e11355), vec3<f32>(select(select(select(select(_e11034, _e11091.member, _e11118), _e11170.member, _e11197), _e11249.member, _e11276), _e11328.member, _e11355), select(select(select(select(_e11035, _e11091.member_1, _e11118), _e11170.member_1, _e11197), _e11249.member_1, _e11276), _e11328.member_1, _e11355), select(select(select(select(_e11036, _e11091.member_2, _e11118), _e11170.member_2, _e11197), _e11249.member_2, _e11276), _e11328.member_2, _e11355)), select(_e11285, _e11321, _e11350), select(_e11287, _e11322, (_e11322 > _e11287)), vec3<f32>(select(select(select(select(_e11041, _e11091.member, _e11113), _e11170.member, _e11192), _e11249.member, _e11271), _e11328.member, _e11350), select(select(select(select(_e11042, _e11091.member_1, _e11113), _e11170.member_1, _e11192), _e11249.member_1, _e11271), _e11328.member_1, _e11350), select(select(select(select(_e11043, _e11091.member_2, _e11113), _e11170.member_2, _e11192), _e11249.member_2, _e11271), _e11328.member_2, _e11350)));
 }
-let _e11375 = phi_26400_;
+let _e11375 = phi_26402_;
 let _e11382 = (_e9246.member_2 * select(0f, 1f, _e6311.member_6));
-let _e11388 = global_3.member[_e370].member_5.member_4;
+let _e11388 = global_3.member[_e370].member_7.member_4;
 let _e11391 = (_e8662.member_3.x * _e11382);
 let _e11393 = (_e8662.member_3.y * _e11382);
 let _e11395 = (_e8662.member_3.z * _e11382);
@@ -3782,43 +3784,43 @@ let _e11449 = (_e6311.member_2.y + ((_e8662.member_4.y * _e11382) * _e403));
 let _e11450 = (_e6311.member_2.z + ((_e8662.member_4.z * _e11382) * _e403));
 let _e11452 = (_e11450 * _e11450);
 let _e11461 = ((_e1048 & 1u) != 0u);
-phi_26556_ = vec3<f32>(select(select(select(_e11418, _e11400, _e11434), _e11448, _e11461), _e6311.member_2.x, _e6311.member_8), select(select(select(_e11419, _e11401, _e11434), _e11449, _e11461), _e6311.member_2.y, _e6311.member_8), select(select(select(_e11420, _e11402, _e11434), _e11450, _e11461), _e6311.member_2.z, _e6311.member_8));
-phi_26557_ = (select(_e11434, ((_e11450 <= 0f) || (_e11452 <= (_e11424 * (((_e11448 * _e11448) + (_e11449 * _e11449)) + _e11452)))), _e11461) || _e6311.member_8);
+phi_26558_ = vec3<f32>(select(select(select(_e11418, _e11400, _e11434), _e11448, _e11461), _e6311.member_2.x, _e6311.member_8), select(select(select(_e11419, _e11401, _e11434), _e11449, _e11461), _e6311.member_2.y, _e6311.member_8), select(select(select(_e11420, _e11402, _e11434), _e11450, _e11461), _e6311.member_2.z, _e6311.member_8));
+phi_26559_ = (select(_e11434, ((_e11450 <= 0f) || (_e11452 <= (_e11424 * (((_e11448 * _e11448) + (_e11449 * _e11449)) + _e11452)))), _e11461) || _e6311.member_8);
 } else {
-phi_26556_ = _e6311.member_2;
-phi_26557_ = false;
+phi_26558_ = _e6311.member_2;
+phi_26559_ = false;
 }
-let _e11473 = phi_26556_;
-let _e11475 = phi_26557_;
+let _e11473 = phi_26558_;
+let _e11475 = phi_26559_;
 let _e11486 = ((((_e6311.member_7 || (_e11473.x != _e374[3])) || (_e11473.y != _e374[4])) || (_e11473.z != _e374[5])) && _e889);
-let _e11491 = global_3.member[_e370].member_10.member_24;
+let _e11491 = global_3.member[_e370].member_12.member_24;
 let _e11500 = (_e374[12] + (((((_e374[6] + _e374[7]) + _e374[8]) * _e10728) - _e10729) * (_e392 + ((_e6311.member_1.z - _e392) * 0.5f))));
-phi_26655_ = array<f32, 14>(select(_e374[0], _e6311.member_1.x, _e11486), select(_e374[1], _e6311.member_1.y, _e11486), select(_e374[2], _e6311.member_1.z, _e11486), select(_e374[3], _e11473.x, _e11486), select(_e374[4], _e11473.y, _e11486), select(_e374[5], _e11473.z, _e11486), select(_e10723, 0f, _e10744), select(_e10724, 0f, _e10744), select(_e10725, 0f, _e10744), select(0f, 1f, _e6311.member_6), select(_e374[10], 1f, _e11486), select(select(select(0f, 1f, _e11475), 2f, (_e10744 && (_e11491 == 0f))), 3f, _e466), _e11500, select(_e374[13], (_e11500 + (_e10729 * _e6311.member_1.z)), (_e11486 && (_e374[10] == 0f))));
+phi_26657_ = array<f32, 14>(select(_e374[0], _e6311.member_1.x, _e11486), select(_e374[1], _e6311.member_1.y, _e11486), select(_e374[2], _e6311.member_1.z, _e11486), select(_e374[3], _e11473.x, _e11486), select(_e374[4], _e11473.y, _e11486), select(_e374[5], _e11473.z, _e11486), select(_e10723, 0f, _e10744), select(_e10724, 0f, _e10744), select(_e10725, 0f, _e10744), select(0f, 1f, _e6311.member_6), select(_e374[10], 1f, _e11486), select(select(select(0f, 1f, _e11475), 2f, (_e10744 && (_e11491 == 0f))), 3f, _e466), _e11500, select(_e374[13], (_e11500 + (_e10729 * _e6311.member_1.z)), (_e11486 && (_e374[10] == 0f))));
 } else {
-phi_26655_ = _e374;
+phi_26657_ = _e374;
 }
-let _e11521 = phi_26655_;
-phi_555_ = (_e370 + 1u);
-phi_558_ = select(_e372, true, _e1059);
-phi_560_ = _e11521;
+let _e11521 = phi_26657_;
+phi_557_ = (_e370 + 1u);
+phi_560_ = select(_e372, true, _e1059);
+phi_562_ = _e11521;
 } else {
-phi_555_ = u32();
-phi_558_ = bool();
-phi_560_ = array<f32, 14>();
+phi_557_ = u32();
+phi_560_ = bool();
+phi_562_ = array<f32, 14>();
 }
-let _e11525 = phi_555_;
-let _e11527 = phi_558_;
-let _e11529 = phi_560_;
+let _e11525 = phi_557_;
+let _e11527 = phi_560_;
+let _e11529 = phi_562_;
 continue;
 continuing {
-phi_554_ = _e11525;
-phi_557_ = _e11527;
-phi_559_ = _e11529;
-phi_26722_ = false;
+phi_556_ = _e11525;
+phi_559_ = _e11527;
+phi_561_ = _e11529;
+phi_26724_ = false;
 break if !(_e375);
 }
 }
-let _e11532 = phi_26722_;
+let _e11532 = phi_26724_;
 if _e11532 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -267,36 +269,36 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_554_: u32;
-var phi_557_: bool;
-var phi_559_: array<f32, 14>;
-var phi_998_: bool;
-var phi_1178_: bool;
-var phi_1181_: bool;
-var phi_3023_: type_34;
-var phi_3036_: bool;
-var phi_4237_: type_39;
-var phi_4249_: bool;
-var phi_5445_: type_31;
-var phi_6968_: type_34;
-var phi_8196_: type_31;
-var phi_9734_: type_34;
-var phi_10962_: type_31;
-var phi_12500_: type_34;
-var phi_14248_: type_31;
-var phi_14520_: type_38;
-var phi_20037_: type_32;
-var phi_20800_: type_33;
-var phi_21774_: type_7;
-var phi_25272_: type_40;
-var phi_26671_: type_34;
-var phi_26827_: vec3<f32>;
-var phi_26828_: bool;
-var phi_26926_: array<f32, 14>;
-var phi_555_: u32;
-var phi_558_: bool;
-var phi_560_: array<f32, 14>;
-var phi_26993_: bool;
+var phi_556_: u32;
+var phi_559_: bool;
+var phi_561_: array<f32, 14>;
+var phi_1000_: bool;
+var phi_1180_: bool;
+var phi_1183_: bool;
+var phi_3025_: type_34;
+var phi_3038_: bool;
+var phi_4239_: type_39;
+var phi_4251_: bool;
+var phi_5447_: type_31;
+var phi_6970_: type_34;
+var phi_8198_: type_31;
+var phi_9736_: type_34;
+var phi_10964_: type_31;
+var phi_12502_: type_34;
+var phi_14250_: type_31;
+var phi_14522_: type_38;
+var phi_20039_: type_32;
+var phi_20802_: type_33;
+var phi_21776_: type_7;
+var phi_25274_: type_40;
+var phi_26673_: type_34;
+var phi_26829_: vec3<f32>;
+var phi_26830_: bool;
+var phi_26928_: array<f32, 14>;
+var phi_557_: u32;
+var phi_560_: bool;
+var phi_562_: array<f32, 14>;
+var phi_26995_: bool;
 var local_40: bool;
 var local_41: array<f32, 14>;
 var local_42: array<f32, 14>;
@@ -386,13 +388,13 @@ let _e357 = ((13u * _e211) + _e213);
 let _e358 = bitcast<i32>(_e357);
 let _e360 = select(_e216, _e358, (_e358 < _e216));
 let _e366 = global_5.member[bitcast<u32>(select(0i, _e360, (_e360 > 0i)))];
-phi_554_ = 0u;
-phi_557_ = false;
-phi_559_ = array<f32, 14>(_e224, _e234, _e245, _e256, _e267, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366);
+phi_556_ = 0u;
+phi_559_ = false;
+phi_561_ = array<f32, 14>(_e224, _e234, _e245, _e256, _e267, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366);
 loop {
-let _e369 = phi_554_;
-let _e371 = phi_557_;
-let _e373 = phi_559_;
+let _e369 = phi_556_;
+let _e371 = phi_559_;
+let _e373 = phi_561_;
 local_40 = _e371;
 local_41 = _e373;
 local_42 = _e373;
@@ -412,36 +414,36 @@ let _e374 = (_e369 < _e179);
 if _e374 {
 if _e374 {
 } else {
-phi_26993_ = true;
+phi_26995_ = true;
 break;
 }
 let _e378 = global_3.member[_e369].member;
-let _e391 = global_3.member[_e369].member_5.member;
+let _e391 = global_3.member[_e369].member_7.member;
 let _e393 = ((_e391 - _e373[2]) / _e373[5]);
 let _e395 = (_e373[0] + (_e373[3] * _e393));
 let _e397 = (_e373[1] + (_e373[4] * _e393));
-let _e402 = global_3.member[_e369].member_5.member_2;
+let _e402 = global_3.member[_e369].member_7.member_2;
 let _e403 = (_e402 / _e373[5]);
 let _e405 = (_e395 + (_e373[3] * _e403));
 let _e407 = (_e397 + (_e373[4] * _e403));
-let _e412 = global_3.member[_e369].member_5.member_1;
-let _e418 = global_3.member[_e369].member_13.member.member;
-let _e444 = global_3.member[_e369].member_13.member_1.member;
+let _e412 = global_3.member[_e369].member_7.member_1;
+let _e418 = global_3.member[_e369].member_15.member.member;
+let _e444 = global_3.member[_e369].member_15.member_1.member;
 let _e465 = (((((((_e418.member.member * _e395) + (_e418.member.member_1 * _e397)) + (_e418.member.member_2 * _e391)) + _e418.member_1) > 0f) && (((((_e418.member.member * _e405) + (_e418.member.member_1 * _e407)) + (_e418.member.member_2 * _e412)) + _e418.member_1) <= 0f)) || ((((((_e444.member.member * _e395) + (_e444.member.member_1 * _e397)) + (_e444.member.member_2 * _e391)) + _e444.member_1) > 0f) && (((((_e444.member.member * _e405) + (_e444.member.member_1 * _e407)) + (_e444.member.member_2 * _e412)) + _e444.member_1) <= 0f)));
-let _e470 = global_3.member[_e369].member_6.member;
+let _e470 = global_3.member[_e369].member_8.member;
 let _e481 = ((((_e470.member.member * _e395) + (_e470.member.member_1 * _e397)) + (_e470.member.member_2 * _e391)) + _e470.member_1);
-let _e486 = global_3.member[_e369].member_6.member_1;
+let _e486 = global_3.member[_e369].member_8.member_1;
 let _e497 = ((((_e486.member.member * _e395) + (_e486.member.member_1 * _e397)) + (_e486.member.member_2 * _e391)) + _e486.member_1);
-let _e502 = global_3.member[_e369].member_6.member_2;
+let _e502 = global_3.member[_e369].member_8.member_2;
 let _e513 = ((((_e502.member.member * _e395) + (_e502.member.member_1 * _e397)) + (_e502.member.member_2 * _e391)) + _e502.member_1);
 let _e519 = ((((_e470.member.member * _e405) + (_e470.member.member_1 * _e407)) + (_e470.member.member_2 * _e412)) + _e470.member_1);
 let _e525 = ((((_e486.member.member * _e405) + (_e486.member.member_1 * _e407)) + (_e486.member.member_2 * _e412)) + _e486.member_1);
 let _e531 = ((((_e502.member.member * _e405) + (_e502.member.member_1 * _e407)) + (_e502.member.member_2 * _e412)) + _e502.member_1);
-let _e538 = global_3.member[_e369].member_6.member_3.member;
+let _e538 = global_3.member[_e369].member_8.member_3.member;
 let _e539 = (_e538 - 1f);
-let _e549 = global_3.member[_e369].member_6.member_3.member_1;
+let _e549 = global_3.member[_e369].member_8.member_3.member_1;
 let _e550 = (_e549 - 1f);
-let _e560 = global_3.member[_e369].member_6.member_3.member_2;
+let _e560 = global_3.member[_e369].member_8.member_3.member_2;
 let _e561 = (_e560 - 1f);
 let _e575 = (((((((_e481 >= 0f) && (_e481 <= _e539)) && (_e497 >= 0f)) && (_e497 <= _e550)) && (_e513 >= 0f)) && (_e513 <= _e561)) && ((((((_e519 >= 0f) && (_e519 <= _e539)) && (_e525 >= 0f)) && (_e525 <= _e550)) && (_e531 >= 0f)) && (_e531 <= _e561)));
 let _e577 = (_e378.member_2 == 5u);
@@ -457,22 +459,22 @@ let _e600 = ((((_e481 >= _e585) && (_e481 <= _e588)) && ((_e497 >= _e585) && (_e
 let _e604 = global_3.member[_e369].member_1;
 let _e606 = ((_e604 & 16u) == 0u);
 if _e606 {
-phi_998_ = _e600;
+phi_1000_ = _e600;
 } else {
-let _e612 = global_3.member[_e369].member_6.member.member;
+let _e612 = global_3.member[_e369].member_8.member.member;
 let _e620 = (((_e612.member * _e612.member) + (_e612.member_1 * _e612.member_1)) + (_e612.member_2 * _e612.member_2));
-let _e629 = global_3.member[_e369].member_14.member;
+let _e629 = global_3.member[_e369].member_16.member;
 let _e641 = -((0.5f / sqrt(select(0f, _e620, (_e620 > 0f)))));
-let _e647 = global_3.member[_e369].member_14.member_1;
-let _e654 = global_3.member[_e369].member_15.member;
-let _e671 = global_3.member[_e369].member_15.member_1;
-let _e679 = global_3.member[_e369].member_16.member;
-let _e696 = global_3.member[_e369].member_16.member_1;
-let _e704 = global_3.member[_e369].member_17.member;
-let _e721 = global_3.member[_e369].member_17.member_1;
-phi_998_ = (_e600 && (((((((((_e629.member.member * _e395) + (_e629.member.member_1 * _e397)) + (_e629.member.member_2 * _e391)) + _e629.member_1) <= _e641) || (_e647 == 0u)) && ((((((_e654.member.member * _e395) + (_e654.member.member_1 * _e397)) + (_e654.member.member_2 * _e391)) + _e654.member_1) <= _e641) || (_e671 == 0u))) && ((((((_e679.member.member * _e395) + (_e679.member.member_1 * _e397)) + (_e679.member.member_2 * _e391)) + _e679.member_1) <= _e641) || (_e696 == 0u))) && ((((((_e704.member.member * _e395) + (_e704.member.member_1 * _e397)) + (_e704.member.member_2 * _e391)) + _e704.member_1) <= _e641) || (_e721 == 0u))));
+let _e647 = global_3.member[_e369].member_16.member_1;
+let _e654 = global_3.member[_e369].member_17.member;
+let _e671 = global_3.member[_e369].member_17.member_1;
+let _e679 = global_3.member[_e369].member_18.member;
+let _e696 = global_3.member[_e369].member_18.member_1;
+let _e704 = global_3.member[_e369].member_19.member;
+let _e721 = global_3.member[_e369].member_19.member_1;
+phi_1000_ = (_e600 && (((((((((_e629.member.member * _e395) + (_e629.member.member_1 * _e397)) + (_e629.member.member_2 * _e391)) + _e629.member_1) <= _e641) || (_e647 == 0u)) && ((((((_e654.member.member * _e395) + (_e654.member.member_1 * _e397)) + (_e654.member.member_2 * _e391)) + _e654.member_1) <= _e641) || (_e671 == 0u))) && ((((((_e679.member.member * _e395) + (_e679.member.member_1 * _e397)) + (_e679.member.member_2 * _e391)) + _e679.member_1) <= _e641) || (_e696 == 0u))) && ((((((_e704.member.member * _e395) + (_e704.member.member_1 * _e397)) + (_e704.member.member_2 * _e391)) + _e704.member_1) <= _e641) || (_e721 == 0u))));
 }
-let _e727 = phi_998_;
+let _e727 = phi_1000_;
 let _e731 = (_e405 + (_e405 - _e395));
 let _e732 = (_e407 + (_e407 - _e397));
 let _e733 = (_e412 + (_e412 - _e391));
@@ -481,29 +483,29 @@ let _e745 = ((((_e486.member.member * _e731) + (_e486.member.member_1 * _e732)) 
 let _e751 = ((((_e502.member.member * _e731) + (_e502.member.member_1 * _e732)) + (_e502.member.member_2 * _e733)) + _e502.member_1);
 let _e762 = ((((_e739 >= _e585) && (_e739 <= _e588)) && ((_e745 >= _e585) && (_e745 <= _e592))) && ((_e751 >= _e585) && (_e751 <= _e597)));
 if _e606 {
-phi_1178_ = _e762;
+phi_1180_ = _e762;
 } else {
-let _e768 = global_3.member[_e369].member_6.member.member;
+let _e768 = global_3.member[_e369].member_8.member.member;
 let _e776 = (((_e768.member * _e768.member) + (_e768.member_1 * _e768.member_1)) + (_e768.member_2 * _e768.member_2));
-let _e785 = global_3.member[_e369].member_14.member;
+let _e785 = global_3.member[_e369].member_16.member;
 let _e797 = -((0.5f / sqrt(select(0f, _e776, (_e776 > 0f)))));
-let _e803 = global_3.member[_e369].member_14.member_1;
-let _e810 = global_3.member[_e369].member_15.member;
-let _e827 = global_3.member[_e369].member_15.member_1;
-let _e835 = global_3.member[_e369].member_16.member;
-let _e852 = global_3.member[_e369].member_16.member_1;
-let _e860 = global_3.member[_e369].member_17.member;
-let _e877 = global_3.member[_e369].member_17.member_1;
-phi_1178_ = (_e762 && (((((((((_e785.member.member * _e731) + (_e785.member.member_1 * _e732)) + (_e785.member.member_2 * _e733)) + _e785.member_1) <= _e797) || (_e803 == 0u)) && ((((((_e810.member.member * _e731) + (_e810.member.member_1 * _e732)) + (_e810.member.member_2 * _e733)) + _e810.member_1) <= _e797) || (_e827 == 0u))) && ((((((_e835.member.member * _e731) + (_e835.member.member_1 * _e732)) + (_e835.member.member_2 * _e733)) + _e835.member_1) <= _e797) || (_e852 == 0u))) && ((((((_e860.member.member * _e731) + (_e860.member.member_1 * _e732)) + (_e860.member.member_2 * _e733)) + _e860.member_1) <= _e797) || (_e877 == 0u))));
+let _e803 = global_3.member[_e369].member_16.member_1;
+let _e810 = global_3.member[_e369].member_17.member;
+let _e827 = global_3.member[_e369].member_17.member_1;
+let _e835 = global_3.member[_e369].member_18.member;
+let _e852 = global_3.member[_e369].member_18.member_1;
+let _e860 = global_3.member[_e369].member_19.member;
+let _e877 = global_3.member[_e369].member_19.member_1;
+phi_1180_ = (_e762 && (((((((((_e785.member.member * _e731) + (_e785.member.member_1 * _e732)) + (_e785.member.member_2 * _e733)) + _e785.member_1) <= _e797) || (_e803 == 0u)) && ((((((_e810.member.member * _e731) + (_e810.member.member_1 * _e732)) + (_e810.member.member_2 * _e733)) + _e810.member_1) <= _e797) || (_e827 == 0u))) && ((((((_e835.member.member * _e731) + (_e835.member.member_1 * _e732)) + (_e835.member.member_2 * _e733)) + _e835.member_1) <= _e797) || (_e852 == 0u))) && ((((((_e860.member.member * _e731) + (_e860.member.member_1 * _e732)) + (_e860.member.member_2 * _e733)) + _e860.member_1) <= _e797) || (_e877 == 0u))));
 }
-let _e883 = phi_1178_;
-phi_1181_ = (_e575 && (_e727 && _e883));
+let _e883 = phi_1180_;
+phi_1183_ = (_e575 && (_e727 && _e883));
 } else {
-phi_1181_ = _e575;
+phi_1183_ = _e575;
 }
-let _e887 = phi_1181_;
+let _e887 = phi_1183_;
 let _e888 = !(_e465);
-let _e896 = global_3.member[_e369].member_6.member_4;
+let _e896 = global_3.member[_e369].member_8.member_4;
 let _e897 = (_e538 - 0.5f);
 let _e899 = select(-0.5f, _e519, (_e519 > -0.5f));
 let _e901 = select(_e897, _e899, (_e899 < _e897));
@@ -528,7 +530,7 @@ let _e946 = (_e901 + 0.5f);
 let _e948 = select(0f, _e946, (_e946 > 0f));
 let _e950 = select(_e539, _e948, (_e948 < _e539));
 let _e957 = select(0i, select(select(i32(_e950), i32(-2147483648), (_e950 < -2147483600f)), 2147483647i, (_e950 > 2147483500f)), (_e950 == _e950));
-let _e966 = global_3.member[_e369].member_6.member_12;
+let _e966 = global_3.member[_e369].member_8.member_12;
 let _e967 = (_e966 & 31u);
 let _e970 = (_e906 + 0.5f);
 let _e972 = select(0f, _e970, (_e970 > 0f));
@@ -538,9 +540,9 @@ let _e988 = (_e911 + 0.5f);
 let _e990 = select(0f, _e988, (_e988 > 0f));
 let _e992 = select(_e561, _e990, (_e990 < _e561));
 let _e999 = select(0i, select(select(i32(_e992), i32(-2147483648), (_e992 < -2147483600f)), 2147483647i, (_e992 > 2147483500f)), (_e992 == _e992));
-let _e1011 = global_3.member[_e369].member_6.member_9.member;
-let _e1018 = global_3.member[_e369].member_6.member_9.member_1;
-let _e1024 = global_3.member[_e369].member_6.member_10;
+let _e1011 = global_3.member[_e369].member_8.member_9.member;
+let _e1018 = global_3.member[_e369].member_8.member_9.member_1;
+let _e1024 = global_3.member[_e369].member_8.member_10;
 let _e1030 = ((bitcast<i32>(_e1024) + ((_e957 - select(0i, 1i, (_e950 < f32(_e957)))) >> bitcast<u32>(_e967))) + (bitcast<i32>(_e1011) * (((_e981 - select(0i, 1i, (_e974 < f32(_e981)))) >> bitcast<u32>(_e967)) + (bitcast<i32>(_e1018) * ((_e999 - select(0i, 1i, (_e992 < f32(_e999)))) >> bitcast<u32>(_e967))))));
 let _e1032 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1034 = select(_e1032, _e1030, (_e1030 < _e1032));
@@ -556,9 +558,9 @@ let _e1075 = (((_e1068 * _e1068) + (_e1069 * _e1069)) + (_e1070 * _e1070));
 let _e1078 = sqrt(select(0f, _e1075, (_e1075 > 0f)));
 let _e1079 = type_38(type_31(1f, 1f), vec3<f32>(_e405, _e407, _e412), _e1059, _e1078, _e403, _e1059, true, false, false);
 if _e584 {
-let _e1181 = global_3.member[_e369].member_6.member.member;
-let _e1190 = global_3.member[_e369].member_6.member_1.member;
-let _e1199 = global_3.member[_e369].member_6.member_2.member;
+let _e1181 = global_3.member[_e369].member_8.member.member;
+let _e1190 = global_3.member[_e369].member_8.member_1.member;
+let _e1199 = global_3.member[_e369].member_8.member_2.member;
 let _e1203 = (-0.5f - _e481);
 let _e1204 = (-0.5f - _e519);
 let _e1205 = -(_e1203);
@@ -666,16 +668,16 @@ let _e1443 = select(select(select(select(select(select(0f, _e1181.member_1, _e12
 let _e1444 = select(select(select(select(select(select(1f, _e1181.member_2, _e1223), _e1181.member_2, _e1263), _e1190.member_2, _e1303), _e1190.member_2, _e1343), _e1199.member_2, _e1383), _e1199.member_2, _e1423);
 let _e1448 = ((_e1047 & 16u) == 0u);
 if _e1448 {
-phi_3023_ = type_34(_e1429, vec3<f32>(_e1430, _e1431, _e1432), _e1434, vec3<f32>(_e1435, _e1436, _e1437), _e1439, _e1441, vec3<f32>(_e1442, _e1443, _e1444));
+phi_3025_ = type_34(_e1429, vec3<f32>(_e1430, _e1431, _e1432), _e1434, vec3<f32>(_e1435, _e1436, _e1437), _e1439, _e1441, vec3<f32>(_e1442, _e1443, _e1444));
 } else {
 let _e1453 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e1456 = sqrt(select(0f, _e1453, (_e1453 > 0f)));
-let _e1461 = global_3.member[_e369].member_14.member_1;
+let _e1461 = global_3.member[_e369].member_16.member_1;
 let _e1462 = (_e1461 != 0u);
-let _e1467 = global_3.member[_e369].member_14.member;
+let _e1467 = global_3.member[_e369].member_16.member;
 let _e1487 = select(-1e6f, (((((_e1467.member.member * _e395) + (_e1467.member.member_1 * _e397)) + (_e1467.member.member_2 * _e391)) + _e1467.member_1) * _e1456), _e1462);
 let _e1488 = select(-1e6f, (((((_e1467.member.member * _e405) + (_e1467.member.member_1 * _e407)) + (_e1467.member.member_2 * _e412)) + _e1467.member_1) * _e1456), _e1462);
-let _e1494 = global_3.member[_e369].member_14.member.member;
+let _e1494 = global_3.member[_e369].member_16.member.member;
 let _e1498 = -(_e1487);
 let _e1501 = (_e1487 - _e1488);
 let _e1502 = (_e1488 - _e1487);
@@ -690,12 +692,12 @@ let _e1522 = select(_e1429, _e1511, _e1520);
 let _e1526 = select(_e1434, _e1515, _e1521);
 let _e1530 = select(_e1439, _e1487, _e1516);
 let _e1532 = select(_e1441, _e1488, (_e1488 > _e1441));
-let _e1540 = global_3.member[_e369].member_15.member_1;
+let _e1540 = global_3.member[_e369].member_17.member_1;
 let _e1541 = (_e1540 != 0u);
-let _e1546 = global_3.member[_e369].member_15.member;
+let _e1546 = global_3.member[_e369].member_17.member;
 let _e1566 = select(-1e6f, (((((_e1546.member.member * _e395) + (_e1546.member.member_1 * _e397)) + (_e1546.member.member_2 * _e391)) + _e1546.member_1) * _e1456), _e1541);
 let _e1567 = select(-1e6f, (((((_e1546.member.member * _e405) + (_e1546.member.member_1 * _e407)) + (_e1546.member.member_2 * _e412)) + _e1546.member_1) * _e1456), _e1541);
-let _e1573 = global_3.member[_e369].member_15.member.member;
+let _e1573 = global_3.member[_e369].member_17.member.member;
 let _e1577 = -(_e1566);
 let _e1580 = (_e1566 - _e1567);
 let _e1581 = (_e1567 - _e1566);
@@ -710,12 +712,12 @@ let _e1601 = select(_e1522, _e1590, _e1599);
 let _e1605 = select(_e1526, _e1594, _e1600);
 let _e1609 = select(_e1530, _e1566, _e1595);
 let _e1611 = select(_e1532, _e1567, (_e1567 > _e1532));
-let _e1619 = global_3.member[_e369].member_16.member_1;
+let _e1619 = global_3.member[_e369].member_18.member_1;
 let _e1620 = (_e1619 != 0u);
-let _e1625 = global_3.member[_e369].member_16.member;
+let _e1625 = global_3.member[_e369].member_18.member;
 let _e1645 = select(-1e6f, (((((_e1625.member.member * _e395) + (_e1625.member.member_1 * _e397)) + (_e1625.member.member_2 * _e391)) + _e1625.member_1) * _e1456), _e1620);
 let _e1646 = select(-1e6f, (((((_e1625.member.member * _e405) + (_e1625.member.member_1 * _e407)) + (_e1625.member.member_2 * _e412)) + _e1625.member_1) * _e1456), _e1620);
-let _e1652 = global_3.member[_e369].member_16.member.member;
+let _e1652 = global_3.member[_e369].member_18.member.member;
 let _e1656 = -(_e1645);
 let _e1659 = (_e1645 - _e1646);
 let _e1660 = (_e1646 - _e1645);
@@ -730,12 +732,12 @@ let _e1680 = select(_e1601, _e1669, _e1678);
 let _e1684 = select(_e1605, _e1673, _e1679);
 let _e1688 = select(_e1609, _e1645, _e1674);
 let _e1690 = select(_e1611, _e1646, (_e1646 > _e1611));
-let _e1698 = global_3.member[_e369].member_17.member_1;
+let _e1698 = global_3.member[_e369].member_19.member_1;
 let _e1699 = (_e1698 != 0u);
-let _e1704 = global_3.member[_e369].member_17.member;
+let _e1704 = global_3.member[_e369].member_19.member;
 let _e1724 = select(-1e6f, (((((_e1704.member.member * _e395) + (_e1704.member.member_1 * _e397)) + (_e1704.member.member_2 * _e391)) + _e1704.member_1) * _e1456), _e1699);
 let _e1725 = select(-1e6f, (((((_e1704.member.member * _e405) + (_e1704.member.member_1 * _e407)) + (_e1704.member.member_2 * _e412)) + _e1704.member_1) * _e1456), _e1699);
-let _e1731 = global_3.member[_e369].member_17.member.member;
+let _e1731 = global_3.member[_e369].member_19.member.member;
 let _e1735 = -(_e1724);
 let _e1738 = (_e1724 - _e1725);
 let _e1739 = (_e1725 - _e1724);
@@ -746,16 +748,16 @@ let _e1752 = select(2f, select(0f, _e1744, (_e1724 < 0f)), (_e1725 > 0f));
 let _e1753 = (_e1724 > _e1688);
 let _e1757 = ((_e1748 > _e1680) || ((_e1748 == _e1680) && _e1753));
 let _e1758 = (_e1752 < _e1684);
-phi_3023_ = type_34(select(_e1680, _e1748, _e1757), vec3<f32>(select(select(select(select(_e1430, _e1494.member, _e1520), _e1573.member, _e1599), _e1652.member, _e1678), _e1731.member, _e1757), select(select(select(select(_e1431, _e1494.member_1, _e1520), _e1573.member_1, _e1599), _e1652.member_1, _e1678), _e1731.member_1, _e1757), select(select(select(select(_e1432, _e1494.member_2, _e1520), _e1573.member_2, _e1599), _e1652.member_2, _e1678), _e1731.member_2, _e1757)), select(_e1684, _e1752, _e1758), vec3<f32>(select(select(select(select(_e1435, _e1494.member, _e1521), _e1573.member, _e1600), _e1652.member, _e1679), _e1731.member, _e1758), select(select(select(select(_e1436, _e1494.member_1, _e1521), _e1573.member_1, _e1600), _e1652.member_1, _e1679), _e1731.member_1, _e1758), select(select(select(select(_e1437, _e1494.member_2, _e1521), _e1573.member_2, _e1600), _e1652.member_2, _e1679), _e1731.member_2, _e1758)), select(_e1688, _e1724, _e1753), select(_e1690, _e1725, (_e1725 > _e1690)), vec3<f32>(select(select(select(select(_e1442, _e1494.member, _e1516), _e1573.member, _e1595), _e1652.member, _e1674), _e1731.member, _e1753), select(select(select(select(_e1443, _e1494.member_1, _e1516), _e1573.member_1, _e1595), _e1652.member_1, _e1674), _e1731.member_1, _e1753), select(select(select(select(_e1444, _e1494.member_2, _e1516), _e1573.member_2, _e1595), _e1652.member_2, _e1674), _e1731.member_2, _e1753)));
+phi_3025_ = type_34(select(_e1680, _e1748, _e1757), vec3<f32>(select(select(select(select(_e1430, _e1494.member, _e1520), _e1573.member, _e1599), _e1652.member, _e1678), _e1731.member, _e1757), select(select(select(select(_e1431, _e1494.member_1, _e1520), _e1573.member_1, _e1599), _e1652.member_1, _e1678), _e1731.member_1, _e1757), select(select(select(select(_e1432, _e1494.member_2, _e1520), _e1573.member_2, _e1599), _e1652.member_2, _e1678), _e1731.member_2, _e1757)), select(_e1684, _e1752, _e1758), vec3<f32>(select(select(select(select(_e1435, _e1494.member, _e1521), _e1573.member, _e1600), _e1652.member, _e1679), _e1731.member, _e1758), select(select(select(select(_e1436, _e1494.member_1, _e1521), _e1573.member_1, _e1600), _e1652.member_1, _e1679), _e1731.member_1, _e1758), select(select(select(select(_e1437, _e1494.member_2, _e1521), _e1573.member_2, _e1600), _e1652.member_2, _e1679), _e1731.member_2, _e1758)), select(_e1688, _e1724, _e1753), select(_e1690, _e1725, (_e1725 > _e1690)), vec3<f32>(select(select(select(select(_e1442, _e1494.member, _e1516), _e1573.member, _e1595), _e1652.member, _e1674), _e1731.member, _e1753), select(select(select(select(_e1443, _e1494.member_1, _e1516), _e1573.member_1, _e1595), _e1652.member_1, _e1674), _e1731.member_1, _e1753), select(select(select(select(_e1444, _e1494.member_2, _e1516), _e1573.member_2, _e1595), _e1652.member_2, _e1674), _e1731.member_2, _e1753)));
 }
-let _e1778 = phi_3023_;
+let _e1778 = phi_3025_;
 if ((_e1778.member_4 > -(0.015625f)) && (_e1778.member_4 < 0.015625f)) {
-phi_3036_ = (_e373[9] != 0f);
+phi_3038_ = (_e373[9] != 0f);
 } else {
-phi_3036_ = (_e1778.member_4 < 0f);
+phi_3038_ = (_e1778.member_4 < 0f);
 }
-let _e1787 = phi_3036_;
-let _e1792 = global_3.member[_e369].member_10.member_9;
+let _e1787 = phi_3038_;
+let _e1792 = global_3.member[_e369].member_12.member_9;
 let _e1796 = select(-0.5f, _e481, (_e481 > -0.5f));
 let _e1798 = select(_e897, _e1796, (_e1796 < _e897));
 let _e1800 = select(-0.5f, _e497, (_e497 > -0.5f));
@@ -774,8 +776,8 @@ let _e1838 = select(-1f, _e1806, (_e1806 > -1f));
 let _e1840 = select(_e560, _e1838, (_e1838 < _e560));
 let _e1847 = select(0i, select(select(i32(_e1840), i32(-2147483648), (_e1840 < -2147483600f)), 2147483647i, (_e1840 > 2147483500f)), (_e1840 == _e1840));
 let _e1851 = (_e1847 - select(0i, 1i, (_e1840 < f32(_e1847))));
-let _e1856 = global_3.member[_e369].member_6.member_7;
-let _e1861 = global_3.member[_e369].member_6.member_8;
+let _e1856 = global_3.member[_e369].member_8.member_7;
+let _e1861 = global_3.member[_e369].member_8.member_8;
 let _e1869 = (select(0i, select(select(i32(_e549), i32(-2147483648), (_e549 < -2147483600f)), 2147483647i, (_e549 > 2147483500f)), (_e549 == _e549)) - 1i);
 let _e1872 = (_e1836 + 1i);
 let _e1882 = (select(0i, select(select(i32(_e560), i32(-2147483648), (_e560 < -2147483600f)), 2147483647i, (_e560 > 2147483500f)), (_e560 == _e560)) - 1i);
@@ -858,8 +860,8 @@ let _e2145 = local_38.member_1[2u];
 let _e2152 = local_39[0u];
 let _e2156 = local_39[1u];
 let _e2161 = local_39[2u];
-let _e2169 = global_3.member[_e369].member_6.member_6;
-let _e2174 = global_3.member[_e369].member_6.member_5;
+let _e2169 = global_3.member[_e369].member_8.member_6;
+let _e2174 = global_3.member[_e369].member_8.member_5;
 let _e2176 = (((_e2053 + (((_e2104 + (((_e2144 + ((f32(bitcast<i32>(((_e2137 >> bitcast<u32>((_e2145 & 31u))) & 255u))) - _e2144) * _e2152)) - _e2104) * _e2156)) - _e2053) * _e2161)) - _e2169) * _e2174);
 let _e2177 = -(1e9f);
 let _e2179 = select(_e2177, _e2176, (_e2176 > _e2177));
@@ -937,17 +939,17 @@ let _e2379 = (_e373[3] * _e2378);
 let _e2380 = (_e373[4] * _e2378);
 let _e2381 = (_e373[5] * _e2378);
 if _e1787 {
-phi_4237_ = type_39(_e1778.member_2, _e1778.member_3);
+phi_4239_ = type_39(_e1778.member_2, _e1778.member_3);
 } else {
-phi_4237_ = type_39(_e1778.member, _e1778.member_1);
+phi_4239_ = type_39(_e1778.member, _e1778.member_1);
 }
-let _e2389 = phi_4237_;
+let _e2389 = phi_4239_;
 if _e1787 {
-phi_4249_ = (_e1778.member_2 <= 1f);
+phi_4251_ = (_e1778.member_2 <= 1f);
 } else {
-phi_4249_ = ((_e1778.member <= 1f) && (_e1778.member < _e1778.member_2));
+phi_4251_ = ((_e1778.member <= 1f) && (_e1778.member < _e1778.member_2));
 }
-let _e2397 = phi_4249_;
+let _e2397 = phi_4251_;
 let _e2400 = select(1f, _e2389.member, _e2397);
 let _e2404 = (_e395 + (_e1068 * _e2400));
 let _e2405 = (_e397 + (_e1069 * _e2400));
@@ -1081,11 +1083,11 @@ let _e2834 = global_2.member[_e2367];
 let _e2835 = bitcast<f32>(_e2834);
 let _e2841 = ((_e2832 + (f32(bitcast<i32>((_e2817 >> bitcast<u32>(12u)))) * _e2835)) + ((f32((bitcast<i32>((_e2817 & 4095u)) - 2048i)) * _e2828) * (_e2794 - f32(_e2809))));
 if _e1787 {
-phi_5445_ = type_31(_e2841, 1f);
+phi_5447_ = type_31(_e2841, 1f);
 } else {
-phi_5445_ = type_31(1f, _e2841);
+phi_5447_ = type_31(1f, _e2841);
 }
-let _e2845 = phi_5445_;
+let _e2845 = phi_5447_;
 let _e2850 = ((_e2845.member_1 * _e2845.member_1) - (_e2845.member * _e2845.member));
 let _e2858 = (((_e2389.member_1.x * _e2389.member_1.x) + (_e2389.member_1.y * _e2389.member_1.y)) + (_e2389.member_1.z * _e2389.member_1.z));
 let _e2861 = sqrt(select(0f, _e2858, (_e2858 > 0f)));
@@ -1102,7 +1104,7 @@ let _e2885 = (_e2850 == 0f);
 let _e2897 = select(_e2379, select((_e2379 + (_e2865 * _e2884)), _e2379, _e2885), _e2397);
 let _e2898 = select(_e2380, select((_e2380 + (_e2866 * _e2884)), _e2380, _e2885), _e2397);
 let _e2899 = select(_e2381, select((_e2381 + (_e2867 * _e2884)), _e2381, _e2885), _e2397);
-let _e2904 = global_3.member[_e369].member_5.member_4;
+let _e2904 = global_3.member[_e369].member_7.member_4;
 let _e2905 = (_e2904 * _e2904);
 let _e2909 = (_e2899 * _e2899);
 let _e2913 = (_e2397 && (_e2845.member != _e2845.member_1));
@@ -1221,16 +1223,16 @@ let _e3190 = select(select(select(select(select(select(0f, _e1181.member, _e2971
 let _e3191 = select(select(select(select(select(select(0f, _e1181.member_1, _e2971), _e1181.member_1, _e3011), _e1190.member_1, _e3051), _e1190.member_1, _e3091), _e1199.member_1, _e3131), _e1199.member_1, _e3171);
 let _e3192 = select(select(select(select(select(select(1f, _e1181.member_2, _e2971), _e1181.member_2, _e3011), _e1190.member_2, _e3051), _e1190.member_2, _e3091), _e1199.member_2, _e3131), _e1199.member_2, _e3171);
 if _e1448 {
-phi_6968_ = type_34(_e3177, vec3<f32>(_e3178, _e3179, _e3180), _e3182, vec3<f32>(_e3183, _e3184, _e3185), _e3187, _e3189, vec3<f32>(_e3190, _e3191, _e3192));
+phi_6970_ = type_34(_e3177, vec3<f32>(_e3178, _e3179, _e3180), _e3182, vec3<f32>(_e3183, _e3184, _e3185), _e3187, _e3189, vec3<f32>(_e3190, _e3191, _e3192));
 } else {
 let _e3199 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e3202 = sqrt(select(0f, _e3199, (_e3199 > 0f)));
-let _e3207 = global_3.member[_e369].member_14.member_1;
+let _e3207 = global_3.member[_e369].member_16.member_1;
 let _e3208 = (_e3207 != 0u);
-let _e3213 = global_3.member[_e369].member_14.member;
+let _e3213 = global_3.member[_e369].member_16.member;
 let _e3233 = select(-1e6f, (((((_e3213.member.member * _e2404) + (_e3213.member.member_1 * _e2405)) + (_e3213.member.member_2 * _e2406)) + _e3213.member_1) * _e3202), _e3208);
 let _e3234 = select(-1e6f, (((((_e3213.member.member * _e2927) + (_e3213.member.member_1 * _e2928)) + (_e3213.member.member_2 * _e2929)) + _e3213.member_1) * _e3202), _e3208);
-let _e3240 = global_3.member[_e369].member_14.member.member;
+let _e3240 = global_3.member[_e369].member_16.member.member;
 let _e3244 = -(_e3233);
 let _e3247 = (_e3233 - _e3234);
 let _e3248 = (_e3234 - _e3233);
@@ -1245,12 +1247,12 @@ let _e3268 = select(_e3177, _e3257, _e3266);
 let _e3272 = select(_e3182, _e3261, _e3267);
 let _e3276 = select(_e3187, _e3233, _e3262);
 let _e3278 = select(_e3189, _e3234, (_e3234 > _e3189));
-let _e3286 = global_3.member[_e369].member_15.member_1;
+let _e3286 = global_3.member[_e369].member_17.member_1;
 let _e3287 = (_e3286 != 0u);
-let _e3292 = global_3.member[_e369].member_15.member;
+let _e3292 = global_3.member[_e369].member_17.member;
 let _e3312 = select(-1e6f, (((((_e3292.member.member * _e2404) + (_e3292.member.member_1 * _e2405)) + (_e3292.member.member_2 * _e2406)) + _e3292.member_1) * _e3202), _e3287);
 let _e3313 = select(-1e6f, (((((_e3292.member.member * _e2927) + (_e3292.member.member_1 * _e2928)) + (_e3292.member.member_2 * _e2929)) + _e3292.member_1) * _e3202), _e3287);
-let _e3319 = global_3.member[_e369].member_15.member.member;
+let _e3319 = global_3.member[_e369].member_17.member.member;
 let _e3323 = -(_e3312);
 let _e3326 = (_e3312 - _e3313);
 let _e3327 = (_e3313 - _e3312);
@@ -1265,12 +1267,12 @@ let _e3347 = select(_e3268, _e3336, _e3345);
 let _e3351 = select(_e3272, _e3340, _e3346);
 let _e3355 = select(_e3276, _e3312, _e3341);
 let _e3357 = select(_e3278, _e3313, (_e3313 > _e3278));
-let _e3365 = global_3.member[_e369].member_16.member_1;
+let _e3365 = global_3.member[_e369].member_18.member_1;
 let _e3366 = (_e3365 != 0u);
-let _e3371 = global_3.member[_e369].member_16.member;
+let _e3371 = global_3.member[_e369].member_18.member;
 let _e3391 = select(-1e6f, (((((_e3371.member.member * _e2404) + (_e3371.member.member_1 * _e2405)) + (_e3371.member.member_2 * _e2406)) + _e3371.member_1) * _e3202), _e3366);
 let _e3392 = select(-1e6f, (((((_e3371.member.member * _e2927) + (_e3371.member.member_1 * _e2928)) + (_e3371.member.member_2 * _e2929)) + _e3371.member_1) * _e3202), _e3366);
-let _e3398 = global_3.member[_e369].member_16.member.member;
+let _e3398 = global_3.member[_e369].member_18.member.member;
 let _e3402 = -(_e3391);
 let _e3405 = (_e3391 - _e3392);
 let _e3406 = (_e3392 - _e3391);
@@ -1285,12 +1287,12 @@ let _e3426 = select(_e3347, _e3415, _e3424);
 let _e3430 = select(_e3351, _e3419, _e3425);
 let _e3434 = select(_e3355, _e3391, _e3420);
 let _e3436 = select(_e3357, _e3392, (_e3392 > _e3357));
-let _e3444 = global_3.member[_e369].member_17.member_1;
+let _e3444 = global_3.member[_e369].member_19.member_1;
 let _e3445 = (_e3444 != 0u);
-let _e3450 = global_3.member[_e369].member_17.member;
+let _e3450 = global_3.member[_e369].member_19.member;
 let _e3470 = select(-1e6f, (((((_e3450.member.member * _e2404) + (_e3450.member.member_1 * _e2405)) + (_e3450.member.member_2 * _e2406)) + _e3450.member_1) * _e3202), _e3445);
 let _e3471 = select(-1e6f, (((((_e3450.member.member * _e2927) + (_e3450.member.member_1 * _e2928)) + (_e3450.member.member_2 * _e2929)) + _e3450.member_1) * _e3202), _e3445);
-let _e3477 = global_3.member[_e369].member_17.member.member;
+let _e3477 = global_3.member[_e369].member_19.member.member;
 let _e3481 = -(_e3470);
 let _e3484 = (_e3470 - _e3471);
 let _e3485 = (_e3471 - _e3470);
@@ -1301,9 +1303,9 @@ let _e3498 = select(2f, select(0f, _e3490, (_e3470 < 0f)), (_e3471 > 0f));
 let _e3499 = (_e3470 > _e3434);
 let _e3503 = ((_e3494 > _e3426) || ((_e3494 == _e3426) && _e3499));
 let _e3504 = (_e3498 < _e3430);
-phi_6968_ = type_34(select(_e3426, _e3494, _e3503), vec3<f32>(select(select(select(select(_e3178, _e3240.member, _e3266), _e3319.member, _e3345), _e3398.member, _e3424), _e3477.member, _e3503), select(select(select(select(_e3179, _e3240.member_1, _e3266), _e3319.member_1, _e3345), _e3398.member_1, _e3424), _e3477.member_1, _e3503), select(select(select(select(_e3180, _e3240.member_2, _e3266), _e3319.member_2, _e3345), _e3398.member_2, _e3424), _e3477.member_2, _e3503)), select(_e3430, _e3498, _e3504), vec3<f32>(select(select(select(select(_e3183, _e3240.member, _e3267), _e3319.member, _e3346), _e3398.member, _e3425), _e3477.member, _e3504), select(select(select(select(_e3184, _e3240.member_1, _e3267), _e3319.member_1, _e3346), _e3398.member_1, _e3425), _e3477.member_1, _e3504), select(select(select(select(_e3185, _e3240.member_2, _e3267), _e3319.member_2, _e3346), _e3398.member_2, _e3425), _e3477.member_2, _e3504)), select(_e3434, _e3470, _e3499), select(_e3436, _e3471, (_e3471 > _e3436)), vec3<f32>(select(select(select(select(_e3190, _e3240.member, _e3262), _e3319.member, _e3341), _e3398.member, _e3420), _e3477.member, _e3499), select(select(select(select(_e3191, _e3240.member_1, _e3262), _e3319.member_1, _e3341), _e3398.member_1, _e3420), _e3477.member_1, _e3499), select(select(select(select(_e3192, _e3240.member_2, _e3262), _e3319.member_2, _e3341), _e3398.member_2, _e3420), _e3477.member_2, _e3499)));
+phi_6970_ = type_34(select(_e3426, _e3494, _e3503), vec3<f32>(select(select(select(select(_e3178, _e3240.member, _e3266), _e3319.member, _e3345), _e3398.member, _e3424), _e3477.member, _e3503), select(select(select(select(_e3179, _e3240.member_1, _e3266), _e3319.member_1, _e3345), _e3398.member_1, _e3424), _e3477.member_1, _e3503), select(select(select(select(_e3180, _e3240.member_2, _e3266), _e3319.member_2, _e3345), _e3398.member_2, _e3424), _e3477.member_2, _e3503)), select(_e3430, _e3498, _e3504), vec3<f32>(select(select(select(select(_e3183, _e3240.member, _e3267), _e3319.member, _e3346), _e3398.member, _e3425), _e3477.member, _e3504), select(select(select(select(_e3184, _e3240.member_1, _e3267), _e3319.member_1, _e3346), _e3398.member_1, _e3425), _e3477.member_1, _e3504), select(select(select(select(_e3185, _e3240.member_2, _e3267), _e3319.member_2, _e3346), _e3398.member_2, _e3425), _e3477.member_2, _e3504)), select(_e3434, _e3470, _e3499), select(_e3436, _e3471, (_e3471 > _e3436)), vec3<f32>(select(select(select(select(_e3190, _e3240.member, _e3262), _e3319.member, _e3341), _e3398.member, _e3420), _e3477.member, _e3499), select(select(select(select(_e3191, _e3240.member_1, _e3262), _e3319.member_1, _e3341), _e3398.member_1, _e3420), _e3477.member_1, _e3499), select(select(select(select(_e3192, _e3240.member_2, _e3262), _e3319.member_2, _e3341), _e3398.member_2, _e3420), _e3477.member_2, _e3499)));
 }
-let _e3524 = phi_6968_;
+let _e3524 = phi_6970_;
 let _e3530 = (((_e2397 && _e2932) && !(_e2917)) && (_e3524.member_2 <= 1f));
 let _e3534 = (_e2929 - _e2406);
 let _e3535 = select(1f, _e3524.member_2, _e3530);
@@ -1437,11 +1439,11 @@ let _e3948 = select(_e2185, _e3946, (_e3946 < _e2185));
 let _e3953 = global_2.member[bitcast<u32>(select(0i, _e3948, (_e3948 > 0i)))];
 let _e3968 = ((_e2832 + (f32(bitcast<i32>((_e3953 >> bitcast<u32>(12u)))) * _e2835)) + ((f32((bitcast<i32>((_e3953 & 4095u)) - 2048i)) * _e2828) * (_e3930 - f32(_e3945))));
 if _e2932 {
-phi_8196_ = type_31(_e3968, 1f);
+phi_8198_ = type_31(_e3968, 1f);
 } else {
-phi_8196_ = type_31(1f, _e3968);
+phi_8198_ = type_31(1f, _e3968);
 }
-let _e3972 = phi_8196_;
+let _e3972 = phi_8198_;
 let _e3977 = ((_e3972.member_1 * _e3972.member_1) - (_e3972.member * _e3972.member));
 let _e3985 = (((_e3524.member_3.x * _e3524.member_3.x) + (_e3524.member_3.y * _e3524.member_3.y)) + (_e3524.member_3.z * _e3524.member_3.z));
 let _e3988 = sqrt(select(0f, _e3985, (_e3985 > 0f)));
@@ -1578,16 +1580,16 @@ let _e4333 = select(select(select(select(select(select(0f, _e1181.member, _e4114
 let _e4334 = select(select(select(select(select(select(0f, _e1181.member_1, _e4114), _e1181.member_1, _e4154), _e1190.member_1, _e4194), _e1190.member_1, _e4234), _e1199.member_1, _e4274), _e1199.member_1, _e4314);
 let _e4335 = select(select(select(select(select(select(1f, _e1181.member_2, _e4114), _e1181.member_2, _e4154), _e1190.member_2, _e4194), _e1190.member_2, _e4234), _e1199.member_2, _e4274), _e1199.member_2, _e4314);
 if _e1448 {
-phi_9734_ = type_34(_e4320, vec3<f32>(_e4321, _e4322, _e4323), _e4325, vec3<f32>(_e4326, _e4327, _e4328), _e4330, _e4332, vec3<f32>(_e4333, _e4334, _e4335));
+phi_9736_ = type_34(_e4320, vec3<f32>(_e4321, _e4322, _e4323), _e4325, vec3<f32>(_e4326, _e4327, _e4328), _e4330, _e4332, vec3<f32>(_e4333, _e4334, _e4335));
 } else {
 let _e4342 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e4345 = sqrt(select(0f, _e4342, (_e4342 > 0f)));
-let _e4350 = global_3.member[_e369].member_14.member_1;
+let _e4350 = global_3.member[_e369].member_16.member_1;
 let _e4351 = (_e4350 != 0u);
-let _e4356 = global_3.member[_e369].member_14.member;
+let _e4356 = global_3.member[_e369].member_16.member;
 let _e4376 = select(-1e6f, (((((_e4356.member.member * _e3543.x) + (_e4356.member.member_1 * _e3543.y)) + (_e4356.member.member_2 * _e3543.z)) + _e4356.member_1) * _e4345), _e4351);
 let _e4377 = select(-1e6f, (((((_e4356.member.member * _e4049) + (_e4356.member.member_1 * _e4050)) + (_e4356.member.member_2 * _e4051)) + _e4356.member_1) * _e4345), _e4351);
-let _e4383 = global_3.member[_e369].member_14.member.member;
+let _e4383 = global_3.member[_e369].member_16.member.member;
 let _e4387 = -(_e4376);
 let _e4390 = (_e4376 - _e4377);
 let _e4391 = (_e4377 - _e4376);
@@ -1602,12 +1604,12 @@ let _e4411 = select(_e4320, _e4400, _e4409);
 let _e4415 = select(_e4325, _e4404, _e4410);
 let _e4419 = select(_e4330, _e4376, _e4405);
 let _e4421 = select(_e4332, _e4377, (_e4377 > _e4332));
-let _e4429 = global_3.member[_e369].member_15.member_1;
+let _e4429 = global_3.member[_e369].member_17.member_1;
 let _e4430 = (_e4429 != 0u);
-let _e4435 = global_3.member[_e369].member_15.member;
+let _e4435 = global_3.member[_e369].member_17.member;
 let _e4455 = select(-1e6f, (((((_e4435.member.member * _e3543.x) + (_e4435.member.member_1 * _e3543.y)) + (_e4435.member.member_2 * _e3543.z)) + _e4435.member_1) * _e4345), _e4430);
 let _e4456 = select(-1e6f, (((((_e4435.member.member * _e4049) + (_e4435.member.member_1 * _e4050)) + (_e4435.member.member_2 * _e4051)) + _e4435.member_1) * _e4345), _e4430);
-let _e4462 = global_3.member[_e369].member_15.member.member;
+let _e4462 = global_3.member[_e369].member_17.member.member;
 let _e4466 = -(_e4455);
 let _e4469 = (_e4455 - _e4456);
 let _e4470 = (_e4456 - _e4455);
@@ -1622,12 +1624,12 @@ let _e4490 = select(_e4411, _e4479, _e4488);
 let _e4494 = select(_e4415, _e4483, _e4489);
 let _e4498 = select(_e4419, _e4455, _e4484);
 let _e4500 = select(_e4421, _e4456, (_e4456 > _e4421));
-let _e4508 = global_3.member[_e369].member_16.member_1;
+let _e4508 = global_3.member[_e369].member_18.member_1;
 let _e4509 = (_e4508 != 0u);
-let _e4514 = global_3.member[_e369].member_16.member;
+let _e4514 = global_3.member[_e369].member_18.member;
 let _e4534 = select(-1e6f, (((((_e4514.member.member * _e3543.x) + (_e4514.member.member_1 * _e3543.y)) + (_e4514.member.member_2 * _e3543.z)) + _e4514.member_1) * _e4345), _e4509);
 let _e4535 = select(-1e6f, (((((_e4514.member.member * _e4049) + (_e4514.member.member_1 * _e4050)) + (_e4514.member.member_2 * _e4051)) + _e4514.member_1) * _e4345), _e4509);
-let _e4541 = global_3.member[_e369].member_16.member.member;
+let _e4541 = global_3.member[_e369].member_18.member.member;
 let _e4545 = -(_e4534);
 let _e4548 = (_e4534 - _e4535);
 let _e4549 = (_e4535 - _e4534);
@@ -1642,12 +1644,12 @@ let _e4569 = select(_e4490, _e4558, _e4567);
 let _e4573 = select(_e4494, _e4562, _e4568);
 let _e4577 = select(_e4498, _e4534, _e4563);
 let _e4579 = select(_e4500, _e4535, (_e4535 > _e4500));
-let _e4587 = global_3.member[_e369].member_17.member_1;
+let _e4587 = global_3.member[_e369].member_19.member_1;
 let _e4588 = (_e4587 != 0u);
-let _e4593 = global_3.member[_e369].member_17.member;
+let _e4593 = global_3.member[_e369].member_19.member;
 let _e4613 = select(-1e6f, (((((_e4593.member.member * _e3543.x) + (_e4593.member.member_1 * _e3543.y)) + (_e4593.member.member_2 * _e3543.z)) + _e4593.member_1) * _e4345), _e4588);
 let _e4614 = select(-1e6f, (((((_e4593.member.member * _e4049) + (_e4593.member.member_1 * _e4050)) + (_e4593.member.member_2 * _e4051)) + _e4593.member_1) * _e4345), _e4588);
-let _e4620 = global_3.member[_e369].member_17.member.member;
+let _e4620 = global_3.member[_e369].member_19.member.member;
 let _e4624 = -(_e4613);
 let _e4627 = (_e4613 - _e4614);
 let _e4628 = (_e4614 - _e4613);
@@ -1658,9 +1660,9 @@ let _e4641 = select(2f, select(0f, _e4633, (_e4613 < 0f)), (_e4614 > 0f));
 let _e4642 = (_e4613 > _e4577);
 let _e4646 = ((_e4637 > _e4569) || ((_e4637 == _e4569) && _e4642));
 let _e4647 = (_e4641 < _e4573);
-phi_9734_ = type_34(select(_e4569, _e4637, _e4646), vec3<f32>(select(select(select(select(_e4321, _e4383.member, _e4409), _e4462.member, _e4488), _e4541.member, _e4567), _e4620.member, _e4646), select(select(select(select(_e4322, _e4383.member_1, _e4409), _e4462.member_1, _e4488), _e4541.member_1, _e4567), _e4620.member_1, _e4646), select(select(select(select(_e4323, _e4383.member_2, _e4409), _e4462.member_2, _e4488), _e4541.member_2, _e4567), _e4620.member_2, _e4646)), select(_e4573, _e4641, _e4647), vec3<f32>(select(select(select(select(_e4326, _e4383.member, _e4410), _e4462.member, _e4489), _e4541.member, _e4568), _e4620.member, _e4647), select(select(select(select(_e4327, _e4383.member_1, _e4410), _e4462.member_1, _e4489), _e4541.member_1, _e4568), _e4620.member_1, _e4647), select(select(select(select(_e4328, _e4383.member_2, _e4410), _e4462.member_2, _e4489), _e4541.member_2, _e4568), _e4620.member_2, _e4647)), select(_e4577, _e4613, _e4642), select(_e4579, _e4614, (_e4614 > _e4579)), vec3<f32>(select(select(select(select(_e4333, _e4383.member, _e4405), _e4462.member, _e4484), _e4541.member, _e4563), _e4620.member, _e4642), select(select(select(select(_e4334, _e4383.member_1, _e4405), _e4462.member_1, _e4484), _e4541.member_1, _e4563), _e4620.member_1, _e4642), select(select(select(select(_e4335, _e4383.member_2, _e4405), _e4462.member_2, _e4484), _e4541.member_2, _e4563), _e4620.member_2, _e4642)));
+phi_9736_ = type_34(select(_e4569, _e4637, _e4646), vec3<f32>(select(select(select(select(_e4321, _e4383.member, _e4409), _e4462.member, _e4488), _e4541.member, _e4567), _e4620.member, _e4646), select(select(select(select(_e4322, _e4383.member_1, _e4409), _e4462.member_1, _e4488), _e4541.member_1, _e4567), _e4620.member_1, _e4646), select(select(select(select(_e4323, _e4383.member_2, _e4409), _e4462.member_2, _e4488), _e4541.member_2, _e4567), _e4620.member_2, _e4646)), select(_e4573, _e4641, _e4647), vec3<f32>(select(select(select(select(_e4326, _e4383.member, _e4410), _e4462.member, _e4489), _e4541.member, _e4568), _e4620.member, _e4647), select(select(select(select(_e4327, _e4383.member_1, _e4410), _e4462.member_1, _e4489), _e4541.member_1, _e4568), _e4620.member_1, _e4647), select(select(select(select(_e4328, _e4383.member_2, _e4410), _e4462.member_2, _e4489), _e4541.member_2, _e4568), _e4620.member_2, _e4647)), select(_e4577, _e4613, _e4642), select(_e4579, _e4614, (_e4614 > _e4579)), vec3<f32>(select(select(select(select(_e4333, _e4383.member, _e4405), _e4462.member, _e4484), _e4541.member, _e4563), _e4620.member, _e4642), select(select(select(select(_e4334, _e4383.member_1, _e4405), _e4462.member_1, _e4484), _e4541.member_1, _e4563), _e4620.member_1, _e4642), select(select(select(select(_e4335, _e4383.member_2, _e4405), _e4462.member_2, _e4484), _e4541.member_2, _e4563), _e4620.member_2, _e4642)));
 }
-let _e4667 = phi_9734_;
+let _e4667 = phi_9736_;
 let _e4673 = (((_e3530 && _e4054) && !(_e4038)) && (_e4667.member_2 <= 1f));
 let _e4678 = select(1f, _e4667.member_2, _e4673);
 let _e4679 = ((_e4049 - _e3543.x) * _e4678);
@@ -1793,11 +1795,11 @@ let _e5091 = select(_e2185, _e5089, (_e5089 < _e2185));
 let _e5096 = global_2.member[bitcast<u32>(select(0i, _e5091, (_e5091 > 0i)))];
 let _e5111 = ((_e2832 + (f32(bitcast<i32>((_e5096 >> bitcast<u32>(12u)))) * _e2835)) + ((f32((bitcast<i32>((_e5096 & 4095u)) - 2048i)) * _e2828) * (_e5073 - f32(_e5088))));
 if _e4054 {
-phi_10962_ = type_31(_e5111, 1f);
+phi_10964_ = type_31(_e5111, 1f);
 } else {
-phi_10962_ = type_31(1f, _e5111);
+phi_10964_ = type_31(1f, _e5111);
 }
-let _e5115 = phi_10962_;
+let _e5115 = phi_10964_;
 let _e5120 = ((_e5115.member_1 * _e5115.member_1) - (_e5115.member * _e5115.member));
 let _e5128 = (((_e4667.member_3.x * _e4667.member_3.x) + (_e4667.member_3.y * _e4667.member_3.y)) + (_e4667.member_3.z * _e4667.member_3.z));
 let _e5131 = sqrt(select(0f, _e5128, (_e5128 > 0f)));
@@ -1934,16 +1936,16 @@ let _e5477 = select(select(select(select(select(select(0f, _e1181.member, _e5258
 let _e5478 = select(select(select(select(select(select(0f, _e1181.member_1, _e5258), _e1181.member_1, _e5298), _e1190.member_1, _e5338), _e1190.member_1, _e5378), _e1199.member_1, _e5418), _e1199.member_1, _e5458);
 let _e5479 = select(select(select(select(select(select(1f, _e1181.member_2, _e5258), _e1181.member_2, _e5298), _e1190.member_2, _e5338), _e1190.member_2, _e5378), _e1199.member_2, _e5418), _e1199.member_2, _e5458);
 if _e1448 {
-phi_12500_ = type_34(_e5464, vec3<f32>(_e5465, _e5466, _e5467), _e5469, vec3<f32>(_e5470, _e5471, _e5472), _e5474, _e5476, vec3<f32>(_e5477, _e5478, _e5479));
+phi_12502_ = type_34(_e5464, vec3<f32>(_e5465, _e5466, _e5467), _e5469, vec3<f32>(_e5470, _e5471, _e5472), _e5474, _e5476, vec3<f32>(_e5477, _e5478, _e5479));
 } else {
 let _e5486 = (((_e1181.member * _e1181.member) + (_e1181.member_1 * _e1181.member_1)) + (_e1181.member_2 * _e1181.member_2));
 let _e5489 = sqrt(select(0f, _e5486, (_e5486 > 0f)));
-let _e5494 = global_3.member[_e369].member_14.member_1;
+let _e5494 = global_3.member[_e369].member_16.member_1;
 let _e5495 = (_e5494 != 0u);
-let _e5500 = global_3.member[_e369].member_14.member;
+let _e5500 = global_3.member[_e369].member_16.member;
 let _e5520 = select(-1e6f, (((((_e5500.member.member * _e4686.x) + (_e5500.member.member_1 * _e4686.y)) + (_e5500.member.member_2 * _e4686.z)) + _e5500.member_1) * _e5489), _e5495);
 let _e5521 = select(-1e6f, (((((_e5500.member.member * _e5193) + (_e5500.member.member_1 * _e5194)) + (_e5500.member.member_2 * _e5195)) + _e5500.member_1) * _e5489), _e5495);
-let _e5527 = global_3.member[_e369].member_14.member.member;
+let _e5527 = global_3.member[_e369].member_16.member.member;
 let _e5531 = -(_e5520);
 let _e5534 = (_e5520 - _e5521);
 let _e5535 = (_e5521 - _e5520);
@@ -1958,12 +1960,12 @@ let _e5555 = select(_e5464, _e5544, _e5553);
 let _e5559 = select(_e5469, _e5548, _e5554);
 let _e5563 = select(_e5474, _e5520, _e5549);
 let _e5565 = select(_e5476, _e5521, (_e5521 > _e5476));
-let _e5573 = global_3.member[_e369].member_15.member_1;
+let _e5573 = global_3.member[_e369].member_17.member_1;
 let _e5574 = (_e5573 != 0u);
-let _e5579 = global_3.member[_e369].member_15.member;
+let _e5579 = global_3.member[_e369].member_17.member;
 let _e5599 = select(-1e6f, (((((_e5579.member.member * _e4686.x) + (_e5579.member.member_1 * _e4686.y)) + (_e5579.member.member_2 * _e4686.z)) + _e5579.member_1) * _e5489), _e5574);
 let _e5600 = select(-1e6f, (((((_e5579.member.member * _e5193) + (_e5579.member.member_1 * _e5194)) + (_e5579.member.member_2 * _e5195)) + _e5579.member_1) * _e5489), _e5574);
-let _e5606 = global_3.member[_e369].member_15.member.member;
+let _e5606 = global_3.member[_e369].member_17.member.member;
 let _e5610 = -(_e5599);
 let _e5613 = (_e5599 - _e5600);
 let _e5614 = (_e5600 - _e5599);
@@ -1978,12 +1980,12 @@ let _e5634 = select(_e5555, _e5623, _e5632);
 let _e5638 = select(_e5559, _e5627, _e5633);
 let _e5642 = select(_e5563, _e5599, _e5628);
 let _e5644 = select(_e5565, _e5600, (_e5600 > _e5565));
-let _e5652 = global_3.member[_e369].member_16.member_1;
+let _e5652 = global_3.member[_e369].member_18.member_1;
 let _e5653 = (_e5652 != 0u);
-let _e5658 = global_3.member[_e369].member_16.member;
+let _e5658 = global_3.member[_e369].member_18.member;
 let _e5678 = select(-1e6f, (((((_e5658.member.member * _e4686.x) + (_e5658.member.member_1 * _e4686.y)) + (_e5658.member.member_2 * _e4686.z)) + _e5658.member_1) * _e5489), _e5653);
 let _e5679 = select(-1e6f, (((((_e5658.member.member * _e5193) + (_e5658.member.member_1 * _e5194)) + (_e5658.member.member_2 * _e5195)) + _e5658.member_1) * _e5489), _e5653);
-let _e5685 = global_3.member[_e369].member_16.member.member;
+let _e5685 = global_3.member[_e369].member_18.member.member;
 let _e5689 = -(_e5678);
 let _e5692 = (_e5678 - _e5679);
 let _e5693 = (_e5679 - _e5678);
@@ -1998,12 +2000,12 @@ let _e5713 = select(_e5634, _e5702, _e5711);
 let _e5717 = select(_e5638, _e5706, _e5712);
 let _e5721 = select(_e5642, _e5678, _e5707);
 let _e5723 = select(_e5644, _e5679, (_e5679 > _e5644));
-let _e5731 = global_3.member[_e369].member_17.member_1;
+let _e5731 = global_3.member[_e369].member_19.member_1;
 let _e5732 = (_e5731 != 0u);
-let _e5737 = global_3.member[_e369].member_17.member;
+let _e5737 = global_3.member[_e369].member_19.member;
 let _e5757 = select(-1e6f, (((((_e5737.member.member * _e4686.x) + (_e5737.member.member_1 * _e4686.y)) + (_e5737.member.member_2 * _e4686.z)) + _e5737.member_1) * _e5489), _e5732);
 let _e5758 = select(-1e6f, (((((_e5737.member.member * _e5193) + (_e5737.member.member_1 * _e5194)) + (_e5737.member.member_2 * _e5195)) + _e5737.member_1) * _e5489), _e5732);
-let _e5764 = global_3.member[_e369].member_17.member.member;
+let _e5764 = global_3.member[_e369].member_19.member.member;
 let _e5768 = -(_e5757);
 let _e5771 = (_e5757 - _e5758);
 let _e5772 = (_e5758 - _e5757);
@@ -2014,9 +2016,9 @@ let _e5785 = select(2f, select(0f, _e5777, (_e5757 < 0f)), (_e5758 > 0f));
 let _e5786 = (_e5757 > _e5721);
 let _e5790 = ((_e5781 > _e5713) || ((_e5781 == _e5713) && _e5786));
 let _e5791 = (_e5785 < _e5717);
-phi_12500_ = type_34(select(_e5713, _e5781, _e5790), vec3<f32>(select(select(select(select(_e5465, _e5527.member, _e5553), _e5606.member, _e5632), _e5685.member, _e5711), _e5764.member, _e5790), select(select(select(select(_e5466, _e5527.member_1, _e5553), _e5606.member_1, _e5632), _e5685.member_1, _e5711), _e5764.member_1, _e5790), select(select(select(select(_e5467, _e5527.member_2, _e5553), _e5606.member_2, _e5632), _e5685.member_2, _e5711), _e5764.member_2, _e5790)), select(_e5717, _e5785, _e5791), vec3<f32>(select(select(select(select(_e5470, _e5527.member, _e5554), _e5606.member, _e5633), _e5685.member, _e5712), _e5764.member, _e5791), select(select(select(select(_e5471, _e5527.member_1, _e5554), _e5606.member_1, _e5633), _e5685.member_1, _e5712), _e5764.member_1, _e5791), select(select(select(select(_e5472, _e5527.member_2, _e5554), _e5606.member_2, _e5633), _e5685.member_2, _e5712), _e5764.member_2, _e5791)), select(_e5721, _e5757, _e5786), select(_e5723, _e5758, (_e5758 > _e5723)), vec3<f32>(select(select(select(select(_e5477, _e5527.member, _e5549), _e5606.member, _e5628), _e5685.member, _e5707), _e5764.member, _e5786), select(select(select(select(_e5478, _e5527.member_1, _e5549), _e5606.member_1, _e5628), _e5685.member_1, _e5707), _e5764.member_1, _e5786), select(select(select(select(_e5479, _e5527.member_2, _e5549), _e5606.member_2, _e5628), _e5685.member_2, _e5707), _e5764.member_2, _e5786)));
+phi_12502_ = type_34(select(_e5713, _e5781, _e5790), vec3<f32>(select(select(select(select(_e5465, _e5527.member, _e5553), _e5606.member, _e5632), _e5685.member, _e5711), _e5764.member, _e5790), select(select(select(select(_e5466, _e5527.member_1, _e5553), _e5606.member_1, _e5632), _e5685.member_1, _e5711), _e5764.member_1, _e5790), select(select(select(select(_e5467, _e5527.member_2, _e5553), _e5606.member_2, _e5632), _e5685.member_2, _e5711), _e5764.member_2, _e5790)), select(_e5717, _e5785, _e5791), vec3<f32>(select(select(select(select(_e5470, _e5527.member, _e5554), _e5606.member, _e5633), _e5685.member, _e5712), _e5764.member, _e5791), select(select(select(select(_e5471, _e5527.member_1, _e5554), _e5606.member_1, _e5633), _e5685.member_1, _e5712), _e5764.member_1, _e5791), select(select(select(select(_e5472, _e5527.member_2, _e5554), _e5606.member_2, _e5633), _e5685.member_2, _e5712), _e5764.member_2, _e5791)), select(_e5721, _e5757, _e5786), select(_e5723, _e5758, (_e5758 > _e5723)), vec3<f32>(select(select(select(select(_e5477, _e5527.member, _e5549), _e5606.member, _e5628), _e5685.member, _e5707), _e5764.member, _e5786), select(select(select(select(_e5478, _e5527.member_1, _e5549), _e5606.member_1, _e5628), _e5685.member_1, _e5707), _e5764.member_1, _e5786), select(select(select(select(_e5479, _e5527.member_2, _e5549), _e5606.member_2, _e5628), _e5685.member_2, _e5707), _e5764.member_2, _e5786)));
 }
-let _e5811 = phi_12500_;
+let _e5811 = phi_12502_;
 let _e5817 = (((_e4673 && _e5198) && !(_e5182)) && (_e5811.member_2 <= 1f));
 let _e5818 = (_e917 < 1e-12f);
 let _e5820 = (1f / select(_e912, 1f, _e5818));
@@ -2219,12 +2221,12 @@ let _e6310 = select(_e6269, _e6241, (_e6241 > _e6269));
 let _e6313 = (select(_e6304, _e6306, (_e6306 < _e6304)) - select(_e6297, _e6310, (_e6310 > _e6297)));
 let _e6320 = ((_e2913 || _e4034) || _e5178);
 if _e2913 {
-phi_14248_ = _e2845;
+phi_14250_ = _e2845;
 } else {
-phi_14248_ = _e3972;
+phi_14250_ = _e3972;
 }
-let _e6341 = phi_14248_;
-phi_14520_ = type_38(_e6341, vec3<f32>(select(_e5193, _e4686.x, _e5817), select(_e5194, _e4686.y, _e5817), select(_e5195, _e4686.z, _e5817)), vec3<f32>(_e5167, _e5168, _e5169), select((_e1078 * select(0f, _e5898, (_e5898 > 0f))), ((((sqrt(select(0f, _e5909, (_e5909 > 0f))) * select(0f, _e5990, (_e5990 > 0f))) + (sqrt(select(0f, _e6001, (_e6001 > 0f))) * select(0f, _e6097, (_e6097 > 0f)))) + (sqrt(select(0f, _e6109, (_e6109 > 0f))) * select(0f, _e6205, (_e6205 > 0f)))) + select(0f, (sqrt(select(0f, _e6217, (_e6217 > 0f))) * select(0f, _e6313, (_e6313 > 0f))), _e4673)), _e6320), select((_e402 / _e5169), (2f * (_e3534 / _e2899)), (((_e2397 && !(_e1787)) && _e2932) && !(_e3530))), select(_e3524.member_3, _e2389.member_1, vec3(_e2913)), _e5198, _e6320, (((_e2917 || _e4038) || _e5182) || _e5817));
+let _e6341 = phi_14250_;
+phi_14522_ = type_38(_e6341, vec3<f32>(select(_e5193, _e4686.x, _e5817), select(_e5194, _e4686.y, _e5817), select(_e5195, _e4686.z, _e5817)), vec3<f32>(_e5167, _e5168, _e5169), select((_e1078 * select(0f, _e5898, (_e5898 > 0f))), ((((sqrt(select(0f, _e5909, (_e5909 > 0f))) * select(0f, _e5990, (_e5990 > 0f))) + (sqrt(select(0f, _e6001, (_e6001 > 0f))) * select(0f, _e6097, (_e6097 > 0f)))) + (sqrt(select(0f, _e6109, (_e6109 > 0f))) * select(0f, _e6205, (_e6205 > 0f)))) + select(0f, (sqrt(select(0f, _e6217, (_e6217 > 0f))) * select(0f, _e6313, (_e6313 > 0f))), _e4673)), _e6320), select((_e402 / _e5169), (2f * (_e3534 / _e2899)), (((_e2397 && !(_e1787)) && _e2932) && !(_e3530))), select(_e3524.member_3, _e2389.member_1, vec3(_e2913)), _e5198, _e6320, (((_e2917 || _e4038) || _e5182) || _e5817));
 } else {
 let _e1080 = (_e917 < 1e-12f);
 let _e1082 = (1f / select(_e912, 1f, _e1080));
@@ -2259,9 +2261,9 @@ let _e1154 = select(select(1f, _e1151, (_e1151 < 1f)), 1f, _e1130);
 let _e1156 = select(_e1129, _e1104, (_e1104 < _e1129));
 let _e1160 = select(_e1122, _e1097, (_e1097 > _e1122));
 let _e1163 = (select(_e1154, _e1156, (_e1156 < _e1154)) - select(_e1147, _e1160, (_e1160 > _e1147)));
-phi_14520_ = type_38(_e1079.member, _e1079.member_1, _e1079.member_2, (_e1078 * select(0f, _e1163, (_e1163 > 0f))), _e1079.member_4, _e1079.member_5, _e1079.member_6, _e1079.member_7, _e1079.member_8);
+phi_14522_ = type_38(_e1079.member, _e1079.member_1, _e1079.member_2, (_e1078 * select(0f, _e1163, (_e1163 > 0f))), _e1079.member_4, _e1079.member_5, _e1079.member_6, _e1079.member_7, _e1079.member_8);
 }
-let _e6344 = phi_14520_;
+let _e6344 = phi_14522_;
 let _e6355 = ((((_e470.member.member * _e6344.member_1.x) + (_e470.member.member_1 * _e6344.member_1.y)) + (_e470.member.member_2 * _e6344.member_1.z)) + _e470.member_1);
 let _e6361 = ((((_e486.member.member * _e6344.member_1.x) + (_e486.member.member_1 * _e6344.member_1.y)) + (_e486.member.member_2 * _e6344.member_1.z)) + _e486.member_1);
 let _e6367 = ((((_e502.member.member * _e6344.member_1.x) + (_e502.member.member_1 * _e6344.member_1.y)) + (_e502.member.member_2 * _e6344.member_1.z)) + _e502.member_1);
@@ -2284,8 +2286,8 @@ let _e6799 = select(-1f, _e6767, (_e6767 > -1f));
 let _e6801 = select(_e560, _e6799, (_e6799 < _e560));
 let _e6808 = select(0i, select(select(i32(_e6801), i32(-2147483648), (_e6801 < -2147483600f)), 2147483647i, (_e6801 > 2147483500f)), (_e6801 == _e6801));
 let _e6812 = (_e6808 - select(0i, 1i, (_e6801 < f32(_e6808))));
-let _e6817 = global_3.member[_e369].member_6.member_7;
-let _e6822 = global_3.member[_e369].member_6.member_8;
+let _e6817 = global_3.member[_e369].member_8.member_7;
+let _e6822 = global_3.member[_e369].member_8.member_8;
 let _e6830 = (select(0i, select(select(i32(_e549), i32(-2147483648), (_e549 < -2147483600f)), 2147483647i, (_e549 > 2147483500f)), (_e549 == _e549)) - 1i);
 let _e6831 = (_e6797 - 1i);
 let _e6836 = (_e6797 + 1i);
@@ -2544,8 +2546,8 @@ let _e7690 = local_23[2u];
 let _e7694 = local_23[1u];
 let _e7698 = local_23[2u];
 let _e7702 = local_23[2u];
-let _e7710 = global_3.member[_e369].member_6.member_6;
-let _e7715 = global_3.member[_e369].member_6.member_5;
+let _e7710 = global_3.member[_e369].member_8.member_6;
+let _e7715 = global_3.member[_e369].member_8.member_5;
 let _e7717 = (((_e7632 + ((_e7636 - _e7632) * _e7702)) - _e7710) * _e7715);
 let _e7718 = -(1e9f);
 let _e7720 = select(_e7718, _e7717, (_e7717 > _e7718));
@@ -2655,7 +2657,7 @@ if _e583 {
 let _e8443 = ((0.5f * (_e7734 - _e7728)) * _e7992);
 let _e8444 = ((0.5f * (_e7746 - _e7740)) * _e7992);
 let _e8445 = ((0.5f * (_e7758 - _e7752)) * _e7992);
-phi_20037_ = type_32(_e7954, vec3<f32>(_e8443, _e8444, _e8445), vec3<f32>((_e8443 * _e7954), (_e8444 * _e7954), (_e8445 * _e7954)));
+phi_20039_ = type_32(_e7954, vec3<f32>(_e8443, _e8444, _e8445), vec3<f32>((_e8443 * _e7954), (_e8444 * _e7954), (_e8445 * _e7954)));
 } else {
 local_18 = _e7728;
 let _e7993 = local_18;
@@ -2804,23 +2806,23 @@ let _e8418 = ((_e7939 + (f32(bitcast<i32>((_e8403 >> bitcast<u32>(12u)))) * _e79
 let _e8419 = (_e8134 - _e8063);
 let _e8421 = (_e8276 - _e8205);
 let _e8423 = (_e8418 - _e8347);
-phi_20037_ = type_32(_e7954, vec3<f32>((0.5f * _e8419), (0.5f * _e8421), (0.5f * _e8423)), vec3<f32>((0.25f * (_e8419 * (_e8134 + _e8063))), (0.25f * (_e8421 * (_e8276 + _e8205))), (0.25f * (_e8423 * (_e8418 + _e8347)))));
+phi_20039_ = type_32(_e7954, vec3<f32>((0.5f * _e8419), (0.5f * _e8421), (0.5f * _e8423)), vec3<f32>((0.25f * (_e8419 * (_e8134 + _e8063))), (0.25f * (_e8421 * (_e8276 + _e8205))), (0.25f * (_e8423 * (_e8418 + _e8347)))));
 }
-let _e8453 = phi_20037_;
+let _e8453 = phi_20039_;
 let _e8468 = select(0f, 1f, ((((((_e6355 >= -0.5f) && (_e6355 <= _e897)) && (_e6361 >= -0.5f)) && (_e6361 <= _e902)) && (_e6367 >= -0.5f)) && (_e6367 <= _e907)));
 let _e8470 = (0.5f * (_e7734 - _e7728));
 let _e8472 = (0.5f * (_e7746 - _e7740));
 let _e8474 = (0.5f * (_e7758 - _e7752));
-let _e8481 = global_3.member[_e369].member_6.member.member.member;
-let _e8488 = global_3.member[_e369].member_6.member.member.member_1;
-let _e8495 = global_3.member[_e369].member_6.member.member.member_2;
-let _e8502 = global_3.member[_e369].member_6.member_1.member.member;
-let _e8509 = global_3.member[_e369].member_6.member_1.member.member_1;
-let _e8516 = global_3.member[_e369].member_6.member_1.member.member_2;
-let _e8523 = global_3.member[_e369].member_6.member_2.member.member;
-let _e8530 = global_3.member[_e369].member_6.member_2.member.member_1;
-let _e8537 = global_3.member[_e369].member_6.member_2.member.member_2;
-phi_20800_ = type_33(_e7722, vec3<f32>(((((_e8481 * _e8470) + (_e8502 * _e8472)) + (_e8523 * _e8474)) * _e8468), ((((_e8488 * _e8470) + (_e8509 * _e8472)) + (_e8530 * _e8474)) * _e8468), ((((_e8495 * _e8470) + (_e8516 * _e8472)) + (_e8537 * _e8474)) * _e8468)), _e8453.member, vec3<f32>(((((_e8481 * _e8453.member_2.x) + (_e8502 * _e8453.member_2.y)) + (_e8523 * _e8453.member_2.z)) * _e8468), ((((_e8488 * _e8453.member_2.x) + (_e8509 * _e8453.member_2.y)) + (_e8530 * _e8453.member_2.z)) * _e8468), ((((_e8495 * _e8453.member_2.x) + (_e8516 * _e8453.member_2.y)) + (_e8537 * _e8453.member_2.z)) * _e8468)), vec3<f32>(((((_e8481 * _e8453.member_1.x) + (_e8502 * _e8453.member_1.y)) + (_e8523 * _e8453.member_1.z)) * _e8468), ((((_e8488 * _e8453.member_1.x) + (_e8509 * _e8453.member_1.y)) + (_e8530 * _e8453.member_1.z)) * _e8468), ((((_e8495 * _e8453.member_1.x) + (_e8516 * _e8453.member_1.y)) + (_e8537 * _e8453.member_1.z)) * _e8468)));
+let _e8481 = global_3.member[_e369].member_8.member.member.member;
+let _e8488 = global_3.member[_e369].member_8.member.member.member_1;
+let _e8495 = global_3.member[_e369].member_8.member.member.member_2;
+let _e8502 = global_3.member[_e369].member_8.member_1.member.member;
+let _e8509 = global_3.member[_e369].member_8.member_1.member.member_1;
+let _e8516 = global_3.member[_e369].member_8.member_1.member.member_2;
+let _e8523 = global_3.member[_e369].member_8.member_2.member.member;
+let _e8530 = global_3.member[_e369].member_8.member_2.member.member_1;
+let _e8537 = global_3.member[_e369].member_8.member_2.member.member_2;
+phi_20802_ = type_33(_e7722, vec3<f32>(((((_e8481 * _e8470) + (_e8502 * _e8472)) + (_e8523 * _e8474)) * _e8468), ((((_e8488 * _e8470) + (_e8509 * _e8472)) + (_e8530 * _e8474)) * _e8468), ((((_e8495 * _e8470) + (_e8516 * _e8472)) + (_e8537 * _e8474)) * _e8468)), _e8453.member, vec3<f32>(((((_e8481 * _e8453.member_2.x) + (_e8502 * _e8453.member_2.y)) + (_e8523 * _e8453.member_2.z)) * _e8468), ((((_e8488 * _e8453.member_2.x) + (_e8509 * _e8453.member_2.y)) + (_e8530 * _e8453.member_2.z)) * _e8468), ((((_e8495 * _e8453.member_2.x) + (_e8516 * _e8453.member_2.y)) + (_e8537 * _e8453.member_2.z)) * _e8468)), vec3<f32>(((((_e8481 * _e8453.member_1.x) + (_e8502 * _e8453.member_1.y)) + (_e8523 * _e8453.member_1.z)) * _e8468), ((((_e8488 * _e8453.member_1.x) + (_e8509 * _e8453.member_1.y)) + (_e8530 * _e8453.member_1.z)) * _e8468), ((((_e8495 * _e8453.member_1.x) + (_e8516 * _e8453.member_1.y)) + (_e8537 * _e8453.member_1.z)) * _e8468)));
 } else {
 let _e6369 = select(-0.5f, _e6355, (_e6355 > -0.5f));
 let _e6371 = select(_e897, _e6369, (_e6369 < _e897));
@@ -2840,8 +2842,8 @@ let _e6411 = select(-1f, _e6379, (_e6379 > -1f));
 let _e6413 = select(_e560, _e6411, (_e6411 < _e560));
 let _e6420 = select(0i, select(select(i32(_e6413), i32(-2147483648), (_e6413 < -2147483600f)), 2147483647i, (_e6413 > 2147483500f)), (_e6413 == _e6413));
 let _e6424 = (_e6420 - select(0i, 1i, (_e6413 < f32(_e6420))));
-let _e6429 = global_3.member[_e369].member_6.member_7;
-let _e6434 = global_3.member[_e369].member_6.member_8;
+let _e6429 = global_3.member[_e369].member_8.member_7;
+let _e6434 = global_3.member[_e369].member_8.member_8;
 let _e6442 = (select(0i, select(select(i32(_e549), i32(-2147483648), (_e549 < -2147483600f)), 2147483647i, (_e549 > 2147483500f)), (_e549 == _e549)) - 1i);
 let _e6445 = (_e6409 + 1i);
 let _e6455 = (select(0i, select(select(i32(_e560), i32(-2147483648), (_e560 < -2147483600f)), 2147483647i, (_e560 > 2147483500f)), (_e560 == _e560)) - 1i);
@@ -2924,14 +2926,14 @@ let _e6718 = local_6.member_1[2u];
 let _e6725 = local_7[0u];
 let _e6729 = local_7[1u];
 let _e6734 = local_7[2u];
-let _e6742 = global_3.member[_e369].member_6.member_6;
-let _e6747 = global_3.member[_e369].member_6.member_5;
+let _e6742 = global_3.member[_e369].member_8.member_6;
+let _e6747 = global_3.member[_e369].member_8.member_5;
 let _e6749 = (((_e6626 + (((_e6677 + (((_e6717 + ((f32(bitcast<i32>(((_e6710 >> bitcast<u32>((_e6718 & 31u))) & 255u))) - _e6717) * _e6725)) - _e6677) * _e6729)) - _e6626) * _e6734)) - _e6742) * _e6747);
 let _e6750 = -(1e9f);
 let _e6752 = select(_e6750, _e6749, (_e6749 > _e6750));
-phi_20800_ = type_33(select(1e9f, _e6752, (_e6752 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20802_ = type_33(select(1e9f, _e6752, (_e6752 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8603 = phi_20800_;
+let _e8603 = phi_20802_;
 let _e8605 = select(-0.5f, _e481, (_e481 > -0.5f));
 let _e8607 = select(_e897, _e8605, (_e8605 < _e897));
 let _e8609 = select(-0.5f, _e497, (_e497 > -0.5f));
@@ -2950,8 +2952,8 @@ let _e8647 = select(-1f, _e8615, (_e8615 > -1f));
 let _e8649 = select(_e560, _e8647, (_e8647 < _e560));
 let _e8656 = select(0i, select(select(i32(_e8649), i32(-2147483648), (_e8649 < -2147483600f)), 2147483647i, (_e8649 > 2147483500f)), (_e8649 == _e8649));
 let _e8660 = (_e8656 - select(0i, 1i, (_e8649 < f32(_e8656))));
-let _e8665 = global_3.member[_e369].member_6.member_7;
-let _e8670 = global_3.member[_e369].member_6.member_8;
+let _e8665 = global_3.member[_e369].member_8.member_7;
+let _e8670 = global_3.member[_e369].member_8.member_8;
 let _e8678 = (select(0i, select(select(i32(_e549), i32(-2147483648), (_e549 < -2147483600f)), 2147483647i, (_e549 > 2147483500f)), (_e549 == _e549)) - 1i);
 let _e8681 = (_e8645 + 1i);
 let _e8691 = (select(0i, select(select(i32(_e560), i32(-2147483648), (_e560 < -2147483600f)), 2147483647i, (_e560 > 2147483500f)), (_e560 == _e560)) - 1i);
@@ -3034,17 +3036,17 @@ let _e8954 = local_4.member_1[2u];
 let _e8961 = local_5[0u];
 let _e8965 = local_5[1u];
 let _e8970 = local_5[2u];
-let _e8978 = global_3.member[_e369].member_6.member_6;
-let _e8983 = global_3.member[_e369].member_6.member_5;
+let _e8978 = global_3.member[_e369].member_8.member_6;
+let _e8983 = global_3.member[_e369].member_8.member_5;
 let _e8985 = (((_e8862 + (((_e8913 + (((_e8953 + ((f32(bitcast<i32>(((_e8946 >> bitcast<u32>((_e8954 & 31u))) & 255u))) - _e8953) * _e8961)) - _e8913) * _e8965)) - _e8862) * _e8970)) - _e8978) * _e8983);
 let _e8986 = -(1e9f);
 let _e8988 = select(_e8986, _e8985, (_e8985 > _e8986));
 let _e8990 = select(1e9f, _e8988, (_e8988 < 1e9f));
 let _e8992 = ((_e1047 & 16u) == 0u);
 if _e8992 {
-phi_21774_ = type_7(1f, 1f, 1f);
+phi_21776_ = type_7(1f, 1f, 1f);
 } else {
-let _e8997 = global_3.member[_e369].member_14.member;
+let _e8997 = global_3.member[_e369].member_16.member;
 let _e9008 = ((((_e8997.member.member * _e395) + (_e8997.member.member_1 * _e397)) + (_e8997.member.member_2 * _e391)) + _e8997.member_1);
 let _e9014 = ((((_e8997.member.member * _e6344.member_1.x) + (_e8997.member.member_1 * _e6344.member_1.y)) + (_e8997.member.member_2 * _e6344.member_1.z)) + _e8997.member_1);
 let _e9016 = select(_e9014, _e9008, (_e9008 < _e9014));
@@ -3053,9 +3055,9 @@ let _e9020 = (_e9018 - _e9016);
 let _e9023 = (-(_e9016) / select(1e-30f, _e9020, (_e9020 > 1e-30f)));
 let _e9025 = select(0f, _e9023, (_e9023 > 0f));
 let _e9031 = select(select(select(1f, _e9025, (_e9025 < 1f)), 1f, (_e9018 <= 0f)), 0f, (_e9016 > 0f));
-let _e9037 = global_3.member[_e369].member_14.member_1;
+let _e9037 = global_3.member[_e369].member_16.member_1;
 let _e9038 = (_e9037 != 0u);
-let _e9049 = global_3.member[_e369].member_15.member;
+let _e9049 = global_3.member[_e369].member_17.member;
 let _e9060 = ((((_e9049.member.member * _e395) + (_e9049.member.member_1 * _e397)) + (_e9049.member.member_2 * _e391)) + _e9049.member_1);
 let _e9066 = ((((_e9049.member.member * _e6344.member_1.x) + (_e9049.member.member_1 * _e6344.member_1.y)) + (_e9049.member.member_2 * _e6344.member_1.z)) + _e9049.member_1);
 let _e9068 = select(_e9066, _e9060, (_e9060 < _e9066));
@@ -3064,9 +3066,9 @@ let _e9072 = (_e9070 - _e9068);
 let _e9075 = (-(_e9068) / select(1e-30f, _e9072, (_e9072 > 1e-30f)));
 let _e9077 = select(0f, _e9075, (_e9075 > 0f));
 let _e9083 = select(select(select(1f, _e9077, (_e9077 < 1f)), 1f, (_e9070 <= 0f)), 0f, (_e9068 > 0f));
-let _e9089 = global_3.member[_e369].member_15.member_1;
+let _e9089 = global_3.member[_e369].member_17.member_1;
 let _e9090 = (_e9089 != 0u);
-let _e9101 = global_3.member[_e369].member_16.member;
+let _e9101 = global_3.member[_e369].member_18.member;
 let _e9112 = ((((_e9101.member.member * _e395) + (_e9101.member.member_1 * _e397)) + (_e9101.member.member_2 * _e391)) + _e9101.member_1);
 let _e9118 = ((((_e9101.member.member * _e6344.member_1.x) + (_e9101.member.member_1 * _e6344.member_1.y)) + (_e9101.member.member_2 * _e6344.member_1.z)) + _e9101.member_1);
 let _e9120 = select(_e9118, _e9112, (_e9112 < _e9118));
@@ -3075,9 +3077,9 @@ let _e9124 = (_e9122 - _e9120);
 let _e9127 = (-(_e9120) / select(1e-30f, _e9124, (_e9124 > 1e-30f)));
 let _e9129 = select(0f, _e9127, (_e9127 > 0f));
 let _e9135 = select(select(select(1f, _e9129, (_e9129 < 1f)), 1f, (_e9122 <= 0f)), 0f, (_e9120 > 0f));
-let _e9141 = global_3.member[_e369].member_16.member_1;
+let _e9141 = global_3.member[_e369].member_18.member_1;
 let _e9142 = (_e9141 != 0u);
-let _e9153 = global_3.member[_e369].member_17.member;
+let _e9153 = global_3.member[_e369].member_19.member;
 let _e9164 = ((((_e9153.member.member * _e395) + (_e9153.member.member_1 * _e397)) + (_e9153.member.member_2 * _e391)) + _e9153.member_1);
 let _e9170 = ((((_e9153.member.member * _e6344.member_1.x) + (_e9153.member.member_1 * _e6344.member_1.y)) + (_e9153.member.member_2 * _e6344.member_1.z)) + _e9153.member_1);
 let _e9172 = select(_e9170, _e9164, (_e9164 < _e9170));
@@ -3086,12 +3088,12 @@ let _e9176 = (_e9174 - _e9172);
 let _e9179 = (-(_e9172) / select(1e-30f, _e9176, (_e9176 > 1e-30f)));
 let _e9181 = select(0f, _e9179, (_e9179 > 0f));
 let _e9187 = select(select(select(1f, _e9181, (_e9181 < 1f)), 1f, (_e9174 <= 0f)), 0f, (_e9172 > 0f));
-let _e9193 = global_3.member[_e369].member_17.member_1;
+let _e9193 = global_3.member[_e369].member_19.member_1;
 let _e9194 = (_e9193 != 0u);
-phi_21774_ = type_7(((((1f * _e9031) * _e9083) * _e9135) * _e9187), ((((1f * select(1f, _e9031, _e9038)) * select(1f, _e9083, _e9090)) * select(1f, _e9135, _e9142)) * select(1f, _e9187, _e9194)), ((((1f * select(1f, 0f, (_e9038 && (_e9014 > 0f)))) * select(1f, 0f, (_e9090 && (_e9066 > 0f)))) * select(1f, 0f, (_e9142 && (_e9118 > 0f)))) * select(1f, 0f, (_e9194 && (_e9170 > 0f)))));
+phi_21776_ = type_7(((((1f * _e9031) * _e9083) * _e9135) * _e9187), ((((1f * select(1f, _e9031, _e9038)) * select(1f, _e9083, _e9090)) * select(1f, _e9135, _e9142)) * select(1f, _e9187, _e9194)), ((((1f * select(1f, 0f, (_e9038 && (_e9014 > 0f)))) * select(1f, 0f, (_e9090 && (_e9066 > 0f)))) * select(1f, 0f, (_e9142 && (_e9118 > 0f)))) * select(1f, 0f, (_e9194 && (_e9170 > 0f)))));
 }
-let _e9203 = phi_21774_;
-let _e9209 = global_3.member[_e369].member_5.member_3;
+let _e9203 = phi_21776_;
+let _e9209 = global_3.member[_e369].member_7.member_3;
 let _e9210 = (_e6344.member_3 * _e9209);
 if (((_e378.member_2 == 3u) || (_e378.member_2 == 4u)) || _e577) {
 local_3 = _e8990;
@@ -3271,7 +3273,7 @@ let _e10638 = f32(_e10637);
 let _e10642 = ((_e10620 - (_e10638 * 0.6933594f)) - (_e10638 * -2.1219444e-4f));
 let _e10662 = ((1f + (_e10642 * (1f + (_e10642 * (0.5f + (_e10642 * (0.16666667f + (_e10642 * (0.041666668f + (_e10642 * (0.008333334f + (_e10642 * (0.001388889f + (_e10642 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10637 + 127i)) << bitcast<u32>(23i))));
 let _e10663 = (1f - _e10662);
-phi_25272_ = type_40(_e10662, _e10663, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e10663 / select(1e-12f, _e10612, (_e10612 > 1e-12f))))));
+phi_25274_ = type_40(_e10662, _e10663, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e10663 / select(1e-12f, _e10612, (_e10612 > 1e-12f))))));
 } else {
 local_1 = _e8990;
 let _e9216 = local_1;
@@ -3508,9 +3510,9 @@ let _e10088 = f32(_e10087);
 let _e10092 = ((_e10070 - (_e10088 * 0.6933594f)) - (_e10088 * -2.1219444e-4f));
 let _e10112 = ((1f + (_e10092 * (1f + (_e10092 * (0.5f + (_e10092 * (0.16666667f + (_e10092 * (0.041666668f + (_e10092 * (0.008333334f + (_e10092 * (0.001388889f + (_e10092 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10087 + 127i)) << bitcast<u32>(23i))));
 let _e10113 = (1f - _e10112);
-phi_25272_ = type_40(_e10112, _e10113, vec3<f32>(((1f + (_e9947 * (1f + (_e9947 * (0.5f + (_e9947 * (0.16666667f + (_e9947 * (0.041666668f + (_e9947 * (0.008333334f + (_e9947 * (0.001388889f + (_e9947 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9942 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9995 * (1f + (_e9995 * (0.5f + (_e9995 * (0.16666667f + (_e9995 * (0.041666668f + (_e9995 * (0.008333334f + (_e9995 * (0.001388889f + (_e9995 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9990 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10043 * (1f + (_e10043 * (0.5f + (_e10043 * (0.16666667f + (_e10043 * (0.041666668f + (_e10043 * (0.008333334f + (_e10043 * (0.001388889f + (_e10043 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10038 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e10113 / select(1e-12f, _e9707, (_e9707 > 1e-12f))))));
+phi_25274_ = type_40(_e10112, _e10113, vec3<f32>(((1f + (_e9947 * (1f + (_e9947 * (0.5f + (_e9947 * (0.16666667f + (_e9947 * (0.041666668f + (_e9947 * (0.008333334f + (_e9947 * (0.001388889f + (_e9947 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9942 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9995 * (1f + (_e9995 * (0.5f + (_e9995 * (0.16666667f + (_e9995 * (0.041666668f + (_e9995 * (0.008333334f + (_e9995 * (0.001388889f + (_e9995 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9990 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10043 * (1f + (_e10043 * (0.5f + (_e10043 * (0.16666667f + (_e10043 * (0.041666668f + (_e10043 * (0.008333334f + (_e10043 * (0.001388889f + (_e10043 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10038 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e10113 / select(1e-12f, _e9707, (_e9707 > 1e-12f))))));
 }
-let _e10671 = phi_25272_;
+let _e10671 = phi_25274_;
 let _e10680 = (_e373[6] * (_e10671.member_2.x * _e10671.member));
 let _e10681 = (_e373[7] * (_e10671.member_2.y * _e10671.member));
 let _e10682 = (_e373[8] * (_e10671.member_2.z * _e10671.member));
@@ -3526,9 +3528,9 @@ let _e10713 = (_e6344.member_1.z + (_e6344.member_2.z * _e10705));
 let _e10719 = ((((_e470.member.member * _e10711) + (_e470.member.member_1 * _e10712)) + (_e470.member.member_2 * _e10713)) + _e470.member_1);
 let _e10725 = ((((_e486.member.member * _e10711) + (_e486.member.member_1 * _e10712)) + (_e486.member.member_2 * _e10713)) + _e486.member_1);
 let _e10731 = ((((_e502.member.member * _e10711) + (_e502.member.member_1 * _e10712)) + (_e502.member.member_2 * _e10713)) + _e502.member_1);
-let _e10737 = global_3.member[_e369].member_6.member.member;
-let _e10746 = global_3.member[_e369].member_6.member_1.member;
-let _e10755 = global_3.member[_e369].member_6.member_2.member;
+let _e10737 = global_3.member[_e369].member_8.member.member;
+let _e10746 = global_3.member[_e369].member_8.member_1.member;
+let _e10755 = global_3.member[_e369].member_8.member_2.member;
 let _e10759 = (-0.5f - _e6355);
 let _e10760 = (-0.5f - _e10719);
 let _e10761 = -(_e10759);
@@ -3635,16 +3637,16 @@ let _e10998 = select(select(select(select(select(select(0f, _e10737.member, _e10
 let _e10999 = select(select(select(select(select(select(0f, _e10737.member_1, _e10779), _e10737.member_1, _e10819), _e10746.member_1, _e10859), _e10746.member_1, _e10899), _e10755.member_1, _e10939), _e10755.member_1, _e10979);
 let _e11000 = select(select(select(select(select(select(1f, _e10737.member_2, _e10779), _e10737.member_2, _e10819), _e10746.member_2, _e10859), _e10746.member_2, _e10899), _e10755.member_2, _e10939), _e10755.member_2, _e10979);
 if _e8992 {
-phi_26671_ = type_34(_e10985, vec3<f32>(_e10986, _e10987, _e10988), _e10990, vec3<f32>(_e10991, _e10992, _e10993), _e10995, _e10997, vec3<f32>(_e10998, _e10999, _e11000));
+phi_26673_ = type_34(_e10985, vec3<f32>(_e10986, _e10987, _e10988), _e10990, vec3<f32>(_e10991, _e10992, _e10993), _e10995, _e10997, vec3<f32>(_e10998, _e10999, _e11000));
 } else {
 let _e11007 = (((_e10737.member * _e10737.member) + (_e10737.member_1 * _e10737.member_1)) + (_e10737.member_2 * _e10737.member_2));
 let _e11010 = sqrt(select(0f, _e11007, (_e11007 > 0f)));
-let _e11015 = global_3.member[_e369].member_14.member_1;
+let _e11015 = global_3.member[_e369].member_16.member_1;
 let _e11016 = (_e11015 != 0u);
-let _e11021 = global_3.member[_e369].member_14.member;
+let _e11021 = global_3.member[_e369].member_16.member;
 let _e11041 = select(-1e6f, (((((_e11021.member.member * _e6344.member_1.x) + (_e11021.member.member_1 * _e6344.member_1.y)) + (_e11021.member.member_2 * _e6344.member_1.z)) + _e11021.member_1) * _e11010), _e11016);
 let _e11042 = select(-1e6f, (((((_e11021.member.member * _e10711) + (_e11021.member.member_1 * _e10712)) + (_e11021.member.member_2 * _e10713)) + _e11021.member_1) * _e11010), _e11016);
-let _e11048 = global_3.member[_e369].member_14.member.member;
+let _e11048 = global_3.member[_e369].member_16.member.member;
 let _e11052 = -(_e11041);
 let _e11055 = (_e11041 - _e11042);
 let _e11056 = (_e11042 - _e11041);
@@ -3659,12 +3661,12 @@ let _e11076 = select(_e10985, _e11065, _e11074);
 let _e11080 = select(_e10990, _e11069, _e11075);
 let _e11084 = select(_e10995, _e11041, _e11070);
 let _e11086 = select(_e10997, _e11042, (_e11042 > _e10997));
-let _e11094 = global_3.member[_e369].member_15.member_1;
+let _e11094 = global_3.member[_e369].member_17.member_1;
 let _e11095 = (_e11094 != 0u);
-let _e11100 = global_3.member[_e369].member_15.member;
+let _e11100 = global_3.member[_e369].member_17.member;
 let _e11120 = select(-1e6f, (((((_e11100.member.member * _e6344.member_1.x) + (_e11100.member.member_1 * _e6344.member_1.y)) + (_e11100.member.member_2 * _e6344.member_1.z)) + _e11100.member_1) * _e11010), _e11095);
 let _e11121 = select(-1e6f, (((((_e11100.member.member * _e10711) + (_e11100.member.member_1 * _e10712)) + (_e11100.member.member_2 * _e10713)) + _e11100.member_1) * _e11010), _e11095);
-let _e11127 = global_3.member[_e369].member_15.member.member;
+let _e11127 = global_3.member[_e369].member_17.member.member;
 let _e11131 = -(_e11120);
 let _e11134 = (_e11120 - _e11121);
 let _e11135 = (_e11121 - _e11120);
@@ -3679,12 +3681,12 @@ let _e11155 = select(_e11076, _e11144, _e11153);
 let _e11159 = select(_e11080, _e11148, _e11154);
 let _e11163 = select(_e11084, _e11120, _e11149);
 let _e11165 = select(_e11086, _e11121, (_e11121 > _e11086));
-let _e11173 = global_3.member[_e369].member_16.member_1;
+let _e11173 = global_3.member[_e369].member_18.member_1;
 let _e11174 = (_e11173 != 0u);
-let _e11179 = global_3.member[_e369].member_16.member;
+let _e11179 = global_3.member[_e369].member_18.member;
 let _e11199 = select(-1e6f, (((((_e11179.member.member * _e6344.member_1.x) + (_e11179.member.member_1 * _e6344.member_1.y)) + (_e11179.member.member_2 * _e6344.member_1.z)) + _e11179.member_1) * _e11010), _e11174);
 let _e11200 = select(-1e6f, (((((_e11179.member.member * _e10711) + (_e11179.member.member_1 * _e10712)) + (_e11179.member.member_2 * _e10713)) + _e11179.member_1) * _e11010), _e11174);
-let _e11206 = global_3.member[_e369].member_16.member.member;
+let _e11206 = global_3.member[_e369].member_18.member.member;
 let _e11210 = -(_e11199);
 let _e11213 = (_e11199 - _e11200);
 let _e11214 = (_e11200 - _e11199);
@@ -3699,12 +3701,12 @@ let _e11234 = select(_e11155, _e11223, _e11232);
 let _e11238 = select(_e11159, _e11227, _e11233);
 let _e11242 = select(_e11163, _e11199, _e11228);
 let _e11244 = select(_e11165, _e11200, (_e11200 > _e11165));
-let _e11252 = global_3.member[_e369].member_17.member_1;
+let _e11252 = global_3.member[_e369].member_19.member_1;
 let _e11253 = (_e11252 != 0u);
-let _e11258 = global_3.member[_e369].member_17.member;
+let _e11258 = global_3.member[_e369].member_19.member;
 let _e11278 = select(-1e6f, (((((_e11258.member.member * _e6344.member_1.x) + (_e11258.member.member_1 * _e6344.member_1.y)) + (_e11258.member.member_2 * _e6344.member_1.z)) + _e11258.member_1) * _e11010), _e11253);
 let _e11279 = select(-1e6f, (((((_e11258.member.member * _e10711) + (_e11258.member.member_1 * _e10712)) + (_e11258.member.member_2 * _e10713)) + _e11258.member_1) * _e11010), _e11253);
-let _e11285 = global_3.member[_e369].member_17.member.member;
+let _e11285 = global_3.member[_e369].member_19.member.member;
 let _e11289 = -(_e11278);
 let _e11292 = (_e11278 - _e11279);
 let _e11293 = (_e11279 - _e11278);
@@ -3715,11 +3717,11 @@ let _e11306 = select(2f, select(0f, _e11298, (_e11278 < 0f)), (_e11279 > 0f));
 let _e11307 = (_e11278 > _e11242);
 let _e11311 = ((_e11302 > _e11234) || ((_e11302 == _e11234) && _e11307));
 let _e11312 = (_e11306 < _e11238);
-phi_26671_ = type_34(select(_e11234, _e11302, _e11311), vec3<f32>(select(select(select(select(_e10986, _e11048.member, _e11074), _e11127.member, _e11153), _e11206.member, _e11232), _e11285.member, _e11311), select(select(select(select(_e10987, _e11048.member_1, _e11074), _e11127.member_1, _e11153), _e11206.member_1, _e11232), _e11285.member_1, _e11311), select(select(select(select(_e10988, _e11048.member_2, _e11074), _e11127.member_2, _e11153), _e11206.member_2, _e11232), _e11285.member_2, _e11311)), select(_e11238, _e11306, _e11312), vec3<f32>(select(select(select(select(_e10991, _e11048.member, _e11075), _e11127.member, _e11154), _e11206.member, _e11233), _e11285.member, _e11312), select(select(select(select(_e10992, _e11048.member_1, _e11075), _e11127.member_1, _e11154), _e11206.member_1, _e11233), _e11285.member_1, _e11312), select(select(select(select(_e10993, _e11048.member_2, _e11075), _e11127.member_2, _e11154), _e11206.member_2, _e11233), _e11285.member_2, _e11312)), select(_e11242, _e11278, _e11307), select(_e11244, _e11279, (_e11279 > _e11244)), vec3<f32>(select(select(select(select(_e10998, _e11048.member, _e11070), _e11127.member, _e11149), _e11206.member, _e11228), _e11285.member, _e11307), select(select(select(select(_e10999, _e11048.member_1, _e11070), _e11127.member_1, _e11149), _e11206.member_1, _e11228), _e11285.member_1, _e11307), select(select(select(select(_e11000, _e11048.member_2, _e11070), _e11127.member_2, _e11149), _e11206.member_2, _e11228), _e11285.member_2, _e11307)));
+phi_26673_ = type_34(select(_e11234, _e11302, _e11311), vec3<f32>(select(select(select(select(_e10986, _e11048.member, _e11074), _e11127.member, _e11153), _e11206.member, _e11232), _e11285.member, _e11311), select(select(select(select(_e10987, _e11048.member_1, _e11074), _e11127.member_1, _e11153), _e11206.member_1, _e11232), _e11285.member_1, _e11311), select(select(select(select(_e10988, _e11048.member_2, _e11074), _e11127.member_2, _e11153), _e11206.member_2, _e11232), _e11285.member_2, _e11311)), select(_e11238, _e11306, _e11312), vec3<f32>(select(select(select(select(_e10991, _e11048.member, _e11075), _e11127.member, _e11154), _e11206.member, _e11233), _e11285.member, _e11312), select(select(select(select(_e10992, _e11048.member_1, _e11075), _e11127.member_1, _e11154), _e11206.member_1, _e11233), _e11285.member_1, _e11312), select(select(select(select(_e10993, _e11048.member_2, _e11075), _e11127.member_2, _e11154), _e11206.member_2, _e11233), _e11285.member_2, _e11312)), select(_e11242, _e11278, _e11307), select(_e11244, _e11279, (_e11279 > _e11244)), vec3<f32>(select(select(select(select(_e10998, _e11048.member, _e11070), _e11127.member, _e11149), _e11206.member, _e11228), _e11285.member, _e11307), select(select(select(select(_e10999, _e11048.member_1, _e11070), _e11127.member_1, _e11149), _e11206.member_1, _e11228), _e11285.member_1, _e11307), select(select(select(select(_e11000, _e11048.member_2, _e11070), _e11127.member_2, _e11149), _e11206.member_2, _e11228), _e11285.member_2, _e11307)));
 }
-let _e11332 = phi_26671_;
+let _e11332 = phi_26673_;
 let _e11339 = (_e9203.member_2 * select(0f, 1f, _e6344.member_6));
-let _e11345 = global_3.member[_e369].member_5.member_4;
+let _e11345 = global_3.member[_e369].member_7.member_4;
 let _e11348 = (_e8603.member_3.x * _e11339);
 let _e11350 = (_e8603.member_3.y * _e11339);
 let _e11352 = (_e8603.member_3.z * _e11339);
@@ -3742,43 +3744,43 @@ let _e11406 = (_e6344.member_2.y + ((_e8603.member_4.y * _e11339) * _e402));
 let _e11407 = (_e6344.member_2.z + ((_e8603.member_4.z * _e11339) * _e402));
 let _e11409 = (_e11407 * _e11407);
 let _e11418 = ((_e1047 & 1u) != 0u);
-phi_26827_ = vec3<f32>(select(select(select(_e11375, _e11357, _e11391), _e11405, _e11418), _e6344.member_2.x, _e6344.member_8), select(select(select(_e11376, _e11358, _e11391), _e11406, _e11418), _e6344.member_2.y, _e6344.member_8), select(select(select(_e11377, _e11359, _e11391), _e11407, _e11418), _e6344.member_2.z, _e6344.member_8));
-phi_26828_ = (select(_e11391, ((_e11407 <= 0f) || (_e11409 <= (_e11381 * (((_e11405 * _e11405) + (_e11406 * _e11406)) + _e11409)))), _e11418) || _e6344.member_8);
+phi_26829_ = vec3<f32>(select(select(select(_e11375, _e11357, _e11391), _e11405, _e11418), _e6344.member_2.x, _e6344.member_8), select(select(select(_e11376, _e11358, _e11391), _e11406, _e11418), _e6344.member_2.y, _e6344.member_8), select(select(select(_e11377, _e11359, _e11391), _e11407, _e11418), _e6344.member_2.z, _e6344.member_8));
+phi_26830_ = (select(_e11391, ((_e11407 <= 0f) || (_e11409 <= (_e11381 * (((_e11405 * _e11405) + (_e11406 * _e11406)) + _e11409)))), _e11418) || _e6344.member_8);
 } else {
-phi_26827_ = _e6344.member_2;
-phi_26828_ = false;
+phi_26829_ = _e6344.member_2;
+phi_26830_ = false;
 }
-let _e11430 = phi_26827_;
-let _e11432 = phi_26828_;
+let _e11430 = phi_26829_;
+let _e11432 = phi_26830_;
 let _e11443 = ((((_e6344.member_7 || (_e11430.x != _e373[3])) || (_e11430.y != _e373[4])) || (_e11430.z != _e373[5])) && _e888);
-let _e11448 = global_3.member[_e369].member_10.member_24;
+let _e11448 = global_3.member[_e369].member_12.member_24;
 let _e11457 = (_e373[12] + (((((_e373[6] + _e373[7]) + _e373[8]) * _e10685) - _e10686) * (_e391 + ((_e6344.member_1.z - _e391) * 0.5f))));
-phi_26926_ = array<f32, 14>(select(_e373[0], _e6344.member_1.x, _e11443), select(_e373[1], _e6344.member_1.y, _e11443), select(_e373[2], _e6344.member_1.z, _e11443), select(_e373[3], _e11430.x, _e11443), select(_e373[4], _e11430.y, _e11443), select(_e373[5], _e11430.z, _e11443), select(_e10680, 0f, _e10701), select(_e10681, 0f, _e10701), select(_e10682, 0f, _e10701), select(0f, 1f, _e6344.member_6), select(_e373[10], 1f, _e11443), select(select(select(0f, 1f, _e11432), 2f, (_e10701 && (_e11448 == 0f))), 3f, _e465), _e11457, select(_e373[13], (_e11457 + (_e10686 * _e6344.member_1.z)), (_e11443 && (_e373[10] == 0f))));
+phi_26928_ = array<f32, 14>(select(_e373[0], _e6344.member_1.x, _e11443), select(_e373[1], _e6344.member_1.y, _e11443), select(_e373[2], _e6344.member_1.z, _e11443), select(_e373[3], _e11430.x, _e11443), select(_e373[4], _e11430.y, _e11443), select(_e373[5], _e11430.z, _e11443), select(_e10680, 0f, _e10701), select(_e10681, 0f, _e10701), select(_e10682, 0f, _e10701), select(0f, 1f, _e6344.member_6), select(_e373[10], 1f, _e11443), select(select(select(0f, 1f, _e11432), 2f, (_e10701 && (_e11448 == 0f))), 3f, _e465), _e11457, select(_e373[13], (_e11457 + (_e10686 * _e6344.member_1.z)), (_e11443 && (_e373[10] == 0f))));
 } else {
-phi_26926_ = _e373;
+phi_26928_ = _e373;
 }
-let _e11478 = phi_26926_;
-phi_555_ = (_e369 + 1u);
-phi_558_ = select(_e371, true, _e1058);
-phi_560_ = _e11478;
+let _e11478 = phi_26928_;
+phi_557_ = (_e369 + 1u);
+phi_560_ = select(_e371, true, _e1058);
+phi_562_ = _e11478;
 } else {
-phi_555_ = u32();
-phi_558_ = bool();
-phi_560_ = array<f32, 14>();
+phi_557_ = u32();
+phi_560_ = bool();
+phi_562_ = array<f32, 14>();
 }
-let _e11482 = phi_555_;
-let _e11484 = phi_558_;
-let _e11486 = phi_560_;
+let _e11482 = phi_557_;
+let _e11484 = phi_560_;
+let _e11486 = phi_562_;
 continue;
 continuing {
-phi_554_ = _e11482;
-phi_557_ = _e11484;
-phi_559_ = _e11486;
-phi_26993_ = false;
+phi_556_ = _e11482;
+phi_559_ = _e11484;
+phi_561_ = _e11486;
+phi_26995_ = false;
 break if !(_e374);
 }
 }
-let _e11489 = phi_26993_;
+let _e11489 = phi_26995_;
 if _e11489 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -267,36 +269,36 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_555_: u32;
-var phi_558_: bool;
-var phi_560_: array<f32, 14>;
-var phi_999_: bool;
-var phi_1179_: bool;
-var phi_1182_: bool;
-var phi_3024_: type_34;
-var phi_3037_: bool;
-var phi_4178_: type_39;
-var phi_4190_: bool;
-var phi_5326_: type_31;
-var phi_6849_: type_34;
-var phi_8017_: type_31;
-var phi_9555_: type_34;
-var phi_10723_: type_31;
-var phi_12261_: type_34;
-var phi_14009_: type_31;
-var phi_14281_: type_38;
-var phi_19714_: type_32;
-var phi_20417_: type_33;
-var phi_21331_: type_7;
-var phi_24829_: type_40;
-var phi_26228_: type_34;
-var phi_26384_: vec3<f32>;
-var phi_26385_: bool;
-var phi_26483_: array<f32, 14>;
-var phi_556_: u32;
-var phi_559_: bool;
-var phi_561_: array<f32, 14>;
-var phi_26550_: bool;
+var phi_557_: u32;
+var phi_560_: bool;
+var phi_562_: array<f32, 14>;
+var phi_1001_: bool;
+var phi_1181_: bool;
+var phi_1184_: bool;
+var phi_3026_: type_34;
+var phi_3039_: bool;
+var phi_4180_: type_39;
+var phi_4192_: bool;
+var phi_5328_: type_31;
+var phi_6851_: type_34;
+var phi_8019_: type_31;
+var phi_9557_: type_34;
+var phi_10725_: type_31;
+var phi_12263_: type_34;
+var phi_14011_: type_31;
+var phi_14283_: type_38;
+var phi_19716_: type_32;
+var phi_20419_: type_33;
+var phi_21333_: type_7;
+var phi_24831_: type_40;
+var phi_26230_: type_34;
+var phi_26386_: vec3<f32>;
+var phi_26387_: bool;
+var phi_26485_: array<f32, 14>;
+var phi_558_: u32;
+var phi_561_: bool;
+var phi_563_: array<f32, 14>;
+var phi_26552_: bool;
 var local_40: bool;
 var local_41: array<f32, 14>;
 var local_42: array<f32, 14>;
@@ -386,13 +388,13 @@ let _e359 = ((13u * _e213) + _e215);
 let _e360 = bitcast<i32>(_e359);
 let _e362 = select(_e218, _e360, (_e360 < _e218));
 let _e368 = global_5.member[bitcast<u32>(select(0i, _e362, (_e362 > 0i)))];
-phi_555_ = 0u;
-phi_558_ = false;
-phi_560_ = array<f32, 14>(_e226, _e236, _e247, _e258, _e269, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368);
+phi_557_ = 0u;
+phi_560_ = false;
+phi_562_ = array<f32, 14>(_e226, _e236, _e247, _e258, _e269, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368);
 loop {
-let _e371 = phi_555_;
-let _e373 = phi_558_;
-let _e375 = phi_560_;
+let _e371 = phi_557_;
+let _e373 = phi_560_;
+let _e375 = phi_562_;
 local_40 = _e373;
 local_41 = _e375;
 local_42 = _e375;
@@ -412,36 +414,36 @@ let _e376 = (_e371 < _e181);
 if _e376 {
 if _e376 {
 } else {
-phi_26550_ = true;
+phi_26552_ = true;
 break;
 }
 let _e380 = global_3.member[_e371].member;
-let _e393 = global_3.member[_e371].member_5.member;
+let _e393 = global_3.member[_e371].member_7.member;
 let _e395 = ((_e393 - _e375[2]) / _e375[5]);
 let _e397 = (_e375[0] + (_e375[3] * _e395));
 let _e399 = (_e375[1] + (_e375[4] * _e395));
-let _e404 = global_3.member[_e371].member_5.member_2;
+let _e404 = global_3.member[_e371].member_7.member_2;
 let _e405 = (_e404 / _e375[5]);
 let _e407 = (_e397 + (_e375[3] * _e405));
 let _e409 = (_e399 + (_e375[4] * _e405));
-let _e414 = global_3.member[_e371].member_5.member_1;
-let _e420 = global_3.member[_e371].member_13.member.member;
-let _e446 = global_3.member[_e371].member_13.member_1.member;
+let _e414 = global_3.member[_e371].member_7.member_1;
+let _e420 = global_3.member[_e371].member_15.member.member;
+let _e446 = global_3.member[_e371].member_15.member_1.member;
 let _e467 = (((((((_e420.member.member * _e397) + (_e420.member.member_1 * _e399)) + (_e420.member.member_2 * _e393)) + _e420.member_1) > 0f) && (((((_e420.member.member * _e407) + (_e420.member.member_1 * _e409)) + (_e420.member.member_2 * _e414)) + _e420.member_1) <= 0f)) || ((((((_e446.member.member * _e397) + (_e446.member.member_1 * _e399)) + (_e446.member.member_2 * _e393)) + _e446.member_1) > 0f) && (((((_e446.member.member * _e407) + (_e446.member.member_1 * _e409)) + (_e446.member.member_2 * _e414)) + _e446.member_1) <= 0f)));
-let _e472 = global_3.member[_e371].member_6.member;
+let _e472 = global_3.member[_e371].member_8.member;
 let _e483 = ((((_e472.member.member * _e397) + (_e472.member.member_1 * _e399)) + (_e472.member.member_2 * _e393)) + _e472.member_1);
-let _e488 = global_3.member[_e371].member_6.member_1;
+let _e488 = global_3.member[_e371].member_8.member_1;
 let _e499 = ((((_e488.member.member * _e397) + (_e488.member.member_1 * _e399)) + (_e488.member.member_2 * _e393)) + _e488.member_1);
-let _e504 = global_3.member[_e371].member_6.member_2;
+let _e504 = global_3.member[_e371].member_8.member_2;
 let _e515 = ((((_e504.member.member * _e397) + (_e504.member.member_1 * _e399)) + (_e504.member.member_2 * _e393)) + _e504.member_1);
 let _e521 = ((((_e472.member.member * _e407) + (_e472.member.member_1 * _e409)) + (_e472.member.member_2 * _e414)) + _e472.member_1);
 let _e527 = ((((_e488.member.member * _e407) + (_e488.member.member_1 * _e409)) + (_e488.member.member_2 * _e414)) + _e488.member_1);
 let _e533 = ((((_e504.member.member * _e407) + (_e504.member.member_1 * _e409)) + (_e504.member.member_2 * _e414)) + _e504.member_1);
-let _e540 = global_3.member[_e371].member_6.member_3.member;
+let _e540 = global_3.member[_e371].member_8.member_3.member;
 let _e541 = (_e540 - 1f);
-let _e551 = global_3.member[_e371].member_6.member_3.member_1;
+let _e551 = global_3.member[_e371].member_8.member_3.member_1;
 let _e552 = (_e551 - 1f);
-let _e562 = global_3.member[_e371].member_6.member_3.member_2;
+let _e562 = global_3.member[_e371].member_8.member_3.member_2;
 let _e563 = (_e562 - 1f);
 let _e577 = (((((((_e483 >= 0f) && (_e483 <= _e541)) && (_e499 >= 0f)) && (_e499 <= _e552)) && (_e515 >= 0f)) && (_e515 <= _e563)) && ((((((_e521 >= 0f) && (_e521 <= _e541)) && (_e527 >= 0f)) && (_e527 <= _e552)) && (_e533 >= 0f)) && (_e533 <= _e563)));
 let _e579 = (_e380.member_2 == 5u);
@@ -457,22 +459,22 @@ let _e602 = ((((_e483 >= _e587) && (_e483 <= _e590)) && ((_e499 >= _e587) && (_e
 let _e606 = global_3.member[_e371].member_1;
 let _e608 = ((_e606 & 16u) == 0u);
 if _e608 {
-phi_999_ = _e602;
+phi_1001_ = _e602;
 } else {
-let _e614 = global_3.member[_e371].member_6.member.member;
+let _e614 = global_3.member[_e371].member_8.member.member;
 let _e622 = (((_e614.member * _e614.member) + (_e614.member_1 * _e614.member_1)) + (_e614.member_2 * _e614.member_2));
-let _e631 = global_3.member[_e371].member_14.member;
+let _e631 = global_3.member[_e371].member_16.member;
 let _e643 = -((0.5f / sqrt(select(0f, _e622, (_e622 > 0f)))));
-let _e649 = global_3.member[_e371].member_14.member_1;
-let _e656 = global_3.member[_e371].member_15.member;
-let _e673 = global_3.member[_e371].member_15.member_1;
-let _e681 = global_3.member[_e371].member_16.member;
-let _e698 = global_3.member[_e371].member_16.member_1;
-let _e706 = global_3.member[_e371].member_17.member;
-let _e723 = global_3.member[_e371].member_17.member_1;
-phi_999_ = (_e602 && (((((((((_e631.member.member * _e397) + (_e631.member.member_1 * _e399)) + (_e631.member.member_2 * _e393)) + _e631.member_1) <= _e643) || (_e649 == 0u)) && ((((((_e656.member.member * _e397) + (_e656.member.member_1 * _e399)) + (_e656.member.member_2 * _e393)) + _e656.member_1) <= _e643) || (_e673 == 0u))) && ((((((_e681.member.member * _e397) + (_e681.member.member_1 * _e399)) + (_e681.member.member_2 * _e393)) + _e681.member_1) <= _e643) || (_e698 == 0u))) && ((((((_e706.member.member * _e397) + (_e706.member.member_1 * _e399)) + (_e706.member.member_2 * _e393)) + _e706.member_1) <= _e643) || (_e723 == 0u))));
+let _e649 = global_3.member[_e371].member_16.member_1;
+let _e656 = global_3.member[_e371].member_17.member;
+let _e673 = global_3.member[_e371].member_17.member_1;
+let _e681 = global_3.member[_e371].member_18.member;
+let _e698 = global_3.member[_e371].member_18.member_1;
+let _e706 = global_3.member[_e371].member_19.member;
+let _e723 = global_3.member[_e371].member_19.member_1;
+phi_1001_ = (_e602 && (((((((((_e631.member.member * _e397) + (_e631.member.member_1 * _e399)) + (_e631.member.member_2 * _e393)) + _e631.member_1) <= _e643) || (_e649 == 0u)) && ((((((_e656.member.member * _e397) + (_e656.member.member_1 * _e399)) + (_e656.member.member_2 * _e393)) + _e656.member_1) <= _e643) || (_e673 == 0u))) && ((((((_e681.member.member * _e397) + (_e681.member.member_1 * _e399)) + (_e681.member.member_2 * _e393)) + _e681.member_1) <= _e643) || (_e698 == 0u))) && ((((((_e706.member.member * _e397) + (_e706.member.member_1 * _e399)) + (_e706.member.member_2 * _e393)) + _e706.member_1) <= _e643) || (_e723 == 0u))));
 }
-let _e729 = phi_999_;
+let _e729 = phi_1001_;
 let _e733 = (_e407 + (_e407 - _e397));
 let _e734 = (_e409 + (_e409 - _e399));
 let _e735 = (_e414 + (_e414 - _e393));
@@ -481,29 +483,29 @@ let _e747 = ((((_e488.member.member * _e733) + (_e488.member.member_1 * _e734)) 
 let _e753 = ((((_e504.member.member * _e733) + (_e504.member.member_1 * _e734)) + (_e504.member.member_2 * _e735)) + _e504.member_1);
 let _e764 = ((((_e741 >= _e587) && (_e741 <= _e590)) && ((_e747 >= _e587) && (_e747 <= _e594))) && ((_e753 >= _e587) && (_e753 <= _e599)));
 if _e608 {
-phi_1179_ = _e764;
+phi_1181_ = _e764;
 } else {
-let _e770 = global_3.member[_e371].member_6.member.member;
+let _e770 = global_3.member[_e371].member_8.member.member;
 let _e778 = (((_e770.member * _e770.member) + (_e770.member_1 * _e770.member_1)) + (_e770.member_2 * _e770.member_2));
-let _e787 = global_3.member[_e371].member_14.member;
+let _e787 = global_3.member[_e371].member_16.member;
 let _e799 = -((0.5f / sqrt(select(0f, _e778, (_e778 > 0f)))));
-let _e805 = global_3.member[_e371].member_14.member_1;
-let _e812 = global_3.member[_e371].member_15.member;
-let _e829 = global_3.member[_e371].member_15.member_1;
-let _e837 = global_3.member[_e371].member_16.member;
-let _e854 = global_3.member[_e371].member_16.member_1;
-let _e862 = global_3.member[_e371].member_17.member;
-let _e879 = global_3.member[_e371].member_17.member_1;
-phi_1179_ = (_e764 && (((((((((_e787.member.member * _e733) + (_e787.member.member_1 * _e734)) + (_e787.member.member_2 * _e735)) + _e787.member_1) <= _e799) || (_e805 == 0u)) && ((((((_e812.member.member * _e733) + (_e812.member.member_1 * _e734)) + (_e812.member.member_2 * _e735)) + _e812.member_1) <= _e799) || (_e829 == 0u))) && ((((((_e837.member.member * _e733) + (_e837.member.member_1 * _e734)) + (_e837.member.member_2 * _e735)) + _e837.member_1) <= _e799) || (_e854 == 0u))) && ((((((_e862.member.member * _e733) + (_e862.member.member_1 * _e734)) + (_e862.member.member_2 * _e735)) + _e862.member_1) <= _e799) || (_e879 == 0u))));
+let _e805 = global_3.member[_e371].member_16.member_1;
+let _e812 = global_3.member[_e371].member_17.member;
+let _e829 = global_3.member[_e371].member_17.member_1;
+let _e837 = global_3.member[_e371].member_18.member;
+let _e854 = global_3.member[_e371].member_18.member_1;
+let _e862 = global_3.member[_e371].member_19.member;
+let _e879 = global_3.member[_e371].member_19.member_1;
+phi_1181_ = (_e764 && (((((((((_e787.member.member * _e733) + (_e787.member.member_1 * _e734)) + (_e787.member.member_2 * _e735)) + _e787.member_1) <= _e799) || (_e805 == 0u)) && ((((((_e812.member.member * _e733) + (_e812.member.member_1 * _e734)) + (_e812.member.member_2 * _e735)) + _e812.member_1) <= _e799) || (_e829 == 0u))) && ((((((_e837.member.member * _e733) + (_e837.member.member_1 * _e734)) + (_e837.member.member_2 * _e735)) + _e837.member_1) <= _e799) || (_e854 == 0u))) && ((((((_e862.member.member * _e733) + (_e862.member.member_1 * _e734)) + (_e862.member.member_2 * _e735)) + _e862.member_1) <= _e799) || (_e879 == 0u))));
 }
-let _e885 = phi_1179_;
-phi_1182_ = (_e577 && (_e729 && _e885));
+let _e885 = phi_1181_;
+phi_1184_ = (_e577 && (_e729 && _e885));
 } else {
-phi_1182_ = _e577;
+phi_1184_ = _e577;
 }
-let _e889 = phi_1182_;
+let _e889 = phi_1184_;
 let _e890 = !(_e467);
-let _e898 = global_3.member[_e371].member_6.member_4;
+let _e898 = global_3.member[_e371].member_8.member_4;
 let _e899 = (_e540 - 0.5f);
 let _e901 = select(-0.5f, _e521, (_e521 > -0.5f));
 let _e903 = select(_e899, _e901, (_e901 < _e899));
@@ -528,7 +530,7 @@ let _e948 = (_e903 + 0.5f);
 let _e950 = select(0f, _e948, (_e948 > 0f));
 let _e952 = select(_e541, _e950, (_e950 < _e541));
 let _e959 = select(0i, select(select(i32(_e952), i32(-2147483648), (_e952 < -2147483600f)), 2147483647i, (_e952 > 2147483500f)), (_e952 == _e952));
-let _e968 = global_3.member[_e371].member_6.member_12;
+let _e968 = global_3.member[_e371].member_8.member_12;
 let _e969 = (_e968 & 31u);
 let _e972 = (_e908 + 0.5f);
 let _e974 = select(0f, _e972, (_e972 > 0f));
@@ -538,9 +540,9 @@ let _e990 = (_e913 + 0.5f);
 let _e992 = select(0f, _e990, (_e990 > 0f));
 let _e994 = select(_e563, _e992, (_e992 < _e563));
 let _e1001 = select(0i, select(select(i32(_e994), i32(-2147483648), (_e994 < -2147483600f)), 2147483647i, (_e994 > 2147483500f)), (_e994 == _e994));
-let _e1013 = global_3.member[_e371].member_6.member_9.member;
-let _e1020 = global_3.member[_e371].member_6.member_9.member_1;
-let _e1026 = global_3.member[_e371].member_6.member_10;
+let _e1013 = global_3.member[_e371].member_8.member_9.member;
+let _e1020 = global_3.member[_e371].member_8.member_9.member_1;
+let _e1026 = global_3.member[_e371].member_8.member_10;
 let _e1032 = ((bitcast<i32>(_e1026) + ((_e959 - select(0i, 1i, (_e952 < f32(_e959)))) >> bitcast<u32>(_e969))) + (bitcast<i32>(_e1013) * (((_e983 - select(0i, 1i, (_e976 < f32(_e983)))) >> bitcast<u32>(_e969)) + (bitcast<i32>(_e1020) * ((_e1001 - select(0i, 1i, (_e994 < f32(_e1001)))) >> bitcast<u32>(_e969))))));
 let _e1034 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
 let _e1036 = select(_e1034, _e1032, (_e1032 < _e1034));
@@ -556,9 +558,9 @@ let _e1077 = (((_e1070 * _e1070) + (_e1071 * _e1071)) + (_e1072 * _e1072));
 let _e1080 = sqrt(select(0f, _e1077, (_e1077 > 0f)));
 let _e1081 = type_38(type_31(1f, 1f), vec3<f32>(_e407, _e409, _e414), _e1061, _e1080, _e405, _e1061, true, false, false);
 if _e586 {
-let _e1183 = global_3.member[_e371].member_6.member.member;
-let _e1192 = global_3.member[_e371].member_6.member_1.member;
-let _e1201 = global_3.member[_e371].member_6.member_2.member;
+let _e1183 = global_3.member[_e371].member_8.member.member;
+let _e1192 = global_3.member[_e371].member_8.member_1.member;
+let _e1201 = global_3.member[_e371].member_8.member_2.member;
 let _e1205 = (-0.5f - _e483);
 let _e1206 = (-0.5f - _e521);
 let _e1207 = -(_e1205);
@@ -666,16 +668,16 @@ let _e1445 = select(select(select(select(select(select(0f, _e1183.member_1, _e12
 let _e1446 = select(select(select(select(select(select(1f, _e1183.member_2, _e1225), _e1183.member_2, _e1265), _e1192.member_2, _e1305), _e1192.member_2, _e1345), _e1201.member_2, _e1385), _e1201.member_2, _e1425);
 let _e1450 = ((_e1049 & 16u) == 0u);
 if _e1450 {
-phi_3024_ = type_34(_e1431, vec3<f32>(_e1432, _e1433, _e1434), _e1436, vec3<f32>(_e1437, _e1438, _e1439), _e1441, _e1443, vec3<f32>(_e1444, _e1445, _e1446));
+phi_3026_ = type_34(_e1431, vec3<f32>(_e1432, _e1433, _e1434), _e1436, vec3<f32>(_e1437, _e1438, _e1439), _e1441, _e1443, vec3<f32>(_e1444, _e1445, _e1446));
 } else {
 let _e1455 = (((_e1183.member * _e1183.member) + (_e1183.member_1 * _e1183.member_1)) + (_e1183.member_2 * _e1183.member_2));
 let _e1458 = sqrt(select(0f, _e1455, (_e1455 > 0f)));
-let _e1463 = global_3.member[_e371].member_14.member_1;
+let _e1463 = global_3.member[_e371].member_16.member_1;
 let _e1464 = (_e1463 != 0u);
-let _e1469 = global_3.member[_e371].member_14.member;
+let _e1469 = global_3.member[_e371].member_16.member;
 let _e1489 = select(-1e6f, (((((_e1469.member.member * _e397) + (_e1469.member.member_1 * _e399)) + (_e1469.member.member_2 * _e393)) + _e1469.member_1) * _e1458), _e1464);
 let _e1490 = select(-1e6f, (((((_e1469.member.member * _e407) + (_e1469.member.member_1 * _e409)) + (_e1469.member.member_2 * _e414)) + _e1469.member_1) * _e1458), _e1464);
-let _e1496 = global_3.member[_e371].member_14.member.member;
+let _e1496 = global_3.member[_e371].member_16.member.member;
 let _e1500 = -(_e1489);
 let _e1503 = (_e1489 - _e1490);
 let _e1504 = (_e1490 - _e1489);
@@ -690,12 +692,12 @@ let _e1524 = select(_e1431, _e1513, _e1522);
 let _e1528 = select(_e1436, _e1517, _e1523);
 let _e1532 = select(_e1441, _e1489, _e1518);
 let _e1534 = select(_e1443, _e1490, (_e1490 > _e1443));
-let _e1542 = global_3.member[_e371].member_15.member_1;
+let _e1542 = global_3.member[_e371].member_17.member_1;
 let _e1543 = (_e1542 != 0u);
-let _e1548 = global_3.member[_e371].member_15.member;
+let _e1548 = global_3.member[_e371].member_17.member;
 let _e1568 = select(-1e6f, (((((_e1548.member.member * _e397) + (_e1548.member.member_1 * _e399)) + (_e1548.member.member_2 * _e393)) + _e1548.member_1) * _e1458), _e1543);
 let _e1569 = select(-1e6f, (((((_e1548.member.member * _e407) + (_e1548.member.member_1 * _e409)) + (_e1548.member.member_2 * _e414)) + _e1548.member_1) * _e1458), _e1543);
-let _e1575 = global_3.member[_e371].member_15.member.member;
+let _e1575 = global_3.member[_e371].member_17.member.member;
 let _e1579 = -(_e1568);
 let _e1582 = (_e1568 - _e1569);
 let _e1583 = (_e1569 - _e1568);
@@ -710,12 +712,12 @@ let _e1603 = select(_e1524, _e1592, _e1601);
 let _e1607 = select(_e1528, _e1596, _e1602);
 let _e1611 = select(_e1532, _e1568, _e1597);
 let _e1613 = select(_e1534, _e1569, (_e1569 > _e1534));
-let _e1621 = global_3.member[_e371].member_16.member_1;
+let _e1621 = global_3.member[_e371].member_18.member_1;
 let _e1622 = (_e1621 != 0u);
-let _e1627 = global_3.member[_e371].member_16.member;
+let _e1627 = global_3.member[_e371].member_18.member;
 let _e1647 = select(-1e6f, (((((_e1627.member.member * _e397) + (_e1627.member.member_1 * _e399)) + (_e1627.member.member_2 * _e393)) + _e1627.member_1) * _e1458), _e1622);
 let _e1648 = select(-1e6f, (((((_e1627.member.member * _e407) + (_e1627.member.member_1 * _e409)) + (_e1627.member.member_2 * _e414)) + _e1627.member_1) * _e1458), _e1622);
-let _e1654 = global_3.member[_e371].member_16.member.member;
+let _e1654 = global_3.member[_e371].member_18.member.member;
 let _e1658 = -(_e1647);
 let _e1661 = (_e1647 - _e1648);
 let _e1662 = (_e1648 - _e1647);
@@ -730,12 +732,12 @@ let _e1682 = select(_e1603, _e1671, _e1680);
 let _e1686 = select(_e1607, _e1675, _e1681);
 let _e1690 = select(_e1611, _e1647, _e1676);
 let _e1692 = select(_e1613, _e1648, (_e1648 > _e1613));
-let _e1700 = global_3.member[_e371].member_17.member_1;
+let _e1700 = global_3.member[_e371].member_19.member_1;
 let _e1701 = (_e1700 != 0u);
-let _e1706 = global_3.member[_e371].member_17.member;
+let _e1706 = global_3.member[_e371].member_19.member;
 let _e1726 = select(-1e6f, (((((_e1706.member.member * _e397) + (_e1706.member.member_1 * _e399)) + (_e1706.member.member_2 * _e393)) + _e1706.member_1) * _e1458), _e1701);
 let _e1727 = select(-1e6f, (((((_e1706.member.member * _e407) + (_e1706.member.member_1 * _e409)) + (_e1706.member.member_2 * _e414)) + _e1706.member_1) * _e1458), _e1701);
-let _e1733 = global_3.member[_e371].member_17.member.member;
+let _e1733 = global_3.member[_e371].member_19.member.member;
 let _e1737 = -(_e1726);
 let _e1740 = (_e1726 - _e1727);
 let _e1741 = (_e1727 - _e1726);
@@ -746,16 +748,16 @@ let _e1754 = select(2f, select(0f, _e1746, (_e1726 < 0f)), (_e1727 > 0f));
 let _e1755 = (_e1726 > _e1690);
 let _e1759 = ((_e1750 > _e1682) || ((_e1750 == _e1682) && _e1755));
 let _e1760 = (_e1754 < _e1686);
-phi_3024_ = type_34(select(_e1682, _e1750, _e1759), vec3<f32>(select(select(select(select(_e1432, _e1496.member, _e1522), _e1575.member, _e1601), _e1654.member, _e1680), _e1733.member, _e1759), select(select(select(select(_e1433, _e1496.member_1, _e1522), _e1575.member_1, _e1601), _e1654.member_1, _e1680), _e1733.member_1, _e1759), select(select(select(select(_e1434, _e1496.member_2, _e1522), _e1575.member_2, _e1601), _e1654.member_2, _e1680), _e1733.member_2, _e1759)), select(_e1686, _e1754, _e1760), vec3<f32>(select(select(select(select(_e1437, _e1496.member, _e1523), _e1575.member, _e1602), _e1654.member, _e1681), _e1733.member, _e1760), select(select(select(select(_e1438, _e1496.member_1, _e1523), _e1575.member_1, _e1602), _e1654.member_1, _e1681), _e1733.member_1, _e1760), select(select(select(select(_e1439, _e1496.member_2, _e1523), _e1575.member_2, _e1602), _e1654.member_2, _e1681), _e1733.member_2, _e1760)), select(_e1690, _e1726, _e1755), select(_e1692, _e1727, (_e1727 > _e1692)), vec3<f32>(select(select(select(select(_e1444, _e1496.member, _e1518), _e1575.member, _e1597), _e1654.member, _e1676), _e1733.member, _e1755), select(select(select(select(_e1445, _e1496.member_1, _e1518), _e1575.member_1, _e1597), _e1654.member_1, _e1676), _e1733.member_1, _e1755), select(select(select(select(_e1446, _e1496.member_2, _e1518), _e1575.member_2, _e1597), _e1654.member_2, _e1676), _e1733.member_2, _e1755)));
+phi_3026_ = type_34(select(_e1682, _e1750, _e1759), vec3<f32>(select(select(select(select(_e1432, _e1496.member, _e1522), _e1575.member, _e1601), _e1654.member, _e1680), _e1733.member, _e1759), select(select(select(select(_e1433, _e1496.member_1, _e1522), _e1575.member_1, _e1601), _e1654.member_1, _e1680), _e1733.member_1, _e1759), select(select(select(select(_e1434, _e1496.member_2, _e1522), _e1575.member_2, _e1601), _e1654.member_2, _e1680), _e1733.member_2, _e1759)), select(_e1686, _e1754, _e1760), vec3<f32>(select(select(select(select(_e1437, _e1496.member, _e1523), _e1575.member, _e1602), _e1654.member, _e1681), _e1733.member, _e1760), select(select(select(select(_e1438, _e1496.member_1, _e1523), _e1575.member_1, _e1602), _e1654.member_1, _e1681), _e1733.member_1, _e1760), select(select(select(select(_e1439, _e1496.member_2, _e1523), _e1575.member_2, _e1602), _e1654.member_2, _e1681), _e1733.member_2, _e1760)), select(_e1690, _e1726, _e1755), select(_e1692, _e1727, (_e1727 > _e1692)), vec3<f32>(select(select(select(select(_e1444, _e1496.member, _e1518), _e1575.member, _e1597), _e1654.member, _e1676), _e1733.member, _e1755), select(select(select(select(_e1445, _e1496.member_1, _e1518), _e1575.member_1, _e1597), _e1654.member_1, _e1676), _e1733.member_1, _e1755), select(select(select(select(_e1446, _e1496.member_2, _e1518), _e1575.member_2, _e1597), _e1654.member_2, _e1676), _e1733.member_2, _e1755)));
 }
-let _e1780 = phi_3024_;
+let _e1780 = phi_3026_;
 if ((_e1780.member_4 > -(0.015625f)) && (_e1780.member_4 < 0.015625f)) {
-phi_3037_ = (_e375[9] != 0f);
+phi_3039_ = (_e375[9] != 0f);
 } else {
-phi_3037_ = (_e1780.member_4 < 0f);
+phi_3039_ = (_e1780.member_4 < 0f);
 }
-let _e1789 = phi_3037_;
-let _e1794 = global_3.member[_e371].member_10.member_9;
+let _e1789 = phi_3039_;
+let _e1794 = global_3.member[_e371].member_12.member_9;
 let _e1798 = select(-0.5f, _e483, (_e483 > -0.5f));
 let _e1800 = select(_e899, _e1798, (_e1798 < _e899));
 let _e1802 = select(-0.5f, _e499, (_e499 > -0.5f));
@@ -774,14 +776,14 @@ let _e1840 = select(-1f, _e1808, (_e1808 > -1f));
 let _e1842 = select(_e562, _e1840, (_e1840 < _e562));
 let _e1849 = select(0i, select(select(i32(_e1842), i32(-2147483648), (_e1842 < -2147483600f)), 2147483647i, (_e1842 > 2147483500f)), (_e1842 == _e1842));
 let _e1853 = (_e1849 - select(0i, 1i, (_e1842 < f32(_e1849))));
-let _e1858 = global_3.member[_e371].member_6.member_7;
-let _e1863 = global_3.member[_e371].member_6.member_8;
+let _e1858 = global_3.member[_e371].member_8.member_7;
+let _e1863 = global_3.member[_e371].member_8.member_8;
 let _e1864 = (_e1823 + 1i);
 let _e1865 = (_e1838 + 1i);
 let _e1866 = (_e1853 + 1i);
-let _e1872 = global_3.member[_e371].member_6.member_11.member;
+let _e1872 = global_3.member[_e371].member_8.member_11.member;
 let _e1873 = bitcast<i32>(_e1872);
-let _e1879 = global_3.member[_e371].member_6.member_11.member_1;
+let _e1879 = global_3.member[_e371].member_8.member_11.member_1;
 let _e1880 = bitcast<i32>(_e1879);
 let _e1890 = ((_e1864 >> bitcast<u32>(4i)) + (_e1873 * ((_e1865 >> bitcast<u32>(4i)) + (_e1880 * (_e1866 >> bitcast<u32>(4i))))));
 let _e1892 = (bitcast<i32>(_e184) - 1i);
@@ -860,8 +862,8 @@ let _e2128 = local_38.member_1[2u];
 let _e2135 = local_39[0u];
 let _e2139 = local_39[1u];
 let _e2144 = local_39[2u];
-let _e2152 = global_3.member[_e371].member_6.member_6;
-let _e2157 = global_3.member[_e371].member_6.member_5;
+let _e2152 = global_3.member[_e371].member_8.member_6;
+let _e2157 = global_3.member[_e371].member_8.member_5;
 let _e2159 = (((_e2036 + (((_e2087 + (((_e2127 + ((f32(bitcast<i32>(((_e2120 >> bitcast<u32>((_e2128 & 31u))) & 255u))) - _e2127) * _e2135)) - _e2087) * _e2139)) - _e2036) * _e2144)) - _e2152) * _e2157);
 let _e2160 = -(1e9f);
 let _e2162 = select(_e2160, _e2159, (_e2159 > _e2160));
@@ -939,17 +941,17 @@ let _e2362 = (_e375[3] * _e2361);
 let _e2363 = (_e375[4] * _e2361);
 let _e2364 = (_e375[5] * _e2361);
 if _e1789 {
-phi_4178_ = type_39(_e1780.member_2, _e1780.member_3);
+phi_4180_ = type_39(_e1780.member_2, _e1780.member_3);
 } else {
-phi_4178_ = type_39(_e1780.member, _e1780.member_1);
+phi_4180_ = type_39(_e1780.member, _e1780.member_1);
 }
-let _e2372 = phi_4178_;
+let _e2372 = phi_4180_;
 if _e1789 {
-phi_4190_ = (_e1780.member_2 <= 1f);
+phi_4192_ = (_e1780.member_2 <= 1f);
 } else {
-phi_4190_ = ((_e1780.member <= 1f) && (_e1780.member < _e1780.member_2));
+phi_4192_ = ((_e1780.member <= 1f) && (_e1780.member < _e1780.member_2));
 }
-let _e2380 = phi_4190_;
+let _e2380 = phi_4192_;
 let _e2383 = select(1f, _e2372.member, _e2380);
 let _e2387 = (_e397 + (_e1070 * _e2383));
 let _e2388 = (_e399 + (_e1071 * _e2383));
@@ -1085,11 +1087,11 @@ let _e2808 = global_2.member[_e2350];
 let _e2809 = bitcast<f32>(_e2808);
 let _e2815 = ((_e2806 + (f32(bitcast<i32>((_e2791 >> bitcast<u32>(12u)))) * _e2809)) + ((f32((bitcast<i32>((_e2791 & 4095u)) - 2048i)) * _e2802) * (_e2768 - f32(_e2783))));
 if _e1789 {
-phi_5326_ = type_31(_e2815, 1f);
+phi_5328_ = type_31(_e2815, 1f);
 } else {
-phi_5326_ = type_31(1f, _e2815);
+phi_5328_ = type_31(1f, _e2815);
 }
-let _e2819 = phi_5326_;
+let _e2819 = phi_5328_;
 let _e2824 = ((_e2819.member_1 * _e2819.member_1) - (_e2819.member * _e2819.member));
 let _e2832 = (((_e2372.member_1.x * _e2372.member_1.x) + (_e2372.member_1.y * _e2372.member_1.y)) + (_e2372.member_1.z * _e2372.member_1.z));
 let _e2835 = sqrt(select(0f, _e2832, (_e2832 > 0f)));
@@ -1106,7 +1108,7 @@ let _e2859 = (_e2824 == 0f);
 let _e2871 = select(_e2362, select((_e2362 + (_e2839 * _e2858)), _e2362, _e2859), _e2380);
 let _e2872 = select(_e2363, select((_e2363 + (_e2840 * _e2858)), _e2363, _e2859), _e2380);
 let _e2873 = select(_e2364, select((_e2364 + (_e2841 * _e2858)), _e2364, _e2859), _e2380);
-let _e2878 = global_3.member[_e371].member_5.member_4;
+let _e2878 = global_3.member[_e371].member_7.member_4;
 let _e2879 = (_e2878 * _e2878);
 let _e2883 = (_e2873 * _e2873);
 let _e2887 = (_e2380 && (_e2819.member != _e2819.member_1));
@@ -1225,16 +1227,16 @@ let _e3164 = select(select(select(select(select(select(0f, _e1183.member, _e2945
 let _e3165 = select(select(select(select(select(select(0f, _e1183.member_1, _e2945), _e1183.member_1, _e2985), _e1192.member_1, _e3025), _e1192.member_1, _e3065), _e1201.member_1, _e3105), _e1201.member_1, _e3145);
 let _e3166 = select(select(select(select(select(select(1f, _e1183.member_2, _e2945), _e1183.member_2, _e2985), _e1192.member_2, _e3025), _e1192.member_2, _e3065), _e1201.member_2, _e3105), _e1201.member_2, _e3145);
 if _e1450 {
-phi_6849_ = type_34(_e3151, vec3<f32>(_e3152, _e3153, _e3154), _e3156, vec3<f32>(_e3157, _e3158, _e3159), _e3161, _e3163, vec3<f32>(_e3164, _e3165, _e3166));
+phi_6851_ = type_34(_e3151, vec3<f32>(_e3152, _e3153, _e3154), _e3156, vec3<f32>(_e3157, _e3158, _e3159), _e3161, _e3163, vec3<f32>(_e3164, _e3165, _e3166));
 } else {
 let _e3173 = (((_e1183.member * _e1183.member) + (_e1183.member_1 * _e1183.member_1)) + (_e1183.member_2 * _e1183.member_2));
 let _e3176 = sqrt(select(0f, _e3173, (_e3173 > 0f)));
-let _e3181 = global_3.member[_e371].member_14.member_1;
+let _e3181 = global_3.member[_e371].member_16.member_1;
 let _e3182 = (_e3181 != 0u);
-let _e3187 = global_3.member[_e371].member_14.member;
+let _e3187 = global_3.member[_e371].member_16.member;
 let _e3207 = select(-1e6f, (((((_e3187.member.member * _e2387) + (_e3187.member.member_1 * _e2388)) + (_e3187.member.member_2 * _e2389)) + _e3187.member_1) * _e3176), _e3182);
 let _e3208 = select(-1e6f, (((((_e3187.member.member * _e2901) + (_e3187.member.member_1 * _e2902)) + (_e3187.member.member_2 * _e2903)) + _e3187.member_1) * _e3176), _e3182);
-let _e3214 = global_3.member[_e371].member_14.member.member;
+let _e3214 = global_3.member[_e371].member_16.member.member;
 let _e3218 = -(_e3207);
 let _e3221 = (_e3207 - _e3208);
 let _e3222 = (_e3208 - _e3207);
@@ -1249,12 +1251,12 @@ let _e3242 = select(_e3151, _e3231, _e3240);
 let _e3246 = select(_e3156, _e3235, _e3241);
 let _e3250 = select(_e3161, _e3207, _e3236);
 let _e3252 = select(_e3163, _e3208, (_e3208 > _e3163));
-let _e3260 = global_3.member[_e371].member_15.member_1;
+let _e3260 = global_3.member[_e371].member_17.member_1;
 let _e3261 = (_e3260 != 0u);
-let _e3266 = global_3.member[_e371].member_15.member;
+let _e3266 = global_3.member[_e371].member_17.member;
 let _e3286 = select(-1e6f, (((((_e3266.member.member * _e2387) + (_e3266.member.member_1 * _e2388)) + (_e3266.member.member_2 * _e2389)) + _e3266.member_1) * _e3176), _e3261);
 let _e3287 = select(-1e6f, (((((_e3266.member.member * _e2901) + (_e3266.member.member_1 * _e2902)) + (_e3266.member.member_2 * _e2903)) + _e3266.member_1) * _e3176), _e3261);
-let _e3293 = global_3.member[_e371].member_15.member.member;
+let _e3293 = global_3.member[_e371].member_17.member.member;
 let _e3297 = -(_e3286);
 let _e3300 = (_e3286 - _e3287);
 let _e3301 = (_e3287 - _e3286);
@@ -1269,12 +1271,12 @@ let _e3321 = select(_e3242, _e3310, _e3319);
 let _e3325 = select(_e3246, _e3314, _e3320);
 let _e3329 = select(_e3250, _e3286, _e3315);
 let _e3331 = select(_e3252, _e3287, (_e3287 > _e3252));
-let _e3339 = global_3.member[_e371].member_16.member_1;
+let _e3339 = global_3.member[_e371].member_18.member_1;
 let _e3340 = (_e3339 != 0u);
-let _e3345 = global_3.member[_e371].member_16.member;
+let _e3345 = global_3.member[_e371].member_18.member;
 let _e3365 = select(-1e6f, (((((_e3345.member.member * _e2387) + (_e3345.member.member_1 * _e2388)) + (_e3345.member.member_2 * _e2389)) + _e3345.member_1) * _e3176), _e3340);
 let _e3366 = select(-1e6f, (((((_e3345.member.member * _e2901) + (_e3345.member.member_1 * _e2902)) + (_e3345.member.member_2 * _e2903)) + _e3345.member_1) * _e3176), _e3340);
-let _e3372 = global_3.member[_e371].member_16.member.member;
+let _e3372 = global_3.member[_e371].member_18.member.member;
 let _e3376 = -(_e3365);
 let _e3379 = (_e3365 - _e3366);
 let _e3380 = (_e3366 - _e3365);
@@ -1289,12 +1291,12 @@ let _e3400 = select(_e3321, _e3389, _e3398);
 let _e3404 = select(_e3325, _e3393, _e3399);
 let _e3408 = select(_e3329, _e3365, _e3394);
 let _e3410 = select(_e3331, _e3366, (_e3366 > _e3331));
-let _e3418 = global_3.member[_e371].member_17.member_1;
+let _e3418 = global_3.member[_e371].member_19.member_1;
 let _e3419 = (_e3418 != 0u);
-let _e3424 = global_3.member[_e371].member_17.member;
+let _e3424 = global_3.member[_e371].member_19.member;
 let _e3444 = select(-1e6f, (((((_e3424.member.member * _e2387) + (_e3424.member.member_1 * _e2388)) + (_e3424.member.member_2 * _e2389)) + _e3424.member_1) * _e3176), _e3419);
 let _e3445 = select(-1e6f, (((((_e3424.member.member * _e2901) + (_e3424.member.member_1 * _e2902)) + (_e3424.member.member_2 * _e2903)) + _e3424.member_1) * _e3176), _e3419);
-let _e3451 = global_3.member[_e371].member_17.member.member;
+let _e3451 = global_3.member[_e371].member_19.member.member;
 let _e3455 = -(_e3444);
 let _e3458 = (_e3444 - _e3445);
 let _e3459 = (_e3445 - _e3444);
@@ -1305,9 +1307,9 @@ let _e3472 = select(2f, select(0f, _e3464, (_e3444 < 0f)), (_e3445 > 0f));
 let _e3473 = (_e3444 > _e3408);
 let _e3477 = ((_e3468 > _e3400) || ((_e3468 == _e3400) && _e3473));
 let _e3478 = (_e3472 < _e3404);
-phi_6849_ = type_34(select(_e3400, _e3468, _e3477), vec3<f32>(select(select(select(select(_e3152, _e3214.member, _e3240), _e3293.member, _e3319), _e3372.member, _e3398), _e3451.member, _e3477), select(select(select(select(_e3153, _e3214.member_1, _e3240), _e3293.member_1, _e3319), _e3372.member_1, _e3398), _e3451.member_1, _e3477), select(select(select(select(_e3154, _e3214.member_2, _e3240), _e3293.member_2, _e3319), _e3372.member_2, _e3398), _e3451.member_2, _e3477)), select(_e3404, _e3472, _e3478), vec3<f32>(select(select(select(select(_e3157, _e3214.member, _e3241), _e3293.member, _e3320), _e3372.member, _e3399), _e3451.member, _e3478), select(select(select(select(_e3158, _e3214.member_1, _e3241), _e3293.member_1, _e3320), _e3372.member_1, _e3399), _e3451.member_1, _e3478), select(select(select(select(_e3159, _e3214.member_2, _e3241), _e3293.member_2, _e3320), _e3372.member_2, _e3399), _e3451.member_2, _e3478)), select(_e3408, _e3444, _e3473), select(_e3410, _e3445, (_e3445 > _e3410)), vec3<f32>(select(select(select(select(_e3164, _e3214.member, _e3236), _e3293.member, _e3315), _e3372.member, _e3394), _e3451.member, _e3473), select(select(select(select(_e3165, _e3214.member_1, _e3236), _e3293.member_1, _e3315), _e3372.member_1, _e3394), _e3451.member_1, _e3473), select(select(select(select(_e3166, _e3214.member_2, _e3236), _e3293.member_2, _e3315), _e3372.member_2, _e3394), _e3451.member_2, _e3473)));
+phi_6851_ = type_34(select(_e3400, _e3468, _e3477), vec3<f32>(select(select(select(select(_e3152, _e3214.member, _e3240), _e3293.member, _e3319), _e3372.member, _e3398), _e3451.member, _e3477), select(select(select(select(_e3153, _e3214.member_1, _e3240), _e3293.member_1, _e3319), _e3372.member_1, _e3398), _e3451.member_1, _e3477), select(select(select(select(_e3154, _e3214.member_2, _e3240), _e3293.member_2, _e3319), _e3372.member_2, _e3398), _e3451.member_2, _e3477)), select(_e3404, _e3472, _e3478), vec3<f32>(select(select(select(select(_e3157, _e3214.member, _e3241), _e3293.member, _e3320), _e3372.member, _e3399), _e3451.member, _e3478), select(select(select(select(_e3158, _e3214.member_1, _e3241), _e3293.member_1, _e3320), _e3372.member_1, _e3399), _e3451.member_1, _e3478), select(select(select(select(_e3159, _e3214.member_2, _e3241), _e3293.member_2, _e3320), _e3372.member_2, _e3399), _e3451.member_2, _e3478)), select(_e3408, _e3444, _e3473), select(_e3410, _e3445, (_e3445 > _e3410)), vec3<f32>(select(select(select(select(_e3164, _e3214.member, _e3236), _e3293.member, _e3315), _e3372.member, _e3394), _e3451.member, _e3473), select(select(select(select(_e3165, _e3214.member_1, _e3236), _e3293.member_1, _e3315), _e3372.member_1, _e3394), _e3451.member_1, _e3473), select(select(select(select(_e3166, _e3214.member_2, _e3236), _e3293.member_2, _e3315), _e3372.member_2, _e3394), _e3451.member_2, _e3473)));
 }
-let _e3498 = phi_6849_;
+let _e3498 = phi_6851_;
 let _e3504 = (((_e2380 && _e2906) && !(_e2891)) && (_e3498.member_2 <= 1f));
 let _e3508 = (_e2903 - _e2389);
 let _e3509 = select(1f, _e3498.member_2, _e3504);
@@ -1443,11 +1445,11 @@ let _e3913 = select(_e2168, _e3911, (_e3911 < _e2168));
 let _e3918 = global_2.member[bitcast<u32>(select(0i, _e3913, (_e3913 > 0i)))];
 let _e3933 = ((_e2806 + (f32(bitcast<i32>((_e3918 >> bitcast<u32>(12u)))) * _e2809)) + ((f32((bitcast<i32>((_e3918 & 4095u)) - 2048i)) * _e2802) * (_e3895 - f32(_e3910))));
 if _e2906 {
-phi_8017_ = type_31(_e3933, 1f);
+phi_8019_ = type_31(_e3933, 1f);
 } else {
-phi_8017_ = type_31(1f, _e3933);
+phi_8019_ = type_31(1f, _e3933);
 }
-let _e3937 = phi_8017_;
+let _e3937 = phi_8019_;
 let _e3942 = ((_e3937.member_1 * _e3937.member_1) - (_e3937.member * _e3937.member));
 let _e3950 = (((_e3498.member_3.x * _e3498.member_3.x) + (_e3498.member_3.y * _e3498.member_3.y)) + (_e3498.member_3.z * _e3498.member_3.z));
 let _e3953 = sqrt(select(0f, _e3950, (_e3950 > 0f)));
@@ -1584,16 +1586,16 @@ let _e4298 = select(select(select(select(select(select(0f, _e1183.member, _e4079
 let _e4299 = select(select(select(select(select(select(0f, _e1183.member_1, _e4079), _e1183.member_1, _e4119), _e1192.member_1, _e4159), _e1192.member_1, _e4199), _e1201.member_1, _e4239), _e1201.member_1, _e4279);
 let _e4300 = select(select(select(select(select(select(1f, _e1183.member_2, _e4079), _e1183.member_2, _e4119), _e1192.member_2, _e4159), _e1192.member_2, _e4199), _e1201.member_2, _e4239), _e1201.member_2, _e4279);
 if _e1450 {
-phi_9555_ = type_34(_e4285, vec3<f32>(_e4286, _e4287, _e4288), _e4290, vec3<f32>(_e4291, _e4292, _e4293), _e4295, _e4297, vec3<f32>(_e4298, _e4299, _e4300));
+phi_9557_ = type_34(_e4285, vec3<f32>(_e4286, _e4287, _e4288), _e4290, vec3<f32>(_e4291, _e4292, _e4293), _e4295, _e4297, vec3<f32>(_e4298, _e4299, _e4300));
 } else {
 let _e4307 = (((_e1183.member * _e1183.member) + (_e1183.member_1 * _e1183.member_1)) + (_e1183.member_2 * _e1183.member_2));
 let _e4310 = sqrt(select(0f, _e4307, (_e4307 > 0f)));
-let _e4315 = global_3.member[_e371].member_14.member_1;
+let _e4315 = global_3.member[_e371].member_16.member_1;
 let _e4316 = (_e4315 != 0u);
-let _e4321 = global_3.member[_e371].member_14.member;
+let _e4321 = global_3.member[_e371].member_16.member;
 let _e4341 = select(-1e6f, (((((_e4321.member.member * _e3517.x) + (_e4321.member.member_1 * _e3517.y)) + (_e4321.member.member_2 * _e3517.z)) + _e4321.member_1) * _e4310), _e4316);
 let _e4342 = select(-1e6f, (((((_e4321.member.member * _e4014) + (_e4321.member.member_1 * _e4015)) + (_e4321.member.member_2 * _e4016)) + _e4321.member_1) * _e4310), _e4316);
-let _e4348 = global_3.member[_e371].member_14.member.member;
+let _e4348 = global_3.member[_e371].member_16.member.member;
 let _e4352 = -(_e4341);
 let _e4355 = (_e4341 - _e4342);
 let _e4356 = (_e4342 - _e4341);
@@ -1608,12 +1610,12 @@ let _e4376 = select(_e4285, _e4365, _e4374);
 let _e4380 = select(_e4290, _e4369, _e4375);
 let _e4384 = select(_e4295, _e4341, _e4370);
 let _e4386 = select(_e4297, _e4342, (_e4342 > _e4297));
-let _e4394 = global_3.member[_e371].member_15.member_1;
+let _e4394 = global_3.member[_e371].member_17.member_1;
 let _e4395 = (_e4394 != 0u);
-let _e4400 = global_3.member[_e371].member_15.member;
+let _e4400 = global_3.member[_e371].member_17.member;
 let _e4420 = select(-1e6f, (((((_e4400.member.member * _e3517.x) + (_e4400.member.member_1 * _e3517.y)) + (_e4400.member.member_2 * _e3517.z)) + _e4400.member_1) * _e4310), _e4395);
 let _e4421 = select(-1e6f, (((((_e4400.member.member * _e4014) + (_e4400.member.member_1 * _e4015)) + (_e4400.member.member_2 * _e4016)) + _e4400.member_1) * _e4310), _e4395);
-let _e4427 = global_3.member[_e371].member_15.member.member;
+let _e4427 = global_3.member[_e371].member_17.member.member;
 let _e4431 = -(_e4420);
 let _e4434 = (_e4420 - _e4421);
 let _e4435 = (_e4421 - _e4420);
@@ -1628,12 +1630,12 @@ let _e4455 = select(_e4376, _e4444, _e4453);
 let _e4459 = select(_e4380, _e4448, _e4454);
 let _e4463 = select(_e4384, _e4420, _e4449);
 let _e4465 = select(_e4386, _e4421, (_e4421 > _e4386));
-let _e4473 = global_3.member[_e371].member_16.member_1;
+let _e4473 = global_3.member[_e371].member_18.member_1;
 let _e4474 = (_e4473 != 0u);
-let _e4479 = global_3.member[_e371].member_16.member;
+let _e4479 = global_3.member[_e371].member_18.member;
 let _e4499 = select(-1e6f, (((((_e4479.member.member * _e3517.x) + (_e4479.member.member_1 * _e3517.y)) + (_e4479.member.member_2 * _e3517.z)) + _e4479.member_1) * _e4310), _e4474);
 let _e4500 = select(-1e6f, (((((_e4479.member.member * _e4014) + (_e4479.member.member_1 * _e4015)) + (_e4479.member.member_2 * _e4016)) + _e4479.member_1) * _e4310), _e4474);
-let _e4506 = global_3.member[_e371].member_16.member.member;
+let _e4506 = global_3.member[_e371].member_18.member.member;
 let _e4510 = -(_e4499);
 let _e4513 = (_e4499 - _e4500);
 let _e4514 = (_e4500 - _e4499);
@@ -1648,12 +1650,12 @@ let _e4534 = select(_e4455, _e4523, _e4532);
 let _e4538 = select(_e4459, _e4527, _e4533);
 let _e4542 = select(_e4463, _e4499, _e4528);
 let _e4544 = select(_e4465, _e4500, (_e4500 > _e4465));
-let _e4552 = global_3.member[_e371].member_17.member_1;
+let _e4552 = global_3.member[_e371].member_19.member_1;
 let _e4553 = (_e4552 != 0u);
-let _e4558 = global_3.member[_e371].member_17.member;
+let _e4558 = global_3.member[_e371].member_19.member;
 let _e4578 = select(-1e6f, (((((_e4558.member.member * _e3517.x) + (_e4558.member.member_1 * _e3517.y)) + (_e4558.member.member_2 * _e3517.z)) + _e4558.member_1) * _e4310), _e4553);
 let _e4579 = select(-1e6f, (((((_e4558.member.member * _e4014) + (_e4558.member.member_1 * _e4015)) + (_e4558.member.member_2 * _e4016)) + _e4558.member_1) * _e4310), _e4553);
-let _e4585 = global_3.member[_e371].member_17.member.member;
+let _e4585 = global_3.member[_e371].member_19.member.member;
 let _e4589 = -(_e4578);
 let _e4592 = (_e4578 - _e4579);
 let _e4593 = (_e4579 - _e4578);
@@ -1664,9 +1666,9 @@ let _e4606 = select(2f, select(0f, _e4598, (_e4578 < 0f)), (_e4579 > 0f));
 let _e4607 = (_e4578 > _e4542);
 let _e4611 = ((_e4602 > _e4534) || ((_e4602 == _e4534) && _e4607));
 let _e4612 = (_e4606 < _e4538);
-phi_9555_ = type_34(select(_e4534, _e4602, _e4611), vec3<f32>(select(select(select(select(_e4286, _e4348.member, _e4374), _e4427.member, _e4453), _e4506.member, _e4532), _e4585.member, _e4611), select(select(select(select(_e4287, _e4348.member_1, _e4374), _e4427.member_1, _e4453), _e4506.member_1, _e4532), _e4585.member_1, _e4611), select(select(select(select(_e4288, _e4348.member_2, _e4374), _e4427.member_2, _e4453), _e4506.member_2, _e4532), _e4585.member_2, _e4611)), select(_e4538, _e4606, _e4612), vec3<f32>(select(select(select(select(_e4291, _e4348.member, _e4375), _e4427.member, _e4454), _e4506.member, _e4533), _e4585.member, _e4612), select(select(select(select(_e4292, _e4348.member_1, _e4375), _e4427.member_1, _e4454), _e4506.member_1, _e4533), _e4585.member_1, _e4612), select(select(select(select(_e4293, _e4348.member_2, _e4375), _e4427.member_2, _e4454), _e4506.member_2, _e4533), _e4585.member_2, _e4612)), select(_e4542, _e4578, _e4607), select(_e4544, _e4579, (_e4579 > _e4544)), vec3<f32>(select(select(select(select(_e4298, _e4348.member, _e4370), _e4427.member, _e4449), _e4506.member, _e4528), _e4585.member, _e4607), select(select(select(select(_e4299, _e4348.member_1, _e4370), _e4427.member_1, _e4449), _e4506.member_1, _e4528), _e4585.member_1, _e4607), select(select(select(select(_e4300, _e4348.member_2, _e4370), _e4427.member_2, _e4449), _e4506.member_2, _e4528), _e4585.member_2, _e4607)));
+phi_9557_ = type_34(select(_e4534, _e4602, _e4611), vec3<f32>(select(select(select(select(_e4286, _e4348.member, _e4374), _e4427.member, _e4453), _e4506.member, _e4532), _e4585.member, _e4611), select(select(select(select(_e4287, _e4348.member_1, _e4374), _e4427.member_1, _e4453), _e4506.member_1, _e4532), _e4585.member_1, _e4611), select(select(select(select(_e4288, _e4348.member_2, _e4374), _e4427.member_2, _e4453), _e4506.member_2, _e4532), _e4585.member_2, _e4611)), select(_e4538, _e4606, _e4612), vec3<f32>(select(select(select(select(_e4291, _e4348.member, _e4375), _e4427.member, _e4454), _e4506.member, _e4533), _e4585.member, _e4612), select(select(select(select(_e4292, _e4348.member_1, _e4375), _e4427.member_1, _e4454), _e4506.member_1, _e4533), _e4585.member_1, _e4612), select(select(select(select(_e4293, _e4348.member_2, _e4375), _e4427.member_2, _e4454), _e4506.member_2, _e4533), _e4585.member_2, _e4612)), select(_e4542, _e4578, _e4607), select(_e4544, _e4579, (_e4579 > _e4544)), vec3<f32>(select(select(select(select(_e4298, _e4348.member, _e4370), _e4427.member, _e4449), _e4506.member, _e4528), _e4585.member, _e4607), select(select(select(select(_e4299, _e4348.member_1, _e4370), _e4427.member_1, _e4449), _e4506.member_1, _e4528), _e4585.member_1, _e4607), select(select(select(select(_e4300, _e4348.member_2, _e4370), _e4427.member_2, _e4449), _e4506.member_2, _e4528), _e4585.member_2, _e4607)));
 }
-let _e4632 = phi_9555_;
+let _e4632 = phi_9557_;
 let _e4638 = (((_e3504 && _e4019) && !(_e4003)) && (_e4632.member_2 <= 1f));
 let _e4643 = select(1f, _e4632.member_2, _e4638);
 let _e4644 = ((_e4014 - _e3517.x) * _e4643);
@@ -1801,11 +1803,11 @@ let _e5047 = select(_e2168, _e5045, (_e5045 < _e2168));
 let _e5052 = global_2.member[bitcast<u32>(select(0i, _e5047, (_e5047 > 0i)))];
 let _e5067 = ((_e2806 + (f32(bitcast<i32>((_e5052 >> bitcast<u32>(12u)))) * _e2809)) + ((f32((bitcast<i32>((_e5052 & 4095u)) - 2048i)) * _e2802) * (_e5029 - f32(_e5044))));
 if _e4019 {
-phi_10723_ = type_31(_e5067, 1f);
+phi_10725_ = type_31(_e5067, 1f);
 } else {
-phi_10723_ = type_31(1f, _e5067);
+phi_10725_ = type_31(1f, _e5067);
 }
-let _e5071 = phi_10723_;
+let _e5071 = phi_10725_;
 let _e5076 = ((_e5071.member_1 * _e5071.member_1) - (_e5071.member * _e5071.member));
 let _e5084 = (((_e4632.member_3.x * _e4632.member_3.x) + (_e4632.member_3.y * _e4632.member_3.y)) + (_e4632.member_3.z * _e4632.member_3.z));
 let _e5087 = sqrt(select(0f, _e5084, (_e5084 > 0f)));
@@ -1942,16 +1944,16 @@ let _e5433 = select(select(select(select(select(select(0f, _e1183.member, _e5214
 let _e5434 = select(select(select(select(select(select(0f, _e1183.member_1, _e5214), _e1183.member_1, _e5254), _e1192.member_1, _e5294), _e1192.member_1, _e5334), _e1201.member_1, _e5374), _e1201.member_1, _e5414);
 let _e5435 = select(select(select(select(select(select(1f, _e1183.member_2, _e5214), _e1183.member_2, _e5254), _e1192.member_2, _e5294), _e1192.member_2, _e5334), _e1201.member_2, _e5374), _e1201.member_2, _e5414);
 if _e1450 {
-phi_12261_ = type_34(_e5420, vec3<f32>(_e5421, _e5422, _e5423), _e5425, vec3<f32>(_e5426, _e5427, _e5428), _e5430, _e5432, vec3<f32>(_e5433, _e5434, _e5435));
+phi_12263_ = type_34(_e5420, vec3<f32>(_e5421, _e5422, _e5423), _e5425, vec3<f32>(_e5426, _e5427, _e5428), _e5430, _e5432, vec3<f32>(_e5433, _e5434, _e5435));
 } else {
 let _e5442 = (((_e1183.member * _e1183.member) + (_e1183.member_1 * _e1183.member_1)) + (_e1183.member_2 * _e1183.member_2));
 let _e5445 = sqrt(select(0f, _e5442, (_e5442 > 0f)));
-let _e5450 = global_3.member[_e371].member_14.member_1;
+let _e5450 = global_3.member[_e371].member_16.member_1;
 let _e5451 = (_e5450 != 0u);
-let _e5456 = global_3.member[_e371].member_14.member;
+let _e5456 = global_3.member[_e371].member_16.member;
 let _e5476 = select(-1e6f, (((((_e5456.member.member * _e4651.x) + (_e5456.member.member_1 * _e4651.y)) + (_e5456.member.member_2 * _e4651.z)) + _e5456.member_1) * _e5445), _e5451);
 let _e5477 = select(-1e6f, (((((_e5456.member.member * _e5149) + (_e5456.member.member_1 * _e5150)) + (_e5456.member.member_2 * _e5151)) + _e5456.member_1) * _e5445), _e5451);
-let _e5483 = global_3.member[_e371].member_14.member.member;
+let _e5483 = global_3.member[_e371].member_16.member.member;
 let _e5487 = -(_e5476);
 let _e5490 = (_e5476 - _e5477);
 let _e5491 = (_e5477 - _e5476);
@@ -1966,12 +1968,12 @@ let _e5511 = select(_e5420, _e5500, _e5509);
 let _e5515 = select(_e5425, _e5504, _e5510);
 let _e5519 = select(_e5430, _e5476, _e5505);
 let _e5521 = select(_e5432, _e5477, (_e5477 > _e5432));
-let _e5529 = global_3.member[_e371].member_15.member_1;
+let _e5529 = global_3.member[_e371].member_17.member_1;
 let _e5530 = (_e5529 != 0u);
-let _e5535 = global_3.member[_e371].member_15.member;
+let _e5535 = global_3.member[_e371].member_17.member;
 let _e5555 = select(-1e6f, (((((_e5535.member.member * _e4651.x) + (_e5535.member.member_1 * _e4651.y)) + (_e5535.member.member_2 * _e4651.z)) + _e5535.member_1) * _e5445), _e5530);
 let _e5556 = select(-1e6f, (((((_e5535.member.member * _e5149) + (_e5535.member.member_1 * _e5150)) + (_e5535.member.member_2 * _e5151)) + _e5535.member_1) * _e5445), _e5530);
-let _e5562 = global_3.member[_e371].member_15.member.member;
+let _e5562 = global_3.member[_e371].member_17.member.member;
 let _e5566 = -(_e5555);
 let _e5569 = (_e5555 - _e5556);
 let _e5570 = (_e5556 - _e5555);
@@ -1986,12 +1988,12 @@ let _e5590 = select(_e5511, _e5579, _e5588);
 let _e5594 = select(_e5515, _e5583, _e5589);
 let _e5598 = select(_e5519, _e5555, _e5584);
 let _e5600 = select(_e5521, _e5556, (_e5556 > _e5521));
-let _e5608 = global_3.member[_e371].member_16.member_1;
+let _e5608 = global_3.member[_e371].member_18.member_1;
 let _e5609 = (_e5608 != 0u);
-let _e5614 = global_3.member[_e371].member_16.member;
+let _e5614 = global_3.member[_e371].member_18.member;
 let _e5634 = select(-1e6f, (((((_e5614.member.member * _e4651.x) + (_e5614.member.member_1 * _e4651.y)) + (_e5614.member.member_2 * _e4651.z)) + _e5614.member_1) * _e5445), _e5609);
 let _e5635 = select(-1e6f, (((((_e5614.member.member * _e5149) + (_e5614.member.member_1 * _e5150)) + (_e5614.member.member_2 * _e5151)) + _e5614.member_1) * _e5445), _e5609);
-let _e5641 = global_3.member[_e371].member_16.member.member;
+let _e5641 = global_3.member[_e371].member_18.member.member;
 let _e5645 = -(_e5634);
 let _e5648 = (_e5634 - _e5635);
 let _e5649 = (_e5635 - _e5634);
@@ -2006,12 +2008,12 @@ let _e5669 = select(_e5590, _e5658, _e5667);
 let _e5673 = select(_e5594, _e5662, _e5668);
 let _e5677 = select(_e5598, _e5634, _e5663);
 let _e5679 = select(_e5600, _e5635, (_e5635 > _e5600));
-let _e5687 = global_3.member[_e371].member_17.member_1;
+let _e5687 = global_3.member[_e371].member_19.member_1;
 let _e5688 = (_e5687 != 0u);
-let _e5693 = global_3.member[_e371].member_17.member;
+let _e5693 = global_3.member[_e371].member_19.member;
 let _e5713 = select(-1e6f, (((((_e5693.member.member * _e4651.x) + (_e5693.member.member_1 * _e4651.y)) + (_e5693.member.member_2 * _e4651.z)) + _e5693.member_1) * _e5445), _e5688);
 let _e5714 = select(-1e6f, (((((_e5693.member.member * _e5149) + (_e5693.member.member_1 * _e5150)) + (_e5693.member.member_2 * _e5151)) + _e5693.member_1) * _e5445), _e5688);
-let _e5720 = global_3.member[_e371].member_17.member.member;
+let _e5720 = global_3.member[_e371].member_19.member.member;
 let _e5724 = -(_e5713);
 let _e5727 = (_e5713 - _e5714);
 let _e5728 = (_e5714 - _e5713);
@@ -2022,9 +2024,9 @@ let _e5741 = select(2f, select(0f, _e5733, (_e5713 < 0f)), (_e5714 > 0f));
 let _e5742 = (_e5713 > _e5677);
 let _e5746 = ((_e5737 > _e5669) || ((_e5737 == _e5669) && _e5742));
 let _e5747 = (_e5741 < _e5673);
-phi_12261_ = type_34(select(_e5669, _e5737, _e5746), vec3<f32>(select(select(select(select(_e5421, _e5483.member, _e5509), _e5562.member, _e5588), _e5641.member, _e5667), _e5720.member, _e5746), select(select(select(select(_e5422, _e5483.member_1, _e5509), _e5562.member_1, _e5588), _e5641.member_1, _e5667), _e5720.member_1, _e5746), select(select(select(select(_e5423, _e5483.member_2, _e5509), _e5562.member_2, _e5588), _e5641.member_2, _e5667), _e5720.member_2, _e5746)), select(_e5673, _e5741, _e5747), vec3<f32>(select(select(select(select(_e5426, _e5483.member, _e5510), _e5562.member, _e5589), _e5641.member, _e5668), _e5720.member, _e5747), select(select(select(select(_e5427, _e5483.member_1, _e5510), _e5562.member_1, _e5589), _e5641.member_1, _e5668), _e5720.member_1, _e5747), select(select(select(select(_e5428, _e5483.member_2, _e5510), _e5562.member_2, _e5589), _e5641.member_2, _e5668), _e5720.member_2, _e5747)), select(_e5677, _e5713, _e5742), select(_e5679, _e5714, (_e5714 > _e5679)), vec3<f32>(select(select(select(select(_e5433, _e5483.member, _e5505), _e5562.member, _e5584), _e5641.member, _e5663), _e5720.member, _e5742), select(select(select(select(_e5434, _e5483.member_1, _e5505), _e5562.member_1, _e5584), _e5641.member_1, _e5663), _e5720.member_1, _e5742), select(select(select(select(_e5435, _e5483.member_2, _e5505), _e5562.member_2, _e5584), _e5641.member_2, _e5663), _e5720.member_2, _e5742)));
+phi_12263_ = type_34(select(_e5669, _e5737, _e5746), vec3<f32>(select(select(select(select(_e5421, _e5483.member, _e5509), _e5562.member, _e5588), _e5641.member, _e5667), _e5720.member, _e5746), select(select(select(select(_e5422, _e5483.member_1, _e5509), _e5562.member_1, _e5588), _e5641.member_1, _e5667), _e5720.member_1, _e5746), select(select(select(select(_e5423, _e5483.member_2, _e5509), _e5562.member_2, _e5588), _e5641.member_2, _e5667), _e5720.member_2, _e5746)), select(_e5673, _e5741, _e5747), vec3<f32>(select(select(select(select(_e5426, _e5483.member, _e5510), _e5562.member, _e5589), _e5641.member, _e5668), _e5720.member, _e5747), select(select(select(select(_e5427, _e5483.member_1, _e5510), _e5562.member_1, _e5589), _e5641.member_1, _e5668), _e5720.member_1, _e5747), select(select(select(select(_e5428, _e5483.member_2, _e5510), _e5562.member_2, _e5589), _e5641.member_2, _e5668), _e5720.member_2, _e5747)), select(_e5677, _e5713, _e5742), select(_e5679, _e5714, (_e5714 > _e5679)), vec3<f32>(select(select(select(select(_e5433, _e5483.member, _e5505), _e5562.member, _e5584), _e5641.member, _e5663), _e5720.member, _e5742), select(select(select(select(_e5434, _e5483.member_1, _e5505), _e5562.member_1, _e5584), _e5641.member_1, _e5663), _e5720.member_1, _e5742), select(select(select(select(_e5435, _e5483.member_2, _e5505), _e5562.member_2, _e5584), _e5641.member_2, _e5663), _e5720.member_2, _e5742)));
 }
-let _e5767 = phi_12261_;
+let _e5767 = phi_12263_;
 let _e5773 = (((_e4638 && _e5154) && !(_e5138)) && (_e5767.member_2 <= 1f));
 let _e5774 = (_e919 < 1e-12f);
 let _e5776 = (1f / select(_e914, 1f, _e5774));
@@ -2227,12 +2229,12 @@ let _e6266 = select(_e6225, _e6197, (_e6197 > _e6225));
 let _e6269 = (select(_e6260, _e6262, (_e6262 < _e6260)) - select(_e6253, _e6266, (_e6266 > _e6253)));
 let _e6276 = ((_e2887 || _e3999) || _e5134);
 if _e2887 {
-phi_14009_ = _e2819;
+phi_14011_ = _e2819;
 } else {
-phi_14009_ = _e3937;
+phi_14011_ = _e3937;
 }
-let _e6297 = phi_14009_;
-phi_14281_ = type_38(_e6297, vec3<f32>(select(_e5149, _e4651.x, _e5773), select(_e5150, _e4651.y, _e5773), select(_e5151, _e4651.z, _e5773)), vec3<f32>(_e5123, _e5124, _e5125), select((_e1080 * select(0f, _e5854, (_e5854 > 0f))), ((((sqrt(select(0f, _e5865, (_e5865 > 0f))) * select(0f, _e5946, (_e5946 > 0f))) + (sqrt(select(0f, _e5957, (_e5957 > 0f))) * select(0f, _e6053, (_e6053 > 0f)))) + (sqrt(select(0f, _e6065, (_e6065 > 0f))) * select(0f, _e6161, (_e6161 > 0f)))) + select(0f, (sqrt(select(0f, _e6173, (_e6173 > 0f))) * select(0f, _e6269, (_e6269 > 0f))), _e4638)), _e6276), select((_e404 / _e5125), (2f * (_e3508 / _e2873)), (((_e2380 && !(_e1789)) && _e2906) && !(_e3504))), select(_e3498.member_3, _e2372.member_1, vec3(_e2887)), _e5154, _e6276, (((_e2891 || _e4003) || _e5138) || _e5773));
+let _e6297 = phi_14011_;
+phi_14283_ = type_38(_e6297, vec3<f32>(select(_e5149, _e4651.x, _e5773), select(_e5150, _e4651.y, _e5773), select(_e5151, _e4651.z, _e5773)), vec3<f32>(_e5123, _e5124, _e5125), select((_e1080 * select(0f, _e5854, (_e5854 > 0f))), ((((sqrt(select(0f, _e5865, (_e5865 > 0f))) * select(0f, _e5946, (_e5946 > 0f))) + (sqrt(select(0f, _e5957, (_e5957 > 0f))) * select(0f, _e6053, (_e6053 > 0f)))) + (sqrt(select(0f, _e6065, (_e6065 > 0f))) * select(0f, _e6161, (_e6161 > 0f)))) + select(0f, (sqrt(select(0f, _e6173, (_e6173 > 0f))) * select(0f, _e6269, (_e6269 > 0f))), _e4638)), _e6276), select((_e404 / _e5125), (2f * (_e3508 / _e2873)), (((_e2380 && !(_e1789)) && _e2906) && !(_e3504))), select(_e3498.member_3, _e2372.member_1, vec3(_e2887)), _e5154, _e6276, (((_e2891 || _e4003) || _e5138) || _e5773));
 } else {
 let _e1082 = (_e919 < 1e-12f);
 let _e1084 = (1f / select(_e914, 1f, _e1082));
@@ -2267,9 +2269,9 @@ let _e1156 = select(select(1f, _e1153, (_e1153 < 1f)), 1f, _e1132);
 let _e1158 = select(_e1131, _e1106, (_e1106 < _e1131));
 let _e1162 = select(_e1124, _e1099, (_e1099 > _e1124));
 let _e1165 = (select(_e1156, _e1158, (_e1158 < _e1156)) - select(_e1149, _e1162, (_e1162 > _e1149)));
-phi_14281_ = type_38(_e1081.member, _e1081.member_1, _e1081.member_2, (_e1080 * select(0f, _e1165, (_e1165 > 0f))), _e1081.member_4, _e1081.member_5, _e1081.member_6, _e1081.member_7, _e1081.member_8);
+phi_14283_ = type_38(_e1081.member, _e1081.member_1, _e1081.member_2, (_e1080 * select(0f, _e1165, (_e1165 > 0f))), _e1081.member_4, _e1081.member_5, _e1081.member_6, _e1081.member_7, _e1081.member_8);
 }
-let _e6300 = phi_14281_;
+let _e6300 = phi_14283_;
 let _e6311 = ((((_e472.member.member * _e6300.member_1.x) + (_e472.member.member_1 * _e6300.member_1.y)) + (_e472.member.member_2 * _e6300.member_1.z)) + _e472.member_1);
 let _e6317 = ((((_e488.member.member * _e6300.member_1.x) + (_e488.member.member_1 * _e6300.member_1.y)) + (_e488.member.member_2 * _e6300.member_1.z)) + _e488.member_1);
 let _e6323 = ((((_e504.member.member * _e6300.member_1.x) + (_e504.member.member_1 * _e6300.member_1.y)) + (_e504.member.member_2 * _e6300.member_1.z)) + _e504.member_1);
@@ -2292,13 +2294,13 @@ let _e6736 = select(-1f, _e6704, (_e6704 > -1f));
 let _e6738 = select(_e562, _e6736, (_e6736 < _e562));
 let _e6745 = select(0i, select(select(i32(_e6738), i32(-2147483648), (_e6738 < -2147483600f)), 2147483647i, (_e6738 > 2147483500f)), (_e6738 == _e6738));
 let _e6749 = (_e6745 - select(0i, 1i, (_e6738 < f32(_e6745))));
-let _e6754 = global_3.member[_e371].member_6.member_7;
-let _e6759 = global_3.member[_e371].member_6.member_8;
+let _e6754 = global_3.member[_e371].member_8.member_7;
+let _e6759 = global_3.member[_e371].member_8.member_8;
 let _e6760 = (_e6719 + 1i);
 let _e6761 = (_e6734 + 1i);
 let _e6762 = (_e6749 + 1i);
-let _e6768 = global_3.member[_e371].member_6.member_11.member;
-let _e6775 = global_3.member[_e371].member_6.member_11.member_1;
+let _e6768 = global_3.member[_e371].member_8.member_11.member;
+let _e6775 = global_3.member[_e371].member_8.member_11.member_1;
 let _e6786 = ((_e6760 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6768) * ((_e6761 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6775) * (_e6762 >> bitcast<u32>(4i))))));
 let _e6788 = (bitcast<i32>(_e184) - 1i);
 let _e6790 = select(_e6788, _e6786, (_e6786 < _e6788));
@@ -2544,8 +2546,8 @@ let _e7596 = local_23[2u];
 let _e7600 = local_23[1u];
 let _e7604 = local_23[2u];
 let _e7608 = local_23[2u];
-let _e7616 = global_3.member[_e371].member_6.member_6;
-let _e7621 = global_3.member[_e371].member_6.member_5;
+let _e7616 = global_3.member[_e371].member_8.member_6;
+let _e7621 = global_3.member[_e371].member_8.member_5;
 let _e7623 = (((_e7538 + ((_e7542 - _e7538) * _e7608)) - _e7616) * _e7621);
 let _e7624 = -(1e9f);
 let _e7626 = select(_e7624, _e7623, (_e7623 > _e7624));
@@ -2655,7 +2657,7 @@ if _e585 {
 let _e8349 = ((0.5f * (_e7640 - _e7634)) * _e7898);
 let _e8350 = ((0.5f * (_e7652 - _e7646)) * _e7898);
 let _e8351 = ((0.5f * (_e7664 - _e7658)) * _e7898);
-phi_19714_ = type_32(_e7860, vec3<f32>(_e8349, _e8350, _e8351), vec3<f32>((_e8349 * _e7860), (_e8350 * _e7860), (_e8351 * _e7860)));
+phi_19716_ = type_32(_e7860, vec3<f32>(_e8349, _e8350, _e8351), vec3<f32>((_e8349 * _e7860), (_e8350 * _e7860), (_e8351 * _e7860)));
 } else {
 local_18 = _e7634;
 let _e7899 = local_18;
@@ -2804,23 +2806,23 @@ let _e8324 = ((_e7845 + (f32(bitcast<i32>((_e8309 >> bitcast<u32>(12u)))) * _e78
 let _e8325 = (_e8040 - _e7969);
 let _e8327 = (_e8182 - _e8111);
 let _e8329 = (_e8324 - _e8253);
-phi_19714_ = type_32(_e7860, vec3<f32>((0.5f * _e8325), (0.5f * _e8327), (0.5f * _e8329)), vec3<f32>((0.25f * (_e8325 * (_e8040 + _e7969))), (0.25f * (_e8327 * (_e8182 + _e8111))), (0.25f * (_e8329 * (_e8324 + _e8253)))));
+phi_19716_ = type_32(_e7860, vec3<f32>((0.5f * _e8325), (0.5f * _e8327), (0.5f * _e8329)), vec3<f32>((0.25f * (_e8325 * (_e8040 + _e7969))), (0.25f * (_e8327 * (_e8182 + _e8111))), (0.25f * (_e8329 * (_e8324 + _e8253)))));
 }
-let _e8359 = phi_19714_;
+let _e8359 = phi_19716_;
 let _e8374 = select(0f, 1f, ((((((_e6311 >= -0.5f) && (_e6311 <= _e899)) && (_e6317 >= -0.5f)) && (_e6317 <= _e904)) && (_e6323 >= -0.5f)) && (_e6323 <= _e909)));
 let _e8376 = (0.5f * (_e7640 - _e7634));
 let _e8378 = (0.5f * (_e7652 - _e7646));
 let _e8380 = (0.5f * (_e7664 - _e7658));
-let _e8387 = global_3.member[_e371].member_6.member.member.member;
-let _e8394 = global_3.member[_e371].member_6.member.member.member_1;
-let _e8401 = global_3.member[_e371].member_6.member.member.member_2;
-let _e8408 = global_3.member[_e371].member_6.member_1.member.member;
-let _e8415 = global_3.member[_e371].member_6.member_1.member.member_1;
-let _e8422 = global_3.member[_e371].member_6.member_1.member.member_2;
-let _e8429 = global_3.member[_e371].member_6.member_2.member.member;
-let _e8436 = global_3.member[_e371].member_6.member_2.member.member_1;
-let _e8443 = global_3.member[_e371].member_6.member_2.member.member_2;
-phi_20417_ = type_33(_e7628, vec3<f32>(((((_e8387 * _e8376) + (_e8408 * _e8378)) + (_e8429 * _e8380)) * _e8374), ((((_e8394 * _e8376) + (_e8415 * _e8378)) + (_e8436 * _e8380)) * _e8374), ((((_e8401 * _e8376) + (_e8422 * _e8378)) + (_e8443 * _e8380)) * _e8374)), _e8359.member, vec3<f32>(((((_e8387 * _e8359.member_2.x) + (_e8408 * _e8359.member_2.y)) + (_e8429 * _e8359.member_2.z)) * _e8374), ((((_e8394 * _e8359.member_2.x) + (_e8415 * _e8359.member_2.y)) + (_e8436 * _e8359.member_2.z)) * _e8374), ((((_e8401 * _e8359.member_2.x) + (_e8422 * _e8359.member_2.y)) + (_e8443 * _e8359.member_2.z)) * _e8374)), vec3<f32>(((((_e8387 * _e8359.member_1.x) + (_e8408 * _e8359.member_1.y)) + (_e8429 * _e8359.member_1.z)) * _e8374), ((((_e8394 * _e8359.member_1.x) + (_e8415 * _e8359.member_1.y)) + (_e8436 * _e8359.member_1.z)) * _e8374), ((((_e8401 * _e8359.member_1.x) + (_e8422 * _e8359.member_1.y)) + (_e8443 * _e8359.member_1.z)) * _e8374)));
+let _e8387 = global_3.member[_e371].member_8.member.member.member;
+let _e8394 = global_3.member[_e371].member_8.member.member.member_1;
+let _e8401 = global_3.member[_e371].member_8.member.member.member_2;
+let _e8408 = global_3.member[_e371].member_8.member_1.member.member;
+let _e8415 = global_3.member[_e371].member_8.member_1.member.member_1;
+let _e8422 = global_3.member[_e371].member_8.member_1.member.member_2;
+let _e8429 = global_3.member[_e371].member_8.member_2.member.member;
+let _e8436 = global_3.member[_e371].member_8.member_2.member.member_1;
+let _e8443 = global_3.member[_e371].member_8.member_2.member.member_2;
+phi_20419_ = type_33(_e7628, vec3<f32>(((((_e8387 * _e8376) + (_e8408 * _e8378)) + (_e8429 * _e8380)) * _e8374), ((((_e8394 * _e8376) + (_e8415 * _e8378)) + (_e8436 * _e8380)) * _e8374), ((((_e8401 * _e8376) + (_e8422 * _e8378)) + (_e8443 * _e8380)) * _e8374)), _e8359.member, vec3<f32>(((((_e8387 * _e8359.member_2.x) + (_e8408 * _e8359.member_2.y)) + (_e8429 * _e8359.member_2.z)) * _e8374), ((((_e8394 * _e8359.member_2.x) + (_e8415 * _e8359.member_2.y)) + (_e8436 * _e8359.member_2.z)) * _e8374), ((((_e8401 * _e8359.member_2.x) + (_e8422 * _e8359.member_2.y)) + (_e8443 * _e8359.member_2.z)) * _e8374)), vec3<f32>(((((_e8387 * _e8359.member_1.x) + (_e8408 * _e8359.member_1.y)) + (_e8429 * _e8359.member_1.z)) * _e8374), ((((_e8394 * _e8359.member_1.x) + (_e8415 * _e8359.member_1.y)) + (_e8436 * _e8359.member_1.z)) * _e8374), ((((_e8401 * _e8359.member_1.x) + (_e8422 * _e8359.member_1.y)) + (_e8443 * _e8359.member_1.z)) * _e8374)));
 } else {
 let _e6325 = select(-0.5f, _e6311, (_e6311 > -0.5f));
 let _e6327 = select(_e899, _e6325, (_e6325 < _e899));
@@ -2840,13 +2842,13 @@ let _e6367 = select(-1f, _e6335, (_e6335 > -1f));
 let _e6369 = select(_e562, _e6367, (_e6367 < _e562));
 let _e6376 = select(0i, select(select(i32(_e6369), i32(-2147483648), (_e6369 < -2147483600f)), 2147483647i, (_e6369 > 2147483500f)), (_e6369 == _e6369));
 let _e6380 = (_e6376 - select(0i, 1i, (_e6369 < f32(_e6376))));
-let _e6385 = global_3.member[_e371].member_6.member_7;
-let _e6390 = global_3.member[_e371].member_6.member_8;
+let _e6385 = global_3.member[_e371].member_8.member_7;
+let _e6390 = global_3.member[_e371].member_8.member_8;
 let _e6391 = (_e6350 + 1i);
 let _e6392 = (_e6365 + 1i);
 let _e6393 = (_e6380 + 1i);
-let _e6399 = global_3.member[_e371].member_6.member_11.member;
-let _e6406 = global_3.member[_e371].member_6.member_11.member_1;
+let _e6399 = global_3.member[_e371].member_8.member_11.member;
+let _e6406 = global_3.member[_e371].member_8.member_11.member_1;
 let _e6417 = ((_e6391 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6399) * ((_e6392 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6406) * (_e6393 >> bitcast<u32>(4i))))));
 let _e6419 = (bitcast<i32>(_e184) - 1i);
 let _e6421 = select(_e6419, _e6417, (_e6417 < _e6419));
@@ -2922,14 +2924,14 @@ let _e6655 = local_6.member_1[2u];
 let _e6662 = local_7[0u];
 let _e6666 = local_7[1u];
 let _e6671 = local_7[2u];
-let _e6679 = global_3.member[_e371].member_6.member_6;
-let _e6684 = global_3.member[_e371].member_6.member_5;
+let _e6679 = global_3.member[_e371].member_8.member_6;
+let _e6684 = global_3.member[_e371].member_8.member_5;
 let _e6686 = (((_e6563 + (((_e6614 + (((_e6654 + ((f32(bitcast<i32>(((_e6647 >> bitcast<u32>((_e6655 & 31u))) & 255u))) - _e6654) * _e6662)) - _e6614) * _e6666)) - _e6563) * _e6671)) - _e6679) * _e6684);
 let _e6687 = -(1e9f);
 let _e6689 = select(_e6687, _e6686, (_e6686 > _e6687));
-phi_20417_ = type_33(select(1e9f, _e6689, (_e6689 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20419_ = type_33(select(1e9f, _e6689, (_e6689 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8509 = phi_20417_;
+let _e8509 = phi_20419_;
 let _e8511 = select(-0.5f, _e483, (_e483 > -0.5f));
 let _e8513 = select(_e899, _e8511, (_e8511 < _e899));
 let _e8515 = select(-0.5f, _e499, (_e499 > -0.5f));
@@ -2948,13 +2950,13 @@ let _e8553 = select(-1f, _e8521, (_e8521 > -1f));
 let _e8555 = select(_e562, _e8553, (_e8553 < _e562));
 let _e8562 = select(0i, select(select(i32(_e8555), i32(-2147483648), (_e8555 < -2147483600f)), 2147483647i, (_e8555 > 2147483500f)), (_e8555 == _e8555));
 let _e8566 = (_e8562 - select(0i, 1i, (_e8555 < f32(_e8562))));
-let _e8571 = global_3.member[_e371].member_6.member_7;
-let _e8576 = global_3.member[_e371].member_6.member_8;
+let _e8571 = global_3.member[_e371].member_8.member_7;
+let _e8576 = global_3.member[_e371].member_8.member_8;
 let _e8577 = (_e8536 + 1i);
 let _e8578 = (_e8551 + 1i);
 let _e8579 = (_e8566 + 1i);
-let _e8585 = global_3.member[_e371].member_6.member_11.member;
-let _e8592 = global_3.member[_e371].member_6.member_11.member_1;
+let _e8585 = global_3.member[_e371].member_8.member_11.member;
+let _e8592 = global_3.member[_e371].member_8.member_11.member_1;
 let _e8603 = ((_e8577 >> bitcast<u32>(4i)) + (bitcast<i32>(_e8585) * ((_e8578 >> bitcast<u32>(4i)) + (bitcast<i32>(_e8592) * (_e8579 >> bitcast<u32>(4i))))));
 let _e8605 = (bitcast<i32>(_e184) - 1i);
 let _e8607 = select(_e8605, _e8603, (_e8603 < _e8605));
@@ -3030,17 +3032,17 @@ let _e8841 = local_4.member_1[2u];
 let _e8848 = local_5[0u];
 let _e8852 = local_5[1u];
 let _e8857 = local_5[2u];
-let _e8865 = global_3.member[_e371].member_6.member_6;
-let _e8870 = global_3.member[_e371].member_6.member_5;
+let _e8865 = global_3.member[_e371].member_8.member_6;
+let _e8870 = global_3.member[_e371].member_8.member_5;
 let _e8872 = (((_e8749 + (((_e8800 + (((_e8840 + ((f32(bitcast<i32>(((_e8833 >> bitcast<u32>((_e8841 & 31u))) & 255u))) - _e8840) * _e8848)) - _e8800) * _e8852)) - _e8749) * _e8857)) - _e8865) * _e8870);
 let _e8873 = -(1e9f);
 let _e8875 = select(_e8873, _e8872, (_e8872 > _e8873));
 let _e8877 = select(1e9f, _e8875, (_e8875 < 1e9f));
 let _e8879 = ((_e1049 & 16u) == 0u);
 if _e8879 {
-phi_21331_ = type_7(1f, 1f, 1f);
+phi_21333_ = type_7(1f, 1f, 1f);
 } else {
-let _e8884 = global_3.member[_e371].member_14.member;
+let _e8884 = global_3.member[_e371].member_16.member;
 let _e8895 = ((((_e8884.member.member * _e397) + (_e8884.member.member_1 * _e399)) + (_e8884.member.member_2 * _e393)) + _e8884.member_1);
 let _e8901 = ((((_e8884.member.member * _e6300.member_1.x) + (_e8884.member.member_1 * _e6300.member_1.y)) + (_e8884.member.member_2 * _e6300.member_1.z)) + _e8884.member_1);
 let _e8903 = select(_e8901, _e8895, (_e8895 < _e8901));
@@ -3049,9 +3051,9 @@ let _e8907 = (_e8905 - _e8903);
 let _e8910 = (-(_e8903) / select(1e-30f, _e8907, (_e8907 > 1e-30f)));
 let _e8912 = select(0f, _e8910, (_e8910 > 0f));
 let _e8918 = select(select(select(1f, _e8912, (_e8912 < 1f)), 1f, (_e8905 <= 0f)), 0f, (_e8903 > 0f));
-let _e8924 = global_3.member[_e371].member_14.member_1;
+let _e8924 = global_3.member[_e371].member_16.member_1;
 let _e8925 = (_e8924 != 0u);
-let _e8936 = global_3.member[_e371].member_15.member;
+let _e8936 = global_3.member[_e371].member_17.member;
 let _e8947 = ((((_e8936.member.member * _e397) + (_e8936.member.member_1 * _e399)) + (_e8936.member.member_2 * _e393)) + _e8936.member_1);
 let _e8953 = ((((_e8936.member.member * _e6300.member_1.x) + (_e8936.member.member_1 * _e6300.member_1.y)) + (_e8936.member.member_2 * _e6300.member_1.z)) + _e8936.member_1);
 let _e8955 = select(_e8953, _e8947, (_e8947 < _e8953));
@@ -3060,9 +3062,9 @@ let _e8959 = (_e8957 - _e8955);
 let _e8962 = (-(_e8955) / select(1e-30f, _e8959, (_e8959 > 1e-30f)));
 let _e8964 = select(0f, _e8962, (_e8962 > 0f));
 let _e8970 = select(select(select(1f, _e8964, (_e8964 < 1f)), 1f, (_e8957 <= 0f)), 0f, (_e8955 > 0f));
-let _e8976 = global_3.member[_e371].member_15.member_1;
+let _e8976 = global_3.member[_e371].member_17.member_1;
 let _e8977 = (_e8976 != 0u);
-let _e8988 = global_3.member[_e371].member_16.member;
+let _e8988 = global_3.member[_e371].member_18.member;
 let _e8999 = ((((_e8988.member.member * _e397) + (_e8988.member.member_1 * _e399)) + (_e8988.member.member_2 * _e393)) + _e8988.member_1);
 let _e9005 = ((((_e8988.member.member * _e6300.member_1.x) + (_e8988.member.member_1 * _e6300.member_1.y)) + (_e8988.member.member_2 * _e6300.member_1.z)) + _e8988.member_1);
 let _e9007 = select(_e9005, _e8999, (_e8999 < _e9005));
@@ -3071,9 +3073,9 @@ let _e9011 = (_e9009 - _e9007);
 let _e9014 = (-(_e9007) / select(1e-30f, _e9011, (_e9011 > 1e-30f)));
 let _e9016 = select(0f, _e9014, (_e9014 > 0f));
 let _e9022 = select(select(select(1f, _e9016, (_e9016 < 1f)), 1f, (_e9009 <= 0f)), 0f, (_e9007 > 0f));
-let _e9028 = global_3.member[_e371].member_16.member_1;
+let _e9028 = global_3.member[_e371].member_18.member_1;
 let _e9029 = (_e9028 != 0u);
-let _e9040 = global_3.member[_e371].member_17.member;
+let _e9040 = global_3.member[_e371].member_19.member;
 let _e9051 = ((((_e9040.member.member * _e397) + (_e9040.member.member_1 * _e399)) + (_e9040.member.member_2 * _e393)) + _e9040.member_1);
 let _e9057 = ((((_e9040.member.member * _e6300.member_1.x) + (_e9040.member.member_1 * _e6300.member_1.y)) + (_e9040.member.member_2 * _e6300.member_1.z)) + _e9040.member_1);
 let _e9059 = select(_e9057, _e9051, (_e9051 < _e9057));
@@ -3082,12 +3084,12 @@ let _e9063 = (_e9061 - _e9059);
 let _e9066 = (-(_e9059) / select(1e-30f, _e9063, (_e9063 > 1e-30f)));
 let _e9068 = select(0f, _e9066, (_e9066 > 0f));
 let _e9074 = select(select(select(1f, _e9068, (_e9068 < 1f)), 1f, (_e9061 <= 0f)), 0f, (_e9059 > 0f));
-let _e9080 = global_3.member[_e371].member_17.member_1;
+let _e9080 = global_3.member[_e371].member_19.member_1;
 let _e9081 = (_e9080 != 0u);
-phi_21331_ = type_7(((((1f * _e8918) * _e8970) * _e9022) * _e9074), ((((1f * select(1f, _e8918, _e8925)) * select(1f, _e8970, _e8977)) * select(1f, _e9022, _e9029)) * select(1f, _e9074, _e9081)), ((((1f * select(1f, 0f, (_e8925 && (_e8901 > 0f)))) * select(1f, 0f, (_e8977 && (_e8953 > 0f)))) * select(1f, 0f, (_e9029 && (_e9005 > 0f)))) * select(1f, 0f, (_e9081 && (_e9057 > 0f)))));
+phi_21333_ = type_7(((((1f * _e8918) * _e8970) * _e9022) * _e9074), ((((1f * select(1f, _e8918, _e8925)) * select(1f, _e8970, _e8977)) * select(1f, _e9022, _e9029)) * select(1f, _e9074, _e9081)), ((((1f * select(1f, 0f, (_e8925 && (_e8901 > 0f)))) * select(1f, 0f, (_e8977 && (_e8953 > 0f)))) * select(1f, 0f, (_e9029 && (_e9005 > 0f)))) * select(1f, 0f, (_e9081 && (_e9057 > 0f)))));
 }
-let _e9090 = phi_21331_;
-let _e9096 = global_3.member[_e371].member_5.member_3;
+let _e9090 = phi_21333_;
+let _e9096 = global_3.member[_e371].member_7.member_3;
 let _e9097 = (_e6300.member_3 * _e9096);
 if (((_e380.member_2 == 3u) || (_e380.member_2 == 4u)) || _e579) {
 local_3 = _e8877;
@@ -3267,7 +3269,7 @@ let _e10525 = f32(_e10524);
 let _e10529 = ((_e10507 - (_e10525 * 0.6933594f)) - (_e10525 * -2.1219444e-4f));
 let _e10549 = ((1f + (_e10529 * (1f + (_e10529 * (0.5f + (_e10529 * (0.16666667f + (_e10529 * (0.041666668f + (_e10529 * (0.008333334f + (_e10529 * (0.001388889f + (_e10529 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10524 + 127i)) << bitcast<u32>(23i))));
 let _e10550 = (1f - _e10549);
-phi_24829_ = type_40(_e10549, _e10550, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e10550 / select(1e-12f, _e10499, (_e10499 > 1e-12f))))));
+phi_24831_ = type_40(_e10549, _e10550, vec3<f32>(1f, 1f, 1f), vec3((0f * (_e10550 / select(1e-12f, _e10499, (_e10499 > 1e-12f))))));
 } else {
 local_1 = _e8877;
 let _e9103 = local_1;
@@ -3504,9 +3506,9 @@ let _e9975 = f32(_e9974);
 let _e9979 = ((_e9957 - (_e9975 * 0.6933594f)) - (_e9975 * -2.1219444e-4f));
 let _e9999 = ((1f + (_e9979 * (1f + (_e9979 * (0.5f + (_e9979 * (0.16666667f + (_e9979 * (0.041666668f + (_e9979 * (0.008333334f + (_e9979 * (0.001388889f + (_e9979 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9974 + 127i)) << bitcast<u32>(23i))));
 let _e10000 = (1f - _e9999);
-phi_24829_ = type_40(_e9999, _e10000, vec3<f32>(((1f + (_e9834 * (1f + (_e9834 * (0.5f + (_e9834 * (0.16666667f + (_e9834 * (0.041666668f + (_e9834 * (0.008333334f + (_e9834 * (0.001388889f + (_e9834 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9829 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9882 * (1f + (_e9882 * (0.5f + (_e9882 * (0.16666667f + (_e9882 * (0.041666668f + (_e9882 * (0.008333334f + (_e9882 * (0.001388889f + (_e9882 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9877 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9930 * (1f + (_e9930 * (0.5f + (_e9930 * (0.16666667f + (_e9930 * (0.041666668f + (_e9930 * (0.008333334f + (_e9930 * (0.001388889f + (_e9930 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9925 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e10000 / select(1e-12f, _e9594, (_e9594 > 1e-12f))))));
+phi_24831_ = type_40(_e9999, _e10000, vec3<f32>(((1f + (_e9834 * (1f + (_e9834 * (0.5f + (_e9834 * (0.16666667f + (_e9834 * (0.041666668f + (_e9834 * (0.008333334f + (_e9834 * (0.001388889f + (_e9834 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9829 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9882 * (1f + (_e9882 * (0.5f + (_e9882 * (0.16666667f + (_e9882 * (0.041666668f + (_e9882 * (0.008333334f + (_e9882 * (0.001388889f + (_e9882 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9877 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9930 * (1f + (_e9930 * (0.5f + (_e9930 * (0.16666667f + (_e9930 * (0.041666668f + (_e9930 * (0.008333334f + (_e9930 * (0.001388889f + (_e9930 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9925 + 127i)) << bitcast<u32>(23i))))), vec3((0f * (_e10000 / select(1e-12f, _e9594, (_e9594 > 1e-12f))))));
 }
-let _e10558 = phi_24829_;
+let _e10558 = phi_24831_;
 let _e10567 = (_e375[6] * (_e10558.member_2.x * _e10558.member));
 let _e10568 = (_e375[7] * (_e10558.member_2.y * _e10558.member));
 let _e10569 = (_e375[8] * (_e10558.member_2.z * _e10558.member));
@@ -3522,9 +3524,9 @@ let _e10600 = (_e6300.member_1.z + (_e6300.member_2.z * _e10592));
 let _e10606 = ((((_e472.member.member * _e10598) + (_e472.member.member_1 * _e10599)) + (_e472.member.member_2 * _e10600)) + _e472.member_1);
 let _e10612 = ((((_e488.member.member * _e10598) + (_e488.member.member_1 * _e10599)) + (_e488.member.member_2 * _e10600)) + _e488.member_1);
 let _e10618 = ((((_e504.member.member * _e10598) + (_e504.member.member_1 * _e10599)) + (_e504.member.member_2 * _e10600)) + _e504.member_1);
-let _e10624 = global_3.member[_e371].member_6.member.member;
-let _e10633 = global_3.member[_e371].member_6.member_1.member;
-let _e10642 = global_3.member[_e371].member_6.member_2.member;
+let _e10624 = global_3.member[_e371].member_8.member.member;
+let _e10633 = global_3.member[_e371].member_8.member_1.member;
+let _e10642 = global_3.member[_e371].member_8.member_2.member;
 let _e10646 = (-0.5f - _e6311);
 let _e10647 = (-0.5f - _e10606);
 let _e10648 = -(_e10646);
@@ -3631,16 +3633,16 @@ let _e10885 = select(select(select(select(select(select(0f, _e10624.member, _e10
 let _e10886 = select(select(select(select(select(select(0f, _e10624.member_1, _e10666), _e10624.member_1, _e10706), _e10633.member_1, _e10746), _e10633.member_1, _e10786), _e10642.member_1, _e10826), _e10642.member_1, _e10866);
 let _e10887 = select(select(select(select(select(select(1f, _e10624.member_2, _e10666), _e10624.member_2, _e10706), _e10633.member_2, _e10746), _e10633.member_2, _e10786), _e10642.member_2, _e10826), _e10642.member_2, _e10866);
 if _e8879 {
-phi_26228_ = type_34(_e10872, vec3<f32>(_e10873, _e10874, _e10875), _e10877, vec3<f32>(_e10878, _e10879, _e10880), _e10882, _e10884, vec3<f32>(_e10885, _e10886, _e10887));
+phi_26230_ = type_34(_e10872, vec3<f32>(_e10873, _e10874, _e10875), _e10877, vec3<f32>(_e10878, _e10879, _e10880), _e10882, _e10884, vec3<f32>(_e10885, _e10886, _e10887));
 } else {
 let _e10894 = (((_e10624.member * _e10624.member) + (_e10624.member_1 * _e10624.member_1)) + (_e10624.member_2 * _e10624.member_2));
 let _e10897 = sqrt(select(0f, _e10894, (_e10894 > 0f)));
-let _e10902 = global_3.member[_e371].member_14.member_1;
+let _e10902 = global_3.member[_e371].member_16.member_1;
 let _e10903 = (_e10902 != 0u);
-let _e10908 = global_3.member[_e371].member_14.member;
+let _e10908 = global_3.member[_e371].member_16.member;
 let _e10928 = select(-1e6f, (((((_e10908.member.member * _e6300.member_1.x) + (_e10908.member.member_1 * _e6300.member_1.y)) + (_e10908.member.member_2 * _e6300.member_1.z)) + _e10908.member_1) * _e10897), _e10903);
 let _e10929 = select(-1e6f, (((((_e10908.member.member * _e10598) + (_e10908.member.member_1 * _e10599)) + (_e10908.member.member_2 * _e10600)) + _e10908.member_1) * _e10897), _e10903);
-let _e10935 = global_3.member[_e371].member_14.member.member;
+let _e10935 = global_3.member[_e371].member_16.member.member;
 let _e10939 = -(_e10928);
 let _e10942 = (_e10928 - _e10929);
 let _e10943 = (_e10929 - _e10928);
@@ -3655,12 +3657,12 @@ let _e10963 = select(_e10872, _e10952, _e10961);
 let _e10967 = select(_e10877, _e10956, _e10962);
 let _e10971 = select(_e10882, _e10928, _e10957);
 let _e10973 = select(_e10884, _e10929, (_e10929 > _e10884));
-let _e10981 = global_3.member[_e371].member_15.member_1;
+let _e10981 = global_3.member[_e371].member_17.member_1;
 let _e10982 = (_e10981 != 0u);
-let _e10987 = global_3.member[_e371].member_15.member;
+let _e10987 = global_3.member[_e371].member_17.member;
 let _e11007 = select(-1e6f, (((((_e10987.member.member * _e6300.member_1.x) + (_e10987.member.member_1 * _e6300.member_1.y)) + (_e10987.member.member_2 * _e6300.member_1.z)) + _e10987.member_1) * _e10897), _e10982);
 let _e11008 = select(-1e6f, (((((_e10987.member.member * _e10598) + (_e10987.member.member_1 * _e10599)) + (_e10987.member.member_2 * _e10600)) + _e10987.member_1) * _e10897), _e10982);
-let _e11014 = global_3.member[_e371].member_15.member.member;
+let _e11014 = global_3.member[_e371].member_17.member.member;
 let _e11018 = -(_e11007);
 let _e11021 = (_e11007 - _e11008);
 let _e11022 = (_e11008 - _e11007);
@@ -3675,12 +3677,12 @@ let _e11042 = select(_e10963, _e11031, _e11040);
 let _e11046 = select(_e10967, _e11035, _e11041);
 let _e11050 = select(_e10971, _e11007, _e11036);
 let _e11052 = select(_e10973, _e11008, (_e11008 > _e10973));
-let _e11060 = global_3.member[_e371].member_16.member_1;
+let _e11060 = global_3.member[_e371].member_18.member_1;
 let _e11061 = (_e11060 != 0u);
-let _e11066 = global_3.member[_e371].member_16.member;
+let _e11066 = global_3.member[_e371].member_18.member;
 let _e11086 = select(-1e6f, (((((_e11066.member.member * _e6300.member_1.x) + (_e11066.member.member_1 * _e6300.member_1.y)) + (_e11066.member.member_2 * _e6300.member_1.z)) + _e11066.member_1) * _e10897), _e11061);
 let _e11087 = select(-1e6f, (((((_e11066.member.member * _e10598) + (_e11066.member.member_1 * _e10599)) + (_e11066.member.member_2 * _e10600)) + _e11066.member_1) * _e10897), _e11061);
-let _e11093 = global_3.member[_e371].member_16.member.member;
+let _e11093 = global_3.member[_e371].member_18.member.member;
 let _e11097 = -(_e11086);
 let _e11100 = (_e11086 - _e11087);
 let _e11101 = (_e11087 - _e11086);
@@ -3695,12 +3697,12 @@ let _e11121 = select(_e11042, _e11110, _e11119);
 let _e11125 = select(_e11046, _e11114, _e11120);
 let _e11129 = select(_e11050, _e11086, _e11115);
 let _e11131 = select(_e11052, _e11087, (_e11087 > _e11052));
-let _e11139 = global_3.member[_e371].member_17.member_1;
+let _e11139 = global_3.member[_e371].member_19.member_1;
 let _e11140 = (_e11139 != 0u);
-let _e11145 = global_3.member[_e371].member_17.member;
+let _e11145 = global_3.member[_e371].member_19.member;
 let _e11165 = select(-1e6f, (((((_e11145.member.member * _e6300.member_1.x) + (_e11145.member.member_1 * _e6300.member_1.y)) + (_e11145.member.member_2 * _e6300.member_1.z)) + _e11145.member_1) * _e10897), _e11140);
 let _e11166 = select(-1e6f, (((((_e11145.member.member * _e10598) + (_e11145.member.member_1 * _e10599)) + (_e11145.member.member_2 * _e10600)) + _e11145.member_1) * _e10897), _e11140);
-let _e11172 = global_3.member[_e371].member_17.member.member;
+let _e11172 = global_3.member[_e371].member_19.member.member;
 let _e11176 = -(_e11165);
 let _e11179 = (_e11165 - _e11166);
 let _e11180 = (_e11166 - _e11165);
@@ -3711,11 +3713,11 @@ let _e11193 = select(2f, select(0f, _e11185, (_e11165 < 0f)), (_e11166 > 0f));
 let _e11194 = (_e11165 > _e11129);
 let _e11198 = ((_e11189 > _e11121) || ((_e11189 == _e11121) && _e11194));
 let _e11199 = (_e11193 < _e11125);
-phi_26228_ = type_34(select(_e11121, _e11189, _e11198), vec3<f32>(select(select(select(select(_e10873, _e10935.member, _e10961), _e11014.member, _e11040), _e11093.member, _e11119), _e11172.member, _e11198), select(select(select(select(_e10874, _e10935.member_1, _e10961), _e11014.member_1, _e11040), _e11093.member_1, _e11119), _e11172.member_1, _e11198), select(select(select(select(_e10875, _e10935.member_2, _e10961), _e11014.member_2, _e11040), _e11093.member_2, _e11119), _e11172.member_2, _e11198)), select(_e11125, _e11193, _e11199), vec3<f32>(select(select(select(select(_e10878, _e10935.member, _e10962), _e11014.member, _e11041), _e11093.member, _e11120), _e11172.member, _e11199), select(select(select(select(_e10879, _e10935.member_1, _e10962), _e11014.member_1, _e11041), _e11093.member_1, _e11120), _e11172.member_1, _e11199), select(select(select(select(_e10880, _e10935.member_2, _e10962), _e11014.member_2, _e11041), _e11093.member_2, _e11120), _e11172.member_2, _e11199)), select(_e11129, _e11165, _e11194), select(_e11131, _e11166, (_e11166 > _e11131)), vec3<f32>(select(select(select(select(_e10885, _e10935.member, _e10957), _e11014.member, _e11036), _e11093.member, _e11115), _e11172.member, _e11194), select(select(select(select(_e10886, _e10935.member_1, _e10957), _e11014.member_1, _e11036), _e11093.member_1, _e11115), _e11172.member_1, _e11194), select(select(select(select(_e10887, _e10935.member_2, _e10957), _e11014.member_2, _e11036), _e11093.member_2, _e11115), _e11172.member_2, _e11194)));
+phi_26230_ = type_34(select(_e11121, _e11189, _e11198), vec3<f32>(select(select(select(select(_e10873, _e10935.member, _e10961), _e11014.member, _e11040), _e11093.member, _e11119), _e11172.member, _e11198), select(select(select(select(_e10874, _e10935.member_1, _e10961), _e11014.member_1, _e11040), _e11093.member_1, _e11119), _e11172.member_1, _e11198), select(select(select(select(_e10875, _e10935.member_2, _e10961), _e11014.member_2, _e11040), _e11093.member_2, _e11119), _e11172.member_2, _e11198)), select(_e11125, _e11193, _e11199), vec3<f32>(select(select(select(select(_e10878, _e10935.member, _e10962), _e11014.member, _e11041), _e11093.member, _e11120), _e11172.member, _e11199), select(select(select(select(_e10879, _e10935.member_1, _e10962), _e11014.member_1, _e11041), _e11093.member_1, _e11120), _e11172.member_1, _e11199), select(select(select(select(_e10880, _e10935.member_2, _e10962), _e11014.member_2, _e11041), _e11093.member_2, _e11120), _e11172.member_2, _e11199)), select(_e11129, _e11165, _e11194), select(_e11131, _e11166, (_e11166 > _e11131)), vec3<f32>(select(select(select(select(_e10885, _e10935.member, _e10957), _e11014.member, _e11036), _e11093.member, _e11115), _e11172.member, _e11194), select(select(select(select(_e10886, _e10935.member_1, _e10957), _e11014.member_1, _e11036), _e11093.member_1, _e11115), _e11172.member_1, _e11194), select(select(select(select(_e10887, _e10935.member_2, _e10957), _e11014.member_2, _e11036), _e11093.member_2, _e11115), _e11172.member_2, _e11194)));
 }
-let _e11219 = phi_26228_;
+let _e11219 = phi_26230_;
 let _e11226 = (_e9090.member_2 * select(0f, 1f, _e6300.member_6));
-let _e11232 = global_3.member[_e371].member_5.member_4;
+let _e11232 = global_3.member[_e371].member_7.member_4;
 let _e11235 = (_e8509.member_3.x * _e11226);
 let _e11237 = (_e8509.member_3.y * _e11226);
 let _e11239 = (_e8509.member_3.z * _e11226);
@@ -3738,43 +3740,43 @@ let _e11293 = (_e6300.member_2.y + ((_e8509.member_4.y * _e11226) * _e404));
 let _e11294 = (_e6300.member_2.z + ((_e8509.member_4.z * _e11226) * _e404));
 let _e11296 = (_e11294 * _e11294);
 let _e11305 = ((_e1049 & 1u) != 0u);
-phi_26384_ = vec3<f32>(select(select(select(_e11262, _e11244, _e11278), _e11292, _e11305), _e6300.member_2.x, _e6300.member_8), select(select(select(_e11263, _e11245, _e11278), _e11293, _e11305), _e6300.member_2.y, _e6300.member_8), select(select(select(_e11264, _e11246, _e11278), _e11294, _e11305), _e6300.member_2.z, _e6300.member_8));
-phi_26385_ = (select(_e11278, ((_e11294 <= 0f) || (_e11296 <= (_e11268 * (((_e11292 * _e11292) + (_e11293 * _e11293)) + _e11296)))), _e11305) || _e6300.member_8);
+phi_26386_ = vec3<f32>(select(select(select(_e11262, _e11244, _e11278), _e11292, _e11305), _e6300.member_2.x, _e6300.member_8), select(select(select(_e11263, _e11245, _e11278), _e11293, _e11305), _e6300.member_2.y, _e6300.member_8), select(select(select(_e11264, _e11246, _e11278), _e11294, _e11305), _e6300.member_2.z, _e6300.member_8));
+phi_26387_ = (select(_e11278, ((_e11294 <= 0f) || (_e11296 <= (_e11268 * (((_e11292 * _e11292) + (_e11293 * _e11293)) + _e11296)))), _e11305) || _e6300.member_8);
 } else {
-phi_26384_ = _e6300.member_2;
-phi_26385_ = false;
+phi_26386_ = _e6300.member_2;
+phi_26387_ = false;
 }
-let _e11317 = phi_26384_;
-let _e11319 = phi_26385_;
+let _e11317 = phi_26386_;
+let _e11319 = phi_26387_;
 let _e11330 = ((((_e6300.member_7 || (_e11317.x != _e375[3])) || (_e11317.y != _e375[4])) || (_e11317.z != _e375[5])) && _e890);
-let _e11335 = global_3.member[_e371].member_10.member_24;
+let _e11335 = global_3.member[_e371].member_12.member_24;
 let _e11344 = (_e375[12] + (((((_e375[6] + _e375[7]) + _e375[8]) * _e10572) - _e10573) * (_e393 + ((_e6300.member_1.z - _e393) * 0.5f))));
-phi_26483_ = array<f32, 14>(select(_e375[0], _e6300.member_1.x, _e11330), select(_e375[1], _e6300.member_1.y, _e11330), select(_e375[2], _e6300.member_1.z, _e11330), select(_e375[3], _e11317.x, _e11330), select(_e375[4], _e11317.y, _e11330), select(_e375[5], _e11317.z, _e11330), select(_e10567, 0f, _e10588), select(_e10568, 0f, _e10588), select(_e10569, 0f, _e10588), select(0f, 1f, _e6300.member_6), select(_e375[10], 1f, _e11330), select(select(select(0f, 1f, _e11319), 2f, (_e10588 && (_e11335 == 0f))), 3f, _e467), _e11344, select(_e375[13], (_e11344 + (_e10573 * _e6300.member_1.z)), (_e11330 && (_e375[10] == 0f))));
+phi_26485_ = array<f32, 14>(select(_e375[0], _e6300.member_1.x, _e11330), select(_e375[1], _e6300.member_1.y, _e11330), select(_e375[2], _e6300.member_1.z, _e11330), select(_e375[3], _e11317.x, _e11330), select(_e375[4], _e11317.y, _e11330), select(_e375[5], _e11317.z, _e11330), select(_e10567, 0f, _e10588), select(_e10568, 0f, _e10588), select(_e10569, 0f, _e10588), select(0f, 1f, _e6300.member_6), select(_e375[10], 1f, _e11330), select(select(select(0f, 1f, _e11319), 2f, (_e10588 && (_e11335 == 0f))), 3f, _e467), _e11344, select(_e375[13], (_e11344 + (_e10573 * _e6300.member_1.z)), (_e11330 && (_e375[10] == 0f))));
 } else {
-phi_26483_ = _e375;
+phi_26485_ = _e375;
 }
-let _e11365 = phi_26483_;
-phi_556_ = (_e371 + 1u);
-phi_559_ = select(_e373, true, _e1060);
-phi_561_ = _e11365;
+let _e11365 = phi_26485_;
+phi_558_ = (_e371 + 1u);
+phi_561_ = select(_e373, true, _e1060);
+phi_563_ = _e11365;
 } else {
-phi_556_ = u32();
-phi_559_ = bool();
-phi_561_ = array<f32, 14>();
+phi_558_ = u32();
+phi_561_ = bool();
+phi_563_ = array<f32, 14>();
 }
-let _e11369 = phi_556_;
-let _e11371 = phi_559_;
-let _e11373 = phi_561_;
+let _e11369 = phi_558_;
+let _e11371 = phi_561_;
+let _e11373 = phi_563_;
 continue;
 continuing {
-phi_555_ = _e11369;
-phi_558_ = _e11371;
-phi_560_ = _e11373;
-phi_26550_ = false;
+phi_557_ = _e11369;
+phi_560_ = _e11371;
+phi_562_ = _e11373;
+phi_26552_ = false;
 break if !(_e376);
 }
 }
-let _e11376 = phi_26550_;
+let _e11376 = phi_26552_;
 if _e11376 {
 break;
 }

@@ -140,24 +140,26 @@ member: type_2,
 member_1: u32,
 member_2: type_16,
 member_3: type_15,
-member_4: u32,
-member_5: type_17,
-member_6: type_18,
-member_7: type_18,
-member_8: type_19,
-member_9: type_20,
-member_10: type_23,
-member_11: type_17,
-member_12: type_4,
-member_13: type_9,
-member_14: type_24,
-member_15: type_24,
+member_4: type_15,
+member_5: u32,
+member_6: u32,
+member_7: type_17,
+member_8: type_18,
+member_9: type_18,
+member_10: type_19,
+member_11: type_20,
+member_12: type_23,
+member_13: type_17,
+member_14: type_4,
+member_15: type_9,
 member_16: type_24,
 member_17: type_24,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_24,
+member_19: type_24,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_26 {
 member: type_25,
@@ -177,16 +179,16 @@ var<storage> global_3: type_11;
 @group(0) @binding(3)
 var<storage, read_write> global_4: type_11;
 fn function_() {
-var phi_165_: i32;
-var phi_332_: type_27;
-var phi_336_: vec3<f32>;
-var phi_339_: i32;
-var phi_341_: f32;
-var phi_398_: i32;
-var phi_565_: type_27;
-var phi_337_: vec3<f32>;
-var phi_340_: i32;
-var phi_342_: f32;
+var phi_163_: i32;
+var phi_330_: type_27;
+var phi_334_: vec3<f32>;
+var phi_337_: i32;
+var phi_339_: f32;
+var phi_396_: i32;
+var phi_563_: type_27;
+var phi_335_: vec3<f32>;
+var phi_338_: i32;
+var phi_340_: f32;
 var local: vec3<f32>;
 var local_1: vec3<f32>;
 var local_2: vec3<f32>;
@@ -204,19 +206,19 @@ let _e52 = (_e39.member * _e39.member_1);
 let _e54 = ((_e49 * _e39.member) + _e47);
 let _e56 = bitcast<i32>(_e47);
 let _e57 = bitcast<i32>(_e49);
-let _e62 = global_2.member.member_10.member_4.member;
+let _e62 = global_2.member.member_12.member_4.member;
 let _e63 = bitcast<i32>(_e62);
-let _e68 = global_2.member.member_10.member_4.member_1;
+let _e68 = global_2.member.member_12.member_4.member_1;
 let _e69 = bitcast<i32>(_e68);
 let _e76 = ((((_e56 >= 0i) && (_e56 <= _e63)) && (_e57 >= 0i)) && (_e57 <= _e69));
 let _e77 = (_e62 + 1u);
 let _e80 = bitcast<i32>((_e77 * (_e68 + 1u)));
 if _e76 {
-phi_165_ = ((_e57 * bitcast<i32>(_e77)) + _e56);
+phi_163_ = ((_e57 * bitcast<i32>(_e77)) + _e56);
 } else {
-phi_165_ = 0i;
+phi_163_ = 0i;
 }
-let _e85 = phi_165_;
+let _e85 = phi_163_;
 let _e86 = (11i * _e80);
 let _e87 = (_e86 + _e85);
 let _e89 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
@@ -237,7 +239,7 @@ let _e129 = global_1.member[bitcast<u32>(select(0i, _e123, (_e123 > 0i)))];
 let _e132 = ((12i * _e80) + _e85);
 let _e134 = select(_e89, _e132, (_e132 < _e89));
 let _e140 = global_1.member[bitcast<u32>(select(0i, _e134, (_e134 > 0i)))];
-phi_332_ = type_27(vec3<f32>(_e110, _e119, _e129), _e140, _e99);
+phi_330_ = type_27(vec3<f32>(_e110, _e119, _e129), _e140, _e99);
 } else {
 let _e143 = (bitcast<i32>(_e33) - 1i);
 let _e145 = select(_e143, _e85, (_e85 < _e143));
@@ -251,16 +253,16 @@ let _e170 = global_3.member[bitcast<u32>(select(0i, _e164, (_e164 > 0i)))];
 let _e173 = ((3i * _e80) + _e85);
 let _e175 = select(_e143, _e173, (_e173 < _e143));
 let _e181 = global_3.member[bitcast<u32>(select(0i, _e175, (_e175 > 0i)))];
-phi_332_ = type_27(vec3<f32>(_e151, _e160, _e170), _e181, _e99);
+phi_330_ = type_27(vec3<f32>(_e151, _e160, _e170), _e181, _e99);
 }
-let _e184 = phi_332_;
-phi_336_ = _e184.member;
-phi_339_ = 0i;
-phi_341_ = _e184.member_1;
+let _e184 = phi_330_;
+phi_334_ = _e184.member;
+phi_337_ = 0i;
+phi_339_ = _e184.member_1;
 loop {
-let _e188 = phi_336_;
-let _e190 = phi_339_;
-let _e192 = phi_341_;
+let _e188 = phi_334_;
+let _e190 = phi_337_;
+let _e192 = phi_339_;
 local = _e188;
 local_1 = _e188;
 local_2 = _e188;
@@ -274,11 +276,11 @@ let _e199 = (_e56 + _e198);
 let _e201 = (_e57 + (_e196 - _e198));
 let _e208 = ((((_e199 >= 0i) && (_e199 <= _e63)) && (_e201 >= 0i)) && (_e201 <= _e69));
 if _e208 {
-phi_398_ = ((_e201 * bitcast<i32>(_e77)) + _e199);
+phi_396_ = ((_e201 * bitcast<i32>(_e77)) + _e199);
 } else {
-phi_398_ = 0i;
+phi_396_ = 0i;
 }
-let _e213 = phi_398_;
+let _e213 = phi_396_;
 let _e214 = (_e86 + _e213);
 let _e216 = select(_e89, _e214, (_e214 < _e89));
 let _e222 = global_1.member[bitcast<u32>(select(0i, _e216, (_e216 > 0i)))];
@@ -296,7 +298,7 @@ let _e253 = global_1.member[bitcast<u32>(select(0i, _e247, (_e247 > 0i)))];
 let _e256 = ((12i * _e80) + _e213);
 let _e258 = select(_e89, _e256, (_e256 < _e89));
 let _e264 = global_1.member[bitcast<u32>(select(0i, _e258, (_e258 > 0i)))];
-phi_565_ = type_27(vec3<f32>(_e234, _e243, _e253), _e264, _e224);
+phi_563_ = type_27(vec3<f32>(_e234, _e243, _e253), _e264, _e224);
 } else {
 let _e267 = (bitcast<i32>(_e33) - 1i);
 let _e269 = select(_e267, _e213, (_e213 < _e267));
@@ -310,44 +312,44 @@ let _e294 = global_3.member[bitcast<u32>(select(0i, _e288, (_e288 > 0i)))];
 let _e297 = ((3i * _e80) + _e213);
 let _e299 = select(_e267, _e297, (_e297 < _e267));
 let _e305 = global_3.member[bitcast<u32>(select(0i, _e299, (_e299 > 0i)))];
-phi_565_ = type_27(vec3<f32>(_e275, _e284, _e294), _e305, _e224);
+phi_563_ = type_27(vec3<f32>(_e275, _e284, _e294), _e305, _e224);
 }
-let _e308 = phi_565_;
+let _e308 = phi_563_;
 let _e317 = (1f / 3f);
 let _e330 = ((1f - (((_e184.member.x + _e184.member.y) + _e184.member.z) * _e317)) + (1f - (((_e308.member.x + _e308.member.y) + _e308.member.z) * _e317)));
 let _e333 = (_e330 > 1e-6f);
 let _e335 = ((_e184.member_1 + _e308.member_1) / select(1e-6f, _e330, _e333));
-let _e339 = global_2.member.member_5.member;
+let _e339 = global_2.member.member_7.member;
 let _e340 = (_e339 - _e335);
 let _e342 = select(0f, _e340, (_e340 > 0f));
-let _e346 = global_2.member.member_5.member_1;
+let _e346 = global_2.member.member_7.member_1;
 let _e347 = (_e346 - _e335);
 let _e349 = select(0f, _e347, (_e347 > 0f));
-let _e353 = global_2.member.member_10.member_23;
-let _e357 = global_2.member.member_10.member_7;
-let _e361 = global_2.member.member_10.member_3;
-let _e367 = global_2.member.member_10.member_19.member_2;
+let _e353 = global_2.member.member_12.member_23;
+let _e357 = global_2.member.member_12.member_7;
+let _e361 = global_2.member.member_12.member_3;
+let _e367 = global_2.member.member_12.member_19.member_2;
 let _e371 = (_e353 / (_e357 * select(1f, (_e346 - _e367), (_e361 != 0u))));
-let _e381 = global_2.member.member_10.member_24;
+let _e381 = global_2.member.member_12.member_24;
 let _e382 = (((0.125f * (_e371 * _e371)) * ((_e349 * _e349) - (_e342 * _e342))) * _e381);
 let _e388 = select(0f, _e382, (_e382 > 0f));
 let _e391 = select(0f, select(0.2f, _e388, (_e388 < 0.2f)), ((_e184.member_2 && _e308.member_2) && _e333));
-phi_337_ = vec3<f32>((_e188.x + ((_e308.member.x - _e184.member.x) * _e391)), (_e188.y + ((_e308.member.y - _e184.member.y) * _e391)), (_e188.z + ((_e308.member.z - _e184.member.z) * _e391)));
-phi_340_ = (_e190 + 1i);
-phi_342_ = (_e192 + ((_e308.member_1 - _e184.member_1) * _e391));
+phi_335_ = vec3<f32>((_e188.x + ((_e308.member.x - _e184.member.x) * _e391)), (_e188.y + ((_e308.member.y - _e184.member.y) * _e391)), (_e188.z + ((_e308.member.z - _e184.member.z) * _e391)));
+phi_338_ = (_e190 + 1i);
+phi_340_ = (_e192 + ((_e308.member_1 - _e184.member_1) * _e391));
 } else {
-phi_337_ = vec3<f32>();
-phi_340_ = i32();
-phi_342_ = f32();
+phi_335_ = vec3<f32>();
+phi_338_ = i32();
+phi_340_ = f32();
 }
-let _e417 = phi_337_;
-let _e419 = phi_340_;
-let _e421 = phi_342_;
+let _e417 = phi_335_;
+let _e419 = phi_338_;
+let _e421 = phi_340_;
 continue;
 continuing {
-phi_336_ = _e417;
-phi_339_ = _e419;
-phi_341_ = _e421;
+phi_334_ = _e417;
+phi_337_ = _e419;
+phi_339_ = _e421;
 break if !(_e193);
 }
 }

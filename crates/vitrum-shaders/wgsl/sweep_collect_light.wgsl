@@ -147,24 +147,26 @@ member: type_2,
 member_1: u32,
 member_2: type_18,
 member_3: type_14,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
+member_4: type_14,
+member_5: u32,
+member_6: u32,
+member_7: type_19,
+member_8: type_20,
+member_9: type_20,
+member_10: type_21,
+member_11: type_22,
+member_12: type_25,
+member_13: type_19,
+member_14: type_4,
+member_15: type_9,
 member_16: type_26,
 member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_26,
+member_19: type_26,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_28 {
 member: type_27,
@@ -217,7 +219,7 @@ let _e85 = ((_e73 * _e83) + _e71);
 let _e86 = (_e85 / 81u);
 let _e88 = (_e85 - (_e86 * 81u));
 let _e89 = (_e88 / 9u);
-let _e93 = global_2.member.member_10.member_16;
+let _e93 = global_2.member.member_12.member_16;
 let _e95 = bitcast<i32>((_e93 + _e86));
 let _e97 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e99 = select(_e97, _e95, (_e95 < _e97));
@@ -226,9 +228,9 @@ let _e115 = ((bitcast<i32>((_e105 & 65535u)) * 8i) + bitcast<i32>((_e88 - (_e89 
 let _e118 = ((bitcast<i32>((_e105 >> bitcast<u32>(16i))) * 8i) + bitcast<i32>(_e89));
 let _e120 = (_e63.member_2 == 5u);
 if ((((_e63.member_2 == 1u) || _e120) || (_e63.member_2 == 6u)) || ((_e63.member_2 == 2u) || (_e63.member_2 == 7u))) {
-let _e226 = global_2.member.member_10.member_4.member;
+let _e226 = global_2.member.member_12.member_4.member;
 let _e227 = bitcast<i32>(_e226);
-let _e232 = global_2.member.member_10.member_4.member_1;
+let _e232 = global_2.member.member_12.member_4.member_1;
 let _e233 = bitcast<i32>(_e232);
 let _e240 = ((((_e115 >= 0i) && (_e115 < _e227)) && (_e118 >= 0i)) && (_e118 < _e233));
 if _e240 {
@@ -259,15 +261,15 @@ let _e302 = select(_e247, _e300, (_e300 < _e247));
 let _e308 = global_3.member[bitcast<u32>(select(0i, _e302, (_e302 > 0i)))];
 let _e317 = f32(_e115);
 let _e318 = f32(_e118);
-let _e322 = global_2.member.member_10.member_3;
+let _e322 = global_2.member.member_12.member_3;
 let _e323 = (_e322 == 0u);
 if _e323 {
 phi_453_ = 1f;
 } else {
-let _e327 = global_2.member.member_10.member_5;
-let _e331 = global_2.member.member_10.member_7;
+let _e327 = global_2.member.member_12.member_5;
+let _e331 = global_2.member.member_12.member_7;
 let _e333 = (_e327 + (_e317 * _e331));
-let _e337 = global_2.member.member_10.member_6;
+let _e337 = global_2.member.member_12.member_6;
 let _e339 = (_e337 + (_e318 * _e331));
 let _e344 = (((_e333 * _e333) + (_e339 * _e339)) + (1f * 1f));
 let _e348 = (1f / sqrt(select(0f, _e344, (_e344 > 0f))));
@@ -278,10 +280,10 @@ let _e353 = (_e317 + 1f);
 if _e323 {
 phi_487_ = 1f;
 } else {
-let _e357 = global_2.member.member_10.member_5;
-let _e361 = global_2.member.member_10.member_7;
+let _e357 = global_2.member.member_12.member_5;
+let _e361 = global_2.member.member_12.member_7;
 let _e363 = (_e357 + (_e353 * _e361));
-let _e367 = global_2.member.member_10.member_6;
+let _e367 = global_2.member.member_12.member_6;
 let _e369 = (_e367 + (_e318 * _e361));
 let _e374 = (((_e363 * _e363) + (_e369 * _e369)) + (1f * 1f));
 let _e378 = (1f / sqrt(select(0f, _e374, (_e374 > 0f))));
@@ -292,10 +294,10 @@ let _e384 = (_e318 + 1f);
 if _e323 {
 phi_522_ = 1f;
 } else {
-let _e388 = global_2.member.member_10.member_5;
-let _e392 = global_2.member.member_10.member_7;
+let _e388 = global_2.member.member_12.member_5;
+let _e392 = global_2.member.member_12.member_7;
 let _e394 = (_e388 + (_e317 * _e392));
-let _e398 = global_2.member.member_10.member_6;
+let _e398 = global_2.member.member_12.member_6;
 let _e400 = (_e398 + (_e384 * _e392));
 let _e405 = (((_e394 * _e394) + (_e400 * _e400)) + (1f * 1f));
 let _e409 = (1f / sqrt(select(0f, _e405, (_e405 > 0f))));
@@ -305,10 +307,10 @@ let _e413 = phi_522_;
 if _e323 {
 phi_557_ = 1f;
 } else {
-let _e417 = global_2.member.member_10.member_5;
-let _e421 = global_2.member.member_10.member_7;
+let _e417 = global_2.member.member_12.member_5;
+let _e421 = global_2.member.member_12.member_7;
 let _e423 = (_e417 + (_e353 * _e421));
-let _e427 = global_2.member.member_10.member_6;
+let _e427 = global_2.member.member_12.member_6;
 let _e429 = (_e427 + (_e384 * _e421));
 let _e434 = (((_e423 * _e423) + (_e429 * _e429)) + (1f * 1f));
 let _e438 = (1f / sqrt(select(0f, _e434, (_e434 > 0f))));
@@ -319,19 +321,19 @@ let _e445 = (((_e352 + _e382) + (_e413 + _e442)) * 0.25f);
 if _e323 {
 phi_667_ = 1f;
 } else {
-let _e451 = global_2.member.member_10.member_5;
-let _e455 = global_2.member.member_10.member_7;
+let _e451 = global_2.member.member_12.member_5;
+let _e455 = global_2.member.member_12.member_7;
 let _e457 = (_e451 + ((_e317 + 0.5f) * _e455));
-let _e461 = global_2.member.member_10.member_6;
+let _e461 = global_2.member.member_12.member_6;
 let _e463 = (_e461 + ((_e318 + 0.5f) * _e455));
-let _e468 = global_2.member.member_10.member_20.member;
+let _e468 = global_2.member.member_12.member_20.member;
 let _e476 = (((_e468.member * _e457) + (_e468.member_1 * _e463)) + (_e468.member_2 * 1f));
 let _e480 = (_e457 - (_e468.member * _e476));
 let _e481 = (_e463 - (_e468.member_1 * _e476));
 let _e482 = (1f - (_e468.member_2 * _e476));
 let _e487 = (((_e480 * _e480) + (_e481 * _e481)) + (_e482 * _e482));
-let _e498 = global_2.member.member_10.member_20.member_1;
-let _e504 = global_2.member.member_10.member_20.member_2;
+let _e498 = global_2.member.member_12.member_20.member_1;
+let _e504 = global_2.member.member_12.member_20.member_2;
 let _e505 = ((_e498 - (sqrt(select(0f, _e487, (_e487 > 0f))) / select(1e-20f, _e476, (_e476 > 1e-20f)))) * _e504);
 let _e507 = select(0f, _e505, (_e505 > 0f));
 let _e509 = select(1f, _e507, (_e507 < 1f));
@@ -339,16 +341,16 @@ phi_667_ = select(1f, select(0f, ((_e509 * _e509) * (3f - (2f * _e509))), (_e476
 }
 let _e519 = phi_667_;
 let _e521 = select((_e445 * _e519), 1f, _e240);
-let _e528 = global_2.member.member_10.member_15;
+let _e528 = global_2.member.member_12.member_15;
 let _e529 = bitcast<i32>(_e528);
 let _e531 = (firstTrailingBit(8u) & 31u);
 let _e533 = (_e115 >> bitcast<u32>(_e531));
 let _e535 = (_e118 >> bitcast<u32>(_e531));
-let _e540 = global_2.member.member_10.member_14.member;
+let _e540 = global_2.member.member_12.member_14.member;
 let _e541 = bitcast<i32>(_e540);
-let _e546 = global_2.member.member_10.member_14.member_1;
+let _e546 = global_2.member.member_12.member_14.member_1;
 let _e547 = bitcast<i32>(_e546);
-let _e552 = global_2.member.member_10.member_14.member_2;
+let _e552 = global_2.member.member_12.member_14.member_2;
 if ((((((_e533 >= 0i) && (_e533 < _e541)) && (_e535 >= 0i)) && (_e535 < _e547)) && (_e529 >= 0i)) && (_e529 < bitcast<i32>(_e552))) {
 phi_721_ = (((((_e529 * _e547) + _e535) * _e541) + _e533) * 3i);
 } else {
@@ -362,8 +364,8 @@ let _e581 = bitcast<i32>(_e580);
 if ((_e571 < 0i) || (_e581 == 0i)) {
 phi_765_ = -1i;
 } else {
-let _e596 = global_2.member.member_10.member_17.member;
-let _e601 = global_2.member.member_10.member_17.member_1;
+let _e596 = global_2.member.member_12.member_17.member;
+let _e601 = global_2.member.member_12.member_17.member_1;
 phi_765_ = (bitcast<i32>((_e596 * _e601)) + ((((_e581 - 1i) * 64i) + ((_e118 & 7i) * 8i)) + (_e115 & 7i)));
 }
 let _e606 = phi_765_;
@@ -400,9 +402,9 @@ let _e688 = (_e118 >> bitcast<u32>(_e684));
 let _e693 = (1f / 4f);
 let _e694 = (f32((_e115 - (_e686 << bitcast<u32>(_e684)))) * _e693);
 let _e699 = (f32((_e118 - (_e688 << bitcast<u32>(_e684)))) * _e693);
-let _e704 = global_2.member.member_10.member_17.member;
+let _e704 = global_2.member.member_12.member_17.member;
 let _e705 = bitcast<i32>(_e704);
-let _e710 = global_2.member.member_10.member_17.member_1;
+let _e710 = global_2.member.member_12.member_17.member_1;
 let _e711 = bitcast<i32>(_e710);
 let _e712 = (_e686 + 1i);
 let _e713 = (_e688 + 1i);
@@ -541,7 +543,7 @@ phi_1576_ = vec3<f32>(_e992, f32((bitcast<i32>(_e987) - (_e978 >> bitcast<u32>(3
 let _e1033 = phi_1576_;
 let _e1035 = select(0f, (_e694 * _e699), (_e967 >= 0i));
 let _e1045 = ((_e677 * _e679) + (((_e792 * _e794) + (_e873 * _e875)) + ((_e956 * _e958) + (_e1033 * _e1035))));
-let _e1051 = global_2.member.member_10.member_22;
+let _e1051 = global_2.member.member_12.member_22;
 let _e1052 = (1f / _e1051);
 let _e1059 = ((select(1f, (_e268 * _e258), _e240) * _e521) + (_e1045.x * _e1052));
 let _e1060 = ((select(1f, (_e278 * _e258), _e240) * _e521) + (_e1045.y * _e1052));
@@ -575,8 +577,8 @@ let _e1139 = select(_e1135, _e1137, (_e1137 < _e1135));
 let _e1146 = select(0i, select(select(i32(_e1139), i32(-2147483648), (_e1139 < -2147483600f)), 2147483647i, (_e1139 > 2147483500f)), (_e1139 == _e1139));
 phi_1821_ = type_17(vec3<f32>((_e1059 * _e1076), (_e1060 * _e1076), (_e1061 * _e1076)), bitcast<f32>(((select(0u, 2147483648u, (_e1075 < 0f)) | (bitcast<u32>(((_e1146 - select(0i, 1i, (_e1139 < f32(_e1146)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1127))));
 } else {
-let _e133 = global_2.member.member_10.member_4.member;
-let _e143 = global_2.member.member_10.member_4.member_1;
+let _e133 = global_2.member.member_12.member_4.member;
+let _e143 = global_2.member.member_12.member_4.member_1;
 let _e146 = ((((_e115 >= 0i) && (_e115 <= bitcast<i32>(_e133))) && (_e118 >= 0i)) && (_e118 <= bitcast<i32>(_e143)));
 if _e146 {
 phi_1712_ = bitcast<u32>(_e118);

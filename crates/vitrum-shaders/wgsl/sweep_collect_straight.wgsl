@@ -147,24 +147,26 @@ member: type_2,
 member_1: u32,
 member_2: type_18,
 member_3: type_14,
-member_4: u32,
-member_5: type_19,
-member_6: type_20,
-member_7: type_20,
-member_8: type_21,
-member_9: type_22,
-member_10: type_25,
-member_11: type_19,
-member_12: type_4,
-member_13: type_9,
-member_14: type_26,
-member_15: type_26,
+member_4: type_14,
+member_5: u32,
+member_6: u32,
+member_7: type_19,
+member_8: type_20,
+member_9: type_20,
+member_10: type_21,
+member_11: type_22,
+member_12: type_25,
+member_13: type_19,
+member_14: type_4,
+member_15: type_9,
 member_16: type_26,
 member_17: type_26,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_26,
+member_19: type_26,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_28 {
 member: type_27,
@@ -215,7 +217,7 @@ let _e83 = ((_e72 * _e81) + _e70);
 let _e84 = (_e83 / 81u);
 let _e86 = (_e83 - (_e84 * 81u));
 let _e87 = (_e86 / 9u);
-let _e91 = global_2.member.member_10.member_16;
+let _e91 = global_2.member.member_12.member_16;
 let _e93 = bitcast<i32>((_e91 + _e84));
 let _e95 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e97 = select(_e95, _e93, (_e93 < _e95));
@@ -224,9 +226,9 @@ let _e113 = ((bitcast<i32>((_e103 & 65535u)) * 8i) + bitcast<i32>((_e86 - (_e87 
 let _e116 = ((bitcast<i32>((_e103 >> bitcast<u32>(16i))) * 8i) + bitcast<i32>(_e87));
 let _e118 = (_e63.member_2 == 5u);
 if ((((_e63.member_2 == 1u) || _e118) || (_e63.member_2 == 6u)) || ((_e63.member_2 == 2u) || (_e63.member_2 == 7u))) {
-let _e224 = global_2.member.member_10.member_4.member;
+let _e224 = global_2.member.member_12.member_4.member;
 let _e225 = bitcast<i32>(_e224);
-let _e230 = global_2.member.member_10.member_4.member_1;
+let _e230 = global_2.member.member_12.member_4.member_1;
 let _e231 = bitcast<i32>(_e230);
 let _e238 = ((((_e113 >= 0i) && (_e113 < _e225)) && (_e116 >= 0i)) && (_e116 < _e231));
 if _e238 {
@@ -257,15 +259,15 @@ let _e300 = select(_e245, _e298, (_e298 < _e245));
 let _e306 = global_3.member[bitcast<u32>(select(0i, _e300, (_e300 > 0i)))];
 let _e315 = f32(_e113);
 let _e316 = f32(_e116);
-let _e320 = global_2.member.member_10.member_3;
+let _e320 = global_2.member.member_12.member_3;
 let _e321 = (_e320 == 0u);
 if _e321 {
 phi_452_ = 1f;
 } else {
-let _e325 = global_2.member.member_10.member_5;
-let _e329 = global_2.member.member_10.member_7;
+let _e325 = global_2.member.member_12.member_5;
+let _e329 = global_2.member.member_12.member_7;
 let _e331 = (_e325 + (_e315 * _e329));
-let _e335 = global_2.member.member_10.member_6;
+let _e335 = global_2.member.member_12.member_6;
 let _e337 = (_e335 + (_e316 * _e329));
 let _e342 = (((_e331 * _e331) + (_e337 * _e337)) + (1f * 1f));
 let _e346 = (1f / sqrt(select(0f, _e342, (_e342 > 0f))));
@@ -276,10 +278,10 @@ let _e351 = (_e315 + 1f);
 if _e321 {
 phi_486_ = 1f;
 } else {
-let _e355 = global_2.member.member_10.member_5;
-let _e359 = global_2.member.member_10.member_7;
+let _e355 = global_2.member.member_12.member_5;
+let _e359 = global_2.member.member_12.member_7;
 let _e361 = (_e355 + (_e351 * _e359));
-let _e365 = global_2.member.member_10.member_6;
+let _e365 = global_2.member.member_12.member_6;
 let _e367 = (_e365 + (_e316 * _e359));
 let _e372 = (((_e361 * _e361) + (_e367 * _e367)) + (1f * 1f));
 let _e376 = (1f / sqrt(select(0f, _e372, (_e372 > 0f))));
@@ -290,10 +292,10 @@ let _e382 = (_e316 + 1f);
 if _e321 {
 phi_521_ = 1f;
 } else {
-let _e386 = global_2.member.member_10.member_5;
-let _e390 = global_2.member.member_10.member_7;
+let _e386 = global_2.member.member_12.member_5;
+let _e390 = global_2.member.member_12.member_7;
 let _e392 = (_e386 + (_e315 * _e390));
-let _e396 = global_2.member.member_10.member_6;
+let _e396 = global_2.member.member_12.member_6;
 let _e398 = (_e396 + (_e382 * _e390));
 let _e403 = (((_e392 * _e392) + (_e398 * _e398)) + (1f * 1f));
 let _e407 = (1f / sqrt(select(0f, _e403, (_e403 > 0f))));
@@ -303,10 +305,10 @@ let _e411 = phi_521_;
 if _e321 {
 phi_556_ = 1f;
 } else {
-let _e415 = global_2.member.member_10.member_5;
-let _e419 = global_2.member.member_10.member_7;
+let _e415 = global_2.member.member_12.member_5;
+let _e419 = global_2.member.member_12.member_7;
 let _e421 = (_e415 + (_e351 * _e419));
-let _e425 = global_2.member.member_10.member_6;
+let _e425 = global_2.member.member_12.member_6;
 let _e427 = (_e425 + (_e382 * _e419));
 let _e432 = (((_e421 * _e421) + (_e427 * _e427)) + (1f * 1f));
 let _e436 = (1f / sqrt(select(0f, _e432, (_e432 > 0f))));
@@ -317,19 +319,19 @@ let _e443 = (((_e350 + _e380) + (_e411 + _e440)) * 0.25f);
 if _e321 {
 phi_666_ = 1f;
 } else {
-let _e449 = global_2.member.member_10.member_5;
-let _e453 = global_2.member.member_10.member_7;
+let _e449 = global_2.member.member_12.member_5;
+let _e453 = global_2.member.member_12.member_7;
 let _e455 = (_e449 + ((_e315 + 0.5f) * _e453));
-let _e459 = global_2.member.member_10.member_6;
+let _e459 = global_2.member.member_12.member_6;
 let _e461 = (_e459 + ((_e316 + 0.5f) * _e453));
-let _e466 = global_2.member.member_10.member_20.member;
+let _e466 = global_2.member.member_12.member_20.member;
 let _e474 = (((_e466.member * _e455) + (_e466.member_1 * _e461)) + (_e466.member_2 * 1f));
 let _e478 = (_e455 - (_e466.member * _e474));
 let _e479 = (_e461 - (_e466.member_1 * _e474));
 let _e480 = (1f - (_e466.member_2 * _e474));
 let _e485 = (((_e478 * _e478) + (_e479 * _e479)) + (_e480 * _e480));
-let _e496 = global_2.member.member_10.member_20.member_1;
-let _e502 = global_2.member.member_10.member_20.member_2;
+let _e496 = global_2.member.member_12.member_20.member_1;
+let _e502 = global_2.member.member_12.member_20.member_2;
 let _e503 = ((_e496 - (sqrt(select(0f, _e485, (_e485 > 0f))) / select(1e-20f, _e474, (_e474 > 1e-20f)))) * _e502);
 let _e505 = select(0f, _e503, (_e503 > 0f));
 let _e507 = select(1f, _e505, (_e505 < 1f));
@@ -337,16 +339,16 @@ phi_666_ = select(1f, select(0f, ((_e507 * _e507) * (3f - (2f * _e507))), (_e474
 }
 let _e517 = phi_666_;
 let _e519 = select((_e443 * _e517), 1f, _e238);
-let _e526 = global_2.member.member_10.member_15;
+let _e526 = global_2.member.member_12.member_15;
 let _e527 = bitcast<i32>(_e526);
 let _e529 = (firstTrailingBit(8u) & 31u);
 let _e531 = (_e113 >> bitcast<u32>(_e529));
 let _e533 = (_e116 >> bitcast<u32>(_e529));
-let _e538 = global_2.member.member_10.member_14.member;
+let _e538 = global_2.member.member_12.member_14.member;
 let _e539 = bitcast<i32>(_e538);
-let _e544 = global_2.member.member_10.member_14.member_1;
+let _e544 = global_2.member.member_12.member_14.member_1;
 let _e545 = bitcast<i32>(_e544);
-let _e550 = global_2.member.member_10.member_14.member_2;
+let _e550 = global_2.member.member_12.member_14.member_2;
 if ((((((_e531 >= 0i) && (_e531 < _e539)) && (_e533 >= 0i)) && (_e533 < _e545)) && (_e527 >= 0i)) && (_e527 < bitcast<i32>(_e550))) {
 phi_720_ = (((((_e527 * _e545) + _e533) * _e539) + _e531) * 3i);
 } else {
@@ -360,8 +362,8 @@ let _e579 = bitcast<i32>(_e578);
 if ((_e569 < 0i) || (_e579 == 0i)) {
 phi_764_ = -1i;
 } else {
-let _e594 = global_2.member.member_10.member_17.member;
-let _e599 = global_2.member.member_10.member_17.member_1;
+let _e594 = global_2.member.member_12.member_17.member;
+let _e599 = global_2.member.member_12.member_17.member_1;
 phi_764_ = (bitcast<i32>((_e594 * _e599)) + ((((_e579 - 1i) * 64i) + ((_e116 & 7i) * 8i)) + (_e113 & 7i)));
 }
 let _e604 = phi_764_;
@@ -398,9 +400,9 @@ let _e686 = (_e116 >> bitcast<u32>(_e682));
 let _e691 = (1f / 4f);
 let _e692 = (f32((_e113 - (_e684 << bitcast<u32>(_e682)))) * _e691);
 let _e697 = (f32((_e116 - (_e686 << bitcast<u32>(_e682)))) * _e691);
-let _e702 = global_2.member.member_10.member_17.member;
+let _e702 = global_2.member.member_12.member_17.member;
 let _e703 = bitcast<i32>(_e702);
-let _e708 = global_2.member.member_10.member_17.member_1;
+let _e708 = global_2.member.member_12.member_17.member_1;
 let _e709 = bitcast<i32>(_e708);
 let _e710 = (_e684 + 1i);
 let _e711 = (_e686 + 1i);
@@ -539,7 +541,7 @@ phi_1575_ = vec3<f32>(_e990, f32((bitcast<i32>(_e985) - (_e976 >> bitcast<u32>(3
 let _e1031 = phi_1575_;
 let _e1033 = select(0f, (_e692 * _e697), (_e965 >= 0i));
 let _e1043 = ((_e675 * _e677) + (((_e790 * _e792) + (_e871 * _e873)) + ((_e954 * _e956) + (_e1031 * _e1033))));
-let _e1049 = global_2.member.member_10.member_22;
+let _e1049 = global_2.member.member_12.member_22;
 let _e1050 = (1f / _e1049);
 let _e1057 = ((select(1f, (_e266 * _e256), _e238) * _e519) + (_e1043.x * _e1050));
 let _e1058 = ((select(1f, (_e276 * _e256), _e238) * _e519) + (_e1043.y * _e1050));
@@ -573,8 +575,8 @@ let _e1137 = select(_e1133, _e1135, (_e1135 < _e1133));
 let _e1144 = select(0i, select(select(i32(_e1137), i32(-2147483648), (_e1137 < -2147483600f)), 2147483647i, (_e1137 > 2147483500f)), (_e1137 == _e1137));
 phi_1820_ = type_17(vec3<f32>((_e1057 * _e1074), (_e1058 * _e1074), (_e1059 * _e1074)), bitcast<f32>(((select(0u, 2147483648u, (_e1073 < 0f)) | (bitcast<u32>(((_e1144 - select(0i, 1i, (_e1137 < f32(_e1144)))) + 128i)) << bitcast<u32>(16i))) | bitcast<u32>(_e1125))));
 } else {
-let _e131 = global_2.member.member_10.member_4.member;
-let _e141 = global_2.member.member_10.member_4.member_1;
+let _e131 = global_2.member.member_12.member_4.member;
+let _e141 = global_2.member.member_12.member_4.member_1;
 let _e144 = ((((_e113 >= 0i) && (_e113 <= bitcast<i32>(_e131))) && (_e116 >= 0i)) && (_e116 <= bitcast<i32>(_e141)));
 if _e144 {
 phi_1711_ = bitcast<u32>(_e116);

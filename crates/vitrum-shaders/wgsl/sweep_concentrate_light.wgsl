@@ -140,24 +140,26 @@ member: type_2,
 member_1: u32,
 member_2: type_15,
 member_3: type_14,
-member_4: u32,
-member_5: type_16,
-member_6: type_17,
-member_7: type_17,
-member_8: type_18,
-member_9: type_19,
-member_10: type_22,
-member_11: type_16,
-member_12: type_4,
-member_13: type_9,
-member_14: type_23,
-member_15: type_23,
+member_4: type_14,
+member_5: u32,
+member_6: u32,
+member_7: type_16,
+member_8: type_17,
+member_9: type_17,
+member_10: type_18,
+member_11: type_19,
+member_12: type_22,
+member_13: type_16,
+member_14: type_4,
+member_15: type_9,
 member_16: type_23,
 member_17: type_23,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_23,
+member_19: type_23,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_25 {
 member: type_24,
@@ -170,7 +172,7 @@ var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
 var<storage> global_3: type_11;
 fn function_() {
-var phi_925_: i32;
+var phi_926_: i32;
 let _e34 = global;
 let _e39 = global_1.member.member_2;
 let _e42 = global_1.member.member;
@@ -182,8 +184,8 @@ let _e55 = (_e42.member * _e42.member_1);
 let _e57 = ((_e52 * _e42.member) + _e50);
 let _e58 = bitcast<i32>(_e50);
 let _e59 = bitcast<i32>(_e52);
-let _e63 = global_1.member.member_8.member;
-let _e67 = global_1.member.member_8.member_1;
+let _e63 = global_1.member.member_10.member;
+let _e67 = global_1.member.member_10.member_1;
 let _e69 = bitcast<i32>((_e63 * _e67));
 let _e70 = (6i * _e69);
 let _e71 = bitcast<i32>(_e63);
@@ -287,7 +289,7 @@ let _e395 = global_3.member[bitcast<u32>(select(0i, _e389, (_e389 > 0i)))];
 let _e403 = (((_e343 * _e343) + (_e354 * _e354)) + (_e365 * _e365));
 let _e406 = sqrt(select(0f, _e403, (_e403 > 0f)));
 let _e409 = (1f / select(1e-20f, _e406, (_e406 > 1e-20f)));
-let _e413 = global_1.member.member_9.member;
+let _e413 = global_1.member.member_11.member;
 let _e417 = ((_e343 * _e409) - _e413.member);
 let _e419 = ((_e354 * _e409) - _e413.member_1);
 if (_e417 < 0f) {
@@ -296,16 +298,16 @@ let _e426 = (2f * 16255f);
 let _e428 = select(0f, _e425, (_e425 > 0f));
 let _e430 = select(_e426, _e428, (_e428 < _e426));
 let _e437 = select(0i, select(select(i32(_e430), i32(-2147483648), (_e430 < -2147483600f)), 2147483647i, (_e430 > 2147483500f)), (_e430 == _e430));
-phi_925_ = (32768i - (_e437 - select(0i, 1i, (_e430 < f32(_e437)))));
+phi_926_ = (32768i - (_e437 - select(0i, 1i, (_e430 < f32(_e437)))));
 } else {
 let _e447 = ((bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) * 16255f) + 0.5f);
 let _e448 = (2f * 16255f);
 let _e450 = select(0f, _e447, (_e447 > 0f));
 let _e452 = select(_e448, _e450, (_e450 < _e448));
 let _e459 = select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < -2147483600f)), 2147483647i, (_e452 > 2147483500f)), (_e452 == _e452));
-phi_925_ = (32768i + (_e459 - select(0i, 1i, (_e452 < f32(_e459)))));
+phi_926_ = (32768i + (_e459 - select(0i, 1i, (_e452 < f32(_e459)))));
 }
-let _e466 = phi_925_;
+let _e466 = phi_926_;
 let _e473 = ((bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) * 16255f) + 0.5f);
 let _e474 = (2f * 16255f);
 let _e476 = select(0f, _e473, (_e473 > 0f));

@@ -143,24 +143,26 @@ member: type_2,
 member_1: u32,
 member_2: type_16,
 member_3: type_13,
-member_4: u32,
-member_5: type_17,
-member_6: type_18,
-member_7: type_18,
-member_8: type_19,
-member_9: type_20,
-member_10: type_23,
-member_11: type_17,
-member_12: type_4,
-member_13: type_9,
-member_14: type_24,
-member_15: type_24,
+member_4: type_13,
+member_5: u32,
+member_6: u32,
+member_7: type_17,
+member_8: type_18,
+member_9: type_18,
+member_10: type_19,
+member_11: type_20,
+member_12: type_23,
+member_13: type_17,
+member_14: type_4,
+member_15: type_9,
 member_16: type_24,
 member_17: type_24,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_24,
+member_19: type_24,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_26 {
 member: type_25,
@@ -200,9 +202,9 @@ if (_e70 < _e59.member_2) {
 if (_e72 < _e59.member_3) {
 let _e75 = (_e62.member * _e62.member_1);
 let _e77 = ((_e72 * _e62.member) + _e70);
-let _e82 = global_1.member.member_10.member_4.member;
+let _e82 = global_1.member.member_12.member_4.member;
 let _e83 = (_e82 + 1u);
-let _e88 = global_1.member.member_10.member_4.member_1;
+let _e88 = global_1.member.member_12.member_4.member_1;
 let _e91 = bitcast<i32>((_e83 * (_e88 + 1u)));
 local_6 = _e91;
 let _e92 = (_e72 * _e83);
@@ -403,16 +405,16 @@ let _e534 = select(65536f, _e532, (_e532 < 65536f));
 let _e541 = select(0i, select(select(i32(_e534), i32(-2147483648), (_e534 < -2147483600f)), 2147483647i, (_e534 > 2147483500f)), (_e534 == _e534));
 let _e545 = (_e541 - select(0i, 1i, (_e534 < f32(_e541))));
 let _e546 = (_e545 + 1i);
-let _e556 = global_1.member.member_10.member_15;
+let _e556 = global_1.member.member_12.member_15;
 let _e557 = bitcast<i32>(_e556);
 let _e559 = (firstTrailingBit(8u) & 31u);
 let _e561 = (_e499 >> bitcast<u32>(_e559));
 let _e563 = (_e530 >> bitcast<u32>(_e559));
-let _e568 = global_1.member.member_10.member_14.member;
+let _e568 = global_1.member.member_12.member_14.member;
 let _e569 = bitcast<i32>(_e568);
-let _e574 = global_1.member.member_10.member_14.member_1;
+let _e574 = global_1.member.member_12.member_14.member_1;
 let _e575 = bitcast<i32>(_e574);
-let _e580 = global_1.member.member_10.member_14.member_2;
+let _e580 = global_1.member.member_12.member_14.member_2;
 let _e584 = ((_e561 >= 0i) && (_e561 < _e569));
 let _e585 = (_e563 >= 0i);
 let _e587 = (_e563 < _e575);
@@ -434,8 +436,8 @@ let _e617 = (_e499 & 7i);
 if ((_e599 < 0i) || (_e611 == 0i)) {
 phi_1290_ = -1i;
 } else {
-let _e626 = global_1.member.member_10.member_17.member;
-let _e631 = global_1.member.member_10.member_17.member_1;
+let _e626 = global_1.member.member_12.member_17.member;
+let _e631 = global_1.member.member_12.member_17.member_1;
 phi_1290_ = (bitcast<i32>((_e626 * _e631)) + ((((_e611 - 1i) * 64i) + _e615) + _e617));
 }
 let _e636 = phi_1290_;
@@ -455,8 +457,8 @@ let _e668 = (_e515 & 7i);
 if ((_e654 < 0i) || (_e664 == 0i)) {
 phi_1379_ = -1i;
 } else {
-let _e677 = global_1.member.member_10.member_17.member;
-let _e682 = global_1.member.member_10.member_17.member_1;
+let _e677 = global_1.member.member_12.member_17.member;
+let _e682 = global_1.member.member_12.member_17.member_1;
 phi_1379_ = (bitcast<i32>((_e677 * _e682)) + ((((_e664 - 1i) * 64i) + _e615) + _e668));
 }
 let _e687 = phi_1379_;
@@ -477,8 +479,8 @@ let _e718 = ((_e546 & 7i) * 8i);
 if ((_e704 < 0i) || (_e714 == 0i)) {
 phi_1468_ = -1i;
 } else {
-let _e728 = global_1.member.member_10.member_17.member;
-let _e733 = global_1.member.member_10.member_17.member_1;
+let _e728 = global_1.member.member_12.member_17.member;
+let _e733 = global_1.member.member_12.member_17.member_1;
 phi_1468_ = (bitcast<i32>((_e728 * _e733)) + ((((_e714 - 1i) * 64i) + _e718) + _e617));
 }
 let _e738 = phi_1468_;
@@ -495,8 +497,8 @@ let _e761 = bitcast<i32>(_e760);
 if ((_e751 < 0i) || (_e761 == 0i)) {
 phi_1557_ = -1i;
 } else {
-let _e773 = global_1.member.member_10.member_17.member;
-let _e778 = global_1.member.member_10.member_17.member_1;
+let _e773 = global_1.member.member_12.member_17.member;
+let _e778 = global_1.member.member_12.member_17.member_1;
 phi_1557_ = (bitcast<i32>((_e773 * _e778)) + ((((_e761 - 1i) * 64i) + _e718) + _e668));
 }
 let _e783 = phi_1557_;
@@ -586,7 +588,7 @@ let _e1059 = (_e279 + ((_e1022 - _e289) * _e1012));
 let _e1060 = (_e1049 != _e1026);
 let _e1063 = select(_e1053, select(_e1059, _e1053, (_e1053 < _e1059)), _e1060);
 let _e1066 = select(_e1056, select(_e1059, _e1056, (_e1056 > _e1059)), _e1060);
-let _e1089 = global_1.member.member_10.member_22;
+let _e1089 = global_1.member.member_12.member_22;
 let _e1090 = (_e1089 * _e905);
 let _e1092 = (_e786 && !(_e902));
 let _e1098 = ((_e787 * _e1090) + 0.5f);

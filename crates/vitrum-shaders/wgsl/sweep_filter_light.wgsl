@@ -140,24 +140,26 @@ member: type_2,
 member_1: u32,
 member_2: type_14,
 member_3: type_13,
-member_4: u32,
-member_5: type_15,
-member_6: type_16,
-member_7: type_16,
-member_8: type_17,
-member_9: type_18,
-member_10: type_21,
-member_11: type_15,
-member_12: type_4,
-member_13: type_9,
-member_14: type_22,
-member_15: type_22,
+member_4: type_13,
+member_5: u32,
+member_6: u32,
+member_7: type_15,
+member_8: type_16,
+member_9: type_16,
+member_10: type_17,
+member_11: type_18,
+member_12: type_21,
+member_13: type_15,
+member_14: type_4,
+member_15: type_9,
 member_16: type_22,
 member_17: type_22,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_22,
+member_19: type_22,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_24 {
 member: type_23,
@@ -181,8 +183,8 @@ var local_1: i32;
 var local_2: type_25;
 var local_3: type_25;
 var local_4: type_25;
-var phi_1574_: f32;
 var phi_1575_: f32;
+var phi_1576_: f32;
 let _e33 = global;
 let _e40 = global_1.member.member_2;
 let _e43 = global_1.member.member;
@@ -194,8 +196,8 @@ let _e56 = (_e43.member * _e43.member_1);
 let _e58 = ((_e53 * _e43.member) + _e51);
 local = _e51;
 local_1 = bitcast<i32>(_e53);
-let _e64 = global_1.member.member_11.member;
-let _e68 = global_1.member.member_11.member_1;
+let _e64 = global_1.member.member_13.member;
+let _e68 = global_1.member.member_13.member_1;
 let _e69 = -(32768f);
 let _e71 = select(_e69, _e64, (_e64 > _e69));
 let _e73 = select(32768f, _e71, (_e71 < 32768f));
@@ -205,8 +207,8 @@ let _e86 = select(_e69, _e68, (_e68 > _e69));
 let _e88 = select(32768f, _e86, (_e86 < 32768f));
 let _e95 = select(0i, select(select(i32(_e88), i32(-2147483648), (_e88 < -2147483600f)), 2147483647i, (_e88 > 2147483500f)), (_e88 == _e88));
 let _e99 = (_e95 - select(0i, 1i, (_e88 < f32(_e95))));
-let _e107 = global_1.member.member_11.member_2;
-let _e111 = global_1.member.member_11.member_3;
+let _e107 = global_1.member.member_13.member_2;
+let _e111 = global_1.member.member_13.member_3;
 let _e113 = select(_e69, _e107, (_e107 > _e69));
 let _e115 = select(32768f, _e113, (_e113 < 32768f));
 let _e122 = select(0i, select(select(i32(_e115), i32(-2147483648), (_e115 < -2147483600f)), 2147483647i, (_e115 > 2147483500f)), (_e115 == _e115));
@@ -215,8 +217,8 @@ let _e128 = select(_e69, _e111, (_e111 > _e69));
 let _e130 = select(32768f, _e128, (_e128 < 32768f));
 let _e137 = select(0i, select(select(i32(_e130), i32(-2147483648), (_e130 < -2147483600f)), 2147483647i, (_e130 > 2147483500f)), (_e130 == _e130));
 let _e141 = (_e137 - select(0i, 1i, (_e130 < f32(_e137))));
-let _e149 = global_1.member.member_11.member_4;
-let _e153 = global_1.member.member_11.member_5;
+let _e149 = global_1.member.member_13.member_4;
+let _e153 = global_1.member.member_13.member_5;
 let _e155 = select(_e69, _e149, (_e149 > _e69));
 let _e157 = select(32768f, _e155, (_e155 < 32768f));
 let _e164 = select(0i, select(select(i32(_e157), i32(-2147483648), (_e157 < -2147483600f)), 2147483647i, (_e157 > 2147483500f)), (_e157 == _e157));
@@ -230,7 +232,7 @@ local_3 = type_25(_e126, _e141, (_e107 - f32(_e126)), (_e111 - f32(_e141)));
 local_4 = type_25(_e168, _e183, (_e149 - f32(_e168)), (_e153 - f32(_e183)));
 let _e191 = local;
 let _e192 = local_1;
-let _e195 = global_1.member.member_8.member;
+let _e195 = global_1.member.member_10.member;
 let _e196 = bitcast<i32>(_e195);
 let _e200 = local_2.member_1;
 let _e204 = local_2.member;
@@ -257,7 +259,7 @@ let _e256 = (_e206 + _e255);
 let _e257 = local_2.member_1;
 let _e258 = (_e192 + _e257);
 let _e260 = (_e196 - 1i);
-let _e265 = global_1.member.member_8.member_1;
+let _e265 = global_1.member.member_10.member_1;
 let _e267 = (bitcast<i32>(_e265) - 1i);
 let _e270 = select(1f, (_e245 + (((_e232 + ((_e240 - _e232) * _e246)) - _e245) * _e251)), ((((_e256 >= 0i) && (_e256 < _e260)) && (_e258 >= 0i)) && (_e258 < _e267)));
 let _e271 = local;
@@ -313,8 +315,8 @@ let _e398 = (_e340 + _e397);
 let _e410 = (1f / 3f);
 let _e412 = (_e270 + (((select(1f, (_e317 + (((_e304 + ((_e312 - _e304) * _e318)) - _e317) * _e323)), ((((_e328 >= 0i) && (_e328 < _e260)) && (_e330 >= 0i)) && (_e330 < _e267))) - _e270) + (select(1f, (_e385 + (((_e372 + ((_e380 - _e372) * _e386)) - _e385) * _e391)), ((((_e396 >= 0i) && (_e396 < _e260)) && (_e398 >= 0i)) && (_e398 < _e267))) - _e270)) * _e410));
 if (((_e43.member_2 == 3u) || (_e43.member_2 == 4u)) || (_e43.member_2 == 5u)) {
-phi_1574_ = _e412;
 phi_1575_ = _e412;
+phi_1576_ = _e412;
 } else {
 let _e418 = local;
 let _e419 = local_1;
@@ -470,12 +472,12 @@ let _e804 = local_4.member;
 let _e805 = (_e759 + _e804);
 let _e806 = local_4.member_1;
 let _e807 = (_e752 + _e806);
-phi_1574_ = (_e685 + (((select(1f, (_e730 + (((_e718 + ((_e726 - _e718) * _e731)) - _e730) * _e735)), ((((_e740 >= 0i) && (_e740 < _e260)) && (_e742 >= 0i)) && (_e742 < _e267))) - _e685) + (select(1f, (_e795 + (((_e783 + ((_e791 - _e783) * _e796)) - _e795) * _e800)), ((((_e805 >= 0i) && (_e805 < _e260)) && (_e807 >= 0i)) && (_e807 < _e267))) - _e685)) * _e410));
-phi_1575_ = (_e484 + (((select(1f, (_e529 + (((_e517 + ((_e525 - _e517) * _e530)) - _e529) * _e534)), ((((_e539 >= 0i) && (_e539 < _e260)) && (_e541 >= 0i)) && (_e541 < _e267))) - _e484) + (select(1f, (_e594 + (((_e582 + ((_e590 - _e582) * _e595)) - _e594) * _e599)), ((((_e604 >= 0i) && (_e604 < _e260)) && (_e606 >= 0i)) && (_e606 < _e267))) - _e484)) * _e410));
+phi_1575_ = (_e685 + (((select(1f, (_e730 + (((_e718 + ((_e726 - _e718) * _e731)) - _e730) * _e735)), ((((_e740 >= 0i) && (_e740 < _e260)) && (_e742 >= 0i)) && (_e742 < _e267))) - _e685) + (select(1f, (_e795 + (((_e783 + ((_e791 - _e783) * _e796)) - _e795) * _e800)), ((((_e805 >= 0i) && (_e805 < _e260)) && (_e807 >= 0i)) && (_e807 < _e267))) - _e685)) * _e410));
+phi_1576_ = (_e484 + (((select(1f, (_e529 + (((_e517 + ((_e525 - _e517) * _e530)) - _e529) * _e534)), ((((_e539 >= 0i) && (_e539 < _e260)) && (_e541 >= 0i)) && (_e541 < _e267))) - _e484) + (select(1f, (_e594 + (((_e582 + ((_e590 - _e582) * _e595)) - _e594) * _e599)), ((((_e604 >= 0i) && (_e604 < _e260)) && (_e606 >= 0i)) && (_e606 < _e267))) - _e484)) * _e410));
 }
-let _e822 = phi_1574_;
-let _e824 = phi_1575_;
-let _e829 = global_1.member.member_9.member.member;
+let _e822 = phi_1575_;
+let _e824 = phi_1576_;
+let _e829 = global_1.member.member_11.member.member;
 let _e830 = local;
 let _e831 = local_1;
 let _e833 = bitcast<i32>((_e195 * _e265));
@@ -554,7 +556,7 @@ let _e1016 = local_4.member;
 let _e1017 = (_e971 + _e1016);
 let _e1018 = local_4.member_1;
 let _e1019 = (_e964 + _e1018);
-let _e1037 = global_1.member.member_9.member.member_1;
+let _e1037 = global_1.member.member_11.member.member_1;
 let _e1038 = local;
 let _e1039 = local_1;
 let _e1040 = (4i * _e833);
@@ -632,7 +634,7 @@ let _e1222 = local_4.member;
 let _e1223 = (_e1177 + _e1222);
 let _e1224 = local_4.member_1;
 let _e1225 = (_e1170 + _e1224);
-let _e1243 = global_1.member.member_9.member.member_2;
+let _e1243 = global_1.member.member_11.member.member_2;
 let _e1244 = local;
 let _e1245 = local_1;
 let _e1246 = (5i * _e833);

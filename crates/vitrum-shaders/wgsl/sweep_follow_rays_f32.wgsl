@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -423,25 +425,25 @@ let _e456 = vec3<f32>(_e247, _e257, _e268);
 let _e457 = vec3<f32>(_e279, _e290, _e301);
 let _e458 = vec3<f32>(_e345, _e356, _e367);
 let _e459 = vec3<f32>(_e389, _e400, _e411);
-let _e464 = global_1.member.member_6.member;
+let _e464 = global_1.member.member_8.member;
 let _e475 = ((((_e464.member.member * _e247) + (_e464.member.member_1 * _e257)) + (_e464.member.member_2 * _e268)) + _e464.member_1);
-let _e479 = global_1.member.member_6.member_1;
+let _e479 = global_1.member.member_8.member_1;
 let _e490 = ((((_e479.member.member * _e247) + (_e479.member.member_1 * _e257)) + (_e479.member.member_2 * _e268)) + _e479.member_1);
-let _e494 = global_1.member.member_6.member_2;
+let _e494 = global_1.member.member_8.member_2;
 let _e505 = ((((_e494.member.member * _e247) + (_e494.member.member_1 * _e257)) + (_e494.member.member_2 * _e268)) + _e494.member_1);
 let _e507 = (_e221.member_2 == 5u);
 let _e513 = ((_e221.member_2 == 2u) || (_e221.member_2 == 7u));
 let _e514 = ((((_e221.member_2 == 1u) || _e507) || (_e221.member_2 == 6u)) || _e513);
 if _e514 {
-let _e519 = global_1.member.member_6.member_3.member;
+let _e519 = global_1.member.member_8.member_3.member;
 let _e520 = (_e519 - 0.5f);
 let _e522 = select(-0.5f, _e475, (_e475 > -0.5f));
 let _e524 = select(_e520, _e522, (_e522 < _e520));
-let _e529 = global_1.member.member_6.member_3.member_1;
+let _e529 = global_1.member.member_8.member_3.member_1;
 let _e530 = (_e529 - 0.5f);
 let _e532 = select(-0.5f, _e490, (_e490 > -0.5f));
 let _e534 = select(_e530, _e532, (_e532 < _e530));
-let _e539 = global_1.member.member_6.member_3.member_2;
+let _e539 = global_1.member.member_8.member_3.member_2;
 let _e540 = (_e539 - 0.5f);
 let _e542 = select(-0.5f, _e505, (_e505 > -0.5f));
 let _e544 = select(_e540, _e542, (_e542 < _e540));
@@ -457,8 +459,8 @@ let _e576 = select(-1f, _e544, (_e544 > -1f));
 let _e578 = select(_e539, _e576, (_e576 < _e539));
 let _e585 = select(0i, select(select(i32(_e578), i32(-2147483648), (_e578 < -2147483600f)), 2147483647i, (_e578 > 2147483500f)), (_e578 == _e578));
 let _e589 = (_e585 - select(0i, 1i, (_e578 < f32(_e585))));
-let _e593 = global_1.member.member_6.member_7;
-let _e597 = global_1.member.member_6.member_8;
+let _e593 = global_1.member.member_8.member_7;
+let _e597 = global_1.member.member_8.member_8;
 let _e605 = (select(0i, select(select(i32(_e529), i32(-2147483648), (_e529 < -2147483600f)), 2147483647i, (_e529 > 2147483500f)), (_e529 == _e529)) - 1i);
 let _e606 = (_e574 - 1i);
 let _e611 = (_e574 + 1i);
@@ -700,8 +702,8 @@ let _e1157 = local_41[2u];
 let _e1161 = local_41[1u];
 let _e1165 = local_41[2u];
 let _e1169 = local_41[2u];
-let _e1176 = global_1.member.member_6.member_6;
-let _e1180 = global_1.member.member_6.member_5;
+let _e1176 = global_1.member.member_8.member_6;
+let _e1180 = global_1.member.member_8.member_5;
 let _e1182 = (((_e1099 + ((_e1103 - _e1099) * _e1169)) - _e1176) * _e1180);
 let _e1183 = -(1e9f);
 let _e1185 = select(_e1183, _e1182, (_e1182 > _e1183));
@@ -967,26 +969,26 @@ let _e1933 = select(0f, 1f, ((((((_e475 >= -0.5f) && (_e475 <= _e520)) && (_e490
 let _e1935 = (0.5f * (_e1199 - _e1193));
 let _e1937 = (0.5f * (_e1211 - _e1205));
 let _e1939 = (0.5f * (_e1223 - _e1217));
-let _e1945 = global_1.member.member_6.member.member.member;
-let _e1951 = global_1.member.member_6.member.member.member_1;
-let _e1957 = global_1.member.member_6.member.member.member_2;
-let _e1963 = global_1.member.member_6.member_1.member.member;
-let _e1969 = global_1.member.member_6.member_1.member.member_1;
-let _e1975 = global_1.member.member_6.member_1.member.member_2;
-let _e1981 = global_1.member.member_6.member_2.member.member;
-let _e1987 = global_1.member.member_6.member_2.member.member_1;
-let _e1993 = global_1.member.member_6.member_2.member.member_2;
+let _e1945 = global_1.member.member_8.member.member.member;
+let _e1951 = global_1.member.member_8.member.member.member_1;
+let _e1957 = global_1.member.member_8.member.member.member_2;
+let _e1963 = global_1.member.member_8.member_1.member.member;
+let _e1969 = global_1.member.member_8.member_1.member.member_1;
+let _e1975 = global_1.member.member_8.member_1.member.member_2;
+let _e1981 = global_1.member.member_8.member_2.member.member;
+let _e1987 = global_1.member.member_8.member_2.member.member_1;
+let _e1993 = global_1.member.member_8.member_2.member.member_2;
 phi_6624_ = type_34(_e1187, vec3<f32>(((((_e1945 * _e1935) + (_e1963 * _e1937)) + (_e1981 * _e1939)) * _e1933), ((((_e1951 * _e1935) + (_e1969 * _e1937)) + (_e1987 * _e1939)) * _e1933), ((((_e1957 * _e1935) + (_e1975 * _e1937)) + (_e1993 * _e1939)) * _e1933)), _e1918.member, vec3<f32>(((((_e1945 * _e1918.member_2.x) + (_e1963 * _e1918.member_2.y)) + (_e1981 * _e1918.member_2.z)) * _e1933), ((((_e1951 * _e1918.member_2.x) + (_e1969 * _e1918.member_2.y)) + (_e1987 * _e1918.member_2.z)) * _e1933), ((((_e1957 * _e1918.member_2.x) + (_e1975 * _e1918.member_2.y)) + (_e1993 * _e1918.member_2.z)) * _e1933)), vec3<f32>(((((_e1945 * _e1918.member_1.x) + (_e1963 * _e1918.member_1.y)) + (_e1981 * _e1918.member_1.z)) * _e1933), ((((_e1951 * _e1918.member_1.x) + (_e1969 * _e1918.member_1.y)) + (_e1987 * _e1918.member_1.z)) * _e1933), ((((_e1957 * _e1918.member_1.x) + (_e1975 * _e1918.member_1.y)) + (_e1993 * _e1918.member_1.z)) * _e1933)));
 } else {
-let _e2062 = global_1.member.member_6.member_3.member;
+let _e2062 = global_1.member.member_8.member_3.member;
 let _e2063 = (_e2062 - 0.5f);
 let _e2065 = select(-0.5f, _e475, (_e475 > -0.5f));
 let _e2067 = select(_e2063, _e2065, (_e2065 < _e2063));
-let _e2072 = global_1.member.member_6.member_3.member_1;
+let _e2072 = global_1.member.member_8.member_3.member_1;
 let _e2073 = (_e2072 - 0.5f);
 let _e2075 = select(-0.5f, _e490, (_e490 > -0.5f));
 let _e2077 = select(_e2073, _e2075, (_e2075 < _e2073));
-let _e2082 = global_1.member.member_6.member_3.member_2;
+let _e2082 = global_1.member.member_8.member_3.member_2;
 let _e2083 = (_e2082 - 0.5f);
 let _e2085 = select(-0.5f, _e505, (_e505 > -0.5f));
 let _e2087 = select(_e2083, _e2085, (_e2085 < _e2083));
@@ -1002,8 +1004,8 @@ let _e2119 = select(-1f, _e2087, (_e2087 > -1f));
 let _e2121 = select(_e2082, _e2119, (_e2119 < _e2082));
 let _e2128 = select(0i, select(select(i32(_e2121), i32(-2147483648), (_e2121 < -2147483600f)), 2147483647i, (_e2121 > 2147483500f)), (_e2121 == _e2121));
 let _e2132 = (_e2128 - select(0i, 1i, (_e2121 < f32(_e2128))));
-let _e2136 = global_1.member.member_6.member_7;
-let _e2140 = global_1.member.member_6.member_8;
+let _e2136 = global_1.member.member_8.member_7;
+let _e2140 = global_1.member.member_8.member_8;
 let _e2148 = (select(0i, select(select(i32(_e2072), i32(-2147483648), (_e2072 < -2147483600f)), 2147483647i, (_e2072 > 2147483500f)), (_e2072 == _e2072)) - 1i);
 let _e2151 = (_e2117 + 1i);
 let _e2161 = (select(0i, select(select(i32(_e2082), i32(-2147483648), (_e2082 < -2147483600f)), 2147483647i, (_e2082 > 2147483500f)), (_e2082 == _e2082)) - 1i);
@@ -1069,8 +1071,8 @@ let _e2305 = global_2.member[bitcast<u32>(select(0i, _e2300, (_e2300 > 0i)))];
 let _e2307 = local_25[0u];
 let _e2311 = local_25[1u];
 let _e2316 = local_25[2u];
-let _e2323 = global_1.member.member_6.member_6;
-let _e2327 = global_1.member.member_6.member_5;
+let _e2323 = global_1.member.member_8.member_6;
+let _e2327 = global_1.member.member_8.member_5;
 let _e2329 = (((_e2260 + (((_e2285 + (((_e2296 + ((bitcast<f32>(_e2305) - _e2296) * _e2307)) - _e2285) * _e2311)) - _e2260) * _e2316)) - _e2323) * _e2327);
 let _e2330 = -(1e9f);
 let _e2332 = select(_e2330, _e2329, (_e2329 > _e2330));
@@ -1082,48 +1084,48 @@ let _e2342 = ((_e2340 & 16u) == 0u);
 if _e2342 {
 phi_7004_ = type_7(1f, 1f, 1f);
 } else {
-let _e2346 = global_1.member.member_14.member;
+let _e2346 = global_1.member.member_16.member;
 let _e2357 = ((((_e2346.member.member * _e247) + (_e2346.member.member_1 * _e257)) + (_e2346.member.member_2 * _e268)) + _e2346.member_1);
 let _e2359 = (_e2357 - _e2357);
 let _e2362 = (-(_e2357) / select(1e-30f, _e2359, (_e2359 > 1e-30f)));
 let _e2364 = select(0f, _e2362, (_e2362 > 0f));
 let _e2367 = (_e2357 > 0f);
 let _e2370 = select(select(select(1f, _e2364, (_e2364 < 1f)), 1f, (_e2357 <= 0f)), 0f, _e2367);
-let _e2374 = global_1.member.member_14.member_1;
+let _e2374 = global_1.member.member_16.member_1;
 let _e2375 = (_e2374 != 0u);
-let _e2385 = global_1.member.member_15.member;
+let _e2385 = global_1.member.member_17.member;
 let _e2396 = ((((_e2385.member.member * _e247) + (_e2385.member.member_1 * _e257)) + (_e2385.member.member_2 * _e268)) + _e2385.member_1);
 let _e2398 = (_e2396 - _e2396);
 let _e2401 = (-(_e2396) / select(1e-30f, _e2398, (_e2398 > 1e-30f)));
 let _e2403 = select(0f, _e2401, (_e2401 > 0f));
 let _e2406 = (_e2396 > 0f);
 let _e2409 = select(select(select(1f, _e2403, (_e2403 < 1f)), 1f, (_e2396 <= 0f)), 0f, _e2406);
-let _e2413 = global_1.member.member_15.member_1;
+let _e2413 = global_1.member.member_17.member_1;
 let _e2414 = (_e2413 != 0u);
-let _e2424 = global_1.member.member_16.member;
+let _e2424 = global_1.member.member_18.member;
 let _e2435 = ((((_e2424.member.member * _e247) + (_e2424.member.member_1 * _e257)) + (_e2424.member.member_2 * _e268)) + _e2424.member_1);
 let _e2437 = (_e2435 - _e2435);
 let _e2440 = (-(_e2435) / select(1e-30f, _e2437, (_e2437 > 1e-30f)));
 let _e2442 = select(0f, _e2440, (_e2440 > 0f));
 let _e2445 = (_e2435 > 0f);
 let _e2448 = select(select(select(1f, _e2442, (_e2442 < 1f)), 1f, (_e2435 <= 0f)), 0f, _e2445);
-let _e2452 = global_1.member.member_16.member_1;
+let _e2452 = global_1.member.member_18.member_1;
 let _e2453 = (_e2452 != 0u);
-let _e2463 = global_1.member.member_17.member;
+let _e2463 = global_1.member.member_19.member;
 let _e2474 = ((((_e2463.member.member * _e247) + (_e2463.member.member_1 * _e257)) + (_e2463.member.member_2 * _e268)) + _e2463.member_1);
 let _e2476 = (_e2474 - _e2474);
 let _e2479 = (-(_e2474) / select(1e-30f, _e2476, (_e2476 > 1e-30f)));
 let _e2481 = select(0f, _e2479, (_e2479 > 0f));
 let _e2484 = (_e2474 > 0f);
 let _e2487 = select(select(select(1f, _e2481, (_e2481 < 1f)), 1f, (_e2474 <= 0f)), 0f, _e2484);
-let _e2491 = global_1.member.member_17.member_1;
+let _e2491 = global_1.member.member_19.member_1;
 let _e2492 = (_e2491 != 0u);
 phi_7004_ = type_7(((((1f * _e2370) * _e2409) * _e2448) * _e2487), ((((1f * select(1f, _e2370, _e2375)) * select(1f, _e2409, _e2414)) * select(1f, _e2448, _e2453)) * select(1f, _e2487, _e2492)), ((((1f * select(1f, 0f, (_e2375 && _e2367))) * select(1f, 0f, (_e2414 && _e2406))) * select(1f, 0f, (_e2453 && _e2445))) * select(1f, 0f, (_e2492 && _e2484))));
 }
 let _e2501 = phi_7004_;
 if _e434 {
 let _e2503 = type_32(_e456, _e457, _e312, 4f, _e334, _e458, _e378, _e459, _e422, _e433);
-let _e2508 = global_1.member.member_5.member_2;
+let _e2508 = global_1.member.member_7.member_2;
 let _e2511 = (_e2508 / select(1e-6f, _e301, (_e301 > 1e-6f)));
 let _e2515 = (_e247 + (_e279 * _e2511));
 let _e2516 = (_e257 + (_e290 * _e2511));
@@ -1131,10 +1133,10 @@ let _e2517 = (_e268 + (_e301 * _e2511));
 let _e2523 = ((((_e464.member.member * _e2515) + (_e464.member.member_1 * _e2516)) + (_e464.member.member_2 * _e2517)) + _e464.member_1);
 let _e2529 = ((((_e479.member.member * _e2515) + (_e479.member.member_1 * _e2516)) + (_e479.member.member_2 * _e2517)) + _e479.member_1);
 let _e2535 = ((((_e494.member.member * _e2515) + (_e494.member.member_1 * _e2516)) + (_e494.member.member_2 * _e2517)) + _e494.member_1);
-let _e2540 = global_1.member.member_6.member.member;
-let _e2548 = global_1.member.member_6.member_1.member;
-let _e2556 = global_1.member.member_6.member_2.member;
-let _e2564 = global_1.member.member_6.member_3.member;
+let _e2540 = global_1.member.member_8.member.member;
+let _e2548 = global_1.member.member_8.member_1.member;
+let _e2556 = global_1.member.member_8.member_2.member;
+let _e2564 = global_1.member.member_8.member_3.member;
 let _e2565 = (_e2564 - 0.5f);
 let _e2566 = (-0.5f - _e475);
 let _e2567 = (-0.5f - _e2523);
@@ -1168,7 +1170,7 @@ let _e2632 = select(_e2592, _e2621, _e2630);
 let _e2636 = select(_e2596, _e2625, _e2631);
 let _e2640 = select(_e2600, _e2606, _e2626);
 let _e2642 = select(_e2602, _e2607, (_e2607 > _e2602));
-let _e2650 = global_1.member.member_6.member_3.member_1;
+let _e2650 = global_1.member.member_8.member_3.member_1;
 let _e2651 = (_e2650 - 0.5f);
 let _e2652 = (-0.5f - _e490);
 let _e2653 = (-0.5f - _e2529);
@@ -1202,7 +1204,7 @@ let _e2718 = select(_e2678, _e2707, _e2716);
 let _e2722 = select(_e2682, _e2711, _e2717);
 let _e2726 = select(_e2686, _e2692, _e2712);
 let _e2728 = select(_e2688, _e2693, (_e2693 > _e2688));
-let _e2736 = global_1.member.member_6.member_3.member_2;
+let _e2736 = global_1.member.member_8.member_3.member_2;
 let _e2737 = (_e2736 - 0.5f);
 let _e2738 = (-0.5f - _e505);
 let _e2739 = (-0.5f - _e2535);
@@ -1250,12 +1252,12 @@ phi_8333_ = type_35(_e2804, vec3<f32>(_e2805, _e2806, _e2807), _e2809, vec3<f32>
 } else {
 let _e2826 = (((_e2540.member * _e2540.member) + (_e2540.member_1 * _e2540.member_1)) + (_e2540.member_2 * _e2540.member_2));
 let _e2829 = sqrt(select(0f, _e2826, (_e2826 > 0f)));
-let _e2833 = global_1.member.member_14.member_1;
+let _e2833 = global_1.member.member_16.member_1;
 let _e2834 = (_e2833 != 0u);
-let _e2838 = global_1.member.member_14.member;
+let _e2838 = global_1.member.member_16.member;
 let _e2858 = select(-1e6f, (((((_e2838.member.member * _e247) + (_e2838.member.member_1 * _e257)) + (_e2838.member.member_2 * _e268)) + _e2838.member_1) * _e2829), _e2834);
 let _e2859 = select(-1e6f, (((((_e2838.member.member * _e2515) + (_e2838.member.member_1 * _e2516)) + (_e2838.member.member_2 * _e2517)) + _e2838.member_1) * _e2829), _e2834);
-let _e2864 = global_1.member.member_14.member.member;
+let _e2864 = global_1.member.member_16.member.member;
 let _e2868 = -(_e2858);
 let _e2871 = (_e2858 - _e2859);
 let _e2872 = (_e2859 - _e2858);
@@ -1270,12 +1272,12 @@ let _e2892 = select(_e2804, _e2881, _e2890);
 let _e2896 = select(_e2809, _e2885, _e2891);
 let _e2900 = select(_e2814, _e2858, _e2886);
 let _e2902 = select(_e2816, _e2859, (_e2859 > _e2816));
-let _e2909 = global_1.member.member_15.member_1;
+let _e2909 = global_1.member.member_17.member_1;
 let _e2910 = (_e2909 != 0u);
-let _e2914 = global_1.member.member_15.member;
+let _e2914 = global_1.member.member_17.member;
 let _e2934 = select(-1e6f, (((((_e2914.member.member * _e247) + (_e2914.member.member_1 * _e257)) + (_e2914.member.member_2 * _e268)) + _e2914.member_1) * _e2829), _e2910);
 let _e2935 = select(-1e6f, (((((_e2914.member.member * _e2515) + (_e2914.member.member_1 * _e2516)) + (_e2914.member.member_2 * _e2517)) + _e2914.member_1) * _e2829), _e2910);
-let _e2940 = global_1.member.member_15.member.member;
+let _e2940 = global_1.member.member_17.member.member;
 let _e2944 = -(_e2934);
 let _e2947 = (_e2934 - _e2935);
 let _e2948 = (_e2935 - _e2934);
@@ -1290,12 +1292,12 @@ let _e2968 = select(_e2892, _e2957, _e2966);
 let _e2972 = select(_e2896, _e2961, _e2967);
 let _e2976 = select(_e2900, _e2934, _e2962);
 let _e2978 = select(_e2902, _e2935, (_e2935 > _e2902));
-let _e2985 = global_1.member.member_16.member_1;
+let _e2985 = global_1.member.member_18.member_1;
 let _e2986 = (_e2985 != 0u);
-let _e2990 = global_1.member.member_16.member;
+let _e2990 = global_1.member.member_18.member;
 let _e3010 = select(-1e6f, (((((_e2990.member.member * _e247) + (_e2990.member.member_1 * _e257)) + (_e2990.member.member_2 * _e268)) + _e2990.member_1) * _e2829), _e2986);
 let _e3011 = select(-1e6f, (((((_e2990.member.member * _e2515) + (_e2990.member.member_1 * _e2516)) + (_e2990.member.member_2 * _e2517)) + _e2990.member_1) * _e2829), _e2986);
-let _e3016 = global_1.member.member_16.member.member;
+let _e3016 = global_1.member.member_18.member.member;
 let _e3020 = -(_e3010);
 let _e3023 = (_e3010 - _e3011);
 let _e3024 = (_e3011 - _e3010);
@@ -1310,12 +1312,12 @@ let _e3044 = select(_e2968, _e3033, _e3042);
 let _e3048 = select(_e2972, _e3037, _e3043);
 let _e3052 = select(_e2976, _e3010, _e3038);
 let _e3054 = select(_e2978, _e3011, (_e3011 > _e2978));
-let _e3061 = global_1.member.member_17.member_1;
+let _e3061 = global_1.member.member_19.member_1;
 let _e3062 = (_e3061 != 0u);
-let _e3066 = global_1.member.member_17.member;
+let _e3066 = global_1.member.member_19.member;
 let _e3086 = select(-1e6f, (((((_e3066.member.member * _e247) + (_e3066.member.member_1 * _e257)) + (_e3066.member.member_2 * _e268)) + _e3066.member_1) * _e2829), _e3062);
 let _e3087 = select(-1e6f, (((((_e3066.member.member * _e2515) + (_e3066.member.member_1 * _e2516)) + (_e3066.member.member_2 * _e2517)) + _e3066.member_1) * _e2829), _e3062);
-let _e3092 = global_1.member.member_17.member.member;
+let _e3092 = global_1.member.member_19.member.member;
 let _e3096 = -(_e3086);
 let _e3099 = (_e3086 - _e3087);
 let _e3100 = (_e3087 - _e3086);
@@ -1335,24 +1337,24 @@ phi_8370_ = type_32(_e2503.member, vec3<f32>((_e279 - (_e2337.member_3.x * _e314
 phi_8370_ = type_32(_e456, _e457, _e312, _e323, _e334, _e458, _e378, _e459, _e422, _e433);
 }
 let _e3171 = phi_8370_;
-let _e3176 = global_1.member.member_10.member_3;
+let _e3176 = global_1.member.member_12.member_3;
 let _e3177 = (_e3176 == 0u);
 if _e3177 {
-let _e3181 = global_1.member.member_9.member_1;
-let _e3189 = global_1.member.member_9.member;
+let _e3181 = global_1.member.member_11.member_1;
+let _e3189 = global_1.member.member_11.member;
 phi_8630_ = type_36(vec3<f32>(_e3181.member, _e3181.member_1, _e3181.member_2), vec3<f32>(_e3189.member, _e3189.member_1, _e3189.member_2));
 } else {
-let _e3198 = global_1.member.member_10.member;
+let _e3198 = global_1.member.member_12.member;
 let _e3212 = ((((_e3198.member.member * _e3171.member.x) + (_e3198.member.member_1 * _e3171.member.y)) + (_e3198.member.member_2 * _e3171.member.z)) + _e3198.member_1);
-let _e3216 = global_1.member.member_10.member_1;
+let _e3216 = global_1.member.member_12.member_1;
 let _e3227 = ((((_e3216.member.member * _e3171.member.x) + (_e3216.member.member_1 * _e3171.member.y)) + (_e3216.member.member_2 * _e3171.member.z)) + _e3216.member_1);
-let _e3231 = global_1.member.member_10.member_2;
+let _e3231 = global_1.member.member_12.member_2;
 let _e3242 = ((((_e3231.member.member * _e3171.member.x) + (_e3231.member.member_1 * _e3171.member.y)) + (_e3231.member.member_2 * _e3171.member.z)) + _e3231.member_1);
-let _e3246 = global_1.member.member_9.member_1;
+let _e3246 = global_1.member.member_11.member_1;
 if _e3177 {
 phi_8474_ = 1f;
 } else {
-let _e3253 = global_1.member.member_10.member_19;
+let _e3253 = global_1.member.member_12.member_19;
 let _e3257 = (_e3212 - _e3253.member);
 let _e3258 = (_e3227 - _e3253.member_1);
 let _e3259 = (_e3242 - _e3253.member_2);
@@ -1363,18 +1365,18 @@ let _e3269 = phi_8474_;
 if _e3177 {
 phi_8558_ = 1f;
 } else {
-let _e3273 = global_1.member.member_10.member_19;
+let _e3273 = global_1.member.member_12.member_19;
 let _e3277 = (_e3212 - _e3273.member);
 let _e3278 = (_e3227 - _e3273.member_1);
 let _e3279 = (_e3242 - _e3273.member_2);
-let _e3284 = global_1.member.member_10.member_20.member;
+let _e3284 = global_1.member.member_12.member_20.member;
 let _e3292 = (((_e3284.member * _e3277) + (_e3284.member_1 * _e3278)) + (_e3284.member_2 * _e3279));
 let _e3296 = (_e3277 - (_e3284.member * _e3292));
 let _e3297 = (_e3278 - (_e3284.member_1 * _e3292));
 let _e3298 = (_e3279 - (_e3284.member_2 * _e3292));
 let _e3303 = (((_e3296 * _e3296) + (_e3297 * _e3297)) + (_e3298 * _e3298));
-let _e3314 = global_1.member.member_10.member_20.member_1;
-let _e3320 = global_1.member.member_10.member_20.member_2;
+let _e3314 = global_1.member.member_12.member_20.member_1;
+let _e3320 = global_1.member.member_12.member_20.member_2;
 let _e3321 = ((_e3314 - (sqrt(select(0f, _e3303, (_e3303 > 0f))) / select(1e-20f, _e3292, (_e3292 > 1e-20f)))) * _e3320);
 let _e3323 = select(0f, _e3321, (_e3321 > 0f));
 let _e3325 = select(1f, _e3323, (_e3323 < 1f));
@@ -1383,7 +1385,7 @@ phi_8558_ = select(1f, select(0f, ((_e3325 * _e3325) * (3f - (2f * _e3325))), (_
 let _e3335 = phi_8558_;
 let _e3336 = (_e3269 * _e3335);
 let _e3341 = (_e3176 != 0u);
-let _e3345 = global_1.member.member_10.member_19;
+let _e3345 = global_1.member.member_12.member_19;
 let _e3349 = (_e3212 - _e3345.member);
 let _e3350 = (_e3227 - _e3345.member_1);
 let _e3351 = (_e3242 - _e3345.member_2);
@@ -1393,9 +1395,9 @@ let _e3362 = (1f / select(1e-20f, _e3359, (_e3359 > 1e-20f)));
 let _e3366 = select(0f, (_e3349 * _e3362), _e3341);
 let _e3367 = select(0f, (_e3350 * _e3362), _e3341);
 let _e3368 = select(1f, (_e3351 * _e3362), _e3341);
-let _e3373 = global_1.member.member_10.member.member;
-let _e3384 = global_1.member.member_10.member_1.member;
-let _e3398 = global_1.member.member_10.member_2.member;
+let _e3373 = global_1.member.member_12.member.member;
+let _e3384 = global_1.member.member_12.member_1.member;
+let _e3398 = global_1.member.member_12.member_2.member;
 phi_8630_ = type_36(vec3<f32>((_e3246.member * _e3336), (_e3246.member_1 * _e3336), (_e3246.member_2 * _e3336)), (vec3<f32>(((_e3373.member * _e3366) + (_e3384.member * _e3367)), ((_e3373.member_1 * _e3366) + (_e3384.member_1 * _e3367)), ((_e3373.member_2 * _e3366) + (_e3384.member_2 * _e3367))) + vec3<f32>((_e3398.member * _e3368), (_e3398.member_1 * _e3368), (_e3398.member_2 * _e3368))));
 }
 let _e3410 = phi_8630_;
@@ -1439,13 +1441,13 @@ let _e3448 = select(1e-6f, _e3446, (_e3446 > 1e-6f));
 let _e3455 = (((_e3431 * _e3431) + (_e3433 * _e3433)) + (_e3435 * _e3435));
 let _e3458 = sqrt(select(0f, _e3455, (_e3455 > 0f)));
 let _e3461 = (((0.05f * _e3448) * _e3448) / select(1e-20f, _e3458, (_e3458 > 1e-20f)));
-let _e3465 = global_1.member.member_5.member_2;
+let _e3465 = global_1.member.member_7.member_2;
 let _e3466 = (0.0625f * _e3465);
 let _e3468 = select(_e3466, _e3461, (_e3461 > _e3466));
-let _e3475 = global_1.member.member_6.member_3.member;
-let _e3480 = global_1.member.member_6.member_3.member_1;
-let _e3485 = global_1.member.member_6.member_3.member_2;
-let _e3493 = global_1.member.member_6.member.member;
+let _e3475 = global_1.member.member_8.member_3.member;
+let _e3480 = global_1.member.member_8.member_3.member_1;
+let _e3485 = global_1.member.member_8.member_3.member_2;
+let _e3493 = global_1.member.member_8.member.member;
 let _e3501 = (((_e3493.member * _e3493.member) + (_e3493.member_1 * _e3493.member_1)) + (_e3493.member_2 * _e3493.member_2));
 let _e3504 = sqrt(select(0f, _e3501, (_e3501 > 0f)));
 let _e3507 = (select(((4f * ((_e3475 + _e3480) + _e3485)) / _e3504), select(_e3465, _e3468, (_e3468 < _e3465)), _e3425) / _e3448);
@@ -1462,8 +1464,8 @@ let _e3541 = ((((_e494.member.member * _e3412.member.x) + (_e494.member.member_1
 let _e3547 = ((((_e464.member.member * _e3519) + (_e464.member.member_1 * _e3521)) + (_e464.member.member_2 * _e3523)) + _e464.member_1);
 let _e3553 = ((((_e479.member.member * _e3519) + (_e479.member.member_1 * _e3521)) + (_e479.member.member_2 * _e3523)) + _e479.member_1);
 let _e3559 = ((((_e494.member.member * _e3519) + (_e494.member.member_1 * _e3521)) + (_e494.member.member_2 * _e3523)) + _e494.member_1);
-let _e3564 = global_1.member.member_6.member_1.member;
-let _e3572 = global_1.member.member_6.member_2.member;
+let _e3564 = global_1.member.member_8.member_1.member;
+let _e3572 = global_1.member.member_8.member_2.member;
 let _e3576 = (_e3475 - 0.5f);
 let _e3577 = (-0.5f - _e3529);
 let _e3578 = (-0.5f - _e3547);
@@ -1575,12 +1577,12 @@ let _e3820 = select(select(select(select(select(select(1f, _e3493.member_2, _e35
 if _e2342 {
 phi_10108_ = type_35(_e3805, vec3<f32>(_e3806, _e3807, _e3808), _e3810, vec3<f32>(_e3811, _e3812, _e3813), _e3815, _e3817, vec3<f32>(_e3818, _e3819, _e3820));
 } else {
-let _e3826 = global_1.member.member_14.member_1;
+let _e3826 = global_1.member.member_16.member_1;
 let _e3827 = (_e3826 != 0u);
-let _e3831 = global_1.member.member_14.member;
+let _e3831 = global_1.member.member_16.member;
 let _e3851 = select(-1e6f, (((((_e3831.member.member * _e3412.member.x) + (_e3831.member.member_1 * _e3412.member.y)) + (_e3831.member.member_2 * _e3412.member.z)) + _e3831.member_1) * _e3504), _e3827);
 let _e3852 = select(-1e6f, (((((_e3831.member.member * _e3519) + (_e3831.member.member_1 * _e3521)) + (_e3831.member.member_2 * _e3523)) + _e3831.member_1) * _e3504), _e3827);
-let _e3857 = global_1.member.member_14.member.member;
+let _e3857 = global_1.member.member_16.member.member;
 let _e3861 = -(_e3851);
 let _e3864 = (_e3851 - _e3852);
 let _e3865 = (_e3852 - _e3851);
@@ -1595,12 +1597,12 @@ let _e3885 = select(_e3805, _e3874, _e3883);
 let _e3889 = select(_e3810, _e3878, _e3884);
 let _e3893 = select(_e3815, _e3851, _e3879);
 let _e3895 = select(_e3817, _e3852, (_e3852 > _e3817));
-let _e3902 = global_1.member.member_15.member_1;
+let _e3902 = global_1.member.member_17.member_1;
 let _e3903 = (_e3902 != 0u);
-let _e3907 = global_1.member.member_15.member;
+let _e3907 = global_1.member.member_17.member;
 let _e3927 = select(-1e6f, (((((_e3907.member.member * _e3412.member.x) + (_e3907.member.member_1 * _e3412.member.y)) + (_e3907.member.member_2 * _e3412.member.z)) + _e3907.member_1) * _e3504), _e3903);
 let _e3928 = select(-1e6f, (((((_e3907.member.member * _e3519) + (_e3907.member.member_1 * _e3521)) + (_e3907.member.member_2 * _e3523)) + _e3907.member_1) * _e3504), _e3903);
-let _e3933 = global_1.member.member_15.member.member;
+let _e3933 = global_1.member.member_17.member.member;
 let _e3937 = -(_e3927);
 let _e3940 = (_e3927 - _e3928);
 let _e3941 = (_e3928 - _e3927);
@@ -1615,12 +1617,12 @@ let _e3961 = select(_e3885, _e3950, _e3959);
 let _e3965 = select(_e3889, _e3954, _e3960);
 let _e3969 = select(_e3893, _e3927, _e3955);
 let _e3971 = select(_e3895, _e3928, (_e3928 > _e3895));
-let _e3978 = global_1.member.member_16.member_1;
+let _e3978 = global_1.member.member_18.member_1;
 let _e3979 = (_e3978 != 0u);
-let _e3983 = global_1.member.member_16.member;
+let _e3983 = global_1.member.member_18.member;
 let _e4003 = select(-1e6f, (((((_e3983.member.member * _e3412.member.x) + (_e3983.member.member_1 * _e3412.member.y)) + (_e3983.member.member_2 * _e3412.member.z)) + _e3983.member_1) * _e3504), _e3979);
 let _e4004 = select(-1e6f, (((((_e3983.member.member * _e3519) + (_e3983.member.member_1 * _e3521)) + (_e3983.member.member_2 * _e3523)) + _e3983.member_1) * _e3504), _e3979);
-let _e4009 = global_1.member.member_16.member.member;
+let _e4009 = global_1.member.member_18.member.member;
 let _e4013 = -(_e4003);
 let _e4016 = (_e4003 - _e4004);
 let _e4017 = (_e4004 - _e4003);
@@ -1635,12 +1637,12 @@ let _e4037 = select(_e3961, _e4026, _e4035);
 let _e4041 = select(_e3965, _e4030, _e4036);
 let _e4045 = select(_e3969, _e4003, _e4031);
 let _e4047 = select(_e3971, _e4004, (_e4004 > _e3971));
-let _e4054 = global_1.member.member_17.member_1;
+let _e4054 = global_1.member.member_19.member_1;
 let _e4055 = (_e4054 != 0u);
-let _e4059 = global_1.member.member_17.member;
+let _e4059 = global_1.member.member_19.member;
 let _e4079 = select(-1e6f, (((((_e4059.member.member * _e3412.member.x) + (_e4059.member.member_1 * _e3412.member.y)) + (_e4059.member.member_2 * _e3412.member.z)) + _e4059.member_1) * _e3504), _e4055);
 let _e4080 = select(-1e6f, (((((_e4059.member.member * _e3519) + (_e4059.member.member_1 * _e3521)) + (_e4059.member.member_2 * _e3523)) + _e4059.member_1) * _e3504), _e4055);
-let _e4085 = global_1.member.member_17.member.member;
+let _e4085 = global_1.member.member_19.member.member;
 let _e4089 = -(_e4079);
 let _e4092 = (_e4079 - _e4080);
 let _e4093 = (_e4080 - _e4079);
@@ -1676,23 +1678,23 @@ let _e4162 = select(1f, _e4158, _e4140);
 let _e4166 = (_e3412.member.x + ((_e3519 - _e3412.member.x) * _e4162));
 let _e4167 = (_e3412.member.y + ((_e3521 - _e3412.member.y) * _e4162));
 let _e4168 = (_e3412.member.z + ((_e3523 - _e3412.member.z) * _e4162));
-let _e4173 = global_1.member.member_13.member.member;
+let _e4173 = global_1.member.member_15.member.member;
 let _e4184 = ((((_e4173.member.member * _e3412.member.x) + (_e4173.member.member_1 * _e3412.member.y)) + (_e4173.member.member_2 * _e3412.member.z)) + _e4173.member_1);
 let _e4190 = ((((_e4173.member.member * _e4166) + (_e4173.member.member_1 * _e4167)) + (_e4173.member.member_2 * _e4168)) + _e4173.member_1);
 let _e4193 = ((_e4184 > 0f) && (_e4190 <= 0f));
 let _e4194 = (_e4184 - _e4190);
 let _e4197 = (_e4184 / select(1e-20f, _e4194, (_e4194 > 1e-20f)));
-let _e4202 = global_1.member.member_13.member_1.member;
+let _e4202 = global_1.member.member_15.member_1.member;
 let _e4213 = ((((_e4202.member.member * _e3412.member.x) + (_e4202.member.member_1 * _e3412.member.y)) + (_e4202.member.member_2 * _e3412.member.z)) + _e4202.member_1);
 let _e4219 = ((((_e4202.member.member * _e4166) + (_e4202.member.member_1 * _e4167)) + (_e4202.member.member_2 * _e4168)) + _e4202.member_1);
 let _e4222 = ((_e4213 > 0f) && (_e4219 <= 0f));
 let _e4223 = (_e4213 - _e4219);
 let _e4226 = (_e4213 / select(1e-20f, _e4223, (_e4223 > 1e-20f)));
 let _e4230 = (_e4222 && (!(_e4193) || (_e4226 < _e4197)));
-let _e4236 = global_1.member.member_13.member_1.member.member;
-let _e4241 = global_1.member.member_13.member_1.member_1;
-let _e4247 = global_1.member.member_13.member.member.member;
-let _e4252 = global_1.member.member_13.member.member_1;
+let _e4236 = global_1.member.member_15.member_1.member.member;
+let _e4241 = global_1.member.member_15.member_1.member_1;
+let _e4247 = global_1.member.member_15.member.member.member;
+let _e4252 = global_1.member.member_15.member.member_1;
 let _e4271 = (_e4193 || _e4222);
 let _e4278 = ((((_e464.member.member * _e4166) + (_e464.member.member_1 * _e4167)) + (_e464.member.member_2 * _e4168)) + _e464.member_1);
 let _e4284 = ((((_e479.member.member * _e4166) + (_e479.member.member_1 * _e4167)) + (_e479.member.member_2 * _e4168)) + _e479.member_1);
@@ -1716,8 +1718,8 @@ let _e4334 = select(-1f, _e4302, (_e4302 > -1f));
 let _e4336 = select(_e3485, _e4334, (_e4334 < _e3485));
 let _e4343 = select(0i, select(select(i32(_e4336), i32(-2147483648), (_e4336 < -2147483600f)), 2147483647i, (_e4336 > 2147483500f)), (_e4336 == _e4336));
 let _e4347 = (_e4343 - select(0i, 1i, (_e4336 < f32(_e4343))));
-let _e4351 = global_1.member.member_6.member_7;
-let _e4355 = global_1.member.member_6.member_8;
+let _e4351 = global_1.member.member_8.member_7;
+let _e4355 = global_1.member.member_8.member_8;
 let _e4363 = (select(0i, select(select(i32(_e3480), i32(-2147483648), (_e3480 < -2147483600f)), 2147483647i, (_e3480 > 2147483500f)), (_e3480 == _e3480)) - 1i);
 let _e4364 = (_e4332 - 1i);
 let _e4369 = (_e4332 + 1i);
@@ -1959,8 +1961,8 @@ let _e4915 = local_23[2u];
 let _e4919 = local_23[1u];
 let _e4923 = local_23[2u];
 let _e4927 = local_23[2u];
-let _e4934 = global_1.member.member_6.member_6;
-let _e4938 = global_1.member.member_6.member_5;
+let _e4934 = global_1.member.member_8.member_6;
+let _e4938 = global_1.member.member_8.member_5;
 let _e4940 = (((_e4857 + ((_e4861 - _e4857) * _e4927)) - _e4934) * _e4938);
 let _e4941 = -(1e9f);
 let _e4943 = select(_e4941, _e4940, (_e4940 > _e4941));
@@ -2226,15 +2228,15 @@ let _e5691 = select(0f, 1f, ((((((_e4278 >= -0.5f) && (_e4278 <= _e3576)) && (_e
 let _e5693 = (0.5f * (_e4957 - _e4951));
 let _e5695 = (0.5f * (_e4969 - _e4963));
 let _e5697 = (0.5f * (_e4981 - _e4975));
-let _e5703 = global_1.member.member_6.member.member.member;
-let _e5709 = global_1.member.member_6.member.member.member_1;
-let _e5715 = global_1.member.member_6.member.member.member_2;
-let _e5721 = global_1.member.member_6.member_1.member.member;
-let _e5727 = global_1.member.member_6.member_1.member.member_1;
-let _e5733 = global_1.member.member_6.member_1.member.member_2;
-let _e5739 = global_1.member.member_6.member_2.member.member;
-let _e5745 = global_1.member.member_6.member_2.member.member_1;
-let _e5751 = global_1.member.member_6.member_2.member.member_2;
+let _e5703 = global_1.member.member_8.member.member.member;
+let _e5709 = global_1.member.member_8.member.member.member_1;
+let _e5715 = global_1.member.member_8.member.member.member_2;
+let _e5721 = global_1.member.member_8.member_1.member.member;
+let _e5727 = global_1.member.member_8.member_1.member.member_1;
+let _e5733 = global_1.member.member_8.member_1.member.member_2;
+let _e5739 = global_1.member.member_8.member_2.member.member;
+let _e5745 = global_1.member.member_8.member_2.member.member_1;
+let _e5751 = global_1.member.member_8.member_2.member.member_2;
 phi_16232_ = type_34(_e4945, vec3<f32>(((((_e5703 * _e5693) + (_e5721 * _e5695)) + (_e5739 * _e5697)) * _e5691), ((((_e5709 * _e5693) + (_e5727 * _e5695)) + (_e5745 * _e5697)) * _e5691), ((((_e5715 * _e5693) + (_e5733 * _e5695)) + (_e5751 * _e5697)) * _e5691)), _e5676.member, vec3<f32>(((((_e5703 * _e5676.member_2.x) + (_e5721 * _e5676.member_2.y)) + (_e5739 * _e5676.member_2.z)) * _e5691), ((((_e5709 * _e5676.member_2.x) + (_e5727 * _e5676.member_2.y)) + (_e5745 * _e5676.member_2.z)) * _e5691), ((((_e5715 * _e5676.member_2.x) + (_e5733 * _e5676.member_2.y)) + (_e5751 * _e5676.member_2.z)) * _e5691)), vec3<f32>(((((_e5703 * _e5676.member_1.x) + (_e5721 * _e5676.member_1.y)) + (_e5739 * _e5676.member_1.z)) * _e5691), ((((_e5709 * _e5676.member_1.x) + (_e5727 * _e5676.member_1.y)) + (_e5745 * _e5676.member_1.z)) * _e5691), ((((_e5715 * _e5676.member_1.x) + (_e5733 * _e5676.member_1.y)) + (_e5751 * _e5676.member_1.z)) * _e5691)));
 } else {
 let _e5817 = select(-0.5f, _e4278, (_e4278 > -0.5f));
@@ -2255,8 +2257,8 @@ let _e5859 = select(-1f, _e5827, (_e5827 > -1f));
 let _e5861 = select(_e3485, _e5859, (_e5859 < _e3485));
 let _e5868 = select(0i, select(select(i32(_e5861), i32(-2147483648), (_e5861 < -2147483600f)), 2147483647i, (_e5861 > 2147483500f)), (_e5861 == _e5861));
 let _e5872 = (_e5868 - select(0i, 1i, (_e5861 < f32(_e5868))));
-let _e5876 = global_1.member.member_6.member_7;
-let _e5880 = global_1.member.member_6.member_8;
+let _e5876 = global_1.member.member_8.member_7;
+let _e5880 = global_1.member.member_8.member_8;
 let _e5888 = (select(0i, select(select(i32(_e3480), i32(-2147483648), (_e3480 < -2147483600f)), 2147483647i, (_e3480 > 2147483500f)), (_e3480 == _e3480)) - 1i);
 let _e5891 = (_e5857 + 1i);
 let _e5901 = (select(0i, select(select(i32(_e3485), i32(-2147483648), (_e3485 < -2147483600f)), 2147483647i, (_e3485 > 2147483500f)), (_e3485 == _e3485)) - 1i);
@@ -2322,8 +2324,8 @@ let _e6045 = global_2.member[bitcast<u32>(select(0i, _e6040, (_e6040 > 0i)))];
 let _e6047 = local_7[0u];
 let _e6051 = local_7[1u];
 let _e6056 = local_7[2u];
-let _e6063 = global_1.member.member_6.member_6;
-let _e6067 = global_1.member.member_6.member_5;
+let _e6063 = global_1.member.member_8.member_6;
+let _e6067 = global_1.member.member_8.member_5;
 let _e6069 = (((_e6000 + (((_e6025 + (((_e6036 + ((bitcast<f32>(_e6045) - _e6036) * _e6047)) - _e6025) * _e6051)) - _e6000) * _e6056)) - _e6063) * _e6067);
 let _e6070 = -(1e9f);
 let _e6072 = select(_e6070, _e6069, (_e6069 > _e6070));
@@ -2333,7 +2335,7 @@ let _e6077 = phi_16232_;
 if _e2342 {
 phi_16624_ = type_7(1f, 1f, 1f);
 } else {
-let _e6081 = global_1.member.member_14.member;
+let _e6081 = global_1.member.member_16.member;
 let _e6092 = ((((_e6081.member.member * _e3412.member.x) + (_e6081.member.member_1 * _e3412.member.y)) + (_e6081.member.member_2 * _e3412.member.z)) + _e6081.member_1);
 let _e6098 = ((((_e6081.member.member * _e4166) + (_e6081.member.member_1 * _e4167)) + (_e6081.member.member_2 * _e4168)) + _e6081.member_1);
 let _e6100 = select(_e6098, _e6092, (_e6092 < _e6098));
@@ -2342,9 +2344,9 @@ let _e6104 = (_e6102 - _e6100);
 let _e6107 = (-(_e6100) / select(1e-30f, _e6104, (_e6104 > 1e-30f)));
 let _e6109 = select(0f, _e6107, (_e6107 > 0f));
 let _e6115 = select(select(select(1f, _e6109, (_e6109 < 1f)), 1f, (_e6102 <= 0f)), 0f, (_e6100 > 0f));
-let _e6120 = global_1.member.member_14.member_1;
+let _e6120 = global_1.member.member_16.member_1;
 let _e6121 = (_e6120 != 0u);
-let _e6131 = global_1.member.member_15.member;
+let _e6131 = global_1.member.member_17.member;
 let _e6142 = ((((_e6131.member.member * _e3412.member.x) + (_e6131.member.member_1 * _e3412.member.y)) + (_e6131.member.member_2 * _e3412.member.z)) + _e6131.member_1);
 let _e6148 = ((((_e6131.member.member * _e4166) + (_e6131.member.member_1 * _e4167)) + (_e6131.member.member_2 * _e4168)) + _e6131.member_1);
 let _e6150 = select(_e6148, _e6142, (_e6142 < _e6148));
@@ -2353,9 +2355,9 @@ let _e6154 = (_e6152 - _e6150);
 let _e6157 = (-(_e6150) / select(1e-30f, _e6154, (_e6154 > 1e-30f)));
 let _e6159 = select(0f, _e6157, (_e6157 > 0f));
 let _e6165 = select(select(select(1f, _e6159, (_e6159 < 1f)), 1f, (_e6152 <= 0f)), 0f, (_e6150 > 0f));
-let _e6170 = global_1.member.member_15.member_1;
+let _e6170 = global_1.member.member_17.member_1;
 let _e6171 = (_e6170 != 0u);
-let _e6181 = global_1.member.member_16.member;
+let _e6181 = global_1.member.member_18.member;
 let _e6192 = ((((_e6181.member.member * _e3412.member.x) + (_e6181.member.member_1 * _e3412.member.y)) + (_e6181.member.member_2 * _e3412.member.z)) + _e6181.member_1);
 let _e6198 = ((((_e6181.member.member * _e4166) + (_e6181.member.member_1 * _e4167)) + (_e6181.member.member_2 * _e4168)) + _e6181.member_1);
 let _e6200 = select(_e6198, _e6192, (_e6192 < _e6198));
@@ -2364,9 +2366,9 @@ let _e6204 = (_e6202 - _e6200);
 let _e6207 = (-(_e6200) / select(1e-30f, _e6204, (_e6204 > 1e-30f)));
 let _e6209 = select(0f, _e6207, (_e6207 > 0f));
 let _e6215 = select(select(select(1f, _e6209, (_e6209 < 1f)), 1f, (_e6202 <= 0f)), 0f, (_e6200 > 0f));
-let _e6220 = global_1.member.member_16.member_1;
+let _e6220 = global_1.member.member_18.member_1;
 let _e6221 = (_e6220 != 0u);
-let _e6231 = global_1.member.member_17.member;
+let _e6231 = global_1.member.member_19.member;
 let _e6242 = ((((_e6231.member.member * _e3412.member.x) + (_e6231.member.member_1 * _e3412.member.y)) + (_e6231.member.member_2 * _e3412.member.z)) + _e6231.member_1);
 let _e6248 = ((((_e6231.member.member * _e4166) + (_e6231.member.member_1 * _e4167)) + (_e6231.member.member_2 * _e4168)) + _e6231.member_1);
 let _e6250 = select(_e6248, _e6242, (_e6242 < _e6248));
@@ -2375,7 +2377,7 @@ let _e6254 = (_e6252 - _e6250);
 let _e6257 = (-(_e6250) / select(1e-30f, _e6254, (_e6254 > 1e-30f)));
 let _e6259 = select(0f, _e6257, (_e6257 > 0f));
 let _e6265 = select(select(select(1f, _e6259, (_e6259 < 1f)), 1f, (_e6252 <= 0f)), 0f, (_e6250 > 0f));
-let _e6270 = global_1.member.member_17.member_1;
+let _e6270 = global_1.member.member_19.member_1;
 let _e6271 = (_e6270 != 0u);
 phi_16624_ = type_7(((((1f * _e6115) * _e6165) * _e6215) * _e6265), ((((1f * select(1f, _e6115, _e6121)) * select(1f, _e6165, _e6171)) * select(1f, _e6215, _e6221)) * select(1f, _e6265, _e6271)), ((((1f * select(1f, 0f, (_e6121 && (_e6098 > 0f)))) * select(1f, 0f, (_e6171 && (_e6148 > 0f)))) * select(1f, 0f, (_e6221 && (_e6198 > 0f)))) * select(1f, 0f, (_e6271 && (_e6248 > 0f)))));
 }
@@ -2402,8 +2404,8 @@ let _e6333 = select(-1f, _e6301, (_e6301 > -1f));
 let _e6335 = select(_e3485, _e6333, (_e6333 < _e3485));
 let _e6342 = select(0i, select(select(i32(_e6335), i32(-2147483648), (_e6335 < -2147483600f)), 2147483647i, (_e6335 > 2147483500f)), (_e6335 == _e6335));
 let _e6346 = (_e6342 - select(0i, 1i, (_e6335 < f32(_e6342))));
-let _e6350 = global_1.member.member_6.member_7;
-let _e6354 = global_1.member.member_6.member_8;
+let _e6350 = global_1.member.member_8.member_7;
+let _e6354 = global_1.member.member_8.member_8;
 let _e6362 = (select(0i, select(select(i32(_e3480), i32(-2147483648), (_e3480 < -2147483600f)), 2147483647i, (_e3480 > 2147483500f)), (_e3480 == _e3480)) - 1i);
 let _e6365 = (_e6331 + 1i);
 let _e6375 = (select(0i, select(select(i32(_e3485), i32(-2147483648), (_e3485 < -2147483600f)), 2147483647i, (_e3485 > 2147483500f)), (_e3485 == _e3485)) - 1i);
@@ -2469,8 +2471,8 @@ let _e6519 = global_2.member[bitcast<u32>(select(0i, _e6514, (_e6514 > 0i)))];
 let _e6521 = local_5[0u];
 let _e6525 = local_5[1u];
 let _e6530 = local_5[2u];
-let _e6537 = global_1.member.member_6.member_6;
-let _e6541 = global_1.member.member_6.member_5;
+let _e6537 = global_1.member.member_8.member_6;
+let _e6541 = global_1.member.member_8.member_5;
 let _e6543 = (((_e6474 + (((_e6499 + (((_e6510 + ((bitcast<f32>(_e6519) - _e6510) * _e6521)) - _e6499) * _e6525)) - _e6474) * _e6530)) - _e6537) * _e6541);
 let _e6544 = -(1e9f);
 let _e6546 = select(_e6544, _e6543, (_e6543 > _e6544));
@@ -2591,7 +2593,7 @@ let _e6913 = select(select(1f, _e6910, (_e6910 < 1f)), 1f, _e6890);
 let _e6915 = select(_e6885, _e6857, (_e6857 < _e6885));
 let _e6919 = select(_e6878, _e6850, (_e6850 > _e6878));
 let _e6922 = (select(_e6913, _e6915, (_e6915 < _e6913)) - select(_e6906, _e6919, (_e6919 > _e6906)));
-let _e6930 = global_1.member.member_5.member_3;
+let _e6930 = global_1.member.member_7.member_3;
 let _e6931 = (((sqrt(select(0f, _e6826, (_e6826 > 0f))) * select(0f, _e6922, (_e6922 > 0f))) * _e6818) * _e6930);
 local_1 = _e6817;
 let _e6932 = local_1;
@@ -2878,24 +2880,24 @@ let _e8082 = (0.5f * _e6818);
 let _e8086 = (_e3412.member.x + (_e6819 * _e8082));
 let _e8087 = (_e3412.member.y + (_e6820 * _e8082));
 let _e8088 = (_e3412.member.z + (_e6821 * _e8082));
-let _e8092 = global_1.member.member_10.member;
+let _e8092 = global_1.member.member_12.member;
 let _e8103 = ((((_e8092.member.member * _e8086) + (_e8092.member.member_1 * _e8087)) + (_e8092.member.member_2 * _e8088)) + _e8092.member_1);
-let _e8107 = global_1.member.member_10.member_1;
+let _e8107 = global_1.member.member_12.member_1;
 let _e8118 = ((((_e8107.member.member * _e8086) + (_e8107.member.member_1 * _e8087)) + (_e8107.member.member_2 * _e8088)) + _e8107.member_1);
-let _e8122 = global_1.member.member_10.member_2;
+let _e8122 = global_1.member.member_12.member_2;
 let _e8133 = ((((_e8122.member.member * _e8086) + (_e8122.member.member_1 * _e8087)) + (_e8122.member.member_2 * _e8088)) + _e8122.member_1);
 let _e8134 = (_e3176 != 0u);
-let _e8142 = global_1.member.member_10.member_19.member_2;
+let _e8142 = global_1.member.member_12.member_19.member_2;
 let _e8144 = select(1f, (_e8133 - _e8142), _e8134);
 let _e8147 = (1f / select(1e-12f, _e8144, (_e8144 > 1e-12f)));
-let _e8152 = global_1.member.member_10.member_5;
-let _e8157 = global_1.member.member_10.member_8;
-let _e8163 = global_1.member.member_10.member_6;
-let _e8169 = global_1.member.member_10.member_11;
+let _e8152 = global_1.member.member_12.member_5;
+let _e8157 = global_1.member.member_12.member_8;
+let _e8163 = global_1.member.member_12.member_6;
+let _e8169 = global_1.member.member_12.member_11;
 let _e8170 = ((((_e8103 * _e8147) - _e8152) * _e8157) - _e8169);
 let _e8171 = ((((_e8118 * _e8147) - _e8163) * _e8157) - _e8169);
-let _e8175 = global_1.member.member_10.member_9;
-let _e8180 = global_1.member.member_10.member_10;
+let _e8175 = global_1.member.member_12.member_9;
+let _e8180 = global_1.member.member_12.member_10;
 let _e8181 = ((_e8133 - _e8175) * _e8180);
 let _e8182 = -(65536f);
 let _e8184 = select(_e8182, _e8170, (_e8170 > _e8182));
@@ -2914,11 +2916,11 @@ let _e8229 = (firstTrailingBit(8u) & 31u);
 let _e8231 = (_e8227 >> bitcast<u32>(_e8229));
 let _e8233 = (_e8197 >> bitcast<u32>(_e8229));
 let _e8235 = (_e8212 >> bitcast<u32>(_e8229));
-let _e8240 = global_1.member.member_10.member_14.member;
+let _e8240 = global_1.member.member_12.member_14.member;
 let _e8241 = bitcast<i32>(_e8240);
-let _e8246 = global_1.member.member_10.member_14.member_1;
+let _e8246 = global_1.member.member_12.member_14.member_1;
 let _e8247 = bitcast<i32>(_e8246);
-let _e8252 = global_1.member.member_10.member_14.member_2;
+let _e8252 = global_1.member.member_12.member_14.member_2;
 if ((((((_e8233 >= 0i) && (_e8233 < _e8241)) && (_e8235 >= 0i)) && (_e8235 < _e8247)) && (_e8231 >= 0i)) && (_e8231 < bitcast<i32>(_e8252))) {
 phi_20718_ = (((((_e8231 * _e8247) + _e8235) * _e8241) + _e8233) * 3i);
 } else {
@@ -2932,7 +2934,7 @@ let _e8282 = global_4.member[bitcast<u32>(select(0i, _e8276, (_e8276 > 0i)))];
 let _e8284 = select(_e8274, _e8271, (_e8271 < _e8274));
 let _e8290 = global_4.member[bitcast<u32>(select(0i, _e8284, (_e8284 > 0i)))];
 let _e8293 = select(_e8282, 0u, (_e8271 < 0i));
-let _e8297 = global_1.member.member_10.member_13;
+let _e8297 = global_1.member.member_12.member_13;
 let _e8298 = (_e8293 * 81u);
 let _e8302 = bitcast<i32>((((_e8298 * _e8297) + 63u) & 4294967232u));
 let _e8310 = (((bitcast<i32>(_e8290) + ((_e8227 & 7i) * _e8302)) + ((_e8212 & 7i) * 9i)) + (_e8197 & 7i));
@@ -2975,7 +2977,7 @@ let _e8419 = select(1f, (_e8366 + (((_e8389 + (((_e8399 + ((bitcast<f32>(_e8408)
 if (((_e221.member_2 == 3u) || (_e221.member_2 == 4u)) || _e507) {
 phi_21295_ = vec3(_e8419);
 } else {
-let _e8428 = global_1.member.member_10.member_12;
+let _e8428 = global_1.member.member_12.member_12;
 let _e8429 = (_e8428 > 1u);
 let _e8433 = (_e8310 + (select(0i, 1i, _e8429) * _e8311));
 let _e8435 = select(_e8274, _e8433, (_e8433 < _e8274));
@@ -3042,7 +3044,7 @@ let _e8626 = global_4.member[bitcast<u32>(select(0i, _e8620, (_e8620 > 0i)))];
 phi_21295_ = vec3<f32>(_e8419, select(1f, (_e8481 + (((_e8504 + (((_e8514 + ((bitcast<f32>(_e8523) - _e8514) * _e8313)) - _e8504) * _e8315)) - _e8481) * _e8317)), _e8318), select(1f, (_e8584 + (((_e8607 + (((_e8617 + ((bitcast<f32>(_e8626) - _e8617) * _e8313)) - _e8607) * _e8315)) - _e8584) * _e8317)), _e8318));
 }
 let _e8640 = phi_21295_;
-let _e8641 = global_1.member.member_10.member_19;
+let _e8641 = global_1.member.member_12.member_19;
 let _e8645 = (_e8103 - _e8641.member);
 let _e8646 = (_e8118 - _e8641.member_1);
 let _e8647 = (_e8133 - _e8641.member_2);
@@ -3118,21 +3120,21 @@ let _e8936 = phi_21702_;
 if _e3177 {
 phi_21796_ = 1f;
 } else {
-let _e8942 = global_1.member.member_10.member_20.member;
+let _e8942 = global_1.member.member_12.member_20.member;
 let _e8950 = (((_e8942.member * _e8645) + (_e8942.member_1 * _e8646)) + (_e8942.member_2 * _e8647));
 let _e8954 = (_e8645 - (_e8942.member * _e8950));
 let _e8955 = (_e8646 - (_e8942.member_1 * _e8950));
 let _e8956 = (_e8647 - (_e8942.member_2 * _e8950));
 let _e8961 = (((_e8954 * _e8954) + (_e8955 * _e8955)) + (_e8956 * _e8956));
-let _e8972 = global_1.member.member_10.member_20.member_1;
-let _e8978 = global_1.member.member_10.member_20.member_2;
+let _e8972 = global_1.member.member_12.member_20.member_1;
+let _e8978 = global_1.member.member_12.member_20.member_2;
 let _e8979 = ((_e8972 - (sqrt(select(0f, _e8961, (_e8961 > 0f))) / select(1e-20f, _e8950, (_e8950 > 1e-20f)))) * _e8978);
 let _e8981 = select(0f, _e8979, (_e8979 > 0f));
 let _e8983 = select(1f, _e8981, (_e8981 < 1f));
 phi_21796_ = select(1f, select(0f, ((_e8983 * _e8983) * (3f - (2f * _e8983))), (_e8950 > 0f)), (_e8978 > 0f));
 }
 let _e8993 = phi_21796_;
-let _e8998 = global_1.member.member_9.member_1;
+let _e8998 = global_1.member.member_11.member_1;
 if _e3177 {
 phi_21838_ = 1f;
 } else {
@@ -3140,9 +3142,9 @@ phi_21838_ = (1f / select(1e-12f, _e8652, (_e8652 > 1e-12f)));
 }
 let _e9012 = phi_21838_;
 let _e9013 = (_e9012 * select(_e8993, 1f, (_e514 && _e8318)));
-let _e9022 = global_1.member.member_10.member.member;
-let _e9034 = global_1.member.member_10.member_1.member;
-let _e9049 = global_1.member.member_10.member_2.member;
+let _e9022 = global_1.member.member_12.member.member;
+let _e9034 = global_1.member.member_12.member_1.member;
+let _e9049 = global_1.member.member_12.member_2.member;
 phi_21870_ = type_36(vec3<f32>(((_e8640.x * _e8998.member) * _e9013), ((_e8640.y * _e8998.member_1) * _e9013), ((_e8640.z * _e8998.member_2) * _e9013)), (vec3<f32>(((_e9022.member * _e8936.x) + (_e9034.member * _e8936.y)), ((_e9022.member_1 * _e8936.x) + (_e9034.member_1 * _e8936.y)), ((_e9022.member_2 * _e8936.x) + (_e9034.member_2 * _e8936.y))) + vec3<f32>((_e9049.member * _e8936.z), (_e9049.member_1 * _e8936.z), (_e9049.member_2 * _e8936.z))));
 }
 let _e9062 = phi_21870_;
@@ -3151,7 +3153,7 @@ let _e9074 = sqrt(select(0f, _e9071, (_e9071 > 0f)));
 let _e9076 = ((_e2340 & 8u) != 0u);
 let _e9080 = (1e-6f * _e9074);
 let _e9084 = select((_e9074 / select(_e9080, _e9062.member_1.z, (_e9062.member_1.z > _e9080))), 1f, _e9076);
-let _e9096 = global_1.member.member_18;
+let _e9096 = global_1.member.member_20;
 let _e9103 = (1f - _e3412.member_6);
 let _e9120 = (_e3412.member_5.x + ((_e3412.member_7.x * ((((((_e7694 + (((_e7699 + (((bitcast<f32>(((_e7665 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7699) * _e7324)) - _e7694) * _e7322)) * _e7326) + (((bitcast<f32>(((_e7673 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e7311) + ((bitcast<f32>(((_e7681 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e7317))) * _e8077) * ((_e9062.member.x * _e9084) + _e9096.member)) + 0f)) * _e9103));
 let _e9122 = (_e3412.member_5.y + ((_e3412.member_7.y * ((((((_e7750 + (((_e7755 + (((bitcast<f32>((((_e7665 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7755) * _e7324)) - _e7750) * _e7322)) * _e7326) + (((bitcast<f32>((((_e7673 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e7311) + ((bitcast<f32>((((_e7681 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e7317))) * _e8077) * ((_e9062.member.y * _e9084) + _e9096.member_1)) + 0f)) * _e9103));
@@ -3164,14 +3166,14 @@ let _e9137 = (_e3412.member_4 + ((_e9126 - _e3412.member_6) * (_e3412.member.z +
 let _e9141 = (_e3412.member.x + (_e6819 * _e6818));
 let _e9142 = (_e3412.member.y + (_e6820 * _e6818));
 let _e9143 = (_e3412.member.z + (_e6821 * _e6818));
-let _e9147 = global_1.member.member_10.member;
+let _e9147 = global_1.member.member_12.member;
 let _e9158 = ((((_e9147.member.member * _e9141) + (_e9147.member.member_1 * _e9142)) + (_e9147.member.member_2 * _e9143)) + _e9147.member_1);
-let _e9162 = global_1.member.member_10.member_1;
+let _e9162 = global_1.member.member_12.member_1;
 let _e9173 = ((((_e9162.member.member * _e9141) + (_e9162.member.member_1 * _e9142)) + (_e9162.member.member_2 * _e9143)) + _e9162.member_1);
-let _e9177 = global_1.member.member_10.member_2;
+let _e9177 = global_1.member.member_12.member_2;
 let _e9188 = ((((_e9177.member.member * _e9141) + (_e9177.member.member_1 * _e9142)) + (_e9177.member.member_2 * _e9143)) + _e9177.member_1);
 let _e9189 = (_e3176 != 0u);
-let _e9193 = global_1.member.member_10.member_19;
+let _e9193 = global_1.member.member_12.member_19;
 let _e9197 = (_e9158 - _e9193.member);
 let _e9198 = (_e9173 - _e9193.member_1);
 let _e9199 = (_e9188 - _e9193.member_2);
@@ -3181,36 +3183,36 @@ let _e9210 = (1f / select(1e-20f, _e9207, (_e9207 > 1e-20f)));
 let _e9214 = select(0f, (_e9197 * _e9210), _e9189);
 let _e9215 = select(0f, (_e9198 * _e9210), _e9189);
 let _e9216 = select(1f, (_e9199 * _e9210), _e9189);
-let _e9221 = global_1.member.member_10.member.member;
-let _e9232 = global_1.member.member_10.member_1.member;
-let _e9246 = global_1.member.member_10.member_2.member;
+let _e9221 = global_1.member.member_12.member.member;
+let _e9232 = global_1.member.member_12.member_1.member;
+let _e9246 = global_1.member.member_12.member_2.member;
 let _e9255 = (vec3<f32>(((_e9221.member * _e9214) + (_e9232.member * _e9215)), ((_e9221.member_1 * _e9214) + (_e9232.member_1 * _e9215)), ((_e9221.member_2 * _e9214) + (_e9232.member_2 * _e9215))) + vec3<f32>((_e9246.member * _e9216), (_e9246.member_1 * _e9216), (_e9246.member_2 * _e9216)));
 if ((_e2340 & 256u) != 0u) {
-let _e9263 = global_1.member.member_10.member_18.member.member;
+let _e9263 = global_1.member.member_12.member_18.member.member;
 let _e9264 = bitcast<i32>(_e9263);
-let _e9270 = global_1.member.member_10.member_18.member.member_1;
+let _e9270 = global_1.member.member_12.member_18.member.member_1;
 let _e9271 = bitcast<i32>(_e9270);
-let _e9276 = global_1.member.member_10.member_19.member_2;
+let _e9276 = global_1.member.member_12.member_19.member_2;
 let _e9278 = select(1f, (_e9188 - _e9276), _e9189);
 let _e9281 = (1f / select(1e-12f, _e9278, (_e9278 > 1e-12f)));
-let _e9286 = global_1.member.member_10.member_5;
-let _e9291 = global_1.member.member_10.member_8;
+let _e9286 = global_1.member.member_12.member_5;
+let _e9291 = global_1.member.member_12.member_8;
 let _e9292 = (((_e9158 * _e9281) - _e9286) * _e9291);
-let _e9297 = global_1.member.member_10.member_6;
+let _e9297 = global_1.member.member_12.member_6;
 let _e9299 = (((_e9173 * _e9281) - _e9297) * _e9291);
-let _e9304 = global_1.member.member_10.member_4.member;
+let _e9304 = global_1.member.member_12.member_4.member;
 let _e9306 = f32(bitcast<i32>(_e9304));
 let _e9308 = select(0f, _e9292, (_e9292 > 0f));
-let _e9315 = global_1.member.member_10.member_18.member_1;
+let _e9315 = global_1.member.member_12.member_18.member_1;
 let _e9318 = ((_e9292 - _e9306) * _e9315);
-let _e9323 = global_1.member.member_10.member_18.member_2;
+let _e9323 = global_1.member.member_12.member_18.member_2;
 let _e9325 = select(0f, _e9318, (_e9318 > 0f));
 let _e9327 = (_e9323 + _e9325);
 let _e9332 = (-(_e9292) * _e9315);
 let _e9334 = select(0f, _e9332, (_e9332 > 0f));
 let _e9336 = (_e9323 + _e9334);
 let _e9343 = (((_e9323 + (select(_e9306, _e9308, (_e9308 < _e9306)) * _e9315)) + (((_e9325 * _e9323) / select(1e-12f, _e9327, (_e9327 > 1e-12f))) - ((_e9334 * _e9323) / select(1e-12f, _e9336, (_e9336 > 1e-12f))))) - 0.5f);
-let _e9348 = global_1.member.member_10.member_4.member_1;
+let _e9348 = global_1.member.member_12.member_4.member_1;
 let _e9350 = f32(bitcast<i32>(_e9348));
 let _e9352 = select(0f, _e9299, (_e9299 > 0f));
 let _e9357 = ((_e9299 - _e9350) * _e9315);
@@ -3237,10 +3239,10 @@ let _e9419 = (_e9377 - f32(_e9411));
 let _e9421 = select(0f, _e9419, (_e9419 > 0f));
 let _e9423 = select(1f, _e9421, (_e9421 < 1f));
 if _e4230 {
-let _e9428 = global_1.member.member_10.member_18.member_4;
+let _e9428 = global_1.member.member_12.member_18.member_4;
 phi_22352_ = _e9428;
 } else {
-let _e9433 = global_1.member.member_10.member_18.member_3;
+let _e9433 = global_1.member.member_12.member_18.member_3;
 phi_22352_ = _e9433;
 }
 let _e9435 = phi_22352_;
@@ -3300,14 +3302,14 @@ phi_22750_ = vec3<f32>(_e9490, _e9539, _e9589);
 if _e3177 {
 phi_22689_ = 1f;
 } else {
-let _e9595 = global_1.member.member_10.member_20.member;
+let _e9595 = global_1.member.member_12.member_20.member;
 let _e9603 = (((_e9595.member * _e9197) + (_e9595.member_1 * _e9198)) + (_e9595.member_2 * _e9199));
 let _e9607 = (_e9197 - (_e9595.member * _e9603));
 let _e9608 = (_e9198 - (_e9595.member_1 * _e9603));
 let _e9609 = (_e9199 - (_e9595.member_2 * _e9603));
 let _e9614 = (((_e9607 * _e9607) + (_e9608 * _e9608)) + (_e9609 * _e9609));
-let _e9625 = global_1.member.member_10.member_20.member_1;
-let _e9631 = global_1.member.member_10.member_20.member_2;
+let _e9625 = global_1.member.member_12.member_20.member_1;
+let _e9631 = global_1.member.member_12.member_20.member_2;
 let _e9632 = ((_e9625 - (sqrt(select(0f, _e9614, (_e9614 > 0f))) / select(1e-20f, _e9603, (_e9603 > 1e-20f)))) * _e9631);
 let _e9634 = select(0f, _e9632, (_e9632 > 0f));
 let _e9636 = select(1f, _e9634, (_e9634 < 1f));
@@ -3327,15 +3329,15 @@ let _e9665 = phi_22745_;
 phi_22750_ = vec3<f32>((select(0f, _e9652, (_e9652 > 0f)) * _e9665), (select(0f, _e9653, (_e9653 > 0f)) * _e9665), (select(0f, _e9654, (_e9654 > 0f)) * _e9665));
 }
 let _e9671 = phi_22750_;
-let _e9675 = global_1.member.member_9.member_1;
+let _e9675 = global_1.member.member_11.member_1;
 phi_23010_ = type_36((vec3<f32>(_e9675.member, _e9675.member_1, _e9675.member_2) * _e9671), _e9255);
 } else {
 if _e3177 {
-let _e9685 = global_1.member.member_9.member_1;
-let _e9693 = global_1.member.member_9.member;
+let _e9685 = global_1.member.member_11.member_1;
+let _e9693 = global_1.member.member_11.member;
 phi_23009_ = type_36(vec3<f32>(_e9685.member, _e9685.member_1, _e9685.member_2), vec3<f32>(_e9693.member, _e9693.member_1, _e9693.member_2));
 } else {
-let _e9702 = global_1.member.member_9.member_1;
+let _e9702 = global_1.member.member_11.member_1;
 if _e3177 {
 phi_22853_ = 1f;
 } else {
@@ -3345,14 +3347,14 @@ let _e9710 = phi_22853_;
 if _e3177 {
 phi_22937_ = 1f;
 } else {
-let _e9715 = global_1.member.member_10.member_20.member;
+let _e9715 = global_1.member.member_12.member_20.member;
 let _e9723 = (((_e9715.member * _e9197) + (_e9715.member_1 * _e9198)) + (_e9715.member_2 * _e9199));
 let _e9727 = (_e9197 - (_e9715.member * _e9723));
 let _e9728 = (_e9198 - (_e9715.member_1 * _e9723));
 let _e9729 = (_e9199 - (_e9715.member_2 * _e9723));
 let _e9734 = (((_e9727 * _e9727) + (_e9728 * _e9728)) + (_e9729 * _e9729));
-let _e9745 = global_1.member.member_10.member_20.member_1;
-let _e9751 = global_1.member.member_10.member_20.member_2;
+let _e9745 = global_1.member.member_12.member_20.member_1;
+let _e9751 = global_1.member.member_12.member_20.member_2;
 let _e9752 = ((_e9745 - (sqrt(select(0f, _e9734, (_e9734 > 0f))) / select(1e-20f, _e9723, (_e9723 > 1e-20f)))) * _e9751);
 let _e9754 = select(0f, _e9752, (_e9752 > 0f));
 let _e9756 = select(1f, _e9754, (_e9754 < 1f));

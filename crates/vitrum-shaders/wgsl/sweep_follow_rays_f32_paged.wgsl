@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -423,25 +425,25 @@ let _e457 = vec3<f32>(_e248, _e258, _e269);
 let _e458 = vec3<f32>(_e280, _e291, _e302);
 let _e459 = vec3<f32>(_e346, _e357, _e368);
 let _e460 = vec3<f32>(_e390, _e401, _e412);
-let _e465 = global_1.member.member_6.member;
+let _e465 = global_1.member.member_8.member;
 let _e476 = ((((_e465.member.member * _e248) + (_e465.member.member_1 * _e258)) + (_e465.member.member_2 * _e269)) + _e465.member_1);
-let _e480 = global_1.member.member_6.member_1;
+let _e480 = global_1.member.member_8.member_1;
 let _e491 = ((((_e480.member.member * _e248) + (_e480.member.member_1 * _e258)) + (_e480.member.member_2 * _e269)) + _e480.member_1);
-let _e495 = global_1.member.member_6.member_2;
+let _e495 = global_1.member.member_8.member_2;
 let _e506 = ((((_e495.member.member * _e248) + (_e495.member.member_1 * _e258)) + (_e495.member.member_2 * _e269)) + _e495.member_1);
 let _e508 = (_e222.member_2 == 5u);
 let _e514 = ((_e222.member_2 == 2u) || (_e222.member_2 == 7u));
 let _e515 = ((((_e222.member_2 == 1u) || _e508) || (_e222.member_2 == 6u)) || _e514);
 if _e515 {
-let _e520 = global_1.member.member_6.member_3.member;
+let _e520 = global_1.member.member_8.member_3.member;
 let _e521 = (_e520 - 0.5f);
 let _e523 = select(-0.5f, _e476, (_e476 > -0.5f));
 let _e525 = select(_e521, _e523, (_e523 < _e521));
-let _e530 = global_1.member.member_6.member_3.member_1;
+let _e530 = global_1.member.member_8.member_3.member_1;
 let _e531 = (_e530 - 0.5f);
 let _e533 = select(-0.5f, _e491, (_e491 > -0.5f));
 let _e535 = select(_e531, _e533, (_e533 < _e531));
-let _e540 = global_1.member.member_6.member_3.member_2;
+let _e540 = global_1.member.member_8.member_3.member_2;
 let _e541 = (_e540 - 0.5f);
 let _e543 = select(-0.5f, _e506, (_e506 > -0.5f));
 let _e545 = select(_e541, _e543, (_e543 < _e541));
@@ -457,13 +459,13 @@ let _e577 = select(-1f, _e545, (_e545 > -1f));
 let _e579 = select(_e540, _e577, (_e577 < _e540));
 let _e586 = select(0i, select(select(i32(_e579), i32(-2147483648), (_e579 < -2147483600f)), 2147483647i, (_e579 > 2147483500f)), (_e579 == _e579));
 let _e590 = (_e586 - select(0i, 1i, (_e579 < f32(_e586))));
-let _e594 = global_1.member.member_6.member_7;
-let _e598 = global_1.member.member_6.member_8;
+let _e594 = global_1.member.member_8.member_7;
+let _e598 = global_1.member.member_8.member_8;
 let _e599 = (_e560 + 1i);
 let _e600 = (_e575 + 1i);
 let _e601 = (_e590 + 1i);
-let _e606 = global_1.member.member_6.member_11.member;
-let _e612 = global_1.member.member_6.member_11.member_1;
+let _e606 = global_1.member.member_8.member_11.member;
+let _e612 = global_1.member.member_8.member_11.member_1;
 let _e623 = ((_e599 >> bitcast<u32>(4i)) + (bitcast<i32>(_e606) * ((_e600 >> bitcast<u32>(4i)) + (bitcast<i32>(_e612) * (_e601 >> bitcast<u32>(4i))))));
 let _e625 = (bitcast<i32>(_e207) - 1i);
 let _e627 = select(_e625, _e623, (_e623 < _e625));
@@ -697,8 +699,8 @@ let _e1146 = local_41[2u];
 let _e1150 = local_41[1u];
 let _e1154 = local_41[2u];
 let _e1158 = local_41[2u];
-let _e1165 = global_1.member.member_6.member_6;
-let _e1169 = global_1.member.member_6.member_5;
+let _e1165 = global_1.member.member_8.member_6;
+let _e1169 = global_1.member.member_8.member_5;
 let _e1171 = (((_e1088 + ((_e1092 - _e1088) * _e1158)) - _e1165) * _e1169);
 let _e1172 = -(1e9f);
 let _e1174 = select(_e1172, _e1171, (_e1171 > _e1172));
@@ -964,26 +966,26 @@ let _e1922 = select(0f, 1f, ((((((_e476 >= -0.5f) && (_e476 <= _e521)) && (_e491
 let _e1924 = (0.5f * (_e1188 - _e1182));
 let _e1926 = (0.5f * (_e1200 - _e1194));
 let _e1928 = (0.5f * (_e1212 - _e1206));
-let _e1934 = global_1.member.member_6.member.member.member;
-let _e1940 = global_1.member.member_6.member.member.member_1;
-let _e1946 = global_1.member.member_6.member.member.member_2;
-let _e1952 = global_1.member.member_6.member_1.member.member;
-let _e1958 = global_1.member.member_6.member_1.member.member_1;
-let _e1964 = global_1.member.member_6.member_1.member.member_2;
-let _e1970 = global_1.member.member_6.member_2.member.member;
-let _e1976 = global_1.member.member_6.member_2.member.member_1;
-let _e1982 = global_1.member.member_6.member_2.member.member_2;
+let _e1934 = global_1.member.member_8.member.member.member;
+let _e1940 = global_1.member.member_8.member.member.member_1;
+let _e1946 = global_1.member.member_8.member.member.member_2;
+let _e1952 = global_1.member.member_8.member_1.member.member;
+let _e1958 = global_1.member.member_8.member_1.member.member_1;
+let _e1964 = global_1.member.member_8.member_1.member.member_2;
+let _e1970 = global_1.member.member_8.member_2.member.member;
+let _e1976 = global_1.member.member_8.member_2.member.member_1;
+let _e1982 = global_1.member.member_8.member_2.member.member_2;
 phi_6537_ = type_34(_e1176, vec3<f32>(((((_e1934 * _e1924) + (_e1952 * _e1926)) + (_e1970 * _e1928)) * _e1922), ((((_e1940 * _e1924) + (_e1958 * _e1926)) + (_e1976 * _e1928)) * _e1922), ((((_e1946 * _e1924) + (_e1964 * _e1926)) + (_e1982 * _e1928)) * _e1922)), _e1907.member, vec3<f32>(((((_e1934 * _e1907.member_2.x) + (_e1952 * _e1907.member_2.y)) + (_e1970 * _e1907.member_2.z)) * _e1922), ((((_e1940 * _e1907.member_2.x) + (_e1958 * _e1907.member_2.y)) + (_e1976 * _e1907.member_2.z)) * _e1922), ((((_e1946 * _e1907.member_2.x) + (_e1964 * _e1907.member_2.y)) + (_e1982 * _e1907.member_2.z)) * _e1922)), vec3<f32>(((((_e1934 * _e1907.member_1.x) + (_e1952 * _e1907.member_1.y)) + (_e1970 * _e1907.member_1.z)) * _e1922), ((((_e1940 * _e1907.member_1.x) + (_e1958 * _e1907.member_1.y)) + (_e1976 * _e1907.member_1.z)) * _e1922), ((((_e1946 * _e1907.member_1.x) + (_e1964 * _e1907.member_1.y)) + (_e1982 * _e1907.member_1.z)) * _e1922)));
 } else {
-let _e2051 = global_1.member.member_6.member_3.member;
+let _e2051 = global_1.member.member_8.member_3.member;
 let _e2052 = (_e2051 - 0.5f);
 let _e2054 = select(-0.5f, _e476, (_e476 > -0.5f));
 let _e2056 = select(_e2052, _e2054, (_e2054 < _e2052));
-let _e2061 = global_1.member.member_6.member_3.member_1;
+let _e2061 = global_1.member.member_8.member_3.member_1;
 let _e2062 = (_e2061 - 0.5f);
 let _e2064 = select(-0.5f, _e491, (_e491 > -0.5f));
 let _e2066 = select(_e2062, _e2064, (_e2064 < _e2062));
-let _e2071 = global_1.member.member_6.member_3.member_2;
+let _e2071 = global_1.member.member_8.member_3.member_2;
 let _e2072 = (_e2071 - 0.5f);
 let _e2074 = select(-0.5f, _e506, (_e506 > -0.5f));
 let _e2076 = select(_e2072, _e2074, (_e2074 < _e2072));
@@ -999,13 +1001,13 @@ let _e2108 = select(-1f, _e2076, (_e2076 > -1f));
 let _e2110 = select(_e2071, _e2108, (_e2108 < _e2071));
 let _e2117 = select(0i, select(select(i32(_e2110), i32(-2147483648), (_e2110 < -2147483600f)), 2147483647i, (_e2110 > 2147483500f)), (_e2110 == _e2110));
 let _e2121 = (_e2117 - select(0i, 1i, (_e2110 < f32(_e2117))));
-let _e2125 = global_1.member.member_6.member_7;
-let _e2129 = global_1.member.member_6.member_8;
+let _e2125 = global_1.member.member_8.member_7;
+let _e2129 = global_1.member.member_8.member_8;
 let _e2130 = (_e2091 + 1i);
 let _e2131 = (_e2106 + 1i);
 let _e2132 = (_e2121 + 1i);
-let _e2137 = global_1.member.member_6.member_11.member;
-let _e2143 = global_1.member.member_6.member_11.member_1;
+let _e2137 = global_1.member.member_8.member_11.member;
+let _e2143 = global_1.member.member_8.member_11.member_1;
 let _e2154 = ((_e2130 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2137) * ((_e2131 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2143) * (_e2132 >> bitcast<u32>(4i))))));
 let _e2156 = (bitcast<i32>(_e207) - 1i);
 let _e2158 = select(_e2156, _e2154, (_e2154 < _e2156));
@@ -1069,8 +1071,8 @@ let _e2294 = global_2.member[bitcast<u32>(select(0i, _e2289, (_e2289 > 0i)))];
 let _e2296 = local_25[0u];
 let _e2300 = local_25[1u];
 let _e2305 = local_25[2u];
-let _e2312 = global_1.member.member_6.member_6;
-let _e2316 = global_1.member.member_6.member_5;
+let _e2312 = global_1.member.member_8.member_6;
+let _e2316 = global_1.member.member_8.member_5;
 let _e2318 = (((_e2249 + (((_e2274 + (((_e2285 + ((bitcast<f32>(_e2294) - _e2285) * _e2296)) - _e2274) * _e2300)) - _e2249) * _e2305)) - _e2312) * _e2316);
 let _e2319 = -(1e9f);
 let _e2321 = select(_e2319, _e2318, (_e2318 > _e2319));
@@ -1082,48 +1084,48 @@ let _e2331 = ((_e2329 & 16u) == 0u);
 if _e2331 {
 phi_6917_ = type_7(1f, 1f, 1f);
 } else {
-let _e2335 = global_1.member.member_14.member;
+let _e2335 = global_1.member.member_16.member;
 let _e2346 = ((((_e2335.member.member * _e248) + (_e2335.member.member_1 * _e258)) + (_e2335.member.member_2 * _e269)) + _e2335.member_1);
 let _e2348 = (_e2346 - _e2346);
 let _e2351 = (-(_e2346) / select(1e-30f, _e2348, (_e2348 > 1e-30f)));
 let _e2353 = select(0f, _e2351, (_e2351 > 0f));
 let _e2356 = (_e2346 > 0f);
 let _e2359 = select(select(select(1f, _e2353, (_e2353 < 1f)), 1f, (_e2346 <= 0f)), 0f, _e2356);
-let _e2363 = global_1.member.member_14.member_1;
+let _e2363 = global_1.member.member_16.member_1;
 let _e2364 = (_e2363 != 0u);
-let _e2374 = global_1.member.member_15.member;
+let _e2374 = global_1.member.member_17.member;
 let _e2385 = ((((_e2374.member.member * _e248) + (_e2374.member.member_1 * _e258)) + (_e2374.member.member_2 * _e269)) + _e2374.member_1);
 let _e2387 = (_e2385 - _e2385);
 let _e2390 = (-(_e2385) / select(1e-30f, _e2387, (_e2387 > 1e-30f)));
 let _e2392 = select(0f, _e2390, (_e2390 > 0f));
 let _e2395 = (_e2385 > 0f);
 let _e2398 = select(select(select(1f, _e2392, (_e2392 < 1f)), 1f, (_e2385 <= 0f)), 0f, _e2395);
-let _e2402 = global_1.member.member_15.member_1;
+let _e2402 = global_1.member.member_17.member_1;
 let _e2403 = (_e2402 != 0u);
-let _e2413 = global_1.member.member_16.member;
+let _e2413 = global_1.member.member_18.member;
 let _e2424 = ((((_e2413.member.member * _e248) + (_e2413.member.member_1 * _e258)) + (_e2413.member.member_2 * _e269)) + _e2413.member_1);
 let _e2426 = (_e2424 - _e2424);
 let _e2429 = (-(_e2424) / select(1e-30f, _e2426, (_e2426 > 1e-30f)));
 let _e2431 = select(0f, _e2429, (_e2429 > 0f));
 let _e2434 = (_e2424 > 0f);
 let _e2437 = select(select(select(1f, _e2431, (_e2431 < 1f)), 1f, (_e2424 <= 0f)), 0f, _e2434);
-let _e2441 = global_1.member.member_16.member_1;
+let _e2441 = global_1.member.member_18.member_1;
 let _e2442 = (_e2441 != 0u);
-let _e2452 = global_1.member.member_17.member;
+let _e2452 = global_1.member.member_19.member;
 let _e2463 = ((((_e2452.member.member * _e248) + (_e2452.member.member_1 * _e258)) + (_e2452.member.member_2 * _e269)) + _e2452.member_1);
 let _e2465 = (_e2463 - _e2463);
 let _e2468 = (-(_e2463) / select(1e-30f, _e2465, (_e2465 > 1e-30f)));
 let _e2470 = select(0f, _e2468, (_e2468 > 0f));
 let _e2473 = (_e2463 > 0f);
 let _e2476 = select(select(select(1f, _e2470, (_e2470 < 1f)), 1f, (_e2463 <= 0f)), 0f, _e2473);
-let _e2480 = global_1.member.member_17.member_1;
+let _e2480 = global_1.member.member_19.member_1;
 let _e2481 = (_e2480 != 0u);
 phi_6917_ = type_7(((((1f * _e2359) * _e2398) * _e2437) * _e2476), ((((1f * select(1f, _e2359, _e2364)) * select(1f, _e2398, _e2403)) * select(1f, _e2437, _e2442)) * select(1f, _e2476, _e2481)), ((((1f * select(1f, 0f, (_e2364 && _e2356))) * select(1f, 0f, (_e2403 && _e2395))) * select(1f, 0f, (_e2442 && _e2434))) * select(1f, 0f, (_e2481 && _e2473))));
 }
 let _e2490 = phi_6917_;
 if _e435 {
 let _e2492 = type_32(_e457, _e458, _e313, 4f, _e335, _e459, _e379, _e460, _e423, _e434);
-let _e2497 = global_1.member.member_5.member_2;
+let _e2497 = global_1.member.member_7.member_2;
 let _e2500 = (_e2497 / select(1e-6f, _e302, (_e302 > 1e-6f)));
 let _e2504 = (_e248 + (_e280 * _e2500));
 let _e2505 = (_e258 + (_e291 * _e2500));
@@ -1131,10 +1133,10 @@ let _e2506 = (_e269 + (_e302 * _e2500));
 let _e2512 = ((((_e465.member.member * _e2504) + (_e465.member.member_1 * _e2505)) + (_e465.member.member_2 * _e2506)) + _e465.member_1);
 let _e2518 = ((((_e480.member.member * _e2504) + (_e480.member.member_1 * _e2505)) + (_e480.member.member_2 * _e2506)) + _e480.member_1);
 let _e2524 = ((((_e495.member.member * _e2504) + (_e495.member.member_1 * _e2505)) + (_e495.member.member_2 * _e2506)) + _e495.member_1);
-let _e2529 = global_1.member.member_6.member.member;
-let _e2537 = global_1.member.member_6.member_1.member;
-let _e2545 = global_1.member.member_6.member_2.member;
-let _e2553 = global_1.member.member_6.member_3.member;
+let _e2529 = global_1.member.member_8.member.member;
+let _e2537 = global_1.member.member_8.member_1.member;
+let _e2545 = global_1.member.member_8.member_2.member;
+let _e2553 = global_1.member.member_8.member_3.member;
 let _e2554 = (_e2553 - 0.5f);
 let _e2555 = (-0.5f - _e476);
 let _e2556 = (-0.5f - _e2512);
@@ -1168,7 +1170,7 @@ let _e2621 = select(_e2581, _e2610, _e2619);
 let _e2625 = select(_e2585, _e2614, _e2620);
 let _e2629 = select(_e2589, _e2595, _e2615);
 let _e2631 = select(_e2591, _e2596, (_e2596 > _e2591));
-let _e2639 = global_1.member.member_6.member_3.member_1;
+let _e2639 = global_1.member.member_8.member_3.member_1;
 let _e2640 = (_e2639 - 0.5f);
 let _e2641 = (-0.5f - _e491);
 let _e2642 = (-0.5f - _e2518);
@@ -1202,7 +1204,7 @@ let _e2707 = select(_e2667, _e2696, _e2705);
 let _e2711 = select(_e2671, _e2700, _e2706);
 let _e2715 = select(_e2675, _e2681, _e2701);
 let _e2717 = select(_e2677, _e2682, (_e2682 > _e2677));
-let _e2725 = global_1.member.member_6.member_3.member_2;
+let _e2725 = global_1.member.member_8.member_3.member_2;
 let _e2726 = (_e2725 - 0.5f);
 let _e2727 = (-0.5f - _e506);
 let _e2728 = (-0.5f - _e2524);
@@ -1250,12 +1252,12 @@ phi_8246_ = type_35(_e2793, vec3<f32>(_e2794, _e2795, _e2796), _e2798, vec3<f32>
 } else {
 let _e2815 = (((_e2529.member * _e2529.member) + (_e2529.member_1 * _e2529.member_1)) + (_e2529.member_2 * _e2529.member_2));
 let _e2818 = sqrt(select(0f, _e2815, (_e2815 > 0f)));
-let _e2822 = global_1.member.member_14.member_1;
+let _e2822 = global_1.member.member_16.member_1;
 let _e2823 = (_e2822 != 0u);
-let _e2827 = global_1.member.member_14.member;
+let _e2827 = global_1.member.member_16.member;
 let _e2847 = select(-1e6f, (((((_e2827.member.member * _e248) + (_e2827.member.member_1 * _e258)) + (_e2827.member.member_2 * _e269)) + _e2827.member_1) * _e2818), _e2823);
 let _e2848 = select(-1e6f, (((((_e2827.member.member * _e2504) + (_e2827.member.member_1 * _e2505)) + (_e2827.member.member_2 * _e2506)) + _e2827.member_1) * _e2818), _e2823);
-let _e2853 = global_1.member.member_14.member.member;
+let _e2853 = global_1.member.member_16.member.member;
 let _e2857 = -(_e2847);
 let _e2860 = (_e2847 - _e2848);
 let _e2861 = (_e2848 - _e2847);
@@ -1270,12 +1272,12 @@ let _e2881 = select(_e2793, _e2870, _e2879);
 let _e2885 = select(_e2798, _e2874, _e2880);
 let _e2889 = select(_e2803, _e2847, _e2875);
 let _e2891 = select(_e2805, _e2848, (_e2848 > _e2805));
-let _e2898 = global_1.member.member_15.member_1;
+let _e2898 = global_1.member.member_17.member_1;
 let _e2899 = (_e2898 != 0u);
-let _e2903 = global_1.member.member_15.member;
+let _e2903 = global_1.member.member_17.member;
 let _e2923 = select(-1e6f, (((((_e2903.member.member * _e248) + (_e2903.member.member_1 * _e258)) + (_e2903.member.member_2 * _e269)) + _e2903.member_1) * _e2818), _e2899);
 let _e2924 = select(-1e6f, (((((_e2903.member.member * _e2504) + (_e2903.member.member_1 * _e2505)) + (_e2903.member.member_2 * _e2506)) + _e2903.member_1) * _e2818), _e2899);
-let _e2929 = global_1.member.member_15.member.member;
+let _e2929 = global_1.member.member_17.member.member;
 let _e2933 = -(_e2923);
 let _e2936 = (_e2923 - _e2924);
 let _e2937 = (_e2924 - _e2923);
@@ -1290,12 +1292,12 @@ let _e2957 = select(_e2881, _e2946, _e2955);
 let _e2961 = select(_e2885, _e2950, _e2956);
 let _e2965 = select(_e2889, _e2923, _e2951);
 let _e2967 = select(_e2891, _e2924, (_e2924 > _e2891));
-let _e2974 = global_1.member.member_16.member_1;
+let _e2974 = global_1.member.member_18.member_1;
 let _e2975 = (_e2974 != 0u);
-let _e2979 = global_1.member.member_16.member;
+let _e2979 = global_1.member.member_18.member;
 let _e2999 = select(-1e6f, (((((_e2979.member.member * _e248) + (_e2979.member.member_1 * _e258)) + (_e2979.member.member_2 * _e269)) + _e2979.member_1) * _e2818), _e2975);
 let _e3000 = select(-1e6f, (((((_e2979.member.member * _e2504) + (_e2979.member.member_1 * _e2505)) + (_e2979.member.member_2 * _e2506)) + _e2979.member_1) * _e2818), _e2975);
-let _e3005 = global_1.member.member_16.member.member;
+let _e3005 = global_1.member.member_18.member.member;
 let _e3009 = -(_e2999);
 let _e3012 = (_e2999 - _e3000);
 let _e3013 = (_e3000 - _e2999);
@@ -1310,12 +1312,12 @@ let _e3033 = select(_e2957, _e3022, _e3031);
 let _e3037 = select(_e2961, _e3026, _e3032);
 let _e3041 = select(_e2965, _e2999, _e3027);
 let _e3043 = select(_e2967, _e3000, (_e3000 > _e2967));
-let _e3050 = global_1.member.member_17.member_1;
+let _e3050 = global_1.member.member_19.member_1;
 let _e3051 = (_e3050 != 0u);
-let _e3055 = global_1.member.member_17.member;
+let _e3055 = global_1.member.member_19.member;
 let _e3075 = select(-1e6f, (((((_e3055.member.member * _e248) + (_e3055.member.member_1 * _e258)) + (_e3055.member.member_2 * _e269)) + _e3055.member_1) * _e2818), _e3051);
 let _e3076 = select(-1e6f, (((((_e3055.member.member * _e2504) + (_e3055.member.member_1 * _e2505)) + (_e3055.member.member_2 * _e2506)) + _e3055.member_1) * _e2818), _e3051);
-let _e3081 = global_1.member.member_17.member.member;
+let _e3081 = global_1.member.member_19.member.member;
 let _e3085 = -(_e3075);
 let _e3088 = (_e3075 - _e3076);
 let _e3089 = (_e3076 - _e3075);
@@ -1335,24 +1337,24 @@ phi_8283_ = type_32(_e2492.member, vec3<f32>((_e280 - (_e2326.member_3.x * _e313
 phi_8283_ = type_32(_e457, _e458, _e313, _e324, _e335, _e459, _e379, _e460, _e423, _e434);
 }
 let _e3160 = phi_8283_;
-let _e3165 = global_1.member.member_10.member_3;
+let _e3165 = global_1.member.member_12.member_3;
 let _e3166 = (_e3165 == 0u);
 if _e3166 {
-let _e3170 = global_1.member.member_9.member_1;
-let _e3178 = global_1.member.member_9.member;
+let _e3170 = global_1.member.member_11.member_1;
+let _e3178 = global_1.member.member_11.member;
 phi_8543_ = type_36(vec3<f32>(_e3170.member, _e3170.member_1, _e3170.member_2), vec3<f32>(_e3178.member, _e3178.member_1, _e3178.member_2));
 } else {
-let _e3187 = global_1.member.member_10.member;
+let _e3187 = global_1.member.member_12.member;
 let _e3201 = ((((_e3187.member.member * _e3160.member.x) + (_e3187.member.member_1 * _e3160.member.y)) + (_e3187.member.member_2 * _e3160.member.z)) + _e3187.member_1);
-let _e3205 = global_1.member.member_10.member_1;
+let _e3205 = global_1.member.member_12.member_1;
 let _e3216 = ((((_e3205.member.member * _e3160.member.x) + (_e3205.member.member_1 * _e3160.member.y)) + (_e3205.member.member_2 * _e3160.member.z)) + _e3205.member_1);
-let _e3220 = global_1.member.member_10.member_2;
+let _e3220 = global_1.member.member_12.member_2;
 let _e3231 = ((((_e3220.member.member * _e3160.member.x) + (_e3220.member.member_1 * _e3160.member.y)) + (_e3220.member.member_2 * _e3160.member.z)) + _e3220.member_1);
-let _e3235 = global_1.member.member_9.member_1;
+let _e3235 = global_1.member.member_11.member_1;
 if _e3166 {
 phi_8387_ = 1f;
 } else {
-let _e3242 = global_1.member.member_10.member_19;
+let _e3242 = global_1.member.member_12.member_19;
 let _e3246 = (_e3201 - _e3242.member);
 let _e3247 = (_e3216 - _e3242.member_1);
 let _e3248 = (_e3231 - _e3242.member_2);
@@ -1363,18 +1365,18 @@ let _e3258 = phi_8387_;
 if _e3166 {
 phi_8471_ = 1f;
 } else {
-let _e3262 = global_1.member.member_10.member_19;
+let _e3262 = global_1.member.member_12.member_19;
 let _e3266 = (_e3201 - _e3262.member);
 let _e3267 = (_e3216 - _e3262.member_1);
 let _e3268 = (_e3231 - _e3262.member_2);
-let _e3273 = global_1.member.member_10.member_20.member;
+let _e3273 = global_1.member.member_12.member_20.member;
 let _e3281 = (((_e3273.member * _e3266) + (_e3273.member_1 * _e3267)) + (_e3273.member_2 * _e3268));
 let _e3285 = (_e3266 - (_e3273.member * _e3281));
 let _e3286 = (_e3267 - (_e3273.member_1 * _e3281));
 let _e3287 = (_e3268 - (_e3273.member_2 * _e3281));
 let _e3292 = (((_e3285 * _e3285) + (_e3286 * _e3286)) + (_e3287 * _e3287));
-let _e3303 = global_1.member.member_10.member_20.member_1;
-let _e3309 = global_1.member.member_10.member_20.member_2;
+let _e3303 = global_1.member.member_12.member_20.member_1;
+let _e3309 = global_1.member.member_12.member_20.member_2;
 let _e3310 = ((_e3303 - (sqrt(select(0f, _e3292, (_e3292 > 0f))) / select(1e-20f, _e3281, (_e3281 > 1e-20f)))) * _e3309);
 let _e3312 = select(0f, _e3310, (_e3310 > 0f));
 let _e3314 = select(1f, _e3312, (_e3312 < 1f));
@@ -1383,7 +1385,7 @@ phi_8471_ = select(1f, select(0f, ((_e3314 * _e3314) * (3f - (2f * _e3314))), (_
 let _e3324 = phi_8471_;
 let _e3325 = (_e3258 * _e3324);
 let _e3330 = (_e3165 != 0u);
-let _e3334 = global_1.member.member_10.member_19;
+let _e3334 = global_1.member.member_12.member_19;
 let _e3338 = (_e3201 - _e3334.member);
 let _e3339 = (_e3216 - _e3334.member_1);
 let _e3340 = (_e3231 - _e3334.member_2);
@@ -1393,9 +1395,9 @@ let _e3351 = (1f / select(1e-20f, _e3348, (_e3348 > 1e-20f)));
 let _e3355 = select(0f, (_e3338 * _e3351), _e3330);
 let _e3356 = select(0f, (_e3339 * _e3351), _e3330);
 let _e3357 = select(1f, (_e3340 * _e3351), _e3330);
-let _e3362 = global_1.member.member_10.member.member;
-let _e3373 = global_1.member.member_10.member_1.member;
-let _e3387 = global_1.member.member_10.member_2.member;
+let _e3362 = global_1.member.member_12.member.member;
+let _e3373 = global_1.member.member_12.member_1.member;
+let _e3387 = global_1.member.member_12.member_2.member;
 phi_8543_ = type_36(vec3<f32>((_e3235.member * _e3325), (_e3235.member_1 * _e3325), (_e3235.member_2 * _e3325)), (vec3<f32>(((_e3362.member * _e3355) + (_e3373.member * _e3356)), ((_e3362.member_1 * _e3355) + (_e3373.member_1 * _e3356)), ((_e3362.member_2 * _e3355) + (_e3373.member_2 * _e3356))) + vec3<f32>((_e3387.member * _e3357), (_e3387.member_1 * _e3357), (_e3387.member_2 * _e3357))));
 }
 let _e3399 = phi_8543_;
@@ -1439,13 +1441,13 @@ let _e3437 = select(1e-6f, _e3435, (_e3435 > 1e-6f));
 let _e3444 = (((_e3420 * _e3420) + (_e3422 * _e3422)) + (_e3424 * _e3424));
 let _e3447 = sqrt(select(0f, _e3444, (_e3444 > 0f)));
 let _e3450 = (((0.05f * _e3437) * _e3437) / select(1e-20f, _e3447, (_e3447 > 1e-20f)));
-let _e3454 = global_1.member.member_5.member_2;
+let _e3454 = global_1.member.member_7.member_2;
 let _e3455 = (0.0625f * _e3454);
 let _e3457 = select(_e3455, _e3450, (_e3450 > _e3455));
-let _e3464 = global_1.member.member_6.member_3.member;
-let _e3469 = global_1.member.member_6.member_3.member_1;
-let _e3474 = global_1.member.member_6.member_3.member_2;
-let _e3482 = global_1.member.member_6.member.member;
+let _e3464 = global_1.member.member_8.member_3.member;
+let _e3469 = global_1.member.member_8.member_3.member_1;
+let _e3474 = global_1.member.member_8.member_3.member_2;
+let _e3482 = global_1.member.member_8.member.member;
 let _e3490 = (((_e3482.member * _e3482.member) + (_e3482.member_1 * _e3482.member_1)) + (_e3482.member_2 * _e3482.member_2));
 let _e3493 = sqrt(select(0f, _e3490, (_e3490 > 0f)));
 let _e3496 = (select(((4f * ((_e3464 + _e3469) + _e3474)) / _e3493), select(_e3454, _e3457, (_e3457 < _e3454)), _e3414) / _e3437);
@@ -1462,8 +1464,8 @@ let _e3530 = ((((_e495.member.member * _e3401.member.x) + (_e495.member.member_1
 let _e3536 = ((((_e465.member.member * _e3508) + (_e465.member.member_1 * _e3510)) + (_e465.member.member_2 * _e3512)) + _e465.member_1);
 let _e3542 = ((((_e480.member.member * _e3508) + (_e480.member.member_1 * _e3510)) + (_e480.member.member_2 * _e3512)) + _e480.member_1);
 let _e3548 = ((((_e495.member.member * _e3508) + (_e495.member.member_1 * _e3510)) + (_e495.member.member_2 * _e3512)) + _e495.member_1);
-let _e3553 = global_1.member.member_6.member_1.member;
-let _e3561 = global_1.member.member_6.member_2.member;
+let _e3553 = global_1.member.member_8.member_1.member;
+let _e3561 = global_1.member.member_8.member_2.member;
 let _e3565 = (_e3464 - 0.5f);
 let _e3566 = (-0.5f - _e3518);
 let _e3567 = (-0.5f - _e3536);
@@ -1575,12 +1577,12 @@ let _e3809 = select(select(select(select(select(select(1f, _e3482.member_2, _e35
 if _e2331 {
 phi_10021_ = type_35(_e3794, vec3<f32>(_e3795, _e3796, _e3797), _e3799, vec3<f32>(_e3800, _e3801, _e3802), _e3804, _e3806, vec3<f32>(_e3807, _e3808, _e3809));
 } else {
-let _e3815 = global_1.member.member_14.member_1;
+let _e3815 = global_1.member.member_16.member_1;
 let _e3816 = (_e3815 != 0u);
-let _e3820 = global_1.member.member_14.member;
+let _e3820 = global_1.member.member_16.member;
 let _e3840 = select(-1e6f, (((((_e3820.member.member * _e3401.member.x) + (_e3820.member.member_1 * _e3401.member.y)) + (_e3820.member.member_2 * _e3401.member.z)) + _e3820.member_1) * _e3493), _e3816);
 let _e3841 = select(-1e6f, (((((_e3820.member.member * _e3508) + (_e3820.member.member_1 * _e3510)) + (_e3820.member.member_2 * _e3512)) + _e3820.member_1) * _e3493), _e3816);
-let _e3846 = global_1.member.member_14.member.member;
+let _e3846 = global_1.member.member_16.member.member;
 let _e3850 = -(_e3840);
 let _e3853 = (_e3840 - _e3841);
 let _e3854 = (_e3841 - _e3840);
@@ -1595,12 +1597,12 @@ let _e3874 = select(_e3794, _e3863, _e3872);
 let _e3878 = select(_e3799, _e3867, _e3873);
 let _e3882 = select(_e3804, _e3840, _e3868);
 let _e3884 = select(_e3806, _e3841, (_e3841 > _e3806));
-let _e3891 = global_1.member.member_15.member_1;
+let _e3891 = global_1.member.member_17.member_1;
 let _e3892 = (_e3891 != 0u);
-let _e3896 = global_1.member.member_15.member;
+let _e3896 = global_1.member.member_17.member;
 let _e3916 = select(-1e6f, (((((_e3896.member.member * _e3401.member.x) + (_e3896.member.member_1 * _e3401.member.y)) + (_e3896.member.member_2 * _e3401.member.z)) + _e3896.member_1) * _e3493), _e3892);
 let _e3917 = select(-1e6f, (((((_e3896.member.member * _e3508) + (_e3896.member.member_1 * _e3510)) + (_e3896.member.member_2 * _e3512)) + _e3896.member_1) * _e3493), _e3892);
-let _e3922 = global_1.member.member_15.member.member;
+let _e3922 = global_1.member.member_17.member.member;
 let _e3926 = -(_e3916);
 let _e3929 = (_e3916 - _e3917);
 let _e3930 = (_e3917 - _e3916);
@@ -1615,12 +1617,12 @@ let _e3950 = select(_e3874, _e3939, _e3948);
 let _e3954 = select(_e3878, _e3943, _e3949);
 let _e3958 = select(_e3882, _e3916, _e3944);
 let _e3960 = select(_e3884, _e3917, (_e3917 > _e3884));
-let _e3967 = global_1.member.member_16.member_1;
+let _e3967 = global_1.member.member_18.member_1;
 let _e3968 = (_e3967 != 0u);
-let _e3972 = global_1.member.member_16.member;
+let _e3972 = global_1.member.member_18.member;
 let _e3992 = select(-1e6f, (((((_e3972.member.member * _e3401.member.x) + (_e3972.member.member_1 * _e3401.member.y)) + (_e3972.member.member_2 * _e3401.member.z)) + _e3972.member_1) * _e3493), _e3968);
 let _e3993 = select(-1e6f, (((((_e3972.member.member * _e3508) + (_e3972.member.member_1 * _e3510)) + (_e3972.member.member_2 * _e3512)) + _e3972.member_1) * _e3493), _e3968);
-let _e3998 = global_1.member.member_16.member.member;
+let _e3998 = global_1.member.member_18.member.member;
 let _e4002 = -(_e3992);
 let _e4005 = (_e3992 - _e3993);
 let _e4006 = (_e3993 - _e3992);
@@ -1635,12 +1637,12 @@ let _e4026 = select(_e3950, _e4015, _e4024);
 let _e4030 = select(_e3954, _e4019, _e4025);
 let _e4034 = select(_e3958, _e3992, _e4020);
 let _e4036 = select(_e3960, _e3993, (_e3993 > _e3960));
-let _e4043 = global_1.member.member_17.member_1;
+let _e4043 = global_1.member.member_19.member_1;
 let _e4044 = (_e4043 != 0u);
-let _e4048 = global_1.member.member_17.member;
+let _e4048 = global_1.member.member_19.member;
 let _e4068 = select(-1e6f, (((((_e4048.member.member * _e3401.member.x) + (_e4048.member.member_1 * _e3401.member.y)) + (_e4048.member.member_2 * _e3401.member.z)) + _e4048.member_1) * _e3493), _e4044);
 let _e4069 = select(-1e6f, (((((_e4048.member.member * _e3508) + (_e4048.member.member_1 * _e3510)) + (_e4048.member.member_2 * _e3512)) + _e4048.member_1) * _e3493), _e4044);
-let _e4074 = global_1.member.member_17.member.member;
+let _e4074 = global_1.member.member_19.member.member;
 let _e4078 = -(_e4068);
 let _e4081 = (_e4068 - _e4069);
 let _e4082 = (_e4069 - _e4068);
@@ -1676,23 +1678,23 @@ let _e4151 = select(1f, _e4147, _e4129);
 let _e4155 = (_e3401.member.x + ((_e3508 - _e3401.member.x) * _e4151));
 let _e4156 = (_e3401.member.y + ((_e3510 - _e3401.member.y) * _e4151));
 let _e4157 = (_e3401.member.z + ((_e3512 - _e3401.member.z) * _e4151));
-let _e4162 = global_1.member.member_13.member.member;
+let _e4162 = global_1.member.member_15.member.member;
 let _e4173 = ((((_e4162.member.member * _e3401.member.x) + (_e4162.member.member_1 * _e3401.member.y)) + (_e4162.member.member_2 * _e3401.member.z)) + _e4162.member_1);
 let _e4179 = ((((_e4162.member.member * _e4155) + (_e4162.member.member_1 * _e4156)) + (_e4162.member.member_2 * _e4157)) + _e4162.member_1);
 let _e4182 = ((_e4173 > 0f) && (_e4179 <= 0f));
 let _e4183 = (_e4173 - _e4179);
 let _e4186 = (_e4173 / select(1e-20f, _e4183, (_e4183 > 1e-20f)));
-let _e4191 = global_1.member.member_13.member_1.member;
+let _e4191 = global_1.member.member_15.member_1.member;
 let _e4202 = ((((_e4191.member.member * _e3401.member.x) + (_e4191.member.member_1 * _e3401.member.y)) + (_e4191.member.member_2 * _e3401.member.z)) + _e4191.member_1);
 let _e4208 = ((((_e4191.member.member * _e4155) + (_e4191.member.member_1 * _e4156)) + (_e4191.member.member_2 * _e4157)) + _e4191.member_1);
 let _e4211 = ((_e4202 > 0f) && (_e4208 <= 0f));
 let _e4212 = (_e4202 - _e4208);
 let _e4215 = (_e4202 / select(1e-20f, _e4212, (_e4212 > 1e-20f)));
 let _e4219 = (_e4211 && (!(_e4182) || (_e4215 < _e4186)));
-let _e4225 = global_1.member.member_13.member_1.member.member;
-let _e4230 = global_1.member.member_13.member_1.member_1;
-let _e4236 = global_1.member.member_13.member.member.member;
-let _e4241 = global_1.member.member_13.member.member_1;
+let _e4225 = global_1.member.member_15.member_1.member.member;
+let _e4230 = global_1.member.member_15.member_1.member_1;
+let _e4236 = global_1.member.member_15.member.member.member;
+let _e4241 = global_1.member.member_15.member.member_1;
 let _e4260 = (_e4182 || _e4211);
 let _e4267 = ((((_e465.member.member * _e4155) + (_e465.member.member_1 * _e4156)) + (_e465.member.member_2 * _e4157)) + _e465.member_1);
 let _e4273 = ((((_e480.member.member * _e4155) + (_e480.member.member_1 * _e4156)) + (_e480.member.member_2 * _e4157)) + _e480.member_1);
@@ -1716,13 +1718,13 @@ let _e4323 = select(-1f, _e4291, (_e4291 > -1f));
 let _e4325 = select(_e3474, _e4323, (_e4323 < _e3474));
 let _e4332 = select(0i, select(select(i32(_e4325), i32(-2147483648), (_e4325 < -2147483600f)), 2147483647i, (_e4325 > 2147483500f)), (_e4325 == _e4325));
 let _e4336 = (_e4332 - select(0i, 1i, (_e4325 < f32(_e4332))));
-let _e4340 = global_1.member.member_6.member_7;
-let _e4344 = global_1.member.member_6.member_8;
+let _e4340 = global_1.member.member_8.member_7;
+let _e4344 = global_1.member.member_8.member_8;
 let _e4345 = (_e4306 + 1i);
 let _e4346 = (_e4321 + 1i);
 let _e4347 = (_e4336 + 1i);
-let _e4352 = global_1.member.member_6.member_11.member;
-let _e4358 = global_1.member.member_6.member_11.member_1;
+let _e4352 = global_1.member.member_8.member_11.member;
+let _e4358 = global_1.member.member_8.member_11.member_1;
 let _e4369 = ((_e4345 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4352) * ((_e4346 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4358) * (_e4347 >> bitcast<u32>(4i))))));
 let _e4371 = (bitcast<i32>(_e207) - 1i);
 let _e4373 = select(_e4371, _e4369, (_e4369 < _e4371));
@@ -1956,8 +1958,8 @@ let _e4892 = local_23[2u];
 let _e4896 = local_23[1u];
 let _e4900 = local_23[2u];
 let _e4904 = local_23[2u];
-let _e4911 = global_1.member.member_6.member_6;
-let _e4915 = global_1.member.member_6.member_5;
+let _e4911 = global_1.member.member_8.member_6;
+let _e4915 = global_1.member.member_8.member_5;
 let _e4917 = (((_e4834 + ((_e4838 - _e4834) * _e4904)) - _e4911) * _e4915);
 let _e4918 = -(1e9f);
 let _e4920 = select(_e4918, _e4917, (_e4917 > _e4918));
@@ -2223,15 +2225,15 @@ let _e5668 = select(0f, 1f, ((((((_e4267 >= -0.5f) && (_e4267 <= _e3565)) && (_e
 let _e5670 = (0.5f * (_e4934 - _e4928));
 let _e5672 = (0.5f * (_e4946 - _e4940));
 let _e5674 = (0.5f * (_e4958 - _e4952));
-let _e5680 = global_1.member.member_6.member.member.member;
-let _e5686 = global_1.member.member_6.member.member.member_1;
-let _e5692 = global_1.member.member_6.member.member.member_2;
-let _e5698 = global_1.member.member_6.member_1.member.member;
-let _e5704 = global_1.member.member_6.member_1.member.member_1;
-let _e5710 = global_1.member.member_6.member_1.member.member_2;
-let _e5716 = global_1.member.member_6.member_2.member.member;
-let _e5722 = global_1.member.member_6.member_2.member.member_1;
-let _e5728 = global_1.member.member_6.member_2.member.member_2;
+let _e5680 = global_1.member.member_8.member.member.member;
+let _e5686 = global_1.member.member_8.member.member.member_1;
+let _e5692 = global_1.member.member_8.member.member.member_2;
+let _e5698 = global_1.member.member_8.member_1.member.member;
+let _e5704 = global_1.member.member_8.member_1.member.member_1;
+let _e5710 = global_1.member.member_8.member_1.member.member_2;
+let _e5716 = global_1.member.member_8.member_2.member.member;
+let _e5722 = global_1.member.member_8.member_2.member.member_1;
+let _e5728 = global_1.member.member_8.member_2.member.member_2;
 phi_16047_ = type_34(_e4922, vec3<f32>(((((_e5680 * _e5670) + (_e5698 * _e5672)) + (_e5716 * _e5674)) * _e5668), ((((_e5686 * _e5670) + (_e5704 * _e5672)) + (_e5722 * _e5674)) * _e5668), ((((_e5692 * _e5670) + (_e5710 * _e5672)) + (_e5728 * _e5674)) * _e5668)), _e5653.member, vec3<f32>(((((_e5680 * _e5653.member_2.x) + (_e5698 * _e5653.member_2.y)) + (_e5716 * _e5653.member_2.z)) * _e5668), ((((_e5686 * _e5653.member_2.x) + (_e5704 * _e5653.member_2.y)) + (_e5722 * _e5653.member_2.z)) * _e5668), ((((_e5692 * _e5653.member_2.x) + (_e5710 * _e5653.member_2.y)) + (_e5728 * _e5653.member_2.z)) * _e5668)), vec3<f32>(((((_e5680 * _e5653.member_1.x) + (_e5698 * _e5653.member_1.y)) + (_e5716 * _e5653.member_1.z)) * _e5668), ((((_e5686 * _e5653.member_1.x) + (_e5704 * _e5653.member_1.y)) + (_e5722 * _e5653.member_1.z)) * _e5668), ((((_e5692 * _e5653.member_1.x) + (_e5710 * _e5653.member_1.y)) + (_e5728 * _e5653.member_1.z)) * _e5668)));
 } else {
 let _e5794 = select(-0.5f, _e4267, (_e4267 > -0.5f));
@@ -2252,13 +2254,13 @@ let _e5836 = select(-1f, _e5804, (_e5804 > -1f));
 let _e5838 = select(_e3474, _e5836, (_e5836 < _e3474));
 let _e5845 = select(0i, select(select(i32(_e5838), i32(-2147483648), (_e5838 < -2147483600f)), 2147483647i, (_e5838 > 2147483500f)), (_e5838 == _e5838));
 let _e5849 = (_e5845 - select(0i, 1i, (_e5838 < f32(_e5845))));
-let _e5853 = global_1.member.member_6.member_7;
-let _e5857 = global_1.member.member_6.member_8;
+let _e5853 = global_1.member.member_8.member_7;
+let _e5857 = global_1.member.member_8.member_8;
 let _e5858 = (_e5819 + 1i);
 let _e5859 = (_e5834 + 1i);
 let _e5860 = (_e5849 + 1i);
-let _e5865 = global_1.member.member_6.member_11.member;
-let _e5871 = global_1.member.member_6.member_11.member_1;
+let _e5865 = global_1.member.member_8.member_11.member;
+let _e5871 = global_1.member.member_8.member_11.member_1;
 let _e5882 = ((_e5858 >> bitcast<u32>(4i)) + (bitcast<i32>(_e5865) * ((_e5859 >> bitcast<u32>(4i)) + (bitcast<i32>(_e5871) * (_e5860 >> bitcast<u32>(4i))))));
 let _e5884 = (bitcast<i32>(_e207) - 1i);
 let _e5886 = select(_e5884, _e5882, (_e5882 < _e5884));
@@ -2322,8 +2324,8 @@ let _e6022 = global_2.member[bitcast<u32>(select(0i, _e6017, (_e6017 > 0i)))];
 let _e6024 = local_7[0u];
 let _e6028 = local_7[1u];
 let _e6033 = local_7[2u];
-let _e6040 = global_1.member.member_6.member_6;
-let _e6044 = global_1.member.member_6.member_5;
+let _e6040 = global_1.member.member_8.member_6;
+let _e6044 = global_1.member.member_8.member_5;
 let _e6046 = (((_e5977 + (((_e6002 + (((_e6013 + ((bitcast<f32>(_e6022) - _e6013) * _e6024)) - _e6002) * _e6028)) - _e5977) * _e6033)) - _e6040) * _e6044);
 let _e6047 = -(1e9f);
 let _e6049 = select(_e6047, _e6046, (_e6046 > _e6047));
@@ -2333,7 +2335,7 @@ let _e6054 = phi_16047_;
 if _e2331 {
 phi_16439_ = type_7(1f, 1f, 1f);
 } else {
-let _e6058 = global_1.member.member_14.member;
+let _e6058 = global_1.member.member_16.member;
 let _e6069 = ((((_e6058.member.member * _e3401.member.x) + (_e6058.member.member_1 * _e3401.member.y)) + (_e6058.member.member_2 * _e3401.member.z)) + _e6058.member_1);
 let _e6075 = ((((_e6058.member.member * _e4155) + (_e6058.member.member_1 * _e4156)) + (_e6058.member.member_2 * _e4157)) + _e6058.member_1);
 let _e6077 = select(_e6075, _e6069, (_e6069 < _e6075));
@@ -2342,9 +2344,9 @@ let _e6081 = (_e6079 - _e6077);
 let _e6084 = (-(_e6077) / select(1e-30f, _e6081, (_e6081 > 1e-30f)));
 let _e6086 = select(0f, _e6084, (_e6084 > 0f));
 let _e6092 = select(select(select(1f, _e6086, (_e6086 < 1f)), 1f, (_e6079 <= 0f)), 0f, (_e6077 > 0f));
-let _e6097 = global_1.member.member_14.member_1;
+let _e6097 = global_1.member.member_16.member_1;
 let _e6098 = (_e6097 != 0u);
-let _e6108 = global_1.member.member_15.member;
+let _e6108 = global_1.member.member_17.member;
 let _e6119 = ((((_e6108.member.member * _e3401.member.x) + (_e6108.member.member_1 * _e3401.member.y)) + (_e6108.member.member_2 * _e3401.member.z)) + _e6108.member_1);
 let _e6125 = ((((_e6108.member.member * _e4155) + (_e6108.member.member_1 * _e4156)) + (_e6108.member.member_2 * _e4157)) + _e6108.member_1);
 let _e6127 = select(_e6125, _e6119, (_e6119 < _e6125));
@@ -2353,9 +2355,9 @@ let _e6131 = (_e6129 - _e6127);
 let _e6134 = (-(_e6127) / select(1e-30f, _e6131, (_e6131 > 1e-30f)));
 let _e6136 = select(0f, _e6134, (_e6134 > 0f));
 let _e6142 = select(select(select(1f, _e6136, (_e6136 < 1f)), 1f, (_e6129 <= 0f)), 0f, (_e6127 > 0f));
-let _e6147 = global_1.member.member_15.member_1;
+let _e6147 = global_1.member.member_17.member_1;
 let _e6148 = (_e6147 != 0u);
-let _e6158 = global_1.member.member_16.member;
+let _e6158 = global_1.member.member_18.member;
 let _e6169 = ((((_e6158.member.member * _e3401.member.x) + (_e6158.member.member_1 * _e3401.member.y)) + (_e6158.member.member_2 * _e3401.member.z)) + _e6158.member_1);
 let _e6175 = ((((_e6158.member.member * _e4155) + (_e6158.member.member_1 * _e4156)) + (_e6158.member.member_2 * _e4157)) + _e6158.member_1);
 let _e6177 = select(_e6175, _e6169, (_e6169 < _e6175));
@@ -2364,9 +2366,9 @@ let _e6181 = (_e6179 - _e6177);
 let _e6184 = (-(_e6177) / select(1e-30f, _e6181, (_e6181 > 1e-30f)));
 let _e6186 = select(0f, _e6184, (_e6184 > 0f));
 let _e6192 = select(select(select(1f, _e6186, (_e6186 < 1f)), 1f, (_e6179 <= 0f)), 0f, (_e6177 > 0f));
-let _e6197 = global_1.member.member_16.member_1;
+let _e6197 = global_1.member.member_18.member_1;
 let _e6198 = (_e6197 != 0u);
-let _e6208 = global_1.member.member_17.member;
+let _e6208 = global_1.member.member_19.member;
 let _e6219 = ((((_e6208.member.member * _e3401.member.x) + (_e6208.member.member_1 * _e3401.member.y)) + (_e6208.member.member_2 * _e3401.member.z)) + _e6208.member_1);
 let _e6225 = ((((_e6208.member.member * _e4155) + (_e6208.member.member_1 * _e4156)) + (_e6208.member.member_2 * _e4157)) + _e6208.member_1);
 let _e6227 = select(_e6225, _e6219, (_e6219 < _e6225));
@@ -2375,7 +2377,7 @@ let _e6231 = (_e6229 - _e6227);
 let _e6234 = (-(_e6227) / select(1e-30f, _e6231, (_e6231 > 1e-30f)));
 let _e6236 = select(0f, _e6234, (_e6234 > 0f));
 let _e6242 = select(select(select(1f, _e6236, (_e6236 < 1f)), 1f, (_e6229 <= 0f)), 0f, (_e6227 > 0f));
-let _e6247 = global_1.member.member_17.member_1;
+let _e6247 = global_1.member.member_19.member_1;
 let _e6248 = (_e6247 != 0u);
 phi_16439_ = type_7(((((1f * _e6092) * _e6142) * _e6192) * _e6242), ((((1f * select(1f, _e6092, _e6098)) * select(1f, _e6142, _e6148)) * select(1f, _e6192, _e6198)) * select(1f, _e6242, _e6248)), ((((1f * select(1f, 0f, (_e6098 && (_e6075 > 0f)))) * select(1f, 0f, (_e6148 && (_e6125 > 0f)))) * select(1f, 0f, (_e6198 && (_e6175 > 0f)))) * select(1f, 0f, (_e6248 && (_e6225 > 0f)))));
 }
@@ -2402,13 +2404,13 @@ let _e6310 = select(-1f, _e6278, (_e6278 > -1f));
 let _e6312 = select(_e3474, _e6310, (_e6310 < _e3474));
 let _e6319 = select(0i, select(select(i32(_e6312), i32(-2147483648), (_e6312 < -2147483600f)), 2147483647i, (_e6312 > 2147483500f)), (_e6312 == _e6312));
 let _e6323 = (_e6319 - select(0i, 1i, (_e6312 < f32(_e6319))));
-let _e6327 = global_1.member.member_6.member_7;
-let _e6331 = global_1.member.member_6.member_8;
+let _e6327 = global_1.member.member_8.member_7;
+let _e6331 = global_1.member.member_8.member_8;
 let _e6332 = (_e6293 + 1i);
 let _e6333 = (_e6308 + 1i);
 let _e6334 = (_e6323 + 1i);
-let _e6339 = global_1.member.member_6.member_11.member;
-let _e6345 = global_1.member.member_6.member_11.member_1;
+let _e6339 = global_1.member.member_8.member_11.member;
+let _e6345 = global_1.member.member_8.member_11.member_1;
 let _e6356 = ((_e6332 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6339) * ((_e6333 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6345) * (_e6334 >> bitcast<u32>(4i))))));
 let _e6358 = (bitcast<i32>(_e207) - 1i);
 let _e6360 = select(_e6358, _e6356, (_e6356 < _e6358));
@@ -2472,8 +2474,8 @@ let _e6496 = global_2.member[bitcast<u32>(select(0i, _e6491, (_e6491 > 0i)))];
 let _e6498 = local_5[0u];
 let _e6502 = local_5[1u];
 let _e6507 = local_5[2u];
-let _e6514 = global_1.member.member_6.member_6;
-let _e6518 = global_1.member.member_6.member_5;
+let _e6514 = global_1.member.member_8.member_6;
+let _e6518 = global_1.member.member_8.member_5;
 let _e6520 = (((_e6451 + (((_e6476 + (((_e6487 + ((bitcast<f32>(_e6496) - _e6487) * _e6498)) - _e6476) * _e6502)) - _e6451) * _e6507)) - _e6514) * _e6518);
 let _e6521 = -(1e9f);
 let _e6523 = select(_e6521, _e6520, (_e6520 > _e6521));
@@ -2594,7 +2596,7 @@ let _e6890 = select(select(1f, _e6887, (_e6887 < 1f)), 1f, _e6867);
 let _e6892 = select(_e6862, _e6834, (_e6834 < _e6862));
 let _e6896 = select(_e6855, _e6827, (_e6827 > _e6855));
 let _e6899 = (select(_e6890, _e6892, (_e6892 < _e6890)) - select(_e6883, _e6896, (_e6896 > _e6883)));
-let _e6907 = global_1.member.member_5.member_3;
+let _e6907 = global_1.member.member_7.member_3;
 let _e6908 = (((sqrt(select(0f, _e6803, (_e6803 > 0f))) * select(0f, _e6899, (_e6899 > 0f))) * _e6795) * _e6907);
 local_1 = _e6794;
 let _e6909 = local_1;
@@ -2881,24 +2883,24 @@ let _e8059 = (0.5f * _e6795);
 let _e8063 = (_e3401.member.x + (_e6796 * _e8059));
 let _e8064 = (_e3401.member.y + (_e6797 * _e8059));
 let _e8065 = (_e3401.member.z + (_e6798 * _e8059));
-let _e8069 = global_1.member.member_10.member;
+let _e8069 = global_1.member.member_12.member;
 let _e8080 = ((((_e8069.member.member * _e8063) + (_e8069.member.member_1 * _e8064)) + (_e8069.member.member_2 * _e8065)) + _e8069.member_1);
-let _e8084 = global_1.member.member_10.member_1;
+let _e8084 = global_1.member.member_12.member_1;
 let _e8095 = ((((_e8084.member.member * _e8063) + (_e8084.member.member_1 * _e8064)) + (_e8084.member.member_2 * _e8065)) + _e8084.member_1);
-let _e8099 = global_1.member.member_10.member_2;
+let _e8099 = global_1.member.member_12.member_2;
 let _e8110 = ((((_e8099.member.member * _e8063) + (_e8099.member.member_1 * _e8064)) + (_e8099.member.member_2 * _e8065)) + _e8099.member_1);
 let _e8111 = (_e3165 != 0u);
-let _e8119 = global_1.member.member_10.member_19.member_2;
+let _e8119 = global_1.member.member_12.member_19.member_2;
 let _e8121 = select(1f, (_e8110 - _e8119), _e8111);
 let _e8124 = (1f / select(1e-12f, _e8121, (_e8121 > 1e-12f)));
-let _e8129 = global_1.member.member_10.member_5;
-let _e8134 = global_1.member.member_10.member_8;
-let _e8140 = global_1.member.member_10.member_6;
-let _e8146 = global_1.member.member_10.member_11;
+let _e8129 = global_1.member.member_12.member_5;
+let _e8134 = global_1.member.member_12.member_8;
+let _e8140 = global_1.member.member_12.member_6;
+let _e8146 = global_1.member.member_12.member_11;
 let _e8147 = ((((_e8080 * _e8124) - _e8129) * _e8134) - _e8146);
 let _e8148 = ((((_e8095 * _e8124) - _e8140) * _e8134) - _e8146);
-let _e8152 = global_1.member.member_10.member_9;
-let _e8157 = global_1.member.member_10.member_10;
+let _e8152 = global_1.member.member_12.member_9;
+let _e8157 = global_1.member.member_12.member_10;
 let _e8158 = ((_e8110 - _e8152) * _e8157);
 let _e8159 = -(65536f);
 let _e8161 = select(_e8159, _e8147, (_e8147 > _e8159));
@@ -2917,11 +2919,11 @@ let _e8206 = (firstTrailingBit(8u) & 31u);
 let _e8208 = (_e8204 >> bitcast<u32>(_e8206));
 let _e8210 = (_e8174 >> bitcast<u32>(_e8206));
 let _e8212 = (_e8189 >> bitcast<u32>(_e8206));
-let _e8217 = global_1.member.member_10.member_14.member;
+let _e8217 = global_1.member.member_12.member_14.member;
 let _e8218 = bitcast<i32>(_e8217);
-let _e8223 = global_1.member.member_10.member_14.member_1;
+let _e8223 = global_1.member.member_12.member_14.member_1;
 let _e8224 = bitcast<i32>(_e8223);
-let _e8229 = global_1.member.member_10.member_14.member_2;
+let _e8229 = global_1.member.member_12.member_14.member_2;
 if ((((((_e8210 >= 0i) && (_e8210 < _e8218)) && (_e8212 >= 0i)) && (_e8212 < _e8224)) && (_e8208 >= 0i)) && (_e8208 < bitcast<i32>(_e8229))) {
 phi_20496_ = (((((_e8208 * _e8224) + _e8212) * _e8218) + _e8210) * 3i);
 } else {
@@ -2935,7 +2937,7 @@ let _e8259 = global_4.member[bitcast<u32>(select(0i, _e8253, (_e8253 > 0i)))];
 let _e8261 = select(_e8251, _e8248, (_e8248 < _e8251));
 let _e8267 = global_4.member[bitcast<u32>(select(0i, _e8261, (_e8261 > 0i)))];
 let _e8270 = select(_e8259, 0u, (_e8248 < 0i));
-let _e8274 = global_1.member.member_10.member_13;
+let _e8274 = global_1.member.member_12.member_13;
 let _e8275 = (_e8270 * 81u);
 let _e8279 = bitcast<i32>((((_e8275 * _e8274) + 63u) & 4294967232u));
 let _e8287 = (((bitcast<i32>(_e8267) + ((_e8204 & 7i) * _e8279)) + ((_e8189 & 7i) * 9i)) + (_e8174 & 7i));
@@ -2978,7 +2980,7 @@ let _e8396 = select(1f, (_e8343 + (((_e8366 + (((_e8376 + ((bitcast<f32>(_e8385)
 if (((_e222.member_2 == 3u) || (_e222.member_2 == 4u)) || _e508) {
 phi_21073_ = vec3(_e8396);
 } else {
-let _e8405 = global_1.member.member_10.member_12;
+let _e8405 = global_1.member.member_12.member_12;
 let _e8406 = (_e8405 > 1u);
 let _e8410 = (_e8287 + (select(0i, 1i, _e8406) * _e8288));
 let _e8412 = select(_e8251, _e8410, (_e8410 < _e8251));
@@ -3045,7 +3047,7 @@ let _e8603 = global_4.member[bitcast<u32>(select(0i, _e8597, (_e8597 > 0i)))];
 phi_21073_ = vec3<f32>(_e8396, select(1f, (_e8458 + (((_e8481 + (((_e8491 + ((bitcast<f32>(_e8500) - _e8491) * _e8290)) - _e8481) * _e8292)) - _e8458) * _e8294)), _e8295), select(1f, (_e8561 + (((_e8584 + (((_e8594 + ((bitcast<f32>(_e8603) - _e8594) * _e8290)) - _e8584) * _e8292)) - _e8561) * _e8294)), _e8295));
 }
 let _e8617 = phi_21073_;
-let _e8618 = global_1.member.member_10.member_19;
+let _e8618 = global_1.member.member_12.member_19;
 let _e8622 = (_e8080 - _e8618.member);
 let _e8623 = (_e8095 - _e8618.member_1);
 let _e8624 = (_e8110 - _e8618.member_2);
@@ -3121,21 +3123,21 @@ let _e8913 = phi_21480_;
 if _e3166 {
 phi_21574_ = 1f;
 } else {
-let _e8919 = global_1.member.member_10.member_20.member;
+let _e8919 = global_1.member.member_12.member_20.member;
 let _e8927 = (((_e8919.member * _e8622) + (_e8919.member_1 * _e8623)) + (_e8919.member_2 * _e8624));
 let _e8931 = (_e8622 - (_e8919.member * _e8927));
 let _e8932 = (_e8623 - (_e8919.member_1 * _e8927));
 let _e8933 = (_e8624 - (_e8919.member_2 * _e8927));
 let _e8938 = (((_e8931 * _e8931) + (_e8932 * _e8932)) + (_e8933 * _e8933));
-let _e8949 = global_1.member.member_10.member_20.member_1;
-let _e8955 = global_1.member.member_10.member_20.member_2;
+let _e8949 = global_1.member.member_12.member_20.member_1;
+let _e8955 = global_1.member.member_12.member_20.member_2;
 let _e8956 = ((_e8949 - (sqrt(select(0f, _e8938, (_e8938 > 0f))) / select(1e-20f, _e8927, (_e8927 > 1e-20f)))) * _e8955);
 let _e8958 = select(0f, _e8956, (_e8956 > 0f));
 let _e8960 = select(1f, _e8958, (_e8958 < 1f));
 phi_21574_ = select(1f, select(0f, ((_e8960 * _e8960) * (3f - (2f * _e8960))), (_e8927 > 0f)), (_e8955 > 0f));
 }
 let _e8970 = phi_21574_;
-let _e8975 = global_1.member.member_9.member_1;
+let _e8975 = global_1.member.member_11.member_1;
 if _e3166 {
 phi_21616_ = 1f;
 } else {
@@ -3143,9 +3145,9 @@ phi_21616_ = (1f / select(1e-12f, _e8629, (_e8629 > 1e-12f)));
 }
 let _e8989 = phi_21616_;
 let _e8990 = (_e8989 * select(_e8970, 1f, (_e515 && _e8295)));
-let _e8999 = global_1.member.member_10.member.member;
-let _e9011 = global_1.member.member_10.member_1.member;
-let _e9026 = global_1.member.member_10.member_2.member;
+let _e8999 = global_1.member.member_12.member.member;
+let _e9011 = global_1.member.member_12.member_1.member;
+let _e9026 = global_1.member.member_12.member_2.member;
 phi_21648_ = type_36(vec3<f32>(((_e8617.x * _e8975.member) * _e8990), ((_e8617.y * _e8975.member_1) * _e8990), ((_e8617.z * _e8975.member_2) * _e8990)), (vec3<f32>(((_e8999.member * _e8913.x) + (_e9011.member * _e8913.y)), ((_e8999.member_1 * _e8913.x) + (_e9011.member_1 * _e8913.y)), ((_e8999.member_2 * _e8913.x) + (_e9011.member_2 * _e8913.y))) + vec3<f32>((_e9026.member * _e8913.z), (_e9026.member_1 * _e8913.z), (_e9026.member_2 * _e8913.z))));
 }
 let _e9039 = phi_21648_;
@@ -3154,7 +3156,7 @@ let _e9051 = sqrt(select(0f, _e9048, (_e9048 > 0f)));
 let _e9053 = ((_e2329 & 8u) != 0u);
 let _e9057 = (1e-6f * _e9051);
 let _e9061 = select((_e9051 / select(_e9057, _e9039.member_1.z, (_e9039.member_1.z > _e9057))), 1f, _e9053);
-let _e9073 = global_1.member.member_18;
+let _e9073 = global_1.member.member_20;
 let _e9080 = (1f - _e3401.member_6);
 let _e9097 = (_e3401.member_5.x + ((_e3401.member_7.x * ((((((_e7671 + (((_e7676 + (((bitcast<f32>(((_e7642 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7676) * _e7301)) - _e7671) * _e7299)) * _e7303) + (((bitcast<f32>(((_e7650 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e7288) + ((bitcast<f32>(((_e7658 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e7294))) * _e8054) * ((_e9039.member.x * _e9061) + _e9073.member)) + 0f)) * _e9080));
 let _e9099 = (_e3401.member_5.y + ((_e3401.member_7.y * ((((((_e7727 + (((_e7732 + (((bitcast<f32>((((_e7642 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e7732) * _e7301)) - _e7727) * _e7299)) * _e7303) + (((bitcast<f32>((((_e7650 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e7288) + ((bitcast<f32>((((_e7658 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e7294))) * _e8054) * ((_e9039.member.y * _e9061) + _e9073.member_1)) + 0f)) * _e9080));
@@ -3167,14 +3169,14 @@ let _e9114 = (_e3401.member_4 + ((_e9103 - _e3401.member_6) * (_e3401.member.z +
 let _e9118 = (_e3401.member.x + (_e6796 * _e6795));
 let _e9119 = (_e3401.member.y + (_e6797 * _e6795));
 let _e9120 = (_e3401.member.z + (_e6798 * _e6795));
-let _e9124 = global_1.member.member_10.member;
+let _e9124 = global_1.member.member_12.member;
 let _e9135 = ((((_e9124.member.member * _e9118) + (_e9124.member.member_1 * _e9119)) + (_e9124.member.member_2 * _e9120)) + _e9124.member_1);
-let _e9139 = global_1.member.member_10.member_1;
+let _e9139 = global_1.member.member_12.member_1;
 let _e9150 = ((((_e9139.member.member * _e9118) + (_e9139.member.member_1 * _e9119)) + (_e9139.member.member_2 * _e9120)) + _e9139.member_1);
-let _e9154 = global_1.member.member_10.member_2;
+let _e9154 = global_1.member.member_12.member_2;
 let _e9165 = ((((_e9154.member.member * _e9118) + (_e9154.member.member_1 * _e9119)) + (_e9154.member.member_2 * _e9120)) + _e9154.member_1);
 let _e9166 = (_e3165 != 0u);
-let _e9170 = global_1.member.member_10.member_19;
+let _e9170 = global_1.member.member_12.member_19;
 let _e9174 = (_e9135 - _e9170.member);
 let _e9175 = (_e9150 - _e9170.member_1);
 let _e9176 = (_e9165 - _e9170.member_2);
@@ -3184,36 +3186,36 @@ let _e9187 = (1f / select(1e-20f, _e9184, (_e9184 > 1e-20f)));
 let _e9191 = select(0f, (_e9174 * _e9187), _e9166);
 let _e9192 = select(0f, (_e9175 * _e9187), _e9166);
 let _e9193 = select(1f, (_e9176 * _e9187), _e9166);
-let _e9198 = global_1.member.member_10.member.member;
-let _e9209 = global_1.member.member_10.member_1.member;
-let _e9223 = global_1.member.member_10.member_2.member;
+let _e9198 = global_1.member.member_12.member.member;
+let _e9209 = global_1.member.member_12.member_1.member;
+let _e9223 = global_1.member.member_12.member_2.member;
 let _e9232 = (vec3<f32>(((_e9198.member * _e9191) + (_e9209.member * _e9192)), ((_e9198.member_1 * _e9191) + (_e9209.member_1 * _e9192)), ((_e9198.member_2 * _e9191) + (_e9209.member_2 * _e9192))) + vec3<f32>((_e9223.member * _e9193), (_e9223.member_1 * _e9193), (_e9223.member_2 * _e9193)));
 if ((_e2329 & 256u) != 0u) {
-let _e9240 = global_1.member.member_10.member_18.member.member;
+let _e9240 = global_1.member.member_12.member_18.member.member;
 let _e9241 = bitcast<i32>(_e9240);
-let _e9247 = global_1.member.member_10.member_18.member.member_1;
+let _e9247 = global_1.member.member_12.member_18.member.member_1;
 let _e9248 = bitcast<i32>(_e9247);
-let _e9253 = global_1.member.member_10.member_19.member_2;
+let _e9253 = global_1.member.member_12.member_19.member_2;
 let _e9255 = select(1f, (_e9165 - _e9253), _e9166);
 let _e9258 = (1f / select(1e-12f, _e9255, (_e9255 > 1e-12f)));
-let _e9263 = global_1.member.member_10.member_5;
-let _e9268 = global_1.member.member_10.member_8;
+let _e9263 = global_1.member.member_12.member_5;
+let _e9268 = global_1.member.member_12.member_8;
 let _e9269 = (((_e9135 * _e9258) - _e9263) * _e9268);
-let _e9274 = global_1.member.member_10.member_6;
+let _e9274 = global_1.member.member_12.member_6;
 let _e9276 = (((_e9150 * _e9258) - _e9274) * _e9268);
-let _e9281 = global_1.member.member_10.member_4.member;
+let _e9281 = global_1.member.member_12.member_4.member;
 let _e9283 = f32(bitcast<i32>(_e9281));
 let _e9285 = select(0f, _e9269, (_e9269 > 0f));
-let _e9292 = global_1.member.member_10.member_18.member_1;
+let _e9292 = global_1.member.member_12.member_18.member_1;
 let _e9295 = ((_e9269 - _e9283) * _e9292);
-let _e9300 = global_1.member.member_10.member_18.member_2;
+let _e9300 = global_1.member.member_12.member_18.member_2;
 let _e9302 = select(0f, _e9295, (_e9295 > 0f));
 let _e9304 = (_e9300 + _e9302);
 let _e9309 = (-(_e9269) * _e9292);
 let _e9311 = select(0f, _e9309, (_e9309 > 0f));
 let _e9313 = (_e9300 + _e9311);
 let _e9320 = (((_e9300 + (select(_e9283, _e9285, (_e9285 < _e9283)) * _e9292)) + (((_e9302 * _e9300) / select(1e-12f, _e9304, (_e9304 > 1e-12f))) - ((_e9311 * _e9300) / select(1e-12f, _e9313, (_e9313 > 1e-12f))))) - 0.5f);
-let _e9325 = global_1.member.member_10.member_4.member_1;
+let _e9325 = global_1.member.member_12.member_4.member_1;
 let _e9327 = f32(bitcast<i32>(_e9325));
 let _e9329 = select(0f, _e9276, (_e9276 > 0f));
 let _e9334 = ((_e9276 - _e9327) * _e9292);
@@ -3240,10 +3242,10 @@ let _e9396 = (_e9354 - f32(_e9388));
 let _e9398 = select(0f, _e9396, (_e9396 > 0f));
 let _e9400 = select(1f, _e9398, (_e9398 < 1f));
 if _e4219 {
-let _e9405 = global_1.member.member_10.member_18.member_4;
+let _e9405 = global_1.member.member_12.member_18.member_4;
 phi_22130_ = _e9405;
 } else {
-let _e9410 = global_1.member.member_10.member_18.member_3;
+let _e9410 = global_1.member.member_12.member_18.member_3;
 phi_22130_ = _e9410;
 }
 let _e9412 = phi_22130_;
@@ -3303,14 +3305,14 @@ phi_22528_ = vec3<f32>(_e9467, _e9516, _e9566);
 if _e3166 {
 phi_22467_ = 1f;
 } else {
-let _e9572 = global_1.member.member_10.member_20.member;
+let _e9572 = global_1.member.member_12.member_20.member;
 let _e9580 = (((_e9572.member * _e9174) + (_e9572.member_1 * _e9175)) + (_e9572.member_2 * _e9176));
 let _e9584 = (_e9174 - (_e9572.member * _e9580));
 let _e9585 = (_e9175 - (_e9572.member_1 * _e9580));
 let _e9586 = (_e9176 - (_e9572.member_2 * _e9580));
 let _e9591 = (((_e9584 * _e9584) + (_e9585 * _e9585)) + (_e9586 * _e9586));
-let _e9602 = global_1.member.member_10.member_20.member_1;
-let _e9608 = global_1.member.member_10.member_20.member_2;
+let _e9602 = global_1.member.member_12.member_20.member_1;
+let _e9608 = global_1.member.member_12.member_20.member_2;
 let _e9609 = ((_e9602 - (sqrt(select(0f, _e9591, (_e9591 > 0f))) / select(1e-20f, _e9580, (_e9580 > 1e-20f)))) * _e9608);
 let _e9611 = select(0f, _e9609, (_e9609 > 0f));
 let _e9613 = select(1f, _e9611, (_e9611 < 1f));
@@ -3330,15 +3332,15 @@ let _e9642 = phi_22523_;
 phi_22528_ = vec3<f32>((select(0f, _e9629, (_e9629 > 0f)) * _e9642), (select(0f, _e9630, (_e9630 > 0f)) * _e9642), (select(0f, _e9631, (_e9631 > 0f)) * _e9642));
 }
 let _e9648 = phi_22528_;
-let _e9652 = global_1.member.member_9.member_1;
+let _e9652 = global_1.member.member_11.member_1;
 phi_22788_ = type_36((vec3<f32>(_e9652.member, _e9652.member_1, _e9652.member_2) * _e9648), _e9232);
 } else {
 if _e3166 {
-let _e9662 = global_1.member.member_9.member_1;
-let _e9670 = global_1.member.member_9.member;
+let _e9662 = global_1.member.member_11.member_1;
+let _e9670 = global_1.member.member_11.member;
 phi_22787_ = type_36(vec3<f32>(_e9662.member, _e9662.member_1, _e9662.member_2), vec3<f32>(_e9670.member, _e9670.member_1, _e9670.member_2));
 } else {
-let _e9679 = global_1.member.member_9.member_1;
+let _e9679 = global_1.member.member_11.member_1;
 if _e3166 {
 phi_22631_ = 1f;
 } else {
@@ -3348,14 +3350,14 @@ let _e9687 = phi_22631_;
 if _e3166 {
 phi_22715_ = 1f;
 } else {
-let _e9692 = global_1.member.member_10.member_20.member;
+let _e9692 = global_1.member.member_12.member_20.member;
 let _e9700 = (((_e9692.member * _e9174) + (_e9692.member_1 * _e9175)) + (_e9692.member_2 * _e9176));
 let _e9704 = (_e9174 - (_e9692.member * _e9700));
 let _e9705 = (_e9175 - (_e9692.member_1 * _e9700));
 let _e9706 = (_e9176 - (_e9692.member_2 * _e9700));
 let _e9711 = (((_e9704 * _e9704) + (_e9705 * _e9705)) + (_e9706 * _e9706));
-let _e9722 = global_1.member.member_10.member_20.member_1;
-let _e9728 = global_1.member.member_10.member_20.member_2;
+let _e9722 = global_1.member.member_12.member_20.member_1;
+let _e9728 = global_1.member.member_12.member_20.member_2;
 let _e9729 = ((_e9722 - (sqrt(select(0f, _e9711, (_e9711 > 0f))) / select(1e-20f, _e9700, (_e9700 > 1e-20f)))) * _e9728);
 let _e9731 = select(0f, _e9729, (_e9729 > 0f));
 let _e9733 = select(1f, _e9731, (_e9731 < 1f));

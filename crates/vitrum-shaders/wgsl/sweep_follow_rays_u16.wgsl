@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -423,25 +425,25 @@ let _e455 = vec3<f32>(_e246, _e256, _e267);
 let _e456 = vec3<f32>(_e278, _e289, _e300);
 let _e457 = vec3<f32>(_e344, _e355, _e366);
 let _e458 = vec3<f32>(_e388, _e399, _e410);
-let _e463 = global_1.member.member_6.member;
+let _e463 = global_1.member.member_8.member;
 let _e474 = ((((_e463.member.member * _e246) + (_e463.member.member_1 * _e256)) + (_e463.member.member_2 * _e267)) + _e463.member_1);
-let _e478 = global_1.member.member_6.member_1;
+let _e478 = global_1.member.member_8.member_1;
 let _e489 = ((((_e478.member.member * _e246) + (_e478.member.member_1 * _e256)) + (_e478.member.member_2 * _e267)) + _e478.member_1);
-let _e493 = global_1.member.member_6.member_2;
+let _e493 = global_1.member.member_8.member_2;
 let _e504 = ((((_e493.member.member * _e246) + (_e493.member.member_1 * _e256)) + (_e493.member.member_2 * _e267)) + _e493.member_1);
 let _e506 = (_e220.member_2 == 5u);
 let _e512 = ((_e220.member_2 == 2u) || (_e220.member_2 == 7u));
 let _e513 = ((((_e220.member_2 == 1u) || _e506) || (_e220.member_2 == 6u)) || _e512);
 if _e513 {
-let _e518 = global_1.member.member_6.member_3.member;
+let _e518 = global_1.member.member_8.member_3.member;
 let _e519 = (_e518 - 0.5f);
 let _e521 = select(-0.5f, _e474, (_e474 > -0.5f));
 let _e523 = select(_e519, _e521, (_e521 < _e519));
-let _e528 = global_1.member.member_6.member_3.member_1;
+let _e528 = global_1.member.member_8.member_3.member_1;
 let _e529 = (_e528 - 0.5f);
 let _e531 = select(-0.5f, _e489, (_e489 > -0.5f));
 let _e533 = select(_e529, _e531, (_e531 < _e529));
-let _e538 = global_1.member.member_6.member_3.member_2;
+let _e538 = global_1.member.member_8.member_3.member_2;
 let _e539 = (_e538 - 0.5f);
 let _e541 = select(-0.5f, _e504, (_e504 > -0.5f));
 let _e543 = select(_e539, _e541, (_e541 < _e539));
@@ -457,8 +459,8 @@ let _e575 = select(-1f, _e543, (_e543 > -1f));
 let _e577 = select(_e538, _e575, (_e575 < _e538));
 let _e584 = select(0i, select(select(i32(_e577), i32(-2147483648), (_e577 < -2147483600f)), 2147483647i, (_e577 > 2147483500f)), (_e577 == _e577));
 let _e588 = (_e584 - select(0i, 1i, (_e577 < f32(_e584))));
-let _e592 = global_1.member.member_6.member_7;
-let _e596 = global_1.member.member_6.member_8;
+let _e592 = global_1.member.member_8.member_7;
+let _e596 = global_1.member.member_8.member_8;
 let _e604 = (select(0i, select(select(i32(_e528), i32(-2147483648), (_e528 < -2147483600f)), 2147483647i, (_e528 > 2147483500f)), (_e528 == _e528)) - 1i);
 let _e605 = (_e573 - 1i);
 let _e610 = (_e573 + 1i);
@@ -765,8 +767,8 @@ let _e1610 = local_41[2u];
 let _e1614 = local_41[1u];
 let _e1618 = local_41[2u];
 let _e1622 = local_41[2u];
-let _e1629 = global_1.member.member_6.member_6;
-let _e1633 = global_1.member.member_6.member_5;
+let _e1629 = global_1.member.member_8.member_6;
+let _e1633 = global_1.member.member_8.member_5;
 let _e1635 = (((_e1552 + ((_e1556 - _e1552) * _e1622)) - _e1629) * _e1633);
 let _e1636 = -(1e9f);
 let _e1638 = select(_e1636, _e1635, (_e1635 > _e1636));
@@ -1032,26 +1034,26 @@ let _e2386 = select(0f, 1f, ((((((_e474 >= -0.5f) && (_e474 <= _e519)) && (_e489
 let _e2388 = (0.5f * (_e1652 - _e1646));
 let _e2390 = (0.5f * (_e1664 - _e1658));
 let _e2392 = (0.5f * (_e1676 - _e1670));
-let _e2398 = global_1.member.member_6.member.member.member;
-let _e2404 = global_1.member.member_6.member.member.member_1;
-let _e2410 = global_1.member.member_6.member.member.member_2;
-let _e2416 = global_1.member.member_6.member_1.member.member;
-let _e2422 = global_1.member.member_6.member_1.member.member_1;
-let _e2428 = global_1.member.member_6.member_1.member.member_2;
-let _e2434 = global_1.member.member_6.member_2.member.member;
-let _e2440 = global_1.member.member_6.member_2.member.member_1;
-let _e2446 = global_1.member.member_6.member_2.member.member_2;
+let _e2398 = global_1.member.member_8.member.member.member;
+let _e2404 = global_1.member.member_8.member.member.member_1;
+let _e2410 = global_1.member.member_8.member.member.member_2;
+let _e2416 = global_1.member.member_8.member_1.member.member;
+let _e2422 = global_1.member.member_8.member_1.member.member_1;
+let _e2428 = global_1.member.member_8.member_1.member.member_2;
+let _e2434 = global_1.member.member_8.member_2.member.member;
+let _e2440 = global_1.member.member_8.member_2.member.member_1;
+let _e2446 = global_1.member.member_8.member_2.member.member_2;
 phi_7175_ = type_34(_e1640, vec3<f32>(((((_e2398 * _e2388) + (_e2416 * _e2390)) + (_e2434 * _e2392)) * _e2386), ((((_e2404 * _e2388) + (_e2422 * _e2390)) + (_e2440 * _e2392)) * _e2386), ((((_e2410 * _e2388) + (_e2428 * _e2390)) + (_e2446 * _e2392)) * _e2386)), _e2371.member, vec3<f32>(((((_e2398 * _e2371.member_2.x) + (_e2416 * _e2371.member_2.y)) + (_e2434 * _e2371.member_2.z)) * _e2386), ((((_e2404 * _e2371.member_2.x) + (_e2422 * _e2371.member_2.y)) + (_e2440 * _e2371.member_2.z)) * _e2386), ((((_e2410 * _e2371.member_2.x) + (_e2428 * _e2371.member_2.y)) + (_e2446 * _e2371.member_2.z)) * _e2386)), vec3<f32>(((((_e2398 * _e2371.member_1.x) + (_e2416 * _e2371.member_1.y)) + (_e2434 * _e2371.member_1.z)) * _e2386), ((((_e2404 * _e2371.member_1.x) + (_e2422 * _e2371.member_1.y)) + (_e2440 * _e2371.member_1.z)) * _e2386), ((((_e2410 * _e2371.member_1.x) + (_e2428 * _e2371.member_1.y)) + (_e2446 * _e2371.member_1.z)) * _e2386)));
 } else {
-let _e2515 = global_1.member.member_6.member_3.member;
+let _e2515 = global_1.member.member_8.member_3.member;
 let _e2516 = (_e2515 - 0.5f);
 let _e2518 = select(-0.5f, _e474, (_e474 > -0.5f));
 let _e2520 = select(_e2516, _e2518, (_e2518 < _e2516));
-let _e2525 = global_1.member.member_6.member_3.member_1;
+let _e2525 = global_1.member.member_8.member_3.member_1;
 let _e2526 = (_e2525 - 0.5f);
 let _e2528 = select(-0.5f, _e489, (_e489 > -0.5f));
 let _e2530 = select(_e2526, _e2528, (_e2528 < _e2526));
-let _e2535 = global_1.member.member_6.member_3.member_2;
+let _e2535 = global_1.member.member_8.member_3.member_2;
 let _e2536 = (_e2535 - 0.5f);
 let _e2538 = select(-0.5f, _e504, (_e504 > -0.5f));
 let _e2540 = select(_e2536, _e2538, (_e2538 < _e2536));
@@ -1067,8 +1069,8 @@ let _e2572 = select(-1f, _e2540, (_e2540 > -1f));
 let _e2574 = select(_e2535, _e2572, (_e2572 < _e2535));
 let _e2581 = select(0i, select(select(i32(_e2574), i32(-2147483648), (_e2574 < -2147483600f)), 2147483647i, (_e2574 > 2147483500f)), (_e2574 == _e2574));
 let _e2585 = (_e2581 - select(0i, 1i, (_e2574 < f32(_e2581))));
-let _e2589 = global_1.member.member_6.member_7;
-let _e2593 = global_1.member.member_6.member_8;
+let _e2589 = global_1.member.member_8.member_7;
+let _e2593 = global_1.member.member_8.member_8;
 let _e2601 = (select(0i, select(select(i32(_e2525), i32(-2147483648), (_e2525 < -2147483600f)), 2147483647i, (_e2525 > 2147483500f)), (_e2525 == _e2525)) - 1i);
 let _e2604 = (_e2570 + 1i);
 let _e2614 = (select(0i, select(select(i32(_e2535), i32(-2147483648), (_e2535 < -2147483600f)), 2147483647i, (_e2535 > 2147483500f)), (_e2535 == _e2535)) - 1i);
@@ -1155,8 +1157,8 @@ let _e2887 = local_24.member_1[3u];
 let _e2894 = local_25[0u];
 let _e2898 = local_25[1u];
 let _e2903 = local_25[2u];
-let _e2910 = global_1.member.member_6.member_6;
-let _e2914 = global_1.member.member_6.member_5;
+let _e2910 = global_1.member.member_8.member_6;
+let _e2914 = global_1.member.member_8.member_5;
 let _e2916 = (((_e2795 + (((_e2846 + (((_e2886 + ((f32(bitcast<i32>(((_e2879 >> bitcast<u32>((_e2887 & 31u))) & 65535u))) - _e2886) * _e2894)) - _e2846) * _e2898)) - _e2795) * _e2903)) - _e2910) * _e2914);
 let _e2917 = -(1e9f);
 let _e2919 = select(_e2917, _e2916, (_e2916 > _e2917));
@@ -1168,48 +1170,48 @@ let _e2929 = ((_e2927 & 16u) == 0u);
 if _e2929 {
 phi_7555_ = type_7(1f, 1f, 1f);
 } else {
-let _e2933 = global_1.member.member_14.member;
+let _e2933 = global_1.member.member_16.member;
 let _e2944 = ((((_e2933.member.member * _e246) + (_e2933.member.member_1 * _e256)) + (_e2933.member.member_2 * _e267)) + _e2933.member_1);
 let _e2946 = (_e2944 - _e2944);
 let _e2949 = (-(_e2944) / select(1e-30f, _e2946, (_e2946 > 1e-30f)));
 let _e2951 = select(0f, _e2949, (_e2949 > 0f));
 let _e2954 = (_e2944 > 0f);
 let _e2957 = select(select(select(1f, _e2951, (_e2951 < 1f)), 1f, (_e2944 <= 0f)), 0f, _e2954);
-let _e2961 = global_1.member.member_14.member_1;
+let _e2961 = global_1.member.member_16.member_1;
 let _e2962 = (_e2961 != 0u);
-let _e2972 = global_1.member.member_15.member;
+let _e2972 = global_1.member.member_17.member;
 let _e2983 = ((((_e2972.member.member * _e246) + (_e2972.member.member_1 * _e256)) + (_e2972.member.member_2 * _e267)) + _e2972.member_1);
 let _e2985 = (_e2983 - _e2983);
 let _e2988 = (-(_e2983) / select(1e-30f, _e2985, (_e2985 > 1e-30f)));
 let _e2990 = select(0f, _e2988, (_e2988 > 0f));
 let _e2993 = (_e2983 > 0f);
 let _e2996 = select(select(select(1f, _e2990, (_e2990 < 1f)), 1f, (_e2983 <= 0f)), 0f, _e2993);
-let _e3000 = global_1.member.member_15.member_1;
+let _e3000 = global_1.member.member_17.member_1;
 let _e3001 = (_e3000 != 0u);
-let _e3011 = global_1.member.member_16.member;
+let _e3011 = global_1.member.member_18.member;
 let _e3022 = ((((_e3011.member.member * _e246) + (_e3011.member.member_1 * _e256)) + (_e3011.member.member_2 * _e267)) + _e3011.member_1);
 let _e3024 = (_e3022 - _e3022);
 let _e3027 = (-(_e3022) / select(1e-30f, _e3024, (_e3024 > 1e-30f)));
 let _e3029 = select(0f, _e3027, (_e3027 > 0f));
 let _e3032 = (_e3022 > 0f);
 let _e3035 = select(select(select(1f, _e3029, (_e3029 < 1f)), 1f, (_e3022 <= 0f)), 0f, _e3032);
-let _e3039 = global_1.member.member_16.member_1;
+let _e3039 = global_1.member.member_18.member_1;
 let _e3040 = (_e3039 != 0u);
-let _e3050 = global_1.member.member_17.member;
+let _e3050 = global_1.member.member_19.member;
 let _e3061 = ((((_e3050.member.member * _e246) + (_e3050.member.member_1 * _e256)) + (_e3050.member.member_2 * _e267)) + _e3050.member_1);
 let _e3063 = (_e3061 - _e3061);
 let _e3066 = (-(_e3061) / select(1e-30f, _e3063, (_e3063 > 1e-30f)));
 let _e3068 = select(0f, _e3066, (_e3066 > 0f));
 let _e3071 = (_e3061 > 0f);
 let _e3074 = select(select(select(1f, _e3068, (_e3068 < 1f)), 1f, (_e3061 <= 0f)), 0f, _e3071);
-let _e3078 = global_1.member.member_17.member_1;
+let _e3078 = global_1.member.member_19.member_1;
 let _e3079 = (_e3078 != 0u);
 phi_7555_ = type_7(((((1f * _e2957) * _e2996) * _e3035) * _e3074), ((((1f * select(1f, _e2957, _e2962)) * select(1f, _e2996, _e3001)) * select(1f, _e3035, _e3040)) * select(1f, _e3074, _e3079)), ((((1f * select(1f, 0f, (_e2962 && _e2954))) * select(1f, 0f, (_e3001 && _e2993))) * select(1f, 0f, (_e3040 && _e3032))) * select(1f, 0f, (_e3079 && _e3071))));
 }
 let _e3088 = phi_7555_;
 if _e433 {
 let _e3090 = type_32(_e455, _e456, _e311, 4f, _e333, _e457, _e377, _e458, _e421, _e432);
-let _e3095 = global_1.member.member_5.member_2;
+let _e3095 = global_1.member.member_7.member_2;
 let _e3098 = (_e3095 / select(1e-6f, _e300, (_e300 > 1e-6f)));
 let _e3102 = (_e246 + (_e278 * _e3098));
 let _e3103 = (_e256 + (_e289 * _e3098));
@@ -1217,10 +1219,10 @@ let _e3104 = (_e267 + (_e300 * _e3098));
 let _e3110 = ((((_e463.member.member * _e3102) + (_e463.member.member_1 * _e3103)) + (_e463.member.member_2 * _e3104)) + _e463.member_1);
 let _e3116 = ((((_e478.member.member * _e3102) + (_e478.member.member_1 * _e3103)) + (_e478.member.member_2 * _e3104)) + _e478.member_1);
 let _e3122 = ((((_e493.member.member * _e3102) + (_e493.member.member_1 * _e3103)) + (_e493.member.member_2 * _e3104)) + _e493.member_1);
-let _e3127 = global_1.member.member_6.member.member;
-let _e3135 = global_1.member.member_6.member_1.member;
-let _e3143 = global_1.member.member_6.member_2.member;
-let _e3151 = global_1.member.member_6.member_3.member;
+let _e3127 = global_1.member.member_8.member.member;
+let _e3135 = global_1.member.member_8.member_1.member;
+let _e3143 = global_1.member.member_8.member_2.member;
+let _e3151 = global_1.member.member_8.member_3.member;
 let _e3152 = (_e3151 - 0.5f);
 let _e3153 = (-0.5f - _e474);
 let _e3154 = (-0.5f - _e3110);
@@ -1254,7 +1256,7 @@ let _e3219 = select(_e3179, _e3208, _e3217);
 let _e3223 = select(_e3183, _e3212, _e3218);
 let _e3227 = select(_e3187, _e3193, _e3213);
 let _e3229 = select(_e3189, _e3194, (_e3194 > _e3189));
-let _e3237 = global_1.member.member_6.member_3.member_1;
+let _e3237 = global_1.member.member_8.member_3.member_1;
 let _e3238 = (_e3237 - 0.5f);
 let _e3239 = (-0.5f - _e489);
 let _e3240 = (-0.5f - _e3116);
@@ -1288,7 +1290,7 @@ let _e3305 = select(_e3265, _e3294, _e3303);
 let _e3309 = select(_e3269, _e3298, _e3304);
 let _e3313 = select(_e3273, _e3279, _e3299);
 let _e3315 = select(_e3275, _e3280, (_e3280 > _e3275));
-let _e3323 = global_1.member.member_6.member_3.member_2;
+let _e3323 = global_1.member.member_8.member_3.member_2;
 let _e3324 = (_e3323 - 0.5f);
 let _e3325 = (-0.5f - _e504);
 let _e3326 = (-0.5f - _e3122);
@@ -1336,12 +1338,12 @@ phi_8884_ = type_35(_e3391, vec3<f32>(_e3392, _e3393, _e3394), _e3396, vec3<f32>
 } else {
 let _e3413 = (((_e3127.member * _e3127.member) + (_e3127.member_1 * _e3127.member_1)) + (_e3127.member_2 * _e3127.member_2));
 let _e3416 = sqrt(select(0f, _e3413, (_e3413 > 0f)));
-let _e3420 = global_1.member.member_14.member_1;
+let _e3420 = global_1.member.member_16.member_1;
 let _e3421 = (_e3420 != 0u);
-let _e3425 = global_1.member.member_14.member;
+let _e3425 = global_1.member.member_16.member;
 let _e3445 = select(-1e6f, (((((_e3425.member.member * _e246) + (_e3425.member.member_1 * _e256)) + (_e3425.member.member_2 * _e267)) + _e3425.member_1) * _e3416), _e3421);
 let _e3446 = select(-1e6f, (((((_e3425.member.member * _e3102) + (_e3425.member.member_1 * _e3103)) + (_e3425.member.member_2 * _e3104)) + _e3425.member_1) * _e3416), _e3421);
-let _e3451 = global_1.member.member_14.member.member;
+let _e3451 = global_1.member.member_16.member.member;
 let _e3455 = -(_e3445);
 let _e3458 = (_e3445 - _e3446);
 let _e3459 = (_e3446 - _e3445);
@@ -1356,12 +1358,12 @@ let _e3479 = select(_e3391, _e3468, _e3477);
 let _e3483 = select(_e3396, _e3472, _e3478);
 let _e3487 = select(_e3401, _e3445, _e3473);
 let _e3489 = select(_e3403, _e3446, (_e3446 > _e3403));
-let _e3496 = global_1.member.member_15.member_1;
+let _e3496 = global_1.member.member_17.member_1;
 let _e3497 = (_e3496 != 0u);
-let _e3501 = global_1.member.member_15.member;
+let _e3501 = global_1.member.member_17.member;
 let _e3521 = select(-1e6f, (((((_e3501.member.member * _e246) + (_e3501.member.member_1 * _e256)) + (_e3501.member.member_2 * _e267)) + _e3501.member_1) * _e3416), _e3497);
 let _e3522 = select(-1e6f, (((((_e3501.member.member * _e3102) + (_e3501.member.member_1 * _e3103)) + (_e3501.member.member_2 * _e3104)) + _e3501.member_1) * _e3416), _e3497);
-let _e3527 = global_1.member.member_15.member.member;
+let _e3527 = global_1.member.member_17.member.member;
 let _e3531 = -(_e3521);
 let _e3534 = (_e3521 - _e3522);
 let _e3535 = (_e3522 - _e3521);
@@ -1376,12 +1378,12 @@ let _e3555 = select(_e3479, _e3544, _e3553);
 let _e3559 = select(_e3483, _e3548, _e3554);
 let _e3563 = select(_e3487, _e3521, _e3549);
 let _e3565 = select(_e3489, _e3522, (_e3522 > _e3489));
-let _e3572 = global_1.member.member_16.member_1;
+let _e3572 = global_1.member.member_18.member_1;
 let _e3573 = (_e3572 != 0u);
-let _e3577 = global_1.member.member_16.member;
+let _e3577 = global_1.member.member_18.member;
 let _e3597 = select(-1e6f, (((((_e3577.member.member * _e246) + (_e3577.member.member_1 * _e256)) + (_e3577.member.member_2 * _e267)) + _e3577.member_1) * _e3416), _e3573);
 let _e3598 = select(-1e6f, (((((_e3577.member.member * _e3102) + (_e3577.member.member_1 * _e3103)) + (_e3577.member.member_2 * _e3104)) + _e3577.member_1) * _e3416), _e3573);
-let _e3603 = global_1.member.member_16.member.member;
+let _e3603 = global_1.member.member_18.member.member;
 let _e3607 = -(_e3597);
 let _e3610 = (_e3597 - _e3598);
 let _e3611 = (_e3598 - _e3597);
@@ -1396,12 +1398,12 @@ let _e3631 = select(_e3555, _e3620, _e3629);
 let _e3635 = select(_e3559, _e3624, _e3630);
 let _e3639 = select(_e3563, _e3597, _e3625);
 let _e3641 = select(_e3565, _e3598, (_e3598 > _e3565));
-let _e3648 = global_1.member.member_17.member_1;
+let _e3648 = global_1.member.member_19.member_1;
 let _e3649 = (_e3648 != 0u);
-let _e3653 = global_1.member.member_17.member;
+let _e3653 = global_1.member.member_19.member;
 let _e3673 = select(-1e6f, (((((_e3653.member.member * _e246) + (_e3653.member.member_1 * _e256)) + (_e3653.member.member_2 * _e267)) + _e3653.member_1) * _e3416), _e3649);
 let _e3674 = select(-1e6f, (((((_e3653.member.member * _e3102) + (_e3653.member.member_1 * _e3103)) + (_e3653.member.member_2 * _e3104)) + _e3653.member_1) * _e3416), _e3649);
-let _e3679 = global_1.member.member_17.member.member;
+let _e3679 = global_1.member.member_19.member.member;
 let _e3683 = -(_e3673);
 let _e3686 = (_e3673 - _e3674);
 let _e3687 = (_e3674 - _e3673);
@@ -1421,24 +1423,24 @@ phi_8921_ = type_32(_e3090.member, vec3<f32>((_e278 - (_e2924.member_3.x * _e373
 phi_8921_ = type_32(_e455, _e456, _e311, _e322, _e333, _e457, _e377, _e458, _e421, _e432);
 }
 let _e3758 = phi_8921_;
-let _e3763 = global_1.member.member_10.member_3;
+let _e3763 = global_1.member.member_12.member_3;
 let _e3764 = (_e3763 == 0u);
 if _e3764 {
-let _e3768 = global_1.member.member_9.member_1;
-let _e3776 = global_1.member.member_9.member;
+let _e3768 = global_1.member.member_11.member_1;
+let _e3776 = global_1.member.member_11.member;
 phi_9181_ = type_36(vec3<f32>(_e3768.member, _e3768.member_1, _e3768.member_2), vec3<f32>(_e3776.member, _e3776.member_1, _e3776.member_2));
 } else {
-let _e3785 = global_1.member.member_10.member;
+let _e3785 = global_1.member.member_12.member;
 let _e3799 = ((((_e3785.member.member * _e3758.member.x) + (_e3785.member.member_1 * _e3758.member.y)) + (_e3785.member.member_2 * _e3758.member.z)) + _e3785.member_1);
-let _e3803 = global_1.member.member_10.member_1;
+let _e3803 = global_1.member.member_12.member_1;
 let _e3814 = ((((_e3803.member.member * _e3758.member.x) + (_e3803.member.member_1 * _e3758.member.y)) + (_e3803.member.member_2 * _e3758.member.z)) + _e3803.member_1);
-let _e3818 = global_1.member.member_10.member_2;
+let _e3818 = global_1.member.member_12.member_2;
 let _e3829 = ((((_e3818.member.member * _e3758.member.x) + (_e3818.member.member_1 * _e3758.member.y)) + (_e3818.member.member_2 * _e3758.member.z)) + _e3818.member_1);
-let _e3833 = global_1.member.member_9.member_1;
+let _e3833 = global_1.member.member_11.member_1;
 if _e3764 {
 phi_9025_ = 1f;
 } else {
-let _e3840 = global_1.member.member_10.member_19;
+let _e3840 = global_1.member.member_12.member_19;
 let _e3844 = (_e3799 - _e3840.member);
 let _e3845 = (_e3814 - _e3840.member_1);
 let _e3846 = (_e3829 - _e3840.member_2);
@@ -1449,18 +1451,18 @@ let _e3856 = phi_9025_;
 if _e3764 {
 phi_9109_ = 1f;
 } else {
-let _e3860 = global_1.member.member_10.member_19;
+let _e3860 = global_1.member.member_12.member_19;
 let _e3864 = (_e3799 - _e3860.member);
 let _e3865 = (_e3814 - _e3860.member_1);
 let _e3866 = (_e3829 - _e3860.member_2);
-let _e3871 = global_1.member.member_10.member_20.member;
+let _e3871 = global_1.member.member_12.member_20.member;
 let _e3879 = (((_e3871.member * _e3864) + (_e3871.member_1 * _e3865)) + (_e3871.member_2 * _e3866));
 let _e3883 = (_e3864 - (_e3871.member * _e3879));
 let _e3884 = (_e3865 - (_e3871.member_1 * _e3879));
 let _e3885 = (_e3866 - (_e3871.member_2 * _e3879));
 let _e3890 = (((_e3883 * _e3883) + (_e3884 * _e3884)) + (_e3885 * _e3885));
-let _e3901 = global_1.member.member_10.member_20.member_1;
-let _e3907 = global_1.member.member_10.member_20.member_2;
+let _e3901 = global_1.member.member_12.member_20.member_1;
+let _e3907 = global_1.member.member_12.member_20.member_2;
 let _e3908 = ((_e3901 - (sqrt(select(0f, _e3890, (_e3890 > 0f))) / select(1e-20f, _e3879, (_e3879 > 1e-20f)))) * _e3907);
 let _e3910 = select(0f, _e3908, (_e3908 > 0f));
 let _e3912 = select(1f, _e3910, (_e3910 < 1f));
@@ -1469,7 +1471,7 @@ phi_9109_ = select(1f, select(0f, ((_e3912 * _e3912) * (3f - (2f * _e3912))), (_
 let _e3922 = phi_9109_;
 let _e3923 = (_e3856 * _e3922);
 let _e3928 = (_e3763 != 0u);
-let _e3932 = global_1.member.member_10.member_19;
+let _e3932 = global_1.member.member_12.member_19;
 let _e3936 = (_e3799 - _e3932.member);
 let _e3937 = (_e3814 - _e3932.member_1);
 let _e3938 = (_e3829 - _e3932.member_2);
@@ -1479,9 +1481,9 @@ let _e3949 = (1f / select(1e-20f, _e3946, (_e3946 > 1e-20f)));
 let _e3953 = select(0f, (_e3936 * _e3949), _e3928);
 let _e3954 = select(0f, (_e3937 * _e3949), _e3928);
 let _e3955 = select(1f, (_e3938 * _e3949), _e3928);
-let _e3960 = global_1.member.member_10.member.member;
-let _e3971 = global_1.member.member_10.member_1.member;
-let _e3985 = global_1.member.member_10.member_2.member;
+let _e3960 = global_1.member.member_12.member.member;
+let _e3971 = global_1.member.member_12.member_1.member;
+let _e3985 = global_1.member.member_12.member_2.member;
 phi_9181_ = type_36(vec3<f32>((_e3833.member * _e3923), (_e3833.member_1 * _e3923), (_e3833.member_2 * _e3923)), (vec3<f32>(((_e3960.member * _e3953) + (_e3971.member * _e3954)), ((_e3960.member_1 * _e3953) + (_e3971.member_1 * _e3954)), ((_e3960.member_2 * _e3953) + (_e3971.member_2 * _e3954))) + vec3<f32>((_e3985.member * _e3955), (_e3985.member_1 * _e3955), (_e3985.member_2 * _e3955))));
 }
 let _e3997 = phi_9181_;
@@ -1525,13 +1527,13 @@ let _e4035 = select(1e-6f, _e4033, (_e4033 > 1e-6f));
 let _e4042 = (((_e4018 * _e4018) + (_e4020 * _e4020)) + (_e4022 * _e4022));
 let _e4045 = sqrt(select(0f, _e4042, (_e4042 > 0f)));
 let _e4048 = (((0.05f * _e4035) * _e4035) / select(1e-20f, _e4045, (_e4045 > 1e-20f)));
-let _e4052 = global_1.member.member_5.member_2;
+let _e4052 = global_1.member.member_7.member_2;
 let _e4053 = (0.0625f * _e4052);
 let _e4055 = select(_e4053, _e4048, (_e4048 > _e4053));
-let _e4062 = global_1.member.member_6.member_3.member;
-let _e4067 = global_1.member.member_6.member_3.member_1;
-let _e4072 = global_1.member.member_6.member_3.member_2;
-let _e4080 = global_1.member.member_6.member.member;
+let _e4062 = global_1.member.member_8.member_3.member;
+let _e4067 = global_1.member.member_8.member_3.member_1;
+let _e4072 = global_1.member.member_8.member_3.member_2;
+let _e4080 = global_1.member.member_8.member.member;
 let _e4088 = (((_e4080.member * _e4080.member) + (_e4080.member_1 * _e4080.member_1)) + (_e4080.member_2 * _e4080.member_2));
 let _e4091 = sqrt(select(0f, _e4088, (_e4088 > 0f)));
 let _e4094 = (select(((4f * ((_e4062 + _e4067) + _e4072)) / _e4091), select(_e4052, _e4055, (_e4055 < _e4052)), _e4012) / _e4035);
@@ -1548,8 +1550,8 @@ let _e4128 = ((((_e493.member.member * _e3999.member.x) + (_e493.member.member_1
 let _e4134 = ((((_e463.member.member * _e4106) + (_e463.member.member_1 * _e4108)) + (_e463.member.member_2 * _e4110)) + _e463.member_1);
 let _e4140 = ((((_e478.member.member * _e4106) + (_e478.member.member_1 * _e4108)) + (_e478.member.member_2 * _e4110)) + _e478.member_1);
 let _e4146 = ((((_e493.member.member * _e4106) + (_e493.member.member_1 * _e4108)) + (_e493.member.member_2 * _e4110)) + _e493.member_1);
-let _e4151 = global_1.member.member_6.member_1.member;
-let _e4159 = global_1.member.member_6.member_2.member;
+let _e4151 = global_1.member.member_8.member_1.member;
+let _e4159 = global_1.member.member_8.member_2.member;
 let _e4163 = (_e4062 - 0.5f);
 let _e4164 = (-0.5f - _e4116);
 let _e4165 = (-0.5f - _e4134);
@@ -1661,12 +1663,12 @@ let _e4407 = select(select(select(select(select(select(1f, _e4080.member_2, _e41
 if _e2929 {
 phi_10659_ = type_35(_e4392, vec3<f32>(_e4393, _e4394, _e4395), _e4397, vec3<f32>(_e4398, _e4399, _e4400), _e4402, _e4404, vec3<f32>(_e4405, _e4406, _e4407));
 } else {
-let _e4413 = global_1.member.member_14.member_1;
+let _e4413 = global_1.member.member_16.member_1;
 let _e4414 = (_e4413 != 0u);
-let _e4418 = global_1.member.member_14.member;
+let _e4418 = global_1.member.member_16.member;
 let _e4438 = select(-1e6f, (((((_e4418.member.member * _e3999.member.x) + (_e4418.member.member_1 * _e3999.member.y)) + (_e4418.member.member_2 * _e3999.member.z)) + _e4418.member_1) * _e4091), _e4414);
 let _e4439 = select(-1e6f, (((((_e4418.member.member * _e4106) + (_e4418.member.member_1 * _e4108)) + (_e4418.member.member_2 * _e4110)) + _e4418.member_1) * _e4091), _e4414);
-let _e4444 = global_1.member.member_14.member.member;
+let _e4444 = global_1.member.member_16.member.member;
 let _e4448 = -(_e4438);
 let _e4451 = (_e4438 - _e4439);
 let _e4452 = (_e4439 - _e4438);
@@ -1681,12 +1683,12 @@ let _e4472 = select(_e4392, _e4461, _e4470);
 let _e4476 = select(_e4397, _e4465, _e4471);
 let _e4480 = select(_e4402, _e4438, _e4466);
 let _e4482 = select(_e4404, _e4439, (_e4439 > _e4404));
-let _e4489 = global_1.member.member_15.member_1;
+let _e4489 = global_1.member.member_17.member_1;
 let _e4490 = (_e4489 != 0u);
-let _e4494 = global_1.member.member_15.member;
+let _e4494 = global_1.member.member_17.member;
 let _e4514 = select(-1e6f, (((((_e4494.member.member * _e3999.member.x) + (_e4494.member.member_1 * _e3999.member.y)) + (_e4494.member.member_2 * _e3999.member.z)) + _e4494.member_1) * _e4091), _e4490);
 let _e4515 = select(-1e6f, (((((_e4494.member.member * _e4106) + (_e4494.member.member_1 * _e4108)) + (_e4494.member.member_2 * _e4110)) + _e4494.member_1) * _e4091), _e4490);
-let _e4520 = global_1.member.member_15.member.member;
+let _e4520 = global_1.member.member_17.member.member;
 let _e4524 = -(_e4514);
 let _e4527 = (_e4514 - _e4515);
 let _e4528 = (_e4515 - _e4514);
@@ -1701,12 +1703,12 @@ let _e4548 = select(_e4472, _e4537, _e4546);
 let _e4552 = select(_e4476, _e4541, _e4547);
 let _e4556 = select(_e4480, _e4514, _e4542);
 let _e4558 = select(_e4482, _e4515, (_e4515 > _e4482));
-let _e4565 = global_1.member.member_16.member_1;
+let _e4565 = global_1.member.member_18.member_1;
 let _e4566 = (_e4565 != 0u);
-let _e4570 = global_1.member.member_16.member;
+let _e4570 = global_1.member.member_18.member;
 let _e4590 = select(-1e6f, (((((_e4570.member.member * _e3999.member.x) + (_e4570.member.member_1 * _e3999.member.y)) + (_e4570.member.member_2 * _e3999.member.z)) + _e4570.member_1) * _e4091), _e4566);
 let _e4591 = select(-1e6f, (((((_e4570.member.member * _e4106) + (_e4570.member.member_1 * _e4108)) + (_e4570.member.member_2 * _e4110)) + _e4570.member_1) * _e4091), _e4566);
-let _e4596 = global_1.member.member_16.member.member;
+let _e4596 = global_1.member.member_18.member.member;
 let _e4600 = -(_e4590);
 let _e4603 = (_e4590 - _e4591);
 let _e4604 = (_e4591 - _e4590);
@@ -1721,12 +1723,12 @@ let _e4624 = select(_e4548, _e4613, _e4622);
 let _e4628 = select(_e4552, _e4617, _e4623);
 let _e4632 = select(_e4556, _e4590, _e4618);
 let _e4634 = select(_e4558, _e4591, (_e4591 > _e4558));
-let _e4641 = global_1.member.member_17.member_1;
+let _e4641 = global_1.member.member_19.member_1;
 let _e4642 = (_e4641 != 0u);
-let _e4646 = global_1.member.member_17.member;
+let _e4646 = global_1.member.member_19.member;
 let _e4666 = select(-1e6f, (((((_e4646.member.member * _e3999.member.x) + (_e4646.member.member_1 * _e3999.member.y)) + (_e4646.member.member_2 * _e3999.member.z)) + _e4646.member_1) * _e4091), _e4642);
 let _e4667 = select(-1e6f, (((((_e4646.member.member * _e4106) + (_e4646.member.member_1 * _e4108)) + (_e4646.member.member_2 * _e4110)) + _e4646.member_1) * _e4091), _e4642);
-let _e4672 = global_1.member.member_17.member.member;
+let _e4672 = global_1.member.member_19.member.member;
 let _e4676 = -(_e4666);
 let _e4679 = (_e4666 - _e4667);
 let _e4680 = (_e4667 - _e4666);
@@ -1762,23 +1764,23 @@ let _e4749 = select(1f, _e4745, _e4727);
 let _e4753 = (_e3999.member.x + ((_e4106 - _e3999.member.x) * _e4749));
 let _e4754 = (_e3999.member.y + ((_e4108 - _e3999.member.y) * _e4749));
 let _e4755 = (_e3999.member.z + ((_e4110 - _e3999.member.z) * _e4749));
-let _e4760 = global_1.member.member_13.member.member;
+let _e4760 = global_1.member.member_15.member.member;
 let _e4771 = ((((_e4760.member.member * _e3999.member.x) + (_e4760.member.member_1 * _e3999.member.y)) + (_e4760.member.member_2 * _e3999.member.z)) + _e4760.member_1);
 let _e4777 = ((((_e4760.member.member * _e4753) + (_e4760.member.member_1 * _e4754)) + (_e4760.member.member_2 * _e4755)) + _e4760.member_1);
 let _e4780 = ((_e4771 > 0f) && (_e4777 <= 0f));
 let _e4781 = (_e4771 - _e4777);
 let _e4784 = (_e4771 / select(1e-20f, _e4781, (_e4781 > 1e-20f)));
-let _e4789 = global_1.member.member_13.member_1.member;
+let _e4789 = global_1.member.member_15.member_1.member;
 let _e4800 = ((((_e4789.member.member * _e3999.member.x) + (_e4789.member.member_1 * _e3999.member.y)) + (_e4789.member.member_2 * _e3999.member.z)) + _e4789.member_1);
 let _e4806 = ((((_e4789.member.member * _e4753) + (_e4789.member.member_1 * _e4754)) + (_e4789.member.member_2 * _e4755)) + _e4789.member_1);
 let _e4809 = ((_e4800 > 0f) && (_e4806 <= 0f));
 let _e4810 = (_e4800 - _e4806);
 let _e4813 = (_e4800 / select(1e-20f, _e4810, (_e4810 > 1e-20f)));
 let _e4817 = (_e4809 && (!(_e4780) || (_e4813 < _e4784)));
-let _e4823 = global_1.member.member_13.member_1.member.member;
-let _e4828 = global_1.member.member_13.member_1.member_1;
-let _e4834 = global_1.member.member_13.member.member.member;
-let _e4839 = global_1.member.member_13.member.member_1;
+let _e4823 = global_1.member.member_15.member_1.member.member;
+let _e4828 = global_1.member.member_15.member_1.member_1;
+let _e4834 = global_1.member.member_15.member.member.member;
+let _e4839 = global_1.member.member_15.member.member_1;
 let _e4858 = (_e4780 || _e4809);
 let _e4865 = ((((_e463.member.member * _e4753) + (_e463.member.member_1 * _e4754)) + (_e463.member.member_2 * _e4755)) + _e463.member_1);
 let _e4871 = ((((_e478.member.member * _e4753) + (_e478.member.member_1 * _e4754)) + (_e478.member.member_2 * _e4755)) + _e478.member_1);
@@ -1802,8 +1804,8 @@ let _e4921 = select(-1f, _e4889, (_e4889 > -1f));
 let _e4923 = select(_e4072, _e4921, (_e4921 < _e4072));
 let _e4930 = select(0i, select(select(i32(_e4923), i32(-2147483648), (_e4923 < -2147483600f)), 2147483647i, (_e4923 > 2147483500f)), (_e4923 == _e4923));
 let _e4934 = (_e4930 - select(0i, 1i, (_e4923 < f32(_e4930))));
-let _e4938 = global_1.member.member_6.member_7;
-let _e4942 = global_1.member.member_6.member_8;
+let _e4938 = global_1.member.member_8.member_7;
+let _e4942 = global_1.member.member_8.member_8;
 let _e4950 = (select(0i, select(select(i32(_e4067), i32(-2147483648), (_e4067 < -2147483600f)), 2147483647i, (_e4067 > 2147483500f)), (_e4067 == _e4067)) - 1i);
 let _e4951 = (_e4919 - 1i);
 let _e4956 = (_e4919 + 1i);
@@ -2110,8 +2112,8 @@ let _e5956 = local_23[2u];
 let _e5960 = local_23[1u];
 let _e5964 = local_23[2u];
 let _e5968 = local_23[2u];
-let _e5975 = global_1.member.member_6.member_6;
-let _e5979 = global_1.member.member_6.member_5;
+let _e5975 = global_1.member.member_8.member_6;
+let _e5979 = global_1.member.member_8.member_5;
 let _e5981 = (((_e5898 + ((_e5902 - _e5898) * _e5968)) - _e5975) * _e5979);
 let _e5982 = -(1e9f);
 let _e5984 = select(_e5982, _e5981, (_e5981 > _e5982));
@@ -2377,15 +2379,15 @@ let _e6732 = select(0f, 1f, ((((((_e4865 >= -0.5f) && (_e4865 <= _e4163)) && (_e
 let _e6734 = (0.5f * (_e5998 - _e5992));
 let _e6736 = (0.5f * (_e6010 - _e6004));
 let _e6738 = (0.5f * (_e6022 - _e6016));
-let _e6744 = global_1.member.member_6.member.member.member;
-let _e6750 = global_1.member.member_6.member.member.member_1;
-let _e6756 = global_1.member.member_6.member.member.member_2;
-let _e6762 = global_1.member.member_6.member_1.member.member;
-let _e6768 = global_1.member.member_6.member_1.member.member_1;
-let _e6774 = global_1.member.member_6.member_1.member.member_2;
-let _e6780 = global_1.member.member_6.member_2.member.member;
-let _e6786 = global_1.member.member_6.member_2.member.member_1;
-let _e6792 = global_1.member.member_6.member_2.member.member_2;
+let _e6744 = global_1.member.member_8.member.member.member;
+let _e6750 = global_1.member.member_8.member.member.member_1;
+let _e6756 = global_1.member.member_8.member.member.member_2;
+let _e6762 = global_1.member.member_8.member_1.member.member;
+let _e6768 = global_1.member.member_8.member_1.member.member_1;
+let _e6774 = global_1.member.member_8.member_1.member.member_2;
+let _e6780 = global_1.member.member_8.member_2.member.member;
+let _e6786 = global_1.member.member_8.member_2.member.member_1;
+let _e6792 = global_1.member.member_8.member_2.member.member_2;
 phi_17323_ = type_34(_e5986, vec3<f32>(((((_e6744 * _e6734) + (_e6762 * _e6736)) + (_e6780 * _e6738)) * _e6732), ((((_e6750 * _e6734) + (_e6768 * _e6736)) + (_e6786 * _e6738)) * _e6732), ((((_e6756 * _e6734) + (_e6774 * _e6736)) + (_e6792 * _e6738)) * _e6732)), _e6717.member, vec3<f32>(((((_e6744 * _e6717.member_2.x) + (_e6762 * _e6717.member_2.y)) + (_e6780 * _e6717.member_2.z)) * _e6732), ((((_e6750 * _e6717.member_2.x) + (_e6768 * _e6717.member_2.y)) + (_e6786 * _e6717.member_2.z)) * _e6732), ((((_e6756 * _e6717.member_2.x) + (_e6774 * _e6717.member_2.y)) + (_e6792 * _e6717.member_2.z)) * _e6732)), vec3<f32>(((((_e6744 * _e6717.member_1.x) + (_e6762 * _e6717.member_1.y)) + (_e6780 * _e6717.member_1.z)) * _e6732), ((((_e6750 * _e6717.member_1.x) + (_e6768 * _e6717.member_1.y)) + (_e6786 * _e6717.member_1.z)) * _e6732), ((((_e6756 * _e6717.member_1.x) + (_e6774 * _e6717.member_1.y)) + (_e6792 * _e6717.member_1.z)) * _e6732)));
 } else {
 let _e6858 = select(-0.5f, _e4865, (_e4865 > -0.5f));
@@ -2406,8 +2408,8 @@ let _e6900 = select(-1f, _e6868, (_e6868 > -1f));
 let _e6902 = select(_e4072, _e6900, (_e6900 < _e4072));
 let _e6909 = select(0i, select(select(i32(_e6902), i32(-2147483648), (_e6902 < -2147483600f)), 2147483647i, (_e6902 > 2147483500f)), (_e6902 == _e6902));
 let _e6913 = (_e6909 - select(0i, 1i, (_e6902 < f32(_e6909))));
-let _e6917 = global_1.member.member_6.member_7;
-let _e6921 = global_1.member.member_6.member_8;
+let _e6917 = global_1.member.member_8.member_7;
+let _e6921 = global_1.member.member_8.member_8;
 let _e6929 = (select(0i, select(select(i32(_e4067), i32(-2147483648), (_e4067 < -2147483600f)), 2147483647i, (_e4067 > 2147483500f)), (_e4067 == _e4067)) - 1i);
 let _e6932 = (_e6898 + 1i);
 let _e6942 = (select(0i, select(select(i32(_e4072), i32(-2147483648), (_e4072 < -2147483600f)), 2147483647i, (_e4072 > 2147483500f)), (_e4072 == _e4072)) - 1i);
@@ -2494,8 +2496,8 @@ let _e7215 = local_6.member_1[3u];
 let _e7222 = local_7[0u];
 let _e7226 = local_7[1u];
 let _e7231 = local_7[2u];
-let _e7238 = global_1.member.member_6.member_6;
-let _e7242 = global_1.member.member_6.member_5;
+let _e7238 = global_1.member.member_8.member_6;
+let _e7242 = global_1.member.member_8.member_5;
 let _e7244 = (((_e7123 + (((_e7174 + (((_e7214 + ((f32(bitcast<i32>(((_e7207 >> bitcast<u32>((_e7215 & 31u))) & 65535u))) - _e7214) * _e7222)) - _e7174) * _e7226)) - _e7123) * _e7231)) - _e7238) * _e7242);
 let _e7245 = -(1e9f);
 let _e7247 = select(_e7245, _e7244, (_e7244 > _e7245));
@@ -2505,7 +2507,7 @@ let _e7252 = phi_17323_;
 if _e2929 {
 phi_17715_ = type_7(1f, 1f, 1f);
 } else {
-let _e7256 = global_1.member.member_14.member;
+let _e7256 = global_1.member.member_16.member;
 let _e7267 = ((((_e7256.member.member * _e3999.member.x) + (_e7256.member.member_1 * _e3999.member.y)) + (_e7256.member.member_2 * _e3999.member.z)) + _e7256.member_1);
 let _e7273 = ((((_e7256.member.member * _e4753) + (_e7256.member.member_1 * _e4754)) + (_e7256.member.member_2 * _e4755)) + _e7256.member_1);
 let _e7275 = select(_e7273, _e7267, (_e7267 < _e7273));
@@ -2514,9 +2516,9 @@ let _e7279 = (_e7277 - _e7275);
 let _e7282 = (-(_e7275) / select(1e-30f, _e7279, (_e7279 > 1e-30f)));
 let _e7284 = select(0f, _e7282, (_e7282 > 0f));
 let _e7290 = select(select(select(1f, _e7284, (_e7284 < 1f)), 1f, (_e7277 <= 0f)), 0f, (_e7275 > 0f));
-let _e7295 = global_1.member.member_14.member_1;
+let _e7295 = global_1.member.member_16.member_1;
 let _e7296 = (_e7295 != 0u);
-let _e7306 = global_1.member.member_15.member;
+let _e7306 = global_1.member.member_17.member;
 let _e7317 = ((((_e7306.member.member * _e3999.member.x) + (_e7306.member.member_1 * _e3999.member.y)) + (_e7306.member.member_2 * _e3999.member.z)) + _e7306.member_1);
 let _e7323 = ((((_e7306.member.member * _e4753) + (_e7306.member.member_1 * _e4754)) + (_e7306.member.member_2 * _e4755)) + _e7306.member_1);
 let _e7325 = select(_e7323, _e7317, (_e7317 < _e7323));
@@ -2525,9 +2527,9 @@ let _e7329 = (_e7327 - _e7325);
 let _e7332 = (-(_e7325) / select(1e-30f, _e7329, (_e7329 > 1e-30f)));
 let _e7334 = select(0f, _e7332, (_e7332 > 0f));
 let _e7340 = select(select(select(1f, _e7334, (_e7334 < 1f)), 1f, (_e7327 <= 0f)), 0f, (_e7325 > 0f));
-let _e7345 = global_1.member.member_15.member_1;
+let _e7345 = global_1.member.member_17.member_1;
 let _e7346 = (_e7345 != 0u);
-let _e7356 = global_1.member.member_16.member;
+let _e7356 = global_1.member.member_18.member;
 let _e7367 = ((((_e7356.member.member * _e3999.member.x) + (_e7356.member.member_1 * _e3999.member.y)) + (_e7356.member.member_2 * _e3999.member.z)) + _e7356.member_1);
 let _e7373 = ((((_e7356.member.member * _e4753) + (_e7356.member.member_1 * _e4754)) + (_e7356.member.member_2 * _e4755)) + _e7356.member_1);
 let _e7375 = select(_e7373, _e7367, (_e7367 < _e7373));
@@ -2536,9 +2538,9 @@ let _e7379 = (_e7377 - _e7375);
 let _e7382 = (-(_e7375) / select(1e-30f, _e7379, (_e7379 > 1e-30f)));
 let _e7384 = select(0f, _e7382, (_e7382 > 0f));
 let _e7390 = select(select(select(1f, _e7384, (_e7384 < 1f)), 1f, (_e7377 <= 0f)), 0f, (_e7375 > 0f));
-let _e7395 = global_1.member.member_16.member_1;
+let _e7395 = global_1.member.member_18.member_1;
 let _e7396 = (_e7395 != 0u);
-let _e7406 = global_1.member.member_17.member;
+let _e7406 = global_1.member.member_19.member;
 let _e7417 = ((((_e7406.member.member * _e3999.member.x) + (_e7406.member.member_1 * _e3999.member.y)) + (_e7406.member.member_2 * _e3999.member.z)) + _e7406.member_1);
 let _e7423 = ((((_e7406.member.member * _e4753) + (_e7406.member.member_1 * _e4754)) + (_e7406.member.member_2 * _e4755)) + _e7406.member_1);
 let _e7425 = select(_e7423, _e7417, (_e7417 < _e7423));
@@ -2547,7 +2549,7 @@ let _e7429 = (_e7427 - _e7425);
 let _e7432 = (-(_e7425) / select(1e-30f, _e7429, (_e7429 > 1e-30f)));
 let _e7434 = select(0f, _e7432, (_e7432 > 0f));
 let _e7440 = select(select(select(1f, _e7434, (_e7434 < 1f)), 1f, (_e7427 <= 0f)), 0f, (_e7425 > 0f));
-let _e7445 = global_1.member.member_17.member_1;
+let _e7445 = global_1.member.member_19.member_1;
 let _e7446 = (_e7445 != 0u);
 phi_17715_ = type_7(((((1f * _e7290) * _e7340) * _e7390) * _e7440), ((((1f * select(1f, _e7290, _e7296)) * select(1f, _e7340, _e7346)) * select(1f, _e7390, _e7396)) * select(1f, _e7440, _e7446)), ((((1f * select(1f, 0f, (_e7296 && (_e7273 > 0f)))) * select(1f, 0f, (_e7346 && (_e7323 > 0f)))) * select(1f, 0f, (_e7396 && (_e7373 > 0f)))) * select(1f, 0f, (_e7446 && (_e7423 > 0f)))));
 }
@@ -2574,8 +2576,8 @@ let _e7508 = select(-1f, _e7476, (_e7476 > -1f));
 let _e7510 = select(_e4072, _e7508, (_e7508 < _e4072));
 let _e7517 = select(0i, select(select(i32(_e7510), i32(-2147483648), (_e7510 < -2147483600f)), 2147483647i, (_e7510 > 2147483500f)), (_e7510 == _e7510));
 let _e7521 = (_e7517 - select(0i, 1i, (_e7510 < f32(_e7517))));
-let _e7525 = global_1.member.member_6.member_7;
-let _e7529 = global_1.member.member_6.member_8;
+let _e7525 = global_1.member.member_8.member_7;
+let _e7529 = global_1.member.member_8.member_8;
 let _e7537 = (select(0i, select(select(i32(_e4067), i32(-2147483648), (_e4067 < -2147483600f)), 2147483647i, (_e4067 > 2147483500f)), (_e4067 == _e4067)) - 1i);
 let _e7540 = (_e7506 + 1i);
 let _e7550 = (select(0i, select(select(i32(_e4072), i32(-2147483648), (_e4072 < -2147483600f)), 2147483647i, (_e4072 > 2147483500f)), (_e4072 == _e4072)) - 1i);
@@ -2662,8 +2664,8 @@ let _e7823 = local_4.member_1[3u];
 let _e7830 = local_5[0u];
 let _e7834 = local_5[1u];
 let _e7839 = local_5[2u];
-let _e7846 = global_1.member.member_6.member_6;
-let _e7850 = global_1.member.member_6.member_5;
+let _e7846 = global_1.member.member_8.member_6;
+let _e7850 = global_1.member.member_8.member_5;
 let _e7852 = (((_e7731 + (((_e7782 + (((_e7822 + ((f32(bitcast<i32>(((_e7815 >> bitcast<u32>((_e7823 & 31u))) & 65535u))) - _e7822) * _e7830)) - _e7782) * _e7834)) - _e7731) * _e7839)) - _e7846) * _e7850);
 let _e7853 = -(1e9f);
 let _e7855 = select(_e7853, _e7852, (_e7852 > _e7853));
@@ -2784,7 +2786,7 @@ let _e8222 = select(select(1f, _e8219, (_e8219 < 1f)), 1f, _e8199);
 let _e8224 = select(_e8194, _e8166, (_e8166 < _e8194));
 let _e8228 = select(_e8187, _e8159, (_e8159 > _e8187));
 let _e8231 = (select(_e8222, _e8224, (_e8224 < _e8222)) - select(_e8215, _e8228, (_e8228 > _e8215)));
-let _e8239 = global_1.member.member_5.member_3;
+let _e8239 = global_1.member.member_7.member_3;
 let _e8240 = (((sqrt(select(0f, _e8135, (_e8135 > 0f))) * select(0f, _e8231, (_e8231 > 0f))) * _e8127) * _e8239);
 local_1 = _e8126;
 let _e8241 = local_1;
@@ -3071,24 +3073,24 @@ let _e9391 = (0.5f * _e8127);
 let _e9395 = (_e3999.member.x + (_e8128 * _e9391));
 let _e9396 = (_e3999.member.y + (_e8129 * _e9391));
 let _e9397 = (_e3999.member.z + (_e8130 * _e9391));
-let _e9401 = global_1.member.member_10.member;
+let _e9401 = global_1.member.member_12.member;
 let _e9412 = ((((_e9401.member.member * _e9395) + (_e9401.member.member_1 * _e9396)) + (_e9401.member.member_2 * _e9397)) + _e9401.member_1);
-let _e9416 = global_1.member.member_10.member_1;
+let _e9416 = global_1.member.member_12.member_1;
 let _e9427 = ((((_e9416.member.member * _e9395) + (_e9416.member.member_1 * _e9396)) + (_e9416.member.member_2 * _e9397)) + _e9416.member_1);
-let _e9431 = global_1.member.member_10.member_2;
+let _e9431 = global_1.member.member_12.member_2;
 let _e9442 = ((((_e9431.member.member * _e9395) + (_e9431.member.member_1 * _e9396)) + (_e9431.member.member_2 * _e9397)) + _e9431.member_1);
 let _e9443 = (_e3763 != 0u);
-let _e9451 = global_1.member.member_10.member_19.member_2;
+let _e9451 = global_1.member.member_12.member_19.member_2;
 let _e9453 = select(1f, (_e9442 - _e9451), _e9443);
 let _e9456 = (1f / select(1e-12f, _e9453, (_e9453 > 1e-12f)));
-let _e9461 = global_1.member.member_10.member_5;
-let _e9466 = global_1.member.member_10.member_8;
-let _e9472 = global_1.member.member_10.member_6;
-let _e9478 = global_1.member.member_10.member_11;
+let _e9461 = global_1.member.member_12.member_5;
+let _e9466 = global_1.member.member_12.member_8;
+let _e9472 = global_1.member.member_12.member_6;
+let _e9478 = global_1.member.member_12.member_11;
 let _e9479 = ((((_e9412 * _e9456) - _e9461) * _e9466) - _e9478);
 let _e9480 = ((((_e9427 * _e9456) - _e9472) * _e9466) - _e9478);
-let _e9484 = global_1.member.member_10.member_9;
-let _e9489 = global_1.member.member_10.member_10;
+let _e9484 = global_1.member.member_12.member_9;
+let _e9489 = global_1.member.member_12.member_10;
 let _e9490 = ((_e9442 - _e9484) * _e9489);
 let _e9491 = -(65536f);
 let _e9493 = select(_e9491, _e9479, (_e9479 > _e9491));
@@ -3107,11 +3109,11 @@ let _e9538 = (firstTrailingBit(8u) & 31u);
 let _e9540 = (_e9536 >> bitcast<u32>(_e9538));
 let _e9542 = (_e9506 >> bitcast<u32>(_e9538));
 let _e9544 = (_e9521 >> bitcast<u32>(_e9538));
-let _e9549 = global_1.member.member_10.member_14.member;
+let _e9549 = global_1.member.member_12.member_14.member;
 let _e9550 = bitcast<i32>(_e9549);
-let _e9555 = global_1.member.member_10.member_14.member_1;
+let _e9555 = global_1.member.member_12.member_14.member_1;
 let _e9556 = bitcast<i32>(_e9555);
-let _e9561 = global_1.member.member_10.member_14.member_2;
+let _e9561 = global_1.member.member_12.member_14.member_2;
 if ((((((_e9542 >= 0i) && (_e9542 < _e9550)) && (_e9544 >= 0i)) && (_e9544 < _e9556)) && (_e9540 >= 0i)) && (_e9540 < bitcast<i32>(_e9561))) {
 phi_21941_ = (((((_e9540 * _e9556) + _e9544) * _e9550) + _e9542) * 3i);
 } else {
@@ -3125,7 +3127,7 @@ let _e9591 = global_4.member[bitcast<u32>(select(0i, _e9585, (_e9585 > 0i)))];
 let _e9593 = select(_e9583, _e9580, (_e9580 < _e9583));
 let _e9599 = global_4.member[bitcast<u32>(select(0i, _e9593, (_e9593 > 0i)))];
 let _e9602 = select(_e9591, 0u, (_e9580 < 0i));
-let _e9606 = global_1.member.member_10.member_13;
+let _e9606 = global_1.member.member_12.member_13;
 let _e9607 = (_e9602 * 81u);
 let _e9611 = bitcast<i32>((((_e9607 * _e9606) + 63u) & 4294967232u));
 let _e9619 = (((bitcast<i32>(_e9599) + ((_e9536 & 7i) * _e9611)) + ((_e9521 & 7i) * 9i)) + (_e9506 & 7i));
@@ -3168,7 +3170,7 @@ let _e9728 = select(1f, (_e9675 + (((_e9698 + (((_e9708 + ((bitcast<f32>(_e9717)
 if (((_e220.member_2 == 3u) || (_e220.member_2 == 4u)) || _e506) {
 phi_22518_ = vec3(_e9728);
 } else {
-let _e9737 = global_1.member.member_10.member_12;
+let _e9737 = global_1.member.member_12.member_12;
 let _e9738 = (_e9737 > 1u);
 let _e9742 = (_e9619 + (select(0i, 1i, _e9738) * _e9620));
 let _e9744 = select(_e9583, _e9742, (_e9742 < _e9583));
@@ -3235,7 +3237,7 @@ let _e9935 = global_4.member[bitcast<u32>(select(0i, _e9929, (_e9929 > 0i)))];
 phi_22518_ = vec3<f32>(_e9728, select(1f, (_e9790 + (((_e9813 + (((_e9823 + ((bitcast<f32>(_e9832) - _e9823) * _e9622)) - _e9813) * _e9624)) - _e9790) * _e9626)), _e9627), select(1f, (_e9893 + (((_e9916 + (((_e9926 + ((bitcast<f32>(_e9935) - _e9926) * _e9622)) - _e9916) * _e9624)) - _e9893) * _e9626)), _e9627));
 }
 let _e9949 = phi_22518_;
-let _e9950 = global_1.member.member_10.member_19;
+let _e9950 = global_1.member.member_12.member_19;
 let _e9954 = (_e9412 - _e9950.member);
 let _e9955 = (_e9427 - _e9950.member_1);
 let _e9956 = (_e9442 - _e9950.member_2);
@@ -3311,21 +3313,21 @@ let _e10245 = phi_22925_;
 if _e3764 {
 phi_23019_ = 1f;
 } else {
-let _e10251 = global_1.member.member_10.member_20.member;
+let _e10251 = global_1.member.member_12.member_20.member;
 let _e10259 = (((_e10251.member * _e9954) + (_e10251.member_1 * _e9955)) + (_e10251.member_2 * _e9956));
 let _e10263 = (_e9954 - (_e10251.member * _e10259));
 let _e10264 = (_e9955 - (_e10251.member_1 * _e10259));
 let _e10265 = (_e9956 - (_e10251.member_2 * _e10259));
 let _e10270 = (((_e10263 * _e10263) + (_e10264 * _e10264)) + (_e10265 * _e10265));
-let _e10281 = global_1.member.member_10.member_20.member_1;
-let _e10287 = global_1.member.member_10.member_20.member_2;
+let _e10281 = global_1.member.member_12.member_20.member_1;
+let _e10287 = global_1.member.member_12.member_20.member_2;
 let _e10288 = ((_e10281 - (sqrt(select(0f, _e10270, (_e10270 > 0f))) / select(1e-20f, _e10259, (_e10259 > 1e-20f)))) * _e10287);
 let _e10290 = select(0f, _e10288, (_e10288 > 0f));
 let _e10292 = select(1f, _e10290, (_e10290 < 1f));
 phi_23019_ = select(1f, select(0f, ((_e10292 * _e10292) * (3f - (2f * _e10292))), (_e10259 > 0f)), (_e10287 > 0f));
 }
 let _e10302 = phi_23019_;
-let _e10307 = global_1.member.member_9.member_1;
+let _e10307 = global_1.member.member_11.member_1;
 if _e3764 {
 phi_23061_ = 1f;
 } else {
@@ -3333,9 +3335,9 @@ phi_23061_ = (1f / select(1e-12f, _e9961, (_e9961 > 1e-12f)));
 }
 let _e10321 = phi_23061_;
 let _e10322 = (_e10321 * select(_e10302, 1f, (_e513 && _e9627)));
-let _e10331 = global_1.member.member_10.member.member;
-let _e10343 = global_1.member.member_10.member_1.member;
-let _e10358 = global_1.member.member_10.member_2.member;
+let _e10331 = global_1.member.member_12.member.member;
+let _e10343 = global_1.member.member_12.member_1.member;
+let _e10358 = global_1.member.member_12.member_2.member;
 phi_23093_ = type_36(vec3<f32>(((_e9949.x * _e10307.member) * _e10322), ((_e9949.y * _e10307.member_1) * _e10322), ((_e9949.z * _e10307.member_2) * _e10322)), (vec3<f32>(((_e10331.member * _e10245.x) + (_e10343.member * _e10245.y)), ((_e10331.member_1 * _e10245.x) + (_e10343.member_1 * _e10245.y)), ((_e10331.member_2 * _e10245.x) + (_e10343.member_2 * _e10245.y))) + vec3<f32>((_e10358.member * _e10245.z), (_e10358.member_1 * _e10245.z), (_e10358.member_2 * _e10245.z))));
 }
 let _e10371 = phi_23093_;
@@ -3344,7 +3346,7 @@ let _e10383 = sqrt(select(0f, _e10380, (_e10380 > 0f)));
 let _e10385 = ((_e2927 & 8u) != 0u);
 let _e10389 = (1e-6f * _e10383);
 let _e10393 = select((_e10383 / select(_e10389, _e10371.member_1.z, (_e10371.member_1.z > _e10389))), 1f, _e10385);
-let _e10405 = global_1.member.member_18;
+let _e10405 = global_1.member.member_20;
 let _e10412 = (1f - _e3999.member_6);
 let _e10429 = (_e3999.member_5.x + ((_e3999.member_7.x * ((((((_e9003 + (((_e9008 + (((bitcast<f32>(((_e8974 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9008) * _e8633)) - _e9003) * _e8631)) * _e8635) + (((bitcast<f32>(((_e8982 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8620) + ((bitcast<f32>(((_e8990 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8626))) * _e9386) * ((_e10371.member.x * _e10393) + _e10405.member)) + 0f)) * _e10412));
 let _e10431 = (_e3999.member_5.y + ((_e3999.member_7.y * ((((((_e9059 + (((_e9064 + (((bitcast<f32>((((_e8974 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9064) * _e8633)) - _e9059) * _e8631)) * _e8635) + (((bitcast<f32>((((_e8982 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8620) + ((bitcast<f32>((((_e8990 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8626))) * _e9386) * ((_e10371.member.y * _e10393) + _e10405.member_1)) + 0f)) * _e10412));
@@ -3357,14 +3359,14 @@ let _e10446 = (_e3999.member_4 + ((_e10435 - _e3999.member_6) * (_e3999.member.z
 let _e10450 = (_e3999.member.x + (_e8128 * _e8127));
 let _e10451 = (_e3999.member.y + (_e8129 * _e8127));
 let _e10452 = (_e3999.member.z + (_e8130 * _e8127));
-let _e10456 = global_1.member.member_10.member;
+let _e10456 = global_1.member.member_12.member;
 let _e10467 = ((((_e10456.member.member * _e10450) + (_e10456.member.member_1 * _e10451)) + (_e10456.member.member_2 * _e10452)) + _e10456.member_1);
-let _e10471 = global_1.member.member_10.member_1;
+let _e10471 = global_1.member.member_12.member_1;
 let _e10482 = ((((_e10471.member.member * _e10450) + (_e10471.member.member_1 * _e10451)) + (_e10471.member.member_2 * _e10452)) + _e10471.member_1);
-let _e10486 = global_1.member.member_10.member_2;
+let _e10486 = global_1.member.member_12.member_2;
 let _e10497 = ((((_e10486.member.member * _e10450) + (_e10486.member.member_1 * _e10451)) + (_e10486.member.member_2 * _e10452)) + _e10486.member_1);
 let _e10498 = (_e3763 != 0u);
-let _e10502 = global_1.member.member_10.member_19;
+let _e10502 = global_1.member.member_12.member_19;
 let _e10506 = (_e10467 - _e10502.member);
 let _e10507 = (_e10482 - _e10502.member_1);
 let _e10508 = (_e10497 - _e10502.member_2);
@@ -3374,36 +3376,36 @@ let _e10519 = (1f / select(1e-20f, _e10516, (_e10516 > 1e-20f)));
 let _e10523 = select(0f, (_e10506 * _e10519), _e10498);
 let _e10524 = select(0f, (_e10507 * _e10519), _e10498);
 let _e10525 = select(1f, (_e10508 * _e10519), _e10498);
-let _e10530 = global_1.member.member_10.member.member;
-let _e10541 = global_1.member.member_10.member_1.member;
-let _e10555 = global_1.member.member_10.member_2.member;
+let _e10530 = global_1.member.member_12.member.member;
+let _e10541 = global_1.member.member_12.member_1.member;
+let _e10555 = global_1.member.member_12.member_2.member;
 let _e10564 = (vec3<f32>(((_e10530.member * _e10523) + (_e10541.member * _e10524)), ((_e10530.member_1 * _e10523) + (_e10541.member_1 * _e10524)), ((_e10530.member_2 * _e10523) + (_e10541.member_2 * _e10524))) + vec3<f32>((_e10555.member * _e10525), (_e10555.member_1 * _e10525), (_e10555.member_2 * _e10525)));
 if ((_e2927 & 256u) != 0u) {
-let _e10572 = global_1.member.member_10.member_18.member.member;
+let _e10572 = global_1.member.member_12.member_18.member.member;
 let _e10573 = bitcast<i32>(_e10572);
-let _e10579 = global_1.member.member_10.member_18.member.member_1;
+let _e10579 = global_1.member.member_12.member_18.member.member_1;
 let _e10580 = bitcast<i32>(_e10579);
-let _e10585 = global_1.member.member_10.member_19.member_2;
+let _e10585 = global_1.member.member_12.member_19.member_2;
 let _e10587 = select(1f, (_e10497 - _e10585), _e10498);
 let _e10590 = (1f / select(1e-12f, _e10587, (_e10587 > 1e-12f)));
-let _e10595 = global_1.member.member_10.member_5;
-let _e10600 = global_1.member.member_10.member_8;
+let _e10595 = global_1.member.member_12.member_5;
+let _e10600 = global_1.member.member_12.member_8;
 let _e10601 = (((_e10467 * _e10590) - _e10595) * _e10600);
-let _e10606 = global_1.member.member_10.member_6;
+let _e10606 = global_1.member.member_12.member_6;
 let _e10608 = (((_e10482 * _e10590) - _e10606) * _e10600);
-let _e10613 = global_1.member.member_10.member_4.member;
+let _e10613 = global_1.member.member_12.member_4.member;
 let _e10615 = f32(bitcast<i32>(_e10613));
 let _e10617 = select(0f, _e10601, (_e10601 > 0f));
-let _e10624 = global_1.member.member_10.member_18.member_1;
+let _e10624 = global_1.member.member_12.member_18.member_1;
 let _e10627 = ((_e10601 - _e10615) * _e10624);
-let _e10632 = global_1.member.member_10.member_18.member_2;
+let _e10632 = global_1.member.member_12.member_18.member_2;
 let _e10634 = select(0f, _e10627, (_e10627 > 0f));
 let _e10636 = (_e10632 + _e10634);
 let _e10641 = (-(_e10601) * _e10624);
 let _e10643 = select(0f, _e10641, (_e10641 > 0f));
 let _e10645 = (_e10632 + _e10643);
 let _e10652 = (((_e10632 + (select(_e10615, _e10617, (_e10617 < _e10615)) * _e10624)) + (((_e10634 * _e10632) / select(1e-12f, _e10636, (_e10636 > 1e-12f))) - ((_e10643 * _e10632) / select(1e-12f, _e10645, (_e10645 > 1e-12f))))) - 0.5f);
-let _e10657 = global_1.member.member_10.member_4.member_1;
+let _e10657 = global_1.member.member_12.member_4.member_1;
 let _e10659 = f32(bitcast<i32>(_e10657));
 let _e10661 = select(0f, _e10608, (_e10608 > 0f));
 let _e10666 = ((_e10608 - _e10659) * _e10624);
@@ -3430,10 +3432,10 @@ let _e10728 = (_e10686 - f32(_e10720));
 let _e10730 = select(0f, _e10728, (_e10728 > 0f));
 let _e10732 = select(1f, _e10730, (_e10730 < 1f));
 if _e4817 {
-let _e10737 = global_1.member.member_10.member_18.member_4;
+let _e10737 = global_1.member.member_12.member_18.member_4;
 phi_23575_ = _e10737;
 } else {
-let _e10742 = global_1.member.member_10.member_18.member_3;
+let _e10742 = global_1.member.member_12.member_18.member_3;
 phi_23575_ = _e10742;
 }
 let _e10744 = phi_23575_;
@@ -3493,14 +3495,14 @@ phi_23973_ = vec3<f32>(_e10799, _e10848, _e10898);
 if _e3764 {
 phi_23912_ = 1f;
 } else {
-let _e10904 = global_1.member.member_10.member_20.member;
+let _e10904 = global_1.member.member_12.member_20.member;
 let _e10912 = (((_e10904.member * _e10506) + (_e10904.member_1 * _e10507)) + (_e10904.member_2 * _e10508));
 let _e10916 = (_e10506 - (_e10904.member * _e10912));
 let _e10917 = (_e10507 - (_e10904.member_1 * _e10912));
 let _e10918 = (_e10508 - (_e10904.member_2 * _e10912));
 let _e10923 = (((_e10916 * _e10916) + (_e10917 * _e10917)) + (_e10918 * _e10918));
-let _e10934 = global_1.member.member_10.member_20.member_1;
-let _e10940 = global_1.member.member_10.member_20.member_2;
+let _e10934 = global_1.member.member_12.member_20.member_1;
+let _e10940 = global_1.member.member_12.member_20.member_2;
 let _e10941 = ((_e10934 - (sqrt(select(0f, _e10923, (_e10923 > 0f))) / select(1e-20f, _e10912, (_e10912 > 1e-20f)))) * _e10940);
 let _e10943 = select(0f, _e10941, (_e10941 > 0f));
 let _e10945 = select(1f, _e10943, (_e10943 < 1f));
@@ -3520,15 +3522,15 @@ let _e10974 = phi_23968_;
 phi_23973_ = vec3<f32>((select(0f, _e10961, (_e10961 > 0f)) * _e10974), (select(0f, _e10962, (_e10962 > 0f)) * _e10974), (select(0f, _e10963, (_e10963 > 0f)) * _e10974));
 }
 let _e10980 = phi_23973_;
-let _e10984 = global_1.member.member_9.member_1;
+let _e10984 = global_1.member.member_11.member_1;
 phi_24233_ = type_36((vec3<f32>(_e10984.member, _e10984.member_1, _e10984.member_2) * _e10980), _e10564);
 } else {
 if _e3764 {
-let _e10994 = global_1.member.member_9.member_1;
-let _e11002 = global_1.member.member_9.member;
+let _e10994 = global_1.member.member_11.member_1;
+let _e11002 = global_1.member.member_11.member;
 phi_24232_ = type_36(vec3<f32>(_e10994.member, _e10994.member_1, _e10994.member_2), vec3<f32>(_e11002.member, _e11002.member_1, _e11002.member_2));
 } else {
-let _e11011 = global_1.member.member_9.member_1;
+let _e11011 = global_1.member.member_11.member_1;
 if _e3764 {
 phi_24076_ = 1f;
 } else {
@@ -3538,14 +3540,14 @@ let _e11019 = phi_24076_;
 if _e3764 {
 phi_24160_ = 1f;
 } else {
-let _e11024 = global_1.member.member_10.member_20.member;
+let _e11024 = global_1.member.member_12.member_20.member;
 let _e11032 = (((_e11024.member * _e10506) + (_e11024.member_1 * _e10507)) + (_e11024.member_2 * _e10508));
 let _e11036 = (_e10506 - (_e11024.member * _e11032));
 let _e11037 = (_e10507 - (_e11024.member_1 * _e11032));
 let _e11038 = (_e10508 - (_e11024.member_2 * _e11032));
 let _e11043 = (((_e11036 * _e11036) + (_e11037 * _e11037)) + (_e11038 * _e11038));
-let _e11054 = global_1.member.member_10.member_20.member_1;
-let _e11060 = global_1.member.member_10.member_20.member_2;
+let _e11054 = global_1.member.member_12.member_20.member_1;
+let _e11060 = global_1.member.member_12.member_20.member_2;
 let _e11061 = ((_e11054 - (sqrt(select(0f, _e11043, (_e11043 > 0f))) / select(1e-20f, _e11032, (_e11032 > 1e-20f)))) * _e11060);
 let _e11063 = select(0f, _e11061, (_e11061 > 0f));
 let _e11065 = select(1f, _e11063, (_e11063 < 1f));

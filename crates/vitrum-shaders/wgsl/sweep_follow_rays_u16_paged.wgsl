@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -423,25 +425,25 @@ let _e457 = vec3<f32>(_e248, _e258, _e269);
 let _e458 = vec3<f32>(_e280, _e291, _e302);
 let _e459 = vec3<f32>(_e346, _e357, _e368);
 let _e460 = vec3<f32>(_e390, _e401, _e412);
-let _e465 = global_1.member.member_6.member;
+let _e465 = global_1.member.member_8.member;
 let _e476 = ((((_e465.member.member * _e248) + (_e465.member.member_1 * _e258)) + (_e465.member.member_2 * _e269)) + _e465.member_1);
-let _e480 = global_1.member.member_6.member_1;
+let _e480 = global_1.member.member_8.member_1;
 let _e491 = ((((_e480.member.member * _e248) + (_e480.member.member_1 * _e258)) + (_e480.member.member_2 * _e269)) + _e480.member_1);
-let _e495 = global_1.member.member_6.member_2;
+let _e495 = global_1.member.member_8.member_2;
 let _e506 = ((((_e495.member.member * _e248) + (_e495.member.member_1 * _e258)) + (_e495.member.member_2 * _e269)) + _e495.member_1);
 let _e508 = (_e222.member_2 == 5u);
 let _e514 = ((_e222.member_2 == 2u) || (_e222.member_2 == 7u));
 let _e515 = ((((_e222.member_2 == 1u) || _e508) || (_e222.member_2 == 6u)) || _e514);
 if _e515 {
-let _e520 = global_1.member.member_6.member_3.member;
+let _e520 = global_1.member.member_8.member_3.member;
 let _e521 = (_e520 - 0.5f);
 let _e523 = select(-0.5f, _e476, (_e476 > -0.5f));
 let _e525 = select(_e521, _e523, (_e523 < _e521));
-let _e530 = global_1.member.member_6.member_3.member_1;
+let _e530 = global_1.member.member_8.member_3.member_1;
 let _e531 = (_e530 - 0.5f);
 let _e533 = select(-0.5f, _e491, (_e491 > -0.5f));
 let _e535 = select(_e531, _e533, (_e533 < _e531));
-let _e540 = global_1.member.member_6.member_3.member_2;
+let _e540 = global_1.member.member_8.member_3.member_2;
 let _e541 = (_e540 - 0.5f);
 let _e543 = select(-0.5f, _e506, (_e506 > -0.5f));
 let _e545 = select(_e541, _e543, (_e543 < _e541));
@@ -457,13 +459,13 @@ let _e577 = select(-1f, _e545, (_e545 > -1f));
 let _e579 = select(_e540, _e577, (_e577 < _e540));
 let _e586 = select(0i, select(select(i32(_e579), i32(-2147483648), (_e579 < -2147483600f)), 2147483647i, (_e579 > 2147483500f)), (_e579 == _e579));
 let _e590 = (_e586 - select(0i, 1i, (_e579 < f32(_e586))));
-let _e594 = global_1.member.member_6.member_7;
-let _e598 = global_1.member.member_6.member_8;
+let _e594 = global_1.member.member_8.member_7;
+let _e598 = global_1.member.member_8.member_8;
 let _e599 = (_e560 + 1i);
 let _e600 = (_e575 + 1i);
 let _e601 = (_e590 + 1i);
-let _e606 = global_1.member.member_6.member_11.member;
-let _e612 = global_1.member.member_6.member_11.member_1;
+let _e606 = global_1.member.member_8.member_11.member;
+let _e612 = global_1.member.member_8.member_11.member_1;
 let _e623 = ((_e599 >> bitcast<u32>(4i)) + (bitcast<i32>(_e606) * ((_e600 >> bitcast<u32>(4i)) + (bitcast<i32>(_e612) * (_e601 >> bitcast<u32>(4i))))));
 let _e625 = (bitcast<i32>(_e207) - 1i);
 let _e627 = select(_e625, _e623, (_e623 < _e625));
@@ -753,8 +755,8 @@ let _e1572 = local_41[2u];
 let _e1576 = local_41[1u];
 let _e1580 = local_41[2u];
 let _e1584 = local_41[2u];
-let _e1591 = global_1.member.member_6.member_6;
-let _e1595 = global_1.member.member_6.member_5;
+let _e1591 = global_1.member.member_8.member_6;
+let _e1595 = global_1.member.member_8.member_5;
 let _e1597 = (((_e1514 + ((_e1518 - _e1514) * _e1584)) - _e1591) * _e1595);
 let _e1598 = -(1e9f);
 let _e1600 = select(_e1598, _e1597, (_e1597 > _e1598));
@@ -1020,26 +1022,26 @@ let _e2348 = select(0f, 1f, ((((((_e476 >= -0.5f) && (_e476 <= _e521)) && (_e491
 let _e2350 = (0.5f * (_e1614 - _e1608));
 let _e2352 = (0.5f * (_e1626 - _e1620));
 let _e2354 = (0.5f * (_e1638 - _e1632));
-let _e2360 = global_1.member.member_6.member.member.member;
-let _e2366 = global_1.member.member_6.member.member.member_1;
-let _e2372 = global_1.member.member_6.member.member.member_2;
-let _e2378 = global_1.member.member_6.member_1.member.member;
-let _e2384 = global_1.member.member_6.member_1.member.member_1;
-let _e2390 = global_1.member.member_6.member_1.member.member_2;
-let _e2396 = global_1.member.member_6.member_2.member.member;
-let _e2402 = global_1.member.member_6.member_2.member.member_1;
-let _e2408 = global_1.member.member_6.member_2.member.member_2;
+let _e2360 = global_1.member.member_8.member.member.member;
+let _e2366 = global_1.member.member_8.member.member.member_1;
+let _e2372 = global_1.member.member_8.member.member.member_2;
+let _e2378 = global_1.member.member_8.member_1.member.member;
+let _e2384 = global_1.member.member_8.member_1.member.member_1;
+let _e2390 = global_1.member.member_8.member_1.member.member_2;
+let _e2396 = global_1.member.member_8.member_2.member.member;
+let _e2402 = global_1.member.member_8.member_2.member.member_1;
+let _e2408 = global_1.member.member_8.member_2.member.member_2;
 phi_6999_ = type_34(_e1602, vec3<f32>(((((_e2360 * _e2350) + (_e2378 * _e2352)) + (_e2396 * _e2354)) * _e2348), ((((_e2366 * _e2350) + (_e2384 * _e2352)) + (_e2402 * _e2354)) * _e2348), ((((_e2372 * _e2350) + (_e2390 * _e2352)) + (_e2408 * _e2354)) * _e2348)), _e2333.member, vec3<f32>(((((_e2360 * _e2333.member_2.x) + (_e2378 * _e2333.member_2.y)) + (_e2396 * _e2333.member_2.z)) * _e2348), ((((_e2366 * _e2333.member_2.x) + (_e2384 * _e2333.member_2.y)) + (_e2402 * _e2333.member_2.z)) * _e2348), ((((_e2372 * _e2333.member_2.x) + (_e2390 * _e2333.member_2.y)) + (_e2408 * _e2333.member_2.z)) * _e2348)), vec3<f32>(((((_e2360 * _e2333.member_1.x) + (_e2378 * _e2333.member_1.y)) + (_e2396 * _e2333.member_1.z)) * _e2348), ((((_e2366 * _e2333.member_1.x) + (_e2384 * _e2333.member_1.y)) + (_e2402 * _e2333.member_1.z)) * _e2348), ((((_e2372 * _e2333.member_1.x) + (_e2390 * _e2333.member_1.y)) + (_e2408 * _e2333.member_1.z)) * _e2348)));
 } else {
-let _e2477 = global_1.member.member_6.member_3.member;
+let _e2477 = global_1.member.member_8.member_3.member;
 let _e2478 = (_e2477 - 0.5f);
 let _e2480 = select(-0.5f, _e476, (_e476 > -0.5f));
 let _e2482 = select(_e2478, _e2480, (_e2480 < _e2478));
-let _e2487 = global_1.member.member_6.member_3.member_1;
+let _e2487 = global_1.member.member_8.member_3.member_1;
 let _e2488 = (_e2487 - 0.5f);
 let _e2490 = select(-0.5f, _e491, (_e491 > -0.5f));
 let _e2492 = select(_e2488, _e2490, (_e2490 < _e2488));
-let _e2497 = global_1.member.member_6.member_3.member_2;
+let _e2497 = global_1.member.member_8.member_3.member_2;
 let _e2498 = (_e2497 - 0.5f);
 let _e2500 = select(-0.5f, _e506, (_e506 > -0.5f));
 let _e2502 = select(_e2498, _e2500, (_e2500 < _e2498));
@@ -1055,13 +1057,13 @@ let _e2534 = select(-1f, _e2502, (_e2502 > -1f));
 let _e2536 = select(_e2497, _e2534, (_e2534 < _e2497));
 let _e2543 = select(0i, select(select(i32(_e2536), i32(-2147483648), (_e2536 < -2147483600f)), 2147483647i, (_e2536 > 2147483500f)), (_e2536 == _e2536));
 let _e2547 = (_e2543 - select(0i, 1i, (_e2536 < f32(_e2543))));
-let _e2551 = global_1.member.member_6.member_7;
-let _e2555 = global_1.member.member_6.member_8;
+let _e2551 = global_1.member.member_8.member_7;
+let _e2555 = global_1.member.member_8.member_8;
 let _e2556 = (_e2517 + 1i);
 let _e2557 = (_e2532 + 1i);
 let _e2558 = (_e2547 + 1i);
-let _e2563 = global_1.member.member_6.member_11.member;
-let _e2569 = global_1.member.member_6.member_11.member_1;
+let _e2563 = global_1.member.member_8.member_11.member;
+let _e2569 = global_1.member.member_8.member_11.member_1;
 let _e2580 = ((_e2556 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2563) * ((_e2557 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2569) * (_e2558 >> bitcast<u32>(4i))))));
 let _e2582 = (bitcast<i32>(_e207) - 1i);
 let _e2584 = select(_e2582, _e2580, (_e2580 < _e2582));
@@ -1137,8 +1139,8 @@ let _e2821 = local_24.member_1[3u];
 let _e2828 = local_25[0u];
 let _e2832 = local_25[1u];
 let _e2837 = local_25[2u];
-let _e2844 = global_1.member.member_6.member_6;
-let _e2848 = global_1.member.member_6.member_5;
+let _e2844 = global_1.member.member_8.member_6;
+let _e2848 = global_1.member.member_8.member_5;
 let _e2850 = (((_e2729 + (((_e2780 + (((_e2820 + ((f32(bitcast<i32>(((_e2813 >> bitcast<u32>((_e2821 & 31u))) & 65535u))) - _e2820) * _e2828)) - _e2780) * _e2832)) - _e2729) * _e2837)) - _e2844) * _e2848);
 let _e2851 = -(1e9f);
 let _e2853 = select(_e2851, _e2850, (_e2850 > _e2851));
@@ -1150,48 +1152,48 @@ let _e2863 = ((_e2861 & 16u) == 0u);
 if _e2863 {
 phi_7379_ = type_7(1f, 1f, 1f);
 } else {
-let _e2867 = global_1.member.member_14.member;
+let _e2867 = global_1.member.member_16.member;
 let _e2878 = ((((_e2867.member.member * _e248) + (_e2867.member.member_1 * _e258)) + (_e2867.member.member_2 * _e269)) + _e2867.member_1);
 let _e2880 = (_e2878 - _e2878);
 let _e2883 = (-(_e2878) / select(1e-30f, _e2880, (_e2880 > 1e-30f)));
 let _e2885 = select(0f, _e2883, (_e2883 > 0f));
 let _e2888 = (_e2878 > 0f);
 let _e2891 = select(select(select(1f, _e2885, (_e2885 < 1f)), 1f, (_e2878 <= 0f)), 0f, _e2888);
-let _e2895 = global_1.member.member_14.member_1;
+let _e2895 = global_1.member.member_16.member_1;
 let _e2896 = (_e2895 != 0u);
-let _e2906 = global_1.member.member_15.member;
+let _e2906 = global_1.member.member_17.member;
 let _e2917 = ((((_e2906.member.member * _e248) + (_e2906.member.member_1 * _e258)) + (_e2906.member.member_2 * _e269)) + _e2906.member_1);
 let _e2919 = (_e2917 - _e2917);
 let _e2922 = (-(_e2917) / select(1e-30f, _e2919, (_e2919 > 1e-30f)));
 let _e2924 = select(0f, _e2922, (_e2922 > 0f));
 let _e2927 = (_e2917 > 0f);
 let _e2930 = select(select(select(1f, _e2924, (_e2924 < 1f)), 1f, (_e2917 <= 0f)), 0f, _e2927);
-let _e2934 = global_1.member.member_15.member_1;
+let _e2934 = global_1.member.member_17.member_1;
 let _e2935 = (_e2934 != 0u);
-let _e2945 = global_1.member.member_16.member;
+let _e2945 = global_1.member.member_18.member;
 let _e2956 = ((((_e2945.member.member * _e248) + (_e2945.member.member_1 * _e258)) + (_e2945.member.member_2 * _e269)) + _e2945.member_1);
 let _e2958 = (_e2956 - _e2956);
 let _e2961 = (-(_e2956) / select(1e-30f, _e2958, (_e2958 > 1e-30f)));
 let _e2963 = select(0f, _e2961, (_e2961 > 0f));
 let _e2966 = (_e2956 > 0f);
 let _e2969 = select(select(select(1f, _e2963, (_e2963 < 1f)), 1f, (_e2956 <= 0f)), 0f, _e2966);
-let _e2973 = global_1.member.member_16.member_1;
+let _e2973 = global_1.member.member_18.member_1;
 let _e2974 = (_e2973 != 0u);
-let _e2984 = global_1.member.member_17.member;
+let _e2984 = global_1.member.member_19.member;
 let _e2995 = ((((_e2984.member.member * _e248) + (_e2984.member.member_1 * _e258)) + (_e2984.member.member_2 * _e269)) + _e2984.member_1);
 let _e2997 = (_e2995 - _e2995);
 let _e3000 = (-(_e2995) / select(1e-30f, _e2997, (_e2997 > 1e-30f)));
 let _e3002 = select(0f, _e3000, (_e3000 > 0f));
 let _e3005 = (_e2995 > 0f);
 let _e3008 = select(select(select(1f, _e3002, (_e3002 < 1f)), 1f, (_e2995 <= 0f)), 0f, _e3005);
-let _e3012 = global_1.member.member_17.member_1;
+let _e3012 = global_1.member.member_19.member_1;
 let _e3013 = (_e3012 != 0u);
 phi_7379_ = type_7(((((1f * _e2891) * _e2930) * _e2969) * _e3008), ((((1f * select(1f, _e2891, _e2896)) * select(1f, _e2930, _e2935)) * select(1f, _e2969, _e2974)) * select(1f, _e3008, _e3013)), ((((1f * select(1f, 0f, (_e2896 && _e2888))) * select(1f, 0f, (_e2935 && _e2927))) * select(1f, 0f, (_e2974 && _e2966))) * select(1f, 0f, (_e3013 && _e3005))));
 }
 let _e3022 = phi_7379_;
 if _e435 {
 let _e3024 = type_32(_e457, _e458, _e313, 4f, _e335, _e459, _e379, _e460, _e423, _e434);
-let _e3029 = global_1.member.member_5.member_2;
+let _e3029 = global_1.member.member_7.member_2;
 let _e3032 = (_e3029 / select(1e-6f, _e302, (_e302 > 1e-6f)));
 let _e3036 = (_e248 + (_e280 * _e3032));
 let _e3037 = (_e258 + (_e291 * _e3032));
@@ -1199,10 +1201,10 @@ let _e3038 = (_e269 + (_e302 * _e3032));
 let _e3044 = ((((_e465.member.member * _e3036) + (_e465.member.member_1 * _e3037)) + (_e465.member.member_2 * _e3038)) + _e465.member_1);
 let _e3050 = ((((_e480.member.member * _e3036) + (_e480.member.member_1 * _e3037)) + (_e480.member.member_2 * _e3038)) + _e480.member_1);
 let _e3056 = ((((_e495.member.member * _e3036) + (_e495.member.member_1 * _e3037)) + (_e495.member.member_2 * _e3038)) + _e495.member_1);
-let _e3061 = global_1.member.member_6.member.member;
-let _e3069 = global_1.member.member_6.member_1.member;
-let _e3077 = global_1.member.member_6.member_2.member;
-let _e3085 = global_1.member.member_6.member_3.member;
+let _e3061 = global_1.member.member_8.member.member;
+let _e3069 = global_1.member.member_8.member_1.member;
+let _e3077 = global_1.member.member_8.member_2.member;
+let _e3085 = global_1.member.member_8.member_3.member;
 let _e3086 = (_e3085 - 0.5f);
 let _e3087 = (-0.5f - _e476);
 let _e3088 = (-0.5f - _e3044);
@@ -1236,7 +1238,7 @@ let _e3153 = select(_e3113, _e3142, _e3151);
 let _e3157 = select(_e3117, _e3146, _e3152);
 let _e3161 = select(_e3121, _e3127, _e3147);
 let _e3163 = select(_e3123, _e3128, (_e3128 > _e3123));
-let _e3171 = global_1.member.member_6.member_3.member_1;
+let _e3171 = global_1.member.member_8.member_3.member_1;
 let _e3172 = (_e3171 - 0.5f);
 let _e3173 = (-0.5f - _e491);
 let _e3174 = (-0.5f - _e3050);
@@ -1270,7 +1272,7 @@ let _e3239 = select(_e3199, _e3228, _e3237);
 let _e3243 = select(_e3203, _e3232, _e3238);
 let _e3247 = select(_e3207, _e3213, _e3233);
 let _e3249 = select(_e3209, _e3214, (_e3214 > _e3209));
-let _e3257 = global_1.member.member_6.member_3.member_2;
+let _e3257 = global_1.member.member_8.member_3.member_2;
 let _e3258 = (_e3257 - 0.5f);
 let _e3259 = (-0.5f - _e506);
 let _e3260 = (-0.5f - _e3056);
@@ -1318,12 +1320,12 @@ phi_8708_ = type_35(_e3325, vec3<f32>(_e3326, _e3327, _e3328), _e3330, vec3<f32>
 } else {
 let _e3347 = (((_e3061.member * _e3061.member) + (_e3061.member_1 * _e3061.member_1)) + (_e3061.member_2 * _e3061.member_2));
 let _e3350 = sqrt(select(0f, _e3347, (_e3347 > 0f)));
-let _e3354 = global_1.member.member_14.member_1;
+let _e3354 = global_1.member.member_16.member_1;
 let _e3355 = (_e3354 != 0u);
-let _e3359 = global_1.member.member_14.member;
+let _e3359 = global_1.member.member_16.member;
 let _e3379 = select(-1e6f, (((((_e3359.member.member * _e248) + (_e3359.member.member_1 * _e258)) + (_e3359.member.member_2 * _e269)) + _e3359.member_1) * _e3350), _e3355);
 let _e3380 = select(-1e6f, (((((_e3359.member.member * _e3036) + (_e3359.member.member_1 * _e3037)) + (_e3359.member.member_2 * _e3038)) + _e3359.member_1) * _e3350), _e3355);
-let _e3385 = global_1.member.member_14.member.member;
+let _e3385 = global_1.member.member_16.member.member;
 let _e3389 = -(_e3379);
 let _e3392 = (_e3379 - _e3380);
 let _e3393 = (_e3380 - _e3379);
@@ -1338,12 +1340,12 @@ let _e3413 = select(_e3325, _e3402, _e3411);
 let _e3417 = select(_e3330, _e3406, _e3412);
 let _e3421 = select(_e3335, _e3379, _e3407);
 let _e3423 = select(_e3337, _e3380, (_e3380 > _e3337));
-let _e3430 = global_1.member.member_15.member_1;
+let _e3430 = global_1.member.member_17.member_1;
 let _e3431 = (_e3430 != 0u);
-let _e3435 = global_1.member.member_15.member;
+let _e3435 = global_1.member.member_17.member;
 let _e3455 = select(-1e6f, (((((_e3435.member.member * _e248) + (_e3435.member.member_1 * _e258)) + (_e3435.member.member_2 * _e269)) + _e3435.member_1) * _e3350), _e3431);
 let _e3456 = select(-1e6f, (((((_e3435.member.member * _e3036) + (_e3435.member.member_1 * _e3037)) + (_e3435.member.member_2 * _e3038)) + _e3435.member_1) * _e3350), _e3431);
-let _e3461 = global_1.member.member_15.member.member;
+let _e3461 = global_1.member.member_17.member.member;
 let _e3465 = -(_e3455);
 let _e3468 = (_e3455 - _e3456);
 let _e3469 = (_e3456 - _e3455);
@@ -1358,12 +1360,12 @@ let _e3489 = select(_e3413, _e3478, _e3487);
 let _e3493 = select(_e3417, _e3482, _e3488);
 let _e3497 = select(_e3421, _e3455, _e3483);
 let _e3499 = select(_e3423, _e3456, (_e3456 > _e3423));
-let _e3506 = global_1.member.member_16.member_1;
+let _e3506 = global_1.member.member_18.member_1;
 let _e3507 = (_e3506 != 0u);
-let _e3511 = global_1.member.member_16.member;
+let _e3511 = global_1.member.member_18.member;
 let _e3531 = select(-1e6f, (((((_e3511.member.member * _e248) + (_e3511.member.member_1 * _e258)) + (_e3511.member.member_2 * _e269)) + _e3511.member_1) * _e3350), _e3507);
 let _e3532 = select(-1e6f, (((((_e3511.member.member * _e3036) + (_e3511.member.member_1 * _e3037)) + (_e3511.member.member_2 * _e3038)) + _e3511.member_1) * _e3350), _e3507);
-let _e3537 = global_1.member.member_16.member.member;
+let _e3537 = global_1.member.member_18.member.member;
 let _e3541 = -(_e3531);
 let _e3544 = (_e3531 - _e3532);
 let _e3545 = (_e3532 - _e3531);
@@ -1378,12 +1380,12 @@ let _e3565 = select(_e3489, _e3554, _e3563);
 let _e3569 = select(_e3493, _e3558, _e3564);
 let _e3573 = select(_e3497, _e3531, _e3559);
 let _e3575 = select(_e3499, _e3532, (_e3532 > _e3499));
-let _e3582 = global_1.member.member_17.member_1;
+let _e3582 = global_1.member.member_19.member_1;
 let _e3583 = (_e3582 != 0u);
-let _e3587 = global_1.member.member_17.member;
+let _e3587 = global_1.member.member_19.member;
 let _e3607 = select(-1e6f, (((((_e3587.member.member * _e248) + (_e3587.member.member_1 * _e258)) + (_e3587.member.member_2 * _e269)) + _e3587.member_1) * _e3350), _e3583);
 let _e3608 = select(-1e6f, (((((_e3587.member.member * _e3036) + (_e3587.member.member_1 * _e3037)) + (_e3587.member.member_2 * _e3038)) + _e3587.member_1) * _e3350), _e3583);
-let _e3613 = global_1.member.member_17.member.member;
+let _e3613 = global_1.member.member_19.member.member;
 let _e3617 = -(_e3607);
 let _e3620 = (_e3607 - _e3608);
 let _e3621 = (_e3608 - _e3607);
@@ -1403,24 +1405,24 @@ phi_8745_ = type_32(_e3024.member, vec3<f32>((_e280 - (_e2858.member_3.x * _e367
 phi_8745_ = type_32(_e457, _e458, _e313, _e324, _e335, _e459, _e379, _e460, _e423, _e434);
 }
 let _e3692 = phi_8745_;
-let _e3697 = global_1.member.member_10.member_3;
+let _e3697 = global_1.member.member_12.member_3;
 let _e3698 = (_e3697 == 0u);
 if _e3698 {
-let _e3702 = global_1.member.member_9.member_1;
-let _e3710 = global_1.member.member_9.member;
+let _e3702 = global_1.member.member_11.member_1;
+let _e3710 = global_1.member.member_11.member;
 phi_9005_ = type_36(vec3<f32>(_e3702.member, _e3702.member_1, _e3702.member_2), vec3<f32>(_e3710.member, _e3710.member_1, _e3710.member_2));
 } else {
-let _e3719 = global_1.member.member_10.member;
+let _e3719 = global_1.member.member_12.member;
 let _e3733 = ((((_e3719.member.member * _e3692.member.x) + (_e3719.member.member_1 * _e3692.member.y)) + (_e3719.member.member_2 * _e3692.member.z)) + _e3719.member_1);
-let _e3737 = global_1.member.member_10.member_1;
+let _e3737 = global_1.member.member_12.member_1;
 let _e3748 = ((((_e3737.member.member * _e3692.member.x) + (_e3737.member.member_1 * _e3692.member.y)) + (_e3737.member.member_2 * _e3692.member.z)) + _e3737.member_1);
-let _e3752 = global_1.member.member_10.member_2;
+let _e3752 = global_1.member.member_12.member_2;
 let _e3763 = ((((_e3752.member.member * _e3692.member.x) + (_e3752.member.member_1 * _e3692.member.y)) + (_e3752.member.member_2 * _e3692.member.z)) + _e3752.member_1);
-let _e3767 = global_1.member.member_9.member_1;
+let _e3767 = global_1.member.member_11.member_1;
 if _e3698 {
 phi_8849_ = 1f;
 } else {
-let _e3774 = global_1.member.member_10.member_19;
+let _e3774 = global_1.member.member_12.member_19;
 let _e3778 = (_e3733 - _e3774.member);
 let _e3779 = (_e3748 - _e3774.member_1);
 let _e3780 = (_e3763 - _e3774.member_2);
@@ -1431,18 +1433,18 @@ let _e3790 = phi_8849_;
 if _e3698 {
 phi_8933_ = 1f;
 } else {
-let _e3794 = global_1.member.member_10.member_19;
+let _e3794 = global_1.member.member_12.member_19;
 let _e3798 = (_e3733 - _e3794.member);
 let _e3799 = (_e3748 - _e3794.member_1);
 let _e3800 = (_e3763 - _e3794.member_2);
-let _e3805 = global_1.member.member_10.member_20.member;
+let _e3805 = global_1.member.member_12.member_20.member;
 let _e3813 = (((_e3805.member * _e3798) + (_e3805.member_1 * _e3799)) + (_e3805.member_2 * _e3800));
 let _e3817 = (_e3798 - (_e3805.member * _e3813));
 let _e3818 = (_e3799 - (_e3805.member_1 * _e3813));
 let _e3819 = (_e3800 - (_e3805.member_2 * _e3813));
 let _e3824 = (((_e3817 * _e3817) + (_e3818 * _e3818)) + (_e3819 * _e3819));
-let _e3835 = global_1.member.member_10.member_20.member_1;
-let _e3841 = global_1.member.member_10.member_20.member_2;
+let _e3835 = global_1.member.member_12.member_20.member_1;
+let _e3841 = global_1.member.member_12.member_20.member_2;
 let _e3842 = ((_e3835 - (sqrt(select(0f, _e3824, (_e3824 > 0f))) / select(1e-20f, _e3813, (_e3813 > 1e-20f)))) * _e3841);
 let _e3844 = select(0f, _e3842, (_e3842 > 0f));
 let _e3846 = select(1f, _e3844, (_e3844 < 1f));
@@ -1451,7 +1453,7 @@ phi_8933_ = select(1f, select(0f, ((_e3846 * _e3846) * (3f - (2f * _e3846))), (_
 let _e3856 = phi_8933_;
 let _e3857 = (_e3790 * _e3856);
 let _e3862 = (_e3697 != 0u);
-let _e3866 = global_1.member.member_10.member_19;
+let _e3866 = global_1.member.member_12.member_19;
 let _e3870 = (_e3733 - _e3866.member);
 let _e3871 = (_e3748 - _e3866.member_1);
 let _e3872 = (_e3763 - _e3866.member_2);
@@ -1461,9 +1463,9 @@ let _e3883 = (1f / select(1e-20f, _e3880, (_e3880 > 1e-20f)));
 let _e3887 = select(0f, (_e3870 * _e3883), _e3862);
 let _e3888 = select(0f, (_e3871 * _e3883), _e3862);
 let _e3889 = select(1f, (_e3872 * _e3883), _e3862);
-let _e3894 = global_1.member.member_10.member.member;
-let _e3905 = global_1.member.member_10.member_1.member;
-let _e3919 = global_1.member.member_10.member_2.member;
+let _e3894 = global_1.member.member_12.member.member;
+let _e3905 = global_1.member.member_12.member_1.member;
+let _e3919 = global_1.member.member_12.member_2.member;
 phi_9005_ = type_36(vec3<f32>((_e3767.member * _e3857), (_e3767.member_1 * _e3857), (_e3767.member_2 * _e3857)), (vec3<f32>(((_e3894.member * _e3887) + (_e3905.member * _e3888)), ((_e3894.member_1 * _e3887) + (_e3905.member_1 * _e3888)), ((_e3894.member_2 * _e3887) + (_e3905.member_2 * _e3888))) + vec3<f32>((_e3919.member * _e3889), (_e3919.member_1 * _e3889), (_e3919.member_2 * _e3889))));
 }
 let _e3931 = phi_9005_;
@@ -1507,13 +1509,13 @@ let _e3969 = select(1e-6f, _e3967, (_e3967 > 1e-6f));
 let _e3976 = (((_e3952 * _e3952) + (_e3954 * _e3954)) + (_e3956 * _e3956));
 let _e3979 = sqrt(select(0f, _e3976, (_e3976 > 0f)));
 let _e3982 = (((0.05f * _e3969) * _e3969) / select(1e-20f, _e3979, (_e3979 > 1e-20f)));
-let _e3986 = global_1.member.member_5.member_2;
+let _e3986 = global_1.member.member_7.member_2;
 let _e3987 = (0.0625f * _e3986);
 let _e3989 = select(_e3987, _e3982, (_e3982 > _e3987));
-let _e3996 = global_1.member.member_6.member_3.member;
-let _e4001 = global_1.member.member_6.member_3.member_1;
-let _e4006 = global_1.member.member_6.member_3.member_2;
-let _e4014 = global_1.member.member_6.member.member;
+let _e3996 = global_1.member.member_8.member_3.member;
+let _e4001 = global_1.member.member_8.member_3.member_1;
+let _e4006 = global_1.member.member_8.member_3.member_2;
+let _e4014 = global_1.member.member_8.member.member;
 let _e4022 = (((_e4014.member * _e4014.member) + (_e4014.member_1 * _e4014.member_1)) + (_e4014.member_2 * _e4014.member_2));
 let _e4025 = sqrt(select(0f, _e4022, (_e4022 > 0f)));
 let _e4028 = (select(((4f * ((_e3996 + _e4001) + _e4006)) / _e4025), select(_e3986, _e3989, (_e3989 < _e3986)), _e3946) / _e3969);
@@ -1530,8 +1532,8 @@ let _e4062 = ((((_e495.member.member * _e3933.member.x) + (_e495.member.member_1
 let _e4068 = ((((_e465.member.member * _e4040) + (_e465.member.member_1 * _e4042)) + (_e465.member.member_2 * _e4044)) + _e465.member_1);
 let _e4074 = ((((_e480.member.member * _e4040) + (_e480.member.member_1 * _e4042)) + (_e480.member.member_2 * _e4044)) + _e480.member_1);
 let _e4080 = ((((_e495.member.member * _e4040) + (_e495.member.member_1 * _e4042)) + (_e495.member.member_2 * _e4044)) + _e495.member_1);
-let _e4085 = global_1.member.member_6.member_1.member;
-let _e4093 = global_1.member.member_6.member_2.member;
+let _e4085 = global_1.member.member_8.member_1.member;
+let _e4093 = global_1.member.member_8.member_2.member;
 let _e4097 = (_e3996 - 0.5f);
 let _e4098 = (-0.5f - _e4050);
 let _e4099 = (-0.5f - _e4068);
@@ -1643,12 +1645,12 @@ let _e4341 = select(select(select(select(select(select(1f, _e4014.member_2, _e41
 if _e2863 {
 phi_10483_ = type_35(_e4326, vec3<f32>(_e4327, _e4328, _e4329), _e4331, vec3<f32>(_e4332, _e4333, _e4334), _e4336, _e4338, vec3<f32>(_e4339, _e4340, _e4341));
 } else {
-let _e4347 = global_1.member.member_14.member_1;
+let _e4347 = global_1.member.member_16.member_1;
 let _e4348 = (_e4347 != 0u);
-let _e4352 = global_1.member.member_14.member;
+let _e4352 = global_1.member.member_16.member;
 let _e4372 = select(-1e6f, (((((_e4352.member.member * _e3933.member.x) + (_e4352.member.member_1 * _e3933.member.y)) + (_e4352.member.member_2 * _e3933.member.z)) + _e4352.member_1) * _e4025), _e4348);
 let _e4373 = select(-1e6f, (((((_e4352.member.member * _e4040) + (_e4352.member.member_1 * _e4042)) + (_e4352.member.member_2 * _e4044)) + _e4352.member_1) * _e4025), _e4348);
-let _e4378 = global_1.member.member_14.member.member;
+let _e4378 = global_1.member.member_16.member.member;
 let _e4382 = -(_e4372);
 let _e4385 = (_e4372 - _e4373);
 let _e4386 = (_e4373 - _e4372);
@@ -1663,12 +1665,12 @@ let _e4406 = select(_e4326, _e4395, _e4404);
 let _e4410 = select(_e4331, _e4399, _e4405);
 let _e4414 = select(_e4336, _e4372, _e4400);
 let _e4416 = select(_e4338, _e4373, (_e4373 > _e4338));
-let _e4423 = global_1.member.member_15.member_1;
+let _e4423 = global_1.member.member_17.member_1;
 let _e4424 = (_e4423 != 0u);
-let _e4428 = global_1.member.member_15.member;
+let _e4428 = global_1.member.member_17.member;
 let _e4448 = select(-1e6f, (((((_e4428.member.member * _e3933.member.x) + (_e4428.member.member_1 * _e3933.member.y)) + (_e4428.member.member_2 * _e3933.member.z)) + _e4428.member_1) * _e4025), _e4424);
 let _e4449 = select(-1e6f, (((((_e4428.member.member * _e4040) + (_e4428.member.member_1 * _e4042)) + (_e4428.member.member_2 * _e4044)) + _e4428.member_1) * _e4025), _e4424);
-let _e4454 = global_1.member.member_15.member.member;
+let _e4454 = global_1.member.member_17.member.member;
 let _e4458 = -(_e4448);
 let _e4461 = (_e4448 - _e4449);
 let _e4462 = (_e4449 - _e4448);
@@ -1683,12 +1685,12 @@ let _e4482 = select(_e4406, _e4471, _e4480);
 let _e4486 = select(_e4410, _e4475, _e4481);
 let _e4490 = select(_e4414, _e4448, _e4476);
 let _e4492 = select(_e4416, _e4449, (_e4449 > _e4416));
-let _e4499 = global_1.member.member_16.member_1;
+let _e4499 = global_1.member.member_18.member_1;
 let _e4500 = (_e4499 != 0u);
-let _e4504 = global_1.member.member_16.member;
+let _e4504 = global_1.member.member_18.member;
 let _e4524 = select(-1e6f, (((((_e4504.member.member * _e3933.member.x) + (_e4504.member.member_1 * _e3933.member.y)) + (_e4504.member.member_2 * _e3933.member.z)) + _e4504.member_1) * _e4025), _e4500);
 let _e4525 = select(-1e6f, (((((_e4504.member.member * _e4040) + (_e4504.member.member_1 * _e4042)) + (_e4504.member.member_2 * _e4044)) + _e4504.member_1) * _e4025), _e4500);
-let _e4530 = global_1.member.member_16.member.member;
+let _e4530 = global_1.member.member_18.member.member;
 let _e4534 = -(_e4524);
 let _e4537 = (_e4524 - _e4525);
 let _e4538 = (_e4525 - _e4524);
@@ -1703,12 +1705,12 @@ let _e4558 = select(_e4482, _e4547, _e4556);
 let _e4562 = select(_e4486, _e4551, _e4557);
 let _e4566 = select(_e4490, _e4524, _e4552);
 let _e4568 = select(_e4492, _e4525, (_e4525 > _e4492));
-let _e4575 = global_1.member.member_17.member_1;
+let _e4575 = global_1.member.member_19.member_1;
 let _e4576 = (_e4575 != 0u);
-let _e4580 = global_1.member.member_17.member;
+let _e4580 = global_1.member.member_19.member;
 let _e4600 = select(-1e6f, (((((_e4580.member.member * _e3933.member.x) + (_e4580.member.member_1 * _e3933.member.y)) + (_e4580.member.member_2 * _e3933.member.z)) + _e4580.member_1) * _e4025), _e4576);
 let _e4601 = select(-1e6f, (((((_e4580.member.member * _e4040) + (_e4580.member.member_1 * _e4042)) + (_e4580.member.member_2 * _e4044)) + _e4580.member_1) * _e4025), _e4576);
-let _e4606 = global_1.member.member_17.member.member;
+let _e4606 = global_1.member.member_19.member.member;
 let _e4610 = -(_e4600);
 let _e4613 = (_e4600 - _e4601);
 let _e4614 = (_e4601 - _e4600);
@@ -1744,23 +1746,23 @@ let _e4683 = select(1f, _e4679, _e4661);
 let _e4687 = (_e3933.member.x + ((_e4040 - _e3933.member.x) * _e4683));
 let _e4688 = (_e3933.member.y + ((_e4042 - _e3933.member.y) * _e4683));
 let _e4689 = (_e3933.member.z + ((_e4044 - _e3933.member.z) * _e4683));
-let _e4694 = global_1.member.member_13.member.member;
+let _e4694 = global_1.member.member_15.member.member;
 let _e4705 = ((((_e4694.member.member * _e3933.member.x) + (_e4694.member.member_1 * _e3933.member.y)) + (_e4694.member.member_2 * _e3933.member.z)) + _e4694.member_1);
 let _e4711 = ((((_e4694.member.member * _e4687) + (_e4694.member.member_1 * _e4688)) + (_e4694.member.member_2 * _e4689)) + _e4694.member_1);
 let _e4714 = ((_e4705 > 0f) && (_e4711 <= 0f));
 let _e4715 = (_e4705 - _e4711);
 let _e4718 = (_e4705 / select(1e-20f, _e4715, (_e4715 > 1e-20f)));
-let _e4723 = global_1.member.member_13.member_1.member;
+let _e4723 = global_1.member.member_15.member_1.member;
 let _e4734 = ((((_e4723.member.member * _e3933.member.x) + (_e4723.member.member_1 * _e3933.member.y)) + (_e4723.member.member_2 * _e3933.member.z)) + _e4723.member_1);
 let _e4740 = ((((_e4723.member.member * _e4687) + (_e4723.member.member_1 * _e4688)) + (_e4723.member.member_2 * _e4689)) + _e4723.member_1);
 let _e4743 = ((_e4734 > 0f) && (_e4740 <= 0f));
 let _e4744 = (_e4734 - _e4740);
 let _e4747 = (_e4734 / select(1e-20f, _e4744, (_e4744 > 1e-20f)));
 let _e4751 = (_e4743 && (!(_e4714) || (_e4747 < _e4718)));
-let _e4757 = global_1.member.member_13.member_1.member.member;
-let _e4762 = global_1.member.member_13.member_1.member_1;
-let _e4768 = global_1.member.member_13.member.member.member;
-let _e4773 = global_1.member.member_13.member.member_1;
+let _e4757 = global_1.member.member_15.member_1.member.member;
+let _e4762 = global_1.member.member_15.member_1.member_1;
+let _e4768 = global_1.member.member_15.member.member.member;
+let _e4773 = global_1.member.member_15.member.member_1;
 let _e4792 = (_e4714 || _e4743);
 let _e4799 = ((((_e465.member.member * _e4687) + (_e465.member.member_1 * _e4688)) + (_e465.member.member_2 * _e4689)) + _e465.member_1);
 let _e4805 = ((((_e480.member.member * _e4687) + (_e480.member.member_1 * _e4688)) + (_e480.member.member_2 * _e4689)) + _e480.member_1);
@@ -1784,13 +1786,13 @@ let _e4855 = select(-1f, _e4823, (_e4823 > -1f));
 let _e4857 = select(_e4006, _e4855, (_e4855 < _e4006));
 let _e4864 = select(0i, select(select(i32(_e4857), i32(-2147483648), (_e4857 < -2147483600f)), 2147483647i, (_e4857 > 2147483500f)), (_e4857 == _e4857));
 let _e4868 = (_e4864 - select(0i, 1i, (_e4857 < f32(_e4864))));
-let _e4872 = global_1.member.member_6.member_7;
-let _e4876 = global_1.member.member_6.member_8;
+let _e4872 = global_1.member.member_8.member_7;
+let _e4876 = global_1.member.member_8.member_8;
 let _e4877 = (_e4838 + 1i);
 let _e4878 = (_e4853 + 1i);
 let _e4879 = (_e4868 + 1i);
-let _e4884 = global_1.member.member_6.member_11.member;
-let _e4890 = global_1.member.member_6.member_11.member_1;
+let _e4884 = global_1.member.member_8.member_11.member;
+let _e4890 = global_1.member.member_8.member_11.member_1;
 let _e4901 = ((_e4877 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4884) * ((_e4878 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4890) * (_e4879 >> bitcast<u32>(4i))))));
 let _e4903 = (bitcast<i32>(_e207) - 1i);
 let _e4905 = select(_e4903, _e4901, (_e4901 < _e4903));
@@ -2080,8 +2082,8 @@ let _e5850 = local_23[2u];
 let _e5854 = local_23[1u];
 let _e5858 = local_23[2u];
 let _e5862 = local_23[2u];
-let _e5869 = global_1.member.member_6.member_6;
-let _e5873 = global_1.member.member_6.member_5;
+let _e5869 = global_1.member.member_8.member_6;
+let _e5873 = global_1.member.member_8.member_5;
 let _e5875 = (((_e5792 + ((_e5796 - _e5792) * _e5862)) - _e5869) * _e5873);
 let _e5876 = -(1e9f);
 let _e5878 = select(_e5876, _e5875, (_e5875 > _e5876));
@@ -2347,15 +2349,15 @@ let _e6626 = select(0f, 1f, ((((((_e4799 >= -0.5f) && (_e4799 <= _e4097)) && (_e
 let _e6628 = (0.5f * (_e5892 - _e5886));
 let _e6630 = (0.5f * (_e5904 - _e5898));
 let _e6632 = (0.5f * (_e5916 - _e5910));
-let _e6638 = global_1.member.member_6.member.member.member;
-let _e6644 = global_1.member.member_6.member.member.member_1;
-let _e6650 = global_1.member.member_6.member.member.member_2;
-let _e6656 = global_1.member.member_6.member_1.member.member;
-let _e6662 = global_1.member.member_6.member_1.member.member_1;
-let _e6668 = global_1.member.member_6.member_1.member.member_2;
-let _e6674 = global_1.member.member_6.member_2.member.member;
-let _e6680 = global_1.member.member_6.member_2.member.member_1;
-let _e6686 = global_1.member.member_6.member_2.member.member_2;
+let _e6638 = global_1.member.member_8.member.member.member;
+let _e6644 = global_1.member.member_8.member.member.member_1;
+let _e6650 = global_1.member.member_8.member.member.member_2;
+let _e6656 = global_1.member.member_8.member_1.member.member;
+let _e6662 = global_1.member.member_8.member_1.member.member_1;
+let _e6668 = global_1.member.member_8.member_1.member.member_2;
+let _e6674 = global_1.member.member_8.member_2.member.member;
+let _e6680 = global_1.member.member_8.member_2.member.member_1;
+let _e6686 = global_1.member.member_8.member_2.member.member_2;
 phi_16969_ = type_34(_e5880, vec3<f32>(((((_e6638 * _e6628) + (_e6656 * _e6630)) + (_e6674 * _e6632)) * _e6626), ((((_e6644 * _e6628) + (_e6662 * _e6630)) + (_e6680 * _e6632)) * _e6626), ((((_e6650 * _e6628) + (_e6668 * _e6630)) + (_e6686 * _e6632)) * _e6626)), _e6611.member, vec3<f32>(((((_e6638 * _e6611.member_2.x) + (_e6656 * _e6611.member_2.y)) + (_e6674 * _e6611.member_2.z)) * _e6626), ((((_e6644 * _e6611.member_2.x) + (_e6662 * _e6611.member_2.y)) + (_e6680 * _e6611.member_2.z)) * _e6626), ((((_e6650 * _e6611.member_2.x) + (_e6668 * _e6611.member_2.y)) + (_e6686 * _e6611.member_2.z)) * _e6626)), vec3<f32>(((((_e6638 * _e6611.member_1.x) + (_e6656 * _e6611.member_1.y)) + (_e6674 * _e6611.member_1.z)) * _e6626), ((((_e6644 * _e6611.member_1.x) + (_e6662 * _e6611.member_1.y)) + (_e6680 * _e6611.member_1.z)) * _e6626), ((((_e6650 * _e6611.member_1.x) + (_e6668 * _e6611.member_1.y)) + (_e6686 * _e6611.member_1.z)) * _e6626)));
 } else {
 let _e6752 = select(-0.5f, _e4799, (_e4799 > -0.5f));
@@ -2376,13 +2378,13 @@ let _e6794 = select(-1f, _e6762, (_e6762 > -1f));
 let _e6796 = select(_e4006, _e6794, (_e6794 < _e4006));
 let _e6803 = select(0i, select(select(i32(_e6796), i32(-2147483648), (_e6796 < -2147483600f)), 2147483647i, (_e6796 > 2147483500f)), (_e6796 == _e6796));
 let _e6807 = (_e6803 - select(0i, 1i, (_e6796 < f32(_e6803))));
-let _e6811 = global_1.member.member_6.member_7;
-let _e6815 = global_1.member.member_6.member_8;
+let _e6811 = global_1.member.member_8.member_7;
+let _e6815 = global_1.member.member_8.member_8;
 let _e6816 = (_e6777 + 1i);
 let _e6817 = (_e6792 + 1i);
 let _e6818 = (_e6807 + 1i);
-let _e6823 = global_1.member.member_6.member_11.member;
-let _e6829 = global_1.member.member_6.member_11.member_1;
+let _e6823 = global_1.member.member_8.member_11.member;
+let _e6829 = global_1.member.member_8.member_11.member_1;
 let _e6840 = ((_e6816 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6823) * ((_e6817 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6829) * (_e6818 >> bitcast<u32>(4i))))));
 let _e6842 = (bitcast<i32>(_e207) - 1i);
 let _e6844 = select(_e6842, _e6840, (_e6840 < _e6842));
@@ -2458,8 +2460,8 @@ let _e7081 = local_6.member_1[3u];
 let _e7088 = local_7[0u];
 let _e7092 = local_7[1u];
 let _e7097 = local_7[2u];
-let _e7104 = global_1.member.member_6.member_6;
-let _e7108 = global_1.member.member_6.member_5;
+let _e7104 = global_1.member.member_8.member_6;
+let _e7108 = global_1.member.member_8.member_5;
 let _e7110 = (((_e6989 + (((_e7040 + (((_e7080 + ((f32(bitcast<i32>(((_e7073 >> bitcast<u32>((_e7081 & 31u))) & 65535u))) - _e7080) * _e7088)) - _e7040) * _e7092)) - _e6989) * _e7097)) - _e7104) * _e7108);
 let _e7111 = -(1e9f);
 let _e7113 = select(_e7111, _e7110, (_e7110 > _e7111));
@@ -2469,7 +2471,7 @@ let _e7118 = phi_16969_;
 if _e2863 {
 phi_17361_ = type_7(1f, 1f, 1f);
 } else {
-let _e7122 = global_1.member.member_14.member;
+let _e7122 = global_1.member.member_16.member;
 let _e7133 = ((((_e7122.member.member * _e3933.member.x) + (_e7122.member.member_1 * _e3933.member.y)) + (_e7122.member.member_2 * _e3933.member.z)) + _e7122.member_1);
 let _e7139 = ((((_e7122.member.member * _e4687) + (_e7122.member.member_1 * _e4688)) + (_e7122.member.member_2 * _e4689)) + _e7122.member_1);
 let _e7141 = select(_e7139, _e7133, (_e7133 < _e7139));
@@ -2478,9 +2480,9 @@ let _e7145 = (_e7143 - _e7141);
 let _e7148 = (-(_e7141) / select(1e-30f, _e7145, (_e7145 > 1e-30f)));
 let _e7150 = select(0f, _e7148, (_e7148 > 0f));
 let _e7156 = select(select(select(1f, _e7150, (_e7150 < 1f)), 1f, (_e7143 <= 0f)), 0f, (_e7141 > 0f));
-let _e7161 = global_1.member.member_14.member_1;
+let _e7161 = global_1.member.member_16.member_1;
 let _e7162 = (_e7161 != 0u);
-let _e7172 = global_1.member.member_15.member;
+let _e7172 = global_1.member.member_17.member;
 let _e7183 = ((((_e7172.member.member * _e3933.member.x) + (_e7172.member.member_1 * _e3933.member.y)) + (_e7172.member.member_2 * _e3933.member.z)) + _e7172.member_1);
 let _e7189 = ((((_e7172.member.member * _e4687) + (_e7172.member.member_1 * _e4688)) + (_e7172.member.member_2 * _e4689)) + _e7172.member_1);
 let _e7191 = select(_e7189, _e7183, (_e7183 < _e7189));
@@ -2489,9 +2491,9 @@ let _e7195 = (_e7193 - _e7191);
 let _e7198 = (-(_e7191) / select(1e-30f, _e7195, (_e7195 > 1e-30f)));
 let _e7200 = select(0f, _e7198, (_e7198 > 0f));
 let _e7206 = select(select(select(1f, _e7200, (_e7200 < 1f)), 1f, (_e7193 <= 0f)), 0f, (_e7191 > 0f));
-let _e7211 = global_1.member.member_15.member_1;
+let _e7211 = global_1.member.member_17.member_1;
 let _e7212 = (_e7211 != 0u);
-let _e7222 = global_1.member.member_16.member;
+let _e7222 = global_1.member.member_18.member;
 let _e7233 = ((((_e7222.member.member * _e3933.member.x) + (_e7222.member.member_1 * _e3933.member.y)) + (_e7222.member.member_2 * _e3933.member.z)) + _e7222.member_1);
 let _e7239 = ((((_e7222.member.member * _e4687) + (_e7222.member.member_1 * _e4688)) + (_e7222.member.member_2 * _e4689)) + _e7222.member_1);
 let _e7241 = select(_e7239, _e7233, (_e7233 < _e7239));
@@ -2500,9 +2502,9 @@ let _e7245 = (_e7243 - _e7241);
 let _e7248 = (-(_e7241) / select(1e-30f, _e7245, (_e7245 > 1e-30f)));
 let _e7250 = select(0f, _e7248, (_e7248 > 0f));
 let _e7256 = select(select(select(1f, _e7250, (_e7250 < 1f)), 1f, (_e7243 <= 0f)), 0f, (_e7241 > 0f));
-let _e7261 = global_1.member.member_16.member_1;
+let _e7261 = global_1.member.member_18.member_1;
 let _e7262 = (_e7261 != 0u);
-let _e7272 = global_1.member.member_17.member;
+let _e7272 = global_1.member.member_19.member;
 let _e7283 = ((((_e7272.member.member * _e3933.member.x) + (_e7272.member.member_1 * _e3933.member.y)) + (_e7272.member.member_2 * _e3933.member.z)) + _e7272.member_1);
 let _e7289 = ((((_e7272.member.member * _e4687) + (_e7272.member.member_1 * _e4688)) + (_e7272.member.member_2 * _e4689)) + _e7272.member_1);
 let _e7291 = select(_e7289, _e7283, (_e7283 < _e7289));
@@ -2511,7 +2513,7 @@ let _e7295 = (_e7293 - _e7291);
 let _e7298 = (-(_e7291) / select(1e-30f, _e7295, (_e7295 > 1e-30f)));
 let _e7300 = select(0f, _e7298, (_e7298 > 0f));
 let _e7306 = select(select(select(1f, _e7300, (_e7300 < 1f)), 1f, (_e7293 <= 0f)), 0f, (_e7291 > 0f));
-let _e7311 = global_1.member.member_17.member_1;
+let _e7311 = global_1.member.member_19.member_1;
 let _e7312 = (_e7311 != 0u);
 phi_17361_ = type_7(((((1f * _e7156) * _e7206) * _e7256) * _e7306), ((((1f * select(1f, _e7156, _e7162)) * select(1f, _e7206, _e7212)) * select(1f, _e7256, _e7262)) * select(1f, _e7306, _e7312)), ((((1f * select(1f, 0f, (_e7162 && (_e7139 > 0f)))) * select(1f, 0f, (_e7212 && (_e7189 > 0f)))) * select(1f, 0f, (_e7262 && (_e7239 > 0f)))) * select(1f, 0f, (_e7312 && (_e7289 > 0f)))));
 }
@@ -2538,13 +2540,13 @@ let _e7374 = select(-1f, _e7342, (_e7342 > -1f));
 let _e7376 = select(_e4006, _e7374, (_e7374 < _e4006));
 let _e7383 = select(0i, select(select(i32(_e7376), i32(-2147483648), (_e7376 < -2147483600f)), 2147483647i, (_e7376 > 2147483500f)), (_e7376 == _e7376));
 let _e7387 = (_e7383 - select(0i, 1i, (_e7376 < f32(_e7383))));
-let _e7391 = global_1.member.member_6.member_7;
-let _e7395 = global_1.member.member_6.member_8;
+let _e7391 = global_1.member.member_8.member_7;
+let _e7395 = global_1.member.member_8.member_8;
 let _e7396 = (_e7357 + 1i);
 let _e7397 = (_e7372 + 1i);
 let _e7398 = (_e7387 + 1i);
-let _e7403 = global_1.member.member_6.member_11.member;
-let _e7409 = global_1.member.member_6.member_11.member_1;
+let _e7403 = global_1.member.member_8.member_11.member;
+let _e7409 = global_1.member.member_8.member_11.member_1;
 let _e7420 = ((_e7396 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7403) * ((_e7397 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7409) * (_e7398 >> bitcast<u32>(4i))))));
 let _e7422 = (bitcast<i32>(_e207) - 1i);
 let _e7424 = select(_e7422, _e7420, (_e7420 < _e7422));
@@ -2620,8 +2622,8 @@ let _e7661 = local_4.member_1[3u];
 let _e7668 = local_5[0u];
 let _e7672 = local_5[1u];
 let _e7677 = local_5[2u];
-let _e7684 = global_1.member.member_6.member_6;
-let _e7688 = global_1.member.member_6.member_5;
+let _e7684 = global_1.member.member_8.member_6;
+let _e7688 = global_1.member.member_8.member_5;
 let _e7690 = (((_e7569 + (((_e7620 + (((_e7660 + ((f32(bitcast<i32>(((_e7653 >> bitcast<u32>((_e7661 & 31u))) & 65535u))) - _e7660) * _e7668)) - _e7620) * _e7672)) - _e7569) * _e7677)) - _e7684) * _e7688);
 let _e7691 = -(1e9f);
 let _e7693 = select(_e7691, _e7690, (_e7690 > _e7691));
@@ -2742,7 +2744,7 @@ let _e8060 = select(select(1f, _e8057, (_e8057 < 1f)), 1f, _e8037);
 let _e8062 = select(_e8032, _e8004, (_e8004 < _e8032));
 let _e8066 = select(_e8025, _e7997, (_e7997 > _e8025));
 let _e8069 = (select(_e8060, _e8062, (_e8062 < _e8060)) - select(_e8053, _e8066, (_e8066 > _e8053)));
-let _e8077 = global_1.member.member_5.member_3;
+let _e8077 = global_1.member.member_7.member_3;
 let _e8078 = (((sqrt(select(0f, _e7973, (_e7973 > 0f))) * select(0f, _e8069, (_e8069 > 0f))) * _e7965) * _e8077);
 local_1 = _e7964;
 let _e8079 = local_1;
@@ -3029,24 +3031,24 @@ let _e9229 = (0.5f * _e7965);
 let _e9233 = (_e3933.member.x + (_e7966 * _e9229));
 let _e9234 = (_e3933.member.y + (_e7967 * _e9229));
 let _e9235 = (_e3933.member.z + (_e7968 * _e9229));
-let _e9239 = global_1.member.member_10.member;
+let _e9239 = global_1.member.member_12.member;
 let _e9250 = ((((_e9239.member.member * _e9233) + (_e9239.member.member_1 * _e9234)) + (_e9239.member.member_2 * _e9235)) + _e9239.member_1);
-let _e9254 = global_1.member.member_10.member_1;
+let _e9254 = global_1.member.member_12.member_1;
 let _e9265 = ((((_e9254.member.member * _e9233) + (_e9254.member.member_1 * _e9234)) + (_e9254.member.member_2 * _e9235)) + _e9254.member_1);
-let _e9269 = global_1.member.member_10.member_2;
+let _e9269 = global_1.member.member_12.member_2;
 let _e9280 = ((((_e9269.member.member * _e9233) + (_e9269.member.member_1 * _e9234)) + (_e9269.member.member_2 * _e9235)) + _e9269.member_1);
 let _e9281 = (_e3697 != 0u);
-let _e9289 = global_1.member.member_10.member_19.member_2;
+let _e9289 = global_1.member.member_12.member_19.member_2;
 let _e9291 = select(1f, (_e9280 - _e9289), _e9281);
 let _e9294 = (1f / select(1e-12f, _e9291, (_e9291 > 1e-12f)));
-let _e9299 = global_1.member.member_10.member_5;
-let _e9304 = global_1.member.member_10.member_8;
-let _e9310 = global_1.member.member_10.member_6;
-let _e9316 = global_1.member.member_10.member_11;
+let _e9299 = global_1.member.member_12.member_5;
+let _e9304 = global_1.member.member_12.member_8;
+let _e9310 = global_1.member.member_12.member_6;
+let _e9316 = global_1.member.member_12.member_11;
 let _e9317 = ((((_e9250 * _e9294) - _e9299) * _e9304) - _e9316);
 let _e9318 = ((((_e9265 * _e9294) - _e9310) * _e9304) - _e9316);
-let _e9322 = global_1.member.member_10.member_9;
-let _e9327 = global_1.member.member_10.member_10;
+let _e9322 = global_1.member.member_12.member_9;
+let _e9327 = global_1.member.member_12.member_10;
 let _e9328 = ((_e9280 - _e9322) * _e9327);
 let _e9329 = -(65536f);
 let _e9331 = select(_e9329, _e9317, (_e9317 > _e9329));
@@ -3065,11 +3067,11 @@ let _e9376 = (firstTrailingBit(8u) & 31u);
 let _e9378 = (_e9374 >> bitcast<u32>(_e9376));
 let _e9380 = (_e9344 >> bitcast<u32>(_e9376));
 let _e9382 = (_e9359 >> bitcast<u32>(_e9376));
-let _e9387 = global_1.member.member_10.member_14.member;
+let _e9387 = global_1.member.member_12.member_14.member;
 let _e9388 = bitcast<i32>(_e9387);
-let _e9393 = global_1.member.member_10.member_14.member_1;
+let _e9393 = global_1.member.member_12.member_14.member_1;
 let _e9394 = bitcast<i32>(_e9393);
-let _e9399 = global_1.member.member_10.member_14.member_2;
+let _e9399 = global_1.member.member_12.member_14.member_2;
 if ((((((_e9380 >= 0i) && (_e9380 < _e9388)) && (_e9382 >= 0i)) && (_e9382 < _e9394)) && (_e9378 >= 0i)) && (_e9378 < bitcast<i32>(_e9399))) {
 phi_21510_ = (((((_e9378 * _e9394) + _e9382) * _e9388) + _e9380) * 3i);
 } else {
@@ -3083,7 +3085,7 @@ let _e9429 = global_4.member[bitcast<u32>(select(0i, _e9423, (_e9423 > 0i)))];
 let _e9431 = select(_e9421, _e9418, (_e9418 < _e9421));
 let _e9437 = global_4.member[bitcast<u32>(select(0i, _e9431, (_e9431 > 0i)))];
 let _e9440 = select(_e9429, 0u, (_e9418 < 0i));
-let _e9444 = global_1.member.member_10.member_13;
+let _e9444 = global_1.member.member_12.member_13;
 let _e9445 = (_e9440 * 81u);
 let _e9449 = bitcast<i32>((((_e9445 * _e9444) + 63u) & 4294967232u));
 let _e9457 = (((bitcast<i32>(_e9437) + ((_e9374 & 7i) * _e9449)) + ((_e9359 & 7i) * 9i)) + (_e9344 & 7i));
@@ -3126,7 +3128,7 @@ let _e9566 = select(1f, (_e9513 + (((_e9536 + (((_e9546 + ((bitcast<f32>(_e9555)
 if (((_e222.member_2 == 3u) || (_e222.member_2 == 4u)) || _e508) {
 phi_22087_ = vec3(_e9566);
 } else {
-let _e9575 = global_1.member.member_10.member_12;
+let _e9575 = global_1.member.member_12.member_12;
 let _e9576 = (_e9575 > 1u);
 let _e9580 = (_e9457 + (select(0i, 1i, _e9576) * _e9458));
 let _e9582 = select(_e9421, _e9580, (_e9580 < _e9421));
@@ -3193,7 +3195,7 @@ let _e9773 = global_4.member[bitcast<u32>(select(0i, _e9767, (_e9767 > 0i)))];
 phi_22087_ = vec3<f32>(_e9566, select(1f, (_e9628 + (((_e9651 + (((_e9661 + ((bitcast<f32>(_e9670) - _e9661) * _e9460)) - _e9651) * _e9462)) - _e9628) * _e9464)), _e9465), select(1f, (_e9731 + (((_e9754 + (((_e9764 + ((bitcast<f32>(_e9773) - _e9764) * _e9460)) - _e9754) * _e9462)) - _e9731) * _e9464)), _e9465));
 }
 let _e9787 = phi_22087_;
-let _e9788 = global_1.member.member_10.member_19;
+let _e9788 = global_1.member.member_12.member_19;
 let _e9792 = (_e9250 - _e9788.member);
 let _e9793 = (_e9265 - _e9788.member_1);
 let _e9794 = (_e9280 - _e9788.member_2);
@@ -3269,21 +3271,21 @@ let _e10083 = phi_22494_;
 if _e3698 {
 phi_22588_ = 1f;
 } else {
-let _e10089 = global_1.member.member_10.member_20.member;
+let _e10089 = global_1.member.member_12.member_20.member;
 let _e10097 = (((_e10089.member * _e9792) + (_e10089.member_1 * _e9793)) + (_e10089.member_2 * _e9794));
 let _e10101 = (_e9792 - (_e10089.member * _e10097));
 let _e10102 = (_e9793 - (_e10089.member_1 * _e10097));
 let _e10103 = (_e9794 - (_e10089.member_2 * _e10097));
 let _e10108 = (((_e10101 * _e10101) + (_e10102 * _e10102)) + (_e10103 * _e10103));
-let _e10119 = global_1.member.member_10.member_20.member_1;
-let _e10125 = global_1.member.member_10.member_20.member_2;
+let _e10119 = global_1.member.member_12.member_20.member_1;
+let _e10125 = global_1.member.member_12.member_20.member_2;
 let _e10126 = ((_e10119 - (sqrt(select(0f, _e10108, (_e10108 > 0f))) / select(1e-20f, _e10097, (_e10097 > 1e-20f)))) * _e10125);
 let _e10128 = select(0f, _e10126, (_e10126 > 0f));
 let _e10130 = select(1f, _e10128, (_e10128 < 1f));
 phi_22588_ = select(1f, select(0f, ((_e10130 * _e10130) * (3f - (2f * _e10130))), (_e10097 > 0f)), (_e10125 > 0f));
 }
 let _e10140 = phi_22588_;
-let _e10145 = global_1.member.member_9.member_1;
+let _e10145 = global_1.member.member_11.member_1;
 if _e3698 {
 phi_22630_ = 1f;
 } else {
@@ -3291,9 +3293,9 @@ phi_22630_ = (1f / select(1e-12f, _e9799, (_e9799 > 1e-12f)));
 }
 let _e10159 = phi_22630_;
 let _e10160 = (_e10159 * select(_e10140, 1f, (_e515 && _e9465)));
-let _e10169 = global_1.member.member_10.member.member;
-let _e10181 = global_1.member.member_10.member_1.member;
-let _e10196 = global_1.member.member_10.member_2.member;
+let _e10169 = global_1.member.member_12.member.member;
+let _e10181 = global_1.member.member_12.member_1.member;
+let _e10196 = global_1.member.member_12.member_2.member;
 phi_22662_ = type_36(vec3<f32>(((_e9787.x * _e10145.member) * _e10160), ((_e9787.y * _e10145.member_1) * _e10160), ((_e9787.z * _e10145.member_2) * _e10160)), (vec3<f32>(((_e10169.member * _e10083.x) + (_e10181.member * _e10083.y)), ((_e10169.member_1 * _e10083.x) + (_e10181.member_1 * _e10083.y)), ((_e10169.member_2 * _e10083.x) + (_e10181.member_2 * _e10083.y))) + vec3<f32>((_e10196.member * _e10083.z), (_e10196.member_1 * _e10083.z), (_e10196.member_2 * _e10083.z))));
 }
 let _e10209 = phi_22662_;
@@ -3302,7 +3304,7 @@ let _e10221 = sqrt(select(0f, _e10218, (_e10218 > 0f)));
 let _e10223 = ((_e2861 & 8u) != 0u);
 let _e10227 = (1e-6f * _e10221);
 let _e10231 = select((_e10221 / select(_e10227, _e10209.member_1.z, (_e10209.member_1.z > _e10227))), 1f, _e10223);
-let _e10243 = global_1.member.member_18;
+let _e10243 = global_1.member.member_20;
 let _e10250 = (1f - _e3933.member_6);
 let _e10267 = (_e3933.member_5.x + ((_e3933.member_7.x * ((((((_e8841 + (((_e8846 + (((bitcast<f32>(((_e8812 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8846) * _e8471)) - _e8841) * _e8469)) * _e8473) + (((bitcast<f32>(((_e8820 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8458) + ((bitcast<f32>(((_e8828 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8464))) * _e9224) * ((_e10209.member.x * _e10231) + _e10243.member)) + 0f)) * _e10250));
 let _e10269 = (_e3933.member_5.y + ((_e3933.member_7.y * ((((((_e8897 + (((_e8902 + (((bitcast<f32>((((_e8812 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8902) * _e8471)) - _e8897) * _e8469)) * _e8473) + (((bitcast<f32>((((_e8820 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8458) + ((bitcast<f32>((((_e8828 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8464))) * _e9224) * ((_e10209.member.y * _e10231) + _e10243.member_1)) + 0f)) * _e10250));
@@ -3315,14 +3317,14 @@ let _e10284 = (_e3933.member_4 + ((_e10273 - _e3933.member_6) * (_e3933.member.z
 let _e10288 = (_e3933.member.x + (_e7966 * _e7965));
 let _e10289 = (_e3933.member.y + (_e7967 * _e7965));
 let _e10290 = (_e3933.member.z + (_e7968 * _e7965));
-let _e10294 = global_1.member.member_10.member;
+let _e10294 = global_1.member.member_12.member;
 let _e10305 = ((((_e10294.member.member * _e10288) + (_e10294.member.member_1 * _e10289)) + (_e10294.member.member_2 * _e10290)) + _e10294.member_1);
-let _e10309 = global_1.member.member_10.member_1;
+let _e10309 = global_1.member.member_12.member_1;
 let _e10320 = ((((_e10309.member.member * _e10288) + (_e10309.member.member_1 * _e10289)) + (_e10309.member.member_2 * _e10290)) + _e10309.member_1);
-let _e10324 = global_1.member.member_10.member_2;
+let _e10324 = global_1.member.member_12.member_2;
 let _e10335 = ((((_e10324.member.member * _e10288) + (_e10324.member.member_1 * _e10289)) + (_e10324.member.member_2 * _e10290)) + _e10324.member_1);
 let _e10336 = (_e3697 != 0u);
-let _e10340 = global_1.member.member_10.member_19;
+let _e10340 = global_1.member.member_12.member_19;
 let _e10344 = (_e10305 - _e10340.member);
 let _e10345 = (_e10320 - _e10340.member_1);
 let _e10346 = (_e10335 - _e10340.member_2);
@@ -3332,36 +3334,36 @@ let _e10357 = (1f / select(1e-20f, _e10354, (_e10354 > 1e-20f)));
 let _e10361 = select(0f, (_e10344 * _e10357), _e10336);
 let _e10362 = select(0f, (_e10345 * _e10357), _e10336);
 let _e10363 = select(1f, (_e10346 * _e10357), _e10336);
-let _e10368 = global_1.member.member_10.member.member;
-let _e10379 = global_1.member.member_10.member_1.member;
-let _e10393 = global_1.member.member_10.member_2.member;
+let _e10368 = global_1.member.member_12.member.member;
+let _e10379 = global_1.member.member_12.member_1.member;
+let _e10393 = global_1.member.member_12.member_2.member;
 let _e10402 = (vec3<f32>(((_e10368.member * _e10361) + (_e10379.member * _e10362)), ((_e10368.member_1 * _e10361) + (_e10379.member_1 * _e10362)), ((_e10368.member_2 * _e10361) + (_e10379.member_2 * _e10362))) + vec3<f32>((_e10393.member * _e10363), (_e10393.member_1 * _e10363), (_e10393.member_2 * _e10363)));
 if ((_e2861 & 256u) != 0u) {
-let _e10410 = global_1.member.member_10.member_18.member.member;
+let _e10410 = global_1.member.member_12.member_18.member.member;
 let _e10411 = bitcast<i32>(_e10410);
-let _e10417 = global_1.member.member_10.member_18.member.member_1;
+let _e10417 = global_1.member.member_12.member_18.member.member_1;
 let _e10418 = bitcast<i32>(_e10417);
-let _e10423 = global_1.member.member_10.member_19.member_2;
+let _e10423 = global_1.member.member_12.member_19.member_2;
 let _e10425 = select(1f, (_e10335 - _e10423), _e10336);
 let _e10428 = (1f / select(1e-12f, _e10425, (_e10425 > 1e-12f)));
-let _e10433 = global_1.member.member_10.member_5;
-let _e10438 = global_1.member.member_10.member_8;
+let _e10433 = global_1.member.member_12.member_5;
+let _e10438 = global_1.member.member_12.member_8;
 let _e10439 = (((_e10305 * _e10428) - _e10433) * _e10438);
-let _e10444 = global_1.member.member_10.member_6;
+let _e10444 = global_1.member.member_12.member_6;
 let _e10446 = (((_e10320 * _e10428) - _e10444) * _e10438);
-let _e10451 = global_1.member.member_10.member_4.member;
+let _e10451 = global_1.member.member_12.member_4.member;
 let _e10453 = f32(bitcast<i32>(_e10451));
 let _e10455 = select(0f, _e10439, (_e10439 > 0f));
-let _e10462 = global_1.member.member_10.member_18.member_1;
+let _e10462 = global_1.member.member_12.member_18.member_1;
 let _e10465 = ((_e10439 - _e10453) * _e10462);
-let _e10470 = global_1.member.member_10.member_18.member_2;
+let _e10470 = global_1.member.member_12.member_18.member_2;
 let _e10472 = select(0f, _e10465, (_e10465 > 0f));
 let _e10474 = (_e10470 + _e10472);
 let _e10479 = (-(_e10439) * _e10462);
 let _e10481 = select(0f, _e10479, (_e10479 > 0f));
 let _e10483 = (_e10470 + _e10481);
 let _e10490 = (((_e10470 + (select(_e10453, _e10455, (_e10455 < _e10453)) * _e10462)) + (((_e10472 * _e10470) / select(1e-12f, _e10474, (_e10474 > 1e-12f))) - ((_e10481 * _e10470) / select(1e-12f, _e10483, (_e10483 > 1e-12f))))) - 0.5f);
-let _e10495 = global_1.member.member_10.member_4.member_1;
+let _e10495 = global_1.member.member_12.member_4.member_1;
 let _e10497 = f32(bitcast<i32>(_e10495));
 let _e10499 = select(0f, _e10446, (_e10446 > 0f));
 let _e10504 = ((_e10446 - _e10497) * _e10462);
@@ -3388,10 +3390,10 @@ let _e10566 = (_e10524 - f32(_e10558));
 let _e10568 = select(0f, _e10566, (_e10566 > 0f));
 let _e10570 = select(1f, _e10568, (_e10568 < 1f));
 if _e4751 {
-let _e10575 = global_1.member.member_10.member_18.member_4;
+let _e10575 = global_1.member.member_12.member_18.member_4;
 phi_23144_ = _e10575;
 } else {
-let _e10580 = global_1.member.member_10.member_18.member_3;
+let _e10580 = global_1.member.member_12.member_18.member_3;
 phi_23144_ = _e10580;
 }
 let _e10582 = phi_23144_;
@@ -3451,14 +3453,14 @@ phi_23542_ = vec3<f32>(_e10637, _e10686, _e10736);
 if _e3698 {
 phi_23481_ = 1f;
 } else {
-let _e10742 = global_1.member.member_10.member_20.member;
+let _e10742 = global_1.member.member_12.member_20.member;
 let _e10750 = (((_e10742.member * _e10344) + (_e10742.member_1 * _e10345)) + (_e10742.member_2 * _e10346));
 let _e10754 = (_e10344 - (_e10742.member * _e10750));
 let _e10755 = (_e10345 - (_e10742.member_1 * _e10750));
 let _e10756 = (_e10346 - (_e10742.member_2 * _e10750));
 let _e10761 = (((_e10754 * _e10754) + (_e10755 * _e10755)) + (_e10756 * _e10756));
-let _e10772 = global_1.member.member_10.member_20.member_1;
-let _e10778 = global_1.member.member_10.member_20.member_2;
+let _e10772 = global_1.member.member_12.member_20.member_1;
+let _e10778 = global_1.member.member_12.member_20.member_2;
 let _e10779 = ((_e10772 - (sqrt(select(0f, _e10761, (_e10761 > 0f))) / select(1e-20f, _e10750, (_e10750 > 1e-20f)))) * _e10778);
 let _e10781 = select(0f, _e10779, (_e10779 > 0f));
 let _e10783 = select(1f, _e10781, (_e10781 < 1f));
@@ -3478,15 +3480,15 @@ let _e10812 = phi_23537_;
 phi_23542_ = vec3<f32>((select(0f, _e10799, (_e10799 > 0f)) * _e10812), (select(0f, _e10800, (_e10800 > 0f)) * _e10812), (select(0f, _e10801, (_e10801 > 0f)) * _e10812));
 }
 let _e10818 = phi_23542_;
-let _e10822 = global_1.member.member_9.member_1;
+let _e10822 = global_1.member.member_11.member_1;
 phi_23802_ = type_36((vec3<f32>(_e10822.member, _e10822.member_1, _e10822.member_2) * _e10818), _e10402);
 } else {
 if _e3698 {
-let _e10832 = global_1.member.member_9.member_1;
-let _e10840 = global_1.member.member_9.member;
+let _e10832 = global_1.member.member_11.member_1;
+let _e10840 = global_1.member.member_11.member;
 phi_23801_ = type_36(vec3<f32>(_e10832.member, _e10832.member_1, _e10832.member_2), vec3<f32>(_e10840.member, _e10840.member_1, _e10840.member_2));
 } else {
-let _e10849 = global_1.member.member_9.member_1;
+let _e10849 = global_1.member.member_11.member_1;
 if _e3698 {
 phi_23645_ = 1f;
 } else {
@@ -3496,14 +3498,14 @@ let _e10857 = phi_23645_;
 if _e3698 {
 phi_23729_ = 1f;
 } else {
-let _e10862 = global_1.member.member_10.member_20.member;
+let _e10862 = global_1.member.member_12.member_20.member;
 let _e10870 = (((_e10862.member * _e10344) + (_e10862.member_1 * _e10345)) + (_e10862.member_2 * _e10346));
 let _e10874 = (_e10344 - (_e10862.member * _e10870));
 let _e10875 = (_e10345 - (_e10862.member_1 * _e10870));
 let _e10876 = (_e10346 - (_e10862.member_2 * _e10870));
 let _e10881 = (((_e10874 * _e10874) + (_e10875 * _e10875)) + (_e10876 * _e10876));
-let _e10892 = global_1.member.member_10.member_20.member_1;
-let _e10898 = global_1.member.member_10.member_20.member_2;
+let _e10892 = global_1.member.member_12.member_20.member_1;
+let _e10898 = global_1.member.member_12.member_20.member_2;
 let _e10899 = ((_e10892 - (sqrt(select(0f, _e10881, (_e10881 > 0f))) / select(1e-20f, _e10870, (_e10870 > 1e-20f)))) * _e10898);
 let _e10901 = select(0f, _e10899, (_e10899 > 0f));
 let _e10903 = select(1f, _e10901, (_e10901 < 1f));

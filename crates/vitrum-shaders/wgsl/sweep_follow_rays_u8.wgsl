@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -423,25 +425,25 @@ let _e457 = vec3<f32>(_e248, _e258, _e269);
 let _e458 = vec3<f32>(_e280, _e291, _e302);
 let _e459 = vec3<f32>(_e346, _e357, _e368);
 let _e460 = vec3<f32>(_e390, _e401, _e412);
-let _e465 = global_1.member.member_6.member;
+let _e465 = global_1.member.member_8.member;
 let _e476 = ((((_e465.member.member * _e248) + (_e465.member.member_1 * _e258)) + (_e465.member.member_2 * _e269)) + _e465.member_1);
-let _e480 = global_1.member.member_6.member_1;
+let _e480 = global_1.member.member_8.member_1;
 let _e491 = ((((_e480.member.member * _e248) + (_e480.member.member_1 * _e258)) + (_e480.member.member_2 * _e269)) + _e480.member_1);
-let _e495 = global_1.member.member_6.member_2;
+let _e495 = global_1.member.member_8.member_2;
 let _e506 = ((((_e495.member.member * _e248) + (_e495.member.member_1 * _e258)) + (_e495.member.member_2 * _e269)) + _e495.member_1);
 let _e508 = (_e222.member_2 == 5u);
 let _e514 = ((_e222.member_2 == 2u) || (_e222.member_2 == 7u));
 let _e515 = ((((_e222.member_2 == 1u) || _e508) || (_e222.member_2 == 6u)) || _e514);
 if _e515 {
-let _e520 = global_1.member.member_6.member_3.member;
+let _e520 = global_1.member.member_8.member_3.member;
 let _e521 = (_e520 - 0.5f);
 let _e523 = select(-0.5f, _e476, (_e476 > -0.5f));
 let _e525 = select(_e521, _e523, (_e523 < _e521));
-let _e530 = global_1.member.member_6.member_3.member_1;
+let _e530 = global_1.member.member_8.member_3.member_1;
 let _e531 = (_e530 - 0.5f);
 let _e533 = select(-0.5f, _e491, (_e491 > -0.5f));
 let _e535 = select(_e531, _e533, (_e533 < _e531));
-let _e540 = global_1.member.member_6.member_3.member_2;
+let _e540 = global_1.member.member_8.member_3.member_2;
 let _e541 = (_e540 - 0.5f);
 let _e543 = select(-0.5f, _e506, (_e506 > -0.5f));
 let _e545 = select(_e541, _e543, (_e543 < _e541));
@@ -457,8 +459,8 @@ let _e577 = select(-1f, _e545, (_e545 > -1f));
 let _e579 = select(_e540, _e577, (_e577 < _e540));
 let _e586 = select(0i, select(select(i32(_e579), i32(-2147483648), (_e579 < -2147483600f)), 2147483647i, (_e579 > 2147483500f)), (_e579 == _e579));
 let _e590 = (_e586 - select(0i, 1i, (_e579 < f32(_e586))));
-let _e594 = global_1.member.member_6.member_7;
-let _e598 = global_1.member.member_6.member_8;
+let _e594 = global_1.member.member_8.member_7;
+let _e598 = global_1.member.member_8.member_8;
 let _e606 = (select(0i, select(select(i32(_e530), i32(-2147483648), (_e530 < -2147483600f)), 2147483647i, (_e530 > 2147483500f)), (_e530 == _e530)) - 1i);
 let _e607 = (_e575 - 1i);
 let _e612 = (_e575 + 1i);
@@ -717,8 +719,8 @@ let _e1466 = local_41[2u];
 let _e1470 = local_41[1u];
 let _e1474 = local_41[2u];
 let _e1478 = local_41[2u];
-let _e1485 = global_1.member.member_6.member_6;
-let _e1489 = global_1.member.member_6.member_5;
+let _e1485 = global_1.member.member_8.member_6;
+let _e1489 = global_1.member.member_8.member_5;
 let _e1491 = (((_e1408 + ((_e1412 - _e1408) * _e1478)) - _e1485) * _e1489);
 let _e1492 = -(1e9f);
 let _e1494 = select(_e1492, _e1491, (_e1491 > _e1492));
@@ -984,26 +986,26 @@ let _e2242 = select(0f, 1f, ((((((_e476 >= -0.5f) && (_e476 <= _e521)) && (_e491
 let _e2244 = (0.5f * (_e1508 - _e1502));
 let _e2246 = (0.5f * (_e1520 - _e1514));
 let _e2248 = (0.5f * (_e1532 - _e1526));
-let _e2254 = global_1.member.member_6.member.member.member;
-let _e2260 = global_1.member.member_6.member.member.member_1;
-let _e2266 = global_1.member.member_6.member.member.member_2;
-let _e2272 = global_1.member.member_6.member_1.member.member;
-let _e2278 = global_1.member.member_6.member_1.member.member_1;
-let _e2284 = global_1.member.member_6.member_1.member.member_2;
-let _e2290 = global_1.member.member_6.member_2.member.member;
-let _e2296 = global_1.member.member_6.member_2.member.member_1;
-let _e2302 = global_1.member.member_6.member_2.member.member_2;
+let _e2254 = global_1.member.member_8.member.member.member;
+let _e2260 = global_1.member.member_8.member.member.member_1;
+let _e2266 = global_1.member.member_8.member.member.member_2;
+let _e2272 = global_1.member.member_8.member_1.member.member;
+let _e2278 = global_1.member.member_8.member_1.member.member_1;
+let _e2284 = global_1.member.member_8.member_1.member.member_2;
+let _e2290 = global_1.member.member_8.member_2.member.member;
+let _e2296 = global_1.member.member_8.member_2.member.member_1;
+let _e2302 = global_1.member.member_8.member_2.member.member_2;
 phi_6955_ = type_34(_e1496, vec3<f32>(((((_e2254 * _e2244) + (_e2272 * _e2246)) + (_e2290 * _e2248)) * _e2242), ((((_e2260 * _e2244) + (_e2278 * _e2246)) + (_e2296 * _e2248)) * _e2242), ((((_e2266 * _e2244) + (_e2284 * _e2246)) + (_e2302 * _e2248)) * _e2242)), _e2227.member, vec3<f32>(((((_e2254 * _e2227.member_2.x) + (_e2272 * _e2227.member_2.y)) + (_e2290 * _e2227.member_2.z)) * _e2242), ((((_e2260 * _e2227.member_2.x) + (_e2278 * _e2227.member_2.y)) + (_e2296 * _e2227.member_2.z)) * _e2242), ((((_e2266 * _e2227.member_2.x) + (_e2284 * _e2227.member_2.y)) + (_e2302 * _e2227.member_2.z)) * _e2242)), vec3<f32>(((((_e2254 * _e2227.member_1.x) + (_e2272 * _e2227.member_1.y)) + (_e2290 * _e2227.member_1.z)) * _e2242), ((((_e2260 * _e2227.member_1.x) + (_e2278 * _e2227.member_1.y)) + (_e2296 * _e2227.member_1.z)) * _e2242), ((((_e2266 * _e2227.member_1.x) + (_e2284 * _e2227.member_1.y)) + (_e2302 * _e2227.member_1.z)) * _e2242)));
 } else {
-let _e2371 = global_1.member.member_6.member_3.member;
+let _e2371 = global_1.member.member_8.member_3.member;
 let _e2372 = (_e2371 - 0.5f);
 let _e2374 = select(-0.5f, _e476, (_e476 > -0.5f));
 let _e2376 = select(_e2372, _e2374, (_e2374 < _e2372));
-let _e2381 = global_1.member.member_6.member_3.member_1;
+let _e2381 = global_1.member.member_8.member_3.member_1;
 let _e2382 = (_e2381 - 0.5f);
 let _e2384 = select(-0.5f, _e491, (_e491 > -0.5f));
 let _e2386 = select(_e2382, _e2384, (_e2384 < _e2382));
-let _e2391 = global_1.member.member_6.member_3.member_2;
+let _e2391 = global_1.member.member_8.member_3.member_2;
 let _e2392 = (_e2391 - 0.5f);
 let _e2394 = select(-0.5f, _e506, (_e506 > -0.5f));
 let _e2396 = select(_e2392, _e2394, (_e2394 < _e2392));
@@ -1019,8 +1021,8 @@ let _e2428 = select(-1f, _e2396, (_e2396 > -1f));
 let _e2430 = select(_e2391, _e2428, (_e2428 < _e2391));
 let _e2437 = select(0i, select(select(i32(_e2430), i32(-2147483648), (_e2430 < -2147483600f)), 2147483647i, (_e2430 > 2147483500f)), (_e2430 == _e2430));
 let _e2441 = (_e2437 - select(0i, 1i, (_e2430 < f32(_e2437))));
-let _e2445 = global_1.member.member_6.member_7;
-let _e2449 = global_1.member.member_6.member_8;
+let _e2445 = global_1.member.member_8.member_7;
+let _e2449 = global_1.member.member_8.member_8;
 let _e2457 = (select(0i, select(select(i32(_e2381), i32(-2147483648), (_e2381 < -2147483600f)), 2147483647i, (_e2381 > 2147483500f)), (_e2381 == _e2381)) - 1i);
 let _e2460 = (_e2426 + 1i);
 let _e2470 = (select(0i, select(select(i32(_e2391), i32(-2147483648), (_e2391 < -2147483600f)), 2147483647i, (_e2391 > 2147483500f)), (_e2391 == _e2391)) - 1i);
@@ -1103,8 +1105,8 @@ let _e2733 = local_24.member_1[2u];
 let _e2740 = local_25[0u];
 let _e2744 = local_25[1u];
 let _e2749 = local_25[2u];
-let _e2756 = global_1.member.member_6.member_6;
-let _e2760 = global_1.member.member_6.member_5;
+let _e2756 = global_1.member.member_8.member_6;
+let _e2760 = global_1.member.member_8.member_5;
 let _e2762 = (((_e2641 + (((_e2692 + (((_e2732 + ((f32(bitcast<i32>(((_e2725 >> bitcast<u32>((_e2733 & 31u))) & 255u))) - _e2732) * _e2740)) - _e2692) * _e2744)) - _e2641) * _e2749)) - _e2756) * _e2760);
 let _e2763 = -(1e9f);
 let _e2765 = select(_e2763, _e2762, (_e2762 > _e2763));
@@ -1116,48 +1118,48 @@ let _e2775 = ((_e2773 & 16u) == 0u);
 if _e2775 {
 phi_7335_ = type_7(1f, 1f, 1f);
 } else {
-let _e2779 = global_1.member.member_14.member;
+let _e2779 = global_1.member.member_16.member;
 let _e2790 = ((((_e2779.member.member * _e248) + (_e2779.member.member_1 * _e258)) + (_e2779.member.member_2 * _e269)) + _e2779.member_1);
 let _e2792 = (_e2790 - _e2790);
 let _e2795 = (-(_e2790) / select(1e-30f, _e2792, (_e2792 > 1e-30f)));
 let _e2797 = select(0f, _e2795, (_e2795 > 0f));
 let _e2800 = (_e2790 > 0f);
 let _e2803 = select(select(select(1f, _e2797, (_e2797 < 1f)), 1f, (_e2790 <= 0f)), 0f, _e2800);
-let _e2807 = global_1.member.member_14.member_1;
+let _e2807 = global_1.member.member_16.member_1;
 let _e2808 = (_e2807 != 0u);
-let _e2818 = global_1.member.member_15.member;
+let _e2818 = global_1.member.member_17.member;
 let _e2829 = ((((_e2818.member.member * _e248) + (_e2818.member.member_1 * _e258)) + (_e2818.member.member_2 * _e269)) + _e2818.member_1);
 let _e2831 = (_e2829 - _e2829);
 let _e2834 = (-(_e2829) / select(1e-30f, _e2831, (_e2831 > 1e-30f)));
 let _e2836 = select(0f, _e2834, (_e2834 > 0f));
 let _e2839 = (_e2829 > 0f);
 let _e2842 = select(select(select(1f, _e2836, (_e2836 < 1f)), 1f, (_e2829 <= 0f)), 0f, _e2839);
-let _e2846 = global_1.member.member_15.member_1;
+let _e2846 = global_1.member.member_17.member_1;
 let _e2847 = (_e2846 != 0u);
-let _e2857 = global_1.member.member_16.member;
+let _e2857 = global_1.member.member_18.member;
 let _e2868 = ((((_e2857.member.member * _e248) + (_e2857.member.member_1 * _e258)) + (_e2857.member.member_2 * _e269)) + _e2857.member_1);
 let _e2870 = (_e2868 - _e2868);
 let _e2873 = (-(_e2868) / select(1e-30f, _e2870, (_e2870 > 1e-30f)));
 let _e2875 = select(0f, _e2873, (_e2873 > 0f));
 let _e2878 = (_e2868 > 0f);
 let _e2881 = select(select(select(1f, _e2875, (_e2875 < 1f)), 1f, (_e2868 <= 0f)), 0f, _e2878);
-let _e2885 = global_1.member.member_16.member_1;
+let _e2885 = global_1.member.member_18.member_1;
 let _e2886 = (_e2885 != 0u);
-let _e2896 = global_1.member.member_17.member;
+let _e2896 = global_1.member.member_19.member;
 let _e2907 = ((((_e2896.member.member * _e248) + (_e2896.member.member_1 * _e258)) + (_e2896.member.member_2 * _e269)) + _e2896.member_1);
 let _e2909 = (_e2907 - _e2907);
 let _e2912 = (-(_e2907) / select(1e-30f, _e2909, (_e2909 > 1e-30f)));
 let _e2914 = select(0f, _e2912, (_e2912 > 0f));
 let _e2917 = (_e2907 > 0f);
 let _e2920 = select(select(select(1f, _e2914, (_e2914 < 1f)), 1f, (_e2907 <= 0f)), 0f, _e2917);
-let _e2924 = global_1.member.member_17.member_1;
+let _e2924 = global_1.member.member_19.member_1;
 let _e2925 = (_e2924 != 0u);
 phi_7335_ = type_7(((((1f * _e2803) * _e2842) * _e2881) * _e2920), ((((1f * select(1f, _e2803, _e2808)) * select(1f, _e2842, _e2847)) * select(1f, _e2881, _e2886)) * select(1f, _e2920, _e2925)), ((((1f * select(1f, 0f, (_e2808 && _e2800))) * select(1f, 0f, (_e2847 && _e2839))) * select(1f, 0f, (_e2886 && _e2878))) * select(1f, 0f, (_e2925 && _e2917))));
 }
 let _e2934 = phi_7335_;
 if _e435 {
 let _e2936 = type_32(_e457, _e458, _e313, 4f, _e335, _e459, _e379, _e460, _e423, _e434);
-let _e2941 = global_1.member.member_5.member_2;
+let _e2941 = global_1.member.member_7.member_2;
 let _e2944 = (_e2941 / select(1e-6f, _e302, (_e302 > 1e-6f)));
 let _e2948 = (_e248 + (_e280 * _e2944));
 let _e2949 = (_e258 + (_e291 * _e2944));
@@ -1165,10 +1167,10 @@ let _e2950 = (_e269 + (_e302 * _e2944));
 let _e2956 = ((((_e465.member.member * _e2948) + (_e465.member.member_1 * _e2949)) + (_e465.member.member_2 * _e2950)) + _e465.member_1);
 let _e2962 = ((((_e480.member.member * _e2948) + (_e480.member.member_1 * _e2949)) + (_e480.member.member_2 * _e2950)) + _e480.member_1);
 let _e2968 = ((((_e495.member.member * _e2948) + (_e495.member.member_1 * _e2949)) + (_e495.member.member_2 * _e2950)) + _e495.member_1);
-let _e2973 = global_1.member.member_6.member.member;
-let _e2981 = global_1.member.member_6.member_1.member;
-let _e2989 = global_1.member.member_6.member_2.member;
-let _e2997 = global_1.member.member_6.member_3.member;
+let _e2973 = global_1.member.member_8.member.member;
+let _e2981 = global_1.member.member_8.member_1.member;
+let _e2989 = global_1.member.member_8.member_2.member;
+let _e2997 = global_1.member.member_8.member_3.member;
 let _e2998 = (_e2997 - 0.5f);
 let _e2999 = (-0.5f - _e476);
 let _e3000 = (-0.5f - _e2956);
@@ -1202,7 +1204,7 @@ let _e3065 = select(_e3025, _e3054, _e3063);
 let _e3069 = select(_e3029, _e3058, _e3064);
 let _e3073 = select(_e3033, _e3039, _e3059);
 let _e3075 = select(_e3035, _e3040, (_e3040 > _e3035));
-let _e3083 = global_1.member.member_6.member_3.member_1;
+let _e3083 = global_1.member.member_8.member_3.member_1;
 let _e3084 = (_e3083 - 0.5f);
 let _e3085 = (-0.5f - _e491);
 let _e3086 = (-0.5f - _e2962);
@@ -1236,7 +1238,7 @@ let _e3151 = select(_e3111, _e3140, _e3149);
 let _e3155 = select(_e3115, _e3144, _e3150);
 let _e3159 = select(_e3119, _e3125, _e3145);
 let _e3161 = select(_e3121, _e3126, (_e3126 > _e3121));
-let _e3169 = global_1.member.member_6.member_3.member_2;
+let _e3169 = global_1.member.member_8.member_3.member_2;
 let _e3170 = (_e3169 - 0.5f);
 let _e3171 = (-0.5f - _e506);
 let _e3172 = (-0.5f - _e2968);
@@ -1284,12 +1286,12 @@ phi_8664_ = type_35(_e3237, vec3<f32>(_e3238, _e3239, _e3240), _e3242, vec3<f32>
 } else {
 let _e3259 = (((_e2973.member * _e2973.member) + (_e2973.member_1 * _e2973.member_1)) + (_e2973.member_2 * _e2973.member_2));
 let _e3262 = sqrt(select(0f, _e3259, (_e3259 > 0f)));
-let _e3266 = global_1.member.member_14.member_1;
+let _e3266 = global_1.member.member_16.member_1;
 let _e3267 = (_e3266 != 0u);
-let _e3271 = global_1.member.member_14.member;
+let _e3271 = global_1.member.member_16.member;
 let _e3291 = select(-1e6f, (((((_e3271.member.member * _e248) + (_e3271.member.member_1 * _e258)) + (_e3271.member.member_2 * _e269)) + _e3271.member_1) * _e3262), _e3267);
 let _e3292 = select(-1e6f, (((((_e3271.member.member * _e2948) + (_e3271.member.member_1 * _e2949)) + (_e3271.member.member_2 * _e2950)) + _e3271.member_1) * _e3262), _e3267);
-let _e3297 = global_1.member.member_14.member.member;
+let _e3297 = global_1.member.member_16.member.member;
 let _e3301 = -(_e3291);
 let _e3304 = (_e3291 - _e3292);
 let _e3305 = (_e3292 - _e3291);
@@ -1304,12 +1306,12 @@ let _e3325 = select(_e3237, _e3314, _e3323);
 let _e3329 = select(_e3242, _e3318, _e3324);
 let _e3333 = select(_e3247, _e3291, _e3319);
 let _e3335 = select(_e3249, _e3292, (_e3292 > _e3249));
-let _e3342 = global_1.member.member_15.member_1;
+let _e3342 = global_1.member.member_17.member_1;
 let _e3343 = (_e3342 != 0u);
-let _e3347 = global_1.member.member_15.member;
+let _e3347 = global_1.member.member_17.member;
 let _e3367 = select(-1e6f, (((((_e3347.member.member * _e248) + (_e3347.member.member_1 * _e258)) + (_e3347.member.member_2 * _e269)) + _e3347.member_1) * _e3262), _e3343);
 let _e3368 = select(-1e6f, (((((_e3347.member.member * _e2948) + (_e3347.member.member_1 * _e2949)) + (_e3347.member.member_2 * _e2950)) + _e3347.member_1) * _e3262), _e3343);
-let _e3373 = global_1.member.member_15.member.member;
+let _e3373 = global_1.member.member_17.member.member;
 let _e3377 = -(_e3367);
 let _e3380 = (_e3367 - _e3368);
 let _e3381 = (_e3368 - _e3367);
@@ -1324,12 +1326,12 @@ let _e3401 = select(_e3325, _e3390, _e3399);
 let _e3405 = select(_e3329, _e3394, _e3400);
 let _e3409 = select(_e3333, _e3367, _e3395);
 let _e3411 = select(_e3335, _e3368, (_e3368 > _e3335));
-let _e3418 = global_1.member.member_16.member_1;
+let _e3418 = global_1.member.member_18.member_1;
 let _e3419 = (_e3418 != 0u);
-let _e3423 = global_1.member.member_16.member;
+let _e3423 = global_1.member.member_18.member;
 let _e3443 = select(-1e6f, (((((_e3423.member.member * _e248) + (_e3423.member.member_1 * _e258)) + (_e3423.member.member_2 * _e269)) + _e3423.member_1) * _e3262), _e3419);
 let _e3444 = select(-1e6f, (((((_e3423.member.member * _e2948) + (_e3423.member.member_1 * _e2949)) + (_e3423.member.member_2 * _e2950)) + _e3423.member_1) * _e3262), _e3419);
-let _e3449 = global_1.member.member_16.member.member;
+let _e3449 = global_1.member.member_18.member.member;
 let _e3453 = -(_e3443);
 let _e3456 = (_e3443 - _e3444);
 let _e3457 = (_e3444 - _e3443);
@@ -1344,12 +1346,12 @@ let _e3477 = select(_e3401, _e3466, _e3475);
 let _e3481 = select(_e3405, _e3470, _e3476);
 let _e3485 = select(_e3409, _e3443, _e3471);
 let _e3487 = select(_e3411, _e3444, (_e3444 > _e3411));
-let _e3494 = global_1.member.member_17.member_1;
+let _e3494 = global_1.member.member_19.member_1;
 let _e3495 = (_e3494 != 0u);
-let _e3499 = global_1.member.member_17.member;
+let _e3499 = global_1.member.member_19.member;
 let _e3519 = select(-1e6f, (((((_e3499.member.member * _e248) + (_e3499.member.member_1 * _e258)) + (_e3499.member.member_2 * _e269)) + _e3499.member_1) * _e3262), _e3495);
 let _e3520 = select(-1e6f, (((((_e3499.member.member * _e2948) + (_e3499.member.member_1 * _e2949)) + (_e3499.member.member_2 * _e2950)) + _e3499.member_1) * _e3262), _e3495);
-let _e3525 = global_1.member.member_17.member.member;
+let _e3525 = global_1.member.member_19.member.member;
 let _e3529 = -(_e3519);
 let _e3532 = (_e3519 - _e3520);
 let _e3533 = (_e3520 - _e3519);
@@ -1369,24 +1371,24 @@ phi_8701_ = type_32(_e2936.member, vec3<f32>((_e280 - (_e2770.member_3.x * _e358
 phi_8701_ = type_32(_e457, _e458, _e313, _e324, _e335, _e459, _e379, _e460, _e423, _e434);
 }
 let _e3604 = phi_8701_;
-let _e3609 = global_1.member.member_10.member_3;
+let _e3609 = global_1.member.member_12.member_3;
 let _e3610 = (_e3609 == 0u);
 if _e3610 {
-let _e3614 = global_1.member.member_9.member_1;
-let _e3622 = global_1.member.member_9.member;
+let _e3614 = global_1.member.member_11.member_1;
+let _e3622 = global_1.member.member_11.member;
 phi_8961_ = type_36(vec3<f32>(_e3614.member, _e3614.member_1, _e3614.member_2), vec3<f32>(_e3622.member, _e3622.member_1, _e3622.member_2));
 } else {
-let _e3631 = global_1.member.member_10.member;
+let _e3631 = global_1.member.member_12.member;
 let _e3645 = ((((_e3631.member.member * _e3604.member.x) + (_e3631.member.member_1 * _e3604.member.y)) + (_e3631.member.member_2 * _e3604.member.z)) + _e3631.member_1);
-let _e3649 = global_1.member.member_10.member_1;
+let _e3649 = global_1.member.member_12.member_1;
 let _e3660 = ((((_e3649.member.member * _e3604.member.x) + (_e3649.member.member_1 * _e3604.member.y)) + (_e3649.member.member_2 * _e3604.member.z)) + _e3649.member_1);
-let _e3664 = global_1.member.member_10.member_2;
+let _e3664 = global_1.member.member_12.member_2;
 let _e3675 = ((((_e3664.member.member * _e3604.member.x) + (_e3664.member.member_1 * _e3604.member.y)) + (_e3664.member.member_2 * _e3604.member.z)) + _e3664.member_1);
-let _e3679 = global_1.member.member_9.member_1;
+let _e3679 = global_1.member.member_11.member_1;
 if _e3610 {
 phi_8805_ = 1f;
 } else {
-let _e3686 = global_1.member.member_10.member_19;
+let _e3686 = global_1.member.member_12.member_19;
 let _e3690 = (_e3645 - _e3686.member);
 let _e3691 = (_e3660 - _e3686.member_1);
 let _e3692 = (_e3675 - _e3686.member_2);
@@ -1397,18 +1399,18 @@ let _e3702 = phi_8805_;
 if _e3610 {
 phi_8889_ = 1f;
 } else {
-let _e3706 = global_1.member.member_10.member_19;
+let _e3706 = global_1.member.member_12.member_19;
 let _e3710 = (_e3645 - _e3706.member);
 let _e3711 = (_e3660 - _e3706.member_1);
 let _e3712 = (_e3675 - _e3706.member_2);
-let _e3717 = global_1.member.member_10.member_20.member;
+let _e3717 = global_1.member.member_12.member_20.member;
 let _e3725 = (((_e3717.member * _e3710) + (_e3717.member_1 * _e3711)) + (_e3717.member_2 * _e3712));
 let _e3729 = (_e3710 - (_e3717.member * _e3725));
 let _e3730 = (_e3711 - (_e3717.member_1 * _e3725));
 let _e3731 = (_e3712 - (_e3717.member_2 * _e3725));
 let _e3736 = (((_e3729 * _e3729) + (_e3730 * _e3730)) + (_e3731 * _e3731));
-let _e3747 = global_1.member.member_10.member_20.member_1;
-let _e3753 = global_1.member.member_10.member_20.member_2;
+let _e3747 = global_1.member.member_12.member_20.member_1;
+let _e3753 = global_1.member.member_12.member_20.member_2;
 let _e3754 = ((_e3747 - (sqrt(select(0f, _e3736, (_e3736 > 0f))) / select(1e-20f, _e3725, (_e3725 > 1e-20f)))) * _e3753);
 let _e3756 = select(0f, _e3754, (_e3754 > 0f));
 let _e3758 = select(1f, _e3756, (_e3756 < 1f));
@@ -1417,7 +1419,7 @@ phi_8889_ = select(1f, select(0f, ((_e3758 * _e3758) * (3f - (2f * _e3758))), (_
 let _e3768 = phi_8889_;
 let _e3769 = (_e3702 * _e3768);
 let _e3774 = (_e3609 != 0u);
-let _e3778 = global_1.member.member_10.member_19;
+let _e3778 = global_1.member.member_12.member_19;
 let _e3782 = (_e3645 - _e3778.member);
 let _e3783 = (_e3660 - _e3778.member_1);
 let _e3784 = (_e3675 - _e3778.member_2);
@@ -1427,9 +1429,9 @@ let _e3795 = (1f / select(1e-20f, _e3792, (_e3792 > 1e-20f)));
 let _e3799 = select(0f, (_e3782 * _e3795), _e3774);
 let _e3800 = select(0f, (_e3783 * _e3795), _e3774);
 let _e3801 = select(1f, (_e3784 * _e3795), _e3774);
-let _e3806 = global_1.member.member_10.member.member;
-let _e3817 = global_1.member.member_10.member_1.member;
-let _e3831 = global_1.member.member_10.member_2.member;
+let _e3806 = global_1.member.member_12.member.member;
+let _e3817 = global_1.member.member_12.member_1.member;
+let _e3831 = global_1.member.member_12.member_2.member;
 phi_8961_ = type_36(vec3<f32>((_e3679.member * _e3769), (_e3679.member_1 * _e3769), (_e3679.member_2 * _e3769)), (vec3<f32>(((_e3806.member * _e3799) + (_e3817.member * _e3800)), ((_e3806.member_1 * _e3799) + (_e3817.member_1 * _e3800)), ((_e3806.member_2 * _e3799) + (_e3817.member_2 * _e3800))) + vec3<f32>((_e3831.member * _e3801), (_e3831.member_1 * _e3801), (_e3831.member_2 * _e3801))));
 }
 let _e3843 = phi_8961_;
@@ -1473,13 +1475,13 @@ let _e3881 = select(1e-6f, _e3879, (_e3879 > 1e-6f));
 let _e3888 = (((_e3864 * _e3864) + (_e3866 * _e3866)) + (_e3868 * _e3868));
 let _e3891 = sqrt(select(0f, _e3888, (_e3888 > 0f)));
 let _e3894 = (((0.05f * _e3881) * _e3881) / select(1e-20f, _e3891, (_e3891 > 1e-20f)));
-let _e3898 = global_1.member.member_5.member_2;
+let _e3898 = global_1.member.member_7.member_2;
 let _e3899 = (0.0625f * _e3898);
 let _e3901 = select(_e3899, _e3894, (_e3894 > _e3899));
-let _e3908 = global_1.member.member_6.member_3.member;
-let _e3913 = global_1.member.member_6.member_3.member_1;
-let _e3918 = global_1.member.member_6.member_3.member_2;
-let _e3926 = global_1.member.member_6.member.member;
+let _e3908 = global_1.member.member_8.member_3.member;
+let _e3913 = global_1.member.member_8.member_3.member_1;
+let _e3918 = global_1.member.member_8.member_3.member_2;
+let _e3926 = global_1.member.member_8.member.member;
 let _e3934 = (((_e3926.member * _e3926.member) + (_e3926.member_1 * _e3926.member_1)) + (_e3926.member_2 * _e3926.member_2));
 let _e3937 = sqrt(select(0f, _e3934, (_e3934 > 0f)));
 let _e3940 = (select(((4f * ((_e3908 + _e3913) + _e3918)) / _e3937), select(_e3898, _e3901, (_e3901 < _e3898)), _e3858) / _e3881);
@@ -1496,8 +1498,8 @@ let _e3974 = ((((_e495.member.member * _e3845.member.x) + (_e495.member.member_1
 let _e3980 = ((((_e465.member.member * _e3952) + (_e465.member.member_1 * _e3954)) + (_e465.member.member_2 * _e3956)) + _e465.member_1);
 let _e3986 = ((((_e480.member.member * _e3952) + (_e480.member.member_1 * _e3954)) + (_e480.member.member_2 * _e3956)) + _e480.member_1);
 let _e3992 = ((((_e495.member.member * _e3952) + (_e495.member.member_1 * _e3954)) + (_e495.member.member_2 * _e3956)) + _e495.member_1);
-let _e3997 = global_1.member.member_6.member_1.member;
-let _e4005 = global_1.member.member_6.member_2.member;
+let _e3997 = global_1.member.member_8.member_1.member;
+let _e4005 = global_1.member.member_8.member_2.member;
 let _e4009 = (_e3908 - 0.5f);
 let _e4010 = (-0.5f - _e3962);
 let _e4011 = (-0.5f - _e3980);
@@ -1609,12 +1611,12 @@ let _e4253 = select(select(select(select(select(select(1f, _e3926.member_2, _e40
 if _e2775 {
 phi_10439_ = type_35(_e4238, vec3<f32>(_e4239, _e4240, _e4241), _e4243, vec3<f32>(_e4244, _e4245, _e4246), _e4248, _e4250, vec3<f32>(_e4251, _e4252, _e4253));
 } else {
-let _e4259 = global_1.member.member_14.member_1;
+let _e4259 = global_1.member.member_16.member_1;
 let _e4260 = (_e4259 != 0u);
-let _e4264 = global_1.member.member_14.member;
+let _e4264 = global_1.member.member_16.member;
 let _e4284 = select(-1e6f, (((((_e4264.member.member * _e3845.member.x) + (_e4264.member.member_1 * _e3845.member.y)) + (_e4264.member.member_2 * _e3845.member.z)) + _e4264.member_1) * _e3937), _e4260);
 let _e4285 = select(-1e6f, (((((_e4264.member.member * _e3952) + (_e4264.member.member_1 * _e3954)) + (_e4264.member.member_2 * _e3956)) + _e4264.member_1) * _e3937), _e4260);
-let _e4290 = global_1.member.member_14.member.member;
+let _e4290 = global_1.member.member_16.member.member;
 let _e4294 = -(_e4284);
 let _e4297 = (_e4284 - _e4285);
 let _e4298 = (_e4285 - _e4284);
@@ -1629,12 +1631,12 @@ let _e4318 = select(_e4238, _e4307, _e4316);
 let _e4322 = select(_e4243, _e4311, _e4317);
 let _e4326 = select(_e4248, _e4284, _e4312);
 let _e4328 = select(_e4250, _e4285, (_e4285 > _e4250));
-let _e4335 = global_1.member.member_15.member_1;
+let _e4335 = global_1.member.member_17.member_1;
 let _e4336 = (_e4335 != 0u);
-let _e4340 = global_1.member.member_15.member;
+let _e4340 = global_1.member.member_17.member;
 let _e4360 = select(-1e6f, (((((_e4340.member.member * _e3845.member.x) + (_e4340.member.member_1 * _e3845.member.y)) + (_e4340.member.member_2 * _e3845.member.z)) + _e4340.member_1) * _e3937), _e4336);
 let _e4361 = select(-1e6f, (((((_e4340.member.member * _e3952) + (_e4340.member.member_1 * _e3954)) + (_e4340.member.member_2 * _e3956)) + _e4340.member_1) * _e3937), _e4336);
-let _e4366 = global_1.member.member_15.member.member;
+let _e4366 = global_1.member.member_17.member.member;
 let _e4370 = -(_e4360);
 let _e4373 = (_e4360 - _e4361);
 let _e4374 = (_e4361 - _e4360);
@@ -1649,12 +1651,12 @@ let _e4394 = select(_e4318, _e4383, _e4392);
 let _e4398 = select(_e4322, _e4387, _e4393);
 let _e4402 = select(_e4326, _e4360, _e4388);
 let _e4404 = select(_e4328, _e4361, (_e4361 > _e4328));
-let _e4411 = global_1.member.member_16.member_1;
+let _e4411 = global_1.member.member_18.member_1;
 let _e4412 = (_e4411 != 0u);
-let _e4416 = global_1.member.member_16.member;
+let _e4416 = global_1.member.member_18.member;
 let _e4436 = select(-1e6f, (((((_e4416.member.member * _e3845.member.x) + (_e4416.member.member_1 * _e3845.member.y)) + (_e4416.member.member_2 * _e3845.member.z)) + _e4416.member_1) * _e3937), _e4412);
 let _e4437 = select(-1e6f, (((((_e4416.member.member * _e3952) + (_e4416.member.member_1 * _e3954)) + (_e4416.member.member_2 * _e3956)) + _e4416.member_1) * _e3937), _e4412);
-let _e4442 = global_1.member.member_16.member.member;
+let _e4442 = global_1.member.member_18.member.member;
 let _e4446 = -(_e4436);
 let _e4449 = (_e4436 - _e4437);
 let _e4450 = (_e4437 - _e4436);
@@ -1669,12 +1671,12 @@ let _e4470 = select(_e4394, _e4459, _e4468);
 let _e4474 = select(_e4398, _e4463, _e4469);
 let _e4478 = select(_e4402, _e4436, _e4464);
 let _e4480 = select(_e4404, _e4437, (_e4437 > _e4404));
-let _e4487 = global_1.member.member_17.member_1;
+let _e4487 = global_1.member.member_19.member_1;
 let _e4488 = (_e4487 != 0u);
-let _e4492 = global_1.member.member_17.member;
+let _e4492 = global_1.member.member_19.member;
 let _e4512 = select(-1e6f, (((((_e4492.member.member * _e3845.member.x) + (_e4492.member.member_1 * _e3845.member.y)) + (_e4492.member.member_2 * _e3845.member.z)) + _e4492.member_1) * _e3937), _e4488);
 let _e4513 = select(-1e6f, (((((_e4492.member.member * _e3952) + (_e4492.member.member_1 * _e3954)) + (_e4492.member.member_2 * _e3956)) + _e4492.member_1) * _e3937), _e4488);
-let _e4518 = global_1.member.member_17.member.member;
+let _e4518 = global_1.member.member_19.member.member;
 let _e4522 = -(_e4512);
 let _e4525 = (_e4512 - _e4513);
 let _e4526 = (_e4513 - _e4512);
@@ -1710,23 +1712,23 @@ let _e4595 = select(1f, _e4591, _e4573);
 let _e4599 = (_e3845.member.x + ((_e3952 - _e3845.member.x) * _e4595));
 let _e4600 = (_e3845.member.y + ((_e3954 - _e3845.member.y) * _e4595));
 let _e4601 = (_e3845.member.z + ((_e3956 - _e3845.member.z) * _e4595));
-let _e4606 = global_1.member.member_13.member.member;
+let _e4606 = global_1.member.member_15.member.member;
 let _e4617 = ((((_e4606.member.member * _e3845.member.x) + (_e4606.member.member_1 * _e3845.member.y)) + (_e4606.member.member_2 * _e3845.member.z)) + _e4606.member_1);
 let _e4623 = ((((_e4606.member.member * _e4599) + (_e4606.member.member_1 * _e4600)) + (_e4606.member.member_2 * _e4601)) + _e4606.member_1);
 let _e4626 = ((_e4617 > 0f) && (_e4623 <= 0f));
 let _e4627 = (_e4617 - _e4623);
 let _e4630 = (_e4617 / select(1e-20f, _e4627, (_e4627 > 1e-20f)));
-let _e4635 = global_1.member.member_13.member_1.member;
+let _e4635 = global_1.member.member_15.member_1.member;
 let _e4646 = ((((_e4635.member.member * _e3845.member.x) + (_e4635.member.member_1 * _e3845.member.y)) + (_e4635.member.member_2 * _e3845.member.z)) + _e4635.member_1);
 let _e4652 = ((((_e4635.member.member * _e4599) + (_e4635.member.member_1 * _e4600)) + (_e4635.member.member_2 * _e4601)) + _e4635.member_1);
 let _e4655 = ((_e4646 > 0f) && (_e4652 <= 0f));
 let _e4656 = (_e4646 - _e4652);
 let _e4659 = (_e4646 / select(1e-20f, _e4656, (_e4656 > 1e-20f)));
 let _e4663 = (_e4655 && (!(_e4626) || (_e4659 < _e4630)));
-let _e4669 = global_1.member.member_13.member_1.member.member;
-let _e4674 = global_1.member.member_13.member_1.member_1;
-let _e4680 = global_1.member.member_13.member.member.member;
-let _e4685 = global_1.member.member_13.member.member_1;
+let _e4669 = global_1.member.member_15.member_1.member.member;
+let _e4674 = global_1.member.member_15.member_1.member_1;
+let _e4680 = global_1.member.member_15.member.member.member;
+let _e4685 = global_1.member.member_15.member.member_1;
 let _e4704 = (_e4626 || _e4655);
 let _e4711 = ((((_e465.member.member * _e4599) + (_e465.member.member_1 * _e4600)) + (_e465.member.member_2 * _e4601)) + _e465.member_1);
 let _e4717 = ((((_e480.member.member * _e4599) + (_e480.member.member_1 * _e4600)) + (_e480.member.member_2 * _e4601)) + _e480.member_1);
@@ -1750,8 +1752,8 @@ let _e4767 = select(-1f, _e4735, (_e4735 > -1f));
 let _e4769 = select(_e3918, _e4767, (_e4767 < _e3918));
 let _e4776 = select(0i, select(select(i32(_e4769), i32(-2147483648), (_e4769 < -2147483600f)), 2147483647i, (_e4769 > 2147483500f)), (_e4769 == _e4769));
 let _e4780 = (_e4776 - select(0i, 1i, (_e4769 < f32(_e4776))));
-let _e4784 = global_1.member.member_6.member_7;
-let _e4788 = global_1.member.member_6.member_8;
+let _e4784 = global_1.member.member_8.member_7;
+let _e4788 = global_1.member.member_8.member_8;
 let _e4796 = (select(0i, select(select(i32(_e3913), i32(-2147483648), (_e3913 < -2147483600f)), 2147483647i, (_e3913 > 2147483500f)), (_e3913 == _e3913)) - 1i);
 let _e4797 = (_e4765 - 1i);
 let _e4802 = (_e4765 + 1i);
@@ -2010,8 +2012,8 @@ let _e5656 = local_23[2u];
 let _e5660 = local_23[1u];
 let _e5664 = local_23[2u];
 let _e5668 = local_23[2u];
-let _e5675 = global_1.member.member_6.member_6;
-let _e5679 = global_1.member.member_6.member_5;
+let _e5675 = global_1.member.member_8.member_6;
+let _e5679 = global_1.member.member_8.member_5;
 let _e5681 = (((_e5598 + ((_e5602 - _e5598) * _e5668)) - _e5675) * _e5679);
 let _e5682 = -(1e9f);
 let _e5684 = select(_e5682, _e5681, (_e5681 > _e5682));
@@ -2277,15 +2279,15 @@ let _e6432 = select(0f, 1f, ((((((_e4711 >= -0.5f) && (_e4711 <= _e4009)) && (_e
 let _e6434 = (0.5f * (_e5698 - _e5692));
 let _e6436 = (0.5f * (_e5710 - _e5704));
 let _e6438 = (0.5f * (_e5722 - _e5716));
-let _e6444 = global_1.member.member_6.member.member.member;
-let _e6450 = global_1.member.member_6.member.member.member_1;
-let _e6456 = global_1.member.member_6.member.member.member_2;
-let _e6462 = global_1.member.member_6.member_1.member.member;
-let _e6468 = global_1.member.member_6.member_1.member.member_1;
-let _e6474 = global_1.member.member_6.member_1.member.member_2;
-let _e6480 = global_1.member.member_6.member_2.member.member;
-let _e6486 = global_1.member.member_6.member_2.member.member_1;
-let _e6492 = global_1.member.member_6.member_2.member.member_2;
+let _e6444 = global_1.member.member_8.member.member.member;
+let _e6450 = global_1.member.member_8.member.member.member_1;
+let _e6456 = global_1.member.member_8.member.member.member_2;
+let _e6462 = global_1.member.member_8.member_1.member.member;
+let _e6468 = global_1.member.member_8.member_1.member.member_1;
+let _e6474 = global_1.member.member_8.member_1.member.member_2;
+let _e6480 = global_1.member.member_8.member_2.member.member;
+let _e6486 = global_1.member.member_8.member_2.member.member_1;
+let _e6492 = global_1.member.member_8.member_2.member.member_2;
 phi_16891_ = type_34(_e5686, vec3<f32>(((((_e6444 * _e6434) + (_e6462 * _e6436)) + (_e6480 * _e6438)) * _e6432), ((((_e6450 * _e6434) + (_e6468 * _e6436)) + (_e6486 * _e6438)) * _e6432), ((((_e6456 * _e6434) + (_e6474 * _e6436)) + (_e6492 * _e6438)) * _e6432)), _e6417.member, vec3<f32>(((((_e6444 * _e6417.member_2.x) + (_e6462 * _e6417.member_2.y)) + (_e6480 * _e6417.member_2.z)) * _e6432), ((((_e6450 * _e6417.member_2.x) + (_e6468 * _e6417.member_2.y)) + (_e6486 * _e6417.member_2.z)) * _e6432), ((((_e6456 * _e6417.member_2.x) + (_e6474 * _e6417.member_2.y)) + (_e6492 * _e6417.member_2.z)) * _e6432)), vec3<f32>(((((_e6444 * _e6417.member_1.x) + (_e6462 * _e6417.member_1.y)) + (_e6480 * _e6417.member_1.z)) * _e6432), ((((_e6450 * _e6417.member_1.x) + (_e6468 * _e6417.member_1.y)) + (_e6486 * _e6417.member_1.z)) * _e6432), ((((_e6456 * _e6417.member_1.x) + (_e6474 * _e6417.member_1.y)) + (_e6492 * _e6417.member_1.z)) * _e6432)));
 } else {
 let _e6558 = select(-0.5f, _e4711, (_e4711 > -0.5f));
@@ -2306,8 +2308,8 @@ let _e6600 = select(-1f, _e6568, (_e6568 > -1f));
 let _e6602 = select(_e3918, _e6600, (_e6600 < _e3918));
 let _e6609 = select(0i, select(select(i32(_e6602), i32(-2147483648), (_e6602 < -2147483600f)), 2147483647i, (_e6602 > 2147483500f)), (_e6602 == _e6602));
 let _e6613 = (_e6609 - select(0i, 1i, (_e6602 < f32(_e6609))));
-let _e6617 = global_1.member.member_6.member_7;
-let _e6621 = global_1.member.member_6.member_8;
+let _e6617 = global_1.member.member_8.member_7;
+let _e6621 = global_1.member.member_8.member_8;
 let _e6629 = (select(0i, select(select(i32(_e3913), i32(-2147483648), (_e3913 < -2147483600f)), 2147483647i, (_e3913 > 2147483500f)), (_e3913 == _e3913)) - 1i);
 let _e6632 = (_e6598 + 1i);
 let _e6642 = (select(0i, select(select(i32(_e3918), i32(-2147483648), (_e3918 < -2147483600f)), 2147483647i, (_e3918 > 2147483500f)), (_e3918 == _e3918)) - 1i);
@@ -2390,8 +2392,8 @@ let _e6905 = local_6.member_1[2u];
 let _e6912 = local_7[0u];
 let _e6916 = local_7[1u];
 let _e6921 = local_7[2u];
-let _e6928 = global_1.member.member_6.member_6;
-let _e6932 = global_1.member.member_6.member_5;
+let _e6928 = global_1.member.member_8.member_6;
+let _e6932 = global_1.member.member_8.member_5;
 let _e6934 = (((_e6813 + (((_e6864 + (((_e6904 + ((f32(bitcast<i32>(((_e6897 >> bitcast<u32>((_e6905 & 31u))) & 255u))) - _e6904) * _e6912)) - _e6864) * _e6916)) - _e6813) * _e6921)) - _e6928) * _e6932);
 let _e6935 = -(1e9f);
 let _e6937 = select(_e6935, _e6934, (_e6934 > _e6935));
@@ -2401,7 +2403,7 @@ let _e6942 = phi_16891_;
 if _e2775 {
 phi_17283_ = type_7(1f, 1f, 1f);
 } else {
-let _e6946 = global_1.member.member_14.member;
+let _e6946 = global_1.member.member_16.member;
 let _e6957 = ((((_e6946.member.member * _e3845.member.x) + (_e6946.member.member_1 * _e3845.member.y)) + (_e6946.member.member_2 * _e3845.member.z)) + _e6946.member_1);
 let _e6963 = ((((_e6946.member.member * _e4599) + (_e6946.member.member_1 * _e4600)) + (_e6946.member.member_2 * _e4601)) + _e6946.member_1);
 let _e6965 = select(_e6963, _e6957, (_e6957 < _e6963));
@@ -2410,9 +2412,9 @@ let _e6969 = (_e6967 - _e6965);
 let _e6972 = (-(_e6965) / select(1e-30f, _e6969, (_e6969 > 1e-30f)));
 let _e6974 = select(0f, _e6972, (_e6972 > 0f));
 let _e6980 = select(select(select(1f, _e6974, (_e6974 < 1f)), 1f, (_e6967 <= 0f)), 0f, (_e6965 > 0f));
-let _e6985 = global_1.member.member_14.member_1;
+let _e6985 = global_1.member.member_16.member_1;
 let _e6986 = (_e6985 != 0u);
-let _e6996 = global_1.member.member_15.member;
+let _e6996 = global_1.member.member_17.member;
 let _e7007 = ((((_e6996.member.member * _e3845.member.x) + (_e6996.member.member_1 * _e3845.member.y)) + (_e6996.member.member_2 * _e3845.member.z)) + _e6996.member_1);
 let _e7013 = ((((_e6996.member.member * _e4599) + (_e6996.member.member_1 * _e4600)) + (_e6996.member.member_2 * _e4601)) + _e6996.member_1);
 let _e7015 = select(_e7013, _e7007, (_e7007 < _e7013));
@@ -2421,9 +2423,9 @@ let _e7019 = (_e7017 - _e7015);
 let _e7022 = (-(_e7015) / select(1e-30f, _e7019, (_e7019 > 1e-30f)));
 let _e7024 = select(0f, _e7022, (_e7022 > 0f));
 let _e7030 = select(select(select(1f, _e7024, (_e7024 < 1f)), 1f, (_e7017 <= 0f)), 0f, (_e7015 > 0f));
-let _e7035 = global_1.member.member_15.member_1;
+let _e7035 = global_1.member.member_17.member_1;
 let _e7036 = (_e7035 != 0u);
-let _e7046 = global_1.member.member_16.member;
+let _e7046 = global_1.member.member_18.member;
 let _e7057 = ((((_e7046.member.member * _e3845.member.x) + (_e7046.member.member_1 * _e3845.member.y)) + (_e7046.member.member_2 * _e3845.member.z)) + _e7046.member_1);
 let _e7063 = ((((_e7046.member.member * _e4599) + (_e7046.member.member_1 * _e4600)) + (_e7046.member.member_2 * _e4601)) + _e7046.member_1);
 let _e7065 = select(_e7063, _e7057, (_e7057 < _e7063));
@@ -2432,9 +2434,9 @@ let _e7069 = (_e7067 - _e7065);
 let _e7072 = (-(_e7065) / select(1e-30f, _e7069, (_e7069 > 1e-30f)));
 let _e7074 = select(0f, _e7072, (_e7072 > 0f));
 let _e7080 = select(select(select(1f, _e7074, (_e7074 < 1f)), 1f, (_e7067 <= 0f)), 0f, (_e7065 > 0f));
-let _e7085 = global_1.member.member_16.member_1;
+let _e7085 = global_1.member.member_18.member_1;
 let _e7086 = (_e7085 != 0u);
-let _e7096 = global_1.member.member_17.member;
+let _e7096 = global_1.member.member_19.member;
 let _e7107 = ((((_e7096.member.member * _e3845.member.x) + (_e7096.member.member_1 * _e3845.member.y)) + (_e7096.member.member_2 * _e3845.member.z)) + _e7096.member_1);
 let _e7113 = ((((_e7096.member.member * _e4599) + (_e7096.member.member_1 * _e4600)) + (_e7096.member.member_2 * _e4601)) + _e7096.member_1);
 let _e7115 = select(_e7113, _e7107, (_e7107 < _e7113));
@@ -2443,7 +2445,7 @@ let _e7119 = (_e7117 - _e7115);
 let _e7122 = (-(_e7115) / select(1e-30f, _e7119, (_e7119 > 1e-30f)));
 let _e7124 = select(0f, _e7122, (_e7122 > 0f));
 let _e7130 = select(select(select(1f, _e7124, (_e7124 < 1f)), 1f, (_e7117 <= 0f)), 0f, (_e7115 > 0f));
-let _e7135 = global_1.member.member_17.member_1;
+let _e7135 = global_1.member.member_19.member_1;
 let _e7136 = (_e7135 != 0u);
 phi_17283_ = type_7(((((1f * _e6980) * _e7030) * _e7080) * _e7130), ((((1f * select(1f, _e6980, _e6986)) * select(1f, _e7030, _e7036)) * select(1f, _e7080, _e7086)) * select(1f, _e7130, _e7136)), ((((1f * select(1f, 0f, (_e6986 && (_e6963 > 0f)))) * select(1f, 0f, (_e7036 && (_e7013 > 0f)))) * select(1f, 0f, (_e7086 && (_e7063 > 0f)))) * select(1f, 0f, (_e7136 && (_e7113 > 0f)))));
 }
@@ -2470,8 +2472,8 @@ let _e7198 = select(-1f, _e7166, (_e7166 > -1f));
 let _e7200 = select(_e3918, _e7198, (_e7198 < _e3918));
 let _e7207 = select(0i, select(select(i32(_e7200), i32(-2147483648), (_e7200 < -2147483600f)), 2147483647i, (_e7200 > 2147483500f)), (_e7200 == _e7200));
 let _e7211 = (_e7207 - select(0i, 1i, (_e7200 < f32(_e7207))));
-let _e7215 = global_1.member.member_6.member_7;
-let _e7219 = global_1.member.member_6.member_8;
+let _e7215 = global_1.member.member_8.member_7;
+let _e7219 = global_1.member.member_8.member_8;
 let _e7227 = (select(0i, select(select(i32(_e3913), i32(-2147483648), (_e3913 < -2147483600f)), 2147483647i, (_e3913 > 2147483500f)), (_e3913 == _e3913)) - 1i);
 let _e7230 = (_e7196 + 1i);
 let _e7240 = (select(0i, select(select(i32(_e3918), i32(-2147483648), (_e3918 < -2147483600f)), 2147483647i, (_e3918 > 2147483500f)), (_e3918 == _e3918)) - 1i);
@@ -2554,8 +2556,8 @@ let _e7503 = local_4.member_1[2u];
 let _e7510 = local_5[0u];
 let _e7514 = local_5[1u];
 let _e7519 = local_5[2u];
-let _e7526 = global_1.member.member_6.member_6;
-let _e7530 = global_1.member.member_6.member_5;
+let _e7526 = global_1.member.member_8.member_6;
+let _e7530 = global_1.member.member_8.member_5;
 let _e7532 = (((_e7411 + (((_e7462 + (((_e7502 + ((f32(bitcast<i32>(((_e7495 >> bitcast<u32>((_e7503 & 31u))) & 255u))) - _e7502) * _e7510)) - _e7462) * _e7514)) - _e7411) * _e7519)) - _e7526) * _e7530);
 let _e7533 = -(1e9f);
 let _e7535 = select(_e7533, _e7532, (_e7532 > _e7533));
@@ -2676,7 +2678,7 @@ let _e7902 = select(select(1f, _e7899, (_e7899 < 1f)), 1f, _e7879);
 let _e7904 = select(_e7874, _e7846, (_e7846 < _e7874));
 let _e7908 = select(_e7867, _e7839, (_e7839 > _e7867));
 let _e7911 = (select(_e7902, _e7904, (_e7904 < _e7902)) - select(_e7895, _e7908, (_e7908 > _e7895)));
-let _e7919 = global_1.member.member_5.member_3;
+let _e7919 = global_1.member.member_7.member_3;
 let _e7920 = (((sqrt(select(0f, _e7815, (_e7815 > 0f))) * select(0f, _e7911, (_e7911 > 0f))) * _e7807) * _e7919);
 local_1 = _e7806;
 let _e7921 = local_1;
@@ -2963,24 +2965,24 @@ let _e9071 = (0.5f * _e7807);
 let _e9075 = (_e3845.member.x + (_e7808 * _e9071));
 let _e9076 = (_e3845.member.y + (_e7809 * _e9071));
 let _e9077 = (_e3845.member.z + (_e7810 * _e9071));
-let _e9081 = global_1.member.member_10.member;
+let _e9081 = global_1.member.member_12.member;
 let _e9092 = ((((_e9081.member.member * _e9075) + (_e9081.member.member_1 * _e9076)) + (_e9081.member.member_2 * _e9077)) + _e9081.member_1);
-let _e9096 = global_1.member.member_10.member_1;
+let _e9096 = global_1.member.member_12.member_1;
 let _e9107 = ((((_e9096.member.member * _e9075) + (_e9096.member.member_1 * _e9076)) + (_e9096.member.member_2 * _e9077)) + _e9096.member_1);
-let _e9111 = global_1.member.member_10.member_2;
+let _e9111 = global_1.member.member_12.member_2;
 let _e9122 = ((((_e9111.member.member * _e9075) + (_e9111.member.member_1 * _e9076)) + (_e9111.member.member_2 * _e9077)) + _e9111.member_1);
 let _e9123 = (_e3609 != 0u);
-let _e9131 = global_1.member.member_10.member_19.member_2;
+let _e9131 = global_1.member.member_12.member_19.member_2;
 let _e9133 = select(1f, (_e9122 - _e9131), _e9123);
 let _e9136 = (1f / select(1e-12f, _e9133, (_e9133 > 1e-12f)));
-let _e9141 = global_1.member.member_10.member_5;
-let _e9146 = global_1.member.member_10.member_8;
-let _e9152 = global_1.member.member_10.member_6;
-let _e9158 = global_1.member.member_10.member_11;
+let _e9141 = global_1.member.member_12.member_5;
+let _e9146 = global_1.member.member_12.member_8;
+let _e9152 = global_1.member.member_12.member_6;
+let _e9158 = global_1.member.member_12.member_11;
 let _e9159 = ((((_e9092 * _e9136) - _e9141) * _e9146) - _e9158);
 let _e9160 = ((((_e9107 * _e9136) - _e9152) * _e9146) - _e9158);
-let _e9164 = global_1.member.member_10.member_9;
-let _e9169 = global_1.member.member_10.member_10;
+let _e9164 = global_1.member.member_12.member_9;
+let _e9169 = global_1.member.member_12.member_10;
 let _e9170 = ((_e9122 - _e9164) * _e9169);
 let _e9171 = -(65536f);
 let _e9173 = select(_e9171, _e9159, (_e9159 > _e9171));
@@ -2999,11 +3001,11 @@ let _e9218 = (firstTrailingBit(8u) & 31u);
 let _e9220 = (_e9216 >> bitcast<u32>(_e9218));
 let _e9222 = (_e9186 >> bitcast<u32>(_e9218));
 let _e9224 = (_e9201 >> bitcast<u32>(_e9218));
-let _e9229 = global_1.member.member_10.member_14.member;
+let _e9229 = global_1.member.member_12.member_14.member;
 let _e9230 = bitcast<i32>(_e9229);
-let _e9235 = global_1.member.member_10.member_14.member_1;
+let _e9235 = global_1.member.member_12.member_14.member_1;
 let _e9236 = bitcast<i32>(_e9235);
-let _e9241 = global_1.member.member_10.member_14.member_2;
+let _e9241 = global_1.member.member_12.member_14.member_2;
 if ((((((_e9222 >= 0i) && (_e9222 < _e9230)) && (_e9224 >= 0i)) && (_e9224 < _e9236)) && (_e9220 >= 0i)) && (_e9220 < bitcast<i32>(_e9241))) {
 phi_21493_ = (((((_e9220 * _e9236) + _e9224) * _e9230) + _e9222) * 3i);
 } else {
@@ -3017,7 +3019,7 @@ let _e9271 = global_4.member[bitcast<u32>(select(0i, _e9265, (_e9265 > 0i)))];
 let _e9273 = select(_e9263, _e9260, (_e9260 < _e9263));
 let _e9279 = global_4.member[bitcast<u32>(select(0i, _e9273, (_e9273 > 0i)))];
 let _e9282 = select(_e9271, 0u, (_e9260 < 0i));
-let _e9286 = global_1.member.member_10.member_13;
+let _e9286 = global_1.member.member_12.member_13;
 let _e9287 = (_e9282 * 81u);
 let _e9291 = bitcast<i32>((((_e9287 * _e9286) + 63u) & 4294967232u));
 let _e9299 = (((bitcast<i32>(_e9279) + ((_e9216 & 7i) * _e9291)) + ((_e9201 & 7i) * 9i)) + (_e9186 & 7i));
@@ -3060,7 +3062,7 @@ let _e9408 = select(1f, (_e9355 + (((_e9378 + (((_e9388 + ((bitcast<f32>(_e9397)
 if (((_e222.member_2 == 3u) || (_e222.member_2 == 4u)) || _e508) {
 phi_22070_ = vec3(_e9408);
 } else {
-let _e9417 = global_1.member.member_10.member_12;
+let _e9417 = global_1.member.member_12.member_12;
 let _e9418 = (_e9417 > 1u);
 let _e9422 = (_e9299 + (select(0i, 1i, _e9418) * _e9300));
 let _e9424 = select(_e9263, _e9422, (_e9422 < _e9263));
@@ -3127,7 +3129,7 @@ let _e9615 = global_4.member[bitcast<u32>(select(0i, _e9609, (_e9609 > 0i)))];
 phi_22070_ = vec3<f32>(_e9408, select(1f, (_e9470 + (((_e9493 + (((_e9503 + ((bitcast<f32>(_e9512) - _e9503) * _e9302)) - _e9493) * _e9304)) - _e9470) * _e9306)), _e9307), select(1f, (_e9573 + (((_e9596 + (((_e9606 + ((bitcast<f32>(_e9615) - _e9606) * _e9302)) - _e9596) * _e9304)) - _e9573) * _e9306)), _e9307));
 }
 let _e9629 = phi_22070_;
-let _e9630 = global_1.member.member_10.member_19;
+let _e9630 = global_1.member.member_12.member_19;
 let _e9634 = (_e9092 - _e9630.member);
 let _e9635 = (_e9107 - _e9630.member_1);
 let _e9636 = (_e9122 - _e9630.member_2);
@@ -3203,21 +3205,21 @@ let _e9925 = phi_22477_;
 if _e3610 {
 phi_22571_ = 1f;
 } else {
-let _e9931 = global_1.member.member_10.member_20.member;
+let _e9931 = global_1.member.member_12.member_20.member;
 let _e9939 = (((_e9931.member * _e9634) + (_e9931.member_1 * _e9635)) + (_e9931.member_2 * _e9636));
 let _e9943 = (_e9634 - (_e9931.member * _e9939));
 let _e9944 = (_e9635 - (_e9931.member_1 * _e9939));
 let _e9945 = (_e9636 - (_e9931.member_2 * _e9939));
 let _e9950 = (((_e9943 * _e9943) + (_e9944 * _e9944)) + (_e9945 * _e9945));
-let _e9961 = global_1.member.member_10.member_20.member_1;
-let _e9967 = global_1.member.member_10.member_20.member_2;
+let _e9961 = global_1.member.member_12.member_20.member_1;
+let _e9967 = global_1.member.member_12.member_20.member_2;
 let _e9968 = ((_e9961 - (sqrt(select(0f, _e9950, (_e9950 > 0f))) / select(1e-20f, _e9939, (_e9939 > 1e-20f)))) * _e9967);
 let _e9970 = select(0f, _e9968, (_e9968 > 0f));
 let _e9972 = select(1f, _e9970, (_e9970 < 1f));
 phi_22571_ = select(1f, select(0f, ((_e9972 * _e9972) * (3f - (2f * _e9972))), (_e9939 > 0f)), (_e9967 > 0f));
 }
 let _e9982 = phi_22571_;
-let _e9987 = global_1.member.member_9.member_1;
+let _e9987 = global_1.member.member_11.member_1;
 if _e3610 {
 phi_22613_ = 1f;
 } else {
@@ -3225,9 +3227,9 @@ phi_22613_ = (1f / select(1e-12f, _e9641, (_e9641 > 1e-12f)));
 }
 let _e10001 = phi_22613_;
 let _e10002 = (_e10001 * select(_e9982, 1f, (_e515 && _e9307)));
-let _e10011 = global_1.member.member_10.member.member;
-let _e10023 = global_1.member.member_10.member_1.member;
-let _e10038 = global_1.member.member_10.member_2.member;
+let _e10011 = global_1.member.member_12.member.member;
+let _e10023 = global_1.member.member_12.member_1.member;
+let _e10038 = global_1.member.member_12.member_2.member;
 phi_22645_ = type_36(vec3<f32>(((_e9629.x * _e9987.member) * _e10002), ((_e9629.y * _e9987.member_1) * _e10002), ((_e9629.z * _e9987.member_2) * _e10002)), (vec3<f32>(((_e10011.member * _e9925.x) + (_e10023.member * _e9925.y)), ((_e10011.member_1 * _e9925.x) + (_e10023.member_1 * _e9925.y)), ((_e10011.member_2 * _e9925.x) + (_e10023.member_2 * _e9925.y))) + vec3<f32>((_e10038.member * _e9925.z), (_e10038.member_1 * _e9925.z), (_e10038.member_2 * _e9925.z))));
 }
 let _e10051 = phi_22645_;
@@ -3236,7 +3238,7 @@ let _e10063 = sqrt(select(0f, _e10060, (_e10060 > 0f)));
 let _e10065 = ((_e2773 & 8u) != 0u);
 let _e10069 = (1e-6f * _e10063);
 let _e10073 = select((_e10063 / select(_e10069, _e10051.member_1.z, (_e10051.member_1.z > _e10069))), 1f, _e10065);
-let _e10085 = global_1.member.member_18;
+let _e10085 = global_1.member.member_20;
 let _e10092 = (1f - _e3845.member_6);
 let _e10109 = (_e3845.member_5.x + ((_e3845.member_7.x * ((((((_e8683 + (((_e8688 + (((bitcast<f32>(((_e8654 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8688) * _e8313)) - _e8683) * _e8311)) * _e8315) + (((bitcast<f32>(((_e8662 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8300) + ((bitcast<f32>(((_e8670 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8306))) * _e9066) * ((_e10051.member.x * _e10073) + _e10085.member)) + 0f)) * _e10092));
 let _e10111 = (_e3845.member_5.y + ((_e3845.member_7.y * ((((((_e8739 + (((_e8744 + (((bitcast<f32>((((_e8654 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8744) * _e8313)) - _e8739) * _e8311)) * _e8315) + (((bitcast<f32>((((_e8662 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8300) + ((bitcast<f32>((((_e8670 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8306))) * _e9066) * ((_e10051.member.y * _e10073) + _e10085.member_1)) + 0f)) * _e10092));
@@ -3249,14 +3251,14 @@ let _e10126 = (_e3845.member_4 + ((_e10115 - _e3845.member_6) * (_e3845.member.z
 let _e10130 = (_e3845.member.x + (_e7808 * _e7807));
 let _e10131 = (_e3845.member.y + (_e7809 * _e7807));
 let _e10132 = (_e3845.member.z + (_e7810 * _e7807));
-let _e10136 = global_1.member.member_10.member;
+let _e10136 = global_1.member.member_12.member;
 let _e10147 = ((((_e10136.member.member * _e10130) + (_e10136.member.member_1 * _e10131)) + (_e10136.member.member_2 * _e10132)) + _e10136.member_1);
-let _e10151 = global_1.member.member_10.member_1;
+let _e10151 = global_1.member.member_12.member_1;
 let _e10162 = ((((_e10151.member.member * _e10130) + (_e10151.member.member_1 * _e10131)) + (_e10151.member.member_2 * _e10132)) + _e10151.member_1);
-let _e10166 = global_1.member.member_10.member_2;
+let _e10166 = global_1.member.member_12.member_2;
 let _e10177 = ((((_e10166.member.member * _e10130) + (_e10166.member.member_1 * _e10131)) + (_e10166.member.member_2 * _e10132)) + _e10166.member_1);
 let _e10178 = (_e3609 != 0u);
-let _e10182 = global_1.member.member_10.member_19;
+let _e10182 = global_1.member.member_12.member_19;
 let _e10186 = (_e10147 - _e10182.member);
 let _e10187 = (_e10162 - _e10182.member_1);
 let _e10188 = (_e10177 - _e10182.member_2);
@@ -3266,36 +3268,36 @@ let _e10199 = (1f / select(1e-20f, _e10196, (_e10196 > 1e-20f)));
 let _e10203 = select(0f, (_e10186 * _e10199), _e10178);
 let _e10204 = select(0f, (_e10187 * _e10199), _e10178);
 let _e10205 = select(1f, (_e10188 * _e10199), _e10178);
-let _e10210 = global_1.member.member_10.member.member;
-let _e10221 = global_1.member.member_10.member_1.member;
-let _e10235 = global_1.member.member_10.member_2.member;
+let _e10210 = global_1.member.member_12.member.member;
+let _e10221 = global_1.member.member_12.member_1.member;
+let _e10235 = global_1.member.member_12.member_2.member;
 let _e10244 = (vec3<f32>(((_e10210.member * _e10203) + (_e10221.member * _e10204)), ((_e10210.member_1 * _e10203) + (_e10221.member_1 * _e10204)), ((_e10210.member_2 * _e10203) + (_e10221.member_2 * _e10204))) + vec3<f32>((_e10235.member * _e10205), (_e10235.member_1 * _e10205), (_e10235.member_2 * _e10205)));
 if ((_e2773 & 256u) != 0u) {
-let _e10252 = global_1.member.member_10.member_18.member.member;
+let _e10252 = global_1.member.member_12.member_18.member.member;
 let _e10253 = bitcast<i32>(_e10252);
-let _e10259 = global_1.member.member_10.member_18.member.member_1;
+let _e10259 = global_1.member.member_12.member_18.member.member_1;
 let _e10260 = bitcast<i32>(_e10259);
-let _e10265 = global_1.member.member_10.member_19.member_2;
+let _e10265 = global_1.member.member_12.member_19.member_2;
 let _e10267 = select(1f, (_e10177 - _e10265), _e10178);
 let _e10270 = (1f / select(1e-12f, _e10267, (_e10267 > 1e-12f)));
-let _e10275 = global_1.member.member_10.member_5;
-let _e10280 = global_1.member.member_10.member_8;
+let _e10275 = global_1.member.member_12.member_5;
+let _e10280 = global_1.member.member_12.member_8;
 let _e10281 = (((_e10147 * _e10270) - _e10275) * _e10280);
-let _e10286 = global_1.member.member_10.member_6;
+let _e10286 = global_1.member.member_12.member_6;
 let _e10288 = (((_e10162 * _e10270) - _e10286) * _e10280);
-let _e10293 = global_1.member.member_10.member_4.member;
+let _e10293 = global_1.member.member_12.member_4.member;
 let _e10295 = f32(bitcast<i32>(_e10293));
 let _e10297 = select(0f, _e10281, (_e10281 > 0f));
-let _e10304 = global_1.member.member_10.member_18.member_1;
+let _e10304 = global_1.member.member_12.member_18.member_1;
 let _e10307 = ((_e10281 - _e10295) * _e10304);
-let _e10312 = global_1.member.member_10.member_18.member_2;
+let _e10312 = global_1.member.member_12.member_18.member_2;
 let _e10314 = select(0f, _e10307, (_e10307 > 0f));
 let _e10316 = (_e10312 + _e10314);
 let _e10321 = (-(_e10281) * _e10304);
 let _e10323 = select(0f, _e10321, (_e10321 > 0f));
 let _e10325 = (_e10312 + _e10323);
 let _e10332 = (((_e10312 + (select(_e10295, _e10297, (_e10297 < _e10295)) * _e10304)) + (((_e10314 * _e10312) / select(1e-12f, _e10316, (_e10316 > 1e-12f))) - ((_e10323 * _e10312) / select(1e-12f, _e10325, (_e10325 > 1e-12f))))) - 0.5f);
-let _e10337 = global_1.member.member_10.member_4.member_1;
+let _e10337 = global_1.member.member_12.member_4.member_1;
 let _e10339 = f32(bitcast<i32>(_e10337));
 let _e10341 = select(0f, _e10288, (_e10288 > 0f));
 let _e10346 = ((_e10288 - _e10339) * _e10304);
@@ -3322,10 +3324,10 @@ let _e10408 = (_e10366 - f32(_e10400));
 let _e10410 = select(0f, _e10408, (_e10408 > 0f));
 let _e10412 = select(1f, _e10410, (_e10410 < 1f));
 if _e4663 {
-let _e10417 = global_1.member.member_10.member_18.member_4;
+let _e10417 = global_1.member.member_12.member_18.member_4;
 phi_23127_ = _e10417;
 } else {
-let _e10422 = global_1.member.member_10.member_18.member_3;
+let _e10422 = global_1.member.member_12.member_18.member_3;
 phi_23127_ = _e10422;
 }
 let _e10424 = phi_23127_;
@@ -3385,14 +3387,14 @@ phi_23525_ = vec3<f32>(_e10479, _e10528, _e10578);
 if _e3610 {
 phi_23464_ = 1f;
 } else {
-let _e10584 = global_1.member.member_10.member_20.member;
+let _e10584 = global_1.member.member_12.member_20.member;
 let _e10592 = (((_e10584.member * _e10186) + (_e10584.member_1 * _e10187)) + (_e10584.member_2 * _e10188));
 let _e10596 = (_e10186 - (_e10584.member * _e10592));
 let _e10597 = (_e10187 - (_e10584.member_1 * _e10592));
 let _e10598 = (_e10188 - (_e10584.member_2 * _e10592));
 let _e10603 = (((_e10596 * _e10596) + (_e10597 * _e10597)) + (_e10598 * _e10598));
-let _e10614 = global_1.member.member_10.member_20.member_1;
-let _e10620 = global_1.member.member_10.member_20.member_2;
+let _e10614 = global_1.member.member_12.member_20.member_1;
+let _e10620 = global_1.member.member_12.member_20.member_2;
 let _e10621 = ((_e10614 - (sqrt(select(0f, _e10603, (_e10603 > 0f))) / select(1e-20f, _e10592, (_e10592 > 1e-20f)))) * _e10620);
 let _e10623 = select(0f, _e10621, (_e10621 > 0f));
 let _e10625 = select(1f, _e10623, (_e10623 < 1f));
@@ -3412,15 +3414,15 @@ let _e10654 = phi_23520_;
 phi_23525_ = vec3<f32>((select(0f, _e10641, (_e10641 > 0f)) * _e10654), (select(0f, _e10642, (_e10642 > 0f)) * _e10654), (select(0f, _e10643, (_e10643 > 0f)) * _e10654));
 }
 let _e10660 = phi_23525_;
-let _e10664 = global_1.member.member_9.member_1;
+let _e10664 = global_1.member.member_11.member_1;
 phi_23785_ = type_36((vec3<f32>(_e10664.member, _e10664.member_1, _e10664.member_2) * _e10660), _e10244);
 } else {
 if _e3610 {
-let _e10674 = global_1.member.member_9.member_1;
-let _e10682 = global_1.member.member_9.member;
+let _e10674 = global_1.member.member_11.member_1;
+let _e10682 = global_1.member.member_11.member;
 phi_23784_ = type_36(vec3<f32>(_e10674.member, _e10674.member_1, _e10674.member_2), vec3<f32>(_e10682.member, _e10682.member_1, _e10682.member_2));
 } else {
-let _e10691 = global_1.member.member_9.member_1;
+let _e10691 = global_1.member.member_11.member_1;
 if _e3610 {
 phi_23628_ = 1f;
 } else {
@@ -3430,14 +3432,14 @@ let _e10699 = phi_23628_;
 if _e3610 {
 phi_23712_ = 1f;
 } else {
-let _e10704 = global_1.member.member_10.member_20.member;
+let _e10704 = global_1.member.member_12.member_20.member;
 let _e10712 = (((_e10704.member * _e10186) + (_e10704.member_1 * _e10187)) + (_e10704.member_2 * _e10188));
 let _e10716 = (_e10186 - (_e10704.member * _e10712));
 let _e10717 = (_e10187 - (_e10704.member_1 * _e10712));
 let _e10718 = (_e10188 - (_e10704.member_2 * _e10712));
 let _e10723 = (((_e10716 * _e10716) + (_e10717 * _e10717)) + (_e10718 * _e10718));
-let _e10734 = global_1.member.member_10.member_20.member_1;
-let _e10740 = global_1.member.member_10.member_20.member_2;
+let _e10734 = global_1.member.member_12.member_20.member_1;
+let _e10740 = global_1.member.member_12.member_20.member_2;
 let _e10741 = ((_e10734 - (sqrt(select(0f, _e10723, (_e10723 > 0f))) / select(1e-20f, _e10712, (_e10712 > 1e-20f)))) * _e10740);
 let _e10743 = select(0f, _e10741, (_e10741 > 0f));
 let _e10745 = select(1f, _e10743, (_e10743 < 1f));

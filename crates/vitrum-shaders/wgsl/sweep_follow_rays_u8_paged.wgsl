@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -423,25 +425,25 @@ let _e459 = vec3<f32>(_e250, _e260, _e271);
 let _e460 = vec3<f32>(_e282, _e293, _e304);
 let _e461 = vec3<f32>(_e348, _e359, _e370);
 let _e462 = vec3<f32>(_e392, _e403, _e414);
-let _e467 = global_1.member.member_6.member;
+let _e467 = global_1.member.member_8.member;
 let _e478 = ((((_e467.member.member * _e250) + (_e467.member.member_1 * _e260)) + (_e467.member.member_2 * _e271)) + _e467.member_1);
-let _e482 = global_1.member.member_6.member_1;
+let _e482 = global_1.member.member_8.member_1;
 let _e493 = ((((_e482.member.member * _e250) + (_e482.member.member_1 * _e260)) + (_e482.member.member_2 * _e271)) + _e482.member_1);
-let _e497 = global_1.member.member_6.member_2;
+let _e497 = global_1.member.member_8.member_2;
 let _e508 = ((((_e497.member.member * _e250) + (_e497.member.member_1 * _e260)) + (_e497.member.member_2 * _e271)) + _e497.member_1);
 let _e510 = (_e224.member_2 == 5u);
 let _e516 = ((_e224.member_2 == 2u) || (_e224.member_2 == 7u));
 let _e517 = ((((_e224.member_2 == 1u) || _e510) || (_e224.member_2 == 6u)) || _e516);
 if _e517 {
-let _e522 = global_1.member.member_6.member_3.member;
+let _e522 = global_1.member.member_8.member_3.member;
 let _e523 = (_e522 - 0.5f);
 let _e525 = select(-0.5f, _e478, (_e478 > -0.5f));
 let _e527 = select(_e523, _e525, (_e525 < _e523));
-let _e532 = global_1.member.member_6.member_3.member_1;
+let _e532 = global_1.member.member_8.member_3.member_1;
 let _e533 = (_e532 - 0.5f);
 let _e535 = select(-0.5f, _e493, (_e493 > -0.5f));
 let _e537 = select(_e533, _e535, (_e535 < _e533));
-let _e542 = global_1.member.member_6.member_3.member_2;
+let _e542 = global_1.member.member_8.member_3.member_2;
 let _e543 = (_e542 - 0.5f);
 let _e545 = select(-0.5f, _e508, (_e508 > -0.5f));
 let _e547 = select(_e543, _e545, (_e545 < _e543));
@@ -457,13 +459,13 @@ let _e579 = select(-1f, _e547, (_e547 > -1f));
 let _e581 = select(_e542, _e579, (_e579 < _e542));
 let _e588 = select(0i, select(select(i32(_e581), i32(-2147483648), (_e581 < -2147483600f)), 2147483647i, (_e581 > 2147483500f)), (_e581 == _e581));
 let _e592 = (_e588 - select(0i, 1i, (_e581 < f32(_e588))));
-let _e596 = global_1.member.member_6.member_7;
-let _e600 = global_1.member.member_6.member_8;
+let _e596 = global_1.member.member_8.member_7;
+let _e600 = global_1.member.member_8.member_8;
 let _e601 = (_e562 + 1i);
 let _e602 = (_e577 + 1i);
 let _e603 = (_e592 + 1i);
-let _e608 = global_1.member.member_6.member_11.member;
-let _e614 = global_1.member.member_6.member_11.member_1;
+let _e608 = global_1.member.member_8.member_11.member;
+let _e614 = global_1.member.member_8.member_11.member_1;
 let _e625 = ((_e601 >> bitcast<u32>(4i)) + (bitcast<i32>(_e608) * ((_e602 >> bitcast<u32>(4i)) + (bitcast<i32>(_e614) * (_e603 >> bitcast<u32>(4i))))));
 let _e627 = (bitcast<i32>(_e209) - 1i);
 let _e629 = select(_e627, _e625, (_e625 < _e627));
@@ -709,8 +711,8 @@ let _e1435 = local_41[2u];
 let _e1439 = local_41[1u];
 let _e1443 = local_41[2u];
 let _e1447 = local_41[2u];
-let _e1454 = global_1.member.member_6.member_6;
-let _e1458 = global_1.member.member_6.member_5;
+let _e1454 = global_1.member.member_8.member_6;
+let _e1458 = global_1.member.member_8.member_5;
 let _e1460 = (((_e1377 + ((_e1381 - _e1377) * _e1447)) - _e1454) * _e1458);
 let _e1461 = -(1e9f);
 let _e1463 = select(_e1461, _e1460, (_e1460 > _e1461));
@@ -976,26 +978,26 @@ let _e2211 = select(0f, 1f, ((((((_e478 >= -0.5f) && (_e478 <= _e523)) && (_e493
 let _e2213 = (0.5f * (_e1477 - _e1471));
 let _e2215 = (0.5f * (_e1489 - _e1483));
 let _e2217 = (0.5f * (_e1501 - _e1495));
-let _e2223 = global_1.member.member_6.member.member.member;
-let _e2229 = global_1.member.member_6.member.member.member_1;
-let _e2235 = global_1.member.member_6.member.member.member_2;
-let _e2241 = global_1.member.member_6.member_1.member.member;
-let _e2247 = global_1.member.member_6.member_1.member.member_1;
-let _e2253 = global_1.member.member_6.member_1.member.member_2;
-let _e2259 = global_1.member.member_6.member_2.member.member;
-let _e2265 = global_1.member.member_6.member_2.member.member_1;
-let _e2271 = global_1.member.member_6.member_2.member.member_2;
+let _e2223 = global_1.member.member_8.member.member.member;
+let _e2229 = global_1.member.member_8.member.member.member_1;
+let _e2235 = global_1.member.member_8.member.member.member_2;
+let _e2241 = global_1.member.member_8.member_1.member.member;
+let _e2247 = global_1.member.member_8.member_1.member.member_1;
+let _e2253 = global_1.member.member_8.member_1.member.member_2;
+let _e2259 = global_1.member.member_8.member_2.member.member;
+let _e2265 = global_1.member.member_8.member_2.member.member_1;
+let _e2271 = global_1.member.member_8.member_2.member.member_2;
 phi_6823_ = type_34(_e1465, vec3<f32>(((((_e2223 * _e2213) + (_e2241 * _e2215)) + (_e2259 * _e2217)) * _e2211), ((((_e2229 * _e2213) + (_e2247 * _e2215)) + (_e2265 * _e2217)) * _e2211), ((((_e2235 * _e2213) + (_e2253 * _e2215)) + (_e2271 * _e2217)) * _e2211)), _e2196.member, vec3<f32>(((((_e2223 * _e2196.member_2.x) + (_e2241 * _e2196.member_2.y)) + (_e2259 * _e2196.member_2.z)) * _e2211), ((((_e2229 * _e2196.member_2.x) + (_e2247 * _e2196.member_2.y)) + (_e2265 * _e2196.member_2.z)) * _e2211), ((((_e2235 * _e2196.member_2.x) + (_e2253 * _e2196.member_2.y)) + (_e2271 * _e2196.member_2.z)) * _e2211)), vec3<f32>(((((_e2223 * _e2196.member_1.x) + (_e2241 * _e2196.member_1.y)) + (_e2259 * _e2196.member_1.z)) * _e2211), ((((_e2229 * _e2196.member_1.x) + (_e2247 * _e2196.member_1.y)) + (_e2265 * _e2196.member_1.z)) * _e2211), ((((_e2235 * _e2196.member_1.x) + (_e2253 * _e2196.member_1.y)) + (_e2271 * _e2196.member_1.z)) * _e2211)));
 } else {
-let _e2340 = global_1.member.member_6.member_3.member;
+let _e2340 = global_1.member.member_8.member_3.member;
 let _e2341 = (_e2340 - 0.5f);
 let _e2343 = select(-0.5f, _e478, (_e478 > -0.5f));
 let _e2345 = select(_e2341, _e2343, (_e2343 < _e2341));
-let _e2350 = global_1.member.member_6.member_3.member_1;
+let _e2350 = global_1.member.member_8.member_3.member_1;
 let _e2351 = (_e2350 - 0.5f);
 let _e2353 = select(-0.5f, _e493, (_e493 > -0.5f));
 let _e2355 = select(_e2351, _e2353, (_e2353 < _e2351));
-let _e2360 = global_1.member.member_6.member_3.member_2;
+let _e2360 = global_1.member.member_8.member_3.member_2;
 let _e2361 = (_e2360 - 0.5f);
 let _e2363 = select(-0.5f, _e508, (_e508 > -0.5f));
 let _e2365 = select(_e2361, _e2363, (_e2363 < _e2361));
@@ -1011,13 +1013,13 @@ let _e2397 = select(-1f, _e2365, (_e2365 > -1f));
 let _e2399 = select(_e2360, _e2397, (_e2397 < _e2360));
 let _e2406 = select(0i, select(select(i32(_e2399), i32(-2147483648), (_e2399 < -2147483600f)), 2147483647i, (_e2399 > 2147483500f)), (_e2399 == _e2399));
 let _e2410 = (_e2406 - select(0i, 1i, (_e2399 < f32(_e2406))));
-let _e2414 = global_1.member.member_6.member_7;
-let _e2418 = global_1.member.member_6.member_8;
+let _e2414 = global_1.member.member_8.member_7;
+let _e2418 = global_1.member.member_8.member_8;
 let _e2419 = (_e2380 + 1i);
 let _e2420 = (_e2395 + 1i);
 let _e2421 = (_e2410 + 1i);
-let _e2426 = global_1.member.member_6.member_11.member;
-let _e2432 = global_1.member.member_6.member_11.member_1;
+let _e2426 = global_1.member.member_8.member_11.member;
+let _e2432 = global_1.member.member_8.member_11.member_1;
 let _e2443 = ((_e2419 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2426) * ((_e2420 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2432) * (_e2421 >> bitcast<u32>(4i))))));
 let _e2445 = (bitcast<i32>(_e209) - 1i);
 let _e2447 = select(_e2445, _e2443, (_e2443 < _e2445));
@@ -1093,8 +1095,8 @@ let _e2681 = local_24.member_1[2u];
 let _e2688 = local_25[0u];
 let _e2692 = local_25[1u];
 let _e2697 = local_25[2u];
-let _e2704 = global_1.member.member_6.member_6;
-let _e2708 = global_1.member.member_6.member_5;
+let _e2704 = global_1.member.member_8.member_6;
+let _e2708 = global_1.member.member_8.member_5;
 let _e2710 = (((_e2589 + (((_e2640 + (((_e2680 + ((f32(bitcast<i32>(((_e2673 >> bitcast<u32>((_e2681 & 31u))) & 255u))) - _e2680) * _e2688)) - _e2640) * _e2692)) - _e2589) * _e2697)) - _e2704) * _e2708);
 let _e2711 = -(1e9f);
 let _e2713 = select(_e2711, _e2710, (_e2710 > _e2711));
@@ -1106,48 +1108,48 @@ let _e2723 = ((_e2721 & 16u) == 0u);
 if _e2723 {
 phi_7203_ = type_7(1f, 1f, 1f);
 } else {
-let _e2727 = global_1.member.member_14.member;
+let _e2727 = global_1.member.member_16.member;
 let _e2738 = ((((_e2727.member.member * _e250) + (_e2727.member.member_1 * _e260)) + (_e2727.member.member_2 * _e271)) + _e2727.member_1);
 let _e2740 = (_e2738 - _e2738);
 let _e2743 = (-(_e2738) / select(1e-30f, _e2740, (_e2740 > 1e-30f)));
 let _e2745 = select(0f, _e2743, (_e2743 > 0f));
 let _e2748 = (_e2738 > 0f);
 let _e2751 = select(select(select(1f, _e2745, (_e2745 < 1f)), 1f, (_e2738 <= 0f)), 0f, _e2748);
-let _e2755 = global_1.member.member_14.member_1;
+let _e2755 = global_1.member.member_16.member_1;
 let _e2756 = (_e2755 != 0u);
-let _e2766 = global_1.member.member_15.member;
+let _e2766 = global_1.member.member_17.member;
 let _e2777 = ((((_e2766.member.member * _e250) + (_e2766.member.member_1 * _e260)) + (_e2766.member.member_2 * _e271)) + _e2766.member_1);
 let _e2779 = (_e2777 - _e2777);
 let _e2782 = (-(_e2777) / select(1e-30f, _e2779, (_e2779 > 1e-30f)));
 let _e2784 = select(0f, _e2782, (_e2782 > 0f));
 let _e2787 = (_e2777 > 0f);
 let _e2790 = select(select(select(1f, _e2784, (_e2784 < 1f)), 1f, (_e2777 <= 0f)), 0f, _e2787);
-let _e2794 = global_1.member.member_15.member_1;
+let _e2794 = global_1.member.member_17.member_1;
 let _e2795 = (_e2794 != 0u);
-let _e2805 = global_1.member.member_16.member;
+let _e2805 = global_1.member.member_18.member;
 let _e2816 = ((((_e2805.member.member * _e250) + (_e2805.member.member_1 * _e260)) + (_e2805.member.member_2 * _e271)) + _e2805.member_1);
 let _e2818 = (_e2816 - _e2816);
 let _e2821 = (-(_e2816) / select(1e-30f, _e2818, (_e2818 > 1e-30f)));
 let _e2823 = select(0f, _e2821, (_e2821 > 0f));
 let _e2826 = (_e2816 > 0f);
 let _e2829 = select(select(select(1f, _e2823, (_e2823 < 1f)), 1f, (_e2816 <= 0f)), 0f, _e2826);
-let _e2833 = global_1.member.member_16.member_1;
+let _e2833 = global_1.member.member_18.member_1;
 let _e2834 = (_e2833 != 0u);
-let _e2844 = global_1.member.member_17.member;
+let _e2844 = global_1.member.member_19.member;
 let _e2855 = ((((_e2844.member.member * _e250) + (_e2844.member.member_1 * _e260)) + (_e2844.member.member_2 * _e271)) + _e2844.member_1);
 let _e2857 = (_e2855 - _e2855);
 let _e2860 = (-(_e2855) / select(1e-30f, _e2857, (_e2857 > 1e-30f)));
 let _e2862 = select(0f, _e2860, (_e2860 > 0f));
 let _e2865 = (_e2855 > 0f);
 let _e2868 = select(select(select(1f, _e2862, (_e2862 < 1f)), 1f, (_e2855 <= 0f)), 0f, _e2865);
-let _e2872 = global_1.member.member_17.member_1;
+let _e2872 = global_1.member.member_19.member_1;
 let _e2873 = (_e2872 != 0u);
 phi_7203_ = type_7(((((1f * _e2751) * _e2790) * _e2829) * _e2868), ((((1f * select(1f, _e2751, _e2756)) * select(1f, _e2790, _e2795)) * select(1f, _e2829, _e2834)) * select(1f, _e2868, _e2873)), ((((1f * select(1f, 0f, (_e2756 && _e2748))) * select(1f, 0f, (_e2795 && _e2787))) * select(1f, 0f, (_e2834 && _e2826))) * select(1f, 0f, (_e2873 && _e2865))));
 }
 let _e2882 = phi_7203_;
 if _e437 {
 let _e2884 = type_32(_e459, _e460, _e315, 4f, _e337, _e461, _e381, _e462, _e425, _e436);
-let _e2889 = global_1.member.member_5.member_2;
+let _e2889 = global_1.member.member_7.member_2;
 let _e2892 = (_e2889 / select(1e-6f, _e304, (_e304 > 1e-6f)));
 let _e2896 = (_e250 + (_e282 * _e2892));
 let _e2897 = (_e260 + (_e293 * _e2892));
@@ -1155,10 +1157,10 @@ let _e2898 = (_e271 + (_e304 * _e2892));
 let _e2904 = ((((_e467.member.member * _e2896) + (_e467.member.member_1 * _e2897)) + (_e467.member.member_2 * _e2898)) + _e467.member_1);
 let _e2910 = ((((_e482.member.member * _e2896) + (_e482.member.member_1 * _e2897)) + (_e482.member.member_2 * _e2898)) + _e482.member_1);
 let _e2916 = ((((_e497.member.member * _e2896) + (_e497.member.member_1 * _e2897)) + (_e497.member.member_2 * _e2898)) + _e497.member_1);
-let _e2921 = global_1.member.member_6.member.member;
-let _e2929 = global_1.member.member_6.member_1.member;
-let _e2937 = global_1.member.member_6.member_2.member;
-let _e2945 = global_1.member.member_6.member_3.member;
+let _e2921 = global_1.member.member_8.member.member;
+let _e2929 = global_1.member.member_8.member_1.member;
+let _e2937 = global_1.member.member_8.member_2.member;
+let _e2945 = global_1.member.member_8.member_3.member;
 let _e2946 = (_e2945 - 0.5f);
 let _e2947 = (-0.5f - _e478);
 let _e2948 = (-0.5f - _e2904);
@@ -1192,7 +1194,7 @@ let _e3013 = select(_e2973, _e3002, _e3011);
 let _e3017 = select(_e2977, _e3006, _e3012);
 let _e3021 = select(_e2981, _e2987, _e3007);
 let _e3023 = select(_e2983, _e2988, (_e2988 > _e2983));
-let _e3031 = global_1.member.member_6.member_3.member_1;
+let _e3031 = global_1.member.member_8.member_3.member_1;
 let _e3032 = (_e3031 - 0.5f);
 let _e3033 = (-0.5f - _e493);
 let _e3034 = (-0.5f - _e2910);
@@ -1226,7 +1228,7 @@ let _e3099 = select(_e3059, _e3088, _e3097);
 let _e3103 = select(_e3063, _e3092, _e3098);
 let _e3107 = select(_e3067, _e3073, _e3093);
 let _e3109 = select(_e3069, _e3074, (_e3074 > _e3069));
-let _e3117 = global_1.member.member_6.member_3.member_2;
+let _e3117 = global_1.member.member_8.member_3.member_2;
 let _e3118 = (_e3117 - 0.5f);
 let _e3119 = (-0.5f - _e508);
 let _e3120 = (-0.5f - _e2916);
@@ -1274,12 +1276,12 @@ phi_8532_ = type_35(_e3185, vec3<f32>(_e3186, _e3187, _e3188), _e3190, vec3<f32>
 } else {
 let _e3207 = (((_e2921.member * _e2921.member) + (_e2921.member_1 * _e2921.member_1)) + (_e2921.member_2 * _e2921.member_2));
 let _e3210 = sqrt(select(0f, _e3207, (_e3207 > 0f)));
-let _e3214 = global_1.member.member_14.member_1;
+let _e3214 = global_1.member.member_16.member_1;
 let _e3215 = (_e3214 != 0u);
-let _e3219 = global_1.member.member_14.member;
+let _e3219 = global_1.member.member_16.member;
 let _e3239 = select(-1e6f, (((((_e3219.member.member * _e250) + (_e3219.member.member_1 * _e260)) + (_e3219.member.member_2 * _e271)) + _e3219.member_1) * _e3210), _e3215);
 let _e3240 = select(-1e6f, (((((_e3219.member.member * _e2896) + (_e3219.member.member_1 * _e2897)) + (_e3219.member.member_2 * _e2898)) + _e3219.member_1) * _e3210), _e3215);
-let _e3245 = global_1.member.member_14.member.member;
+let _e3245 = global_1.member.member_16.member.member;
 let _e3249 = -(_e3239);
 let _e3252 = (_e3239 - _e3240);
 let _e3253 = (_e3240 - _e3239);
@@ -1294,12 +1296,12 @@ let _e3273 = select(_e3185, _e3262, _e3271);
 let _e3277 = select(_e3190, _e3266, _e3272);
 let _e3281 = select(_e3195, _e3239, _e3267);
 let _e3283 = select(_e3197, _e3240, (_e3240 > _e3197));
-let _e3290 = global_1.member.member_15.member_1;
+let _e3290 = global_1.member.member_17.member_1;
 let _e3291 = (_e3290 != 0u);
-let _e3295 = global_1.member.member_15.member;
+let _e3295 = global_1.member.member_17.member;
 let _e3315 = select(-1e6f, (((((_e3295.member.member * _e250) + (_e3295.member.member_1 * _e260)) + (_e3295.member.member_2 * _e271)) + _e3295.member_1) * _e3210), _e3291);
 let _e3316 = select(-1e6f, (((((_e3295.member.member * _e2896) + (_e3295.member.member_1 * _e2897)) + (_e3295.member.member_2 * _e2898)) + _e3295.member_1) * _e3210), _e3291);
-let _e3321 = global_1.member.member_15.member.member;
+let _e3321 = global_1.member.member_17.member.member;
 let _e3325 = -(_e3315);
 let _e3328 = (_e3315 - _e3316);
 let _e3329 = (_e3316 - _e3315);
@@ -1314,12 +1316,12 @@ let _e3349 = select(_e3273, _e3338, _e3347);
 let _e3353 = select(_e3277, _e3342, _e3348);
 let _e3357 = select(_e3281, _e3315, _e3343);
 let _e3359 = select(_e3283, _e3316, (_e3316 > _e3283));
-let _e3366 = global_1.member.member_16.member_1;
+let _e3366 = global_1.member.member_18.member_1;
 let _e3367 = (_e3366 != 0u);
-let _e3371 = global_1.member.member_16.member;
+let _e3371 = global_1.member.member_18.member;
 let _e3391 = select(-1e6f, (((((_e3371.member.member * _e250) + (_e3371.member.member_1 * _e260)) + (_e3371.member.member_2 * _e271)) + _e3371.member_1) * _e3210), _e3367);
 let _e3392 = select(-1e6f, (((((_e3371.member.member * _e2896) + (_e3371.member.member_1 * _e2897)) + (_e3371.member.member_2 * _e2898)) + _e3371.member_1) * _e3210), _e3367);
-let _e3397 = global_1.member.member_16.member.member;
+let _e3397 = global_1.member.member_18.member.member;
 let _e3401 = -(_e3391);
 let _e3404 = (_e3391 - _e3392);
 let _e3405 = (_e3392 - _e3391);
@@ -1334,12 +1336,12 @@ let _e3425 = select(_e3349, _e3414, _e3423);
 let _e3429 = select(_e3353, _e3418, _e3424);
 let _e3433 = select(_e3357, _e3391, _e3419);
 let _e3435 = select(_e3359, _e3392, (_e3392 > _e3359));
-let _e3442 = global_1.member.member_17.member_1;
+let _e3442 = global_1.member.member_19.member_1;
 let _e3443 = (_e3442 != 0u);
-let _e3447 = global_1.member.member_17.member;
+let _e3447 = global_1.member.member_19.member;
 let _e3467 = select(-1e6f, (((((_e3447.member.member * _e250) + (_e3447.member.member_1 * _e260)) + (_e3447.member.member_2 * _e271)) + _e3447.member_1) * _e3210), _e3443);
 let _e3468 = select(-1e6f, (((((_e3447.member.member * _e2896) + (_e3447.member.member_1 * _e2897)) + (_e3447.member.member_2 * _e2898)) + _e3447.member_1) * _e3210), _e3443);
-let _e3473 = global_1.member.member_17.member.member;
+let _e3473 = global_1.member.member_19.member.member;
 let _e3477 = -(_e3467);
 let _e3480 = (_e3467 - _e3468);
 let _e3481 = (_e3468 - _e3467);
@@ -1359,24 +1361,24 @@ phi_8569_ = type_32(_e2884.member, vec3<f32>((_e282 - (_e2718.member_3.x * _e353
 phi_8569_ = type_32(_e459, _e460, _e315, _e326, _e337, _e461, _e381, _e462, _e425, _e436);
 }
 let _e3552 = phi_8569_;
-let _e3557 = global_1.member.member_10.member_3;
+let _e3557 = global_1.member.member_12.member_3;
 let _e3558 = (_e3557 == 0u);
 if _e3558 {
-let _e3562 = global_1.member.member_9.member_1;
-let _e3570 = global_1.member.member_9.member;
+let _e3562 = global_1.member.member_11.member_1;
+let _e3570 = global_1.member.member_11.member;
 phi_8829_ = type_36(vec3<f32>(_e3562.member, _e3562.member_1, _e3562.member_2), vec3<f32>(_e3570.member, _e3570.member_1, _e3570.member_2));
 } else {
-let _e3579 = global_1.member.member_10.member;
+let _e3579 = global_1.member.member_12.member;
 let _e3593 = ((((_e3579.member.member * _e3552.member.x) + (_e3579.member.member_1 * _e3552.member.y)) + (_e3579.member.member_2 * _e3552.member.z)) + _e3579.member_1);
-let _e3597 = global_1.member.member_10.member_1;
+let _e3597 = global_1.member.member_12.member_1;
 let _e3608 = ((((_e3597.member.member * _e3552.member.x) + (_e3597.member.member_1 * _e3552.member.y)) + (_e3597.member.member_2 * _e3552.member.z)) + _e3597.member_1);
-let _e3612 = global_1.member.member_10.member_2;
+let _e3612 = global_1.member.member_12.member_2;
 let _e3623 = ((((_e3612.member.member * _e3552.member.x) + (_e3612.member.member_1 * _e3552.member.y)) + (_e3612.member.member_2 * _e3552.member.z)) + _e3612.member_1);
-let _e3627 = global_1.member.member_9.member_1;
+let _e3627 = global_1.member.member_11.member_1;
 if _e3558 {
 phi_8673_ = 1f;
 } else {
-let _e3634 = global_1.member.member_10.member_19;
+let _e3634 = global_1.member.member_12.member_19;
 let _e3638 = (_e3593 - _e3634.member);
 let _e3639 = (_e3608 - _e3634.member_1);
 let _e3640 = (_e3623 - _e3634.member_2);
@@ -1387,18 +1389,18 @@ let _e3650 = phi_8673_;
 if _e3558 {
 phi_8757_ = 1f;
 } else {
-let _e3654 = global_1.member.member_10.member_19;
+let _e3654 = global_1.member.member_12.member_19;
 let _e3658 = (_e3593 - _e3654.member);
 let _e3659 = (_e3608 - _e3654.member_1);
 let _e3660 = (_e3623 - _e3654.member_2);
-let _e3665 = global_1.member.member_10.member_20.member;
+let _e3665 = global_1.member.member_12.member_20.member;
 let _e3673 = (((_e3665.member * _e3658) + (_e3665.member_1 * _e3659)) + (_e3665.member_2 * _e3660));
 let _e3677 = (_e3658 - (_e3665.member * _e3673));
 let _e3678 = (_e3659 - (_e3665.member_1 * _e3673));
 let _e3679 = (_e3660 - (_e3665.member_2 * _e3673));
 let _e3684 = (((_e3677 * _e3677) + (_e3678 * _e3678)) + (_e3679 * _e3679));
-let _e3695 = global_1.member.member_10.member_20.member_1;
-let _e3701 = global_1.member.member_10.member_20.member_2;
+let _e3695 = global_1.member.member_12.member_20.member_1;
+let _e3701 = global_1.member.member_12.member_20.member_2;
 let _e3702 = ((_e3695 - (sqrt(select(0f, _e3684, (_e3684 > 0f))) / select(1e-20f, _e3673, (_e3673 > 1e-20f)))) * _e3701);
 let _e3704 = select(0f, _e3702, (_e3702 > 0f));
 let _e3706 = select(1f, _e3704, (_e3704 < 1f));
@@ -1407,7 +1409,7 @@ phi_8757_ = select(1f, select(0f, ((_e3706 * _e3706) * (3f - (2f * _e3706))), (_
 let _e3716 = phi_8757_;
 let _e3717 = (_e3650 * _e3716);
 let _e3722 = (_e3557 != 0u);
-let _e3726 = global_1.member.member_10.member_19;
+let _e3726 = global_1.member.member_12.member_19;
 let _e3730 = (_e3593 - _e3726.member);
 let _e3731 = (_e3608 - _e3726.member_1);
 let _e3732 = (_e3623 - _e3726.member_2);
@@ -1417,9 +1419,9 @@ let _e3743 = (1f / select(1e-20f, _e3740, (_e3740 > 1e-20f)));
 let _e3747 = select(0f, (_e3730 * _e3743), _e3722);
 let _e3748 = select(0f, (_e3731 * _e3743), _e3722);
 let _e3749 = select(1f, (_e3732 * _e3743), _e3722);
-let _e3754 = global_1.member.member_10.member.member;
-let _e3765 = global_1.member.member_10.member_1.member;
-let _e3779 = global_1.member.member_10.member_2.member;
+let _e3754 = global_1.member.member_12.member.member;
+let _e3765 = global_1.member.member_12.member_1.member;
+let _e3779 = global_1.member.member_12.member_2.member;
 phi_8829_ = type_36(vec3<f32>((_e3627.member * _e3717), (_e3627.member_1 * _e3717), (_e3627.member_2 * _e3717)), (vec3<f32>(((_e3754.member * _e3747) + (_e3765.member * _e3748)), ((_e3754.member_1 * _e3747) + (_e3765.member_1 * _e3748)), ((_e3754.member_2 * _e3747) + (_e3765.member_2 * _e3748))) + vec3<f32>((_e3779.member * _e3749), (_e3779.member_1 * _e3749), (_e3779.member_2 * _e3749))));
 }
 let _e3791 = phi_8829_;
@@ -1463,13 +1465,13 @@ let _e3829 = select(1e-6f, _e3827, (_e3827 > 1e-6f));
 let _e3836 = (((_e3812 * _e3812) + (_e3814 * _e3814)) + (_e3816 * _e3816));
 let _e3839 = sqrt(select(0f, _e3836, (_e3836 > 0f)));
 let _e3842 = (((0.05f * _e3829) * _e3829) / select(1e-20f, _e3839, (_e3839 > 1e-20f)));
-let _e3846 = global_1.member.member_5.member_2;
+let _e3846 = global_1.member.member_7.member_2;
 let _e3847 = (0.0625f * _e3846);
 let _e3849 = select(_e3847, _e3842, (_e3842 > _e3847));
-let _e3856 = global_1.member.member_6.member_3.member;
-let _e3861 = global_1.member.member_6.member_3.member_1;
-let _e3866 = global_1.member.member_6.member_3.member_2;
-let _e3874 = global_1.member.member_6.member.member;
+let _e3856 = global_1.member.member_8.member_3.member;
+let _e3861 = global_1.member.member_8.member_3.member_1;
+let _e3866 = global_1.member.member_8.member_3.member_2;
+let _e3874 = global_1.member.member_8.member.member;
 let _e3882 = (((_e3874.member * _e3874.member) + (_e3874.member_1 * _e3874.member_1)) + (_e3874.member_2 * _e3874.member_2));
 let _e3885 = sqrt(select(0f, _e3882, (_e3882 > 0f)));
 let _e3888 = (select(((4f * ((_e3856 + _e3861) + _e3866)) / _e3885), select(_e3846, _e3849, (_e3849 < _e3846)), _e3806) / _e3829);
@@ -1486,8 +1488,8 @@ let _e3922 = ((((_e497.member.member * _e3793.member.x) + (_e497.member.member_1
 let _e3928 = ((((_e467.member.member * _e3900) + (_e467.member.member_1 * _e3902)) + (_e467.member.member_2 * _e3904)) + _e467.member_1);
 let _e3934 = ((((_e482.member.member * _e3900) + (_e482.member.member_1 * _e3902)) + (_e482.member.member_2 * _e3904)) + _e482.member_1);
 let _e3940 = ((((_e497.member.member * _e3900) + (_e497.member.member_1 * _e3902)) + (_e497.member.member_2 * _e3904)) + _e497.member_1);
-let _e3945 = global_1.member.member_6.member_1.member;
-let _e3953 = global_1.member.member_6.member_2.member;
+let _e3945 = global_1.member.member_8.member_1.member;
+let _e3953 = global_1.member.member_8.member_2.member;
 let _e3957 = (_e3856 - 0.5f);
 let _e3958 = (-0.5f - _e3910);
 let _e3959 = (-0.5f - _e3928);
@@ -1599,12 +1601,12 @@ let _e4201 = select(select(select(select(select(select(1f, _e3874.member_2, _e39
 if _e2723 {
 phi_10307_ = type_35(_e4186, vec3<f32>(_e4187, _e4188, _e4189), _e4191, vec3<f32>(_e4192, _e4193, _e4194), _e4196, _e4198, vec3<f32>(_e4199, _e4200, _e4201));
 } else {
-let _e4207 = global_1.member.member_14.member_1;
+let _e4207 = global_1.member.member_16.member_1;
 let _e4208 = (_e4207 != 0u);
-let _e4212 = global_1.member.member_14.member;
+let _e4212 = global_1.member.member_16.member;
 let _e4232 = select(-1e6f, (((((_e4212.member.member * _e3793.member.x) + (_e4212.member.member_1 * _e3793.member.y)) + (_e4212.member.member_2 * _e3793.member.z)) + _e4212.member_1) * _e3885), _e4208);
 let _e4233 = select(-1e6f, (((((_e4212.member.member * _e3900) + (_e4212.member.member_1 * _e3902)) + (_e4212.member.member_2 * _e3904)) + _e4212.member_1) * _e3885), _e4208);
-let _e4238 = global_1.member.member_14.member.member;
+let _e4238 = global_1.member.member_16.member.member;
 let _e4242 = -(_e4232);
 let _e4245 = (_e4232 - _e4233);
 let _e4246 = (_e4233 - _e4232);
@@ -1619,12 +1621,12 @@ let _e4266 = select(_e4186, _e4255, _e4264);
 let _e4270 = select(_e4191, _e4259, _e4265);
 let _e4274 = select(_e4196, _e4232, _e4260);
 let _e4276 = select(_e4198, _e4233, (_e4233 > _e4198));
-let _e4283 = global_1.member.member_15.member_1;
+let _e4283 = global_1.member.member_17.member_1;
 let _e4284 = (_e4283 != 0u);
-let _e4288 = global_1.member.member_15.member;
+let _e4288 = global_1.member.member_17.member;
 let _e4308 = select(-1e6f, (((((_e4288.member.member * _e3793.member.x) + (_e4288.member.member_1 * _e3793.member.y)) + (_e4288.member.member_2 * _e3793.member.z)) + _e4288.member_1) * _e3885), _e4284);
 let _e4309 = select(-1e6f, (((((_e4288.member.member * _e3900) + (_e4288.member.member_1 * _e3902)) + (_e4288.member.member_2 * _e3904)) + _e4288.member_1) * _e3885), _e4284);
-let _e4314 = global_1.member.member_15.member.member;
+let _e4314 = global_1.member.member_17.member.member;
 let _e4318 = -(_e4308);
 let _e4321 = (_e4308 - _e4309);
 let _e4322 = (_e4309 - _e4308);
@@ -1639,12 +1641,12 @@ let _e4342 = select(_e4266, _e4331, _e4340);
 let _e4346 = select(_e4270, _e4335, _e4341);
 let _e4350 = select(_e4274, _e4308, _e4336);
 let _e4352 = select(_e4276, _e4309, (_e4309 > _e4276));
-let _e4359 = global_1.member.member_16.member_1;
+let _e4359 = global_1.member.member_18.member_1;
 let _e4360 = (_e4359 != 0u);
-let _e4364 = global_1.member.member_16.member;
+let _e4364 = global_1.member.member_18.member;
 let _e4384 = select(-1e6f, (((((_e4364.member.member * _e3793.member.x) + (_e4364.member.member_1 * _e3793.member.y)) + (_e4364.member.member_2 * _e3793.member.z)) + _e4364.member_1) * _e3885), _e4360);
 let _e4385 = select(-1e6f, (((((_e4364.member.member * _e3900) + (_e4364.member.member_1 * _e3902)) + (_e4364.member.member_2 * _e3904)) + _e4364.member_1) * _e3885), _e4360);
-let _e4390 = global_1.member.member_16.member.member;
+let _e4390 = global_1.member.member_18.member.member;
 let _e4394 = -(_e4384);
 let _e4397 = (_e4384 - _e4385);
 let _e4398 = (_e4385 - _e4384);
@@ -1659,12 +1661,12 @@ let _e4418 = select(_e4342, _e4407, _e4416);
 let _e4422 = select(_e4346, _e4411, _e4417);
 let _e4426 = select(_e4350, _e4384, _e4412);
 let _e4428 = select(_e4352, _e4385, (_e4385 > _e4352));
-let _e4435 = global_1.member.member_17.member_1;
+let _e4435 = global_1.member.member_19.member_1;
 let _e4436 = (_e4435 != 0u);
-let _e4440 = global_1.member.member_17.member;
+let _e4440 = global_1.member.member_19.member;
 let _e4460 = select(-1e6f, (((((_e4440.member.member * _e3793.member.x) + (_e4440.member.member_1 * _e3793.member.y)) + (_e4440.member.member_2 * _e3793.member.z)) + _e4440.member_1) * _e3885), _e4436);
 let _e4461 = select(-1e6f, (((((_e4440.member.member * _e3900) + (_e4440.member.member_1 * _e3902)) + (_e4440.member.member_2 * _e3904)) + _e4440.member_1) * _e3885), _e4436);
-let _e4466 = global_1.member.member_17.member.member;
+let _e4466 = global_1.member.member_19.member.member;
 let _e4470 = -(_e4460);
 let _e4473 = (_e4460 - _e4461);
 let _e4474 = (_e4461 - _e4460);
@@ -1700,23 +1702,23 @@ let _e4543 = select(1f, _e4539, _e4521);
 let _e4547 = (_e3793.member.x + ((_e3900 - _e3793.member.x) * _e4543));
 let _e4548 = (_e3793.member.y + ((_e3902 - _e3793.member.y) * _e4543));
 let _e4549 = (_e3793.member.z + ((_e3904 - _e3793.member.z) * _e4543));
-let _e4554 = global_1.member.member_13.member.member;
+let _e4554 = global_1.member.member_15.member.member;
 let _e4565 = ((((_e4554.member.member * _e3793.member.x) + (_e4554.member.member_1 * _e3793.member.y)) + (_e4554.member.member_2 * _e3793.member.z)) + _e4554.member_1);
 let _e4571 = ((((_e4554.member.member * _e4547) + (_e4554.member.member_1 * _e4548)) + (_e4554.member.member_2 * _e4549)) + _e4554.member_1);
 let _e4574 = ((_e4565 > 0f) && (_e4571 <= 0f));
 let _e4575 = (_e4565 - _e4571);
 let _e4578 = (_e4565 / select(1e-20f, _e4575, (_e4575 > 1e-20f)));
-let _e4583 = global_1.member.member_13.member_1.member;
+let _e4583 = global_1.member.member_15.member_1.member;
 let _e4594 = ((((_e4583.member.member * _e3793.member.x) + (_e4583.member.member_1 * _e3793.member.y)) + (_e4583.member.member_2 * _e3793.member.z)) + _e4583.member_1);
 let _e4600 = ((((_e4583.member.member * _e4547) + (_e4583.member.member_1 * _e4548)) + (_e4583.member.member_2 * _e4549)) + _e4583.member_1);
 let _e4603 = ((_e4594 > 0f) && (_e4600 <= 0f));
 let _e4604 = (_e4594 - _e4600);
 let _e4607 = (_e4594 / select(1e-20f, _e4604, (_e4604 > 1e-20f)));
 let _e4611 = (_e4603 && (!(_e4574) || (_e4607 < _e4578)));
-let _e4617 = global_1.member.member_13.member_1.member.member;
-let _e4622 = global_1.member.member_13.member_1.member_1;
-let _e4628 = global_1.member.member_13.member.member.member;
-let _e4633 = global_1.member.member_13.member.member_1;
+let _e4617 = global_1.member.member_15.member_1.member.member;
+let _e4622 = global_1.member.member_15.member_1.member_1;
+let _e4628 = global_1.member.member_15.member.member.member;
+let _e4633 = global_1.member.member_15.member.member_1;
 let _e4652 = (_e4574 || _e4603);
 let _e4659 = ((((_e467.member.member * _e4547) + (_e467.member.member_1 * _e4548)) + (_e467.member.member_2 * _e4549)) + _e467.member_1);
 let _e4665 = ((((_e482.member.member * _e4547) + (_e482.member.member_1 * _e4548)) + (_e482.member.member_2 * _e4549)) + _e482.member_1);
@@ -1740,13 +1742,13 @@ let _e4715 = select(-1f, _e4683, (_e4683 > -1f));
 let _e4717 = select(_e3866, _e4715, (_e4715 < _e3866));
 let _e4724 = select(0i, select(select(i32(_e4717), i32(-2147483648), (_e4717 < -2147483600f)), 2147483647i, (_e4717 > 2147483500f)), (_e4717 == _e4717));
 let _e4728 = (_e4724 - select(0i, 1i, (_e4717 < f32(_e4724))));
-let _e4732 = global_1.member.member_6.member_7;
-let _e4736 = global_1.member.member_6.member_8;
+let _e4732 = global_1.member.member_8.member_7;
+let _e4736 = global_1.member.member_8.member_8;
 let _e4737 = (_e4698 + 1i);
 let _e4738 = (_e4713 + 1i);
 let _e4739 = (_e4728 + 1i);
-let _e4744 = global_1.member.member_6.member_11.member;
-let _e4750 = global_1.member.member_6.member_11.member_1;
+let _e4744 = global_1.member.member_8.member_11.member;
+let _e4750 = global_1.member.member_8.member_11.member_1;
 let _e4761 = ((_e4737 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4744) * ((_e4738 >> bitcast<u32>(4i)) + (bitcast<i32>(_e4750) * (_e4739 >> bitcast<u32>(4i))))));
 let _e4763 = (bitcast<i32>(_e209) - 1i);
 let _e4765 = select(_e4763, _e4761, (_e4761 < _e4763));
@@ -1992,8 +1994,8 @@ let _e5571 = local_23[2u];
 let _e5575 = local_23[1u];
 let _e5579 = local_23[2u];
 let _e5583 = local_23[2u];
-let _e5590 = global_1.member.member_6.member_6;
-let _e5594 = global_1.member.member_6.member_5;
+let _e5590 = global_1.member.member_8.member_6;
+let _e5594 = global_1.member.member_8.member_5;
 let _e5596 = (((_e5513 + ((_e5517 - _e5513) * _e5583)) - _e5590) * _e5594);
 let _e5597 = -(1e9f);
 let _e5599 = select(_e5597, _e5596, (_e5596 > _e5597));
@@ -2259,15 +2261,15 @@ let _e6347 = select(0f, 1f, ((((((_e4659 >= -0.5f) && (_e4659 <= _e3957)) && (_e
 let _e6349 = (0.5f * (_e5613 - _e5607));
 let _e6351 = (0.5f * (_e5625 - _e5619));
 let _e6353 = (0.5f * (_e5637 - _e5631));
-let _e6359 = global_1.member.member_6.member.member.member;
-let _e6365 = global_1.member.member_6.member.member.member_1;
-let _e6371 = global_1.member.member_6.member.member.member_2;
-let _e6377 = global_1.member.member_6.member_1.member.member;
-let _e6383 = global_1.member.member_6.member_1.member.member_1;
-let _e6389 = global_1.member.member_6.member_1.member.member_2;
-let _e6395 = global_1.member.member_6.member_2.member.member;
-let _e6401 = global_1.member.member_6.member_2.member.member_1;
-let _e6407 = global_1.member.member_6.member_2.member.member_2;
+let _e6359 = global_1.member.member_8.member.member.member;
+let _e6365 = global_1.member.member_8.member.member.member_1;
+let _e6371 = global_1.member.member_8.member.member.member_2;
+let _e6377 = global_1.member.member_8.member_1.member.member;
+let _e6383 = global_1.member.member_8.member_1.member.member_1;
+let _e6389 = global_1.member.member_8.member_1.member.member_2;
+let _e6395 = global_1.member.member_8.member_2.member.member;
+let _e6401 = global_1.member.member_8.member_2.member.member_1;
+let _e6407 = global_1.member.member_8.member_2.member.member_2;
 phi_16615_ = type_34(_e5601, vec3<f32>(((((_e6359 * _e6349) + (_e6377 * _e6351)) + (_e6395 * _e6353)) * _e6347), ((((_e6365 * _e6349) + (_e6383 * _e6351)) + (_e6401 * _e6353)) * _e6347), ((((_e6371 * _e6349) + (_e6389 * _e6351)) + (_e6407 * _e6353)) * _e6347)), _e6332.member, vec3<f32>(((((_e6359 * _e6332.member_2.x) + (_e6377 * _e6332.member_2.y)) + (_e6395 * _e6332.member_2.z)) * _e6347), ((((_e6365 * _e6332.member_2.x) + (_e6383 * _e6332.member_2.y)) + (_e6401 * _e6332.member_2.z)) * _e6347), ((((_e6371 * _e6332.member_2.x) + (_e6389 * _e6332.member_2.y)) + (_e6407 * _e6332.member_2.z)) * _e6347)), vec3<f32>(((((_e6359 * _e6332.member_1.x) + (_e6377 * _e6332.member_1.y)) + (_e6395 * _e6332.member_1.z)) * _e6347), ((((_e6365 * _e6332.member_1.x) + (_e6383 * _e6332.member_1.y)) + (_e6401 * _e6332.member_1.z)) * _e6347), ((((_e6371 * _e6332.member_1.x) + (_e6389 * _e6332.member_1.y)) + (_e6407 * _e6332.member_1.z)) * _e6347)));
 } else {
 let _e6473 = select(-0.5f, _e4659, (_e4659 > -0.5f));
@@ -2288,13 +2290,13 @@ let _e6515 = select(-1f, _e6483, (_e6483 > -1f));
 let _e6517 = select(_e3866, _e6515, (_e6515 < _e3866));
 let _e6524 = select(0i, select(select(i32(_e6517), i32(-2147483648), (_e6517 < -2147483600f)), 2147483647i, (_e6517 > 2147483500f)), (_e6517 == _e6517));
 let _e6528 = (_e6524 - select(0i, 1i, (_e6517 < f32(_e6524))));
-let _e6532 = global_1.member.member_6.member_7;
-let _e6536 = global_1.member.member_6.member_8;
+let _e6532 = global_1.member.member_8.member_7;
+let _e6536 = global_1.member.member_8.member_8;
 let _e6537 = (_e6498 + 1i);
 let _e6538 = (_e6513 + 1i);
 let _e6539 = (_e6528 + 1i);
-let _e6544 = global_1.member.member_6.member_11.member;
-let _e6550 = global_1.member.member_6.member_11.member_1;
+let _e6544 = global_1.member.member_8.member_11.member;
+let _e6550 = global_1.member.member_8.member_11.member_1;
 let _e6561 = ((_e6537 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6544) * ((_e6538 >> bitcast<u32>(4i)) + (bitcast<i32>(_e6550) * (_e6539 >> bitcast<u32>(4i))))));
 let _e6563 = (bitcast<i32>(_e209) - 1i);
 let _e6565 = select(_e6563, _e6561, (_e6561 < _e6563));
@@ -2370,8 +2372,8 @@ let _e6799 = local_6.member_1[2u];
 let _e6806 = local_7[0u];
 let _e6810 = local_7[1u];
 let _e6815 = local_7[2u];
-let _e6822 = global_1.member.member_6.member_6;
-let _e6826 = global_1.member.member_6.member_5;
+let _e6822 = global_1.member.member_8.member_6;
+let _e6826 = global_1.member.member_8.member_5;
 let _e6828 = (((_e6707 + (((_e6758 + (((_e6798 + ((f32(bitcast<i32>(((_e6791 >> bitcast<u32>((_e6799 & 31u))) & 255u))) - _e6798) * _e6806)) - _e6758) * _e6810)) - _e6707) * _e6815)) - _e6822) * _e6826);
 let _e6829 = -(1e9f);
 let _e6831 = select(_e6829, _e6828, (_e6828 > _e6829));
@@ -2381,7 +2383,7 @@ let _e6836 = phi_16615_;
 if _e2723 {
 phi_17007_ = type_7(1f, 1f, 1f);
 } else {
-let _e6840 = global_1.member.member_14.member;
+let _e6840 = global_1.member.member_16.member;
 let _e6851 = ((((_e6840.member.member * _e3793.member.x) + (_e6840.member.member_1 * _e3793.member.y)) + (_e6840.member.member_2 * _e3793.member.z)) + _e6840.member_1);
 let _e6857 = ((((_e6840.member.member * _e4547) + (_e6840.member.member_1 * _e4548)) + (_e6840.member.member_2 * _e4549)) + _e6840.member_1);
 let _e6859 = select(_e6857, _e6851, (_e6851 < _e6857));
@@ -2390,9 +2392,9 @@ let _e6863 = (_e6861 - _e6859);
 let _e6866 = (-(_e6859) / select(1e-30f, _e6863, (_e6863 > 1e-30f)));
 let _e6868 = select(0f, _e6866, (_e6866 > 0f));
 let _e6874 = select(select(select(1f, _e6868, (_e6868 < 1f)), 1f, (_e6861 <= 0f)), 0f, (_e6859 > 0f));
-let _e6879 = global_1.member.member_14.member_1;
+let _e6879 = global_1.member.member_16.member_1;
 let _e6880 = (_e6879 != 0u);
-let _e6890 = global_1.member.member_15.member;
+let _e6890 = global_1.member.member_17.member;
 let _e6901 = ((((_e6890.member.member * _e3793.member.x) + (_e6890.member.member_1 * _e3793.member.y)) + (_e6890.member.member_2 * _e3793.member.z)) + _e6890.member_1);
 let _e6907 = ((((_e6890.member.member * _e4547) + (_e6890.member.member_1 * _e4548)) + (_e6890.member.member_2 * _e4549)) + _e6890.member_1);
 let _e6909 = select(_e6907, _e6901, (_e6901 < _e6907));
@@ -2401,9 +2403,9 @@ let _e6913 = (_e6911 - _e6909);
 let _e6916 = (-(_e6909) / select(1e-30f, _e6913, (_e6913 > 1e-30f)));
 let _e6918 = select(0f, _e6916, (_e6916 > 0f));
 let _e6924 = select(select(select(1f, _e6918, (_e6918 < 1f)), 1f, (_e6911 <= 0f)), 0f, (_e6909 > 0f));
-let _e6929 = global_1.member.member_15.member_1;
+let _e6929 = global_1.member.member_17.member_1;
 let _e6930 = (_e6929 != 0u);
-let _e6940 = global_1.member.member_16.member;
+let _e6940 = global_1.member.member_18.member;
 let _e6951 = ((((_e6940.member.member * _e3793.member.x) + (_e6940.member.member_1 * _e3793.member.y)) + (_e6940.member.member_2 * _e3793.member.z)) + _e6940.member_1);
 let _e6957 = ((((_e6940.member.member * _e4547) + (_e6940.member.member_1 * _e4548)) + (_e6940.member.member_2 * _e4549)) + _e6940.member_1);
 let _e6959 = select(_e6957, _e6951, (_e6951 < _e6957));
@@ -2412,9 +2414,9 @@ let _e6963 = (_e6961 - _e6959);
 let _e6966 = (-(_e6959) / select(1e-30f, _e6963, (_e6963 > 1e-30f)));
 let _e6968 = select(0f, _e6966, (_e6966 > 0f));
 let _e6974 = select(select(select(1f, _e6968, (_e6968 < 1f)), 1f, (_e6961 <= 0f)), 0f, (_e6959 > 0f));
-let _e6979 = global_1.member.member_16.member_1;
+let _e6979 = global_1.member.member_18.member_1;
 let _e6980 = (_e6979 != 0u);
-let _e6990 = global_1.member.member_17.member;
+let _e6990 = global_1.member.member_19.member;
 let _e7001 = ((((_e6990.member.member * _e3793.member.x) + (_e6990.member.member_1 * _e3793.member.y)) + (_e6990.member.member_2 * _e3793.member.z)) + _e6990.member_1);
 let _e7007 = ((((_e6990.member.member * _e4547) + (_e6990.member.member_1 * _e4548)) + (_e6990.member.member_2 * _e4549)) + _e6990.member_1);
 let _e7009 = select(_e7007, _e7001, (_e7001 < _e7007));
@@ -2423,7 +2425,7 @@ let _e7013 = (_e7011 - _e7009);
 let _e7016 = (-(_e7009) / select(1e-30f, _e7013, (_e7013 > 1e-30f)));
 let _e7018 = select(0f, _e7016, (_e7016 > 0f));
 let _e7024 = select(select(select(1f, _e7018, (_e7018 < 1f)), 1f, (_e7011 <= 0f)), 0f, (_e7009 > 0f));
-let _e7029 = global_1.member.member_17.member_1;
+let _e7029 = global_1.member.member_19.member_1;
 let _e7030 = (_e7029 != 0u);
 phi_17007_ = type_7(((((1f * _e6874) * _e6924) * _e6974) * _e7024), ((((1f * select(1f, _e6874, _e6880)) * select(1f, _e6924, _e6930)) * select(1f, _e6974, _e6980)) * select(1f, _e7024, _e7030)), ((((1f * select(1f, 0f, (_e6880 && (_e6857 > 0f)))) * select(1f, 0f, (_e6930 && (_e6907 > 0f)))) * select(1f, 0f, (_e6980 && (_e6957 > 0f)))) * select(1f, 0f, (_e7030 && (_e7007 > 0f)))));
 }
@@ -2450,13 +2452,13 @@ let _e7092 = select(-1f, _e7060, (_e7060 > -1f));
 let _e7094 = select(_e3866, _e7092, (_e7092 < _e3866));
 let _e7101 = select(0i, select(select(i32(_e7094), i32(-2147483648), (_e7094 < -2147483600f)), 2147483647i, (_e7094 > 2147483500f)), (_e7094 == _e7094));
 let _e7105 = (_e7101 - select(0i, 1i, (_e7094 < f32(_e7101))));
-let _e7109 = global_1.member.member_6.member_7;
-let _e7113 = global_1.member.member_6.member_8;
+let _e7109 = global_1.member.member_8.member_7;
+let _e7113 = global_1.member.member_8.member_8;
 let _e7114 = (_e7075 + 1i);
 let _e7115 = (_e7090 + 1i);
 let _e7116 = (_e7105 + 1i);
-let _e7121 = global_1.member.member_6.member_11.member;
-let _e7127 = global_1.member.member_6.member_11.member_1;
+let _e7121 = global_1.member.member_8.member_11.member;
+let _e7127 = global_1.member.member_8.member_11.member_1;
 let _e7138 = ((_e7114 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7121) * ((_e7115 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7127) * (_e7116 >> bitcast<u32>(4i))))));
 let _e7140 = (bitcast<i32>(_e209) - 1i);
 let _e7142 = select(_e7140, _e7138, (_e7138 < _e7140));
@@ -2532,8 +2534,8 @@ let _e7376 = local_4.member_1[2u];
 let _e7383 = local_5[0u];
 let _e7387 = local_5[1u];
 let _e7392 = local_5[2u];
-let _e7399 = global_1.member.member_6.member_6;
-let _e7403 = global_1.member.member_6.member_5;
+let _e7399 = global_1.member.member_8.member_6;
+let _e7403 = global_1.member.member_8.member_5;
 let _e7405 = (((_e7284 + (((_e7335 + (((_e7375 + ((f32(bitcast<i32>(((_e7368 >> bitcast<u32>((_e7376 & 31u))) & 255u))) - _e7375) * _e7383)) - _e7335) * _e7387)) - _e7284) * _e7392)) - _e7399) * _e7403);
 let _e7406 = -(1e9f);
 let _e7408 = select(_e7406, _e7405, (_e7405 > _e7406));
@@ -2654,7 +2656,7 @@ let _e7775 = select(select(1f, _e7772, (_e7772 < 1f)), 1f, _e7752);
 let _e7777 = select(_e7747, _e7719, (_e7719 < _e7747));
 let _e7781 = select(_e7740, _e7712, (_e7712 > _e7740));
 let _e7784 = (select(_e7775, _e7777, (_e7777 < _e7775)) - select(_e7768, _e7781, (_e7781 > _e7768)));
-let _e7792 = global_1.member.member_5.member_3;
+let _e7792 = global_1.member.member_7.member_3;
 let _e7793 = (((sqrt(select(0f, _e7688, (_e7688 > 0f))) * select(0f, _e7784, (_e7784 > 0f))) * _e7680) * _e7792);
 local_1 = _e7679;
 let _e7794 = local_1;
@@ -2941,24 +2943,24 @@ let _e8944 = (0.5f * _e7680);
 let _e8948 = (_e3793.member.x + (_e7681 * _e8944));
 let _e8949 = (_e3793.member.y + (_e7682 * _e8944));
 let _e8950 = (_e3793.member.z + (_e7683 * _e8944));
-let _e8954 = global_1.member.member_10.member;
+let _e8954 = global_1.member.member_12.member;
 let _e8965 = ((((_e8954.member.member * _e8948) + (_e8954.member.member_1 * _e8949)) + (_e8954.member.member_2 * _e8950)) + _e8954.member_1);
-let _e8969 = global_1.member.member_10.member_1;
+let _e8969 = global_1.member.member_12.member_1;
 let _e8980 = ((((_e8969.member.member * _e8948) + (_e8969.member.member_1 * _e8949)) + (_e8969.member.member_2 * _e8950)) + _e8969.member_1);
-let _e8984 = global_1.member.member_10.member_2;
+let _e8984 = global_1.member.member_12.member_2;
 let _e8995 = ((((_e8984.member.member * _e8948) + (_e8984.member.member_1 * _e8949)) + (_e8984.member.member_2 * _e8950)) + _e8984.member_1);
 let _e8996 = (_e3557 != 0u);
-let _e9004 = global_1.member.member_10.member_19.member_2;
+let _e9004 = global_1.member.member_12.member_19.member_2;
 let _e9006 = select(1f, (_e8995 - _e9004), _e8996);
 let _e9009 = (1f / select(1e-12f, _e9006, (_e9006 > 1e-12f)));
-let _e9014 = global_1.member.member_10.member_5;
-let _e9019 = global_1.member.member_10.member_8;
-let _e9025 = global_1.member.member_10.member_6;
-let _e9031 = global_1.member.member_10.member_11;
+let _e9014 = global_1.member.member_12.member_5;
+let _e9019 = global_1.member.member_12.member_8;
+let _e9025 = global_1.member.member_12.member_6;
+let _e9031 = global_1.member.member_12.member_11;
 let _e9032 = ((((_e8965 * _e9009) - _e9014) * _e9019) - _e9031);
 let _e9033 = ((((_e8980 * _e9009) - _e9025) * _e9019) - _e9031);
-let _e9037 = global_1.member.member_10.member_9;
-let _e9042 = global_1.member.member_10.member_10;
+let _e9037 = global_1.member.member_12.member_9;
+let _e9042 = global_1.member.member_12.member_10;
 let _e9043 = ((_e8995 - _e9037) * _e9042);
 let _e9044 = -(65536f);
 let _e9046 = select(_e9044, _e9032, (_e9032 > _e9044));
@@ -2977,11 +2979,11 @@ let _e9091 = (firstTrailingBit(8u) & 31u);
 let _e9093 = (_e9089 >> bitcast<u32>(_e9091));
 let _e9095 = (_e9059 >> bitcast<u32>(_e9091));
 let _e9097 = (_e9074 >> bitcast<u32>(_e9091));
-let _e9102 = global_1.member.member_10.member_14.member;
+let _e9102 = global_1.member.member_12.member_14.member;
 let _e9103 = bitcast<i32>(_e9102);
-let _e9108 = global_1.member.member_10.member_14.member_1;
+let _e9108 = global_1.member.member_12.member_14.member_1;
 let _e9109 = bitcast<i32>(_e9108);
-let _e9114 = global_1.member.member_10.member_14.member_2;
+let _e9114 = global_1.member.member_12.member_14.member_2;
 if ((((((_e9095 >= 0i) && (_e9095 < _e9103)) && (_e9097 >= 0i)) && (_e9097 < _e9109)) && (_e9093 >= 0i)) && (_e9093 < bitcast<i32>(_e9114))) {
 phi_21157_ = (((((_e9093 * _e9109) + _e9097) * _e9103) + _e9095) * 3i);
 } else {
@@ -2995,7 +2997,7 @@ let _e9144 = global_4.member[bitcast<u32>(select(0i, _e9138, (_e9138 > 0i)))];
 let _e9146 = select(_e9136, _e9133, (_e9133 < _e9136));
 let _e9152 = global_4.member[bitcast<u32>(select(0i, _e9146, (_e9146 > 0i)))];
 let _e9155 = select(_e9144, 0u, (_e9133 < 0i));
-let _e9159 = global_1.member.member_10.member_13;
+let _e9159 = global_1.member.member_12.member_13;
 let _e9160 = (_e9155 * 81u);
 let _e9164 = bitcast<i32>((((_e9160 * _e9159) + 63u) & 4294967232u));
 let _e9172 = (((bitcast<i32>(_e9152) + ((_e9089 & 7i) * _e9164)) + ((_e9074 & 7i) * 9i)) + (_e9059 & 7i));
@@ -3038,7 +3040,7 @@ let _e9281 = select(1f, (_e9228 + (((_e9251 + (((_e9261 + ((bitcast<f32>(_e9270)
 if (((_e224.member_2 == 3u) || (_e224.member_2 == 4u)) || _e510) {
 phi_21734_ = vec3(_e9281);
 } else {
-let _e9290 = global_1.member.member_10.member_12;
+let _e9290 = global_1.member.member_12.member_12;
 let _e9291 = (_e9290 > 1u);
 let _e9295 = (_e9172 + (select(0i, 1i, _e9291) * _e9173));
 let _e9297 = select(_e9136, _e9295, (_e9295 < _e9136));
@@ -3105,7 +3107,7 @@ let _e9488 = global_4.member[bitcast<u32>(select(0i, _e9482, (_e9482 > 0i)))];
 phi_21734_ = vec3<f32>(_e9281, select(1f, (_e9343 + (((_e9366 + (((_e9376 + ((bitcast<f32>(_e9385) - _e9376) * _e9175)) - _e9366) * _e9177)) - _e9343) * _e9179)), _e9180), select(1f, (_e9446 + (((_e9469 + (((_e9479 + ((bitcast<f32>(_e9488) - _e9479) * _e9175)) - _e9469) * _e9177)) - _e9446) * _e9179)), _e9180));
 }
 let _e9502 = phi_21734_;
-let _e9503 = global_1.member.member_10.member_19;
+let _e9503 = global_1.member.member_12.member_19;
 let _e9507 = (_e8965 - _e9503.member);
 let _e9508 = (_e8980 - _e9503.member_1);
 let _e9509 = (_e8995 - _e9503.member_2);
@@ -3181,21 +3183,21 @@ let _e9798 = phi_22141_;
 if _e3558 {
 phi_22235_ = 1f;
 } else {
-let _e9804 = global_1.member.member_10.member_20.member;
+let _e9804 = global_1.member.member_12.member_20.member;
 let _e9812 = (((_e9804.member * _e9507) + (_e9804.member_1 * _e9508)) + (_e9804.member_2 * _e9509));
 let _e9816 = (_e9507 - (_e9804.member * _e9812));
 let _e9817 = (_e9508 - (_e9804.member_1 * _e9812));
 let _e9818 = (_e9509 - (_e9804.member_2 * _e9812));
 let _e9823 = (((_e9816 * _e9816) + (_e9817 * _e9817)) + (_e9818 * _e9818));
-let _e9834 = global_1.member.member_10.member_20.member_1;
-let _e9840 = global_1.member.member_10.member_20.member_2;
+let _e9834 = global_1.member.member_12.member_20.member_1;
+let _e9840 = global_1.member.member_12.member_20.member_2;
 let _e9841 = ((_e9834 - (sqrt(select(0f, _e9823, (_e9823 > 0f))) / select(1e-20f, _e9812, (_e9812 > 1e-20f)))) * _e9840);
 let _e9843 = select(0f, _e9841, (_e9841 > 0f));
 let _e9845 = select(1f, _e9843, (_e9843 < 1f));
 phi_22235_ = select(1f, select(0f, ((_e9845 * _e9845) * (3f - (2f * _e9845))), (_e9812 > 0f)), (_e9840 > 0f));
 }
 let _e9855 = phi_22235_;
-let _e9860 = global_1.member.member_9.member_1;
+let _e9860 = global_1.member.member_11.member_1;
 if _e3558 {
 phi_22277_ = 1f;
 } else {
@@ -3203,9 +3205,9 @@ phi_22277_ = (1f / select(1e-12f, _e9514, (_e9514 > 1e-12f)));
 }
 let _e9874 = phi_22277_;
 let _e9875 = (_e9874 * select(_e9855, 1f, (_e517 && _e9180)));
-let _e9884 = global_1.member.member_10.member.member;
-let _e9896 = global_1.member.member_10.member_1.member;
-let _e9911 = global_1.member.member_10.member_2.member;
+let _e9884 = global_1.member.member_12.member.member;
+let _e9896 = global_1.member.member_12.member_1.member;
+let _e9911 = global_1.member.member_12.member_2.member;
 phi_22309_ = type_36(vec3<f32>(((_e9502.x * _e9860.member) * _e9875), ((_e9502.y * _e9860.member_1) * _e9875), ((_e9502.z * _e9860.member_2) * _e9875)), (vec3<f32>(((_e9884.member * _e9798.x) + (_e9896.member * _e9798.y)), ((_e9884.member_1 * _e9798.x) + (_e9896.member_1 * _e9798.y)), ((_e9884.member_2 * _e9798.x) + (_e9896.member_2 * _e9798.y))) + vec3<f32>((_e9911.member * _e9798.z), (_e9911.member_1 * _e9798.z), (_e9911.member_2 * _e9798.z))));
 }
 let _e9924 = phi_22309_;
@@ -3214,7 +3216,7 @@ let _e9936 = sqrt(select(0f, _e9933, (_e9933 > 0f)));
 let _e9938 = ((_e2721 & 8u) != 0u);
 let _e9942 = (1e-6f * _e9936);
 let _e9946 = select((_e9936 / select(_e9942, _e9924.member_1.z, (_e9924.member_1.z > _e9942))), 1f, _e9938);
-let _e9958 = global_1.member.member_18;
+let _e9958 = global_1.member.member_20;
 let _e9965 = (1f - _e3793.member_6);
 let _e9982 = (_e3793.member_5.x + ((_e3793.member_7.x * ((((((_e8556 + (((_e8561 + (((bitcast<f32>(((_e8527 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8561) * _e8186)) - _e8556) * _e8184)) * _e8188) + (((bitcast<f32>(((_e8535 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8173) + ((bitcast<f32>(((_e8543 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8179))) * _e8939) * ((_e9924.member.x * _e9946) + _e9958.member)) + 0f)) * _e9965));
 let _e9984 = (_e3793.member_5.y + ((_e3793.member_7.y * ((((((_e8612 + (((_e8617 + (((bitcast<f32>((((_e8527 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8617) * _e8186)) - _e8612) * _e8184)) * _e8188) + (((bitcast<f32>((((_e8535 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8173) + ((bitcast<f32>((((_e8543 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8179))) * _e8939) * ((_e9924.member.y * _e9946) + _e9958.member_1)) + 0f)) * _e9965));
@@ -3227,14 +3229,14 @@ let _e9999 = (_e3793.member_4 + ((_e9988 - _e3793.member_6) * (_e3793.member.z +
 let _e10003 = (_e3793.member.x + (_e7681 * _e7680));
 let _e10004 = (_e3793.member.y + (_e7682 * _e7680));
 let _e10005 = (_e3793.member.z + (_e7683 * _e7680));
-let _e10009 = global_1.member.member_10.member;
+let _e10009 = global_1.member.member_12.member;
 let _e10020 = ((((_e10009.member.member * _e10003) + (_e10009.member.member_1 * _e10004)) + (_e10009.member.member_2 * _e10005)) + _e10009.member_1);
-let _e10024 = global_1.member.member_10.member_1;
+let _e10024 = global_1.member.member_12.member_1;
 let _e10035 = ((((_e10024.member.member * _e10003) + (_e10024.member.member_1 * _e10004)) + (_e10024.member.member_2 * _e10005)) + _e10024.member_1);
-let _e10039 = global_1.member.member_10.member_2;
+let _e10039 = global_1.member.member_12.member_2;
 let _e10050 = ((((_e10039.member.member * _e10003) + (_e10039.member.member_1 * _e10004)) + (_e10039.member.member_2 * _e10005)) + _e10039.member_1);
 let _e10051 = (_e3557 != 0u);
-let _e10055 = global_1.member.member_10.member_19;
+let _e10055 = global_1.member.member_12.member_19;
 let _e10059 = (_e10020 - _e10055.member);
 let _e10060 = (_e10035 - _e10055.member_1);
 let _e10061 = (_e10050 - _e10055.member_2);
@@ -3244,36 +3246,36 @@ let _e10072 = (1f / select(1e-20f, _e10069, (_e10069 > 1e-20f)));
 let _e10076 = select(0f, (_e10059 * _e10072), _e10051);
 let _e10077 = select(0f, (_e10060 * _e10072), _e10051);
 let _e10078 = select(1f, (_e10061 * _e10072), _e10051);
-let _e10083 = global_1.member.member_10.member.member;
-let _e10094 = global_1.member.member_10.member_1.member;
-let _e10108 = global_1.member.member_10.member_2.member;
+let _e10083 = global_1.member.member_12.member.member;
+let _e10094 = global_1.member.member_12.member_1.member;
+let _e10108 = global_1.member.member_12.member_2.member;
 let _e10117 = (vec3<f32>(((_e10083.member * _e10076) + (_e10094.member * _e10077)), ((_e10083.member_1 * _e10076) + (_e10094.member_1 * _e10077)), ((_e10083.member_2 * _e10076) + (_e10094.member_2 * _e10077))) + vec3<f32>((_e10108.member * _e10078), (_e10108.member_1 * _e10078), (_e10108.member_2 * _e10078)));
 if ((_e2721 & 256u) != 0u) {
-let _e10125 = global_1.member.member_10.member_18.member.member;
+let _e10125 = global_1.member.member_12.member_18.member.member;
 let _e10126 = bitcast<i32>(_e10125);
-let _e10132 = global_1.member.member_10.member_18.member.member_1;
+let _e10132 = global_1.member.member_12.member_18.member.member_1;
 let _e10133 = bitcast<i32>(_e10132);
-let _e10138 = global_1.member.member_10.member_19.member_2;
+let _e10138 = global_1.member.member_12.member_19.member_2;
 let _e10140 = select(1f, (_e10050 - _e10138), _e10051);
 let _e10143 = (1f / select(1e-12f, _e10140, (_e10140 > 1e-12f)));
-let _e10148 = global_1.member.member_10.member_5;
-let _e10153 = global_1.member.member_10.member_8;
+let _e10148 = global_1.member.member_12.member_5;
+let _e10153 = global_1.member.member_12.member_8;
 let _e10154 = (((_e10020 * _e10143) - _e10148) * _e10153);
-let _e10159 = global_1.member.member_10.member_6;
+let _e10159 = global_1.member.member_12.member_6;
 let _e10161 = (((_e10035 * _e10143) - _e10159) * _e10153);
-let _e10166 = global_1.member.member_10.member_4.member;
+let _e10166 = global_1.member.member_12.member_4.member;
 let _e10168 = f32(bitcast<i32>(_e10166));
 let _e10170 = select(0f, _e10154, (_e10154 > 0f));
-let _e10177 = global_1.member.member_10.member_18.member_1;
+let _e10177 = global_1.member.member_12.member_18.member_1;
 let _e10180 = ((_e10154 - _e10168) * _e10177);
-let _e10185 = global_1.member.member_10.member_18.member_2;
+let _e10185 = global_1.member.member_12.member_18.member_2;
 let _e10187 = select(0f, _e10180, (_e10180 > 0f));
 let _e10189 = (_e10185 + _e10187);
 let _e10194 = (-(_e10154) * _e10177);
 let _e10196 = select(0f, _e10194, (_e10194 > 0f));
 let _e10198 = (_e10185 + _e10196);
 let _e10205 = (((_e10185 + (select(_e10168, _e10170, (_e10170 < _e10168)) * _e10177)) + (((_e10187 * _e10185) / select(1e-12f, _e10189, (_e10189 > 1e-12f))) - ((_e10196 * _e10185) / select(1e-12f, _e10198, (_e10198 > 1e-12f))))) - 0.5f);
-let _e10210 = global_1.member.member_10.member_4.member_1;
+let _e10210 = global_1.member.member_12.member_4.member_1;
 let _e10212 = f32(bitcast<i32>(_e10210));
 let _e10214 = select(0f, _e10161, (_e10161 > 0f));
 let _e10219 = ((_e10161 - _e10212) * _e10177);
@@ -3300,10 +3302,10 @@ let _e10281 = (_e10239 - f32(_e10273));
 let _e10283 = select(0f, _e10281, (_e10281 > 0f));
 let _e10285 = select(1f, _e10283, (_e10283 < 1f));
 if _e4611 {
-let _e10290 = global_1.member.member_10.member_18.member_4;
+let _e10290 = global_1.member.member_12.member_18.member_4;
 phi_22791_ = _e10290;
 } else {
-let _e10295 = global_1.member.member_10.member_18.member_3;
+let _e10295 = global_1.member.member_12.member_18.member_3;
 phi_22791_ = _e10295;
 }
 let _e10297 = phi_22791_;
@@ -3363,14 +3365,14 @@ phi_23189_ = vec3<f32>(_e10352, _e10401, _e10451);
 if _e3558 {
 phi_23128_ = 1f;
 } else {
-let _e10457 = global_1.member.member_10.member_20.member;
+let _e10457 = global_1.member.member_12.member_20.member;
 let _e10465 = (((_e10457.member * _e10059) + (_e10457.member_1 * _e10060)) + (_e10457.member_2 * _e10061));
 let _e10469 = (_e10059 - (_e10457.member * _e10465));
 let _e10470 = (_e10060 - (_e10457.member_1 * _e10465));
 let _e10471 = (_e10061 - (_e10457.member_2 * _e10465));
 let _e10476 = (((_e10469 * _e10469) + (_e10470 * _e10470)) + (_e10471 * _e10471));
-let _e10487 = global_1.member.member_10.member_20.member_1;
-let _e10493 = global_1.member.member_10.member_20.member_2;
+let _e10487 = global_1.member.member_12.member_20.member_1;
+let _e10493 = global_1.member.member_12.member_20.member_2;
 let _e10494 = ((_e10487 - (sqrt(select(0f, _e10476, (_e10476 > 0f))) / select(1e-20f, _e10465, (_e10465 > 1e-20f)))) * _e10493);
 let _e10496 = select(0f, _e10494, (_e10494 > 0f));
 let _e10498 = select(1f, _e10496, (_e10496 < 1f));
@@ -3390,15 +3392,15 @@ let _e10527 = phi_23184_;
 phi_23189_ = vec3<f32>((select(0f, _e10514, (_e10514 > 0f)) * _e10527), (select(0f, _e10515, (_e10515 > 0f)) * _e10527), (select(0f, _e10516, (_e10516 > 0f)) * _e10527));
 }
 let _e10533 = phi_23189_;
-let _e10537 = global_1.member.member_9.member_1;
+let _e10537 = global_1.member.member_11.member_1;
 phi_23449_ = type_36((vec3<f32>(_e10537.member, _e10537.member_1, _e10537.member_2) * _e10533), _e10117);
 } else {
 if _e3558 {
-let _e10547 = global_1.member.member_9.member_1;
-let _e10555 = global_1.member.member_9.member;
+let _e10547 = global_1.member.member_11.member_1;
+let _e10555 = global_1.member.member_11.member;
 phi_23448_ = type_36(vec3<f32>(_e10547.member, _e10547.member_1, _e10547.member_2), vec3<f32>(_e10555.member, _e10555.member_1, _e10555.member_2));
 } else {
-let _e10564 = global_1.member.member_9.member_1;
+let _e10564 = global_1.member.member_11.member_1;
 if _e3558 {
 phi_23292_ = 1f;
 } else {
@@ -3408,14 +3410,14 @@ let _e10572 = phi_23292_;
 if _e3558 {
 phi_23376_ = 1f;
 } else {
-let _e10577 = global_1.member.member_10.member_20.member;
+let _e10577 = global_1.member.member_12.member_20.member;
 let _e10585 = (((_e10577.member * _e10059) + (_e10577.member_1 * _e10060)) + (_e10577.member_2 * _e10061));
 let _e10589 = (_e10059 - (_e10577.member * _e10585));
 let _e10590 = (_e10060 - (_e10577.member_1 * _e10585));
 let _e10591 = (_e10061 - (_e10577.member_2 * _e10585));
 let _e10596 = (((_e10589 * _e10589) + (_e10590 * _e10590)) + (_e10591 * _e10591));
-let _e10607 = global_1.member.member_10.member_20.member_1;
-let _e10613 = global_1.member.member_10.member_20.member_2;
+let _e10607 = global_1.member.member_12.member_20.member_1;
+let _e10613 = global_1.member.member_12.member_20.member_2;
 let _e10614 = ((_e10607 - (sqrt(select(0f, _e10596, (_e10596 > 0f))) / select(1e-20f, _e10585, (_e10585 > 1e-20f)))) * _e10613);
 let _e10616 = select(0f, _e10614, (_e10614 > 0f));
 let _e10618 = select(1f, _e10616, (_e10616 < 1f));

@@ -140,24 +140,26 @@ member: type_2,
 member_1: u32,
 member_2: type_14,
 member_3: type_13,
-member_4: u32,
-member_5: type_15,
-member_6: type_16,
-member_7: type_16,
-member_8: type_17,
-member_9: type_18,
-member_10: type_21,
-member_11: type_15,
-member_12: type_4,
-member_13: type_9,
-member_14: type_22,
-member_15: type_22,
+member_4: type_13,
+member_5: u32,
+member_6: u32,
+member_7: type_15,
+member_8: type_16,
+member_9: type_16,
+member_10: type_17,
+member_11: type_18,
+member_12: type_21,
+member_13: type_15,
+member_14: type_4,
+member_15: type_9,
 member_16: type_22,
 member_17: type_22,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_22,
+member_19: type_22,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_24 {
 member: type_23,
@@ -177,7 +179,7 @@ if (_e26 < _e15.member_2) {
 if (_e28 < _e15.member_3) {
 let _e31 = (_e18.member * _e18.member_1);
 let _e33 = ((_e28 * _e18.member) + _e26);
-let _e37 = global_1.member.member_9.member;
+let _e37 = global_1.member.member_11.member;
 global_2.member[_e33] = 1f;
 global_2.member[(_e31 + _e33)] = 1f;
 global_2.member[((2u * _e31) + _e33)] = 1f;

@@ -140,24 +140,26 @@ member: type_2,
 member_1: u32,
 member_2: type_14,
 member_3: type_13,
-member_4: u32,
-member_5: type_15,
-member_6: type_16,
-member_7: type_16,
-member_8: type_17,
-member_9: type_18,
-member_10: type_21,
-member_11: type_15,
-member_12: type_4,
-member_13: type_9,
-member_14: type_22,
-member_15: type_22,
+member_4: type_13,
+member_5: u32,
+member_6: u32,
+member_7: type_15,
+member_8: type_16,
+member_9: type_16,
+member_10: type_17,
+member_11: type_18,
+member_12: type_21,
+member_13: type_15,
+member_14: type_4,
+member_15: type_9,
 member_16: type_22,
 member_17: type_22,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_22,
+member_19: type_22,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_24 {
 member: type_23,
@@ -177,17 +179,17 @@ if (_e33 < _e22.member_2) {
 if (_e35 < _e22.member_3) {
 let _e38 = (_e25.member * _e25.member_1);
 let _e40 = ((_e35 * _e25.member) + _e33);
-let _e48 = global_1.member.member_10.member_9;
-let _e52 = global_1.member.member_10.member_3;
+let _e48 = global_1.member.member_12.member_9;
+let _e52 = global_1.member.member_12.member_3;
 let _e53 = (_e52 != 0u);
-let _e61 = global_1.member.member_10.member_19.member_2;
+let _e61 = global_1.member.member_12.member_19.member_2;
 let _e63 = select(1f, (_e48 - _e61), _e53);
-let _e67 = global_1.member.member_10.member_5;
-let _e71 = global_1.member.member_10.member_7;
+let _e67 = global_1.member.member_12.member_5;
+let _e71 = global_1.member.member_12.member_7;
 let _e74 = ((_e67 + (f32(bitcast<i32>(_e33)) * _e71)) * _e63);
-let _e78 = global_1.member.member_10.member_6;
+let _e78 = global_1.member.member_12.member_6;
 let _e81 = ((_e78 + (f32(bitcast<i32>(_e35)) * _e71)) * _e63);
-let _e82 = global_1.member.member_10.member_19;
+let _e82 = global_1.member.member_12.member_19;
 let _e86 = (_e74 - _e82.member);
 let _e87 = (_e81 - _e82.member_1);
 let _e88 = (_e48 - _e82.member_2);

@@ -143,24 +143,26 @@ member: type_2,
 member_1: u32,
 member_2: type_17,
 member_3: type_14,
-member_4: u32,
-member_5: type_18,
-member_6: type_19,
-member_7: type_19,
-member_8: type_20,
-member_9: type_21,
-member_10: type_24,
-member_11: type_18,
-member_12: type_4,
-member_13: type_9,
-member_14: type_25,
-member_15: type_25,
+member_4: type_14,
+member_5: u32,
+member_6: u32,
+member_7: type_18,
+member_8: type_19,
+member_9: type_19,
+member_10: type_20,
+member_11: type_21,
+member_12: type_24,
+member_13: type_18,
+member_14: type_4,
+member_15: type_9,
 member_16: type_25,
 member_17: type_25,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_25,
+member_19: type_25,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_27 {
 member: type_26,
@@ -172,311 +174,350 @@ member_1: vec3<f32>,
 var<private> global: vec3<u32>;
 @group(0) @binding(0)
 var<storage> global_1: type_27;
-@group(0) @binding(2)
+@group(0) @binding(3)
 var<storage, read_write> global_2: type_11;
 @group(0) @binding(1)
 var<storage> global_3: type_16;
+@group(0) @binding(2)
+var<storage> global_4: type_16;
 fn function_() {
-var phi_191_: type_14;
-var phi_791_: u32;
-var phi_1128_: f32;
-var phi_1184_: f32;
-var phi_1189_: vec3<f32>;
-var phi_1292_: f32;
-var phi_1376_: f32;
-var phi_1448_: type_28;
-var phi_1449_: type_28;
-let _e39 = global;
-let _e44 = global_1.member.member_2;
-let _e47 = global_1.member.member;
-let _e55 = (_e39.x + _e44.member);
-let _e57 = (_e39.y + _e44.member_1);
-if (_e55 < _e44.member_2) {
-if (_e57 < _e44.member_3) {
-let _e60 = (_e47.member * _e47.member_1);
-let _e62 = ((_e57 * _e47.member) + _e55);
-let _e66 = global_1.member.member_3.member;
-let _e70 = global_1.member.member_3.member_1;
-let _e71 = (_e55 % 16u);
-let _e72 = (_e57 % 4u);
-if ((_e55 < (_e66 - (_e66 % 16u))) && (_e57 < (_e70 - (_e70 % 4u)))) {
-phi_191_ = type_14((((_e55 - _e71) + (_e72 * 4u)) + (_e71 % 4u)), ((_e57 - _e72) + (_e71 / 4u)));
+var phi_196_: type_14;
+var phi_265_: type_14;
+var phi_865_: u32;
+var phi_1202_: f32;
+var phi_1258_: f32;
+var phi_1263_: vec3<f32>;
+var phi_1366_: f32;
+var phi_1450_: f32;
+var phi_1522_: type_28;
+var phi_1523_: type_28;
+switch bitcast<i32>(0u) {
+default: {
+let _e43 = global;
+let _e50 = global_1.member.member_2;
+let _e53 = global_1.member.member;
+let _e61 = (_e43.x + _e50.member);
+let _e63 = (_e43.y + _e50.member_1);
+if (_e61 < _e50.member_2) {
+if (_e63 < _e50.member_3) {
+let _e66 = (_e53.member * _e53.member_1);
+let _e68 = ((_e63 * _e53.member) + _e61);
+let _e72 = global_1.member.member_3.member;
+let _e76 = global_1.member.member_3.member_1;
+let _e77 = (_e61 % 16u);
+let _e78 = (_e63 % 4u);
+if ((_e61 < (_e72 - (_e72 % 16u))) && (_e63 < (_e76 - (_e76 % 4u)))) {
+phi_196_ = type_14((((_e61 - _e77) + (_e78 * 4u)) + (_e77 % 4u)), ((_e63 - _e78) + (_e77 / 4u)));
 } else {
-phi_191_ = type_14(_e55, _e57);
+phi_196_ = type_14(_e61, _e63);
 }
-let _e91 = phi_191_;
-let _e105 = global_1.member.member_12.member;
-let _e106 = (((((f32(bitcast<i32>(_e91.member)) + 0.5f) / f32(bitcast<i32>(_e66))) * 2f) - 1f) * _e105);
-let _e118 = global_1.member.member_12.member_1;
-let _e119 = ((1f - (((f32(bitcast<i32>(_e91.member_1)) + 0.5f) / f32(bitcast<i32>(_e70))) * 2f)) * _e118);
-let _e123 = global_1.member.member_12.member_3;
-let _e124 = (_e123 != 0u);
-let _e128 = global_1.member.member_12.member_2;
-let _e129 = select(_e106, 0f, _e124);
-let _e130 = select(_e119, 0f, _e124);
-let _e131 = select(0f, _e106, _e124);
-let _e132 = select(0f, _e119, _e124);
-let _e136 = (_e131 + (_e129 * _e128));
-let _e137 = (_e132 + (_e130 * _e128));
-let _e138 = (0f + (1f * _e128));
-let _e143 = (((_e129 * _e129) + (_e130 * _e130)) + (1f * 1f));
-let _e146 = sqrt(select(0f, _e143, (_e143 > 0f)));
-let _e149 = (1f / select(1e-20f, _e146, (_e146 > 1e-20f)));
-let _e157 = global_1.member.member_13.member.member;
-let _e168 = ((((_e157.member.member * _e131) + (_e157.member.member_1 * _e132)) + (_e157.member.member_2 * 0f)) + _e157.member_1);
-let _e174 = ((((_e157.member.member * _e136) + (_e157.member.member_1 * _e137)) + (_e157.member.member_2 * _e138)) + _e157.member_1);
-let _e177 = ((_e168 > 0f) && (_e174 <= 0f));
-let _e178 = (_e168 - _e174);
-let _e181 = (_e168 / select(1e-20f, _e178, (_e178 > 1e-20f)));
-let _e186 = global_1.member.member_13.member_1.member;
-let _e197 = ((((_e186.member.member * _e131) + (_e186.member.member_1 * _e132)) + (_e186.member.member_2 * 0f)) + _e186.member_1);
-let _e203 = ((((_e186.member.member * _e136) + (_e186.member.member_1 * _e137)) + (_e186.member.member_2 * _e138)) + _e186.member_1);
-let _e206 = ((_e197 > 0f) && (_e203 <= 0f));
-let _e207 = (_e197 - _e203);
-let _e210 = (_e197 / select(1e-20f, _e207, (_e207 > 1e-20f)));
-let _e214 = (_e206 && (!(_e177) || (_e210 < _e181)));
-let _e220 = global_1.member.member_13.member_1.member.member;
-let _e225 = global_1.member.member_13.member_1.member_1;
-let _e231 = global_1.member.member_13.member.member.member;
-let _e236 = global_1.member.member_13.member.member_1;
-let _e255 = (_e177 || _e206);
-let _e256 = select(_e181, _e210, _e214);
-let _e261 = select(1f, _e256, (_e256 < 1f));
-let _e265 = (_e131 + ((_e136 - _e131) * _e261));
-let _e266 = (_e132 + ((_e137 - _e132) * _e261));
-let _e267 = (0f + ((_e138 - 0f) * _e261));
-let _e271 = global_1.member.member_10.member;
-let _e282 = ((((_e271.member.member * _e265) + (_e271.member.member_1 * _e266)) + (_e271.member.member_2 * _e267)) + _e271.member_1);
-let _e286 = global_1.member.member_10.member_1;
-let _e297 = ((((_e286.member.member * _e265) + (_e286.member.member_1 * _e266)) + (_e286.member.member_2 * _e267)) + _e286.member_1);
-let _e301 = global_1.member.member_10.member_2;
-let _e312 = ((((_e301.member.member * _e265) + (_e301.member.member_1 * _e266)) + (_e301.member.member_2 * _e267)) + _e301.member_1);
-let _e316 = global_1.member.member_10.member_3;
-let _e317 = (_e316 != 0u);
-let _e321 = global_1.member.member_10.member_19;
-let _e325 = (_e282 - _e321.member);
-let _e326 = (_e297 - _e321.member_1);
-let _e327 = (_e312 - _e321.member_2);
-let _e332 = (((_e325 * _e325) + (_e326 * _e326)) + (_e327 * _e327));
-let _e335 = sqrt(select(0f, _e332, (_e332 > 0f)));
-let _e338 = (1f / select(1e-20f, _e335, (_e335 > 1e-20f)));
-let _e342 = select(0f, (_e325 * _e338), _e317);
-let _e343 = select(0f, (_e326 * _e338), _e317);
-let _e344 = select(1f, (_e327 * _e338), _e317);
-let _e349 = global_1.member.member_10.member.member;
-let _e360 = global_1.member.member_10.member_1.member;
-let _e374 = global_1.member.member_10.member_2.member;
-let _e383 = (vec3<f32>(((_e349.member * _e342) + (_e360.member * _e343)), ((_e349.member_1 * _e342) + (_e360.member_1 * _e343)), ((_e349.member_2 * _e342) + (_e360.member_2 * _e343))) + vec3<f32>((_e374.member * _e344), (_e374.member_1 * _e344), (_e374.member_2 * _e344)));
-let _e386 = global_1.member.member_1;
-if ((_e386 & 256u) != 0u) {
-let _e394 = global_1.member.member_10.member_18.member.member;
-let _e395 = bitcast<i32>(_e394);
-let _e401 = global_1.member.member_10.member_18.member.member_1;
-let _e402 = bitcast<i32>(_e401);
-let _e407 = global_1.member.member_10.member_19.member_2;
-let _e409 = select(1f, (_e312 - _e407), _e317);
-let _e412 = (1f / select(1e-12f, _e409, (_e409 > 1e-12f)));
-let _e417 = global_1.member.member_10.member_5;
-let _e422 = global_1.member.member_10.member_8;
-let _e423 = (((_e282 * _e412) - _e417) * _e422);
-let _e428 = global_1.member.member_10.member_6;
-let _e430 = (((_e297 * _e412) - _e428) * _e422);
-let _e435 = global_1.member.member_10.member_4.member;
-let _e437 = f32(bitcast<i32>(_e435));
-let _e439 = select(0f, _e423, (_e423 > 0f));
-let _e446 = global_1.member.member_10.member_18.member_1;
-let _e449 = ((_e423 - _e437) * _e446);
-let _e454 = global_1.member.member_10.member_18.member_2;
-let _e456 = select(0f, _e449, (_e449 > 0f));
-let _e458 = (_e454 + _e456);
-let _e463 = (-(_e423) * _e446);
-let _e465 = select(0f, _e463, (_e463 > 0f));
-let _e467 = (_e454 + _e465);
-let _e474 = (((_e454 + (select(_e437, _e439, (_e439 < _e437)) * _e446)) + (((_e456 * _e454) / select(1e-12f, _e458, (_e458 > 1e-12f))) - ((_e465 * _e454) / select(1e-12f, _e467, (_e467 > 1e-12f))))) - 0.5f);
-let _e479 = global_1.member.member_10.member_4.member_1;
-let _e481 = f32(bitcast<i32>(_e479));
-let _e483 = select(0f, _e430, (_e430 > 0f));
-let _e488 = ((_e430 - _e481) * _e446);
-let _e490 = select(0f, _e488, (_e488 > 0f));
-let _e492 = (_e454 + _e490);
-let _e497 = (-(_e430) * _e446);
-let _e499 = select(0f, _e497, (_e497 > 0f));
-let _e501 = (_e454 + _e499);
-let _e508 = (((_e454 + (select(_e481, _e483, (_e483 < _e481)) * _e446)) + (((_e490 * _e454) / select(1e-12f, _e492, (_e492 > 1e-12f))) - ((_e499 * _e454) / select(1e-12f, _e501, (_e501 > 1e-12f))))) - 0.5f);
-let _e510 = f32((_e395 - 2i));
-let _e512 = select(0f, _e474, (_e474 > 0f));
-let _e514 = select(_e510, _e512, (_e512 < _e510));
-let _e521 = select(0i, select(select(i32(_e514), i32(-2147483648), (_e514 < -2147483600f)), 2147483647i, (_e514 > 2147483500f)), (_e514 == _e514));
-let _e525 = (_e521 - select(0i, 1i, (_e514 < f32(_e521))));
-let _e527 = f32((_e402 - 2i));
-let _e529 = select(0f, _e508, (_e508 > 0f));
-let _e531 = select(_e527, _e529, (_e529 < _e527));
-let _e538 = select(0i, select(select(i32(_e531), i32(-2147483648), (_e531 < -2147483600f)), 2147483647i, (_e531 > 2147483500f)), (_e531 == _e531));
-let _e542 = (_e538 - select(0i, 1i, (_e531 < f32(_e538))));
-let _e544 = (_e474 - f32(_e525));
-let _e546 = select(0f, _e544, (_e544 > 0f));
-let _e548 = select(1f, _e546, (_e546 < 1f));
-let _e550 = (_e508 - f32(_e542));
-let _e552 = select(0f, _e550, (_e550 > 0f));
-let _e554 = select(1f, _e552, (_e552 < 1f));
-if _e214 {
-let _e559 = global_1.member.member_10.member_18.member_4;
-phi_791_ = _e559;
+let _e97 = phi_196_;
+let _e102 = global_1.member.member_5;
+let _e103 = (_e102 == 0u);
+let _e104 = select(_e102, 1u, _e103);
+let _e105 = (_e104 == 0u);
+if _e105 {
+break;
+}
+if _e105 {
+break;
+}
+if _e105 {
+break;
+}
+let _e111 = bitcast<i32>((((_e97.member_1 / _e104) * (_e72 / _e104)) + (_e97.member / _e104)));
+let _e113 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
+let _e115 = select(_e113, _e111, (_e111 < _e113));
+let _e121 = global_4.member[bitcast<u32>(select(0i, _e115, (_e115 > 0i)))];
+if _e103 {
+phi_265_ = _e97;
 } else {
-let _e564 = global_1.member.member_10.member_18.member_3;
-phi_791_ = _e564;
+if _e105 {
+break;
 }
-let _e566 = phi_791_;
-let _e570 = ((bitcast<i32>(_e566) + (_e542 * _e395)) + _e525);
-let _e571 = (_e395 * _e402);
-let _e573 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e575 = select(_e573, _e570, (_e570 < _e573));
-let _e581 = global_3.member[bitcast<u32>(select(0i, _e575, (_e575 > 0i)))];
-let _e582 = bitcast<f32>(_e581);
-let _e583 = (_e570 + 1i);
-let _e585 = select(_e573, _e583, (_e583 < _e573));
-let _e591 = global_3.member[bitcast<u32>(select(0i, _e585, (_e585 > 0i)))];
-let _e595 = (_e582 + ((bitcast<f32>(_e591) - _e582) * _e548));
-let _e596 = (_e570 + _e395);
-let _e598 = select(_e573, _e596, (_e596 < _e573));
-let _e604 = global_3.member[bitcast<u32>(select(0i, _e598, (_e598 > 0i)))];
-let _e605 = bitcast<f32>(_e604);
-let _e606 = (_e596 + 1i);
-let _e608 = select(_e573, _e606, (_e606 < _e573));
-let _e614 = global_3.member[bitcast<u32>(select(0i, _e608, (_e608 > 0i)))];
-let _e621 = (_e595 + (((_e605 + ((bitcast<f32>(_e614) - _e605) * _e548)) - _e595) * _e554));
-let _e622 = (_e570 + _e571);
-let _e624 = select(_e573, _e622, (_e622 < _e573));
-let _e630 = global_3.member[bitcast<u32>(select(0i, _e624, (_e624 > 0i)))];
-let _e631 = bitcast<f32>(_e630);
-let _e632 = (_e622 + 1i);
-let _e634 = select(_e573, _e632, (_e632 < _e573));
-let _e640 = global_3.member[bitcast<u32>(select(0i, _e634, (_e634 > 0i)))];
-let _e644 = (_e631 + ((bitcast<f32>(_e640) - _e631) * _e548));
-let _e645 = (_e622 + _e395);
-let _e647 = select(_e573, _e645, (_e645 < _e573));
-let _e653 = global_3.member[bitcast<u32>(select(0i, _e647, (_e647 > 0i)))];
-let _e654 = bitcast<f32>(_e653);
-let _e655 = (_e645 + 1i);
-let _e657 = select(_e573, _e655, (_e655 < _e573));
-let _e663 = global_3.member[bitcast<u32>(select(0i, _e657, (_e657 > 0i)))];
-let _e670 = (_e644 + (((_e654 + ((bitcast<f32>(_e663) - _e654) * _e548)) - _e644) * _e554));
-let _e672 = (_e570 + (2i * _e571));
-let _e674 = select(_e573, _e672, (_e672 < _e573));
+if _e105 {
+break;
+}
+phi_265_ = type_14((((_e121 & 65535u) * _e104) + (_e97.member % _e104)), (((_e121 >> bitcast<u32>(16u)) * _e104) + (_e97.member_1 % _e104)));
+}
+let _e133 = phi_265_;
+let _e142 = global_1.member.member_4.member;
+let _e151 = global_1.member.member_14.member;
+let _e152 = (((((f32(bitcast<i32>(_e133.member)) + 0.5f) / f32(bitcast<i32>(_e142))) * 2f) - 1f) * _e151);
+let _e159 = global_1.member.member_4.member_1;
+let _e168 = global_1.member.member_14.member_1;
+let _e169 = ((1f - (((f32(bitcast<i32>(_e133.member_1)) + 0.5f) / f32(bitcast<i32>(_e159))) * 2f)) * _e168);
+let _e173 = global_1.member.member_14.member_3;
+let _e174 = (_e173 != 0u);
+let _e178 = global_1.member.member_14.member_2;
+let _e179 = select(_e152, 0f, _e174);
+let _e180 = select(_e169, 0f, _e174);
+let _e181 = select(0f, _e152, _e174);
+let _e182 = select(0f, _e169, _e174);
+let _e186 = (_e181 + (_e179 * _e178));
+let _e187 = (_e182 + (_e180 * _e178));
+let _e188 = (0f + (1f * _e178));
+let _e193 = (((_e179 * _e179) + (_e180 * _e180)) + (1f * 1f));
+let _e196 = sqrt(select(0f, _e193, (_e193 > 0f)));
+let _e199 = (1f / select(1e-20f, _e196, (_e196 > 1e-20f)));
+let _e207 = global_1.member.member_15.member.member;
+let _e218 = ((((_e207.member.member * _e181) + (_e207.member.member_1 * _e182)) + (_e207.member.member_2 * 0f)) + _e207.member_1);
+let _e224 = ((((_e207.member.member * _e186) + (_e207.member.member_1 * _e187)) + (_e207.member.member_2 * _e188)) + _e207.member_1);
+let _e227 = ((_e218 > 0f) && (_e224 <= 0f));
+let _e228 = (_e218 - _e224);
+let _e231 = (_e218 / select(1e-20f, _e228, (_e228 > 1e-20f)));
+let _e236 = global_1.member.member_15.member_1.member;
+let _e247 = ((((_e236.member.member * _e181) + (_e236.member.member_1 * _e182)) + (_e236.member.member_2 * 0f)) + _e236.member_1);
+let _e253 = ((((_e236.member.member * _e186) + (_e236.member.member_1 * _e187)) + (_e236.member.member_2 * _e188)) + _e236.member_1);
+let _e256 = ((_e247 > 0f) && (_e253 <= 0f));
+let _e257 = (_e247 - _e253);
+let _e260 = (_e247 / select(1e-20f, _e257, (_e257 > 1e-20f)));
+let _e264 = (_e256 && (!(_e227) || (_e260 < _e231)));
+let _e270 = global_1.member.member_15.member_1.member.member;
+let _e275 = global_1.member.member_15.member_1.member_1;
+let _e281 = global_1.member.member_15.member.member.member;
+let _e286 = global_1.member.member_15.member.member_1;
+let _e305 = (_e227 || _e256);
+let _e306 = select(_e231, _e260, _e264);
+let _e311 = select(1f, _e306, (_e306 < 1f));
+let _e315 = (_e181 + ((_e186 - _e181) * _e311));
+let _e316 = (_e182 + ((_e187 - _e182) * _e311));
+let _e317 = (0f + ((_e188 - 0f) * _e311));
+let _e321 = global_1.member.member_12.member;
+let _e332 = ((((_e321.member.member * _e315) + (_e321.member.member_1 * _e316)) + (_e321.member.member_2 * _e317)) + _e321.member_1);
+let _e336 = global_1.member.member_12.member_1;
+let _e347 = ((((_e336.member.member * _e315) + (_e336.member.member_1 * _e316)) + (_e336.member.member_2 * _e317)) + _e336.member_1);
+let _e351 = global_1.member.member_12.member_2;
+let _e362 = ((((_e351.member.member * _e315) + (_e351.member.member_1 * _e316)) + (_e351.member.member_2 * _e317)) + _e351.member_1);
+let _e366 = global_1.member.member_12.member_3;
+let _e367 = (_e366 != 0u);
+let _e371 = global_1.member.member_12.member_19;
+let _e375 = (_e332 - _e371.member);
+let _e376 = (_e347 - _e371.member_1);
+let _e377 = (_e362 - _e371.member_2);
+let _e382 = (((_e375 * _e375) + (_e376 * _e376)) + (_e377 * _e377));
+let _e385 = sqrt(select(0f, _e382, (_e382 > 0f)));
+let _e388 = (1f / select(1e-20f, _e385, (_e385 > 1e-20f)));
+let _e392 = select(0f, (_e375 * _e388), _e367);
+let _e393 = select(0f, (_e376 * _e388), _e367);
+let _e394 = select(1f, (_e377 * _e388), _e367);
+let _e399 = global_1.member.member_12.member.member;
+let _e410 = global_1.member.member_12.member_1.member;
+let _e424 = global_1.member.member_12.member_2.member;
+let _e433 = (vec3<f32>(((_e399.member * _e392) + (_e410.member * _e393)), ((_e399.member_1 * _e392) + (_e410.member_1 * _e393)), ((_e399.member_2 * _e392) + (_e410.member_2 * _e393))) + vec3<f32>((_e424.member * _e394), (_e424.member_1 * _e394), (_e424.member_2 * _e394)));
+let _e436 = global_1.member.member_1;
+if ((_e436 & 256u) != 0u) {
+let _e444 = global_1.member.member_12.member_18.member.member;
+let _e445 = bitcast<i32>(_e444);
+let _e451 = global_1.member.member_12.member_18.member.member_1;
+let _e452 = bitcast<i32>(_e451);
+let _e457 = global_1.member.member_12.member_19.member_2;
+let _e459 = select(1f, (_e362 - _e457), _e367);
+let _e462 = (1f / select(1e-12f, _e459, (_e459 > 1e-12f)));
+let _e467 = global_1.member.member_12.member_5;
+let _e472 = global_1.member.member_12.member_8;
+let _e473 = (((_e332 * _e462) - _e467) * _e472);
+let _e478 = global_1.member.member_12.member_6;
+let _e480 = (((_e347 * _e462) - _e478) * _e472);
+let _e485 = global_1.member.member_12.member_4.member;
+let _e487 = f32(bitcast<i32>(_e485));
+let _e489 = select(0f, _e473, (_e473 > 0f));
+let _e496 = global_1.member.member_12.member_18.member_1;
+let _e499 = ((_e473 - _e487) * _e496);
+let _e504 = global_1.member.member_12.member_18.member_2;
+let _e506 = select(0f, _e499, (_e499 > 0f));
+let _e508 = (_e504 + _e506);
+let _e513 = (-(_e473) * _e496);
+let _e515 = select(0f, _e513, (_e513 > 0f));
+let _e517 = (_e504 + _e515);
+let _e524 = (((_e504 + (select(_e487, _e489, (_e489 < _e487)) * _e496)) + (((_e506 * _e504) / select(1e-12f, _e508, (_e508 > 1e-12f))) - ((_e515 * _e504) / select(1e-12f, _e517, (_e517 > 1e-12f))))) - 0.5f);
+let _e529 = global_1.member.member_12.member_4.member_1;
+let _e531 = f32(bitcast<i32>(_e529));
+let _e533 = select(0f, _e480, (_e480 > 0f));
+let _e538 = ((_e480 - _e531) * _e496);
+let _e540 = select(0f, _e538, (_e538 > 0f));
+let _e542 = (_e504 + _e540);
+let _e547 = (-(_e480) * _e496);
+let _e549 = select(0f, _e547, (_e547 > 0f));
+let _e551 = (_e504 + _e549);
+let _e558 = (((_e504 + (select(_e531, _e533, (_e533 < _e531)) * _e496)) + (((_e540 * _e504) / select(1e-12f, _e542, (_e542 > 1e-12f))) - ((_e549 * _e504) / select(1e-12f, _e551, (_e551 > 1e-12f))))) - 0.5f);
+let _e560 = f32((_e445 - 2i));
+let _e562 = select(0f, _e524, (_e524 > 0f));
+let _e564 = select(_e560, _e562, (_e562 < _e560));
+let _e571 = select(0i, select(select(i32(_e564), i32(-2147483648), (_e564 < -2147483600f)), 2147483647i, (_e564 > 2147483500f)), (_e564 == _e564));
+let _e575 = (_e571 - select(0i, 1i, (_e564 < f32(_e571))));
+let _e577 = f32((_e452 - 2i));
+let _e579 = select(0f, _e558, (_e558 > 0f));
+let _e581 = select(_e577, _e579, (_e579 < _e577));
+let _e588 = select(0i, select(select(i32(_e581), i32(-2147483648), (_e581 < -2147483600f)), 2147483647i, (_e581 > 2147483500f)), (_e581 == _e581));
+let _e592 = (_e588 - select(0i, 1i, (_e581 < f32(_e588))));
+let _e594 = (_e524 - f32(_e575));
+let _e596 = select(0f, _e594, (_e594 > 0f));
+let _e598 = select(1f, _e596, (_e596 < 1f));
+let _e600 = (_e558 - f32(_e592));
+let _e602 = select(0f, _e600, (_e600 > 0f));
+let _e604 = select(1f, _e602, (_e602 < 1f));
+if _e264 {
+let _e609 = global_1.member.member_12.member_18.member_4;
+phi_865_ = _e609;
+} else {
+let _e614 = global_1.member.member_12.member_18.member_3;
+phi_865_ = _e614;
+}
+let _e616 = phi_865_;
+let _e620 = ((bitcast<i32>(_e616) + (_e592 * _e445)) + _e575);
+let _e621 = (_e445 * _e452);
+let _e623 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e625 = select(_e623, _e620, (_e620 < _e623));
+let _e631 = global_3.member[bitcast<u32>(select(0i, _e625, (_e625 > 0i)))];
+let _e632 = bitcast<f32>(_e631);
+let _e633 = (_e620 + 1i);
+let _e635 = select(_e623, _e633, (_e633 < _e623));
+let _e641 = global_3.member[bitcast<u32>(select(0i, _e635, (_e635 > 0i)))];
+let _e645 = (_e632 + ((bitcast<f32>(_e641) - _e632) * _e598));
+let _e646 = (_e620 + _e445);
+let _e648 = select(_e623, _e646, (_e646 < _e623));
+let _e654 = global_3.member[bitcast<u32>(select(0i, _e648, (_e648 > 0i)))];
+let _e655 = bitcast<f32>(_e654);
+let _e656 = (_e646 + 1i);
+let _e658 = select(_e623, _e656, (_e656 < _e623));
+let _e664 = global_3.member[bitcast<u32>(select(0i, _e658, (_e658 > 0i)))];
+let _e671 = (_e645 + (((_e655 + ((bitcast<f32>(_e664) - _e655) * _e598)) - _e645) * _e604));
+let _e672 = (_e620 + _e621);
+let _e674 = select(_e623, _e672, (_e672 < _e623));
 let _e680 = global_3.member[bitcast<u32>(select(0i, _e674, (_e674 > 0i)))];
 let _e681 = bitcast<f32>(_e680);
 let _e682 = (_e672 + 1i);
-let _e684 = select(_e573, _e682, (_e682 < _e573));
+let _e684 = select(_e623, _e682, (_e682 < _e623));
 let _e690 = global_3.member[bitcast<u32>(select(0i, _e684, (_e684 > 0i)))];
-let _e694 = (_e681 + ((bitcast<f32>(_e690) - _e681) * _e548));
-let _e695 = (_e672 + _e395);
-let _e697 = select(_e573, _e695, (_e695 < _e573));
+let _e694 = (_e681 + ((bitcast<f32>(_e690) - _e681) * _e598));
+let _e695 = (_e672 + _e445);
+let _e697 = select(_e623, _e695, (_e695 < _e623));
 let _e703 = global_3.member[bitcast<u32>(select(0i, _e697, (_e697 > 0i)))];
 let _e704 = bitcast<f32>(_e703);
 let _e705 = (_e695 + 1i);
-let _e707 = select(_e573, _e705, (_e705 < _e573));
+let _e707 = select(_e623, _e705, (_e705 < _e623));
 let _e713 = global_3.member[bitcast<u32>(select(0i, _e707, (_e707 > 0i)))];
-let _e720 = (_e694 + (((_e704 + ((bitcast<f32>(_e713) - _e704) * _e548)) - _e694) * _e554));
-let _e722 = (_e316 == 0u);
-if _e722 {
-phi_1189_ = vec3<f32>(_e621, _e670, _e720);
+let _e720 = (_e694 + (((_e704 + ((bitcast<f32>(_e713) - _e704) * _e598)) - _e694) * _e604));
+let _e722 = (_e620 + (2i * _e621));
+let _e724 = select(_e623, _e722, (_e722 < _e623));
+let _e730 = global_3.member[bitcast<u32>(select(0i, _e724, (_e724 > 0i)))];
+let _e731 = bitcast<f32>(_e730);
+let _e732 = (_e722 + 1i);
+let _e734 = select(_e623, _e732, (_e732 < _e623));
+let _e740 = global_3.member[bitcast<u32>(select(0i, _e734, (_e734 > 0i)))];
+let _e744 = (_e731 + ((bitcast<f32>(_e740) - _e731) * _e598));
+let _e745 = (_e722 + _e445);
+let _e747 = select(_e623, _e745, (_e745 < _e623));
+let _e753 = global_3.member[bitcast<u32>(select(0i, _e747, (_e747 > 0i)))];
+let _e754 = bitcast<f32>(_e753);
+let _e755 = (_e745 + 1i);
+let _e757 = select(_e623, _e755, (_e755 < _e623));
+let _e763 = global_3.member[bitcast<u32>(select(0i, _e757, (_e757 > 0i)))];
+let _e770 = (_e744 + (((_e754 + ((bitcast<f32>(_e763) - _e754) * _e598)) - _e744) * _e604));
+let _e772 = (_e366 == 0u);
+if _e772 {
+phi_1263_ = vec3<f32>(_e671, _e720, _e770);
 } else {
-if _e722 {
-phi_1128_ = 1f;
+if _e772 {
+phi_1202_ = 1f;
 } else {
-let _e727 = global_1.member.member_10.member_20.member;
-let _e735 = (((_e727.member * _e325) + (_e727.member_1 * _e326)) + (_e727.member_2 * _e327));
-let _e739 = (_e325 - (_e727.member * _e735));
-let _e740 = (_e326 - (_e727.member_1 * _e735));
-let _e741 = (_e327 - (_e727.member_2 * _e735));
-let _e746 = (((_e739 * _e739) + (_e740 * _e740)) + (_e741 * _e741));
-let _e757 = global_1.member.member_10.member_20.member_1;
-let _e763 = global_1.member.member_10.member_20.member_2;
-let _e764 = ((_e757 - (sqrt(select(0f, _e746, (_e746 > 0f))) / select(1e-20f, _e735, (_e735 > 1e-20f)))) * _e763);
-let _e766 = select(0f, _e764, (_e764 > 0f));
-let _e768 = select(1f, _e766, (_e766 < 1f));
-phi_1128_ = select(1f, select(0f, ((_e768 * _e768) * (3f - (2f * _e768))), (_e735 > 0f)), (_e763 > 0f));
+let _e777 = global_1.member.member_12.member_20.member;
+let _e785 = (((_e777.member * _e375) + (_e777.member_1 * _e376)) + (_e777.member_2 * _e377));
+let _e789 = (_e375 - (_e777.member * _e785));
+let _e790 = (_e376 - (_e777.member_1 * _e785));
+let _e791 = (_e377 - (_e777.member_2 * _e785));
+let _e796 = (((_e789 * _e789) + (_e790 * _e790)) + (_e791 * _e791));
+let _e807 = global_1.member.member_12.member_20.member_1;
+let _e813 = global_1.member.member_12.member_20.member_2;
+let _e814 = ((_e807 - (sqrt(select(0f, _e796, (_e796 > 0f))) / select(1e-20f, _e785, (_e785 > 1e-20f)))) * _e813);
+let _e816 = select(0f, _e814, (_e814 > 0f));
+let _e818 = select(1f, _e816, (_e816 < 1f));
+phi_1202_ = select(1f, select(0f, ((_e818 * _e818) * (3f - (2f * _e818))), (_e785 > 0f)), (_e813 > 0f));
 }
-let _e778 = phi_1128_;
-let _e780 = select(0f, 1f, (_e327 > 0f));
-let _e784 = ((_e621 * _e780) + _e778);
-let _e785 = ((_e670 * _e780) + _e778);
-let _e786 = ((_e720 * _e780) + _e778);
-if _e722 {
-phi_1184_ = 1f;
+let _e828 = phi_1202_;
+let _e830 = select(0f, 1f, (_e377 > 0f));
+let _e834 = ((_e671 * _e830) + _e828);
+let _e835 = ((_e720 * _e830) + _e828);
+let _e836 = ((_e770 * _e830) + _e828);
+if _e772 {
+phi_1258_ = 1f;
 } else {
-phi_1184_ = (1f / select(1e-12f, _e332, (_e332 > 1e-12f)));
+phi_1258_ = (1f / select(1e-12f, _e382, (_e382 > 1e-12f)));
 }
-let _e797 = phi_1184_;
-phi_1189_ = vec3<f32>((select(0f, _e784, (_e784 > 0f)) * _e797), (select(0f, _e785, (_e785 > 0f)) * _e797), (select(0f, _e786, (_e786 > 0f)) * _e797));
+let _e847 = phi_1258_;
+phi_1263_ = vec3<f32>((select(0f, _e834, (_e834 > 0f)) * _e847), (select(0f, _e835, (_e835 > 0f)) * _e847), (select(0f, _e836, (_e836 > 0f)) * _e847));
 }
-let _e803 = phi_1189_;
-let _e807 = global_1.member.member_9.member_1;
-phi_1449_ = type_28((vec3<f32>(_e807.member, _e807.member_1, _e807.member_2) * _e803), _e383);
+let _e853 = phi_1263_;
+let _e857 = global_1.member.member_11.member_1;
+phi_1523_ = type_28((vec3<f32>(_e857.member, _e857.member_1, _e857.member_2) * _e853), _e433);
 } else {
-let _e814 = (_e316 == 0u);
-if _e814 {
-let _e818 = global_1.member.member_9.member_1;
-let _e826 = global_1.member.member_9.member;
-phi_1448_ = type_28(vec3<f32>(_e818.member, _e818.member_1, _e818.member_2), vec3<f32>(_e826.member, _e826.member_1, _e826.member_2));
+let _e864 = (_e366 == 0u);
+if _e864 {
+let _e868 = global_1.member.member_11.member_1;
+let _e876 = global_1.member.member_11.member;
+phi_1522_ = type_28(vec3<f32>(_e868.member, _e868.member_1, _e868.member_2), vec3<f32>(_e876.member, _e876.member_1, _e876.member_2));
 } else {
-let _e835 = global_1.member.member_9.member_1;
-if _e814 {
-phi_1292_ = 1f;
+let _e885 = global_1.member.member_11.member_1;
+if _e864 {
+phi_1366_ = 1f;
 } else {
-phi_1292_ = (1f / select(1e-12f, _e332, (_e332 > 1e-12f)));
+phi_1366_ = (1f / select(1e-12f, _e382, (_e382 > 1e-12f)));
 }
-let _e843 = phi_1292_;
-if _e814 {
-phi_1376_ = 1f;
+let _e893 = phi_1366_;
+if _e864 {
+phi_1450_ = 1f;
 } else {
-let _e848 = global_1.member.member_10.member_20.member;
-let _e856 = (((_e848.member * _e325) + (_e848.member_1 * _e326)) + (_e848.member_2 * _e327));
-let _e860 = (_e325 - (_e848.member * _e856));
-let _e861 = (_e326 - (_e848.member_1 * _e856));
-let _e862 = (_e327 - (_e848.member_2 * _e856));
-let _e867 = (((_e860 * _e860) + (_e861 * _e861)) + (_e862 * _e862));
-let _e878 = global_1.member.member_10.member_20.member_1;
-let _e884 = global_1.member.member_10.member_20.member_2;
-let _e885 = ((_e878 - (sqrt(select(0f, _e867, (_e867 > 0f))) / select(1e-20f, _e856, (_e856 > 1e-20f)))) * _e884);
-let _e887 = select(0f, _e885, (_e885 > 0f));
-let _e889 = select(1f, _e887, (_e887 < 1f));
-phi_1376_ = select(1f, select(0f, ((_e889 * _e889) * (3f - (2f * _e889))), (_e856 > 0f)), (_e884 > 0f));
+let _e898 = global_1.member.member_12.member_20.member;
+let _e906 = (((_e898.member * _e375) + (_e898.member_1 * _e376)) + (_e898.member_2 * _e377));
+let _e910 = (_e375 - (_e898.member * _e906));
+let _e911 = (_e376 - (_e898.member_1 * _e906));
+let _e912 = (_e377 - (_e898.member_2 * _e906));
+let _e917 = (((_e910 * _e910) + (_e911 * _e911)) + (_e912 * _e912));
+let _e928 = global_1.member.member_12.member_20.member_1;
+let _e934 = global_1.member.member_12.member_20.member_2;
+let _e935 = ((_e928 - (sqrt(select(0f, _e917, (_e917 > 0f))) / select(1e-20f, _e906, (_e906 > 1e-20f)))) * _e934);
+let _e937 = select(0f, _e935, (_e935 > 0f));
+let _e939 = select(1f, _e937, (_e937 < 1f));
+phi_1450_ = select(1f, select(0f, ((_e939 * _e939) * (3f - (2f * _e939))), (_e906 > 0f)), (_e934 > 0f));
 }
-let _e899 = phi_1376_;
-let _e900 = (_e843 * _e899);
-phi_1448_ = type_28(vec3<f32>((_e835.member * _e900), (_e835.member_1 * _e900), (_e835.member_2 * _e900)), _e383);
+let _e949 = phi_1450_;
+let _e950 = (_e893 * _e949);
+phi_1522_ = type_28(vec3<f32>((_e885.member * _e950), (_e885.member_1 * _e950), (_e885.member_2 * _e950)), _e433);
 }
-let _e907 = phi_1448_;
-phi_1449_ = _e907;
+let _e957 = phi_1522_;
+phi_1523_ = _e957;
 }
-let _e909 = phi_1449_;
-let _e918 = (((_e909.member_1.x * _e909.member_1.x) + (_e909.member_1.y * _e909.member_1.y)) + (_e909.member_1.z * _e909.member_1.z));
-let _e921 = sqrt(select(0f, _e918, (_e918 > 0f)));
-let _e927 = (1e-6f * _e921);
-let _e931 = select((_e921 / select(_e927, _e909.member_1.z, (_e909.member_1.z > _e927))), 1f, ((_e386 & 8u) != 0u));
-let _e940 = global_1.member.member_18;
-let _e952 = (-((((select(_e231.member, _e220.member, _e214) * _e909.member_1.x) + (select(_e231.member_1, _e220.member_1, _e214) * _e909.member_1.y)) + (select(_e231.member_2, _e220.member_2, _e214) * _e909.member_1.z))) / select(1e-20f, _e921, (_e921 > 1e-20f)));
-let _e957 = bitcast<f32>((bitcast<u32>(select(0f, _e952, (_e952 > 0f))) & 2147483647u));
-let _e967 = select(0f, 1f, _e255);
-global_2.member[_e62] = _e136;
-global_2.member[(_e60 + _e62)] = _e137;
-global_2.member[((2u * _e60) + _e62)] = _e138;
-global_2.member[((3u * _e60) + _e62)] = (_e129 * _e149);
-global_2.member[((4u * _e60) + _e62)] = (_e130 * _e149);
-global_2.member[((5u * _e60) + _e62)] = (1f * _e149);
-global_2.member[((6u * _e60) + _e62)] = 0f;
-global_2.member[((7u * _e60) + _e62)] = _e967;
-global_2.member[((8u * _e60) + _e62)] = select(0f, (_e256 * _e128), _e255);
-global_2.member[((9u * _e60) + _e62)] = select(0f, (select(_e236.member, _e225.member, _e214) * (((_e909.member.x * _e931) * _e957) + _e940.member)), _e255);
-global_2.member[((10u * _e60) + _e62)] = select(0f, (select(_e236.member_1, _e225.member_1, _e214) * (((_e909.member.y * _e931) * _e957) + _e940.member_1)), _e255);
-global_2.member[((11u * _e60) + _e62)] = select(0f, (select(_e236.member_2, _e225.member_2, _e214) * (((_e909.member.z * _e931) * _e957) + _e940.member_2)), _e255);
-global_2.member[((12u * _e60) + _e62)] = _e967;
-global_2.member[((13u * _e60) + _e62)] = 1f;
-global_2.member[((14u * _e60) + _e62)] = 1f;
-global_2.member[((15u * _e60) + _e62)] = 1f;
-global_2.member[((16u * _e60) + _e62)] = 0f;
-global_2.member[((17u * _e60) + _e62)] = -1.2676506e30f;
+let _e959 = phi_1523_;
+let _e968 = (((_e959.member_1.x * _e959.member_1.x) + (_e959.member_1.y * _e959.member_1.y)) + (_e959.member_1.z * _e959.member_1.z));
+let _e971 = sqrt(select(0f, _e968, (_e968 > 0f)));
+let _e977 = (1e-6f * _e971);
+let _e981 = select((_e971 / select(_e977, _e959.member_1.z, (_e959.member_1.z > _e977))), 1f, ((_e436 & 8u) != 0u));
+let _e990 = global_1.member.member_20;
+let _e1002 = (-((((select(_e281.member, _e270.member, _e264) * _e959.member_1.x) + (select(_e281.member_1, _e270.member_1, _e264) * _e959.member_1.y)) + (select(_e281.member_2, _e270.member_2, _e264) * _e959.member_1.z))) / select(1e-20f, _e971, (_e971 > 1e-20f)));
+let _e1007 = bitcast<f32>((bitcast<u32>(select(0f, _e1002, (_e1002 > 0f))) & 2147483647u));
+let _e1017 = select(0f, 1f, _e305);
+global_2.member[_e68] = _e186;
+global_2.member[(_e66 + _e68)] = _e187;
+global_2.member[((2u * _e66) + _e68)] = _e188;
+global_2.member[((3u * _e66) + _e68)] = (_e179 * _e199);
+global_2.member[((4u * _e66) + _e68)] = (_e180 * _e199);
+global_2.member[((5u * _e66) + _e68)] = (1f * _e199);
+global_2.member[((6u * _e66) + _e68)] = 0f;
+global_2.member[((7u * _e66) + _e68)] = _e1017;
+global_2.member[((8u * _e66) + _e68)] = select(0f, (_e306 * _e178), _e305);
+global_2.member[((9u * _e66) + _e68)] = select(0f, (select(_e286.member, _e275.member, _e264) * (((_e959.member.x * _e981) * _e1007) + _e990.member)), _e305);
+global_2.member[((10u * _e66) + _e68)] = select(0f, (select(_e286.member_1, _e275.member_1, _e264) * (((_e959.member.y * _e981) * _e1007) + _e990.member_1)), _e305);
+global_2.member[((11u * _e66) + _e68)] = select(0f, (select(_e286.member_2, _e275.member_2, _e264) * (((_e959.member.z * _e981) * _e1007) + _e990.member_2)), _e305);
+global_2.member[((12u * _e66) + _e68)] = _e1017;
+global_2.member[((13u * _e66) + _e68)] = 1f;
+global_2.member[((14u * _e66) + _e68)] = 1f;
+global_2.member[((15u * _e66) + _e68)] = 1f;
+global_2.member[((16u * _e66) + _e68)] = 0f;
+global_2.member[((17u * _e66) + _e68)] = -1.2676506e30f;
+}
+}
+break;
 }
 }
 return;

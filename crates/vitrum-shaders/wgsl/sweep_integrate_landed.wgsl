@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_12,
 member_3: type_11,
-member_4: u32,
-member_5: type_13,
-member_6: type_14,
-member_7: type_14,
-member_8: type_15,
-member_9: type_16,
-member_10: type_19,
-member_11: type_13,
-member_12: type_4,
-member_13: type_9,
-member_14: type_20,
-member_15: type_20,
+member_4: type_11,
+member_5: u32,
+member_6: u32,
+member_7: type_13,
+member_8: type_14,
+member_9: type_14,
+member_10: type_15,
+member_11: type_16,
+member_12: type_19,
+member_13: type_13,
+member_14: type_4,
+member_15: type_9,
 member_16: type_20,
 member_17: type_20,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_20,
+member_19: type_20,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_22 {
 member: type_21,
@@ -189,8 +191,8 @@ let _e21 = (_e8.y + _e13.member_1);
 if ((_e8.x + _e13.member) < _e13.member_2) {
 if (_e21 < _e13.member_3) {
 let _e26 = global_1.member.member;
-let _e33 = global_1.member.member_10.member_18.member.member;
-let _e39 = global_1.member.member_10.member_18.member.member_1;
+let _e33 = global_1.member.member_12.member_18.member.member;
+let _e39 = global_1.member.member_12.member_18.member.member_1;
 let _e40 = (_e26.member_2 == 0u);
 if _e40 {
 phi_104_ = (_e21 * _e33);

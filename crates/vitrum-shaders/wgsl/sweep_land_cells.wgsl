@@ -140,24 +140,26 @@ member: type_2,
 member_1: u32,
 member_2: type_16,
 member_3: type_15,
-member_4: u32,
-member_5: type_17,
-member_6: type_18,
-member_7: type_18,
-member_8: type_19,
-member_9: type_20,
-member_10: type_23,
-member_11: type_17,
-member_12: type_4,
-member_13: type_9,
-member_14: type_24,
-member_15: type_24,
+member_4: type_15,
+member_5: u32,
+member_6: u32,
+member_7: type_17,
+member_8: type_18,
+member_9: type_18,
+member_10: type_19,
+member_11: type_20,
+member_12: type_23,
+member_13: type_17,
+member_14: type_4,
+member_15: type_9,
 member_16: type_24,
 member_17: type_24,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_24,
+member_19: type_24,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_26 {
 member: type_25,
@@ -186,78 +188,78 @@ var local_4: i32;
 var local_5: i32;
 var local_6: i32;
 var local_7: i32;
-var phi_432_: type_7;
-var phi_442_: type_7;
-var phi_714_: f32;
-var phi_802_: f32;
-var phi_1180_: f32;
-var phi_1268_: f32;
-var phi_1646_: f32;
-var phi_1734_: f32;
-var phi_2113_: f32;
-var phi_2201_: f32;
-var phi_3398_: type_28;
-var phi_3402_: type_28;
-var phi_3407_: type_28;
-var phi_3411_: type_28;
-var phi_3415_: type_28;
-var phi_3420_: type_28;
-var phi_3425_: type_28;
-var phi_3429_: type_28;
-var phi_3434_: type_28;
-var phi_3438_: type_28;
-var phi_3442_: type_28;
-var phi_3447_: type_28;
-var phi_3452_: type_28;
-var phi_3456_: type_28;
-var phi_3485_: f32;
-var phi_3698_: i32;
-var phi_3733_: i32;
-var phi_3824_: vec2<f32>;
-var phi_4493_: i32;
-var phi_4525_: i32;
-var phi_4606_: u32;
-var phi_4664_: u32;
-var phi_4722_: u32;
-var phi_4526_: i32;
-var phi_4494_: i32;
-var phi_3953_: i32;
-var phi_4110_: i32;
-var phi_4142_: i32;
-var phi_4223_: u32;
-var phi_4281_: u32;
-var phi_4339_: u32;
-var phi_4143_: i32;
-var phi_4111_: i32;
-var phi_3954_: i32;
-var phi_3734_: i32;
+var phi_433_: type_7;
+var phi_443_: type_7;
+var phi_715_: f32;
+var phi_803_: f32;
+var phi_1181_: f32;
+var phi_1269_: f32;
+var phi_1647_: f32;
+var phi_1735_: f32;
+var phi_2114_: f32;
+var phi_2202_: f32;
+var phi_3399_: type_28;
+var phi_3403_: type_28;
+var phi_3408_: type_28;
+var phi_3412_: type_28;
+var phi_3416_: type_28;
+var phi_3421_: type_28;
+var phi_3426_: type_28;
+var phi_3430_: type_28;
+var phi_3435_: type_28;
+var phi_3439_: type_28;
+var phi_3443_: type_28;
+var phi_3448_: type_28;
+var phi_3453_: type_28;
+var phi_3457_: type_28;
+var phi_3486_: f32;
 var phi_3699_: i32;
-var phi_5077_: vec3<f32>;
-var phi_5232_: vec3<f32>;
-var phi_5387_: vec3<f32>;
-var phi_5543_: vec3<f32>;
-var phi_5714_: f32;
-var phi_5927_: i32;
-var phi_5962_: i32;
-var phi_6053_: vec2<f32>;
-var phi_6722_: i32;
-var phi_6754_: i32;
-var phi_6835_: u32;
-var phi_6893_: u32;
-var phi_6951_: u32;
-var phi_6755_: i32;
-var phi_6723_: i32;
-var phi_6182_: i32;
-var phi_6339_: i32;
-var phi_6371_: i32;
-var phi_6452_: u32;
-var phi_6510_: u32;
-var phi_6568_: u32;
-var phi_6372_: i32;
-var phi_6340_: i32;
-var phi_6183_: i32;
-var phi_5963_: i32;
+var phi_3734_: i32;
+var phi_3825_: vec2<f32>;
+var phi_4494_: i32;
+var phi_4526_: i32;
+var phi_4607_: u32;
+var phi_4665_: u32;
+var phi_4723_: u32;
+var phi_4527_: i32;
+var phi_4495_: i32;
+var phi_3954_: i32;
+var phi_4111_: i32;
+var phi_4143_: i32;
+var phi_4224_: u32;
+var phi_4282_: u32;
+var phi_4340_: u32;
+var phi_4144_: i32;
+var phi_4112_: i32;
+var phi_3955_: i32;
+var phi_3735_: i32;
+var phi_3700_: i32;
+var phi_5078_: vec3<f32>;
+var phi_5233_: vec3<f32>;
+var phi_5388_: vec3<f32>;
+var phi_5544_: vec3<f32>;
+var phi_5715_: f32;
 var phi_5928_: i32;
+var phi_5963_: i32;
+var phi_6054_: vec2<f32>;
+var phi_6723_: i32;
+var phi_6755_: i32;
+var phi_6836_: u32;
+var phi_6894_: u32;
+var phi_6952_: u32;
+var phi_6756_: i32;
+var phi_6724_: i32;
+var phi_6183_: i32;
+var phi_6340_: i32;
+var phi_6372_: i32;
+var phi_6453_: u32;
+var phi_6511_: u32;
+var phi_6569_: u32;
+var phi_6373_: i32;
+var phi_6341_: i32;
+var phi_6184_: i32;
+var phi_5964_: i32;
+var phi_5929_: i32;
 let _e58 = global;
 let _e63 = arrayLength((&global_3.member));
 let _e66 = global_2.member.member_2;
@@ -266,9 +268,9 @@ let _e74 = (_e58.y + _e66.member_1);
 if (_e72 < _e66.member_2) {
 if (_e74 < _e66.member_3) {
 let _e79 = global_2.member.member;
-let _e85 = global_2.member.member_10.member_4.member;
+let _e85 = global_2.member.member_12.member_4.member;
 let _e86 = (_e85 + 1u);
-let _e91 = global_2.member.member_10.member_4.member_1;
+let _e91 = global_2.member.member_12.member_4.member_1;
 let _e94 = bitcast<i32>((_e86 * (_e91 + 1u)));
 let _e95 = (_e74 * _e86);
 let _e97 = bitcast<i32>((_e95 + _e72));
@@ -306,27 +308,27 @@ let _e185 = (_e110 + _e175);
 let _e187 = select(_e101, _e185, (_e185 < _e101));
 let _e193 = global_1.member[bitcast<u32>(select(0i, _e187, (_e187 > 0i)))];
 let _e197 = (((((_e109 == 0f) && (_e119 != 1f)) && ((_e134 == 0f) && (_e143 != 1f))) && ((_e160 == 0f) && (_e169 != 1f))) && ((_e184 == 0f) && (_e193 != 1f)));
-let _e201 = global_2.member.member_10.member_23;
+let _e201 = global_2.member.member_12.member_23;
 let _e202 = (_e201 > 0f);
 if (!(_e197) || _e202) {
 if (_e79.member_2 == 1u) {
-let _e215 = global_2.member.member_13.member_1.member;
-phi_432_ = _e215;
+let _e215 = global_2.member.member_15.member_1.member;
+phi_433_ = _e215;
 } else {
-let _e210 = global_2.member.member_13.member.member;
-phi_432_ = _e210;
+let _e210 = global_2.member.member_15.member.member;
+phi_433_ = _e210;
 }
-let _e217 = phi_432_;
-let _e221 = global_2.member.member_10.member_21;
+let _e217 = phi_433_;
+let _e221 = global_2.member.member_12.member_21;
 if (_e79.member_2 == 2u) {
-phi_442_ = type_7(type_5(0f, 0f, -1f), _e221);
+phi_443_ = type_7(type_5(0f, 0f, -1f), _e221);
 } else {
-phi_442_ = _e217;
+phi_443_ = _e217;
 }
-let _e225 = phi_442_;
-let _e231 = global_2.member.member_10.member_18.member.member;
+let _e225 = phi_443_;
+let _e231 = global_2.member.member_12.member_18.member.member;
 let _e232 = bitcast<i32>(_e231);
-let _e238 = global_2.member.member_10.member_18.member.member_1;
+let _e238 = global_2.member.member_12.member_18.member.member_1;
 let _e239 = bitcast<i32>(_e238);
 local_6 = _e94;
 local_7 = _e97;
@@ -375,43 +377,43 @@ let _e329 = select(_e101, _e327, (_e327 < _e101));
 let _e334 = global_1.member[bitcast<u32>(select(0i, _e329, (_e329 > 0i)))];
 let _e336 = f32(bitcast<i32>(_e72));
 let _e338 = f32(bitcast<i32>(_e74));
-let _e342 = global_2.member.member_10.member_3;
+let _e342 = global_2.member.member_12.member_3;
 let _e343 = (_e342 == 0u);
 if _e343 {
-phi_714_ = 1f;
+phi_715_ = 1f;
 } else {
-let _e347 = global_2.member.member_10.member_5;
-let _e351 = global_2.member.member_10.member_7;
+let _e347 = global_2.member.member_12.member_5;
+let _e351 = global_2.member.member_12.member_7;
 let _e353 = (_e347 + (_e336 * _e351));
-let _e357 = global_2.member.member_10.member_6;
+let _e357 = global_2.member.member_12.member_6;
 let _e359 = (_e357 + (_e338 * _e351));
 let _e364 = (((_e353 * _e353) + (_e359 * _e359)) + (1f * 1f));
 let _e368 = (1f / sqrt(select(0f, _e364, (_e364 > 0f))));
-phi_714_ = ((_e368 * _e368) * _e368);
+phi_715_ = ((_e368 * _e368) * _e368);
 }
-let _e372 = phi_714_;
+let _e372 = phi_715_;
 if _e343 {
-phi_802_ = 1f;
+phi_803_ = 1f;
 } else {
-let _e376 = global_2.member.member_10.member_5;
-let _e380 = global_2.member.member_10.member_7;
+let _e376 = global_2.member.member_12.member_5;
+let _e380 = global_2.member.member_12.member_7;
 let _e382 = (_e376 + (_e336 * _e380));
-let _e386 = global_2.member.member_10.member_6;
+let _e386 = global_2.member.member_12.member_6;
 let _e388 = (_e386 + (_e338 * _e380));
-let _e393 = global_2.member.member_10.member_20.member;
+let _e393 = global_2.member.member_12.member_20.member;
 let _e401 = (((_e393.member * _e382) + (_e393.member_1 * _e388)) + (_e393.member_2 * 1f));
 let _e405 = (_e382 - (_e393.member * _e401));
 let _e406 = (_e388 - (_e393.member_1 * _e401));
 let _e407 = (1f - (_e393.member_2 * _e401));
 let _e412 = (((_e405 * _e405) + (_e406 * _e406)) + (_e407 * _e407));
-let _e423 = global_2.member.member_10.member_20.member_1;
-let _e429 = global_2.member.member_10.member_20.member_2;
+let _e423 = global_2.member.member_12.member_20.member_1;
+let _e429 = global_2.member.member_12.member_20.member_2;
 let _e430 = ((_e423 - (sqrt(select(0f, _e412, (_e412 > 0f))) / select(1e-20f, _e401, (_e401 > 1e-20f)))) * _e429);
 let _e432 = select(0f, _e430, (_e430 > 0f));
 let _e434 = select(1f, _e432, (_e432 < 1f));
-phi_802_ = select(1f, select(0f, ((_e434 * _e434) * (3f - (2f * _e434))), (_e401 > 0f)), (_e429 > 0f));
+phi_803_ = select(1f, select(0f, ((_e434 * _e434) * (3f - (2f * _e434))), (_e401 > 0f)), (_e429 > 0f));
 }
-let _e444 = phi_802_;
+let _e444 = phi_803_;
 let _e445 = (_e372 * _e444);
 let _e446 = (_e312 * _e445);
 let _e447 = (_e323 * _e445);
@@ -483,40 +485,40 @@ let _e583 = select(_e101, _e581, (_e581 < _e101));
 let _e588 = global_1.member[bitcast<u32>(select(0i, _e583, (_e583 > 0i)))];
 let _e590 = f32(bitcast<i32>(_e123));
 if _e343 {
-phi_1180_ = 1f;
+phi_1181_ = 1f;
 } else {
-let _e594 = global_2.member.member_10.member_5;
-let _e598 = global_2.member.member_10.member_7;
+let _e594 = global_2.member.member_12.member_5;
+let _e598 = global_2.member.member_12.member_7;
 let _e600 = (_e594 + (_e590 * _e598));
-let _e604 = global_2.member.member_10.member_6;
+let _e604 = global_2.member.member_12.member_6;
 let _e606 = (_e604 + (_e338 * _e598));
 let _e611 = (((_e600 * _e600) + (_e606 * _e606)) + (1f * 1f));
 let _e615 = (1f / sqrt(select(0f, _e611, (_e611 > 0f))));
-phi_1180_ = ((_e615 * _e615) * _e615);
+phi_1181_ = ((_e615 * _e615) * _e615);
 }
-let _e619 = phi_1180_;
+let _e619 = phi_1181_;
 if _e343 {
-phi_1268_ = 1f;
+phi_1269_ = 1f;
 } else {
-let _e623 = global_2.member.member_10.member_5;
-let _e627 = global_2.member.member_10.member_7;
+let _e623 = global_2.member.member_12.member_5;
+let _e627 = global_2.member.member_12.member_7;
 let _e629 = (_e623 + (_e590 * _e627));
-let _e633 = global_2.member.member_10.member_6;
+let _e633 = global_2.member.member_12.member_6;
 let _e635 = (_e633 + (_e338 * _e627));
-let _e640 = global_2.member.member_10.member_20.member;
+let _e640 = global_2.member.member_12.member_20.member;
 let _e648 = (((_e640.member * _e629) + (_e640.member_1 * _e635)) + (_e640.member_2 * 1f));
 let _e652 = (_e629 - (_e640.member * _e648));
 let _e653 = (_e635 - (_e640.member_1 * _e648));
 let _e654 = (1f - (_e640.member_2 * _e648));
 let _e659 = (((_e652 * _e652) + (_e653 * _e653)) + (_e654 * _e654));
-let _e670 = global_2.member.member_10.member_20.member_1;
-let _e676 = global_2.member.member_10.member_20.member_2;
+let _e670 = global_2.member.member_12.member_20.member_1;
+let _e676 = global_2.member.member_12.member_20.member_2;
 let _e677 = ((_e670 - (sqrt(select(0f, _e659, (_e659 > 0f))) / select(1e-20f, _e648, (_e648 > 1e-20f)))) * _e676);
 let _e679 = select(0f, _e677, (_e677 > 0f));
 let _e681 = select(1f, _e679, (_e679 < 1f));
-phi_1268_ = select(1f, select(0f, ((_e681 * _e681) * (3f - (2f * _e681))), (_e648 > 0f)), (_e676 > 0f));
+phi_1269_ = select(1f, select(0f, ((_e681 * _e681) * (3f - (2f * _e681))), (_e648 > 0f)), (_e676 > 0f));
 }
-let _e691 = phi_1268_;
+let _e691 = phi_1269_;
 let _e692 = (_e619 * _e691);
 let _e693 = (_e566 * _e692);
 let _e694 = (_e577 * _e692);
@@ -588,40 +590,40 @@ let _e830 = select(_e101, _e828, (_e828 < _e101));
 let _e835 = global_1.member[bitcast<u32>(select(0i, _e830, (_e830 > 0i)))];
 let _e837 = f32(bitcast<i32>(_e148));
 if _e343 {
-phi_1646_ = 1f;
+phi_1647_ = 1f;
 } else {
-let _e841 = global_2.member.member_10.member_5;
-let _e845 = global_2.member.member_10.member_7;
+let _e841 = global_2.member.member_12.member_5;
+let _e845 = global_2.member.member_12.member_7;
 let _e847 = (_e841 + (_e336 * _e845));
-let _e851 = global_2.member.member_10.member_6;
+let _e851 = global_2.member.member_12.member_6;
 let _e853 = (_e851 + (_e837 * _e845));
 let _e858 = (((_e847 * _e847) + (_e853 * _e853)) + (1f * 1f));
 let _e862 = (1f / sqrt(select(0f, _e858, (_e858 > 0f))));
-phi_1646_ = ((_e862 * _e862) * _e862);
+phi_1647_ = ((_e862 * _e862) * _e862);
 }
-let _e866 = phi_1646_;
+let _e866 = phi_1647_;
 if _e343 {
-phi_1734_ = 1f;
+phi_1735_ = 1f;
 } else {
-let _e870 = global_2.member.member_10.member_5;
-let _e874 = global_2.member.member_10.member_7;
+let _e870 = global_2.member.member_12.member_5;
+let _e874 = global_2.member.member_12.member_7;
 let _e876 = (_e870 + (_e336 * _e874));
-let _e880 = global_2.member.member_10.member_6;
+let _e880 = global_2.member.member_12.member_6;
 let _e882 = (_e880 + (_e837 * _e874));
-let _e887 = global_2.member.member_10.member_20.member;
+let _e887 = global_2.member.member_12.member_20.member;
 let _e895 = (((_e887.member * _e876) + (_e887.member_1 * _e882)) + (_e887.member_2 * 1f));
 let _e899 = (_e876 - (_e887.member * _e895));
 let _e900 = (_e882 - (_e887.member_1 * _e895));
 let _e901 = (1f - (_e887.member_2 * _e895));
 let _e906 = (((_e899 * _e899) + (_e900 * _e900)) + (_e901 * _e901));
-let _e917 = global_2.member.member_10.member_20.member_1;
-let _e923 = global_2.member.member_10.member_20.member_2;
+let _e917 = global_2.member.member_12.member_20.member_1;
+let _e923 = global_2.member.member_12.member_20.member_2;
 let _e924 = ((_e917 - (sqrt(select(0f, _e906, (_e906 > 0f))) / select(1e-20f, _e895, (_e895 > 1e-20f)))) * _e923);
 let _e926 = select(0f, _e924, (_e924 > 0f));
 let _e928 = select(1f, _e926, (_e926 < 1f));
-phi_1734_ = select(1f, select(0f, ((_e928 * _e928) * (3f - (2f * _e928))), (_e895 > 0f)), (_e923 > 0f));
+phi_1735_ = select(1f, select(0f, ((_e928 * _e928) * (3f - (2f * _e928))), (_e895 > 0f)), (_e923 > 0f));
 }
-let _e938 = phi_1734_;
+let _e938 = phi_1735_;
 let _e939 = (_e866 * _e938);
 let _e940 = (_e813 * _e939);
 let _e941 = (_e824 * _e939);
@@ -692,40 +694,40 @@ let _e1075 = ((8i * _e1072) + _e1074);
 let _e1077 = select(_e101, _e1075, (_e1075 < _e101));
 let _e1082 = global_1.member[bitcast<u32>(select(0i, _e1077, (_e1077 > 0i)))];
 if _e343 {
-phi_2113_ = 1f;
+phi_2114_ = 1f;
 } else {
-let _e1086 = global_2.member.member_10.member_5;
-let _e1090 = global_2.member.member_10.member_7;
+let _e1086 = global_2.member.member_12.member_5;
+let _e1090 = global_2.member.member_12.member_7;
 let _e1092 = (_e1086 + (_e590 * _e1090));
-let _e1096 = global_2.member.member_10.member_6;
+let _e1096 = global_2.member.member_12.member_6;
 let _e1098 = (_e1096 + (_e837 * _e1090));
 let _e1103 = (((_e1092 * _e1092) + (_e1098 * _e1098)) + (1f * 1f));
 let _e1107 = (1f / sqrt(select(0f, _e1103, (_e1103 > 0f))));
-phi_2113_ = ((_e1107 * _e1107) * _e1107);
+phi_2114_ = ((_e1107 * _e1107) * _e1107);
 }
-let _e1111 = phi_2113_;
+let _e1111 = phi_2114_;
 if _e343 {
-phi_2201_ = 1f;
+phi_2202_ = 1f;
 } else {
-let _e1115 = global_2.member.member_10.member_5;
-let _e1119 = global_2.member.member_10.member_7;
+let _e1115 = global_2.member.member_12.member_5;
+let _e1119 = global_2.member.member_12.member_7;
 let _e1121 = (_e1115 + (_e590 * _e1119));
-let _e1125 = global_2.member.member_10.member_6;
+let _e1125 = global_2.member.member_12.member_6;
 let _e1127 = (_e1125 + (_e837 * _e1119));
-let _e1132 = global_2.member.member_10.member_20.member;
+let _e1132 = global_2.member.member_12.member_20.member;
 let _e1140 = (((_e1132.member * _e1121) + (_e1132.member_1 * _e1127)) + (_e1132.member_2 * 1f));
 let _e1144 = (_e1121 - (_e1132.member * _e1140));
 let _e1145 = (_e1127 - (_e1132.member_1 * _e1140));
 let _e1146 = (1f - (_e1132.member_2 * _e1140));
 let _e1151 = (((_e1144 * _e1144) + (_e1145 * _e1145)) + (_e1146 * _e1146));
-let _e1162 = global_2.member.member_10.member_20.member_1;
-let _e1168 = global_2.member.member_10.member_20.member_2;
+let _e1162 = global_2.member.member_12.member_20.member_1;
+let _e1168 = global_2.member.member_12.member_20.member_2;
 let _e1169 = ((_e1162 - (sqrt(select(0f, _e1151, (_e1151 > 0f))) / select(1e-20f, _e1140, (_e1140 > 1e-20f)))) * _e1168);
 let _e1171 = select(0f, _e1169, (_e1169 > 0f));
 let _e1173 = select(1f, _e1171, (_e1171 < 1f));
-phi_2201_ = select(1f, select(0f, ((_e1173 * _e1173) * (3f - (2f * _e1173))), (_e1140 > 0f)), (_e1168 > 0f));
+phi_2202_ = select(1f, select(0f, ((_e1173 * _e1173) * (3f - (2f * _e1173))), (_e1140 > 0f)), (_e1168 > 0f));
 }
-let _e1183 = phi_2201_;
+let _e1183 = phi_2202_;
 let _e1184 = (_e1111 * _e1183);
 let _e1185 = (_e1060 * _e1184);
 let _e1186 = (_e1071 * _e1184);
@@ -758,20 +760,20 @@ let _e1251 = (_e1249 > 1e-6f);
 let _e1255 = select(-1f, (_e1243 / select(1e-6f, _e1249, _e1251)), ((_e1243 >= 0f) && _e1251));
 let _e1257 = select(0f, _e1255, (_e1255 > 0f));
 let _e1263 = (_e268 + (_e301 * _e1257));
-let _e1268 = global_2.member.member_10.member_19.member_2;
+let _e1268 = global_2.member.member_12.member_19.member_2;
 let _e1271 = (_e342 != 0u);
 let _e1273 = select(1f, (_e1263 - _e1268), _e1271);
 let _e1276 = (1f / select(1e-12f, _e1273, (_e1273 > 1e-12f)));
-let _e1281 = global_2.member.member_10.member_5;
-let _e1286 = global_2.member.member_10.member_8;
+let _e1281 = global_2.member.member_12.member_5;
+let _e1286 = global_2.member.member_12.member_8;
 let _e1287 = ((((_e247 + (_e279 * _e1257)) * _e1276) - _e1281) * _e1286);
-let _e1292 = global_2.member.member_10.member_6;
+let _e1292 = global_2.member.member_12.member_6;
 let _e1294 = ((((_e257 + (_e290 * _e1257)) * _e1276) - _e1292) * _e1286);
 let _e1296 = f32(bitcast<i32>(_e85));
 let _e1298 = select(0f, _e1287, (_e1287 > 0f));
-let _e1305 = global_2.member.member_10.member_18.member_1;
+let _e1305 = global_2.member.member_12.member_18.member_1;
 let _e1308 = ((_e1287 - _e1296) * _e1305);
-let _e1313 = global_2.member.member_10.member_18.member_2;
+let _e1313 = global_2.member.member_12.member_18.member_2;
 let _e1315 = select(0f, _e1308, (_e1308 > 0f));
 let _e1317 = (_e1313 + _e1315);
 let _e1322 = (-(_e1287) * _e1305);
@@ -879,98 +881,98 @@ let _e1726 = (((_e201 * select(_e1721, _e1719, (_e1719 > _e1721))) * _e1286) * _
 let _e1737 = (((select(0f, 1f, !(_e1367)) + select(0f, 1f, !(_e1479))) + select(0f, 1f, !(_e1591))) + select(0f, 1f, !(_e1703)));
 if (_e1737 > 0f) {
 if _e1367 {
-phi_3398_ = _e1593;
+phi_3399_ = _e1593;
 } else {
-phi_3398_ = _e1369;
+phi_3399_ = _e1369;
 }
-let _e1740 = phi_3398_;
+let _e1740 = phi_3399_;
 if _e1479 {
-phi_3402_ = _e1705;
+phi_3403_ = _e1705;
 } else {
-phi_3402_ = _e1481;
+phi_3403_ = _e1481;
 }
-let _e1742 = phi_3402_;
+let _e1742 = phi_3403_;
 if _e1740.member_2 {
-phi_3407_ = _e1742;
+phi_3408_ = _e1742;
 } else {
-phi_3407_ = _e1740;
+phi_3408_ = _e1740;
 }
-let _e1745 = phi_3407_;
+let _e1745 = phi_3408_;
 if _e1479 {
-phi_3411_ = _e1745;
+phi_3412_ = _e1745;
 } else {
-phi_3411_ = _e1481;
+phi_3412_ = _e1481;
 }
-let _e1747 = phi_3411_;
+let _e1747 = phi_3412_;
 if _e1367 {
-phi_3415_ = _e1747;
+phi_3416_ = _e1747;
 } else {
-phi_3415_ = _e1369;
+phi_3416_ = _e1369;
 }
-let _e1749 = phi_3415_;
+let _e1749 = phi_3416_;
 if _e1742.member_2 {
-phi_3420_ = _e1740;
+phi_3421_ = _e1740;
 } else {
-phi_3420_ = _e1742;
+phi_3421_ = _e1742;
 }
-let _e1752 = phi_3420_;
+let _e1752 = phi_3421_;
 if _e1749.member_2 {
-phi_3425_ = _e1752;
+phi_3426_ = _e1752;
 } else {
-phi_3425_ = _e1749;
+phi_3426_ = _e1749;
 }
-let _e1755 = phi_3425_;
+let _e1755 = phi_3426_;
 if _e1479 {
-phi_3429_ = _e1755;
+phi_3430_ = _e1755;
 } else {
-phi_3429_ = _e1481;
+phi_3430_ = _e1481;
 }
-let _e1757 = phi_3429_;
+let _e1757 = phi_3430_;
 if _e1740.member_2 {
-phi_3434_ = _e1742;
+phi_3435_ = _e1742;
 } else {
-phi_3434_ = _e1740;
+phi_3435_ = _e1740;
 }
-let _e1759 = phi_3434_;
+let _e1759 = phi_3435_;
 if _e1703 {
-phi_3438_ = _e1759;
+phi_3439_ = _e1759;
 } else {
-phi_3438_ = _e1705;
+phi_3439_ = _e1705;
 }
-let _e1761 = phi_3438_;
+let _e1761 = phi_3439_;
 if _e1591 {
-phi_3442_ = _e1761;
+phi_3443_ = _e1761;
 } else {
-phi_3442_ = _e1593;
+phi_3443_ = _e1593;
 }
-let _e1763 = phi_3442_;
+let _e1763 = phi_3443_;
 if _e1742.member_2 {
-phi_3447_ = _e1740;
+phi_3448_ = _e1740;
 } else {
-phi_3447_ = _e1742;
+phi_3448_ = _e1742;
 }
-let _e1765 = phi_3447_;
+let _e1765 = phi_3448_;
 if _e1763.member_2 {
-phi_3452_ = _e1765;
+phi_3453_ = _e1765;
 } else {
-phi_3452_ = _e1763;
+phi_3453_ = _e1763;
 }
-let _e1768 = phi_3452_;
+let _e1768 = phi_3453_;
 if _e1703 {
-phi_3456_ = _e1768;
+phi_3457_ = _e1768;
 } else {
-phi_3456_ = _e1705;
+phi_3457_ = _e1705;
 }
-let _e1770 = phi_3456_;
+let _e1770 = phi_3457_;
 let _e1771 = (1.7320508f * _e1726);
 if _e202 {
 let _e1774 = (0.5f * select(1f, _e1771, (_e1771 > 1f)));
 let _e1776 = select(_e1305, _e1774, (_e1774 > _e1305));
-phi_3485_ = select(8f, _e1776, (_e1776 < 8f));
+phi_3486_ = select(8f, _e1776, (_e1776 < 8f));
 } else {
-phi_3485_ = 1f;
+phi_3486_ = 1f;
 }
-let _e1780 = phi_3485_;
+let _e1780 = phi_3486_;
 let _e1790 = (_e1757.member.x - _e1749.member.x);
 let _e1791 = (_e1757.member.y - _e1749.member.y);
 let _e1794 = bitcast<f32>((bitcast<u32>(_e1790) & 2147483647u));
@@ -1018,15 +1020,15 @@ let _e1919 = (_e1915 - select(0i, 1i, (_e1908 < f32(_e1915))));
 let _e1921 = (1f / f32(_e1903));
 let _e1923 = (1f / f32(_e1919));
 let _e1926 = ((_e1921 * _e1923) * (_e1737 * 0.25f));
-phi_3698_ = 0i;
+phi_3699_ = 0i;
 loop {
-let _e1928 = phi_3698_;
+let _e1928 = phi_3699_;
 let _e1929 = (_e1928 < _e1919);
 if _e1929 {
 let _e1932 = ((f32(_e1928) + 0.5f) * _e1923);
-phi_3733_ = 0i;
+phi_3734_ = 0i;
 loop {
-let _e1940 = phi_3733_;
+let _e1940 = phi_3734_;
 let _e1941 = (_e1940 < _e1903);
 if _e1941 {
 let _e1944 = ((f32(_e1940) + 0.5f) * _e1921);
@@ -1045,11 +1047,11 @@ let _e1978 = (9.765625e-4f * 9.765625e-4f);
 let _e1981 = (_e1960 / select(_e1978, _e1963, (_e1963 > _e1978)));
 let _e1986 = (_e1960 / select(_e1978, _e1966, (_e1966 > _e1978)));
 if ((_e1969 * _e1966) <= (_e1973 * _e1963)) {
-phi_3824_ = vec2<f32>(_e1963, select(_e1974, _e1981, (_e1981 < _e1974)));
+phi_3825_ = vec2<f32>(_e1963, select(_e1974, _e1981, (_e1981 < _e1974)));
 } else {
-phi_3824_ = vec2<f32>(select(_e1970, _e1986, (_e1986 < _e1970)), _e1966);
+phi_3825_ = vec2<f32>(select(_e1970, _e1986, (_e1986 < _e1970)), _e1966);
 }
-let _e1992 = phi_3824_;
+let _e1992 = phi_3825_;
 let _e1996 = (_e1749.member.x + (_e1790 * _e1944));
 let _e2001 = (_e1996 + (((_e1763.member.x + (_e1808 * _e1944)) - _e1996) * _e1932));
 let _e2003 = (_e1749.member.y + (_e1791 * _e1944));
@@ -1071,9 +1073,9 @@ let _e2325 = (1f * 1f);
 let _e2327 = select(_e2325, _e2324, (_e2324 > _e2325));
 let _e2330 = sqrt(select(0f, _e2327, (_e2327 > 0f)));
 let _e2332 = (1f / (_e2330 * _e2330));
-phi_3953_ = 0i;
+phi_3954_ = 0i;
 loop {
-let _e2337 = phi_3953_;
+let _e2337 = phi_3954_;
 let _e2338 = (_e2337 < 4i);
 if _e2338 {
 let _e2340 = f32((_e2337 & 1i));
@@ -1107,18 +1109,18 @@ let _e2424 = (_e2369 + 0.5f);
 let _e2426 = select(0f, _e2424, (_e2424 > 0f));
 let _e2428 = select(65536f, _e2426, (_e2426 < 65536f));
 let _e2435 = select(0i, select(select(i32(_e2428), i32(-2147483648), (_e2428 < -2147483600f)), 2147483647i, (_e2428 > 2147483500f)), (_e2428 == _e2428));
-phi_4110_ = (_e2435 - select(0i, 1i, (_e2428 < f32(_e2435))));
+phi_4111_ = (_e2435 - select(0i, 1i, (_e2428 < f32(_e2435))));
 loop {
-let _e2441 = phi_4110_;
+let _e2441 = phi_4111_;
 let _e2442 = (_e2441 <= (_e2419 - select(0i, 1i, (_e2412 < f32(_e2419)))));
 if _e2442 {
 let _e2443 = f32(_e2441);
 let _e2444 = (_e2443 - 0.5f);
 let _e2447 = (_e2443 + 0.5f);
 let _e2450 = (select(_e2447, _e2405, (_e2405 < _e2447)) - select(_e2444, _e2369, (_e2369 > _e2444)));
-phi_4142_ = (_e2381 - select(0i, 1i, (_e2374 < f32(_e2381))));
+phi_4143_ = (_e2381 - select(0i, 1i, (_e2374 < f32(_e2381))));
 loop {
-let _e2455 = phi_4142_;
+let _e2455 = phi_4143_;
 let _e2456 = (_e2455 <= (_e2400 - select(0i, 1i, (_e2393 < f32(_e2400)))));
 if _e2456 {
 let _e2457 = f32(_e2455);
@@ -1140,11 +1142,11 @@ if ((_e2491 | _e2494) == 0u) {
 let _e2497 = bitcast<u32>(_e2472);
 if (_e2497 < _e63) {
 let _e2501 = atomicAdd((&global_3.member[_e2497]), _e2491);
-phi_4223_ = _e2501;
+phi_4224_ = _e2501;
 } else {
-phi_4223_ = 0u;
+phi_4224_ = 0u;
 }
-let _e2503 = phi_4223_;
+let _e2503 = phi_4224_;
 let _e2507 = (_e2494 + select(0u, 1u, ((_e2503 + _e2491) < _e2491)));
 if (_e2507 == 0u) {
 } else {
@@ -1166,11 +1168,11 @@ if ((_e2533 | _e2536) == 0u) {
 let _e2539 = bitcast<u32>((_e2472 + 2i));
 if (_e2539 < _e63) {
 let _e2543 = atomicAdd((&global_3.member[_e2539]), _e2533);
-phi_4281_ = _e2543;
+phi_4282_ = _e2543;
 } else {
-phi_4281_ = 0u;
+phi_4282_ = 0u;
 }
-let _e2545 = phi_4281_;
+let _e2545 = phi_4282_;
 let _e2549 = (_e2536 + select(0u, 1u, ((_e2545 + _e2533) < _e2533)));
 if (_e2549 == 0u) {
 } else {
@@ -1192,11 +1194,11 @@ if ((_e2575 | _e2578) == 0u) {
 let _e2581 = bitcast<u32>((_e2472 + 4i));
 if (_e2581 < _e63) {
 let _e2585 = atomicAdd((&global_3.member[_e2581]), _e2575);
-phi_4339_ = _e2585;
+phi_4340_ = _e2585;
 } else {
-phi_4339_ = 0u;
+phi_4340_ = 0u;
 }
-let _e2587 = phi_4339_;
+let _e2587 = phi_4340_;
 let _e2591 = (_e2578 + select(0u, 1u, ((_e2587 + _e2575) < _e2575)));
 if (_e2591 == 0u) {
 } else {
@@ -1207,36 +1209,36 @@ let _e2597 = atomicAdd((&global_3.member[_e2593]), _e2591);
 }
 }
 }
-phi_4143_ = (_e2455 + 1i);
+phi_4144_ = (_e2455 + 1i);
 } else {
-phi_4143_ = i32();
+phi_4144_ = i32();
 }
-let _e2600 = phi_4143_;
+let _e2600 = phi_4144_;
 continue;
 continuing {
-phi_4142_ = _e2600;
+phi_4143_ = _e2600;
 break if !(_e2456);
 }
 }
-phi_4111_ = (_e2441 + 1i);
+phi_4112_ = (_e2441 + 1i);
 } else {
-phi_4111_ = i32();
+phi_4112_ = i32();
 }
-let _e2604 = phi_4111_;
+let _e2604 = phi_4112_;
 continue;
 continuing {
-phi_4110_ = _e2604;
+phi_4111_ = _e2604;
 break if !(_e2442);
 }
 }
-phi_3954_ = (_e2337 + 1i);
+phi_3955_ = (_e2337 + 1i);
 } else {
-phi_3954_ = i32();
+phi_3955_ = i32();
 }
-let _e2608 = phi_3954_;
+let _e2608 = phi_3955_;
 continue;
 continuing {
-phi_3953_ = _e2608;
+phi_3954_ = _e2608;
 break if !(_e2338);
 }
 }
@@ -1267,18 +1269,18 @@ let _e2129 = (_e2074 + 0.5f);
 let _e2131 = select(0f, _e2129, (_e2129 > 0f));
 let _e2133 = select(65536f, _e2131, (_e2131 < 65536f));
 let _e2140 = select(0i, select(select(i32(_e2133), i32(-2147483648), (_e2133 < -2147483600f)), 2147483647i, (_e2133 > 2147483500f)), (_e2133 == _e2133));
-phi_4493_ = (_e2140 - select(0i, 1i, (_e2133 < f32(_e2140))));
+phi_4494_ = (_e2140 - select(0i, 1i, (_e2133 < f32(_e2140))));
 loop {
-let _e2146 = phi_4493_;
+let _e2146 = phi_4494_;
 let _e2147 = (_e2146 <= (_e2124 - select(0i, 1i, (_e2117 < f32(_e2124)))));
 if _e2147 {
 let _e2148 = f32(_e2146);
 let _e2149 = (_e2148 - 0.5f);
 let _e2152 = (_e2148 + 0.5f);
 let _e2155 = (select(_e2152, _e2110, (_e2110 < _e2152)) - select(_e2149, _e2074, (_e2074 > _e2149)));
-phi_4525_ = (_e2086 - select(0i, 1i, (_e2079 < f32(_e2086))));
+phi_4526_ = (_e2086 - select(0i, 1i, (_e2079 < f32(_e2086))));
 loop {
-let _e2160 = phi_4525_;
+let _e2160 = phi_4526_;
 let _e2161 = (_e2160 <= (_e2105 - select(0i, 1i, (_e2098 < f32(_e2105)))));
 if _e2161 {
 let _e2162 = f32(_e2160);
@@ -1300,11 +1302,11 @@ if ((_e2196 | _e2199) == 0u) {
 let _e2202 = bitcast<u32>(_e2177);
 if (_e2202 < _e63) {
 let _e2206 = atomicAdd((&global_3.member[_e2202]), _e2196);
-phi_4606_ = _e2206;
+phi_4607_ = _e2206;
 } else {
-phi_4606_ = 0u;
+phi_4607_ = 0u;
 }
-let _e2208 = phi_4606_;
+let _e2208 = phi_4607_;
 let _e2212 = (_e2199 + select(0u, 1u, ((_e2208 + _e2196) < _e2196)));
 if (_e2212 == 0u) {
 } else {
@@ -1326,11 +1328,11 @@ if ((_e2238 | _e2241) == 0u) {
 let _e2244 = bitcast<u32>((_e2177 + 2i));
 if (_e2244 < _e63) {
 let _e2248 = atomicAdd((&global_3.member[_e2244]), _e2238);
-phi_4664_ = _e2248;
+phi_4665_ = _e2248;
 } else {
-phi_4664_ = 0u;
+phi_4665_ = 0u;
 }
-let _e2250 = phi_4664_;
+let _e2250 = phi_4665_;
 let _e2254 = (_e2241 + select(0u, 1u, ((_e2250 + _e2238) < _e2238)));
 if (_e2254 == 0u) {
 } else {
@@ -1352,11 +1354,11 @@ if ((_e2280 | _e2283) == 0u) {
 let _e2286 = bitcast<u32>((_e2177 + 4i));
 if (_e2286 < _e63) {
 let _e2290 = atomicAdd((&global_3.member[_e2286]), _e2280);
-phi_4722_ = _e2290;
+phi_4723_ = _e2290;
 } else {
-phi_4722_ = 0u;
+phi_4723_ = 0u;
 }
-let _e2292 = phi_4722_;
+let _e2292 = phi_4723_;
 let _e2296 = (_e2283 + select(0u, 1u, ((_e2292 + _e2280) < _e2280)));
 if (_e2296 == 0u) {
 } else {
@@ -1367,48 +1369,48 @@ let _e2302 = atomicAdd((&global_3.member[_e2298]), _e2296);
 }
 }
 }
-phi_4526_ = (_e2160 + 1i);
+phi_4527_ = (_e2160 + 1i);
 } else {
-phi_4526_ = i32();
+phi_4527_ = i32();
 }
-let _e2305 = phi_4526_;
+let _e2305 = phi_4527_;
 continue;
 continuing {
-phi_4525_ = _e2305;
+phi_4526_ = _e2305;
 break if !(_e2161);
 }
 }
-phi_4494_ = (_e2146 + 1i);
+phi_4495_ = (_e2146 + 1i);
 } else {
-phi_4494_ = i32();
+phi_4495_ = i32();
 }
-let _e2309 = phi_4494_;
+let _e2309 = phi_4495_;
 continue;
 continuing {
-phi_4493_ = _e2309;
+phi_4494_ = _e2309;
 break if !(_e2147);
 }
 }
 }
-phi_3734_ = (_e1940 + 1i);
+phi_3735_ = (_e1940 + 1i);
 } else {
-phi_3734_ = i32();
+phi_3735_ = i32();
 }
-let _e2612 = phi_3734_;
+let _e2612 = phi_3735_;
 continue;
 continuing {
-phi_3733_ = _e2612;
+phi_3734_ = _e2612;
 break if !(_e1941);
 }
 }
-phi_3699_ = (_e1928 + 1i);
+phi_3700_ = (_e1928 + 1i);
 } else {
-phi_3699_ = i32();
+phi_3700_ = i32();
 }
-let _e2616 = phi_3699_;
+let _e2616 = phi_3700_;
 continue;
 continuing {
-phi_3698_ = _e2616;
+phi_3699_ = _e2616;
 break if !(_e1929);
 }
 }
@@ -1423,14 +1425,14 @@ let _e2645 = (((1f - select((((_e446 + _e447) + _e448) * _e2620), 0f, _e2622)) +
 if (_e202 && (_e2645 > 0f)) {
 let _e2655 = (((select(_e482, _e493, _e2622) + select(_e729, _e740, _e2628)) + (select(_e976, _e987, _e2635) + select(_e1221, _e1232, _e2641))) / _e2645);
 let _e2658 = (_e342 != 0u);
-let _e2666 = global_2.member.member_10.member_19.member_2;
+let _e2666 = global_2.member.member_12.member_19.member_2;
 let _e2668 = select(1f, (_e2655 - _e2666), _e2658);
-let _e2672 = global_2.member.member_10.member_5;
-let _e2676 = global_2.member.member_10.member_7;
+let _e2672 = global_2.member.member_12.member_5;
+let _e2676 = global_2.member.member_12.member_7;
 let _e2679 = ((_e2672 + ((_e336 + 0.5f) * _e2676)) * _e2668);
-let _e2683 = global_2.member.member_10.member_6;
+let _e2683 = global_2.member.member_12.member_6;
 let _e2686 = ((_e2683 + ((_e338 + 0.5f) * _e2676)) * _e2668);
-let _e2687 = global_2.member.member_10.member_19;
+let _e2687 = global_2.member.member_12.member_19;
 let _e2691 = (_e2679 - _e2687.member);
 let _e2692 = (_e2686 - _e2687.member_1);
 let _e2693 = (_e2655 - _e2687.member_2);
@@ -1444,9 +1446,9 @@ let _e2733 = select(-1f, (_e2721 / select(1e-6f, _e2727, _e2729)), ((_e2721 >= 0
 if (_e2733 >= 0f) {
 let _e2736 = f32(bitcast<i32>(_e85));
 let _e2738 = select(0f, _e336, (_e336 > 0f));
-let _e2745 = global_2.member.member_10.member_18.member_1;
+let _e2745 = global_2.member.member_12.member_18.member_1;
 let _e2748 = ((_e336 - _e2736) * _e2745);
-let _e2753 = global_2.member.member_10.member_18.member_2;
+let _e2753 = global_2.member.member_12.member_18.member_2;
 let _e2755 = select(0f, _e2748, (_e2748 > 0f));
 let _e2757 = (_e2753 + _e2755);
 let _e2762 = (-(_e336) * _e2745);
@@ -1463,11 +1465,11 @@ let _e2793 = select(0f, _e2791, (_e2791 > 0f));
 let _e2795 = (_e2753 + _e2793);
 let _e2802 = (((_e2753 + (select(_e2775, _e2777, (_e2777 < _e2775)) * _e2745)) + (((_e2784 * _e2753) / select(1e-12f, _e2786, (_e2786 > 1e-12f))) - ((_e2793 * _e2753) / select(1e-12f, _e2795, (_e2795 > 1e-12f))))) - 0.5f);
 if _e197 {
-phi_5077_ = vec3<f32>((_e446 + -1f), (_e447 + -1f), (_e448 + -1f));
+phi_5078_ = vec3<f32>((_e446 + -1f), (_e447 + -1f), (_e448 + -1f));
 } else {
-phi_5077_ = vec3<f32>(-1f, -1f, -1f);
+phi_5078_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2808 = phi_5077_;
+let _e2808 = phi_5078_;
 let _e2810 = select(0f, _e590, (_e590 > 0f));
 let _e2815 = ((_e590 - _e2736) * _e2745);
 let _e2817 = select(0f, _e2815, (_e2815 > 0f));
@@ -1477,11 +1479,11 @@ let _e2826 = select(0f, _e2824, (_e2824 > 0f));
 let _e2828 = (_e2753 + _e2826);
 let _e2835 = (((_e2753 + (select(_e2736, _e2810, (_e2810 < _e2736)) * _e2745)) + (((_e2817 * _e2753) / select(1e-12f, _e2819, (_e2819 > 1e-12f))) - ((_e2826 * _e2753) / select(1e-12f, _e2828, (_e2828 > 1e-12f))))) - 0.5f);
 if _e197 {
-phi_5232_ = vec3<f32>((_e693 + -1f), (_e694 + -1f), (_e695 + -1f));
+phi_5233_ = vec3<f32>((_e693 + -1f), (_e694 + -1f), (_e695 + -1f));
 } else {
-phi_5232_ = vec3<f32>(-1f, -1f, -1f);
+phi_5233_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2841 = phi_5232_;
+let _e2841 = phi_5233_;
 let _e2843 = select(0f, _e837, (_e837 > 0f));
 let _e2848 = ((_e837 - _e2775) * _e2745);
 let _e2850 = select(0f, _e2848, (_e2848 > 0f));
@@ -1491,25 +1493,25 @@ let _e2859 = select(0f, _e2857, (_e2857 > 0f));
 let _e2861 = (_e2753 + _e2859);
 let _e2868 = (((_e2753 + (select(_e2775, _e2843, (_e2843 < _e2775)) * _e2745)) + (((_e2850 * _e2753) / select(1e-12f, _e2852, (_e2852 > 1e-12f))) - ((_e2859 * _e2753) / select(1e-12f, _e2861, (_e2861 > 1e-12f))))) - 0.5f);
 if _e197 {
-phi_5387_ = vec3<f32>((_e940 + -1f), (_e941 + -1f), (_e942 + -1f));
+phi_5388_ = vec3<f32>((_e940 + -1f), (_e941 + -1f), (_e942 + -1f));
 } else {
-phi_5387_ = vec3<f32>(-1f, -1f, -1f);
+phi_5388_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2874 = phi_5387_;
+let _e2874 = phi_5388_;
 if _e197 {
-phi_5543_ = vec3<f32>((_e1185 + -1f), (_e1186 + -1f), (_e1187 + -1f));
+phi_5544_ = vec3<f32>((_e1185 + -1f), (_e1186 + -1f), (_e1187 + -1f));
 } else {
-phi_5543_ = vec3<f32>(-1f, -1f, -1f);
+phi_5544_ = vec3<f32>(-1f, -1f, -1f);
 }
-let _e2880 = phi_5543_;
-let _e2884 = global_2.member.member_5.member_1;
+let _e2880 = phi_5544_;
+let _e2884 = global_2.member.member_7.member_1;
 let _e2885 = (_e2884 - _e2655);
 let _e2887 = select(_e2733, _e2885, (_e2885 < _e2733));
 let _e2889 = select(0f, _e2887, (_e2887 > 0f));
-let _e2893 = global_2.member.member_10.member_24;
+let _e2893 = global_2.member.member_12.member_24;
 let _e2897 = ((_e2733 * _e2733) - (_e2889 * _e2889));
 let _e2899 = select(0f, _e2897, (_e2897 > 0f));
-let _e2908 = global_2.member.member_10.member_8;
+let _e2908 = global_2.member.member_12.member_8;
 let _e2910 = (((_e201 * select(_e2733, sqrt(select(0f, _e2899, (_e2899 > 0f))), (_e2893 > 0f))) * _e2908) * _e2745);
 let _e2913 = (((1f + 1f) + 1f) + 1f);
 if (_e2913 > 0f) {
@@ -1517,11 +1519,11 @@ let _e2915 = (1.7320508f * _e2910);
 if _e202 {
 let _e2918 = (0.5f * select(1f, _e2915, (_e2915 > 1f)));
 let _e2920 = select(_e2745, _e2918, (_e2918 > _e2745));
-phi_5714_ = select(8f, _e2920, (_e2920 < 8f));
+phi_5715_ = select(8f, _e2920, (_e2920 < 8f));
 } else {
-phi_5714_ = 1f;
+phi_5715_ = 1f;
 }
-let _e2924 = phi_5714_;
+let _e2924 = phi_5715_;
 let _e2926 = (_e2835 - _e2773);
 let _e2927 = (_e2802 - _e2802);
 let _e2930 = bitcast<f32>((bitcast<u32>(_e2926) & 2147483647u));
@@ -1565,15 +1567,15 @@ let _e3039 = (_e3035 - select(0i, 1i, (_e3028 < f32(_e3035))));
 let _e3041 = (1f / f32(_e3023));
 let _e3043 = (1f / f32(_e3039));
 let _e3046 = ((_e3041 * _e3043) * (_e2913 * 0.25f));
-phi_5927_ = 0i;
+phi_5928_ = 0i;
 loop {
-let _e3048 = phi_5927_;
+let _e3048 = phi_5928_;
 let _e3049 = (_e3048 < _e3039);
 if _e3049 {
 let _e3052 = ((f32(_e3048) + 0.5f) * _e3043);
-phi_5962_ = 0i;
+phi_5963_ = 0i;
 loop {
-let _e3060 = phi_5962_;
+let _e3060 = phi_5963_;
 let _e3061 = (_e3060 < _e3023);
 if _e3061 {
 let _e3064 = ((f32(_e3060) + 0.5f) * _e3041);
@@ -1592,11 +1594,11 @@ let _e3098 = (9.765625e-4f * 9.765625e-4f);
 let _e3101 = (_e3080 / select(_e3098, _e3083, (_e3083 > _e3098)));
 let _e3106 = (_e3080 / select(_e3098, _e3086, (_e3086 > _e3098)));
 if ((_e3089 * _e3086) <= (_e3093 * _e3083)) {
-phi_6053_ = vec2<f32>(_e3083, select(_e3094, _e3101, (_e3101 < _e3094)));
+phi_6054_ = vec2<f32>(_e3083, select(_e3094, _e3101, (_e3101 < _e3094)));
 } else {
-phi_6053_ = vec2<f32>(select(_e3090, _e3106, (_e3106 < _e3090)), _e3086);
+phi_6054_ = vec2<f32>(select(_e3090, _e3106, (_e3106 < _e3090)), _e3086);
 }
-let _e3112 = phi_6053_;
+let _e3112 = phi_6054_;
 let _e3116 = (_e2773 + (_e2926 * _e3064));
 let _e3119 = (_e3116 + ((_e3116 - _e3116) * _e3052));
 let _e3121 = (_e2802 + (_e2927 * _e3064));
@@ -1618,9 +1620,9 @@ let _e3431 = (1f * 1f);
 let _e3433 = select(_e3431, _e3430, (_e3430 > _e3431));
 let _e3436 = sqrt(select(0f, _e3433, (_e3433 > 0f)));
 let _e3438 = (1f / (_e3436 * _e3436));
-phi_6182_ = 0i;
+phi_6183_ = 0i;
 loop {
-let _e3443 = phi_6182_;
+let _e3443 = phi_6183_;
 let _e3444 = (_e3443 < 4i);
 if _e3444 {
 let _e3446 = f32((_e3443 & 1i));
@@ -1654,18 +1656,18 @@ let _e3530 = (_e3475 + 0.5f);
 let _e3532 = select(0f, _e3530, (_e3530 > 0f));
 let _e3534 = select(65536f, _e3532, (_e3532 < 65536f));
 let _e3541 = select(0i, select(select(i32(_e3534), i32(-2147483648), (_e3534 < -2147483600f)), 2147483647i, (_e3534 > 2147483500f)), (_e3534 == _e3534));
-phi_6339_ = (_e3541 - select(0i, 1i, (_e3534 < f32(_e3541))));
+phi_6340_ = (_e3541 - select(0i, 1i, (_e3534 < f32(_e3541))));
 loop {
-let _e3547 = phi_6339_;
+let _e3547 = phi_6340_;
 let _e3548 = (_e3547 <= (_e3525 - select(0i, 1i, (_e3518 < f32(_e3525)))));
 if _e3548 {
 let _e3549 = f32(_e3547);
 let _e3550 = (_e3549 - 0.5f);
 let _e3553 = (_e3549 + 0.5f);
 let _e3556 = (select(_e3553, _e3511, (_e3511 < _e3553)) - select(_e3550, _e3475, (_e3475 > _e3550)));
-phi_6371_ = (_e3487 - select(0i, 1i, (_e3480 < f32(_e3487))));
+phi_6372_ = (_e3487 - select(0i, 1i, (_e3480 < f32(_e3487))));
 loop {
-let _e3561 = phi_6371_;
+let _e3561 = phi_6372_;
 let _e3562 = (_e3561 <= (_e3506 - select(0i, 1i, (_e3499 < f32(_e3506)))));
 if _e3562 {
 let _e3563 = f32(_e3561);
@@ -1687,11 +1689,11 @@ if ((_e3597 | _e3600) == 0u) {
 let _e3603 = bitcast<u32>(_e3578);
 if (_e3603 < _e63) {
 let _e3607 = atomicAdd((&global_3.member[_e3603]), _e3597);
-phi_6452_ = _e3607;
+phi_6453_ = _e3607;
 } else {
-phi_6452_ = 0u;
+phi_6453_ = 0u;
 }
-let _e3609 = phi_6452_;
+let _e3609 = phi_6453_;
 let _e3613 = (_e3600 + select(0u, 1u, ((_e3609 + _e3597) < _e3597)));
 if (_e3613 == 0u) {
 } else {
@@ -1713,11 +1715,11 @@ if ((_e3639 | _e3642) == 0u) {
 let _e3645 = bitcast<u32>((_e3578 + 2i));
 if (_e3645 < _e63) {
 let _e3649 = atomicAdd((&global_3.member[_e3645]), _e3639);
-phi_6510_ = _e3649;
+phi_6511_ = _e3649;
 } else {
-phi_6510_ = 0u;
+phi_6511_ = 0u;
 }
-let _e3651 = phi_6510_;
+let _e3651 = phi_6511_;
 let _e3655 = (_e3642 + select(0u, 1u, ((_e3651 + _e3639) < _e3639)));
 if (_e3655 == 0u) {
 } else {
@@ -1739,11 +1741,11 @@ if ((_e3681 | _e3684) == 0u) {
 let _e3687 = bitcast<u32>((_e3578 + 4i));
 if (_e3687 < _e63) {
 let _e3691 = atomicAdd((&global_3.member[_e3687]), _e3681);
-phi_6568_ = _e3691;
+phi_6569_ = _e3691;
 } else {
-phi_6568_ = 0u;
+phi_6569_ = 0u;
 }
-let _e3693 = phi_6568_;
+let _e3693 = phi_6569_;
 let _e3697 = (_e3684 + select(0u, 1u, ((_e3693 + _e3681) < _e3681)));
 if (_e3697 == 0u) {
 } else {
@@ -1754,36 +1756,36 @@ let _e3703 = atomicAdd((&global_3.member[_e3699]), _e3697);
 }
 }
 }
-phi_6372_ = (_e3561 + 1i);
+phi_6373_ = (_e3561 + 1i);
 } else {
-phi_6372_ = i32();
+phi_6373_ = i32();
 }
-let _e3706 = phi_6372_;
+let _e3706 = phi_6373_;
 continue;
 continuing {
-phi_6371_ = _e3706;
+phi_6372_ = _e3706;
 break if !(_e3562);
 }
 }
-phi_6340_ = (_e3547 + 1i);
+phi_6341_ = (_e3547 + 1i);
 } else {
-phi_6340_ = i32();
+phi_6341_ = i32();
 }
-let _e3710 = phi_6340_;
+let _e3710 = phi_6341_;
 continue;
 continuing {
-phi_6339_ = _e3710;
+phi_6340_ = _e3710;
 break if !(_e3548);
 }
 }
-phi_6183_ = (_e3443 + 1i);
+phi_6184_ = (_e3443 + 1i);
 } else {
-phi_6183_ = i32();
+phi_6184_ = i32();
 }
-let _e3714 = phi_6183_;
+let _e3714 = phi_6184_;
 continue;
 continuing {
-phi_6182_ = _e3714;
+phi_6183_ = _e3714;
 break if !(_e3444);
 }
 }
@@ -1814,18 +1816,18 @@ let _e3235 = (_e3180 + 0.5f);
 let _e3237 = select(0f, _e3235, (_e3235 > 0f));
 let _e3239 = select(65536f, _e3237, (_e3237 < 65536f));
 let _e3246 = select(0i, select(select(i32(_e3239), i32(-2147483648), (_e3239 < -2147483600f)), 2147483647i, (_e3239 > 2147483500f)), (_e3239 == _e3239));
-phi_6722_ = (_e3246 - select(0i, 1i, (_e3239 < f32(_e3246))));
+phi_6723_ = (_e3246 - select(0i, 1i, (_e3239 < f32(_e3246))));
 loop {
-let _e3252 = phi_6722_;
+let _e3252 = phi_6723_;
 let _e3253 = (_e3252 <= (_e3230 - select(0i, 1i, (_e3223 < f32(_e3230)))));
 if _e3253 {
 let _e3254 = f32(_e3252);
 let _e3255 = (_e3254 - 0.5f);
 let _e3258 = (_e3254 + 0.5f);
 let _e3261 = (select(_e3258, _e3216, (_e3216 < _e3258)) - select(_e3255, _e3180, (_e3180 > _e3255)));
-phi_6754_ = (_e3192 - select(0i, 1i, (_e3185 < f32(_e3192))));
+phi_6755_ = (_e3192 - select(0i, 1i, (_e3185 < f32(_e3192))));
 loop {
-let _e3266 = phi_6754_;
+let _e3266 = phi_6755_;
 let _e3267 = (_e3266 <= (_e3211 - select(0i, 1i, (_e3204 < f32(_e3211)))));
 if _e3267 {
 let _e3268 = f32(_e3266);
@@ -1847,11 +1849,11 @@ if ((_e3302 | _e3305) == 0u) {
 let _e3308 = bitcast<u32>(_e3283);
 if (_e3308 < _e63) {
 let _e3312 = atomicAdd((&global_3.member[_e3308]), _e3302);
-phi_6835_ = _e3312;
+phi_6836_ = _e3312;
 } else {
-phi_6835_ = 0u;
+phi_6836_ = 0u;
 }
-let _e3314 = phi_6835_;
+let _e3314 = phi_6836_;
 let _e3318 = (_e3305 + select(0u, 1u, ((_e3314 + _e3302) < _e3302)));
 if (_e3318 == 0u) {
 } else {
@@ -1873,11 +1875,11 @@ if ((_e3344 | _e3347) == 0u) {
 let _e3350 = bitcast<u32>((_e3283 + 2i));
 if (_e3350 < _e63) {
 let _e3354 = atomicAdd((&global_3.member[_e3350]), _e3344);
-phi_6893_ = _e3354;
+phi_6894_ = _e3354;
 } else {
-phi_6893_ = 0u;
+phi_6894_ = 0u;
 }
-let _e3356 = phi_6893_;
+let _e3356 = phi_6894_;
 let _e3360 = (_e3347 + select(0u, 1u, ((_e3356 + _e3344) < _e3344)));
 if (_e3360 == 0u) {
 } else {
@@ -1899,11 +1901,11 @@ if ((_e3386 | _e3389) == 0u) {
 let _e3392 = bitcast<u32>((_e3283 + 4i));
 if (_e3392 < _e63) {
 let _e3396 = atomicAdd((&global_3.member[_e3392]), _e3386);
-phi_6951_ = _e3396;
+phi_6952_ = _e3396;
 } else {
-phi_6951_ = 0u;
+phi_6952_ = 0u;
 }
-let _e3398 = phi_6951_;
+let _e3398 = phi_6952_;
 let _e3402 = (_e3389 + select(0u, 1u, ((_e3398 + _e3386) < _e3386)));
 if (_e3402 == 0u) {
 } else {
@@ -1914,48 +1916,48 @@ let _e3408 = atomicAdd((&global_3.member[_e3404]), _e3402);
 }
 }
 }
-phi_6755_ = (_e3266 + 1i);
+phi_6756_ = (_e3266 + 1i);
 } else {
-phi_6755_ = i32();
+phi_6756_ = i32();
 }
-let _e3411 = phi_6755_;
+let _e3411 = phi_6756_;
 continue;
 continuing {
-phi_6754_ = _e3411;
+phi_6755_ = _e3411;
 break if !(_e3267);
 }
 }
-phi_6723_ = (_e3252 + 1i);
+phi_6724_ = (_e3252 + 1i);
 } else {
-phi_6723_ = i32();
+phi_6724_ = i32();
 }
-let _e3415 = phi_6723_;
+let _e3415 = phi_6724_;
 continue;
 continuing {
-phi_6722_ = _e3415;
+phi_6723_ = _e3415;
 break if !(_e3253);
 }
 }
 }
-phi_5963_ = (_e3060 + 1i);
+phi_5964_ = (_e3060 + 1i);
 } else {
-phi_5963_ = i32();
+phi_5964_ = i32();
 }
-let _e3718 = phi_5963_;
+let _e3718 = phi_5964_;
 continue;
 continuing {
-phi_5962_ = _e3718;
+phi_5963_ = _e3718;
 break if !(_e3061);
 }
 }
-phi_5928_ = (_e3048 + 1i);
+phi_5929_ = (_e3048 + 1i);
 } else {
-phi_5928_ = i32();
+phi_5929_ = i32();
 }
-let _e3722 = phi_5928_;
+let _e3722 = phi_5929_;
 continue;
 continuing {
-phi_5927_ = _e3722;
+phi_5928_ = _e3722;
 break if !(_e3049);
 }
 }

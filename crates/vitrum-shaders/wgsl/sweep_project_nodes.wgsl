@@ -140,24 +140,26 @@ member: type_2,
 member_1: u32,
 member_2: type_14,
 member_3: type_13,
-member_4: u32,
-member_5: type_15,
-member_6: type_16,
-member_7: type_16,
-member_8: type_17,
-member_9: type_18,
-member_10: type_21,
-member_11: type_15,
-member_12: type_4,
-member_13: type_9,
-member_14: type_22,
-member_15: type_22,
+member_4: type_13,
+member_5: u32,
+member_6: u32,
+member_7: type_15,
+member_8: type_16,
+member_9: type_16,
+member_10: type_17,
+member_11: type_18,
+member_12: type_21,
+member_13: type_15,
+member_14: type_4,
+member_15: type_9,
 member_16: type_22,
 member_17: type_22,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_22,
+member_19: type_22,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_24 {
 member: type_23,
@@ -183,9 +185,9 @@ if (_e50 < _e39.member_2) {
 if (_e52 < _e39.member_3) {
 let _e55 = (_e42.member * _e42.member_1);
 let _e57 = ((_e52 * _e42.member) + _e50);
-let _e62 = global_2.member.member_10.member_4.member;
+let _e62 = global_2.member.member_12.member_4.member;
 let _e63 = (_e62 + 1u);
-let _e68 = global_2.member.member_10.member_4.member_1;
+let _e68 = global_2.member.member_12.member_4.member_1;
 local = bitcast<i32>((_e63 * (_e68 + 1u)));
 local_1 = bitcast<i32>(((_e52 * _e63) + _e50));
 let _e75 = local_1;
@@ -234,15 +236,15 @@ let _e166 = select(_e77, _e164, (_e164 < _e77));
 let _e171 = global_1.member[bitcast<u32>(select(0i, _e166, (_e166 > 0i)))];
 let _e173 = f32(bitcast<i32>(_e50));
 let _e175 = f32(bitcast<i32>(_e52));
-let _e179 = global_2.member.member_10.member_3;
+let _e179 = global_2.member.member_12.member_3;
 let _e180 = (_e179 == 0u);
 if _e180 {
 phi_389_ = 1f;
 } else {
-let _e184 = global_2.member.member_10.member_5;
-let _e188 = global_2.member.member_10.member_7;
+let _e184 = global_2.member.member_12.member_5;
+let _e188 = global_2.member.member_12.member_7;
 let _e190 = (_e184 + (_e173 * _e188));
-let _e194 = global_2.member.member_10.member_6;
+let _e194 = global_2.member.member_12.member_6;
 let _e196 = (_e194 + (_e175 * _e188));
 let _e201 = (((_e190 * _e190) + (_e196 * _e196)) + (1f * 1f));
 let _e205 = (1f / sqrt(select(0f, _e201, (_e201 > 0f))));
@@ -252,19 +254,19 @@ let _e209 = phi_389_;
 if _e180 {
 phi_477_ = 1f;
 } else {
-let _e213 = global_2.member.member_10.member_5;
-let _e217 = global_2.member.member_10.member_7;
+let _e213 = global_2.member.member_12.member_5;
+let _e217 = global_2.member.member_12.member_7;
 let _e219 = (_e213 + (_e173 * _e217));
-let _e223 = global_2.member.member_10.member_6;
+let _e223 = global_2.member.member_12.member_6;
 let _e225 = (_e223 + (_e175 * _e217));
-let _e230 = global_2.member.member_10.member_20.member;
+let _e230 = global_2.member.member_12.member_20.member;
 let _e238 = (((_e230.member * _e219) + (_e230.member_1 * _e225)) + (_e230.member_2 * 1f));
 let _e242 = (_e219 - (_e230.member * _e238));
 let _e243 = (_e225 - (_e230.member_1 * _e238));
 let _e244 = (1f - (_e230.member_2 * _e238));
 let _e249 = (((_e242 * _e242) + (_e243 * _e243)) + (_e244 * _e244));
-let _e260 = global_2.member.member_10.member_20.member_1;
-let _e266 = global_2.member.member_10.member_20.member_2;
+let _e260 = global_2.member.member_12.member_20.member_1;
+let _e266 = global_2.member.member_12.member_20.member_2;
 let _e267 = ((_e260 - (sqrt(select(0f, _e249, (_e249 > 0f))) / select(1e-20f, _e238, (_e238 > 1e-20f)))) * _e266);
 let _e269 = select(0f, _e267, (_e267 > 0f));
 let _e271 = select(1f, _e269, (_e269 < 1f));
@@ -282,18 +284,18 @@ let _e299 = local_1;
 let _e300 = ((11i * _e297) + _e299);
 let _e302 = select(_e77, _e300, (_e300 < _e77));
 let _e307 = global_1.member[bitcast<u32>(select(0i, _e302, (_e302 > 0i)))];
-let _e311 = global_2.member.member_5.member_1;
+let _e311 = global_2.member.member_7.member_1;
 let _e313 = ((_e311 - _e105) / _e138);
 let _e315 = (_e84 + (_e116 * _e313));
 let _e317 = (_e94 + (_e127 * _e313));
 let _e318 = (_e179 != 0u);
-let _e326 = global_2.member.member_10.member_19.member_2;
+let _e326 = global_2.member.member_12.member_19.member_2;
 let _e328 = select(1f, (_e311 - _e326), _e318);
 let _e331 = (1f / select(1e-12f, _e328, (_e328 > 1e-12f)));
-let _e336 = global_2.member.member_10.member_5;
-let _e341 = global_2.member.member_10.member_8;
-let _e347 = global_2.member.member_10.member_6;
-let _e350 = global_2.member.member_10.member_19;
+let _e336 = global_2.member.member_12.member_5;
+let _e341 = global_2.member.member_12.member_8;
+let _e347 = global_2.member.member_12.member_6;
+let _e350 = global_2.member.member_12.member_19;
 let _e354 = (_e315 - _e350.member);
 let _e355 = (_e317 - _e350.member_1);
 let _e356 = (_e311 - _e350.member_2);
@@ -306,7 +308,7 @@ let _e382 = (1f / select(1e-20f, _e379, (_e379 > 1e-20f)));
 let _e385 = (_e307 == 3f);
 let _e391 = (select(1f, (_e356 * _e367), _e318) * (_e379 / select(1e-6f, _e138, (_e138 > 1e-6f))));
 let _e393 = select(8f, _e391, (_e391 < 8f));
-let _e402 = global_2.member.member_10.member_11;
+let _e402 = global_2.member.member_12.member_11;
 global_3.member[_e57] = ((((_e315 * _e331) - _e336) * _e341) - _e402);
 global_3.member[(_e55 + _e57)] = ((((_e317 * _e331) - _e347) * _e341) - _e402);
 global_3.member[((2u * _e55) + _e57)] = select(((_e149 * _e282) * _e393), 0f, _e385);

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -273,63 +275,63 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_684_: u32;
-var phi_687_: bool;
-var phi_689_: array<f32, 18>;
-var phi_1444_: bool;
-var phi_1624_: bool;
-var phi_1627_: bool;
-var phi_2928_: f32;
-var phi_4534_: type_34;
-var phi_4547_: bool;
-var phi_4577_: type_39;
-var phi_4589_: bool;
-var phi_5669_: type_31;
-var phi_7192_: type_34;
-var phi_8304_: type_31;
-var phi_9842_: type_34;
-var phi_10954_: type_31;
-var phi_12492_: type_34;
-var phi_14240_: type_31;
-var phi_14253_: type_38;
-var phi_14254_: vec3<f32>;
-var phi_14255_: bool;
-var phi_14256_: f32;
-var phi_19561_: type_32;
-var phi_20208_: type_33;
-var phi_20621_: type_7;
-var phi_24786_: type_40;
-var phi_26315_: i32;
-var phi_26892_: vec3<f32>;
-var phi_27299_: vec3<f32>;
-var phi_27393_: f32;
-var phi_27435_: f32;
-var phi_25801_: vec3<f32>;
-var phi_27467_: type_35;
-var phi_24900_: f32;
-var phi_24984_: f32;
-var phi_25056_: type_35;
-var phi_27468_: type_35;
-var phi_27551_: f32;
-var phi_27552_: f32;
-var phi_27809_: vec3<f32>;
-var phi_28739_: f32;
-var phi_28823_: f32;
-var phi_28895_: type_35;
-var phi_28238_: u32;
-var phi_28575_: f32;
-var phi_28631_: f32;
-var phi_28636_: vec3<f32>;
-var phi_28896_: type_35;
+var phi_686_: u32;
+var phi_689_: bool;
+var phi_691_: array<f32, 18>;
+var phi_1446_: bool;
+var phi_1626_: bool;
+var phi_1629_: bool;
+var phi_2930_: f32;
+var phi_4536_: type_34;
+var phi_4549_: bool;
+var phi_4579_: type_39;
+var phi_4591_: bool;
+var phi_5671_: type_31;
+var phi_7194_: type_34;
+var phi_8306_: type_31;
+var phi_9844_: type_34;
+var phi_10956_: type_31;
+var phi_12494_: type_34;
+var phi_14242_: type_31;
+var phi_14255_: type_38;
+var phi_14256_: vec3<f32>;
+var phi_14257_: bool;
+var phi_14258_: f32;
+var phi_19563_: type_32;
+var phi_20210_: type_33;
+var phi_20623_: type_7;
+var phi_24788_: type_40;
+var phi_26317_: i32;
+var phi_26894_: vec3<f32>;
+var phi_27301_: vec3<f32>;
+var phi_27395_: f32;
+var phi_27437_: f32;
+var phi_25803_: vec3<f32>;
+var phi_27469_: type_35;
+var phi_24902_: f32;
+var phi_24986_: f32;
+var phi_25058_: type_35;
+var phi_27470_: type_35;
+var phi_27553_: f32;
+var phi_27554_: f32;
+var phi_27811_: vec3<f32>;
+var phi_28741_: f32;
+var phi_28825_: f32;
 var phi_28897_: type_35;
-var phi_30387_: type_34;
-var phi_30543_: vec3<f32>;
-var phi_30544_: bool;
-var phi_30704_: array<f32, 18>;
-var phi_685_: u32;
-var phi_688_: bool;
-var phi_690_: array<f32, 18>;
-var phi_30895_: bool;
+var phi_28240_: u32;
+var phi_28577_: f32;
+var phi_28633_: f32;
+var phi_28638_: vec3<f32>;
+var phi_28898_: type_35;
+var phi_28899_: type_35;
+var phi_30389_: type_34;
+var phi_30545_: vec3<f32>;
+var phi_30546_: bool;
+var phi_30706_: array<f32, 18>;
+var phi_687_: u32;
+var phi_690_: bool;
+var phi_692_: array<f32, 18>;
+var phi_30897_: bool;
 var local_40: bool;
 var local_41: array<f32, 18>;
 var local_42: array<f32, 18>;
@@ -439,13 +441,13 @@ let _e446 = ((17u * _e256) + _e258);
 let _e447 = bitcast<i32>(_e446);
 let _e449 = select(_e261, _e447, (_e447 < _e261));
 let _e455 = global_4.member[bitcast<u32>(select(0i, _e449, (_e449 > 0i)))];
-phi_684_ = 0u;
-phi_687_ = false;
-phi_689_ = array<f32, 18>(_e269, _e279, _e290, _e301, _e312, _e323, _e334, _e345, _e356, _e367, _e378, _e389, _e400, _e411, _e422, _e433, _e444, _e455);
+phi_686_ = 0u;
+phi_689_ = false;
+phi_691_ = array<f32, 18>(_e269, _e279, _e290, _e301, _e312, _e323, _e334, _e345, _e356, _e367, _e378, _e389, _e400, _e411, _e422, _e433, _e444, _e455);
 loop {
-let _e458 = phi_684_;
-let _e460 = phi_687_;
-let _e462 = phi_689_;
+let _e458 = phi_686_;
+let _e460 = phi_689_;
+let _e462 = phi_691_;
 local_40 = _e460;
 local_41 = _e462;
 local_42 = _e462;
@@ -469,47 +471,47 @@ let _e463 = (_e458 < _e221);
 if _e463 {
 if _e463 {
 } else {
-phi_30895_ = true;
+phi_30897_ = true;
 break;
 }
 let _e467 = global_5.member[_e458].member;
-let _e481 = global_5.member[_e458].member_5.member_2;
+let _e481 = global_5.member[_e458].member_7.member_2;
 let _e482 = (_e481 / _e462[5]);
-let _e487 = global_5.member[_e458].member_5.member;
+let _e487 = global_5.member[_e458].member_7.member;
 let _e489 = ((_e487 - _e462[2]) / _e462[5]);
 let _e491 = (_e462[0] + (_e462[3] * _e489));
 let _e493 = (_e462[1] + (_e462[4] * _e489));
 let _e495 = (_e491 + (_e462[3] * _e482));
 let _e497 = (_e493 + (_e462[4] * _e482));
-let _e502 = global_5.member[_e458].member_5.member_1;
-let _e508 = global_5.member[_e458].member_13.member.member;
+let _e502 = global_5.member[_e458].member_7.member_1;
+let _e508 = global_5.member[_e458].member_15.member.member;
 let _e519 = ((((_e508.member.member * _e491) + (_e508.member.member_1 * _e493)) + (_e508.member.member_2 * _e487)) + _e508.member_1);
 let _e525 = ((((_e508.member.member * _e495) + (_e508.member.member_1 * _e497)) + (_e508.member.member_2 * _e502)) + _e508.member_1);
 let _e528 = ((_e519 > 0f) && (_e525 <= 0f));
-let _e534 = global_5.member[_e458].member_13.member_1.member;
+let _e534 = global_5.member[_e458].member_15.member_1.member;
 let _e545 = ((((_e534.member.member * _e491) + (_e534.member.member_1 * _e493)) + (_e534.member.member_2 * _e487)) + _e534.member_1);
 let _e551 = ((((_e534.member.member * _e495) + (_e534.member.member_1 * _e497)) + (_e534.member.member_2 * _e502)) + _e534.member_1);
 let _e554 = ((_e545 > 0f) && (_e551 <= 0f));
 let _e555 = (_e528 || _e554);
-let _e560 = global_5.member[_e458].member_6.member;
+let _e560 = global_5.member[_e458].member_8.member;
 let _e571 = ((((_e560.member.member * _e491) + (_e560.member.member_1 * _e493)) + (_e560.member.member_2 * _e487)) + _e560.member_1);
-let _e576 = global_5.member[_e458].member_6.member_1;
+let _e576 = global_5.member[_e458].member_8.member_1;
 let _e587 = ((((_e576.member.member * _e491) + (_e576.member.member_1 * _e493)) + (_e576.member.member_2 * _e487)) + _e576.member_1);
-let _e592 = global_5.member[_e458].member_6.member_2;
+let _e592 = global_5.member[_e458].member_8.member_2;
 let _e603 = ((((_e592.member.member * _e491) + (_e592.member.member_1 * _e493)) + (_e592.member.member_2 * _e487)) + _e592.member_1);
 let _e609 = ((((_e560.member.member * _e495) + (_e560.member.member_1 * _e497)) + (_e560.member.member_2 * _e502)) + _e560.member_1);
 let _e615 = ((((_e576.member.member * _e495) + (_e576.member.member_1 * _e497)) + (_e576.member.member_2 * _e502)) + _e576.member_1);
 let _e621 = ((((_e592.member.member * _e495) + (_e592.member.member_1 * _e497)) + (_e592.member.member_2 * _e502)) + _e592.member_1);
-let _e626 = global_5.member[_e458].member_6.member_4;
-let _e632 = global_5.member[_e458].member_6.member_3.member;
+let _e626 = global_5.member[_e458].member_8.member_4;
+let _e632 = global_5.member[_e458].member_8.member_3.member;
 let _e633 = (_e632 - 0.5f);
 let _e635 = select(-0.5f, _e609, (_e609 > -0.5f));
 let _e637 = select(_e633, _e635, (_e635 < _e633));
-let _e643 = global_5.member[_e458].member_6.member_3.member_1;
+let _e643 = global_5.member[_e458].member_8.member_3.member_1;
 let _e644 = (_e643 - 0.5f);
 let _e646 = select(-0.5f, _e615, (_e615 > -0.5f));
 let _e648 = select(_e644, _e646, (_e646 < _e644));
-let _e654 = global_5.member[_e458].member_6.member_3.member_2;
+let _e654 = global_5.member[_e458].member_8.member_3.member_2;
 let _e655 = (_e654 - 0.5f);
 let _e657 = select(-0.5f, _e621, (_e621 > -0.5f));
 let _e659 = select(_e655, _e657, (_e657 < _e655));
@@ -529,7 +531,7 @@ let _e695 = (_e632 - 1f);
 let _e697 = select(0f, _e694, (_e694 > 0f));
 let _e699 = select(_e695, _e697, (_e697 < _e695));
 let _e706 = select(0i, select(select(i32(_e699), i32(-2147483648), (_e699 < -2147483600f)), 2147483647i, (_e699 > 2147483500f)), (_e699 == _e699));
-let _e715 = global_5.member[_e458].member_6.member_12;
+let _e715 = global_5.member[_e458].member_8.member_12;
 let _e716 = (_e715 & 31u);
 let _e719 = (_e648 + 0.5f);
 let _e720 = (_e643 - 1f);
@@ -541,9 +543,9 @@ let _e739 = (_e654 - 1f);
 let _e741 = select(0f, _e738, (_e738 > 0f));
 let _e743 = select(_e739, _e741, (_e741 < _e739));
 let _e750 = select(0i, select(select(i32(_e743), i32(-2147483648), (_e743 < -2147483600f)), 2147483647i, (_e743 > 2147483500f)), (_e743 == _e743));
-let _e762 = global_5.member[_e458].member_6.member_9.member;
-let _e769 = global_5.member[_e458].member_6.member_9.member_1;
-let _e775 = global_5.member[_e458].member_6.member_10;
+let _e762 = global_5.member[_e458].member_8.member_9.member;
+let _e769 = global_5.member[_e458].member_8.member_9.member_1;
+let _e775 = global_5.member[_e458].member_8.member_10;
 let _e781 = ((bitcast<i32>(_e775) + ((_e706 - select(0i, 1i, (_e699 < f32(_e706)))) >> bitcast<u32>(_e716))) + (bitcast<i32>(_e762) * (((_e731 - select(0i, 1i, (_e724 < f32(_e731)))) >> bitcast<u32>(_e716)) + (bitcast<i32>(_e769) * ((_e750 - select(0i, 1i, (_e743 < f32(_e750)))) >> bitcast<u32>(_e716))))));
 let _e783 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
 let _e785 = select(_e783, _e781, (_e781 < _e783));
@@ -562,22 +564,22 @@ let _e850 = (_e654 - _e839);
 let _e853 = ((((_e571 >= _e838) && (_e571 <= _e841)) && ((_e587 >= _e838) && (_e587 <= _e845))) && ((_e603 >= _e838) && (_e603 <= _e850)));
 let _e855 = ((_e798 & 16u) == 0u);
 if _e855 {
-phi_1444_ = _e853;
+phi_1446_ = _e853;
 } else {
-let _e861 = global_5.member[_e458].member_6.member.member;
+let _e861 = global_5.member[_e458].member_8.member.member;
 let _e869 = (((_e861.member * _e861.member) + (_e861.member_1 * _e861.member_1)) + (_e861.member_2 * _e861.member_2));
-let _e878 = global_5.member[_e458].member_14.member;
+let _e878 = global_5.member[_e458].member_16.member;
 let _e890 = -((0.5f / sqrt(select(0f, _e869, (_e869 > 0f)))));
-let _e896 = global_5.member[_e458].member_14.member_1;
-let _e903 = global_5.member[_e458].member_15.member;
-let _e920 = global_5.member[_e458].member_15.member_1;
-let _e928 = global_5.member[_e458].member_16.member;
-let _e945 = global_5.member[_e458].member_16.member_1;
-let _e953 = global_5.member[_e458].member_17.member;
-let _e970 = global_5.member[_e458].member_17.member_1;
-phi_1444_ = (_e853 && (((((((((_e878.member.member * _e491) + (_e878.member.member_1 * _e493)) + (_e878.member.member_2 * _e487)) + _e878.member_1) <= _e890) || (_e896 == 0u)) && ((((((_e903.member.member * _e491) + (_e903.member.member_1 * _e493)) + (_e903.member.member_2 * _e487)) + _e903.member_1) <= _e890) || (_e920 == 0u))) && ((((((_e928.member.member * _e491) + (_e928.member.member_1 * _e493)) + (_e928.member.member_2 * _e487)) + _e928.member_1) <= _e890) || (_e945 == 0u))) && ((((((_e953.member.member * _e491) + (_e953.member.member_1 * _e493)) + (_e953.member.member_2 * _e487)) + _e953.member_1) <= _e890) || (_e970 == 0u))));
+let _e896 = global_5.member[_e458].member_16.member_1;
+let _e903 = global_5.member[_e458].member_17.member;
+let _e920 = global_5.member[_e458].member_17.member_1;
+let _e928 = global_5.member[_e458].member_18.member;
+let _e945 = global_5.member[_e458].member_18.member_1;
+let _e953 = global_5.member[_e458].member_19.member;
+let _e970 = global_5.member[_e458].member_19.member_1;
+phi_1446_ = (_e853 && (((((((((_e878.member.member * _e491) + (_e878.member.member_1 * _e493)) + (_e878.member.member_2 * _e487)) + _e878.member_1) <= _e890) || (_e896 == 0u)) && ((((((_e903.member.member * _e491) + (_e903.member.member_1 * _e493)) + (_e903.member.member_2 * _e487)) + _e903.member_1) <= _e890) || (_e920 == 0u))) && ((((((_e928.member.member * _e491) + (_e928.member.member_1 * _e493)) + (_e928.member.member_2 * _e487)) + _e928.member_1) <= _e890) || (_e945 == 0u))) && ((((((_e953.member.member * _e491) + (_e953.member.member_1 * _e493)) + (_e953.member.member_2 * _e487)) + _e953.member_1) <= _e890) || (_e970 == 0u))));
 }
-let _e976 = phi_1444_;
+let _e976 = phi_1446_;
 let _e980 = (_e495 + (_e495 - _e491));
 let _e981 = (_e497 + (_e497 - _e493));
 let _e982 = (_e502 + (_e502 - _e487));
@@ -586,27 +588,27 @@ let _e994 = ((((_e576.member.member * _e980) + (_e576.member.member_1 * _e981)) 
 let _e1000 = ((((_e592.member.member * _e980) + (_e592.member.member_1 * _e981)) + (_e592.member.member_2 * _e982)) + _e592.member_1);
 let _e1011 = ((((_e988 >= _e838) && (_e988 <= _e841)) && ((_e994 >= _e838) && (_e994 <= _e845))) && ((_e1000 >= _e838) && (_e1000 <= _e850)));
 if _e855 {
-phi_1624_ = _e1011;
+phi_1626_ = _e1011;
 } else {
-let _e1017 = global_5.member[_e458].member_6.member.member;
+let _e1017 = global_5.member[_e458].member_8.member.member;
 let _e1025 = (((_e1017.member * _e1017.member) + (_e1017.member_1 * _e1017.member_1)) + (_e1017.member_2 * _e1017.member_2));
-let _e1034 = global_5.member[_e458].member_14.member;
+let _e1034 = global_5.member[_e458].member_16.member;
 let _e1046 = -((0.5f / sqrt(select(0f, _e1025, (_e1025 > 0f)))));
-let _e1052 = global_5.member[_e458].member_14.member_1;
-let _e1059 = global_5.member[_e458].member_15.member;
-let _e1076 = global_5.member[_e458].member_15.member_1;
-let _e1084 = global_5.member[_e458].member_16.member;
-let _e1101 = global_5.member[_e458].member_16.member_1;
-let _e1109 = global_5.member[_e458].member_17.member;
-let _e1126 = global_5.member[_e458].member_17.member_1;
-phi_1624_ = (_e1011 && (((((((((_e1034.member.member * _e980) + (_e1034.member.member_1 * _e981)) + (_e1034.member.member_2 * _e982)) + _e1034.member_1) <= _e1046) || (_e1052 == 0u)) && ((((((_e1059.member.member * _e980) + (_e1059.member.member_1 * _e981)) + (_e1059.member.member_2 * _e982)) + _e1059.member_1) <= _e1046) || (_e1076 == 0u))) && ((((((_e1084.member.member * _e980) + (_e1084.member.member_1 * _e981)) + (_e1084.member.member_2 * _e982)) + _e1084.member_1) <= _e1046) || (_e1101 == 0u))) && ((((((_e1109.member.member * _e980) + (_e1109.member.member_1 * _e981)) + (_e1109.member.member_2 * _e982)) + _e1109.member_1) <= _e1046) || (_e1126 == 0u))));
+let _e1052 = global_5.member[_e458].member_16.member_1;
+let _e1059 = global_5.member[_e458].member_17.member;
+let _e1076 = global_5.member[_e458].member_17.member_1;
+let _e1084 = global_5.member[_e458].member_18.member;
+let _e1101 = global_5.member[_e458].member_18.member_1;
+let _e1109 = global_5.member[_e458].member_19.member;
+let _e1126 = global_5.member[_e458].member_19.member_1;
+phi_1626_ = (_e1011 && (((((((((_e1034.member.member * _e980) + (_e1034.member.member_1 * _e981)) + (_e1034.member.member_2 * _e982)) + _e1034.member_1) <= _e1046) || (_e1052 == 0u)) && ((((((_e1059.member.member * _e980) + (_e1059.member.member_1 * _e981)) + (_e1059.member.member_2 * _e982)) + _e1059.member_1) <= _e1046) || (_e1076 == 0u))) && ((((((_e1084.member.member * _e980) + (_e1084.member.member_1 * _e981)) + (_e1084.member.member_2 * _e982)) + _e1084.member_1) <= _e1046) || (_e1101 == 0u))) && ((((((_e1109.member.member * _e980) + (_e1109.member.member_1 * _e981)) + (_e1109.member.member_2 * _e982)) + _e1109.member_1) <= _e1046) || (_e1126 == 0u))));
 }
-let _e1132 = phi_1624_;
-phi_1627_ = (_e828 && (_e976 && _e1132));
+let _e1132 = phi_1626_;
+phi_1629_ = (_e828 && (_e976 && _e1132));
 } else {
-phi_1627_ = _e828;
+phi_1629_ = _e828;
 }
-let _e1136 = phi_1627_;
+let _e1136 = phi_1629_;
 let _e1137 = (_e462[17] == -1.2676506e30f);
 let _e1139 = (_e462[17] != _e487);
 let _e1149 = (select(0u, select(select(31u, select(select(3u, 7u, _e1139), 15u, _e555), (_e1136 && !((_e837 && _e1137)))), select(1u, 15u, _e555), (((_e798 & 64u) != 0u) || ((((select(_e673, _e670, (_e670 > _e673)) <= _e626) && ((select(_e690, _e687, (_e687 > _e690)) > _e626) || (_e791 != 0u))) && true) && ((_e798 & 32u) != 0u)))), (_e462[7] == 0f)) > 1u);
@@ -617,10 +619,10 @@ let _e1165 = (_e519 / select(1e-20f, _e1162, (_e1162 > 1e-20f)));
 let _e1166 = (_e545 - _e551);
 let _e1169 = (_e545 / select(1e-20f, _e1166, (_e1166 > 1e-20f)));
 let _e1173 = (_e554 && (!(_e528) || (_e1169 < _e1165)));
-let _e1180 = global_5.member[_e458].member_13.member_1.member.member;
-let _e1186 = global_5.member[_e458].member_13.member_1.member_1;
-let _e1193 = global_5.member[_e458].member_13.member.member.member;
-let _e1199 = global_5.member[_e458].member_13.member.member_1;
+let _e1180 = global_5.member[_e458].member_15.member_1.member.member;
+let _e1186 = global_5.member[_e458].member_15.member_1.member_1;
+let _e1193 = global_5.member[_e458].member_15.member.member.member;
+let _e1199 = global_5.member[_e458].member_15.member.member_1;
 let _e1218 = select(_e1165, _e1169, _e1173);
 let _e1220 = select(-0.5f, _e571, (_e571 > -0.5f));
 let _e1222 = select(_e633, _e1220, (_e1220 < _e633));
@@ -640,8 +642,8 @@ let _e1262 = select(-1f, _e1230, (_e1230 > -1f));
 let _e1264 = select(_e654, _e1262, (_e1262 < _e654));
 let _e1271 = select(0i, select(select(i32(_e1264), i32(-2147483648), (_e1264 < -2147483600f)), 2147483647i, (_e1264 > 2147483500f)), (_e1264 == _e1264));
 let _e1275 = (_e1271 - select(0i, 1i, (_e1264 < f32(_e1271))));
-let _e1280 = global_5.member[_e458].member_6.member_7;
-let _e1285 = global_5.member[_e458].member_6.member_8;
+let _e1280 = global_5.member[_e458].member_8.member_7;
+let _e1285 = global_5.member[_e458].member_8.member_8;
 let _e1293 = (select(0i, select(select(i32(_e643), i32(-2147483648), (_e643 < -2147483600f)), 2147483647i, (_e643 > 2147483500f)), (_e643 == _e643)) - 1i);
 let _e1296 = (_e1260 + 1i);
 let _e1306 = (select(0i, select(select(i32(_e654), i32(-2147483648), (_e654 < -2147483600f)), 2147483647i, (_e654 > 2147483500f)), (_e654 == _e654)) - 1i);
@@ -707,8 +709,8 @@ let _e1450 = global_1.member[bitcast<u32>(select(0i, _e1445, (_e1445 > 0i)))];
 let _e1452 = local_39[0u];
 let _e1456 = local_39[1u];
 let _e1461 = local_39[2u];
-let _e1469 = global_5.member[_e458].member_6.member_6;
-let _e1474 = global_5.member[_e458].member_6.member_5;
+let _e1469 = global_5.member[_e458].member_8.member_6;
+let _e1474 = global_5.member[_e458].member_8.member_5;
 let _e1476 = (((_e1405 + (((_e1430 + (((_e1441 + ((bitcast<f32>(_e1450) - _e1441) * _e1452)) - _e1430) * _e1456)) - _e1405) * _e1461)) - _e1469) * _e1474);
 let _e1477 = -(1e9f);
 let _e1479 = select(_e1477, _e1476, (_e1476 > _e1477));
@@ -773,11 +775,11 @@ let _e1656 = select(_e1486, 262144i, (262144i < _e1486));
 let _e1662 = global_2.member[bitcast<u32>(select(0i, _e1656, (_e1656 > 0i)))];
 let _e1665 = select(_e1486, 262145i, (262145i < _e1486));
 let _e1671 = global_2.member[bitcast<u32>(select(0i, _e1665, (_e1665 > 0i)))];
-phi_2928_ = select(_e462[16], ((bitcast<f32>(_e1662) + (f32(bitcast<i32>((_e1636 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1671))) + ((f32((bitcast<i32>((_e1636 & 4095u)) - 2048i)) * bitcast<f32>(_e1652)) * (_e1612 - f32(_e1627)))), _e1139);
+phi_2930_ = select(_e462[16], ((bitcast<f32>(_e1662) + (f32(bitcast<i32>((_e1636 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1671))) + ((f32((bitcast<i32>((_e1636 & 4095u)) - 2048i)) * bitcast<f32>(_e1652)) * (_e1612 - f32(_e1627)))), _e1139);
 } else {
-phi_2928_ = _e462[16];
+phi_2930_ = _e462[16];
 }
-let _e1681 = phi_2928_;
+let _e1681 = phi_2930_;
 let _e1682 = (_e495 - _e491);
 let _e1683 = (_e497 - _e493);
 let _e1684 = (_e502 - _e487);
@@ -828,9 +830,9 @@ let _e1774 = select(_e1736, _e1711, (_e1711 > _e1736));
 let _e1777 = (select(_e1768, _e1770, (_e1770 < _e1768)) - select(_e1761, _e1774, (_e1774 > _e1761)));
 let _e1780 = (_e1692 * select(0f, _e1777, (_e1777 > 0f)));
 if _e837 {
-let _e1795 = global_5.member[_e458].member_6.member.member;
-let _e1804 = global_5.member[_e458].member_6.member_1.member;
-let _e1813 = global_5.member[_e458].member_6.member_2.member;
+let _e1795 = global_5.member[_e458].member_8.member.member;
+let _e1804 = global_5.member[_e458].member_8.member_1.member;
+let _e1813 = global_5.member[_e458].member_8.member_2.member;
 let _e1817 = (-0.5f - _e609);
 let _e1818 = -(_e1697);
 let _e1821 = (_e1697 - _e1817);
@@ -935,16 +937,16 @@ let _e2054 = select(select(select(select(select(select(0f, _e1795.member_1, _e18
 let _e2055 = select(select(select(select(select(select(1f, _e1795.member_2, _e1836), _e1795.member_2, _e1876), _e1804.member_2, _e1915), _e1804.member_2, _e1955), _e1813.member_2, _e1994), _e1813.member_2, _e2034);
 let _e2059 = ((_e798 & 16u) == 0u);
 if _e2059 {
-phi_4534_ = type_34(_e2040, vec3<f32>(_e2041, _e2042, _e2043), _e2045, vec3<f32>(_e2046, _e2047, _e2048), _e2050, _e2052, vec3<f32>(_e2053, _e2054, _e2055));
+phi_4536_ = type_34(_e2040, vec3<f32>(_e2041, _e2042, _e2043), _e2045, vec3<f32>(_e2046, _e2047, _e2048), _e2050, _e2052, vec3<f32>(_e2053, _e2054, _e2055));
 } else {
 let _e2064 = (((_e1795.member * _e1795.member) + (_e1795.member_1 * _e1795.member_1)) + (_e1795.member_2 * _e1795.member_2));
 let _e2067 = sqrt(select(0f, _e2064, (_e2064 > 0f)));
-let _e2072 = global_5.member[_e458].member_14.member_1;
+let _e2072 = global_5.member[_e458].member_16.member_1;
 let _e2073 = (_e2072 != 0u);
-let _e2078 = global_5.member[_e458].member_14.member;
+let _e2078 = global_5.member[_e458].member_16.member;
 let _e2098 = select(-1e6f, (((((_e2078.member.member * _e491) + (_e2078.member.member_1 * _e493)) + (_e2078.member.member_2 * _e487)) + _e2078.member_1) * _e2067), _e2073);
 let _e2099 = select(-1e6f, (((((_e2078.member.member * _e495) + (_e2078.member.member_1 * _e497)) + (_e2078.member.member_2 * _e502)) + _e2078.member_1) * _e2067), _e2073);
-let _e2105 = global_5.member[_e458].member_14.member.member;
+let _e2105 = global_5.member[_e458].member_16.member.member;
 let _e2109 = -(_e2098);
 let _e2112 = (_e2098 - _e2099);
 let _e2113 = (_e2099 - _e2098);
@@ -959,12 +961,12 @@ let _e2133 = select(_e2040, _e2122, _e2131);
 let _e2137 = select(_e2045, _e2126, _e2132);
 let _e2141 = select(_e2050, _e2098, _e2127);
 let _e2143 = select(_e2052, _e2099, (_e2099 > _e2052));
-let _e2151 = global_5.member[_e458].member_15.member_1;
+let _e2151 = global_5.member[_e458].member_17.member_1;
 let _e2152 = (_e2151 != 0u);
-let _e2157 = global_5.member[_e458].member_15.member;
+let _e2157 = global_5.member[_e458].member_17.member;
 let _e2177 = select(-1e6f, (((((_e2157.member.member * _e491) + (_e2157.member.member_1 * _e493)) + (_e2157.member.member_2 * _e487)) + _e2157.member_1) * _e2067), _e2152);
 let _e2178 = select(-1e6f, (((((_e2157.member.member * _e495) + (_e2157.member.member_1 * _e497)) + (_e2157.member.member_2 * _e502)) + _e2157.member_1) * _e2067), _e2152);
-let _e2184 = global_5.member[_e458].member_15.member.member;
+let _e2184 = global_5.member[_e458].member_17.member.member;
 let _e2188 = -(_e2177);
 let _e2191 = (_e2177 - _e2178);
 let _e2192 = (_e2178 - _e2177);
@@ -979,12 +981,12 @@ let _e2212 = select(_e2133, _e2201, _e2210);
 let _e2216 = select(_e2137, _e2205, _e2211);
 let _e2220 = select(_e2141, _e2177, _e2206);
 let _e2222 = select(_e2143, _e2178, (_e2178 > _e2143));
-let _e2230 = global_5.member[_e458].member_16.member_1;
+let _e2230 = global_5.member[_e458].member_18.member_1;
 let _e2231 = (_e2230 != 0u);
-let _e2236 = global_5.member[_e458].member_16.member;
+let _e2236 = global_5.member[_e458].member_18.member;
 let _e2256 = select(-1e6f, (((((_e2236.member.member * _e491) + (_e2236.member.member_1 * _e493)) + (_e2236.member.member_2 * _e487)) + _e2236.member_1) * _e2067), _e2231);
 let _e2257 = select(-1e6f, (((((_e2236.member.member * _e495) + (_e2236.member.member_1 * _e497)) + (_e2236.member.member_2 * _e502)) + _e2236.member_1) * _e2067), _e2231);
-let _e2263 = global_5.member[_e458].member_16.member.member;
+let _e2263 = global_5.member[_e458].member_18.member.member;
 let _e2267 = -(_e2256);
 let _e2270 = (_e2256 - _e2257);
 let _e2271 = (_e2257 - _e2256);
@@ -999,12 +1001,12 @@ let _e2291 = select(_e2212, _e2280, _e2289);
 let _e2295 = select(_e2216, _e2284, _e2290);
 let _e2299 = select(_e2220, _e2256, _e2285);
 let _e2301 = select(_e2222, _e2257, (_e2257 > _e2222));
-let _e2309 = global_5.member[_e458].member_17.member_1;
+let _e2309 = global_5.member[_e458].member_19.member_1;
 let _e2310 = (_e2309 != 0u);
-let _e2315 = global_5.member[_e458].member_17.member;
+let _e2315 = global_5.member[_e458].member_19.member;
 let _e2335 = select(-1e6f, (((((_e2315.member.member * _e491) + (_e2315.member.member_1 * _e493)) + (_e2315.member.member_2 * _e487)) + _e2315.member_1) * _e2067), _e2310);
 let _e2336 = select(-1e6f, (((((_e2315.member.member * _e495) + (_e2315.member.member_1 * _e497)) + (_e2315.member.member_2 * _e502)) + _e2315.member_1) * _e2067), _e2310);
-let _e2342 = global_5.member[_e458].member_17.member.member;
+let _e2342 = global_5.member[_e458].member_19.member.member;
 let _e2346 = -(_e2335);
 let _e2349 = (_e2335 - _e2336);
 let _e2350 = (_e2336 - _e2335);
@@ -1015,32 +1017,32 @@ let _e2363 = select(2f, select(0f, _e2355, (_e2335 < 0f)), (_e2336 > 0f));
 let _e2364 = (_e2335 > _e2299);
 let _e2368 = ((_e2359 > _e2291) || ((_e2359 == _e2291) && _e2364));
 let _e2369 = (_e2363 < _e2295);
-phi_4534_ = type_34(select(_e2291, _e2359, _e2368), vec3<f32>(select(select(select(select(_e2041, _e2105.member, _e2131), _e2184.member, _e2210), _e2263.member, _e2289), _e2342.member, _e2368), select(select(select(select(_e2042, _e2105.member_1, _e2131), _e2184.member_1, _e2210), _e2263.member_1, _e2289), _e2342.member_1, _e2368), select(select(select(select(_e2043, _e2105.member_2, _e2131), _e2184.member_2, _e2210), _e2263.member_2, _e2289), _e2342.member_2, _e2368)), select(_e2295, _e2363, _e2369), vec3<f32>(select(select(select(select(_e2046, _e2105.member, _e2132), _e2184.member, _e2211), _e2263.member, _e2290), _e2342.member, _e2369), select(select(select(select(_e2047, _e2105.member_1, _e2132), _e2184.member_1, _e2211), _e2263.member_1, _e2290), _e2342.member_1, _e2369), select(select(select(select(_e2048, _e2105.member_2, _e2132), _e2184.member_2, _e2211), _e2263.member_2, _e2290), _e2342.member_2, _e2369)), select(_e2299, _e2335, _e2364), select(_e2301, _e2336, (_e2336 > _e2301)), vec3<f32>(select(select(select(select(_e2053, _e2105.member, _e2127), _e2184.member, _e2206), _e2263.member, _e2285), _e2342.member, _e2364), select(select(select(select(_e2054, _e2105.member_1, _e2127), _e2184.member_1, _e2206), _e2263.member_1, _e2285), _e2342.member_1, _e2364), select(select(select(select(_e2055, _e2105.member_2, _e2127), _e2184.member_2, _e2206), _e2263.member_2, _e2285), _e2342.member_2, _e2364)));
+phi_4536_ = type_34(select(_e2291, _e2359, _e2368), vec3<f32>(select(select(select(select(_e2041, _e2105.member, _e2131), _e2184.member, _e2210), _e2263.member, _e2289), _e2342.member, _e2368), select(select(select(select(_e2042, _e2105.member_1, _e2131), _e2184.member_1, _e2210), _e2263.member_1, _e2289), _e2342.member_1, _e2368), select(select(select(select(_e2043, _e2105.member_2, _e2131), _e2184.member_2, _e2210), _e2263.member_2, _e2289), _e2342.member_2, _e2368)), select(_e2295, _e2363, _e2369), vec3<f32>(select(select(select(select(_e2046, _e2105.member, _e2132), _e2184.member, _e2211), _e2263.member, _e2290), _e2342.member, _e2369), select(select(select(select(_e2047, _e2105.member_1, _e2132), _e2184.member_1, _e2211), _e2263.member_1, _e2290), _e2342.member_1, _e2369), select(select(select(select(_e2048, _e2105.member_2, _e2132), _e2184.member_2, _e2211), _e2263.member_2, _e2290), _e2342.member_2, _e2369)), select(_e2299, _e2335, _e2364), select(_e2301, _e2336, (_e2336 > _e2301)), vec3<f32>(select(select(select(select(_e2053, _e2105.member, _e2127), _e2184.member, _e2206), _e2263.member, _e2285), _e2342.member, _e2364), select(select(select(select(_e2054, _e2105.member_1, _e2127), _e2184.member_1, _e2206), _e2263.member_1, _e2285), _e2342.member_1, _e2364), select(select(select(select(_e2055, _e2105.member_2, _e2127), _e2184.member_2, _e2206), _e2263.member_2, _e2285), _e2342.member_2, _e2364)));
 }
-let _e2389 = phi_4534_;
+let _e2389 = phi_4536_;
 if ((_e2389.member_4 > -(0.015625f)) && (_e2389.member_4 < 0.015625f)) {
-phi_4547_ = (_e462[16] != 0f);
+phi_4549_ = (_e462[16] != 0f);
 } else {
-phi_4547_ = (_e2389.member_4 < 0f);
+phi_4549_ = (_e2389.member_4 < 0f);
 }
-let _e2398 = phi_4547_;
+let _e2398 = phi_4549_;
 let _e2399 = select(1f, _e1681, _e2398);
 let _e2401 = select(1f, _e2399, (_e1137 && _e2398));
 let _e2402 = (_e462[3] * _e2401);
 let _e2403 = (_e462[4] * _e2401);
 let _e2404 = (_e462[5] * _e2401);
 if _e2398 {
-phi_4577_ = type_39(_e2389.member_2, _e2389.member_3);
+phi_4579_ = type_39(_e2389.member_2, _e2389.member_3);
 } else {
-phi_4577_ = type_39(_e2389.member, _e2389.member_1);
+phi_4579_ = type_39(_e2389.member, _e2389.member_1);
 }
-let _e2413 = phi_4577_;
+let _e2413 = phi_4579_;
 if _e2398 {
-phi_4589_ = (_e2389.member_2 <= 1f);
+phi_4591_ = (_e2389.member_2 <= 1f);
 } else {
-phi_4589_ = ((_e2389.member <= 1f) && (_e2389.member < _e2389.member_2));
+phi_4591_ = ((_e2389.member <= 1f) && (_e2389.member < _e2389.member_2));
 }
-let _e2421 = phi_4589_;
+let _e2421 = phi_4591_;
 let _e2424 = select(1f, _e2413.member, _e2421);
 let _e2428 = (_e491 + (_e1682 * _e2424));
 let _e2429 = (_e493 + (_e1683 * _e2424));
@@ -1200,11 +1202,11 @@ let _e2850 = global_2.member[bitcast<u32>(select(0i, _e2845, (_e2845 > 0i)))];
 let _e2851 = bitcast<f32>(_e2850);
 let _e2857 = ((_e2843 + (f32(bitcast<i32>((_e2818 >> bitcast<u32>(12u)))) * _e2851)) + ((f32((bitcast<i32>((_e2818 & 4095u)) - 2048i)) * _e2834) * (_e2795 - f32(_e2810))));
 if _e2398 {
-phi_5669_ = type_31(_e2857, 1f);
+phi_5671_ = type_31(_e2857, 1f);
 } else {
-phi_5669_ = type_31(1f, _e2857);
+phi_5671_ = type_31(1f, _e2857);
 }
-let _e2861 = phi_5669_;
+let _e2861 = phi_5671_;
 let _e2866 = ((_e2861.member_1 * _e2861.member_1) - (_e2861.member * _e2861.member));
 let _e2874 = (((_e2413.member_1.x * _e2413.member_1.x) + (_e2413.member_1.y * _e2413.member_1.y)) + (_e2413.member_1.z * _e2413.member_1.z));
 let _e2877 = sqrt(select(0f, _e2874, (_e2874 > 0f)));
@@ -1221,7 +1223,7 @@ let _e2901 = (_e2866 == 0f);
 let _e2913 = select(_e2402, select((_e2402 + (_e2881 * _e2900)), _e2402, _e2901), _e2421);
 let _e2914 = select(_e2403, select((_e2403 + (_e2882 * _e2900)), _e2403, _e2901), _e2421);
 let _e2915 = select(_e2404, select((_e2404 + (_e2883 * _e2900)), _e2404, _e2901), _e2421);
-let _e2920 = global_5.member[_e458].member_5.member_4;
+let _e2920 = global_5.member[_e458].member_7.member_4;
 let _e2921 = (_e2920 * _e2920);
 let _e2925 = (_e2915 * _e2915);
 let _e2929 = (_e2421 && (_e2861.member != _e2861.member_1));
@@ -1340,16 +1342,16 @@ let _e3206 = select(select(select(select(select(select(0f, _e1795.member, _e2987
 let _e3207 = select(select(select(select(select(select(0f, _e1795.member_1, _e2987), _e1795.member_1, _e3027), _e1804.member_1, _e3067), _e1804.member_1, _e3107), _e1813.member_1, _e3147), _e1813.member_1, _e3187);
 let _e3208 = select(select(select(select(select(select(1f, _e1795.member_2, _e2987), _e1795.member_2, _e3027), _e1804.member_2, _e3067), _e1804.member_2, _e3107), _e1813.member_2, _e3147), _e1813.member_2, _e3187);
 if _e2059 {
-phi_7192_ = type_34(_e3193, vec3<f32>(_e3194, _e3195, _e3196), _e3198, vec3<f32>(_e3199, _e3200, _e3201), _e3203, _e3205, vec3<f32>(_e3206, _e3207, _e3208));
+phi_7194_ = type_34(_e3193, vec3<f32>(_e3194, _e3195, _e3196), _e3198, vec3<f32>(_e3199, _e3200, _e3201), _e3203, _e3205, vec3<f32>(_e3206, _e3207, _e3208));
 } else {
 let _e3215 = (((_e1795.member * _e1795.member) + (_e1795.member_1 * _e1795.member_1)) + (_e1795.member_2 * _e1795.member_2));
 let _e3218 = sqrt(select(0f, _e3215, (_e3215 > 0f)));
-let _e3223 = global_5.member[_e458].member_14.member_1;
+let _e3223 = global_5.member[_e458].member_16.member_1;
 let _e3224 = (_e3223 != 0u);
-let _e3229 = global_5.member[_e458].member_14.member;
+let _e3229 = global_5.member[_e458].member_16.member;
 let _e3249 = select(-1e6f, (((((_e3229.member.member * _e2428) + (_e3229.member.member_1 * _e2429)) + (_e3229.member.member_2 * _e2430)) + _e3229.member_1) * _e3218), _e3224);
 let _e3250 = select(-1e6f, (((((_e3229.member.member * _e2943) + (_e3229.member.member_1 * _e2944)) + (_e3229.member.member_2 * _e2945)) + _e3229.member_1) * _e3218), _e3224);
-let _e3256 = global_5.member[_e458].member_14.member.member;
+let _e3256 = global_5.member[_e458].member_16.member.member;
 let _e3260 = -(_e3249);
 let _e3263 = (_e3249 - _e3250);
 let _e3264 = (_e3250 - _e3249);
@@ -1364,12 +1366,12 @@ let _e3284 = select(_e3193, _e3273, _e3282);
 let _e3288 = select(_e3198, _e3277, _e3283);
 let _e3292 = select(_e3203, _e3249, _e3278);
 let _e3294 = select(_e3205, _e3250, (_e3250 > _e3205));
-let _e3302 = global_5.member[_e458].member_15.member_1;
+let _e3302 = global_5.member[_e458].member_17.member_1;
 let _e3303 = (_e3302 != 0u);
-let _e3308 = global_5.member[_e458].member_15.member;
+let _e3308 = global_5.member[_e458].member_17.member;
 let _e3328 = select(-1e6f, (((((_e3308.member.member * _e2428) + (_e3308.member.member_1 * _e2429)) + (_e3308.member.member_2 * _e2430)) + _e3308.member_1) * _e3218), _e3303);
 let _e3329 = select(-1e6f, (((((_e3308.member.member * _e2943) + (_e3308.member.member_1 * _e2944)) + (_e3308.member.member_2 * _e2945)) + _e3308.member_1) * _e3218), _e3303);
-let _e3335 = global_5.member[_e458].member_15.member.member;
+let _e3335 = global_5.member[_e458].member_17.member.member;
 let _e3339 = -(_e3328);
 let _e3342 = (_e3328 - _e3329);
 let _e3343 = (_e3329 - _e3328);
@@ -1384,12 +1386,12 @@ let _e3363 = select(_e3284, _e3352, _e3361);
 let _e3367 = select(_e3288, _e3356, _e3362);
 let _e3371 = select(_e3292, _e3328, _e3357);
 let _e3373 = select(_e3294, _e3329, (_e3329 > _e3294));
-let _e3381 = global_5.member[_e458].member_16.member_1;
+let _e3381 = global_5.member[_e458].member_18.member_1;
 let _e3382 = (_e3381 != 0u);
-let _e3387 = global_5.member[_e458].member_16.member;
+let _e3387 = global_5.member[_e458].member_18.member;
 let _e3407 = select(-1e6f, (((((_e3387.member.member * _e2428) + (_e3387.member.member_1 * _e2429)) + (_e3387.member.member_2 * _e2430)) + _e3387.member_1) * _e3218), _e3382);
 let _e3408 = select(-1e6f, (((((_e3387.member.member * _e2943) + (_e3387.member.member_1 * _e2944)) + (_e3387.member.member_2 * _e2945)) + _e3387.member_1) * _e3218), _e3382);
-let _e3414 = global_5.member[_e458].member_16.member.member;
+let _e3414 = global_5.member[_e458].member_18.member.member;
 let _e3418 = -(_e3407);
 let _e3421 = (_e3407 - _e3408);
 let _e3422 = (_e3408 - _e3407);
@@ -1404,12 +1406,12 @@ let _e3442 = select(_e3363, _e3431, _e3440);
 let _e3446 = select(_e3367, _e3435, _e3441);
 let _e3450 = select(_e3371, _e3407, _e3436);
 let _e3452 = select(_e3373, _e3408, (_e3408 > _e3373));
-let _e3460 = global_5.member[_e458].member_17.member_1;
+let _e3460 = global_5.member[_e458].member_19.member_1;
 let _e3461 = (_e3460 != 0u);
-let _e3466 = global_5.member[_e458].member_17.member;
+let _e3466 = global_5.member[_e458].member_19.member;
 let _e3486 = select(-1e6f, (((((_e3466.member.member * _e2428) + (_e3466.member.member_1 * _e2429)) + (_e3466.member.member_2 * _e2430)) + _e3466.member_1) * _e3218), _e3461);
 let _e3487 = select(-1e6f, (((((_e3466.member.member * _e2943) + (_e3466.member.member_1 * _e2944)) + (_e3466.member.member_2 * _e2945)) + _e3466.member_1) * _e3218), _e3461);
-let _e3493 = global_5.member[_e458].member_17.member.member;
+let _e3493 = global_5.member[_e458].member_19.member.member;
 let _e3497 = -(_e3486);
 let _e3500 = (_e3486 - _e3487);
 let _e3501 = (_e3487 - _e3486);
@@ -1420,9 +1422,9 @@ let _e3514 = select(2f, select(0f, _e3506, (_e3486 < 0f)), (_e3487 > 0f));
 let _e3515 = (_e3486 > _e3450);
 let _e3519 = ((_e3510 > _e3442) || ((_e3510 == _e3442) && _e3515));
 let _e3520 = (_e3514 < _e3446);
-phi_7192_ = type_34(select(_e3442, _e3510, _e3519), vec3<f32>(select(select(select(select(_e3194, _e3256.member, _e3282), _e3335.member, _e3361), _e3414.member, _e3440), _e3493.member, _e3519), select(select(select(select(_e3195, _e3256.member_1, _e3282), _e3335.member_1, _e3361), _e3414.member_1, _e3440), _e3493.member_1, _e3519), select(select(select(select(_e3196, _e3256.member_2, _e3282), _e3335.member_2, _e3361), _e3414.member_2, _e3440), _e3493.member_2, _e3519)), select(_e3446, _e3514, _e3520), vec3<f32>(select(select(select(select(_e3199, _e3256.member, _e3283), _e3335.member, _e3362), _e3414.member, _e3441), _e3493.member, _e3520), select(select(select(select(_e3200, _e3256.member_1, _e3283), _e3335.member_1, _e3362), _e3414.member_1, _e3441), _e3493.member_1, _e3520), select(select(select(select(_e3201, _e3256.member_2, _e3283), _e3335.member_2, _e3362), _e3414.member_2, _e3441), _e3493.member_2, _e3520)), select(_e3450, _e3486, _e3515), select(_e3452, _e3487, (_e3487 > _e3452)), vec3<f32>(select(select(select(select(_e3206, _e3256.member, _e3278), _e3335.member, _e3357), _e3414.member, _e3436), _e3493.member, _e3515), select(select(select(select(_e3207, _e3256.member_1, _e3278), _e3335.member_1, _e3357), _e3414.member_1, _e3436), _e3493.member_1, _e3515), select(select(select(select(_e3208, _e3256.member_2, _e3278), _e3335.member_2, _e3357), _e3414.member_2, _e3436), _e3493.member_2, _e3515)));
+phi_7194_ = type_34(select(_e3442, _e3510, _e3519), vec3<f32>(select(select(select(select(_e3194, _e3256.member, _e3282), _e3335.member, _e3361), _e3414.member, _e3440), _e3493.member, _e3519), select(select(select(select(_e3195, _e3256.member_1, _e3282), _e3335.member_1, _e3361), _e3414.member_1, _e3440), _e3493.member_1, _e3519), select(select(select(select(_e3196, _e3256.member_2, _e3282), _e3335.member_2, _e3361), _e3414.member_2, _e3440), _e3493.member_2, _e3519)), select(_e3446, _e3514, _e3520), vec3<f32>(select(select(select(select(_e3199, _e3256.member, _e3283), _e3335.member, _e3362), _e3414.member, _e3441), _e3493.member, _e3520), select(select(select(select(_e3200, _e3256.member_1, _e3283), _e3335.member_1, _e3362), _e3414.member_1, _e3441), _e3493.member_1, _e3520), select(select(select(select(_e3201, _e3256.member_2, _e3283), _e3335.member_2, _e3362), _e3414.member_2, _e3441), _e3493.member_2, _e3520)), select(_e3450, _e3486, _e3515), select(_e3452, _e3487, (_e3487 > _e3452)), vec3<f32>(select(select(select(select(_e3206, _e3256.member, _e3278), _e3335.member, _e3357), _e3414.member, _e3436), _e3493.member, _e3515), select(select(select(select(_e3207, _e3256.member_1, _e3278), _e3335.member_1, _e3357), _e3414.member_1, _e3436), _e3493.member_1, _e3515), select(select(select(select(_e3208, _e3256.member_2, _e3278), _e3335.member_2, _e3357), _e3414.member_2, _e3436), _e3493.member_2, _e3515)));
 }
-let _e3540 = phi_7192_;
+let _e3540 = phi_7194_;
 let _e3546 = (((_e2421 && _e2948) && !(_e2933)) && (_e3540.member_2 <= 1f));
 let _e3550 = (_e2945 - _e2430);
 let _e3551 = select(1f, _e3540.member_2, _e3546);
@@ -1542,11 +1544,11 @@ let _e3843 = select(_e2669, _e3841, (_e3841 < _e2669));
 let _e3848 = global_2.member[bitcast<u32>(select(0i, _e3843, (_e3843 > 0i)))];
 let _e3863 = ((_e2843 + (f32(bitcast<i32>((_e3848 >> bitcast<u32>(12u)))) * _e2851)) + ((f32((bitcast<i32>((_e3848 & 4095u)) - 2048i)) * _e2834) * (_e3825 - f32(_e3840))));
 if _e2948 {
-phi_8304_ = type_31(_e3863, 1f);
+phi_8306_ = type_31(_e3863, 1f);
 } else {
-phi_8304_ = type_31(1f, _e3863);
+phi_8306_ = type_31(1f, _e3863);
 }
-let _e3867 = phi_8304_;
+let _e3867 = phi_8306_;
 let _e3872 = ((_e3867.member_1 * _e3867.member_1) - (_e3867.member * _e3867.member));
 let _e3880 = (((_e3540.member_3.x * _e3540.member_3.x) + (_e3540.member_3.y * _e3540.member_3.y)) + (_e3540.member_3.z * _e3540.member_3.z));
 let _e3883 = sqrt(select(0f, _e3880, (_e3880 > 0f)));
@@ -1683,16 +1685,16 @@ let _e4228 = select(select(select(select(select(select(0f, _e1795.member, _e4009
 let _e4229 = select(select(select(select(select(select(0f, _e1795.member_1, _e4009), _e1795.member_1, _e4049), _e1804.member_1, _e4089), _e1804.member_1, _e4129), _e1813.member_1, _e4169), _e1813.member_1, _e4209);
 let _e4230 = select(select(select(select(select(select(1f, _e1795.member_2, _e4009), _e1795.member_2, _e4049), _e1804.member_2, _e4089), _e1804.member_2, _e4129), _e1813.member_2, _e4169), _e1813.member_2, _e4209);
 if _e2059 {
-phi_9842_ = type_34(_e4215, vec3<f32>(_e4216, _e4217, _e4218), _e4220, vec3<f32>(_e4221, _e4222, _e4223), _e4225, _e4227, vec3<f32>(_e4228, _e4229, _e4230));
+phi_9844_ = type_34(_e4215, vec3<f32>(_e4216, _e4217, _e4218), _e4220, vec3<f32>(_e4221, _e4222, _e4223), _e4225, _e4227, vec3<f32>(_e4228, _e4229, _e4230));
 } else {
 let _e4237 = (((_e1795.member * _e1795.member) + (_e1795.member_1 * _e1795.member_1)) + (_e1795.member_2 * _e1795.member_2));
 let _e4240 = sqrt(select(0f, _e4237, (_e4237 > 0f)));
-let _e4245 = global_5.member[_e458].member_14.member_1;
+let _e4245 = global_5.member[_e458].member_16.member_1;
 let _e4246 = (_e4245 != 0u);
-let _e4251 = global_5.member[_e458].member_14.member;
+let _e4251 = global_5.member[_e458].member_16.member;
 let _e4271 = select(-1e6f, (((((_e4251.member.member * _e3559.x) + (_e4251.member.member_1 * _e3559.y)) + (_e4251.member.member_2 * _e3559.z)) + _e4251.member_1) * _e4240), _e4246);
 let _e4272 = select(-1e6f, (((((_e4251.member.member * _e3944) + (_e4251.member.member_1 * _e3945)) + (_e4251.member.member_2 * _e3946)) + _e4251.member_1) * _e4240), _e4246);
-let _e4278 = global_5.member[_e458].member_14.member.member;
+let _e4278 = global_5.member[_e458].member_16.member.member;
 let _e4282 = -(_e4271);
 let _e4285 = (_e4271 - _e4272);
 let _e4286 = (_e4272 - _e4271);
@@ -1707,12 +1709,12 @@ let _e4306 = select(_e4215, _e4295, _e4304);
 let _e4310 = select(_e4220, _e4299, _e4305);
 let _e4314 = select(_e4225, _e4271, _e4300);
 let _e4316 = select(_e4227, _e4272, (_e4272 > _e4227));
-let _e4324 = global_5.member[_e458].member_15.member_1;
+let _e4324 = global_5.member[_e458].member_17.member_1;
 let _e4325 = (_e4324 != 0u);
-let _e4330 = global_5.member[_e458].member_15.member;
+let _e4330 = global_5.member[_e458].member_17.member;
 let _e4350 = select(-1e6f, (((((_e4330.member.member * _e3559.x) + (_e4330.member.member_1 * _e3559.y)) + (_e4330.member.member_2 * _e3559.z)) + _e4330.member_1) * _e4240), _e4325);
 let _e4351 = select(-1e6f, (((((_e4330.member.member * _e3944) + (_e4330.member.member_1 * _e3945)) + (_e4330.member.member_2 * _e3946)) + _e4330.member_1) * _e4240), _e4325);
-let _e4357 = global_5.member[_e458].member_15.member.member;
+let _e4357 = global_5.member[_e458].member_17.member.member;
 let _e4361 = -(_e4350);
 let _e4364 = (_e4350 - _e4351);
 let _e4365 = (_e4351 - _e4350);
@@ -1727,12 +1729,12 @@ let _e4385 = select(_e4306, _e4374, _e4383);
 let _e4389 = select(_e4310, _e4378, _e4384);
 let _e4393 = select(_e4314, _e4350, _e4379);
 let _e4395 = select(_e4316, _e4351, (_e4351 > _e4316));
-let _e4403 = global_5.member[_e458].member_16.member_1;
+let _e4403 = global_5.member[_e458].member_18.member_1;
 let _e4404 = (_e4403 != 0u);
-let _e4409 = global_5.member[_e458].member_16.member;
+let _e4409 = global_5.member[_e458].member_18.member;
 let _e4429 = select(-1e6f, (((((_e4409.member.member * _e3559.x) + (_e4409.member.member_1 * _e3559.y)) + (_e4409.member.member_2 * _e3559.z)) + _e4409.member_1) * _e4240), _e4404);
 let _e4430 = select(-1e6f, (((((_e4409.member.member * _e3944) + (_e4409.member.member_1 * _e3945)) + (_e4409.member.member_2 * _e3946)) + _e4409.member_1) * _e4240), _e4404);
-let _e4436 = global_5.member[_e458].member_16.member.member;
+let _e4436 = global_5.member[_e458].member_18.member.member;
 let _e4440 = -(_e4429);
 let _e4443 = (_e4429 - _e4430);
 let _e4444 = (_e4430 - _e4429);
@@ -1747,12 +1749,12 @@ let _e4464 = select(_e4385, _e4453, _e4462);
 let _e4468 = select(_e4389, _e4457, _e4463);
 let _e4472 = select(_e4393, _e4429, _e4458);
 let _e4474 = select(_e4395, _e4430, (_e4430 > _e4395));
-let _e4482 = global_5.member[_e458].member_17.member_1;
+let _e4482 = global_5.member[_e458].member_19.member_1;
 let _e4483 = (_e4482 != 0u);
-let _e4488 = global_5.member[_e458].member_17.member;
+let _e4488 = global_5.member[_e458].member_19.member;
 let _e4508 = select(-1e6f, (((((_e4488.member.member * _e3559.x) + (_e4488.member.member_1 * _e3559.y)) + (_e4488.member.member_2 * _e3559.z)) + _e4488.member_1) * _e4240), _e4483);
 let _e4509 = select(-1e6f, (((((_e4488.member.member * _e3944) + (_e4488.member.member_1 * _e3945)) + (_e4488.member.member_2 * _e3946)) + _e4488.member_1) * _e4240), _e4483);
-let _e4515 = global_5.member[_e458].member_17.member.member;
+let _e4515 = global_5.member[_e458].member_19.member.member;
 let _e4519 = -(_e4508);
 let _e4522 = (_e4508 - _e4509);
 let _e4523 = (_e4509 - _e4508);
@@ -1763,9 +1765,9 @@ let _e4536 = select(2f, select(0f, _e4528, (_e4508 < 0f)), (_e4509 > 0f));
 let _e4537 = (_e4508 > _e4472);
 let _e4541 = ((_e4532 > _e4464) || ((_e4532 == _e4464) && _e4537));
 let _e4542 = (_e4536 < _e4468);
-phi_9842_ = type_34(select(_e4464, _e4532, _e4541), vec3<f32>(select(select(select(select(_e4216, _e4278.member, _e4304), _e4357.member, _e4383), _e4436.member, _e4462), _e4515.member, _e4541), select(select(select(select(_e4217, _e4278.member_1, _e4304), _e4357.member_1, _e4383), _e4436.member_1, _e4462), _e4515.member_1, _e4541), select(select(select(select(_e4218, _e4278.member_2, _e4304), _e4357.member_2, _e4383), _e4436.member_2, _e4462), _e4515.member_2, _e4541)), select(_e4468, _e4536, _e4542), vec3<f32>(select(select(select(select(_e4221, _e4278.member, _e4305), _e4357.member, _e4384), _e4436.member, _e4463), _e4515.member, _e4542), select(select(select(select(_e4222, _e4278.member_1, _e4305), _e4357.member_1, _e4384), _e4436.member_1, _e4463), _e4515.member_1, _e4542), select(select(select(select(_e4223, _e4278.member_2, _e4305), _e4357.member_2, _e4384), _e4436.member_2, _e4463), _e4515.member_2, _e4542)), select(_e4472, _e4508, _e4537), select(_e4474, _e4509, (_e4509 > _e4474)), vec3<f32>(select(select(select(select(_e4228, _e4278.member, _e4300), _e4357.member, _e4379), _e4436.member, _e4458), _e4515.member, _e4537), select(select(select(select(_e4229, _e4278.member_1, _e4300), _e4357.member_1, _e4379), _e4436.member_1, _e4458), _e4515.member_1, _e4537), select(select(select(select(_e4230, _e4278.member_2, _e4300), _e4357.member_2, _e4379), _e4436.member_2, _e4458), _e4515.member_2, _e4537)));
+phi_9844_ = type_34(select(_e4464, _e4532, _e4541), vec3<f32>(select(select(select(select(_e4216, _e4278.member, _e4304), _e4357.member, _e4383), _e4436.member, _e4462), _e4515.member, _e4541), select(select(select(select(_e4217, _e4278.member_1, _e4304), _e4357.member_1, _e4383), _e4436.member_1, _e4462), _e4515.member_1, _e4541), select(select(select(select(_e4218, _e4278.member_2, _e4304), _e4357.member_2, _e4383), _e4436.member_2, _e4462), _e4515.member_2, _e4541)), select(_e4468, _e4536, _e4542), vec3<f32>(select(select(select(select(_e4221, _e4278.member, _e4305), _e4357.member, _e4384), _e4436.member, _e4463), _e4515.member, _e4542), select(select(select(select(_e4222, _e4278.member_1, _e4305), _e4357.member_1, _e4384), _e4436.member_1, _e4463), _e4515.member_1, _e4542), select(select(select(select(_e4223, _e4278.member_2, _e4305), _e4357.member_2, _e4384), _e4436.member_2, _e4463), _e4515.member_2, _e4542)), select(_e4472, _e4508, _e4537), select(_e4474, _e4509, (_e4509 > _e4474)), vec3<f32>(select(select(select(select(_e4228, _e4278.member, _e4300), _e4357.member, _e4379), _e4436.member, _e4458), _e4515.member, _e4537), select(select(select(select(_e4229, _e4278.member_1, _e4300), _e4357.member_1, _e4379), _e4436.member_1, _e4458), _e4515.member_1, _e4537), select(select(select(select(_e4230, _e4278.member_2, _e4300), _e4357.member_2, _e4379), _e4436.member_2, _e4458), _e4515.member_2, _e4537)));
 }
-let _e4562 = phi_9842_;
+let _e4562 = phi_9844_;
 let _e4568 = (((_e3546 && _e3949) && !(_e3933)) && (_e4562.member_2 <= 1f));
 let _e4573 = select(1f, _e4562.member_2, _e4568);
 let _e4574 = ((_e3944 - _e3559.x) * _e4573);
@@ -1884,11 +1886,11 @@ let _e4865 = select(_e2669, _e4863, (_e4863 < _e2669));
 let _e4870 = global_2.member[bitcast<u32>(select(0i, _e4865, (_e4865 > 0i)))];
 let _e4885 = ((_e2843 + (f32(bitcast<i32>((_e4870 >> bitcast<u32>(12u)))) * _e2851)) + ((f32((bitcast<i32>((_e4870 & 4095u)) - 2048i)) * _e2834) * (_e4847 - f32(_e4862))));
 if _e3949 {
-phi_10954_ = type_31(_e4885, 1f);
+phi_10956_ = type_31(_e4885, 1f);
 } else {
-phi_10954_ = type_31(1f, _e4885);
+phi_10956_ = type_31(1f, _e4885);
 }
-let _e4889 = phi_10954_;
+let _e4889 = phi_10956_;
 let _e4894 = ((_e4889.member_1 * _e4889.member_1) - (_e4889.member * _e4889.member));
 let _e4902 = (((_e4562.member_3.x * _e4562.member_3.x) + (_e4562.member_3.y * _e4562.member_3.y)) + (_e4562.member_3.z * _e4562.member_3.z));
 let _e4905 = sqrt(select(0f, _e4902, (_e4902 > 0f)));
@@ -2025,16 +2027,16 @@ let _e5251 = select(select(select(select(select(select(0f, _e1795.member, _e5032
 let _e5252 = select(select(select(select(select(select(0f, _e1795.member_1, _e5032), _e1795.member_1, _e5072), _e1804.member_1, _e5112), _e1804.member_1, _e5152), _e1813.member_1, _e5192), _e1813.member_1, _e5232);
 let _e5253 = select(select(select(select(select(select(1f, _e1795.member_2, _e5032), _e1795.member_2, _e5072), _e1804.member_2, _e5112), _e1804.member_2, _e5152), _e1813.member_2, _e5192), _e1813.member_2, _e5232);
 if _e2059 {
-phi_12492_ = type_34(_e5238, vec3<f32>(_e5239, _e5240, _e5241), _e5243, vec3<f32>(_e5244, _e5245, _e5246), _e5248, _e5250, vec3<f32>(_e5251, _e5252, _e5253));
+phi_12494_ = type_34(_e5238, vec3<f32>(_e5239, _e5240, _e5241), _e5243, vec3<f32>(_e5244, _e5245, _e5246), _e5248, _e5250, vec3<f32>(_e5251, _e5252, _e5253));
 } else {
 let _e5260 = (((_e1795.member * _e1795.member) + (_e1795.member_1 * _e1795.member_1)) + (_e1795.member_2 * _e1795.member_2));
 let _e5263 = sqrt(select(0f, _e5260, (_e5260 > 0f)));
-let _e5268 = global_5.member[_e458].member_14.member_1;
+let _e5268 = global_5.member[_e458].member_16.member_1;
 let _e5269 = (_e5268 != 0u);
-let _e5274 = global_5.member[_e458].member_14.member;
+let _e5274 = global_5.member[_e458].member_16.member;
 let _e5294 = select(-1e6f, (((((_e5274.member.member * _e4581.x) + (_e5274.member.member_1 * _e4581.y)) + (_e5274.member.member_2 * _e4581.z)) + _e5274.member_1) * _e5263), _e5269);
 let _e5295 = select(-1e6f, (((((_e5274.member.member * _e4967) + (_e5274.member.member_1 * _e4968)) + (_e5274.member.member_2 * _e4969)) + _e5274.member_1) * _e5263), _e5269);
-let _e5301 = global_5.member[_e458].member_14.member.member;
+let _e5301 = global_5.member[_e458].member_16.member.member;
 let _e5305 = -(_e5294);
 let _e5308 = (_e5294 - _e5295);
 let _e5309 = (_e5295 - _e5294);
@@ -2049,12 +2051,12 @@ let _e5329 = select(_e5238, _e5318, _e5327);
 let _e5333 = select(_e5243, _e5322, _e5328);
 let _e5337 = select(_e5248, _e5294, _e5323);
 let _e5339 = select(_e5250, _e5295, (_e5295 > _e5250));
-let _e5347 = global_5.member[_e458].member_15.member_1;
+let _e5347 = global_5.member[_e458].member_17.member_1;
 let _e5348 = (_e5347 != 0u);
-let _e5353 = global_5.member[_e458].member_15.member;
+let _e5353 = global_5.member[_e458].member_17.member;
 let _e5373 = select(-1e6f, (((((_e5353.member.member * _e4581.x) + (_e5353.member.member_1 * _e4581.y)) + (_e5353.member.member_2 * _e4581.z)) + _e5353.member_1) * _e5263), _e5348);
 let _e5374 = select(-1e6f, (((((_e5353.member.member * _e4967) + (_e5353.member.member_1 * _e4968)) + (_e5353.member.member_2 * _e4969)) + _e5353.member_1) * _e5263), _e5348);
-let _e5380 = global_5.member[_e458].member_15.member.member;
+let _e5380 = global_5.member[_e458].member_17.member.member;
 let _e5384 = -(_e5373);
 let _e5387 = (_e5373 - _e5374);
 let _e5388 = (_e5374 - _e5373);
@@ -2069,12 +2071,12 @@ let _e5408 = select(_e5329, _e5397, _e5406);
 let _e5412 = select(_e5333, _e5401, _e5407);
 let _e5416 = select(_e5337, _e5373, _e5402);
 let _e5418 = select(_e5339, _e5374, (_e5374 > _e5339));
-let _e5426 = global_5.member[_e458].member_16.member_1;
+let _e5426 = global_5.member[_e458].member_18.member_1;
 let _e5427 = (_e5426 != 0u);
-let _e5432 = global_5.member[_e458].member_16.member;
+let _e5432 = global_5.member[_e458].member_18.member;
 let _e5452 = select(-1e6f, (((((_e5432.member.member * _e4581.x) + (_e5432.member.member_1 * _e4581.y)) + (_e5432.member.member_2 * _e4581.z)) + _e5432.member_1) * _e5263), _e5427);
 let _e5453 = select(-1e6f, (((((_e5432.member.member * _e4967) + (_e5432.member.member_1 * _e4968)) + (_e5432.member.member_2 * _e4969)) + _e5432.member_1) * _e5263), _e5427);
-let _e5459 = global_5.member[_e458].member_16.member.member;
+let _e5459 = global_5.member[_e458].member_18.member.member;
 let _e5463 = -(_e5452);
 let _e5466 = (_e5452 - _e5453);
 let _e5467 = (_e5453 - _e5452);
@@ -2089,12 +2091,12 @@ let _e5487 = select(_e5408, _e5476, _e5485);
 let _e5491 = select(_e5412, _e5480, _e5486);
 let _e5495 = select(_e5416, _e5452, _e5481);
 let _e5497 = select(_e5418, _e5453, (_e5453 > _e5418));
-let _e5505 = global_5.member[_e458].member_17.member_1;
+let _e5505 = global_5.member[_e458].member_19.member_1;
 let _e5506 = (_e5505 != 0u);
-let _e5511 = global_5.member[_e458].member_17.member;
+let _e5511 = global_5.member[_e458].member_19.member;
 let _e5531 = select(-1e6f, (((((_e5511.member.member * _e4581.x) + (_e5511.member.member_1 * _e4581.y)) + (_e5511.member.member_2 * _e4581.z)) + _e5511.member_1) * _e5263), _e5506);
 let _e5532 = select(-1e6f, (((((_e5511.member.member * _e4967) + (_e5511.member.member_1 * _e4968)) + (_e5511.member.member_2 * _e4969)) + _e5511.member_1) * _e5263), _e5506);
-let _e5538 = global_5.member[_e458].member_17.member.member;
+let _e5538 = global_5.member[_e458].member_19.member.member;
 let _e5542 = -(_e5531);
 let _e5545 = (_e5531 - _e5532);
 let _e5546 = (_e5532 - _e5531);
@@ -2105,9 +2107,9 @@ let _e5559 = select(2f, select(0f, _e5551, (_e5531 < 0f)), (_e5532 > 0f));
 let _e5560 = (_e5531 > _e5495);
 let _e5564 = ((_e5555 > _e5487) || ((_e5555 == _e5487) && _e5560));
 let _e5565 = (_e5559 < _e5491);
-phi_12492_ = type_34(select(_e5487, _e5555, _e5564), vec3<f32>(select(select(select(select(_e5239, _e5301.member, _e5327), _e5380.member, _e5406), _e5459.member, _e5485), _e5538.member, _e5564), select(select(select(select(_e5240, _e5301.member_1, _e5327), _e5380.member_1, _e5406), _e5459.member_1, _e5485), _e5538.member_1, _e5564), select(select(select(select(_e5241, _e5301.member_2, _e5327), _e5380.member_2, _e5406), _e5459.member_2, _e5485), _e5538.member_2, _e5564)), select(_e5491, _e5559, _e5565), vec3<f32>(select(select(select(select(_e5244, _e5301.member, _e5328), _e5380.member, _e5407), _e5459.member, _e5486), _e5538.member, _e5565), select(select(select(select(_e5245, _e5301.member_1, _e5328), _e5380.member_1, _e5407), _e5459.member_1, _e5486), _e5538.member_1, _e5565), select(select(select(select(_e5246, _e5301.member_2, _e5328), _e5380.member_2, _e5407), _e5459.member_2, _e5486), _e5538.member_2, _e5565)), select(_e5495, _e5531, _e5560), select(_e5497, _e5532, (_e5532 > _e5497)), vec3<f32>(select(select(select(select(_e5251, _e5301.member, _e5323), _e5380.member, _e5402), _e5459.member, _e5481), _e5538.member, _e5560), select(select(select(select(_e5252, _e5301.member_1, _e5323), _e5380.member_1, _e5402), _e5459.member_1, _e5481), _e5538.member_1, _e5560), select(select(select(select(_e5253, _e5301.member_2, _e5323), _e5380.member_2, _e5402), _e5459.member_2, _e5481), _e5538.member_2, _e5560)));
+phi_12494_ = type_34(select(_e5487, _e5555, _e5564), vec3<f32>(select(select(select(select(_e5239, _e5301.member, _e5327), _e5380.member, _e5406), _e5459.member, _e5485), _e5538.member, _e5564), select(select(select(select(_e5240, _e5301.member_1, _e5327), _e5380.member_1, _e5406), _e5459.member_1, _e5485), _e5538.member_1, _e5564), select(select(select(select(_e5241, _e5301.member_2, _e5327), _e5380.member_2, _e5406), _e5459.member_2, _e5485), _e5538.member_2, _e5564)), select(_e5491, _e5559, _e5565), vec3<f32>(select(select(select(select(_e5244, _e5301.member, _e5328), _e5380.member, _e5407), _e5459.member, _e5486), _e5538.member, _e5565), select(select(select(select(_e5245, _e5301.member_1, _e5328), _e5380.member_1, _e5407), _e5459.member_1, _e5486), _e5538.member_1, _e5565), select(select(select(select(_e5246, _e5301.member_2, _e5328), _e5380.member_2, _e5407), _e5459.member_2, _e5486), _e5538.member_2, _e5565)), select(_e5495, _e5531, _e5560), select(_e5497, _e5532, (_e5532 > _e5497)), vec3<f32>(select(select(select(select(_e5251, _e5301.member, _e5323), _e5380.member, _e5402), _e5459.member, _e5481), _e5538.member, _e5560), select(select(select(select(_e5252, _e5301.member_1, _e5323), _e5380.member_1, _e5402), _e5459.member_1, _e5481), _e5538.member_1, _e5560), select(select(select(select(_e5253, _e5301.member_2, _e5323), _e5380.member_2, _e5402), _e5459.member_2, _e5481), _e5538.member_2, _e5560)));
 }
-let _e5585 = phi_12492_;
+let _e5585 = phi_12494_;
 let _e5591 = (((_e4568 && _e4972) && !(_e4956)) && (_e5585.member_2 <= 1f));
 let _e5592 = (_e2428 - _e491);
 let _e5593 = (_e2429 - _e493);
@@ -2271,25 +2273,25 @@ let _e6000 = select(_e5959, _e5931, (_e5931 > _e5959));
 let _e6003 = (select(_e5994, _e5996, (_e5996 < _e5994)) - select(_e5987, _e6000, (_e6000 > _e5987)));
 let _e6010 = ((_e2929 || _e3929) || _e4952);
 if _e2929 {
-phi_14240_ = _e2861;
+phi_14242_ = _e2861;
 } else {
-phi_14240_ = _e3867;
+phi_14242_ = _e3867;
 }
-let _e6031 = phi_14240_;
-phi_14253_ = type_38(_e6031, vec3<f32>(select(_e4967, _e4581.x, _e5591), select(_e4968, _e4581.y, _e5591), select(_e4969, _e4581.z, _e5591)), vec3<f32>(_e4941, _e4942, _e4943), select(_e1780, ((((sqrt(select(0f, _e5599, (_e5599 > 0f))) * select(0f, _e5680, (_e5680 > 0f))) + (sqrt(select(0f, _e5691, (_e5691 > 0f))) * select(0f, _e5787, (_e5787 > 0f)))) + (sqrt(select(0f, _e5799, (_e5799 > 0f))) * select(0f, _e5895, (_e5895 > 0f)))) + select(0f, (sqrt(select(0f, _e5907, (_e5907 > 0f))) * select(0f, _e6003, (_e6003 > 0f))), _e4568)), _e6010), select((_e481 / _e4943), (2f * (_e3550 / _e2915)), (((_e2421 && !(_e2398)) && _e2948) && !(_e3546))), select(_e3540.member_3, _e2413.member_1, vec3(_e2929)), _e4972, _e6010, (((_e2933 || _e3933) || _e4956) || _e5591));
-phi_14254_ = vec3<f32>(_e2402, _e2403, _e2404);
-phi_14255_ = _e2398;
-phi_14256_ = _e2399;
+let _e6031 = phi_14242_;
+phi_14255_ = type_38(_e6031, vec3<f32>(select(_e4967, _e4581.x, _e5591), select(_e4968, _e4581.y, _e5591), select(_e4969, _e4581.z, _e5591)), vec3<f32>(_e4941, _e4942, _e4943), select(_e1780, ((((sqrt(select(0f, _e5599, (_e5599 > 0f))) * select(0f, _e5680, (_e5680 > 0f))) + (sqrt(select(0f, _e5691, (_e5691 > 0f))) * select(0f, _e5787, (_e5787 > 0f)))) + (sqrt(select(0f, _e5799, (_e5799 > 0f))) * select(0f, _e5895, (_e5895 > 0f)))) + select(0f, (sqrt(select(0f, _e5907, (_e5907 > 0f))) * select(0f, _e6003, (_e6003 > 0f))), _e4568)), _e6010), select((_e481 / _e4943), (2f * (_e3550 / _e2915)), (((_e2421 && !(_e2398)) && _e2948) && !(_e3546))), select(_e3540.member_3, _e2413.member_1, vec3(_e2929)), _e4972, _e6010, (((_e2933 || _e3933) || _e4956) || _e5591));
+phi_14256_ = vec3<f32>(_e2402, _e2403, _e2404);
+phi_14257_ = _e2398;
+phi_14258_ = _e2399;
 } else {
-phi_14253_ = type_38(_e1693.member, _e1693.member_1, _e1693.member_2, _e1780, _e1693.member_4, _e1693.member_5, _e1693.member_6, _e1693.member_7, _e1693.member_8);
-phi_14254_ = _e1150;
-phi_14255_ = true;
-phi_14256_ = _e1681;
+phi_14255_ = type_38(_e1693.member, _e1693.member_1, _e1693.member_2, _e1780, _e1693.member_4, _e1693.member_5, _e1693.member_6, _e1693.member_7, _e1693.member_8);
+phi_14256_ = _e1150;
+phi_14257_ = true;
+phi_14258_ = _e1681;
 }
-let _e6034 = phi_14253_;
-let _e6036 = phi_14254_;
-let _e6038 = phi_14255_;
-let _e6040 = phi_14256_;
+let _e6034 = phi_14255_;
+let _e6036 = phi_14256_;
+let _e6038 = phi_14257_;
+let _e6040 = phi_14258_;
 let _e6051 = ((((_e560.member.member * _e6034.member_1.x) + (_e560.member.member_1 * _e6034.member_1.y)) + (_e560.member.member_2 * _e6034.member_1.z)) + _e560.member_1);
 let _e6057 = ((((_e576.member.member * _e6034.member_1.x) + (_e576.member.member_1 * _e6034.member_1.y)) + (_e576.member.member_2 * _e6034.member_1.z)) + _e576.member_1);
 let _e6063 = ((((_e592.member.member * _e6034.member_1.x) + (_e592.member.member_1 * _e6034.member_1.y)) + (_e592.member.member_2 * _e6034.member_1.z)) + _e592.member_1);
@@ -2657,7 +2659,7 @@ if _e836 {
 let _e7613 = ((0.5f * (_e6904 - _e6898)) * _e7162);
 let _e7614 = ((0.5f * (_e6916 - _e6910)) * _e7162);
 let _e7615 = ((0.5f * (_e6928 - _e6922)) * _e7162);
-phi_19561_ = type_32(_e7124, vec3<f32>(_e7613, _e7614, _e7615), vec3<f32>((_e7613 * _e7124), (_e7614 * _e7124), (_e7615 * _e7124)));
+phi_19563_ = type_32(_e7124, vec3<f32>(_e7613, _e7614, _e7615), vec3<f32>((_e7613 * _e7124), (_e7614 * _e7124), (_e7615 * _e7124)));
 } else {
 local_18 = _e6898;
 let _e7163 = local_18;
@@ -2806,23 +2808,23 @@ let _e7588 = ((_e7109 + (f32(bitcast<i32>((_e7573 >> bitcast<u32>(12u)))) * _e71
 let _e7589 = (_e7304 - _e7233);
 let _e7591 = (_e7446 - _e7375);
 let _e7593 = (_e7588 - _e7517);
-phi_19561_ = type_32(_e7124, vec3<f32>((0.5f * _e7589), (0.5f * _e7591), (0.5f * _e7593)), vec3<f32>((0.25f * (_e7589 * (_e7304 + _e7233))), (0.25f * (_e7591 * (_e7446 + _e7375))), (0.25f * (_e7593 * (_e7588 + _e7517)))));
+phi_19563_ = type_32(_e7124, vec3<f32>((0.5f * _e7589), (0.5f * _e7591), (0.5f * _e7593)), vec3<f32>((0.25f * (_e7589 * (_e7304 + _e7233))), (0.25f * (_e7591 * (_e7446 + _e7375))), (0.25f * (_e7593 * (_e7588 + _e7517)))));
 }
-let _e7623 = phi_19561_;
+let _e7623 = phi_19563_;
 let _e7638 = select(0f, 1f, ((((((_e6051 >= -0.5f) && (_e6051 <= _e633)) && (_e6057 >= -0.5f)) && (_e6057 <= _e644)) && (_e6063 >= -0.5f)) && (_e6063 <= _e655)));
 let _e7640 = (0.5f * (_e6904 - _e6898));
 let _e7642 = (0.5f * (_e6916 - _e6910));
 let _e7644 = (0.5f * (_e6928 - _e6922));
-let _e7651 = global_5.member[_e458].member_6.member.member.member;
-let _e7658 = global_5.member[_e458].member_6.member.member.member_1;
-let _e7665 = global_5.member[_e458].member_6.member.member.member_2;
-let _e7672 = global_5.member[_e458].member_6.member_1.member.member;
-let _e7679 = global_5.member[_e458].member_6.member_1.member.member_1;
-let _e7686 = global_5.member[_e458].member_6.member_1.member.member_2;
-let _e7693 = global_5.member[_e458].member_6.member_2.member.member;
-let _e7700 = global_5.member[_e458].member_6.member_2.member.member_1;
-let _e7707 = global_5.member[_e458].member_6.member_2.member.member_2;
-phi_20208_ = type_33(_e6892, vec3<f32>(((((_e7651 * _e7640) + (_e7672 * _e7642)) + (_e7693 * _e7644)) * _e7638), ((((_e7658 * _e7640) + (_e7679 * _e7642)) + (_e7700 * _e7644)) * _e7638), ((((_e7665 * _e7640) + (_e7686 * _e7642)) + (_e7707 * _e7644)) * _e7638)), _e7623.member, vec3<f32>(((((_e7651 * _e7623.member_2.x) + (_e7672 * _e7623.member_2.y)) + (_e7693 * _e7623.member_2.z)) * _e7638), ((((_e7658 * _e7623.member_2.x) + (_e7679 * _e7623.member_2.y)) + (_e7700 * _e7623.member_2.z)) * _e7638), ((((_e7665 * _e7623.member_2.x) + (_e7686 * _e7623.member_2.y)) + (_e7707 * _e7623.member_2.z)) * _e7638)), vec3<f32>(((((_e7651 * _e7623.member_1.x) + (_e7672 * _e7623.member_1.y)) + (_e7693 * _e7623.member_1.z)) * _e7638), ((((_e7658 * _e7623.member_1.x) + (_e7679 * _e7623.member_1.y)) + (_e7700 * _e7623.member_1.z)) * _e7638), ((((_e7665 * _e7623.member_1.x) + (_e7686 * _e7623.member_1.y)) + (_e7707 * _e7623.member_1.z)) * _e7638)));
+let _e7651 = global_5.member[_e458].member_8.member.member.member;
+let _e7658 = global_5.member[_e458].member_8.member.member.member_1;
+let _e7665 = global_5.member[_e458].member_8.member.member.member_2;
+let _e7672 = global_5.member[_e458].member_8.member_1.member.member;
+let _e7679 = global_5.member[_e458].member_8.member_1.member.member_1;
+let _e7686 = global_5.member[_e458].member_8.member_1.member.member_2;
+let _e7693 = global_5.member[_e458].member_8.member_2.member.member;
+let _e7700 = global_5.member[_e458].member_8.member_2.member.member_1;
+let _e7707 = global_5.member[_e458].member_8.member_2.member.member_2;
+phi_20210_ = type_33(_e6892, vec3<f32>(((((_e7651 * _e7640) + (_e7672 * _e7642)) + (_e7693 * _e7644)) * _e7638), ((((_e7658 * _e7640) + (_e7679 * _e7642)) + (_e7700 * _e7644)) * _e7638), ((((_e7665 * _e7640) + (_e7686 * _e7642)) + (_e7707 * _e7644)) * _e7638)), _e7623.member, vec3<f32>(((((_e7651 * _e7623.member_2.x) + (_e7672 * _e7623.member_2.y)) + (_e7693 * _e7623.member_2.z)) * _e7638), ((((_e7658 * _e7623.member_2.x) + (_e7679 * _e7623.member_2.y)) + (_e7700 * _e7623.member_2.z)) * _e7638), ((((_e7665 * _e7623.member_2.x) + (_e7686 * _e7623.member_2.y)) + (_e7707 * _e7623.member_2.z)) * _e7638)), vec3<f32>(((((_e7651 * _e7623.member_1.x) + (_e7672 * _e7623.member_1.y)) + (_e7693 * _e7623.member_1.z)) * _e7638), ((((_e7658 * _e7623.member_1.x) + (_e7679 * _e7623.member_1.y)) + (_e7700 * _e7623.member_1.z)) * _e7638), ((((_e7665 * _e7623.member_1.x) + (_e7686 * _e7623.member_1.y)) + (_e7707 * _e7623.member_1.z)) * _e7638)));
 } else {
 let _e6065 = select(-0.5f, _e6051, (_e6051 > -0.5f));
 let _e6067 = select(_e633, _e6065, (_e6065 < _e633));
@@ -2905,15 +2907,15 @@ let _e6265 = local_7[1u];
 let _e6270 = local_7[2u];
 let _e6275 = (((_e6214 + (((_e6239 + (((_e6250 + ((bitcast<f32>(_e6259) - _e6250) * _e6261)) - _e6239) * _e6265)) - _e6214) * _e6270)) - _e1469) * _e1474);
 let _e6277 = select(_e1477, _e6275, (_e6275 > _e1477));
-phi_20208_ = type_33(select(1e9f, _e6277, (_e6277 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20210_ = type_33(select(1e9f, _e6277, (_e6277 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e7773 = phi_20208_;
+let _e7773 = phi_20210_;
 let _e7776 = select(1f, select(1f, _e1218, (_e1218 < 1f)), _e555);
 let _e7778 = ((_e798 & 16u) == 0u);
 if _e7778 {
-phi_20621_ = type_7(1f, 1f, 1f);
+phi_20623_ = type_7(1f, 1f, 1f);
 } else {
-let _e7783 = global_5.member[_e458].member_14.member;
+let _e7783 = global_5.member[_e458].member_16.member;
 let _e7794 = ((((_e7783.member.member * _e491) + (_e7783.member.member_1 * _e493)) + (_e7783.member.member_2 * _e487)) + _e7783.member_1);
 let _e7800 = ((((_e7783.member.member * _e6034.member_1.x) + (_e7783.member.member_1 * _e6034.member_1.y)) + (_e7783.member.member_2 * _e6034.member_1.z)) + _e7783.member_1);
 let _e7802 = select(_e7800, _e7794, (_e7794 < _e7800));
@@ -2922,9 +2924,9 @@ let _e7806 = (_e7804 - _e7802);
 let _e7809 = (-(_e7802) / select(1e-30f, _e7806, (_e7806 > 1e-30f)));
 let _e7811 = select(0f, _e7809, (_e7809 > 0f));
 let _e7817 = select(select(select(1f, _e7811, (_e7811 < 1f)), 1f, (_e7804 <= 0f)), 0f, (_e7802 > 0f));
-let _e7823 = global_5.member[_e458].member_14.member_1;
+let _e7823 = global_5.member[_e458].member_16.member_1;
 let _e7824 = (_e7823 != 0u);
-let _e7835 = global_5.member[_e458].member_15.member;
+let _e7835 = global_5.member[_e458].member_17.member;
 let _e7846 = ((((_e7835.member.member * _e491) + (_e7835.member.member_1 * _e493)) + (_e7835.member.member_2 * _e487)) + _e7835.member_1);
 let _e7852 = ((((_e7835.member.member * _e6034.member_1.x) + (_e7835.member.member_1 * _e6034.member_1.y)) + (_e7835.member.member_2 * _e6034.member_1.z)) + _e7835.member_1);
 let _e7854 = select(_e7852, _e7846, (_e7846 < _e7852));
@@ -2933,9 +2935,9 @@ let _e7858 = (_e7856 - _e7854);
 let _e7861 = (-(_e7854) / select(1e-30f, _e7858, (_e7858 > 1e-30f)));
 let _e7863 = select(0f, _e7861, (_e7861 > 0f));
 let _e7869 = select(select(select(1f, _e7863, (_e7863 < 1f)), 1f, (_e7856 <= 0f)), 0f, (_e7854 > 0f));
-let _e7875 = global_5.member[_e458].member_15.member_1;
+let _e7875 = global_5.member[_e458].member_17.member_1;
 let _e7876 = (_e7875 != 0u);
-let _e7887 = global_5.member[_e458].member_16.member;
+let _e7887 = global_5.member[_e458].member_18.member;
 let _e7898 = ((((_e7887.member.member * _e491) + (_e7887.member.member_1 * _e493)) + (_e7887.member.member_2 * _e487)) + _e7887.member_1);
 let _e7904 = ((((_e7887.member.member * _e6034.member_1.x) + (_e7887.member.member_1 * _e6034.member_1.y)) + (_e7887.member.member_2 * _e6034.member_1.z)) + _e7887.member_1);
 let _e7906 = select(_e7904, _e7898, (_e7898 < _e7904));
@@ -2944,9 +2946,9 @@ let _e7910 = (_e7908 - _e7906);
 let _e7913 = (-(_e7906) / select(1e-30f, _e7910, (_e7910 > 1e-30f)));
 let _e7915 = select(0f, _e7913, (_e7913 > 0f));
 let _e7921 = select(select(select(1f, _e7915, (_e7915 < 1f)), 1f, (_e7908 <= 0f)), 0f, (_e7906 > 0f));
-let _e7927 = global_5.member[_e458].member_16.member_1;
+let _e7927 = global_5.member[_e458].member_18.member_1;
 let _e7928 = (_e7927 != 0u);
-let _e7939 = global_5.member[_e458].member_17.member;
+let _e7939 = global_5.member[_e458].member_19.member;
 let _e7950 = ((((_e7939.member.member * _e491) + (_e7939.member.member_1 * _e493)) + (_e7939.member.member_2 * _e487)) + _e7939.member_1);
 let _e7956 = ((((_e7939.member.member * _e6034.member_1.x) + (_e7939.member.member_1 * _e6034.member_1.y)) + (_e7939.member.member_2 * _e6034.member_1.z)) + _e7939.member_1);
 let _e7958 = select(_e7956, _e7950, (_e7950 < _e7956));
@@ -2955,12 +2957,12 @@ let _e7962 = (_e7960 - _e7958);
 let _e7965 = (-(_e7958) / select(1e-30f, _e7962, (_e7962 > 1e-30f)));
 let _e7967 = select(0f, _e7965, (_e7965 > 0f));
 let _e7973 = select(select(select(1f, _e7967, (_e7967 < 1f)), 1f, (_e7960 <= 0f)), 0f, (_e7958 > 0f));
-let _e7979 = global_5.member[_e458].member_17.member_1;
+let _e7979 = global_5.member[_e458].member_19.member_1;
 let _e7980 = (_e7979 != 0u);
-phi_20621_ = type_7(((((1f * _e7817) * _e7869) * _e7921) * _e7973), ((((1f * select(1f, _e7817, _e7824)) * select(1f, _e7869, _e7876)) * select(1f, _e7921, _e7928)) * select(1f, _e7973, _e7980)), ((((1f * select(1f, 0f, (_e7824 && (_e7800 > 0f)))) * select(1f, 0f, (_e7876 && (_e7852 > 0f)))) * select(1f, 0f, (_e7928 && (_e7904 > 0f)))) * select(1f, 0f, (_e7980 && (_e7956 > 0f)))));
+phi_20623_ = type_7(((((1f * _e7817) * _e7869) * _e7921) * _e7973), ((((1f * select(1f, _e7817, _e7824)) * select(1f, _e7869, _e7876)) * select(1f, _e7921, _e7928)) * select(1f, _e7973, _e7980)), ((((1f * select(1f, 0f, (_e7824 && (_e7800 > 0f)))) * select(1f, 0f, (_e7876 && (_e7852 > 0f)))) * select(1f, 0f, (_e7928 && (_e7904 > 0f)))) * select(1f, 0f, (_e7980 && (_e7956 > 0f)))));
 }
-let _e7989 = phi_20621_;
-let _e7996 = global_5.member[_e458].member_5.member_3;
+let _e7989 = phi_20623_;
+let _e7996 = global_5.member[_e458].member_7.member_3;
 let _e7997 = ((_e6034.member_3 * _e7776) * _e7996);
 let _e7998 = (_e467.member_2 == 3u);
 let _e8001 = ((_e7998 || (_e467.member_2 == 4u)) || _e830);
@@ -3171,7 +3173,7 @@ let _e9888 = ((_e9866 - (_e9884 * 0.6933594f)) - (_e9884 * -2.1219444e-4f));
 let _e9908 = ((1f + (_e9888 * (1f + (_e9888 * (0.5f + (_e9888 * (0.16666667f + (_e9888 * (0.041666668f + (_e9888 * (0.008333334f + (_e9888 * (0.001388889f + (_e9888 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9883 + 127i)) << bitcast<u32>(23i))));
 let _e9909 = (1f - _e9908);
 let _e9912 = (_e9909 / select(1e-12f, _e9858, (_e9858 > 1e-12f)));
-phi_24786_ = type_40(_e9908, _e9909, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e9619 + (((_e9624 + (((bitcast<f32>(((_e9590 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9624) * _e9552)) - _e9619) * _e9550)) * _e9554) + (((bitcast<f32>(((_e9598 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9539) + ((bitcast<f32>(((_e9606 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9545))) * _e9912), ((((_e9675 + (((_e9680 + (((bitcast<f32>((((_e9590 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9680) * _e9552)) - _e9675) * _e9550)) * _e9554) + (((bitcast<f32>((((_e9598 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9539) + ((bitcast<f32>((((_e9606 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9545))) * _e9912), ((((_e9771 + (((_e9776 + (((bitcast<f32>(((_e9742 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9776) * _e9552)) - _e9771) * _e9550)) * _e9554) + (((bitcast<f32>(((_e9750 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9539) + ((bitcast<f32>(((_e9758 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9545))) * _e9912)));
+phi_24788_ = type_40(_e9908, _e9909, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e9619 + (((_e9624 + (((bitcast<f32>(((_e9590 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9624) * _e9552)) - _e9619) * _e9550)) * _e9554) + (((bitcast<f32>(((_e9598 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9539) + ((bitcast<f32>(((_e9606 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9545))) * _e9912), ((((_e9675 + (((_e9680 + (((bitcast<f32>((((_e9590 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9680) * _e9552)) - _e9675) * _e9550)) * _e9554) + (((bitcast<f32>((((_e9598 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9539) + ((bitcast<f32>((((_e9606 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9545))) * _e9912), ((((_e9771 + (((_e9776 + (((bitcast<f32>(((_e9742 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9776) * _e9552)) - _e9771) * _e9550)) * _e9554) + (((bitcast<f32>(((_e9750 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9539) + ((bitcast<f32>(((_e9758 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9545))) * _e9912)));
 } else {
 local_3 = _e1482;
 let _e8003 = local_3;
@@ -3450,9 +3452,9 @@ let _e9127 = ((_e9105 - (_e9123 * 0.6933594f)) - (_e9123 * -2.1219444e-4f));
 let _e9147 = ((1f + (_e9127 * (1f + (_e9127 * (0.5f + (_e9127 * (0.16666667f + (_e9127 * (0.041666668f + (_e9127 * (0.008333334f + (_e9127 * (0.001388889f + (_e9127 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9122 + 127i)) << bitcast<u32>(23i))));
 let _e9148 = (1f - _e9147);
 let _e9151 = (_e9148 / select(1e-12f, _e8494, (_e8494 > 1e-12f)));
-phi_24786_ = type_40(_e9147, _e9148, vec3<f32>(((1f + (_e8982 * (1f + (_e8982 * (0.5f + (_e8982 * (0.16666667f + (_e8982 * (0.041666668f + (_e8982 * (0.008333334f + (_e8982 * (0.001388889f + (_e8982 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8977 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9030 * (1f + (_e9030 * (0.5f + (_e9030 * (0.16666667f + (_e9030 * (0.041666668f + (_e9030 * (0.008333334f + (_e9030 * (0.001388889f + (_e9030 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9025 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9078 * (1f + (_e9078 * (0.5f + (_e9078 * (0.16666667f + (_e9078 * (0.041666668f + (_e9078 * (0.008333334f + (_e9078 * (0.001388889f + (_e9078 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9073 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e8767 + (((_e8772 + (((bitcast<f32>(((_e8738 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8772) * _e8397)) - _e8767) * _e8395)) * _e8399) + (((bitcast<f32>(((_e8746 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8384) + ((bitcast<f32>(((_e8754 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8390))) * _e9151), ((((_e8823 + (((_e8828 + (((bitcast<f32>((((_e8738 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8828) * _e8397)) - _e8823) * _e8395)) * _e8399) + (((bitcast<f32>((((_e8746 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8384) + ((bitcast<f32>((((_e8754 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8390))) * _e9151), ((((_e8919 + (((_e8924 + (((bitcast<f32>(((_e8890 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8924) * _e8397)) - _e8919) * _e8395)) * _e8399) + (((bitcast<f32>(((_e8898 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8384) + ((bitcast<f32>(((_e8906 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8390))) * _e9151)));
+phi_24788_ = type_40(_e9147, _e9148, vec3<f32>(((1f + (_e8982 * (1f + (_e8982 * (0.5f + (_e8982 * (0.16666667f + (_e8982 * (0.041666668f + (_e8982 * (0.008333334f + (_e8982 * (0.001388889f + (_e8982 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e8977 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9030 * (1f + (_e9030 * (0.5f + (_e9030 * (0.16666667f + (_e9030 * (0.041666668f + (_e9030 * (0.008333334f + (_e9030 * (0.001388889f + (_e9030 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9025 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9078 * (1f + (_e9078 * (0.5f + (_e9078 * (0.16666667f + (_e9078 * (0.041666668f + (_e9078 * (0.008333334f + (_e9078 * (0.001388889f + (_e9078 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9073 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e8767 + (((_e8772 + (((bitcast<f32>(((_e8738 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8772) * _e8397)) - _e8767) * _e8395)) * _e8399) + (((bitcast<f32>(((_e8746 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8384) + ((bitcast<f32>(((_e8754 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8390))) * _e9151), ((((_e8823 + (((_e8828 + (((bitcast<f32>((((_e8738 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8828) * _e8397)) - _e8823) * _e8395)) * _e8399) + (((bitcast<f32>((((_e8746 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8384) + ((bitcast<f32>((((_e8754 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8390))) * _e9151), ((((_e8919 + (((_e8924 + (((bitcast<f32>(((_e8890 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8924) * _e8397)) - _e8919) * _e8395)) * _e8399) + (((bitcast<f32>(((_e8898 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8384) + ((bitcast<f32>(((_e8906 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8390))) * _e9151)));
 }
-let _e9919 = phi_24786_;
+let _e9919 = phi_24788_;
 let _e9920 = (_e6034.member_1.x - _e491);
 let _e9921 = (_e6034.member_1.y - _e493);
 let _e9922 = (_e6034.member_1.z - _e487);
@@ -3461,55 +3463,55 @@ let _e9927 = (_e491 + (_e9920 * _e9923));
 let _e9928 = (_e493 + (_e9921 * _e9923));
 let _e9929 = (_e487 + (_e9922 * _e9923));
 if _e7998 {
-let _e11614 = global_5.member[_e458].member_10.member_3;
+let _e11614 = global_5.member[_e458].member_12.member_3;
 let _e11615 = (_e11614 == 0u);
 if _e11615 {
-let _e11844 = global_5.member[_e458].member_9.member_1;
-let _e11853 = global_5.member[_e458].member_9.member;
-phi_25056_ = type_35(vec3<f32>(_e11844.member, _e11844.member_1, _e11844.member_2), vec3<f32>(_e11853.member, _e11853.member_1, _e11853.member_2));
+let _e11844 = global_5.member[_e458].member_11.member_1;
+let _e11853 = global_5.member[_e458].member_11.member;
+phi_25058_ = type_35(vec3<f32>(_e11844.member, _e11844.member_1, _e11844.member_2), vec3<f32>(_e11853.member, _e11853.member_1, _e11853.member_2));
 } else {
-let _e11620 = global_5.member[_e458].member_10.member;
+let _e11620 = global_5.member[_e458].member_12.member;
 let _e11631 = ((((_e11620.member.member * _e9927) + (_e11620.member.member_1 * _e9928)) + (_e11620.member.member_2 * _e9929)) + _e11620.member_1);
-let _e11636 = global_5.member[_e458].member_10.member_1;
+let _e11636 = global_5.member[_e458].member_12.member_1;
 let _e11647 = ((((_e11636.member.member * _e9927) + (_e11636.member.member_1 * _e9928)) + (_e11636.member.member_2 * _e9929)) + _e11636.member_1);
-let _e11652 = global_5.member[_e458].member_10.member_2;
+let _e11652 = global_5.member[_e458].member_12.member_2;
 let _e11663 = ((((_e11652.member.member * _e9927) + (_e11652.member.member_1 * _e9928)) + (_e11652.member.member_2 * _e9929)) + _e11652.member_1);
-let _e11668 = global_5.member[_e458].member_9.member_1;
+let _e11668 = global_5.member[_e458].member_11.member_1;
 if _e11615 {
-phi_24900_ = 1f;
+phi_24902_ = 1f;
 } else {
-let _e11676 = global_5.member[_e458].member_10.member_19;
+let _e11676 = global_5.member[_e458].member_12.member_19;
 let _e11680 = (_e11631 - _e11676.member);
 let _e11681 = (_e11647 - _e11676.member_1);
 let _e11682 = (_e11663 - _e11676.member_2);
 let _e11687 = (((_e11680 * _e11680) + (_e11681 * _e11681)) + (_e11682 * _e11682));
-phi_24900_ = (1f / select(1e-12f, _e11687, (_e11687 > 1e-12f)));
+phi_24902_ = (1f / select(1e-12f, _e11687, (_e11687 > 1e-12f)));
 }
-let _e11692 = phi_24900_;
+let _e11692 = phi_24902_;
 if _e11615 {
-phi_24984_ = 1f;
+phi_24986_ = 1f;
 } else {
-let _e11697 = global_5.member[_e458].member_10.member_19;
+let _e11697 = global_5.member[_e458].member_12.member_19;
 let _e11701 = (_e11631 - _e11697.member);
 let _e11702 = (_e11647 - _e11697.member_1);
 let _e11703 = (_e11663 - _e11697.member_2);
-let _e11709 = global_5.member[_e458].member_10.member_20.member;
+let _e11709 = global_5.member[_e458].member_12.member_20.member;
 let _e11717 = (((_e11709.member * _e11701) + (_e11709.member_1 * _e11702)) + (_e11709.member_2 * _e11703));
 let _e11721 = (_e11701 - (_e11709.member * _e11717));
 let _e11722 = (_e11702 - (_e11709.member_1 * _e11717));
 let _e11723 = (_e11703 - (_e11709.member_2 * _e11717));
 let _e11728 = (((_e11721 * _e11721) + (_e11722 * _e11722)) + (_e11723 * _e11723));
-let _e11740 = global_5.member[_e458].member_10.member_20.member_1;
-let _e11747 = global_5.member[_e458].member_10.member_20.member_2;
+let _e11740 = global_5.member[_e458].member_12.member_20.member_1;
+let _e11747 = global_5.member[_e458].member_12.member_20.member_2;
 let _e11748 = ((_e11740 - (sqrt(select(0f, _e11728, (_e11728 > 0f))) / select(1e-20f, _e11717, (_e11717 > 1e-20f)))) * _e11747);
 let _e11750 = select(0f, _e11748, (_e11748 > 0f));
 let _e11752 = select(1f, _e11750, (_e11750 < 1f));
-phi_24984_ = select(1f, select(0f, ((_e11752 * _e11752) * (3f - (2f * _e11752))), (_e11717 > 0f)), (_e11747 > 0f));
+phi_24986_ = select(1f, select(0f, ((_e11752 * _e11752) * (3f - (2f * _e11752))), (_e11717 > 0f)), (_e11747 > 0f));
 }
-let _e11762 = phi_24984_;
+let _e11762 = phi_24986_;
 let _e11763 = (_e11692 * _e11762);
 let _e11768 = (_e11614 != 0u);
-let _e11773 = global_5.member[_e458].member_10.member_19;
+let _e11773 = global_5.member[_e458].member_12.member_19;
 let _e11777 = (_e11631 - _e11773.member);
 let _e11778 = (_e11647 - _e11773.member_1);
 let _e11779 = (_e11663 - _e11773.member_2);
@@ -3519,28 +3521,28 @@ let _e11790 = (1f / select(1e-20f, _e11787, (_e11787 > 1e-20f)));
 let _e11794 = select(0f, (_e11777 * _e11790), _e11768);
 let _e11795 = select(0f, (_e11778 * _e11790), _e11768);
 let _e11796 = select(1f, (_e11779 * _e11790), _e11768);
-let _e11802 = global_5.member[_e458].member_10.member.member;
-let _e11814 = global_5.member[_e458].member_10.member_1.member;
-let _e11829 = global_5.member[_e458].member_10.member_2.member;
-phi_25056_ = type_35(vec3<f32>((_e11668.member * _e11763), (_e11668.member_1 * _e11763), (_e11668.member_2 * _e11763)), (vec3<f32>(((_e11802.member * _e11794) + (_e11814.member * _e11795)), ((_e11802.member_1 * _e11794) + (_e11814.member_1 * _e11795)), ((_e11802.member_2 * _e11794) + (_e11814.member_2 * _e11795))) + vec3<f32>((_e11829.member * _e11796), (_e11829.member_1 * _e11796), (_e11829.member_2 * _e11796))));
+let _e11802 = global_5.member[_e458].member_12.member.member;
+let _e11814 = global_5.member[_e458].member_12.member_1.member;
+let _e11829 = global_5.member[_e458].member_12.member_2.member;
+phi_25058_ = type_35(vec3<f32>((_e11668.member * _e11763), (_e11668.member_1 * _e11763), (_e11668.member_2 * _e11763)), (vec3<f32>(((_e11802.member * _e11794) + (_e11814.member * _e11795)), ((_e11802.member_1 * _e11794) + (_e11814.member_1 * _e11795)), ((_e11802.member_2 * _e11794) + (_e11814.member_2 * _e11795))) + vec3<f32>((_e11829.member * _e11796), (_e11829.member_1 * _e11796), (_e11829.member_2 * _e11796))));
 }
-let _e11860 = phi_25056_;
-phi_27468_ = _e11860;
+let _e11860 = phi_25058_;
+phi_27470_ = _e11860;
 } else {
 if (_e467.member_2 >= 6u) {
-let _e10993 = global_5.member[_e458].member_8.member_8;
+let _e10993 = global_5.member[_e458].member_10.member_8;
 let _e10994 = (_e9929 - _e10993);
-let _e10999 = global_5.member[_e458].member_8.member_2;
-let _e11004 = global_5.member[_e458].member_8.member_6;
-let _e11012 = global_5.member[_e458].member_8.member_5;
+let _e10999 = global_5.member[_e458].member_10.member_2;
+let _e11004 = global_5.member[_e458].member_10.member_6;
+let _e11012 = global_5.member[_e458].member_10.member_5;
 let _e11014 = (((_e9927 - (_e10999 + (_e11004 * _e10994))) * _e11012) - 0.5f);
-let _e11019 = global_5.member[_e458].member_8.member_3;
-let _e11024 = global_5.member[_e458].member_8.member_7;
+let _e11019 = global_5.member[_e458].member_10.member_3;
+let _e11024 = global_5.member[_e458].member_10.member_7;
 let _e11029 = (((_e9928 - (_e11019 + (_e11024 * _e10994))) * _e11012) - 0.5f);
-let _e11034 = global_5.member[_e458].member_8.member;
+let _e11034 = global_5.member[_e458].member_10.member;
 let _e11035 = bitcast<i32>(_e11034);
 let _e11037 = (f32(_e11035) - 1f);
-let _e11042 = global_5.member[_e458].member_8.member_1;
+let _e11042 = global_5.member[_e458].member_10.member_1;
 let _e11045 = (f32(bitcast<i32>(_e11042)) - 1f);
 let _e11047 = select(0f, _e11014, (_e11014 > 0f));
 let _e11049 = select(_e11037, _e11047, (_e11047 < _e11037));
@@ -3553,7 +3555,7 @@ let _e11075 = (_e11071 - select(0i, 1i, (_e11064 < f32(_e11071))));
 let _e11079 = (_e11014 - f32(_e11060));
 let _e11081 = (_e11029 - f32(_e11075));
 let _e11088 = ((((_e11014 >= 0f) && (_e11014 <= _e11037)) && (_e11029 >= 0f)) && (_e11029 <= _e11045));
-let _e11092 = global_5.member[_e458].member_4;
+let _e11092 = global_5.member[_e458].member_6;
 let _e11093 = bitcast<i32>(_e11092);
 let _e11095 = bitcast<i32>((_e11034 * _e11042));
 let _e11097 = (_e11093 + (3i * _e11095));
@@ -3589,7 +3591,7 @@ let _e11189 = bitcast<u32>(bitcast<f32>(_e11187));
 let _e11199 = f32((bitcast<i32>(((_e11189 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11207 = (_e11114 + ((f32((bitcast<i32>((_e11136 & 65535u)) - 32768i)) - _e11114) * _e11079));
 let _e11216 = (_e11125 + ((select(_e11146, -(_e11146), ((_e11136 >> bitcast<u32>(31i)) != 0u)) - _e11125) * _e11079));
-let _e11229 = global_5.member[_e458].member_9.member;
+let _e11229 = global_5.member[_e458].member_11.member;
 let _e11232 = (1f / 16255f);
 let _e11234 = (_e11229.member + (select(0f, (_e11207 + (((_e11166 + ((f32((bitcast<i32>((_e11189 & 65535u)) - 32768i)) - _e11166) * _e11079)) - _e11207) * _e11081)), _e11088) * _e11232));
 let _e11236 = (_e11229.member_1 + (select(0f, (_e11216 + (((_e11177 + ((select(_e11199, -(_e11199), ((_e11189 >> bitcast<u32>(31i)) != 0u)) - _e11177) * _e11079)) - _e11216) * _e11081)), _e11088) * _e11232));
@@ -3629,7 +3631,7 @@ let _e11337 = select(_e11101, _e11335, (_e11335 < _e11101));
 let _e11343 = global_3.member[bitcast<u32>(select(0i, _e11337, (_e11337 > 0i)))];
 let _e11351 = select(1f, (_e11324 + (((_e11334 + ((bitcast<f32>(_e11343) - _e11334) * _e11292)) - _e11324) * _e11294)), _e11301);
 if _e8001 {
-phi_25801_ = vec3(_e11351);
+phi_25803_ = vec3(_e11351);
 } else {
 let _e11354 = ((_e11093 + _e11095) + _e11290);
 let _e11356 = select(_e11101, _e11354, (_e11354 < _e11101));
@@ -3661,9 +3663,9 @@ let _e11438 = bitcast<f32>(_e11437);
 let _e11439 = (_e11429 + 1i);
 let _e11441 = select(_e11101, _e11439, (_e11439 < _e11101));
 let _e11447 = global_3.member[bitcast<u32>(select(0i, _e11441, (_e11441 > 0i)))];
-phi_25801_ = vec3<f32>(_e11351, select(1f, (_e11376 + (((_e11386 + ((bitcast<f32>(_e11395) - _e11386) * _e11292)) - _e11376) * _e11294)), _e11301), select(1f, (_e11428 + (((_e11438 + ((bitcast<f32>(_e11447) - _e11438) * _e11292)) - _e11428) * _e11294)), _e11301));
+phi_25803_ = vec3<f32>(_e11351, select(1f, (_e11376 + (((_e11386 + ((bitcast<f32>(_e11395) - _e11386) * _e11292)) - _e11376) * _e11294)), _e11301), select(1f, (_e11428 + (((_e11438 + ((bitcast<f32>(_e11447) - _e11438) * _e11292)) - _e11428) * _e11294)), _e11301));
 }
-let _e11458 = phi_25801_;
+let _e11458 = phi_25803_;
 local = (_e11097 + _e11290);
 let _e11460 = local;
 let _e11462 = select(_e11101, _e11460, (_e11460 < _e11101));
@@ -3694,12 +3696,12 @@ let _e11547 = bitcast<u32>(bitcast<f32>(_e11545));
 let _e11557 = f32((bitcast<i32>(((_e11547 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11565 = (_e11473 + ((f32((bitcast<i32>((_e11495 & 65535u)) - 32768i)) - _e11473) * _e11292));
 let _e11574 = (_e11484 + ((select(_e11505, -(_e11505), ((_e11495 >> bitcast<u32>(31i)) != 0u)) - _e11484) * _e11292));
-let _e11587 = global_5.member[_e458].member_9.member_1;
+let _e11587 = global_5.member[_e458].member_11.member_1;
 let _e11594 = (_e11229.member + (select(0f, (_e11565 + (((_e11525 + ((f32((bitcast<i32>((_e11547 & 65535u)) - 32768i)) - _e11525) * _e11292)) - _e11565) * _e11294)), _e11301) * _e11232));
 let _e11596 = (_e11229.member_1 + (select(0f, (_e11574 + (((_e11536 + ((select(_e11557, -(_e11557), ((_e11547 >> bitcast<u32>(31i)) != 0u)) - _e11536) * _e11292)) - _e11574) * _e11294)), _e11301) * _e11232));
 let _e11600 = (1f - ((_e11594 * _e11594) + (_e11596 * _e11596)));
 let _e11602 = select(1e-4f, _e11600, (_e11600 > 1e-4f));
-phi_27467_ = type_35((_e11458 * vec3<f32>(_e11587.member, _e11587.member_1, _e11587.member_2)), vec3<f32>(_e11594, _e11596, sqrt(select(0f, _e11602, (_e11602 > 0f)))));
+phi_27469_ = type_35((_e11458 * vec3<f32>(_e11587.member, _e11587.member_1, _e11587.member_2)), vec3<f32>(_e11594, _e11596, sqrt(select(0f, _e11602, (_e11602 > 0f)))));
 } else {
 let _e9932 = (1f - _e9919.member);
 let _e9934 = select(1e-6f, _e9919.member, (_e9919.member > 1e-6f));
@@ -3714,25 +3716,25 @@ let _e9985 = (_e7776 * select(((1f / select(1e-3f, _e9972, (_e9972 > 1e-3f))) - 
 let _e9989 = (_e491 + (_e9920 * _e9985));
 let _e9990 = (_e493 + (_e9921 * _e9985));
 let _e9991 = (_e487 + (_e9922 * _e9985));
-let _e9996 = global_5.member[_e458].member_10.member;
+let _e9996 = global_5.member[_e458].member_12.member;
 let _e10007 = ((((_e9996.member.member * _e9989) + (_e9996.member.member_1 * _e9990)) + (_e9996.member.member_2 * _e9991)) + _e9996.member_1);
-let _e10012 = global_5.member[_e458].member_10.member_1;
+let _e10012 = global_5.member[_e458].member_12.member_1;
 let _e10023 = ((((_e10012.member.member * _e9989) + (_e10012.member.member_1 * _e9990)) + (_e10012.member.member_2 * _e9991)) + _e10012.member_1);
-let _e10028 = global_5.member[_e458].member_10.member_2;
+let _e10028 = global_5.member[_e458].member_12.member_2;
 let _e10039 = ((((_e10028.member.member * _e9989) + (_e10028.member.member_1 * _e9990)) + (_e10028.member.member_2 * _e9991)) + _e10028.member_1);
-let _e10044 = global_5.member[_e458].member_10.member_3;
+let _e10044 = global_5.member[_e458].member_12.member_3;
 let _e10045 = (_e10044 != 0u);
-let _e10055 = global_5.member[_e458].member_10.member_19.member_2;
+let _e10055 = global_5.member[_e458].member_12.member_19.member_2;
 let _e10057 = select(1f, (_e10039 - _e10055), _e10045);
 let _e10060 = (1f / select(1e-12f, _e10057, (_e10057 > 1e-12f)));
-let _e10066 = global_5.member[_e458].member_10.member_5;
-let _e10072 = global_5.member[_e458].member_10.member_8;
-let _e10079 = global_5.member[_e458].member_10.member_6;
-let _e10086 = global_5.member[_e458].member_10.member_11;
+let _e10066 = global_5.member[_e458].member_12.member_5;
+let _e10072 = global_5.member[_e458].member_12.member_8;
+let _e10079 = global_5.member[_e458].member_12.member_6;
+let _e10086 = global_5.member[_e458].member_12.member_11;
 let _e10087 = ((((_e10007 * _e10060) - _e10066) * _e10072) - _e10086);
 let _e10088 = ((((_e10023 * _e10060) - _e10079) * _e10072) - _e10086);
-let _e10093 = global_5.member[_e458].member_10.member_9;
-let _e10099 = global_5.member[_e458].member_10.member_10;
+let _e10093 = global_5.member[_e458].member_12.member_9;
+let _e10099 = global_5.member[_e458].member_12.member_10;
 let _e10100 = ((_e10039 - _e10093) * _e10099);
 let _e10101 = -(65536f);
 let _e10103 = select(_e10101, _e10087, (_e10087 > _e10101));
@@ -3751,17 +3753,17 @@ let _e10148 = (firstTrailingBit(8u) & 31u);
 let _e10150 = (_e10146 >> bitcast<u32>(_e10148));
 let _e10152 = (_e10116 >> bitcast<u32>(_e10148));
 let _e10154 = (_e10131 >> bitcast<u32>(_e10148));
-let _e10160 = global_5.member[_e458].member_10.member_14.member;
+let _e10160 = global_5.member[_e458].member_12.member_14.member;
 let _e10161 = bitcast<i32>(_e10160);
-let _e10167 = global_5.member[_e458].member_10.member_14.member_1;
+let _e10167 = global_5.member[_e458].member_12.member_14.member_1;
 let _e10168 = bitcast<i32>(_e10167);
-let _e10174 = global_5.member[_e458].member_10.member_14.member_2;
+let _e10174 = global_5.member[_e458].member_12.member_14.member_2;
 if ((((((_e10152 >= 0i) && (_e10152 < _e10161)) && (_e10154 >= 0i)) && (_e10154 < _e10168)) && (_e10150 >= 0i)) && (_e10150 < bitcast<i32>(_e10174))) {
-phi_26315_ = (((((_e10150 * _e10168) + _e10154) * _e10161) + _e10152) * 3i);
+phi_26317_ = (((((_e10150 * _e10168) + _e10154) * _e10161) + _e10152) * 3i);
 } else {
-phi_26315_ = -1i;
+phi_26317_ = -1i;
 }
-let _e10193 = phi_26315_;
+let _e10193 = phi_26317_;
 let _e10194 = (_e10193 + 1i);
 let _e10196 = (bitcast<i32>(_e232) - 1i);
 let _e10198 = select(_e10196, _e10194, (_e10194 < _e10196));
@@ -3769,7 +3771,7 @@ let _e10204 = global_3.member[bitcast<u32>(select(0i, _e10198, (_e10198 > 0i)))]
 let _e10206 = select(_e10196, _e10193, (_e10193 < _e10196));
 let _e10212 = global_3.member[bitcast<u32>(select(0i, _e10206, (_e10206 > 0i)))];
 let _e10215 = select(_e10204, 0u, (_e10193 < 0i));
-let _e10220 = global_5.member[_e458].member_10.member_13;
+let _e10220 = global_5.member[_e458].member_12.member_13;
 let _e10221 = (_e10215 * 81u);
 let _e10225 = bitcast<i32>((((_e10221 * _e10220) + 63u) & 4294967232u));
 let _e10233 = (((bitcast<i32>(_e10212) + ((_e10146 & 7i) * _e10225)) + ((_e10131 & 7i) * 9i)) + (_e10116 & 7i));
@@ -3810,9 +3812,9 @@ let _e10325 = select(_e10196, _e10323, (_e10323 < _e10196));
 let _e10331 = global_3.member[bitcast<u32>(select(0i, _e10325, (_e10325 > 0i)))];
 let _e10342 = select(1f, (_e10289 + (((_e10312 + (((_e10322 + ((bitcast<f32>(_e10331) - _e10322) * _e10236)) - _e10312) * _e10238)) - _e10289) * _e10240)), _e10241);
 if _e8001 {
-phi_26892_ = vec3(_e10342);
+phi_26894_ = vec3(_e10342);
 } else {
-let _e10348 = global_5.member[_e458].member_10.member_12;
+let _e10348 = global_5.member[_e458].member_12.member_12;
 let _e10349 = (_e10348 > 1u);
 let _e10353 = (_e10233 + (select(0i, 1i, _e10349) * _e10234));
 let _e10355 = select(_e10196, _e10353, (_e10353 < _e10196));
@@ -3876,10 +3878,10 @@ let _e10537 = bitcast<f32>(_e10536);
 let _e10538 = (_e10505 + 10i);
 let _e10540 = select(_e10196, _e10538, (_e10538 < _e10196));
 let _e10546 = global_3.member[bitcast<u32>(select(0i, _e10540, (_e10540 > 0i)))];
-phi_26892_ = vec3<f32>(_e10342, select(1f, (_e10401 + (((_e10424 + (((_e10434 + ((bitcast<f32>(_e10443) - _e10434) * _e10236)) - _e10424) * _e10238)) - _e10401) * _e10240)), _e10241), select(1f, (_e10504 + (((_e10527 + (((_e10537 + ((bitcast<f32>(_e10546) - _e10537) * _e10236)) - _e10527) * _e10238)) - _e10504) * _e10240)), _e10241));
+phi_26894_ = vec3<f32>(_e10342, select(1f, (_e10401 + (((_e10424 + (((_e10434 + ((bitcast<f32>(_e10443) - _e10434) * _e10236)) - _e10424) * _e10238)) - _e10401) * _e10240)), _e10241), select(1f, (_e10504 + (((_e10527 + (((_e10537 + ((bitcast<f32>(_e10546) - _e10537) * _e10236)) - _e10527) * _e10238)) - _e10504) * _e10240)), _e10241));
 }
-let _e10560 = phi_26892_;
-let _e10561 = global_5.member[_e458].member_10.member_19;
+let _e10560 = phi_26894_;
+let _e10561 = global_5.member[_e458].member_12.member_19;
 let _e10565 = (_e10007 - _e10561.member);
 let _e10566 = (_e10023 - _e10561.member_1);
 let _e10567 = (_e10039 - _e10561.member_2);
@@ -3947,46 +3949,46 @@ let _e10841 = (_e10582 + select(0f, ((_e10707 + (((_e10765 + (((_e10783 + ((f32(
 let _e10844 = (_e10583 + select(0f, ((_e10710 + (((_e10768 + (((_e10794 + ((select(_e10815, -(_e10815), ((_e10805 >> bitcast<u32>(31i)) != 0u)) - _e10794) * _e10236)) - _e10768) * _e10238)) - _e10710) * _e10240)) * 6.151953e-5f), _e10241));
 let _e10848 = (1f - ((_e10841 * _e10841) + (_e10844 * _e10844)));
 let _e10850 = select(1e-4f, _e10848, (_e10848 > 1e-4f));
-phi_27299_ = vec3<f32>(_e10841, _e10844, sqrt(select(0f, _e10850, (_e10850 > 0f))));
+phi_27301_ = vec3<f32>(_e10841, _e10844, sqrt(select(0f, _e10850, (_e10850 > 0f))));
 } else {
-phi_27299_ = vec3<f32>(_e10582, _e10583, select(1f, (_e10567 * _e10578), _e10045));
+phi_27301_ = vec3<f32>(_e10582, _e10583, select(1f, (_e10567 * _e10578), _e10045));
 }
-let _e10856 = phi_27299_;
+let _e10856 = phi_27301_;
 let _e10858 = (_e10044 == 0u);
 if _e10858 {
-phi_27393_ = 1f;
+phi_27395_ = 1f;
 } else {
-let _e10864 = global_5.member[_e458].member_10.member_20.member;
+let _e10864 = global_5.member[_e458].member_12.member_20.member;
 let _e10872 = (((_e10864.member * _e10565) + (_e10864.member_1 * _e10566)) + (_e10864.member_2 * _e10567));
 let _e10876 = (_e10565 - (_e10864.member * _e10872));
 let _e10877 = (_e10566 - (_e10864.member_1 * _e10872));
 let _e10878 = (_e10567 - (_e10864.member_2 * _e10872));
 let _e10883 = (((_e10876 * _e10876) + (_e10877 * _e10877)) + (_e10878 * _e10878));
-let _e10895 = global_5.member[_e458].member_10.member_20.member_1;
-let _e10902 = global_5.member[_e458].member_10.member_20.member_2;
+let _e10895 = global_5.member[_e458].member_12.member_20.member_1;
+let _e10902 = global_5.member[_e458].member_12.member_20.member_2;
 let _e10903 = ((_e10895 - (sqrt(select(0f, _e10883, (_e10883 > 0f))) / select(1e-20f, _e10872, (_e10872 > 1e-20f)))) * _e10902);
 let _e10905 = select(0f, _e10903, (_e10903 > 0f));
 let _e10907 = select(1f, _e10905, (_e10905 < 1f));
-phi_27393_ = select(1f, select(0f, ((_e10907 * _e10907) * (3f - (2f * _e10907))), (_e10872 > 0f)), (_e10902 > 0f));
+phi_27395_ = select(1f, select(0f, ((_e10907 * _e10907) * (3f - (2f * _e10907))), (_e10872 > 0f)), (_e10902 > 0f));
 }
-let _e10917 = phi_27393_;
-let _e10923 = global_5.member[_e458].member_9.member_1;
+let _e10917 = phi_27395_;
+let _e10923 = global_5.member[_e458].member_11.member_1;
 if _e10858 {
-phi_27435_ = 1f;
+phi_27437_ = 1f;
 } else {
-phi_27435_ = (1f / select(1e-12f, _e10572, (_e10572 > 1e-12f)));
+phi_27437_ = (1f / select(1e-12f, _e10572, (_e10572 > 1e-12f)));
 }
-let _e10937 = phi_27435_;
+let _e10937 = phi_27437_;
 let _e10938 = (_e10937 * select(_e10917, 1f, (_e837 && _e10241)));
-let _e10948 = global_5.member[_e458].member_10.member.member;
-let _e10961 = global_5.member[_e458].member_10.member_1.member;
-let _e10977 = global_5.member[_e458].member_10.member_2.member;
-phi_27467_ = type_35(vec3<f32>(((_e10560.x * _e10923.member) * _e10938), ((_e10560.y * _e10923.member_1) * _e10938), ((_e10560.z * _e10923.member_2) * _e10938)), (vec3<f32>(((_e10948.member * _e10856.x) + (_e10961.member * _e10856.y)), ((_e10948.member_1 * _e10856.x) + (_e10961.member_1 * _e10856.y)), ((_e10948.member_2 * _e10856.x) + (_e10961.member_2 * _e10856.y))) + vec3<f32>((_e10977.member * _e10856.z), (_e10977.member_1 * _e10856.z), (_e10977.member_2 * _e10856.z))));
+let _e10948 = global_5.member[_e458].member_12.member.member;
+let _e10961 = global_5.member[_e458].member_12.member_1.member;
+let _e10977 = global_5.member[_e458].member_12.member_2.member;
+phi_27469_ = type_35(vec3<f32>(((_e10560.x * _e10923.member) * _e10938), ((_e10560.y * _e10923.member_1) * _e10938), ((_e10560.z * _e10923.member_2) * _e10938)), (vec3<f32>(((_e10948.member * _e10856.x) + (_e10961.member * _e10856.y)), ((_e10948.member_1 * _e10856.x) + (_e10961.member_1 * _e10856.y)), ((_e10948.member_2 * _e10856.x) + (_e10961.member_2 * _e10856.y))) + vec3<f32>((_e10977.member * _e10856.z), (_e10977.member_1 * _e10856.z), (_e10977.member_2 * _e10856.z))));
 }
-let _e11609 = phi_27467_;
-phi_27468_ = _e11609;
+let _e11609 = phi_27469_;
+phi_27470_ = _e11609;
 }
-let _e11862 = phi_27468_;
+let _e11862 = phi_27470_;
 let _e11871 = (((_e11862.member_1.x * _e11862.member_1.x) + (_e11862.member_1.y * _e11862.member_1.y)) + (_e11862.member_1.z * _e11862.member_1.z));
 let _e11874 = sqrt(select(0f, _e11871, (_e11871 > 0f)));
 let _e11876 = ((_e798 & 8u) != 0u);
@@ -4000,15 +4002,15 @@ let _e11896 = select(_e7773.member_1.x, _e6034.member_5.x, _e6034.member_7);
 let _e11899 = select(_e7773.member_1.y, _e6034.member_5.y, _e6034.member_7);
 let _e11902 = select(_e7773.member_1.z, _e6034.member_5.z, _e6034.member_7);
 if _e6034.member_7 {
-phi_27551_ = _e6034.member.member_1;
-phi_27552_ = _e6034.member.member;
+phi_27553_ = _e6034.member.member_1;
+phi_27554_ = _e6034.member.member;
 } else {
-phi_27551_ = _e7773.member_2;
-phi_27552_ = _e6040;
+phi_27553_ = _e7773.member_2;
+phi_27554_ = _e6040;
 }
-let _e11909 = phi_27551_;
-let _e11911 = phi_27552_;
-let _e11915 = global_5.member[_e458].member_19;
+let _e11909 = phi_27553_;
+let _e11911 = phi_27554_;
+let _e11915 = global_5.member[_e458].member_21;
 let _e11920 = (((_e11896 * _e11896) + (_e11899 * _e11899)) + (_e11902 * _e11902));
 let _e11923 = sqrt(select(0f, _e11920, (_e11920 > 0f)));
 let _e11926 = (1f / select(1e-20f, _e11923, (_e11923 > 1e-20f)));
@@ -4062,14 +4064,14 @@ let _e12043 = (_e12041 + _e12002);
 let _e12046 = (_e12042 / select(1e-6f, _e12043, (_e12043 > 1e-6f)));
 let _e12050 = ((_e12002 * _e12042) + 1f);
 let _e12053 = (((_e12002 * _e12043) - 1f) / select(1e-6f, _e12050, (_e12050 > 1e-6f)));
-let _e12071 = global_5.member[_e458].member_20;
+let _e12071 = global_5.member[_e458].member_22;
 let _e12075 = ((select(0f, ((((_e12004 / ((3.1415927f * _e12008) * _e12008)) * (0.5f / select(1e-6f, _e12029, (_e12029 > 1e-6f)))) * select(select((((0.5f * _e12046) * _e12046) * (1f + (_e12053 * _e12053))), 1f, (_e12038 <= 0f)), 0f, (_e11911 == _e11909))) * _e12013), (_e12012 && (_e11923 > 1e-12f))) * _e12071) * select(_e7989.member_2, 0f, _e555));
-phi_27809_ = vec3<f32>((_e11886 * _e12075), (_e11888 * _e12075), (_e11890 * _e12075));
+phi_27811_ = vec3<f32>((_e11886 * _e12075), (_e11888 * _e12075), (_e11890 * _e12075));
 } else {
-phi_27809_ = vec3<f32>(0f, 0f, 0f);
+phi_27811_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e12081 = phi_27809_;
-let _e12085 = global_5.member[_e458].member_18;
+let _e12081 = phi_27811_;
+let _e12085 = global_5.member[_e458].member_20;
 let _e12092 = (1f - _e462[12]);
 let _e12112 = (_e462[9] + ((_e462[13] * ((_e9919.member_3.x * (_e11886 + _e12085.member)) + _e12081.x)) * _e12092));
 let _e12113 = (_e462[10] + ((_e462[14] * ((_e9919.member_3.y * (_e11888 + _e12085.member_1)) + _e12081.y)) * _e12092));
@@ -4080,17 +4082,17 @@ let _e12122 = (_e462[14] * _e9919.member_2.y);
 let _e12124 = (_e462[15] * _e9919.member_2.z);
 let _e12129 = (_e462[8] + ((_e12117 - _e462[12]) * (_e487 + (_e9922 * 0.5f))));
 if ((_e467.member_2 >= 6u) || _e7998) {
-phi_28897_ = _e11862;
+phi_28899_ = _e11862;
 } else {
-let _e12136 = global_5.member[_e458].member_10.member;
+let _e12136 = global_5.member[_e458].member_12.member;
 let _e12147 = ((((_e12136.member.member * _e9927) + (_e12136.member.member_1 * _e9928)) + (_e12136.member.member_2 * _e9929)) + _e12136.member_1);
-let _e12152 = global_5.member[_e458].member_10.member_1;
+let _e12152 = global_5.member[_e458].member_12.member_1;
 let _e12163 = ((((_e12152.member.member * _e9927) + (_e12152.member.member_1 * _e9928)) + (_e12152.member.member_2 * _e9929)) + _e12152.member_1);
-let _e12168 = global_5.member[_e458].member_10.member_2;
+let _e12168 = global_5.member[_e458].member_12.member_2;
 let _e12179 = ((((_e12168.member.member * _e9927) + (_e12168.member.member_1 * _e9928)) + (_e12168.member.member_2 * _e9929)) + _e12168.member_1);
-let _e12184 = global_5.member[_e458].member_10.member_3;
+let _e12184 = global_5.member[_e458].member_12.member_3;
 let _e12185 = (_e12184 != 0u);
-let _e12190 = global_5.member[_e458].member_10.member_19;
+let _e12190 = global_5.member[_e458].member_12.member_19;
 let _e12194 = (_e12147 - _e12190.member);
 let _e12195 = (_e12163 - _e12190.member_1);
 let _e12196 = (_e12179 - _e12190.member_2);
@@ -4100,36 +4102,36 @@ let _e12207 = (1f / select(1e-20f, _e12204, (_e12204 > 1e-20f)));
 let _e12211 = select(0f, (_e12194 * _e12207), _e12185);
 let _e12212 = select(0f, (_e12195 * _e12207), _e12185);
 let _e12213 = select(1f, (_e12196 * _e12207), _e12185);
-let _e12219 = global_5.member[_e458].member_10.member.member;
-let _e12231 = global_5.member[_e458].member_10.member_1.member;
-let _e12246 = global_5.member[_e458].member_10.member_2.member;
+let _e12219 = global_5.member[_e458].member_12.member.member;
+let _e12231 = global_5.member[_e458].member_12.member_1.member;
+let _e12246 = global_5.member[_e458].member_12.member_2.member;
 let _e12255 = (vec3<f32>(((_e12219.member * _e12211) + (_e12231.member * _e12212)), ((_e12219.member_1 * _e12211) + (_e12231.member_1 * _e12212)), ((_e12219.member_2 * _e12211) + (_e12231.member_2 * _e12212))) + vec3<f32>((_e12246.member * _e12213), (_e12246.member_1 * _e12213), (_e12246.member_2 * _e12213)));
 if ((_e798 & 256u) != 0u) {
-let _e12364 = global_5.member[_e458].member_10.member_18.member.member;
+let _e12364 = global_5.member[_e458].member_12.member_18.member.member;
 let _e12365 = bitcast<i32>(_e12364);
-let _e12372 = global_5.member[_e458].member_10.member_18.member.member_1;
+let _e12372 = global_5.member[_e458].member_12.member_18.member.member_1;
 let _e12373 = bitcast<i32>(_e12372);
-let _e12379 = global_5.member[_e458].member_10.member_19.member_2;
+let _e12379 = global_5.member[_e458].member_12.member_19.member_2;
 let _e12381 = select(1f, (_e12179 - _e12379), _e12185);
 let _e12384 = (1f / select(1e-12f, _e12381, (_e12381 > 1e-12f)));
-let _e12390 = global_5.member[_e458].member_10.member_5;
-let _e12396 = global_5.member[_e458].member_10.member_8;
+let _e12390 = global_5.member[_e458].member_12.member_5;
+let _e12396 = global_5.member[_e458].member_12.member_8;
 let _e12397 = (((_e12147 * _e12384) - _e12390) * _e12396);
-let _e12403 = global_5.member[_e458].member_10.member_6;
+let _e12403 = global_5.member[_e458].member_12.member_6;
 let _e12405 = (((_e12163 * _e12384) - _e12403) * _e12396);
-let _e12411 = global_5.member[_e458].member_10.member_4.member;
+let _e12411 = global_5.member[_e458].member_12.member_4.member;
 let _e12413 = f32(bitcast<i32>(_e12411));
 let _e12415 = select(0f, _e12397, (_e12397 > 0f));
-let _e12423 = global_5.member[_e458].member_10.member_18.member_1;
+let _e12423 = global_5.member[_e458].member_12.member_18.member_1;
 let _e12426 = ((_e12397 - _e12413) * _e12423);
-let _e12432 = global_5.member[_e458].member_10.member_18.member_2;
+let _e12432 = global_5.member[_e458].member_12.member_18.member_2;
 let _e12434 = select(0f, _e12426, (_e12426 > 0f));
 let _e12436 = (_e12432 + _e12434);
 let _e12441 = (-(_e12397) * _e12423);
 let _e12443 = select(0f, _e12441, (_e12441 > 0f));
 let _e12445 = (_e12432 + _e12443);
 let _e12452 = (((_e12432 + (select(_e12413, _e12415, (_e12415 < _e12413)) * _e12423)) + (((_e12434 * _e12432) / select(1e-12f, _e12436, (_e12436 > 1e-12f))) - ((_e12443 * _e12432) / select(1e-12f, _e12445, (_e12445 > 1e-12f))))) - 0.5f);
-let _e12458 = global_5.member[_e458].member_10.member_4.member_1;
+let _e12458 = global_5.member[_e458].member_12.member_4.member_1;
 let _e12460 = f32(bitcast<i32>(_e12458));
 let _e12462 = select(0f, _e12405, (_e12405 > 0f));
 let _e12467 = ((_e12405 - _e12460) * _e12423);
@@ -4156,13 +4158,13 @@ let _e12529 = (_e12487 - f32(_e12521));
 let _e12531 = select(0f, _e12529, (_e12529 > 0f));
 let _e12533 = select(1f, _e12531, (_e12531 < 1f));
 if _e1173 {
-let _e12545 = global_5.member[_e458].member_10.member_18.member_4;
-phi_28238_ = _e12545;
+let _e12545 = global_5.member[_e458].member_12.member_18.member_4;
+phi_28240_ = _e12545;
 } else {
-let _e12539 = global_5.member[_e458].member_10.member_18.member_3;
-phi_28238_ = _e12539;
+let _e12539 = global_5.member[_e458].member_12.member_18.member_3;
+phi_28240_ = _e12539;
 }
-let _e12547 = phi_28238_;
+let _e12547 = phi_28240_;
 let _e12551 = ((bitcast<i32>(_e12547) + (_e12521 * _e12365)) + _e12504);
 let _e12552 = (_e12365 * _e12373);
 let _e12554 = (bitcast<i32>(_e232) - 1i);
@@ -4215,81 +4217,81 @@ let _e12694 = global_3.member[bitcast<u32>(select(0i, _e12688, (_e12688 > 0i)))]
 let _e12701 = (_e12675 + (((_e12685 + ((bitcast<f32>(_e12694) - _e12685) * _e12527)) - _e12675) * _e12533));
 let _e12703 = (_e12184 == 0u);
 if _e12703 {
-phi_28636_ = vec3<f32>(_e12602, _e12651, _e12701);
+phi_28638_ = vec3<f32>(_e12602, _e12651, _e12701);
 } else {
 if _e12703 {
-phi_28575_ = 1f;
+phi_28577_ = 1f;
 } else {
-let _e12709 = global_5.member[_e458].member_10.member_20.member;
+let _e12709 = global_5.member[_e458].member_12.member_20.member;
 let _e12717 = (((_e12709.member * _e12194) + (_e12709.member_1 * _e12195)) + (_e12709.member_2 * _e12196));
 let _e12721 = (_e12194 - (_e12709.member * _e12717));
 let _e12722 = (_e12195 - (_e12709.member_1 * _e12717));
 let _e12723 = (_e12196 - (_e12709.member_2 * _e12717));
 let _e12728 = (((_e12721 * _e12721) + (_e12722 * _e12722)) + (_e12723 * _e12723));
-let _e12740 = global_5.member[_e458].member_10.member_20.member_1;
-let _e12747 = global_5.member[_e458].member_10.member_20.member_2;
+let _e12740 = global_5.member[_e458].member_12.member_20.member_1;
+let _e12747 = global_5.member[_e458].member_12.member_20.member_2;
 let _e12748 = ((_e12740 - (sqrt(select(0f, _e12728, (_e12728 > 0f))) / select(1e-20f, _e12717, (_e12717 > 1e-20f)))) * _e12747);
 let _e12750 = select(0f, _e12748, (_e12748 > 0f));
 let _e12752 = select(1f, _e12750, (_e12750 < 1f));
-phi_28575_ = select(1f, select(0f, ((_e12752 * _e12752) * (3f - (2f * _e12752))), (_e12717 > 0f)), (_e12747 > 0f));
+phi_28577_ = select(1f, select(0f, ((_e12752 * _e12752) * (3f - (2f * _e12752))), (_e12717 > 0f)), (_e12747 > 0f));
 }
-let _e12762 = phi_28575_;
+let _e12762 = phi_28577_;
 let _e12764 = select(0f, 1f, (_e12196 > 0f));
 let _e12768 = ((_e12602 * _e12764) + _e12762);
 let _e12769 = ((_e12651 * _e12764) + _e12762);
 let _e12770 = ((_e12701 * _e12764) + _e12762);
 if _e12703 {
-phi_28631_ = 1f;
+phi_28633_ = 1f;
 } else {
-phi_28631_ = (1f / select(1e-12f, _e12201, (_e12201 > 1e-12f)));
+phi_28633_ = (1f / select(1e-12f, _e12201, (_e12201 > 1e-12f)));
 }
-let _e12781 = phi_28631_;
-phi_28636_ = vec3<f32>((select(0f, _e12768, (_e12768 > 0f)) * _e12781), (select(0f, _e12769, (_e12769 > 0f)) * _e12781), (select(0f, _e12770, (_e12770 > 0f)) * _e12781));
+let _e12781 = phi_28633_;
+phi_28638_ = vec3<f32>((select(0f, _e12768, (_e12768 > 0f)) * _e12781), (select(0f, _e12769, (_e12769 > 0f)) * _e12781), (select(0f, _e12770, (_e12770 > 0f)) * _e12781));
 }
-let _e12787 = phi_28636_;
-let _e12792 = global_5.member[_e458].member_9.member_1;
-phi_28896_ = type_35((vec3<f32>(_e12792.member, _e12792.member_1, _e12792.member_2) * _e12787), _e12255);
+let _e12787 = phi_28638_;
+let _e12792 = global_5.member[_e458].member_11.member_1;
+phi_28898_ = type_35((vec3<f32>(_e12792.member, _e12792.member_1, _e12792.member_2) * _e12787), _e12255);
 } else {
 let _e12258 = (_e12184 == 0u);
 if _e12258 {
-let _e12341 = global_5.member[_e458].member_9.member_1;
-let _e12350 = global_5.member[_e458].member_9.member;
-phi_28895_ = type_35(vec3<f32>(_e12341.member, _e12341.member_1, _e12341.member_2), vec3<f32>(_e12350.member, _e12350.member_1, _e12350.member_2));
+let _e12341 = global_5.member[_e458].member_11.member_1;
+let _e12350 = global_5.member[_e458].member_11.member;
+phi_28897_ = type_35(vec3<f32>(_e12341.member, _e12341.member_1, _e12341.member_2), vec3<f32>(_e12350.member, _e12350.member_1, _e12350.member_2));
 } else {
-let _e12263 = global_5.member[_e458].member_9.member_1;
+let _e12263 = global_5.member[_e458].member_11.member_1;
 if _e12258 {
-phi_28739_ = 1f;
+phi_28741_ = 1f;
 } else {
-phi_28739_ = (1f / select(1e-12f, _e12201, (_e12201 > 1e-12f)));
+phi_28741_ = (1f / select(1e-12f, _e12201, (_e12201 > 1e-12f)));
 }
-let _e12271 = phi_28739_;
+let _e12271 = phi_28741_;
 if _e12258 {
-phi_28823_ = 1f;
+phi_28825_ = 1f;
 } else {
-let _e12277 = global_5.member[_e458].member_10.member_20.member;
+let _e12277 = global_5.member[_e458].member_12.member_20.member;
 let _e12285 = (((_e12277.member * _e12194) + (_e12277.member_1 * _e12195)) + (_e12277.member_2 * _e12196));
 let _e12289 = (_e12194 - (_e12277.member * _e12285));
 let _e12290 = (_e12195 - (_e12277.member_1 * _e12285));
 let _e12291 = (_e12196 - (_e12277.member_2 * _e12285));
 let _e12296 = (((_e12289 * _e12289) + (_e12290 * _e12290)) + (_e12291 * _e12291));
-let _e12308 = global_5.member[_e458].member_10.member_20.member_1;
-let _e12315 = global_5.member[_e458].member_10.member_20.member_2;
+let _e12308 = global_5.member[_e458].member_12.member_20.member_1;
+let _e12315 = global_5.member[_e458].member_12.member_20.member_2;
 let _e12316 = ((_e12308 - (sqrt(select(0f, _e12296, (_e12296 > 0f))) / select(1e-20f, _e12285, (_e12285 > 1e-20f)))) * _e12315);
 let _e12318 = select(0f, _e12316, (_e12316 > 0f));
 let _e12320 = select(1f, _e12318, (_e12318 < 1f));
-phi_28823_ = select(1f, select(0f, ((_e12320 * _e12320) * (3f - (2f * _e12320))), (_e12285 > 0f)), (_e12315 > 0f));
+phi_28825_ = select(1f, select(0f, ((_e12320 * _e12320) * (3f - (2f * _e12320))), (_e12285 > 0f)), (_e12315 > 0f));
 }
-let _e12330 = phi_28823_;
+let _e12330 = phi_28825_;
 let _e12331 = (_e12271 * _e12330);
-phi_28895_ = type_35(vec3<f32>((_e12263.member * _e12331), (_e12263.member_1 * _e12331), (_e12263.member_2 * _e12331)), _e12255);
+phi_28897_ = type_35(vec3<f32>((_e12263.member * _e12331), (_e12263.member_1 * _e12331), (_e12263.member_2 * _e12331)), _e12255);
 }
-let _e12357 = phi_28895_;
-phi_28896_ = _e12357;
+let _e12357 = phi_28897_;
+phi_28898_ = _e12357;
 }
-let _e12800 = phi_28896_;
-phi_28897_ = _e12800;
+let _e12800 = phi_28898_;
+phi_28899_ = _e12800;
 }
-let _e12802 = phi_28897_;
+let _e12802 = phi_28899_;
 let _e12811 = (((_e12802.member_1.x * _e12802.member_1.x) + (_e12802.member_1.y * _e12802.member_1.y)) + (_e12802.member_1.z * _e12802.member_1.z));
 let _e12814 = sqrt(select(0f, _e12811, (_e12811 > 0f)));
 let _e12818 = (1e-6f * _e12814);
@@ -4306,9 +4308,9 @@ let _e12880 = (_e6034.member_1.z + (_e6034.member_2.z * _e12872));
 let _e12886 = ((((_e560.member.member * _e12878) + (_e560.member.member_1 * _e12879)) + (_e560.member.member_2 * _e12880)) + _e560.member_1);
 let _e12892 = ((((_e576.member.member * _e12878) + (_e576.member.member_1 * _e12879)) + (_e576.member.member_2 * _e12880)) + _e576.member_1);
 let _e12898 = ((((_e592.member.member * _e12878) + (_e592.member.member_1 * _e12879)) + (_e592.member.member_2 * _e12880)) + _e592.member_1);
-let _e12904 = global_5.member[_e458].member_6.member.member;
-let _e12913 = global_5.member[_e458].member_6.member_1.member;
-let _e12922 = global_5.member[_e458].member_6.member_2.member;
+let _e12904 = global_5.member[_e458].member_8.member.member;
+let _e12913 = global_5.member[_e458].member_8.member_1.member;
+let _e12922 = global_5.member[_e458].member_8.member_2.member;
 let _e12926 = (-0.5f - _e6051);
 let _e12927 = (-0.5f - _e12886);
 let _e12928 = -(_e12926);
@@ -4415,16 +4417,16 @@ let _e13165 = select(select(select(select(select(select(0f, _e12904.member, _e12
 let _e13166 = select(select(select(select(select(select(0f, _e12904.member_1, _e12946), _e12904.member_1, _e12986), _e12913.member_1, _e13026), _e12913.member_1, _e13066), _e12922.member_1, _e13106), _e12922.member_1, _e13146);
 let _e13167 = select(select(select(select(select(select(1f, _e12904.member_2, _e12946), _e12904.member_2, _e12986), _e12913.member_2, _e13026), _e12913.member_2, _e13066), _e12922.member_2, _e13106), _e12922.member_2, _e13146);
 if _e7778 {
-phi_30387_ = type_34(_e13152, vec3<f32>(_e13153, _e13154, _e13155), _e13157, vec3<f32>(_e13158, _e13159, _e13160), _e13162, _e13164, vec3<f32>(_e13165, _e13166, _e13167));
+phi_30389_ = type_34(_e13152, vec3<f32>(_e13153, _e13154, _e13155), _e13157, vec3<f32>(_e13158, _e13159, _e13160), _e13162, _e13164, vec3<f32>(_e13165, _e13166, _e13167));
 } else {
 let _e13174 = (((_e12904.member * _e12904.member) + (_e12904.member_1 * _e12904.member_1)) + (_e12904.member_2 * _e12904.member_2));
 let _e13177 = sqrt(select(0f, _e13174, (_e13174 > 0f)));
-let _e13182 = global_5.member[_e458].member_14.member_1;
+let _e13182 = global_5.member[_e458].member_16.member_1;
 let _e13183 = (_e13182 != 0u);
-let _e13188 = global_5.member[_e458].member_14.member;
+let _e13188 = global_5.member[_e458].member_16.member;
 let _e13208 = select(-1e6f, (((((_e13188.member.member * _e6034.member_1.x) + (_e13188.member.member_1 * _e6034.member_1.y)) + (_e13188.member.member_2 * _e6034.member_1.z)) + _e13188.member_1) * _e13177), _e13183);
 let _e13209 = select(-1e6f, (((((_e13188.member.member * _e12878) + (_e13188.member.member_1 * _e12879)) + (_e13188.member.member_2 * _e12880)) + _e13188.member_1) * _e13177), _e13183);
-let _e13215 = global_5.member[_e458].member_14.member.member;
+let _e13215 = global_5.member[_e458].member_16.member.member;
 let _e13219 = -(_e13208);
 let _e13222 = (_e13208 - _e13209);
 let _e13223 = (_e13209 - _e13208);
@@ -4439,12 +4441,12 @@ let _e13243 = select(_e13152, _e13232, _e13241);
 let _e13247 = select(_e13157, _e13236, _e13242);
 let _e13251 = select(_e13162, _e13208, _e13237);
 let _e13253 = select(_e13164, _e13209, (_e13209 > _e13164));
-let _e13261 = global_5.member[_e458].member_15.member_1;
+let _e13261 = global_5.member[_e458].member_17.member_1;
 let _e13262 = (_e13261 != 0u);
-let _e13267 = global_5.member[_e458].member_15.member;
+let _e13267 = global_5.member[_e458].member_17.member;
 let _e13287 = select(-1e6f, (((((_e13267.member.member * _e6034.member_1.x) + (_e13267.member.member_1 * _e6034.member_1.y)) + (_e13267.member.member_2 * _e6034.member_1.z)) + _e13267.member_1) * _e13177), _e13262);
 let _e13288 = select(-1e6f, (((((_e13267.member.member * _e12878) + (_e13267.member.member_1 * _e12879)) + (_e13267.member.member_2 * _e12880)) + _e13267.member_1) * _e13177), _e13262);
-let _e13294 = global_5.member[_e458].member_15.member.member;
+let _e13294 = global_5.member[_e458].member_17.member.member;
 let _e13298 = -(_e13287);
 let _e13301 = (_e13287 - _e13288);
 let _e13302 = (_e13288 - _e13287);
@@ -4459,12 +4461,12 @@ let _e13322 = select(_e13243, _e13311, _e13320);
 let _e13326 = select(_e13247, _e13315, _e13321);
 let _e13330 = select(_e13251, _e13287, _e13316);
 let _e13332 = select(_e13253, _e13288, (_e13288 > _e13253));
-let _e13340 = global_5.member[_e458].member_16.member_1;
+let _e13340 = global_5.member[_e458].member_18.member_1;
 let _e13341 = (_e13340 != 0u);
-let _e13346 = global_5.member[_e458].member_16.member;
+let _e13346 = global_5.member[_e458].member_18.member;
 let _e13366 = select(-1e6f, (((((_e13346.member.member * _e6034.member_1.x) + (_e13346.member.member_1 * _e6034.member_1.y)) + (_e13346.member.member_2 * _e6034.member_1.z)) + _e13346.member_1) * _e13177), _e13341);
 let _e13367 = select(-1e6f, (((((_e13346.member.member * _e12878) + (_e13346.member.member_1 * _e12879)) + (_e13346.member.member_2 * _e12880)) + _e13346.member_1) * _e13177), _e13341);
-let _e13373 = global_5.member[_e458].member_16.member.member;
+let _e13373 = global_5.member[_e458].member_18.member.member;
 let _e13377 = -(_e13366);
 let _e13380 = (_e13366 - _e13367);
 let _e13381 = (_e13367 - _e13366);
@@ -4479,12 +4481,12 @@ let _e13401 = select(_e13322, _e13390, _e13399);
 let _e13405 = select(_e13326, _e13394, _e13400);
 let _e13409 = select(_e13330, _e13366, _e13395);
 let _e13411 = select(_e13332, _e13367, (_e13367 > _e13332));
-let _e13419 = global_5.member[_e458].member_17.member_1;
+let _e13419 = global_5.member[_e458].member_19.member_1;
 let _e13420 = (_e13419 != 0u);
-let _e13425 = global_5.member[_e458].member_17.member;
+let _e13425 = global_5.member[_e458].member_19.member;
 let _e13445 = select(-1e6f, (((((_e13425.member.member * _e6034.member_1.x) + (_e13425.member.member_1 * _e6034.member_1.y)) + (_e13425.member.member_2 * _e6034.member_1.z)) + _e13425.member_1) * _e13177), _e13420);
 let _e13446 = select(-1e6f, (((((_e13425.member.member * _e12878) + (_e13425.member.member_1 * _e12879)) + (_e13425.member.member_2 * _e12880)) + _e13425.member_1) * _e13177), _e13420);
-let _e13452 = global_5.member[_e458].member_17.member.member;
+let _e13452 = global_5.member[_e458].member_19.member.member;
 let _e13456 = -(_e13445);
 let _e13459 = (_e13445 - _e13446);
 let _e13460 = (_e13446 - _e13445);
@@ -4495,11 +4497,11 @@ let _e13473 = select(2f, select(0f, _e13465, (_e13445 < 0f)), (_e13446 > 0f));
 let _e13474 = (_e13445 > _e13409);
 let _e13478 = ((_e13469 > _e13401) || ((_e13469 == _e13401) && _e13474));
 let _e13479 = (_e13473 < _e13405);
-phi_30387_ = type_34(select(_e13401, _e13469, _e13478), vec3<f32>(select(select(select(select(_e13153, _e13215.member, _e13241), _e13294.member, _e13320), _e13373.member, _e13399), _e13452.member, _e13478), select(select(select(select(_e13154, _e13215.member_1, _e13241), _e13294.member_1, _e13320), _e13373.member_1, _e13399), _e13452.member_1, _e13478), select(select(select(select(_e13155, _e13215.member_2, _e13241), _e13294.member_2, _e13320), _e13373.member_2, _e13399), _e13452.member_2, _e13478)), select(_e13405, _e13473, _e13479), vec3<f32>(select(select(select(select(_e13158, _e13215.member, _e13242), _e13294.member, _e13321), _e13373.member, _e13400), _e13452.member, _e13479), select(select(select(select(_e13159, _e13215.member_1, _e13242), _e13294.member_1, _e13321), _e13373.member_1, _e13400), _e13452.member_1, _e13479), select(select(select(select(_e13160, _e13215.member_2, _e13242), _e13294.member_2, _e13321), _e13373.member_2, _e13400), _e13452.member_2, _e13479)), select(_e13409, _e13445, _e13474), select(_e13411, _e13446, (_e13446 > _e13411)), vec3<f32>(select(select(select(select(_e13165, _e13215.member, _e13237), _e13294.member, _e13316), _e13373.member, _e13395), _e13452.member, _e13474), select(select(select(select(_e13166, _e13215.member_1, _e13237), _e13294.member_1, _e13316), _e13373.member_1, _e13395), _e13452.member_1, _e13474), select(select(select(select(_e13167, _e13215.member_2, _e13237), _e13294.member_2, _e13316), _e13373.member_2, _e13395), _e13452.member_2, _e13474)));
+phi_30389_ = type_34(select(_e13401, _e13469, _e13478), vec3<f32>(select(select(select(select(_e13153, _e13215.member, _e13241), _e13294.member, _e13320), _e13373.member, _e13399), _e13452.member, _e13478), select(select(select(select(_e13154, _e13215.member_1, _e13241), _e13294.member_1, _e13320), _e13373.member_1, _e13399), _e13452.member_1, _e13478), select(select(select(select(_e13155, _e13215.member_2, _e13241), _e13294.member_2, _e13320), _e13373.member_2, _e13399), _e13452.member_2, _e13478)), select(_e13405, _e13473, _e13479), vec3<f32>(select(select(select(select(_e13158, _e13215.member, _e13242), _e13294.member, _e13321), _e13373.member, _e13400), _e13452.member, _e13479), select(select(select(select(_e13159, _e13215.member_1, _e13242), _e13294.member_1, _e13321), _e13373.member_1, _e13400), _e13452.member_1, _e13479), select(select(select(select(_e13160, _e13215.member_2, _e13242), _e13294.member_2, _e13321), _e13373.member_2, _e13400), _e13452.member_2, _e13479)), select(_e13409, _e13445, _e13474), select(_e13411, _e13446, (_e13446 > _e13411)), vec3<f32>(select(select(select(select(_e13165, _e13215.member, _e13237), _e13294.member, _e13316), _e13373.member, _e13395), _e13452.member, _e13474), select(select(select(select(_e13166, _e13215.member_1, _e13237), _e13294.member_1, _e13316), _e13373.member_1, _e13395), _e13452.member_1, _e13474), select(select(select(select(_e13167, _e13215.member_2, _e13237), _e13294.member_2, _e13316), _e13373.member_2, _e13395), _e13452.member_2, _e13474)));
 }
-let _e13499 = phi_30387_;
+let _e13499 = phi_30389_;
 let _e13506 = (_e7989.member_2 * select(0f, 1f, _e6034.member_6));
-let _e13512 = global_5.member[_e458].member_5.member_4;
+let _e13512 = global_5.member[_e458].member_7.member_4;
 let _e13515 = (_e7773.member_3.x * _e13506);
 let _e13517 = (_e7773.member_3.y * _e13506);
 let _e13519 = (_e7773.member_3.z * _e13506);
@@ -4522,44 +4524,44 @@ let _e13573 = (_e6034.member_2.y + ((_e7773.member_4.y * _e13506) * _e481));
 let _e13574 = (_e6034.member_2.z + ((_e7773.member_4.z * _e13506) * _e481));
 let _e13576 = (_e13574 * _e13574);
 let _e13585 = ((_e798 & 1u) != 0u);
-phi_30543_ = vec3<f32>(select(select(select(_e13542, _e13524, _e13558), _e13572, _e13585), _e6034.member_2.x, _e6034.member_8), select(select(select(_e13543, _e13525, _e13558), _e13573, _e13585), _e6034.member_2.y, _e6034.member_8), select(select(select(_e13544, _e13526, _e13558), _e13574, _e13585), _e6034.member_2.z, _e6034.member_8));
-phi_30544_ = (select(_e13558, ((_e13574 <= 0f) || (_e13576 <= (_e13548 * (((_e13572 * _e13572) + (_e13573 * _e13573)) + _e13576)))), _e13585) || _e6034.member_8);
+phi_30545_ = vec3<f32>(select(select(select(_e13542, _e13524, _e13558), _e13572, _e13585), _e6034.member_2.x, _e6034.member_8), select(select(select(_e13543, _e13525, _e13558), _e13573, _e13585), _e6034.member_2.y, _e6034.member_8), select(select(select(_e13544, _e13526, _e13558), _e13574, _e13585), _e6034.member_2.z, _e6034.member_8));
+phi_30546_ = (select(_e13558, ((_e13574 <= 0f) || (_e13576 <= (_e13548 * (((_e13572 * _e13572) + (_e13573 * _e13573)) + _e13576)))), _e13585) || _e6034.member_8);
 } else {
-phi_30543_ = _e6034.member_2;
-phi_30544_ = false;
+phi_30545_ = _e6034.member_2;
+phi_30546_ = false;
 }
-let _e13597 = phi_30543_;
-let _e13599 = phi_30544_;
+let _e13597 = phi_30545_;
+let _e13599 = phi_30546_;
 let _e13610 = ((((_e555 || _e6034.member_7) || (_e13597.x != _e462[3])) || (_e13597.y != _e462[4])) || (_e13597.z != _e462[5]));
 let _e13612 = select(_e12122, _e12120, (_e12120 > _e12122));
 let _e13620 = select(select(0f, 2f, _e13599), 1f, (_e555 || (((1f - _e12865) * select(_e12124, _e13612, (_e13612 > _e12124))) < 9.765625e-4f)));
 let _e13624 = ((_e13620 == 2f) && !(_e6034.member_8));
-phi_30704_ = array<f32, 18>(select(select(_e462[0], select(_e6034.member_1.x, _e9927, _e555), _e13610), _e491, _e13624), select(select(_e462[1], select(_e6034.member_1.y, _e9928, _e555), _e13610), _e493, _e13624), select(select(_e462[2], select(_e6034.member_1.z, _e9929, _e555), _e13610), _e487, _e13624), select(_e13597.x, _e6036.x, _e13624), select(_e13597.y, _e6036.y, _e13624), select(_e13597.z, _e6036.z, _e13624), select(_e7773.member, _e1482, _e13624), _e13620, select(select(_e12129, (_e12129 + (_e12852 * _e9929)), _e555), _e462[8], _e13624), select(select(_e12112, (_e12112 + ((_e12120 * (select(_e1199.member, _e1186.member, _e1173) * (((_e12802.member.x * _e12822) * _e12842) + _e12085.member))) * _e12852)), _e555), _e462[9], _e13624), select(select(_e12113, (_e12113 + ((_e12122 * (select(_e1199.member_1, _e1186.member_1, _e1173) * (((_e12802.member.y * _e12822) * _e12842) + _e12085.member_1))) * _e12852)), _e555), _e462[10], _e13624), select(select(_e12114, (_e12114 + ((_e12124 * (select(_e1199.member_2, _e1186.member_2, _e1173) * (((_e12802.member.z * _e12822) * _e12842) + _e12085.member_2))) * _e12852)), _e555), _e462[11], _e13624), select(_e12865, _e462[12], _e13624), select(_e12120, _e462[13], _e13624), select(_e12122, _e462[14], _e13624), select(_e12124, _e462[15], _e13624), select(select(0f, _e7773.member_2, (_e6034.member_6 && !(_e555))), select(0f, _e6040, _e6038), _e13624), select(select(_e6034.member_1.z, -1.2676506e30f, _e6034.member_8), _e487, _e13624));
+phi_30706_ = array<f32, 18>(select(select(_e462[0], select(_e6034.member_1.x, _e9927, _e555), _e13610), _e491, _e13624), select(select(_e462[1], select(_e6034.member_1.y, _e9928, _e555), _e13610), _e493, _e13624), select(select(_e462[2], select(_e6034.member_1.z, _e9929, _e555), _e13610), _e487, _e13624), select(_e13597.x, _e6036.x, _e13624), select(_e13597.y, _e6036.y, _e13624), select(_e13597.z, _e6036.z, _e13624), select(_e7773.member, _e1482, _e13624), _e13620, select(select(_e12129, (_e12129 + (_e12852 * _e9929)), _e555), _e462[8], _e13624), select(select(_e12112, (_e12112 + ((_e12120 * (select(_e1199.member, _e1186.member, _e1173) * (((_e12802.member.x * _e12822) * _e12842) + _e12085.member))) * _e12852)), _e555), _e462[9], _e13624), select(select(_e12113, (_e12113 + ((_e12122 * (select(_e1199.member_1, _e1186.member_1, _e1173) * (((_e12802.member.y * _e12822) * _e12842) + _e12085.member_1))) * _e12852)), _e555), _e462[10], _e13624), select(select(_e12114, (_e12114 + ((_e12124 * (select(_e1199.member_2, _e1186.member_2, _e1173) * (((_e12802.member.z * _e12822) * _e12842) + _e12085.member_2))) * _e12852)), _e555), _e462[11], _e13624), select(_e12865, _e462[12], _e13624), select(_e12120, _e462[13], _e13624), select(_e12122, _e462[14], _e13624), select(_e12124, _e462[15], _e13624), select(select(0f, _e7773.member_2, (_e6034.member_6 && !(_e555))), select(0f, _e6040, _e6038), _e13624), select(select(_e6034.member_1.z, -1.2676506e30f, _e6034.member_8), _e487, _e13624));
 } else {
-phi_30704_ = _e462;
+phi_30706_ = _e462;
 }
-let _e13661 = phi_30704_;
-phi_685_ = (_e458 + 1u);
-phi_688_ = select(_e460, true, _e1149);
-phi_690_ = _e13661;
+let _e13661 = phi_30706_;
+phi_687_ = (_e458 + 1u);
+phi_690_ = select(_e460, true, _e1149);
+phi_692_ = _e13661;
 } else {
-phi_685_ = u32();
-phi_688_ = bool();
-phi_690_ = array<f32, 18>();
+phi_687_ = u32();
+phi_690_ = bool();
+phi_692_ = array<f32, 18>();
 }
-let _e13665 = phi_685_;
-let _e13667 = phi_688_;
-let _e13669 = phi_690_;
+let _e13665 = phi_687_;
+let _e13667 = phi_690_;
+let _e13669 = phi_692_;
 continue;
 continuing {
-phi_684_ = _e13665;
-phi_687_ = _e13667;
-phi_689_ = _e13669;
-phi_30895_ = false;
+phi_686_ = _e13665;
+phi_689_ = _e13667;
+phi_691_ = _e13669;
+phi_30897_ = false;
 break if !(_e463);
 }
 }
-let _e13672 = phi_30895_;
+let _e13672 = phi_30897_;
 if _e13672 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -273,63 +275,63 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_685_: u32;
-var phi_688_: bool;
-var phi_690_: array<f32, 18>;
-var phi_1445_: bool;
-var phi_1625_: bool;
-var phi_1628_: bool;
-var phi_2892_: f32;
-var phi_4498_: type_34;
-var phi_4511_: bool;
-var phi_4541_: type_39;
-var phi_4553_: bool;
-var phi_5596_: type_31;
-var phi_7119_: type_34;
-var phi_8194_: type_31;
-var phi_9732_: type_34;
-var phi_10807_: type_31;
-var phi_12345_: type_34;
-var phi_14093_: type_31;
-var phi_14106_: type_38;
-var phi_14107_: vec3<f32>;
-var phi_14108_: bool;
-var phi_14109_: f32;
-var phi_19353_: type_32;
-var phi_19963_: type_33;
-var phi_20376_: type_7;
-var phi_24541_: type_40;
-var phi_26070_: i32;
-var phi_26647_: vec3<f32>;
-var phi_27054_: vec3<f32>;
-var phi_27148_: f32;
-var phi_27190_: f32;
-var phi_25556_: vec3<f32>;
-var phi_27222_: type_35;
-var phi_24655_: f32;
-var phi_24739_: f32;
-var phi_24811_: type_35;
-var phi_27223_: type_35;
-var phi_27306_: f32;
-var phi_27307_: f32;
-var phi_27564_: vec3<f32>;
-var phi_28494_: f32;
-var phi_28578_: f32;
-var phi_28650_: type_35;
-var phi_27993_: u32;
-var phi_28330_: f32;
-var phi_28386_: f32;
-var phi_28391_: vec3<f32>;
-var phi_28651_: type_35;
+var phi_687_: u32;
+var phi_690_: bool;
+var phi_692_: array<f32, 18>;
+var phi_1447_: bool;
+var phi_1627_: bool;
+var phi_1630_: bool;
+var phi_2894_: f32;
+var phi_4500_: type_34;
+var phi_4513_: bool;
+var phi_4543_: type_39;
+var phi_4555_: bool;
+var phi_5598_: type_31;
+var phi_7121_: type_34;
+var phi_8196_: type_31;
+var phi_9734_: type_34;
+var phi_10809_: type_31;
+var phi_12347_: type_34;
+var phi_14095_: type_31;
+var phi_14108_: type_38;
+var phi_14109_: vec3<f32>;
+var phi_14110_: bool;
+var phi_14111_: f32;
+var phi_19355_: type_32;
+var phi_19965_: type_33;
+var phi_20378_: type_7;
+var phi_24543_: type_40;
+var phi_26072_: i32;
+var phi_26649_: vec3<f32>;
+var phi_27056_: vec3<f32>;
+var phi_27150_: f32;
+var phi_27192_: f32;
+var phi_25558_: vec3<f32>;
+var phi_27224_: type_35;
+var phi_24657_: f32;
+var phi_24741_: f32;
+var phi_24813_: type_35;
+var phi_27225_: type_35;
+var phi_27308_: f32;
+var phi_27309_: f32;
+var phi_27566_: vec3<f32>;
+var phi_28496_: f32;
+var phi_28580_: f32;
 var phi_28652_: type_35;
-var phi_30142_: type_34;
-var phi_30298_: vec3<f32>;
-var phi_30299_: bool;
-var phi_30459_: array<f32, 18>;
-var phi_686_: u32;
-var phi_689_: bool;
-var phi_691_: array<f32, 18>;
-var phi_30650_: bool;
+var phi_27995_: u32;
+var phi_28332_: f32;
+var phi_28388_: f32;
+var phi_28393_: vec3<f32>;
+var phi_28653_: type_35;
+var phi_28654_: type_35;
+var phi_30144_: type_34;
+var phi_30300_: vec3<f32>;
+var phi_30301_: bool;
+var phi_30461_: array<f32, 18>;
+var phi_688_: u32;
+var phi_691_: bool;
+var phi_693_: array<f32, 18>;
+var phi_30652_: bool;
 var local_40: bool;
 var local_41: array<f32, 18>;
 var local_42: array<f32, 18>;
@@ -439,13 +441,13 @@ let _e447 = ((17u * _e257) + _e259);
 let _e448 = bitcast<i32>(_e447);
 let _e450 = select(_e262, _e448, (_e448 < _e262));
 let _e456 = global_4.member[bitcast<u32>(select(0i, _e450, (_e450 > 0i)))];
-phi_685_ = 0u;
-phi_688_ = false;
-phi_690_ = array<f32, 18>(_e270, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368, _e379, _e390, _e401, _e412, _e423, _e434, _e445, _e456);
+phi_687_ = 0u;
+phi_690_ = false;
+phi_692_ = array<f32, 18>(_e270, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368, _e379, _e390, _e401, _e412, _e423, _e434, _e445, _e456);
 loop {
-let _e459 = phi_685_;
-let _e461 = phi_688_;
-let _e463 = phi_690_;
+let _e459 = phi_687_;
+let _e461 = phi_690_;
+let _e463 = phi_692_;
 local_40 = _e461;
 local_41 = _e463;
 local_42 = _e463;
@@ -469,47 +471,47 @@ let _e464 = (_e459 < _e222);
 if _e464 {
 if _e464 {
 } else {
-phi_30650_ = true;
+phi_30652_ = true;
 break;
 }
 let _e468 = global_5.member[_e459].member;
-let _e482 = global_5.member[_e459].member_5.member_2;
+let _e482 = global_5.member[_e459].member_7.member_2;
 let _e483 = (_e482 / _e463[5]);
-let _e488 = global_5.member[_e459].member_5.member;
+let _e488 = global_5.member[_e459].member_7.member;
 let _e490 = ((_e488 - _e463[2]) / _e463[5]);
 let _e492 = (_e463[0] + (_e463[3] * _e490));
 let _e494 = (_e463[1] + (_e463[4] * _e490));
 let _e496 = (_e492 + (_e463[3] * _e483));
 let _e498 = (_e494 + (_e463[4] * _e483));
-let _e503 = global_5.member[_e459].member_5.member_1;
-let _e509 = global_5.member[_e459].member_13.member.member;
+let _e503 = global_5.member[_e459].member_7.member_1;
+let _e509 = global_5.member[_e459].member_15.member.member;
 let _e520 = ((((_e509.member.member * _e492) + (_e509.member.member_1 * _e494)) + (_e509.member.member_2 * _e488)) + _e509.member_1);
 let _e526 = ((((_e509.member.member * _e496) + (_e509.member.member_1 * _e498)) + (_e509.member.member_2 * _e503)) + _e509.member_1);
 let _e529 = ((_e520 > 0f) && (_e526 <= 0f));
-let _e535 = global_5.member[_e459].member_13.member_1.member;
+let _e535 = global_5.member[_e459].member_15.member_1.member;
 let _e546 = ((((_e535.member.member * _e492) + (_e535.member.member_1 * _e494)) + (_e535.member.member_2 * _e488)) + _e535.member_1);
 let _e552 = ((((_e535.member.member * _e496) + (_e535.member.member_1 * _e498)) + (_e535.member.member_2 * _e503)) + _e535.member_1);
 let _e555 = ((_e546 > 0f) && (_e552 <= 0f));
 let _e556 = (_e529 || _e555);
-let _e561 = global_5.member[_e459].member_6.member;
+let _e561 = global_5.member[_e459].member_8.member;
 let _e572 = ((((_e561.member.member * _e492) + (_e561.member.member_1 * _e494)) + (_e561.member.member_2 * _e488)) + _e561.member_1);
-let _e577 = global_5.member[_e459].member_6.member_1;
+let _e577 = global_5.member[_e459].member_8.member_1;
 let _e588 = ((((_e577.member.member * _e492) + (_e577.member.member_1 * _e494)) + (_e577.member.member_2 * _e488)) + _e577.member_1);
-let _e593 = global_5.member[_e459].member_6.member_2;
+let _e593 = global_5.member[_e459].member_8.member_2;
 let _e604 = ((((_e593.member.member * _e492) + (_e593.member.member_1 * _e494)) + (_e593.member.member_2 * _e488)) + _e593.member_1);
 let _e610 = ((((_e561.member.member * _e496) + (_e561.member.member_1 * _e498)) + (_e561.member.member_2 * _e503)) + _e561.member_1);
 let _e616 = ((((_e577.member.member * _e496) + (_e577.member.member_1 * _e498)) + (_e577.member.member_2 * _e503)) + _e577.member_1);
 let _e622 = ((((_e593.member.member * _e496) + (_e593.member.member_1 * _e498)) + (_e593.member.member_2 * _e503)) + _e593.member_1);
-let _e627 = global_5.member[_e459].member_6.member_4;
-let _e633 = global_5.member[_e459].member_6.member_3.member;
+let _e627 = global_5.member[_e459].member_8.member_4;
+let _e633 = global_5.member[_e459].member_8.member_3.member;
 let _e634 = (_e633 - 0.5f);
 let _e636 = select(-0.5f, _e610, (_e610 > -0.5f));
 let _e638 = select(_e634, _e636, (_e636 < _e634));
-let _e644 = global_5.member[_e459].member_6.member_3.member_1;
+let _e644 = global_5.member[_e459].member_8.member_3.member_1;
 let _e645 = (_e644 - 0.5f);
 let _e647 = select(-0.5f, _e616, (_e616 > -0.5f));
 let _e649 = select(_e645, _e647, (_e647 < _e645));
-let _e655 = global_5.member[_e459].member_6.member_3.member_2;
+let _e655 = global_5.member[_e459].member_8.member_3.member_2;
 let _e656 = (_e655 - 0.5f);
 let _e658 = select(-0.5f, _e622, (_e622 > -0.5f));
 let _e660 = select(_e656, _e658, (_e658 < _e656));
@@ -529,7 +531,7 @@ let _e696 = (_e633 - 1f);
 let _e698 = select(0f, _e695, (_e695 > 0f));
 let _e700 = select(_e696, _e698, (_e698 < _e696));
 let _e707 = select(0i, select(select(i32(_e700), i32(-2147483648), (_e700 < -2147483600f)), 2147483647i, (_e700 > 2147483500f)), (_e700 == _e700));
-let _e716 = global_5.member[_e459].member_6.member_12;
+let _e716 = global_5.member[_e459].member_8.member_12;
 let _e717 = (_e716 & 31u);
 let _e720 = (_e649 + 0.5f);
 let _e721 = (_e644 - 1f);
@@ -541,9 +543,9 @@ let _e740 = (_e655 - 1f);
 let _e742 = select(0f, _e739, (_e739 > 0f));
 let _e744 = select(_e740, _e742, (_e742 < _e740));
 let _e751 = select(0i, select(select(i32(_e744), i32(-2147483648), (_e744 < -2147483600f)), 2147483647i, (_e744 > 2147483500f)), (_e744 == _e744));
-let _e763 = global_5.member[_e459].member_6.member_9.member;
-let _e770 = global_5.member[_e459].member_6.member_9.member_1;
-let _e776 = global_5.member[_e459].member_6.member_10;
+let _e763 = global_5.member[_e459].member_8.member_9.member;
+let _e770 = global_5.member[_e459].member_8.member_9.member_1;
+let _e776 = global_5.member[_e459].member_8.member_10;
 let _e782 = ((bitcast<i32>(_e776) + ((_e707 - select(0i, 1i, (_e700 < f32(_e707)))) >> bitcast<u32>(_e717))) + (bitcast<i32>(_e763) * (((_e732 - select(0i, 1i, (_e725 < f32(_e732)))) >> bitcast<u32>(_e717)) + (bitcast<i32>(_e770) * ((_e751 - select(0i, 1i, (_e744 < f32(_e751)))) >> bitcast<u32>(_e717))))));
 let _e784 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
 let _e786 = select(_e784, _e782, (_e782 < _e784));
@@ -562,22 +564,22 @@ let _e851 = (_e655 - _e840);
 let _e854 = ((((_e572 >= _e839) && (_e572 <= _e842)) && ((_e588 >= _e839) && (_e588 <= _e846))) && ((_e604 >= _e839) && (_e604 <= _e851)));
 let _e856 = ((_e799 & 16u) == 0u);
 if _e856 {
-phi_1445_ = _e854;
+phi_1447_ = _e854;
 } else {
-let _e862 = global_5.member[_e459].member_6.member.member;
+let _e862 = global_5.member[_e459].member_8.member.member;
 let _e870 = (((_e862.member * _e862.member) + (_e862.member_1 * _e862.member_1)) + (_e862.member_2 * _e862.member_2));
-let _e879 = global_5.member[_e459].member_14.member;
+let _e879 = global_5.member[_e459].member_16.member;
 let _e891 = -((0.5f / sqrt(select(0f, _e870, (_e870 > 0f)))));
-let _e897 = global_5.member[_e459].member_14.member_1;
-let _e904 = global_5.member[_e459].member_15.member;
-let _e921 = global_5.member[_e459].member_15.member_1;
-let _e929 = global_5.member[_e459].member_16.member;
-let _e946 = global_5.member[_e459].member_16.member_1;
-let _e954 = global_5.member[_e459].member_17.member;
-let _e971 = global_5.member[_e459].member_17.member_1;
-phi_1445_ = (_e854 && (((((((((_e879.member.member * _e492) + (_e879.member.member_1 * _e494)) + (_e879.member.member_2 * _e488)) + _e879.member_1) <= _e891) || (_e897 == 0u)) && ((((((_e904.member.member * _e492) + (_e904.member.member_1 * _e494)) + (_e904.member.member_2 * _e488)) + _e904.member_1) <= _e891) || (_e921 == 0u))) && ((((((_e929.member.member * _e492) + (_e929.member.member_1 * _e494)) + (_e929.member.member_2 * _e488)) + _e929.member_1) <= _e891) || (_e946 == 0u))) && ((((((_e954.member.member * _e492) + (_e954.member.member_1 * _e494)) + (_e954.member.member_2 * _e488)) + _e954.member_1) <= _e891) || (_e971 == 0u))));
+let _e897 = global_5.member[_e459].member_16.member_1;
+let _e904 = global_5.member[_e459].member_17.member;
+let _e921 = global_5.member[_e459].member_17.member_1;
+let _e929 = global_5.member[_e459].member_18.member;
+let _e946 = global_5.member[_e459].member_18.member_1;
+let _e954 = global_5.member[_e459].member_19.member;
+let _e971 = global_5.member[_e459].member_19.member_1;
+phi_1447_ = (_e854 && (((((((((_e879.member.member * _e492) + (_e879.member.member_1 * _e494)) + (_e879.member.member_2 * _e488)) + _e879.member_1) <= _e891) || (_e897 == 0u)) && ((((((_e904.member.member * _e492) + (_e904.member.member_1 * _e494)) + (_e904.member.member_2 * _e488)) + _e904.member_1) <= _e891) || (_e921 == 0u))) && ((((((_e929.member.member * _e492) + (_e929.member.member_1 * _e494)) + (_e929.member.member_2 * _e488)) + _e929.member_1) <= _e891) || (_e946 == 0u))) && ((((((_e954.member.member * _e492) + (_e954.member.member_1 * _e494)) + (_e954.member.member_2 * _e488)) + _e954.member_1) <= _e891) || (_e971 == 0u))));
 }
-let _e977 = phi_1445_;
+let _e977 = phi_1447_;
 let _e981 = (_e496 + (_e496 - _e492));
 let _e982 = (_e498 + (_e498 - _e494));
 let _e983 = (_e503 + (_e503 - _e488));
@@ -586,27 +588,27 @@ let _e995 = ((((_e577.member.member * _e981) + (_e577.member.member_1 * _e982)) 
 let _e1001 = ((((_e593.member.member * _e981) + (_e593.member.member_1 * _e982)) + (_e593.member.member_2 * _e983)) + _e593.member_1);
 let _e1012 = ((((_e989 >= _e839) && (_e989 <= _e842)) && ((_e995 >= _e839) && (_e995 <= _e846))) && ((_e1001 >= _e839) && (_e1001 <= _e851)));
 if _e856 {
-phi_1625_ = _e1012;
+phi_1627_ = _e1012;
 } else {
-let _e1018 = global_5.member[_e459].member_6.member.member;
+let _e1018 = global_5.member[_e459].member_8.member.member;
 let _e1026 = (((_e1018.member * _e1018.member) + (_e1018.member_1 * _e1018.member_1)) + (_e1018.member_2 * _e1018.member_2));
-let _e1035 = global_5.member[_e459].member_14.member;
+let _e1035 = global_5.member[_e459].member_16.member;
 let _e1047 = -((0.5f / sqrt(select(0f, _e1026, (_e1026 > 0f)))));
-let _e1053 = global_5.member[_e459].member_14.member_1;
-let _e1060 = global_5.member[_e459].member_15.member;
-let _e1077 = global_5.member[_e459].member_15.member_1;
-let _e1085 = global_5.member[_e459].member_16.member;
-let _e1102 = global_5.member[_e459].member_16.member_1;
-let _e1110 = global_5.member[_e459].member_17.member;
-let _e1127 = global_5.member[_e459].member_17.member_1;
-phi_1625_ = (_e1012 && (((((((((_e1035.member.member * _e981) + (_e1035.member.member_1 * _e982)) + (_e1035.member.member_2 * _e983)) + _e1035.member_1) <= _e1047) || (_e1053 == 0u)) && ((((((_e1060.member.member * _e981) + (_e1060.member.member_1 * _e982)) + (_e1060.member.member_2 * _e983)) + _e1060.member_1) <= _e1047) || (_e1077 == 0u))) && ((((((_e1085.member.member * _e981) + (_e1085.member.member_1 * _e982)) + (_e1085.member.member_2 * _e983)) + _e1085.member_1) <= _e1047) || (_e1102 == 0u))) && ((((((_e1110.member.member * _e981) + (_e1110.member.member_1 * _e982)) + (_e1110.member.member_2 * _e983)) + _e1110.member_1) <= _e1047) || (_e1127 == 0u))));
+let _e1053 = global_5.member[_e459].member_16.member_1;
+let _e1060 = global_5.member[_e459].member_17.member;
+let _e1077 = global_5.member[_e459].member_17.member_1;
+let _e1085 = global_5.member[_e459].member_18.member;
+let _e1102 = global_5.member[_e459].member_18.member_1;
+let _e1110 = global_5.member[_e459].member_19.member;
+let _e1127 = global_5.member[_e459].member_19.member_1;
+phi_1627_ = (_e1012 && (((((((((_e1035.member.member * _e981) + (_e1035.member.member_1 * _e982)) + (_e1035.member.member_2 * _e983)) + _e1035.member_1) <= _e1047) || (_e1053 == 0u)) && ((((((_e1060.member.member * _e981) + (_e1060.member.member_1 * _e982)) + (_e1060.member.member_2 * _e983)) + _e1060.member_1) <= _e1047) || (_e1077 == 0u))) && ((((((_e1085.member.member * _e981) + (_e1085.member.member_1 * _e982)) + (_e1085.member.member_2 * _e983)) + _e1085.member_1) <= _e1047) || (_e1102 == 0u))) && ((((((_e1110.member.member * _e981) + (_e1110.member.member_1 * _e982)) + (_e1110.member.member_2 * _e983)) + _e1110.member_1) <= _e1047) || (_e1127 == 0u))));
 }
-let _e1133 = phi_1625_;
-phi_1628_ = (_e829 && (_e977 && _e1133));
+let _e1133 = phi_1627_;
+phi_1630_ = (_e829 && (_e977 && _e1133));
 } else {
-phi_1628_ = _e829;
+phi_1630_ = _e829;
 }
-let _e1137 = phi_1628_;
+let _e1137 = phi_1630_;
 let _e1138 = (_e463[17] == -1.2676506e30f);
 let _e1140 = (_e463[17] != _e488);
 let _e1150 = (select(0u, select(select(31u, select(select(3u, 7u, _e1140), 15u, _e556), (_e1137 && !((_e838 && _e1138)))), select(1u, 15u, _e556), (((_e799 & 64u) != 0u) || ((((select(_e674, _e671, (_e671 > _e674)) <= _e627) && ((select(_e691, _e688, (_e688 > _e691)) > _e627) || (_e792 != 0u))) && true) && ((_e799 & 32u) != 0u)))), (_e463[7] == 0f)) > 1u);
@@ -617,10 +619,10 @@ let _e1166 = (_e520 / select(1e-20f, _e1163, (_e1163 > 1e-20f)));
 let _e1167 = (_e546 - _e552);
 let _e1170 = (_e546 / select(1e-20f, _e1167, (_e1167 > 1e-20f)));
 let _e1174 = (_e555 && (!(_e529) || (_e1170 < _e1166)));
-let _e1181 = global_5.member[_e459].member_13.member_1.member.member;
-let _e1187 = global_5.member[_e459].member_13.member_1.member_1;
-let _e1194 = global_5.member[_e459].member_13.member.member.member;
-let _e1200 = global_5.member[_e459].member_13.member.member_1;
+let _e1181 = global_5.member[_e459].member_15.member_1.member.member;
+let _e1187 = global_5.member[_e459].member_15.member_1.member_1;
+let _e1194 = global_5.member[_e459].member_15.member.member.member;
+let _e1200 = global_5.member[_e459].member_15.member.member_1;
 let _e1219 = select(_e1166, _e1170, _e1174);
 let _e1221 = select(-0.5f, _e572, (_e572 > -0.5f));
 let _e1223 = select(_e634, _e1221, (_e1221 < _e634));
@@ -640,14 +642,14 @@ let _e1263 = select(-1f, _e1231, (_e1231 > -1f));
 let _e1265 = select(_e655, _e1263, (_e1263 < _e655));
 let _e1272 = select(0i, select(select(i32(_e1265), i32(-2147483648), (_e1265 < -2147483600f)), 2147483647i, (_e1265 > 2147483500f)), (_e1265 == _e1265));
 let _e1276 = (_e1272 - select(0i, 1i, (_e1265 < f32(_e1272))));
-let _e1281 = global_5.member[_e459].member_6.member_7;
-let _e1286 = global_5.member[_e459].member_6.member_8;
+let _e1281 = global_5.member[_e459].member_8.member_7;
+let _e1286 = global_5.member[_e459].member_8.member_8;
 let _e1287 = (_e1246 + 1i);
 let _e1288 = (_e1261 + 1i);
 let _e1289 = (_e1276 + 1i);
-let _e1295 = global_5.member[_e459].member_6.member_11.member;
+let _e1295 = global_5.member[_e459].member_8.member_11.member;
 let _e1296 = bitcast<i32>(_e1295);
-let _e1302 = global_5.member[_e459].member_6.member_11.member_1;
+let _e1302 = global_5.member[_e459].member_8.member_11.member_1;
 let _e1303 = bitcast<i32>(_e1302);
 let _e1313 = ((_e1287 >> bitcast<u32>(4i)) + (_e1296 * ((_e1288 >> bitcast<u32>(4i)) + (_e1303 * (_e1289 >> bitcast<u32>(4i))))));
 let _e1315 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
@@ -714,8 +716,8 @@ let _e1453 = global_1.member[bitcast<u32>(select(0i, _e1448, (_e1448 > 0i)))];
 let _e1455 = local_39[0u];
 let _e1459 = local_39[1u];
 let _e1464 = local_39[2u];
-let _e1472 = global_5.member[_e459].member_6.member_6;
-let _e1477 = global_5.member[_e459].member_6.member_5;
+let _e1472 = global_5.member[_e459].member_8.member_6;
+let _e1477 = global_5.member[_e459].member_8.member_5;
 let _e1479 = (((_e1408 + (((_e1433 + (((_e1444 + ((bitcast<f32>(_e1453) - _e1444) * _e1455)) - _e1433) * _e1459)) - _e1408) * _e1464)) - _e1472) * _e1477);
 let _e1480 = -(1e9f);
 let _e1482 = select(_e1480, _e1479, (_e1479 > _e1480));
@@ -780,11 +782,11 @@ let _e1659 = select(_e1489, 262144i, (262144i < _e1489));
 let _e1665 = global_2.member[bitcast<u32>(select(0i, _e1659, (_e1659 > 0i)))];
 let _e1668 = select(_e1489, 262145i, (262145i < _e1489));
 let _e1674 = global_2.member[bitcast<u32>(select(0i, _e1668, (_e1668 > 0i)))];
-phi_2892_ = select(_e463[16], ((bitcast<f32>(_e1665) + (f32(bitcast<i32>((_e1639 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1674))) + ((f32((bitcast<i32>((_e1639 & 4095u)) - 2048i)) * bitcast<f32>(_e1655)) * (_e1615 - f32(_e1630)))), _e1140);
+phi_2894_ = select(_e463[16], ((bitcast<f32>(_e1665) + (f32(bitcast<i32>((_e1639 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1674))) + ((f32((bitcast<i32>((_e1639 & 4095u)) - 2048i)) * bitcast<f32>(_e1655)) * (_e1615 - f32(_e1630)))), _e1140);
 } else {
-phi_2892_ = _e463[16];
+phi_2894_ = _e463[16];
 }
-let _e1684 = phi_2892_;
+let _e1684 = phi_2894_;
 let _e1685 = (_e496 - _e492);
 let _e1686 = (_e498 - _e494);
 let _e1687 = (_e503 - _e488);
@@ -835,9 +837,9 @@ let _e1777 = select(_e1739, _e1714, (_e1714 > _e1739));
 let _e1780 = (select(_e1771, _e1773, (_e1773 < _e1771)) - select(_e1764, _e1777, (_e1777 > _e1764)));
 let _e1783 = (_e1695 * select(0f, _e1780, (_e1780 > 0f)));
 if _e838 {
-let _e1798 = global_5.member[_e459].member_6.member.member;
-let _e1807 = global_5.member[_e459].member_6.member_1.member;
-let _e1816 = global_5.member[_e459].member_6.member_2.member;
+let _e1798 = global_5.member[_e459].member_8.member.member;
+let _e1807 = global_5.member[_e459].member_8.member_1.member;
+let _e1816 = global_5.member[_e459].member_8.member_2.member;
 let _e1820 = (-0.5f - _e610);
 let _e1821 = -(_e1700);
 let _e1824 = (_e1700 - _e1820);
@@ -942,16 +944,16 @@ let _e2057 = select(select(select(select(select(select(0f, _e1798.member_1, _e18
 let _e2058 = select(select(select(select(select(select(1f, _e1798.member_2, _e1839), _e1798.member_2, _e1879), _e1807.member_2, _e1918), _e1807.member_2, _e1958), _e1816.member_2, _e1997), _e1816.member_2, _e2037);
 let _e2062 = ((_e799 & 16u) == 0u);
 if _e2062 {
-phi_4498_ = type_34(_e2043, vec3<f32>(_e2044, _e2045, _e2046), _e2048, vec3<f32>(_e2049, _e2050, _e2051), _e2053, _e2055, vec3<f32>(_e2056, _e2057, _e2058));
+phi_4500_ = type_34(_e2043, vec3<f32>(_e2044, _e2045, _e2046), _e2048, vec3<f32>(_e2049, _e2050, _e2051), _e2053, _e2055, vec3<f32>(_e2056, _e2057, _e2058));
 } else {
 let _e2067 = (((_e1798.member * _e1798.member) + (_e1798.member_1 * _e1798.member_1)) + (_e1798.member_2 * _e1798.member_2));
 let _e2070 = sqrt(select(0f, _e2067, (_e2067 > 0f)));
-let _e2075 = global_5.member[_e459].member_14.member_1;
+let _e2075 = global_5.member[_e459].member_16.member_1;
 let _e2076 = (_e2075 != 0u);
-let _e2081 = global_5.member[_e459].member_14.member;
+let _e2081 = global_5.member[_e459].member_16.member;
 let _e2101 = select(-1e6f, (((((_e2081.member.member * _e492) + (_e2081.member.member_1 * _e494)) + (_e2081.member.member_2 * _e488)) + _e2081.member_1) * _e2070), _e2076);
 let _e2102 = select(-1e6f, (((((_e2081.member.member * _e496) + (_e2081.member.member_1 * _e498)) + (_e2081.member.member_2 * _e503)) + _e2081.member_1) * _e2070), _e2076);
-let _e2108 = global_5.member[_e459].member_14.member.member;
+let _e2108 = global_5.member[_e459].member_16.member.member;
 let _e2112 = -(_e2101);
 let _e2115 = (_e2101 - _e2102);
 let _e2116 = (_e2102 - _e2101);
@@ -966,12 +968,12 @@ let _e2136 = select(_e2043, _e2125, _e2134);
 let _e2140 = select(_e2048, _e2129, _e2135);
 let _e2144 = select(_e2053, _e2101, _e2130);
 let _e2146 = select(_e2055, _e2102, (_e2102 > _e2055));
-let _e2154 = global_5.member[_e459].member_15.member_1;
+let _e2154 = global_5.member[_e459].member_17.member_1;
 let _e2155 = (_e2154 != 0u);
-let _e2160 = global_5.member[_e459].member_15.member;
+let _e2160 = global_5.member[_e459].member_17.member;
 let _e2180 = select(-1e6f, (((((_e2160.member.member * _e492) + (_e2160.member.member_1 * _e494)) + (_e2160.member.member_2 * _e488)) + _e2160.member_1) * _e2070), _e2155);
 let _e2181 = select(-1e6f, (((((_e2160.member.member * _e496) + (_e2160.member.member_1 * _e498)) + (_e2160.member.member_2 * _e503)) + _e2160.member_1) * _e2070), _e2155);
-let _e2187 = global_5.member[_e459].member_15.member.member;
+let _e2187 = global_5.member[_e459].member_17.member.member;
 let _e2191 = -(_e2180);
 let _e2194 = (_e2180 - _e2181);
 let _e2195 = (_e2181 - _e2180);
@@ -986,12 +988,12 @@ let _e2215 = select(_e2136, _e2204, _e2213);
 let _e2219 = select(_e2140, _e2208, _e2214);
 let _e2223 = select(_e2144, _e2180, _e2209);
 let _e2225 = select(_e2146, _e2181, (_e2181 > _e2146));
-let _e2233 = global_5.member[_e459].member_16.member_1;
+let _e2233 = global_5.member[_e459].member_18.member_1;
 let _e2234 = (_e2233 != 0u);
-let _e2239 = global_5.member[_e459].member_16.member;
+let _e2239 = global_5.member[_e459].member_18.member;
 let _e2259 = select(-1e6f, (((((_e2239.member.member * _e492) + (_e2239.member.member_1 * _e494)) + (_e2239.member.member_2 * _e488)) + _e2239.member_1) * _e2070), _e2234);
 let _e2260 = select(-1e6f, (((((_e2239.member.member * _e496) + (_e2239.member.member_1 * _e498)) + (_e2239.member.member_2 * _e503)) + _e2239.member_1) * _e2070), _e2234);
-let _e2266 = global_5.member[_e459].member_16.member.member;
+let _e2266 = global_5.member[_e459].member_18.member.member;
 let _e2270 = -(_e2259);
 let _e2273 = (_e2259 - _e2260);
 let _e2274 = (_e2260 - _e2259);
@@ -1006,12 +1008,12 @@ let _e2294 = select(_e2215, _e2283, _e2292);
 let _e2298 = select(_e2219, _e2287, _e2293);
 let _e2302 = select(_e2223, _e2259, _e2288);
 let _e2304 = select(_e2225, _e2260, (_e2260 > _e2225));
-let _e2312 = global_5.member[_e459].member_17.member_1;
+let _e2312 = global_5.member[_e459].member_19.member_1;
 let _e2313 = (_e2312 != 0u);
-let _e2318 = global_5.member[_e459].member_17.member;
+let _e2318 = global_5.member[_e459].member_19.member;
 let _e2338 = select(-1e6f, (((((_e2318.member.member * _e492) + (_e2318.member.member_1 * _e494)) + (_e2318.member.member_2 * _e488)) + _e2318.member_1) * _e2070), _e2313);
 let _e2339 = select(-1e6f, (((((_e2318.member.member * _e496) + (_e2318.member.member_1 * _e498)) + (_e2318.member.member_2 * _e503)) + _e2318.member_1) * _e2070), _e2313);
-let _e2345 = global_5.member[_e459].member_17.member.member;
+let _e2345 = global_5.member[_e459].member_19.member.member;
 let _e2349 = -(_e2338);
 let _e2352 = (_e2338 - _e2339);
 let _e2353 = (_e2339 - _e2338);
@@ -1022,32 +1024,32 @@ let _e2366 = select(2f, select(0f, _e2358, (_e2338 < 0f)), (_e2339 > 0f));
 let _e2367 = (_e2338 > _e2302);
 let _e2371 = ((_e2362 > _e2294) || ((_e2362 == _e2294) && _e2367));
 let _e2372 = (_e2366 < _e2298);
-phi_4498_ = type_34(select(_e2294, _e2362, _e2371), vec3<f32>(select(select(select(select(_e2044, _e2108.member, _e2134), _e2187.member, _e2213), _e2266.member, _e2292), _e2345.member, _e2371), select(select(select(select(_e2045, _e2108.member_1, _e2134), _e2187.member_1, _e2213), _e2266.member_1, _e2292), _e2345.member_1, _e2371), select(select(select(select(_e2046, _e2108.member_2, _e2134), _e2187.member_2, _e2213), _e2266.member_2, _e2292), _e2345.member_2, _e2371)), select(_e2298, _e2366, _e2372), vec3<f32>(select(select(select(select(_e2049, _e2108.member, _e2135), _e2187.member, _e2214), _e2266.member, _e2293), _e2345.member, _e2372), select(select(select(select(_e2050, _e2108.member_1, _e2135), _e2187.member_1, _e2214), _e2266.member_1, _e2293), _e2345.member_1, _e2372), select(select(select(select(_e2051, _e2108.member_2, _e2135), _e2187.member_2, _e2214), _e2266.member_2, _e2293), _e2345.member_2, _e2372)), select(_e2302, _e2338, _e2367), select(_e2304, _e2339, (_e2339 > _e2304)), vec3<f32>(select(select(select(select(_e2056, _e2108.member, _e2130), _e2187.member, _e2209), _e2266.member, _e2288), _e2345.member, _e2367), select(select(select(select(_e2057, _e2108.member_1, _e2130), _e2187.member_1, _e2209), _e2266.member_1, _e2288), _e2345.member_1, _e2367), select(select(select(select(_e2058, _e2108.member_2, _e2130), _e2187.member_2, _e2209), _e2266.member_2, _e2288), _e2345.member_2, _e2367)));
+phi_4500_ = type_34(select(_e2294, _e2362, _e2371), vec3<f32>(select(select(select(select(_e2044, _e2108.member, _e2134), _e2187.member, _e2213), _e2266.member, _e2292), _e2345.member, _e2371), select(select(select(select(_e2045, _e2108.member_1, _e2134), _e2187.member_1, _e2213), _e2266.member_1, _e2292), _e2345.member_1, _e2371), select(select(select(select(_e2046, _e2108.member_2, _e2134), _e2187.member_2, _e2213), _e2266.member_2, _e2292), _e2345.member_2, _e2371)), select(_e2298, _e2366, _e2372), vec3<f32>(select(select(select(select(_e2049, _e2108.member, _e2135), _e2187.member, _e2214), _e2266.member, _e2293), _e2345.member, _e2372), select(select(select(select(_e2050, _e2108.member_1, _e2135), _e2187.member_1, _e2214), _e2266.member_1, _e2293), _e2345.member_1, _e2372), select(select(select(select(_e2051, _e2108.member_2, _e2135), _e2187.member_2, _e2214), _e2266.member_2, _e2293), _e2345.member_2, _e2372)), select(_e2302, _e2338, _e2367), select(_e2304, _e2339, (_e2339 > _e2304)), vec3<f32>(select(select(select(select(_e2056, _e2108.member, _e2130), _e2187.member, _e2209), _e2266.member, _e2288), _e2345.member, _e2367), select(select(select(select(_e2057, _e2108.member_1, _e2130), _e2187.member_1, _e2209), _e2266.member_1, _e2288), _e2345.member_1, _e2367), select(select(select(select(_e2058, _e2108.member_2, _e2130), _e2187.member_2, _e2209), _e2266.member_2, _e2288), _e2345.member_2, _e2367)));
 }
-let _e2392 = phi_4498_;
+let _e2392 = phi_4500_;
 if ((_e2392.member_4 > -(0.015625f)) && (_e2392.member_4 < 0.015625f)) {
-phi_4511_ = (_e463[16] != 0f);
+phi_4513_ = (_e463[16] != 0f);
 } else {
-phi_4511_ = (_e2392.member_4 < 0f);
+phi_4513_ = (_e2392.member_4 < 0f);
 }
-let _e2401 = phi_4511_;
+let _e2401 = phi_4513_;
 let _e2402 = select(1f, _e1684, _e2401);
 let _e2404 = select(1f, _e2402, (_e1138 && _e2401));
 let _e2405 = (_e463[3] * _e2404);
 let _e2406 = (_e463[4] * _e2404);
 let _e2407 = (_e463[5] * _e2404);
 if _e2401 {
-phi_4541_ = type_39(_e2392.member_2, _e2392.member_3);
+phi_4543_ = type_39(_e2392.member_2, _e2392.member_3);
 } else {
-phi_4541_ = type_39(_e2392.member, _e2392.member_1);
+phi_4543_ = type_39(_e2392.member, _e2392.member_1);
 }
-let _e2416 = phi_4541_;
+let _e2416 = phi_4543_;
 if _e2401 {
-phi_4553_ = (_e2392.member_2 <= 1f);
+phi_4555_ = (_e2392.member_2 <= 1f);
 } else {
-phi_4553_ = ((_e2392.member <= 1f) && (_e2392.member < _e2392.member_2));
+phi_4555_ = ((_e2392.member <= 1f) && (_e2392.member < _e2392.member_2));
 }
-let _e2424 = phi_4553_;
+let _e2424 = phi_4555_;
 let _e2427 = select(1f, _e2416.member, _e2424);
 let _e2431 = (_e492 + (_e1685 * _e2427));
 let _e2432 = (_e494 + (_e1686 * _e2427));
@@ -1211,11 +1213,11 @@ let _e2862 = global_2.member[bitcast<u32>(select(0i, _e2857, (_e2857 > 0i)))];
 let _e2863 = bitcast<f32>(_e2862);
 let _e2869 = ((_e2855 + (f32(bitcast<i32>((_e2830 >> bitcast<u32>(12u)))) * _e2863)) + ((f32((bitcast<i32>((_e2830 & 4095u)) - 2048i)) * _e2846) * (_e2807 - f32(_e2822))));
 if _e2401 {
-phi_5596_ = type_31(_e2869, 1f);
+phi_5598_ = type_31(_e2869, 1f);
 } else {
-phi_5596_ = type_31(1f, _e2869);
+phi_5598_ = type_31(1f, _e2869);
 }
-let _e2873 = phi_5596_;
+let _e2873 = phi_5598_;
 let _e2878 = ((_e2873.member_1 * _e2873.member_1) - (_e2873.member * _e2873.member));
 let _e2886 = (((_e2416.member_1.x * _e2416.member_1.x) + (_e2416.member_1.y * _e2416.member_1.y)) + (_e2416.member_1.z * _e2416.member_1.z));
 let _e2889 = sqrt(select(0f, _e2886, (_e2886 > 0f)));
@@ -1232,7 +1234,7 @@ let _e2913 = (_e2878 == 0f);
 let _e2925 = select(_e2405, select((_e2405 + (_e2893 * _e2912)), _e2405, _e2913), _e2424);
 let _e2926 = select(_e2406, select((_e2406 + (_e2894 * _e2912)), _e2406, _e2913), _e2424);
 let _e2927 = select(_e2407, select((_e2407 + (_e2895 * _e2912)), _e2407, _e2913), _e2424);
-let _e2932 = global_5.member[_e459].member_5.member_4;
+let _e2932 = global_5.member[_e459].member_7.member_4;
 let _e2933 = (_e2932 * _e2932);
 let _e2937 = (_e2927 * _e2927);
 let _e2941 = (_e2424 && (_e2873.member != _e2873.member_1));
@@ -1351,16 +1353,16 @@ let _e3218 = select(select(select(select(select(select(0f, _e1798.member, _e2999
 let _e3219 = select(select(select(select(select(select(0f, _e1798.member_1, _e2999), _e1798.member_1, _e3039), _e1807.member_1, _e3079), _e1807.member_1, _e3119), _e1816.member_1, _e3159), _e1816.member_1, _e3199);
 let _e3220 = select(select(select(select(select(select(1f, _e1798.member_2, _e2999), _e1798.member_2, _e3039), _e1807.member_2, _e3079), _e1807.member_2, _e3119), _e1816.member_2, _e3159), _e1816.member_2, _e3199);
 if _e2062 {
-phi_7119_ = type_34(_e3205, vec3<f32>(_e3206, _e3207, _e3208), _e3210, vec3<f32>(_e3211, _e3212, _e3213), _e3215, _e3217, vec3<f32>(_e3218, _e3219, _e3220));
+phi_7121_ = type_34(_e3205, vec3<f32>(_e3206, _e3207, _e3208), _e3210, vec3<f32>(_e3211, _e3212, _e3213), _e3215, _e3217, vec3<f32>(_e3218, _e3219, _e3220));
 } else {
 let _e3227 = (((_e1798.member * _e1798.member) + (_e1798.member_1 * _e1798.member_1)) + (_e1798.member_2 * _e1798.member_2));
 let _e3230 = sqrt(select(0f, _e3227, (_e3227 > 0f)));
-let _e3235 = global_5.member[_e459].member_14.member_1;
+let _e3235 = global_5.member[_e459].member_16.member_1;
 let _e3236 = (_e3235 != 0u);
-let _e3241 = global_5.member[_e459].member_14.member;
+let _e3241 = global_5.member[_e459].member_16.member;
 let _e3261 = select(-1e6f, (((((_e3241.member.member * _e2431) + (_e3241.member.member_1 * _e2432)) + (_e3241.member.member_2 * _e2433)) + _e3241.member_1) * _e3230), _e3236);
 let _e3262 = select(-1e6f, (((((_e3241.member.member * _e2955) + (_e3241.member.member_1 * _e2956)) + (_e3241.member.member_2 * _e2957)) + _e3241.member_1) * _e3230), _e3236);
-let _e3268 = global_5.member[_e459].member_14.member.member;
+let _e3268 = global_5.member[_e459].member_16.member.member;
 let _e3272 = -(_e3261);
 let _e3275 = (_e3261 - _e3262);
 let _e3276 = (_e3262 - _e3261);
@@ -1375,12 +1377,12 @@ let _e3296 = select(_e3205, _e3285, _e3294);
 let _e3300 = select(_e3210, _e3289, _e3295);
 let _e3304 = select(_e3215, _e3261, _e3290);
 let _e3306 = select(_e3217, _e3262, (_e3262 > _e3217));
-let _e3314 = global_5.member[_e459].member_15.member_1;
+let _e3314 = global_5.member[_e459].member_17.member_1;
 let _e3315 = (_e3314 != 0u);
-let _e3320 = global_5.member[_e459].member_15.member;
+let _e3320 = global_5.member[_e459].member_17.member;
 let _e3340 = select(-1e6f, (((((_e3320.member.member * _e2431) + (_e3320.member.member_1 * _e2432)) + (_e3320.member.member_2 * _e2433)) + _e3320.member_1) * _e3230), _e3315);
 let _e3341 = select(-1e6f, (((((_e3320.member.member * _e2955) + (_e3320.member.member_1 * _e2956)) + (_e3320.member.member_2 * _e2957)) + _e3320.member_1) * _e3230), _e3315);
-let _e3347 = global_5.member[_e459].member_15.member.member;
+let _e3347 = global_5.member[_e459].member_17.member.member;
 let _e3351 = -(_e3340);
 let _e3354 = (_e3340 - _e3341);
 let _e3355 = (_e3341 - _e3340);
@@ -1395,12 +1397,12 @@ let _e3375 = select(_e3296, _e3364, _e3373);
 let _e3379 = select(_e3300, _e3368, _e3374);
 let _e3383 = select(_e3304, _e3340, _e3369);
 let _e3385 = select(_e3306, _e3341, (_e3341 > _e3306));
-let _e3393 = global_5.member[_e459].member_16.member_1;
+let _e3393 = global_5.member[_e459].member_18.member_1;
 let _e3394 = (_e3393 != 0u);
-let _e3399 = global_5.member[_e459].member_16.member;
+let _e3399 = global_5.member[_e459].member_18.member;
 let _e3419 = select(-1e6f, (((((_e3399.member.member * _e2431) + (_e3399.member.member_1 * _e2432)) + (_e3399.member.member_2 * _e2433)) + _e3399.member_1) * _e3230), _e3394);
 let _e3420 = select(-1e6f, (((((_e3399.member.member * _e2955) + (_e3399.member.member_1 * _e2956)) + (_e3399.member.member_2 * _e2957)) + _e3399.member_1) * _e3230), _e3394);
-let _e3426 = global_5.member[_e459].member_16.member.member;
+let _e3426 = global_5.member[_e459].member_18.member.member;
 let _e3430 = -(_e3419);
 let _e3433 = (_e3419 - _e3420);
 let _e3434 = (_e3420 - _e3419);
@@ -1415,12 +1417,12 @@ let _e3454 = select(_e3375, _e3443, _e3452);
 let _e3458 = select(_e3379, _e3447, _e3453);
 let _e3462 = select(_e3383, _e3419, _e3448);
 let _e3464 = select(_e3385, _e3420, (_e3420 > _e3385));
-let _e3472 = global_5.member[_e459].member_17.member_1;
+let _e3472 = global_5.member[_e459].member_19.member_1;
 let _e3473 = (_e3472 != 0u);
-let _e3478 = global_5.member[_e459].member_17.member;
+let _e3478 = global_5.member[_e459].member_19.member;
 let _e3498 = select(-1e6f, (((((_e3478.member.member * _e2431) + (_e3478.member.member_1 * _e2432)) + (_e3478.member.member_2 * _e2433)) + _e3478.member_1) * _e3230), _e3473);
 let _e3499 = select(-1e6f, (((((_e3478.member.member * _e2955) + (_e3478.member.member_1 * _e2956)) + (_e3478.member.member_2 * _e2957)) + _e3478.member_1) * _e3230), _e3473);
-let _e3505 = global_5.member[_e459].member_17.member.member;
+let _e3505 = global_5.member[_e459].member_19.member.member;
 let _e3509 = -(_e3498);
 let _e3512 = (_e3498 - _e3499);
 let _e3513 = (_e3499 - _e3498);
@@ -1431,9 +1433,9 @@ let _e3526 = select(2f, select(0f, _e3518, (_e3498 < 0f)), (_e3499 > 0f));
 let _e3527 = (_e3498 > _e3462);
 let _e3531 = ((_e3522 > _e3454) || ((_e3522 == _e3454) && _e3527));
 let _e3532 = (_e3526 < _e3458);
-phi_7119_ = type_34(select(_e3454, _e3522, _e3531), vec3<f32>(select(select(select(select(_e3206, _e3268.member, _e3294), _e3347.member, _e3373), _e3426.member, _e3452), _e3505.member, _e3531), select(select(select(select(_e3207, _e3268.member_1, _e3294), _e3347.member_1, _e3373), _e3426.member_1, _e3452), _e3505.member_1, _e3531), select(select(select(select(_e3208, _e3268.member_2, _e3294), _e3347.member_2, _e3373), _e3426.member_2, _e3452), _e3505.member_2, _e3531)), select(_e3458, _e3526, _e3532), vec3<f32>(select(select(select(select(_e3211, _e3268.member, _e3295), _e3347.member, _e3374), _e3426.member, _e3453), _e3505.member, _e3532), select(select(select(select(_e3212, _e3268.member_1, _e3295), _e3347.member_1, _e3374), _e3426.member_1, _e3453), _e3505.member_1, _e3532), select(select(select(select(_e3213, _e3268.member_2, _e3295), _e3347.member_2, _e3374), _e3426.member_2, _e3453), _e3505.member_2, _e3532)), select(_e3462, _e3498, _e3527), select(_e3464, _e3499, (_e3499 > _e3464)), vec3<f32>(select(select(select(select(_e3218, _e3268.member, _e3290), _e3347.member, _e3369), _e3426.member, _e3448), _e3505.member, _e3527), select(select(select(select(_e3219, _e3268.member_1, _e3290), _e3347.member_1, _e3369), _e3426.member_1, _e3448), _e3505.member_1, _e3527), select(select(select(select(_e3220, _e3268.member_2, _e3290), _e3347.member_2, _e3369), _e3426.member_2, _e3448), _e3505.member_2, _e3527)));
+phi_7121_ = type_34(select(_e3454, _e3522, _e3531), vec3<f32>(select(select(select(select(_e3206, _e3268.member, _e3294), _e3347.member, _e3373), _e3426.member, _e3452), _e3505.member, _e3531), select(select(select(select(_e3207, _e3268.member_1, _e3294), _e3347.member_1, _e3373), _e3426.member_1, _e3452), _e3505.member_1, _e3531), select(select(select(select(_e3208, _e3268.member_2, _e3294), _e3347.member_2, _e3373), _e3426.member_2, _e3452), _e3505.member_2, _e3531)), select(_e3458, _e3526, _e3532), vec3<f32>(select(select(select(select(_e3211, _e3268.member, _e3295), _e3347.member, _e3374), _e3426.member, _e3453), _e3505.member, _e3532), select(select(select(select(_e3212, _e3268.member_1, _e3295), _e3347.member_1, _e3374), _e3426.member_1, _e3453), _e3505.member_1, _e3532), select(select(select(select(_e3213, _e3268.member_2, _e3295), _e3347.member_2, _e3374), _e3426.member_2, _e3453), _e3505.member_2, _e3532)), select(_e3462, _e3498, _e3527), select(_e3464, _e3499, (_e3499 > _e3464)), vec3<f32>(select(select(select(select(_e3218, _e3268.member, _e3290), _e3347.member, _e3369), _e3426.member, _e3448), _e3505.member, _e3527), select(select(select(select(_e3219, _e3268.member_1, _e3290), _e3347.member_1, _e3369), _e3426.member_1, _e3448), _e3505.member_1, _e3527), select(select(select(select(_e3220, _e3268.member_2, _e3290), _e3347.member_2, _e3369), _e3426.member_2, _e3448), _e3505.member_2, _e3527)));
 }
-let _e3552 = phi_7119_;
+let _e3552 = phi_7121_;
 let _e3558 = (((_e2424 && _e2960) && !(_e2945)) && (_e3552.member_2 <= 1f));
 let _e3562 = (_e2957 - _e2433);
 let _e3563 = select(1f, _e3552.member_2, _e3558);
@@ -1557,11 +1559,11 @@ let _e3864 = select(_e2681, _e3862, (_e3862 < _e2681));
 let _e3869 = global_2.member[bitcast<u32>(select(0i, _e3864, (_e3864 > 0i)))];
 let _e3884 = ((_e2855 + (f32(bitcast<i32>((_e3869 >> bitcast<u32>(12u)))) * _e2863)) + ((f32((bitcast<i32>((_e3869 & 4095u)) - 2048i)) * _e2846) * (_e3846 - f32(_e3861))));
 if _e2960 {
-phi_8194_ = type_31(_e3884, 1f);
+phi_8196_ = type_31(_e3884, 1f);
 } else {
-phi_8194_ = type_31(1f, _e3884);
+phi_8196_ = type_31(1f, _e3884);
 }
-let _e3888 = phi_8194_;
+let _e3888 = phi_8196_;
 let _e3893 = ((_e3888.member_1 * _e3888.member_1) - (_e3888.member * _e3888.member));
 let _e3901 = (((_e3552.member_3.x * _e3552.member_3.x) + (_e3552.member_3.y * _e3552.member_3.y)) + (_e3552.member_3.z * _e3552.member_3.z));
 let _e3904 = sqrt(select(0f, _e3901, (_e3901 > 0f)));
@@ -1698,16 +1700,16 @@ let _e4249 = select(select(select(select(select(select(0f, _e1798.member, _e4030
 let _e4250 = select(select(select(select(select(select(0f, _e1798.member_1, _e4030), _e1798.member_1, _e4070), _e1807.member_1, _e4110), _e1807.member_1, _e4150), _e1816.member_1, _e4190), _e1816.member_1, _e4230);
 let _e4251 = select(select(select(select(select(select(1f, _e1798.member_2, _e4030), _e1798.member_2, _e4070), _e1807.member_2, _e4110), _e1807.member_2, _e4150), _e1816.member_2, _e4190), _e1816.member_2, _e4230);
 if _e2062 {
-phi_9732_ = type_34(_e4236, vec3<f32>(_e4237, _e4238, _e4239), _e4241, vec3<f32>(_e4242, _e4243, _e4244), _e4246, _e4248, vec3<f32>(_e4249, _e4250, _e4251));
+phi_9734_ = type_34(_e4236, vec3<f32>(_e4237, _e4238, _e4239), _e4241, vec3<f32>(_e4242, _e4243, _e4244), _e4246, _e4248, vec3<f32>(_e4249, _e4250, _e4251));
 } else {
 let _e4258 = (((_e1798.member * _e1798.member) + (_e1798.member_1 * _e1798.member_1)) + (_e1798.member_2 * _e1798.member_2));
 let _e4261 = sqrt(select(0f, _e4258, (_e4258 > 0f)));
-let _e4266 = global_5.member[_e459].member_14.member_1;
+let _e4266 = global_5.member[_e459].member_16.member_1;
 let _e4267 = (_e4266 != 0u);
-let _e4272 = global_5.member[_e459].member_14.member;
+let _e4272 = global_5.member[_e459].member_16.member;
 let _e4292 = select(-1e6f, (((((_e4272.member.member * _e3571.x) + (_e4272.member.member_1 * _e3571.y)) + (_e4272.member.member_2 * _e3571.z)) + _e4272.member_1) * _e4261), _e4267);
 let _e4293 = select(-1e6f, (((((_e4272.member.member * _e3965) + (_e4272.member.member_1 * _e3966)) + (_e4272.member.member_2 * _e3967)) + _e4272.member_1) * _e4261), _e4267);
-let _e4299 = global_5.member[_e459].member_14.member.member;
+let _e4299 = global_5.member[_e459].member_16.member.member;
 let _e4303 = -(_e4292);
 let _e4306 = (_e4292 - _e4293);
 let _e4307 = (_e4293 - _e4292);
@@ -1722,12 +1724,12 @@ let _e4327 = select(_e4236, _e4316, _e4325);
 let _e4331 = select(_e4241, _e4320, _e4326);
 let _e4335 = select(_e4246, _e4292, _e4321);
 let _e4337 = select(_e4248, _e4293, (_e4293 > _e4248));
-let _e4345 = global_5.member[_e459].member_15.member_1;
+let _e4345 = global_5.member[_e459].member_17.member_1;
 let _e4346 = (_e4345 != 0u);
-let _e4351 = global_5.member[_e459].member_15.member;
+let _e4351 = global_5.member[_e459].member_17.member;
 let _e4371 = select(-1e6f, (((((_e4351.member.member * _e3571.x) + (_e4351.member.member_1 * _e3571.y)) + (_e4351.member.member_2 * _e3571.z)) + _e4351.member_1) * _e4261), _e4346);
 let _e4372 = select(-1e6f, (((((_e4351.member.member * _e3965) + (_e4351.member.member_1 * _e3966)) + (_e4351.member.member_2 * _e3967)) + _e4351.member_1) * _e4261), _e4346);
-let _e4378 = global_5.member[_e459].member_15.member.member;
+let _e4378 = global_5.member[_e459].member_17.member.member;
 let _e4382 = -(_e4371);
 let _e4385 = (_e4371 - _e4372);
 let _e4386 = (_e4372 - _e4371);
@@ -1742,12 +1744,12 @@ let _e4406 = select(_e4327, _e4395, _e4404);
 let _e4410 = select(_e4331, _e4399, _e4405);
 let _e4414 = select(_e4335, _e4371, _e4400);
 let _e4416 = select(_e4337, _e4372, (_e4372 > _e4337));
-let _e4424 = global_5.member[_e459].member_16.member_1;
+let _e4424 = global_5.member[_e459].member_18.member_1;
 let _e4425 = (_e4424 != 0u);
-let _e4430 = global_5.member[_e459].member_16.member;
+let _e4430 = global_5.member[_e459].member_18.member;
 let _e4450 = select(-1e6f, (((((_e4430.member.member * _e3571.x) + (_e4430.member.member_1 * _e3571.y)) + (_e4430.member.member_2 * _e3571.z)) + _e4430.member_1) * _e4261), _e4425);
 let _e4451 = select(-1e6f, (((((_e4430.member.member * _e3965) + (_e4430.member.member_1 * _e3966)) + (_e4430.member.member_2 * _e3967)) + _e4430.member_1) * _e4261), _e4425);
-let _e4457 = global_5.member[_e459].member_16.member.member;
+let _e4457 = global_5.member[_e459].member_18.member.member;
 let _e4461 = -(_e4450);
 let _e4464 = (_e4450 - _e4451);
 let _e4465 = (_e4451 - _e4450);
@@ -1762,12 +1764,12 @@ let _e4485 = select(_e4406, _e4474, _e4483);
 let _e4489 = select(_e4410, _e4478, _e4484);
 let _e4493 = select(_e4414, _e4450, _e4479);
 let _e4495 = select(_e4416, _e4451, (_e4451 > _e4416));
-let _e4503 = global_5.member[_e459].member_17.member_1;
+let _e4503 = global_5.member[_e459].member_19.member_1;
 let _e4504 = (_e4503 != 0u);
-let _e4509 = global_5.member[_e459].member_17.member;
+let _e4509 = global_5.member[_e459].member_19.member;
 let _e4529 = select(-1e6f, (((((_e4509.member.member * _e3571.x) + (_e4509.member.member_1 * _e3571.y)) + (_e4509.member.member_2 * _e3571.z)) + _e4509.member_1) * _e4261), _e4504);
 let _e4530 = select(-1e6f, (((((_e4509.member.member * _e3965) + (_e4509.member.member_1 * _e3966)) + (_e4509.member.member_2 * _e3967)) + _e4509.member_1) * _e4261), _e4504);
-let _e4536 = global_5.member[_e459].member_17.member.member;
+let _e4536 = global_5.member[_e459].member_19.member.member;
 let _e4540 = -(_e4529);
 let _e4543 = (_e4529 - _e4530);
 let _e4544 = (_e4530 - _e4529);
@@ -1778,9 +1780,9 @@ let _e4557 = select(2f, select(0f, _e4549, (_e4529 < 0f)), (_e4530 > 0f));
 let _e4558 = (_e4529 > _e4493);
 let _e4562 = ((_e4553 > _e4485) || ((_e4553 == _e4485) && _e4558));
 let _e4563 = (_e4557 < _e4489);
-phi_9732_ = type_34(select(_e4485, _e4553, _e4562), vec3<f32>(select(select(select(select(_e4237, _e4299.member, _e4325), _e4378.member, _e4404), _e4457.member, _e4483), _e4536.member, _e4562), select(select(select(select(_e4238, _e4299.member_1, _e4325), _e4378.member_1, _e4404), _e4457.member_1, _e4483), _e4536.member_1, _e4562), select(select(select(select(_e4239, _e4299.member_2, _e4325), _e4378.member_2, _e4404), _e4457.member_2, _e4483), _e4536.member_2, _e4562)), select(_e4489, _e4557, _e4563), vec3<f32>(select(select(select(select(_e4242, _e4299.member, _e4326), _e4378.member, _e4405), _e4457.member, _e4484), _e4536.member, _e4563), select(select(select(select(_e4243, _e4299.member_1, _e4326), _e4378.member_1, _e4405), _e4457.member_1, _e4484), _e4536.member_1, _e4563), select(select(select(select(_e4244, _e4299.member_2, _e4326), _e4378.member_2, _e4405), _e4457.member_2, _e4484), _e4536.member_2, _e4563)), select(_e4493, _e4529, _e4558), select(_e4495, _e4530, (_e4530 > _e4495)), vec3<f32>(select(select(select(select(_e4249, _e4299.member, _e4321), _e4378.member, _e4400), _e4457.member, _e4479), _e4536.member, _e4558), select(select(select(select(_e4250, _e4299.member_1, _e4321), _e4378.member_1, _e4400), _e4457.member_1, _e4479), _e4536.member_1, _e4558), select(select(select(select(_e4251, _e4299.member_2, _e4321), _e4378.member_2, _e4400), _e4457.member_2, _e4479), _e4536.member_2, _e4558)));
+phi_9734_ = type_34(select(_e4485, _e4553, _e4562), vec3<f32>(select(select(select(select(_e4237, _e4299.member, _e4325), _e4378.member, _e4404), _e4457.member, _e4483), _e4536.member, _e4562), select(select(select(select(_e4238, _e4299.member_1, _e4325), _e4378.member_1, _e4404), _e4457.member_1, _e4483), _e4536.member_1, _e4562), select(select(select(select(_e4239, _e4299.member_2, _e4325), _e4378.member_2, _e4404), _e4457.member_2, _e4483), _e4536.member_2, _e4562)), select(_e4489, _e4557, _e4563), vec3<f32>(select(select(select(select(_e4242, _e4299.member, _e4326), _e4378.member, _e4405), _e4457.member, _e4484), _e4536.member, _e4563), select(select(select(select(_e4243, _e4299.member_1, _e4326), _e4378.member_1, _e4405), _e4457.member_1, _e4484), _e4536.member_1, _e4563), select(select(select(select(_e4244, _e4299.member_2, _e4326), _e4378.member_2, _e4405), _e4457.member_2, _e4484), _e4536.member_2, _e4563)), select(_e4493, _e4529, _e4558), select(_e4495, _e4530, (_e4530 > _e4495)), vec3<f32>(select(select(select(select(_e4249, _e4299.member, _e4321), _e4378.member, _e4400), _e4457.member, _e4479), _e4536.member, _e4558), select(select(select(select(_e4250, _e4299.member_1, _e4321), _e4378.member_1, _e4400), _e4457.member_1, _e4479), _e4536.member_1, _e4558), select(select(select(select(_e4251, _e4299.member_2, _e4321), _e4378.member_2, _e4400), _e4457.member_2, _e4479), _e4536.member_2, _e4558)));
 }
-let _e4583 = phi_9732_;
+let _e4583 = phi_9734_;
 let _e4589 = (((_e3558 && _e3970) && !(_e3954)) && (_e4583.member_2 <= 1f));
 let _e4594 = select(1f, _e4583.member_2, _e4589);
 let _e4595 = ((_e3965 - _e3571.x) * _e4594);
@@ -1903,11 +1905,11 @@ let _e4895 = select(_e2681, _e4893, (_e4893 < _e2681));
 let _e4900 = global_2.member[bitcast<u32>(select(0i, _e4895, (_e4895 > 0i)))];
 let _e4915 = ((_e2855 + (f32(bitcast<i32>((_e4900 >> bitcast<u32>(12u)))) * _e2863)) + ((f32((bitcast<i32>((_e4900 & 4095u)) - 2048i)) * _e2846) * (_e4877 - f32(_e4892))));
 if _e3970 {
-phi_10807_ = type_31(_e4915, 1f);
+phi_10809_ = type_31(_e4915, 1f);
 } else {
-phi_10807_ = type_31(1f, _e4915);
+phi_10809_ = type_31(1f, _e4915);
 }
-let _e4919 = phi_10807_;
+let _e4919 = phi_10809_;
 let _e4924 = ((_e4919.member_1 * _e4919.member_1) - (_e4919.member * _e4919.member));
 let _e4932 = (((_e4583.member_3.x * _e4583.member_3.x) + (_e4583.member_3.y * _e4583.member_3.y)) + (_e4583.member_3.z * _e4583.member_3.z));
 let _e4935 = sqrt(select(0f, _e4932, (_e4932 > 0f)));
@@ -2044,16 +2046,16 @@ let _e5281 = select(select(select(select(select(select(0f, _e1798.member, _e5062
 let _e5282 = select(select(select(select(select(select(0f, _e1798.member_1, _e5062), _e1798.member_1, _e5102), _e1807.member_1, _e5142), _e1807.member_1, _e5182), _e1816.member_1, _e5222), _e1816.member_1, _e5262);
 let _e5283 = select(select(select(select(select(select(1f, _e1798.member_2, _e5062), _e1798.member_2, _e5102), _e1807.member_2, _e5142), _e1807.member_2, _e5182), _e1816.member_2, _e5222), _e1816.member_2, _e5262);
 if _e2062 {
-phi_12345_ = type_34(_e5268, vec3<f32>(_e5269, _e5270, _e5271), _e5273, vec3<f32>(_e5274, _e5275, _e5276), _e5278, _e5280, vec3<f32>(_e5281, _e5282, _e5283));
+phi_12347_ = type_34(_e5268, vec3<f32>(_e5269, _e5270, _e5271), _e5273, vec3<f32>(_e5274, _e5275, _e5276), _e5278, _e5280, vec3<f32>(_e5281, _e5282, _e5283));
 } else {
 let _e5290 = (((_e1798.member * _e1798.member) + (_e1798.member_1 * _e1798.member_1)) + (_e1798.member_2 * _e1798.member_2));
 let _e5293 = sqrt(select(0f, _e5290, (_e5290 > 0f)));
-let _e5298 = global_5.member[_e459].member_14.member_1;
+let _e5298 = global_5.member[_e459].member_16.member_1;
 let _e5299 = (_e5298 != 0u);
-let _e5304 = global_5.member[_e459].member_14.member;
+let _e5304 = global_5.member[_e459].member_16.member;
 let _e5324 = select(-1e6f, (((((_e5304.member.member * _e4602.x) + (_e5304.member.member_1 * _e4602.y)) + (_e5304.member.member_2 * _e4602.z)) + _e5304.member_1) * _e5293), _e5299);
 let _e5325 = select(-1e6f, (((((_e5304.member.member * _e4997) + (_e5304.member.member_1 * _e4998)) + (_e5304.member.member_2 * _e4999)) + _e5304.member_1) * _e5293), _e5299);
-let _e5331 = global_5.member[_e459].member_14.member.member;
+let _e5331 = global_5.member[_e459].member_16.member.member;
 let _e5335 = -(_e5324);
 let _e5338 = (_e5324 - _e5325);
 let _e5339 = (_e5325 - _e5324);
@@ -2068,12 +2070,12 @@ let _e5359 = select(_e5268, _e5348, _e5357);
 let _e5363 = select(_e5273, _e5352, _e5358);
 let _e5367 = select(_e5278, _e5324, _e5353);
 let _e5369 = select(_e5280, _e5325, (_e5325 > _e5280));
-let _e5377 = global_5.member[_e459].member_15.member_1;
+let _e5377 = global_5.member[_e459].member_17.member_1;
 let _e5378 = (_e5377 != 0u);
-let _e5383 = global_5.member[_e459].member_15.member;
+let _e5383 = global_5.member[_e459].member_17.member;
 let _e5403 = select(-1e6f, (((((_e5383.member.member * _e4602.x) + (_e5383.member.member_1 * _e4602.y)) + (_e5383.member.member_2 * _e4602.z)) + _e5383.member_1) * _e5293), _e5378);
 let _e5404 = select(-1e6f, (((((_e5383.member.member * _e4997) + (_e5383.member.member_1 * _e4998)) + (_e5383.member.member_2 * _e4999)) + _e5383.member_1) * _e5293), _e5378);
-let _e5410 = global_5.member[_e459].member_15.member.member;
+let _e5410 = global_5.member[_e459].member_17.member.member;
 let _e5414 = -(_e5403);
 let _e5417 = (_e5403 - _e5404);
 let _e5418 = (_e5404 - _e5403);
@@ -2088,12 +2090,12 @@ let _e5438 = select(_e5359, _e5427, _e5436);
 let _e5442 = select(_e5363, _e5431, _e5437);
 let _e5446 = select(_e5367, _e5403, _e5432);
 let _e5448 = select(_e5369, _e5404, (_e5404 > _e5369));
-let _e5456 = global_5.member[_e459].member_16.member_1;
+let _e5456 = global_5.member[_e459].member_18.member_1;
 let _e5457 = (_e5456 != 0u);
-let _e5462 = global_5.member[_e459].member_16.member;
+let _e5462 = global_5.member[_e459].member_18.member;
 let _e5482 = select(-1e6f, (((((_e5462.member.member * _e4602.x) + (_e5462.member.member_1 * _e4602.y)) + (_e5462.member.member_2 * _e4602.z)) + _e5462.member_1) * _e5293), _e5457);
 let _e5483 = select(-1e6f, (((((_e5462.member.member * _e4997) + (_e5462.member.member_1 * _e4998)) + (_e5462.member.member_2 * _e4999)) + _e5462.member_1) * _e5293), _e5457);
-let _e5489 = global_5.member[_e459].member_16.member.member;
+let _e5489 = global_5.member[_e459].member_18.member.member;
 let _e5493 = -(_e5482);
 let _e5496 = (_e5482 - _e5483);
 let _e5497 = (_e5483 - _e5482);
@@ -2108,12 +2110,12 @@ let _e5517 = select(_e5438, _e5506, _e5515);
 let _e5521 = select(_e5442, _e5510, _e5516);
 let _e5525 = select(_e5446, _e5482, _e5511);
 let _e5527 = select(_e5448, _e5483, (_e5483 > _e5448));
-let _e5535 = global_5.member[_e459].member_17.member_1;
+let _e5535 = global_5.member[_e459].member_19.member_1;
 let _e5536 = (_e5535 != 0u);
-let _e5541 = global_5.member[_e459].member_17.member;
+let _e5541 = global_5.member[_e459].member_19.member;
 let _e5561 = select(-1e6f, (((((_e5541.member.member * _e4602.x) + (_e5541.member.member_1 * _e4602.y)) + (_e5541.member.member_2 * _e4602.z)) + _e5541.member_1) * _e5293), _e5536);
 let _e5562 = select(-1e6f, (((((_e5541.member.member * _e4997) + (_e5541.member.member_1 * _e4998)) + (_e5541.member.member_2 * _e4999)) + _e5541.member_1) * _e5293), _e5536);
-let _e5568 = global_5.member[_e459].member_17.member.member;
+let _e5568 = global_5.member[_e459].member_19.member.member;
 let _e5572 = -(_e5561);
 let _e5575 = (_e5561 - _e5562);
 let _e5576 = (_e5562 - _e5561);
@@ -2124,9 +2126,9 @@ let _e5589 = select(2f, select(0f, _e5581, (_e5561 < 0f)), (_e5562 > 0f));
 let _e5590 = (_e5561 > _e5525);
 let _e5594 = ((_e5585 > _e5517) || ((_e5585 == _e5517) && _e5590));
 let _e5595 = (_e5589 < _e5521);
-phi_12345_ = type_34(select(_e5517, _e5585, _e5594), vec3<f32>(select(select(select(select(_e5269, _e5331.member, _e5357), _e5410.member, _e5436), _e5489.member, _e5515), _e5568.member, _e5594), select(select(select(select(_e5270, _e5331.member_1, _e5357), _e5410.member_1, _e5436), _e5489.member_1, _e5515), _e5568.member_1, _e5594), select(select(select(select(_e5271, _e5331.member_2, _e5357), _e5410.member_2, _e5436), _e5489.member_2, _e5515), _e5568.member_2, _e5594)), select(_e5521, _e5589, _e5595), vec3<f32>(select(select(select(select(_e5274, _e5331.member, _e5358), _e5410.member, _e5437), _e5489.member, _e5516), _e5568.member, _e5595), select(select(select(select(_e5275, _e5331.member_1, _e5358), _e5410.member_1, _e5437), _e5489.member_1, _e5516), _e5568.member_1, _e5595), select(select(select(select(_e5276, _e5331.member_2, _e5358), _e5410.member_2, _e5437), _e5489.member_2, _e5516), _e5568.member_2, _e5595)), select(_e5525, _e5561, _e5590), select(_e5527, _e5562, (_e5562 > _e5527)), vec3<f32>(select(select(select(select(_e5281, _e5331.member, _e5353), _e5410.member, _e5432), _e5489.member, _e5511), _e5568.member, _e5590), select(select(select(select(_e5282, _e5331.member_1, _e5353), _e5410.member_1, _e5432), _e5489.member_1, _e5511), _e5568.member_1, _e5590), select(select(select(select(_e5283, _e5331.member_2, _e5353), _e5410.member_2, _e5432), _e5489.member_2, _e5511), _e5568.member_2, _e5590)));
+phi_12347_ = type_34(select(_e5517, _e5585, _e5594), vec3<f32>(select(select(select(select(_e5269, _e5331.member, _e5357), _e5410.member, _e5436), _e5489.member, _e5515), _e5568.member, _e5594), select(select(select(select(_e5270, _e5331.member_1, _e5357), _e5410.member_1, _e5436), _e5489.member_1, _e5515), _e5568.member_1, _e5594), select(select(select(select(_e5271, _e5331.member_2, _e5357), _e5410.member_2, _e5436), _e5489.member_2, _e5515), _e5568.member_2, _e5594)), select(_e5521, _e5589, _e5595), vec3<f32>(select(select(select(select(_e5274, _e5331.member, _e5358), _e5410.member, _e5437), _e5489.member, _e5516), _e5568.member, _e5595), select(select(select(select(_e5275, _e5331.member_1, _e5358), _e5410.member_1, _e5437), _e5489.member_1, _e5516), _e5568.member_1, _e5595), select(select(select(select(_e5276, _e5331.member_2, _e5358), _e5410.member_2, _e5437), _e5489.member_2, _e5516), _e5568.member_2, _e5595)), select(_e5525, _e5561, _e5590), select(_e5527, _e5562, (_e5562 > _e5527)), vec3<f32>(select(select(select(select(_e5281, _e5331.member, _e5353), _e5410.member, _e5432), _e5489.member, _e5511), _e5568.member, _e5590), select(select(select(select(_e5282, _e5331.member_1, _e5353), _e5410.member_1, _e5432), _e5489.member_1, _e5511), _e5568.member_1, _e5590), select(select(select(select(_e5283, _e5331.member_2, _e5353), _e5410.member_2, _e5432), _e5489.member_2, _e5511), _e5568.member_2, _e5590)));
 }
-let _e5615 = phi_12345_;
+let _e5615 = phi_12347_;
 let _e5621 = (((_e4589 && _e5002) && !(_e4986)) && (_e5615.member_2 <= 1f));
 let _e5622 = (_e2431 - _e492);
 let _e5623 = (_e2432 - _e494);
@@ -2290,25 +2292,25 @@ let _e6030 = select(_e5989, _e5961, (_e5961 > _e5989));
 let _e6033 = (select(_e6024, _e6026, (_e6026 < _e6024)) - select(_e6017, _e6030, (_e6030 > _e6017)));
 let _e6040 = ((_e2941 || _e3950) || _e4982);
 if _e2941 {
-phi_14093_ = _e2873;
+phi_14095_ = _e2873;
 } else {
-phi_14093_ = _e3888;
+phi_14095_ = _e3888;
 }
-let _e6061 = phi_14093_;
-phi_14106_ = type_38(_e6061, vec3<f32>(select(_e4997, _e4602.x, _e5621), select(_e4998, _e4602.y, _e5621), select(_e4999, _e4602.z, _e5621)), vec3<f32>(_e4971, _e4972, _e4973), select(_e1783, ((((sqrt(select(0f, _e5629, (_e5629 > 0f))) * select(0f, _e5710, (_e5710 > 0f))) + (sqrt(select(0f, _e5721, (_e5721 > 0f))) * select(0f, _e5817, (_e5817 > 0f)))) + (sqrt(select(0f, _e5829, (_e5829 > 0f))) * select(0f, _e5925, (_e5925 > 0f)))) + select(0f, (sqrt(select(0f, _e5937, (_e5937 > 0f))) * select(0f, _e6033, (_e6033 > 0f))), _e4589)), _e6040), select((_e482 / _e4973), (2f * (_e3562 / _e2927)), (((_e2424 && !(_e2401)) && _e2960) && !(_e3558))), select(_e3552.member_3, _e2416.member_1, vec3(_e2941)), _e5002, _e6040, (((_e2945 || _e3954) || _e4986) || _e5621));
-phi_14107_ = vec3<f32>(_e2405, _e2406, _e2407);
-phi_14108_ = _e2401;
-phi_14109_ = _e2402;
+let _e6061 = phi_14095_;
+phi_14108_ = type_38(_e6061, vec3<f32>(select(_e4997, _e4602.x, _e5621), select(_e4998, _e4602.y, _e5621), select(_e4999, _e4602.z, _e5621)), vec3<f32>(_e4971, _e4972, _e4973), select(_e1783, ((((sqrt(select(0f, _e5629, (_e5629 > 0f))) * select(0f, _e5710, (_e5710 > 0f))) + (sqrt(select(0f, _e5721, (_e5721 > 0f))) * select(0f, _e5817, (_e5817 > 0f)))) + (sqrt(select(0f, _e5829, (_e5829 > 0f))) * select(0f, _e5925, (_e5925 > 0f)))) + select(0f, (sqrt(select(0f, _e5937, (_e5937 > 0f))) * select(0f, _e6033, (_e6033 > 0f))), _e4589)), _e6040), select((_e482 / _e4973), (2f * (_e3562 / _e2927)), (((_e2424 && !(_e2401)) && _e2960) && !(_e3558))), select(_e3552.member_3, _e2416.member_1, vec3(_e2941)), _e5002, _e6040, (((_e2945 || _e3954) || _e4986) || _e5621));
+phi_14109_ = vec3<f32>(_e2405, _e2406, _e2407);
+phi_14110_ = _e2401;
+phi_14111_ = _e2402;
 } else {
-phi_14106_ = type_38(_e1696.member, _e1696.member_1, _e1696.member_2, _e1783, _e1696.member_4, _e1696.member_5, _e1696.member_6, _e1696.member_7, _e1696.member_8);
-phi_14107_ = _e1151;
-phi_14108_ = true;
-phi_14109_ = _e1684;
+phi_14108_ = type_38(_e1696.member, _e1696.member_1, _e1696.member_2, _e1783, _e1696.member_4, _e1696.member_5, _e1696.member_6, _e1696.member_7, _e1696.member_8);
+phi_14109_ = _e1151;
+phi_14110_ = true;
+phi_14111_ = _e1684;
 }
-let _e6064 = phi_14106_;
-let _e6066 = phi_14107_;
-let _e6068 = phi_14108_;
-let _e6070 = phi_14109_;
+let _e6064 = phi_14108_;
+let _e6066 = phi_14109_;
+let _e6068 = phi_14110_;
+let _e6070 = phi_14111_;
 let _e6081 = ((((_e561.member.member * _e6064.member_1.x) + (_e561.member.member_1 * _e6064.member_1.y)) + (_e561.member.member_2 * _e6064.member_1.z)) + _e561.member_1);
 let _e6087 = ((((_e577.member.member * _e6064.member_1.x) + (_e577.member.member_1 * _e6064.member_1.y)) + (_e577.member.member_2 * _e6064.member_1.z)) + _e577.member_1);
 let _e6093 = ((((_e593.member.member * _e6064.member_1.x) + (_e593.member.member_1 * _e6064.member_1.y)) + (_e593.member.member_2 * _e6064.member_1.z)) + _e593.member_1);
@@ -2674,7 +2676,7 @@ if _e837 {
 let _e7651 = ((0.5f * (_e6942 - _e6936)) * _e7200);
 let _e7652 = ((0.5f * (_e6954 - _e6948)) * _e7200);
 let _e7653 = ((0.5f * (_e6966 - _e6960)) * _e7200);
-phi_19353_ = type_32(_e7162, vec3<f32>(_e7651, _e7652, _e7653), vec3<f32>((_e7651 * _e7162), (_e7652 * _e7162), (_e7653 * _e7162)));
+phi_19355_ = type_32(_e7162, vec3<f32>(_e7651, _e7652, _e7653), vec3<f32>((_e7651 * _e7162), (_e7652 * _e7162), (_e7653 * _e7162)));
 } else {
 local_18 = _e6936;
 let _e7201 = local_18;
@@ -2823,23 +2825,23 @@ let _e7626 = ((_e7147 + (f32(bitcast<i32>((_e7611 >> bitcast<u32>(12u)))) * _e71
 let _e7627 = (_e7342 - _e7271);
 let _e7629 = (_e7484 - _e7413);
 let _e7631 = (_e7626 - _e7555);
-phi_19353_ = type_32(_e7162, vec3<f32>((0.5f * _e7627), (0.5f * _e7629), (0.5f * _e7631)), vec3<f32>((0.25f * (_e7627 * (_e7342 + _e7271))), (0.25f * (_e7629 * (_e7484 + _e7413))), (0.25f * (_e7631 * (_e7626 + _e7555)))));
+phi_19355_ = type_32(_e7162, vec3<f32>((0.5f * _e7627), (0.5f * _e7629), (0.5f * _e7631)), vec3<f32>((0.25f * (_e7627 * (_e7342 + _e7271))), (0.25f * (_e7629 * (_e7484 + _e7413))), (0.25f * (_e7631 * (_e7626 + _e7555)))));
 }
-let _e7661 = phi_19353_;
+let _e7661 = phi_19355_;
 let _e7676 = select(0f, 1f, ((((((_e6081 >= -0.5f) && (_e6081 <= _e634)) && (_e6087 >= -0.5f)) && (_e6087 <= _e645)) && (_e6093 >= -0.5f)) && (_e6093 <= _e656)));
 let _e7678 = (0.5f * (_e6942 - _e6936));
 let _e7680 = (0.5f * (_e6954 - _e6948));
 let _e7682 = (0.5f * (_e6966 - _e6960));
-let _e7689 = global_5.member[_e459].member_6.member.member.member;
-let _e7696 = global_5.member[_e459].member_6.member.member.member_1;
-let _e7703 = global_5.member[_e459].member_6.member.member.member_2;
-let _e7710 = global_5.member[_e459].member_6.member_1.member.member;
-let _e7717 = global_5.member[_e459].member_6.member_1.member.member_1;
-let _e7724 = global_5.member[_e459].member_6.member_1.member.member_2;
-let _e7731 = global_5.member[_e459].member_6.member_2.member.member;
-let _e7738 = global_5.member[_e459].member_6.member_2.member.member_1;
-let _e7745 = global_5.member[_e459].member_6.member_2.member.member_2;
-phi_19963_ = type_33(_e6930, vec3<f32>(((((_e7689 * _e7678) + (_e7710 * _e7680)) + (_e7731 * _e7682)) * _e7676), ((((_e7696 * _e7678) + (_e7717 * _e7680)) + (_e7738 * _e7682)) * _e7676), ((((_e7703 * _e7678) + (_e7724 * _e7680)) + (_e7745 * _e7682)) * _e7676)), _e7661.member, vec3<f32>(((((_e7689 * _e7661.member_2.x) + (_e7710 * _e7661.member_2.y)) + (_e7731 * _e7661.member_2.z)) * _e7676), ((((_e7696 * _e7661.member_2.x) + (_e7717 * _e7661.member_2.y)) + (_e7738 * _e7661.member_2.z)) * _e7676), ((((_e7703 * _e7661.member_2.x) + (_e7724 * _e7661.member_2.y)) + (_e7745 * _e7661.member_2.z)) * _e7676)), vec3<f32>(((((_e7689 * _e7661.member_1.x) + (_e7710 * _e7661.member_1.y)) + (_e7731 * _e7661.member_1.z)) * _e7676), ((((_e7696 * _e7661.member_1.x) + (_e7717 * _e7661.member_1.y)) + (_e7738 * _e7661.member_1.z)) * _e7676), ((((_e7703 * _e7661.member_1.x) + (_e7724 * _e7661.member_1.y)) + (_e7745 * _e7661.member_1.z)) * _e7676)));
+let _e7689 = global_5.member[_e459].member_8.member.member.member;
+let _e7696 = global_5.member[_e459].member_8.member.member.member_1;
+let _e7703 = global_5.member[_e459].member_8.member.member.member_2;
+let _e7710 = global_5.member[_e459].member_8.member_1.member.member;
+let _e7717 = global_5.member[_e459].member_8.member_1.member.member_1;
+let _e7724 = global_5.member[_e459].member_8.member_1.member.member_2;
+let _e7731 = global_5.member[_e459].member_8.member_2.member.member;
+let _e7738 = global_5.member[_e459].member_8.member_2.member.member_1;
+let _e7745 = global_5.member[_e459].member_8.member_2.member.member_2;
+phi_19965_ = type_33(_e6930, vec3<f32>(((((_e7689 * _e7678) + (_e7710 * _e7680)) + (_e7731 * _e7682)) * _e7676), ((((_e7696 * _e7678) + (_e7717 * _e7680)) + (_e7738 * _e7682)) * _e7676), ((((_e7703 * _e7678) + (_e7724 * _e7680)) + (_e7745 * _e7682)) * _e7676)), _e7661.member, vec3<f32>(((((_e7689 * _e7661.member_2.x) + (_e7710 * _e7661.member_2.y)) + (_e7731 * _e7661.member_2.z)) * _e7676), ((((_e7696 * _e7661.member_2.x) + (_e7717 * _e7661.member_2.y)) + (_e7738 * _e7661.member_2.z)) * _e7676), ((((_e7703 * _e7661.member_2.x) + (_e7724 * _e7661.member_2.y)) + (_e7745 * _e7661.member_2.z)) * _e7676)), vec3<f32>(((((_e7689 * _e7661.member_1.x) + (_e7710 * _e7661.member_1.y)) + (_e7731 * _e7661.member_1.z)) * _e7676), ((((_e7696 * _e7661.member_1.x) + (_e7717 * _e7661.member_1.y)) + (_e7738 * _e7661.member_1.z)) * _e7676), ((((_e7703 * _e7661.member_1.x) + (_e7724 * _e7661.member_1.y)) + (_e7745 * _e7661.member_1.z)) * _e7676)));
 } else {
 let _e6095 = select(-0.5f, _e6081, (_e6081 > -0.5f));
 let _e6097 = select(_e634, _e6095, (_e6095 < _e634));
@@ -2926,15 +2928,15 @@ let _e6305 = local_7[1u];
 let _e6310 = local_7[2u];
 let _e6315 = (((_e6254 + (((_e6279 + (((_e6290 + ((bitcast<f32>(_e6299) - _e6290) * _e6301)) - _e6279) * _e6305)) - _e6254) * _e6310)) - _e1472) * _e1477);
 let _e6317 = select(_e1480, _e6315, (_e6315 > _e1480));
-phi_19963_ = type_33(select(1e9f, _e6317, (_e6317 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_19965_ = type_33(select(1e9f, _e6317, (_e6317 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e7811 = phi_19963_;
+let _e7811 = phi_19965_;
 let _e7814 = select(1f, select(1f, _e1219, (_e1219 < 1f)), _e556);
 let _e7816 = ((_e799 & 16u) == 0u);
 if _e7816 {
-phi_20376_ = type_7(1f, 1f, 1f);
+phi_20378_ = type_7(1f, 1f, 1f);
 } else {
-let _e7821 = global_5.member[_e459].member_14.member;
+let _e7821 = global_5.member[_e459].member_16.member;
 let _e7832 = ((((_e7821.member.member * _e492) + (_e7821.member.member_1 * _e494)) + (_e7821.member.member_2 * _e488)) + _e7821.member_1);
 let _e7838 = ((((_e7821.member.member * _e6064.member_1.x) + (_e7821.member.member_1 * _e6064.member_1.y)) + (_e7821.member.member_2 * _e6064.member_1.z)) + _e7821.member_1);
 let _e7840 = select(_e7838, _e7832, (_e7832 < _e7838));
@@ -2943,9 +2945,9 @@ let _e7844 = (_e7842 - _e7840);
 let _e7847 = (-(_e7840) / select(1e-30f, _e7844, (_e7844 > 1e-30f)));
 let _e7849 = select(0f, _e7847, (_e7847 > 0f));
 let _e7855 = select(select(select(1f, _e7849, (_e7849 < 1f)), 1f, (_e7842 <= 0f)), 0f, (_e7840 > 0f));
-let _e7861 = global_5.member[_e459].member_14.member_1;
+let _e7861 = global_5.member[_e459].member_16.member_1;
 let _e7862 = (_e7861 != 0u);
-let _e7873 = global_5.member[_e459].member_15.member;
+let _e7873 = global_5.member[_e459].member_17.member;
 let _e7884 = ((((_e7873.member.member * _e492) + (_e7873.member.member_1 * _e494)) + (_e7873.member.member_2 * _e488)) + _e7873.member_1);
 let _e7890 = ((((_e7873.member.member * _e6064.member_1.x) + (_e7873.member.member_1 * _e6064.member_1.y)) + (_e7873.member.member_2 * _e6064.member_1.z)) + _e7873.member_1);
 let _e7892 = select(_e7890, _e7884, (_e7884 < _e7890));
@@ -2954,9 +2956,9 @@ let _e7896 = (_e7894 - _e7892);
 let _e7899 = (-(_e7892) / select(1e-30f, _e7896, (_e7896 > 1e-30f)));
 let _e7901 = select(0f, _e7899, (_e7899 > 0f));
 let _e7907 = select(select(select(1f, _e7901, (_e7901 < 1f)), 1f, (_e7894 <= 0f)), 0f, (_e7892 > 0f));
-let _e7913 = global_5.member[_e459].member_15.member_1;
+let _e7913 = global_5.member[_e459].member_17.member_1;
 let _e7914 = (_e7913 != 0u);
-let _e7925 = global_5.member[_e459].member_16.member;
+let _e7925 = global_5.member[_e459].member_18.member;
 let _e7936 = ((((_e7925.member.member * _e492) + (_e7925.member.member_1 * _e494)) + (_e7925.member.member_2 * _e488)) + _e7925.member_1);
 let _e7942 = ((((_e7925.member.member * _e6064.member_1.x) + (_e7925.member.member_1 * _e6064.member_1.y)) + (_e7925.member.member_2 * _e6064.member_1.z)) + _e7925.member_1);
 let _e7944 = select(_e7942, _e7936, (_e7936 < _e7942));
@@ -2965,9 +2967,9 @@ let _e7948 = (_e7946 - _e7944);
 let _e7951 = (-(_e7944) / select(1e-30f, _e7948, (_e7948 > 1e-30f)));
 let _e7953 = select(0f, _e7951, (_e7951 > 0f));
 let _e7959 = select(select(select(1f, _e7953, (_e7953 < 1f)), 1f, (_e7946 <= 0f)), 0f, (_e7944 > 0f));
-let _e7965 = global_5.member[_e459].member_16.member_1;
+let _e7965 = global_5.member[_e459].member_18.member_1;
 let _e7966 = (_e7965 != 0u);
-let _e7977 = global_5.member[_e459].member_17.member;
+let _e7977 = global_5.member[_e459].member_19.member;
 let _e7988 = ((((_e7977.member.member * _e492) + (_e7977.member.member_1 * _e494)) + (_e7977.member.member_2 * _e488)) + _e7977.member_1);
 let _e7994 = ((((_e7977.member.member * _e6064.member_1.x) + (_e7977.member.member_1 * _e6064.member_1.y)) + (_e7977.member.member_2 * _e6064.member_1.z)) + _e7977.member_1);
 let _e7996 = select(_e7994, _e7988, (_e7988 < _e7994));
@@ -2976,12 +2978,12 @@ let _e8000 = (_e7998 - _e7996);
 let _e8003 = (-(_e7996) / select(1e-30f, _e8000, (_e8000 > 1e-30f)));
 let _e8005 = select(0f, _e8003, (_e8003 > 0f));
 let _e8011 = select(select(select(1f, _e8005, (_e8005 < 1f)), 1f, (_e7998 <= 0f)), 0f, (_e7996 > 0f));
-let _e8017 = global_5.member[_e459].member_17.member_1;
+let _e8017 = global_5.member[_e459].member_19.member_1;
 let _e8018 = (_e8017 != 0u);
-phi_20376_ = type_7(((((1f * _e7855) * _e7907) * _e7959) * _e8011), ((((1f * select(1f, _e7855, _e7862)) * select(1f, _e7907, _e7914)) * select(1f, _e7959, _e7966)) * select(1f, _e8011, _e8018)), ((((1f * select(1f, 0f, (_e7862 && (_e7838 > 0f)))) * select(1f, 0f, (_e7914 && (_e7890 > 0f)))) * select(1f, 0f, (_e7966 && (_e7942 > 0f)))) * select(1f, 0f, (_e8018 && (_e7994 > 0f)))));
+phi_20378_ = type_7(((((1f * _e7855) * _e7907) * _e7959) * _e8011), ((((1f * select(1f, _e7855, _e7862)) * select(1f, _e7907, _e7914)) * select(1f, _e7959, _e7966)) * select(1f, _e8011, _e8018)), ((((1f * select(1f, 0f, (_e7862 && (_e7838 > 0f)))) * select(1f, 0f, (_e7914 && (_e7890 > 0f)))) * select(1f, 0f, (_e7966 && (_e7942 > 0f)))) * select(1f, 0f, (_e8018 && (_e7994 > 0f)))));
 }
-let _e8027 = phi_20376_;
-let _e8034 = global_5.member[_e459].member_5.member_3;
+let _e8027 = phi_20378_;
+let _e8034 = global_5.member[_e459].member_7.member_3;
 let _e8035 = ((_e6064.member_3 * _e7814) * _e8034);
 let _e8036 = (_e468.member_2 == 3u);
 let _e8039 = ((_e8036 || (_e468.member_2 == 4u)) || _e831);
@@ -3192,7 +3194,7 @@ let _e9926 = ((_e9904 - (_e9922 * 0.6933594f)) - (_e9922 * -2.1219444e-4f));
 let _e9946 = ((1f + (_e9926 * (1f + (_e9926 * (0.5f + (_e9926 * (0.16666667f + (_e9926 * (0.041666668f + (_e9926 * (0.008333334f + (_e9926 * (0.001388889f + (_e9926 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9921 + 127i)) << bitcast<u32>(23i))));
 let _e9947 = (1f - _e9946);
 let _e9950 = (_e9947 / select(1e-12f, _e9896, (_e9896 > 1e-12f)));
-phi_24541_ = type_40(_e9946, _e9947, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e9657 + (((_e9662 + (((bitcast<f32>(((_e9628 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9662) * _e9590)) - _e9657) * _e9588)) * _e9592) + (((bitcast<f32>(((_e9636 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9577) + ((bitcast<f32>(((_e9644 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9583))) * _e9950), ((((_e9713 + (((_e9718 + (((bitcast<f32>((((_e9628 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9718) * _e9590)) - _e9713) * _e9588)) * _e9592) + (((bitcast<f32>((((_e9636 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9577) + ((bitcast<f32>((((_e9644 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9583))) * _e9950), ((((_e9809 + (((_e9814 + (((bitcast<f32>(((_e9780 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9814) * _e9590)) - _e9809) * _e9588)) * _e9592) + (((bitcast<f32>(((_e9788 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9577) + ((bitcast<f32>(((_e9796 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9583))) * _e9950)));
+phi_24543_ = type_40(_e9946, _e9947, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e9657 + (((_e9662 + (((bitcast<f32>(((_e9628 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9662) * _e9590)) - _e9657) * _e9588)) * _e9592) + (((bitcast<f32>(((_e9636 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9577) + ((bitcast<f32>(((_e9644 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9583))) * _e9950), ((((_e9713 + (((_e9718 + (((bitcast<f32>((((_e9628 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9718) * _e9590)) - _e9713) * _e9588)) * _e9592) + (((bitcast<f32>((((_e9636 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9577) + ((bitcast<f32>((((_e9644 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9583))) * _e9950), ((((_e9809 + (((_e9814 + (((bitcast<f32>(((_e9780 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9814) * _e9590)) - _e9809) * _e9588)) * _e9592) + (((bitcast<f32>(((_e9788 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9577) + ((bitcast<f32>(((_e9796 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9583))) * _e9950)));
 } else {
 local_3 = _e1485;
 let _e8041 = local_3;
@@ -3471,9 +3473,9 @@ let _e9165 = ((_e9143 - (_e9161 * 0.6933594f)) - (_e9161 * -2.1219444e-4f));
 let _e9185 = ((1f + (_e9165 * (1f + (_e9165 * (0.5f + (_e9165 * (0.16666667f + (_e9165 * (0.041666668f + (_e9165 * (0.008333334f + (_e9165 * (0.001388889f + (_e9165 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9160 + 127i)) << bitcast<u32>(23i))));
 let _e9186 = (1f - _e9185);
 let _e9189 = (_e9186 / select(1e-12f, _e8532, (_e8532 > 1e-12f)));
-phi_24541_ = type_40(_e9185, _e9186, vec3<f32>(((1f + (_e9020 * (1f + (_e9020 * (0.5f + (_e9020 * (0.16666667f + (_e9020 * (0.041666668f + (_e9020 * (0.008333334f + (_e9020 * (0.001388889f + (_e9020 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9015 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9068 * (1f + (_e9068 * (0.5f + (_e9068 * (0.16666667f + (_e9068 * (0.041666668f + (_e9068 * (0.008333334f + (_e9068 * (0.001388889f + (_e9068 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9063 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9116 * (1f + (_e9116 * (0.5f + (_e9116 * (0.16666667f + (_e9116 * (0.041666668f + (_e9116 * (0.008333334f + (_e9116 * (0.001388889f + (_e9116 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9111 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e8805 + (((_e8810 + (((bitcast<f32>(((_e8776 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8810) * _e8435)) - _e8805) * _e8433)) * _e8437) + (((bitcast<f32>(((_e8784 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8422) + ((bitcast<f32>(((_e8792 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8428))) * _e9189), ((((_e8861 + (((_e8866 + (((bitcast<f32>((((_e8776 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8866) * _e8435)) - _e8861) * _e8433)) * _e8437) + (((bitcast<f32>((((_e8784 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8422) + ((bitcast<f32>((((_e8792 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8428))) * _e9189), ((((_e8957 + (((_e8962 + (((bitcast<f32>(((_e8928 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8962) * _e8435)) - _e8957) * _e8433)) * _e8437) + (((bitcast<f32>(((_e8936 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8422) + ((bitcast<f32>(((_e8944 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8428))) * _e9189)));
+phi_24543_ = type_40(_e9185, _e9186, vec3<f32>(((1f + (_e9020 * (1f + (_e9020 * (0.5f + (_e9020 * (0.16666667f + (_e9020 * (0.041666668f + (_e9020 * (0.008333334f + (_e9020 * (0.001388889f + (_e9020 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9015 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9068 * (1f + (_e9068 * (0.5f + (_e9068 * (0.16666667f + (_e9068 * (0.041666668f + (_e9068 * (0.008333334f + (_e9068 * (0.001388889f + (_e9068 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9063 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9116 * (1f + (_e9116 * (0.5f + (_e9116 * (0.16666667f + (_e9116 * (0.041666668f + (_e9116 * (0.008333334f + (_e9116 * (0.001388889f + (_e9116 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9111 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e8805 + (((_e8810 + (((bitcast<f32>(((_e8776 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8810) * _e8435)) - _e8805) * _e8433)) * _e8437) + (((bitcast<f32>(((_e8784 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8422) + ((bitcast<f32>(((_e8792 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8428))) * _e9189), ((((_e8861 + (((_e8866 + (((bitcast<f32>((((_e8776 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8866) * _e8435)) - _e8861) * _e8433)) * _e8437) + (((bitcast<f32>((((_e8784 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8422) + ((bitcast<f32>((((_e8792 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8428))) * _e9189), ((((_e8957 + (((_e8962 + (((bitcast<f32>(((_e8928 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e8962) * _e8435)) - _e8957) * _e8433)) * _e8437) + (((bitcast<f32>(((_e8936 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8422) + ((bitcast<f32>(((_e8944 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e8428))) * _e9189)));
 }
-let _e9957 = phi_24541_;
+let _e9957 = phi_24543_;
 let _e9958 = (_e6064.member_1.x - _e492);
 let _e9959 = (_e6064.member_1.y - _e494);
 let _e9960 = (_e6064.member_1.z - _e488);
@@ -3482,55 +3484,55 @@ let _e9965 = (_e492 + (_e9958 * _e9961));
 let _e9966 = (_e494 + (_e9959 * _e9961));
 let _e9967 = (_e488 + (_e9960 * _e9961));
 if _e8036 {
-let _e11652 = global_5.member[_e459].member_10.member_3;
+let _e11652 = global_5.member[_e459].member_12.member_3;
 let _e11653 = (_e11652 == 0u);
 if _e11653 {
-let _e11882 = global_5.member[_e459].member_9.member_1;
-let _e11891 = global_5.member[_e459].member_9.member;
-phi_24811_ = type_35(vec3<f32>(_e11882.member, _e11882.member_1, _e11882.member_2), vec3<f32>(_e11891.member, _e11891.member_1, _e11891.member_2));
+let _e11882 = global_5.member[_e459].member_11.member_1;
+let _e11891 = global_5.member[_e459].member_11.member;
+phi_24813_ = type_35(vec3<f32>(_e11882.member, _e11882.member_1, _e11882.member_2), vec3<f32>(_e11891.member, _e11891.member_1, _e11891.member_2));
 } else {
-let _e11658 = global_5.member[_e459].member_10.member;
+let _e11658 = global_5.member[_e459].member_12.member;
 let _e11669 = ((((_e11658.member.member * _e9965) + (_e11658.member.member_1 * _e9966)) + (_e11658.member.member_2 * _e9967)) + _e11658.member_1);
-let _e11674 = global_5.member[_e459].member_10.member_1;
+let _e11674 = global_5.member[_e459].member_12.member_1;
 let _e11685 = ((((_e11674.member.member * _e9965) + (_e11674.member.member_1 * _e9966)) + (_e11674.member.member_2 * _e9967)) + _e11674.member_1);
-let _e11690 = global_5.member[_e459].member_10.member_2;
+let _e11690 = global_5.member[_e459].member_12.member_2;
 let _e11701 = ((((_e11690.member.member * _e9965) + (_e11690.member.member_1 * _e9966)) + (_e11690.member.member_2 * _e9967)) + _e11690.member_1);
-let _e11706 = global_5.member[_e459].member_9.member_1;
+let _e11706 = global_5.member[_e459].member_11.member_1;
 if _e11653 {
-phi_24655_ = 1f;
+phi_24657_ = 1f;
 } else {
-let _e11714 = global_5.member[_e459].member_10.member_19;
+let _e11714 = global_5.member[_e459].member_12.member_19;
 let _e11718 = (_e11669 - _e11714.member);
 let _e11719 = (_e11685 - _e11714.member_1);
 let _e11720 = (_e11701 - _e11714.member_2);
 let _e11725 = (((_e11718 * _e11718) + (_e11719 * _e11719)) + (_e11720 * _e11720));
-phi_24655_ = (1f / select(1e-12f, _e11725, (_e11725 > 1e-12f)));
+phi_24657_ = (1f / select(1e-12f, _e11725, (_e11725 > 1e-12f)));
 }
-let _e11730 = phi_24655_;
+let _e11730 = phi_24657_;
 if _e11653 {
-phi_24739_ = 1f;
+phi_24741_ = 1f;
 } else {
-let _e11735 = global_5.member[_e459].member_10.member_19;
+let _e11735 = global_5.member[_e459].member_12.member_19;
 let _e11739 = (_e11669 - _e11735.member);
 let _e11740 = (_e11685 - _e11735.member_1);
 let _e11741 = (_e11701 - _e11735.member_2);
-let _e11747 = global_5.member[_e459].member_10.member_20.member;
+let _e11747 = global_5.member[_e459].member_12.member_20.member;
 let _e11755 = (((_e11747.member * _e11739) + (_e11747.member_1 * _e11740)) + (_e11747.member_2 * _e11741));
 let _e11759 = (_e11739 - (_e11747.member * _e11755));
 let _e11760 = (_e11740 - (_e11747.member_1 * _e11755));
 let _e11761 = (_e11741 - (_e11747.member_2 * _e11755));
 let _e11766 = (((_e11759 * _e11759) + (_e11760 * _e11760)) + (_e11761 * _e11761));
-let _e11778 = global_5.member[_e459].member_10.member_20.member_1;
-let _e11785 = global_5.member[_e459].member_10.member_20.member_2;
+let _e11778 = global_5.member[_e459].member_12.member_20.member_1;
+let _e11785 = global_5.member[_e459].member_12.member_20.member_2;
 let _e11786 = ((_e11778 - (sqrt(select(0f, _e11766, (_e11766 > 0f))) / select(1e-20f, _e11755, (_e11755 > 1e-20f)))) * _e11785);
 let _e11788 = select(0f, _e11786, (_e11786 > 0f));
 let _e11790 = select(1f, _e11788, (_e11788 < 1f));
-phi_24739_ = select(1f, select(0f, ((_e11790 * _e11790) * (3f - (2f * _e11790))), (_e11755 > 0f)), (_e11785 > 0f));
+phi_24741_ = select(1f, select(0f, ((_e11790 * _e11790) * (3f - (2f * _e11790))), (_e11755 > 0f)), (_e11785 > 0f));
 }
-let _e11800 = phi_24739_;
+let _e11800 = phi_24741_;
 let _e11801 = (_e11730 * _e11800);
 let _e11806 = (_e11652 != 0u);
-let _e11811 = global_5.member[_e459].member_10.member_19;
+let _e11811 = global_5.member[_e459].member_12.member_19;
 let _e11815 = (_e11669 - _e11811.member);
 let _e11816 = (_e11685 - _e11811.member_1);
 let _e11817 = (_e11701 - _e11811.member_2);
@@ -3540,28 +3542,28 @@ let _e11828 = (1f / select(1e-20f, _e11825, (_e11825 > 1e-20f)));
 let _e11832 = select(0f, (_e11815 * _e11828), _e11806);
 let _e11833 = select(0f, (_e11816 * _e11828), _e11806);
 let _e11834 = select(1f, (_e11817 * _e11828), _e11806);
-let _e11840 = global_5.member[_e459].member_10.member.member;
-let _e11852 = global_5.member[_e459].member_10.member_1.member;
-let _e11867 = global_5.member[_e459].member_10.member_2.member;
-phi_24811_ = type_35(vec3<f32>((_e11706.member * _e11801), (_e11706.member_1 * _e11801), (_e11706.member_2 * _e11801)), (vec3<f32>(((_e11840.member * _e11832) + (_e11852.member * _e11833)), ((_e11840.member_1 * _e11832) + (_e11852.member_1 * _e11833)), ((_e11840.member_2 * _e11832) + (_e11852.member_2 * _e11833))) + vec3<f32>((_e11867.member * _e11834), (_e11867.member_1 * _e11834), (_e11867.member_2 * _e11834))));
+let _e11840 = global_5.member[_e459].member_12.member.member;
+let _e11852 = global_5.member[_e459].member_12.member_1.member;
+let _e11867 = global_5.member[_e459].member_12.member_2.member;
+phi_24813_ = type_35(vec3<f32>((_e11706.member * _e11801), (_e11706.member_1 * _e11801), (_e11706.member_2 * _e11801)), (vec3<f32>(((_e11840.member * _e11832) + (_e11852.member * _e11833)), ((_e11840.member_1 * _e11832) + (_e11852.member_1 * _e11833)), ((_e11840.member_2 * _e11832) + (_e11852.member_2 * _e11833))) + vec3<f32>((_e11867.member * _e11834), (_e11867.member_1 * _e11834), (_e11867.member_2 * _e11834))));
 }
-let _e11898 = phi_24811_;
-phi_27223_ = _e11898;
+let _e11898 = phi_24813_;
+phi_27225_ = _e11898;
 } else {
 if (_e468.member_2 >= 6u) {
-let _e11031 = global_5.member[_e459].member_8.member_8;
+let _e11031 = global_5.member[_e459].member_10.member_8;
 let _e11032 = (_e9967 - _e11031);
-let _e11037 = global_5.member[_e459].member_8.member_2;
-let _e11042 = global_5.member[_e459].member_8.member_6;
-let _e11050 = global_5.member[_e459].member_8.member_5;
+let _e11037 = global_5.member[_e459].member_10.member_2;
+let _e11042 = global_5.member[_e459].member_10.member_6;
+let _e11050 = global_5.member[_e459].member_10.member_5;
 let _e11052 = (((_e9965 - (_e11037 + (_e11042 * _e11032))) * _e11050) - 0.5f);
-let _e11057 = global_5.member[_e459].member_8.member_3;
-let _e11062 = global_5.member[_e459].member_8.member_7;
+let _e11057 = global_5.member[_e459].member_10.member_3;
+let _e11062 = global_5.member[_e459].member_10.member_7;
 let _e11067 = (((_e9966 - (_e11057 + (_e11062 * _e11032))) * _e11050) - 0.5f);
-let _e11072 = global_5.member[_e459].member_8.member;
+let _e11072 = global_5.member[_e459].member_10.member;
 let _e11073 = bitcast<i32>(_e11072);
 let _e11075 = (f32(_e11073) - 1f);
-let _e11080 = global_5.member[_e459].member_8.member_1;
+let _e11080 = global_5.member[_e459].member_10.member_1;
 let _e11083 = (f32(bitcast<i32>(_e11080)) - 1f);
 let _e11085 = select(0f, _e11052, (_e11052 > 0f));
 let _e11087 = select(_e11075, _e11085, (_e11085 < _e11075));
@@ -3574,7 +3576,7 @@ let _e11113 = (_e11109 - select(0i, 1i, (_e11102 < f32(_e11109))));
 let _e11117 = (_e11052 - f32(_e11098));
 let _e11119 = (_e11067 - f32(_e11113));
 let _e11126 = ((((_e11052 >= 0f) && (_e11052 <= _e11075)) && (_e11067 >= 0f)) && (_e11067 <= _e11083));
-let _e11130 = global_5.member[_e459].member_4;
+let _e11130 = global_5.member[_e459].member_6;
 let _e11131 = bitcast<i32>(_e11130);
 let _e11133 = bitcast<i32>((_e11072 * _e11080));
 let _e11135 = (_e11131 + (3i * _e11133));
@@ -3610,7 +3612,7 @@ let _e11227 = bitcast<u32>(bitcast<f32>(_e11225));
 let _e11237 = f32((bitcast<i32>(((_e11227 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11245 = (_e11152 + ((f32((bitcast<i32>((_e11174 & 65535u)) - 32768i)) - _e11152) * _e11117));
 let _e11254 = (_e11163 + ((select(_e11184, -(_e11184), ((_e11174 >> bitcast<u32>(31i)) != 0u)) - _e11163) * _e11117));
-let _e11267 = global_5.member[_e459].member_9.member;
+let _e11267 = global_5.member[_e459].member_11.member;
 let _e11270 = (1f / 16255f);
 let _e11272 = (_e11267.member + (select(0f, (_e11245 + (((_e11204 + ((f32((bitcast<i32>((_e11227 & 65535u)) - 32768i)) - _e11204) * _e11117)) - _e11245) * _e11119)), _e11126) * _e11270));
 let _e11274 = (_e11267.member_1 + (select(0f, (_e11254 + (((_e11215 + ((select(_e11237, -(_e11237), ((_e11227 >> bitcast<u32>(31i)) != 0u)) - _e11215) * _e11117)) - _e11254) * _e11119)), _e11126) * _e11270));
@@ -3650,7 +3652,7 @@ let _e11375 = select(_e11139, _e11373, (_e11373 < _e11139));
 let _e11381 = global_3.member[bitcast<u32>(select(0i, _e11375, (_e11375 > 0i)))];
 let _e11389 = select(1f, (_e11362 + (((_e11372 + ((bitcast<f32>(_e11381) - _e11372) * _e11330)) - _e11362) * _e11332)), _e11339);
 if _e8039 {
-phi_25556_ = vec3(_e11389);
+phi_25558_ = vec3(_e11389);
 } else {
 let _e11392 = ((_e11131 + _e11133) + _e11328);
 let _e11394 = select(_e11139, _e11392, (_e11392 < _e11139));
@@ -3682,9 +3684,9 @@ let _e11476 = bitcast<f32>(_e11475);
 let _e11477 = (_e11467 + 1i);
 let _e11479 = select(_e11139, _e11477, (_e11477 < _e11139));
 let _e11485 = global_3.member[bitcast<u32>(select(0i, _e11479, (_e11479 > 0i)))];
-phi_25556_ = vec3<f32>(_e11389, select(1f, (_e11414 + (((_e11424 + ((bitcast<f32>(_e11433) - _e11424) * _e11330)) - _e11414) * _e11332)), _e11339), select(1f, (_e11466 + (((_e11476 + ((bitcast<f32>(_e11485) - _e11476) * _e11330)) - _e11466) * _e11332)), _e11339));
+phi_25558_ = vec3<f32>(_e11389, select(1f, (_e11414 + (((_e11424 + ((bitcast<f32>(_e11433) - _e11424) * _e11330)) - _e11414) * _e11332)), _e11339), select(1f, (_e11466 + (((_e11476 + ((bitcast<f32>(_e11485) - _e11476) * _e11330)) - _e11466) * _e11332)), _e11339));
 }
-let _e11496 = phi_25556_;
+let _e11496 = phi_25558_;
 local = (_e11135 + _e11328);
 let _e11498 = local;
 let _e11500 = select(_e11139, _e11498, (_e11498 < _e11139));
@@ -3715,12 +3717,12 @@ let _e11585 = bitcast<u32>(bitcast<f32>(_e11583));
 let _e11595 = f32((bitcast<i32>(((_e11585 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e11603 = (_e11511 + ((f32((bitcast<i32>((_e11533 & 65535u)) - 32768i)) - _e11511) * _e11330));
 let _e11612 = (_e11522 + ((select(_e11543, -(_e11543), ((_e11533 >> bitcast<u32>(31i)) != 0u)) - _e11522) * _e11330));
-let _e11625 = global_5.member[_e459].member_9.member_1;
+let _e11625 = global_5.member[_e459].member_11.member_1;
 let _e11632 = (_e11267.member + (select(0f, (_e11603 + (((_e11563 + ((f32((bitcast<i32>((_e11585 & 65535u)) - 32768i)) - _e11563) * _e11330)) - _e11603) * _e11332)), _e11339) * _e11270));
 let _e11634 = (_e11267.member_1 + (select(0f, (_e11612 + (((_e11574 + ((select(_e11595, -(_e11595), ((_e11585 >> bitcast<u32>(31i)) != 0u)) - _e11574) * _e11330)) - _e11612) * _e11332)), _e11339) * _e11270));
 let _e11638 = (1f - ((_e11632 * _e11632) + (_e11634 * _e11634)));
 let _e11640 = select(1e-4f, _e11638, (_e11638 > 1e-4f));
-phi_27222_ = type_35((_e11496 * vec3<f32>(_e11625.member, _e11625.member_1, _e11625.member_2)), vec3<f32>(_e11632, _e11634, sqrt(select(0f, _e11640, (_e11640 > 0f)))));
+phi_27224_ = type_35((_e11496 * vec3<f32>(_e11625.member, _e11625.member_1, _e11625.member_2)), vec3<f32>(_e11632, _e11634, sqrt(select(0f, _e11640, (_e11640 > 0f)))));
 } else {
 let _e9970 = (1f - _e9957.member);
 let _e9972 = select(1e-6f, _e9957.member, (_e9957.member > 1e-6f));
@@ -3735,25 +3737,25 @@ let _e10023 = (_e7814 * select(((1f / select(1e-3f, _e10010, (_e10010 > 1e-3f)))
 let _e10027 = (_e492 + (_e9958 * _e10023));
 let _e10028 = (_e494 + (_e9959 * _e10023));
 let _e10029 = (_e488 + (_e9960 * _e10023));
-let _e10034 = global_5.member[_e459].member_10.member;
+let _e10034 = global_5.member[_e459].member_12.member;
 let _e10045 = ((((_e10034.member.member * _e10027) + (_e10034.member.member_1 * _e10028)) + (_e10034.member.member_2 * _e10029)) + _e10034.member_1);
-let _e10050 = global_5.member[_e459].member_10.member_1;
+let _e10050 = global_5.member[_e459].member_12.member_1;
 let _e10061 = ((((_e10050.member.member * _e10027) + (_e10050.member.member_1 * _e10028)) + (_e10050.member.member_2 * _e10029)) + _e10050.member_1);
-let _e10066 = global_5.member[_e459].member_10.member_2;
+let _e10066 = global_5.member[_e459].member_12.member_2;
 let _e10077 = ((((_e10066.member.member * _e10027) + (_e10066.member.member_1 * _e10028)) + (_e10066.member.member_2 * _e10029)) + _e10066.member_1);
-let _e10082 = global_5.member[_e459].member_10.member_3;
+let _e10082 = global_5.member[_e459].member_12.member_3;
 let _e10083 = (_e10082 != 0u);
-let _e10093 = global_5.member[_e459].member_10.member_19.member_2;
+let _e10093 = global_5.member[_e459].member_12.member_19.member_2;
 let _e10095 = select(1f, (_e10077 - _e10093), _e10083);
 let _e10098 = (1f / select(1e-12f, _e10095, (_e10095 > 1e-12f)));
-let _e10104 = global_5.member[_e459].member_10.member_5;
-let _e10110 = global_5.member[_e459].member_10.member_8;
-let _e10117 = global_5.member[_e459].member_10.member_6;
-let _e10124 = global_5.member[_e459].member_10.member_11;
+let _e10104 = global_5.member[_e459].member_12.member_5;
+let _e10110 = global_5.member[_e459].member_12.member_8;
+let _e10117 = global_5.member[_e459].member_12.member_6;
+let _e10124 = global_5.member[_e459].member_12.member_11;
 let _e10125 = ((((_e10045 * _e10098) - _e10104) * _e10110) - _e10124);
 let _e10126 = ((((_e10061 * _e10098) - _e10117) * _e10110) - _e10124);
-let _e10131 = global_5.member[_e459].member_10.member_9;
-let _e10137 = global_5.member[_e459].member_10.member_10;
+let _e10131 = global_5.member[_e459].member_12.member_9;
+let _e10137 = global_5.member[_e459].member_12.member_10;
 let _e10138 = ((_e10077 - _e10131) * _e10137);
 let _e10139 = -(65536f);
 let _e10141 = select(_e10139, _e10125, (_e10125 > _e10139));
@@ -3772,17 +3774,17 @@ let _e10186 = (firstTrailingBit(8u) & 31u);
 let _e10188 = (_e10184 >> bitcast<u32>(_e10186));
 let _e10190 = (_e10154 >> bitcast<u32>(_e10186));
 let _e10192 = (_e10169 >> bitcast<u32>(_e10186));
-let _e10198 = global_5.member[_e459].member_10.member_14.member;
+let _e10198 = global_5.member[_e459].member_12.member_14.member;
 let _e10199 = bitcast<i32>(_e10198);
-let _e10205 = global_5.member[_e459].member_10.member_14.member_1;
+let _e10205 = global_5.member[_e459].member_12.member_14.member_1;
 let _e10206 = bitcast<i32>(_e10205);
-let _e10212 = global_5.member[_e459].member_10.member_14.member_2;
+let _e10212 = global_5.member[_e459].member_12.member_14.member_2;
 if ((((((_e10190 >= 0i) && (_e10190 < _e10199)) && (_e10192 >= 0i)) && (_e10192 < _e10206)) && (_e10188 >= 0i)) && (_e10188 < bitcast<i32>(_e10212))) {
-phi_26070_ = (((((_e10188 * _e10206) + _e10192) * _e10199) + _e10190) * 3i);
+phi_26072_ = (((((_e10188 * _e10206) + _e10192) * _e10199) + _e10190) * 3i);
 } else {
-phi_26070_ = -1i;
+phi_26072_ = -1i;
 }
-let _e10231 = phi_26070_;
+let _e10231 = phi_26072_;
 let _e10232 = (_e10231 + 1i);
 let _e10234 = (bitcast<i32>(_e233) - 1i);
 let _e10236 = select(_e10234, _e10232, (_e10232 < _e10234));
@@ -3790,7 +3792,7 @@ let _e10242 = global_3.member[bitcast<u32>(select(0i, _e10236, (_e10236 > 0i)))]
 let _e10244 = select(_e10234, _e10231, (_e10231 < _e10234));
 let _e10250 = global_3.member[bitcast<u32>(select(0i, _e10244, (_e10244 > 0i)))];
 let _e10253 = select(_e10242, 0u, (_e10231 < 0i));
-let _e10258 = global_5.member[_e459].member_10.member_13;
+let _e10258 = global_5.member[_e459].member_12.member_13;
 let _e10259 = (_e10253 * 81u);
 let _e10263 = bitcast<i32>((((_e10259 * _e10258) + 63u) & 4294967232u));
 let _e10271 = (((bitcast<i32>(_e10250) + ((_e10184 & 7i) * _e10263)) + ((_e10169 & 7i) * 9i)) + (_e10154 & 7i));
@@ -3831,9 +3833,9 @@ let _e10363 = select(_e10234, _e10361, (_e10361 < _e10234));
 let _e10369 = global_3.member[bitcast<u32>(select(0i, _e10363, (_e10363 > 0i)))];
 let _e10380 = select(1f, (_e10327 + (((_e10350 + (((_e10360 + ((bitcast<f32>(_e10369) - _e10360) * _e10274)) - _e10350) * _e10276)) - _e10327) * _e10278)), _e10279);
 if _e8039 {
-phi_26647_ = vec3(_e10380);
+phi_26649_ = vec3(_e10380);
 } else {
-let _e10386 = global_5.member[_e459].member_10.member_12;
+let _e10386 = global_5.member[_e459].member_12.member_12;
 let _e10387 = (_e10386 > 1u);
 let _e10391 = (_e10271 + (select(0i, 1i, _e10387) * _e10272));
 let _e10393 = select(_e10234, _e10391, (_e10391 < _e10234));
@@ -3897,10 +3899,10 @@ let _e10575 = bitcast<f32>(_e10574);
 let _e10576 = (_e10543 + 10i);
 let _e10578 = select(_e10234, _e10576, (_e10576 < _e10234));
 let _e10584 = global_3.member[bitcast<u32>(select(0i, _e10578, (_e10578 > 0i)))];
-phi_26647_ = vec3<f32>(_e10380, select(1f, (_e10439 + (((_e10462 + (((_e10472 + ((bitcast<f32>(_e10481) - _e10472) * _e10274)) - _e10462) * _e10276)) - _e10439) * _e10278)), _e10279), select(1f, (_e10542 + (((_e10565 + (((_e10575 + ((bitcast<f32>(_e10584) - _e10575) * _e10274)) - _e10565) * _e10276)) - _e10542) * _e10278)), _e10279));
+phi_26649_ = vec3<f32>(_e10380, select(1f, (_e10439 + (((_e10462 + (((_e10472 + ((bitcast<f32>(_e10481) - _e10472) * _e10274)) - _e10462) * _e10276)) - _e10439) * _e10278)), _e10279), select(1f, (_e10542 + (((_e10565 + (((_e10575 + ((bitcast<f32>(_e10584) - _e10575) * _e10274)) - _e10565) * _e10276)) - _e10542) * _e10278)), _e10279));
 }
-let _e10598 = phi_26647_;
-let _e10599 = global_5.member[_e459].member_10.member_19;
+let _e10598 = phi_26649_;
+let _e10599 = global_5.member[_e459].member_12.member_19;
 let _e10603 = (_e10045 - _e10599.member);
 let _e10604 = (_e10061 - _e10599.member_1);
 let _e10605 = (_e10077 - _e10599.member_2);
@@ -3968,46 +3970,46 @@ let _e10879 = (_e10620 + select(0f, ((_e10745 + (((_e10803 + (((_e10821 + ((f32(
 let _e10882 = (_e10621 + select(0f, ((_e10748 + (((_e10806 + (((_e10832 + ((select(_e10853, -(_e10853), ((_e10843 >> bitcast<u32>(31i)) != 0u)) - _e10832) * _e10274)) - _e10806) * _e10276)) - _e10748) * _e10278)) * 6.151953e-5f), _e10279));
 let _e10886 = (1f - ((_e10879 * _e10879) + (_e10882 * _e10882)));
 let _e10888 = select(1e-4f, _e10886, (_e10886 > 1e-4f));
-phi_27054_ = vec3<f32>(_e10879, _e10882, sqrt(select(0f, _e10888, (_e10888 > 0f))));
+phi_27056_ = vec3<f32>(_e10879, _e10882, sqrt(select(0f, _e10888, (_e10888 > 0f))));
 } else {
-phi_27054_ = vec3<f32>(_e10620, _e10621, select(1f, (_e10605 * _e10616), _e10083));
+phi_27056_ = vec3<f32>(_e10620, _e10621, select(1f, (_e10605 * _e10616), _e10083));
 }
-let _e10894 = phi_27054_;
+let _e10894 = phi_27056_;
 let _e10896 = (_e10082 == 0u);
 if _e10896 {
-phi_27148_ = 1f;
+phi_27150_ = 1f;
 } else {
-let _e10902 = global_5.member[_e459].member_10.member_20.member;
+let _e10902 = global_5.member[_e459].member_12.member_20.member;
 let _e10910 = (((_e10902.member * _e10603) + (_e10902.member_1 * _e10604)) + (_e10902.member_2 * _e10605));
 let _e10914 = (_e10603 - (_e10902.member * _e10910));
 let _e10915 = (_e10604 - (_e10902.member_1 * _e10910));
 let _e10916 = (_e10605 - (_e10902.member_2 * _e10910));
 let _e10921 = (((_e10914 * _e10914) + (_e10915 * _e10915)) + (_e10916 * _e10916));
-let _e10933 = global_5.member[_e459].member_10.member_20.member_1;
-let _e10940 = global_5.member[_e459].member_10.member_20.member_2;
+let _e10933 = global_5.member[_e459].member_12.member_20.member_1;
+let _e10940 = global_5.member[_e459].member_12.member_20.member_2;
 let _e10941 = ((_e10933 - (sqrt(select(0f, _e10921, (_e10921 > 0f))) / select(1e-20f, _e10910, (_e10910 > 1e-20f)))) * _e10940);
 let _e10943 = select(0f, _e10941, (_e10941 > 0f));
 let _e10945 = select(1f, _e10943, (_e10943 < 1f));
-phi_27148_ = select(1f, select(0f, ((_e10945 * _e10945) * (3f - (2f * _e10945))), (_e10910 > 0f)), (_e10940 > 0f));
+phi_27150_ = select(1f, select(0f, ((_e10945 * _e10945) * (3f - (2f * _e10945))), (_e10910 > 0f)), (_e10940 > 0f));
 }
-let _e10955 = phi_27148_;
-let _e10961 = global_5.member[_e459].member_9.member_1;
+let _e10955 = phi_27150_;
+let _e10961 = global_5.member[_e459].member_11.member_1;
 if _e10896 {
-phi_27190_ = 1f;
+phi_27192_ = 1f;
 } else {
-phi_27190_ = (1f / select(1e-12f, _e10610, (_e10610 > 1e-12f)));
+phi_27192_ = (1f / select(1e-12f, _e10610, (_e10610 > 1e-12f)));
 }
-let _e10975 = phi_27190_;
+let _e10975 = phi_27192_;
 let _e10976 = (_e10975 * select(_e10955, 1f, (_e838 && _e10279)));
-let _e10986 = global_5.member[_e459].member_10.member.member;
-let _e10999 = global_5.member[_e459].member_10.member_1.member;
-let _e11015 = global_5.member[_e459].member_10.member_2.member;
-phi_27222_ = type_35(vec3<f32>(((_e10598.x * _e10961.member) * _e10976), ((_e10598.y * _e10961.member_1) * _e10976), ((_e10598.z * _e10961.member_2) * _e10976)), (vec3<f32>(((_e10986.member * _e10894.x) + (_e10999.member * _e10894.y)), ((_e10986.member_1 * _e10894.x) + (_e10999.member_1 * _e10894.y)), ((_e10986.member_2 * _e10894.x) + (_e10999.member_2 * _e10894.y))) + vec3<f32>((_e11015.member * _e10894.z), (_e11015.member_1 * _e10894.z), (_e11015.member_2 * _e10894.z))));
+let _e10986 = global_5.member[_e459].member_12.member.member;
+let _e10999 = global_5.member[_e459].member_12.member_1.member;
+let _e11015 = global_5.member[_e459].member_12.member_2.member;
+phi_27224_ = type_35(vec3<f32>(((_e10598.x * _e10961.member) * _e10976), ((_e10598.y * _e10961.member_1) * _e10976), ((_e10598.z * _e10961.member_2) * _e10976)), (vec3<f32>(((_e10986.member * _e10894.x) + (_e10999.member * _e10894.y)), ((_e10986.member_1 * _e10894.x) + (_e10999.member_1 * _e10894.y)), ((_e10986.member_2 * _e10894.x) + (_e10999.member_2 * _e10894.y))) + vec3<f32>((_e11015.member * _e10894.z), (_e11015.member_1 * _e10894.z), (_e11015.member_2 * _e10894.z))));
 }
-let _e11647 = phi_27222_;
-phi_27223_ = _e11647;
+let _e11647 = phi_27224_;
+phi_27225_ = _e11647;
 }
-let _e11900 = phi_27223_;
+let _e11900 = phi_27225_;
 let _e11909 = (((_e11900.member_1.x * _e11900.member_1.x) + (_e11900.member_1.y * _e11900.member_1.y)) + (_e11900.member_1.z * _e11900.member_1.z));
 let _e11912 = sqrt(select(0f, _e11909, (_e11909 > 0f)));
 let _e11914 = ((_e799 & 8u) != 0u);
@@ -4021,15 +4023,15 @@ let _e11934 = select(_e7811.member_1.x, _e6064.member_5.x, _e6064.member_7);
 let _e11937 = select(_e7811.member_1.y, _e6064.member_5.y, _e6064.member_7);
 let _e11940 = select(_e7811.member_1.z, _e6064.member_5.z, _e6064.member_7);
 if _e6064.member_7 {
-phi_27306_ = _e6064.member.member_1;
-phi_27307_ = _e6064.member.member;
+phi_27308_ = _e6064.member.member_1;
+phi_27309_ = _e6064.member.member;
 } else {
-phi_27306_ = _e7811.member_2;
-phi_27307_ = _e6070;
+phi_27308_ = _e7811.member_2;
+phi_27309_ = _e6070;
 }
-let _e11947 = phi_27306_;
-let _e11949 = phi_27307_;
-let _e11953 = global_5.member[_e459].member_19;
+let _e11947 = phi_27308_;
+let _e11949 = phi_27309_;
+let _e11953 = global_5.member[_e459].member_21;
 let _e11958 = (((_e11934 * _e11934) + (_e11937 * _e11937)) + (_e11940 * _e11940));
 let _e11961 = sqrt(select(0f, _e11958, (_e11958 > 0f)));
 let _e11964 = (1f / select(1e-20f, _e11961, (_e11961 > 1e-20f)));
@@ -4083,14 +4085,14 @@ let _e12081 = (_e12079 + _e12040);
 let _e12084 = (_e12080 / select(1e-6f, _e12081, (_e12081 > 1e-6f)));
 let _e12088 = ((_e12040 * _e12080) + 1f);
 let _e12091 = (((_e12040 * _e12081) - 1f) / select(1e-6f, _e12088, (_e12088 > 1e-6f)));
-let _e12109 = global_5.member[_e459].member_20;
+let _e12109 = global_5.member[_e459].member_22;
 let _e12113 = ((select(0f, ((((_e12042 / ((3.1415927f * _e12046) * _e12046)) * (0.5f / select(1e-6f, _e12067, (_e12067 > 1e-6f)))) * select(select((((0.5f * _e12084) * _e12084) * (1f + (_e12091 * _e12091))), 1f, (_e12076 <= 0f)), 0f, (_e11949 == _e11947))) * _e12051), (_e12050 && (_e11961 > 1e-12f))) * _e12109) * select(_e8027.member_2, 0f, _e556));
-phi_27564_ = vec3<f32>((_e11924 * _e12113), (_e11926 * _e12113), (_e11928 * _e12113));
+phi_27566_ = vec3<f32>((_e11924 * _e12113), (_e11926 * _e12113), (_e11928 * _e12113));
 } else {
-phi_27564_ = vec3<f32>(0f, 0f, 0f);
+phi_27566_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e12119 = phi_27564_;
-let _e12123 = global_5.member[_e459].member_18;
+let _e12119 = phi_27566_;
+let _e12123 = global_5.member[_e459].member_20;
 let _e12130 = (1f - _e463[12]);
 let _e12150 = (_e463[9] + ((_e463[13] * ((_e9957.member_3.x * (_e11924 + _e12123.member)) + _e12119.x)) * _e12130));
 let _e12151 = (_e463[10] + ((_e463[14] * ((_e9957.member_3.y * (_e11926 + _e12123.member_1)) + _e12119.y)) * _e12130));
@@ -4101,17 +4103,17 @@ let _e12160 = (_e463[14] * _e9957.member_2.y);
 let _e12162 = (_e463[15] * _e9957.member_2.z);
 let _e12167 = (_e463[8] + ((_e12155 - _e463[12]) * (_e488 + (_e9960 * 0.5f))));
 if ((_e468.member_2 >= 6u) || _e8036) {
-phi_28652_ = _e11900;
+phi_28654_ = _e11900;
 } else {
-let _e12174 = global_5.member[_e459].member_10.member;
+let _e12174 = global_5.member[_e459].member_12.member;
 let _e12185 = ((((_e12174.member.member * _e9965) + (_e12174.member.member_1 * _e9966)) + (_e12174.member.member_2 * _e9967)) + _e12174.member_1);
-let _e12190 = global_5.member[_e459].member_10.member_1;
+let _e12190 = global_5.member[_e459].member_12.member_1;
 let _e12201 = ((((_e12190.member.member * _e9965) + (_e12190.member.member_1 * _e9966)) + (_e12190.member.member_2 * _e9967)) + _e12190.member_1);
-let _e12206 = global_5.member[_e459].member_10.member_2;
+let _e12206 = global_5.member[_e459].member_12.member_2;
 let _e12217 = ((((_e12206.member.member * _e9965) + (_e12206.member.member_1 * _e9966)) + (_e12206.member.member_2 * _e9967)) + _e12206.member_1);
-let _e12222 = global_5.member[_e459].member_10.member_3;
+let _e12222 = global_5.member[_e459].member_12.member_3;
 let _e12223 = (_e12222 != 0u);
-let _e12228 = global_5.member[_e459].member_10.member_19;
+let _e12228 = global_5.member[_e459].member_12.member_19;
 let _e12232 = (_e12185 - _e12228.member);
 let _e12233 = (_e12201 - _e12228.member_1);
 let _e12234 = (_e12217 - _e12228.member_2);
@@ -4121,36 +4123,36 @@ let _e12245 = (1f / select(1e-20f, _e12242, (_e12242 > 1e-20f)));
 let _e12249 = select(0f, (_e12232 * _e12245), _e12223);
 let _e12250 = select(0f, (_e12233 * _e12245), _e12223);
 let _e12251 = select(1f, (_e12234 * _e12245), _e12223);
-let _e12257 = global_5.member[_e459].member_10.member.member;
-let _e12269 = global_5.member[_e459].member_10.member_1.member;
-let _e12284 = global_5.member[_e459].member_10.member_2.member;
+let _e12257 = global_5.member[_e459].member_12.member.member;
+let _e12269 = global_5.member[_e459].member_12.member_1.member;
+let _e12284 = global_5.member[_e459].member_12.member_2.member;
 let _e12293 = (vec3<f32>(((_e12257.member * _e12249) + (_e12269.member * _e12250)), ((_e12257.member_1 * _e12249) + (_e12269.member_1 * _e12250)), ((_e12257.member_2 * _e12249) + (_e12269.member_2 * _e12250))) + vec3<f32>((_e12284.member * _e12251), (_e12284.member_1 * _e12251), (_e12284.member_2 * _e12251)));
 if ((_e799 & 256u) != 0u) {
-let _e12402 = global_5.member[_e459].member_10.member_18.member.member;
+let _e12402 = global_5.member[_e459].member_12.member_18.member.member;
 let _e12403 = bitcast<i32>(_e12402);
-let _e12410 = global_5.member[_e459].member_10.member_18.member.member_1;
+let _e12410 = global_5.member[_e459].member_12.member_18.member.member_1;
 let _e12411 = bitcast<i32>(_e12410);
-let _e12417 = global_5.member[_e459].member_10.member_19.member_2;
+let _e12417 = global_5.member[_e459].member_12.member_19.member_2;
 let _e12419 = select(1f, (_e12217 - _e12417), _e12223);
 let _e12422 = (1f / select(1e-12f, _e12419, (_e12419 > 1e-12f)));
-let _e12428 = global_5.member[_e459].member_10.member_5;
-let _e12434 = global_5.member[_e459].member_10.member_8;
+let _e12428 = global_5.member[_e459].member_12.member_5;
+let _e12434 = global_5.member[_e459].member_12.member_8;
 let _e12435 = (((_e12185 * _e12422) - _e12428) * _e12434);
-let _e12441 = global_5.member[_e459].member_10.member_6;
+let _e12441 = global_5.member[_e459].member_12.member_6;
 let _e12443 = (((_e12201 * _e12422) - _e12441) * _e12434);
-let _e12449 = global_5.member[_e459].member_10.member_4.member;
+let _e12449 = global_5.member[_e459].member_12.member_4.member;
 let _e12451 = f32(bitcast<i32>(_e12449));
 let _e12453 = select(0f, _e12435, (_e12435 > 0f));
-let _e12461 = global_5.member[_e459].member_10.member_18.member_1;
+let _e12461 = global_5.member[_e459].member_12.member_18.member_1;
 let _e12464 = ((_e12435 - _e12451) * _e12461);
-let _e12470 = global_5.member[_e459].member_10.member_18.member_2;
+let _e12470 = global_5.member[_e459].member_12.member_18.member_2;
 let _e12472 = select(0f, _e12464, (_e12464 > 0f));
 let _e12474 = (_e12470 + _e12472);
 let _e12479 = (-(_e12435) * _e12461);
 let _e12481 = select(0f, _e12479, (_e12479 > 0f));
 let _e12483 = (_e12470 + _e12481);
 let _e12490 = (((_e12470 + (select(_e12451, _e12453, (_e12453 < _e12451)) * _e12461)) + (((_e12472 * _e12470) / select(1e-12f, _e12474, (_e12474 > 1e-12f))) - ((_e12481 * _e12470) / select(1e-12f, _e12483, (_e12483 > 1e-12f))))) - 0.5f);
-let _e12496 = global_5.member[_e459].member_10.member_4.member_1;
+let _e12496 = global_5.member[_e459].member_12.member_4.member_1;
 let _e12498 = f32(bitcast<i32>(_e12496));
 let _e12500 = select(0f, _e12443, (_e12443 > 0f));
 let _e12505 = ((_e12443 - _e12498) * _e12461);
@@ -4177,13 +4179,13 @@ let _e12567 = (_e12525 - f32(_e12559));
 let _e12569 = select(0f, _e12567, (_e12567 > 0f));
 let _e12571 = select(1f, _e12569, (_e12569 < 1f));
 if _e1174 {
-let _e12583 = global_5.member[_e459].member_10.member_18.member_4;
-phi_27993_ = _e12583;
+let _e12583 = global_5.member[_e459].member_12.member_18.member_4;
+phi_27995_ = _e12583;
 } else {
-let _e12577 = global_5.member[_e459].member_10.member_18.member_3;
-phi_27993_ = _e12577;
+let _e12577 = global_5.member[_e459].member_12.member_18.member_3;
+phi_27995_ = _e12577;
 }
-let _e12585 = phi_27993_;
+let _e12585 = phi_27995_;
 let _e12589 = ((bitcast<i32>(_e12585) + (_e12559 * _e12403)) + _e12542);
 let _e12590 = (_e12403 * _e12411);
 let _e12592 = (bitcast<i32>(_e233) - 1i);
@@ -4236,81 +4238,81 @@ let _e12732 = global_3.member[bitcast<u32>(select(0i, _e12726, (_e12726 > 0i)))]
 let _e12739 = (_e12713 + (((_e12723 + ((bitcast<f32>(_e12732) - _e12723) * _e12565)) - _e12713) * _e12571));
 let _e12741 = (_e12222 == 0u);
 if _e12741 {
-phi_28391_ = vec3<f32>(_e12640, _e12689, _e12739);
+phi_28393_ = vec3<f32>(_e12640, _e12689, _e12739);
 } else {
 if _e12741 {
-phi_28330_ = 1f;
+phi_28332_ = 1f;
 } else {
-let _e12747 = global_5.member[_e459].member_10.member_20.member;
+let _e12747 = global_5.member[_e459].member_12.member_20.member;
 let _e12755 = (((_e12747.member * _e12232) + (_e12747.member_1 * _e12233)) + (_e12747.member_2 * _e12234));
 let _e12759 = (_e12232 - (_e12747.member * _e12755));
 let _e12760 = (_e12233 - (_e12747.member_1 * _e12755));
 let _e12761 = (_e12234 - (_e12747.member_2 * _e12755));
 let _e12766 = (((_e12759 * _e12759) + (_e12760 * _e12760)) + (_e12761 * _e12761));
-let _e12778 = global_5.member[_e459].member_10.member_20.member_1;
-let _e12785 = global_5.member[_e459].member_10.member_20.member_2;
+let _e12778 = global_5.member[_e459].member_12.member_20.member_1;
+let _e12785 = global_5.member[_e459].member_12.member_20.member_2;
 let _e12786 = ((_e12778 - (sqrt(select(0f, _e12766, (_e12766 > 0f))) / select(1e-20f, _e12755, (_e12755 > 1e-20f)))) * _e12785);
 let _e12788 = select(0f, _e12786, (_e12786 > 0f));
 let _e12790 = select(1f, _e12788, (_e12788 < 1f));
-phi_28330_ = select(1f, select(0f, ((_e12790 * _e12790) * (3f - (2f * _e12790))), (_e12755 > 0f)), (_e12785 > 0f));
+phi_28332_ = select(1f, select(0f, ((_e12790 * _e12790) * (3f - (2f * _e12790))), (_e12755 > 0f)), (_e12785 > 0f));
 }
-let _e12800 = phi_28330_;
+let _e12800 = phi_28332_;
 let _e12802 = select(0f, 1f, (_e12234 > 0f));
 let _e12806 = ((_e12640 * _e12802) + _e12800);
 let _e12807 = ((_e12689 * _e12802) + _e12800);
 let _e12808 = ((_e12739 * _e12802) + _e12800);
 if _e12741 {
-phi_28386_ = 1f;
+phi_28388_ = 1f;
 } else {
-phi_28386_ = (1f / select(1e-12f, _e12239, (_e12239 > 1e-12f)));
+phi_28388_ = (1f / select(1e-12f, _e12239, (_e12239 > 1e-12f)));
 }
-let _e12819 = phi_28386_;
-phi_28391_ = vec3<f32>((select(0f, _e12806, (_e12806 > 0f)) * _e12819), (select(0f, _e12807, (_e12807 > 0f)) * _e12819), (select(0f, _e12808, (_e12808 > 0f)) * _e12819));
+let _e12819 = phi_28388_;
+phi_28393_ = vec3<f32>((select(0f, _e12806, (_e12806 > 0f)) * _e12819), (select(0f, _e12807, (_e12807 > 0f)) * _e12819), (select(0f, _e12808, (_e12808 > 0f)) * _e12819));
 }
-let _e12825 = phi_28391_;
-let _e12830 = global_5.member[_e459].member_9.member_1;
-phi_28651_ = type_35((vec3<f32>(_e12830.member, _e12830.member_1, _e12830.member_2) * _e12825), _e12293);
+let _e12825 = phi_28393_;
+let _e12830 = global_5.member[_e459].member_11.member_1;
+phi_28653_ = type_35((vec3<f32>(_e12830.member, _e12830.member_1, _e12830.member_2) * _e12825), _e12293);
 } else {
 let _e12296 = (_e12222 == 0u);
 if _e12296 {
-let _e12379 = global_5.member[_e459].member_9.member_1;
-let _e12388 = global_5.member[_e459].member_9.member;
-phi_28650_ = type_35(vec3<f32>(_e12379.member, _e12379.member_1, _e12379.member_2), vec3<f32>(_e12388.member, _e12388.member_1, _e12388.member_2));
+let _e12379 = global_5.member[_e459].member_11.member_1;
+let _e12388 = global_5.member[_e459].member_11.member;
+phi_28652_ = type_35(vec3<f32>(_e12379.member, _e12379.member_1, _e12379.member_2), vec3<f32>(_e12388.member, _e12388.member_1, _e12388.member_2));
 } else {
-let _e12301 = global_5.member[_e459].member_9.member_1;
+let _e12301 = global_5.member[_e459].member_11.member_1;
 if _e12296 {
-phi_28494_ = 1f;
+phi_28496_ = 1f;
 } else {
-phi_28494_ = (1f / select(1e-12f, _e12239, (_e12239 > 1e-12f)));
+phi_28496_ = (1f / select(1e-12f, _e12239, (_e12239 > 1e-12f)));
 }
-let _e12309 = phi_28494_;
+let _e12309 = phi_28496_;
 if _e12296 {
-phi_28578_ = 1f;
+phi_28580_ = 1f;
 } else {
-let _e12315 = global_5.member[_e459].member_10.member_20.member;
+let _e12315 = global_5.member[_e459].member_12.member_20.member;
 let _e12323 = (((_e12315.member * _e12232) + (_e12315.member_1 * _e12233)) + (_e12315.member_2 * _e12234));
 let _e12327 = (_e12232 - (_e12315.member * _e12323));
 let _e12328 = (_e12233 - (_e12315.member_1 * _e12323));
 let _e12329 = (_e12234 - (_e12315.member_2 * _e12323));
 let _e12334 = (((_e12327 * _e12327) + (_e12328 * _e12328)) + (_e12329 * _e12329));
-let _e12346 = global_5.member[_e459].member_10.member_20.member_1;
-let _e12353 = global_5.member[_e459].member_10.member_20.member_2;
+let _e12346 = global_5.member[_e459].member_12.member_20.member_1;
+let _e12353 = global_5.member[_e459].member_12.member_20.member_2;
 let _e12354 = ((_e12346 - (sqrt(select(0f, _e12334, (_e12334 > 0f))) / select(1e-20f, _e12323, (_e12323 > 1e-20f)))) * _e12353);
 let _e12356 = select(0f, _e12354, (_e12354 > 0f));
 let _e12358 = select(1f, _e12356, (_e12356 < 1f));
-phi_28578_ = select(1f, select(0f, ((_e12358 * _e12358) * (3f - (2f * _e12358))), (_e12323 > 0f)), (_e12353 > 0f));
+phi_28580_ = select(1f, select(0f, ((_e12358 * _e12358) * (3f - (2f * _e12358))), (_e12323 > 0f)), (_e12353 > 0f));
 }
-let _e12368 = phi_28578_;
+let _e12368 = phi_28580_;
 let _e12369 = (_e12309 * _e12368);
-phi_28650_ = type_35(vec3<f32>((_e12301.member * _e12369), (_e12301.member_1 * _e12369), (_e12301.member_2 * _e12369)), _e12293);
+phi_28652_ = type_35(vec3<f32>((_e12301.member * _e12369), (_e12301.member_1 * _e12369), (_e12301.member_2 * _e12369)), _e12293);
 }
-let _e12395 = phi_28650_;
-phi_28651_ = _e12395;
+let _e12395 = phi_28652_;
+phi_28653_ = _e12395;
 }
-let _e12838 = phi_28651_;
-phi_28652_ = _e12838;
+let _e12838 = phi_28653_;
+phi_28654_ = _e12838;
 }
-let _e12840 = phi_28652_;
+let _e12840 = phi_28654_;
 let _e12849 = (((_e12840.member_1.x * _e12840.member_1.x) + (_e12840.member_1.y * _e12840.member_1.y)) + (_e12840.member_1.z * _e12840.member_1.z));
 let _e12852 = sqrt(select(0f, _e12849, (_e12849 > 0f)));
 let _e12856 = (1e-6f * _e12852);
@@ -4327,9 +4329,9 @@ let _e12918 = (_e6064.member_1.z + (_e6064.member_2.z * _e12910));
 let _e12924 = ((((_e561.member.member * _e12916) + (_e561.member.member_1 * _e12917)) + (_e561.member.member_2 * _e12918)) + _e561.member_1);
 let _e12930 = ((((_e577.member.member * _e12916) + (_e577.member.member_1 * _e12917)) + (_e577.member.member_2 * _e12918)) + _e577.member_1);
 let _e12936 = ((((_e593.member.member * _e12916) + (_e593.member.member_1 * _e12917)) + (_e593.member.member_2 * _e12918)) + _e593.member_1);
-let _e12942 = global_5.member[_e459].member_6.member.member;
-let _e12951 = global_5.member[_e459].member_6.member_1.member;
-let _e12960 = global_5.member[_e459].member_6.member_2.member;
+let _e12942 = global_5.member[_e459].member_8.member.member;
+let _e12951 = global_5.member[_e459].member_8.member_1.member;
+let _e12960 = global_5.member[_e459].member_8.member_2.member;
 let _e12964 = (-0.5f - _e6081);
 let _e12965 = (-0.5f - _e12924);
 let _e12966 = -(_e12964);
@@ -4436,16 +4438,16 @@ let _e13203 = select(select(select(select(select(select(0f, _e12942.member, _e12
 let _e13204 = select(select(select(select(select(select(0f, _e12942.member_1, _e12984), _e12942.member_1, _e13024), _e12951.member_1, _e13064), _e12951.member_1, _e13104), _e12960.member_1, _e13144), _e12960.member_1, _e13184);
 let _e13205 = select(select(select(select(select(select(1f, _e12942.member_2, _e12984), _e12942.member_2, _e13024), _e12951.member_2, _e13064), _e12951.member_2, _e13104), _e12960.member_2, _e13144), _e12960.member_2, _e13184);
 if _e7816 {
-phi_30142_ = type_34(_e13190, vec3<f32>(_e13191, _e13192, _e13193), _e13195, vec3<f32>(_e13196, _e13197, _e13198), _e13200, _e13202, vec3<f32>(_e13203, _e13204, _e13205));
+phi_30144_ = type_34(_e13190, vec3<f32>(_e13191, _e13192, _e13193), _e13195, vec3<f32>(_e13196, _e13197, _e13198), _e13200, _e13202, vec3<f32>(_e13203, _e13204, _e13205));
 } else {
 let _e13212 = (((_e12942.member * _e12942.member) + (_e12942.member_1 * _e12942.member_1)) + (_e12942.member_2 * _e12942.member_2));
 let _e13215 = sqrt(select(0f, _e13212, (_e13212 > 0f)));
-let _e13220 = global_5.member[_e459].member_14.member_1;
+let _e13220 = global_5.member[_e459].member_16.member_1;
 let _e13221 = (_e13220 != 0u);
-let _e13226 = global_5.member[_e459].member_14.member;
+let _e13226 = global_5.member[_e459].member_16.member;
 let _e13246 = select(-1e6f, (((((_e13226.member.member * _e6064.member_1.x) + (_e13226.member.member_1 * _e6064.member_1.y)) + (_e13226.member.member_2 * _e6064.member_1.z)) + _e13226.member_1) * _e13215), _e13221);
 let _e13247 = select(-1e6f, (((((_e13226.member.member * _e12916) + (_e13226.member.member_1 * _e12917)) + (_e13226.member.member_2 * _e12918)) + _e13226.member_1) * _e13215), _e13221);
-let _e13253 = global_5.member[_e459].member_14.member.member;
+let _e13253 = global_5.member[_e459].member_16.member.member;
 let _e13257 = -(_e13246);
 let _e13260 = (_e13246 - _e13247);
 let _e13261 = (_e13247 - _e13246);
@@ -4460,12 +4462,12 @@ let _e13281 = select(_e13190, _e13270, _e13279);
 let _e13285 = select(_e13195, _e13274, _e13280);
 let _e13289 = select(_e13200, _e13246, _e13275);
 let _e13291 = select(_e13202, _e13247, (_e13247 > _e13202));
-let _e13299 = global_5.member[_e459].member_15.member_1;
+let _e13299 = global_5.member[_e459].member_17.member_1;
 let _e13300 = (_e13299 != 0u);
-let _e13305 = global_5.member[_e459].member_15.member;
+let _e13305 = global_5.member[_e459].member_17.member;
 let _e13325 = select(-1e6f, (((((_e13305.member.member * _e6064.member_1.x) + (_e13305.member.member_1 * _e6064.member_1.y)) + (_e13305.member.member_2 * _e6064.member_1.z)) + _e13305.member_1) * _e13215), _e13300);
 let _e13326 = select(-1e6f, (((((_e13305.member.member * _e12916) + (_e13305.member.member_1 * _e12917)) + (_e13305.member.member_2 * _e12918)) + _e13305.member_1) * _e13215), _e13300);
-let _e13332 = global_5.member[_e459].member_15.member.member;
+let _e13332 = global_5.member[_e459].member_17.member.member;
 let _e13336 = -(_e13325);
 let _e13339 = (_e13325 - _e13326);
 let _e13340 = (_e13326 - _e13325);
@@ -4480,12 +4482,12 @@ let _e13360 = select(_e13281, _e13349, _e13358);
 let _e13364 = select(_e13285, _e13353, _e13359);
 let _e13368 = select(_e13289, _e13325, _e13354);
 let _e13370 = select(_e13291, _e13326, (_e13326 > _e13291));
-let _e13378 = global_5.member[_e459].member_16.member_1;
+let _e13378 = global_5.member[_e459].member_18.member_1;
 let _e13379 = (_e13378 != 0u);
-let _e13384 = global_5.member[_e459].member_16.member;
+let _e13384 = global_5.member[_e459].member_18.member;
 let _e13404 = select(-1e6f, (((((_e13384.member.member * _e6064.member_1.x) + (_e13384.member.member_1 * _e6064.member_1.y)) + (_e13384.member.member_2 * _e6064.member_1.z)) + _e13384.member_1) * _e13215), _e13379);
 let _e13405 = select(-1e6f, (((((_e13384.member.member * _e12916) + (_e13384.member.member_1 * _e12917)) + (_e13384.member.member_2 * _e12918)) + _e13384.member_1) * _e13215), _e13379);
-let _e13411 = global_5.member[_e459].member_16.member.member;
+let _e13411 = global_5.member[_e459].member_18.member.member;
 let _e13415 = -(_e13404);
 let _e13418 = (_e13404 - _e13405);
 let _e13419 = (_e13405 - _e13404);
@@ -4500,12 +4502,12 @@ let _e13439 = select(_e13360, _e13428, _e13437);
 let _e13443 = select(_e13364, _e13432, _e13438);
 let _e13447 = select(_e13368, _e13404, _e13433);
 let _e13449 = select(_e13370, _e13405, (_e13405 > _e13370));
-let _e13457 = global_5.member[_e459].member_17.member_1;
+let _e13457 = global_5.member[_e459].member_19.member_1;
 let _e13458 = (_e13457 != 0u);
-let _e13463 = global_5.member[_e459].member_17.member;
+let _e13463 = global_5.member[_e459].member_19.member;
 let _e13483 = select(-1e6f, (((((_e13463.member.member * _e6064.member_1.x) + (_e13463.member.member_1 * _e6064.member_1.y)) + (_e13463.member.member_2 * _e6064.member_1.z)) + _e13463.member_1) * _e13215), _e13458);
 let _e13484 = select(-1e6f, (((((_e13463.member.member * _e12916) + (_e13463.member.member_1 * _e12917)) + (_e13463.member.member_2 * _e12918)) + _e13463.member_1) * _e13215), _e13458);
-let _e13490 = global_5.member[_e459].member_17.member.member;
+let _e13490 = global_5.member[_e459].member_19.member.member;
 let _e13494 = -(_e13483);
 let _e13497 = (_e13483 - _e13484);
 let _e13498 = (_e13484 - _e13483);
@@ -4516,11 +4518,11 @@ let _e13511 = select(2f, select(0f, _e13503, (_e13483 < 0f)), (_e13484 > 0f));
 let _e13512 = (_e13483 > _e13447);
 let _e13516 = ((_e13507 > _e13439) || ((_e13507 == _e13439) && _e13512));
 let _e13517 = (_e13511 < _e13443);
-phi_30142_ = type_34(select(_e13439, _e13507, _e13516), vec3<f32>(select(select(select(select(_e13191, _e13253.member, _e13279), _e13332.member, _e13358), _e13411.member, _e13437), _e13490.member, _e13516), select(select(select(select(_e13192, _e13253.member_1, _e13279), _e13332.member_1, _e13358), _e13411.member_1, _e13437), _e13490.member_1, _e13516), select(select(select(select(_e13193, _e13253.member_2, _e13279), _e13332.member_2, _e13358), _e13411.member_2, _e13437), _e13490.member_2, _e13516)), select(_e13443, _e13511, _e13517), vec3<f32>(select(select(select(select(_e13196, _e13253.member, _e13280), _e13332.member, _e13359), _e13411.member, _e13438), _e13490.member, _e13517), select(select(select(select(_e13197, _e13253.member_1, _e13280), _e13332.member_1, _e13359), _e13411.member_1, _e13438), _e13490.member_1, _e13517), select(select(select(select(_e13198, _e13253.member_2, _e13280), _e13332.member_2, _e13359), _e13411.member_2, _e13438), _e13490.member_2, _e13517)), select(_e13447, _e13483, _e13512), select(_e13449, _e13484, (_e13484 > _e13449)), vec3<f32>(select(select(select(select(_e13203, _e13253.member, _e13275), _e13332.member, _e13354), _e13411.member, _e13433), _e13490.member, _e13512), select(select(select(select(_e13204, _e13253.member_1, _e13275), _e13332.member_1, _e13354), _e13411.member_1, _e13433), _e13490.member_1, _e13512), select(select(select(select(_e13205, _e13253.member_2, _e13275), _e13332.member_2, _e13354), _e13411.member_2, _e13433), _e13490.member_2, _e13512)));
+phi_30144_ = type_34(select(_e13439, _e13507, _e13516), vec3<f32>(select(select(select(select(_e13191, _e13253.member, _e13279), _e13332.member, _e13358), _e13411.member, _e13437), _e13490.member, _e13516), select(select(select(select(_e13192, _e13253.member_1, _e13279), _e13332.member_1, _e13358), _e13411.member_1, _e13437), _e13490.member_1, _e13516), select(select(select(select(_e13193, _e13253.member_2, _e13279), _e13332.member_2, _e13358), _e13411.member_2, _e13437), _e13490.member_2, _e13516)), select(_e13443, _e13511, _e13517), vec3<f32>(select(select(select(select(_e13196, _e13253.member, _e13280), _e13332.member, _e13359), _e13411.member, _e13438), _e13490.member, _e13517), select(select(select(select(_e13197, _e13253.member_1, _e13280), _e13332.member_1, _e13359), _e13411.member_1, _e13438), _e13490.member_1, _e13517), select(select(select(select(_e13198, _e13253.member_2, _e13280), _e13332.member_2, _e13359), _e13411.member_2, _e13438), _e13490.member_2, _e13517)), select(_e13447, _e13483, _e13512), select(_e13449, _e13484, (_e13484 > _e13449)), vec3<f32>(select(select(select(select(_e13203, _e13253.member, _e13275), _e13332.member, _e13354), _e13411.member, _e13433), _e13490.member, _e13512), select(select(select(select(_e13204, _e13253.member_1, _e13275), _e13332.member_1, _e13354), _e13411.member_1, _e13433), _e13490.member_1, _e13512), select(select(select(select(_e13205, _e13253.member_2, _e13275), _e13332.member_2, _e13354), _e13411.member_2, _e13433), _e13490.member_2, _e13512)));
 }
-let _e13537 = phi_30142_;
+let _e13537 = phi_30144_;
 let _e13544 = (_e8027.member_2 * select(0f, 1f, _e6064.member_6));
-let _e13550 = global_5.member[_e459].member_5.member_4;
+let _e13550 = global_5.member[_e459].member_7.member_4;
 let _e13553 = (_e7811.member_3.x * _e13544);
 let _e13555 = (_e7811.member_3.y * _e13544);
 let _e13557 = (_e7811.member_3.z * _e13544);
@@ -4543,44 +4545,44 @@ let _e13611 = (_e6064.member_2.y + ((_e7811.member_4.y * _e13544) * _e482));
 let _e13612 = (_e6064.member_2.z + ((_e7811.member_4.z * _e13544) * _e482));
 let _e13614 = (_e13612 * _e13612);
 let _e13623 = ((_e799 & 1u) != 0u);
-phi_30298_ = vec3<f32>(select(select(select(_e13580, _e13562, _e13596), _e13610, _e13623), _e6064.member_2.x, _e6064.member_8), select(select(select(_e13581, _e13563, _e13596), _e13611, _e13623), _e6064.member_2.y, _e6064.member_8), select(select(select(_e13582, _e13564, _e13596), _e13612, _e13623), _e6064.member_2.z, _e6064.member_8));
-phi_30299_ = (select(_e13596, ((_e13612 <= 0f) || (_e13614 <= (_e13586 * (((_e13610 * _e13610) + (_e13611 * _e13611)) + _e13614)))), _e13623) || _e6064.member_8);
+phi_30300_ = vec3<f32>(select(select(select(_e13580, _e13562, _e13596), _e13610, _e13623), _e6064.member_2.x, _e6064.member_8), select(select(select(_e13581, _e13563, _e13596), _e13611, _e13623), _e6064.member_2.y, _e6064.member_8), select(select(select(_e13582, _e13564, _e13596), _e13612, _e13623), _e6064.member_2.z, _e6064.member_8));
+phi_30301_ = (select(_e13596, ((_e13612 <= 0f) || (_e13614 <= (_e13586 * (((_e13610 * _e13610) + (_e13611 * _e13611)) + _e13614)))), _e13623) || _e6064.member_8);
 } else {
-phi_30298_ = _e6064.member_2;
-phi_30299_ = false;
+phi_30300_ = _e6064.member_2;
+phi_30301_ = false;
 }
-let _e13635 = phi_30298_;
-let _e13637 = phi_30299_;
+let _e13635 = phi_30300_;
+let _e13637 = phi_30301_;
 let _e13648 = ((((_e556 || _e6064.member_7) || (_e13635.x != _e463[3])) || (_e13635.y != _e463[4])) || (_e13635.z != _e463[5]));
 let _e13650 = select(_e12160, _e12158, (_e12158 > _e12160));
 let _e13658 = select(select(0f, 2f, _e13637), 1f, (_e556 || (((1f - _e12903) * select(_e12162, _e13650, (_e13650 > _e12162))) < 9.765625e-4f)));
 let _e13662 = ((_e13658 == 2f) && !(_e6064.member_8));
-phi_30459_ = array<f32, 18>(select(select(_e463[0], select(_e6064.member_1.x, _e9965, _e556), _e13648), _e492, _e13662), select(select(_e463[1], select(_e6064.member_1.y, _e9966, _e556), _e13648), _e494, _e13662), select(select(_e463[2], select(_e6064.member_1.z, _e9967, _e556), _e13648), _e488, _e13662), select(_e13635.x, _e6066.x, _e13662), select(_e13635.y, _e6066.y, _e13662), select(_e13635.z, _e6066.z, _e13662), select(_e7811.member, _e1485, _e13662), _e13658, select(select(_e12167, (_e12167 + (_e12890 * _e9967)), _e556), _e463[8], _e13662), select(select(_e12150, (_e12150 + ((_e12158 * (select(_e1200.member, _e1187.member, _e1174) * (((_e12840.member.x * _e12860) * _e12880) + _e12123.member))) * _e12890)), _e556), _e463[9], _e13662), select(select(_e12151, (_e12151 + ((_e12160 * (select(_e1200.member_1, _e1187.member_1, _e1174) * (((_e12840.member.y * _e12860) * _e12880) + _e12123.member_1))) * _e12890)), _e556), _e463[10], _e13662), select(select(_e12152, (_e12152 + ((_e12162 * (select(_e1200.member_2, _e1187.member_2, _e1174) * (((_e12840.member.z * _e12860) * _e12880) + _e12123.member_2))) * _e12890)), _e556), _e463[11], _e13662), select(_e12903, _e463[12], _e13662), select(_e12158, _e463[13], _e13662), select(_e12160, _e463[14], _e13662), select(_e12162, _e463[15], _e13662), select(select(0f, _e7811.member_2, (_e6064.member_6 && !(_e556))), select(0f, _e6070, _e6068), _e13662), select(select(_e6064.member_1.z, -1.2676506e30f, _e6064.member_8), _e488, _e13662));
+phi_30461_ = array<f32, 18>(select(select(_e463[0], select(_e6064.member_1.x, _e9965, _e556), _e13648), _e492, _e13662), select(select(_e463[1], select(_e6064.member_1.y, _e9966, _e556), _e13648), _e494, _e13662), select(select(_e463[2], select(_e6064.member_1.z, _e9967, _e556), _e13648), _e488, _e13662), select(_e13635.x, _e6066.x, _e13662), select(_e13635.y, _e6066.y, _e13662), select(_e13635.z, _e6066.z, _e13662), select(_e7811.member, _e1485, _e13662), _e13658, select(select(_e12167, (_e12167 + (_e12890 * _e9967)), _e556), _e463[8], _e13662), select(select(_e12150, (_e12150 + ((_e12158 * (select(_e1200.member, _e1187.member, _e1174) * (((_e12840.member.x * _e12860) * _e12880) + _e12123.member))) * _e12890)), _e556), _e463[9], _e13662), select(select(_e12151, (_e12151 + ((_e12160 * (select(_e1200.member_1, _e1187.member_1, _e1174) * (((_e12840.member.y * _e12860) * _e12880) + _e12123.member_1))) * _e12890)), _e556), _e463[10], _e13662), select(select(_e12152, (_e12152 + ((_e12162 * (select(_e1200.member_2, _e1187.member_2, _e1174) * (((_e12840.member.z * _e12860) * _e12880) + _e12123.member_2))) * _e12890)), _e556), _e463[11], _e13662), select(_e12903, _e463[12], _e13662), select(_e12158, _e463[13], _e13662), select(_e12160, _e463[14], _e13662), select(_e12162, _e463[15], _e13662), select(select(0f, _e7811.member_2, (_e6064.member_6 && !(_e556))), select(0f, _e6070, _e6068), _e13662), select(select(_e6064.member_1.z, -1.2676506e30f, _e6064.member_8), _e488, _e13662));
 } else {
-phi_30459_ = _e463;
+phi_30461_ = _e463;
 }
-let _e13699 = phi_30459_;
-phi_686_ = (_e459 + 1u);
-phi_689_ = select(_e461, true, _e1150);
-phi_691_ = _e13699;
+let _e13699 = phi_30461_;
+phi_688_ = (_e459 + 1u);
+phi_691_ = select(_e461, true, _e1150);
+phi_693_ = _e13699;
 } else {
-phi_686_ = u32();
-phi_689_ = bool();
-phi_691_ = array<f32, 18>();
+phi_688_ = u32();
+phi_691_ = bool();
+phi_693_ = array<f32, 18>();
 }
-let _e13703 = phi_686_;
-let _e13705 = phi_689_;
-let _e13707 = phi_691_;
+let _e13703 = phi_688_;
+let _e13705 = phi_691_;
+let _e13707 = phi_693_;
 continue;
 continuing {
-phi_685_ = _e13703;
-phi_688_ = _e13705;
-phi_690_ = _e13707;
-phi_30650_ = false;
+phi_687_ = _e13703;
+phi_690_ = _e13705;
+phi_692_ = _e13707;
+phi_30652_ = false;
 break if !(_e464);
 }
 }
-let _e13710 = phi_30650_;
+let _e13710 = phi_30652_;
 if _e13710 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -279,63 +281,63 @@ var local_40: type_28;
 var local_41: vec3<f32>;
 var local_42: type_28;
 var local_43: vec3<f32>;
-var phi_688_: u32;
-var phi_691_: bool;
-var phi_693_: array<f32, 18>;
-var phi_1749_: bool;
-var phi_1929_: bool;
-var phi_1932_: bool;
-var phi_3727_: f32;
-var phi_5333_: type_34;
-var phi_5346_: bool;
-var phi_5376_: type_39;
-var phi_5388_: bool;
-var phi_6468_: type_31;
-var phi_7991_: type_34;
-var phi_9103_: type_31;
-var phi_10641_: type_34;
-var phi_11753_: type_31;
-var phi_13291_: type_34;
-var phi_15039_: type_31;
-var phi_15052_: type_38;
-var phi_15053_: vec3<f32>;
-var phi_15054_: bool;
-var phi_15055_: f32;
-var phi_21622_: type_32;
-var phi_22269_: type_33;
-var phi_22682_: type_7;
-var phi_26847_: type_40;
-var phi_28376_: i32;
-var phi_28953_: vec3<f32>;
-var phi_29360_: vec3<f32>;
-var phi_29454_: f32;
-var phi_29496_: f32;
-var phi_27862_: vec3<f32>;
-var phi_29528_: type_35;
-var phi_26961_: f32;
-var phi_27045_: f32;
-var phi_27117_: type_35;
-var phi_29529_: type_35;
-var phi_29612_: f32;
-var phi_29613_: f32;
-var phi_29870_: vec3<f32>;
-var phi_30800_: f32;
-var phi_30884_: f32;
-var phi_30956_: type_35;
-var phi_30299_: u32;
-var phi_30636_: f32;
-var phi_30692_: f32;
-var phi_30697_: vec3<f32>;
-var phi_30957_: type_35;
+var phi_690_: u32;
+var phi_693_: bool;
+var phi_695_: array<f32, 18>;
+var phi_1751_: bool;
+var phi_1931_: bool;
+var phi_1934_: bool;
+var phi_3729_: f32;
+var phi_5335_: type_34;
+var phi_5348_: bool;
+var phi_5378_: type_39;
+var phi_5390_: bool;
+var phi_6470_: type_31;
+var phi_7993_: type_34;
+var phi_9105_: type_31;
+var phi_10643_: type_34;
+var phi_11755_: type_31;
+var phi_13293_: type_34;
+var phi_15041_: type_31;
+var phi_15054_: type_38;
+var phi_15055_: vec3<f32>;
+var phi_15056_: bool;
+var phi_15057_: f32;
+var phi_21624_: type_32;
+var phi_22271_: type_33;
+var phi_22684_: type_7;
+var phi_26849_: type_40;
+var phi_28378_: i32;
+var phi_28955_: vec3<f32>;
+var phi_29362_: vec3<f32>;
+var phi_29456_: f32;
+var phi_29498_: f32;
+var phi_27864_: vec3<f32>;
+var phi_29530_: type_35;
+var phi_26963_: f32;
+var phi_27047_: f32;
+var phi_27119_: type_35;
+var phi_29531_: type_35;
+var phi_29614_: f32;
+var phi_29615_: f32;
+var phi_29872_: vec3<f32>;
+var phi_30802_: f32;
+var phi_30886_: f32;
 var phi_30958_: type_35;
-var phi_32448_: type_34;
-var phi_32604_: vec3<f32>;
-var phi_32605_: bool;
-var phi_32765_: array<f32, 18>;
-var phi_689_: u32;
-var phi_692_: bool;
-var phi_694_: array<f32, 18>;
-var phi_32956_: bool;
+var phi_30301_: u32;
+var phi_30638_: f32;
+var phi_30694_: f32;
+var phi_30699_: vec3<f32>;
+var phi_30959_: type_35;
+var phi_30960_: type_35;
+var phi_32450_: type_34;
+var phi_32606_: vec3<f32>;
+var phi_32607_: bool;
+var phi_32767_: array<f32, 18>;
+var phi_691_: u32;
+var phi_694_: bool;
+var phi_696_: array<f32, 18>;
+var phi_32958_: bool;
 var local_44: bool;
 var local_45: array<f32, 18>;
 var local_46: array<f32, 18>;
@@ -446,13 +448,13 @@ let _e454 = ((17u * _e264) + _e266);
 let _e455 = bitcast<i32>(_e454);
 let _e457 = select(_e269, _e455, (_e455 < _e269));
 let _e463 = global_4.member[bitcast<u32>(select(0i, _e457, (_e457 > 0i)))];
-phi_688_ = 0u;
-phi_691_ = false;
-phi_693_ = array<f32, 18>(_e277, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364, _e375, _e386, _e397, _e408, _e419, _e430, _e441, _e452, _e463);
+phi_690_ = 0u;
+phi_693_ = false;
+phi_695_ = array<f32, 18>(_e277, _e287, _e298, _e309, _e320, _e331, _e342, _e353, _e364, _e375, _e386, _e397, _e408, _e419, _e430, _e441, _e452, _e463);
 loop {
-let _e466 = phi_688_;
-let _e468 = phi_691_;
-let _e470 = phi_693_;
+let _e466 = phi_690_;
+let _e468 = phi_693_;
+let _e470 = phi_695_;
 local_44 = _e468;
 local_45 = _e470;
 local_46 = _e470;
@@ -476,47 +478,47 @@ let _e471 = (_e466 < _e226);
 if _e471 {
 if _e471 {
 } else {
-phi_32956_ = true;
+phi_32958_ = true;
 break;
 }
 let _e475 = global_5.member[_e466].member;
-let _e489 = global_5.member[_e466].member_5.member_2;
+let _e489 = global_5.member[_e466].member_7.member_2;
 let _e490 = (_e489 / _e470[5]);
-let _e495 = global_5.member[_e466].member_5.member;
+let _e495 = global_5.member[_e466].member_7.member;
 let _e497 = ((_e495 - _e470[2]) / _e470[5]);
 let _e499 = (_e470[0] + (_e470[3] * _e497));
 let _e501 = (_e470[1] + (_e470[4] * _e497));
 let _e503 = (_e499 + (_e470[3] * _e490));
 let _e505 = (_e501 + (_e470[4] * _e490));
-let _e510 = global_5.member[_e466].member_5.member_1;
-let _e516 = global_5.member[_e466].member_13.member.member;
+let _e510 = global_5.member[_e466].member_7.member_1;
+let _e516 = global_5.member[_e466].member_15.member.member;
 let _e527 = ((((_e516.member.member * _e499) + (_e516.member.member_1 * _e501)) + (_e516.member.member_2 * _e495)) + _e516.member_1);
 let _e533 = ((((_e516.member.member * _e503) + (_e516.member.member_1 * _e505)) + (_e516.member.member_2 * _e510)) + _e516.member_1);
 let _e536 = ((_e527 > 0f) && (_e533 <= 0f));
-let _e542 = global_5.member[_e466].member_13.member_1.member;
+let _e542 = global_5.member[_e466].member_15.member_1.member;
 let _e553 = ((((_e542.member.member * _e499) + (_e542.member.member_1 * _e501)) + (_e542.member.member_2 * _e495)) + _e542.member_1);
 let _e559 = ((((_e542.member.member * _e503) + (_e542.member.member_1 * _e505)) + (_e542.member.member_2 * _e510)) + _e542.member_1);
 let _e562 = ((_e553 > 0f) && (_e559 <= 0f));
 let _e563 = (_e536 || _e562);
-let _e568 = global_5.member[_e466].member_6.member;
+let _e568 = global_5.member[_e466].member_8.member;
 let _e579 = ((((_e568.member.member * _e499) + (_e568.member.member_1 * _e501)) + (_e568.member.member_2 * _e495)) + _e568.member_1);
-let _e584 = global_5.member[_e466].member_6.member_1;
+let _e584 = global_5.member[_e466].member_8.member_1;
 let _e595 = ((((_e584.member.member * _e499) + (_e584.member.member_1 * _e501)) + (_e584.member.member_2 * _e495)) + _e584.member_1);
-let _e600 = global_5.member[_e466].member_6.member_2;
+let _e600 = global_5.member[_e466].member_8.member_2;
 let _e611 = ((((_e600.member.member * _e499) + (_e600.member.member_1 * _e501)) + (_e600.member.member_2 * _e495)) + _e600.member_1);
 let _e617 = ((((_e568.member.member * _e503) + (_e568.member.member_1 * _e505)) + (_e568.member.member_2 * _e510)) + _e568.member_1);
 let _e623 = ((((_e584.member.member * _e503) + (_e584.member.member_1 * _e505)) + (_e584.member.member_2 * _e510)) + _e584.member_1);
 let _e629 = ((((_e600.member.member * _e503) + (_e600.member.member_1 * _e505)) + (_e600.member.member_2 * _e510)) + _e600.member_1);
-let _e634 = global_5.member[_e466].member_6.member_4;
-let _e640 = global_5.member[_e466].member_6.member_3.member;
+let _e634 = global_5.member[_e466].member_8.member_4;
+let _e640 = global_5.member[_e466].member_8.member_3.member;
 let _e641 = (_e640 - 0.5f);
 let _e643 = select(-0.5f, _e617, (_e617 > -0.5f));
 let _e645 = select(_e641, _e643, (_e643 < _e641));
-let _e651 = global_5.member[_e466].member_6.member_3.member_1;
+let _e651 = global_5.member[_e466].member_8.member_3.member_1;
 let _e652 = (_e651 - 0.5f);
 let _e654 = select(-0.5f, _e623, (_e623 > -0.5f));
 let _e656 = select(_e652, _e654, (_e654 < _e652));
-let _e662 = global_5.member[_e466].member_6.member_3.member_2;
+let _e662 = global_5.member[_e466].member_8.member_3.member_2;
 let _e663 = (_e662 - 0.5f);
 let _e665 = select(-0.5f, _e629, (_e629 > -0.5f));
 let _e667 = select(_e663, _e665, (_e665 < _e663));
@@ -536,7 +538,7 @@ let _e703 = (_e640 - 1f);
 let _e705 = select(0f, _e702, (_e702 > 0f));
 let _e707 = select(_e703, _e705, (_e705 < _e703));
 let _e714 = select(0i, select(select(i32(_e707), i32(-2147483648), (_e707 < -2147483600f)), 2147483647i, (_e707 > 2147483500f)), (_e707 == _e707));
-let _e723 = global_5.member[_e466].member_6.member_12;
+let _e723 = global_5.member[_e466].member_8.member_12;
 let _e724 = (_e723 & 31u);
 let _e727 = (_e656 + 0.5f);
 let _e728 = (_e651 - 1f);
@@ -548,32 +550,32 @@ let _e747 = (_e662 - 1f);
 let _e749 = select(0f, _e746, (_e746 > 0f));
 let _e751 = select(_e747, _e749, (_e749 < _e747));
 let _e758 = select(0i, select(select(i32(_e751), i32(-2147483648), (_e751 < -2147483600f)), 2147483647i, (_e751 > 2147483500f)), (_e751 == _e751));
-let _e770 = global_5.member[_e466].member_6.member_9.member;
-let _e777 = global_5.member[_e466].member_6.member_9.member_1;
-let _e783 = global_5.member[_e466].member_6.member_10;
+let _e770 = global_5.member[_e466].member_8.member_9.member;
+let _e777 = global_5.member[_e466].member_8.member_9.member_1;
+let _e783 = global_5.member[_e466].member_8.member_10;
 let _e789 = ((bitcast<i32>(_e783) + ((_e714 - select(0i, 1i, (_e707 < f32(_e714)))) >> bitcast<u32>(_e724))) + (bitcast<i32>(_e770) * (((_e739 - select(0i, 1i, (_e732 < f32(_e739)))) >> bitcast<u32>(_e724)) + (bitcast<i32>(_e777) * ((_e758 - select(0i, 1i, (_e751 < f32(_e758)))) >> bitcast<u32>(_e724))))));
 let _e791 = (bitcast<i32>(arrayLength((&global_7.member))) - 1i);
 let _e793 = select(_e791, _e789, (_e789 < _e791));
 let _e799 = global_7.member[bitcast<u32>(select(0i, _e793, (_e793 > 0i)))];
-let _e807 = global_5.member[_e466].member_7.member;
+let _e807 = global_5.member[_e466].member_9.member;
 let _e818 = ((((_e807.member.member * _e499) + (_e807.member.member_1 * _e501)) + (_e807.member.member_2 * _e495)) + _e807.member_1);
-let _e823 = global_5.member[_e466].member_7.member_1;
+let _e823 = global_5.member[_e466].member_9.member_1;
 let _e834 = ((((_e823.member.member * _e499) + (_e823.member.member_1 * _e501)) + (_e823.member.member_2 * _e495)) + _e823.member_1);
-let _e839 = global_5.member[_e466].member_7.member_2;
+let _e839 = global_5.member[_e466].member_9.member_2;
 let _e850 = ((((_e839.member.member * _e499) + (_e839.member.member_1 * _e501)) + (_e839.member.member_2 * _e495)) + _e839.member_1);
 let _e856 = ((((_e807.member.member * _e503) + (_e807.member.member_1 * _e505)) + (_e807.member.member_2 * _e510)) + _e807.member_1);
 let _e862 = ((((_e823.member.member * _e503) + (_e823.member.member_1 * _e505)) + (_e823.member.member_2 * _e510)) + _e823.member_1);
 let _e868 = ((((_e839.member.member * _e503) + (_e839.member.member_1 * _e505)) + (_e839.member.member_2 * _e510)) + _e839.member_1);
-let _e873 = global_5.member[_e466].member_7.member_4;
-let _e879 = global_5.member[_e466].member_7.member_3.member;
+let _e873 = global_5.member[_e466].member_9.member_4;
+let _e879 = global_5.member[_e466].member_9.member_3.member;
 let _e880 = (_e879 - 0.5f);
 let _e882 = select(-0.5f, _e856, (_e856 > -0.5f));
 let _e884 = select(_e880, _e882, (_e882 < _e880));
-let _e890 = global_5.member[_e466].member_7.member_3.member_1;
+let _e890 = global_5.member[_e466].member_9.member_3.member_1;
 let _e891 = (_e890 - 0.5f);
 let _e893 = select(-0.5f, _e862, (_e862 > -0.5f));
 let _e895 = select(_e891, _e893, (_e893 < _e891));
-let _e901 = global_5.member[_e466].member_7.member_3.member_2;
+let _e901 = global_5.member[_e466].member_9.member_3.member_2;
 let _e902 = (_e901 - 0.5f);
 let _e904 = select(-0.5f, _e868, (_e868 > -0.5f));
 let _e906 = select(_e902, _e904, (_e904 < _e902));
@@ -590,7 +592,7 @@ let _e942 = (_e879 - 1f);
 let _e944 = select(0f, _e941, (_e941 > 0f));
 let _e946 = select(_e942, _e944, (_e944 < _e942));
 let _e953 = select(0i, select(select(i32(_e946), i32(-2147483648), (_e946 < -2147483600f)), 2147483647i, (_e946 > 2147483500f)), (_e946 == _e946));
-let _e962 = global_5.member[_e466].member_7.member_12;
+let _e962 = global_5.member[_e466].member_9.member_12;
 let _e963 = (_e962 & 31u);
 let _e966 = (_e895 + 0.5f);
 let _e967 = (_e890 - 1f);
@@ -602,9 +604,9 @@ let _e986 = (_e901 - 1f);
 let _e988 = select(0f, _e985, (_e985 > 0f));
 let _e990 = select(_e986, _e988, (_e988 < _e986));
 let _e997 = select(0i, select(select(i32(_e990), i32(-2147483648), (_e990 < -2147483600f)), 2147483647i, (_e990 > 2147483500f)), (_e990 == _e990));
-let _e1009 = global_5.member[_e466].member_7.member_9.member;
-let _e1016 = global_5.member[_e466].member_7.member_9.member_1;
-let _e1022 = global_5.member[_e466].member_7.member_10;
+let _e1009 = global_5.member[_e466].member_9.member_9.member;
+let _e1016 = global_5.member[_e466].member_9.member_9.member_1;
+let _e1022 = global_5.member[_e466].member_9.member_10;
 let _e1028 = ((bitcast<i32>(_e1022) + ((_e953 - select(0i, 1i, (_e946 < f32(_e953)))) >> bitcast<u32>(_e963))) + (bitcast<i32>(_e1009) * (((_e978 - select(0i, 1i, (_e971 < f32(_e978)))) >> bitcast<u32>(_e963)) + (bitcast<i32>(_e1016) * ((_e997 - select(0i, 1i, (_e990 < f32(_e997)))) >> bitcast<u32>(_e963))))));
 let _e1030 = select(_e791, _e1028, (_e1028 < _e791));
 let _e1036 = global_7.member[bitcast<u32>(select(0i, _e1030, (_e1030 > 0i)))];
@@ -622,22 +624,22 @@ let _e1095 = (_e901 - _e1084);
 let _e1098 = ((((_e818 >= _e1083) && (_e818 <= _e1086)) && ((_e834 >= _e1083) && (_e834 <= _e1090))) && ((_e850 >= _e1083) && (_e850 <= _e1095)));
 let _e1100 = ((_e1043 & 16u) == 0u);
 if _e1100 {
-phi_1749_ = _e1098;
+phi_1751_ = _e1098;
 } else {
-let _e1106 = global_5.member[_e466].member_7.member.member;
+let _e1106 = global_5.member[_e466].member_9.member.member;
 let _e1114 = (((_e1106.member * _e1106.member) + (_e1106.member_1 * _e1106.member_1)) + (_e1106.member_2 * _e1106.member_2));
-let _e1123 = global_5.member[_e466].member_14.member;
+let _e1123 = global_5.member[_e466].member_16.member;
 let _e1135 = -((0.5f / sqrt(select(0f, _e1114, (_e1114 > 0f)))));
-let _e1141 = global_5.member[_e466].member_14.member_1;
-let _e1148 = global_5.member[_e466].member_15.member;
-let _e1165 = global_5.member[_e466].member_15.member_1;
-let _e1173 = global_5.member[_e466].member_16.member;
-let _e1190 = global_5.member[_e466].member_16.member_1;
-let _e1198 = global_5.member[_e466].member_17.member;
-let _e1215 = global_5.member[_e466].member_17.member_1;
-phi_1749_ = (_e1098 && (((((((((_e1123.member.member * _e499) + (_e1123.member.member_1 * _e501)) + (_e1123.member.member_2 * _e495)) + _e1123.member_1) <= _e1135) || (_e1141 == 0u)) && ((((((_e1148.member.member * _e499) + (_e1148.member.member_1 * _e501)) + (_e1148.member.member_2 * _e495)) + _e1148.member_1) <= _e1135) || (_e1165 == 0u))) && ((((((_e1173.member.member * _e499) + (_e1173.member.member_1 * _e501)) + (_e1173.member.member_2 * _e495)) + _e1173.member_1) <= _e1135) || (_e1190 == 0u))) && ((((((_e1198.member.member * _e499) + (_e1198.member.member_1 * _e501)) + (_e1198.member.member_2 * _e495)) + _e1198.member_1) <= _e1135) || (_e1215 == 0u))));
+let _e1141 = global_5.member[_e466].member_16.member_1;
+let _e1148 = global_5.member[_e466].member_17.member;
+let _e1165 = global_5.member[_e466].member_17.member_1;
+let _e1173 = global_5.member[_e466].member_18.member;
+let _e1190 = global_5.member[_e466].member_18.member_1;
+let _e1198 = global_5.member[_e466].member_19.member;
+let _e1215 = global_5.member[_e466].member_19.member_1;
+phi_1751_ = (_e1098 && (((((((((_e1123.member.member * _e499) + (_e1123.member.member_1 * _e501)) + (_e1123.member.member_2 * _e495)) + _e1123.member_1) <= _e1135) || (_e1141 == 0u)) && ((((((_e1148.member.member * _e499) + (_e1148.member.member_1 * _e501)) + (_e1148.member.member_2 * _e495)) + _e1148.member_1) <= _e1135) || (_e1165 == 0u))) && ((((((_e1173.member.member * _e499) + (_e1173.member.member_1 * _e501)) + (_e1173.member.member_2 * _e495)) + _e1173.member_1) <= _e1135) || (_e1190 == 0u))) && ((((((_e1198.member.member * _e499) + (_e1198.member.member_1 * _e501)) + (_e1198.member.member_2 * _e495)) + _e1198.member_1) <= _e1135) || (_e1215 == 0u))));
 }
-let _e1221 = phi_1749_;
+let _e1221 = phi_1751_;
 let _e1225 = (_e503 + (_e503 - _e499));
 let _e1226 = (_e505 + (_e505 - _e501));
 let _e1227 = (_e510 + (_e510 - _e495));
@@ -646,27 +648,27 @@ let _e1239 = ((((_e823.member.member * _e1225) + (_e823.member.member_1 * _e1226
 let _e1245 = ((((_e839.member.member * _e1225) + (_e839.member.member_1 * _e1226)) + (_e839.member.member_2 * _e1227)) + _e839.member_1);
 let _e1256 = ((((_e1233 >= _e1083) && (_e1233 <= _e1086)) && ((_e1239 >= _e1083) && (_e1239 <= _e1090))) && ((_e1245 >= _e1083) && (_e1245 <= _e1095)));
 if _e1100 {
-phi_1929_ = _e1256;
+phi_1931_ = _e1256;
 } else {
-let _e1262 = global_5.member[_e466].member_7.member.member;
+let _e1262 = global_5.member[_e466].member_9.member.member;
 let _e1270 = (((_e1262.member * _e1262.member) + (_e1262.member_1 * _e1262.member_1)) + (_e1262.member_2 * _e1262.member_2));
-let _e1279 = global_5.member[_e466].member_14.member;
+let _e1279 = global_5.member[_e466].member_16.member;
 let _e1291 = -((0.5f / sqrt(select(0f, _e1270, (_e1270 > 0f)))));
-let _e1297 = global_5.member[_e466].member_14.member_1;
-let _e1304 = global_5.member[_e466].member_15.member;
-let _e1321 = global_5.member[_e466].member_15.member_1;
-let _e1329 = global_5.member[_e466].member_16.member;
-let _e1346 = global_5.member[_e466].member_16.member_1;
-let _e1354 = global_5.member[_e466].member_17.member;
-let _e1371 = global_5.member[_e466].member_17.member_1;
-phi_1929_ = (_e1256 && (((((((((_e1279.member.member * _e1225) + (_e1279.member.member_1 * _e1226)) + (_e1279.member.member_2 * _e1227)) + _e1279.member_1) <= _e1291) || (_e1297 == 0u)) && ((((((_e1304.member.member * _e1225) + (_e1304.member.member_1 * _e1226)) + (_e1304.member.member_2 * _e1227)) + _e1304.member_1) <= _e1291) || (_e1321 == 0u))) && ((((((_e1329.member.member * _e1225) + (_e1329.member.member_1 * _e1226)) + (_e1329.member.member_2 * _e1227)) + _e1329.member_1) <= _e1291) || (_e1346 == 0u))) && ((((((_e1354.member.member * _e1225) + (_e1354.member.member_1 * _e1226)) + (_e1354.member.member_2 * _e1227)) + _e1354.member_1) <= _e1291) || (_e1371 == 0u))));
+let _e1297 = global_5.member[_e466].member_16.member_1;
+let _e1304 = global_5.member[_e466].member_17.member;
+let _e1321 = global_5.member[_e466].member_17.member_1;
+let _e1329 = global_5.member[_e466].member_18.member;
+let _e1346 = global_5.member[_e466].member_18.member_1;
+let _e1354 = global_5.member[_e466].member_19.member;
+let _e1371 = global_5.member[_e466].member_19.member_1;
+phi_1931_ = (_e1256 && (((((((((_e1279.member.member * _e1225) + (_e1279.member.member_1 * _e1226)) + (_e1279.member.member_2 * _e1227)) + _e1279.member_1) <= _e1291) || (_e1297 == 0u)) && ((((((_e1304.member.member * _e1225) + (_e1304.member.member_1 * _e1226)) + (_e1304.member.member_2 * _e1227)) + _e1304.member_1) <= _e1291) || (_e1321 == 0u))) && ((((((_e1329.member.member * _e1225) + (_e1329.member.member_1 * _e1226)) + (_e1329.member.member_2 * _e1227)) + _e1329.member_1) <= _e1291) || (_e1346 == 0u))) && ((((((_e1354.member.member * _e1225) + (_e1354.member.member_1 * _e1226)) + (_e1354.member.member_2 * _e1227)) + _e1354.member_1) <= _e1291) || (_e1371 == 0u))));
 }
-let _e1377 = phi_1929_;
-phi_1932_ = (_e1073 && (_e1221 && _e1377));
+let _e1377 = phi_1931_;
+phi_1934_ = (_e1073 && (_e1221 && _e1377));
 } else {
-phi_1932_ = _e1073;
+phi_1934_ = _e1073;
 }
-let _e1381 = phi_1932_;
+let _e1381 = phi_1934_;
 let _e1382 = (_e470[17] == -1.2676506e30f);
 let _e1384 = (_e470[17] != _e495);
 let _e1394 = (select(0u, select(select(31u, select(select(3u, 7u, _e1384), 15u, _e563), (_e1381 && !((_e1082 && _e1382)))), select(1u, 15u, _e563), (((_e1043 & 64u) != 0u) || ((((select(_e681, _e678, (_e678 > _e681)) <= _e634) && ((select(_e698, _e695, (_e695 > _e698)) > _e634) || (_e799 != 0u))) && ((select(_e920, _e917, (_e917 > _e920)) <= _e873) && ((select(_e937, _e934, (_e934 > _e937)) > _e873) || (_e1036 != 0u)))) && ((_e1043 & 32u) != 0u)))), (_e470[7] == 0f)) > 1u);
@@ -677,10 +679,10 @@ let _e1410 = (_e527 / select(1e-20f, _e1407, (_e1407 > 1e-20f)));
 let _e1411 = (_e553 - _e559);
 let _e1414 = (_e553 / select(1e-20f, _e1411, (_e1411 > 1e-20f)));
 let _e1418 = (_e562 && (!(_e536) || (_e1414 < _e1410)));
-let _e1425 = global_5.member[_e466].member_13.member_1.member.member;
-let _e1431 = global_5.member[_e466].member_13.member_1.member_1;
-let _e1438 = global_5.member[_e466].member_13.member.member.member;
-let _e1444 = global_5.member[_e466].member_13.member.member_1;
+let _e1425 = global_5.member[_e466].member_15.member_1.member.member;
+let _e1431 = global_5.member[_e466].member_15.member_1.member_1;
+let _e1438 = global_5.member[_e466].member_15.member.member.member;
+let _e1444 = global_5.member[_e466].member_15.member.member_1;
 let _e1463 = select(_e1410, _e1414, _e1418);
 let _e1465 = select(-0.5f, _e579, (_e579 > -0.5f));
 let _e1467 = select(_e641, _e1465, (_e1465 < _e641));
@@ -700,8 +702,8 @@ let _e1507 = select(-1f, _e1475, (_e1475 > -1f));
 let _e1509 = select(_e662, _e1507, (_e1507 < _e662));
 let _e1516 = select(0i, select(select(i32(_e1509), i32(-2147483648), (_e1509 < -2147483600f)), 2147483647i, (_e1509 > 2147483500f)), (_e1509 == _e1509));
 let _e1520 = (_e1516 - select(0i, 1i, (_e1509 < f32(_e1516))));
-let _e1525 = global_5.member[_e466].member_6.member_7;
-let _e1530 = global_5.member[_e466].member_6.member_8;
+let _e1525 = global_5.member[_e466].member_8.member_7;
+let _e1530 = global_5.member[_e466].member_8.member_8;
 let _e1538 = (select(0i, select(select(i32(_e651), i32(-2147483648), (_e651 < -2147483600f)), 2147483647i, (_e651 > 2147483500f)), (_e651 == _e651)) - 1i);
 let _e1541 = (_e1505 + 1i);
 let _e1551 = (select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < -2147483600f)), 2147483647i, (_e662 > 2147483500f)), (_e662 == _e662)) - 1i);
@@ -767,8 +769,8 @@ let _e1695 = global_1.member[bitcast<u32>(select(0i, _e1690, (_e1690 > 0i)))];
 let _e1697 = local_43[0u];
 let _e1701 = local_43[1u];
 let _e1706 = local_43[2u];
-let _e1714 = global_5.member[_e466].member_6.member_6;
-let _e1719 = global_5.member[_e466].member_6.member_5;
+let _e1714 = global_5.member[_e466].member_8.member_6;
+let _e1719 = global_5.member[_e466].member_8.member_5;
 let _e1721 = (((_e1650 + (((_e1675 + (((_e1686 + ((bitcast<f32>(_e1695) - _e1686) * _e1697)) - _e1675) * _e1701)) - _e1650) * _e1706)) - _e1714) * _e1719);
 let _e1722 = -(1e9f);
 let _e1724 = select(_e1722, _e1721, (_e1721 > _e1722));
@@ -792,8 +794,8 @@ let _e1771 = select(-1f, _e1739, (_e1739 > -1f));
 let _e1773 = select(_e901, _e1771, (_e1771 < _e901));
 let _e1780 = select(0i, select(select(i32(_e1773), i32(-2147483648), (_e1773 < -2147483600f)), 2147483647i, (_e1773 > 2147483500f)), (_e1773 == _e1773));
 let _e1784 = (_e1780 - select(0i, 1i, (_e1773 < f32(_e1780))));
-let _e1789 = global_5.member[_e466].member_7.member_7;
-let _e1794 = global_5.member[_e466].member_7.member_8;
+let _e1789 = global_5.member[_e466].member_9.member_7;
+let _e1794 = global_5.member[_e466].member_9.member_8;
 let _e1802 = (select(0i, select(select(i32(_e890), i32(-2147483648), (_e890 < -2147483600f)), 2147483647i, (_e890 > 2147483500f)), (_e890 == _e890)) - 1i);
 let _e1805 = (_e1769 + 1i);
 let _e1815 = (select(0i, select(select(i32(_e901), i32(-2147483648), (_e901 < -2147483600f)), 2147483647i, (_e901 > 2147483500f)), (_e901 == _e901)) - 1i);
@@ -859,8 +861,8 @@ let _e1959 = global_6.member[bitcast<u32>(select(0i, _e1954, (_e1954 > 0i)))];
 let _e1961 = local_41[0u];
 let _e1965 = local_41[1u];
 let _e1970 = local_41[2u];
-let _e1978 = global_5.member[_e466].member_7.member_6;
-let _e1983 = global_5.member[_e466].member_7.member_5;
+let _e1978 = global_5.member[_e466].member_9.member_6;
+let _e1983 = global_5.member[_e466].member_9.member_5;
 let _e1985 = (((_e1914 + (((_e1939 + (((_e1950 + ((bitcast<f32>(_e1959) - _e1950) * _e1961)) - _e1939) * _e1965)) - _e1914) * _e1970)) - _e1978) * _e1983);
 let _e1987 = select(_e1722, _e1985, (_e1985 > _e1722));
 local_38 = select(1e9f, _e1987, (_e1987 < 1e9f));
@@ -921,11 +923,11 @@ let _e2163 = select(_e1993, 262144i, (262144i < _e1993));
 let _e2169 = global_2.member[bitcast<u32>(select(0i, _e2163, (_e2163 > 0i)))];
 let _e2172 = select(_e1993, 262145i, (262145i < _e1993));
 let _e2178 = global_2.member[bitcast<u32>(select(0i, _e2172, (_e2172 > 0i)))];
-phi_3727_ = select(_e470[16], ((bitcast<f32>(_e2169) + (f32(bitcast<i32>((_e2143 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2178))) + ((f32((bitcast<i32>((_e2143 & 4095u)) - 2048i)) * bitcast<f32>(_e2159)) * (_e2119 - f32(_e2134)))), _e1384);
+phi_3729_ = select(_e470[16], ((bitcast<f32>(_e2169) + (f32(bitcast<i32>((_e2143 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2178))) + ((f32((bitcast<i32>((_e2143 & 4095u)) - 2048i)) * bitcast<f32>(_e2159)) * (_e2119 - f32(_e2134)))), _e1384);
 } else {
-phi_3727_ = _e470[16];
+phi_3729_ = _e470[16];
 }
-let _e2188 = phi_3727_;
+let _e2188 = phi_3729_;
 let _e2189 = (_e503 - _e499);
 let _e2190 = (_e505 - _e501);
 let _e2191 = (_e510 - _e495);
@@ -976,9 +978,9 @@ let _e2281 = select(_e2243, _e2218, (_e2218 > _e2243));
 let _e2284 = (select(_e2275, _e2277, (_e2277 < _e2275)) - select(_e2268, _e2281, (_e2281 > _e2268)));
 let _e2287 = (_e2199 * select(0f, _e2284, (_e2284 > 0f)));
 if _e1082 {
-let _e2302 = global_5.member[_e466].member_7.member.member;
-let _e2311 = global_5.member[_e466].member_7.member_1.member;
-let _e2320 = global_5.member[_e466].member_7.member_2.member;
+let _e2302 = global_5.member[_e466].member_9.member.member;
+let _e2311 = global_5.member[_e466].member_9.member_1.member;
+let _e2320 = global_5.member[_e466].member_9.member_2.member;
 let _e2324 = (-0.5f - _e818);
 let _e2325 = (-0.5f - _e856);
 let _e2326 = -(_e2324);
@@ -1086,16 +1088,16 @@ let _e2564 = select(select(select(select(select(select(0f, _e2302.member_1, _e23
 let _e2565 = select(select(select(select(select(select(1f, _e2302.member_2, _e2344), _e2302.member_2, _e2384), _e2311.member_2, _e2424), _e2311.member_2, _e2464), _e2320.member_2, _e2504), _e2320.member_2, _e2544);
 let _e2569 = ((_e1043 & 16u) == 0u);
 if _e2569 {
-phi_5333_ = type_34(_e2550, vec3<f32>(_e2551, _e2552, _e2553), _e2555, vec3<f32>(_e2556, _e2557, _e2558), _e2560, _e2562, vec3<f32>(_e2563, _e2564, _e2565));
+phi_5335_ = type_34(_e2550, vec3<f32>(_e2551, _e2552, _e2553), _e2555, vec3<f32>(_e2556, _e2557, _e2558), _e2560, _e2562, vec3<f32>(_e2563, _e2564, _e2565));
 } else {
 let _e2574 = (((_e2302.member * _e2302.member) + (_e2302.member_1 * _e2302.member_1)) + (_e2302.member_2 * _e2302.member_2));
 let _e2577 = sqrt(select(0f, _e2574, (_e2574 > 0f)));
-let _e2582 = global_5.member[_e466].member_14.member_1;
+let _e2582 = global_5.member[_e466].member_16.member_1;
 let _e2583 = (_e2582 != 0u);
-let _e2588 = global_5.member[_e466].member_14.member;
+let _e2588 = global_5.member[_e466].member_16.member;
 let _e2608 = select(-1e6f, (((((_e2588.member.member * _e499) + (_e2588.member.member_1 * _e501)) + (_e2588.member.member_2 * _e495)) + _e2588.member_1) * _e2577), _e2583);
 let _e2609 = select(-1e6f, (((((_e2588.member.member * _e503) + (_e2588.member.member_1 * _e505)) + (_e2588.member.member_2 * _e510)) + _e2588.member_1) * _e2577), _e2583);
-let _e2615 = global_5.member[_e466].member_14.member.member;
+let _e2615 = global_5.member[_e466].member_16.member.member;
 let _e2619 = -(_e2608);
 let _e2622 = (_e2608 - _e2609);
 let _e2623 = (_e2609 - _e2608);
@@ -1110,12 +1112,12 @@ let _e2643 = select(_e2550, _e2632, _e2641);
 let _e2647 = select(_e2555, _e2636, _e2642);
 let _e2651 = select(_e2560, _e2608, _e2637);
 let _e2653 = select(_e2562, _e2609, (_e2609 > _e2562));
-let _e2661 = global_5.member[_e466].member_15.member_1;
+let _e2661 = global_5.member[_e466].member_17.member_1;
 let _e2662 = (_e2661 != 0u);
-let _e2667 = global_5.member[_e466].member_15.member;
+let _e2667 = global_5.member[_e466].member_17.member;
 let _e2687 = select(-1e6f, (((((_e2667.member.member * _e499) + (_e2667.member.member_1 * _e501)) + (_e2667.member.member_2 * _e495)) + _e2667.member_1) * _e2577), _e2662);
 let _e2688 = select(-1e6f, (((((_e2667.member.member * _e503) + (_e2667.member.member_1 * _e505)) + (_e2667.member.member_2 * _e510)) + _e2667.member_1) * _e2577), _e2662);
-let _e2694 = global_5.member[_e466].member_15.member.member;
+let _e2694 = global_5.member[_e466].member_17.member.member;
 let _e2698 = -(_e2687);
 let _e2701 = (_e2687 - _e2688);
 let _e2702 = (_e2688 - _e2687);
@@ -1130,12 +1132,12 @@ let _e2722 = select(_e2643, _e2711, _e2720);
 let _e2726 = select(_e2647, _e2715, _e2721);
 let _e2730 = select(_e2651, _e2687, _e2716);
 let _e2732 = select(_e2653, _e2688, (_e2688 > _e2653));
-let _e2740 = global_5.member[_e466].member_16.member_1;
+let _e2740 = global_5.member[_e466].member_18.member_1;
 let _e2741 = (_e2740 != 0u);
-let _e2746 = global_5.member[_e466].member_16.member;
+let _e2746 = global_5.member[_e466].member_18.member;
 let _e2766 = select(-1e6f, (((((_e2746.member.member * _e499) + (_e2746.member.member_1 * _e501)) + (_e2746.member.member_2 * _e495)) + _e2746.member_1) * _e2577), _e2741);
 let _e2767 = select(-1e6f, (((((_e2746.member.member * _e503) + (_e2746.member.member_1 * _e505)) + (_e2746.member.member_2 * _e510)) + _e2746.member_1) * _e2577), _e2741);
-let _e2773 = global_5.member[_e466].member_16.member.member;
+let _e2773 = global_5.member[_e466].member_18.member.member;
 let _e2777 = -(_e2766);
 let _e2780 = (_e2766 - _e2767);
 let _e2781 = (_e2767 - _e2766);
@@ -1150,12 +1152,12 @@ let _e2801 = select(_e2722, _e2790, _e2799);
 let _e2805 = select(_e2726, _e2794, _e2800);
 let _e2809 = select(_e2730, _e2766, _e2795);
 let _e2811 = select(_e2732, _e2767, (_e2767 > _e2732));
-let _e2819 = global_5.member[_e466].member_17.member_1;
+let _e2819 = global_5.member[_e466].member_19.member_1;
 let _e2820 = (_e2819 != 0u);
-let _e2825 = global_5.member[_e466].member_17.member;
+let _e2825 = global_5.member[_e466].member_19.member;
 let _e2845 = select(-1e6f, (((((_e2825.member.member * _e499) + (_e2825.member.member_1 * _e501)) + (_e2825.member.member_2 * _e495)) + _e2825.member_1) * _e2577), _e2820);
 let _e2846 = select(-1e6f, (((((_e2825.member.member * _e503) + (_e2825.member.member_1 * _e505)) + (_e2825.member.member_2 * _e510)) + _e2825.member_1) * _e2577), _e2820);
-let _e2852 = global_5.member[_e466].member_17.member.member;
+let _e2852 = global_5.member[_e466].member_19.member.member;
 let _e2856 = -(_e2845);
 let _e2859 = (_e2845 - _e2846);
 let _e2860 = (_e2846 - _e2845);
@@ -1166,32 +1168,32 @@ let _e2873 = select(2f, select(0f, _e2865, (_e2845 < 0f)), (_e2846 > 0f));
 let _e2874 = (_e2845 > _e2809);
 let _e2878 = ((_e2869 > _e2801) || ((_e2869 == _e2801) && _e2874));
 let _e2879 = (_e2873 < _e2805);
-phi_5333_ = type_34(select(_e2801, _e2869, _e2878), vec3<f32>(select(select(select(select(_e2551, _e2615.member, _e2641), _e2694.member, _e2720), _e2773.member, _e2799), _e2852.member, _e2878), select(select(select(select(_e2552, _e2615.member_1, _e2641), _e2694.member_1, _e2720), _e2773.member_1, _e2799), _e2852.member_1, _e2878), select(select(select(select(_e2553, _e2615.member_2, _e2641), _e2694.member_2, _e2720), _e2773.member_2, _e2799), _e2852.member_2, _e2878)), select(_e2805, _e2873, _e2879), vec3<f32>(select(select(select(select(_e2556, _e2615.member, _e2642), _e2694.member, _e2721), _e2773.member, _e2800), _e2852.member, _e2879), select(select(select(select(_e2557, _e2615.member_1, _e2642), _e2694.member_1, _e2721), _e2773.member_1, _e2800), _e2852.member_1, _e2879), select(select(select(select(_e2558, _e2615.member_2, _e2642), _e2694.member_2, _e2721), _e2773.member_2, _e2800), _e2852.member_2, _e2879)), select(_e2809, _e2845, _e2874), select(_e2811, _e2846, (_e2846 > _e2811)), vec3<f32>(select(select(select(select(_e2563, _e2615.member, _e2637), _e2694.member, _e2716), _e2773.member, _e2795), _e2852.member, _e2874), select(select(select(select(_e2564, _e2615.member_1, _e2637), _e2694.member_1, _e2716), _e2773.member_1, _e2795), _e2852.member_1, _e2874), select(select(select(select(_e2565, _e2615.member_2, _e2637), _e2694.member_2, _e2716), _e2773.member_2, _e2795), _e2852.member_2, _e2874)));
+phi_5335_ = type_34(select(_e2801, _e2869, _e2878), vec3<f32>(select(select(select(select(_e2551, _e2615.member, _e2641), _e2694.member, _e2720), _e2773.member, _e2799), _e2852.member, _e2878), select(select(select(select(_e2552, _e2615.member_1, _e2641), _e2694.member_1, _e2720), _e2773.member_1, _e2799), _e2852.member_1, _e2878), select(select(select(select(_e2553, _e2615.member_2, _e2641), _e2694.member_2, _e2720), _e2773.member_2, _e2799), _e2852.member_2, _e2878)), select(_e2805, _e2873, _e2879), vec3<f32>(select(select(select(select(_e2556, _e2615.member, _e2642), _e2694.member, _e2721), _e2773.member, _e2800), _e2852.member, _e2879), select(select(select(select(_e2557, _e2615.member_1, _e2642), _e2694.member_1, _e2721), _e2773.member_1, _e2800), _e2852.member_1, _e2879), select(select(select(select(_e2558, _e2615.member_2, _e2642), _e2694.member_2, _e2721), _e2773.member_2, _e2800), _e2852.member_2, _e2879)), select(_e2809, _e2845, _e2874), select(_e2811, _e2846, (_e2846 > _e2811)), vec3<f32>(select(select(select(select(_e2563, _e2615.member, _e2637), _e2694.member, _e2716), _e2773.member, _e2795), _e2852.member, _e2874), select(select(select(select(_e2564, _e2615.member_1, _e2637), _e2694.member_1, _e2716), _e2773.member_1, _e2795), _e2852.member_1, _e2874), select(select(select(select(_e2565, _e2615.member_2, _e2637), _e2694.member_2, _e2716), _e2773.member_2, _e2795), _e2852.member_2, _e2874)));
 }
-let _e2899 = phi_5333_;
+let _e2899 = phi_5335_;
 if ((_e2899.member_4 > -(0.015625f)) && (_e2899.member_4 < 0.015625f)) {
-phi_5346_ = (_e470[16] != 0f);
+phi_5348_ = (_e470[16] != 0f);
 } else {
-phi_5346_ = (_e2899.member_4 < 0f);
+phi_5348_ = (_e2899.member_4 < 0f);
 }
-let _e2908 = phi_5346_;
+let _e2908 = phi_5348_;
 let _e2909 = select(1f, _e2188, _e2908);
 let _e2911 = select(1f, _e2909, (_e1382 && _e2908));
 let _e2912 = (_e470[3] * _e2911);
 let _e2913 = (_e470[4] * _e2911);
 let _e2914 = (_e470[5] * _e2911);
 if _e2908 {
-phi_5376_ = type_39(_e2899.member_2, _e2899.member_3);
+phi_5378_ = type_39(_e2899.member_2, _e2899.member_3);
 } else {
-phi_5376_ = type_39(_e2899.member, _e2899.member_1);
+phi_5378_ = type_39(_e2899.member, _e2899.member_1);
 }
-let _e2923 = phi_5376_;
+let _e2923 = phi_5378_;
 if _e2908 {
-phi_5388_ = (_e2899.member_2 <= 1f);
+phi_5390_ = (_e2899.member_2 <= 1f);
 } else {
-phi_5388_ = ((_e2899.member <= 1f) && (_e2899.member < _e2899.member_2));
+phi_5390_ = ((_e2899.member <= 1f) && (_e2899.member < _e2899.member_2));
 }
-let _e2931 = phi_5388_;
+let _e2931 = phi_5390_;
 let _e2934 = select(1f, _e2923.member, _e2931);
 let _e2938 = (_e499 + (_e2189 * _e2934));
 let _e2939 = (_e501 + (_e2190 * _e2934));
@@ -1217,8 +1219,8 @@ let _e3003 = select(-1f, _e2971, (_e2971 > -1f));
 let _e3005 = select(_e901, _e3003, (_e3003 < _e901));
 let _e3012 = select(0i, select(select(i32(_e3005), i32(-2147483648), (_e3005 < -2147483600f)), 2147483647i, (_e3005 > 2147483500f)), (_e3005 == _e3005));
 let _e3016 = (_e3012 - select(0i, 1i, (_e3005 < f32(_e3012))));
-let _e3021 = global_5.member[_e466].member_7.member_7;
-let _e3026 = global_5.member[_e466].member_7.member_8;
+let _e3021 = global_5.member[_e466].member_9.member_7;
+let _e3026 = global_5.member[_e466].member_9.member_8;
 let _e3034 = (select(0i, select(select(i32(_e890), i32(-2147483648), (_e890 < -2147483600f)), 2147483647i, (_e890 > 2147483500f)), (_e890 == _e890)) - 1i);
 let _e3037 = (_e3001 + 1i);
 let _e3047 = (select(0i, select(select(i32(_e901), i32(-2147483648), (_e901 < -2147483600f)), 2147483647i, (_e901 > 2147483500f)), (_e901 == _e901)) - 1i);
@@ -1284,8 +1286,8 @@ let _e3191 = global_6.member[bitcast<u32>(select(0i, _e3186, (_e3186 > 0i)))];
 let _e3193 = local_37[0u];
 let _e3197 = local_37[1u];
 let _e3202 = local_37[2u];
-let _e3210 = global_5.member[_e466].member_7.member_6;
-let _e3215 = global_5.member[_e466].member_7.member_5;
+let _e3210 = global_5.member[_e466].member_9.member_6;
+let _e3215 = global_5.member[_e466].member_9.member_5;
 let _e3217 = (((_e3146 + (((_e3171 + (((_e3182 + ((bitcast<f32>(_e3191) - _e3182) * _e3193)) - _e3171) * _e3197)) - _e3146) * _e3202)) - _e3210) * _e3215);
 let _e3219 = select(_e1722, _e3217, (_e3217 > _e1722));
 local_34 = select(1e9f, _e3219, (_e3219 < 1e9f));
@@ -1359,11 +1361,11 @@ let _e3406 = global_2.member[bitcast<u32>(select(0i, _e3401, (_e3401 > 0i)))];
 let _e3407 = bitcast<f32>(_e3406);
 let _e3413 = ((_e3399 + (f32(bitcast<i32>((_e3374 >> bitcast<u32>(12u)))) * _e3407)) + ((f32((bitcast<i32>((_e3374 & 4095u)) - 2048i)) * _e3390) * (_e3351 - f32(_e3366))));
 if _e2908 {
-phi_6468_ = type_31(_e3413, 1f);
+phi_6470_ = type_31(_e3413, 1f);
 } else {
-phi_6468_ = type_31(1f, _e3413);
+phi_6470_ = type_31(1f, _e3413);
 }
-let _e3417 = phi_6468_;
+let _e3417 = phi_6470_;
 let _e3422 = ((_e3417.member_1 * _e3417.member_1) - (_e3417.member * _e3417.member));
 let _e3430 = (((_e2923.member_1.x * _e2923.member_1.x) + (_e2923.member_1.y * _e2923.member_1.y)) + (_e2923.member_1.z * _e2923.member_1.z));
 let _e3433 = sqrt(select(0f, _e3430, (_e3430 > 0f)));
@@ -1380,7 +1382,7 @@ let _e3457 = (_e3422 == 0f);
 let _e3469 = select(_e2912, select((_e2912 + (_e3437 * _e3456)), _e2912, _e3457), _e2931);
 let _e3470 = select(_e2913, select((_e2913 + (_e3438 * _e3456)), _e2913, _e3457), _e2931);
 let _e3471 = select(_e2914, select((_e2914 + (_e3439 * _e3456)), _e2914, _e3457), _e2931);
-let _e3476 = global_5.member[_e466].member_5.member_4;
+let _e3476 = global_5.member[_e466].member_7.member_4;
 let _e3477 = (_e3476 * _e3476);
 let _e3481 = (_e3471 * _e3471);
 let _e3485 = (_e2931 && (_e3417.member != _e3417.member_1));
@@ -1499,16 +1501,16 @@ let _e3762 = select(select(select(select(select(select(0f, _e2302.member, _e3543
 let _e3763 = select(select(select(select(select(select(0f, _e2302.member_1, _e3543), _e2302.member_1, _e3583), _e2311.member_1, _e3623), _e2311.member_1, _e3663), _e2320.member_1, _e3703), _e2320.member_1, _e3743);
 let _e3764 = select(select(select(select(select(select(1f, _e2302.member_2, _e3543), _e2302.member_2, _e3583), _e2311.member_2, _e3623), _e2311.member_2, _e3663), _e2320.member_2, _e3703), _e2320.member_2, _e3743);
 if _e2569 {
-phi_7991_ = type_34(_e3749, vec3<f32>(_e3750, _e3751, _e3752), _e3754, vec3<f32>(_e3755, _e3756, _e3757), _e3759, _e3761, vec3<f32>(_e3762, _e3763, _e3764));
+phi_7993_ = type_34(_e3749, vec3<f32>(_e3750, _e3751, _e3752), _e3754, vec3<f32>(_e3755, _e3756, _e3757), _e3759, _e3761, vec3<f32>(_e3762, _e3763, _e3764));
 } else {
 let _e3771 = (((_e2302.member * _e2302.member) + (_e2302.member_1 * _e2302.member_1)) + (_e2302.member_2 * _e2302.member_2));
 let _e3774 = sqrt(select(0f, _e3771, (_e3771 > 0f)));
-let _e3779 = global_5.member[_e466].member_14.member_1;
+let _e3779 = global_5.member[_e466].member_16.member_1;
 let _e3780 = (_e3779 != 0u);
-let _e3785 = global_5.member[_e466].member_14.member;
+let _e3785 = global_5.member[_e466].member_16.member;
 let _e3805 = select(-1e6f, (((((_e3785.member.member * _e2938) + (_e3785.member.member_1 * _e2939)) + (_e3785.member.member_2 * _e2940)) + _e3785.member_1) * _e3774), _e3780);
 let _e3806 = select(-1e6f, (((((_e3785.member.member * _e3499) + (_e3785.member.member_1 * _e3500)) + (_e3785.member.member_2 * _e3501)) + _e3785.member_1) * _e3774), _e3780);
-let _e3812 = global_5.member[_e466].member_14.member.member;
+let _e3812 = global_5.member[_e466].member_16.member.member;
 let _e3816 = -(_e3805);
 let _e3819 = (_e3805 - _e3806);
 let _e3820 = (_e3806 - _e3805);
@@ -1523,12 +1525,12 @@ let _e3840 = select(_e3749, _e3829, _e3838);
 let _e3844 = select(_e3754, _e3833, _e3839);
 let _e3848 = select(_e3759, _e3805, _e3834);
 let _e3850 = select(_e3761, _e3806, (_e3806 > _e3761));
-let _e3858 = global_5.member[_e466].member_15.member_1;
+let _e3858 = global_5.member[_e466].member_17.member_1;
 let _e3859 = (_e3858 != 0u);
-let _e3864 = global_5.member[_e466].member_15.member;
+let _e3864 = global_5.member[_e466].member_17.member;
 let _e3884 = select(-1e6f, (((((_e3864.member.member * _e2938) + (_e3864.member.member_1 * _e2939)) + (_e3864.member.member_2 * _e2940)) + _e3864.member_1) * _e3774), _e3859);
 let _e3885 = select(-1e6f, (((((_e3864.member.member * _e3499) + (_e3864.member.member_1 * _e3500)) + (_e3864.member.member_2 * _e3501)) + _e3864.member_1) * _e3774), _e3859);
-let _e3891 = global_5.member[_e466].member_15.member.member;
+let _e3891 = global_5.member[_e466].member_17.member.member;
 let _e3895 = -(_e3884);
 let _e3898 = (_e3884 - _e3885);
 let _e3899 = (_e3885 - _e3884);
@@ -1543,12 +1545,12 @@ let _e3919 = select(_e3840, _e3908, _e3917);
 let _e3923 = select(_e3844, _e3912, _e3918);
 let _e3927 = select(_e3848, _e3884, _e3913);
 let _e3929 = select(_e3850, _e3885, (_e3885 > _e3850));
-let _e3937 = global_5.member[_e466].member_16.member_1;
+let _e3937 = global_5.member[_e466].member_18.member_1;
 let _e3938 = (_e3937 != 0u);
-let _e3943 = global_5.member[_e466].member_16.member;
+let _e3943 = global_5.member[_e466].member_18.member;
 let _e3963 = select(-1e6f, (((((_e3943.member.member * _e2938) + (_e3943.member.member_1 * _e2939)) + (_e3943.member.member_2 * _e2940)) + _e3943.member_1) * _e3774), _e3938);
 let _e3964 = select(-1e6f, (((((_e3943.member.member * _e3499) + (_e3943.member.member_1 * _e3500)) + (_e3943.member.member_2 * _e3501)) + _e3943.member_1) * _e3774), _e3938);
-let _e3970 = global_5.member[_e466].member_16.member.member;
+let _e3970 = global_5.member[_e466].member_18.member.member;
 let _e3974 = -(_e3963);
 let _e3977 = (_e3963 - _e3964);
 let _e3978 = (_e3964 - _e3963);
@@ -1563,12 +1565,12 @@ let _e3998 = select(_e3919, _e3987, _e3996);
 let _e4002 = select(_e3923, _e3991, _e3997);
 let _e4006 = select(_e3927, _e3963, _e3992);
 let _e4008 = select(_e3929, _e3964, (_e3964 > _e3929));
-let _e4016 = global_5.member[_e466].member_17.member_1;
+let _e4016 = global_5.member[_e466].member_19.member_1;
 let _e4017 = (_e4016 != 0u);
-let _e4022 = global_5.member[_e466].member_17.member;
+let _e4022 = global_5.member[_e466].member_19.member;
 let _e4042 = select(-1e6f, (((((_e4022.member.member * _e2938) + (_e4022.member.member_1 * _e2939)) + (_e4022.member.member_2 * _e2940)) + _e4022.member_1) * _e3774), _e4017);
 let _e4043 = select(-1e6f, (((((_e4022.member.member * _e3499) + (_e4022.member.member_1 * _e3500)) + (_e4022.member.member_2 * _e3501)) + _e4022.member_1) * _e3774), _e4017);
-let _e4049 = global_5.member[_e466].member_17.member.member;
+let _e4049 = global_5.member[_e466].member_19.member.member;
 let _e4053 = -(_e4042);
 let _e4056 = (_e4042 - _e4043);
 let _e4057 = (_e4043 - _e4042);
@@ -1579,9 +1581,9 @@ let _e4070 = select(2f, select(0f, _e4062, (_e4042 < 0f)), (_e4043 > 0f));
 let _e4071 = (_e4042 > _e4006);
 let _e4075 = ((_e4066 > _e3998) || ((_e4066 == _e3998) && _e4071));
 let _e4076 = (_e4070 < _e4002);
-phi_7991_ = type_34(select(_e3998, _e4066, _e4075), vec3<f32>(select(select(select(select(_e3750, _e3812.member, _e3838), _e3891.member, _e3917), _e3970.member, _e3996), _e4049.member, _e4075), select(select(select(select(_e3751, _e3812.member_1, _e3838), _e3891.member_1, _e3917), _e3970.member_1, _e3996), _e4049.member_1, _e4075), select(select(select(select(_e3752, _e3812.member_2, _e3838), _e3891.member_2, _e3917), _e3970.member_2, _e3996), _e4049.member_2, _e4075)), select(_e4002, _e4070, _e4076), vec3<f32>(select(select(select(select(_e3755, _e3812.member, _e3839), _e3891.member, _e3918), _e3970.member, _e3997), _e4049.member, _e4076), select(select(select(select(_e3756, _e3812.member_1, _e3839), _e3891.member_1, _e3918), _e3970.member_1, _e3997), _e4049.member_1, _e4076), select(select(select(select(_e3757, _e3812.member_2, _e3839), _e3891.member_2, _e3918), _e3970.member_2, _e3997), _e4049.member_2, _e4076)), select(_e4006, _e4042, _e4071), select(_e4008, _e4043, (_e4043 > _e4008)), vec3<f32>(select(select(select(select(_e3762, _e3812.member, _e3834), _e3891.member, _e3913), _e3970.member, _e3992), _e4049.member, _e4071), select(select(select(select(_e3763, _e3812.member_1, _e3834), _e3891.member_1, _e3913), _e3970.member_1, _e3992), _e4049.member_1, _e4071), select(select(select(select(_e3764, _e3812.member_2, _e3834), _e3891.member_2, _e3913), _e3970.member_2, _e3992), _e4049.member_2, _e4071)));
+phi_7993_ = type_34(select(_e3998, _e4066, _e4075), vec3<f32>(select(select(select(select(_e3750, _e3812.member, _e3838), _e3891.member, _e3917), _e3970.member, _e3996), _e4049.member, _e4075), select(select(select(select(_e3751, _e3812.member_1, _e3838), _e3891.member_1, _e3917), _e3970.member_1, _e3996), _e4049.member_1, _e4075), select(select(select(select(_e3752, _e3812.member_2, _e3838), _e3891.member_2, _e3917), _e3970.member_2, _e3996), _e4049.member_2, _e4075)), select(_e4002, _e4070, _e4076), vec3<f32>(select(select(select(select(_e3755, _e3812.member, _e3839), _e3891.member, _e3918), _e3970.member, _e3997), _e4049.member, _e4076), select(select(select(select(_e3756, _e3812.member_1, _e3839), _e3891.member_1, _e3918), _e3970.member_1, _e3997), _e4049.member_1, _e4076), select(select(select(select(_e3757, _e3812.member_2, _e3839), _e3891.member_2, _e3918), _e3970.member_2, _e3997), _e4049.member_2, _e4076)), select(_e4006, _e4042, _e4071), select(_e4008, _e4043, (_e4043 > _e4008)), vec3<f32>(select(select(select(select(_e3762, _e3812.member, _e3834), _e3891.member, _e3913), _e3970.member, _e3992), _e4049.member, _e4071), select(select(select(select(_e3763, _e3812.member_1, _e3834), _e3891.member_1, _e3913), _e3970.member_1, _e3992), _e4049.member_1, _e4071), select(select(select(select(_e3764, _e3812.member_2, _e3834), _e3891.member_2, _e3913), _e3970.member_2, _e3992), _e4049.member_2, _e4071)));
 }
-let _e4096 = phi_7991_;
+let _e4096 = phi_7993_;
 let _e4102 = (((_e2931 && _e3504) && !(_e3489)) && (_e4096.member_2 <= 1f));
 let _e4106 = (_e3501 - _e2940);
 let _e4107 = select(1f, _e4096.member_2, _e4102);
@@ -1701,11 +1703,11 @@ let _e4399 = select(_e3225, _e4397, (_e4397 < _e3225));
 let _e4404 = global_2.member[bitcast<u32>(select(0i, _e4399, (_e4399 > 0i)))];
 let _e4419 = ((_e3399 + (f32(bitcast<i32>((_e4404 >> bitcast<u32>(12u)))) * _e3407)) + ((f32((bitcast<i32>((_e4404 & 4095u)) - 2048i)) * _e3390) * (_e4381 - f32(_e4396))));
 if _e3504 {
-phi_9103_ = type_31(_e4419, 1f);
+phi_9105_ = type_31(_e4419, 1f);
 } else {
-phi_9103_ = type_31(1f, _e4419);
+phi_9105_ = type_31(1f, _e4419);
 }
-let _e4423 = phi_9103_;
+let _e4423 = phi_9105_;
 let _e4428 = ((_e4423.member_1 * _e4423.member_1) - (_e4423.member * _e4423.member));
 let _e4436 = (((_e4096.member_3.x * _e4096.member_3.x) + (_e4096.member_3.y * _e4096.member_3.y)) + (_e4096.member_3.z * _e4096.member_3.z));
 let _e4439 = sqrt(select(0f, _e4436, (_e4436 > 0f)));
@@ -1842,16 +1844,16 @@ let _e4784 = select(select(select(select(select(select(0f, _e2302.member, _e4565
 let _e4785 = select(select(select(select(select(select(0f, _e2302.member_1, _e4565), _e2302.member_1, _e4605), _e2311.member_1, _e4645), _e2311.member_1, _e4685), _e2320.member_1, _e4725), _e2320.member_1, _e4765);
 let _e4786 = select(select(select(select(select(select(1f, _e2302.member_2, _e4565), _e2302.member_2, _e4605), _e2311.member_2, _e4645), _e2311.member_2, _e4685), _e2320.member_2, _e4725), _e2320.member_2, _e4765);
 if _e2569 {
-phi_10641_ = type_34(_e4771, vec3<f32>(_e4772, _e4773, _e4774), _e4776, vec3<f32>(_e4777, _e4778, _e4779), _e4781, _e4783, vec3<f32>(_e4784, _e4785, _e4786));
+phi_10643_ = type_34(_e4771, vec3<f32>(_e4772, _e4773, _e4774), _e4776, vec3<f32>(_e4777, _e4778, _e4779), _e4781, _e4783, vec3<f32>(_e4784, _e4785, _e4786));
 } else {
 let _e4793 = (((_e2302.member * _e2302.member) + (_e2302.member_1 * _e2302.member_1)) + (_e2302.member_2 * _e2302.member_2));
 let _e4796 = sqrt(select(0f, _e4793, (_e4793 > 0f)));
-let _e4801 = global_5.member[_e466].member_14.member_1;
+let _e4801 = global_5.member[_e466].member_16.member_1;
 let _e4802 = (_e4801 != 0u);
-let _e4807 = global_5.member[_e466].member_14.member;
+let _e4807 = global_5.member[_e466].member_16.member;
 let _e4827 = select(-1e6f, (((((_e4807.member.member * _e4115.x) + (_e4807.member.member_1 * _e4115.y)) + (_e4807.member.member_2 * _e4115.z)) + _e4807.member_1) * _e4796), _e4802);
 let _e4828 = select(-1e6f, (((((_e4807.member.member * _e4500) + (_e4807.member.member_1 * _e4501)) + (_e4807.member.member_2 * _e4502)) + _e4807.member_1) * _e4796), _e4802);
-let _e4834 = global_5.member[_e466].member_14.member.member;
+let _e4834 = global_5.member[_e466].member_16.member.member;
 let _e4838 = -(_e4827);
 let _e4841 = (_e4827 - _e4828);
 let _e4842 = (_e4828 - _e4827);
@@ -1866,12 +1868,12 @@ let _e4862 = select(_e4771, _e4851, _e4860);
 let _e4866 = select(_e4776, _e4855, _e4861);
 let _e4870 = select(_e4781, _e4827, _e4856);
 let _e4872 = select(_e4783, _e4828, (_e4828 > _e4783));
-let _e4880 = global_5.member[_e466].member_15.member_1;
+let _e4880 = global_5.member[_e466].member_17.member_1;
 let _e4881 = (_e4880 != 0u);
-let _e4886 = global_5.member[_e466].member_15.member;
+let _e4886 = global_5.member[_e466].member_17.member;
 let _e4906 = select(-1e6f, (((((_e4886.member.member * _e4115.x) + (_e4886.member.member_1 * _e4115.y)) + (_e4886.member.member_2 * _e4115.z)) + _e4886.member_1) * _e4796), _e4881);
 let _e4907 = select(-1e6f, (((((_e4886.member.member * _e4500) + (_e4886.member.member_1 * _e4501)) + (_e4886.member.member_2 * _e4502)) + _e4886.member_1) * _e4796), _e4881);
-let _e4913 = global_5.member[_e466].member_15.member.member;
+let _e4913 = global_5.member[_e466].member_17.member.member;
 let _e4917 = -(_e4906);
 let _e4920 = (_e4906 - _e4907);
 let _e4921 = (_e4907 - _e4906);
@@ -1886,12 +1888,12 @@ let _e4941 = select(_e4862, _e4930, _e4939);
 let _e4945 = select(_e4866, _e4934, _e4940);
 let _e4949 = select(_e4870, _e4906, _e4935);
 let _e4951 = select(_e4872, _e4907, (_e4907 > _e4872));
-let _e4959 = global_5.member[_e466].member_16.member_1;
+let _e4959 = global_5.member[_e466].member_18.member_1;
 let _e4960 = (_e4959 != 0u);
-let _e4965 = global_5.member[_e466].member_16.member;
+let _e4965 = global_5.member[_e466].member_18.member;
 let _e4985 = select(-1e6f, (((((_e4965.member.member * _e4115.x) + (_e4965.member.member_1 * _e4115.y)) + (_e4965.member.member_2 * _e4115.z)) + _e4965.member_1) * _e4796), _e4960);
 let _e4986 = select(-1e6f, (((((_e4965.member.member * _e4500) + (_e4965.member.member_1 * _e4501)) + (_e4965.member.member_2 * _e4502)) + _e4965.member_1) * _e4796), _e4960);
-let _e4992 = global_5.member[_e466].member_16.member.member;
+let _e4992 = global_5.member[_e466].member_18.member.member;
 let _e4996 = -(_e4985);
 let _e4999 = (_e4985 - _e4986);
 let _e5000 = (_e4986 - _e4985);
@@ -1906,12 +1908,12 @@ let _e5020 = select(_e4941, _e5009, _e5018);
 let _e5024 = select(_e4945, _e5013, _e5019);
 let _e5028 = select(_e4949, _e4985, _e5014);
 let _e5030 = select(_e4951, _e4986, (_e4986 > _e4951));
-let _e5038 = global_5.member[_e466].member_17.member_1;
+let _e5038 = global_5.member[_e466].member_19.member_1;
 let _e5039 = (_e5038 != 0u);
-let _e5044 = global_5.member[_e466].member_17.member;
+let _e5044 = global_5.member[_e466].member_19.member;
 let _e5064 = select(-1e6f, (((((_e5044.member.member * _e4115.x) + (_e5044.member.member_1 * _e4115.y)) + (_e5044.member.member_2 * _e4115.z)) + _e5044.member_1) * _e4796), _e5039);
 let _e5065 = select(-1e6f, (((((_e5044.member.member * _e4500) + (_e5044.member.member_1 * _e4501)) + (_e5044.member.member_2 * _e4502)) + _e5044.member_1) * _e4796), _e5039);
-let _e5071 = global_5.member[_e466].member_17.member.member;
+let _e5071 = global_5.member[_e466].member_19.member.member;
 let _e5075 = -(_e5064);
 let _e5078 = (_e5064 - _e5065);
 let _e5079 = (_e5065 - _e5064);
@@ -1922,9 +1924,9 @@ let _e5092 = select(2f, select(0f, _e5084, (_e5064 < 0f)), (_e5065 > 0f));
 let _e5093 = (_e5064 > _e5028);
 let _e5097 = ((_e5088 > _e5020) || ((_e5088 == _e5020) && _e5093));
 let _e5098 = (_e5092 < _e5024);
-phi_10641_ = type_34(select(_e5020, _e5088, _e5097), vec3<f32>(select(select(select(select(_e4772, _e4834.member, _e4860), _e4913.member, _e4939), _e4992.member, _e5018), _e5071.member, _e5097), select(select(select(select(_e4773, _e4834.member_1, _e4860), _e4913.member_1, _e4939), _e4992.member_1, _e5018), _e5071.member_1, _e5097), select(select(select(select(_e4774, _e4834.member_2, _e4860), _e4913.member_2, _e4939), _e4992.member_2, _e5018), _e5071.member_2, _e5097)), select(_e5024, _e5092, _e5098), vec3<f32>(select(select(select(select(_e4777, _e4834.member, _e4861), _e4913.member, _e4940), _e4992.member, _e5019), _e5071.member, _e5098), select(select(select(select(_e4778, _e4834.member_1, _e4861), _e4913.member_1, _e4940), _e4992.member_1, _e5019), _e5071.member_1, _e5098), select(select(select(select(_e4779, _e4834.member_2, _e4861), _e4913.member_2, _e4940), _e4992.member_2, _e5019), _e5071.member_2, _e5098)), select(_e5028, _e5064, _e5093), select(_e5030, _e5065, (_e5065 > _e5030)), vec3<f32>(select(select(select(select(_e4784, _e4834.member, _e4856), _e4913.member, _e4935), _e4992.member, _e5014), _e5071.member, _e5093), select(select(select(select(_e4785, _e4834.member_1, _e4856), _e4913.member_1, _e4935), _e4992.member_1, _e5014), _e5071.member_1, _e5093), select(select(select(select(_e4786, _e4834.member_2, _e4856), _e4913.member_2, _e4935), _e4992.member_2, _e5014), _e5071.member_2, _e5093)));
+phi_10643_ = type_34(select(_e5020, _e5088, _e5097), vec3<f32>(select(select(select(select(_e4772, _e4834.member, _e4860), _e4913.member, _e4939), _e4992.member, _e5018), _e5071.member, _e5097), select(select(select(select(_e4773, _e4834.member_1, _e4860), _e4913.member_1, _e4939), _e4992.member_1, _e5018), _e5071.member_1, _e5097), select(select(select(select(_e4774, _e4834.member_2, _e4860), _e4913.member_2, _e4939), _e4992.member_2, _e5018), _e5071.member_2, _e5097)), select(_e5024, _e5092, _e5098), vec3<f32>(select(select(select(select(_e4777, _e4834.member, _e4861), _e4913.member, _e4940), _e4992.member, _e5019), _e5071.member, _e5098), select(select(select(select(_e4778, _e4834.member_1, _e4861), _e4913.member_1, _e4940), _e4992.member_1, _e5019), _e5071.member_1, _e5098), select(select(select(select(_e4779, _e4834.member_2, _e4861), _e4913.member_2, _e4940), _e4992.member_2, _e5019), _e5071.member_2, _e5098)), select(_e5028, _e5064, _e5093), select(_e5030, _e5065, (_e5065 > _e5030)), vec3<f32>(select(select(select(select(_e4784, _e4834.member, _e4856), _e4913.member, _e4935), _e4992.member, _e5014), _e5071.member, _e5093), select(select(select(select(_e4785, _e4834.member_1, _e4856), _e4913.member_1, _e4935), _e4992.member_1, _e5014), _e5071.member_1, _e5093), select(select(select(select(_e4786, _e4834.member_2, _e4856), _e4913.member_2, _e4935), _e4992.member_2, _e5014), _e5071.member_2, _e5093)));
 }
-let _e5118 = phi_10641_;
+let _e5118 = phi_10643_;
 let _e5124 = (((_e4102 && _e4505) && !(_e4489)) && (_e5118.member_2 <= 1f));
 let _e5129 = select(1f, _e5118.member_2, _e5124);
 let _e5130 = ((_e4500 - _e4115.x) * _e5129);
@@ -2043,11 +2045,11 @@ let _e5421 = select(_e3225, _e5419, (_e5419 < _e3225));
 let _e5426 = global_2.member[bitcast<u32>(select(0i, _e5421, (_e5421 > 0i)))];
 let _e5441 = ((_e3399 + (f32(bitcast<i32>((_e5426 >> bitcast<u32>(12u)))) * _e3407)) + ((f32((bitcast<i32>((_e5426 & 4095u)) - 2048i)) * _e3390) * (_e5403 - f32(_e5418))));
 if _e4505 {
-phi_11753_ = type_31(_e5441, 1f);
+phi_11755_ = type_31(_e5441, 1f);
 } else {
-phi_11753_ = type_31(1f, _e5441);
+phi_11755_ = type_31(1f, _e5441);
 }
-let _e5445 = phi_11753_;
+let _e5445 = phi_11755_;
 let _e5450 = ((_e5445.member_1 * _e5445.member_1) - (_e5445.member * _e5445.member));
 let _e5458 = (((_e5118.member_3.x * _e5118.member_3.x) + (_e5118.member_3.y * _e5118.member_3.y)) + (_e5118.member_3.z * _e5118.member_3.z));
 let _e5461 = sqrt(select(0f, _e5458, (_e5458 > 0f)));
@@ -2184,16 +2186,16 @@ let _e5807 = select(select(select(select(select(select(0f, _e2302.member, _e5588
 let _e5808 = select(select(select(select(select(select(0f, _e2302.member_1, _e5588), _e2302.member_1, _e5628), _e2311.member_1, _e5668), _e2311.member_1, _e5708), _e2320.member_1, _e5748), _e2320.member_1, _e5788);
 let _e5809 = select(select(select(select(select(select(1f, _e2302.member_2, _e5588), _e2302.member_2, _e5628), _e2311.member_2, _e5668), _e2311.member_2, _e5708), _e2320.member_2, _e5748), _e2320.member_2, _e5788);
 if _e2569 {
-phi_13291_ = type_34(_e5794, vec3<f32>(_e5795, _e5796, _e5797), _e5799, vec3<f32>(_e5800, _e5801, _e5802), _e5804, _e5806, vec3<f32>(_e5807, _e5808, _e5809));
+phi_13293_ = type_34(_e5794, vec3<f32>(_e5795, _e5796, _e5797), _e5799, vec3<f32>(_e5800, _e5801, _e5802), _e5804, _e5806, vec3<f32>(_e5807, _e5808, _e5809));
 } else {
 let _e5816 = (((_e2302.member * _e2302.member) + (_e2302.member_1 * _e2302.member_1)) + (_e2302.member_2 * _e2302.member_2));
 let _e5819 = sqrt(select(0f, _e5816, (_e5816 > 0f)));
-let _e5824 = global_5.member[_e466].member_14.member_1;
+let _e5824 = global_5.member[_e466].member_16.member_1;
 let _e5825 = (_e5824 != 0u);
-let _e5830 = global_5.member[_e466].member_14.member;
+let _e5830 = global_5.member[_e466].member_16.member;
 let _e5850 = select(-1e6f, (((((_e5830.member.member * _e5137.x) + (_e5830.member.member_1 * _e5137.y)) + (_e5830.member.member_2 * _e5137.z)) + _e5830.member_1) * _e5819), _e5825);
 let _e5851 = select(-1e6f, (((((_e5830.member.member * _e5523) + (_e5830.member.member_1 * _e5524)) + (_e5830.member.member_2 * _e5525)) + _e5830.member_1) * _e5819), _e5825);
-let _e5857 = global_5.member[_e466].member_14.member.member;
+let _e5857 = global_5.member[_e466].member_16.member.member;
 let _e5861 = -(_e5850);
 let _e5864 = (_e5850 - _e5851);
 let _e5865 = (_e5851 - _e5850);
@@ -2208,12 +2210,12 @@ let _e5885 = select(_e5794, _e5874, _e5883);
 let _e5889 = select(_e5799, _e5878, _e5884);
 let _e5893 = select(_e5804, _e5850, _e5879);
 let _e5895 = select(_e5806, _e5851, (_e5851 > _e5806));
-let _e5903 = global_5.member[_e466].member_15.member_1;
+let _e5903 = global_5.member[_e466].member_17.member_1;
 let _e5904 = (_e5903 != 0u);
-let _e5909 = global_5.member[_e466].member_15.member;
+let _e5909 = global_5.member[_e466].member_17.member;
 let _e5929 = select(-1e6f, (((((_e5909.member.member * _e5137.x) + (_e5909.member.member_1 * _e5137.y)) + (_e5909.member.member_2 * _e5137.z)) + _e5909.member_1) * _e5819), _e5904);
 let _e5930 = select(-1e6f, (((((_e5909.member.member * _e5523) + (_e5909.member.member_1 * _e5524)) + (_e5909.member.member_2 * _e5525)) + _e5909.member_1) * _e5819), _e5904);
-let _e5936 = global_5.member[_e466].member_15.member.member;
+let _e5936 = global_5.member[_e466].member_17.member.member;
 let _e5940 = -(_e5929);
 let _e5943 = (_e5929 - _e5930);
 let _e5944 = (_e5930 - _e5929);
@@ -2228,12 +2230,12 @@ let _e5964 = select(_e5885, _e5953, _e5962);
 let _e5968 = select(_e5889, _e5957, _e5963);
 let _e5972 = select(_e5893, _e5929, _e5958);
 let _e5974 = select(_e5895, _e5930, (_e5930 > _e5895));
-let _e5982 = global_5.member[_e466].member_16.member_1;
+let _e5982 = global_5.member[_e466].member_18.member_1;
 let _e5983 = (_e5982 != 0u);
-let _e5988 = global_5.member[_e466].member_16.member;
+let _e5988 = global_5.member[_e466].member_18.member;
 let _e6008 = select(-1e6f, (((((_e5988.member.member * _e5137.x) + (_e5988.member.member_1 * _e5137.y)) + (_e5988.member.member_2 * _e5137.z)) + _e5988.member_1) * _e5819), _e5983);
 let _e6009 = select(-1e6f, (((((_e5988.member.member * _e5523) + (_e5988.member.member_1 * _e5524)) + (_e5988.member.member_2 * _e5525)) + _e5988.member_1) * _e5819), _e5983);
-let _e6015 = global_5.member[_e466].member_16.member.member;
+let _e6015 = global_5.member[_e466].member_18.member.member;
 let _e6019 = -(_e6008);
 let _e6022 = (_e6008 - _e6009);
 let _e6023 = (_e6009 - _e6008);
@@ -2248,12 +2250,12 @@ let _e6043 = select(_e5964, _e6032, _e6041);
 let _e6047 = select(_e5968, _e6036, _e6042);
 let _e6051 = select(_e5972, _e6008, _e6037);
 let _e6053 = select(_e5974, _e6009, (_e6009 > _e5974));
-let _e6061 = global_5.member[_e466].member_17.member_1;
+let _e6061 = global_5.member[_e466].member_19.member_1;
 let _e6062 = (_e6061 != 0u);
-let _e6067 = global_5.member[_e466].member_17.member;
+let _e6067 = global_5.member[_e466].member_19.member;
 let _e6087 = select(-1e6f, (((((_e6067.member.member * _e5137.x) + (_e6067.member.member_1 * _e5137.y)) + (_e6067.member.member_2 * _e5137.z)) + _e6067.member_1) * _e5819), _e6062);
 let _e6088 = select(-1e6f, (((((_e6067.member.member * _e5523) + (_e6067.member.member_1 * _e5524)) + (_e6067.member.member_2 * _e5525)) + _e6067.member_1) * _e5819), _e6062);
-let _e6094 = global_5.member[_e466].member_17.member.member;
+let _e6094 = global_5.member[_e466].member_19.member.member;
 let _e6098 = -(_e6087);
 let _e6101 = (_e6087 - _e6088);
 let _e6102 = (_e6088 - _e6087);
@@ -2264,9 +2266,9 @@ let _e6115 = select(2f, select(0f, _e6107, (_e6087 < 0f)), (_e6088 > 0f));
 let _e6116 = (_e6087 > _e6051);
 let _e6120 = ((_e6111 > _e6043) || ((_e6111 == _e6043) && _e6116));
 let _e6121 = (_e6115 < _e6047);
-phi_13291_ = type_34(select(_e6043, _e6111, _e6120), vec3<f32>(select(select(select(select(_e5795, _e5857.member, _e5883), _e5936.member, _e5962), _e6015.member, _e6041), _e6094.member, _e6120), select(select(select(select(_e5796, _e5857.member_1, _e5883), _e5936.member_1, _e5962), _e6015.member_1, _e6041), _e6094.member_1, _e6120), select(select(select(select(_e5797, _e5857.member_2, _e5883), _e5936.member_2, _e5962), _e6015.member_2, _e6041), _e6094.member_2, _e6120)), select(_e6047, _e6115, _e6121), vec3<f32>(select(select(select(select(_e5800, _e5857.member, _e5884), _e5936.member, _e5963), _e6015.member, _e6042), _e6094.member, _e6121), select(select(select(select(_e5801, _e5857.member_1, _e5884), _e5936.member_1, _e5963), _e6015.member_1, _e6042), _e6094.member_1, _e6121), select(select(select(select(_e5802, _e5857.member_2, _e5884), _e5936.member_2, _e5963), _e6015.member_2, _e6042), _e6094.member_2, _e6121)), select(_e6051, _e6087, _e6116), select(_e6053, _e6088, (_e6088 > _e6053)), vec3<f32>(select(select(select(select(_e5807, _e5857.member, _e5879), _e5936.member, _e5958), _e6015.member, _e6037), _e6094.member, _e6116), select(select(select(select(_e5808, _e5857.member_1, _e5879), _e5936.member_1, _e5958), _e6015.member_1, _e6037), _e6094.member_1, _e6116), select(select(select(select(_e5809, _e5857.member_2, _e5879), _e5936.member_2, _e5958), _e6015.member_2, _e6037), _e6094.member_2, _e6116)));
+phi_13293_ = type_34(select(_e6043, _e6111, _e6120), vec3<f32>(select(select(select(select(_e5795, _e5857.member, _e5883), _e5936.member, _e5962), _e6015.member, _e6041), _e6094.member, _e6120), select(select(select(select(_e5796, _e5857.member_1, _e5883), _e5936.member_1, _e5962), _e6015.member_1, _e6041), _e6094.member_1, _e6120), select(select(select(select(_e5797, _e5857.member_2, _e5883), _e5936.member_2, _e5962), _e6015.member_2, _e6041), _e6094.member_2, _e6120)), select(_e6047, _e6115, _e6121), vec3<f32>(select(select(select(select(_e5800, _e5857.member, _e5884), _e5936.member, _e5963), _e6015.member, _e6042), _e6094.member, _e6121), select(select(select(select(_e5801, _e5857.member_1, _e5884), _e5936.member_1, _e5963), _e6015.member_1, _e6042), _e6094.member_1, _e6121), select(select(select(select(_e5802, _e5857.member_2, _e5884), _e5936.member_2, _e5963), _e6015.member_2, _e6042), _e6094.member_2, _e6121)), select(_e6051, _e6087, _e6116), select(_e6053, _e6088, (_e6088 > _e6053)), vec3<f32>(select(select(select(select(_e5807, _e5857.member, _e5879), _e5936.member, _e5958), _e6015.member, _e6037), _e6094.member, _e6116), select(select(select(select(_e5808, _e5857.member_1, _e5879), _e5936.member_1, _e5958), _e6015.member_1, _e6037), _e6094.member_1, _e6116), select(select(select(select(_e5809, _e5857.member_2, _e5879), _e5936.member_2, _e5958), _e6015.member_2, _e6037), _e6094.member_2, _e6116)));
 }
-let _e6141 = phi_13291_;
+let _e6141 = phi_13293_;
 let _e6147 = (((_e5124 && _e5528) && !(_e5512)) && (_e6141.member_2 <= 1f));
 let _e6148 = (_e2938 - _e499);
 let _e6149 = (_e2939 - _e501);
@@ -2439,25 +2441,25 @@ let _e6637 = select(_e6595, _e6566, (_e6566 > _e6595));
 let _e6640 = (select(_e6631, _e6633, (_e6633 < _e6631)) - select(_e6624, _e6637, (_e6637 > _e6624)));
 let _e6647 = ((_e3485 || _e4485) || _e5508);
 if _e3485 {
-phi_15039_ = _e3417;
+phi_15041_ = _e3417;
 } else {
-phi_15039_ = _e4423;
+phi_15041_ = _e4423;
 }
-let _e6668 = phi_15039_;
-phi_15052_ = type_38(_e6668, vec3<f32>(select(_e5523, _e5137.x, _e6147), select(_e5524, _e5137.y, _e6147), select(_e5525, _e5137.z, _e6147)), vec3<f32>(_e5497, _e5498, _e5499), select(_e2287, ((((sqrt(select(0f, _e6155, (_e6155 > 0f))) * select(0f, _e6254, (_e6254 > 0f))) + (sqrt(select(0f, _e6265, (_e6265 > 0f))) * select(0f, _e6382, (_e6382 > 0f)))) + (sqrt(select(0f, _e6394, (_e6394 > 0f))) * select(0f, _e6511, (_e6511 > 0f)))) + select(0f, (sqrt(select(0f, _e6523, (_e6523 > 0f))) * select(0f, _e6640, (_e6640 > 0f))), _e5124)), _e6647), select((_e489 / _e5499), (2f * (_e4106 / _e3471)), (((_e2931 && !(_e2908)) && _e3504) && !(_e4102))), select(_e4096.member_3, _e2923.member_1, vec3(_e3485)), _e5528, _e6647, (((_e3489 || _e4489) || _e5512) || _e6147));
-phi_15053_ = vec3<f32>(_e2912, _e2913, _e2914);
-phi_15054_ = _e2908;
-phi_15055_ = _e2909;
+let _e6668 = phi_15041_;
+phi_15054_ = type_38(_e6668, vec3<f32>(select(_e5523, _e5137.x, _e6147), select(_e5524, _e5137.y, _e6147), select(_e5525, _e5137.z, _e6147)), vec3<f32>(_e5497, _e5498, _e5499), select(_e2287, ((((sqrt(select(0f, _e6155, (_e6155 > 0f))) * select(0f, _e6254, (_e6254 > 0f))) + (sqrt(select(0f, _e6265, (_e6265 > 0f))) * select(0f, _e6382, (_e6382 > 0f)))) + (sqrt(select(0f, _e6394, (_e6394 > 0f))) * select(0f, _e6511, (_e6511 > 0f)))) + select(0f, (sqrt(select(0f, _e6523, (_e6523 > 0f))) * select(0f, _e6640, (_e6640 > 0f))), _e5124)), _e6647), select((_e489 / _e5499), (2f * (_e4106 / _e3471)), (((_e2931 && !(_e2908)) && _e3504) && !(_e4102))), select(_e4096.member_3, _e2923.member_1, vec3(_e3485)), _e5528, _e6647, (((_e3489 || _e4489) || _e5512) || _e6147));
+phi_15055_ = vec3<f32>(_e2912, _e2913, _e2914);
+phi_15056_ = _e2908;
+phi_15057_ = _e2909;
 } else {
-phi_15052_ = type_38(_e2200.member, _e2200.member_1, _e2200.member_2, _e2287, _e2200.member_4, _e2200.member_5, _e2200.member_6, _e2200.member_7, _e2200.member_8);
-phi_15053_ = _e1395;
-phi_15054_ = true;
-phi_15055_ = _e2188;
+phi_15054_ = type_38(_e2200.member, _e2200.member_1, _e2200.member_2, _e2287, _e2200.member_4, _e2200.member_5, _e2200.member_6, _e2200.member_7, _e2200.member_8);
+phi_15055_ = _e1395;
+phi_15056_ = true;
+phi_15057_ = _e2188;
 }
-let _e6671 = phi_15052_;
-let _e6673 = phi_15053_;
-let _e6675 = phi_15054_;
-let _e6677 = phi_15055_;
+let _e6671 = phi_15054_;
+let _e6673 = phi_15055_;
+let _e6675 = phi_15056_;
+let _e6677 = phi_15057_;
 let _e6688 = ((((_e568.member.member * _e6671.member_1.x) + (_e568.member.member_1 * _e6671.member_1.y)) + (_e568.member.member_2 * _e6671.member_1.z)) + _e568.member_1);
 let _e6694 = ((((_e584.member.member * _e6671.member_1.x) + (_e584.member.member_1 * _e6671.member_1.y)) + (_e584.member.member_2 * _e6671.member_1.z)) + _e584.member_1);
 let _e6700 = ((((_e600.member.member * _e6671.member_1.x) + (_e600.member.member_1 * _e6671.member_1.y)) + (_e600.member.member_2 * _e6671.member_1.z)) + _e600.member_1);
@@ -2564,8 +2566,8 @@ let _e7195 = select(-1f, _e7163, (_e7163 > -1f));
 let _e7197 = select(_e901, _e7195, (_e7195 < _e901));
 let _e7204 = select(0i, select(select(i32(_e7197), i32(-2147483648), (_e7197 < -2147483600f)), 2147483647i, (_e7197 > 2147483500f)), (_e7197 == _e7197));
 let _e7208 = (_e7204 - select(0i, 1i, (_e7197 < f32(_e7204))));
-let _e7213 = global_5.member[_e466].member_7.member_7;
-let _e7218 = global_5.member[_e466].member_7.member_8;
+let _e7213 = global_5.member[_e466].member_9.member_7;
+let _e7218 = global_5.member[_e466].member_9.member_8;
 let _e7226 = (select(0i, select(select(i32(_e890), i32(-2147483648), (_e890 < -2147483600f)), 2147483647i, (_e890 > 2147483500f)), (_e890 == _e890)) - 1i);
 let _e7227 = (_e7193 - 1i);
 let _e7232 = (_e7193 + 1i);
@@ -2807,8 +2809,8 @@ let _e7778 = local_23[2u];
 let _e7782 = local_23[1u];
 let _e7786 = local_23[2u];
 let _e7790 = local_23[2u];
-let _e7798 = global_5.member[_e466].member_7.member_6;
-let _e7803 = global_5.member[_e466].member_7.member_5;
+let _e7798 = global_5.member[_e466].member_9.member_6;
+let _e7803 = global_5.member[_e466].member_9.member_5;
 let _e7805 = (((_e7720 + ((_e7724 - _e7720) * _e7790)) - _e7798) * _e7803);
 let _e7807 = select(_e1722, _e7805, (_e7805 > _e1722));
 let _e7811 = (((_e7728 + (((_e7454 + (((_e7473 + ((_e7483 - _e7473) * _e7504)) - _e7454) * _e7729)) - _e7728) * _e7734)) - _e7798) * _e7803);
@@ -2916,7 +2918,7 @@ if _e1081 {
 let _e8530 = ((0.5f * (_e7821 - _e7815)) * _e8079);
 let _e8531 = ((0.5f * (_e7833 - _e7827)) * _e8079);
 let _e8532 = ((0.5f * (_e7845 - _e7839)) * _e8079);
-phi_21622_ = type_32(_e8041, vec3<f32>(_e8530, _e8531, _e8532), vec3<f32>((_e8530 * _e8041), (_e8531 * _e8041), (_e8532 * _e8041)));
+phi_21624_ = type_32(_e8041, vec3<f32>(_e8530, _e8531, _e8532), vec3<f32>((_e8530 * _e8041), (_e8531 * _e8041), (_e8532 * _e8041)));
 } else {
 local_18 = _e7815;
 let _e8080 = local_18;
@@ -3065,23 +3067,23 @@ let _e8505 = ((_e8026 + (f32(bitcast<i32>((_e8490 >> bitcast<u32>(12u)))) * _e80
 let _e8506 = (_e8221 - _e8150);
 let _e8508 = (_e8363 - _e8292);
 let _e8510 = (_e8505 - _e8434);
-phi_21622_ = type_32(_e8041, vec3<f32>((0.5f * _e8506), (0.5f * _e8508), (0.5f * _e8510)), vec3<f32>((0.25f * (_e8506 * (_e8221 + _e8150))), (0.25f * (_e8508 * (_e8363 + _e8292))), (0.25f * (_e8510 * (_e8505 + _e8434)))));
+phi_21624_ = type_32(_e8041, vec3<f32>((0.5f * _e8506), (0.5f * _e8508), (0.5f * _e8510)), vec3<f32>((0.25f * (_e8506 * (_e8221 + _e8150))), (0.25f * (_e8508 * (_e8363 + _e8292))), (0.25f * (_e8510 * (_e8505 + _e8434)))));
 }
-let _e8540 = phi_21622_;
+let _e8540 = phi_21624_;
 let _e8555 = select(0f, 1f, ((((((_e6706 >= -0.5f) && (_e6706 <= _e880)) && (_e6712 >= -0.5f)) && (_e6712 <= _e891)) && (_e6718 >= -0.5f)) && (_e6718 <= _e902)));
 let _e8557 = (0.5f * (_e7821 - _e7815));
 let _e8559 = (0.5f * (_e7833 - _e7827));
 let _e8561 = (0.5f * (_e7845 - _e7839));
-let _e8568 = global_5.member[_e466].member_7.member.member.member;
-let _e8575 = global_5.member[_e466].member_7.member.member.member_1;
-let _e8582 = global_5.member[_e466].member_7.member.member.member_2;
-let _e8589 = global_5.member[_e466].member_7.member_1.member.member;
-let _e8596 = global_5.member[_e466].member_7.member_1.member.member_1;
-let _e8603 = global_5.member[_e466].member_7.member_1.member.member_2;
-let _e8610 = global_5.member[_e466].member_7.member_2.member.member;
-let _e8617 = global_5.member[_e466].member_7.member_2.member.member_1;
-let _e8624 = global_5.member[_e466].member_7.member_2.member.member_2;
-phi_22269_ = type_33(select(1e9f, _e7149, (_e7149 < 1e9f)), vec3<f32>(((((_e8568 * _e8557) + (_e8589 * _e8559)) + (_e8610 * _e8561)) * _e8555), ((((_e8575 * _e8557) + (_e8596 * _e8559)) + (_e8617 * _e8561)) * _e8555), ((((_e8582 * _e8557) + (_e8603 * _e8559)) + (_e8624 * _e8561)) * _e8555)), _e8540.member, vec3<f32>(((((_e8568 * _e8540.member_2.x) + (_e8589 * _e8540.member_2.y)) + (_e8610 * _e8540.member_2.z)) * _e8555), ((((_e8575 * _e8540.member_2.x) + (_e8596 * _e8540.member_2.y)) + (_e8617 * _e8540.member_2.z)) * _e8555), ((((_e8582 * _e8540.member_2.x) + (_e8603 * _e8540.member_2.y)) + (_e8624 * _e8540.member_2.z)) * _e8555)), vec3<f32>(((((_e8568 * _e8540.member_1.x) + (_e8589 * _e8540.member_1.y)) + (_e8610 * _e8540.member_1.z)) * _e8555), ((((_e8575 * _e8540.member_1.x) + (_e8596 * _e8540.member_1.y)) + (_e8617 * _e8540.member_1.z)) * _e8555), ((((_e8582 * _e8540.member_1.x) + (_e8603 * _e8540.member_1.y)) + (_e8624 * _e8540.member_1.z)) * _e8555)));
+let _e8568 = global_5.member[_e466].member_9.member.member.member;
+let _e8575 = global_5.member[_e466].member_9.member.member.member_1;
+let _e8582 = global_5.member[_e466].member_9.member.member.member_2;
+let _e8589 = global_5.member[_e466].member_9.member_1.member.member;
+let _e8596 = global_5.member[_e466].member_9.member_1.member.member_1;
+let _e8603 = global_5.member[_e466].member_9.member_1.member.member_2;
+let _e8610 = global_5.member[_e466].member_9.member_2.member.member;
+let _e8617 = global_5.member[_e466].member_9.member_2.member.member_1;
+let _e8624 = global_5.member[_e466].member_9.member_2.member.member_2;
+phi_22271_ = type_33(select(1e9f, _e7149, (_e7149 < 1e9f)), vec3<f32>(((((_e8568 * _e8557) + (_e8589 * _e8559)) + (_e8610 * _e8561)) * _e8555), ((((_e8575 * _e8557) + (_e8596 * _e8559)) + (_e8617 * _e8561)) * _e8555), ((((_e8582 * _e8557) + (_e8603 * _e8559)) + (_e8624 * _e8561)) * _e8555)), _e8540.member, vec3<f32>(((((_e8568 * _e8540.member_2.x) + (_e8589 * _e8540.member_2.y)) + (_e8610 * _e8540.member_2.z)) * _e8555), ((((_e8575 * _e8540.member_2.x) + (_e8596 * _e8540.member_2.y)) + (_e8617 * _e8540.member_2.z)) * _e8555), ((((_e8582 * _e8540.member_2.x) + (_e8603 * _e8540.member_2.y)) + (_e8624 * _e8540.member_2.z)) * _e8555)), vec3<f32>(((((_e8568 * _e8540.member_1.x) + (_e8589 * _e8540.member_1.y)) + (_e8610 * _e8540.member_1.z)) * _e8555), ((((_e8575 * _e8540.member_1.x) + (_e8596 * _e8540.member_1.y)) + (_e8617 * _e8540.member_1.z)) * _e8555), ((((_e8582 * _e8540.member_1.x) + (_e8603 * _e8540.member_1.y)) + (_e8624 * _e8540.member_1.z)) * _e8555)));
 } else {
 let _e6720 = select(-0.5f, _e6688, (_e6688 > -0.5f));
 let _e6722 = select(_e641, _e6720, (_e6720 < _e641));
@@ -3164,15 +3166,15 @@ let _e6920 = local_7[1u];
 let _e6925 = local_7[2u];
 let _e6930 = (((_e6869 + (((_e6894 + (((_e6905 + ((bitcast<f32>(_e6914) - _e6905) * _e6916)) - _e6894) * _e6920)) - _e6869) * _e6925)) - _e1714) * _e1719);
 let _e6932 = select(_e1722, _e6930, (_e6930 > _e1722));
-phi_22269_ = type_33(select(1e9f, _e6932, (_e6932 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_22271_ = type_33(select(1e9f, _e6932, (_e6932 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8690 = phi_22269_;
+let _e8690 = phi_22271_;
 let _e8693 = select(1f, select(1f, _e1463, (_e1463 < 1f)), _e563);
 let _e8695 = ((_e1043 & 16u) == 0u);
 if _e8695 {
-phi_22682_ = type_7(1f, 1f, 1f);
+phi_22684_ = type_7(1f, 1f, 1f);
 } else {
-let _e8700 = global_5.member[_e466].member_14.member;
+let _e8700 = global_5.member[_e466].member_16.member;
 let _e8711 = ((((_e8700.member.member * _e499) + (_e8700.member.member_1 * _e501)) + (_e8700.member.member_2 * _e495)) + _e8700.member_1);
 let _e8717 = ((((_e8700.member.member * _e6671.member_1.x) + (_e8700.member.member_1 * _e6671.member_1.y)) + (_e8700.member.member_2 * _e6671.member_1.z)) + _e8700.member_1);
 let _e8719 = select(_e8717, _e8711, (_e8711 < _e8717));
@@ -3181,9 +3183,9 @@ let _e8723 = (_e8721 - _e8719);
 let _e8726 = (-(_e8719) / select(1e-30f, _e8723, (_e8723 > 1e-30f)));
 let _e8728 = select(0f, _e8726, (_e8726 > 0f));
 let _e8734 = select(select(select(1f, _e8728, (_e8728 < 1f)), 1f, (_e8721 <= 0f)), 0f, (_e8719 > 0f));
-let _e8740 = global_5.member[_e466].member_14.member_1;
+let _e8740 = global_5.member[_e466].member_16.member_1;
 let _e8741 = (_e8740 != 0u);
-let _e8752 = global_5.member[_e466].member_15.member;
+let _e8752 = global_5.member[_e466].member_17.member;
 let _e8763 = ((((_e8752.member.member * _e499) + (_e8752.member.member_1 * _e501)) + (_e8752.member.member_2 * _e495)) + _e8752.member_1);
 let _e8769 = ((((_e8752.member.member * _e6671.member_1.x) + (_e8752.member.member_1 * _e6671.member_1.y)) + (_e8752.member.member_2 * _e6671.member_1.z)) + _e8752.member_1);
 let _e8771 = select(_e8769, _e8763, (_e8763 < _e8769));
@@ -3192,9 +3194,9 @@ let _e8775 = (_e8773 - _e8771);
 let _e8778 = (-(_e8771) / select(1e-30f, _e8775, (_e8775 > 1e-30f)));
 let _e8780 = select(0f, _e8778, (_e8778 > 0f));
 let _e8786 = select(select(select(1f, _e8780, (_e8780 < 1f)), 1f, (_e8773 <= 0f)), 0f, (_e8771 > 0f));
-let _e8792 = global_5.member[_e466].member_15.member_1;
+let _e8792 = global_5.member[_e466].member_17.member_1;
 let _e8793 = (_e8792 != 0u);
-let _e8804 = global_5.member[_e466].member_16.member;
+let _e8804 = global_5.member[_e466].member_18.member;
 let _e8815 = ((((_e8804.member.member * _e499) + (_e8804.member.member_1 * _e501)) + (_e8804.member.member_2 * _e495)) + _e8804.member_1);
 let _e8821 = ((((_e8804.member.member * _e6671.member_1.x) + (_e8804.member.member_1 * _e6671.member_1.y)) + (_e8804.member.member_2 * _e6671.member_1.z)) + _e8804.member_1);
 let _e8823 = select(_e8821, _e8815, (_e8815 < _e8821));
@@ -3203,9 +3205,9 @@ let _e8827 = (_e8825 - _e8823);
 let _e8830 = (-(_e8823) / select(1e-30f, _e8827, (_e8827 > 1e-30f)));
 let _e8832 = select(0f, _e8830, (_e8830 > 0f));
 let _e8838 = select(select(select(1f, _e8832, (_e8832 < 1f)), 1f, (_e8825 <= 0f)), 0f, (_e8823 > 0f));
-let _e8844 = global_5.member[_e466].member_16.member_1;
+let _e8844 = global_5.member[_e466].member_18.member_1;
 let _e8845 = (_e8844 != 0u);
-let _e8856 = global_5.member[_e466].member_17.member;
+let _e8856 = global_5.member[_e466].member_19.member;
 let _e8867 = ((((_e8856.member.member * _e499) + (_e8856.member.member_1 * _e501)) + (_e8856.member.member_2 * _e495)) + _e8856.member_1);
 let _e8873 = ((((_e8856.member.member * _e6671.member_1.x) + (_e8856.member.member_1 * _e6671.member_1.y)) + (_e8856.member.member_2 * _e6671.member_1.z)) + _e8856.member_1);
 let _e8875 = select(_e8873, _e8867, (_e8867 < _e8873));
@@ -3214,12 +3216,12 @@ let _e8879 = (_e8877 - _e8875);
 let _e8882 = (-(_e8875) / select(1e-30f, _e8879, (_e8879 > 1e-30f)));
 let _e8884 = select(0f, _e8882, (_e8882 > 0f));
 let _e8890 = select(select(select(1f, _e8884, (_e8884 < 1f)), 1f, (_e8877 <= 0f)), 0f, (_e8875 > 0f));
-let _e8896 = global_5.member[_e466].member_17.member_1;
+let _e8896 = global_5.member[_e466].member_19.member_1;
 let _e8897 = (_e8896 != 0u);
-phi_22682_ = type_7(((((1f * _e8734) * _e8786) * _e8838) * _e8890), ((((1f * select(1f, _e8734, _e8741)) * select(1f, _e8786, _e8793)) * select(1f, _e8838, _e8845)) * select(1f, _e8890, _e8897)), ((((1f * select(1f, 0f, (_e8741 && (_e8717 > 0f)))) * select(1f, 0f, (_e8793 && (_e8769 > 0f)))) * select(1f, 0f, (_e8845 && (_e8821 > 0f)))) * select(1f, 0f, (_e8897 && (_e8873 > 0f)))));
+phi_22684_ = type_7(((((1f * _e8734) * _e8786) * _e8838) * _e8890), ((((1f * select(1f, _e8734, _e8741)) * select(1f, _e8786, _e8793)) * select(1f, _e8838, _e8845)) * select(1f, _e8890, _e8897)), ((((1f * select(1f, 0f, (_e8741 && (_e8717 > 0f)))) * select(1f, 0f, (_e8793 && (_e8769 > 0f)))) * select(1f, 0f, (_e8845 && (_e8821 > 0f)))) * select(1f, 0f, (_e8897 && (_e8873 > 0f)))));
 }
-let _e8906 = phi_22682_;
-let _e8913 = global_5.member[_e466].member_5.member_3;
+let _e8906 = phi_22684_;
+let _e8913 = global_5.member[_e466].member_7.member_3;
 let _e8914 = ((_e6671.member_3 * _e8693) * _e8913);
 let _e8915 = (_e475.member_2 == 3u);
 let _e8918 = ((_e8915 || (_e475.member_2 == 4u)) || _e1075);
@@ -3430,7 +3432,7 @@ let _e10805 = ((_e10783 - (_e10801 * 0.6933594f)) - (_e10801 * -2.1219444e-4f));
 let _e10825 = ((1f + (_e10805 * (1f + (_e10805 * (0.5f + (_e10805 * (0.16666667f + (_e10805 * (0.041666668f + (_e10805 * (0.008333334f + (_e10805 * (0.001388889f + (_e10805 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10800 + 127i)) << bitcast<u32>(23i))));
 let _e10826 = (1f - _e10825);
 let _e10829 = (_e10826 / select(1e-12f, _e10775, (_e10775 > 1e-12f)));
-phi_26847_ = type_40(_e10825, _e10826, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10536 + (((_e10541 + (((bitcast<f32>(((_e10507 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10541) * _e10469)) - _e10536) * _e10467)) * _e10471) + (((bitcast<f32>(((_e10515 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10456) + ((bitcast<f32>(((_e10523 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10462))) * _e10829), ((((_e10592 + (((_e10597 + (((bitcast<f32>((((_e10507 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10597) * _e10469)) - _e10592) * _e10467)) * _e10471) + (((bitcast<f32>((((_e10515 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10456) + ((bitcast<f32>((((_e10523 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10462))) * _e10829), ((((_e10688 + (((_e10693 + (((bitcast<f32>(((_e10659 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10693) * _e10469)) - _e10688) * _e10467)) * _e10471) + (((bitcast<f32>(((_e10667 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10456) + ((bitcast<f32>(((_e10675 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10462))) * _e10829)));
+phi_26849_ = type_40(_e10825, _e10826, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10536 + (((_e10541 + (((bitcast<f32>(((_e10507 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10541) * _e10469)) - _e10536) * _e10467)) * _e10471) + (((bitcast<f32>(((_e10515 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10456) + ((bitcast<f32>(((_e10523 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10462))) * _e10829), ((((_e10592 + (((_e10597 + (((bitcast<f32>((((_e10507 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10597) * _e10469)) - _e10592) * _e10467)) * _e10471) + (((bitcast<f32>((((_e10515 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10456) + ((bitcast<f32>((((_e10523 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10462))) * _e10829), ((((_e10688 + (((_e10693 + (((bitcast<f32>(((_e10659 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10693) * _e10469)) - _e10688) * _e10467)) * _e10471) + (((bitcast<f32>(((_e10667 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10456) + ((bitcast<f32>(((_e10675 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10462))) * _e10829)));
 } else {
 local_3 = _e1727;
 let _e8920 = local_3;
@@ -3709,9 +3711,9 @@ let _e10044 = ((_e10022 - (_e10040 * 0.6933594f)) - (_e10040 * -2.1219444e-4f));
 let _e10064 = ((1f + (_e10044 * (1f + (_e10044 * (0.5f + (_e10044 * (0.16666667f + (_e10044 * (0.041666668f + (_e10044 * (0.008333334f + (_e10044 * (0.001388889f + (_e10044 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10039 + 127i)) << bitcast<u32>(23i))));
 let _e10065 = (1f - _e10064);
 let _e10068 = (_e10065 / select(1e-12f, _e9411, (_e9411 > 1e-12f)));
-phi_26847_ = type_40(_e10064, _e10065, vec3<f32>(((1f + (_e9899 * (1f + (_e9899 * (0.5f + (_e9899 * (0.16666667f + (_e9899 * (0.041666668f + (_e9899 * (0.008333334f + (_e9899 * (0.001388889f + (_e9899 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9894 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9947 * (1f + (_e9947 * (0.5f + (_e9947 * (0.16666667f + (_e9947 * (0.041666668f + (_e9947 * (0.008333334f + (_e9947 * (0.001388889f + (_e9947 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9942 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9995 * (1f + (_e9995 * (0.5f + (_e9995 * (0.16666667f + (_e9995 * (0.041666668f + (_e9995 * (0.008333334f + (_e9995 * (0.001388889f + (_e9995 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9990 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9684 + (((_e9689 + (((bitcast<f32>(((_e9655 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9689) * _e9314)) - _e9684) * _e9312)) * _e9316) + (((bitcast<f32>(((_e9663 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9301) + ((bitcast<f32>(((_e9671 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9307))) * _e10068), ((((_e9740 + (((_e9745 + (((bitcast<f32>((((_e9655 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9745) * _e9314)) - _e9740) * _e9312)) * _e9316) + (((bitcast<f32>((((_e9663 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9301) + ((bitcast<f32>((((_e9671 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9307))) * _e10068), ((((_e9836 + (((_e9841 + (((bitcast<f32>(((_e9807 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9841) * _e9314)) - _e9836) * _e9312)) * _e9316) + (((bitcast<f32>(((_e9815 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9301) + ((bitcast<f32>(((_e9823 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9307))) * _e10068)));
+phi_26849_ = type_40(_e10064, _e10065, vec3<f32>(((1f + (_e9899 * (1f + (_e9899 * (0.5f + (_e9899 * (0.16666667f + (_e9899 * (0.041666668f + (_e9899 * (0.008333334f + (_e9899 * (0.001388889f + (_e9899 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9894 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9947 * (1f + (_e9947 * (0.5f + (_e9947 * (0.16666667f + (_e9947 * (0.041666668f + (_e9947 * (0.008333334f + (_e9947 * (0.001388889f + (_e9947 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9942 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9995 * (1f + (_e9995 * (0.5f + (_e9995 * (0.16666667f + (_e9995 * (0.041666668f + (_e9995 * (0.008333334f + (_e9995 * (0.001388889f + (_e9995 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9990 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9684 + (((_e9689 + (((bitcast<f32>(((_e9655 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9689) * _e9314)) - _e9684) * _e9312)) * _e9316) + (((bitcast<f32>(((_e9663 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9301) + ((bitcast<f32>(((_e9671 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9307))) * _e10068), ((((_e9740 + (((_e9745 + (((bitcast<f32>((((_e9655 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9745) * _e9314)) - _e9740) * _e9312)) * _e9316) + (((bitcast<f32>((((_e9663 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9301) + ((bitcast<f32>((((_e9671 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9307))) * _e10068), ((((_e9836 + (((_e9841 + (((bitcast<f32>(((_e9807 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9841) * _e9314)) - _e9836) * _e9312)) * _e9316) + (((bitcast<f32>(((_e9815 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9301) + ((bitcast<f32>(((_e9823 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9307))) * _e10068)));
 }
-let _e10836 = phi_26847_;
+let _e10836 = phi_26849_;
 let _e10837 = (_e6671.member_1.x - _e499);
 let _e10838 = (_e6671.member_1.y - _e501);
 let _e10839 = (_e6671.member_1.z - _e495);
@@ -3720,55 +3722,55 @@ let _e10844 = (_e499 + (_e10837 * _e10840));
 let _e10845 = (_e501 + (_e10838 * _e10840));
 let _e10846 = (_e495 + (_e10839 * _e10840));
 if _e8915 {
-let _e12531 = global_5.member[_e466].member_10.member_3;
+let _e12531 = global_5.member[_e466].member_12.member_3;
 let _e12532 = (_e12531 == 0u);
 if _e12532 {
-let _e12761 = global_5.member[_e466].member_9.member_1;
-let _e12770 = global_5.member[_e466].member_9.member;
-phi_27117_ = type_35(vec3<f32>(_e12761.member, _e12761.member_1, _e12761.member_2), vec3<f32>(_e12770.member, _e12770.member_1, _e12770.member_2));
+let _e12761 = global_5.member[_e466].member_11.member_1;
+let _e12770 = global_5.member[_e466].member_11.member;
+phi_27119_ = type_35(vec3<f32>(_e12761.member, _e12761.member_1, _e12761.member_2), vec3<f32>(_e12770.member, _e12770.member_1, _e12770.member_2));
 } else {
-let _e12537 = global_5.member[_e466].member_10.member;
+let _e12537 = global_5.member[_e466].member_12.member;
 let _e12548 = ((((_e12537.member.member * _e10844) + (_e12537.member.member_1 * _e10845)) + (_e12537.member.member_2 * _e10846)) + _e12537.member_1);
-let _e12553 = global_5.member[_e466].member_10.member_1;
+let _e12553 = global_5.member[_e466].member_12.member_1;
 let _e12564 = ((((_e12553.member.member * _e10844) + (_e12553.member.member_1 * _e10845)) + (_e12553.member.member_2 * _e10846)) + _e12553.member_1);
-let _e12569 = global_5.member[_e466].member_10.member_2;
+let _e12569 = global_5.member[_e466].member_12.member_2;
 let _e12580 = ((((_e12569.member.member * _e10844) + (_e12569.member.member_1 * _e10845)) + (_e12569.member.member_2 * _e10846)) + _e12569.member_1);
-let _e12585 = global_5.member[_e466].member_9.member_1;
+let _e12585 = global_5.member[_e466].member_11.member_1;
 if _e12532 {
-phi_26961_ = 1f;
+phi_26963_ = 1f;
 } else {
-let _e12593 = global_5.member[_e466].member_10.member_19;
+let _e12593 = global_5.member[_e466].member_12.member_19;
 let _e12597 = (_e12548 - _e12593.member);
 let _e12598 = (_e12564 - _e12593.member_1);
 let _e12599 = (_e12580 - _e12593.member_2);
 let _e12604 = (((_e12597 * _e12597) + (_e12598 * _e12598)) + (_e12599 * _e12599));
-phi_26961_ = (1f / select(1e-12f, _e12604, (_e12604 > 1e-12f)));
+phi_26963_ = (1f / select(1e-12f, _e12604, (_e12604 > 1e-12f)));
 }
-let _e12609 = phi_26961_;
+let _e12609 = phi_26963_;
 if _e12532 {
-phi_27045_ = 1f;
+phi_27047_ = 1f;
 } else {
-let _e12614 = global_5.member[_e466].member_10.member_19;
+let _e12614 = global_5.member[_e466].member_12.member_19;
 let _e12618 = (_e12548 - _e12614.member);
 let _e12619 = (_e12564 - _e12614.member_1);
 let _e12620 = (_e12580 - _e12614.member_2);
-let _e12626 = global_5.member[_e466].member_10.member_20.member;
+let _e12626 = global_5.member[_e466].member_12.member_20.member;
 let _e12634 = (((_e12626.member * _e12618) + (_e12626.member_1 * _e12619)) + (_e12626.member_2 * _e12620));
 let _e12638 = (_e12618 - (_e12626.member * _e12634));
 let _e12639 = (_e12619 - (_e12626.member_1 * _e12634));
 let _e12640 = (_e12620 - (_e12626.member_2 * _e12634));
 let _e12645 = (((_e12638 * _e12638) + (_e12639 * _e12639)) + (_e12640 * _e12640));
-let _e12657 = global_5.member[_e466].member_10.member_20.member_1;
-let _e12664 = global_5.member[_e466].member_10.member_20.member_2;
+let _e12657 = global_5.member[_e466].member_12.member_20.member_1;
+let _e12664 = global_5.member[_e466].member_12.member_20.member_2;
 let _e12665 = ((_e12657 - (sqrt(select(0f, _e12645, (_e12645 > 0f))) / select(1e-20f, _e12634, (_e12634 > 1e-20f)))) * _e12664);
 let _e12667 = select(0f, _e12665, (_e12665 > 0f));
 let _e12669 = select(1f, _e12667, (_e12667 < 1f));
-phi_27045_ = select(1f, select(0f, ((_e12669 * _e12669) * (3f - (2f * _e12669))), (_e12634 > 0f)), (_e12664 > 0f));
+phi_27047_ = select(1f, select(0f, ((_e12669 * _e12669) * (3f - (2f * _e12669))), (_e12634 > 0f)), (_e12664 > 0f));
 }
-let _e12679 = phi_27045_;
+let _e12679 = phi_27047_;
 let _e12680 = (_e12609 * _e12679);
 let _e12685 = (_e12531 != 0u);
-let _e12690 = global_5.member[_e466].member_10.member_19;
+let _e12690 = global_5.member[_e466].member_12.member_19;
 let _e12694 = (_e12548 - _e12690.member);
 let _e12695 = (_e12564 - _e12690.member_1);
 let _e12696 = (_e12580 - _e12690.member_2);
@@ -3778,28 +3780,28 @@ let _e12707 = (1f / select(1e-20f, _e12704, (_e12704 > 1e-20f)));
 let _e12711 = select(0f, (_e12694 * _e12707), _e12685);
 let _e12712 = select(0f, (_e12695 * _e12707), _e12685);
 let _e12713 = select(1f, (_e12696 * _e12707), _e12685);
-let _e12719 = global_5.member[_e466].member_10.member.member;
-let _e12731 = global_5.member[_e466].member_10.member_1.member;
-let _e12746 = global_5.member[_e466].member_10.member_2.member;
-phi_27117_ = type_35(vec3<f32>((_e12585.member * _e12680), (_e12585.member_1 * _e12680), (_e12585.member_2 * _e12680)), (vec3<f32>(((_e12719.member * _e12711) + (_e12731.member * _e12712)), ((_e12719.member_1 * _e12711) + (_e12731.member_1 * _e12712)), ((_e12719.member_2 * _e12711) + (_e12731.member_2 * _e12712))) + vec3<f32>((_e12746.member * _e12713), (_e12746.member_1 * _e12713), (_e12746.member_2 * _e12713))));
+let _e12719 = global_5.member[_e466].member_12.member.member;
+let _e12731 = global_5.member[_e466].member_12.member_1.member;
+let _e12746 = global_5.member[_e466].member_12.member_2.member;
+phi_27119_ = type_35(vec3<f32>((_e12585.member * _e12680), (_e12585.member_1 * _e12680), (_e12585.member_2 * _e12680)), (vec3<f32>(((_e12719.member * _e12711) + (_e12731.member * _e12712)), ((_e12719.member_1 * _e12711) + (_e12731.member_1 * _e12712)), ((_e12719.member_2 * _e12711) + (_e12731.member_2 * _e12712))) + vec3<f32>((_e12746.member * _e12713), (_e12746.member_1 * _e12713), (_e12746.member_2 * _e12713))));
 }
-let _e12777 = phi_27117_;
-phi_29529_ = _e12777;
+let _e12777 = phi_27119_;
+phi_29531_ = _e12777;
 } else {
 if (_e475.member_2 >= 6u) {
-let _e11910 = global_5.member[_e466].member_8.member_8;
+let _e11910 = global_5.member[_e466].member_10.member_8;
 let _e11911 = (_e10846 - _e11910);
-let _e11916 = global_5.member[_e466].member_8.member_2;
-let _e11921 = global_5.member[_e466].member_8.member_6;
-let _e11929 = global_5.member[_e466].member_8.member_5;
+let _e11916 = global_5.member[_e466].member_10.member_2;
+let _e11921 = global_5.member[_e466].member_10.member_6;
+let _e11929 = global_5.member[_e466].member_10.member_5;
 let _e11931 = (((_e10844 - (_e11916 + (_e11921 * _e11911))) * _e11929) - 0.5f);
-let _e11936 = global_5.member[_e466].member_8.member_3;
-let _e11941 = global_5.member[_e466].member_8.member_7;
+let _e11936 = global_5.member[_e466].member_10.member_3;
+let _e11941 = global_5.member[_e466].member_10.member_7;
 let _e11946 = (((_e10845 - (_e11936 + (_e11941 * _e11911))) * _e11929) - 0.5f);
-let _e11951 = global_5.member[_e466].member_8.member;
+let _e11951 = global_5.member[_e466].member_10.member;
 let _e11952 = bitcast<i32>(_e11951);
 let _e11954 = (f32(_e11952) - 1f);
-let _e11959 = global_5.member[_e466].member_8.member_1;
+let _e11959 = global_5.member[_e466].member_10.member_1;
 let _e11962 = (f32(bitcast<i32>(_e11959)) - 1f);
 let _e11964 = select(0f, _e11931, (_e11931 > 0f));
 let _e11966 = select(_e11954, _e11964, (_e11964 < _e11954));
@@ -3812,7 +3814,7 @@ let _e11992 = (_e11988 - select(0i, 1i, (_e11981 < f32(_e11988))));
 let _e11996 = (_e11931 - f32(_e11977));
 let _e11998 = (_e11946 - f32(_e11992));
 let _e12005 = ((((_e11931 >= 0f) && (_e11931 <= _e11954)) && (_e11946 >= 0f)) && (_e11946 <= _e11962));
-let _e12009 = global_5.member[_e466].member_4;
+let _e12009 = global_5.member[_e466].member_6;
 let _e12010 = bitcast<i32>(_e12009);
 let _e12012 = bitcast<i32>((_e11951 * _e11959));
 let _e12014 = (_e12010 + (3i * _e12012));
@@ -3848,7 +3850,7 @@ let _e12106 = bitcast<u32>(bitcast<f32>(_e12104));
 let _e12116 = f32((bitcast<i32>(((_e12106 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12124 = (_e12031 + ((f32((bitcast<i32>((_e12053 & 65535u)) - 32768i)) - _e12031) * _e11996));
 let _e12133 = (_e12042 + ((select(_e12063, -(_e12063), ((_e12053 >> bitcast<u32>(31i)) != 0u)) - _e12042) * _e11996));
-let _e12146 = global_5.member[_e466].member_9.member;
+let _e12146 = global_5.member[_e466].member_11.member;
 let _e12149 = (1f / 16255f);
 let _e12151 = (_e12146.member + (select(0f, (_e12124 + (((_e12083 + ((f32((bitcast<i32>((_e12106 & 65535u)) - 32768i)) - _e12083) * _e11996)) - _e12124) * _e11998)), _e12005) * _e12149));
 let _e12153 = (_e12146.member_1 + (select(0f, (_e12133 + (((_e12094 + ((select(_e12116, -(_e12116), ((_e12106 >> bitcast<u32>(31i)) != 0u)) - _e12094) * _e11996)) - _e12133) * _e11998)), _e12005) * _e12149));
@@ -3888,7 +3890,7 @@ let _e12254 = select(_e12018, _e12252, (_e12252 < _e12018));
 let _e12260 = global_3.member[bitcast<u32>(select(0i, _e12254, (_e12254 > 0i)))];
 let _e12268 = select(1f, (_e12241 + (((_e12251 + ((bitcast<f32>(_e12260) - _e12251) * _e12209)) - _e12241) * _e12211)), _e12218);
 if _e8918 {
-phi_27862_ = vec3(_e12268);
+phi_27864_ = vec3(_e12268);
 } else {
 let _e12271 = ((_e12010 + _e12012) + _e12207);
 let _e12273 = select(_e12018, _e12271, (_e12271 < _e12018));
@@ -3920,9 +3922,9 @@ let _e12355 = bitcast<f32>(_e12354);
 let _e12356 = (_e12346 + 1i);
 let _e12358 = select(_e12018, _e12356, (_e12356 < _e12018));
 let _e12364 = global_3.member[bitcast<u32>(select(0i, _e12358, (_e12358 > 0i)))];
-phi_27862_ = vec3<f32>(_e12268, select(1f, (_e12293 + (((_e12303 + ((bitcast<f32>(_e12312) - _e12303) * _e12209)) - _e12293) * _e12211)), _e12218), select(1f, (_e12345 + (((_e12355 + ((bitcast<f32>(_e12364) - _e12355) * _e12209)) - _e12345) * _e12211)), _e12218));
+phi_27864_ = vec3<f32>(_e12268, select(1f, (_e12293 + (((_e12303 + ((bitcast<f32>(_e12312) - _e12303) * _e12209)) - _e12293) * _e12211)), _e12218), select(1f, (_e12345 + (((_e12355 + ((bitcast<f32>(_e12364) - _e12355) * _e12209)) - _e12345) * _e12211)), _e12218));
 }
-let _e12375 = phi_27862_;
+let _e12375 = phi_27864_;
 local = (_e12014 + _e12207);
 let _e12377 = local;
 let _e12379 = select(_e12018, _e12377, (_e12377 < _e12018));
@@ -3953,12 +3955,12 @@ let _e12464 = bitcast<u32>(bitcast<f32>(_e12462));
 let _e12474 = f32((bitcast<i32>(((_e12464 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12482 = (_e12390 + ((f32((bitcast<i32>((_e12412 & 65535u)) - 32768i)) - _e12390) * _e12209));
 let _e12491 = (_e12401 + ((select(_e12422, -(_e12422), ((_e12412 >> bitcast<u32>(31i)) != 0u)) - _e12401) * _e12209));
-let _e12504 = global_5.member[_e466].member_9.member_1;
+let _e12504 = global_5.member[_e466].member_11.member_1;
 let _e12511 = (_e12146.member + (select(0f, (_e12482 + (((_e12442 + ((f32((bitcast<i32>((_e12464 & 65535u)) - 32768i)) - _e12442) * _e12209)) - _e12482) * _e12211)), _e12218) * _e12149));
 let _e12513 = (_e12146.member_1 + (select(0f, (_e12491 + (((_e12453 + ((select(_e12474, -(_e12474), ((_e12464 >> bitcast<u32>(31i)) != 0u)) - _e12453) * _e12209)) - _e12491) * _e12211)), _e12218) * _e12149));
 let _e12517 = (1f - ((_e12511 * _e12511) + (_e12513 * _e12513)));
 let _e12519 = select(1e-4f, _e12517, (_e12517 > 1e-4f));
-phi_29528_ = type_35((_e12375 * vec3<f32>(_e12504.member, _e12504.member_1, _e12504.member_2)), vec3<f32>(_e12511, _e12513, sqrt(select(0f, _e12519, (_e12519 > 0f)))));
+phi_29530_ = type_35((_e12375 * vec3<f32>(_e12504.member, _e12504.member_1, _e12504.member_2)), vec3<f32>(_e12511, _e12513, sqrt(select(0f, _e12519, (_e12519 > 0f)))));
 } else {
 let _e10849 = (1f - _e10836.member);
 let _e10851 = select(1e-6f, _e10836.member, (_e10836.member > 1e-6f));
@@ -3973,25 +3975,25 @@ let _e10902 = (_e8693 * select(((1f / select(1e-3f, _e10889, (_e10889 > 1e-3f)))
 let _e10906 = (_e499 + (_e10837 * _e10902));
 let _e10907 = (_e501 + (_e10838 * _e10902));
 let _e10908 = (_e495 + (_e10839 * _e10902));
-let _e10913 = global_5.member[_e466].member_10.member;
+let _e10913 = global_5.member[_e466].member_12.member;
 let _e10924 = ((((_e10913.member.member * _e10906) + (_e10913.member.member_1 * _e10907)) + (_e10913.member.member_2 * _e10908)) + _e10913.member_1);
-let _e10929 = global_5.member[_e466].member_10.member_1;
+let _e10929 = global_5.member[_e466].member_12.member_1;
 let _e10940 = ((((_e10929.member.member * _e10906) + (_e10929.member.member_1 * _e10907)) + (_e10929.member.member_2 * _e10908)) + _e10929.member_1);
-let _e10945 = global_5.member[_e466].member_10.member_2;
+let _e10945 = global_5.member[_e466].member_12.member_2;
 let _e10956 = ((((_e10945.member.member * _e10906) + (_e10945.member.member_1 * _e10907)) + (_e10945.member.member_2 * _e10908)) + _e10945.member_1);
-let _e10961 = global_5.member[_e466].member_10.member_3;
+let _e10961 = global_5.member[_e466].member_12.member_3;
 let _e10962 = (_e10961 != 0u);
-let _e10972 = global_5.member[_e466].member_10.member_19.member_2;
+let _e10972 = global_5.member[_e466].member_12.member_19.member_2;
 let _e10974 = select(1f, (_e10956 - _e10972), _e10962);
 let _e10977 = (1f / select(1e-12f, _e10974, (_e10974 > 1e-12f)));
-let _e10983 = global_5.member[_e466].member_10.member_5;
-let _e10989 = global_5.member[_e466].member_10.member_8;
-let _e10996 = global_5.member[_e466].member_10.member_6;
-let _e11003 = global_5.member[_e466].member_10.member_11;
+let _e10983 = global_5.member[_e466].member_12.member_5;
+let _e10989 = global_5.member[_e466].member_12.member_8;
+let _e10996 = global_5.member[_e466].member_12.member_6;
+let _e11003 = global_5.member[_e466].member_12.member_11;
 let _e11004 = ((((_e10924 * _e10977) - _e10983) * _e10989) - _e11003);
 let _e11005 = ((((_e10940 * _e10977) - _e10996) * _e10989) - _e11003);
-let _e11010 = global_5.member[_e466].member_10.member_9;
-let _e11016 = global_5.member[_e466].member_10.member_10;
+let _e11010 = global_5.member[_e466].member_12.member_9;
+let _e11016 = global_5.member[_e466].member_12.member_10;
 let _e11017 = ((_e10956 - _e11010) * _e11016);
 let _e11018 = -(65536f);
 let _e11020 = select(_e11018, _e11004, (_e11004 > _e11018));
@@ -4010,17 +4012,17 @@ let _e11065 = (firstTrailingBit(8u) & 31u);
 let _e11067 = (_e11063 >> bitcast<u32>(_e11065));
 let _e11069 = (_e11033 >> bitcast<u32>(_e11065));
 let _e11071 = (_e11048 >> bitcast<u32>(_e11065));
-let _e11077 = global_5.member[_e466].member_10.member_14.member;
+let _e11077 = global_5.member[_e466].member_12.member_14.member;
 let _e11078 = bitcast<i32>(_e11077);
-let _e11084 = global_5.member[_e466].member_10.member_14.member_1;
+let _e11084 = global_5.member[_e466].member_12.member_14.member_1;
 let _e11085 = bitcast<i32>(_e11084);
-let _e11091 = global_5.member[_e466].member_10.member_14.member_2;
+let _e11091 = global_5.member[_e466].member_12.member_14.member_2;
 if ((((((_e11069 >= 0i) && (_e11069 < _e11078)) && (_e11071 >= 0i)) && (_e11071 < _e11085)) && (_e11067 >= 0i)) && (_e11067 < bitcast<i32>(_e11091))) {
-phi_28376_ = (((((_e11067 * _e11085) + _e11071) * _e11078) + _e11069) * 3i);
+phi_28378_ = (((((_e11067 * _e11085) + _e11071) * _e11078) + _e11069) * 3i);
 } else {
-phi_28376_ = -1i;
+phi_28378_ = -1i;
 }
-let _e11110 = phi_28376_;
+let _e11110 = phi_28378_;
 let _e11111 = (_e11110 + 1i);
 let _e11113 = (bitcast<i32>(_e240) - 1i);
 let _e11115 = select(_e11113, _e11111, (_e11111 < _e11113));
@@ -4028,7 +4030,7 @@ let _e11121 = global_3.member[bitcast<u32>(select(0i, _e11115, (_e11115 > 0i)))]
 let _e11123 = select(_e11113, _e11110, (_e11110 < _e11113));
 let _e11129 = global_3.member[bitcast<u32>(select(0i, _e11123, (_e11123 > 0i)))];
 let _e11132 = select(_e11121, 0u, (_e11110 < 0i));
-let _e11137 = global_5.member[_e466].member_10.member_13;
+let _e11137 = global_5.member[_e466].member_12.member_13;
 let _e11138 = (_e11132 * 81u);
 let _e11142 = bitcast<i32>((((_e11138 * _e11137) + 63u) & 4294967232u));
 let _e11150 = (((bitcast<i32>(_e11129) + ((_e11063 & 7i) * _e11142)) + ((_e11048 & 7i) * 9i)) + (_e11033 & 7i));
@@ -4069,9 +4071,9 @@ let _e11242 = select(_e11113, _e11240, (_e11240 < _e11113));
 let _e11248 = global_3.member[bitcast<u32>(select(0i, _e11242, (_e11242 > 0i)))];
 let _e11259 = select(1f, (_e11206 + (((_e11229 + (((_e11239 + ((bitcast<f32>(_e11248) - _e11239) * _e11153)) - _e11229) * _e11155)) - _e11206) * _e11157)), _e11158);
 if _e8918 {
-phi_28953_ = vec3(_e11259);
+phi_28955_ = vec3(_e11259);
 } else {
-let _e11265 = global_5.member[_e466].member_10.member_12;
+let _e11265 = global_5.member[_e466].member_12.member_12;
 let _e11266 = (_e11265 > 1u);
 let _e11270 = (_e11150 + (select(0i, 1i, _e11266) * _e11151));
 let _e11272 = select(_e11113, _e11270, (_e11270 < _e11113));
@@ -4135,10 +4137,10 @@ let _e11454 = bitcast<f32>(_e11453);
 let _e11455 = (_e11422 + 10i);
 let _e11457 = select(_e11113, _e11455, (_e11455 < _e11113));
 let _e11463 = global_3.member[bitcast<u32>(select(0i, _e11457, (_e11457 > 0i)))];
-phi_28953_ = vec3<f32>(_e11259, select(1f, (_e11318 + (((_e11341 + (((_e11351 + ((bitcast<f32>(_e11360) - _e11351) * _e11153)) - _e11341) * _e11155)) - _e11318) * _e11157)), _e11158), select(1f, (_e11421 + (((_e11444 + (((_e11454 + ((bitcast<f32>(_e11463) - _e11454) * _e11153)) - _e11444) * _e11155)) - _e11421) * _e11157)), _e11158));
+phi_28955_ = vec3<f32>(_e11259, select(1f, (_e11318 + (((_e11341 + (((_e11351 + ((bitcast<f32>(_e11360) - _e11351) * _e11153)) - _e11341) * _e11155)) - _e11318) * _e11157)), _e11158), select(1f, (_e11421 + (((_e11444 + (((_e11454 + ((bitcast<f32>(_e11463) - _e11454) * _e11153)) - _e11444) * _e11155)) - _e11421) * _e11157)), _e11158));
 }
-let _e11477 = phi_28953_;
-let _e11478 = global_5.member[_e466].member_10.member_19;
+let _e11477 = phi_28955_;
+let _e11478 = global_5.member[_e466].member_12.member_19;
 let _e11482 = (_e10924 - _e11478.member);
 let _e11483 = (_e10940 - _e11478.member_1);
 let _e11484 = (_e10956 - _e11478.member_2);
@@ -4206,46 +4208,46 @@ let _e11758 = (_e11499 + select(0f, ((_e11624 + (((_e11682 + (((_e11700 + ((f32(
 let _e11761 = (_e11500 + select(0f, ((_e11627 + (((_e11685 + (((_e11711 + ((select(_e11732, -(_e11732), ((_e11722 >> bitcast<u32>(31i)) != 0u)) - _e11711) * _e11153)) - _e11685) * _e11155)) - _e11627) * _e11157)) * 6.151953e-5f), _e11158));
 let _e11765 = (1f - ((_e11758 * _e11758) + (_e11761 * _e11761)));
 let _e11767 = select(1e-4f, _e11765, (_e11765 > 1e-4f));
-phi_29360_ = vec3<f32>(_e11758, _e11761, sqrt(select(0f, _e11767, (_e11767 > 0f))));
+phi_29362_ = vec3<f32>(_e11758, _e11761, sqrt(select(0f, _e11767, (_e11767 > 0f))));
 } else {
-phi_29360_ = vec3<f32>(_e11499, _e11500, select(1f, (_e11484 * _e11495), _e10962));
+phi_29362_ = vec3<f32>(_e11499, _e11500, select(1f, (_e11484 * _e11495), _e10962));
 }
-let _e11773 = phi_29360_;
+let _e11773 = phi_29362_;
 let _e11775 = (_e10961 == 0u);
 if _e11775 {
-phi_29454_ = 1f;
+phi_29456_ = 1f;
 } else {
-let _e11781 = global_5.member[_e466].member_10.member_20.member;
+let _e11781 = global_5.member[_e466].member_12.member_20.member;
 let _e11789 = (((_e11781.member * _e11482) + (_e11781.member_1 * _e11483)) + (_e11781.member_2 * _e11484));
 let _e11793 = (_e11482 - (_e11781.member * _e11789));
 let _e11794 = (_e11483 - (_e11781.member_1 * _e11789));
 let _e11795 = (_e11484 - (_e11781.member_2 * _e11789));
 let _e11800 = (((_e11793 * _e11793) + (_e11794 * _e11794)) + (_e11795 * _e11795));
-let _e11812 = global_5.member[_e466].member_10.member_20.member_1;
-let _e11819 = global_5.member[_e466].member_10.member_20.member_2;
+let _e11812 = global_5.member[_e466].member_12.member_20.member_1;
+let _e11819 = global_5.member[_e466].member_12.member_20.member_2;
 let _e11820 = ((_e11812 - (sqrt(select(0f, _e11800, (_e11800 > 0f))) / select(1e-20f, _e11789, (_e11789 > 1e-20f)))) * _e11819);
 let _e11822 = select(0f, _e11820, (_e11820 > 0f));
 let _e11824 = select(1f, _e11822, (_e11822 < 1f));
-phi_29454_ = select(1f, select(0f, ((_e11824 * _e11824) * (3f - (2f * _e11824))), (_e11789 > 0f)), (_e11819 > 0f));
+phi_29456_ = select(1f, select(0f, ((_e11824 * _e11824) * (3f - (2f * _e11824))), (_e11789 > 0f)), (_e11819 > 0f));
 }
-let _e11834 = phi_29454_;
-let _e11840 = global_5.member[_e466].member_9.member_1;
+let _e11834 = phi_29456_;
+let _e11840 = global_5.member[_e466].member_11.member_1;
 if _e11775 {
-phi_29496_ = 1f;
+phi_29498_ = 1f;
 } else {
-phi_29496_ = (1f / select(1e-12f, _e11489, (_e11489 > 1e-12f)));
+phi_29498_ = (1f / select(1e-12f, _e11489, (_e11489 > 1e-12f)));
 }
-let _e11854 = phi_29496_;
+let _e11854 = phi_29498_;
 let _e11855 = (_e11854 * select(_e11834, 1f, (_e1082 && _e11158)));
-let _e11865 = global_5.member[_e466].member_10.member.member;
-let _e11878 = global_5.member[_e466].member_10.member_1.member;
-let _e11894 = global_5.member[_e466].member_10.member_2.member;
-phi_29528_ = type_35(vec3<f32>(((_e11477.x * _e11840.member) * _e11855), ((_e11477.y * _e11840.member_1) * _e11855), ((_e11477.z * _e11840.member_2) * _e11855)), (vec3<f32>(((_e11865.member * _e11773.x) + (_e11878.member * _e11773.y)), ((_e11865.member_1 * _e11773.x) + (_e11878.member_1 * _e11773.y)), ((_e11865.member_2 * _e11773.x) + (_e11878.member_2 * _e11773.y))) + vec3<f32>((_e11894.member * _e11773.z), (_e11894.member_1 * _e11773.z), (_e11894.member_2 * _e11773.z))));
+let _e11865 = global_5.member[_e466].member_12.member.member;
+let _e11878 = global_5.member[_e466].member_12.member_1.member;
+let _e11894 = global_5.member[_e466].member_12.member_2.member;
+phi_29530_ = type_35(vec3<f32>(((_e11477.x * _e11840.member) * _e11855), ((_e11477.y * _e11840.member_1) * _e11855), ((_e11477.z * _e11840.member_2) * _e11855)), (vec3<f32>(((_e11865.member * _e11773.x) + (_e11878.member * _e11773.y)), ((_e11865.member_1 * _e11773.x) + (_e11878.member_1 * _e11773.y)), ((_e11865.member_2 * _e11773.x) + (_e11878.member_2 * _e11773.y))) + vec3<f32>((_e11894.member * _e11773.z), (_e11894.member_1 * _e11773.z), (_e11894.member_2 * _e11773.z))));
 }
-let _e12526 = phi_29528_;
-phi_29529_ = _e12526;
+let _e12526 = phi_29530_;
+phi_29531_ = _e12526;
 }
-let _e12779 = phi_29529_;
+let _e12779 = phi_29531_;
 let _e12788 = (((_e12779.member_1.x * _e12779.member_1.x) + (_e12779.member_1.y * _e12779.member_1.y)) + (_e12779.member_1.z * _e12779.member_1.z));
 let _e12791 = sqrt(select(0f, _e12788, (_e12788 > 0f)));
 let _e12793 = ((_e1043 & 8u) != 0u);
@@ -4259,15 +4261,15 @@ let _e12813 = select(_e8690.member_1.x, _e6671.member_5.x, _e6671.member_7);
 let _e12816 = select(_e8690.member_1.y, _e6671.member_5.y, _e6671.member_7);
 let _e12819 = select(_e8690.member_1.z, _e6671.member_5.z, _e6671.member_7);
 if _e6671.member_7 {
-phi_29612_ = _e6671.member.member_1;
-phi_29613_ = _e6671.member.member;
+phi_29614_ = _e6671.member.member_1;
+phi_29615_ = _e6671.member.member;
 } else {
-phi_29612_ = _e8690.member_2;
-phi_29613_ = _e6677;
+phi_29614_ = _e8690.member_2;
+phi_29615_ = _e6677;
 }
-let _e12826 = phi_29612_;
-let _e12828 = phi_29613_;
-let _e12832 = global_5.member[_e466].member_19;
+let _e12826 = phi_29614_;
+let _e12828 = phi_29615_;
+let _e12832 = global_5.member[_e466].member_21;
 let _e12837 = (((_e12813 * _e12813) + (_e12816 * _e12816)) + (_e12819 * _e12819));
 let _e12840 = sqrt(select(0f, _e12837, (_e12837 > 0f)));
 let _e12843 = (1f / select(1e-20f, _e12840, (_e12840 > 1e-20f)));
@@ -4321,14 +4323,14 @@ let _e12960 = (_e12958 + _e12919);
 let _e12963 = (_e12959 / select(1e-6f, _e12960, (_e12960 > 1e-6f)));
 let _e12967 = ((_e12919 * _e12959) + 1f);
 let _e12970 = (((_e12919 * _e12960) - 1f) / select(1e-6f, _e12967, (_e12967 > 1e-6f)));
-let _e12988 = global_5.member[_e466].member_20;
+let _e12988 = global_5.member[_e466].member_22;
 let _e12992 = ((select(0f, ((((_e12921 / ((3.1415927f * _e12925) * _e12925)) * (0.5f / select(1e-6f, _e12946, (_e12946 > 1e-6f)))) * select(select((((0.5f * _e12963) * _e12963) * (1f + (_e12970 * _e12970))), 1f, (_e12955 <= 0f)), 0f, (_e12828 == _e12826))) * _e12930), (_e12929 && (_e12840 > 1e-12f))) * _e12988) * select(_e8906.member_2, 0f, _e563));
-phi_29870_ = vec3<f32>((_e12803 * _e12992), (_e12805 * _e12992), (_e12807 * _e12992));
+phi_29872_ = vec3<f32>((_e12803 * _e12992), (_e12805 * _e12992), (_e12807 * _e12992));
 } else {
-phi_29870_ = vec3<f32>(0f, 0f, 0f);
+phi_29872_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e12998 = phi_29870_;
-let _e13002 = global_5.member[_e466].member_18;
+let _e12998 = phi_29872_;
+let _e13002 = global_5.member[_e466].member_20;
 let _e13009 = (1f - _e470[12]);
 let _e13029 = (_e470[9] + ((_e470[13] * ((_e10836.member_3.x * (_e12803 + _e13002.member)) + _e12998.x)) * _e13009));
 let _e13030 = (_e470[10] + ((_e470[14] * ((_e10836.member_3.y * (_e12805 + _e13002.member_1)) + _e12998.y)) * _e13009));
@@ -4339,17 +4341,17 @@ let _e13039 = (_e470[14] * _e10836.member_2.y);
 let _e13041 = (_e470[15] * _e10836.member_2.z);
 let _e13046 = (_e470[8] + ((_e13034 - _e470[12]) * (_e495 + (_e10839 * 0.5f))));
 if ((_e475.member_2 >= 6u) || _e8915) {
-phi_30958_ = _e12779;
+phi_30960_ = _e12779;
 } else {
-let _e13053 = global_5.member[_e466].member_10.member;
+let _e13053 = global_5.member[_e466].member_12.member;
 let _e13064 = ((((_e13053.member.member * _e10844) + (_e13053.member.member_1 * _e10845)) + (_e13053.member.member_2 * _e10846)) + _e13053.member_1);
-let _e13069 = global_5.member[_e466].member_10.member_1;
+let _e13069 = global_5.member[_e466].member_12.member_1;
 let _e13080 = ((((_e13069.member.member * _e10844) + (_e13069.member.member_1 * _e10845)) + (_e13069.member.member_2 * _e10846)) + _e13069.member_1);
-let _e13085 = global_5.member[_e466].member_10.member_2;
+let _e13085 = global_5.member[_e466].member_12.member_2;
 let _e13096 = ((((_e13085.member.member * _e10844) + (_e13085.member.member_1 * _e10845)) + (_e13085.member.member_2 * _e10846)) + _e13085.member_1);
-let _e13101 = global_5.member[_e466].member_10.member_3;
+let _e13101 = global_5.member[_e466].member_12.member_3;
 let _e13102 = (_e13101 != 0u);
-let _e13107 = global_5.member[_e466].member_10.member_19;
+let _e13107 = global_5.member[_e466].member_12.member_19;
 let _e13111 = (_e13064 - _e13107.member);
 let _e13112 = (_e13080 - _e13107.member_1);
 let _e13113 = (_e13096 - _e13107.member_2);
@@ -4359,36 +4361,36 @@ let _e13124 = (1f / select(1e-20f, _e13121, (_e13121 > 1e-20f)));
 let _e13128 = select(0f, (_e13111 * _e13124), _e13102);
 let _e13129 = select(0f, (_e13112 * _e13124), _e13102);
 let _e13130 = select(1f, (_e13113 * _e13124), _e13102);
-let _e13136 = global_5.member[_e466].member_10.member.member;
-let _e13148 = global_5.member[_e466].member_10.member_1.member;
-let _e13163 = global_5.member[_e466].member_10.member_2.member;
+let _e13136 = global_5.member[_e466].member_12.member.member;
+let _e13148 = global_5.member[_e466].member_12.member_1.member;
+let _e13163 = global_5.member[_e466].member_12.member_2.member;
 let _e13172 = (vec3<f32>(((_e13136.member * _e13128) + (_e13148.member * _e13129)), ((_e13136.member_1 * _e13128) + (_e13148.member_1 * _e13129)), ((_e13136.member_2 * _e13128) + (_e13148.member_2 * _e13129))) + vec3<f32>((_e13163.member * _e13130), (_e13163.member_1 * _e13130), (_e13163.member_2 * _e13130)));
 if ((_e1043 & 256u) != 0u) {
-let _e13281 = global_5.member[_e466].member_10.member_18.member.member;
+let _e13281 = global_5.member[_e466].member_12.member_18.member.member;
 let _e13282 = bitcast<i32>(_e13281);
-let _e13289 = global_5.member[_e466].member_10.member_18.member.member_1;
+let _e13289 = global_5.member[_e466].member_12.member_18.member.member_1;
 let _e13290 = bitcast<i32>(_e13289);
-let _e13296 = global_5.member[_e466].member_10.member_19.member_2;
+let _e13296 = global_5.member[_e466].member_12.member_19.member_2;
 let _e13298 = select(1f, (_e13096 - _e13296), _e13102);
 let _e13301 = (1f / select(1e-12f, _e13298, (_e13298 > 1e-12f)));
-let _e13307 = global_5.member[_e466].member_10.member_5;
-let _e13313 = global_5.member[_e466].member_10.member_8;
+let _e13307 = global_5.member[_e466].member_12.member_5;
+let _e13313 = global_5.member[_e466].member_12.member_8;
 let _e13314 = (((_e13064 * _e13301) - _e13307) * _e13313);
-let _e13320 = global_5.member[_e466].member_10.member_6;
+let _e13320 = global_5.member[_e466].member_12.member_6;
 let _e13322 = (((_e13080 * _e13301) - _e13320) * _e13313);
-let _e13328 = global_5.member[_e466].member_10.member_4.member;
+let _e13328 = global_5.member[_e466].member_12.member_4.member;
 let _e13330 = f32(bitcast<i32>(_e13328));
 let _e13332 = select(0f, _e13314, (_e13314 > 0f));
-let _e13340 = global_5.member[_e466].member_10.member_18.member_1;
+let _e13340 = global_5.member[_e466].member_12.member_18.member_1;
 let _e13343 = ((_e13314 - _e13330) * _e13340);
-let _e13349 = global_5.member[_e466].member_10.member_18.member_2;
+let _e13349 = global_5.member[_e466].member_12.member_18.member_2;
 let _e13351 = select(0f, _e13343, (_e13343 > 0f));
 let _e13353 = (_e13349 + _e13351);
 let _e13358 = (-(_e13314) * _e13340);
 let _e13360 = select(0f, _e13358, (_e13358 > 0f));
 let _e13362 = (_e13349 + _e13360);
 let _e13369 = (((_e13349 + (select(_e13330, _e13332, (_e13332 < _e13330)) * _e13340)) + (((_e13351 * _e13349) / select(1e-12f, _e13353, (_e13353 > 1e-12f))) - ((_e13360 * _e13349) / select(1e-12f, _e13362, (_e13362 > 1e-12f))))) - 0.5f);
-let _e13375 = global_5.member[_e466].member_10.member_4.member_1;
+let _e13375 = global_5.member[_e466].member_12.member_4.member_1;
 let _e13377 = f32(bitcast<i32>(_e13375));
 let _e13379 = select(0f, _e13322, (_e13322 > 0f));
 let _e13384 = ((_e13322 - _e13377) * _e13340);
@@ -4415,13 +4417,13 @@ let _e13446 = (_e13404 - f32(_e13438));
 let _e13448 = select(0f, _e13446, (_e13446 > 0f));
 let _e13450 = select(1f, _e13448, (_e13448 < 1f));
 if _e1418 {
-let _e13462 = global_5.member[_e466].member_10.member_18.member_4;
-phi_30299_ = _e13462;
+let _e13462 = global_5.member[_e466].member_12.member_18.member_4;
+phi_30301_ = _e13462;
 } else {
-let _e13456 = global_5.member[_e466].member_10.member_18.member_3;
-phi_30299_ = _e13456;
+let _e13456 = global_5.member[_e466].member_12.member_18.member_3;
+phi_30301_ = _e13456;
 }
-let _e13464 = phi_30299_;
+let _e13464 = phi_30301_;
 let _e13468 = ((bitcast<i32>(_e13464) + (_e13438 * _e13282)) + _e13421);
 let _e13469 = (_e13282 * _e13290);
 let _e13471 = (bitcast<i32>(_e240) - 1i);
@@ -4474,81 +4476,81 @@ let _e13611 = global_3.member[bitcast<u32>(select(0i, _e13605, (_e13605 > 0i)))]
 let _e13618 = (_e13592 + (((_e13602 + ((bitcast<f32>(_e13611) - _e13602) * _e13444)) - _e13592) * _e13450));
 let _e13620 = (_e13101 == 0u);
 if _e13620 {
-phi_30697_ = vec3<f32>(_e13519, _e13568, _e13618);
+phi_30699_ = vec3<f32>(_e13519, _e13568, _e13618);
 } else {
 if _e13620 {
-phi_30636_ = 1f;
+phi_30638_ = 1f;
 } else {
-let _e13626 = global_5.member[_e466].member_10.member_20.member;
+let _e13626 = global_5.member[_e466].member_12.member_20.member;
 let _e13634 = (((_e13626.member * _e13111) + (_e13626.member_1 * _e13112)) + (_e13626.member_2 * _e13113));
 let _e13638 = (_e13111 - (_e13626.member * _e13634));
 let _e13639 = (_e13112 - (_e13626.member_1 * _e13634));
 let _e13640 = (_e13113 - (_e13626.member_2 * _e13634));
 let _e13645 = (((_e13638 * _e13638) + (_e13639 * _e13639)) + (_e13640 * _e13640));
-let _e13657 = global_5.member[_e466].member_10.member_20.member_1;
-let _e13664 = global_5.member[_e466].member_10.member_20.member_2;
+let _e13657 = global_5.member[_e466].member_12.member_20.member_1;
+let _e13664 = global_5.member[_e466].member_12.member_20.member_2;
 let _e13665 = ((_e13657 - (sqrt(select(0f, _e13645, (_e13645 > 0f))) / select(1e-20f, _e13634, (_e13634 > 1e-20f)))) * _e13664);
 let _e13667 = select(0f, _e13665, (_e13665 > 0f));
 let _e13669 = select(1f, _e13667, (_e13667 < 1f));
-phi_30636_ = select(1f, select(0f, ((_e13669 * _e13669) * (3f - (2f * _e13669))), (_e13634 > 0f)), (_e13664 > 0f));
+phi_30638_ = select(1f, select(0f, ((_e13669 * _e13669) * (3f - (2f * _e13669))), (_e13634 > 0f)), (_e13664 > 0f));
 }
-let _e13679 = phi_30636_;
+let _e13679 = phi_30638_;
 let _e13681 = select(0f, 1f, (_e13113 > 0f));
 let _e13685 = ((_e13519 * _e13681) + _e13679);
 let _e13686 = ((_e13568 * _e13681) + _e13679);
 let _e13687 = ((_e13618 * _e13681) + _e13679);
 if _e13620 {
-phi_30692_ = 1f;
+phi_30694_ = 1f;
 } else {
-phi_30692_ = (1f / select(1e-12f, _e13118, (_e13118 > 1e-12f)));
+phi_30694_ = (1f / select(1e-12f, _e13118, (_e13118 > 1e-12f)));
 }
-let _e13698 = phi_30692_;
-phi_30697_ = vec3<f32>((select(0f, _e13685, (_e13685 > 0f)) * _e13698), (select(0f, _e13686, (_e13686 > 0f)) * _e13698), (select(0f, _e13687, (_e13687 > 0f)) * _e13698));
+let _e13698 = phi_30694_;
+phi_30699_ = vec3<f32>((select(0f, _e13685, (_e13685 > 0f)) * _e13698), (select(0f, _e13686, (_e13686 > 0f)) * _e13698), (select(0f, _e13687, (_e13687 > 0f)) * _e13698));
 }
-let _e13704 = phi_30697_;
-let _e13709 = global_5.member[_e466].member_9.member_1;
-phi_30957_ = type_35((vec3<f32>(_e13709.member, _e13709.member_1, _e13709.member_2) * _e13704), _e13172);
+let _e13704 = phi_30699_;
+let _e13709 = global_5.member[_e466].member_11.member_1;
+phi_30959_ = type_35((vec3<f32>(_e13709.member, _e13709.member_1, _e13709.member_2) * _e13704), _e13172);
 } else {
 let _e13175 = (_e13101 == 0u);
 if _e13175 {
-let _e13258 = global_5.member[_e466].member_9.member_1;
-let _e13267 = global_5.member[_e466].member_9.member;
-phi_30956_ = type_35(vec3<f32>(_e13258.member, _e13258.member_1, _e13258.member_2), vec3<f32>(_e13267.member, _e13267.member_1, _e13267.member_2));
+let _e13258 = global_5.member[_e466].member_11.member_1;
+let _e13267 = global_5.member[_e466].member_11.member;
+phi_30958_ = type_35(vec3<f32>(_e13258.member, _e13258.member_1, _e13258.member_2), vec3<f32>(_e13267.member, _e13267.member_1, _e13267.member_2));
 } else {
-let _e13180 = global_5.member[_e466].member_9.member_1;
+let _e13180 = global_5.member[_e466].member_11.member_1;
 if _e13175 {
-phi_30800_ = 1f;
+phi_30802_ = 1f;
 } else {
-phi_30800_ = (1f / select(1e-12f, _e13118, (_e13118 > 1e-12f)));
+phi_30802_ = (1f / select(1e-12f, _e13118, (_e13118 > 1e-12f)));
 }
-let _e13188 = phi_30800_;
+let _e13188 = phi_30802_;
 if _e13175 {
-phi_30884_ = 1f;
+phi_30886_ = 1f;
 } else {
-let _e13194 = global_5.member[_e466].member_10.member_20.member;
+let _e13194 = global_5.member[_e466].member_12.member_20.member;
 let _e13202 = (((_e13194.member * _e13111) + (_e13194.member_1 * _e13112)) + (_e13194.member_2 * _e13113));
 let _e13206 = (_e13111 - (_e13194.member * _e13202));
 let _e13207 = (_e13112 - (_e13194.member_1 * _e13202));
 let _e13208 = (_e13113 - (_e13194.member_2 * _e13202));
 let _e13213 = (((_e13206 * _e13206) + (_e13207 * _e13207)) + (_e13208 * _e13208));
-let _e13225 = global_5.member[_e466].member_10.member_20.member_1;
-let _e13232 = global_5.member[_e466].member_10.member_20.member_2;
+let _e13225 = global_5.member[_e466].member_12.member_20.member_1;
+let _e13232 = global_5.member[_e466].member_12.member_20.member_2;
 let _e13233 = ((_e13225 - (sqrt(select(0f, _e13213, (_e13213 > 0f))) / select(1e-20f, _e13202, (_e13202 > 1e-20f)))) * _e13232);
 let _e13235 = select(0f, _e13233, (_e13233 > 0f));
 let _e13237 = select(1f, _e13235, (_e13235 < 1f));
-phi_30884_ = select(1f, select(0f, ((_e13237 * _e13237) * (3f - (2f * _e13237))), (_e13202 > 0f)), (_e13232 > 0f));
+phi_30886_ = select(1f, select(0f, ((_e13237 * _e13237) * (3f - (2f * _e13237))), (_e13202 > 0f)), (_e13232 > 0f));
 }
-let _e13247 = phi_30884_;
+let _e13247 = phi_30886_;
 let _e13248 = (_e13188 * _e13247);
-phi_30956_ = type_35(vec3<f32>((_e13180.member * _e13248), (_e13180.member_1 * _e13248), (_e13180.member_2 * _e13248)), _e13172);
+phi_30958_ = type_35(vec3<f32>((_e13180.member * _e13248), (_e13180.member_1 * _e13248), (_e13180.member_2 * _e13248)), _e13172);
 }
-let _e13274 = phi_30956_;
-phi_30957_ = _e13274;
+let _e13274 = phi_30958_;
+phi_30959_ = _e13274;
 }
-let _e13717 = phi_30957_;
-phi_30958_ = _e13717;
+let _e13717 = phi_30959_;
+phi_30960_ = _e13717;
 }
-let _e13719 = phi_30958_;
+let _e13719 = phi_30960_;
 let _e13728 = (((_e13719.member_1.x * _e13719.member_1.x) + (_e13719.member_1.y * _e13719.member_1.y)) + (_e13719.member_1.z * _e13719.member_1.z));
 let _e13731 = sqrt(select(0f, _e13728, (_e13728 > 0f)));
 let _e13735 = (1e-6f * _e13731);
@@ -4565,9 +4567,9 @@ let _e13797 = (_e6671.member_1.z + (_e6671.member_2.z * _e13789));
 let _e13803 = ((((_e807.member.member * _e13795) + (_e807.member.member_1 * _e13796)) + (_e807.member.member_2 * _e13797)) + _e807.member_1);
 let _e13809 = ((((_e823.member.member * _e13795) + (_e823.member.member_1 * _e13796)) + (_e823.member.member_2 * _e13797)) + _e823.member_1);
 let _e13815 = ((((_e839.member.member * _e13795) + (_e839.member.member_1 * _e13796)) + (_e839.member.member_2 * _e13797)) + _e839.member_1);
-let _e13821 = global_5.member[_e466].member_7.member.member;
-let _e13830 = global_5.member[_e466].member_7.member_1.member;
-let _e13839 = global_5.member[_e466].member_7.member_2.member;
+let _e13821 = global_5.member[_e466].member_9.member.member;
+let _e13830 = global_5.member[_e466].member_9.member_1.member;
+let _e13839 = global_5.member[_e466].member_9.member_2.member;
 let _e13843 = (-0.5f - _e6706);
 let _e13844 = (-0.5f - _e13803);
 let _e13845 = -(_e13843);
@@ -4674,16 +4676,16 @@ let _e14082 = select(select(select(select(select(select(0f, _e13821.member, _e13
 let _e14083 = select(select(select(select(select(select(0f, _e13821.member_1, _e13863), _e13821.member_1, _e13903), _e13830.member_1, _e13943), _e13830.member_1, _e13983), _e13839.member_1, _e14023), _e13839.member_1, _e14063);
 let _e14084 = select(select(select(select(select(select(1f, _e13821.member_2, _e13863), _e13821.member_2, _e13903), _e13830.member_2, _e13943), _e13830.member_2, _e13983), _e13839.member_2, _e14023), _e13839.member_2, _e14063);
 if _e8695 {
-phi_32448_ = type_34(_e14069, vec3<f32>(_e14070, _e14071, _e14072), _e14074, vec3<f32>(_e14075, _e14076, _e14077), _e14079, _e14081, vec3<f32>(_e14082, _e14083, _e14084));
+phi_32450_ = type_34(_e14069, vec3<f32>(_e14070, _e14071, _e14072), _e14074, vec3<f32>(_e14075, _e14076, _e14077), _e14079, _e14081, vec3<f32>(_e14082, _e14083, _e14084));
 } else {
 let _e14091 = (((_e13821.member * _e13821.member) + (_e13821.member_1 * _e13821.member_1)) + (_e13821.member_2 * _e13821.member_2));
 let _e14094 = sqrt(select(0f, _e14091, (_e14091 > 0f)));
-let _e14099 = global_5.member[_e466].member_14.member_1;
+let _e14099 = global_5.member[_e466].member_16.member_1;
 let _e14100 = (_e14099 != 0u);
-let _e14105 = global_5.member[_e466].member_14.member;
+let _e14105 = global_5.member[_e466].member_16.member;
 let _e14125 = select(-1e6f, (((((_e14105.member.member * _e6671.member_1.x) + (_e14105.member.member_1 * _e6671.member_1.y)) + (_e14105.member.member_2 * _e6671.member_1.z)) + _e14105.member_1) * _e14094), _e14100);
 let _e14126 = select(-1e6f, (((((_e14105.member.member * _e13795) + (_e14105.member.member_1 * _e13796)) + (_e14105.member.member_2 * _e13797)) + _e14105.member_1) * _e14094), _e14100);
-let _e14132 = global_5.member[_e466].member_14.member.member;
+let _e14132 = global_5.member[_e466].member_16.member.member;
 let _e14136 = -(_e14125);
 let _e14139 = (_e14125 - _e14126);
 let _e14140 = (_e14126 - _e14125);
@@ -4698,12 +4700,12 @@ let _e14160 = select(_e14069, _e14149, _e14158);
 let _e14164 = select(_e14074, _e14153, _e14159);
 let _e14168 = select(_e14079, _e14125, _e14154);
 let _e14170 = select(_e14081, _e14126, (_e14126 > _e14081));
-let _e14178 = global_5.member[_e466].member_15.member_1;
+let _e14178 = global_5.member[_e466].member_17.member_1;
 let _e14179 = (_e14178 != 0u);
-let _e14184 = global_5.member[_e466].member_15.member;
+let _e14184 = global_5.member[_e466].member_17.member;
 let _e14204 = select(-1e6f, (((((_e14184.member.member * _e6671.member_1.x) + (_e14184.member.member_1 * _e6671.member_1.y)) + (_e14184.member.member_2 * _e6671.member_1.z)) + _e14184.member_1) * _e14094), _e14179);
 let _e14205 = select(-1e6f, (((((_e14184.member.member * _e13795) + (_e14184.member.member_1 * _e13796)) + (_e14184.member.member_2 * _e13797)) + _e14184.member_1) * _e14094), _e14179);
-let _e14211 = global_5.member[_e466].member_15.member.member;
+let _e14211 = global_5.member[_e466].member_17.member.member;
 let _e14215 = -(_e14204);
 let _e14218 = (_e14204 - _e14205);
 let _e14219 = (_e14205 - _e14204);
@@ -4718,12 +4720,12 @@ let _e14239 = select(_e14160, _e14228, _e14237);
 let _e14243 = select(_e14164, _e14232, _e14238);
 let _e14247 = select(_e14168, _e14204, _e14233);
 let _e14249 = select(_e14170, _e14205, (_e14205 > _e14170));
-let _e14257 = global_5.member[_e466].member_16.member_1;
+let _e14257 = global_5.member[_e466].member_18.member_1;
 let _e14258 = (_e14257 != 0u);
-let _e14263 = global_5.member[_e466].member_16.member;
+let _e14263 = global_5.member[_e466].member_18.member;
 let _e14283 = select(-1e6f, (((((_e14263.member.member * _e6671.member_1.x) + (_e14263.member.member_1 * _e6671.member_1.y)) + (_e14263.member.member_2 * _e6671.member_1.z)) + _e14263.member_1) * _e14094), _e14258);
 let _e14284 = select(-1e6f, (((((_e14263.member.member * _e13795) + (_e14263.member.member_1 * _e13796)) + (_e14263.member.member_2 * _e13797)) + _e14263.member_1) * _e14094), _e14258);
-let _e14290 = global_5.member[_e466].member_16.member.member;
+let _e14290 = global_5.member[_e466].member_18.member.member;
 let _e14294 = -(_e14283);
 let _e14297 = (_e14283 - _e14284);
 let _e14298 = (_e14284 - _e14283);
@@ -4738,12 +4740,12 @@ let _e14318 = select(_e14239, _e14307, _e14316);
 let _e14322 = select(_e14243, _e14311, _e14317);
 let _e14326 = select(_e14247, _e14283, _e14312);
 let _e14328 = select(_e14249, _e14284, (_e14284 > _e14249));
-let _e14336 = global_5.member[_e466].member_17.member_1;
+let _e14336 = global_5.member[_e466].member_19.member_1;
 let _e14337 = (_e14336 != 0u);
-let _e14342 = global_5.member[_e466].member_17.member;
+let _e14342 = global_5.member[_e466].member_19.member;
 let _e14362 = select(-1e6f, (((((_e14342.member.member * _e6671.member_1.x) + (_e14342.member.member_1 * _e6671.member_1.y)) + (_e14342.member.member_2 * _e6671.member_1.z)) + _e14342.member_1) * _e14094), _e14337);
 let _e14363 = select(-1e6f, (((((_e14342.member.member * _e13795) + (_e14342.member.member_1 * _e13796)) + (_e14342.member.member_2 * _e13797)) + _e14342.member_1) * _e14094), _e14337);
-let _e14369 = global_5.member[_e466].member_17.member.member;
+let _e14369 = global_5.member[_e466].member_19.member.member;
 let _e14373 = -(_e14362);
 let _e14376 = (_e14362 - _e14363);
 let _e14377 = (_e14363 - _e14362);
@@ -4754,11 +4756,11 @@ let _e14390 = select(2f, select(0f, _e14382, (_e14362 < 0f)), (_e14363 > 0f));
 let _e14391 = (_e14362 > _e14326);
 let _e14395 = ((_e14386 > _e14318) || ((_e14386 == _e14318) && _e14391));
 let _e14396 = (_e14390 < _e14322);
-phi_32448_ = type_34(select(_e14318, _e14386, _e14395), vec3<f32>(select(select(select(select(_e14070, _e14132.member, _e14158), _e14211.member, _e14237), _e14290.member, _e14316), _e14369.member, _e14395), select(select(select(select(_e14071, _e14132.member_1, _e14158), _e14211.member_1, _e14237), _e14290.member_1, _e14316), _e14369.member_1, _e14395), select(select(select(select(_e14072, _e14132.member_2, _e14158), _e14211.member_2, _e14237), _e14290.member_2, _e14316), _e14369.member_2, _e14395)), select(_e14322, _e14390, _e14396), vec3<f32>(select(select(select(select(_e14075, _e14132.member, _e14159), _e14211.member, _e14238), _e14290.member, _e14317), _e14369.member, _e14396), select(select(select(select(_e14076, _e14132.member_1, _e14159), _e14211.member_1, _e14238), _e14290.member_1, _e14317), _e14369.member_1, _e14396), select(select(select(select(_e14077, _e14132.member_2, _e14159), _e14211.member_2, _e14238), _e14290.member_2, _e14317), _e14369.member_2, _e14396)), select(_e14326, _e14362, _e14391), select(_e14328, _e14363, (_e14363 > _e14328)), vec3<f32>(select(select(select(select(_e14082, _e14132.member, _e14154), _e14211.member, _e14233), _e14290.member, _e14312), _e14369.member, _e14391), select(select(select(select(_e14083, _e14132.member_1, _e14154), _e14211.member_1, _e14233), _e14290.member_1, _e14312), _e14369.member_1, _e14391), select(select(select(select(_e14084, _e14132.member_2, _e14154), _e14211.member_2, _e14233), _e14290.member_2, _e14312), _e14369.member_2, _e14391)));
+phi_32450_ = type_34(select(_e14318, _e14386, _e14395), vec3<f32>(select(select(select(select(_e14070, _e14132.member, _e14158), _e14211.member, _e14237), _e14290.member, _e14316), _e14369.member, _e14395), select(select(select(select(_e14071, _e14132.member_1, _e14158), _e14211.member_1, _e14237), _e14290.member_1, _e14316), _e14369.member_1, _e14395), select(select(select(select(_e14072, _e14132.member_2, _e14158), _e14211.member_2, _e14237), _e14290.member_2, _e14316), _e14369.member_2, _e14395)), select(_e14322, _e14390, _e14396), vec3<f32>(select(select(select(select(_e14075, _e14132.member, _e14159), _e14211.member, _e14238), _e14290.member, _e14317), _e14369.member, _e14396), select(select(select(select(_e14076, _e14132.member_1, _e14159), _e14211.member_1, _e14238), _e14290.member_1, _e14317), _e14369.member_1, _e14396), select(select(select(select(_e14077, _e14132.member_2, _e14159), _e14211.member_2, _e14238), _e14290.member_2, _e14317), _e14369.member_2, _e14396)), select(_e14326, _e14362, _e14391), select(_e14328, _e14363, (_e14363 > _e14328)), vec3<f32>(select(select(select(select(_e14082, _e14132.member, _e14154), _e14211.member, _e14233), _e14290.member, _e14312), _e14369.member, _e14391), select(select(select(select(_e14083, _e14132.member_1, _e14154), _e14211.member_1, _e14233), _e14290.member_1, _e14312), _e14369.member_1, _e14391), select(select(select(select(_e14084, _e14132.member_2, _e14154), _e14211.member_2, _e14233), _e14290.member_2, _e14312), _e14369.member_2, _e14391)));
 }
-let _e14416 = phi_32448_;
+let _e14416 = phi_32450_;
 let _e14423 = (_e8906.member_2 * select(0f, 1f, _e6671.member_6));
-let _e14429 = global_5.member[_e466].member_5.member_4;
+let _e14429 = global_5.member[_e466].member_7.member_4;
 let _e14432 = (_e8690.member_3.x * _e14423);
 let _e14434 = (_e8690.member_3.y * _e14423);
 let _e14436 = (_e8690.member_3.z * _e14423);
@@ -4781,44 +4783,44 @@ let _e14490 = (_e6671.member_2.y + ((_e8690.member_4.y * _e14423) * _e489));
 let _e14491 = (_e6671.member_2.z + ((_e8690.member_4.z * _e14423) * _e489));
 let _e14493 = (_e14491 * _e14491);
 let _e14502 = ((_e1043 & 1u) != 0u);
-phi_32604_ = vec3<f32>(select(select(select(_e14459, _e14441, _e14475), _e14489, _e14502), _e6671.member_2.x, _e6671.member_8), select(select(select(_e14460, _e14442, _e14475), _e14490, _e14502), _e6671.member_2.y, _e6671.member_8), select(select(select(_e14461, _e14443, _e14475), _e14491, _e14502), _e6671.member_2.z, _e6671.member_8));
-phi_32605_ = (select(_e14475, ((_e14491 <= 0f) || (_e14493 <= (_e14465 * (((_e14489 * _e14489) + (_e14490 * _e14490)) + _e14493)))), _e14502) || _e6671.member_8);
+phi_32606_ = vec3<f32>(select(select(select(_e14459, _e14441, _e14475), _e14489, _e14502), _e6671.member_2.x, _e6671.member_8), select(select(select(_e14460, _e14442, _e14475), _e14490, _e14502), _e6671.member_2.y, _e6671.member_8), select(select(select(_e14461, _e14443, _e14475), _e14491, _e14502), _e6671.member_2.z, _e6671.member_8));
+phi_32607_ = (select(_e14475, ((_e14491 <= 0f) || (_e14493 <= (_e14465 * (((_e14489 * _e14489) + (_e14490 * _e14490)) + _e14493)))), _e14502) || _e6671.member_8);
 } else {
-phi_32604_ = _e6671.member_2;
-phi_32605_ = false;
+phi_32606_ = _e6671.member_2;
+phi_32607_ = false;
 }
-let _e14514 = phi_32604_;
-let _e14516 = phi_32605_;
+let _e14514 = phi_32606_;
+let _e14516 = phi_32607_;
 let _e14527 = ((((_e563 || _e6671.member_7) || (_e14514.x != _e470[3])) || (_e14514.y != _e470[4])) || (_e14514.z != _e470[5]));
 let _e14529 = select(_e13039, _e13037, (_e13037 > _e13039));
 let _e14537 = select(select(0f, 2f, _e14516), 1f, (_e563 || (((1f - _e13782) * select(_e13041, _e14529, (_e14529 > _e13041))) < 9.765625e-4f)));
 let _e14541 = ((_e14537 == 2f) && !(_e6671.member_8));
-phi_32765_ = array<f32, 18>(select(select(_e470[0], select(_e6671.member_1.x, _e10844, _e563), _e14527), _e499, _e14541), select(select(_e470[1], select(_e6671.member_1.y, _e10845, _e563), _e14527), _e501, _e14541), select(select(_e470[2], select(_e6671.member_1.z, _e10846, _e563), _e14527), _e495, _e14541), select(_e14514.x, _e6673.x, _e14541), select(_e14514.y, _e6673.y, _e14541), select(_e14514.z, _e6673.z, _e14541), select(_e8690.member, _e1727, _e14541), _e14537, select(select(_e13046, (_e13046 + (_e13769 * _e10846)), _e563), _e470[8], _e14541), select(select(_e13029, (_e13029 + ((_e13037 * (select(_e1444.member, _e1431.member, _e1418) * (((_e13719.member.x * _e13739) * _e13759) + _e13002.member))) * _e13769)), _e563), _e470[9], _e14541), select(select(_e13030, (_e13030 + ((_e13039 * (select(_e1444.member_1, _e1431.member_1, _e1418) * (((_e13719.member.y * _e13739) * _e13759) + _e13002.member_1))) * _e13769)), _e563), _e470[10], _e14541), select(select(_e13031, (_e13031 + ((_e13041 * (select(_e1444.member_2, _e1431.member_2, _e1418) * (((_e13719.member.z * _e13739) * _e13759) + _e13002.member_2))) * _e13769)), _e563), _e470[11], _e14541), select(_e13782, _e470[12], _e14541), select(_e13037, _e470[13], _e14541), select(_e13039, _e470[14], _e14541), select(_e13041, _e470[15], _e14541), select(select(0f, _e8690.member_2, (_e6671.member_6 && !(_e563))), select(0f, _e6677, _e6675), _e14541), select(select(_e6671.member_1.z, -1.2676506e30f, _e6671.member_8), _e495, _e14541));
+phi_32767_ = array<f32, 18>(select(select(_e470[0], select(_e6671.member_1.x, _e10844, _e563), _e14527), _e499, _e14541), select(select(_e470[1], select(_e6671.member_1.y, _e10845, _e563), _e14527), _e501, _e14541), select(select(_e470[2], select(_e6671.member_1.z, _e10846, _e563), _e14527), _e495, _e14541), select(_e14514.x, _e6673.x, _e14541), select(_e14514.y, _e6673.y, _e14541), select(_e14514.z, _e6673.z, _e14541), select(_e8690.member, _e1727, _e14541), _e14537, select(select(_e13046, (_e13046 + (_e13769 * _e10846)), _e563), _e470[8], _e14541), select(select(_e13029, (_e13029 + ((_e13037 * (select(_e1444.member, _e1431.member, _e1418) * (((_e13719.member.x * _e13739) * _e13759) + _e13002.member))) * _e13769)), _e563), _e470[9], _e14541), select(select(_e13030, (_e13030 + ((_e13039 * (select(_e1444.member_1, _e1431.member_1, _e1418) * (((_e13719.member.y * _e13739) * _e13759) + _e13002.member_1))) * _e13769)), _e563), _e470[10], _e14541), select(select(_e13031, (_e13031 + ((_e13041 * (select(_e1444.member_2, _e1431.member_2, _e1418) * (((_e13719.member.z * _e13739) * _e13759) + _e13002.member_2))) * _e13769)), _e563), _e470[11], _e14541), select(_e13782, _e470[12], _e14541), select(_e13037, _e470[13], _e14541), select(_e13039, _e470[14], _e14541), select(_e13041, _e470[15], _e14541), select(select(0f, _e8690.member_2, (_e6671.member_6 && !(_e563))), select(0f, _e6677, _e6675), _e14541), select(select(_e6671.member_1.z, -1.2676506e30f, _e6671.member_8), _e495, _e14541));
 } else {
-phi_32765_ = _e470;
+phi_32767_ = _e470;
 }
-let _e14578 = phi_32765_;
-phi_689_ = (_e466 + 1u);
-phi_692_ = select(_e468, true, _e1394);
-phi_694_ = _e14578;
+let _e14578 = phi_32767_;
+phi_691_ = (_e466 + 1u);
+phi_694_ = select(_e468, true, _e1394);
+phi_696_ = _e14578;
 } else {
-phi_689_ = u32();
-phi_692_ = bool();
-phi_694_ = array<f32, 18>();
+phi_691_ = u32();
+phi_694_ = bool();
+phi_696_ = array<f32, 18>();
 }
-let _e14582 = phi_689_;
-let _e14584 = phi_692_;
-let _e14586 = phi_694_;
+let _e14582 = phi_691_;
+let _e14584 = phi_694_;
+let _e14586 = phi_696_;
 continue;
 continuing {
-phi_688_ = _e14582;
-phi_691_ = _e14584;
-phi_693_ = _e14586;
-phi_32956_ = false;
+phi_690_ = _e14582;
+phi_693_ = _e14584;
+phi_695_ = _e14586;
+phi_32958_ = false;
 break if !(_e471);
 }
 }
-let _e14589 = phi_32956_;
+let _e14589 = phi_32958_;
 if _e14589 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -279,63 +281,63 @@ var local_40: type_28;
 var local_41: vec3<f32>;
 var local_42: type_28;
 var local_43: vec3<f32>;
-var phi_689_: u32;
-var phi_692_: bool;
-var phi_694_: array<f32, 18>;
-var phi_1750_: bool;
-var phi_1930_: bool;
-var phi_1933_: bool;
-var phi_3654_: f32;
-var phi_5260_: type_34;
-var phi_5273_: bool;
-var phi_5303_: type_39;
-var phi_5315_: bool;
-var phi_6358_: type_31;
-var phi_7881_: type_34;
-var phi_8956_: type_31;
-var phi_10494_: type_34;
-var phi_11569_: type_31;
-var phi_13107_: type_34;
-var phi_14855_: type_31;
-var phi_14868_: type_38;
-var phi_14869_: vec3<f32>;
-var phi_14870_: bool;
-var phi_14871_: f32;
-var phi_21316_: type_32;
-var phi_21926_: type_33;
-var phi_22339_: type_7;
-var phi_26504_: type_40;
-var phi_28033_: i32;
-var phi_28610_: vec3<f32>;
-var phi_29017_: vec3<f32>;
-var phi_29111_: f32;
-var phi_29153_: f32;
-var phi_27519_: vec3<f32>;
-var phi_29185_: type_35;
-var phi_26618_: f32;
-var phi_26702_: f32;
-var phi_26774_: type_35;
-var phi_29186_: type_35;
-var phi_29269_: f32;
-var phi_29270_: f32;
-var phi_29527_: vec3<f32>;
-var phi_30457_: f32;
-var phi_30541_: f32;
-var phi_30613_: type_35;
-var phi_29956_: u32;
-var phi_30293_: f32;
-var phi_30349_: f32;
-var phi_30354_: vec3<f32>;
-var phi_30614_: type_35;
+var phi_691_: u32;
+var phi_694_: bool;
+var phi_696_: array<f32, 18>;
+var phi_1752_: bool;
+var phi_1932_: bool;
+var phi_1935_: bool;
+var phi_3656_: f32;
+var phi_5262_: type_34;
+var phi_5275_: bool;
+var phi_5305_: type_39;
+var phi_5317_: bool;
+var phi_6360_: type_31;
+var phi_7883_: type_34;
+var phi_8958_: type_31;
+var phi_10496_: type_34;
+var phi_11571_: type_31;
+var phi_13109_: type_34;
+var phi_14857_: type_31;
+var phi_14870_: type_38;
+var phi_14871_: vec3<f32>;
+var phi_14872_: bool;
+var phi_14873_: f32;
+var phi_21318_: type_32;
+var phi_21928_: type_33;
+var phi_22341_: type_7;
+var phi_26506_: type_40;
+var phi_28035_: i32;
+var phi_28612_: vec3<f32>;
+var phi_29019_: vec3<f32>;
+var phi_29113_: f32;
+var phi_29155_: f32;
+var phi_27521_: vec3<f32>;
+var phi_29187_: type_35;
+var phi_26620_: f32;
+var phi_26704_: f32;
+var phi_26776_: type_35;
+var phi_29188_: type_35;
+var phi_29271_: f32;
+var phi_29272_: f32;
+var phi_29529_: vec3<f32>;
+var phi_30459_: f32;
+var phi_30543_: f32;
 var phi_30615_: type_35;
-var phi_32105_: type_34;
-var phi_32261_: vec3<f32>;
-var phi_32262_: bool;
-var phi_32422_: array<f32, 18>;
-var phi_690_: u32;
-var phi_693_: bool;
-var phi_695_: array<f32, 18>;
-var phi_32613_: bool;
+var phi_29958_: u32;
+var phi_30295_: f32;
+var phi_30351_: f32;
+var phi_30356_: vec3<f32>;
+var phi_30616_: type_35;
+var phi_30617_: type_35;
+var phi_32107_: type_34;
+var phi_32263_: vec3<f32>;
+var phi_32264_: bool;
+var phi_32424_: array<f32, 18>;
+var phi_692_: u32;
+var phi_695_: bool;
+var phi_697_: array<f32, 18>;
+var phi_32615_: bool;
 var local_44: bool;
 var local_45: array<f32, 18>;
 var local_46: array<f32, 18>;
@@ -446,13 +448,13 @@ let _e455 = ((17u * _e265) + _e267);
 let _e456 = bitcast<i32>(_e455);
 let _e458 = select(_e270, _e456, (_e456 < _e270));
 let _e464 = global_4.member[bitcast<u32>(select(0i, _e458, (_e458 > 0i)))];
-phi_689_ = 0u;
-phi_692_ = false;
-phi_694_ = array<f32, 18>(_e278, _e288, _e299, _e310, _e321, _e332, _e343, _e354, _e365, _e376, _e387, _e398, _e409, _e420, _e431, _e442, _e453, _e464);
+phi_691_ = 0u;
+phi_694_ = false;
+phi_696_ = array<f32, 18>(_e278, _e288, _e299, _e310, _e321, _e332, _e343, _e354, _e365, _e376, _e387, _e398, _e409, _e420, _e431, _e442, _e453, _e464);
 loop {
-let _e467 = phi_689_;
-let _e469 = phi_692_;
-let _e471 = phi_694_;
+let _e467 = phi_691_;
+let _e469 = phi_694_;
+let _e471 = phi_696_;
 local_44 = _e469;
 local_45 = _e471;
 local_46 = _e471;
@@ -476,47 +478,47 @@ let _e472 = (_e467 < _e227);
 if _e472 {
 if _e472 {
 } else {
-phi_32613_ = true;
+phi_32615_ = true;
 break;
 }
 let _e476 = global_5.member[_e467].member;
-let _e490 = global_5.member[_e467].member_5.member_2;
+let _e490 = global_5.member[_e467].member_7.member_2;
 let _e491 = (_e490 / _e471[5]);
-let _e496 = global_5.member[_e467].member_5.member;
+let _e496 = global_5.member[_e467].member_7.member;
 let _e498 = ((_e496 - _e471[2]) / _e471[5]);
 let _e500 = (_e471[0] + (_e471[3] * _e498));
 let _e502 = (_e471[1] + (_e471[4] * _e498));
 let _e504 = (_e500 + (_e471[3] * _e491));
 let _e506 = (_e502 + (_e471[4] * _e491));
-let _e511 = global_5.member[_e467].member_5.member_1;
-let _e517 = global_5.member[_e467].member_13.member.member;
+let _e511 = global_5.member[_e467].member_7.member_1;
+let _e517 = global_5.member[_e467].member_15.member.member;
 let _e528 = ((((_e517.member.member * _e500) + (_e517.member.member_1 * _e502)) + (_e517.member.member_2 * _e496)) + _e517.member_1);
 let _e534 = ((((_e517.member.member * _e504) + (_e517.member.member_1 * _e506)) + (_e517.member.member_2 * _e511)) + _e517.member_1);
 let _e537 = ((_e528 > 0f) && (_e534 <= 0f));
-let _e543 = global_5.member[_e467].member_13.member_1.member;
+let _e543 = global_5.member[_e467].member_15.member_1.member;
 let _e554 = ((((_e543.member.member * _e500) + (_e543.member.member_1 * _e502)) + (_e543.member.member_2 * _e496)) + _e543.member_1);
 let _e560 = ((((_e543.member.member * _e504) + (_e543.member.member_1 * _e506)) + (_e543.member.member_2 * _e511)) + _e543.member_1);
 let _e563 = ((_e554 > 0f) && (_e560 <= 0f));
 let _e564 = (_e537 || _e563);
-let _e569 = global_5.member[_e467].member_6.member;
+let _e569 = global_5.member[_e467].member_8.member;
 let _e580 = ((((_e569.member.member * _e500) + (_e569.member.member_1 * _e502)) + (_e569.member.member_2 * _e496)) + _e569.member_1);
-let _e585 = global_5.member[_e467].member_6.member_1;
+let _e585 = global_5.member[_e467].member_8.member_1;
 let _e596 = ((((_e585.member.member * _e500) + (_e585.member.member_1 * _e502)) + (_e585.member.member_2 * _e496)) + _e585.member_1);
-let _e601 = global_5.member[_e467].member_6.member_2;
+let _e601 = global_5.member[_e467].member_8.member_2;
 let _e612 = ((((_e601.member.member * _e500) + (_e601.member.member_1 * _e502)) + (_e601.member.member_2 * _e496)) + _e601.member_1);
 let _e618 = ((((_e569.member.member * _e504) + (_e569.member.member_1 * _e506)) + (_e569.member.member_2 * _e511)) + _e569.member_1);
 let _e624 = ((((_e585.member.member * _e504) + (_e585.member.member_1 * _e506)) + (_e585.member.member_2 * _e511)) + _e585.member_1);
 let _e630 = ((((_e601.member.member * _e504) + (_e601.member.member_1 * _e506)) + (_e601.member.member_2 * _e511)) + _e601.member_1);
-let _e635 = global_5.member[_e467].member_6.member_4;
-let _e641 = global_5.member[_e467].member_6.member_3.member;
+let _e635 = global_5.member[_e467].member_8.member_4;
+let _e641 = global_5.member[_e467].member_8.member_3.member;
 let _e642 = (_e641 - 0.5f);
 let _e644 = select(-0.5f, _e618, (_e618 > -0.5f));
 let _e646 = select(_e642, _e644, (_e644 < _e642));
-let _e652 = global_5.member[_e467].member_6.member_3.member_1;
+let _e652 = global_5.member[_e467].member_8.member_3.member_1;
 let _e653 = (_e652 - 0.5f);
 let _e655 = select(-0.5f, _e624, (_e624 > -0.5f));
 let _e657 = select(_e653, _e655, (_e655 < _e653));
-let _e663 = global_5.member[_e467].member_6.member_3.member_2;
+let _e663 = global_5.member[_e467].member_8.member_3.member_2;
 let _e664 = (_e663 - 0.5f);
 let _e666 = select(-0.5f, _e630, (_e630 > -0.5f));
 let _e668 = select(_e664, _e666, (_e666 < _e664));
@@ -536,7 +538,7 @@ let _e704 = (_e641 - 1f);
 let _e706 = select(0f, _e703, (_e703 > 0f));
 let _e708 = select(_e704, _e706, (_e706 < _e704));
 let _e715 = select(0i, select(select(i32(_e708), i32(-2147483648), (_e708 < -2147483600f)), 2147483647i, (_e708 > 2147483500f)), (_e708 == _e708));
-let _e724 = global_5.member[_e467].member_6.member_12;
+let _e724 = global_5.member[_e467].member_8.member_12;
 let _e725 = (_e724 & 31u);
 let _e728 = (_e657 + 0.5f);
 let _e729 = (_e652 - 1f);
@@ -548,32 +550,32 @@ let _e748 = (_e663 - 1f);
 let _e750 = select(0f, _e747, (_e747 > 0f));
 let _e752 = select(_e748, _e750, (_e750 < _e748));
 let _e759 = select(0i, select(select(i32(_e752), i32(-2147483648), (_e752 < -2147483600f)), 2147483647i, (_e752 > 2147483500f)), (_e752 == _e752));
-let _e771 = global_5.member[_e467].member_6.member_9.member;
-let _e778 = global_5.member[_e467].member_6.member_9.member_1;
-let _e784 = global_5.member[_e467].member_6.member_10;
+let _e771 = global_5.member[_e467].member_8.member_9.member;
+let _e778 = global_5.member[_e467].member_8.member_9.member_1;
+let _e784 = global_5.member[_e467].member_8.member_10;
 let _e790 = ((bitcast<i32>(_e784) + ((_e715 - select(0i, 1i, (_e708 < f32(_e715)))) >> bitcast<u32>(_e725))) + (bitcast<i32>(_e771) * (((_e740 - select(0i, 1i, (_e733 < f32(_e740)))) >> bitcast<u32>(_e725)) + (bitcast<i32>(_e778) * ((_e759 - select(0i, 1i, (_e752 < f32(_e759)))) >> bitcast<u32>(_e725))))));
 let _e792 = (bitcast<i32>(arrayLength((&global_7.member))) - 1i);
 let _e794 = select(_e792, _e790, (_e790 < _e792));
 let _e800 = global_7.member[bitcast<u32>(select(0i, _e794, (_e794 > 0i)))];
-let _e808 = global_5.member[_e467].member_7.member;
+let _e808 = global_5.member[_e467].member_9.member;
 let _e819 = ((((_e808.member.member * _e500) + (_e808.member.member_1 * _e502)) + (_e808.member.member_2 * _e496)) + _e808.member_1);
-let _e824 = global_5.member[_e467].member_7.member_1;
+let _e824 = global_5.member[_e467].member_9.member_1;
 let _e835 = ((((_e824.member.member * _e500) + (_e824.member.member_1 * _e502)) + (_e824.member.member_2 * _e496)) + _e824.member_1);
-let _e840 = global_5.member[_e467].member_7.member_2;
+let _e840 = global_5.member[_e467].member_9.member_2;
 let _e851 = ((((_e840.member.member * _e500) + (_e840.member.member_1 * _e502)) + (_e840.member.member_2 * _e496)) + _e840.member_1);
 let _e857 = ((((_e808.member.member * _e504) + (_e808.member.member_1 * _e506)) + (_e808.member.member_2 * _e511)) + _e808.member_1);
 let _e863 = ((((_e824.member.member * _e504) + (_e824.member.member_1 * _e506)) + (_e824.member.member_2 * _e511)) + _e824.member_1);
 let _e869 = ((((_e840.member.member * _e504) + (_e840.member.member_1 * _e506)) + (_e840.member.member_2 * _e511)) + _e840.member_1);
-let _e874 = global_5.member[_e467].member_7.member_4;
-let _e880 = global_5.member[_e467].member_7.member_3.member;
+let _e874 = global_5.member[_e467].member_9.member_4;
+let _e880 = global_5.member[_e467].member_9.member_3.member;
 let _e881 = (_e880 - 0.5f);
 let _e883 = select(-0.5f, _e857, (_e857 > -0.5f));
 let _e885 = select(_e881, _e883, (_e883 < _e881));
-let _e891 = global_5.member[_e467].member_7.member_3.member_1;
+let _e891 = global_5.member[_e467].member_9.member_3.member_1;
 let _e892 = (_e891 - 0.5f);
 let _e894 = select(-0.5f, _e863, (_e863 > -0.5f));
 let _e896 = select(_e892, _e894, (_e894 < _e892));
-let _e902 = global_5.member[_e467].member_7.member_3.member_2;
+let _e902 = global_5.member[_e467].member_9.member_3.member_2;
 let _e903 = (_e902 - 0.5f);
 let _e905 = select(-0.5f, _e869, (_e869 > -0.5f));
 let _e907 = select(_e903, _e905, (_e905 < _e903));
@@ -590,7 +592,7 @@ let _e943 = (_e880 - 1f);
 let _e945 = select(0f, _e942, (_e942 > 0f));
 let _e947 = select(_e943, _e945, (_e945 < _e943));
 let _e954 = select(0i, select(select(i32(_e947), i32(-2147483648), (_e947 < -2147483600f)), 2147483647i, (_e947 > 2147483500f)), (_e947 == _e947));
-let _e963 = global_5.member[_e467].member_7.member_12;
+let _e963 = global_5.member[_e467].member_9.member_12;
 let _e964 = (_e963 & 31u);
 let _e967 = (_e896 + 0.5f);
 let _e968 = (_e891 - 1f);
@@ -602,9 +604,9 @@ let _e987 = (_e902 - 1f);
 let _e989 = select(0f, _e986, (_e986 > 0f));
 let _e991 = select(_e987, _e989, (_e989 < _e987));
 let _e998 = select(0i, select(select(i32(_e991), i32(-2147483648), (_e991 < -2147483600f)), 2147483647i, (_e991 > 2147483500f)), (_e991 == _e991));
-let _e1010 = global_5.member[_e467].member_7.member_9.member;
-let _e1017 = global_5.member[_e467].member_7.member_9.member_1;
-let _e1023 = global_5.member[_e467].member_7.member_10;
+let _e1010 = global_5.member[_e467].member_9.member_9.member;
+let _e1017 = global_5.member[_e467].member_9.member_9.member_1;
+let _e1023 = global_5.member[_e467].member_9.member_10;
 let _e1029 = ((bitcast<i32>(_e1023) + ((_e954 - select(0i, 1i, (_e947 < f32(_e954)))) >> bitcast<u32>(_e964))) + (bitcast<i32>(_e1010) * (((_e979 - select(0i, 1i, (_e972 < f32(_e979)))) >> bitcast<u32>(_e964)) + (bitcast<i32>(_e1017) * ((_e998 - select(0i, 1i, (_e991 < f32(_e998)))) >> bitcast<u32>(_e964))))));
 let _e1031 = select(_e792, _e1029, (_e1029 < _e792));
 let _e1037 = global_7.member[bitcast<u32>(select(0i, _e1031, (_e1031 > 0i)))];
@@ -622,22 +624,22 @@ let _e1096 = (_e902 - _e1085);
 let _e1099 = ((((_e819 >= _e1084) && (_e819 <= _e1087)) && ((_e835 >= _e1084) && (_e835 <= _e1091))) && ((_e851 >= _e1084) && (_e851 <= _e1096)));
 let _e1101 = ((_e1044 & 16u) == 0u);
 if _e1101 {
-phi_1750_ = _e1099;
+phi_1752_ = _e1099;
 } else {
-let _e1107 = global_5.member[_e467].member_7.member.member;
+let _e1107 = global_5.member[_e467].member_9.member.member;
 let _e1115 = (((_e1107.member * _e1107.member) + (_e1107.member_1 * _e1107.member_1)) + (_e1107.member_2 * _e1107.member_2));
-let _e1124 = global_5.member[_e467].member_14.member;
+let _e1124 = global_5.member[_e467].member_16.member;
 let _e1136 = -((0.5f / sqrt(select(0f, _e1115, (_e1115 > 0f)))));
-let _e1142 = global_5.member[_e467].member_14.member_1;
-let _e1149 = global_5.member[_e467].member_15.member;
-let _e1166 = global_5.member[_e467].member_15.member_1;
-let _e1174 = global_5.member[_e467].member_16.member;
-let _e1191 = global_5.member[_e467].member_16.member_1;
-let _e1199 = global_5.member[_e467].member_17.member;
-let _e1216 = global_5.member[_e467].member_17.member_1;
-phi_1750_ = (_e1099 && (((((((((_e1124.member.member * _e500) + (_e1124.member.member_1 * _e502)) + (_e1124.member.member_2 * _e496)) + _e1124.member_1) <= _e1136) || (_e1142 == 0u)) && ((((((_e1149.member.member * _e500) + (_e1149.member.member_1 * _e502)) + (_e1149.member.member_2 * _e496)) + _e1149.member_1) <= _e1136) || (_e1166 == 0u))) && ((((((_e1174.member.member * _e500) + (_e1174.member.member_1 * _e502)) + (_e1174.member.member_2 * _e496)) + _e1174.member_1) <= _e1136) || (_e1191 == 0u))) && ((((((_e1199.member.member * _e500) + (_e1199.member.member_1 * _e502)) + (_e1199.member.member_2 * _e496)) + _e1199.member_1) <= _e1136) || (_e1216 == 0u))));
+let _e1142 = global_5.member[_e467].member_16.member_1;
+let _e1149 = global_5.member[_e467].member_17.member;
+let _e1166 = global_5.member[_e467].member_17.member_1;
+let _e1174 = global_5.member[_e467].member_18.member;
+let _e1191 = global_5.member[_e467].member_18.member_1;
+let _e1199 = global_5.member[_e467].member_19.member;
+let _e1216 = global_5.member[_e467].member_19.member_1;
+phi_1752_ = (_e1099 && (((((((((_e1124.member.member * _e500) + (_e1124.member.member_1 * _e502)) + (_e1124.member.member_2 * _e496)) + _e1124.member_1) <= _e1136) || (_e1142 == 0u)) && ((((((_e1149.member.member * _e500) + (_e1149.member.member_1 * _e502)) + (_e1149.member.member_2 * _e496)) + _e1149.member_1) <= _e1136) || (_e1166 == 0u))) && ((((((_e1174.member.member * _e500) + (_e1174.member.member_1 * _e502)) + (_e1174.member.member_2 * _e496)) + _e1174.member_1) <= _e1136) || (_e1191 == 0u))) && ((((((_e1199.member.member * _e500) + (_e1199.member.member_1 * _e502)) + (_e1199.member.member_2 * _e496)) + _e1199.member_1) <= _e1136) || (_e1216 == 0u))));
 }
-let _e1222 = phi_1750_;
+let _e1222 = phi_1752_;
 let _e1226 = (_e504 + (_e504 - _e500));
 let _e1227 = (_e506 + (_e506 - _e502));
 let _e1228 = (_e511 + (_e511 - _e496));
@@ -646,27 +648,27 @@ let _e1240 = ((((_e824.member.member * _e1226) + (_e824.member.member_1 * _e1227
 let _e1246 = ((((_e840.member.member * _e1226) + (_e840.member.member_1 * _e1227)) + (_e840.member.member_2 * _e1228)) + _e840.member_1);
 let _e1257 = ((((_e1234 >= _e1084) && (_e1234 <= _e1087)) && ((_e1240 >= _e1084) && (_e1240 <= _e1091))) && ((_e1246 >= _e1084) && (_e1246 <= _e1096)));
 if _e1101 {
-phi_1930_ = _e1257;
+phi_1932_ = _e1257;
 } else {
-let _e1263 = global_5.member[_e467].member_7.member.member;
+let _e1263 = global_5.member[_e467].member_9.member.member;
 let _e1271 = (((_e1263.member * _e1263.member) + (_e1263.member_1 * _e1263.member_1)) + (_e1263.member_2 * _e1263.member_2));
-let _e1280 = global_5.member[_e467].member_14.member;
+let _e1280 = global_5.member[_e467].member_16.member;
 let _e1292 = -((0.5f / sqrt(select(0f, _e1271, (_e1271 > 0f)))));
-let _e1298 = global_5.member[_e467].member_14.member_1;
-let _e1305 = global_5.member[_e467].member_15.member;
-let _e1322 = global_5.member[_e467].member_15.member_1;
-let _e1330 = global_5.member[_e467].member_16.member;
-let _e1347 = global_5.member[_e467].member_16.member_1;
-let _e1355 = global_5.member[_e467].member_17.member;
-let _e1372 = global_5.member[_e467].member_17.member_1;
-phi_1930_ = (_e1257 && (((((((((_e1280.member.member * _e1226) + (_e1280.member.member_1 * _e1227)) + (_e1280.member.member_2 * _e1228)) + _e1280.member_1) <= _e1292) || (_e1298 == 0u)) && ((((((_e1305.member.member * _e1226) + (_e1305.member.member_1 * _e1227)) + (_e1305.member.member_2 * _e1228)) + _e1305.member_1) <= _e1292) || (_e1322 == 0u))) && ((((((_e1330.member.member * _e1226) + (_e1330.member.member_1 * _e1227)) + (_e1330.member.member_2 * _e1228)) + _e1330.member_1) <= _e1292) || (_e1347 == 0u))) && ((((((_e1355.member.member * _e1226) + (_e1355.member.member_1 * _e1227)) + (_e1355.member.member_2 * _e1228)) + _e1355.member_1) <= _e1292) || (_e1372 == 0u))));
+let _e1298 = global_5.member[_e467].member_16.member_1;
+let _e1305 = global_5.member[_e467].member_17.member;
+let _e1322 = global_5.member[_e467].member_17.member_1;
+let _e1330 = global_5.member[_e467].member_18.member;
+let _e1347 = global_5.member[_e467].member_18.member_1;
+let _e1355 = global_5.member[_e467].member_19.member;
+let _e1372 = global_5.member[_e467].member_19.member_1;
+phi_1932_ = (_e1257 && (((((((((_e1280.member.member * _e1226) + (_e1280.member.member_1 * _e1227)) + (_e1280.member.member_2 * _e1228)) + _e1280.member_1) <= _e1292) || (_e1298 == 0u)) && ((((((_e1305.member.member * _e1226) + (_e1305.member.member_1 * _e1227)) + (_e1305.member.member_2 * _e1228)) + _e1305.member_1) <= _e1292) || (_e1322 == 0u))) && ((((((_e1330.member.member * _e1226) + (_e1330.member.member_1 * _e1227)) + (_e1330.member.member_2 * _e1228)) + _e1330.member_1) <= _e1292) || (_e1347 == 0u))) && ((((((_e1355.member.member * _e1226) + (_e1355.member.member_1 * _e1227)) + (_e1355.member.member_2 * _e1228)) + _e1355.member_1) <= _e1292) || (_e1372 == 0u))));
 }
-let _e1378 = phi_1930_;
-phi_1933_ = (_e1074 && (_e1222 && _e1378));
+let _e1378 = phi_1932_;
+phi_1935_ = (_e1074 && (_e1222 && _e1378));
 } else {
-phi_1933_ = _e1074;
+phi_1935_ = _e1074;
 }
-let _e1382 = phi_1933_;
+let _e1382 = phi_1935_;
 let _e1383 = (_e471[17] == -1.2676506e30f);
 let _e1385 = (_e471[17] != _e496);
 let _e1395 = (select(0u, select(select(31u, select(select(3u, 7u, _e1385), 15u, _e564), (_e1382 && !((_e1083 && _e1383)))), select(1u, 15u, _e564), (((_e1044 & 64u) != 0u) || ((((select(_e682, _e679, (_e679 > _e682)) <= _e635) && ((select(_e699, _e696, (_e696 > _e699)) > _e635) || (_e800 != 0u))) && ((select(_e921, _e918, (_e918 > _e921)) <= _e874) && ((select(_e938, _e935, (_e935 > _e938)) > _e874) || (_e1037 != 0u)))) && ((_e1044 & 32u) != 0u)))), (_e471[7] == 0f)) > 1u);
@@ -677,10 +679,10 @@ let _e1411 = (_e528 / select(1e-20f, _e1408, (_e1408 > 1e-20f)));
 let _e1412 = (_e554 - _e560);
 let _e1415 = (_e554 / select(1e-20f, _e1412, (_e1412 > 1e-20f)));
 let _e1419 = (_e563 && (!(_e537) || (_e1415 < _e1411)));
-let _e1426 = global_5.member[_e467].member_13.member_1.member.member;
-let _e1432 = global_5.member[_e467].member_13.member_1.member_1;
-let _e1439 = global_5.member[_e467].member_13.member.member.member;
-let _e1445 = global_5.member[_e467].member_13.member.member_1;
+let _e1426 = global_5.member[_e467].member_15.member_1.member.member;
+let _e1432 = global_5.member[_e467].member_15.member_1.member_1;
+let _e1439 = global_5.member[_e467].member_15.member.member.member;
+let _e1445 = global_5.member[_e467].member_15.member.member_1;
 let _e1464 = select(_e1411, _e1415, _e1419);
 let _e1466 = select(-0.5f, _e580, (_e580 > -0.5f));
 let _e1468 = select(_e642, _e1466, (_e1466 < _e642));
@@ -700,14 +702,14 @@ let _e1508 = select(-1f, _e1476, (_e1476 > -1f));
 let _e1510 = select(_e663, _e1508, (_e1508 < _e663));
 let _e1517 = select(0i, select(select(i32(_e1510), i32(-2147483648), (_e1510 < -2147483600f)), 2147483647i, (_e1510 > 2147483500f)), (_e1510 == _e1510));
 let _e1521 = (_e1517 - select(0i, 1i, (_e1510 < f32(_e1517))));
-let _e1526 = global_5.member[_e467].member_6.member_7;
-let _e1531 = global_5.member[_e467].member_6.member_8;
+let _e1526 = global_5.member[_e467].member_8.member_7;
+let _e1531 = global_5.member[_e467].member_8.member_8;
 let _e1532 = (_e1491 + 1i);
 let _e1533 = (_e1506 + 1i);
 let _e1534 = (_e1521 + 1i);
-let _e1540 = global_5.member[_e467].member_6.member_11.member;
+let _e1540 = global_5.member[_e467].member_8.member_11.member;
 let _e1541 = bitcast<i32>(_e1540);
-let _e1547 = global_5.member[_e467].member_6.member_11.member_1;
+let _e1547 = global_5.member[_e467].member_8.member_11.member_1;
 let _e1548 = bitcast<i32>(_e1547);
 let _e1558 = ((_e1532 >> bitcast<u32>(4i)) + (_e1541 * ((_e1533 >> bitcast<u32>(4i)) + (_e1548 * (_e1534 >> bitcast<u32>(4i))))));
 let _e1560 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
@@ -774,8 +776,8 @@ let _e1698 = global_1.member[bitcast<u32>(select(0i, _e1693, (_e1693 > 0i)))];
 let _e1700 = local_43[0u];
 let _e1704 = local_43[1u];
 let _e1709 = local_43[2u];
-let _e1717 = global_5.member[_e467].member_6.member_6;
-let _e1722 = global_5.member[_e467].member_6.member_5;
+let _e1717 = global_5.member[_e467].member_8.member_6;
+let _e1722 = global_5.member[_e467].member_8.member_5;
 let _e1724 = (((_e1653 + (((_e1678 + (((_e1689 + ((bitcast<f32>(_e1698) - _e1689) * _e1700)) - _e1678) * _e1704)) - _e1653) * _e1709)) - _e1717) * _e1722);
 let _e1725 = -(1e9f);
 let _e1727 = select(_e1725, _e1724, (_e1724 > _e1725));
@@ -799,13 +801,13 @@ let _e1774 = select(-1f, _e1742, (_e1742 > -1f));
 let _e1776 = select(_e902, _e1774, (_e1774 < _e902));
 let _e1783 = select(0i, select(select(i32(_e1776), i32(-2147483648), (_e1776 < -2147483600f)), 2147483647i, (_e1776 > 2147483500f)), (_e1776 == _e1776));
 let _e1787 = (_e1783 - select(0i, 1i, (_e1776 < f32(_e1783))));
-let _e1792 = global_5.member[_e467].member_7.member_7;
-let _e1797 = global_5.member[_e467].member_7.member_8;
+let _e1792 = global_5.member[_e467].member_9.member_7;
+let _e1797 = global_5.member[_e467].member_9.member_8;
 let _e1798 = (_e1757 + 1i);
 let _e1799 = (_e1772 + 1i);
 let _e1800 = (_e1787 + 1i);
-let _e1806 = global_5.member[_e467].member_7.member_11.member;
-let _e1813 = global_5.member[_e467].member_7.member_11.member_1;
+let _e1806 = global_5.member[_e467].member_9.member_11.member;
+let _e1813 = global_5.member[_e467].member_9.member_11.member_1;
 let _e1824 = ((_e1798 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1806) * ((_e1799 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1813) * (_e1800 >> bitcast<u32>(4i))))));
 let _e1826 = (bitcast<i32>(_e233) - 1i);
 let _e1828 = select(_e1826, _e1824, (_e1824 < _e1826));
@@ -869,8 +871,8 @@ let _e1964 = global_6.member[bitcast<u32>(select(0i, _e1959, (_e1959 > 0i)))];
 let _e1966 = local_41[0u];
 let _e1970 = local_41[1u];
 let _e1975 = local_41[2u];
-let _e1983 = global_5.member[_e467].member_7.member_6;
-let _e1988 = global_5.member[_e467].member_7.member_5;
+let _e1983 = global_5.member[_e467].member_9.member_6;
+let _e1988 = global_5.member[_e467].member_9.member_5;
 let _e1990 = (((_e1919 + (((_e1944 + (((_e1955 + ((bitcast<f32>(_e1964) - _e1955) * _e1966)) - _e1944) * _e1970)) - _e1919) * _e1975)) - _e1983) * _e1988);
 let _e1992 = select(_e1725, _e1990, (_e1990 > _e1725));
 local_38 = select(1e9f, _e1992, (_e1992 < 1e9f));
@@ -931,11 +933,11 @@ let _e2168 = select(_e1998, 262144i, (262144i < _e1998));
 let _e2174 = global_2.member[bitcast<u32>(select(0i, _e2168, (_e2168 > 0i)))];
 let _e2177 = select(_e1998, 262145i, (262145i < _e1998));
 let _e2183 = global_2.member[bitcast<u32>(select(0i, _e2177, (_e2177 > 0i)))];
-phi_3654_ = select(_e471[16], ((bitcast<f32>(_e2174) + (f32(bitcast<i32>((_e2148 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2183))) + ((f32((bitcast<i32>((_e2148 & 4095u)) - 2048i)) * bitcast<f32>(_e2164)) * (_e2124 - f32(_e2139)))), _e1385);
+phi_3656_ = select(_e471[16], ((bitcast<f32>(_e2174) + (f32(bitcast<i32>((_e2148 >> bitcast<u32>(12u)))) * bitcast<f32>(_e2183))) + ((f32((bitcast<i32>((_e2148 & 4095u)) - 2048i)) * bitcast<f32>(_e2164)) * (_e2124 - f32(_e2139)))), _e1385);
 } else {
-phi_3654_ = _e471[16];
+phi_3656_ = _e471[16];
 }
-let _e2193 = phi_3654_;
+let _e2193 = phi_3656_;
 let _e2194 = (_e504 - _e500);
 let _e2195 = (_e506 - _e502);
 let _e2196 = (_e511 - _e496);
@@ -986,9 +988,9 @@ let _e2286 = select(_e2248, _e2223, (_e2223 > _e2248));
 let _e2289 = (select(_e2280, _e2282, (_e2282 < _e2280)) - select(_e2273, _e2286, (_e2286 > _e2273)));
 let _e2292 = (_e2204 * select(0f, _e2289, (_e2289 > 0f)));
 if _e1083 {
-let _e2307 = global_5.member[_e467].member_7.member.member;
-let _e2316 = global_5.member[_e467].member_7.member_1.member;
-let _e2325 = global_5.member[_e467].member_7.member_2.member;
+let _e2307 = global_5.member[_e467].member_9.member.member;
+let _e2316 = global_5.member[_e467].member_9.member_1.member;
+let _e2325 = global_5.member[_e467].member_9.member_2.member;
 let _e2329 = (-0.5f - _e819);
 let _e2330 = (-0.5f - _e857);
 let _e2331 = -(_e2329);
@@ -1096,16 +1098,16 @@ let _e2569 = select(select(select(select(select(select(0f, _e2307.member_1, _e23
 let _e2570 = select(select(select(select(select(select(1f, _e2307.member_2, _e2349), _e2307.member_2, _e2389), _e2316.member_2, _e2429), _e2316.member_2, _e2469), _e2325.member_2, _e2509), _e2325.member_2, _e2549);
 let _e2574 = ((_e1044 & 16u) == 0u);
 if _e2574 {
-phi_5260_ = type_34(_e2555, vec3<f32>(_e2556, _e2557, _e2558), _e2560, vec3<f32>(_e2561, _e2562, _e2563), _e2565, _e2567, vec3<f32>(_e2568, _e2569, _e2570));
+phi_5262_ = type_34(_e2555, vec3<f32>(_e2556, _e2557, _e2558), _e2560, vec3<f32>(_e2561, _e2562, _e2563), _e2565, _e2567, vec3<f32>(_e2568, _e2569, _e2570));
 } else {
 let _e2579 = (((_e2307.member * _e2307.member) + (_e2307.member_1 * _e2307.member_1)) + (_e2307.member_2 * _e2307.member_2));
 let _e2582 = sqrt(select(0f, _e2579, (_e2579 > 0f)));
-let _e2587 = global_5.member[_e467].member_14.member_1;
+let _e2587 = global_5.member[_e467].member_16.member_1;
 let _e2588 = (_e2587 != 0u);
-let _e2593 = global_5.member[_e467].member_14.member;
+let _e2593 = global_5.member[_e467].member_16.member;
 let _e2613 = select(-1e6f, (((((_e2593.member.member * _e500) + (_e2593.member.member_1 * _e502)) + (_e2593.member.member_2 * _e496)) + _e2593.member_1) * _e2582), _e2588);
 let _e2614 = select(-1e6f, (((((_e2593.member.member * _e504) + (_e2593.member.member_1 * _e506)) + (_e2593.member.member_2 * _e511)) + _e2593.member_1) * _e2582), _e2588);
-let _e2620 = global_5.member[_e467].member_14.member.member;
+let _e2620 = global_5.member[_e467].member_16.member.member;
 let _e2624 = -(_e2613);
 let _e2627 = (_e2613 - _e2614);
 let _e2628 = (_e2614 - _e2613);
@@ -1120,12 +1122,12 @@ let _e2648 = select(_e2555, _e2637, _e2646);
 let _e2652 = select(_e2560, _e2641, _e2647);
 let _e2656 = select(_e2565, _e2613, _e2642);
 let _e2658 = select(_e2567, _e2614, (_e2614 > _e2567));
-let _e2666 = global_5.member[_e467].member_15.member_1;
+let _e2666 = global_5.member[_e467].member_17.member_1;
 let _e2667 = (_e2666 != 0u);
-let _e2672 = global_5.member[_e467].member_15.member;
+let _e2672 = global_5.member[_e467].member_17.member;
 let _e2692 = select(-1e6f, (((((_e2672.member.member * _e500) + (_e2672.member.member_1 * _e502)) + (_e2672.member.member_2 * _e496)) + _e2672.member_1) * _e2582), _e2667);
 let _e2693 = select(-1e6f, (((((_e2672.member.member * _e504) + (_e2672.member.member_1 * _e506)) + (_e2672.member.member_2 * _e511)) + _e2672.member_1) * _e2582), _e2667);
-let _e2699 = global_5.member[_e467].member_15.member.member;
+let _e2699 = global_5.member[_e467].member_17.member.member;
 let _e2703 = -(_e2692);
 let _e2706 = (_e2692 - _e2693);
 let _e2707 = (_e2693 - _e2692);
@@ -1140,12 +1142,12 @@ let _e2727 = select(_e2648, _e2716, _e2725);
 let _e2731 = select(_e2652, _e2720, _e2726);
 let _e2735 = select(_e2656, _e2692, _e2721);
 let _e2737 = select(_e2658, _e2693, (_e2693 > _e2658));
-let _e2745 = global_5.member[_e467].member_16.member_1;
+let _e2745 = global_5.member[_e467].member_18.member_1;
 let _e2746 = (_e2745 != 0u);
-let _e2751 = global_5.member[_e467].member_16.member;
+let _e2751 = global_5.member[_e467].member_18.member;
 let _e2771 = select(-1e6f, (((((_e2751.member.member * _e500) + (_e2751.member.member_1 * _e502)) + (_e2751.member.member_2 * _e496)) + _e2751.member_1) * _e2582), _e2746);
 let _e2772 = select(-1e6f, (((((_e2751.member.member * _e504) + (_e2751.member.member_1 * _e506)) + (_e2751.member.member_2 * _e511)) + _e2751.member_1) * _e2582), _e2746);
-let _e2778 = global_5.member[_e467].member_16.member.member;
+let _e2778 = global_5.member[_e467].member_18.member.member;
 let _e2782 = -(_e2771);
 let _e2785 = (_e2771 - _e2772);
 let _e2786 = (_e2772 - _e2771);
@@ -1160,12 +1162,12 @@ let _e2806 = select(_e2727, _e2795, _e2804);
 let _e2810 = select(_e2731, _e2799, _e2805);
 let _e2814 = select(_e2735, _e2771, _e2800);
 let _e2816 = select(_e2737, _e2772, (_e2772 > _e2737));
-let _e2824 = global_5.member[_e467].member_17.member_1;
+let _e2824 = global_5.member[_e467].member_19.member_1;
 let _e2825 = (_e2824 != 0u);
-let _e2830 = global_5.member[_e467].member_17.member;
+let _e2830 = global_5.member[_e467].member_19.member;
 let _e2850 = select(-1e6f, (((((_e2830.member.member * _e500) + (_e2830.member.member_1 * _e502)) + (_e2830.member.member_2 * _e496)) + _e2830.member_1) * _e2582), _e2825);
 let _e2851 = select(-1e6f, (((((_e2830.member.member * _e504) + (_e2830.member.member_1 * _e506)) + (_e2830.member.member_2 * _e511)) + _e2830.member_1) * _e2582), _e2825);
-let _e2857 = global_5.member[_e467].member_17.member.member;
+let _e2857 = global_5.member[_e467].member_19.member.member;
 let _e2861 = -(_e2850);
 let _e2864 = (_e2850 - _e2851);
 let _e2865 = (_e2851 - _e2850);
@@ -1176,32 +1178,32 @@ let _e2878 = select(2f, select(0f, _e2870, (_e2850 < 0f)), (_e2851 > 0f));
 let _e2879 = (_e2850 > _e2814);
 let _e2883 = ((_e2874 > _e2806) || ((_e2874 == _e2806) && _e2879));
 let _e2884 = (_e2878 < _e2810);
-phi_5260_ = type_34(select(_e2806, _e2874, _e2883), vec3<f32>(select(select(select(select(_e2556, _e2620.member, _e2646), _e2699.member, _e2725), _e2778.member, _e2804), _e2857.member, _e2883), select(select(select(select(_e2557, _e2620.member_1, _e2646), _e2699.member_1, _e2725), _e2778.member_1, _e2804), _e2857.member_1, _e2883), select(select(select(select(_e2558, _e2620.member_2, _e2646), _e2699.member_2, _e2725), _e2778.member_2, _e2804), _e2857.member_2, _e2883)), select(_e2810, _e2878, _e2884), vec3<f32>(select(select(select(select(_e2561, _e2620.member, _e2647), _e2699.member, _e2726), _e2778.member, _e2805), _e2857.member, _e2884), select(select(select(select(_e2562, _e2620.member_1, _e2647), _e2699.member_1, _e2726), _e2778.member_1, _e2805), _e2857.member_1, _e2884), select(select(select(select(_e2563, _e2620.member_2, _e2647), _e2699.member_2, _e2726), _e2778.member_2, _e2805), _e2857.member_2, _e2884)), select(_e2814, _e2850, _e2879), select(_e2816, _e2851, (_e2851 > _e2816)), vec3<f32>(select(select(select(select(_e2568, _e2620.member, _e2642), _e2699.member, _e2721), _e2778.member, _e2800), _e2857.member, _e2879), select(select(select(select(_e2569, _e2620.member_1, _e2642), _e2699.member_1, _e2721), _e2778.member_1, _e2800), _e2857.member_1, _e2879), select(select(select(select(_e2570, _e2620.member_2, _e2642), _e2699.member_2, _e2721), _e2778.member_2, _e2800), _e2857.member_2, _e2879)));
+phi_5262_ = type_34(select(_e2806, _e2874, _e2883), vec3<f32>(select(select(select(select(_e2556, _e2620.member, _e2646), _e2699.member, _e2725), _e2778.member, _e2804), _e2857.member, _e2883), select(select(select(select(_e2557, _e2620.member_1, _e2646), _e2699.member_1, _e2725), _e2778.member_1, _e2804), _e2857.member_1, _e2883), select(select(select(select(_e2558, _e2620.member_2, _e2646), _e2699.member_2, _e2725), _e2778.member_2, _e2804), _e2857.member_2, _e2883)), select(_e2810, _e2878, _e2884), vec3<f32>(select(select(select(select(_e2561, _e2620.member, _e2647), _e2699.member, _e2726), _e2778.member, _e2805), _e2857.member, _e2884), select(select(select(select(_e2562, _e2620.member_1, _e2647), _e2699.member_1, _e2726), _e2778.member_1, _e2805), _e2857.member_1, _e2884), select(select(select(select(_e2563, _e2620.member_2, _e2647), _e2699.member_2, _e2726), _e2778.member_2, _e2805), _e2857.member_2, _e2884)), select(_e2814, _e2850, _e2879), select(_e2816, _e2851, (_e2851 > _e2816)), vec3<f32>(select(select(select(select(_e2568, _e2620.member, _e2642), _e2699.member, _e2721), _e2778.member, _e2800), _e2857.member, _e2879), select(select(select(select(_e2569, _e2620.member_1, _e2642), _e2699.member_1, _e2721), _e2778.member_1, _e2800), _e2857.member_1, _e2879), select(select(select(select(_e2570, _e2620.member_2, _e2642), _e2699.member_2, _e2721), _e2778.member_2, _e2800), _e2857.member_2, _e2879)));
 }
-let _e2904 = phi_5260_;
+let _e2904 = phi_5262_;
 if ((_e2904.member_4 > -(0.015625f)) && (_e2904.member_4 < 0.015625f)) {
-phi_5273_ = (_e471[16] != 0f);
+phi_5275_ = (_e471[16] != 0f);
 } else {
-phi_5273_ = (_e2904.member_4 < 0f);
+phi_5275_ = (_e2904.member_4 < 0f);
 }
-let _e2913 = phi_5273_;
+let _e2913 = phi_5275_;
 let _e2914 = select(1f, _e2193, _e2913);
 let _e2916 = select(1f, _e2914, (_e1383 && _e2913));
 let _e2917 = (_e471[3] * _e2916);
 let _e2918 = (_e471[4] * _e2916);
 let _e2919 = (_e471[5] * _e2916);
 if _e2913 {
-phi_5303_ = type_39(_e2904.member_2, _e2904.member_3);
+phi_5305_ = type_39(_e2904.member_2, _e2904.member_3);
 } else {
-phi_5303_ = type_39(_e2904.member, _e2904.member_1);
+phi_5305_ = type_39(_e2904.member, _e2904.member_1);
 }
-let _e2928 = phi_5303_;
+let _e2928 = phi_5305_;
 if _e2913 {
-phi_5315_ = (_e2904.member_2 <= 1f);
+phi_5317_ = (_e2904.member_2 <= 1f);
 } else {
-phi_5315_ = ((_e2904.member <= 1f) && (_e2904.member < _e2904.member_2));
+phi_5317_ = ((_e2904.member <= 1f) && (_e2904.member < _e2904.member_2));
 }
-let _e2936 = phi_5315_;
+let _e2936 = phi_5317_;
 let _e2939 = select(1f, _e2928.member, _e2936);
 let _e2943 = (_e500 + (_e2194 * _e2939));
 let _e2944 = (_e502 + (_e2195 * _e2939));
@@ -1227,14 +1229,14 @@ let _e3008 = select(-1f, _e2976, (_e2976 > -1f));
 let _e3010 = select(_e902, _e3008, (_e3008 < _e902));
 let _e3017 = select(0i, select(select(i32(_e3010), i32(-2147483648), (_e3010 < -2147483600f)), 2147483647i, (_e3010 > 2147483500f)), (_e3010 == _e3010));
 let _e3021 = (_e3017 - select(0i, 1i, (_e3010 < f32(_e3017))));
-let _e3026 = global_5.member[_e467].member_7.member_7;
-let _e3031 = global_5.member[_e467].member_7.member_8;
+let _e3026 = global_5.member[_e467].member_9.member_7;
+let _e3031 = global_5.member[_e467].member_9.member_8;
 let _e3032 = (_e2991 + 1i);
 let _e3033 = (_e3006 + 1i);
 let _e3034 = (_e3021 + 1i);
-let _e3040 = global_5.member[_e467].member_7.member_11.member;
+let _e3040 = global_5.member[_e467].member_9.member_11.member;
 let _e3041 = bitcast<i32>(_e3040);
-let _e3047 = global_5.member[_e467].member_7.member_11.member_1;
+let _e3047 = global_5.member[_e467].member_9.member_11.member_1;
 let _e3048 = bitcast<i32>(_e3047);
 let _e3058 = ((_e3032 >> bitcast<u32>(4i)) + (_e3041 * ((_e3033 >> bitcast<u32>(4i)) + (_e3048 * (_e3034 >> bitcast<u32>(4i))))));
 let _e3060 = (bitcast<i32>(_e233) - 1i);
@@ -1301,8 +1303,8 @@ let _e3197 = global_6.member[bitcast<u32>(select(0i, _e3192, (_e3192 > 0i)))];
 let _e3199 = local_37[0u];
 let _e3203 = local_37[1u];
 let _e3208 = local_37[2u];
-let _e3216 = global_5.member[_e467].member_7.member_6;
-let _e3221 = global_5.member[_e467].member_7.member_5;
+let _e3216 = global_5.member[_e467].member_9.member_6;
+let _e3221 = global_5.member[_e467].member_9.member_5;
 let _e3223 = (((_e3152 + (((_e3177 + (((_e3188 + ((bitcast<f32>(_e3197) - _e3188) * _e3199)) - _e3177) * _e3203)) - _e3152) * _e3208)) - _e3216) * _e3221);
 let _e3225 = select(_e1725, _e3223, (_e3223 > _e1725));
 local_34 = select(1e9f, _e3225, (_e3225 < 1e9f));
@@ -1376,11 +1378,11 @@ let _e3412 = global_2.member[bitcast<u32>(select(0i, _e3407, (_e3407 > 0i)))];
 let _e3413 = bitcast<f32>(_e3412);
 let _e3419 = ((_e3405 + (f32(bitcast<i32>((_e3380 >> bitcast<u32>(12u)))) * _e3413)) + ((f32((bitcast<i32>((_e3380 & 4095u)) - 2048i)) * _e3396) * (_e3357 - f32(_e3372))));
 if _e2913 {
-phi_6358_ = type_31(_e3419, 1f);
+phi_6360_ = type_31(_e3419, 1f);
 } else {
-phi_6358_ = type_31(1f, _e3419);
+phi_6360_ = type_31(1f, _e3419);
 }
-let _e3423 = phi_6358_;
+let _e3423 = phi_6360_;
 let _e3428 = ((_e3423.member_1 * _e3423.member_1) - (_e3423.member * _e3423.member));
 let _e3436 = (((_e2928.member_1.x * _e2928.member_1.x) + (_e2928.member_1.y * _e2928.member_1.y)) + (_e2928.member_1.z * _e2928.member_1.z));
 let _e3439 = sqrt(select(0f, _e3436, (_e3436 > 0f)));
@@ -1397,7 +1399,7 @@ let _e3463 = (_e3428 == 0f);
 let _e3475 = select(_e2917, select((_e2917 + (_e3443 * _e3462)), _e2917, _e3463), _e2936);
 let _e3476 = select(_e2918, select((_e2918 + (_e3444 * _e3462)), _e2918, _e3463), _e2936);
 let _e3477 = select(_e2919, select((_e2919 + (_e3445 * _e3462)), _e2919, _e3463), _e2936);
-let _e3482 = global_5.member[_e467].member_5.member_4;
+let _e3482 = global_5.member[_e467].member_7.member_4;
 let _e3483 = (_e3482 * _e3482);
 let _e3487 = (_e3477 * _e3477);
 let _e3491 = (_e2936 && (_e3423.member != _e3423.member_1));
@@ -1516,16 +1518,16 @@ let _e3768 = select(select(select(select(select(select(0f, _e2307.member, _e3549
 let _e3769 = select(select(select(select(select(select(0f, _e2307.member_1, _e3549), _e2307.member_1, _e3589), _e2316.member_1, _e3629), _e2316.member_1, _e3669), _e2325.member_1, _e3709), _e2325.member_1, _e3749);
 let _e3770 = select(select(select(select(select(select(1f, _e2307.member_2, _e3549), _e2307.member_2, _e3589), _e2316.member_2, _e3629), _e2316.member_2, _e3669), _e2325.member_2, _e3709), _e2325.member_2, _e3749);
 if _e2574 {
-phi_7881_ = type_34(_e3755, vec3<f32>(_e3756, _e3757, _e3758), _e3760, vec3<f32>(_e3761, _e3762, _e3763), _e3765, _e3767, vec3<f32>(_e3768, _e3769, _e3770));
+phi_7883_ = type_34(_e3755, vec3<f32>(_e3756, _e3757, _e3758), _e3760, vec3<f32>(_e3761, _e3762, _e3763), _e3765, _e3767, vec3<f32>(_e3768, _e3769, _e3770));
 } else {
 let _e3777 = (((_e2307.member * _e2307.member) + (_e2307.member_1 * _e2307.member_1)) + (_e2307.member_2 * _e2307.member_2));
 let _e3780 = sqrt(select(0f, _e3777, (_e3777 > 0f)));
-let _e3785 = global_5.member[_e467].member_14.member_1;
+let _e3785 = global_5.member[_e467].member_16.member_1;
 let _e3786 = (_e3785 != 0u);
-let _e3791 = global_5.member[_e467].member_14.member;
+let _e3791 = global_5.member[_e467].member_16.member;
 let _e3811 = select(-1e6f, (((((_e3791.member.member * _e2943) + (_e3791.member.member_1 * _e2944)) + (_e3791.member.member_2 * _e2945)) + _e3791.member_1) * _e3780), _e3786);
 let _e3812 = select(-1e6f, (((((_e3791.member.member * _e3505) + (_e3791.member.member_1 * _e3506)) + (_e3791.member.member_2 * _e3507)) + _e3791.member_1) * _e3780), _e3786);
-let _e3818 = global_5.member[_e467].member_14.member.member;
+let _e3818 = global_5.member[_e467].member_16.member.member;
 let _e3822 = -(_e3811);
 let _e3825 = (_e3811 - _e3812);
 let _e3826 = (_e3812 - _e3811);
@@ -1540,12 +1542,12 @@ let _e3846 = select(_e3755, _e3835, _e3844);
 let _e3850 = select(_e3760, _e3839, _e3845);
 let _e3854 = select(_e3765, _e3811, _e3840);
 let _e3856 = select(_e3767, _e3812, (_e3812 > _e3767));
-let _e3864 = global_5.member[_e467].member_15.member_1;
+let _e3864 = global_5.member[_e467].member_17.member_1;
 let _e3865 = (_e3864 != 0u);
-let _e3870 = global_5.member[_e467].member_15.member;
+let _e3870 = global_5.member[_e467].member_17.member;
 let _e3890 = select(-1e6f, (((((_e3870.member.member * _e2943) + (_e3870.member.member_1 * _e2944)) + (_e3870.member.member_2 * _e2945)) + _e3870.member_1) * _e3780), _e3865);
 let _e3891 = select(-1e6f, (((((_e3870.member.member * _e3505) + (_e3870.member.member_1 * _e3506)) + (_e3870.member.member_2 * _e3507)) + _e3870.member_1) * _e3780), _e3865);
-let _e3897 = global_5.member[_e467].member_15.member.member;
+let _e3897 = global_5.member[_e467].member_17.member.member;
 let _e3901 = -(_e3890);
 let _e3904 = (_e3890 - _e3891);
 let _e3905 = (_e3891 - _e3890);
@@ -1560,12 +1562,12 @@ let _e3925 = select(_e3846, _e3914, _e3923);
 let _e3929 = select(_e3850, _e3918, _e3924);
 let _e3933 = select(_e3854, _e3890, _e3919);
 let _e3935 = select(_e3856, _e3891, (_e3891 > _e3856));
-let _e3943 = global_5.member[_e467].member_16.member_1;
+let _e3943 = global_5.member[_e467].member_18.member_1;
 let _e3944 = (_e3943 != 0u);
-let _e3949 = global_5.member[_e467].member_16.member;
+let _e3949 = global_5.member[_e467].member_18.member;
 let _e3969 = select(-1e6f, (((((_e3949.member.member * _e2943) + (_e3949.member.member_1 * _e2944)) + (_e3949.member.member_2 * _e2945)) + _e3949.member_1) * _e3780), _e3944);
 let _e3970 = select(-1e6f, (((((_e3949.member.member * _e3505) + (_e3949.member.member_1 * _e3506)) + (_e3949.member.member_2 * _e3507)) + _e3949.member_1) * _e3780), _e3944);
-let _e3976 = global_5.member[_e467].member_16.member.member;
+let _e3976 = global_5.member[_e467].member_18.member.member;
 let _e3980 = -(_e3969);
 let _e3983 = (_e3969 - _e3970);
 let _e3984 = (_e3970 - _e3969);
@@ -1580,12 +1582,12 @@ let _e4004 = select(_e3925, _e3993, _e4002);
 let _e4008 = select(_e3929, _e3997, _e4003);
 let _e4012 = select(_e3933, _e3969, _e3998);
 let _e4014 = select(_e3935, _e3970, (_e3970 > _e3935));
-let _e4022 = global_5.member[_e467].member_17.member_1;
+let _e4022 = global_5.member[_e467].member_19.member_1;
 let _e4023 = (_e4022 != 0u);
-let _e4028 = global_5.member[_e467].member_17.member;
+let _e4028 = global_5.member[_e467].member_19.member;
 let _e4048 = select(-1e6f, (((((_e4028.member.member * _e2943) + (_e4028.member.member_1 * _e2944)) + (_e4028.member.member_2 * _e2945)) + _e4028.member_1) * _e3780), _e4023);
 let _e4049 = select(-1e6f, (((((_e4028.member.member * _e3505) + (_e4028.member.member_1 * _e3506)) + (_e4028.member.member_2 * _e3507)) + _e4028.member_1) * _e3780), _e4023);
-let _e4055 = global_5.member[_e467].member_17.member.member;
+let _e4055 = global_5.member[_e467].member_19.member.member;
 let _e4059 = -(_e4048);
 let _e4062 = (_e4048 - _e4049);
 let _e4063 = (_e4049 - _e4048);
@@ -1596,9 +1598,9 @@ let _e4076 = select(2f, select(0f, _e4068, (_e4048 < 0f)), (_e4049 > 0f));
 let _e4077 = (_e4048 > _e4012);
 let _e4081 = ((_e4072 > _e4004) || ((_e4072 == _e4004) && _e4077));
 let _e4082 = (_e4076 < _e4008);
-phi_7881_ = type_34(select(_e4004, _e4072, _e4081), vec3<f32>(select(select(select(select(_e3756, _e3818.member, _e3844), _e3897.member, _e3923), _e3976.member, _e4002), _e4055.member, _e4081), select(select(select(select(_e3757, _e3818.member_1, _e3844), _e3897.member_1, _e3923), _e3976.member_1, _e4002), _e4055.member_1, _e4081), select(select(select(select(_e3758, _e3818.member_2, _e3844), _e3897.member_2, _e3923), _e3976.member_2, _e4002), _e4055.member_2, _e4081)), select(_e4008, _e4076, _e4082), vec3<f32>(select(select(select(select(_e3761, _e3818.member, _e3845), _e3897.member, _e3924), _e3976.member, _e4003), _e4055.member, _e4082), select(select(select(select(_e3762, _e3818.member_1, _e3845), _e3897.member_1, _e3924), _e3976.member_1, _e4003), _e4055.member_1, _e4082), select(select(select(select(_e3763, _e3818.member_2, _e3845), _e3897.member_2, _e3924), _e3976.member_2, _e4003), _e4055.member_2, _e4082)), select(_e4012, _e4048, _e4077), select(_e4014, _e4049, (_e4049 > _e4014)), vec3<f32>(select(select(select(select(_e3768, _e3818.member, _e3840), _e3897.member, _e3919), _e3976.member, _e3998), _e4055.member, _e4077), select(select(select(select(_e3769, _e3818.member_1, _e3840), _e3897.member_1, _e3919), _e3976.member_1, _e3998), _e4055.member_1, _e4077), select(select(select(select(_e3770, _e3818.member_2, _e3840), _e3897.member_2, _e3919), _e3976.member_2, _e3998), _e4055.member_2, _e4077)));
+phi_7883_ = type_34(select(_e4004, _e4072, _e4081), vec3<f32>(select(select(select(select(_e3756, _e3818.member, _e3844), _e3897.member, _e3923), _e3976.member, _e4002), _e4055.member, _e4081), select(select(select(select(_e3757, _e3818.member_1, _e3844), _e3897.member_1, _e3923), _e3976.member_1, _e4002), _e4055.member_1, _e4081), select(select(select(select(_e3758, _e3818.member_2, _e3844), _e3897.member_2, _e3923), _e3976.member_2, _e4002), _e4055.member_2, _e4081)), select(_e4008, _e4076, _e4082), vec3<f32>(select(select(select(select(_e3761, _e3818.member, _e3845), _e3897.member, _e3924), _e3976.member, _e4003), _e4055.member, _e4082), select(select(select(select(_e3762, _e3818.member_1, _e3845), _e3897.member_1, _e3924), _e3976.member_1, _e4003), _e4055.member_1, _e4082), select(select(select(select(_e3763, _e3818.member_2, _e3845), _e3897.member_2, _e3924), _e3976.member_2, _e4003), _e4055.member_2, _e4082)), select(_e4012, _e4048, _e4077), select(_e4014, _e4049, (_e4049 > _e4014)), vec3<f32>(select(select(select(select(_e3768, _e3818.member, _e3840), _e3897.member, _e3919), _e3976.member, _e3998), _e4055.member, _e4077), select(select(select(select(_e3769, _e3818.member_1, _e3840), _e3897.member_1, _e3919), _e3976.member_1, _e3998), _e4055.member_1, _e4077), select(select(select(select(_e3770, _e3818.member_2, _e3840), _e3897.member_2, _e3919), _e3976.member_2, _e3998), _e4055.member_2, _e4077)));
 }
-let _e4102 = phi_7881_;
+let _e4102 = phi_7883_;
 let _e4108 = (((_e2936 && _e3510) && !(_e3495)) && (_e4102.member_2 <= 1f));
 let _e4112 = (_e3507 - _e2945);
 let _e4113 = select(1f, _e4102.member_2, _e4108);
@@ -1722,11 +1724,11 @@ let _e4414 = select(_e3231, _e4412, (_e4412 < _e3231));
 let _e4419 = global_2.member[bitcast<u32>(select(0i, _e4414, (_e4414 > 0i)))];
 let _e4434 = ((_e3405 + (f32(bitcast<i32>((_e4419 >> bitcast<u32>(12u)))) * _e3413)) + ((f32((bitcast<i32>((_e4419 & 4095u)) - 2048i)) * _e3396) * (_e4396 - f32(_e4411))));
 if _e3510 {
-phi_8956_ = type_31(_e4434, 1f);
+phi_8958_ = type_31(_e4434, 1f);
 } else {
-phi_8956_ = type_31(1f, _e4434);
+phi_8958_ = type_31(1f, _e4434);
 }
-let _e4438 = phi_8956_;
+let _e4438 = phi_8958_;
 let _e4443 = ((_e4438.member_1 * _e4438.member_1) - (_e4438.member * _e4438.member));
 let _e4451 = (((_e4102.member_3.x * _e4102.member_3.x) + (_e4102.member_3.y * _e4102.member_3.y)) + (_e4102.member_3.z * _e4102.member_3.z));
 let _e4454 = sqrt(select(0f, _e4451, (_e4451 > 0f)));
@@ -1863,16 +1865,16 @@ let _e4799 = select(select(select(select(select(select(0f, _e2307.member, _e4580
 let _e4800 = select(select(select(select(select(select(0f, _e2307.member_1, _e4580), _e2307.member_1, _e4620), _e2316.member_1, _e4660), _e2316.member_1, _e4700), _e2325.member_1, _e4740), _e2325.member_1, _e4780);
 let _e4801 = select(select(select(select(select(select(1f, _e2307.member_2, _e4580), _e2307.member_2, _e4620), _e2316.member_2, _e4660), _e2316.member_2, _e4700), _e2325.member_2, _e4740), _e2325.member_2, _e4780);
 if _e2574 {
-phi_10494_ = type_34(_e4786, vec3<f32>(_e4787, _e4788, _e4789), _e4791, vec3<f32>(_e4792, _e4793, _e4794), _e4796, _e4798, vec3<f32>(_e4799, _e4800, _e4801));
+phi_10496_ = type_34(_e4786, vec3<f32>(_e4787, _e4788, _e4789), _e4791, vec3<f32>(_e4792, _e4793, _e4794), _e4796, _e4798, vec3<f32>(_e4799, _e4800, _e4801));
 } else {
 let _e4808 = (((_e2307.member * _e2307.member) + (_e2307.member_1 * _e2307.member_1)) + (_e2307.member_2 * _e2307.member_2));
 let _e4811 = sqrt(select(0f, _e4808, (_e4808 > 0f)));
-let _e4816 = global_5.member[_e467].member_14.member_1;
+let _e4816 = global_5.member[_e467].member_16.member_1;
 let _e4817 = (_e4816 != 0u);
-let _e4822 = global_5.member[_e467].member_14.member;
+let _e4822 = global_5.member[_e467].member_16.member;
 let _e4842 = select(-1e6f, (((((_e4822.member.member * _e4121.x) + (_e4822.member.member_1 * _e4121.y)) + (_e4822.member.member_2 * _e4121.z)) + _e4822.member_1) * _e4811), _e4817);
 let _e4843 = select(-1e6f, (((((_e4822.member.member * _e4515) + (_e4822.member.member_1 * _e4516)) + (_e4822.member.member_2 * _e4517)) + _e4822.member_1) * _e4811), _e4817);
-let _e4849 = global_5.member[_e467].member_14.member.member;
+let _e4849 = global_5.member[_e467].member_16.member.member;
 let _e4853 = -(_e4842);
 let _e4856 = (_e4842 - _e4843);
 let _e4857 = (_e4843 - _e4842);
@@ -1887,12 +1889,12 @@ let _e4877 = select(_e4786, _e4866, _e4875);
 let _e4881 = select(_e4791, _e4870, _e4876);
 let _e4885 = select(_e4796, _e4842, _e4871);
 let _e4887 = select(_e4798, _e4843, (_e4843 > _e4798));
-let _e4895 = global_5.member[_e467].member_15.member_1;
+let _e4895 = global_5.member[_e467].member_17.member_1;
 let _e4896 = (_e4895 != 0u);
-let _e4901 = global_5.member[_e467].member_15.member;
+let _e4901 = global_5.member[_e467].member_17.member;
 let _e4921 = select(-1e6f, (((((_e4901.member.member * _e4121.x) + (_e4901.member.member_1 * _e4121.y)) + (_e4901.member.member_2 * _e4121.z)) + _e4901.member_1) * _e4811), _e4896);
 let _e4922 = select(-1e6f, (((((_e4901.member.member * _e4515) + (_e4901.member.member_1 * _e4516)) + (_e4901.member.member_2 * _e4517)) + _e4901.member_1) * _e4811), _e4896);
-let _e4928 = global_5.member[_e467].member_15.member.member;
+let _e4928 = global_5.member[_e467].member_17.member.member;
 let _e4932 = -(_e4921);
 let _e4935 = (_e4921 - _e4922);
 let _e4936 = (_e4922 - _e4921);
@@ -1907,12 +1909,12 @@ let _e4956 = select(_e4877, _e4945, _e4954);
 let _e4960 = select(_e4881, _e4949, _e4955);
 let _e4964 = select(_e4885, _e4921, _e4950);
 let _e4966 = select(_e4887, _e4922, (_e4922 > _e4887));
-let _e4974 = global_5.member[_e467].member_16.member_1;
+let _e4974 = global_5.member[_e467].member_18.member_1;
 let _e4975 = (_e4974 != 0u);
-let _e4980 = global_5.member[_e467].member_16.member;
+let _e4980 = global_5.member[_e467].member_18.member;
 let _e5000 = select(-1e6f, (((((_e4980.member.member * _e4121.x) + (_e4980.member.member_1 * _e4121.y)) + (_e4980.member.member_2 * _e4121.z)) + _e4980.member_1) * _e4811), _e4975);
 let _e5001 = select(-1e6f, (((((_e4980.member.member * _e4515) + (_e4980.member.member_1 * _e4516)) + (_e4980.member.member_2 * _e4517)) + _e4980.member_1) * _e4811), _e4975);
-let _e5007 = global_5.member[_e467].member_16.member.member;
+let _e5007 = global_5.member[_e467].member_18.member.member;
 let _e5011 = -(_e5000);
 let _e5014 = (_e5000 - _e5001);
 let _e5015 = (_e5001 - _e5000);
@@ -1927,12 +1929,12 @@ let _e5035 = select(_e4956, _e5024, _e5033);
 let _e5039 = select(_e4960, _e5028, _e5034);
 let _e5043 = select(_e4964, _e5000, _e5029);
 let _e5045 = select(_e4966, _e5001, (_e5001 > _e4966));
-let _e5053 = global_5.member[_e467].member_17.member_1;
+let _e5053 = global_5.member[_e467].member_19.member_1;
 let _e5054 = (_e5053 != 0u);
-let _e5059 = global_5.member[_e467].member_17.member;
+let _e5059 = global_5.member[_e467].member_19.member;
 let _e5079 = select(-1e6f, (((((_e5059.member.member * _e4121.x) + (_e5059.member.member_1 * _e4121.y)) + (_e5059.member.member_2 * _e4121.z)) + _e5059.member_1) * _e4811), _e5054);
 let _e5080 = select(-1e6f, (((((_e5059.member.member * _e4515) + (_e5059.member.member_1 * _e4516)) + (_e5059.member.member_2 * _e4517)) + _e5059.member_1) * _e4811), _e5054);
-let _e5086 = global_5.member[_e467].member_17.member.member;
+let _e5086 = global_5.member[_e467].member_19.member.member;
 let _e5090 = -(_e5079);
 let _e5093 = (_e5079 - _e5080);
 let _e5094 = (_e5080 - _e5079);
@@ -1943,9 +1945,9 @@ let _e5107 = select(2f, select(0f, _e5099, (_e5079 < 0f)), (_e5080 > 0f));
 let _e5108 = (_e5079 > _e5043);
 let _e5112 = ((_e5103 > _e5035) || ((_e5103 == _e5035) && _e5108));
 let _e5113 = (_e5107 < _e5039);
-phi_10494_ = type_34(select(_e5035, _e5103, _e5112), vec3<f32>(select(select(select(select(_e4787, _e4849.member, _e4875), _e4928.member, _e4954), _e5007.member, _e5033), _e5086.member, _e5112), select(select(select(select(_e4788, _e4849.member_1, _e4875), _e4928.member_1, _e4954), _e5007.member_1, _e5033), _e5086.member_1, _e5112), select(select(select(select(_e4789, _e4849.member_2, _e4875), _e4928.member_2, _e4954), _e5007.member_2, _e5033), _e5086.member_2, _e5112)), select(_e5039, _e5107, _e5113), vec3<f32>(select(select(select(select(_e4792, _e4849.member, _e4876), _e4928.member, _e4955), _e5007.member, _e5034), _e5086.member, _e5113), select(select(select(select(_e4793, _e4849.member_1, _e4876), _e4928.member_1, _e4955), _e5007.member_1, _e5034), _e5086.member_1, _e5113), select(select(select(select(_e4794, _e4849.member_2, _e4876), _e4928.member_2, _e4955), _e5007.member_2, _e5034), _e5086.member_2, _e5113)), select(_e5043, _e5079, _e5108), select(_e5045, _e5080, (_e5080 > _e5045)), vec3<f32>(select(select(select(select(_e4799, _e4849.member, _e4871), _e4928.member, _e4950), _e5007.member, _e5029), _e5086.member, _e5108), select(select(select(select(_e4800, _e4849.member_1, _e4871), _e4928.member_1, _e4950), _e5007.member_1, _e5029), _e5086.member_1, _e5108), select(select(select(select(_e4801, _e4849.member_2, _e4871), _e4928.member_2, _e4950), _e5007.member_2, _e5029), _e5086.member_2, _e5108)));
+phi_10496_ = type_34(select(_e5035, _e5103, _e5112), vec3<f32>(select(select(select(select(_e4787, _e4849.member, _e4875), _e4928.member, _e4954), _e5007.member, _e5033), _e5086.member, _e5112), select(select(select(select(_e4788, _e4849.member_1, _e4875), _e4928.member_1, _e4954), _e5007.member_1, _e5033), _e5086.member_1, _e5112), select(select(select(select(_e4789, _e4849.member_2, _e4875), _e4928.member_2, _e4954), _e5007.member_2, _e5033), _e5086.member_2, _e5112)), select(_e5039, _e5107, _e5113), vec3<f32>(select(select(select(select(_e4792, _e4849.member, _e4876), _e4928.member, _e4955), _e5007.member, _e5034), _e5086.member, _e5113), select(select(select(select(_e4793, _e4849.member_1, _e4876), _e4928.member_1, _e4955), _e5007.member_1, _e5034), _e5086.member_1, _e5113), select(select(select(select(_e4794, _e4849.member_2, _e4876), _e4928.member_2, _e4955), _e5007.member_2, _e5034), _e5086.member_2, _e5113)), select(_e5043, _e5079, _e5108), select(_e5045, _e5080, (_e5080 > _e5045)), vec3<f32>(select(select(select(select(_e4799, _e4849.member, _e4871), _e4928.member, _e4950), _e5007.member, _e5029), _e5086.member, _e5108), select(select(select(select(_e4800, _e4849.member_1, _e4871), _e4928.member_1, _e4950), _e5007.member_1, _e5029), _e5086.member_1, _e5108), select(select(select(select(_e4801, _e4849.member_2, _e4871), _e4928.member_2, _e4950), _e5007.member_2, _e5029), _e5086.member_2, _e5108)));
 }
-let _e5133 = phi_10494_;
+let _e5133 = phi_10496_;
 let _e5139 = (((_e4108 && _e4520) && !(_e4504)) && (_e5133.member_2 <= 1f));
 let _e5144 = select(1f, _e5133.member_2, _e5139);
 let _e5145 = ((_e4515 - _e4121.x) * _e5144);
@@ -2068,11 +2070,11 @@ let _e5445 = select(_e3231, _e5443, (_e5443 < _e3231));
 let _e5450 = global_2.member[bitcast<u32>(select(0i, _e5445, (_e5445 > 0i)))];
 let _e5465 = ((_e3405 + (f32(bitcast<i32>((_e5450 >> bitcast<u32>(12u)))) * _e3413)) + ((f32((bitcast<i32>((_e5450 & 4095u)) - 2048i)) * _e3396) * (_e5427 - f32(_e5442))));
 if _e4520 {
-phi_11569_ = type_31(_e5465, 1f);
+phi_11571_ = type_31(_e5465, 1f);
 } else {
-phi_11569_ = type_31(1f, _e5465);
+phi_11571_ = type_31(1f, _e5465);
 }
-let _e5469 = phi_11569_;
+let _e5469 = phi_11571_;
 let _e5474 = ((_e5469.member_1 * _e5469.member_1) - (_e5469.member * _e5469.member));
 let _e5482 = (((_e5133.member_3.x * _e5133.member_3.x) + (_e5133.member_3.y * _e5133.member_3.y)) + (_e5133.member_3.z * _e5133.member_3.z));
 let _e5485 = sqrt(select(0f, _e5482, (_e5482 > 0f)));
@@ -2209,16 +2211,16 @@ let _e5831 = select(select(select(select(select(select(0f, _e2307.member, _e5612
 let _e5832 = select(select(select(select(select(select(0f, _e2307.member_1, _e5612), _e2307.member_1, _e5652), _e2316.member_1, _e5692), _e2316.member_1, _e5732), _e2325.member_1, _e5772), _e2325.member_1, _e5812);
 let _e5833 = select(select(select(select(select(select(1f, _e2307.member_2, _e5612), _e2307.member_2, _e5652), _e2316.member_2, _e5692), _e2316.member_2, _e5732), _e2325.member_2, _e5772), _e2325.member_2, _e5812);
 if _e2574 {
-phi_13107_ = type_34(_e5818, vec3<f32>(_e5819, _e5820, _e5821), _e5823, vec3<f32>(_e5824, _e5825, _e5826), _e5828, _e5830, vec3<f32>(_e5831, _e5832, _e5833));
+phi_13109_ = type_34(_e5818, vec3<f32>(_e5819, _e5820, _e5821), _e5823, vec3<f32>(_e5824, _e5825, _e5826), _e5828, _e5830, vec3<f32>(_e5831, _e5832, _e5833));
 } else {
 let _e5840 = (((_e2307.member * _e2307.member) + (_e2307.member_1 * _e2307.member_1)) + (_e2307.member_2 * _e2307.member_2));
 let _e5843 = sqrt(select(0f, _e5840, (_e5840 > 0f)));
-let _e5848 = global_5.member[_e467].member_14.member_1;
+let _e5848 = global_5.member[_e467].member_16.member_1;
 let _e5849 = (_e5848 != 0u);
-let _e5854 = global_5.member[_e467].member_14.member;
+let _e5854 = global_5.member[_e467].member_16.member;
 let _e5874 = select(-1e6f, (((((_e5854.member.member * _e5152.x) + (_e5854.member.member_1 * _e5152.y)) + (_e5854.member.member_2 * _e5152.z)) + _e5854.member_1) * _e5843), _e5849);
 let _e5875 = select(-1e6f, (((((_e5854.member.member * _e5547) + (_e5854.member.member_1 * _e5548)) + (_e5854.member.member_2 * _e5549)) + _e5854.member_1) * _e5843), _e5849);
-let _e5881 = global_5.member[_e467].member_14.member.member;
+let _e5881 = global_5.member[_e467].member_16.member.member;
 let _e5885 = -(_e5874);
 let _e5888 = (_e5874 - _e5875);
 let _e5889 = (_e5875 - _e5874);
@@ -2233,12 +2235,12 @@ let _e5909 = select(_e5818, _e5898, _e5907);
 let _e5913 = select(_e5823, _e5902, _e5908);
 let _e5917 = select(_e5828, _e5874, _e5903);
 let _e5919 = select(_e5830, _e5875, (_e5875 > _e5830));
-let _e5927 = global_5.member[_e467].member_15.member_1;
+let _e5927 = global_5.member[_e467].member_17.member_1;
 let _e5928 = (_e5927 != 0u);
-let _e5933 = global_5.member[_e467].member_15.member;
+let _e5933 = global_5.member[_e467].member_17.member;
 let _e5953 = select(-1e6f, (((((_e5933.member.member * _e5152.x) + (_e5933.member.member_1 * _e5152.y)) + (_e5933.member.member_2 * _e5152.z)) + _e5933.member_1) * _e5843), _e5928);
 let _e5954 = select(-1e6f, (((((_e5933.member.member * _e5547) + (_e5933.member.member_1 * _e5548)) + (_e5933.member.member_2 * _e5549)) + _e5933.member_1) * _e5843), _e5928);
-let _e5960 = global_5.member[_e467].member_15.member.member;
+let _e5960 = global_5.member[_e467].member_17.member.member;
 let _e5964 = -(_e5953);
 let _e5967 = (_e5953 - _e5954);
 let _e5968 = (_e5954 - _e5953);
@@ -2253,12 +2255,12 @@ let _e5988 = select(_e5909, _e5977, _e5986);
 let _e5992 = select(_e5913, _e5981, _e5987);
 let _e5996 = select(_e5917, _e5953, _e5982);
 let _e5998 = select(_e5919, _e5954, (_e5954 > _e5919));
-let _e6006 = global_5.member[_e467].member_16.member_1;
+let _e6006 = global_5.member[_e467].member_18.member_1;
 let _e6007 = (_e6006 != 0u);
-let _e6012 = global_5.member[_e467].member_16.member;
+let _e6012 = global_5.member[_e467].member_18.member;
 let _e6032 = select(-1e6f, (((((_e6012.member.member * _e5152.x) + (_e6012.member.member_1 * _e5152.y)) + (_e6012.member.member_2 * _e5152.z)) + _e6012.member_1) * _e5843), _e6007);
 let _e6033 = select(-1e6f, (((((_e6012.member.member * _e5547) + (_e6012.member.member_1 * _e5548)) + (_e6012.member.member_2 * _e5549)) + _e6012.member_1) * _e5843), _e6007);
-let _e6039 = global_5.member[_e467].member_16.member.member;
+let _e6039 = global_5.member[_e467].member_18.member.member;
 let _e6043 = -(_e6032);
 let _e6046 = (_e6032 - _e6033);
 let _e6047 = (_e6033 - _e6032);
@@ -2273,12 +2275,12 @@ let _e6067 = select(_e5988, _e6056, _e6065);
 let _e6071 = select(_e5992, _e6060, _e6066);
 let _e6075 = select(_e5996, _e6032, _e6061);
 let _e6077 = select(_e5998, _e6033, (_e6033 > _e5998));
-let _e6085 = global_5.member[_e467].member_17.member_1;
+let _e6085 = global_5.member[_e467].member_19.member_1;
 let _e6086 = (_e6085 != 0u);
-let _e6091 = global_5.member[_e467].member_17.member;
+let _e6091 = global_5.member[_e467].member_19.member;
 let _e6111 = select(-1e6f, (((((_e6091.member.member * _e5152.x) + (_e6091.member.member_1 * _e5152.y)) + (_e6091.member.member_2 * _e5152.z)) + _e6091.member_1) * _e5843), _e6086);
 let _e6112 = select(-1e6f, (((((_e6091.member.member * _e5547) + (_e6091.member.member_1 * _e5548)) + (_e6091.member.member_2 * _e5549)) + _e6091.member_1) * _e5843), _e6086);
-let _e6118 = global_5.member[_e467].member_17.member.member;
+let _e6118 = global_5.member[_e467].member_19.member.member;
 let _e6122 = -(_e6111);
 let _e6125 = (_e6111 - _e6112);
 let _e6126 = (_e6112 - _e6111);
@@ -2289,9 +2291,9 @@ let _e6139 = select(2f, select(0f, _e6131, (_e6111 < 0f)), (_e6112 > 0f));
 let _e6140 = (_e6111 > _e6075);
 let _e6144 = ((_e6135 > _e6067) || ((_e6135 == _e6067) && _e6140));
 let _e6145 = (_e6139 < _e6071);
-phi_13107_ = type_34(select(_e6067, _e6135, _e6144), vec3<f32>(select(select(select(select(_e5819, _e5881.member, _e5907), _e5960.member, _e5986), _e6039.member, _e6065), _e6118.member, _e6144), select(select(select(select(_e5820, _e5881.member_1, _e5907), _e5960.member_1, _e5986), _e6039.member_1, _e6065), _e6118.member_1, _e6144), select(select(select(select(_e5821, _e5881.member_2, _e5907), _e5960.member_2, _e5986), _e6039.member_2, _e6065), _e6118.member_2, _e6144)), select(_e6071, _e6139, _e6145), vec3<f32>(select(select(select(select(_e5824, _e5881.member, _e5908), _e5960.member, _e5987), _e6039.member, _e6066), _e6118.member, _e6145), select(select(select(select(_e5825, _e5881.member_1, _e5908), _e5960.member_1, _e5987), _e6039.member_1, _e6066), _e6118.member_1, _e6145), select(select(select(select(_e5826, _e5881.member_2, _e5908), _e5960.member_2, _e5987), _e6039.member_2, _e6066), _e6118.member_2, _e6145)), select(_e6075, _e6111, _e6140), select(_e6077, _e6112, (_e6112 > _e6077)), vec3<f32>(select(select(select(select(_e5831, _e5881.member, _e5903), _e5960.member, _e5982), _e6039.member, _e6061), _e6118.member, _e6140), select(select(select(select(_e5832, _e5881.member_1, _e5903), _e5960.member_1, _e5982), _e6039.member_1, _e6061), _e6118.member_1, _e6140), select(select(select(select(_e5833, _e5881.member_2, _e5903), _e5960.member_2, _e5982), _e6039.member_2, _e6061), _e6118.member_2, _e6140)));
+phi_13109_ = type_34(select(_e6067, _e6135, _e6144), vec3<f32>(select(select(select(select(_e5819, _e5881.member, _e5907), _e5960.member, _e5986), _e6039.member, _e6065), _e6118.member, _e6144), select(select(select(select(_e5820, _e5881.member_1, _e5907), _e5960.member_1, _e5986), _e6039.member_1, _e6065), _e6118.member_1, _e6144), select(select(select(select(_e5821, _e5881.member_2, _e5907), _e5960.member_2, _e5986), _e6039.member_2, _e6065), _e6118.member_2, _e6144)), select(_e6071, _e6139, _e6145), vec3<f32>(select(select(select(select(_e5824, _e5881.member, _e5908), _e5960.member, _e5987), _e6039.member, _e6066), _e6118.member, _e6145), select(select(select(select(_e5825, _e5881.member_1, _e5908), _e5960.member_1, _e5987), _e6039.member_1, _e6066), _e6118.member_1, _e6145), select(select(select(select(_e5826, _e5881.member_2, _e5908), _e5960.member_2, _e5987), _e6039.member_2, _e6066), _e6118.member_2, _e6145)), select(_e6075, _e6111, _e6140), select(_e6077, _e6112, (_e6112 > _e6077)), vec3<f32>(select(select(select(select(_e5831, _e5881.member, _e5903), _e5960.member, _e5982), _e6039.member, _e6061), _e6118.member, _e6140), select(select(select(select(_e5832, _e5881.member_1, _e5903), _e5960.member_1, _e5982), _e6039.member_1, _e6061), _e6118.member_1, _e6140), select(select(select(select(_e5833, _e5881.member_2, _e5903), _e5960.member_2, _e5982), _e6039.member_2, _e6061), _e6118.member_2, _e6140)));
 }
-let _e6165 = phi_13107_;
+let _e6165 = phi_13109_;
 let _e6171 = (((_e5139 && _e5552) && !(_e5536)) && (_e6165.member_2 <= 1f));
 let _e6172 = (_e2943 - _e500);
 let _e6173 = (_e2944 - _e502);
@@ -2464,25 +2466,25 @@ let _e6661 = select(_e6619, _e6590, (_e6590 > _e6619));
 let _e6664 = (select(_e6655, _e6657, (_e6657 < _e6655)) - select(_e6648, _e6661, (_e6661 > _e6648)));
 let _e6671 = ((_e3491 || _e4500) || _e5532);
 if _e3491 {
-phi_14855_ = _e3423;
+phi_14857_ = _e3423;
 } else {
-phi_14855_ = _e4438;
+phi_14857_ = _e4438;
 }
-let _e6692 = phi_14855_;
-phi_14868_ = type_38(_e6692, vec3<f32>(select(_e5547, _e5152.x, _e6171), select(_e5548, _e5152.y, _e6171), select(_e5549, _e5152.z, _e6171)), vec3<f32>(_e5521, _e5522, _e5523), select(_e2292, ((((sqrt(select(0f, _e6179, (_e6179 > 0f))) * select(0f, _e6278, (_e6278 > 0f))) + (sqrt(select(0f, _e6289, (_e6289 > 0f))) * select(0f, _e6406, (_e6406 > 0f)))) + (sqrt(select(0f, _e6418, (_e6418 > 0f))) * select(0f, _e6535, (_e6535 > 0f)))) + select(0f, (sqrt(select(0f, _e6547, (_e6547 > 0f))) * select(0f, _e6664, (_e6664 > 0f))), _e5139)), _e6671), select((_e490 / _e5523), (2f * (_e4112 / _e3477)), (((_e2936 && !(_e2913)) && _e3510) && !(_e4108))), select(_e4102.member_3, _e2928.member_1, vec3(_e3491)), _e5552, _e6671, (((_e3495 || _e4504) || _e5536) || _e6171));
-phi_14869_ = vec3<f32>(_e2917, _e2918, _e2919);
-phi_14870_ = _e2913;
-phi_14871_ = _e2914;
+let _e6692 = phi_14857_;
+phi_14870_ = type_38(_e6692, vec3<f32>(select(_e5547, _e5152.x, _e6171), select(_e5548, _e5152.y, _e6171), select(_e5549, _e5152.z, _e6171)), vec3<f32>(_e5521, _e5522, _e5523), select(_e2292, ((((sqrt(select(0f, _e6179, (_e6179 > 0f))) * select(0f, _e6278, (_e6278 > 0f))) + (sqrt(select(0f, _e6289, (_e6289 > 0f))) * select(0f, _e6406, (_e6406 > 0f)))) + (sqrt(select(0f, _e6418, (_e6418 > 0f))) * select(0f, _e6535, (_e6535 > 0f)))) + select(0f, (sqrt(select(0f, _e6547, (_e6547 > 0f))) * select(0f, _e6664, (_e6664 > 0f))), _e5139)), _e6671), select((_e490 / _e5523), (2f * (_e4112 / _e3477)), (((_e2936 && !(_e2913)) && _e3510) && !(_e4108))), select(_e4102.member_3, _e2928.member_1, vec3(_e3491)), _e5552, _e6671, (((_e3495 || _e4504) || _e5536) || _e6171));
+phi_14871_ = vec3<f32>(_e2917, _e2918, _e2919);
+phi_14872_ = _e2913;
+phi_14873_ = _e2914;
 } else {
-phi_14868_ = type_38(_e2205.member, _e2205.member_1, _e2205.member_2, _e2292, _e2205.member_4, _e2205.member_5, _e2205.member_6, _e2205.member_7, _e2205.member_8);
-phi_14869_ = _e1396;
-phi_14870_ = true;
-phi_14871_ = _e2193;
+phi_14870_ = type_38(_e2205.member, _e2205.member_1, _e2205.member_2, _e2292, _e2205.member_4, _e2205.member_5, _e2205.member_6, _e2205.member_7, _e2205.member_8);
+phi_14871_ = _e1396;
+phi_14872_ = true;
+phi_14873_ = _e2193;
 }
-let _e6695 = phi_14868_;
-let _e6697 = phi_14869_;
-let _e6699 = phi_14870_;
-let _e6701 = phi_14871_;
+let _e6695 = phi_14870_;
+let _e6697 = phi_14871_;
+let _e6699 = phi_14872_;
+let _e6701 = phi_14873_;
 let _e6712 = ((((_e569.member.member * _e6695.member_1.x) + (_e569.member.member_1 * _e6695.member_1.y)) + (_e569.member.member_2 * _e6695.member_1.z)) + _e569.member_1);
 let _e6718 = ((((_e585.member.member * _e6695.member_1.x) + (_e585.member.member_1 * _e6695.member_1.y)) + (_e585.member.member_2 * _e6695.member_1.z)) + _e585.member_1);
 let _e6724 = ((((_e601.member.member * _e6695.member_1.x) + (_e601.member.member_1 * _e6695.member_1.y)) + (_e601.member.member_2 * _e6695.member_1.z)) + _e601.member_1);
@@ -2593,13 +2595,13 @@ let _e7239 = select(-1f, _e7207, (_e7207 > -1f));
 let _e7241 = select(_e902, _e7239, (_e7239 < _e902));
 let _e7248 = select(0i, select(select(i32(_e7241), i32(-2147483648), (_e7241 < -2147483600f)), 2147483647i, (_e7241 > 2147483500f)), (_e7241 == _e7241));
 let _e7252 = (_e7248 - select(0i, 1i, (_e7241 < f32(_e7248))));
-let _e7257 = global_5.member[_e467].member_7.member_7;
-let _e7262 = global_5.member[_e467].member_7.member_8;
+let _e7257 = global_5.member[_e467].member_9.member_7;
+let _e7262 = global_5.member[_e467].member_9.member_8;
 let _e7263 = (_e7222 + 1i);
 let _e7264 = (_e7237 + 1i);
 let _e7265 = (_e7252 + 1i);
-let _e7271 = global_5.member[_e467].member_7.member_11.member;
-let _e7278 = global_5.member[_e467].member_7.member_11.member_1;
+let _e7271 = global_5.member[_e467].member_9.member_11.member;
+let _e7278 = global_5.member[_e467].member_9.member_11.member_1;
 let _e7289 = ((_e7263 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7271) * ((_e7264 >> bitcast<u32>(4i)) + (bitcast<i32>(_e7278) * (_e7265 >> bitcast<u32>(4i))))));
 let _e7291 = (bitcast<i32>(_e233) - 1i);
 let _e7293 = select(_e7291, _e7289, (_e7289 < _e7291));
@@ -2833,8 +2835,8 @@ let _e7812 = local_23[2u];
 let _e7816 = local_23[1u];
 let _e7820 = local_23[2u];
 let _e7824 = local_23[2u];
-let _e7832 = global_5.member[_e467].member_7.member_6;
-let _e7837 = global_5.member[_e467].member_7.member_5;
+let _e7832 = global_5.member[_e467].member_9.member_6;
+let _e7837 = global_5.member[_e467].member_9.member_5;
 let _e7839 = (((_e7754 + ((_e7758 - _e7754) * _e7824)) - _e7832) * _e7837);
 let _e7841 = select(_e1725, _e7839, (_e7839 > _e1725));
 let _e7845 = (((_e7762 + (((_e7488 + (((_e7507 + ((_e7517 - _e7507) * _e7538)) - _e7488) * _e7763)) - _e7762) * _e7768)) - _e7832) * _e7837);
@@ -2942,7 +2944,7 @@ if _e1082 {
 let _e8564 = ((0.5f * (_e7855 - _e7849)) * _e8113);
 let _e8565 = ((0.5f * (_e7867 - _e7861)) * _e8113);
 let _e8566 = ((0.5f * (_e7879 - _e7873)) * _e8113);
-phi_21316_ = type_32(_e8075, vec3<f32>(_e8564, _e8565, _e8566), vec3<f32>((_e8564 * _e8075), (_e8565 * _e8075), (_e8566 * _e8075)));
+phi_21318_ = type_32(_e8075, vec3<f32>(_e8564, _e8565, _e8566), vec3<f32>((_e8564 * _e8075), (_e8565 * _e8075), (_e8566 * _e8075)));
 } else {
 local_18 = _e7849;
 let _e8114 = local_18;
@@ -3091,23 +3093,23 @@ let _e8539 = ((_e8060 + (f32(bitcast<i32>((_e8524 >> bitcast<u32>(12u)))) * _e80
 let _e8540 = (_e8255 - _e8184);
 let _e8542 = (_e8397 - _e8326);
 let _e8544 = (_e8539 - _e8468);
-phi_21316_ = type_32(_e8075, vec3<f32>((0.5f * _e8540), (0.5f * _e8542), (0.5f * _e8544)), vec3<f32>((0.25f * (_e8540 * (_e8255 + _e8184))), (0.25f * (_e8542 * (_e8397 + _e8326))), (0.25f * (_e8544 * (_e8539 + _e8468)))));
+phi_21318_ = type_32(_e8075, vec3<f32>((0.5f * _e8540), (0.5f * _e8542), (0.5f * _e8544)), vec3<f32>((0.25f * (_e8540 * (_e8255 + _e8184))), (0.25f * (_e8542 * (_e8397 + _e8326))), (0.25f * (_e8544 * (_e8539 + _e8468)))));
 }
-let _e8574 = phi_21316_;
+let _e8574 = phi_21318_;
 let _e8589 = select(0f, 1f, ((((((_e6730 >= -0.5f) && (_e6730 <= _e881)) && (_e6736 >= -0.5f)) && (_e6736 <= _e892)) && (_e6742 >= -0.5f)) && (_e6742 <= _e903)));
 let _e8591 = (0.5f * (_e7855 - _e7849));
 let _e8593 = (0.5f * (_e7867 - _e7861));
 let _e8595 = (0.5f * (_e7879 - _e7873));
-let _e8602 = global_5.member[_e467].member_7.member.member.member;
-let _e8609 = global_5.member[_e467].member_7.member.member.member_1;
-let _e8616 = global_5.member[_e467].member_7.member.member.member_2;
-let _e8623 = global_5.member[_e467].member_7.member_1.member.member;
-let _e8630 = global_5.member[_e467].member_7.member_1.member.member_1;
-let _e8637 = global_5.member[_e467].member_7.member_1.member.member_2;
-let _e8644 = global_5.member[_e467].member_7.member_2.member.member;
-let _e8651 = global_5.member[_e467].member_7.member_2.member.member_1;
-let _e8658 = global_5.member[_e467].member_7.member_2.member.member_2;
-phi_21926_ = type_33(select(1e9f, _e7193, (_e7193 < 1e9f)), vec3<f32>(((((_e8602 * _e8591) + (_e8623 * _e8593)) + (_e8644 * _e8595)) * _e8589), ((((_e8609 * _e8591) + (_e8630 * _e8593)) + (_e8651 * _e8595)) * _e8589), ((((_e8616 * _e8591) + (_e8637 * _e8593)) + (_e8658 * _e8595)) * _e8589)), _e8574.member, vec3<f32>(((((_e8602 * _e8574.member_2.x) + (_e8623 * _e8574.member_2.y)) + (_e8644 * _e8574.member_2.z)) * _e8589), ((((_e8609 * _e8574.member_2.x) + (_e8630 * _e8574.member_2.y)) + (_e8651 * _e8574.member_2.z)) * _e8589), ((((_e8616 * _e8574.member_2.x) + (_e8637 * _e8574.member_2.y)) + (_e8658 * _e8574.member_2.z)) * _e8589)), vec3<f32>(((((_e8602 * _e8574.member_1.x) + (_e8623 * _e8574.member_1.y)) + (_e8644 * _e8574.member_1.z)) * _e8589), ((((_e8609 * _e8574.member_1.x) + (_e8630 * _e8574.member_1.y)) + (_e8651 * _e8574.member_1.z)) * _e8589), ((((_e8616 * _e8574.member_1.x) + (_e8637 * _e8574.member_1.y)) + (_e8658 * _e8574.member_1.z)) * _e8589)));
+let _e8602 = global_5.member[_e467].member_9.member.member.member;
+let _e8609 = global_5.member[_e467].member_9.member.member.member_1;
+let _e8616 = global_5.member[_e467].member_9.member.member.member_2;
+let _e8623 = global_5.member[_e467].member_9.member_1.member.member;
+let _e8630 = global_5.member[_e467].member_9.member_1.member.member_1;
+let _e8637 = global_5.member[_e467].member_9.member_1.member.member_2;
+let _e8644 = global_5.member[_e467].member_9.member_2.member.member;
+let _e8651 = global_5.member[_e467].member_9.member_2.member.member_1;
+let _e8658 = global_5.member[_e467].member_9.member_2.member.member_2;
+phi_21928_ = type_33(select(1e9f, _e7193, (_e7193 < 1e9f)), vec3<f32>(((((_e8602 * _e8591) + (_e8623 * _e8593)) + (_e8644 * _e8595)) * _e8589), ((((_e8609 * _e8591) + (_e8630 * _e8593)) + (_e8651 * _e8595)) * _e8589), ((((_e8616 * _e8591) + (_e8637 * _e8593)) + (_e8658 * _e8595)) * _e8589)), _e8574.member, vec3<f32>(((((_e8602 * _e8574.member_2.x) + (_e8623 * _e8574.member_2.y)) + (_e8644 * _e8574.member_2.z)) * _e8589), ((((_e8609 * _e8574.member_2.x) + (_e8630 * _e8574.member_2.y)) + (_e8651 * _e8574.member_2.z)) * _e8589), ((((_e8616 * _e8574.member_2.x) + (_e8637 * _e8574.member_2.y)) + (_e8658 * _e8574.member_2.z)) * _e8589)), vec3<f32>(((((_e8602 * _e8574.member_1.x) + (_e8623 * _e8574.member_1.y)) + (_e8644 * _e8574.member_1.z)) * _e8589), ((((_e8609 * _e8574.member_1.x) + (_e8630 * _e8574.member_1.y)) + (_e8651 * _e8574.member_1.z)) * _e8589), ((((_e8616 * _e8574.member_1.x) + (_e8637 * _e8574.member_1.y)) + (_e8658 * _e8574.member_1.z)) * _e8589)));
 } else {
 let _e6744 = select(-0.5f, _e6712, (_e6712 > -0.5f));
 let _e6746 = select(_e642, _e6744, (_e6744 < _e642));
@@ -3194,15 +3196,15 @@ let _e6954 = local_7[1u];
 let _e6959 = local_7[2u];
 let _e6964 = (((_e6903 + (((_e6928 + (((_e6939 + ((bitcast<f32>(_e6948) - _e6939) * _e6950)) - _e6928) * _e6954)) - _e6903) * _e6959)) - _e1717) * _e1722);
 let _e6966 = select(_e1725, _e6964, (_e6964 > _e1725));
-phi_21926_ = type_33(select(1e9f, _e6966, (_e6966 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21928_ = type_33(select(1e9f, _e6966, (_e6966 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8724 = phi_21926_;
+let _e8724 = phi_21928_;
 let _e8727 = select(1f, select(1f, _e1464, (_e1464 < 1f)), _e564);
 let _e8729 = ((_e1044 & 16u) == 0u);
 if _e8729 {
-phi_22339_ = type_7(1f, 1f, 1f);
+phi_22341_ = type_7(1f, 1f, 1f);
 } else {
-let _e8734 = global_5.member[_e467].member_14.member;
+let _e8734 = global_5.member[_e467].member_16.member;
 let _e8745 = ((((_e8734.member.member * _e500) + (_e8734.member.member_1 * _e502)) + (_e8734.member.member_2 * _e496)) + _e8734.member_1);
 let _e8751 = ((((_e8734.member.member * _e6695.member_1.x) + (_e8734.member.member_1 * _e6695.member_1.y)) + (_e8734.member.member_2 * _e6695.member_1.z)) + _e8734.member_1);
 let _e8753 = select(_e8751, _e8745, (_e8745 < _e8751));
@@ -3211,9 +3213,9 @@ let _e8757 = (_e8755 - _e8753);
 let _e8760 = (-(_e8753) / select(1e-30f, _e8757, (_e8757 > 1e-30f)));
 let _e8762 = select(0f, _e8760, (_e8760 > 0f));
 let _e8768 = select(select(select(1f, _e8762, (_e8762 < 1f)), 1f, (_e8755 <= 0f)), 0f, (_e8753 > 0f));
-let _e8774 = global_5.member[_e467].member_14.member_1;
+let _e8774 = global_5.member[_e467].member_16.member_1;
 let _e8775 = (_e8774 != 0u);
-let _e8786 = global_5.member[_e467].member_15.member;
+let _e8786 = global_5.member[_e467].member_17.member;
 let _e8797 = ((((_e8786.member.member * _e500) + (_e8786.member.member_1 * _e502)) + (_e8786.member.member_2 * _e496)) + _e8786.member_1);
 let _e8803 = ((((_e8786.member.member * _e6695.member_1.x) + (_e8786.member.member_1 * _e6695.member_1.y)) + (_e8786.member.member_2 * _e6695.member_1.z)) + _e8786.member_1);
 let _e8805 = select(_e8803, _e8797, (_e8797 < _e8803));
@@ -3222,9 +3224,9 @@ let _e8809 = (_e8807 - _e8805);
 let _e8812 = (-(_e8805) / select(1e-30f, _e8809, (_e8809 > 1e-30f)));
 let _e8814 = select(0f, _e8812, (_e8812 > 0f));
 let _e8820 = select(select(select(1f, _e8814, (_e8814 < 1f)), 1f, (_e8807 <= 0f)), 0f, (_e8805 > 0f));
-let _e8826 = global_5.member[_e467].member_15.member_1;
+let _e8826 = global_5.member[_e467].member_17.member_1;
 let _e8827 = (_e8826 != 0u);
-let _e8838 = global_5.member[_e467].member_16.member;
+let _e8838 = global_5.member[_e467].member_18.member;
 let _e8849 = ((((_e8838.member.member * _e500) + (_e8838.member.member_1 * _e502)) + (_e8838.member.member_2 * _e496)) + _e8838.member_1);
 let _e8855 = ((((_e8838.member.member * _e6695.member_1.x) + (_e8838.member.member_1 * _e6695.member_1.y)) + (_e8838.member.member_2 * _e6695.member_1.z)) + _e8838.member_1);
 let _e8857 = select(_e8855, _e8849, (_e8849 < _e8855));
@@ -3233,9 +3235,9 @@ let _e8861 = (_e8859 - _e8857);
 let _e8864 = (-(_e8857) / select(1e-30f, _e8861, (_e8861 > 1e-30f)));
 let _e8866 = select(0f, _e8864, (_e8864 > 0f));
 let _e8872 = select(select(select(1f, _e8866, (_e8866 < 1f)), 1f, (_e8859 <= 0f)), 0f, (_e8857 > 0f));
-let _e8878 = global_5.member[_e467].member_16.member_1;
+let _e8878 = global_5.member[_e467].member_18.member_1;
 let _e8879 = (_e8878 != 0u);
-let _e8890 = global_5.member[_e467].member_17.member;
+let _e8890 = global_5.member[_e467].member_19.member;
 let _e8901 = ((((_e8890.member.member * _e500) + (_e8890.member.member_1 * _e502)) + (_e8890.member.member_2 * _e496)) + _e8890.member_1);
 let _e8907 = ((((_e8890.member.member * _e6695.member_1.x) + (_e8890.member.member_1 * _e6695.member_1.y)) + (_e8890.member.member_2 * _e6695.member_1.z)) + _e8890.member_1);
 let _e8909 = select(_e8907, _e8901, (_e8901 < _e8907));
@@ -3244,12 +3246,12 @@ let _e8913 = (_e8911 - _e8909);
 let _e8916 = (-(_e8909) / select(1e-30f, _e8913, (_e8913 > 1e-30f)));
 let _e8918 = select(0f, _e8916, (_e8916 > 0f));
 let _e8924 = select(select(select(1f, _e8918, (_e8918 < 1f)), 1f, (_e8911 <= 0f)), 0f, (_e8909 > 0f));
-let _e8930 = global_5.member[_e467].member_17.member_1;
+let _e8930 = global_5.member[_e467].member_19.member_1;
 let _e8931 = (_e8930 != 0u);
-phi_22339_ = type_7(((((1f * _e8768) * _e8820) * _e8872) * _e8924), ((((1f * select(1f, _e8768, _e8775)) * select(1f, _e8820, _e8827)) * select(1f, _e8872, _e8879)) * select(1f, _e8924, _e8931)), ((((1f * select(1f, 0f, (_e8775 && (_e8751 > 0f)))) * select(1f, 0f, (_e8827 && (_e8803 > 0f)))) * select(1f, 0f, (_e8879 && (_e8855 > 0f)))) * select(1f, 0f, (_e8931 && (_e8907 > 0f)))));
+phi_22341_ = type_7(((((1f * _e8768) * _e8820) * _e8872) * _e8924), ((((1f * select(1f, _e8768, _e8775)) * select(1f, _e8820, _e8827)) * select(1f, _e8872, _e8879)) * select(1f, _e8924, _e8931)), ((((1f * select(1f, 0f, (_e8775 && (_e8751 > 0f)))) * select(1f, 0f, (_e8827 && (_e8803 > 0f)))) * select(1f, 0f, (_e8879 && (_e8855 > 0f)))) * select(1f, 0f, (_e8931 && (_e8907 > 0f)))));
 }
-let _e8940 = phi_22339_;
-let _e8947 = global_5.member[_e467].member_5.member_3;
+let _e8940 = phi_22341_;
+let _e8947 = global_5.member[_e467].member_7.member_3;
 let _e8948 = ((_e6695.member_3 * _e8727) * _e8947);
 let _e8949 = (_e476.member_2 == 3u);
 let _e8952 = ((_e8949 || (_e476.member_2 == 4u)) || _e1076);
@@ -3460,7 +3462,7 @@ let _e10839 = ((_e10817 - (_e10835 * 0.6933594f)) - (_e10835 * -2.1219444e-4f));
 let _e10859 = ((1f + (_e10839 * (1f + (_e10839 * (0.5f + (_e10839 * (0.16666667f + (_e10839 * (0.041666668f + (_e10839 * (0.008333334f + (_e10839 * (0.001388889f + (_e10839 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10834 + 127i)) << bitcast<u32>(23i))));
 let _e10860 = (1f - _e10859);
 let _e10863 = (_e10860 / select(1e-12f, _e10809, (_e10809 > 1e-12f)));
-phi_26504_ = type_40(_e10859, _e10860, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10570 + (((_e10575 + (((bitcast<f32>(((_e10541 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10575) * _e10503)) - _e10570) * _e10501)) * _e10505) + (((bitcast<f32>(((_e10549 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10490) + ((bitcast<f32>(((_e10557 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10496))) * _e10863), ((((_e10626 + (((_e10631 + (((bitcast<f32>((((_e10541 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10631) * _e10503)) - _e10626) * _e10501)) * _e10505) + (((bitcast<f32>((((_e10549 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10490) + ((bitcast<f32>((((_e10557 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10496))) * _e10863), ((((_e10722 + (((_e10727 + (((bitcast<f32>(((_e10693 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10727) * _e10503)) - _e10722) * _e10501)) * _e10505) + (((bitcast<f32>(((_e10701 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10490) + ((bitcast<f32>(((_e10709 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10496))) * _e10863)));
+phi_26506_ = type_40(_e10859, _e10860, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10570 + (((_e10575 + (((bitcast<f32>(((_e10541 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10575) * _e10503)) - _e10570) * _e10501)) * _e10505) + (((bitcast<f32>(((_e10549 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10490) + ((bitcast<f32>(((_e10557 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10496))) * _e10863), ((((_e10626 + (((_e10631 + (((bitcast<f32>((((_e10541 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10631) * _e10503)) - _e10626) * _e10501)) * _e10505) + (((bitcast<f32>((((_e10549 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10490) + ((bitcast<f32>((((_e10557 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10496))) * _e10863), ((((_e10722 + (((_e10727 + (((bitcast<f32>(((_e10693 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10727) * _e10503)) - _e10722) * _e10501)) * _e10505) + (((bitcast<f32>(((_e10701 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10490) + ((bitcast<f32>(((_e10709 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10496))) * _e10863)));
 } else {
 local_3 = _e1730;
 let _e8954 = local_3;
@@ -3739,9 +3741,9 @@ let _e10078 = ((_e10056 - (_e10074 * 0.6933594f)) - (_e10074 * -2.1219444e-4f));
 let _e10098 = ((1f + (_e10078 * (1f + (_e10078 * (0.5f + (_e10078 * (0.16666667f + (_e10078 * (0.041666668f + (_e10078 * (0.008333334f + (_e10078 * (0.001388889f + (_e10078 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10073 + 127i)) << bitcast<u32>(23i))));
 let _e10099 = (1f - _e10098);
 let _e10102 = (_e10099 / select(1e-12f, _e9445, (_e9445 > 1e-12f)));
-phi_26504_ = type_40(_e10098, _e10099, vec3<f32>(((1f + (_e9933 * (1f + (_e9933 * (0.5f + (_e9933 * (0.16666667f + (_e9933 * (0.041666668f + (_e9933 * (0.008333334f + (_e9933 * (0.001388889f + (_e9933 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9928 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9981 * (1f + (_e9981 * (0.5f + (_e9981 * (0.16666667f + (_e9981 * (0.041666668f + (_e9981 * (0.008333334f + (_e9981 * (0.001388889f + (_e9981 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9976 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10029 * (1f + (_e10029 * (0.5f + (_e10029 * (0.16666667f + (_e10029 * (0.041666668f + (_e10029 * (0.008333334f + (_e10029 * (0.001388889f + (_e10029 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10024 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9718 + (((_e9723 + (((bitcast<f32>(((_e9689 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9723) * _e9348)) - _e9718) * _e9346)) * _e9350) + (((bitcast<f32>(((_e9697 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9335) + ((bitcast<f32>(((_e9705 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9341))) * _e10102), ((((_e9774 + (((_e9779 + (((bitcast<f32>((((_e9689 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9779) * _e9348)) - _e9774) * _e9346)) * _e9350) + (((bitcast<f32>((((_e9697 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9335) + ((bitcast<f32>((((_e9705 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9341))) * _e10102), ((((_e9870 + (((_e9875 + (((bitcast<f32>(((_e9841 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9875) * _e9348)) - _e9870) * _e9346)) * _e9350) + (((bitcast<f32>(((_e9849 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9335) + ((bitcast<f32>(((_e9857 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9341))) * _e10102)));
+phi_26506_ = type_40(_e10098, _e10099, vec3<f32>(((1f + (_e9933 * (1f + (_e9933 * (0.5f + (_e9933 * (0.16666667f + (_e9933 * (0.041666668f + (_e9933 * (0.008333334f + (_e9933 * (0.001388889f + (_e9933 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9928 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9981 * (1f + (_e9981 * (0.5f + (_e9981 * (0.16666667f + (_e9981 * (0.041666668f + (_e9981 * (0.008333334f + (_e9981 * (0.001388889f + (_e9981 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9976 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10029 * (1f + (_e10029 * (0.5f + (_e10029 * (0.16666667f + (_e10029 * (0.041666668f + (_e10029 * (0.008333334f + (_e10029 * (0.001388889f + (_e10029 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10024 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9718 + (((_e9723 + (((bitcast<f32>(((_e9689 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9723) * _e9348)) - _e9718) * _e9346)) * _e9350) + (((bitcast<f32>(((_e9697 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9335) + ((bitcast<f32>(((_e9705 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9341))) * _e10102), ((((_e9774 + (((_e9779 + (((bitcast<f32>((((_e9689 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9779) * _e9348)) - _e9774) * _e9346)) * _e9350) + (((bitcast<f32>((((_e9697 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9335) + ((bitcast<f32>((((_e9705 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9341))) * _e10102), ((((_e9870 + (((_e9875 + (((bitcast<f32>(((_e9841 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9875) * _e9348)) - _e9870) * _e9346)) * _e9350) + (((bitcast<f32>(((_e9849 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9335) + ((bitcast<f32>(((_e9857 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9341))) * _e10102)));
 }
-let _e10870 = phi_26504_;
+let _e10870 = phi_26506_;
 let _e10871 = (_e6695.member_1.x - _e500);
 let _e10872 = (_e6695.member_1.y - _e502);
 let _e10873 = (_e6695.member_1.z - _e496);
@@ -3750,55 +3752,55 @@ let _e10878 = (_e500 + (_e10871 * _e10874));
 let _e10879 = (_e502 + (_e10872 * _e10874));
 let _e10880 = (_e496 + (_e10873 * _e10874));
 if _e8949 {
-let _e12565 = global_5.member[_e467].member_10.member_3;
+let _e12565 = global_5.member[_e467].member_12.member_3;
 let _e12566 = (_e12565 == 0u);
 if _e12566 {
-let _e12795 = global_5.member[_e467].member_9.member_1;
-let _e12804 = global_5.member[_e467].member_9.member;
-phi_26774_ = type_35(vec3<f32>(_e12795.member, _e12795.member_1, _e12795.member_2), vec3<f32>(_e12804.member, _e12804.member_1, _e12804.member_2));
+let _e12795 = global_5.member[_e467].member_11.member_1;
+let _e12804 = global_5.member[_e467].member_11.member;
+phi_26776_ = type_35(vec3<f32>(_e12795.member, _e12795.member_1, _e12795.member_2), vec3<f32>(_e12804.member, _e12804.member_1, _e12804.member_2));
 } else {
-let _e12571 = global_5.member[_e467].member_10.member;
+let _e12571 = global_5.member[_e467].member_12.member;
 let _e12582 = ((((_e12571.member.member * _e10878) + (_e12571.member.member_1 * _e10879)) + (_e12571.member.member_2 * _e10880)) + _e12571.member_1);
-let _e12587 = global_5.member[_e467].member_10.member_1;
+let _e12587 = global_5.member[_e467].member_12.member_1;
 let _e12598 = ((((_e12587.member.member * _e10878) + (_e12587.member.member_1 * _e10879)) + (_e12587.member.member_2 * _e10880)) + _e12587.member_1);
-let _e12603 = global_5.member[_e467].member_10.member_2;
+let _e12603 = global_5.member[_e467].member_12.member_2;
 let _e12614 = ((((_e12603.member.member * _e10878) + (_e12603.member.member_1 * _e10879)) + (_e12603.member.member_2 * _e10880)) + _e12603.member_1);
-let _e12619 = global_5.member[_e467].member_9.member_1;
+let _e12619 = global_5.member[_e467].member_11.member_1;
 if _e12566 {
-phi_26618_ = 1f;
+phi_26620_ = 1f;
 } else {
-let _e12627 = global_5.member[_e467].member_10.member_19;
+let _e12627 = global_5.member[_e467].member_12.member_19;
 let _e12631 = (_e12582 - _e12627.member);
 let _e12632 = (_e12598 - _e12627.member_1);
 let _e12633 = (_e12614 - _e12627.member_2);
 let _e12638 = (((_e12631 * _e12631) + (_e12632 * _e12632)) + (_e12633 * _e12633));
-phi_26618_ = (1f / select(1e-12f, _e12638, (_e12638 > 1e-12f)));
+phi_26620_ = (1f / select(1e-12f, _e12638, (_e12638 > 1e-12f)));
 }
-let _e12643 = phi_26618_;
+let _e12643 = phi_26620_;
 if _e12566 {
-phi_26702_ = 1f;
+phi_26704_ = 1f;
 } else {
-let _e12648 = global_5.member[_e467].member_10.member_19;
+let _e12648 = global_5.member[_e467].member_12.member_19;
 let _e12652 = (_e12582 - _e12648.member);
 let _e12653 = (_e12598 - _e12648.member_1);
 let _e12654 = (_e12614 - _e12648.member_2);
-let _e12660 = global_5.member[_e467].member_10.member_20.member;
+let _e12660 = global_5.member[_e467].member_12.member_20.member;
 let _e12668 = (((_e12660.member * _e12652) + (_e12660.member_1 * _e12653)) + (_e12660.member_2 * _e12654));
 let _e12672 = (_e12652 - (_e12660.member * _e12668));
 let _e12673 = (_e12653 - (_e12660.member_1 * _e12668));
 let _e12674 = (_e12654 - (_e12660.member_2 * _e12668));
 let _e12679 = (((_e12672 * _e12672) + (_e12673 * _e12673)) + (_e12674 * _e12674));
-let _e12691 = global_5.member[_e467].member_10.member_20.member_1;
-let _e12698 = global_5.member[_e467].member_10.member_20.member_2;
+let _e12691 = global_5.member[_e467].member_12.member_20.member_1;
+let _e12698 = global_5.member[_e467].member_12.member_20.member_2;
 let _e12699 = ((_e12691 - (sqrt(select(0f, _e12679, (_e12679 > 0f))) / select(1e-20f, _e12668, (_e12668 > 1e-20f)))) * _e12698);
 let _e12701 = select(0f, _e12699, (_e12699 > 0f));
 let _e12703 = select(1f, _e12701, (_e12701 < 1f));
-phi_26702_ = select(1f, select(0f, ((_e12703 * _e12703) * (3f - (2f * _e12703))), (_e12668 > 0f)), (_e12698 > 0f));
+phi_26704_ = select(1f, select(0f, ((_e12703 * _e12703) * (3f - (2f * _e12703))), (_e12668 > 0f)), (_e12698 > 0f));
 }
-let _e12713 = phi_26702_;
+let _e12713 = phi_26704_;
 let _e12714 = (_e12643 * _e12713);
 let _e12719 = (_e12565 != 0u);
-let _e12724 = global_5.member[_e467].member_10.member_19;
+let _e12724 = global_5.member[_e467].member_12.member_19;
 let _e12728 = (_e12582 - _e12724.member);
 let _e12729 = (_e12598 - _e12724.member_1);
 let _e12730 = (_e12614 - _e12724.member_2);
@@ -3808,28 +3810,28 @@ let _e12741 = (1f / select(1e-20f, _e12738, (_e12738 > 1e-20f)));
 let _e12745 = select(0f, (_e12728 * _e12741), _e12719);
 let _e12746 = select(0f, (_e12729 * _e12741), _e12719);
 let _e12747 = select(1f, (_e12730 * _e12741), _e12719);
-let _e12753 = global_5.member[_e467].member_10.member.member;
-let _e12765 = global_5.member[_e467].member_10.member_1.member;
-let _e12780 = global_5.member[_e467].member_10.member_2.member;
-phi_26774_ = type_35(vec3<f32>((_e12619.member * _e12714), (_e12619.member_1 * _e12714), (_e12619.member_2 * _e12714)), (vec3<f32>(((_e12753.member * _e12745) + (_e12765.member * _e12746)), ((_e12753.member_1 * _e12745) + (_e12765.member_1 * _e12746)), ((_e12753.member_2 * _e12745) + (_e12765.member_2 * _e12746))) + vec3<f32>((_e12780.member * _e12747), (_e12780.member_1 * _e12747), (_e12780.member_2 * _e12747))));
+let _e12753 = global_5.member[_e467].member_12.member.member;
+let _e12765 = global_5.member[_e467].member_12.member_1.member;
+let _e12780 = global_5.member[_e467].member_12.member_2.member;
+phi_26776_ = type_35(vec3<f32>((_e12619.member * _e12714), (_e12619.member_1 * _e12714), (_e12619.member_2 * _e12714)), (vec3<f32>(((_e12753.member * _e12745) + (_e12765.member * _e12746)), ((_e12753.member_1 * _e12745) + (_e12765.member_1 * _e12746)), ((_e12753.member_2 * _e12745) + (_e12765.member_2 * _e12746))) + vec3<f32>((_e12780.member * _e12747), (_e12780.member_1 * _e12747), (_e12780.member_2 * _e12747))));
 }
-let _e12811 = phi_26774_;
-phi_29186_ = _e12811;
+let _e12811 = phi_26776_;
+phi_29188_ = _e12811;
 } else {
 if (_e476.member_2 >= 6u) {
-let _e11944 = global_5.member[_e467].member_8.member_8;
+let _e11944 = global_5.member[_e467].member_10.member_8;
 let _e11945 = (_e10880 - _e11944);
-let _e11950 = global_5.member[_e467].member_8.member_2;
-let _e11955 = global_5.member[_e467].member_8.member_6;
-let _e11963 = global_5.member[_e467].member_8.member_5;
+let _e11950 = global_5.member[_e467].member_10.member_2;
+let _e11955 = global_5.member[_e467].member_10.member_6;
+let _e11963 = global_5.member[_e467].member_10.member_5;
 let _e11965 = (((_e10878 - (_e11950 + (_e11955 * _e11945))) * _e11963) - 0.5f);
-let _e11970 = global_5.member[_e467].member_8.member_3;
-let _e11975 = global_5.member[_e467].member_8.member_7;
+let _e11970 = global_5.member[_e467].member_10.member_3;
+let _e11975 = global_5.member[_e467].member_10.member_7;
 let _e11980 = (((_e10879 - (_e11970 + (_e11975 * _e11945))) * _e11963) - 0.5f);
-let _e11985 = global_5.member[_e467].member_8.member;
+let _e11985 = global_5.member[_e467].member_10.member;
 let _e11986 = bitcast<i32>(_e11985);
 let _e11988 = (f32(_e11986) - 1f);
-let _e11993 = global_5.member[_e467].member_8.member_1;
+let _e11993 = global_5.member[_e467].member_10.member_1;
 let _e11996 = (f32(bitcast<i32>(_e11993)) - 1f);
 let _e11998 = select(0f, _e11965, (_e11965 > 0f));
 let _e12000 = select(_e11988, _e11998, (_e11998 < _e11988));
@@ -3842,7 +3844,7 @@ let _e12026 = (_e12022 - select(0i, 1i, (_e12015 < f32(_e12022))));
 let _e12030 = (_e11965 - f32(_e12011));
 let _e12032 = (_e11980 - f32(_e12026));
 let _e12039 = ((((_e11965 >= 0f) && (_e11965 <= _e11988)) && (_e11980 >= 0f)) && (_e11980 <= _e11996));
-let _e12043 = global_5.member[_e467].member_4;
+let _e12043 = global_5.member[_e467].member_6;
 let _e12044 = bitcast<i32>(_e12043);
 let _e12046 = bitcast<i32>((_e11985 * _e11993));
 let _e12048 = (_e12044 + (3i * _e12046));
@@ -3878,7 +3880,7 @@ let _e12140 = bitcast<u32>(bitcast<f32>(_e12138));
 let _e12150 = f32((bitcast<i32>(((_e12140 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12158 = (_e12065 + ((f32((bitcast<i32>((_e12087 & 65535u)) - 32768i)) - _e12065) * _e12030));
 let _e12167 = (_e12076 + ((select(_e12097, -(_e12097), ((_e12087 >> bitcast<u32>(31i)) != 0u)) - _e12076) * _e12030));
-let _e12180 = global_5.member[_e467].member_9.member;
+let _e12180 = global_5.member[_e467].member_11.member;
 let _e12183 = (1f / 16255f);
 let _e12185 = (_e12180.member + (select(0f, (_e12158 + (((_e12117 + ((f32((bitcast<i32>((_e12140 & 65535u)) - 32768i)) - _e12117) * _e12030)) - _e12158) * _e12032)), _e12039) * _e12183));
 let _e12187 = (_e12180.member_1 + (select(0f, (_e12167 + (((_e12128 + ((select(_e12150, -(_e12150), ((_e12140 >> bitcast<u32>(31i)) != 0u)) - _e12128) * _e12030)) - _e12167) * _e12032)), _e12039) * _e12183));
@@ -3918,7 +3920,7 @@ let _e12288 = select(_e12052, _e12286, (_e12286 < _e12052));
 let _e12294 = global_3.member[bitcast<u32>(select(0i, _e12288, (_e12288 > 0i)))];
 let _e12302 = select(1f, (_e12275 + (((_e12285 + ((bitcast<f32>(_e12294) - _e12285) * _e12243)) - _e12275) * _e12245)), _e12252);
 if _e8952 {
-phi_27519_ = vec3(_e12302);
+phi_27521_ = vec3(_e12302);
 } else {
 let _e12305 = ((_e12044 + _e12046) + _e12241);
 let _e12307 = select(_e12052, _e12305, (_e12305 < _e12052));
@@ -3950,9 +3952,9 @@ let _e12389 = bitcast<f32>(_e12388);
 let _e12390 = (_e12380 + 1i);
 let _e12392 = select(_e12052, _e12390, (_e12390 < _e12052));
 let _e12398 = global_3.member[bitcast<u32>(select(0i, _e12392, (_e12392 > 0i)))];
-phi_27519_ = vec3<f32>(_e12302, select(1f, (_e12327 + (((_e12337 + ((bitcast<f32>(_e12346) - _e12337) * _e12243)) - _e12327) * _e12245)), _e12252), select(1f, (_e12379 + (((_e12389 + ((bitcast<f32>(_e12398) - _e12389) * _e12243)) - _e12379) * _e12245)), _e12252));
+phi_27521_ = vec3<f32>(_e12302, select(1f, (_e12327 + (((_e12337 + ((bitcast<f32>(_e12346) - _e12337) * _e12243)) - _e12327) * _e12245)), _e12252), select(1f, (_e12379 + (((_e12389 + ((bitcast<f32>(_e12398) - _e12389) * _e12243)) - _e12379) * _e12245)), _e12252));
 }
-let _e12409 = phi_27519_;
+let _e12409 = phi_27521_;
 local = (_e12048 + _e12241);
 let _e12411 = local;
 let _e12413 = select(_e12052, _e12411, (_e12411 < _e12052));
@@ -3983,12 +3985,12 @@ let _e12498 = bitcast<u32>(bitcast<f32>(_e12496));
 let _e12508 = f32((bitcast<i32>(((_e12498 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12516 = (_e12424 + ((f32((bitcast<i32>((_e12446 & 65535u)) - 32768i)) - _e12424) * _e12243));
 let _e12525 = (_e12435 + ((select(_e12456, -(_e12456), ((_e12446 >> bitcast<u32>(31i)) != 0u)) - _e12435) * _e12243));
-let _e12538 = global_5.member[_e467].member_9.member_1;
+let _e12538 = global_5.member[_e467].member_11.member_1;
 let _e12545 = (_e12180.member + (select(0f, (_e12516 + (((_e12476 + ((f32((bitcast<i32>((_e12498 & 65535u)) - 32768i)) - _e12476) * _e12243)) - _e12516) * _e12245)), _e12252) * _e12183));
 let _e12547 = (_e12180.member_1 + (select(0f, (_e12525 + (((_e12487 + ((select(_e12508, -(_e12508), ((_e12498 >> bitcast<u32>(31i)) != 0u)) - _e12487) * _e12243)) - _e12525) * _e12245)), _e12252) * _e12183));
 let _e12551 = (1f - ((_e12545 * _e12545) + (_e12547 * _e12547)));
 let _e12553 = select(1e-4f, _e12551, (_e12551 > 1e-4f));
-phi_29185_ = type_35((_e12409 * vec3<f32>(_e12538.member, _e12538.member_1, _e12538.member_2)), vec3<f32>(_e12545, _e12547, sqrt(select(0f, _e12553, (_e12553 > 0f)))));
+phi_29187_ = type_35((_e12409 * vec3<f32>(_e12538.member, _e12538.member_1, _e12538.member_2)), vec3<f32>(_e12545, _e12547, sqrt(select(0f, _e12553, (_e12553 > 0f)))));
 } else {
 let _e10883 = (1f - _e10870.member);
 let _e10885 = select(1e-6f, _e10870.member, (_e10870.member > 1e-6f));
@@ -4003,25 +4005,25 @@ let _e10936 = (_e8727 * select(((1f / select(1e-3f, _e10923, (_e10923 > 1e-3f)))
 let _e10940 = (_e500 + (_e10871 * _e10936));
 let _e10941 = (_e502 + (_e10872 * _e10936));
 let _e10942 = (_e496 + (_e10873 * _e10936));
-let _e10947 = global_5.member[_e467].member_10.member;
+let _e10947 = global_5.member[_e467].member_12.member;
 let _e10958 = ((((_e10947.member.member * _e10940) + (_e10947.member.member_1 * _e10941)) + (_e10947.member.member_2 * _e10942)) + _e10947.member_1);
-let _e10963 = global_5.member[_e467].member_10.member_1;
+let _e10963 = global_5.member[_e467].member_12.member_1;
 let _e10974 = ((((_e10963.member.member * _e10940) + (_e10963.member.member_1 * _e10941)) + (_e10963.member.member_2 * _e10942)) + _e10963.member_1);
-let _e10979 = global_5.member[_e467].member_10.member_2;
+let _e10979 = global_5.member[_e467].member_12.member_2;
 let _e10990 = ((((_e10979.member.member * _e10940) + (_e10979.member.member_1 * _e10941)) + (_e10979.member.member_2 * _e10942)) + _e10979.member_1);
-let _e10995 = global_5.member[_e467].member_10.member_3;
+let _e10995 = global_5.member[_e467].member_12.member_3;
 let _e10996 = (_e10995 != 0u);
-let _e11006 = global_5.member[_e467].member_10.member_19.member_2;
+let _e11006 = global_5.member[_e467].member_12.member_19.member_2;
 let _e11008 = select(1f, (_e10990 - _e11006), _e10996);
 let _e11011 = (1f / select(1e-12f, _e11008, (_e11008 > 1e-12f)));
-let _e11017 = global_5.member[_e467].member_10.member_5;
-let _e11023 = global_5.member[_e467].member_10.member_8;
-let _e11030 = global_5.member[_e467].member_10.member_6;
-let _e11037 = global_5.member[_e467].member_10.member_11;
+let _e11017 = global_5.member[_e467].member_12.member_5;
+let _e11023 = global_5.member[_e467].member_12.member_8;
+let _e11030 = global_5.member[_e467].member_12.member_6;
+let _e11037 = global_5.member[_e467].member_12.member_11;
 let _e11038 = ((((_e10958 * _e11011) - _e11017) * _e11023) - _e11037);
 let _e11039 = ((((_e10974 * _e11011) - _e11030) * _e11023) - _e11037);
-let _e11044 = global_5.member[_e467].member_10.member_9;
-let _e11050 = global_5.member[_e467].member_10.member_10;
+let _e11044 = global_5.member[_e467].member_12.member_9;
+let _e11050 = global_5.member[_e467].member_12.member_10;
 let _e11051 = ((_e10990 - _e11044) * _e11050);
 let _e11052 = -(65536f);
 let _e11054 = select(_e11052, _e11038, (_e11038 > _e11052));
@@ -4040,17 +4042,17 @@ let _e11099 = (firstTrailingBit(8u) & 31u);
 let _e11101 = (_e11097 >> bitcast<u32>(_e11099));
 let _e11103 = (_e11067 >> bitcast<u32>(_e11099));
 let _e11105 = (_e11082 >> bitcast<u32>(_e11099));
-let _e11111 = global_5.member[_e467].member_10.member_14.member;
+let _e11111 = global_5.member[_e467].member_12.member_14.member;
 let _e11112 = bitcast<i32>(_e11111);
-let _e11118 = global_5.member[_e467].member_10.member_14.member_1;
+let _e11118 = global_5.member[_e467].member_12.member_14.member_1;
 let _e11119 = bitcast<i32>(_e11118);
-let _e11125 = global_5.member[_e467].member_10.member_14.member_2;
+let _e11125 = global_5.member[_e467].member_12.member_14.member_2;
 if ((((((_e11103 >= 0i) && (_e11103 < _e11112)) && (_e11105 >= 0i)) && (_e11105 < _e11119)) && (_e11101 >= 0i)) && (_e11101 < bitcast<i32>(_e11125))) {
-phi_28033_ = (((((_e11101 * _e11119) + _e11105) * _e11112) + _e11103) * 3i);
+phi_28035_ = (((((_e11101 * _e11119) + _e11105) * _e11112) + _e11103) * 3i);
 } else {
-phi_28033_ = -1i;
+phi_28035_ = -1i;
 }
-let _e11144 = phi_28033_;
+let _e11144 = phi_28035_;
 let _e11145 = (_e11144 + 1i);
 let _e11147 = (bitcast<i32>(_e241) - 1i);
 let _e11149 = select(_e11147, _e11145, (_e11145 < _e11147));
@@ -4058,7 +4060,7 @@ let _e11155 = global_3.member[bitcast<u32>(select(0i, _e11149, (_e11149 > 0i)))]
 let _e11157 = select(_e11147, _e11144, (_e11144 < _e11147));
 let _e11163 = global_3.member[bitcast<u32>(select(0i, _e11157, (_e11157 > 0i)))];
 let _e11166 = select(_e11155, 0u, (_e11144 < 0i));
-let _e11171 = global_5.member[_e467].member_10.member_13;
+let _e11171 = global_5.member[_e467].member_12.member_13;
 let _e11172 = (_e11166 * 81u);
 let _e11176 = bitcast<i32>((((_e11172 * _e11171) + 63u) & 4294967232u));
 let _e11184 = (((bitcast<i32>(_e11163) + ((_e11097 & 7i) * _e11176)) + ((_e11082 & 7i) * 9i)) + (_e11067 & 7i));
@@ -4099,9 +4101,9 @@ let _e11276 = select(_e11147, _e11274, (_e11274 < _e11147));
 let _e11282 = global_3.member[bitcast<u32>(select(0i, _e11276, (_e11276 > 0i)))];
 let _e11293 = select(1f, (_e11240 + (((_e11263 + (((_e11273 + ((bitcast<f32>(_e11282) - _e11273) * _e11187)) - _e11263) * _e11189)) - _e11240) * _e11191)), _e11192);
 if _e8952 {
-phi_28610_ = vec3(_e11293);
+phi_28612_ = vec3(_e11293);
 } else {
-let _e11299 = global_5.member[_e467].member_10.member_12;
+let _e11299 = global_5.member[_e467].member_12.member_12;
 let _e11300 = (_e11299 > 1u);
 let _e11304 = (_e11184 + (select(0i, 1i, _e11300) * _e11185));
 let _e11306 = select(_e11147, _e11304, (_e11304 < _e11147));
@@ -4165,10 +4167,10 @@ let _e11488 = bitcast<f32>(_e11487);
 let _e11489 = (_e11456 + 10i);
 let _e11491 = select(_e11147, _e11489, (_e11489 < _e11147));
 let _e11497 = global_3.member[bitcast<u32>(select(0i, _e11491, (_e11491 > 0i)))];
-phi_28610_ = vec3<f32>(_e11293, select(1f, (_e11352 + (((_e11375 + (((_e11385 + ((bitcast<f32>(_e11394) - _e11385) * _e11187)) - _e11375) * _e11189)) - _e11352) * _e11191)), _e11192), select(1f, (_e11455 + (((_e11478 + (((_e11488 + ((bitcast<f32>(_e11497) - _e11488) * _e11187)) - _e11478) * _e11189)) - _e11455) * _e11191)), _e11192));
+phi_28612_ = vec3<f32>(_e11293, select(1f, (_e11352 + (((_e11375 + (((_e11385 + ((bitcast<f32>(_e11394) - _e11385) * _e11187)) - _e11375) * _e11189)) - _e11352) * _e11191)), _e11192), select(1f, (_e11455 + (((_e11478 + (((_e11488 + ((bitcast<f32>(_e11497) - _e11488) * _e11187)) - _e11478) * _e11189)) - _e11455) * _e11191)), _e11192));
 }
-let _e11511 = phi_28610_;
-let _e11512 = global_5.member[_e467].member_10.member_19;
+let _e11511 = phi_28612_;
+let _e11512 = global_5.member[_e467].member_12.member_19;
 let _e11516 = (_e10958 - _e11512.member);
 let _e11517 = (_e10974 - _e11512.member_1);
 let _e11518 = (_e10990 - _e11512.member_2);
@@ -4236,46 +4238,46 @@ let _e11792 = (_e11533 + select(0f, ((_e11658 + (((_e11716 + (((_e11734 + ((f32(
 let _e11795 = (_e11534 + select(0f, ((_e11661 + (((_e11719 + (((_e11745 + ((select(_e11766, -(_e11766), ((_e11756 >> bitcast<u32>(31i)) != 0u)) - _e11745) * _e11187)) - _e11719) * _e11189)) - _e11661) * _e11191)) * 6.151953e-5f), _e11192));
 let _e11799 = (1f - ((_e11792 * _e11792) + (_e11795 * _e11795)));
 let _e11801 = select(1e-4f, _e11799, (_e11799 > 1e-4f));
-phi_29017_ = vec3<f32>(_e11792, _e11795, sqrt(select(0f, _e11801, (_e11801 > 0f))));
+phi_29019_ = vec3<f32>(_e11792, _e11795, sqrt(select(0f, _e11801, (_e11801 > 0f))));
 } else {
-phi_29017_ = vec3<f32>(_e11533, _e11534, select(1f, (_e11518 * _e11529), _e10996));
+phi_29019_ = vec3<f32>(_e11533, _e11534, select(1f, (_e11518 * _e11529), _e10996));
 }
-let _e11807 = phi_29017_;
+let _e11807 = phi_29019_;
 let _e11809 = (_e10995 == 0u);
 if _e11809 {
-phi_29111_ = 1f;
+phi_29113_ = 1f;
 } else {
-let _e11815 = global_5.member[_e467].member_10.member_20.member;
+let _e11815 = global_5.member[_e467].member_12.member_20.member;
 let _e11823 = (((_e11815.member * _e11516) + (_e11815.member_1 * _e11517)) + (_e11815.member_2 * _e11518));
 let _e11827 = (_e11516 - (_e11815.member * _e11823));
 let _e11828 = (_e11517 - (_e11815.member_1 * _e11823));
 let _e11829 = (_e11518 - (_e11815.member_2 * _e11823));
 let _e11834 = (((_e11827 * _e11827) + (_e11828 * _e11828)) + (_e11829 * _e11829));
-let _e11846 = global_5.member[_e467].member_10.member_20.member_1;
-let _e11853 = global_5.member[_e467].member_10.member_20.member_2;
+let _e11846 = global_5.member[_e467].member_12.member_20.member_1;
+let _e11853 = global_5.member[_e467].member_12.member_20.member_2;
 let _e11854 = ((_e11846 - (sqrt(select(0f, _e11834, (_e11834 > 0f))) / select(1e-20f, _e11823, (_e11823 > 1e-20f)))) * _e11853);
 let _e11856 = select(0f, _e11854, (_e11854 > 0f));
 let _e11858 = select(1f, _e11856, (_e11856 < 1f));
-phi_29111_ = select(1f, select(0f, ((_e11858 * _e11858) * (3f - (2f * _e11858))), (_e11823 > 0f)), (_e11853 > 0f));
+phi_29113_ = select(1f, select(0f, ((_e11858 * _e11858) * (3f - (2f * _e11858))), (_e11823 > 0f)), (_e11853 > 0f));
 }
-let _e11868 = phi_29111_;
-let _e11874 = global_5.member[_e467].member_9.member_1;
+let _e11868 = phi_29113_;
+let _e11874 = global_5.member[_e467].member_11.member_1;
 if _e11809 {
-phi_29153_ = 1f;
+phi_29155_ = 1f;
 } else {
-phi_29153_ = (1f / select(1e-12f, _e11523, (_e11523 > 1e-12f)));
+phi_29155_ = (1f / select(1e-12f, _e11523, (_e11523 > 1e-12f)));
 }
-let _e11888 = phi_29153_;
+let _e11888 = phi_29155_;
 let _e11889 = (_e11888 * select(_e11868, 1f, (_e1083 && _e11192)));
-let _e11899 = global_5.member[_e467].member_10.member.member;
-let _e11912 = global_5.member[_e467].member_10.member_1.member;
-let _e11928 = global_5.member[_e467].member_10.member_2.member;
-phi_29185_ = type_35(vec3<f32>(((_e11511.x * _e11874.member) * _e11889), ((_e11511.y * _e11874.member_1) * _e11889), ((_e11511.z * _e11874.member_2) * _e11889)), (vec3<f32>(((_e11899.member * _e11807.x) + (_e11912.member * _e11807.y)), ((_e11899.member_1 * _e11807.x) + (_e11912.member_1 * _e11807.y)), ((_e11899.member_2 * _e11807.x) + (_e11912.member_2 * _e11807.y))) + vec3<f32>((_e11928.member * _e11807.z), (_e11928.member_1 * _e11807.z), (_e11928.member_2 * _e11807.z))));
+let _e11899 = global_5.member[_e467].member_12.member.member;
+let _e11912 = global_5.member[_e467].member_12.member_1.member;
+let _e11928 = global_5.member[_e467].member_12.member_2.member;
+phi_29187_ = type_35(vec3<f32>(((_e11511.x * _e11874.member) * _e11889), ((_e11511.y * _e11874.member_1) * _e11889), ((_e11511.z * _e11874.member_2) * _e11889)), (vec3<f32>(((_e11899.member * _e11807.x) + (_e11912.member * _e11807.y)), ((_e11899.member_1 * _e11807.x) + (_e11912.member_1 * _e11807.y)), ((_e11899.member_2 * _e11807.x) + (_e11912.member_2 * _e11807.y))) + vec3<f32>((_e11928.member * _e11807.z), (_e11928.member_1 * _e11807.z), (_e11928.member_2 * _e11807.z))));
 }
-let _e12560 = phi_29185_;
-phi_29186_ = _e12560;
+let _e12560 = phi_29187_;
+phi_29188_ = _e12560;
 }
-let _e12813 = phi_29186_;
+let _e12813 = phi_29188_;
 let _e12822 = (((_e12813.member_1.x * _e12813.member_1.x) + (_e12813.member_1.y * _e12813.member_1.y)) + (_e12813.member_1.z * _e12813.member_1.z));
 let _e12825 = sqrt(select(0f, _e12822, (_e12822 > 0f)));
 let _e12827 = ((_e1044 & 8u) != 0u);
@@ -4289,15 +4291,15 @@ let _e12847 = select(_e8724.member_1.x, _e6695.member_5.x, _e6695.member_7);
 let _e12850 = select(_e8724.member_1.y, _e6695.member_5.y, _e6695.member_7);
 let _e12853 = select(_e8724.member_1.z, _e6695.member_5.z, _e6695.member_7);
 if _e6695.member_7 {
-phi_29269_ = _e6695.member.member_1;
-phi_29270_ = _e6695.member.member;
+phi_29271_ = _e6695.member.member_1;
+phi_29272_ = _e6695.member.member;
 } else {
-phi_29269_ = _e8724.member_2;
-phi_29270_ = _e6701;
+phi_29271_ = _e8724.member_2;
+phi_29272_ = _e6701;
 }
-let _e12860 = phi_29269_;
-let _e12862 = phi_29270_;
-let _e12866 = global_5.member[_e467].member_19;
+let _e12860 = phi_29271_;
+let _e12862 = phi_29272_;
+let _e12866 = global_5.member[_e467].member_21;
 let _e12871 = (((_e12847 * _e12847) + (_e12850 * _e12850)) + (_e12853 * _e12853));
 let _e12874 = sqrt(select(0f, _e12871, (_e12871 > 0f)));
 let _e12877 = (1f / select(1e-20f, _e12874, (_e12874 > 1e-20f)));
@@ -4351,14 +4353,14 @@ let _e12994 = (_e12992 + _e12953);
 let _e12997 = (_e12993 / select(1e-6f, _e12994, (_e12994 > 1e-6f)));
 let _e13001 = ((_e12953 * _e12993) + 1f);
 let _e13004 = (((_e12953 * _e12994) - 1f) / select(1e-6f, _e13001, (_e13001 > 1e-6f)));
-let _e13022 = global_5.member[_e467].member_20;
+let _e13022 = global_5.member[_e467].member_22;
 let _e13026 = ((select(0f, ((((_e12955 / ((3.1415927f * _e12959) * _e12959)) * (0.5f / select(1e-6f, _e12980, (_e12980 > 1e-6f)))) * select(select((((0.5f * _e12997) * _e12997) * (1f + (_e13004 * _e13004))), 1f, (_e12989 <= 0f)), 0f, (_e12862 == _e12860))) * _e12964), (_e12963 && (_e12874 > 1e-12f))) * _e13022) * select(_e8940.member_2, 0f, _e564));
-phi_29527_ = vec3<f32>((_e12837 * _e13026), (_e12839 * _e13026), (_e12841 * _e13026));
+phi_29529_ = vec3<f32>((_e12837 * _e13026), (_e12839 * _e13026), (_e12841 * _e13026));
 } else {
-phi_29527_ = vec3<f32>(0f, 0f, 0f);
+phi_29529_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e13032 = phi_29527_;
-let _e13036 = global_5.member[_e467].member_18;
+let _e13032 = phi_29529_;
+let _e13036 = global_5.member[_e467].member_20;
 let _e13043 = (1f - _e471[12]);
 let _e13063 = (_e471[9] + ((_e471[13] * ((_e10870.member_3.x * (_e12837 + _e13036.member)) + _e13032.x)) * _e13043));
 let _e13064 = (_e471[10] + ((_e471[14] * ((_e10870.member_3.y * (_e12839 + _e13036.member_1)) + _e13032.y)) * _e13043));
@@ -4369,17 +4371,17 @@ let _e13073 = (_e471[14] * _e10870.member_2.y);
 let _e13075 = (_e471[15] * _e10870.member_2.z);
 let _e13080 = (_e471[8] + ((_e13068 - _e471[12]) * (_e496 + (_e10873 * 0.5f))));
 if ((_e476.member_2 >= 6u) || _e8949) {
-phi_30615_ = _e12813;
+phi_30617_ = _e12813;
 } else {
-let _e13087 = global_5.member[_e467].member_10.member;
+let _e13087 = global_5.member[_e467].member_12.member;
 let _e13098 = ((((_e13087.member.member * _e10878) + (_e13087.member.member_1 * _e10879)) + (_e13087.member.member_2 * _e10880)) + _e13087.member_1);
-let _e13103 = global_5.member[_e467].member_10.member_1;
+let _e13103 = global_5.member[_e467].member_12.member_1;
 let _e13114 = ((((_e13103.member.member * _e10878) + (_e13103.member.member_1 * _e10879)) + (_e13103.member.member_2 * _e10880)) + _e13103.member_1);
-let _e13119 = global_5.member[_e467].member_10.member_2;
+let _e13119 = global_5.member[_e467].member_12.member_2;
 let _e13130 = ((((_e13119.member.member * _e10878) + (_e13119.member.member_1 * _e10879)) + (_e13119.member.member_2 * _e10880)) + _e13119.member_1);
-let _e13135 = global_5.member[_e467].member_10.member_3;
+let _e13135 = global_5.member[_e467].member_12.member_3;
 let _e13136 = (_e13135 != 0u);
-let _e13141 = global_5.member[_e467].member_10.member_19;
+let _e13141 = global_5.member[_e467].member_12.member_19;
 let _e13145 = (_e13098 - _e13141.member);
 let _e13146 = (_e13114 - _e13141.member_1);
 let _e13147 = (_e13130 - _e13141.member_2);
@@ -4389,36 +4391,36 @@ let _e13158 = (1f / select(1e-20f, _e13155, (_e13155 > 1e-20f)));
 let _e13162 = select(0f, (_e13145 * _e13158), _e13136);
 let _e13163 = select(0f, (_e13146 * _e13158), _e13136);
 let _e13164 = select(1f, (_e13147 * _e13158), _e13136);
-let _e13170 = global_5.member[_e467].member_10.member.member;
-let _e13182 = global_5.member[_e467].member_10.member_1.member;
-let _e13197 = global_5.member[_e467].member_10.member_2.member;
+let _e13170 = global_5.member[_e467].member_12.member.member;
+let _e13182 = global_5.member[_e467].member_12.member_1.member;
+let _e13197 = global_5.member[_e467].member_12.member_2.member;
 let _e13206 = (vec3<f32>(((_e13170.member * _e13162) + (_e13182.member * _e13163)), ((_e13170.member_1 * _e13162) + (_e13182.member_1 * _e13163)), ((_e13170.member_2 * _e13162) + (_e13182.member_2 * _e13163))) + vec3<f32>((_e13197.member * _e13164), (_e13197.member_1 * _e13164), (_e13197.member_2 * _e13164)));
 if ((_e1044 & 256u) != 0u) {
-let _e13315 = global_5.member[_e467].member_10.member_18.member.member;
+let _e13315 = global_5.member[_e467].member_12.member_18.member.member;
 let _e13316 = bitcast<i32>(_e13315);
-let _e13323 = global_5.member[_e467].member_10.member_18.member.member_1;
+let _e13323 = global_5.member[_e467].member_12.member_18.member.member_1;
 let _e13324 = bitcast<i32>(_e13323);
-let _e13330 = global_5.member[_e467].member_10.member_19.member_2;
+let _e13330 = global_5.member[_e467].member_12.member_19.member_2;
 let _e13332 = select(1f, (_e13130 - _e13330), _e13136);
 let _e13335 = (1f / select(1e-12f, _e13332, (_e13332 > 1e-12f)));
-let _e13341 = global_5.member[_e467].member_10.member_5;
-let _e13347 = global_5.member[_e467].member_10.member_8;
+let _e13341 = global_5.member[_e467].member_12.member_5;
+let _e13347 = global_5.member[_e467].member_12.member_8;
 let _e13348 = (((_e13098 * _e13335) - _e13341) * _e13347);
-let _e13354 = global_5.member[_e467].member_10.member_6;
+let _e13354 = global_5.member[_e467].member_12.member_6;
 let _e13356 = (((_e13114 * _e13335) - _e13354) * _e13347);
-let _e13362 = global_5.member[_e467].member_10.member_4.member;
+let _e13362 = global_5.member[_e467].member_12.member_4.member;
 let _e13364 = f32(bitcast<i32>(_e13362));
 let _e13366 = select(0f, _e13348, (_e13348 > 0f));
-let _e13374 = global_5.member[_e467].member_10.member_18.member_1;
+let _e13374 = global_5.member[_e467].member_12.member_18.member_1;
 let _e13377 = ((_e13348 - _e13364) * _e13374);
-let _e13383 = global_5.member[_e467].member_10.member_18.member_2;
+let _e13383 = global_5.member[_e467].member_12.member_18.member_2;
 let _e13385 = select(0f, _e13377, (_e13377 > 0f));
 let _e13387 = (_e13383 + _e13385);
 let _e13392 = (-(_e13348) * _e13374);
 let _e13394 = select(0f, _e13392, (_e13392 > 0f));
 let _e13396 = (_e13383 + _e13394);
 let _e13403 = (((_e13383 + (select(_e13364, _e13366, (_e13366 < _e13364)) * _e13374)) + (((_e13385 * _e13383) / select(1e-12f, _e13387, (_e13387 > 1e-12f))) - ((_e13394 * _e13383) / select(1e-12f, _e13396, (_e13396 > 1e-12f))))) - 0.5f);
-let _e13409 = global_5.member[_e467].member_10.member_4.member_1;
+let _e13409 = global_5.member[_e467].member_12.member_4.member_1;
 let _e13411 = f32(bitcast<i32>(_e13409));
 let _e13413 = select(0f, _e13356, (_e13356 > 0f));
 let _e13418 = ((_e13356 - _e13411) * _e13374);
@@ -4445,13 +4447,13 @@ let _e13480 = (_e13438 - f32(_e13472));
 let _e13482 = select(0f, _e13480, (_e13480 > 0f));
 let _e13484 = select(1f, _e13482, (_e13482 < 1f));
 if _e1419 {
-let _e13496 = global_5.member[_e467].member_10.member_18.member_4;
-phi_29956_ = _e13496;
+let _e13496 = global_5.member[_e467].member_12.member_18.member_4;
+phi_29958_ = _e13496;
 } else {
-let _e13490 = global_5.member[_e467].member_10.member_18.member_3;
-phi_29956_ = _e13490;
+let _e13490 = global_5.member[_e467].member_12.member_18.member_3;
+phi_29958_ = _e13490;
 }
-let _e13498 = phi_29956_;
+let _e13498 = phi_29958_;
 let _e13502 = ((bitcast<i32>(_e13498) + (_e13472 * _e13316)) + _e13455);
 let _e13503 = (_e13316 * _e13324);
 let _e13505 = (bitcast<i32>(_e241) - 1i);
@@ -4504,81 +4506,81 @@ let _e13645 = global_3.member[bitcast<u32>(select(0i, _e13639, (_e13639 > 0i)))]
 let _e13652 = (_e13626 + (((_e13636 + ((bitcast<f32>(_e13645) - _e13636) * _e13478)) - _e13626) * _e13484));
 let _e13654 = (_e13135 == 0u);
 if _e13654 {
-phi_30354_ = vec3<f32>(_e13553, _e13602, _e13652);
+phi_30356_ = vec3<f32>(_e13553, _e13602, _e13652);
 } else {
 if _e13654 {
-phi_30293_ = 1f;
+phi_30295_ = 1f;
 } else {
-let _e13660 = global_5.member[_e467].member_10.member_20.member;
+let _e13660 = global_5.member[_e467].member_12.member_20.member;
 let _e13668 = (((_e13660.member * _e13145) + (_e13660.member_1 * _e13146)) + (_e13660.member_2 * _e13147));
 let _e13672 = (_e13145 - (_e13660.member * _e13668));
 let _e13673 = (_e13146 - (_e13660.member_1 * _e13668));
 let _e13674 = (_e13147 - (_e13660.member_2 * _e13668));
 let _e13679 = (((_e13672 * _e13672) + (_e13673 * _e13673)) + (_e13674 * _e13674));
-let _e13691 = global_5.member[_e467].member_10.member_20.member_1;
-let _e13698 = global_5.member[_e467].member_10.member_20.member_2;
+let _e13691 = global_5.member[_e467].member_12.member_20.member_1;
+let _e13698 = global_5.member[_e467].member_12.member_20.member_2;
 let _e13699 = ((_e13691 - (sqrt(select(0f, _e13679, (_e13679 > 0f))) / select(1e-20f, _e13668, (_e13668 > 1e-20f)))) * _e13698);
 let _e13701 = select(0f, _e13699, (_e13699 > 0f));
 let _e13703 = select(1f, _e13701, (_e13701 < 1f));
-phi_30293_ = select(1f, select(0f, ((_e13703 * _e13703) * (3f - (2f * _e13703))), (_e13668 > 0f)), (_e13698 > 0f));
+phi_30295_ = select(1f, select(0f, ((_e13703 * _e13703) * (3f - (2f * _e13703))), (_e13668 > 0f)), (_e13698 > 0f));
 }
-let _e13713 = phi_30293_;
+let _e13713 = phi_30295_;
 let _e13715 = select(0f, 1f, (_e13147 > 0f));
 let _e13719 = ((_e13553 * _e13715) + _e13713);
 let _e13720 = ((_e13602 * _e13715) + _e13713);
 let _e13721 = ((_e13652 * _e13715) + _e13713);
 if _e13654 {
-phi_30349_ = 1f;
+phi_30351_ = 1f;
 } else {
-phi_30349_ = (1f / select(1e-12f, _e13152, (_e13152 > 1e-12f)));
+phi_30351_ = (1f / select(1e-12f, _e13152, (_e13152 > 1e-12f)));
 }
-let _e13732 = phi_30349_;
-phi_30354_ = vec3<f32>((select(0f, _e13719, (_e13719 > 0f)) * _e13732), (select(0f, _e13720, (_e13720 > 0f)) * _e13732), (select(0f, _e13721, (_e13721 > 0f)) * _e13732));
+let _e13732 = phi_30351_;
+phi_30356_ = vec3<f32>((select(0f, _e13719, (_e13719 > 0f)) * _e13732), (select(0f, _e13720, (_e13720 > 0f)) * _e13732), (select(0f, _e13721, (_e13721 > 0f)) * _e13732));
 }
-let _e13738 = phi_30354_;
-let _e13743 = global_5.member[_e467].member_9.member_1;
-phi_30614_ = type_35((vec3<f32>(_e13743.member, _e13743.member_1, _e13743.member_2) * _e13738), _e13206);
+let _e13738 = phi_30356_;
+let _e13743 = global_5.member[_e467].member_11.member_1;
+phi_30616_ = type_35((vec3<f32>(_e13743.member, _e13743.member_1, _e13743.member_2) * _e13738), _e13206);
 } else {
 let _e13209 = (_e13135 == 0u);
 if _e13209 {
-let _e13292 = global_5.member[_e467].member_9.member_1;
-let _e13301 = global_5.member[_e467].member_9.member;
-phi_30613_ = type_35(vec3<f32>(_e13292.member, _e13292.member_1, _e13292.member_2), vec3<f32>(_e13301.member, _e13301.member_1, _e13301.member_2));
+let _e13292 = global_5.member[_e467].member_11.member_1;
+let _e13301 = global_5.member[_e467].member_11.member;
+phi_30615_ = type_35(vec3<f32>(_e13292.member, _e13292.member_1, _e13292.member_2), vec3<f32>(_e13301.member, _e13301.member_1, _e13301.member_2));
 } else {
-let _e13214 = global_5.member[_e467].member_9.member_1;
+let _e13214 = global_5.member[_e467].member_11.member_1;
 if _e13209 {
-phi_30457_ = 1f;
+phi_30459_ = 1f;
 } else {
-phi_30457_ = (1f / select(1e-12f, _e13152, (_e13152 > 1e-12f)));
+phi_30459_ = (1f / select(1e-12f, _e13152, (_e13152 > 1e-12f)));
 }
-let _e13222 = phi_30457_;
+let _e13222 = phi_30459_;
 if _e13209 {
-phi_30541_ = 1f;
+phi_30543_ = 1f;
 } else {
-let _e13228 = global_5.member[_e467].member_10.member_20.member;
+let _e13228 = global_5.member[_e467].member_12.member_20.member;
 let _e13236 = (((_e13228.member * _e13145) + (_e13228.member_1 * _e13146)) + (_e13228.member_2 * _e13147));
 let _e13240 = (_e13145 - (_e13228.member * _e13236));
 let _e13241 = (_e13146 - (_e13228.member_1 * _e13236));
 let _e13242 = (_e13147 - (_e13228.member_2 * _e13236));
 let _e13247 = (((_e13240 * _e13240) + (_e13241 * _e13241)) + (_e13242 * _e13242));
-let _e13259 = global_5.member[_e467].member_10.member_20.member_1;
-let _e13266 = global_5.member[_e467].member_10.member_20.member_2;
+let _e13259 = global_5.member[_e467].member_12.member_20.member_1;
+let _e13266 = global_5.member[_e467].member_12.member_20.member_2;
 let _e13267 = ((_e13259 - (sqrt(select(0f, _e13247, (_e13247 > 0f))) / select(1e-20f, _e13236, (_e13236 > 1e-20f)))) * _e13266);
 let _e13269 = select(0f, _e13267, (_e13267 > 0f));
 let _e13271 = select(1f, _e13269, (_e13269 < 1f));
-phi_30541_ = select(1f, select(0f, ((_e13271 * _e13271) * (3f - (2f * _e13271))), (_e13236 > 0f)), (_e13266 > 0f));
+phi_30543_ = select(1f, select(0f, ((_e13271 * _e13271) * (3f - (2f * _e13271))), (_e13236 > 0f)), (_e13266 > 0f));
 }
-let _e13281 = phi_30541_;
+let _e13281 = phi_30543_;
 let _e13282 = (_e13222 * _e13281);
-phi_30613_ = type_35(vec3<f32>((_e13214.member * _e13282), (_e13214.member_1 * _e13282), (_e13214.member_2 * _e13282)), _e13206);
+phi_30615_ = type_35(vec3<f32>((_e13214.member * _e13282), (_e13214.member_1 * _e13282), (_e13214.member_2 * _e13282)), _e13206);
 }
-let _e13308 = phi_30613_;
-phi_30614_ = _e13308;
+let _e13308 = phi_30615_;
+phi_30616_ = _e13308;
 }
-let _e13751 = phi_30614_;
-phi_30615_ = _e13751;
+let _e13751 = phi_30616_;
+phi_30617_ = _e13751;
 }
-let _e13753 = phi_30615_;
+let _e13753 = phi_30617_;
 let _e13762 = (((_e13753.member_1.x * _e13753.member_1.x) + (_e13753.member_1.y * _e13753.member_1.y)) + (_e13753.member_1.z * _e13753.member_1.z));
 let _e13765 = sqrt(select(0f, _e13762, (_e13762 > 0f)));
 let _e13769 = (1e-6f * _e13765);
@@ -4595,9 +4597,9 @@ let _e13831 = (_e6695.member_1.z + (_e6695.member_2.z * _e13823));
 let _e13837 = ((((_e808.member.member * _e13829) + (_e808.member.member_1 * _e13830)) + (_e808.member.member_2 * _e13831)) + _e808.member_1);
 let _e13843 = ((((_e824.member.member * _e13829) + (_e824.member.member_1 * _e13830)) + (_e824.member.member_2 * _e13831)) + _e824.member_1);
 let _e13849 = ((((_e840.member.member * _e13829) + (_e840.member.member_1 * _e13830)) + (_e840.member.member_2 * _e13831)) + _e840.member_1);
-let _e13855 = global_5.member[_e467].member_7.member.member;
-let _e13864 = global_5.member[_e467].member_7.member_1.member;
-let _e13873 = global_5.member[_e467].member_7.member_2.member;
+let _e13855 = global_5.member[_e467].member_9.member.member;
+let _e13864 = global_5.member[_e467].member_9.member_1.member;
+let _e13873 = global_5.member[_e467].member_9.member_2.member;
 let _e13877 = (-0.5f - _e6730);
 let _e13878 = (-0.5f - _e13837);
 let _e13879 = -(_e13877);
@@ -4704,16 +4706,16 @@ let _e14116 = select(select(select(select(select(select(0f, _e13855.member, _e13
 let _e14117 = select(select(select(select(select(select(0f, _e13855.member_1, _e13897), _e13855.member_1, _e13937), _e13864.member_1, _e13977), _e13864.member_1, _e14017), _e13873.member_1, _e14057), _e13873.member_1, _e14097);
 let _e14118 = select(select(select(select(select(select(1f, _e13855.member_2, _e13897), _e13855.member_2, _e13937), _e13864.member_2, _e13977), _e13864.member_2, _e14017), _e13873.member_2, _e14057), _e13873.member_2, _e14097);
 if _e8729 {
-phi_32105_ = type_34(_e14103, vec3<f32>(_e14104, _e14105, _e14106), _e14108, vec3<f32>(_e14109, _e14110, _e14111), _e14113, _e14115, vec3<f32>(_e14116, _e14117, _e14118));
+phi_32107_ = type_34(_e14103, vec3<f32>(_e14104, _e14105, _e14106), _e14108, vec3<f32>(_e14109, _e14110, _e14111), _e14113, _e14115, vec3<f32>(_e14116, _e14117, _e14118));
 } else {
 let _e14125 = (((_e13855.member * _e13855.member) + (_e13855.member_1 * _e13855.member_1)) + (_e13855.member_2 * _e13855.member_2));
 let _e14128 = sqrt(select(0f, _e14125, (_e14125 > 0f)));
-let _e14133 = global_5.member[_e467].member_14.member_1;
+let _e14133 = global_5.member[_e467].member_16.member_1;
 let _e14134 = (_e14133 != 0u);
-let _e14139 = global_5.member[_e467].member_14.member;
+let _e14139 = global_5.member[_e467].member_16.member;
 let _e14159 = select(-1e6f, (((((_e14139.member.member * _e6695.member_1.x) + (_e14139.member.member_1 * _e6695.member_1.y)) + (_e14139.member.member_2 * _e6695.member_1.z)) + _e14139.member_1) * _e14128), _e14134);
 let _e14160 = select(-1e6f, (((((_e14139.member.member * _e13829) + (_e14139.member.member_1 * _e13830)) + (_e14139.member.member_2 * _e13831)) + _e14139.member_1) * _e14128), _e14134);
-let _e14166 = global_5.member[_e467].member_14.member.member;
+let _e14166 = global_5.member[_e467].member_16.member.member;
 let _e14170 = -(_e14159);
 let _e14173 = (_e14159 - _e14160);
 let _e14174 = (_e14160 - _e14159);
@@ -4728,12 +4730,12 @@ let _e14194 = select(_e14103, _e14183, _e14192);
 let _e14198 = select(_e14108, _e14187, _e14193);
 let _e14202 = select(_e14113, _e14159, _e14188);
 let _e14204 = select(_e14115, _e14160, (_e14160 > _e14115));
-let _e14212 = global_5.member[_e467].member_15.member_1;
+let _e14212 = global_5.member[_e467].member_17.member_1;
 let _e14213 = (_e14212 != 0u);
-let _e14218 = global_5.member[_e467].member_15.member;
+let _e14218 = global_5.member[_e467].member_17.member;
 let _e14238 = select(-1e6f, (((((_e14218.member.member * _e6695.member_1.x) + (_e14218.member.member_1 * _e6695.member_1.y)) + (_e14218.member.member_2 * _e6695.member_1.z)) + _e14218.member_1) * _e14128), _e14213);
 let _e14239 = select(-1e6f, (((((_e14218.member.member * _e13829) + (_e14218.member.member_1 * _e13830)) + (_e14218.member.member_2 * _e13831)) + _e14218.member_1) * _e14128), _e14213);
-let _e14245 = global_5.member[_e467].member_15.member.member;
+let _e14245 = global_5.member[_e467].member_17.member.member;
 let _e14249 = -(_e14238);
 let _e14252 = (_e14238 - _e14239);
 let _e14253 = (_e14239 - _e14238);
@@ -4748,12 +4750,12 @@ let _e14273 = select(_e14194, _e14262, _e14271);
 let _e14277 = select(_e14198, _e14266, _e14272);
 let _e14281 = select(_e14202, _e14238, _e14267);
 let _e14283 = select(_e14204, _e14239, (_e14239 > _e14204));
-let _e14291 = global_5.member[_e467].member_16.member_1;
+let _e14291 = global_5.member[_e467].member_18.member_1;
 let _e14292 = (_e14291 != 0u);
-let _e14297 = global_5.member[_e467].member_16.member;
+let _e14297 = global_5.member[_e467].member_18.member;
 let _e14317 = select(-1e6f, (((((_e14297.member.member * _e6695.member_1.x) + (_e14297.member.member_1 * _e6695.member_1.y)) + (_e14297.member.member_2 * _e6695.member_1.z)) + _e14297.member_1) * _e14128), _e14292);
 let _e14318 = select(-1e6f, (((((_e14297.member.member * _e13829) + (_e14297.member.member_1 * _e13830)) + (_e14297.member.member_2 * _e13831)) + _e14297.member_1) * _e14128), _e14292);
-let _e14324 = global_5.member[_e467].member_16.member.member;
+let _e14324 = global_5.member[_e467].member_18.member.member;
 let _e14328 = -(_e14317);
 let _e14331 = (_e14317 - _e14318);
 let _e14332 = (_e14318 - _e14317);
@@ -4768,12 +4770,12 @@ let _e14352 = select(_e14273, _e14341, _e14350);
 let _e14356 = select(_e14277, _e14345, _e14351);
 let _e14360 = select(_e14281, _e14317, _e14346);
 let _e14362 = select(_e14283, _e14318, (_e14318 > _e14283));
-let _e14370 = global_5.member[_e467].member_17.member_1;
+let _e14370 = global_5.member[_e467].member_19.member_1;
 let _e14371 = (_e14370 != 0u);
-let _e14376 = global_5.member[_e467].member_17.member;
+let _e14376 = global_5.member[_e467].member_19.member;
 let _e14396 = select(-1e6f, (((((_e14376.member.member * _e6695.member_1.x) + (_e14376.member.member_1 * _e6695.member_1.y)) + (_e14376.member.member_2 * _e6695.member_1.z)) + _e14376.member_1) * _e14128), _e14371);
 let _e14397 = select(-1e6f, (((((_e14376.member.member * _e13829) + (_e14376.member.member_1 * _e13830)) + (_e14376.member.member_2 * _e13831)) + _e14376.member_1) * _e14128), _e14371);
-let _e14403 = global_5.member[_e467].member_17.member.member;
+let _e14403 = global_5.member[_e467].member_19.member.member;
 let _e14407 = -(_e14396);
 let _e14410 = (_e14396 - _e14397);
 let _e14411 = (_e14397 - _e14396);
@@ -4784,11 +4786,11 @@ let _e14424 = select(2f, select(0f, _e14416, (_e14396 < 0f)), (_e14397 > 0f));
 let _e14425 = (_e14396 > _e14360);
 let _e14429 = ((_e14420 > _e14352) || ((_e14420 == _e14352) && _e14425));
 let _e14430 = (_e14424 < _e14356);
-phi_32105_ = type_34(select(_e14352, _e14420, _e14429), vec3<f32>(select(select(select(select(_e14104, _e14166.member, _e14192), _e14245.member, _e14271), _e14324.member, _e14350), _e14403.member, _e14429), select(select(select(select(_e14105, _e14166.member_1, _e14192), _e14245.member_1, _e14271), _e14324.member_1, _e14350), _e14403.member_1, _e14429), select(select(select(select(_e14106, _e14166.member_2, _e14192), _e14245.member_2, _e14271), _e14324.member_2, _e14350), _e14403.member_2, _e14429)), select(_e14356, _e14424, _e14430), vec3<f32>(select(select(select(select(_e14109, _e14166.member, _e14193), _e14245.member, _e14272), _e14324.member, _e14351), _e14403.member, _e14430), select(select(select(select(_e14110, _e14166.member_1, _e14193), _e14245.member_1, _e14272), _e14324.member_1, _e14351), _e14403.member_1, _e14430), select(select(select(select(_e14111, _e14166.member_2, _e14193), _e14245.member_2, _e14272), _e14324.member_2, _e14351), _e14403.member_2, _e14430)), select(_e14360, _e14396, _e14425), select(_e14362, _e14397, (_e14397 > _e14362)), vec3<f32>(select(select(select(select(_e14116, _e14166.member, _e14188), _e14245.member, _e14267), _e14324.member, _e14346), _e14403.member, _e14425), select(select(select(select(_e14117, _e14166.member_1, _e14188), _e14245.member_1, _e14267), _e14324.member_1, _e14346), _e14403.member_1, _e14425), select(select(select(select(_e14118, _e14166.member_2, _e14188), _e14245.member_2, _e14267), _e14324.member_2, _e14346), _e14403.member_2, _e14425)));
+phi_32107_ = type_34(select(_e14352, _e14420, _e14429), vec3<f32>(select(select(select(select(_e14104, _e14166.member, _e14192), _e14245.member, _e14271), _e14324.member, _e14350), _e14403.member, _e14429), select(select(select(select(_e14105, _e14166.member_1, _e14192), _e14245.member_1, _e14271), _e14324.member_1, _e14350), _e14403.member_1, _e14429), select(select(select(select(_e14106, _e14166.member_2, _e14192), _e14245.member_2, _e14271), _e14324.member_2, _e14350), _e14403.member_2, _e14429)), select(_e14356, _e14424, _e14430), vec3<f32>(select(select(select(select(_e14109, _e14166.member, _e14193), _e14245.member, _e14272), _e14324.member, _e14351), _e14403.member, _e14430), select(select(select(select(_e14110, _e14166.member_1, _e14193), _e14245.member_1, _e14272), _e14324.member_1, _e14351), _e14403.member_1, _e14430), select(select(select(select(_e14111, _e14166.member_2, _e14193), _e14245.member_2, _e14272), _e14324.member_2, _e14351), _e14403.member_2, _e14430)), select(_e14360, _e14396, _e14425), select(_e14362, _e14397, (_e14397 > _e14362)), vec3<f32>(select(select(select(select(_e14116, _e14166.member, _e14188), _e14245.member, _e14267), _e14324.member, _e14346), _e14403.member, _e14425), select(select(select(select(_e14117, _e14166.member_1, _e14188), _e14245.member_1, _e14267), _e14324.member_1, _e14346), _e14403.member_1, _e14425), select(select(select(select(_e14118, _e14166.member_2, _e14188), _e14245.member_2, _e14267), _e14324.member_2, _e14346), _e14403.member_2, _e14425)));
 }
-let _e14450 = phi_32105_;
+let _e14450 = phi_32107_;
 let _e14457 = (_e8940.member_2 * select(0f, 1f, _e6695.member_6));
-let _e14463 = global_5.member[_e467].member_5.member_4;
+let _e14463 = global_5.member[_e467].member_7.member_4;
 let _e14466 = (_e8724.member_3.x * _e14457);
 let _e14468 = (_e8724.member_3.y * _e14457);
 let _e14470 = (_e8724.member_3.z * _e14457);
@@ -4811,44 +4813,44 @@ let _e14524 = (_e6695.member_2.y + ((_e8724.member_4.y * _e14457) * _e490));
 let _e14525 = (_e6695.member_2.z + ((_e8724.member_4.z * _e14457) * _e490));
 let _e14527 = (_e14525 * _e14525);
 let _e14536 = ((_e1044 & 1u) != 0u);
-phi_32261_ = vec3<f32>(select(select(select(_e14493, _e14475, _e14509), _e14523, _e14536), _e6695.member_2.x, _e6695.member_8), select(select(select(_e14494, _e14476, _e14509), _e14524, _e14536), _e6695.member_2.y, _e6695.member_8), select(select(select(_e14495, _e14477, _e14509), _e14525, _e14536), _e6695.member_2.z, _e6695.member_8));
-phi_32262_ = (select(_e14509, ((_e14525 <= 0f) || (_e14527 <= (_e14499 * (((_e14523 * _e14523) + (_e14524 * _e14524)) + _e14527)))), _e14536) || _e6695.member_8);
+phi_32263_ = vec3<f32>(select(select(select(_e14493, _e14475, _e14509), _e14523, _e14536), _e6695.member_2.x, _e6695.member_8), select(select(select(_e14494, _e14476, _e14509), _e14524, _e14536), _e6695.member_2.y, _e6695.member_8), select(select(select(_e14495, _e14477, _e14509), _e14525, _e14536), _e6695.member_2.z, _e6695.member_8));
+phi_32264_ = (select(_e14509, ((_e14525 <= 0f) || (_e14527 <= (_e14499 * (((_e14523 * _e14523) + (_e14524 * _e14524)) + _e14527)))), _e14536) || _e6695.member_8);
 } else {
-phi_32261_ = _e6695.member_2;
-phi_32262_ = false;
+phi_32263_ = _e6695.member_2;
+phi_32264_ = false;
 }
-let _e14548 = phi_32261_;
-let _e14550 = phi_32262_;
+let _e14548 = phi_32263_;
+let _e14550 = phi_32264_;
 let _e14561 = ((((_e564 || _e6695.member_7) || (_e14548.x != _e471[3])) || (_e14548.y != _e471[4])) || (_e14548.z != _e471[5]));
 let _e14563 = select(_e13073, _e13071, (_e13071 > _e13073));
 let _e14571 = select(select(0f, 2f, _e14550), 1f, (_e564 || (((1f - _e13816) * select(_e13075, _e14563, (_e14563 > _e13075))) < 9.765625e-4f)));
 let _e14575 = ((_e14571 == 2f) && !(_e6695.member_8));
-phi_32422_ = array<f32, 18>(select(select(_e471[0], select(_e6695.member_1.x, _e10878, _e564), _e14561), _e500, _e14575), select(select(_e471[1], select(_e6695.member_1.y, _e10879, _e564), _e14561), _e502, _e14575), select(select(_e471[2], select(_e6695.member_1.z, _e10880, _e564), _e14561), _e496, _e14575), select(_e14548.x, _e6697.x, _e14575), select(_e14548.y, _e6697.y, _e14575), select(_e14548.z, _e6697.z, _e14575), select(_e8724.member, _e1730, _e14575), _e14571, select(select(_e13080, (_e13080 + (_e13803 * _e10880)), _e564), _e471[8], _e14575), select(select(_e13063, (_e13063 + ((_e13071 * (select(_e1445.member, _e1432.member, _e1419) * (((_e13753.member.x * _e13773) * _e13793) + _e13036.member))) * _e13803)), _e564), _e471[9], _e14575), select(select(_e13064, (_e13064 + ((_e13073 * (select(_e1445.member_1, _e1432.member_1, _e1419) * (((_e13753.member.y * _e13773) * _e13793) + _e13036.member_1))) * _e13803)), _e564), _e471[10], _e14575), select(select(_e13065, (_e13065 + ((_e13075 * (select(_e1445.member_2, _e1432.member_2, _e1419) * (((_e13753.member.z * _e13773) * _e13793) + _e13036.member_2))) * _e13803)), _e564), _e471[11], _e14575), select(_e13816, _e471[12], _e14575), select(_e13071, _e471[13], _e14575), select(_e13073, _e471[14], _e14575), select(_e13075, _e471[15], _e14575), select(select(0f, _e8724.member_2, (_e6695.member_6 && !(_e564))), select(0f, _e6701, _e6699), _e14575), select(select(_e6695.member_1.z, -1.2676506e30f, _e6695.member_8), _e496, _e14575));
+phi_32424_ = array<f32, 18>(select(select(_e471[0], select(_e6695.member_1.x, _e10878, _e564), _e14561), _e500, _e14575), select(select(_e471[1], select(_e6695.member_1.y, _e10879, _e564), _e14561), _e502, _e14575), select(select(_e471[2], select(_e6695.member_1.z, _e10880, _e564), _e14561), _e496, _e14575), select(_e14548.x, _e6697.x, _e14575), select(_e14548.y, _e6697.y, _e14575), select(_e14548.z, _e6697.z, _e14575), select(_e8724.member, _e1730, _e14575), _e14571, select(select(_e13080, (_e13080 + (_e13803 * _e10880)), _e564), _e471[8], _e14575), select(select(_e13063, (_e13063 + ((_e13071 * (select(_e1445.member, _e1432.member, _e1419) * (((_e13753.member.x * _e13773) * _e13793) + _e13036.member))) * _e13803)), _e564), _e471[9], _e14575), select(select(_e13064, (_e13064 + ((_e13073 * (select(_e1445.member_1, _e1432.member_1, _e1419) * (((_e13753.member.y * _e13773) * _e13793) + _e13036.member_1))) * _e13803)), _e564), _e471[10], _e14575), select(select(_e13065, (_e13065 + ((_e13075 * (select(_e1445.member_2, _e1432.member_2, _e1419) * (((_e13753.member.z * _e13773) * _e13793) + _e13036.member_2))) * _e13803)), _e564), _e471[11], _e14575), select(_e13816, _e471[12], _e14575), select(_e13071, _e471[13], _e14575), select(_e13073, _e471[14], _e14575), select(_e13075, _e471[15], _e14575), select(select(0f, _e8724.member_2, (_e6695.member_6 && !(_e564))), select(0f, _e6701, _e6699), _e14575), select(select(_e6695.member_1.z, -1.2676506e30f, _e6695.member_8), _e496, _e14575));
 } else {
-phi_32422_ = _e471;
+phi_32424_ = _e471;
 }
-let _e14612 = phi_32422_;
-phi_690_ = (_e467 + 1u);
-phi_693_ = select(_e469, true, _e1395);
-phi_695_ = _e14612;
+let _e14612 = phi_32424_;
+phi_692_ = (_e467 + 1u);
+phi_695_ = select(_e469, true, _e1395);
+phi_697_ = _e14612;
 } else {
-phi_690_ = u32();
-phi_693_ = bool();
-phi_695_ = array<f32, 18>();
+phi_692_ = u32();
+phi_695_ = bool();
+phi_697_ = array<f32, 18>();
 }
-let _e14616 = phi_690_;
-let _e14618 = phi_693_;
-let _e14620 = phi_695_;
+let _e14616 = phi_692_;
+let _e14618 = phi_695_;
+let _e14620 = phi_697_;
 continue;
 continuing {
-phi_689_ = _e14616;
-phi_692_ = _e14618;
-phi_694_ = _e14620;
-phi_32613_ = false;
+phi_691_ = _e14616;
+phi_694_ = _e14618;
+phi_696_ = _e14620;
+phi_32615_ = false;
 break if !(_e472);
 }
 }
-let _e14623 = phi_32613_;
+let _e14623 = phi_32615_;
 if _e14623 {
 break;
 }

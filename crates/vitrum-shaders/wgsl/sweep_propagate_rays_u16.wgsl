@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -273,63 +275,63 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_685_: u32;
-var phi_688_: bool;
-var phi_690_: array<f32, 18>;
-var phi_1445_: bool;
-var phi_1625_: bool;
-var phi_1628_: bool;
-var phi_3061_: f32;
-var phi_4667_: type_34;
-var phi_4680_: bool;
-var phi_4710_: type_39;
-var phi_4722_: bool;
-var phi_5934_: type_31;
-var phi_7457_: type_34;
-var phi_8701_: type_31;
-var phi_10239_: type_34;
-var phi_11483_: type_31;
-var phi_13021_: type_34;
-var phi_14769_: type_31;
-var phi_14782_: type_38;
-var phi_14783_: vec3<f32>;
-var phi_14784_: bool;
-var phi_14785_: f32;
-var phi_20498_: type_32;
-var phi_21277_: type_33;
-var phi_21690_: type_7;
-var phi_25855_: type_40;
-var phi_27384_: i32;
-var phi_27961_: vec3<f32>;
-var phi_28368_: vec3<f32>;
-var phi_28462_: f32;
-var phi_28504_: f32;
-var phi_26870_: vec3<f32>;
-var phi_28536_: type_35;
-var phi_25969_: f32;
-var phi_26053_: f32;
-var phi_26125_: type_35;
-var phi_28537_: type_35;
-var phi_28620_: f32;
-var phi_28621_: f32;
-var phi_28878_: vec3<f32>;
-var phi_29808_: f32;
-var phi_29892_: f32;
-var phi_29964_: type_35;
-var phi_29307_: u32;
-var phi_29644_: f32;
-var phi_29700_: f32;
-var phi_29705_: vec3<f32>;
-var phi_29965_: type_35;
+var phi_687_: u32;
+var phi_690_: bool;
+var phi_692_: array<f32, 18>;
+var phi_1447_: bool;
+var phi_1627_: bool;
+var phi_1630_: bool;
+var phi_3063_: f32;
+var phi_4669_: type_34;
+var phi_4682_: bool;
+var phi_4712_: type_39;
+var phi_4724_: bool;
+var phi_5936_: type_31;
+var phi_7459_: type_34;
+var phi_8703_: type_31;
+var phi_10241_: type_34;
+var phi_11485_: type_31;
+var phi_13023_: type_34;
+var phi_14771_: type_31;
+var phi_14784_: type_38;
+var phi_14785_: vec3<f32>;
+var phi_14786_: bool;
+var phi_14787_: f32;
+var phi_20500_: type_32;
+var phi_21279_: type_33;
+var phi_21692_: type_7;
+var phi_25857_: type_40;
+var phi_27386_: i32;
+var phi_27963_: vec3<f32>;
+var phi_28370_: vec3<f32>;
+var phi_28464_: f32;
+var phi_28506_: f32;
+var phi_26872_: vec3<f32>;
+var phi_28538_: type_35;
+var phi_25971_: f32;
+var phi_26055_: f32;
+var phi_26127_: type_35;
+var phi_28539_: type_35;
+var phi_28622_: f32;
+var phi_28623_: f32;
+var phi_28880_: vec3<f32>;
+var phi_29810_: f32;
+var phi_29894_: f32;
 var phi_29966_: type_35;
-var phi_31456_: type_34;
-var phi_31612_: vec3<f32>;
-var phi_31613_: bool;
-var phi_31773_: array<f32, 18>;
-var phi_686_: u32;
-var phi_689_: bool;
-var phi_691_: array<f32, 18>;
-var phi_31964_: bool;
+var phi_29309_: u32;
+var phi_29646_: f32;
+var phi_29702_: f32;
+var phi_29707_: vec3<f32>;
+var phi_29967_: type_35;
+var phi_29968_: type_35;
+var phi_31458_: type_34;
+var phi_31614_: vec3<f32>;
+var phi_31615_: bool;
+var phi_31775_: array<f32, 18>;
+var phi_688_: u32;
+var phi_691_: bool;
+var phi_693_: array<f32, 18>;
+var phi_31966_: bool;
 var local_40: bool;
 var local_41: array<f32, 18>;
 var local_42: array<f32, 18>;
@@ -439,13 +441,13 @@ let _e445 = ((17u * _e255) + _e257);
 let _e446 = bitcast<i32>(_e445);
 let _e448 = select(_e260, _e446, (_e446 < _e260));
 let _e454 = global_4.member[bitcast<u32>(select(0i, _e448, (_e448 > 0i)))];
-phi_685_ = 0u;
-phi_688_ = false;
-phi_690_ = array<f32, 18>(_e268, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366, _e377, _e388, _e399, _e410, _e421, _e432, _e443, _e454);
+phi_687_ = 0u;
+phi_690_ = false;
+phi_692_ = array<f32, 18>(_e268, _e278, _e289, _e300, _e311, _e322, _e333, _e344, _e355, _e366, _e377, _e388, _e399, _e410, _e421, _e432, _e443, _e454);
 loop {
-let _e457 = phi_685_;
-let _e459 = phi_688_;
-let _e461 = phi_690_;
+let _e457 = phi_687_;
+let _e459 = phi_690_;
+let _e461 = phi_692_;
 local_40 = _e459;
 local_41 = _e461;
 local_42 = _e461;
@@ -469,47 +471,47 @@ let _e462 = (_e457 < _e220);
 if _e462 {
 if _e462 {
 } else {
-phi_31964_ = true;
+phi_31966_ = true;
 break;
 }
 let _e466 = global_5.member[_e457].member;
-let _e480 = global_5.member[_e457].member_5.member_2;
+let _e480 = global_5.member[_e457].member_7.member_2;
 let _e481 = (_e480 / _e461[5]);
-let _e486 = global_5.member[_e457].member_5.member;
+let _e486 = global_5.member[_e457].member_7.member;
 let _e488 = ((_e486 - _e461[2]) / _e461[5]);
 let _e490 = (_e461[0] + (_e461[3] * _e488));
 let _e492 = (_e461[1] + (_e461[4] * _e488));
 let _e494 = (_e490 + (_e461[3] * _e481));
 let _e496 = (_e492 + (_e461[4] * _e481));
-let _e501 = global_5.member[_e457].member_5.member_1;
-let _e507 = global_5.member[_e457].member_13.member.member;
+let _e501 = global_5.member[_e457].member_7.member_1;
+let _e507 = global_5.member[_e457].member_15.member.member;
 let _e518 = ((((_e507.member.member * _e490) + (_e507.member.member_1 * _e492)) + (_e507.member.member_2 * _e486)) + _e507.member_1);
 let _e524 = ((((_e507.member.member * _e494) + (_e507.member.member_1 * _e496)) + (_e507.member.member_2 * _e501)) + _e507.member_1);
 let _e527 = ((_e518 > 0f) && (_e524 <= 0f));
-let _e533 = global_5.member[_e457].member_13.member_1.member;
+let _e533 = global_5.member[_e457].member_15.member_1.member;
 let _e544 = ((((_e533.member.member * _e490) + (_e533.member.member_1 * _e492)) + (_e533.member.member_2 * _e486)) + _e533.member_1);
 let _e550 = ((((_e533.member.member * _e494) + (_e533.member.member_1 * _e496)) + (_e533.member.member_2 * _e501)) + _e533.member_1);
 let _e553 = ((_e544 > 0f) && (_e550 <= 0f));
 let _e554 = (_e527 || _e553);
-let _e559 = global_5.member[_e457].member_6.member;
+let _e559 = global_5.member[_e457].member_8.member;
 let _e570 = ((((_e559.member.member * _e490) + (_e559.member.member_1 * _e492)) + (_e559.member.member_2 * _e486)) + _e559.member_1);
-let _e575 = global_5.member[_e457].member_6.member_1;
+let _e575 = global_5.member[_e457].member_8.member_1;
 let _e586 = ((((_e575.member.member * _e490) + (_e575.member.member_1 * _e492)) + (_e575.member.member_2 * _e486)) + _e575.member_1);
-let _e591 = global_5.member[_e457].member_6.member_2;
+let _e591 = global_5.member[_e457].member_8.member_2;
 let _e602 = ((((_e591.member.member * _e490) + (_e591.member.member_1 * _e492)) + (_e591.member.member_2 * _e486)) + _e591.member_1);
 let _e608 = ((((_e559.member.member * _e494) + (_e559.member.member_1 * _e496)) + (_e559.member.member_2 * _e501)) + _e559.member_1);
 let _e614 = ((((_e575.member.member * _e494) + (_e575.member.member_1 * _e496)) + (_e575.member.member_2 * _e501)) + _e575.member_1);
 let _e620 = ((((_e591.member.member * _e494) + (_e591.member.member_1 * _e496)) + (_e591.member.member_2 * _e501)) + _e591.member_1);
-let _e625 = global_5.member[_e457].member_6.member_4;
-let _e631 = global_5.member[_e457].member_6.member_3.member;
+let _e625 = global_5.member[_e457].member_8.member_4;
+let _e631 = global_5.member[_e457].member_8.member_3.member;
 let _e632 = (_e631 - 0.5f);
 let _e634 = select(-0.5f, _e608, (_e608 > -0.5f));
 let _e636 = select(_e632, _e634, (_e634 < _e632));
-let _e642 = global_5.member[_e457].member_6.member_3.member_1;
+let _e642 = global_5.member[_e457].member_8.member_3.member_1;
 let _e643 = (_e642 - 0.5f);
 let _e645 = select(-0.5f, _e614, (_e614 > -0.5f));
 let _e647 = select(_e643, _e645, (_e645 < _e643));
-let _e653 = global_5.member[_e457].member_6.member_3.member_2;
+let _e653 = global_5.member[_e457].member_8.member_3.member_2;
 let _e654 = (_e653 - 0.5f);
 let _e656 = select(-0.5f, _e620, (_e620 > -0.5f));
 let _e658 = select(_e654, _e656, (_e656 < _e654));
@@ -529,7 +531,7 @@ let _e694 = (_e631 - 1f);
 let _e696 = select(0f, _e693, (_e693 > 0f));
 let _e698 = select(_e694, _e696, (_e696 < _e694));
 let _e705 = select(0i, select(select(i32(_e698), i32(-2147483648), (_e698 < -2147483600f)), 2147483647i, (_e698 > 2147483500f)), (_e698 == _e698));
-let _e714 = global_5.member[_e457].member_6.member_12;
+let _e714 = global_5.member[_e457].member_8.member_12;
 let _e715 = (_e714 & 31u);
 let _e718 = (_e647 + 0.5f);
 let _e719 = (_e642 - 1f);
@@ -541,9 +543,9 @@ let _e738 = (_e653 - 1f);
 let _e740 = select(0f, _e737, (_e737 > 0f));
 let _e742 = select(_e738, _e740, (_e740 < _e738));
 let _e749 = select(0i, select(select(i32(_e742), i32(-2147483648), (_e742 < -2147483600f)), 2147483647i, (_e742 > 2147483500f)), (_e742 == _e742));
-let _e761 = global_5.member[_e457].member_6.member_9.member;
-let _e768 = global_5.member[_e457].member_6.member_9.member_1;
-let _e774 = global_5.member[_e457].member_6.member_10;
+let _e761 = global_5.member[_e457].member_8.member_9.member;
+let _e768 = global_5.member[_e457].member_8.member_9.member_1;
+let _e774 = global_5.member[_e457].member_8.member_10;
 let _e780 = ((bitcast<i32>(_e774) + ((_e705 - select(0i, 1i, (_e698 < f32(_e705)))) >> bitcast<u32>(_e715))) + (bitcast<i32>(_e761) * (((_e730 - select(0i, 1i, (_e723 < f32(_e730)))) >> bitcast<u32>(_e715)) + (bitcast<i32>(_e768) * ((_e749 - select(0i, 1i, (_e742 < f32(_e749)))) >> bitcast<u32>(_e715))))));
 let _e782 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
 let _e784 = select(_e782, _e780, (_e780 < _e782));
@@ -562,22 +564,22 @@ let _e849 = (_e653 - _e838);
 let _e852 = ((((_e570 >= _e837) && (_e570 <= _e840)) && ((_e586 >= _e837) && (_e586 <= _e844))) && ((_e602 >= _e837) && (_e602 <= _e849)));
 let _e854 = ((_e797 & 16u) == 0u);
 if _e854 {
-phi_1445_ = _e852;
+phi_1447_ = _e852;
 } else {
-let _e860 = global_5.member[_e457].member_6.member.member;
+let _e860 = global_5.member[_e457].member_8.member.member;
 let _e868 = (((_e860.member * _e860.member) + (_e860.member_1 * _e860.member_1)) + (_e860.member_2 * _e860.member_2));
-let _e877 = global_5.member[_e457].member_14.member;
+let _e877 = global_5.member[_e457].member_16.member;
 let _e889 = -((0.5f / sqrt(select(0f, _e868, (_e868 > 0f)))));
-let _e895 = global_5.member[_e457].member_14.member_1;
-let _e902 = global_5.member[_e457].member_15.member;
-let _e919 = global_5.member[_e457].member_15.member_1;
-let _e927 = global_5.member[_e457].member_16.member;
-let _e944 = global_5.member[_e457].member_16.member_1;
-let _e952 = global_5.member[_e457].member_17.member;
-let _e969 = global_5.member[_e457].member_17.member_1;
-phi_1445_ = (_e852 && (((((((((_e877.member.member * _e490) + (_e877.member.member_1 * _e492)) + (_e877.member.member_2 * _e486)) + _e877.member_1) <= _e889) || (_e895 == 0u)) && ((((((_e902.member.member * _e490) + (_e902.member.member_1 * _e492)) + (_e902.member.member_2 * _e486)) + _e902.member_1) <= _e889) || (_e919 == 0u))) && ((((((_e927.member.member * _e490) + (_e927.member.member_1 * _e492)) + (_e927.member.member_2 * _e486)) + _e927.member_1) <= _e889) || (_e944 == 0u))) && ((((((_e952.member.member * _e490) + (_e952.member.member_1 * _e492)) + (_e952.member.member_2 * _e486)) + _e952.member_1) <= _e889) || (_e969 == 0u))));
+let _e895 = global_5.member[_e457].member_16.member_1;
+let _e902 = global_5.member[_e457].member_17.member;
+let _e919 = global_5.member[_e457].member_17.member_1;
+let _e927 = global_5.member[_e457].member_18.member;
+let _e944 = global_5.member[_e457].member_18.member_1;
+let _e952 = global_5.member[_e457].member_19.member;
+let _e969 = global_5.member[_e457].member_19.member_1;
+phi_1447_ = (_e852 && (((((((((_e877.member.member * _e490) + (_e877.member.member_1 * _e492)) + (_e877.member.member_2 * _e486)) + _e877.member_1) <= _e889) || (_e895 == 0u)) && ((((((_e902.member.member * _e490) + (_e902.member.member_1 * _e492)) + (_e902.member.member_2 * _e486)) + _e902.member_1) <= _e889) || (_e919 == 0u))) && ((((((_e927.member.member * _e490) + (_e927.member.member_1 * _e492)) + (_e927.member.member_2 * _e486)) + _e927.member_1) <= _e889) || (_e944 == 0u))) && ((((((_e952.member.member * _e490) + (_e952.member.member_1 * _e492)) + (_e952.member.member_2 * _e486)) + _e952.member_1) <= _e889) || (_e969 == 0u))));
 }
-let _e975 = phi_1445_;
+let _e975 = phi_1447_;
 let _e979 = (_e494 + (_e494 - _e490));
 let _e980 = (_e496 + (_e496 - _e492));
 let _e981 = (_e501 + (_e501 - _e486));
@@ -586,27 +588,27 @@ let _e993 = ((((_e575.member.member * _e979) + (_e575.member.member_1 * _e980)) 
 let _e999 = ((((_e591.member.member * _e979) + (_e591.member.member_1 * _e980)) + (_e591.member.member_2 * _e981)) + _e591.member_1);
 let _e1010 = ((((_e987 >= _e837) && (_e987 <= _e840)) && ((_e993 >= _e837) && (_e993 <= _e844))) && ((_e999 >= _e837) && (_e999 <= _e849)));
 if _e854 {
-phi_1625_ = _e1010;
+phi_1627_ = _e1010;
 } else {
-let _e1016 = global_5.member[_e457].member_6.member.member;
+let _e1016 = global_5.member[_e457].member_8.member.member;
 let _e1024 = (((_e1016.member * _e1016.member) + (_e1016.member_1 * _e1016.member_1)) + (_e1016.member_2 * _e1016.member_2));
-let _e1033 = global_5.member[_e457].member_14.member;
+let _e1033 = global_5.member[_e457].member_16.member;
 let _e1045 = -((0.5f / sqrt(select(0f, _e1024, (_e1024 > 0f)))));
-let _e1051 = global_5.member[_e457].member_14.member_1;
-let _e1058 = global_5.member[_e457].member_15.member;
-let _e1075 = global_5.member[_e457].member_15.member_1;
-let _e1083 = global_5.member[_e457].member_16.member;
-let _e1100 = global_5.member[_e457].member_16.member_1;
-let _e1108 = global_5.member[_e457].member_17.member;
-let _e1125 = global_5.member[_e457].member_17.member_1;
-phi_1625_ = (_e1010 && (((((((((_e1033.member.member * _e979) + (_e1033.member.member_1 * _e980)) + (_e1033.member.member_2 * _e981)) + _e1033.member_1) <= _e1045) || (_e1051 == 0u)) && ((((((_e1058.member.member * _e979) + (_e1058.member.member_1 * _e980)) + (_e1058.member.member_2 * _e981)) + _e1058.member_1) <= _e1045) || (_e1075 == 0u))) && ((((((_e1083.member.member * _e979) + (_e1083.member.member_1 * _e980)) + (_e1083.member.member_2 * _e981)) + _e1083.member_1) <= _e1045) || (_e1100 == 0u))) && ((((((_e1108.member.member * _e979) + (_e1108.member.member_1 * _e980)) + (_e1108.member.member_2 * _e981)) + _e1108.member_1) <= _e1045) || (_e1125 == 0u))));
+let _e1051 = global_5.member[_e457].member_16.member_1;
+let _e1058 = global_5.member[_e457].member_17.member;
+let _e1075 = global_5.member[_e457].member_17.member_1;
+let _e1083 = global_5.member[_e457].member_18.member;
+let _e1100 = global_5.member[_e457].member_18.member_1;
+let _e1108 = global_5.member[_e457].member_19.member;
+let _e1125 = global_5.member[_e457].member_19.member_1;
+phi_1627_ = (_e1010 && (((((((((_e1033.member.member * _e979) + (_e1033.member.member_1 * _e980)) + (_e1033.member.member_2 * _e981)) + _e1033.member_1) <= _e1045) || (_e1051 == 0u)) && ((((((_e1058.member.member * _e979) + (_e1058.member.member_1 * _e980)) + (_e1058.member.member_2 * _e981)) + _e1058.member_1) <= _e1045) || (_e1075 == 0u))) && ((((((_e1083.member.member * _e979) + (_e1083.member.member_1 * _e980)) + (_e1083.member.member_2 * _e981)) + _e1083.member_1) <= _e1045) || (_e1100 == 0u))) && ((((((_e1108.member.member * _e979) + (_e1108.member.member_1 * _e980)) + (_e1108.member.member_2 * _e981)) + _e1108.member_1) <= _e1045) || (_e1125 == 0u))));
 }
-let _e1131 = phi_1625_;
-phi_1628_ = (_e827 && (_e975 && _e1131));
+let _e1131 = phi_1627_;
+phi_1630_ = (_e827 && (_e975 && _e1131));
 } else {
-phi_1628_ = _e827;
+phi_1630_ = _e827;
 }
-let _e1135 = phi_1628_;
+let _e1135 = phi_1630_;
 let _e1136 = (_e461[17] == -1.2676506e30f);
 let _e1138 = (_e461[17] != _e486);
 let _e1148 = (select(0u, select(select(31u, select(select(3u, 7u, _e1138), 15u, _e554), (_e1135 && !((_e836 && _e1136)))), select(1u, 15u, _e554), (((_e797 & 64u) != 0u) || ((((select(_e672, _e669, (_e669 > _e672)) <= _e625) && ((select(_e689, _e686, (_e686 > _e689)) > _e625) || (_e790 != 0u))) && true) && ((_e797 & 32u) != 0u)))), (_e461[7] == 0f)) > 1u);
@@ -617,10 +619,10 @@ let _e1164 = (_e518 / select(1e-20f, _e1161, (_e1161 > 1e-20f)));
 let _e1165 = (_e544 - _e550);
 let _e1168 = (_e544 / select(1e-20f, _e1165, (_e1165 > 1e-20f)));
 let _e1172 = (_e553 && (!(_e527) || (_e1168 < _e1164)));
-let _e1179 = global_5.member[_e457].member_13.member_1.member.member;
-let _e1185 = global_5.member[_e457].member_13.member_1.member_1;
-let _e1192 = global_5.member[_e457].member_13.member.member.member;
-let _e1198 = global_5.member[_e457].member_13.member.member_1;
+let _e1179 = global_5.member[_e457].member_15.member_1.member.member;
+let _e1185 = global_5.member[_e457].member_15.member_1.member_1;
+let _e1192 = global_5.member[_e457].member_15.member.member.member;
+let _e1198 = global_5.member[_e457].member_15.member.member_1;
 let _e1217 = select(_e1164, _e1168, _e1172);
 let _e1219 = select(-0.5f, _e570, (_e570 > -0.5f));
 let _e1221 = select(_e632, _e1219, (_e1219 < _e632));
@@ -640,8 +642,8 @@ let _e1261 = select(-1f, _e1229, (_e1229 > -1f));
 let _e1263 = select(_e653, _e1261, (_e1261 < _e653));
 let _e1270 = select(0i, select(select(i32(_e1263), i32(-2147483648), (_e1263 < -2147483600f)), 2147483647i, (_e1263 > 2147483500f)), (_e1263 == _e1263));
 let _e1274 = (_e1270 - select(0i, 1i, (_e1263 < f32(_e1270))));
-let _e1279 = global_5.member[_e457].member_6.member_7;
-let _e1284 = global_5.member[_e457].member_6.member_8;
+let _e1279 = global_5.member[_e457].member_8.member_7;
+let _e1284 = global_5.member[_e457].member_8.member_8;
 let _e1292 = (select(0i, select(select(i32(_e642), i32(-2147483648), (_e642 < -2147483600f)), 2147483647i, (_e642 > 2147483500f)), (_e642 == _e642)) - 1i);
 let _e1295 = (_e1259 + 1i);
 let _e1305 = (select(0i, select(select(i32(_e653), i32(-2147483648), (_e653 < -2147483600f)), 2147483647i, (_e653 > 2147483500f)), (_e653 == _e653)) - 1i);
@@ -728,8 +730,8 @@ let _e1578 = local_38.member_1[3u];
 let _e1585 = local_39[0u];
 let _e1589 = local_39[1u];
 let _e1594 = local_39[2u];
-let _e1602 = global_5.member[_e457].member_6.member_6;
-let _e1607 = global_5.member[_e457].member_6.member_5;
+let _e1602 = global_5.member[_e457].member_8.member_6;
+let _e1607 = global_5.member[_e457].member_8.member_5;
 let _e1609 = (((_e1486 + (((_e1537 + (((_e1577 + ((f32(bitcast<i32>(((_e1570 >> bitcast<u32>((_e1578 & 31u))) & 65535u))) - _e1577) * _e1585)) - _e1537) * _e1589)) - _e1486) * _e1594)) - _e1602) * _e1607);
 let _e1610 = -(1e9f);
 let _e1612 = select(_e1610, _e1609, (_e1609 > _e1610));
@@ -794,11 +796,11 @@ let _e1789 = select(_e1619, 262144i, (262144i < _e1619));
 let _e1795 = global_2.member[bitcast<u32>(select(0i, _e1789, (_e1789 > 0i)))];
 let _e1798 = select(_e1619, 262145i, (262145i < _e1619));
 let _e1804 = global_2.member[bitcast<u32>(select(0i, _e1798, (_e1798 > 0i)))];
-phi_3061_ = select(_e461[16], ((bitcast<f32>(_e1795) + (f32(bitcast<i32>((_e1769 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1804))) + ((f32((bitcast<i32>((_e1769 & 4095u)) - 2048i)) * bitcast<f32>(_e1785)) * (_e1745 - f32(_e1760)))), _e1138);
+phi_3063_ = select(_e461[16], ((bitcast<f32>(_e1795) + (f32(bitcast<i32>((_e1769 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1804))) + ((f32((bitcast<i32>((_e1769 & 4095u)) - 2048i)) * bitcast<f32>(_e1785)) * (_e1745 - f32(_e1760)))), _e1138);
 } else {
-phi_3061_ = _e461[16];
+phi_3063_ = _e461[16];
 }
-let _e1814 = phi_3061_;
+let _e1814 = phi_3063_;
 let _e1815 = (_e494 - _e490);
 let _e1816 = (_e496 - _e492);
 let _e1817 = (_e501 - _e486);
@@ -849,9 +851,9 @@ let _e1907 = select(_e1869, _e1844, (_e1844 > _e1869));
 let _e1910 = (select(_e1901, _e1903, (_e1903 < _e1901)) - select(_e1894, _e1907, (_e1907 > _e1894)));
 let _e1913 = (_e1825 * select(0f, _e1910, (_e1910 > 0f)));
 if _e836 {
-let _e1928 = global_5.member[_e457].member_6.member.member;
-let _e1937 = global_5.member[_e457].member_6.member_1.member;
-let _e1946 = global_5.member[_e457].member_6.member_2.member;
+let _e1928 = global_5.member[_e457].member_8.member.member;
+let _e1937 = global_5.member[_e457].member_8.member_1.member;
+let _e1946 = global_5.member[_e457].member_8.member_2.member;
 let _e1950 = (-0.5f - _e608);
 let _e1951 = -(_e1830);
 let _e1954 = (_e1830 - _e1950);
@@ -956,16 +958,16 @@ let _e2187 = select(select(select(select(select(select(0f, _e1928.member_1, _e19
 let _e2188 = select(select(select(select(select(select(1f, _e1928.member_2, _e1969), _e1928.member_2, _e2009), _e1937.member_2, _e2048), _e1937.member_2, _e2088), _e1946.member_2, _e2127), _e1946.member_2, _e2167);
 let _e2192 = ((_e797 & 16u) == 0u);
 if _e2192 {
-phi_4667_ = type_34(_e2173, vec3<f32>(_e2174, _e2175, _e2176), _e2178, vec3<f32>(_e2179, _e2180, _e2181), _e2183, _e2185, vec3<f32>(_e2186, _e2187, _e2188));
+phi_4669_ = type_34(_e2173, vec3<f32>(_e2174, _e2175, _e2176), _e2178, vec3<f32>(_e2179, _e2180, _e2181), _e2183, _e2185, vec3<f32>(_e2186, _e2187, _e2188));
 } else {
 let _e2197 = (((_e1928.member * _e1928.member) + (_e1928.member_1 * _e1928.member_1)) + (_e1928.member_2 * _e1928.member_2));
 let _e2200 = sqrt(select(0f, _e2197, (_e2197 > 0f)));
-let _e2205 = global_5.member[_e457].member_14.member_1;
+let _e2205 = global_5.member[_e457].member_16.member_1;
 let _e2206 = (_e2205 != 0u);
-let _e2211 = global_5.member[_e457].member_14.member;
+let _e2211 = global_5.member[_e457].member_16.member;
 let _e2231 = select(-1e6f, (((((_e2211.member.member * _e490) + (_e2211.member.member_1 * _e492)) + (_e2211.member.member_2 * _e486)) + _e2211.member_1) * _e2200), _e2206);
 let _e2232 = select(-1e6f, (((((_e2211.member.member * _e494) + (_e2211.member.member_1 * _e496)) + (_e2211.member.member_2 * _e501)) + _e2211.member_1) * _e2200), _e2206);
-let _e2238 = global_5.member[_e457].member_14.member.member;
+let _e2238 = global_5.member[_e457].member_16.member.member;
 let _e2242 = -(_e2231);
 let _e2245 = (_e2231 - _e2232);
 let _e2246 = (_e2232 - _e2231);
@@ -980,12 +982,12 @@ let _e2266 = select(_e2173, _e2255, _e2264);
 let _e2270 = select(_e2178, _e2259, _e2265);
 let _e2274 = select(_e2183, _e2231, _e2260);
 let _e2276 = select(_e2185, _e2232, (_e2232 > _e2185));
-let _e2284 = global_5.member[_e457].member_15.member_1;
+let _e2284 = global_5.member[_e457].member_17.member_1;
 let _e2285 = (_e2284 != 0u);
-let _e2290 = global_5.member[_e457].member_15.member;
+let _e2290 = global_5.member[_e457].member_17.member;
 let _e2310 = select(-1e6f, (((((_e2290.member.member * _e490) + (_e2290.member.member_1 * _e492)) + (_e2290.member.member_2 * _e486)) + _e2290.member_1) * _e2200), _e2285);
 let _e2311 = select(-1e6f, (((((_e2290.member.member * _e494) + (_e2290.member.member_1 * _e496)) + (_e2290.member.member_2 * _e501)) + _e2290.member_1) * _e2200), _e2285);
-let _e2317 = global_5.member[_e457].member_15.member.member;
+let _e2317 = global_5.member[_e457].member_17.member.member;
 let _e2321 = -(_e2310);
 let _e2324 = (_e2310 - _e2311);
 let _e2325 = (_e2311 - _e2310);
@@ -1000,12 +1002,12 @@ let _e2345 = select(_e2266, _e2334, _e2343);
 let _e2349 = select(_e2270, _e2338, _e2344);
 let _e2353 = select(_e2274, _e2310, _e2339);
 let _e2355 = select(_e2276, _e2311, (_e2311 > _e2276));
-let _e2363 = global_5.member[_e457].member_16.member_1;
+let _e2363 = global_5.member[_e457].member_18.member_1;
 let _e2364 = (_e2363 != 0u);
-let _e2369 = global_5.member[_e457].member_16.member;
+let _e2369 = global_5.member[_e457].member_18.member;
 let _e2389 = select(-1e6f, (((((_e2369.member.member * _e490) + (_e2369.member.member_1 * _e492)) + (_e2369.member.member_2 * _e486)) + _e2369.member_1) * _e2200), _e2364);
 let _e2390 = select(-1e6f, (((((_e2369.member.member * _e494) + (_e2369.member.member_1 * _e496)) + (_e2369.member.member_2 * _e501)) + _e2369.member_1) * _e2200), _e2364);
-let _e2396 = global_5.member[_e457].member_16.member.member;
+let _e2396 = global_5.member[_e457].member_18.member.member;
 let _e2400 = -(_e2389);
 let _e2403 = (_e2389 - _e2390);
 let _e2404 = (_e2390 - _e2389);
@@ -1020,12 +1022,12 @@ let _e2424 = select(_e2345, _e2413, _e2422);
 let _e2428 = select(_e2349, _e2417, _e2423);
 let _e2432 = select(_e2353, _e2389, _e2418);
 let _e2434 = select(_e2355, _e2390, (_e2390 > _e2355));
-let _e2442 = global_5.member[_e457].member_17.member_1;
+let _e2442 = global_5.member[_e457].member_19.member_1;
 let _e2443 = (_e2442 != 0u);
-let _e2448 = global_5.member[_e457].member_17.member;
+let _e2448 = global_5.member[_e457].member_19.member;
 let _e2468 = select(-1e6f, (((((_e2448.member.member * _e490) + (_e2448.member.member_1 * _e492)) + (_e2448.member.member_2 * _e486)) + _e2448.member_1) * _e2200), _e2443);
 let _e2469 = select(-1e6f, (((((_e2448.member.member * _e494) + (_e2448.member.member_1 * _e496)) + (_e2448.member.member_2 * _e501)) + _e2448.member_1) * _e2200), _e2443);
-let _e2475 = global_5.member[_e457].member_17.member.member;
+let _e2475 = global_5.member[_e457].member_19.member.member;
 let _e2479 = -(_e2468);
 let _e2482 = (_e2468 - _e2469);
 let _e2483 = (_e2469 - _e2468);
@@ -1036,32 +1038,32 @@ let _e2496 = select(2f, select(0f, _e2488, (_e2468 < 0f)), (_e2469 > 0f));
 let _e2497 = (_e2468 > _e2432);
 let _e2501 = ((_e2492 > _e2424) || ((_e2492 == _e2424) && _e2497));
 let _e2502 = (_e2496 < _e2428);
-phi_4667_ = type_34(select(_e2424, _e2492, _e2501), vec3<f32>(select(select(select(select(_e2174, _e2238.member, _e2264), _e2317.member, _e2343), _e2396.member, _e2422), _e2475.member, _e2501), select(select(select(select(_e2175, _e2238.member_1, _e2264), _e2317.member_1, _e2343), _e2396.member_1, _e2422), _e2475.member_1, _e2501), select(select(select(select(_e2176, _e2238.member_2, _e2264), _e2317.member_2, _e2343), _e2396.member_2, _e2422), _e2475.member_2, _e2501)), select(_e2428, _e2496, _e2502), vec3<f32>(select(select(select(select(_e2179, _e2238.member, _e2265), _e2317.member, _e2344), _e2396.member, _e2423), _e2475.member, _e2502), select(select(select(select(_e2180, _e2238.member_1, _e2265), _e2317.member_1, _e2344), _e2396.member_1, _e2423), _e2475.member_1, _e2502), select(select(select(select(_e2181, _e2238.member_2, _e2265), _e2317.member_2, _e2344), _e2396.member_2, _e2423), _e2475.member_2, _e2502)), select(_e2432, _e2468, _e2497), select(_e2434, _e2469, (_e2469 > _e2434)), vec3<f32>(select(select(select(select(_e2186, _e2238.member, _e2260), _e2317.member, _e2339), _e2396.member, _e2418), _e2475.member, _e2497), select(select(select(select(_e2187, _e2238.member_1, _e2260), _e2317.member_1, _e2339), _e2396.member_1, _e2418), _e2475.member_1, _e2497), select(select(select(select(_e2188, _e2238.member_2, _e2260), _e2317.member_2, _e2339), _e2396.member_2, _e2418), _e2475.member_2, _e2497)));
+phi_4669_ = type_34(select(_e2424, _e2492, _e2501), vec3<f32>(select(select(select(select(_e2174, _e2238.member, _e2264), _e2317.member, _e2343), _e2396.member, _e2422), _e2475.member, _e2501), select(select(select(select(_e2175, _e2238.member_1, _e2264), _e2317.member_1, _e2343), _e2396.member_1, _e2422), _e2475.member_1, _e2501), select(select(select(select(_e2176, _e2238.member_2, _e2264), _e2317.member_2, _e2343), _e2396.member_2, _e2422), _e2475.member_2, _e2501)), select(_e2428, _e2496, _e2502), vec3<f32>(select(select(select(select(_e2179, _e2238.member, _e2265), _e2317.member, _e2344), _e2396.member, _e2423), _e2475.member, _e2502), select(select(select(select(_e2180, _e2238.member_1, _e2265), _e2317.member_1, _e2344), _e2396.member_1, _e2423), _e2475.member_1, _e2502), select(select(select(select(_e2181, _e2238.member_2, _e2265), _e2317.member_2, _e2344), _e2396.member_2, _e2423), _e2475.member_2, _e2502)), select(_e2432, _e2468, _e2497), select(_e2434, _e2469, (_e2469 > _e2434)), vec3<f32>(select(select(select(select(_e2186, _e2238.member, _e2260), _e2317.member, _e2339), _e2396.member, _e2418), _e2475.member, _e2497), select(select(select(select(_e2187, _e2238.member_1, _e2260), _e2317.member_1, _e2339), _e2396.member_1, _e2418), _e2475.member_1, _e2497), select(select(select(select(_e2188, _e2238.member_2, _e2260), _e2317.member_2, _e2339), _e2396.member_2, _e2418), _e2475.member_2, _e2497)));
 }
-let _e2522 = phi_4667_;
+let _e2522 = phi_4669_;
 if ((_e2522.member_4 > -(0.015625f)) && (_e2522.member_4 < 0.015625f)) {
-phi_4680_ = (_e461[16] != 0f);
+phi_4682_ = (_e461[16] != 0f);
 } else {
-phi_4680_ = (_e2522.member_4 < 0f);
+phi_4682_ = (_e2522.member_4 < 0f);
 }
-let _e2531 = phi_4680_;
+let _e2531 = phi_4682_;
 let _e2532 = select(1f, _e1814, _e2531);
 let _e2534 = select(1f, _e2532, (_e1136 && _e2531));
 let _e2535 = (_e461[3] * _e2534);
 let _e2536 = (_e461[4] * _e2534);
 let _e2537 = (_e461[5] * _e2534);
 if _e2531 {
-phi_4710_ = type_39(_e2522.member_2, _e2522.member_3);
+phi_4712_ = type_39(_e2522.member_2, _e2522.member_3);
 } else {
-phi_4710_ = type_39(_e2522.member, _e2522.member_1);
+phi_4712_ = type_39(_e2522.member, _e2522.member_1);
 }
-let _e2546 = phi_4710_;
+let _e2546 = phi_4712_;
 if _e2531 {
-phi_4722_ = (_e2522.member_2 <= 1f);
+phi_4724_ = (_e2522.member_2 <= 1f);
 } else {
-phi_4722_ = ((_e2522.member <= 1f) && (_e2522.member < _e2522.member_2));
+phi_4724_ = ((_e2522.member <= 1f) && (_e2522.member < _e2522.member_2));
 }
-let _e2554 = phi_4722_;
+let _e2554 = phi_4724_;
 let _e2557 = select(1f, _e2546.member, _e2554);
 let _e2561 = (_e490 + (_e1815 * _e2557));
 let _e2562 = (_e492 + (_e1816 * _e2557));
@@ -1239,11 +1241,11 @@ let _e3114 = global_2.member[bitcast<u32>(select(0i, _e3109, (_e3109 > 0i)))];
 let _e3115 = bitcast<f32>(_e3114);
 let _e3121 = ((_e3107 + (f32(bitcast<i32>((_e3082 >> bitcast<u32>(12u)))) * _e3115)) + ((f32((bitcast<i32>((_e3082 & 4095u)) - 2048i)) * _e3098) * (_e3059 - f32(_e3074))));
 if _e2531 {
-phi_5934_ = type_31(_e3121, 1f);
+phi_5936_ = type_31(_e3121, 1f);
 } else {
-phi_5934_ = type_31(1f, _e3121);
+phi_5936_ = type_31(1f, _e3121);
 }
-let _e3125 = phi_5934_;
+let _e3125 = phi_5936_;
 let _e3130 = ((_e3125.member_1 * _e3125.member_1) - (_e3125.member * _e3125.member));
 let _e3138 = (((_e2546.member_1.x * _e2546.member_1.x) + (_e2546.member_1.y * _e2546.member_1.y)) + (_e2546.member_1.z * _e2546.member_1.z));
 let _e3141 = sqrt(select(0f, _e3138, (_e3138 > 0f)));
@@ -1260,7 +1262,7 @@ let _e3165 = (_e3130 == 0f);
 let _e3177 = select(_e2535, select((_e2535 + (_e3145 * _e3164)), _e2535, _e3165), _e2554);
 let _e3178 = select(_e2536, select((_e2536 + (_e3146 * _e3164)), _e2536, _e3165), _e2554);
 let _e3179 = select(_e2537, select((_e2537 + (_e3147 * _e3164)), _e2537, _e3165), _e2554);
-let _e3184 = global_5.member[_e457].member_5.member_4;
+let _e3184 = global_5.member[_e457].member_7.member_4;
 let _e3185 = (_e3184 * _e3184);
 let _e3189 = (_e3179 * _e3179);
 let _e3193 = (_e2554 && (_e3125.member != _e3125.member_1));
@@ -1379,16 +1381,16 @@ let _e3470 = select(select(select(select(select(select(0f, _e1928.member, _e3251
 let _e3471 = select(select(select(select(select(select(0f, _e1928.member_1, _e3251), _e1928.member_1, _e3291), _e1937.member_1, _e3331), _e1937.member_1, _e3371), _e1946.member_1, _e3411), _e1946.member_1, _e3451);
 let _e3472 = select(select(select(select(select(select(1f, _e1928.member_2, _e3251), _e1928.member_2, _e3291), _e1937.member_2, _e3331), _e1937.member_2, _e3371), _e1946.member_2, _e3411), _e1946.member_2, _e3451);
 if _e2192 {
-phi_7457_ = type_34(_e3457, vec3<f32>(_e3458, _e3459, _e3460), _e3462, vec3<f32>(_e3463, _e3464, _e3465), _e3467, _e3469, vec3<f32>(_e3470, _e3471, _e3472));
+phi_7459_ = type_34(_e3457, vec3<f32>(_e3458, _e3459, _e3460), _e3462, vec3<f32>(_e3463, _e3464, _e3465), _e3467, _e3469, vec3<f32>(_e3470, _e3471, _e3472));
 } else {
 let _e3479 = (((_e1928.member * _e1928.member) + (_e1928.member_1 * _e1928.member_1)) + (_e1928.member_2 * _e1928.member_2));
 let _e3482 = sqrt(select(0f, _e3479, (_e3479 > 0f)));
-let _e3487 = global_5.member[_e457].member_14.member_1;
+let _e3487 = global_5.member[_e457].member_16.member_1;
 let _e3488 = (_e3487 != 0u);
-let _e3493 = global_5.member[_e457].member_14.member;
+let _e3493 = global_5.member[_e457].member_16.member;
 let _e3513 = select(-1e6f, (((((_e3493.member.member * _e2561) + (_e3493.member.member_1 * _e2562)) + (_e3493.member.member_2 * _e2563)) + _e3493.member_1) * _e3482), _e3488);
 let _e3514 = select(-1e6f, (((((_e3493.member.member * _e3207) + (_e3493.member.member_1 * _e3208)) + (_e3493.member.member_2 * _e3209)) + _e3493.member_1) * _e3482), _e3488);
-let _e3520 = global_5.member[_e457].member_14.member.member;
+let _e3520 = global_5.member[_e457].member_16.member.member;
 let _e3524 = -(_e3513);
 let _e3527 = (_e3513 - _e3514);
 let _e3528 = (_e3514 - _e3513);
@@ -1403,12 +1405,12 @@ let _e3548 = select(_e3457, _e3537, _e3546);
 let _e3552 = select(_e3462, _e3541, _e3547);
 let _e3556 = select(_e3467, _e3513, _e3542);
 let _e3558 = select(_e3469, _e3514, (_e3514 > _e3469));
-let _e3566 = global_5.member[_e457].member_15.member_1;
+let _e3566 = global_5.member[_e457].member_17.member_1;
 let _e3567 = (_e3566 != 0u);
-let _e3572 = global_5.member[_e457].member_15.member;
+let _e3572 = global_5.member[_e457].member_17.member;
 let _e3592 = select(-1e6f, (((((_e3572.member.member * _e2561) + (_e3572.member.member_1 * _e2562)) + (_e3572.member.member_2 * _e2563)) + _e3572.member_1) * _e3482), _e3567);
 let _e3593 = select(-1e6f, (((((_e3572.member.member * _e3207) + (_e3572.member.member_1 * _e3208)) + (_e3572.member.member_2 * _e3209)) + _e3572.member_1) * _e3482), _e3567);
-let _e3599 = global_5.member[_e457].member_15.member.member;
+let _e3599 = global_5.member[_e457].member_17.member.member;
 let _e3603 = -(_e3592);
 let _e3606 = (_e3592 - _e3593);
 let _e3607 = (_e3593 - _e3592);
@@ -1423,12 +1425,12 @@ let _e3627 = select(_e3548, _e3616, _e3625);
 let _e3631 = select(_e3552, _e3620, _e3626);
 let _e3635 = select(_e3556, _e3592, _e3621);
 let _e3637 = select(_e3558, _e3593, (_e3593 > _e3558));
-let _e3645 = global_5.member[_e457].member_16.member_1;
+let _e3645 = global_5.member[_e457].member_18.member_1;
 let _e3646 = (_e3645 != 0u);
-let _e3651 = global_5.member[_e457].member_16.member;
+let _e3651 = global_5.member[_e457].member_18.member;
 let _e3671 = select(-1e6f, (((((_e3651.member.member * _e2561) + (_e3651.member.member_1 * _e2562)) + (_e3651.member.member_2 * _e2563)) + _e3651.member_1) * _e3482), _e3646);
 let _e3672 = select(-1e6f, (((((_e3651.member.member * _e3207) + (_e3651.member.member_1 * _e3208)) + (_e3651.member.member_2 * _e3209)) + _e3651.member_1) * _e3482), _e3646);
-let _e3678 = global_5.member[_e457].member_16.member.member;
+let _e3678 = global_5.member[_e457].member_18.member.member;
 let _e3682 = -(_e3671);
 let _e3685 = (_e3671 - _e3672);
 let _e3686 = (_e3672 - _e3671);
@@ -1443,12 +1445,12 @@ let _e3706 = select(_e3627, _e3695, _e3704);
 let _e3710 = select(_e3631, _e3699, _e3705);
 let _e3714 = select(_e3635, _e3671, _e3700);
 let _e3716 = select(_e3637, _e3672, (_e3672 > _e3637));
-let _e3724 = global_5.member[_e457].member_17.member_1;
+let _e3724 = global_5.member[_e457].member_19.member_1;
 let _e3725 = (_e3724 != 0u);
-let _e3730 = global_5.member[_e457].member_17.member;
+let _e3730 = global_5.member[_e457].member_19.member;
 let _e3750 = select(-1e6f, (((((_e3730.member.member * _e2561) + (_e3730.member.member_1 * _e2562)) + (_e3730.member.member_2 * _e2563)) + _e3730.member_1) * _e3482), _e3725);
 let _e3751 = select(-1e6f, (((((_e3730.member.member * _e3207) + (_e3730.member.member_1 * _e3208)) + (_e3730.member.member_2 * _e3209)) + _e3730.member_1) * _e3482), _e3725);
-let _e3757 = global_5.member[_e457].member_17.member.member;
+let _e3757 = global_5.member[_e457].member_19.member.member;
 let _e3761 = -(_e3750);
 let _e3764 = (_e3750 - _e3751);
 let _e3765 = (_e3751 - _e3750);
@@ -1459,9 +1461,9 @@ let _e3778 = select(2f, select(0f, _e3770, (_e3750 < 0f)), (_e3751 > 0f));
 let _e3779 = (_e3750 > _e3714);
 let _e3783 = ((_e3774 > _e3706) || ((_e3774 == _e3706) && _e3779));
 let _e3784 = (_e3778 < _e3710);
-phi_7457_ = type_34(select(_e3706, _e3774, _e3783), vec3<f32>(select(select(select(select(_e3458, _e3520.member, _e3546), _e3599.member, _e3625), _e3678.member, _e3704), _e3757.member, _e3783), select(select(select(select(_e3459, _e3520.member_1, _e3546), _e3599.member_1, _e3625), _e3678.member_1, _e3704), _e3757.member_1, _e3783), select(select(select(select(_e3460, _e3520.member_2, _e3546), _e3599.member_2, _e3625), _e3678.member_2, _e3704), _e3757.member_2, _e3783)), select(_e3710, _e3778, _e3784), vec3<f32>(select(select(select(select(_e3463, _e3520.member, _e3547), _e3599.member, _e3626), _e3678.member, _e3705), _e3757.member, _e3784), select(select(select(select(_e3464, _e3520.member_1, _e3547), _e3599.member_1, _e3626), _e3678.member_1, _e3705), _e3757.member_1, _e3784), select(select(select(select(_e3465, _e3520.member_2, _e3547), _e3599.member_2, _e3626), _e3678.member_2, _e3705), _e3757.member_2, _e3784)), select(_e3714, _e3750, _e3779), select(_e3716, _e3751, (_e3751 > _e3716)), vec3<f32>(select(select(select(select(_e3470, _e3520.member, _e3542), _e3599.member, _e3621), _e3678.member, _e3700), _e3757.member, _e3779), select(select(select(select(_e3471, _e3520.member_1, _e3542), _e3599.member_1, _e3621), _e3678.member_1, _e3700), _e3757.member_1, _e3779), select(select(select(select(_e3472, _e3520.member_2, _e3542), _e3599.member_2, _e3621), _e3678.member_2, _e3700), _e3757.member_2, _e3779)));
+phi_7459_ = type_34(select(_e3706, _e3774, _e3783), vec3<f32>(select(select(select(select(_e3458, _e3520.member, _e3546), _e3599.member, _e3625), _e3678.member, _e3704), _e3757.member, _e3783), select(select(select(select(_e3459, _e3520.member_1, _e3546), _e3599.member_1, _e3625), _e3678.member_1, _e3704), _e3757.member_1, _e3783), select(select(select(select(_e3460, _e3520.member_2, _e3546), _e3599.member_2, _e3625), _e3678.member_2, _e3704), _e3757.member_2, _e3783)), select(_e3710, _e3778, _e3784), vec3<f32>(select(select(select(select(_e3463, _e3520.member, _e3547), _e3599.member, _e3626), _e3678.member, _e3705), _e3757.member, _e3784), select(select(select(select(_e3464, _e3520.member_1, _e3547), _e3599.member_1, _e3626), _e3678.member_1, _e3705), _e3757.member_1, _e3784), select(select(select(select(_e3465, _e3520.member_2, _e3547), _e3599.member_2, _e3626), _e3678.member_2, _e3705), _e3757.member_2, _e3784)), select(_e3714, _e3750, _e3779), select(_e3716, _e3751, (_e3751 > _e3716)), vec3<f32>(select(select(select(select(_e3470, _e3520.member, _e3542), _e3599.member, _e3621), _e3678.member, _e3700), _e3757.member, _e3779), select(select(select(select(_e3471, _e3520.member_1, _e3542), _e3599.member_1, _e3621), _e3678.member_1, _e3700), _e3757.member_1, _e3779), select(select(select(select(_e3472, _e3520.member_2, _e3542), _e3599.member_2, _e3621), _e3678.member_2, _e3700), _e3757.member_2, _e3779)));
 }
-let _e3804 = phi_7457_;
+let _e3804 = phi_7459_;
 let _e3810 = (((_e2554 && _e3212) && !(_e3197)) && (_e3804.member_2 <= 1f));
 let _e3814 = (_e3209 - _e2563);
 let _e3815 = select(1f, _e3804.member_2, _e3810);
@@ -1599,11 +1601,11 @@ let _e4238 = select(_e2933, _e4236, (_e4236 < _e2933));
 let _e4243 = global_2.member[bitcast<u32>(select(0i, _e4238, (_e4238 > 0i)))];
 let _e4258 = ((_e3107 + (f32(bitcast<i32>((_e4243 >> bitcast<u32>(12u)))) * _e3115)) + ((f32((bitcast<i32>((_e4243 & 4095u)) - 2048i)) * _e3098) * (_e4220 - f32(_e4235))));
 if _e3212 {
-phi_8701_ = type_31(_e4258, 1f);
+phi_8703_ = type_31(_e4258, 1f);
 } else {
-phi_8701_ = type_31(1f, _e4258);
+phi_8703_ = type_31(1f, _e4258);
 }
-let _e4262 = phi_8701_;
+let _e4262 = phi_8703_;
 let _e4267 = ((_e4262.member_1 * _e4262.member_1) - (_e4262.member * _e4262.member));
 let _e4275 = (((_e3804.member_3.x * _e3804.member_3.x) + (_e3804.member_3.y * _e3804.member_3.y)) + (_e3804.member_3.z * _e3804.member_3.z));
 let _e4278 = sqrt(select(0f, _e4275, (_e4275 > 0f)));
@@ -1740,16 +1742,16 @@ let _e4623 = select(select(select(select(select(select(0f, _e1928.member, _e4404
 let _e4624 = select(select(select(select(select(select(0f, _e1928.member_1, _e4404), _e1928.member_1, _e4444), _e1937.member_1, _e4484), _e1937.member_1, _e4524), _e1946.member_1, _e4564), _e1946.member_1, _e4604);
 let _e4625 = select(select(select(select(select(select(1f, _e1928.member_2, _e4404), _e1928.member_2, _e4444), _e1937.member_2, _e4484), _e1937.member_2, _e4524), _e1946.member_2, _e4564), _e1946.member_2, _e4604);
 if _e2192 {
-phi_10239_ = type_34(_e4610, vec3<f32>(_e4611, _e4612, _e4613), _e4615, vec3<f32>(_e4616, _e4617, _e4618), _e4620, _e4622, vec3<f32>(_e4623, _e4624, _e4625));
+phi_10241_ = type_34(_e4610, vec3<f32>(_e4611, _e4612, _e4613), _e4615, vec3<f32>(_e4616, _e4617, _e4618), _e4620, _e4622, vec3<f32>(_e4623, _e4624, _e4625));
 } else {
 let _e4632 = (((_e1928.member * _e1928.member) + (_e1928.member_1 * _e1928.member_1)) + (_e1928.member_2 * _e1928.member_2));
 let _e4635 = sqrt(select(0f, _e4632, (_e4632 > 0f)));
-let _e4640 = global_5.member[_e457].member_14.member_1;
+let _e4640 = global_5.member[_e457].member_16.member_1;
 let _e4641 = (_e4640 != 0u);
-let _e4646 = global_5.member[_e457].member_14.member;
+let _e4646 = global_5.member[_e457].member_16.member;
 let _e4666 = select(-1e6f, (((((_e4646.member.member * _e3823.x) + (_e4646.member.member_1 * _e3823.y)) + (_e4646.member.member_2 * _e3823.z)) + _e4646.member_1) * _e4635), _e4641);
 let _e4667 = select(-1e6f, (((((_e4646.member.member * _e4339) + (_e4646.member.member_1 * _e4340)) + (_e4646.member.member_2 * _e4341)) + _e4646.member_1) * _e4635), _e4641);
-let _e4673 = global_5.member[_e457].member_14.member.member;
+let _e4673 = global_5.member[_e457].member_16.member.member;
 let _e4677 = -(_e4666);
 let _e4680 = (_e4666 - _e4667);
 let _e4681 = (_e4667 - _e4666);
@@ -1764,12 +1766,12 @@ let _e4701 = select(_e4610, _e4690, _e4699);
 let _e4705 = select(_e4615, _e4694, _e4700);
 let _e4709 = select(_e4620, _e4666, _e4695);
 let _e4711 = select(_e4622, _e4667, (_e4667 > _e4622));
-let _e4719 = global_5.member[_e457].member_15.member_1;
+let _e4719 = global_5.member[_e457].member_17.member_1;
 let _e4720 = (_e4719 != 0u);
-let _e4725 = global_5.member[_e457].member_15.member;
+let _e4725 = global_5.member[_e457].member_17.member;
 let _e4745 = select(-1e6f, (((((_e4725.member.member * _e3823.x) + (_e4725.member.member_1 * _e3823.y)) + (_e4725.member.member_2 * _e3823.z)) + _e4725.member_1) * _e4635), _e4720);
 let _e4746 = select(-1e6f, (((((_e4725.member.member * _e4339) + (_e4725.member.member_1 * _e4340)) + (_e4725.member.member_2 * _e4341)) + _e4725.member_1) * _e4635), _e4720);
-let _e4752 = global_5.member[_e457].member_15.member.member;
+let _e4752 = global_5.member[_e457].member_17.member.member;
 let _e4756 = -(_e4745);
 let _e4759 = (_e4745 - _e4746);
 let _e4760 = (_e4746 - _e4745);
@@ -1784,12 +1786,12 @@ let _e4780 = select(_e4701, _e4769, _e4778);
 let _e4784 = select(_e4705, _e4773, _e4779);
 let _e4788 = select(_e4709, _e4745, _e4774);
 let _e4790 = select(_e4711, _e4746, (_e4746 > _e4711));
-let _e4798 = global_5.member[_e457].member_16.member_1;
+let _e4798 = global_5.member[_e457].member_18.member_1;
 let _e4799 = (_e4798 != 0u);
-let _e4804 = global_5.member[_e457].member_16.member;
+let _e4804 = global_5.member[_e457].member_18.member;
 let _e4824 = select(-1e6f, (((((_e4804.member.member * _e3823.x) + (_e4804.member.member_1 * _e3823.y)) + (_e4804.member.member_2 * _e3823.z)) + _e4804.member_1) * _e4635), _e4799);
 let _e4825 = select(-1e6f, (((((_e4804.member.member * _e4339) + (_e4804.member.member_1 * _e4340)) + (_e4804.member.member_2 * _e4341)) + _e4804.member_1) * _e4635), _e4799);
-let _e4831 = global_5.member[_e457].member_16.member.member;
+let _e4831 = global_5.member[_e457].member_18.member.member;
 let _e4835 = -(_e4824);
 let _e4838 = (_e4824 - _e4825);
 let _e4839 = (_e4825 - _e4824);
@@ -1804,12 +1806,12 @@ let _e4859 = select(_e4780, _e4848, _e4857);
 let _e4863 = select(_e4784, _e4852, _e4858);
 let _e4867 = select(_e4788, _e4824, _e4853);
 let _e4869 = select(_e4790, _e4825, (_e4825 > _e4790));
-let _e4877 = global_5.member[_e457].member_17.member_1;
+let _e4877 = global_5.member[_e457].member_19.member_1;
 let _e4878 = (_e4877 != 0u);
-let _e4883 = global_5.member[_e457].member_17.member;
+let _e4883 = global_5.member[_e457].member_19.member;
 let _e4903 = select(-1e6f, (((((_e4883.member.member * _e3823.x) + (_e4883.member.member_1 * _e3823.y)) + (_e4883.member.member_2 * _e3823.z)) + _e4883.member_1) * _e4635), _e4878);
 let _e4904 = select(-1e6f, (((((_e4883.member.member * _e4339) + (_e4883.member.member_1 * _e4340)) + (_e4883.member.member_2 * _e4341)) + _e4883.member_1) * _e4635), _e4878);
-let _e4910 = global_5.member[_e457].member_17.member.member;
+let _e4910 = global_5.member[_e457].member_19.member.member;
 let _e4914 = -(_e4903);
 let _e4917 = (_e4903 - _e4904);
 let _e4918 = (_e4904 - _e4903);
@@ -1820,9 +1822,9 @@ let _e4931 = select(2f, select(0f, _e4923, (_e4903 < 0f)), (_e4904 > 0f));
 let _e4932 = (_e4903 > _e4867);
 let _e4936 = ((_e4927 > _e4859) || ((_e4927 == _e4859) && _e4932));
 let _e4937 = (_e4931 < _e4863);
-phi_10239_ = type_34(select(_e4859, _e4927, _e4936), vec3<f32>(select(select(select(select(_e4611, _e4673.member, _e4699), _e4752.member, _e4778), _e4831.member, _e4857), _e4910.member, _e4936), select(select(select(select(_e4612, _e4673.member_1, _e4699), _e4752.member_1, _e4778), _e4831.member_1, _e4857), _e4910.member_1, _e4936), select(select(select(select(_e4613, _e4673.member_2, _e4699), _e4752.member_2, _e4778), _e4831.member_2, _e4857), _e4910.member_2, _e4936)), select(_e4863, _e4931, _e4937), vec3<f32>(select(select(select(select(_e4616, _e4673.member, _e4700), _e4752.member, _e4779), _e4831.member, _e4858), _e4910.member, _e4937), select(select(select(select(_e4617, _e4673.member_1, _e4700), _e4752.member_1, _e4779), _e4831.member_1, _e4858), _e4910.member_1, _e4937), select(select(select(select(_e4618, _e4673.member_2, _e4700), _e4752.member_2, _e4779), _e4831.member_2, _e4858), _e4910.member_2, _e4937)), select(_e4867, _e4903, _e4932), select(_e4869, _e4904, (_e4904 > _e4869)), vec3<f32>(select(select(select(select(_e4623, _e4673.member, _e4695), _e4752.member, _e4774), _e4831.member, _e4853), _e4910.member, _e4932), select(select(select(select(_e4624, _e4673.member_1, _e4695), _e4752.member_1, _e4774), _e4831.member_1, _e4853), _e4910.member_1, _e4932), select(select(select(select(_e4625, _e4673.member_2, _e4695), _e4752.member_2, _e4774), _e4831.member_2, _e4853), _e4910.member_2, _e4932)));
+phi_10241_ = type_34(select(_e4859, _e4927, _e4936), vec3<f32>(select(select(select(select(_e4611, _e4673.member, _e4699), _e4752.member, _e4778), _e4831.member, _e4857), _e4910.member, _e4936), select(select(select(select(_e4612, _e4673.member_1, _e4699), _e4752.member_1, _e4778), _e4831.member_1, _e4857), _e4910.member_1, _e4936), select(select(select(select(_e4613, _e4673.member_2, _e4699), _e4752.member_2, _e4778), _e4831.member_2, _e4857), _e4910.member_2, _e4936)), select(_e4863, _e4931, _e4937), vec3<f32>(select(select(select(select(_e4616, _e4673.member, _e4700), _e4752.member, _e4779), _e4831.member, _e4858), _e4910.member, _e4937), select(select(select(select(_e4617, _e4673.member_1, _e4700), _e4752.member_1, _e4779), _e4831.member_1, _e4858), _e4910.member_1, _e4937), select(select(select(select(_e4618, _e4673.member_2, _e4700), _e4752.member_2, _e4779), _e4831.member_2, _e4858), _e4910.member_2, _e4937)), select(_e4867, _e4903, _e4932), select(_e4869, _e4904, (_e4904 > _e4869)), vec3<f32>(select(select(select(select(_e4623, _e4673.member, _e4695), _e4752.member, _e4774), _e4831.member, _e4853), _e4910.member, _e4932), select(select(select(select(_e4624, _e4673.member_1, _e4695), _e4752.member_1, _e4774), _e4831.member_1, _e4853), _e4910.member_1, _e4932), select(select(select(select(_e4625, _e4673.member_2, _e4695), _e4752.member_2, _e4774), _e4831.member_2, _e4853), _e4910.member_2, _e4932)));
 }
-let _e4957 = phi_10239_;
+let _e4957 = phi_10241_;
 let _e4963 = (((_e3810 && _e4344) && !(_e4328)) && (_e4957.member_2 <= 1f));
 let _e4968 = select(1f, _e4957.member_2, _e4963);
 let _e4969 = ((_e4339 - _e3823.x) * _e4968);
@@ -1959,11 +1961,11 @@ let _e5391 = select(_e2933, _e5389, (_e5389 < _e2933));
 let _e5396 = global_2.member[bitcast<u32>(select(0i, _e5391, (_e5391 > 0i)))];
 let _e5411 = ((_e3107 + (f32(bitcast<i32>((_e5396 >> bitcast<u32>(12u)))) * _e3115)) + ((f32((bitcast<i32>((_e5396 & 4095u)) - 2048i)) * _e3098) * (_e5373 - f32(_e5388))));
 if _e4344 {
-phi_11483_ = type_31(_e5411, 1f);
+phi_11485_ = type_31(_e5411, 1f);
 } else {
-phi_11483_ = type_31(1f, _e5411);
+phi_11485_ = type_31(1f, _e5411);
 }
-let _e5415 = phi_11483_;
+let _e5415 = phi_11485_;
 let _e5420 = ((_e5415.member_1 * _e5415.member_1) - (_e5415.member * _e5415.member));
 let _e5428 = (((_e4957.member_3.x * _e4957.member_3.x) + (_e4957.member_3.y * _e4957.member_3.y)) + (_e4957.member_3.z * _e4957.member_3.z));
 let _e5431 = sqrt(select(0f, _e5428, (_e5428 > 0f)));
@@ -2100,16 +2102,16 @@ let _e5777 = select(select(select(select(select(select(0f, _e1928.member, _e5558
 let _e5778 = select(select(select(select(select(select(0f, _e1928.member_1, _e5558), _e1928.member_1, _e5598), _e1937.member_1, _e5638), _e1937.member_1, _e5678), _e1946.member_1, _e5718), _e1946.member_1, _e5758);
 let _e5779 = select(select(select(select(select(select(1f, _e1928.member_2, _e5558), _e1928.member_2, _e5598), _e1937.member_2, _e5638), _e1937.member_2, _e5678), _e1946.member_2, _e5718), _e1946.member_2, _e5758);
 if _e2192 {
-phi_13021_ = type_34(_e5764, vec3<f32>(_e5765, _e5766, _e5767), _e5769, vec3<f32>(_e5770, _e5771, _e5772), _e5774, _e5776, vec3<f32>(_e5777, _e5778, _e5779));
+phi_13023_ = type_34(_e5764, vec3<f32>(_e5765, _e5766, _e5767), _e5769, vec3<f32>(_e5770, _e5771, _e5772), _e5774, _e5776, vec3<f32>(_e5777, _e5778, _e5779));
 } else {
 let _e5786 = (((_e1928.member * _e1928.member) + (_e1928.member_1 * _e1928.member_1)) + (_e1928.member_2 * _e1928.member_2));
 let _e5789 = sqrt(select(0f, _e5786, (_e5786 > 0f)));
-let _e5794 = global_5.member[_e457].member_14.member_1;
+let _e5794 = global_5.member[_e457].member_16.member_1;
 let _e5795 = (_e5794 != 0u);
-let _e5800 = global_5.member[_e457].member_14.member;
+let _e5800 = global_5.member[_e457].member_16.member;
 let _e5820 = select(-1e6f, (((((_e5800.member.member * _e4976.x) + (_e5800.member.member_1 * _e4976.y)) + (_e5800.member.member_2 * _e4976.z)) + _e5800.member_1) * _e5789), _e5795);
 let _e5821 = select(-1e6f, (((((_e5800.member.member * _e5493) + (_e5800.member.member_1 * _e5494)) + (_e5800.member.member_2 * _e5495)) + _e5800.member_1) * _e5789), _e5795);
-let _e5827 = global_5.member[_e457].member_14.member.member;
+let _e5827 = global_5.member[_e457].member_16.member.member;
 let _e5831 = -(_e5820);
 let _e5834 = (_e5820 - _e5821);
 let _e5835 = (_e5821 - _e5820);
@@ -2124,12 +2126,12 @@ let _e5855 = select(_e5764, _e5844, _e5853);
 let _e5859 = select(_e5769, _e5848, _e5854);
 let _e5863 = select(_e5774, _e5820, _e5849);
 let _e5865 = select(_e5776, _e5821, (_e5821 > _e5776));
-let _e5873 = global_5.member[_e457].member_15.member_1;
+let _e5873 = global_5.member[_e457].member_17.member_1;
 let _e5874 = (_e5873 != 0u);
-let _e5879 = global_5.member[_e457].member_15.member;
+let _e5879 = global_5.member[_e457].member_17.member;
 let _e5899 = select(-1e6f, (((((_e5879.member.member * _e4976.x) + (_e5879.member.member_1 * _e4976.y)) + (_e5879.member.member_2 * _e4976.z)) + _e5879.member_1) * _e5789), _e5874);
 let _e5900 = select(-1e6f, (((((_e5879.member.member * _e5493) + (_e5879.member.member_1 * _e5494)) + (_e5879.member.member_2 * _e5495)) + _e5879.member_1) * _e5789), _e5874);
-let _e5906 = global_5.member[_e457].member_15.member.member;
+let _e5906 = global_5.member[_e457].member_17.member.member;
 let _e5910 = -(_e5899);
 let _e5913 = (_e5899 - _e5900);
 let _e5914 = (_e5900 - _e5899);
@@ -2144,12 +2146,12 @@ let _e5934 = select(_e5855, _e5923, _e5932);
 let _e5938 = select(_e5859, _e5927, _e5933);
 let _e5942 = select(_e5863, _e5899, _e5928);
 let _e5944 = select(_e5865, _e5900, (_e5900 > _e5865));
-let _e5952 = global_5.member[_e457].member_16.member_1;
+let _e5952 = global_5.member[_e457].member_18.member_1;
 let _e5953 = (_e5952 != 0u);
-let _e5958 = global_5.member[_e457].member_16.member;
+let _e5958 = global_5.member[_e457].member_18.member;
 let _e5978 = select(-1e6f, (((((_e5958.member.member * _e4976.x) + (_e5958.member.member_1 * _e4976.y)) + (_e5958.member.member_2 * _e4976.z)) + _e5958.member_1) * _e5789), _e5953);
 let _e5979 = select(-1e6f, (((((_e5958.member.member * _e5493) + (_e5958.member.member_1 * _e5494)) + (_e5958.member.member_2 * _e5495)) + _e5958.member_1) * _e5789), _e5953);
-let _e5985 = global_5.member[_e457].member_16.member.member;
+let _e5985 = global_5.member[_e457].member_18.member.member;
 let _e5989 = -(_e5978);
 let _e5992 = (_e5978 - _e5979);
 let _e5993 = (_e5979 - _e5978);
@@ -2164,12 +2166,12 @@ let _e6013 = select(_e5934, _e6002, _e6011);
 let _e6017 = select(_e5938, _e6006, _e6012);
 let _e6021 = select(_e5942, _e5978, _e6007);
 let _e6023 = select(_e5944, _e5979, (_e5979 > _e5944));
-let _e6031 = global_5.member[_e457].member_17.member_1;
+let _e6031 = global_5.member[_e457].member_19.member_1;
 let _e6032 = (_e6031 != 0u);
-let _e6037 = global_5.member[_e457].member_17.member;
+let _e6037 = global_5.member[_e457].member_19.member;
 let _e6057 = select(-1e6f, (((((_e6037.member.member * _e4976.x) + (_e6037.member.member_1 * _e4976.y)) + (_e6037.member.member_2 * _e4976.z)) + _e6037.member_1) * _e5789), _e6032);
 let _e6058 = select(-1e6f, (((((_e6037.member.member * _e5493) + (_e6037.member.member_1 * _e5494)) + (_e6037.member.member_2 * _e5495)) + _e6037.member_1) * _e5789), _e6032);
-let _e6064 = global_5.member[_e457].member_17.member.member;
+let _e6064 = global_5.member[_e457].member_19.member.member;
 let _e6068 = -(_e6057);
 let _e6071 = (_e6057 - _e6058);
 let _e6072 = (_e6058 - _e6057);
@@ -2180,9 +2182,9 @@ let _e6085 = select(2f, select(0f, _e6077, (_e6057 < 0f)), (_e6058 > 0f));
 let _e6086 = (_e6057 > _e6021);
 let _e6090 = ((_e6081 > _e6013) || ((_e6081 == _e6013) && _e6086));
 let _e6091 = (_e6085 < _e6017);
-phi_13021_ = type_34(select(_e6013, _e6081, _e6090), vec3<f32>(select(select(select(select(_e5765, _e5827.member, _e5853), _e5906.member, _e5932), _e5985.member, _e6011), _e6064.member, _e6090), select(select(select(select(_e5766, _e5827.member_1, _e5853), _e5906.member_1, _e5932), _e5985.member_1, _e6011), _e6064.member_1, _e6090), select(select(select(select(_e5767, _e5827.member_2, _e5853), _e5906.member_2, _e5932), _e5985.member_2, _e6011), _e6064.member_2, _e6090)), select(_e6017, _e6085, _e6091), vec3<f32>(select(select(select(select(_e5770, _e5827.member, _e5854), _e5906.member, _e5933), _e5985.member, _e6012), _e6064.member, _e6091), select(select(select(select(_e5771, _e5827.member_1, _e5854), _e5906.member_1, _e5933), _e5985.member_1, _e6012), _e6064.member_1, _e6091), select(select(select(select(_e5772, _e5827.member_2, _e5854), _e5906.member_2, _e5933), _e5985.member_2, _e6012), _e6064.member_2, _e6091)), select(_e6021, _e6057, _e6086), select(_e6023, _e6058, (_e6058 > _e6023)), vec3<f32>(select(select(select(select(_e5777, _e5827.member, _e5849), _e5906.member, _e5928), _e5985.member, _e6007), _e6064.member, _e6086), select(select(select(select(_e5778, _e5827.member_1, _e5849), _e5906.member_1, _e5928), _e5985.member_1, _e6007), _e6064.member_1, _e6086), select(select(select(select(_e5779, _e5827.member_2, _e5849), _e5906.member_2, _e5928), _e5985.member_2, _e6007), _e6064.member_2, _e6086)));
+phi_13023_ = type_34(select(_e6013, _e6081, _e6090), vec3<f32>(select(select(select(select(_e5765, _e5827.member, _e5853), _e5906.member, _e5932), _e5985.member, _e6011), _e6064.member, _e6090), select(select(select(select(_e5766, _e5827.member_1, _e5853), _e5906.member_1, _e5932), _e5985.member_1, _e6011), _e6064.member_1, _e6090), select(select(select(select(_e5767, _e5827.member_2, _e5853), _e5906.member_2, _e5932), _e5985.member_2, _e6011), _e6064.member_2, _e6090)), select(_e6017, _e6085, _e6091), vec3<f32>(select(select(select(select(_e5770, _e5827.member, _e5854), _e5906.member, _e5933), _e5985.member, _e6012), _e6064.member, _e6091), select(select(select(select(_e5771, _e5827.member_1, _e5854), _e5906.member_1, _e5933), _e5985.member_1, _e6012), _e6064.member_1, _e6091), select(select(select(select(_e5772, _e5827.member_2, _e5854), _e5906.member_2, _e5933), _e5985.member_2, _e6012), _e6064.member_2, _e6091)), select(_e6021, _e6057, _e6086), select(_e6023, _e6058, (_e6058 > _e6023)), vec3<f32>(select(select(select(select(_e5777, _e5827.member, _e5849), _e5906.member, _e5928), _e5985.member, _e6007), _e6064.member, _e6086), select(select(select(select(_e5778, _e5827.member_1, _e5849), _e5906.member_1, _e5928), _e5985.member_1, _e6007), _e6064.member_1, _e6086), select(select(select(select(_e5779, _e5827.member_2, _e5849), _e5906.member_2, _e5928), _e5985.member_2, _e6007), _e6064.member_2, _e6086)));
 }
-let _e6111 = phi_13021_;
+let _e6111 = phi_13023_;
 let _e6117 = (((_e4963 && _e5498) && !(_e5482)) && (_e6111.member_2 <= 1f));
 let _e6118 = (_e2561 - _e490);
 let _e6119 = (_e2562 - _e492);
@@ -2346,25 +2348,25 @@ let _e6526 = select(_e6485, _e6457, (_e6457 > _e6485));
 let _e6529 = (select(_e6520, _e6522, (_e6522 < _e6520)) - select(_e6513, _e6526, (_e6526 > _e6513)));
 let _e6536 = ((_e3193 || _e4324) || _e5478);
 if _e3193 {
-phi_14769_ = _e3125;
+phi_14771_ = _e3125;
 } else {
-phi_14769_ = _e4262;
+phi_14771_ = _e4262;
 }
-let _e6557 = phi_14769_;
-phi_14782_ = type_38(_e6557, vec3<f32>(select(_e5493, _e4976.x, _e6117), select(_e5494, _e4976.y, _e6117), select(_e5495, _e4976.z, _e6117)), vec3<f32>(_e5467, _e5468, _e5469), select(_e1913, ((((sqrt(select(0f, _e6125, (_e6125 > 0f))) * select(0f, _e6206, (_e6206 > 0f))) + (sqrt(select(0f, _e6217, (_e6217 > 0f))) * select(0f, _e6313, (_e6313 > 0f)))) + (sqrt(select(0f, _e6325, (_e6325 > 0f))) * select(0f, _e6421, (_e6421 > 0f)))) + select(0f, (sqrt(select(0f, _e6433, (_e6433 > 0f))) * select(0f, _e6529, (_e6529 > 0f))), _e4963)), _e6536), select((_e480 / _e5469), (2f * (_e3814 / _e3179)), (((_e2554 && !(_e2531)) && _e3212) && !(_e3810))), select(_e3804.member_3, _e2546.member_1, vec3(_e3193)), _e5498, _e6536, (((_e3197 || _e4328) || _e5482) || _e6117));
-phi_14783_ = vec3<f32>(_e2535, _e2536, _e2537);
-phi_14784_ = _e2531;
-phi_14785_ = _e2532;
+let _e6557 = phi_14771_;
+phi_14784_ = type_38(_e6557, vec3<f32>(select(_e5493, _e4976.x, _e6117), select(_e5494, _e4976.y, _e6117), select(_e5495, _e4976.z, _e6117)), vec3<f32>(_e5467, _e5468, _e5469), select(_e1913, ((((sqrt(select(0f, _e6125, (_e6125 > 0f))) * select(0f, _e6206, (_e6206 > 0f))) + (sqrt(select(0f, _e6217, (_e6217 > 0f))) * select(0f, _e6313, (_e6313 > 0f)))) + (sqrt(select(0f, _e6325, (_e6325 > 0f))) * select(0f, _e6421, (_e6421 > 0f)))) + select(0f, (sqrt(select(0f, _e6433, (_e6433 > 0f))) * select(0f, _e6529, (_e6529 > 0f))), _e4963)), _e6536), select((_e480 / _e5469), (2f * (_e3814 / _e3179)), (((_e2554 && !(_e2531)) && _e3212) && !(_e3810))), select(_e3804.member_3, _e2546.member_1, vec3(_e3193)), _e5498, _e6536, (((_e3197 || _e4328) || _e5482) || _e6117));
+phi_14785_ = vec3<f32>(_e2535, _e2536, _e2537);
+phi_14786_ = _e2531;
+phi_14787_ = _e2532;
 } else {
-phi_14782_ = type_38(_e1826.member, _e1826.member_1, _e1826.member_2, _e1913, _e1826.member_4, _e1826.member_5, _e1826.member_6, _e1826.member_7, _e1826.member_8);
-phi_14783_ = _e1149;
-phi_14784_ = true;
-phi_14785_ = _e1814;
+phi_14784_ = type_38(_e1826.member, _e1826.member_1, _e1826.member_2, _e1913, _e1826.member_4, _e1826.member_5, _e1826.member_6, _e1826.member_7, _e1826.member_8);
+phi_14785_ = _e1149;
+phi_14786_ = true;
+phi_14787_ = _e1814;
 }
-let _e6560 = phi_14782_;
-let _e6562 = phi_14783_;
-let _e6564 = phi_14784_;
-let _e6566 = phi_14785_;
+let _e6560 = phi_14784_;
+let _e6562 = phi_14785_;
+let _e6564 = phi_14786_;
+let _e6566 = phi_14787_;
 let _e6577 = ((((_e559.member.member * _e6560.member_1.x) + (_e559.member.member_1 * _e6560.member_1.y)) + (_e559.member.member_2 * _e6560.member_1.z)) + _e559.member_1);
 let _e6583 = ((((_e575.member.member * _e6560.member_1.x) + (_e575.member.member_1 * _e6560.member_1.y)) + (_e575.member.member_2 * _e6560.member_1.z)) + _e575.member_1);
 let _e6589 = ((((_e591.member.member * _e6560.member_1.x) + (_e591.member.member_1 * _e6560.member_1.y)) + (_e591.member.member_2 * _e6560.member_1.z)) + _e591.member_1);
@@ -2794,7 +2796,7 @@ if _e835 {
 let _e8721 = ((0.5f * (_e8012 - _e8006)) * _e8270);
 let _e8722 = ((0.5f * (_e8024 - _e8018)) * _e8270);
 let _e8723 = ((0.5f * (_e8036 - _e8030)) * _e8270);
-phi_20498_ = type_32(_e8232, vec3<f32>(_e8721, _e8722, _e8723), vec3<f32>((_e8721 * _e8232), (_e8722 * _e8232), (_e8723 * _e8232)));
+phi_20500_ = type_32(_e8232, vec3<f32>(_e8721, _e8722, _e8723), vec3<f32>((_e8721 * _e8232), (_e8722 * _e8232), (_e8723 * _e8232)));
 } else {
 local_18 = _e8006;
 let _e8271 = local_18;
@@ -2943,23 +2945,23 @@ let _e8696 = ((_e8217 + (f32(bitcast<i32>((_e8681 >> bitcast<u32>(12u)))) * _e82
 let _e8697 = (_e8412 - _e8341);
 let _e8699 = (_e8554 - _e8483);
 let _e8701 = (_e8696 - _e8625);
-phi_20498_ = type_32(_e8232, vec3<f32>((0.5f * _e8697), (0.5f * _e8699), (0.5f * _e8701)), vec3<f32>((0.25f * (_e8697 * (_e8412 + _e8341))), (0.25f * (_e8699 * (_e8554 + _e8483))), (0.25f * (_e8701 * (_e8696 + _e8625)))));
+phi_20500_ = type_32(_e8232, vec3<f32>((0.5f * _e8697), (0.5f * _e8699), (0.5f * _e8701)), vec3<f32>((0.25f * (_e8697 * (_e8412 + _e8341))), (0.25f * (_e8699 * (_e8554 + _e8483))), (0.25f * (_e8701 * (_e8696 + _e8625)))));
 }
-let _e8731 = phi_20498_;
+let _e8731 = phi_20500_;
 let _e8746 = select(0f, 1f, ((((((_e6577 >= -0.5f) && (_e6577 <= _e632)) && (_e6583 >= -0.5f)) && (_e6583 <= _e643)) && (_e6589 >= -0.5f)) && (_e6589 <= _e654)));
 let _e8748 = (0.5f * (_e8012 - _e8006));
 let _e8750 = (0.5f * (_e8024 - _e8018));
 let _e8752 = (0.5f * (_e8036 - _e8030));
-let _e8759 = global_5.member[_e457].member_6.member.member.member;
-let _e8766 = global_5.member[_e457].member_6.member.member.member_1;
-let _e8773 = global_5.member[_e457].member_6.member.member.member_2;
-let _e8780 = global_5.member[_e457].member_6.member_1.member.member;
-let _e8787 = global_5.member[_e457].member_6.member_1.member.member_1;
-let _e8794 = global_5.member[_e457].member_6.member_1.member.member_2;
-let _e8801 = global_5.member[_e457].member_6.member_2.member.member;
-let _e8808 = global_5.member[_e457].member_6.member_2.member.member_1;
-let _e8815 = global_5.member[_e457].member_6.member_2.member.member_2;
-phi_21277_ = type_33(_e8000, vec3<f32>(((((_e8759 * _e8748) + (_e8780 * _e8750)) + (_e8801 * _e8752)) * _e8746), ((((_e8766 * _e8748) + (_e8787 * _e8750)) + (_e8808 * _e8752)) * _e8746), ((((_e8773 * _e8748) + (_e8794 * _e8750)) + (_e8815 * _e8752)) * _e8746)), _e8731.member, vec3<f32>(((((_e8759 * _e8731.member_2.x) + (_e8780 * _e8731.member_2.y)) + (_e8801 * _e8731.member_2.z)) * _e8746), ((((_e8766 * _e8731.member_2.x) + (_e8787 * _e8731.member_2.y)) + (_e8808 * _e8731.member_2.z)) * _e8746), ((((_e8773 * _e8731.member_2.x) + (_e8794 * _e8731.member_2.y)) + (_e8815 * _e8731.member_2.z)) * _e8746)), vec3<f32>(((((_e8759 * _e8731.member_1.x) + (_e8780 * _e8731.member_1.y)) + (_e8801 * _e8731.member_1.z)) * _e8746), ((((_e8766 * _e8731.member_1.x) + (_e8787 * _e8731.member_1.y)) + (_e8808 * _e8731.member_1.z)) * _e8746), ((((_e8773 * _e8731.member_1.x) + (_e8794 * _e8731.member_1.y)) + (_e8815 * _e8731.member_1.z)) * _e8746)));
+let _e8759 = global_5.member[_e457].member_8.member.member.member;
+let _e8766 = global_5.member[_e457].member_8.member.member.member_1;
+let _e8773 = global_5.member[_e457].member_8.member.member.member_2;
+let _e8780 = global_5.member[_e457].member_8.member_1.member.member;
+let _e8787 = global_5.member[_e457].member_8.member_1.member.member_1;
+let _e8794 = global_5.member[_e457].member_8.member_1.member.member_2;
+let _e8801 = global_5.member[_e457].member_8.member_2.member.member;
+let _e8808 = global_5.member[_e457].member_8.member_2.member.member_1;
+let _e8815 = global_5.member[_e457].member_8.member_2.member.member_2;
+phi_21279_ = type_33(_e8000, vec3<f32>(((((_e8759 * _e8748) + (_e8780 * _e8750)) + (_e8801 * _e8752)) * _e8746), ((((_e8766 * _e8748) + (_e8787 * _e8750)) + (_e8808 * _e8752)) * _e8746), ((((_e8773 * _e8748) + (_e8794 * _e8750)) + (_e8815 * _e8752)) * _e8746)), _e8731.member, vec3<f32>(((((_e8759 * _e8731.member_2.x) + (_e8780 * _e8731.member_2.y)) + (_e8801 * _e8731.member_2.z)) * _e8746), ((((_e8766 * _e8731.member_2.x) + (_e8787 * _e8731.member_2.y)) + (_e8808 * _e8731.member_2.z)) * _e8746), ((((_e8773 * _e8731.member_2.x) + (_e8794 * _e8731.member_2.y)) + (_e8815 * _e8731.member_2.z)) * _e8746)), vec3<f32>(((((_e8759 * _e8731.member_1.x) + (_e8780 * _e8731.member_1.y)) + (_e8801 * _e8731.member_1.z)) * _e8746), ((((_e8766 * _e8731.member_1.x) + (_e8787 * _e8731.member_1.y)) + (_e8808 * _e8731.member_1.z)) * _e8746), ((((_e8773 * _e8731.member_1.x) + (_e8794 * _e8731.member_1.y)) + (_e8815 * _e8731.member_1.z)) * _e8746)));
 } else {
 let _e6591 = select(-0.5f, _e6577, (_e6577 > -0.5f));
 let _e6593 = select(_e632, _e6591, (_e6591 < _e632));
@@ -3060,15 +3062,15 @@ let _e6922 = local_7[1u];
 let _e6927 = local_7[2u];
 let _e6932 = (((_e6819 + (((_e6870 + (((_e6910 + ((f32(bitcast<i32>(((_e6903 >> bitcast<u32>((_e6911 & 31u))) & 65535u))) - _e6910) * _e6918)) - _e6870) * _e6922)) - _e6819) * _e6927)) - _e1602) * _e1607);
 let _e6934 = select(_e1610, _e6932, (_e6932 > _e1610));
-phi_21277_ = type_33(select(1e9f, _e6934, (_e6934 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21279_ = type_33(select(1e9f, _e6934, (_e6934 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8881 = phi_21277_;
+let _e8881 = phi_21279_;
 let _e8884 = select(1f, select(1f, _e1217, (_e1217 < 1f)), _e554);
 let _e8886 = ((_e797 & 16u) == 0u);
 if _e8886 {
-phi_21690_ = type_7(1f, 1f, 1f);
+phi_21692_ = type_7(1f, 1f, 1f);
 } else {
-let _e8891 = global_5.member[_e457].member_14.member;
+let _e8891 = global_5.member[_e457].member_16.member;
 let _e8902 = ((((_e8891.member.member * _e490) + (_e8891.member.member_1 * _e492)) + (_e8891.member.member_2 * _e486)) + _e8891.member_1);
 let _e8908 = ((((_e8891.member.member * _e6560.member_1.x) + (_e8891.member.member_1 * _e6560.member_1.y)) + (_e8891.member.member_2 * _e6560.member_1.z)) + _e8891.member_1);
 let _e8910 = select(_e8908, _e8902, (_e8902 < _e8908));
@@ -3077,9 +3079,9 @@ let _e8914 = (_e8912 - _e8910);
 let _e8917 = (-(_e8910) / select(1e-30f, _e8914, (_e8914 > 1e-30f)));
 let _e8919 = select(0f, _e8917, (_e8917 > 0f));
 let _e8925 = select(select(select(1f, _e8919, (_e8919 < 1f)), 1f, (_e8912 <= 0f)), 0f, (_e8910 > 0f));
-let _e8931 = global_5.member[_e457].member_14.member_1;
+let _e8931 = global_5.member[_e457].member_16.member_1;
 let _e8932 = (_e8931 != 0u);
-let _e8943 = global_5.member[_e457].member_15.member;
+let _e8943 = global_5.member[_e457].member_17.member;
 let _e8954 = ((((_e8943.member.member * _e490) + (_e8943.member.member_1 * _e492)) + (_e8943.member.member_2 * _e486)) + _e8943.member_1);
 let _e8960 = ((((_e8943.member.member * _e6560.member_1.x) + (_e8943.member.member_1 * _e6560.member_1.y)) + (_e8943.member.member_2 * _e6560.member_1.z)) + _e8943.member_1);
 let _e8962 = select(_e8960, _e8954, (_e8954 < _e8960));
@@ -3088,9 +3090,9 @@ let _e8966 = (_e8964 - _e8962);
 let _e8969 = (-(_e8962) / select(1e-30f, _e8966, (_e8966 > 1e-30f)));
 let _e8971 = select(0f, _e8969, (_e8969 > 0f));
 let _e8977 = select(select(select(1f, _e8971, (_e8971 < 1f)), 1f, (_e8964 <= 0f)), 0f, (_e8962 > 0f));
-let _e8983 = global_5.member[_e457].member_15.member_1;
+let _e8983 = global_5.member[_e457].member_17.member_1;
 let _e8984 = (_e8983 != 0u);
-let _e8995 = global_5.member[_e457].member_16.member;
+let _e8995 = global_5.member[_e457].member_18.member;
 let _e9006 = ((((_e8995.member.member * _e490) + (_e8995.member.member_1 * _e492)) + (_e8995.member.member_2 * _e486)) + _e8995.member_1);
 let _e9012 = ((((_e8995.member.member * _e6560.member_1.x) + (_e8995.member.member_1 * _e6560.member_1.y)) + (_e8995.member.member_2 * _e6560.member_1.z)) + _e8995.member_1);
 let _e9014 = select(_e9012, _e9006, (_e9006 < _e9012));
@@ -3099,9 +3101,9 @@ let _e9018 = (_e9016 - _e9014);
 let _e9021 = (-(_e9014) / select(1e-30f, _e9018, (_e9018 > 1e-30f)));
 let _e9023 = select(0f, _e9021, (_e9021 > 0f));
 let _e9029 = select(select(select(1f, _e9023, (_e9023 < 1f)), 1f, (_e9016 <= 0f)), 0f, (_e9014 > 0f));
-let _e9035 = global_5.member[_e457].member_16.member_1;
+let _e9035 = global_5.member[_e457].member_18.member_1;
 let _e9036 = (_e9035 != 0u);
-let _e9047 = global_5.member[_e457].member_17.member;
+let _e9047 = global_5.member[_e457].member_19.member;
 let _e9058 = ((((_e9047.member.member * _e490) + (_e9047.member.member_1 * _e492)) + (_e9047.member.member_2 * _e486)) + _e9047.member_1);
 let _e9064 = ((((_e9047.member.member * _e6560.member_1.x) + (_e9047.member.member_1 * _e6560.member_1.y)) + (_e9047.member.member_2 * _e6560.member_1.z)) + _e9047.member_1);
 let _e9066 = select(_e9064, _e9058, (_e9058 < _e9064));
@@ -3110,12 +3112,12 @@ let _e9070 = (_e9068 - _e9066);
 let _e9073 = (-(_e9066) / select(1e-30f, _e9070, (_e9070 > 1e-30f)));
 let _e9075 = select(0f, _e9073, (_e9073 > 0f));
 let _e9081 = select(select(select(1f, _e9075, (_e9075 < 1f)), 1f, (_e9068 <= 0f)), 0f, (_e9066 > 0f));
-let _e9087 = global_5.member[_e457].member_17.member_1;
+let _e9087 = global_5.member[_e457].member_19.member_1;
 let _e9088 = (_e9087 != 0u);
-phi_21690_ = type_7(((((1f * _e8925) * _e8977) * _e9029) * _e9081), ((((1f * select(1f, _e8925, _e8932)) * select(1f, _e8977, _e8984)) * select(1f, _e9029, _e9036)) * select(1f, _e9081, _e9088)), ((((1f * select(1f, 0f, (_e8932 && (_e8908 > 0f)))) * select(1f, 0f, (_e8984 && (_e8960 > 0f)))) * select(1f, 0f, (_e9036 && (_e9012 > 0f)))) * select(1f, 0f, (_e9088 && (_e9064 > 0f)))));
+phi_21692_ = type_7(((((1f * _e8925) * _e8977) * _e9029) * _e9081), ((((1f * select(1f, _e8925, _e8932)) * select(1f, _e8977, _e8984)) * select(1f, _e9029, _e9036)) * select(1f, _e9081, _e9088)), ((((1f * select(1f, 0f, (_e8932 && (_e8908 > 0f)))) * select(1f, 0f, (_e8984 && (_e8960 > 0f)))) * select(1f, 0f, (_e9036 && (_e9012 > 0f)))) * select(1f, 0f, (_e9088 && (_e9064 > 0f)))));
 }
-let _e9097 = phi_21690_;
-let _e9104 = global_5.member[_e457].member_5.member_3;
+let _e9097 = phi_21692_;
+let _e9104 = global_5.member[_e457].member_7.member_3;
 let _e9105 = ((_e6560.member_3 * _e8884) * _e9104);
 let _e9106 = (_e466.member_2 == 3u);
 let _e9109 = ((_e9106 || (_e466.member_2 == 4u)) || _e829);
@@ -3326,7 +3328,7 @@ let _e10996 = ((_e10974 - (_e10992 * 0.6933594f)) - (_e10992 * -2.1219444e-4f));
 let _e11016 = ((1f + (_e10996 * (1f + (_e10996 * (0.5f + (_e10996 * (0.16666667f + (_e10996 * (0.041666668f + (_e10996 * (0.008333334f + (_e10996 * (0.001388889f + (_e10996 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10991 + 127i)) << bitcast<u32>(23i))));
 let _e11017 = (1f - _e11016);
 let _e11020 = (_e11017 / select(1e-12f, _e10966, (_e10966 > 1e-12f)));
-phi_25855_ = type_40(_e11016, _e11017, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10727 + (((_e10732 + (((bitcast<f32>(((_e10698 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10732) * _e10660)) - _e10727) * _e10658)) * _e10662) + (((bitcast<f32>(((_e10706 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10647) + ((bitcast<f32>(((_e10714 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10653))) * _e11020), ((((_e10783 + (((_e10788 + (((bitcast<f32>((((_e10698 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10788) * _e10660)) - _e10783) * _e10658)) * _e10662) + (((bitcast<f32>((((_e10706 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10647) + ((bitcast<f32>((((_e10714 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10653))) * _e11020), ((((_e10879 + (((_e10884 + (((bitcast<f32>(((_e10850 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10884) * _e10660)) - _e10879) * _e10658)) * _e10662) + (((bitcast<f32>(((_e10858 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10647) + ((bitcast<f32>(((_e10866 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10653))) * _e11020)));
+phi_25857_ = type_40(_e11016, _e11017, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10727 + (((_e10732 + (((bitcast<f32>(((_e10698 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10732) * _e10660)) - _e10727) * _e10658)) * _e10662) + (((bitcast<f32>(((_e10706 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10647) + ((bitcast<f32>(((_e10714 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10653))) * _e11020), ((((_e10783 + (((_e10788 + (((bitcast<f32>((((_e10698 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10788) * _e10660)) - _e10783) * _e10658)) * _e10662) + (((bitcast<f32>((((_e10706 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10647) + ((bitcast<f32>((((_e10714 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10653))) * _e11020), ((((_e10879 + (((_e10884 + (((bitcast<f32>(((_e10850 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10884) * _e10660)) - _e10879) * _e10658)) * _e10662) + (((bitcast<f32>(((_e10858 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10647) + ((bitcast<f32>(((_e10866 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10653))) * _e11020)));
 } else {
 local_3 = _e1615;
 let _e9111 = local_3;
@@ -3605,9 +3607,9 @@ let _e10235 = ((_e10213 - (_e10231 * 0.6933594f)) - (_e10231 * -2.1219444e-4f));
 let _e10255 = ((1f + (_e10235 * (1f + (_e10235 * (0.5f + (_e10235 * (0.16666667f + (_e10235 * (0.041666668f + (_e10235 * (0.008333334f + (_e10235 * (0.001388889f + (_e10235 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10230 + 127i)) << bitcast<u32>(23i))));
 let _e10256 = (1f - _e10255);
 let _e10259 = (_e10256 / select(1e-12f, _e9602, (_e9602 > 1e-12f)));
-phi_25855_ = type_40(_e10255, _e10256, vec3<f32>(((1f + (_e10090 * (1f + (_e10090 * (0.5f + (_e10090 * (0.16666667f + (_e10090 * (0.041666668f + (_e10090 * (0.008333334f + (_e10090 * (0.001388889f + (_e10090 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10085 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10138 * (1f + (_e10138 * (0.5f + (_e10138 * (0.16666667f + (_e10138 * (0.041666668f + (_e10138 * (0.008333334f + (_e10138 * (0.001388889f + (_e10138 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10133 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10186 * (1f + (_e10186 * (0.5f + (_e10186 * (0.16666667f + (_e10186 * (0.041666668f + (_e10186 * (0.008333334f + (_e10186 * (0.001388889f + (_e10186 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10181 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9875 + (((_e9880 + (((bitcast<f32>(((_e9846 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9880) * _e9505)) - _e9875) * _e9503)) * _e9507) + (((bitcast<f32>(((_e9854 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9492) + ((bitcast<f32>(((_e9862 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9498))) * _e10259), ((((_e9931 + (((_e9936 + (((bitcast<f32>((((_e9846 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9936) * _e9505)) - _e9931) * _e9503)) * _e9507) + (((bitcast<f32>((((_e9854 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9492) + ((bitcast<f32>((((_e9862 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9498))) * _e10259), ((((_e10027 + (((_e10032 + (((bitcast<f32>(((_e9998 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10032) * _e9505)) - _e10027) * _e9503)) * _e9507) + (((bitcast<f32>(((_e10006 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9492) + ((bitcast<f32>(((_e10014 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9498))) * _e10259)));
+phi_25857_ = type_40(_e10255, _e10256, vec3<f32>(((1f + (_e10090 * (1f + (_e10090 * (0.5f + (_e10090 * (0.16666667f + (_e10090 * (0.041666668f + (_e10090 * (0.008333334f + (_e10090 * (0.001388889f + (_e10090 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10085 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10138 * (1f + (_e10138 * (0.5f + (_e10138 * (0.16666667f + (_e10138 * (0.041666668f + (_e10138 * (0.008333334f + (_e10138 * (0.001388889f + (_e10138 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10133 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10186 * (1f + (_e10186 * (0.5f + (_e10186 * (0.16666667f + (_e10186 * (0.041666668f + (_e10186 * (0.008333334f + (_e10186 * (0.001388889f + (_e10186 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10181 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9875 + (((_e9880 + (((bitcast<f32>(((_e9846 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9880) * _e9505)) - _e9875) * _e9503)) * _e9507) + (((bitcast<f32>(((_e9854 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9492) + ((bitcast<f32>(((_e9862 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9498))) * _e10259), ((((_e9931 + (((_e9936 + (((bitcast<f32>((((_e9846 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9936) * _e9505)) - _e9931) * _e9503)) * _e9507) + (((bitcast<f32>((((_e9854 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9492) + ((bitcast<f32>((((_e9862 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9498))) * _e10259), ((((_e10027 + (((_e10032 + (((bitcast<f32>(((_e9998 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10032) * _e9505)) - _e10027) * _e9503)) * _e9507) + (((bitcast<f32>(((_e10006 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9492) + ((bitcast<f32>(((_e10014 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9498))) * _e10259)));
 }
-let _e11027 = phi_25855_;
+let _e11027 = phi_25857_;
 let _e11028 = (_e6560.member_1.x - _e490);
 let _e11029 = (_e6560.member_1.y - _e492);
 let _e11030 = (_e6560.member_1.z - _e486);
@@ -3616,55 +3618,55 @@ let _e11035 = (_e490 + (_e11028 * _e11031));
 let _e11036 = (_e492 + (_e11029 * _e11031));
 let _e11037 = (_e486 + (_e11030 * _e11031));
 if _e9106 {
-let _e12722 = global_5.member[_e457].member_10.member_3;
+let _e12722 = global_5.member[_e457].member_12.member_3;
 let _e12723 = (_e12722 == 0u);
 if _e12723 {
-let _e12952 = global_5.member[_e457].member_9.member_1;
-let _e12961 = global_5.member[_e457].member_9.member;
-phi_26125_ = type_35(vec3<f32>(_e12952.member, _e12952.member_1, _e12952.member_2), vec3<f32>(_e12961.member, _e12961.member_1, _e12961.member_2));
+let _e12952 = global_5.member[_e457].member_11.member_1;
+let _e12961 = global_5.member[_e457].member_11.member;
+phi_26127_ = type_35(vec3<f32>(_e12952.member, _e12952.member_1, _e12952.member_2), vec3<f32>(_e12961.member, _e12961.member_1, _e12961.member_2));
 } else {
-let _e12728 = global_5.member[_e457].member_10.member;
+let _e12728 = global_5.member[_e457].member_12.member;
 let _e12739 = ((((_e12728.member.member * _e11035) + (_e12728.member.member_1 * _e11036)) + (_e12728.member.member_2 * _e11037)) + _e12728.member_1);
-let _e12744 = global_5.member[_e457].member_10.member_1;
+let _e12744 = global_5.member[_e457].member_12.member_1;
 let _e12755 = ((((_e12744.member.member * _e11035) + (_e12744.member.member_1 * _e11036)) + (_e12744.member.member_2 * _e11037)) + _e12744.member_1);
-let _e12760 = global_5.member[_e457].member_10.member_2;
+let _e12760 = global_5.member[_e457].member_12.member_2;
 let _e12771 = ((((_e12760.member.member * _e11035) + (_e12760.member.member_1 * _e11036)) + (_e12760.member.member_2 * _e11037)) + _e12760.member_1);
-let _e12776 = global_5.member[_e457].member_9.member_1;
+let _e12776 = global_5.member[_e457].member_11.member_1;
 if _e12723 {
-phi_25969_ = 1f;
+phi_25971_ = 1f;
 } else {
-let _e12784 = global_5.member[_e457].member_10.member_19;
+let _e12784 = global_5.member[_e457].member_12.member_19;
 let _e12788 = (_e12739 - _e12784.member);
 let _e12789 = (_e12755 - _e12784.member_1);
 let _e12790 = (_e12771 - _e12784.member_2);
 let _e12795 = (((_e12788 * _e12788) + (_e12789 * _e12789)) + (_e12790 * _e12790));
-phi_25969_ = (1f / select(1e-12f, _e12795, (_e12795 > 1e-12f)));
+phi_25971_ = (1f / select(1e-12f, _e12795, (_e12795 > 1e-12f)));
 }
-let _e12800 = phi_25969_;
+let _e12800 = phi_25971_;
 if _e12723 {
-phi_26053_ = 1f;
+phi_26055_ = 1f;
 } else {
-let _e12805 = global_5.member[_e457].member_10.member_19;
+let _e12805 = global_5.member[_e457].member_12.member_19;
 let _e12809 = (_e12739 - _e12805.member);
 let _e12810 = (_e12755 - _e12805.member_1);
 let _e12811 = (_e12771 - _e12805.member_2);
-let _e12817 = global_5.member[_e457].member_10.member_20.member;
+let _e12817 = global_5.member[_e457].member_12.member_20.member;
 let _e12825 = (((_e12817.member * _e12809) + (_e12817.member_1 * _e12810)) + (_e12817.member_2 * _e12811));
 let _e12829 = (_e12809 - (_e12817.member * _e12825));
 let _e12830 = (_e12810 - (_e12817.member_1 * _e12825));
 let _e12831 = (_e12811 - (_e12817.member_2 * _e12825));
 let _e12836 = (((_e12829 * _e12829) + (_e12830 * _e12830)) + (_e12831 * _e12831));
-let _e12848 = global_5.member[_e457].member_10.member_20.member_1;
-let _e12855 = global_5.member[_e457].member_10.member_20.member_2;
+let _e12848 = global_5.member[_e457].member_12.member_20.member_1;
+let _e12855 = global_5.member[_e457].member_12.member_20.member_2;
 let _e12856 = ((_e12848 - (sqrt(select(0f, _e12836, (_e12836 > 0f))) / select(1e-20f, _e12825, (_e12825 > 1e-20f)))) * _e12855);
 let _e12858 = select(0f, _e12856, (_e12856 > 0f));
 let _e12860 = select(1f, _e12858, (_e12858 < 1f));
-phi_26053_ = select(1f, select(0f, ((_e12860 * _e12860) * (3f - (2f * _e12860))), (_e12825 > 0f)), (_e12855 > 0f));
+phi_26055_ = select(1f, select(0f, ((_e12860 * _e12860) * (3f - (2f * _e12860))), (_e12825 > 0f)), (_e12855 > 0f));
 }
-let _e12870 = phi_26053_;
+let _e12870 = phi_26055_;
 let _e12871 = (_e12800 * _e12870);
 let _e12876 = (_e12722 != 0u);
-let _e12881 = global_5.member[_e457].member_10.member_19;
+let _e12881 = global_5.member[_e457].member_12.member_19;
 let _e12885 = (_e12739 - _e12881.member);
 let _e12886 = (_e12755 - _e12881.member_1);
 let _e12887 = (_e12771 - _e12881.member_2);
@@ -3674,28 +3676,28 @@ let _e12898 = (1f / select(1e-20f, _e12895, (_e12895 > 1e-20f)));
 let _e12902 = select(0f, (_e12885 * _e12898), _e12876);
 let _e12903 = select(0f, (_e12886 * _e12898), _e12876);
 let _e12904 = select(1f, (_e12887 * _e12898), _e12876);
-let _e12910 = global_5.member[_e457].member_10.member.member;
-let _e12922 = global_5.member[_e457].member_10.member_1.member;
-let _e12937 = global_5.member[_e457].member_10.member_2.member;
-phi_26125_ = type_35(vec3<f32>((_e12776.member * _e12871), (_e12776.member_1 * _e12871), (_e12776.member_2 * _e12871)), (vec3<f32>(((_e12910.member * _e12902) + (_e12922.member * _e12903)), ((_e12910.member_1 * _e12902) + (_e12922.member_1 * _e12903)), ((_e12910.member_2 * _e12902) + (_e12922.member_2 * _e12903))) + vec3<f32>((_e12937.member * _e12904), (_e12937.member_1 * _e12904), (_e12937.member_2 * _e12904))));
+let _e12910 = global_5.member[_e457].member_12.member.member;
+let _e12922 = global_5.member[_e457].member_12.member_1.member;
+let _e12937 = global_5.member[_e457].member_12.member_2.member;
+phi_26127_ = type_35(vec3<f32>((_e12776.member * _e12871), (_e12776.member_1 * _e12871), (_e12776.member_2 * _e12871)), (vec3<f32>(((_e12910.member * _e12902) + (_e12922.member * _e12903)), ((_e12910.member_1 * _e12902) + (_e12922.member_1 * _e12903)), ((_e12910.member_2 * _e12902) + (_e12922.member_2 * _e12903))) + vec3<f32>((_e12937.member * _e12904), (_e12937.member_1 * _e12904), (_e12937.member_2 * _e12904))));
 }
-let _e12968 = phi_26125_;
-phi_28537_ = _e12968;
+let _e12968 = phi_26127_;
+phi_28539_ = _e12968;
 } else {
 if (_e466.member_2 >= 6u) {
-let _e12101 = global_5.member[_e457].member_8.member_8;
+let _e12101 = global_5.member[_e457].member_10.member_8;
 let _e12102 = (_e11037 - _e12101);
-let _e12107 = global_5.member[_e457].member_8.member_2;
-let _e12112 = global_5.member[_e457].member_8.member_6;
-let _e12120 = global_5.member[_e457].member_8.member_5;
+let _e12107 = global_5.member[_e457].member_10.member_2;
+let _e12112 = global_5.member[_e457].member_10.member_6;
+let _e12120 = global_5.member[_e457].member_10.member_5;
 let _e12122 = (((_e11035 - (_e12107 + (_e12112 * _e12102))) * _e12120) - 0.5f);
-let _e12127 = global_5.member[_e457].member_8.member_3;
-let _e12132 = global_5.member[_e457].member_8.member_7;
+let _e12127 = global_5.member[_e457].member_10.member_3;
+let _e12132 = global_5.member[_e457].member_10.member_7;
 let _e12137 = (((_e11036 - (_e12127 + (_e12132 * _e12102))) * _e12120) - 0.5f);
-let _e12142 = global_5.member[_e457].member_8.member;
+let _e12142 = global_5.member[_e457].member_10.member;
 let _e12143 = bitcast<i32>(_e12142);
 let _e12145 = (f32(_e12143) - 1f);
-let _e12150 = global_5.member[_e457].member_8.member_1;
+let _e12150 = global_5.member[_e457].member_10.member_1;
 let _e12153 = (f32(bitcast<i32>(_e12150)) - 1f);
 let _e12155 = select(0f, _e12122, (_e12122 > 0f));
 let _e12157 = select(_e12145, _e12155, (_e12155 < _e12145));
@@ -3708,7 +3710,7 @@ let _e12183 = (_e12179 - select(0i, 1i, (_e12172 < f32(_e12179))));
 let _e12187 = (_e12122 - f32(_e12168));
 let _e12189 = (_e12137 - f32(_e12183));
 let _e12196 = ((((_e12122 >= 0f) && (_e12122 <= _e12145)) && (_e12137 >= 0f)) && (_e12137 <= _e12153));
-let _e12200 = global_5.member[_e457].member_4;
+let _e12200 = global_5.member[_e457].member_6;
 let _e12201 = bitcast<i32>(_e12200);
 let _e12203 = bitcast<i32>((_e12142 * _e12150));
 let _e12205 = (_e12201 + (3i * _e12203));
@@ -3744,7 +3746,7 @@ let _e12297 = bitcast<u32>(bitcast<f32>(_e12295));
 let _e12307 = f32((bitcast<i32>(((_e12297 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12315 = (_e12222 + ((f32((bitcast<i32>((_e12244 & 65535u)) - 32768i)) - _e12222) * _e12187));
 let _e12324 = (_e12233 + ((select(_e12254, -(_e12254), ((_e12244 >> bitcast<u32>(31i)) != 0u)) - _e12233) * _e12187));
-let _e12337 = global_5.member[_e457].member_9.member;
+let _e12337 = global_5.member[_e457].member_11.member;
 let _e12340 = (1f / 16255f);
 let _e12342 = (_e12337.member + (select(0f, (_e12315 + (((_e12274 + ((f32((bitcast<i32>((_e12297 & 65535u)) - 32768i)) - _e12274) * _e12187)) - _e12315) * _e12189)), _e12196) * _e12340));
 let _e12344 = (_e12337.member_1 + (select(0f, (_e12324 + (((_e12285 + ((select(_e12307, -(_e12307), ((_e12297 >> bitcast<u32>(31i)) != 0u)) - _e12285) * _e12187)) - _e12324) * _e12189)), _e12196) * _e12340));
@@ -3784,7 +3786,7 @@ let _e12445 = select(_e12209, _e12443, (_e12443 < _e12209));
 let _e12451 = global_3.member[bitcast<u32>(select(0i, _e12445, (_e12445 > 0i)))];
 let _e12459 = select(1f, (_e12432 + (((_e12442 + ((bitcast<f32>(_e12451) - _e12442) * _e12400)) - _e12432) * _e12402)), _e12409);
 if _e9109 {
-phi_26870_ = vec3(_e12459);
+phi_26872_ = vec3(_e12459);
 } else {
 let _e12462 = ((_e12201 + _e12203) + _e12398);
 let _e12464 = select(_e12209, _e12462, (_e12462 < _e12209));
@@ -3816,9 +3818,9 @@ let _e12546 = bitcast<f32>(_e12545);
 let _e12547 = (_e12537 + 1i);
 let _e12549 = select(_e12209, _e12547, (_e12547 < _e12209));
 let _e12555 = global_3.member[bitcast<u32>(select(0i, _e12549, (_e12549 > 0i)))];
-phi_26870_ = vec3<f32>(_e12459, select(1f, (_e12484 + (((_e12494 + ((bitcast<f32>(_e12503) - _e12494) * _e12400)) - _e12484) * _e12402)), _e12409), select(1f, (_e12536 + (((_e12546 + ((bitcast<f32>(_e12555) - _e12546) * _e12400)) - _e12536) * _e12402)), _e12409));
+phi_26872_ = vec3<f32>(_e12459, select(1f, (_e12484 + (((_e12494 + ((bitcast<f32>(_e12503) - _e12494) * _e12400)) - _e12484) * _e12402)), _e12409), select(1f, (_e12536 + (((_e12546 + ((bitcast<f32>(_e12555) - _e12546) * _e12400)) - _e12536) * _e12402)), _e12409));
 }
-let _e12566 = phi_26870_;
+let _e12566 = phi_26872_;
 local = (_e12205 + _e12398);
 let _e12568 = local;
 let _e12570 = select(_e12209, _e12568, (_e12568 < _e12209));
@@ -3849,12 +3851,12 @@ let _e12655 = bitcast<u32>(bitcast<f32>(_e12653));
 let _e12665 = f32((bitcast<i32>(((_e12655 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12673 = (_e12581 + ((f32((bitcast<i32>((_e12603 & 65535u)) - 32768i)) - _e12581) * _e12400));
 let _e12682 = (_e12592 + ((select(_e12613, -(_e12613), ((_e12603 >> bitcast<u32>(31i)) != 0u)) - _e12592) * _e12400));
-let _e12695 = global_5.member[_e457].member_9.member_1;
+let _e12695 = global_5.member[_e457].member_11.member_1;
 let _e12702 = (_e12337.member + (select(0f, (_e12673 + (((_e12633 + ((f32((bitcast<i32>((_e12655 & 65535u)) - 32768i)) - _e12633) * _e12400)) - _e12673) * _e12402)), _e12409) * _e12340));
 let _e12704 = (_e12337.member_1 + (select(0f, (_e12682 + (((_e12644 + ((select(_e12665, -(_e12665), ((_e12655 >> bitcast<u32>(31i)) != 0u)) - _e12644) * _e12400)) - _e12682) * _e12402)), _e12409) * _e12340));
 let _e12708 = (1f - ((_e12702 * _e12702) + (_e12704 * _e12704)));
 let _e12710 = select(1e-4f, _e12708, (_e12708 > 1e-4f));
-phi_28536_ = type_35((_e12566 * vec3<f32>(_e12695.member, _e12695.member_1, _e12695.member_2)), vec3<f32>(_e12702, _e12704, sqrt(select(0f, _e12710, (_e12710 > 0f)))));
+phi_28538_ = type_35((_e12566 * vec3<f32>(_e12695.member, _e12695.member_1, _e12695.member_2)), vec3<f32>(_e12702, _e12704, sqrt(select(0f, _e12710, (_e12710 > 0f)))));
 } else {
 let _e11040 = (1f - _e11027.member);
 let _e11042 = select(1e-6f, _e11027.member, (_e11027.member > 1e-6f));
@@ -3869,25 +3871,25 @@ let _e11093 = (_e8884 * select(((1f / select(1e-3f, _e11080, (_e11080 > 1e-3f)))
 let _e11097 = (_e490 + (_e11028 * _e11093));
 let _e11098 = (_e492 + (_e11029 * _e11093));
 let _e11099 = (_e486 + (_e11030 * _e11093));
-let _e11104 = global_5.member[_e457].member_10.member;
+let _e11104 = global_5.member[_e457].member_12.member;
 let _e11115 = ((((_e11104.member.member * _e11097) + (_e11104.member.member_1 * _e11098)) + (_e11104.member.member_2 * _e11099)) + _e11104.member_1);
-let _e11120 = global_5.member[_e457].member_10.member_1;
+let _e11120 = global_5.member[_e457].member_12.member_1;
 let _e11131 = ((((_e11120.member.member * _e11097) + (_e11120.member.member_1 * _e11098)) + (_e11120.member.member_2 * _e11099)) + _e11120.member_1);
-let _e11136 = global_5.member[_e457].member_10.member_2;
+let _e11136 = global_5.member[_e457].member_12.member_2;
 let _e11147 = ((((_e11136.member.member * _e11097) + (_e11136.member.member_1 * _e11098)) + (_e11136.member.member_2 * _e11099)) + _e11136.member_1);
-let _e11152 = global_5.member[_e457].member_10.member_3;
+let _e11152 = global_5.member[_e457].member_12.member_3;
 let _e11153 = (_e11152 != 0u);
-let _e11163 = global_5.member[_e457].member_10.member_19.member_2;
+let _e11163 = global_5.member[_e457].member_12.member_19.member_2;
 let _e11165 = select(1f, (_e11147 - _e11163), _e11153);
 let _e11168 = (1f / select(1e-12f, _e11165, (_e11165 > 1e-12f)));
-let _e11174 = global_5.member[_e457].member_10.member_5;
-let _e11180 = global_5.member[_e457].member_10.member_8;
-let _e11187 = global_5.member[_e457].member_10.member_6;
-let _e11194 = global_5.member[_e457].member_10.member_11;
+let _e11174 = global_5.member[_e457].member_12.member_5;
+let _e11180 = global_5.member[_e457].member_12.member_8;
+let _e11187 = global_5.member[_e457].member_12.member_6;
+let _e11194 = global_5.member[_e457].member_12.member_11;
 let _e11195 = ((((_e11115 * _e11168) - _e11174) * _e11180) - _e11194);
 let _e11196 = ((((_e11131 * _e11168) - _e11187) * _e11180) - _e11194);
-let _e11201 = global_5.member[_e457].member_10.member_9;
-let _e11207 = global_5.member[_e457].member_10.member_10;
+let _e11201 = global_5.member[_e457].member_12.member_9;
+let _e11207 = global_5.member[_e457].member_12.member_10;
 let _e11208 = ((_e11147 - _e11201) * _e11207);
 let _e11209 = -(65536f);
 let _e11211 = select(_e11209, _e11195, (_e11195 > _e11209));
@@ -3906,17 +3908,17 @@ let _e11256 = (firstTrailingBit(8u) & 31u);
 let _e11258 = (_e11254 >> bitcast<u32>(_e11256));
 let _e11260 = (_e11224 >> bitcast<u32>(_e11256));
 let _e11262 = (_e11239 >> bitcast<u32>(_e11256));
-let _e11268 = global_5.member[_e457].member_10.member_14.member;
+let _e11268 = global_5.member[_e457].member_12.member_14.member;
 let _e11269 = bitcast<i32>(_e11268);
-let _e11275 = global_5.member[_e457].member_10.member_14.member_1;
+let _e11275 = global_5.member[_e457].member_12.member_14.member_1;
 let _e11276 = bitcast<i32>(_e11275);
-let _e11282 = global_5.member[_e457].member_10.member_14.member_2;
+let _e11282 = global_5.member[_e457].member_12.member_14.member_2;
 if ((((((_e11260 >= 0i) && (_e11260 < _e11269)) && (_e11262 >= 0i)) && (_e11262 < _e11276)) && (_e11258 >= 0i)) && (_e11258 < bitcast<i32>(_e11282))) {
-phi_27384_ = (((((_e11258 * _e11276) + _e11262) * _e11269) + _e11260) * 3i);
+phi_27386_ = (((((_e11258 * _e11276) + _e11262) * _e11269) + _e11260) * 3i);
 } else {
-phi_27384_ = -1i;
+phi_27386_ = -1i;
 }
-let _e11301 = phi_27384_;
+let _e11301 = phi_27386_;
 let _e11302 = (_e11301 + 1i);
 let _e11304 = (bitcast<i32>(_e231) - 1i);
 let _e11306 = select(_e11304, _e11302, (_e11302 < _e11304));
@@ -3924,7 +3926,7 @@ let _e11312 = global_3.member[bitcast<u32>(select(0i, _e11306, (_e11306 > 0i)))]
 let _e11314 = select(_e11304, _e11301, (_e11301 < _e11304));
 let _e11320 = global_3.member[bitcast<u32>(select(0i, _e11314, (_e11314 > 0i)))];
 let _e11323 = select(_e11312, 0u, (_e11301 < 0i));
-let _e11328 = global_5.member[_e457].member_10.member_13;
+let _e11328 = global_5.member[_e457].member_12.member_13;
 let _e11329 = (_e11323 * 81u);
 let _e11333 = bitcast<i32>((((_e11329 * _e11328) + 63u) & 4294967232u));
 let _e11341 = (((bitcast<i32>(_e11320) + ((_e11254 & 7i) * _e11333)) + ((_e11239 & 7i) * 9i)) + (_e11224 & 7i));
@@ -3965,9 +3967,9 @@ let _e11433 = select(_e11304, _e11431, (_e11431 < _e11304));
 let _e11439 = global_3.member[bitcast<u32>(select(0i, _e11433, (_e11433 > 0i)))];
 let _e11450 = select(1f, (_e11397 + (((_e11420 + (((_e11430 + ((bitcast<f32>(_e11439) - _e11430) * _e11344)) - _e11420) * _e11346)) - _e11397) * _e11348)), _e11349);
 if _e9109 {
-phi_27961_ = vec3(_e11450);
+phi_27963_ = vec3(_e11450);
 } else {
-let _e11456 = global_5.member[_e457].member_10.member_12;
+let _e11456 = global_5.member[_e457].member_12.member_12;
 let _e11457 = (_e11456 > 1u);
 let _e11461 = (_e11341 + (select(0i, 1i, _e11457) * _e11342));
 let _e11463 = select(_e11304, _e11461, (_e11461 < _e11304));
@@ -4031,10 +4033,10 @@ let _e11645 = bitcast<f32>(_e11644);
 let _e11646 = (_e11613 + 10i);
 let _e11648 = select(_e11304, _e11646, (_e11646 < _e11304));
 let _e11654 = global_3.member[bitcast<u32>(select(0i, _e11648, (_e11648 > 0i)))];
-phi_27961_ = vec3<f32>(_e11450, select(1f, (_e11509 + (((_e11532 + (((_e11542 + ((bitcast<f32>(_e11551) - _e11542) * _e11344)) - _e11532) * _e11346)) - _e11509) * _e11348)), _e11349), select(1f, (_e11612 + (((_e11635 + (((_e11645 + ((bitcast<f32>(_e11654) - _e11645) * _e11344)) - _e11635) * _e11346)) - _e11612) * _e11348)), _e11349));
+phi_27963_ = vec3<f32>(_e11450, select(1f, (_e11509 + (((_e11532 + (((_e11542 + ((bitcast<f32>(_e11551) - _e11542) * _e11344)) - _e11532) * _e11346)) - _e11509) * _e11348)), _e11349), select(1f, (_e11612 + (((_e11635 + (((_e11645 + ((bitcast<f32>(_e11654) - _e11645) * _e11344)) - _e11635) * _e11346)) - _e11612) * _e11348)), _e11349));
 }
-let _e11668 = phi_27961_;
-let _e11669 = global_5.member[_e457].member_10.member_19;
+let _e11668 = phi_27963_;
+let _e11669 = global_5.member[_e457].member_12.member_19;
 let _e11673 = (_e11115 - _e11669.member);
 let _e11674 = (_e11131 - _e11669.member_1);
 let _e11675 = (_e11147 - _e11669.member_2);
@@ -4102,46 +4104,46 @@ let _e11949 = (_e11690 + select(0f, ((_e11815 + (((_e11873 + (((_e11891 + ((f32(
 let _e11952 = (_e11691 + select(0f, ((_e11818 + (((_e11876 + (((_e11902 + ((select(_e11923, -(_e11923), ((_e11913 >> bitcast<u32>(31i)) != 0u)) - _e11902) * _e11344)) - _e11876) * _e11346)) - _e11818) * _e11348)) * 6.151953e-5f), _e11349));
 let _e11956 = (1f - ((_e11949 * _e11949) + (_e11952 * _e11952)));
 let _e11958 = select(1e-4f, _e11956, (_e11956 > 1e-4f));
-phi_28368_ = vec3<f32>(_e11949, _e11952, sqrt(select(0f, _e11958, (_e11958 > 0f))));
+phi_28370_ = vec3<f32>(_e11949, _e11952, sqrt(select(0f, _e11958, (_e11958 > 0f))));
 } else {
-phi_28368_ = vec3<f32>(_e11690, _e11691, select(1f, (_e11675 * _e11686), _e11153));
+phi_28370_ = vec3<f32>(_e11690, _e11691, select(1f, (_e11675 * _e11686), _e11153));
 }
-let _e11964 = phi_28368_;
+let _e11964 = phi_28370_;
 let _e11966 = (_e11152 == 0u);
 if _e11966 {
-phi_28462_ = 1f;
+phi_28464_ = 1f;
 } else {
-let _e11972 = global_5.member[_e457].member_10.member_20.member;
+let _e11972 = global_5.member[_e457].member_12.member_20.member;
 let _e11980 = (((_e11972.member * _e11673) + (_e11972.member_1 * _e11674)) + (_e11972.member_2 * _e11675));
 let _e11984 = (_e11673 - (_e11972.member * _e11980));
 let _e11985 = (_e11674 - (_e11972.member_1 * _e11980));
 let _e11986 = (_e11675 - (_e11972.member_2 * _e11980));
 let _e11991 = (((_e11984 * _e11984) + (_e11985 * _e11985)) + (_e11986 * _e11986));
-let _e12003 = global_5.member[_e457].member_10.member_20.member_1;
-let _e12010 = global_5.member[_e457].member_10.member_20.member_2;
+let _e12003 = global_5.member[_e457].member_12.member_20.member_1;
+let _e12010 = global_5.member[_e457].member_12.member_20.member_2;
 let _e12011 = ((_e12003 - (sqrt(select(0f, _e11991, (_e11991 > 0f))) / select(1e-20f, _e11980, (_e11980 > 1e-20f)))) * _e12010);
 let _e12013 = select(0f, _e12011, (_e12011 > 0f));
 let _e12015 = select(1f, _e12013, (_e12013 < 1f));
-phi_28462_ = select(1f, select(0f, ((_e12015 * _e12015) * (3f - (2f * _e12015))), (_e11980 > 0f)), (_e12010 > 0f));
+phi_28464_ = select(1f, select(0f, ((_e12015 * _e12015) * (3f - (2f * _e12015))), (_e11980 > 0f)), (_e12010 > 0f));
 }
-let _e12025 = phi_28462_;
-let _e12031 = global_5.member[_e457].member_9.member_1;
+let _e12025 = phi_28464_;
+let _e12031 = global_5.member[_e457].member_11.member_1;
 if _e11966 {
-phi_28504_ = 1f;
+phi_28506_ = 1f;
 } else {
-phi_28504_ = (1f / select(1e-12f, _e11680, (_e11680 > 1e-12f)));
+phi_28506_ = (1f / select(1e-12f, _e11680, (_e11680 > 1e-12f)));
 }
-let _e12045 = phi_28504_;
+let _e12045 = phi_28506_;
 let _e12046 = (_e12045 * select(_e12025, 1f, (_e836 && _e11349)));
-let _e12056 = global_5.member[_e457].member_10.member.member;
-let _e12069 = global_5.member[_e457].member_10.member_1.member;
-let _e12085 = global_5.member[_e457].member_10.member_2.member;
-phi_28536_ = type_35(vec3<f32>(((_e11668.x * _e12031.member) * _e12046), ((_e11668.y * _e12031.member_1) * _e12046), ((_e11668.z * _e12031.member_2) * _e12046)), (vec3<f32>(((_e12056.member * _e11964.x) + (_e12069.member * _e11964.y)), ((_e12056.member_1 * _e11964.x) + (_e12069.member_1 * _e11964.y)), ((_e12056.member_2 * _e11964.x) + (_e12069.member_2 * _e11964.y))) + vec3<f32>((_e12085.member * _e11964.z), (_e12085.member_1 * _e11964.z), (_e12085.member_2 * _e11964.z))));
+let _e12056 = global_5.member[_e457].member_12.member.member;
+let _e12069 = global_5.member[_e457].member_12.member_1.member;
+let _e12085 = global_5.member[_e457].member_12.member_2.member;
+phi_28538_ = type_35(vec3<f32>(((_e11668.x * _e12031.member) * _e12046), ((_e11668.y * _e12031.member_1) * _e12046), ((_e11668.z * _e12031.member_2) * _e12046)), (vec3<f32>(((_e12056.member * _e11964.x) + (_e12069.member * _e11964.y)), ((_e12056.member_1 * _e11964.x) + (_e12069.member_1 * _e11964.y)), ((_e12056.member_2 * _e11964.x) + (_e12069.member_2 * _e11964.y))) + vec3<f32>((_e12085.member * _e11964.z), (_e12085.member_1 * _e11964.z), (_e12085.member_2 * _e11964.z))));
 }
-let _e12717 = phi_28536_;
-phi_28537_ = _e12717;
+let _e12717 = phi_28538_;
+phi_28539_ = _e12717;
 }
-let _e12970 = phi_28537_;
+let _e12970 = phi_28539_;
 let _e12979 = (((_e12970.member_1.x * _e12970.member_1.x) + (_e12970.member_1.y * _e12970.member_1.y)) + (_e12970.member_1.z * _e12970.member_1.z));
 let _e12982 = sqrt(select(0f, _e12979, (_e12979 > 0f)));
 let _e12984 = ((_e797 & 8u) != 0u);
@@ -4155,15 +4157,15 @@ let _e13004 = select(_e8881.member_1.x, _e6560.member_5.x, _e6560.member_7);
 let _e13007 = select(_e8881.member_1.y, _e6560.member_5.y, _e6560.member_7);
 let _e13010 = select(_e8881.member_1.z, _e6560.member_5.z, _e6560.member_7);
 if _e6560.member_7 {
-phi_28620_ = _e6560.member.member_1;
-phi_28621_ = _e6560.member.member;
+phi_28622_ = _e6560.member.member_1;
+phi_28623_ = _e6560.member.member;
 } else {
-phi_28620_ = _e8881.member_2;
-phi_28621_ = _e6566;
+phi_28622_ = _e8881.member_2;
+phi_28623_ = _e6566;
 }
-let _e13017 = phi_28620_;
-let _e13019 = phi_28621_;
-let _e13023 = global_5.member[_e457].member_19;
+let _e13017 = phi_28622_;
+let _e13019 = phi_28623_;
+let _e13023 = global_5.member[_e457].member_21;
 let _e13028 = (((_e13004 * _e13004) + (_e13007 * _e13007)) + (_e13010 * _e13010));
 let _e13031 = sqrt(select(0f, _e13028, (_e13028 > 0f)));
 let _e13034 = (1f / select(1e-20f, _e13031, (_e13031 > 1e-20f)));
@@ -4217,14 +4219,14 @@ let _e13151 = (_e13149 + _e13110);
 let _e13154 = (_e13150 / select(1e-6f, _e13151, (_e13151 > 1e-6f)));
 let _e13158 = ((_e13110 * _e13150) + 1f);
 let _e13161 = (((_e13110 * _e13151) - 1f) / select(1e-6f, _e13158, (_e13158 > 1e-6f)));
-let _e13179 = global_5.member[_e457].member_20;
+let _e13179 = global_5.member[_e457].member_22;
 let _e13183 = ((select(0f, ((((_e13112 / ((3.1415927f * _e13116) * _e13116)) * (0.5f / select(1e-6f, _e13137, (_e13137 > 1e-6f)))) * select(select((((0.5f * _e13154) * _e13154) * (1f + (_e13161 * _e13161))), 1f, (_e13146 <= 0f)), 0f, (_e13019 == _e13017))) * _e13121), (_e13120 && (_e13031 > 1e-12f))) * _e13179) * select(_e9097.member_2, 0f, _e554));
-phi_28878_ = vec3<f32>((_e12994 * _e13183), (_e12996 * _e13183), (_e12998 * _e13183));
+phi_28880_ = vec3<f32>((_e12994 * _e13183), (_e12996 * _e13183), (_e12998 * _e13183));
 } else {
-phi_28878_ = vec3<f32>(0f, 0f, 0f);
+phi_28880_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e13189 = phi_28878_;
-let _e13193 = global_5.member[_e457].member_18;
+let _e13189 = phi_28880_;
+let _e13193 = global_5.member[_e457].member_20;
 let _e13200 = (1f - _e461[12]);
 let _e13220 = (_e461[9] + ((_e461[13] * ((_e11027.member_3.x * (_e12994 + _e13193.member)) + _e13189.x)) * _e13200));
 let _e13221 = (_e461[10] + ((_e461[14] * ((_e11027.member_3.y * (_e12996 + _e13193.member_1)) + _e13189.y)) * _e13200));
@@ -4235,17 +4237,17 @@ let _e13230 = (_e461[14] * _e11027.member_2.y);
 let _e13232 = (_e461[15] * _e11027.member_2.z);
 let _e13237 = (_e461[8] + ((_e13225 - _e461[12]) * (_e486 + (_e11030 * 0.5f))));
 if ((_e466.member_2 >= 6u) || _e9106) {
-phi_29966_ = _e12970;
+phi_29968_ = _e12970;
 } else {
-let _e13244 = global_5.member[_e457].member_10.member;
+let _e13244 = global_5.member[_e457].member_12.member;
 let _e13255 = ((((_e13244.member.member * _e11035) + (_e13244.member.member_1 * _e11036)) + (_e13244.member.member_2 * _e11037)) + _e13244.member_1);
-let _e13260 = global_5.member[_e457].member_10.member_1;
+let _e13260 = global_5.member[_e457].member_12.member_1;
 let _e13271 = ((((_e13260.member.member * _e11035) + (_e13260.member.member_1 * _e11036)) + (_e13260.member.member_2 * _e11037)) + _e13260.member_1);
-let _e13276 = global_5.member[_e457].member_10.member_2;
+let _e13276 = global_5.member[_e457].member_12.member_2;
 let _e13287 = ((((_e13276.member.member * _e11035) + (_e13276.member.member_1 * _e11036)) + (_e13276.member.member_2 * _e11037)) + _e13276.member_1);
-let _e13292 = global_5.member[_e457].member_10.member_3;
+let _e13292 = global_5.member[_e457].member_12.member_3;
 let _e13293 = (_e13292 != 0u);
-let _e13298 = global_5.member[_e457].member_10.member_19;
+let _e13298 = global_5.member[_e457].member_12.member_19;
 let _e13302 = (_e13255 - _e13298.member);
 let _e13303 = (_e13271 - _e13298.member_1);
 let _e13304 = (_e13287 - _e13298.member_2);
@@ -4255,36 +4257,36 @@ let _e13315 = (1f / select(1e-20f, _e13312, (_e13312 > 1e-20f)));
 let _e13319 = select(0f, (_e13302 * _e13315), _e13293);
 let _e13320 = select(0f, (_e13303 * _e13315), _e13293);
 let _e13321 = select(1f, (_e13304 * _e13315), _e13293);
-let _e13327 = global_5.member[_e457].member_10.member.member;
-let _e13339 = global_5.member[_e457].member_10.member_1.member;
-let _e13354 = global_5.member[_e457].member_10.member_2.member;
+let _e13327 = global_5.member[_e457].member_12.member.member;
+let _e13339 = global_5.member[_e457].member_12.member_1.member;
+let _e13354 = global_5.member[_e457].member_12.member_2.member;
 let _e13363 = (vec3<f32>(((_e13327.member * _e13319) + (_e13339.member * _e13320)), ((_e13327.member_1 * _e13319) + (_e13339.member_1 * _e13320)), ((_e13327.member_2 * _e13319) + (_e13339.member_2 * _e13320))) + vec3<f32>((_e13354.member * _e13321), (_e13354.member_1 * _e13321), (_e13354.member_2 * _e13321)));
 if ((_e797 & 256u) != 0u) {
-let _e13472 = global_5.member[_e457].member_10.member_18.member.member;
+let _e13472 = global_5.member[_e457].member_12.member_18.member.member;
 let _e13473 = bitcast<i32>(_e13472);
-let _e13480 = global_5.member[_e457].member_10.member_18.member.member_1;
+let _e13480 = global_5.member[_e457].member_12.member_18.member.member_1;
 let _e13481 = bitcast<i32>(_e13480);
-let _e13487 = global_5.member[_e457].member_10.member_19.member_2;
+let _e13487 = global_5.member[_e457].member_12.member_19.member_2;
 let _e13489 = select(1f, (_e13287 - _e13487), _e13293);
 let _e13492 = (1f / select(1e-12f, _e13489, (_e13489 > 1e-12f)));
-let _e13498 = global_5.member[_e457].member_10.member_5;
-let _e13504 = global_5.member[_e457].member_10.member_8;
+let _e13498 = global_5.member[_e457].member_12.member_5;
+let _e13504 = global_5.member[_e457].member_12.member_8;
 let _e13505 = (((_e13255 * _e13492) - _e13498) * _e13504);
-let _e13511 = global_5.member[_e457].member_10.member_6;
+let _e13511 = global_5.member[_e457].member_12.member_6;
 let _e13513 = (((_e13271 * _e13492) - _e13511) * _e13504);
-let _e13519 = global_5.member[_e457].member_10.member_4.member;
+let _e13519 = global_5.member[_e457].member_12.member_4.member;
 let _e13521 = f32(bitcast<i32>(_e13519));
 let _e13523 = select(0f, _e13505, (_e13505 > 0f));
-let _e13531 = global_5.member[_e457].member_10.member_18.member_1;
+let _e13531 = global_5.member[_e457].member_12.member_18.member_1;
 let _e13534 = ((_e13505 - _e13521) * _e13531);
-let _e13540 = global_5.member[_e457].member_10.member_18.member_2;
+let _e13540 = global_5.member[_e457].member_12.member_18.member_2;
 let _e13542 = select(0f, _e13534, (_e13534 > 0f));
 let _e13544 = (_e13540 + _e13542);
 let _e13549 = (-(_e13505) * _e13531);
 let _e13551 = select(0f, _e13549, (_e13549 > 0f));
 let _e13553 = (_e13540 + _e13551);
 let _e13560 = (((_e13540 + (select(_e13521, _e13523, (_e13523 < _e13521)) * _e13531)) + (((_e13542 * _e13540) / select(1e-12f, _e13544, (_e13544 > 1e-12f))) - ((_e13551 * _e13540) / select(1e-12f, _e13553, (_e13553 > 1e-12f))))) - 0.5f);
-let _e13566 = global_5.member[_e457].member_10.member_4.member_1;
+let _e13566 = global_5.member[_e457].member_12.member_4.member_1;
 let _e13568 = f32(bitcast<i32>(_e13566));
 let _e13570 = select(0f, _e13513, (_e13513 > 0f));
 let _e13575 = ((_e13513 - _e13568) * _e13531);
@@ -4311,13 +4313,13 @@ let _e13637 = (_e13595 - f32(_e13629));
 let _e13639 = select(0f, _e13637, (_e13637 > 0f));
 let _e13641 = select(1f, _e13639, (_e13639 < 1f));
 if _e1172 {
-let _e13653 = global_5.member[_e457].member_10.member_18.member_4;
-phi_29307_ = _e13653;
+let _e13653 = global_5.member[_e457].member_12.member_18.member_4;
+phi_29309_ = _e13653;
 } else {
-let _e13647 = global_5.member[_e457].member_10.member_18.member_3;
-phi_29307_ = _e13647;
+let _e13647 = global_5.member[_e457].member_12.member_18.member_3;
+phi_29309_ = _e13647;
 }
-let _e13655 = phi_29307_;
+let _e13655 = phi_29309_;
 let _e13659 = ((bitcast<i32>(_e13655) + (_e13629 * _e13473)) + _e13612);
 let _e13660 = (_e13473 * _e13481);
 let _e13662 = (bitcast<i32>(_e231) - 1i);
@@ -4370,81 +4372,81 @@ let _e13802 = global_3.member[bitcast<u32>(select(0i, _e13796, (_e13796 > 0i)))]
 let _e13809 = (_e13783 + (((_e13793 + ((bitcast<f32>(_e13802) - _e13793) * _e13635)) - _e13783) * _e13641));
 let _e13811 = (_e13292 == 0u);
 if _e13811 {
-phi_29705_ = vec3<f32>(_e13710, _e13759, _e13809);
+phi_29707_ = vec3<f32>(_e13710, _e13759, _e13809);
 } else {
 if _e13811 {
-phi_29644_ = 1f;
+phi_29646_ = 1f;
 } else {
-let _e13817 = global_5.member[_e457].member_10.member_20.member;
+let _e13817 = global_5.member[_e457].member_12.member_20.member;
 let _e13825 = (((_e13817.member * _e13302) + (_e13817.member_1 * _e13303)) + (_e13817.member_2 * _e13304));
 let _e13829 = (_e13302 - (_e13817.member * _e13825));
 let _e13830 = (_e13303 - (_e13817.member_1 * _e13825));
 let _e13831 = (_e13304 - (_e13817.member_2 * _e13825));
 let _e13836 = (((_e13829 * _e13829) + (_e13830 * _e13830)) + (_e13831 * _e13831));
-let _e13848 = global_5.member[_e457].member_10.member_20.member_1;
-let _e13855 = global_5.member[_e457].member_10.member_20.member_2;
+let _e13848 = global_5.member[_e457].member_12.member_20.member_1;
+let _e13855 = global_5.member[_e457].member_12.member_20.member_2;
 let _e13856 = ((_e13848 - (sqrt(select(0f, _e13836, (_e13836 > 0f))) / select(1e-20f, _e13825, (_e13825 > 1e-20f)))) * _e13855);
 let _e13858 = select(0f, _e13856, (_e13856 > 0f));
 let _e13860 = select(1f, _e13858, (_e13858 < 1f));
-phi_29644_ = select(1f, select(0f, ((_e13860 * _e13860) * (3f - (2f * _e13860))), (_e13825 > 0f)), (_e13855 > 0f));
+phi_29646_ = select(1f, select(0f, ((_e13860 * _e13860) * (3f - (2f * _e13860))), (_e13825 > 0f)), (_e13855 > 0f));
 }
-let _e13870 = phi_29644_;
+let _e13870 = phi_29646_;
 let _e13872 = select(0f, 1f, (_e13304 > 0f));
 let _e13876 = ((_e13710 * _e13872) + _e13870);
 let _e13877 = ((_e13759 * _e13872) + _e13870);
 let _e13878 = ((_e13809 * _e13872) + _e13870);
 if _e13811 {
-phi_29700_ = 1f;
+phi_29702_ = 1f;
 } else {
-phi_29700_ = (1f / select(1e-12f, _e13309, (_e13309 > 1e-12f)));
+phi_29702_ = (1f / select(1e-12f, _e13309, (_e13309 > 1e-12f)));
 }
-let _e13889 = phi_29700_;
-phi_29705_ = vec3<f32>((select(0f, _e13876, (_e13876 > 0f)) * _e13889), (select(0f, _e13877, (_e13877 > 0f)) * _e13889), (select(0f, _e13878, (_e13878 > 0f)) * _e13889));
+let _e13889 = phi_29702_;
+phi_29707_ = vec3<f32>((select(0f, _e13876, (_e13876 > 0f)) * _e13889), (select(0f, _e13877, (_e13877 > 0f)) * _e13889), (select(0f, _e13878, (_e13878 > 0f)) * _e13889));
 }
-let _e13895 = phi_29705_;
-let _e13900 = global_5.member[_e457].member_9.member_1;
-phi_29965_ = type_35((vec3<f32>(_e13900.member, _e13900.member_1, _e13900.member_2) * _e13895), _e13363);
+let _e13895 = phi_29707_;
+let _e13900 = global_5.member[_e457].member_11.member_1;
+phi_29967_ = type_35((vec3<f32>(_e13900.member, _e13900.member_1, _e13900.member_2) * _e13895), _e13363);
 } else {
 let _e13366 = (_e13292 == 0u);
 if _e13366 {
-let _e13449 = global_5.member[_e457].member_9.member_1;
-let _e13458 = global_5.member[_e457].member_9.member;
-phi_29964_ = type_35(vec3<f32>(_e13449.member, _e13449.member_1, _e13449.member_2), vec3<f32>(_e13458.member, _e13458.member_1, _e13458.member_2));
+let _e13449 = global_5.member[_e457].member_11.member_1;
+let _e13458 = global_5.member[_e457].member_11.member;
+phi_29966_ = type_35(vec3<f32>(_e13449.member, _e13449.member_1, _e13449.member_2), vec3<f32>(_e13458.member, _e13458.member_1, _e13458.member_2));
 } else {
-let _e13371 = global_5.member[_e457].member_9.member_1;
+let _e13371 = global_5.member[_e457].member_11.member_1;
 if _e13366 {
-phi_29808_ = 1f;
+phi_29810_ = 1f;
 } else {
-phi_29808_ = (1f / select(1e-12f, _e13309, (_e13309 > 1e-12f)));
+phi_29810_ = (1f / select(1e-12f, _e13309, (_e13309 > 1e-12f)));
 }
-let _e13379 = phi_29808_;
+let _e13379 = phi_29810_;
 if _e13366 {
-phi_29892_ = 1f;
+phi_29894_ = 1f;
 } else {
-let _e13385 = global_5.member[_e457].member_10.member_20.member;
+let _e13385 = global_5.member[_e457].member_12.member_20.member;
 let _e13393 = (((_e13385.member * _e13302) + (_e13385.member_1 * _e13303)) + (_e13385.member_2 * _e13304));
 let _e13397 = (_e13302 - (_e13385.member * _e13393));
 let _e13398 = (_e13303 - (_e13385.member_1 * _e13393));
 let _e13399 = (_e13304 - (_e13385.member_2 * _e13393));
 let _e13404 = (((_e13397 * _e13397) + (_e13398 * _e13398)) + (_e13399 * _e13399));
-let _e13416 = global_5.member[_e457].member_10.member_20.member_1;
-let _e13423 = global_5.member[_e457].member_10.member_20.member_2;
+let _e13416 = global_5.member[_e457].member_12.member_20.member_1;
+let _e13423 = global_5.member[_e457].member_12.member_20.member_2;
 let _e13424 = ((_e13416 - (sqrt(select(0f, _e13404, (_e13404 > 0f))) / select(1e-20f, _e13393, (_e13393 > 1e-20f)))) * _e13423);
 let _e13426 = select(0f, _e13424, (_e13424 > 0f));
 let _e13428 = select(1f, _e13426, (_e13426 < 1f));
-phi_29892_ = select(1f, select(0f, ((_e13428 * _e13428) * (3f - (2f * _e13428))), (_e13393 > 0f)), (_e13423 > 0f));
+phi_29894_ = select(1f, select(0f, ((_e13428 * _e13428) * (3f - (2f * _e13428))), (_e13393 > 0f)), (_e13423 > 0f));
 }
-let _e13438 = phi_29892_;
+let _e13438 = phi_29894_;
 let _e13439 = (_e13379 * _e13438);
-phi_29964_ = type_35(vec3<f32>((_e13371.member * _e13439), (_e13371.member_1 * _e13439), (_e13371.member_2 * _e13439)), _e13363);
+phi_29966_ = type_35(vec3<f32>((_e13371.member * _e13439), (_e13371.member_1 * _e13439), (_e13371.member_2 * _e13439)), _e13363);
 }
-let _e13465 = phi_29964_;
-phi_29965_ = _e13465;
+let _e13465 = phi_29966_;
+phi_29967_ = _e13465;
 }
-let _e13908 = phi_29965_;
-phi_29966_ = _e13908;
+let _e13908 = phi_29967_;
+phi_29968_ = _e13908;
 }
-let _e13910 = phi_29966_;
+let _e13910 = phi_29968_;
 let _e13919 = (((_e13910.member_1.x * _e13910.member_1.x) + (_e13910.member_1.y * _e13910.member_1.y)) + (_e13910.member_1.z * _e13910.member_1.z));
 let _e13922 = sqrt(select(0f, _e13919, (_e13919 > 0f)));
 let _e13926 = (1e-6f * _e13922);
@@ -4461,9 +4463,9 @@ let _e13988 = (_e6560.member_1.z + (_e6560.member_2.z * _e13980));
 let _e13994 = ((((_e559.member.member * _e13986) + (_e559.member.member_1 * _e13987)) + (_e559.member.member_2 * _e13988)) + _e559.member_1);
 let _e14000 = ((((_e575.member.member * _e13986) + (_e575.member.member_1 * _e13987)) + (_e575.member.member_2 * _e13988)) + _e575.member_1);
 let _e14006 = ((((_e591.member.member * _e13986) + (_e591.member.member_1 * _e13987)) + (_e591.member.member_2 * _e13988)) + _e591.member_1);
-let _e14012 = global_5.member[_e457].member_6.member.member;
-let _e14021 = global_5.member[_e457].member_6.member_1.member;
-let _e14030 = global_5.member[_e457].member_6.member_2.member;
+let _e14012 = global_5.member[_e457].member_8.member.member;
+let _e14021 = global_5.member[_e457].member_8.member_1.member;
+let _e14030 = global_5.member[_e457].member_8.member_2.member;
 let _e14034 = (-0.5f - _e6577);
 let _e14035 = (-0.5f - _e13994);
 let _e14036 = -(_e14034);
@@ -4570,16 +4572,16 @@ let _e14273 = select(select(select(select(select(select(0f, _e14012.member, _e14
 let _e14274 = select(select(select(select(select(select(0f, _e14012.member_1, _e14054), _e14012.member_1, _e14094), _e14021.member_1, _e14134), _e14021.member_1, _e14174), _e14030.member_1, _e14214), _e14030.member_1, _e14254);
 let _e14275 = select(select(select(select(select(select(1f, _e14012.member_2, _e14054), _e14012.member_2, _e14094), _e14021.member_2, _e14134), _e14021.member_2, _e14174), _e14030.member_2, _e14214), _e14030.member_2, _e14254);
 if _e8886 {
-phi_31456_ = type_34(_e14260, vec3<f32>(_e14261, _e14262, _e14263), _e14265, vec3<f32>(_e14266, _e14267, _e14268), _e14270, _e14272, vec3<f32>(_e14273, _e14274, _e14275));
+phi_31458_ = type_34(_e14260, vec3<f32>(_e14261, _e14262, _e14263), _e14265, vec3<f32>(_e14266, _e14267, _e14268), _e14270, _e14272, vec3<f32>(_e14273, _e14274, _e14275));
 } else {
 let _e14282 = (((_e14012.member * _e14012.member) + (_e14012.member_1 * _e14012.member_1)) + (_e14012.member_2 * _e14012.member_2));
 let _e14285 = sqrt(select(0f, _e14282, (_e14282 > 0f)));
-let _e14290 = global_5.member[_e457].member_14.member_1;
+let _e14290 = global_5.member[_e457].member_16.member_1;
 let _e14291 = (_e14290 != 0u);
-let _e14296 = global_5.member[_e457].member_14.member;
+let _e14296 = global_5.member[_e457].member_16.member;
 let _e14316 = select(-1e6f, (((((_e14296.member.member * _e6560.member_1.x) + (_e14296.member.member_1 * _e6560.member_1.y)) + (_e14296.member.member_2 * _e6560.member_1.z)) + _e14296.member_1) * _e14285), _e14291);
 let _e14317 = select(-1e6f, (((((_e14296.member.member * _e13986) + (_e14296.member.member_1 * _e13987)) + (_e14296.member.member_2 * _e13988)) + _e14296.member_1) * _e14285), _e14291);
-let _e14323 = global_5.member[_e457].member_14.member.member;
+let _e14323 = global_5.member[_e457].member_16.member.member;
 let _e14327 = -(_e14316);
 let _e14330 = (_e14316 - _e14317);
 let _e14331 = (_e14317 - _e14316);
@@ -4594,12 +4596,12 @@ let _e14351 = select(_e14260, _e14340, _e14349);
 let _e14355 = select(_e14265, _e14344, _e14350);
 let _e14359 = select(_e14270, _e14316, _e14345);
 let _e14361 = select(_e14272, _e14317, (_e14317 > _e14272));
-let _e14369 = global_5.member[_e457].member_15.member_1;
+let _e14369 = global_5.member[_e457].member_17.member_1;
 let _e14370 = (_e14369 != 0u);
-let _e14375 = global_5.member[_e457].member_15.member;
+let _e14375 = global_5.member[_e457].member_17.member;
 let _e14395 = select(-1e6f, (((((_e14375.member.member * _e6560.member_1.x) + (_e14375.member.member_1 * _e6560.member_1.y)) + (_e14375.member.member_2 * _e6560.member_1.z)) + _e14375.member_1) * _e14285), _e14370);
 let _e14396 = select(-1e6f, (((((_e14375.member.member * _e13986) + (_e14375.member.member_1 * _e13987)) + (_e14375.member.member_2 * _e13988)) + _e14375.member_1) * _e14285), _e14370);
-let _e14402 = global_5.member[_e457].member_15.member.member;
+let _e14402 = global_5.member[_e457].member_17.member.member;
 let _e14406 = -(_e14395);
 let _e14409 = (_e14395 - _e14396);
 let _e14410 = (_e14396 - _e14395);
@@ -4614,12 +4616,12 @@ let _e14430 = select(_e14351, _e14419, _e14428);
 let _e14434 = select(_e14355, _e14423, _e14429);
 let _e14438 = select(_e14359, _e14395, _e14424);
 let _e14440 = select(_e14361, _e14396, (_e14396 > _e14361));
-let _e14448 = global_5.member[_e457].member_16.member_1;
+let _e14448 = global_5.member[_e457].member_18.member_1;
 let _e14449 = (_e14448 != 0u);
-let _e14454 = global_5.member[_e457].member_16.member;
+let _e14454 = global_5.member[_e457].member_18.member;
 let _e14474 = select(-1e6f, (((((_e14454.member.member * _e6560.member_1.x) + (_e14454.member.member_1 * _e6560.member_1.y)) + (_e14454.member.member_2 * _e6560.member_1.z)) + _e14454.member_1) * _e14285), _e14449);
 let _e14475 = select(-1e6f, (((((_e14454.member.member * _e13986) + (_e14454.member.member_1 * _e13987)) + (_e14454.member.member_2 * _e13988)) + _e14454.member_1) * _e14285), _e14449);
-let _e14481 = global_5.member[_e457].member_16.member.member;
+let _e14481 = global_5.member[_e457].member_18.member.member;
 let _e14485 = -(_e14474);
 let _e14488 = (_e14474 - _e14475);
 let _e14489 = (_e14475 - _e14474);
@@ -4634,12 +4636,12 @@ let _e14509 = select(_e14430, _e14498, _e14507);
 let _e14513 = select(_e14434, _e14502, _e14508);
 let _e14517 = select(_e14438, _e14474, _e14503);
 let _e14519 = select(_e14440, _e14475, (_e14475 > _e14440));
-let _e14527 = global_5.member[_e457].member_17.member_1;
+let _e14527 = global_5.member[_e457].member_19.member_1;
 let _e14528 = (_e14527 != 0u);
-let _e14533 = global_5.member[_e457].member_17.member;
+let _e14533 = global_5.member[_e457].member_19.member;
 let _e14553 = select(-1e6f, (((((_e14533.member.member * _e6560.member_1.x) + (_e14533.member.member_1 * _e6560.member_1.y)) + (_e14533.member.member_2 * _e6560.member_1.z)) + _e14533.member_1) * _e14285), _e14528);
 let _e14554 = select(-1e6f, (((((_e14533.member.member * _e13986) + (_e14533.member.member_1 * _e13987)) + (_e14533.member.member_2 * _e13988)) + _e14533.member_1) * _e14285), _e14528);
-let _e14560 = global_5.member[_e457].member_17.member.member;
+let _e14560 = global_5.member[_e457].member_19.member.member;
 let _e14564 = -(_e14553);
 let _e14567 = (_e14553 - _e14554);
 let _e14568 = (_e14554 - _e14553);
@@ -4650,11 +4652,11 @@ let _e14581 = select(2f, select(0f, _e14573, (_e14553 < 0f)), (_e14554 > 0f));
 let _e14582 = (_e14553 > _e14517);
 let _e14586 = ((_e14577 > _e14509) || ((_e14577 == _e14509) && _e14582));
 let _e14587 = (_e14581 < _e14513);
-phi_31456_ = type_34(select(_e14509, _e14577, _e14586), vec3<f32>(select(select(select(select(_e14261, _e14323.member, _e14349), _e14402.member, _e14428), _e14481.member, _e14507), _e14560.member, _e14586), select(select(select(select(_e14262, _e14323.member_1, _e14349), _e14402.member_1, _e14428), _e14481.member_1, _e14507), _e14560.member_1, _e14586), select(select(select(select(_e14263, _e14323.member_2, _e14349), _e14402.member_2, _e14428), _e14481.member_2, _e14507), _e14560.member_2, _e14586)), select(_e14513, _e14581, _e14587), vec3<f32>(select(select(select(select(_e14266, _e14323.member, _e14350), _e14402.member, _e14429), _e14481.member, _e14508), _e14560.member, _e14587), select(select(select(select(_e14267, _e14323.member_1, _e14350), _e14402.member_1, _e14429), _e14481.member_1, _e14508), _e14560.member_1, _e14587), select(select(select(select(_e14268, _e14323.member_2, _e14350), _e14402.member_2, _e14429), _e14481.member_2, _e14508), _e14560.member_2, _e14587)), select(_e14517, _e14553, _e14582), select(_e14519, _e14554, (_e14554 > _e14519)), vec3<f32>(select(select(select(select(_e14273, _e14323.member, _e14345), _e14402.member, _e14424), _e14481.member, _e14503), _e14560.member, _e14582), select(select(select(select(_e14274, _e14323.member_1, _e14345), _e14402.member_1, _e14424), _e14481.member_1, _e14503), _e14560.member_1, _e14582), select(select(select(select(_e14275, _e14323.member_2, _e14345), _e14402.member_2, _e14424), _e14481.member_2, _e14503), _e14560.member_2, _e14582)));
+phi_31458_ = type_34(select(_e14509, _e14577, _e14586), vec3<f32>(select(select(select(select(_e14261, _e14323.member, _e14349), _e14402.member, _e14428), _e14481.member, _e14507), _e14560.member, _e14586), select(select(select(select(_e14262, _e14323.member_1, _e14349), _e14402.member_1, _e14428), _e14481.member_1, _e14507), _e14560.member_1, _e14586), select(select(select(select(_e14263, _e14323.member_2, _e14349), _e14402.member_2, _e14428), _e14481.member_2, _e14507), _e14560.member_2, _e14586)), select(_e14513, _e14581, _e14587), vec3<f32>(select(select(select(select(_e14266, _e14323.member, _e14350), _e14402.member, _e14429), _e14481.member, _e14508), _e14560.member, _e14587), select(select(select(select(_e14267, _e14323.member_1, _e14350), _e14402.member_1, _e14429), _e14481.member_1, _e14508), _e14560.member_1, _e14587), select(select(select(select(_e14268, _e14323.member_2, _e14350), _e14402.member_2, _e14429), _e14481.member_2, _e14508), _e14560.member_2, _e14587)), select(_e14517, _e14553, _e14582), select(_e14519, _e14554, (_e14554 > _e14519)), vec3<f32>(select(select(select(select(_e14273, _e14323.member, _e14345), _e14402.member, _e14424), _e14481.member, _e14503), _e14560.member, _e14582), select(select(select(select(_e14274, _e14323.member_1, _e14345), _e14402.member_1, _e14424), _e14481.member_1, _e14503), _e14560.member_1, _e14582), select(select(select(select(_e14275, _e14323.member_2, _e14345), _e14402.member_2, _e14424), _e14481.member_2, _e14503), _e14560.member_2, _e14582)));
 }
-let _e14607 = phi_31456_;
+let _e14607 = phi_31458_;
 let _e14614 = (_e9097.member_2 * select(0f, 1f, _e6560.member_6));
-let _e14620 = global_5.member[_e457].member_5.member_4;
+let _e14620 = global_5.member[_e457].member_7.member_4;
 let _e14623 = (_e8881.member_3.x * _e14614);
 let _e14625 = (_e8881.member_3.y * _e14614);
 let _e14627 = (_e8881.member_3.z * _e14614);
@@ -4677,44 +4679,44 @@ let _e14681 = (_e6560.member_2.y + ((_e8881.member_4.y * _e14614) * _e480));
 let _e14682 = (_e6560.member_2.z + ((_e8881.member_4.z * _e14614) * _e480));
 let _e14684 = (_e14682 * _e14682);
 let _e14693 = ((_e797 & 1u) != 0u);
-phi_31612_ = vec3<f32>(select(select(select(_e14650, _e14632, _e14666), _e14680, _e14693), _e6560.member_2.x, _e6560.member_8), select(select(select(_e14651, _e14633, _e14666), _e14681, _e14693), _e6560.member_2.y, _e6560.member_8), select(select(select(_e14652, _e14634, _e14666), _e14682, _e14693), _e6560.member_2.z, _e6560.member_8));
-phi_31613_ = (select(_e14666, ((_e14682 <= 0f) || (_e14684 <= (_e14656 * (((_e14680 * _e14680) + (_e14681 * _e14681)) + _e14684)))), _e14693) || _e6560.member_8);
+phi_31614_ = vec3<f32>(select(select(select(_e14650, _e14632, _e14666), _e14680, _e14693), _e6560.member_2.x, _e6560.member_8), select(select(select(_e14651, _e14633, _e14666), _e14681, _e14693), _e6560.member_2.y, _e6560.member_8), select(select(select(_e14652, _e14634, _e14666), _e14682, _e14693), _e6560.member_2.z, _e6560.member_8));
+phi_31615_ = (select(_e14666, ((_e14682 <= 0f) || (_e14684 <= (_e14656 * (((_e14680 * _e14680) + (_e14681 * _e14681)) + _e14684)))), _e14693) || _e6560.member_8);
 } else {
-phi_31612_ = _e6560.member_2;
-phi_31613_ = false;
+phi_31614_ = _e6560.member_2;
+phi_31615_ = false;
 }
-let _e14705 = phi_31612_;
-let _e14707 = phi_31613_;
+let _e14705 = phi_31614_;
+let _e14707 = phi_31615_;
 let _e14718 = ((((_e554 || _e6560.member_7) || (_e14705.x != _e461[3])) || (_e14705.y != _e461[4])) || (_e14705.z != _e461[5]));
 let _e14720 = select(_e13230, _e13228, (_e13228 > _e13230));
 let _e14728 = select(select(0f, 2f, _e14707), 1f, (_e554 || (((1f - _e13973) * select(_e13232, _e14720, (_e14720 > _e13232))) < 9.765625e-4f)));
 let _e14732 = ((_e14728 == 2f) && !(_e6560.member_8));
-phi_31773_ = array<f32, 18>(select(select(_e461[0], select(_e6560.member_1.x, _e11035, _e554), _e14718), _e490, _e14732), select(select(_e461[1], select(_e6560.member_1.y, _e11036, _e554), _e14718), _e492, _e14732), select(select(_e461[2], select(_e6560.member_1.z, _e11037, _e554), _e14718), _e486, _e14732), select(_e14705.x, _e6562.x, _e14732), select(_e14705.y, _e6562.y, _e14732), select(_e14705.z, _e6562.z, _e14732), select(_e8881.member, _e1615, _e14732), _e14728, select(select(_e13237, (_e13237 + (_e13960 * _e11037)), _e554), _e461[8], _e14732), select(select(_e13220, (_e13220 + ((_e13228 * (select(_e1198.member, _e1185.member, _e1172) * (((_e13910.member.x * _e13930) * _e13950) + _e13193.member))) * _e13960)), _e554), _e461[9], _e14732), select(select(_e13221, (_e13221 + ((_e13230 * (select(_e1198.member_1, _e1185.member_1, _e1172) * (((_e13910.member.y * _e13930) * _e13950) + _e13193.member_1))) * _e13960)), _e554), _e461[10], _e14732), select(select(_e13222, (_e13222 + ((_e13232 * (select(_e1198.member_2, _e1185.member_2, _e1172) * (((_e13910.member.z * _e13930) * _e13950) + _e13193.member_2))) * _e13960)), _e554), _e461[11], _e14732), select(_e13973, _e461[12], _e14732), select(_e13228, _e461[13], _e14732), select(_e13230, _e461[14], _e14732), select(_e13232, _e461[15], _e14732), select(select(0f, _e8881.member_2, (_e6560.member_6 && !(_e554))), select(0f, _e6566, _e6564), _e14732), select(select(_e6560.member_1.z, -1.2676506e30f, _e6560.member_8), _e486, _e14732));
+phi_31775_ = array<f32, 18>(select(select(_e461[0], select(_e6560.member_1.x, _e11035, _e554), _e14718), _e490, _e14732), select(select(_e461[1], select(_e6560.member_1.y, _e11036, _e554), _e14718), _e492, _e14732), select(select(_e461[2], select(_e6560.member_1.z, _e11037, _e554), _e14718), _e486, _e14732), select(_e14705.x, _e6562.x, _e14732), select(_e14705.y, _e6562.y, _e14732), select(_e14705.z, _e6562.z, _e14732), select(_e8881.member, _e1615, _e14732), _e14728, select(select(_e13237, (_e13237 + (_e13960 * _e11037)), _e554), _e461[8], _e14732), select(select(_e13220, (_e13220 + ((_e13228 * (select(_e1198.member, _e1185.member, _e1172) * (((_e13910.member.x * _e13930) * _e13950) + _e13193.member))) * _e13960)), _e554), _e461[9], _e14732), select(select(_e13221, (_e13221 + ((_e13230 * (select(_e1198.member_1, _e1185.member_1, _e1172) * (((_e13910.member.y * _e13930) * _e13950) + _e13193.member_1))) * _e13960)), _e554), _e461[10], _e14732), select(select(_e13222, (_e13222 + ((_e13232 * (select(_e1198.member_2, _e1185.member_2, _e1172) * (((_e13910.member.z * _e13930) * _e13950) + _e13193.member_2))) * _e13960)), _e554), _e461[11], _e14732), select(_e13973, _e461[12], _e14732), select(_e13228, _e461[13], _e14732), select(_e13230, _e461[14], _e14732), select(_e13232, _e461[15], _e14732), select(select(0f, _e8881.member_2, (_e6560.member_6 && !(_e554))), select(0f, _e6566, _e6564), _e14732), select(select(_e6560.member_1.z, -1.2676506e30f, _e6560.member_8), _e486, _e14732));
 } else {
-phi_31773_ = _e461;
+phi_31775_ = _e461;
 }
-let _e14769 = phi_31773_;
-phi_686_ = (_e457 + 1u);
-phi_689_ = select(_e459, true, _e1148);
-phi_691_ = _e14769;
+let _e14769 = phi_31775_;
+phi_688_ = (_e457 + 1u);
+phi_691_ = select(_e459, true, _e1148);
+phi_693_ = _e14769;
 } else {
-phi_686_ = u32();
-phi_689_ = bool();
-phi_691_ = array<f32, 18>();
+phi_688_ = u32();
+phi_691_ = bool();
+phi_693_ = array<f32, 18>();
 }
-let _e14773 = phi_686_;
-let _e14775 = phi_689_;
-let _e14777 = phi_691_;
+let _e14773 = phi_688_;
+let _e14775 = phi_691_;
+let _e14777 = phi_693_;
 continue;
 continuing {
-phi_685_ = _e14773;
-phi_688_ = _e14775;
-phi_690_ = _e14777;
-phi_31964_ = false;
+phi_687_ = _e14773;
+phi_690_ = _e14775;
+phi_692_ = _e14777;
+phi_31966_ = false;
 break if !(_e462);
 }
 }
-let _e14780 = phi_31964_;
+let _e14780 = phi_31966_;
 if _e14780 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -273,63 +275,63 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_687_: u32;
-var phi_690_: bool;
-var phi_692_: array<f32, 18>;
-var phi_1447_: bool;
-var phi_1627_: bool;
-var phi_1630_: bool;
-var phi_2986_: f32;
-var phi_4592_: type_34;
-var phi_4605_: bool;
-var phi_4635_: type_39;
-var phi_4647_: bool;
-var phi_5782_: type_31;
-var phi_7305_: type_34;
-var phi_8472_: type_31;
-var phi_10010_: type_34;
-var phi_11177_: type_31;
-var phi_12715_: type_34;
-var phi_14463_: type_31;
-var phi_14476_: type_38;
-var phi_14477_: vec3<f32>;
-var phi_14478_: bool;
-var phi_14479_: f32;
-var phi_20091_: type_32;
-var phi_20793_: type_33;
-var phi_21206_: type_7;
-var phi_25371_: type_40;
-var phi_26900_: i32;
-var phi_27477_: vec3<f32>;
-var phi_27884_: vec3<f32>;
-var phi_27978_: f32;
-var phi_28020_: f32;
-var phi_26386_: vec3<f32>;
-var phi_28052_: type_35;
-var phi_25485_: f32;
-var phi_25569_: f32;
-var phi_25641_: type_35;
-var phi_28053_: type_35;
-var phi_28136_: f32;
-var phi_28137_: f32;
-var phi_28394_: vec3<f32>;
-var phi_29324_: f32;
-var phi_29408_: f32;
-var phi_29480_: type_35;
-var phi_28823_: u32;
-var phi_29160_: f32;
-var phi_29216_: f32;
-var phi_29221_: vec3<f32>;
-var phi_29481_: type_35;
+var phi_689_: u32;
+var phi_692_: bool;
+var phi_694_: array<f32, 18>;
+var phi_1449_: bool;
+var phi_1629_: bool;
+var phi_1632_: bool;
+var phi_2988_: f32;
+var phi_4594_: type_34;
+var phi_4607_: bool;
+var phi_4637_: type_39;
+var phi_4649_: bool;
+var phi_5784_: type_31;
+var phi_7307_: type_34;
+var phi_8474_: type_31;
+var phi_10012_: type_34;
+var phi_11179_: type_31;
+var phi_12717_: type_34;
+var phi_14465_: type_31;
+var phi_14478_: type_38;
+var phi_14479_: vec3<f32>;
+var phi_14480_: bool;
+var phi_14481_: f32;
+var phi_20093_: type_32;
+var phi_20795_: type_33;
+var phi_21208_: type_7;
+var phi_25373_: type_40;
+var phi_26902_: i32;
+var phi_27479_: vec3<f32>;
+var phi_27886_: vec3<f32>;
+var phi_27980_: f32;
+var phi_28022_: f32;
+var phi_26388_: vec3<f32>;
+var phi_28054_: type_35;
+var phi_25487_: f32;
+var phi_25571_: f32;
+var phi_25643_: type_35;
+var phi_28055_: type_35;
+var phi_28138_: f32;
+var phi_28139_: f32;
+var phi_28396_: vec3<f32>;
+var phi_29326_: f32;
+var phi_29410_: f32;
 var phi_29482_: type_35;
-var phi_30972_: type_34;
-var phi_31128_: vec3<f32>;
-var phi_31129_: bool;
-var phi_31289_: array<f32, 18>;
-var phi_688_: u32;
-var phi_691_: bool;
-var phi_693_: array<f32, 18>;
-var phi_31480_: bool;
+var phi_28825_: u32;
+var phi_29162_: f32;
+var phi_29218_: f32;
+var phi_29223_: vec3<f32>;
+var phi_29483_: type_35;
+var phi_29484_: type_35;
+var phi_30974_: type_34;
+var phi_31130_: vec3<f32>;
+var phi_31131_: bool;
+var phi_31291_: array<f32, 18>;
+var phi_690_: u32;
+var phi_693_: bool;
+var phi_695_: array<f32, 18>;
+var phi_31482_: bool;
 var local_40: bool;
 var local_41: array<f32, 18>;
 var local_42: array<f32, 18>;
@@ -439,13 +441,13 @@ let _e447 = ((17u * _e257) + _e259);
 let _e448 = bitcast<i32>(_e447);
 let _e450 = select(_e262, _e448, (_e448 < _e262));
 let _e456 = global_4.member[bitcast<u32>(select(0i, _e450, (_e450 > 0i)))];
-phi_687_ = 0u;
-phi_690_ = false;
-phi_692_ = array<f32, 18>(_e270, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368, _e379, _e390, _e401, _e412, _e423, _e434, _e445, _e456);
+phi_689_ = 0u;
+phi_692_ = false;
+phi_694_ = array<f32, 18>(_e270, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368, _e379, _e390, _e401, _e412, _e423, _e434, _e445, _e456);
 loop {
-let _e459 = phi_687_;
-let _e461 = phi_690_;
-let _e463 = phi_692_;
+let _e459 = phi_689_;
+let _e461 = phi_692_;
+let _e463 = phi_694_;
 local_40 = _e461;
 local_41 = _e463;
 local_42 = _e463;
@@ -469,47 +471,47 @@ let _e464 = (_e459 < _e222);
 if _e464 {
 if _e464 {
 } else {
-phi_31480_ = true;
+phi_31482_ = true;
 break;
 }
 let _e468 = global_5.member[_e459].member;
-let _e482 = global_5.member[_e459].member_5.member_2;
+let _e482 = global_5.member[_e459].member_7.member_2;
 let _e483 = (_e482 / _e463[5]);
-let _e488 = global_5.member[_e459].member_5.member;
+let _e488 = global_5.member[_e459].member_7.member;
 let _e490 = ((_e488 - _e463[2]) / _e463[5]);
 let _e492 = (_e463[0] + (_e463[3] * _e490));
 let _e494 = (_e463[1] + (_e463[4] * _e490));
 let _e496 = (_e492 + (_e463[3] * _e483));
 let _e498 = (_e494 + (_e463[4] * _e483));
-let _e503 = global_5.member[_e459].member_5.member_1;
-let _e509 = global_5.member[_e459].member_13.member.member;
+let _e503 = global_5.member[_e459].member_7.member_1;
+let _e509 = global_5.member[_e459].member_15.member.member;
 let _e520 = ((((_e509.member.member * _e492) + (_e509.member.member_1 * _e494)) + (_e509.member.member_2 * _e488)) + _e509.member_1);
 let _e526 = ((((_e509.member.member * _e496) + (_e509.member.member_1 * _e498)) + (_e509.member.member_2 * _e503)) + _e509.member_1);
 let _e529 = ((_e520 > 0f) && (_e526 <= 0f));
-let _e535 = global_5.member[_e459].member_13.member_1.member;
+let _e535 = global_5.member[_e459].member_15.member_1.member;
 let _e546 = ((((_e535.member.member * _e492) + (_e535.member.member_1 * _e494)) + (_e535.member.member_2 * _e488)) + _e535.member_1);
 let _e552 = ((((_e535.member.member * _e496) + (_e535.member.member_1 * _e498)) + (_e535.member.member_2 * _e503)) + _e535.member_1);
 let _e555 = ((_e546 > 0f) && (_e552 <= 0f));
 let _e556 = (_e529 || _e555);
-let _e561 = global_5.member[_e459].member_6.member;
+let _e561 = global_5.member[_e459].member_8.member;
 let _e572 = ((((_e561.member.member * _e492) + (_e561.member.member_1 * _e494)) + (_e561.member.member_2 * _e488)) + _e561.member_1);
-let _e577 = global_5.member[_e459].member_6.member_1;
+let _e577 = global_5.member[_e459].member_8.member_1;
 let _e588 = ((((_e577.member.member * _e492) + (_e577.member.member_1 * _e494)) + (_e577.member.member_2 * _e488)) + _e577.member_1);
-let _e593 = global_5.member[_e459].member_6.member_2;
+let _e593 = global_5.member[_e459].member_8.member_2;
 let _e604 = ((((_e593.member.member * _e492) + (_e593.member.member_1 * _e494)) + (_e593.member.member_2 * _e488)) + _e593.member_1);
 let _e610 = ((((_e561.member.member * _e496) + (_e561.member.member_1 * _e498)) + (_e561.member.member_2 * _e503)) + _e561.member_1);
 let _e616 = ((((_e577.member.member * _e496) + (_e577.member.member_1 * _e498)) + (_e577.member.member_2 * _e503)) + _e577.member_1);
 let _e622 = ((((_e593.member.member * _e496) + (_e593.member.member_1 * _e498)) + (_e593.member.member_2 * _e503)) + _e593.member_1);
-let _e627 = global_5.member[_e459].member_6.member_4;
-let _e633 = global_5.member[_e459].member_6.member_3.member;
+let _e627 = global_5.member[_e459].member_8.member_4;
+let _e633 = global_5.member[_e459].member_8.member_3.member;
 let _e634 = (_e633 - 0.5f);
 let _e636 = select(-0.5f, _e610, (_e610 > -0.5f));
 let _e638 = select(_e634, _e636, (_e636 < _e634));
-let _e644 = global_5.member[_e459].member_6.member_3.member_1;
+let _e644 = global_5.member[_e459].member_8.member_3.member_1;
 let _e645 = (_e644 - 0.5f);
 let _e647 = select(-0.5f, _e616, (_e616 > -0.5f));
 let _e649 = select(_e645, _e647, (_e647 < _e645));
-let _e655 = global_5.member[_e459].member_6.member_3.member_2;
+let _e655 = global_5.member[_e459].member_8.member_3.member_2;
 let _e656 = (_e655 - 0.5f);
 let _e658 = select(-0.5f, _e622, (_e622 > -0.5f));
 let _e660 = select(_e656, _e658, (_e658 < _e656));
@@ -529,7 +531,7 @@ let _e696 = (_e633 - 1f);
 let _e698 = select(0f, _e695, (_e695 > 0f));
 let _e700 = select(_e696, _e698, (_e698 < _e696));
 let _e707 = select(0i, select(select(i32(_e700), i32(-2147483648), (_e700 < -2147483600f)), 2147483647i, (_e700 > 2147483500f)), (_e700 == _e700));
-let _e716 = global_5.member[_e459].member_6.member_12;
+let _e716 = global_5.member[_e459].member_8.member_12;
 let _e717 = (_e716 & 31u);
 let _e720 = (_e649 + 0.5f);
 let _e721 = (_e644 - 1f);
@@ -541,9 +543,9 @@ let _e740 = (_e655 - 1f);
 let _e742 = select(0f, _e739, (_e739 > 0f));
 let _e744 = select(_e740, _e742, (_e742 < _e740));
 let _e751 = select(0i, select(select(i32(_e744), i32(-2147483648), (_e744 < -2147483600f)), 2147483647i, (_e744 > 2147483500f)), (_e744 == _e744));
-let _e763 = global_5.member[_e459].member_6.member_9.member;
-let _e770 = global_5.member[_e459].member_6.member_9.member_1;
-let _e776 = global_5.member[_e459].member_6.member_10;
+let _e763 = global_5.member[_e459].member_8.member_9.member;
+let _e770 = global_5.member[_e459].member_8.member_9.member_1;
+let _e776 = global_5.member[_e459].member_8.member_10;
 let _e782 = ((bitcast<i32>(_e776) + ((_e707 - select(0i, 1i, (_e700 < f32(_e707)))) >> bitcast<u32>(_e717))) + (bitcast<i32>(_e763) * (((_e732 - select(0i, 1i, (_e725 < f32(_e732)))) >> bitcast<u32>(_e717)) + (bitcast<i32>(_e770) * ((_e751 - select(0i, 1i, (_e744 < f32(_e751)))) >> bitcast<u32>(_e717))))));
 let _e784 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
 let _e786 = select(_e784, _e782, (_e782 < _e784));
@@ -562,22 +564,22 @@ let _e851 = (_e655 - _e840);
 let _e854 = ((((_e572 >= _e839) && (_e572 <= _e842)) && ((_e588 >= _e839) && (_e588 <= _e846))) && ((_e604 >= _e839) && (_e604 <= _e851)));
 let _e856 = ((_e799 & 16u) == 0u);
 if _e856 {
-phi_1447_ = _e854;
+phi_1449_ = _e854;
 } else {
-let _e862 = global_5.member[_e459].member_6.member.member;
+let _e862 = global_5.member[_e459].member_8.member.member;
 let _e870 = (((_e862.member * _e862.member) + (_e862.member_1 * _e862.member_1)) + (_e862.member_2 * _e862.member_2));
-let _e879 = global_5.member[_e459].member_14.member;
+let _e879 = global_5.member[_e459].member_16.member;
 let _e891 = -((0.5f / sqrt(select(0f, _e870, (_e870 > 0f)))));
-let _e897 = global_5.member[_e459].member_14.member_1;
-let _e904 = global_5.member[_e459].member_15.member;
-let _e921 = global_5.member[_e459].member_15.member_1;
-let _e929 = global_5.member[_e459].member_16.member;
-let _e946 = global_5.member[_e459].member_16.member_1;
-let _e954 = global_5.member[_e459].member_17.member;
-let _e971 = global_5.member[_e459].member_17.member_1;
-phi_1447_ = (_e854 && (((((((((_e879.member.member * _e492) + (_e879.member.member_1 * _e494)) + (_e879.member.member_2 * _e488)) + _e879.member_1) <= _e891) || (_e897 == 0u)) && ((((((_e904.member.member * _e492) + (_e904.member.member_1 * _e494)) + (_e904.member.member_2 * _e488)) + _e904.member_1) <= _e891) || (_e921 == 0u))) && ((((((_e929.member.member * _e492) + (_e929.member.member_1 * _e494)) + (_e929.member.member_2 * _e488)) + _e929.member_1) <= _e891) || (_e946 == 0u))) && ((((((_e954.member.member * _e492) + (_e954.member.member_1 * _e494)) + (_e954.member.member_2 * _e488)) + _e954.member_1) <= _e891) || (_e971 == 0u))));
+let _e897 = global_5.member[_e459].member_16.member_1;
+let _e904 = global_5.member[_e459].member_17.member;
+let _e921 = global_5.member[_e459].member_17.member_1;
+let _e929 = global_5.member[_e459].member_18.member;
+let _e946 = global_5.member[_e459].member_18.member_1;
+let _e954 = global_5.member[_e459].member_19.member;
+let _e971 = global_5.member[_e459].member_19.member_1;
+phi_1449_ = (_e854 && (((((((((_e879.member.member * _e492) + (_e879.member.member_1 * _e494)) + (_e879.member.member_2 * _e488)) + _e879.member_1) <= _e891) || (_e897 == 0u)) && ((((((_e904.member.member * _e492) + (_e904.member.member_1 * _e494)) + (_e904.member.member_2 * _e488)) + _e904.member_1) <= _e891) || (_e921 == 0u))) && ((((((_e929.member.member * _e492) + (_e929.member.member_1 * _e494)) + (_e929.member.member_2 * _e488)) + _e929.member_1) <= _e891) || (_e946 == 0u))) && ((((((_e954.member.member * _e492) + (_e954.member.member_1 * _e494)) + (_e954.member.member_2 * _e488)) + _e954.member_1) <= _e891) || (_e971 == 0u))));
 }
-let _e977 = phi_1447_;
+let _e977 = phi_1449_;
 let _e981 = (_e496 + (_e496 - _e492));
 let _e982 = (_e498 + (_e498 - _e494));
 let _e983 = (_e503 + (_e503 - _e488));
@@ -586,27 +588,27 @@ let _e995 = ((((_e577.member.member * _e981) + (_e577.member.member_1 * _e982)) 
 let _e1001 = ((((_e593.member.member * _e981) + (_e593.member.member_1 * _e982)) + (_e593.member.member_2 * _e983)) + _e593.member_1);
 let _e1012 = ((((_e989 >= _e839) && (_e989 <= _e842)) && ((_e995 >= _e839) && (_e995 <= _e846))) && ((_e1001 >= _e839) && (_e1001 <= _e851)));
 if _e856 {
-phi_1627_ = _e1012;
+phi_1629_ = _e1012;
 } else {
-let _e1018 = global_5.member[_e459].member_6.member.member;
+let _e1018 = global_5.member[_e459].member_8.member.member;
 let _e1026 = (((_e1018.member * _e1018.member) + (_e1018.member_1 * _e1018.member_1)) + (_e1018.member_2 * _e1018.member_2));
-let _e1035 = global_5.member[_e459].member_14.member;
+let _e1035 = global_5.member[_e459].member_16.member;
 let _e1047 = -((0.5f / sqrt(select(0f, _e1026, (_e1026 > 0f)))));
-let _e1053 = global_5.member[_e459].member_14.member_1;
-let _e1060 = global_5.member[_e459].member_15.member;
-let _e1077 = global_5.member[_e459].member_15.member_1;
-let _e1085 = global_5.member[_e459].member_16.member;
-let _e1102 = global_5.member[_e459].member_16.member_1;
-let _e1110 = global_5.member[_e459].member_17.member;
-let _e1127 = global_5.member[_e459].member_17.member_1;
-phi_1627_ = (_e1012 && (((((((((_e1035.member.member * _e981) + (_e1035.member.member_1 * _e982)) + (_e1035.member.member_2 * _e983)) + _e1035.member_1) <= _e1047) || (_e1053 == 0u)) && ((((((_e1060.member.member * _e981) + (_e1060.member.member_1 * _e982)) + (_e1060.member.member_2 * _e983)) + _e1060.member_1) <= _e1047) || (_e1077 == 0u))) && ((((((_e1085.member.member * _e981) + (_e1085.member.member_1 * _e982)) + (_e1085.member.member_2 * _e983)) + _e1085.member_1) <= _e1047) || (_e1102 == 0u))) && ((((((_e1110.member.member * _e981) + (_e1110.member.member_1 * _e982)) + (_e1110.member.member_2 * _e983)) + _e1110.member_1) <= _e1047) || (_e1127 == 0u))));
+let _e1053 = global_5.member[_e459].member_16.member_1;
+let _e1060 = global_5.member[_e459].member_17.member;
+let _e1077 = global_5.member[_e459].member_17.member_1;
+let _e1085 = global_5.member[_e459].member_18.member;
+let _e1102 = global_5.member[_e459].member_18.member_1;
+let _e1110 = global_5.member[_e459].member_19.member;
+let _e1127 = global_5.member[_e459].member_19.member_1;
+phi_1629_ = (_e1012 && (((((((((_e1035.member.member * _e981) + (_e1035.member.member_1 * _e982)) + (_e1035.member.member_2 * _e983)) + _e1035.member_1) <= _e1047) || (_e1053 == 0u)) && ((((((_e1060.member.member * _e981) + (_e1060.member.member_1 * _e982)) + (_e1060.member.member_2 * _e983)) + _e1060.member_1) <= _e1047) || (_e1077 == 0u))) && ((((((_e1085.member.member * _e981) + (_e1085.member.member_1 * _e982)) + (_e1085.member.member_2 * _e983)) + _e1085.member_1) <= _e1047) || (_e1102 == 0u))) && ((((((_e1110.member.member * _e981) + (_e1110.member.member_1 * _e982)) + (_e1110.member.member_2 * _e983)) + _e1110.member_1) <= _e1047) || (_e1127 == 0u))));
 }
-let _e1133 = phi_1627_;
-phi_1630_ = (_e829 && (_e977 && _e1133));
+let _e1133 = phi_1629_;
+phi_1632_ = (_e829 && (_e977 && _e1133));
 } else {
-phi_1630_ = _e829;
+phi_1632_ = _e829;
 }
-let _e1137 = phi_1630_;
+let _e1137 = phi_1632_;
 let _e1138 = (_e463[17] == -1.2676506e30f);
 let _e1140 = (_e463[17] != _e488);
 let _e1150 = (select(0u, select(select(31u, select(select(3u, 7u, _e1140), 15u, _e556), (_e1137 && !((_e838 && _e1138)))), select(1u, 15u, _e556), (((_e799 & 64u) != 0u) || ((((select(_e674, _e671, (_e671 > _e674)) <= _e627) && ((select(_e691, _e688, (_e688 > _e691)) > _e627) || (_e792 != 0u))) && true) && ((_e799 & 32u) != 0u)))), (_e463[7] == 0f)) > 1u);
@@ -617,10 +619,10 @@ let _e1166 = (_e520 / select(1e-20f, _e1163, (_e1163 > 1e-20f)));
 let _e1167 = (_e546 - _e552);
 let _e1170 = (_e546 / select(1e-20f, _e1167, (_e1167 > 1e-20f)));
 let _e1174 = (_e555 && (!(_e529) || (_e1170 < _e1166)));
-let _e1181 = global_5.member[_e459].member_13.member_1.member.member;
-let _e1187 = global_5.member[_e459].member_13.member_1.member_1;
-let _e1194 = global_5.member[_e459].member_13.member.member.member;
-let _e1200 = global_5.member[_e459].member_13.member.member_1;
+let _e1181 = global_5.member[_e459].member_15.member_1.member.member;
+let _e1187 = global_5.member[_e459].member_15.member_1.member_1;
+let _e1194 = global_5.member[_e459].member_15.member.member.member;
+let _e1200 = global_5.member[_e459].member_15.member.member_1;
 let _e1219 = select(_e1166, _e1170, _e1174);
 let _e1221 = select(-0.5f, _e572, (_e572 > -0.5f));
 let _e1223 = select(_e634, _e1221, (_e1221 < _e634));
@@ -640,14 +642,14 @@ let _e1263 = select(-1f, _e1231, (_e1231 > -1f));
 let _e1265 = select(_e655, _e1263, (_e1263 < _e655));
 let _e1272 = select(0i, select(select(i32(_e1265), i32(-2147483648), (_e1265 < -2147483600f)), 2147483647i, (_e1265 > 2147483500f)), (_e1265 == _e1265));
 let _e1276 = (_e1272 - select(0i, 1i, (_e1265 < f32(_e1272))));
-let _e1281 = global_5.member[_e459].member_6.member_7;
-let _e1286 = global_5.member[_e459].member_6.member_8;
+let _e1281 = global_5.member[_e459].member_8.member_7;
+let _e1286 = global_5.member[_e459].member_8.member_8;
 let _e1287 = (_e1246 + 1i);
 let _e1288 = (_e1261 + 1i);
 let _e1289 = (_e1276 + 1i);
-let _e1295 = global_5.member[_e459].member_6.member_11.member;
+let _e1295 = global_5.member[_e459].member_8.member_11.member;
 let _e1296 = bitcast<i32>(_e1295);
-let _e1302 = global_5.member[_e459].member_6.member_11.member_1;
+let _e1302 = global_5.member[_e459].member_8.member_11.member_1;
 let _e1303 = bitcast<i32>(_e1302);
 let _e1313 = ((_e1287 >> bitcast<u32>(4i)) + (_e1296 * ((_e1288 >> bitcast<u32>(4i)) + (_e1303 * (_e1289 >> bitcast<u32>(4i))))));
 let _e1315 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
@@ -726,8 +728,8 @@ let _e1554 = local_38.member_1[3u];
 let _e1561 = local_39[0u];
 let _e1565 = local_39[1u];
 let _e1570 = local_39[2u];
-let _e1578 = global_5.member[_e459].member_6.member_6;
-let _e1583 = global_5.member[_e459].member_6.member_5;
+let _e1578 = global_5.member[_e459].member_8.member_6;
+let _e1583 = global_5.member[_e459].member_8.member_5;
 let _e1585 = (((_e1462 + (((_e1513 + (((_e1553 + ((f32(bitcast<i32>(((_e1546 >> bitcast<u32>((_e1554 & 31u))) & 65535u))) - _e1553) * _e1561)) - _e1513) * _e1565)) - _e1462) * _e1570)) - _e1578) * _e1583);
 let _e1586 = -(1e9f);
 let _e1588 = select(_e1586, _e1585, (_e1585 > _e1586));
@@ -792,11 +794,11 @@ let _e1765 = select(_e1595, 262144i, (262144i < _e1595));
 let _e1771 = global_2.member[bitcast<u32>(select(0i, _e1765, (_e1765 > 0i)))];
 let _e1774 = select(_e1595, 262145i, (262145i < _e1595));
 let _e1780 = global_2.member[bitcast<u32>(select(0i, _e1774, (_e1774 > 0i)))];
-phi_2986_ = select(_e463[16], ((bitcast<f32>(_e1771) + (f32(bitcast<i32>((_e1745 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1780))) + ((f32((bitcast<i32>((_e1745 & 4095u)) - 2048i)) * bitcast<f32>(_e1761)) * (_e1721 - f32(_e1736)))), _e1140);
+phi_2988_ = select(_e463[16], ((bitcast<f32>(_e1771) + (f32(bitcast<i32>((_e1745 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1780))) + ((f32((bitcast<i32>((_e1745 & 4095u)) - 2048i)) * bitcast<f32>(_e1761)) * (_e1721 - f32(_e1736)))), _e1140);
 } else {
-phi_2986_ = _e463[16];
+phi_2988_ = _e463[16];
 }
-let _e1790 = phi_2986_;
+let _e1790 = phi_2988_;
 let _e1791 = (_e496 - _e492);
 let _e1792 = (_e498 - _e494);
 let _e1793 = (_e503 - _e488);
@@ -847,9 +849,9 @@ let _e1883 = select(_e1845, _e1820, (_e1820 > _e1845));
 let _e1886 = (select(_e1877, _e1879, (_e1879 < _e1877)) - select(_e1870, _e1883, (_e1883 > _e1870)));
 let _e1889 = (_e1801 * select(0f, _e1886, (_e1886 > 0f)));
 if _e838 {
-let _e1904 = global_5.member[_e459].member_6.member.member;
-let _e1913 = global_5.member[_e459].member_6.member_1.member;
-let _e1922 = global_5.member[_e459].member_6.member_2.member;
+let _e1904 = global_5.member[_e459].member_8.member.member;
+let _e1913 = global_5.member[_e459].member_8.member_1.member;
+let _e1922 = global_5.member[_e459].member_8.member_2.member;
 let _e1926 = (-0.5f - _e610);
 let _e1927 = -(_e1806);
 let _e1930 = (_e1806 - _e1926);
@@ -954,16 +956,16 @@ let _e2163 = select(select(select(select(select(select(0f, _e1904.member_1, _e19
 let _e2164 = select(select(select(select(select(select(1f, _e1904.member_2, _e1945), _e1904.member_2, _e1985), _e1913.member_2, _e2024), _e1913.member_2, _e2064), _e1922.member_2, _e2103), _e1922.member_2, _e2143);
 let _e2168 = ((_e799 & 16u) == 0u);
 if _e2168 {
-phi_4592_ = type_34(_e2149, vec3<f32>(_e2150, _e2151, _e2152), _e2154, vec3<f32>(_e2155, _e2156, _e2157), _e2159, _e2161, vec3<f32>(_e2162, _e2163, _e2164));
+phi_4594_ = type_34(_e2149, vec3<f32>(_e2150, _e2151, _e2152), _e2154, vec3<f32>(_e2155, _e2156, _e2157), _e2159, _e2161, vec3<f32>(_e2162, _e2163, _e2164));
 } else {
 let _e2173 = (((_e1904.member * _e1904.member) + (_e1904.member_1 * _e1904.member_1)) + (_e1904.member_2 * _e1904.member_2));
 let _e2176 = sqrt(select(0f, _e2173, (_e2173 > 0f)));
-let _e2181 = global_5.member[_e459].member_14.member_1;
+let _e2181 = global_5.member[_e459].member_16.member_1;
 let _e2182 = (_e2181 != 0u);
-let _e2187 = global_5.member[_e459].member_14.member;
+let _e2187 = global_5.member[_e459].member_16.member;
 let _e2207 = select(-1e6f, (((((_e2187.member.member * _e492) + (_e2187.member.member_1 * _e494)) + (_e2187.member.member_2 * _e488)) + _e2187.member_1) * _e2176), _e2182);
 let _e2208 = select(-1e6f, (((((_e2187.member.member * _e496) + (_e2187.member.member_1 * _e498)) + (_e2187.member.member_2 * _e503)) + _e2187.member_1) * _e2176), _e2182);
-let _e2214 = global_5.member[_e459].member_14.member.member;
+let _e2214 = global_5.member[_e459].member_16.member.member;
 let _e2218 = -(_e2207);
 let _e2221 = (_e2207 - _e2208);
 let _e2222 = (_e2208 - _e2207);
@@ -978,12 +980,12 @@ let _e2242 = select(_e2149, _e2231, _e2240);
 let _e2246 = select(_e2154, _e2235, _e2241);
 let _e2250 = select(_e2159, _e2207, _e2236);
 let _e2252 = select(_e2161, _e2208, (_e2208 > _e2161));
-let _e2260 = global_5.member[_e459].member_15.member_1;
+let _e2260 = global_5.member[_e459].member_17.member_1;
 let _e2261 = (_e2260 != 0u);
-let _e2266 = global_5.member[_e459].member_15.member;
+let _e2266 = global_5.member[_e459].member_17.member;
 let _e2286 = select(-1e6f, (((((_e2266.member.member * _e492) + (_e2266.member.member_1 * _e494)) + (_e2266.member.member_2 * _e488)) + _e2266.member_1) * _e2176), _e2261);
 let _e2287 = select(-1e6f, (((((_e2266.member.member * _e496) + (_e2266.member.member_1 * _e498)) + (_e2266.member.member_2 * _e503)) + _e2266.member_1) * _e2176), _e2261);
-let _e2293 = global_5.member[_e459].member_15.member.member;
+let _e2293 = global_5.member[_e459].member_17.member.member;
 let _e2297 = -(_e2286);
 let _e2300 = (_e2286 - _e2287);
 let _e2301 = (_e2287 - _e2286);
@@ -998,12 +1000,12 @@ let _e2321 = select(_e2242, _e2310, _e2319);
 let _e2325 = select(_e2246, _e2314, _e2320);
 let _e2329 = select(_e2250, _e2286, _e2315);
 let _e2331 = select(_e2252, _e2287, (_e2287 > _e2252));
-let _e2339 = global_5.member[_e459].member_16.member_1;
+let _e2339 = global_5.member[_e459].member_18.member_1;
 let _e2340 = (_e2339 != 0u);
-let _e2345 = global_5.member[_e459].member_16.member;
+let _e2345 = global_5.member[_e459].member_18.member;
 let _e2365 = select(-1e6f, (((((_e2345.member.member * _e492) + (_e2345.member.member_1 * _e494)) + (_e2345.member.member_2 * _e488)) + _e2345.member_1) * _e2176), _e2340);
 let _e2366 = select(-1e6f, (((((_e2345.member.member * _e496) + (_e2345.member.member_1 * _e498)) + (_e2345.member.member_2 * _e503)) + _e2345.member_1) * _e2176), _e2340);
-let _e2372 = global_5.member[_e459].member_16.member.member;
+let _e2372 = global_5.member[_e459].member_18.member.member;
 let _e2376 = -(_e2365);
 let _e2379 = (_e2365 - _e2366);
 let _e2380 = (_e2366 - _e2365);
@@ -1018,12 +1020,12 @@ let _e2400 = select(_e2321, _e2389, _e2398);
 let _e2404 = select(_e2325, _e2393, _e2399);
 let _e2408 = select(_e2329, _e2365, _e2394);
 let _e2410 = select(_e2331, _e2366, (_e2366 > _e2331));
-let _e2418 = global_5.member[_e459].member_17.member_1;
+let _e2418 = global_5.member[_e459].member_19.member_1;
 let _e2419 = (_e2418 != 0u);
-let _e2424 = global_5.member[_e459].member_17.member;
+let _e2424 = global_5.member[_e459].member_19.member;
 let _e2444 = select(-1e6f, (((((_e2424.member.member * _e492) + (_e2424.member.member_1 * _e494)) + (_e2424.member.member_2 * _e488)) + _e2424.member_1) * _e2176), _e2419);
 let _e2445 = select(-1e6f, (((((_e2424.member.member * _e496) + (_e2424.member.member_1 * _e498)) + (_e2424.member.member_2 * _e503)) + _e2424.member_1) * _e2176), _e2419);
-let _e2451 = global_5.member[_e459].member_17.member.member;
+let _e2451 = global_5.member[_e459].member_19.member.member;
 let _e2455 = -(_e2444);
 let _e2458 = (_e2444 - _e2445);
 let _e2459 = (_e2445 - _e2444);
@@ -1034,32 +1036,32 @@ let _e2472 = select(2f, select(0f, _e2464, (_e2444 < 0f)), (_e2445 > 0f));
 let _e2473 = (_e2444 > _e2408);
 let _e2477 = ((_e2468 > _e2400) || ((_e2468 == _e2400) && _e2473));
 let _e2478 = (_e2472 < _e2404);
-phi_4592_ = type_34(select(_e2400, _e2468, _e2477), vec3<f32>(select(select(select(select(_e2150, _e2214.member, _e2240), _e2293.member, _e2319), _e2372.member, _e2398), _e2451.member, _e2477), select(select(select(select(_e2151, _e2214.member_1, _e2240), _e2293.member_1, _e2319), _e2372.member_1, _e2398), _e2451.member_1, _e2477), select(select(select(select(_e2152, _e2214.member_2, _e2240), _e2293.member_2, _e2319), _e2372.member_2, _e2398), _e2451.member_2, _e2477)), select(_e2404, _e2472, _e2478), vec3<f32>(select(select(select(select(_e2155, _e2214.member, _e2241), _e2293.member, _e2320), _e2372.member, _e2399), _e2451.member, _e2478), select(select(select(select(_e2156, _e2214.member_1, _e2241), _e2293.member_1, _e2320), _e2372.member_1, _e2399), _e2451.member_1, _e2478), select(select(select(select(_e2157, _e2214.member_2, _e2241), _e2293.member_2, _e2320), _e2372.member_2, _e2399), _e2451.member_2, _e2478)), select(_e2408, _e2444, _e2473), select(_e2410, _e2445, (_e2445 > _e2410)), vec3<f32>(select(select(select(select(_e2162, _e2214.member, _e2236), _e2293.member, _e2315), _e2372.member, _e2394), _e2451.member, _e2473), select(select(select(select(_e2163, _e2214.member_1, _e2236), _e2293.member_1, _e2315), _e2372.member_1, _e2394), _e2451.member_1, _e2473), select(select(select(select(_e2164, _e2214.member_2, _e2236), _e2293.member_2, _e2315), _e2372.member_2, _e2394), _e2451.member_2, _e2473)));
+phi_4594_ = type_34(select(_e2400, _e2468, _e2477), vec3<f32>(select(select(select(select(_e2150, _e2214.member, _e2240), _e2293.member, _e2319), _e2372.member, _e2398), _e2451.member, _e2477), select(select(select(select(_e2151, _e2214.member_1, _e2240), _e2293.member_1, _e2319), _e2372.member_1, _e2398), _e2451.member_1, _e2477), select(select(select(select(_e2152, _e2214.member_2, _e2240), _e2293.member_2, _e2319), _e2372.member_2, _e2398), _e2451.member_2, _e2477)), select(_e2404, _e2472, _e2478), vec3<f32>(select(select(select(select(_e2155, _e2214.member, _e2241), _e2293.member, _e2320), _e2372.member, _e2399), _e2451.member, _e2478), select(select(select(select(_e2156, _e2214.member_1, _e2241), _e2293.member_1, _e2320), _e2372.member_1, _e2399), _e2451.member_1, _e2478), select(select(select(select(_e2157, _e2214.member_2, _e2241), _e2293.member_2, _e2320), _e2372.member_2, _e2399), _e2451.member_2, _e2478)), select(_e2408, _e2444, _e2473), select(_e2410, _e2445, (_e2445 > _e2410)), vec3<f32>(select(select(select(select(_e2162, _e2214.member, _e2236), _e2293.member, _e2315), _e2372.member, _e2394), _e2451.member, _e2473), select(select(select(select(_e2163, _e2214.member_1, _e2236), _e2293.member_1, _e2315), _e2372.member_1, _e2394), _e2451.member_1, _e2473), select(select(select(select(_e2164, _e2214.member_2, _e2236), _e2293.member_2, _e2315), _e2372.member_2, _e2394), _e2451.member_2, _e2473)));
 }
-let _e2498 = phi_4592_;
+let _e2498 = phi_4594_;
 if ((_e2498.member_4 > -(0.015625f)) && (_e2498.member_4 < 0.015625f)) {
-phi_4605_ = (_e463[16] != 0f);
+phi_4607_ = (_e463[16] != 0f);
 } else {
-phi_4605_ = (_e2498.member_4 < 0f);
+phi_4607_ = (_e2498.member_4 < 0f);
 }
-let _e2507 = phi_4605_;
+let _e2507 = phi_4607_;
 let _e2508 = select(1f, _e1790, _e2507);
 let _e2510 = select(1f, _e2508, (_e1138 && _e2507));
 let _e2511 = (_e463[3] * _e2510);
 let _e2512 = (_e463[4] * _e2510);
 let _e2513 = (_e463[5] * _e2510);
 if _e2507 {
-phi_4635_ = type_39(_e2498.member_2, _e2498.member_3);
+phi_4637_ = type_39(_e2498.member_2, _e2498.member_3);
 } else {
-phi_4635_ = type_39(_e2498.member, _e2498.member_1);
+phi_4637_ = type_39(_e2498.member, _e2498.member_1);
 }
-let _e2522 = phi_4635_;
+let _e2522 = phi_4637_;
 if _e2507 {
-phi_4647_ = (_e2498.member_2 <= 1f);
+phi_4649_ = (_e2498.member_2 <= 1f);
 } else {
-phi_4647_ = ((_e2498.member <= 1f) && (_e2498.member < _e2498.member_2));
+phi_4649_ = ((_e2498.member <= 1f) && (_e2498.member < _e2498.member_2));
 }
-let _e2530 = phi_4647_;
+let _e2530 = phi_4649_;
 let _e2533 = select(1f, _e2522.member, _e2530);
 let _e2537 = (_e492 + (_e1791 * _e2533));
 let _e2538 = (_e494 + (_e1792 * _e2533));
@@ -1235,11 +1237,11 @@ let _e3074 = global_2.member[bitcast<u32>(select(0i, _e3069, (_e3069 > 0i)))];
 let _e3075 = bitcast<f32>(_e3074);
 let _e3081 = ((_e3067 + (f32(bitcast<i32>((_e3042 >> bitcast<u32>(12u)))) * _e3075)) + ((f32((bitcast<i32>((_e3042 & 4095u)) - 2048i)) * _e3058) * (_e3019 - f32(_e3034))));
 if _e2507 {
-phi_5782_ = type_31(_e3081, 1f);
+phi_5784_ = type_31(_e3081, 1f);
 } else {
-phi_5782_ = type_31(1f, _e3081);
+phi_5784_ = type_31(1f, _e3081);
 }
-let _e3085 = phi_5782_;
+let _e3085 = phi_5784_;
 let _e3090 = ((_e3085.member_1 * _e3085.member_1) - (_e3085.member * _e3085.member));
 let _e3098 = (((_e2522.member_1.x * _e2522.member_1.x) + (_e2522.member_1.y * _e2522.member_1.y)) + (_e2522.member_1.z * _e2522.member_1.z));
 let _e3101 = sqrt(select(0f, _e3098, (_e3098 > 0f)));
@@ -1256,7 +1258,7 @@ let _e3125 = (_e3090 == 0f);
 let _e3137 = select(_e2511, select((_e2511 + (_e3105 * _e3124)), _e2511, _e3125), _e2530);
 let _e3138 = select(_e2512, select((_e2512 + (_e3106 * _e3124)), _e2512, _e3125), _e2530);
 let _e3139 = select(_e2513, select((_e2513 + (_e3107 * _e3124)), _e2513, _e3125), _e2530);
-let _e3144 = global_5.member[_e459].member_5.member_4;
+let _e3144 = global_5.member[_e459].member_7.member_4;
 let _e3145 = (_e3144 * _e3144);
 let _e3149 = (_e3139 * _e3139);
 let _e3153 = (_e2530 && (_e3085.member != _e3085.member_1));
@@ -1375,16 +1377,16 @@ let _e3430 = select(select(select(select(select(select(0f, _e1904.member, _e3211
 let _e3431 = select(select(select(select(select(select(0f, _e1904.member_1, _e3211), _e1904.member_1, _e3251), _e1913.member_1, _e3291), _e1913.member_1, _e3331), _e1922.member_1, _e3371), _e1922.member_1, _e3411);
 let _e3432 = select(select(select(select(select(select(1f, _e1904.member_2, _e3211), _e1904.member_2, _e3251), _e1913.member_2, _e3291), _e1913.member_2, _e3331), _e1922.member_2, _e3371), _e1922.member_2, _e3411);
 if _e2168 {
-phi_7305_ = type_34(_e3417, vec3<f32>(_e3418, _e3419, _e3420), _e3422, vec3<f32>(_e3423, _e3424, _e3425), _e3427, _e3429, vec3<f32>(_e3430, _e3431, _e3432));
+phi_7307_ = type_34(_e3417, vec3<f32>(_e3418, _e3419, _e3420), _e3422, vec3<f32>(_e3423, _e3424, _e3425), _e3427, _e3429, vec3<f32>(_e3430, _e3431, _e3432));
 } else {
 let _e3439 = (((_e1904.member * _e1904.member) + (_e1904.member_1 * _e1904.member_1)) + (_e1904.member_2 * _e1904.member_2));
 let _e3442 = sqrt(select(0f, _e3439, (_e3439 > 0f)));
-let _e3447 = global_5.member[_e459].member_14.member_1;
+let _e3447 = global_5.member[_e459].member_16.member_1;
 let _e3448 = (_e3447 != 0u);
-let _e3453 = global_5.member[_e459].member_14.member;
+let _e3453 = global_5.member[_e459].member_16.member;
 let _e3473 = select(-1e6f, (((((_e3453.member.member * _e2537) + (_e3453.member.member_1 * _e2538)) + (_e3453.member.member_2 * _e2539)) + _e3453.member_1) * _e3442), _e3448);
 let _e3474 = select(-1e6f, (((((_e3453.member.member * _e3167) + (_e3453.member.member_1 * _e3168)) + (_e3453.member.member_2 * _e3169)) + _e3453.member_1) * _e3442), _e3448);
-let _e3480 = global_5.member[_e459].member_14.member.member;
+let _e3480 = global_5.member[_e459].member_16.member.member;
 let _e3484 = -(_e3473);
 let _e3487 = (_e3473 - _e3474);
 let _e3488 = (_e3474 - _e3473);
@@ -1399,12 +1401,12 @@ let _e3508 = select(_e3417, _e3497, _e3506);
 let _e3512 = select(_e3422, _e3501, _e3507);
 let _e3516 = select(_e3427, _e3473, _e3502);
 let _e3518 = select(_e3429, _e3474, (_e3474 > _e3429));
-let _e3526 = global_5.member[_e459].member_15.member_1;
+let _e3526 = global_5.member[_e459].member_17.member_1;
 let _e3527 = (_e3526 != 0u);
-let _e3532 = global_5.member[_e459].member_15.member;
+let _e3532 = global_5.member[_e459].member_17.member;
 let _e3552 = select(-1e6f, (((((_e3532.member.member * _e2537) + (_e3532.member.member_1 * _e2538)) + (_e3532.member.member_2 * _e2539)) + _e3532.member_1) * _e3442), _e3527);
 let _e3553 = select(-1e6f, (((((_e3532.member.member * _e3167) + (_e3532.member.member_1 * _e3168)) + (_e3532.member.member_2 * _e3169)) + _e3532.member_1) * _e3442), _e3527);
-let _e3559 = global_5.member[_e459].member_15.member.member;
+let _e3559 = global_5.member[_e459].member_17.member.member;
 let _e3563 = -(_e3552);
 let _e3566 = (_e3552 - _e3553);
 let _e3567 = (_e3553 - _e3552);
@@ -1419,12 +1421,12 @@ let _e3587 = select(_e3508, _e3576, _e3585);
 let _e3591 = select(_e3512, _e3580, _e3586);
 let _e3595 = select(_e3516, _e3552, _e3581);
 let _e3597 = select(_e3518, _e3553, (_e3553 > _e3518));
-let _e3605 = global_5.member[_e459].member_16.member_1;
+let _e3605 = global_5.member[_e459].member_18.member_1;
 let _e3606 = (_e3605 != 0u);
-let _e3611 = global_5.member[_e459].member_16.member;
+let _e3611 = global_5.member[_e459].member_18.member;
 let _e3631 = select(-1e6f, (((((_e3611.member.member * _e2537) + (_e3611.member.member_1 * _e2538)) + (_e3611.member.member_2 * _e2539)) + _e3611.member_1) * _e3442), _e3606);
 let _e3632 = select(-1e6f, (((((_e3611.member.member * _e3167) + (_e3611.member.member_1 * _e3168)) + (_e3611.member.member_2 * _e3169)) + _e3611.member_1) * _e3442), _e3606);
-let _e3638 = global_5.member[_e459].member_16.member.member;
+let _e3638 = global_5.member[_e459].member_18.member.member;
 let _e3642 = -(_e3631);
 let _e3645 = (_e3631 - _e3632);
 let _e3646 = (_e3632 - _e3631);
@@ -1439,12 +1441,12 @@ let _e3666 = select(_e3587, _e3655, _e3664);
 let _e3670 = select(_e3591, _e3659, _e3665);
 let _e3674 = select(_e3595, _e3631, _e3660);
 let _e3676 = select(_e3597, _e3632, (_e3632 > _e3597));
-let _e3684 = global_5.member[_e459].member_17.member_1;
+let _e3684 = global_5.member[_e459].member_19.member_1;
 let _e3685 = (_e3684 != 0u);
-let _e3690 = global_5.member[_e459].member_17.member;
+let _e3690 = global_5.member[_e459].member_19.member;
 let _e3710 = select(-1e6f, (((((_e3690.member.member * _e2537) + (_e3690.member.member_1 * _e2538)) + (_e3690.member.member_2 * _e2539)) + _e3690.member_1) * _e3442), _e3685);
 let _e3711 = select(-1e6f, (((((_e3690.member.member * _e3167) + (_e3690.member.member_1 * _e3168)) + (_e3690.member.member_2 * _e3169)) + _e3690.member_1) * _e3442), _e3685);
-let _e3717 = global_5.member[_e459].member_17.member.member;
+let _e3717 = global_5.member[_e459].member_19.member.member;
 let _e3721 = -(_e3710);
 let _e3724 = (_e3710 - _e3711);
 let _e3725 = (_e3711 - _e3710);
@@ -1455,9 +1457,9 @@ let _e3738 = select(2f, select(0f, _e3730, (_e3710 < 0f)), (_e3711 > 0f));
 let _e3739 = (_e3710 > _e3674);
 let _e3743 = ((_e3734 > _e3666) || ((_e3734 == _e3666) && _e3739));
 let _e3744 = (_e3738 < _e3670);
-phi_7305_ = type_34(select(_e3666, _e3734, _e3743), vec3<f32>(select(select(select(select(_e3418, _e3480.member, _e3506), _e3559.member, _e3585), _e3638.member, _e3664), _e3717.member, _e3743), select(select(select(select(_e3419, _e3480.member_1, _e3506), _e3559.member_1, _e3585), _e3638.member_1, _e3664), _e3717.member_1, _e3743), select(select(select(select(_e3420, _e3480.member_2, _e3506), _e3559.member_2, _e3585), _e3638.member_2, _e3664), _e3717.member_2, _e3743)), select(_e3670, _e3738, _e3744), vec3<f32>(select(select(select(select(_e3423, _e3480.member, _e3507), _e3559.member, _e3586), _e3638.member, _e3665), _e3717.member, _e3744), select(select(select(select(_e3424, _e3480.member_1, _e3507), _e3559.member_1, _e3586), _e3638.member_1, _e3665), _e3717.member_1, _e3744), select(select(select(select(_e3425, _e3480.member_2, _e3507), _e3559.member_2, _e3586), _e3638.member_2, _e3665), _e3717.member_2, _e3744)), select(_e3674, _e3710, _e3739), select(_e3676, _e3711, (_e3711 > _e3676)), vec3<f32>(select(select(select(select(_e3430, _e3480.member, _e3502), _e3559.member, _e3581), _e3638.member, _e3660), _e3717.member, _e3739), select(select(select(select(_e3431, _e3480.member_1, _e3502), _e3559.member_1, _e3581), _e3638.member_1, _e3660), _e3717.member_1, _e3739), select(select(select(select(_e3432, _e3480.member_2, _e3502), _e3559.member_2, _e3581), _e3638.member_2, _e3660), _e3717.member_2, _e3739)));
+phi_7307_ = type_34(select(_e3666, _e3734, _e3743), vec3<f32>(select(select(select(select(_e3418, _e3480.member, _e3506), _e3559.member, _e3585), _e3638.member, _e3664), _e3717.member, _e3743), select(select(select(select(_e3419, _e3480.member_1, _e3506), _e3559.member_1, _e3585), _e3638.member_1, _e3664), _e3717.member_1, _e3743), select(select(select(select(_e3420, _e3480.member_2, _e3506), _e3559.member_2, _e3585), _e3638.member_2, _e3664), _e3717.member_2, _e3743)), select(_e3670, _e3738, _e3744), vec3<f32>(select(select(select(select(_e3423, _e3480.member, _e3507), _e3559.member, _e3586), _e3638.member, _e3665), _e3717.member, _e3744), select(select(select(select(_e3424, _e3480.member_1, _e3507), _e3559.member_1, _e3586), _e3638.member_1, _e3665), _e3717.member_1, _e3744), select(select(select(select(_e3425, _e3480.member_2, _e3507), _e3559.member_2, _e3586), _e3638.member_2, _e3665), _e3717.member_2, _e3744)), select(_e3674, _e3710, _e3739), select(_e3676, _e3711, (_e3711 > _e3676)), vec3<f32>(select(select(select(select(_e3430, _e3480.member, _e3502), _e3559.member, _e3581), _e3638.member, _e3660), _e3717.member, _e3739), select(select(select(select(_e3431, _e3480.member_1, _e3502), _e3559.member_1, _e3581), _e3638.member_1, _e3660), _e3717.member_1, _e3739), select(select(select(select(_e3432, _e3480.member_2, _e3502), _e3559.member_2, _e3581), _e3638.member_2, _e3660), _e3717.member_2, _e3739)));
 }
-let _e3764 = phi_7305_;
+let _e3764 = phi_7307_;
 let _e3770 = (((_e2530 && _e3172) && !(_e3157)) && (_e3764.member_2 <= 1f));
 let _e3774 = (_e3169 - _e2539);
 let _e3775 = select(1f, _e3764.member_2, _e3770);
@@ -1593,11 +1595,11 @@ let _e4182 = select(_e2893, _e4180, (_e4180 < _e2893));
 let _e4187 = global_2.member[bitcast<u32>(select(0i, _e4182, (_e4182 > 0i)))];
 let _e4202 = ((_e3067 + (f32(bitcast<i32>((_e4187 >> bitcast<u32>(12u)))) * _e3075)) + ((f32((bitcast<i32>((_e4187 & 4095u)) - 2048i)) * _e3058) * (_e4164 - f32(_e4179))));
 if _e3172 {
-phi_8472_ = type_31(_e4202, 1f);
+phi_8474_ = type_31(_e4202, 1f);
 } else {
-phi_8472_ = type_31(1f, _e4202);
+phi_8474_ = type_31(1f, _e4202);
 }
-let _e4206 = phi_8472_;
+let _e4206 = phi_8474_;
 let _e4211 = ((_e4206.member_1 * _e4206.member_1) - (_e4206.member * _e4206.member));
 let _e4219 = (((_e3764.member_3.x * _e3764.member_3.x) + (_e3764.member_3.y * _e3764.member_3.y)) + (_e3764.member_3.z * _e3764.member_3.z));
 let _e4222 = sqrt(select(0f, _e4219, (_e4219 > 0f)));
@@ -1734,16 +1736,16 @@ let _e4567 = select(select(select(select(select(select(0f, _e1904.member, _e4348
 let _e4568 = select(select(select(select(select(select(0f, _e1904.member_1, _e4348), _e1904.member_1, _e4388), _e1913.member_1, _e4428), _e1913.member_1, _e4468), _e1922.member_1, _e4508), _e1922.member_1, _e4548);
 let _e4569 = select(select(select(select(select(select(1f, _e1904.member_2, _e4348), _e1904.member_2, _e4388), _e1913.member_2, _e4428), _e1913.member_2, _e4468), _e1922.member_2, _e4508), _e1922.member_2, _e4548);
 if _e2168 {
-phi_10010_ = type_34(_e4554, vec3<f32>(_e4555, _e4556, _e4557), _e4559, vec3<f32>(_e4560, _e4561, _e4562), _e4564, _e4566, vec3<f32>(_e4567, _e4568, _e4569));
+phi_10012_ = type_34(_e4554, vec3<f32>(_e4555, _e4556, _e4557), _e4559, vec3<f32>(_e4560, _e4561, _e4562), _e4564, _e4566, vec3<f32>(_e4567, _e4568, _e4569));
 } else {
 let _e4576 = (((_e1904.member * _e1904.member) + (_e1904.member_1 * _e1904.member_1)) + (_e1904.member_2 * _e1904.member_2));
 let _e4579 = sqrt(select(0f, _e4576, (_e4576 > 0f)));
-let _e4584 = global_5.member[_e459].member_14.member_1;
+let _e4584 = global_5.member[_e459].member_16.member_1;
 let _e4585 = (_e4584 != 0u);
-let _e4590 = global_5.member[_e459].member_14.member;
+let _e4590 = global_5.member[_e459].member_16.member;
 let _e4610 = select(-1e6f, (((((_e4590.member.member * _e3783.x) + (_e4590.member.member_1 * _e3783.y)) + (_e4590.member.member_2 * _e3783.z)) + _e4590.member_1) * _e4579), _e4585);
 let _e4611 = select(-1e6f, (((((_e4590.member.member * _e4283) + (_e4590.member.member_1 * _e4284)) + (_e4590.member.member_2 * _e4285)) + _e4590.member_1) * _e4579), _e4585);
-let _e4617 = global_5.member[_e459].member_14.member.member;
+let _e4617 = global_5.member[_e459].member_16.member.member;
 let _e4621 = -(_e4610);
 let _e4624 = (_e4610 - _e4611);
 let _e4625 = (_e4611 - _e4610);
@@ -1758,12 +1760,12 @@ let _e4645 = select(_e4554, _e4634, _e4643);
 let _e4649 = select(_e4559, _e4638, _e4644);
 let _e4653 = select(_e4564, _e4610, _e4639);
 let _e4655 = select(_e4566, _e4611, (_e4611 > _e4566));
-let _e4663 = global_5.member[_e459].member_15.member_1;
+let _e4663 = global_5.member[_e459].member_17.member_1;
 let _e4664 = (_e4663 != 0u);
-let _e4669 = global_5.member[_e459].member_15.member;
+let _e4669 = global_5.member[_e459].member_17.member;
 let _e4689 = select(-1e6f, (((((_e4669.member.member * _e3783.x) + (_e4669.member.member_1 * _e3783.y)) + (_e4669.member.member_2 * _e3783.z)) + _e4669.member_1) * _e4579), _e4664);
 let _e4690 = select(-1e6f, (((((_e4669.member.member * _e4283) + (_e4669.member.member_1 * _e4284)) + (_e4669.member.member_2 * _e4285)) + _e4669.member_1) * _e4579), _e4664);
-let _e4696 = global_5.member[_e459].member_15.member.member;
+let _e4696 = global_5.member[_e459].member_17.member.member;
 let _e4700 = -(_e4689);
 let _e4703 = (_e4689 - _e4690);
 let _e4704 = (_e4690 - _e4689);
@@ -1778,12 +1780,12 @@ let _e4724 = select(_e4645, _e4713, _e4722);
 let _e4728 = select(_e4649, _e4717, _e4723);
 let _e4732 = select(_e4653, _e4689, _e4718);
 let _e4734 = select(_e4655, _e4690, (_e4690 > _e4655));
-let _e4742 = global_5.member[_e459].member_16.member_1;
+let _e4742 = global_5.member[_e459].member_18.member_1;
 let _e4743 = (_e4742 != 0u);
-let _e4748 = global_5.member[_e459].member_16.member;
+let _e4748 = global_5.member[_e459].member_18.member;
 let _e4768 = select(-1e6f, (((((_e4748.member.member * _e3783.x) + (_e4748.member.member_1 * _e3783.y)) + (_e4748.member.member_2 * _e3783.z)) + _e4748.member_1) * _e4579), _e4743);
 let _e4769 = select(-1e6f, (((((_e4748.member.member * _e4283) + (_e4748.member.member_1 * _e4284)) + (_e4748.member.member_2 * _e4285)) + _e4748.member_1) * _e4579), _e4743);
-let _e4775 = global_5.member[_e459].member_16.member.member;
+let _e4775 = global_5.member[_e459].member_18.member.member;
 let _e4779 = -(_e4768);
 let _e4782 = (_e4768 - _e4769);
 let _e4783 = (_e4769 - _e4768);
@@ -1798,12 +1800,12 @@ let _e4803 = select(_e4724, _e4792, _e4801);
 let _e4807 = select(_e4728, _e4796, _e4802);
 let _e4811 = select(_e4732, _e4768, _e4797);
 let _e4813 = select(_e4734, _e4769, (_e4769 > _e4734));
-let _e4821 = global_5.member[_e459].member_17.member_1;
+let _e4821 = global_5.member[_e459].member_19.member_1;
 let _e4822 = (_e4821 != 0u);
-let _e4827 = global_5.member[_e459].member_17.member;
+let _e4827 = global_5.member[_e459].member_19.member;
 let _e4847 = select(-1e6f, (((((_e4827.member.member * _e3783.x) + (_e4827.member.member_1 * _e3783.y)) + (_e4827.member.member_2 * _e3783.z)) + _e4827.member_1) * _e4579), _e4822);
 let _e4848 = select(-1e6f, (((((_e4827.member.member * _e4283) + (_e4827.member.member_1 * _e4284)) + (_e4827.member.member_2 * _e4285)) + _e4827.member_1) * _e4579), _e4822);
-let _e4854 = global_5.member[_e459].member_17.member.member;
+let _e4854 = global_5.member[_e459].member_19.member.member;
 let _e4858 = -(_e4847);
 let _e4861 = (_e4847 - _e4848);
 let _e4862 = (_e4848 - _e4847);
@@ -1814,9 +1816,9 @@ let _e4875 = select(2f, select(0f, _e4867, (_e4847 < 0f)), (_e4848 > 0f));
 let _e4876 = (_e4847 > _e4811);
 let _e4880 = ((_e4871 > _e4803) || ((_e4871 == _e4803) && _e4876));
 let _e4881 = (_e4875 < _e4807);
-phi_10010_ = type_34(select(_e4803, _e4871, _e4880), vec3<f32>(select(select(select(select(_e4555, _e4617.member, _e4643), _e4696.member, _e4722), _e4775.member, _e4801), _e4854.member, _e4880), select(select(select(select(_e4556, _e4617.member_1, _e4643), _e4696.member_1, _e4722), _e4775.member_1, _e4801), _e4854.member_1, _e4880), select(select(select(select(_e4557, _e4617.member_2, _e4643), _e4696.member_2, _e4722), _e4775.member_2, _e4801), _e4854.member_2, _e4880)), select(_e4807, _e4875, _e4881), vec3<f32>(select(select(select(select(_e4560, _e4617.member, _e4644), _e4696.member, _e4723), _e4775.member, _e4802), _e4854.member, _e4881), select(select(select(select(_e4561, _e4617.member_1, _e4644), _e4696.member_1, _e4723), _e4775.member_1, _e4802), _e4854.member_1, _e4881), select(select(select(select(_e4562, _e4617.member_2, _e4644), _e4696.member_2, _e4723), _e4775.member_2, _e4802), _e4854.member_2, _e4881)), select(_e4811, _e4847, _e4876), select(_e4813, _e4848, (_e4848 > _e4813)), vec3<f32>(select(select(select(select(_e4567, _e4617.member, _e4639), _e4696.member, _e4718), _e4775.member, _e4797), _e4854.member, _e4876), select(select(select(select(_e4568, _e4617.member_1, _e4639), _e4696.member_1, _e4718), _e4775.member_1, _e4797), _e4854.member_1, _e4876), select(select(select(select(_e4569, _e4617.member_2, _e4639), _e4696.member_2, _e4718), _e4775.member_2, _e4797), _e4854.member_2, _e4876)));
+phi_10012_ = type_34(select(_e4803, _e4871, _e4880), vec3<f32>(select(select(select(select(_e4555, _e4617.member, _e4643), _e4696.member, _e4722), _e4775.member, _e4801), _e4854.member, _e4880), select(select(select(select(_e4556, _e4617.member_1, _e4643), _e4696.member_1, _e4722), _e4775.member_1, _e4801), _e4854.member_1, _e4880), select(select(select(select(_e4557, _e4617.member_2, _e4643), _e4696.member_2, _e4722), _e4775.member_2, _e4801), _e4854.member_2, _e4880)), select(_e4807, _e4875, _e4881), vec3<f32>(select(select(select(select(_e4560, _e4617.member, _e4644), _e4696.member, _e4723), _e4775.member, _e4802), _e4854.member, _e4881), select(select(select(select(_e4561, _e4617.member_1, _e4644), _e4696.member_1, _e4723), _e4775.member_1, _e4802), _e4854.member_1, _e4881), select(select(select(select(_e4562, _e4617.member_2, _e4644), _e4696.member_2, _e4723), _e4775.member_2, _e4802), _e4854.member_2, _e4881)), select(_e4811, _e4847, _e4876), select(_e4813, _e4848, (_e4848 > _e4813)), vec3<f32>(select(select(select(select(_e4567, _e4617.member, _e4639), _e4696.member, _e4718), _e4775.member, _e4797), _e4854.member, _e4876), select(select(select(select(_e4568, _e4617.member_1, _e4639), _e4696.member_1, _e4718), _e4775.member_1, _e4797), _e4854.member_1, _e4876), select(select(select(select(_e4569, _e4617.member_2, _e4639), _e4696.member_2, _e4718), _e4775.member_2, _e4797), _e4854.member_2, _e4876)));
 }
-let _e4901 = phi_10010_;
+let _e4901 = phi_10012_;
 let _e4907 = (((_e3770 && _e4288) && !(_e4272)) && (_e4901.member_2 <= 1f));
 let _e4912 = select(1f, _e4901.member_2, _e4907);
 let _e4913 = ((_e4283 - _e3783.x) * _e4912);
@@ -1951,11 +1953,11 @@ let _e5319 = select(_e2893, _e5317, (_e5317 < _e2893));
 let _e5324 = global_2.member[bitcast<u32>(select(0i, _e5319, (_e5319 > 0i)))];
 let _e5339 = ((_e3067 + (f32(bitcast<i32>((_e5324 >> bitcast<u32>(12u)))) * _e3075)) + ((f32((bitcast<i32>((_e5324 & 4095u)) - 2048i)) * _e3058) * (_e5301 - f32(_e5316))));
 if _e4288 {
-phi_11177_ = type_31(_e5339, 1f);
+phi_11179_ = type_31(_e5339, 1f);
 } else {
-phi_11177_ = type_31(1f, _e5339);
+phi_11179_ = type_31(1f, _e5339);
 }
-let _e5343 = phi_11177_;
+let _e5343 = phi_11179_;
 let _e5348 = ((_e5343.member_1 * _e5343.member_1) - (_e5343.member * _e5343.member));
 let _e5356 = (((_e4901.member_3.x * _e4901.member_3.x) + (_e4901.member_3.y * _e4901.member_3.y)) + (_e4901.member_3.z * _e4901.member_3.z));
 let _e5359 = sqrt(select(0f, _e5356, (_e5356 > 0f)));
@@ -2092,16 +2094,16 @@ let _e5705 = select(select(select(select(select(select(0f, _e1904.member, _e5486
 let _e5706 = select(select(select(select(select(select(0f, _e1904.member_1, _e5486), _e1904.member_1, _e5526), _e1913.member_1, _e5566), _e1913.member_1, _e5606), _e1922.member_1, _e5646), _e1922.member_1, _e5686);
 let _e5707 = select(select(select(select(select(select(1f, _e1904.member_2, _e5486), _e1904.member_2, _e5526), _e1913.member_2, _e5566), _e1913.member_2, _e5606), _e1922.member_2, _e5646), _e1922.member_2, _e5686);
 if _e2168 {
-phi_12715_ = type_34(_e5692, vec3<f32>(_e5693, _e5694, _e5695), _e5697, vec3<f32>(_e5698, _e5699, _e5700), _e5702, _e5704, vec3<f32>(_e5705, _e5706, _e5707));
+phi_12717_ = type_34(_e5692, vec3<f32>(_e5693, _e5694, _e5695), _e5697, vec3<f32>(_e5698, _e5699, _e5700), _e5702, _e5704, vec3<f32>(_e5705, _e5706, _e5707));
 } else {
 let _e5714 = (((_e1904.member * _e1904.member) + (_e1904.member_1 * _e1904.member_1)) + (_e1904.member_2 * _e1904.member_2));
 let _e5717 = sqrt(select(0f, _e5714, (_e5714 > 0f)));
-let _e5722 = global_5.member[_e459].member_14.member_1;
+let _e5722 = global_5.member[_e459].member_16.member_1;
 let _e5723 = (_e5722 != 0u);
-let _e5728 = global_5.member[_e459].member_14.member;
+let _e5728 = global_5.member[_e459].member_16.member;
 let _e5748 = select(-1e6f, (((((_e5728.member.member * _e4920.x) + (_e5728.member.member_1 * _e4920.y)) + (_e5728.member.member_2 * _e4920.z)) + _e5728.member_1) * _e5717), _e5723);
 let _e5749 = select(-1e6f, (((((_e5728.member.member * _e5421) + (_e5728.member.member_1 * _e5422)) + (_e5728.member.member_2 * _e5423)) + _e5728.member_1) * _e5717), _e5723);
-let _e5755 = global_5.member[_e459].member_14.member.member;
+let _e5755 = global_5.member[_e459].member_16.member.member;
 let _e5759 = -(_e5748);
 let _e5762 = (_e5748 - _e5749);
 let _e5763 = (_e5749 - _e5748);
@@ -2116,12 +2118,12 @@ let _e5783 = select(_e5692, _e5772, _e5781);
 let _e5787 = select(_e5697, _e5776, _e5782);
 let _e5791 = select(_e5702, _e5748, _e5777);
 let _e5793 = select(_e5704, _e5749, (_e5749 > _e5704));
-let _e5801 = global_5.member[_e459].member_15.member_1;
+let _e5801 = global_5.member[_e459].member_17.member_1;
 let _e5802 = (_e5801 != 0u);
-let _e5807 = global_5.member[_e459].member_15.member;
+let _e5807 = global_5.member[_e459].member_17.member;
 let _e5827 = select(-1e6f, (((((_e5807.member.member * _e4920.x) + (_e5807.member.member_1 * _e4920.y)) + (_e5807.member.member_2 * _e4920.z)) + _e5807.member_1) * _e5717), _e5802);
 let _e5828 = select(-1e6f, (((((_e5807.member.member * _e5421) + (_e5807.member.member_1 * _e5422)) + (_e5807.member.member_2 * _e5423)) + _e5807.member_1) * _e5717), _e5802);
-let _e5834 = global_5.member[_e459].member_15.member.member;
+let _e5834 = global_5.member[_e459].member_17.member.member;
 let _e5838 = -(_e5827);
 let _e5841 = (_e5827 - _e5828);
 let _e5842 = (_e5828 - _e5827);
@@ -2136,12 +2138,12 @@ let _e5862 = select(_e5783, _e5851, _e5860);
 let _e5866 = select(_e5787, _e5855, _e5861);
 let _e5870 = select(_e5791, _e5827, _e5856);
 let _e5872 = select(_e5793, _e5828, (_e5828 > _e5793));
-let _e5880 = global_5.member[_e459].member_16.member_1;
+let _e5880 = global_5.member[_e459].member_18.member_1;
 let _e5881 = (_e5880 != 0u);
-let _e5886 = global_5.member[_e459].member_16.member;
+let _e5886 = global_5.member[_e459].member_18.member;
 let _e5906 = select(-1e6f, (((((_e5886.member.member * _e4920.x) + (_e5886.member.member_1 * _e4920.y)) + (_e5886.member.member_2 * _e4920.z)) + _e5886.member_1) * _e5717), _e5881);
 let _e5907 = select(-1e6f, (((((_e5886.member.member * _e5421) + (_e5886.member.member_1 * _e5422)) + (_e5886.member.member_2 * _e5423)) + _e5886.member_1) * _e5717), _e5881);
-let _e5913 = global_5.member[_e459].member_16.member.member;
+let _e5913 = global_5.member[_e459].member_18.member.member;
 let _e5917 = -(_e5906);
 let _e5920 = (_e5906 - _e5907);
 let _e5921 = (_e5907 - _e5906);
@@ -2156,12 +2158,12 @@ let _e5941 = select(_e5862, _e5930, _e5939);
 let _e5945 = select(_e5866, _e5934, _e5940);
 let _e5949 = select(_e5870, _e5906, _e5935);
 let _e5951 = select(_e5872, _e5907, (_e5907 > _e5872));
-let _e5959 = global_5.member[_e459].member_17.member_1;
+let _e5959 = global_5.member[_e459].member_19.member_1;
 let _e5960 = (_e5959 != 0u);
-let _e5965 = global_5.member[_e459].member_17.member;
+let _e5965 = global_5.member[_e459].member_19.member;
 let _e5985 = select(-1e6f, (((((_e5965.member.member * _e4920.x) + (_e5965.member.member_1 * _e4920.y)) + (_e5965.member.member_2 * _e4920.z)) + _e5965.member_1) * _e5717), _e5960);
 let _e5986 = select(-1e6f, (((((_e5965.member.member * _e5421) + (_e5965.member.member_1 * _e5422)) + (_e5965.member.member_2 * _e5423)) + _e5965.member_1) * _e5717), _e5960);
-let _e5992 = global_5.member[_e459].member_17.member.member;
+let _e5992 = global_5.member[_e459].member_19.member.member;
 let _e5996 = -(_e5985);
 let _e5999 = (_e5985 - _e5986);
 let _e6000 = (_e5986 - _e5985);
@@ -2172,9 +2174,9 @@ let _e6013 = select(2f, select(0f, _e6005, (_e5985 < 0f)), (_e5986 > 0f));
 let _e6014 = (_e5985 > _e5949);
 let _e6018 = ((_e6009 > _e5941) || ((_e6009 == _e5941) && _e6014));
 let _e6019 = (_e6013 < _e5945);
-phi_12715_ = type_34(select(_e5941, _e6009, _e6018), vec3<f32>(select(select(select(select(_e5693, _e5755.member, _e5781), _e5834.member, _e5860), _e5913.member, _e5939), _e5992.member, _e6018), select(select(select(select(_e5694, _e5755.member_1, _e5781), _e5834.member_1, _e5860), _e5913.member_1, _e5939), _e5992.member_1, _e6018), select(select(select(select(_e5695, _e5755.member_2, _e5781), _e5834.member_2, _e5860), _e5913.member_2, _e5939), _e5992.member_2, _e6018)), select(_e5945, _e6013, _e6019), vec3<f32>(select(select(select(select(_e5698, _e5755.member, _e5782), _e5834.member, _e5861), _e5913.member, _e5940), _e5992.member, _e6019), select(select(select(select(_e5699, _e5755.member_1, _e5782), _e5834.member_1, _e5861), _e5913.member_1, _e5940), _e5992.member_1, _e6019), select(select(select(select(_e5700, _e5755.member_2, _e5782), _e5834.member_2, _e5861), _e5913.member_2, _e5940), _e5992.member_2, _e6019)), select(_e5949, _e5985, _e6014), select(_e5951, _e5986, (_e5986 > _e5951)), vec3<f32>(select(select(select(select(_e5705, _e5755.member, _e5777), _e5834.member, _e5856), _e5913.member, _e5935), _e5992.member, _e6014), select(select(select(select(_e5706, _e5755.member_1, _e5777), _e5834.member_1, _e5856), _e5913.member_1, _e5935), _e5992.member_1, _e6014), select(select(select(select(_e5707, _e5755.member_2, _e5777), _e5834.member_2, _e5856), _e5913.member_2, _e5935), _e5992.member_2, _e6014)));
+phi_12717_ = type_34(select(_e5941, _e6009, _e6018), vec3<f32>(select(select(select(select(_e5693, _e5755.member, _e5781), _e5834.member, _e5860), _e5913.member, _e5939), _e5992.member, _e6018), select(select(select(select(_e5694, _e5755.member_1, _e5781), _e5834.member_1, _e5860), _e5913.member_1, _e5939), _e5992.member_1, _e6018), select(select(select(select(_e5695, _e5755.member_2, _e5781), _e5834.member_2, _e5860), _e5913.member_2, _e5939), _e5992.member_2, _e6018)), select(_e5945, _e6013, _e6019), vec3<f32>(select(select(select(select(_e5698, _e5755.member, _e5782), _e5834.member, _e5861), _e5913.member, _e5940), _e5992.member, _e6019), select(select(select(select(_e5699, _e5755.member_1, _e5782), _e5834.member_1, _e5861), _e5913.member_1, _e5940), _e5992.member_1, _e6019), select(select(select(select(_e5700, _e5755.member_2, _e5782), _e5834.member_2, _e5861), _e5913.member_2, _e5940), _e5992.member_2, _e6019)), select(_e5949, _e5985, _e6014), select(_e5951, _e5986, (_e5986 > _e5951)), vec3<f32>(select(select(select(select(_e5705, _e5755.member, _e5777), _e5834.member, _e5856), _e5913.member, _e5935), _e5992.member, _e6014), select(select(select(select(_e5706, _e5755.member_1, _e5777), _e5834.member_1, _e5856), _e5913.member_1, _e5935), _e5992.member_1, _e6014), select(select(select(select(_e5707, _e5755.member_2, _e5777), _e5834.member_2, _e5856), _e5913.member_2, _e5935), _e5992.member_2, _e6014)));
 }
-let _e6039 = phi_12715_;
+let _e6039 = phi_12717_;
 let _e6045 = (((_e4907 && _e5426) && !(_e5410)) && (_e6039.member_2 <= 1f));
 let _e6046 = (_e2537 - _e492);
 let _e6047 = (_e2538 - _e494);
@@ -2338,25 +2340,25 @@ let _e6454 = select(_e6413, _e6385, (_e6385 > _e6413));
 let _e6457 = (select(_e6448, _e6450, (_e6450 < _e6448)) - select(_e6441, _e6454, (_e6454 > _e6441)));
 let _e6464 = ((_e3153 || _e4268) || _e5406);
 if _e3153 {
-phi_14463_ = _e3085;
+phi_14465_ = _e3085;
 } else {
-phi_14463_ = _e4206;
+phi_14465_ = _e4206;
 }
-let _e6485 = phi_14463_;
-phi_14476_ = type_38(_e6485, vec3<f32>(select(_e5421, _e4920.x, _e6045), select(_e5422, _e4920.y, _e6045), select(_e5423, _e4920.z, _e6045)), vec3<f32>(_e5395, _e5396, _e5397), select(_e1889, ((((sqrt(select(0f, _e6053, (_e6053 > 0f))) * select(0f, _e6134, (_e6134 > 0f))) + (sqrt(select(0f, _e6145, (_e6145 > 0f))) * select(0f, _e6241, (_e6241 > 0f)))) + (sqrt(select(0f, _e6253, (_e6253 > 0f))) * select(0f, _e6349, (_e6349 > 0f)))) + select(0f, (sqrt(select(0f, _e6361, (_e6361 > 0f))) * select(0f, _e6457, (_e6457 > 0f))), _e4907)), _e6464), select((_e482 / _e5397), (2f * (_e3774 / _e3139)), (((_e2530 && !(_e2507)) && _e3172) && !(_e3770))), select(_e3764.member_3, _e2522.member_1, vec3(_e3153)), _e5426, _e6464, (((_e3157 || _e4272) || _e5410) || _e6045));
-phi_14477_ = vec3<f32>(_e2511, _e2512, _e2513);
-phi_14478_ = _e2507;
-phi_14479_ = _e2508;
+let _e6485 = phi_14465_;
+phi_14478_ = type_38(_e6485, vec3<f32>(select(_e5421, _e4920.x, _e6045), select(_e5422, _e4920.y, _e6045), select(_e5423, _e4920.z, _e6045)), vec3<f32>(_e5395, _e5396, _e5397), select(_e1889, ((((sqrt(select(0f, _e6053, (_e6053 > 0f))) * select(0f, _e6134, (_e6134 > 0f))) + (sqrt(select(0f, _e6145, (_e6145 > 0f))) * select(0f, _e6241, (_e6241 > 0f)))) + (sqrt(select(0f, _e6253, (_e6253 > 0f))) * select(0f, _e6349, (_e6349 > 0f)))) + select(0f, (sqrt(select(0f, _e6361, (_e6361 > 0f))) * select(0f, _e6457, (_e6457 > 0f))), _e4907)), _e6464), select((_e482 / _e5397), (2f * (_e3774 / _e3139)), (((_e2530 && !(_e2507)) && _e3172) && !(_e3770))), select(_e3764.member_3, _e2522.member_1, vec3(_e3153)), _e5426, _e6464, (((_e3157 || _e4272) || _e5410) || _e6045));
+phi_14479_ = vec3<f32>(_e2511, _e2512, _e2513);
+phi_14480_ = _e2507;
+phi_14481_ = _e2508;
 } else {
-phi_14476_ = type_38(_e1802.member, _e1802.member_1, _e1802.member_2, _e1889, _e1802.member_4, _e1802.member_5, _e1802.member_6, _e1802.member_7, _e1802.member_8);
-phi_14477_ = _e1151;
-phi_14478_ = true;
-phi_14479_ = _e1790;
+phi_14478_ = type_38(_e1802.member, _e1802.member_1, _e1802.member_2, _e1889, _e1802.member_4, _e1802.member_5, _e1802.member_6, _e1802.member_7, _e1802.member_8);
+phi_14479_ = _e1151;
+phi_14480_ = true;
+phi_14481_ = _e1790;
 }
-let _e6488 = phi_14476_;
-let _e6490 = phi_14477_;
-let _e6492 = phi_14478_;
-let _e6494 = phi_14479_;
+let _e6488 = phi_14478_;
+let _e6490 = phi_14479_;
+let _e6492 = phi_14480_;
+let _e6494 = phi_14481_;
 let _e6505 = ((((_e561.member.member * _e6488.member_1.x) + (_e561.member.member_1 * _e6488.member_1.y)) + (_e561.member.member_2 * _e6488.member_1.z)) + _e561.member_1);
 let _e6511 = ((((_e577.member.member * _e6488.member_1.x) + (_e577.member.member_1 * _e6488.member_1.y)) + (_e577.member.member_2 * _e6488.member_1.z)) + _e577.member_1);
 let _e6517 = ((((_e593.member.member * _e6488.member_1.x) + (_e593.member.member_1 * _e6488.member_1.y)) + (_e593.member.member_2 * _e6488.member_1.z)) + _e593.member_1);
@@ -2778,7 +2780,7 @@ if _e837 {
 let _e8607 = ((0.5f * (_e7898 - _e7892)) * _e8156);
 let _e8608 = ((0.5f * (_e7910 - _e7904)) * _e8156);
 let _e8609 = ((0.5f * (_e7922 - _e7916)) * _e8156);
-phi_20091_ = type_32(_e8118, vec3<f32>(_e8607, _e8608, _e8609), vec3<f32>((_e8607 * _e8118), (_e8608 * _e8118), (_e8609 * _e8118)));
+phi_20093_ = type_32(_e8118, vec3<f32>(_e8607, _e8608, _e8609), vec3<f32>((_e8607 * _e8118), (_e8608 * _e8118), (_e8609 * _e8118)));
 } else {
 local_18 = _e7892;
 let _e8157 = local_18;
@@ -2927,23 +2929,23 @@ let _e8582 = ((_e8103 + (f32(bitcast<i32>((_e8567 >> bitcast<u32>(12u)))) * _e81
 let _e8583 = (_e8298 - _e8227);
 let _e8585 = (_e8440 - _e8369);
 let _e8587 = (_e8582 - _e8511);
-phi_20091_ = type_32(_e8118, vec3<f32>((0.5f * _e8583), (0.5f * _e8585), (0.5f * _e8587)), vec3<f32>((0.25f * (_e8583 * (_e8298 + _e8227))), (0.25f * (_e8585 * (_e8440 + _e8369))), (0.25f * (_e8587 * (_e8582 + _e8511)))));
+phi_20093_ = type_32(_e8118, vec3<f32>((0.5f * _e8583), (0.5f * _e8585), (0.5f * _e8587)), vec3<f32>((0.25f * (_e8583 * (_e8298 + _e8227))), (0.25f * (_e8585 * (_e8440 + _e8369))), (0.25f * (_e8587 * (_e8582 + _e8511)))));
 }
-let _e8617 = phi_20091_;
+let _e8617 = phi_20093_;
 let _e8632 = select(0f, 1f, ((((((_e6505 >= -0.5f) && (_e6505 <= _e634)) && (_e6511 >= -0.5f)) && (_e6511 <= _e645)) && (_e6517 >= -0.5f)) && (_e6517 <= _e656)));
 let _e8634 = (0.5f * (_e7898 - _e7892));
 let _e8636 = (0.5f * (_e7910 - _e7904));
 let _e8638 = (0.5f * (_e7922 - _e7916));
-let _e8645 = global_5.member[_e459].member_6.member.member.member;
-let _e8652 = global_5.member[_e459].member_6.member.member.member_1;
-let _e8659 = global_5.member[_e459].member_6.member.member.member_2;
-let _e8666 = global_5.member[_e459].member_6.member_1.member.member;
-let _e8673 = global_5.member[_e459].member_6.member_1.member.member_1;
-let _e8680 = global_5.member[_e459].member_6.member_1.member.member_2;
-let _e8687 = global_5.member[_e459].member_6.member_2.member.member;
-let _e8694 = global_5.member[_e459].member_6.member_2.member.member_1;
-let _e8701 = global_5.member[_e459].member_6.member_2.member.member_2;
-phi_20793_ = type_33(_e7886, vec3<f32>(((((_e8645 * _e8634) + (_e8666 * _e8636)) + (_e8687 * _e8638)) * _e8632), ((((_e8652 * _e8634) + (_e8673 * _e8636)) + (_e8694 * _e8638)) * _e8632), ((((_e8659 * _e8634) + (_e8680 * _e8636)) + (_e8701 * _e8638)) * _e8632)), _e8617.member, vec3<f32>(((((_e8645 * _e8617.member_2.x) + (_e8666 * _e8617.member_2.y)) + (_e8687 * _e8617.member_2.z)) * _e8632), ((((_e8652 * _e8617.member_2.x) + (_e8673 * _e8617.member_2.y)) + (_e8694 * _e8617.member_2.z)) * _e8632), ((((_e8659 * _e8617.member_2.x) + (_e8680 * _e8617.member_2.y)) + (_e8701 * _e8617.member_2.z)) * _e8632)), vec3<f32>(((((_e8645 * _e8617.member_1.x) + (_e8666 * _e8617.member_1.y)) + (_e8687 * _e8617.member_1.z)) * _e8632), ((((_e8652 * _e8617.member_1.x) + (_e8673 * _e8617.member_1.y)) + (_e8694 * _e8617.member_1.z)) * _e8632), ((((_e8659 * _e8617.member_1.x) + (_e8680 * _e8617.member_1.y)) + (_e8701 * _e8617.member_1.z)) * _e8632)));
+let _e8645 = global_5.member[_e459].member_8.member.member.member;
+let _e8652 = global_5.member[_e459].member_8.member.member.member_1;
+let _e8659 = global_5.member[_e459].member_8.member.member.member_2;
+let _e8666 = global_5.member[_e459].member_8.member_1.member.member;
+let _e8673 = global_5.member[_e459].member_8.member_1.member.member_1;
+let _e8680 = global_5.member[_e459].member_8.member_1.member.member_2;
+let _e8687 = global_5.member[_e459].member_8.member_2.member.member;
+let _e8694 = global_5.member[_e459].member_8.member_2.member.member_1;
+let _e8701 = global_5.member[_e459].member_8.member_2.member.member_2;
+phi_20795_ = type_33(_e7886, vec3<f32>(((((_e8645 * _e8634) + (_e8666 * _e8636)) + (_e8687 * _e8638)) * _e8632), ((((_e8652 * _e8634) + (_e8673 * _e8636)) + (_e8694 * _e8638)) * _e8632), ((((_e8659 * _e8634) + (_e8680 * _e8636)) + (_e8701 * _e8638)) * _e8632)), _e8617.member, vec3<f32>(((((_e8645 * _e8617.member_2.x) + (_e8666 * _e8617.member_2.y)) + (_e8687 * _e8617.member_2.z)) * _e8632), ((((_e8652 * _e8617.member_2.x) + (_e8673 * _e8617.member_2.y)) + (_e8694 * _e8617.member_2.z)) * _e8632), ((((_e8659 * _e8617.member_2.x) + (_e8680 * _e8617.member_2.y)) + (_e8701 * _e8617.member_2.z)) * _e8632)), vec3<f32>(((((_e8645 * _e8617.member_1.x) + (_e8666 * _e8617.member_1.y)) + (_e8687 * _e8617.member_1.z)) * _e8632), ((((_e8652 * _e8617.member_1.x) + (_e8673 * _e8617.member_1.y)) + (_e8694 * _e8617.member_1.z)) * _e8632), ((((_e8659 * _e8617.member_1.x) + (_e8680 * _e8617.member_1.y)) + (_e8701 * _e8617.member_1.z)) * _e8632)));
 } else {
 let _e6519 = select(-0.5f, _e6505, (_e6505 > -0.5f));
 let _e6521 = select(_e634, _e6519, (_e6519 < _e634));
@@ -3042,15 +3044,15 @@ let _e6835 = local_7[1u];
 let _e6840 = local_7[2u];
 let _e6845 = (((_e6732 + (((_e6783 + (((_e6823 + ((f32(bitcast<i32>(((_e6816 >> bitcast<u32>((_e6824 & 31u))) & 65535u))) - _e6823) * _e6831)) - _e6783) * _e6835)) - _e6732) * _e6840)) - _e1578) * _e1583);
 let _e6847 = select(_e1586, _e6845, (_e6845 > _e1586));
-phi_20793_ = type_33(select(1e9f, _e6847, (_e6847 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20795_ = type_33(select(1e9f, _e6847, (_e6847 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8767 = phi_20793_;
+let _e8767 = phi_20795_;
 let _e8770 = select(1f, select(1f, _e1219, (_e1219 < 1f)), _e556);
 let _e8772 = ((_e799 & 16u) == 0u);
 if _e8772 {
-phi_21206_ = type_7(1f, 1f, 1f);
+phi_21208_ = type_7(1f, 1f, 1f);
 } else {
-let _e8777 = global_5.member[_e459].member_14.member;
+let _e8777 = global_5.member[_e459].member_16.member;
 let _e8788 = ((((_e8777.member.member * _e492) + (_e8777.member.member_1 * _e494)) + (_e8777.member.member_2 * _e488)) + _e8777.member_1);
 let _e8794 = ((((_e8777.member.member * _e6488.member_1.x) + (_e8777.member.member_1 * _e6488.member_1.y)) + (_e8777.member.member_2 * _e6488.member_1.z)) + _e8777.member_1);
 let _e8796 = select(_e8794, _e8788, (_e8788 < _e8794));
@@ -3059,9 +3061,9 @@ let _e8800 = (_e8798 - _e8796);
 let _e8803 = (-(_e8796) / select(1e-30f, _e8800, (_e8800 > 1e-30f)));
 let _e8805 = select(0f, _e8803, (_e8803 > 0f));
 let _e8811 = select(select(select(1f, _e8805, (_e8805 < 1f)), 1f, (_e8798 <= 0f)), 0f, (_e8796 > 0f));
-let _e8817 = global_5.member[_e459].member_14.member_1;
+let _e8817 = global_5.member[_e459].member_16.member_1;
 let _e8818 = (_e8817 != 0u);
-let _e8829 = global_5.member[_e459].member_15.member;
+let _e8829 = global_5.member[_e459].member_17.member;
 let _e8840 = ((((_e8829.member.member * _e492) + (_e8829.member.member_1 * _e494)) + (_e8829.member.member_2 * _e488)) + _e8829.member_1);
 let _e8846 = ((((_e8829.member.member * _e6488.member_1.x) + (_e8829.member.member_1 * _e6488.member_1.y)) + (_e8829.member.member_2 * _e6488.member_1.z)) + _e8829.member_1);
 let _e8848 = select(_e8846, _e8840, (_e8840 < _e8846));
@@ -3070,9 +3072,9 @@ let _e8852 = (_e8850 - _e8848);
 let _e8855 = (-(_e8848) / select(1e-30f, _e8852, (_e8852 > 1e-30f)));
 let _e8857 = select(0f, _e8855, (_e8855 > 0f));
 let _e8863 = select(select(select(1f, _e8857, (_e8857 < 1f)), 1f, (_e8850 <= 0f)), 0f, (_e8848 > 0f));
-let _e8869 = global_5.member[_e459].member_15.member_1;
+let _e8869 = global_5.member[_e459].member_17.member_1;
 let _e8870 = (_e8869 != 0u);
-let _e8881 = global_5.member[_e459].member_16.member;
+let _e8881 = global_5.member[_e459].member_18.member;
 let _e8892 = ((((_e8881.member.member * _e492) + (_e8881.member.member_1 * _e494)) + (_e8881.member.member_2 * _e488)) + _e8881.member_1);
 let _e8898 = ((((_e8881.member.member * _e6488.member_1.x) + (_e8881.member.member_1 * _e6488.member_1.y)) + (_e8881.member.member_2 * _e6488.member_1.z)) + _e8881.member_1);
 let _e8900 = select(_e8898, _e8892, (_e8892 < _e8898));
@@ -3081,9 +3083,9 @@ let _e8904 = (_e8902 - _e8900);
 let _e8907 = (-(_e8900) / select(1e-30f, _e8904, (_e8904 > 1e-30f)));
 let _e8909 = select(0f, _e8907, (_e8907 > 0f));
 let _e8915 = select(select(select(1f, _e8909, (_e8909 < 1f)), 1f, (_e8902 <= 0f)), 0f, (_e8900 > 0f));
-let _e8921 = global_5.member[_e459].member_16.member_1;
+let _e8921 = global_5.member[_e459].member_18.member_1;
 let _e8922 = (_e8921 != 0u);
-let _e8933 = global_5.member[_e459].member_17.member;
+let _e8933 = global_5.member[_e459].member_19.member;
 let _e8944 = ((((_e8933.member.member * _e492) + (_e8933.member.member_1 * _e494)) + (_e8933.member.member_2 * _e488)) + _e8933.member_1);
 let _e8950 = ((((_e8933.member.member * _e6488.member_1.x) + (_e8933.member.member_1 * _e6488.member_1.y)) + (_e8933.member.member_2 * _e6488.member_1.z)) + _e8933.member_1);
 let _e8952 = select(_e8950, _e8944, (_e8944 < _e8950));
@@ -3092,12 +3094,12 @@ let _e8956 = (_e8954 - _e8952);
 let _e8959 = (-(_e8952) / select(1e-30f, _e8956, (_e8956 > 1e-30f)));
 let _e8961 = select(0f, _e8959, (_e8959 > 0f));
 let _e8967 = select(select(select(1f, _e8961, (_e8961 < 1f)), 1f, (_e8954 <= 0f)), 0f, (_e8952 > 0f));
-let _e8973 = global_5.member[_e459].member_17.member_1;
+let _e8973 = global_5.member[_e459].member_19.member_1;
 let _e8974 = (_e8973 != 0u);
-phi_21206_ = type_7(((((1f * _e8811) * _e8863) * _e8915) * _e8967), ((((1f * select(1f, _e8811, _e8818)) * select(1f, _e8863, _e8870)) * select(1f, _e8915, _e8922)) * select(1f, _e8967, _e8974)), ((((1f * select(1f, 0f, (_e8818 && (_e8794 > 0f)))) * select(1f, 0f, (_e8870 && (_e8846 > 0f)))) * select(1f, 0f, (_e8922 && (_e8898 > 0f)))) * select(1f, 0f, (_e8974 && (_e8950 > 0f)))));
+phi_21208_ = type_7(((((1f * _e8811) * _e8863) * _e8915) * _e8967), ((((1f * select(1f, _e8811, _e8818)) * select(1f, _e8863, _e8870)) * select(1f, _e8915, _e8922)) * select(1f, _e8967, _e8974)), ((((1f * select(1f, 0f, (_e8818 && (_e8794 > 0f)))) * select(1f, 0f, (_e8870 && (_e8846 > 0f)))) * select(1f, 0f, (_e8922 && (_e8898 > 0f)))) * select(1f, 0f, (_e8974 && (_e8950 > 0f)))));
 }
-let _e8983 = phi_21206_;
-let _e8990 = global_5.member[_e459].member_5.member_3;
+let _e8983 = phi_21208_;
+let _e8990 = global_5.member[_e459].member_7.member_3;
 let _e8991 = ((_e6488.member_3 * _e8770) * _e8990);
 let _e8992 = (_e468.member_2 == 3u);
 let _e8995 = ((_e8992 || (_e468.member_2 == 4u)) || _e831);
@@ -3308,7 +3310,7 @@ let _e10882 = ((_e10860 - (_e10878 * 0.6933594f)) - (_e10878 * -2.1219444e-4f));
 let _e10902 = ((1f + (_e10882 * (1f + (_e10882 * (0.5f + (_e10882 * (0.16666667f + (_e10882 * (0.041666668f + (_e10882 * (0.008333334f + (_e10882 * (0.001388889f + (_e10882 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10877 + 127i)) << bitcast<u32>(23i))));
 let _e10903 = (1f - _e10902);
 let _e10906 = (_e10903 / select(1e-12f, _e10852, (_e10852 > 1e-12f)));
-phi_25371_ = type_40(_e10902, _e10903, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10613 + (((_e10618 + (((bitcast<f32>(((_e10584 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10618) * _e10546)) - _e10613) * _e10544)) * _e10548) + (((bitcast<f32>(((_e10592 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10533) + ((bitcast<f32>(((_e10600 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10539))) * _e10906), ((((_e10669 + (((_e10674 + (((bitcast<f32>((((_e10584 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10674) * _e10546)) - _e10669) * _e10544)) * _e10548) + (((bitcast<f32>((((_e10592 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10533) + ((bitcast<f32>((((_e10600 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10539))) * _e10906), ((((_e10765 + (((_e10770 + (((bitcast<f32>(((_e10736 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10770) * _e10546)) - _e10765) * _e10544)) * _e10548) + (((bitcast<f32>(((_e10744 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10533) + ((bitcast<f32>(((_e10752 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10539))) * _e10906)));
+phi_25373_ = type_40(_e10902, _e10903, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10613 + (((_e10618 + (((bitcast<f32>(((_e10584 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10618) * _e10546)) - _e10613) * _e10544)) * _e10548) + (((bitcast<f32>(((_e10592 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10533) + ((bitcast<f32>(((_e10600 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10539))) * _e10906), ((((_e10669 + (((_e10674 + (((bitcast<f32>((((_e10584 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10674) * _e10546)) - _e10669) * _e10544)) * _e10548) + (((bitcast<f32>((((_e10592 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10533) + ((bitcast<f32>((((_e10600 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10539))) * _e10906), ((((_e10765 + (((_e10770 + (((bitcast<f32>(((_e10736 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10770) * _e10546)) - _e10765) * _e10544)) * _e10548) + (((bitcast<f32>(((_e10744 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10533) + ((bitcast<f32>(((_e10752 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10539))) * _e10906)));
 } else {
 local_3 = _e1591;
 let _e8997 = local_3;
@@ -3587,9 +3589,9 @@ let _e10121 = ((_e10099 - (_e10117 * 0.6933594f)) - (_e10117 * -2.1219444e-4f));
 let _e10141 = ((1f + (_e10121 * (1f + (_e10121 * (0.5f + (_e10121 * (0.16666667f + (_e10121 * (0.041666668f + (_e10121 * (0.008333334f + (_e10121 * (0.001388889f + (_e10121 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10116 + 127i)) << bitcast<u32>(23i))));
 let _e10142 = (1f - _e10141);
 let _e10145 = (_e10142 / select(1e-12f, _e9488, (_e9488 > 1e-12f)));
-phi_25371_ = type_40(_e10141, _e10142, vec3<f32>(((1f + (_e9976 * (1f + (_e9976 * (0.5f + (_e9976 * (0.16666667f + (_e9976 * (0.041666668f + (_e9976 * (0.008333334f + (_e9976 * (0.001388889f + (_e9976 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9971 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10024 * (1f + (_e10024 * (0.5f + (_e10024 * (0.16666667f + (_e10024 * (0.041666668f + (_e10024 * (0.008333334f + (_e10024 * (0.001388889f + (_e10024 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10019 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10072 * (1f + (_e10072 * (0.5f + (_e10072 * (0.16666667f + (_e10072 * (0.041666668f + (_e10072 * (0.008333334f + (_e10072 * (0.001388889f + (_e10072 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10067 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9761 + (((_e9766 + (((bitcast<f32>(((_e9732 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9766) * _e9391)) - _e9761) * _e9389)) * _e9393) + (((bitcast<f32>(((_e9740 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9378) + ((bitcast<f32>(((_e9748 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9384))) * _e10145), ((((_e9817 + (((_e9822 + (((bitcast<f32>((((_e9732 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9822) * _e9391)) - _e9817) * _e9389)) * _e9393) + (((bitcast<f32>((((_e9740 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9378) + ((bitcast<f32>((((_e9748 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9384))) * _e10145), ((((_e9913 + (((_e9918 + (((bitcast<f32>(((_e9884 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9918) * _e9391)) - _e9913) * _e9389)) * _e9393) + (((bitcast<f32>(((_e9892 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9378) + ((bitcast<f32>(((_e9900 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9384))) * _e10145)));
+phi_25373_ = type_40(_e10141, _e10142, vec3<f32>(((1f + (_e9976 * (1f + (_e9976 * (0.5f + (_e9976 * (0.16666667f + (_e9976 * (0.041666668f + (_e9976 * (0.008333334f + (_e9976 * (0.001388889f + (_e9976 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9971 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10024 * (1f + (_e10024 * (0.5f + (_e10024 * (0.16666667f + (_e10024 * (0.041666668f + (_e10024 * (0.008333334f + (_e10024 * (0.001388889f + (_e10024 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10019 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e10072 * (1f + (_e10072 * (0.5f + (_e10072 * (0.16666667f + (_e10072 * (0.041666668f + (_e10072 * (0.008333334f + (_e10072 * (0.001388889f + (_e10072 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10067 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9761 + (((_e9766 + (((bitcast<f32>(((_e9732 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9766) * _e9391)) - _e9761) * _e9389)) * _e9393) + (((bitcast<f32>(((_e9740 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9378) + ((bitcast<f32>(((_e9748 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9384))) * _e10145), ((((_e9817 + (((_e9822 + (((bitcast<f32>((((_e9732 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9822) * _e9391)) - _e9817) * _e9389)) * _e9393) + (((bitcast<f32>((((_e9740 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9378) + ((bitcast<f32>((((_e9748 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9384))) * _e10145), ((((_e9913 + (((_e9918 + (((bitcast<f32>(((_e9884 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9918) * _e9391)) - _e9913) * _e9389)) * _e9393) + (((bitcast<f32>(((_e9892 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9378) + ((bitcast<f32>(((_e9900 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9384))) * _e10145)));
 }
-let _e10913 = phi_25371_;
+let _e10913 = phi_25373_;
 let _e10914 = (_e6488.member_1.x - _e492);
 let _e10915 = (_e6488.member_1.y - _e494);
 let _e10916 = (_e6488.member_1.z - _e488);
@@ -3598,55 +3600,55 @@ let _e10921 = (_e492 + (_e10914 * _e10917));
 let _e10922 = (_e494 + (_e10915 * _e10917));
 let _e10923 = (_e488 + (_e10916 * _e10917));
 if _e8992 {
-let _e12608 = global_5.member[_e459].member_10.member_3;
+let _e12608 = global_5.member[_e459].member_12.member_3;
 let _e12609 = (_e12608 == 0u);
 if _e12609 {
-let _e12838 = global_5.member[_e459].member_9.member_1;
-let _e12847 = global_5.member[_e459].member_9.member;
-phi_25641_ = type_35(vec3<f32>(_e12838.member, _e12838.member_1, _e12838.member_2), vec3<f32>(_e12847.member, _e12847.member_1, _e12847.member_2));
+let _e12838 = global_5.member[_e459].member_11.member_1;
+let _e12847 = global_5.member[_e459].member_11.member;
+phi_25643_ = type_35(vec3<f32>(_e12838.member, _e12838.member_1, _e12838.member_2), vec3<f32>(_e12847.member, _e12847.member_1, _e12847.member_2));
 } else {
-let _e12614 = global_5.member[_e459].member_10.member;
+let _e12614 = global_5.member[_e459].member_12.member;
 let _e12625 = ((((_e12614.member.member * _e10921) + (_e12614.member.member_1 * _e10922)) + (_e12614.member.member_2 * _e10923)) + _e12614.member_1);
-let _e12630 = global_5.member[_e459].member_10.member_1;
+let _e12630 = global_5.member[_e459].member_12.member_1;
 let _e12641 = ((((_e12630.member.member * _e10921) + (_e12630.member.member_1 * _e10922)) + (_e12630.member.member_2 * _e10923)) + _e12630.member_1);
-let _e12646 = global_5.member[_e459].member_10.member_2;
+let _e12646 = global_5.member[_e459].member_12.member_2;
 let _e12657 = ((((_e12646.member.member * _e10921) + (_e12646.member.member_1 * _e10922)) + (_e12646.member.member_2 * _e10923)) + _e12646.member_1);
-let _e12662 = global_5.member[_e459].member_9.member_1;
+let _e12662 = global_5.member[_e459].member_11.member_1;
 if _e12609 {
-phi_25485_ = 1f;
+phi_25487_ = 1f;
 } else {
-let _e12670 = global_5.member[_e459].member_10.member_19;
+let _e12670 = global_5.member[_e459].member_12.member_19;
 let _e12674 = (_e12625 - _e12670.member);
 let _e12675 = (_e12641 - _e12670.member_1);
 let _e12676 = (_e12657 - _e12670.member_2);
 let _e12681 = (((_e12674 * _e12674) + (_e12675 * _e12675)) + (_e12676 * _e12676));
-phi_25485_ = (1f / select(1e-12f, _e12681, (_e12681 > 1e-12f)));
+phi_25487_ = (1f / select(1e-12f, _e12681, (_e12681 > 1e-12f)));
 }
-let _e12686 = phi_25485_;
+let _e12686 = phi_25487_;
 if _e12609 {
-phi_25569_ = 1f;
+phi_25571_ = 1f;
 } else {
-let _e12691 = global_5.member[_e459].member_10.member_19;
+let _e12691 = global_5.member[_e459].member_12.member_19;
 let _e12695 = (_e12625 - _e12691.member);
 let _e12696 = (_e12641 - _e12691.member_1);
 let _e12697 = (_e12657 - _e12691.member_2);
-let _e12703 = global_5.member[_e459].member_10.member_20.member;
+let _e12703 = global_5.member[_e459].member_12.member_20.member;
 let _e12711 = (((_e12703.member * _e12695) + (_e12703.member_1 * _e12696)) + (_e12703.member_2 * _e12697));
 let _e12715 = (_e12695 - (_e12703.member * _e12711));
 let _e12716 = (_e12696 - (_e12703.member_1 * _e12711));
 let _e12717 = (_e12697 - (_e12703.member_2 * _e12711));
 let _e12722 = (((_e12715 * _e12715) + (_e12716 * _e12716)) + (_e12717 * _e12717));
-let _e12734 = global_5.member[_e459].member_10.member_20.member_1;
-let _e12741 = global_5.member[_e459].member_10.member_20.member_2;
+let _e12734 = global_5.member[_e459].member_12.member_20.member_1;
+let _e12741 = global_5.member[_e459].member_12.member_20.member_2;
 let _e12742 = ((_e12734 - (sqrt(select(0f, _e12722, (_e12722 > 0f))) / select(1e-20f, _e12711, (_e12711 > 1e-20f)))) * _e12741);
 let _e12744 = select(0f, _e12742, (_e12742 > 0f));
 let _e12746 = select(1f, _e12744, (_e12744 < 1f));
-phi_25569_ = select(1f, select(0f, ((_e12746 * _e12746) * (3f - (2f * _e12746))), (_e12711 > 0f)), (_e12741 > 0f));
+phi_25571_ = select(1f, select(0f, ((_e12746 * _e12746) * (3f - (2f * _e12746))), (_e12711 > 0f)), (_e12741 > 0f));
 }
-let _e12756 = phi_25569_;
+let _e12756 = phi_25571_;
 let _e12757 = (_e12686 * _e12756);
 let _e12762 = (_e12608 != 0u);
-let _e12767 = global_5.member[_e459].member_10.member_19;
+let _e12767 = global_5.member[_e459].member_12.member_19;
 let _e12771 = (_e12625 - _e12767.member);
 let _e12772 = (_e12641 - _e12767.member_1);
 let _e12773 = (_e12657 - _e12767.member_2);
@@ -3656,28 +3658,28 @@ let _e12784 = (1f / select(1e-20f, _e12781, (_e12781 > 1e-20f)));
 let _e12788 = select(0f, (_e12771 * _e12784), _e12762);
 let _e12789 = select(0f, (_e12772 * _e12784), _e12762);
 let _e12790 = select(1f, (_e12773 * _e12784), _e12762);
-let _e12796 = global_5.member[_e459].member_10.member.member;
-let _e12808 = global_5.member[_e459].member_10.member_1.member;
-let _e12823 = global_5.member[_e459].member_10.member_2.member;
-phi_25641_ = type_35(vec3<f32>((_e12662.member * _e12757), (_e12662.member_1 * _e12757), (_e12662.member_2 * _e12757)), (vec3<f32>(((_e12796.member * _e12788) + (_e12808.member * _e12789)), ((_e12796.member_1 * _e12788) + (_e12808.member_1 * _e12789)), ((_e12796.member_2 * _e12788) + (_e12808.member_2 * _e12789))) + vec3<f32>((_e12823.member * _e12790), (_e12823.member_1 * _e12790), (_e12823.member_2 * _e12790))));
+let _e12796 = global_5.member[_e459].member_12.member.member;
+let _e12808 = global_5.member[_e459].member_12.member_1.member;
+let _e12823 = global_5.member[_e459].member_12.member_2.member;
+phi_25643_ = type_35(vec3<f32>((_e12662.member * _e12757), (_e12662.member_1 * _e12757), (_e12662.member_2 * _e12757)), (vec3<f32>(((_e12796.member * _e12788) + (_e12808.member * _e12789)), ((_e12796.member_1 * _e12788) + (_e12808.member_1 * _e12789)), ((_e12796.member_2 * _e12788) + (_e12808.member_2 * _e12789))) + vec3<f32>((_e12823.member * _e12790), (_e12823.member_1 * _e12790), (_e12823.member_2 * _e12790))));
 }
-let _e12854 = phi_25641_;
-phi_28053_ = _e12854;
+let _e12854 = phi_25643_;
+phi_28055_ = _e12854;
 } else {
 if (_e468.member_2 >= 6u) {
-let _e11987 = global_5.member[_e459].member_8.member_8;
+let _e11987 = global_5.member[_e459].member_10.member_8;
 let _e11988 = (_e10923 - _e11987);
-let _e11993 = global_5.member[_e459].member_8.member_2;
-let _e11998 = global_5.member[_e459].member_8.member_6;
-let _e12006 = global_5.member[_e459].member_8.member_5;
+let _e11993 = global_5.member[_e459].member_10.member_2;
+let _e11998 = global_5.member[_e459].member_10.member_6;
+let _e12006 = global_5.member[_e459].member_10.member_5;
 let _e12008 = (((_e10921 - (_e11993 + (_e11998 * _e11988))) * _e12006) - 0.5f);
-let _e12013 = global_5.member[_e459].member_8.member_3;
-let _e12018 = global_5.member[_e459].member_8.member_7;
+let _e12013 = global_5.member[_e459].member_10.member_3;
+let _e12018 = global_5.member[_e459].member_10.member_7;
 let _e12023 = (((_e10922 - (_e12013 + (_e12018 * _e11988))) * _e12006) - 0.5f);
-let _e12028 = global_5.member[_e459].member_8.member;
+let _e12028 = global_5.member[_e459].member_10.member;
 let _e12029 = bitcast<i32>(_e12028);
 let _e12031 = (f32(_e12029) - 1f);
-let _e12036 = global_5.member[_e459].member_8.member_1;
+let _e12036 = global_5.member[_e459].member_10.member_1;
 let _e12039 = (f32(bitcast<i32>(_e12036)) - 1f);
 let _e12041 = select(0f, _e12008, (_e12008 > 0f));
 let _e12043 = select(_e12031, _e12041, (_e12041 < _e12031));
@@ -3690,7 +3692,7 @@ let _e12069 = (_e12065 - select(0i, 1i, (_e12058 < f32(_e12065))));
 let _e12073 = (_e12008 - f32(_e12054));
 let _e12075 = (_e12023 - f32(_e12069));
 let _e12082 = ((((_e12008 >= 0f) && (_e12008 <= _e12031)) && (_e12023 >= 0f)) && (_e12023 <= _e12039));
-let _e12086 = global_5.member[_e459].member_4;
+let _e12086 = global_5.member[_e459].member_6;
 let _e12087 = bitcast<i32>(_e12086);
 let _e12089 = bitcast<i32>((_e12028 * _e12036));
 let _e12091 = (_e12087 + (3i * _e12089));
@@ -3726,7 +3728,7 @@ let _e12183 = bitcast<u32>(bitcast<f32>(_e12181));
 let _e12193 = f32((bitcast<i32>(((_e12183 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12201 = (_e12108 + ((f32((bitcast<i32>((_e12130 & 65535u)) - 32768i)) - _e12108) * _e12073));
 let _e12210 = (_e12119 + ((select(_e12140, -(_e12140), ((_e12130 >> bitcast<u32>(31i)) != 0u)) - _e12119) * _e12073));
-let _e12223 = global_5.member[_e459].member_9.member;
+let _e12223 = global_5.member[_e459].member_11.member;
 let _e12226 = (1f / 16255f);
 let _e12228 = (_e12223.member + (select(0f, (_e12201 + (((_e12160 + ((f32((bitcast<i32>((_e12183 & 65535u)) - 32768i)) - _e12160) * _e12073)) - _e12201) * _e12075)), _e12082) * _e12226));
 let _e12230 = (_e12223.member_1 + (select(0f, (_e12210 + (((_e12171 + ((select(_e12193, -(_e12193), ((_e12183 >> bitcast<u32>(31i)) != 0u)) - _e12171) * _e12073)) - _e12210) * _e12075)), _e12082) * _e12226));
@@ -3766,7 +3768,7 @@ let _e12331 = select(_e12095, _e12329, (_e12329 < _e12095));
 let _e12337 = global_3.member[bitcast<u32>(select(0i, _e12331, (_e12331 > 0i)))];
 let _e12345 = select(1f, (_e12318 + (((_e12328 + ((bitcast<f32>(_e12337) - _e12328) * _e12286)) - _e12318) * _e12288)), _e12295);
 if _e8995 {
-phi_26386_ = vec3(_e12345);
+phi_26388_ = vec3(_e12345);
 } else {
 let _e12348 = ((_e12087 + _e12089) + _e12284);
 let _e12350 = select(_e12095, _e12348, (_e12348 < _e12095));
@@ -3798,9 +3800,9 @@ let _e12432 = bitcast<f32>(_e12431);
 let _e12433 = (_e12423 + 1i);
 let _e12435 = select(_e12095, _e12433, (_e12433 < _e12095));
 let _e12441 = global_3.member[bitcast<u32>(select(0i, _e12435, (_e12435 > 0i)))];
-phi_26386_ = vec3<f32>(_e12345, select(1f, (_e12370 + (((_e12380 + ((bitcast<f32>(_e12389) - _e12380) * _e12286)) - _e12370) * _e12288)), _e12295), select(1f, (_e12422 + (((_e12432 + ((bitcast<f32>(_e12441) - _e12432) * _e12286)) - _e12422) * _e12288)), _e12295));
+phi_26388_ = vec3<f32>(_e12345, select(1f, (_e12370 + (((_e12380 + ((bitcast<f32>(_e12389) - _e12380) * _e12286)) - _e12370) * _e12288)), _e12295), select(1f, (_e12422 + (((_e12432 + ((bitcast<f32>(_e12441) - _e12432) * _e12286)) - _e12422) * _e12288)), _e12295));
 }
-let _e12452 = phi_26386_;
+let _e12452 = phi_26388_;
 local = (_e12091 + _e12284);
 let _e12454 = local;
 let _e12456 = select(_e12095, _e12454, (_e12454 < _e12095));
@@ -3831,12 +3833,12 @@ let _e12541 = bitcast<u32>(bitcast<f32>(_e12539));
 let _e12551 = f32((bitcast<i32>(((_e12541 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12559 = (_e12467 + ((f32((bitcast<i32>((_e12489 & 65535u)) - 32768i)) - _e12467) * _e12286));
 let _e12568 = (_e12478 + ((select(_e12499, -(_e12499), ((_e12489 >> bitcast<u32>(31i)) != 0u)) - _e12478) * _e12286));
-let _e12581 = global_5.member[_e459].member_9.member_1;
+let _e12581 = global_5.member[_e459].member_11.member_1;
 let _e12588 = (_e12223.member + (select(0f, (_e12559 + (((_e12519 + ((f32((bitcast<i32>((_e12541 & 65535u)) - 32768i)) - _e12519) * _e12286)) - _e12559) * _e12288)), _e12295) * _e12226));
 let _e12590 = (_e12223.member_1 + (select(0f, (_e12568 + (((_e12530 + ((select(_e12551, -(_e12551), ((_e12541 >> bitcast<u32>(31i)) != 0u)) - _e12530) * _e12286)) - _e12568) * _e12288)), _e12295) * _e12226));
 let _e12594 = (1f - ((_e12588 * _e12588) + (_e12590 * _e12590)));
 let _e12596 = select(1e-4f, _e12594, (_e12594 > 1e-4f));
-phi_28052_ = type_35((_e12452 * vec3<f32>(_e12581.member, _e12581.member_1, _e12581.member_2)), vec3<f32>(_e12588, _e12590, sqrt(select(0f, _e12596, (_e12596 > 0f)))));
+phi_28054_ = type_35((_e12452 * vec3<f32>(_e12581.member, _e12581.member_1, _e12581.member_2)), vec3<f32>(_e12588, _e12590, sqrt(select(0f, _e12596, (_e12596 > 0f)))));
 } else {
 let _e10926 = (1f - _e10913.member);
 let _e10928 = select(1e-6f, _e10913.member, (_e10913.member > 1e-6f));
@@ -3851,25 +3853,25 @@ let _e10979 = (_e8770 * select(((1f / select(1e-3f, _e10966, (_e10966 > 1e-3f)))
 let _e10983 = (_e492 + (_e10914 * _e10979));
 let _e10984 = (_e494 + (_e10915 * _e10979));
 let _e10985 = (_e488 + (_e10916 * _e10979));
-let _e10990 = global_5.member[_e459].member_10.member;
+let _e10990 = global_5.member[_e459].member_12.member;
 let _e11001 = ((((_e10990.member.member * _e10983) + (_e10990.member.member_1 * _e10984)) + (_e10990.member.member_2 * _e10985)) + _e10990.member_1);
-let _e11006 = global_5.member[_e459].member_10.member_1;
+let _e11006 = global_5.member[_e459].member_12.member_1;
 let _e11017 = ((((_e11006.member.member * _e10983) + (_e11006.member.member_1 * _e10984)) + (_e11006.member.member_2 * _e10985)) + _e11006.member_1);
-let _e11022 = global_5.member[_e459].member_10.member_2;
+let _e11022 = global_5.member[_e459].member_12.member_2;
 let _e11033 = ((((_e11022.member.member * _e10983) + (_e11022.member.member_1 * _e10984)) + (_e11022.member.member_2 * _e10985)) + _e11022.member_1);
-let _e11038 = global_5.member[_e459].member_10.member_3;
+let _e11038 = global_5.member[_e459].member_12.member_3;
 let _e11039 = (_e11038 != 0u);
-let _e11049 = global_5.member[_e459].member_10.member_19.member_2;
+let _e11049 = global_5.member[_e459].member_12.member_19.member_2;
 let _e11051 = select(1f, (_e11033 - _e11049), _e11039);
 let _e11054 = (1f / select(1e-12f, _e11051, (_e11051 > 1e-12f)));
-let _e11060 = global_5.member[_e459].member_10.member_5;
-let _e11066 = global_5.member[_e459].member_10.member_8;
-let _e11073 = global_5.member[_e459].member_10.member_6;
-let _e11080 = global_5.member[_e459].member_10.member_11;
+let _e11060 = global_5.member[_e459].member_12.member_5;
+let _e11066 = global_5.member[_e459].member_12.member_8;
+let _e11073 = global_5.member[_e459].member_12.member_6;
+let _e11080 = global_5.member[_e459].member_12.member_11;
 let _e11081 = ((((_e11001 * _e11054) - _e11060) * _e11066) - _e11080);
 let _e11082 = ((((_e11017 * _e11054) - _e11073) * _e11066) - _e11080);
-let _e11087 = global_5.member[_e459].member_10.member_9;
-let _e11093 = global_5.member[_e459].member_10.member_10;
+let _e11087 = global_5.member[_e459].member_12.member_9;
+let _e11093 = global_5.member[_e459].member_12.member_10;
 let _e11094 = ((_e11033 - _e11087) * _e11093);
 let _e11095 = -(65536f);
 let _e11097 = select(_e11095, _e11081, (_e11081 > _e11095));
@@ -3888,17 +3890,17 @@ let _e11142 = (firstTrailingBit(8u) & 31u);
 let _e11144 = (_e11140 >> bitcast<u32>(_e11142));
 let _e11146 = (_e11110 >> bitcast<u32>(_e11142));
 let _e11148 = (_e11125 >> bitcast<u32>(_e11142));
-let _e11154 = global_5.member[_e459].member_10.member_14.member;
+let _e11154 = global_5.member[_e459].member_12.member_14.member;
 let _e11155 = bitcast<i32>(_e11154);
-let _e11161 = global_5.member[_e459].member_10.member_14.member_1;
+let _e11161 = global_5.member[_e459].member_12.member_14.member_1;
 let _e11162 = bitcast<i32>(_e11161);
-let _e11168 = global_5.member[_e459].member_10.member_14.member_2;
+let _e11168 = global_5.member[_e459].member_12.member_14.member_2;
 if ((((((_e11146 >= 0i) && (_e11146 < _e11155)) && (_e11148 >= 0i)) && (_e11148 < _e11162)) && (_e11144 >= 0i)) && (_e11144 < bitcast<i32>(_e11168))) {
-phi_26900_ = (((((_e11144 * _e11162) + _e11148) * _e11155) + _e11146) * 3i);
+phi_26902_ = (((((_e11144 * _e11162) + _e11148) * _e11155) + _e11146) * 3i);
 } else {
-phi_26900_ = -1i;
+phi_26902_ = -1i;
 }
-let _e11187 = phi_26900_;
+let _e11187 = phi_26902_;
 let _e11188 = (_e11187 + 1i);
 let _e11190 = (bitcast<i32>(_e233) - 1i);
 let _e11192 = select(_e11190, _e11188, (_e11188 < _e11190));
@@ -3906,7 +3908,7 @@ let _e11198 = global_3.member[bitcast<u32>(select(0i, _e11192, (_e11192 > 0i)))]
 let _e11200 = select(_e11190, _e11187, (_e11187 < _e11190));
 let _e11206 = global_3.member[bitcast<u32>(select(0i, _e11200, (_e11200 > 0i)))];
 let _e11209 = select(_e11198, 0u, (_e11187 < 0i));
-let _e11214 = global_5.member[_e459].member_10.member_13;
+let _e11214 = global_5.member[_e459].member_12.member_13;
 let _e11215 = (_e11209 * 81u);
 let _e11219 = bitcast<i32>((((_e11215 * _e11214) + 63u) & 4294967232u));
 let _e11227 = (((bitcast<i32>(_e11206) + ((_e11140 & 7i) * _e11219)) + ((_e11125 & 7i) * 9i)) + (_e11110 & 7i));
@@ -3947,9 +3949,9 @@ let _e11319 = select(_e11190, _e11317, (_e11317 < _e11190));
 let _e11325 = global_3.member[bitcast<u32>(select(0i, _e11319, (_e11319 > 0i)))];
 let _e11336 = select(1f, (_e11283 + (((_e11306 + (((_e11316 + ((bitcast<f32>(_e11325) - _e11316) * _e11230)) - _e11306) * _e11232)) - _e11283) * _e11234)), _e11235);
 if _e8995 {
-phi_27477_ = vec3(_e11336);
+phi_27479_ = vec3(_e11336);
 } else {
-let _e11342 = global_5.member[_e459].member_10.member_12;
+let _e11342 = global_5.member[_e459].member_12.member_12;
 let _e11343 = (_e11342 > 1u);
 let _e11347 = (_e11227 + (select(0i, 1i, _e11343) * _e11228));
 let _e11349 = select(_e11190, _e11347, (_e11347 < _e11190));
@@ -4013,10 +4015,10 @@ let _e11531 = bitcast<f32>(_e11530);
 let _e11532 = (_e11499 + 10i);
 let _e11534 = select(_e11190, _e11532, (_e11532 < _e11190));
 let _e11540 = global_3.member[bitcast<u32>(select(0i, _e11534, (_e11534 > 0i)))];
-phi_27477_ = vec3<f32>(_e11336, select(1f, (_e11395 + (((_e11418 + (((_e11428 + ((bitcast<f32>(_e11437) - _e11428) * _e11230)) - _e11418) * _e11232)) - _e11395) * _e11234)), _e11235), select(1f, (_e11498 + (((_e11521 + (((_e11531 + ((bitcast<f32>(_e11540) - _e11531) * _e11230)) - _e11521) * _e11232)) - _e11498) * _e11234)), _e11235));
+phi_27479_ = vec3<f32>(_e11336, select(1f, (_e11395 + (((_e11418 + (((_e11428 + ((bitcast<f32>(_e11437) - _e11428) * _e11230)) - _e11418) * _e11232)) - _e11395) * _e11234)), _e11235), select(1f, (_e11498 + (((_e11521 + (((_e11531 + ((bitcast<f32>(_e11540) - _e11531) * _e11230)) - _e11521) * _e11232)) - _e11498) * _e11234)), _e11235));
 }
-let _e11554 = phi_27477_;
-let _e11555 = global_5.member[_e459].member_10.member_19;
+let _e11554 = phi_27479_;
+let _e11555 = global_5.member[_e459].member_12.member_19;
 let _e11559 = (_e11001 - _e11555.member);
 let _e11560 = (_e11017 - _e11555.member_1);
 let _e11561 = (_e11033 - _e11555.member_2);
@@ -4084,46 +4086,46 @@ let _e11835 = (_e11576 + select(0f, ((_e11701 + (((_e11759 + (((_e11777 + ((f32(
 let _e11838 = (_e11577 + select(0f, ((_e11704 + (((_e11762 + (((_e11788 + ((select(_e11809, -(_e11809), ((_e11799 >> bitcast<u32>(31i)) != 0u)) - _e11788) * _e11230)) - _e11762) * _e11232)) - _e11704) * _e11234)) * 6.151953e-5f), _e11235));
 let _e11842 = (1f - ((_e11835 * _e11835) + (_e11838 * _e11838)));
 let _e11844 = select(1e-4f, _e11842, (_e11842 > 1e-4f));
-phi_27884_ = vec3<f32>(_e11835, _e11838, sqrt(select(0f, _e11844, (_e11844 > 0f))));
+phi_27886_ = vec3<f32>(_e11835, _e11838, sqrt(select(0f, _e11844, (_e11844 > 0f))));
 } else {
-phi_27884_ = vec3<f32>(_e11576, _e11577, select(1f, (_e11561 * _e11572), _e11039));
+phi_27886_ = vec3<f32>(_e11576, _e11577, select(1f, (_e11561 * _e11572), _e11039));
 }
-let _e11850 = phi_27884_;
+let _e11850 = phi_27886_;
 let _e11852 = (_e11038 == 0u);
 if _e11852 {
-phi_27978_ = 1f;
+phi_27980_ = 1f;
 } else {
-let _e11858 = global_5.member[_e459].member_10.member_20.member;
+let _e11858 = global_5.member[_e459].member_12.member_20.member;
 let _e11866 = (((_e11858.member * _e11559) + (_e11858.member_1 * _e11560)) + (_e11858.member_2 * _e11561));
 let _e11870 = (_e11559 - (_e11858.member * _e11866));
 let _e11871 = (_e11560 - (_e11858.member_1 * _e11866));
 let _e11872 = (_e11561 - (_e11858.member_2 * _e11866));
 let _e11877 = (((_e11870 * _e11870) + (_e11871 * _e11871)) + (_e11872 * _e11872));
-let _e11889 = global_5.member[_e459].member_10.member_20.member_1;
-let _e11896 = global_5.member[_e459].member_10.member_20.member_2;
+let _e11889 = global_5.member[_e459].member_12.member_20.member_1;
+let _e11896 = global_5.member[_e459].member_12.member_20.member_2;
 let _e11897 = ((_e11889 - (sqrt(select(0f, _e11877, (_e11877 > 0f))) / select(1e-20f, _e11866, (_e11866 > 1e-20f)))) * _e11896);
 let _e11899 = select(0f, _e11897, (_e11897 > 0f));
 let _e11901 = select(1f, _e11899, (_e11899 < 1f));
-phi_27978_ = select(1f, select(0f, ((_e11901 * _e11901) * (3f - (2f * _e11901))), (_e11866 > 0f)), (_e11896 > 0f));
+phi_27980_ = select(1f, select(0f, ((_e11901 * _e11901) * (3f - (2f * _e11901))), (_e11866 > 0f)), (_e11896 > 0f));
 }
-let _e11911 = phi_27978_;
-let _e11917 = global_5.member[_e459].member_9.member_1;
+let _e11911 = phi_27980_;
+let _e11917 = global_5.member[_e459].member_11.member_1;
 if _e11852 {
-phi_28020_ = 1f;
+phi_28022_ = 1f;
 } else {
-phi_28020_ = (1f / select(1e-12f, _e11566, (_e11566 > 1e-12f)));
+phi_28022_ = (1f / select(1e-12f, _e11566, (_e11566 > 1e-12f)));
 }
-let _e11931 = phi_28020_;
+let _e11931 = phi_28022_;
 let _e11932 = (_e11931 * select(_e11911, 1f, (_e838 && _e11235)));
-let _e11942 = global_5.member[_e459].member_10.member.member;
-let _e11955 = global_5.member[_e459].member_10.member_1.member;
-let _e11971 = global_5.member[_e459].member_10.member_2.member;
-phi_28052_ = type_35(vec3<f32>(((_e11554.x * _e11917.member) * _e11932), ((_e11554.y * _e11917.member_1) * _e11932), ((_e11554.z * _e11917.member_2) * _e11932)), (vec3<f32>(((_e11942.member * _e11850.x) + (_e11955.member * _e11850.y)), ((_e11942.member_1 * _e11850.x) + (_e11955.member_1 * _e11850.y)), ((_e11942.member_2 * _e11850.x) + (_e11955.member_2 * _e11850.y))) + vec3<f32>((_e11971.member * _e11850.z), (_e11971.member_1 * _e11850.z), (_e11971.member_2 * _e11850.z))));
+let _e11942 = global_5.member[_e459].member_12.member.member;
+let _e11955 = global_5.member[_e459].member_12.member_1.member;
+let _e11971 = global_5.member[_e459].member_12.member_2.member;
+phi_28054_ = type_35(vec3<f32>(((_e11554.x * _e11917.member) * _e11932), ((_e11554.y * _e11917.member_1) * _e11932), ((_e11554.z * _e11917.member_2) * _e11932)), (vec3<f32>(((_e11942.member * _e11850.x) + (_e11955.member * _e11850.y)), ((_e11942.member_1 * _e11850.x) + (_e11955.member_1 * _e11850.y)), ((_e11942.member_2 * _e11850.x) + (_e11955.member_2 * _e11850.y))) + vec3<f32>((_e11971.member * _e11850.z), (_e11971.member_1 * _e11850.z), (_e11971.member_2 * _e11850.z))));
 }
-let _e12603 = phi_28052_;
-phi_28053_ = _e12603;
+let _e12603 = phi_28054_;
+phi_28055_ = _e12603;
 }
-let _e12856 = phi_28053_;
+let _e12856 = phi_28055_;
 let _e12865 = (((_e12856.member_1.x * _e12856.member_1.x) + (_e12856.member_1.y * _e12856.member_1.y)) + (_e12856.member_1.z * _e12856.member_1.z));
 let _e12868 = sqrt(select(0f, _e12865, (_e12865 > 0f)));
 let _e12870 = ((_e799 & 8u) != 0u);
@@ -4137,15 +4139,15 @@ let _e12890 = select(_e8767.member_1.x, _e6488.member_5.x, _e6488.member_7);
 let _e12893 = select(_e8767.member_1.y, _e6488.member_5.y, _e6488.member_7);
 let _e12896 = select(_e8767.member_1.z, _e6488.member_5.z, _e6488.member_7);
 if _e6488.member_7 {
-phi_28136_ = _e6488.member.member_1;
-phi_28137_ = _e6488.member.member;
+phi_28138_ = _e6488.member.member_1;
+phi_28139_ = _e6488.member.member;
 } else {
-phi_28136_ = _e8767.member_2;
-phi_28137_ = _e6494;
+phi_28138_ = _e8767.member_2;
+phi_28139_ = _e6494;
 }
-let _e12903 = phi_28136_;
-let _e12905 = phi_28137_;
-let _e12909 = global_5.member[_e459].member_19;
+let _e12903 = phi_28138_;
+let _e12905 = phi_28139_;
+let _e12909 = global_5.member[_e459].member_21;
 let _e12914 = (((_e12890 * _e12890) + (_e12893 * _e12893)) + (_e12896 * _e12896));
 let _e12917 = sqrt(select(0f, _e12914, (_e12914 > 0f)));
 let _e12920 = (1f / select(1e-20f, _e12917, (_e12917 > 1e-20f)));
@@ -4199,14 +4201,14 @@ let _e13037 = (_e13035 + _e12996);
 let _e13040 = (_e13036 / select(1e-6f, _e13037, (_e13037 > 1e-6f)));
 let _e13044 = ((_e12996 * _e13036) + 1f);
 let _e13047 = (((_e12996 * _e13037) - 1f) / select(1e-6f, _e13044, (_e13044 > 1e-6f)));
-let _e13065 = global_5.member[_e459].member_20;
+let _e13065 = global_5.member[_e459].member_22;
 let _e13069 = ((select(0f, ((((_e12998 / ((3.1415927f * _e13002) * _e13002)) * (0.5f / select(1e-6f, _e13023, (_e13023 > 1e-6f)))) * select(select((((0.5f * _e13040) * _e13040) * (1f + (_e13047 * _e13047))), 1f, (_e13032 <= 0f)), 0f, (_e12905 == _e12903))) * _e13007), (_e13006 && (_e12917 > 1e-12f))) * _e13065) * select(_e8983.member_2, 0f, _e556));
-phi_28394_ = vec3<f32>((_e12880 * _e13069), (_e12882 * _e13069), (_e12884 * _e13069));
+phi_28396_ = vec3<f32>((_e12880 * _e13069), (_e12882 * _e13069), (_e12884 * _e13069));
 } else {
-phi_28394_ = vec3<f32>(0f, 0f, 0f);
+phi_28396_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e13075 = phi_28394_;
-let _e13079 = global_5.member[_e459].member_18;
+let _e13075 = phi_28396_;
+let _e13079 = global_5.member[_e459].member_20;
 let _e13086 = (1f - _e463[12]);
 let _e13106 = (_e463[9] + ((_e463[13] * ((_e10913.member_3.x * (_e12880 + _e13079.member)) + _e13075.x)) * _e13086));
 let _e13107 = (_e463[10] + ((_e463[14] * ((_e10913.member_3.y * (_e12882 + _e13079.member_1)) + _e13075.y)) * _e13086));
@@ -4217,17 +4219,17 @@ let _e13116 = (_e463[14] * _e10913.member_2.y);
 let _e13118 = (_e463[15] * _e10913.member_2.z);
 let _e13123 = (_e463[8] + ((_e13111 - _e463[12]) * (_e488 + (_e10916 * 0.5f))));
 if ((_e468.member_2 >= 6u) || _e8992) {
-phi_29482_ = _e12856;
+phi_29484_ = _e12856;
 } else {
-let _e13130 = global_5.member[_e459].member_10.member;
+let _e13130 = global_5.member[_e459].member_12.member;
 let _e13141 = ((((_e13130.member.member * _e10921) + (_e13130.member.member_1 * _e10922)) + (_e13130.member.member_2 * _e10923)) + _e13130.member_1);
-let _e13146 = global_5.member[_e459].member_10.member_1;
+let _e13146 = global_5.member[_e459].member_12.member_1;
 let _e13157 = ((((_e13146.member.member * _e10921) + (_e13146.member.member_1 * _e10922)) + (_e13146.member.member_2 * _e10923)) + _e13146.member_1);
-let _e13162 = global_5.member[_e459].member_10.member_2;
+let _e13162 = global_5.member[_e459].member_12.member_2;
 let _e13173 = ((((_e13162.member.member * _e10921) + (_e13162.member.member_1 * _e10922)) + (_e13162.member.member_2 * _e10923)) + _e13162.member_1);
-let _e13178 = global_5.member[_e459].member_10.member_3;
+let _e13178 = global_5.member[_e459].member_12.member_3;
 let _e13179 = (_e13178 != 0u);
-let _e13184 = global_5.member[_e459].member_10.member_19;
+let _e13184 = global_5.member[_e459].member_12.member_19;
 let _e13188 = (_e13141 - _e13184.member);
 let _e13189 = (_e13157 - _e13184.member_1);
 let _e13190 = (_e13173 - _e13184.member_2);
@@ -4237,36 +4239,36 @@ let _e13201 = (1f / select(1e-20f, _e13198, (_e13198 > 1e-20f)));
 let _e13205 = select(0f, (_e13188 * _e13201), _e13179);
 let _e13206 = select(0f, (_e13189 * _e13201), _e13179);
 let _e13207 = select(1f, (_e13190 * _e13201), _e13179);
-let _e13213 = global_5.member[_e459].member_10.member.member;
-let _e13225 = global_5.member[_e459].member_10.member_1.member;
-let _e13240 = global_5.member[_e459].member_10.member_2.member;
+let _e13213 = global_5.member[_e459].member_12.member.member;
+let _e13225 = global_5.member[_e459].member_12.member_1.member;
+let _e13240 = global_5.member[_e459].member_12.member_2.member;
 let _e13249 = (vec3<f32>(((_e13213.member * _e13205) + (_e13225.member * _e13206)), ((_e13213.member_1 * _e13205) + (_e13225.member_1 * _e13206)), ((_e13213.member_2 * _e13205) + (_e13225.member_2 * _e13206))) + vec3<f32>((_e13240.member * _e13207), (_e13240.member_1 * _e13207), (_e13240.member_2 * _e13207)));
 if ((_e799 & 256u) != 0u) {
-let _e13358 = global_5.member[_e459].member_10.member_18.member.member;
+let _e13358 = global_5.member[_e459].member_12.member_18.member.member;
 let _e13359 = bitcast<i32>(_e13358);
-let _e13366 = global_5.member[_e459].member_10.member_18.member.member_1;
+let _e13366 = global_5.member[_e459].member_12.member_18.member.member_1;
 let _e13367 = bitcast<i32>(_e13366);
-let _e13373 = global_5.member[_e459].member_10.member_19.member_2;
+let _e13373 = global_5.member[_e459].member_12.member_19.member_2;
 let _e13375 = select(1f, (_e13173 - _e13373), _e13179);
 let _e13378 = (1f / select(1e-12f, _e13375, (_e13375 > 1e-12f)));
-let _e13384 = global_5.member[_e459].member_10.member_5;
-let _e13390 = global_5.member[_e459].member_10.member_8;
+let _e13384 = global_5.member[_e459].member_12.member_5;
+let _e13390 = global_5.member[_e459].member_12.member_8;
 let _e13391 = (((_e13141 * _e13378) - _e13384) * _e13390);
-let _e13397 = global_5.member[_e459].member_10.member_6;
+let _e13397 = global_5.member[_e459].member_12.member_6;
 let _e13399 = (((_e13157 * _e13378) - _e13397) * _e13390);
-let _e13405 = global_5.member[_e459].member_10.member_4.member;
+let _e13405 = global_5.member[_e459].member_12.member_4.member;
 let _e13407 = f32(bitcast<i32>(_e13405));
 let _e13409 = select(0f, _e13391, (_e13391 > 0f));
-let _e13417 = global_5.member[_e459].member_10.member_18.member_1;
+let _e13417 = global_5.member[_e459].member_12.member_18.member_1;
 let _e13420 = ((_e13391 - _e13407) * _e13417);
-let _e13426 = global_5.member[_e459].member_10.member_18.member_2;
+let _e13426 = global_5.member[_e459].member_12.member_18.member_2;
 let _e13428 = select(0f, _e13420, (_e13420 > 0f));
 let _e13430 = (_e13426 + _e13428);
 let _e13435 = (-(_e13391) * _e13417);
 let _e13437 = select(0f, _e13435, (_e13435 > 0f));
 let _e13439 = (_e13426 + _e13437);
 let _e13446 = (((_e13426 + (select(_e13407, _e13409, (_e13409 < _e13407)) * _e13417)) + (((_e13428 * _e13426) / select(1e-12f, _e13430, (_e13430 > 1e-12f))) - ((_e13437 * _e13426) / select(1e-12f, _e13439, (_e13439 > 1e-12f))))) - 0.5f);
-let _e13452 = global_5.member[_e459].member_10.member_4.member_1;
+let _e13452 = global_5.member[_e459].member_12.member_4.member_1;
 let _e13454 = f32(bitcast<i32>(_e13452));
 let _e13456 = select(0f, _e13399, (_e13399 > 0f));
 let _e13461 = ((_e13399 - _e13454) * _e13417);
@@ -4293,13 +4295,13 @@ let _e13523 = (_e13481 - f32(_e13515));
 let _e13525 = select(0f, _e13523, (_e13523 > 0f));
 let _e13527 = select(1f, _e13525, (_e13525 < 1f));
 if _e1174 {
-let _e13539 = global_5.member[_e459].member_10.member_18.member_4;
-phi_28823_ = _e13539;
+let _e13539 = global_5.member[_e459].member_12.member_18.member_4;
+phi_28825_ = _e13539;
 } else {
-let _e13533 = global_5.member[_e459].member_10.member_18.member_3;
-phi_28823_ = _e13533;
+let _e13533 = global_5.member[_e459].member_12.member_18.member_3;
+phi_28825_ = _e13533;
 }
-let _e13541 = phi_28823_;
+let _e13541 = phi_28825_;
 let _e13545 = ((bitcast<i32>(_e13541) + (_e13515 * _e13359)) + _e13498);
 let _e13546 = (_e13359 * _e13367);
 let _e13548 = (bitcast<i32>(_e233) - 1i);
@@ -4352,81 +4354,81 @@ let _e13688 = global_3.member[bitcast<u32>(select(0i, _e13682, (_e13682 > 0i)))]
 let _e13695 = (_e13669 + (((_e13679 + ((bitcast<f32>(_e13688) - _e13679) * _e13521)) - _e13669) * _e13527));
 let _e13697 = (_e13178 == 0u);
 if _e13697 {
-phi_29221_ = vec3<f32>(_e13596, _e13645, _e13695);
+phi_29223_ = vec3<f32>(_e13596, _e13645, _e13695);
 } else {
 if _e13697 {
-phi_29160_ = 1f;
+phi_29162_ = 1f;
 } else {
-let _e13703 = global_5.member[_e459].member_10.member_20.member;
+let _e13703 = global_5.member[_e459].member_12.member_20.member;
 let _e13711 = (((_e13703.member * _e13188) + (_e13703.member_1 * _e13189)) + (_e13703.member_2 * _e13190));
 let _e13715 = (_e13188 - (_e13703.member * _e13711));
 let _e13716 = (_e13189 - (_e13703.member_1 * _e13711));
 let _e13717 = (_e13190 - (_e13703.member_2 * _e13711));
 let _e13722 = (((_e13715 * _e13715) + (_e13716 * _e13716)) + (_e13717 * _e13717));
-let _e13734 = global_5.member[_e459].member_10.member_20.member_1;
-let _e13741 = global_5.member[_e459].member_10.member_20.member_2;
+let _e13734 = global_5.member[_e459].member_12.member_20.member_1;
+let _e13741 = global_5.member[_e459].member_12.member_20.member_2;
 let _e13742 = ((_e13734 - (sqrt(select(0f, _e13722, (_e13722 > 0f))) / select(1e-20f, _e13711, (_e13711 > 1e-20f)))) * _e13741);
 let _e13744 = select(0f, _e13742, (_e13742 > 0f));
 let _e13746 = select(1f, _e13744, (_e13744 < 1f));
-phi_29160_ = select(1f, select(0f, ((_e13746 * _e13746) * (3f - (2f * _e13746))), (_e13711 > 0f)), (_e13741 > 0f));
+phi_29162_ = select(1f, select(0f, ((_e13746 * _e13746) * (3f - (2f * _e13746))), (_e13711 > 0f)), (_e13741 > 0f));
 }
-let _e13756 = phi_29160_;
+let _e13756 = phi_29162_;
 let _e13758 = select(0f, 1f, (_e13190 > 0f));
 let _e13762 = ((_e13596 * _e13758) + _e13756);
 let _e13763 = ((_e13645 * _e13758) + _e13756);
 let _e13764 = ((_e13695 * _e13758) + _e13756);
 if _e13697 {
-phi_29216_ = 1f;
+phi_29218_ = 1f;
 } else {
-phi_29216_ = (1f / select(1e-12f, _e13195, (_e13195 > 1e-12f)));
+phi_29218_ = (1f / select(1e-12f, _e13195, (_e13195 > 1e-12f)));
 }
-let _e13775 = phi_29216_;
-phi_29221_ = vec3<f32>((select(0f, _e13762, (_e13762 > 0f)) * _e13775), (select(0f, _e13763, (_e13763 > 0f)) * _e13775), (select(0f, _e13764, (_e13764 > 0f)) * _e13775));
+let _e13775 = phi_29218_;
+phi_29223_ = vec3<f32>((select(0f, _e13762, (_e13762 > 0f)) * _e13775), (select(0f, _e13763, (_e13763 > 0f)) * _e13775), (select(0f, _e13764, (_e13764 > 0f)) * _e13775));
 }
-let _e13781 = phi_29221_;
-let _e13786 = global_5.member[_e459].member_9.member_1;
-phi_29481_ = type_35((vec3<f32>(_e13786.member, _e13786.member_1, _e13786.member_2) * _e13781), _e13249);
+let _e13781 = phi_29223_;
+let _e13786 = global_5.member[_e459].member_11.member_1;
+phi_29483_ = type_35((vec3<f32>(_e13786.member, _e13786.member_1, _e13786.member_2) * _e13781), _e13249);
 } else {
 let _e13252 = (_e13178 == 0u);
 if _e13252 {
-let _e13335 = global_5.member[_e459].member_9.member_1;
-let _e13344 = global_5.member[_e459].member_9.member;
-phi_29480_ = type_35(vec3<f32>(_e13335.member, _e13335.member_1, _e13335.member_2), vec3<f32>(_e13344.member, _e13344.member_1, _e13344.member_2));
+let _e13335 = global_5.member[_e459].member_11.member_1;
+let _e13344 = global_5.member[_e459].member_11.member;
+phi_29482_ = type_35(vec3<f32>(_e13335.member, _e13335.member_1, _e13335.member_2), vec3<f32>(_e13344.member, _e13344.member_1, _e13344.member_2));
 } else {
-let _e13257 = global_5.member[_e459].member_9.member_1;
+let _e13257 = global_5.member[_e459].member_11.member_1;
 if _e13252 {
-phi_29324_ = 1f;
+phi_29326_ = 1f;
 } else {
-phi_29324_ = (1f / select(1e-12f, _e13195, (_e13195 > 1e-12f)));
+phi_29326_ = (1f / select(1e-12f, _e13195, (_e13195 > 1e-12f)));
 }
-let _e13265 = phi_29324_;
+let _e13265 = phi_29326_;
 if _e13252 {
-phi_29408_ = 1f;
+phi_29410_ = 1f;
 } else {
-let _e13271 = global_5.member[_e459].member_10.member_20.member;
+let _e13271 = global_5.member[_e459].member_12.member_20.member;
 let _e13279 = (((_e13271.member * _e13188) + (_e13271.member_1 * _e13189)) + (_e13271.member_2 * _e13190));
 let _e13283 = (_e13188 - (_e13271.member * _e13279));
 let _e13284 = (_e13189 - (_e13271.member_1 * _e13279));
 let _e13285 = (_e13190 - (_e13271.member_2 * _e13279));
 let _e13290 = (((_e13283 * _e13283) + (_e13284 * _e13284)) + (_e13285 * _e13285));
-let _e13302 = global_5.member[_e459].member_10.member_20.member_1;
-let _e13309 = global_5.member[_e459].member_10.member_20.member_2;
+let _e13302 = global_5.member[_e459].member_12.member_20.member_1;
+let _e13309 = global_5.member[_e459].member_12.member_20.member_2;
 let _e13310 = ((_e13302 - (sqrt(select(0f, _e13290, (_e13290 > 0f))) / select(1e-20f, _e13279, (_e13279 > 1e-20f)))) * _e13309);
 let _e13312 = select(0f, _e13310, (_e13310 > 0f));
 let _e13314 = select(1f, _e13312, (_e13312 < 1f));
-phi_29408_ = select(1f, select(0f, ((_e13314 * _e13314) * (3f - (2f * _e13314))), (_e13279 > 0f)), (_e13309 > 0f));
+phi_29410_ = select(1f, select(0f, ((_e13314 * _e13314) * (3f - (2f * _e13314))), (_e13279 > 0f)), (_e13309 > 0f));
 }
-let _e13324 = phi_29408_;
+let _e13324 = phi_29410_;
 let _e13325 = (_e13265 * _e13324);
-phi_29480_ = type_35(vec3<f32>((_e13257.member * _e13325), (_e13257.member_1 * _e13325), (_e13257.member_2 * _e13325)), _e13249);
+phi_29482_ = type_35(vec3<f32>((_e13257.member * _e13325), (_e13257.member_1 * _e13325), (_e13257.member_2 * _e13325)), _e13249);
 }
-let _e13351 = phi_29480_;
-phi_29481_ = _e13351;
+let _e13351 = phi_29482_;
+phi_29483_ = _e13351;
 }
-let _e13794 = phi_29481_;
-phi_29482_ = _e13794;
+let _e13794 = phi_29483_;
+phi_29484_ = _e13794;
 }
-let _e13796 = phi_29482_;
+let _e13796 = phi_29484_;
 let _e13805 = (((_e13796.member_1.x * _e13796.member_1.x) + (_e13796.member_1.y * _e13796.member_1.y)) + (_e13796.member_1.z * _e13796.member_1.z));
 let _e13808 = sqrt(select(0f, _e13805, (_e13805 > 0f)));
 let _e13812 = (1e-6f * _e13808);
@@ -4443,9 +4445,9 @@ let _e13874 = (_e6488.member_1.z + (_e6488.member_2.z * _e13866));
 let _e13880 = ((((_e561.member.member * _e13872) + (_e561.member.member_1 * _e13873)) + (_e561.member.member_2 * _e13874)) + _e561.member_1);
 let _e13886 = ((((_e577.member.member * _e13872) + (_e577.member.member_1 * _e13873)) + (_e577.member.member_2 * _e13874)) + _e577.member_1);
 let _e13892 = ((((_e593.member.member * _e13872) + (_e593.member.member_1 * _e13873)) + (_e593.member.member_2 * _e13874)) + _e593.member_1);
-let _e13898 = global_5.member[_e459].member_6.member.member;
-let _e13907 = global_5.member[_e459].member_6.member_1.member;
-let _e13916 = global_5.member[_e459].member_6.member_2.member;
+let _e13898 = global_5.member[_e459].member_8.member.member;
+let _e13907 = global_5.member[_e459].member_8.member_1.member;
+let _e13916 = global_5.member[_e459].member_8.member_2.member;
 let _e13920 = (-0.5f - _e6505);
 let _e13921 = (-0.5f - _e13880);
 let _e13922 = -(_e13920);
@@ -4552,16 +4554,16 @@ let _e14159 = select(select(select(select(select(select(0f, _e13898.member, _e13
 let _e14160 = select(select(select(select(select(select(0f, _e13898.member_1, _e13940), _e13898.member_1, _e13980), _e13907.member_1, _e14020), _e13907.member_1, _e14060), _e13916.member_1, _e14100), _e13916.member_1, _e14140);
 let _e14161 = select(select(select(select(select(select(1f, _e13898.member_2, _e13940), _e13898.member_2, _e13980), _e13907.member_2, _e14020), _e13907.member_2, _e14060), _e13916.member_2, _e14100), _e13916.member_2, _e14140);
 if _e8772 {
-phi_30972_ = type_34(_e14146, vec3<f32>(_e14147, _e14148, _e14149), _e14151, vec3<f32>(_e14152, _e14153, _e14154), _e14156, _e14158, vec3<f32>(_e14159, _e14160, _e14161));
+phi_30974_ = type_34(_e14146, vec3<f32>(_e14147, _e14148, _e14149), _e14151, vec3<f32>(_e14152, _e14153, _e14154), _e14156, _e14158, vec3<f32>(_e14159, _e14160, _e14161));
 } else {
 let _e14168 = (((_e13898.member * _e13898.member) + (_e13898.member_1 * _e13898.member_1)) + (_e13898.member_2 * _e13898.member_2));
 let _e14171 = sqrt(select(0f, _e14168, (_e14168 > 0f)));
-let _e14176 = global_5.member[_e459].member_14.member_1;
+let _e14176 = global_5.member[_e459].member_16.member_1;
 let _e14177 = (_e14176 != 0u);
-let _e14182 = global_5.member[_e459].member_14.member;
+let _e14182 = global_5.member[_e459].member_16.member;
 let _e14202 = select(-1e6f, (((((_e14182.member.member * _e6488.member_1.x) + (_e14182.member.member_1 * _e6488.member_1.y)) + (_e14182.member.member_2 * _e6488.member_1.z)) + _e14182.member_1) * _e14171), _e14177);
 let _e14203 = select(-1e6f, (((((_e14182.member.member * _e13872) + (_e14182.member.member_1 * _e13873)) + (_e14182.member.member_2 * _e13874)) + _e14182.member_1) * _e14171), _e14177);
-let _e14209 = global_5.member[_e459].member_14.member.member;
+let _e14209 = global_5.member[_e459].member_16.member.member;
 let _e14213 = -(_e14202);
 let _e14216 = (_e14202 - _e14203);
 let _e14217 = (_e14203 - _e14202);
@@ -4576,12 +4578,12 @@ let _e14237 = select(_e14146, _e14226, _e14235);
 let _e14241 = select(_e14151, _e14230, _e14236);
 let _e14245 = select(_e14156, _e14202, _e14231);
 let _e14247 = select(_e14158, _e14203, (_e14203 > _e14158));
-let _e14255 = global_5.member[_e459].member_15.member_1;
+let _e14255 = global_5.member[_e459].member_17.member_1;
 let _e14256 = (_e14255 != 0u);
-let _e14261 = global_5.member[_e459].member_15.member;
+let _e14261 = global_5.member[_e459].member_17.member;
 let _e14281 = select(-1e6f, (((((_e14261.member.member * _e6488.member_1.x) + (_e14261.member.member_1 * _e6488.member_1.y)) + (_e14261.member.member_2 * _e6488.member_1.z)) + _e14261.member_1) * _e14171), _e14256);
 let _e14282 = select(-1e6f, (((((_e14261.member.member * _e13872) + (_e14261.member.member_1 * _e13873)) + (_e14261.member.member_2 * _e13874)) + _e14261.member_1) * _e14171), _e14256);
-let _e14288 = global_5.member[_e459].member_15.member.member;
+let _e14288 = global_5.member[_e459].member_17.member.member;
 let _e14292 = -(_e14281);
 let _e14295 = (_e14281 - _e14282);
 let _e14296 = (_e14282 - _e14281);
@@ -4596,12 +4598,12 @@ let _e14316 = select(_e14237, _e14305, _e14314);
 let _e14320 = select(_e14241, _e14309, _e14315);
 let _e14324 = select(_e14245, _e14281, _e14310);
 let _e14326 = select(_e14247, _e14282, (_e14282 > _e14247));
-let _e14334 = global_5.member[_e459].member_16.member_1;
+let _e14334 = global_5.member[_e459].member_18.member_1;
 let _e14335 = (_e14334 != 0u);
-let _e14340 = global_5.member[_e459].member_16.member;
+let _e14340 = global_5.member[_e459].member_18.member;
 let _e14360 = select(-1e6f, (((((_e14340.member.member * _e6488.member_1.x) + (_e14340.member.member_1 * _e6488.member_1.y)) + (_e14340.member.member_2 * _e6488.member_1.z)) + _e14340.member_1) * _e14171), _e14335);
 let _e14361 = select(-1e6f, (((((_e14340.member.member * _e13872) + (_e14340.member.member_1 * _e13873)) + (_e14340.member.member_2 * _e13874)) + _e14340.member_1) * _e14171), _e14335);
-let _e14367 = global_5.member[_e459].member_16.member.member;
+let _e14367 = global_5.member[_e459].member_18.member.member;
 let _e14371 = -(_e14360);
 let _e14374 = (_e14360 - _e14361);
 let _e14375 = (_e14361 - _e14360);
@@ -4616,12 +4618,12 @@ let _e14395 = select(_e14316, _e14384, _e14393);
 let _e14399 = select(_e14320, _e14388, _e14394);
 let _e14403 = select(_e14324, _e14360, _e14389);
 let _e14405 = select(_e14326, _e14361, (_e14361 > _e14326));
-let _e14413 = global_5.member[_e459].member_17.member_1;
+let _e14413 = global_5.member[_e459].member_19.member_1;
 let _e14414 = (_e14413 != 0u);
-let _e14419 = global_5.member[_e459].member_17.member;
+let _e14419 = global_5.member[_e459].member_19.member;
 let _e14439 = select(-1e6f, (((((_e14419.member.member * _e6488.member_1.x) + (_e14419.member.member_1 * _e6488.member_1.y)) + (_e14419.member.member_2 * _e6488.member_1.z)) + _e14419.member_1) * _e14171), _e14414);
 let _e14440 = select(-1e6f, (((((_e14419.member.member * _e13872) + (_e14419.member.member_1 * _e13873)) + (_e14419.member.member_2 * _e13874)) + _e14419.member_1) * _e14171), _e14414);
-let _e14446 = global_5.member[_e459].member_17.member.member;
+let _e14446 = global_5.member[_e459].member_19.member.member;
 let _e14450 = -(_e14439);
 let _e14453 = (_e14439 - _e14440);
 let _e14454 = (_e14440 - _e14439);
@@ -4632,11 +4634,11 @@ let _e14467 = select(2f, select(0f, _e14459, (_e14439 < 0f)), (_e14440 > 0f));
 let _e14468 = (_e14439 > _e14403);
 let _e14472 = ((_e14463 > _e14395) || ((_e14463 == _e14395) && _e14468));
 let _e14473 = (_e14467 < _e14399);
-phi_30972_ = type_34(select(_e14395, _e14463, _e14472), vec3<f32>(select(select(select(select(_e14147, _e14209.member, _e14235), _e14288.member, _e14314), _e14367.member, _e14393), _e14446.member, _e14472), select(select(select(select(_e14148, _e14209.member_1, _e14235), _e14288.member_1, _e14314), _e14367.member_1, _e14393), _e14446.member_1, _e14472), select(select(select(select(_e14149, _e14209.member_2, _e14235), _e14288.member_2, _e14314), _e14367.member_2, _e14393), _e14446.member_2, _e14472)), select(_e14399, _e14467, _e14473), vec3<f32>(select(select(select(select(_e14152, _e14209.member, _e14236), _e14288.member, _e14315), _e14367.member, _e14394), _e14446.member, _e14473), select(select(select(select(_e14153, _e14209.member_1, _e14236), _e14288.member_1, _e14315), _e14367.member_1, _e14394), _e14446.member_1, _e14473), select(select(select(select(_e14154, _e14209.member_2, _e14236), _e14288.member_2, _e14315), _e14367.member_2, _e14394), _e14446.member_2, _e14473)), select(_e14403, _e14439, _e14468), select(_e14405, _e14440, (_e14440 > _e14405)), vec3<f32>(select(select(select(select(_e14159, _e14209.member, _e14231), _e14288.member, _e14310), _e14367.member, _e14389), _e14446.member, _e14468), select(select(select(select(_e14160, _e14209.member_1, _e14231), _e14288.member_1, _e14310), _e14367.member_1, _e14389), _e14446.member_1, _e14468), select(select(select(select(_e14161, _e14209.member_2, _e14231), _e14288.member_2, _e14310), _e14367.member_2, _e14389), _e14446.member_2, _e14468)));
+phi_30974_ = type_34(select(_e14395, _e14463, _e14472), vec3<f32>(select(select(select(select(_e14147, _e14209.member, _e14235), _e14288.member, _e14314), _e14367.member, _e14393), _e14446.member, _e14472), select(select(select(select(_e14148, _e14209.member_1, _e14235), _e14288.member_1, _e14314), _e14367.member_1, _e14393), _e14446.member_1, _e14472), select(select(select(select(_e14149, _e14209.member_2, _e14235), _e14288.member_2, _e14314), _e14367.member_2, _e14393), _e14446.member_2, _e14472)), select(_e14399, _e14467, _e14473), vec3<f32>(select(select(select(select(_e14152, _e14209.member, _e14236), _e14288.member, _e14315), _e14367.member, _e14394), _e14446.member, _e14473), select(select(select(select(_e14153, _e14209.member_1, _e14236), _e14288.member_1, _e14315), _e14367.member_1, _e14394), _e14446.member_1, _e14473), select(select(select(select(_e14154, _e14209.member_2, _e14236), _e14288.member_2, _e14315), _e14367.member_2, _e14394), _e14446.member_2, _e14473)), select(_e14403, _e14439, _e14468), select(_e14405, _e14440, (_e14440 > _e14405)), vec3<f32>(select(select(select(select(_e14159, _e14209.member, _e14231), _e14288.member, _e14310), _e14367.member, _e14389), _e14446.member, _e14468), select(select(select(select(_e14160, _e14209.member_1, _e14231), _e14288.member_1, _e14310), _e14367.member_1, _e14389), _e14446.member_1, _e14468), select(select(select(select(_e14161, _e14209.member_2, _e14231), _e14288.member_2, _e14310), _e14367.member_2, _e14389), _e14446.member_2, _e14468)));
 }
-let _e14493 = phi_30972_;
+let _e14493 = phi_30974_;
 let _e14500 = (_e8983.member_2 * select(0f, 1f, _e6488.member_6));
-let _e14506 = global_5.member[_e459].member_5.member_4;
+let _e14506 = global_5.member[_e459].member_7.member_4;
 let _e14509 = (_e8767.member_3.x * _e14500);
 let _e14511 = (_e8767.member_3.y * _e14500);
 let _e14513 = (_e8767.member_3.z * _e14500);
@@ -4659,44 +4661,44 @@ let _e14567 = (_e6488.member_2.y + ((_e8767.member_4.y * _e14500) * _e482));
 let _e14568 = (_e6488.member_2.z + ((_e8767.member_4.z * _e14500) * _e482));
 let _e14570 = (_e14568 * _e14568);
 let _e14579 = ((_e799 & 1u) != 0u);
-phi_31128_ = vec3<f32>(select(select(select(_e14536, _e14518, _e14552), _e14566, _e14579), _e6488.member_2.x, _e6488.member_8), select(select(select(_e14537, _e14519, _e14552), _e14567, _e14579), _e6488.member_2.y, _e6488.member_8), select(select(select(_e14538, _e14520, _e14552), _e14568, _e14579), _e6488.member_2.z, _e6488.member_8));
-phi_31129_ = (select(_e14552, ((_e14568 <= 0f) || (_e14570 <= (_e14542 * (((_e14566 * _e14566) + (_e14567 * _e14567)) + _e14570)))), _e14579) || _e6488.member_8);
+phi_31130_ = vec3<f32>(select(select(select(_e14536, _e14518, _e14552), _e14566, _e14579), _e6488.member_2.x, _e6488.member_8), select(select(select(_e14537, _e14519, _e14552), _e14567, _e14579), _e6488.member_2.y, _e6488.member_8), select(select(select(_e14538, _e14520, _e14552), _e14568, _e14579), _e6488.member_2.z, _e6488.member_8));
+phi_31131_ = (select(_e14552, ((_e14568 <= 0f) || (_e14570 <= (_e14542 * (((_e14566 * _e14566) + (_e14567 * _e14567)) + _e14570)))), _e14579) || _e6488.member_8);
 } else {
-phi_31128_ = _e6488.member_2;
-phi_31129_ = false;
+phi_31130_ = _e6488.member_2;
+phi_31131_ = false;
 }
-let _e14591 = phi_31128_;
-let _e14593 = phi_31129_;
+let _e14591 = phi_31130_;
+let _e14593 = phi_31131_;
 let _e14604 = ((((_e556 || _e6488.member_7) || (_e14591.x != _e463[3])) || (_e14591.y != _e463[4])) || (_e14591.z != _e463[5]));
 let _e14606 = select(_e13116, _e13114, (_e13114 > _e13116));
 let _e14614 = select(select(0f, 2f, _e14593), 1f, (_e556 || (((1f - _e13859) * select(_e13118, _e14606, (_e14606 > _e13118))) < 9.765625e-4f)));
 let _e14618 = ((_e14614 == 2f) && !(_e6488.member_8));
-phi_31289_ = array<f32, 18>(select(select(_e463[0], select(_e6488.member_1.x, _e10921, _e556), _e14604), _e492, _e14618), select(select(_e463[1], select(_e6488.member_1.y, _e10922, _e556), _e14604), _e494, _e14618), select(select(_e463[2], select(_e6488.member_1.z, _e10923, _e556), _e14604), _e488, _e14618), select(_e14591.x, _e6490.x, _e14618), select(_e14591.y, _e6490.y, _e14618), select(_e14591.z, _e6490.z, _e14618), select(_e8767.member, _e1591, _e14618), _e14614, select(select(_e13123, (_e13123 + (_e13846 * _e10923)), _e556), _e463[8], _e14618), select(select(_e13106, (_e13106 + ((_e13114 * (select(_e1200.member, _e1187.member, _e1174) * (((_e13796.member.x * _e13816) * _e13836) + _e13079.member))) * _e13846)), _e556), _e463[9], _e14618), select(select(_e13107, (_e13107 + ((_e13116 * (select(_e1200.member_1, _e1187.member_1, _e1174) * (((_e13796.member.y * _e13816) * _e13836) + _e13079.member_1))) * _e13846)), _e556), _e463[10], _e14618), select(select(_e13108, (_e13108 + ((_e13118 * (select(_e1200.member_2, _e1187.member_2, _e1174) * (((_e13796.member.z * _e13816) * _e13836) + _e13079.member_2))) * _e13846)), _e556), _e463[11], _e14618), select(_e13859, _e463[12], _e14618), select(_e13114, _e463[13], _e14618), select(_e13116, _e463[14], _e14618), select(_e13118, _e463[15], _e14618), select(select(0f, _e8767.member_2, (_e6488.member_6 && !(_e556))), select(0f, _e6494, _e6492), _e14618), select(select(_e6488.member_1.z, -1.2676506e30f, _e6488.member_8), _e488, _e14618));
+phi_31291_ = array<f32, 18>(select(select(_e463[0], select(_e6488.member_1.x, _e10921, _e556), _e14604), _e492, _e14618), select(select(_e463[1], select(_e6488.member_1.y, _e10922, _e556), _e14604), _e494, _e14618), select(select(_e463[2], select(_e6488.member_1.z, _e10923, _e556), _e14604), _e488, _e14618), select(_e14591.x, _e6490.x, _e14618), select(_e14591.y, _e6490.y, _e14618), select(_e14591.z, _e6490.z, _e14618), select(_e8767.member, _e1591, _e14618), _e14614, select(select(_e13123, (_e13123 + (_e13846 * _e10923)), _e556), _e463[8], _e14618), select(select(_e13106, (_e13106 + ((_e13114 * (select(_e1200.member, _e1187.member, _e1174) * (((_e13796.member.x * _e13816) * _e13836) + _e13079.member))) * _e13846)), _e556), _e463[9], _e14618), select(select(_e13107, (_e13107 + ((_e13116 * (select(_e1200.member_1, _e1187.member_1, _e1174) * (((_e13796.member.y * _e13816) * _e13836) + _e13079.member_1))) * _e13846)), _e556), _e463[10], _e14618), select(select(_e13108, (_e13108 + ((_e13118 * (select(_e1200.member_2, _e1187.member_2, _e1174) * (((_e13796.member.z * _e13816) * _e13836) + _e13079.member_2))) * _e13846)), _e556), _e463[11], _e14618), select(_e13859, _e463[12], _e14618), select(_e13114, _e463[13], _e14618), select(_e13116, _e463[14], _e14618), select(_e13118, _e463[15], _e14618), select(select(0f, _e8767.member_2, (_e6488.member_6 && !(_e556))), select(0f, _e6494, _e6492), _e14618), select(select(_e6488.member_1.z, -1.2676506e30f, _e6488.member_8), _e488, _e14618));
 } else {
-phi_31289_ = _e463;
+phi_31291_ = _e463;
 }
-let _e14655 = phi_31289_;
-phi_688_ = (_e459 + 1u);
-phi_691_ = select(_e461, true, _e1150);
-phi_693_ = _e14655;
+let _e14655 = phi_31291_;
+phi_690_ = (_e459 + 1u);
+phi_693_ = select(_e461, true, _e1150);
+phi_695_ = _e14655;
 } else {
-phi_688_ = u32();
-phi_691_ = bool();
-phi_693_ = array<f32, 18>();
+phi_690_ = u32();
+phi_693_ = bool();
+phi_695_ = array<f32, 18>();
 }
-let _e14659 = phi_688_;
-let _e14661 = phi_691_;
-let _e14663 = phi_693_;
+let _e14659 = phi_690_;
+let _e14661 = phi_693_;
+let _e14663 = phi_695_;
 continue;
 continuing {
-phi_687_ = _e14659;
-phi_690_ = _e14661;
-phi_692_ = _e14663;
-phi_31480_ = false;
+phi_689_ = _e14659;
+phi_692_ = _e14661;
+phi_694_ = _e14663;
+phi_31482_ = false;
 break if !(_e464);
 }
 }
-let _e14666 = phi_31480_;
+let _e14666 = phi_31482_;
 if _e14666 {
 break;
 }

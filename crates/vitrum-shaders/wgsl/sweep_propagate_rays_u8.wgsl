@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -273,63 +275,63 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_687_: u32;
-var phi_690_: bool;
-var phi_692_: array<f32, 18>;
-var phi_1447_: bool;
-var phi_1627_: bool;
-var phi_1630_: bool;
-var phi_3047_: f32;
-var phi_4653_: type_34;
-var phi_4666_: bool;
-var phi_4696_: type_39;
-var phi_4708_: bool;
-var phi_5904_: type_31;
-var phi_7427_: type_34;
-var phi_8655_: type_31;
-var phi_10193_: type_34;
-var phi_11421_: type_31;
-var phi_12959_: type_34;
-var phi_14707_: type_31;
-var phi_14720_: type_38;
-var phi_14721_: vec3<f32>;
-var phi_14722_: bool;
-var phi_14723_: f32;
-var phi_20240_: type_32;
-var phi_21003_: type_33;
-var phi_21416_: type_7;
-var phi_25581_: type_40;
-var phi_27110_: i32;
-var phi_27687_: vec3<f32>;
-var phi_28094_: vec3<f32>;
-var phi_28188_: f32;
-var phi_28230_: f32;
-var phi_26596_: vec3<f32>;
-var phi_28262_: type_35;
-var phi_25695_: f32;
-var phi_25779_: f32;
-var phi_25851_: type_35;
-var phi_28263_: type_35;
-var phi_28346_: f32;
-var phi_28347_: f32;
-var phi_28604_: vec3<f32>;
-var phi_29534_: f32;
-var phi_29618_: f32;
-var phi_29690_: type_35;
-var phi_29033_: u32;
-var phi_29370_: f32;
-var phi_29426_: f32;
-var phi_29431_: vec3<f32>;
-var phi_29691_: type_35;
+var phi_689_: u32;
+var phi_692_: bool;
+var phi_694_: array<f32, 18>;
+var phi_1449_: bool;
+var phi_1629_: bool;
+var phi_1632_: bool;
+var phi_3049_: f32;
+var phi_4655_: type_34;
+var phi_4668_: bool;
+var phi_4698_: type_39;
+var phi_4710_: bool;
+var phi_5906_: type_31;
+var phi_7429_: type_34;
+var phi_8657_: type_31;
+var phi_10195_: type_34;
+var phi_11423_: type_31;
+var phi_12961_: type_34;
+var phi_14709_: type_31;
+var phi_14722_: type_38;
+var phi_14723_: vec3<f32>;
+var phi_14724_: bool;
+var phi_14725_: f32;
+var phi_20242_: type_32;
+var phi_21005_: type_33;
+var phi_21418_: type_7;
+var phi_25583_: type_40;
+var phi_27112_: i32;
+var phi_27689_: vec3<f32>;
+var phi_28096_: vec3<f32>;
+var phi_28190_: f32;
+var phi_28232_: f32;
+var phi_26598_: vec3<f32>;
+var phi_28264_: type_35;
+var phi_25697_: f32;
+var phi_25781_: f32;
+var phi_25853_: type_35;
+var phi_28265_: type_35;
+var phi_28348_: f32;
+var phi_28349_: f32;
+var phi_28606_: vec3<f32>;
+var phi_29536_: f32;
+var phi_29620_: f32;
 var phi_29692_: type_35;
-var phi_31182_: type_34;
-var phi_31338_: vec3<f32>;
-var phi_31339_: bool;
-var phi_31499_: array<f32, 18>;
-var phi_688_: u32;
-var phi_691_: bool;
-var phi_693_: array<f32, 18>;
-var phi_31690_: bool;
+var phi_29035_: u32;
+var phi_29372_: f32;
+var phi_29428_: f32;
+var phi_29433_: vec3<f32>;
+var phi_29693_: type_35;
+var phi_29694_: type_35;
+var phi_31184_: type_34;
+var phi_31340_: vec3<f32>;
+var phi_31341_: bool;
+var phi_31501_: array<f32, 18>;
+var phi_690_: u32;
+var phi_693_: bool;
+var phi_695_: array<f32, 18>;
+var phi_31692_: bool;
 var local_40: bool;
 var local_41: array<f32, 18>;
 var local_42: array<f32, 18>;
@@ -439,13 +441,13 @@ let _e447 = ((17u * _e257) + _e259);
 let _e448 = bitcast<i32>(_e447);
 let _e450 = select(_e262, _e448, (_e448 < _e262));
 let _e456 = global_4.member[bitcast<u32>(select(0i, _e450, (_e450 > 0i)))];
-phi_687_ = 0u;
-phi_690_ = false;
-phi_692_ = array<f32, 18>(_e270, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368, _e379, _e390, _e401, _e412, _e423, _e434, _e445, _e456);
+phi_689_ = 0u;
+phi_692_ = false;
+phi_694_ = array<f32, 18>(_e270, _e280, _e291, _e302, _e313, _e324, _e335, _e346, _e357, _e368, _e379, _e390, _e401, _e412, _e423, _e434, _e445, _e456);
 loop {
-let _e459 = phi_687_;
-let _e461 = phi_690_;
-let _e463 = phi_692_;
+let _e459 = phi_689_;
+let _e461 = phi_692_;
+let _e463 = phi_694_;
 local_40 = _e461;
 local_41 = _e463;
 local_42 = _e463;
@@ -469,47 +471,47 @@ let _e464 = (_e459 < _e222);
 if _e464 {
 if _e464 {
 } else {
-phi_31690_ = true;
+phi_31692_ = true;
 break;
 }
 let _e468 = global_5.member[_e459].member;
-let _e482 = global_5.member[_e459].member_5.member_2;
+let _e482 = global_5.member[_e459].member_7.member_2;
 let _e483 = (_e482 / _e463[5]);
-let _e488 = global_5.member[_e459].member_5.member;
+let _e488 = global_5.member[_e459].member_7.member;
 let _e490 = ((_e488 - _e463[2]) / _e463[5]);
 let _e492 = (_e463[0] + (_e463[3] * _e490));
 let _e494 = (_e463[1] + (_e463[4] * _e490));
 let _e496 = (_e492 + (_e463[3] * _e483));
 let _e498 = (_e494 + (_e463[4] * _e483));
-let _e503 = global_5.member[_e459].member_5.member_1;
-let _e509 = global_5.member[_e459].member_13.member.member;
+let _e503 = global_5.member[_e459].member_7.member_1;
+let _e509 = global_5.member[_e459].member_15.member.member;
 let _e520 = ((((_e509.member.member * _e492) + (_e509.member.member_1 * _e494)) + (_e509.member.member_2 * _e488)) + _e509.member_1);
 let _e526 = ((((_e509.member.member * _e496) + (_e509.member.member_1 * _e498)) + (_e509.member.member_2 * _e503)) + _e509.member_1);
 let _e529 = ((_e520 > 0f) && (_e526 <= 0f));
-let _e535 = global_5.member[_e459].member_13.member_1.member;
+let _e535 = global_5.member[_e459].member_15.member_1.member;
 let _e546 = ((((_e535.member.member * _e492) + (_e535.member.member_1 * _e494)) + (_e535.member.member_2 * _e488)) + _e535.member_1);
 let _e552 = ((((_e535.member.member * _e496) + (_e535.member.member_1 * _e498)) + (_e535.member.member_2 * _e503)) + _e535.member_1);
 let _e555 = ((_e546 > 0f) && (_e552 <= 0f));
 let _e556 = (_e529 || _e555);
-let _e561 = global_5.member[_e459].member_6.member;
+let _e561 = global_5.member[_e459].member_8.member;
 let _e572 = ((((_e561.member.member * _e492) + (_e561.member.member_1 * _e494)) + (_e561.member.member_2 * _e488)) + _e561.member_1);
-let _e577 = global_5.member[_e459].member_6.member_1;
+let _e577 = global_5.member[_e459].member_8.member_1;
 let _e588 = ((((_e577.member.member * _e492) + (_e577.member.member_1 * _e494)) + (_e577.member.member_2 * _e488)) + _e577.member_1);
-let _e593 = global_5.member[_e459].member_6.member_2;
+let _e593 = global_5.member[_e459].member_8.member_2;
 let _e604 = ((((_e593.member.member * _e492) + (_e593.member.member_1 * _e494)) + (_e593.member.member_2 * _e488)) + _e593.member_1);
 let _e610 = ((((_e561.member.member * _e496) + (_e561.member.member_1 * _e498)) + (_e561.member.member_2 * _e503)) + _e561.member_1);
 let _e616 = ((((_e577.member.member * _e496) + (_e577.member.member_1 * _e498)) + (_e577.member.member_2 * _e503)) + _e577.member_1);
 let _e622 = ((((_e593.member.member * _e496) + (_e593.member.member_1 * _e498)) + (_e593.member.member_2 * _e503)) + _e593.member_1);
-let _e627 = global_5.member[_e459].member_6.member_4;
-let _e633 = global_5.member[_e459].member_6.member_3.member;
+let _e627 = global_5.member[_e459].member_8.member_4;
+let _e633 = global_5.member[_e459].member_8.member_3.member;
 let _e634 = (_e633 - 0.5f);
 let _e636 = select(-0.5f, _e610, (_e610 > -0.5f));
 let _e638 = select(_e634, _e636, (_e636 < _e634));
-let _e644 = global_5.member[_e459].member_6.member_3.member_1;
+let _e644 = global_5.member[_e459].member_8.member_3.member_1;
 let _e645 = (_e644 - 0.5f);
 let _e647 = select(-0.5f, _e616, (_e616 > -0.5f));
 let _e649 = select(_e645, _e647, (_e647 < _e645));
-let _e655 = global_5.member[_e459].member_6.member_3.member_2;
+let _e655 = global_5.member[_e459].member_8.member_3.member_2;
 let _e656 = (_e655 - 0.5f);
 let _e658 = select(-0.5f, _e622, (_e622 > -0.5f));
 let _e660 = select(_e656, _e658, (_e658 < _e656));
@@ -529,7 +531,7 @@ let _e696 = (_e633 - 1f);
 let _e698 = select(0f, _e695, (_e695 > 0f));
 let _e700 = select(_e696, _e698, (_e698 < _e696));
 let _e707 = select(0i, select(select(i32(_e700), i32(-2147483648), (_e700 < -2147483600f)), 2147483647i, (_e700 > 2147483500f)), (_e700 == _e700));
-let _e716 = global_5.member[_e459].member_6.member_12;
+let _e716 = global_5.member[_e459].member_8.member_12;
 let _e717 = (_e716 & 31u);
 let _e720 = (_e649 + 0.5f);
 let _e721 = (_e644 - 1f);
@@ -541,9 +543,9 @@ let _e740 = (_e655 - 1f);
 let _e742 = select(0f, _e739, (_e739 > 0f));
 let _e744 = select(_e740, _e742, (_e742 < _e740));
 let _e751 = select(0i, select(select(i32(_e744), i32(-2147483648), (_e744 < -2147483600f)), 2147483647i, (_e744 > 2147483500f)), (_e744 == _e744));
-let _e763 = global_5.member[_e459].member_6.member_9.member;
-let _e770 = global_5.member[_e459].member_6.member_9.member_1;
-let _e776 = global_5.member[_e459].member_6.member_10;
+let _e763 = global_5.member[_e459].member_8.member_9.member;
+let _e770 = global_5.member[_e459].member_8.member_9.member_1;
+let _e776 = global_5.member[_e459].member_8.member_10;
 let _e782 = ((bitcast<i32>(_e776) + ((_e707 - select(0i, 1i, (_e700 < f32(_e707)))) >> bitcast<u32>(_e717))) + (bitcast<i32>(_e763) * (((_e732 - select(0i, 1i, (_e725 < f32(_e732)))) >> bitcast<u32>(_e717)) + (bitcast<i32>(_e770) * ((_e751 - select(0i, 1i, (_e744 < f32(_e751)))) >> bitcast<u32>(_e717))))));
 let _e784 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
 let _e786 = select(_e784, _e782, (_e782 < _e784));
@@ -562,22 +564,22 @@ let _e851 = (_e655 - _e840);
 let _e854 = ((((_e572 >= _e839) && (_e572 <= _e842)) && ((_e588 >= _e839) && (_e588 <= _e846))) && ((_e604 >= _e839) && (_e604 <= _e851)));
 let _e856 = ((_e799 & 16u) == 0u);
 if _e856 {
-phi_1447_ = _e854;
+phi_1449_ = _e854;
 } else {
-let _e862 = global_5.member[_e459].member_6.member.member;
+let _e862 = global_5.member[_e459].member_8.member.member;
 let _e870 = (((_e862.member * _e862.member) + (_e862.member_1 * _e862.member_1)) + (_e862.member_2 * _e862.member_2));
-let _e879 = global_5.member[_e459].member_14.member;
+let _e879 = global_5.member[_e459].member_16.member;
 let _e891 = -((0.5f / sqrt(select(0f, _e870, (_e870 > 0f)))));
-let _e897 = global_5.member[_e459].member_14.member_1;
-let _e904 = global_5.member[_e459].member_15.member;
-let _e921 = global_5.member[_e459].member_15.member_1;
-let _e929 = global_5.member[_e459].member_16.member;
-let _e946 = global_5.member[_e459].member_16.member_1;
-let _e954 = global_5.member[_e459].member_17.member;
-let _e971 = global_5.member[_e459].member_17.member_1;
-phi_1447_ = (_e854 && (((((((((_e879.member.member * _e492) + (_e879.member.member_1 * _e494)) + (_e879.member.member_2 * _e488)) + _e879.member_1) <= _e891) || (_e897 == 0u)) && ((((((_e904.member.member * _e492) + (_e904.member.member_1 * _e494)) + (_e904.member.member_2 * _e488)) + _e904.member_1) <= _e891) || (_e921 == 0u))) && ((((((_e929.member.member * _e492) + (_e929.member.member_1 * _e494)) + (_e929.member.member_2 * _e488)) + _e929.member_1) <= _e891) || (_e946 == 0u))) && ((((((_e954.member.member * _e492) + (_e954.member.member_1 * _e494)) + (_e954.member.member_2 * _e488)) + _e954.member_1) <= _e891) || (_e971 == 0u))));
+let _e897 = global_5.member[_e459].member_16.member_1;
+let _e904 = global_5.member[_e459].member_17.member;
+let _e921 = global_5.member[_e459].member_17.member_1;
+let _e929 = global_5.member[_e459].member_18.member;
+let _e946 = global_5.member[_e459].member_18.member_1;
+let _e954 = global_5.member[_e459].member_19.member;
+let _e971 = global_5.member[_e459].member_19.member_1;
+phi_1449_ = (_e854 && (((((((((_e879.member.member * _e492) + (_e879.member.member_1 * _e494)) + (_e879.member.member_2 * _e488)) + _e879.member_1) <= _e891) || (_e897 == 0u)) && ((((((_e904.member.member * _e492) + (_e904.member.member_1 * _e494)) + (_e904.member.member_2 * _e488)) + _e904.member_1) <= _e891) || (_e921 == 0u))) && ((((((_e929.member.member * _e492) + (_e929.member.member_1 * _e494)) + (_e929.member.member_2 * _e488)) + _e929.member_1) <= _e891) || (_e946 == 0u))) && ((((((_e954.member.member * _e492) + (_e954.member.member_1 * _e494)) + (_e954.member.member_2 * _e488)) + _e954.member_1) <= _e891) || (_e971 == 0u))));
 }
-let _e977 = phi_1447_;
+let _e977 = phi_1449_;
 let _e981 = (_e496 + (_e496 - _e492));
 let _e982 = (_e498 + (_e498 - _e494));
 let _e983 = (_e503 + (_e503 - _e488));
@@ -586,27 +588,27 @@ let _e995 = ((((_e577.member.member * _e981) + (_e577.member.member_1 * _e982)) 
 let _e1001 = ((((_e593.member.member * _e981) + (_e593.member.member_1 * _e982)) + (_e593.member.member_2 * _e983)) + _e593.member_1);
 let _e1012 = ((((_e989 >= _e839) && (_e989 <= _e842)) && ((_e995 >= _e839) && (_e995 <= _e846))) && ((_e1001 >= _e839) && (_e1001 <= _e851)));
 if _e856 {
-phi_1627_ = _e1012;
+phi_1629_ = _e1012;
 } else {
-let _e1018 = global_5.member[_e459].member_6.member.member;
+let _e1018 = global_5.member[_e459].member_8.member.member;
 let _e1026 = (((_e1018.member * _e1018.member) + (_e1018.member_1 * _e1018.member_1)) + (_e1018.member_2 * _e1018.member_2));
-let _e1035 = global_5.member[_e459].member_14.member;
+let _e1035 = global_5.member[_e459].member_16.member;
 let _e1047 = -((0.5f / sqrt(select(0f, _e1026, (_e1026 > 0f)))));
-let _e1053 = global_5.member[_e459].member_14.member_1;
-let _e1060 = global_5.member[_e459].member_15.member;
-let _e1077 = global_5.member[_e459].member_15.member_1;
-let _e1085 = global_5.member[_e459].member_16.member;
-let _e1102 = global_5.member[_e459].member_16.member_1;
-let _e1110 = global_5.member[_e459].member_17.member;
-let _e1127 = global_5.member[_e459].member_17.member_1;
-phi_1627_ = (_e1012 && (((((((((_e1035.member.member * _e981) + (_e1035.member.member_1 * _e982)) + (_e1035.member.member_2 * _e983)) + _e1035.member_1) <= _e1047) || (_e1053 == 0u)) && ((((((_e1060.member.member * _e981) + (_e1060.member.member_1 * _e982)) + (_e1060.member.member_2 * _e983)) + _e1060.member_1) <= _e1047) || (_e1077 == 0u))) && ((((((_e1085.member.member * _e981) + (_e1085.member.member_1 * _e982)) + (_e1085.member.member_2 * _e983)) + _e1085.member_1) <= _e1047) || (_e1102 == 0u))) && ((((((_e1110.member.member * _e981) + (_e1110.member.member_1 * _e982)) + (_e1110.member.member_2 * _e983)) + _e1110.member_1) <= _e1047) || (_e1127 == 0u))));
+let _e1053 = global_5.member[_e459].member_16.member_1;
+let _e1060 = global_5.member[_e459].member_17.member;
+let _e1077 = global_5.member[_e459].member_17.member_1;
+let _e1085 = global_5.member[_e459].member_18.member;
+let _e1102 = global_5.member[_e459].member_18.member_1;
+let _e1110 = global_5.member[_e459].member_19.member;
+let _e1127 = global_5.member[_e459].member_19.member_1;
+phi_1629_ = (_e1012 && (((((((((_e1035.member.member * _e981) + (_e1035.member.member_1 * _e982)) + (_e1035.member.member_2 * _e983)) + _e1035.member_1) <= _e1047) || (_e1053 == 0u)) && ((((((_e1060.member.member * _e981) + (_e1060.member.member_1 * _e982)) + (_e1060.member.member_2 * _e983)) + _e1060.member_1) <= _e1047) || (_e1077 == 0u))) && ((((((_e1085.member.member * _e981) + (_e1085.member.member_1 * _e982)) + (_e1085.member.member_2 * _e983)) + _e1085.member_1) <= _e1047) || (_e1102 == 0u))) && ((((((_e1110.member.member * _e981) + (_e1110.member.member_1 * _e982)) + (_e1110.member.member_2 * _e983)) + _e1110.member_1) <= _e1047) || (_e1127 == 0u))));
 }
-let _e1133 = phi_1627_;
-phi_1630_ = (_e829 && (_e977 && _e1133));
+let _e1133 = phi_1629_;
+phi_1632_ = (_e829 && (_e977 && _e1133));
 } else {
-phi_1630_ = _e829;
+phi_1632_ = _e829;
 }
-let _e1137 = phi_1630_;
+let _e1137 = phi_1632_;
 let _e1138 = (_e463[17] == -1.2676506e30f);
 let _e1140 = (_e463[17] != _e488);
 let _e1150 = (select(0u, select(select(31u, select(select(3u, 7u, _e1140), 15u, _e556), (_e1137 && !((_e838 && _e1138)))), select(1u, 15u, _e556), (((_e799 & 64u) != 0u) || ((((select(_e674, _e671, (_e671 > _e674)) <= _e627) && ((select(_e691, _e688, (_e688 > _e691)) > _e627) || (_e792 != 0u))) && true) && ((_e799 & 32u) != 0u)))), (_e463[7] == 0f)) > 1u);
@@ -617,10 +619,10 @@ let _e1166 = (_e520 / select(1e-20f, _e1163, (_e1163 > 1e-20f)));
 let _e1167 = (_e546 - _e552);
 let _e1170 = (_e546 / select(1e-20f, _e1167, (_e1167 > 1e-20f)));
 let _e1174 = (_e555 && (!(_e529) || (_e1170 < _e1166)));
-let _e1181 = global_5.member[_e459].member_13.member_1.member.member;
-let _e1187 = global_5.member[_e459].member_13.member_1.member_1;
-let _e1194 = global_5.member[_e459].member_13.member.member.member;
-let _e1200 = global_5.member[_e459].member_13.member.member_1;
+let _e1181 = global_5.member[_e459].member_15.member_1.member.member;
+let _e1187 = global_5.member[_e459].member_15.member_1.member_1;
+let _e1194 = global_5.member[_e459].member_15.member.member.member;
+let _e1200 = global_5.member[_e459].member_15.member.member_1;
 let _e1219 = select(_e1166, _e1170, _e1174);
 let _e1221 = select(-0.5f, _e572, (_e572 > -0.5f));
 let _e1223 = select(_e634, _e1221, (_e1221 < _e634));
@@ -640,8 +642,8 @@ let _e1263 = select(-1f, _e1231, (_e1231 > -1f));
 let _e1265 = select(_e655, _e1263, (_e1263 < _e655));
 let _e1272 = select(0i, select(select(i32(_e1265), i32(-2147483648), (_e1265 < -2147483600f)), 2147483647i, (_e1265 > 2147483500f)), (_e1265 == _e1265));
 let _e1276 = (_e1272 - select(0i, 1i, (_e1265 < f32(_e1272))));
-let _e1281 = global_5.member[_e459].member_6.member_7;
-let _e1286 = global_5.member[_e459].member_6.member_8;
+let _e1281 = global_5.member[_e459].member_8.member_7;
+let _e1286 = global_5.member[_e459].member_8.member_8;
 let _e1294 = (select(0i, select(select(i32(_e644), i32(-2147483648), (_e644 < -2147483600f)), 2147483647i, (_e644 > 2147483500f)), (_e644 == _e644)) - 1i);
 let _e1297 = (_e1261 + 1i);
 let _e1307 = (select(0i, select(select(i32(_e655), i32(-2147483648), (_e655 < -2147483600f)), 2147483647i, (_e655 > 2147483500f)), (_e655 == _e655)) - 1i);
@@ -724,8 +726,8 @@ let _e1570 = local_38.member_1[2u];
 let _e1577 = local_39[0u];
 let _e1581 = local_39[1u];
 let _e1586 = local_39[2u];
-let _e1594 = global_5.member[_e459].member_6.member_6;
-let _e1599 = global_5.member[_e459].member_6.member_5;
+let _e1594 = global_5.member[_e459].member_8.member_6;
+let _e1599 = global_5.member[_e459].member_8.member_5;
 let _e1601 = (((_e1478 + (((_e1529 + (((_e1569 + ((f32(bitcast<i32>(((_e1562 >> bitcast<u32>((_e1570 & 31u))) & 255u))) - _e1569) * _e1577)) - _e1529) * _e1581)) - _e1478) * _e1586)) - _e1594) * _e1599);
 let _e1602 = -(1e9f);
 let _e1604 = select(_e1602, _e1601, (_e1601 > _e1602));
@@ -790,11 +792,11 @@ let _e1781 = select(_e1611, 262144i, (262144i < _e1611));
 let _e1787 = global_2.member[bitcast<u32>(select(0i, _e1781, (_e1781 > 0i)))];
 let _e1790 = select(_e1611, 262145i, (262145i < _e1611));
 let _e1796 = global_2.member[bitcast<u32>(select(0i, _e1790, (_e1790 > 0i)))];
-phi_3047_ = select(_e463[16], ((bitcast<f32>(_e1787) + (f32(bitcast<i32>((_e1761 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1796))) + ((f32((bitcast<i32>((_e1761 & 4095u)) - 2048i)) * bitcast<f32>(_e1777)) * (_e1737 - f32(_e1752)))), _e1140);
+phi_3049_ = select(_e463[16], ((bitcast<f32>(_e1787) + (f32(bitcast<i32>((_e1761 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1796))) + ((f32((bitcast<i32>((_e1761 & 4095u)) - 2048i)) * bitcast<f32>(_e1777)) * (_e1737 - f32(_e1752)))), _e1140);
 } else {
-phi_3047_ = _e463[16];
+phi_3049_ = _e463[16];
 }
-let _e1806 = phi_3047_;
+let _e1806 = phi_3049_;
 let _e1807 = (_e496 - _e492);
 let _e1808 = (_e498 - _e494);
 let _e1809 = (_e503 - _e488);
@@ -845,9 +847,9 @@ let _e1899 = select(_e1861, _e1836, (_e1836 > _e1861));
 let _e1902 = (select(_e1893, _e1895, (_e1895 < _e1893)) - select(_e1886, _e1899, (_e1899 > _e1886)));
 let _e1905 = (_e1817 * select(0f, _e1902, (_e1902 > 0f)));
 if _e838 {
-let _e1920 = global_5.member[_e459].member_6.member.member;
-let _e1929 = global_5.member[_e459].member_6.member_1.member;
-let _e1938 = global_5.member[_e459].member_6.member_2.member;
+let _e1920 = global_5.member[_e459].member_8.member.member;
+let _e1929 = global_5.member[_e459].member_8.member_1.member;
+let _e1938 = global_5.member[_e459].member_8.member_2.member;
 let _e1942 = (-0.5f - _e610);
 let _e1943 = -(_e1822);
 let _e1946 = (_e1822 - _e1942);
@@ -952,16 +954,16 @@ let _e2179 = select(select(select(select(select(select(0f, _e1920.member_1, _e19
 let _e2180 = select(select(select(select(select(select(1f, _e1920.member_2, _e1961), _e1920.member_2, _e2001), _e1929.member_2, _e2040), _e1929.member_2, _e2080), _e1938.member_2, _e2119), _e1938.member_2, _e2159);
 let _e2184 = ((_e799 & 16u) == 0u);
 if _e2184 {
-phi_4653_ = type_34(_e2165, vec3<f32>(_e2166, _e2167, _e2168), _e2170, vec3<f32>(_e2171, _e2172, _e2173), _e2175, _e2177, vec3<f32>(_e2178, _e2179, _e2180));
+phi_4655_ = type_34(_e2165, vec3<f32>(_e2166, _e2167, _e2168), _e2170, vec3<f32>(_e2171, _e2172, _e2173), _e2175, _e2177, vec3<f32>(_e2178, _e2179, _e2180));
 } else {
 let _e2189 = (((_e1920.member * _e1920.member) + (_e1920.member_1 * _e1920.member_1)) + (_e1920.member_2 * _e1920.member_2));
 let _e2192 = sqrt(select(0f, _e2189, (_e2189 > 0f)));
-let _e2197 = global_5.member[_e459].member_14.member_1;
+let _e2197 = global_5.member[_e459].member_16.member_1;
 let _e2198 = (_e2197 != 0u);
-let _e2203 = global_5.member[_e459].member_14.member;
+let _e2203 = global_5.member[_e459].member_16.member;
 let _e2223 = select(-1e6f, (((((_e2203.member.member * _e492) + (_e2203.member.member_1 * _e494)) + (_e2203.member.member_2 * _e488)) + _e2203.member_1) * _e2192), _e2198);
 let _e2224 = select(-1e6f, (((((_e2203.member.member * _e496) + (_e2203.member.member_1 * _e498)) + (_e2203.member.member_2 * _e503)) + _e2203.member_1) * _e2192), _e2198);
-let _e2230 = global_5.member[_e459].member_14.member.member;
+let _e2230 = global_5.member[_e459].member_16.member.member;
 let _e2234 = -(_e2223);
 let _e2237 = (_e2223 - _e2224);
 let _e2238 = (_e2224 - _e2223);
@@ -976,12 +978,12 @@ let _e2258 = select(_e2165, _e2247, _e2256);
 let _e2262 = select(_e2170, _e2251, _e2257);
 let _e2266 = select(_e2175, _e2223, _e2252);
 let _e2268 = select(_e2177, _e2224, (_e2224 > _e2177));
-let _e2276 = global_5.member[_e459].member_15.member_1;
+let _e2276 = global_5.member[_e459].member_17.member_1;
 let _e2277 = (_e2276 != 0u);
-let _e2282 = global_5.member[_e459].member_15.member;
+let _e2282 = global_5.member[_e459].member_17.member;
 let _e2302 = select(-1e6f, (((((_e2282.member.member * _e492) + (_e2282.member.member_1 * _e494)) + (_e2282.member.member_2 * _e488)) + _e2282.member_1) * _e2192), _e2277);
 let _e2303 = select(-1e6f, (((((_e2282.member.member * _e496) + (_e2282.member.member_1 * _e498)) + (_e2282.member.member_2 * _e503)) + _e2282.member_1) * _e2192), _e2277);
-let _e2309 = global_5.member[_e459].member_15.member.member;
+let _e2309 = global_5.member[_e459].member_17.member.member;
 let _e2313 = -(_e2302);
 let _e2316 = (_e2302 - _e2303);
 let _e2317 = (_e2303 - _e2302);
@@ -996,12 +998,12 @@ let _e2337 = select(_e2258, _e2326, _e2335);
 let _e2341 = select(_e2262, _e2330, _e2336);
 let _e2345 = select(_e2266, _e2302, _e2331);
 let _e2347 = select(_e2268, _e2303, (_e2303 > _e2268));
-let _e2355 = global_5.member[_e459].member_16.member_1;
+let _e2355 = global_5.member[_e459].member_18.member_1;
 let _e2356 = (_e2355 != 0u);
-let _e2361 = global_5.member[_e459].member_16.member;
+let _e2361 = global_5.member[_e459].member_18.member;
 let _e2381 = select(-1e6f, (((((_e2361.member.member * _e492) + (_e2361.member.member_1 * _e494)) + (_e2361.member.member_2 * _e488)) + _e2361.member_1) * _e2192), _e2356);
 let _e2382 = select(-1e6f, (((((_e2361.member.member * _e496) + (_e2361.member.member_1 * _e498)) + (_e2361.member.member_2 * _e503)) + _e2361.member_1) * _e2192), _e2356);
-let _e2388 = global_5.member[_e459].member_16.member.member;
+let _e2388 = global_5.member[_e459].member_18.member.member;
 let _e2392 = -(_e2381);
 let _e2395 = (_e2381 - _e2382);
 let _e2396 = (_e2382 - _e2381);
@@ -1016,12 +1018,12 @@ let _e2416 = select(_e2337, _e2405, _e2414);
 let _e2420 = select(_e2341, _e2409, _e2415);
 let _e2424 = select(_e2345, _e2381, _e2410);
 let _e2426 = select(_e2347, _e2382, (_e2382 > _e2347));
-let _e2434 = global_5.member[_e459].member_17.member_1;
+let _e2434 = global_5.member[_e459].member_19.member_1;
 let _e2435 = (_e2434 != 0u);
-let _e2440 = global_5.member[_e459].member_17.member;
+let _e2440 = global_5.member[_e459].member_19.member;
 let _e2460 = select(-1e6f, (((((_e2440.member.member * _e492) + (_e2440.member.member_1 * _e494)) + (_e2440.member.member_2 * _e488)) + _e2440.member_1) * _e2192), _e2435);
 let _e2461 = select(-1e6f, (((((_e2440.member.member * _e496) + (_e2440.member.member_1 * _e498)) + (_e2440.member.member_2 * _e503)) + _e2440.member_1) * _e2192), _e2435);
-let _e2467 = global_5.member[_e459].member_17.member.member;
+let _e2467 = global_5.member[_e459].member_19.member.member;
 let _e2471 = -(_e2460);
 let _e2474 = (_e2460 - _e2461);
 let _e2475 = (_e2461 - _e2460);
@@ -1032,32 +1034,32 @@ let _e2488 = select(2f, select(0f, _e2480, (_e2460 < 0f)), (_e2461 > 0f));
 let _e2489 = (_e2460 > _e2424);
 let _e2493 = ((_e2484 > _e2416) || ((_e2484 == _e2416) && _e2489));
 let _e2494 = (_e2488 < _e2420);
-phi_4653_ = type_34(select(_e2416, _e2484, _e2493), vec3<f32>(select(select(select(select(_e2166, _e2230.member, _e2256), _e2309.member, _e2335), _e2388.member, _e2414), _e2467.member, _e2493), select(select(select(select(_e2167, _e2230.member_1, _e2256), _e2309.member_1, _e2335), _e2388.member_1, _e2414), _e2467.member_1, _e2493), select(select(select(select(_e2168, _e2230.member_2, _e2256), _e2309.member_2, _e2335), _e2388.member_2, _e2414), _e2467.member_2, _e2493)), select(_e2420, _e2488, _e2494), vec3<f32>(select(select(select(select(_e2171, _e2230.member, _e2257), _e2309.member, _e2336), _e2388.member, _e2415), _e2467.member, _e2494), select(select(select(select(_e2172, _e2230.member_1, _e2257), _e2309.member_1, _e2336), _e2388.member_1, _e2415), _e2467.member_1, _e2494), select(select(select(select(_e2173, _e2230.member_2, _e2257), _e2309.member_2, _e2336), _e2388.member_2, _e2415), _e2467.member_2, _e2494)), select(_e2424, _e2460, _e2489), select(_e2426, _e2461, (_e2461 > _e2426)), vec3<f32>(select(select(select(select(_e2178, _e2230.member, _e2252), _e2309.member, _e2331), _e2388.member, _e2410), _e2467.member, _e2489), select(select(select(select(_e2179, _e2230.member_1, _e2252), _e2309.member_1, _e2331), _e2388.member_1, _e2410), _e2467.member_1, _e2489), select(select(select(select(_e2180, _e2230.member_2, _e2252), _e2309.member_2, _e2331), _e2388.member_2, _e2410), _e2467.member_2, _e2489)));
+phi_4655_ = type_34(select(_e2416, _e2484, _e2493), vec3<f32>(select(select(select(select(_e2166, _e2230.member, _e2256), _e2309.member, _e2335), _e2388.member, _e2414), _e2467.member, _e2493), select(select(select(select(_e2167, _e2230.member_1, _e2256), _e2309.member_1, _e2335), _e2388.member_1, _e2414), _e2467.member_1, _e2493), select(select(select(select(_e2168, _e2230.member_2, _e2256), _e2309.member_2, _e2335), _e2388.member_2, _e2414), _e2467.member_2, _e2493)), select(_e2420, _e2488, _e2494), vec3<f32>(select(select(select(select(_e2171, _e2230.member, _e2257), _e2309.member, _e2336), _e2388.member, _e2415), _e2467.member, _e2494), select(select(select(select(_e2172, _e2230.member_1, _e2257), _e2309.member_1, _e2336), _e2388.member_1, _e2415), _e2467.member_1, _e2494), select(select(select(select(_e2173, _e2230.member_2, _e2257), _e2309.member_2, _e2336), _e2388.member_2, _e2415), _e2467.member_2, _e2494)), select(_e2424, _e2460, _e2489), select(_e2426, _e2461, (_e2461 > _e2426)), vec3<f32>(select(select(select(select(_e2178, _e2230.member, _e2252), _e2309.member, _e2331), _e2388.member, _e2410), _e2467.member, _e2489), select(select(select(select(_e2179, _e2230.member_1, _e2252), _e2309.member_1, _e2331), _e2388.member_1, _e2410), _e2467.member_1, _e2489), select(select(select(select(_e2180, _e2230.member_2, _e2252), _e2309.member_2, _e2331), _e2388.member_2, _e2410), _e2467.member_2, _e2489)));
 }
-let _e2514 = phi_4653_;
+let _e2514 = phi_4655_;
 if ((_e2514.member_4 > -(0.015625f)) && (_e2514.member_4 < 0.015625f)) {
-phi_4666_ = (_e463[16] != 0f);
+phi_4668_ = (_e463[16] != 0f);
 } else {
-phi_4666_ = (_e2514.member_4 < 0f);
+phi_4668_ = (_e2514.member_4 < 0f);
 }
-let _e2523 = phi_4666_;
+let _e2523 = phi_4668_;
 let _e2524 = select(1f, _e1806, _e2523);
 let _e2526 = select(1f, _e2524, (_e1138 && _e2523));
 let _e2527 = (_e463[3] * _e2526);
 let _e2528 = (_e463[4] * _e2526);
 let _e2529 = (_e463[5] * _e2526);
 if _e2523 {
-phi_4696_ = type_39(_e2514.member_2, _e2514.member_3);
+phi_4698_ = type_39(_e2514.member_2, _e2514.member_3);
 } else {
-phi_4696_ = type_39(_e2514.member, _e2514.member_1);
+phi_4698_ = type_39(_e2514.member, _e2514.member_1);
 }
-let _e2538 = phi_4696_;
+let _e2538 = phi_4698_;
 if _e2523 {
-phi_4708_ = (_e2514.member_2 <= 1f);
+phi_4710_ = (_e2514.member_2 <= 1f);
 } else {
-phi_4708_ = ((_e2514.member <= 1f) && (_e2514.member < _e2514.member_2));
+phi_4710_ = ((_e2514.member <= 1f) && (_e2514.member < _e2514.member_2));
 }
-let _e2546 = phi_4708_;
+let _e2546 = phi_4710_;
 let _e2549 = select(1f, _e2538.member, _e2546);
 let _e2553 = (_e492 + (_e1807 * _e2549));
 let _e2554 = (_e494 + (_e1808 * _e2549));
@@ -1231,11 +1233,11 @@ let _e3096 = global_2.member[bitcast<u32>(select(0i, _e3091, (_e3091 > 0i)))];
 let _e3097 = bitcast<f32>(_e3096);
 let _e3103 = ((_e3089 + (f32(bitcast<i32>((_e3064 >> bitcast<u32>(12u)))) * _e3097)) + ((f32((bitcast<i32>((_e3064 & 4095u)) - 2048i)) * _e3080) * (_e3041 - f32(_e3056))));
 if _e2523 {
-phi_5904_ = type_31(_e3103, 1f);
+phi_5906_ = type_31(_e3103, 1f);
 } else {
-phi_5904_ = type_31(1f, _e3103);
+phi_5906_ = type_31(1f, _e3103);
 }
-let _e3107 = phi_5904_;
+let _e3107 = phi_5906_;
 let _e3112 = ((_e3107.member_1 * _e3107.member_1) - (_e3107.member * _e3107.member));
 let _e3120 = (((_e2538.member_1.x * _e2538.member_1.x) + (_e2538.member_1.y * _e2538.member_1.y)) + (_e2538.member_1.z * _e2538.member_1.z));
 let _e3123 = sqrt(select(0f, _e3120, (_e3120 > 0f)));
@@ -1252,7 +1254,7 @@ let _e3147 = (_e3112 == 0f);
 let _e3159 = select(_e2527, select((_e2527 + (_e3127 * _e3146)), _e2527, _e3147), _e2546);
 let _e3160 = select(_e2528, select((_e2528 + (_e3128 * _e3146)), _e2528, _e3147), _e2546);
 let _e3161 = select(_e2529, select((_e2529 + (_e3129 * _e3146)), _e2529, _e3147), _e2546);
-let _e3166 = global_5.member[_e459].member_5.member_4;
+let _e3166 = global_5.member[_e459].member_7.member_4;
 let _e3167 = (_e3166 * _e3166);
 let _e3171 = (_e3161 * _e3161);
 let _e3175 = (_e2546 && (_e3107.member != _e3107.member_1));
@@ -1371,16 +1373,16 @@ let _e3452 = select(select(select(select(select(select(0f, _e1920.member, _e3233
 let _e3453 = select(select(select(select(select(select(0f, _e1920.member_1, _e3233), _e1920.member_1, _e3273), _e1929.member_1, _e3313), _e1929.member_1, _e3353), _e1938.member_1, _e3393), _e1938.member_1, _e3433);
 let _e3454 = select(select(select(select(select(select(1f, _e1920.member_2, _e3233), _e1920.member_2, _e3273), _e1929.member_2, _e3313), _e1929.member_2, _e3353), _e1938.member_2, _e3393), _e1938.member_2, _e3433);
 if _e2184 {
-phi_7427_ = type_34(_e3439, vec3<f32>(_e3440, _e3441, _e3442), _e3444, vec3<f32>(_e3445, _e3446, _e3447), _e3449, _e3451, vec3<f32>(_e3452, _e3453, _e3454));
+phi_7429_ = type_34(_e3439, vec3<f32>(_e3440, _e3441, _e3442), _e3444, vec3<f32>(_e3445, _e3446, _e3447), _e3449, _e3451, vec3<f32>(_e3452, _e3453, _e3454));
 } else {
 let _e3461 = (((_e1920.member * _e1920.member) + (_e1920.member_1 * _e1920.member_1)) + (_e1920.member_2 * _e1920.member_2));
 let _e3464 = sqrt(select(0f, _e3461, (_e3461 > 0f)));
-let _e3469 = global_5.member[_e459].member_14.member_1;
+let _e3469 = global_5.member[_e459].member_16.member_1;
 let _e3470 = (_e3469 != 0u);
-let _e3475 = global_5.member[_e459].member_14.member;
+let _e3475 = global_5.member[_e459].member_16.member;
 let _e3495 = select(-1e6f, (((((_e3475.member.member * _e2553) + (_e3475.member.member_1 * _e2554)) + (_e3475.member.member_2 * _e2555)) + _e3475.member_1) * _e3464), _e3470);
 let _e3496 = select(-1e6f, (((((_e3475.member.member * _e3189) + (_e3475.member.member_1 * _e3190)) + (_e3475.member.member_2 * _e3191)) + _e3475.member_1) * _e3464), _e3470);
-let _e3502 = global_5.member[_e459].member_14.member.member;
+let _e3502 = global_5.member[_e459].member_16.member.member;
 let _e3506 = -(_e3495);
 let _e3509 = (_e3495 - _e3496);
 let _e3510 = (_e3496 - _e3495);
@@ -1395,12 +1397,12 @@ let _e3530 = select(_e3439, _e3519, _e3528);
 let _e3534 = select(_e3444, _e3523, _e3529);
 let _e3538 = select(_e3449, _e3495, _e3524);
 let _e3540 = select(_e3451, _e3496, (_e3496 > _e3451));
-let _e3548 = global_5.member[_e459].member_15.member_1;
+let _e3548 = global_5.member[_e459].member_17.member_1;
 let _e3549 = (_e3548 != 0u);
-let _e3554 = global_5.member[_e459].member_15.member;
+let _e3554 = global_5.member[_e459].member_17.member;
 let _e3574 = select(-1e6f, (((((_e3554.member.member * _e2553) + (_e3554.member.member_1 * _e2554)) + (_e3554.member.member_2 * _e2555)) + _e3554.member_1) * _e3464), _e3549);
 let _e3575 = select(-1e6f, (((((_e3554.member.member * _e3189) + (_e3554.member.member_1 * _e3190)) + (_e3554.member.member_2 * _e3191)) + _e3554.member_1) * _e3464), _e3549);
-let _e3581 = global_5.member[_e459].member_15.member.member;
+let _e3581 = global_5.member[_e459].member_17.member.member;
 let _e3585 = -(_e3574);
 let _e3588 = (_e3574 - _e3575);
 let _e3589 = (_e3575 - _e3574);
@@ -1415,12 +1417,12 @@ let _e3609 = select(_e3530, _e3598, _e3607);
 let _e3613 = select(_e3534, _e3602, _e3608);
 let _e3617 = select(_e3538, _e3574, _e3603);
 let _e3619 = select(_e3540, _e3575, (_e3575 > _e3540));
-let _e3627 = global_5.member[_e459].member_16.member_1;
+let _e3627 = global_5.member[_e459].member_18.member_1;
 let _e3628 = (_e3627 != 0u);
-let _e3633 = global_5.member[_e459].member_16.member;
+let _e3633 = global_5.member[_e459].member_18.member;
 let _e3653 = select(-1e6f, (((((_e3633.member.member * _e2553) + (_e3633.member.member_1 * _e2554)) + (_e3633.member.member_2 * _e2555)) + _e3633.member_1) * _e3464), _e3628);
 let _e3654 = select(-1e6f, (((((_e3633.member.member * _e3189) + (_e3633.member.member_1 * _e3190)) + (_e3633.member.member_2 * _e3191)) + _e3633.member_1) * _e3464), _e3628);
-let _e3660 = global_5.member[_e459].member_16.member.member;
+let _e3660 = global_5.member[_e459].member_18.member.member;
 let _e3664 = -(_e3653);
 let _e3667 = (_e3653 - _e3654);
 let _e3668 = (_e3654 - _e3653);
@@ -1435,12 +1437,12 @@ let _e3688 = select(_e3609, _e3677, _e3686);
 let _e3692 = select(_e3613, _e3681, _e3687);
 let _e3696 = select(_e3617, _e3653, _e3682);
 let _e3698 = select(_e3619, _e3654, (_e3654 > _e3619));
-let _e3706 = global_5.member[_e459].member_17.member_1;
+let _e3706 = global_5.member[_e459].member_19.member_1;
 let _e3707 = (_e3706 != 0u);
-let _e3712 = global_5.member[_e459].member_17.member;
+let _e3712 = global_5.member[_e459].member_19.member;
 let _e3732 = select(-1e6f, (((((_e3712.member.member * _e2553) + (_e3712.member.member_1 * _e2554)) + (_e3712.member.member_2 * _e2555)) + _e3712.member_1) * _e3464), _e3707);
 let _e3733 = select(-1e6f, (((((_e3712.member.member * _e3189) + (_e3712.member.member_1 * _e3190)) + (_e3712.member.member_2 * _e3191)) + _e3712.member_1) * _e3464), _e3707);
-let _e3739 = global_5.member[_e459].member_17.member.member;
+let _e3739 = global_5.member[_e459].member_19.member.member;
 let _e3743 = -(_e3732);
 let _e3746 = (_e3732 - _e3733);
 let _e3747 = (_e3733 - _e3732);
@@ -1451,9 +1453,9 @@ let _e3760 = select(2f, select(0f, _e3752, (_e3732 < 0f)), (_e3733 > 0f));
 let _e3761 = (_e3732 > _e3696);
 let _e3765 = ((_e3756 > _e3688) || ((_e3756 == _e3688) && _e3761));
 let _e3766 = (_e3760 < _e3692);
-phi_7427_ = type_34(select(_e3688, _e3756, _e3765), vec3<f32>(select(select(select(select(_e3440, _e3502.member, _e3528), _e3581.member, _e3607), _e3660.member, _e3686), _e3739.member, _e3765), select(select(select(select(_e3441, _e3502.member_1, _e3528), _e3581.member_1, _e3607), _e3660.member_1, _e3686), _e3739.member_1, _e3765), select(select(select(select(_e3442, _e3502.member_2, _e3528), _e3581.member_2, _e3607), _e3660.member_2, _e3686), _e3739.member_2, _e3765)), select(_e3692, _e3760, _e3766), vec3<f32>(select(select(select(select(_e3445, _e3502.member, _e3529), _e3581.member, _e3608), _e3660.member, _e3687), _e3739.member, _e3766), select(select(select(select(_e3446, _e3502.member_1, _e3529), _e3581.member_1, _e3608), _e3660.member_1, _e3687), _e3739.member_1, _e3766), select(select(select(select(_e3447, _e3502.member_2, _e3529), _e3581.member_2, _e3608), _e3660.member_2, _e3687), _e3739.member_2, _e3766)), select(_e3696, _e3732, _e3761), select(_e3698, _e3733, (_e3733 > _e3698)), vec3<f32>(select(select(select(select(_e3452, _e3502.member, _e3524), _e3581.member, _e3603), _e3660.member, _e3682), _e3739.member, _e3761), select(select(select(select(_e3453, _e3502.member_1, _e3524), _e3581.member_1, _e3603), _e3660.member_1, _e3682), _e3739.member_1, _e3761), select(select(select(select(_e3454, _e3502.member_2, _e3524), _e3581.member_2, _e3603), _e3660.member_2, _e3682), _e3739.member_2, _e3761)));
+phi_7429_ = type_34(select(_e3688, _e3756, _e3765), vec3<f32>(select(select(select(select(_e3440, _e3502.member, _e3528), _e3581.member, _e3607), _e3660.member, _e3686), _e3739.member, _e3765), select(select(select(select(_e3441, _e3502.member_1, _e3528), _e3581.member_1, _e3607), _e3660.member_1, _e3686), _e3739.member_1, _e3765), select(select(select(select(_e3442, _e3502.member_2, _e3528), _e3581.member_2, _e3607), _e3660.member_2, _e3686), _e3739.member_2, _e3765)), select(_e3692, _e3760, _e3766), vec3<f32>(select(select(select(select(_e3445, _e3502.member, _e3529), _e3581.member, _e3608), _e3660.member, _e3687), _e3739.member, _e3766), select(select(select(select(_e3446, _e3502.member_1, _e3529), _e3581.member_1, _e3608), _e3660.member_1, _e3687), _e3739.member_1, _e3766), select(select(select(select(_e3447, _e3502.member_2, _e3529), _e3581.member_2, _e3608), _e3660.member_2, _e3687), _e3739.member_2, _e3766)), select(_e3696, _e3732, _e3761), select(_e3698, _e3733, (_e3733 > _e3698)), vec3<f32>(select(select(select(select(_e3452, _e3502.member, _e3524), _e3581.member, _e3603), _e3660.member, _e3682), _e3739.member, _e3761), select(select(select(select(_e3453, _e3502.member_1, _e3524), _e3581.member_1, _e3603), _e3660.member_1, _e3682), _e3739.member_1, _e3761), select(select(select(select(_e3454, _e3502.member_2, _e3524), _e3581.member_2, _e3603), _e3660.member_2, _e3682), _e3739.member_2, _e3761)));
 }
-let _e3786 = phi_7427_;
+let _e3786 = phi_7429_;
 let _e3792 = (((_e2546 && _e3194) && !(_e3179)) && (_e3786.member_2 <= 1f));
 let _e3796 = (_e3191 - _e2555);
 let _e3797 = select(1f, _e3786.member_2, _e3792);
@@ -1587,11 +1589,11 @@ let _e4210 = select(_e2915, _e4208, (_e4208 < _e2915));
 let _e4215 = global_2.member[bitcast<u32>(select(0i, _e4210, (_e4210 > 0i)))];
 let _e4230 = ((_e3089 + (f32(bitcast<i32>((_e4215 >> bitcast<u32>(12u)))) * _e3097)) + ((f32((bitcast<i32>((_e4215 & 4095u)) - 2048i)) * _e3080) * (_e4192 - f32(_e4207))));
 if _e3194 {
-phi_8655_ = type_31(_e4230, 1f);
+phi_8657_ = type_31(_e4230, 1f);
 } else {
-phi_8655_ = type_31(1f, _e4230);
+phi_8657_ = type_31(1f, _e4230);
 }
-let _e4234 = phi_8655_;
+let _e4234 = phi_8657_;
 let _e4239 = ((_e4234.member_1 * _e4234.member_1) - (_e4234.member * _e4234.member));
 let _e4247 = (((_e3786.member_3.x * _e3786.member_3.x) + (_e3786.member_3.y * _e3786.member_3.y)) + (_e3786.member_3.z * _e3786.member_3.z));
 let _e4250 = sqrt(select(0f, _e4247, (_e4247 > 0f)));
@@ -1728,16 +1730,16 @@ let _e4595 = select(select(select(select(select(select(0f, _e1920.member, _e4376
 let _e4596 = select(select(select(select(select(select(0f, _e1920.member_1, _e4376), _e1920.member_1, _e4416), _e1929.member_1, _e4456), _e1929.member_1, _e4496), _e1938.member_1, _e4536), _e1938.member_1, _e4576);
 let _e4597 = select(select(select(select(select(select(1f, _e1920.member_2, _e4376), _e1920.member_2, _e4416), _e1929.member_2, _e4456), _e1929.member_2, _e4496), _e1938.member_2, _e4536), _e1938.member_2, _e4576);
 if _e2184 {
-phi_10193_ = type_34(_e4582, vec3<f32>(_e4583, _e4584, _e4585), _e4587, vec3<f32>(_e4588, _e4589, _e4590), _e4592, _e4594, vec3<f32>(_e4595, _e4596, _e4597));
+phi_10195_ = type_34(_e4582, vec3<f32>(_e4583, _e4584, _e4585), _e4587, vec3<f32>(_e4588, _e4589, _e4590), _e4592, _e4594, vec3<f32>(_e4595, _e4596, _e4597));
 } else {
 let _e4604 = (((_e1920.member * _e1920.member) + (_e1920.member_1 * _e1920.member_1)) + (_e1920.member_2 * _e1920.member_2));
 let _e4607 = sqrt(select(0f, _e4604, (_e4604 > 0f)));
-let _e4612 = global_5.member[_e459].member_14.member_1;
+let _e4612 = global_5.member[_e459].member_16.member_1;
 let _e4613 = (_e4612 != 0u);
-let _e4618 = global_5.member[_e459].member_14.member;
+let _e4618 = global_5.member[_e459].member_16.member;
 let _e4638 = select(-1e6f, (((((_e4618.member.member * _e3805.x) + (_e4618.member.member_1 * _e3805.y)) + (_e4618.member.member_2 * _e3805.z)) + _e4618.member_1) * _e4607), _e4613);
 let _e4639 = select(-1e6f, (((((_e4618.member.member * _e4311) + (_e4618.member.member_1 * _e4312)) + (_e4618.member.member_2 * _e4313)) + _e4618.member_1) * _e4607), _e4613);
-let _e4645 = global_5.member[_e459].member_14.member.member;
+let _e4645 = global_5.member[_e459].member_16.member.member;
 let _e4649 = -(_e4638);
 let _e4652 = (_e4638 - _e4639);
 let _e4653 = (_e4639 - _e4638);
@@ -1752,12 +1754,12 @@ let _e4673 = select(_e4582, _e4662, _e4671);
 let _e4677 = select(_e4587, _e4666, _e4672);
 let _e4681 = select(_e4592, _e4638, _e4667);
 let _e4683 = select(_e4594, _e4639, (_e4639 > _e4594));
-let _e4691 = global_5.member[_e459].member_15.member_1;
+let _e4691 = global_5.member[_e459].member_17.member_1;
 let _e4692 = (_e4691 != 0u);
-let _e4697 = global_5.member[_e459].member_15.member;
+let _e4697 = global_5.member[_e459].member_17.member;
 let _e4717 = select(-1e6f, (((((_e4697.member.member * _e3805.x) + (_e4697.member.member_1 * _e3805.y)) + (_e4697.member.member_2 * _e3805.z)) + _e4697.member_1) * _e4607), _e4692);
 let _e4718 = select(-1e6f, (((((_e4697.member.member * _e4311) + (_e4697.member.member_1 * _e4312)) + (_e4697.member.member_2 * _e4313)) + _e4697.member_1) * _e4607), _e4692);
-let _e4724 = global_5.member[_e459].member_15.member.member;
+let _e4724 = global_5.member[_e459].member_17.member.member;
 let _e4728 = -(_e4717);
 let _e4731 = (_e4717 - _e4718);
 let _e4732 = (_e4718 - _e4717);
@@ -1772,12 +1774,12 @@ let _e4752 = select(_e4673, _e4741, _e4750);
 let _e4756 = select(_e4677, _e4745, _e4751);
 let _e4760 = select(_e4681, _e4717, _e4746);
 let _e4762 = select(_e4683, _e4718, (_e4718 > _e4683));
-let _e4770 = global_5.member[_e459].member_16.member_1;
+let _e4770 = global_5.member[_e459].member_18.member_1;
 let _e4771 = (_e4770 != 0u);
-let _e4776 = global_5.member[_e459].member_16.member;
+let _e4776 = global_5.member[_e459].member_18.member;
 let _e4796 = select(-1e6f, (((((_e4776.member.member * _e3805.x) + (_e4776.member.member_1 * _e3805.y)) + (_e4776.member.member_2 * _e3805.z)) + _e4776.member_1) * _e4607), _e4771);
 let _e4797 = select(-1e6f, (((((_e4776.member.member * _e4311) + (_e4776.member.member_1 * _e4312)) + (_e4776.member.member_2 * _e4313)) + _e4776.member_1) * _e4607), _e4771);
-let _e4803 = global_5.member[_e459].member_16.member.member;
+let _e4803 = global_5.member[_e459].member_18.member.member;
 let _e4807 = -(_e4796);
 let _e4810 = (_e4796 - _e4797);
 let _e4811 = (_e4797 - _e4796);
@@ -1792,12 +1794,12 @@ let _e4831 = select(_e4752, _e4820, _e4829);
 let _e4835 = select(_e4756, _e4824, _e4830);
 let _e4839 = select(_e4760, _e4796, _e4825);
 let _e4841 = select(_e4762, _e4797, (_e4797 > _e4762));
-let _e4849 = global_5.member[_e459].member_17.member_1;
+let _e4849 = global_5.member[_e459].member_19.member_1;
 let _e4850 = (_e4849 != 0u);
-let _e4855 = global_5.member[_e459].member_17.member;
+let _e4855 = global_5.member[_e459].member_19.member;
 let _e4875 = select(-1e6f, (((((_e4855.member.member * _e3805.x) + (_e4855.member.member_1 * _e3805.y)) + (_e4855.member.member_2 * _e3805.z)) + _e4855.member_1) * _e4607), _e4850);
 let _e4876 = select(-1e6f, (((((_e4855.member.member * _e4311) + (_e4855.member.member_1 * _e4312)) + (_e4855.member.member_2 * _e4313)) + _e4855.member_1) * _e4607), _e4850);
-let _e4882 = global_5.member[_e459].member_17.member.member;
+let _e4882 = global_5.member[_e459].member_19.member.member;
 let _e4886 = -(_e4875);
 let _e4889 = (_e4875 - _e4876);
 let _e4890 = (_e4876 - _e4875);
@@ -1808,9 +1810,9 @@ let _e4903 = select(2f, select(0f, _e4895, (_e4875 < 0f)), (_e4876 > 0f));
 let _e4904 = (_e4875 > _e4839);
 let _e4908 = ((_e4899 > _e4831) || ((_e4899 == _e4831) && _e4904));
 let _e4909 = (_e4903 < _e4835);
-phi_10193_ = type_34(select(_e4831, _e4899, _e4908), vec3<f32>(select(select(select(select(_e4583, _e4645.member, _e4671), _e4724.member, _e4750), _e4803.member, _e4829), _e4882.member, _e4908), select(select(select(select(_e4584, _e4645.member_1, _e4671), _e4724.member_1, _e4750), _e4803.member_1, _e4829), _e4882.member_1, _e4908), select(select(select(select(_e4585, _e4645.member_2, _e4671), _e4724.member_2, _e4750), _e4803.member_2, _e4829), _e4882.member_2, _e4908)), select(_e4835, _e4903, _e4909), vec3<f32>(select(select(select(select(_e4588, _e4645.member, _e4672), _e4724.member, _e4751), _e4803.member, _e4830), _e4882.member, _e4909), select(select(select(select(_e4589, _e4645.member_1, _e4672), _e4724.member_1, _e4751), _e4803.member_1, _e4830), _e4882.member_1, _e4909), select(select(select(select(_e4590, _e4645.member_2, _e4672), _e4724.member_2, _e4751), _e4803.member_2, _e4830), _e4882.member_2, _e4909)), select(_e4839, _e4875, _e4904), select(_e4841, _e4876, (_e4876 > _e4841)), vec3<f32>(select(select(select(select(_e4595, _e4645.member, _e4667), _e4724.member, _e4746), _e4803.member, _e4825), _e4882.member, _e4904), select(select(select(select(_e4596, _e4645.member_1, _e4667), _e4724.member_1, _e4746), _e4803.member_1, _e4825), _e4882.member_1, _e4904), select(select(select(select(_e4597, _e4645.member_2, _e4667), _e4724.member_2, _e4746), _e4803.member_2, _e4825), _e4882.member_2, _e4904)));
+phi_10195_ = type_34(select(_e4831, _e4899, _e4908), vec3<f32>(select(select(select(select(_e4583, _e4645.member, _e4671), _e4724.member, _e4750), _e4803.member, _e4829), _e4882.member, _e4908), select(select(select(select(_e4584, _e4645.member_1, _e4671), _e4724.member_1, _e4750), _e4803.member_1, _e4829), _e4882.member_1, _e4908), select(select(select(select(_e4585, _e4645.member_2, _e4671), _e4724.member_2, _e4750), _e4803.member_2, _e4829), _e4882.member_2, _e4908)), select(_e4835, _e4903, _e4909), vec3<f32>(select(select(select(select(_e4588, _e4645.member, _e4672), _e4724.member, _e4751), _e4803.member, _e4830), _e4882.member, _e4909), select(select(select(select(_e4589, _e4645.member_1, _e4672), _e4724.member_1, _e4751), _e4803.member_1, _e4830), _e4882.member_1, _e4909), select(select(select(select(_e4590, _e4645.member_2, _e4672), _e4724.member_2, _e4751), _e4803.member_2, _e4830), _e4882.member_2, _e4909)), select(_e4839, _e4875, _e4904), select(_e4841, _e4876, (_e4876 > _e4841)), vec3<f32>(select(select(select(select(_e4595, _e4645.member, _e4667), _e4724.member, _e4746), _e4803.member, _e4825), _e4882.member, _e4904), select(select(select(select(_e4596, _e4645.member_1, _e4667), _e4724.member_1, _e4746), _e4803.member_1, _e4825), _e4882.member_1, _e4904), select(select(select(select(_e4597, _e4645.member_2, _e4667), _e4724.member_2, _e4746), _e4803.member_2, _e4825), _e4882.member_2, _e4904)));
 }
-let _e4929 = phi_10193_;
+let _e4929 = phi_10195_;
 let _e4935 = (((_e3792 && _e4316) && !(_e4300)) && (_e4929.member_2 <= 1f));
 let _e4940 = select(1f, _e4929.member_2, _e4935);
 let _e4941 = ((_e4311 - _e3805.x) * _e4940);
@@ -1943,11 +1945,11 @@ let _e5353 = select(_e2915, _e5351, (_e5351 < _e2915));
 let _e5358 = global_2.member[bitcast<u32>(select(0i, _e5353, (_e5353 > 0i)))];
 let _e5373 = ((_e3089 + (f32(bitcast<i32>((_e5358 >> bitcast<u32>(12u)))) * _e3097)) + ((f32((bitcast<i32>((_e5358 & 4095u)) - 2048i)) * _e3080) * (_e5335 - f32(_e5350))));
 if _e4316 {
-phi_11421_ = type_31(_e5373, 1f);
+phi_11423_ = type_31(_e5373, 1f);
 } else {
-phi_11421_ = type_31(1f, _e5373);
+phi_11423_ = type_31(1f, _e5373);
 }
-let _e5377 = phi_11421_;
+let _e5377 = phi_11423_;
 let _e5382 = ((_e5377.member_1 * _e5377.member_1) - (_e5377.member * _e5377.member));
 let _e5390 = (((_e4929.member_3.x * _e4929.member_3.x) + (_e4929.member_3.y * _e4929.member_3.y)) + (_e4929.member_3.z * _e4929.member_3.z));
 let _e5393 = sqrt(select(0f, _e5390, (_e5390 > 0f)));
@@ -2084,16 +2086,16 @@ let _e5739 = select(select(select(select(select(select(0f, _e1920.member, _e5520
 let _e5740 = select(select(select(select(select(select(0f, _e1920.member_1, _e5520), _e1920.member_1, _e5560), _e1929.member_1, _e5600), _e1929.member_1, _e5640), _e1938.member_1, _e5680), _e1938.member_1, _e5720);
 let _e5741 = select(select(select(select(select(select(1f, _e1920.member_2, _e5520), _e1920.member_2, _e5560), _e1929.member_2, _e5600), _e1929.member_2, _e5640), _e1938.member_2, _e5680), _e1938.member_2, _e5720);
 if _e2184 {
-phi_12959_ = type_34(_e5726, vec3<f32>(_e5727, _e5728, _e5729), _e5731, vec3<f32>(_e5732, _e5733, _e5734), _e5736, _e5738, vec3<f32>(_e5739, _e5740, _e5741));
+phi_12961_ = type_34(_e5726, vec3<f32>(_e5727, _e5728, _e5729), _e5731, vec3<f32>(_e5732, _e5733, _e5734), _e5736, _e5738, vec3<f32>(_e5739, _e5740, _e5741));
 } else {
 let _e5748 = (((_e1920.member * _e1920.member) + (_e1920.member_1 * _e1920.member_1)) + (_e1920.member_2 * _e1920.member_2));
 let _e5751 = sqrt(select(0f, _e5748, (_e5748 > 0f)));
-let _e5756 = global_5.member[_e459].member_14.member_1;
+let _e5756 = global_5.member[_e459].member_16.member_1;
 let _e5757 = (_e5756 != 0u);
-let _e5762 = global_5.member[_e459].member_14.member;
+let _e5762 = global_5.member[_e459].member_16.member;
 let _e5782 = select(-1e6f, (((((_e5762.member.member * _e4948.x) + (_e5762.member.member_1 * _e4948.y)) + (_e5762.member.member_2 * _e4948.z)) + _e5762.member_1) * _e5751), _e5757);
 let _e5783 = select(-1e6f, (((((_e5762.member.member * _e5455) + (_e5762.member.member_1 * _e5456)) + (_e5762.member.member_2 * _e5457)) + _e5762.member_1) * _e5751), _e5757);
-let _e5789 = global_5.member[_e459].member_14.member.member;
+let _e5789 = global_5.member[_e459].member_16.member.member;
 let _e5793 = -(_e5782);
 let _e5796 = (_e5782 - _e5783);
 let _e5797 = (_e5783 - _e5782);
@@ -2108,12 +2110,12 @@ let _e5817 = select(_e5726, _e5806, _e5815);
 let _e5821 = select(_e5731, _e5810, _e5816);
 let _e5825 = select(_e5736, _e5782, _e5811);
 let _e5827 = select(_e5738, _e5783, (_e5783 > _e5738));
-let _e5835 = global_5.member[_e459].member_15.member_1;
+let _e5835 = global_5.member[_e459].member_17.member_1;
 let _e5836 = (_e5835 != 0u);
-let _e5841 = global_5.member[_e459].member_15.member;
+let _e5841 = global_5.member[_e459].member_17.member;
 let _e5861 = select(-1e6f, (((((_e5841.member.member * _e4948.x) + (_e5841.member.member_1 * _e4948.y)) + (_e5841.member.member_2 * _e4948.z)) + _e5841.member_1) * _e5751), _e5836);
 let _e5862 = select(-1e6f, (((((_e5841.member.member * _e5455) + (_e5841.member.member_1 * _e5456)) + (_e5841.member.member_2 * _e5457)) + _e5841.member_1) * _e5751), _e5836);
-let _e5868 = global_5.member[_e459].member_15.member.member;
+let _e5868 = global_5.member[_e459].member_17.member.member;
 let _e5872 = -(_e5861);
 let _e5875 = (_e5861 - _e5862);
 let _e5876 = (_e5862 - _e5861);
@@ -2128,12 +2130,12 @@ let _e5896 = select(_e5817, _e5885, _e5894);
 let _e5900 = select(_e5821, _e5889, _e5895);
 let _e5904 = select(_e5825, _e5861, _e5890);
 let _e5906 = select(_e5827, _e5862, (_e5862 > _e5827));
-let _e5914 = global_5.member[_e459].member_16.member_1;
+let _e5914 = global_5.member[_e459].member_18.member_1;
 let _e5915 = (_e5914 != 0u);
-let _e5920 = global_5.member[_e459].member_16.member;
+let _e5920 = global_5.member[_e459].member_18.member;
 let _e5940 = select(-1e6f, (((((_e5920.member.member * _e4948.x) + (_e5920.member.member_1 * _e4948.y)) + (_e5920.member.member_2 * _e4948.z)) + _e5920.member_1) * _e5751), _e5915);
 let _e5941 = select(-1e6f, (((((_e5920.member.member * _e5455) + (_e5920.member.member_1 * _e5456)) + (_e5920.member.member_2 * _e5457)) + _e5920.member_1) * _e5751), _e5915);
-let _e5947 = global_5.member[_e459].member_16.member.member;
+let _e5947 = global_5.member[_e459].member_18.member.member;
 let _e5951 = -(_e5940);
 let _e5954 = (_e5940 - _e5941);
 let _e5955 = (_e5941 - _e5940);
@@ -2148,12 +2150,12 @@ let _e5975 = select(_e5896, _e5964, _e5973);
 let _e5979 = select(_e5900, _e5968, _e5974);
 let _e5983 = select(_e5904, _e5940, _e5969);
 let _e5985 = select(_e5906, _e5941, (_e5941 > _e5906));
-let _e5993 = global_5.member[_e459].member_17.member_1;
+let _e5993 = global_5.member[_e459].member_19.member_1;
 let _e5994 = (_e5993 != 0u);
-let _e5999 = global_5.member[_e459].member_17.member;
+let _e5999 = global_5.member[_e459].member_19.member;
 let _e6019 = select(-1e6f, (((((_e5999.member.member * _e4948.x) + (_e5999.member.member_1 * _e4948.y)) + (_e5999.member.member_2 * _e4948.z)) + _e5999.member_1) * _e5751), _e5994);
 let _e6020 = select(-1e6f, (((((_e5999.member.member * _e5455) + (_e5999.member.member_1 * _e5456)) + (_e5999.member.member_2 * _e5457)) + _e5999.member_1) * _e5751), _e5994);
-let _e6026 = global_5.member[_e459].member_17.member.member;
+let _e6026 = global_5.member[_e459].member_19.member.member;
 let _e6030 = -(_e6019);
 let _e6033 = (_e6019 - _e6020);
 let _e6034 = (_e6020 - _e6019);
@@ -2164,9 +2166,9 @@ let _e6047 = select(2f, select(0f, _e6039, (_e6019 < 0f)), (_e6020 > 0f));
 let _e6048 = (_e6019 > _e5983);
 let _e6052 = ((_e6043 > _e5975) || ((_e6043 == _e5975) && _e6048));
 let _e6053 = (_e6047 < _e5979);
-phi_12959_ = type_34(select(_e5975, _e6043, _e6052), vec3<f32>(select(select(select(select(_e5727, _e5789.member, _e5815), _e5868.member, _e5894), _e5947.member, _e5973), _e6026.member, _e6052), select(select(select(select(_e5728, _e5789.member_1, _e5815), _e5868.member_1, _e5894), _e5947.member_1, _e5973), _e6026.member_1, _e6052), select(select(select(select(_e5729, _e5789.member_2, _e5815), _e5868.member_2, _e5894), _e5947.member_2, _e5973), _e6026.member_2, _e6052)), select(_e5979, _e6047, _e6053), vec3<f32>(select(select(select(select(_e5732, _e5789.member, _e5816), _e5868.member, _e5895), _e5947.member, _e5974), _e6026.member, _e6053), select(select(select(select(_e5733, _e5789.member_1, _e5816), _e5868.member_1, _e5895), _e5947.member_1, _e5974), _e6026.member_1, _e6053), select(select(select(select(_e5734, _e5789.member_2, _e5816), _e5868.member_2, _e5895), _e5947.member_2, _e5974), _e6026.member_2, _e6053)), select(_e5983, _e6019, _e6048), select(_e5985, _e6020, (_e6020 > _e5985)), vec3<f32>(select(select(select(select(_e5739, _e5789.member, _e5811), _e5868.member, _e5890), _e5947.member, _e5969), _e6026.member, _e6048), select(select(select(select(_e5740, _e5789.member_1, _e5811), _e5868.member_1, _e5890), _e5947.member_1, _e5969), _e6026.member_1, _e6048), select(select(select(select(_e5741, _e5789.member_2, _e5811), _e5868.member_2, _e5890), _e5947.member_2, _e5969), _e6026.member_2, _e6048)));
+phi_12961_ = type_34(select(_e5975, _e6043, _e6052), vec3<f32>(select(select(select(select(_e5727, _e5789.member, _e5815), _e5868.member, _e5894), _e5947.member, _e5973), _e6026.member, _e6052), select(select(select(select(_e5728, _e5789.member_1, _e5815), _e5868.member_1, _e5894), _e5947.member_1, _e5973), _e6026.member_1, _e6052), select(select(select(select(_e5729, _e5789.member_2, _e5815), _e5868.member_2, _e5894), _e5947.member_2, _e5973), _e6026.member_2, _e6052)), select(_e5979, _e6047, _e6053), vec3<f32>(select(select(select(select(_e5732, _e5789.member, _e5816), _e5868.member, _e5895), _e5947.member, _e5974), _e6026.member, _e6053), select(select(select(select(_e5733, _e5789.member_1, _e5816), _e5868.member_1, _e5895), _e5947.member_1, _e5974), _e6026.member_1, _e6053), select(select(select(select(_e5734, _e5789.member_2, _e5816), _e5868.member_2, _e5895), _e5947.member_2, _e5974), _e6026.member_2, _e6053)), select(_e5983, _e6019, _e6048), select(_e5985, _e6020, (_e6020 > _e5985)), vec3<f32>(select(select(select(select(_e5739, _e5789.member, _e5811), _e5868.member, _e5890), _e5947.member, _e5969), _e6026.member, _e6048), select(select(select(select(_e5740, _e5789.member_1, _e5811), _e5868.member_1, _e5890), _e5947.member_1, _e5969), _e6026.member_1, _e6048), select(select(select(select(_e5741, _e5789.member_2, _e5811), _e5868.member_2, _e5890), _e5947.member_2, _e5969), _e6026.member_2, _e6048)));
 }
-let _e6073 = phi_12959_;
+let _e6073 = phi_12961_;
 let _e6079 = (((_e4935 && _e5460) && !(_e5444)) && (_e6073.member_2 <= 1f));
 let _e6080 = (_e2553 - _e492);
 let _e6081 = (_e2554 - _e494);
@@ -2330,25 +2332,25 @@ let _e6488 = select(_e6447, _e6419, (_e6419 > _e6447));
 let _e6491 = (select(_e6482, _e6484, (_e6484 < _e6482)) - select(_e6475, _e6488, (_e6488 > _e6475)));
 let _e6498 = ((_e3175 || _e4296) || _e5440);
 if _e3175 {
-phi_14707_ = _e3107;
+phi_14709_ = _e3107;
 } else {
-phi_14707_ = _e4234;
+phi_14709_ = _e4234;
 }
-let _e6519 = phi_14707_;
-phi_14720_ = type_38(_e6519, vec3<f32>(select(_e5455, _e4948.x, _e6079), select(_e5456, _e4948.y, _e6079), select(_e5457, _e4948.z, _e6079)), vec3<f32>(_e5429, _e5430, _e5431), select(_e1905, ((((sqrt(select(0f, _e6087, (_e6087 > 0f))) * select(0f, _e6168, (_e6168 > 0f))) + (sqrt(select(0f, _e6179, (_e6179 > 0f))) * select(0f, _e6275, (_e6275 > 0f)))) + (sqrt(select(0f, _e6287, (_e6287 > 0f))) * select(0f, _e6383, (_e6383 > 0f)))) + select(0f, (sqrt(select(0f, _e6395, (_e6395 > 0f))) * select(0f, _e6491, (_e6491 > 0f))), _e4935)), _e6498), select((_e482 / _e5431), (2f * (_e3796 / _e3161)), (((_e2546 && !(_e2523)) && _e3194) && !(_e3792))), select(_e3786.member_3, _e2538.member_1, vec3(_e3175)), _e5460, _e6498, (((_e3179 || _e4300) || _e5444) || _e6079));
-phi_14721_ = vec3<f32>(_e2527, _e2528, _e2529);
-phi_14722_ = _e2523;
-phi_14723_ = _e2524;
+let _e6519 = phi_14709_;
+phi_14722_ = type_38(_e6519, vec3<f32>(select(_e5455, _e4948.x, _e6079), select(_e5456, _e4948.y, _e6079), select(_e5457, _e4948.z, _e6079)), vec3<f32>(_e5429, _e5430, _e5431), select(_e1905, ((((sqrt(select(0f, _e6087, (_e6087 > 0f))) * select(0f, _e6168, (_e6168 > 0f))) + (sqrt(select(0f, _e6179, (_e6179 > 0f))) * select(0f, _e6275, (_e6275 > 0f)))) + (sqrt(select(0f, _e6287, (_e6287 > 0f))) * select(0f, _e6383, (_e6383 > 0f)))) + select(0f, (sqrt(select(0f, _e6395, (_e6395 > 0f))) * select(0f, _e6491, (_e6491 > 0f))), _e4935)), _e6498), select((_e482 / _e5431), (2f * (_e3796 / _e3161)), (((_e2546 && !(_e2523)) && _e3194) && !(_e3792))), select(_e3786.member_3, _e2538.member_1, vec3(_e3175)), _e5460, _e6498, (((_e3179 || _e4300) || _e5444) || _e6079));
+phi_14723_ = vec3<f32>(_e2527, _e2528, _e2529);
+phi_14724_ = _e2523;
+phi_14725_ = _e2524;
 } else {
-phi_14720_ = type_38(_e1818.member, _e1818.member_1, _e1818.member_2, _e1905, _e1818.member_4, _e1818.member_5, _e1818.member_6, _e1818.member_7, _e1818.member_8);
-phi_14721_ = _e1151;
-phi_14722_ = true;
-phi_14723_ = _e1806;
+phi_14722_ = type_38(_e1818.member, _e1818.member_1, _e1818.member_2, _e1905, _e1818.member_4, _e1818.member_5, _e1818.member_6, _e1818.member_7, _e1818.member_8);
+phi_14723_ = _e1151;
+phi_14724_ = true;
+phi_14725_ = _e1806;
 }
-let _e6522 = phi_14720_;
-let _e6524 = phi_14721_;
-let _e6526 = phi_14722_;
-let _e6528 = phi_14723_;
+let _e6522 = phi_14722_;
+let _e6524 = phi_14723_;
+let _e6526 = phi_14724_;
+let _e6528 = phi_14725_;
 let _e6539 = ((((_e561.member.member * _e6522.member_1.x) + (_e561.member.member_1 * _e6522.member_1.y)) + (_e561.member.member_2 * _e6522.member_1.z)) + _e561.member_1);
 let _e6545 = ((((_e577.member.member * _e6522.member_1.x) + (_e577.member.member_1 * _e6522.member_1.y)) + (_e577.member.member_2 * _e6522.member_1.z)) + _e577.member_1);
 let _e6551 = ((((_e593.member.member * _e6522.member_1.x) + (_e593.member.member_1 * _e6522.member_1.y)) + (_e593.member.member_2 * _e6522.member_1.z)) + _e593.member_1);
@@ -2730,7 +2732,7 @@ if _e837 {
 let _e8527 = ((0.5f * (_e7818 - _e7812)) * _e8076);
 let _e8528 = ((0.5f * (_e7830 - _e7824)) * _e8076);
 let _e8529 = ((0.5f * (_e7842 - _e7836)) * _e8076);
-phi_20240_ = type_32(_e8038, vec3<f32>(_e8527, _e8528, _e8529), vec3<f32>((_e8527 * _e8038), (_e8528 * _e8038), (_e8529 * _e8038)));
+phi_20242_ = type_32(_e8038, vec3<f32>(_e8527, _e8528, _e8529), vec3<f32>((_e8527 * _e8038), (_e8528 * _e8038), (_e8529 * _e8038)));
 } else {
 local_18 = _e7812;
 let _e8077 = local_18;
@@ -2879,23 +2881,23 @@ let _e8502 = ((_e8023 + (f32(bitcast<i32>((_e8487 >> bitcast<u32>(12u)))) * _e80
 let _e8503 = (_e8218 - _e8147);
 let _e8505 = (_e8360 - _e8289);
 let _e8507 = (_e8502 - _e8431);
-phi_20240_ = type_32(_e8038, vec3<f32>((0.5f * _e8503), (0.5f * _e8505), (0.5f * _e8507)), vec3<f32>((0.25f * (_e8503 * (_e8218 + _e8147))), (0.25f * (_e8505 * (_e8360 + _e8289))), (0.25f * (_e8507 * (_e8502 + _e8431)))));
+phi_20242_ = type_32(_e8038, vec3<f32>((0.5f * _e8503), (0.5f * _e8505), (0.5f * _e8507)), vec3<f32>((0.25f * (_e8503 * (_e8218 + _e8147))), (0.25f * (_e8505 * (_e8360 + _e8289))), (0.25f * (_e8507 * (_e8502 + _e8431)))));
 }
-let _e8537 = phi_20240_;
+let _e8537 = phi_20242_;
 let _e8552 = select(0f, 1f, ((((((_e6539 >= -0.5f) && (_e6539 <= _e634)) && (_e6545 >= -0.5f)) && (_e6545 <= _e645)) && (_e6551 >= -0.5f)) && (_e6551 <= _e656)));
 let _e8554 = (0.5f * (_e7818 - _e7812));
 let _e8556 = (0.5f * (_e7830 - _e7824));
 let _e8558 = (0.5f * (_e7842 - _e7836));
-let _e8565 = global_5.member[_e459].member_6.member.member.member;
-let _e8572 = global_5.member[_e459].member_6.member.member.member_1;
-let _e8579 = global_5.member[_e459].member_6.member.member.member_2;
-let _e8586 = global_5.member[_e459].member_6.member_1.member.member;
-let _e8593 = global_5.member[_e459].member_6.member_1.member.member_1;
-let _e8600 = global_5.member[_e459].member_6.member_1.member.member_2;
-let _e8607 = global_5.member[_e459].member_6.member_2.member.member;
-let _e8614 = global_5.member[_e459].member_6.member_2.member.member_1;
-let _e8621 = global_5.member[_e459].member_6.member_2.member.member_2;
-phi_21003_ = type_33(_e7806, vec3<f32>(((((_e8565 * _e8554) + (_e8586 * _e8556)) + (_e8607 * _e8558)) * _e8552), ((((_e8572 * _e8554) + (_e8593 * _e8556)) + (_e8614 * _e8558)) * _e8552), ((((_e8579 * _e8554) + (_e8600 * _e8556)) + (_e8621 * _e8558)) * _e8552)), _e8537.member, vec3<f32>(((((_e8565 * _e8537.member_2.x) + (_e8586 * _e8537.member_2.y)) + (_e8607 * _e8537.member_2.z)) * _e8552), ((((_e8572 * _e8537.member_2.x) + (_e8593 * _e8537.member_2.y)) + (_e8614 * _e8537.member_2.z)) * _e8552), ((((_e8579 * _e8537.member_2.x) + (_e8600 * _e8537.member_2.y)) + (_e8621 * _e8537.member_2.z)) * _e8552)), vec3<f32>(((((_e8565 * _e8537.member_1.x) + (_e8586 * _e8537.member_1.y)) + (_e8607 * _e8537.member_1.z)) * _e8552), ((((_e8572 * _e8537.member_1.x) + (_e8593 * _e8537.member_1.y)) + (_e8614 * _e8537.member_1.z)) * _e8552), ((((_e8579 * _e8537.member_1.x) + (_e8600 * _e8537.member_1.y)) + (_e8621 * _e8537.member_1.z)) * _e8552)));
+let _e8565 = global_5.member[_e459].member_8.member.member.member;
+let _e8572 = global_5.member[_e459].member_8.member.member.member_1;
+let _e8579 = global_5.member[_e459].member_8.member.member.member_2;
+let _e8586 = global_5.member[_e459].member_8.member_1.member.member;
+let _e8593 = global_5.member[_e459].member_8.member_1.member.member_1;
+let _e8600 = global_5.member[_e459].member_8.member_1.member.member_2;
+let _e8607 = global_5.member[_e459].member_8.member_2.member.member;
+let _e8614 = global_5.member[_e459].member_8.member_2.member.member_1;
+let _e8621 = global_5.member[_e459].member_8.member_2.member.member_2;
+phi_21005_ = type_33(_e7806, vec3<f32>(((((_e8565 * _e8554) + (_e8586 * _e8556)) + (_e8607 * _e8558)) * _e8552), ((((_e8572 * _e8554) + (_e8593 * _e8556)) + (_e8614 * _e8558)) * _e8552), ((((_e8579 * _e8554) + (_e8600 * _e8556)) + (_e8621 * _e8558)) * _e8552)), _e8537.member, vec3<f32>(((((_e8565 * _e8537.member_2.x) + (_e8586 * _e8537.member_2.y)) + (_e8607 * _e8537.member_2.z)) * _e8552), ((((_e8572 * _e8537.member_2.x) + (_e8593 * _e8537.member_2.y)) + (_e8614 * _e8537.member_2.z)) * _e8552), ((((_e8579 * _e8537.member_2.x) + (_e8600 * _e8537.member_2.y)) + (_e8621 * _e8537.member_2.z)) * _e8552)), vec3<f32>(((((_e8565 * _e8537.member_1.x) + (_e8586 * _e8537.member_1.y)) + (_e8607 * _e8537.member_1.z)) * _e8552), ((((_e8572 * _e8537.member_1.x) + (_e8593 * _e8537.member_1.y)) + (_e8614 * _e8537.member_1.z)) * _e8552), ((((_e8579 * _e8537.member_1.x) + (_e8600 * _e8537.member_1.y)) + (_e8621 * _e8537.member_1.z)) * _e8552)));
 } else {
 let _e6553 = select(-0.5f, _e6539, (_e6539 > -0.5f));
 let _e6555 = select(_e634, _e6553, (_e6553 < _e634));
@@ -2992,15 +2994,15 @@ let _e6874 = local_7[1u];
 let _e6879 = local_7[2u];
 let _e6884 = (((_e6771 + (((_e6822 + (((_e6862 + ((f32(bitcast<i32>(((_e6855 >> bitcast<u32>((_e6863 & 31u))) & 255u))) - _e6862) * _e6870)) - _e6822) * _e6874)) - _e6771) * _e6879)) - _e1594) * _e1599);
 let _e6886 = select(_e1602, _e6884, (_e6884 > _e1602));
-phi_21003_ = type_33(select(1e9f, _e6886, (_e6886 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_21005_ = type_33(select(1e9f, _e6886, (_e6886 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8687 = phi_21003_;
+let _e8687 = phi_21005_;
 let _e8690 = select(1f, select(1f, _e1219, (_e1219 < 1f)), _e556);
 let _e8692 = ((_e799 & 16u) == 0u);
 if _e8692 {
-phi_21416_ = type_7(1f, 1f, 1f);
+phi_21418_ = type_7(1f, 1f, 1f);
 } else {
-let _e8697 = global_5.member[_e459].member_14.member;
+let _e8697 = global_5.member[_e459].member_16.member;
 let _e8708 = ((((_e8697.member.member * _e492) + (_e8697.member.member_1 * _e494)) + (_e8697.member.member_2 * _e488)) + _e8697.member_1);
 let _e8714 = ((((_e8697.member.member * _e6522.member_1.x) + (_e8697.member.member_1 * _e6522.member_1.y)) + (_e8697.member.member_2 * _e6522.member_1.z)) + _e8697.member_1);
 let _e8716 = select(_e8714, _e8708, (_e8708 < _e8714));
@@ -3009,9 +3011,9 @@ let _e8720 = (_e8718 - _e8716);
 let _e8723 = (-(_e8716) / select(1e-30f, _e8720, (_e8720 > 1e-30f)));
 let _e8725 = select(0f, _e8723, (_e8723 > 0f));
 let _e8731 = select(select(select(1f, _e8725, (_e8725 < 1f)), 1f, (_e8718 <= 0f)), 0f, (_e8716 > 0f));
-let _e8737 = global_5.member[_e459].member_14.member_1;
+let _e8737 = global_5.member[_e459].member_16.member_1;
 let _e8738 = (_e8737 != 0u);
-let _e8749 = global_5.member[_e459].member_15.member;
+let _e8749 = global_5.member[_e459].member_17.member;
 let _e8760 = ((((_e8749.member.member * _e492) + (_e8749.member.member_1 * _e494)) + (_e8749.member.member_2 * _e488)) + _e8749.member_1);
 let _e8766 = ((((_e8749.member.member * _e6522.member_1.x) + (_e8749.member.member_1 * _e6522.member_1.y)) + (_e8749.member.member_2 * _e6522.member_1.z)) + _e8749.member_1);
 let _e8768 = select(_e8766, _e8760, (_e8760 < _e8766));
@@ -3020,9 +3022,9 @@ let _e8772 = (_e8770 - _e8768);
 let _e8775 = (-(_e8768) / select(1e-30f, _e8772, (_e8772 > 1e-30f)));
 let _e8777 = select(0f, _e8775, (_e8775 > 0f));
 let _e8783 = select(select(select(1f, _e8777, (_e8777 < 1f)), 1f, (_e8770 <= 0f)), 0f, (_e8768 > 0f));
-let _e8789 = global_5.member[_e459].member_15.member_1;
+let _e8789 = global_5.member[_e459].member_17.member_1;
 let _e8790 = (_e8789 != 0u);
-let _e8801 = global_5.member[_e459].member_16.member;
+let _e8801 = global_5.member[_e459].member_18.member;
 let _e8812 = ((((_e8801.member.member * _e492) + (_e8801.member.member_1 * _e494)) + (_e8801.member.member_2 * _e488)) + _e8801.member_1);
 let _e8818 = ((((_e8801.member.member * _e6522.member_1.x) + (_e8801.member.member_1 * _e6522.member_1.y)) + (_e8801.member.member_2 * _e6522.member_1.z)) + _e8801.member_1);
 let _e8820 = select(_e8818, _e8812, (_e8812 < _e8818));
@@ -3031,9 +3033,9 @@ let _e8824 = (_e8822 - _e8820);
 let _e8827 = (-(_e8820) / select(1e-30f, _e8824, (_e8824 > 1e-30f)));
 let _e8829 = select(0f, _e8827, (_e8827 > 0f));
 let _e8835 = select(select(select(1f, _e8829, (_e8829 < 1f)), 1f, (_e8822 <= 0f)), 0f, (_e8820 > 0f));
-let _e8841 = global_5.member[_e459].member_16.member_1;
+let _e8841 = global_5.member[_e459].member_18.member_1;
 let _e8842 = (_e8841 != 0u);
-let _e8853 = global_5.member[_e459].member_17.member;
+let _e8853 = global_5.member[_e459].member_19.member;
 let _e8864 = ((((_e8853.member.member * _e492) + (_e8853.member.member_1 * _e494)) + (_e8853.member.member_2 * _e488)) + _e8853.member_1);
 let _e8870 = ((((_e8853.member.member * _e6522.member_1.x) + (_e8853.member.member_1 * _e6522.member_1.y)) + (_e8853.member.member_2 * _e6522.member_1.z)) + _e8853.member_1);
 let _e8872 = select(_e8870, _e8864, (_e8864 < _e8870));
@@ -3042,12 +3044,12 @@ let _e8876 = (_e8874 - _e8872);
 let _e8879 = (-(_e8872) / select(1e-30f, _e8876, (_e8876 > 1e-30f)));
 let _e8881 = select(0f, _e8879, (_e8879 > 0f));
 let _e8887 = select(select(select(1f, _e8881, (_e8881 < 1f)), 1f, (_e8874 <= 0f)), 0f, (_e8872 > 0f));
-let _e8893 = global_5.member[_e459].member_17.member_1;
+let _e8893 = global_5.member[_e459].member_19.member_1;
 let _e8894 = (_e8893 != 0u);
-phi_21416_ = type_7(((((1f * _e8731) * _e8783) * _e8835) * _e8887), ((((1f * select(1f, _e8731, _e8738)) * select(1f, _e8783, _e8790)) * select(1f, _e8835, _e8842)) * select(1f, _e8887, _e8894)), ((((1f * select(1f, 0f, (_e8738 && (_e8714 > 0f)))) * select(1f, 0f, (_e8790 && (_e8766 > 0f)))) * select(1f, 0f, (_e8842 && (_e8818 > 0f)))) * select(1f, 0f, (_e8894 && (_e8870 > 0f)))));
+phi_21418_ = type_7(((((1f * _e8731) * _e8783) * _e8835) * _e8887), ((((1f * select(1f, _e8731, _e8738)) * select(1f, _e8783, _e8790)) * select(1f, _e8835, _e8842)) * select(1f, _e8887, _e8894)), ((((1f * select(1f, 0f, (_e8738 && (_e8714 > 0f)))) * select(1f, 0f, (_e8790 && (_e8766 > 0f)))) * select(1f, 0f, (_e8842 && (_e8818 > 0f)))) * select(1f, 0f, (_e8894 && (_e8870 > 0f)))));
 }
-let _e8903 = phi_21416_;
-let _e8910 = global_5.member[_e459].member_5.member_3;
+let _e8903 = phi_21418_;
+let _e8910 = global_5.member[_e459].member_7.member_3;
 let _e8911 = ((_e6522.member_3 * _e8690) * _e8910);
 let _e8912 = (_e468.member_2 == 3u);
 let _e8915 = ((_e8912 || (_e468.member_2 == 4u)) || _e831);
@@ -3258,7 +3260,7 @@ let _e10802 = ((_e10780 - (_e10798 * 0.6933594f)) - (_e10798 * -2.1219444e-4f));
 let _e10822 = ((1f + (_e10802 * (1f + (_e10802 * (0.5f + (_e10802 * (0.16666667f + (_e10802 * (0.041666668f + (_e10802 * (0.008333334f + (_e10802 * (0.001388889f + (_e10802 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10797 + 127i)) << bitcast<u32>(23i))));
 let _e10823 = (1f - _e10822);
 let _e10826 = (_e10823 / select(1e-12f, _e10772, (_e10772 > 1e-12f)));
-phi_25581_ = type_40(_e10822, _e10823, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10533 + (((_e10538 + (((bitcast<f32>(((_e10504 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10538) * _e10466)) - _e10533) * _e10464)) * _e10468) + (((bitcast<f32>(((_e10512 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10453) + ((bitcast<f32>(((_e10520 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10459))) * _e10826), ((((_e10589 + (((_e10594 + (((bitcast<f32>((((_e10504 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10594) * _e10466)) - _e10589) * _e10464)) * _e10468) + (((bitcast<f32>((((_e10512 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10453) + ((bitcast<f32>((((_e10520 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10459))) * _e10826), ((((_e10685 + (((_e10690 + (((bitcast<f32>(((_e10656 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10690) * _e10466)) - _e10685) * _e10464)) * _e10468) + (((bitcast<f32>(((_e10664 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10453) + ((bitcast<f32>(((_e10672 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10459))) * _e10826)));
+phi_25583_ = type_40(_e10822, _e10823, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10533 + (((_e10538 + (((bitcast<f32>(((_e10504 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10538) * _e10466)) - _e10533) * _e10464)) * _e10468) + (((bitcast<f32>(((_e10512 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10453) + ((bitcast<f32>(((_e10520 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10459))) * _e10826), ((((_e10589 + (((_e10594 + (((bitcast<f32>((((_e10504 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10594) * _e10466)) - _e10589) * _e10464)) * _e10468) + (((bitcast<f32>((((_e10512 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10453) + ((bitcast<f32>((((_e10520 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10459))) * _e10826), ((((_e10685 + (((_e10690 + (((bitcast<f32>(((_e10656 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10690) * _e10466)) - _e10685) * _e10464)) * _e10468) + (((bitcast<f32>(((_e10664 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10453) + ((bitcast<f32>(((_e10672 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10459))) * _e10826)));
 } else {
 local_3 = _e1607;
 let _e8917 = local_3;
@@ -3537,9 +3539,9 @@ let _e10041 = ((_e10019 - (_e10037 * 0.6933594f)) - (_e10037 * -2.1219444e-4f));
 let _e10061 = ((1f + (_e10041 * (1f + (_e10041 * (0.5f + (_e10041 * (0.16666667f + (_e10041 * (0.041666668f + (_e10041 * (0.008333334f + (_e10041 * (0.001388889f + (_e10041 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10036 + 127i)) << bitcast<u32>(23i))));
 let _e10062 = (1f - _e10061);
 let _e10065 = (_e10062 / select(1e-12f, _e9408, (_e9408 > 1e-12f)));
-phi_25581_ = type_40(_e10061, _e10062, vec3<f32>(((1f + (_e9896 * (1f + (_e9896 * (0.5f + (_e9896 * (0.16666667f + (_e9896 * (0.041666668f + (_e9896 * (0.008333334f + (_e9896 * (0.001388889f + (_e9896 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9891 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9944 * (1f + (_e9944 * (0.5f + (_e9944 * (0.16666667f + (_e9944 * (0.041666668f + (_e9944 * (0.008333334f + (_e9944 * (0.001388889f + (_e9944 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9939 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9992 * (1f + (_e9992 * (0.5f + (_e9992 * (0.16666667f + (_e9992 * (0.041666668f + (_e9992 * (0.008333334f + (_e9992 * (0.001388889f + (_e9992 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9987 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9681 + (((_e9686 + (((bitcast<f32>(((_e9652 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9686) * _e9311)) - _e9681) * _e9309)) * _e9313) + (((bitcast<f32>(((_e9660 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9298) + ((bitcast<f32>(((_e9668 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9304))) * _e10065), ((((_e9737 + (((_e9742 + (((bitcast<f32>((((_e9652 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9742) * _e9311)) - _e9737) * _e9309)) * _e9313) + (((bitcast<f32>((((_e9660 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9298) + ((bitcast<f32>((((_e9668 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9304))) * _e10065), ((((_e9833 + (((_e9838 + (((bitcast<f32>(((_e9804 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9838) * _e9311)) - _e9833) * _e9309)) * _e9313) + (((bitcast<f32>(((_e9812 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9298) + ((bitcast<f32>(((_e9820 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9304))) * _e10065)));
+phi_25583_ = type_40(_e10061, _e10062, vec3<f32>(((1f + (_e9896 * (1f + (_e9896 * (0.5f + (_e9896 * (0.16666667f + (_e9896 * (0.041666668f + (_e9896 * (0.008333334f + (_e9896 * (0.001388889f + (_e9896 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9891 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9944 * (1f + (_e9944 * (0.5f + (_e9944 * (0.16666667f + (_e9944 * (0.041666668f + (_e9944 * (0.008333334f + (_e9944 * (0.001388889f + (_e9944 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9939 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9992 * (1f + (_e9992 * (0.5f + (_e9992 * (0.16666667f + (_e9992 * (0.041666668f + (_e9992 * (0.008333334f + (_e9992 * (0.001388889f + (_e9992 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9987 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9681 + (((_e9686 + (((bitcast<f32>(((_e9652 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9686) * _e9311)) - _e9681) * _e9309)) * _e9313) + (((bitcast<f32>(((_e9660 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9298) + ((bitcast<f32>(((_e9668 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9304))) * _e10065), ((((_e9737 + (((_e9742 + (((bitcast<f32>((((_e9652 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9742) * _e9311)) - _e9737) * _e9309)) * _e9313) + (((bitcast<f32>((((_e9660 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9298) + ((bitcast<f32>((((_e9668 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9304))) * _e10065), ((((_e9833 + (((_e9838 + (((bitcast<f32>(((_e9804 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9838) * _e9311)) - _e9833) * _e9309)) * _e9313) + (((bitcast<f32>(((_e9812 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9298) + ((bitcast<f32>(((_e9820 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9304))) * _e10065)));
 }
-let _e10833 = phi_25581_;
+let _e10833 = phi_25583_;
 let _e10834 = (_e6522.member_1.x - _e492);
 let _e10835 = (_e6522.member_1.y - _e494);
 let _e10836 = (_e6522.member_1.z - _e488);
@@ -3548,55 +3550,55 @@ let _e10841 = (_e492 + (_e10834 * _e10837));
 let _e10842 = (_e494 + (_e10835 * _e10837));
 let _e10843 = (_e488 + (_e10836 * _e10837));
 if _e8912 {
-let _e12528 = global_5.member[_e459].member_10.member_3;
+let _e12528 = global_5.member[_e459].member_12.member_3;
 let _e12529 = (_e12528 == 0u);
 if _e12529 {
-let _e12758 = global_5.member[_e459].member_9.member_1;
-let _e12767 = global_5.member[_e459].member_9.member;
-phi_25851_ = type_35(vec3<f32>(_e12758.member, _e12758.member_1, _e12758.member_2), vec3<f32>(_e12767.member, _e12767.member_1, _e12767.member_2));
+let _e12758 = global_5.member[_e459].member_11.member_1;
+let _e12767 = global_5.member[_e459].member_11.member;
+phi_25853_ = type_35(vec3<f32>(_e12758.member, _e12758.member_1, _e12758.member_2), vec3<f32>(_e12767.member, _e12767.member_1, _e12767.member_2));
 } else {
-let _e12534 = global_5.member[_e459].member_10.member;
+let _e12534 = global_5.member[_e459].member_12.member;
 let _e12545 = ((((_e12534.member.member * _e10841) + (_e12534.member.member_1 * _e10842)) + (_e12534.member.member_2 * _e10843)) + _e12534.member_1);
-let _e12550 = global_5.member[_e459].member_10.member_1;
+let _e12550 = global_5.member[_e459].member_12.member_1;
 let _e12561 = ((((_e12550.member.member * _e10841) + (_e12550.member.member_1 * _e10842)) + (_e12550.member.member_2 * _e10843)) + _e12550.member_1);
-let _e12566 = global_5.member[_e459].member_10.member_2;
+let _e12566 = global_5.member[_e459].member_12.member_2;
 let _e12577 = ((((_e12566.member.member * _e10841) + (_e12566.member.member_1 * _e10842)) + (_e12566.member.member_2 * _e10843)) + _e12566.member_1);
-let _e12582 = global_5.member[_e459].member_9.member_1;
+let _e12582 = global_5.member[_e459].member_11.member_1;
 if _e12529 {
-phi_25695_ = 1f;
+phi_25697_ = 1f;
 } else {
-let _e12590 = global_5.member[_e459].member_10.member_19;
+let _e12590 = global_5.member[_e459].member_12.member_19;
 let _e12594 = (_e12545 - _e12590.member);
 let _e12595 = (_e12561 - _e12590.member_1);
 let _e12596 = (_e12577 - _e12590.member_2);
 let _e12601 = (((_e12594 * _e12594) + (_e12595 * _e12595)) + (_e12596 * _e12596));
-phi_25695_ = (1f / select(1e-12f, _e12601, (_e12601 > 1e-12f)));
+phi_25697_ = (1f / select(1e-12f, _e12601, (_e12601 > 1e-12f)));
 }
-let _e12606 = phi_25695_;
+let _e12606 = phi_25697_;
 if _e12529 {
-phi_25779_ = 1f;
+phi_25781_ = 1f;
 } else {
-let _e12611 = global_5.member[_e459].member_10.member_19;
+let _e12611 = global_5.member[_e459].member_12.member_19;
 let _e12615 = (_e12545 - _e12611.member);
 let _e12616 = (_e12561 - _e12611.member_1);
 let _e12617 = (_e12577 - _e12611.member_2);
-let _e12623 = global_5.member[_e459].member_10.member_20.member;
+let _e12623 = global_5.member[_e459].member_12.member_20.member;
 let _e12631 = (((_e12623.member * _e12615) + (_e12623.member_1 * _e12616)) + (_e12623.member_2 * _e12617));
 let _e12635 = (_e12615 - (_e12623.member * _e12631));
 let _e12636 = (_e12616 - (_e12623.member_1 * _e12631));
 let _e12637 = (_e12617 - (_e12623.member_2 * _e12631));
 let _e12642 = (((_e12635 * _e12635) + (_e12636 * _e12636)) + (_e12637 * _e12637));
-let _e12654 = global_5.member[_e459].member_10.member_20.member_1;
-let _e12661 = global_5.member[_e459].member_10.member_20.member_2;
+let _e12654 = global_5.member[_e459].member_12.member_20.member_1;
+let _e12661 = global_5.member[_e459].member_12.member_20.member_2;
 let _e12662 = ((_e12654 - (sqrt(select(0f, _e12642, (_e12642 > 0f))) / select(1e-20f, _e12631, (_e12631 > 1e-20f)))) * _e12661);
 let _e12664 = select(0f, _e12662, (_e12662 > 0f));
 let _e12666 = select(1f, _e12664, (_e12664 < 1f));
-phi_25779_ = select(1f, select(0f, ((_e12666 * _e12666) * (3f - (2f * _e12666))), (_e12631 > 0f)), (_e12661 > 0f));
+phi_25781_ = select(1f, select(0f, ((_e12666 * _e12666) * (3f - (2f * _e12666))), (_e12631 > 0f)), (_e12661 > 0f));
 }
-let _e12676 = phi_25779_;
+let _e12676 = phi_25781_;
 let _e12677 = (_e12606 * _e12676);
 let _e12682 = (_e12528 != 0u);
-let _e12687 = global_5.member[_e459].member_10.member_19;
+let _e12687 = global_5.member[_e459].member_12.member_19;
 let _e12691 = (_e12545 - _e12687.member);
 let _e12692 = (_e12561 - _e12687.member_1);
 let _e12693 = (_e12577 - _e12687.member_2);
@@ -3606,28 +3608,28 @@ let _e12704 = (1f / select(1e-20f, _e12701, (_e12701 > 1e-20f)));
 let _e12708 = select(0f, (_e12691 * _e12704), _e12682);
 let _e12709 = select(0f, (_e12692 * _e12704), _e12682);
 let _e12710 = select(1f, (_e12693 * _e12704), _e12682);
-let _e12716 = global_5.member[_e459].member_10.member.member;
-let _e12728 = global_5.member[_e459].member_10.member_1.member;
-let _e12743 = global_5.member[_e459].member_10.member_2.member;
-phi_25851_ = type_35(vec3<f32>((_e12582.member * _e12677), (_e12582.member_1 * _e12677), (_e12582.member_2 * _e12677)), (vec3<f32>(((_e12716.member * _e12708) + (_e12728.member * _e12709)), ((_e12716.member_1 * _e12708) + (_e12728.member_1 * _e12709)), ((_e12716.member_2 * _e12708) + (_e12728.member_2 * _e12709))) + vec3<f32>((_e12743.member * _e12710), (_e12743.member_1 * _e12710), (_e12743.member_2 * _e12710))));
+let _e12716 = global_5.member[_e459].member_12.member.member;
+let _e12728 = global_5.member[_e459].member_12.member_1.member;
+let _e12743 = global_5.member[_e459].member_12.member_2.member;
+phi_25853_ = type_35(vec3<f32>((_e12582.member * _e12677), (_e12582.member_1 * _e12677), (_e12582.member_2 * _e12677)), (vec3<f32>(((_e12716.member * _e12708) + (_e12728.member * _e12709)), ((_e12716.member_1 * _e12708) + (_e12728.member_1 * _e12709)), ((_e12716.member_2 * _e12708) + (_e12728.member_2 * _e12709))) + vec3<f32>((_e12743.member * _e12710), (_e12743.member_1 * _e12710), (_e12743.member_2 * _e12710))));
 }
-let _e12774 = phi_25851_;
-phi_28263_ = _e12774;
+let _e12774 = phi_25853_;
+phi_28265_ = _e12774;
 } else {
 if (_e468.member_2 >= 6u) {
-let _e11907 = global_5.member[_e459].member_8.member_8;
+let _e11907 = global_5.member[_e459].member_10.member_8;
 let _e11908 = (_e10843 - _e11907);
-let _e11913 = global_5.member[_e459].member_8.member_2;
-let _e11918 = global_5.member[_e459].member_8.member_6;
-let _e11926 = global_5.member[_e459].member_8.member_5;
+let _e11913 = global_5.member[_e459].member_10.member_2;
+let _e11918 = global_5.member[_e459].member_10.member_6;
+let _e11926 = global_5.member[_e459].member_10.member_5;
 let _e11928 = (((_e10841 - (_e11913 + (_e11918 * _e11908))) * _e11926) - 0.5f);
-let _e11933 = global_5.member[_e459].member_8.member_3;
-let _e11938 = global_5.member[_e459].member_8.member_7;
+let _e11933 = global_5.member[_e459].member_10.member_3;
+let _e11938 = global_5.member[_e459].member_10.member_7;
 let _e11943 = (((_e10842 - (_e11933 + (_e11938 * _e11908))) * _e11926) - 0.5f);
-let _e11948 = global_5.member[_e459].member_8.member;
+let _e11948 = global_5.member[_e459].member_10.member;
 let _e11949 = bitcast<i32>(_e11948);
 let _e11951 = (f32(_e11949) - 1f);
-let _e11956 = global_5.member[_e459].member_8.member_1;
+let _e11956 = global_5.member[_e459].member_10.member_1;
 let _e11959 = (f32(bitcast<i32>(_e11956)) - 1f);
 let _e11961 = select(0f, _e11928, (_e11928 > 0f));
 let _e11963 = select(_e11951, _e11961, (_e11961 < _e11951));
@@ -3640,7 +3642,7 @@ let _e11989 = (_e11985 - select(0i, 1i, (_e11978 < f32(_e11985))));
 let _e11993 = (_e11928 - f32(_e11974));
 let _e11995 = (_e11943 - f32(_e11989));
 let _e12002 = ((((_e11928 >= 0f) && (_e11928 <= _e11951)) && (_e11943 >= 0f)) && (_e11943 <= _e11959));
-let _e12006 = global_5.member[_e459].member_4;
+let _e12006 = global_5.member[_e459].member_6;
 let _e12007 = bitcast<i32>(_e12006);
 let _e12009 = bitcast<i32>((_e11948 * _e11956));
 let _e12011 = (_e12007 + (3i * _e12009));
@@ -3676,7 +3678,7 @@ let _e12103 = bitcast<u32>(bitcast<f32>(_e12101));
 let _e12113 = f32((bitcast<i32>(((_e12103 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12121 = (_e12028 + ((f32((bitcast<i32>((_e12050 & 65535u)) - 32768i)) - _e12028) * _e11993));
 let _e12130 = (_e12039 + ((select(_e12060, -(_e12060), ((_e12050 >> bitcast<u32>(31i)) != 0u)) - _e12039) * _e11993));
-let _e12143 = global_5.member[_e459].member_9.member;
+let _e12143 = global_5.member[_e459].member_11.member;
 let _e12146 = (1f / 16255f);
 let _e12148 = (_e12143.member + (select(0f, (_e12121 + (((_e12080 + ((f32((bitcast<i32>((_e12103 & 65535u)) - 32768i)) - _e12080) * _e11993)) - _e12121) * _e11995)), _e12002) * _e12146));
 let _e12150 = (_e12143.member_1 + (select(0f, (_e12130 + (((_e12091 + ((select(_e12113, -(_e12113), ((_e12103 >> bitcast<u32>(31i)) != 0u)) - _e12091) * _e11993)) - _e12130) * _e11995)), _e12002) * _e12146));
@@ -3716,7 +3718,7 @@ let _e12251 = select(_e12015, _e12249, (_e12249 < _e12015));
 let _e12257 = global_3.member[bitcast<u32>(select(0i, _e12251, (_e12251 > 0i)))];
 let _e12265 = select(1f, (_e12238 + (((_e12248 + ((bitcast<f32>(_e12257) - _e12248) * _e12206)) - _e12238) * _e12208)), _e12215);
 if _e8915 {
-phi_26596_ = vec3(_e12265);
+phi_26598_ = vec3(_e12265);
 } else {
 let _e12268 = ((_e12007 + _e12009) + _e12204);
 let _e12270 = select(_e12015, _e12268, (_e12268 < _e12015));
@@ -3748,9 +3750,9 @@ let _e12352 = bitcast<f32>(_e12351);
 let _e12353 = (_e12343 + 1i);
 let _e12355 = select(_e12015, _e12353, (_e12353 < _e12015));
 let _e12361 = global_3.member[bitcast<u32>(select(0i, _e12355, (_e12355 > 0i)))];
-phi_26596_ = vec3<f32>(_e12265, select(1f, (_e12290 + (((_e12300 + ((bitcast<f32>(_e12309) - _e12300) * _e12206)) - _e12290) * _e12208)), _e12215), select(1f, (_e12342 + (((_e12352 + ((bitcast<f32>(_e12361) - _e12352) * _e12206)) - _e12342) * _e12208)), _e12215));
+phi_26598_ = vec3<f32>(_e12265, select(1f, (_e12290 + (((_e12300 + ((bitcast<f32>(_e12309) - _e12300) * _e12206)) - _e12290) * _e12208)), _e12215), select(1f, (_e12342 + (((_e12352 + ((bitcast<f32>(_e12361) - _e12352) * _e12206)) - _e12342) * _e12208)), _e12215));
 }
-let _e12372 = phi_26596_;
+let _e12372 = phi_26598_;
 local = (_e12011 + _e12204);
 let _e12374 = local;
 let _e12376 = select(_e12015, _e12374, (_e12374 < _e12015));
@@ -3781,12 +3783,12 @@ let _e12461 = bitcast<u32>(bitcast<f32>(_e12459));
 let _e12471 = f32((bitcast<i32>(((_e12461 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12479 = (_e12387 + ((f32((bitcast<i32>((_e12409 & 65535u)) - 32768i)) - _e12387) * _e12206));
 let _e12488 = (_e12398 + ((select(_e12419, -(_e12419), ((_e12409 >> bitcast<u32>(31i)) != 0u)) - _e12398) * _e12206));
-let _e12501 = global_5.member[_e459].member_9.member_1;
+let _e12501 = global_5.member[_e459].member_11.member_1;
 let _e12508 = (_e12143.member + (select(0f, (_e12479 + (((_e12439 + ((f32((bitcast<i32>((_e12461 & 65535u)) - 32768i)) - _e12439) * _e12206)) - _e12479) * _e12208)), _e12215) * _e12146));
 let _e12510 = (_e12143.member_1 + (select(0f, (_e12488 + (((_e12450 + ((select(_e12471, -(_e12471), ((_e12461 >> bitcast<u32>(31i)) != 0u)) - _e12450) * _e12206)) - _e12488) * _e12208)), _e12215) * _e12146));
 let _e12514 = (1f - ((_e12508 * _e12508) + (_e12510 * _e12510)));
 let _e12516 = select(1e-4f, _e12514, (_e12514 > 1e-4f));
-phi_28262_ = type_35((_e12372 * vec3<f32>(_e12501.member, _e12501.member_1, _e12501.member_2)), vec3<f32>(_e12508, _e12510, sqrt(select(0f, _e12516, (_e12516 > 0f)))));
+phi_28264_ = type_35((_e12372 * vec3<f32>(_e12501.member, _e12501.member_1, _e12501.member_2)), vec3<f32>(_e12508, _e12510, sqrt(select(0f, _e12516, (_e12516 > 0f)))));
 } else {
 let _e10846 = (1f - _e10833.member);
 let _e10848 = select(1e-6f, _e10833.member, (_e10833.member > 1e-6f));
@@ -3801,25 +3803,25 @@ let _e10899 = (_e8690 * select(((1f / select(1e-3f, _e10886, (_e10886 > 1e-3f)))
 let _e10903 = (_e492 + (_e10834 * _e10899));
 let _e10904 = (_e494 + (_e10835 * _e10899));
 let _e10905 = (_e488 + (_e10836 * _e10899));
-let _e10910 = global_5.member[_e459].member_10.member;
+let _e10910 = global_5.member[_e459].member_12.member;
 let _e10921 = ((((_e10910.member.member * _e10903) + (_e10910.member.member_1 * _e10904)) + (_e10910.member.member_2 * _e10905)) + _e10910.member_1);
-let _e10926 = global_5.member[_e459].member_10.member_1;
+let _e10926 = global_5.member[_e459].member_12.member_1;
 let _e10937 = ((((_e10926.member.member * _e10903) + (_e10926.member.member_1 * _e10904)) + (_e10926.member.member_2 * _e10905)) + _e10926.member_1);
-let _e10942 = global_5.member[_e459].member_10.member_2;
+let _e10942 = global_5.member[_e459].member_12.member_2;
 let _e10953 = ((((_e10942.member.member * _e10903) + (_e10942.member.member_1 * _e10904)) + (_e10942.member.member_2 * _e10905)) + _e10942.member_1);
-let _e10958 = global_5.member[_e459].member_10.member_3;
+let _e10958 = global_5.member[_e459].member_12.member_3;
 let _e10959 = (_e10958 != 0u);
-let _e10969 = global_5.member[_e459].member_10.member_19.member_2;
+let _e10969 = global_5.member[_e459].member_12.member_19.member_2;
 let _e10971 = select(1f, (_e10953 - _e10969), _e10959);
 let _e10974 = (1f / select(1e-12f, _e10971, (_e10971 > 1e-12f)));
-let _e10980 = global_5.member[_e459].member_10.member_5;
-let _e10986 = global_5.member[_e459].member_10.member_8;
-let _e10993 = global_5.member[_e459].member_10.member_6;
-let _e11000 = global_5.member[_e459].member_10.member_11;
+let _e10980 = global_5.member[_e459].member_12.member_5;
+let _e10986 = global_5.member[_e459].member_12.member_8;
+let _e10993 = global_5.member[_e459].member_12.member_6;
+let _e11000 = global_5.member[_e459].member_12.member_11;
 let _e11001 = ((((_e10921 * _e10974) - _e10980) * _e10986) - _e11000);
 let _e11002 = ((((_e10937 * _e10974) - _e10993) * _e10986) - _e11000);
-let _e11007 = global_5.member[_e459].member_10.member_9;
-let _e11013 = global_5.member[_e459].member_10.member_10;
+let _e11007 = global_5.member[_e459].member_12.member_9;
+let _e11013 = global_5.member[_e459].member_12.member_10;
 let _e11014 = ((_e10953 - _e11007) * _e11013);
 let _e11015 = -(65536f);
 let _e11017 = select(_e11015, _e11001, (_e11001 > _e11015));
@@ -3838,17 +3840,17 @@ let _e11062 = (firstTrailingBit(8u) & 31u);
 let _e11064 = (_e11060 >> bitcast<u32>(_e11062));
 let _e11066 = (_e11030 >> bitcast<u32>(_e11062));
 let _e11068 = (_e11045 >> bitcast<u32>(_e11062));
-let _e11074 = global_5.member[_e459].member_10.member_14.member;
+let _e11074 = global_5.member[_e459].member_12.member_14.member;
 let _e11075 = bitcast<i32>(_e11074);
-let _e11081 = global_5.member[_e459].member_10.member_14.member_1;
+let _e11081 = global_5.member[_e459].member_12.member_14.member_1;
 let _e11082 = bitcast<i32>(_e11081);
-let _e11088 = global_5.member[_e459].member_10.member_14.member_2;
+let _e11088 = global_5.member[_e459].member_12.member_14.member_2;
 if ((((((_e11066 >= 0i) && (_e11066 < _e11075)) && (_e11068 >= 0i)) && (_e11068 < _e11082)) && (_e11064 >= 0i)) && (_e11064 < bitcast<i32>(_e11088))) {
-phi_27110_ = (((((_e11064 * _e11082) + _e11068) * _e11075) + _e11066) * 3i);
+phi_27112_ = (((((_e11064 * _e11082) + _e11068) * _e11075) + _e11066) * 3i);
 } else {
-phi_27110_ = -1i;
+phi_27112_ = -1i;
 }
-let _e11107 = phi_27110_;
+let _e11107 = phi_27112_;
 let _e11108 = (_e11107 + 1i);
 let _e11110 = (bitcast<i32>(_e233) - 1i);
 let _e11112 = select(_e11110, _e11108, (_e11108 < _e11110));
@@ -3856,7 +3858,7 @@ let _e11118 = global_3.member[bitcast<u32>(select(0i, _e11112, (_e11112 > 0i)))]
 let _e11120 = select(_e11110, _e11107, (_e11107 < _e11110));
 let _e11126 = global_3.member[bitcast<u32>(select(0i, _e11120, (_e11120 > 0i)))];
 let _e11129 = select(_e11118, 0u, (_e11107 < 0i));
-let _e11134 = global_5.member[_e459].member_10.member_13;
+let _e11134 = global_5.member[_e459].member_12.member_13;
 let _e11135 = (_e11129 * 81u);
 let _e11139 = bitcast<i32>((((_e11135 * _e11134) + 63u) & 4294967232u));
 let _e11147 = (((bitcast<i32>(_e11126) + ((_e11060 & 7i) * _e11139)) + ((_e11045 & 7i) * 9i)) + (_e11030 & 7i));
@@ -3897,9 +3899,9 @@ let _e11239 = select(_e11110, _e11237, (_e11237 < _e11110));
 let _e11245 = global_3.member[bitcast<u32>(select(0i, _e11239, (_e11239 > 0i)))];
 let _e11256 = select(1f, (_e11203 + (((_e11226 + (((_e11236 + ((bitcast<f32>(_e11245) - _e11236) * _e11150)) - _e11226) * _e11152)) - _e11203) * _e11154)), _e11155);
 if _e8915 {
-phi_27687_ = vec3(_e11256);
+phi_27689_ = vec3(_e11256);
 } else {
-let _e11262 = global_5.member[_e459].member_10.member_12;
+let _e11262 = global_5.member[_e459].member_12.member_12;
 let _e11263 = (_e11262 > 1u);
 let _e11267 = (_e11147 + (select(0i, 1i, _e11263) * _e11148));
 let _e11269 = select(_e11110, _e11267, (_e11267 < _e11110));
@@ -3963,10 +3965,10 @@ let _e11451 = bitcast<f32>(_e11450);
 let _e11452 = (_e11419 + 10i);
 let _e11454 = select(_e11110, _e11452, (_e11452 < _e11110));
 let _e11460 = global_3.member[bitcast<u32>(select(0i, _e11454, (_e11454 > 0i)))];
-phi_27687_ = vec3<f32>(_e11256, select(1f, (_e11315 + (((_e11338 + (((_e11348 + ((bitcast<f32>(_e11357) - _e11348) * _e11150)) - _e11338) * _e11152)) - _e11315) * _e11154)), _e11155), select(1f, (_e11418 + (((_e11441 + (((_e11451 + ((bitcast<f32>(_e11460) - _e11451) * _e11150)) - _e11441) * _e11152)) - _e11418) * _e11154)), _e11155));
+phi_27689_ = vec3<f32>(_e11256, select(1f, (_e11315 + (((_e11338 + (((_e11348 + ((bitcast<f32>(_e11357) - _e11348) * _e11150)) - _e11338) * _e11152)) - _e11315) * _e11154)), _e11155), select(1f, (_e11418 + (((_e11441 + (((_e11451 + ((bitcast<f32>(_e11460) - _e11451) * _e11150)) - _e11441) * _e11152)) - _e11418) * _e11154)), _e11155));
 }
-let _e11474 = phi_27687_;
-let _e11475 = global_5.member[_e459].member_10.member_19;
+let _e11474 = phi_27689_;
+let _e11475 = global_5.member[_e459].member_12.member_19;
 let _e11479 = (_e10921 - _e11475.member);
 let _e11480 = (_e10937 - _e11475.member_1);
 let _e11481 = (_e10953 - _e11475.member_2);
@@ -4034,46 +4036,46 @@ let _e11755 = (_e11496 + select(0f, ((_e11621 + (((_e11679 + (((_e11697 + ((f32(
 let _e11758 = (_e11497 + select(0f, ((_e11624 + (((_e11682 + (((_e11708 + ((select(_e11729, -(_e11729), ((_e11719 >> bitcast<u32>(31i)) != 0u)) - _e11708) * _e11150)) - _e11682) * _e11152)) - _e11624) * _e11154)) * 6.151953e-5f), _e11155));
 let _e11762 = (1f - ((_e11755 * _e11755) + (_e11758 * _e11758)));
 let _e11764 = select(1e-4f, _e11762, (_e11762 > 1e-4f));
-phi_28094_ = vec3<f32>(_e11755, _e11758, sqrt(select(0f, _e11764, (_e11764 > 0f))));
+phi_28096_ = vec3<f32>(_e11755, _e11758, sqrt(select(0f, _e11764, (_e11764 > 0f))));
 } else {
-phi_28094_ = vec3<f32>(_e11496, _e11497, select(1f, (_e11481 * _e11492), _e10959));
+phi_28096_ = vec3<f32>(_e11496, _e11497, select(1f, (_e11481 * _e11492), _e10959));
 }
-let _e11770 = phi_28094_;
+let _e11770 = phi_28096_;
 let _e11772 = (_e10958 == 0u);
 if _e11772 {
-phi_28188_ = 1f;
+phi_28190_ = 1f;
 } else {
-let _e11778 = global_5.member[_e459].member_10.member_20.member;
+let _e11778 = global_5.member[_e459].member_12.member_20.member;
 let _e11786 = (((_e11778.member * _e11479) + (_e11778.member_1 * _e11480)) + (_e11778.member_2 * _e11481));
 let _e11790 = (_e11479 - (_e11778.member * _e11786));
 let _e11791 = (_e11480 - (_e11778.member_1 * _e11786));
 let _e11792 = (_e11481 - (_e11778.member_2 * _e11786));
 let _e11797 = (((_e11790 * _e11790) + (_e11791 * _e11791)) + (_e11792 * _e11792));
-let _e11809 = global_5.member[_e459].member_10.member_20.member_1;
-let _e11816 = global_5.member[_e459].member_10.member_20.member_2;
+let _e11809 = global_5.member[_e459].member_12.member_20.member_1;
+let _e11816 = global_5.member[_e459].member_12.member_20.member_2;
 let _e11817 = ((_e11809 - (sqrt(select(0f, _e11797, (_e11797 > 0f))) / select(1e-20f, _e11786, (_e11786 > 1e-20f)))) * _e11816);
 let _e11819 = select(0f, _e11817, (_e11817 > 0f));
 let _e11821 = select(1f, _e11819, (_e11819 < 1f));
-phi_28188_ = select(1f, select(0f, ((_e11821 * _e11821) * (3f - (2f * _e11821))), (_e11786 > 0f)), (_e11816 > 0f));
+phi_28190_ = select(1f, select(0f, ((_e11821 * _e11821) * (3f - (2f * _e11821))), (_e11786 > 0f)), (_e11816 > 0f));
 }
-let _e11831 = phi_28188_;
-let _e11837 = global_5.member[_e459].member_9.member_1;
+let _e11831 = phi_28190_;
+let _e11837 = global_5.member[_e459].member_11.member_1;
 if _e11772 {
-phi_28230_ = 1f;
+phi_28232_ = 1f;
 } else {
-phi_28230_ = (1f / select(1e-12f, _e11486, (_e11486 > 1e-12f)));
+phi_28232_ = (1f / select(1e-12f, _e11486, (_e11486 > 1e-12f)));
 }
-let _e11851 = phi_28230_;
+let _e11851 = phi_28232_;
 let _e11852 = (_e11851 * select(_e11831, 1f, (_e838 && _e11155)));
-let _e11862 = global_5.member[_e459].member_10.member.member;
-let _e11875 = global_5.member[_e459].member_10.member_1.member;
-let _e11891 = global_5.member[_e459].member_10.member_2.member;
-phi_28262_ = type_35(vec3<f32>(((_e11474.x * _e11837.member) * _e11852), ((_e11474.y * _e11837.member_1) * _e11852), ((_e11474.z * _e11837.member_2) * _e11852)), (vec3<f32>(((_e11862.member * _e11770.x) + (_e11875.member * _e11770.y)), ((_e11862.member_1 * _e11770.x) + (_e11875.member_1 * _e11770.y)), ((_e11862.member_2 * _e11770.x) + (_e11875.member_2 * _e11770.y))) + vec3<f32>((_e11891.member * _e11770.z), (_e11891.member_1 * _e11770.z), (_e11891.member_2 * _e11770.z))));
+let _e11862 = global_5.member[_e459].member_12.member.member;
+let _e11875 = global_5.member[_e459].member_12.member_1.member;
+let _e11891 = global_5.member[_e459].member_12.member_2.member;
+phi_28264_ = type_35(vec3<f32>(((_e11474.x * _e11837.member) * _e11852), ((_e11474.y * _e11837.member_1) * _e11852), ((_e11474.z * _e11837.member_2) * _e11852)), (vec3<f32>(((_e11862.member * _e11770.x) + (_e11875.member * _e11770.y)), ((_e11862.member_1 * _e11770.x) + (_e11875.member_1 * _e11770.y)), ((_e11862.member_2 * _e11770.x) + (_e11875.member_2 * _e11770.y))) + vec3<f32>((_e11891.member * _e11770.z), (_e11891.member_1 * _e11770.z), (_e11891.member_2 * _e11770.z))));
 }
-let _e12523 = phi_28262_;
-phi_28263_ = _e12523;
+let _e12523 = phi_28264_;
+phi_28265_ = _e12523;
 }
-let _e12776 = phi_28263_;
+let _e12776 = phi_28265_;
 let _e12785 = (((_e12776.member_1.x * _e12776.member_1.x) + (_e12776.member_1.y * _e12776.member_1.y)) + (_e12776.member_1.z * _e12776.member_1.z));
 let _e12788 = sqrt(select(0f, _e12785, (_e12785 > 0f)));
 let _e12790 = ((_e799 & 8u) != 0u);
@@ -4087,15 +4089,15 @@ let _e12810 = select(_e8687.member_1.x, _e6522.member_5.x, _e6522.member_7);
 let _e12813 = select(_e8687.member_1.y, _e6522.member_5.y, _e6522.member_7);
 let _e12816 = select(_e8687.member_1.z, _e6522.member_5.z, _e6522.member_7);
 if _e6522.member_7 {
-phi_28346_ = _e6522.member.member_1;
-phi_28347_ = _e6522.member.member;
+phi_28348_ = _e6522.member.member_1;
+phi_28349_ = _e6522.member.member;
 } else {
-phi_28346_ = _e8687.member_2;
-phi_28347_ = _e6528;
+phi_28348_ = _e8687.member_2;
+phi_28349_ = _e6528;
 }
-let _e12823 = phi_28346_;
-let _e12825 = phi_28347_;
-let _e12829 = global_5.member[_e459].member_19;
+let _e12823 = phi_28348_;
+let _e12825 = phi_28349_;
+let _e12829 = global_5.member[_e459].member_21;
 let _e12834 = (((_e12810 * _e12810) + (_e12813 * _e12813)) + (_e12816 * _e12816));
 let _e12837 = sqrt(select(0f, _e12834, (_e12834 > 0f)));
 let _e12840 = (1f / select(1e-20f, _e12837, (_e12837 > 1e-20f)));
@@ -4149,14 +4151,14 @@ let _e12957 = (_e12955 + _e12916);
 let _e12960 = (_e12956 / select(1e-6f, _e12957, (_e12957 > 1e-6f)));
 let _e12964 = ((_e12916 * _e12956) + 1f);
 let _e12967 = (((_e12916 * _e12957) - 1f) / select(1e-6f, _e12964, (_e12964 > 1e-6f)));
-let _e12985 = global_5.member[_e459].member_20;
+let _e12985 = global_5.member[_e459].member_22;
 let _e12989 = ((select(0f, ((((_e12918 / ((3.1415927f * _e12922) * _e12922)) * (0.5f / select(1e-6f, _e12943, (_e12943 > 1e-6f)))) * select(select((((0.5f * _e12960) * _e12960) * (1f + (_e12967 * _e12967))), 1f, (_e12952 <= 0f)), 0f, (_e12825 == _e12823))) * _e12927), (_e12926 && (_e12837 > 1e-12f))) * _e12985) * select(_e8903.member_2, 0f, _e556));
-phi_28604_ = vec3<f32>((_e12800 * _e12989), (_e12802 * _e12989), (_e12804 * _e12989));
+phi_28606_ = vec3<f32>((_e12800 * _e12989), (_e12802 * _e12989), (_e12804 * _e12989));
 } else {
-phi_28604_ = vec3<f32>(0f, 0f, 0f);
+phi_28606_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e12995 = phi_28604_;
-let _e12999 = global_5.member[_e459].member_18;
+let _e12995 = phi_28606_;
+let _e12999 = global_5.member[_e459].member_20;
 let _e13006 = (1f - _e463[12]);
 let _e13026 = (_e463[9] + ((_e463[13] * ((_e10833.member_3.x * (_e12800 + _e12999.member)) + _e12995.x)) * _e13006));
 let _e13027 = (_e463[10] + ((_e463[14] * ((_e10833.member_3.y * (_e12802 + _e12999.member_1)) + _e12995.y)) * _e13006));
@@ -4167,17 +4169,17 @@ let _e13036 = (_e463[14] * _e10833.member_2.y);
 let _e13038 = (_e463[15] * _e10833.member_2.z);
 let _e13043 = (_e463[8] + ((_e13031 - _e463[12]) * (_e488 + (_e10836 * 0.5f))));
 if ((_e468.member_2 >= 6u) || _e8912) {
-phi_29692_ = _e12776;
+phi_29694_ = _e12776;
 } else {
-let _e13050 = global_5.member[_e459].member_10.member;
+let _e13050 = global_5.member[_e459].member_12.member;
 let _e13061 = ((((_e13050.member.member * _e10841) + (_e13050.member.member_1 * _e10842)) + (_e13050.member.member_2 * _e10843)) + _e13050.member_1);
-let _e13066 = global_5.member[_e459].member_10.member_1;
+let _e13066 = global_5.member[_e459].member_12.member_1;
 let _e13077 = ((((_e13066.member.member * _e10841) + (_e13066.member.member_1 * _e10842)) + (_e13066.member.member_2 * _e10843)) + _e13066.member_1);
-let _e13082 = global_5.member[_e459].member_10.member_2;
+let _e13082 = global_5.member[_e459].member_12.member_2;
 let _e13093 = ((((_e13082.member.member * _e10841) + (_e13082.member.member_1 * _e10842)) + (_e13082.member.member_2 * _e10843)) + _e13082.member_1);
-let _e13098 = global_5.member[_e459].member_10.member_3;
+let _e13098 = global_5.member[_e459].member_12.member_3;
 let _e13099 = (_e13098 != 0u);
-let _e13104 = global_5.member[_e459].member_10.member_19;
+let _e13104 = global_5.member[_e459].member_12.member_19;
 let _e13108 = (_e13061 - _e13104.member);
 let _e13109 = (_e13077 - _e13104.member_1);
 let _e13110 = (_e13093 - _e13104.member_2);
@@ -4187,36 +4189,36 @@ let _e13121 = (1f / select(1e-20f, _e13118, (_e13118 > 1e-20f)));
 let _e13125 = select(0f, (_e13108 * _e13121), _e13099);
 let _e13126 = select(0f, (_e13109 * _e13121), _e13099);
 let _e13127 = select(1f, (_e13110 * _e13121), _e13099);
-let _e13133 = global_5.member[_e459].member_10.member.member;
-let _e13145 = global_5.member[_e459].member_10.member_1.member;
-let _e13160 = global_5.member[_e459].member_10.member_2.member;
+let _e13133 = global_5.member[_e459].member_12.member.member;
+let _e13145 = global_5.member[_e459].member_12.member_1.member;
+let _e13160 = global_5.member[_e459].member_12.member_2.member;
 let _e13169 = (vec3<f32>(((_e13133.member * _e13125) + (_e13145.member * _e13126)), ((_e13133.member_1 * _e13125) + (_e13145.member_1 * _e13126)), ((_e13133.member_2 * _e13125) + (_e13145.member_2 * _e13126))) + vec3<f32>((_e13160.member * _e13127), (_e13160.member_1 * _e13127), (_e13160.member_2 * _e13127)));
 if ((_e799 & 256u) != 0u) {
-let _e13278 = global_5.member[_e459].member_10.member_18.member.member;
+let _e13278 = global_5.member[_e459].member_12.member_18.member.member;
 let _e13279 = bitcast<i32>(_e13278);
-let _e13286 = global_5.member[_e459].member_10.member_18.member.member_1;
+let _e13286 = global_5.member[_e459].member_12.member_18.member.member_1;
 let _e13287 = bitcast<i32>(_e13286);
-let _e13293 = global_5.member[_e459].member_10.member_19.member_2;
+let _e13293 = global_5.member[_e459].member_12.member_19.member_2;
 let _e13295 = select(1f, (_e13093 - _e13293), _e13099);
 let _e13298 = (1f / select(1e-12f, _e13295, (_e13295 > 1e-12f)));
-let _e13304 = global_5.member[_e459].member_10.member_5;
-let _e13310 = global_5.member[_e459].member_10.member_8;
+let _e13304 = global_5.member[_e459].member_12.member_5;
+let _e13310 = global_5.member[_e459].member_12.member_8;
 let _e13311 = (((_e13061 * _e13298) - _e13304) * _e13310);
-let _e13317 = global_5.member[_e459].member_10.member_6;
+let _e13317 = global_5.member[_e459].member_12.member_6;
 let _e13319 = (((_e13077 * _e13298) - _e13317) * _e13310);
-let _e13325 = global_5.member[_e459].member_10.member_4.member;
+let _e13325 = global_5.member[_e459].member_12.member_4.member;
 let _e13327 = f32(bitcast<i32>(_e13325));
 let _e13329 = select(0f, _e13311, (_e13311 > 0f));
-let _e13337 = global_5.member[_e459].member_10.member_18.member_1;
+let _e13337 = global_5.member[_e459].member_12.member_18.member_1;
 let _e13340 = ((_e13311 - _e13327) * _e13337);
-let _e13346 = global_5.member[_e459].member_10.member_18.member_2;
+let _e13346 = global_5.member[_e459].member_12.member_18.member_2;
 let _e13348 = select(0f, _e13340, (_e13340 > 0f));
 let _e13350 = (_e13346 + _e13348);
 let _e13355 = (-(_e13311) * _e13337);
 let _e13357 = select(0f, _e13355, (_e13355 > 0f));
 let _e13359 = (_e13346 + _e13357);
 let _e13366 = (((_e13346 + (select(_e13327, _e13329, (_e13329 < _e13327)) * _e13337)) + (((_e13348 * _e13346) / select(1e-12f, _e13350, (_e13350 > 1e-12f))) - ((_e13357 * _e13346) / select(1e-12f, _e13359, (_e13359 > 1e-12f))))) - 0.5f);
-let _e13372 = global_5.member[_e459].member_10.member_4.member_1;
+let _e13372 = global_5.member[_e459].member_12.member_4.member_1;
 let _e13374 = f32(bitcast<i32>(_e13372));
 let _e13376 = select(0f, _e13319, (_e13319 > 0f));
 let _e13381 = ((_e13319 - _e13374) * _e13337);
@@ -4243,13 +4245,13 @@ let _e13443 = (_e13401 - f32(_e13435));
 let _e13445 = select(0f, _e13443, (_e13443 > 0f));
 let _e13447 = select(1f, _e13445, (_e13445 < 1f));
 if _e1174 {
-let _e13459 = global_5.member[_e459].member_10.member_18.member_4;
-phi_29033_ = _e13459;
+let _e13459 = global_5.member[_e459].member_12.member_18.member_4;
+phi_29035_ = _e13459;
 } else {
-let _e13453 = global_5.member[_e459].member_10.member_18.member_3;
-phi_29033_ = _e13453;
+let _e13453 = global_5.member[_e459].member_12.member_18.member_3;
+phi_29035_ = _e13453;
 }
-let _e13461 = phi_29033_;
+let _e13461 = phi_29035_;
 let _e13465 = ((bitcast<i32>(_e13461) + (_e13435 * _e13279)) + _e13418);
 let _e13466 = (_e13279 * _e13287);
 let _e13468 = (bitcast<i32>(_e233) - 1i);
@@ -4302,81 +4304,81 @@ let _e13608 = global_3.member[bitcast<u32>(select(0i, _e13602, (_e13602 > 0i)))]
 let _e13615 = (_e13589 + (((_e13599 + ((bitcast<f32>(_e13608) - _e13599) * _e13441)) - _e13589) * _e13447));
 let _e13617 = (_e13098 == 0u);
 if _e13617 {
-phi_29431_ = vec3<f32>(_e13516, _e13565, _e13615);
+phi_29433_ = vec3<f32>(_e13516, _e13565, _e13615);
 } else {
 if _e13617 {
-phi_29370_ = 1f;
+phi_29372_ = 1f;
 } else {
-let _e13623 = global_5.member[_e459].member_10.member_20.member;
+let _e13623 = global_5.member[_e459].member_12.member_20.member;
 let _e13631 = (((_e13623.member * _e13108) + (_e13623.member_1 * _e13109)) + (_e13623.member_2 * _e13110));
 let _e13635 = (_e13108 - (_e13623.member * _e13631));
 let _e13636 = (_e13109 - (_e13623.member_1 * _e13631));
 let _e13637 = (_e13110 - (_e13623.member_2 * _e13631));
 let _e13642 = (((_e13635 * _e13635) + (_e13636 * _e13636)) + (_e13637 * _e13637));
-let _e13654 = global_5.member[_e459].member_10.member_20.member_1;
-let _e13661 = global_5.member[_e459].member_10.member_20.member_2;
+let _e13654 = global_5.member[_e459].member_12.member_20.member_1;
+let _e13661 = global_5.member[_e459].member_12.member_20.member_2;
 let _e13662 = ((_e13654 - (sqrt(select(0f, _e13642, (_e13642 > 0f))) / select(1e-20f, _e13631, (_e13631 > 1e-20f)))) * _e13661);
 let _e13664 = select(0f, _e13662, (_e13662 > 0f));
 let _e13666 = select(1f, _e13664, (_e13664 < 1f));
-phi_29370_ = select(1f, select(0f, ((_e13666 * _e13666) * (3f - (2f * _e13666))), (_e13631 > 0f)), (_e13661 > 0f));
+phi_29372_ = select(1f, select(0f, ((_e13666 * _e13666) * (3f - (2f * _e13666))), (_e13631 > 0f)), (_e13661 > 0f));
 }
-let _e13676 = phi_29370_;
+let _e13676 = phi_29372_;
 let _e13678 = select(0f, 1f, (_e13110 > 0f));
 let _e13682 = ((_e13516 * _e13678) + _e13676);
 let _e13683 = ((_e13565 * _e13678) + _e13676);
 let _e13684 = ((_e13615 * _e13678) + _e13676);
 if _e13617 {
-phi_29426_ = 1f;
+phi_29428_ = 1f;
 } else {
-phi_29426_ = (1f / select(1e-12f, _e13115, (_e13115 > 1e-12f)));
+phi_29428_ = (1f / select(1e-12f, _e13115, (_e13115 > 1e-12f)));
 }
-let _e13695 = phi_29426_;
-phi_29431_ = vec3<f32>((select(0f, _e13682, (_e13682 > 0f)) * _e13695), (select(0f, _e13683, (_e13683 > 0f)) * _e13695), (select(0f, _e13684, (_e13684 > 0f)) * _e13695));
+let _e13695 = phi_29428_;
+phi_29433_ = vec3<f32>((select(0f, _e13682, (_e13682 > 0f)) * _e13695), (select(0f, _e13683, (_e13683 > 0f)) * _e13695), (select(0f, _e13684, (_e13684 > 0f)) * _e13695));
 }
-let _e13701 = phi_29431_;
-let _e13706 = global_5.member[_e459].member_9.member_1;
-phi_29691_ = type_35((vec3<f32>(_e13706.member, _e13706.member_1, _e13706.member_2) * _e13701), _e13169);
+let _e13701 = phi_29433_;
+let _e13706 = global_5.member[_e459].member_11.member_1;
+phi_29693_ = type_35((vec3<f32>(_e13706.member, _e13706.member_1, _e13706.member_2) * _e13701), _e13169);
 } else {
 let _e13172 = (_e13098 == 0u);
 if _e13172 {
-let _e13255 = global_5.member[_e459].member_9.member_1;
-let _e13264 = global_5.member[_e459].member_9.member;
-phi_29690_ = type_35(vec3<f32>(_e13255.member, _e13255.member_1, _e13255.member_2), vec3<f32>(_e13264.member, _e13264.member_1, _e13264.member_2));
+let _e13255 = global_5.member[_e459].member_11.member_1;
+let _e13264 = global_5.member[_e459].member_11.member;
+phi_29692_ = type_35(vec3<f32>(_e13255.member, _e13255.member_1, _e13255.member_2), vec3<f32>(_e13264.member, _e13264.member_1, _e13264.member_2));
 } else {
-let _e13177 = global_5.member[_e459].member_9.member_1;
+let _e13177 = global_5.member[_e459].member_11.member_1;
 if _e13172 {
-phi_29534_ = 1f;
+phi_29536_ = 1f;
 } else {
-phi_29534_ = (1f / select(1e-12f, _e13115, (_e13115 > 1e-12f)));
+phi_29536_ = (1f / select(1e-12f, _e13115, (_e13115 > 1e-12f)));
 }
-let _e13185 = phi_29534_;
+let _e13185 = phi_29536_;
 if _e13172 {
-phi_29618_ = 1f;
+phi_29620_ = 1f;
 } else {
-let _e13191 = global_5.member[_e459].member_10.member_20.member;
+let _e13191 = global_5.member[_e459].member_12.member_20.member;
 let _e13199 = (((_e13191.member * _e13108) + (_e13191.member_1 * _e13109)) + (_e13191.member_2 * _e13110));
 let _e13203 = (_e13108 - (_e13191.member * _e13199));
 let _e13204 = (_e13109 - (_e13191.member_1 * _e13199));
 let _e13205 = (_e13110 - (_e13191.member_2 * _e13199));
 let _e13210 = (((_e13203 * _e13203) + (_e13204 * _e13204)) + (_e13205 * _e13205));
-let _e13222 = global_5.member[_e459].member_10.member_20.member_1;
-let _e13229 = global_5.member[_e459].member_10.member_20.member_2;
+let _e13222 = global_5.member[_e459].member_12.member_20.member_1;
+let _e13229 = global_5.member[_e459].member_12.member_20.member_2;
 let _e13230 = ((_e13222 - (sqrt(select(0f, _e13210, (_e13210 > 0f))) / select(1e-20f, _e13199, (_e13199 > 1e-20f)))) * _e13229);
 let _e13232 = select(0f, _e13230, (_e13230 > 0f));
 let _e13234 = select(1f, _e13232, (_e13232 < 1f));
-phi_29618_ = select(1f, select(0f, ((_e13234 * _e13234) * (3f - (2f * _e13234))), (_e13199 > 0f)), (_e13229 > 0f));
+phi_29620_ = select(1f, select(0f, ((_e13234 * _e13234) * (3f - (2f * _e13234))), (_e13199 > 0f)), (_e13229 > 0f));
 }
-let _e13244 = phi_29618_;
+let _e13244 = phi_29620_;
 let _e13245 = (_e13185 * _e13244);
-phi_29690_ = type_35(vec3<f32>((_e13177.member * _e13245), (_e13177.member_1 * _e13245), (_e13177.member_2 * _e13245)), _e13169);
+phi_29692_ = type_35(vec3<f32>((_e13177.member * _e13245), (_e13177.member_1 * _e13245), (_e13177.member_2 * _e13245)), _e13169);
 }
-let _e13271 = phi_29690_;
-phi_29691_ = _e13271;
+let _e13271 = phi_29692_;
+phi_29693_ = _e13271;
 }
-let _e13714 = phi_29691_;
-phi_29692_ = _e13714;
+let _e13714 = phi_29693_;
+phi_29694_ = _e13714;
 }
-let _e13716 = phi_29692_;
+let _e13716 = phi_29694_;
 let _e13725 = (((_e13716.member_1.x * _e13716.member_1.x) + (_e13716.member_1.y * _e13716.member_1.y)) + (_e13716.member_1.z * _e13716.member_1.z));
 let _e13728 = sqrt(select(0f, _e13725, (_e13725 > 0f)));
 let _e13732 = (1e-6f * _e13728);
@@ -4393,9 +4395,9 @@ let _e13794 = (_e6522.member_1.z + (_e6522.member_2.z * _e13786));
 let _e13800 = ((((_e561.member.member * _e13792) + (_e561.member.member_1 * _e13793)) + (_e561.member.member_2 * _e13794)) + _e561.member_1);
 let _e13806 = ((((_e577.member.member * _e13792) + (_e577.member.member_1 * _e13793)) + (_e577.member.member_2 * _e13794)) + _e577.member_1);
 let _e13812 = ((((_e593.member.member * _e13792) + (_e593.member.member_1 * _e13793)) + (_e593.member.member_2 * _e13794)) + _e593.member_1);
-let _e13818 = global_5.member[_e459].member_6.member.member;
-let _e13827 = global_5.member[_e459].member_6.member_1.member;
-let _e13836 = global_5.member[_e459].member_6.member_2.member;
+let _e13818 = global_5.member[_e459].member_8.member.member;
+let _e13827 = global_5.member[_e459].member_8.member_1.member;
+let _e13836 = global_5.member[_e459].member_8.member_2.member;
 let _e13840 = (-0.5f - _e6539);
 let _e13841 = (-0.5f - _e13800);
 let _e13842 = -(_e13840);
@@ -4502,16 +4504,16 @@ let _e14079 = select(select(select(select(select(select(0f, _e13818.member, _e13
 let _e14080 = select(select(select(select(select(select(0f, _e13818.member_1, _e13860), _e13818.member_1, _e13900), _e13827.member_1, _e13940), _e13827.member_1, _e13980), _e13836.member_1, _e14020), _e13836.member_1, _e14060);
 let _e14081 = select(select(select(select(select(select(1f, _e13818.member_2, _e13860), _e13818.member_2, _e13900), _e13827.member_2, _e13940), _e13827.member_2, _e13980), _e13836.member_2, _e14020), _e13836.member_2, _e14060);
 if _e8692 {
-phi_31182_ = type_34(_e14066, vec3<f32>(_e14067, _e14068, _e14069), _e14071, vec3<f32>(_e14072, _e14073, _e14074), _e14076, _e14078, vec3<f32>(_e14079, _e14080, _e14081));
+phi_31184_ = type_34(_e14066, vec3<f32>(_e14067, _e14068, _e14069), _e14071, vec3<f32>(_e14072, _e14073, _e14074), _e14076, _e14078, vec3<f32>(_e14079, _e14080, _e14081));
 } else {
 let _e14088 = (((_e13818.member * _e13818.member) + (_e13818.member_1 * _e13818.member_1)) + (_e13818.member_2 * _e13818.member_2));
 let _e14091 = sqrt(select(0f, _e14088, (_e14088 > 0f)));
-let _e14096 = global_5.member[_e459].member_14.member_1;
+let _e14096 = global_5.member[_e459].member_16.member_1;
 let _e14097 = (_e14096 != 0u);
-let _e14102 = global_5.member[_e459].member_14.member;
+let _e14102 = global_5.member[_e459].member_16.member;
 let _e14122 = select(-1e6f, (((((_e14102.member.member * _e6522.member_1.x) + (_e14102.member.member_1 * _e6522.member_1.y)) + (_e14102.member.member_2 * _e6522.member_1.z)) + _e14102.member_1) * _e14091), _e14097);
 let _e14123 = select(-1e6f, (((((_e14102.member.member * _e13792) + (_e14102.member.member_1 * _e13793)) + (_e14102.member.member_2 * _e13794)) + _e14102.member_1) * _e14091), _e14097);
-let _e14129 = global_5.member[_e459].member_14.member.member;
+let _e14129 = global_5.member[_e459].member_16.member.member;
 let _e14133 = -(_e14122);
 let _e14136 = (_e14122 - _e14123);
 let _e14137 = (_e14123 - _e14122);
@@ -4526,12 +4528,12 @@ let _e14157 = select(_e14066, _e14146, _e14155);
 let _e14161 = select(_e14071, _e14150, _e14156);
 let _e14165 = select(_e14076, _e14122, _e14151);
 let _e14167 = select(_e14078, _e14123, (_e14123 > _e14078));
-let _e14175 = global_5.member[_e459].member_15.member_1;
+let _e14175 = global_5.member[_e459].member_17.member_1;
 let _e14176 = (_e14175 != 0u);
-let _e14181 = global_5.member[_e459].member_15.member;
+let _e14181 = global_5.member[_e459].member_17.member;
 let _e14201 = select(-1e6f, (((((_e14181.member.member * _e6522.member_1.x) + (_e14181.member.member_1 * _e6522.member_1.y)) + (_e14181.member.member_2 * _e6522.member_1.z)) + _e14181.member_1) * _e14091), _e14176);
 let _e14202 = select(-1e6f, (((((_e14181.member.member * _e13792) + (_e14181.member.member_1 * _e13793)) + (_e14181.member.member_2 * _e13794)) + _e14181.member_1) * _e14091), _e14176);
-let _e14208 = global_5.member[_e459].member_15.member.member;
+let _e14208 = global_5.member[_e459].member_17.member.member;
 let _e14212 = -(_e14201);
 let _e14215 = (_e14201 - _e14202);
 let _e14216 = (_e14202 - _e14201);
@@ -4546,12 +4548,12 @@ let _e14236 = select(_e14157, _e14225, _e14234);
 let _e14240 = select(_e14161, _e14229, _e14235);
 let _e14244 = select(_e14165, _e14201, _e14230);
 let _e14246 = select(_e14167, _e14202, (_e14202 > _e14167));
-let _e14254 = global_5.member[_e459].member_16.member_1;
+let _e14254 = global_5.member[_e459].member_18.member_1;
 let _e14255 = (_e14254 != 0u);
-let _e14260 = global_5.member[_e459].member_16.member;
+let _e14260 = global_5.member[_e459].member_18.member;
 let _e14280 = select(-1e6f, (((((_e14260.member.member * _e6522.member_1.x) + (_e14260.member.member_1 * _e6522.member_1.y)) + (_e14260.member.member_2 * _e6522.member_1.z)) + _e14260.member_1) * _e14091), _e14255);
 let _e14281 = select(-1e6f, (((((_e14260.member.member * _e13792) + (_e14260.member.member_1 * _e13793)) + (_e14260.member.member_2 * _e13794)) + _e14260.member_1) * _e14091), _e14255);
-let _e14287 = global_5.member[_e459].member_16.member.member;
+let _e14287 = global_5.member[_e459].member_18.member.member;
 let _e14291 = -(_e14280);
 let _e14294 = (_e14280 - _e14281);
 let _e14295 = (_e14281 - _e14280);
@@ -4566,12 +4568,12 @@ let _e14315 = select(_e14236, _e14304, _e14313);
 let _e14319 = select(_e14240, _e14308, _e14314);
 let _e14323 = select(_e14244, _e14280, _e14309);
 let _e14325 = select(_e14246, _e14281, (_e14281 > _e14246));
-let _e14333 = global_5.member[_e459].member_17.member_1;
+let _e14333 = global_5.member[_e459].member_19.member_1;
 let _e14334 = (_e14333 != 0u);
-let _e14339 = global_5.member[_e459].member_17.member;
+let _e14339 = global_5.member[_e459].member_19.member;
 let _e14359 = select(-1e6f, (((((_e14339.member.member * _e6522.member_1.x) + (_e14339.member.member_1 * _e6522.member_1.y)) + (_e14339.member.member_2 * _e6522.member_1.z)) + _e14339.member_1) * _e14091), _e14334);
 let _e14360 = select(-1e6f, (((((_e14339.member.member * _e13792) + (_e14339.member.member_1 * _e13793)) + (_e14339.member.member_2 * _e13794)) + _e14339.member_1) * _e14091), _e14334);
-let _e14366 = global_5.member[_e459].member_17.member.member;
+let _e14366 = global_5.member[_e459].member_19.member.member;
 let _e14370 = -(_e14359);
 let _e14373 = (_e14359 - _e14360);
 let _e14374 = (_e14360 - _e14359);
@@ -4582,11 +4584,11 @@ let _e14387 = select(2f, select(0f, _e14379, (_e14359 < 0f)), (_e14360 > 0f));
 let _e14388 = (_e14359 > _e14323);
 let _e14392 = ((_e14383 > _e14315) || ((_e14383 == _e14315) && _e14388));
 let _e14393 = (_e14387 < _e14319);
-phi_31182_ = type_34(select(_e14315, _e14383, _e14392), vec3<f32>(select(select(select(select(_e14067, _e14129.member, _e14155), _e14208.member, _e14234), _e14287.member, _e14313), _e14366.member, _e14392), select(select(select(select(_e14068, _e14129.member_1, _e14155), _e14208.member_1, _e14234), _e14287.member_1, _e14313), _e14366.member_1, _e14392), select(select(select(select(_e14069, _e14129.member_2, _e14155), _e14208.member_2, _e14234), _e14287.member_2, _e14313), _e14366.member_2, _e14392)), select(_e14319, _e14387, _e14393), vec3<f32>(select(select(select(select(_e14072, _e14129.member, _e14156), _e14208.member, _e14235), _e14287.member, _e14314), _e14366.member, _e14393), select(select(select(select(_e14073, _e14129.member_1, _e14156), _e14208.member_1, _e14235), _e14287.member_1, _e14314), _e14366.member_1, _e14393), select(select(select(select(_e14074, _e14129.member_2, _e14156), _e14208.member_2, _e14235), _e14287.member_2, _e14314), _e14366.member_2, _e14393)), select(_e14323, _e14359, _e14388), select(_e14325, _e14360, (_e14360 > _e14325)), vec3<f32>(select(select(select(select(_e14079, _e14129.member, _e14151), _e14208.member, _e14230), _e14287.member, _e14309), _e14366.member, _e14388), select(select(select(select(_e14080, _e14129.member_1, _e14151), _e14208.member_1, _e14230), _e14287.member_1, _e14309), _e14366.member_1, _e14388), select(select(select(select(_e14081, _e14129.member_2, _e14151), _e14208.member_2, _e14230), _e14287.member_2, _e14309), _e14366.member_2, _e14388)));
+phi_31184_ = type_34(select(_e14315, _e14383, _e14392), vec3<f32>(select(select(select(select(_e14067, _e14129.member, _e14155), _e14208.member, _e14234), _e14287.member, _e14313), _e14366.member, _e14392), select(select(select(select(_e14068, _e14129.member_1, _e14155), _e14208.member_1, _e14234), _e14287.member_1, _e14313), _e14366.member_1, _e14392), select(select(select(select(_e14069, _e14129.member_2, _e14155), _e14208.member_2, _e14234), _e14287.member_2, _e14313), _e14366.member_2, _e14392)), select(_e14319, _e14387, _e14393), vec3<f32>(select(select(select(select(_e14072, _e14129.member, _e14156), _e14208.member, _e14235), _e14287.member, _e14314), _e14366.member, _e14393), select(select(select(select(_e14073, _e14129.member_1, _e14156), _e14208.member_1, _e14235), _e14287.member_1, _e14314), _e14366.member_1, _e14393), select(select(select(select(_e14074, _e14129.member_2, _e14156), _e14208.member_2, _e14235), _e14287.member_2, _e14314), _e14366.member_2, _e14393)), select(_e14323, _e14359, _e14388), select(_e14325, _e14360, (_e14360 > _e14325)), vec3<f32>(select(select(select(select(_e14079, _e14129.member, _e14151), _e14208.member, _e14230), _e14287.member, _e14309), _e14366.member, _e14388), select(select(select(select(_e14080, _e14129.member_1, _e14151), _e14208.member_1, _e14230), _e14287.member_1, _e14309), _e14366.member_1, _e14388), select(select(select(select(_e14081, _e14129.member_2, _e14151), _e14208.member_2, _e14230), _e14287.member_2, _e14309), _e14366.member_2, _e14388)));
 }
-let _e14413 = phi_31182_;
+let _e14413 = phi_31184_;
 let _e14420 = (_e8903.member_2 * select(0f, 1f, _e6522.member_6));
-let _e14426 = global_5.member[_e459].member_5.member_4;
+let _e14426 = global_5.member[_e459].member_7.member_4;
 let _e14429 = (_e8687.member_3.x * _e14420);
 let _e14431 = (_e8687.member_3.y * _e14420);
 let _e14433 = (_e8687.member_3.z * _e14420);
@@ -4609,44 +4611,44 @@ let _e14487 = (_e6522.member_2.y + ((_e8687.member_4.y * _e14420) * _e482));
 let _e14488 = (_e6522.member_2.z + ((_e8687.member_4.z * _e14420) * _e482));
 let _e14490 = (_e14488 * _e14488);
 let _e14499 = ((_e799 & 1u) != 0u);
-phi_31338_ = vec3<f32>(select(select(select(_e14456, _e14438, _e14472), _e14486, _e14499), _e6522.member_2.x, _e6522.member_8), select(select(select(_e14457, _e14439, _e14472), _e14487, _e14499), _e6522.member_2.y, _e6522.member_8), select(select(select(_e14458, _e14440, _e14472), _e14488, _e14499), _e6522.member_2.z, _e6522.member_8));
-phi_31339_ = (select(_e14472, ((_e14488 <= 0f) || (_e14490 <= (_e14462 * (((_e14486 * _e14486) + (_e14487 * _e14487)) + _e14490)))), _e14499) || _e6522.member_8);
+phi_31340_ = vec3<f32>(select(select(select(_e14456, _e14438, _e14472), _e14486, _e14499), _e6522.member_2.x, _e6522.member_8), select(select(select(_e14457, _e14439, _e14472), _e14487, _e14499), _e6522.member_2.y, _e6522.member_8), select(select(select(_e14458, _e14440, _e14472), _e14488, _e14499), _e6522.member_2.z, _e6522.member_8));
+phi_31341_ = (select(_e14472, ((_e14488 <= 0f) || (_e14490 <= (_e14462 * (((_e14486 * _e14486) + (_e14487 * _e14487)) + _e14490)))), _e14499) || _e6522.member_8);
 } else {
-phi_31338_ = _e6522.member_2;
-phi_31339_ = false;
+phi_31340_ = _e6522.member_2;
+phi_31341_ = false;
 }
-let _e14511 = phi_31338_;
-let _e14513 = phi_31339_;
+let _e14511 = phi_31340_;
+let _e14513 = phi_31341_;
 let _e14524 = ((((_e556 || _e6522.member_7) || (_e14511.x != _e463[3])) || (_e14511.y != _e463[4])) || (_e14511.z != _e463[5]));
 let _e14526 = select(_e13036, _e13034, (_e13034 > _e13036));
 let _e14534 = select(select(0f, 2f, _e14513), 1f, (_e556 || (((1f - _e13779) * select(_e13038, _e14526, (_e14526 > _e13038))) < 9.765625e-4f)));
 let _e14538 = ((_e14534 == 2f) && !(_e6522.member_8));
-phi_31499_ = array<f32, 18>(select(select(_e463[0], select(_e6522.member_1.x, _e10841, _e556), _e14524), _e492, _e14538), select(select(_e463[1], select(_e6522.member_1.y, _e10842, _e556), _e14524), _e494, _e14538), select(select(_e463[2], select(_e6522.member_1.z, _e10843, _e556), _e14524), _e488, _e14538), select(_e14511.x, _e6524.x, _e14538), select(_e14511.y, _e6524.y, _e14538), select(_e14511.z, _e6524.z, _e14538), select(_e8687.member, _e1607, _e14538), _e14534, select(select(_e13043, (_e13043 + (_e13766 * _e10843)), _e556), _e463[8], _e14538), select(select(_e13026, (_e13026 + ((_e13034 * (select(_e1200.member, _e1187.member, _e1174) * (((_e13716.member.x * _e13736) * _e13756) + _e12999.member))) * _e13766)), _e556), _e463[9], _e14538), select(select(_e13027, (_e13027 + ((_e13036 * (select(_e1200.member_1, _e1187.member_1, _e1174) * (((_e13716.member.y * _e13736) * _e13756) + _e12999.member_1))) * _e13766)), _e556), _e463[10], _e14538), select(select(_e13028, (_e13028 + ((_e13038 * (select(_e1200.member_2, _e1187.member_2, _e1174) * (((_e13716.member.z * _e13736) * _e13756) + _e12999.member_2))) * _e13766)), _e556), _e463[11], _e14538), select(_e13779, _e463[12], _e14538), select(_e13034, _e463[13], _e14538), select(_e13036, _e463[14], _e14538), select(_e13038, _e463[15], _e14538), select(select(0f, _e8687.member_2, (_e6522.member_6 && !(_e556))), select(0f, _e6528, _e6526), _e14538), select(select(_e6522.member_1.z, -1.2676506e30f, _e6522.member_8), _e488, _e14538));
+phi_31501_ = array<f32, 18>(select(select(_e463[0], select(_e6522.member_1.x, _e10841, _e556), _e14524), _e492, _e14538), select(select(_e463[1], select(_e6522.member_1.y, _e10842, _e556), _e14524), _e494, _e14538), select(select(_e463[2], select(_e6522.member_1.z, _e10843, _e556), _e14524), _e488, _e14538), select(_e14511.x, _e6524.x, _e14538), select(_e14511.y, _e6524.y, _e14538), select(_e14511.z, _e6524.z, _e14538), select(_e8687.member, _e1607, _e14538), _e14534, select(select(_e13043, (_e13043 + (_e13766 * _e10843)), _e556), _e463[8], _e14538), select(select(_e13026, (_e13026 + ((_e13034 * (select(_e1200.member, _e1187.member, _e1174) * (((_e13716.member.x * _e13736) * _e13756) + _e12999.member))) * _e13766)), _e556), _e463[9], _e14538), select(select(_e13027, (_e13027 + ((_e13036 * (select(_e1200.member_1, _e1187.member_1, _e1174) * (((_e13716.member.y * _e13736) * _e13756) + _e12999.member_1))) * _e13766)), _e556), _e463[10], _e14538), select(select(_e13028, (_e13028 + ((_e13038 * (select(_e1200.member_2, _e1187.member_2, _e1174) * (((_e13716.member.z * _e13736) * _e13756) + _e12999.member_2))) * _e13766)), _e556), _e463[11], _e14538), select(_e13779, _e463[12], _e14538), select(_e13034, _e463[13], _e14538), select(_e13036, _e463[14], _e14538), select(_e13038, _e463[15], _e14538), select(select(0f, _e8687.member_2, (_e6522.member_6 && !(_e556))), select(0f, _e6528, _e6526), _e14538), select(select(_e6522.member_1.z, -1.2676506e30f, _e6522.member_8), _e488, _e14538));
 } else {
-phi_31499_ = _e463;
+phi_31501_ = _e463;
 }
-let _e14575 = phi_31499_;
-phi_688_ = (_e459 + 1u);
-phi_691_ = select(_e461, true, _e1150);
-phi_693_ = _e14575;
+let _e14575 = phi_31501_;
+phi_690_ = (_e459 + 1u);
+phi_693_ = select(_e461, true, _e1150);
+phi_695_ = _e14575;
 } else {
-phi_688_ = u32();
-phi_691_ = bool();
-phi_693_ = array<f32, 18>();
+phi_690_ = u32();
+phi_693_ = bool();
+phi_695_ = array<f32, 18>();
 }
-let _e14579 = phi_688_;
-let _e14581 = phi_691_;
-let _e14583 = phi_693_;
+let _e14579 = phi_690_;
+let _e14581 = phi_693_;
+let _e14583 = phi_695_;
 continue;
 continuing {
-phi_687_ = _e14579;
-phi_690_ = _e14581;
-phi_692_ = _e14583;
-phi_31690_ = false;
+phi_689_ = _e14579;
+phi_692_ = _e14581;
+phi_694_ = _e14583;
+phi_31692_ = false;
 break if !(_e464);
 }
 }
-let _e14586 = phi_31690_;
+let _e14586 = phi_31692_;
 if _e14586 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_23 {
 member: array<u32>,
@@ -273,63 +275,63 @@ var local_36: f32;
 var local_37: f32;
 var local_38: type_28;
 var local_39: vec3<f32>;
-var phi_689_: u32;
-var phi_692_: bool;
-var phi_694_: array<f32, 18>;
-var phi_1449_: bool;
-var phi_1629_: bool;
-var phi_1632_: bool;
-var phi_2989_: f32;
-var phi_4595_: type_34;
-var phi_4608_: bool;
-var phi_4638_: type_39;
-var phi_4650_: bool;
-var phi_5786_: type_31;
-var phi_7309_: type_34;
-var phi_8477_: type_31;
-var phi_10015_: type_34;
-var phi_11183_: type_31;
-var phi_12721_: type_34;
-var phi_14469_: type_31;
-var phi_14482_: type_38;
-var phi_14483_: vec3<f32>;
-var phi_14484_: bool;
-var phi_14485_: f32;
-var phi_19918_: type_32;
-var phi_20621_: type_33;
-var phi_21034_: type_7;
-var phi_25199_: type_40;
-var phi_26728_: i32;
-var phi_27305_: vec3<f32>;
-var phi_27712_: vec3<f32>;
-var phi_27806_: f32;
-var phi_27848_: f32;
-var phi_26214_: vec3<f32>;
-var phi_27880_: type_35;
-var phi_25313_: f32;
-var phi_25397_: f32;
-var phi_25469_: type_35;
-var phi_27881_: type_35;
-var phi_27964_: f32;
-var phi_27965_: f32;
-var phi_28222_: vec3<f32>;
-var phi_29152_: f32;
-var phi_29236_: f32;
-var phi_29308_: type_35;
-var phi_28651_: u32;
-var phi_28988_: f32;
-var phi_29044_: f32;
-var phi_29049_: vec3<f32>;
-var phi_29309_: type_35;
+var phi_691_: u32;
+var phi_694_: bool;
+var phi_696_: array<f32, 18>;
+var phi_1451_: bool;
+var phi_1631_: bool;
+var phi_1634_: bool;
+var phi_2991_: f32;
+var phi_4597_: type_34;
+var phi_4610_: bool;
+var phi_4640_: type_39;
+var phi_4652_: bool;
+var phi_5788_: type_31;
+var phi_7311_: type_34;
+var phi_8479_: type_31;
+var phi_10017_: type_34;
+var phi_11185_: type_31;
+var phi_12723_: type_34;
+var phi_14471_: type_31;
+var phi_14484_: type_38;
+var phi_14485_: vec3<f32>;
+var phi_14486_: bool;
+var phi_14487_: f32;
+var phi_19920_: type_32;
+var phi_20623_: type_33;
+var phi_21036_: type_7;
+var phi_25201_: type_40;
+var phi_26730_: i32;
+var phi_27307_: vec3<f32>;
+var phi_27714_: vec3<f32>;
+var phi_27808_: f32;
+var phi_27850_: f32;
+var phi_26216_: vec3<f32>;
+var phi_27882_: type_35;
+var phi_25315_: f32;
+var phi_25399_: f32;
+var phi_25471_: type_35;
+var phi_27883_: type_35;
+var phi_27966_: f32;
+var phi_27967_: f32;
+var phi_28224_: vec3<f32>;
+var phi_29154_: f32;
+var phi_29238_: f32;
 var phi_29310_: type_35;
-var phi_30800_: type_34;
-var phi_30956_: vec3<f32>;
-var phi_30957_: bool;
-var phi_31117_: array<f32, 18>;
-var phi_690_: u32;
-var phi_693_: bool;
-var phi_695_: array<f32, 18>;
-var phi_31308_: bool;
+var phi_28653_: u32;
+var phi_28990_: f32;
+var phi_29046_: f32;
+var phi_29051_: vec3<f32>;
+var phi_29311_: type_35;
+var phi_29312_: type_35;
+var phi_30802_: type_34;
+var phi_30958_: vec3<f32>;
+var phi_30959_: bool;
+var phi_31119_: array<f32, 18>;
+var phi_692_: u32;
+var phi_695_: bool;
+var phi_697_: array<f32, 18>;
+var phi_31310_: bool;
 var local_40: bool;
 var local_41: array<f32, 18>;
 var local_42: array<f32, 18>;
@@ -439,13 +441,13 @@ let _e449 = ((17u * _e259) + _e261);
 let _e450 = bitcast<i32>(_e449);
 let _e452 = select(_e264, _e450, (_e450 < _e264));
 let _e458 = global_4.member[bitcast<u32>(select(0i, _e452, (_e452 > 0i)))];
-phi_689_ = 0u;
-phi_692_ = false;
-phi_694_ = array<f32, 18>(_e272, _e282, _e293, _e304, _e315, _e326, _e337, _e348, _e359, _e370, _e381, _e392, _e403, _e414, _e425, _e436, _e447, _e458);
+phi_691_ = 0u;
+phi_694_ = false;
+phi_696_ = array<f32, 18>(_e272, _e282, _e293, _e304, _e315, _e326, _e337, _e348, _e359, _e370, _e381, _e392, _e403, _e414, _e425, _e436, _e447, _e458);
 loop {
-let _e461 = phi_689_;
-let _e463 = phi_692_;
-let _e465 = phi_694_;
+let _e461 = phi_691_;
+let _e463 = phi_694_;
+let _e465 = phi_696_;
 local_40 = _e463;
 local_41 = _e465;
 local_42 = _e465;
@@ -469,47 +471,47 @@ let _e466 = (_e461 < _e224);
 if _e466 {
 if _e466 {
 } else {
-phi_31308_ = true;
+phi_31310_ = true;
 break;
 }
 let _e470 = global_5.member[_e461].member;
-let _e484 = global_5.member[_e461].member_5.member_2;
+let _e484 = global_5.member[_e461].member_7.member_2;
 let _e485 = (_e484 / _e465[5]);
-let _e490 = global_5.member[_e461].member_5.member;
+let _e490 = global_5.member[_e461].member_7.member;
 let _e492 = ((_e490 - _e465[2]) / _e465[5]);
 let _e494 = (_e465[0] + (_e465[3] * _e492));
 let _e496 = (_e465[1] + (_e465[4] * _e492));
 let _e498 = (_e494 + (_e465[3] * _e485));
 let _e500 = (_e496 + (_e465[4] * _e485));
-let _e505 = global_5.member[_e461].member_5.member_1;
-let _e511 = global_5.member[_e461].member_13.member.member;
+let _e505 = global_5.member[_e461].member_7.member_1;
+let _e511 = global_5.member[_e461].member_15.member.member;
 let _e522 = ((((_e511.member.member * _e494) + (_e511.member.member_1 * _e496)) + (_e511.member.member_2 * _e490)) + _e511.member_1);
 let _e528 = ((((_e511.member.member * _e498) + (_e511.member.member_1 * _e500)) + (_e511.member.member_2 * _e505)) + _e511.member_1);
 let _e531 = ((_e522 > 0f) && (_e528 <= 0f));
-let _e537 = global_5.member[_e461].member_13.member_1.member;
+let _e537 = global_5.member[_e461].member_15.member_1.member;
 let _e548 = ((((_e537.member.member * _e494) + (_e537.member.member_1 * _e496)) + (_e537.member.member_2 * _e490)) + _e537.member_1);
 let _e554 = ((((_e537.member.member * _e498) + (_e537.member.member_1 * _e500)) + (_e537.member.member_2 * _e505)) + _e537.member_1);
 let _e557 = ((_e548 > 0f) && (_e554 <= 0f));
 let _e558 = (_e531 || _e557);
-let _e563 = global_5.member[_e461].member_6.member;
+let _e563 = global_5.member[_e461].member_8.member;
 let _e574 = ((((_e563.member.member * _e494) + (_e563.member.member_1 * _e496)) + (_e563.member.member_2 * _e490)) + _e563.member_1);
-let _e579 = global_5.member[_e461].member_6.member_1;
+let _e579 = global_5.member[_e461].member_8.member_1;
 let _e590 = ((((_e579.member.member * _e494) + (_e579.member.member_1 * _e496)) + (_e579.member.member_2 * _e490)) + _e579.member_1);
-let _e595 = global_5.member[_e461].member_6.member_2;
+let _e595 = global_5.member[_e461].member_8.member_2;
 let _e606 = ((((_e595.member.member * _e494) + (_e595.member.member_1 * _e496)) + (_e595.member.member_2 * _e490)) + _e595.member_1);
 let _e612 = ((((_e563.member.member * _e498) + (_e563.member.member_1 * _e500)) + (_e563.member.member_2 * _e505)) + _e563.member_1);
 let _e618 = ((((_e579.member.member * _e498) + (_e579.member.member_1 * _e500)) + (_e579.member.member_2 * _e505)) + _e579.member_1);
 let _e624 = ((((_e595.member.member * _e498) + (_e595.member.member_1 * _e500)) + (_e595.member.member_2 * _e505)) + _e595.member_1);
-let _e629 = global_5.member[_e461].member_6.member_4;
-let _e635 = global_5.member[_e461].member_6.member_3.member;
+let _e629 = global_5.member[_e461].member_8.member_4;
+let _e635 = global_5.member[_e461].member_8.member_3.member;
 let _e636 = (_e635 - 0.5f);
 let _e638 = select(-0.5f, _e612, (_e612 > -0.5f));
 let _e640 = select(_e636, _e638, (_e638 < _e636));
-let _e646 = global_5.member[_e461].member_6.member_3.member_1;
+let _e646 = global_5.member[_e461].member_8.member_3.member_1;
 let _e647 = (_e646 - 0.5f);
 let _e649 = select(-0.5f, _e618, (_e618 > -0.5f));
 let _e651 = select(_e647, _e649, (_e649 < _e647));
-let _e657 = global_5.member[_e461].member_6.member_3.member_2;
+let _e657 = global_5.member[_e461].member_8.member_3.member_2;
 let _e658 = (_e657 - 0.5f);
 let _e660 = select(-0.5f, _e624, (_e624 > -0.5f));
 let _e662 = select(_e658, _e660, (_e660 < _e658));
@@ -529,7 +531,7 @@ let _e698 = (_e635 - 1f);
 let _e700 = select(0f, _e697, (_e697 > 0f));
 let _e702 = select(_e698, _e700, (_e700 < _e698));
 let _e709 = select(0i, select(select(i32(_e702), i32(-2147483648), (_e702 < -2147483600f)), 2147483647i, (_e702 > 2147483500f)), (_e702 == _e702));
-let _e718 = global_5.member[_e461].member_6.member_12;
+let _e718 = global_5.member[_e461].member_8.member_12;
 let _e719 = (_e718 & 31u);
 let _e722 = (_e651 + 0.5f);
 let _e723 = (_e646 - 1f);
@@ -541,9 +543,9 @@ let _e742 = (_e657 - 1f);
 let _e744 = select(0f, _e741, (_e741 > 0f));
 let _e746 = select(_e742, _e744, (_e744 < _e742));
 let _e753 = select(0i, select(select(i32(_e746), i32(-2147483648), (_e746 < -2147483600f)), 2147483647i, (_e746 > 2147483500f)), (_e746 == _e746));
-let _e765 = global_5.member[_e461].member_6.member_9.member;
-let _e772 = global_5.member[_e461].member_6.member_9.member_1;
-let _e778 = global_5.member[_e461].member_6.member_10;
+let _e765 = global_5.member[_e461].member_8.member_9.member;
+let _e772 = global_5.member[_e461].member_8.member_9.member_1;
+let _e778 = global_5.member[_e461].member_8.member_10;
 let _e784 = ((bitcast<i32>(_e778) + ((_e709 - select(0i, 1i, (_e702 < f32(_e709)))) >> bitcast<u32>(_e719))) + (bitcast<i32>(_e765) * (((_e734 - select(0i, 1i, (_e727 < f32(_e734)))) >> bitcast<u32>(_e719)) + (bitcast<i32>(_e772) * ((_e753 - select(0i, 1i, (_e746 < f32(_e753)))) >> bitcast<u32>(_e719))))));
 let _e786 = (bitcast<i32>(arrayLength((&global_6.member))) - 1i);
 let _e788 = select(_e786, _e784, (_e784 < _e786));
@@ -562,22 +564,22 @@ let _e853 = (_e657 - _e842);
 let _e856 = ((((_e574 >= _e841) && (_e574 <= _e844)) && ((_e590 >= _e841) && (_e590 <= _e848))) && ((_e606 >= _e841) && (_e606 <= _e853)));
 let _e858 = ((_e801 & 16u) == 0u);
 if _e858 {
-phi_1449_ = _e856;
+phi_1451_ = _e856;
 } else {
-let _e864 = global_5.member[_e461].member_6.member.member;
+let _e864 = global_5.member[_e461].member_8.member.member;
 let _e872 = (((_e864.member * _e864.member) + (_e864.member_1 * _e864.member_1)) + (_e864.member_2 * _e864.member_2));
-let _e881 = global_5.member[_e461].member_14.member;
+let _e881 = global_5.member[_e461].member_16.member;
 let _e893 = -((0.5f / sqrt(select(0f, _e872, (_e872 > 0f)))));
-let _e899 = global_5.member[_e461].member_14.member_1;
-let _e906 = global_5.member[_e461].member_15.member;
-let _e923 = global_5.member[_e461].member_15.member_1;
-let _e931 = global_5.member[_e461].member_16.member;
-let _e948 = global_5.member[_e461].member_16.member_1;
-let _e956 = global_5.member[_e461].member_17.member;
-let _e973 = global_5.member[_e461].member_17.member_1;
-phi_1449_ = (_e856 && (((((((((_e881.member.member * _e494) + (_e881.member.member_1 * _e496)) + (_e881.member.member_2 * _e490)) + _e881.member_1) <= _e893) || (_e899 == 0u)) && ((((((_e906.member.member * _e494) + (_e906.member.member_1 * _e496)) + (_e906.member.member_2 * _e490)) + _e906.member_1) <= _e893) || (_e923 == 0u))) && ((((((_e931.member.member * _e494) + (_e931.member.member_1 * _e496)) + (_e931.member.member_2 * _e490)) + _e931.member_1) <= _e893) || (_e948 == 0u))) && ((((((_e956.member.member * _e494) + (_e956.member.member_1 * _e496)) + (_e956.member.member_2 * _e490)) + _e956.member_1) <= _e893) || (_e973 == 0u))));
+let _e899 = global_5.member[_e461].member_16.member_1;
+let _e906 = global_5.member[_e461].member_17.member;
+let _e923 = global_5.member[_e461].member_17.member_1;
+let _e931 = global_5.member[_e461].member_18.member;
+let _e948 = global_5.member[_e461].member_18.member_1;
+let _e956 = global_5.member[_e461].member_19.member;
+let _e973 = global_5.member[_e461].member_19.member_1;
+phi_1451_ = (_e856 && (((((((((_e881.member.member * _e494) + (_e881.member.member_1 * _e496)) + (_e881.member.member_2 * _e490)) + _e881.member_1) <= _e893) || (_e899 == 0u)) && ((((((_e906.member.member * _e494) + (_e906.member.member_1 * _e496)) + (_e906.member.member_2 * _e490)) + _e906.member_1) <= _e893) || (_e923 == 0u))) && ((((((_e931.member.member * _e494) + (_e931.member.member_1 * _e496)) + (_e931.member.member_2 * _e490)) + _e931.member_1) <= _e893) || (_e948 == 0u))) && ((((((_e956.member.member * _e494) + (_e956.member.member_1 * _e496)) + (_e956.member.member_2 * _e490)) + _e956.member_1) <= _e893) || (_e973 == 0u))));
 }
-let _e979 = phi_1449_;
+let _e979 = phi_1451_;
 let _e983 = (_e498 + (_e498 - _e494));
 let _e984 = (_e500 + (_e500 - _e496));
 let _e985 = (_e505 + (_e505 - _e490));
@@ -586,27 +588,27 @@ let _e997 = ((((_e579.member.member * _e983) + (_e579.member.member_1 * _e984)) 
 let _e1003 = ((((_e595.member.member * _e983) + (_e595.member.member_1 * _e984)) + (_e595.member.member_2 * _e985)) + _e595.member_1);
 let _e1014 = ((((_e991 >= _e841) && (_e991 <= _e844)) && ((_e997 >= _e841) && (_e997 <= _e848))) && ((_e1003 >= _e841) && (_e1003 <= _e853)));
 if _e858 {
-phi_1629_ = _e1014;
+phi_1631_ = _e1014;
 } else {
-let _e1020 = global_5.member[_e461].member_6.member.member;
+let _e1020 = global_5.member[_e461].member_8.member.member;
 let _e1028 = (((_e1020.member * _e1020.member) + (_e1020.member_1 * _e1020.member_1)) + (_e1020.member_2 * _e1020.member_2));
-let _e1037 = global_5.member[_e461].member_14.member;
+let _e1037 = global_5.member[_e461].member_16.member;
 let _e1049 = -((0.5f / sqrt(select(0f, _e1028, (_e1028 > 0f)))));
-let _e1055 = global_5.member[_e461].member_14.member_1;
-let _e1062 = global_5.member[_e461].member_15.member;
-let _e1079 = global_5.member[_e461].member_15.member_1;
-let _e1087 = global_5.member[_e461].member_16.member;
-let _e1104 = global_5.member[_e461].member_16.member_1;
-let _e1112 = global_5.member[_e461].member_17.member;
-let _e1129 = global_5.member[_e461].member_17.member_1;
-phi_1629_ = (_e1014 && (((((((((_e1037.member.member * _e983) + (_e1037.member.member_1 * _e984)) + (_e1037.member.member_2 * _e985)) + _e1037.member_1) <= _e1049) || (_e1055 == 0u)) && ((((((_e1062.member.member * _e983) + (_e1062.member.member_1 * _e984)) + (_e1062.member.member_2 * _e985)) + _e1062.member_1) <= _e1049) || (_e1079 == 0u))) && ((((((_e1087.member.member * _e983) + (_e1087.member.member_1 * _e984)) + (_e1087.member.member_2 * _e985)) + _e1087.member_1) <= _e1049) || (_e1104 == 0u))) && ((((((_e1112.member.member * _e983) + (_e1112.member.member_1 * _e984)) + (_e1112.member.member_2 * _e985)) + _e1112.member_1) <= _e1049) || (_e1129 == 0u))));
+let _e1055 = global_5.member[_e461].member_16.member_1;
+let _e1062 = global_5.member[_e461].member_17.member;
+let _e1079 = global_5.member[_e461].member_17.member_1;
+let _e1087 = global_5.member[_e461].member_18.member;
+let _e1104 = global_5.member[_e461].member_18.member_1;
+let _e1112 = global_5.member[_e461].member_19.member;
+let _e1129 = global_5.member[_e461].member_19.member_1;
+phi_1631_ = (_e1014 && (((((((((_e1037.member.member * _e983) + (_e1037.member.member_1 * _e984)) + (_e1037.member.member_2 * _e985)) + _e1037.member_1) <= _e1049) || (_e1055 == 0u)) && ((((((_e1062.member.member * _e983) + (_e1062.member.member_1 * _e984)) + (_e1062.member.member_2 * _e985)) + _e1062.member_1) <= _e1049) || (_e1079 == 0u))) && ((((((_e1087.member.member * _e983) + (_e1087.member.member_1 * _e984)) + (_e1087.member.member_2 * _e985)) + _e1087.member_1) <= _e1049) || (_e1104 == 0u))) && ((((((_e1112.member.member * _e983) + (_e1112.member.member_1 * _e984)) + (_e1112.member.member_2 * _e985)) + _e1112.member_1) <= _e1049) || (_e1129 == 0u))));
 }
-let _e1135 = phi_1629_;
-phi_1632_ = (_e831 && (_e979 && _e1135));
+let _e1135 = phi_1631_;
+phi_1634_ = (_e831 && (_e979 && _e1135));
 } else {
-phi_1632_ = _e831;
+phi_1634_ = _e831;
 }
-let _e1139 = phi_1632_;
+let _e1139 = phi_1634_;
 let _e1140 = (_e465[17] == -1.2676506e30f);
 let _e1142 = (_e465[17] != _e490);
 let _e1152 = (select(0u, select(select(31u, select(select(3u, 7u, _e1142), 15u, _e558), (_e1139 && !((_e840 && _e1140)))), select(1u, 15u, _e558), (((_e801 & 64u) != 0u) || ((((select(_e676, _e673, (_e673 > _e676)) <= _e629) && ((select(_e693, _e690, (_e690 > _e693)) > _e629) || (_e794 != 0u))) && true) && ((_e801 & 32u) != 0u)))), (_e465[7] == 0f)) > 1u);
@@ -617,10 +619,10 @@ let _e1168 = (_e522 / select(1e-20f, _e1165, (_e1165 > 1e-20f)));
 let _e1169 = (_e548 - _e554);
 let _e1172 = (_e548 / select(1e-20f, _e1169, (_e1169 > 1e-20f)));
 let _e1176 = (_e557 && (!(_e531) || (_e1172 < _e1168)));
-let _e1183 = global_5.member[_e461].member_13.member_1.member.member;
-let _e1189 = global_5.member[_e461].member_13.member_1.member_1;
-let _e1196 = global_5.member[_e461].member_13.member.member.member;
-let _e1202 = global_5.member[_e461].member_13.member.member_1;
+let _e1183 = global_5.member[_e461].member_15.member_1.member.member;
+let _e1189 = global_5.member[_e461].member_15.member_1.member_1;
+let _e1196 = global_5.member[_e461].member_15.member.member.member;
+let _e1202 = global_5.member[_e461].member_15.member.member_1;
 let _e1221 = select(_e1168, _e1172, _e1176);
 let _e1223 = select(-0.5f, _e574, (_e574 > -0.5f));
 let _e1225 = select(_e636, _e1223, (_e1223 < _e636));
@@ -640,14 +642,14 @@ let _e1265 = select(-1f, _e1233, (_e1233 > -1f));
 let _e1267 = select(_e657, _e1265, (_e1265 < _e657));
 let _e1274 = select(0i, select(select(i32(_e1267), i32(-2147483648), (_e1267 < -2147483600f)), 2147483647i, (_e1267 > 2147483500f)), (_e1267 == _e1267));
 let _e1278 = (_e1274 - select(0i, 1i, (_e1267 < f32(_e1274))));
-let _e1283 = global_5.member[_e461].member_6.member_7;
-let _e1288 = global_5.member[_e461].member_6.member_8;
+let _e1283 = global_5.member[_e461].member_8.member_7;
+let _e1288 = global_5.member[_e461].member_8.member_8;
 let _e1289 = (_e1248 + 1i);
 let _e1290 = (_e1263 + 1i);
 let _e1291 = (_e1278 + 1i);
-let _e1297 = global_5.member[_e461].member_6.member_11.member;
+let _e1297 = global_5.member[_e461].member_8.member_11.member;
 let _e1298 = bitcast<i32>(_e1297);
-let _e1304 = global_5.member[_e461].member_6.member_11.member_1;
+let _e1304 = global_5.member[_e461].member_8.member_11.member_1;
 let _e1305 = bitcast<i32>(_e1304);
 let _e1315 = ((_e1289 >> bitcast<u32>(4i)) + (_e1298 * ((_e1290 >> bitcast<u32>(4i)) + (_e1305 * (_e1291 >> bitcast<u32>(4i))))));
 let _e1317 = (bitcast<i32>(arrayLength((&global_1.member))) - 1i);
@@ -726,8 +728,8 @@ let _e1553 = local_38.member_1[2u];
 let _e1560 = local_39[0u];
 let _e1564 = local_39[1u];
 let _e1569 = local_39[2u];
-let _e1577 = global_5.member[_e461].member_6.member_6;
-let _e1582 = global_5.member[_e461].member_6.member_5;
+let _e1577 = global_5.member[_e461].member_8.member_6;
+let _e1582 = global_5.member[_e461].member_8.member_5;
 let _e1584 = (((_e1461 + (((_e1512 + (((_e1552 + ((f32(bitcast<i32>(((_e1545 >> bitcast<u32>((_e1553 & 31u))) & 255u))) - _e1552) * _e1560)) - _e1512) * _e1564)) - _e1461) * _e1569)) - _e1577) * _e1582);
 let _e1585 = -(1e9f);
 let _e1587 = select(_e1585, _e1584, (_e1584 > _e1585));
@@ -792,11 +794,11 @@ let _e1764 = select(_e1594, 262144i, (262144i < _e1594));
 let _e1770 = global_2.member[bitcast<u32>(select(0i, _e1764, (_e1764 > 0i)))];
 let _e1773 = select(_e1594, 262145i, (262145i < _e1594));
 let _e1779 = global_2.member[bitcast<u32>(select(0i, _e1773, (_e1773 > 0i)))];
-phi_2989_ = select(_e465[16], ((bitcast<f32>(_e1770) + (f32(bitcast<i32>((_e1744 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1779))) + ((f32((bitcast<i32>((_e1744 & 4095u)) - 2048i)) * bitcast<f32>(_e1760)) * (_e1720 - f32(_e1735)))), _e1142);
+phi_2991_ = select(_e465[16], ((bitcast<f32>(_e1770) + (f32(bitcast<i32>((_e1744 >> bitcast<u32>(12u)))) * bitcast<f32>(_e1779))) + ((f32((bitcast<i32>((_e1744 & 4095u)) - 2048i)) * bitcast<f32>(_e1760)) * (_e1720 - f32(_e1735)))), _e1142);
 } else {
-phi_2989_ = _e465[16];
+phi_2991_ = _e465[16];
 }
-let _e1789 = phi_2989_;
+let _e1789 = phi_2991_;
 let _e1790 = (_e498 - _e494);
 let _e1791 = (_e500 - _e496);
 let _e1792 = (_e505 - _e490);
@@ -847,9 +849,9 @@ let _e1882 = select(_e1844, _e1819, (_e1819 > _e1844));
 let _e1885 = (select(_e1876, _e1878, (_e1878 < _e1876)) - select(_e1869, _e1882, (_e1882 > _e1869)));
 let _e1888 = (_e1800 * select(0f, _e1885, (_e1885 > 0f)));
 if _e840 {
-let _e1903 = global_5.member[_e461].member_6.member.member;
-let _e1912 = global_5.member[_e461].member_6.member_1.member;
-let _e1921 = global_5.member[_e461].member_6.member_2.member;
+let _e1903 = global_5.member[_e461].member_8.member.member;
+let _e1912 = global_5.member[_e461].member_8.member_1.member;
+let _e1921 = global_5.member[_e461].member_8.member_2.member;
 let _e1925 = (-0.5f - _e612);
 let _e1926 = -(_e1805);
 let _e1929 = (_e1805 - _e1925);
@@ -954,16 +956,16 @@ let _e2162 = select(select(select(select(select(select(0f, _e1903.member_1, _e19
 let _e2163 = select(select(select(select(select(select(1f, _e1903.member_2, _e1944), _e1903.member_2, _e1984), _e1912.member_2, _e2023), _e1912.member_2, _e2063), _e1921.member_2, _e2102), _e1921.member_2, _e2142);
 let _e2167 = ((_e801 & 16u) == 0u);
 if _e2167 {
-phi_4595_ = type_34(_e2148, vec3<f32>(_e2149, _e2150, _e2151), _e2153, vec3<f32>(_e2154, _e2155, _e2156), _e2158, _e2160, vec3<f32>(_e2161, _e2162, _e2163));
+phi_4597_ = type_34(_e2148, vec3<f32>(_e2149, _e2150, _e2151), _e2153, vec3<f32>(_e2154, _e2155, _e2156), _e2158, _e2160, vec3<f32>(_e2161, _e2162, _e2163));
 } else {
 let _e2172 = (((_e1903.member * _e1903.member) + (_e1903.member_1 * _e1903.member_1)) + (_e1903.member_2 * _e1903.member_2));
 let _e2175 = sqrt(select(0f, _e2172, (_e2172 > 0f)));
-let _e2180 = global_5.member[_e461].member_14.member_1;
+let _e2180 = global_5.member[_e461].member_16.member_1;
 let _e2181 = (_e2180 != 0u);
-let _e2186 = global_5.member[_e461].member_14.member;
+let _e2186 = global_5.member[_e461].member_16.member;
 let _e2206 = select(-1e6f, (((((_e2186.member.member * _e494) + (_e2186.member.member_1 * _e496)) + (_e2186.member.member_2 * _e490)) + _e2186.member_1) * _e2175), _e2181);
 let _e2207 = select(-1e6f, (((((_e2186.member.member * _e498) + (_e2186.member.member_1 * _e500)) + (_e2186.member.member_2 * _e505)) + _e2186.member_1) * _e2175), _e2181);
-let _e2213 = global_5.member[_e461].member_14.member.member;
+let _e2213 = global_5.member[_e461].member_16.member.member;
 let _e2217 = -(_e2206);
 let _e2220 = (_e2206 - _e2207);
 let _e2221 = (_e2207 - _e2206);
@@ -978,12 +980,12 @@ let _e2241 = select(_e2148, _e2230, _e2239);
 let _e2245 = select(_e2153, _e2234, _e2240);
 let _e2249 = select(_e2158, _e2206, _e2235);
 let _e2251 = select(_e2160, _e2207, (_e2207 > _e2160));
-let _e2259 = global_5.member[_e461].member_15.member_1;
+let _e2259 = global_5.member[_e461].member_17.member_1;
 let _e2260 = (_e2259 != 0u);
-let _e2265 = global_5.member[_e461].member_15.member;
+let _e2265 = global_5.member[_e461].member_17.member;
 let _e2285 = select(-1e6f, (((((_e2265.member.member * _e494) + (_e2265.member.member_1 * _e496)) + (_e2265.member.member_2 * _e490)) + _e2265.member_1) * _e2175), _e2260);
 let _e2286 = select(-1e6f, (((((_e2265.member.member * _e498) + (_e2265.member.member_1 * _e500)) + (_e2265.member.member_2 * _e505)) + _e2265.member_1) * _e2175), _e2260);
-let _e2292 = global_5.member[_e461].member_15.member.member;
+let _e2292 = global_5.member[_e461].member_17.member.member;
 let _e2296 = -(_e2285);
 let _e2299 = (_e2285 - _e2286);
 let _e2300 = (_e2286 - _e2285);
@@ -998,12 +1000,12 @@ let _e2320 = select(_e2241, _e2309, _e2318);
 let _e2324 = select(_e2245, _e2313, _e2319);
 let _e2328 = select(_e2249, _e2285, _e2314);
 let _e2330 = select(_e2251, _e2286, (_e2286 > _e2251));
-let _e2338 = global_5.member[_e461].member_16.member_1;
+let _e2338 = global_5.member[_e461].member_18.member_1;
 let _e2339 = (_e2338 != 0u);
-let _e2344 = global_5.member[_e461].member_16.member;
+let _e2344 = global_5.member[_e461].member_18.member;
 let _e2364 = select(-1e6f, (((((_e2344.member.member * _e494) + (_e2344.member.member_1 * _e496)) + (_e2344.member.member_2 * _e490)) + _e2344.member_1) * _e2175), _e2339);
 let _e2365 = select(-1e6f, (((((_e2344.member.member * _e498) + (_e2344.member.member_1 * _e500)) + (_e2344.member.member_2 * _e505)) + _e2344.member_1) * _e2175), _e2339);
-let _e2371 = global_5.member[_e461].member_16.member.member;
+let _e2371 = global_5.member[_e461].member_18.member.member;
 let _e2375 = -(_e2364);
 let _e2378 = (_e2364 - _e2365);
 let _e2379 = (_e2365 - _e2364);
@@ -1018,12 +1020,12 @@ let _e2399 = select(_e2320, _e2388, _e2397);
 let _e2403 = select(_e2324, _e2392, _e2398);
 let _e2407 = select(_e2328, _e2364, _e2393);
 let _e2409 = select(_e2330, _e2365, (_e2365 > _e2330));
-let _e2417 = global_5.member[_e461].member_17.member_1;
+let _e2417 = global_5.member[_e461].member_19.member_1;
 let _e2418 = (_e2417 != 0u);
-let _e2423 = global_5.member[_e461].member_17.member;
+let _e2423 = global_5.member[_e461].member_19.member;
 let _e2443 = select(-1e6f, (((((_e2423.member.member * _e494) + (_e2423.member.member_1 * _e496)) + (_e2423.member.member_2 * _e490)) + _e2423.member_1) * _e2175), _e2418);
 let _e2444 = select(-1e6f, (((((_e2423.member.member * _e498) + (_e2423.member.member_1 * _e500)) + (_e2423.member.member_2 * _e505)) + _e2423.member_1) * _e2175), _e2418);
-let _e2450 = global_5.member[_e461].member_17.member.member;
+let _e2450 = global_5.member[_e461].member_19.member.member;
 let _e2454 = -(_e2443);
 let _e2457 = (_e2443 - _e2444);
 let _e2458 = (_e2444 - _e2443);
@@ -1034,32 +1036,32 @@ let _e2471 = select(2f, select(0f, _e2463, (_e2443 < 0f)), (_e2444 > 0f));
 let _e2472 = (_e2443 > _e2407);
 let _e2476 = ((_e2467 > _e2399) || ((_e2467 == _e2399) && _e2472));
 let _e2477 = (_e2471 < _e2403);
-phi_4595_ = type_34(select(_e2399, _e2467, _e2476), vec3<f32>(select(select(select(select(_e2149, _e2213.member, _e2239), _e2292.member, _e2318), _e2371.member, _e2397), _e2450.member, _e2476), select(select(select(select(_e2150, _e2213.member_1, _e2239), _e2292.member_1, _e2318), _e2371.member_1, _e2397), _e2450.member_1, _e2476), select(select(select(select(_e2151, _e2213.member_2, _e2239), _e2292.member_2, _e2318), _e2371.member_2, _e2397), _e2450.member_2, _e2476)), select(_e2403, _e2471, _e2477), vec3<f32>(select(select(select(select(_e2154, _e2213.member, _e2240), _e2292.member, _e2319), _e2371.member, _e2398), _e2450.member, _e2477), select(select(select(select(_e2155, _e2213.member_1, _e2240), _e2292.member_1, _e2319), _e2371.member_1, _e2398), _e2450.member_1, _e2477), select(select(select(select(_e2156, _e2213.member_2, _e2240), _e2292.member_2, _e2319), _e2371.member_2, _e2398), _e2450.member_2, _e2477)), select(_e2407, _e2443, _e2472), select(_e2409, _e2444, (_e2444 > _e2409)), vec3<f32>(select(select(select(select(_e2161, _e2213.member, _e2235), _e2292.member, _e2314), _e2371.member, _e2393), _e2450.member, _e2472), select(select(select(select(_e2162, _e2213.member_1, _e2235), _e2292.member_1, _e2314), _e2371.member_1, _e2393), _e2450.member_1, _e2472), select(select(select(select(_e2163, _e2213.member_2, _e2235), _e2292.member_2, _e2314), _e2371.member_2, _e2393), _e2450.member_2, _e2472)));
+phi_4597_ = type_34(select(_e2399, _e2467, _e2476), vec3<f32>(select(select(select(select(_e2149, _e2213.member, _e2239), _e2292.member, _e2318), _e2371.member, _e2397), _e2450.member, _e2476), select(select(select(select(_e2150, _e2213.member_1, _e2239), _e2292.member_1, _e2318), _e2371.member_1, _e2397), _e2450.member_1, _e2476), select(select(select(select(_e2151, _e2213.member_2, _e2239), _e2292.member_2, _e2318), _e2371.member_2, _e2397), _e2450.member_2, _e2476)), select(_e2403, _e2471, _e2477), vec3<f32>(select(select(select(select(_e2154, _e2213.member, _e2240), _e2292.member, _e2319), _e2371.member, _e2398), _e2450.member, _e2477), select(select(select(select(_e2155, _e2213.member_1, _e2240), _e2292.member_1, _e2319), _e2371.member_1, _e2398), _e2450.member_1, _e2477), select(select(select(select(_e2156, _e2213.member_2, _e2240), _e2292.member_2, _e2319), _e2371.member_2, _e2398), _e2450.member_2, _e2477)), select(_e2407, _e2443, _e2472), select(_e2409, _e2444, (_e2444 > _e2409)), vec3<f32>(select(select(select(select(_e2161, _e2213.member, _e2235), _e2292.member, _e2314), _e2371.member, _e2393), _e2450.member, _e2472), select(select(select(select(_e2162, _e2213.member_1, _e2235), _e2292.member_1, _e2314), _e2371.member_1, _e2393), _e2450.member_1, _e2472), select(select(select(select(_e2163, _e2213.member_2, _e2235), _e2292.member_2, _e2314), _e2371.member_2, _e2393), _e2450.member_2, _e2472)));
 }
-let _e2497 = phi_4595_;
+let _e2497 = phi_4597_;
 if ((_e2497.member_4 > -(0.015625f)) && (_e2497.member_4 < 0.015625f)) {
-phi_4608_ = (_e465[16] != 0f);
+phi_4610_ = (_e465[16] != 0f);
 } else {
-phi_4608_ = (_e2497.member_4 < 0f);
+phi_4610_ = (_e2497.member_4 < 0f);
 }
-let _e2506 = phi_4608_;
+let _e2506 = phi_4610_;
 let _e2507 = select(1f, _e1789, _e2506);
 let _e2509 = select(1f, _e2507, (_e1140 && _e2506));
 let _e2510 = (_e465[3] * _e2509);
 let _e2511 = (_e465[4] * _e2509);
 let _e2512 = (_e465[5] * _e2509);
 if _e2506 {
-phi_4638_ = type_39(_e2497.member_2, _e2497.member_3);
+phi_4640_ = type_39(_e2497.member_2, _e2497.member_3);
 } else {
-phi_4638_ = type_39(_e2497.member, _e2497.member_1);
+phi_4640_ = type_39(_e2497.member, _e2497.member_1);
 }
-let _e2521 = phi_4638_;
+let _e2521 = phi_4640_;
 if _e2506 {
-phi_4650_ = (_e2497.member_2 <= 1f);
+phi_4652_ = (_e2497.member_2 <= 1f);
 } else {
-phi_4650_ = ((_e2497.member <= 1f) && (_e2497.member < _e2497.member_2));
+phi_4652_ = ((_e2497.member <= 1f) && (_e2497.member < _e2497.member_2));
 }
-let _e2529 = phi_4650_;
+let _e2529 = phi_4652_;
 let _e2532 = select(1f, _e2521.member, _e2529);
 let _e2536 = (_e494 + (_e1790 * _e2532));
 let _e2537 = (_e496 + (_e1791 * _e2532));
@@ -1235,11 +1237,11 @@ let _e3070 = global_2.member[bitcast<u32>(select(0i, _e3065, (_e3065 > 0i)))];
 let _e3071 = bitcast<f32>(_e3070);
 let _e3077 = ((_e3063 + (f32(bitcast<i32>((_e3038 >> bitcast<u32>(12u)))) * _e3071)) + ((f32((bitcast<i32>((_e3038 & 4095u)) - 2048i)) * _e3054) * (_e3015 - f32(_e3030))));
 if _e2506 {
-phi_5786_ = type_31(_e3077, 1f);
+phi_5788_ = type_31(_e3077, 1f);
 } else {
-phi_5786_ = type_31(1f, _e3077);
+phi_5788_ = type_31(1f, _e3077);
 }
-let _e3081 = phi_5786_;
+let _e3081 = phi_5788_;
 let _e3086 = ((_e3081.member_1 * _e3081.member_1) - (_e3081.member * _e3081.member));
 let _e3094 = (((_e2521.member_1.x * _e2521.member_1.x) + (_e2521.member_1.y * _e2521.member_1.y)) + (_e2521.member_1.z * _e2521.member_1.z));
 let _e3097 = sqrt(select(0f, _e3094, (_e3094 > 0f)));
@@ -1256,7 +1258,7 @@ let _e3121 = (_e3086 == 0f);
 let _e3133 = select(_e2510, select((_e2510 + (_e3101 * _e3120)), _e2510, _e3121), _e2529);
 let _e3134 = select(_e2511, select((_e2511 + (_e3102 * _e3120)), _e2511, _e3121), _e2529);
 let _e3135 = select(_e2512, select((_e2512 + (_e3103 * _e3120)), _e2512, _e3121), _e2529);
-let _e3140 = global_5.member[_e461].member_5.member_4;
+let _e3140 = global_5.member[_e461].member_7.member_4;
 let _e3141 = (_e3140 * _e3140);
 let _e3145 = (_e3135 * _e3135);
 let _e3149 = (_e2529 && (_e3081.member != _e3081.member_1));
@@ -1375,16 +1377,16 @@ let _e3426 = select(select(select(select(select(select(0f, _e1903.member, _e3207
 let _e3427 = select(select(select(select(select(select(0f, _e1903.member_1, _e3207), _e1903.member_1, _e3247), _e1912.member_1, _e3287), _e1912.member_1, _e3327), _e1921.member_1, _e3367), _e1921.member_1, _e3407);
 let _e3428 = select(select(select(select(select(select(1f, _e1903.member_2, _e3207), _e1903.member_2, _e3247), _e1912.member_2, _e3287), _e1912.member_2, _e3327), _e1921.member_2, _e3367), _e1921.member_2, _e3407);
 if _e2167 {
-phi_7309_ = type_34(_e3413, vec3<f32>(_e3414, _e3415, _e3416), _e3418, vec3<f32>(_e3419, _e3420, _e3421), _e3423, _e3425, vec3<f32>(_e3426, _e3427, _e3428));
+phi_7311_ = type_34(_e3413, vec3<f32>(_e3414, _e3415, _e3416), _e3418, vec3<f32>(_e3419, _e3420, _e3421), _e3423, _e3425, vec3<f32>(_e3426, _e3427, _e3428));
 } else {
 let _e3435 = (((_e1903.member * _e1903.member) + (_e1903.member_1 * _e1903.member_1)) + (_e1903.member_2 * _e1903.member_2));
 let _e3438 = sqrt(select(0f, _e3435, (_e3435 > 0f)));
-let _e3443 = global_5.member[_e461].member_14.member_1;
+let _e3443 = global_5.member[_e461].member_16.member_1;
 let _e3444 = (_e3443 != 0u);
-let _e3449 = global_5.member[_e461].member_14.member;
+let _e3449 = global_5.member[_e461].member_16.member;
 let _e3469 = select(-1e6f, (((((_e3449.member.member * _e2536) + (_e3449.member.member_1 * _e2537)) + (_e3449.member.member_2 * _e2538)) + _e3449.member_1) * _e3438), _e3444);
 let _e3470 = select(-1e6f, (((((_e3449.member.member * _e3163) + (_e3449.member.member_1 * _e3164)) + (_e3449.member.member_2 * _e3165)) + _e3449.member_1) * _e3438), _e3444);
-let _e3476 = global_5.member[_e461].member_14.member.member;
+let _e3476 = global_5.member[_e461].member_16.member.member;
 let _e3480 = -(_e3469);
 let _e3483 = (_e3469 - _e3470);
 let _e3484 = (_e3470 - _e3469);
@@ -1399,12 +1401,12 @@ let _e3504 = select(_e3413, _e3493, _e3502);
 let _e3508 = select(_e3418, _e3497, _e3503);
 let _e3512 = select(_e3423, _e3469, _e3498);
 let _e3514 = select(_e3425, _e3470, (_e3470 > _e3425));
-let _e3522 = global_5.member[_e461].member_15.member_1;
+let _e3522 = global_5.member[_e461].member_17.member_1;
 let _e3523 = (_e3522 != 0u);
-let _e3528 = global_5.member[_e461].member_15.member;
+let _e3528 = global_5.member[_e461].member_17.member;
 let _e3548 = select(-1e6f, (((((_e3528.member.member * _e2536) + (_e3528.member.member_1 * _e2537)) + (_e3528.member.member_2 * _e2538)) + _e3528.member_1) * _e3438), _e3523);
 let _e3549 = select(-1e6f, (((((_e3528.member.member * _e3163) + (_e3528.member.member_1 * _e3164)) + (_e3528.member.member_2 * _e3165)) + _e3528.member_1) * _e3438), _e3523);
-let _e3555 = global_5.member[_e461].member_15.member.member;
+let _e3555 = global_5.member[_e461].member_17.member.member;
 let _e3559 = -(_e3548);
 let _e3562 = (_e3548 - _e3549);
 let _e3563 = (_e3549 - _e3548);
@@ -1419,12 +1421,12 @@ let _e3583 = select(_e3504, _e3572, _e3581);
 let _e3587 = select(_e3508, _e3576, _e3582);
 let _e3591 = select(_e3512, _e3548, _e3577);
 let _e3593 = select(_e3514, _e3549, (_e3549 > _e3514));
-let _e3601 = global_5.member[_e461].member_16.member_1;
+let _e3601 = global_5.member[_e461].member_18.member_1;
 let _e3602 = (_e3601 != 0u);
-let _e3607 = global_5.member[_e461].member_16.member;
+let _e3607 = global_5.member[_e461].member_18.member;
 let _e3627 = select(-1e6f, (((((_e3607.member.member * _e2536) + (_e3607.member.member_1 * _e2537)) + (_e3607.member.member_2 * _e2538)) + _e3607.member_1) * _e3438), _e3602);
 let _e3628 = select(-1e6f, (((((_e3607.member.member * _e3163) + (_e3607.member.member_1 * _e3164)) + (_e3607.member.member_2 * _e3165)) + _e3607.member_1) * _e3438), _e3602);
-let _e3634 = global_5.member[_e461].member_16.member.member;
+let _e3634 = global_5.member[_e461].member_18.member.member;
 let _e3638 = -(_e3627);
 let _e3641 = (_e3627 - _e3628);
 let _e3642 = (_e3628 - _e3627);
@@ -1439,12 +1441,12 @@ let _e3662 = select(_e3583, _e3651, _e3660);
 let _e3666 = select(_e3587, _e3655, _e3661);
 let _e3670 = select(_e3591, _e3627, _e3656);
 let _e3672 = select(_e3593, _e3628, (_e3628 > _e3593));
-let _e3680 = global_5.member[_e461].member_17.member_1;
+let _e3680 = global_5.member[_e461].member_19.member_1;
 let _e3681 = (_e3680 != 0u);
-let _e3686 = global_5.member[_e461].member_17.member;
+let _e3686 = global_5.member[_e461].member_19.member;
 let _e3706 = select(-1e6f, (((((_e3686.member.member * _e2536) + (_e3686.member.member_1 * _e2537)) + (_e3686.member.member_2 * _e2538)) + _e3686.member_1) * _e3438), _e3681);
 let _e3707 = select(-1e6f, (((((_e3686.member.member * _e3163) + (_e3686.member.member_1 * _e3164)) + (_e3686.member.member_2 * _e3165)) + _e3686.member_1) * _e3438), _e3681);
-let _e3713 = global_5.member[_e461].member_17.member.member;
+let _e3713 = global_5.member[_e461].member_19.member.member;
 let _e3717 = -(_e3706);
 let _e3720 = (_e3706 - _e3707);
 let _e3721 = (_e3707 - _e3706);
@@ -1455,9 +1457,9 @@ let _e3734 = select(2f, select(0f, _e3726, (_e3706 < 0f)), (_e3707 > 0f));
 let _e3735 = (_e3706 > _e3670);
 let _e3739 = ((_e3730 > _e3662) || ((_e3730 == _e3662) && _e3735));
 let _e3740 = (_e3734 < _e3666);
-phi_7309_ = type_34(select(_e3662, _e3730, _e3739), vec3<f32>(select(select(select(select(_e3414, _e3476.member, _e3502), _e3555.member, _e3581), _e3634.member, _e3660), _e3713.member, _e3739), select(select(select(select(_e3415, _e3476.member_1, _e3502), _e3555.member_1, _e3581), _e3634.member_1, _e3660), _e3713.member_1, _e3739), select(select(select(select(_e3416, _e3476.member_2, _e3502), _e3555.member_2, _e3581), _e3634.member_2, _e3660), _e3713.member_2, _e3739)), select(_e3666, _e3734, _e3740), vec3<f32>(select(select(select(select(_e3419, _e3476.member, _e3503), _e3555.member, _e3582), _e3634.member, _e3661), _e3713.member, _e3740), select(select(select(select(_e3420, _e3476.member_1, _e3503), _e3555.member_1, _e3582), _e3634.member_1, _e3661), _e3713.member_1, _e3740), select(select(select(select(_e3421, _e3476.member_2, _e3503), _e3555.member_2, _e3582), _e3634.member_2, _e3661), _e3713.member_2, _e3740)), select(_e3670, _e3706, _e3735), select(_e3672, _e3707, (_e3707 > _e3672)), vec3<f32>(select(select(select(select(_e3426, _e3476.member, _e3498), _e3555.member, _e3577), _e3634.member, _e3656), _e3713.member, _e3735), select(select(select(select(_e3427, _e3476.member_1, _e3498), _e3555.member_1, _e3577), _e3634.member_1, _e3656), _e3713.member_1, _e3735), select(select(select(select(_e3428, _e3476.member_2, _e3498), _e3555.member_2, _e3577), _e3634.member_2, _e3656), _e3713.member_2, _e3735)));
+phi_7311_ = type_34(select(_e3662, _e3730, _e3739), vec3<f32>(select(select(select(select(_e3414, _e3476.member, _e3502), _e3555.member, _e3581), _e3634.member, _e3660), _e3713.member, _e3739), select(select(select(select(_e3415, _e3476.member_1, _e3502), _e3555.member_1, _e3581), _e3634.member_1, _e3660), _e3713.member_1, _e3739), select(select(select(select(_e3416, _e3476.member_2, _e3502), _e3555.member_2, _e3581), _e3634.member_2, _e3660), _e3713.member_2, _e3739)), select(_e3666, _e3734, _e3740), vec3<f32>(select(select(select(select(_e3419, _e3476.member, _e3503), _e3555.member, _e3582), _e3634.member, _e3661), _e3713.member, _e3740), select(select(select(select(_e3420, _e3476.member_1, _e3503), _e3555.member_1, _e3582), _e3634.member_1, _e3661), _e3713.member_1, _e3740), select(select(select(select(_e3421, _e3476.member_2, _e3503), _e3555.member_2, _e3582), _e3634.member_2, _e3661), _e3713.member_2, _e3740)), select(_e3670, _e3706, _e3735), select(_e3672, _e3707, (_e3707 > _e3672)), vec3<f32>(select(select(select(select(_e3426, _e3476.member, _e3498), _e3555.member, _e3577), _e3634.member, _e3656), _e3713.member, _e3735), select(select(select(select(_e3427, _e3476.member_1, _e3498), _e3555.member_1, _e3577), _e3634.member_1, _e3656), _e3713.member_1, _e3735), select(select(select(select(_e3428, _e3476.member_2, _e3498), _e3555.member_2, _e3577), _e3634.member_2, _e3656), _e3713.member_2, _e3735)));
 }
-let _e3760 = phi_7309_;
+let _e3760 = phi_7311_;
 let _e3766 = (((_e2529 && _e3168) && !(_e3153)) && (_e3760.member_2 <= 1f));
 let _e3770 = (_e3165 - _e2538);
 let _e3771 = select(1f, _e3760.member_2, _e3766);
@@ -1593,11 +1595,11 @@ let _e4175 = select(_e2889, _e4173, (_e4173 < _e2889));
 let _e4180 = global_2.member[bitcast<u32>(select(0i, _e4175, (_e4175 > 0i)))];
 let _e4195 = ((_e3063 + (f32(bitcast<i32>((_e4180 >> bitcast<u32>(12u)))) * _e3071)) + ((f32((bitcast<i32>((_e4180 & 4095u)) - 2048i)) * _e3054) * (_e4157 - f32(_e4172))));
 if _e3168 {
-phi_8477_ = type_31(_e4195, 1f);
+phi_8479_ = type_31(_e4195, 1f);
 } else {
-phi_8477_ = type_31(1f, _e4195);
+phi_8479_ = type_31(1f, _e4195);
 }
-let _e4199 = phi_8477_;
+let _e4199 = phi_8479_;
 let _e4204 = ((_e4199.member_1 * _e4199.member_1) - (_e4199.member * _e4199.member));
 let _e4212 = (((_e3760.member_3.x * _e3760.member_3.x) + (_e3760.member_3.y * _e3760.member_3.y)) + (_e3760.member_3.z * _e3760.member_3.z));
 let _e4215 = sqrt(select(0f, _e4212, (_e4212 > 0f)));
@@ -1734,16 +1736,16 @@ let _e4560 = select(select(select(select(select(select(0f, _e1903.member, _e4341
 let _e4561 = select(select(select(select(select(select(0f, _e1903.member_1, _e4341), _e1903.member_1, _e4381), _e1912.member_1, _e4421), _e1912.member_1, _e4461), _e1921.member_1, _e4501), _e1921.member_1, _e4541);
 let _e4562 = select(select(select(select(select(select(1f, _e1903.member_2, _e4341), _e1903.member_2, _e4381), _e1912.member_2, _e4421), _e1912.member_2, _e4461), _e1921.member_2, _e4501), _e1921.member_2, _e4541);
 if _e2167 {
-phi_10015_ = type_34(_e4547, vec3<f32>(_e4548, _e4549, _e4550), _e4552, vec3<f32>(_e4553, _e4554, _e4555), _e4557, _e4559, vec3<f32>(_e4560, _e4561, _e4562));
+phi_10017_ = type_34(_e4547, vec3<f32>(_e4548, _e4549, _e4550), _e4552, vec3<f32>(_e4553, _e4554, _e4555), _e4557, _e4559, vec3<f32>(_e4560, _e4561, _e4562));
 } else {
 let _e4569 = (((_e1903.member * _e1903.member) + (_e1903.member_1 * _e1903.member_1)) + (_e1903.member_2 * _e1903.member_2));
 let _e4572 = sqrt(select(0f, _e4569, (_e4569 > 0f)));
-let _e4577 = global_5.member[_e461].member_14.member_1;
+let _e4577 = global_5.member[_e461].member_16.member_1;
 let _e4578 = (_e4577 != 0u);
-let _e4583 = global_5.member[_e461].member_14.member;
+let _e4583 = global_5.member[_e461].member_16.member;
 let _e4603 = select(-1e6f, (((((_e4583.member.member * _e3779.x) + (_e4583.member.member_1 * _e3779.y)) + (_e4583.member.member_2 * _e3779.z)) + _e4583.member_1) * _e4572), _e4578);
 let _e4604 = select(-1e6f, (((((_e4583.member.member * _e4276) + (_e4583.member.member_1 * _e4277)) + (_e4583.member.member_2 * _e4278)) + _e4583.member_1) * _e4572), _e4578);
-let _e4610 = global_5.member[_e461].member_14.member.member;
+let _e4610 = global_5.member[_e461].member_16.member.member;
 let _e4614 = -(_e4603);
 let _e4617 = (_e4603 - _e4604);
 let _e4618 = (_e4604 - _e4603);
@@ -1758,12 +1760,12 @@ let _e4638 = select(_e4547, _e4627, _e4636);
 let _e4642 = select(_e4552, _e4631, _e4637);
 let _e4646 = select(_e4557, _e4603, _e4632);
 let _e4648 = select(_e4559, _e4604, (_e4604 > _e4559));
-let _e4656 = global_5.member[_e461].member_15.member_1;
+let _e4656 = global_5.member[_e461].member_17.member_1;
 let _e4657 = (_e4656 != 0u);
-let _e4662 = global_5.member[_e461].member_15.member;
+let _e4662 = global_5.member[_e461].member_17.member;
 let _e4682 = select(-1e6f, (((((_e4662.member.member * _e3779.x) + (_e4662.member.member_1 * _e3779.y)) + (_e4662.member.member_2 * _e3779.z)) + _e4662.member_1) * _e4572), _e4657);
 let _e4683 = select(-1e6f, (((((_e4662.member.member * _e4276) + (_e4662.member.member_1 * _e4277)) + (_e4662.member.member_2 * _e4278)) + _e4662.member_1) * _e4572), _e4657);
-let _e4689 = global_5.member[_e461].member_15.member.member;
+let _e4689 = global_5.member[_e461].member_17.member.member;
 let _e4693 = -(_e4682);
 let _e4696 = (_e4682 - _e4683);
 let _e4697 = (_e4683 - _e4682);
@@ -1778,12 +1780,12 @@ let _e4717 = select(_e4638, _e4706, _e4715);
 let _e4721 = select(_e4642, _e4710, _e4716);
 let _e4725 = select(_e4646, _e4682, _e4711);
 let _e4727 = select(_e4648, _e4683, (_e4683 > _e4648));
-let _e4735 = global_5.member[_e461].member_16.member_1;
+let _e4735 = global_5.member[_e461].member_18.member_1;
 let _e4736 = (_e4735 != 0u);
-let _e4741 = global_5.member[_e461].member_16.member;
+let _e4741 = global_5.member[_e461].member_18.member;
 let _e4761 = select(-1e6f, (((((_e4741.member.member * _e3779.x) + (_e4741.member.member_1 * _e3779.y)) + (_e4741.member.member_2 * _e3779.z)) + _e4741.member_1) * _e4572), _e4736);
 let _e4762 = select(-1e6f, (((((_e4741.member.member * _e4276) + (_e4741.member.member_1 * _e4277)) + (_e4741.member.member_2 * _e4278)) + _e4741.member_1) * _e4572), _e4736);
-let _e4768 = global_5.member[_e461].member_16.member.member;
+let _e4768 = global_5.member[_e461].member_18.member.member;
 let _e4772 = -(_e4761);
 let _e4775 = (_e4761 - _e4762);
 let _e4776 = (_e4762 - _e4761);
@@ -1798,12 +1800,12 @@ let _e4796 = select(_e4717, _e4785, _e4794);
 let _e4800 = select(_e4721, _e4789, _e4795);
 let _e4804 = select(_e4725, _e4761, _e4790);
 let _e4806 = select(_e4727, _e4762, (_e4762 > _e4727));
-let _e4814 = global_5.member[_e461].member_17.member_1;
+let _e4814 = global_5.member[_e461].member_19.member_1;
 let _e4815 = (_e4814 != 0u);
-let _e4820 = global_5.member[_e461].member_17.member;
+let _e4820 = global_5.member[_e461].member_19.member;
 let _e4840 = select(-1e6f, (((((_e4820.member.member * _e3779.x) + (_e4820.member.member_1 * _e3779.y)) + (_e4820.member.member_2 * _e3779.z)) + _e4820.member_1) * _e4572), _e4815);
 let _e4841 = select(-1e6f, (((((_e4820.member.member * _e4276) + (_e4820.member.member_1 * _e4277)) + (_e4820.member.member_2 * _e4278)) + _e4820.member_1) * _e4572), _e4815);
-let _e4847 = global_5.member[_e461].member_17.member.member;
+let _e4847 = global_5.member[_e461].member_19.member.member;
 let _e4851 = -(_e4840);
 let _e4854 = (_e4840 - _e4841);
 let _e4855 = (_e4841 - _e4840);
@@ -1814,9 +1816,9 @@ let _e4868 = select(2f, select(0f, _e4860, (_e4840 < 0f)), (_e4841 > 0f));
 let _e4869 = (_e4840 > _e4804);
 let _e4873 = ((_e4864 > _e4796) || ((_e4864 == _e4796) && _e4869));
 let _e4874 = (_e4868 < _e4800);
-phi_10015_ = type_34(select(_e4796, _e4864, _e4873), vec3<f32>(select(select(select(select(_e4548, _e4610.member, _e4636), _e4689.member, _e4715), _e4768.member, _e4794), _e4847.member, _e4873), select(select(select(select(_e4549, _e4610.member_1, _e4636), _e4689.member_1, _e4715), _e4768.member_1, _e4794), _e4847.member_1, _e4873), select(select(select(select(_e4550, _e4610.member_2, _e4636), _e4689.member_2, _e4715), _e4768.member_2, _e4794), _e4847.member_2, _e4873)), select(_e4800, _e4868, _e4874), vec3<f32>(select(select(select(select(_e4553, _e4610.member, _e4637), _e4689.member, _e4716), _e4768.member, _e4795), _e4847.member, _e4874), select(select(select(select(_e4554, _e4610.member_1, _e4637), _e4689.member_1, _e4716), _e4768.member_1, _e4795), _e4847.member_1, _e4874), select(select(select(select(_e4555, _e4610.member_2, _e4637), _e4689.member_2, _e4716), _e4768.member_2, _e4795), _e4847.member_2, _e4874)), select(_e4804, _e4840, _e4869), select(_e4806, _e4841, (_e4841 > _e4806)), vec3<f32>(select(select(select(select(_e4560, _e4610.member, _e4632), _e4689.member, _e4711), _e4768.member, _e4790), _e4847.member, _e4869), select(select(select(select(_e4561, _e4610.member_1, _e4632), _e4689.member_1, _e4711), _e4768.member_1, _e4790), _e4847.member_1, _e4869), select(select(select(select(_e4562, _e4610.member_2, _e4632), _e4689.member_2, _e4711), _e4768.member_2, _e4790), _e4847.member_2, _e4869)));
+phi_10017_ = type_34(select(_e4796, _e4864, _e4873), vec3<f32>(select(select(select(select(_e4548, _e4610.member, _e4636), _e4689.member, _e4715), _e4768.member, _e4794), _e4847.member, _e4873), select(select(select(select(_e4549, _e4610.member_1, _e4636), _e4689.member_1, _e4715), _e4768.member_1, _e4794), _e4847.member_1, _e4873), select(select(select(select(_e4550, _e4610.member_2, _e4636), _e4689.member_2, _e4715), _e4768.member_2, _e4794), _e4847.member_2, _e4873)), select(_e4800, _e4868, _e4874), vec3<f32>(select(select(select(select(_e4553, _e4610.member, _e4637), _e4689.member, _e4716), _e4768.member, _e4795), _e4847.member, _e4874), select(select(select(select(_e4554, _e4610.member_1, _e4637), _e4689.member_1, _e4716), _e4768.member_1, _e4795), _e4847.member_1, _e4874), select(select(select(select(_e4555, _e4610.member_2, _e4637), _e4689.member_2, _e4716), _e4768.member_2, _e4795), _e4847.member_2, _e4874)), select(_e4804, _e4840, _e4869), select(_e4806, _e4841, (_e4841 > _e4806)), vec3<f32>(select(select(select(select(_e4560, _e4610.member, _e4632), _e4689.member, _e4711), _e4768.member, _e4790), _e4847.member, _e4869), select(select(select(select(_e4561, _e4610.member_1, _e4632), _e4689.member_1, _e4711), _e4768.member_1, _e4790), _e4847.member_1, _e4869), select(select(select(select(_e4562, _e4610.member_2, _e4632), _e4689.member_2, _e4711), _e4768.member_2, _e4790), _e4847.member_2, _e4869)));
 }
-let _e4894 = phi_10015_;
+let _e4894 = phi_10017_;
 let _e4900 = (((_e3766 && _e4281) && !(_e4265)) && (_e4894.member_2 <= 1f));
 let _e4905 = select(1f, _e4894.member_2, _e4900);
 let _e4906 = ((_e4276 - _e3779.x) * _e4905);
@@ -1951,11 +1953,11 @@ let _e5309 = select(_e2889, _e5307, (_e5307 < _e2889));
 let _e5314 = global_2.member[bitcast<u32>(select(0i, _e5309, (_e5309 > 0i)))];
 let _e5329 = ((_e3063 + (f32(bitcast<i32>((_e5314 >> bitcast<u32>(12u)))) * _e3071)) + ((f32((bitcast<i32>((_e5314 & 4095u)) - 2048i)) * _e3054) * (_e5291 - f32(_e5306))));
 if _e4281 {
-phi_11183_ = type_31(_e5329, 1f);
+phi_11185_ = type_31(_e5329, 1f);
 } else {
-phi_11183_ = type_31(1f, _e5329);
+phi_11185_ = type_31(1f, _e5329);
 }
-let _e5333 = phi_11183_;
+let _e5333 = phi_11185_;
 let _e5338 = ((_e5333.member_1 * _e5333.member_1) - (_e5333.member * _e5333.member));
 let _e5346 = (((_e4894.member_3.x * _e4894.member_3.x) + (_e4894.member_3.y * _e4894.member_3.y)) + (_e4894.member_3.z * _e4894.member_3.z));
 let _e5349 = sqrt(select(0f, _e5346, (_e5346 > 0f)));
@@ -2092,16 +2094,16 @@ let _e5695 = select(select(select(select(select(select(0f, _e1903.member, _e5476
 let _e5696 = select(select(select(select(select(select(0f, _e1903.member_1, _e5476), _e1903.member_1, _e5516), _e1912.member_1, _e5556), _e1912.member_1, _e5596), _e1921.member_1, _e5636), _e1921.member_1, _e5676);
 let _e5697 = select(select(select(select(select(select(1f, _e1903.member_2, _e5476), _e1903.member_2, _e5516), _e1912.member_2, _e5556), _e1912.member_2, _e5596), _e1921.member_2, _e5636), _e1921.member_2, _e5676);
 if _e2167 {
-phi_12721_ = type_34(_e5682, vec3<f32>(_e5683, _e5684, _e5685), _e5687, vec3<f32>(_e5688, _e5689, _e5690), _e5692, _e5694, vec3<f32>(_e5695, _e5696, _e5697));
+phi_12723_ = type_34(_e5682, vec3<f32>(_e5683, _e5684, _e5685), _e5687, vec3<f32>(_e5688, _e5689, _e5690), _e5692, _e5694, vec3<f32>(_e5695, _e5696, _e5697));
 } else {
 let _e5704 = (((_e1903.member * _e1903.member) + (_e1903.member_1 * _e1903.member_1)) + (_e1903.member_2 * _e1903.member_2));
 let _e5707 = sqrt(select(0f, _e5704, (_e5704 > 0f)));
-let _e5712 = global_5.member[_e461].member_14.member_1;
+let _e5712 = global_5.member[_e461].member_16.member_1;
 let _e5713 = (_e5712 != 0u);
-let _e5718 = global_5.member[_e461].member_14.member;
+let _e5718 = global_5.member[_e461].member_16.member;
 let _e5738 = select(-1e6f, (((((_e5718.member.member * _e4913.x) + (_e5718.member.member_1 * _e4913.y)) + (_e5718.member.member_2 * _e4913.z)) + _e5718.member_1) * _e5707), _e5713);
 let _e5739 = select(-1e6f, (((((_e5718.member.member * _e5411) + (_e5718.member.member_1 * _e5412)) + (_e5718.member.member_2 * _e5413)) + _e5718.member_1) * _e5707), _e5713);
-let _e5745 = global_5.member[_e461].member_14.member.member;
+let _e5745 = global_5.member[_e461].member_16.member.member;
 let _e5749 = -(_e5738);
 let _e5752 = (_e5738 - _e5739);
 let _e5753 = (_e5739 - _e5738);
@@ -2116,12 +2118,12 @@ let _e5773 = select(_e5682, _e5762, _e5771);
 let _e5777 = select(_e5687, _e5766, _e5772);
 let _e5781 = select(_e5692, _e5738, _e5767);
 let _e5783 = select(_e5694, _e5739, (_e5739 > _e5694));
-let _e5791 = global_5.member[_e461].member_15.member_1;
+let _e5791 = global_5.member[_e461].member_17.member_1;
 let _e5792 = (_e5791 != 0u);
-let _e5797 = global_5.member[_e461].member_15.member;
+let _e5797 = global_5.member[_e461].member_17.member;
 let _e5817 = select(-1e6f, (((((_e5797.member.member * _e4913.x) + (_e5797.member.member_1 * _e4913.y)) + (_e5797.member.member_2 * _e4913.z)) + _e5797.member_1) * _e5707), _e5792);
 let _e5818 = select(-1e6f, (((((_e5797.member.member * _e5411) + (_e5797.member.member_1 * _e5412)) + (_e5797.member.member_2 * _e5413)) + _e5797.member_1) * _e5707), _e5792);
-let _e5824 = global_5.member[_e461].member_15.member.member;
+let _e5824 = global_5.member[_e461].member_17.member.member;
 let _e5828 = -(_e5817);
 let _e5831 = (_e5817 - _e5818);
 let _e5832 = (_e5818 - _e5817);
@@ -2136,12 +2138,12 @@ let _e5852 = select(_e5773, _e5841, _e5850);
 let _e5856 = select(_e5777, _e5845, _e5851);
 let _e5860 = select(_e5781, _e5817, _e5846);
 let _e5862 = select(_e5783, _e5818, (_e5818 > _e5783));
-let _e5870 = global_5.member[_e461].member_16.member_1;
+let _e5870 = global_5.member[_e461].member_18.member_1;
 let _e5871 = (_e5870 != 0u);
-let _e5876 = global_5.member[_e461].member_16.member;
+let _e5876 = global_5.member[_e461].member_18.member;
 let _e5896 = select(-1e6f, (((((_e5876.member.member * _e4913.x) + (_e5876.member.member_1 * _e4913.y)) + (_e5876.member.member_2 * _e4913.z)) + _e5876.member_1) * _e5707), _e5871);
 let _e5897 = select(-1e6f, (((((_e5876.member.member * _e5411) + (_e5876.member.member_1 * _e5412)) + (_e5876.member.member_2 * _e5413)) + _e5876.member_1) * _e5707), _e5871);
-let _e5903 = global_5.member[_e461].member_16.member.member;
+let _e5903 = global_5.member[_e461].member_18.member.member;
 let _e5907 = -(_e5896);
 let _e5910 = (_e5896 - _e5897);
 let _e5911 = (_e5897 - _e5896);
@@ -2156,12 +2158,12 @@ let _e5931 = select(_e5852, _e5920, _e5929);
 let _e5935 = select(_e5856, _e5924, _e5930);
 let _e5939 = select(_e5860, _e5896, _e5925);
 let _e5941 = select(_e5862, _e5897, (_e5897 > _e5862));
-let _e5949 = global_5.member[_e461].member_17.member_1;
+let _e5949 = global_5.member[_e461].member_19.member_1;
 let _e5950 = (_e5949 != 0u);
-let _e5955 = global_5.member[_e461].member_17.member;
+let _e5955 = global_5.member[_e461].member_19.member;
 let _e5975 = select(-1e6f, (((((_e5955.member.member * _e4913.x) + (_e5955.member.member_1 * _e4913.y)) + (_e5955.member.member_2 * _e4913.z)) + _e5955.member_1) * _e5707), _e5950);
 let _e5976 = select(-1e6f, (((((_e5955.member.member * _e5411) + (_e5955.member.member_1 * _e5412)) + (_e5955.member.member_2 * _e5413)) + _e5955.member_1) * _e5707), _e5950);
-let _e5982 = global_5.member[_e461].member_17.member.member;
+let _e5982 = global_5.member[_e461].member_19.member.member;
 let _e5986 = -(_e5975);
 let _e5989 = (_e5975 - _e5976);
 let _e5990 = (_e5976 - _e5975);
@@ -2172,9 +2174,9 @@ let _e6003 = select(2f, select(0f, _e5995, (_e5975 < 0f)), (_e5976 > 0f));
 let _e6004 = (_e5975 > _e5939);
 let _e6008 = ((_e5999 > _e5931) || ((_e5999 == _e5931) && _e6004));
 let _e6009 = (_e6003 < _e5935);
-phi_12721_ = type_34(select(_e5931, _e5999, _e6008), vec3<f32>(select(select(select(select(_e5683, _e5745.member, _e5771), _e5824.member, _e5850), _e5903.member, _e5929), _e5982.member, _e6008), select(select(select(select(_e5684, _e5745.member_1, _e5771), _e5824.member_1, _e5850), _e5903.member_1, _e5929), _e5982.member_1, _e6008), select(select(select(select(_e5685, _e5745.member_2, _e5771), _e5824.member_2, _e5850), _e5903.member_2, _e5929), _e5982.member_2, _e6008)), select(_e5935, _e6003, _e6009), vec3<f32>(select(select(select(select(_e5688, _e5745.member, _e5772), _e5824.member, _e5851), _e5903.member, _e5930), _e5982.member, _e6009), select(select(select(select(_e5689, _e5745.member_1, _e5772), _e5824.member_1, _e5851), _e5903.member_1, _e5930), _e5982.member_1, _e6009), select(select(select(select(_e5690, _e5745.member_2, _e5772), _e5824.member_2, _e5851), _e5903.member_2, _e5930), _e5982.member_2, _e6009)), select(_e5939, _e5975, _e6004), select(_e5941, _e5976, (_e5976 > _e5941)), vec3<f32>(select(select(select(select(_e5695, _e5745.member, _e5767), _e5824.member, _e5846), _e5903.member, _e5925), _e5982.member, _e6004), select(select(select(select(_e5696, _e5745.member_1, _e5767), _e5824.member_1, _e5846), _e5903.member_1, _e5925), _e5982.member_1, _e6004), select(select(select(select(_e5697, _e5745.member_2, _e5767), _e5824.member_2, _e5846), _e5903.member_2, _e5925), _e5982.member_2, _e6004)));
+phi_12723_ = type_34(select(_e5931, _e5999, _e6008), vec3<f32>(select(select(select(select(_e5683, _e5745.member, _e5771), _e5824.member, _e5850), _e5903.member, _e5929), _e5982.member, _e6008), select(select(select(select(_e5684, _e5745.member_1, _e5771), _e5824.member_1, _e5850), _e5903.member_1, _e5929), _e5982.member_1, _e6008), select(select(select(select(_e5685, _e5745.member_2, _e5771), _e5824.member_2, _e5850), _e5903.member_2, _e5929), _e5982.member_2, _e6008)), select(_e5935, _e6003, _e6009), vec3<f32>(select(select(select(select(_e5688, _e5745.member, _e5772), _e5824.member, _e5851), _e5903.member, _e5930), _e5982.member, _e6009), select(select(select(select(_e5689, _e5745.member_1, _e5772), _e5824.member_1, _e5851), _e5903.member_1, _e5930), _e5982.member_1, _e6009), select(select(select(select(_e5690, _e5745.member_2, _e5772), _e5824.member_2, _e5851), _e5903.member_2, _e5930), _e5982.member_2, _e6009)), select(_e5939, _e5975, _e6004), select(_e5941, _e5976, (_e5976 > _e5941)), vec3<f32>(select(select(select(select(_e5695, _e5745.member, _e5767), _e5824.member, _e5846), _e5903.member, _e5925), _e5982.member, _e6004), select(select(select(select(_e5696, _e5745.member_1, _e5767), _e5824.member_1, _e5846), _e5903.member_1, _e5925), _e5982.member_1, _e6004), select(select(select(select(_e5697, _e5745.member_2, _e5767), _e5824.member_2, _e5846), _e5903.member_2, _e5925), _e5982.member_2, _e6004)));
 }
-let _e6029 = phi_12721_;
+let _e6029 = phi_12723_;
 let _e6035 = (((_e4900 && _e5416) && !(_e5400)) && (_e6029.member_2 <= 1f));
 let _e6036 = (_e2536 - _e494);
 let _e6037 = (_e2537 - _e496);
@@ -2338,25 +2340,25 @@ let _e6444 = select(_e6403, _e6375, (_e6375 > _e6403));
 let _e6447 = (select(_e6438, _e6440, (_e6440 < _e6438)) - select(_e6431, _e6444, (_e6444 > _e6431)));
 let _e6454 = ((_e3149 || _e4261) || _e5396);
 if _e3149 {
-phi_14469_ = _e3081;
+phi_14471_ = _e3081;
 } else {
-phi_14469_ = _e4199;
+phi_14471_ = _e4199;
 }
-let _e6475 = phi_14469_;
-phi_14482_ = type_38(_e6475, vec3<f32>(select(_e5411, _e4913.x, _e6035), select(_e5412, _e4913.y, _e6035), select(_e5413, _e4913.z, _e6035)), vec3<f32>(_e5385, _e5386, _e5387), select(_e1888, ((((sqrt(select(0f, _e6043, (_e6043 > 0f))) * select(0f, _e6124, (_e6124 > 0f))) + (sqrt(select(0f, _e6135, (_e6135 > 0f))) * select(0f, _e6231, (_e6231 > 0f)))) + (sqrt(select(0f, _e6243, (_e6243 > 0f))) * select(0f, _e6339, (_e6339 > 0f)))) + select(0f, (sqrt(select(0f, _e6351, (_e6351 > 0f))) * select(0f, _e6447, (_e6447 > 0f))), _e4900)), _e6454), select((_e484 / _e5387), (2f * (_e3770 / _e3135)), (((_e2529 && !(_e2506)) && _e3168) && !(_e3766))), select(_e3760.member_3, _e2521.member_1, vec3(_e3149)), _e5416, _e6454, (((_e3153 || _e4265) || _e5400) || _e6035));
-phi_14483_ = vec3<f32>(_e2510, _e2511, _e2512);
-phi_14484_ = _e2506;
-phi_14485_ = _e2507;
+let _e6475 = phi_14471_;
+phi_14484_ = type_38(_e6475, vec3<f32>(select(_e5411, _e4913.x, _e6035), select(_e5412, _e4913.y, _e6035), select(_e5413, _e4913.z, _e6035)), vec3<f32>(_e5385, _e5386, _e5387), select(_e1888, ((((sqrt(select(0f, _e6043, (_e6043 > 0f))) * select(0f, _e6124, (_e6124 > 0f))) + (sqrt(select(0f, _e6135, (_e6135 > 0f))) * select(0f, _e6231, (_e6231 > 0f)))) + (sqrt(select(0f, _e6243, (_e6243 > 0f))) * select(0f, _e6339, (_e6339 > 0f)))) + select(0f, (sqrt(select(0f, _e6351, (_e6351 > 0f))) * select(0f, _e6447, (_e6447 > 0f))), _e4900)), _e6454), select((_e484 / _e5387), (2f * (_e3770 / _e3135)), (((_e2529 && !(_e2506)) && _e3168) && !(_e3766))), select(_e3760.member_3, _e2521.member_1, vec3(_e3149)), _e5416, _e6454, (((_e3153 || _e4265) || _e5400) || _e6035));
+phi_14485_ = vec3<f32>(_e2510, _e2511, _e2512);
+phi_14486_ = _e2506;
+phi_14487_ = _e2507;
 } else {
-phi_14482_ = type_38(_e1801.member, _e1801.member_1, _e1801.member_2, _e1888, _e1801.member_4, _e1801.member_5, _e1801.member_6, _e1801.member_7, _e1801.member_8);
-phi_14483_ = _e1153;
-phi_14484_ = true;
-phi_14485_ = _e1789;
+phi_14484_ = type_38(_e1801.member, _e1801.member_1, _e1801.member_2, _e1888, _e1801.member_4, _e1801.member_5, _e1801.member_6, _e1801.member_7, _e1801.member_8);
+phi_14485_ = _e1153;
+phi_14486_ = true;
+phi_14487_ = _e1789;
 }
-let _e6478 = phi_14482_;
-let _e6480 = phi_14483_;
-let _e6482 = phi_14484_;
-let _e6484 = phi_14485_;
+let _e6478 = phi_14484_;
+let _e6480 = phi_14485_;
+let _e6482 = phi_14486_;
+let _e6484 = phi_14487_;
 let _e6495 = ((((_e563.member.member * _e6478.member_1.x) + (_e563.member.member_1 * _e6478.member_1.y)) + (_e563.member.member_2 * _e6478.member_1.z)) + _e563.member_1);
 let _e6501 = ((((_e579.member.member * _e6478.member_1.x) + (_e579.member.member_1 * _e6478.member_1.y)) + (_e579.member.member_2 * _e6478.member_1.z)) + _e579.member_1);
 let _e6507 = ((((_e595.member.member * _e6478.member_1.x) + (_e595.member.member_1 * _e6478.member_1.y)) + (_e595.member.member_2 * _e6478.member_1.z)) + _e595.member_1);
@@ -2734,7 +2736,7 @@ if _e839 {
 let _e8455 = ((0.5f * (_e7746 - _e7740)) * _e8004);
 let _e8456 = ((0.5f * (_e7758 - _e7752)) * _e8004);
 let _e8457 = ((0.5f * (_e7770 - _e7764)) * _e8004);
-phi_19918_ = type_32(_e7966, vec3<f32>(_e8455, _e8456, _e8457), vec3<f32>((_e8455 * _e7966), (_e8456 * _e7966), (_e8457 * _e7966)));
+phi_19920_ = type_32(_e7966, vec3<f32>(_e8455, _e8456, _e8457), vec3<f32>((_e8455 * _e7966), (_e8456 * _e7966), (_e8457 * _e7966)));
 } else {
 local_18 = _e7740;
 let _e8005 = local_18;
@@ -2883,23 +2885,23 @@ let _e8430 = ((_e7951 + (f32(bitcast<i32>((_e8415 >> bitcast<u32>(12u)))) * _e79
 let _e8431 = (_e8146 - _e8075);
 let _e8433 = (_e8288 - _e8217);
 let _e8435 = (_e8430 - _e8359);
-phi_19918_ = type_32(_e7966, vec3<f32>((0.5f * _e8431), (0.5f * _e8433), (0.5f * _e8435)), vec3<f32>((0.25f * (_e8431 * (_e8146 + _e8075))), (0.25f * (_e8433 * (_e8288 + _e8217))), (0.25f * (_e8435 * (_e8430 + _e8359)))));
+phi_19920_ = type_32(_e7966, vec3<f32>((0.5f * _e8431), (0.5f * _e8433), (0.5f * _e8435)), vec3<f32>((0.25f * (_e8431 * (_e8146 + _e8075))), (0.25f * (_e8433 * (_e8288 + _e8217))), (0.25f * (_e8435 * (_e8430 + _e8359)))));
 }
-let _e8465 = phi_19918_;
+let _e8465 = phi_19920_;
 let _e8480 = select(0f, 1f, ((((((_e6495 >= -0.5f) && (_e6495 <= _e636)) && (_e6501 >= -0.5f)) && (_e6501 <= _e647)) && (_e6507 >= -0.5f)) && (_e6507 <= _e658)));
 let _e8482 = (0.5f * (_e7746 - _e7740));
 let _e8484 = (0.5f * (_e7758 - _e7752));
 let _e8486 = (0.5f * (_e7770 - _e7764));
-let _e8493 = global_5.member[_e461].member_6.member.member.member;
-let _e8500 = global_5.member[_e461].member_6.member.member.member_1;
-let _e8507 = global_5.member[_e461].member_6.member.member.member_2;
-let _e8514 = global_5.member[_e461].member_6.member_1.member.member;
-let _e8521 = global_5.member[_e461].member_6.member_1.member.member_1;
-let _e8528 = global_5.member[_e461].member_6.member_1.member.member_2;
-let _e8535 = global_5.member[_e461].member_6.member_2.member.member;
-let _e8542 = global_5.member[_e461].member_6.member_2.member.member_1;
-let _e8549 = global_5.member[_e461].member_6.member_2.member.member_2;
-phi_20621_ = type_33(_e7734, vec3<f32>(((((_e8493 * _e8482) + (_e8514 * _e8484)) + (_e8535 * _e8486)) * _e8480), ((((_e8500 * _e8482) + (_e8521 * _e8484)) + (_e8542 * _e8486)) * _e8480), ((((_e8507 * _e8482) + (_e8528 * _e8484)) + (_e8549 * _e8486)) * _e8480)), _e8465.member, vec3<f32>(((((_e8493 * _e8465.member_2.x) + (_e8514 * _e8465.member_2.y)) + (_e8535 * _e8465.member_2.z)) * _e8480), ((((_e8500 * _e8465.member_2.x) + (_e8521 * _e8465.member_2.y)) + (_e8542 * _e8465.member_2.z)) * _e8480), ((((_e8507 * _e8465.member_2.x) + (_e8528 * _e8465.member_2.y)) + (_e8549 * _e8465.member_2.z)) * _e8480)), vec3<f32>(((((_e8493 * _e8465.member_1.x) + (_e8514 * _e8465.member_1.y)) + (_e8535 * _e8465.member_1.z)) * _e8480), ((((_e8500 * _e8465.member_1.x) + (_e8521 * _e8465.member_1.y)) + (_e8542 * _e8465.member_1.z)) * _e8480), ((((_e8507 * _e8465.member_1.x) + (_e8528 * _e8465.member_1.y)) + (_e8549 * _e8465.member_1.z)) * _e8480)));
+let _e8493 = global_5.member[_e461].member_8.member.member.member;
+let _e8500 = global_5.member[_e461].member_8.member.member.member_1;
+let _e8507 = global_5.member[_e461].member_8.member.member.member_2;
+let _e8514 = global_5.member[_e461].member_8.member_1.member.member;
+let _e8521 = global_5.member[_e461].member_8.member_1.member.member_1;
+let _e8528 = global_5.member[_e461].member_8.member_1.member.member_2;
+let _e8535 = global_5.member[_e461].member_8.member_2.member.member;
+let _e8542 = global_5.member[_e461].member_8.member_2.member.member_1;
+let _e8549 = global_5.member[_e461].member_8.member_2.member.member_2;
+phi_20623_ = type_33(_e7734, vec3<f32>(((((_e8493 * _e8482) + (_e8514 * _e8484)) + (_e8535 * _e8486)) * _e8480), ((((_e8500 * _e8482) + (_e8521 * _e8484)) + (_e8542 * _e8486)) * _e8480), ((((_e8507 * _e8482) + (_e8528 * _e8484)) + (_e8549 * _e8486)) * _e8480)), _e8465.member, vec3<f32>(((((_e8493 * _e8465.member_2.x) + (_e8514 * _e8465.member_2.y)) + (_e8535 * _e8465.member_2.z)) * _e8480), ((((_e8500 * _e8465.member_2.x) + (_e8521 * _e8465.member_2.y)) + (_e8542 * _e8465.member_2.z)) * _e8480), ((((_e8507 * _e8465.member_2.x) + (_e8528 * _e8465.member_2.y)) + (_e8549 * _e8465.member_2.z)) * _e8480)), vec3<f32>(((((_e8493 * _e8465.member_1.x) + (_e8514 * _e8465.member_1.y)) + (_e8535 * _e8465.member_1.z)) * _e8480), ((((_e8500 * _e8465.member_1.x) + (_e8521 * _e8465.member_1.y)) + (_e8542 * _e8465.member_1.z)) * _e8480), ((((_e8507 * _e8465.member_1.x) + (_e8528 * _e8465.member_1.y)) + (_e8549 * _e8465.member_1.z)) * _e8480)));
 } else {
 let _e6509 = select(-0.5f, _e6495, (_e6495 > -0.5f));
 let _e6511 = select(_e636, _e6509, (_e6509 < _e636));
@@ -2998,15 +3000,15 @@ let _e6822 = local_7[1u];
 let _e6827 = local_7[2u];
 let _e6832 = (((_e6719 + (((_e6770 + (((_e6810 + ((f32(bitcast<i32>(((_e6803 >> bitcast<u32>((_e6811 & 31u))) & 255u))) - _e6810) * _e6818)) - _e6770) * _e6822)) - _e6719) * _e6827)) - _e1577) * _e1582);
 let _e6834 = select(_e1585, _e6832, (_e6832 > _e1585));
-phi_20621_ = type_33(select(1e9f, _e6834, (_e6834 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+phi_20623_ = type_33(select(1e9f, _e6834, (_e6834 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
-let _e8615 = phi_20621_;
+let _e8615 = phi_20623_;
 let _e8618 = select(1f, select(1f, _e1221, (_e1221 < 1f)), _e558);
 let _e8620 = ((_e801 & 16u) == 0u);
 if _e8620 {
-phi_21034_ = type_7(1f, 1f, 1f);
+phi_21036_ = type_7(1f, 1f, 1f);
 } else {
-let _e8625 = global_5.member[_e461].member_14.member;
+let _e8625 = global_5.member[_e461].member_16.member;
 let _e8636 = ((((_e8625.member.member * _e494) + (_e8625.member.member_1 * _e496)) + (_e8625.member.member_2 * _e490)) + _e8625.member_1);
 let _e8642 = ((((_e8625.member.member * _e6478.member_1.x) + (_e8625.member.member_1 * _e6478.member_1.y)) + (_e8625.member.member_2 * _e6478.member_1.z)) + _e8625.member_1);
 let _e8644 = select(_e8642, _e8636, (_e8636 < _e8642));
@@ -3015,9 +3017,9 @@ let _e8648 = (_e8646 - _e8644);
 let _e8651 = (-(_e8644) / select(1e-30f, _e8648, (_e8648 > 1e-30f)));
 let _e8653 = select(0f, _e8651, (_e8651 > 0f));
 let _e8659 = select(select(select(1f, _e8653, (_e8653 < 1f)), 1f, (_e8646 <= 0f)), 0f, (_e8644 > 0f));
-let _e8665 = global_5.member[_e461].member_14.member_1;
+let _e8665 = global_5.member[_e461].member_16.member_1;
 let _e8666 = (_e8665 != 0u);
-let _e8677 = global_5.member[_e461].member_15.member;
+let _e8677 = global_5.member[_e461].member_17.member;
 let _e8688 = ((((_e8677.member.member * _e494) + (_e8677.member.member_1 * _e496)) + (_e8677.member.member_2 * _e490)) + _e8677.member_1);
 let _e8694 = ((((_e8677.member.member * _e6478.member_1.x) + (_e8677.member.member_1 * _e6478.member_1.y)) + (_e8677.member.member_2 * _e6478.member_1.z)) + _e8677.member_1);
 let _e8696 = select(_e8694, _e8688, (_e8688 < _e8694));
@@ -3026,9 +3028,9 @@ let _e8700 = (_e8698 - _e8696);
 let _e8703 = (-(_e8696) / select(1e-30f, _e8700, (_e8700 > 1e-30f)));
 let _e8705 = select(0f, _e8703, (_e8703 > 0f));
 let _e8711 = select(select(select(1f, _e8705, (_e8705 < 1f)), 1f, (_e8698 <= 0f)), 0f, (_e8696 > 0f));
-let _e8717 = global_5.member[_e461].member_15.member_1;
+let _e8717 = global_5.member[_e461].member_17.member_1;
 let _e8718 = (_e8717 != 0u);
-let _e8729 = global_5.member[_e461].member_16.member;
+let _e8729 = global_5.member[_e461].member_18.member;
 let _e8740 = ((((_e8729.member.member * _e494) + (_e8729.member.member_1 * _e496)) + (_e8729.member.member_2 * _e490)) + _e8729.member_1);
 let _e8746 = ((((_e8729.member.member * _e6478.member_1.x) + (_e8729.member.member_1 * _e6478.member_1.y)) + (_e8729.member.member_2 * _e6478.member_1.z)) + _e8729.member_1);
 let _e8748 = select(_e8746, _e8740, (_e8740 < _e8746));
@@ -3037,9 +3039,9 @@ let _e8752 = (_e8750 - _e8748);
 let _e8755 = (-(_e8748) / select(1e-30f, _e8752, (_e8752 > 1e-30f)));
 let _e8757 = select(0f, _e8755, (_e8755 > 0f));
 let _e8763 = select(select(select(1f, _e8757, (_e8757 < 1f)), 1f, (_e8750 <= 0f)), 0f, (_e8748 > 0f));
-let _e8769 = global_5.member[_e461].member_16.member_1;
+let _e8769 = global_5.member[_e461].member_18.member_1;
 let _e8770 = (_e8769 != 0u);
-let _e8781 = global_5.member[_e461].member_17.member;
+let _e8781 = global_5.member[_e461].member_19.member;
 let _e8792 = ((((_e8781.member.member * _e494) + (_e8781.member.member_1 * _e496)) + (_e8781.member.member_2 * _e490)) + _e8781.member_1);
 let _e8798 = ((((_e8781.member.member * _e6478.member_1.x) + (_e8781.member.member_1 * _e6478.member_1.y)) + (_e8781.member.member_2 * _e6478.member_1.z)) + _e8781.member_1);
 let _e8800 = select(_e8798, _e8792, (_e8792 < _e8798));
@@ -3048,12 +3050,12 @@ let _e8804 = (_e8802 - _e8800);
 let _e8807 = (-(_e8800) / select(1e-30f, _e8804, (_e8804 > 1e-30f)));
 let _e8809 = select(0f, _e8807, (_e8807 > 0f));
 let _e8815 = select(select(select(1f, _e8809, (_e8809 < 1f)), 1f, (_e8802 <= 0f)), 0f, (_e8800 > 0f));
-let _e8821 = global_5.member[_e461].member_17.member_1;
+let _e8821 = global_5.member[_e461].member_19.member_1;
 let _e8822 = (_e8821 != 0u);
-phi_21034_ = type_7(((((1f * _e8659) * _e8711) * _e8763) * _e8815), ((((1f * select(1f, _e8659, _e8666)) * select(1f, _e8711, _e8718)) * select(1f, _e8763, _e8770)) * select(1f, _e8815, _e8822)), ((((1f * select(1f, 0f, (_e8666 && (_e8642 > 0f)))) * select(1f, 0f, (_e8718 && (_e8694 > 0f)))) * select(1f, 0f, (_e8770 && (_e8746 > 0f)))) * select(1f, 0f, (_e8822 && (_e8798 > 0f)))));
+phi_21036_ = type_7(((((1f * _e8659) * _e8711) * _e8763) * _e8815), ((((1f * select(1f, _e8659, _e8666)) * select(1f, _e8711, _e8718)) * select(1f, _e8763, _e8770)) * select(1f, _e8815, _e8822)), ((((1f * select(1f, 0f, (_e8666 && (_e8642 > 0f)))) * select(1f, 0f, (_e8718 && (_e8694 > 0f)))) * select(1f, 0f, (_e8770 && (_e8746 > 0f)))) * select(1f, 0f, (_e8822 && (_e8798 > 0f)))));
 }
-let _e8831 = phi_21034_;
-let _e8838 = global_5.member[_e461].member_5.member_3;
+let _e8831 = phi_21036_;
+let _e8838 = global_5.member[_e461].member_7.member_3;
 let _e8839 = ((_e6478.member_3 * _e8618) * _e8838);
 let _e8840 = (_e470.member_2 == 3u);
 let _e8843 = ((_e8840 || (_e470.member_2 == 4u)) || _e833);
@@ -3264,7 +3266,7 @@ let _e10730 = ((_e10708 - (_e10726 * 0.6933594f)) - (_e10726 * -2.1219444e-4f));
 let _e10750 = ((1f + (_e10730 * (1f + (_e10730 * (0.5f + (_e10730 * (0.16666667f + (_e10730 * (0.041666668f + (_e10730 * (0.008333334f + (_e10730 * (0.001388889f + (_e10730 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e10725 + 127i)) << bitcast<u32>(23i))));
 let _e10751 = (1f - _e10750);
 let _e10754 = (_e10751 / select(1e-12f, _e10700, (_e10700 > 1e-12f)));
-phi_25199_ = type_40(_e10750, _e10751, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10461 + (((_e10466 + (((bitcast<f32>(((_e10432 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10466) * _e10394)) - _e10461) * _e10392)) * _e10396) + (((bitcast<f32>(((_e10440 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10381) + ((bitcast<f32>(((_e10448 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10387))) * _e10754), ((((_e10517 + (((_e10522 + (((bitcast<f32>((((_e10432 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10522) * _e10394)) - _e10517) * _e10392)) * _e10396) + (((bitcast<f32>((((_e10440 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10381) + ((bitcast<f32>((((_e10448 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10387))) * _e10754), ((((_e10613 + (((_e10618 + (((bitcast<f32>(((_e10584 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10618) * _e10394)) - _e10613) * _e10392)) * _e10396) + (((bitcast<f32>(((_e10592 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10381) + ((bitcast<f32>(((_e10600 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10387))) * _e10754)));
+phi_25201_ = type_40(_e10750, _e10751, vec3<f32>(1f, 1f, 1f), vec3<f32>(((((_e10461 + (((_e10466 + (((bitcast<f32>(((_e10432 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10466) * _e10394)) - _e10461) * _e10392)) * _e10396) + (((bitcast<f32>(((_e10440 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10381) + ((bitcast<f32>(((_e10448 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10387))) * _e10754), ((((_e10517 + (((_e10522 + (((bitcast<f32>((((_e10432 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10522) * _e10394)) - _e10517) * _e10392)) * _e10396) + (((bitcast<f32>((((_e10440 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10381) + ((bitcast<f32>((((_e10448 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10387))) * _e10754), ((((_e10613 + (((_e10618 + (((bitcast<f32>(((_e10584 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e10618) * _e10394)) - _e10613) * _e10392)) * _e10396) + (((bitcast<f32>(((_e10592 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10381) + ((bitcast<f32>(((_e10600 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e10387))) * _e10754)));
 } else {
 local_3 = _e1590;
 let _e8845 = local_3;
@@ -3543,9 +3545,9 @@ let _e9969 = ((_e9947 - (_e9965 * 0.6933594f)) - (_e9965 * -2.1219444e-4f));
 let _e9989 = ((1f + (_e9969 * (1f + (_e9969 * (0.5f + (_e9969 * (0.16666667f + (_e9969 * (0.041666668f + (_e9969 * (0.008333334f + (_e9969 * (0.001388889f + (_e9969 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9964 + 127i)) << bitcast<u32>(23i))));
 let _e9990 = (1f - _e9989);
 let _e9993 = (_e9990 / select(1e-12f, _e9336, (_e9336 > 1e-12f)));
-phi_25199_ = type_40(_e9989, _e9990, vec3<f32>(((1f + (_e9824 * (1f + (_e9824 * (0.5f + (_e9824 * (0.16666667f + (_e9824 * (0.041666668f + (_e9824 * (0.008333334f + (_e9824 * (0.001388889f + (_e9824 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9819 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9872 * (1f + (_e9872 * (0.5f + (_e9872 * (0.16666667f + (_e9872 * (0.041666668f + (_e9872 * (0.008333334f + (_e9872 * (0.001388889f + (_e9872 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9867 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9920 * (1f + (_e9920 * (0.5f + (_e9920 * (0.16666667f + (_e9920 * (0.041666668f + (_e9920 * (0.008333334f + (_e9920 * (0.001388889f + (_e9920 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9915 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9609 + (((_e9614 + (((bitcast<f32>(((_e9580 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9614) * _e9239)) - _e9609) * _e9237)) * _e9241) + (((bitcast<f32>(((_e9588 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9226) + ((bitcast<f32>(((_e9596 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9232))) * _e9993), ((((_e9665 + (((_e9670 + (((bitcast<f32>((((_e9580 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9670) * _e9239)) - _e9665) * _e9237)) * _e9241) + (((bitcast<f32>((((_e9588 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9226) + ((bitcast<f32>((((_e9596 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9232))) * _e9993), ((((_e9761 + (((_e9766 + (((bitcast<f32>(((_e9732 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9766) * _e9239)) - _e9761) * _e9237)) * _e9241) + (((bitcast<f32>(((_e9740 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9226) + ((bitcast<f32>(((_e9748 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9232))) * _e9993)));
+phi_25201_ = type_40(_e9989, _e9990, vec3<f32>(((1f + (_e9824 * (1f + (_e9824 * (0.5f + (_e9824 * (0.16666667f + (_e9824 * (0.041666668f + (_e9824 * (0.008333334f + (_e9824 * (0.001388889f + (_e9824 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9819 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9872 * (1f + (_e9872 * (0.5f + (_e9872 * (0.16666667f + (_e9872 * (0.041666668f + (_e9872 * (0.008333334f + (_e9872 * (0.001388889f + (_e9872 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9867 + 127i)) << bitcast<u32>(23i)))), ((1f + (_e9920 * (1f + (_e9920 * (0.5f + (_e9920 * (0.16666667f + (_e9920 * (0.041666668f + (_e9920 * (0.008333334f + (_e9920 * (0.001388889f + (_e9920 * 1.984127e-4f)))))))))))))) * bitcast<f32>((bitcast<u32>((_e9915 + 127i)) << bitcast<u32>(23i))))), vec3<f32>(((((_e9609 + (((_e9614 + (((bitcast<f32>(((_e9580 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9614) * _e9239)) - _e9609) * _e9237)) * _e9241) + (((bitcast<f32>(((_e9588 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9226) + ((bitcast<f32>(((_e9596 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9232))) * _e9993), ((((_e9665 + (((_e9670 + (((bitcast<f32>((((_e9580 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9670) * _e9239)) - _e9665) * _e9237)) * _e9241) + (((bitcast<f32>((((_e9588 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9226) + ((bitcast<f32>((((_e9596 >> bitcast<u32>(16i)) & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9232))) * _e9993), ((((_e9761 + (((_e9766 + (((bitcast<f32>(((_e9732 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) - _e9766) * _e9239)) - _e9761) * _e9237)) * _e9241) + (((bitcast<f32>(((_e9740 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9226) + ((bitcast<f32>(((_e9748 & 32767u) << bitcast<u32>(13i))) * 5.0706024e30f) * _e9232))) * _e9993)));
 }
-let _e10761 = phi_25199_;
+let _e10761 = phi_25201_;
 let _e10762 = (_e6478.member_1.x - _e494);
 let _e10763 = (_e6478.member_1.y - _e496);
 let _e10764 = (_e6478.member_1.z - _e490);
@@ -3554,55 +3556,55 @@ let _e10769 = (_e494 + (_e10762 * _e10765));
 let _e10770 = (_e496 + (_e10763 * _e10765));
 let _e10771 = (_e490 + (_e10764 * _e10765));
 if _e8840 {
-let _e12456 = global_5.member[_e461].member_10.member_3;
+let _e12456 = global_5.member[_e461].member_12.member_3;
 let _e12457 = (_e12456 == 0u);
 if _e12457 {
-let _e12686 = global_5.member[_e461].member_9.member_1;
-let _e12695 = global_5.member[_e461].member_9.member;
-phi_25469_ = type_35(vec3<f32>(_e12686.member, _e12686.member_1, _e12686.member_2), vec3<f32>(_e12695.member, _e12695.member_1, _e12695.member_2));
+let _e12686 = global_5.member[_e461].member_11.member_1;
+let _e12695 = global_5.member[_e461].member_11.member;
+phi_25471_ = type_35(vec3<f32>(_e12686.member, _e12686.member_1, _e12686.member_2), vec3<f32>(_e12695.member, _e12695.member_1, _e12695.member_2));
 } else {
-let _e12462 = global_5.member[_e461].member_10.member;
+let _e12462 = global_5.member[_e461].member_12.member;
 let _e12473 = ((((_e12462.member.member * _e10769) + (_e12462.member.member_1 * _e10770)) + (_e12462.member.member_2 * _e10771)) + _e12462.member_1);
-let _e12478 = global_5.member[_e461].member_10.member_1;
+let _e12478 = global_5.member[_e461].member_12.member_1;
 let _e12489 = ((((_e12478.member.member * _e10769) + (_e12478.member.member_1 * _e10770)) + (_e12478.member.member_2 * _e10771)) + _e12478.member_1);
-let _e12494 = global_5.member[_e461].member_10.member_2;
+let _e12494 = global_5.member[_e461].member_12.member_2;
 let _e12505 = ((((_e12494.member.member * _e10769) + (_e12494.member.member_1 * _e10770)) + (_e12494.member.member_2 * _e10771)) + _e12494.member_1);
-let _e12510 = global_5.member[_e461].member_9.member_1;
+let _e12510 = global_5.member[_e461].member_11.member_1;
 if _e12457 {
-phi_25313_ = 1f;
+phi_25315_ = 1f;
 } else {
-let _e12518 = global_5.member[_e461].member_10.member_19;
+let _e12518 = global_5.member[_e461].member_12.member_19;
 let _e12522 = (_e12473 - _e12518.member);
 let _e12523 = (_e12489 - _e12518.member_1);
 let _e12524 = (_e12505 - _e12518.member_2);
 let _e12529 = (((_e12522 * _e12522) + (_e12523 * _e12523)) + (_e12524 * _e12524));
-phi_25313_ = (1f / select(1e-12f, _e12529, (_e12529 > 1e-12f)));
+phi_25315_ = (1f / select(1e-12f, _e12529, (_e12529 > 1e-12f)));
 }
-let _e12534 = phi_25313_;
+let _e12534 = phi_25315_;
 if _e12457 {
-phi_25397_ = 1f;
+phi_25399_ = 1f;
 } else {
-let _e12539 = global_5.member[_e461].member_10.member_19;
+let _e12539 = global_5.member[_e461].member_12.member_19;
 let _e12543 = (_e12473 - _e12539.member);
 let _e12544 = (_e12489 - _e12539.member_1);
 let _e12545 = (_e12505 - _e12539.member_2);
-let _e12551 = global_5.member[_e461].member_10.member_20.member;
+let _e12551 = global_5.member[_e461].member_12.member_20.member;
 let _e12559 = (((_e12551.member * _e12543) + (_e12551.member_1 * _e12544)) + (_e12551.member_2 * _e12545));
 let _e12563 = (_e12543 - (_e12551.member * _e12559));
 let _e12564 = (_e12544 - (_e12551.member_1 * _e12559));
 let _e12565 = (_e12545 - (_e12551.member_2 * _e12559));
 let _e12570 = (((_e12563 * _e12563) + (_e12564 * _e12564)) + (_e12565 * _e12565));
-let _e12582 = global_5.member[_e461].member_10.member_20.member_1;
-let _e12589 = global_5.member[_e461].member_10.member_20.member_2;
+let _e12582 = global_5.member[_e461].member_12.member_20.member_1;
+let _e12589 = global_5.member[_e461].member_12.member_20.member_2;
 let _e12590 = ((_e12582 - (sqrt(select(0f, _e12570, (_e12570 > 0f))) / select(1e-20f, _e12559, (_e12559 > 1e-20f)))) * _e12589);
 let _e12592 = select(0f, _e12590, (_e12590 > 0f));
 let _e12594 = select(1f, _e12592, (_e12592 < 1f));
-phi_25397_ = select(1f, select(0f, ((_e12594 * _e12594) * (3f - (2f * _e12594))), (_e12559 > 0f)), (_e12589 > 0f));
+phi_25399_ = select(1f, select(0f, ((_e12594 * _e12594) * (3f - (2f * _e12594))), (_e12559 > 0f)), (_e12589 > 0f));
 }
-let _e12604 = phi_25397_;
+let _e12604 = phi_25399_;
 let _e12605 = (_e12534 * _e12604);
 let _e12610 = (_e12456 != 0u);
-let _e12615 = global_5.member[_e461].member_10.member_19;
+let _e12615 = global_5.member[_e461].member_12.member_19;
 let _e12619 = (_e12473 - _e12615.member);
 let _e12620 = (_e12489 - _e12615.member_1);
 let _e12621 = (_e12505 - _e12615.member_2);
@@ -3612,28 +3614,28 @@ let _e12632 = (1f / select(1e-20f, _e12629, (_e12629 > 1e-20f)));
 let _e12636 = select(0f, (_e12619 * _e12632), _e12610);
 let _e12637 = select(0f, (_e12620 * _e12632), _e12610);
 let _e12638 = select(1f, (_e12621 * _e12632), _e12610);
-let _e12644 = global_5.member[_e461].member_10.member.member;
-let _e12656 = global_5.member[_e461].member_10.member_1.member;
-let _e12671 = global_5.member[_e461].member_10.member_2.member;
-phi_25469_ = type_35(vec3<f32>((_e12510.member * _e12605), (_e12510.member_1 * _e12605), (_e12510.member_2 * _e12605)), (vec3<f32>(((_e12644.member * _e12636) + (_e12656.member * _e12637)), ((_e12644.member_1 * _e12636) + (_e12656.member_1 * _e12637)), ((_e12644.member_2 * _e12636) + (_e12656.member_2 * _e12637))) + vec3<f32>((_e12671.member * _e12638), (_e12671.member_1 * _e12638), (_e12671.member_2 * _e12638))));
+let _e12644 = global_5.member[_e461].member_12.member.member;
+let _e12656 = global_5.member[_e461].member_12.member_1.member;
+let _e12671 = global_5.member[_e461].member_12.member_2.member;
+phi_25471_ = type_35(vec3<f32>((_e12510.member * _e12605), (_e12510.member_1 * _e12605), (_e12510.member_2 * _e12605)), (vec3<f32>(((_e12644.member * _e12636) + (_e12656.member * _e12637)), ((_e12644.member_1 * _e12636) + (_e12656.member_1 * _e12637)), ((_e12644.member_2 * _e12636) + (_e12656.member_2 * _e12637))) + vec3<f32>((_e12671.member * _e12638), (_e12671.member_1 * _e12638), (_e12671.member_2 * _e12638))));
 }
-let _e12702 = phi_25469_;
-phi_27881_ = _e12702;
+let _e12702 = phi_25471_;
+phi_27883_ = _e12702;
 } else {
 if (_e470.member_2 >= 6u) {
-let _e11835 = global_5.member[_e461].member_8.member_8;
+let _e11835 = global_5.member[_e461].member_10.member_8;
 let _e11836 = (_e10771 - _e11835);
-let _e11841 = global_5.member[_e461].member_8.member_2;
-let _e11846 = global_5.member[_e461].member_8.member_6;
-let _e11854 = global_5.member[_e461].member_8.member_5;
+let _e11841 = global_5.member[_e461].member_10.member_2;
+let _e11846 = global_5.member[_e461].member_10.member_6;
+let _e11854 = global_5.member[_e461].member_10.member_5;
 let _e11856 = (((_e10769 - (_e11841 + (_e11846 * _e11836))) * _e11854) - 0.5f);
-let _e11861 = global_5.member[_e461].member_8.member_3;
-let _e11866 = global_5.member[_e461].member_8.member_7;
+let _e11861 = global_5.member[_e461].member_10.member_3;
+let _e11866 = global_5.member[_e461].member_10.member_7;
 let _e11871 = (((_e10770 - (_e11861 + (_e11866 * _e11836))) * _e11854) - 0.5f);
-let _e11876 = global_5.member[_e461].member_8.member;
+let _e11876 = global_5.member[_e461].member_10.member;
 let _e11877 = bitcast<i32>(_e11876);
 let _e11879 = (f32(_e11877) - 1f);
-let _e11884 = global_5.member[_e461].member_8.member_1;
+let _e11884 = global_5.member[_e461].member_10.member_1;
 let _e11887 = (f32(bitcast<i32>(_e11884)) - 1f);
 let _e11889 = select(0f, _e11856, (_e11856 > 0f));
 let _e11891 = select(_e11879, _e11889, (_e11889 < _e11879));
@@ -3646,7 +3648,7 @@ let _e11917 = (_e11913 - select(0i, 1i, (_e11906 < f32(_e11913))));
 let _e11921 = (_e11856 - f32(_e11902));
 let _e11923 = (_e11871 - f32(_e11917));
 let _e11930 = ((((_e11856 >= 0f) && (_e11856 <= _e11879)) && (_e11871 >= 0f)) && (_e11871 <= _e11887));
-let _e11934 = global_5.member[_e461].member_4;
+let _e11934 = global_5.member[_e461].member_6;
 let _e11935 = bitcast<i32>(_e11934);
 let _e11937 = bitcast<i32>((_e11876 * _e11884));
 let _e11939 = (_e11935 + (3i * _e11937));
@@ -3682,7 +3684,7 @@ let _e12031 = bitcast<u32>(bitcast<f32>(_e12029));
 let _e12041 = f32((bitcast<i32>(((_e12031 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12049 = (_e11956 + ((f32((bitcast<i32>((_e11978 & 65535u)) - 32768i)) - _e11956) * _e11921));
 let _e12058 = (_e11967 + ((select(_e11988, -(_e11988), ((_e11978 >> bitcast<u32>(31i)) != 0u)) - _e11967) * _e11921));
-let _e12071 = global_5.member[_e461].member_9.member;
+let _e12071 = global_5.member[_e461].member_11.member;
 let _e12074 = (1f / 16255f);
 let _e12076 = (_e12071.member + (select(0f, (_e12049 + (((_e12008 + ((f32((bitcast<i32>((_e12031 & 65535u)) - 32768i)) - _e12008) * _e11921)) - _e12049) * _e11923)), _e11930) * _e12074));
 let _e12078 = (_e12071.member_1 + (select(0f, (_e12058 + (((_e12019 + ((select(_e12041, -(_e12041), ((_e12031 >> bitcast<u32>(31i)) != 0u)) - _e12019) * _e11921)) - _e12058) * _e11923)), _e11930) * _e12074));
@@ -3722,7 +3724,7 @@ let _e12179 = select(_e11943, _e12177, (_e12177 < _e11943));
 let _e12185 = global_3.member[bitcast<u32>(select(0i, _e12179, (_e12179 > 0i)))];
 let _e12193 = select(1f, (_e12166 + (((_e12176 + ((bitcast<f32>(_e12185) - _e12176) * _e12134)) - _e12166) * _e12136)), _e12143);
 if _e8843 {
-phi_26214_ = vec3(_e12193);
+phi_26216_ = vec3(_e12193);
 } else {
 let _e12196 = ((_e11935 + _e11937) + _e12132);
 let _e12198 = select(_e11943, _e12196, (_e12196 < _e11943));
@@ -3754,9 +3756,9 @@ let _e12280 = bitcast<f32>(_e12279);
 let _e12281 = (_e12271 + 1i);
 let _e12283 = select(_e11943, _e12281, (_e12281 < _e11943));
 let _e12289 = global_3.member[bitcast<u32>(select(0i, _e12283, (_e12283 > 0i)))];
-phi_26214_ = vec3<f32>(_e12193, select(1f, (_e12218 + (((_e12228 + ((bitcast<f32>(_e12237) - _e12228) * _e12134)) - _e12218) * _e12136)), _e12143), select(1f, (_e12270 + (((_e12280 + ((bitcast<f32>(_e12289) - _e12280) * _e12134)) - _e12270) * _e12136)), _e12143));
+phi_26216_ = vec3<f32>(_e12193, select(1f, (_e12218 + (((_e12228 + ((bitcast<f32>(_e12237) - _e12228) * _e12134)) - _e12218) * _e12136)), _e12143), select(1f, (_e12270 + (((_e12280 + ((bitcast<f32>(_e12289) - _e12280) * _e12134)) - _e12270) * _e12136)), _e12143));
 }
-let _e12300 = phi_26214_;
+let _e12300 = phi_26216_;
 local = (_e11939 + _e12132);
 let _e12302 = local;
 let _e12304 = select(_e11943, _e12302, (_e12302 < _e11943));
@@ -3787,12 +3789,12 @@ let _e12389 = bitcast<u32>(bitcast<f32>(_e12387));
 let _e12399 = f32((bitcast<i32>(((_e12389 >> bitcast<u32>(16i)) & 32767u)) - 128i));
 let _e12407 = (_e12315 + ((f32((bitcast<i32>((_e12337 & 65535u)) - 32768i)) - _e12315) * _e12134));
 let _e12416 = (_e12326 + ((select(_e12347, -(_e12347), ((_e12337 >> bitcast<u32>(31i)) != 0u)) - _e12326) * _e12134));
-let _e12429 = global_5.member[_e461].member_9.member_1;
+let _e12429 = global_5.member[_e461].member_11.member_1;
 let _e12436 = (_e12071.member + (select(0f, (_e12407 + (((_e12367 + ((f32((bitcast<i32>((_e12389 & 65535u)) - 32768i)) - _e12367) * _e12134)) - _e12407) * _e12136)), _e12143) * _e12074));
 let _e12438 = (_e12071.member_1 + (select(0f, (_e12416 + (((_e12378 + ((select(_e12399, -(_e12399), ((_e12389 >> bitcast<u32>(31i)) != 0u)) - _e12378) * _e12134)) - _e12416) * _e12136)), _e12143) * _e12074));
 let _e12442 = (1f - ((_e12436 * _e12436) + (_e12438 * _e12438)));
 let _e12444 = select(1e-4f, _e12442, (_e12442 > 1e-4f));
-phi_27880_ = type_35((_e12300 * vec3<f32>(_e12429.member, _e12429.member_1, _e12429.member_2)), vec3<f32>(_e12436, _e12438, sqrt(select(0f, _e12444, (_e12444 > 0f)))));
+phi_27882_ = type_35((_e12300 * vec3<f32>(_e12429.member, _e12429.member_1, _e12429.member_2)), vec3<f32>(_e12436, _e12438, sqrt(select(0f, _e12444, (_e12444 > 0f)))));
 } else {
 let _e10774 = (1f - _e10761.member);
 let _e10776 = select(1e-6f, _e10761.member, (_e10761.member > 1e-6f));
@@ -3807,25 +3809,25 @@ let _e10827 = (_e8618 * select(((1f / select(1e-3f, _e10814, (_e10814 > 1e-3f)))
 let _e10831 = (_e494 + (_e10762 * _e10827));
 let _e10832 = (_e496 + (_e10763 * _e10827));
 let _e10833 = (_e490 + (_e10764 * _e10827));
-let _e10838 = global_5.member[_e461].member_10.member;
+let _e10838 = global_5.member[_e461].member_12.member;
 let _e10849 = ((((_e10838.member.member * _e10831) + (_e10838.member.member_1 * _e10832)) + (_e10838.member.member_2 * _e10833)) + _e10838.member_1);
-let _e10854 = global_5.member[_e461].member_10.member_1;
+let _e10854 = global_5.member[_e461].member_12.member_1;
 let _e10865 = ((((_e10854.member.member * _e10831) + (_e10854.member.member_1 * _e10832)) + (_e10854.member.member_2 * _e10833)) + _e10854.member_1);
-let _e10870 = global_5.member[_e461].member_10.member_2;
+let _e10870 = global_5.member[_e461].member_12.member_2;
 let _e10881 = ((((_e10870.member.member * _e10831) + (_e10870.member.member_1 * _e10832)) + (_e10870.member.member_2 * _e10833)) + _e10870.member_1);
-let _e10886 = global_5.member[_e461].member_10.member_3;
+let _e10886 = global_5.member[_e461].member_12.member_3;
 let _e10887 = (_e10886 != 0u);
-let _e10897 = global_5.member[_e461].member_10.member_19.member_2;
+let _e10897 = global_5.member[_e461].member_12.member_19.member_2;
 let _e10899 = select(1f, (_e10881 - _e10897), _e10887);
 let _e10902 = (1f / select(1e-12f, _e10899, (_e10899 > 1e-12f)));
-let _e10908 = global_5.member[_e461].member_10.member_5;
-let _e10914 = global_5.member[_e461].member_10.member_8;
-let _e10921 = global_5.member[_e461].member_10.member_6;
-let _e10928 = global_5.member[_e461].member_10.member_11;
+let _e10908 = global_5.member[_e461].member_12.member_5;
+let _e10914 = global_5.member[_e461].member_12.member_8;
+let _e10921 = global_5.member[_e461].member_12.member_6;
+let _e10928 = global_5.member[_e461].member_12.member_11;
 let _e10929 = ((((_e10849 * _e10902) - _e10908) * _e10914) - _e10928);
 let _e10930 = ((((_e10865 * _e10902) - _e10921) * _e10914) - _e10928);
-let _e10935 = global_5.member[_e461].member_10.member_9;
-let _e10941 = global_5.member[_e461].member_10.member_10;
+let _e10935 = global_5.member[_e461].member_12.member_9;
+let _e10941 = global_5.member[_e461].member_12.member_10;
 let _e10942 = ((_e10881 - _e10935) * _e10941);
 let _e10943 = -(65536f);
 let _e10945 = select(_e10943, _e10929, (_e10929 > _e10943));
@@ -3844,17 +3846,17 @@ let _e10990 = (firstTrailingBit(8u) & 31u);
 let _e10992 = (_e10988 >> bitcast<u32>(_e10990));
 let _e10994 = (_e10958 >> bitcast<u32>(_e10990));
 let _e10996 = (_e10973 >> bitcast<u32>(_e10990));
-let _e11002 = global_5.member[_e461].member_10.member_14.member;
+let _e11002 = global_5.member[_e461].member_12.member_14.member;
 let _e11003 = bitcast<i32>(_e11002);
-let _e11009 = global_5.member[_e461].member_10.member_14.member_1;
+let _e11009 = global_5.member[_e461].member_12.member_14.member_1;
 let _e11010 = bitcast<i32>(_e11009);
-let _e11016 = global_5.member[_e461].member_10.member_14.member_2;
+let _e11016 = global_5.member[_e461].member_12.member_14.member_2;
 if ((((((_e10994 >= 0i) && (_e10994 < _e11003)) && (_e10996 >= 0i)) && (_e10996 < _e11010)) && (_e10992 >= 0i)) && (_e10992 < bitcast<i32>(_e11016))) {
-phi_26728_ = (((((_e10992 * _e11010) + _e10996) * _e11003) + _e10994) * 3i);
+phi_26730_ = (((((_e10992 * _e11010) + _e10996) * _e11003) + _e10994) * 3i);
 } else {
-phi_26728_ = -1i;
+phi_26730_ = -1i;
 }
-let _e11035 = phi_26728_;
+let _e11035 = phi_26730_;
 let _e11036 = (_e11035 + 1i);
 let _e11038 = (bitcast<i32>(_e235) - 1i);
 let _e11040 = select(_e11038, _e11036, (_e11036 < _e11038));
@@ -3862,7 +3864,7 @@ let _e11046 = global_3.member[bitcast<u32>(select(0i, _e11040, (_e11040 > 0i)))]
 let _e11048 = select(_e11038, _e11035, (_e11035 < _e11038));
 let _e11054 = global_3.member[bitcast<u32>(select(0i, _e11048, (_e11048 > 0i)))];
 let _e11057 = select(_e11046, 0u, (_e11035 < 0i));
-let _e11062 = global_5.member[_e461].member_10.member_13;
+let _e11062 = global_5.member[_e461].member_12.member_13;
 let _e11063 = (_e11057 * 81u);
 let _e11067 = bitcast<i32>((((_e11063 * _e11062) + 63u) & 4294967232u));
 let _e11075 = (((bitcast<i32>(_e11054) + ((_e10988 & 7i) * _e11067)) + ((_e10973 & 7i) * 9i)) + (_e10958 & 7i));
@@ -3903,9 +3905,9 @@ let _e11167 = select(_e11038, _e11165, (_e11165 < _e11038));
 let _e11173 = global_3.member[bitcast<u32>(select(0i, _e11167, (_e11167 > 0i)))];
 let _e11184 = select(1f, (_e11131 + (((_e11154 + (((_e11164 + ((bitcast<f32>(_e11173) - _e11164) * _e11078)) - _e11154) * _e11080)) - _e11131) * _e11082)), _e11083);
 if _e8843 {
-phi_27305_ = vec3(_e11184);
+phi_27307_ = vec3(_e11184);
 } else {
-let _e11190 = global_5.member[_e461].member_10.member_12;
+let _e11190 = global_5.member[_e461].member_12.member_12;
 let _e11191 = (_e11190 > 1u);
 let _e11195 = (_e11075 + (select(0i, 1i, _e11191) * _e11076));
 let _e11197 = select(_e11038, _e11195, (_e11195 < _e11038));
@@ -3969,10 +3971,10 @@ let _e11379 = bitcast<f32>(_e11378);
 let _e11380 = (_e11347 + 10i);
 let _e11382 = select(_e11038, _e11380, (_e11380 < _e11038));
 let _e11388 = global_3.member[bitcast<u32>(select(0i, _e11382, (_e11382 > 0i)))];
-phi_27305_ = vec3<f32>(_e11184, select(1f, (_e11243 + (((_e11266 + (((_e11276 + ((bitcast<f32>(_e11285) - _e11276) * _e11078)) - _e11266) * _e11080)) - _e11243) * _e11082)), _e11083), select(1f, (_e11346 + (((_e11369 + (((_e11379 + ((bitcast<f32>(_e11388) - _e11379) * _e11078)) - _e11369) * _e11080)) - _e11346) * _e11082)), _e11083));
+phi_27307_ = vec3<f32>(_e11184, select(1f, (_e11243 + (((_e11266 + (((_e11276 + ((bitcast<f32>(_e11285) - _e11276) * _e11078)) - _e11266) * _e11080)) - _e11243) * _e11082)), _e11083), select(1f, (_e11346 + (((_e11369 + (((_e11379 + ((bitcast<f32>(_e11388) - _e11379) * _e11078)) - _e11369) * _e11080)) - _e11346) * _e11082)), _e11083));
 }
-let _e11402 = phi_27305_;
-let _e11403 = global_5.member[_e461].member_10.member_19;
+let _e11402 = phi_27307_;
+let _e11403 = global_5.member[_e461].member_12.member_19;
 let _e11407 = (_e10849 - _e11403.member);
 let _e11408 = (_e10865 - _e11403.member_1);
 let _e11409 = (_e10881 - _e11403.member_2);
@@ -4040,46 +4042,46 @@ let _e11683 = (_e11424 + select(0f, ((_e11549 + (((_e11607 + (((_e11625 + ((f32(
 let _e11686 = (_e11425 + select(0f, ((_e11552 + (((_e11610 + (((_e11636 + ((select(_e11657, -(_e11657), ((_e11647 >> bitcast<u32>(31i)) != 0u)) - _e11636) * _e11078)) - _e11610) * _e11080)) - _e11552) * _e11082)) * 6.151953e-5f), _e11083));
 let _e11690 = (1f - ((_e11683 * _e11683) + (_e11686 * _e11686)));
 let _e11692 = select(1e-4f, _e11690, (_e11690 > 1e-4f));
-phi_27712_ = vec3<f32>(_e11683, _e11686, sqrt(select(0f, _e11692, (_e11692 > 0f))));
+phi_27714_ = vec3<f32>(_e11683, _e11686, sqrt(select(0f, _e11692, (_e11692 > 0f))));
 } else {
-phi_27712_ = vec3<f32>(_e11424, _e11425, select(1f, (_e11409 * _e11420), _e10887));
+phi_27714_ = vec3<f32>(_e11424, _e11425, select(1f, (_e11409 * _e11420), _e10887));
 }
-let _e11698 = phi_27712_;
+let _e11698 = phi_27714_;
 let _e11700 = (_e10886 == 0u);
 if _e11700 {
-phi_27806_ = 1f;
+phi_27808_ = 1f;
 } else {
-let _e11706 = global_5.member[_e461].member_10.member_20.member;
+let _e11706 = global_5.member[_e461].member_12.member_20.member;
 let _e11714 = (((_e11706.member * _e11407) + (_e11706.member_1 * _e11408)) + (_e11706.member_2 * _e11409));
 let _e11718 = (_e11407 - (_e11706.member * _e11714));
 let _e11719 = (_e11408 - (_e11706.member_1 * _e11714));
 let _e11720 = (_e11409 - (_e11706.member_2 * _e11714));
 let _e11725 = (((_e11718 * _e11718) + (_e11719 * _e11719)) + (_e11720 * _e11720));
-let _e11737 = global_5.member[_e461].member_10.member_20.member_1;
-let _e11744 = global_5.member[_e461].member_10.member_20.member_2;
+let _e11737 = global_5.member[_e461].member_12.member_20.member_1;
+let _e11744 = global_5.member[_e461].member_12.member_20.member_2;
 let _e11745 = ((_e11737 - (sqrt(select(0f, _e11725, (_e11725 > 0f))) / select(1e-20f, _e11714, (_e11714 > 1e-20f)))) * _e11744);
 let _e11747 = select(0f, _e11745, (_e11745 > 0f));
 let _e11749 = select(1f, _e11747, (_e11747 < 1f));
-phi_27806_ = select(1f, select(0f, ((_e11749 * _e11749) * (3f - (2f * _e11749))), (_e11714 > 0f)), (_e11744 > 0f));
+phi_27808_ = select(1f, select(0f, ((_e11749 * _e11749) * (3f - (2f * _e11749))), (_e11714 > 0f)), (_e11744 > 0f));
 }
-let _e11759 = phi_27806_;
-let _e11765 = global_5.member[_e461].member_9.member_1;
+let _e11759 = phi_27808_;
+let _e11765 = global_5.member[_e461].member_11.member_1;
 if _e11700 {
-phi_27848_ = 1f;
+phi_27850_ = 1f;
 } else {
-phi_27848_ = (1f / select(1e-12f, _e11414, (_e11414 > 1e-12f)));
+phi_27850_ = (1f / select(1e-12f, _e11414, (_e11414 > 1e-12f)));
 }
-let _e11779 = phi_27848_;
+let _e11779 = phi_27850_;
 let _e11780 = (_e11779 * select(_e11759, 1f, (_e840 && _e11083)));
-let _e11790 = global_5.member[_e461].member_10.member.member;
-let _e11803 = global_5.member[_e461].member_10.member_1.member;
-let _e11819 = global_5.member[_e461].member_10.member_2.member;
-phi_27880_ = type_35(vec3<f32>(((_e11402.x * _e11765.member) * _e11780), ((_e11402.y * _e11765.member_1) * _e11780), ((_e11402.z * _e11765.member_2) * _e11780)), (vec3<f32>(((_e11790.member * _e11698.x) + (_e11803.member * _e11698.y)), ((_e11790.member_1 * _e11698.x) + (_e11803.member_1 * _e11698.y)), ((_e11790.member_2 * _e11698.x) + (_e11803.member_2 * _e11698.y))) + vec3<f32>((_e11819.member * _e11698.z), (_e11819.member_1 * _e11698.z), (_e11819.member_2 * _e11698.z))));
+let _e11790 = global_5.member[_e461].member_12.member.member;
+let _e11803 = global_5.member[_e461].member_12.member_1.member;
+let _e11819 = global_5.member[_e461].member_12.member_2.member;
+phi_27882_ = type_35(vec3<f32>(((_e11402.x * _e11765.member) * _e11780), ((_e11402.y * _e11765.member_1) * _e11780), ((_e11402.z * _e11765.member_2) * _e11780)), (vec3<f32>(((_e11790.member * _e11698.x) + (_e11803.member * _e11698.y)), ((_e11790.member_1 * _e11698.x) + (_e11803.member_1 * _e11698.y)), ((_e11790.member_2 * _e11698.x) + (_e11803.member_2 * _e11698.y))) + vec3<f32>((_e11819.member * _e11698.z), (_e11819.member_1 * _e11698.z), (_e11819.member_2 * _e11698.z))));
 }
-let _e12451 = phi_27880_;
-phi_27881_ = _e12451;
+let _e12451 = phi_27882_;
+phi_27883_ = _e12451;
 }
-let _e12704 = phi_27881_;
+let _e12704 = phi_27883_;
 let _e12713 = (((_e12704.member_1.x * _e12704.member_1.x) + (_e12704.member_1.y * _e12704.member_1.y)) + (_e12704.member_1.z * _e12704.member_1.z));
 let _e12716 = sqrt(select(0f, _e12713, (_e12713 > 0f)));
 let _e12718 = ((_e801 & 8u) != 0u);
@@ -4093,15 +4095,15 @@ let _e12738 = select(_e8615.member_1.x, _e6478.member_5.x, _e6478.member_7);
 let _e12741 = select(_e8615.member_1.y, _e6478.member_5.y, _e6478.member_7);
 let _e12744 = select(_e8615.member_1.z, _e6478.member_5.z, _e6478.member_7);
 if _e6478.member_7 {
-phi_27964_ = _e6478.member.member_1;
-phi_27965_ = _e6478.member.member;
+phi_27966_ = _e6478.member.member_1;
+phi_27967_ = _e6478.member.member;
 } else {
-phi_27964_ = _e8615.member_2;
-phi_27965_ = _e6484;
+phi_27966_ = _e8615.member_2;
+phi_27967_ = _e6484;
 }
-let _e12751 = phi_27964_;
-let _e12753 = phi_27965_;
-let _e12757 = global_5.member[_e461].member_19;
+let _e12751 = phi_27966_;
+let _e12753 = phi_27967_;
+let _e12757 = global_5.member[_e461].member_21;
 let _e12762 = (((_e12738 * _e12738) + (_e12741 * _e12741)) + (_e12744 * _e12744));
 let _e12765 = sqrt(select(0f, _e12762, (_e12762 > 0f)));
 let _e12768 = (1f / select(1e-20f, _e12765, (_e12765 > 1e-20f)));
@@ -4155,14 +4157,14 @@ let _e12885 = (_e12883 + _e12844);
 let _e12888 = (_e12884 / select(1e-6f, _e12885, (_e12885 > 1e-6f)));
 let _e12892 = ((_e12844 * _e12884) + 1f);
 let _e12895 = (((_e12844 * _e12885) - 1f) / select(1e-6f, _e12892, (_e12892 > 1e-6f)));
-let _e12913 = global_5.member[_e461].member_20;
+let _e12913 = global_5.member[_e461].member_22;
 let _e12917 = ((select(0f, ((((_e12846 / ((3.1415927f * _e12850) * _e12850)) * (0.5f / select(1e-6f, _e12871, (_e12871 > 1e-6f)))) * select(select((((0.5f * _e12888) * _e12888) * (1f + (_e12895 * _e12895))), 1f, (_e12880 <= 0f)), 0f, (_e12753 == _e12751))) * _e12855), (_e12854 && (_e12765 > 1e-12f))) * _e12913) * select(_e8831.member_2, 0f, _e558));
-phi_28222_ = vec3<f32>((_e12728 * _e12917), (_e12730 * _e12917), (_e12732 * _e12917));
+phi_28224_ = vec3<f32>((_e12728 * _e12917), (_e12730 * _e12917), (_e12732 * _e12917));
 } else {
-phi_28222_ = vec3<f32>(0f, 0f, 0f);
+phi_28224_ = vec3<f32>(0f, 0f, 0f);
 }
-let _e12923 = phi_28222_;
-let _e12927 = global_5.member[_e461].member_18;
+let _e12923 = phi_28224_;
+let _e12927 = global_5.member[_e461].member_20;
 let _e12934 = (1f - _e465[12]);
 let _e12954 = (_e465[9] + ((_e465[13] * ((_e10761.member_3.x * (_e12728 + _e12927.member)) + _e12923.x)) * _e12934));
 let _e12955 = (_e465[10] + ((_e465[14] * ((_e10761.member_3.y * (_e12730 + _e12927.member_1)) + _e12923.y)) * _e12934));
@@ -4173,17 +4175,17 @@ let _e12964 = (_e465[14] * _e10761.member_2.y);
 let _e12966 = (_e465[15] * _e10761.member_2.z);
 let _e12971 = (_e465[8] + ((_e12959 - _e465[12]) * (_e490 + (_e10764 * 0.5f))));
 if ((_e470.member_2 >= 6u) || _e8840) {
-phi_29310_ = _e12704;
+phi_29312_ = _e12704;
 } else {
-let _e12978 = global_5.member[_e461].member_10.member;
+let _e12978 = global_5.member[_e461].member_12.member;
 let _e12989 = ((((_e12978.member.member * _e10769) + (_e12978.member.member_1 * _e10770)) + (_e12978.member.member_2 * _e10771)) + _e12978.member_1);
-let _e12994 = global_5.member[_e461].member_10.member_1;
+let _e12994 = global_5.member[_e461].member_12.member_1;
 let _e13005 = ((((_e12994.member.member * _e10769) + (_e12994.member.member_1 * _e10770)) + (_e12994.member.member_2 * _e10771)) + _e12994.member_1);
-let _e13010 = global_5.member[_e461].member_10.member_2;
+let _e13010 = global_5.member[_e461].member_12.member_2;
 let _e13021 = ((((_e13010.member.member * _e10769) + (_e13010.member.member_1 * _e10770)) + (_e13010.member.member_2 * _e10771)) + _e13010.member_1);
-let _e13026 = global_5.member[_e461].member_10.member_3;
+let _e13026 = global_5.member[_e461].member_12.member_3;
 let _e13027 = (_e13026 != 0u);
-let _e13032 = global_5.member[_e461].member_10.member_19;
+let _e13032 = global_5.member[_e461].member_12.member_19;
 let _e13036 = (_e12989 - _e13032.member);
 let _e13037 = (_e13005 - _e13032.member_1);
 let _e13038 = (_e13021 - _e13032.member_2);
@@ -4193,36 +4195,36 @@ let _e13049 = (1f / select(1e-20f, _e13046, (_e13046 > 1e-20f)));
 let _e13053 = select(0f, (_e13036 * _e13049), _e13027);
 let _e13054 = select(0f, (_e13037 * _e13049), _e13027);
 let _e13055 = select(1f, (_e13038 * _e13049), _e13027);
-let _e13061 = global_5.member[_e461].member_10.member.member;
-let _e13073 = global_5.member[_e461].member_10.member_1.member;
-let _e13088 = global_5.member[_e461].member_10.member_2.member;
+let _e13061 = global_5.member[_e461].member_12.member.member;
+let _e13073 = global_5.member[_e461].member_12.member_1.member;
+let _e13088 = global_5.member[_e461].member_12.member_2.member;
 let _e13097 = (vec3<f32>(((_e13061.member * _e13053) + (_e13073.member * _e13054)), ((_e13061.member_1 * _e13053) + (_e13073.member_1 * _e13054)), ((_e13061.member_2 * _e13053) + (_e13073.member_2 * _e13054))) + vec3<f32>((_e13088.member * _e13055), (_e13088.member_1 * _e13055), (_e13088.member_2 * _e13055)));
 if ((_e801 & 256u) != 0u) {
-let _e13206 = global_5.member[_e461].member_10.member_18.member.member;
+let _e13206 = global_5.member[_e461].member_12.member_18.member.member;
 let _e13207 = bitcast<i32>(_e13206);
-let _e13214 = global_5.member[_e461].member_10.member_18.member.member_1;
+let _e13214 = global_5.member[_e461].member_12.member_18.member.member_1;
 let _e13215 = bitcast<i32>(_e13214);
-let _e13221 = global_5.member[_e461].member_10.member_19.member_2;
+let _e13221 = global_5.member[_e461].member_12.member_19.member_2;
 let _e13223 = select(1f, (_e13021 - _e13221), _e13027);
 let _e13226 = (1f / select(1e-12f, _e13223, (_e13223 > 1e-12f)));
-let _e13232 = global_5.member[_e461].member_10.member_5;
-let _e13238 = global_5.member[_e461].member_10.member_8;
+let _e13232 = global_5.member[_e461].member_12.member_5;
+let _e13238 = global_5.member[_e461].member_12.member_8;
 let _e13239 = (((_e12989 * _e13226) - _e13232) * _e13238);
-let _e13245 = global_5.member[_e461].member_10.member_6;
+let _e13245 = global_5.member[_e461].member_12.member_6;
 let _e13247 = (((_e13005 * _e13226) - _e13245) * _e13238);
-let _e13253 = global_5.member[_e461].member_10.member_4.member;
+let _e13253 = global_5.member[_e461].member_12.member_4.member;
 let _e13255 = f32(bitcast<i32>(_e13253));
 let _e13257 = select(0f, _e13239, (_e13239 > 0f));
-let _e13265 = global_5.member[_e461].member_10.member_18.member_1;
+let _e13265 = global_5.member[_e461].member_12.member_18.member_1;
 let _e13268 = ((_e13239 - _e13255) * _e13265);
-let _e13274 = global_5.member[_e461].member_10.member_18.member_2;
+let _e13274 = global_5.member[_e461].member_12.member_18.member_2;
 let _e13276 = select(0f, _e13268, (_e13268 > 0f));
 let _e13278 = (_e13274 + _e13276);
 let _e13283 = (-(_e13239) * _e13265);
 let _e13285 = select(0f, _e13283, (_e13283 > 0f));
 let _e13287 = (_e13274 + _e13285);
 let _e13294 = (((_e13274 + (select(_e13255, _e13257, (_e13257 < _e13255)) * _e13265)) + (((_e13276 * _e13274) / select(1e-12f, _e13278, (_e13278 > 1e-12f))) - ((_e13285 * _e13274) / select(1e-12f, _e13287, (_e13287 > 1e-12f))))) - 0.5f);
-let _e13300 = global_5.member[_e461].member_10.member_4.member_1;
+let _e13300 = global_5.member[_e461].member_12.member_4.member_1;
 let _e13302 = f32(bitcast<i32>(_e13300));
 let _e13304 = select(0f, _e13247, (_e13247 > 0f));
 let _e13309 = ((_e13247 - _e13302) * _e13265);
@@ -4249,13 +4251,13 @@ let _e13371 = (_e13329 - f32(_e13363));
 let _e13373 = select(0f, _e13371, (_e13371 > 0f));
 let _e13375 = select(1f, _e13373, (_e13373 < 1f));
 if _e1176 {
-let _e13387 = global_5.member[_e461].member_10.member_18.member_4;
-phi_28651_ = _e13387;
+let _e13387 = global_5.member[_e461].member_12.member_18.member_4;
+phi_28653_ = _e13387;
 } else {
-let _e13381 = global_5.member[_e461].member_10.member_18.member_3;
-phi_28651_ = _e13381;
+let _e13381 = global_5.member[_e461].member_12.member_18.member_3;
+phi_28653_ = _e13381;
 }
-let _e13389 = phi_28651_;
+let _e13389 = phi_28653_;
 let _e13393 = ((bitcast<i32>(_e13389) + (_e13363 * _e13207)) + _e13346);
 let _e13394 = (_e13207 * _e13215);
 let _e13396 = (bitcast<i32>(_e235) - 1i);
@@ -4308,81 +4310,81 @@ let _e13536 = global_3.member[bitcast<u32>(select(0i, _e13530, (_e13530 > 0i)))]
 let _e13543 = (_e13517 + (((_e13527 + ((bitcast<f32>(_e13536) - _e13527) * _e13369)) - _e13517) * _e13375));
 let _e13545 = (_e13026 == 0u);
 if _e13545 {
-phi_29049_ = vec3<f32>(_e13444, _e13493, _e13543);
+phi_29051_ = vec3<f32>(_e13444, _e13493, _e13543);
 } else {
 if _e13545 {
-phi_28988_ = 1f;
+phi_28990_ = 1f;
 } else {
-let _e13551 = global_5.member[_e461].member_10.member_20.member;
+let _e13551 = global_5.member[_e461].member_12.member_20.member;
 let _e13559 = (((_e13551.member * _e13036) + (_e13551.member_1 * _e13037)) + (_e13551.member_2 * _e13038));
 let _e13563 = (_e13036 - (_e13551.member * _e13559));
 let _e13564 = (_e13037 - (_e13551.member_1 * _e13559));
 let _e13565 = (_e13038 - (_e13551.member_2 * _e13559));
 let _e13570 = (((_e13563 * _e13563) + (_e13564 * _e13564)) + (_e13565 * _e13565));
-let _e13582 = global_5.member[_e461].member_10.member_20.member_1;
-let _e13589 = global_5.member[_e461].member_10.member_20.member_2;
+let _e13582 = global_5.member[_e461].member_12.member_20.member_1;
+let _e13589 = global_5.member[_e461].member_12.member_20.member_2;
 let _e13590 = ((_e13582 - (sqrt(select(0f, _e13570, (_e13570 > 0f))) / select(1e-20f, _e13559, (_e13559 > 1e-20f)))) * _e13589);
 let _e13592 = select(0f, _e13590, (_e13590 > 0f));
 let _e13594 = select(1f, _e13592, (_e13592 < 1f));
-phi_28988_ = select(1f, select(0f, ((_e13594 * _e13594) * (3f - (2f * _e13594))), (_e13559 > 0f)), (_e13589 > 0f));
+phi_28990_ = select(1f, select(0f, ((_e13594 * _e13594) * (3f - (2f * _e13594))), (_e13559 > 0f)), (_e13589 > 0f));
 }
-let _e13604 = phi_28988_;
+let _e13604 = phi_28990_;
 let _e13606 = select(0f, 1f, (_e13038 > 0f));
 let _e13610 = ((_e13444 * _e13606) + _e13604);
 let _e13611 = ((_e13493 * _e13606) + _e13604);
 let _e13612 = ((_e13543 * _e13606) + _e13604);
 if _e13545 {
-phi_29044_ = 1f;
+phi_29046_ = 1f;
 } else {
-phi_29044_ = (1f / select(1e-12f, _e13043, (_e13043 > 1e-12f)));
+phi_29046_ = (1f / select(1e-12f, _e13043, (_e13043 > 1e-12f)));
 }
-let _e13623 = phi_29044_;
-phi_29049_ = vec3<f32>((select(0f, _e13610, (_e13610 > 0f)) * _e13623), (select(0f, _e13611, (_e13611 > 0f)) * _e13623), (select(0f, _e13612, (_e13612 > 0f)) * _e13623));
+let _e13623 = phi_29046_;
+phi_29051_ = vec3<f32>((select(0f, _e13610, (_e13610 > 0f)) * _e13623), (select(0f, _e13611, (_e13611 > 0f)) * _e13623), (select(0f, _e13612, (_e13612 > 0f)) * _e13623));
 }
-let _e13629 = phi_29049_;
-let _e13634 = global_5.member[_e461].member_9.member_1;
-phi_29309_ = type_35((vec3<f32>(_e13634.member, _e13634.member_1, _e13634.member_2) * _e13629), _e13097);
+let _e13629 = phi_29051_;
+let _e13634 = global_5.member[_e461].member_11.member_1;
+phi_29311_ = type_35((vec3<f32>(_e13634.member, _e13634.member_1, _e13634.member_2) * _e13629), _e13097);
 } else {
 let _e13100 = (_e13026 == 0u);
 if _e13100 {
-let _e13183 = global_5.member[_e461].member_9.member_1;
-let _e13192 = global_5.member[_e461].member_9.member;
-phi_29308_ = type_35(vec3<f32>(_e13183.member, _e13183.member_1, _e13183.member_2), vec3<f32>(_e13192.member, _e13192.member_1, _e13192.member_2));
+let _e13183 = global_5.member[_e461].member_11.member_1;
+let _e13192 = global_5.member[_e461].member_11.member;
+phi_29310_ = type_35(vec3<f32>(_e13183.member, _e13183.member_1, _e13183.member_2), vec3<f32>(_e13192.member, _e13192.member_1, _e13192.member_2));
 } else {
-let _e13105 = global_5.member[_e461].member_9.member_1;
+let _e13105 = global_5.member[_e461].member_11.member_1;
 if _e13100 {
-phi_29152_ = 1f;
+phi_29154_ = 1f;
 } else {
-phi_29152_ = (1f / select(1e-12f, _e13043, (_e13043 > 1e-12f)));
+phi_29154_ = (1f / select(1e-12f, _e13043, (_e13043 > 1e-12f)));
 }
-let _e13113 = phi_29152_;
+let _e13113 = phi_29154_;
 if _e13100 {
-phi_29236_ = 1f;
+phi_29238_ = 1f;
 } else {
-let _e13119 = global_5.member[_e461].member_10.member_20.member;
+let _e13119 = global_5.member[_e461].member_12.member_20.member;
 let _e13127 = (((_e13119.member * _e13036) + (_e13119.member_1 * _e13037)) + (_e13119.member_2 * _e13038));
 let _e13131 = (_e13036 - (_e13119.member * _e13127));
 let _e13132 = (_e13037 - (_e13119.member_1 * _e13127));
 let _e13133 = (_e13038 - (_e13119.member_2 * _e13127));
 let _e13138 = (((_e13131 * _e13131) + (_e13132 * _e13132)) + (_e13133 * _e13133));
-let _e13150 = global_5.member[_e461].member_10.member_20.member_1;
-let _e13157 = global_5.member[_e461].member_10.member_20.member_2;
+let _e13150 = global_5.member[_e461].member_12.member_20.member_1;
+let _e13157 = global_5.member[_e461].member_12.member_20.member_2;
 let _e13158 = ((_e13150 - (sqrt(select(0f, _e13138, (_e13138 > 0f))) / select(1e-20f, _e13127, (_e13127 > 1e-20f)))) * _e13157);
 let _e13160 = select(0f, _e13158, (_e13158 > 0f));
 let _e13162 = select(1f, _e13160, (_e13160 < 1f));
-phi_29236_ = select(1f, select(0f, ((_e13162 * _e13162) * (3f - (2f * _e13162))), (_e13127 > 0f)), (_e13157 > 0f));
+phi_29238_ = select(1f, select(0f, ((_e13162 * _e13162) * (3f - (2f * _e13162))), (_e13127 > 0f)), (_e13157 > 0f));
 }
-let _e13172 = phi_29236_;
+let _e13172 = phi_29238_;
 let _e13173 = (_e13113 * _e13172);
-phi_29308_ = type_35(vec3<f32>((_e13105.member * _e13173), (_e13105.member_1 * _e13173), (_e13105.member_2 * _e13173)), _e13097);
+phi_29310_ = type_35(vec3<f32>((_e13105.member * _e13173), (_e13105.member_1 * _e13173), (_e13105.member_2 * _e13173)), _e13097);
 }
-let _e13199 = phi_29308_;
-phi_29309_ = _e13199;
+let _e13199 = phi_29310_;
+phi_29311_ = _e13199;
 }
-let _e13642 = phi_29309_;
-phi_29310_ = _e13642;
+let _e13642 = phi_29311_;
+phi_29312_ = _e13642;
 }
-let _e13644 = phi_29310_;
+let _e13644 = phi_29312_;
 let _e13653 = (((_e13644.member_1.x * _e13644.member_1.x) + (_e13644.member_1.y * _e13644.member_1.y)) + (_e13644.member_1.z * _e13644.member_1.z));
 let _e13656 = sqrt(select(0f, _e13653, (_e13653 > 0f)));
 let _e13660 = (1e-6f * _e13656);
@@ -4399,9 +4401,9 @@ let _e13722 = (_e6478.member_1.z + (_e6478.member_2.z * _e13714));
 let _e13728 = ((((_e563.member.member * _e13720) + (_e563.member.member_1 * _e13721)) + (_e563.member.member_2 * _e13722)) + _e563.member_1);
 let _e13734 = ((((_e579.member.member * _e13720) + (_e579.member.member_1 * _e13721)) + (_e579.member.member_2 * _e13722)) + _e579.member_1);
 let _e13740 = ((((_e595.member.member * _e13720) + (_e595.member.member_1 * _e13721)) + (_e595.member.member_2 * _e13722)) + _e595.member_1);
-let _e13746 = global_5.member[_e461].member_6.member.member;
-let _e13755 = global_5.member[_e461].member_6.member_1.member;
-let _e13764 = global_5.member[_e461].member_6.member_2.member;
+let _e13746 = global_5.member[_e461].member_8.member.member;
+let _e13755 = global_5.member[_e461].member_8.member_1.member;
+let _e13764 = global_5.member[_e461].member_8.member_2.member;
 let _e13768 = (-0.5f - _e6495);
 let _e13769 = (-0.5f - _e13728);
 let _e13770 = -(_e13768);
@@ -4508,16 +4510,16 @@ let _e14007 = select(select(select(select(select(select(0f, _e13746.member, _e13
 let _e14008 = select(select(select(select(select(select(0f, _e13746.member_1, _e13788), _e13746.member_1, _e13828), _e13755.member_1, _e13868), _e13755.member_1, _e13908), _e13764.member_1, _e13948), _e13764.member_1, _e13988);
 let _e14009 = select(select(select(select(select(select(1f, _e13746.member_2, _e13788), _e13746.member_2, _e13828), _e13755.member_2, _e13868), _e13755.member_2, _e13908), _e13764.member_2, _e13948), _e13764.member_2, _e13988);
 if _e8620 {
-phi_30800_ = type_34(_e13994, vec3<f32>(_e13995, _e13996, _e13997), _e13999, vec3<f32>(_e14000, _e14001, _e14002), _e14004, _e14006, vec3<f32>(_e14007, _e14008, _e14009));
+phi_30802_ = type_34(_e13994, vec3<f32>(_e13995, _e13996, _e13997), _e13999, vec3<f32>(_e14000, _e14001, _e14002), _e14004, _e14006, vec3<f32>(_e14007, _e14008, _e14009));
 } else {
 let _e14016 = (((_e13746.member * _e13746.member) + (_e13746.member_1 * _e13746.member_1)) + (_e13746.member_2 * _e13746.member_2));
 let _e14019 = sqrt(select(0f, _e14016, (_e14016 > 0f)));
-let _e14024 = global_5.member[_e461].member_14.member_1;
+let _e14024 = global_5.member[_e461].member_16.member_1;
 let _e14025 = (_e14024 != 0u);
-let _e14030 = global_5.member[_e461].member_14.member;
+let _e14030 = global_5.member[_e461].member_16.member;
 let _e14050 = select(-1e6f, (((((_e14030.member.member * _e6478.member_1.x) + (_e14030.member.member_1 * _e6478.member_1.y)) + (_e14030.member.member_2 * _e6478.member_1.z)) + _e14030.member_1) * _e14019), _e14025);
 let _e14051 = select(-1e6f, (((((_e14030.member.member * _e13720) + (_e14030.member.member_1 * _e13721)) + (_e14030.member.member_2 * _e13722)) + _e14030.member_1) * _e14019), _e14025);
-let _e14057 = global_5.member[_e461].member_14.member.member;
+let _e14057 = global_5.member[_e461].member_16.member.member;
 let _e14061 = -(_e14050);
 let _e14064 = (_e14050 - _e14051);
 let _e14065 = (_e14051 - _e14050);
@@ -4532,12 +4534,12 @@ let _e14085 = select(_e13994, _e14074, _e14083);
 let _e14089 = select(_e13999, _e14078, _e14084);
 let _e14093 = select(_e14004, _e14050, _e14079);
 let _e14095 = select(_e14006, _e14051, (_e14051 > _e14006));
-let _e14103 = global_5.member[_e461].member_15.member_1;
+let _e14103 = global_5.member[_e461].member_17.member_1;
 let _e14104 = (_e14103 != 0u);
-let _e14109 = global_5.member[_e461].member_15.member;
+let _e14109 = global_5.member[_e461].member_17.member;
 let _e14129 = select(-1e6f, (((((_e14109.member.member * _e6478.member_1.x) + (_e14109.member.member_1 * _e6478.member_1.y)) + (_e14109.member.member_2 * _e6478.member_1.z)) + _e14109.member_1) * _e14019), _e14104);
 let _e14130 = select(-1e6f, (((((_e14109.member.member * _e13720) + (_e14109.member.member_1 * _e13721)) + (_e14109.member.member_2 * _e13722)) + _e14109.member_1) * _e14019), _e14104);
-let _e14136 = global_5.member[_e461].member_15.member.member;
+let _e14136 = global_5.member[_e461].member_17.member.member;
 let _e14140 = -(_e14129);
 let _e14143 = (_e14129 - _e14130);
 let _e14144 = (_e14130 - _e14129);
@@ -4552,12 +4554,12 @@ let _e14164 = select(_e14085, _e14153, _e14162);
 let _e14168 = select(_e14089, _e14157, _e14163);
 let _e14172 = select(_e14093, _e14129, _e14158);
 let _e14174 = select(_e14095, _e14130, (_e14130 > _e14095));
-let _e14182 = global_5.member[_e461].member_16.member_1;
+let _e14182 = global_5.member[_e461].member_18.member_1;
 let _e14183 = (_e14182 != 0u);
-let _e14188 = global_5.member[_e461].member_16.member;
+let _e14188 = global_5.member[_e461].member_18.member;
 let _e14208 = select(-1e6f, (((((_e14188.member.member * _e6478.member_1.x) + (_e14188.member.member_1 * _e6478.member_1.y)) + (_e14188.member.member_2 * _e6478.member_1.z)) + _e14188.member_1) * _e14019), _e14183);
 let _e14209 = select(-1e6f, (((((_e14188.member.member * _e13720) + (_e14188.member.member_1 * _e13721)) + (_e14188.member.member_2 * _e13722)) + _e14188.member_1) * _e14019), _e14183);
-let _e14215 = global_5.member[_e461].member_16.member.member;
+let _e14215 = global_5.member[_e461].member_18.member.member;
 let _e14219 = -(_e14208);
 let _e14222 = (_e14208 - _e14209);
 let _e14223 = (_e14209 - _e14208);
@@ -4572,12 +4574,12 @@ let _e14243 = select(_e14164, _e14232, _e14241);
 let _e14247 = select(_e14168, _e14236, _e14242);
 let _e14251 = select(_e14172, _e14208, _e14237);
 let _e14253 = select(_e14174, _e14209, (_e14209 > _e14174));
-let _e14261 = global_5.member[_e461].member_17.member_1;
+let _e14261 = global_5.member[_e461].member_19.member_1;
 let _e14262 = (_e14261 != 0u);
-let _e14267 = global_5.member[_e461].member_17.member;
+let _e14267 = global_5.member[_e461].member_19.member;
 let _e14287 = select(-1e6f, (((((_e14267.member.member * _e6478.member_1.x) + (_e14267.member.member_1 * _e6478.member_1.y)) + (_e14267.member.member_2 * _e6478.member_1.z)) + _e14267.member_1) * _e14019), _e14262);
 let _e14288 = select(-1e6f, (((((_e14267.member.member * _e13720) + (_e14267.member.member_1 * _e13721)) + (_e14267.member.member_2 * _e13722)) + _e14267.member_1) * _e14019), _e14262);
-let _e14294 = global_5.member[_e461].member_17.member.member;
+let _e14294 = global_5.member[_e461].member_19.member.member;
 let _e14298 = -(_e14287);
 let _e14301 = (_e14287 - _e14288);
 let _e14302 = (_e14288 - _e14287);
@@ -4588,11 +4590,11 @@ let _e14315 = select(2f, select(0f, _e14307, (_e14287 < 0f)), (_e14288 > 0f));
 let _e14316 = (_e14287 > _e14251);
 let _e14320 = ((_e14311 > _e14243) || ((_e14311 == _e14243) && _e14316));
 let _e14321 = (_e14315 < _e14247);
-phi_30800_ = type_34(select(_e14243, _e14311, _e14320), vec3<f32>(select(select(select(select(_e13995, _e14057.member, _e14083), _e14136.member, _e14162), _e14215.member, _e14241), _e14294.member, _e14320), select(select(select(select(_e13996, _e14057.member_1, _e14083), _e14136.member_1, _e14162), _e14215.member_1, _e14241), _e14294.member_1, _e14320), select(select(select(select(_e13997, _e14057.member_2, _e14083), _e14136.member_2, _e14162), _e14215.member_2, _e14241), _e14294.member_2, _e14320)), select(_e14247, _e14315, _e14321), vec3<f32>(select(select(select(select(_e14000, _e14057.member, _e14084), _e14136.member, _e14163), _e14215.member, _e14242), _e14294.member, _e14321), select(select(select(select(_e14001, _e14057.member_1, _e14084), _e14136.member_1, _e14163), _e14215.member_1, _e14242), _e14294.member_1, _e14321), select(select(select(select(_e14002, _e14057.member_2, _e14084), _e14136.member_2, _e14163), _e14215.member_2, _e14242), _e14294.member_2, _e14321)), select(_e14251, _e14287, _e14316), select(_e14253, _e14288, (_e14288 > _e14253)), vec3<f32>(select(select(select(select(_e14007, _e14057.member, _e14079), _e14136.member, _e14158), _e14215.member, _e14237), _e14294.member, _e14316), select(select(select(select(_e14008, _e14057.member_1, _e14079), _e14136.member_1, _e14158), _e14215.member_1, _e14237), _e14294.member_1, _e14316), select(select(select(select(_e14009, _e14057.member_2, _e14079), _e14136.member_2, _e14158), _e14215.member_2, _e14237), _e14294.member_2, _e14316)));
+phi_30802_ = type_34(select(_e14243, _e14311, _e14320), vec3<f32>(select(select(select(select(_e13995, _e14057.member, _e14083), _e14136.member, _e14162), _e14215.member, _e14241), _e14294.member, _e14320), select(select(select(select(_e13996, _e14057.member_1, _e14083), _e14136.member_1, _e14162), _e14215.member_1, _e14241), _e14294.member_1, _e14320), select(select(select(select(_e13997, _e14057.member_2, _e14083), _e14136.member_2, _e14162), _e14215.member_2, _e14241), _e14294.member_2, _e14320)), select(_e14247, _e14315, _e14321), vec3<f32>(select(select(select(select(_e14000, _e14057.member, _e14084), _e14136.member, _e14163), _e14215.member, _e14242), _e14294.member, _e14321), select(select(select(select(_e14001, _e14057.member_1, _e14084), _e14136.member_1, _e14163), _e14215.member_1, _e14242), _e14294.member_1, _e14321), select(select(select(select(_e14002, _e14057.member_2, _e14084), _e14136.member_2, _e14163), _e14215.member_2, _e14242), _e14294.member_2, _e14321)), select(_e14251, _e14287, _e14316), select(_e14253, _e14288, (_e14288 > _e14253)), vec3<f32>(select(select(select(select(_e14007, _e14057.member, _e14079), _e14136.member, _e14158), _e14215.member, _e14237), _e14294.member, _e14316), select(select(select(select(_e14008, _e14057.member_1, _e14079), _e14136.member_1, _e14158), _e14215.member_1, _e14237), _e14294.member_1, _e14316), select(select(select(select(_e14009, _e14057.member_2, _e14079), _e14136.member_2, _e14158), _e14215.member_2, _e14237), _e14294.member_2, _e14316)));
 }
-let _e14341 = phi_30800_;
+let _e14341 = phi_30802_;
 let _e14348 = (_e8831.member_2 * select(0f, 1f, _e6478.member_6));
-let _e14354 = global_5.member[_e461].member_5.member_4;
+let _e14354 = global_5.member[_e461].member_7.member_4;
 let _e14357 = (_e8615.member_3.x * _e14348);
 let _e14359 = (_e8615.member_3.y * _e14348);
 let _e14361 = (_e8615.member_3.z * _e14348);
@@ -4615,44 +4617,44 @@ let _e14415 = (_e6478.member_2.y + ((_e8615.member_4.y * _e14348) * _e484));
 let _e14416 = (_e6478.member_2.z + ((_e8615.member_4.z * _e14348) * _e484));
 let _e14418 = (_e14416 * _e14416);
 let _e14427 = ((_e801 & 1u) != 0u);
-phi_30956_ = vec3<f32>(select(select(select(_e14384, _e14366, _e14400), _e14414, _e14427), _e6478.member_2.x, _e6478.member_8), select(select(select(_e14385, _e14367, _e14400), _e14415, _e14427), _e6478.member_2.y, _e6478.member_8), select(select(select(_e14386, _e14368, _e14400), _e14416, _e14427), _e6478.member_2.z, _e6478.member_8));
-phi_30957_ = (select(_e14400, ((_e14416 <= 0f) || (_e14418 <= (_e14390 * (((_e14414 * _e14414) + (_e14415 * _e14415)) + _e14418)))), _e14427) || _e6478.member_8);
+phi_30958_ = vec3<f32>(select(select(select(_e14384, _e14366, _e14400), _e14414, _e14427), _e6478.member_2.x, _e6478.member_8), select(select(select(_e14385, _e14367, _e14400), _e14415, _e14427), _e6478.member_2.y, _e6478.member_8), select(select(select(_e14386, _e14368, _e14400), _e14416, _e14427), _e6478.member_2.z, _e6478.member_8));
+phi_30959_ = (select(_e14400, ((_e14416 <= 0f) || (_e14418 <= (_e14390 * (((_e14414 * _e14414) + (_e14415 * _e14415)) + _e14418)))), _e14427) || _e6478.member_8);
 } else {
-phi_30956_ = _e6478.member_2;
-phi_30957_ = false;
+phi_30958_ = _e6478.member_2;
+phi_30959_ = false;
 }
-let _e14439 = phi_30956_;
-let _e14441 = phi_30957_;
+let _e14439 = phi_30958_;
+let _e14441 = phi_30959_;
 let _e14452 = ((((_e558 || _e6478.member_7) || (_e14439.x != _e465[3])) || (_e14439.y != _e465[4])) || (_e14439.z != _e465[5]));
 let _e14454 = select(_e12964, _e12962, (_e12962 > _e12964));
 let _e14462 = select(select(0f, 2f, _e14441), 1f, (_e558 || (((1f - _e13707) * select(_e12966, _e14454, (_e14454 > _e12966))) < 9.765625e-4f)));
 let _e14466 = ((_e14462 == 2f) && !(_e6478.member_8));
-phi_31117_ = array<f32, 18>(select(select(_e465[0], select(_e6478.member_1.x, _e10769, _e558), _e14452), _e494, _e14466), select(select(_e465[1], select(_e6478.member_1.y, _e10770, _e558), _e14452), _e496, _e14466), select(select(_e465[2], select(_e6478.member_1.z, _e10771, _e558), _e14452), _e490, _e14466), select(_e14439.x, _e6480.x, _e14466), select(_e14439.y, _e6480.y, _e14466), select(_e14439.z, _e6480.z, _e14466), select(_e8615.member, _e1590, _e14466), _e14462, select(select(_e12971, (_e12971 + (_e13694 * _e10771)), _e558), _e465[8], _e14466), select(select(_e12954, (_e12954 + ((_e12962 * (select(_e1202.member, _e1189.member, _e1176) * (((_e13644.member.x * _e13664) * _e13684) + _e12927.member))) * _e13694)), _e558), _e465[9], _e14466), select(select(_e12955, (_e12955 + ((_e12964 * (select(_e1202.member_1, _e1189.member_1, _e1176) * (((_e13644.member.y * _e13664) * _e13684) + _e12927.member_1))) * _e13694)), _e558), _e465[10], _e14466), select(select(_e12956, (_e12956 + ((_e12966 * (select(_e1202.member_2, _e1189.member_2, _e1176) * (((_e13644.member.z * _e13664) * _e13684) + _e12927.member_2))) * _e13694)), _e558), _e465[11], _e14466), select(_e13707, _e465[12], _e14466), select(_e12962, _e465[13], _e14466), select(_e12964, _e465[14], _e14466), select(_e12966, _e465[15], _e14466), select(select(0f, _e8615.member_2, (_e6478.member_6 && !(_e558))), select(0f, _e6484, _e6482), _e14466), select(select(_e6478.member_1.z, -1.2676506e30f, _e6478.member_8), _e490, _e14466));
+phi_31119_ = array<f32, 18>(select(select(_e465[0], select(_e6478.member_1.x, _e10769, _e558), _e14452), _e494, _e14466), select(select(_e465[1], select(_e6478.member_1.y, _e10770, _e558), _e14452), _e496, _e14466), select(select(_e465[2], select(_e6478.member_1.z, _e10771, _e558), _e14452), _e490, _e14466), select(_e14439.x, _e6480.x, _e14466), select(_e14439.y, _e6480.y, _e14466), select(_e14439.z, _e6480.z, _e14466), select(_e8615.member, _e1590, _e14466), _e14462, select(select(_e12971, (_e12971 + (_e13694 * _e10771)), _e558), _e465[8], _e14466), select(select(_e12954, (_e12954 + ((_e12962 * (select(_e1202.member, _e1189.member, _e1176) * (((_e13644.member.x * _e13664) * _e13684) + _e12927.member))) * _e13694)), _e558), _e465[9], _e14466), select(select(_e12955, (_e12955 + ((_e12964 * (select(_e1202.member_1, _e1189.member_1, _e1176) * (((_e13644.member.y * _e13664) * _e13684) + _e12927.member_1))) * _e13694)), _e558), _e465[10], _e14466), select(select(_e12956, (_e12956 + ((_e12966 * (select(_e1202.member_2, _e1189.member_2, _e1176) * (((_e13644.member.z * _e13664) * _e13684) + _e12927.member_2))) * _e13694)), _e558), _e465[11], _e14466), select(_e13707, _e465[12], _e14466), select(_e12962, _e465[13], _e14466), select(_e12964, _e465[14], _e14466), select(_e12966, _e465[15], _e14466), select(select(0f, _e8615.member_2, (_e6478.member_6 && !(_e558))), select(0f, _e6484, _e6482), _e14466), select(select(_e6478.member_1.z, -1.2676506e30f, _e6478.member_8), _e490, _e14466));
 } else {
-phi_31117_ = _e465;
+phi_31119_ = _e465;
 }
-let _e14503 = phi_31117_;
-phi_690_ = (_e461 + 1u);
-phi_693_ = select(_e463, true, _e1152);
-phi_695_ = _e14503;
+let _e14503 = phi_31119_;
+phi_692_ = (_e461 + 1u);
+phi_695_ = select(_e463, true, _e1152);
+phi_697_ = _e14503;
 } else {
-phi_690_ = u32();
-phi_693_ = bool();
-phi_695_ = array<f32, 18>();
+phi_692_ = u32();
+phi_695_ = bool();
+phi_697_ = array<f32, 18>();
 }
-let _e14507 = phi_690_;
-let _e14509 = phi_693_;
-let _e14511 = phi_695_;
+let _e14507 = phi_692_;
+let _e14509 = phi_695_;
+let _e14511 = phi_697_;
 continue;
 continuing {
-phi_689_ = _e14507;
-phi_692_ = _e14509;
-phi_694_ = _e14511;
-phi_31308_ = false;
+phi_691_ = _e14507;
+phi_694_ = _e14509;
+phi_696_ = _e14511;
+phi_31310_ = false;
 break if !(_e466);
 }
 }
-let _e14514 = phi_31308_;
+let _e14514 = phi_31310_;
 if _e14514 {
 break;
 }

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -301,8 +303,8 @@ let _e277 = ((8u * _e186) + _e188);
 let _e278 = bitcast<i32>(_e277);
 let _e280 = select(_e191, _e278, (_e278 < _e191));
 let _e286 = global_4.member[bitcast<u32>(select(0i, _e280, (_e280 > 0i)))];
-let _e291 = global_1.member.member_8.member;
-let _e295 = global_1.member.member_8.member_1;
+let _e291 = global_1.member.member_10.member;
+let _e295 = global_1.member.member_10.member_1;
 let _e296 = (_e291 * _e295);
 if (_e165 >= (_e296 * 4u)) {
 let _e300 = bitcast<i32>((_e183 * _e291));
@@ -311,45 +313,45 @@ let _e307 = global_6.member[bitcast<u32>((_e300 + _e302))];
 let _e313 = global_6.member[bitcast<u32>(((bitcast<i32>(_e296) + _e300) + _e302))];
 let _e314 = f32(_e302);
 let _e316 = f32(bitcast<i32>(_e183));
-let _e322 = global_1.member.member_5.member;
-let _e326 = global_1.member.member_8.member_8;
+let _e322 = global_1.member.member_7.member;
+let _e326 = global_1.member.member_10.member_8;
 let _e327 = (_e322 - _e326);
-let _e331 = global_1.member.member_8.member_2;
-let _e335 = global_1.member.member_8.member_6;
-let _e342 = global_1.member.member_8.member_4;
+let _e331 = global_1.member.member_10.member_2;
+let _e335 = global_1.member.member_10.member_6;
+let _e342 = global_1.member.member_10.member_4;
 let _e344 = ((_e331 + (_e335 * _e327)) + (((_e314 - _e307) + 0.5f) * _e342));
-let _e348 = global_1.member.member_8.member_3;
-let _e352 = global_1.member.member_8.member_7;
+let _e348 = global_1.member.member_10.member_3;
+let _e352 = global_1.member.member_10.member_7;
 let _e357 = ((_e348 + (_e352 * _e327)) + (((_e316 - _e313) + 0.5f) * _e342));
-let _e361 = global_1.member.member_5.member_1;
+let _e361 = global_1.member.member_7.member_1;
 let _e362 = (_e361 - _e326);
 let _e367 = ((_e331 + (_e335 * _e362)) + ((_e314 + 0.5f) * _e342));
 let _e372 = ((_e348 + (_e352 * _e362)) + ((_e316 + 0.5f) * _e342));
-let _e378 = global_1.member.member_6.member.member;
+let _e378 = global_1.member.member_8.member.member;
 let _e386 = (((_e378.member * _e378.member) + (_e378.member_1 * _e378.member_1)) + (_e378.member_2 * _e378.member_2));
 let _e389 = sqrt(select(0f, _e386, (_e386 > 0f)));
 let _e390 = ((1.5f * _e342) * _e389);
 let _e394 = (select(1f, _e390, (_e390 < 1f)) + (1f / 64f));
 let _e396 = select(_e394, 0.5f, (0.5f > _e394));
-let _e400 = global_1.member.member_5.member_2;
+let _e400 = global_1.member.member_7.member_2;
 let _e403 = (_e400 / select(1e-6f, _e253, (_e253 > 1e-6f)));
 let _e407 = (_e367 + (_e231 * _e403));
 let _e408 = (_e372 + (_e242 * _e403));
 let _e409 = (_e361 + (_e253 * _e403));
-let _e413 = global_1.member.member_6.member;
+let _e413 = global_1.member.member_8.member;
 let _e424 = ((((_e413.member.member * _e344) + (_e413.member.member_1 * _e357)) + (_e413.member.member_2 * _e322)) + _e413.member_1);
-let _e428 = global_1.member.member_6.member_1;
+let _e428 = global_1.member.member_8.member_1;
 let _e439 = ((((_e428.member.member * _e344) + (_e428.member.member_1 * _e357)) + (_e428.member.member_2 * _e322)) + _e428.member_1);
-let _e443 = global_1.member.member_6.member_2;
+let _e443 = global_1.member.member_8.member_2;
 let _e454 = ((((_e443.member.member * _e344) + (_e443.member.member_1 * _e357)) + (_e443.member.member_2 * _e322)) + _e443.member_1);
 let _e460 = ((((_e413.member.member * _e367) + (_e413.member.member_1 * _e372)) + (_e413.member.member_2 * _e361)) + _e413.member_1);
 let _e466 = ((((_e428.member.member * _e367) + (_e428.member.member_1 * _e372)) + (_e428.member.member_2 * _e361)) + _e428.member_1);
 let _e472 = ((((_e443.member.member * _e367) + (_e443.member.member_1 * _e372)) + (_e443.member.member_2 * _e361)) + _e443.member_1);
-let _e478 = global_1.member.member_6.member_3.member;
+let _e478 = global_1.member.member_8.member_3.member;
 let _e479 = (_e478 - 1f);
-let _e488 = global_1.member.member_6.member_3.member_1;
+let _e488 = global_1.member.member_8.member_3.member_1;
 let _e489 = (_e488 - 1f);
-let _e498 = global_1.member.member_6.member_3.member_2;
+let _e498 = global_1.member.member_8.member_3.member_2;
 let _e499 = (_e498 - 1f);
 let _e513 = (((((((_e424 >= 0f) && (_e424 <= _e479)) && (_e439 >= 0f)) && (_e439 <= _e489)) && (_e454 >= 0f)) && (_e454 <= _e499)) && ((((((_e460 >= 0f) && (_e460 <= _e479)) && (_e466 >= 0f)) && (_e466 <= _e489)) && (_e472 >= 0f)) && (_e472 <= _e499)));
 let _e522 = ((((_e173.member_2 == 1u) || (_e173.member_2 == 5u)) || (_e173.member_2 == 6u)) || ((_e173.member_2 == 2u) || (_e173.member_2 == 7u)));
@@ -365,15 +367,15 @@ let _e543 = ((_e541 & 16u) == 0u);
 if _e543 {
 phi_898_ = _e538;
 } else {
-let _e548 = global_1.member.member_14.member;
+let _e548 = global_1.member.member_16.member;
 let _e560 = -((_e396 / _e389));
-let _e565 = global_1.member.member_14.member_1;
-let _e571 = global_1.member.member_15.member;
-let _e587 = global_1.member.member_15.member_1;
-let _e594 = global_1.member.member_16.member;
-let _e610 = global_1.member.member_16.member_1;
-let _e617 = global_1.member.member_17.member;
-let _e633 = global_1.member.member_17.member_1;
+let _e565 = global_1.member.member_16.member_1;
+let _e571 = global_1.member.member_17.member;
+let _e587 = global_1.member.member_17.member_1;
+let _e594 = global_1.member.member_18.member;
+let _e610 = global_1.member.member_18.member_1;
+let _e617 = global_1.member.member_19.member;
+let _e633 = global_1.member.member_19.member_1;
 phi_898_ = (_e538 && (((((((((_e548.member.member * _e344) + (_e548.member.member_1 * _e357)) + (_e548.member.member_2 * _e322)) + _e548.member_1) <= _e560) || (_e565 == 0u)) && ((((((_e571.member.member * _e344) + (_e571.member.member_1 * _e357)) + (_e571.member.member_2 * _e322)) + _e571.member_1) <= _e560) || (_e587 == 0u))) && ((((((_e594.member.member * _e344) + (_e594.member.member_1 * _e357)) + (_e594.member.member_2 * _e322)) + _e594.member_1) <= _e560) || (_e610 == 0u))) && ((((((_e617.member.member * _e344) + (_e617.member.member_1 * _e357)) + (_e617.member.member_2 * _e322)) + _e617.member_1) <= _e560) || (_e633 == 0u))));
 }
 let _e639 = phi_898_;
@@ -387,15 +389,15 @@ let _e674 = ((((_e651 >= _e523) && (_e651 <= _e526)) && ((_e657 >= _e523) && (_e
 if _e543 {
 phi_1078_ = _e674;
 } else {
-let _e679 = global_1.member.member_14.member;
+let _e679 = global_1.member.member_16.member;
 let _e691 = -((_e396 / _e389));
-let _e696 = global_1.member.member_14.member_1;
-let _e702 = global_1.member.member_15.member;
-let _e718 = global_1.member.member_15.member_1;
-let _e725 = global_1.member.member_16.member;
-let _e741 = global_1.member.member_16.member_1;
-let _e748 = global_1.member.member_17.member;
-let _e764 = global_1.member.member_17.member_1;
+let _e696 = global_1.member.member_16.member_1;
+let _e702 = global_1.member.member_17.member;
+let _e718 = global_1.member.member_17.member_1;
+let _e725 = global_1.member.member_18.member;
+let _e741 = global_1.member.member_18.member_1;
+let _e748 = global_1.member.member_19.member;
+let _e764 = global_1.member.member_19.member_1;
 phi_1078_ = (_e674 && (((((((((_e679.member.member * _e643) + (_e679.member.member_1 * _e644)) + (_e679.member.member_2 * _e645)) + _e679.member_1) <= _e691) || (_e696 == 0u)) && ((((((_e702.member.member * _e643) + (_e702.member.member_1 * _e644)) + (_e702.member.member_2 * _e645)) + _e702.member_1) <= _e691) || (_e718 == 0u))) && ((((((_e725.member.member * _e643) + (_e725.member.member_1 * _e644)) + (_e725.member.member_2 * _e645)) + _e725.member_1) <= _e691) || (_e741 == 0u))) && ((((((_e748.member.member * _e643) + (_e748.member.member_1 * _e644)) + (_e748.member.member_2 * _e645)) + _e748.member_1) <= _e691) || (_e764 == 0u))));
 }
 let _e770 = phi_1078_;
@@ -414,19 +416,19 @@ let _e812 = global_1.member.member_1;
 if ((_e812 & 16u) == 0u) {
 phi_1265_ = _e809;
 } else {
-let _e819 = global_1.member.member_14.member;
+let _e819 = global_1.member.member_16.member;
 let _e831 = -((_e396 / _e389));
-let _e836 = global_1.member.member_14.member_1;
-let _e842 = global_1.member.member_15.member;
-let _e858 = global_1.member.member_15.member_1;
-let _e865 = global_1.member.member_16.member;
-let _e881 = global_1.member.member_16.member_1;
-let _e888 = global_1.member.member_17.member;
-let _e904 = global_1.member.member_17.member_1;
+let _e836 = global_1.member.member_16.member_1;
+let _e842 = global_1.member.member_17.member;
+let _e858 = global_1.member.member_17.member_1;
+let _e865 = global_1.member.member_18.member;
+let _e881 = global_1.member.member_18.member_1;
+let _e888 = global_1.member.member_19.member;
+let _e904 = global_1.member.member_19.member_1;
 phi_1265_ = (_e809 && (((((((((_e819.member.member * _e407) + (_e819.member.member_1 * _e408)) + (_e819.member.member_2 * _e409)) + _e819.member_1) <= _e831) || (_e836 == 0u)) && ((((((_e842.member.member * _e407) + (_e842.member.member_1 * _e408)) + (_e842.member.member_2 * _e409)) + _e842.member_1) <= _e831) || (_e858 == 0u))) && ((((((_e865.member.member * _e407) + (_e865.member.member_1 * _e408)) + (_e865.member.member_2 * _e409)) + _e865.member_1) <= _e831) || (_e881 == 0u))) && ((((((_e888.member.member * _e407) + (_e888.member.member_1 * _e408)) + (_e888.member.member_2 * _e409)) + _e888.member_1) <= _e831) || (_e904 == 0u))));
 }
 let _e910 = phi_1265_;
-let _e917 = global_1.member.member_6.member_4;
+let _e917 = global_1.member.member_8.member_4;
 let _e918 = (_e478 - 0.5f);
 let _e920 = select(-0.5f, _e460, (_e460 > -0.5f));
 let _e922 = select(_e918, _e920, (_e920 < _e918));
@@ -448,7 +450,7 @@ let _e967 = (_e922 + 0.5f);
 let _e969 = select(0f, _e967, (_e967 > 0f));
 let _e971 = select(_e479, _e969, (_e969 < _e479));
 let _e978 = select(0i, select(select(i32(_e971), i32(-2147483648), (_e971 < -2147483600f)), 2147483647i, (_e971 > 2147483500f)), (_e971 == _e971));
-let _e986 = global_1.member.member_6.member_12;
+let _e986 = global_1.member.member_8.member_12;
 let _e987 = (_e986 & 31u);
 let _e990 = (_e927 + 0.5f);
 let _e992 = select(0f, _e990, (_e990 > 0f));
@@ -458,9 +460,9 @@ let _e1008 = (_e932 + 0.5f);
 let _e1010 = select(0f, _e1008, (_e1008 > 0f));
 let _e1012 = select(_e499, _e1010, (_e1010 < _e499));
 let _e1019 = select(0i, select(select(i32(_e1012), i32(-2147483648), (_e1012 < -2147483600f)), 2147483647i, (_e1012 > 2147483500f)), (_e1012 == _e1012));
-let _e1030 = global_1.member.member_6.member_9.member;
-let _e1036 = global_1.member.member_6.member_9.member_1;
-let _e1041 = global_1.member.member_6.member_10;
+let _e1030 = global_1.member.member_8.member_9.member;
+let _e1036 = global_1.member.member_8.member_9.member_1;
+let _e1041 = global_1.member.member_8.member_10;
 let _e1047 = ((bitcast<i32>(_e1041) + ((_e978 - select(0i, 1i, (_e971 < f32(_e978)))) >> bitcast<u32>(_e987))) + (bitcast<i32>(_e1030) * (((_e1001 - select(0i, 1i, (_e994 < f32(_e1001)))) >> bitcast<u32>(_e987)) + (bitcast<i32>(_e1036) * ((_e1019 - select(0i, 1i, (_e1012 < f32(_e1019)))) >> bitcast<u32>(_e987))))));
 let _e1049 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1051 = select(_e1049, _e1047, (_e1047 < _e1049));
@@ -480,25 +482,25 @@ let _e1089 = select(_e1078, _e1087, (_e1087 < _e1078));
 let _e1095 = global_6.member[bitcast<u32>(select(0i, _e1089, (_e1089 > 0i)))];
 let _e1097 = f32(bitcast<i32>(_e181));
 let _e1099 = f32(bitcast<i32>(_e183));
-let _e1105 = global_1.member.member_5.member;
-let _e1109 = global_1.member.member_8.member_8;
+let _e1105 = global_1.member.member_7.member;
+let _e1109 = global_1.member.member_10.member_8;
 let _e1110 = (_e1105 - _e1109);
-let _e1114 = global_1.member.member_8.member_2;
-let _e1118 = global_1.member.member_8.member_6;
-let _e1125 = global_1.member.member_8.member_4;
+let _e1114 = global_1.member.member_10.member_2;
+let _e1118 = global_1.member.member_10.member_6;
+let _e1125 = global_1.member.member_10.member_4;
 let _e1127 = ((_e1114 + (_e1118 * _e1110)) + (((_e1097 - _e1086) + 0.5f) * _e1125));
-let _e1131 = global_1.member.member_8.member_3;
-let _e1135 = global_1.member.member_8.member_7;
+let _e1131 = global_1.member.member_10.member_3;
+let _e1135 = global_1.member.member_10.member_7;
 let _e1140 = ((_e1131 + (_e1135 * _e1110)) + (((_e1099 - _e1095) + 0.5f) * _e1125));
-let _e1144 = global_1.member.member_5.member_1;
+let _e1144 = global_1.member.member_7.member_1;
 let _e1145 = (_e1144 - _e1109);
 let _e1150 = ((_e1114 + (_e1118 * _e1145)) + ((_e1097 + 0.5f) * _e1125));
 let _e1155 = ((_e1131 + (_e1135 * _e1145)) + ((_e1099 + 0.5f) * _e1125));
-let _e1159 = global_1.member.member_6.member;
+let _e1159 = global_1.member.member_8.member;
 let _e1170 = ((((_e1159.member.member * _e1127) + (_e1159.member.member_1 * _e1140)) + (_e1159.member.member_2 * _e1105)) + _e1159.member_1);
-let _e1174 = global_1.member.member_6.member_1;
+let _e1174 = global_1.member.member_8.member_1;
 let _e1185 = ((((_e1174.member.member * _e1127) + (_e1174.member.member_1 * _e1140)) + (_e1174.member.member_2 * _e1105)) + _e1174.member_1);
-let _e1189 = global_1.member.member_6.member_2;
+let _e1189 = global_1.member.member_8.member_2;
 let _e1200 = ((((_e1189.member.member * _e1127) + (_e1189.member.member_1 * _e1140)) + (_e1189.member.member_2 * _e1105)) + _e1189.member_1);
 let _e1206 = ((((_e1159.member.member * _e1150) + (_e1159.member.member_1 * _e1155)) + (_e1159.member.member_2 * _e1144)) + _e1159.member_1);
 let _e1212 = ((((_e1174.member.member * _e1150) + (_e1174.member.member_1 * _e1155)) + (_e1174.member.member_2 * _e1144)) + _e1174.member_1);
@@ -507,15 +509,15 @@ let _e1220 = (_e173.member_2 == 5u);
 let _e1226 = ((_e173.member_2 == 2u) || (_e173.member_2 == 7u));
 let _e1227 = ((((_e173.member_2 == 1u) || _e1220) || (_e173.member_2 == 6u)) || _e1226);
 if _e1227 {
-let _e1232 = global_1.member.member_6.member_3.member;
+let _e1232 = global_1.member.member_8.member_3.member;
 let _e1233 = (_e1232 - 0.5f);
 let _e1235 = select(-0.5f, _e1206, (_e1206 > -0.5f));
 let _e1237 = select(_e1233, _e1235, (_e1235 < _e1233));
-let _e1242 = global_1.member.member_6.member_3.member_1;
+let _e1242 = global_1.member.member_8.member_3.member_1;
 let _e1243 = (_e1242 - 0.5f);
 let _e1245 = select(-0.5f, _e1212, (_e1212 > -0.5f));
 let _e1247 = select(_e1243, _e1245, (_e1245 < _e1243));
-let _e1252 = global_1.member.member_6.member_3.member_2;
+let _e1252 = global_1.member.member_8.member_3.member_2;
 let _e1253 = (_e1252 - 0.5f);
 let _e1255 = select(-0.5f, _e1218, (_e1218 > -0.5f));
 let _e1257 = select(_e1253, _e1255, (_e1255 < _e1253));
@@ -531,8 +533,8 @@ let _e1289 = select(-1f, _e1257, (_e1257 > -1f));
 let _e1291 = select(_e1252, _e1289, (_e1289 < _e1252));
 let _e1298 = select(0i, select(select(i32(_e1291), i32(-2147483648), (_e1291 < -2147483600f)), 2147483647i, (_e1291 > 2147483500f)), (_e1291 == _e1291));
 let _e1302 = (_e1298 - select(0i, 1i, (_e1291 < f32(_e1298))));
-let _e1306 = global_1.member.member_6.member_7;
-let _e1310 = global_1.member.member_6.member_8;
+let _e1306 = global_1.member.member_8.member_7;
+let _e1310 = global_1.member.member_8.member_8;
 let _e1318 = (select(0i, select(select(i32(_e1242), i32(-2147483648), (_e1242 < -2147483600f)), 2147483647i, (_e1242 > 2147483500f)), (_e1242 == _e1242)) - 1i);
 let _e1319 = (_e1287 - 1i);
 let _e1324 = (_e1287 + 1i);
@@ -774,8 +776,8 @@ let _e1870 = local_27[2u];
 let _e1874 = local_27[1u];
 let _e1878 = local_27[2u];
 let _e1882 = local_27[2u];
-let _e1889 = global_1.member.member_6.member_6;
-let _e1893 = global_1.member.member_6.member_5;
+let _e1889 = global_1.member.member_8.member_6;
+let _e1893 = global_1.member.member_8.member_5;
 let _e1895 = (((_e1812 + ((_e1816 - _e1812) * _e1882)) - _e1889) * _e1893);
 let _e1896 = -(1e9f);
 let _e1898 = select(_e1896, _e1895, (_e1895 > _e1896));
@@ -1041,26 +1043,26 @@ let _e2646 = select(0f, 1f, ((((((_e1206 >= -0.5f) && (_e1206 <= _e1233)) && (_e
 let _e2648 = (0.5f * (_e1912 - _e1906));
 let _e2650 = (0.5f * (_e1924 - _e1918));
 let _e2652 = (0.5f * (_e1936 - _e1930));
-let _e2658 = global_1.member.member_6.member.member.member;
-let _e2664 = global_1.member.member_6.member.member.member_1;
-let _e2670 = global_1.member.member_6.member.member.member_2;
-let _e2676 = global_1.member.member_6.member_1.member.member;
-let _e2682 = global_1.member.member_6.member_1.member.member_1;
-let _e2688 = global_1.member.member_6.member_1.member.member_2;
-let _e2694 = global_1.member.member_6.member_2.member.member;
-let _e2700 = global_1.member.member_6.member_2.member.member_1;
-let _e2706 = global_1.member.member_6.member_2.member.member_2;
+let _e2658 = global_1.member.member_8.member.member.member;
+let _e2664 = global_1.member.member_8.member.member.member_1;
+let _e2670 = global_1.member.member_8.member.member.member_2;
+let _e2676 = global_1.member.member_8.member_1.member.member;
+let _e2682 = global_1.member.member_8.member_1.member.member_1;
+let _e2688 = global_1.member.member_8.member_1.member.member_2;
+let _e2694 = global_1.member.member_8.member_2.member.member;
+let _e2700 = global_1.member.member_8.member_2.member.member_1;
+let _e2706 = global_1.member.member_8.member_2.member.member_2;
 phi_7698_ = type_33(_e1900, vec3<f32>(((((_e2658 * _e2648) + (_e2676 * _e2650)) + (_e2694 * _e2652)) * _e2646), ((((_e2664 * _e2648) + (_e2682 * _e2650)) + (_e2700 * _e2652)) * _e2646), ((((_e2670 * _e2648) + (_e2688 * _e2650)) + (_e2706 * _e2652)) * _e2646)), _e2631.member, vec3<f32>(((((_e2658 * _e2631.member_2.x) + (_e2676 * _e2631.member_2.y)) + (_e2694 * _e2631.member_2.z)) * _e2646), ((((_e2664 * _e2631.member_2.x) + (_e2682 * _e2631.member_2.y)) + (_e2700 * _e2631.member_2.z)) * _e2646), ((((_e2670 * _e2631.member_2.x) + (_e2688 * _e2631.member_2.y)) + (_e2706 * _e2631.member_2.z)) * _e2646)), vec3<f32>(((((_e2658 * _e2631.member_1.x) + (_e2676 * _e2631.member_1.y)) + (_e2694 * _e2631.member_1.z)) * _e2646), ((((_e2664 * _e2631.member_1.x) + (_e2682 * _e2631.member_1.y)) + (_e2700 * _e2631.member_1.z)) * _e2646), ((((_e2670 * _e2631.member_1.x) + (_e2688 * _e2631.member_1.y)) + (_e2706 * _e2631.member_1.z)) * _e2646)));
 } else {
-let _e2775 = global_1.member.member_6.member_3.member;
+let _e2775 = global_1.member.member_8.member_3.member;
 let _e2776 = (_e2775 - 0.5f);
 let _e2778 = select(-0.5f, _e1206, (_e1206 > -0.5f));
 let _e2780 = select(_e2776, _e2778, (_e2778 < _e2776));
-let _e2785 = global_1.member.member_6.member_3.member_1;
+let _e2785 = global_1.member.member_8.member_3.member_1;
 let _e2786 = (_e2785 - 0.5f);
 let _e2788 = select(-0.5f, _e1212, (_e1212 > -0.5f));
 let _e2790 = select(_e2786, _e2788, (_e2788 < _e2786));
-let _e2795 = global_1.member.member_6.member_3.member_2;
+let _e2795 = global_1.member.member_8.member_3.member_2;
 let _e2796 = (_e2795 - 0.5f);
 let _e2798 = select(-0.5f, _e1218, (_e1218 > -0.5f));
 let _e2800 = select(_e2796, _e2798, (_e2798 < _e2796));
@@ -1076,8 +1078,8 @@ let _e2832 = select(-1f, _e2800, (_e2800 > -1f));
 let _e2834 = select(_e2795, _e2832, (_e2832 < _e2795));
 let _e2841 = select(0i, select(select(i32(_e2834), i32(-2147483648), (_e2834 < -2147483600f)), 2147483647i, (_e2834 > 2147483500f)), (_e2834 == _e2834));
 let _e2845 = (_e2841 - select(0i, 1i, (_e2834 < f32(_e2841))));
-let _e2849 = global_1.member.member_6.member_7;
-let _e2853 = global_1.member.member_6.member_8;
+let _e2849 = global_1.member.member_8.member_7;
+let _e2853 = global_1.member.member_8.member_8;
 let _e2861 = (select(0i, select(select(i32(_e2785), i32(-2147483648), (_e2785 < -2147483600f)), 2147483647i, (_e2785 > 2147483500f)), (_e2785 == _e2785)) - 1i);
 let _e2864 = (_e2830 + 1i);
 let _e2874 = (select(0i, select(select(i32(_e2795), i32(-2147483648), (_e2795 < -2147483600f)), 2147483647i, (_e2795 > 2147483500f)), (_e2795 == _e2795)) - 1i);
@@ -1143,23 +1145,23 @@ let _e3018 = global_2.member[bitcast<u32>(select(0i, _e3013, (_e3013 > 0i)))];
 let _e3020 = local_11[0u];
 let _e3024 = local_11[1u];
 let _e3029 = local_11[2u];
-let _e3036 = global_1.member.member_6.member_6;
-let _e3040 = global_1.member.member_6.member_5;
+let _e3036 = global_1.member.member_8.member_6;
+let _e3040 = global_1.member.member_8.member_5;
 let _e3042 = (((_e2973 + (((_e2998 + (((_e3009 + ((bitcast<f32>(_e3018) - _e3009) * _e3020)) - _e2998) * _e3024)) - _e2973) * _e3029)) - _e3036) * _e3040);
 let _e3043 = -(1e9f);
 let _e3045 = select(_e3043, _e3042, (_e3042 > _e3043));
 phi_7698_ = type_33(select(1e9f, _e3045, (_e3045 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e3050 = phi_7698_;
-let _e3055 = global_1.member.member_6.member_3.member;
+let _e3055 = global_1.member.member_8.member_3.member;
 let _e3056 = (_e3055 - 0.5f);
 let _e3058 = select(-0.5f, _e1170, (_e1170 > -0.5f));
 let _e3060 = select(_e3056, _e3058, (_e3058 < _e3056));
-let _e3065 = global_1.member.member_6.member_3.member_1;
+let _e3065 = global_1.member.member_8.member_3.member_1;
 let _e3066 = (_e3065 - 0.5f);
 let _e3068 = select(-0.5f, _e1185, (_e1185 > -0.5f));
 let _e3070 = select(_e3066, _e3068, (_e3068 < _e3066));
-let _e3075 = global_1.member.member_6.member_3.member_2;
+let _e3075 = global_1.member.member_8.member_3.member_2;
 let _e3076 = (_e3075 - 0.5f);
 let _e3078 = select(-0.5f, _e1200, (_e1200 > -0.5f));
 let _e3080 = select(_e3076, _e3078, (_e3078 < _e3076));
@@ -1175,8 +1177,8 @@ let _e3112 = select(-1f, _e3080, (_e3080 > -1f));
 let _e3114 = select(_e3075, _e3112, (_e3112 < _e3075));
 let _e3121 = select(0i, select(select(i32(_e3114), i32(-2147483648), (_e3114 < -2147483600f)), 2147483647i, (_e3114 > 2147483500f)), (_e3114 == _e3114));
 let _e3125 = (_e3121 - select(0i, 1i, (_e3114 < f32(_e3121))));
-let _e3129 = global_1.member.member_6.member_7;
-let _e3133 = global_1.member.member_6.member_8;
+let _e3129 = global_1.member.member_8.member_7;
+let _e3133 = global_1.member.member_8.member_8;
 let _e3141 = (select(0i, select(select(i32(_e3065), i32(-2147483648), (_e3065 < -2147483600f)), 2147483647i, (_e3065 > 2147483500f)), (_e3065 == _e3065)) - 1i);
 let _e3144 = (_e3110 + 1i);
 let _e3154 = (select(0i, select(select(i32(_e3075), i32(-2147483648), (_e3075 < -2147483600f)), 2147483647i, (_e3075 > 2147483500f)), (_e3075 == _e3075)) - 1i);
@@ -1242,8 +1244,8 @@ let _e3298 = global_2.member[bitcast<u32>(select(0i, _e3293, (_e3293 > 0i)))];
 let _e3300 = local_9[0u];
 let _e3304 = local_9[1u];
 let _e3309 = local_9[2u];
-let _e3316 = global_1.member.member_6.member_6;
-let _e3320 = global_1.member.member_6.member_5;
+let _e3316 = global_1.member.member_8.member_6;
+let _e3320 = global_1.member.member_8.member_5;
 let _e3322 = (((_e3253 + (((_e3278 + (((_e3289 + ((bitcast<f32>(_e3298) - _e3289) * _e3300)) - _e3278) * _e3304)) - _e3253) * _e3309)) - _e3316) * _e3320);
 let _e3323 = -(1e9f);
 let _e3325 = select(_e3323, _e3322, (_e3322 > _e3323));
@@ -1253,7 +1255,7 @@ let _e3332 = ((_e3330 & 16u) == 0u);
 if _e3332 {
 phi_8532_ = type_7(1f, 1f, 1f);
 } else {
-let _e3336 = global_1.member.member_14.member;
+let _e3336 = global_1.member.member_16.member;
 let _e3347 = ((((_e3336.member.member * _e1127) + (_e3336.member.member_1 * _e1140)) + (_e3336.member.member_2 * _e1105)) + _e3336.member_1);
 let _e3353 = ((((_e3336.member.member * _e1150) + (_e3336.member.member_1 * _e1155)) + (_e3336.member.member_2 * _e1144)) + _e3336.member_1);
 let _e3355 = select(_e3353, _e3347, (_e3347 < _e3353));
@@ -1262,9 +1264,9 @@ let _e3359 = (_e3357 - _e3355);
 let _e3362 = (-(_e3355) / select(1e-30f, _e3359, (_e3359 > 1e-30f)));
 let _e3364 = select(0f, _e3362, (_e3362 > 0f));
 let _e3370 = select(select(select(1f, _e3364, (_e3364 < 1f)), 1f, (_e3357 <= 0f)), 0f, (_e3355 > 0f));
-let _e3375 = global_1.member.member_14.member_1;
+let _e3375 = global_1.member.member_16.member_1;
 let _e3376 = (_e3375 != 0u);
-let _e3386 = global_1.member.member_15.member;
+let _e3386 = global_1.member.member_17.member;
 let _e3397 = ((((_e3386.member.member * _e1127) + (_e3386.member.member_1 * _e1140)) + (_e3386.member.member_2 * _e1105)) + _e3386.member_1);
 let _e3403 = ((((_e3386.member.member * _e1150) + (_e3386.member.member_1 * _e1155)) + (_e3386.member.member_2 * _e1144)) + _e3386.member_1);
 let _e3405 = select(_e3403, _e3397, (_e3397 < _e3403));
@@ -1273,9 +1275,9 @@ let _e3409 = (_e3407 - _e3405);
 let _e3412 = (-(_e3405) / select(1e-30f, _e3409, (_e3409 > 1e-30f)));
 let _e3414 = select(0f, _e3412, (_e3412 > 0f));
 let _e3420 = select(select(select(1f, _e3414, (_e3414 < 1f)), 1f, (_e3407 <= 0f)), 0f, (_e3405 > 0f));
-let _e3425 = global_1.member.member_15.member_1;
+let _e3425 = global_1.member.member_17.member_1;
 let _e3426 = (_e3425 != 0u);
-let _e3436 = global_1.member.member_16.member;
+let _e3436 = global_1.member.member_18.member;
 let _e3447 = ((((_e3436.member.member * _e1127) + (_e3436.member.member_1 * _e1140)) + (_e3436.member.member_2 * _e1105)) + _e3436.member_1);
 let _e3453 = ((((_e3436.member.member * _e1150) + (_e3436.member.member_1 * _e1155)) + (_e3436.member.member_2 * _e1144)) + _e3436.member_1);
 let _e3455 = select(_e3453, _e3447, (_e3447 < _e3453));
@@ -1284,9 +1286,9 @@ let _e3459 = (_e3457 - _e3455);
 let _e3462 = (-(_e3455) / select(1e-30f, _e3459, (_e3459 > 1e-30f)));
 let _e3464 = select(0f, _e3462, (_e3462 > 0f));
 let _e3470 = select(select(select(1f, _e3464, (_e3464 < 1f)), 1f, (_e3457 <= 0f)), 0f, (_e3455 > 0f));
-let _e3475 = global_1.member.member_16.member_1;
+let _e3475 = global_1.member.member_18.member_1;
 let _e3476 = (_e3475 != 0u);
-let _e3486 = global_1.member.member_17.member;
+let _e3486 = global_1.member.member_19.member;
 let _e3497 = ((((_e3486.member.member * _e1127) + (_e3486.member.member_1 * _e1140)) + (_e3486.member.member_2 * _e1105)) + _e3486.member_1);
 let _e3503 = ((((_e3486.member.member * _e1150) + (_e3486.member.member_1 * _e1155)) + (_e3486.member.member_2 * _e1144)) + _e3486.member_1);
 let _e3505 = select(_e3503, _e3497, (_e3497 < _e3503));
@@ -1295,7 +1297,7 @@ let _e3509 = (_e3507 - _e3505);
 let _e3512 = (-(_e3505) / select(1e-30f, _e3509, (_e3509 > 1e-30f)));
 let _e3514 = select(0f, _e3512, (_e3512 > 0f));
 let _e3520 = select(select(select(1f, _e3514, (_e3514 < 1f)), 1f, (_e3507 <= 0f)), 0f, (_e3505 > 0f));
-let _e3525 = global_1.member.member_17.member_1;
+let _e3525 = global_1.member.member_19.member_1;
 let _e3526 = (_e3525 != 0u);
 phi_8532_ = type_7(((((1f * _e3370) * _e3420) * _e3470) * _e3520), ((((1f * select(1f, _e3370, _e3376)) * select(1f, _e3420, _e3426)) * select(1f, _e3470, _e3476)) * select(1f, _e3520, _e3526)), ((((1f * select(1f, 0f, (_e3376 && (_e3353 > 0f)))) * select(1f, 0f, (_e3426 && (_e3403 > 0f)))) * select(1f, 0f, (_e3476 && (_e3453 > 0f)))) * select(1f, 0f, (_e3526 && (_e3503 > 0f)))));
 }
@@ -1343,7 +1345,7 @@ let _e3634 = (_e1150 - _e1127);
 let _e3635 = (_e1155 - _e1140);
 let _e3636 = (_e1144 - _e1105);
 let _e3641 = (((_e3634 * _e3634) + (_e3635 * _e3635)) + (_e3636 * _e3636));
-let _e3649 = global_1.member.member_5.member_3;
+let _e3649 = global_1.member.member_7.member_3;
 let _e3650 = ((sqrt(select(0f, _e3641, (_e3641 > 0f))) * select(0f, _e3631, (_e3631 > 0f))) * _e3649);
 if (((_e173.member_2 == 3u) || (_e173.member_2 == 4u)) || _e1220) {
 local_7 = _e3327;
@@ -1764,9 +1766,9 @@ phi_12260_ = type_35(_e5102, _e5103, vec3<f32>(((1f + (_e4937 * (1f + (_e4937 * 
 }
 let _e5111 = phi_12260_;
 if _e1227 {
-let _e5116 = global_1.member.member_6.member.member;
-let _e5124 = global_1.member.member_6.member_1.member;
-let _e5132 = global_1.member.member_6.member_2.member;
+let _e5116 = global_1.member.member_8.member.member;
+let _e5124 = global_1.member.member_8.member_1.member;
+let _e5132 = global_1.member.member_8.member_2.member;
 let _e5136 = (-0.5f - _e1206);
 let _e5137 = -(_e3543);
 let _e5140 = (_e3543 - _e5136);
@@ -1892,12 +1894,12 @@ phi_13579_ = type_34(_e5359, vec3<f32>(_e5360, _e5361, _e5362), _e5364, vec3<f32
 } else {
 let _e5381 = (((_e5116.member * _e5116.member) + (_e5116.member_1 * _e5116.member_1)) + (_e5116.member_2 * _e5116.member_2));
 let _e5384 = sqrt(select(0f, _e5381, (_e5381 > 0f)));
-let _e5388 = global_1.member.member_14.member_1;
+let _e5388 = global_1.member.member_16.member_1;
 let _e5389 = (_e5388 != 0u);
-let _e5393 = global_1.member.member_14.member;
+let _e5393 = global_1.member.member_16.member;
 let _e5413 = select(-1e6f, (((((_e5393.member.member * _e1127) + (_e5393.member.member_1 * _e1140)) + (_e5393.member.member_2 * _e1105)) + _e5393.member_1) * _e5384), _e5389);
 let _e5414 = select(-1e6f, (((((_e5393.member.member * _e1150) + (_e5393.member.member_1 * _e1155)) + (_e5393.member.member_2 * _e1144)) + _e5393.member_1) * _e5384), _e5389);
-let _e5419 = global_1.member.member_14.member.member;
+let _e5419 = global_1.member.member_16.member.member;
 let _e5423 = -(_e5413);
 let _e5426 = (_e5413 - _e5414);
 let _e5427 = (_e5414 - _e5413);
@@ -1912,12 +1914,12 @@ let _e5447 = select(_e5359, _e5436, _e5445);
 let _e5451 = select(_e5364, _e5440, _e5446);
 let _e5455 = select(_e5369, _e5413, _e5441);
 let _e5457 = select(_e5371, _e5414, (_e5414 > _e5371));
-let _e5464 = global_1.member.member_15.member_1;
+let _e5464 = global_1.member.member_17.member_1;
 let _e5465 = (_e5464 != 0u);
-let _e5469 = global_1.member.member_15.member;
+let _e5469 = global_1.member.member_17.member;
 let _e5489 = select(-1e6f, (((((_e5469.member.member * _e1127) + (_e5469.member.member_1 * _e1140)) + (_e5469.member.member_2 * _e1105)) + _e5469.member_1) * _e5384), _e5465);
 let _e5490 = select(-1e6f, (((((_e5469.member.member * _e1150) + (_e5469.member.member_1 * _e1155)) + (_e5469.member.member_2 * _e1144)) + _e5469.member_1) * _e5384), _e5465);
-let _e5495 = global_1.member.member_15.member.member;
+let _e5495 = global_1.member.member_17.member.member;
 let _e5499 = -(_e5489);
 let _e5502 = (_e5489 - _e5490);
 let _e5503 = (_e5490 - _e5489);
@@ -1932,12 +1934,12 @@ let _e5523 = select(_e5447, _e5512, _e5521);
 let _e5527 = select(_e5451, _e5516, _e5522);
 let _e5531 = select(_e5455, _e5489, _e5517);
 let _e5533 = select(_e5457, _e5490, (_e5490 > _e5457));
-let _e5540 = global_1.member.member_16.member_1;
+let _e5540 = global_1.member.member_18.member_1;
 let _e5541 = (_e5540 != 0u);
-let _e5545 = global_1.member.member_16.member;
+let _e5545 = global_1.member.member_18.member;
 let _e5565 = select(-1e6f, (((((_e5545.member.member * _e1127) + (_e5545.member.member_1 * _e1140)) + (_e5545.member.member_2 * _e1105)) + _e5545.member_1) * _e5384), _e5541);
 let _e5566 = select(-1e6f, (((((_e5545.member.member * _e1150) + (_e5545.member.member_1 * _e1155)) + (_e5545.member.member_2 * _e1144)) + _e5545.member_1) * _e5384), _e5541);
-let _e5571 = global_1.member.member_16.member.member;
+let _e5571 = global_1.member.member_18.member.member;
 let _e5575 = -(_e5565);
 let _e5578 = (_e5565 - _e5566);
 let _e5579 = (_e5566 - _e5565);
@@ -1952,12 +1954,12 @@ let _e5599 = select(_e5523, _e5588, _e5597);
 let _e5603 = select(_e5527, _e5592, _e5598);
 let _e5607 = select(_e5531, _e5565, _e5593);
 let _e5609 = select(_e5533, _e5566, (_e5566 > _e5533));
-let _e5616 = global_1.member.member_17.member_1;
+let _e5616 = global_1.member.member_19.member_1;
 let _e5617 = (_e5616 != 0u);
-let _e5621 = global_1.member.member_17.member;
+let _e5621 = global_1.member.member_19.member;
 let _e5641 = select(-1e6f, (((((_e5621.member.member * _e1127) + (_e5621.member.member_1 * _e1140)) + (_e5621.member.member_2 * _e1105)) + _e5621.member_1) * _e5384), _e5617);
 let _e5642 = select(-1e6f, (((((_e5621.member.member * _e1150) + (_e5621.member.member_1 * _e1155)) + (_e5621.member.member_2 * _e1144)) + _e5621.member_1) * _e5384), _e5617);
-let _e5647 = global_1.member.member_17.member.member;
+let _e5647 = global_1.member.member_19.member.member;
 let _e5651 = -(_e5641);
 let _e5654 = (_e5641 - _e5642);
 let _e5655 = (_e5642 - _e5641);
@@ -2160,7 +2162,7 @@ let _e6246 = ((_e5699 || (bitcast<f32>((bitcast<u32>(_e5694.member_4) & 21474836
 let _e6247 = select(_e231, select(select(select((_e231 + (_e6184 * _e6210)), _e231, _e6211), _e231, _e6222), (_e231 * _e6234), _e6228), _e6246);
 let _e6248 = select(_e242, select(select(select((_e242 + (_e6185 * _e6210)), _e242, _e6211), _e242, _e6222), (_e242 * _e6234), _e6228), _e6246);
 let _e6249 = select(_e253, select(select(select((_e253 + (_e6186 * _e6210)), _e253, _e6211), _e253, _e6222), (_e253 * _e6234), _e6228), _e6246);
-let _e6261 = global_1.member.member_5.member_2;
+let _e6261 = global_1.member.member_7.member_2;
 let _e6264 = (_e6261 / select(1e-6f, _e6249, (_e6249 > 1e-6f)));
 let _e6268 = (_e1150 + (_e6247 * _e6264));
 let _e6269 = (_e1155 + (_e6248 * _e6264));
@@ -2258,12 +2260,12 @@ let _e6500 = select(select(select(select(select(select(1f, _e5116.member_2, _e51
 if _e3332 {
 phi_16209_ = type_34(_e6486, vec3<f32>(_e6487, _e6488, _e6489), _e6491, vec3<f32>(_e6492, _e6493, _e6494), _e5371, _e6497, vec3<f32>(_e6498, _e6499, _e6500));
 } else {
-let _e6506 = global_1.member.member_14.member_1;
+let _e6506 = global_1.member.member_16.member_1;
 let _e6507 = (_e6506 != 0u);
-let _e6511 = global_1.member.member_14.member;
+let _e6511 = global_1.member.member_16.member;
 let _e6531 = select(-1e6f, (((((_e6511.member.member * _e1150) + (_e6511.member.member_1 * _e1155)) + (_e6511.member.member_2 * _e1144)) + _e6511.member_1) * _e5719), _e6507);
 let _e6532 = select(-1e6f, (((((_e6511.member.member * _e6268) + (_e6511.member.member_1 * _e6269)) + (_e6511.member.member_2 * _e6270)) + _e6511.member_1) * _e5719), _e6507);
-let _e6537 = global_1.member.member_14.member.member;
+let _e6537 = global_1.member.member_16.member.member;
 let _e6541 = -(_e6531);
 let _e6544 = (_e6531 - _e6532);
 let _e6545 = (_e6532 - _e6531);
@@ -2278,12 +2280,12 @@ let _e6565 = select(_e6486, _e6554, _e6563);
 let _e6569 = select(_e6491, _e6558, _e6564);
 let _e6573 = select(_e5371, _e6531, _e6559);
 let _e6575 = select(_e6497, _e6532, (_e6532 > _e6497));
-let _e6582 = global_1.member.member_15.member_1;
+let _e6582 = global_1.member.member_17.member_1;
 let _e6583 = (_e6582 != 0u);
-let _e6587 = global_1.member.member_15.member;
+let _e6587 = global_1.member.member_17.member;
 let _e6607 = select(-1e6f, (((((_e6587.member.member * _e1150) + (_e6587.member.member_1 * _e1155)) + (_e6587.member.member_2 * _e1144)) + _e6587.member_1) * _e5719), _e6583);
 let _e6608 = select(-1e6f, (((((_e6587.member.member * _e6268) + (_e6587.member.member_1 * _e6269)) + (_e6587.member.member_2 * _e6270)) + _e6587.member_1) * _e5719), _e6583);
-let _e6613 = global_1.member.member_15.member.member;
+let _e6613 = global_1.member.member_17.member.member;
 let _e6617 = -(_e6607);
 let _e6620 = (_e6607 - _e6608);
 let _e6621 = (_e6608 - _e6607);
@@ -2298,12 +2300,12 @@ let _e6641 = select(_e6565, _e6630, _e6639);
 let _e6645 = select(_e6569, _e6634, _e6640);
 let _e6649 = select(_e6573, _e6607, _e6635);
 let _e6651 = select(_e6575, _e6608, (_e6608 > _e6575));
-let _e6658 = global_1.member.member_16.member_1;
+let _e6658 = global_1.member.member_18.member_1;
 let _e6659 = (_e6658 != 0u);
-let _e6663 = global_1.member.member_16.member;
+let _e6663 = global_1.member.member_18.member;
 let _e6683 = select(-1e6f, (((((_e6663.member.member * _e1150) + (_e6663.member.member_1 * _e1155)) + (_e6663.member.member_2 * _e1144)) + _e6663.member_1) * _e5719), _e6659);
 let _e6684 = select(-1e6f, (((((_e6663.member.member * _e6268) + (_e6663.member.member_1 * _e6269)) + (_e6663.member.member_2 * _e6270)) + _e6663.member_1) * _e5719), _e6659);
-let _e6689 = global_1.member.member_16.member.member;
+let _e6689 = global_1.member.member_18.member.member;
 let _e6693 = -(_e6683);
 let _e6696 = (_e6683 - _e6684);
 let _e6697 = (_e6684 - _e6683);
@@ -2318,12 +2320,12 @@ let _e6717 = select(_e6641, _e6706, _e6715);
 let _e6721 = select(_e6645, _e6710, _e6716);
 let _e6725 = select(_e6649, _e6683, _e6711);
 let _e6727 = select(_e6651, _e6684, (_e6684 > _e6651));
-let _e6734 = global_1.member.member_17.member_1;
+let _e6734 = global_1.member.member_19.member_1;
 let _e6735 = (_e6734 != 0u);
-let _e6739 = global_1.member.member_17.member;
+let _e6739 = global_1.member.member_19.member;
 let _e6759 = select(-1e6f, (((((_e6739.member.member * _e1150) + (_e6739.member.member_1 * _e1155)) + (_e6739.member.member_2 * _e1144)) + _e6739.member_1) * _e5719), _e6735);
 let _e6760 = select(-1e6f, (((((_e6739.member.member * _e6268) + (_e6739.member.member_1 * _e6269)) + (_e6739.member.member_2 * _e6270)) + _e6739.member_1) * _e5719), _e6735);
-let _e6765 = global_1.member.member_17.member.member;
+let _e6765 = global_1.member.member_19.member.member;
 let _e6769 = -(_e6759);
 let _e6772 = (_e6759 - _e6760);
 let _e6773 = (_e6760 - _e6759);
@@ -2337,7 +2339,7 @@ let _e6792 = (_e6786 < _e6721);
 phi_16209_ = type_34(select(_e6717, _e6782, _e6791), vec3<f32>(select(select(select(select(_e6487, _e6537.member, _e6563), _e6613.member, _e6639), _e6689.member, _e6715), _e6765.member, _e6791), select(select(select(select(_e6488, _e6537.member_1, _e6563), _e6613.member_1, _e6639), _e6689.member_1, _e6715), _e6765.member_1, _e6791), select(select(select(select(_e6489, _e6537.member_2, _e6563), _e6613.member_2, _e6639), _e6689.member_2, _e6715), _e6765.member_2, _e6791)), select(_e6721, _e6786, _e6792), vec3<f32>(select(select(select(select(_e6492, _e6537.member, _e6564), _e6613.member, _e6640), _e6689.member, _e6716), _e6765.member, _e6792), select(select(select(select(_e6493, _e6537.member_1, _e6564), _e6613.member_1, _e6640), _e6689.member_1, _e6716), _e6765.member_1, _e6792), select(select(select(select(_e6494, _e6537.member_2, _e6564), _e6613.member_2, _e6640), _e6689.member_2, _e6716), _e6765.member_2, _e6792)), select(_e6725, _e6759, _e6787), select(_e6727, _e6760, (_e6760 > _e6727)), vec3<f32>(select(select(select(select(_e6498, _e6537.member, _e6559), _e6613.member, _e6635), _e6689.member, _e6711), _e6765.member, _e6787), select(select(select(select(_e6499, _e6537.member_1, _e6559), _e6613.member_1, _e6635), _e6689.member_1, _e6711), _e6765.member_1, _e6787), select(select(select(select(_e6500, _e6537.member_2, _e6559), _e6613.member_2, _e6635), _e6689.member_2, _e6711), _e6765.member_2, _e6787)));
 }
 let _e6812 = phi_16209_;
-let _e6821 = global_1.member.member_5.member_4;
+let _e6821 = global_1.member.member_7.member_4;
 let _e6824 = (_e3050.member_3.x * _e3535.member_2);
 let _e6826 = (_e3050.member_3.y * _e3535.member_2);
 let _e6828 = (_e3050.member_3.z * _e3535.member_2);

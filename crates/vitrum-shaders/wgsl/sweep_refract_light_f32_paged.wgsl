@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -301,8 +303,8 @@ let _e279 = ((8u * _e188) + _e190);
 let _e280 = bitcast<i32>(_e279);
 let _e282 = select(_e193, _e280, (_e280 < _e193));
 let _e288 = global_4.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
-let _e293 = global_1.member.member_8.member;
-let _e297 = global_1.member.member_8.member_1;
+let _e293 = global_1.member.member_10.member;
+let _e297 = global_1.member.member_10.member_1;
 let _e298 = (_e293 * _e297);
 if (_e167 >= (_e298 * 4u)) {
 let _e302 = bitcast<i32>((_e185 * _e293));
@@ -311,45 +313,45 @@ let _e309 = global_6.member[bitcast<u32>((_e302 + _e304))];
 let _e315 = global_6.member[bitcast<u32>(((bitcast<i32>(_e298) + _e302) + _e304))];
 let _e316 = f32(_e304);
 let _e318 = f32(bitcast<i32>(_e185));
-let _e324 = global_1.member.member_5.member;
-let _e328 = global_1.member.member_8.member_8;
+let _e324 = global_1.member.member_7.member;
+let _e328 = global_1.member.member_10.member_8;
 let _e329 = (_e324 - _e328);
-let _e333 = global_1.member.member_8.member_2;
-let _e337 = global_1.member.member_8.member_6;
-let _e344 = global_1.member.member_8.member_4;
+let _e333 = global_1.member.member_10.member_2;
+let _e337 = global_1.member.member_10.member_6;
+let _e344 = global_1.member.member_10.member_4;
 let _e346 = ((_e333 + (_e337 * _e329)) + (((_e316 - _e309) + 0.5f) * _e344));
-let _e350 = global_1.member.member_8.member_3;
-let _e354 = global_1.member.member_8.member_7;
+let _e350 = global_1.member.member_10.member_3;
+let _e354 = global_1.member.member_10.member_7;
 let _e359 = ((_e350 + (_e354 * _e329)) + (((_e318 - _e315) + 0.5f) * _e344));
-let _e363 = global_1.member.member_5.member_1;
+let _e363 = global_1.member.member_7.member_1;
 let _e364 = (_e363 - _e328);
 let _e369 = ((_e333 + (_e337 * _e364)) + ((_e316 + 0.5f) * _e344));
 let _e374 = ((_e350 + (_e354 * _e364)) + ((_e318 + 0.5f) * _e344));
-let _e380 = global_1.member.member_6.member.member;
+let _e380 = global_1.member.member_8.member.member;
 let _e388 = (((_e380.member * _e380.member) + (_e380.member_1 * _e380.member_1)) + (_e380.member_2 * _e380.member_2));
 let _e391 = sqrt(select(0f, _e388, (_e388 > 0f)));
 let _e392 = ((1.5f * _e344) * _e391);
 let _e396 = (select(1f, _e392, (_e392 < 1f)) + (1f / 64f));
 let _e398 = select(_e396, 0.5f, (0.5f > _e396));
-let _e402 = global_1.member.member_5.member_2;
+let _e402 = global_1.member.member_7.member_2;
 let _e405 = (_e402 / select(1e-6f, _e255, (_e255 > 1e-6f)));
 let _e409 = (_e369 + (_e233 * _e405));
 let _e410 = (_e374 + (_e244 * _e405));
 let _e411 = (_e363 + (_e255 * _e405));
-let _e415 = global_1.member.member_6.member;
+let _e415 = global_1.member.member_8.member;
 let _e426 = ((((_e415.member.member * _e346) + (_e415.member.member_1 * _e359)) + (_e415.member.member_2 * _e324)) + _e415.member_1);
-let _e430 = global_1.member.member_6.member_1;
+let _e430 = global_1.member.member_8.member_1;
 let _e441 = ((((_e430.member.member * _e346) + (_e430.member.member_1 * _e359)) + (_e430.member.member_2 * _e324)) + _e430.member_1);
-let _e445 = global_1.member.member_6.member_2;
+let _e445 = global_1.member.member_8.member_2;
 let _e456 = ((((_e445.member.member * _e346) + (_e445.member.member_1 * _e359)) + (_e445.member.member_2 * _e324)) + _e445.member_1);
 let _e462 = ((((_e415.member.member * _e369) + (_e415.member.member_1 * _e374)) + (_e415.member.member_2 * _e363)) + _e415.member_1);
 let _e468 = ((((_e430.member.member * _e369) + (_e430.member.member_1 * _e374)) + (_e430.member.member_2 * _e363)) + _e430.member_1);
 let _e474 = ((((_e445.member.member * _e369) + (_e445.member.member_1 * _e374)) + (_e445.member.member_2 * _e363)) + _e445.member_1);
-let _e480 = global_1.member.member_6.member_3.member;
+let _e480 = global_1.member.member_8.member_3.member;
 let _e481 = (_e480 - 1f);
-let _e490 = global_1.member.member_6.member_3.member_1;
+let _e490 = global_1.member.member_8.member_3.member_1;
 let _e491 = (_e490 - 1f);
-let _e500 = global_1.member.member_6.member_3.member_2;
+let _e500 = global_1.member.member_8.member_3.member_2;
 let _e501 = (_e500 - 1f);
 let _e515 = (((((((_e426 >= 0f) && (_e426 <= _e481)) && (_e441 >= 0f)) && (_e441 <= _e491)) && (_e456 >= 0f)) && (_e456 <= _e501)) && ((((((_e462 >= 0f) && (_e462 <= _e481)) && (_e468 >= 0f)) && (_e468 <= _e491)) && (_e474 >= 0f)) && (_e474 <= _e501)));
 let _e524 = ((((_e175.member_2 == 1u) || (_e175.member_2 == 5u)) || (_e175.member_2 == 6u)) || ((_e175.member_2 == 2u) || (_e175.member_2 == 7u)));
@@ -365,15 +367,15 @@ let _e545 = ((_e543 & 16u) == 0u);
 if _e545 {
 phi_901_ = _e540;
 } else {
-let _e550 = global_1.member.member_14.member;
+let _e550 = global_1.member.member_16.member;
 let _e562 = -((_e398 / _e391));
-let _e567 = global_1.member.member_14.member_1;
-let _e573 = global_1.member.member_15.member;
-let _e589 = global_1.member.member_15.member_1;
-let _e596 = global_1.member.member_16.member;
-let _e612 = global_1.member.member_16.member_1;
-let _e619 = global_1.member.member_17.member;
-let _e635 = global_1.member.member_17.member_1;
+let _e567 = global_1.member.member_16.member_1;
+let _e573 = global_1.member.member_17.member;
+let _e589 = global_1.member.member_17.member_1;
+let _e596 = global_1.member.member_18.member;
+let _e612 = global_1.member.member_18.member_1;
+let _e619 = global_1.member.member_19.member;
+let _e635 = global_1.member.member_19.member_1;
 phi_901_ = (_e540 && (((((((((_e550.member.member * _e346) + (_e550.member.member_1 * _e359)) + (_e550.member.member_2 * _e324)) + _e550.member_1) <= _e562) || (_e567 == 0u)) && ((((((_e573.member.member * _e346) + (_e573.member.member_1 * _e359)) + (_e573.member.member_2 * _e324)) + _e573.member_1) <= _e562) || (_e589 == 0u))) && ((((((_e596.member.member * _e346) + (_e596.member.member_1 * _e359)) + (_e596.member.member_2 * _e324)) + _e596.member_1) <= _e562) || (_e612 == 0u))) && ((((((_e619.member.member * _e346) + (_e619.member.member_1 * _e359)) + (_e619.member.member_2 * _e324)) + _e619.member_1) <= _e562) || (_e635 == 0u))));
 }
 let _e641 = phi_901_;
@@ -387,15 +389,15 @@ let _e676 = ((((_e653 >= _e525) && (_e653 <= _e528)) && ((_e659 >= _e525) && (_e
 if _e545 {
 phi_1081_ = _e676;
 } else {
-let _e681 = global_1.member.member_14.member;
+let _e681 = global_1.member.member_16.member;
 let _e693 = -((_e398 / _e391));
-let _e698 = global_1.member.member_14.member_1;
-let _e704 = global_1.member.member_15.member;
-let _e720 = global_1.member.member_15.member_1;
-let _e727 = global_1.member.member_16.member;
-let _e743 = global_1.member.member_16.member_1;
-let _e750 = global_1.member.member_17.member;
-let _e766 = global_1.member.member_17.member_1;
+let _e698 = global_1.member.member_16.member_1;
+let _e704 = global_1.member.member_17.member;
+let _e720 = global_1.member.member_17.member_1;
+let _e727 = global_1.member.member_18.member;
+let _e743 = global_1.member.member_18.member_1;
+let _e750 = global_1.member.member_19.member;
+let _e766 = global_1.member.member_19.member_1;
 phi_1081_ = (_e676 && (((((((((_e681.member.member * _e645) + (_e681.member.member_1 * _e646)) + (_e681.member.member_2 * _e647)) + _e681.member_1) <= _e693) || (_e698 == 0u)) && ((((((_e704.member.member * _e645) + (_e704.member.member_1 * _e646)) + (_e704.member.member_2 * _e647)) + _e704.member_1) <= _e693) || (_e720 == 0u))) && ((((((_e727.member.member * _e645) + (_e727.member.member_1 * _e646)) + (_e727.member.member_2 * _e647)) + _e727.member_1) <= _e693) || (_e743 == 0u))) && ((((((_e750.member.member * _e645) + (_e750.member.member_1 * _e646)) + (_e750.member.member_2 * _e647)) + _e750.member_1) <= _e693) || (_e766 == 0u))));
 }
 let _e772 = phi_1081_;
@@ -414,19 +416,19 @@ let _e814 = global_1.member.member_1;
 if ((_e814 & 16u) == 0u) {
 phi_1268_ = _e811;
 } else {
-let _e821 = global_1.member.member_14.member;
+let _e821 = global_1.member.member_16.member;
 let _e833 = -((_e398 / _e391));
-let _e838 = global_1.member.member_14.member_1;
-let _e844 = global_1.member.member_15.member;
-let _e860 = global_1.member.member_15.member_1;
-let _e867 = global_1.member.member_16.member;
-let _e883 = global_1.member.member_16.member_1;
-let _e890 = global_1.member.member_17.member;
-let _e906 = global_1.member.member_17.member_1;
+let _e838 = global_1.member.member_16.member_1;
+let _e844 = global_1.member.member_17.member;
+let _e860 = global_1.member.member_17.member_1;
+let _e867 = global_1.member.member_18.member;
+let _e883 = global_1.member.member_18.member_1;
+let _e890 = global_1.member.member_19.member;
+let _e906 = global_1.member.member_19.member_1;
 phi_1268_ = (_e811 && (((((((((_e821.member.member * _e409) + (_e821.member.member_1 * _e410)) + (_e821.member.member_2 * _e411)) + _e821.member_1) <= _e833) || (_e838 == 0u)) && ((((((_e844.member.member * _e409) + (_e844.member.member_1 * _e410)) + (_e844.member.member_2 * _e411)) + _e844.member_1) <= _e833) || (_e860 == 0u))) && ((((((_e867.member.member * _e409) + (_e867.member.member_1 * _e410)) + (_e867.member.member_2 * _e411)) + _e867.member_1) <= _e833) || (_e883 == 0u))) && ((((((_e890.member.member * _e409) + (_e890.member.member_1 * _e410)) + (_e890.member.member_2 * _e411)) + _e890.member_1) <= _e833) || (_e906 == 0u))));
 }
 let _e912 = phi_1268_;
-let _e919 = global_1.member.member_6.member_4;
+let _e919 = global_1.member.member_8.member_4;
 let _e920 = (_e480 - 0.5f);
 let _e922 = select(-0.5f, _e462, (_e462 > -0.5f));
 let _e924 = select(_e920, _e922, (_e922 < _e920));
@@ -448,7 +450,7 @@ let _e969 = (_e924 + 0.5f);
 let _e971 = select(0f, _e969, (_e969 > 0f));
 let _e973 = select(_e481, _e971, (_e971 < _e481));
 let _e980 = select(0i, select(select(i32(_e973), i32(-2147483648), (_e973 < -2147483600f)), 2147483647i, (_e973 > 2147483500f)), (_e973 == _e973));
-let _e988 = global_1.member.member_6.member_12;
+let _e988 = global_1.member.member_8.member_12;
 let _e989 = (_e988 & 31u);
 let _e992 = (_e929 + 0.5f);
 let _e994 = select(0f, _e992, (_e992 > 0f));
@@ -458,9 +460,9 @@ let _e1010 = (_e934 + 0.5f);
 let _e1012 = select(0f, _e1010, (_e1010 > 0f));
 let _e1014 = select(_e501, _e1012, (_e1012 < _e501));
 let _e1021 = select(0i, select(select(i32(_e1014), i32(-2147483648), (_e1014 < -2147483600f)), 2147483647i, (_e1014 > 2147483500f)), (_e1014 == _e1014));
-let _e1032 = global_1.member.member_6.member_9.member;
-let _e1038 = global_1.member.member_6.member_9.member_1;
-let _e1043 = global_1.member.member_6.member_10;
+let _e1032 = global_1.member.member_8.member_9.member;
+let _e1038 = global_1.member.member_8.member_9.member_1;
+let _e1043 = global_1.member.member_8.member_10;
 let _e1049 = ((bitcast<i32>(_e1043) + ((_e980 - select(0i, 1i, (_e973 < f32(_e980)))) >> bitcast<u32>(_e989))) + (bitcast<i32>(_e1032) * (((_e1003 - select(0i, 1i, (_e996 < f32(_e1003)))) >> bitcast<u32>(_e989)) + (bitcast<i32>(_e1038) * ((_e1021 - select(0i, 1i, (_e1014 < f32(_e1021)))) >> bitcast<u32>(_e989))))));
 let _e1051 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1053 = select(_e1051, _e1049, (_e1049 < _e1051));
@@ -480,25 +482,25 @@ let _e1091 = select(_e1080, _e1089, (_e1089 < _e1080));
 let _e1097 = global_6.member[bitcast<u32>(select(0i, _e1091, (_e1091 > 0i)))];
 let _e1099 = f32(bitcast<i32>(_e183));
 let _e1101 = f32(bitcast<i32>(_e185));
-let _e1107 = global_1.member.member_5.member;
-let _e1111 = global_1.member.member_8.member_8;
+let _e1107 = global_1.member.member_7.member;
+let _e1111 = global_1.member.member_10.member_8;
 let _e1112 = (_e1107 - _e1111);
-let _e1116 = global_1.member.member_8.member_2;
-let _e1120 = global_1.member.member_8.member_6;
-let _e1127 = global_1.member.member_8.member_4;
+let _e1116 = global_1.member.member_10.member_2;
+let _e1120 = global_1.member.member_10.member_6;
+let _e1127 = global_1.member.member_10.member_4;
 let _e1129 = ((_e1116 + (_e1120 * _e1112)) + (((_e1099 - _e1088) + 0.5f) * _e1127));
-let _e1133 = global_1.member.member_8.member_3;
-let _e1137 = global_1.member.member_8.member_7;
+let _e1133 = global_1.member.member_10.member_3;
+let _e1137 = global_1.member.member_10.member_7;
 let _e1142 = ((_e1133 + (_e1137 * _e1112)) + (((_e1101 - _e1097) + 0.5f) * _e1127));
-let _e1146 = global_1.member.member_5.member_1;
+let _e1146 = global_1.member.member_7.member_1;
 let _e1147 = (_e1146 - _e1111);
 let _e1152 = ((_e1116 + (_e1120 * _e1147)) + ((_e1099 + 0.5f) * _e1127));
 let _e1157 = ((_e1133 + (_e1137 * _e1147)) + ((_e1101 + 0.5f) * _e1127));
-let _e1161 = global_1.member.member_6.member;
+let _e1161 = global_1.member.member_8.member;
 let _e1172 = ((((_e1161.member.member * _e1129) + (_e1161.member.member_1 * _e1142)) + (_e1161.member.member_2 * _e1107)) + _e1161.member_1);
-let _e1176 = global_1.member.member_6.member_1;
+let _e1176 = global_1.member.member_8.member_1;
 let _e1187 = ((((_e1176.member.member * _e1129) + (_e1176.member.member_1 * _e1142)) + (_e1176.member.member_2 * _e1107)) + _e1176.member_1);
-let _e1191 = global_1.member.member_6.member_2;
+let _e1191 = global_1.member.member_8.member_2;
 let _e1202 = ((((_e1191.member.member * _e1129) + (_e1191.member.member_1 * _e1142)) + (_e1191.member.member_2 * _e1107)) + _e1191.member_1);
 let _e1208 = ((((_e1161.member.member * _e1152) + (_e1161.member.member_1 * _e1157)) + (_e1161.member.member_2 * _e1146)) + _e1161.member_1);
 let _e1214 = ((((_e1176.member.member * _e1152) + (_e1176.member.member_1 * _e1157)) + (_e1176.member.member_2 * _e1146)) + _e1176.member_1);
@@ -507,15 +509,15 @@ let _e1222 = (_e175.member_2 == 5u);
 let _e1228 = ((_e175.member_2 == 2u) || (_e175.member_2 == 7u));
 let _e1229 = ((((_e175.member_2 == 1u) || _e1222) || (_e175.member_2 == 6u)) || _e1228);
 if _e1229 {
-let _e1234 = global_1.member.member_6.member_3.member;
+let _e1234 = global_1.member.member_8.member_3.member;
 let _e1235 = (_e1234 - 0.5f);
 let _e1237 = select(-0.5f, _e1208, (_e1208 > -0.5f));
 let _e1239 = select(_e1235, _e1237, (_e1237 < _e1235));
-let _e1244 = global_1.member.member_6.member_3.member_1;
+let _e1244 = global_1.member.member_8.member_3.member_1;
 let _e1245 = (_e1244 - 0.5f);
 let _e1247 = select(-0.5f, _e1214, (_e1214 > -0.5f));
 let _e1249 = select(_e1245, _e1247, (_e1247 < _e1245));
-let _e1254 = global_1.member.member_6.member_3.member_2;
+let _e1254 = global_1.member.member_8.member_3.member_2;
 let _e1255 = (_e1254 - 0.5f);
 let _e1257 = select(-0.5f, _e1220, (_e1220 > -0.5f));
 let _e1259 = select(_e1255, _e1257, (_e1257 < _e1255));
@@ -531,13 +533,13 @@ let _e1291 = select(-1f, _e1259, (_e1259 > -1f));
 let _e1293 = select(_e1254, _e1291, (_e1291 < _e1254));
 let _e1300 = select(0i, select(select(i32(_e1293), i32(-2147483648), (_e1293 < -2147483600f)), 2147483647i, (_e1293 > 2147483500f)), (_e1293 == _e1293));
 let _e1304 = (_e1300 - select(0i, 1i, (_e1293 < f32(_e1300))));
-let _e1308 = global_1.member.member_6.member_7;
-let _e1312 = global_1.member.member_6.member_8;
+let _e1308 = global_1.member.member_8.member_7;
+let _e1312 = global_1.member.member_8.member_8;
 let _e1313 = (_e1274 + 1i);
 let _e1314 = (_e1289 + 1i);
 let _e1315 = (_e1304 + 1i);
-let _e1320 = global_1.member.member_6.member_11.member;
-let _e1326 = global_1.member.member_6.member_11.member_1;
+let _e1320 = global_1.member.member_8.member_11.member;
+let _e1326 = global_1.member.member_8.member_11.member_1;
 let _e1337 = ((_e1313 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1320) * ((_e1314 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1326) * (_e1315 >> bitcast<u32>(4i))))));
 let _e1339 = (bitcast<i32>(_e160) - 1i);
 let _e1341 = select(_e1339, _e1337, (_e1337 < _e1339));
@@ -771,8 +773,8 @@ let _e1860 = local_27[2u];
 let _e1864 = local_27[1u];
 let _e1868 = local_27[2u];
 let _e1872 = local_27[2u];
-let _e1879 = global_1.member.member_6.member_6;
-let _e1883 = global_1.member.member_6.member_5;
+let _e1879 = global_1.member.member_8.member_6;
+let _e1883 = global_1.member.member_8.member_5;
 let _e1885 = (((_e1802 + ((_e1806 - _e1802) * _e1872)) - _e1879) * _e1883);
 let _e1886 = -(1e9f);
 let _e1888 = select(_e1886, _e1885, (_e1885 > _e1886));
@@ -1038,26 +1040,26 @@ let _e2636 = select(0f, 1f, ((((((_e1208 >= -0.5f) && (_e1208 <= _e1235)) && (_e
 let _e2638 = (0.5f * (_e1902 - _e1896));
 let _e2640 = (0.5f * (_e1914 - _e1908));
 let _e2642 = (0.5f * (_e1926 - _e1920));
-let _e2648 = global_1.member.member_6.member.member.member;
-let _e2654 = global_1.member.member_6.member.member.member_1;
-let _e2660 = global_1.member.member_6.member.member.member_2;
-let _e2666 = global_1.member.member_6.member_1.member.member;
-let _e2672 = global_1.member.member_6.member_1.member.member_1;
-let _e2678 = global_1.member.member_6.member_1.member.member_2;
-let _e2684 = global_1.member.member_6.member_2.member.member;
-let _e2690 = global_1.member.member_6.member_2.member.member_1;
-let _e2696 = global_1.member.member_6.member_2.member.member_2;
+let _e2648 = global_1.member.member_8.member.member.member;
+let _e2654 = global_1.member.member_8.member.member.member_1;
+let _e2660 = global_1.member.member_8.member.member.member_2;
+let _e2666 = global_1.member.member_8.member_1.member.member;
+let _e2672 = global_1.member.member_8.member_1.member.member_1;
+let _e2678 = global_1.member.member_8.member_1.member.member_2;
+let _e2684 = global_1.member.member_8.member_2.member.member;
+let _e2690 = global_1.member.member_8.member_2.member.member_1;
+let _e2696 = global_1.member.member_8.member_2.member.member_2;
 phi_7603_ = type_33(_e1890, vec3<f32>(((((_e2648 * _e2638) + (_e2666 * _e2640)) + (_e2684 * _e2642)) * _e2636), ((((_e2654 * _e2638) + (_e2672 * _e2640)) + (_e2690 * _e2642)) * _e2636), ((((_e2660 * _e2638) + (_e2678 * _e2640)) + (_e2696 * _e2642)) * _e2636)), _e2621.member, vec3<f32>(((((_e2648 * _e2621.member_2.x) + (_e2666 * _e2621.member_2.y)) + (_e2684 * _e2621.member_2.z)) * _e2636), ((((_e2654 * _e2621.member_2.x) + (_e2672 * _e2621.member_2.y)) + (_e2690 * _e2621.member_2.z)) * _e2636), ((((_e2660 * _e2621.member_2.x) + (_e2678 * _e2621.member_2.y)) + (_e2696 * _e2621.member_2.z)) * _e2636)), vec3<f32>(((((_e2648 * _e2621.member_1.x) + (_e2666 * _e2621.member_1.y)) + (_e2684 * _e2621.member_1.z)) * _e2636), ((((_e2654 * _e2621.member_1.x) + (_e2672 * _e2621.member_1.y)) + (_e2690 * _e2621.member_1.z)) * _e2636), ((((_e2660 * _e2621.member_1.x) + (_e2678 * _e2621.member_1.y)) + (_e2696 * _e2621.member_1.z)) * _e2636)));
 } else {
-let _e2765 = global_1.member.member_6.member_3.member;
+let _e2765 = global_1.member.member_8.member_3.member;
 let _e2766 = (_e2765 - 0.5f);
 let _e2768 = select(-0.5f, _e1208, (_e1208 > -0.5f));
 let _e2770 = select(_e2766, _e2768, (_e2768 < _e2766));
-let _e2775 = global_1.member.member_6.member_3.member_1;
+let _e2775 = global_1.member.member_8.member_3.member_1;
 let _e2776 = (_e2775 - 0.5f);
 let _e2778 = select(-0.5f, _e1214, (_e1214 > -0.5f));
 let _e2780 = select(_e2776, _e2778, (_e2778 < _e2776));
-let _e2785 = global_1.member.member_6.member_3.member_2;
+let _e2785 = global_1.member.member_8.member_3.member_2;
 let _e2786 = (_e2785 - 0.5f);
 let _e2788 = select(-0.5f, _e1220, (_e1220 > -0.5f));
 let _e2790 = select(_e2786, _e2788, (_e2788 < _e2786));
@@ -1073,13 +1075,13 @@ let _e2822 = select(-1f, _e2790, (_e2790 > -1f));
 let _e2824 = select(_e2785, _e2822, (_e2822 < _e2785));
 let _e2831 = select(0i, select(select(i32(_e2824), i32(-2147483648), (_e2824 < -2147483600f)), 2147483647i, (_e2824 > 2147483500f)), (_e2824 == _e2824));
 let _e2835 = (_e2831 - select(0i, 1i, (_e2824 < f32(_e2831))));
-let _e2839 = global_1.member.member_6.member_7;
-let _e2843 = global_1.member.member_6.member_8;
+let _e2839 = global_1.member.member_8.member_7;
+let _e2843 = global_1.member.member_8.member_8;
 let _e2844 = (_e2805 + 1i);
 let _e2845 = (_e2820 + 1i);
 let _e2846 = (_e2835 + 1i);
-let _e2851 = global_1.member.member_6.member_11.member;
-let _e2857 = global_1.member.member_6.member_11.member_1;
+let _e2851 = global_1.member.member_8.member_11.member;
+let _e2857 = global_1.member.member_8.member_11.member_1;
 let _e2868 = ((_e2844 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2851) * ((_e2845 >> bitcast<u32>(4i)) + (bitcast<i32>(_e2857) * (_e2846 >> bitcast<u32>(4i))))));
 let _e2870 = (bitcast<i32>(_e160) - 1i);
 let _e2872 = select(_e2870, _e2868, (_e2868 < _e2870));
@@ -1143,23 +1145,23 @@ let _e3008 = global_2.member[bitcast<u32>(select(0i, _e3003, (_e3003 > 0i)))];
 let _e3010 = local_11[0u];
 let _e3014 = local_11[1u];
 let _e3019 = local_11[2u];
-let _e3026 = global_1.member.member_6.member_6;
-let _e3030 = global_1.member.member_6.member_5;
+let _e3026 = global_1.member.member_8.member_6;
+let _e3030 = global_1.member.member_8.member_5;
 let _e3032 = (((_e2963 + (((_e2988 + (((_e2999 + ((bitcast<f32>(_e3008) - _e2999) * _e3010)) - _e2988) * _e3014)) - _e2963) * _e3019)) - _e3026) * _e3030);
 let _e3033 = -(1e9f);
 let _e3035 = select(_e3033, _e3032, (_e3032 > _e3033));
 phi_7603_ = type_33(select(1e9f, _e3035, (_e3035 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e3040 = phi_7603_;
-let _e3045 = global_1.member.member_6.member_3.member;
+let _e3045 = global_1.member.member_8.member_3.member;
 let _e3046 = (_e3045 - 0.5f);
 let _e3048 = select(-0.5f, _e1172, (_e1172 > -0.5f));
 let _e3050 = select(_e3046, _e3048, (_e3048 < _e3046));
-let _e3055 = global_1.member.member_6.member_3.member_1;
+let _e3055 = global_1.member.member_8.member_3.member_1;
 let _e3056 = (_e3055 - 0.5f);
 let _e3058 = select(-0.5f, _e1187, (_e1187 > -0.5f));
 let _e3060 = select(_e3056, _e3058, (_e3058 < _e3056));
-let _e3065 = global_1.member.member_6.member_3.member_2;
+let _e3065 = global_1.member.member_8.member_3.member_2;
 let _e3066 = (_e3065 - 0.5f);
 let _e3068 = select(-0.5f, _e1202, (_e1202 > -0.5f));
 let _e3070 = select(_e3066, _e3068, (_e3068 < _e3066));
@@ -1175,14 +1177,14 @@ let _e3102 = select(-1f, _e3070, (_e3070 > -1f));
 let _e3104 = select(_e3065, _e3102, (_e3102 < _e3065));
 let _e3111 = select(0i, select(select(i32(_e3104), i32(-2147483648), (_e3104 < -2147483600f)), 2147483647i, (_e3104 > 2147483500f)), (_e3104 == _e3104));
 let _e3115 = (_e3111 - select(0i, 1i, (_e3104 < f32(_e3111))));
-let _e3119 = global_1.member.member_6.member_7;
-let _e3123 = global_1.member.member_6.member_8;
+let _e3119 = global_1.member.member_8.member_7;
+let _e3123 = global_1.member.member_8.member_8;
 let _e3124 = (_e3085 + 1i);
 let _e3125 = (_e3100 + 1i);
 let _e3126 = (_e3115 + 1i);
-let _e3131 = global_1.member.member_6.member_11.member;
+let _e3131 = global_1.member.member_8.member_11.member;
 let _e3132 = bitcast<i32>(_e3131);
-let _e3137 = global_1.member.member_6.member_11.member_1;
+let _e3137 = global_1.member.member_8.member_11.member_1;
 let _e3138 = bitcast<i32>(_e3137);
 let _e3148 = ((_e3124 >> bitcast<u32>(4i)) + (_e3132 * ((_e3125 >> bitcast<u32>(4i)) + (_e3138 * (_e3126 >> bitcast<u32>(4i))))));
 let _e3150 = (bitcast<i32>(_e160) - 1i);
@@ -1249,8 +1251,8 @@ let _e3288 = global_2.member[bitcast<u32>(select(0i, _e3283, (_e3283 > 0i)))];
 let _e3290 = local_9[0u];
 let _e3294 = local_9[1u];
 let _e3299 = local_9[2u];
-let _e3306 = global_1.member.member_6.member_6;
-let _e3310 = global_1.member.member_6.member_5;
+let _e3306 = global_1.member.member_8.member_6;
+let _e3310 = global_1.member.member_8.member_5;
 let _e3312 = (((_e3243 + (((_e3268 + (((_e3279 + ((bitcast<f32>(_e3288) - _e3279) * _e3290)) - _e3268) * _e3294)) - _e3243) * _e3299)) - _e3306) * _e3310);
 let _e3313 = -(1e9f);
 let _e3315 = select(_e3313, _e3312, (_e3312 > _e3313));
@@ -1260,7 +1262,7 @@ let _e3322 = ((_e3320 & 16u) == 0u);
 if _e3322 {
 phi_8400_ = type_7(1f, 1f, 1f);
 } else {
-let _e3326 = global_1.member.member_14.member;
+let _e3326 = global_1.member.member_16.member;
 let _e3337 = ((((_e3326.member.member * _e1129) + (_e3326.member.member_1 * _e1142)) + (_e3326.member.member_2 * _e1107)) + _e3326.member_1);
 let _e3343 = ((((_e3326.member.member * _e1152) + (_e3326.member.member_1 * _e1157)) + (_e3326.member.member_2 * _e1146)) + _e3326.member_1);
 let _e3345 = select(_e3343, _e3337, (_e3337 < _e3343));
@@ -1269,9 +1271,9 @@ let _e3349 = (_e3347 - _e3345);
 let _e3352 = (-(_e3345) / select(1e-30f, _e3349, (_e3349 > 1e-30f)));
 let _e3354 = select(0f, _e3352, (_e3352 > 0f));
 let _e3360 = select(select(select(1f, _e3354, (_e3354 < 1f)), 1f, (_e3347 <= 0f)), 0f, (_e3345 > 0f));
-let _e3365 = global_1.member.member_14.member_1;
+let _e3365 = global_1.member.member_16.member_1;
 let _e3366 = (_e3365 != 0u);
-let _e3376 = global_1.member.member_15.member;
+let _e3376 = global_1.member.member_17.member;
 let _e3387 = ((((_e3376.member.member * _e1129) + (_e3376.member.member_1 * _e1142)) + (_e3376.member.member_2 * _e1107)) + _e3376.member_1);
 let _e3393 = ((((_e3376.member.member * _e1152) + (_e3376.member.member_1 * _e1157)) + (_e3376.member.member_2 * _e1146)) + _e3376.member_1);
 let _e3395 = select(_e3393, _e3387, (_e3387 < _e3393));
@@ -1280,9 +1282,9 @@ let _e3399 = (_e3397 - _e3395);
 let _e3402 = (-(_e3395) / select(1e-30f, _e3399, (_e3399 > 1e-30f)));
 let _e3404 = select(0f, _e3402, (_e3402 > 0f));
 let _e3410 = select(select(select(1f, _e3404, (_e3404 < 1f)), 1f, (_e3397 <= 0f)), 0f, (_e3395 > 0f));
-let _e3415 = global_1.member.member_15.member_1;
+let _e3415 = global_1.member.member_17.member_1;
 let _e3416 = (_e3415 != 0u);
-let _e3426 = global_1.member.member_16.member;
+let _e3426 = global_1.member.member_18.member;
 let _e3437 = ((((_e3426.member.member * _e1129) + (_e3426.member.member_1 * _e1142)) + (_e3426.member.member_2 * _e1107)) + _e3426.member_1);
 let _e3443 = ((((_e3426.member.member * _e1152) + (_e3426.member.member_1 * _e1157)) + (_e3426.member.member_2 * _e1146)) + _e3426.member_1);
 let _e3445 = select(_e3443, _e3437, (_e3437 < _e3443));
@@ -1291,9 +1293,9 @@ let _e3449 = (_e3447 - _e3445);
 let _e3452 = (-(_e3445) / select(1e-30f, _e3449, (_e3449 > 1e-30f)));
 let _e3454 = select(0f, _e3452, (_e3452 > 0f));
 let _e3460 = select(select(select(1f, _e3454, (_e3454 < 1f)), 1f, (_e3447 <= 0f)), 0f, (_e3445 > 0f));
-let _e3465 = global_1.member.member_16.member_1;
+let _e3465 = global_1.member.member_18.member_1;
 let _e3466 = (_e3465 != 0u);
-let _e3476 = global_1.member.member_17.member;
+let _e3476 = global_1.member.member_19.member;
 let _e3487 = ((((_e3476.member.member * _e1129) + (_e3476.member.member_1 * _e1142)) + (_e3476.member.member_2 * _e1107)) + _e3476.member_1);
 let _e3493 = ((((_e3476.member.member * _e1152) + (_e3476.member.member_1 * _e1157)) + (_e3476.member.member_2 * _e1146)) + _e3476.member_1);
 let _e3495 = select(_e3493, _e3487, (_e3487 < _e3493));
@@ -1302,7 +1304,7 @@ let _e3499 = (_e3497 - _e3495);
 let _e3502 = (-(_e3495) / select(1e-30f, _e3499, (_e3499 > 1e-30f)));
 let _e3504 = select(0f, _e3502, (_e3502 > 0f));
 let _e3510 = select(select(select(1f, _e3504, (_e3504 < 1f)), 1f, (_e3497 <= 0f)), 0f, (_e3495 > 0f));
-let _e3515 = global_1.member.member_17.member_1;
+let _e3515 = global_1.member.member_19.member_1;
 let _e3516 = (_e3515 != 0u);
 phi_8400_ = type_7(((((1f * _e3360) * _e3410) * _e3460) * _e3510), ((((1f * select(1f, _e3360, _e3366)) * select(1f, _e3410, _e3416)) * select(1f, _e3460, _e3466)) * select(1f, _e3510, _e3516)), ((((1f * select(1f, 0f, (_e3366 && (_e3343 > 0f)))) * select(1f, 0f, (_e3416 && (_e3393 > 0f)))) * select(1f, 0f, (_e3466 && (_e3443 > 0f)))) * select(1f, 0f, (_e3516 && (_e3493 > 0f)))));
 }
@@ -1350,7 +1352,7 @@ let _e3624 = (_e1152 - _e1129);
 let _e3625 = (_e1157 - _e1142);
 let _e3626 = (_e1146 - _e1107);
 let _e3631 = (((_e3624 * _e3624) + (_e3625 * _e3625)) + (_e3626 * _e3626));
-let _e3639 = global_1.member.member_5.member_3;
+let _e3639 = global_1.member.member_7.member_3;
 let _e3640 = ((sqrt(select(0f, _e3631, (_e3631 > 0f))) * select(0f, _e3621, (_e3621 > 0f))) * _e3639);
 if (((_e175.member_2 == 3u) || (_e175.member_2 == 4u)) || _e1222) {
 local_7 = _e3317;
@@ -1771,9 +1773,9 @@ phi_12128_ = type_35(_e5092, _e5093, vec3<f32>(((1f + (_e4927 * (1f + (_e4927 * 
 }
 let _e5101 = phi_12128_;
 if _e1229 {
-let _e5106 = global_1.member.member_6.member.member;
-let _e5114 = global_1.member.member_6.member_1.member;
-let _e5122 = global_1.member.member_6.member_2.member;
+let _e5106 = global_1.member.member_8.member.member;
+let _e5114 = global_1.member.member_8.member_1.member;
+let _e5122 = global_1.member.member_8.member_2.member;
 let _e5126 = (-0.5f - _e1208);
 let _e5127 = -(_e3533);
 let _e5130 = (_e3533 - _e5126);
@@ -1899,12 +1901,12 @@ phi_13447_ = type_34(_e5349, vec3<f32>(_e5350, _e5351, _e5352), _e5354, vec3<f32
 } else {
 let _e5371 = (((_e5106.member * _e5106.member) + (_e5106.member_1 * _e5106.member_1)) + (_e5106.member_2 * _e5106.member_2));
 let _e5374 = sqrt(select(0f, _e5371, (_e5371 > 0f)));
-let _e5378 = global_1.member.member_14.member_1;
+let _e5378 = global_1.member.member_16.member_1;
 let _e5379 = (_e5378 != 0u);
-let _e5383 = global_1.member.member_14.member;
+let _e5383 = global_1.member.member_16.member;
 let _e5403 = select(-1e6f, (((((_e5383.member.member * _e1129) + (_e5383.member.member_1 * _e1142)) + (_e5383.member.member_2 * _e1107)) + _e5383.member_1) * _e5374), _e5379);
 let _e5404 = select(-1e6f, (((((_e5383.member.member * _e1152) + (_e5383.member.member_1 * _e1157)) + (_e5383.member.member_2 * _e1146)) + _e5383.member_1) * _e5374), _e5379);
-let _e5409 = global_1.member.member_14.member.member;
+let _e5409 = global_1.member.member_16.member.member;
 let _e5413 = -(_e5403);
 let _e5416 = (_e5403 - _e5404);
 let _e5417 = (_e5404 - _e5403);
@@ -1919,12 +1921,12 @@ let _e5437 = select(_e5349, _e5426, _e5435);
 let _e5441 = select(_e5354, _e5430, _e5436);
 let _e5445 = select(_e5359, _e5403, _e5431);
 let _e5447 = select(_e5361, _e5404, (_e5404 > _e5361));
-let _e5454 = global_1.member.member_15.member_1;
+let _e5454 = global_1.member.member_17.member_1;
 let _e5455 = (_e5454 != 0u);
-let _e5459 = global_1.member.member_15.member;
+let _e5459 = global_1.member.member_17.member;
 let _e5479 = select(-1e6f, (((((_e5459.member.member * _e1129) + (_e5459.member.member_1 * _e1142)) + (_e5459.member.member_2 * _e1107)) + _e5459.member_1) * _e5374), _e5455);
 let _e5480 = select(-1e6f, (((((_e5459.member.member * _e1152) + (_e5459.member.member_1 * _e1157)) + (_e5459.member.member_2 * _e1146)) + _e5459.member_1) * _e5374), _e5455);
-let _e5485 = global_1.member.member_15.member.member;
+let _e5485 = global_1.member.member_17.member.member;
 let _e5489 = -(_e5479);
 let _e5492 = (_e5479 - _e5480);
 let _e5493 = (_e5480 - _e5479);
@@ -1939,12 +1941,12 @@ let _e5513 = select(_e5437, _e5502, _e5511);
 let _e5517 = select(_e5441, _e5506, _e5512);
 let _e5521 = select(_e5445, _e5479, _e5507);
 let _e5523 = select(_e5447, _e5480, (_e5480 > _e5447));
-let _e5530 = global_1.member.member_16.member_1;
+let _e5530 = global_1.member.member_18.member_1;
 let _e5531 = (_e5530 != 0u);
-let _e5535 = global_1.member.member_16.member;
+let _e5535 = global_1.member.member_18.member;
 let _e5555 = select(-1e6f, (((((_e5535.member.member * _e1129) + (_e5535.member.member_1 * _e1142)) + (_e5535.member.member_2 * _e1107)) + _e5535.member_1) * _e5374), _e5531);
 let _e5556 = select(-1e6f, (((((_e5535.member.member * _e1152) + (_e5535.member.member_1 * _e1157)) + (_e5535.member.member_2 * _e1146)) + _e5535.member_1) * _e5374), _e5531);
-let _e5561 = global_1.member.member_16.member.member;
+let _e5561 = global_1.member.member_18.member.member;
 let _e5565 = -(_e5555);
 let _e5568 = (_e5555 - _e5556);
 let _e5569 = (_e5556 - _e5555);
@@ -1959,12 +1961,12 @@ let _e5589 = select(_e5513, _e5578, _e5587);
 let _e5593 = select(_e5517, _e5582, _e5588);
 let _e5597 = select(_e5521, _e5555, _e5583);
 let _e5599 = select(_e5523, _e5556, (_e5556 > _e5523));
-let _e5606 = global_1.member.member_17.member_1;
+let _e5606 = global_1.member.member_19.member_1;
 let _e5607 = (_e5606 != 0u);
-let _e5611 = global_1.member.member_17.member;
+let _e5611 = global_1.member.member_19.member;
 let _e5631 = select(-1e6f, (((((_e5611.member.member * _e1129) + (_e5611.member.member_1 * _e1142)) + (_e5611.member.member_2 * _e1107)) + _e5611.member_1) * _e5374), _e5607);
 let _e5632 = select(-1e6f, (((((_e5611.member.member * _e1152) + (_e5611.member.member_1 * _e1157)) + (_e5611.member.member_2 * _e1146)) + _e5611.member_1) * _e5374), _e5607);
-let _e5637 = global_1.member.member_17.member.member;
+let _e5637 = global_1.member.member_19.member.member;
 let _e5641 = -(_e5631);
 let _e5644 = (_e5631 - _e5632);
 let _e5645 = (_e5632 - _e5631);
@@ -2171,7 +2173,7 @@ let _e6246 = ((_e5689 || (bitcast<f32>((bitcast<u32>(_e5684.member_4) & 21474836
 let _e6247 = select(_e233, select(select(select((_e233 + (_e6184 * _e6210)), _e233, _e6211), _e233, _e6222), (_e233 * _e6234), _e6228), _e6246);
 let _e6248 = select(_e244, select(select(select((_e244 + (_e6185 * _e6210)), _e244, _e6211), _e244, _e6222), (_e244 * _e6234), _e6228), _e6246);
 let _e6249 = select(_e255, select(select(select((_e255 + (_e6186 * _e6210)), _e255, _e6211), _e255, _e6222), (_e255 * _e6234), _e6228), _e6246);
-let _e6261 = global_1.member.member_5.member_2;
+let _e6261 = global_1.member.member_7.member_2;
 let _e6264 = (_e6261 / select(1e-6f, _e6249, (_e6249 > 1e-6f)));
 let _e6268 = (_e1152 + (_e6247 * _e6264));
 let _e6269 = (_e1157 + (_e6248 * _e6264));
@@ -2269,12 +2271,12 @@ let _e6500 = select(select(select(select(select(select(1f, _e5106.member_2, _e51
 if _e3322 {
 phi_16040_ = type_34(_e6486, vec3<f32>(_e6487, _e6488, _e6489), _e6491, vec3<f32>(_e6492, _e6493, _e6494), _e5361, _e6497, vec3<f32>(_e6498, _e6499, _e6500));
 } else {
-let _e6506 = global_1.member.member_14.member_1;
+let _e6506 = global_1.member.member_16.member_1;
 let _e6507 = (_e6506 != 0u);
-let _e6511 = global_1.member.member_14.member;
+let _e6511 = global_1.member.member_16.member;
 let _e6531 = select(-1e6f, (((((_e6511.member.member * _e1152) + (_e6511.member.member_1 * _e1157)) + (_e6511.member.member_2 * _e1146)) + _e6511.member_1) * _e5709), _e6507);
 let _e6532 = select(-1e6f, (((((_e6511.member.member * _e6268) + (_e6511.member.member_1 * _e6269)) + (_e6511.member.member_2 * _e6270)) + _e6511.member_1) * _e5709), _e6507);
-let _e6537 = global_1.member.member_14.member.member;
+let _e6537 = global_1.member.member_16.member.member;
 let _e6541 = -(_e6531);
 let _e6544 = (_e6531 - _e6532);
 let _e6545 = (_e6532 - _e6531);
@@ -2289,12 +2291,12 @@ let _e6565 = select(_e6486, _e6554, _e6563);
 let _e6569 = select(_e6491, _e6558, _e6564);
 let _e6573 = select(_e5361, _e6531, _e6559);
 let _e6575 = select(_e6497, _e6532, (_e6532 > _e6497));
-let _e6582 = global_1.member.member_15.member_1;
+let _e6582 = global_1.member.member_17.member_1;
 let _e6583 = (_e6582 != 0u);
-let _e6587 = global_1.member.member_15.member;
+let _e6587 = global_1.member.member_17.member;
 let _e6607 = select(-1e6f, (((((_e6587.member.member * _e1152) + (_e6587.member.member_1 * _e1157)) + (_e6587.member.member_2 * _e1146)) + _e6587.member_1) * _e5709), _e6583);
 let _e6608 = select(-1e6f, (((((_e6587.member.member * _e6268) + (_e6587.member.member_1 * _e6269)) + (_e6587.member.member_2 * _e6270)) + _e6587.member_1) * _e5709), _e6583);
-let _e6613 = global_1.member.member_15.member.member;
+let _e6613 = global_1.member.member_17.member.member;
 let _e6617 = -(_e6607);
 let _e6620 = (_e6607 - _e6608);
 let _e6621 = (_e6608 - _e6607);
@@ -2309,12 +2311,12 @@ let _e6641 = select(_e6565, _e6630, _e6639);
 let _e6645 = select(_e6569, _e6634, _e6640);
 let _e6649 = select(_e6573, _e6607, _e6635);
 let _e6651 = select(_e6575, _e6608, (_e6608 > _e6575));
-let _e6658 = global_1.member.member_16.member_1;
+let _e6658 = global_1.member.member_18.member_1;
 let _e6659 = (_e6658 != 0u);
-let _e6663 = global_1.member.member_16.member;
+let _e6663 = global_1.member.member_18.member;
 let _e6683 = select(-1e6f, (((((_e6663.member.member * _e1152) + (_e6663.member.member_1 * _e1157)) + (_e6663.member.member_2 * _e1146)) + _e6663.member_1) * _e5709), _e6659);
 let _e6684 = select(-1e6f, (((((_e6663.member.member * _e6268) + (_e6663.member.member_1 * _e6269)) + (_e6663.member.member_2 * _e6270)) + _e6663.member_1) * _e5709), _e6659);
-let _e6689 = global_1.member.member_16.member.member;
+let _e6689 = global_1.member.member_18.member.member;
 let _e6693 = -(_e6683);
 let _e6696 = (_e6683 - _e6684);
 let _e6697 = (_e6684 - _e6683);
@@ -2329,12 +2331,12 @@ let _e6717 = select(_e6641, _e6706, _e6715);
 let _e6721 = select(_e6645, _e6710, _e6716);
 let _e6725 = select(_e6649, _e6683, _e6711);
 let _e6727 = select(_e6651, _e6684, (_e6684 > _e6651));
-let _e6734 = global_1.member.member_17.member_1;
+let _e6734 = global_1.member.member_19.member_1;
 let _e6735 = (_e6734 != 0u);
-let _e6739 = global_1.member.member_17.member;
+let _e6739 = global_1.member.member_19.member;
 let _e6759 = select(-1e6f, (((((_e6739.member.member * _e1152) + (_e6739.member.member_1 * _e1157)) + (_e6739.member.member_2 * _e1146)) + _e6739.member_1) * _e5709), _e6735);
 let _e6760 = select(-1e6f, (((((_e6739.member.member * _e6268) + (_e6739.member.member_1 * _e6269)) + (_e6739.member.member_2 * _e6270)) + _e6739.member_1) * _e5709), _e6735);
-let _e6765 = global_1.member.member_17.member.member;
+let _e6765 = global_1.member.member_19.member.member;
 let _e6769 = -(_e6759);
 let _e6772 = (_e6759 - _e6760);
 let _e6773 = (_e6760 - _e6759);
@@ -2348,7 +2350,7 @@ let _e6792 = (_e6786 < _e6721);
 phi_16040_ = type_34(select(_e6717, _e6782, _e6791), vec3<f32>(select(select(select(select(_e6487, _e6537.member, _e6563), _e6613.member, _e6639), _e6689.member, _e6715), _e6765.member, _e6791), select(select(select(select(_e6488, _e6537.member_1, _e6563), _e6613.member_1, _e6639), _e6689.member_1, _e6715), _e6765.member_1, _e6791), select(select(select(select(_e6489, _e6537.member_2, _e6563), _e6613.member_2, _e6639), _e6689.member_2, _e6715), _e6765.member_2, _e6791)), select(_e6721, _e6786, _e6792), vec3<f32>(select(select(select(select(_e6492, _e6537.member, _e6564), _e6613.member, _e6640), _e6689.member, _e6716), _e6765.member, _e6792), select(select(select(select(_e6493, _e6537.member_1, _e6564), _e6613.member_1, _e6640), _e6689.member_1, _e6716), _e6765.member_1, _e6792), select(select(select(select(_e6494, _e6537.member_2, _e6564), _e6613.member_2, _e6640), _e6689.member_2, _e6716), _e6765.member_2, _e6792)), select(_e6725, _e6759, _e6787), select(_e6727, _e6760, (_e6760 > _e6727)), vec3<f32>(select(select(select(select(_e6498, _e6537.member, _e6559), _e6613.member, _e6635), _e6689.member, _e6711), _e6765.member, _e6787), select(select(select(select(_e6499, _e6537.member_1, _e6559), _e6613.member_1, _e6635), _e6689.member_1, _e6711), _e6765.member_1, _e6787), select(select(select(select(_e6500, _e6537.member_2, _e6559), _e6613.member_2, _e6635), _e6689.member_2, _e6711), _e6765.member_2, _e6787)));
 }
 let _e6812 = phi_16040_;
-let _e6821 = global_1.member.member_5.member_4;
+let _e6821 = global_1.member.member_7.member_4;
 let _e6824 = (_e3040.member_3.x * _e3525.member_2);
 let _e6826 = (_e3040.member_3.y * _e3525.member_2);
 let _e6828 = (_e3040.member_3.z * _e3525.member_2);

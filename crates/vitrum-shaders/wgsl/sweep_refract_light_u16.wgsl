@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -301,8 +303,8 @@ let _e277 = ((8u * _e186) + _e188);
 let _e278 = bitcast<i32>(_e277);
 let _e280 = select(_e191, _e278, (_e278 < _e191));
 let _e286 = global_4.member[bitcast<u32>(select(0i, _e280, (_e280 > 0i)))];
-let _e291 = global_1.member.member_8.member;
-let _e295 = global_1.member.member_8.member_1;
+let _e291 = global_1.member.member_10.member;
+let _e295 = global_1.member.member_10.member_1;
 let _e296 = (_e291 * _e295);
 if (_e165 >= (_e296 * 4u)) {
 let _e300 = bitcast<i32>((_e183 * _e291));
@@ -311,45 +313,45 @@ let _e307 = global_6.member[bitcast<u32>((_e300 + _e302))];
 let _e313 = global_6.member[bitcast<u32>(((bitcast<i32>(_e296) + _e300) + _e302))];
 let _e314 = f32(_e302);
 let _e316 = f32(bitcast<i32>(_e183));
-let _e322 = global_1.member.member_5.member;
-let _e326 = global_1.member.member_8.member_8;
+let _e322 = global_1.member.member_7.member;
+let _e326 = global_1.member.member_10.member_8;
 let _e327 = (_e322 - _e326);
-let _e331 = global_1.member.member_8.member_2;
-let _e335 = global_1.member.member_8.member_6;
-let _e342 = global_1.member.member_8.member_4;
+let _e331 = global_1.member.member_10.member_2;
+let _e335 = global_1.member.member_10.member_6;
+let _e342 = global_1.member.member_10.member_4;
 let _e344 = ((_e331 + (_e335 * _e327)) + (((_e314 - _e307) + 0.5f) * _e342));
-let _e348 = global_1.member.member_8.member_3;
-let _e352 = global_1.member.member_8.member_7;
+let _e348 = global_1.member.member_10.member_3;
+let _e352 = global_1.member.member_10.member_7;
 let _e357 = ((_e348 + (_e352 * _e327)) + (((_e316 - _e313) + 0.5f) * _e342));
-let _e361 = global_1.member.member_5.member_1;
+let _e361 = global_1.member.member_7.member_1;
 let _e362 = (_e361 - _e326);
 let _e367 = ((_e331 + (_e335 * _e362)) + ((_e314 + 0.5f) * _e342));
 let _e372 = ((_e348 + (_e352 * _e362)) + ((_e316 + 0.5f) * _e342));
-let _e378 = global_1.member.member_6.member.member;
+let _e378 = global_1.member.member_8.member.member;
 let _e386 = (((_e378.member * _e378.member) + (_e378.member_1 * _e378.member_1)) + (_e378.member_2 * _e378.member_2));
 let _e389 = sqrt(select(0f, _e386, (_e386 > 0f)));
 let _e390 = ((1.5f * _e342) * _e389);
 let _e394 = (select(1f, _e390, (_e390 < 1f)) + (1f / 64f));
 let _e396 = select(_e394, 0.5f, (0.5f > _e394));
-let _e400 = global_1.member.member_5.member_2;
+let _e400 = global_1.member.member_7.member_2;
 let _e403 = (_e400 / select(1e-6f, _e253, (_e253 > 1e-6f)));
 let _e407 = (_e367 + (_e231 * _e403));
 let _e408 = (_e372 + (_e242 * _e403));
 let _e409 = (_e361 + (_e253 * _e403));
-let _e413 = global_1.member.member_6.member;
+let _e413 = global_1.member.member_8.member;
 let _e424 = ((((_e413.member.member * _e344) + (_e413.member.member_1 * _e357)) + (_e413.member.member_2 * _e322)) + _e413.member_1);
-let _e428 = global_1.member.member_6.member_1;
+let _e428 = global_1.member.member_8.member_1;
 let _e439 = ((((_e428.member.member * _e344) + (_e428.member.member_1 * _e357)) + (_e428.member.member_2 * _e322)) + _e428.member_1);
-let _e443 = global_1.member.member_6.member_2;
+let _e443 = global_1.member.member_8.member_2;
 let _e454 = ((((_e443.member.member * _e344) + (_e443.member.member_1 * _e357)) + (_e443.member.member_2 * _e322)) + _e443.member_1);
 let _e460 = ((((_e413.member.member * _e367) + (_e413.member.member_1 * _e372)) + (_e413.member.member_2 * _e361)) + _e413.member_1);
 let _e466 = ((((_e428.member.member * _e367) + (_e428.member.member_1 * _e372)) + (_e428.member.member_2 * _e361)) + _e428.member_1);
 let _e472 = ((((_e443.member.member * _e367) + (_e443.member.member_1 * _e372)) + (_e443.member.member_2 * _e361)) + _e443.member_1);
-let _e478 = global_1.member.member_6.member_3.member;
+let _e478 = global_1.member.member_8.member_3.member;
 let _e479 = (_e478 - 1f);
-let _e488 = global_1.member.member_6.member_3.member_1;
+let _e488 = global_1.member.member_8.member_3.member_1;
 let _e489 = (_e488 - 1f);
-let _e498 = global_1.member.member_6.member_3.member_2;
+let _e498 = global_1.member.member_8.member_3.member_2;
 let _e499 = (_e498 - 1f);
 let _e513 = (((((((_e424 >= 0f) && (_e424 <= _e479)) && (_e439 >= 0f)) && (_e439 <= _e489)) && (_e454 >= 0f)) && (_e454 <= _e499)) && ((((((_e460 >= 0f) && (_e460 <= _e479)) && (_e466 >= 0f)) && (_e466 <= _e489)) && (_e472 >= 0f)) && (_e472 <= _e499)));
 let _e522 = ((((_e173.member_2 == 1u) || (_e173.member_2 == 5u)) || (_e173.member_2 == 6u)) || ((_e173.member_2 == 2u) || (_e173.member_2 == 7u)));
@@ -365,15 +367,15 @@ let _e543 = ((_e541 & 16u) == 0u);
 if _e543 {
 phi_899_ = _e538;
 } else {
-let _e548 = global_1.member.member_14.member;
+let _e548 = global_1.member.member_16.member;
 let _e560 = -((_e396 / _e389));
-let _e565 = global_1.member.member_14.member_1;
-let _e571 = global_1.member.member_15.member;
-let _e587 = global_1.member.member_15.member_1;
-let _e594 = global_1.member.member_16.member;
-let _e610 = global_1.member.member_16.member_1;
-let _e617 = global_1.member.member_17.member;
-let _e633 = global_1.member.member_17.member_1;
+let _e565 = global_1.member.member_16.member_1;
+let _e571 = global_1.member.member_17.member;
+let _e587 = global_1.member.member_17.member_1;
+let _e594 = global_1.member.member_18.member;
+let _e610 = global_1.member.member_18.member_1;
+let _e617 = global_1.member.member_19.member;
+let _e633 = global_1.member.member_19.member_1;
 phi_899_ = (_e538 && (((((((((_e548.member.member * _e344) + (_e548.member.member_1 * _e357)) + (_e548.member.member_2 * _e322)) + _e548.member_1) <= _e560) || (_e565 == 0u)) && ((((((_e571.member.member * _e344) + (_e571.member.member_1 * _e357)) + (_e571.member.member_2 * _e322)) + _e571.member_1) <= _e560) || (_e587 == 0u))) && ((((((_e594.member.member * _e344) + (_e594.member.member_1 * _e357)) + (_e594.member.member_2 * _e322)) + _e594.member_1) <= _e560) || (_e610 == 0u))) && ((((((_e617.member.member * _e344) + (_e617.member.member_1 * _e357)) + (_e617.member.member_2 * _e322)) + _e617.member_1) <= _e560) || (_e633 == 0u))));
 }
 let _e639 = phi_899_;
@@ -387,15 +389,15 @@ let _e674 = ((((_e651 >= _e523) && (_e651 <= _e526)) && ((_e657 >= _e523) && (_e
 if _e543 {
 phi_1079_ = _e674;
 } else {
-let _e679 = global_1.member.member_14.member;
+let _e679 = global_1.member.member_16.member;
 let _e691 = -((_e396 / _e389));
-let _e696 = global_1.member.member_14.member_1;
-let _e702 = global_1.member.member_15.member;
-let _e718 = global_1.member.member_15.member_1;
-let _e725 = global_1.member.member_16.member;
-let _e741 = global_1.member.member_16.member_1;
-let _e748 = global_1.member.member_17.member;
-let _e764 = global_1.member.member_17.member_1;
+let _e696 = global_1.member.member_16.member_1;
+let _e702 = global_1.member.member_17.member;
+let _e718 = global_1.member.member_17.member_1;
+let _e725 = global_1.member.member_18.member;
+let _e741 = global_1.member.member_18.member_1;
+let _e748 = global_1.member.member_19.member;
+let _e764 = global_1.member.member_19.member_1;
 phi_1079_ = (_e674 && (((((((((_e679.member.member * _e643) + (_e679.member.member_1 * _e644)) + (_e679.member.member_2 * _e645)) + _e679.member_1) <= _e691) || (_e696 == 0u)) && ((((((_e702.member.member * _e643) + (_e702.member.member_1 * _e644)) + (_e702.member.member_2 * _e645)) + _e702.member_1) <= _e691) || (_e718 == 0u))) && ((((((_e725.member.member * _e643) + (_e725.member.member_1 * _e644)) + (_e725.member.member_2 * _e645)) + _e725.member_1) <= _e691) || (_e741 == 0u))) && ((((((_e748.member.member * _e643) + (_e748.member.member_1 * _e644)) + (_e748.member.member_2 * _e645)) + _e748.member_1) <= _e691) || (_e764 == 0u))));
 }
 let _e770 = phi_1079_;
@@ -414,19 +416,19 @@ let _e812 = global_1.member.member_1;
 if ((_e812 & 16u) == 0u) {
 phi_1266_ = _e809;
 } else {
-let _e819 = global_1.member.member_14.member;
+let _e819 = global_1.member.member_16.member;
 let _e831 = -((_e396 / _e389));
-let _e836 = global_1.member.member_14.member_1;
-let _e842 = global_1.member.member_15.member;
-let _e858 = global_1.member.member_15.member_1;
-let _e865 = global_1.member.member_16.member;
-let _e881 = global_1.member.member_16.member_1;
-let _e888 = global_1.member.member_17.member;
-let _e904 = global_1.member.member_17.member_1;
+let _e836 = global_1.member.member_16.member_1;
+let _e842 = global_1.member.member_17.member;
+let _e858 = global_1.member.member_17.member_1;
+let _e865 = global_1.member.member_18.member;
+let _e881 = global_1.member.member_18.member_1;
+let _e888 = global_1.member.member_19.member;
+let _e904 = global_1.member.member_19.member_1;
 phi_1266_ = (_e809 && (((((((((_e819.member.member * _e407) + (_e819.member.member_1 * _e408)) + (_e819.member.member_2 * _e409)) + _e819.member_1) <= _e831) || (_e836 == 0u)) && ((((((_e842.member.member * _e407) + (_e842.member.member_1 * _e408)) + (_e842.member.member_2 * _e409)) + _e842.member_1) <= _e831) || (_e858 == 0u))) && ((((((_e865.member.member * _e407) + (_e865.member.member_1 * _e408)) + (_e865.member.member_2 * _e409)) + _e865.member_1) <= _e831) || (_e881 == 0u))) && ((((((_e888.member.member * _e407) + (_e888.member.member_1 * _e408)) + (_e888.member.member_2 * _e409)) + _e888.member_1) <= _e831) || (_e904 == 0u))));
 }
 let _e910 = phi_1266_;
-let _e917 = global_1.member.member_6.member_4;
+let _e917 = global_1.member.member_8.member_4;
 let _e918 = (_e478 - 0.5f);
 let _e920 = select(-0.5f, _e460, (_e460 > -0.5f));
 let _e922 = select(_e918, _e920, (_e920 < _e918));
@@ -448,7 +450,7 @@ let _e967 = (_e922 + 0.5f);
 let _e969 = select(0f, _e967, (_e967 > 0f));
 let _e971 = select(_e479, _e969, (_e969 < _e479));
 let _e978 = select(0i, select(select(i32(_e971), i32(-2147483648), (_e971 < -2147483600f)), 2147483647i, (_e971 > 2147483500f)), (_e971 == _e971));
-let _e986 = global_1.member.member_6.member_12;
+let _e986 = global_1.member.member_8.member_12;
 let _e987 = (_e986 & 31u);
 let _e990 = (_e927 + 0.5f);
 let _e992 = select(0f, _e990, (_e990 > 0f));
@@ -458,9 +460,9 @@ let _e1008 = (_e932 + 0.5f);
 let _e1010 = select(0f, _e1008, (_e1008 > 0f));
 let _e1012 = select(_e499, _e1010, (_e1010 < _e499));
 let _e1019 = select(0i, select(select(i32(_e1012), i32(-2147483648), (_e1012 < -2147483600f)), 2147483647i, (_e1012 > 2147483500f)), (_e1012 == _e1012));
-let _e1030 = global_1.member.member_6.member_9.member;
-let _e1036 = global_1.member.member_6.member_9.member_1;
-let _e1041 = global_1.member.member_6.member_10;
+let _e1030 = global_1.member.member_8.member_9.member;
+let _e1036 = global_1.member.member_8.member_9.member_1;
+let _e1041 = global_1.member.member_8.member_10;
 let _e1047 = ((bitcast<i32>(_e1041) + ((_e978 - select(0i, 1i, (_e971 < f32(_e978)))) >> bitcast<u32>(_e987))) + (bitcast<i32>(_e1030) * (((_e1001 - select(0i, 1i, (_e994 < f32(_e1001)))) >> bitcast<u32>(_e987)) + (bitcast<i32>(_e1036) * ((_e1019 - select(0i, 1i, (_e1012 < f32(_e1019)))) >> bitcast<u32>(_e987))))));
 let _e1049 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1051 = select(_e1049, _e1047, (_e1047 < _e1049));
@@ -480,25 +482,25 @@ let _e1089 = select(_e1078, _e1087, (_e1087 < _e1078));
 let _e1095 = global_6.member[bitcast<u32>(select(0i, _e1089, (_e1089 > 0i)))];
 let _e1097 = f32(bitcast<i32>(_e181));
 let _e1099 = f32(bitcast<i32>(_e183));
-let _e1105 = global_1.member.member_5.member;
-let _e1109 = global_1.member.member_8.member_8;
+let _e1105 = global_1.member.member_7.member;
+let _e1109 = global_1.member.member_10.member_8;
 let _e1110 = (_e1105 - _e1109);
-let _e1114 = global_1.member.member_8.member_2;
-let _e1118 = global_1.member.member_8.member_6;
-let _e1125 = global_1.member.member_8.member_4;
+let _e1114 = global_1.member.member_10.member_2;
+let _e1118 = global_1.member.member_10.member_6;
+let _e1125 = global_1.member.member_10.member_4;
 let _e1127 = ((_e1114 + (_e1118 * _e1110)) + (((_e1097 - _e1086) + 0.5f) * _e1125));
-let _e1131 = global_1.member.member_8.member_3;
-let _e1135 = global_1.member.member_8.member_7;
+let _e1131 = global_1.member.member_10.member_3;
+let _e1135 = global_1.member.member_10.member_7;
 let _e1140 = ((_e1131 + (_e1135 * _e1110)) + (((_e1099 - _e1095) + 0.5f) * _e1125));
-let _e1144 = global_1.member.member_5.member_1;
+let _e1144 = global_1.member.member_7.member_1;
 let _e1145 = (_e1144 - _e1109);
 let _e1150 = ((_e1114 + (_e1118 * _e1145)) + ((_e1097 + 0.5f) * _e1125));
 let _e1155 = ((_e1131 + (_e1135 * _e1145)) + ((_e1099 + 0.5f) * _e1125));
-let _e1159 = global_1.member.member_6.member;
+let _e1159 = global_1.member.member_8.member;
 let _e1170 = ((((_e1159.member.member * _e1127) + (_e1159.member.member_1 * _e1140)) + (_e1159.member.member_2 * _e1105)) + _e1159.member_1);
-let _e1174 = global_1.member.member_6.member_1;
+let _e1174 = global_1.member.member_8.member_1;
 let _e1185 = ((((_e1174.member.member * _e1127) + (_e1174.member.member_1 * _e1140)) + (_e1174.member.member_2 * _e1105)) + _e1174.member_1);
-let _e1189 = global_1.member.member_6.member_2;
+let _e1189 = global_1.member.member_8.member_2;
 let _e1200 = ((((_e1189.member.member * _e1127) + (_e1189.member.member_1 * _e1140)) + (_e1189.member.member_2 * _e1105)) + _e1189.member_1);
 let _e1206 = ((((_e1159.member.member * _e1150) + (_e1159.member.member_1 * _e1155)) + (_e1159.member.member_2 * _e1144)) + _e1159.member_1);
 let _e1212 = ((((_e1174.member.member * _e1150) + (_e1174.member.member_1 * _e1155)) + (_e1174.member.member_2 * _e1144)) + _e1174.member_1);
@@ -507,15 +509,15 @@ let _e1220 = (_e173.member_2 == 5u);
 let _e1226 = ((_e173.member_2 == 2u) || (_e173.member_2 == 7u));
 let _e1227 = ((((_e173.member_2 == 1u) || _e1220) || (_e173.member_2 == 6u)) || _e1226);
 if _e1227 {
-let _e1232 = global_1.member.member_6.member_3.member;
+let _e1232 = global_1.member.member_8.member_3.member;
 let _e1233 = (_e1232 - 0.5f);
 let _e1235 = select(-0.5f, _e1206, (_e1206 > -0.5f));
 let _e1237 = select(_e1233, _e1235, (_e1235 < _e1233));
-let _e1242 = global_1.member.member_6.member_3.member_1;
+let _e1242 = global_1.member.member_8.member_3.member_1;
 let _e1243 = (_e1242 - 0.5f);
 let _e1245 = select(-0.5f, _e1212, (_e1212 > -0.5f));
 let _e1247 = select(_e1243, _e1245, (_e1245 < _e1243));
-let _e1252 = global_1.member.member_6.member_3.member_2;
+let _e1252 = global_1.member.member_8.member_3.member_2;
 let _e1253 = (_e1252 - 0.5f);
 let _e1255 = select(-0.5f, _e1218, (_e1218 > -0.5f));
 let _e1257 = select(_e1253, _e1255, (_e1255 < _e1253));
@@ -531,8 +533,8 @@ let _e1289 = select(-1f, _e1257, (_e1257 > -1f));
 let _e1291 = select(_e1252, _e1289, (_e1289 < _e1252));
 let _e1298 = select(0i, select(select(i32(_e1291), i32(-2147483648), (_e1291 < -2147483600f)), 2147483647i, (_e1291 > 2147483500f)), (_e1291 == _e1291));
 let _e1302 = (_e1298 - select(0i, 1i, (_e1291 < f32(_e1298))));
-let _e1306 = global_1.member.member_6.member_7;
-let _e1310 = global_1.member.member_6.member_8;
+let _e1306 = global_1.member.member_8.member_7;
+let _e1310 = global_1.member.member_8.member_8;
 let _e1318 = (select(0i, select(select(i32(_e1242), i32(-2147483648), (_e1242 < -2147483600f)), 2147483647i, (_e1242 > 2147483500f)), (_e1242 == _e1242)) - 1i);
 let _e1319 = (_e1287 - 1i);
 let _e1324 = (_e1287 + 1i);
@@ -839,8 +841,8 @@ let _e2324 = local_27[2u];
 let _e2328 = local_27[1u];
 let _e2332 = local_27[2u];
 let _e2336 = local_27[2u];
-let _e2343 = global_1.member.member_6.member_6;
-let _e2347 = global_1.member.member_6.member_5;
+let _e2343 = global_1.member.member_8.member_6;
+let _e2347 = global_1.member.member_8.member_5;
 let _e2349 = (((_e2266 + ((_e2270 - _e2266) * _e2336)) - _e2343) * _e2347);
 let _e2350 = -(1e9f);
 let _e2352 = select(_e2350, _e2349, (_e2349 > _e2350));
@@ -1106,26 +1108,26 @@ let _e3100 = select(0f, 1f, ((((((_e1206 >= -0.5f) && (_e1206 <= _e1233)) && (_e
 let _e3102 = (0.5f * (_e2366 - _e2360));
 let _e3104 = (0.5f * (_e2378 - _e2372));
 let _e3106 = (0.5f * (_e2390 - _e2384));
-let _e3112 = global_1.member.member_6.member.member.member;
-let _e3118 = global_1.member.member_6.member.member.member_1;
-let _e3124 = global_1.member.member_6.member.member.member_2;
-let _e3130 = global_1.member.member_6.member_1.member.member;
-let _e3136 = global_1.member.member_6.member_1.member.member_1;
-let _e3142 = global_1.member.member_6.member_1.member.member_2;
-let _e3148 = global_1.member.member_6.member_2.member.member;
-let _e3154 = global_1.member.member_6.member_2.member.member_1;
-let _e3160 = global_1.member.member_6.member_2.member.member_2;
+let _e3112 = global_1.member.member_8.member.member.member;
+let _e3118 = global_1.member.member_8.member.member.member_1;
+let _e3124 = global_1.member.member_8.member.member.member_2;
+let _e3130 = global_1.member.member_8.member_1.member.member;
+let _e3136 = global_1.member.member_8.member_1.member.member_1;
+let _e3142 = global_1.member.member_8.member_1.member.member_2;
+let _e3148 = global_1.member.member_8.member_2.member.member;
+let _e3154 = global_1.member.member_8.member_2.member.member_1;
+let _e3160 = global_1.member.member_8.member_2.member.member_2;
 phi_8239_ = type_33(_e2354, vec3<f32>(((((_e3112 * _e3102) + (_e3130 * _e3104)) + (_e3148 * _e3106)) * _e3100), ((((_e3118 * _e3102) + (_e3136 * _e3104)) + (_e3154 * _e3106)) * _e3100), ((((_e3124 * _e3102) + (_e3142 * _e3104)) + (_e3160 * _e3106)) * _e3100)), _e3085.member, vec3<f32>(((((_e3112 * _e3085.member_2.x) + (_e3130 * _e3085.member_2.y)) + (_e3148 * _e3085.member_2.z)) * _e3100), ((((_e3118 * _e3085.member_2.x) + (_e3136 * _e3085.member_2.y)) + (_e3154 * _e3085.member_2.z)) * _e3100), ((((_e3124 * _e3085.member_2.x) + (_e3142 * _e3085.member_2.y)) + (_e3160 * _e3085.member_2.z)) * _e3100)), vec3<f32>(((((_e3112 * _e3085.member_1.x) + (_e3130 * _e3085.member_1.y)) + (_e3148 * _e3085.member_1.z)) * _e3100), ((((_e3118 * _e3085.member_1.x) + (_e3136 * _e3085.member_1.y)) + (_e3154 * _e3085.member_1.z)) * _e3100), ((((_e3124 * _e3085.member_1.x) + (_e3142 * _e3085.member_1.y)) + (_e3160 * _e3085.member_1.z)) * _e3100)));
 } else {
-let _e3229 = global_1.member.member_6.member_3.member;
+let _e3229 = global_1.member.member_8.member_3.member;
 let _e3230 = (_e3229 - 0.5f);
 let _e3232 = select(-0.5f, _e1206, (_e1206 > -0.5f));
 let _e3234 = select(_e3230, _e3232, (_e3232 < _e3230));
-let _e3239 = global_1.member.member_6.member_3.member_1;
+let _e3239 = global_1.member.member_8.member_3.member_1;
 let _e3240 = (_e3239 - 0.5f);
 let _e3242 = select(-0.5f, _e1212, (_e1212 > -0.5f));
 let _e3244 = select(_e3240, _e3242, (_e3242 < _e3240));
-let _e3249 = global_1.member.member_6.member_3.member_2;
+let _e3249 = global_1.member.member_8.member_3.member_2;
 let _e3250 = (_e3249 - 0.5f);
 let _e3252 = select(-0.5f, _e1218, (_e1218 > -0.5f));
 let _e3254 = select(_e3250, _e3252, (_e3252 < _e3250));
@@ -1141,8 +1143,8 @@ let _e3286 = select(-1f, _e3254, (_e3254 > -1f));
 let _e3288 = select(_e3249, _e3286, (_e3286 < _e3249));
 let _e3295 = select(0i, select(select(i32(_e3288), i32(-2147483648), (_e3288 < -2147483600f)), 2147483647i, (_e3288 > 2147483500f)), (_e3288 == _e3288));
 let _e3299 = (_e3295 - select(0i, 1i, (_e3288 < f32(_e3295))));
-let _e3303 = global_1.member.member_6.member_7;
-let _e3307 = global_1.member.member_6.member_8;
+let _e3303 = global_1.member.member_8.member_7;
+let _e3307 = global_1.member.member_8.member_8;
 let _e3315 = (select(0i, select(select(i32(_e3239), i32(-2147483648), (_e3239 < -2147483600f)), 2147483647i, (_e3239 > 2147483500f)), (_e3239 == _e3239)) - 1i);
 let _e3318 = (_e3284 + 1i);
 let _e3328 = (select(0i, select(select(i32(_e3249), i32(-2147483648), (_e3249 < -2147483600f)), 2147483647i, (_e3249 > 2147483500f)), (_e3249 == _e3249)) - 1i);
@@ -1229,23 +1231,23 @@ let _e3601 = local_10.member_1[3u];
 let _e3608 = local_11[0u];
 let _e3612 = local_11[1u];
 let _e3617 = local_11[2u];
-let _e3624 = global_1.member.member_6.member_6;
-let _e3628 = global_1.member.member_6.member_5;
+let _e3624 = global_1.member.member_8.member_6;
+let _e3628 = global_1.member.member_8.member_5;
 let _e3630 = (((_e3509 + (((_e3560 + (((_e3600 + ((f32(bitcast<i32>(((_e3593 >> bitcast<u32>((_e3601 & 31u))) & 65535u))) - _e3600) * _e3608)) - _e3560) * _e3612)) - _e3509) * _e3617)) - _e3624) * _e3628);
 let _e3631 = -(1e9f);
 let _e3633 = select(_e3631, _e3630, (_e3630 > _e3631));
 phi_8239_ = type_33(select(1e9f, _e3633, (_e3633 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e3638 = phi_8239_;
-let _e3643 = global_1.member.member_6.member_3.member;
+let _e3643 = global_1.member.member_8.member_3.member;
 let _e3644 = (_e3643 - 0.5f);
 let _e3646 = select(-0.5f, _e1170, (_e1170 > -0.5f));
 let _e3648 = select(_e3644, _e3646, (_e3646 < _e3644));
-let _e3653 = global_1.member.member_6.member_3.member_1;
+let _e3653 = global_1.member.member_8.member_3.member_1;
 let _e3654 = (_e3653 - 0.5f);
 let _e3656 = select(-0.5f, _e1185, (_e1185 > -0.5f));
 let _e3658 = select(_e3654, _e3656, (_e3656 < _e3654));
-let _e3663 = global_1.member.member_6.member_3.member_2;
+let _e3663 = global_1.member.member_8.member_3.member_2;
 let _e3664 = (_e3663 - 0.5f);
 let _e3666 = select(-0.5f, _e1200, (_e1200 > -0.5f));
 let _e3668 = select(_e3664, _e3666, (_e3666 < _e3664));
@@ -1261,8 +1263,8 @@ let _e3700 = select(-1f, _e3668, (_e3668 > -1f));
 let _e3702 = select(_e3663, _e3700, (_e3700 < _e3663));
 let _e3709 = select(0i, select(select(i32(_e3702), i32(-2147483648), (_e3702 < -2147483600f)), 2147483647i, (_e3702 > 2147483500f)), (_e3702 == _e3702));
 let _e3713 = (_e3709 - select(0i, 1i, (_e3702 < f32(_e3709))));
-let _e3717 = global_1.member.member_6.member_7;
-let _e3721 = global_1.member.member_6.member_8;
+let _e3717 = global_1.member.member_8.member_7;
+let _e3721 = global_1.member.member_8.member_8;
 let _e3729 = (select(0i, select(select(i32(_e3653), i32(-2147483648), (_e3653 < -2147483600f)), 2147483647i, (_e3653 > 2147483500f)), (_e3653 == _e3653)) - 1i);
 let _e3732 = (_e3698 + 1i);
 let _e3742 = (select(0i, select(select(i32(_e3663), i32(-2147483648), (_e3663 < -2147483600f)), 2147483647i, (_e3663 > 2147483500f)), (_e3663 == _e3663)) - 1i);
@@ -1349,8 +1351,8 @@ let _e4015 = local_8.member_1[3u];
 let _e4022 = local_9[0u];
 let _e4026 = local_9[1u];
 let _e4031 = local_9[2u];
-let _e4038 = global_1.member.member_6.member_6;
-let _e4042 = global_1.member.member_6.member_5;
+let _e4038 = global_1.member.member_8.member_6;
+let _e4042 = global_1.member.member_8.member_5;
 let _e4044 = (((_e3923 + (((_e3974 + (((_e4014 + ((f32(bitcast<i32>(((_e4007 >> bitcast<u32>((_e4015 & 31u))) & 65535u))) - _e4014) * _e4022)) - _e3974) * _e4026)) - _e3923) * _e4031)) - _e4038) * _e4042);
 let _e4045 = -(1e9f);
 let _e4047 = select(_e4045, _e4044, (_e4044 > _e4045));
@@ -1360,7 +1362,7 @@ let _e4054 = ((_e4052 & 16u) == 0u);
 if _e4054 {
 phi_9205_ = type_7(1f, 1f, 1f);
 } else {
-let _e4058 = global_1.member.member_14.member;
+let _e4058 = global_1.member.member_16.member;
 let _e4069 = ((((_e4058.member.member * _e1127) + (_e4058.member.member_1 * _e1140)) + (_e4058.member.member_2 * _e1105)) + _e4058.member_1);
 let _e4075 = ((((_e4058.member.member * _e1150) + (_e4058.member.member_1 * _e1155)) + (_e4058.member.member_2 * _e1144)) + _e4058.member_1);
 let _e4077 = select(_e4075, _e4069, (_e4069 < _e4075));
@@ -1369,9 +1371,9 @@ let _e4081 = (_e4079 - _e4077);
 let _e4084 = (-(_e4077) / select(1e-30f, _e4081, (_e4081 > 1e-30f)));
 let _e4086 = select(0f, _e4084, (_e4084 > 0f));
 let _e4092 = select(select(select(1f, _e4086, (_e4086 < 1f)), 1f, (_e4079 <= 0f)), 0f, (_e4077 > 0f));
-let _e4097 = global_1.member.member_14.member_1;
+let _e4097 = global_1.member.member_16.member_1;
 let _e4098 = (_e4097 != 0u);
-let _e4108 = global_1.member.member_15.member;
+let _e4108 = global_1.member.member_17.member;
 let _e4119 = ((((_e4108.member.member * _e1127) + (_e4108.member.member_1 * _e1140)) + (_e4108.member.member_2 * _e1105)) + _e4108.member_1);
 let _e4125 = ((((_e4108.member.member * _e1150) + (_e4108.member.member_1 * _e1155)) + (_e4108.member.member_2 * _e1144)) + _e4108.member_1);
 let _e4127 = select(_e4125, _e4119, (_e4119 < _e4125));
@@ -1380,9 +1382,9 @@ let _e4131 = (_e4129 - _e4127);
 let _e4134 = (-(_e4127) / select(1e-30f, _e4131, (_e4131 > 1e-30f)));
 let _e4136 = select(0f, _e4134, (_e4134 > 0f));
 let _e4142 = select(select(select(1f, _e4136, (_e4136 < 1f)), 1f, (_e4129 <= 0f)), 0f, (_e4127 > 0f));
-let _e4147 = global_1.member.member_15.member_1;
+let _e4147 = global_1.member.member_17.member_1;
 let _e4148 = (_e4147 != 0u);
-let _e4158 = global_1.member.member_16.member;
+let _e4158 = global_1.member.member_18.member;
 let _e4169 = ((((_e4158.member.member * _e1127) + (_e4158.member.member_1 * _e1140)) + (_e4158.member.member_2 * _e1105)) + _e4158.member_1);
 let _e4175 = ((((_e4158.member.member * _e1150) + (_e4158.member.member_1 * _e1155)) + (_e4158.member.member_2 * _e1144)) + _e4158.member_1);
 let _e4177 = select(_e4175, _e4169, (_e4169 < _e4175));
@@ -1391,9 +1393,9 @@ let _e4181 = (_e4179 - _e4177);
 let _e4184 = (-(_e4177) / select(1e-30f, _e4181, (_e4181 > 1e-30f)));
 let _e4186 = select(0f, _e4184, (_e4184 > 0f));
 let _e4192 = select(select(select(1f, _e4186, (_e4186 < 1f)), 1f, (_e4179 <= 0f)), 0f, (_e4177 > 0f));
-let _e4197 = global_1.member.member_16.member_1;
+let _e4197 = global_1.member.member_18.member_1;
 let _e4198 = (_e4197 != 0u);
-let _e4208 = global_1.member.member_17.member;
+let _e4208 = global_1.member.member_19.member;
 let _e4219 = ((((_e4208.member.member * _e1127) + (_e4208.member.member_1 * _e1140)) + (_e4208.member.member_2 * _e1105)) + _e4208.member_1);
 let _e4225 = ((((_e4208.member.member * _e1150) + (_e4208.member.member_1 * _e1155)) + (_e4208.member.member_2 * _e1144)) + _e4208.member_1);
 let _e4227 = select(_e4225, _e4219, (_e4219 < _e4225));
@@ -1402,7 +1404,7 @@ let _e4231 = (_e4229 - _e4227);
 let _e4234 = (-(_e4227) / select(1e-30f, _e4231, (_e4231 > 1e-30f)));
 let _e4236 = select(0f, _e4234, (_e4234 > 0f));
 let _e4242 = select(select(select(1f, _e4236, (_e4236 < 1f)), 1f, (_e4229 <= 0f)), 0f, (_e4227 > 0f));
-let _e4247 = global_1.member.member_17.member_1;
+let _e4247 = global_1.member.member_19.member_1;
 let _e4248 = (_e4247 != 0u);
 phi_9205_ = type_7(((((1f * _e4092) * _e4142) * _e4192) * _e4242), ((((1f * select(1f, _e4092, _e4098)) * select(1f, _e4142, _e4148)) * select(1f, _e4192, _e4198)) * select(1f, _e4242, _e4248)), ((((1f * select(1f, 0f, (_e4098 && (_e4075 > 0f)))) * select(1f, 0f, (_e4148 && (_e4125 > 0f)))) * select(1f, 0f, (_e4198 && (_e4175 > 0f)))) * select(1f, 0f, (_e4248 && (_e4225 > 0f)))));
 }
@@ -1450,7 +1452,7 @@ let _e4356 = (_e1150 - _e1127);
 let _e4357 = (_e1155 - _e1140);
 let _e4358 = (_e1144 - _e1105);
 let _e4363 = (((_e4356 * _e4356) + (_e4357 * _e4357)) + (_e4358 * _e4358));
-let _e4371 = global_1.member.member_5.member_3;
+let _e4371 = global_1.member.member_7.member_3;
 let _e4372 = ((sqrt(select(0f, _e4363, (_e4363 > 0f))) * select(0f, _e4353, (_e4353 > 0f))) * _e4371);
 if (((_e173.member_2 == 3u) || (_e173.member_2 == 4u)) || _e1220) {
 local_7 = _e4049;
@@ -1871,9 +1873,9 @@ phi_12933_ = type_35(_e5824, _e5825, vec3<f32>(((1f + (_e5659 * (1f + (_e5659 * 
 }
 let _e5833 = phi_12933_;
 if _e1227 {
-let _e5838 = global_1.member.member_6.member.member;
-let _e5846 = global_1.member.member_6.member_1.member;
-let _e5854 = global_1.member.member_6.member_2.member;
+let _e5838 = global_1.member.member_8.member.member;
+let _e5846 = global_1.member.member_8.member_1.member;
+let _e5854 = global_1.member.member_8.member_2.member;
 let _e5858 = (-0.5f - _e1206);
 let _e5859 = -(_e4265);
 let _e5862 = (_e4265 - _e5858);
@@ -1999,12 +2001,12 @@ phi_14252_ = type_34(_e6081, vec3<f32>(_e6082, _e6083, _e6084), _e6086, vec3<f32
 } else {
 let _e6103 = (((_e5838.member * _e5838.member) + (_e5838.member_1 * _e5838.member_1)) + (_e5838.member_2 * _e5838.member_2));
 let _e6106 = sqrt(select(0f, _e6103, (_e6103 > 0f)));
-let _e6110 = global_1.member.member_14.member_1;
+let _e6110 = global_1.member.member_16.member_1;
 let _e6111 = (_e6110 != 0u);
-let _e6115 = global_1.member.member_14.member;
+let _e6115 = global_1.member.member_16.member;
 let _e6135 = select(-1e6f, (((((_e6115.member.member * _e1127) + (_e6115.member.member_1 * _e1140)) + (_e6115.member.member_2 * _e1105)) + _e6115.member_1) * _e6106), _e6111);
 let _e6136 = select(-1e6f, (((((_e6115.member.member * _e1150) + (_e6115.member.member_1 * _e1155)) + (_e6115.member.member_2 * _e1144)) + _e6115.member_1) * _e6106), _e6111);
-let _e6141 = global_1.member.member_14.member.member;
+let _e6141 = global_1.member.member_16.member.member;
 let _e6145 = -(_e6135);
 let _e6148 = (_e6135 - _e6136);
 let _e6149 = (_e6136 - _e6135);
@@ -2019,12 +2021,12 @@ let _e6169 = select(_e6081, _e6158, _e6167);
 let _e6173 = select(_e6086, _e6162, _e6168);
 let _e6177 = select(_e6091, _e6135, _e6163);
 let _e6179 = select(_e6093, _e6136, (_e6136 > _e6093));
-let _e6186 = global_1.member.member_15.member_1;
+let _e6186 = global_1.member.member_17.member_1;
 let _e6187 = (_e6186 != 0u);
-let _e6191 = global_1.member.member_15.member;
+let _e6191 = global_1.member.member_17.member;
 let _e6211 = select(-1e6f, (((((_e6191.member.member * _e1127) + (_e6191.member.member_1 * _e1140)) + (_e6191.member.member_2 * _e1105)) + _e6191.member_1) * _e6106), _e6187);
 let _e6212 = select(-1e6f, (((((_e6191.member.member * _e1150) + (_e6191.member.member_1 * _e1155)) + (_e6191.member.member_2 * _e1144)) + _e6191.member_1) * _e6106), _e6187);
-let _e6217 = global_1.member.member_15.member.member;
+let _e6217 = global_1.member.member_17.member.member;
 let _e6221 = -(_e6211);
 let _e6224 = (_e6211 - _e6212);
 let _e6225 = (_e6212 - _e6211);
@@ -2039,12 +2041,12 @@ let _e6245 = select(_e6169, _e6234, _e6243);
 let _e6249 = select(_e6173, _e6238, _e6244);
 let _e6253 = select(_e6177, _e6211, _e6239);
 let _e6255 = select(_e6179, _e6212, (_e6212 > _e6179));
-let _e6262 = global_1.member.member_16.member_1;
+let _e6262 = global_1.member.member_18.member_1;
 let _e6263 = (_e6262 != 0u);
-let _e6267 = global_1.member.member_16.member;
+let _e6267 = global_1.member.member_18.member;
 let _e6287 = select(-1e6f, (((((_e6267.member.member * _e1127) + (_e6267.member.member_1 * _e1140)) + (_e6267.member.member_2 * _e1105)) + _e6267.member_1) * _e6106), _e6263);
 let _e6288 = select(-1e6f, (((((_e6267.member.member * _e1150) + (_e6267.member.member_1 * _e1155)) + (_e6267.member.member_2 * _e1144)) + _e6267.member_1) * _e6106), _e6263);
-let _e6293 = global_1.member.member_16.member.member;
+let _e6293 = global_1.member.member_18.member.member;
 let _e6297 = -(_e6287);
 let _e6300 = (_e6287 - _e6288);
 let _e6301 = (_e6288 - _e6287);
@@ -2059,12 +2061,12 @@ let _e6321 = select(_e6245, _e6310, _e6319);
 let _e6325 = select(_e6249, _e6314, _e6320);
 let _e6329 = select(_e6253, _e6287, _e6315);
 let _e6331 = select(_e6255, _e6288, (_e6288 > _e6255));
-let _e6338 = global_1.member.member_17.member_1;
+let _e6338 = global_1.member.member_19.member_1;
 let _e6339 = (_e6338 != 0u);
-let _e6343 = global_1.member.member_17.member;
+let _e6343 = global_1.member.member_19.member;
 let _e6363 = select(-1e6f, (((((_e6343.member.member * _e1127) + (_e6343.member.member_1 * _e1140)) + (_e6343.member.member_2 * _e1105)) + _e6343.member_1) * _e6106), _e6339);
 let _e6364 = select(-1e6f, (((((_e6343.member.member * _e1150) + (_e6343.member.member_1 * _e1155)) + (_e6343.member.member_2 * _e1144)) + _e6343.member_1) * _e6106), _e6339);
-let _e6369 = global_1.member.member_17.member.member;
+let _e6369 = global_1.member.member_19.member.member;
 let _e6373 = -(_e6363);
 let _e6376 = (_e6363 - _e6364);
 let _e6377 = (_e6364 - _e6363);
@@ -2285,7 +2287,7 @@ let _e7099 = ((_e6421 || (bitcast<f32>((bitcast<u32>(_e6416.member_4) & 21474836
 let _e7100 = select(_e231, select(select(select((_e231 + (_e7037 * _e7063)), _e231, _e7064), _e231, _e7075), (_e231 * _e7087), _e7081), _e7099);
 let _e7101 = select(_e242, select(select(select((_e242 + (_e7038 * _e7063)), _e242, _e7064), _e242, _e7075), (_e242 * _e7087), _e7081), _e7099);
 let _e7102 = select(_e253, select(select(select((_e253 + (_e7039 * _e7063)), _e253, _e7064), _e253, _e7075), (_e253 * _e7087), _e7081), _e7099);
-let _e7114 = global_1.member.member_5.member_2;
+let _e7114 = global_1.member.member_7.member_2;
 let _e7117 = (_e7114 / select(1e-6f, _e7102, (_e7102 > 1e-6f)));
 let _e7121 = (_e1150 + (_e7100 * _e7117));
 let _e7122 = (_e1155 + (_e7101 * _e7117));
@@ -2383,12 +2385,12 @@ let _e7353 = select(select(select(select(select(select(1f, _e5838.member_2, _e58
 if _e4054 {
 phi_17014_ = type_34(_e7339, vec3<f32>(_e7340, _e7341, _e7342), _e7344, vec3<f32>(_e7345, _e7346, _e7347), _e6093, _e7350, vec3<f32>(_e7351, _e7352, _e7353));
 } else {
-let _e7359 = global_1.member.member_14.member_1;
+let _e7359 = global_1.member.member_16.member_1;
 let _e7360 = (_e7359 != 0u);
-let _e7364 = global_1.member.member_14.member;
+let _e7364 = global_1.member.member_16.member;
 let _e7384 = select(-1e6f, (((((_e7364.member.member * _e1150) + (_e7364.member.member_1 * _e1155)) + (_e7364.member.member_2 * _e1144)) + _e7364.member_1) * _e6441), _e7360);
 let _e7385 = select(-1e6f, (((((_e7364.member.member * _e7121) + (_e7364.member.member_1 * _e7122)) + (_e7364.member.member_2 * _e7123)) + _e7364.member_1) * _e6441), _e7360);
-let _e7390 = global_1.member.member_14.member.member;
+let _e7390 = global_1.member.member_16.member.member;
 let _e7394 = -(_e7384);
 let _e7397 = (_e7384 - _e7385);
 let _e7398 = (_e7385 - _e7384);
@@ -2403,12 +2405,12 @@ let _e7418 = select(_e7339, _e7407, _e7416);
 let _e7422 = select(_e7344, _e7411, _e7417);
 let _e7426 = select(_e6093, _e7384, _e7412);
 let _e7428 = select(_e7350, _e7385, (_e7385 > _e7350));
-let _e7435 = global_1.member.member_15.member_1;
+let _e7435 = global_1.member.member_17.member_1;
 let _e7436 = (_e7435 != 0u);
-let _e7440 = global_1.member.member_15.member;
+let _e7440 = global_1.member.member_17.member;
 let _e7460 = select(-1e6f, (((((_e7440.member.member * _e1150) + (_e7440.member.member_1 * _e1155)) + (_e7440.member.member_2 * _e1144)) + _e7440.member_1) * _e6441), _e7436);
 let _e7461 = select(-1e6f, (((((_e7440.member.member * _e7121) + (_e7440.member.member_1 * _e7122)) + (_e7440.member.member_2 * _e7123)) + _e7440.member_1) * _e6441), _e7436);
-let _e7466 = global_1.member.member_15.member.member;
+let _e7466 = global_1.member.member_17.member.member;
 let _e7470 = -(_e7460);
 let _e7473 = (_e7460 - _e7461);
 let _e7474 = (_e7461 - _e7460);
@@ -2423,12 +2425,12 @@ let _e7494 = select(_e7418, _e7483, _e7492);
 let _e7498 = select(_e7422, _e7487, _e7493);
 let _e7502 = select(_e7426, _e7460, _e7488);
 let _e7504 = select(_e7428, _e7461, (_e7461 > _e7428));
-let _e7511 = global_1.member.member_16.member_1;
+let _e7511 = global_1.member.member_18.member_1;
 let _e7512 = (_e7511 != 0u);
-let _e7516 = global_1.member.member_16.member;
+let _e7516 = global_1.member.member_18.member;
 let _e7536 = select(-1e6f, (((((_e7516.member.member * _e1150) + (_e7516.member.member_1 * _e1155)) + (_e7516.member.member_2 * _e1144)) + _e7516.member_1) * _e6441), _e7512);
 let _e7537 = select(-1e6f, (((((_e7516.member.member * _e7121) + (_e7516.member.member_1 * _e7122)) + (_e7516.member.member_2 * _e7123)) + _e7516.member_1) * _e6441), _e7512);
-let _e7542 = global_1.member.member_16.member.member;
+let _e7542 = global_1.member.member_18.member.member;
 let _e7546 = -(_e7536);
 let _e7549 = (_e7536 - _e7537);
 let _e7550 = (_e7537 - _e7536);
@@ -2443,12 +2445,12 @@ let _e7570 = select(_e7494, _e7559, _e7568);
 let _e7574 = select(_e7498, _e7563, _e7569);
 let _e7578 = select(_e7502, _e7536, _e7564);
 let _e7580 = select(_e7504, _e7537, (_e7537 > _e7504));
-let _e7587 = global_1.member.member_17.member_1;
+let _e7587 = global_1.member.member_19.member_1;
 let _e7588 = (_e7587 != 0u);
-let _e7592 = global_1.member.member_17.member;
+let _e7592 = global_1.member.member_19.member;
 let _e7612 = select(-1e6f, (((((_e7592.member.member * _e1150) + (_e7592.member.member_1 * _e1155)) + (_e7592.member.member_2 * _e1144)) + _e7592.member_1) * _e6441), _e7588);
 let _e7613 = select(-1e6f, (((((_e7592.member.member * _e7121) + (_e7592.member.member_1 * _e7122)) + (_e7592.member.member_2 * _e7123)) + _e7592.member_1) * _e6441), _e7588);
-let _e7618 = global_1.member.member_17.member.member;
+let _e7618 = global_1.member.member_19.member.member;
 let _e7622 = -(_e7612);
 let _e7625 = (_e7612 - _e7613);
 let _e7626 = (_e7613 - _e7612);
@@ -2462,7 +2464,7 @@ let _e7645 = (_e7639 < _e7574);
 phi_17014_ = type_34(select(_e7570, _e7635, _e7644), vec3<f32>(select(select(select(select(_e7340, _e7390.member, _e7416), _e7466.member, _e7492), _e7542.member, _e7568), _e7618.member, _e7644), select(select(select(select(_e7341, _e7390.member_1, _e7416), _e7466.member_1, _e7492), _e7542.member_1, _e7568), _e7618.member_1, _e7644), select(select(select(select(_e7342, _e7390.member_2, _e7416), _e7466.member_2, _e7492), _e7542.member_2, _e7568), _e7618.member_2, _e7644)), select(_e7574, _e7639, _e7645), vec3<f32>(select(select(select(select(_e7345, _e7390.member, _e7417), _e7466.member, _e7493), _e7542.member, _e7569), _e7618.member, _e7645), select(select(select(select(_e7346, _e7390.member_1, _e7417), _e7466.member_1, _e7493), _e7542.member_1, _e7569), _e7618.member_1, _e7645), select(select(select(select(_e7347, _e7390.member_2, _e7417), _e7466.member_2, _e7493), _e7542.member_2, _e7569), _e7618.member_2, _e7645)), select(_e7578, _e7612, _e7640), select(_e7580, _e7613, (_e7613 > _e7580)), vec3<f32>(select(select(select(select(_e7351, _e7390.member, _e7412), _e7466.member, _e7488), _e7542.member, _e7564), _e7618.member, _e7640), select(select(select(select(_e7352, _e7390.member_1, _e7412), _e7466.member_1, _e7488), _e7542.member_1, _e7564), _e7618.member_1, _e7640), select(select(select(select(_e7353, _e7390.member_2, _e7412), _e7466.member_2, _e7488), _e7542.member_2, _e7564), _e7618.member_2, _e7640)));
 }
 let _e7665 = phi_17014_;
-let _e7674 = global_1.member.member_5.member_4;
+let _e7674 = global_1.member.member_7.member_4;
 let _e7677 = (_e3638.member_3.x * _e4257.member_2);
 let _e7679 = (_e3638.member_3.y * _e4257.member_2);
 let _e7681 = (_e3638.member_3.z * _e4257.member_2);

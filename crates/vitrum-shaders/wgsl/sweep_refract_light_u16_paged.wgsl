@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -301,8 +303,8 @@ let _e280 = ((8u * _e189) + _e191);
 let _e281 = bitcast<i32>(_e280);
 let _e283 = select(_e194, _e281, (_e281 < _e194));
 let _e289 = global_4.member[bitcast<u32>(select(0i, _e283, (_e283 > 0i)))];
-let _e294 = global_1.member.member_8.member;
-let _e298 = global_1.member.member_8.member_1;
+let _e294 = global_1.member.member_10.member;
+let _e298 = global_1.member.member_10.member_1;
 let _e299 = (_e294 * _e298);
 if (_e168 >= (_e299 * 4u)) {
 let _e303 = bitcast<i32>((_e186 * _e294));
@@ -311,45 +313,45 @@ let _e310 = global_6.member[bitcast<u32>((_e303 + _e305))];
 let _e316 = global_6.member[bitcast<u32>(((bitcast<i32>(_e299) + _e303) + _e305))];
 let _e317 = f32(_e305);
 let _e319 = f32(bitcast<i32>(_e186));
-let _e325 = global_1.member.member_5.member;
-let _e329 = global_1.member.member_8.member_8;
+let _e325 = global_1.member.member_7.member;
+let _e329 = global_1.member.member_10.member_8;
 let _e330 = (_e325 - _e329);
-let _e334 = global_1.member.member_8.member_2;
-let _e338 = global_1.member.member_8.member_6;
-let _e345 = global_1.member.member_8.member_4;
+let _e334 = global_1.member.member_10.member_2;
+let _e338 = global_1.member.member_10.member_6;
+let _e345 = global_1.member.member_10.member_4;
 let _e347 = ((_e334 + (_e338 * _e330)) + (((_e317 - _e310) + 0.5f) * _e345));
-let _e351 = global_1.member.member_8.member_3;
-let _e355 = global_1.member.member_8.member_7;
+let _e351 = global_1.member.member_10.member_3;
+let _e355 = global_1.member.member_10.member_7;
 let _e360 = ((_e351 + (_e355 * _e330)) + (((_e319 - _e316) + 0.5f) * _e345));
-let _e364 = global_1.member.member_5.member_1;
+let _e364 = global_1.member.member_7.member_1;
 let _e365 = (_e364 - _e329);
 let _e370 = ((_e334 + (_e338 * _e365)) + ((_e317 + 0.5f) * _e345));
 let _e375 = ((_e351 + (_e355 * _e365)) + ((_e319 + 0.5f) * _e345));
-let _e381 = global_1.member.member_6.member.member;
+let _e381 = global_1.member.member_8.member.member;
 let _e389 = (((_e381.member * _e381.member) + (_e381.member_1 * _e381.member_1)) + (_e381.member_2 * _e381.member_2));
 let _e392 = sqrt(select(0f, _e389, (_e389 > 0f)));
 let _e393 = ((1.5f * _e345) * _e392);
 let _e397 = (select(1f, _e393, (_e393 < 1f)) + (1f / 64f));
 let _e399 = select(_e397, 0.5f, (0.5f > _e397));
-let _e403 = global_1.member.member_5.member_2;
+let _e403 = global_1.member.member_7.member_2;
 let _e406 = (_e403 / select(1e-6f, _e256, (_e256 > 1e-6f)));
 let _e410 = (_e370 + (_e234 * _e406));
 let _e411 = (_e375 + (_e245 * _e406));
 let _e412 = (_e364 + (_e256 * _e406));
-let _e416 = global_1.member.member_6.member;
+let _e416 = global_1.member.member_8.member;
 let _e427 = ((((_e416.member.member * _e347) + (_e416.member.member_1 * _e360)) + (_e416.member.member_2 * _e325)) + _e416.member_1);
-let _e431 = global_1.member.member_6.member_1;
+let _e431 = global_1.member.member_8.member_1;
 let _e442 = ((((_e431.member.member * _e347) + (_e431.member.member_1 * _e360)) + (_e431.member.member_2 * _e325)) + _e431.member_1);
-let _e446 = global_1.member.member_6.member_2;
+let _e446 = global_1.member.member_8.member_2;
 let _e457 = ((((_e446.member.member * _e347) + (_e446.member.member_1 * _e360)) + (_e446.member.member_2 * _e325)) + _e446.member_1);
 let _e463 = ((((_e416.member.member * _e370) + (_e416.member.member_1 * _e375)) + (_e416.member.member_2 * _e364)) + _e416.member_1);
 let _e469 = ((((_e431.member.member * _e370) + (_e431.member.member_1 * _e375)) + (_e431.member.member_2 * _e364)) + _e431.member_1);
 let _e475 = ((((_e446.member.member * _e370) + (_e446.member.member_1 * _e375)) + (_e446.member.member_2 * _e364)) + _e446.member_1);
-let _e481 = global_1.member.member_6.member_3.member;
+let _e481 = global_1.member.member_8.member_3.member;
 let _e482 = (_e481 - 1f);
-let _e491 = global_1.member.member_6.member_3.member_1;
+let _e491 = global_1.member.member_8.member_3.member_1;
 let _e492 = (_e491 - 1f);
-let _e501 = global_1.member.member_6.member_3.member_2;
+let _e501 = global_1.member.member_8.member_3.member_2;
 let _e502 = (_e501 - 1f);
 let _e516 = (((((((_e427 >= 0f) && (_e427 <= _e482)) && (_e442 >= 0f)) && (_e442 <= _e492)) && (_e457 >= 0f)) && (_e457 <= _e502)) && ((((((_e463 >= 0f) && (_e463 <= _e482)) && (_e469 >= 0f)) && (_e469 <= _e492)) && (_e475 >= 0f)) && (_e475 <= _e502)));
 let _e525 = ((((_e176.member_2 == 1u) || (_e176.member_2 == 5u)) || (_e176.member_2 == 6u)) || ((_e176.member_2 == 2u) || (_e176.member_2 == 7u)));
@@ -365,15 +367,15 @@ let _e546 = ((_e544 & 16u) == 0u);
 if _e546 {
 phi_903_ = _e541;
 } else {
-let _e551 = global_1.member.member_14.member;
+let _e551 = global_1.member.member_16.member;
 let _e563 = -((_e399 / _e392));
-let _e568 = global_1.member.member_14.member_1;
-let _e574 = global_1.member.member_15.member;
-let _e590 = global_1.member.member_15.member_1;
-let _e597 = global_1.member.member_16.member;
-let _e613 = global_1.member.member_16.member_1;
-let _e620 = global_1.member.member_17.member;
-let _e636 = global_1.member.member_17.member_1;
+let _e568 = global_1.member.member_16.member_1;
+let _e574 = global_1.member.member_17.member;
+let _e590 = global_1.member.member_17.member_1;
+let _e597 = global_1.member.member_18.member;
+let _e613 = global_1.member.member_18.member_1;
+let _e620 = global_1.member.member_19.member;
+let _e636 = global_1.member.member_19.member_1;
 phi_903_ = (_e541 && (((((((((_e551.member.member * _e347) + (_e551.member.member_1 * _e360)) + (_e551.member.member_2 * _e325)) + _e551.member_1) <= _e563) || (_e568 == 0u)) && ((((((_e574.member.member * _e347) + (_e574.member.member_1 * _e360)) + (_e574.member.member_2 * _e325)) + _e574.member_1) <= _e563) || (_e590 == 0u))) && ((((((_e597.member.member * _e347) + (_e597.member.member_1 * _e360)) + (_e597.member.member_2 * _e325)) + _e597.member_1) <= _e563) || (_e613 == 0u))) && ((((((_e620.member.member * _e347) + (_e620.member.member_1 * _e360)) + (_e620.member.member_2 * _e325)) + _e620.member_1) <= _e563) || (_e636 == 0u))));
 }
 let _e642 = phi_903_;
@@ -387,15 +389,15 @@ let _e677 = ((((_e654 >= _e526) && (_e654 <= _e529)) && ((_e660 >= _e526) && (_e
 if _e546 {
 phi_1083_ = _e677;
 } else {
-let _e682 = global_1.member.member_14.member;
+let _e682 = global_1.member.member_16.member;
 let _e694 = -((_e399 / _e392));
-let _e699 = global_1.member.member_14.member_1;
-let _e705 = global_1.member.member_15.member;
-let _e721 = global_1.member.member_15.member_1;
-let _e728 = global_1.member.member_16.member;
-let _e744 = global_1.member.member_16.member_1;
-let _e751 = global_1.member.member_17.member;
-let _e767 = global_1.member.member_17.member_1;
+let _e699 = global_1.member.member_16.member_1;
+let _e705 = global_1.member.member_17.member;
+let _e721 = global_1.member.member_17.member_1;
+let _e728 = global_1.member.member_18.member;
+let _e744 = global_1.member.member_18.member_1;
+let _e751 = global_1.member.member_19.member;
+let _e767 = global_1.member.member_19.member_1;
 phi_1083_ = (_e677 && (((((((((_e682.member.member * _e646) + (_e682.member.member_1 * _e647)) + (_e682.member.member_2 * _e648)) + _e682.member_1) <= _e694) || (_e699 == 0u)) && ((((((_e705.member.member * _e646) + (_e705.member.member_1 * _e647)) + (_e705.member.member_2 * _e648)) + _e705.member_1) <= _e694) || (_e721 == 0u))) && ((((((_e728.member.member * _e646) + (_e728.member.member_1 * _e647)) + (_e728.member.member_2 * _e648)) + _e728.member_1) <= _e694) || (_e744 == 0u))) && ((((((_e751.member.member * _e646) + (_e751.member.member_1 * _e647)) + (_e751.member.member_2 * _e648)) + _e751.member_1) <= _e694) || (_e767 == 0u))));
 }
 let _e773 = phi_1083_;
@@ -414,19 +416,19 @@ let _e815 = global_1.member.member_1;
 if ((_e815 & 16u) == 0u) {
 phi_1270_ = _e812;
 } else {
-let _e822 = global_1.member.member_14.member;
+let _e822 = global_1.member.member_16.member;
 let _e834 = -((_e399 / _e392));
-let _e839 = global_1.member.member_14.member_1;
-let _e845 = global_1.member.member_15.member;
-let _e861 = global_1.member.member_15.member_1;
-let _e868 = global_1.member.member_16.member;
-let _e884 = global_1.member.member_16.member_1;
-let _e891 = global_1.member.member_17.member;
-let _e907 = global_1.member.member_17.member_1;
+let _e839 = global_1.member.member_16.member_1;
+let _e845 = global_1.member.member_17.member;
+let _e861 = global_1.member.member_17.member_1;
+let _e868 = global_1.member.member_18.member;
+let _e884 = global_1.member.member_18.member_1;
+let _e891 = global_1.member.member_19.member;
+let _e907 = global_1.member.member_19.member_1;
 phi_1270_ = (_e812 && (((((((((_e822.member.member * _e410) + (_e822.member.member_1 * _e411)) + (_e822.member.member_2 * _e412)) + _e822.member_1) <= _e834) || (_e839 == 0u)) && ((((((_e845.member.member * _e410) + (_e845.member.member_1 * _e411)) + (_e845.member.member_2 * _e412)) + _e845.member_1) <= _e834) || (_e861 == 0u))) && ((((((_e868.member.member * _e410) + (_e868.member.member_1 * _e411)) + (_e868.member.member_2 * _e412)) + _e868.member_1) <= _e834) || (_e884 == 0u))) && ((((((_e891.member.member * _e410) + (_e891.member.member_1 * _e411)) + (_e891.member.member_2 * _e412)) + _e891.member_1) <= _e834) || (_e907 == 0u))));
 }
 let _e913 = phi_1270_;
-let _e920 = global_1.member.member_6.member_4;
+let _e920 = global_1.member.member_8.member_4;
 let _e921 = (_e481 - 0.5f);
 let _e923 = select(-0.5f, _e463, (_e463 > -0.5f));
 let _e925 = select(_e921, _e923, (_e923 < _e921));
@@ -448,7 +450,7 @@ let _e970 = (_e925 + 0.5f);
 let _e972 = select(0f, _e970, (_e970 > 0f));
 let _e974 = select(_e482, _e972, (_e972 < _e482));
 let _e981 = select(0i, select(select(i32(_e974), i32(-2147483648), (_e974 < -2147483600f)), 2147483647i, (_e974 > 2147483500f)), (_e974 == _e974));
-let _e989 = global_1.member.member_6.member_12;
+let _e989 = global_1.member.member_8.member_12;
 let _e990 = (_e989 & 31u);
 let _e993 = (_e930 + 0.5f);
 let _e995 = select(0f, _e993, (_e993 > 0f));
@@ -458,9 +460,9 @@ let _e1011 = (_e935 + 0.5f);
 let _e1013 = select(0f, _e1011, (_e1011 > 0f));
 let _e1015 = select(_e502, _e1013, (_e1013 < _e502));
 let _e1022 = select(0i, select(select(i32(_e1015), i32(-2147483648), (_e1015 < -2147483600f)), 2147483647i, (_e1015 > 2147483500f)), (_e1015 == _e1015));
-let _e1033 = global_1.member.member_6.member_9.member;
-let _e1039 = global_1.member.member_6.member_9.member_1;
-let _e1044 = global_1.member.member_6.member_10;
+let _e1033 = global_1.member.member_8.member_9.member;
+let _e1039 = global_1.member.member_8.member_9.member_1;
+let _e1044 = global_1.member.member_8.member_10;
 let _e1050 = ((bitcast<i32>(_e1044) + ((_e981 - select(0i, 1i, (_e974 < f32(_e981)))) >> bitcast<u32>(_e990))) + (bitcast<i32>(_e1033) * (((_e1004 - select(0i, 1i, (_e997 < f32(_e1004)))) >> bitcast<u32>(_e990)) + (bitcast<i32>(_e1039) * ((_e1022 - select(0i, 1i, (_e1015 < f32(_e1022)))) >> bitcast<u32>(_e990))))));
 let _e1052 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1054 = select(_e1052, _e1050, (_e1050 < _e1052));
@@ -480,25 +482,25 @@ let _e1092 = select(_e1081, _e1090, (_e1090 < _e1081));
 let _e1098 = global_6.member[bitcast<u32>(select(0i, _e1092, (_e1092 > 0i)))];
 let _e1100 = f32(bitcast<i32>(_e184));
 let _e1102 = f32(bitcast<i32>(_e186));
-let _e1108 = global_1.member.member_5.member;
-let _e1112 = global_1.member.member_8.member_8;
+let _e1108 = global_1.member.member_7.member;
+let _e1112 = global_1.member.member_10.member_8;
 let _e1113 = (_e1108 - _e1112);
-let _e1117 = global_1.member.member_8.member_2;
-let _e1121 = global_1.member.member_8.member_6;
-let _e1128 = global_1.member.member_8.member_4;
+let _e1117 = global_1.member.member_10.member_2;
+let _e1121 = global_1.member.member_10.member_6;
+let _e1128 = global_1.member.member_10.member_4;
 let _e1130 = ((_e1117 + (_e1121 * _e1113)) + (((_e1100 - _e1089) + 0.5f) * _e1128));
-let _e1134 = global_1.member.member_8.member_3;
-let _e1138 = global_1.member.member_8.member_7;
+let _e1134 = global_1.member.member_10.member_3;
+let _e1138 = global_1.member.member_10.member_7;
 let _e1143 = ((_e1134 + (_e1138 * _e1113)) + (((_e1102 - _e1098) + 0.5f) * _e1128));
-let _e1147 = global_1.member.member_5.member_1;
+let _e1147 = global_1.member.member_7.member_1;
 let _e1148 = (_e1147 - _e1112);
 let _e1153 = ((_e1117 + (_e1121 * _e1148)) + ((_e1100 + 0.5f) * _e1128));
 let _e1158 = ((_e1134 + (_e1138 * _e1148)) + ((_e1102 + 0.5f) * _e1128));
-let _e1162 = global_1.member.member_6.member;
+let _e1162 = global_1.member.member_8.member;
 let _e1173 = ((((_e1162.member.member * _e1130) + (_e1162.member.member_1 * _e1143)) + (_e1162.member.member_2 * _e1108)) + _e1162.member_1);
-let _e1177 = global_1.member.member_6.member_1;
+let _e1177 = global_1.member.member_8.member_1;
 let _e1188 = ((((_e1177.member.member * _e1130) + (_e1177.member.member_1 * _e1143)) + (_e1177.member.member_2 * _e1108)) + _e1177.member_1);
-let _e1192 = global_1.member.member_6.member_2;
+let _e1192 = global_1.member.member_8.member_2;
 let _e1203 = ((((_e1192.member.member * _e1130) + (_e1192.member.member_1 * _e1143)) + (_e1192.member.member_2 * _e1108)) + _e1192.member_1);
 let _e1209 = ((((_e1162.member.member * _e1153) + (_e1162.member.member_1 * _e1158)) + (_e1162.member.member_2 * _e1147)) + _e1162.member_1);
 let _e1215 = ((((_e1177.member.member * _e1153) + (_e1177.member.member_1 * _e1158)) + (_e1177.member.member_2 * _e1147)) + _e1177.member_1);
@@ -507,15 +509,15 @@ let _e1223 = (_e176.member_2 == 5u);
 let _e1229 = ((_e176.member_2 == 2u) || (_e176.member_2 == 7u));
 let _e1230 = ((((_e176.member_2 == 1u) || _e1223) || (_e176.member_2 == 6u)) || _e1229);
 if _e1230 {
-let _e1235 = global_1.member.member_6.member_3.member;
+let _e1235 = global_1.member.member_8.member_3.member;
 let _e1236 = (_e1235 - 0.5f);
 let _e1238 = select(-0.5f, _e1209, (_e1209 > -0.5f));
 let _e1240 = select(_e1236, _e1238, (_e1238 < _e1236));
-let _e1245 = global_1.member.member_6.member_3.member_1;
+let _e1245 = global_1.member.member_8.member_3.member_1;
 let _e1246 = (_e1245 - 0.5f);
 let _e1248 = select(-0.5f, _e1215, (_e1215 > -0.5f));
 let _e1250 = select(_e1246, _e1248, (_e1248 < _e1246));
-let _e1255 = global_1.member.member_6.member_3.member_2;
+let _e1255 = global_1.member.member_8.member_3.member_2;
 let _e1256 = (_e1255 - 0.5f);
 let _e1258 = select(-0.5f, _e1221, (_e1221 > -0.5f));
 let _e1260 = select(_e1256, _e1258, (_e1258 < _e1256));
@@ -531,13 +533,13 @@ let _e1292 = select(-1f, _e1260, (_e1260 > -1f));
 let _e1294 = select(_e1255, _e1292, (_e1292 < _e1255));
 let _e1301 = select(0i, select(select(i32(_e1294), i32(-2147483648), (_e1294 < -2147483600f)), 2147483647i, (_e1294 > 2147483500f)), (_e1294 == _e1294));
 let _e1305 = (_e1301 - select(0i, 1i, (_e1294 < f32(_e1301))));
-let _e1309 = global_1.member.member_6.member_7;
-let _e1313 = global_1.member.member_6.member_8;
+let _e1309 = global_1.member.member_8.member_7;
+let _e1313 = global_1.member.member_8.member_8;
 let _e1314 = (_e1275 + 1i);
 let _e1315 = (_e1290 + 1i);
 let _e1316 = (_e1305 + 1i);
-let _e1321 = global_1.member.member_6.member_11.member;
-let _e1327 = global_1.member.member_6.member_11.member_1;
+let _e1321 = global_1.member.member_8.member_11.member;
+let _e1327 = global_1.member.member_8.member_11.member_1;
 let _e1338 = ((_e1314 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1321) * ((_e1315 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1327) * (_e1316 >> bitcast<u32>(4i))))));
 let _e1340 = (bitcast<i32>(_e161) - 1i);
 let _e1342 = select(_e1340, _e1338, (_e1338 < _e1340));
@@ -827,8 +829,8 @@ let _e2287 = local_27[2u];
 let _e2291 = local_27[1u];
 let _e2295 = local_27[2u];
 let _e2299 = local_27[2u];
-let _e2306 = global_1.member.member_6.member_6;
-let _e2310 = global_1.member.member_6.member_5;
+let _e2306 = global_1.member.member_8.member_6;
+let _e2310 = global_1.member.member_8.member_5;
 let _e2312 = (((_e2229 + ((_e2233 - _e2229) * _e2299)) - _e2306) * _e2310);
 let _e2313 = -(1e9f);
 let _e2315 = select(_e2313, _e2312, (_e2312 > _e2313));
@@ -1094,26 +1096,26 @@ let _e3063 = select(0f, 1f, ((((((_e1209 >= -0.5f) && (_e1209 <= _e1236)) && (_e
 let _e3065 = (0.5f * (_e2329 - _e2323));
 let _e3067 = (0.5f * (_e2341 - _e2335));
 let _e3069 = (0.5f * (_e2353 - _e2347));
-let _e3075 = global_1.member.member_6.member.member.member;
-let _e3081 = global_1.member.member_6.member.member.member_1;
-let _e3087 = global_1.member.member_6.member.member.member_2;
-let _e3093 = global_1.member.member_6.member_1.member.member;
-let _e3099 = global_1.member.member_6.member_1.member.member_1;
-let _e3105 = global_1.member.member_6.member_1.member.member_2;
-let _e3111 = global_1.member.member_6.member_2.member.member;
-let _e3117 = global_1.member.member_6.member_2.member.member_1;
-let _e3123 = global_1.member.member_6.member_2.member.member_2;
+let _e3075 = global_1.member.member_8.member.member.member;
+let _e3081 = global_1.member.member_8.member.member.member_1;
+let _e3087 = global_1.member.member_8.member.member.member_2;
+let _e3093 = global_1.member.member_8.member_1.member.member;
+let _e3099 = global_1.member.member_8.member_1.member.member_1;
+let _e3105 = global_1.member.member_8.member_1.member.member_2;
+let _e3111 = global_1.member.member_8.member_2.member.member;
+let _e3117 = global_1.member.member_8.member_2.member.member_1;
+let _e3123 = global_1.member.member_8.member_2.member.member_2;
 phi_8065_ = type_33(_e2317, vec3<f32>(((((_e3075 * _e3065) + (_e3093 * _e3067)) + (_e3111 * _e3069)) * _e3063), ((((_e3081 * _e3065) + (_e3099 * _e3067)) + (_e3117 * _e3069)) * _e3063), ((((_e3087 * _e3065) + (_e3105 * _e3067)) + (_e3123 * _e3069)) * _e3063)), _e3048.member, vec3<f32>(((((_e3075 * _e3048.member_2.x) + (_e3093 * _e3048.member_2.y)) + (_e3111 * _e3048.member_2.z)) * _e3063), ((((_e3081 * _e3048.member_2.x) + (_e3099 * _e3048.member_2.y)) + (_e3117 * _e3048.member_2.z)) * _e3063), ((((_e3087 * _e3048.member_2.x) + (_e3105 * _e3048.member_2.y)) + (_e3123 * _e3048.member_2.z)) * _e3063)), vec3<f32>(((((_e3075 * _e3048.member_1.x) + (_e3093 * _e3048.member_1.y)) + (_e3111 * _e3048.member_1.z)) * _e3063), ((((_e3081 * _e3048.member_1.x) + (_e3099 * _e3048.member_1.y)) + (_e3117 * _e3048.member_1.z)) * _e3063), ((((_e3087 * _e3048.member_1.x) + (_e3105 * _e3048.member_1.y)) + (_e3123 * _e3048.member_1.z)) * _e3063)));
 } else {
-let _e3192 = global_1.member.member_6.member_3.member;
+let _e3192 = global_1.member.member_8.member_3.member;
 let _e3193 = (_e3192 - 0.5f);
 let _e3195 = select(-0.5f, _e1209, (_e1209 > -0.5f));
 let _e3197 = select(_e3193, _e3195, (_e3195 < _e3193));
-let _e3202 = global_1.member.member_6.member_3.member_1;
+let _e3202 = global_1.member.member_8.member_3.member_1;
 let _e3203 = (_e3202 - 0.5f);
 let _e3205 = select(-0.5f, _e1215, (_e1215 > -0.5f));
 let _e3207 = select(_e3203, _e3205, (_e3205 < _e3203));
-let _e3212 = global_1.member.member_6.member_3.member_2;
+let _e3212 = global_1.member.member_8.member_3.member_2;
 let _e3213 = (_e3212 - 0.5f);
 let _e3215 = select(-0.5f, _e1221, (_e1221 > -0.5f));
 let _e3217 = select(_e3213, _e3215, (_e3215 < _e3213));
@@ -1129,13 +1131,13 @@ let _e3249 = select(-1f, _e3217, (_e3217 > -1f));
 let _e3251 = select(_e3212, _e3249, (_e3249 < _e3212));
 let _e3258 = select(0i, select(select(i32(_e3251), i32(-2147483648), (_e3251 < -2147483600f)), 2147483647i, (_e3251 > 2147483500f)), (_e3251 == _e3251));
 let _e3262 = (_e3258 - select(0i, 1i, (_e3251 < f32(_e3258))));
-let _e3266 = global_1.member.member_6.member_7;
-let _e3270 = global_1.member.member_6.member_8;
+let _e3266 = global_1.member.member_8.member_7;
+let _e3270 = global_1.member.member_8.member_8;
 let _e3271 = (_e3232 + 1i);
 let _e3272 = (_e3247 + 1i);
 let _e3273 = (_e3262 + 1i);
-let _e3278 = global_1.member.member_6.member_11.member;
-let _e3284 = global_1.member.member_6.member_11.member_1;
+let _e3278 = global_1.member.member_8.member_11.member;
+let _e3284 = global_1.member.member_8.member_11.member_1;
 let _e3295 = ((_e3271 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3278) * ((_e3272 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3284) * (_e3273 >> bitcast<u32>(4i))))));
 let _e3297 = (bitcast<i32>(_e161) - 1i);
 let _e3299 = select(_e3297, _e3295, (_e3295 < _e3297));
@@ -1211,23 +1213,23 @@ let _e3536 = local_10.member_1[3u];
 let _e3543 = local_11[0u];
 let _e3547 = local_11[1u];
 let _e3552 = local_11[2u];
-let _e3559 = global_1.member.member_6.member_6;
-let _e3563 = global_1.member.member_6.member_5;
+let _e3559 = global_1.member.member_8.member_6;
+let _e3563 = global_1.member.member_8.member_5;
 let _e3565 = (((_e3444 + (((_e3495 + (((_e3535 + ((f32(bitcast<i32>(((_e3528 >> bitcast<u32>((_e3536 & 31u))) & 65535u))) - _e3535) * _e3543)) - _e3495) * _e3547)) - _e3444) * _e3552)) - _e3559) * _e3563);
 let _e3566 = -(1e9f);
 let _e3568 = select(_e3566, _e3565, (_e3565 > _e3566));
 phi_8065_ = type_33(select(1e9f, _e3568, (_e3568 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e3573 = phi_8065_;
-let _e3578 = global_1.member.member_6.member_3.member;
+let _e3578 = global_1.member.member_8.member_3.member;
 let _e3579 = (_e3578 - 0.5f);
 let _e3581 = select(-0.5f, _e1173, (_e1173 > -0.5f));
 let _e3583 = select(_e3579, _e3581, (_e3581 < _e3579));
-let _e3588 = global_1.member.member_6.member_3.member_1;
+let _e3588 = global_1.member.member_8.member_3.member_1;
 let _e3589 = (_e3588 - 0.5f);
 let _e3591 = select(-0.5f, _e1188, (_e1188 > -0.5f));
 let _e3593 = select(_e3589, _e3591, (_e3591 < _e3589));
-let _e3598 = global_1.member.member_6.member_3.member_2;
+let _e3598 = global_1.member.member_8.member_3.member_2;
 let _e3599 = (_e3598 - 0.5f);
 let _e3601 = select(-0.5f, _e1203, (_e1203 > -0.5f));
 let _e3603 = select(_e3599, _e3601, (_e3601 < _e3599));
@@ -1243,14 +1245,14 @@ let _e3635 = select(-1f, _e3603, (_e3603 > -1f));
 let _e3637 = select(_e3598, _e3635, (_e3635 < _e3598));
 let _e3644 = select(0i, select(select(i32(_e3637), i32(-2147483648), (_e3637 < -2147483600f)), 2147483647i, (_e3637 > 2147483500f)), (_e3637 == _e3637));
 let _e3648 = (_e3644 - select(0i, 1i, (_e3637 < f32(_e3644))));
-let _e3652 = global_1.member.member_6.member_7;
-let _e3656 = global_1.member.member_6.member_8;
+let _e3652 = global_1.member.member_8.member_7;
+let _e3656 = global_1.member.member_8.member_8;
 let _e3657 = (_e3618 + 1i);
 let _e3658 = (_e3633 + 1i);
 let _e3659 = (_e3648 + 1i);
-let _e3664 = global_1.member.member_6.member_11.member;
+let _e3664 = global_1.member.member_8.member_11.member;
 let _e3665 = bitcast<i32>(_e3664);
-let _e3670 = global_1.member.member_6.member_11.member_1;
+let _e3670 = global_1.member.member_8.member_11.member_1;
 let _e3671 = bitcast<i32>(_e3670);
 let _e3681 = ((_e3657 >> bitcast<u32>(4i)) + (_e3665 * ((_e3658 >> bitcast<u32>(4i)) + (_e3671 * (_e3659 >> bitcast<u32>(4i))))));
 let _e3683 = (bitcast<i32>(_e161) - 1i);
@@ -1329,8 +1331,8 @@ let _e3922 = local_8.member_1[3u];
 let _e3929 = local_9[0u];
 let _e3933 = local_9[1u];
 let _e3938 = local_9[2u];
-let _e3945 = global_1.member.member_6.member_6;
-let _e3949 = global_1.member.member_6.member_5;
+let _e3945 = global_1.member.member_8.member_6;
+let _e3949 = global_1.member.member_8.member_5;
 let _e3951 = (((_e3830 + (((_e3881 + (((_e3921 + ((f32(bitcast<i32>(((_e3914 >> bitcast<u32>((_e3922 & 31u))) & 65535u))) - _e3921) * _e3929)) - _e3881) * _e3933)) - _e3830) * _e3938)) - _e3945) * _e3949);
 let _e3952 = -(1e9f);
 let _e3954 = select(_e3952, _e3951, (_e3951 > _e3952));
@@ -1340,7 +1342,7 @@ let _e3961 = ((_e3959 & 16u) == 0u);
 if _e3961 {
 phi_8954_ = type_7(1f, 1f, 1f);
 } else {
-let _e3965 = global_1.member.member_14.member;
+let _e3965 = global_1.member.member_16.member;
 let _e3976 = ((((_e3965.member.member * _e1130) + (_e3965.member.member_1 * _e1143)) + (_e3965.member.member_2 * _e1108)) + _e3965.member_1);
 let _e3982 = ((((_e3965.member.member * _e1153) + (_e3965.member.member_1 * _e1158)) + (_e3965.member.member_2 * _e1147)) + _e3965.member_1);
 let _e3984 = select(_e3982, _e3976, (_e3976 < _e3982));
@@ -1349,9 +1351,9 @@ let _e3988 = (_e3986 - _e3984);
 let _e3991 = (-(_e3984) / select(1e-30f, _e3988, (_e3988 > 1e-30f)));
 let _e3993 = select(0f, _e3991, (_e3991 > 0f));
 let _e3999 = select(select(select(1f, _e3993, (_e3993 < 1f)), 1f, (_e3986 <= 0f)), 0f, (_e3984 > 0f));
-let _e4004 = global_1.member.member_14.member_1;
+let _e4004 = global_1.member.member_16.member_1;
 let _e4005 = (_e4004 != 0u);
-let _e4015 = global_1.member.member_15.member;
+let _e4015 = global_1.member.member_17.member;
 let _e4026 = ((((_e4015.member.member * _e1130) + (_e4015.member.member_1 * _e1143)) + (_e4015.member.member_2 * _e1108)) + _e4015.member_1);
 let _e4032 = ((((_e4015.member.member * _e1153) + (_e4015.member.member_1 * _e1158)) + (_e4015.member.member_2 * _e1147)) + _e4015.member_1);
 let _e4034 = select(_e4032, _e4026, (_e4026 < _e4032));
@@ -1360,9 +1362,9 @@ let _e4038 = (_e4036 - _e4034);
 let _e4041 = (-(_e4034) / select(1e-30f, _e4038, (_e4038 > 1e-30f)));
 let _e4043 = select(0f, _e4041, (_e4041 > 0f));
 let _e4049 = select(select(select(1f, _e4043, (_e4043 < 1f)), 1f, (_e4036 <= 0f)), 0f, (_e4034 > 0f));
-let _e4054 = global_1.member.member_15.member_1;
+let _e4054 = global_1.member.member_17.member_1;
 let _e4055 = (_e4054 != 0u);
-let _e4065 = global_1.member.member_16.member;
+let _e4065 = global_1.member.member_18.member;
 let _e4076 = ((((_e4065.member.member * _e1130) + (_e4065.member.member_1 * _e1143)) + (_e4065.member.member_2 * _e1108)) + _e4065.member_1);
 let _e4082 = ((((_e4065.member.member * _e1153) + (_e4065.member.member_1 * _e1158)) + (_e4065.member.member_2 * _e1147)) + _e4065.member_1);
 let _e4084 = select(_e4082, _e4076, (_e4076 < _e4082));
@@ -1371,9 +1373,9 @@ let _e4088 = (_e4086 - _e4084);
 let _e4091 = (-(_e4084) / select(1e-30f, _e4088, (_e4088 > 1e-30f)));
 let _e4093 = select(0f, _e4091, (_e4091 > 0f));
 let _e4099 = select(select(select(1f, _e4093, (_e4093 < 1f)), 1f, (_e4086 <= 0f)), 0f, (_e4084 > 0f));
-let _e4104 = global_1.member.member_16.member_1;
+let _e4104 = global_1.member.member_18.member_1;
 let _e4105 = (_e4104 != 0u);
-let _e4115 = global_1.member.member_17.member;
+let _e4115 = global_1.member.member_19.member;
 let _e4126 = ((((_e4115.member.member * _e1130) + (_e4115.member.member_1 * _e1143)) + (_e4115.member.member_2 * _e1108)) + _e4115.member_1);
 let _e4132 = ((((_e4115.member.member * _e1153) + (_e4115.member.member_1 * _e1158)) + (_e4115.member.member_2 * _e1147)) + _e4115.member_1);
 let _e4134 = select(_e4132, _e4126, (_e4126 < _e4132));
@@ -1382,7 +1384,7 @@ let _e4138 = (_e4136 - _e4134);
 let _e4141 = (-(_e4134) / select(1e-30f, _e4138, (_e4138 > 1e-30f)));
 let _e4143 = select(0f, _e4141, (_e4141 > 0f));
 let _e4149 = select(select(select(1f, _e4143, (_e4143 < 1f)), 1f, (_e4136 <= 0f)), 0f, (_e4134 > 0f));
-let _e4154 = global_1.member.member_17.member_1;
+let _e4154 = global_1.member.member_19.member_1;
 let _e4155 = (_e4154 != 0u);
 phi_8954_ = type_7(((((1f * _e3999) * _e4049) * _e4099) * _e4149), ((((1f * select(1f, _e3999, _e4005)) * select(1f, _e4049, _e4055)) * select(1f, _e4099, _e4105)) * select(1f, _e4149, _e4155)), ((((1f * select(1f, 0f, (_e4005 && (_e3982 > 0f)))) * select(1f, 0f, (_e4055 && (_e4032 > 0f)))) * select(1f, 0f, (_e4105 && (_e4082 > 0f)))) * select(1f, 0f, (_e4155 && (_e4132 > 0f)))));
 }
@@ -1430,7 +1432,7 @@ let _e4263 = (_e1153 - _e1130);
 let _e4264 = (_e1158 - _e1143);
 let _e4265 = (_e1147 - _e1108);
 let _e4270 = (((_e4263 * _e4263) + (_e4264 * _e4264)) + (_e4265 * _e4265));
-let _e4278 = global_1.member.member_5.member_3;
+let _e4278 = global_1.member.member_7.member_3;
 let _e4279 = ((sqrt(select(0f, _e4270, (_e4270 > 0f))) * select(0f, _e4260, (_e4260 > 0f))) * _e4278);
 if (((_e176.member_2 == 3u) || (_e176.member_2 == 4u)) || _e1223) {
 local_7 = _e3956;
@@ -1851,9 +1853,9 @@ phi_12682_ = type_35(_e5731, _e5732, vec3<f32>(((1f + (_e5566 * (1f + (_e5566 * 
 }
 let _e5740 = phi_12682_;
 if _e1230 {
-let _e5745 = global_1.member.member_6.member.member;
-let _e5753 = global_1.member.member_6.member_1.member;
-let _e5761 = global_1.member.member_6.member_2.member;
+let _e5745 = global_1.member.member_8.member.member;
+let _e5753 = global_1.member.member_8.member_1.member;
+let _e5761 = global_1.member.member_8.member_2.member;
 let _e5765 = (-0.5f - _e1209);
 let _e5766 = -(_e4172);
 let _e5769 = (_e4172 - _e5765);
@@ -1979,12 +1981,12 @@ phi_14001_ = type_34(_e5988, vec3<f32>(_e5989, _e5990, _e5991), _e5993, vec3<f32
 } else {
 let _e6010 = (((_e5745.member * _e5745.member) + (_e5745.member_1 * _e5745.member_1)) + (_e5745.member_2 * _e5745.member_2));
 let _e6013 = sqrt(select(0f, _e6010, (_e6010 > 0f)));
-let _e6017 = global_1.member.member_14.member_1;
+let _e6017 = global_1.member.member_16.member_1;
 let _e6018 = (_e6017 != 0u);
-let _e6022 = global_1.member.member_14.member;
+let _e6022 = global_1.member.member_16.member;
 let _e6042 = select(-1e6f, (((((_e6022.member.member * _e1130) + (_e6022.member.member_1 * _e1143)) + (_e6022.member.member_2 * _e1108)) + _e6022.member_1) * _e6013), _e6018);
 let _e6043 = select(-1e6f, (((((_e6022.member.member * _e1153) + (_e6022.member.member_1 * _e1158)) + (_e6022.member.member_2 * _e1147)) + _e6022.member_1) * _e6013), _e6018);
-let _e6048 = global_1.member.member_14.member.member;
+let _e6048 = global_1.member.member_16.member.member;
 let _e6052 = -(_e6042);
 let _e6055 = (_e6042 - _e6043);
 let _e6056 = (_e6043 - _e6042);
@@ -1999,12 +2001,12 @@ let _e6076 = select(_e5988, _e6065, _e6074);
 let _e6080 = select(_e5993, _e6069, _e6075);
 let _e6084 = select(_e5998, _e6042, _e6070);
 let _e6086 = select(_e6000, _e6043, (_e6043 > _e6000));
-let _e6093 = global_1.member.member_15.member_1;
+let _e6093 = global_1.member.member_17.member_1;
 let _e6094 = (_e6093 != 0u);
-let _e6098 = global_1.member.member_15.member;
+let _e6098 = global_1.member.member_17.member;
 let _e6118 = select(-1e6f, (((((_e6098.member.member * _e1130) + (_e6098.member.member_1 * _e1143)) + (_e6098.member.member_2 * _e1108)) + _e6098.member_1) * _e6013), _e6094);
 let _e6119 = select(-1e6f, (((((_e6098.member.member * _e1153) + (_e6098.member.member_1 * _e1158)) + (_e6098.member.member_2 * _e1147)) + _e6098.member_1) * _e6013), _e6094);
-let _e6124 = global_1.member.member_15.member.member;
+let _e6124 = global_1.member.member_17.member.member;
 let _e6128 = -(_e6118);
 let _e6131 = (_e6118 - _e6119);
 let _e6132 = (_e6119 - _e6118);
@@ -2019,12 +2021,12 @@ let _e6152 = select(_e6076, _e6141, _e6150);
 let _e6156 = select(_e6080, _e6145, _e6151);
 let _e6160 = select(_e6084, _e6118, _e6146);
 let _e6162 = select(_e6086, _e6119, (_e6119 > _e6086));
-let _e6169 = global_1.member.member_16.member_1;
+let _e6169 = global_1.member.member_18.member_1;
 let _e6170 = (_e6169 != 0u);
-let _e6174 = global_1.member.member_16.member;
+let _e6174 = global_1.member.member_18.member;
 let _e6194 = select(-1e6f, (((((_e6174.member.member * _e1130) + (_e6174.member.member_1 * _e1143)) + (_e6174.member.member_2 * _e1108)) + _e6174.member_1) * _e6013), _e6170);
 let _e6195 = select(-1e6f, (((((_e6174.member.member * _e1153) + (_e6174.member.member_1 * _e1158)) + (_e6174.member.member_2 * _e1147)) + _e6174.member_1) * _e6013), _e6170);
-let _e6200 = global_1.member.member_16.member.member;
+let _e6200 = global_1.member.member_18.member.member;
 let _e6204 = -(_e6194);
 let _e6207 = (_e6194 - _e6195);
 let _e6208 = (_e6195 - _e6194);
@@ -2039,12 +2041,12 @@ let _e6228 = select(_e6152, _e6217, _e6226);
 let _e6232 = select(_e6156, _e6221, _e6227);
 let _e6236 = select(_e6160, _e6194, _e6222);
 let _e6238 = select(_e6162, _e6195, (_e6195 > _e6162));
-let _e6245 = global_1.member.member_17.member_1;
+let _e6245 = global_1.member.member_19.member_1;
 let _e6246 = (_e6245 != 0u);
-let _e6250 = global_1.member.member_17.member;
+let _e6250 = global_1.member.member_19.member;
 let _e6270 = select(-1e6f, (((((_e6250.member.member * _e1130) + (_e6250.member.member_1 * _e1143)) + (_e6250.member.member_2 * _e1108)) + _e6250.member_1) * _e6013), _e6246);
 let _e6271 = select(-1e6f, (((((_e6250.member.member * _e1153) + (_e6250.member.member_1 * _e1158)) + (_e6250.member.member_2 * _e1147)) + _e6250.member_1) * _e6013), _e6246);
-let _e6276 = global_1.member.member_17.member.member;
+let _e6276 = global_1.member.member_19.member.member;
 let _e6280 = -(_e6270);
 let _e6283 = (_e6270 - _e6271);
 let _e6284 = (_e6271 - _e6270);
@@ -2263,7 +2265,7 @@ let _e6991 = ((_e6328 || (bitcast<f32>((bitcast<u32>(_e6323.member_4) & 21474836
 let _e6992 = select(_e234, select(select(select((_e234 + (_e6929 * _e6955)), _e234, _e6956), _e234, _e6967), (_e234 * _e6979), _e6973), _e6991);
 let _e6993 = select(_e245, select(select(select((_e245 + (_e6930 * _e6955)), _e245, _e6956), _e245, _e6967), (_e245 * _e6979), _e6973), _e6991);
 let _e6994 = select(_e256, select(select(select((_e256 + (_e6931 * _e6955)), _e256, _e6956), _e256, _e6967), (_e256 * _e6979), _e6973), _e6991);
-let _e7006 = global_1.member.member_5.member_2;
+let _e7006 = global_1.member.member_7.member_2;
 let _e7009 = (_e7006 / select(1e-6f, _e6994, (_e6994 > 1e-6f)));
 let _e7013 = (_e1153 + (_e6992 * _e7009));
 let _e7014 = (_e1158 + (_e6993 * _e7009));
@@ -2361,12 +2363,12 @@ let _e7245 = select(select(select(select(select(select(1f, _e5745.member_2, _e57
 if _e3961 {
 phi_16686_ = type_34(_e7231, vec3<f32>(_e7232, _e7233, _e7234), _e7236, vec3<f32>(_e7237, _e7238, _e7239), _e6000, _e7242, vec3<f32>(_e7243, _e7244, _e7245));
 } else {
-let _e7251 = global_1.member.member_14.member_1;
+let _e7251 = global_1.member.member_16.member_1;
 let _e7252 = (_e7251 != 0u);
-let _e7256 = global_1.member.member_14.member;
+let _e7256 = global_1.member.member_16.member;
 let _e7276 = select(-1e6f, (((((_e7256.member.member * _e1153) + (_e7256.member.member_1 * _e1158)) + (_e7256.member.member_2 * _e1147)) + _e7256.member_1) * _e6348), _e7252);
 let _e7277 = select(-1e6f, (((((_e7256.member.member * _e7013) + (_e7256.member.member_1 * _e7014)) + (_e7256.member.member_2 * _e7015)) + _e7256.member_1) * _e6348), _e7252);
-let _e7282 = global_1.member.member_14.member.member;
+let _e7282 = global_1.member.member_16.member.member;
 let _e7286 = -(_e7276);
 let _e7289 = (_e7276 - _e7277);
 let _e7290 = (_e7277 - _e7276);
@@ -2381,12 +2383,12 @@ let _e7310 = select(_e7231, _e7299, _e7308);
 let _e7314 = select(_e7236, _e7303, _e7309);
 let _e7318 = select(_e6000, _e7276, _e7304);
 let _e7320 = select(_e7242, _e7277, (_e7277 > _e7242));
-let _e7327 = global_1.member.member_15.member_1;
+let _e7327 = global_1.member.member_17.member_1;
 let _e7328 = (_e7327 != 0u);
-let _e7332 = global_1.member.member_15.member;
+let _e7332 = global_1.member.member_17.member;
 let _e7352 = select(-1e6f, (((((_e7332.member.member * _e1153) + (_e7332.member.member_1 * _e1158)) + (_e7332.member.member_2 * _e1147)) + _e7332.member_1) * _e6348), _e7328);
 let _e7353 = select(-1e6f, (((((_e7332.member.member * _e7013) + (_e7332.member.member_1 * _e7014)) + (_e7332.member.member_2 * _e7015)) + _e7332.member_1) * _e6348), _e7328);
-let _e7358 = global_1.member.member_15.member.member;
+let _e7358 = global_1.member.member_17.member.member;
 let _e7362 = -(_e7352);
 let _e7365 = (_e7352 - _e7353);
 let _e7366 = (_e7353 - _e7352);
@@ -2401,12 +2403,12 @@ let _e7386 = select(_e7310, _e7375, _e7384);
 let _e7390 = select(_e7314, _e7379, _e7385);
 let _e7394 = select(_e7318, _e7352, _e7380);
 let _e7396 = select(_e7320, _e7353, (_e7353 > _e7320));
-let _e7403 = global_1.member.member_16.member_1;
+let _e7403 = global_1.member.member_18.member_1;
 let _e7404 = (_e7403 != 0u);
-let _e7408 = global_1.member.member_16.member;
+let _e7408 = global_1.member.member_18.member;
 let _e7428 = select(-1e6f, (((((_e7408.member.member * _e1153) + (_e7408.member.member_1 * _e1158)) + (_e7408.member.member_2 * _e1147)) + _e7408.member_1) * _e6348), _e7404);
 let _e7429 = select(-1e6f, (((((_e7408.member.member * _e7013) + (_e7408.member.member_1 * _e7014)) + (_e7408.member.member_2 * _e7015)) + _e7408.member_1) * _e6348), _e7404);
-let _e7434 = global_1.member.member_16.member.member;
+let _e7434 = global_1.member.member_18.member.member;
 let _e7438 = -(_e7428);
 let _e7441 = (_e7428 - _e7429);
 let _e7442 = (_e7429 - _e7428);
@@ -2421,12 +2423,12 @@ let _e7462 = select(_e7386, _e7451, _e7460);
 let _e7466 = select(_e7390, _e7455, _e7461);
 let _e7470 = select(_e7394, _e7428, _e7456);
 let _e7472 = select(_e7396, _e7429, (_e7429 > _e7396));
-let _e7479 = global_1.member.member_17.member_1;
+let _e7479 = global_1.member.member_19.member_1;
 let _e7480 = (_e7479 != 0u);
-let _e7484 = global_1.member.member_17.member;
+let _e7484 = global_1.member.member_19.member;
 let _e7504 = select(-1e6f, (((((_e7484.member.member * _e1153) + (_e7484.member.member_1 * _e1158)) + (_e7484.member.member_2 * _e1147)) + _e7484.member_1) * _e6348), _e7480);
 let _e7505 = select(-1e6f, (((((_e7484.member.member * _e7013) + (_e7484.member.member_1 * _e7014)) + (_e7484.member.member_2 * _e7015)) + _e7484.member_1) * _e6348), _e7480);
-let _e7510 = global_1.member.member_17.member.member;
+let _e7510 = global_1.member.member_19.member.member;
 let _e7514 = -(_e7504);
 let _e7517 = (_e7504 - _e7505);
 let _e7518 = (_e7505 - _e7504);
@@ -2440,7 +2442,7 @@ let _e7537 = (_e7531 < _e7466);
 phi_16686_ = type_34(select(_e7462, _e7527, _e7536), vec3<f32>(select(select(select(select(_e7232, _e7282.member, _e7308), _e7358.member, _e7384), _e7434.member, _e7460), _e7510.member, _e7536), select(select(select(select(_e7233, _e7282.member_1, _e7308), _e7358.member_1, _e7384), _e7434.member_1, _e7460), _e7510.member_1, _e7536), select(select(select(select(_e7234, _e7282.member_2, _e7308), _e7358.member_2, _e7384), _e7434.member_2, _e7460), _e7510.member_2, _e7536)), select(_e7466, _e7531, _e7537), vec3<f32>(select(select(select(select(_e7237, _e7282.member, _e7309), _e7358.member, _e7385), _e7434.member, _e7461), _e7510.member, _e7537), select(select(select(select(_e7238, _e7282.member_1, _e7309), _e7358.member_1, _e7385), _e7434.member_1, _e7461), _e7510.member_1, _e7537), select(select(select(select(_e7239, _e7282.member_2, _e7309), _e7358.member_2, _e7385), _e7434.member_2, _e7461), _e7510.member_2, _e7537)), select(_e7470, _e7504, _e7532), select(_e7472, _e7505, (_e7505 > _e7472)), vec3<f32>(select(select(select(select(_e7243, _e7282.member, _e7304), _e7358.member, _e7380), _e7434.member, _e7456), _e7510.member, _e7532), select(select(select(select(_e7244, _e7282.member_1, _e7304), _e7358.member_1, _e7380), _e7434.member_1, _e7456), _e7510.member_1, _e7532), select(select(select(select(_e7245, _e7282.member_2, _e7304), _e7358.member_2, _e7380), _e7434.member_2, _e7456), _e7510.member_2, _e7532)));
 }
 let _e7557 = phi_16686_;
-let _e7566 = global_1.member.member_5.member_4;
+let _e7566 = global_1.member.member_7.member_4;
 let _e7569 = (_e3573.member_3.x * _e4164.member_2);
 let _e7571 = (_e3573.member_3.y * _e4164.member_2);
 let _e7573 = (_e3573.member_3.z * _e4164.member_2);

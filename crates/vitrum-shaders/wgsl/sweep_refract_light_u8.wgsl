@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -301,8 +303,8 @@ let _e279 = ((8u * _e188) + _e190);
 let _e280 = bitcast<i32>(_e279);
 let _e282 = select(_e193, _e280, (_e280 < _e193));
 let _e288 = global_4.member[bitcast<u32>(select(0i, _e282, (_e282 > 0i)))];
-let _e293 = global_1.member.member_8.member;
-let _e297 = global_1.member.member_8.member_1;
+let _e293 = global_1.member.member_10.member;
+let _e297 = global_1.member.member_10.member_1;
 let _e298 = (_e293 * _e297);
 if (_e167 >= (_e298 * 4u)) {
 let _e302 = bitcast<i32>((_e185 * _e293));
@@ -311,45 +313,45 @@ let _e309 = global_6.member[bitcast<u32>((_e302 + _e304))];
 let _e315 = global_6.member[bitcast<u32>(((bitcast<i32>(_e298) + _e302) + _e304))];
 let _e316 = f32(_e304);
 let _e318 = f32(bitcast<i32>(_e185));
-let _e324 = global_1.member.member_5.member;
-let _e328 = global_1.member.member_8.member_8;
+let _e324 = global_1.member.member_7.member;
+let _e328 = global_1.member.member_10.member_8;
 let _e329 = (_e324 - _e328);
-let _e333 = global_1.member.member_8.member_2;
-let _e337 = global_1.member.member_8.member_6;
-let _e344 = global_1.member.member_8.member_4;
+let _e333 = global_1.member.member_10.member_2;
+let _e337 = global_1.member.member_10.member_6;
+let _e344 = global_1.member.member_10.member_4;
 let _e346 = ((_e333 + (_e337 * _e329)) + (((_e316 - _e309) + 0.5f) * _e344));
-let _e350 = global_1.member.member_8.member_3;
-let _e354 = global_1.member.member_8.member_7;
+let _e350 = global_1.member.member_10.member_3;
+let _e354 = global_1.member.member_10.member_7;
 let _e359 = ((_e350 + (_e354 * _e329)) + (((_e318 - _e315) + 0.5f) * _e344));
-let _e363 = global_1.member.member_5.member_1;
+let _e363 = global_1.member.member_7.member_1;
 let _e364 = (_e363 - _e328);
 let _e369 = ((_e333 + (_e337 * _e364)) + ((_e316 + 0.5f) * _e344));
 let _e374 = ((_e350 + (_e354 * _e364)) + ((_e318 + 0.5f) * _e344));
-let _e380 = global_1.member.member_6.member.member;
+let _e380 = global_1.member.member_8.member.member;
 let _e388 = (((_e380.member * _e380.member) + (_e380.member_1 * _e380.member_1)) + (_e380.member_2 * _e380.member_2));
 let _e391 = sqrt(select(0f, _e388, (_e388 > 0f)));
 let _e392 = ((1.5f * _e344) * _e391);
 let _e396 = (select(1f, _e392, (_e392 < 1f)) + (1f / 64f));
 let _e398 = select(_e396, 0.5f, (0.5f > _e396));
-let _e402 = global_1.member.member_5.member_2;
+let _e402 = global_1.member.member_7.member_2;
 let _e405 = (_e402 / select(1e-6f, _e255, (_e255 > 1e-6f)));
 let _e409 = (_e369 + (_e233 * _e405));
 let _e410 = (_e374 + (_e244 * _e405));
 let _e411 = (_e363 + (_e255 * _e405));
-let _e415 = global_1.member.member_6.member;
+let _e415 = global_1.member.member_8.member;
 let _e426 = ((((_e415.member.member * _e346) + (_e415.member.member_1 * _e359)) + (_e415.member.member_2 * _e324)) + _e415.member_1);
-let _e430 = global_1.member.member_6.member_1;
+let _e430 = global_1.member.member_8.member_1;
 let _e441 = ((((_e430.member.member * _e346) + (_e430.member.member_1 * _e359)) + (_e430.member.member_2 * _e324)) + _e430.member_1);
-let _e445 = global_1.member.member_6.member_2;
+let _e445 = global_1.member.member_8.member_2;
 let _e456 = ((((_e445.member.member * _e346) + (_e445.member.member_1 * _e359)) + (_e445.member.member_2 * _e324)) + _e445.member_1);
 let _e462 = ((((_e415.member.member * _e369) + (_e415.member.member_1 * _e374)) + (_e415.member.member_2 * _e363)) + _e415.member_1);
 let _e468 = ((((_e430.member.member * _e369) + (_e430.member.member_1 * _e374)) + (_e430.member.member_2 * _e363)) + _e430.member_1);
 let _e474 = ((((_e445.member.member * _e369) + (_e445.member.member_1 * _e374)) + (_e445.member.member_2 * _e363)) + _e445.member_1);
-let _e480 = global_1.member.member_6.member_3.member;
+let _e480 = global_1.member.member_8.member_3.member;
 let _e481 = (_e480 - 1f);
-let _e490 = global_1.member.member_6.member_3.member_1;
+let _e490 = global_1.member.member_8.member_3.member_1;
 let _e491 = (_e490 - 1f);
-let _e500 = global_1.member.member_6.member_3.member_2;
+let _e500 = global_1.member.member_8.member_3.member_2;
 let _e501 = (_e500 - 1f);
 let _e515 = (((((((_e426 >= 0f) && (_e426 <= _e481)) && (_e441 >= 0f)) && (_e441 <= _e491)) && (_e456 >= 0f)) && (_e456 <= _e501)) && ((((((_e462 >= 0f) && (_e462 <= _e481)) && (_e468 >= 0f)) && (_e468 <= _e491)) && (_e474 >= 0f)) && (_e474 <= _e501)));
 let _e524 = ((((_e175.member_2 == 1u) || (_e175.member_2 == 5u)) || (_e175.member_2 == 6u)) || ((_e175.member_2 == 2u) || (_e175.member_2 == 7u)));
@@ -365,15 +367,15 @@ let _e545 = ((_e543 & 16u) == 0u);
 if _e545 {
 phi_902_ = _e540;
 } else {
-let _e550 = global_1.member.member_14.member;
+let _e550 = global_1.member.member_16.member;
 let _e562 = -((_e398 / _e391));
-let _e567 = global_1.member.member_14.member_1;
-let _e573 = global_1.member.member_15.member;
-let _e589 = global_1.member.member_15.member_1;
-let _e596 = global_1.member.member_16.member;
-let _e612 = global_1.member.member_16.member_1;
-let _e619 = global_1.member.member_17.member;
-let _e635 = global_1.member.member_17.member_1;
+let _e567 = global_1.member.member_16.member_1;
+let _e573 = global_1.member.member_17.member;
+let _e589 = global_1.member.member_17.member_1;
+let _e596 = global_1.member.member_18.member;
+let _e612 = global_1.member.member_18.member_1;
+let _e619 = global_1.member.member_19.member;
+let _e635 = global_1.member.member_19.member_1;
 phi_902_ = (_e540 && (((((((((_e550.member.member * _e346) + (_e550.member.member_1 * _e359)) + (_e550.member.member_2 * _e324)) + _e550.member_1) <= _e562) || (_e567 == 0u)) && ((((((_e573.member.member * _e346) + (_e573.member.member_1 * _e359)) + (_e573.member.member_2 * _e324)) + _e573.member_1) <= _e562) || (_e589 == 0u))) && ((((((_e596.member.member * _e346) + (_e596.member.member_1 * _e359)) + (_e596.member.member_2 * _e324)) + _e596.member_1) <= _e562) || (_e612 == 0u))) && ((((((_e619.member.member * _e346) + (_e619.member.member_1 * _e359)) + (_e619.member.member_2 * _e324)) + _e619.member_1) <= _e562) || (_e635 == 0u))));
 }
 let _e641 = phi_902_;
@@ -387,15 +389,15 @@ let _e676 = ((((_e653 >= _e525) && (_e653 <= _e528)) && ((_e659 >= _e525) && (_e
 if _e545 {
 phi_1082_ = _e676;
 } else {
-let _e681 = global_1.member.member_14.member;
+let _e681 = global_1.member.member_16.member;
 let _e693 = -((_e398 / _e391));
-let _e698 = global_1.member.member_14.member_1;
-let _e704 = global_1.member.member_15.member;
-let _e720 = global_1.member.member_15.member_1;
-let _e727 = global_1.member.member_16.member;
-let _e743 = global_1.member.member_16.member_1;
-let _e750 = global_1.member.member_17.member;
-let _e766 = global_1.member.member_17.member_1;
+let _e698 = global_1.member.member_16.member_1;
+let _e704 = global_1.member.member_17.member;
+let _e720 = global_1.member.member_17.member_1;
+let _e727 = global_1.member.member_18.member;
+let _e743 = global_1.member.member_18.member_1;
+let _e750 = global_1.member.member_19.member;
+let _e766 = global_1.member.member_19.member_1;
 phi_1082_ = (_e676 && (((((((((_e681.member.member * _e645) + (_e681.member.member_1 * _e646)) + (_e681.member.member_2 * _e647)) + _e681.member_1) <= _e693) || (_e698 == 0u)) && ((((((_e704.member.member * _e645) + (_e704.member.member_1 * _e646)) + (_e704.member.member_2 * _e647)) + _e704.member_1) <= _e693) || (_e720 == 0u))) && ((((((_e727.member.member * _e645) + (_e727.member.member_1 * _e646)) + (_e727.member.member_2 * _e647)) + _e727.member_1) <= _e693) || (_e743 == 0u))) && ((((((_e750.member.member * _e645) + (_e750.member.member_1 * _e646)) + (_e750.member.member_2 * _e647)) + _e750.member_1) <= _e693) || (_e766 == 0u))));
 }
 let _e772 = phi_1082_;
@@ -414,19 +416,19 @@ let _e814 = global_1.member.member_1;
 if ((_e814 & 16u) == 0u) {
 phi_1269_ = _e811;
 } else {
-let _e821 = global_1.member.member_14.member;
+let _e821 = global_1.member.member_16.member;
 let _e833 = -((_e398 / _e391));
-let _e838 = global_1.member.member_14.member_1;
-let _e844 = global_1.member.member_15.member;
-let _e860 = global_1.member.member_15.member_1;
-let _e867 = global_1.member.member_16.member;
-let _e883 = global_1.member.member_16.member_1;
-let _e890 = global_1.member.member_17.member;
-let _e906 = global_1.member.member_17.member_1;
+let _e838 = global_1.member.member_16.member_1;
+let _e844 = global_1.member.member_17.member;
+let _e860 = global_1.member.member_17.member_1;
+let _e867 = global_1.member.member_18.member;
+let _e883 = global_1.member.member_18.member_1;
+let _e890 = global_1.member.member_19.member;
+let _e906 = global_1.member.member_19.member_1;
 phi_1269_ = (_e811 && (((((((((_e821.member.member * _e409) + (_e821.member.member_1 * _e410)) + (_e821.member.member_2 * _e411)) + _e821.member_1) <= _e833) || (_e838 == 0u)) && ((((((_e844.member.member * _e409) + (_e844.member.member_1 * _e410)) + (_e844.member.member_2 * _e411)) + _e844.member_1) <= _e833) || (_e860 == 0u))) && ((((((_e867.member.member * _e409) + (_e867.member.member_1 * _e410)) + (_e867.member.member_2 * _e411)) + _e867.member_1) <= _e833) || (_e883 == 0u))) && ((((((_e890.member.member * _e409) + (_e890.member.member_1 * _e410)) + (_e890.member.member_2 * _e411)) + _e890.member_1) <= _e833) || (_e906 == 0u))));
 }
 let _e912 = phi_1269_;
-let _e919 = global_1.member.member_6.member_4;
+let _e919 = global_1.member.member_8.member_4;
 let _e920 = (_e480 - 0.5f);
 let _e922 = select(-0.5f, _e462, (_e462 > -0.5f));
 let _e924 = select(_e920, _e922, (_e922 < _e920));
@@ -448,7 +450,7 @@ let _e969 = (_e924 + 0.5f);
 let _e971 = select(0f, _e969, (_e969 > 0f));
 let _e973 = select(_e481, _e971, (_e971 < _e481));
 let _e980 = select(0i, select(select(i32(_e973), i32(-2147483648), (_e973 < -2147483600f)), 2147483647i, (_e973 > 2147483500f)), (_e973 == _e973));
-let _e988 = global_1.member.member_6.member_12;
+let _e988 = global_1.member.member_8.member_12;
 let _e989 = (_e988 & 31u);
 let _e992 = (_e929 + 0.5f);
 let _e994 = select(0f, _e992, (_e992 > 0f));
@@ -458,9 +460,9 @@ let _e1010 = (_e934 + 0.5f);
 let _e1012 = select(0f, _e1010, (_e1010 > 0f));
 let _e1014 = select(_e501, _e1012, (_e1012 < _e501));
 let _e1021 = select(0i, select(select(i32(_e1014), i32(-2147483648), (_e1014 < -2147483600f)), 2147483647i, (_e1014 > 2147483500f)), (_e1014 == _e1014));
-let _e1032 = global_1.member.member_6.member_9.member;
-let _e1038 = global_1.member.member_6.member_9.member_1;
-let _e1043 = global_1.member.member_6.member_10;
+let _e1032 = global_1.member.member_8.member_9.member;
+let _e1038 = global_1.member.member_8.member_9.member_1;
+let _e1043 = global_1.member.member_8.member_10;
 let _e1049 = ((bitcast<i32>(_e1043) + ((_e980 - select(0i, 1i, (_e973 < f32(_e980)))) >> bitcast<u32>(_e989))) + (bitcast<i32>(_e1032) * (((_e1003 - select(0i, 1i, (_e996 < f32(_e1003)))) >> bitcast<u32>(_e989)) + (bitcast<i32>(_e1038) * ((_e1021 - select(0i, 1i, (_e1014 < f32(_e1021)))) >> bitcast<u32>(_e989))))));
 let _e1051 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1053 = select(_e1051, _e1049, (_e1049 < _e1051));
@@ -480,25 +482,25 @@ let _e1091 = select(_e1080, _e1089, (_e1089 < _e1080));
 let _e1097 = global_6.member[bitcast<u32>(select(0i, _e1091, (_e1091 > 0i)))];
 let _e1099 = f32(bitcast<i32>(_e183));
 let _e1101 = f32(bitcast<i32>(_e185));
-let _e1107 = global_1.member.member_5.member;
-let _e1111 = global_1.member.member_8.member_8;
+let _e1107 = global_1.member.member_7.member;
+let _e1111 = global_1.member.member_10.member_8;
 let _e1112 = (_e1107 - _e1111);
-let _e1116 = global_1.member.member_8.member_2;
-let _e1120 = global_1.member.member_8.member_6;
-let _e1127 = global_1.member.member_8.member_4;
+let _e1116 = global_1.member.member_10.member_2;
+let _e1120 = global_1.member.member_10.member_6;
+let _e1127 = global_1.member.member_10.member_4;
 let _e1129 = ((_e1116 + (_e1120 * _e1112)) + (((_e1099 - _e1088) + 0.5f) * _e1127));
-let _e1133 = global_1.member.member_8.member_3;
-let _e1137 = global_1.member.member_8.member_7;
+let _e1133 = global_1.member.member_10.member_3;
+let _e1137 = global_1.member.member_10.member_7;
 let _e1142 = ((_e1133 + (_e1137 * _e1112)) + (((_e1101 - _e1097) + 0.5f) * _e1127));
-let _e1146 = global_1.member.member_5.member_1;
+let _e1146 = global_1.member.member_7.member_1;
 let _e1147 = (_e1146 - _e1111);
 let _e1152 = ((_e1116 + (_e1120 * _e1147)) + ((_e1099 + 0.5f) * _e1127));
 let _e1157 = ((_e1133 + (_e1137 * _e1147)) + ((_e1101 + 0.5f) * _e1127));
-let _e1161 = global_1.member.member_6.member;
+let _e1161 = global_1.member.member_8.member;
 let _e1172 = ((((_e1161.member.member * _e1129) + (_e1161.member.member_1 * _e1142)) + (_e1161.member.member_2 * _e1107)) + _e1161.member_1);
-let _e1176 = global_1.member.member_6.member_1;
+let _e1176 = global_1.member.member_8.member_1;
 let _e1187 = ((((_e1176.member.member * _e1129) + (_e1176.member.member_1 * _e1142)) + (_e1176.member.member_2 * _e1107)) + _e1176.member_1);
-let _e1191 = global_1.member.member_6.member_2;
+let _e1191 = global_1.member.member_8.member_2;
 let _e1202 = ((((_e1191.member.member * _e1129) + (_e1191.member.member_1 * _e1142)) + (_e1191.member.member_2 * _e1107)) + _e1191.member_1);
 let _e1208 = ((((_e1161.member.member * _e1152) + (_e1161.member.member_1 * _e1157)) + (_e1161.member.member_2 * _e1146)) + _e1161.member_1);
 let _e1214 = ((((_e1176.member.member * _e1152) + (_e1176.member.member_1 * _e1157)) + (_e1176.member.member_2 * _e1146)) + _e1176.member_1);
@@ -507,15 +509,15 @@ let _e1222 = (_e175.member_2 == 5u);
 let _e1228 = ((_e175.member_2 == 2u) || (_e175.member_2 == 7u));
 let _e1229 = ((((_e175.member_2 == 1u) || _e1222) || (_e175.member_2 == 6u)) || _e1228);
 if _e1229 {
-let _e1234 = global_1.member.member_6.member_3.member;
+let _e1234 = global_1.member.member_8.member_3.member;
 let _e1235 = (_e1234 - 0.5f);
 let _e1237 = select(-0.5f, _e1208, (_e1208 > -0.5f));
 let _e1239 = select(_e1235, _e1237, (_e1237 < _e1235));
-let _e1244 = global_1.member.member_6.member_3.member_1;
+let _e1244 = global_1.member.member_8.member_3.member_1;
 let _e1245 = (_e1244 - 0.5f);
 let _e1247 = select(-0.5f, _e1214, (_e1214 > -0.5f));
 let _e1249 = select(_e1245, _e1247, (_e1247 < _e1245));
-let _e1254 = global_1.member.member_6.member_3.member_2;
+let _e1254 = global_1.member.member_8.member_3.member_2;
 let _e1255 = (_e1254 - 0.5f);
 let _e1257 = select(-0.5f, _e1220, (_e1220 > -0.5f));
 let _e1259 = select(_e1255, _e1257, (_e1257 < _e1255));
@@ -531,8 +533,8 @@ let _e1291 = select(-1f, _e1259, (_e1259 > -1f));
 let _e1293 = select(_e1254, _e1291, (_e1291 < _e1254));
 let _e1300 = select(0i, select(select(i32(_e1293), i32(-2147483648), (_e1293 < -2147483600f)), 2147483647i, (_e1293 > 2147483500f)), (_e1293 == _e1293));
 let _e1304 = (_e1300 - select(0i, 1i, (_e1293 < f32(_e1300))));
-let _e1308 = global_1.member.member_6.member_7;
-let _e1312 = global_1.member.member_6.member_8;
+let _e1308 = global_1.member.member_8.member_7;
+let _e1312 = global_1.member.member_8.member_8;
 let _e1320 = (select(0i, select(select(i32(_e1244), i32(-2147483648), (_e1244 < -2147483600f)), 2147483647i, (_e1244 > 2147483500f)), (_e1244 == _e1244)) - 1i);
 let _e1321 = (_e1289 - 1i);
 let _e1326 = (_e1289 + 1i);
@@ -791,8 +793,8 @@ let _e2180 = local_27[2u];
 let _e2184 = local_27[1u];
 let _e2188 = local_27[2u];
 let _e2192 = local_27[2u];
-let _e2199 = global_1.member.member_6.member_6;
-let _e2203 = global_1.member.member_6.member_5;
+let _e2199 = global_1.member.member_8.member_6;
+let _e2203 = global_1.member.member_8.member_5;
 let _e2205 = (((_e2122 + ((_e2126 - _e2122) * _e2192)) - _e2199) * _e2203);
 let _e2206 = -(1e9f);
 let _e2208 = select(_e2206, _e2205, (_e2205 > _e2206));
@@ -1058,26 +1060,26 @@ let _e2956 = select(0f, 1f, ((((((_e1208 >= -0.5f) && (_e1208 <= _e1235)) && (_e
 let _e2958 = (0.5f * (_e2222 - _e2216));
 let _e2960 = (0.5f * (_e2234 - _e2228));
 let _e2962 = (0.5f * (_e2246 - _e2240));
-let _e2968 = global_1.member.member_6.member.member.member;
-let _e2974 = global_1.member.member_6.member.member.member_1;
-let _e2980 = global_1.member.member_6.member.member.member_2;
-let _e2986 = global_1.member.member_6.member_1.member.member;
-let _e2992 = global_1.member.member_6.member_1.member.member_1;
-let _e2998 = global_1.member.member_6.member_1.member.member_2;
-let _e3004 = global_1.member.member_6.member_2.member.member;
-let _e3010 = global_1.member.member_6.member_2.member.member_1;
-let _e3016 = global_1.member.member_6.member_2.member.member_2;
+let _e2968 = global_1.member.member_8.member.member.member;
+let _e2974 = global_1.member.member_8.member.member.member_1;
+let _e2980 = global_1.member.member_8.member.member.member_2;
+let _e2986 = global_1.member.member_8.member_1.member.member;
+let _e2992 = global_1.member.member_8.member_1.member.member_1;
+let _e2998 = global_1.member.member_8.member_1.member.member_2;
+let _e3004 = global_1.member.member_8.member_2.member.member;
+let _e3010 = global_1.member.member_8.member_2.member.member_1;
+let _e3016 = global_1.member.member_8.member_2.member.member_2;
 phi_8030_ = type_33(_e2210, vec3<f32>(((((_e2968 * _e2958) + (_e2986 * _e2960)) + (_e3004 * _e2962)) * _e2956), ((((_e2974 * _e2958) + (_e2992 * _e2960)) + (_e3010 * _e2962)) * _e2956), ((((_e2980 * _e2958) + (_e2998 * _e2960)) + (_e3016 * _e2962)) * _e2956)), _e2941.member, vec3<f32>(((((_e2968 * _e2941.member_2.x) + (_e2986 * _e2941.member_2.y)) + (_e3004 * _e2941.member_2.z)) * _e2956), ((((_e2974 * _e2941.member_2.x) + (_e2992 * _e2941.member_2.y)) + (_e3010 * _e2941.member_2.z)) * _e2956), ((((_e2980 * _e2941.member_2.x) + (_e2998 * _e2941.member_2.y)) + (_e3016 * _e2941.member_2.z)) * _e2956)), vec3<f32>(((((_e2968 * _e2941.member_1.x) + (_e2986 * _e2941.member_1.y)) + (_e3004 * _e2941.member_1.z)) * _e2956), ((((_e2974 * _e2941.member_1.x) + (_e2992 * _e2941.member_1.y)) + (_e3010 * _e2941.member_1.z)) * _e2956), ((((_e2980 * _e2941.member_1.x) + (_e2998 * _e2941.member_1.y)) + (_e3016 * _e2941.member_1.z)) * _e2956)));
 } else {
-let _e3085 = global_1.member.member_6.member_3.member;
+let _e3085 = global_1.member.member_8.member_3.member;
 let _e3086 = (_e3085 - 0.5f);
 let _e3088 = select(-0.5f, _e1208, (_e1208 > -0.5f));
 let _e3090 = select(_e3086, _e3088, (_e3088 < _e3086));
-let _e3095 = global_1.member.member_6.member_3.member_1;
+let _e3095 = global_1.member.member_8.member_3.member_1;
 let _e3096 = (_e3095 - 0.5f);
 let _e3098 = select(-0.5f, _e1214, (_e1214 > -0.5f));
 let _e3100 = select(_e3096, _e3098, (_e3098 < _e3096));
-let _e3105 = global_1.member.member_6.member_3.member_2;
+let _e3105 = global_1.member.member_8.member_3.member_2;
 let _e3106 = (_e3105 - 0.5f);
 let _e3108 = select(-0.5f, _e1220, (_e1220 > -0.5f));
 let _e3110 = select(_e3106, _e3108, (_e3108 < _e3106));
@@ -1093,8 +1095,8 @@ let _e3142 = select(-1f, _e3110, (_e3110 > -1f));
 let _e3144 = select(_e3105, _e3142, (_e3142 < _e3105));
 let _e3151 = select(0i, select(select(i32(_e3144), i32(-2147483648), (_e3144 < -2147483600f)), 2147483647i, (_e3144 > 2147483500f)), (_e3144 == _e3144));
 let _e3155 = (_e3151 - select(0i, 1i, (_e3144 < f32(_e3151))));
-let _e3159 = global_1.member.member_6.member_7;
-let _e3163 = global_1.member.member_6.member_8;
+let _e3159 = global_1.member.member_8.member_7;
+let _e3163 = global_1.member.member_8.member_8;
 let _e3171 = (select(0i, select(select(i32(_e3095), i32(-2147483648), (_e3095 < -2147483600f)), 2147483647i, (_e3095 > 2147483500f)), (_e3095 == _e3095)) - 1i);
 let _e3174 = (_e3140 + 1i);
 let _e3184 = (select(0i, select(select(i32(_e3105), i32(-2147483648), (_e3105 < -2147483600f)), 2147483647i, (_e3105 > 2147483500f)), (_e3105 == _e3105)) - 1i);
@@ -1177,23 +1179,23 @@ let _e3447 = local_10.member_1[2u];
 let _e3454 = local_11[0u];
 let _e3458 = local_11[1u];
 let _e3463 = local_11[2u];
-let _e3470 = global_1.member.member_6.member_6;
-let _e3474 = global_1.member.member_6.member_5;
+let _e3470 = global_1.member.member_8.member_6;
+let _e3474 = global_1.member.member_8.member_5;
 let _e3476 = (((_e3355 + (((_e3406 + (((_e3446 + ((f32(bitcast<i32>(((_e3439 >> bitcast<u32>((_e3447 & 31u))) & 255u))) - _e3446) * _e3454)) - _e3406) * _e3458)) - _e3355) * _e3463)) - _e3470) * _e3474);
 let _e3477 = -(1e9f);
 let _e3479 = select(_e3477, _e3476, (_e3476 > _e3477));
 phi_8030_ = type_33(select(1e9f, _e3479, (_e3479 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e3484 = phi_8030_;
-let _e3489 = global_1.member.member_6.member_3.member;
+let _e3489 = global_1.member.member_8.member_3.member;
 let _e3490 = (_e3489 - 0.5f);
 let _e3492 = select(-0.5f, _e1172, (_e1172 > -0.5f));
 let _e3494 = select(_e3490, _e3492, (_e3492 < _e3490));
-let _e3499 = global_1.member.member_6.member_3.member_1;
+let _e3499 = global_1.member.member_8.member_3.member_1;
 let _e3500 = (_e3499 - 0.5f);
 let _e3502 = select(-0.5f, _e1187, (_e1187 > -0.5f));
 let _e3504 = select(_e3500, _e3502, (_e3502 < _e3500));
-let _e3509 = global_1.member.member_6.member_3.member_2;
+let _e3509 = global_1.member.member_8.member_3.member_2;
 let _e3510 = (_e3509 - 0.5f);
 let _e3512 = select(-0.5f, _e1202, (_e1202 > -0.5f));
 let _e3514 = select(_e3510, _e3512, (_e3512 < _e3510));
@@ -1209,8 +1211,8 @@ let _e3546 = select(-1f, _e3514, (_e3514 > -1f));
 let _e3548 = select(_e3509, _e3546, (_e3546 < _e3509));
 let _e3555 = select(0i, select(select(i32(_e3548), i32(-2147483648), (_e3548 < -2147483600f)), 2147483647i, (_e3548 > 2147483500f)), (_e3548 == _e3548));
 let _e3559 = (_e3555 - select(0i, 1i, (_e3548 < f32(_e3555))));
-let _e3563 = global_1.member.member_6.member_7;
-let _e3567 = global_1.member.member_6.member_8;
+let _e3563 = global_1.member.member_8.member_7;
+let _e3567 = global_1.member.member_8.member_8;
 let _e3575 = (select(0i, select(select(i32(_e3499), i32(-2147483648), (_e3499 < -2147483600f)), 2147483647i, (_e3499 > 2147483500f)), (_e3499 == _e3499)) - 1i);
 let _e3578 = (_e3544 + 1i);
 let _e3588 = (select(0i, select(select(i32(_e3509), i32(-2147483648), (_e3509 < -2147483600f)), 2147483647i, (_e3509 > 2147483500f)), (_e3509 == _e3509)) - 1i);
@@ -1293,8 +1295,8 @@ let _e3851 = local_8.member_1[2u];
 let _e3858 = local_9[0u];
 let _e3862 = local_9[1u];
 let _e3867 = local_9[2u];
-let _e3874 = global_1.member.member_6.member_6;
-let _e3878 = global_1.member.member_6.member_5;
+let _e3874 = global_1.member.member_8.member_6;
+let _e3878 = global_1.member.member_8.member_5;
 let _e3880 = (((_e3759 + (((_e3810 + (((_e3850 + ((f32(bitcast<i32>(((_e3843 >> bitcast<u32>((_e3851 & 31u))) & 255u))) - _e3850) * _e3858)) - _e3810) * _e3862)) - _e3759) * _e3867)) - _e3874) * _e3878);
 let _e3881 = -(1e9f);
 let _e3883 = select(_e3881, _e3880, (_e3880 > _e3881));
@@ -1304,7 +1306,7 @@ let _e3890 = ((_e3888 & 16u) == 0u);
 if _e3890 {
 phi_8980_ = type_7(1f, 1f, 1f);
 } else {
-let _e3894 = global_1.member.member_14.member;
+let _e3894 = global_1.member.member_16.member;
 let _e3905 = ((((_e3894.member.member * _e1129) + (_e3894.member.member_1 * _e1142)) + (_e3894.member.member_2 * _e1107)) + _e3894.member_1);
 let _e3911 = ((((_e3894.member.member * _e1152) + (_e3894.member.member_1 * _e1157)) + (_e3894.member.member_2 * _e1146)) + _e3894.member_1);
 let _e3913 = select(_e3911, _e3905, (_e3905 < _e3911));
@@ -1313,9 +1315,9 @@ let _e3917 = (_e3915 - _e3913);
 let _e3920 = (-(_e3913) / select(1e-30f, _e3917, (_e3917 > 1e-30f)));
 let _e3922 = select(0f, _e3920, (_e3920 > 0f));
 let _e3928 = select(select(select(1f, _e3922, (_e3922 < 1f)), 1f, (_e3915 <= 0f)), 0f, (_e3913 > 0f));
-let _e3933 = global_1.member.member_14.member_1;
+let _e3933 = global_1.member.member_16.member_1;
 let _e3934 = (_e3933 != 0u);
-let _e3944 = global_1.member.member_15.member;
+let _e3944 = global_1.member.member_17.member;
 let _e3955 = ((((_e3944.member.member * _e1129) + (_e3944.member.member_1 * _e1142)) + (_e3944.member.member_2 * _e1107)) + _e3944.member_1);
 let _e3961 = ((((_e3944.member.member * _e1152) + (_e3944.member.member_1 * _e1157)) + (_e3944.member.member_2 * _e1146)) + _e3944.member_1);
 let _e3963 = select(_e3961, _e3955, (_e3955 < _e3961));
@@ -1324,9 +1326,9 @@ let _e3967 = (_e3965 - _e3963);
 let _e3970 = (-(_e3963) / select(1e-30f, _e3967, (_e3967 > 1e-30f)));
 let _e3972 = select(0f, _e3970, (_e3970 > 0f));
 let _e3978 = select(select(select(1f, _e3972, (_e3972 < 1f)), 1f, (_e3965 <= 0f)), 0f, (_e3963 > 0f));
-let _e3983 = global_1.member.member_15.member_1;
+let _e3983 = global_1.member.member_17.member_1;
 let _e3984 = (_e3983 != 0u);
-let _e3994 = global_1.member.member_16.member;
+let _e3994 = global_1.member.member_18.member;
 let _e4005 = ((((_e3994.member.member * _e1129) + (_e3994.member.member_1 * _e1142)) + (_e3994.member.member_2 * _e1107)) + _e3994.member_1);
 let _e4011 = ((((_e3994.member.member * _e1152) + (_e3994.member.member_1 * _e1157)) + (_e3994.member.member_2 * _e1146)) + _e3994.member_1);
 let _e4013 = select(_e4011, _e4005, (_e4005 < _e4011));
@@ -1335,9 +1337,9 @@ let _e4017 = (_e4015 - _e4013);
 let _e4020 = (-(_e4013) / select(1e-30f, _e4017, (_e4017 > 1e-30f)));
 let _e4022 = select(0f, _e4020, (_e4020 > 0f));
 let _e4028 = select(select(select(1f, _e4022, (_e4022 < 1f)), 1f, (_e4015 <= 0f)), 0f, (_e4013 > 0f));
-let _e4033 = global_1.member.member_16.member_1;
+let _e4033 = global_1.member.member_18.member_1;
 let _e4034 = (_e4033 != 0u);
-let _e4044 = global_1.member.member_17.member;
+let _e4044 = global_1.member.member_19.member;
 let _e4055 = ((((_e4044.member.member * _e1129) + (_e4044.member.member_1 * _e1142)) + (_e4044.member.member_2 * _e1107)) + _e4044.member_1);
 let _e4061 = ((((_e4044.member.member * _e1152) + (_e4044.member.member_1 * _e1157)) + (_e4044.member.member_2 * _e1146)) + _e4044.member_1);
 let _e4063 = select(_e4061, _e4055, (_e4055 < _e4061));
@@ -1346,7 +1348,7 @@ let _e4067 = (_e4065 - _e4063);
 let _e4070 = (-(_e4063) / select(1e-30f, _e4067, (_e4067 > 1e-30f)));
 let _e4072 = select(0f, _e4070, (_e4070 > 0f));
 let _e4078 = select(select(select(1f, _e4072, (_e4072 < 1f)), 1f, (_e4065 <= 0f)), 0f, (_e4063 > 0f));
-let _e4083 = global_1.member.member_17.member_1;
+let _e4083 = global_1.member.member_19.member_1;
 let _e4084 = (_e4083 != 0u);
 phi_8980_ = type_7(((((1f * _e3928) * _e3978) * _e4028) * _e4078), ((((1f * select(1f, _e3928, _e3934)) * select(1f, _e3978, _e3984)) * select(1f, _e4028, _e4034)) * select(1f, _e4078, _e4084)), ((((1f * select(1f, 0f, (_e3934 && (_e3911 > 0f)))) * select(1f, 0f, (_e3984 && (_e3961 > 0f)))) * select(1f, 0f, (_e4034 && (_e4011 > 0f)))) * select(1f, 0f, (_e4084 && (_e4061 > 0f)))));
 }
@@ -1394,7 +1396,7 @@ let _e4192 = (_e1152 - _e1129);
 let _e4193 = (_e1157 - _e1142);
 let _e4194 = (_e1146 - _e1107);
 let _e4199 = (((_e4192 * _e4192) + (_e4193 * _e4193)) + (_e4194 * _e4194));
-let _e4207 = global_1.member.member_5.member_3;
+let _e4207 = global_1.member.member_7.member_3;
 let _e4208 = ((sqrt(select(0f, _e4199, (_e4199 > 0f))) * select(0f, _e4189, (_e4189 > 0f))) * _e4207);
 if (((_e175.member_2 == 3u) || (_e175.member_2 == 4u)) || _e1222) {
 local_7 = _e3885;
@@ -1815,9 +1817,9 @@ phi_12708_ = type_35(_e5660, _e5661, vec3<f32>(((1f + (_e5495 * (1f + (_e5495 * 
 }
 let _e5669 = phi_12708_;
 if _e1229 {
-let _e5674 = global_1.member.member_6.member.member;
-let _e5682 = global_1.member.member_6.member_1.member;
-let _e5690 = global_1.member.member_6.member_2.member;
+let _e5674 = global_1.member.member_8.member.member;
+let _e5682 = global_1.member.member_8.member_1.member;
+let _e5690 = global_1.member.member_8.member_2.member;
 let _e5694 = (-0.5f - _e1208);
 let _e5695 = -(_e4101);
 let _e5698 = (_e4101 - _e5694);
@@ -1943,12 +1945,12 @@ phi_14027_ = type_34(_e5917, vec3<f32>(_e5918, _e5919, _e5920), _e5922, vec3<f32
 } else {
 let _e5939 = (((_e5674.member * _e5674.member) + (_e5674.member_1 * _e5674.member_1)) + (_e5674.member_2 * _e5674.member_2));
 let _e5942 = sqrt(select(0f, _e5939, (_e5939 > 0f)));
-let _e5946 = global_1.member.member_14.member_1;
+let _e5946 = global_1.member.member_16.member_1;
 let _e5947 = (_e5946 != 0u);
-let _e5951 = global_1.member.member_14.member;
+let _e5951 = global_1.member.member_16.member;
 let _e5971 = select(-1e6f, (((((_e5951.member.member * _e1129) + (_e5951.member.member_1 * _e1142)) + (_e5951.member.member_2 * _e1107)) + _e5951.member_1) * _e5942), _e5947);
 let _e5972 = select(-1e6f, (((((_e5951.member.member * _e1152) + (_e5951.member.member_1 * _e1157)) + (_e5951.member.member_2 * _e1146)) + _e5951.member_1) * _e5942), _e5947);
-let _e5977 = global_1.member.member_14.member.member;
+let _e5977 = global_1.member.member_16.member.member;
 let _e5981 = -(_e5971);
 let _e5984 = (_e5971 - _e5972);
 let _e5985 = (_e5972 - _e5971);
@@ -1963,12 +1965,12 @@ let _e6005 = select(_e5917, _e5994, _e6003);
 let _e6009 = select(_e5922, _e5998, _e6004);
 let _e6013 = select(_e5927, _e5971, _e5999);
 let _e6015 = select(_e5929, _e5972, (_e5972 > _e5929));
-let _e6022 = global_1.member.member_15.member_1;
+let _e6022 = global_1.member.member_17.member_1;
 let _e6023 = (_e6022 != 0u);
-let _e6027 = global_1.member.member_15.member;
+let _e6027 = global_1.member.member_17.member;
 let _e6047 = select(-1e6f, (((((_e6027.member.member * _e1129) + (_e6027.member.member_1 * _e1142)) + (_e6027.member.member_2 * _e1107)) + _e6027.member_1) * _e5942), _e6023);
 let _e6048 = select(-1e6f, (((((_e6027.member.member * _e1152) + (_e6027.member.member_1 * _e1157)) + (_e6027.member.member_2 * _e1146)) + _e6027.member_1) * _e5942), _e6023);
-let _e6053 = global_1.member.member_15.member.member;
+let _e6053 = global_1.member.member_17.member.member;
 let _e6057 = -(_e6047);
 let _e6060 = (_e6047 - _e6048);
 let _e6061 = (_e6048 - _e6047);
@@ -1983,12 +1985,12 @@ let _e6081 = select(_e6005, _e6070, _e6079);
 let _e6085 = select(_e6009, _e6074, _e6080);
 let _e6089 = select(_e6013, _e6047, _e6075);
 let _e6091 = select(_e6015, _e6048, (_e6048 > _e6015));
-let _e6098 = global_1.member.member_16.member_1;
+let _e6098 = global_1.member.member_18.member_1;
 let _e6099 = (_e6098 != 0u);
-let _e6103 = global_1.member.member_16.member;
+let _e6103 = global_1.member.member_18.member;
 let _e6123 = select(-1e6f, (((((_e6103.member.member * _e1129) + (_e6103.member.member_1 * _e1142)) + (_e6103.member.member_2 * _e1107)) + _e6103.member_1) * _e5942), _e6099);
 let _e6124 = select(-1e6f, (((((_e6103.member.member * _e1152) + (_e6103.member.member_1 * _e1157)) + (_e6103.member.member_2 * _e1146)) + _e6103.member_1) * _e5942), _e6099);
-let _e6129 = global_1.member.member_16.member.member;
+let _e6129 = global_1.member.member_18.member.member;
 let _e6133 = -(_e6123);
 let _e6136 = (_e6123 - _e6124);
 let _e6137 = (_e6124 - _e6123);
@@ -2003,12 +2005,12 @@ let _e6157 = select(_e6081, _e6146, _e6155);
 let _e6161 = select(_e6085, _e6150, _e6156);
 let _e6165 = select(_e6089, _e6123, _e6151);
 let _e6167 = select(_e6091, _e6124, (_e6124 > _e6091));
-let _e6174 = global_1.member.member_17.member_1;
+let _e6174 = global_1.member.member_19.member_1;
 let _e6175 = (_e6174 != 0u);
-let _e6179 = global_1.member.member_17.member;
+let _e6179 = global_1.member.member_19.member;
 let _e6199 = select(-1e6f, (((((_e6179.member.member * _e1129) + (_e6179.member.member_1 * _e1142)) + (_e6179.member.member_2 * _e1107)) + _e6179.member_1) * _e5942), _e6175);
 let _e6200 = select(-1e6f, (((((_e6179.member.member * _e1152) + (_e6179.member.member_1 * _e1157)) + (_e6179.member.member_2 * _e1146)) + _e6179.member_1) * _e5942), _e6175);
-let _e6205 = global_1.member.member_17.member.member;
+let _e6205 = global_1.member.member_19.member.member;
 let _e6209 = -(_e6199);
 let _e6212 = (_e6199 - _e6200);
 let _e6213 = (_e6200 - _e6199);
@@ -2225,7 +2227,7 @@ let _e6925 = ((_e6257 || (bitcast<f32>((bitcast<u32>(_e6252.member_4) & 21474836
 let _e6926 = select(_e233, select(select(select((_e233 + (_e6863 * _e6889)), _e233, _e6890), _e233, _e6901), (_e233 * _e6913), _e6907), _e6925);
 let _e6927 = select(_e244, select(select(select((_e244 + (_e6864 * _e6889)), _e244, _e6890), _e244, _e6901), (_e244 * _e6913), _e6907), _e6925);
 let _e6928 = select(_e255, select(select(select((_e255 + (_e6865 * _e6889)), _e255, _e6890), _e255, _e6901), (_e255 * _e6913), _e6907), _e6925);
-let _e6940 = global_1.member.member_5.member_2;
+let _e6940 = global_1.member.member_7.member_2;
 let _e6943 = (_e6940 / select(1e-6f, _e6928, (_e6928 > 1e-6f)));
 let _e6947 = (_e1152 + (_e6926 * _e6943));
 let _e6948 = (_e1157 + (_e6927 * _e6943));
@@ -2323,12 +2325,12 @@ let _e7179 = select(select(select(select(select(select(1f, _e5674.member_2, _e57
 if _e3890 {
 phi_16773_ = type_34(_e7165, vec3<f32>(_e7166, _e7167, _e7168), _e7170, vec3<f32>(_e7171, _e7172, _e7173), _e5929, _e7176, vec3<f32>(_e7177, _e7178, _e7179));
 } else {
-let _e7185 = global_1.member.member_14.member_1;
+let _e7185 = global_1.member.member_16.member_1;
 let _e7186 = (_e7185 != 0u);
-let _e7190 = global_1.member.member_14.member;
+let _e7190 = global_1.member.member_16.member;
 let _e7210 = select(-1e6f, (((((_e7190.member.member * _e1152) + (_e7190.member.member_1 * _e1157)) + (_e7190.member.member_2 * _e1146)) + _e7190.member_1) * _e6277), _e7186);
 let _e7211 = select(-1e6f, (((((_e7190.member.member * _e6947) + (_e7190.member.member_1 * _e6948)) + (_e7190.member.member_2 * _e6949)) + _e7190.member_1) * _e6277), _e7186);
-let _e7216 = global_1.member.member_14.member.member;
+let _e7216 = global_1.member.member_16.member.member;
 let _e7220 = -(_e7210);
 let _e7223 = (_e7210 - _e7211);
 let _e7224 = (_e7211 - _e7210);
@@ -2343,12 +2345,12 @@ let _e7244 = select(_e7165, _e7233, _e7242);
 let _e7248 = select(_e7170, _e7237, _e7243);
 let _e7252 = select(_e5929, _e7210, _e7238);
 let _e7254 = select(_e7176, _e7211, (_e7211 > _e7176));
-let _e7261 = global_1.member.member_15.member_1;
+let _e7261 = global_1.member.member_17.member_1;
 let _e7262 = (_e7261 != 0u);
-let _e7266 = global_1.member.member_15.member;
+let _e7266 = global_1.member.member_17.member;
 let _e7286 = select(-1e6f, (((((_e7266.member.member * _e1152) + (_e7266.member.member_1 * _e1157)) + (_e7266.member.member_2 * _e1146)) + _e7266.member_1) * _e6277), _e7262);
 let _e7287 = select(-1e6f, (((((_e7266.member.member * _e6947) + (_e7266.member.member_1 * _e6948)) + (_e7266.member.member_2 * _e6949)) + _e7266.member_1) * _e6277), _e7262);
-let _e7292 = global_1.member.member_15.member.member;
+let _e7292 = global_1.member.member_17.member.member;
 let _e7296 = -(_e7286);
 let _e7299 = (_e7286 - _e7287);
 let _e7300 = (_e7287 - _e7286);
@@ -2363,12 +2365,12 @@ let _e7320 = select(_e7244, _e7309, _e7318);
 let _e7324 = select(_e7248, _e7313, _e7319);
 let _e7328 = select(_e7252, _e7286, _e7314);
 let _e7330 = select(_e7254, _e7287, (_e7287 > _e7254));
-let _e7337 = global_1.member.member_16.member_1;
+let _e7337 = global_1.member.member_18.member_1;
 let _e7338 = (_e7337 != 0u);
-let _e7342 = global_1.member.member_16.member;
+let _e7342 = global_1.member.member_18.member;
 let _e7362 = select(-1e6f, (((((_e7342.member.member * _e1152) + (_e7342.member.member_1 * _e1157)) + (_e7342.member.member_2 * _e1146)) + _e7342.member_1) * _e6277), _e7338);
 let _e7363 = select(-1e6f, (((((_e7342.member.member * _e6947) + (_e7342.member.member_1 * _e6948)) + (_e7342.member.member_2 * _e6949)) + _e7342.member_1) * _e6277), _e7338);
-let _e7368 = global_1.member.member_16.member.member;
+let _e7368 = global_1.member.member_18.member.member;
 let _e7372 = -(_e7362);
 let _e7375 = (_e7362 - _e7363);
 let _e7376 = (_e7363 - _e7362);
@@ -2383,12 +2385,12 @@ let _e7396 = select(_e7320, _e7385, _e7394);
 let _e7400 = select(_e7324, _e7389, _e7395);
 let _e7404 = select(_e7328, _e7362, _e7390);
 let _e7406 = select(_e7330, _e7363, (_e7363 > _e7330));
-let _e7413 = global_1.member.member_17.member_1;
+let _e7413 = global_1.member.member_19.member_1;
 let _e7414 = (_e7413 != 0u);
-let _e7418 = global_1.member.member_17.member;
+let _e7418 = global_1.member.member_19.member;
 let _e7438 = select(-1e6f, (((((_e7418.member.member * _e1152) + (_e7418.member.member_1 * _e1157)) + (_e7418.member.member_2 * _e1146)) + _e7418.member_1) * _e6277), _e7414);
 let _e7439 = select(-1e6f, (((((_e7418.member.member * _e6947) + (_e7418.member.member_1 * _e6948)) + (_e7418.member.member_2 * _e6949)) + _e7418.member_1) * _e6277), _e7414);
-let _e7444 = global_1.member.member_17.member.member;
+let _e7444 = global_1.member.member_19.member.member;
 let _e7448 = -(_e7438);
 let _e7451 = (_e7438 - _e7439);
 let _e7452 = (_e7439 - _e7438);
@@ -2402,7 +2404,7 @@ let _e7471 = (_e7465 < _e7400);
 phi_16773_ = type_34(select(_e7396, _e7461, _e7470), vec3<f32>(select(select(select(select(_e7166, _e7216.member, _e7242), _e7292.member, _e7318), _e7368.member, _e7394), _e7444.member, _e7470), select(select(select(select(_e7167, _e7216.member_1, _e7242), _e7292.member_1, _e7318), _e7368.member_1, _e7394), _e7444.member_1, _e7470), select(select(select(select(_e7168, _e7216.member_2, _e7242), _e7292.member_2, _e7318), _e7368.member_2, _e7394), _e7444.member_2, _e7470)), select(_e7400, _e7465, _e7471), vec3<f32>(select(select(select(select(_e7171, _e7216.member, _e7243), _e7292.member, _e7319), _e7368.member, _e7395), _e7444.member, _e7471), select(select(select(select(_e7172, _e7216.member_1, _e7243), _e7292.member_1, _e7319), _e7368.member_1, _e7395), _e7444.member_1, _e7471), select(select(select(select(_e7173, _e7216.member_2, _e7243), _e7292.member_2, _e7319), _e7368.member_2, _e7395), _e7444.member_2, _e7471)), select(_e7404, _e7438, _e7466), select(_e7406, _e7439, (_e7439 > _e7406)), vec3<f32>(select(select(select(select(_e7177, _e7216.member, _e7238), _e7292.member, _e7314), _e7368.member, _e7390), _e7444.member, _e7466), select(select(select(select(_e7178, _e7216.member_1, _e7238), _e7292.member_1, _e7314), _e7368.member_1, _e7390), _e7444.member_1, _e7466), select(select(select(select(_e7179, _e7216.member_2, _e7238), _e7292.member_2, _e7314), _e7368.member_2, _e7390), _e7444.member_2, _e7466)));
 }
 let _e7491 = phi_16773_;
-let _e7500 = global_1.member.member_5.member_4;
+let _e7500 = global_1.member.member_7.member_4;
 let _e7503 = (_e3484.member_3.x * _e4093.member_2);
 let _e7505 = (_e3484.member_3.y * _e4093.member_2);
 let _e7507 = (_e3484.member_3.z * _e4093.member_2);

@@ -137,24 +137,26 @@ member: type_2,
 member_1: u32,
 member_2: type_3,
 member_3: type_4,
-member_4: u32,
-member_5: type_6,
-member_6: type_10,
-member_7: type_10,
-member_8: type_11,
-member_9: type_12,
-member_10: type_15,
-member_11: type_6,
-member_12: type_16,
-member_13: type_18,
-member_14: type_19,
-member_15: type_19,
+member_4: type_4,
+member_5: u32,
+member_6: u32,
+member_7: type_6,
+member_8: type_10,
+member_9: type_10,
+member_10: type_11,
+member_11: type_12,
+member_12: type_15,
+member_13: type_6,
+member_14: type_16,
+member_15: type_18,
 member_16: type_19,
 member_17: type_19,
-member_18: type_7,
-member_19: f32,
-member_20: f32,
-member_21: type_20,
+member_18: type_19,
+member_19: type_19,
+member_20: type_7,
+member_21: f32,
+member_22: f32,
+member_23: type_20,
 }
 struct type_22 {
 member: type_21,
@@ -301,8 +303,8 @@ let _e281 = ((8u * _e190) + _e192);
 let _e282 = bitcast<i32>(_e281);
 let _e284 = select(_e195, _e282, (_e282 < _e195));
 let _e290 = global_4.member[bitcast<u32>(select(0i, _e284, (_e284 > 0i)))];
-let _e295 = global_1.member.member_8.member;
-let _e299 = global_1.member.member_8.member_1;
+let _e295 = global_1.member.member_10.member;
+let _e299 = global_1.member.member_10.member_1;
 let _e300 = (_e295 * _e299);
 if (_e169 >= (_e300 * 4u)) {
 let _e304 = bitcast<i32>((_e187 * _e295));
@@ -311,45 +313,45 @@ let _e311 = global_6.member[bitcast<u32>((_e304 + _e306))];
 let _e317 = global_6.member[bitcast<u32>(((bitcast<i32>(_e300) + _e304) + _e306))];
 let _e318 = f32(_e306);
 let _e320 = f32(bitcast<i32>(_e187));
-let _e326 = global_1.member.member_5.member;
-let _e330 = global_1.member.member_8.member_8;
+let _e326 = global_1.member.member_7.member;
+let _e330 = global_1.member.member_10.member_8;
 let _e331 = (_e326 - _e330);
-let _e335 = global_1.member.member_8.member_2;
-let _e339 = global_1.member.member_8.member_6;
-let _e346 = global_1.member.member_8.member_4;
+let _e335 = global_1.member.member_10.member_2;
+let _e339 = global_1.member.member_10.member_6;
+let _e346 = global_1.member.member_10.member_4;
 let _e348 = ((_e335 + (_e339 * _e331)) + (((_e318 - _e311) + 0.5f) * _e346));
-let _e352 = global_1.member.member_8.member_3;
-let _e356 = global_1.member.member_8.member_7;
+let _e352 = global_1.member.member_10.member_3;
+let _e356 = global_1.member.member_10.member_7;
 let _e361 = ((_e352 + (_e356 * _e331)) + (((_e320 - _e317) + 0.5f) * _e346));
-let _e365 = global_1.member.member_5.member_1;
+let _e365 = global_1.member.member_7.member_1;
 let _e366 = (_e365 - _e330);
 let _e371 = ((_e335 + (_e339 * _e366)) + ((_e318 + 0.5f) * _e346));
 let _e376 = ((_e352 + (_e356 * _e366)) + ((_e320 + 0.5f) * _e346));
-let _e382 = global_1.member.member_6.member.member;
+let _e382 = global_1.member.member_8.member.member;
 let _e390 = (((_e382.member * _e382.member) + (_e382.member_1 * _e382.member_1)) + (_e382.member_2 * _e382.member_2));
 let _e393 = sqrt(select(0f, _e390, (_e390 > 0f)));
 let _e394 = ((1.5f * _e346) * _e393);
 let _e398 = (select(1f, _e394, (_e394 < 1f)) + (1f / 64f));
 let _e400 = select(_e398, 0.5f, (0.5f > _e398));
-let _e404 = global_1.member.member_5.member_2;
+let _e404 = global_1.member.member_7.member_2;
 let _e407 = (_e404 / select(1e-6f, _e257, (_e257 > 1e-6f)));
 let _e411 = (_e371 + (_e235 * _e407));
 let _e412 = (_e376 + (_e246 * _e407));
 let _e413 = (_e365 + (_e257 * _e407));
-let _e417 = global_1.member.member_6.member;
+let _e417 = global_1.member.member_8.member;
 let _e428 = ((((_e417.member.member * _e348) + (_e417.member.member_1 * _e361)) + (_e417.member.member_2 * _e326)) + _e417.member_1);
-let _e432 = global_1.member.member_6.member_1;
+let _e432 = global_1.member.member_8.member_1;
 let _e443 = ((((_e432.member.member * _e348) + (_e432.member.member_1 * _e361)) + (_e432.member.member_2 * _e326)) + _e432.member_1);
-let _e447 = global_1.member.member_6.member_2;
+let _e447 = global_1.member.member_8.member_2;
 let _e458 = ((((_e447.member.member * _e348) + (_e447.member.member_1 * _e361)) + (_e447.member.member_2 * _e326)) + _e447.member_1);
 let _e464 = ((((_e417.member.member * _e371) + (_e417.member.member_1 * _e376)) + (_e417.member.member_2 * _e365)) + _e417.member_1);
 let _e470 = ((((_e432.member.member * _e371) + (_e432.member.member_1 * _e376)) + (_e432.member.member_2 * _e365)) + _e432.member_1);
 let _e476 = ((((_e447.member.member * _e371) + (_e447.member.member_1 * _e376)) + (_e447.member.member_2 * _e365)) + _e447.member_1);
-let _e482 = global_1.member.member_6.member_3.member;
+let _e482 = global_1.member.member_8.member_3.member;
 let _e483 = (_e482 - 1f);
-let _e492 = global_1.member.member_6.member_3.member_1;
+let _e492 = global_1.member.member_8.member_3.member_1;
 let _e493 = (_e492 - 1f);
-let _e502 = global_1.member.member_6.member_3.member_2;
+let _e502 = global_1.member.member_8.member_3.member_2;
 let _e503 = (_e502 - 1f);
 let _e517 = (((((((_e428 >= 0f) && (_e428 <= _e483)) && (_e443 >= 0f)) && (_e443 <= _e493)) && (_e458 >= 0f)) && (_e458 <= _e503)) && ((((((_e464 >= 0f) && (_e464 <= _e483)) && (_e470 >= 0f)) && (_e470 <= _e493)) && (_e476 >= 0f)) && (_e476 <= _e503)));
 let _e526 = ((((_e177.member_2 == 1u) || (_e177.member_2 == 5u)) || (_e177.member_2 == 6u)) || ((_e177.member_2 == 2u) || (_e177.member_2 == 7u)));
@@ -365,15 +367,15 @@ let _e547 = ((_e545 & 16u) == 0u);
 if _e547 {
 phi_905_ = _e542;
 } else {
-let _e552 = global_1.member.member_14.member;
+let _e552 = global_1.member.member_16.member;
 let _e564 = -((_e400 / _e393));
-let _e569 = global_1.member.member_14.member_1;
-let _e575 = global_1.member.member_15.member;
-let _e591 = global_1.member.member_15.member_1;
-let _e598 = global_1.member.member_16.member;
-let _e614 = global_1.member.member_16.member_1;
-let _e621 = global_1.member.member_17.member;
-let _e637 = global_1.member.member_17.member_1;
+let _e569 = global_1.member.member_16.member_1;
+let _e575 = global_1.member.member_17.member;
+let _e591 = global_1.member.member_17.member_1;
+let _e598 = global_1.member.member_18.member;
+let _e614 = global_1.member.member_18.member_1;
+let _e621 = global_1.member.member_19.member;
+let _e637 = global_1.member.member_19.member_1;
 phi_905_ = (_e542 && (((((((((_e552.member.member * _e348) + (_e552.member.member_1 * _e361)) + (_e552.member.member_2 * _e326)) + _e552.member_1) <= _e564) || (_e569 == 0u)) && ((((((_e575.member.member * _e348) + (_e575.member.member_1 * _e361)) + (_e575.member.member_2 * _e326)) + _e575.member_1) <= _e564) || (_e591 == 0u))) && ((((((_e598.member.member * _e348) + (_e598.member.member_1 * _e361)) + (_e598.member.member_2 * _e326)) + _e598.member_1) <= _e564) || (_e614 == 0u))) && ((((((_e621.member.member * _e348) + (_e621.member.member_1 * _e361)) + (_e621.member.member_2 * _e326)) + _e621.member_1) <= _e564) || (_e637 == 0u))));
 }
 let _e643 = phi_905_;
@@ -387,15 +389,15 @@ let _e678 = ((((_e655 >= _e527) && (_e655 <= _e530)) && ((_e661 >= _e527) && (_e
 if _e547 {
 phi_1085_ = _e678;
 } else {
-let _e683 = global_1.member.member_14.member;
+let _e683 = global_1.member.member_16.member;
 let _e695 = -((_e400 / _e393));
-let _e700 = global_1.member.member_14.member_1;
-let _e706 = global_1.member.member_15.member;
-let _e722 = global_1.member.member_15.member_1;
-let _e729 = global_1.member.member_16.member;
-let _e745 = global_1.member.member_16.member_1;
-let _e752 = global_1.member.member_17.member;
-let _e768 = global_1.member.member_17.member_1;
+let _e700 = global_1.member.member_16.member_1;
+let _e706 = global_1.member.member_17.member;
+let _e722 = global_1.member.member_17.member_1;
+let _e729 = global_1.member.member_18.member;
+let _e745 = global_1.member.member_18.member_1;
+let _e752 = global_1.member.member_19.member;
+let _e768 = global_1.member.member_19.member_1;
 phi_1085_ = (_e678 && (((((((((_e683.member.member * _e647) + (_e683.member.member_1 * _e648)) + (_e683.member.member_2 * _e649)) + _e683.member_1) <= _e695) || (_e700 == 0u)) && ((((((_e706.member.member * _e647) + (_e706.member.member_1 * _e648)) + (_e706.member.member_2 * _e649)) + _e706.member_1) <= _e695) || (_e722 == 0u))) && ((((((_e729.member.member * _e647) + (_e729.member.member_1 * _e648)) + (_e729.member.member_2 * _e649)) + _e729.member_1) <= _e695) || (_e745 == 0u))) && ((((((_e752.member.member * _e647) + (_e752.member.member_1 * _e648)) + (_e752.member.member_2 * _e649)) + _e752.member_1) <= _e695) || (_e768 == 0u))));
 }
 let _e774 = phi_1085_;
@@ -414,19 +416,19 @@ let _e816 = global_1.member.member_1;
 if ((_e816 & 16u) == 0u) {
 phi_1272_ = _e813;
 } else {
-let _e823 = global_1.member.member_14.member;
+let _e823 = global_1.member.member_16.member;
 let _e835 = -((_e400 / _e393));
-let _e840 = global_1.member.member_14.member_1;
-let _e846 = global_1.member.member_15.member;
-let _e862 = global_1.member.member_15.member_1;
-let _e869 = global_1.member.member_16.member;
-let _e885 = global_1.member.member_16.member_1;
-let _e892 = global_1.member.member_17.member;
-let _e908 = global_1.member.member_17.member_1;
+let _e840 = global_1.member.member_16.member_1;
+let _e846 = global_1.member.member_17.member;
+let _e862 = global_1.member.member_17.member_1;
+let _e869 = global_1.member.member_18.member;
+let _e885 = global_1.member.member_18.member_1;
+let _e892 = global_1.member.member_19.member;
+let _e908 = global_1.member.member_19.member_1;
 phi_1272_ = (_e813 && (((((((((_e823.member.member * _e411) + (_e823.member.member_1 * _e412)) + (_e823.member.member_2 * _e413)) + _e823.member_1) <= _e835) || (_e840 == 0u)) && ((((((_e846.member.member * _e411) + (_e846.member.member_1 * _e412)) + (_e846.member.member_2 * _e413)) + _e846.member_1) <= _e835) || (_e862 == 0u))) && ((((((_e869.member.member * _e411) + (_e869.member.member_1 * _e412)) + (_e869.member.member_2 * _e413)) + _e869.member_1) <= _e835) || (_e885 == 0u))) && ((((((_e892.member.member * _e411) + (_e892.member.member_1 * _e412)) + (_e892.member.member_2 * _e413)) + _e892.member_1) <= _e835) || (_e908 == 0u))));
 }
 let _e914 = phi_1272_;
-let _e921 = global_1.member.member_6.member_4;
+let _e921 = global_1.member.member_8.member_4;
 let _e922 = (_e482 - 0.5f);
 let _e924 = select(-0.5f, _e464, (_e464 > -0.5f));
 let _e926 = select(_e922, _e924, (_e924 < _e922));
@@ -448,7 +450,7 @@ let _e971 = (_e926 + 0.5f);
 let _e973 = select(0f, _e971, (_e971 > 0f));
 let _e975 = select(_e483, _e973, (_e973 < _e483));
 let _e982 = select(0i, select(select(i32(_e975), i32(-2147483648), (_e975 < -2147483600f)), 2147483647i, (_e975 > 2147483500f)), (_e975 == _e975));
-let _e990 = global_1.member.member_6.member_12;
+let _e990 = global_1.member.member_8.member_12;
 let _e991 = (_e990 & 31u);
 let _e994 = (_e931 + 0.5f);
 let _e996 = select(0f, _e994, (_e994 > 0f));
@@ -458,9 +460,9 @@ let _e1012 = (_e936 + 0.5f);
 let _e1014 = select(0f, _e1012, (_e1012 > 0f));
 let _e1016 = select(_e503, _e1014, (_e1014 < _e503));
 let _e1023 = select(0i, select(select(i32(_e1016), i32(-2147483648), (_e1016 < -2147483600f)), 2147483647i, (_e1016 > 2147483500f)), (_e1016 == _e1016));
-let _e1034 = global_1.member.member_6.member_9.member;
-let _e1040 = global_1.member.member_6.member_9.member_1;
-let _e1045 = global_1.member.member_6.member_10;
+let _e1034 = global_1.member.member_8.member_9.member;
+let _e1040 = global_1.member.member_8.member_9.member_1;
+let _e1045 = global_1.member.member_8.member_10;
 let _e1051 = ((bitcast<i32>(_e1045) + ((_e982 - select(0i, 1i, (_e975 < f32(_e982)))) >> bitcast<u32>(_e991))) + (bitcast<i32>(_e1034) * (((_e1005 - select(0i, 1i, (_e998 < f32(_e1005)))) >> bitcast<u32>(_e991)) + (bitcast<i32>(_e1040) * ((_e1023 - select(0i, 1i, (_e1016 < f32(_e1023)))) >> bitcast<u32>(_e991))))));
 let _e1053 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
 let _e1055 = select(_e1053, _e1051, (_e1051 < _e1053));
@@ -480,25 +482,25 @@ let _e1093 = select(_e1082, _e1091, (_e1091 < _e1082));
 let _e1099 = global_6.member[bitcast<u32>(select(0i, _e1093, (_e1093 > 0i)))];
 let _e1101 = f32(bitcast<i32>(_e185));
 let _e1103 = f32(bitcast<i32>(_e187));
-let _e1109 = global_1.member.member_5.member;
-let _e1113 = global_1.member.member_8.member_8;
+let _e1109 = global_1.member.member_7.member;
+let _e1113 = global_1.member.member_10.member_8;
 let _e1114 = (_e1109 - _e1113);
-let _e1118 = global_1.member.member_8.member_2;
-let _e1122 = global_1.member.member_8.member_6;
-let _e1129 = global_1.member.member_8.member_4;
+let _e1118 = global_1.member.member_10.member_2;
+let _e1122 = global_1.member.member_10.member_6;
+let _e1129 = global_1.member.member_10.member_4;
 let _e1131 = ((_e1118 + (_e1122 * _e1114)) + (((_e1101 - _e1090) + 0.5f) * _e1129));
-let _e1135 = global_1.member.member_8.member_3;
-let _e1139 = global_1.member.member_8.member_7;
+let _e1135 = global_1.member.member_10.member_3;
+let _e1139 = global_1.member.member_10.member_7;
 let _e1144 = ((_e1135 + (_e1139 * _e1114)) + (((_e1103 - _e1099) + 0.5f) * _e1129));
-let _e1148 = global_1.member.member_5.member_1;
+let _e1148 = global_1.member.member_7.member_1;
 let _e1149 = (_e1148 - _e1113);
 let _e1154 = ((_e1118 + (_e1122 * _e1149)) + ((_e1101 + 0.5f) * _e1129));
 let _e1159 = ((_e1135 + (_e1139 * _e1149)) + ((_e1103 + 0.5f) * _e1129));
-let _e1163 = global_1.member.member_6.member;
+let _e1163 = global_1.member.member_8.member;
 let _e1174 = ((((_e1163.member.member * _e1131) + (_e1163.member.member_1 * _e1144)) + (_e1163.member.member_2 * _e1109)) + _e1163.member_1);
-let _e1178 = global_1.member.member_6.member_1;
+let _e1178 = global_1.member.member_8.member_1;
 let _e1189 = ((((_e1178.member.member * _e1131) + (_e1178.member.member_1 * _e1144)) + (_e1178.member.member_2 * _e1109)) + _e1178.member_1);
-let _e1193 = global_1.member.member_6.member_2;
+let _e1193 = global_1.member.member_8.member_2;
 let _e1204 = ((((_e1193.member.member * _e1131) + (_e1193.member.member_1 * _e1144)) + (_e1193.member.member_2 * _e1109)) + _e1193.member_1);
 let _e1210 = ((((_e1163.member.member * _e1154) + (_e1163.member.member_1 * _e1159)) + (_e1163.member.member_2 * _e1148)) + _e1163.member_1);
 let _e1216 = ((((_e1178.member.member * _e1154) + (_e1178.member.member_1 * _e1159)) + (_e1178.member.member_2 * _e1148)) + _e1178.member_1);
@@ -507,15 +509,15 @@ let _e1224 = (_e177.member_2 == 5u);
 let _e1230 = ((_e177.member_2 == 2u) || (_e177.member_2 == 7u));
 let _e1231 = ((((_e177.member_2 == 1u) || _e1224) || (_e177.member_2 == 6u)) || _e1230);
 if _e1231 {
-let _e1236 = global_1.member.member_6.member_3.member;
+let _e1236 = global_1.member.member_8.member_3.member;
 let _e1237 = (_e1236 - 0.5f);
 let _e1239 = select(-0.5f, _e1210, (_e1210 > -0.5f));
 let _e1241 = select(_e1237, _e1239, (_e1239 < _e1237));
-let _e1246 = global_1.member.member_6.member_3.member_1;
+let _e1246 = global_1.member.member_8.member_3.member_1;
 let _e1247 = (_e1246 - 0.5f);
 let _e1249 = select(-0.5f, _e1216, (_e1216 > -0.5f));
 let _e1251 = select(_e1247, _e1249, (_e1249 < _e1247));
-let _e1256 = global_1.member.member_6.member_3.member_2;
+let _e1256 = global_1.member.member_8.member_3.member_2;
 let _e1257 = (_e1256 - 0.5f);
 let _e1259 = select(-0.5f, _e1222, (_e1222 > -0.5f));
 let _e1261 = select(_e1257, _e1259, (_e1259 < _e1257));
@@ -531,13 +533,13 @@ let _e1293 = select(-1f, _e1261, (_e1261 > -1f));
 let _e1295 = select(_e1256, _e1293, (_e1293 < _e1256));
 let _e1302 = select(0i, select(select(i32(_e1295), i32(-2147483648), (_e1295 < -2147483600f)), 2147483647i, (_e1295 > 2147483500f)), (_e1295 == _e1295));
 let _e1306 = (_e1302 - select(0i, 1i, (_e1295 < f32(_e1302))));
-let _e1310 = global_1.member.member_6.member_7;
-let _e1314 = global_1.member.member_6.member_8;
+let _e1310 = global_1.member.member_8.member_7;
+let _e1314 = global_1.member.member_8.member_8;
 let _e1315 = (_e1276 + 1i);
 let _e1316 = (_e1291 + 1i);
 let _e1317 = (_e1306 + 1i);
-let _e1322 = global_1.member.member_6.member_11.member;
-let _e1328 = global_1.member.member_6.member_11.member_1;
+let _e1322 = global_1.member.member_8.member_11.member;
+let _e1328 = global_1.member.member_8.member_11.member_1;
 let _e1339 = ((_e1315 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1322) * ((_e1316 >> bitcast<u32>(4i)) + (bitcast<i32>(_e1328) * (_e1317 >> bitcast<u32>(4i))))));
 let _e1341 = (bitcast<i32>(_e162) - 1i);
 let _e1343 = select(_e1341, _e1339, (_e1339 < _e1341));
@@ -783,8 +785,8 @@ let _e2149 = local_27[2u];
 let _e2153 = local_27[1u];
 let _e2157 = local_27[2u];
 let _e2161 = local_27[2u];
-let _e2168 = global_1.member.member_6.member_6;
-let _e2172 = global_1.member.member_6.member_5;
+let _e2168 = global_1.member.member_8.member_6;
+let _e2172 = global_1.member.member_8.member_5;
 let _e2174 = (((_e2091 + ((_e2095 - _e2091) * _e2161)) - _e2168) * _e2172);
 let _e2175 = -(1e9f);
 let _e2177 = select(_e2175, _e2174, (_e2174 > _e2175));
@@ -1050,26 +1052,26 @@ let _e2925 = select(0f, 1f, ((((((_e1210 >= -0.5f) && (_e1210 <= _e1237)) && (_e
 let _e2927 = (0.5f * (_e2191 - _e2185));
 let _e2929 = (0.5f * (_e2203 - _e2197));
 let _e2931 = (0.5f * (_e2215 - _e2209));
-let _e2937 = global_1.member.member_6.member.member.member;
-let _e2943 = global_1.member.member_6.member.member.member_1;
-let _e2949 = global_1.member.member_6.member.member.member_2;
-let _e2955 = global_1.member.member_6.member_1.member.member;
-let _e2961 = global_1.member.member_6.member_1.member.member_1;
-let _e2967 = global_1.member.member_6.member_1.member.member_2;
-let _e2973 = global_1.member.member_6.member_2.member.member;
-let _e2979 = global_1.member.member_6.member_2.member.member_1;
-let _e2985 = global_1.member.member_6.member_2.member.member_2;
+let _e2937 = global_1.member.member_8.member.member.member;
+let _e2943 = global_1.member.member_8.member.member.member_1;
+let _e2949 = global_1.member.member_8.member.member.member_2;
+let _e2955 = global_1.member.member_8.member_1.member.member;
+let _e2961 = global_1.member.member_8.member_1.member.member_1;
+let _e2967 = global_1.member.member_8.member_1.member.member_2;
+let _e2973 = global_1.member.member_8.member_2.member.member;
+let _e2979 = global_1.member.member_8.member_2.member.member_1;
+let _e2985 = global_1.member.member_8.member_2.member.member_2;
 phi_7889_ = type_33(_e2179, vec3<f32>(((((_e2937 * _e2927) + (_e2955 * _e2929)) + (_e2973 * _e2931)) * _e2925), ((((_e2943 * _e2927) + (_e2961 * _e2929)) + (_e2979 * _e2931)) * _e2925), ((((_e2949 * _e2927) + (_e2967 * _e2929)) + (_e2985 * _e2931)) * _e2925)), _e2910.member, vec3<f32>(((((_e2937 * _e2910.member_2.x) + (_e2955 * _e2910.member_2.y)) + (_e2973 * _e2910.member_2.z)) * _e2925), ((((_e2943 * _e2910.member_2.x) + (_e2961 * _e2910.member_2.y)) + (_e2979 * _e2910.member_2.z)) * _e2925), ((((_e2949 * _e2910.member_2.x) + (_e2967 * _e2910.member_2.y)) + (_e2985 * _e2910.member_2.z)) * _e2925)), vec3<f32>(((((_e2937 * _e2910.member_1.x) + (_e2955 * _e2910.member_1.y)) + (_e2973 * _e2910.member_1.z)) * _e2925), ((((_e2943 * _e2910.member_1.x) + (_e2961 * _e2910.member_1.y)) + (_e2979 * _e2910.member_1.z)) * _e2925), ((((_e2949 * _e2910.member_1.x) + (_e2967 * _e2910.member_1.y)) + (_e2985 * _e2910.member_1.z)) * _e2925)));
 } else {
-let _e3054 = global_1.member.member_6.member_3.member;
+let _e3054 = global_1.member.member_8.member_3.member;
 let _e3055 = (_e3054 - 0.5f);
 let _e3057 = select(-0.5f, _e1210, (_e1210 > -0.5f));
 let _e3059 = select(_e3055, _e3057, (_e3057 < _e3055));
-let _e3064 = global_1.member.member_6.member_3.member_1;
+let _e3064 = global_1.member.member_8.member_3.member_1;
 let _e3065 = (_e3064 - 0.5f);
 let _e3067 = select(-0.5f, _e1216, (_e1216 > -0.5f));
 let _e3069 = select(_e3065, _e3067, (_e3067 < _e3065));
-let _e3074 = global_1.member.member_6.member_3.member_2;
+let _e3074 = global_1.member.member_8.member_3.member_2;
 let _e3075 = (_e3074 - 0.5f);
 let _e3077 = select(-0.5f, _e1222, (_e1222 > -0.5f));
 let _e3079 = select(_e3075, _e3077, (_e3077 < _e3075));
@@ -1085,13 +1087,13 @@ let _e3111 = select(-1f, _e3079, (_e3079 > -1f));
 let _e3113 = select(_e3074, _e3111, (_e3111 < _e3074));
 let _e3120 = select(0i, select(select(i32(_e3113), i32(-2147483648), (_e3113 < -2147483600f)), 2147483647i, (_e3113 > 2147483500f)), (_e3113 == _e3113));
 let _e3124 = (_e3120 - select(0i, 1i, (_e3113 < f32(_e3120))));
-let _e3128 = global_1.member.member_6.member_7;
-let _e3132 = global_1.member.member_6.member_8;
+let _e3128 = global_1.member.member_8.member_7;
+let _e3132 = global_1.member.member_8.member_8;
 let _e3133 = (_e3094 + 1i);
 let _e3134 = (_e3109 + 1i);
 let _e3135 = (_e3124 + 1i);
-let _e3140 = global_1.member.member_6.member_11.member;
-let _e3146 = global_1.member.member_6.member_11.member_1;
+let _e3140 = global_1.member.member_8.member_11.member;
+let _e3146 = global_1.member.member_8.member_11.member_1;
 let _e3157 = ((_e3133 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3140) * ((_e3134 >> bitcast<u32>(4i)) + (bitcast<i32>(_e3146) * (_e3135 >> bitcast<u32>(4i))))));
 let _e3159 = (bitcast<i32>(_e162) - 1i);
 let _e3161 = select(_e3159, _e3157, (_e3157 < _e3159));
@@ -1167,23 +1169,23 @@ let _e3395 = local_10.member_1[2u];
 let _e3402 = local_11[0u];
 let _e3406 = local_11[1u];
 let _e3411 = local_11[2u];
-let _e3418 = global_1.member.member_6.member_6;
-let _e3422 = global_1.member.member_6.member_5;
+let _e3418 = global_1.member.member_8.member_6;
+let _e3422 = global_1.member.member_8.member_5;
 let _e3424 = (((_e3303 + (((_e3354 + (((_e3394 + ((f32(bitcast<i32>(((_e3387 >> bitcast<u32>((_e3395 & 31u))) & 255u))) - _e3394) * _e3402)) - _e3354) * _e3406)) - _e3303) * _e3411)) - _e3418) * _e3422);
 let _e3425 = -(1e9f);
 let _e3427 = select(_e3425, _e3424, (_e3424 > _e3425));
 phi_7889_ = type_33(select(1e9f, _e3427, (_e3427 < 1e9f)), vec3<f32>(0f, 0f, 0f), 1f, vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
 }
 let _e3432 = phi_7889_;
-let _e3437 = global_1.member.member_6.member_3.member;
+let _e3437 = global_1.member.member_8.member_3.member;
 let _e3438 = (_e3437 - 0.5f);
 let _e3440 = select(-0.5f, _e1174, (_e1174 > -0.5f));
 let _e3442 = select(_e3438, _e3440, (_e3440 < _e3438));
-let _e3447 = global_1.member.member_6.member_3.member_1;
+let _e3447 = global_1.member.member_8.member_3.member_1;
 let _e3448 = (_e3447 - 0.5f);
 let _e3450 = select(-0.5f, _e1189, (_e1189 > -0.5f));
 let _e3452 = select(_e3448, _e3450, (_e3450 < _e3448));
-let _e3457 = global_1.member.member_6.member_3.member_2;
+let _e3457 = global_1.member.member_8.member_3.member_2;
 let _e3458 = (_e3457 - 0.5f);
 let _e3460 = select(-0.5f, _e1204, (_e1204 > -0.5f));
 let _e3462 = select(_e3458, _e3460, (_e3460 < _e3458));
@@ -1199,14 +1201,14 @@ let _e3494 = select(-1f, _e3462, (_e3462 > -1f));
 let _e3496 = select(_e3457, _e3494, (_e3494 < _e3457));
 let _e3503 = select(0i, select(select(i32(_e3496), i32(-2147483648), (_e3496 < -2147483600f)), 2147483647i, (_e3496 > 2147483500f)), (_e3496 == _e3496));
 let _e3507 = (_e3503 - select(0i, 1i, (_e3496 < f32(_e3503))));
-let _e3511 = global_1.member.member_6.member_7;
-let _e3515 = global_1.member.member_6.member_8;
+let _e3511 = global_1.member.member_8.member_7;
+let _e3515 = global_1.member.member_8.member_8;
 let _e3516 = (_e3477 + 1i);
 let _e3517 = (_e3492 + 1i);
 let _e3518 = (_e3507 + 1i);
-let _e3523 = global_1.member.member_6.member_11.member;
+let _e3523 = global_1.member.member_8.member_11.member;
 let _e3524 = bitcast<i32>(_e3523);
-let _e3529 = global_1.member.member_6.member_11.member_1;
+let _e3529 = global_1.member.member_8.member_11.member_1;
 let _e3530 = bitcast<i32>(_e3529);
 let _e3540 = ((_e3516 >> bitcast<u32>(4i)) + (_e3524 * ((_e3517 >> bitcast<u32>(4i)) + (_e3530 * (_e3518 >> bitcast<u32>(4i))))));
 let _e3542 = (bitcast<i32>(_e162) - 1i);
@@ -1285,8 +1287,8 @@ let _e3778 = local_8.member_1[2u];
 let _e3785 = local_9[0u];
 let _e3789 = local_9[1u];
 let _e3794 = local_9[2u];
-let _e3801 = global_1.member.member_6.member_6;
-let _e3805 = global_1.member.member_6.member_5;
+let _e3801 = global_1.member.member_8.member_6;
+let _e3805 = global_1.member.member_8.member_5;
 let _e3807 = (((_e3686 + (((_e3737 + (((_e3777 + ((f32(bitcast<i32>(((_e3770 >> bitcast<u32>((_e3778 & 31u))) & 255u))) - _e3777) * _e3785)) - _e3737) * _e3789)) - _e3686) * _e3794)) - _e3801) * _e3805);
 let _e3808 = -(1e9f);
 let _e3810 = select(_e3808, _e3807, (_e3807 > _e3808));
@@ -1296,7 +1298,7 @@ let _e3817 = ((_e3815 & 16u) == 0u);
 if _e3817 {
 phi_8779_ = type_7(1f, 1f, 1f);
 } else {
-let _e3821 = global_1.member.member_14.member;
+let _e3821 = global_1.member.member_16.member;
 let _e3832 = ((((_e3821.member.member * _e1131) + (_e3821.member.member_1 * _e1144)) + (_e3821.member.member_2 * _e1109)) + _e3821.member_1);
 let _e3838 = ((((_e3821.member.member * _e1154) + (_e3821.member.member_1 * _e1159)) + (_e3821.member.member_2 * _e1148)) + _e3821.member_1);
 let _e3840 = select(_e3838, _e3832, (_e3832 < _e3838));
@@ -1305,9 +1307,9 @@ let _e3844 = (_e3842 - _e3840);
 let _e3847 = (-(_e3840) / select(1e-30f, _e3844, (_e3844 > 1e-30f)));
 let _e3849 = select(0f, _e3847, (_e3847 > 0f));
 let _e3855 = select(select(select(1f, _e3849, (_e3849 < 1f)), 1f, (_e3842 <= 0f)), 0f, (_e3840 > 0f));
-let _e3860 = global_1.member.member_14.member_1;
+let _e3860 = global_1.member.member_16.member_1;
 let _e3861 = (_e3860 != 0u);
-let _e3871 = global_1.member.member_15.member;
+let _e3871 = global_1.member.member_17.member;
 let _e3882 = ((((_e3871.member.member * _e1131) + (_e3871.member.member_1 * _e1144)) + (_e3871.member.member_2 * _e1109)) + _e3871.member_1);
 let _e3888 = ((((_e3871.member.member * _e1154) + (_e3871.member.member_1 * _e1159)) + (_e3871.member.member_2 * _e1148)) + _e3871.member_1);
 let _e3890 = select(_e3888, _e3882, (_e3882 < _e3888));
@@ -1316,9 +1318,9 @@ let _e3894 = (_e3892 - _e3890);
 let _e3897 = (-(_e3890) / select(1e-30f, _e3894, (_e3894 > 1e-30f)));
 let _e3899 = select(0f, _e3897, (_e3897 > 0f));
 let _e3905 = select(select(select(1f, _e3899, (_e3899 < 1f)), 1f, (_e3892 <= 0f)), 0f, (_e3890 > 0f));
-let _e3910 = global_1.member.member_15.member_1;
+let _e3910 = global_1.member.member_17.member_1;
 let _e3911 = (_e3910 != 0u);
-let _e3921 = global_1.member.member_16.member;
+let _e3921 = global_1.member.member_18.member;
 let _e3932 = ((((_e3921.member.member * _e1131) + (_e3921.member.member_1 * _e1144)) + (_e3921.member.member_2 * _e1109)) + _e3921.member_1);
 let _e3938 = ((((_e3921.member.member * _e1154) + (_e3921.member.member_1 * _e1159)) + (_e3921.member.member_2 * _e1148)) + _e3921.member_1);
 let _e3940 = select(_e3938, _e3932, (_e3932 < _e3938));
@@ -1327,9 +1329,9 @@ let _e3944 = (_e3942 - _e3940);
 let _e3947 = (-(_e3940) / select(1e-30f, _e3944, (_e3944 > 1e-30f)));
 let _e3949 = select(0f, _e3947, (_e3947 > 0f));
 let _e3955 = select(select(select(1f, _e3949, (_e3949 < 1f)), 1f, (_e3942 <= 0f)), 0f, (_e3940 > 0f));
-let _e3960 = global_1.member.member_16.member_1;
+let _e3960 = global_1.member.member_18.member_1;
 let _e3961 = (_e3960 != 0u);
-let _e3971 = global_1.member.member_17.member;
+let _e3971 = global_1.member.member_19.member;
 let _e3982 = ((((_e3971.member.member * _e1131) + (_e3971.member.member_1 * _e1144)) + (_e3971.member.member_2 * _e1109)) + _e3971.member_1);
 let _e3988 = ((((_e3971.member.member * _e1154) + (_e3971.member.member_1 * _e1159)) + (_e3971.member.member_2 * _e1148)) + _e3971.member_1);
 let _e3990 = select(_e3988, _e3982, (_e3982 < _e3988));
@@ -1338,7 +1340,7 @@ let _e3994 = (_e3992 - _e3990);
 let _e3997 = (-(_e3990) / select(1e-30f, _e3994, (_e3994 > 1e-30f)));
 let _e3999 = select(0f, _e3997, (_e3997 > 0f));
 let _e4005 = select(select(select(1f, _e3999, (_e3999 < 1f)), 1f, (_e3992 <= 0f)), 0f, (_e3990 > 0f));
-let _e4010 = global_1.member.member_17.member_1;
+let _e4010 = global_1.member.member_19.member_1;
 let _e4011 = (_e4010 != 0u);
 phi_8779_ = type_7(((((1f * _e3855) * _e3905) * _e3955) * _e4005), ((((1f * select(1f, _e3855, _e3861)) * select(1f, _e3905, _e3911)) * select(1f, _e3955, _e3961)) * select(1f, _e4005, _e4011)), ((((1f * select(1f, 0f, (_e3861 && (_e3838 > 0f)))) * select(1f, 0f, (_e3911 && (_e3888 > 0f)))) * select(1f, 0f, (_e3961 && (_e3938 > 0f)))) * select(1f, 0f, (_e4011 && (_e3988 > 0f)))));
 }
@@ -1386,7 +1388,7 @@ let _e4119 = (_e1154 - _e1131);
 let _e4120 = (_e1159 - _e1144);
 let _e4121 = (_e1148 - _e1109);
 let _e4126 = (((_e4119 * _e4119) + (_e4120 * _e4120)) + (_e4121 * _e4121));
-let _e4134 = global_1.member.member_5.member_3;
+let _e4134 = global_1.member.member_7.member_3;
 let _e4135 = ((sqrt(select(0f, _e4126, (_e4126 > 0f))) * select(0f, _e4116, (_e4116 > 0f))) * _e4134);
 if (((_e177.member_2 == 3u) || (_e177.member_2 == 4u)) || _e1224) {
 local_7 = _e3812;
@@ -1807,9 +1809,9 @@ phi_12507_ = type_35(_e5587, _e5588, vec3<f32>(((1f + (_e5422 * (1f + (_e5422 * 
 }
 let _e5596 = phi_12507_;
 if _e1231 {
-let _e5601 = global_1.member.member_6.member.member;
-let _e5609 = global_1.member.member_6.member_1.member;
-let _e5617 = global_1.member.member_6.member_2.member;
+let _e5601 = global_1.member.member_8.member.member;
+let _e5609 = global_1.member.member_8.member_1.member;
+let _e5617 = global_1.member.member_8.member_2.member;
 let _e5621 = (-0.5f - _e1210);
 let _e5622 = -(_e4028);
 let _e5625 = (_e4028 - _e5621);
@@ -1935,12 +1937,12 @@ phi_13826_ = type_34(_e5844, vec3<f32>(_e5845, _e5846, _e5847), _e5849, vec3<f32
 } else {
 let _e5866 = (((_e5601.member * _e5601.member) + (_e5601.member_1 * _e5601.member_1)) + (_e5601.member_2 * _e5601.member_2));
 let _e5869 = sqrt(select(0f, _e5866, (_e5866 > 0f)));
-let _e5873 = global_1.member.member_14.member_1;
+let _e5873 = global_1.member.member_16.member_1;
 let _e5874 = (_e5873 != 0u);
-let _e5878 = global_1.member.member_14.member;
+let _e5878 = global_1.member.member_16.member;
 let _e5898 = select(-1e6f, (((((_e5878.member.member * _e1131) + (_e5878.member.member_1 * _e1144)) + (_e5878.member.member_2 * _e1109)) + _e5878.member_1) * _e5869), _e5874);
 let _e5899 = select(-1e6f, (((((_e5878.member.member * _e1154) + (_e5878.member.member_1 * _e1159)) + (_e5878.member.member_2 * _e1148)) + _e5878.member_1) * _e5869), _e5874);
-let _e5904 = global_1.member.member_14.member.member;
+let _e5904 = global_1.member.member_16.member.member;
 let _e5908 = -(_e5898);
 let _e5911 = (_e5898 - _e5899);
 let _e5912 = (_e5899 - _e5898);
@@ -1955,12 +1957,12 @@ let _e5932 = select(_e5844, _e5921, _e5930);
 let _e5936 = select(_e5849, _e5925, _e5931);
 let _e5940 = select(_e5854, _e5898, _e5926);
 let _e5942 = select(_e5856, _e5899, (_e5899 > _e5856));
-let _e5949 = global_1.member.member_15.member_1;
+let _e5949 = global_1.member.member_17.member_1;
 let _e5950 = (_e5949 != 0u);
-let _e5954 = global_1.member.member_15.member;
+let _e5954 = global_1.member.member_17.member;
 let _e5974 = select(-1e6f, (((((_e5954.member.member * _e1131) + (_e5954.member.member_1 * _e1144)) + (_e5954.member.member_2 * _e1109)) + _e5954.member_1) * _e5869), _e5950);
 let _e5975 = select(-1e6f, (((((_e5954.member.member * _e1154) + (_e5954.member.member_1 * _e1159)) + (_e5954.member.member_2 * _e1148)) + _e5954.member_1) * _e5869), _e5950);
-let _e5980 = global_1.member.member_15.member.member;
+let _e5980 = global_1.member.member_17.member.member;
 let _e5984 = -(_e5974);
 let _e5987 = (_e5974 - _e5975);
 let _e5988 = (_e5975 - _e5974);
@@ -1975,12 +1977,12 @@ let _e6008 = select(_e5932, _e5997, _e6006);
 let _e6012 = select(_e5936, _e6001, _e6007);
 let _e6016 = select(_e5940, _e5974, _e6002);
 let _e6018 = select(_e5942, _e5975, (_e5975 > _e5942));
-let _e6025 = global_1.member.member_16.member_1;
+let _e6025 = global_1.member.member_18.member_1;
 let _e6026 = (_e6025 != 0u);
-let _e6030 = global_1.member.member_16.member;
+let _e6030 = global_1.member.member_18.member;
 let _e6050 = select(-1e6f, (((((_e6030.member.member * _e1131) + (_e6030.member.member_1 * _e1144)) + (_e6030.member.member_2 * _e1109)) + _e6030.member_1) * _e5869), _e6026);
 let _e6051 = select(-1e6f, (((((_e6030.member.member * _e1154) + (_e6030.member.member_1 * _e1159)) + (_e6030.member.member_2 * _e1148)) + _e6030.member_1) * _e5869), _e6026);
-let _e6056 = global_1.member.member_16.member.member;
+let _e6056 = global_1.member.member_18.member.member;
 let _e6060 = -(_e6050);
 let _e6063 = (_e6050 - _e6051);
 let _e6064 = (_e6051 - _e6050);
@@ -1995,12 +1997,12 @@ let _e6084 = select(_e6008, _e6073, _e6082);
 let _e6088 = select(_e6012, _e6077, _e6083);
 let _e6092 = select(_e6016, _e6050, _e6078);
 let _e6094 = select(_e6018, _e6051, (_e6051 > _e6018));
-let _e6101 = global_1.member.member_17.member_1;
+let _e6101 = global_1.member.member_19.member_1;
 let _e6102 = (_e6101 != 0u);
-let _e6106 = global_1.member.member_17.member;
+let _e6106 = global_1.member.member_19.member;
 let _e6126 = select(-1e6f, (((((_e6106.member.member * _e1131) + (_e6106.member.member_1 * _e1144)) + (_e6106.member.member_2 * _e1109)) + _e6106.member_1) * _e5869), _e6102);
 let _e6127 = select(-1e6f, (((((_e6106.member.member * _e1154) + (_e6106.member.member_1 * _e1159)) + (_e6106.member.member_2 * _e1148)) + _e6106.member_1) * _e5869), _e6102);
-let _e6132 = global_1.member.member_17.member.member;
+let _e6132 = global_1.member.member_19.member.member;
 let _e6136 = -(_e6126);
 let _e6139 = (_e6126 - _e6127);
 let _e6140 = (_e6127 - _e6126);
@@ -2219,7 +2221,7 @@ let _e6844 = ((_e6184 || (bitcast<f32>((bitcast<u32>(_e6179.member_4) & 21474836
 let _e6845 = select(_e235, select(select(select((_e235 + (_e6782 * _e6808)), _e235, _e6809), _e235, _e6820), (_e235 * _e6832), _e6826), _e6844);
 let _e6846 = select(_e246, select(select(select((_e246 + (_e6783 * _e6808)), _e246, _e6809), _e246, _e6820), (_e246 * _e6832), _e6826), _e6844);
 let _e6847 = select(_e257, select(select(select((_e257 + (_e6784 * _e6808)), _e257, _e6809), _e257, _e6820), (_e257 * _e6832), _e6826), _e6844);
-let _e6859 = global_1.member.member_5.member_2;
+let _e6859 = global_1.member.member_7.member_2;
 let _e6862 = (_e6859 / select(1e-6f, _e6847, (_e6847 > 1e-6f)));
 let _e6866 = (_e1154 + (_e6845 * _e6862));
 let _e6867 = (_e1159 + (_e6846 * _e6862));
@@ -2317,12 +2319,12 @@ let _e7098 = select(select(select(select(select(select(1f, _e5601.member_2, _e56
 if _e3817 {
 phi_16512_ = type_34(_e7084, vec3<f32>(_e7085, _e7086, _e7087), _e7089, vec3<f32>(_e7090, _e7091, _e7092), _e5856, _e7095, vec3<f32>(_e7096, _e7097, _e7098));
 } else {
-let _e7104 = global_1.member.member_14.member_1;
+let _e7104 = global_1.member.member_16.member_1;
 let _e7105 = (_e7104 != 0u);
-let _e7109 = global_1.member.member_14.member;
+let _e7109 = global_1.member.member_16.member;
 let _e7129 = select(-1e6f, (((((_e7109.member.member * _e1154) + (_e7109.member.member_1 * _e1159)) + (_e7109.member.member_2 * _e1148)) + _e7109.member_1) * _e6204), _e7105);
 let _e7130 = select(-1e6f, (((((_e7109.member.member * _e6866) + (_e7109.member.member_1 * _e6867)) + (_e7109.member.member_2 * _e6868)) + _e7109.member_1) * _e6204), _e7105);
-let _e7135 = global_1.member.member_14.member.member;
+let _e7135 = global_1.member.member_16.member.member;
 let _e7139 = -(_e7129);
 let _e7142 = (_e7129 - _e7130);
 let _e7143 = (_e7130 - _e7129);
@@ -2337,12 +2339,12 @@ let _e7163 = select(_e7084, _e7152, _e7161);
 let _e7167 = select(_e7089, _e7156, _e7162);
 let _e7171 = select(_e5856, _e7129, _e7157);
 let _e7173 = select(_e7095, _e7130, (_e7130 > _e7095));
-let _e7180 = global_1.member.member_15.member_1;
+let _e7180 = global_1.member.member_17.member_1;
 let _e7181 = (_e7180 != 0u);
-let _e7185 = global_1.member.member_15.member;
+let _e7185 = global_1.member.member_17.member;
 let _e7205 = select(-1e6f, (((((_e7185.member.member * _e1154) + (_e7185.member.member_1 * _e1159)) + (_e7185.member.member_2 * _e1148)) + _e7185.member_1) * _e6204), _e7181);
 let _e7206 = select(-1e6f, (((((_e7185.member.member * _e6866) + (_e7185.member.member_1 * _e6867)) + (_e7185.member.member_2 * _e6868)) + _e7185.member_1) * _e6204), _e7181);
-let _e7211 = global_1.member.member_15.member.member;
+let _e7211 = global_1.member.member_17.member.member;
 let _e7215 = -(_e7205);
 let _e7218 = (_e7205 - _e7206);
 let _e7219 = (_e7206 - _e7205);
@@ -2357,12 +2359,12 @@ let _e7239 = select(_e7163, _e7228, _e7237);
 let _e7243 = select(_e7167, _e7232, _e7238);
 let _e7247 = select(_e7171, _e7205, _e7233);
 let _e7249 = select(_e7173, _e7206, (_e7206 > _e7173));
-let _e7256 = global_1.member.member_16.member_1;
+let _e7256 = global_1.member.member_18.member_1;
 let _e7257 = (_e7256 != 0u);
-let _e7261 = global_1.member.member_16.member;
+let _e7261 = global_1.member.member_18.member;
 let _e7281 = select(-1e6f, (((((_e7261.member.member * _e1154) + (_e7261.member.member_1 * _e1159)) + (_e7261.member.member_2 * _e1148)) + _e7261.member_1) * _e6204), _e7257);
 let _e7282 = select(-1e6f, (((((_e7261.member.member * _e6866) + (_e7261.member.member_1 * _e6867)) + (_e7261.member.member_2 * _e6868)) + _e7261.member_1) * _e6204), _e7257);
-let _e7287 = global_1.member.member_16.member.member;
+let _e7287 = global_1.member.member_18.member.member;
 let _e7291 = -(_e7281);
 let _e7294 = (_e7281 - _e7282);
 let _e7295 = (_e7282 - _e7281);
@@ -2377,12 +2379,12 @@ let _e7315 = select(_e7239, _e7304, _e7313);
 let _e7319 = select(_e7243, _e7308, _e7314);
 let _e7323 = select(_e7247, _e7281, _e7309);
 let _e7325 = select(_e7249, _e7282, (_e7282 > _e7249));
-let _e7332 = global_1.member.member_17.member_1;
+let _e7332 = global_1.member.member_19.member_1;
 let _e7333 = (_e7332 != 0u);
-let _e7337 = global_1.member.member_17.member;
+let _e7337 = global_1.member.member_19.member;
 let _e7357 = select(-1e6f, (((((_e7337.member.member * _e1154) + (_e7337.member.member_1 * _e1159)) + (_e7337.member.member_2 * _e1148)) + _e7337.member_1) * _e6204), _e7333);
 let _e7358 = select(-1e6f, (((((_e7337.member.member * _e6866) + (_e7337.member.member_1 * _e6867)) + (_e7337.member.member_2 * _e6868)) + _e7337.member_1) * _e6204), _e7333);
-let _e7363 = global_1.member.member_17.member.member;
+let _e7363 = global_1.member.member_19.member.member;
 let _e7367 = -(_e7357);
 let _e7370 = (_e7357 - _e7358);
 let _e7371 = (_e7358 - _e7357);
@@ -2396,7 +2398,7 @@ let _e7390 = (_e7384 < _e7319);
 phi_16512_ = type_34(select(_e7315, _e7380, _e7389), vec3<f32>(select(select(select(select(_e7085, _e7135.member, _e7161), _e7211.member, _e7237), _e7287.member, _e7313), _e7363.member, _e7389), select(select(select(select(_e7086, _e7135.member_1, _e7161), _e7211.member_1, _e7237), _e7287.member_1, _e7313), _e7363.member_1, _e7389), select(select(select(select(_e7087, _e7135.member_2, _e7161), _e7211.member_2, _e7237), _e7287.member_2, _e7313), _e7363.member_2, _e7389)), select(_e7319, _e7384, _e7390), vec3<f32>(select(select(select(select(_e7090, _e7135.member, _e7162), _e7211.member, _e7238), _e7287.member, _e7314), _e7363.member, _e7390), select(select(select(select(_e7091, _e7135.member_1, _e7162), _e7211.member_1, _e7238), _e7287.member_1, _e7314), _e7363.member_1, _e7390), select(select(select(select(_e7092, _e7135.member_2, _e7162), _e7211.member_2, _e7238), _e7287.member_2, _e7314), _e7363.member_2, _e7390)), select(_e7323, _e7357, _e7385), select(_e7325, _e7358, (_e7358 > _e7325)), vec3<f32>(select(select(select(select(_e7096, _e7135.member, _e7157), _e7211.member, _e7233), _e7287.member, _e7309), _e7363.member, _e7385), select(select(select(select(_e7097, _e7135.member_1, _e7157), _e7211.member_1, _e7233), _e7287.member_1, _e7309), _e7363.member_1, _e7385), select(select(select(select(_e7098, _e7135.member_2, _e7157), _e7211.member_2, _e7233), _e7287.member_2, _e7309), _e7363.member_2, _e7385)));
 }
 let _e7410 = phi_16512_;
-let _e7419 = global_1.member.member_5.member_4;
+let _e7419 = global_1.member.member_7.member_4;
 let _e7422 = (_e3432.member_3.x * _e4020.member_2);
 let _e7424 = (_e3432.member_3.y * _e4020.member_2);
 let _e7426 = (_e3432.member_3.z * _e4020.member_2);

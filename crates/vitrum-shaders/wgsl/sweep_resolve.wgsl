@@ -143,24 +143,26 @@ member: type_2,
 member_1: u32,
 member_2: type_17,
 member_3: type_14,
-member_4: u32,
-member_5: type_18,
-member_6: type_19,
-member_7: type_19,
-member_8: type_20,
-member_9: type_21,
-member_10: type_24,
-member_11: type_18,
-member_12: type_4,
-member_13: type_9,
-member_14: type_25,
-member_15: type_25,
+member_4: type_14,
+member_5: u32,
+member_6: u32,
+member_7: type_18,
+member_8: type_19,
+member_9: type_19,
+member_10: type_20,
+member_11: type_21,
+member_12: type_24,
+member_13: type_18,
+member_14: type_4,
+member_15: type_9,
 member_16: type_25,
 member_17: type_25,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_25,
+member_19: type_25,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_27 {
 member: type_26,
@@ -193,1159 +195,1194 @@ var local_8: i32;
 var local_9: i32;
 var local_10: i32;
 var local_11: i32;
-var phi_247_: u32;
-var phi_1177_: u32;
-var phi_1514_: f32;
-var phi_1570_: f32;
-var phi_1575_: vec3<f32>;
-var phi_1678_: f32;
-var phi_1762_: f32;
-var phi_1834_: type_28;
+var phi_248_: u32;
+var phi_1178_: u32;
+var phi_1515_: f32;
+var phi_1571_: f32;
+var phi_1576_: vec3<f32>;
+var phi_1679_: f32;
+var phi_1763_: f32;
 var phi_1835_: type_28;
-var phi_2116_: i32;
-var phi_2124_: i32;
-var phi_2130_: i32;
-var phi_2138_: i32;
-var phi_2179_: u32;
-var phi_2349_: u32;
-var phi_2533_: u32;
-var phi_2703_: u32;
-var phi_2912_: vec3<f32>;
-var phi_3514_: i32;
-var phi_3517_: i32;
-var phi_3519_: i32;
-var phi_3521_: i32;
-var phi_3536_: i32;
-var phi_3542_: i32;
-var phi_3515_: i32;
-var phi_3518_: i32;
-var phi_3520_: i32;
-var phi_3522_: i32;
+var phi_1836_: type_28;
+var phi_2121_: i32;
+var phi_2141_: i32;
+var phi_2147_: i32;
+var phi_2157_: i32;
+var phi_2177_: i32;
+var phi_2183_: i32;
+var phi_2224_: u32;
+var phi_2394_: u32;
+var phi_2578_: u32;
+var phi_2748_: u32;
+var phi_2957_: vec3<f32>;
+var phi_3559_: i32;
+var phi_3562_: i32;
+var phi_3564_: i32;
+var phi_3566_: i32;
+var phi_3581_: i32;
+var phi_3587_: i32;
+var phi_3560_: i32;
+var phi_3563_: i32;
+var phi_3565_: i32;
+var phi_3567_: i32;
 var local_12: i32;
 var local_13: i32;
 var local_14: i32;
-var phi_3617_: i32;
+var phi_3662_: i32;
 var local_15: i32;
 var local_16: i32;
-var phi_3623_: i32;
+var phi_3668_: i32;
 var local_17: i32;
-var phi_3630_: i32;
+var phi_3675_: i32;
 var local_18: i32;
 var local_19: i32;
-var phi_3636_: i32;
+var phi_3681_: i32;
 var local_20: i32;
 var local_21: i32;
-var phi_3647_: i32;
+var phi_3692_: i32;
 var local_22: i32;
 var local_23: i32;
-var phi_3659_: i32;
+var phi_3704_: i32;
 var local_24: i32;
 var local_25: i32;
 var local_26: i32;
 var local_27: i32;
-var phi_3895_: i32;
-var phi_3898_: i32;
-var phi_3900_: i32;
-var phi_3902_: i32;
-var phi_3917_: i32;
-var phi_3923_: i32;
-var phi_3896_: i32;
-var phi_3899_: i32;
-var phi_3901_: i32;
-var phi_3903_: i32;
+var phi_3940_: i32;
+var phi_3943_: i32;
+var phi_3945_: i32;
+var phi_3947_: i32;
+var phi_3962_: i32;
+var phi_3968_: i32;
+var phi_3941_: i32;
+var phi_3944_: i32;
+var phi_3946_: i32;
+var phi_3948_: i32;
 var local_28: i32;
 var local_29: i32;
 var local_30: i32;
-var phi_3998_: i32;
+var phi_4043_: i32;
 var local_31: i32;
 var local_32: i32;
-var phi_4004_: i32;
+var phi_4049_: i32;
 var local_33: i32;
-var phi_4011_: i32;
+var phi_4056_: i32;
 var local_34: i32;
 var local_35: i32;
-var phi_4017_: i32;
+var phi_4062_: i32;
 var local_36: i32;
 var local_37: i32;
-var phi_4028_: i32;
+var phi_4073_: i32;
 var local_38: i32;
 var local_39: i32;
-var phi_4040_: i32;
+var phi_4085_: i32;
 var local_40: i32;
 var local_41: i32;
 var local_42: i32;
 var local_43: i32;
-var phi_4295_: vec3<f32>;
-var phi_4296_: vec3<f32>;
-var phi_4297_: vec3<f32>;
-let _e99 = global;
-let _e110 = global_2.member.member_2;
-let _e113 = global_2.member.member;
-let _e121 = (_e99.x + _e110.member);
-let _e123 = (_e99.y + _e110.member_1);
-if (_e121 < _e110.member_2) {
-if (_e123 < _e110.member_3) {
-let _e126 = (_e113.member * _e113.member_1);
-let _e128 = ((_e123 * _e113.member) + _e121);
-let _e132 = global_2.member.member_3.member;
-let _e136 = global_2.member.member_3.member_1;
-let _e137 = (_e121 % 16u);
-let _e138 = (_e123 % 4u);
-if ((_e121 < (_e132 - (_e132 % 16u))) && (_e123 < (_e136 - (_e136 % 4u)))) {
-phi_247_ = ((((_e123 - _e138) + (_e137 / 4u)) * _e132) + (((_e121 - _e137) + (_e138 * 4u)) + (_e137 % 4u)));
+var phi_4340_: vec3<f32>;
+var phi_4341_: vec3<f32>;
+var phi_4342_: vec3<f32>;
+switch bitcast<i32>(0u) {
+default: {
+let _e100 = global;
+let _e111 = global_2.member.member_2;
+let _e114 = global_2.member.member;
+let _e122 = (_e100.x + _e111.member);
+let _e124 = (_e100.y + _e111.member_1);
+if (_e122 < _e111.member_2) {
+if (_e124 < _e111.member_3) {
+let _e127 = (_e114.member * _e114.member_1);
+let _e129 = ((_e124 * _e114.member) + _e122);
+let _e133 = global_2.member.member_3.member;
+let _e137 = global_2.member.member_3.member_1;
+let _e138 = (_e122 % 16u);
+let _e139 = (_e124 % 4u);
+if ((_e122 < (_e133 - (_e133 % 16u))) && (_e124 < (_e137 - (_e137 % 4u)))) {
+phi_248_ = ((((_e124 - _e139) + (_e138 / 4u)) * _e133) + (((_e122 - _e138) + (_e139 * 4u)) + (_e138 % 4u)));
 } else {
-phi_247_ = ((_e123 * _e132) + _e121);
+phi_248_ = ((_e124 * _e133) + _e122);
 }
-let _e159 = phi_247_;
-local_10 = bitcast<i32>(_e159);
-let _e162 = bitcast<i32>((_e132 * _e136));
-local_11 = _e162;
-let _e163 = local_11;
-let _e165 = local_10;
-let _e166 = ((7i * _e163) + _e165);
-let _e168 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e170 = select(_e168, _e166, (_e166 < _e168));
-let _e175 = global_3.member[bitcast<u32>(select(0i, _e170, (_e170 > 0i)))];
-let _e176 = local_11;
-let _e178 = local_10;
-let _e179 = ((9i * _e176) + _e178);
-let _e181 = select(_e168, _e179, (_e179 < _e168));
-let _e186 = global_3.member[bitcast<u32>(select(0i, _e181, (_e181 > 0i)))];
-let _e187 = local_11;
-let _e189 = local_10;
-let _e190 = ((10i * _e187) + _e189);
-let _e192 = select(_e168, _e190, (_e190 < _e168));
-let _e197 = global_3.member[bitcast<u32>(select(0i, _e192, (_e192 > 0i)))];
-let _e198 = local_11;
-let _e200 = local_10;
-let _e201 = ((11i * _e198) + _e200);
-let _e203 = select(_e168, _e201, (_e201 < _e168));
-let _e208 = global_3.member[bitcast<u32>(select(0i, _e203, (_e203 > 0i)))];
-let _e209 = local_11;
-let _e211 = local_10;
-let _e212 = ((12i * _e209) + _e211);
-let _e214 = select(_e168, _e212, (_e212 < _e168));
-let _e219 = global_3.member[bitcast<u32>(select(0i, _e214, (_e214 > 0i)))];
-let _e220 = local_11;
-let _e222 = local_10;
-let _e223 = ((8i * _e220) + _e222);
-let _e225 = select(_e168, _e223, (_e223 < _e168));
-let _e230 = global_3.member[bitcast<u32>(select(0i, _e225, (_e225 > 0i)))];
-let _e231 = local_11;
-let _e233 = local_10;
-let _e234 = ((13i * _e231) + _e233);
-let _e236 = select(_e168, _e234, (_e234 < _e168));
-let _e241 = global_3.member[bitcast<u32>(select(0i, _e236, (_e236 > 0i)))];
-let _e242 = local_11;
-let _e244 = local_10;
-let _e245 = ((14i * _e242) + _e244);
-let _e247 = select(_e168, _e245, (_e245 < _e168));
-let _e252 = global_3.member[bitcast<u32>(select(0i, _e247, (_e247 > 0i)))];
-let _e253 = local_11;
-let _e255 = local_10;
-let _e256 = ((15i * _e253) + _e255);
-let _e258 = select(_e168, _e256, (_e256 < _e168));
-let _e263 = global_3.member[bitcast<u32>(select(0i, _e258, (_e258 > 0i)))];
-let _e264 = local_11;
-let _e266 = local_10;
-let _e267 = ((3i * _e264) + _e266);
-let _e269 = select(_e168, _e267, (_e267 < _e168));
-let _e274 = global_3.member[bitcast<u32>(select(0i, _e269, (_e269 > 0i)))];
-let _e275 = local_11;
-let _e277 = local_10;
-let _e278 = ((4i * _e275) + _e277);
-let _e280 = select(_e168, _e278, (_e278 < _e168));
-let _e285 = global_3.member[bitcast<u32>(select(0i, _e280, (_e280 > 0i)))];
-let _e286 = local_11;
-let _e288 = local_10;
-let _e289 = ((5i * _e286) + _e288);
-let _e291 = select(_e168, _e289, (_e289 < _e168));
-let _e296 = global_3.member[bitcast<u32>(select(0i, _e291, (_e291 > 0i)))];
-let _e301 = (((_e274 * _e274) + (_e285 * _e285)) + (_e296 * _e296));
-let _e304 = sqrt(select(0f, _e301, (_e301 > 0f)));
-let _e307 = (1f / select(1e-20f, _e304, (_e304 > 1e-20f)));
-let _e308 = (_e274 * _e307);
-let _e309 = (_e285 * _e307);
-let _e310 = (_e296 * _e307);
-let _e311 = (_e175 == 0f);
-let _e312 = local_10;
-let _e314 = select(_e168, _e312, (_e312 < _e168));
-let _e319 = global_3.member[bitcast<u32>(select(0i, _e314, (_e314 > 0i)))];
-let _e320 = local_11;
-let _e321 = local_10;
-let _e322 = (_e320 + _e321);
-let _e324 = select(_e168, _e322, (_e322 < _e168));
-let _e329 = global_3.member[bitcast<u32>(select(0i, _e324, (_e324 > 0i)))];
-let _e330 = local_11;
-let _e332 = local_10;
-let _e333 = ((2i * _e330) + _e332);
-let _e335 = select(_e168, _e333, (_e333 < _e168));
-let _e340 = global_3.member[bitcast<u32>(select(0i, _e335, (_e335 > 0i)))];
-let _e344 = global_2.member.member_5.member_1;
-let _e347 = select(0f, ((_e344 - _e340) / _e296), _e311);
-let _e351 = (_e319 + (_e274 * _e347));
-let _e352 = (_e329 + (_e285 * _e347));
-let _e353 = (_e340 + (_e296 * _e347));
-let _e358 = global_2.member.member_13.member.member;
-let _e369 = ((((_e358.member.member * _e351) + (_e358.member.member_1 * _e352)) + (_e358.member.member_2 * _e353)) + _e358.member_1);
-let _e375 = -((((_e358.member.member * _e308) + (_e358.member.member_1 * _e309)) + (_e358.member.member_2 * _e310)));
-let _e377 = (_e375 > 1e-9f);
-let _e381 = ((_e369 / select(1e-9f, _e375, _e377)) - 0f);
-let _e384 = select(1e30f, select(0f, _e381, (_e381 > 0f)), ((_e369 > 0f) && _e377));
-let _e389 = global_2.member.member_13.member_1.member;
-let _e400 = ((((_e389.member.member * _e351) + (_e389.member.member_1 * _e352)) + (_e389.member.member_2 * _e353)) + _e389.member_1);
-let _e406 = -((((_e389.member.member * _e308) + (_e389.member.member_1 * _e309)) + (_e389.member.member_2 * _e310)));
-let _e408 = (_e406 > 1e-9f);
-let _e412 = ((_e400 / select(1e-9f, _e406, _e408)) - 0f);
-let _e415 = select(1e30f, select(0f, _e412, (_e412 > 0f)), ((_e400 > 0f) && _e408));
-let _e419 = (_e415 < _e384);
-let _e421 = select(select(-2i, -3i, _e419), -1i, ((_e384 >= 1e30f) && (_e415 >= 1e30f)));
-let _e422 = select(_e384, _e415, _e419);
-let _e423 = (_e421 == -3i);
-let _e429 = global_2.member.member_13.member_1.member.member;
-let _e434 = global_2.member.member_13.member_1.member_1;
-let _e440 = global_2.member.member_13.member.member.member;
-let _e445 = global_2.member.member_13.member.member_1;
-let _e465 = select(_e422, 0f, (_e421 == -1i));
-let _e469 = (_e351 + (_e308 * _e465));
-let _e470 = (_e352 + (_e309 * _e465));
-let _e471 = (_e353 + (_e310 * _e465));
-let _e475 = global_2.member.member_10.member;
-let _e486 = ((((_e475.member.member * _e469) + (_e475.member.member_1 * _e470)) + (_e475.member.member_2 * _e471)) + _e475.member_1);
-let _e490 = global_2.member.member_10.member_1;
-let _e501 = ((((_e490.member.member * _e469) + (_e490.member.member_1 * _e470)) + (_e490.member.member_2 * _e471)) + _e490.member_1);
-let _e505 = global_2.member.member_10.member_2;
-let _e516 = ((((_e505.member.member * _e469) + (_e505.member.member_1 * _e470)) + (_e505.member.member_2 * _e471)) + _e505.member_1);
-let _e520 = global_2.member.member_10.member_3;
-let _e521 = (_e520 != 0u);
-let _e525 = global_2.member.member_10.member_19;
-let _e529 = (_e486 - _e525.member);
-let _e530 = (_e501 - _e525.member_1);
-let _e531 = (_e516 - _e525.member_2);
-let _e536 = (((_e529 * _e529) + (_e530 * _e530)) + (_e531 * _e531));
-let _e539 = sqrt(select(0f, _e536, (_e536 > 0f)));
-let _e542 = (1f / select(1e-20f, _e539, (_e539 > 1e-20f)));
-let _e546 = select(0f, (_e529 * _e542), _e521);
-let _e547 = select(0f, (_e530 * _e542), _e521);
-let _e548 = select(1f, (_e531 * _e542), _e521);
-let _e553 = global_2.member.member_10.member.member;
-let _e564 = global_2.member.member_10.member_1.member;
-let _e578 = global_2.member.member_10.member_2.member;
-let _e587 = (vec3<f32>(((_e553.member * _e546) + (_e564.member * _e547)), ((_e553.member_1 * _e546) + (_e564.member_1 * _e547)), ((_e553.member_2 * _e546) + (_e564.member_2 * _e547))) + vec3<f32>((_e578.member * _e548), (_e578.member_1 * _e548), (_e578.member_2 * _e548)));
-let _e590 = global_2.member.member_1;
-if ((_e590 & 256u) != 0u) {
-let _e598 = global_2.member.member_10.member_18.member.member;
-let _e599 = bitcast<i32>(_e598);
-let _e605 = global_2.member.member_10.member_18.member.member_1;
-let _e606 = bitcast<i32>(_e605);
-let _e611 = global_2.member.member_10.member_19.member_2;
-let _e613 = select(1f, (_e516 - _e611), _e521);
-let _e616 = (1f / select(1e-12f, _e613, (_e613 > 1e-12f)));
-let _e621 = global_2.member.member_10.member_5;
-let _e626 = global_2.member.member_10.member_8;
-let _e627 = (((_e486 * _e616) - _e621) * _e626);
-let _e632 = global_2.member.member_10.member_6;
-let _e634 = (((_e501 * _e616) - _e632) * _e626);
-let _e639 = global_2.member.member_10.member_4.member;
-let _e641 = f32(bitcast<i32>(_e639));
-let _e643 = select(0f, _e627, (_e627 > 0f));
-let _e650 = global_2.member.member_10.member_18.member_1;
-let _e653 = ((_e627 - _e641) * _e650);
-let _e658 = global_2.member.member_10.member_18.member_2;
-let _e660 = select(0f, _e653, (_e653 > 0f));
-let _e662 = (_e658 + _e660);
-let _e667 = (-(_e627) * _e650);
-let _e669 = select(0f, _e667, (_e667 > 0f));
-let _e671 = (_e658 + _e669);
-let _e678 = (((_e658 + (select(_e641, _e643, (_e643 < _e641)) * _e650)) + (((_e660 * _e658) / select(1e-12f, _e662, (_e662 > 1e-12f))) - ((_e669 * _e658) / select(1e-12f, _e671, (_e671 > 1e-12f))))) - 0.5f);
-let _e683 = global_2.member.member_10.member_4.member_1;
-let _e685 = f32(bitcast<i32>(_e683));
-let _e687 = select(0f, _e634, (_e634 > 0f));
-let _e692 = ((_e634 - _e685) * _e650);
-let _e694 = select(0f, _e692, (_e692 > 0f));
-let _e696 = (_e658 + _e694);
-let _e701 = (-(_e634) * _e650);
-let _e703 = select(0f, _e701, (_e701 > 0f));
-let _e705 = (_e658 + _e703);
-let _e712 = (((_e658 + (select(_e685, _e687, (_e687 < _e685)) * _e650)) + (((_e694 * _e658) / select(1e-12f, _e696, (_e696 > 1e-12f))) - ((_e703 * _e658) / select(1e-12f, _e705, (_e705 > 1e-12f))))) - 0.5f);
-let _e714 = f32((_e599 - 2i));
-let _e716 = select(0f, _e678, (_e678 > 0f));
-let _e718 = select(_e714, _e716, (_e716 < _e714));
-let _e725 = select(0i, select(select(i32(_e718), i32(-2147483648), (_e718 < -2147483600f)), 2147483647i, (_e718 > 2147483500f)), (_e718 == _e718));
-let _e729 = (_e725 - select(0i, 1i, (_e718 < f32(_e725))));
-let _e731 = f32((_e606 - 2i));
-let _e733 = select(0f, _e712, (_e712 > 0f));
-let _e735 = select(_e731, _e733, (_e733 < _e731));
-let _e742 = select(0i, select(select(i32(_e735), i32(-2147483648), (_e735 < -2147483600f)), 2147483647i, (_e735 > 2147483500f)), (_e735 == _e735));
-let _e746 = (_e742 - select(0i, 1i, (_e735 < f32(_e742))));
-let _e748 = (_e678 - f32(_e729));
-let _e750 = select(0f, _e748, (_e748 > 0f));
-let _e752 = select(1f, _e750, (_e750 < 1f));
-let _e754 = (_e712 - f32(_e746));
-let _e756 = select(0f, _e754, (_e754 > 0f));
-let _e758 = select(1f, _e756, (_e756 < 1f));
-if _e423 {
-let _e763 = global_2.member.member_10.member_18.member_4;
-phi_1177_ = _e763;
+let _e160 = phi_248_;
+local_10 = bitcast<i32>(_e160);
+let _e163 = bitcast<i32>((_e133 * _e137));
+local_11 = _e163;
+let _e164 = local_11;
+let _e166 = local_10;
+let _e167 = ((7i * _e164) + _e166);
+let _e169 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e171 = select(_e169, _e167, (_e167 < _e169));
+let _e176 = global_3.member[bitcast<u32>(select(0i, _e171, (_e171 > 0i)))];
+let _e177 = local_11;
+let _e179 = local_10;
+let _e180 = ((9i * _e177) + _e179);
+let _e182 = select(_e169, _e180, (_e180 < _e169));
+let _e187 = global_3.member[bitcast<u32>(select(0i, _e182, (_e182 > 0i)))];
+let _e188 = local_11;
+let _e190 = local_10;
+let _e191 = ((10i * _e188) + _e190);
+let _e193 = select(_e169, _e191, (_e191 < _e169));
+let _e198 = global_3.member[bitcast<u32>(select(0i, _e193, (_e193 > 0i)))];
+let _e199 = local_11;
+let _e201 = local_10;
+let _e202 = ((11i * _e199) + _e201);
+let _e204 = select(_e169, _e202, (_e202 < _e169));
+let _e209 = global_3.member[bitcast<u32>(select(0i, _e204, (_e204 > 0i)))];
+let _e210 = local_11;
+let _e212 = local_10;
+let _e213 = ((12i * _e210) + _e212);
+let _e215 = select(_e169, _e213, (_e213 < _e169));
+let _e220 = global_3.member[bitcast<u32>(select(0i, _e215, (_e215 > 0i)))];
+let _e221 = local_11;
+let _e223 = local_10;
+let _e224 = ((8i * _e221) + _e223);
+let _e226 = select(_e169, _e224, (_e224 < _e169));
+let _e231 = global_3.member[bitcast<u32>(select(0i, _e226, (_e226 > 0i)))];
+let _e232 = local_11;
+let _e234 = local_10;
+let _e235 = ((13i * _e232) + _e234);
+let _e237 = select(_e169, _e235, (_e235 < _e169));
+let _e242 = global_3.member[bitcast<u32>(select(0i, _e237, (_e237 > 0i)))];
+let _e243 = local_11;
+let _e245 = local_10;
+let _e246 = ((14i * _e243) + _e245);
+let _e248 = select(_e169, _e246, (_e246 < _e169));
+let _e253 = global_3.member[bitcast<u32>(select(0i, _e248, (_e248 > 0i)))];
+let _e254 = local_11;
+let _e256 = local_10;
+let _e257 = ((15i * _e254) + _e256);
+let _e259 = select(_e169, _e257, (_e257 < _e169));
+let _e264 = global_3.member[bitcast<u32>(select(0i, _e259, (_e259 > 0i)))];
+let _e265 = local_11;
+let _e267 = local_10;
+let _e268 = ((3i * _e265) + _e267);
+let _e270 = select(_e169, _e268, (_e268 < _e169));
+let _e275 = global_3.member[bitcast<u32>(select(0i, _e270, (_e270 > 0i)))];
+let _e276 = local_11;
+let _e278 = local_10;
+let _e279 = ((4i * _e276) + _e278);
+let _e281 = select(_e169, _e279, (_e279 < _e169));
+let _e286 = global_3.member[bitcast<u32>(select(0i, _e281, (_e281 > 0i)))];
+let _e287 = local_11;
+let _e289 = local_10;
+let _e290 = ((5i * _e287) + _e289);
+let _e292 = select(_e169, _e290, (_e290 < _e169));
+let _e297 = global_3.member[bitcast<u32>(select(0i, _e292, (_e292 > 0i)))];
+let _e302 = (((_e275 * _e275) + (_e286 * _e286)) + (_e297 * _e297));
+let _e305 = sqrt(select(0f, _e302, (_e302 > 0f)));
+let _e308 = (1f / select(1e-20f, _e305, (_e305 > 1e-20f)));
+let _e309 = (_e275 * _e308);
+let _e310 = (_e286 * _e308);
+let _e311 = (_e297 * _e308);
+let _e312 = (_e176 == 0f);
+let _e313 = local_10;
+let _e315 = select(_e169, _e313, (_e313 < _e169));
+let _e320 = global_3.member[bitcast<u32>(select(0i, _e315, (_e315 > 0i)))];
+let _e321 = local_11;
+let _e322 = local_10;
+let _e323 = (_e321 + _e322);
+let _e325 = select(_e169, _e323, (_e323 < _e169));
+let _e330 = global_3.member[bitcast<u32>(select(0i, _e325, (_e325 > 0i)))];
+let _e331 = local_11;
+let _e333 = local_10;
+let _e334 = ((2i * _e331) + _e333);
+let _e336 = select(_e169, _e334, (_e334 < _e169));
+let _e341 = global_3.member[bitcast<u32>(select(0i, _e336, (_e336 > 0i)))];
+let _e345 = global_2.member.member_7.member_1;
+let _e348 = select(0f, ((_e345 - _e341) / _e297), _e312);
+let _e352 = (_e320 + (_e275 * _e348));
+let _e353 = (_e330 + (_e286 * _e348));
+let _e354 = (_e341 + (_e297 * _e348));
+let _e359 = global_2.member.member_15.member.member;
+let _e370 = ((((_e359.member.member * _e352) + (_e359.member.member_1 * _e353)) + (_e359.member.member_2 * _e354)) + _e359.member_1);
+let _e376 = -((((_e359.member.member * _e309) + (_e359.member.member_1 * _e310)) + (_e359.member.member_2 * _e311)));
+let _e378 = (_e376 > 1e-9f);
+let _e382 = ((_e370 / select(1e-9f, _e376, _e378)) - 0f);
+let _e385 = select(1e30f, select(0f, _e382, (_e382 > 0f)), ((_e370 > 0f) && _e378));
+let _e390 = global_2.member.member_15.member_1.member;
+let _e401 = ((((_e390.member.member * _e352) + (_e390.member.member_1 * _e353)) + (_e390.member.member_2 * _e354)) + _e390.member_1);
+let _e407 = -((((_e390.member.member * _e309) + (_e390.member.member_1 * _e310)) + (_e390.member.member_2 * _e311)));
+let _e409 = (_e407 > 1e-9f);
+let _e413 = ((_e401 / select(1e-9f, _e407, _e409)) - 0f);
+let _e416 = select(1e30f, select(0f, _e413, (_e413 > 0f)), ((_e401 > 0f) && _e409));
+let _e420 = (_e416 < _e385);
+let _e422 = select(select(-2i, -3i, _e420), -1i, ((_e385 >= 1e30f) && (_e416 >= 1e30f)));
+let _e423 = select(_e385, _e416, _e420);
+let _e424 = (_e422 == -3i);
+let _e430 = global_2.member.member_15.member_1.member.member;
+let _e435 = global_2.member.member_15.member_1.member_1;
+let _e441 = global_2.member.member_15.member.member.member;
+let _e446 = global_2.member.member_15.member.member_1;
+let _e466 = select(_e423, 0f, (_e422 == -1i));
+let _e470 = (_e352 + (_e309 * _e466));
+let _e471 = (_e353 + (_e310 * _e466));
+let _e472 = (_e354 + (_e311 * _e466));
+let _e476 = global_2.member.member_12.member;
+let _e487 = ((((_e476.member.member * _e470) + (_e476.member.member_1 * _e471)) + (_e476.member.member_2 * _e472)) + _e476.member_1);
+let _e491 = global_2.member.member_12.member_1;
+let _e502 = ((((_e491.member.member * _e470) + (_e491.member.member_1 * _e471)) + (_e491.member.member_2 * _e472)) + _e491.member_1);
+let _e506 = global_2.member.member_12.member_2;
+let _e517 = ((((_e506.member.member * _e470) + (_e506.member.member_1 * _e471)) + (_e506.member.member_2 * _e472)) + _e506.member_1);
+let _e521 = global_2.member.member_12.member_3;
+let _e522 = (_e521 != 0u);
+let _e526 = global_2.member.member_12.member_19;
+let _e530 = (_e487 - _e526.member);
+let _e531 = (_e502 - _e526.member_1);
+let _e532 = (_e517 - _e526.member_2);
+let _e537 = (((_e530 * _e530) + (_e531 * _e531)) + (_e532 * _e532));
+let _e540 = sqrt(select(0f, _e537, (_e537 > 0f)));
+let _e543 = (1f / select(1e-20f, _e540, (_e540 > 1e-20f)));
+let _e547 = select(0f, (_e530 * _e543), _e522);
+let _e548 = select(0f, (_e531 * _e543), _e522);
+let _e549 = select(1f, (_e532 * _e543), _e522);
+let _e554 = global_2.member.member_12.member.member;
+let _e565 = global_2.member.member_12.member_1.member;
+let _e579 = global_2.member.member_12.member_2.member;
+let _e588 = (vec3<f32>(((_e554.member * _e547) + (_e565.member * _e548)), ((_e554.member_1 * _e547) + (_e565.member_1 * _e548)), ((_e554.member_2 * _e547) + (_e565.member_2 * _e548))) + vec3<f32>((_e579.member * _e549), (_e579.member_1 * _e549), (_e579.member_2 * _e549)));
+let _e591 = global_2.member.member_1;
+if ((_e591 & 256u) != 0u) {
+let _e599 = global_2.member.member_12.member_18.member.member;
+let _e600 = bitcast<i32>(_e599);
+let _e606 = global_2.member.member_12.member_18.member.member_1;
+let _e607 = bitcast<i32>(_e606);
+let _e612 = global_2.member.member_12.member_19.member_2;
+let _e614 = select(1f, (_e517 - _e612), _e522);
+let _e617 = (1f / select(1e-12f, _e614, (_e614 > 1e-12f)));
+let _e622 = global_2.member.member_12.member_5;
+let _e627 = global_2.member.member_12.member_8;
+let _e628 = (((_e487 * _e617) - _e622) * _e627);
+let _e633 = global_2.member.member_12.member_6;
+let _e635 = (((_e502 * _e617) - _e633) * _e627);
+let _e640 = global_2.member.member_12.member_4.member;
+let _e642 = f32(bitcast<i32>(_e640));
+let _e644 = select(0f, _e628, (_e628 > 0f));
+let _e651 = global_2.member.member_12.member_18.member_1;
+let _e654 = ((_e628 - _e642) * _e651);
+let _e659 = global_2.member.member_12.member_18.member_2;
+let _e661 = select(0f, _e654, (_e654 > 0f));
+let _e663 = (_e659 + _e661);
+let _e668 = (-(_e628) * _e651);
+let _e670 = select(0f, _e668, (_e668 > 0f));
+let _e672 = (_e659 + _e670);
+let _e679 = (((_e659 + (select(_e642, _e644, (_e644 < _e642)) * _e651)) + (((_e661 * _e659) / select(1e-12f, _e663, (_e663 > 1e-12f))) - ((_e670 * _e659) / select(1e-12f, _e672, (_e672 > 1e-12f))))) - 0.5f);
+let _e684 = global_2.member.member_12.member_4.member_1;
+let _e686 = f32(bitcast<i32>(_e684));
+let _e688 = select(0f, _e635, (_e635 > 0f));
+let _e693 = ((_e635 - _e686) * _e651);
+let _e695 = select(0f, _e693, (_e693 > 0f));
+let _e697 = (_e659 + _e695);
+let _e702 = (-(_e635) * _e651);
+let _e704 = select(0f, _e702, (_e702 > 0f));
+let _e706 = (_e659 + _e704);
+let _e713 = (((_e659 + (select(_e686, _e688, (_e688 < _e686)) * _e651)) + (((_e695 * _e659) / select(1e-12f, _e697, (_e697 > 1e-12f))) - ((_e704 * _e659) / select(1e-12f, _e706, (_e706 > 1e-12f))))) - 0.5f);
+let _e715 = f32((_e600 - 2i));
+let _e717 = select(0f, _e679, (_e679 > 0f));
+let _e719 = select(_e715, _e717, (_e717 < _e715));
+let _e726 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < -2147483600f)), 2147483647i, (_e719 > 2147483500f)), (_e719 == _e719));
+let _e730 = (_e726 - select(0i, 1i, (_e719 < f32(_e726))));
+let _e732 = f32((_e607 - 2i));
+let _e734 = select(0f, _e713, (_e713 > 0f));
+let _e736 = select(_e732, _e734, (_e734 < _e732));
+let _e743 = select(0i, select(select(i32(_e736), i32(-2147483648), (_e736 < -2147483600f)), 2147483647i, (_e736 > 2147483500f)), (_e736 == _e736));
+let _e747 = (_e743 - select(0i, 1i, (_e736 < f32(_e743))));
+let _e749 = (_e679 - f32(_e730));
+let _e751 = select(0f, _e749, (_e749 > 0f));
+let _e753 = select(1f, _e751, (_e751 < 1f));
+let _e755 = (_e713 - f32(_e747));
+let _e757 = select(0f, _e755, (_e755 > 0f));
+let _e759 = select(1f, _e757, (_e757 < 1f));
+if _e424 {
+let _e764 = global_2.member.member_12.member_18.member_4;
+phi_1178_ = _e764;
 } else {
-let _e768 = global_2.member.member_10.member_18.member_3;
-phi_1177_ = _e768;
+let _e769 = global_2.member.member_12.member_18.member_3;
+phi_1178_ = _e769;
 }
-let _e770 = phi_1177_;
-let _e774 = ((bitcast<i32>(_e770) + (_e746 * _e599)) + _e729);
-let _e775 = (_e599 * _e606);
-let _e777 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
-let _e779 = select(_e777, _e774, (_e774 < _e777));
-let _e785 = global_5.member[bitcast<u32>(select(0i, _e779, (_e779 > 0i)))];
-let _e786 = bitcast<f32>(_e785);
-let _e787 = (_e774 + 1i);
-let _e789 = select(_e777, _e787, (_e787 < _e777));
-let _e795 = global_5.member[bitcast<u32>(select(0i, _e789, (_e789 > 0i)))];
-let _e799 = (_e786 + ((bitcast<f32>(_e795) - _e786) * _e752));
-let _e800 = (_e774 + _e599);
-let _e802 = select(_e777, _e800, (_e800 < _e777));
-let _e808 = global_5.member[bitcast<u32>(select(0i, _e802, (_e802 > 0i)))];
-let _e809 = bitcast<f32>(_e808);
-let _e810 = (_e800 + 1i);
-let _e812 = select(_e777, _e810, (_e810 < _e777));
-let _e818 = global_5.member[bitcast<u32>(select(0i, _e812, (_e812 > 0i)))];
-let _e825 = (_e799 + (((_e809 + ((bitcast<f32>(_e818) - _e809) * _e752)) - _e799) * _e758));
-let _e826 = (_e774 + _e775);
-let _e828 = select(_e777, _e826, (_e826 < _e777));
-let _e834 = global_5.member[bitcast<u32>(select(0i, _e828, (_e828 > 0i)))];
-let _e835 = bitcast<f32>(_e834);
-let _e836 = (_e826 + 1i);
-let _e838 = select(_e777, _e836, (_e836 < _e777));
-let _e844 = global_5.member[bitcast<u32>(select(0i, _e838, (_e838 > 0i)))];
-let _e848 = (_e835 + ((bitcast<f32>(_e844) - _e835) * _e752));
-let _e849 = (_e826 + _e599);
-let _e851 = select(_e777, _e849, (_e849 < _e777));
-let _e857 = global_5.member[bitcast<u32>(select(0i, _e851, (_e851 > 0i)))];
-let _e858 = bitcast<f32>(_e857);
-let _e859 = (_e849 + 1i);
-let _e861 = select(_e777, _e859, (_e859 < _e777));
-let _e867 = global_5.member[bitcast<u32>(select(0i, _e861, (_e861 > 0i)))];
-let _e874 = (_e848 + (((_e858 + ((bitcast<f32>(_e867) - _e858) * _e752)) - _e848) * _e758));
-let _e876 = (_e774 + (2i * _e775));
-let _e878 = select(_e777, _e876, (_e876 < _e777));
-let _e884 = global_5.member[bitcast<u32>(select(0i, _e878, (_e878 > 0i)))];
-let _e885 = bitcast<f32>(_e884);
-let _e886 = (_e876 + 1i);
-let _e888 = select(_e777, _e886, (_e886 < _e777));
-let _e894 = global_5.member[bitcast<u32>(select(0i, _e888, (_e888 > 0i)))];
-let _e898 = (_e885 + ((bitcast<f32>(_e894) - _e885) * _e752));
-let _e899 = (_e876 + _e599);
-let _e901 = select(_e777, _e899, (_e899 < _e777));
-let _e907 = global_5.member[bitcast<u32>(select(0i, _e901, (_e901 > 0i)))];
-let _e908 = bitcast<f32>(_e907);
-let _e909 = (_e899 + 1i);
-let _e911 = select(_e777, _e909, (_e909 < _e777));
-let _e917 = global_5.member[bitcast<u32>(select(0i, _e911, (_e911 > 0i)))];
-let _e924 = (_e898 + (((_e908 + ((bitcast<f32>(_e917) - _e908) * _e752)) - _e898) * _e758));
-let _e926 = (_e520 == 0u);
-if _e926 {
-phi_1575_ = vec3<f32>(_e825, _e874, _e924);
+let _e771 = phi_1178_;
+let _e775 = ((bitcast<i32>(_e771) + (_e747 * _e600)) + _e730);
+let _e776 = (_e600 * _e607);
+let _e778 = (bitcast<i32>(arrayLength((&global_5.member))) - 1i);
+let _e780 = select(_e778, _e775, (_e775 < _e778));
+let _e786 = global_5.member[bitcast<u32>(select(0i, _e780, (_e780 > 0i)))];
+let _e787 = bitcast<f32>(_e786);
+let _e788 = (_e775 + 1i);
+let _e790 = select(_e778, _e788, (_e788 < _e778));
+let _e796 = global_5.member[bitcast<u32>(select(0i, _e790, (_e790 > 0i)))];
+let _e800 = (_e787 + ((bitcast<f32>(_e796) - _e787) * _e753));
+let _e801 = (_e775 + _e600);
+let _e803 = select(_e778, _e801, (_e801 < _e778));
+let _e809 = global_5.member[bitcast<u32>(select(0i, _e803, (_e803 > 0i)))];
+let _e810 = bitcast<f32>(_e809);
+let _e811 = (_e801 + 1i);
+let _e813 = select(_e778, _e811, (_e811 < _e778));
+let _e819 = global_5.member[bitcast<u32>(select(0i, _e813, (_e813 > 0i)))];
+let _e826 = (_e800 + (((_e810 + ((bitcast<f32>(_e819) - _e810) * _e753)) - _e800) * _e759));
+let _e827 = (_e775 + _e776);
+let _e829 = select(_e778, _e827, (_e827 < _e778));
+let _e835 = global_5.member[bitcast<u32>(select(0i, _e829, (_e829 > 0i)))];
+let _e836 = bitcast<f32>(_e835);
+let _e837 = (_e827 + 1i);
+let _e839 = select(_e778, _e837, (_e837 < _e778));
+let _e845 = global_5.member[bitcast<u32>(select(0i, _e839, (_e839 > 0i)))];
+let _e849 = (_e836 + ((bitcast<f32>(_e845) - _e836) * _e753));
+let _e850 = (_e827 + _e600);
+let _e852 = select(_e778, _e850, (_e850 < _e778));
+let _e858 = global_5.member[bitcast<u32>(select(0i, _e852, (_e852 > 0i)))];
+let _e859 = bitcast<f32>(_e858);
+let _e860 = (_e850 + 1i);
+let _e862 = select(_e778, _e860, (_e860 < _e778));
+let _e868 = global_5.member[bitcast<u32>(select(0i, _e862, (_e862 > 0i)))];
+let _e875 = (_e849 + (((_e859 + ((bitcast<f32>(_e868) - _e859) * _e753)) - _e849) * _e759));
+let _e877 = (_e775 + (2i * _e776));
+let _e879 = select(_e778, _e877, (_e877 < _e778));
+let _e885 = global_5.member[bitcast<u32>(select(0i, _e879, (_e879 > 0i)))];
+let _e886 = bitcast<f32>(_e885);
+let _e887 = (_e877 + 1i);
+let _e889 = select(_e778, _e887, (_e887 < _e778));
+let _e895 = global_5.member[bitcast<u32>(select(0i, _e889, (_e889 > 0i)))];
+let _e899 = (_e886 + ((bitcast<f32>(_e895) - _e886) * _e753));
+let _e900 = (_e877 + _e600);
+let _e902 = select(_e778, _e900, (_e900 < _e778));
+let _e908 = global_5.member[bitcast<u32>(select(0i, _e902, (_e902 > 0i)))];
+let _e909 = bitcast<f32>(_e908);
+let _e910 = (_e900 + 1i);
+let _e912 = select(_e778, _e910, (_e910 < _e778));
+let _e918 = global_5.member[bitcast<u32>(select(0i, _e912, (_e912 > 0i)))];
+let _e925 = (_e899 + (((_e909 + ((bitcast<f32>(_e918) - _e909) * _e753)) - _e899) * _e759));
+let _e927 = (_e521 == 0u);
+if _e927 {
+phi_1576_ = vec3<f32>(_e826, _e875, _e925);
 } else {
-if _e926 {
-phi_1514_ = 1f;
+if _e927 {
+phi_1515_ = 1f;
 } else {
-let _e931 = global_2.member.member_10.member_20.member;
-let _e939 = (((_e931.member * _e529) + (_e931.member_1 * _e530)) + (_e931.member_2 * _e531));
-let _e943 = (_e529 - (_e931.member * _e939));
-let _e944 = (_e530 - (_e931.member_1 * _e939));
-let _e945 = (_e531 - (_e931.member_2 * _e939));
-let _e950 = (((_e943 * _e943) + (_e944 * _e944)) + (_e945 * _e945));
-let _e961 = global_2.member.member_10.member_20.member_1;
-let _e967 = global_2.member.member_10.member_20.member_2;
-let _e968 = ((_e961 - (sqrt(select(0f, _e950, (_e950 > 0f))) / select(1e-20f, _e939, (_e939 > 1e-20f)))) * _e967);
-let _e970 = select(0f, _e968, (_e968 > 0f));
-let _e972 = select(1f, _e970, (_e970 < 1f));
-phi_1514_ = select(1f, select(0f, ((_e972 * _e972) * (3f - (2f * _e972))), (_e939 > 0f)), (_e967 > 0f));
+let _e932 = global_2.member.member_12.member_20.member;
+let _e940 = (((_e932.member * _e530) + (_e932.member_1 * _e531)) + (_e932.member_2 * _e532));
+let _e944 = (_e530 - (_e932.member * _e940));
+let _e945 = (_e531 - (_e932.member_1 * _e940));
+let _e946 = (_e532 - (_e932.member_2 * _e940));
+let _e951 = (((_e944 * _e944) + (_e945 * _e945)) + (_e946 * _e946));
+let _e962 = global_2.member.member_12.member_20.member_1;
+let _e968 = global_2.member.member_12.member_20.member_2;
+let _e969 = ((_e962 - (sqrt(select(0f, _e951, (_e951 > 0f))) / select(1e-20f, _e940, (_e940 > 1e-20f)))) * _e968);
+let _e971 = select(0f, _e969, (_e969 > 0f));
+let _e973 = select(1f, _e971, (_e971 < 1f));
+phi_1515_ = select(1f, select(0f, ((_e973 * _e973) * (3f - (2f * _e973))), (_e940 > 0f)), (_e968 > 0f));
 }
-let _e982 = phi_1514_;
-let _e984 = select(0f, 1f, (_e531 > 0f));
-let _e988 = ((_e825 * _e984) + _e982);
-let _e989 = ((_e874 * _e984) + _e982);
-let _e990 = ((_e924 * _e984) + _e982);
-if _e926 {
-phi_1570_ = 1f;
+let _e983 = phi_1515_;
+let _e985 = select(0f, 1f, (_e532 > 0f));
+let _e989 = ((_e826 * _e985) + _e983);
+let _e990 = ((_e875 * _e985) + _e983);
+let _e991 = ((_e925 * _e985) + _e983);
+if _e927 {
+phi_1571_ = 1f;
 } else {
-phi_1570_ = (1f / select(1e-12f, _e536, (_e536 > 1e-12f)));
+phi_1571_ = (1f / select(1e-12f, _e537, (_e537 > 1e-12f)));
 }
-let _e1001 = phi_1570_;
-phi_1575_ = vec3<f32>((select(0f, _e988, (_e988 > 0f)) * _e1001), (select(0f, _e989, (_e989 > 0f)) * _e1001), (select(0f, _e990, (_e990 > 0f)) * _e1001));
+let _e1002 = phi_1571_;
+phi_1576_ = vec3<f32>((select(0f, _e989, (_e989 > 0f)) * _e1002), (select(0f, _e990, (_e990 > 0f)) * _e1002), (select(0f, _e991, (_e991 > 0f)) * _e1002));
 }
-let _e1007 = phi_1575_;
-let _e1011 = global_2.member.member_9.member_1;
-phi_1835_ = type_28((vec3<f32>(_e1011.member, _e1011.member_1, _e1011.member_2) * _e1007), _e587);
+let _e1008 = phi_1576_;
+let _e1012 = global_2.member.member_11.member_1;
+phi_1836_ = type_28((vec3<f32>(_e1012.member, _e1012.member_1, _e1012.member_2) * _e1008), _e588);
 } else {
-let _e1018 = (_e520 == 0u);
-if _e1018 {
-let _e1022 = global_2.member.member_9.member_1;
-let _e1030 = global_2.member.member_9.member;
-phi_1834_ = type_28(vec3<f32>(_e1022.member, _e1022.member_1, _e1022.member_2), vec3<f32>(_e1030.member, _e1030.member_1, _e1030.member_2));
+let _e1019 = (_e521 == 0u);
+if _e1019 {
+let _e1023 = global_2.member.member_11.member_1;
+let _e1031 = global_2.member.member_11.member;
+phi_1835_ = type_28(vec3<f32>(_e1023.member, _e1023.member_1, _e1023.member_2), vec3<f32>(_e1031.member, _e1031.member_1, _e1031.member_2));
 } else {
-let _e1039 = global_2.member.member_9.member_1;
-if _e1018 {
-phi_1678_ = 1f;
+let _e1040 = global_2.member.member_11.member_1;
+if _e1019 {
+phi_1679_ = 1f;
 } else {
-phi_1678_ = (1f / select(1e-12f, _e536, (_e536 > 1e-12f)));
+phi_1679_ = (1f / select(1e-12f, _e537, (_e537 > 1e-12f)));
 }
-let _e1047 = phi_1678_;
-if _e1018 {
-phi_1762_ = 1f;
+let _e1048 = phi_1679_;
+if _e1019 {
+phi_1763_ = 1f;
 } else {
-let _e1052 = global_2.member.member_10.member_20.member;
-let _e1060 = (((_e1052.member * _e529) + (_e1052.member_1 * _e530)) + (_e1052.member_2 * _e531));
-let _e1064 = (_e529 - (_e1052.member * _e1060));
-let _e1065 = (_e530 - (_e1052.member_1 * _e1060));
-let _e1066 = (_e531 - (_e1052.member_2 * _e1060));
-let _e1071 = (((_e1064 * _e1064) + (_e1065 * _e1065)) + (_e1066 * _e1066));
-let _e1082 = global_2.member.member_10.member_20.member_1;
-let _e1088 = global_2.member.member_10.member_20.member_2;
-let _e1089 = ((_e1082 - (sqrt(select(0f, _e1071, (_e1071 > 0f))) / select(1e-20f, _e1060, (_e1060 > 1e-20f)))) * _e1088);
-let _e1091 = select(0f, _e1089, (_e1089 > 0f));
-let _e1093 = select(1f, _e1091, (_e1091 < 1f));
-phi_1762_ = select(1f, select(0f, ((_e1093 * _e1093) * (3f - (2f * _e1093))), (_e1060 > 0f)), (_e1088 > 0f));
+let _e1053 = global_2.member.member_12.member_20.member;
+let _e1061 = (((_e1053.member * _e530) + (_e1053.member_1 * _e531)) + (_e1053.member_2 * _e532));
+let _e1065 = (_e530 - (_e1053.member * _e1061));
+let _e1066 = (_e531 - (_e1053.member_1 * _e1061));
+let _e1067 = (_e532 - (_e1053.member_2 * _e1061));
+let _e1072 = (((_e1065 * _e1065) + (_e1066 * _e1066)) + (_e1067 * _e1067));
+let _e1083 = global_2.member.member_12.member_20.member_1;
+let _e1089 = global_2.member.member_12.member_20.member_2;
+let _e1090 = ((_e1083 - (sqrt(select(0f, _e1072, (_e1072 > 0f))) / select(1e-20f, _e1061, (_e1061 > 1e-20f)))) * _e1089);
+let _e1092 = select(0f, _e1090, (_e1090 > 0f));
+let _e1094 = select(1f, _e1092, (_e1092 < 1f));
+phi_1763_ = select(1f, select(0f, ((_e1094 * _e1094) * (3f - (2f * _e1094))), (_e1061 > 0f)), (_e1089 > 0f));
 }
-let _e1103 = phi_1762_;
-let _e1104 = (_e1047 * _e1103);
-phi_1834_ = type_28(vec3<f32>((_e1039.member * _e1104), (_e1039.member_1 * _e1104), (_e1039.member_2 * _e1104)), _e587);
+let _e1104 = phi_1763_;
+let _e1105 = (_e1048 * _e1104);
+phi_1835_ = type_28(vec3<f32>((_e1040.member * _e1105), (_e1040.member_1 * _e1105), (_e1040.member_2 * _e1105)), _e588);
 }
-let _e1111 = phi_1834_;
-phi_1835_ = _e1111;
+let _e1112 = phi_1835_;
+phi_1836_ = _e1112;
 }
-let _e1113 = phi_1835_;
-let _e1122 = (((_e1113.member_1.x * _e1113.member_1.x) + (_e1113.member_1.y * _e1113.member_1.y)) + (_e1113.member_1.z * _e1113.member_1.z));
-let _e1125 = sqrt(select(0f, _e1122, (_e1122 > 0f)));
-let _e1131 = (1e-6f * _e1125);
-let _e1135 = select((_e1125 / select(_e1131, _e1113.member_1.z, (_e1113.member_1.z > _e1131))), 1f, ((_e590 & 8u) != 0u));
-let _e1144 = global_2.member.member_18;
-let _e1156 = (-((((select(_e440.member, _e429.member, _e423) * _e1113.member_1.x) + (select(_e440.member_1, _e429.member_1, _e423) * _e1113.member_1.y)) + (select(_e440.member_2, _e429.member_2, _e423) * _e1113.member_1.z))) / select(1e-20f, _e1125, (_e1125 > 1e-20f)));
-let _e1161 = bitcast<f32>((bitcast<u32>(select(0f, _e1156, (_e1156 > 0f))) & 2147483647u));
-let _e1174 = ((_e311 || (_e175 == 3f)) && (_e421 != -1i));
-let _e1179 = select(0f, (1f - _e219), _e1174);
-let _e1189 = (_e219 + _e1179);
-let _e1194 = (1f - _e1189);
-let _e1195 = local_10;
-local_8 = _e1195;
-local_9 = _e162;
-let _e1196 = local_9;
-let _e1198 = local_8;
-let _e1199 = ((3i * _e1196) + _e1198);
-let _e1201 = select(_e168, _e1199, (_e1199 < _e168));
-let _e1206 = global_3.member[bitcast<u32>(select(0i, _e1201, (_e1201 > 0i)))];
-let _e1207 = local_9;
-let _e1209 = local_8;
-let _e1210 = ((4i * _e1207) + _e1209);
-let _e1212 = select(_e168, _e1210, (_e1210 < _e168));
-let _e1217 = global_3.member[bitcast<u32>(select(0i, _e1212, (_e1212 > 0i)))];
-let _e1218 = local_9;
-let _e1220 = local_8;
-let _e1221 = ((5i * _e1218) + _e1220);
-let _e1223 = select(_e168, _e1221, (_e1221 < _e168));
-let _e1228 = global_3.member[bitcast<u32>(select(0i, _e1223, (_e1223 > 0i)))];
-let _e1233 = (((_e1206 * _e1206) + (_e1217 * _e1217)) + (_e1228 * _e1228));
-let _e1236 = sqrt(select(0f, _e1233, (_e1233 > 0f)));
-let _e1239 = (1f / select(1e-20f, _e1236, (_e1236 > 1e-20f)));
-let _e1240 = (_e1206 * _e1239);
-let _e1241 = (_e1217 * _e1239);
-let _e1242 = (_e1228 * _e1239);
-let _e1246 = global_2.member.member_21.member_4;
-let _e1254 = (((_e1246.member * _e1240) + (_e1246.member_1 * _e1241)) + (_e1246.member_2 * _e1242));
-let _e1258 = global_2.member.member_21.member_5;
-let _e1266 = (((_e1258.member * _e1240) + (_e1258.member_1 * _e1241)) + (_e1258.member_2 * _e1242));
-let _e1270 = global_2.member.member_21.member_6;
-let _e1278 = (((_e1270.member * _e1240) + (_e1270.member_1 * _e1241)) + (_e1270.member_2 * _e1242));
-let _e1279 = bitcast<i32>(_e121);
-let _e1280 = bitcast<i32>(_e123);
-if (_e1279 > 0i) {
-phi_2116_ = (_e1279 - 1i);
+let _e1114 = phi_1836_;
+let _e1123 = (((_e1114.member_1.x * _e1114.member_1.x) + (_e1114.member_1.y * _e1114.member_1.y)) + (_e1114.member_1.z * _e1114.member_1.z));
+let _e1126 = sqrt(select(0f, _e1123, (_e1123 > 0f)));
+let _e1132 = (1e-6f * _e1126);
+let _e1136 = select((_e1126 / select(_e1132, _e1114.member_1.z, (_e1114.member_1.z > _e1132))), 1f, ((_e591 & 8u) != 0u));
+let _e1145 = global_2.member.member_20;
+let _e1157 = (-((((select(_e441.member, _e430.member, _e424) * _e1114.member_1.x) + (select(_e441.member_1, _e430.member_1, _e424) * _e1114.member_1.y)) + (select(_e441.member_2, _e430.member_2, _e424) * _e1114.member_1.z))) / select(1e-20f, _e1126, (_e1126 > 1e-20f)));
+let _e1162 = bitcast<f32>((bitcast<u32>(select(0f, _e1157, (_e1157 > 0f))) & 2147483647u));
+let _e1175 = ((_e312 || (_e176 == 3f)) && (_e422 != -1i));
+let _e1180 = select(0f, (1f - _e220), _e1175);
+let _e1190 = (_e220 + _e1180);
+let _e1195 = (1f - _e1190);
+let _e1196 = local_10;
+local_8 = _e1196;
+local_9 = _e163;
+let _e1197 = local_9;
+let _e1199 = local_8;
+let _e1200 = ((3i * _e1197) + _e1199);
+let _e1202 = select(_e169, _e1200, (_e1200 < _e169));
+let _e1207 = global_3.member[bitcast<u32>(select(0i, _e1202, (_e1202 > 0i)))];
+let _e1208 = local_9;
+let _e1210 = local_8;
+let _e1211 = ((4i * _e1208) + _e1210);
+let _e1213 = select(_e169, _e1211, (_e1211 < _e169));
+let _e1218 = global_3.member[bitcast<u32>(select(0i, _e1213, (_e1213 > 0i)))];
+let _e1219 = local_9;
+let _e1221 = local_8;
+let _e1222 = ((5i * _e1219) + _e1221);
+let _e1224 = select(_e169, _e1222, (_e1222 < _e169));
+let _e1229 = global_3.member[bitcast<u32>(select(0i, _e1224, (_e1224 > 0i)))];
+let _e1234 = (((_e1207 * _e1207) + (_e1218 * _e1218)) + (_e1229 * _e1229));
+let _e1237 = sqrt(select(0f, _e1234, (_e1234 > 0f)));
+let _e1240 = (1f / select(1e-20f, _e1237, (_e1237 > 1e-20f)));
+let _e1241 = (_e1207 * _e1240);
+let _e1242 = (_e1218 * _e1240);
+let _e1243 = (_e1229 * _e1240);
+let _e1247 = global_2.member.member_23.member_4;
+let _e1255 = (((_e1247.member * _e1241) + (_e1247.member_1 * _e1242)) + (_e1247.member_2 * _e1243));
+let _e1259 = global_2.member.member_23.member_5;
+let _e1267 = (((_e1259.member * _e1241) + (_e1259.member_1 * _e1242)) + (_e1259.member_2 * _e1243));
+let _e1271 = global_2.member.member_23.member_6;
+let _e1279 = (((_e1271.member * _e1241) + (_e1271.member_1 * _e1242)) + (_e1271.member_2 * _e1243));
+let _e1280 = bitcast<i32>(_e122);
+let _e1281 = bitcast<i32>(_e124);
+let _e1286 = global_2.member.member_5;
+let _e1287 = (_e1286 == 0u);
+if _e1287 {
+phi_2121_ = bitcast<i32>(_e133);
 } else {
-phi_2116_ = 0i;
+phi_2121_ = bitcast<i32>(_e1286);
 }
-let _e1286 = phi_2116_;
-let _e1287 = (bitcast<i32>(_e132) - 1i);
-if (_e1279 < _e1287) {
-phi_2124_ = (_e1279 + 1i);
-} else {
-phi_2124_ = _e1287;
+let _e1290 = phi_2121_;
+if (_e1290 == 0i) {
+break;
 }
-let _e1291 = phi_2124_;
-if (_e1280 > 0i) {
-phi_2130_ = (_e1280 - 1i);
-} else {
-phi_2130_ = 0i;
+if ((_e1290 == -1i) && (_e1280 == i32(-2147483648))) {
+break;
 }
-let _e1295 = phi_2130_;
-let _e1296 = (bitcast<i32>(_e136) - 1i);
-if (_e1280 < _e1296) {
-phi_2138_ = (_e1280 + 1i);
+let _e1296 = (_e1280 - (_e1280 % _e1290));
+let _e1298 = ((_e1296 + _e1290) - 1i);
+if (_e1280 > _e1296) {
+phi_2141_ = (_e1280 - 1i);
 } else {
-phi_2138_ = _e1296;
+phi_2141_ = _e1296;
 }
-let _e1300 = phi_2138_;
-let _e1303 = global_2.member.member_3.member;
-let _e1306 = global_2.member.member_3.member_1;
-let _e1307 = bitcast<u32>(_e1291);
-let _e1308 = bitcast<u32>(_e1280);
-let _e1309 = (_e1307 % 16u);
-let _e1310 = (_e1308 % 4u);
-let _e1312 = (_e1303 - (_e1303 % 16u));
-let _e1315 = (_e1306 - (_e1306 % 4u));
-let _e1316 = (_e1308 < _e1315);
-if ((_e1307 < _e1312) && _e1316) {
-phi_2179_ = ((((_e1308 - _e1310) + (_e1309 / 4u)) * _e1303) + (((_e1307 - _e1309) + (_e1310 * 4u)) + (_e1309 % 4u)));
+let _e1302 = phi_2141_;
+if (_e1280 < _e1298) {
+phi_2147_ = (_e1280 + 1i);
 } else {
-phi_2179_ = ((_e1308 * _e1303) + _e1307);
+phi_2147_ = _e1298;
 }
-let _e1331 = phi_2179_;
-local_6 = bitcast<i32>(_e1331);
-let _e1334 = bitcast<i32>((_e1303 * _e1306));
-local_7 = _e1334;
-let _e1335 = local_7;
-let _e1337 = local_6;
-let _e1338 = ((3i * _e1335) + _e1337);
-let _e1340 = select(_e168, _e1338, (_e1338 < _e168));
-let _e1345 = global_3.member[bitcast<u32>(select(0i, _e1340, (_e1340 > 0i)))];
-let _e1346 = local_7;
-let _e1348 = local_6;
-let _e1349 = ((4i * _e1346) + _e1348);
-let _e1351 = select(_e168, _e1349, (_e1349 < _e168));
-let _e1356 = global_3.member[bitcast<u32>(select(0i, _e1351, (_e1351 > 0i)))];
-let _e1357 = local_7;
-let _e1359 = local_6;
-let _e1360 = ((5i * _e1357) + _e1359);
-let _e1362 = select(_e168, _e1360, (_e1360 < _e168));
-let _e1367 = global_3.member[bitcast<u32>(select(0i, _e1362, (_e1362 > 0i)))];
-let _e1372 = (((_e1345 * _e1345) + (_e1356 * _e1356)) + (_e1367 * _e1367));
-let _e1375 = sqrt(select(0f, _e1372, (_e1372 > 0f)));
-let _e1378 = (1f / select(1e-20f, _e1375, (_e1375 > 1e-20f)));
-let _e1379 = (_e1345 * _e1378);
-let _e1380 = (_e1356 * _e1378);
-let _e1381 = (_e1367 * _e1378);
-let _e1384 = global_2.member.member_21.member_4;
-let _e1395 = global_2.member.member_21.member_5;
-let _e1406 = global_2.member.member_21.member_6;
-let _e1415 = bitcast<u32>(_e1286);
-let _e1416 = (_e1415 % 16u);
-if ((_e1415 < _e1312) && _e1316) {
-phi_2349_ = ((((_e1308 - _e1310) + (_e1416 / 4u)) * _e1303) + (((_e1415 - _e1416) + (_e1310 * 4u)) + (_e1416 % 4u)));
+let _e1306 = phi_2147_;
+if _e1287 {
+phi_2157_ = bitcast<i32>(_e137);
 } else {
-phi_2349_ = ((_e1308 * _e1303) + _e1415);
+phi_2157_ = bitcast<i32>(_e1286);
 }
-let _e1432 = phi_2349_;
-local_4 = bitcast<i32>(_e1432);
-local_5 = _e1334;
-let _e1434 = local_5;
-let _e1436 = local_4;
-let _e1437 = ((3i * _e1434) + _e1436);
-let _e1439 = select(_e168, _e1437, (_e1437 < _e168));
-let _e1444 = global_3.member[bitcast<u32>(select(0i, _e1439, (_e1439 > 0i)))];
-let _e1445 = local_5;
-let _e1447 = local_4;
-let _e1448 = ((4i * _e1445) + _e1447);
-let _e1450 = select(_e168, _e1448, (_e1448 < _e168));
-let _e1455 = global_3.member[bitcast<u32>(select(0i, _e1450, (_e1450 > 0i)))];
-let _e1456 = local_5;
-let _e1458 = local_4;
-let _e1459 = ((5i * _e1456) + _e1458);
-let _e1461 = select(_e168, _e1459, (_e1459 < _e168));
-let _e1466 = global_3.member[bitcast<u32>(select(0i, _e1461, (_e1461 > 0i)))];
-let _e1471 = (((_e1444 * _e1444) + (_e1455 * _e1455)) + (_e1466 * _e1466));
-let _e1474 = sqrt(select(0f, _e1471, (_e1471 > 0f)));
-let _e1477 = (1f / select(1e-20f, _e1474, (_e1474 > 1e-20f)));
-let _e1478 = (_e1444 * _e1477);
-let _e1479 = (_e1455 * _e1477);
-let _e1480 = (_e1466 * _e1477);
-let _e1496 = ((((_e1384.member * _e1379) + (_e1384.member_1 * _e1380)) + (_e1384.member_2 * _e1381)) - (((_e1384.member * _e1478) + (_e1384.member_1 * _e1479)) + (_e1384.member_2 * _e1480)));
-let _e1497 = ((((_e1395.member * _e1379) + (_e1395.member_1 * _e1380)) + (_e1395.member_2 * _e1381)) - (((_e1395.member * _e1478) + (_e1395.member_1 * _e1479)) + (_e1395.member_2 * _e1480)));
-let _e1498 = ((((_e1406.member * _e1379) + (_e1406.member_1 * _e1380)) + (_e1406.member_2 * _e1381)) - (((_e1406.member * _e1478) + (_e1406.member_1 * _e1479)) + (_e1406.member_2 * _e1480)));
-let _e1503 = (((_e1496 * _e1496) + (_e1497 * _e1497)) + (_e1498 * _e1498));
-let _e1507 = bitcast<u32>(_e1279);
-let _e1508 = bitcast<u32>(_e1300);
-let _e1509 = (_e1507 % 16u);
-let _e1510 = (_e1508 % 4u);
-let _e1511 = (_e1507 < _e1312);
-if (_e1511 && (_e1508 < _e1315)) {
-phi_2533_ = ((((_e1508 - _e1510) + (_e1509 / 4u)) * _e1303) + (((_e1507 - _e1509) + (_e1510 * 4u)) + (_e1509 % 4u)));
-} else {
-phi_2533_ = ((_e1508 * _e1303) + _e1507);
+let _e1309 = phi_2157_;
+if (_e1309 == 0i) {
+break;
 }
-let _e1527 = phi_2533_;
-local_2 = bitcast<i32>(_e1527);
-local_3 = _e1334;
-let _e1529 = local_3;
-let _e1531 = local_2;
-let _e1532 = ((3i * _e1529) + _e1531);
-let _e1534 = select(_e168, _e1532, (_e1532 < _e168));
-let _e1539 = global_3.member[bitcast<u32>(select(0i, _e1534, (_e1534 > 0i)))];
-let _e1540 = local_3;
-let _e1542 = local_2;
-let _e1543 = ((4i * _e1540) + _e1542);
-let _e1545 = select(_e168, _e1543, (_e1543 < _e168));
-let _e1550 = global_3.member[bitcast<u32>(select(0i, _e1545, (_e1545 > 0i)))];
-let _e1551 = local_3;
-let _e1553 = local_2;
-let _e1554 = ((5i * _e1551) + _e1553);
-let _e1556 = select(_e168, _e1554, (_e1554 < _e168));
-let _e1561 = global_3.member[bitcast<u32>(select(0i, _e1556, (_e1556 > 0i)))];
-let _e1566 = (((_e1539 * _e1539) + (_e1550 * _e1550)) + (_e1561 * _e1561));
-let _e1569 = sqrt(select(0f, _e1566, (_e1566 > 0f)));
-let _e1572 = (1f / select(1e-20f, _e1569, (_e1569 > 1e-20f)));
-let _e1573 = (_e1539 * _e1572);
-let _e1574 = (_e1550 * _e1572);
-let _e1575 = (_e1561 * _e1572);
-let _e1591 = bitcast<u32>(_e1295);
-let _e1592 = (_e1591 % 4u);
-if (_e1511 && (_e1591 < _e1315)) {
-phi_2703_ = ((((_e1591 - _e1592) + (_e1509 / 4u)) * _e1303) + (((_e1507 - _e1509) + (_e1592 * 4u)) + (_e1509 % 4u)));
-} else {
-phi_2703_ = ((_e1591 * _e1303) + _e1507);
+if ((_e1309 == -1i) && (_e1281 == i32(-2147483648))) {
+break;
 }
-let _e1608 = phi_2703_;
-local = bitcast<i32>(_e1608);
-local_1 = _e1334;
-let _e1610 = local_1;
-let _e1612 = local;
-let _e1613 = ((3i * _e1610) + _e1612);
-let _e1615 = select(_e168, _e1613, (_e1613 < _e168));
-let _e1620 = global_3.member[bitcast<u32>(select(0i, _e1615, (_e1615 > 0i)))];
-let _e1621 = local_1;
-let _e1623 = local;
-let _e1624 = ((4i * _e1621) + _e1623);
-let _e1626 = select(_e168, _e1624, (_e1624 < _e168));
-let _e1631 = global_3.member[bitcast<u32>(select(0i, _e1626, (_e1626 > 0i)))];
-let _e1632 = local_1;
-let _e1634 = local;
-let _e1635 = ((5i * _e1632) + _e1634);
-let _e1637 = select(_e168, _e1635, (_e1635 < _e168));
-let _e1642 = global_3.member[bitcast<u32>(select(0i, _e1637, (_e1637 > 0i)))];
-let _e1647 = (((_e1620 * _e1620) + (_e1631 * _e1631)) + (_e1642 * _e1642));
-let _e1650 = sqrt(select(0f, _e1647, (_e1647 > 0f)));
-let _e1653 = (1f / select(1e-20f, _e1650, (_e1650 > 1e-20f)));
-let _e1654 = (_e1620 * _e1653);
-let _e1655 = (_e1631 * _e1653);
-let _e1656 = (_e1642 * _e1653);
-let _e1672 = ((((_e1384.member * _e1573) + (_e1384.member_1 * _e1574)) + (_e1384.member_2 * _e1575)) - (((_e1384.member * _e1654) + (_e1384.member_1 * _e1655)) + (_e1384.member_2 * _e1656)));
-let _e1673 = ((((_e1395.member * _e1573) + (_e1395.member_1 * _e1574)) + (_e1395.member_2 * _e1575)) - (((_e1395.member * _e1654) + (_e1395.member_1 * _e1655)) + (_e1395.member_2 * _e1656)));
-let _e1674 = ((((_e1406.member * _e1573) + (_e1406.member_1 * _e1574)) + (_e1406.member_2 * _e1575)) - (((_e1406.member * _e1654) + (_e1406.member_1 * _e1655)) + (_e1406.member_2 * _e1656)));
-let _e1679 = (((_e1672 * _e1672) + (_e1673 * _e1673)) + (_e1674 * _e1674));
-let _e1684 = f32((_e1291 - _e1286));
-let _e1687 = (sqrt(select(0f, _e1503, (_e1503 > 0f))) / select(1f, _e1684, (_e1684 > 1f)));
-let _e1689 = f32((_e1300 - _e1295));
-let _e1692 = (sqrt(select(0f, _e1679, (_e1679 > 0f))) / select(1f, _e1689, (_e1689 > 1f)));
-let _e1694 = select(_e1692, _e1687, (_e1687 > _e1692));
-let _e1698 = global_2.member.member_21.member;
-let _e1702 = global_2.member.member_21.member_7;
-let _e1706 = vec3<f32>(_e1702.member, _e1702.member_1, _e1702.member_2);
-let _e1710 = global_2.member.member_21.member_8;
-if (_e1698 == 0u) {
-phi_4297_ = _e1706;
+let _e1315 = (_e1281 - (_e1281 % _e1309));
+let _e1317 = ((_e1315 + _e1309) - 1i);
+if (_e1281 > _e1315) {
+phi_2177_ = (_e1281 - 1i);
 } else {
-if (_e1698 == 1u) {
-let _e1717 = select(-1f, _e1278, (_e1278 > -1f));
-let _e1719 = select(1f, _e1717, (_e1717 < 1f));
-if (_e1719 > 0f) {
-phi_2912_ = _e1706;
-} else {
-let _e1724 = global_2.member.member_21.member_9;
-phi_2912_ = vec3<f32>(_e1724.member, _e1724.member_1, _e1724.member_2);
+phi_2177_ = _e1315;
 }
-let _e1730 = phi_2912_;
-let _e1739 = bitcast<f32>((bitcast<u32>(_e1719) & 2147483647u));
-let _e1742 = sqrt(select(0f, _e1739, (_e1739 > 0f)));
-phi_4296_ = vec3<f32>((_e1710.member + ((_e1730.x - _e1710.member) * _e1742)), (_e1710.member_1 + ((_e1730.y - _e1710.member_1) * _e1742)), (_e1710.member_2 + ((_e1730.z - _e1710.member_2) * _e1742)));
+let _e1321 = phi_2177_;
+if (_e1281 < _e1317) {
+phi_2183_ = (_e1281 + 1i);
 } else {
-if (_e1698 == 2u) {
-let _e1754 = global_2.member.member_21.member_10;
-let _e1755 = (_e1694 / _e1754);
-let _e1757 = select(1e-4f, _e1755, (_e1755 > 1e-4f));
-let _e1760 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
-let _e1763 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
-let _e1767 = select(_e1763, _e1760, (_e1760 > _e1763));
-let _e1770 = (select(_e1763, _e1760, (_e1760 < _e1763)) / select(1.1754944e-38f, _e1767, (_e1767 > 1.1754944e-38f)));
-let _e1771 = (_e1770 > 0.41421357f);
-let _e1775 = select(_e1770, ((_e1770 - 1f) / (_e1770 + 1f)), _e1771);
-let _e1776 = (_e1775 * _e1775);
-let _e1791 = (select(0f, 0.7853982f, _e1771) + (_e1775 + ((_e1775 * _e1776) * (-0.33333334f + (_e1776 * (0.2f + (_e1776 * (-0.14285713f + (_e1776 * (0.11111111f + (_e1776 * (-0.09090909f + (_e1776 * 0.0585f)))))))))))));
-let _e1794 = select(_e1791, (1.5707964f - _e1791), (_e1763 > _e1760));
-let _e1797 = select(_e1794, (3.1415927f - _e1794), (_e1254 < 0f));
-let _e1803 = (1f - (_e1278 * _e1278));
-let _e1806 = sqrt(select(0f, _e1803, (_e1803 > 0f)));
-let _e1809 = (_e1757 / select(1e-3f, _e1806, (_e1806 > 1e-3f)));
-let _e1810 = ((select(_e1797, -(_e1797), (_e1266 < 0f)) / _e1754) * 0.5f);
-let _e1812 = select(-8e6f, _e1810, (_e1810 > -8e6f));
-let _e1814 = select(8e6f, _e1812, (_e1812 < 8e6f));
-let _e1821 = select(0i, select(select(i32(_e1814), i32(-2147483648), (_e1814 < -2147483600f)), 2147483647i, (_e1814 > 2147483500f)), (_e1814 == _e1814));
-let _e1828 = ((_e1810 - f32((_e1821 - select(0i, 1i, (_e1814 < f32(_e1821)))))) * 2f);
-let _e1836 = ((select(select((_e1828 - 2f), (1f - _e1828), (_e1828 < 1.5f)), _e1828, (_e1828 < 0.5f)) * 2f) / _e1809);
-let _e1838 = select(-1f, _e1836, (_e1836 > -1f));
-let _e1841 = (2f - _e1809);
-let _e1843 = select(0f, _e1841, (_e1841 > 0f));
-let _e1848 = select(-1f, _e1278, (_e1278 > -1f));
-let _e1850 = select(1f, _e1848, (_e1848 < 1f));
-let _e1853 = ((1f - _e1850) * (1f + _e1850));
-let _e1856 = sqrt(select(0f, _e1853, (_e1853 > 0f)));
-let _e1859 = bitcast<f32>((bitcast<u32>(_e1856) & 2147483647u));
-let _e1862 = bitcast<f32>((bitcast<u32>(_e1850) & 2147483647u));
-let _e1866 = select(_e1862, _e1859, (_e1859 > _e1862));
-let _e1869 = (select(_e1862, _e1859, (_e1859 < _e1862)) / select(1.1754944e-38f, _e1866, (_e1866 > 1.1754944e-38f)));
-let _e1870 = (_e1869 > 0.41421357f);
-let _e1874 = select(_e1869, ((_e1869 - 1f) / (_e1869 + 1f)), _e1870);
-let _e1875 = (_e1874 * _e1874);
-let _e1890 = (select(0f, 0.7853982f, _e1870) + (_e1874 + ((_e1874 * _e1875) * (-0.33333334f + (_e1875 * (0.2f + (_e1875 * (-0.14285713f + (_e1875 * (0.11111111f + (_e1875 * (-0.09090909f + (_e1875 * 0.0585f)))))))))))));
-let _e1893 = select(_e1890, (1.5707964f - _e1890), (_e1862 > _e1859));
-let _e1896 = select(_e1893, (3.1415927f - _e1893), (_e1856 < 0f));
-let _e1901 = ((select(_e1896, -(_e1896), (_e1850 < 0f)) / _e1754) * 0.5f);
-let _e1903 = select(-8e6f, _e1901, (_e1901 > -8e6f));
-let _e1905 = select(8e6f, _e1903, (_e1903 < 8e6f));
-let _e1912 = select(0i, select(select(i32(_e1905), i32(-2147483648), (_e1905 < -2147483600f)), 2147483647i, (_e1905 > 2147483500f)), (_e1905 == _e1905));
-let _e1919 = ((_e1901 - f32((_e1912 - select(0i, 1i, (_e1905 < f32(_e1912)))))) * 2f);
-let _e1927 = ((select(select((_e1919 - 2f), (1f - _e1919), (_e1919 < 1.5f)), _e1919, (_e1919 < 0.5f)) * 2f) / _e1757);
-let _e1929 = select(-1f, _e1927, (_e1927 > -1f));
-let _e1932 = (2f - _e1757);
-let _e1934 = select(0f, _e1932, (_e1932 > 0f));
-let _e1940 = (0.5f + ((0.5f * (select(1f, _e1838, (_e1838 < 1f)) * select(1f, _e1843, (_e1843 < 1f)))) * (select(1f, _e1929, (_e1929 < 1f)) * select(1f, _e1934, (_e1934 < 1f)))));
-phi_4295_ = vec3<f32>((_e1702.member + ((_e1710.member - _e1702.member) * _e1940)), (_e1702.member_1 + ((_e1710.member_1 - _e1702.member_1) * _e1940)), (_e1702.member_2 + ((_e1710.member_2 - _e1702.member_2) * _e1940)));
+phi_2183_ = _e1317;
+}
+let _e1325 = phi_2183_;
+let _e1328 = global_2.member.member_3.member;
+let _e1331 = global_2.member.member_3.member_1;
+let _e1332 = bitcast<u32>(_e1306);
+let _e1333 = bitcast<u32>(_e1281);
+let _e1334 = (_e1332 % 16u);
+let _e1335 = (_e1333 % 4u);
+let _e1337 = (_e1328 - (_e1328 % 16u));
+let _e1340 = (_e1331 - (_e1331 % 4u));
+let _e1341 = (_e1333 < _e1340);
+if ((_e1332 < _e1337) && _e1341) {
+phi_2224_ = ((((_e1333 - _e1335) + (_e1334 / 4u)) * _e1328) + (((_e1332 - _e1334) + (_e1335 * 4u)) + (_e1334 % 4u)));
 } else {
-let _e1954 = global_2.member.member_21.member_1;
-let _e1955 = bitcast<i32>(_e1954);
-let _e1960 = global_2.member.member_21.member_3;
-let _e1962 = f32(bitcast<i32>(_e1960));
-let _e1964 = (2f * 3.1415927f);
-let _e1965 = ((_e1694 * f32(_e1955)) / _e1964);
-let _e1967 = select(1e-6f, _e1965, (_e1965 > 1e-6f));
-let _e1970 = bitcast<u32>(select(1.1754944e-38f, _e1967, (_e1967 > 1.1754944e-38f)));
-let _e1971 = (_e1970 & 8388607u);
-let _e1973 = select(0u, 1u, (_e1971 > 3474675u));
-let _e1984 = bitcast<f32>((_e1971 | ((127u - _e1973) << bitcast<u32>(23i))));
-let _e1987 = ((_e1984 - 1f) / (_e1984 + 1f));
-let _e1988 = (_e1987 * _e1987);
-let _e2003 = (f32(((bitcast<i32>((_e1970 >> bitcast<u32>(23i))) - 127i) + bitcast<i32>(_e1973))) + (((2f * _e1987) + ((_e1987 * _e1988) * (0.6666667f + (_e1988 * (0.4f + (_e1988 * (0.2857143f + (_e1988 * (0.22222222f + (_e1988 * 0.18181819f)))))))))) * 1.442695f));
-let _e2004 = (_e1962 - 1f);
-let _e2006 = select(0f, _e2003, (_e2003 > 0f));
-let _e2008 = select(_e2004, _e2006, (_e2006 < _e2004));
-let _e2009 = (_e1962 - 2f);
-let _e2011 = select(0f, _e2009, (_e2009 > 0f));
-let _e2013 = select(0f, _e2008, (_e2008 > 0f));
-let _e2015 = select(_e2011, _e2013, (_e2013 < _e2011));
-let _e2022 = select(0i, select(select(i32(_e2015), i32(-2147483648), (_e2015 < -2147483600f)), 2147483647i, (_e2015 > 2147483500f)), (_e2015 == _e2015));
-let _e2026 = (_e2022 - select(0i, 1i, (_e2015 < f32(_e2022))));
-let _e2029 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
-let _e2032 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
-let _e2036 = select(_e2032, _e2029, (_e2029 > _e2032));
-let _e2039 = (select(_e2032, _e2029, (_e2029 < _e2032)) / select(1.1754944e-38f, _e2036, (_e2036 > 1.1754944e-38f)));
-let _e2040 = (_e2039 > 0.41421357f);
-let _e2044 = select(_e2039, ((_e2039 - 1f) / (_e2039 + 1f)), _e2040);
-let _e2045 = (_e2044 * _e2044);
-let _e2060 = (select(0f, 0.7853982f, _e2040) + (_e2044 + ((_e2044 * _e2045) * (-0.33333334f + (_e2045 * (0.2f + (_e2045 * (-0.14285713f + (_e2045 * (0.11111111f + (_e2045 * (-0.09090909f + (_e2045 * 0.0585f)))))))))))));
-let _e2063 = select(_e2060, (1.5707964f - _e2060), (_e2032 > _e2029));
-let _e2066 = select(_e2063, (3.1415927f - _e2063), (_e1266 < 0f));
-let _e2071 = (0.5f - (select(_e2066, -(_e2066), (_e1254 < 0f)) / _e1964));
-let _e2073 = select(-1f, _e1278, (_e1278 > -1f));
-let _e2075 = select(1f, _e2073, (_e2073 < 1f));
-let _e2078 = ((1f - _e2075) * (1f + _e2075));
-let _e2081 = sqrt(select(0f, _e2078, (_e2078 > 0f)));
-let _e2084 = bitcast<f32>((bitcast<u32>(_e2081) & 2147483647u));
-let _e2087 = bitcast<f32>((bitcast<u32>(_e2075) & 2147483647u));
-let _e2091 = select(_e2087, _e2084, (_e2084 > _e2087));
-let _e2094 = (select(_e2087, _e2084, (_e2084 < _e2087)) / select(1.1754944e-38f, _e2091, (_e2091 > 1.1754944e-38f)));
-let _e2095 = (_e2094 > 0.41421357f);
-let _e2099 = select(_e2094, ((_e2094 - 1f) / (_e2094 + 1f)), _e2095);
-let _e2100 = (_e2099 * _e2099);
-let _e2115 = (select(0f, 0.7853982f, _e2095) + (_e2099 + ((_e2099 * _e2100) * (-0.33333334f + (_e2100 * (0.2f + (_e2100 * (-0.14285713f + (_e2100 * (0.11111111f + (_e2100 * (-0.09090909f + (_e2100 * 0.0585f)))))))))))));
-let _e2118 = select(_e2115, (1.5707964f - _e2115), (_e2087 > _e2084));
-let _e2121 = select(_e2118, (3.1415927f - _e2118), (_e2081 < 0f));
-let _e2126 = (0.5f - (select(_e2121, -(_e2121), (_e2075 < 0f)) / 3.1415927f));
-let _e2130 = global_2.member.member_21.member_2;
-let _e2131 = bitcast<i32>(_e2130);
-phi_3514_ = 0i;
-phi_3517_ = 0i;
-phi_3519_ = _e2131;
-phi_3521_ = _e1955;
+phi_2224_ = ((_e1333 * _e1328) + _e1332);
+}
+let _e1356 = phi_2224_;
+local_6 = bitcast<i32>(_e1356);
+let _e1359 = bitcast<i32>((_e1328 * _e1331));
+local_7 = _e1359;
+let _e1360 = local_7;
+let _e1362 = local_6;
+let _e1363 = ((3i * _e1360) + _e1362);
+let _e1365 = select(_e169, _e1363, (_e1363 < _e169));
+let _e1370 = global_3.member[bitcast<u32>(select(0i, _e1365, (_e1365 > 0i)))];
+let _e1371 = local_7;
+let _e1373 = local_6;
+let _e1374 = ((4i * _e1371) + _e1373);
+let _e1376 = select(_e169, _e1374, (_e1374 < _e169));
+let _e1381 = global_3.member[bitcast<u32>(select(0i, _e1376, (_e1376 > 0i)))];
+let _e1382 = local_7;
+let _e1384 = local_6;
+let _e1385 = ((5i * _e1382) + _e1384);
+let _e1387 = select(_e169, _e1385, (_e1385 < _e169));
+let _e1392 = global_3.member[bitcast<u32>(select(0i, _e1387, (_e1387 > 0i)))];
+let _e1397 = (((_e1370 * _e1370) + (_e1381 * _e1381)) + (_e1392 * _e1392));
+let _e1400 = sqrt(select(0f, _e1397, (_e1397 > 0f)));
+let _e1403 = (1f / select(1e-20f, _e1400, (_e1400 > 1e-20f)));
+let _e1404 = (_e1370 * _e1403);
+let _e1405 = (_e1381 * _e1403);
+let _e1406 = (_e1392 * _e1403);
+let _e1409 = global_2.member.member_23.member_4;
+let _e1420 = global_2.member.member_23.member_5;
+let _e1431 = global_2.member.member_23.member_6;
+let _e1440 = bitcast<u32>(_e1302);
+let _e1441 = (_e1440 % 16u);
+if ((_e1440 < _e1337) && _e1341) {
+phi_2394_ = ((((_e1333 - _e1335) + (_e1441 / 4u)) * _e1328) + (((_e1440 - _e1441) + (_e1335 * 4u)) + (_e1441 % 4u)));
+} else {
+phi_2394_ = ((_e1333 * _e1328) + _e1440);
+}
+let _e1457 = phi_2394_;
+local_4 = bitcast<i32>(_e1457);
+local_5 = _e1359;
+let _e1459 = local_5;
+let _e1461 = local_4;
+let _e1462 = ((3i * _e1459) + _e1461);
+let _e1464 = select(_e169, _e1462, (_e1462 < _e169));
+let _e1469 = global_3.member[bitcast<u32>(select(0i, _e1464, (_e1464 > 0i)))];
+let _e1470 = local_5;
+let _e1472 = local_4;
+let _e1473 = ((4i * _e1470) + _e1472);
+let _e1475 = select(_e169, _e1473, (_e1473 < _e169));
+let _e1480 = global_3.member[bitcast<u32>(select(0i, _e1475, (_e1475 > 0i)))];
+let _e1481 = local_5;
+let _e1483 = local_4;
+let _e1484 = ((5i * _e1481) + _e1483);
+let _e1486 = select(_e169, _e1484, (_e1484 < _e169));
+let _e1491 = global_3.member[bitcast<u32>(select(0i, _e1486, (_e1486 > 0i)))];
+let _e1496 = (((_e1469 * _e1469) + (_e1480 * _e1480)) + (_e1491 * _e1491));
+let _e1499 = sqrt(select(0f, _e1496, (_e1496 > 0f)));
+let _e1502 = (1f / select(1e-20f, _e1499, (_e1499 > 1e-20f)));
+let _e1503 = (_e1469 * _e1502);
+let _e1504 = (_e1480 * _e1502);
+let _e1505 = (_e1491 * _e1502);
+let _e1521 = ((((_e1409.member * _e1404) + (_e1409.member_1 * _e1405)) + (_e1409.member_2 * _e1406)) - (((_e1409.member * _e1503) + (_e1409.member_1 * _e1504)) + (_e1409.member_2 * _e1505)));
+let _e1522 = ((((_e1420.member * _e1404) + (_e1420.member_1 * _e1405)) + (_e1420.member_2 * _e1406)) - (((_e1420.member * _e1503) + (_e1420.member_1 * _e1504)) + (_e1420.member_2 * _e1505)));
+let _e1523 = ((((_e1431.member * _e1404) + (_e1431.member_1 * _e1405)) + (_e1431.member_2 * _e1406)) - (((_e1431.member * _e1503) + (_e1431.member_1 * _e1504)) + (_e1431.member_2 * _e1505)));
+let _e1528 = (((_e1521 * _e1521) + (_e1522 * _e1522)) + (_e1523 * _e1523));
+let _e1532 = bitcast<u32>(_e1280);
+let _e1533 = bitcast<u32>(_e1325);
+let _e1534 = (_e1532 % 16u);
+let _e1535 = (_e1533 % 4u);
+let _e1536 = (_e1532 < _e1337);
+if (_e1536 && (_e1533 < _e1340)) {
+phi_2578_ = ((((_e1533 - _e1535) + (_e1534 / 4u)) * _e1328) + (((_e1532 - _e1534) + (_e1535 * 4u)) + (_e1534 % 4u)));
+} else {
+phi_2578_ = ((_e1533 * _e1328) + _e1532);
+}
+let _e1552 = phi_2578_;
+local_2 = bitcast<i32>(_e1552);
+local_3 = _e1359;
+let _e1554 = local_3;
+let _e1556 = local_2;
+let _e1557 = ((3i * _e1554) + _e1556);
+let _e1559 = select(_e169, _e1557, (_e1557 < _e169));
+let _e1564 = global_3.member[bitcast<u32>(select(0i, _e1559, (_e1559 > 0i)))];
+let _e1565 = local_3;
+let _e1567 = local_2;
+let _e1568 = ((4i * _e1565) + _e1567);
+let _e1570 = select(_e169, _e1568, (_e1568 < _e169));
+let _e1575 = global_3.member[bitcast<u32>(select(0i, _e1570, (_e1570 > 0i)))];
+let _e1576 = local_3;
+let _e1578 = local_2;
+let _e1579 = ((5i * _e1576) + _e1578);
+let _e1581 = select(_e169, _e1579, (_e1579 < _e169));
+let _e1586 = global_3.member[bitcast<u32>(select(0i, _e1581, (_e1581 > 0i)))];
+let _e1591 = (((_e1564 * _e1564) + (_e1575 * _e1575)) + (_e1586 * _e1586));
+let _e1594 = sqrt(select(0f, _e1591, (_e1591 > 0f)));
+let _e1597 = (1f / select(1e-20f, _e1594, (_e1594 > 1e-20f)));
+let _e1598 = (_e1564 * _e1597);
+let _e1599 = (_e1575 * _e1597);
+let _e1600 = (_e1586 * _e1597);
+let _e1616 = bitcast<u32>(_e1321);
+let _e1617 = (_e1616 % 4u);
+if (_e1536 && (_e1616 < _e1340)) {
+phi_2748_ = ((((_e1616 - _e1617) + (_e1534 / 4u)) * _e1328) + (((_e1532 - _e1534) + (_e1617 * 4u)) + (_e1534 % 4u)));
+} else {
+phi_2748_ = ((_e1616 * _e1328) + _e1532);
+}
+let _e1633 = phi_2748_;
+local = bitcast<i32>(_e1633);
+local_1 = _e1359;
+let _e1635 = local_1;
+let _e1637 = local;
+let _e1638 = ((3i * _e1635) + _e1637);
+let _e1640 = select(_e169, _e1638, (_e1638 < _e169));
+let _e1645 = global_3.member[bitcast<u32>(select(0i, _e1640, (_e1640 > 0i)))];
+let _e1646 = local_1;
+let _e1648 = local;
+let _e1649 = ((4i * _e1646) + _e1648);
+let _e1651 = select(_e169, _e1649, (_e1649 < _e169));
+let _e1656 = global_3.member[bitcast<u32>(select(0i, _e1651, (_e1651 > 0i)))];
+let _e1657 = local_1;
+let _e1659 = local;
+let _e1660 = ((5i * _e1657) + _e1659);
+let _e1662 = select(_e169, _e1660, (_e1660 < _e169));
+let _e1667 = global_3.member[bitcast<u32>(select(0i, _e1662, (_e1662 > 0i)))];
+let _e1672 = (((_e1645 * _e1645) + (_e1656 * _e1656)) + (_e1667 * _e1667));
+let _e1675 = sqrt(select(0f, _e1672, (_e1672 > 0f)));
+let _e1678 = (1f / select(1e-20f, _e1675, (_e1675 > 1e-20f)));
+let _e1679 = (_e1645 * _e1678);
+let _e1680 = (_e1656 * _e1678);
+let _e1681 = (_e1667 * _e1678);
+let _e1697 = ((((_e1409.member * _e1598) + (_e1409.member_1 * _e1599)) + (_e1409.member_2 * _e1600)) - (((_e1409.member * _e1679) + (_e1409.member_1 * _e1680)) + (_e1409.member_2 * _e1681)));
+let _e1698 = ((((_e1420.member * _e1598) + (_e1420.member_1 * _e1599)) + (_e1420.member_2 * _e1600)) - (((_e1420.member * _e1679) + (_e1420.member_1 * _e1680)) + (_e1420.member_2 * _e1681)));
+let _e1699 = ((((_e1431.member * _e1598) + (_e1431.member_1 * _e1599)) + (_e1431.member_2 * _e1600)) - (((_e1431.member * _e1679) + (_e1431.member_1 * _e1680)) + (_e1431.member_2 * _e1681)));
+let _e1704 = (((_e1697 * _e1697) + (_e1698 * _e1698)) + (_e1699 * _e1699));
+let _e1709 = f32((_e1306 - _e1302));
+let _e1712 = (sqrt(select(0f, _e1528, (_e1528 > 0f))) / select(1f, _e1709, (_e1709 > 1f)));
+let _e1714 = f32((_e1325 - _e1321));
+let _e1717 = (sqrt(select(0f, _e1704, (_e1704 > 0f))) / select(1f, _e1714, (_e1714 > 1f)));
+let _e1719 = select(_e1717, _e1712, (_e1712 > _e1717));
+let _e1723 = global_2.member.member_23.member;
+let _e1727 = global_2.member.member_23.member_7;
+let _e1731 = vec3<f32>(_e1727.member, _e1727.member_1, _e1727.member_2);
+let _e1735 = global_2.member.member_23.member_8;
+if (_e1723 == 0u) {
+phi_4342_ = _e1731;
+} else {
+if (_e1723 == 1u) {
+let _e1742 = select(-1f, _e1279, (_e1279 > -1f));
+let _e1744 = select(1f, _e1742, (_e1742 < 1f));
+if (_e1744 > 0f) {
+phi_2957_ = _e1731;
+} else {
+let _e1749 = global_2.member.member_23.member_9;
+phi_2957_ = vec3<f32>(_e1749.member, _e1749.member_1, _e1749.member_2);
+}
+let _e1755 = phi_2957_;
+let _e1764 = bitcast<f32>((bitcast<u32>(_e1744) & 2147483647u));
+let _e1767 = sqrt(select(0f, _e1764, (_e1764 > 0f)));
+phi_4341_ = vec3<f32>((_e1735.member + ((_e1755.x - _e1735.member) * _e1767)), (_e1735.member_1 + ((_e1755.y - _e1735.member_1) * _e1767)), (_e1735.member_2 + ((_e1755.z - _e1735.member_2) * _e1767)));
+} else {
+if (_e1723 == 2u) {
+let _e1779 = global_2.member.member_23.member_10;
+let _e1780 = (_e1719 / _e1779);
+let _e1782 = select(1e-4f, _e1780, (_e1780 > 1e-4f));
+let _e1785 = bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u));
+let _e1788 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
+let _e1792 = select(_e1788, _e1785, (_e1785 > _e1788));
+let _e1795 = (select(_e1788, _e1785, (_e1785 < _e1788)) / select(1.1754944e-38f, _e1792, (_e1792 > 1.1754944e-38f)));
+let _e1796 = (_e1795 > 0.41421357f);
+let _e1800 = select(_e1795, ((_e1795 - 1f) / (_e1795 + 1f)), _e1796);
+let _e1801 = (_e1800 * _e1800);
+let _e1816 = (select(0f, 0.7853982f, _e1796) + (_e1800 + ((_e1800 * _e1801) * (-0.33333334f + (_e1801 * (0.2f + (_e1801 * (-0.14285713f + (_e1801 * (0.11111111f + (_e1801 * (-0.09090909f + (_e1801 * 0.0585f)))))))))))));
+let _e1819 = select(_e1816, (1.5707964f - _e1816), (_e1788 > _e1785));
+let _e1822 = select(_e1819, (3.1415927f - _e1819), (_e1255 < 0f));
+let _e1828 = (1f - (_e1279 * _e1279));
+let _e1831 = sqrt(select(0f, _e1828, (_e1828 > 0f)));
+let _e1834 = (_e1782 / select(1e-3f, _e1831, (_e1831 > 1e-3f)));
+let _e1835 = ((select(_e1822, -(_e1822), (_e1267 < 0f)) / _e1779) * 0.5f);
+let _e1837 = select(-8e6f, _e1835, (_e1835 > -8e6f));
+let _e1839 = select(8e6f, _e1837, (_e1837 < 8e6f));
+let _e1846 = select(0i, select(select(i32(_e1839), i32(-2147483648), (_e1839 < -2147483600f)), 2147483647i, (_e1839 > 2147483500f)), (_e1839 == _e1839));
+let _e1853 = ((_e1835 - f32((_e1846 - select(0i, 1i, (_e1839 < f32(_e1846)))))) * 2f);
+let _e1861 = ((select(select((_e1853 - 2f), (1f - _e1853), (_e1853 < 1.5f)), _e1853, (_e1853 < 0.5f)) * 2f) / _e1834);
+let _e1863 = select(-1f, _e1861, (_e1861 > -1f));
+let _e1866 = (2f - _e1834);
+let _e1868 = select(0f, _e1866, (_e1866 > 0f));
+let _e1873 = select(-1f, _e1279, (_e1279 > -1f));
+let _e1875 = select(1f, _e1873, (_e1873 < 1f));
+let _e1878 = ((1f - _e1875) * (1f + _e1875));
+let _e1881 = sqrt(select(0f, _e1878, (_e1878 > 0f)));
+let _e1884 = bitcast<f32>((bitcast<u32>(_e1881) & 2147483647u));
+let _e1887 = bitcast<f32>((bitcast<u32>(_e1875) & 2147483647u));
+let _e1891 = select(_e1887, _e1884, (_e1884 > _e1887));
+let _e1894 = (select(_e1887, _e1884, (_e1884 < _e1887)) / select(1.1754944e-38f, _e1891, (_e1891 > 1.1754944e-38f)));
+let _e1895 = (_e1894 > 0.41421357f);
+let _e1899 = select(_e1894, ((_e1894 - 1f) / (_e1894 + 1f)), _e1895);
+let _e1900 = (_e1899 * _e1899);
+let _e1915 = (select(0f, 0.7853982f, _e1895) + (_e1899 + ((_e1899 * _e1900) * (-0.33333334f + (_e1900 * (0.2f + (_e1900 * (-0.14285713f + (_e1900 * (0.11111111f + (_e1900 * (-0.09090909f + (_e1900 * 0.0585f)))))))))))));
+let _e1918 = select(_e1915, (1.5707964f - _e1915), (_e1887 > _e1884));
+let _e1921 = select(_e1918, (3.1415927f - _e1918), (_e1881 < 0f));
+let _e1926 = ((select(_e1921, -(_e1921), (_e1875 < 0f)) / _e1779) * 0.5f);
+let _e1928 = select(-8e6f, _e1926, (_e1926 > -8e6f));
+let _e1930 = select(8e6f, _e1928, (_e1928 < 8e6f));
+let _e1937 = select(0i, select(select(i32(_e1930), i32(-2147483648), (_e1930 < -2147483600f)), 2147483647i, (_e1930 > 2147483500f)), (_e1930 == _e1930));
+let _e1944 = ((_e1926 - f32((_e1937 - select(0i, 1i, (_e1930 < f32(_e1937)))))) * 2f);
+let _e1952 = ((select(select((_e1944 - 2f), (1f - _e1944), (_e1944 < 1.5f)), _e1944, (_e1944 < 0.5f)) * 2f) / _e1782);
+let _e1954 = select(-1f, _e1952, (_e1952 > -1f));
+let _e1957 = (2f - _e1782);
+let _e1959 = select(0f, _e1957, (_e1957 > 0f));
+let _e1965 = (0.5f + ((0.5f * (select(1f, _e1863, (_e1863 < 1f)) * select(1f, _e1868, (_e1868 < 1f)))) * (select(1f, _e1954, (_e1954 < 1f)) * select(1f, _e1959, (_e1959 < 1f)))));
+phi_4340_ = vec3<f32>((_e1727.member + ((_e1735.member - _e1727.member) * _e1965)), (_e1727.member_1 + ((_e1735.member_1 - _e1727.member_1) * _e1965)), (_e1727.member_2 + ((_e1735.member_2 - _e1727.member_2) * _e1965)));
+} else {
+let _e1979 = global_2.member.member_23.member_1;
+let _e1980 = bitcast<i32>(_e1979);
+let _e1985 = global_2.member.member_23.member_3;
+let _e1987 = f32(bitcast<i32>(_e1985));
+let _e1989 = (2f * 3.1415927f);
+let _e1990 = ((_e1719 * f32(_e1980)) / _e1989);
+let _e1992 = select(1e-6f, _e1990, (_e1990 > 1e-6f));
+let _e1995 = bitcast<u32>(select(1.1754944e-38f, _e1992, (_e1992 > 1.1754944e-38f)));
+let _e1996 = (_e1995 & 8388607u);
+let _e1998 = select(0u, 1u, (_e1996 > 3474675u));
+let _e2009 = bitcast<f32>((_e1996 | ((127u - _e1998) << bitcast<u32>(23i))));
+let _e2012 = ((_e2009 - 1f) / (_e2009 + 1f));
+let _e2013 = (_e2012 * _e2012);
+let _e2028 = (f32(((bitcast<i32>((_e1995 >> bitcast<u32>(23i))) - 127i) + bitcast<i32>(_e1998))) + (((2f * _e2012) + ((_e2012 * _e2013) * (0.6666667f + (_e2013 * (0.4f + (_e2013 * (0.2857143f + (_e2013 * (0.22222222f + (_e2013 * 0.18181819f)))))))))) * 1.442695f));
+let _e2029 = (_e1987 - 1f);
+let _e2031 = select(0f, _e2028, (_e2028 > 0f));
+let _e2033 = select(_e2029, _e2031, (_e2031 < _e2029));
+let _e2034 = (_e1987 - 2f);
+let _e2036 = select(0f, _e2034, (_e2034 > 0f));
+let _e2038 = select(0f, _e2033, (_e2033 > 0f));
+let _e2040 = select(_e2036, _e2038, (_e2038 < _e2036));
+let _e2047 = select(0i, select(select(i32(_e2040), i32(-2147483648), (_e2040 < -2147483600f)), 2147483647i, (_e2040 > 2147483500f)), (_e2040 == _e2040));
+let _e2051 = (_e2047 - select(0i, 1i, (_e2040 < f32(_e2047))));
+let _e2054 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
+let _e2057 = bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u));
+let _e2061 = select(_e2057, _e2054, (_e2054 > _e2057));
+let _e2064 = (select(_e2057, _e2054, (_e2054 < _e2057)) / select(1.1754944e-38f, _e2061, (_e2061 > 1.1754944e-38f)));
+let _e2065 = (_e2064 > 0.41421357f);
+let _e2069 = select(_e2064, ((_e2064 - 1f) / (_e2064 + 1f)), _e2065);
+let _e2070 = (_e2069 * _e2069);
+let _e2085 = (select(0f, 0.7853982f, _e2065) + (_e2069 + ((_e2069 * _e2070) * (-0.33333334f + (_e2070 * (0.2f + (_e2070 * (-0.14285713f + (_e2070 * (0.11111111f + (_e2070 * (-0.09090909f + (_e2070 * 0.0585f)))))))))))));
+let _e2088 = select(_e2085, (1.5707964f - _e2085), (_e2057 > _e2054));
+let _e2091 = select(_e2088, (3.1415927f - _e2088), (_e1267 < 0f));
+let _e2096 = (0.5f - (select(_e2091, -(_e2091), (_e1255 < 0f)) / _e1989));
+let _e2098 = select(-1f, _e1279, (_e1279 > -1f));
+let _e2100 = select(1f, _e2098, (_e2098 < 1f));
+let _e2103 = ((1f - _e2100) * (1f + _e2100));
+let _e2106 = sqrt(select(0f, _e2103, (_e2103 > 0f)));
+let _e2109 = bitcast<f32>((bitcast<u32>(_e2106) & 2147483647u));
+let _e2112 = bitcast<f32>((bitcast<u32>(_e2100) & 2147483647u));
+let _e2116 = select(_e2112, _e2109, (_e2109 > _e2112));
+let _e2119 = (select(_e2112, _e2109, (_e2109 < _e2112)) / select(1.1754944e-38f, _e2116, (_e2116 > 1.1754944e-38f)));
+let _e2120 = (_e2119 > 0.41421357f);
+let _e2124 = select(_e2119, ((_e2119 - 1f) / (_e2119 + 1f)), _e2120);
+let _e2125 = (_e2124 * _e2124);
+let _e2140 = (select(0f, 0.7853982f, _e2120) + (_e2124 + ((_e2124 * _e2125) * (-0.33333334f + (_e2125 * (0.2f + (_e2125 * (-0.14285713f + (_e2125 * (0.11111111f + (_e2125 * (-0.09090909f + (_e2125 * 0.0585f)))))))))))));
+let _e2143 = select(_e2140, (1.5707964f - _e2140), (_e2112 > _e2109));
+let _e2146 = select(_e2143, (3.1415927f - _e2143), (_e2106 < 0f));
+let _e2151 = (0.5f - (select(_e2146, -(_e2146), (_e2100 < 0f)) / 3.1415927f));
+let _e2155 = global_2.member.member_23.member_2;
+let _e2156 = bitcast<i32>(_e2155);
+phi_3559_ = 0i;
+phi_3562_ = 0i;
+phi_3564_ = _e2156;
+phi_3566_ = _e1980;
 loop {
-let _e2133 = phi_3514_;
-let _e2135 = phi_3517_;
-let _e2137 = phi_3519_;
-let _e2139 = phi_3521_;
-local_12 = _e2139;
-local_13 = _e2137;
-local_14 = _e2139;
-local_15 = _e2139;
-local_16 = _e2139;
-local_17 = _e2139;
-local_18 = _e2139;
-local_19 = _e2139;
-local_20 = _e2137;
-local_21 = _e2137;
-local_22 = _e2137;
-local_23 = _e2137;
-local_24 = _e2139;
-local_25 = _e2135;
-local_26 = _e2139;
-local_27 = _e2135;
-let _e2140 = (_e2133 < _e2026);
-if _e2140 {
-if (_e2139 > 1i) {
-phi_3536_ = (_e2139 >> bitcast<u32>(1i));
+let _e2158 = phi_3559_;
+let _e2160 = phi_3562_;
+let _e2162 = phi_3564_;
+let _e2164 = phi_3566_;
+local_12 = _e2164;
+local_13 = _e2162;
+local_14 = _e2164;
+local_15 = _e2164;
+local_16 = _e2164;
+local_17 = _e2164;
+local_18 = _e2164;
+local_19 = _e2164;
+local_20 = _e2162;
+local_21 = _e2162;
+local_22 = _e2162;
+local_23 = _e2162;
+local_24 = _e2164;
+local_25 = _e2160;
+local_26 = _e2164;
+local_27 = _e2160;
+let _e2165 = (_e2158 < _e2051);
+if _e2165 {
+if (_e2164 > 1i) {
+phi_3581_ = (_e2164 >> bitcast<u32>(1i));
 } else {
-phi_3536_ = 1i;
+phi_3581_ = 1i;
 }
-let _e2147 = phi_3536_;
-if (_e2137 > 1i) {
-phi_3542_ = (_e2137 >> bitcast<u32>(1i));
+let _e2172 = phi_3581_;
+if (_e2162 > 1i) {
+phi_3587_ = (_e2162 >> bitcast<u32>(1i));
 } else {
-phi_3542_ = 1i;
+phi_3587_ = 1i;
 }
-let _e2152 = phi_3542_;
-phi_3515_ = (_e2133 + 1i);
-phi_3518_ = (_e2135 + (_e2139 * _e2137));
-phi_3520_ = _e2152;
-phi_3522_ = _e2147;
+let _e2177 = phi_3587_;
+phi_3560_ = (_e2158 + 1i);
+phi_3563_ = (_e2160 + (_e2164 * _e2162));
+phi_3565_ = _e2177;
+phi_3567_ = _e2172;
 } else {
-phi_3515_ = i32();
-phi_3518_ = i32();
-phi_3520_ = i32();
-phi_3522_ = i32();
+phi_3560_ = i32();
+phi_3563_ = i32();
+phi_3565_ = i32();
+phi_3567_ = i32();
 }
-let _e2155 = phi_3515_;
-let _e2157 = phi_3518_;
-let _e2159 = phi_3520_;
-let _e2161 = phi_3522_;
+let _e2180 = phi_3560_;
+let _e2182 = phi_3563_;
+let _e2184 = phi_3565_;
+let _e2186 = phi_3567_;
 continue;
 continuing {
-phi_3514_ = _e2155;
-phi_3517_ = _e2157;
-phi_3519_ = _e2159;
-phi_3521_ = _e2161;
-break if !(_e2140);
+phi_3559_ = _e2180;
+phi_3562_ = _e2182;
+phi_3564_ = _e2184;
+phi_3566_ = _e2186;
+break if !(_e2165);
 }
 }
-let _e2164 = local_12;
-let _e2165 = f32(_e2164);
-let _e2167 = ((_e2071 * _e2165) - 0.5f);
-let _e2169 = local_13;
-let _e2170 = f32(_e2169);
-let _e2172 = ((_e2126 * _e2170) - 0.5f);
-let _e2174 = select(-1f, _e2167, (_e2167 > -1f));
-let _e2176 = select(_e2165, _e2174, (_e2174 < _e2165));
-let _e2183 = select(0i, select(select(i32(_e2176), i32(-2147483648), (_e2176 < -2147483600f)), 2147483647i, (_e2176 > 2147483500f)), (_e2176 == _e2176));
-let _e2187 = (_e2183 - select(0i, 1i, (_e2176 < f32(_e2183))));
-let _e2189 = select(-1f, _e2172, (_e2172 > -1f));
-let _e2191 = select(_e2170, _e2189, (_e2189 < _e2170));
-let _e2198 = select(0i, select(select(i32(_e2191), i32(-2147483648), (_e2191 < -2147483600f)), 2147483647i, (_e2191 > 2147483500f)), (_e2191 == _e2191));
-let _e2202 = (_e2198 - select(0i, 1i, (_e2191 < f32(_e2198))));
-let _e2204 = (_e2167 - f32(_e2187));
-let _e2206 = (_e2172 - f32(_e2202));
-let _e2208 = select(0f, _e2206, (_e2206 > 0f));
-let _e2210 = select(1f, _e2208, (_e2208 < 1f));
-if (_e2187 < 0i) {
-let _e2213 = local_14;
-phi_3617_ = (_e2187 + _e2213);
+let _e2189 = local_12;
+let _e2190 = f32(_e2189);
+let _e2192 = ((_e2096 * _e2190) - 0.5f);
+let _e2194 = local_13;
+let _e2195 = f32(_e2194);
+let _e2197 = ((_e2151 * _e2195) - 0.5f);
+let _e2199 = select(-1f, _e2192, (_e2192 > -1f));
+let _e2201 = select(_e2190, _e2199, (_e2199 < _e2190));
+let _e2208 = select(0i, select(select(i32(_e2201), i32(-2147483648), (_e2201 < -2147483600f)), 2147483647i, (_e2201 > 2147483500f)), (_e2201 == _e2201));
+let _e2212 = (_e2208 - select(0i, 1i, (_e2201 < f32(_e2208))));
+let _e2214 = select(-1f, _e2197, (_e2197 > -1f));
+let _e2216 = select(_e2195, _e2214, (_e2214 < _e2195));
+let _e2223 = select(0i, select(select(i32(_e2216), i32(-2147483648), (_e2216 < -2147483600f)), 2147483647i, (_e2216 > 2147483500f)), (_e2216 == _e2216));
+let _e2227 = (_e2223 - select(0i, 1i, (_e2216 < f32(_e2223))));
+let _e2229 = (_e2192 - f32(_e2212));
+let _e2231 = (_e2197 - f32(_e2227));
+let _e2233 = select(0f, _e2231, (_e2231 > 0f));
+let _e2235 = select(1f, _e2233, (_e2233 < 1f));
+if (_e2212 < 0i) {
+let _e2238 = local_14;
+phi_3662_ = (_e2212 + _e2238);
 } else {
-phi_3617_ = _e2187;
+phi_3662_ = _e2212;
 }
-let _e2216 = phi_3617_;
-let _e2218 = local_15;
-if (_e2216 >= _e2218) {
-let _e2221 = local_16;
-phi_3623_ = (_e2216 - _e2221);
-} else {
-phi_3623_ = _e2216;
-}
-let _e2224 = phi_3623_;
-let _e2225 = (_e2187 + 1i);
-if (_e2225 < 0i) {
-let _e2228 = local_17;
-phi_3630_ = (_e2225 + _e2228);
-} else {
-phi_3630_ = _e2225;
-}
-let _e2231 = phi_3630_;
-let _e2233 = local_18;
-if (_e2231 >= _e2233) {
-let _e2236 = local_19;
-phi_3636_ = (_e2231 - _e2236);
-} else {
-phi_3636_ = _e2231;
-}
-let _e2239 = phi_3636_;
-let _e2241 = select(_e2202, 0i, (_e2202 < 0i));
-let _e2243 = local_20;
+let _e2241 = phi_3662_;
+let _e2243 = local_15;
 if (_e2241 >= _e2243) {
-let _e2246 = local_21;
-phi_3647_ = (_e2246 - 1i);
+let _e2246 = local_16;
+phi_3668_ = (_e2241 - _e2246);
 } else {
-phi_3647_ = _e2241;
+phi_3668_ = _e2241;
 }
-let _e2249 = phi_3647_;
-let _e2250 = (_e2202 + 1i);
-let _e2252 = select(_e2250, 0i, (_e2250 < 0i));
-let _e2254 = local_22;
-if (_e2252 >= _e2254) {
-let _e2257 = local_23;
-phi_3659_ = (_e2257 - 1i);
+let _e2249 = phi_3668_;
+let _e2250 = (_e2212 + 1i);
+if (_e2250 < 0i) {
+let _e2253 = local_17;
+phi_3675_ = (_e2250 + _e2253);
 } else {
-phi_3659_ = _e2252;
+phi_3675_ = _e2250;
 }
-let _e2260 = phi_3659_;
-let _e2262 = local_24;
-let _e2265 = local_25;
-let _e2266 = (_e2265 + (_e2249 * _e2262));
-let _e2268 = local_26;
-let _e2271 = local_27;
-let _e2272 = (_e2271 + (_e2260 * _e2268));
-let _e2274 = (3i * (_e2266 + _e2224));
-let _e2276 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
-let _e2278 = select(_e2276, _e2274, (_e2274 < _e2276));
-let _e2284 = global_4.member[bitcast<u32>(select(0i, _e2278, (_e2278 > 0i)))];
-let _e2285 = (_e2274 + 1i);
-let _e2287 = select(_e2276, _e2285, (_e2285 < _e2276));
-let _e2293 = global_4.member[bitcast<u32>(select(0i, _e2287, (_e2287 > 0i)))];
-let _e2294 = (_e2274 + 2i);
-let _e2296 = select(_e2276, _e2294, (_e2294 < _e2276));
-let _e2302 = global_4.member[bitcast<u32>(select(0i, _e2296, (_e2296 > 0i)))];
-let _e2304 = (3i * (_e2266 + _e2239));
-let _e2306 = select(_e2276, _e2304, (_e2304 < _e2276));
-let _e2312 = global_4.member[bitcast<u32>(select(0i, _e2306, (_e2306 > 0i)))];
-let _e2313 = (_e2304 + 1i);
-let _e2315 = select(_e2276, _e2313, (_e2313 < _e2276));
-let _e2321 = global_4.member[bitcast<u32>(select(0i, _e2315, (_e2315 > 0i)))];
-let _e2322 = (_e2304 + 2i);
-let _e2324 = select(_e2276, _e2322, (_e2322 < _e2276));
-let _e2330 = global_4.member[bitcast<u32>(select(0i, _e2324, (_e2324 > 0i)))];
-let _e2332 = (3i * (_e2272 + _e2224));
-let _e2334 = select(_e2276, _e2332, (_e2332 < _e2276));
-let _e2340 = global_4.member[bitcast<u32>(select(0i, _e2334, (_e2334 > 0i)))];
-let _e2341 = (_e2332 + 1i);
-let _e2343 = select(_e2276, _e2341, (_e2341 < _e2276));
-let _e2349 = global_4.member[bitcast<u32>(select(0i, _e2343, (_e2343 > 0i)))];
-let _e2350 = (_e2332 + 2i);
-let _e2352 = select(_e2276, _e2350, (_e2350 < _e2276));
-let _e2358 = global_4.member[bitcast<u32>(select(0i, _e2352, (_e2352 > 0i)))];
-let _e2360 = (3i * (_e2272 + _e2239));
-let _e2362 = select(_e2276, _e2360, (_e2360 < _e2276));
-let _e2368 = global_4.member[bitcast<u32>(select(0i, _e2362, (_e2362 > 0i)))];
-let _e2369 = (_e2360 + 1i);
-let _e2371 = select(_e2276, _e2369, (_e2369 < _e2276));
-let _e2377 = global_4.member[bitcast<u32>(select(0i, _e2371, (_e2371 > 0i)))];
-let _e2378 = (_e2360 + 2i);
-let _e2380 = select(_e2276, _e2378, (_e2378 < _e2276));
-let _e2386 = global_4.member[bitcast<u32>(select(0i, _e2380, (_e2380 > 0i)))];
-let _e2393 = (_e2284 + ((_e2312 - _e2284) * _e2204));
-let _e2394 = (_e2293 + ((_e2321 - _e2293) * _e2204));
-let _e2395 = (_e2302 + ((_e2330 - _e2302) * _e2204));
-let _e2411 = (_e2393 + (((_e2340 + ((_e2368 - _e2340) * _e2204)) - _e2393) * _e2210));
-let _e2412 = (_e2394 + (((_e2349 + ((_e2377 - _e2349) * _e2204)) - _e2394) * _e2210));
-let _e2413 = (_e2395 + (((_e2358 + ((_e2386 - _e2358) * _e2204)) - _e2395) * _e2210));
-phi_3895_ = 0i;
-phi_3898_ = 0i;
-phi_3900_ = _e2131;
-phi_3902_ = _e1955;
+let _e2256 = phi_3675_;
+let _e2258 = local_18;
+if (_e2256 >= _e2258) {
+let _e2261 = local_19;
+phi_3681_ = (_e2256 - _e2261);
+} else {
+phi_3681_ = _e2256;
+}
+let _e2264 = phi_3681_;
+let _e2266 = select(_e2227, 0i, (_e2227 < 0i));
+let _e2268 = local_20;
+if (_e2266 >= _e2268) {
+let _e2271 = local_21;
+phi_3692_ = (_e2271 - 1i);
+} else {
+phi_3692_ = _e2266;
+}
+let _e2274 = phi_3692_;
+let _e2275 = (_e2227 + 1i);
+let _e2277 = select(_e2275, 0i, (_e2275 < 0i));
+let _e2279 = local_22;
+if (_e2277 >= _e2279) {
+let _e2282 = local_23;
+phi_3704_ = (_e2282 - 1i);
+} else {
+phi_3704_ = _e2277;
+}
+let _e2285 = phi_3704_;
+let _e2287 = local_24;
+let _e2290 = local_25;
+let _e2291 = (_e2290 + (_e2274 * _e2287));
+let _e2293 = local_26;
+let _e2296 = local_27;
+let _e2297 = (_e2296 + (_e2285 * _e2293));
+let _e2299 = (3i * (_e2291 + _e2249));
+let _e2301 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
+let _e2303 = select(_e2301, _e2299, (_e2299 < _e2301));
+let _e2309 = global_4.member[bitcast<u32>(select(0i, _e2303, (_e2303 > 0i)))];
+let _e2310 = (_e2299 + 1i);
+let _e2312 = select(_e2301, _e2310, (_e2310 < _e2301));
+let _e2318 = global_4.member[bitcast<u32>(select(0i, _e2312, (_e2312 > 0i)))];
+let _e2319 = (_e2299 + 2i);
+let _e2321 = select(_e2301, _e2319, (_e2319 < _e2301));
+let _e2327 = global_4.member[bitcast<u32>(select(0i, _e2321, (_e2321 > 0i)))];
+let _e2329 = (3i * (_e2291 + _e2264));
+let _e2331 = select(_e2301, _e2329, (_e2329 < _e2301));
+let _e2337 = global_4.member[bitcast<u32>(select(0i, _e2331, (_e2331 > 0i)))];
+let _e2338 = (_e2329 + 1i);
+let _e2340 = select(_e2301, _e2338, (_e2338 < _e2301));
+let _e2346 = global_4.member[bitcast<u32>(select(0i, _e2340, (_e2340 > 0i)))];
+let _e2347 = (_e2329 + 2i);
+let _e2349 = select(_e2301, _e2347, (_e2347 < _e2301));
+let _e2355 = global_4.member[bitcast<u32>(select(0i, _e2349, (_e2349 > 0i)))];
+let _e2357 = (3i * (_e2297 + _e2249));
+let _e2359 = select(_e2301, _e2357, (_e2357 < _e2301));
+let _e2365 = global_4.member[bitcast<u32>(select(0i, _e2359, (_e2359 > 0i)))];
+let _e2366 = (_e2357 + 1i);
+let _e2368 = select(_e2301, _e2366, (_e2366 < _e2301));
+let _e2374 = global_4.member[bitcast<u32>(select(0i, _e2368, (_e2368 > 0i)))];
+let _e2375 = (_e2357 + 2i);
+let _e2377 = select(_e2301, _e2375, (_e2375 < _e2301));
+let _e2383 = global_4.member[bitcast<u32>(select(0i, _e2377, (_e2377 > 0i)))];
+let _e2385 = (3i * (_e2297 + _e2264));
+let _e2387 = select(_e2301, _e2385, (_e2385 < _e2301));
+let _e2393 = global_4.member[bitcast<u32>(select(0i, _e2387, (_e2387 > 0i)))];
+let _e2394 = (_e2385 + 1i);
+let _e2396 = select(_e2301, _e2394, (_e2394 < _e2301));
+let _e2402 = global_4.member[bitcast<u32>(select(0i, _e2396, (_e2396 > 0i)))];
+let _e2403 = (_e2385 + 2i);
+let _e2405 = select(_e2301, _e2403, (_e2403 < _e2301));
+let _e2411 = global_4.member[bitcast<u32>(select(0i, _e2405, (_e2405 > 0i)))];
+let _e2418 = (_e2309 + ((_e2337 - _e2309) * _e2229));
+let _e2419 = (_e2318 + ((_e2346 - _e2318) * _e2229));
+let _e2420 = (_e2327 + ((_e2355 - _e2327) * _e2229));
+let _e2436 = (_e2418 + (((_e2365 + ((_e2393 - _e2365) * _e2229)) - _e2418) * _e2235));
+let _e2437 = (_e2419 + (((_e2374 + ((_e2402 - _e2374) * _e2229)) - _e2419) * _e2235));
+let _e2438 = (_e2420 + (((_e2383 + ((_e2411 - _e2383) * _e2229)) - _e2420) * _e2235));
+phi_3940_ = 0i;
+phi_3943_ = 0i;
+phi_3945_ = _e2156;
+phi_3947_ = _e1980;
 loop {
-let _e2416 = phi_3895_;
-let _e2418 = phi_3898_;
-let _e2420 = phi_3900_;
-let _e2422 = phi_3902_;
-local_28 = _e2422;
-local_29 = _e2420;
-local_30 = _e2422;
-local_31 = _e2422;
-local_32 = _e2422;
-local_33 = _e2422;
-local_34 = _e2422;
-local_35 = _e2422;
-local_36 = _e2420;
-local_37 = _e2420;
-local_38 = _e2420;
-local_39 = _e2420;
-local_40 = _e2422;
-local_41 = _e2418;
-local_42 = _e2422;
-local_43 = _e2418;
-let _e2423 = (_e2416 < (_e2026 + 1i));
-if _e2423 {
-if (_e2422 > 1i) {
-phi_3917_ = (_e2422 >> bitcast<u32>(1i));
+let _e2441 = phi_3940_;
+let _e2443 = phi_3943_;
+let _e2445 = phi_3945_;
+let _e2447 = phi_3947_;
+local_28 = _e2447;
+local_29 = _e2445;
+local_30 = _e2447;
+local_31 = _e2447;
+local_32 = _e2447;
+local_33 = _e2447;
+local_34 = _e2447;
+local_35 = _e2447;
+local_36 = _e2445;
+local_37 = _e2445;
+local_38 = _e2445;
+local_39 = _e2445;
+local_40 = _e2447;
+local_41 = _e2443;
+local_42 = _e2447;
+local_43 = _e2443;
+let _e2448 = (_e2441 < (_e2051 + 1i));
+if _e2448 {
+if (_e2447 > 1i) {
+phi_3962_ = (_e2447 >> bitcast<u32>(1i));
 } else {
-phi_3917_ = 1i;
+phi_3962_ = 1i;
 }
-let _e2430 = phi_3917_;
-if (_e2420 > 1i) {
-phi_3923_ = (_e2420 >> bitcast<u32>(1i));
+let _e2455 = phi_3962_;
+if (_e2445 > 1i) {
+phi_3968_ = (_e2445 >> bitcast<u32>(1i));
 } else {
-phi_3923_ = 1i;
+phi_3968_ = 1i;
 }
-let _e2435 = phi_3923_;
-phi_3896_ = (_e2416 + 1i);
-phi_3899_ = (_e2418 + (_e2422 * _e2420));
-phi_3901_ = _e2435;
-phi_3903_ = _e2430;
+let _e2460 = phi_3968_;
+phi_3941_ = (_e2441 + 1i);
+phi_3944_ = (_e2443 + (_e2447 * _e2445));
+phi_3946_ = _e2460;
+phi_3948_ = _e2455;
 } else {
-phi_3896_ = i32();
-phi_3899_ = i32();
-phi_3901_ = i32();
-phi_3903_ = i32();
+phi_3941_ = i32();
+phi_3944_ = i32();
+phi_3946_ = i32();
+phi_3948_ = i32();
 }
-let _e2438 = phi_3896_;
-let _e2440 = phi_3899_;
-let _e2442 = phi_3901_;
-let _e2444 = phi_3903_;
+let _e2463 = phi_3941_;
+let _e2465 = phi_3944_;
+let _e2467 = phi_3946_;
+let _e2469 = phi_3948_;
 continue;
 continuing {
-phi_3895_ = _e2438;
-phi_3898_ = _e2440;
-phi_3900_ = _e2442;
-phi_3902_ = _e2444;
-break if !(_e2423);
+phi_3940_ = _e2463;
+phi_3943_ = _e2465;
+phi_3945_ = _e2467;
+phi_3947_ = _e2469;
+break if !(_e2448);
 }
 }
-let _e2447 = local_28;
-let _e2448 = f32(_e2447);
-let _e2450 = ((_e2071 * _e2448) - 0.5f);
-let _e2452 = local_29;
-let _e2453 = f32(_e2452);
-let _e2455 = ((_e2126 * _e2453) - 0.5f);
-let _e2457 = select(-1f, _e2450, (_e2450 > -1f));
-let _e2459 = select(_e2448, _e2457, (_e2457 < _e2448));
-let _e2466 = select(0i, select(select(i32(_e2459), i32(-2147483648), (_e2459 < -2147483600f)), 2147483647i, (_e2459 > 2147483500f)), (_e2459 == _e2459));
-let _e2470 = (_e2466 - select(0i, 1i, (_e2459 < f32(_e2466))));
-let _e2472 = select(-1f, _e2455, (_e2455 > -1f));
-let _e2474 = select(_e2453, _e2472, (_e2472 < _e2453));
-let _e2481 = select(0i, select(select(i32(_e2474), i32(-2147483648), (_e2474 < -2147483600f)), 2147483647i, (_e2474 > 2147483500f)), (_e2474 == _e2474));
-let _e2485 = (_e2481 - select(0i, 1i, (_e2474 < f32(_e2481))));
-let _e2487 = (_e2450 - f32(_e2470));
-let _e2489 = (_e2455 - f32(_e2485));
-let _e2491 = select(0f, _e2489, (_e2489 > 0f));
-let _e2493 = select(1f, _e2491, (_e2491 < 1f));
-if (_e2470 < 0i) {
-let _e2496 = local_30;
-phi_3998_ = (_e2470 + _e2496);
+let _e2472 = local_28;
+let _e2473 = f32(_e2472);
+let _e2475 = ((_e2096 * _e2473) - 0.5f);
+let _e2477 = local_29;
+let _e2478 = f32(_e2477);
+let _e2480 = ((_e2151 * _e2478) - 0.5f);
+let _e2482 = select(-1f, _e2475, (_e2475 > -1f));
+let _e2484 = select(_e2473, _e2482, (_e2482 < _e2473));
+let _e2491 = select(0i, select(select(i32(_e2484), i32(-2147483648), (_e2484 < -2147483600f)), 2147483647i, (_e2484 > 2147483500f)), (_e2484 == _e2484));
+let _e2495 = (_e2491 - select(0i, 1i, (_e2484 < f32(_e2491))));
+let _e2497 = select(-1f, _e2480, (_e2480 > -1f));
+let _e2499 = select(_e2478, _e2497, (_e2497 < _e2478));
+let _e2506 = select(0i, select(select(i32(_e2499), i32(-2147483648), (_e2499 < -2147483600f)), 2147483647i, (_e2499 > 2147483500f)), (_e2499 == _e2499));
+let _e2510 = (_e2506 - select(0i, 1i, (_e2499 < f32(_e2506))));
+let _e2512 = (_e2475 - f32(_e2495));
+let _e2514 = (_e2480 - f32(_e2510));
+let _e2516 = select(0f, _e2514, (_e2514 > 0f));
+let _e2518 = select(1f, _e2516, (_e2516 < 1f));
+if (_e2495 < 0i) {
+let _e2521 = local_30;
+phi_4043_ = (_e2495 + _e2521);
 } else {
-phi_3998_ = _e2470;
+phi_4043_ = _e2495;
 }
-let _e2499 = phi_3998_;
-let _e2501 = local_31;
-if (_e2499 >= _e2501) {
-let _e2504 = local_32;
-phi_4004_ = (_e2499 - _e2504);
-} else {
-phi_4004_ = _e2499;
-}
-let _e2507 = phi_4004_;
-let _e2508 = (_e2470 + 1i);
-if (_e2508 < 0i) {
-let _e2511 = local_33;
-phi_4011_ = (_e2508 + _e2511);
-} else {
-phi_4011_ = _e2508;
-}
-let _e2514 = phi_4011_;
-let _e2516 = local_34;
-if (_e2514 >= _e2516) {
-let _e2519 = local_35;
-phi_4017_ = (_e2514 - _e2519);
-} else {
-phi_4017_ = _e2514;
-}
-let _e2522 = phi_4017_;
-let _e2524 = select(_e2485, 0i, (_e2485 < 0i));
-let _e2526 = local_36;
+let _e2524 = phi_4043_;
+let _e2526 = local_31;
 if (_e2524 >= _e2526) {
-let _e2529 = local_37;
-phi_4028_ = (_e2529 - 1i);
+let _e2529 = local_32;
+phi_4049_ = (_e2524 - _e2529);
 } else {
-phi_4028_ = _e2524;
+phi_4049_ = _e2524;
 }
-let _e2532 = phi_4028_;
-let _e2533 = (_e2485 + 1i);
-let _e2535 = select(_e2533, 0i, (_e2533 < 0i));
-let _e2537 = local_38;
-if (_e2535 >= _e2537) {
-let _e2540 = local_39;
-phi_4040_ = (_e2540 - 1i);
+let _e2532 = phi_4049_;
+let _e2533 = (_e2495 + 1i);
+if (_e2533 < 0i) {
+let _e2536 = local_33;
+phi_4056_ = (_e2533 + _e2536);
 } else {
-phi_4040_ = _e2535;
+phi_4056_ = _e2533;
 }
-let _e2543 = phi_4040_;
-let _e2545 = local_40;
-let _e2548 = local_41;
-let _e2549 = (_e2548 + (_e2532 * _e2545));
-let _e2551 = local_42;
-let _e2554 = local_43;
-let _e2555 = (_e2554 + (_e2543 * _e2551));
-let _e2557 = (3i * (_e2549 + _e2507));
-let _e2559 = select(_e2276, _e2557, (_e2557 < _e2276));
-let _e2565 = global_4.member[bitcast<u32>(select(0i, _e2559, (_e2559 > 0i)))];
-let _e2566 = (_e2557 + 1i);
-let _e2568 = select(_e2276, _e2566, (_e2566 < _e2276));
-let _e2574 = global_4.member[bitcast<u32>(select(0i, _e2568, (_e2568 > 0i)))];
-let _e2575 = (_e2557 + 2i);
-let _e2577 = select(_e2276, _e2575, (_e2575 < _e2276));
-let _e2583 = global_4.member[bitcast<u32>(select(0i, _e2577, (_e2577 > 0i)))];
-let _e2585 = (3i * (_e2549 + _e2522));
-let _e2587 = select(_e2276, _e2585, (_e2585 < _e2276));
-let _e2593 = global_4.member[bitcast<u32>(select(0i, _e2587, (_e2587 > 0i)))];
-let _e2594 = (_e2585 + 1i);
-let _e2596 = select(_e2276, _e2594, (_e2594 < _e2276));
-let _e2602 = global_4.member[bitcast<u32>(select(0i, _e2596, (_e2596 > 0i)))];
-let _e2603 = (_e2585 + 2i);
-let _e2605 = select(_e2276, _e2603, (_e2603 < _e2276));
-let _e2611 = global_4.member[bitcast<u32>(select(0i, _e2605, (_e2605 > 0i)))];
-let _e2613 = (3i * (_e2555 + _e2507));
-let _e2615 = select(_e2276, _e2613, (_e2613 < _e2276));
-let _e2621 = global_4.member[bitcast<u32>(select(0i, _e2615, (_e2615 > 0i)))];
-let _e2622 = (_e2613 + 1i);
-let _e2624 = select(_e2276, _e2622, (_e2622 < _e2276));
-let _e2630 = global_4.member[bitcast<u32>(select(0i, _e2624, (_e2624 > 0i)))];
-let _e2631 = (_e2613 + 2i);
-let _e2633 = select(_e2276, _e2631, (_e2631 < _e2276));
-let _e2639 = global_4.member[bitcast<u32>(select(0i, _e2633, (_e2633 > 0i)))];
-let _e2641 = (3i * (_e2555 + _e2522));
-let _e2643 = select(_e2276, _e2641, (_e2641 < _e2276));
-let _e2649 = global_4.member[bitcast<u32>(select(0i, _e2643, (_e2643 > 0i)))];
-let _e2650 = (_e2641 + 1i);
-let _e2652 = select(_e2276, _e2650, (_e2650 < _e2276));
-let _e2658 = global_4.member[bitcast<u32>(select(0i, _e2652, (_e2652 > 0i)))];
-let _e2659 = (_e2641 + 2i);
-let _e2661 = select(_e2276, _e2659, (_e2659 < _e2276));
-let _e2667 = global_4.member[bitcast<u32>(select(0i, _e2661, (_e2661 > 0i)))];
-let _e2674 = (_e2565 + ((_e2593 - _e2565) * _e2487));
-let _e2675 = (_e2574 + ((_e2602 - _e2574) * _e2487));
-let _e2676 = (_e2583 + ((_e2611 - _e2583) * _e2487));
-let _e2699 = (_e2008 - f32(_e2026));
-let _e2701 = select(0f, _e2699, (_e2699 > 0f));
-let _e2703 = select(1f, _e2701, (_e2701 < 1f));
-let _e2713 = global_2.member.member_21.member_11;
-phi_4295_ = vec3<f32>(((_e2411 + (((_e2674 + (((_e2621 + ((_e2649 - _e2621) * _e2487)) - _e2674) * _e2493)) - _e2411) * _e2703)) * _e2713), ((_e2412 + (((_e2675 + (((_e2630 + ((_e2658 - _e2630) * _e2487)) - _e2675) * _e2493)) - _e2412) * _e2703)) * _e2713), ((_e2413 + (((_e2676 + (((_e2639 + ((_e2667 - _e2639) * _e2487)) - _e2676) * _e2493)) - _e2413) * _e2703)) * _e2713));
+let _e2539 = phi_4056_;
+let _e2541 = local_34;
+if (_e2539 >= _e2541) {
+let _e2544 = local_35;
+phi_4062_ = (_e2539 - _e2544);
+} else {
+phi_4062_ = _e2539;
 }
-let _e2719 = phi_4295_;
-phi_4296_ = _e2719;
+let _e2547 = phi_4062_;
+let _e2549 = select(_e2510, 0i, (_e2510 < 0i));
+let _e2551 = local_36;
+if (_e2549 >= _e2551) {
+let _e2554 = local_37;
+phi_4073_ = (_e2554 - 1i);
+} else {
+phi_4073_ = _e2549;
 }
-let _e2721 = phi_4296_;
-phi_4297_ = _e2721;
+let _e2557 = phi_4073_;
+let _e2558 = (_e2510 + 1i);
+let _e2560 = select(_e2558, 0i, (_e2558 < 0i));
+let _e2562 = local_38;
+if (_e2560 >= _e2562) {
+let _e2565 = local_39;
+phi_4085_ = (_e2565 - 1i);
+} else {
+phi_4085_ = _e2560;
 }
-let _e2723 = phi_4297_;
-let _e2727 = global_2.member.member_21.member_12;
-let _e2734 = (_e1194 * _e2727);
-let _e2746 = (1f - ((_e1194 * ((_e241 + _e252) + _e263)) * (1f / 3f)));
-global_1.member[_e128] = ((_e186 + ((_e241 * (select(_e445.member, _e434.member, _e423) * (((_e1113.member.x * _e1135) * _e1161) + _e1144.member))) * _e1179)) + ((_e241 * _e2723.x) * _e2734));
-global_1.member[(_e126 + _e128)] = ((_e197 + ((_e252 * (select(_e445.member_1, _e434.member_1, _e423) * (((_e1113.member.y * _e1135) * _e1161) + _e1144.member_1))) * _e1179)) + ((_e252 * _e2723.y) * _e2734));
-global_1.member[((2u * _e126) + _e128)] = ((_e208 + ((_e263 * (select(_e445.member_2, _e434.member_2, _e423) * (((_e1113.member.z * _e1135) * _e1161) + _e1144.member_2))) * _e1179)) + ((_e263 * _e2723.z) * _e2734));
-global_1.member[((3u * _e126) + _e128)] = (_e2746 + ((1f - _e2746) * _e2727));
-global_1.member[((4u * _e126) + _e128)] = _e1189;
-global_1.member[((5u * _e126) + _e128)] = _e241;
-global_1.member[((6u * _e126) + _e128)] = _e252;
-global_1.member[((7u * _e126) + _e128)] = _e263;
-global_1.member[((8u * _e126) + _e128)] = ((_e230 + (_e1179 * (_e353 + (_e310 * _e422)))) / select(1e-12f, _e1189, (_e1189 > 1e-12f)));
-global_1.member[((9u * _e126) + _e128)] = _e308;
-global_1.member[((10u * _e126) + _e128)] = _e309;
-global_1.member[((11u * _e126) + _e128)] = -(_e310);
-global_1.member[((12u * _e126) + _e128)] = select(_e351, _e469, _e1174);
-global_1.member[((13u * _e126) + _e128)] = select(_e352, _e470, _e1174);
-global_1.member[((14u * _e126) + _e128)] = -(select(_e353, _e471, _e1174));
-global_1.member[((15u * _e126) + _e128)] = select(select(_e175, 2f, (_e175 == 4f)), 1f, _e1174);
+let _e2568 = phi_4085_;
+let _e2570 = local_40;
+let _e2573 = local_41;
+let _e2574 = (_e2573 + (_e2557 * _e2570));
+let _e2576 = local_42;
+let _e2579 = local_43;
+let _e2580 = (_e2579 + (_e2568 * _e2576));
+let _e2582 = (3i * (_e2574 + _e2532));
+let _e2584 = select(_e2301, _e2582, (_e2582 < _e2301));
+let _e2590 = global_4.member[bitcast<u32>(select(0i, _e2584, (_e2584 > 0i)))];
+let _e2591 = (_e2582 + 1i);
+let _e2593 = select(_e2301, _e2591, (_e2591 < _e2301));
+let _e2599 = global_4.member[bitcast<u32>(select(0i, _e2593, (_e2593 > 0i)))];
+let _e2600 = (_e2582 + 2i);
+let _e2602 = select(_e2301, _e2600, (_e2600 < _e2301));
+let _e2608 = global_4.member[bitcast<u32>(select(0i, _e2602, (_e2602 > 0i)))];
+let _e2610 = (3i * (_e2574 + _e2547));
+let _e2612 = select(_e2301, _e2610, (_e2610 < _e2301));
+let _e2618 = global_4.member[bitcast<u32>(select(0i, _e2612, (_e2612 > 0i)))];
+let _e2619 = (_e2610 + 1i);
+let _e2621 = select(_e2301, _e2619, (_e2619 < _e2301));
+let _e2627 = global_4.member[bitcast<u32>(select(0i, _e2621, (_e2621 > 0i)))];
+let _e2628 = (_e2610 + 2i);
+let _e2630 = select(_e2301, _e2628, (_e2628 < _e2301));
+let _e2636 = global_4.member[bitcast<u32>(select(0i, _e2630, (_e2630 > 0i)))];
+let _e2638 = (3i * (_e2580 + _e2532));
+let _e2640 = select(_e2301, _e2638, (_e2638 < _e2301));
+let _e2646 = global_4.member[bitcast<u32>(select(0i, _e2640, (_e2640 > 0i)))];
+let _e2647 = (_e2638 + 1i);
+let _e2649 = select(_e2301, _e2647, (_e2647 < _e2301));
+let _e2655 = global_4.member[bitcast<u32>(select(0i, _e2649, (_e2649 > 0i)))];
+let _e2656 = (_e2638 + 2i);
+let _e2658 = select(_e2301, _e2656, (_e2656 < _e2301));
+let _e2664 = global_4.member[bitcast<u32>(select(0i, _e2658, (_e2658 > 0i)))];
+let _e2666 = (3i * (_e2580 + _e2547));
+let _e2668 = select(_e2301, _e2666, (_e2666 < _e2301));
+let _e2674 = global_4.member[bitcast<u32>(select(0i, _e2668, (_e2668 > 0i)))];
+let _e2675 = (_e2666 + 1i);
+let _e2677 = select(_e2301, _e2675, (_e2675 < _e2301));
+let _e2683 = global_4.member[bitcast<u32>(select(0i, _e2677, (_e2677 > 0i)))];
+let _e2684 = (_e2666 + 2i);
+let _e2686 = select(_e2301, _e2684, (_e2684 < _e2301));
+let _e2692 = global_4.member[bitcast<u32>(select(0i, _e2686, (_e2686 > 0i)))];
+let _e2699 = (_e2590 + ((_e2618 - _e2590) * _e2512));
+let _e2700 = (_e2599 + ((_e2627 - _e2599) * _e2512));
+let _e2701 = (_e2608 + ((_e2636 - _e2608) * _e2512));
+let _e2724 = (_e2033 - f32(_e2051));
+let _e2726 = select(0f, _e2724, (_e2724 > 0f));
+let _e2728 = select(1f, _e2726, (_e2726 < 1f));
+let _e2738 = global_2.member.member_23.member_11;
+phi_4340_ = vec3<f32>(((_e2436 + (((_e2699 + (((_e2646 + ((_e2674 - _e2646) * _e2512)) - _e2699) * _e2518)) - _e2436) * _e2728)) * _e2738), ((_e2437 + (((_e2700 + (((_e2655 + ((_e2683 - _e2655) * _e2512)) - _e2700) * _e2518)) - _e2437) * _e2728)) * _e2738), ((_e2438 + (((_e2701 + (((_e2664 + ((_e2692 - _e2664) * _e2512)) - _e2701) * _e2518)) - _e2438) * _e2728)) * _e2738));
+}
+let _e2744 = phi_4340_;
+phi_4341_ = _e2744;
+}
+let _e2746 = phi_4341_;
+phi_4342_ = _e2746;
+}
+let _e2748 = phi_4342_;
+let _e2752 = global_2.member.member_23.member_12;
+let _e2759 = (_e1195 * _e2752);
+let _e2771 = (1f - ((_e1195 * ((_e242 + _e253) + _e264)) * (1f / 3f)));
+global_1.member[_e129] = ((_e187 + ((_e242 * (select(_e446.member, _e435.member, _e424) * (((_e1114.member.x * _e1136) * _e1162) + _e1145.member))) * _e1180)) + ((_e242 * _e2748.x) * _e2759));
+global_1.member[(_e127 + _e129)] = ((_e198 + ((_e253 * (select(_e446.member_1, _e435.member_1, _e424) * (((_e1114.member.y * _e1136) * _e1162) + _e1145.member_1))) * _e1180)) + ((_e253 * _e2748.y) * _e2759));
+global_1.member[((2u * _e127) + _e129)] = ((_e209 + ((_e264 * (select(_e446.member_2, _e435.member_2, _e424) * (((_e1114.member.z * _e1136) * _e1162) + _e1145.member_2))) * _e1180)) + ((_e264 * _e2748.z) * _e2759));
+global_1.member[((3u * _e127) + _e129)] = (_e2771 + ((1f - _e2771) * _e2752));
+global_1.member[((4u * _e127) + _e129)] = _e1190;
+global_1.member[((5u * _e127) + _e129)] = _e242;
+global_1.member[((6u * _e127) + _e129)] = _e253;
+global_1.member[((7u * _e127) + _e129)] = _e264;
+global_1.member[((8u * _e127) + _e129)] = ((_e231 + (_e1180 * (_e354 + (_e311 * _e423)))) / select(1e-12f, _e1190, (_e1190 > 1e-12f)));
+global_1.member[((9u * _e127) + _e129)] = _e309;
+global_1.member[((10u * _e127) + _e129)] = _e310;
+global_1.member[((11u * _e127) + _e129)] = -(_e311);
+global_1.member[((12u * _e127) + _e129)] = select(_e352, _e470, _e1175);
+global_1.member[((13u * _e127) + _e129)] = select(_e353, _e471, _e1175);
+global_1.member[((14u * _e127) + _e129)] = -(select(_e354, _e472, _e1175));
+global_1.member[((15u * _e127) + _e129)] = select(select(_e176, 2f, (_e176 == 4f)), 1f, _e1175);
+}
+}
+break;
 }
 }
 return;

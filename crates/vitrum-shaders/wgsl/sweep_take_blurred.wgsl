@@ -140,24 +140,26 @@ member: type_2,
 member_1: u32,
 member_2: type_14,
 member_3: type_13,
-member_4: u32,
-member_5: type_15,
-member_6: type_16,
-member_7: type_16,
-member_8: type_17,
-member_9: type_18,
-member_10: type_21,
-member_11: type_15,
-member_12: type_4,
-member_13: type_9,
-member_14: type_22,
-member_15: type_22,
+member_4: type_13,
+member_5: u32,
+member_6: u32,
+member_7: type_15,
+member_8: type_16,
+member_9: type_16,
+member_10: type_17,
+member_11: type_18,
+member_12: type_21,
+member_13: type_15,
+member_14: type_4,
+member_15: type_9,
 member_16: type_22,
 member_17: type_22,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_22,
+member_19: type_22,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_24 {
 member: type_23,
@@ -220,9 +222,9 @@ let _e149 = bitcast<i32>(_e148);
 let _e151 = select(_e51, _e149, (_e149 < _e51));
 let _e157 = global_2.member[bitcast<u32>(select(0i, _e151, (_e151 > 0i)))];
 if (select(0u, 3u, (_e146 == 0f)) > 1u) {
-let _e165 = global_1.member.member_10.member_4.member;
+let _e165 = global_1.member.member_12.member_4.member;
 let _e166 = (_e165 + 1u);
-let _e171 = global_1.member.member_10.member_4.member_1;
+let _e171 = global_1.member.member_12.member_4.member_1;
 let _e174 = bitcast<i32>((_e166 * (_e171 + 1u)));
 let _e177 = bitcast<i32>(((_e43 * _e166) + _e41));
 let _e179 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);

@@ -140,24 +140,26 @@ member: type_2,
 member_1: u32,
 member_2: type_14,
 member_3: type_13,
-member_4: u32,
-member_5: type_15,
-member_6: type_16,
-member_7: type_16,
-member_8: type_17,
-member_9: type_18,
-member_10: type_21,
-member_11: type_15,
-member_12: type_4,
-member_13: type_9,
-member_14: type_22,
-member_15: type_22,
+member_4: type_13,
+member_5: u32,
+member_6: u32,
+member_7: type_15,
+member_8: type_16,
+member_9: type_16,
+member_10: type_17,
+member_11: type_18,
+member_12: type_21,
+member_13: type_15,
+member_14: type_4,
+member_15: type_9,
 member_16: type_22,
 member_17: type_22,
-member_18: type_5,
-member_19: f32,
-member_20: f32,
-member_21: type_6,
+member_18: type_22,
+member_19: type_22,
+member_20: type_5,
+member_21: f32,
+member_22: f32,
+member_23: type_6,
 }
 struct type_24 {
 member: type_23,
@@ -196,9 +198,9 @@ if (_e46 < _e33.member_3) {
 let _e49 = (_e36.member * _e36.member_1);
 let _e51 = ((_e46 * _e36.member) + _e44);
 local = _e44;
-let _e55 = global_1.member.member_8.member;
+let _e55 = global_1.member.member_10.member;
 local_1 = bitcast<i32>((_e46 * _e55));
-let _e61 = global_1.member.member_8.member_1;
+let _e61 = global_1.member.member_10.member_1;
 local_2 = bitcast<i32>((_e55 * _e61));
 let _e64 = local_2;
 let _e66 = local_1;
@@ -219,22 +221,22 @@ let _e98 = local;
 let _e100 = (((5i * _e94) + _e96) + bitcast<i32>(_e98));
 let _e102 = select(_e72, _e100, (_e100 < _e72));
 let _e107 = global_3.member[bitcast<u32>(select(0i, _e102, (_e102 > 0i)))];
-let _e111 = global_1.member.member_5.member_2;
+let _e111 = global_1.member.member_7.member_2;
 let _e114 = (1f / select(1e-6f, _e107, (_e107 > 1e-6f)));
-let _e118 = global_1.member.member_8.member_5;
+let _e118 = global_1.member.member_10.member_5;
 let _e119 = (_e111 * _e118);
-let _e124 = global_1.member.member_8.member_6;
+let _e124 = global_1.member.member_10.member_6;
 let _e126 = (((_e79 * _e114) - _e124) * _e119);
-let _e131 = global_1.member.member_8.member_7;
+let _e131 = global_1.member.member_10.member_7;
 let _e133 = (((_e93 * _e114) - _e131) * _e119);
 local_3.member = _e44;
 local_3.member_1 = _e46;
 local_3.member_2 = -(_e126);
 local_3.member_3 = -(_e133);
-let _e144 = global_1.member.member_9.member.member;
-let _e147 = global_1.member.member_8.member;
+let _e144 = global_1.member.member_11.member.member;
+let _e147 = global_1.member.member_10.member;
 let _e148 = bitcast<i32>(_e147);
-let _e151 = global_1.member.member_8.member_1;
+let _e151 = global_1.member.member_10.member_1;
 let _e153 = bitcast<i32>((_e147 * _e151));
 let _e155 = local_3.member_1;
 let _e158 = ((3i * _e153) + (bitcast<i32>(_e155) * _e148));
@@ -290,7 +292,7 @@ let _e267 = local_3.member_3;
 let _e268 = (f32(bitcast<i32>(_e264)) + _e267);
 let _e270 = (f32(_e148) - 1f);
 let _e273 = (f32(bitcast<i32>(_e151)) - 1f);
-let _e289 = global_1.member.member_9.member.member_1;
+let _e289 = global_1.member.member_11.member.member_1;
 let _e291 = local_3.member_1;
 let _e294 = ((4i * _e153) + (bitcast<i32>(_e291) * _e148));
 let _e295 = local_3.member_2;
@@ -342,7 +344,7 @@ let _e398 = (f32(bitcast<i32>(_e394)) + _e397);
 let _e399 = local_3.member_1;
 let _e402 = local_3.member_3;
 let _e403 = (f32(bitcast<i32>(_e399)) + _e402);
-let _e419 = global_1.member.member_9.member.member_2;
+let _e419 = global_1.member.member_11.member.member_2;
 let _e421 = local_3.member_1;
 let _e424 = ((5i * _e153) + (bitcast<i32>(_e421) * _e148));
 let _e425 = local_3.member_2;

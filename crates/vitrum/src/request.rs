@@ -23,6 +23,8 @@ pub enum Stage {
     Shadow,
     /// The passes of a frame run.
     Render,
+    /// Pixels that differ from their neighbours get more rays.
+    Refine,
 }
 
 impl Stage {
@@ -33,6 +35,7 @@ impl Stage {
             Self::Voxelize => "voxelizing",
             Self::Shadow => "casting shadows",
             Self::Render => "rendering",
+            Self::Refine => "refining",
         }
     }
 }

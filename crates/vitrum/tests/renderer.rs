@@ -75,6 +75,29 @@ fn exposures_of_several_lights_share_what_is_uploaded() {
     }
 }
 
+#[test]
+fn the_light_of_several_sources_stays_while_the_camera_turns() {
+    let (mut scene, assets) = small("ball");
+    scene.light[0].attachment = Some(Attachment::World);
+    (scene.light[0].azimuth, scene.light[0].elevation) = (20.0, 30.0);
+    let other = Light { azimuth: -40.0, ..scene.light[0].clone() };
+    scene.light.push(other);
+    let mut renderer = Renderer::new(Box::new(cpu()), assets.clone());
+    for light in [false, true] {
+        let request = OutputRequest { light };
+        renderer.render(&scene, request, &mut |_| true).expect("a picture");
+        scene.camera.azimuth += 3.0;
+        let frame = renderer.render(&scene, request, &mut |_| true).expect("a picture");
+        let carries = |name: &str| name.starts_with("sweep_advance_nodes");
+        let passes =
+            frame.statistics.kernels.iter().filter(|kernel| carries(kernel.kernel)).map(|kernel| kernel.passes);
+        // The light's own picture needs nodes, which the other light has overwritten.
+        assert_eq!(passes.sum::<u32>() > 0, light, "with the light's picture: {light}");
+        let fresh = render_requested(&scene, &assets, request, &mut cpu(), &mut |_| true).expect("a picture");
+        assert!(frame.layers == fresh.layers, "with the light's picture: {light}");
+    }
+}
+
 /// Fails the call with this number, counting each buffer, each pass and each read.
 struct FailsAt {
     calls: u64,

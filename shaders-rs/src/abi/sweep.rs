@@ -24,8 +24,12 @@ pub struct SweepUniforms {
     pub flags: u32,
     /// Where the pass runs.
     pub region: Region,
-    /// Pixels of the picture.
+    /// Viewing rays of the pass, across and down.
     pub picture: Size,
+    /// Viewing rays that the whole picture has, across and down.
+    pub sensor: Size,
+    /// Rays along each side of a pixel where the pass has those of some pixels alone, see [`place`](crate::sweep::place); 0 where it has all rays.
+    pub refined: u32,
     /// Where the irradiance of the plane behind starts in its buffer, in words.
     pub irradiance_start: u32,
     /// The step from the plane behind to the plane ahead.

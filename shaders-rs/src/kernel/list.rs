@@ -42,7 +42,7 @@ use spirv_std::{glam::UVec3, spirv};
 kernels! {
     sweep: SweepUniforms {
         initialize_light() writes light;
-        initialize_rays(light: u32) writes ray;
+        initialize_rays(light: u32, pixels: u32) writes ray;
         filter_light(behind: f32) writes light,
             levels [INSIDE BORDER], modes mode [STRAIGHT, CLEAR_STRAIGHT], skip [same];
         trace_light(light: f32) writes trace,

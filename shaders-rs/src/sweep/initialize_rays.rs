@@ -1,5 +1,6 @@
 //! Viewing rays on the first plane (Algorithm 1, line 1).
 
+use super::place::place;
 use super::tiles::pixel;
 use crate::abi::record::{Ray, ray, status};
 use crate::abi::sweep::SweepUniforms;
@@ -9,12 +10,13 @@ use crate::sweep::light::look_up::shade;
 use crate::sweep::light::receiver_map::light_on;
 use spirv_std::glam::Vec3;
 
-/// The viewing ray of [`pixel`] (x, y), row 0 on top, where it meets the first plane. A receiver in front of that plane ends it.
+/// The viewing ray at the [`place`] of [`pixel`] (x, y), row 0 on top, where it meets the first plane. A receiver in front of that plane ends it.
 #[inline(always)]
-pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[u32]) -> [f32; ray::SIZE] {
+pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[u32], pixels: &[u32]) -> [f32; ray::SIZE] {
     let (x, y) = pixel(u.picture.width, u.picture.height, x, y);
-    let across = ((x as i32 as f32 + 0.5) / (u.picture.width as i32 as f32) * 2.0 - 1.0) * u.camera.half_width;
-    let up = (1.0 - (y as i32 as f32 + 0.5) / (u.picture.height as i32 as f32) * 2.0) * u.camera.half_height;
+    let (x, y) = place(u, pixels, x, y);
+    let across = ((x as i32 as f32 + 0.5) / (u.sensor.width as i32 as f32) * 2.0 - 1.0) * u.camera.half_width;
+    let up = (1.0 - (y as i32 as f32 + 0.5) / (u.sensor.height as i32 as f32) * 2.0) * u.camera.half_height;
     let orthographic = u.camera.orthographic != 0;
     let depth = u.camera.start;
     let direction = Vec3::new(select(orthographic, 0.0, across), select(orthographic, 0.0, up), 1.0);

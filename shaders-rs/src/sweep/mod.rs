@@ -3,7 +3,7 @@
 //! For every plane: [`filter_light`] where light is soft, [`trace_light`], [`gather_light`], [`refract_light`] within the volume,
 //! [`concentrate_light`], and, once the planes are in front of the eye, [`propagate_rays`], which reads the light of the plane
 //! behind.
-//! [`initialize_light`] and [`initialize_rays`] come first, then, behind the last plane, [`follow_rays`] and [`resolve`]; [`tiles`] says which pixel a ray belongs to.
+//! [`initialize_light`] and [`initialize_rays`] come first, then, behind the last plane, [`follow_rays`] and [`resolve`]; [`tiles`] says which place a ray has, and [`place`](mod@place) where on the picture that is.
 //!
 //! Instead of on texels, light can be carried forward by a wavefront, along its own direction and before the viewing rays (not in the paper):
 //! [`initialize_nodes`] once, then for each of its planes [`advance_nodes`], [`blur_nodes`] and [`take_blurred`] where particles throw soft shadows, and, where something looks at the light, [`clear_sums`],
@@ -32,6 +32,7 @@ pub mod initialize_rays;
 pub mod integrate_landed;
 pub mod land_cells;
 pub mod light;
+pub mod place;
 pub mod project_nodes;
 pub mod propagate_rays;
 pub mod refract_light;

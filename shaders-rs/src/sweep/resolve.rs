@@ -1,5 +1,6 @@
 //! Finished pixels: receivers beyond the last plane, the environment, the outputs (sweep §4.4).
 
+use super::place::beside;
 use super::tiles;
 use crate::abi::receivers::ahead;
 use crate::abi::record::{Pixel, film, ray, status};
@@ -27,10 +28,8 @@ fn final_direction(u: &SweepUniforms, rays: &[f32], at: i32) -> Vec3 {
 #[inline(always)]
 fn spread(u: &SweepUniforms, rays: &[f32], x: i32, y: i32) -> f32 {
     let (width, height) = (u.picture.width as i32, u.picture.height as i32);
-    let left = if x > 0 { x - 1 } else { 0 };
-    let right = if x < width - 1 { x + 1 } else { width - 1 };
-    let above = if y > 0 { y - 1 } else { 0 };
-    let below = if y < height - 1 { y + 1 } else { height - 1 };
+    let (left, right) = beside(u, x, width);
+    let (above, below) = beside(u, y, height);
     let direction = |x: i32, y: i32| {
         final_direction(u, rays, tiles::ray(u.picture.width, u.picture.height, x as u32, y as u32) as i32)
     };

@@ -6,7 +6,7 @@ use vitrum::scene::Transport;
 use super::Section;
 use super::plot::{Axis, Corner, Plot, Scale, Series};
 use crate::Failure;
-use crate::photons::Subject;
+use crate::photons::{Slopes, Subject};
 use crate::table::aligned;
 
 const SCENES: [&str; 3] = ["luneburg", "ball", "glass"];
@@ -26,11 +26,11 @@ struct Reference {
     light: Vec<Vec<f64>>,
 }
 
-/// The photons of a subject, as many as it takes.
-fn referenced(subject: &Subject) -> Reference {
+/// The photons of a subject in a medium of such slopes, as many as it takes.
+fn referenced(subject: &Subject, slopes: Slopes) -> Reference {
     let count = |across: u32| subject.texels() * across * across;
     let across = (REFERENCE..).find(|&across| count(across) >= FEWEST).unwrap_or(REFERENCE);
-    Reference { photons: count(across), light: subject.photons(across) }
+    Reference { photons: count(across), light: subject.photons(across, slopes) }
 }
 
 /// Both comparisons with photons, for each scene.
@@ -40,26 +40,29 @@ pub fn photons(_: &mut dyn Backend) -> Result<Section, Failure> {
     for scene in SCENES {
         let subject = Subject::new(scene, EDGE, RESOLUTION, Transport::Texels)?;
         let count = |across: u32| subject.texels() * across * across;
-        let reference = referenced(&subject);
+        let reference = referenced(&subject, Slopes::SixNeighbours);
         let texels = subject.sweep_against(&reference.light);
-        let forward = Subject::new(scene, EDGE, RESOLUTION, Transport::Forward)?;
-        let of_forward = referenced(&forward);
-        let forward = forward.sweep_against(&of_forward.light);
-        for ((plane, texels), forward) in ["⅓", "⅔", "last"].into_iter().zip(texels).zip(forward) {
+        let subject_forward = Subject::new(scene, EDGE, RESOLUTION, Transport::Forward)?;
+        let of_forward = referenced(&subject_forward, Slopes::SixNeighbours);
+        let forward = subject_forward.sweep_against(&of_forward.light);
+        let interpolated = subject_forward.sweep_against(&referenced(&subject_forward, Slopes::Interpolated).light);
+        for (plane, name) in ["⅓", "⅔", "last"].into_iter().enumerate() {
+            let share = |misplaced: f64| format!("{:.1} %", misplaced * 100.0);
             rows.push([
                 format!("`{scene}`"),
-                plane.to_owned(),
-                reference.photons.to_string(),
-                format!("{:.1} %", texels.misplaced * 100.0),
-                format!("{:.3}", texels.flux),
-                of_forward.photons.to_string(),
-                format!("{:.1} %", forward.misplaced * 100.0),
-                format!("{:.3}", forward.flux),
+                name.to_owned(),
+                share(texels[plane].misplaced),
+                format!("{:.3}", texels[plane].flux),
+                share(forward[plane].misplaced),
+                format!("{:.3}", forward[plane].flux),
+                share(interpolated[plane].misplaced),
+                format!("{:.3}", interpolated[plane].flux),
+                format!("{}, {}", reference.photons, of_forward.photons),
             ]);
         }
         let reference = reference.light;
         let error = |across: u32| {
-            let compared = subject.compare(&reference, &subject.photons(across));
+            let compared = subject.compare(&reference, &subject.photons(across, Slopes::SixNeighbours));
             // All three planes, since a photon that strays does so on any of them.
             let mean = compared.iter().map(|compared| compared.misplaced).sum::<f64>() / compared.len() as f64;
             (f64::from(count(across)), mean)
@@ -69,12 +72,13 @@ pub fn photons(_: &mut dyn Backend) -> Result<Section, Failure> {
     let header = [
         "scene",
         "plane",
-        "photons",
         "texels: light in another place",
         "flux",
-        "photons",
         "forward: light in another place",
         "flux",
+        "forward, η interpolated",
+        "flux",
+        "photons",
     ];
     let sweep = aligned(header.map(str::to_owned), rows);
     let header = ["photons a texel", "`luneburg`", "`ball`", "`glass`"].map(str::to_owned);

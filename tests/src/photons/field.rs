@@ -5,8 +5,24 @@ use vitrum::method::View;
 use vitrum::scene::{Scene, TransferFunction};
 use vitrum_kernels::glam::{DMat3, DVec3};
 
-/// Half the distance, in voxels, over which the gradient is taken: small, since η between voxels is defined by interpolation.
-const HALF_STEP: f64 = 0.05;
+/// The medium between voxels: how ∇(η²) follows from them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slopes {
+    /// Central differences over one voxel on either side, which six neighbours give (sweep §5): the medium that the sweep's default defines.
+    SixNeighbours,
+    /// The derivative of η as it is interpolated, which jumps from voxel to voxel.
+    Interpolated,
+}
+
+impl Slopes {
+    /// Half the distance over which a difference is taken, in voxels.
+    fn half_step(self) -> f64 {
+        match self {
+            Self::SixNeighbours => 1.0,
+            Self::Interpolated => 0.05,
+        }
+    }
+}
 
 /// A refracting, absorbing medium in the view frame.
 pub struct Field<'a> {
@@ -20,12 +36,13 @@ pub struct Field<'a> {
     reference_length: f64,
     /// The index of refraction outside of the volume's box.
     surroundings: f64,
+    slopes: Slopes,
 }
 
 impl<'a> Field<'a> {
     /// The medium of a scene's volume, seen from `view`.
     #[must_use]
-    pub fn new(volume: &'a Volume, scene: &'a Scene, view: &View) -> Self {
+    pub fn new(volume: &'a Volume, scene: &'a Scene, view: &View, slopes: Slopes) -> Self {
         let transfer = &scene.transfer;
         let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
         let step = |axis: usize| vector(volume.axes[axis]) * f64::from(volume.spacing[axis]);
@@ -42,6 +59,7 @@ impl<'a> Field<'a> {
             offset: inverse * (view.eye - vector(volume.origin)),
             reference_length: f64::from(transfer.reference_length.unwrap_or(finest)),
             surroundings: f64::from(scene.surroundings.ior),
+            slopes,
         }
     }
 
@@ -139,8 +157,8 @@ impl<'a> Field<'a> {
     pub fn acceleration(&self, point: DVec3) -> DVec3 {
         let at = self.to_voxels * point + self.offset;
         let half_square = |at: DVec3| 0.5 * self.ior(at).powi(2);
-        let slope =
-            |axis: DVec3| (half_square(at + axis * HALF_STEP) - half_square(at - axis * HALF_STEP)) / (2.0 * HALF_STEP);
+        let half = self.slopes.half_step();
+        let slope = |axis: DVec3| (half_square(at + axis * half) - half_square(at - axis * half)) / (2.0 * half);
         self.to_voxels.transpose() * DVec3::new(slope(DVec3::X), slope(DVec3::Y), slope(DVec3::Z))
     }
 

@@ -7,7 +7,7 @@ mod field;
 mod subject;
 mod trace;
 
-pub use field::Field;
+pub use field::{Field, Slopes};
 pub use subject::{Compared, Subject};
 pub use trace::Photon;
 

@@ -6,7 +6,7 @@ use vitrum::method::sweep::{LightGrid, Planes, Sweep};
 use vitrum::scene::Transport;
 use vitrum_kernels::glam::DVec3;
 
-use super::{Field, blocks, irradiance, misplaced};
+use super::{Field, Slopes, blocks, irradiance, misplaced};
 use crate::Failure;
 use crate::case::Case;
 use crate::closed_forms::light_on_planes;
@@ -37,12 +37,14 @@ pub struct Compared {
 
 impl Subject {
     /// A built-in scene as a picture of `edge` × `edge` pixels with volumes of `resolution` voxels, its light crisp and `carried` from plane to plane.
+    /// It has no receivers: light of the sweep ends there, photons do not.
     ///
     /// # Errors
     /// If there is no such scene, or the backend fails.
     pub fn new(scene: &str, edge: u32, resolution: u32, carried: Transport) -> Result<Self, Failure> {
         let settings = ["light.0.angular_radius=0", "light.0.elevation=20"];
         let mut case = Case::builtin(scene, edge, Some(resolution), &settings)?;
+        (case.scene.ground, case.scene.wall) = (None, None);
         case.scene.sweep.light = carried;
         // Two cells for a texel, as the default has for small volumes, and blocks of twice as many: they are as large.
         case.scene.sweep.light_cells = Some(2 * edge);
@@ -66,10 +68,10 @@ impl Subject {
         self.grid.size[0] * self.grid.size[1]
     }
 
-    /// The photons' light on the three planes, with `across` × `across` of them for each texel.
+    /// The photons' light on the three planes, with `across` × `across` of them for each texel, in a medium of such slopes.
     #[must_use]
-    pub fn photons(&self, across: u32) -> Vec<Vec<f64>> {
-        let field = Field::new(self.case.volume(), &self.case.scene, &self.view);
+    pub fn photons(&self, across: u32, slopes: Slopes) -> Vec<Vec<f64>> {
+        let field = Field::new(self.case.volume(), &self.case.scene, &self.view, slopes);
         irradiance(&field, &self.grid, &self.planes, &self.at, across)
     }
 

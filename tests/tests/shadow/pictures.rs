@@ -230,7 +230,8 @@ fn sessions_follow_the_light() -> Result<(), Failure> {
         assert!(fresh.windows(2).all(|pair| pair[0] != pair[1]), "the changes are to be seen");
         let mut cache = Cache::default();
         for (case, fresh) in cases.iter().zip(&fresh) {
-            let job = Job { scene: &case.scene, assets: &cases[0].assets, request: OutputRequest::default() };
+            let job =
+                Job { scene: &case.scene, assets: &cases[0].assets, request: OutputRequest::default(), refined: None };
             let frame = vitrum::frame(&job, &mut cache, backend, &mut |_| true)?;
             assert!(color(&frame) == *fresh, "{}", case.name);
         }

@@ -10,7 +10,7 @@ use crate::volume::VolumeArguments;
 use clap::Args;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use vitrum::composition::{Composed, Composition, Side};
+use vitrum::composition::{Composed, Composition, Quality, Side};
 use vitrum::io::{WriteOptions, check_writable, write_picture_with};
 use vitrum::scene::Scene;
 use vitrum::{Assets, OutputRequest, preset};
@@ -72,6 +72,8 @@ pub fn run(input: &str, arguments: &SheetArguments) -> Result<ExitCode, Failure>
     let Size { width, height } = arguments.size.unwrap_or(TILE);
     let composition = Composition {
         input: input.to_owned(),
+        // Small pictures for a first look, and many of them.
+        quality: Some(Quality::Draft),
         size: Some([width, height]),
         source: arguments.volume.source(),
         side: arguments.view,

@@ -2,16 +2,18 @@
 
 mod error;
 mod input;
+mod quality;
 mod sides;
 
 pub use error::CompositionError;
 pub use input::{Opened, open, read_text};
+pub use quality::Quality;
 pub use sides::Side;
 
 use crate::error::Error;
 use crate::scene::{Problem, Scene, SceneError, Vector, VolumeSource};
 use crate::{Assets, preset};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use vitrum_io::Mesh;
 
 /// Bounds of meshes whose size is not known yet.
@@ -28,6 +30,8 @@ pub struct Composition {
     pub preset: Option<String>,
     /// The name of a medium that meshes are put into, one of [`preset::medium_names`]. If absent the scene keeps its own, if any.
     pub medium: Option<String>,
+    /// The quality of the picture. If absent, a scene's file has the rays that it says, and everything else is [`Quality::Good`].
+    pub quality: Option<Quality>,
     /// Width and height of the film, in pixels.
     pub size: Option<[u32; 2]>,
     /// Options for reading the volume's file: `raw`, `spacing`, `array`, `time` and `up` replace the scene's where they are set, `up`
@@ -119,6 +123,10 @@ impl Composition {
             scene.film.width = width;
             scene.film.height = height;
         }
+        let quality = self.quality.or((!is_scene_file(&self.input)).then_some(Quality::Good));
+        if let Some(quality) = quality {
+            quality.apply(&mut scene.film, scene.method);
+        }
         self.change_source(scene);
         if let Some(side) = self.side {
             side.look(scene);
@@ -149,6 +157,10 @@ impl Composition {
         }
         scene.volume.read_as(keys);
     }
+}
+
+fn is_scene_file(input: &str) -> bool {
+    Path::new(input).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 
 fn is_missing(error: &SceneError) -> bool {

@@ -1,8 +1,6 @@
 //! The sum of a frame's exposures.
 
 use super::output::{Blend, Output};
-use crate::backend::KernelTime;
-use crate::backend::times::merge;
 use crate::method::{Exposure, Part};
 use vitrum_io::Picture;
 
@@ -15,10 +13,6 @@ pub(crate) struct Accumulator {
     pub film: Vec<f32>,
     /// The light on the last plane.
     pub light: Option<Picture>,
-    /// Time of all exposures, in milliseconds.
-    pub frame_ms: f64,
-    /// The time that each kernel took.
-    pub kernels: Vec<KernelTime>,
     /// The least distance so far.
     nearest: f64,
 }
@@ -26,14 +20,7 @@ pub(crate) struct Accumulator {
 impl Accumulator {
     /// The empty sum of `count` exposures by a method with these outputs.
     pub fn new(outputs: &'static [Output], count: usize) -> Self {
-        let (film, kernels) = (Vec::new(), Vec::new());
-        Self { outputs, count, film, light: None, frame_ms: 0.0, kernels, nearest: f64::INFINITY }
-    }
-
-    /// Adds the time that an exposure took, and that its kernels took.
-    pub fn time(&mut self, ms: f64, kernels: &[KernelTime]) {
-        self.frame_ms += ms;
-        merge(&mut self.kernels, kernels);
+        Self { outputs, count, film: Vec::new(), light: None, nearest: f64::INFINITY }
     }
 
     /// Adds an exposure: its planar records for `rays` viewing rays, and its light.

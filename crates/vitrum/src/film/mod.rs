@@ -5,6 +5,7 @@ mod background;
 mod catcher;
 mod frame;
 mod output;
+mod refinement;
 mod resolve;
 mod statistics;
 
@@ -12,5 +13,6 @@ pub(crate) use accumulator::Accumulator;
 pub use frame::Frame;
 pub use output::Output;
 pub(crate) use output::{PixelFilter, rgb, rgba, xyz};
+pub(crate) use refinement::{differing, index_of, replace};
 pub(crate) use resolve::RayRecords;
 pub use statistics::{FluxShares, Statistics};

@@ -43,6 +43,8 @@ pub struct Statistics {
     pub planes: Option<u32>,
     /// Texels of the light grid across and up, of the plane sweep.
     pub light_texels: Option<[u32; 2]>,
+    /// Pixels that were rendered anew with more rays (`film.refinement`).
+    pub refined_pixels: Option<u64>,
     /// Dispatches of kernels.
     pub dispatches: u64,
     /// Rays that turned back or grazed the planes, and could not be followed, of the plane sweep.

@@ -49,6 +49,11 @@ pub trait Method: Sync {
         lights::exposures(scene, assets.environment.as_deref())
     }
 
+    /// Whether single pixels can be rendered anew with more rays ([`Job::refined`]).
+    fn refines(&self) -> bool {
+        false
+    }
+
     /// Allocates the buffers of an exposure and lists its passes. Data that the next frame reads again stays in `cache`.
     ///
     /// # Errors
@@ -112,6 +117,34 @@ pub struct Job<'a> {
     pub assets: &'a Assets,
     /// The requested outputs.
     pub request: OutputRequest,
+    /// The pixels that the exposure refines; `None` for all pixels, of a ray or as many as the scene says.
+    pub refined: Option<RefinedPixels<'a>>,
+}
+
+/// The pixels of a picture that are rendered anew with more rays.
+#[derive(Debug, Clone, Copy)]
+pub struct RefinedPixels<'a> {
+    /// The pixels, by [`word`](vitrum_kernels::sweep::place::word), side by side in rows of [`Self::COLUMNS`] that are all full.
+    pub pixels: &'a [u32],
+    /// Rays along each side of a pixel.
+    pub edge: u32,
+}
+
+impl RefinedPixels<'_> {
+    /// Pixels in a row: rays then fill the tiles in which they run together.
+    pub const COLUMNS: u32 = 64;
+
+    /// Pixels across and down, as they lie side by side.
+    #[must_use]
+    pub fn size(&self) -> [u32; 2] {
+        [Self::COLUMNS, self.pixels.len() as u32 / Self::COLUMNS]
+    }
+
+    /// Rays across and down.
+    #[must_use]
+    pub fn rays(&self) -> [u32; 2] {
+        self.size().map(|pixels| pixels * self.edge)
+    }
 }
 
 /// The backend that a frame is prepared on, and the caller's progress function.

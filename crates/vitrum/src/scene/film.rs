@@ -20,6 +20,10 @@ pub struct Film {
     /// Number of viewing rays per pixel edge; the picture is averaged from one so many times larger.
     #[schemars(range(min = 1, max = 4), extend("x-unit" = "rays"))]
     pub supersampling: u32,
+    /// Number of viewing rays per pixel edge where neighbouring pixels differ: method `sweep` renders those pixels anew. Pictures have that many rays
+    /// at their edges, for little time; 1 renders no pixel anew.
+    #[schemars(range(min = 1, max = 8), extend("x-unit" = "rays"))]
+    pub refinement: u32,
 }
 
 impl Film {
@@ -30,7 +34,7 @@ impl Film {
 
 impl Default for Film {
     fn default() -> Self {
-        Self { width: 512, height: 512, exposure: 0.0, supersampling: 1 }
+        Self { width: 512, height: 512, exposure: 0.0, supersampling: 1, refinement: 1 }
     }
 }
 

@@ -1,11 +1,10 @@
 //! Data that a sweep keeps from frame to frame: volumes, tables, the occupancy, the environment map.
 
-use super::Carried;
+use super::kept::KeptLight;
 use super::mesh_volumes::MeshVolumes;
 use super::occupancy::Occupancy;
 use super::tables::Tables;
 use super::uploaded::UploadedVolumes;
-use super::wavefront::LightKey;
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::error::Error;
@@ -35,8 +34,8 @@ pub(super) struct FrameCache {
     tables_buffer: Memo<TablesKey, Buffer>,
     pub(super) occupancy: Memo<(TablesKey, [u32; 2], bool), Occupancy>,
     pub(super) pictures: UploadedPictures,
-    /// The light that a wavefront has carried, which stays while the camera alone moves.
-    pub(super) carried: Option<(TablesKey, LightKey, Arc<Carried>)>,
+    /// The light that wavefronts have carried.
+    pub(super) light: KeptLight,
     pub(super) scratch: Scratch,
 }
 

@@ -55,6 +55,15 @@ impl PreparedFrame for Sweep {
         &self.buffers.film
     }
 
+    fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), BackendError> {
+        let total = self.passes.passes.len() as u64;
+        backend.run(&self.passes, &mut |done| progress(done as u64, total))?;
+        if let Some(carried) = &self.carried {
+            carried.is_done.store(true, Ordering::Relaxed);
+        }
+        Ok(())
+    }
+
     /// The grid's rows go up, a picture's down.
     fn light(&self, backend: &mut dyn Backend) -> Result<Option<Picture>, BackendError> {
         if !self.request.light {
@@ -85,10 +94,6 @@ impl PreparedFrame for Sweep {
     ) -> Result<(), BackendError> {
         let rays = self.rays[0] as usize * self.rays[1] as usize;
         let terminated = records[film::STATUS * rays..].iter().filter(|&&fate| fate == status::TURNED).count();
-        // What is counted here has come to its end.
-        if let Some(carried) = &self.carried {
-            carried.is_done.store(true, Ordering::Relaxed);
-        }
         statistics.planes = Some(self.planes.count);
         statistics.light_texels = Some(self.light_grid.size);
         statistics.rays_terminated = Some(terminated as u64);

@@ -8,6 +8,7 @@ mod carrier;
 mod film;
 mod hull;
 mod irradiance_ring;
+mod kept;
 mod light;
 mod mesh_volumes;
 mod occupancy;
@@ -33,7 +34,9 @@ use crate::backend::{Backend, BackendError, Buffer, PassList, ReadBack as _};
 use crate::error::Error;
 use crate::film::Output;
 use crate::method::voxels::bodies;
-use crate::method::{Bounds, Cache, Exposure, Job, Method, PreparedFrame, Tools, View, lights, spectrum};
+use crate::method::{
+    Bounds, Cache, Exposure, Job, Method, PreparedFrame, RefinedPixels, Tools, View, lights, spectrum,
+};
 use crate::request::OutputRequest;
 use crate::scene::{MethodName, Scene};
 use crate::subject::{Subject, Volumes};
@@ -84,23 +87,27 @@ impl Method for PlaneSweep {
         spectrum::split(lights::sweep_exposures(scene, assets.environment.as_deref(), bounds), wavelengths)
     }
 
+    fn refines(&self) -> bool {
+        true
+    }
+
     fn prepare(
         &self,
         job: &Job<'_>,
         cache: &mut Cache,
         tools: &mut Tools<'_>,
     ) -> Result<Box<dyn PreparedFrame>, Error> {
-        let Job { scene, assets, request } = *job;
+        let Job { scene, assets, request, refined } = *job;
         let cache: &mut SweepCache = cache.of();
         let map = assets.environment.as_deref();
         if let Some(volumes) = assets.subject.volumes() {
-            return Ok(Box::new(Sweep::of(scene, volumes, map, request, &mut cache.frame, tools.backend)?));
+            return Ok(Box::new(Sweep::of(scene, volumes, map, (request, refined), &mut cache.frame, tools.backend)?));
         }
         cache.mesh(scene, assets, tools)?;
         let SweepCache { mesh: Some(mesh), frame } = cache else { unreachable!("it was made above") };
         let (scene, volumes) = (mesh.scene(scene, assets)?, mesh.volumes());
         let voxelized = Some(Voxelized { dimensions: volumes.shown.dimensions, open_rows: mesh.open_rows });
-        let sweep = Sweep::of(&scene, volumes, map, request, frame, tools.backend)?;
+        let sweep = Sweep::of(&scene, volumes, map, (request, refined), frame, tools.backend)?;
         Ok(Box::new(Sweep { voxelized, ..sweep }))
     }
 }
@@ -153,7 +160,7 @@ impl Sweep {
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
         let map = assets.environment.as_deref();
-        Self::of(scene, volumes(assets)?, map, request, &mut FrameCache::default(), backend)
+        Self::of(scene, volumes(assets)?, map, (request, None), &mut FrameCache::default(), backend)
     }
 
     /// As [`Self::prepare`], with the volumes streamed in as little memory as that takes, however small they are: large volumes are
@@ -169,7 +176,7 @@ impl Sweep {
     ) -> Result<Self, Error> {
         let volumes = volumes(assets)?;
         let mut cache = FrameCache::holding(Arc::new(UploadedVolumes::streamed(volumes)));
-        Self::of(scene, volumes, assets.environment.as_deref(), request, &mut cache, backend)
+        Self::of(scene, volumes, assets.environment.as_deref(), (request, None), &mut cache, backend)
     }
 
     /// Builds tables and lists the passes. Where the light is not requested, it is carried only as far as a viewing ray can read it,
@@ -178,7 +185,7 @@ impl Sweep {
         scene: &Scene,
         volumes: Volumes<'_>,
         picture: Option<&vitrum_io::Picture>,
-        request: OutputRequest,
+        (request, refined): (OutputRequest, Option<RefinedPixels<'_>>),
         cache: &mut FrameCache,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
@@ -187,8 +194,18 @@ impl Sweep {
         let pictures = cache.pictures.get(scene, picture, &BTreeMap::new(), backend)?;
         let limits = (uploaded.format, backend.largest_buffer());
         let mut plan = FramePlan::new(scene, volumes, tables, &pictures.environment, limits)?;
-        let (passes, buffers, carried) =
-            passes::build(scene, volumes, &mut plan, (&uploaded, &pictures.buffer), request, cache, backend)?;
+        if let Some(refined) = refined {
+            plan.refine(refined);
+        }
+        let (passes, buffers, carried) = passes::build(
+            scene,
+            volumes,
+            &mut plan,
+            (&uploaded, &pictures.buffer),
+            (request, refined),
+            cache,
+            backend,
+        )?;
         Ok(Self {
             passes,
             planes: plan.planes,

@@ -14,12 +14,13 @@ use super::{Buffers, Carried};
 
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
 use crate::error::Error;
+use crate::method::RefinedPixels;
 use crate::request::OutputRequest;
 use crate::scene::{Removes, Scene};
 use crate::subject::Volumes;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use vitrum_kernels::abi::record::{film, ray};
 use vitrum_kernels::abi::sweep::mode;
 use vitrum_kernels::kernel::kernels;
@@ -34,7 +35,7 @@ pub(super) fn build(
     volumes: Volumes<'_>,
     plan: &mut FramePlan,
     (uploaded, map): (&UploadedVolumes, &Buffer),
-    request: OutputRequest,
+    (request, refined): (OutputRequest, Option<RefinedPixels<'_>>),
     cache: &mut FrameCache,
     backend: &mut dyn Backend,
 ) -> Result<(PassList, Buffers, Option<Arc<Carried>>), Error> {
@@ -68,7 +69,7 @@ pub(super) fn build(
         Some(frame) => {
             let boxes: Vec<_> =
                 queries.iter().flat_map(|query| query.looked_at(scene.shading.specular > 0.0)).collect();
-            let frame = frame.for_particles(densest);
+            let frame = frame.for_particles(densest, mode::bends(plan.mode));
             let seen_by = (plan.common(), plan.mode);
             let largest = backend.largest_buffer();
             let wavefront = Wavefront::new(scene, rendered, (&plan.view, frame), seen_by, &boxes, largest)?;
@@ -108,27 +109,37 @@ pub(super) fn build(
     };
     // Streamed voxels are gone when the camera moves.
     let keeps = !plan.format.is_paged();
-    let kept = wavefront.as_ref().filter(|_| keeps).map(|wavefront| (tables_key(scene), wavefront.key()));
-    let known = cache.carried.take().filter(|(tables, light, carried)| {
-        carried.is_done.load(Ordering::Relaxed)
-            && kept.as_ref().is_some_and(|(same_tables, same_light)| tables == same_tables && light == same_light)
-    });
+    let key = wavefront.as_ref().filter(|_| keeps).map(|wavefront| (tables_key(scene), wavefront.key()));
+    let light_kept = &mut cache.light;
+    let known = light_kept.find(key.as_ref(), request.light);
     let is_known = known.is_some();
     let carried = match (wavefront, known) {
-        (_, Some((.., carried))) => Some(carried),
+        (_, Some(carried)) => Some(carried),
         (Some(wavefront), None) => {
+            light_kept.make_room(wavefront.bytes());
             let made = wavefront.buffers(&mut buffers, volumes.clone())?;
-            Some(Arc::new(Carried { wavefront, buffers: made, is_done: AtomicBool::new(false) }))
+            let carried = Arc::new(Carried { wavefront, buffers: made, is_done: AtomicBool::new(false) });
+            if let Some(key) = key {
+                light_kept.keep(key, Arc::clone(&carried));
+            }
+            Some(carried)
         }
         (None, None) => None,
     };
-    cache.carried = kept.zip(carried.clone()).map(|((tables, light), carried)| (tables, light, carried));
     // What viewing rays look the light up in.
     let looked_up =
         carried.as_ref().map_or_else(|| light.irradiance().clone(), |carried| carried.buffers.light.clone());
     let pixels = plan.rays;
-    let rays = buffers.planar("rays", pixels, ray::SIZE)?;
-    let finished = buffers.planar("film", pixels, film::SIZE)?;
+    // A picture's rays and those of its refined pixels take turns.
+    let turn = usize::from(refined.is_some());
+    let rays = buffers.planar(("rays", turn), pixels, ray::SIZE)?;
+    let finished = buffers.planar(("film", turn), pixels, film::SIZE)?;
+    let places = match refined {
+        Some(refined) => {
+            buffers.backend.create("refined pixels", Contents::Bytes(bytemuck::cast_slice(refined.pixels)))?
+        }
+        None => buffers.planar("no refined pixels", [1, 1], 1)?,
+    };
 
     let ray_kernel = kernels::sweep_propagate_rays.get(plan.format);
     // The first pass of each plane, of the wavefront's planes first.
@@ -138,7 +149,7 @@ pub(super) fn build(
         None => (light.start(plan), Vec::new()),
     };
     let entries = carried.as_ref().filter(|_| !is_known).map(|carried| carried.wavefront.entries(&carried.buffers));
-    passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&looked_up, &rays]));
+    passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&looked_up, &places, &rays]));
     starts.push(if carried.is_some() { passes.len() } else { 0 });
     let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &volumes;
     let bound = [voxels, ior_voxels, occupancy, tables, &looked_up, &rays];

@@ -9,11 +9,11 @@ use super::voxels::grid;
 use super::wavefront::{self, Frame};
 use super::window::VisibleLight;
 use crate::error::Error;
-use crate::method::lights;
 use crate::method::view::environment::{EnvironmentMap, EnvironmentUniforms};
 use crate::method::view::light::{direction_of_light, position};
 use crate::method::view::receivers::{Receivers, plane};
 use crate::method::view::{Bounds, View, vector};
+use crate::method::{RefinedPixels, lights};
 use crate::scene::{Gradient, Integrator, Intensity, Removes, Rgb, Scene, Transport};
 use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
@@ -40,6 +40,8 @@ pub(super) struct FramePlan {
     pub(super) planes: Planes,
     pub(super) light_grid: LightGrid,
     pub(super) rays: [u32; 2],
+    /// Rays along each side of a pixel, where all pixels have the same.
+    supersampling: u32,
     pub(super) tables: Arc<Tables>,
     pub(super) format: Format,
     /// The longest step, in voxels, over which a brick's range holds, in each volume.
@@ -150,6 +152,7 @@ impl FramePlan {
         let mut block = SweepUniforms {
             flags: flags(scene),
             picture: Size { width: rays[0], height: rays[1] },
+            sensor: Size { width: rays[0], height: rays[1] },
             grid: grid(shown, tables.shown, format, &view, (reach[0], 0)),
             light_grid: abi::LightGrid {
                 width: light_grid.size[0],
@@ -216,6 +219,7 @@ impl FramePlan {
             planes,
             light_grid,
             rays,
+            supersampling,
             tables,
             format,
             sampling,
@@ -287,6 +291,16 @@ impl FramePlan {
     pub(super) fn see(&mut self, seen: abi_wavefront::Wavefront) {
         self.block.wavefront = seen;
         self.block.flags |= flag::FORWARD;
+    }
+
+    /// Has the rays of some pixels alone.
+    pub(super) fn refine(&mut self, refined: RefinedPixels<'_>) {
+        let Size { width, height } = self.block.sensor;
+        let sensor = [width, height].map(|rays| rays / self.supersampling * refined.edge);
+        self.rays = refined.rays();
+        self.block.picture = Size { width: self.rays[0], height: self.rays[1] };
+        self.block.sensor = Size { width: sensor[0], height: sensor[1] };
+        self.block.refined = refined.edge;
     }
 
     /// The uniform block of viewing rays, as far as it is the same for all planes.

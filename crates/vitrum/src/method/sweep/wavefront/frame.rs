@@ -25,6 +25,10 @@ fn stride(densest: f64) -> u32 {
     }
 }
 
+/// Steps of bent light over two planes' distance, where light is not kept on each plane. With two, a ball lens loses 1.9 % of its light at its rim; with
+/// three 0.9 %.
+const STEPS_OF_BENT: u32 = 3;
+
 /// The frame of a wavefront: z is the direction in which light from far away travels, or light along the middle of that from a point.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::method::sweep) struct Frame {
@@ -95,11 +99,14 @@ impl Frame {
     }
 
     /// The frame for particles whose largest optical depth from plane to plane is `densest`. Light is kept on every plane of number 0, `stride`,
-    /// 2 `stride` and so on; the last plane is one of them.
-    pub(in crate::method::sweep) fn for_particles(self, densest: f64) -> Self {
-        let stride = stride(densest);
-        let last = (self.planes.count - 1).next_multiple_of(stride);
-        let planes = Planes { count: last + 1, behind: last, ..self.planes };
+    /// 2 `stride` and so on; the last plane is one of them. Light that `bends` takes shorter steps where it is kept on some planes alone.
+    pub(in crate::method::sweep) fn for_particles(self, densest: f64, bends: bool) -> Self {
+        let apart = stride(densest);
+        let stride = if bends { apart * STEPS_OF_BENT / 2 } else { apart };
+        let steps = (self.planes.count - 1) * stride;
+        let last = steps.div_ceil(apart).next_multiple_of(stride);
+        let distance = self.planes.distance * f64::from(apart) / f64::from(stride);
+        let planes = Planes { distance, count: last + 1, behind: last, ..self.planes };
         Self { planes, stride, has_particles: densest > 0.0, ..self }
     }
 

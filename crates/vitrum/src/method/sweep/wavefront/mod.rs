@@ -168,6 +168,11 @@ impl Wavefront {
 }
 
 impl Wavefront {
+    /// Bytes of the light that it keeps.
+    pub(super) fn bytes(&self) -> u64 {
+        u64::from(self.words) * 4
+    }
+
     /// All that the light depends on, besides the volumes and their tables.
     pub(super) fn key(&self) -> LightKey {
         LightKey {
@@ -198,6 +203,8 @@ fn block(
     // Nothing of the camera, so that light stays what it is while the camera moves.
     let mut block = SweepUniforms {
         picture: Size::default(),
+        sensor: Size::default(),
+        refined: 0,
         camera: Camera::default(),
         environment: Environment::default(),
         light_grid: LightGrid::default(),
