@@ -36,7 +36,7 @@ pub enum Command {
     #[command(after_help = examples::DEVICES)]
     Devices(devices::Arguments),
     #[command(after_help = examples::PRESETS)]
-    Presets(presets::Arguments),
+    Presets(Box<presets::Arguments>),
     #[command(after_help = examples::SCENES)]
     Scenes(scenes::Arguments),
     #[command(after_help = examples::KEYS)]

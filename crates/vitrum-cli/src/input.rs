@@ -6,7 +6,7 @@ use crate::size::Size;
 use crate::volume::VolumeArguments;
 use clap::Args;
 use std::path::Path;
-use vitrum::composition::{Composed, Composition, Opened, Quality, open};
+use vitrum::composition::{Composed, Composition, Opened, Quality, Side, open};
 use vitrum::io::{Mesh, OpenOptions, Up, Volume};
 use vitrum::scene::MeshSource;
 use vitrum::suggest::nearest;
@@ -30,6 +30,10 @@ pub struct SceneArguments {
     /// Put meshes into a medium and show the beams of light in it
     #[arg(long, value_name = "NAME", add = complete::media(), long_help = medium_help())]
     pub medium: Option<String>,
+
+    /// Look at the patient from a side: anterior, posterior, left, right, superior or inferior; before --set
+    #[arg(long, value_name = "SIDE")]
+    pub view: Option<Side>,
 
     /// Set a scene key, such as light.0.angular_radius=3; repeatable, applied in order, after --preset and --medium
     #[arg(long, value_name = "KEY=VALUE", add = complete::settings())]
@@ -88,6 +92,7 @@ impl SceneArguments {
             quality: self.quality.map(QualityName::quality),
             size: self.size.map(|Size { width, height }| [width, height]),
             source: self.volume.source(),
+            side: self.view,
             settings: self.set.clone(),
             max_bytes: self.volume.limit(),
         };

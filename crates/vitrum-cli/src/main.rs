@@ -13,6 +13,7 @@ mod device;
 mod examples;
 mod failure;
 mod faster;
+mod figure;
 mod input;
 mod interrupt;
 mod output;

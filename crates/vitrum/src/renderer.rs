@@ -5,12 +5,14 @@ use crate::backend::times::merge;
 use crate::backend::{Backend, BackendError, KernelTime, ReadBack as _};
 use crate::error::Error;
 use crate::film::{Accumulator, Frame, RayRecords, Rendered, Statistics, index_of, replace};
-use crate::method::{self, Cache, Exposure, Job, Method, Part, PreparedFrame, RefinedPixels, Tools};
+use crate::method::{self, Bounds, Cache, Exposure, Job, Method, Part, PreparedFrame, RefinedPixels, Tools, View};
 use crate::request::{OutputRequest, Progress, Stage};
-use crate::scene::{Film, Scene};
+use crate::scene::{
+    Background, Film, Light, MethodName, OpacityPoint, Scene, Surroundings, TransferFunction,
+};
 use crate::subject::Subject;
 use std::sync::Arc;
-use vitrum_io::{Layer, Mesh};
+use vitrum_io::{Layer, Mesh, Volume, Voxels};
 use web_time::Instant;
 
 /// Opens another backend after a failure of the first one's device.
@@ -157,8 +159,64 @@ fn frame_here(
     backend: &mut dyn Backend,
     progress: &mut (dyn FnMut(Progress) -> bool + Send),
 ) -> Result<Frame, Error> {
+    check(job.scene, job.assets)?;
+    let Some(background) = job.scene.background.as_deref().and_then(Background::parse) else {
+        return exposed(job, cache, backend, progress);
+    };
+    // The background takes the environment's place in the picture alone.
+    let mut scene = job.scene.clone();
+    scene.environment.visible = false;
+    let whole = exposed(&Job { scene: &scene, ..*job }, cache, backend, progress)?;
+    let frame = if scene.ground.as_ref().is_some_and(|ground| ground.shadow_catcher) {
+        let bare = Scene { ground: None, ..scene.clone() };
+        let bare = exposed(&Job { scene: &bare, ..*job }, cache, backend, progress)?;
+        let (alone, assets) = ground_alone(&scene, job.assets)?;
+        let alone = Job { scene: &alone, assets: &assets, ..*job };
+        let alone = exposed(&alone, &mut Cache::default(), backend, progress)?;
+        whole.catch_shadows(&bare, &alone)
+    } else {
+        whole
+    };
+    Ok(match background {
+        Background::Color(paint) => frame.before(paint),
+        Background::Transparent => frame,
+    })
+}
+
+/// The scene's ground with nothing on it: a clear volume takes the subject's place, so that camera and light are the same.
+fn ground_alone(scene: &Scene, assets: &Assets) -> Result<(Scene, Assets), Error> {
+    let [corner, x, y, z] = [0, 1, 2, 4].map(|index| Bounds::from(&assets.subject).corners()[index]);
+    let edges = [x, y, z].map(|end| end - corner);
+    let spacing = edges.map(|edge| 0.5 * edge.length());
+    let mut clear = Volume::new("ground", [2; 3], spacing.map(|edge| edge as f32), Voxels::from(vec![0_u8; 8]))?;
+    clear.axes = edges.map(|edge| edge.normalize().as_vec3().to_array());
+    clear.origin = (corner + (edges[0] + edges[1] + edges[2]) * 0.25).as_vec3().to_array();
+    let nothing = TransferFunction { opacity: vec![OpacityPoint { value: 0.0, opacity: 0.0 }], ..Default::default() };
+    // Where nothing casts shadows, a light may stand anywhere.
+    let light = scene.light.iter().map(|light| Light { shadows: false, ..light.clone() }).collect();
+    let alone = Scene {
+        method: MethodName::Sweep,
+        light,
+        transfer: nothing,
+        mesh: Vec::new(),
+        ior_volume: None,
+        material: Vec::new(),
+        clip: Vec::new(),
+        wall: None,
+        surroundings: Surroundings::default(),
+        ..scene.clone()
+    };
+    Ok((alone, Assets { subject: clear.into(), ..assets.clone() }))
+}
+
+/// A frame of a scene as it is, with its exposures summed up.
+fn exposed(
+    job: &Job<'_>,
+    cache: &mut Cache,
+    backend: &mut dyn Backend,
+    progress: &mut (dyn FnMut(Progress) -> bool + Send),
+) -> Result<Frame, Error> {
     let scene = job.scene;
-    check(scene, job.assets)?;
     let method = method::of(scene.method);
     let exposures = method.exposures(scene, job.assets);
     // These come first.
@@ -188,9 +246,11 @@ fn frame_here(
         course.refine(job, &exposures, &pixels, &mut layers)?;
     }
     let Spent { frame_ms, upload_ms, kernels, dispatches } = course.spent;
-    let statistics =
-        Statistics { dispatches, frame_ms: vec![frame_ms], kernels, upload_ms: Some(upload_ms), ..statistics };
     let [width, height] = size;
+    let bounds = Bounds::from(&job.assets.subject);
+    let camera = Some(View::new(scene, bounds).matrices(height, bounds));
+    let (frame_ms, upload_ms) = (vec![frame_ms], Some(upload_ms));
+    let statistics = Statistics { camera, dispatches, frame_ms, kernels, upload_ms, ..statistics };
     Ok(Frame { width, height, layers, light: sum.light, statistics }.expose(scene.film.exposure))
 }
 

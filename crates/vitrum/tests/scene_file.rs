@@ -142,7 +142,7 @@ fn settings_reach_every_kind_of_key() {
     assert_eq!(scene.camera.up, [0.0, 1.0, 0.0]);
     assert_eq!(scene.environment.kind, EnvironmentKind::Checkerboard);
     assert!(!scene.sweep.refraction);
-    assert_eq!(scene.ground, Some(Ground { height: None, color: [0.5; 3] }));
+    assert_eq!(scene.ground, Some(Ground { height: None, color: [0.5; 3], ..Ground::default() }));
     assert_eq!(
         scene.clip,
         [

@@ -8,6 +8,7 @@ pub mod info;
 pub mod keys;
 pub mod man;
 pub mod presets;
+mod presets_sheet;
 pub mod render;
 pub mod scene;
 pub mod scenes;

@@ -1,5 +1,6 @@
 //! `vitrum presets`: the looks that fit any volume or mesh, and media.
 
+use super::presets_sheet::{self, SheetArguments};
 use crate::failure::Failure;
 use crate::output;
 use clap::Args;
@@ -7,15 +8,23 @@ use serde_json::json;
 use std::process::ExitCode;
 use vitrum::preset;
 
-/// List the presets: looks that fit themselves to any volume, materials of meshes, and media around them (--medium)
+/// List the presets: looks that fit themselves to any volume, materials of meshes, and media around them (--medium); of an input, show them all
+///
+/// With an input, a contact sheet: a small picture of the input in each preset, with the presets' names.
 #[derive(Debug, Args)]
 pub struct Arguments {
+    #[command(flatten)]
+    pub sheet: SheetArguments,
+
     /// Print JSON
-    #[arg(long)]
+    #[arg(long, conflicts_with = "input")]
     json: bool,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    if let Some(input) = &arguments.sheet.input {
+        return presets_sheet::run(input, &arguments.sheet);
+    }
     print_names(&[preset::names(), preset::mesh_names(), preset::medium_names()].concat(), arguments.json)
 }
 

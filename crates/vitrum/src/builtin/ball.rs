@@ -32,7 +32,7 @@ fn scene() -> Scene {
             ..TransferFunction::default()
         },
         shading: Shading { roughness: 0.08, ..Shading::default() },
-        ground: Some(Ground { height: Some(-1.0), color: [0.75, 0.72, 0.68] }),
+        ground: Some(Ground { height: Some(-1.0), color: [0.75, 0.72, 0.68], ..Ground::default() }),
         wall: Some(Wall { distance: Some(1.8), azimuth: 0.0, color: [0.70, 0.72, 0.75] }),
         ..Scene::default()
     }

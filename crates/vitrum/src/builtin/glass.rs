@@ -37,7 +37,7 @@ fn base() -> Scene {
         transfer: TransferFunction { reference_length: Some(0.1), ..TransferFunction::default() },
         shading: Shading { roughness: 0.12, ambient: [0.12; 3], ..Shading::default() },
         environment: Environment::default(),
-        ground: Some(Ground { height: Some(FOOT), color: [0.72, 0.70, 0.67] }),
+        ground: Some(Ground { height: Some(FOOT), color: [0.72, 0.70, 0.67], ..Ground::default() }),
         wall: Some(Wall { distance: Some(0.85), azimuth: 0.0, color: [0.72, 0.70, 0.67] }),
         ..Scene::default()
     }

@@ -27,7 +27,7 @@ fn scene() -> Scene {
             ..TransferFunction::default()
         },
         shading: Shading { roughness: 0.08, ..Shading::default() },
-        ground: Some(Ground { height: Some(-1.0), color: [0.60, 0.58, 0.56] }),
+        ground: Some(Ground { height: Some(-1.0), color: [0.60, 0.58, 0.56], ..Ground::default() }),
         wall: Some(Wall { distance: Some(2.2), azimuth: 0.0, color: [0.75, 0.75, 0.75] }),
         ..Scene::default()
     };

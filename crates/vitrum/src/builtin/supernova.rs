@@ -39,7 +39,7 @@ fn layer(ior: f32) -> Scene {
             filter: colors([(0.0, [1.0; 3]), (LAYER, [0.93, 0.84, 0.96]), (0.4, [0.97, 0.9, 0.9])]),
         },
         shading: Shading { roughness: 0.2, ..Shading::default() },
-        ground: Some(Ground { height: Some(-1.0), color: [0.55; 3] }),
+        ground: Some(Ground { height: Some(-1.0), color: [0.55; 3], ..Ground::default() }),
         ..Scene::default()
     }
 }

@@ -1,5 +1,6 @@
 //! The ways in which a scene fails to be composed.
 
+use super::Side;
 use crate::assets::made;
 use crate::error::Error;
 use crate::preset::{MediumError, PresetError};
@@ -26,6 +27,14 @@ pub enum CompositionError {
         reason: String,
         /// Advice: a sentence that says how to mend it.
         advice: &'static str,
+    },
+    /// A side of a patient was asked for, and the data does not say where it is.
+    #[error("there is no {} view: {kind}", side.name())]
+    NoSides {
+        /// The side.
+        side: Side,
+        /// Why it is not known.
+        kind: &'static str,
     },
     /// An unknown preset, for the input's kind.
     #[error(transparent)]
@@ -58,6 +67,9 @@ impl CompositionError {
                 })
             }
             Self::Text { advice, .. } => Some((*advice).to_owned()),
+            Self::NoSides { side, .. } => {
+                Some(format!("turn the camera yourself, where world z is up and y the front: {}", side.settings()))
+            }
             Self::Preset(error) => Some(error.help()),
             Self::Medium(error) => Some(error.help()),
             Self::Scene(_) => None,

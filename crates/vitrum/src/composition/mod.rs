@@ -3,10 +3,12 @@
 mod error;
 mod input;
 mod quality;
+mod sides;
 
 pub use error::CompositionError;
 pub use input::{Opened, open, read_text};
 pub use quality::Quality;
+pub use sides::Side;
 
 use crate::error::Error;
 use crate::scene::{Problem, Scene, SceneError, Vector, VolumeSource};
@@ -35,6 +37,8 @@ pub struct Composition {
     /// Options for reading the volume's file: `raw`, `spacing`, `array`, `time` and `up` replace the scene's where they are set, `up`
     /// of meshes as well. The other fields are not used.
     pub source: VolumeSource,
+    /// The side of the patient from which the camera looks, where the volume's file says how the patient lies.
+    pub side: Option<Side>,
     /// Keys with values, such as `camera.azimuth=60`, as [`Scene::set`] takes them.
     pub settings: Vec<String>,
     /// The most bytes that a file may take in memory; without it the limit of [`crate::io::OpenOptions`].
@@ -59,6 +63,12 @@ impl Composition {
     /// [`CompositionError`] where the input cannot be read, there is no such preset or medium, or the scene is not valid with a change. Names and
     /// values are checked before the volume is read.
     pub fn compose(&self) -> Result<Composed, CompositionError> {
+        let composed = self.compose_any_side()?;
+        self.side.map_or(Ok(()), |side| side.check(&composed.assets.subject))?;
+        Ok(composed)
+    }
+
+    fn compose_any_side(&self) -> Result<Composed, CompositionError> {
         let Opened { mut scene, base, bare } = open(&self.input)?;
         if bare && self.source.raw.is_some() {
             scene = input::without_mesh(scene);
@@ -118,6 +128,9 @@ impl Composition {
             quality.apply(&mut scene.film, scene.method);
         }
         self.change_source(scene);
+        if let Some(side) = self.side {
+            side.look(scene);
+        }
         for assignment in &self.settings {
             match scene.set(assignment) {
                 Err(error) if preset_to_come && is_missing(&error) => {}
@@ -125,6 +138,14 @@ impl Composition {
             }
         }
         Ok(scene.validate()?)
+    }
+
+    /// Applies the changes but the preset once more, to a scene that has got another look since.
+    ///
+    /// # Errors
+    /// Where the scene is not valid with them.
+    pub fn change_again(&self, scene: &mut Scene) -> Result<(), CompositionError> {
+        Ok(self.change(scene, false)?)
     }
 
     fn change_source(&self, scene: &mut Scene) {

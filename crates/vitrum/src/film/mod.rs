@@ -1,6 +1,8 @@
 //! Finished frames: named outputs, and the statistics of how they were made.
 
 mod accumulator;
+mod background;
+mod catcher;
 mod frame;
 mod output;
 mod refinement;

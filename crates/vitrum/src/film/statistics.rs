@@ -1,6 +1,7 @@
 //! Statistics of a frame: sizes, counts, times, memory.
 
 use crate::backend::{Backend, KernelTime};
+use crate::method::CameraMatrices;
 use crate::scene::Scene;
 use serde::Serialize;
 
@@ -32,6 +33,8 @@ pub struct Statistics {
     pub width: u32,
     /// Pixels down.
     pub height: u32,
+    /// The camera: the size of a pixel, and matrices, in world units.
+    pub camera: Option<CameraMatrices>,
     /// Voxels along x, y and z that a mesh was turned into.
     pub voxels: Option<[u32; 3]>,
     /// Rows of those voxels that go through holes of the mesh's surface and were left empty.

@@ -17,7 +17,7 @@ pub mod voxelize;
 pub mod voxels;
 
 pub use cache::Cache;
-pub use view::{Bounds, View};
+pub use view::{Bounds, CameraMatrices, View};
 
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Pass, PassList};

@@ -42,6 +42,6 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         nadir: [0.50, 0.47, 0.44],
         ..Environment::default()
     };
-    scene.ground = Some(Ground { height: None, color: [0.75, 0.75, 0.75] });
+    scene.ground = Some(Ground { height: None, color: [0.75, 0.75, 0.75], ..Ground::default() });
     scene.wall = None;
 }

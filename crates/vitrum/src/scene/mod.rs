@@ -5,6 +5,7 @@
 //! degrees, colours are linear RGB.
 
 mod annotated;
+mod annotation;
 mod beams;
 mod camera;
 mod check;
@@ -23,6 +24,7 @@ mod material;
 mod medium;
 mod mesh;
 mod method;
+mod paint;
 mod receiver;
 mod renamed;
 mod schema;
@@ -38,6 +40,7 @@ mod voxelization;
 mod voxels;
 mod write;
 
+pub use annotation::{Anchor, Annotation, AnnotationKind, OrientationStyle};
 pub use beams::{Beams, Estimator, Tracer};
 pub use camera::{Camera, Projection};
 pub use clip::{Clip, Removes};
@@ -52,6 +55,7 @@ pub use material::Material;
 pub use medium::{Medium, Phase};
 pub use mesh::MeshSource;
 pub use method::{Capabilities, MethodName};
+pub use paint::{Background, Paint};
 pub use receiver::{Ground, Wall};
 pub use shading::Shading;
 pub use shadow::{Coefficient, Shadow};
@@ -77,6 +81,11 @@ pub type Vector = [f32; 3];
 pub struct Scene {
     /// Method that makes the picture.
     pub method: MethodName,
+    /// Background of the picture in place of the environment, which still lights and reflects: `white`, `transparent`, another colour by its name, or
+    /// `#rrggbb` as on the screen. The environment is seen, or what `environment.visible` says, if absent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-range" = "a colour or `transparent`"))]
+    pub background: Option<String>,
     /// The volume that is shown.
     pub volume: VolumeSource,
     /// The meshes that are shown, instead of a volume.
@@ -128,12 +137,17 @@ pub struct Scene {
     pub clip: Vec<Clip>,
     /// Size and exposure of the picture.
     pub film: Film,
+    /// What is drawn over the finished picture; at most 32.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 32))]
+    pub annotation: Vec<Annotation>,
 }
 
 impl Default for Scene {
     fn default() -> Self {
         Self {
             method: MethodName::default(),
+            background: None,
             volume: VolumeSource::default(),
             mesh: Vec::new(),
             ior_volume: None,
@@ -154,6 +168,7 @@ impl Default for Scene {
             wall: None,
             clip: Vec::new(),
             film: Film::default(),
+            annotation: Vec::new(),
         }
     }
 }

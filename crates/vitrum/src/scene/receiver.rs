@@ -15,11 +15,14 @@ pub struct Ground {
     /// Diffuse reflectance, linear RGB.
     #[schemars(inner(range(min = 0, max = 1)), extend("x-unit" = "reflectance"))]
     pub color: Rgb,
+    /// Whether the plane itself is left out of the picture, and its shadows and caustics stay on the scene's `background`, which this needs; by methods `sweep`
+    /// and `voxels`. In an alpha they are the share that is dark. The picture is rendered with and without the plane, and takes twice as long.
+    pub shadow_catcher: bool,
 }
 
 impl Default for Ground {
     fn default() -> Self {
-        Self { height: None, color: [0.7, 0.7, 0.7] }
+        Self { height: None, color: [0.7, 0.7, 0.7], shadow_catcher: false }
     }
 }
 

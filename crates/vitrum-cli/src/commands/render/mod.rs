@@ -34,7 +34,11 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME=FILE", add = crate::complete::outputs(), long_help = aov::long_help())]
     pub aov: Vec<AovRequest>,
 
-    /// Write statistics as JSON: method, backend, adapter, sizes, times, memory; null where not known
+    /// Also write the scene's annotations apart, as an SVG of the picture's size
+    #[arg(long, value_name = "FILE.svg")]
+    pub annotations: Option<PathBuf>,
+
+    /// Write statistics as JSON: method, backend, adapter, sizes, camera, times, memory; null where not known
     #[arg(long, value_name = "FILE.json")]
     pub stats: Option<PathBuf>,
 

@@ -1,8 +1,9 @@
 //! The course of a render: check, read, render, write.
 
 use super::Arguments;
-use super::write::{check_names, check_outputs, write_outputs};
+use super::write::{check_annotations, check_names, check_outputs, write_outputs};
 use crate::failure::Failure;
+use crate::figure::{Figure, check_background};
 use crate::progress::Bar;
 use crate::{faster, interrupt, output};
 use std::process::ExitCode;
@@ -19,11 +20,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     check_names(arguments, &composed.scene)?;
     arguments.memory.check(&composed.scene)?;
     vitrum::check(&composed.scene, &composed.assets)?;
+    check_background(&composed.scene, &arguments.output)?;
+    let figure = Figure::new(&composed.scene, &composed.assets.subject)?;
+    check_annotations(arguments, &figure)?;
     let mut renderer = arguments.device.renderer(&composed.assets, &arguments.memory, arguments.quiet)?;
     let frame = render(arguments, &composed, &mut renderer)?;
     interrupt::check()?;
-    write_outputs(arguments, &composed.scene, &frame)?;
+    write_outputs(arguments, &composed.scene, &frame, &figure)?;
     if !arguments.quiet {
+        figure.tell(&arguments.output);
         warn_of_holes(arguments, &composed, &frame)?;
         eprintln!("{}: {}", arguments.output.display(), summary(&frame.statistics));
     }

@@ -2,6 +2,7 @@
 
 use super::Arguments;
 use crate::failure::{Failure, Status};
+use crate::figure::Figure;
 use crate::output;
 use std::path::Path;
 use vitrum::io::{
@@ -14,7 +15,7 @@ use vitrum::{Frame, Statistics, method};
 pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
     let pictures = std::iter::once(&arguments.output).chain(arguments.aov.iter().map(|aov| &aov.file));
     let mut seen: Vec<&Path> = Vec::new();
-    for file in pictures.clone().chain(&arguments.stats) {
+    for file in pictures.clone().chain(&arguments.stats).chain(&arguments.annotations) {
         if seen.contains(&file.as_path()) {
             let message = format!("{}: two outputs go to this file", file.display());
             return Err(Failure::new(Status::WrongUse, message, "give each output a file of its own"));
@@ -31,7 +32,16 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
     for aov in arguments.aov.iter().filter(|aov| aov.is_measure) {
         check_holds_lengths(&aov.file, aov.name).map_err(|error| Failure::output(&error))?;
     }
+    arguments.annotations.as_deref().map_or(Ok(()), output::check_writable)?;
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)
+}
+
+/// Whether there are annotations, if they are to be written apart.
+pub fn check_annotations(arguments: &Arguments, figure: &Figure) -> Result<(), Failure> {
+    match &arguments.annotations {
+        Some(file) if !figure.is_annotated() => figure.write_svg(file),
+        _ => Ok(()),
+    }
 }
 
 /// Whether a frame of the scene has every output that is asked for.
@@ -45,14 +55,17 @@ pub fn check_names(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> 
 }
 
 /// Writes the picture, the named outputs and the statistics: all of them, or none.
-pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame) -> Result<(), Failure> {
+pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame, figure: &Figure) -> Result<(), Failure> {
     let metadata = metadata(scene, &frame.statistics)?;
     let options = arguments.bits.options();
     let stage = |file: &Path, picture: &Picture| {
         stage_picture_with(file, picture, &metadata, &options).map_err(|error| Failure::output(&error))
     };
     // Formats without layers write the first one, the color.
-    let mut staged = vec![stage(&arguments.output, &frame.picture())?];
+    let mut staged = vec![stage(&arguments.output, &figure.picture(frame, &arguments.output)?)?];
+    if let Some(file) = &arguments.annotations {
+        staged.push(figure.stage_svg(file)?);
+    }
     for aov in &arguments.aov {
         let picture = frame.aov(aov.name).ok_or_else(|| {
             let message = format!("the frame has no output `{}`", aov.name);
@@ -69,11 +82,16 @@ pub fn write_outputs(arguments: &Arguments, scene: &Scene, frame: &Frame) -> Res
 
 /// The metadata from which the picture can be rendered again.
 fn metadata(scene: &Scene, statistics: &Statistics) -> Result<Vec<(String, String)>, Failure> {
+    let camera = statistics.camera.as_ref();
+    let text = |value: Option<serde_json::Value>| value.unwrap_or_default().to_string();
     let entries = [
         ("Software", format!("vitrum {}", env!("CARGO_PKG_VERSION"))),
         ("vitrum.scene", scene.to_toml()?),
         ("vitrum.backend", statistics.backend.clone()),
         ("vitrum.adapter", statistics.adapter.clone()),
+        ("vitrum.pixel_size", text(camera.map(|camera| camera.pixel_size.into()))),
+        ("vitrum.view", text(camera.map(|camera| serde_json::json!(camera.view)))),
+        ("vitrum.projection", text(camera.map(|camera| serde_json::json!(camera.projection)))),
     ];
     Ok(entries.map(|(key, value)| (key.to_owned(), value)).into())
 }

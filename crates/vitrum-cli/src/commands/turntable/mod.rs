@@ -7,6 +7,7 @@ mod timeline;
 use crate::device::{DeviceArguments, MemoryArguments};
 use crate::failure::Failure;
 use crate::faster;
+use crate::figure::{Figure, check_background};
 use crate::input::SceneArguments;
 use crate::interrupt::{self, Timeout};
 use crate::output::{self, Bits};
@@ -89,6 +90,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut meshes = MovingMeshes::new(base, arguments.scene.volume.limit());
     let timeline = Timeline::new(arguments, scene, &assets, &mut meshes, keys)?;
     arguments.memory.check(timeline.start())?;
+    check_background(timeline.start(), &arguments.output)?;
+    let figure = Figure::new(timeline.start(), &assets.subject)?;
+    if !arguments.quiet {
+        figure.tell(&arguments.output);
+    }
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)?;
     let mut target = Target::open(arguments, timeline.start(), timeline.frames())?;
     let record = Record::of(&assets);
@@ -112,7 +118,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             !interrupt::requested()
         })?;
         interrupt::check()?;
-        target.add(index, &frame.picture(), &[record.mark(&scene)?])?;
+        let figure = Figure::new(&scene, &renderer.assets().subject)?;
+        let picture = figure.screen_picture(&frame, target.is_opaque())?;
+        target.add(index, &picture, &[record.mark(&scene)?])?;
         let mut of_frame = serde_json::json!({ "frame": index });
         if let (Value::Object(of_frame), Ok(Value::Object(more))) =
             (&mut of_frame, serde_json::to_value(&frame.statistics))

@@ -10,7 +10,7 @@ use vitrum::scene::Scene;
 
 pub enum Target<'a> {
     Folder(&'a Path, WriteOptions),
-    Animation(Box<Animation>),
+    Animation { animation: Box<Animation>, opaque: bool },
 }
 
 impl<'a> Target<'a> {
@@ -26,7 +26,9 @@ impl<'a> Target<'a> {
             }
             let size = [scene.film.width, scene.film.height];
             let animation = Animation::create(path, size, frames, arguments.rate);
-            return Ok(Self::Animation(Box::new(animation.map_err(|error| Failure::output(&error))?)));
+            let animation = Box::new(animation.map_err(|error| Failure::output(&error))?);
+            let opaque = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("mp4"));
+            return Ok(Self::Animation { animation, opaque });
         }
         fs::create_dir_all(path).map_err(|error| {
             let message = format!("{}: the folder cannot be made: {error}", path.display());
@@ -39,15 +41,20 @@ impl<'a> Target<'a> {
     pub fn file(&self, index: u32) -> Option<PathBuf> {
         match self {
             Self::Folder(folder, _) => Some(folder.join(format!("frame-{index:05}.png"))),
-            Self::Animation(_) => None,
+            Self::Animation { .. } => None,
         }
+    }
+
+    /// Whether the pictures are to have no alpha, as those of a film.
+    pub fn is_opaque(&self) -> bool {
+        matches!(self, Self::Animation { opaque: true, .. })
     }
 
     /// Adds a picture; files of their own keep `metadata`.
     pub fn add(&mut self, index: u32, picture: &Picture, metadata: &[(String, String)]) -> Result<(), Failure> {
         let written = match (self.file(index), self) {
             (Some(file), Self::Folder(_, options)) => write_picture_with(&file, picture, metadata, options),
-            (_, Self::Animation(animation)) => animation.push(picture),
+            (_, Self::Animation { animation, .. }) => animation.push(picture),
             (None, Self::Folder(..)) => Ok(()),
         };
         written.map_err(|error| Failure::output(&error))
@@ -56,7 +63,7 @@ impl<'a> Target<'a> {
     pub fn finish(self) -> Result<(), Failure> {
         match self {
             Self::Folder(..) => Ok(()),
-            Self::Animation(animation) => animation.finish().map_err(|error| Failure::output(&error)),
+            Self::Animation { animation, .. } => animation.finish().map_err(|error| Failure::output(&error)),
         }
     }
 }

@@ -38,7 +38,7 @@ fn scene() -> Scene {
             attenuation_distance: Some(THICKNESS),
             ..Material::default()
         }],
-        ground: Some(Ground { height: Some(-1.5), color: [0.7; 3] }),
+        ground: Some(Ground { height: Some(-1.5), color: [0.7; 3], ..Ground::default() }),
         ..in_medium("gem", Medium { absorption: [0.004; 3], scattering: [0.12; 3], ..Medium::default() })
     };
     scene.environment.color = [0.02, 0.025, 0.04];

@@ -39,7 +39,7 @@ pub(super) fn swept_before_a_wall(name: &str) -> Scene {
         mesh: rays_through(name).mesh,
         camera: Camera { azimuth: 0.0, elevation: 14.0, distance: Some(4.4186), ..Camera::default() },
         light: vec![Light { azimuth: 32.0, elevation: 14.0, ..Light::default() }],
-        ground: Some(Ground { height: None, color: [0.72, 0.70, 0.67] }),
+        ground: Some(Ground { height: None, color: [0.72, 0.70, 0.67], ..Ground::default() }),
         wall: Some(Wall { distance: Some(0.95), azimuth: 0.0, color: [0.72, 0.70, 0.67] }),
         ..Scene::default()
     }

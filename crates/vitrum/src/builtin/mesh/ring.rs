@@ -40,7 +40,7 @@ fn scene() -> Scene {
             color: [1.0, 0.95, 0.86],
             ..Light::default()
         }],
-        ground: Some(Ground { height: None, color: [0.8; 3] }),
+        ground: Some(Ground { height: None, color: [0.8; 3], ..Ground::default() }),
         ..in_medium(
             "ring",
             Medium { absorption: [0.002; 3], scattering: [0.03; 3], extent: Some(3.0), ..Medium::default() },

@@ -31,7 +31,7 @@ fn scene() -> Scene {
             color: [1.0, 0.96, 0.88],
             ..Light::of_kind(LightKind::Spot)
         }],
-        ground: Some(Ground { height: None, color: [0.6; 3] }),
+        ground: Some(Ground { height: None, color: [0.6; 3], ..Ground::default() }),
         ..in_medium("statue", Medium { absorption: [0.003; 3], scattering: [0.1; 3], ..Medium::default() })
     };
     scene.environment.color = [0.01, 0.012, 0.018];

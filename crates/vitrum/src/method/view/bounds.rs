@@ -25,6 +25,12 @@ impl Bounds {
         Self { corners: std::array::from_fn(corner) }
     }
 
+    /// The eight corners, in the world: bit `a` of a corner's index says whether it is at the high end of the box's axis `a`.
+    #[must_use]
+    pub fn corners(&self) -> [DVec3; 8] {
+        self.corners
+    }
+
     /// Centre and radius of the sphere around the box, in world units.
     pub(in crate::method) fn sphere(&self) -> (DVec3, f64) {
         let centre = self.corners.iter().sum::<DVec3>() / 8.0;

@@ -5,10 +5,12 @@
 pub(in crate::method) mod bounds;
 pub(in crate::method) mod environment;
 pub(in crate::method) mod light;
+mod matrices;
 pub(in crate::method) mod pictures;
 pub(in crate::method) mod receivers;
 
 pub use bounds::Bounds;
+pub use matrices::CameraMatrices;
 
 use crate::scene::{Camera, Projection, Scene, Vector};
 use glam::{DMat3, DVec3};

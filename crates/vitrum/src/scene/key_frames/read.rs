@@ -14,8 +14,9 @@ use toml::{Table, Value};
 /// The keys that are the same for the whole animation, since they name data that is read once, or give the pictures their size.
 ///
 /// `*` stands for any index of a list.
-const FIXED: [&str; 19] = [
+const FIXED: [&str; 20] = [
     "method",
+    "annotation.*.kind",
     "volume",
     "mesh.*.file",
     "mesh.*.builtin",

@@ -1,5 +1,6 @@
 //! The rules that tie several keys of a scene together.
 
+mod figure;
 mod medium;
 mod settings;
 mod sources;

@@ -5,7 +5,7 @@ use super::super::{
     Beams, Camera, Capabilities, Film, Intensity, Light, LightKind, Material, MethodName, Scene, Sweep, Tracer,
     TransferFunction, Transport, Vector,
 };
-use super::{medium, refuse};
+use super::{figure, medium, refuse};
 
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     check_method(scene)?;
@@ -23,6 +23,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     }
     check_sweep(&scene.sweep)?;
     check_beams(&scene.beams)?;
+    figure::check(scene)?;
     check_film(&scene.film)
 }
 
