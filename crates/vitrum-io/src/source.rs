@@ -4,9 +4,10 @@ use std::fmt;
 use std::ops::Deref;
 
 use crate::setting::Setting;
+use crate::time::Moments;
 
 /// The file format of a volume or a mesh and the assumptions of its reader, for people to read.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Source {
     /// The file format, such as `NRRD`; empty for data that no file holds.
     pub format: &'static str,
@@ -16,6 +17,14 @@ pub struct Source {
     pub encoding: String,
     /// Statements about gaps in the file, and about changes by its reader.
     pub assumptions: Assumptions,
+}
+
+impl Source {
+    /// The points in time that the file has; `None` where it knows no time.
+    #[must_use]
+    pub fn moments(&self) -> Option<&Moments> {
+        self.assumptions.moments.as_deref()
+    }
 }
 
 /// A statement about something that a file does not say, or that its reader changed.
@@ -49,25 +58,33 @@ impl fmt::Display for Assumption {
     }
 }
 
-/// A list of assumptions, in the order in which they were made.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Assumptions(Vec<Assumption>);
+/// A list of assumptions, in the order in which they were made, and the points in time among which one was taken.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Assumptions {
+    list: Vec<Assumption>,
+    moments: Option<Box<Moments>>,
+}
 
 impl Assumptions {
     /// Appends an assumption.
     pub fn push(&mut self, assumption: impl Into<Assumption>) {
-        self.0.push(assumption.into());
+        self.list.push(assumption.into());
+    }
+
+    /// Says which points in time there are.
+    pub(crate) fn set_moments(&mut self, moments: Moments) {
+        self.moments = Some(Box::new(moments));
     }
 
     /// The statements alone.
     #[must_use]
     pub fn facts(&self) -> Vec<&str> {
-        self.0.iter().map(|assumption| assumption.fact.as_str()).collect()
+        self.list.iter().map(|assumption| assumption.fact.as_str()).collect()
     }
 
     /// Removes all assumptions.
     pub(crate) fn clear(&mut self) {
-        self.0.clear();
+        self.list.clear();
     }
 }
 
@@ -75,13 +92,13 @@ impl Deref for Assumptions {
     type Target = [Assumption];
 
     fn deref(&self) -> &[Assumption] {
-        &self.0
+        &self.list
     }
 }
 
 impl<T: Into<Assumption>> Extend<T> for Assumptions {
     fn extend<I: IntoIterator<Item = T>>(&mut self, assumptions: I) {
-        self.0.extend(assumptions.into_iter().map(Into::into));
+        self.list.extend(assumptions.into_iter().map(Into::into));
     }
 }
 
@@ -90,6 +107,6 @@ impl IntoIterator for Assumptions {
     type IntoIter = std::vec::IntoIter<Assumption>;
 
     fn into_iter(self) -> Self::IntoIter {
-        self.0.into_iter()
+        self.list.into_iter()
     }
 }
