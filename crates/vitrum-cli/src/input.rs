@@ -2,6 +2,7 @@
 
 use crate::failure::{Failure, Status};
 use crate::size::Size;
+use crate::transfer::TransferArguments;
 use crate::volume::VolumeArguments;
 use clap::Args;
 use std::path::Path;
@@ -27,6 +28,9 @@ pub struct SceneArguments {
     /// Put meshes into a medium and show the beams of light in it
     #[arg(long, value_name = "NAME", long_help = medium_help())]
     pub medium: Option<String>,
+
+    #[command(flatten)]
+    pub transfer: TransferArguments,
 
     /// Set a scene key, such as light.0.angular_radius=3; repeatable, applied in order, after --preset and --medium
     #[arg(long, value_name = "KEY=VALUE")]
@@ -56,6 +60,8 @@ impl SceneArguments {
             input: self.input.clone(),
             preset: self.preset.clone(),
             medium: self.medium.clone(),
+            transfer: self.transfer.transfer.clone(),
+            adjustments: self.transfer.adjustments(),
             size: self.size.map(|Size { width, height }| [width, height]),
             source: self.volume.source(),
             settings: self.set.clone(),

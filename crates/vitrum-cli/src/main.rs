@@ -14,6 +14,7 @@ mod interrupt;
 mod output;
 mod progress;
 mod size;
+mod transfer;
 mod volume;
 
 use clap::Parser;

@@ -7,7 +7,7 @@ use serde_json::json;
 use std::process::ExitCode;
 use vitrum::preset;
 
-/// List the presets: looks that fit themselves to any volume, materials of meshes, and media around them (--medium)
+/// List the presets: looks of volumes, materials of meshes, media around them (--medium), and maps of colours (--colormap)
 #[derive(Debug, Args)]
 pub struct Arguments {
     /// Print JSON
@@ -16,7 +16,10 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    print_names(&[preset::names(), preset::mesh_names(), preset::medium_names()].concat(), arguments.json)
+    print_names(
+        &[preset::names(), preset::mesh_names(), preset::medium_names(), preset::colormap_names()].concat(),
+        arguments.json,
+    )
 }
 
 /// Prints names and descriptions, as a table or as JSON.

@@ -1,13 +1,15 @@
 //! `vitrum scene`: the scene that a render with the same flags would show, as a scene file.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Status};
 use crate::input::SceneArguments;
 use crate::output;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use vitrum::io::STANDARD_INPUT;
+use vitrum::composition::Composed;
+use vitrum::io::{STANDARD_INPUT, transfer};
+use vitrum::preset;
 use vitrum::scene::Scene;
 
 /// Write the scene file of what would be rendered, every key with its value
@@ -21,12 +23,24 @@ pub struct Arguments {
     /// The scene file; standard output if absent
     #[arg(short, long, value_name = "FILE.toml")]
     output: Option<PathBuf>,
+
+    /// Write the transfer function as a colour map of ParaView with opacities, in place of the scene if there is no --output
+    #[arg(long, value_name = "FILE.json")]
+    write_transfer: Option<PathBuf>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    arguments.output.as_deref().map_or(Ok(()), output::check_writable)?;
+    let files = arguments.output.iter().chain(&arguments.write_transfer);
+    files.map(PathBuf::as_path).try_for_each(output::check_writable)?;
     let composed = arguments.scene.compose()?;
+    output::tell(&arguments.scene.input, &composed.notes, false);
     vitrum::check(&composed.scene, &composed.assets)?;
+    if let Some(file) = &arguments.write_transfer {
+        write_transfer(file, &arguments.scene.input, &composed)?;
+        if arguments.output.is_none() {
+            return Ok(ExitCode::SUCCESS);
+        }
+    }
     let mut scene = composed.scene;
     let folder = arguments.output.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
     if !same_folder(&composed.base, folder) {
@@ -38,6 +52,17 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         None => output::print(&text)?,
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Writes the transfer function of a volume's scene for ParaView, and says what ParaView has not.
+fn write_transfer(file: &Path, input: &str, composed: &Composed) -> Result<(), Failure> {
+    let Some(volume) = composed.assets.subject.volume() else {
+        let message = format!("{input}: a mesh has no transfer function");
+        return Err(Failure::new(Status::WrongUse, message, "leave out --write-transfer"));
+    };
+    let (function, left_out) = preset::transfer_file(&composed.scene, volume);
+    output::tell(input, &left_out, false);
+    output::write_text(file, &transfer::paraview_json(&function))
 }
 
 /// A scene that moves to another folder must name its files by absolute paths.

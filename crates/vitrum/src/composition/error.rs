@@ -27,6 +27,12 @@ pub enum CompositionError {
         /// Advice: a sentence that says how to mend it.
         advice: &'static str,
     },
+    /// A transfer function, or a change of one, for a mesh.
+    #[error("{input}: a mesh has no transfer function")]
+    NoTransferFunction {
+        /// The input.
+        input: String,
+    },
     /// An unknown preset, for the input's kind.
     #[error(transparent)]
     Preset(#[from] PresetError),
@@ -58,6 +64,9 @@ impl CompositionError {
                 })
             }
             Self::Text { advice, .. } => Some((*advice).to_owned()),
+            Self::NoTransferFunction { .. } => {
+                Some("name a volume, or set materials by keys such as `material.0.color`".to_owned())
+            }
             Self::Preset(error) => Some(error.help()),
             Self::Medium(error) => Some(error.help()),
             Self::Scene(_) => None,

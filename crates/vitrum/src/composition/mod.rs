@@ -7,10 +7,12 @@ pub use error::CompositionError;
 pub use input::{Opened, open, read_text};
 
 use crate::error::Error;
+use crate::preset::Adjustments;
 use crate::scene::{Problem, Scene, SceneError, Vector, VolumeSource};
 use crate::{Assets, preset};
 use std::path::PathBuf;
 use vitrum_io::Mesh;
+use vitrum_io::transfer::read_transfer;
 
 /// Bounds of meshes whose size is not known yet.
 const UNIT: [Vector; 2] = [[-1.0; 3], [1.0; 3]];
@@ -26,6 +28,10 @@ pub struct Composition {
     pub preset: Option<String>,
     /// The name of a medium that meshes are put into, one of [`preset::medium_names`]. If absent the scene keeps its own, if any.
     pub medium: Option<String>,
+    /// A file of transfer functions of another program, which takes the place of the scene's; see [`crate::io::transfer`].
+    pub transfer: Option<PathBuf>,
+    /// Changes of the transfer function: window, threshold, map of colours.
+    pub adjustments: Adjustments,
     /// Width and height of the film, in pixels.
     pub size: Option<[u32; 2]>,
     /// Options for reading the volume's file: `raw`, `spacing`, `array`, `time` and `up` replace the scene's where they are set, `up`
@@ -46,6 +52,8 @@ pub struct Composed {
     pub base: PathBuf,
     /// The data that the scene names.
     pub assets: Assets,
+    /// Statements about what a preset or a file of transfer functions took for granted, for people to read.
+    pub notes: Vec<String>,
 }
 
 impl Composition {
@@ -60,6 +68,9 @@ impl Composition {
             scene = input::without_mesh(scene);
         }
         if !scene.mesh.is_empty() {
+            if self.transfer.is_some() || !self.adjustments.is_empty() {
+                return Err(CompositionError::NoTransferFunction { input: self.input.clone() });
+            }
             return self.compose_mesh(scene, base, bare);
         }
         if let Some(name) = &self.medium {
@@ -68,16 +79,31 @@ impl Composition {
         }
         // Names first: a slip should not cost the time to read a volume.
         self.preset.as_deref().map_or(Ok(()), preset::check)?;
-        let preset = self.preset.as_deref().or(bare.then_some(preset::DEFAULT));
+        self.adjustments.check()?;
+        let file = self.transfer.as_deref().map(read_transfer).transpose().map_err(Error::from)?;
+        let default = (bare && file.is_none()).then_some(preset::DEFAULT);
+        let preset = self.preset.as_deref().or(default);
         let mut before = scene.clone();
-        self.change(&mut before, preset.is_some())?;
+        self.change(&mut before, preset.is_some() || file.is_some())?;
         let assets = Assets::load_within(&before, &base, self.max_bytes)?;
+        let mut notes = Vec::new();
         // A setting that adds a mesh leaves no volume for the preset to be fitted to.
-        if let (Some(name), Some(volume)) = (preset, assets.subject.volume()) {
-            preset::apply(name, volume, &mut scene)?;
+        if let Some(volume) = assets.subject.volume() {
+            let adjustments = &self.adjustments;
+            match (&file, preset) {
+                (Some(file), preset) => {
+                    preset.map_or(Ok(Vec::new()), |name| {
+                        preset::fit(name, volume, &Adjustments::default(), &mut scene)
+                    })?;
+                    let in_surroundings = bare && preset.is_none();
+                    notes = preset::fit_file(file, volume, adjustments, in_surroundings, &mut scene)?;
+                }
+                (None, Some(name)) => notes = preset::fit(name, volume, adjustments, &mut scene)?,
+                (None, None) => preset::adjust(volume, adjustments, &mut scene)?,
+            }
         }
         self.change(&mut scene, false)?;
-        Ok(Composed { scene, base, assets })
+        Ok(Composed { scene, base, assets, notes })
     }
 
     /// The look of a mesh does not depend on the contents of its file.
@@ -90,7 +116,7 @@ impl Composition {
         let Some(medium) = &self.medium else {
             self.change(&mut scene, false)?;
             let assets = Assets::load_within(&scene, &base, self.max_bytes)?;
-            return Ok(Composed { scene, base, assets });
+            return Ok(Composed { scene, base, assets, notes: Vec::new() });
         };
         // The density of a medium depends on the size of the meshes, and their size on the settings.
         let mut before = scene.clone();
@@ -99,7 +125,7 @@ impl Composition {
         let assets = Assets::load_within(&before, &base, self.max_bytes)?;
         preset::put_into_medium(medium, assets.subject.mesh().map_or(UNIT, Mesh::bounds), &mut scene)?;
         self.change(&mut scene, false)?;
-        Ok(Composed { scene, base, assets })
+        Ok(Composed { scene, base, assets, notes: Vec::new() })
     }
 
     /// Applies size, source and settings. If a preset is still to come, it may fill in a key that is missing now, such as the points of

@@ -1,6 +1,7 @@
 //! `vitrum info`: the description of a volume or a mesh, and the assumptions that the reader made.
 
 mod mesh;
+mod values;
 
 use crate::failure::Failure;
 use crate::volume::VolumeArguments;
@@ -72,8 +73,14 @@ fn text(volume: &Volume) -> String {
     row("origin", format!("{:?}", volume.origin));
     row("orientation", volume.orientation.name().to_owned());
     row("axes", format!("x {:?}, y {:?}, z {:?}", volume.axes[0], volume.axes[1], volume.axes[2]));
+    if let Some(moments) = source.moments().filter(|moments| moments.count > 1) {
+        row("times", values::times(moments));
+    }
     row("range", format!("{low} to {high}"));
     row("histogram", format!("{}  (logarithmic)", bars(&volume.histogram(BINS))));
+    for (name, told) in values::rows(volume) {
+        row(name, told);
+    }
     for (name, told) in advice::on_assumptions(&source.assumptions) {
         row(name, told);
     }
@@ -96,8 +103,13 @@ fn json(volume: &Volume) -> serde_json::Value {
         "value_scale": volume.value_scale,
         "value_offset": volume.value_offset,
         "range": volume.range,
+        "times": volume.source.moments().map_or(1, |moments| moments.count),
+        "moments": volume.source.moments().and_then(|moments| moments.seconds.clone()),
         "bytes": volume.bytes(),
         "histogram": volume.histogram(BINS),
+        "histogram_parts": values::json_parts(volume),
+        "percentiles": values::json_percentiles(volume),
+        "landmarks": values::json_landmarks(volume),
         "assumptions": volume.source.assumptions.iter().map(advice::on_assumption).collect::<Vec<_>>(),
     })
 }
