@@ -25,7 +25,7 @@ fn files(colors: bool) -> Vec<(&'static str, Vec<u8>)> {
     let header = |encoding: &str| {
         nrrd("uint8", encoding, &axes).replace("dimension: 3", "dimension: 4").replace("sizes: 3 2 2", "sizes: 3 3 2 2")
     };
-    let inline = base64(&[word(36, 4, true), vectors()].concat());
+    let inline = base64(&[word(36, 4, false), vectors()].concat());
     let mut files = vec![
         ("a.nrrd", attached(&header("raw"), &vectors())),
         ("packed.nrrd", attached(&header("gzip"), &gzip(&vectors()))),

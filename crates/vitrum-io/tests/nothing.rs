@@ -33,7 +33,7 @@ fn read(name: &str, bytes: &[u8], raw: Option<&str>) -> Volume {
 fn every_reader_takes_nan_for_nothing_and_tells_how_often() {
     let text: String = ROW.iter().map(|value| format!("{value} ")).collect();
     let archive = npz(&[("a.npy", CompressionMethod::Deflated, &npy("<f4", &little(&ROW)))]);
-    let inline = base64(&[word(48, 4, true), little(&ROW)].concat());
+    let inline = base64(&[word(48, 4, false), little(&ROW)].concat());
     let files: Vec<(&str, Vec<u8>, Option<&str>)> = vec![
         ("a.nrrd", attached(&nrrd("float", "raw", "endian: big\n"), &big(&ROW)), None),
         ("text.nrrd", attached(&nrrd("float", "text", ""), text.as_bytes()), None),
