@@ -85,7 +85,11 @@ impl From<SceneError> for Failure {
 
 impl From<PresetError> for Failure {
     fn from(error: PresetError) -> Self {
-        Self::new(Status::WrongUse, error.to_string(), error.help())
+        let flags = match &error {
+            PresetError::NotHounsfield { .. } => " (--window, --level)",
+            _ => "",
+        };
+        Self::new(Status::WrongUse, error.to_string(), error.help() + flags)
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::complete;
 use crate::failure::{Failure, Status};
 use crate::size::Size;
+use crate::transfer::TransferArguments;
 use crate::volume::VolumeArguments;
 use clap::Args;
 use std::path::Path;
@@ -34,6 +35,8 @@ pub struct SceneArguments {
     /// Look at the patient from a side: anterior, posterior, left, right, superior or inferior; before --set
     #[arg(long, value_name = "SIDE")]
     pub view: Option<Side>,
+    #[command(flatten)]
+    pub transfer: TransferArguments,
 
     /// Set a scene key, such as light.0.angular_radius=3; repeatable, applied in order, after --preset and --medium
     #[arg(long, value_name = "KEY=VALUE", add = complete::settings())]
@@ -90,6 +93,8 @@ impl SceneArguments {
             preset: self.preset.clone(),
             medium: self.medium.clone(),
             quality: self.quality.map(QualityName::quality),
+            transfer: self.transfer.transfer.clone(),
+            adjustments: self.transfer.adjustments(),
             size: self.size.map(|Size { width, height }| [width, height]),
             source: self.volume.source(),
             side: self.view,

@@ -19,6 +19,7 @@ mod interrupt;
 mod output;
 mod progress;
 mod size;
+mod transfer;
 mod volume;
 
 use clap::Parser;

@@ -75,6 +75,13 @@ pub fn print_table<'a>(rows: impl Iterator<Item = (&'a str, &'a str)> + Clone) -
     print(&rows.map(|(name, description)| format!("{name:width$}  {description}\n")).collect::<String>())
 }
 
+/// Says what a preset or a transfer function took for granted about an input, on standard error.
+pub fn tell(input: &str, notes: &[String], quiet: bool) {
+    for note in notes.iter().filter(|_| !quiet) {
+        eprintln!("note: {input}: {note}");
+    }
+}
+
 /// Whether [`write_text`] could write to `path` now; worth asking before long work.
 pub fn check_writable(path: &Path) -> Result<(), Failure> {
     io::check_text_writable(path).map_err(|error| Failure::output(&error))

@@ -20,9 +20,9 @@ pub struct VolumeArguments {
     #[arg(long, value_name = "NAME")]
     pub array: Option<String>,
 
-    /// Point in time to take of a file with several, counted from 0; else the first
-    #[arg(long, value_name = "N")]
-    pub time: Option<u32>,
+    /// Point in time to take of a file with several: its number, counted from 0, or its moment in seconds, such as 0.5s; else the first
+    #[arg(long, value_name = "N|SECONDSs", allow_hyphen_values = true)]
+    pub time: Option<Time>,
 
     /// Turn the volume so that this points up: x, -x, y, -y, z, -z or right, left, anterior, posterior, superior, inferior
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
@@ -41,7 +41,8 @@ impl VolumeArguments {
             raw: raw.map(|raw| raw.to_string()),
             spacing: spacing.map(|Spacing(spacing)| spacing),
             array: array.clone(),
-            time: *time,
+            time: time.and_then(Time::number),
+            seconds: time.and_then(Time::seconds),
             up: up.map(|up| up.to_string()),
             ..VolumeSource::default()
         }
@@ -50,6 +51,44 @@ impl VolumeArguments {
     /// The limit in bytes.
     pub fn limit(&self) -> Option<u64> {
         self.max_bytes.map(|ByteCount(bytes)| bytes)
+    }
+}
+
+/// `--time N` or `--time SECONDSs`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Time {
+    Number(u32),
+    Seconds(f64),
+}
+
+impl Time {
+    fn number(self) -> Option<u32> {
+        match self {
+            Self::Number(number) => Some(number),
+            Self::Seconds(_) => None,
+        }
+    }
+
+    fn seconds(self) -> Option<f64> {
+        match self {
+            Self::Number(_) => None,
+            Self::Seconds(seconds) => Some(seconds),
+        }
+    }
+}
+
+impl FromStr for Time {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let text = text.trim();
+        let time = match text.strip_suffix('s') {
+            Some(seconds) => seconds.trim().parse().ok().filter(|seconds: &f64| seconds.is_finite()).map(Self::Seconds),
+            None => text.parse().ok().map(Self::Number),
+        };
+        time.ok_or_else(|| {
+            "expected a number of a point in time, such as 3, or a moment in seconds, such as 0.5s".to_owned()
+        })
     }
 }
 
@@ -112,6 +151,16 @@ mod tests {
         }
         for wrong in ["", "GiB", "0", "-1", "4 GiB more", "1e3", "nan", "9999999TiB", "1.2.3"] {
             assert!(wrong.parse::<ByteCount>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn times_are_numbers_or_seconds() {
+        assert_eq!("3".parse(), Ok(Time::Number(3)));
+        assert_eq!("0.5s".parse(), Ok(Time::Seconds(0.5)));
+        assert_eq!("-2 s".parse(), Ok(Time::Seconds(-2.0)));
+        for wrong in ["", "s", "0.5", "-1", "nans", "infs", "1min"] {
+            assert!(wrong.parse::<Time>().is_err(), "{wrong}");
         }
     }
 

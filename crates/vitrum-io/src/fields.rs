@@ -67,6 +67,14 @@ impl Fields {
         self.0.iter().find(|field| field.name.eq_ignore_ascii_case(name))
     }
 
+    /// Changes the text of a field, where there is one.
+    pub fn change(&mut self, name: &str, change: impl Fn(&str) -> String) {
+        let field = self.0.iter_mut().find(|field| field.name.eq_ignore_ascii_case(name));
+        if let Some(field) = field {
+            field.text = change(&field.text);
+        }
+    }
+
     /// The field of a name; if it is missing, an error that shows the expected form by an example.
     pub fn require(&self, report: Report, name: &str, example: &str) -> Result<&Field, Error> {
         self.get(name).ok_or_else(|| {

@@ -55,6 +55,7 @@ formats! {
     METAIMAGE = "metaimage", "MetaImage", [".mha", ".mhd"], [];
     NUMPY = "numpy", "NumPy", [".npy"], [b"\x93NUMPY"];
     NPZ = "numpy", "NumPy archive", [".npz"], [];
+    PVD = "vti", "VTK collection", [".pvd"], [];
     VTI = "vti", "VTK image data", [".vti"], [];
     VTK = "vtk", "legacy VTK", [".vtk"], [b"# vtk DataFile"];
     DICOM = "dicom", "DICOM", [".dcm", ".dicom"], [];

@@ -31,6 +31,7 @@
 mod arrays;
 mod atomic_write;
 mod common_range;
+mod components;
 mod detached;
 #[cfg(feature = "dicom")]
 mod dicom;
@@ -42,6 +43,7 @@ mod folder;
 mod formats;
 pub mod image;
 mod input;
+mod labels;
 mod memory;
 pub mod mesh;
 #[cfg(feature = "metaimage")]
@@ -75,6 +77,8 @@ mod temporary;
 mod text;
 mod time;
 mod tolerance;
+#[cfg(feature = "transfer")]
+pub mod transfer;
 mod up;
 mod volume;
 mod volume_file;
@@ -109,6 +113,7 @@ pub use setting::Setting;
 pub use shared::Shared;
 pub use source::{Assumption, Assumptions, Fact, Source};
 pub use temporary::remove_unfinished;
+pub use time::Moments;
 pub use up::Up;
 pub use volume::Volume;
 pub use volume_file::{check_volume_writable, write_volume};

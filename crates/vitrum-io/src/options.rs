@@ -19,6 +19,8 @@ pub struct OpenOptions {
     pub array: Option<String>,
     /// The point in time to read of a file with several, counted from 0.
     pub time: Option<u32>,
+    /// The point in time to read in seconds, in place of `time`: the nearest that the file states.
+    pub seconds: Option<f64>,
     /// The world direction that is to point up; the volume is turned for it.
     pub up: Option<Up>,
 }

@@ -26,6 +26,8 @@ pub fn readers() -> &'static [&'static dyn VolumeReader] {
         #[cfg(feature = "numpy")]
         &crate::numpy::Npz,
         #[cfg(feature = "vti")]
+        &crate::vti::Pvd,
+        #[cfg(feature = "vti")]
         &crate::vti::Vti,
         #[cfg(feature = "vtk")]
         &crate::vtk::Vtk,
@@ -131,6 +133,13 @@ fn refuse_parts(input: &Input, reader: &dyn VolumeReader, options: &OpenOptions)
     {
         let problem = format!("the array `{array}` is asked for, and the format {name} has no arrays with names");
         return Err(report.unsupported(Place::File, problem, "leave out the array").with_setting(Setting::Array));
+    }
+    if let Some(seconds) = options.seconds
+        && !reader.parts().contains(&Part::Time)
+    {
+        let problem =
+            format!("the moment {seconds} s is asked for, and only one point in time is read of the format {name}");
+        return Err(report.unsupported(Place::File, problem, "leave out the time").with_setting(Setting::Time));
     }
     match options.time {
         Some(time) if time > 0 && !reader.parts().contains(&Part::Time) => {

@@ -4,9 +4,10 @@ use std::fmt;
 use std::ops::Deref;
 
 use crate::setting::Setting;
+use crate::time::Moments;
 
 /// The file format of a volume or a mesh and the assumptions of its reader, for people to read.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Source {
     /// The file format, such as `NRRD`; empty for data that no file holds.
     pub format: &'static str,
@@ -16,6 +17,14 @@ pub struct Source {
     pub encoding: String,
     /// Statements about gaps in the file, and about changes by its reader.
     pub assumptions: Assumptions,
+}
+
+impl Source {
+    /// The points in time that the file has; `None` where it knows no time.
+    #[must_use]
+    pub fn moments(&self) -> Option<&Moments> {
+        self.assumptions.moments.as_deref()
+    }
 }
 
 /// A statement about something that a file does not say, or that its reader changed.
@@ -60,17 +69,23 @@ pub struct Fact {
     pub from: String,
 }
 
-/// A list of assumptions, in the order in which they were made, and of the facts that needed none.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+/// A list of assumptions, in the order in which they were made, of the facts that needed none, and of the points in time among which one was taken.
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Assumptions {
     assumptions: Vec<Assumption>,
     facts: Vec<Fact>,
+    moments: Option<Box<Moments>>,
 }
 
 impl Assumptions {
     /// Appends an assumption.
     pub fn push(&mut self, assumption: impl Into<Assumption>) {
         self.assumptions.push(assumption.into());
+    }
+
+    /// Says which points in time there are.
+    pub(crate) fn set_moments(&mut self, moments: Moments) {
+        self.moments = Some(Box::new(moments));
     }
 
     /// The statements alone.

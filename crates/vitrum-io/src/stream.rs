@@ -7,7 +7,12 @@ use crate::samples::{SampleType, VoxelBuffer, read_up_to};
 
 /// The bytes that so many samples take in the file, or the problem with the sizes at `place`.
 pub(crate) fn data_bytes(report: Report, place: Place, dimensions: [u32; 3], sample: SampleType) -> Result<u64, Error> {
-    byte_count(dimensions, sample.size()).map_err(|problem| report.invalid(place, problem, "correct the sizes"))
+    data_bytes_of(report, place, dimensions, sample.size())
+}
+
+/// As [`data_bytes`], for voxels of so many bytes.
+pub(crate) fn data_bytes_of(report: Report, place: Place, dimensions: [u32; 3], size: usize) -> Result<u64, Error> {
+    byte_count(dimensions, size).map_err(|problem| report.invalid(place, problem, "correct the sizes"))
 }
 
 /// Bytes of `dimensions` voxels of `size` bytes; the problem where that is more than any file holds.

@@ -50,12 +50,23 @@ impl Volume {
         spacing: [f32; 3],
         voxels: Voxels,
     ) -> Result<Self, Error> {
-        let name = name.into();
+        Self::of_slope(name.into(), dimensions, spacing, voxels, 1.0)
+    }
+
+    /// As [`Self::new`], for voxels that get a value mapping of this slope: the least physical value is the greatest stored one where it is
+    /// negative.
+    pub(crate) fn of_slope(
+        name: String,
+        dimensions: [u32; 3],
+        spacing: [f32; 3],
+        voxels: Voxels,
+        slope: f32,
+    ) -> Result<Self, Error> {
         let report = Report::new(&name);
         check_count(report, dimensions, &voxels)?;
         check_spacing(report, spacing)?;
         check_extent(report, dimensions, spacing)?;
-        let (voxels, assumptions) = finite(report, voxels)?;
+        let (voxels, assumptions) = finite(report, voxels, slope < 0.0)?;
         // `check_count` refuses an empty volume, so the extremes are always there.
         let range = voxels.extremes().unwrap_or_default();
         let origin = std::array::from_fn(|axis| -0.5 * (dimensions[axis] - 1) as f32 * spacing[axis]);
@@ -264,8 +275,8 @@ fn check_extent(report: Report, dimensions: [u32; 3], spacing: [f32; 3]) -> Resu
     Ok(())
 }
 
-/// The voxels with finite values alone, and what was told of others. Fails where none is finite.
-fn finite(report: Report, mut voxels: Voxels) -> Result<(Voxels, Assumptions), Error> {
+/// The voxels with finite values alone, and what was told of others. Fails where none is finite. With `falling` the greatest is the least.
+fn finite(report: Report, mut voxels: Voxels, falling: bool) -> Result<(Voxels, Assumptions), Error> {
     let mut assumptions = Assumptions::default();
     let Voxels::F32(floats) = &mut voxels else { return Ok((voxels, assumptions)) };
     if floats.iter().all(|voxel| voxel.is_finite()) {
@@ -286,7 +297,12 @@ fn finite(report: Report, mut voxels: Voxels) -> Result<(Voxels, Assumptions), E
     for voxel in floats.make_mut().iter_mut().filter(|voxel| !voxel.is_finite()) {
         let counter = if voxel.is_nan() { &mut nothing } else { &mut infinite };
         *counter += 1;
-        *voxel = if *voxel == f32::INFINITY { high } else { low };
+        *voxel = match () {
+            () if *voxel == f32::INFINITY => high,
+            () if *voxel == f32::NEG_INFINITY => low,
+            () if falling => high,
+            () => low,
+        };
     }
     if nothing > 0 {
         let fact = format!("{nothing} of {count} voxels are NaN, which is nothing: they were given the least value");

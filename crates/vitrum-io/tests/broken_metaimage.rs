@@ -55,7 +55,7 @@ fn broken_files() {
             "the header has no `ElementDataFile`; end it by `ElementDataFile = LOCAL`",
         ),
         (with("DimSize = 3 2 3\n"), "line 5: `DimSize` was given in line 3 already"),
-        (with("ElementNumberOfChannels = 3\n"), "line 5: the voxels have 3 channels, and a scalar volume has 1"),
+        (with("ElementNumberOfChannels = 0\n"), "line 5: the voxels have 0 components, and from 1 to 64 are read"),
         (with("ElementNumberOfChannels = x\n"), "line 5: `x` is not a whole number"),
         (with("BinaryDataByteOrderMSB = middle\n"), "line 5: `middle` is neither True nor False"),
         (with("CompressedData = zip\n"), "line 5: `zip` is neither True nor False"),

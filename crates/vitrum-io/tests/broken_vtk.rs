@@ -85,11 +85,11 @@ fn broken_images() {
             (changed("ascii", "hex"), "line 6: the format `hex` is none of ascii, binary, appended"),
             (
                 changed("Name=\"density\"", "Name=\"density\" NumberOfComponents=\"3\""),
-                "line 6: `density` has 3 components",
+                "line 6: voxels of several components are written as text",
             ),
             (
                 vti_text().replace("Name=", "NumberOfComponents=\"9\" Name=").replace(" Scalars", " Was").into_bytes(),
-                "line 3: there is no array with one component",
+                "line 6: voxels of several components are written as text",
             ),
             (
                 vti_text().replace("PointData", "Data").into_bytes(),

@@ -94,10 +94,10 @@ fn there_is_a_fuzz_target_for_every_reader() {
         names.map(|path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned()).collect();
     assert_eq!(names, readers::names().map(str::to_owned).collect());
     let volumes = vitrum_io::readers().len() + vitrum_io::mesh_readers().len();
-    // Beside them: materials and five formats of pictures.
+    // Beside them: materials, transfer functions and five formats of pictures.
     assert_eq!(
         names.len(),
-        volumes + 6,
+        volumes + 7,
         "a new format needs a target in tests/readers/mod.rs and in fuzz/fuzz_targets"
     );
 }

@@ -177,6 +177,7 @@ fn options(source: &VolumeSource, max_bytes: Option<u64>) -> Result<OpenOptions,
         spacing: source.spacing,
         array: source.array.clone(),
         time: source.time,
+        seconds: source.seconds,
         up: source.up.as_deref().map(str::parse).transpose().map_err(syntax)?,
     })
 }

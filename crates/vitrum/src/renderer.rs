@@ -7,9 +7,7 @@ use crate::error::Error;
 use crate::film::{Accumulator, Frame, RayRecords, Rendered, Statistics, index_of, replace};
 use crate::method::{self, Bounds, Cache, Exposure, Job, Method, Part, PreparedFrame, RefinedPixels, Tools, View};
 use crate::request::{OutputRequest, Progress, Stage};
-use crate::scene::{
-    Background, Film, Light, MethodName, OpacityPoint, Scene, Surroundings, TransferFunction,
-};
+use crate::scene::{Background, Film, Light, MethodName, OpacityPoint, Scene, Surroundings, TransferFunction};
 use crate::subject::Subject;
 use std::sync::Arc;
 use vitrum_io::{Layer, Mesh, Volume, Voxels};

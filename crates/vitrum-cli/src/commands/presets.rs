@@ -8,7 +8,7 @@ use serde_json::json;
 use std::process::ExitCode;
 use vitrum::preset;
 
-/// List the presets: looks that fit themselves to any volume, materials of meshes, and media around them (--medium); of an input, show them all
+/// List the presets: looks of volumes, materials of meshes, media around them (--medium), and maps of colours (--colormap); of an input, show them all
 ///
 /// With an input, a contact sheet: a small picture of the input in each preset, with the presets' names.
 #[derive(Debug, Args)]
@@ -25,7 +25,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if let Some(input) = &arguments.sheet.input {
         return presets_sheet::run(input, &arguments.sheet);
     }
-    print_names(&[preset::names(), preset::mesh_names(), preset::medium_names()].concat(), arguments.json)
+    print_names(
+        &[preset::names(), preset::mesh_names(), preset::medium_names(), preset::colormap_names()].concat(),
+        arguments.json,
+    )
 }
 
 /// Prints names and descriptions, as a table or as JSON.

@@ -7,7 +7,9 @@ use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use vitrum::io::STANDARD_INPUT;
+use vitrum::composition::Composed;
+use vitrum::io::{STANDARD_INPUT, transfer};
+use vitrum::preset;
 use vitrum::scene::Scene;
 
 /// Write the scene file of what would be rendered: the keys that differ from their defaults, with comments
@@ -25,12 +27,24 @@ pub struct Arguments {
     /// Write every key with its value
     #[arg(long)]
     all: bool,
+
+    /// Write the transfer function as a colour map of ParaView with opacities, in place of the scene if there is no --output
+    #[arg(long, value_name = "FILE.json")]
+    write_transfer: Option<PathBuf>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.output.as_deref().map_or(Ok(()), check_output)?;
+    arguments.write_transfer.as_deref().map_or(Ok(()), output::check_writable)?;
     let composed = arguments.scene.compose()?;
+    output::tell(&arguments.scene.input, &composed.notes, false);
     vitrum::check(&composed.scene, &composed.assets)?;
+    if let Some(file) = &arguments.write_transfer {
+        write_transfer(file, &arguments.scene.input, &composed)?;
+        if arguments.output.is_none() {
+            return Ok(ExitCode::SUCCESS);
+        }
+    }
     let mut scene = composed.scene;
     let folder = arguments.output.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
     if !same_folder(&composed.base, folder) {
@@ -51,6 +65,17 @@ fn check_output(file: &Path) -> Result<(), Failure> {
         return Err(Failure::new(Status::WrongUse, message, "name it .toml"));
     }
     output::check_writable(file)
+}
+
+/// Writes the transfer function of a volume's scene for ParaView, and says what ParaView has not.
+fn write_transfer(file: &Path, input: &str, composed: &Composed) -> Result<(), Failure> {
+    let Some(volume) = composed.assets.subject.volume() else {
+        let message = format!("{input}: a mesh has no transfer function");
+        return Err(Failure::new(Status::WrongUse, message, "leave out --write-transfer"));
+    };
+    let (function, left_out) = preset::transfer_file(&composed.scene, volume);
+    output::tell(input, &left_out, false);
+    output::write_text(file, &transfer::paraview_json(&function))
 }
 
 /// A scene that moves to another folder must name its files by absolute paths.

@@ -8,7 +8,7 @@ use super::image::{Slice, TIMES, normal};
 use crate::error::{Error, Place, Report};
 use crate::options::OpenOptions;
 use crate::source::Assumptions;
-use crate::time::Times;
+use crate::time::{Clock, Times};
 
 /// The slices of the chosen point in time. All of them, where no two lie at one place, or nothing tells points in time apart: the
 /// check of the distances then says which lie at one place.
@@ -20,13 +20,35 @@ pub(super) fn choose<'a>(
 ) -> Result<Vec<Slice<'a>>, Error> {
     let found = places(&slices).and_then(|places| split(&slices, &places));
     let Some((groups, by)) = found else {
-        Times::choose(report, Place::File, 1, options, assumptions)?;
+        Times::choose(report, Place::File, 1, &Clock::Unknown, options, assumptions)?;
         return Ok(slices);
     };
-    let times = Times::choose(report, Place::File, groups.len() as u64, options, assumptions)?;
+    let times =
+        Times::choose(report, Place::File, groups.len() as u64, &clock(&slices, &groups, by), options, assumptions)?;
     assumptions.push(format!("the points in time were told apart by their {by}"));
     let chosen = &groups[times.chosen as usize];
     Ok(chosen.iter().map(|&index| slices[index].clone()).collect())
+}
+
+/// When points in time are: trigger times are in milliseconds, acquisition and content times are times of the day.
+fn clock(slices: &[Slice], groups: &[Vec<usize>], by: &str) -> Clock {
+    let Some(attribute) = TIMES.iter().position(|&(_, name)| name == by) else { return Clock::Unknown };
+    let firsts = groups.iter().map(|group| slices.get(*group.first()?)?.times[attribute]);
+    let Some(values) = firsts.collect::<Option<Vec<f64>>>() else { return Clock::Unknown };
+    match by {
+        "trigger times" => Clock::Stated(values.iter().map(|milliseconds| milliseconds * 1e-3).collect()),
+        "acquisition times" | "content times" => {
+            let moments = values.iter().map(|&value| {
+                let whole = value.trunc();
+                let (hours, minutes) = ((whole / 1e4).trunc(), (whole / 1e2).trunc() % 100.0);
+                3600.0 * hours + 60.0 * minutes + value % 100.0
+            });
+            let moments: Vec<f64> = moments.collect();
+            let first = moments.first().copied().unwrap_or_default();
+            Clock::Stated(moments.iter().map(|moment| moment - first).collect())
+        }
+        _ => Clock::Unknown,
+    }
 }
 
 /// The number of each slice's place, counted from the lowest; `None` where places are not known, or each is there once.

@@ -2,6 +2,7 @@
 
 use super::header::Header;
 use super::space;
+use crate::components::{self, Components};
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields};
 use crate::options::OpenOptions;
@@ -9,7 +10,7 @@ use crate::placement::Placement;
 use crate::samples::{Endian, SampleType};
 use crate::source::Assumptions;
 use crate::stream;
-use crate::time::Times;
+use crate::time::{Clock, Times};
 
 /// Coding of the samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +46,10 @@ pub(super) enum HeaderSize {
 pub(super) struct Description {
     pub sample: SampleType,
     pub endian: Endian,
+    /// The components of a voxel, where it has several.
+    pub components: Option<Components>,
+    /// Bytes of a voxel in the file.
+    pub voxel_size: usize,
     pub encoding: Encoding,
     /// Number of axes in the file, axes of size 1 behind the third included.
     pub rank: usize,
@@ -62,24 +67,56 @@ impl Description {
     pub fn new(header: &Header, options: &OpenOptions, report: Report) -> Result<Self, Error> {
         let fields = &header.fields;
         let mut assumptions = Assumptions::default();
-        check_object(fields, report)?;
+        let (channels, place) = channels(fields, report)?;
         let sample = sample_type(fields, report)?;
         let encoding = encoding(fields, report)?;
         let endian = endian(fields, report, sample, encoding, &mut assumptions)?;
+        let asked = options.array.as_deref();
+        let components = if channels == 1 {
+            components::refuse(report, "MetaImage", asked)?;
+            None
+        } else {
+            let colors = sample == SampleType::U8 && (3..=4).contains(&channels);
+            Some(Components::choose((report, place), channels, colors, (sample, endian), asked, &mut assumptions)?)
+        };
+        Components::refuse_text((report, place), components, encoding == Encoding::Text)?;
+        let (.., voxel_size) = components::decoded_as(sample, endian, components);
         let (rank, dimensions, count) = dimensions(fields, report)?;
         let sizes = fields.get("DimSize").map_or(Place::File, Field::place);
-        let data_bytes = stream::data_bytes(report, sizes, dimensions, sample)?;
-        let times = Times::choose(report, sizes, count, options, &mut assumptions)?;
+        let data_bytes = stream::data_bytes_of(report, sizes, dimensions, voxel_size)?;
+        let times = Times::choose(report, sizes, count, &clock(fields), options, &mut assumptions)?;
         times.spans(report, sizes, data_bytes)?;
         let header_size = header_size(fields, report, encoding)?;
         let placement = space::placement(fields, report, rank, options, &mut assumptions)?;
         assumptions.extend(sample.rounding_note());
         assumptions.extend(fields.unknown_notes(KNOWN));
-        Ok(Self { sample, endian, encoding, rank, dimensions, times, data_bytes, header_size, placement, assumptions })
+        Ok(Self {
+            sample,
+            endian,
+            components,
+            voxel_size,
+            encoding,
+            rank,
+            dimensions,
+            times,
+            data_bytes,
+            header_size,
+            placement,
+            assumptions,
+        })
     }
 
     pub fn voxel_count(&self) -> u64 {
-        self.data_bytes / self.sample.size() as u64
+        self.data_bytes / self.voxel_size as u64
+    }
+}
+
+/// When points in time are: the fourth distance is in seconds, as far as the format says.
+fn clock(fields: &Fields) -> Clock {
+    let number = |name: &str| -> Option<f64> { fields.get(name)?.text.split_whitespace().nth(3)?.parse().ok() };
+    match number("ElementSpacing") {
+        Some(step) => Clock::steps(number("Offset").or(number("Position")).or(number("Origin")).unwrap_or(0.0), step),
+        None => Clock::Unknown,
     }
 }
 
@@ -93,7 +130,8 @@ pub(super) const KNOWN: &[&str] = &[
     "Orientation", "Origin", "ParentID", "Position", "Rotation", "SequenceID", "TransformMatrix", "TransformType",
 ];
 
-fn check_object(fields: &Fields, report: Report) -> Result<(), Error> {
+/// The number of components of a voxel, and where it is said.
+fn channels(fields: &Fields, report: Report) -> Result<(u64, Place), Error> {
     if let Some(field) = fields.get("ObjectType")
         && !field.text.eq_ignore_ascii_case("Image")
     {
@@ -103,16 +141,9 @@ fn check_object(fields: &Fields, report: Report) -> Result<(), Error> {
             "give a file with an image in it",
         ));
     }
-    let Some(field) = fields.get("ElementNumberOfChannels") else {
-        return Ok(());
-    };
-    match field.numbers::<u32>(report, 1)?[0] {
-        1 => Ok(()),
-        channels => Err(report.unsupported(
-            field.place(),
-            format!("the voxels have {channels} channels, and a scalar volume has 1"),
-            "pick out one channel first, for example by SimpleITK's VectorIndexSelectionCast",
-        )),
+    match fields.get("ElementNumberOfChannels") {
+        None => Ok((1, Place::File)),
+        Some(field) => Ok((field.numbers::<u64>(report, 1)?[0], field.place())),
     }
 }
 

@@ -13,6 +13,7 @@ use flate2::bufread::ZlibDecoder;
 
 use self::description::{Description, Encoding};
 use self::header::Header;
+use crate::components::{self, Components};
 use crate::detached::{DataFile, DataFiles};
 use crate::error::{Error, Place, Report};
 use crate::formats::{self, Format};
@@ -41,7 +42,7 @@ impl VolumeReader for MetaImage {
     }
 
     fn parts(&self) -> &'static [Part] {
-        &[Part::Time]
+        &[Part::Array, Part::Time]
     }
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
@@ -50,10 +51,11 @@ impl VolumeReader for MetaImage {
         let mut description = Description::new(&header, options, report)?;
         std::mem::take(&mut header.left_out).tell(&mut description.assumptions);
         let voxels = read_data(&header, &mut description, input, options)?;
-        let volume = description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
+        let (sample, ..) = components::decoded_as(description.sample, description.endian, description.components);
+        let volume = description.placement.volume(&input.name, description.dimensions, voxels, sample)?;
         let volume = volume.with_source(Source {
             format: self.format().name,
-            sample_type: description.sample.name().to_owned(),
+            sample_type: Components::named(description.components, description.sample),
             encoding: match description.encoding {
                 Encoding::Text => Encoding::Text.name().to_owned(),
                 encoding => description.sample.coding(encoding.name(), description.endian),
@@ -76,7 +78,7 @@ fn read_data(
     if header.several_files() {
         description.times = Times { count: 1, chosen: 0 };
     }
-    let Description { sample, endian, .. } = *description;
+    let (sample, endian, _) = components::decoded_as(description.sample, description.endian, description.components);
     let data = DataFiles { files: &files, count: description.voxel_count(), sample, endian };
     let mut notes = Assumptions::default();
     let check = |file: &DataFile, share| check_possible(file, description, share);
@@ -91,7 +93,7 @@ fn read_data(
 fn check_possible(file: &DataFile, description: &Description, share: u64) -> Result<(), Error> {
     let report = Report::new(&file.name);
     let share = share.saturating_mul(description.times.count);
-    let bytes = share.saturating_mul(description.sample.size() as u64);
+    let bytes = share.saturating_mul(description.voxel_size as u64);
     let there = file.available();
     match description.encoding {
         Encoding::Deflate => stream::check_deflate(report, bytes, there),
@@ -105,14 +107,14 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
     let report = Report::new(&file.name);
     let unreadable = |error| report.unreadable(error);
     let mut reader = file.open()?;
-    let size = description.sample.size();
+    let (size, components) = (description.voxel_size, description.components);
     let bytes = count as u64 * size as u64;
     let times = description.times;
     let (before, all) = times.spans(report, Place::File, bytes)?;
     match description.encoding {
         Encoding::Raw => {
             stream::skip(report, &mut reader, before)?;
-            stream::fill(report, voxels, &mut reader, count, size)?;
+            components::fill(report, voxels, &mut reader, count, size, components)?;
             return Ok(file.available().saturating_sub(all));
         }
         Encoding::Deflate => {
@@ -120,7 +122,7 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
             let mut inflated: Box<dyn Read> =
                 if gzipped { Box::new(Members::new(reader)) } else { Box::new(ZlibDecoder::new(reader)) };
             stream::skip(report, &mut inflated, before)?;
-            stream::fill(report, voxels, &mut inflated, count, size)?;
+            components::fill(report, voxels, &mut inflated, count, size, components)?;
             if times.is_last() {
                 stream::refuse_surplus(report, &mut inflated, bytes)?;
             }

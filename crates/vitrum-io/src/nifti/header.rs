@@ -3,6 +3,7 @@
 use super::layout::{FIRST, Fields, Layout, SECOND};
 use crate::error::{Error, Place, Report};
 use crate::samples::{Endian, SampleType};
+use crate::time::Clock;
 
 /// The fields that matter, in the machine's byte order and unchecked unless said.
 #[derive(Debug)]
@@ -14,13 +15,17 @@ pub(super) struct Header {
     /// Points in time, at least 1.
     pub times: u64,
     pub sample: SampleType,
-    /// Sign of the z axis, then the spacings along x, y and z.
-    pub pixdim: [f64; 4],
+    /// Sign of the z axis, then the spacings along x, y and z, and the time from point to point.
+    pub pixdim: [f64; 5],
     /// Checked: a whole number, behind the header where the data is in the same file.
     pub data_start: u64,
     pub slope: f32,
     pub intercept: f32,
     pub units: i32,
+    /// The code of the meaning of the values.
+    pub intent: i32,
+    /// The moment of the first point in time.
+    pub time_offset: f64,
     pub qform_code: i32,
     pub sform_code: i32,
     pub quaternion: [f64; 3],
@@ -55,6 +60,18 @@ pub(super) fn kind(head: &[u8]) -> Option<Kind> {
 }
 
 impl Header {
+    /// When points in time are: the distance between them, in a unit.
+    pub fn clock(&self) -> Clock {
+        let unit = match self.units & 0x38 {
+            16 => 1e-3,
+            24 => 1e-6,
+            // Without a unit, seconds are what programs take.
+            0 | 8 => 1.0,
+            _ => return Clock::Unknown,
+        };
+        Clock::steps(self.time_offset * unit, self.pixdim[4] * unit)
+    }
+
     /// The header in `bytes`, which are as many as the layout of `kind` has.
     pub fn parse(bytes: &[u8], kind: Kind, report: Report) -> Result<Self, Error> {
         let Kind { layout, endian, pair } = kind;
@@ -71,6 +88,8 @@ impl Header {
             slope: float(layout.slope, 0) as f32,
             intercept: float(layout.intercept, 0) as f32,
             units: fields.units(),
+            intent: fields.code(layout.intent),
+            time_offset: float(layout.time_offset, 0),
             qform_code: fields.code(layout.qform_code),
             sform_code: fields.code(layout.sform_code),
             quaternion: std::array::from_fn(|index| float(layout.quaternion, index)),

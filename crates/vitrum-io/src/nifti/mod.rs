@@ -13,6 +13,7 @@ use self::layout::FIRST;
 use crate::error::{Error, Place, Report};
 use crate::formats::{self, Format};
 use crate::input::Input;
+use crate::labels;
 use crate::memory;
 use crate::options::{OpenOptions, Part};
 use crate::packing::Packing;
@@ -62,6 +63,10 @@ impl VolumeReader for Nifti {
         let mut assumptions = Assumptions::default();
         let placement = orientation::placement(&header, report, options, &mut assumptions)?;
         assumptions.extend(header.sample.rounding_note());
+        const LABEL: i32 = 1002;
+        if header.intent == LABEL {
+            assumptions.push(labels::note(&[], "header's intent"));
+        }
         let (voxels, packing) = if kind.pair {
             let image = pair::image(input, kind)?;
             let image = Input::new(&image, options)?;
@@ -72,7 +77,7 @@ impl VolumeReader for Nifti {
             (data.read(&header, options, &mut assumptions)?, input.packing)
         };
         let name = input.name.clone();
-        let mut volume = Volume::new(name, header.dimensions, placement.spacing, voxels)?;
+        let mut volume = Volume::of_slope(name, header.dimensions, placement.spacing, voxels, header.slope)?;
         placement.apply(&mut volume);
         let volume = apply_scaling(volume, &header)?;
         Ok(volume.with_source(Source {
@@ -125,7 +130,7 @@ impl Data<'_> {
         let size = header.sample.size();
         let sizes = |index: usize| Place::Byte(header.layout.dim(index) as u64);
         let bytes = stream::data_bytes(report, sizes(1), header.dimensions, header.sample)?;
-        let times = Times::choose(report, sizes(4), header.times, options, assumptions)?;
+        let times = Times::choose(report, sizes(4), header.times, &header.clock(), options, assumptions)?;
         let (before, all) = times.spans(report, sizes(4), bytes)?;
         let count = bytes / size as u64;
         let start = header.data_start;

@@ -1,7 +1,9 @@
 //! Meaning of the fields of a NRRD header.
 
+use super::components as axis;
 use super::header::Header;
 use super::space;
+use crate::components::{self, Components};
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::Field;
 use crate::options::OpenOptions;
@@ -9,7 +11,7 @@ use crate::placement::Placement;
 use crate::samples::{Endian, SampleType};
 use crate::source::Assumptions;
 use crate::stream;
-use crate::time::Times;
+use crate::time::{Clock, Times, seconds};
 
 /// Coding of the samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +47,10 @@ pub(super) enum ByteSkip {
 pub(super) struct Description {
     pub sample: SampleType,
     pub endian: Endian,
+    /// The components of a voxel, where it has several.
+    pub components: Option<Components>,
+    /// Bytes of a voxel in the file.
+    pub voxel_size: usize,
     pub encoding: Encoding,
     pub dimensions: [u32; 3],
     /// Points in time, along a fourth axis, the slowest.
@@ -58,16 +64,32 @@ pub(super) struct Description {
 }
 
 impl Description {
-    pub fn new(header: &Header, options: &OpenOptions, report: Report) -> Result<Self, Error> {
+    pub fn new(header: &mut Header, options: &OpenOptions, report: Report) -> Result<Self, Error> {
+        let several = axis::take(header, report)?;
+        let header = &*header;
         let sample = sample_type(header, report)?;
         let encoding = encoding(header, report)?;
         let endian = endian(header, report, sample, encoding)?;
         let (dimensions, rank, count) = dimensions(header, report)?;
         let sizes = header.get("sizes").map_or(Place::File, Field::place);
-        let data_bytes = stream::data_bytes(report, sizes, dimensions, sample)?;
-        let (line_skip, byte_skip) = skips(header, report, encoding)?;
         let mut assumptions = Assumptions::default();
-        let times = Times::choose(report, sizes, count, options, &mut assumptions)?;
+        let asked = options.array.as_deref();
+        let components = match several {
+            None => {
+                components::refuse(report, "NRRD", asked)?;
+                None
+            }
+            Some((1, ..)) => None,
+            Some((count, colors, place)) => {
+                Some(Components::choose((report, place), count, colors, (sample, endian), asked, &mut assumptions)?)
+            }
+        };
+        let text = matches!(encoding, Encoding::Text | Encoding::Hex);
+        Components::refuse_text((report, sizes), components, text)?;
+        let (.., voxel_size) = components::decoded_as(sample, endian, components);
+        let data_bytes = stream::data_bytes_of(report, sizes, dimensions, voxel_size)?;
+        let (line_skip, byte_skip) = skips(header, report, encoding)?;
+        let times = Times::choose(report, sizes, count, &clock(header), options, &mut assumptions)?;
         times.spans(report, sizes, data_bytes)?;
         let placement = space::placement(header, rank, report, options, &mut assumptions)?;
         assumptions.extend(sample.rounding_note());
@@ -75,6 +97,8 @@ impl Description {
         Ok(Self {
             sample,
             endian,
+            components,
+            voxel_size,
             encoding,
             dimensions,
             times,
@@ -87,12 +111,30 @@ impl Description {
     }
 
     pub fn voxel_count(&self) -> u64 {
-        self.data_bytes / self.sample.size() as u64
+        self.data_bytes / self.voxel_size as u64
+    }
+}
+
+/// When points in time are: the fourth axis has a spacing and a unit of time.
+fn clock(header: &Header) -> Clock {
+    let word = |name: &str| header.get(name).and_then(|field| field.text.split_whitespace().nth(3).map(str::to_owned));
+    let number = |name: &str| word(name).and_then(|word| word.parse::<f64>().ok());
+    let unit = word("units").map(|unit| unit.trim_matches('"').to_owned());
+    // An axis without a unit, or of another kind, is not known to be in seconds; `units` may be missing where `kinds` says time.
+    let scale = match unit.as_deref().filter(|unit| !unit.is_empty() && *unit != "???") {
+        Some(unit) => seconds(unit),
+        None => word("kinds").is_some_and(|kind| kind.eq_ignore_ascii_case("time")).then_some(1.0),
+    };
+    match (scale, number("spacings")) {
+        (Some(scale), Some(step)) => Clock::steps(number("axismins").unwrap_or(0.0) * scale, step * scale),
+        _ => Clock::Unknown,
     }
 }
 
 /// Fields that are read, or that say nothing about the picture.
 pub(super) const KNOWN: &[&str] = &[
+    "axismaxs",
+    "axismins",
     "blocksize",
     "byteskip",
     "centerings",

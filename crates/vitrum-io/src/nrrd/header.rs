@@ -3,6 +3,7 @@
 use std::io::BufRead;
 
 use super::description::KNOWN;
+use super::segments::Segments;
 use crate::detached::List;
 use crate::error::{Error, Place, Report, clip};
 use crate::fields::{Field, Fields, MAX_BYTES};
@@ -20,6 +21,8 @@ pub(super) struct Header {
     pub length: u64,
     /// Whether a blank line closed it; without one, no data can be attached.
     pub closed: bool,
+    /// What is said of labels.
+    pub segments: Segments,
     /// Lines without a meaning.
     pub left_out: LeftOut,
 }
@@ -33,6 +36,7 @@ impl Header {
             listed_files: vec![],
             length: 0,
             closed: false,
+            segments: Segments::default(),
             left_out: LeftOut::default(),
         };
         let mut listing = false;
@@ -61,8 +65,9 @@ impl Header {
                 header.left_out.add("lines of the header that are neither `field: value` nor `key:=value`");
                 continue;
             };
-            // A key/value pair, for people and other programs.
-            if text.starts_with('=') {
+            // A key/value pair, for people and other programs; those of segmentations are told.
+            if let Some(value) = text.strip_prefix('=') {
+                header.segments.add(name, value);
                 continue;
             }
             let name = name.replace(' ', "").to_ascii_lowercase();

@@ -2,11 +2,13 @@
 //!
 //! The format: <https://teem.sourceforge.net/nrrd/format.html>.
 
+mod components;
 mod data_files;
 mod description;
 pub(crate) mod encodings;
 mod header;
 mod samples;
+mod segments;
 mod space;
 mod write;
 
@@ -17,6 +19,7 @@ use std::io::{self, BufRead, Read, Seek, SeekFrom};
 
 use self::description::{ByteSkip, Description, Encoding};
 use self::header::Header;
+use crate::components::{self as several, Components};
 use crate::detached::{DataFile, DataFiles};
 use crate::error::{Error, Place, Report};
 use crate::formats::{self, Format};
@@ -45,19 +48,21 @@ impl VolumeReader for Nrrd {
     }
 
     fn parts(&self) -> &'static [Part] {
-        &[Part::Time]
+        &[Part::Array, Part::Time]
     }
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
         let mut header = Header::read(input.open()?, report)?;
-        let mut description = Description::new(&header, options, report)?;
+        let mut description = Description::new(&mut header, options, report)?;
+        header.segments.tell(&mut description.assumptions);
         std::mem::take(&mut header.left_out).tell(&mut description.assumptions);
         let voxels = read_data(&header, &mut description, input, options)?;
-        let volume = description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
+        let (sample, ..) = several::decoded_as(description.sample, description.endian, description.components);
+        let volume = description.placement.volume(&input.name, description.dimensions, voxels, sample)?;
         let volume = volume.with_source(Source {
             format: self.format().name,
-            sample_type: description.sample.name().to_owned(),
+            sample_type: Components::named(description.components, description.sample),
             encoding: description.sample.coding(description.encoding.name(), description.endian),
             assumptions: description.assumptions,
         });
@@ -77,7 +82,7 @@ fn read_data(
     if header.several_files() {
         description.times = Times { count: 1, chosen: 0 };
     }
-    let Description { sample, endian, .. } = *description;
+    let (sample, endian, _) = several::decoded_as(description.sample, description.endian, description.components);
     let data = DataFiles { files: &files, count: description.voxel_count(), sample, endian };
     let mut notes = Assumptions::default();
     let check = |file: &DataFile, share| check_possible(file, description, share);
@@ -91,7 +96,7 @@ fn read_data(
 fn check_possible(file: &DataFile, description: &Description, share: u64) -> Result<(), Error> {
     let report = Report::new(&file.name);
     let share = share.saturating_mul(description.times.count);
-    let bytes = share.saturating_mul(description.sample.size() as u64);
+    let bytes = share.saturating_mul(description.voxel_size as u64);
     let there = file.available();
     match description.encoding {
         Encoding::Gzip => stream::check_deflate(report, bytes, there),
@@ -110,7 +115,7 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
     let unreadable = |error| report.unreadable(error);
     let mut reader = file.open()?;
     skip_lines(report, &mut reader, description.line_skip)?;
-    let size = description.sample.size();
+    let (size, components) = (description.voxel_size, description.components);
     let bytes = count as u64 * size as u64;
     let times = description.times;
     let (before, all) = times.spans(report, Place::File, bytes)?;
@@ -125,7 +130,7 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
             let there = file.length.saturating_sub(start);
             stream::check_length(report, all, start, there)?;
             reader.seek(SeekFrom::Start(start + before)).map_err(unreadable)?;
-            stream::fill(report, voxels, &mut reader, count, size)?;
+            several::fill(report, voxels, &mut reader, count, size, components)?;
             return Ok(there - all);
         }
         Encoding::Gzip => {
@@ -138,13 +143,13 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
                 let mut inflated = Members::new(again);
                 stream::check_length(report, all, 0, length)?;
                 stream::skip(report, &mut inflated, length - all + before)?;
-                stream::fill(report, voxels, &mut inflated, count, size)?;
+                several::fill(report, voxels, &mut inflated, count, size, components)?;
                 return Ok(0);
             }
             let mut inflated = Members::new(reader);
             skip_bytes(report, &mut inflated, description.byte_skip)?;
             stream::skip(report, &mut inflated, before)?;
-            stream::fill(report, voxels, &mut inflated, count, size)?;
+            several::fill(report, voxels, &mut inflated, count, size, components)?;
             if times.is_last() {
                 stream::refuse_surplus(report, &mut inflated, bytes)?;
             }

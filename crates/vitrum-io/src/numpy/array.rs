@@ -11,7 +11,7 @@ use crate::samples::VoxelBuffer;
 use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions, Source};
 use crate::stream;
-use crate::time::Times;
+use crate::time::{Clock, Times};
 use crate::volume::Volume;
 
 /// Reads an array of `length` bytes, its header included, which were unpacked from `packing`; the volume, and how many bytes
@@ -28,7 +28,7 @@ pub(super) fn read(
     let bytes = stream::data_bytes(report, header.dictionary, header.dimensions, header.sample)?;
     let count = bytes / size as u64;
     let mut assumptions = assumptions(&header, options.spacing.is_some());
-    let times = Times::choose(report, header.dictionary, header.times, options, &mut assumptions)?;
+    let times = Times::choose(report, header.dictionary, header.times, &Clock::Unknown, options, &mut assumptions)?;
     let (before, all) = times.spans(report, header.dictionary, bytes)?;
     let there = length.saturating_sub(header.data_start);
     stream::check_length(report, all, header.data_start, there)?;

@@ -6,7 +6,7 @@ use crate::error::{Error, Place, Report, clip};
 use crate::options::OpenOptions;
 use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions};
-use crate::time::Times;
+use crate::time::{Clock, Times};
 
 /// Every so many pages of a file, counted without its thumbnails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,7 +47,7 @@ impl Selection {
         }
         let channel = channel(report, channels, &names, options, assumptions)?;
         let count = if several_times { frames } else { 1 };
-        let times = Times::choose(report, Place::File, count, options, assumptions)?;
+        let times = Times::choose(report, Place::File, count, &Clock::Unknown, options, assumptions)?;
         let counted = if several && fits { slices.saturating_mul(frames) / count } else { pages };
         let images = notes.count("images");
         if notes.ome.is_none() && images != 1 && images != pages {

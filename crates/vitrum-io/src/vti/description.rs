@@ -5,6 +5,7 @@ use std::str::FromStr;
 use super::layout::{Array, Association, Layout};
 use super::xml::Tag;
 use crate::arrays;
+use crate::components::{self, Components};
 use crate::error::clip;
 use crate::error::{Error, Report};
 use crate::options::OpenOptions;
@@ -45,6 +46,10 @@ impl Word {
 pub(super) struct Description {
     pub sample: SampleType,
     pub endian: Endian,
+    /// The components of a voxel, where it has several.
+    pub components: Option<Components>,
+    /// Bytes of a voxel in the file.
+    pub voxel_size: usize,
     pub word: Word,
     pub zlib: bool,
     pub coding: Coding,
@@ -62,7 +67,7 @@ impl Description {
     pub fn new(layout: &Layout, file_length: u64, options: &OpenOptions, report: Report) -> Result<Self, Error> {
         let asked = options.array.as_deref();
         let mut assumptions = Assumptions::default();
-        let array = choose(layout, asked, report, &mut assumptions)?;
+        let (array, part) = choose(layout, asked, report, &mut assumptions)?;
         let sample = sample_type(report, array)?;
         let (coding, start, length) = locate(layout, array, file_length, report)?;
         let zlib = coding != Coding::Text && compressed(report, &layout.file)?;
@@ -79,15 +84,32 @@ impl Description {
             }
         };
         let (dimensions, placement) = grid(report, &layout.image, array.association, options, &mut assumptions)?;
-        let data_bytes = stream::byte_count(dimensions, sample.size())
+        let components = components_of(report, array, (sample, endian), part, &mut assumptions)?;
+        Components::refuse_text((report, array.tag.place()), components, coding == Coding::Text)?;
+        let (.., voxel_size) = components::decoded_as(sample, endian, components);
+        let data_bytes = stream::byte_count(dimensions, voxel_size)
             .map_err(|problem| report.invalid(layout.image.place(), problem, "correct `WholeExtent`"))?;
         assumptions.extend(sample.rounding_note());
         assumptions.extend(placement.shear_note());
-        Ok(Self { sample, endian, word, zlib, coding, start, length, dimensions, data_bytes, placement, assumptions })
+        Ok(Self {
+            sample,
+            endian,
+            components,
+            voxel_size,
+            word,
+            zlib,
+            coding,
+            start,
+            length,
+            dimensions,
+            data_bytes,
+            placement,
+            assumptions,
+        })
     }
 
     pub fn voxel_count(&self) -> u64 {
-        self.data_bytes / self.sample.size() as u64
+        self.data_bytes / self.voxel_size as u64
     }
 
     /// Encoding of the array, such as `appended raw, zlib, little-endian`.
@@ -101,29 +123,84 @@ impl Description {
     }
 }
 
-/// The array of the name that is asked for; else the active scalars, else the first array with one component; at points
-/// before in cells.
-fn choose<'a>(
-    layout: &'a Layout,
-    asked: Option<&str>,
+/// The components of an array's voxels, where there are several.
+fn components_of(
     report: Report,
+    array: &Array,
+    decoding: (SampleType, Endian),
+    part: Option<&str>,
     assumptions: &mut Assumptions,
-) -> Result<&'a Array, Error> {
-    let scalar = |array: &&Array| matches!(array.tag.get("NumberOfComponents").map(str::trim), None | Some("1"));
-    let of = |association| layout.arrays.iter().filter(move |array| array.association == association);
-    let taken = |array: &'a Array| if scalar(&array) { Ok(array) } else { Err(components(report, array)) };
-    if let Some(asked) = asked {
-        let both = of(Association::Point).chain(of(Association::Cell));
-        return match both.clone().find(|array| array.name() == asked) {
-            Some(array) => taken(array),
-            None => Err(arrays::unknown(report, asked, both.map(Array::name))),
+) -> Result<Option<Components>, Error> {
+    let at = (report, array.tag.place());
+    let text = array.tag.get("NumberOfComponents").map_or("1", str::trim);
+    let count = text.parse::<u64>().map_err(|_| {
+        report.invalid(at.1, format!("`NumberOfComponents` is `{}`, no number", clip(text)), "write a number")
+    })?;
+    if count == 1 {
+        return match part {
+            None => Ok(None),
+            Some(part) => {
+                let problem =
+                    format!("`{}` is asked for of `{}`, which has one component", clip(part), clip(array.name()));
+                Err(report.unsupported(at.1, problem, "leave it out").with_setting(Setting::Array))
+            }
         };
     }
+    let colors = decoding.0 == SampleType::U8 && (3..=4).contains(&count);
+    Components::choose(at, count, colors, decoding, part, assumptions).map(Some)
+}
+
+/// The array of the name that is asked for, and what is asked for of its components, which may stand behind a colon: `velocity:norm`. Else the
+/// active scalars, else the first array with one component, at points before in cells; else the first array.
+fn choose<'a, 'b>(
+    layout: &'a Layout,
+    asked: Option<&'b str>,
+    report: Report,
+    assumptions: &mut Assumptions,
+) -> Result<(&'a Array, Option<&'b str>), Error> {
+    let all = || {
+        [Association::Point, Association::Cell]
+            .into_iter()
+            .flat_map(|association| layout.arrays.iter().filter(move |array| array.association == association))
+    };
+    let named = |name: &str| all().find(|array| array.name() == name);
+    if let Some(asked) = asked {
+        if let Some(array) = named(asked) {
+            return Ok((array, None));
+        }
+        if let Some((name, part)) = asked.rsplit_once(':')
+            && let Some(array) = named(name)
+        {
+            return Ok((array, Some(part)));
+        }
+        let several =
+            all().find(|array| !matches!(array.tag.get("NumberOfComponents").map(str::trim), None | Some("1")));
+        return match several.filter(|_| matches!(asked, "norm" | "rgb")) {
+            Some(array) => Ok((array, Some(asked))),
+            None => Err(arrays::unknown(report, asked, all().map(Array::name))),
+        };
+    }
+    match first(layout, report, assumptions) {
+        Ok(array) => Ok((array, None)),
+        Err(error) => match all().next() {
+            Some(array) => {
+                note_others(layout, array, assumptions);
+                Ok((array, None))
+            }
+            None => Err(error),
+        },
+    }
+}
+
+/// The active scalars, else the first array with one component; at points before in cells.
+fn first<'a>(layout: &'a Layout, report: Report, assumptions: &mut Assumptions) -> Result<&'a Array, Error> {
+    let scalar = |array: &&Array| matches!(array.tag.get("NumberOfComponents").map(str::trim), None | Some("1"));
+    let of = |association| layout.arrays.iter().filter(move |array| array.association == association);
     for association in [Association::Point, Association::Cell] {
         let active = layout.active.iter().find(|(other, _)| *other == association).map(|(_, name)| name);
         if let Some(array) = active.and_then(|name| of(association).find(|array| array.name() == name)) {
             note_others(layout, array, assumptions);
-            return taken(array);
+            return Ok(array);
         }
         if let Some(array) = of(association).find(scalar) {
             if let Some(name) = active {
@@ -140,13 +217,6 @@ fn choose<'a>(
         format!("there is no array with one component, {found}"),
         "write a scalar array, for example by ParaView's filter Calculator",
     ))
-}
-
-fn components(report: Report, array: &Array) -> Error {
-    let components = array.tag.get("NumberOfComponents").unwrap_or_default();
-    let problem = format!("`{}` has {} components a voxel, not 1", clip(array.name()), clip(components));
-    let advice = "take another array, or write one component alone, for example by ParaView's filter Calculator";
-    report.unsupported(array.tag.place(), problem, advice).with_setting(Setting::Array)
 }
 
 fn note_others(layout: &Layout, array: &Array, assumptions: &mut Assumptions) {

@@ -2,16 +2,21 @@
 //!
 //! The format: <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>.
 
+mod collection;
 mod data;
 mod description;
 mod layout;
+mod series;
 mod xml;
+
+pub(crate) use self::collection::Pvd;
 
 use std::io::{BufRead, Read, Seek, SeekFrom};
 
 use self::data::{Base64Reader, Block, BlockReader};
 use self::description::{Coding, Description, Word};
 use self::layout::Layout;
+use crate::components::{self, Components};
 use crate::error::{Error, Place, Report};
 use crate::formats::{self, Format};
 use crate::input::Input;
@@ -38,18 +43,26 @@ impl VolumeReader for Vti {
     }
 
     fn parts(&self) -> &'static [Part] {
-        &[Part::Array]
+        &[Part::Array, Part::Time]
     }
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
+        series::read(input, options)
+    }
+}
+
+impl Vti {
+    /// Reads one file, whatever lies beside it.
+    fn read_alone(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
         let layout = Layout::read(input.open()?, report)?;
         let description = Description::new(&layout, input.length, options, report)?;
         let voxels = read_data(&description, input, options)?;
-        let volume = description.placement.volume(&input.name, description.dimensions, voxels, description.sample)?;
+        let (sample, ..) = components::decoded_as(description.sample, description.endian, description.components);
+        let volume = description.placement.volume(&input.name, description.dimensions, voxels, sample)?;
         let volume = volume.with_source(Source {
             format: self.format().name,
-            sample_type: description.sample.name().to_owned(),
+            sample_type: Components::named(description.components, description.sample),
             encoding: description.encoding(),
             assumptions: description.assumptions,
         });
@@ -65,10 +78,11 @@ fn read_data(description: &Description, input: &Input, options: &OpenOptions) ->
     let mut file = input.open()?;
     file.seek(SeekFrom::Start(description.start)).map_err(unreadable)?;
     let mut characters = file.take(description.length);
-    let memory = || memory::check(report, count * description.sample.stored_size() as u64, options.max_bytes);
+    let (sample, endian, size) = components::decoded_as(description.sample, description.endian, description.components);
+    let memory = || memory::check(report, count * sample.stored_size() as u64, options.max_bytes);
     let reserve = || {
         let capacity = usize::try_from(count).unwrap_or(usize::MAX);
-        let voxels = VoxelBuffer::reserve(report, description.sample, description.endian, capacity)?;
+        let voxels = VoxelBuffer::reserve(report, sample, endian, capacity)?;
         Ok((voxels, capacity))
     };
     if description.coding == Coding::Text {
@@ -97,7 +111,7 @@ fn read_data(description: &Description, input: &Input, options: &OpenOptions) ->
     };
     memory()?;
     let (mut voxels, count) = reserve()?;
-    stream::fill(report, &mut voxels, &mut data, count, description.sample.size())?;
+    components::fill(report, &mut voxels, &mut data, count, size, description.components)?;
     if description.zlib {
         stream::refuse_surplus(report, &mut data, bytes)?;
     }

@@ -8,13 +8,14 @@ use std::process;
 
 use whole::Whole;
 
+use vitrum_io::transfer::read_transfer_bytes;
 use vitrum_io::{Input, OpenOptions, mesh_readers, open_mesh, read_picture_with, readers};
 
 /// Largest memory that a file may ask for, in bytes: enough for every path through a reader, and soon filled.
 const MOST: u64 = 1 << 20;
 
 const OPTIONS: OpenOptions =
-    OpenOptions { max_bytes: Some(MOST), raw: None, spacing: None, array: None, time: None, up: None };
+    OpenOptions { max_bytes: Some(MOST), raw: None, spacing: None, array: None, time: None, seconds: None, up: None };
 
 /// The format of a target's bytes.
 #[derive(Debug, Clone, Copy)]
@@ -27,9 +28,16 @@ enum Kind {
     Mesh(&'static str, &'static str),
     /// The materials of a mesh that is given.
     Materials,
+    /// Transfer functions, under each of these file names in turn.
+    Transfer(&'static [&'static str]),
     /// A picture. The content decides, so that its first bytes are put in their place.
     Picture(&'static [u8]),
 }
+
+/// What a collection may name.
+const PIECE: &[u8] =
+    b"<VTKFile type=\"ImageData\"><ImageData WholeExtent=\"0 1 0 0 0 0\"><Piece Extent=\"0 1 0 0 0 0\"><PointData>\
+    <DataArray type=\"UInt8\" Name=\"a\" format=\"ascii\">1 2</DataArray></PointData></Piece></ImageData></VTKFile>";
 
 /// The targets, one a format.
 #[rustfmt::skip]
@@ -40,6 +48,7 @@ const TARGETS: &[(&str, Kind)] = &[
     ("numpy", Kind::Volume("NumPy", &["a.npy"])),
     ("npz", Kind::Volume("NumPy archive", &["a.npz"])),
     ("vti", Kind::Volume("VTK image data", &["a.vti"])),
+    ("pvd", Kind::Volume("VTK collection", &["b.pvd"])),
     ("vtk", Kind::Volume("legacy VTK", &["a.vtk"])),
     ("stack", Kind::Volume("TIFF stack", &["a.tif"])),
     ("dicom", Kind::Volume("DICOM", &["a.dcm"])),
@@ -49,6 +58,7 @@ const TARGETS: &[(&str, Kind)] = &[
     ("ply", Kind::Mesh("PLY", "a.ply")),
     ("stl", Kind::Mesh("STL", "a.stl")),
     ("gltf", Kind::Mesh("glTF", "a.gltf")),
+    ("transfer", Kind::Transfer(&["a.vp", "a.xml"])),
     ("hdr", Kind::Picture(b"#?RADIANCE")),
     ("exr", Kind::Picture(&[0x76, 0x2f, 0x31, 0x01])),
     ("png", Kind::Picture(b"\x89PNG\r\n\x1a\n")),
@@ -76,6 +86,7 @@ impl Readers {
             ("slice2", &[2; 6]),
             ("a.img", &[3; 4096]),
             ("a.bin", &[0; 4096]),
+            ("b.vti", PIECE),
             ("a.mtl", b"newmtl a\nKd 1 0 1\nd 0.5\n"),
         ] {
             fs::write(folder.join(name), content).expect("a file that others name");
@@ -106,6 +117,17 @@ impl Readers {
                 self.mesh("OBJ", "b.obj", text);
                 let _ = fs::remove_file(path);
             }
+            Kind::Transfer(files) => files.iter().for_each(|file| {
+                let Ok(function) = read_transfer_bytes(file, bytes, None) else { return };
+                assert!(!function.color.is_empty() || !function.opacity.is_empty());
+                assert!(
+                    function.color.is_sorted_by(|a, b| a.0 <= b.0) && function.opacity.is_sorted_by(|a, b| a.0 <= b.0)
+                );
+                let unit = |value: &f32| (0.0..=1.0).contains(value);
+                assert!(function.color.iter().all(|(x, color)| x.is_finite() && color.iter().all(unit)));
+                assert!(function.opacity.iter().all(|(x, opacity)| x.is_finite() && unit(opacity)));
+                assert!(function.color.len().max(function.opacity.len()) <= 1 << 14);
+            }),
             Kind::Picture(magic) => {
                 let bytes = if bytes.starts_with(magic) || name == "tiff" && bytes.starts_with(b"MM\0*") {
                     bytes.to_vec()

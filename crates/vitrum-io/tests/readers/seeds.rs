@@ -39,6 +39,12 @@ pub fn seeds(target: &str) -> Vec<Vec<u8>> {
             vtk("BINARY", "float", &[1; 48]),
             vtk("BINARY", "unsigned_char 1", &[1; 12]),
         ],
+        "pvd" => vec![
+            b"<VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" part=\"0\" file=\"b.vti\"/></Collection></VTKFile>".to_vec(),
+            b"<VTKFile type=\"Collection\"><Collection><DataSet timestep=\"2\" file=\"a.vti\"/><DataSet file=\"b.vti\"/></Collection></VTKFile>"
+                .to_vec(),
+        ],
+        "transfer" => transfers(),
         "stack" => stacks(),
         "dicom" => dicom_files(),
         "raw" => vec![
@@ -108,6 +114,25 @@ fn vti_files() -> Vec<Vec<u8>> {
         vti(&file, "type=\"Int16\" format=\"binary\"", &(base64(&header) + &base64(&data)), b""),
         vti(&file, "type=\"UInt16\" format=\"appended\" offset=\"0\"", "", &appended("raw", &[header, data].concat())),
     ]
+}
+
+/// A transfer function in each form.
+fn transfers() -> Vec<Vec<u8>> {
+    let texts = [
+        "1\n1\n0.9\n0.1\n0.2\n10\n4 0 0 100 0.5\n4 0 1 255 1\n8 0 0 0 0 200 1 0.5 0.25\n",
+        "<MRML><VolumeProperty name=\"a\" gradientOpacity=\"2 0 1\" scalarOpacity=\"2 7 1\" colorTransfer=\"4 7 1 1 1\"/></MRML>",
+        "<ColorMap name=\"a\" space=\"Lab\"><Point x=\"0\" o=\"0\" r=\"0\" g=\"0\" b=\"0\"/><Point x=\"1\" o=\"1\" r=\"1\" g=\"0\" b=\"1\"/></ColorMap>",
+        "<a><ColorTransferFunction ColorSpace=\"3\"><Point X=\"0\" Value=\"0 0 1\"/><Point X=\"2\" Value=\"1 0 0\" MidPoint=\"0.2\" Sharpness=\"0.5\"/>\
+         </ColorTransferFunction><PiecewiseFunction><Point X=\"0\" Value=\"0\"/></PiecewiseFunction></a>",
+        "<a><Proxy group=\"lookup_tables\"><Property name=\"RGBPoints\"><Element value=\"0\"/><Element value=\"0\"/><Element value=\"0\"/>\
+         <Element value=\"0\"/></Property></Proxy></a>",
+        "{\"volumeProperties\":[{\"components\":[{\"scalarOpacity\":{\"points\":[{\"x\":0,\"y\":0,\"midpoint\":0.5,\"sharpness\":0.5}]},\
+         \"rgbTransferFunction\":{\"points\":[{\"x\":0,\"color\":[0,0,1]}]}}]}]}",
+        "[{\"ColorSpace\":\"HSV\",\"RGBPoints\":[0,0,0,0,1,1,0,0],\"Points\":[0,0,0.5,0,1,1,0.5,0]}]",
+        "{\"IndexedColors\":[1,0,0,0,0,1],\"Annotations\":[\"3\",\"a\",\"5\",\"b\"]}",
+        "x a\n0 0\n1 0.5\n0 0 0 0\n1 255 0 0\n",
+    ];
+    texts.map(|text| text.as_bytes().to_vec()).into()
 }
 
 fn stacks() -> Vec<Vec<u8>> {

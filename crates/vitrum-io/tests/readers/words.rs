@@ -22,6 +22,13 @@ pub fn words(target: &str) -> &'static [&'static str] {
             "Extent=", "WholeExtent=", "Direction=", "NumberOfComponents=", "RangeMin=", "<FieldData>", "<DataArray",
             "encoding=\"base64\"", "encoding=\"raw\"", "format=\"appended\"", "offset=", "header_type=\"UInt64\"",
         ],
+        "pvd" => &["<DataSet", "timestep=", "part=", "file=\"b.vti\"", "file=\"../b.vti\"", "<Collection>", "nan", "1e999"],
+        "transfer" => &[
+            "RGBPoints", "Points", "ColorSpace", "Diverging", "Lab", "HSV", "Step", "IndexedColors", "Annotations", "volumeProperties",
+            "components", "scalarOpacity", "rgbTransferFunction", "midpoint", "sharpness", "<ColorMap", "<Point", "x=", "Value=", "MidPoint=",
+            "<Proxy", "lookup_tables", "piecewise_functions", "<Property", "<Element", "value=", "<VolumeProperty", "colorTransfer=",
+            "<GradientOpacity>", "nan", "1e999", "-1e38", "<!DOCTYPE",
+        ],
         "vtk" => &[
             "DATASET", "STRUCTURED_POINTS", "DIMENSIONS", "ORIGIN", "SPACING", "ASPECT_RATIO", "POINT_DATA", "CELL_DATA",
             "SCALARS", "LOOKUP_TABLE", "FIELD", "METADATA", "VECTORS", "ASCII", "BINARY", "double", "vtktypeint64",

@@ -36,6 +36,12 @@ pub enum CompositionError {
         /// Why it is not known.
         kind: &'static str,
     },
+    /// A transfer function, or a change of one, for a mesh.
+    #[error("{input}: a mesh has no transfer function")]
+    NoTransferFunction {
+        /// The input.
+        input: String,
+    },
     /// An unknown preset, for the input's kind.
     #[error(transparent)]
     Preset(#[from] PresetError),
@@ -69,6 +75,9 @@ impl CompositionError {
             Self::Text { advice, .. } => Some((*advice).to_owned()),
             Self::NoSides { side, .. } => {
                 Some(format!("turn the camera yourself, where world z is up and y the front: {}", side.settings()))
+            }
+            Self::NoTransferFunction { .. } => {
+                Some("name a volume, or set materials by keys such as `material.0.color`".to_owned())
             }
             Self::Preset(error) => Some(error.help()),
             Self::Medium(error) => Some(error.help()),

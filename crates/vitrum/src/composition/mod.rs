@@ -11,10 +11,12 @@ pub use quality::Quality;
 pub use sides::Side;
 
 use crate::error::Error;
+use crate::preset::Adjustments;
 use crate::scene::{Problem, Scene, SceneError, Vector, VolumeSource};
 use crate::{Assets, preset};
 use std::path::{Path, PathBuf};
 use vitrum_io::Mesh;
+use vitrum_io::transfer::read_transfer;
 
 /// Bounds of meshes whose size is not known yet.
 const UNIT: [Vector; 2] = [[-1.0; 3], [1.0; 3]];
@@ -32,6 +34,10 @@ pub struct Composition {
     pub medium: Option<String>,
     /// The quality of the picture. If absent, a scene's file has the rays that it says, and everything else is [`Quality::Good`].
     pub quality: Option<Quality>,
+    /// A file of transfer functions of another program, which takes the place of the scene's; see [`crate::io::transfer`].
+    pub transfer: Option<PathBuf>,
+    /// Changes of the transfer function: window, threshold, map of colours.
+    pub adjustments: Adjustments,
     /// Width and height of the film, in pixels.
     pub size: Option<[u32; 2]>,
     /// Options for reading the volume's file: `raw`, `spacing`, `array`, `time` and `up` replace the scene's where they are set, `up`
@@ -54,6 +60,8 @@ pub struct Composed {
     pub base: PathBuf,
     /// The data that the scene names.
     pub assets: Assets,
+    /// Statements about what a preset or a file of transfer functions took for granted, for people to read.
+    pub notes: Vec<String>,
 }
 
 impl Composition {
@@ -74,6 +82,9 @@ impl Composition {
             scene = input::without_mesh(scene);
         }
         if !scene.mesh.is_empty() {
+            if self.transfer.is_some() || !self.adjustments.is_empty() {
+                return Err(CompositionError::NoTransferFunction { input: self.input.clone() });
+            }
             return self.compose_mesh(scene, base, bare);
         }
         if let Some(name) = &self.medium {
@@ -82,16 +93,31 @@ impl Composition {
         }
         // Names first: a slip should not cost the time to read a volume.
         self.preset.as_deref().map_or(Ok(()), preset::check)?;
-        let preset = self.preset.as_deref().or(bare.then_some(preset::DEFAULT));
+        self.adjustments.check()?;
+        let file = self.transfer.as_deref().map(read_transfer).transpose().map_err(Error::from)?;
+        let default = (bare && file.is_none()).then_some(preset::DEFAULT);
+        let preset = self.preset.as_deref().or(default);
         let mut before = scene.clone();
-        self.change(&mut before, preset.is_some())?;
+        self.change(&mut before, preset.is_some() || file.is_some())?;
         let assets = Assets::load_within(&before, &base, self.max_bytes)?;
+        let mut notes = Vec::new();
         // A setting that adds a mesh leaves no volume for the preset to be fitted to.
-        if let (Some(name), Some(volume)) = (preset, assets.subject.volume()) {
-            preset::apply(name, volume, &mut scene)?;
+        if let Some(volume) = assets.subject.volume() {
+            let adjustments = &self.adjustments;
+            match (&file, preset) {
+                (Some(file), preset) => {
+                    preset.map_or(Ok(Vec::new()), |name| {
+                        preset::fit(name, volume, &Adjustments::default(), &mut scene)
+                    })?;
+                    let in_surroundings = bare && preset.is_none();
+                    notes = preset::fit_file(file, volume, adjustments, in_surroundings, &mut scene)?;
+                }
+                (None, Some(name)) => notes = preset::fit(name, volume, adjustments, &mut scene)?,
+                (None, None) => preset::adjust(volume, adjustments, &mut scene)?,
+            }
         }
         self.change(&mut scene, false)?;
-        Ok(Composed { scene, base, assets })
+        Ok(Composed { scene, base, assets, notes })
     }
 
     /// The look of a mesh does not depend on the contents of its file.
@@ -104,7 +130,7 @@ impl Composition {
         let Some(medium) = &self.medium else {
             self.change(&mut scene, false)?;
             let assets = Assets::load_within(&scene, &base, self.max_bytes)?;
-            return Ok(Composed { scene, base, assets });
+            return Ok(Composed { scene, base, assets, notes: Vec::new() });
         };
         // The density of a medium depends on the size of the meshes, and their size on the settings.
         let mut before = scene.clone();
@@ -113,7 +139,7 @@ impl Composition {
         let assets = Assets::load_within(&before, &base, self.max_bytes)?;
         preset::put_into_medium(medium, assets.subject.mesh().map_or(UNIT, Mesh::bounds), &mut scene)?;
         self.change(&mut scene, false)?;
-        Ok(Composed { scene, base, assets })
+        Ok(Composed { scene, base, assets, notes: Vec::new() })
     }
 
     /// Applies size, source and settings. If a preset is still to come, it may fill in a key that is missing now, such as the points of

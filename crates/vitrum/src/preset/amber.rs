@@ -5,7 +5,7 @@ use super::subject::{Subject, color, ior, opacity, tint};
 use crate::scene::{Environment, EnvironmentKind, Ground, Light, Scene, Shading, TransferFunction};
 
 pub(super) const PRESET: Preset =
-    Preset { name: "amber", description: "opaque dense matter inside a yellow, clear, refracting body", apply };
+    Preset::fitted("amber", "opaque dense matter inside a yellow, clear, refracting body", apply);
 
 fn apply(subject: &Subject, scene: &mut Scene) {
     let Subject { air, surface, soft, dense, bright, reference_length, .. } = *subject;

@@ -4,8 +4,7 @@ use super::Preset;
 use super::subject::{Subject, color, opacity};
 use crate::scene::{Environment, EnvironmentKind, Light, Scene, Shading, TransferFunction};
 
-pub(super) const PRESET: Preset =
-    Preset { name: "bone", description: "dense matter opaque and ivory, the rest a faint veil", apply };
+pub(super) const PRESET: Preset = Preset::fitted("bone", "dense matter opaque and ivory, the rest a faint veil", apply);
 
 fn apply(subject: &Subject, scene: &mut Scene) {
     let Subject { air, surface, soft, dense, bright, reference_length, .. } = *subject;

@@ -5,7 +5,7 @@ use super::subject::{Subject, color, ior, opacity, tint};
 use crate::scene::{Environment, EnvironmentKind, Light, Scene, Shading, TransferFunction};
 
 pub(super) const PRESET: Preset =
-    Preset { name: "glass", description: "everything clear and refracting, before a bright horizon", apply };
+    Preset::fitted("glass", "everything clear and refracting, before a bright horizon", apply);
 
 fn apply(subject: &Subject, scene: &mut Scene) {
     let Subject { air, surface, soft, dense, bright, reference_length, .. } = *subject;

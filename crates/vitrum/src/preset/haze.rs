@@ -5,7 +5,7 @@ use super::subject::{Subject, color, opacity};
 use crate::scene::{Environment, EnvironmentKind, Light, OpacityPoint, Scene, Shading, TransferFunction};
 
 pub(super) const PRESET: Preset =
-    Preset { name: "haze", description: "soft translucent fog, coloured by value; for fields without surfaces", apply };
+    Preset::fitted("haze", "soft translucent fog, coloured by value; for fields without surfaces", apply);
 
 /// Optical depth of the thick rays.
 const DEPTH: f32 = 3.0;

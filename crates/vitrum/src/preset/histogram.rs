@@ -34,6 +34,12 @@ impl Histogram {
         self.range[0] + bin as f32 * self.step
     }
 
+    /// The bin of a value, the number of bins for one above all.
+    pub fn bin(&self, value: f32) -> usize {
+        // The cast saturates.
+        (((value - self.range[0]) / self.step).ceil() as usize).min(self.counts.len())
+    }
+
     /// Number of voxels in `bins`.
     pub fn total(&self, bins: Range<usize>) -> u64 {
         self.counts[bins].iter().sum()

@@ -6,18 +6,26 @@
 //! for a share of the volume's size, so that 64³ and 512³ voxels look alike. A preset of a mesh (`mesh`) sets the materials of the bodies
 //! and their surroundings. A preset of media (`medium`) puts meshes into fog, smoke or water.
 
+mod adjustments;
 mod amber;
 mod bone;
+mod colormap;
 mod glass;
 mod haze;
 mod histogram;
+mod hounsfield;
+mod landmarks;
 mod medium;
 mod mesh;
 mod plain;
+mod points;
 mod shape;
 mod subject;
 mod xray;
 
+pub use adjustments::{Adjustments, adjust, fit, fit_file, transfer_file};
+pub use colormap::names as colormap_names;
+pub use landmarks::{Landmarks, landmarks, percentiles};
 pub use medium::{MediumError, medium_names, put_into_medium};
 pub use mesh::{apply_to_mesh, mesh_names, surround_mesh};
 
@@ -35,9 +43,43 @@ struct Preset {
     name: &'static str,
     description: &'static str,
     apply: fn(&Subject, &mut Scene),
+    /// Where it is for Hounsfield units: its points, which are not fitted.
+    table: Option<&'static hounsfield::Table>,
 }
 
-const PRESETS: [Preset; 6] = [plain::PRESET, bone::PRESET, amber::PRESET, glass::PRESET, xray::PRESET, haze::PRESET];
+impl Preset {
+    /// A preset that is fitted to the volume.
+    const fn fitted(name: &'static str, description: &'static str, apply: fn(&Subject, &mut Scene)) -> Self {
+        Self { name, description, apply, table: None }
+    }
+
+    /// A preset over Hounsfield units.
+    const fn of_units(
+        name: &'static str,
+        description: &'static str,
+        apply: fn(&Subject, &mut Scene),
+        table: &'static hounsfield::Table,
+    ) -> Self {
+        Self { name, description, apply, table: Some(table) }
+    }
+}
+
+const PRESETS: [Preset; 11] = {
+    let [ct_bone, ct_angio, ct_soft, ct_lung, mr_angio] = hounsfield::PRESETS;
+    [
+        plain::PRESET,
+        bone::PRESET,
+        amber::PRESET,
+        glass::PRESET,
+        xray::PRESET,
+        haze::PRESET,
+        ct_bone,
+        ct_angio,
+        ct_soft,
+        ct_lung,
+        mr_angio,
+    ]
+};
 
 const NAMES: [(&str, &str); PRESETS.len()] = {
     let mut names = [("", ""); PRESETS.len()];
@@ -50,7 +92,7 @@ const NAMES: [(&str, &str); PRESETS.len()] = {
 };
 
 /// Why a preset was not applied.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PresetError {
     /// An unknown name.
@@ -75,6 +117,28 @@ pub enum PresetError {
         /// The names of all presets for that kind.
         known: Vec<&'static str>,
     },
+    /// A preset over Hounsfield units for other values.
+    #[error("`{name}` is for CT in Hounsfield units, and the values go from {} to {}", range[0], range[1])]
+    NotHounsfield {
+        /// The name that was asked for.
+        name: &'static str,
+        /// The values' range without outliers.
+        range: [f32; 2],
+        /// The width and the level of the window in which the preset is usually looked at.
+        window: [f32; 2],
+    },
+    /// An unknown map of colours.
+    #[error("there is no map of colours `{name}`")]
+    UnknownColormap {
+        /// The name that was asked for.
+        name: String,
+    },
+    /// A threshold or a window that is none.
+    #[error("{problem}")]
+    Adjustment {
+        /// What is wrong with it.
+        problem: String,
+    },
 }
 
 impl PresetError {
@@ -85,6 +149,19 @@ impl PresetError {
             Self::Unknown { nearest: Some(nearest), .. } => format!("did you mean `{nearest}`?"),
             Self::Unknown { nearest: None, known, .. } => format!("the presets are: {}", known.join(", ")),
             Self::OtherKind { shown, known, .. } => format!("the presets of {shown} are: {}", known.join(", ")),
+            Self::NotHounsfield { name, window: [width, level], .. } => format!(
+                "take a preset that is fitted to the values, such as `bone`, or say where the window of `{name}` lies: width {width}, \
+                 level {level} in Hounsfield units, level {} where 1024 was added to them",
+                level + 1024.0
+            ),
+            Self::UnknownColormap { name } => match nearest(name, colormap_names().iter().map(|&(name, _)| name)) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => {
+                    let known: Vec<&str> = colormap_names().iter().map(|&(name, _)| name).collect();
+                    format!("the maps are: {}", known.join(", "))
+                }
+            },
+            Self::Adjustment { .. } => "give finite numbers, and a width above 0".to_owned(),
         }
     }
 }
@@ -108,13 +185,15 @@ pub fn check(name: &str) -> Result<(), PresetError> {
 ///
 /// # Errors
 ///
-/// Those of [`check`]; the scene is then unchanged.
+/// Those of [`check`], and [`PresetError::NotHounsfield`]; the scene is then unchanged.
 pub fn apply(name: &str, volume: &Volume, scene: &mut Scene) -> Result<(), PresetError> {
-    (find(name)?.apply)(&Subject::of(volume), scene);
-    // The grid of light was made to the measure of the light that is replaced.
+    fit(name, volume, &Adjustments::default(), scene).map(drop)
+}
+
+/// The grid of light was made to the measure of a light that is replaced.
+fn forget_light_grid(scene: &mut Scene) {
     let Sweep { light_resolution, light_margin, .. } = Sweep::default();
     (scene.sweep.light_resolution, scene.sweep.light_margin) = (light_resolution, light_margin);
-    Ok(())
 }
 
 fn find(name: &str) -> Result<&'static Preset, PresetError> {

@@ -5,7 +5,7 @@ use super::subject::{Subject, color, opacity};
 use crate::scene::{Environment, Ground, Light, Scene, Shading, TransferFunction};
 
 pub(super) const PRESET: Preset =
-    Preset { name: "plain", description: "coloured opaque surfaces with soft shadows; no refraction", apply };
+    Preset::fitted("plain", "coloured opaque surfaces with soft shadows; no refraction", apply);
 
 fn apply(subject: &Subject, scene: &mut Scene) {
     let Subject { air, surface, soft, dense, bright, reference_length, .. } = *subject;

@@ -20,6 +20,8 @@ pub(super) struct Subject {
     pub dense: f32,
     /// Nearly all values are below.
     pub bright: f32,
+    /// The ends of the brightest hundredths, from the third to nearly all: vessels in angiographies.
+    pub brightest: [f32; 2],
     /// Decimals that values are rounded to; negative to round to tens and more.
     digits: i32,
     /// World length that opacities and medium colours are stated for.
@@ -35,17 +37,44 @@ const LAYERS: f32 = 256.0;
 
 impl Subject {
     /// Looks at a volume.
+    #[cfg(test)]
     pub fn of(volume: &Volume) -> Self {
+        Self::above(volume, None)
+    }
+
+    /// Looks at a volume, all of whose values below `threshold` are nothing.
+    pub fn above(volume: &Volume, threshold: Option<f32>) -> Self {
         let longest = volume.extent().into_iter().fold(0.0, f32::max);
-        let [air, surface, soft, dense, bright] = Histogram::of(volume).map_or_else(
-            // A homogeneous block: make it matter, and nothing of it dense.
-            || [-1.0, -0.5, 0.0, 1.0, 2.0].map(|step| volume.range[0] + step * volume.range[0].abs().max(1.0)),
-            |histogram| landmarks(&histogram),
-        );
+        // A homogeneous block: make it matter, and nothing of it dense.
+        let block = |value: f32| [-1.0, -0.5, 0.0, 1.0, 2.0].map(|step| value + step * value.abs().max(1.0));
+        let ([air, surface, soft, dense, bright], brightest) = match (Histogram::of(volume), threshold) {
+            (None, None) => (block(volume.range[0]), [volume.range[0]; 2]),
+            (None, Some(threshold)) => {
+                ([0.0, 0.5, 1.0, 2.0, 3.0].map(|step| threshold + step * threshold.abs().max(1.0)), [threshold; 2])
+            }
+            (Some(histogram), threshold) => {
+                let values = match threshold {
+                    None => landmarks(&histogram),
+                    Some(threshold) => landmarks_above(&histogram, threshold),
+                };
+                (values, brightest(&histogram, threshold.unwrap_or(values[1])))
+            }
+        };
+        let brightest = [brightest[0], brightest[1].max(brightest[0] + 4e-3 * (bright - air))];
         let reference_length = longest / LAYERS;
         let digits = digits(bright - air);
-        let mut subject =
-            Self { air, surface, soft, dense, bright, digits, reference_length, thickness: 0.0, clarity: 1.0 };
+        let mut subject = Self {
+            air,
+            surface,
+            soft,
+            dense,
+            bright,
+            brightest,
+            digits,
+            reference_length,
+            thickness: 0.0,
+            clarity: 1.0,
+        };
         subject.thickness = thickness(volume, &subject);
         subject.clarity = clarity(volume, surface);
         subject
@@ -97,14 +126,44 @@ fn landmarks(histogram: &Histogram) -> [f32; 5] {
     spread(values, 4e-3 * (high - low)).map(|value| round(value, digits))
 }
 
+/// The landmarks where everything below `threshold` is nothing: air ends there, and the surface comes right behind it.
+fn landmarks_above(histogram: &Histogram, threshold: f32) -> [f32; 5] {
+    const OUTLIERS: f64 = 5e-4;
+    let [low, high] = histogram.range;
+    let all = histogram.all();
+    let first = histogram.bin(threshold);
+    if first >= all.end || histogram.total(first..all.end) == 0 {
+        // Nothing is left: everything is beyond the values.
+        let step = (high - low).max(threshold.abs() * 1e-3);
+        return [0.0, 0.25, 0.5, 1.0, 2.0].map(|share| threshold + share * step);
+    }
+    let trimmed = (histogram.quantile(first..all.end, 1.0 - OUTLIERS) + 1).min(all.end);
+    let split = histogram.otsu(first..trimmed);
+    let soft = histogram.value(histogram.quantile(first..split.unwrap_or(all.end), 0.5));
+    let dense = split.map_or(high + 0.5 * (high - low), |bin| histogram.value(bin));
+    let bright = match split {
+        Some(bin) => histogram.value(histogram.quantile(bin..all.end, 0.9)),
+        None => high + (high - low),
+    };
+    let surface = threshold + (0.02 * (high - low)).min((0.5 * (soft - threshold)).max(4e-3 * (high - low)));
+    spread([threshold, surface, soft, dense, bright], 4e-3 * (high - low))
+}
+
+/// The values between which the brightest voxels lie, none of them below `least`.
+fn brightest(histogram: &Histogram, least: f32) -> [f32; 2] {
+    let value = |share| histogram.value(histogram.quantile(histogram.all(), share));
+    let low = value(0.97).max(least);
+    [low, value(0.999).max(low)]
+}
+
 /// Decimals after which a thousandth of `range` is spent: finer differences cannot be seen.
-fn digits(range: f32) -> i32 {
+pub(super) fn digits(range: f32) -> i32 {
     const FINEST: i32 = 30;
     (-libm::log10f(range / 1000.0).floor()).clamp(-FINEST as f32, FINEST as f32) as i32
 }
 
 /// People read and edit these values in scene files: 80 is better than 79.99765.
-fn round(value: f32, digits: i32) -> f32 {
+pub(super) fn round(value: f32, digits: i32) -> f32 {
     let scale = libm::pow(10.0, f64::from(digits));
     ((f64::from(value) * scale).round() / scale) as f32
 }

@@ -4,11 +4,8 @@ use super::Preset;
 use super::subject::{Subject, color, opacity};
 use crate::scene::{ColorPoint, Environment, EnvironmentKind, Light, Rgb, Scene, Shading, TransferFunction};
 
-pub(super) const PRESET: Preset = Preset {
-    name: "xray",
-    description: "absorption alone, as on a light box; the exposure fits the volume's thickness",
-    apply,
-};
+pub(super) const PRESET: Preset =
+    Preset::fitted("xray", "absorption alone, as on a light box; the exposure fits the volume's thickness", apply);
 
 /// Optical depth of the thick rays, per colour: blue passes furthest.
 const DEPTH: Rgb = [2.7, 2.4, 2.0];

@@ -82,11 +82,12 @@ fn range(outer: &Value, shape: &'static Value) -> String {
     };
     if is("array") {
         let items = resolved(&shape["items"]);
+        let count = if shape["minItems"] == 2 { "two" } else { "three" };
         return match bounds(items) {
             _ if items.get("properties").is_some() => "a list of points".to_owned(),
-            None => "three numbers".to_owned(),
-            Some(bounds) if outer["x-color"] == true => format!("three numbers, each {bounds}, or a colour"),
-            Some(bounds) => format!("three numbers, each {bounds}"),
+            None => format!("{count} numbers"),
+            Some(bounds) if outer["x-color"] == true => format!("{count} numbers, each {bounds}, or a colour"),
+            Some(bounds) => format!("{count} numbers, each {bounds}"),
         };
     }
     match bounds(shape) {

@@ -38,6 +38,10 @@ pub struct VolumeSource {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1_000_000_000))]
     pub time: Option<u32>,
+    /// Point in time in seconds, instead of `time`: the nearest of those that the file states.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-unit" = "s"))]
+    pub seconds: Option<f64>,
     /// Direction that is turned to point up: `x`, `-x`, `y`, `-y`, `z`, `-z` or `right`, `left`, `anterior`, `posterior`,
     /// `superior`, `inferior`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -46,13 +50,16 @@ pub struct VolumeSource {
 }
 
 impl VolumeSource {
-    /// Takes over from `keys` how a file is read: `raw`, `spacing`, `array`, `time` and `up` where they are set there.
+    /// Takes over from `keys` how a file is read: `raw`, `spacing`, `array`, `time` or `seconds`, and `up` where they are set there.
     pub fn read_as(&mut self, keys: Self) {
-        let Self { raw, spacing, array, time, up, file: _, builtin: _, resolution: _ } = keys;
+        let Self { raw, spacing, array, time, seconds, up, file: _, builtin: _, resolution: _ } = keys;
         self.raw = raw.or(self.raw.take());
         self.spacing = spacing.or(self.spacing);
         self.array = array.or(self.array.take());
-        self.time = time.or(self.time);
+        // One of the two says it.
+        if time.is_some() || seconds.is_some() {
+            (self.time, self.seconds) = (time, seconds);
+        }
         self.up = up.or(self.up.take());
     }
 }

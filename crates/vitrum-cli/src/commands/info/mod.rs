@@ -3,6 +3,7 @@
 mod digits;
 mod mesh;
 mod place;
+mod values;
 
 use crate::failure::Failure;
 use crate::volume::VolumeArguments;
@@ -86,9 +87,15 @@ fn text(volume: &Volume) -> String {
     for fact in facts.iter().filter(|fact| !fact.value.is_empty() && fact.name != "unit") {
         row(fact.name, format!("{}  (from {})", fact.value, fact.from));
     }
+    if let Some(moments) = source.moments().filter(|moments| moments.count > 1) {
+        row("times", values::times(moments));
+    }
     let hounsfield = facts.iter().any(|fact| fact.name == "values" && fact.value.contains("(HU)"));
     row("range", format!("{low} to {high}{}", if hounsfield { " HU" } else { "" }));
     row("histogram", format!("{}  (logarithmic)", bars(&volume.histogram(BINS))));
+    for (name, told) in values::rows(volume) {
+        row(name, told);
+    }
     for (name, told) in advice::on_assumptions(&source.assumptions) {
         row(name, told);
     }
@@ -114,8 +121,13 @@ fn json(volume: &Volume) -> serde_json::Value {
         "value_scale": volume.value_scale,
         "value_offset": volume.value_offset,
         "range": volume.range,
+        "times": volume.source.moments().map_or(1, |moments| moments.count),
+        "moments": volume.source.moments().and_then(|moments| moments.seconds.clone()),
         "bytes": volume.bytes(),
         "histogram": volume.histogram(BINS),
+        "histogram_parts": values::json_parts(volume),
+        "percentiles": values::json_percentiles(volume),
+        "landmarks": values::json_landmarks(volume),
         "assumptions": volume.source.assumptions.iter().map(advice::on_assumption).collect::<Vec<_>>(),
     })
 }

@@ -17,6 +17,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     // Refusals that need no work come before any work.
     check_outputs(arguments)?;
     let composed = arguments.scene.compose()?;
+    output::tell(&arguments.scene.input, &composed.notes, arguments.quiet);
     check_names(arguments, &composed.scene)?;
     arguments.memory.check(&composed.scene)?;
     vitrum::check(&composed.scene, &composed.assets)?;

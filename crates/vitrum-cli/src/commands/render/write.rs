@@ -39,7 +39,7 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
 /// Whether there are annotations, if they are to be written apart.
 pub fn check_annotations(arguments: &Arguments, figure: &Figure) -> Result<(), Failure> {
     match &arguments.annotations {
-        Some(file) if !figure.is_annotated() => figure.write_svg(file),
+        Some(file) if !figure.is_annotated() => figure.stage_svg(file).map(drop),
         _ => Ok(()),
     }
 }

@@ -1,5 +1,6 @@
 //! `vitrum turntable`: an animation of the camera going round, or along key frames.
 
+mod over_time;
 mod record;
 mod target;
 mod timeline;
@@ -13,6 +14,7 @@ use crate::interrupt::{self, Timeout};
 use crate::output::{self, Bits};
 use crate::progress::Bar;
 use clap::Args;
+use over_time::OverTime;
 use record::Record;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -38,19 +40,17 @@ pub struct Arguments {
     #[command(flatten)]
     pub memory: MemoryArguments,
 
-    /// Pictures of a whole turn, 72 if absent; with --keys all up to the last key frame
+    /// Pictures of a whole turn, 72 if absent; with --keys all up to the last key frame; with --over-time one for each point in time
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: Option<u32>,
 
-    /// How far the camera goes, in degrees; negative to the left
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value_t = 360.0,
-        allow_negative_numbers = true,
-        conflicts_with = "keys"
-    )]
-    pub turn: f32,
+    /// How far the camera goes, in degrees; negative to the left; 360 if absent, and 0 with --over-time
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, conflicts_with = "keys")]
+    pub turn: Option<f32>,
+
+    /// Show a volume's points in time one after the other; the look is fitted to the one that --time names, or the first
+    #[arg(long, conflicts_with = "keys")]
+    pub over_time: bool,
 
     /// Key frames of any scene keys, interpolated smoothly; the camera does not turn by itself then
     #[arg(long, value_name = "FILE.toml")]
@@ -86,9 +86,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.device.limit_threads()?;
     // Before the volume: a slip in it should not cost the time to read one.
     let keys = arguments.keys.as_deref().map(|path| timeline::read_keys(path, arguments.rate)).transpose()?;
-    let Composed { scene, assets, base } = arguments.scene.compose()?;
+    let Composed { scene, assets, base, notes } = arguments.scene.compose()?;
+    output::tell(&arguments.scene.input, &notes, arguments.quiet);
+    let over_time = arguments.over_time.then(|| OverTime::new(arguments, &scene, &base, &assets)).transpose()?;
     let mut meshes = MovingMeshes::new(base, arguments.scene.volume.limit());
-    let timeline = Timeline::new(arguments, scene, &assets, &mut meshes, keys)?;
+    let points = over_time.as_ref().map(OverTime::frames);
+    let timeline = Timeline::new(arguments, scene, &assets, &mut meshes, keys, points)?;
     arguments.memory.check(timeline.start())?;
     check_background(timeline.start(), &arguments.output)?;
     let figure = Figure::new(timeline.start(), &assets.subject)?;
@@ -110,6 +113,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut statistics = Vec::new();
     for index in (0..).zip(&done).filter_map(|(index, done)| (!done).then_some(index)) {
         let scene = timeline.scene(index)?;
+        if let Some(over_time) = &over_time {
+            renderer.show(over_time.at(index, timeline.frames())?);
+        }
         if timeline.moves_meshes() {
             renderer.deform(meshes.at(&scene.mesh)?);
         }

@@ -37,18 +37,25 @@ impl Timeline {
         assets: &Assets,
         meshes: &mut MovingMeshes,
         keys: Option<KeyFrames>,
+        points_in_time: Option<u32>,
     ) -> Result<Self, Failure> {
         let (motion, frames) = match keys {
             Some(keys) => {
                 let all = keys.last_frame().floor() as u32 + 1;
                 (Motion::Keys(keys), arguments.frames.unwrap_or(all))
             }
+            None if points_in_time.is_some() && arguments.turn.is_none() => {
+                (Motion::Turn(0.0), arguments.frames.or(points_in_time).unwrap_or(TURN))
+            }
             None if start.camera.position.is_some() => {
                 let message = "the scene sets camera.position, which a turntable cannot turn";
                 let help = "use camera.azimuth and camera.elevation instead, or move the camera by --keys";
                 return Err(Failure::new(Status::WrongUse, message, help));
             }
-            None => (Motion::Turn(arguments.turn), arguments.frames.unwrap_or(TURN)),
+            None => {
+                let turn = arguments.turn.unwrap_or(360.0);
+                (Motion::Turn(turn), arguments.frames.or(points_in_time).unwrap_or(TURN))
+            }
         };
         let timeline = Self { start, frames, motion };
         let mut assets = assets.clone();

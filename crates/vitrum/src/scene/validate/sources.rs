@@ -93,13 +93,22 @@ fn check_source(key: &str, source: &VolumeSource) -> Result<(), Fault> {
     } else {
         let layout = source.raw.as_deref().map_or(Ok(()), |text| text.parse::<RawLayout>().map(drop));
         layout.map_err(|problem| unreadable(&format!("{key}.raw"), &problem))?;
+        if source.time.is_some() && source.seconds.is_some() {
+            let problem = "both `time` and `seconds` say a point in time";
+            return Err(Fault::contradiction(&format!("{key}.seconds"), problem, "leave one of them out"));
+        }
     }
     check_up(key, source.up.as_deref())
 }
 
 /// A procedural volume has nothing that would have to be picked out of a file.
 fn check_builtin(key: &str, source: &VolumeSource) -> Result<(), Fault> {
-    let given = [("raw", source.raw.is_some()), ("array", source.array.is_some()), ("time", source.time.is_some())];
+    let given = [
+        ("raw", source.raw.is_some()),
+        ("array", source.array.is_some()),
+        ("time", source.time.is_some()),
+        ("seconds", source.seconds.is_some()),
+    ];
     match given.iter().find(|(_, given)| *given) {
         None => Ok(()),
         Some((name, _)) => Err(Fault::contradiction(

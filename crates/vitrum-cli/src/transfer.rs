@@ -1,0 +1,49 @@
+//! The flags that change the transfer function.
+
+use clap::Args;
+use std::path::PathBuf;
+use vitrum::preset::{self, Adjustments};
+
+/// The transfer function's file and changes; what they set are the keys of `transfer`.
+#[derive(Debug, Clone, Args)]
+pub struct TransferArguments {
+    /// Take the transfer function of a file: 3D Slicer's volume property (.vp, .json, MRML), ParaView's colour map (.json, .xml, .pvsm), VTK's
+    /// functions (XML, or a point a line); FILE#NAME takes one of several
+    #[arg(long, value_name = "FILE")]
+    pub transfer: Option<PathBuf>,
+
+    /// Show nothing of values below; a preset is fitted to those above
+    #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
+    pub threshold: Option<f32>,
+
+    /// Width of the window of values over which the transfer function changes; with --level
+    #[arg(long, value_name = "WIDTH", requires = "level")]
+    pub window: Option<f32>,
+
+    /// Middle of the window of values; with --window
+    #[arg(long, value_name = "LEVEL", requires = "window", allow_negative_numbers = true)]
+    pub level: Option<f32>,
+
+    /// Colour values by a map, such as viridis
+    #[arg(long, value_name = "NAME", long_help = colormap_help())]
+    pub colormap: Option<String>,
+}
+
+impl TransferArguments {
+    /// The changes.
+    pub fn adjustments(&self) -> Adjustments {
+        let window = self.window.zip(self.level).map(|(width, level)| [width, level]);
+        Adjustments { threshold: self.threshold, window, colormap: self.colormap.clone() }
+    }
+}
+
+/// The help of `--colormap`, with all names.
+fn colormap_help() -> String {
+    let mut text =
+        "Colour values by a map, over the window, or else over the values that the transfer function shows. The maps:"
+            .to_owned();
+    for (name, description) in preset::colormap_names() {
+        text.push_str(&format!("\n  {name:12} {description}"));
+    }
+    text
+}

@@ -1,0 +1,235 @@
+//! Voxels of several numbers, such as colours and vectors: one number is made of them.
+
+use std::io::{self, Read};
+
+use half::f16;
+
+use crate::error::{Error, Place, Report, clip};
+use crate::samples::{Endian, SampleType, VoxelBuffer, read_up_to};
+use crate::setting::Setting;
+use crate::source::{Assumption, Assumptions};
+use crate::stream;
+
+/// More components than these are a mistake.
+const MOST: u64 = 64;
+
+/// The components of a voxel, which lie side by side in the file, and what is made of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Components {
+    pub count: usize,
+    pick: Pick,
+    sample: SampleType,
+    endian: Endian,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Pick {
+    /// The length of the vector.
+    Norm,
+    /// The luminance of the colour.
+    Luminance,
+    One(usize),
+}
+
+/// Fails where a part of voxels that have one number each is asked for.
+pub(crate) fn refuse(report: Report, format: &str, asked: Option<&str>) -> Result<(), Error> {
+    let Some(array) = asked else { return Ok(()) };
+    let problem = format!(
+        "the array `{}` is asked for, and the format {format} has no arrays with names; its voxels have one component",
+        clip(array)
+    );
+    Err(report.unsupported(Place::File, problem, "leave out the array").with_setting(Setting::Array))
+}
+
+/// As [`stream::fill`], for voxels that may have several components: `size` is that of a voxel in the file.
+pub(crate) fn fill(
+    report: Report,
+    voxels: &mut VoxelBuffer,
+    reader: &mut dyn Read,
+    count: usize,
+    size: usize,
+    components: Option<Components>,
+) -> Result<(), Error> {
+    match components {
+        None => stream::fill(report, voxels, reader, count, size),
+        Some(components) => stream::fill(report, voxels, &mut components.reduced(reader), count, 4),
+    }
+}
+
+/// The type and the byte order in which voxels come to a buffer, and their size in the file.
+pub(crate) fn decoded_as(
+    sample: SampleType,
+    endian: Endian,
+    components: Option<Components>,
+) -> (SampleType, Endian, usize) {
+    match components {
+        None => (sample, endian, sample.size()),
+        Some(components) => (SampleType::F32, Endian::Little, components.size()),
+    }
+}
+
+impl Components {
+    /// What `asked` names: `norm`, `rgb`, or the number of a component, counted from 0. If absent, the luminance of colours, and the length of
+    /// vectors. Both are told.
+    pub fn choose(
+        (report, place): (Report, Place),
+        count: u64,
+        colors: bool,
+        (sample, endian): (SampleType, Endian),
+        asked: Option<&str>,
+        assumptions: &mut Assumptions,
+    ) -> Result<Self, Error> {
+        if !(2..=MOST).contains(&count) {
+            let problem = format!("the voxels have {count} components, and from 1 to {MOST} are read");
+            return Err(report.unsupported(place, problem, "pick out one component first"));
+        }
+        let pick = match asked.map(str::trim) {
+            None if colors => Pick::Luminance,
+            None | Some("norm") => Pick::Norm,
+            Some("rgb") if count >= 3 => Pick::Luminance,
+            Some(other) => match other.parse::<usize>() {
+                Ok(index) if (index as u64) < count => Pick::One(index),
+                _ => {
+                    let problem = format!("`{}` is asked for of voxels with {count} components", clip(other));
+                    let last = count - 1;
+                    let advice = format!("give `norm`, `rgb` of colours, or the number of a component, 0 to {last}");
+                    return Err(report.unsupported(place, problem, advice).with_setting(Setting::Array));
+                }
+            },
+        };
+        let made = match pick {
+            Pick::Norm => "the length of the vector was taken".to_owned(),
+            Pick::Luminance => "colours come from one number a voxel here: the luminance was taken".to_owned(),
+            Pick::One(index) => format!("component {index} was taken"),
+        };
+        let others = format!("`norm`, {}0 to {}", if count >= 3 { "`rgb`, " } else { "" }, count - 1);
+        let fact = format!("the voxels have {count} components: {made}");
+        assumptions.push(Assumption::replaceable(fact, Setting::Array, others));
+        // `count` is at most 64.
+        Ok(Self { count: count as usize, pick, sample, endian })
+    }
+
+    /// Fails where the numbers are written as text, which are read one a voxel.
+    pub fn refuse_text((report, place): (Report, Place), components: Option<Self>, text: bool) -> Result<(), Error> {
+        if components.is_none() || !text {
+            return Ok(());
+        }
+        let problem = "voxels of several components are written as text, and are read in binary form alone";
+        Err(report.unsupported(place, problem, "write the data in binary form"))
+    }
+
+    /// The type for people, such as `3 x uint8`.
+    pub fn named(components: Option<Self>, sample: SampleType) -> String {
+        components
+            .map_or_else(|| sample.name().to_owned(), |components| format!("{} x {}", components.count, sample.name()))
+    }
+
+    /// Bytes of a voxel in the file.
+    pub fn size(&self) -> usize {
+        self.count * self.sample.size()
+    }
+
+    /// The numbers of the voxels, as float32, little-endian.
+    pub fn reduced<'a>(self, inner: &'a mut (dyn Read + 'a)) -> Reduced<'a> {
+        Reduced { components: self, inner, ready: Vec::new(), given: 0 }
+    }
+
+    fn made_of(&self, voxel: &[u8]) -> f32 {
+        let number = |index: usize| {
+            let size = self.sample.size();
+            voxel
+                .get(index * size..(index + 1) * size)
+                .map_or(f64::NAN, |bytes| decoded(bytes, self.sample, self.endian))
+        };
+        match self.pick {
+            Pick::One(index) => number(index) as f32,
+            // Rec. 709, of the code values, as most programs take it.
+            Pick::Luminance => (0.2126 * number(0) + 0.7152 * number(1) + 0.0722 * number(2)) as f32,
+            Pick::Norm => libm::sqrt((0..self.count).map(|index| number(index) * number(index)).sum()) as f32,
+        }
+    }
+}
+
+fn decoded(bytes: &[u8], sample: SampleType, endian: Endian) -> f64 {
+    let mut word = [0; 8];
+    word[..bytes.len()].copy_from_slice(bytes);
+    if endian == Endian::Big {
+        word[..bytes.len()].reverse();
+    }
+    let [a, b, c, d, ..] = word;
+    match sample {
+        SampleType::I8 => f64::from(a as i8),
+        SampleType::U8 => f64::from(a),
+        SampleType::I16 => f64::from(i16::from_le_bytes([a, b])),
+        SampleType::U16 => f64::from(u16::from_le_bytes([a, b])),
+        SampleType::I32 => f64::from(i32::from_le_bytes([a, b, c, d])),
+        SampleType::U32 => f64::from(u32::from_le_bytes([a, b, c, d])),
+        SampleType::I64 => i64::from_le_bytes(word) as f64,
+        SampleType::U64 => u64::from_le_bytes(word) as f64,
+        SampleType::F16 => f64::from(f16::from_le_bytes([a, b])),
+        SampleType::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
+        SampleType::F64 => f64::from_le_bytes(word),
+    }
+}
+
+/// Reads one float32 for each voxel of several components.
+pub(crate) struct Reduced<'a> {
+    components: Components,
+    inner: &'a mut dyn Read,
+    ready: Vec<u8>,
+    given: usize,
+}
+
+impl Read for Reduced<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        const VOXELS: usize = 4096;
+        if self.given == self.ready.len() {
+            let size = self.components.size();
+            let mut chunk = vec![0; VOXELS * size];
+            // No more than is asked for, so that what lies behind stays to be looked at.
+            let voxels = buffer.len().div_ceil(4).min(VOXELS);
+            let (found, outcome) = read_up_to(self.inner, &mut chunk[..voxels * size]);
+            let whole =
+                chunk[..found].chunks_exact(size).flat_map(|voxel| self.components.made_of(voxel).to_le_bytes());
+            self.ready = whole.collect();
+            self.given = 0;
+            if self.ready.is_empty() {
+                outcome?;
+            }
+        }
+        let left = &self.ready[self.given..];
+        let count = left.len().min(buffer.len());
+        buffer[..count].copy_from_slice(&left[..count]);
+        self.given += count;
+        Ok(count)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn made(asked: Option<&str>, colors: bool, sample: SampleType, bytes: &[u8]) -> Result<Vec<f32>, Error> {
+        let mut told = Assumptions::default();
+        let at = (Report::new("a"), Place::File);
+        let components = Components::choose(at, 3, colors, (sample, Endian::Big), asked, &mut told)?;
+        let mut out = Vec::new();
+        let mut bytes = bytes;
+        components.reduced(&mut bytes).read_to_end(&mut out).expect("bytes in memory");
+        assert_eq!(told.len(), 1);
+        Ok(out.chunks_exact(4).map(|word| f32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect())
+    }
+
+    #[test]
+    fn a_number_is_made_of_each_voxel() {
+        let vectors: Vec<u8> =
+            [3.0_f32, 0.0, -4.0, 1.0, 2.0, 2.0].iter().flat_map(|value| value.to_be_bytes()).collect();
+        assert_eq!(made(None, false, SampleType::F32, &vectors).ok(), Some(vec![5.0, 3.0]));
+        assert_eq!(made(Some("2"), false, SampleType::F32, &vectors).ok(), Some(vec![-4.0, 2.0]));
+        assert_eq!(made(None, true, SampleType::U8, &[200, 200, 200, 0, 0, 0]).ok(), Some(vec![200.0, 0.0]));
+        // A voxel that is cut short is none.
+        assert_eq!(made(Some("norm"), true, SampleType::U8, &[2, 3, 6, 1]).ok(), Some(vec![7.0]));
+        let error = made(Some("3"), false, SampleType::U8, &[]).expect_err("there are three");
+        assert!(error.to_string().contains("0 to 2"), "{error}");
+    }
+}

@@ -1,0 +1,2 @@
+#![no_main]
+vitrum_fuzz::target!("transfer");
