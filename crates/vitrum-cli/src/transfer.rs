@@ -43,7 +43,7 @@ fn colormap_help() -> String {
         "Colour values by a map, over the window, or else over the values that the transfer function shows. The maps:"
             .to_owned();
     for (name, description) in preset::colormap_names() {
-        text.push_str(&format!("\n  {name:12} {description}"));
+        text.push_str(&format!("\n  {name:12} {}", description.trim_start_matches("a map of colours: ")));
     }
     text
 }

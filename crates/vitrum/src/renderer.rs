@@ -164,8 +164,13 @@ fn frame_here(
     // The background takes the environment's place in the picture alone.
     let mut scene = job.scene.clone();
     scene.environment.visible = false;
+    let catches = scene.ground.as_ref().is_some_and(|ground| ground.shadow_catcher);
+    if catches {
+        // Differences of pictures: each pixel has the same rays in all of them.
+        scene.film.refinement = 1;
+    }
     let whole = exposed(&Job { scene: &scene, ..*job }, cache, backend, progress)?;
-    let frame = if scene.ground.as_ref().is_some_and(|ground| ground.shadow_catcher) {
+    let frame = if catches {
         let bare = Scene { ground: None, ..scene.clone() };
         let bare = exposed(&Job { scene: &bare, ..*job }, cache, backend, progress)?;
         let (alone, assets) = ground_alone(&scene, job.assets)?;

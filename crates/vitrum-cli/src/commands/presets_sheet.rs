@@ -12,6 +12,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use vitrum::composition::{Composed, Composition, Quality, Side};
 use vitrum::io::{WriteOptions, check_writable, write_picture_with};
+use vitrum::preset::PresetError;
 use vitrum::scene::Scene;
 use vitrum::{Assets, OutputRequest, preset};
 use vitrum_annotations::{Tile, contact_sheet};
@@ -108,7 +109,11 @@ fn looks(composition: &Composition, scene: &Scene, assets: &Assets) -> Result<Ve
     for (name, _) in names {
         let mut look = scene.clone();
         match assets.subject.volume() {
-            Some(volume) => preset::apply(name, volume, &mut look)?,
+            // A preset for other values than these has no picture.
+            Some(volume) => match preset::apply(name, volume, &mut look) {
+                Err(PresetError::NotHounsfield { .. }) => continue,
+                applied => applied?,
+            },
             None => preset::apply_to_mesh(name, &mut look)?,
         }
         // A side and settings go before what a preset says.

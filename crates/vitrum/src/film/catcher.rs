@@ -36,19 +36,26 @@ impl Frame {
             return self;
         }
         let mut caught = [vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]];
+        let depths = [bare, empty].map(|frame| channel(frame, "depth", "Z"));
         for pixel in 0..pixels {
-            let share = (coverage[pixel] - covered[pixel]).max(0.0);
-            let sum: f32 = tints.iter().map(|plane| plane.get(pixel).copied().unwrap_or(1.0)).sum();
+            let [subject, ground] = depths.map(|plane| plane.get(pixel).copied().unwrap_or(0.0));
+            // Where the ground hides the subject, there is nothing else.
+            let hidden = ground > 0.0 && ground < subject;
+            let covered = if hidden { 0.0 } else { covered[pixel] };
+            let without = without.map(|plane| if hidden { 0.0 } else { plane[pixel] });
+            let tints = tints.map(|plane| plane.get(pixel).copied().filter(|_| !hidden).unwrap_or(1.0));
+            let share = (coverage[pixel] - covered).max(0.0);
+            let sum: f32 = tints.iter().sum();
             let expected: [f32; 3] = std::array::from_fn(|index| {
-                let tint = if sum > 0.0 { 3.0 * tints[index].get(pixel).copied().unwrap_or(1.0) / sum } else { 1.0 };
+                let tint = if sum > 0.0 { 3.0 * tints[index] / sum } else { 1.0 };
                 let radiance = if there[pixel] > 0.5 { alone[index][pixel] } else { usual[index] };
                 share * tint * radiance
             });
-            let seen: [f32; 3] = std::array::from_fn(|index| (whole[index][pixel] - without[index][pixel]).max(0.0));
+            let seen: [f32; 3] = std::array::from_fn(|index| (whole[index][pixel] - without[index]).max(0.0));
             let lit = seen.iter().zip(expected).filter(|(_, expected)| *expected > 0.0);
             let lit = lit.map(|(seen, expected)| seen / expected).fold(1.0_f32, f32::min);
             for index in 0..3 {
-                caught[index][pixel] = without[index][pixel] + (seen[index] - lit * expected[index]).max(0.0);
+                caught[index][pixel] = without[index] + (seen[index] - lit * expected[index]).max(0.0);
             }
             caught[3][pixel] = coverage[pixel] - share * lit;
         }

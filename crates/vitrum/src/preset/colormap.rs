@@ -6,15 +6,15 @@ use vitrum_io::transfer::{ColorSpace, color_at, simplify};
 
 /// The names of all maps, and what they look like.
 const NAMES: [(&str, &str); 9] = [
-    ("viridis", "violet, green, yellow; as bright as the value is high"),
-    ("magma", "black, violet, orange, pale yellow"),
-    ("inferno", "black, violet, orange, yellow"),
-    ("plasma", "blue, violet, orange, yellow"),
-    ("cividis", "blue to yellow, alike with and without red-green blindness"),
-    ("gray", "black to white"),
-    ("bone", "black to white by way of a bluish gray"),
-    ("hot", "black, red, yellow, white"),
-    ("cool-to-warm", "blue to red by way of a light gray, for values around a middle"),
+    ("viridis", "a map of colours: violet, green, yellow; as bright as the value is high"),
+    ("magma", "a map of colours: black, violet, orange, pale yellow"),
+    ("inferno", "a map of colours: black, violet, orange, yellow"),
+    ("plasma", "a map of colours: blue, violet, orange, yellow"),
+    ("cividis", "a map of colours: blue to yellow, alike with and without red-green blindness"),
+    ("gray", "a map of colours: black to white"),
+    ("bone", "a map of colours: black to white by way of a bluish gray"),
+    ("hot", "a map of colours: black, red, yellow, white"),
+    ("cool-to-warm", "a map of colours: blue to red by way of a light gray, for values around a middle"),
 ];
 
 /// Samples of a map: those of the tables that colour maps are published as.
