@@ -36,7 +36,7 @@ fn unknown_keys_name_their_line_and_the_nearest_key() {
     );
     assert_eq!(
         refusal("[ground]\nfriction = 3\n"),
-        "ball.toml, line 3: `ground.friction`: unknown key\nthe keys here are: height, color"
+        "ball.toml, line 3: `ground.friction`: unknown key\nthe keys here are: height, color, shadow_catcher"
     );
 }
 

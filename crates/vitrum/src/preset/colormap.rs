@@ -1,8 +1,8 @@
 //! Maps of colours by name, as plots have them.
 
 use crate::scene::{ColorPoint, Rgb};
-use vitrum_io::srgb_to_linear;
-use vitrum_io::transfer::{ColorSpace, color_at, simplify};
+use vitrum_io::transfer::{ColorSpace, color_at};
+use vitrum_io::{linear_to_srgb, srgb_to_linear};
 
 /// The names of all maps, and what they look like.
 const NAMES: [(&str, &str); 9] = [
@@ -32,12 +32,35 @@ pub(super) fn points(name: &str, [low, high]: [f32; 2]) -> Option<Vec<ColorPoint
     let last = SAMPLES - 1;
     let sample = |index: u16| {
         let share = f32::from(index) / f32::from(last);
-        (share, map(f64::from(share)).map(|code| srgb_to_linear(code as f32)))
+        (share, map(f64::from(share)).map(|code| code as f32))
     };
     let samples: Vec<(f32, Rgb)> = (0..=last).map(sample).collect();
-    // A quarter of a code of 8 bits where sRGB is the steepest.
-    let fewer = simplify(&samples, 1e-3);
-    Some(fewer.into_iter().map(|(share, color)| ColorPoint { value: low + (high - low) * share, color }).collect())
+    let mut kept = vec![0];
+    while let Some(&start) = kept.last().filter(|&&index| index + 1 < samples.len()) {
+        let end = (start + 2..samples.len()).take_while(|&end| is_line(&samples[start..=end])).last();
+        kept.push(end.unwrap_or(start + 1));
+    }
+    let point = |index: usize| {
+        let (share, codes) = samples[index];
+        ColorPoint { value: low + (high - low) * share, color: codes.map(srgb_to_linear) }
+    };
+    Some(kept.into_iter().map(point).collect())
+}
+
+/// A code of 8 bits, and what rounding may add: the tables are rounded.
+const TOLERANCE: f32 = 1.2 / 255.0;
+
+/// Whether a line of linear light between the ends of samples, whose colours are those of a screen, shows all of them.
+fn is_line(samples: &[(f32, Rgb)]) -> bool {
+    let [(low, from), .., (high, to)] = samples else { return true };
+    let shows = |&(share, codes): &(f32, Rgb)| {
+        let t = (share - low) / (high - low);
+        (0..3).all(|channel| {
+            let (a, b) = (srgb_to_linear(from[channel]), srgb_to_linear(to[channel]));
+            (linear_to_srgb(a + (b - a) * t) - codes[channel]).abs() <= TOLERANCE
+        })
+    };
+    samples.iter().all(shows)
 }
 
 type Map = fn(f64) -> [f64; 3];

@@ -121,7 +121,7 @@ mod tests {
     #[test]
     fn keys_with_their_defaults_are_left_out_and_those_that_differ_stay() {
         let mut scene = builtin::scene("ball").expect("listed");
-        for setting in ["sweep.plane_distance=0.7", "wall={}", "light.0.penumbra=0.2"] {
+        for setting in ["sweep.sample_distance=0.7", "wall={}", "light.0.intensity=2"] {
             // Whether the settings fit each other is not asked here.
             let _ = scene.set(setting);
         }
