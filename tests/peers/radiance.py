@@ -138,7 +138,7 @@ def vitrum(source, settings, folder, arguments):
         "environment.kind=map", f"environment.file={folder / 'sky.exr'}", "shading.ambient=[0,0,0]", "shading.specular=0",
         "film.supersampling=4",
     ]
-    command = [str(Path(arguments.vitrum).resolve()), "render", str(source), "-o", str(output), "--size", f"{arguments.size}x{arguments.size}"]
+    command = [str(Path(arguments.vitrum).resolve()), "render", str(source), "-o", str(output), "--size", f"{arguments.size}x{arguments.size}", "--quality", "draft"]
     for setting in common + settings:
         command += ["--set", setting]
     subprocess.run(command, check=True, capture_output=True, text=True)

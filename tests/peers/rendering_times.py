@@ -150,7 +150,7 @@ def scene_of(program, name, file, folder):
 
 def vitrum(program, scene, settings, size, frames, out, kept):
     """The median of frames that keep the light of the frame before, or the time of the first frame, which carries it."""
-    command = [program, "render", scene, "-o", out, "--size", f"{size}x{size}", "--backend", "cpu", "--json", "-q"]
+    command = [program, "render", scene, "-o", out, "--size", f"{size}x{size}", "--backend", "cpu", "--json", "-q", "--quality", "draft"]
     command += ["--frames", str(frames)]
     for setting in settings:
         command += ["--set", setting]
