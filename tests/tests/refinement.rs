@@ -88,10 +88,11 @@ fn error(frame: &Frame, reference: &Frame) -> f64 {
 #[test]
 fn refined_pictures_are_nearer_to_those_of_many_rays() -> Result<(), Failure> {
     let mut cpu = CpuBackend::new(None)?;
+    let settings = ["film.refinement=3", "film.refinement_budget=100"];
     for (scene, most) in [("head", 0.45), ("glass", 0.55)] {
         let reference = picture(scene, 4 * EDGE, &["film.supersampling=2"], |_| {}, &mut cpu)?;
         let one = error(&picture(scene, EDGE, &[], |_| {}, &mut cpu)?, &reference);
-        let refined = error(&picture(scene, EDGE, &["film.refinement=3"], |_| {}, &mut cpu)?, &reference);
+        let refined = error(&picture(scene, EDGE, &settings, |_| {}, &mut cpu)?, &reference);
         println!("{scene}: {one:.4} with one ray a pixel, {refined:.4} refined, {:.2} of it", refined / one);
         assert!(refined < most * one, "{scene}: {refined} instead of {one}");
     }
