@@ -41,6 +41,7 @@ pub struct Staged {
 }
 
 impl Staged {
+    #[cfg(all(feature = "animations", not(target_family = "wasm")))]
     pub(crate) fn of(beside: Temporary, path: PathBuf) -> Self {
         Self { beside, path }
     }

@@ -48,6 +48,7 @@ mod memory;
 pub mod mesh;
 #[cfg(feature = "metaimage")]
 mod metaimage;
+mod moments;
 #[cfg(feature = "nifti")]
 mod nifti;
 #[cfg(feature = "nrrd")]
@@ -101,6 +102,7 @@ pub use image::{
 pub use input::{Input, STANDARD_INPUT};
 pub use memory::require_memory;
 pub use mesh::{Material, Mesh, MeshReader, Topology, mesh_readers, open_mesh, open_mesh_bytes};
+pub use moments::Moments;
 #[cfg(feature = "nrrd")]
 pub use nrrd::{Lattice, Samples, check_nrrd_writable, write_nrrd};
 pub use options::{OpenOptions, Part};
@@ -113,7 +115,6 @@ pub use setting::Setting;
 pub use shared::Shared;
 pub use source::{Assumption, Assumptions, Fact, Source};
 pub use temporary::remove_unfinished;
-pub use time::Moments;
 pub use up::Up;
 pub use volume::Volume;
 pub use volume_file::{check_volume_writable, write_volume};

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::ops::Deref;
 
+use crate::moments::Moments;
 use crate::setting::Setting;
-use crate::time::Moments;
 
 /// The file format of a volume or a mesh and the assumptions of its reader, for people to read.
 #[derive(Debug, Clone, Default, PartialEq)]

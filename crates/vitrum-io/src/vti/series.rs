@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use super::Vti;
 use crate::error::{Error, Place, Report};
 use crate::input::Input;
+use crate::moments::Moments;
 use crate::options::OpenOptions;
 use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions};
-use crate::time::{Clock, Moments, Times};
+use crate::time::{Clock, Times};
 use crate::volume::Volume;
 
 /// More files than these are not looked through.

@@ -88,7 +88,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let keys = arguments.keys.as_deref().map(|path| timeline::read_keys(path, arguments.rate)).transpose()?;
     let Composed { scene, assets, base, notes } = arguments.scene.compose()?;
     output::tell(&arguments.scene.input, &notes, arguments.quiet);
-    let over_time = arguments.over_time.then(|| OverTime::new(arguments, &scene, &base, &assets)).transpose()?;
+    let input = (arguments.scene.input.as_str(), arguments.scene.volume.limit());
+    let over_time = arguments.over_time.then(|| OverTime::new(input, &scene, &base, &assets)).transpose()?;
     let mut meshes = MovingMeshes::new(base, arguments.scene.volume.limit());
     let points = over_time.as_ref().map(OverTime::frames);
     let timeline = Timeline::new(arguments, scene, &assets, &mut meshes, keys, points)?;

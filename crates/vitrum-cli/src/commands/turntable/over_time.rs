@@ -1,6 +1,5 @@
 //! A volume's points in time, one after the other.
 
-use super::Arguments;
 use crate::failure::{Failure, Status};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -18,10 +17,14 @@ pub struct OverTime {
 }
 
 impl OverTime {
-    /// Fails where there are no points in time.
-    pub fn new(arguments: &Arguments, scene: &Scene, base: &Path, assets: &Assets) -> Result<Self, Failure> {
+    /// The points in time of `input`, each of at most `limit` bytes. Fails where there are none.
+    pub fn new(
+        (input, limit): (&str, Option<u64>),
+        scene: &Scene,
+        base: &Path,
+        assets: &Assets,
+    ) -> Result<Self, Failure> {
         let refuse = |message: String, help: &str| Err(Failure::new(Status::WrongUse, message, help));
-        let input = &arguments.scene.input;
         let Some(volume) = assets.subject.volume() else {
             return refuse(format!("{input}: a mesh has no points in time"), "leave out --over-time");
         };
@@ -32,7 +35,6 @@ impl OverTime {
                 "name a file with several, a collection (.pvd), or one of a numbered series of .vti files",
             );
         };
-        let limit = arguments.scene.volume.limit();
         let source = scene.volume.clone();
         Ok(Self { source, base: base.to_owned(), assets: assets.clone(), limit, count })
     }

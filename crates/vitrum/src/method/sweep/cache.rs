@@ -3,7 +3,7 @@
 use super::kept::KeptLight;
 use super::mesh_volumes::MeshVolumes;
 use super::occupancy::Occupancy;
-use super::tables::Tables;
+use super::tables::{Tables, TablesKey, tables_key};
 use super::uploaded::UploadedVolumes;
 use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
@@ -11,12 +11,9 @@ use crate::error::Error;
 use crate::method::Tools;
 use crate::method::cache::{Memo, Scratch};
 use crate::method::view::pictures::UploadedPictures;
-use crate::scene::{Scene, TransferFunction};
+use crate::scene::Scene;
 use crate::subject::Volumes;
 use std::sync::Arc;
-
-/// The scene's values that tables depend on: the transfer functions, whether rays are refracted, and the index of the surroundings.
-pub(super) type TablesKey = (TransferFunction, bool, f32);
 
 /// Data of a sweep that the next frame of the same assets uses again.
 #[derive(Default)]
@@ -37,11 +34,6 @@ pub(super) struct FrameCache {
     /// The light that wavefronts have carried.
     pub(super) light: KeptLight,
     pub(super) scratch: Scratch,
-}
-
-/// The key of a scene's tables.
-pub(super) fn tables_key(scene: &Scene) -> TablesKey {
-    (scene.transfer.clone(), scene.sweep.refraction, scene.surroundings.ior)
 }
 
 impl SweepCache {

@@ -1,13 +1,20 @@
 //! Light that stays on the device from frame to frame, while the camera alone moves.
 
-use super::Carried;
-use super::cache::TablesKey;
-use super::wavefront::LightKey;
+use super::tables::TablesKey;
+use super::wavefront::{LightKey, Wavefront, WavefrontBuffers};
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The most bytes of light that is kept, unless one light alone has more.
 const MOST_BYTES: u64 = 512 << 20;
+
+/// A wavefront and its buffers.
+pub(super) struct Carried {
+    pub(super) wavefront: Wavefront,
+    pub(super) buffers: WavefrontBuffers,
+    /// Whether its passes have run to the end: a frame may be cancelled on the way.
+    pub(super) is_done: AtomicBool,
+}
 
 /// All that a light depends on, besides the volumes.
 pub(super) type Key = (TablesKey, LightKey);

@@ -44,12 +44,11 @@ use crate::unrenderable::Unrenderable;
 use cache::{FrameCache, SweepCache};
 use film::Voxelized;
 use irradiance_ring::IrradianceRing;
+use kept::Carried;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use uniforms::FramePlan;
 use uploaded::UploadedVolumes;
-use wavefront::{Wavefront, WavefrontBuffers};
 
 /// The plane sweep.
 #[derive(Debug, Clone, Copy)]
@@ -131,14 +130,6 @@ pub struct Sweep {
     request: OutputRequest,
     /// The volumes that were made of a mesh, if the subject is one.
     voxelized: Option<Voxelized>,
-}
-
-/// A wavefront and its buffers.
-pub(in crate::method::sweep) struct Carried {
-    wavefront: Wavefront,
-    buffers: WavefrontBuffers,
-    /// Whether its passes have run to the end: a frame may be cancelled on the way.
-    is_done: AtomicBool,
 }
 
 /// The buffers of a frame that are read.

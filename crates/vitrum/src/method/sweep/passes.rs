@@ -1,16 +1,18 @@
 //! The pass list of a frame (Algorithm 1).
 
-use super::cache::{FrameCache, tables_key};
+use super::Buffers;
+use super::cache::FrameCache;
 use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
+use super::kept::Carried;
 use super::occupancy::{Occupancy, OccupancyQuery, VolumeRole};
 use super::paging::{Residency, Swept, pools};
+use super::tables::tables_key;
 use super::texels::Texels;
 use super::uniforms::FramePlan;
 use super::unoccluded::Unoccluded;
 use super::uploaded::UploadedVolumes;
 use super::voxels::bricks;
 use super::wavefront::Wavefront;
-use super::{Buffers, Carried};
 
 use crate::backend::{Backend, BackendError, Buffer, Contents, PassList, WhileBusy, Write};
 use crate::error::Error;

@@ -3,7 +3,7 @@
 use super::transfer::abscissa::{Abscissa, by_change, graded};
 use super::transfer::curve::Curve;
 use super::transfer::window::Window;
-use crate::scene::{ColorPoint, TransferFunction};
+use crate::scene::{ColorPoint, Scene, TransferFunction};
 use crate::subject::Volumes;
 use half::f16;
 use vitrum_io::Volume;
@@ -15,6 +15,14 @@ use vitrum_kernels::glam::Vec3;
 const SEGMENT_RAMP: f64 = 1.0 / (1 << 19) as f64;
 /// The width of the ramp that stands for a step of η, in normalised scalars. Light is bent by slopes.
 const IOR_RAMP: f64 = 1.0 / 1024.0;
+
+/// The scene's values that tables depend on: the transfer functions, whether rays are refracted, and the index of the surroundings.
+pub(super) type TablesKey = (TransferFunction, bool, f32);
+
+/// The key of a scene's tables.
+pub(super) fn tables_key(scene: &Scene) -> TablesKey {
+    (scene.transfer.clone(), scene.sweep.refraction, scene.surroundings.ior)
+}
 
 /// More than the rounding of a normalised scalar.
 const ROUNDING: f32 = 1e-6;
