@@ -17,7 +17,7 @@ fn fact<'a>(volume: &'a Volume, name: &str) -> (&'a str, &'a str) {
 
 fn nrrd(options: &OpenOptions) -> Volume {
     let header = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 3 2 2\nencoding: raw\nspace: left-posterior-superior\n\
-                  space directions: (1,0,0) (0,2,0) (0,0,3)\n";
+                  space directions: (1,0,0) (0,2,0) (0,0,3)\n\n";
     open_bytes("a.nrrd", &attached(header, &DATA), options).unwrap_or_else(|error| panic!("{error}"))
 }
 
