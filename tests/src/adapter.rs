@@ -1,6 +1,6 @@
 //! The graphics adapter that is held against the CPU.
 
-use vitrum::backend::{Backend, BackendError, GpuBackend, GpuOptions};
+use vitrum::backend::{Backend, BackendError, CpuBackend, GpuBackend, GpuOptions};
 
 use crate::Failure;
 use crate::bounds;
@@ -28,6 +28,18 @@ pub fn open(options: &GpuOptions) -> Result<GpuBackend, Failure> {
 #[must_use]
 pub fn for_test() -> Option<GpuBackend> {
     opened_for_test(&GpuOptions::default())
+}
+
+/// The CPU, and the best adapter where there is one.
+///
+/// # Errors
+/// If the CPU backend does not open.
+///
+/// # Panics
+/// As [`for_test`].
+pub fn backends_for_test() -> Result<Vec<Box<dyn Backend>>, Failure> {
+    let gpu = for_test().map(|gpu| Box::new(gpu) as Box<dyn Backend>);
+    Ok([Box::new(CpuBackend::new(None)?) as Box<dyn Backend>].into_iter().chain(gpu).collect())
 }
 
 /// As [`for_test`], with shaders translated by naga, as Metal and Direct3D 12 need them, on a device with the limits that every adapter

@@ -37,6 +37,7 @@ pub mod machine;
 pub mod paper;
 pub mod photons;
 pub mod raster;
+pub mod rays;
 pub mod refraction;
 pub mod report;
 pub mod roofline;

@@ -6,11 +6,6 @@ use vitrum::{Frame, render};
 use vitrum_conformance::case::Case;
 use vitrum_conformance::{Failure, adapter};
 
-fn backends() -> Result<Vec<Box<dyn Backend>>, Failure> {
-    let gpu = adapter::for_test().map(|gpu| Box::new(gpu) as Box<dyn Backend>);
-    Ok([Box::new(CpuBackend::new(None)?) as Box<dyn Backend>].into_iter().chain(gpu).collect())
-}
-
 const EDGE: u32 = 48;
 
 fn picture(
@@ -28,7 +23,7 @@ fn picture(
 /// A refined pixel has the values of as many rays everywhere, bit for bit, every other pixel those of one ray.
 #[test]
 fn refined_pixels_are_those_of_more_rays_everywhere() -> Result<(), Failure> {
-    for mut backend in backends()? {
+    for mut backend in adapter::backends_for_test()? {
         for lights in [1, 2] {
             for scene in ["ball", "phantom"] {
                 let mut with = |settings: &[&str]| {

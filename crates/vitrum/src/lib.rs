@@ -29,8 +29,10 @@ pub mod backend;
 #[cfg(feature = "builtin")]
 pub mod builtin;
 pub mod composition;
+mod course;
 mod error;
 mod film;
+mod ground_alone;
 mod meshes;
 pub mod method;
 mod moving_meshes;

@@ -8,6 +8,7 @@ use vitrum::scene::Transport;
 use vitrum::{Assets, OutputRequest};
 use vitrum_conformance::closed_forms::BEYOND;
 use vitrum_conformance::closed_forms::table::{self, larger};
+use vitrum_conformance::rays::follow;
 
 /// (z, a, share).
 const TRUTH: [(f64, f64, f64); 9] = [
@@ -57,28 +58,17 @@ fn ior(r: f64, thickness: f64) -> (f64, f64) {
     (1.0 + 0.5 * t * t * (3.0 - 2.0 * t), -3.0 * t * (1.0 - t) / thickness)
 }
 
-/// As [`radius`], through the thick surface: the ray equation (x, v)' = (v, ½∇η²) by Runge and Kutta's fourth order.
+/// As [`radius`], through the thick surface.
 fn radius_through(h: f64, z: f64, thickness: f64) -> f64 {
     const STEPS: u32 = 2000;
-    let acceleration = |x: [f64; 2]| {
+    let slope = |x: [f64; 2]| {
         let r = x[0].hypot(x[1]);
         let (eta, slope) = ior(r, thickness);
         x.map(|along| eta * slope * along / r)
     };
     let outside = 1.0 + 0.5 * thickness;
-    let (mut x, mut v) = ([h, -(outside * outside - h * h).max(0.0).sqrt()], [0.0, 1.0]);
-    let step = 2.0 * outside / f64::from(STEPS);
-    let add = |a: [f64; 2], b: [f64; 2], by: f64| [a[0] + b[0] * by, a[1] + b[1] * by];
-    // A ray in glass is faster, |v| = η: it is out before.
-    for _ in 0..STEPS {
-        let (k1, l1) = (v, acceleration(x));
-        let (k2, l2) = (add(v, l1, 0.5 * step), acceleration(add(x, k1, 0.5 * step)));
-        let (k3, l3) = (add(v, l2, 0.5 * step), acceleration(add(x, k2, 0.5 * step)));
-        let (k4, l4) = (add(v, l3, step), acceleration(add(x, k3, step)));
-        x = add(add(add(add(x, k1, step / 6.0), k2, step / 3.0), k3, step / 3.0), k4, step / 6.0);
-        v = add(add(add(add(v, l1, step / 6.0), l2, step / 3.0), l3, step / 3.0), l4, step / 6.0);
-    }
-    if v[1] > 0.0 { (x[0] + v[0] * (z - x[1]) / v[1]).abs() } else { f64::INFINITY }
+    let left = follow(&slope, h, [-outside, outside], 2.0 * outside / f64::from(STEPS));
+    left.map_or(f64::INFINITY, |left| left.across_at(z).abs())
 }
 
 /// As [`share`], through the thick surface, of all light that it bends.

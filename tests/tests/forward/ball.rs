@@ -4,9 +4,9 @@ use vitrum_conformance::Failure;
 use vitrum_conformance::closed_forms::cube;
 use vitrum_kernels::glam::DVec3;
 
-use crate::field::{Left, follow, follow_towards};
 use crate::on_both;
 use crate::shot::{Shot, vector};
+use vitrum_conformance::rays::{Left, follow, follow_towards};
 
 pub const IOR: f64 = 1.5;
 const EDGE: f64 = 2.4;

@@ -5,7 +5,6 @@ mod absorption;
 mod ball;
 mod caustic;
 mod edges;
-mod field;
 mod fit;
 mod grazing;
 mod penumbra;

@@ -5,10 +5,10 @@ use vitrum_conformance::Failure;
 use vitrum_conformance::closed_forms::cuboid;
 use vitrum_kernels::glam::DVec3;
 
-use crate::field::{Left, follow};
 use crate::fit::fit;
 use crate::shot::{Pixels, Shot};
 use crate::{Held, on_both};
+use vitrum_conformance::rays::{Left, follow};
 
 const VOXEL: f64 = 0.0234375;
 const VOXELS: [u32; 3] = [56, 36, 102];

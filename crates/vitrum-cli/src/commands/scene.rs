@@ -7,7 +7,7 @@ use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use vitrum::composition::Composed;
+use vitrum::composition::{Composed, is_scene_file};
 use vitrum::io::{STANDARD_INPUT, transfer};
 use vitrum::preset;
 use vitrum::scene::Scene;
@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
 /// Whether the scene file could be written now, and would be read as one.
 fn check_output(file: &Path) -> Result<(), Failure> {
-    if file.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("toml")) {
+    if !is_scene_file(file) {
         let message = format!("{}: scene files are TOML, and others are not read as scenes", file.display());
         return Err(Failure::new(Status::WrongUse, message, "name it .toml"));
     }

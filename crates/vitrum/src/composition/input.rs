@@ -26,6 +26,12 @@ impl Opened {
     }
 }
 
+/// Whether a file is read as a scene, by its name.
+#[must_use]
+pub fn is_scene_file(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}
+
 /// Finds out which kind of input `input` is (see [`super::Composition::input`]). A scene file is read, a volume or a mesh is not yet.
 ///
 /// # Errors
@@ -37,7 +43,7 @@ pub fn open(input: &str) -> Result<Opened, CompositionError> {
         return Ok(Opened { scene, base: PathBuf::new(), bare: false });
     }
     let path = Path::new(input);
-    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
+    if is_scene_file(path) {
         let base = path.parent().unwrap_or(Path::new("")).to_owned();
         let scene = Scene::from_toml(&read_text(path, "scene")?, &path.display().to_string())?;
         return Ok(Opened { scene, base, bare: false });

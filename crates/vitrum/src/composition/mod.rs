@@ -6,7 +6,7 @@ mod quality;
 mod sides;
 
 pub use error::CompositionError;
-pub use input::{Opened, open, read_text};
+pub use input::{Opened, is_scene_file, open, read_text};
 pub use quality::Quality;
 pub use sides::Side;
 
@@ -149,7 +149,7 @@ impl Composition {
             scene.film.width = width;
             scene.film.height = height;
         }
-        let quality = self.quality.or((!is_scene_file(&self.input)).then_some(Quality::Good));
+        let quality = self.quality.or((!is_scene_file(Path::new(&self.input))).then_some(Quality::Good));
         if let Some(quality) = quality {
             quality.apply(&mut scene.film, scene.method);
         }
@@ -183,10 +183,6 @@ impl Composition {
         }
         scene.volume.read_as(keys);
     }
-}
-
-fn is_scene_file(input: &str) -> bool {
-    Path::new(input).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 
 fn is_missing(error: &SceneError) -> bool {

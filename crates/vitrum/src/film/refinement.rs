@@ -9,8 +9,8 @@ use vitrum_kernels::sweep::place::{COLUMN_BITS, word};
 /// of it would refine half as many pixels again, for a picture that is hardly nearer to one of 64 rays a pixel.
 const VISIBLE: f32 = 1.0 / 8.0;
 
-/// The cost of a ray that turned back and was followed, over the cost of one that did not.
-const FOLLOWED: f32 = 12.0;
+/// The cost of a ray that turned back and was followed to no end, over the cost of one that did not.
+const TURNED: f32 = 12.0;
 
 /// The picture of which pixels are to be refined.
 pub(crate) struct Rendered<'a> {
@@ -31,7 +31,7 @@ impl Rendered<'_> {
     pub fn differing(&self, rays: f32, budget: f32) -> Vec<u32> {
         let width = self.size[0] as usize;
         let costs = |pixel: usize| match self.fates {
-            Some(fates) if fates[pixel] == status::TURNED || fates[pixel] == status::FOLLOWED => FOLLOWED,
+            Some(fates) if fates[pixel] == status::TURNED => TURNED,
             _ => 1.0,
         };
         let differences = self.differences();
@@ -138,7 +138,7 @@ mod tests {
         // Eight pixels' cost is 8; the edge of 1 is worth more than the edge of ½.
         assert_eq!(of_one.differing(4.0, 1.0), [word(6, 0), word(7, 0)]);
         let mut fates = [0.0; 8];
-        (fates[6], fates[7]) = (status::FOLLOWED, status::FOLLOWED);
+        (fates[6], fates[7]) = (status::TURNED, status::TURNED);
         let followed = Rendered { fates: Some(&fates), ..of_one };
         // Now its rays cost twelve times as much.
         assert_eq!(followed.differing(4.0, 0.3), [word(0, 0), word(1, 0)]);

@@ -172,8 +172,13 @@ pub trait PreparedFrame {
     /// As [`Backend::run`].
     fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), BackendError> {
         let total = self.passes().passes.len() as u64;
-        backend.run(self.passes(), &mut |done| progress(done as u64, total))
+        backend.run(self.passes(), &mut |done| progress(done as u64, total))?;
+        self.arrive();
+        Ok(())
     }
+
+    /// Is called when all passes have run to their end.
+    fn arrive(&self) {}
 
     /// The light on the last plane, in texels of its own, row 0 on top; `None` for a method that carries no light from plane to plane.
     ///

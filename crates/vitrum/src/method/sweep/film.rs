@@ -56,13 +56,10 @@ impl PreparedFrame for Sweep {
         &self.buffers.film
     }
 
-    fn run(&self, backend: &mut dyn Backend, progress: &mut dyn FnMut(u64, u64) -> bool) -> Result<(), BackendError> {
-        let total = self.passes.passes.len() as u64;
-        backend.run(&self.passes, &mut |done| progress(done as u64, total))?;
+    fn arrive(&self) {
         if let Some(carried) = &self.carried {
             carried.is_done.store(true, Ordering::Relaxed);
         }
-        Ok(())
     }
 
     /// The grid's rows go up, a picture's down.

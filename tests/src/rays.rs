@@ -6,13 +6,17 @@ pub type Slope<'a> = &'a dyn Fn([f64; 2]) -> [f64; 2];
 /// A ray that has left the field: its place at `along` = `at`, and how far it moves across for each unit along.
 #[derive(Debug, Clone, Copy)]
 pub struct Left {
+    /// Place across.
     pub across: f64,
+    /// Place along.
     pub at: f64,
+    /// Change of the place across over the place along.
     pub slope: f64,
 }
 
 impl Left {
     /// Where it is farther on.
+    #[must_use]
     pub fn across_at(&self, along: f64) -> f64 {
         self.across + self.slope * (along - self.at)
     }
@@ -20,11 +24,13 @@ impl Left {
 
 /// Follows a ray in a plane from `across` at `along` = `from`, where η is 1 and light travels straight along, to where it has passed `to`, by
 /// the classical Runge–Kutta rule on dx/dσ = v, dv/dσ = ½∇η². `None` if it turns back.
+#[must_use]
 pub fn follow(slope: Slope<'_>, across: f64, ends: [f64; 2], step: f64) -> Option<Left> {
     follow_towards(slope, across, [0.0, 1.0], ends, step)
 }
 
 /// As [`follow`], for a ray that sets out in the unit direction `towards`.
+#[must_use]
 pub fn follow_towards(
     slope: Slope<'_>,
     across: f64,
