@@ -59,6 +59,8 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("luneburg without light", "luneburg", &["light.0.angular_radius=0", "sweep.gradient=chain"])?
             .without_light(),
         case("phantom unshaded", "phantom", &["light.0.shadows=false", "sweep.refraction=false"])?,
+        case("phantom flat", "phantom", &["light.0.shadows=false", "sweep.refraction=false", "shading.diffuse=light"])?,
+        case("phantom by gradient", "phantom", &[FORWARD, "sweep.refraction=false", "shading.diffuse=gradient"])?,
         case("phantom", "phantom", &[])?,
         case("phantom straight hard", "phantom", &["sweep.refraction=false", "light.0.angular_radius=0"])?,
         case("phantom forward", "phantom", &[FORWARD])?,

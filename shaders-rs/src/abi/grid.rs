@@ -33,4 +33,6 @@ pub struct Grid {
     pub pages: Counts,
     /// log₂ of a brick's edge in voxels.
     pub brick_shift: u32,
+    /// 1 if a point has the value of the voxel in which it lies, 0 if values are interpolated.
+    pub nearest: u32,
 }

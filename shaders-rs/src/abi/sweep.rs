@@ -122,6 +122,8 @@ pub mod mode {
     pub const TEXELS_CENTRAL: u32 = 6;
     /// As [`CHAIN`], for viewing rays that look at light on texels.
     pub const TEXELS_CHAIN: u32 = 7;
+    /// As [`STRAIGHT`], for viewing rays whose particles are shaded by the scalar's gradient, where the light is unoccluded everywhere.
+    pub const SHADED_BY_GRADIENT: u32 = 8;
 
     /// Whether rays are bent in this mode.
     #[must_use]
@@ -141,7 +143,14 @@ pub mod mode {
     #[must_use]
     #[inline(always)]
     pub fn is_on_texels(mode: u32) -> bool {
-        mode >= TEXELS_CENTRAL
+        (mode == TEXELS_CENTRAL) | (mode == TEXELS_CHAIN)
+    }
+
+    /// Whether light is unoccluded everywhere in this mode, so that its buffers are not looked at.
+    #[must_use]
+    #[inline(always)]
+    pub fn is_unoccluded(mode: u32) -> bool {
+        (mode == UNSHADED) | (mode == SHADED_BY_GRADIENT)
     }
 
     /// The mode of viewing rays that look at light on texels.
@@ -193,6 +202,8 @@ pub mod flag {
     pub const LAST_STRETCH: u32 = 128;
     /// Light was carried forward by a wavefront.
     pub const FORWARD: u32 = 256;
+    /// Particles are shaded by the scalar's gradient.
+    pub const SHADED_BY_GRADIENT: u32 = 512;
 }
 
 /// The receivers that light lands on: modes of a pass.

@@ -10,10 +10,11 @@
 
 /// Entries along each axis of the preintegration table.
 pub const SEGMENT_SIZE: u32 = 256;
-/// Words in an entry: (τ, κr), (κg, κb), (qr, qg), (qb, τ), the first of a pair in the low half. Light needs the first two words,
-/// a viewing ray where there is no medium the last two.
+/// Words in an entry: (κg, κb), (κr, τ), (m, qr), (qg, qb), the first of a pair in the low half. Light needs the first two words, or where there
+/// is no medium the second one; a viewing ray where there is no medium the last three.
 ///
-/// τ is the particles' optical depth over the reference length, κ the medium's for each colour, q = τ · colour.
+/// τ is the particles' optical depth over the reference length, κ the medium's for each colour, q = τ · colour, m the first moment of τ along the segment:
+/// τ times the mean place of particles, 0 at the front and 1 at the back.
 pub const SEGMENT_WORDS: u32 = 4;
 /// The stored halves are multiplied by 2^[`SEGMENT_EXPONENT`]: keeps small optical depths out of the denormals.
 pub const SEGMENT_EXPONENT: u32 = 10;

@@ -5,7 +5,7 @@
 use super::voxels::{Rows, pair, quad, rows};
 use crate::abi::format::VoxelFormat;
 use crate::abi::grid::Grid;
-use crate::math::{affine, clamp, floor_to_int, lerp};
+use crate::math::{affine, clamp, floor_to_int, lerp, select};
 use spirv_std::glam::Vec3;
 
 /// Normalised scalars at a point and at one voxel's distance along each axis.
@@ -46,6 +46,8 @@ pub fn limit_to_grid(grid: &Grid, at: Vec3) -> Vec3 {
 #[inline(always)]
 fn cell<V: VoxelFormat>(voxels: &[u32], grid: &Grid, at: Vec3) -> Cell {
     let at = limit_to_grid(grid, at);
+    // On a voxel's centre interpolation gives that voxel.
+    let at = if grid.nearest != 0 { at_centre(grid, at) } else { at };
     let x = floor_to_int(at.x, -1.0, grid.size.x);
     let y = floor_to_int(at.y, -1.0, grid.size.y);
     let z = floor_to_int(at.z, -1.0, grid.size.z);
@@ -53,6 +55,22 @@ fn cell<V: VoxelFormat>(voxels: &[u32], grid: &Grid, at: Vec3) -> Cell {
         rows: rows::<V>(voxels, grid, x, y, z),
         fraction: Vec3::new(at.x - x as f32, at.y - y as f32, at.z - z as f32),
     }
+}
+
+/// The centre of the voxel in which a point of the grid lies.
+#[inline(always)]
+fn at_centre(grid: &Grid, at: Vec3) -> Vec3 {
+    Vec3::new(
+        floor_to_int(at.x + 0.5, 0.0, grid.size.x - 1.0) as f32,
+        floor_to_int(at.y + 0.5, 0.0, grid.size.y - 1.0) as f32,
+        floor_to_int(at.z + 0.5, 0.0, grid.size.z - 1.0) as f32,
+    )
+}
+
+/// The normalised scalar at the front of a segment whose back has `back`: labels are no numbers, between which others lie, so that a segment has that of its back.
+#[inline(always)]
+pub fn front_of(grid: &Grid, front: f32, back: f32) -> f32 {
+    select(grid.nearest != 0, back, front)
 }
 
 /// The normalised scalar at voxel coordinates `at`; beyond the grid, the nearest grid point's scalar.

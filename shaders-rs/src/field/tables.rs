@@ -17,6 +17,8 @@ pub struct Segment {
     pub medium: Vec3,
     /// τ · particle colour, q. Zero where only attenuation is asked for.
     pub emission: Vec3,
+    /// First moment of `particles` along the segment: times their mean place, 0 at the front and 1 at the back. Zero where only attenuation is asked for.
+    pub moment: f32,
 }
 
 /// A float of the tables.
@@ -82,10 +84,20 @@ struct Cell {
     base: i32,
     front: f32,
     back: f32,
-    /// The shares of the segment whose scalars are below those of the table, among them, and above: beyond the table, its ends hold.
-    below: f32,
-    within: f32,
-    above: f32,
+    /// The part of the segment whose scalars are below those of the table: beyond its ends the functions are constant.
+    below: Part,
+    /// The part whose scalars are among those of the table.
+    within: Part,
+    /// The part whose scalars are above those of the table.
+    above: Part,
+}
+
+/// A part of a segment.
+struct Part {
+    /// Its share of the segment.
+    share: f32,
+    /// Where it starts, 0 at the segment's front and 1 at its back.
+    start: f32,
 }
 
 #[inline(always)]
@@ -100,65 +112,99 @@ fn cell(tables: &[u32], front: f32, back: f32) -> Cell {
     let inverse = 1.0 / select(absolute(way) < 1e-20, 1.0, way);
     let below = (min(back, low) - min(front, low)) * inverse;
     let above = (max(back, high) - max(front, high)) * inverse;
+    let rises = way > 0.0;
+    let first = select(rises, below, above);
+    let last = 1.0 - select(rises, above, below);
     Cell {
         base: (i * SEGMENT_SIZE as i32 + j) * SEGMENT_WORDS as i32,
         front: f - i as f32,
         back: b - j as f32,
-        below,
-        within: 1.0 - (below + above),
-        above,
+        below: Part { share: below, start: select(rises, 0.0, last) },
+        within: Part { share: 1.0 - (below + above), start: first },
+        above: Part { share: above, start: select(rises, last, 0.0) },
     }
 }
 
-/// Bilinear interpolation of the pair of halves in word `word` of the entries around a cell, and the mean with the ends of the table.
+/// Bilinear interpolation of the pair of halves in word `word` of the entries around a cell, and the halves at the ends of the table.
+struct Pair {
+    within: (f32, f32),
+    below: (f32, f32),
+    above: (f32, f32),
+}
+
 #[inline(always)]
-fn interpolate(tables: &[u32], cell: &Cell, word: i32) -> (f32, f32) {
+fn halves(word: u32) -> (f32, f32) {
+    (half_to_f32(word, SEGMENT_EXPONENT), half_to_f32(word >> 16, SEGMENT_EXPONENT))
+}
+
+#[inline(always)]
+fn pair(tables: &[u32], cell: &Cell, word: i32) -> Pair {
     let words = SEGMENT_WORDS as i32;
     let row = SEGMENT_SIZE as i32 * words;
-    let w00 = read(tables, cell.base + word);
-    let w01 = read(tables, cell.base + word + words);
-    let w10 = read(tables, cell.base + word + row);
-    let w11 = read(tables, cell.base + word + row + words);
-    let first = read(tables, word);
-    let last = read(tables, (SEGMENT_SIZE * SEGMENT_SIZE - 1) as i32 * words + word);
-    let e = SEGMENT_EXPONENT;
-    let mix = |a: u32, b: u32, c: u32, d: u32, below: u32, above: u32| {
-        let front = lerp(half_to_f32(a, e), half_to_f32(b, e), cell.back);
-        let back = lerp(half_to_f32(c, e), half_to_f32(d, e), cell.back);
-        let ends = half_to_f32(below, e) * cell.below + half_to_f32(above, e) * cell.above;
-        lerp(front, back, cell.front) * cell.within + ends
-    };
-    (mix(w00, w01, w10, w11, first, last), mix(w00 >> 16, w01 >> 16, w10 >> 16, w11 >> 16, first >> 16, last >> 16))
+    let near = halves(read(tables, cell.base + word));
+    let beside = halves(read(tables, cell.base + word + words));
+    let behind = halves(read(tables, cell.base + word + row));
+    let across = halves(read(tables, cell.base + word + row + words));
+    let mix = |a: f32, b: f32, c: f32, d: f32| lerp(lerp(a, b, cell.back), lerp(c, d, cell.back), cell.front);
+    Pair {
+        within: (mix(near.0, beside.0, behind.0, across.0), mix(near.1, beside.1, behind.1, across.1)),
+        below: halves(read(tables, word)),
+        above: halves(read(tables, (SEGMENT_SIZE * SEGMENT_SIZE - 1) as i32 * words + word)),
+    }
+}
+
+/// The mean over the parts of a segment.
+#[inline(always)]
+fn mean(cell: &Cell, within: f32, below: f32, above: f32) -> f32 {
+    within * cell.within.share + (below * cell.below.share + above * cell.above.share)
+}
+
+/// The means of a pair over the parts of a segment.
+#[inline(always)]
+fn means(tables: &[u32], cell: &Cell, word: i32) -> (f32, f32) {
+    let Pair { within, below, above } = pair(tables, cell, word);
+    (mean(cell, within.0, below.0, above.0), mean(cell, within.1, below.1, above.1))
+}
+
+/// The particles' optical depth and its first moment.
+#[inline(always)]
+fn moments(cell: &Cell, particles: (f32, f32, f32), moment: f32) -> (f32, f32) {
+    let (within, below, above) = particles;
+    let of = |part: &Part, moment: f32, depth: f32| part.share * (part.start * depth + part.share * moment);
+    let ends = of(&cell.below, 0.5 * below, below) + of(&cell.above, 0.5 * above, above);
+    (mean(cell, within, below, above), of(&cell.within, moment, within) + ends)
 }
 
 /// As [`attenuation`], where the medium is clear everywhere.
 #[inline(always)]
 pub fn attenuation_of_particles(tables: &[u32], front: f32, back: f32) -> Segment {
     let nothing = Vec3::new(0.0, 0.0, 0.0);
-    Segment { particles: interpolate(tables, &cell(tables, front, back), 0).0, medium: nothing, emission: nothing }
+    let particles = means(tables, &cell(tables, front, back), 1).1;
+    Segment { particles, medium: nothing, emission: nothing, moment: 0.0 }
 }
 
 /// Attenuation between the scalars `front` and `back`, as light needs it.
 #[inline(always)]
 pub fn attenuation(tables: &[u32], front: f32, back: f32) -> Segment {
     let cell = cell(tables, front, back);
-    let (particles, red) = interpolate(tables, &cell, 0);
-    let (green, blue) = interpolate(tables, &cell, 1);
-    Segment { particles, medium: Vec3::new(red, green, blue), emission: Vec3::new(0.0, 0.0, 0.0) }
+    let (green, blue) = means(tables, &cell, 0);
+    let (red, particles) = means(tables, &cell, 1);
+    Segment { particles, medium: Vec3::new(red, green, blue), emission: Vec3::new(0.0, 0.0, 0.0), moment: 0.0 }
 }
 
 /// Attenuation and colour between the scalars `front` and `back`, as a viewing ray needs them.
 #[inline(always)]
 pub fn segment(tables: &[u32], front: f32, back: f32) -> Segment {
     let cell = cell(tables, front, back);
-    let (particles, medium_red) = interpolate(tables, &cell, 0);
-    let (medium_green, medium_blue) = interpolate(tables, &cell, 1);
-    let (red, green) = interpolate(tables, &cell, 2);
-    let (blue, _) = interpolate(tables, &cell, 3);
+    let (medium_green, medium_blue) = means(tables, &cell, 0);
+    let (first, second) = (pair(tables, &cell, 1), pair(tables, &cell, 2));
+    let (green, blue) = means(tables, &cell, 3);
+    let (particles, moment) = moments(&cell, (first.within.1, first.below.1, first.above.1), second.within.0);
     Segment {
         particles,
-        medium: Vec3::new(medium_red, medium_green, medium_blue),
-        emission: Vec3::new(red, green, blue),
+        medium: Vec3::new(mean(&cell, first.within.0, first.below.0, first.above.0), medium_green, medium_blue),
+        emission: Vec3::new(mean(&cell, second.within.1, second.below.1, second.above.1), green, blue),
+        moment,
     }
 }
 
@@ -166,7 +212,9 @@ pub fn segment(tables: &[u32], front: f32, back: f32) -> Segment {
 #[inline(always)]
 pub fn segment_of_particles(tables: &[u32], front: f32, back: f32) -> Segment {
     let cell = cell(tables, front, back);
-    let (red, green) = interpolate(tables, &cell, 2);
-    let (blue, particles) = interpolate(tables, &cell, 3);
-    Segment { particles, medium: Vec3::new(0.0, 0.0, 0.0), emission: Vec3::new(red, green, blue) }
+    let (first, second) = (pair(tables, &cell, 1), pair(tables, &cell, 2));
+    let (green, blue) = means(tables, &cell, 3);
+    let (particles, moment) = moments(&cell, (first.within.1, first.below.1, first.above.1), second.within.0);
+    let red = mean(&cell, second.within.1, second.below.1, second.above.1);
+    Segment { particles, medium: Vec3::new(0.0, 0.0, 0.0), emission: Vec3::new(red, green, blue), moment }
 }

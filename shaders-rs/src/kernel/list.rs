@@ -58,7 +58,7 @@ kernels! {
         propagate_rays<V>(volume, light: u32) updates ray,
             levels [FULL MEETING BORDER],
             modes mode [
-                STRAIGHT, CENTRAL, CHAIN, UNSHADED, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL, TEXELS_CENTRAL, TEXELS_CHAIN
+                STRAIGHT, CENTRAL, CHAIN, UNSHADED, CLEAR_STRAIGHT = STRAIGHT, CLEAR_CENTRAL = CENTRAL, TEXELS_CENTRAL, TEXELS_CHAIN, SHADED_BY_GRADIENT
             ],
             skip [until];
         follow_rays<V>(volume, light: u32) updates ray,
@@ -84,7 +84,7 @@ kernels! {
         land_cells(nodes: f32) adds landed, modes receiver [GROUND, WALL, OBSERVED];
         integrate_landed() adds landed, modes along [ROWS, COLUMNS];
         collect_receiver(landed: u32, nodes: f32) writes received;
-        resolve(rays: f32, map: f32, light: u32) writes film;
+        resolve(rays: f32, map: f32, light: u32) writes film, modes mode [STRAIGHT, CENTRAL];
     }
     voxelize: VoxelizeUniforms {
         mark_surface(corners: u32, items: u32) adds word, modes pieces [TRIANGLES, ITEMS];

@@ -1,45 +1,50 @@
-//! Clipping planes: which share of a segment is left.
+//! Clipping planes: which parts of a segment are left.
 
 use crate::abi::clip::Clip;
 use crate::abi::vector::Affine;
-use crate::math::{affine, clamp, max, min, select};
+use crate::math::{absolute, affine, clamp, max, select};
+use crate::optics::span::Span;
 use spirv_std::glam::Vec3;
 
-/// The shares of a segment that clipping leaves, 0 to 1.
+/// The parts of a segment that clipping leaves.
 #[derive(Clone, Copy)]
 pub struct Kept {
-    /// Share of the segment in which particles are kept.
-    pub particles: f32,
-    /// Share in which the medium is kept.
-    pub medium: f32,
+    /// The part in which particles are kept.
+    pub particles: Span,
+    /// The part in which the medium is kept.
+    pub medium: Span,
     /// 1 if refraction is kept at the segment's end, else 0.
     pub refraction: f32,
 }
 
-/// The share of the segment from `from` to `to` on the kept side of `plane`.
+/// The part of the segment from `from` to `to` on the kept side of `plane`.
 #[inline(always)]
-fn share(plane: Affine, from: Vec3, to: Vec3) -> f32 {
+fn part(plane: Affine, from: Vec3, to: Vec3) -> Span {
     let (a, b) = (affine(plane, from), affine(plane, to));
     // Positive distances are removed; between signs the crossing lies at |a| / |a − b|.
-    let (low, high) = (min(a, b), max(a, b));
-    let crossing = clamp(-low / max(high - low, 1e-30), 0.0, 1.0);
-    select(low > 0.0, 0.0, select(high <= 0.0, 1.0, crossing))
+    let crossing = clamp(absolute(a) / max(absolute(a - b), 1e-30), 0.0, 1.0);
+    let (before, behind) = (a > 0.0, b > 0.0);
+    // Nothing is left of a segment that begins and ends on the removed side.
+    Span {
+        start: select(before, select(behind, 1.0, crossing), 0.0),
+        end: select(behind, select(before, 1.0, crossing), 1.0),
+    }
 }
 
 impl Kept {
     /// All of a segment.
-    pub const ALL: Self = Self { particles: 1.0, medium: 1.0, refraction: 1.0 };
+    pub const ALL: Self = Self { particles: Span::WHOLE, medium: Span::WHOLE, refraction: 1.0 };
 
-    /// The shares that `clip` leaves of these, of the segment from `from` to `to`. Shares of several planes multiply.
+    /// The parts that `clip` leaves of these, of the segment from `from` to `to`.
     #[inline(always)]
     #[must_use]
     pub fn clipped(self, clip: &Clip, from: Vec3, to: Vec3) -> Self {
-        let left = share(clip.plane, from, to);
+        let left = part(clip.plane, from, to);
         let removed = affine(clip.plane, to) > 0.0;
         let everything = clip.everything != 0;
         Self {
-            particles: self.particles * left,
-            medium: self.medium * select(everything, left, 1.0),
+            particles: self.particles.within(left),
+            medium: self.medium.within(left.only_if(everything)),
             refraction: self.refraction * select(everything & removed, 0.0, 1.0),
         }
     }

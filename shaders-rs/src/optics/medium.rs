@@ -6,6 +6,7 @@ use crate::abi::sweep::mode;
 use crate::field::stencil::{Stencil, central_differences, scalar, stencil, to_view_frame};
 use crate::field::tables::{ior, ior_and_slope};
 use crate::math::{absolute, clamp, max, min, select};
+use crate::optics::span::Span;
 use spirv_std::glam::Vec3;
 
 /// The medium at a point.
@@ -13,8 +14,10 @@ use spirv_std::glam::Vec3;
 pub struct Medium {
     /// Normalised scalar.
     pub scalar: f32,
-    /// ∇f in the view frame. Zero where rays are straight.
+    /// ∇f of the volume that bends, in the view frame. Zero where rays are straight.
     pub scalar_gradient: Vec3,
+    /// ∇f of the volume that is shown, in the view frame. Zero where rays are straight, but in mode [`mode::SHADED_BY_GRADIENT`].
+    pub shown_gradient: Vec3,
     /// η.
     pub ior: f32,
     /// ½∇(η²) in the view frame.
@@ -26,10 +29,16 @@ pub struct Medium {
 /// The share of the segment between voxel coordinates `from` and `to` that lies inside the grid.
 #[inline(always)]
 pub fn share_inside(grid: &Grid, from: Vec3, to: Vec3) -> f32 {
+    span_inside(grid, from, to).length()
+}
+
+/// The part of the segment between voxel coordinates `from` and `to` that lies inside the grid.
+#[inline(always)]
+pub fn span_inside(grid: &Grid, from: Vec3, to: Vec3) -> Span {
     let (ax, bx) = slab(from.x, to.x, grid.size.x);
     let (ay, by) = slab(from.y, to.y, grid.size.y);
     let (az, bz) = slab(from.z, to.z, grid.size.z);
-    max(min(min(bx, by), bz) - max(max(ax, ay), az), 0.0)
+    Span { start: max(max(ax, ay), az), end: min(min(bx, by), bz) }
 }
 
 /// Whether voxel coordinates `from` and `to` are half a voxel or more inside the grid's border: [`share_inside`] is then exactly 1.
@@ -106,13 +115,13 @@ pub fn medium<V: VoxelFormat>(
     let (grid, ior_grid) = grids;
     if !mode::bends(chosen) {
         let zero = Vec3::new(0.0, 0.0, 0.0);
-        Medium {
-            scalar: scalar::<V>(voxels, grid, at),
-            scalar_gradient: zero,
-            ior: 1.0,
-            acceleration: zero,
-            ior_gradient: zero,
-        }
+        let (scalar, shown_gradient) = if chosen == mode::SHADED_BY_GRADIENT {
+            let shown = stencil::<V>(voxels, grid, at);
+            (shown.centre, to_view_frame(grid, central_differences(&shown)))
+        } else {
+            (scalar::<V>(voxels, grid, at), zero)
+        };
+        Medium { scalar, scalar_gradient: zero, shown_gradient, ior: 1.0, acceleration: zero, ior_gradient: zero }
     } else if V::SECOND {
         let shown = stencil::<V>(voxels, grid, at);
         let bending = stencil::<V>(ior_voxels, ior_grid, at_ior);
@@ -121,6 +130,7 @@ pub fn medium<V: VoxelFormat>(
         Medium {
             scalar: shown.centre,
             scalar_gradient: to_view_frame(ior_grid, central_differences(&bending)) * within,
+            shown_gradient: to_view_frame(grid, central_differences(&shown)),
             ior: eta,
             acceleration: to_view_frame(ior_grid, acceleration) * within,
             ior_gradient: to_view_frame(ior_grid, gradient) * within,
@@ -129,9 +139,11 @@ pub fn medium<V: VoxelFormat>(
         let shown = stencil::<V>(voxels, grid, at);
         let (eta, gradient, acceleration) = refraction(tables, &shown, chosen);
         let within = inside(grid, at);
+        let shown_gradient = to_view_frame(grid, central_differences(&shown));
         Medium {
             scalar: shown.centre,
-            scalar_gradient: to_view_frame(grid, central_differences(&shown)) * within,
+            scalar_gradient: shown_gradient * within,
+            shown_gradient,
             ior: eta,
             acceleration: to_view_frame(grid, acceleration) * within,
             ior_gradient: to_view_frame(grid, gradient) * within,

@@ -2,9 +2,11 @@
 
 pub mod clip;
 pub mod composite;
+pub mod diffuse;
 pub mod environment;
 pub mod light_source;
 pub mod medium;
 pub mod receiver;
+pub mod span;
 pub mod specular;
 pub mod step;

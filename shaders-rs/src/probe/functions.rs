@@ -92,7 +92,7 @@ fn kicked(k: &Kicked) -> Results {
 
 #[inline(always)]
 fn segment(a: Arguments) -> Segment {
-    Segment { particles: a[0], medium: Vec3::new(a[1], a[2], a[3]), emission: Vec3::new(a[4], a[5], a[6]) }
+    Segment { particles: a[0], medium: Vec3::new(a[1], a[2], a[3]), emission: Vec3::new(a[4], a[5], a[6]), moment: 0.0 }
 }
 
 #[inline(always)]

@@ -4,7 +4,7 @@
 use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Node, node as record, node_status as status};
 use crate::abi::sweep::{SweepUniforms, mode};
-use crate::field::stencil::{scalar, voxel_coordinates};
+use crate::field::stencil::{front_of, scalar, voxel_coordinates};
 use crate::field::tables::{attenuation, attenuation_of_particles};
 use crate::math::{length, lerp, max, min, select, select_vector};
 use crate::optics::composite::{layer, layer_of_particles};
@@ -123,13 +123,13 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let voxel_to = voxel_coordinates(&u.grid, to);
     let ior_to = voxel_coordinates(&u.ior_grid, to);
     let here = medium::<V>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
-    let front = scalar::<V>(voxels, &u.grid, voxel_from);
+    let front = front_of(&u.grid, scalar::<V>(voxels, &u.grid, voxel_from), here.scalar);
     let kept = keep(u, from, to);
     let path = crossing.path * u.step.inverse_reference_length;
     let layer = if mode::is_clear(chosen) {
-        layer_of_particles(&attenuation_of_particles(tables, front, here.scalar), path * kept.particles)
+        layer_of_particles(&attenuation_of_particles(tables, front, here.scalar), path * kept.particles.length())
     } else {
-        layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium)
+        layer(&attenuation(tables, front, here.scalar), path * kept.particles.length(), path * kept.medium.length())
     };
     let left = node.flux * (layer.medium * layer.clear);
     let mean = (left.x + left.y + left.z) * (1.0 / 3.0);

@@ -4,7 +4,7 @@ use crate::abi::sweep::{SweepUniforms, flag};
 use crate::optics::clip::Kept;
 use spirv_std::glam::Vec3;
 
-/// The shares of the segment from `from` to `to` that the clipping planes leave.
+/// The parts of the segment from `from` to `to` that the clipping planes leave.
 #[inline(always)]
 pub fn keep(u: &SweepUniforms, from: Vec3, to: Vec3) -> Kept {
     let mut kept = Kept::ALL;

@@ -7,18 +7,19 @@
 
 use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Ray, ray, status};
-use crate::abi::sweep::{SweepUniforms, mode};
-use crate::field::stencil::voxel_coordinates;
+use crate::abi::sweep::{SweepUniforms, flag, mode};
+use crate::field::stencil::{front_of, voxel_coordinates};
 use crate::field::tables::segment;
 use crate::math::{clamp, length, lerp, max, select, select_vector, xyz};
 use crate::optics::composite::{Gathered, layer, over};
-use crate::optics::medium::{Medium, medium, share_inside};
+use crate::optics::diffuse::cosine;
+use crate::optics::medium::{Medium, medium, span_inside};
 use crate::optics::receiver::first_between;
 use crate::optics::step::flight;
 use crate::sweep::border::{bend, border_ior, meet, share_ahead};
 use crate::sweep::clip::keep;
-use crate::sweep::light::carried::light_at;
 use crate::sweep::light::look_up::{radiance, shade, unoccluded};
+use crate::sweep::light::matter::{Seen, light_in_matter};
 use crate::sweep::light::receiver_map::light_on;
 use crate::sweep::propagate_rays::{OPAQUE, end_on_receiver};
 use spirv_std::glam::Vec3;
@@ -134,24 +135,34 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             let kicked = arriving + next.acceleration * (0.5 * sigma * shares.refraction);
             let out = select_vector(crosses, bent.direction, kicked);
 
-            let front = select(inside, ray.scalar, next.scalar);
+            let front = front_of(&u.grid, select(inside, ray.scalar, next.scalar), next.scalar);
             let (voxel_from, voxel_to) = (voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
             let part = select(hit.hit, hit.at, 1.0);
-            let path = length(to - from) * share_inside(&u.grid, voxel_from, voxel_to) * part;
+            let filled = span_inside(&u.grid, voxel_from, voxel_to);
+            let path = length(to - from) * filled.length() * part;
             let path = path * u.step.inverse_reference_length;
-            let layer = layer(&segment(tables, front, next.scalar), path * shares.particles, path * shares.medium);
+            let segment = segment(tables, front, next.scalar);
+            let layer = layer(&segment, path * shares.particles.length(), path * shares.medium.length());
             let light = if mode::is_on_texels(chosen) {
                 open
             } else {
-                light_at(u, light_buffer, from + (to - from) * (0.5 * part), chosen)
+                let span = shares.particles.within(filled);
+                let (clear, to) = (layer.clear, from + (to - from) * part);
+                let seen = Seen { from, to, front, back: next.scalar, segment: &segment, span, clear };
+                light_in_matter::<V>(u, chosen, (voxels, tables, light_buffer), &seen)
             };
             let radiance = radiance(u, &light);
-            let before = Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance };
-            let after = over(before, &layer, radiance + xyz(u.ambient), none);
+            let through = 1.0 - ray.reflectance;
+            let before = Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance * through };
+            let by_gradient = u.flags & flag::SHADED_BY_GRADIENT != 0;
+            let facing = if by_gradient { cosine(&u.grid, next.shown_gradient, light.direction, v) } else { 1.0 };
+            let after = over(before, &layer, radiance * facing + xyz(u.ambient), none);
+            let after = Gathered { medium: ray.transmittance * layer.medium, ..after };
             let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
             let met = from + (to - from) * part;
             let received = light_on(u, light_buffer, met, hit.is_wall);
-            let (after, depth) = end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &received), met.z);
+            let (after, depth) =
+                end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &received) * through, met.z);
             let clearest = max(max(after.medium.x, after.medium.y), after.medium.z);
             let ended = hit.hit | ((1.0 - after.opacity) * clearest < OPAQUE);
             ray = Ray {
@@ -165,6 +176,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
                 transmittance: after.medium,
                 ior: select(stays_inside, next.ior, 0.0),
                 sampled: ray::NOWHERE,
+                ..ray
             };
             here = next;
             kept = shares.refraction;

@@ -40,6 +40,9 @@ pub fn invoke(x: u32, y: u32, u: &SweepUniforms, _mode: u32, light: &[u32], pixe
         transmittance: Vec3::new(1.0, 1.0, 1.0),
         ior: 0.0,
         sampled: ray::NOWHERE,
+        layer_ior: 0.0,
+        reflectance: 0.0,
+        mirrored: Vec3::new(0.0, 0.0, 0.0),
     };
     ray.store()
 }

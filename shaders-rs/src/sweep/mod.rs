@@ -38,6 +38,7 @@ pub mod propagate_rays;
 pub mod refract_light;
 pub mod resolve;
 pub mod scatter_cells;
+pub mod surface;
 pub mod take_blurred;
 pub mod tiles;
 pub mod trace_light;

@@ -3,20 +3,25 @@
 use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Ray, ray, status};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
-use crate::field::stencil::{scalar, voxel_coordinates};
+use crate::field::stencil::{front_of, scalar, voxel_coordinates};
 use crate::field::tables::{ior, segment, segment_of_particles};
-use crate::math::{length, lerp, log2, max, min, select, select_vector, xyz};
+use crate::math::{length, lerp, max, min, select, select_vector, xyz};
 use crate::optics::composite::{Gathered, layer, layer_of_particles, over};
-use crate::optics::medium::{medium, share_inside};
+use crate::optics::diffuse::cosine;
+use crate::optics::medium::{medium, span_inside};
 use crate::optics::receiver::{Hit, first_between, free_steps};
-use crate::optics::specular::cook_torrance;
+use crate::optics::span::Span;
+use crate::optics::specular::lobe;
 use crate::optics::step::flight;
-use crate::sweep::border::{Crossing, MARGIN, Volumes, cross, is_far_inside, is_inside, meet, share_ahead};
+use crate::sweep::border::{
+    Crossing, MARGIN, Volumes, bending_grid, cross, is_far_inside, is_inside, meet, share_ahead,
+};
 use crate::sweep::clip::keep;
 use crate::sweep::empty::{step_is_empty, steps_are_empty};
-use crate::sweep::light::carried::light_at;
 use crate::sweep::light::look_up::{direction, light, radiance, shade, shift, texel_coordinates, unoccluded};
+use crate::sweep::light::matter::{Seen, light_in_matter};
 use crate::sweep::light::receiver_map::light_on;
+use crate::sweep::surface::{Crossed, Reflected, added, layer_ior, surface};
 use crate::sweep::turn::turn;
 use spirv_std::glam::Vec3;
 
@@ -153,8 +158,10 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     // The ray as it sets out from the plane behind.
     let mut departing = v;
     let mut began_inside = true;
+    let mut filled = Span::WHOLE;
     if LEVEL >= level::MEETING {
-        crossing.path *= share_inside(&u.grid, voxel_from, voxel_coordinates(&u.grid, to));
+        filled = span_inside(&u.grid, voxel_from, voxel_coordinates(&u.grid, to));
+        crossing.path *= filled.length();
     }
     if LEVEL >= level::BORDER && mode::bends(chosen) {
         let meeting = meet::<V>(u, from, to);
@@ -171,18 +178,24 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let ior_to = voxel_coordinates(&u.ior_grid, to);
     let here = medium::<V>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
 
+    let front_of_layer = front_of(&u.grid, front, here.scalar);
     // The segment ends on a receiver if it meets one.
     let part = select(hit.hit, min(hit.at, 1.0), 1.0);
     let kept = keep(u, from, to);
     let path = crossing.path * part * u.step.inverse_reference_length;
-    let layer = if mode::is_clear(chosen) {
-        layer_of_particles(&segment_of_particles(tables, front, here.scalar), path * kept.particles)
+    let segment = if mode::is_clear(chosen) {
+        segment_of_particles(tables, front_of_layer, here.scalar)
     } else {
-        layer(&segment(tables, front, here.scalar), path * kept.particles, path * kept.medium)
+        segment(tables, front_of_layer, here.scalar)
+    };
+    let layer = if mode::is_clear(chosen) {
+        layer_of_particles(&segment, path * kept.particles.length())
+    } else {
+        layer(&segment, path * kept.particles.length(), path * kept.medium.length())
     };
 
     let met = if LEVEL >= level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
-    let light = if chosen == mode::UNSHADED {
+    let light = if mode::is_unoccluded(chosen) {
         unoccluded(u, met)
     } else if mode::is_on_texels(chosen) {
         let (mut texel_x, mut texel_y) = texel_coordinates(u, met);
@@ -193,27 +206,52 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         }
         light(u, light_buffer, texel_x, texel_y, mode::is_clear(chosen))
     } else {
-        let lit = from + (to - from) * (part * mean_place(layer.clear));
-        light_at(u, light_buffer, lit, chosen)
+        let span = kept.particles.within(filled);
+        let clear = layer.clear;
+        let seen = Seen {
+            from,
+            to: from + (to - from) * part,
+            front: front_of_layer,
+            back: here.scalar,
+            segment: &segment,
+            span,
+            clear,
+        };
+        light_in_matter::<V>(u, chosen, (voxels, tables, light_buffer), &seen)
     };
     let radiance = radiance(u, &light);
     let mut specular = Vec3::new(0.0, 0.0, 0.0);
-    if mode::bends(chosen) {
-        let surface = select_vector(crossing.bent, crossing.face, here.scalar_gradient);
+    let mut reflected = Reflected::of(&ray);
+    if mode::bends(chosen) && u.specular != 0.0 {
+        let normal = select_vector(crossing.bent, crossing.face, here.scalar_gradient);
         let (before, behind) = if crossing.bent { crossing.iors } else { (ior_front, here.ior) };
-        let reflected = cook_torrance(surface, light.direction, v, u.roughness, before, behind);
-        specular = radiance * (reflected * u.specular * select(hit.hit, 0.0, kept.refraction));
+        let voxels = voxel_coordinates(bending_grid::<V>(u), to) - voxel_coordinates(bending_grid::<V>(u), from);
+        let step = Crossed { normal, v: departing, before, behind, voxels: length(voxels), jumps: crossing.bent };
+        let unknown = LEVEL >= level::ENTERING && is_unknown(u, &ray);
+        let surface = surface(&ray, layer_ior(&ray, before, unknown), &step);
+        let counts = select(hit.hit, 0.0, kept.refraction);
+        let lobe = lobe(normal, light.direction, departing, u.roughness);
+        let towards = lobe.radiance * added(&surface, &step, lobe.cosine);
+        specular = radiance * (towards * u.specular * counts);
+        reflected = reflected.with(&ray, &surface, min(u.specular, 1.0) * counts);
     }
-    let before = Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance };
-    let after = over(before, &layer, radiance + xyz(u.ambient), specular);
+    // Behind the first surface there is less light, by what it reflects.
+    let before =
+        Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance * (1.0 - ray.reflectance) };
+    let by_gradient =
+        if mode::bends(chosen) { u.flags & flag::SHADED_BY_GRADIENT != 0 } else { chosen == mode::SHADED_BY_GRADIENT };
+    let facing = if by_gradient { cosine(&u.grid, here.shown_gradient, light.direction, v) } else { 1.0 };
+    let after = over(before, &layer, radiance * facing + xyz(u.ambient), specular);
+    let after = Gathered { medium: ray.transmittance * layer.medium, ..after };
     let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
     let (after, depth) = if LEVEL >= level::MEETING {
-        let received = if mode::is_on_texels(chosen) | (chosen == mode::UNSHADED) {
+        let received = if mode::is_on_texels(chosen) | mode::is_unoccluded(chosen) {
             light
         } else {
             light_on(u, light_buffer, met, hit.is_wall)
         };
-        end_on_receiver(&hit, after, depth, shade(u, hit.normal, hit.color, &received), met.z)
+        let seen = shade(u, hit.normal, hit.color, &received) * (1.0 - reflected.reflectance);
+        end_on_receiver(&hit, after, depth, seen, met.z)
     } else {
         (after, depth)
     };
@@ -252,18 +290,11 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         transmittance: select_vector(stays, ray.transmittance, after.medium),
         ior: select(stays, select(began_inside, ior_front, 0.0), ior_after),
         sampled: select(stays, from.z, select(crossing.turned, ray::NOWHERE, to.z)),
+        layer_ior: select(stays, ray.layer_ior, reflected.layer_ior),
+        reflectance: select(stays, ray.reflectance, reflected.reflectance),
+        mirrored: select_vector(stays, ray.mirrored, reflected.mirrored),
     };
     after.store()
-}
-
-/// The mean place of what is seen of a layer that lets the share `clear` through, 0 at its front and 1 at its back: ∫ t e^(−τt) dt over ∫ e^(−τt) dt.
-#[inline(always)]
-fn mean_place(clear: f32) -> f32 {
-    let opacity = 1.0 - clear;
-    let depth = -log2(max(clear, 1e-6)) * core::f32::consts::LN_2;
-    // Up to the third power of τ, where the difference below is lost in rounding.
-    let thin = 0.5 - depth * (1.0 / 12.0);
-    select(opacity < 0.05, thin, 1.0 / max(depth, 1e-3) - clear / max(opacity, 1e-3))
 }
 
 /// A ray that ended on a receiver stays there.

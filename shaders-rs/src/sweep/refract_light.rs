@@ -5,7 +5,7 @@ use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Light, light as record, trace as traced};
 use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::access::{read, read_inside};
-use crate::field::stencil::{scalar, voxel_coordinates};
+use crate::field::stencil::{front_of, scalar, voxel_coordinates};
 use crate::field::tables::{attenuation, attenuation_of_particles};
 use crate::kernel::skip::{Reach, Same};
 use crate::math::{absolute, length, max, min, select, select_vector, xyz};
@@ -133,14 +133,14 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         voxel_to,
         voxel_coordinates(&u.ior_grid, to),
     );
-    let front = scalar::<V>(voxels, &u.grid, voxel_from);
+    let front = front_of(&u.grid, scalar::<V>(voxels, &u.grid, voxel_from), here.scalar);
     let kept = keep(u, from, to);
     let inside = if LEVEL >= level::BORDER { share_inside(&u.grid, voxel_from, voxel_to) } else { 1.0 };
     let path = length(to - from) * inside * u.step.inverse_reference_length;
     let layer = if mode::is_clear(chosen) {
-        layer_of_particles(&attenuation_of_particles(tables, front, here.scalar), path * kept.particles)
+        layer_of_particles(&attenuation_of_particles(tables, front, here.scalar), path * kept.particles.length())
     } else {
-        layer(&attenuation(tables, front, here.scalar), path * kept.particles, path * kept.medium)
+        layer(&attenuation(tables, front, here.scalar), path * kept.particles.length(), path * kept.medium.length())
     };
 
     let mut out = v;

@@ -4,7 +4,7 @@ use super::place::beside;
 use super::tiles;
 use crate::abi::receivers::ahead;
 use crate::abi::record::{Pixel, film, ray, status};
-use crate::abi::sweep::SweepUniforms;
+use crate::abi::sweep::{SweepUniforms, mode};
 use crate::field::access::read;
 use crate::math::{length, lerp, max, normalize, select, select_vector};
 use crate::optics::environment::{environment, in_environment};
@@ -14,28 +14,31 @@ use crate::sweep::light::look_up::shade;
 use crate::sweep::light::receiver_map::light_on;
 use spirv_std::glam::Vec3;
 
-/// A ray's final unit direction in the environment's frame (z up).
+/// A direction of a ray's record, from component `of` on, in the environment's frame (z up): not of unit length.
 #[inline(always)]
-fn final_direction(u: &SweepUniforms, rays: &[f32], at: i32) -> Vec3 {
+fn direction(u: &SweepUniforms, rays: &[f32], at: i32, of: usize) -> Vec3 {
     let count = (u.picture.width * u.picture.height) as i32;
     let component = |c: usize| read(rays, c as i32 * count + at);
-    let vector = |c: usize| Vec3::new(component(c), component(c + 1), component(c + 2));
-    let unit = normalize(vector(ray::DIRECTION));
-    in_environment(&u.environment, unit)
+    in_environment(&u.environment, Vec3::new(component(of), component(of + 1), component(of + 2)))
 }
 
-/// The angle, in radians, over which a pixel gathers directions, from its neighbours' final directions.
+/// The angle, in radians, over which a pixel gathers directions, from the directions that its neighbours have in component `of` on, if they have any.
 #[inline(always)]
-fn spread(u: &SweepUniforms, rays: &[f32], x: i32, y: i32) -> f32 {
+fn spread(u: &SweepUniforms, rays: &[f32], x: i32, y: i32, of: usize) -> f32 {
     let (width, height) = (u.picture.width as i32, u.picture.height as i32);
     let (left, right) = beside(u, x, width);
     let (above, below) = beside(u, y, height);
-    let direction = |x: i32, y: i32| {
-        final_direction(u, rays, tiles::ray(u.picture.width, u.picture.height, x as u32, y as u32) as i32)
+    let difference = |x: i32, y: i32, other_x: i32, other_y: i32, pixels: i32| {
+        let at = |x: i32, y: i32| {
+            let number = tiles::ray(u.picture.width, u.picture.height, x as u32, y as u32);
+            direction(u, rays, number as i32, of)
+        };
+        let (a, b) = (at(x, y), at(other_x, other_y));
+        let (first, second) = (length(a), length(b));
+        let apart = length(b * (1.0 / max(second, 1e-9)) - a * (1.0 / max(first, 1e-9)));
+        select((first > 1e-9) & (second > 1e-9), apart / max(pixels as f32, 1.0), 0.0)
     };
-    let across = length(direction(right, y) - direction(left, y));
-    let down = length(direction(x, below) - direction(x, above));
-    max(across / max((right - left) as f32, 1.0), down / max((below - above) as f32, 1.0))
+    max(difference(left, y, right, y, right - left), difference(x, above, x, below, below - above))
 }
 
 /// The finished pixel (x, y).
@@ -44,7 +47,7 @@ pub fn invoke(
     x: u32,
     y: u32,
     u: &SweepUniforms,
-    _mode: u32,
+    chosen: u32,
     rays: &[f32],
     map: &[f32],
     light: &[u32],
@@ -72,15 +75,25 @@ pub fn invoke(
     let met = (under_way | (fate == status::LEFT)) & (receiver.which != ahead::NOTHING);
     let ended = select_vector(met, at, position);
     let clear = select(met, 1.0 - opacity, 0.0);
-    color += (medium * seen) * clear;
+    let through = 1.0 - component(ray::REFLECTANCE);
+    color += (medium * seen) * (clear * through);
     opacity += clear;
     depth_sum += clear * (position.z + unit.z * receiver.distance);
 
-    let left = 1.0 - opacity;
-    let behind =
-        environment(&u.environment, map, final_direction(u, rays, number), spread(u, rays, x as i32, y as i32));
+    let left = (1.0 - opacity) * through;
+    let spread = |of: usize| spread(u, rays, x as i32, y as i32, of);
+    let behind = normalize(direction(u, rays, number, ray::DIRECTION));
+    let behind = environment(&u.environment, map, behind, spread(ray::DIRECTION));
     let visible = u.environment.visible;
     color += (medium * behind) * (left * visible);
+    if mode::bends(chosen) {
+        // A rough surface mirrors the environment blurred, over about the width of its lobe.
+        let mirrored = direction(u, rays, number, ray::MIRRORED);
+        let weight = length(mirrored);
+        let width = max(spread(ray::MIRRORED), 2.0 * (u.roughness * u.roughness));
+        let unit = select_vector(weight > 0.0, mirrored * (1.0 / max(weight, 1e-20)), Vec3::new(0.0, 0.0, 1.0));
+        color += environment(&u.environment, map, unit, width) * weight;
+    }
     // Without an environment the picture is transparent where light would come through.
     let passes = left * ((medium.x + medium.y) + medium.z) * (1.0 / 3.0);
     let coverage = lerp(1.0 - passes, 1.0, visible);

@@ -65,6 +65,11 @@ const LIGHTS: &str = "light of several sources adds up";
 const OUTLIER: &str = "one voxel of a million times the range, beside what is seen, changes nothing";
 const PEAK: &str = "the opacity of a peak that is 10⁻⁴ of the range wide: 1 − exp(−∫τ)";
 const PEAK_SETUP: &str = "64 voxels from end to end of the range, planes every voxel";
+const MATTER: &str =
+    "an opaque ball lit from 60° shades itself: ∫ τ e^(−∫τ) e^(−∫τ along the light) dt in double precision";
+const CUT: &str = "the cut through an opaque block, lit at 60°: cos θ / (cos θ + cos θᵥ) (Seeliger)";
+const LAMBERT: &str = "an opaque ball without shadows is shaded by its gradient: n · l";
+const SURFACE: &str = "a layer from 1 to 1.5 mirrors light from all sides by Fresnel, at 0° and 60°";
 const LENS: &str = "the ray step alone, exact gradients: Luneburg lens";
 const FISHEYE: &str = "the ray step alone: Maxwell's fisheye η = 2/(1 + r²) images a point";
 const FISHEYE_SETUP: &str = "256 planes across";
@@ -174,6 +179,16 @@ lines! {
 
     COMPOSITING_OPACITY: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the opacity", 5.3e-7, 1e-6, elsewhere 2e-3;
     COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 3.3e-4, 6.6e-4;
+
+    MATTER_SOFT_MEAN: MATTER, "48³ voxels, planes every voxel, a surface four voxels thick", "the mean radiance, relative", 0.01, 0.02;
+    MATTER_SOFT: MATTER, "the same", RADIANCE_RMS, 0.01, 0.02;
+    MATTER_STEEP_MEAN: MATTER, "the same, opacity rises over four tenths of a voxel", "the mean radiance, relative", 0.01, 0.02;
+    MATTER_STEEP: MATTER, "the same", RADIANCE_RMS, 0.01, 0.02;
+    MATTER_CUT: CUT, "48³ voxels, planes every voxel and every half, ten places of the cut", "the radiance, relative", 0.01, 0.02;
+    MATTER_GRADIENT: LAMBERT, "48³ voxels, a surface four voxels thick, inside 0.9 radii", "the radiance", 0.01, 0.02;
+    SURFACE_MIRROR: SURFACE, "48³ voxels, 1 to 8 voxels thick, linear and smooth, planes every ¼, ½, 1 voxel", "the radiance, relative", 0.01, 0.02;
+    SURFACE_HIGHLIGHT: "the highlight of a glass ball, surface four voxels thick, against planes every ¼ voxel", "48³ voxels, planes every ½, 1 voxel", "the radiance of the brightest pixel, relative", 0.01, 0.02;
+    SURFACE_FURNACE: "a clear ball swept in light of radiance 1 from all sides has radiance 1, n = 1.3", "48³ voxels, surface four voxels thick", RADIANCE, 0.01, 0.02;
 
     OUTLIER_FILM: OUTLIER, "48³ voxels of 8 bits, 16 bits and floats; texels, forward, pages, two volumes", "the film", 0.0, 0.0, elsewhere 1e-3;
     OUTLIER_TURN: OUTLIER, "32³ voxels, η = 1 + 0.05 x (1 − y²)", "the direction, degrees", 0.0, 0.0, elsewhere 1e-3;

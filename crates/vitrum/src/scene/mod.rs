@@ -57,12 +57,12 @@ pub use mesh::MeshSource;
 pub use method::{Capabilities, MethodName};
 pub use paint::{Background, Paint};
 pub use receiver::{Ground, Wall};
-pub use shading::Shading;
+pub use shading::{Diffuse, Shading};
 pub use shadow::{Coefficient, Shadow};
 pub use surroundings::Surroundings;
 pub use sweep::{Gradient, Integrator, Intensity, Sweep, Transport};
 pub use transfer::{ColorPoint, IorPoint, OpacityPoint, TransferFunction};
-pub use volume::VolumeSource;
+pub use volume::{Interpolation, VolumeSource};
 pub use voxelization::Voxelization;
 pub use voxels::{Normals, Surfaces, Voxels};
 

@@ -1,13 +1,26 @@
-//! Specular reflection and ambient light.
+//! Diffuse and specular reflection, and ambient light.
 
-use super::Rgb;
+use super::{Light, Rgb};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Specular reflection (Cook–Torrance, GGX; sweep §4.3) and ambient light.
+/// The quantity by which opaque matter in a volume is shaded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Diffuse {
+    /// The light that arrives, which matter in front of it attenuates (sweep §4.2).
+    Light,
+    /// That light times the cosine between it and the gradient of the scalar, as of a surface (Levoy 1988, Eq. 3).
+    Gradient,
+}
+
+/// Diffuse reflection, specular reflection (Cook–Torrance, GGX; sweep §4.3) and ambient light.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Shading {
+    /// Quantity by which opaque matter in a volume is shaded; if absent `gradient` by lights without shadows, which leave it flat, else `light`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diffuse: Option<Diffuse>,
     /// Roughness of specular reflection (GGX); 0.02 is polished.
     #[schemars(range(min = 0.02, max = 1))]
     pub roughness: f32,
@@ -21,6 +34,13 @@ pub struct Shading {
 
 impl Default for Shading {
     fn default() -> Self {
-        Self { roughness: 0.25, specular: 1.0, ambient: [0.08, 0.08, 0.08] }
+        Self { diffuse: None, roughness: 0.25, specular: 1.0, ambient: [0.08, 0.08, 0.08] }
+    }
+}
+
+impl Shading {
+    /// Whether `light` shades opaque matter by the gradient of the scalar.
+    pub(crate) fn is_by_gradient(&self, light: &Light) -> bool {
+        self.diffuse.map_or(!light.shadows, |diffuse| diffuse == Diffuse::Gradient)
     }
 }

@@ -47,12 +47,33 @@ pub struct VolumeSource {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-range" = "an axis"))]
     pub up: Option<String>,
+    /// Interpolation between voxels.
+    #[serde(skip_serializing_if = "Interpolation::is_linear")]
+    pub interpolation: Interpolation,
+}
+
+/// The interpolation of values between voxels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Interpolation {
+    /// Trilinear, between the eight voxels around a point.
+    #[default]
+    Linear,
+    /// A point has the value of the voxel in which it lies: for labels of parts, between which no other value means anything.
+    Nearest,
+}
+
+impl Interpolation {
+    fn is_linear(&self) -> bool {
+        *self == Self::Linear
+    }
 }
 
 impl VolumeSource {
     /// Takes over from `keys` how a file is read: `raw`, `spacing`, `array`, `time` or `seconds`, and `up` where they are set there.
     pub fn read_as(&mut self, keys: Self) {
-        let Self { raw, spacing, array, time, seconds, up, file: _, builtin: _, resolution: _ } = keys;
+        let Self { raw, spacing, array, time, seconds, up, file: _, builtin: _, resolution: _, interpolation: _ } =
+            keys;
         self.raw = raw.or(self.raw.take());
         self.spacing = spacing.or(self.spacing);
         self.array = array.or(self.array.take());

@@ -209,6 +209,13 @@ record! {
         ior: f32,
         /// Depth of the plane on which scalar and η were last sampled; [`NOWHERE`] if on none.
         sampled: f32,
+        /// η at the beginning of the layer of changing η in which the ray is, see [`surface`](crate::sweep::surface); negative behind the first surface, 0
+        /// before anything was sampled.
+        layer_ior: f32,
+        /// Reflectance of the first surface so far.
+        reflectance: f32,
+        /// Mirrored directions outside of the first surface, each weighted by what is seen of it there.
+        mirrored: Vec3,
     }
 
     /// The depth of no plane: −2¹⁰⁰. Not `f32::MIN`, which some browsers refuse as translators write it.

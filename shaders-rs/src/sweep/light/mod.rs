@@ -7,6 +7,7 @@ pub mod bricks;
 pub mod carried;
 pub mod cell;
 pub mod look_up;
+pub mod matter;
 pub mod offset;
 pub mod placed;
 pub mod quad;

@@ -181,7 +181,8 @@ pub(super) fn build(
         passes.extend((0..most_follow_passes(plan)).map(|_| follow()));
     }
     let last = plan.planes.count - 1;
-    passes.push(plan.pass(&kernels::sweep_resolve, pixels, 0, last, &[&rays, map, &looked_up, &finished]));
+    let chosen = if mode::bends(plan.mode) { mode::CENTRAL } else { mode::STRAIGHT };
+    passes.push(plan.pass(&kernels::sweep_resolve, pixels, chosen, last, &[&rays, map, &looked_up, &finished]));
     let (name, follow) = (ray_kernel.declaration.name, followers.declaration.name);
     let after = [follow, kernels::sweep_resolve.declaration.name];
     let mut writes: Vec<Write> = pools.into_iter().flat_map(|pool| pool.writes(&starts)).collect();

@@ -203,7 +203,7 @@ impl Tables {
 
     /// Whether opacity is 0 and the filter white at the normalised scalar `scalar`, as kernels look it up.
     pub fn is_clear_at(&self, scalar: f32) -> bool {
-        let Segment { particles, medium, emission } = segment(&self.words, scalar, scalar);
+        let Segment { particles, medium, emission, .. } = segment(&self.words, scalar, scalar);
         particles == 0.0 && medium == Vec3::ZERO && emission == Vec3::ZERO
     }
 
@@ -238,14 +238,18 @@ fn ior_abscissa(indices: &Curve<1>) -> Abscissa {
 fn segments(layers: &Curve<7>, nodes: &[f64], words: &mut Vec<u32>) -> [Vec<u32>; 2] {
     let at_nodes: Vec<Depths> = nodes.iter().map(|&node| depths(layers.at(node))).collect();
     let mut sums = vec![[0.0; 7]];
+    // ∫ s τ ds.
+    let mut moments = vec![0.0];
     let (mut anything, mut particles) = (vec![0], vec![0]);
     for pair in nodes.windows(2) {
         let knots = layers.places().filter(|place| *place > pair[0] && *place < pair[1]);
         let ends: Vec<f64> = std::iter::once(pair[0]).chain(knots).chain([pair[1]]).collect();
         let mut sum: Depths = sums[sums.len() - 1];
+        let mut moment: f64 = moments[moments.len() - 1];
         let (mut some, mut opaque) = (false, false);
         for part in ends.windows(2) {
-            let integral = integral(layers, part[0], part[1]);
+            let (integral, first_moment) = integral(layers, part[0], part[1]);
+            moment += first_moment;
             sum.iter_mut().zip(integral).for_each(|(sum, integral)| *sum += integral);
             // Asked, not summed: a sum could swallow what is tiny.
             opaque |= part.iter().any(|&end| depths(layers.at(end))[0] > 0.0);
@@ -254,6 +258,7 @@ fn segments(layers: &Curve<7>, nodes: &[f64], words: &mut Vec<u32>) -> [Vec<u32>
         anything.push(anything[anything.len() - 1] + u32::from(some));
         particles.push(particles[particles.len() - 1] + u32::from(opaque));
         sums.push(sum);
+        moments.push(moment);
     }
     for front in 0..nodes.len() {
         for back in 0..nodes.len() {
@@ -261,24 +266,33 @@ fn segments(layers: &Curve<7>, nodes: &[f64], words: &mut Vec<u32>) -> [Vec<u32>
             let way = nodes[high] - nodes[low];
             let mean: Depths =
                 if way > 0.0 { std::array::from_fn(|c| (sums[high][c] - sums[low][c]) / way) } else { at_nodes[low] };
-            words.push(pack(mean[0], mean[1]));
+            // Along scalars that rise, from 0 at `low` to 1 at `high`.
+            let rising = if way > 0.0 {
+                (moments[high] - moments[low] - nodes[low] * (sums[high][0] - sums[low][0])) / (way * way)
+            } else {
+                0.5 * mean[0]
+            };
+            let moment = (if front < back { rising } else { mean[0] - rising }).clamp(0.0, mean[0]);
             words.push(pack(mean[2], mean[3]));
-            words.push(pack(mean[4], mean[5]));
-            words.push(pack(mean[6], mean[0]));
+            words.push(pack(mean[1], mean[0]));
+            words.push(pack(moment, mean[4]));
+            words.push(pack(mean[5], mean[6]));
         }
     }
     [anything, particles]
 }
 
-/// The integral of the depths over the scalars from `start` to `end`, between which the functions are linear.
-fn integral(layers: &Curve<7>, start: f64, end: f64) -> Depths {
+/// The integral of the depths over the scalars s from `start` to `end`, between which the functions are linear, and that of s τ.
+fn integral(layers: &Curve<7>, start: f64, end: f64) -> (Depths, f64) {
     let (middle, half) = (f64::midpoint(start, end), 0.5 * (end - start));
     let mut sum = [0.0; 7];
+    let mut moment = 0.0;
     for (place, weight) in QUADRATURE {
         let there = depths(layers.at(middle + half * place));
         sum.iter_mut().zip(there).for_each(|(sum, depth)| *sum += half * weight * depth);
+        moment += half * weight * there[0] * (middle + half * place);
     }
-    sum
+    (sum, moment)
 }
 
 #[cfg(test)]
@@ -350,7 +364,7 @@ mod tests {
                 let knots = layers.places().filter(|&place| place > first && place < last);
                 std::iter::once(first).chain(knots).chain([last]).collect()
             };
-            let whole: f64 = ends.windows(2).map(|part| integral(&layers, part[0], part[1])[0]).sum();
+            let whole: f64 = ends.windows(2).map(|part| integral(&layers, part[0], part[1]).0[0]).sum();
             let exact = whole / (front - back).abs();
             let error = (f64::from(segment(&words, front as f32, back as f32).particles) - exact).abs();
             found = [found[0].max(error), found[1] + error / 400.0];

@@ -14,7 +14,7 @@ use crate::method::view::light::{direction_of_light, position};
 use crate::method::view::receivers::{Receivers, plane};
 use crate::method::view::{Bounds, View, vector};
 use crate::method::{RefinedPixels, lights};
-use crate::scene::{Gradient, Integrator, Intensity, Removes, Rgb, Scene, Transport};
+use crate::scene::{Gradient, Integrator, Intensity, Interpolation, Removes, Rgb, Scene, Transport};
 use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
 use glam::{DVec3, DVec4};
@@ -140,7 +140,11 @@ impl FramePlan {
         let supersampling = scene.film.supersampling;
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
         let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];
+        let by_gradient = scene.shading.is_by_gradient(scene.first_light());
         let mode = match (tables.refracts, scene.sweep.gradient) {
+            // Rays are straight in any mode where η is 1; where light is carried, this one has gradients.
+            (false, _) if by_gradient && scene.first_light().shadows => mode::CENTRAL,
+            (false, _) if by_gradient => mode::SHADED_BY_GRADIENT,
             (false, _) if tables.colors => mode::STRAIGHT,
             (false, _) if scene.first_light().shadows => mode::CLEAR_STRAIGHT,
             (false, _) => mode::UNSHADED,
@@ -185,6 +189,8 @@ impl FramePlan {
         };
         block.ior_grid = bending
             .map_or(block.grid, |volume| grid(volume, tables.bending, format, &view, (reach[1], first_ior_brick)));
+        let nearest = u32::from(scene.volume.interpolation == Interpolation::Nearest);
+        (block.grid.nearest, block.ior_grid.nearest) = (nearest, nearest);
         let steepest = steepest(&view, &tables, std::iter::once(towards.as_vec3().to_array()));
         let sampled = std::iter::once(shown).chain(bending);
         let sampling = sampled.clone().map(|volume| Sampling::new(volume, &view, &planes, steepest)).collect();
@@ -310,7 +316,7 @@ impl FramePlan {
 
     /// [`mode`] of viewing rays.
     pub(super) fn ray_mode(&self) -> u32 {
-        if self.frame.is_some() || self.mode == mode::UNSHADED { self.mode } else { mode::on_texels(self.mode) }
+        if self.frame.is_some() || mode::is_unoccluded(self.mode) { self.mode } else { mode::on_texels(self.mode) }
     }
 
     /// The buffer of the latest planes' irradiance.
@@ -338,6 +344,9 @@ fn flags(scene: &Scene) -> u32 {
     };
     if !scene.clip.is_empty() {
         flags |= flag::CLIP;
+    }
+    if scene.shading.is_by_gradient(scene.first_light()) {
+        flags |= flag::SHADED_BY_GRADIENT;
     }
     if scene.sweep.empty_space_skipping {
         flags |= flag::SKIP_EMPTY;

@@ -124,5 +124,6 @@ pub(super) fn grid(
         first_brick,
         pages: Counts::new(px, py, pz),
         brick_shift: brick_shift(volume),
+        nearest: 0,
     }
 }

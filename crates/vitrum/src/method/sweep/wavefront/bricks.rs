@@ -49,7 +49,8 @@ impl Looked {
             let low = at.iter().copied().fold(DVec3::INFINITY, DVec3::min).to_array();
             let high = at.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max).to_array();
             // A look-up is between a sample and the next one, which may be in the next brick; casts cut off below 0.
-            let first = low.map(|x| x.floor() as usize / brick);
+            let nearer = low[2] - frame.nearer();
+            let first = [low[0], low[1], nearer].map(|x| x.floor() as usize / brick);
             let last: [usize; 3] =
                 std::array::from_fn(|axis| ((high[axis].floor() + 1.0) as usize / brick).min(counts[axis] - 1));
             for z in first[2]..=last[2] {

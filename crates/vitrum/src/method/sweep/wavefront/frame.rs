@@ -7,6 +7,7 @@ use crate::method::view::{Bounds, View};
 use crate::scene::Scene;
 use crate::subject::Volumes;
 use glam::{DMat3, DVec2, DVec3};
+use vitrum_kernels::sweep::light::matter::NEARER;
 
 /// The fewest cells along the longer side of the grid that a small volume gets.
 pub(super) const FEWEST: f64 = 160.0;
@@ -113,6 +114,13 @@ impl Frame {
     /// The number of planes on which light is kept.
     pub(super) fn kept(&self) -> u32 {
         (self.planes.count - 1) / self.stride + 1
+    }
+
+    /// The most planes on which light is kept that a look-up inside matter goes towards the source, see [`matter`](vitrum_kernels::sweep::light::matter).
+    pub(super) fn nearer(&self) -> f64 {
+        let last = self.planes.depth(self.planes.count - 1);
+        let edge = self.cell * self.source.map_or(1.0, |source| last - source.depth);
+        f64::from(NEARER) * (edge / (self.planes.distance * f64::from(self.stride))).max(1.0)
     }
 
     /// The coordinates of a point of the world: cells across and up, and planes on which light is kept.

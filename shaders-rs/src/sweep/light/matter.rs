@@ -1,0 +1,136 @@
+//! The light inside matter, as a viewing ray sees it along a segment.
+//!
+//! Light that is carried is known at samples, between which dense matter may attenuate it by any factor. It is looked up nearer to its source, where little
+//! matter is in the way, and attenuated from there on. Inside the segment it falls with depth just as what is seen of it does, by another factor.
+
+use crate::abi::format::VoxelFormat;
+use crate::abi::sweep::{SweepUniforms, mode};
+use crate::field::stencil::{scalar, voxel_coordinates};
+use crate::field::tables::{Segment, attenuation, attenuation_of_particles};
+use crate::math::{absolute, clamp, exp, length, lerp, log2, max, min, select};
+use crate::optics::composite::{layer, layer_of_particles};
+use crate::optics::medium::span_inside;
+use crate::optics::span::Span;
+use crate::sweep::clip::keep;
+use crate::sweep::light::carried::light_at;
+use crate::sweep::light::look_up::Light;
+use crate::sweep::light::wavefront::{edge, from_frame, in_frame, unrefracted_direction};
+use spirv_std::glam::Vec3;
+
+/// How far nearer to the source the light inside dense matter is looked up, over the distance of samples.
+pub const NEARER: f32 = 1.5;
+/// The least optical depth along the light over the one along the viewing ray: light from behind falls towards the eye.
+const LEAST_RATIO: f32 = -0.5;
+/// The largest one: of a surface that light grazes.
+const LARGEST_RATIO: f32 = 8.0;
+/// Within a layer of a smaller optical depth the light is the same everywhere.
+const THIN: f32 = 0.05;
+
+/// A segment of a viewing ray.
+pub struct Seen<'a> {
+    /// Its front, in the view frame.
+    pub from: Vec3,
+    /// Its back.
+    pub to: Vec3,
+    /// Normalised scalar at its front.
+    pub front: f32,
+    /// Normalised scalar at its back.
+    pub back: f32,
+    /// Optical depths between the two.
+    pub segment: &'a Segment,
+    /// The part of it with particles.
+    pub span: Span,
+    /// The share that it lets through, 1 − α.
+    pub clear: f32,
+}
+
+/// Where particles are seen in a segment.
+struct Place {
+    /// Their optical depth along the viewing ray.
+    depth: f32,
+    /// The optical depth in front of their mean place.
+    before: f32,
+    /// Their mean place, 0 at the front of the segment and 1 at its back.
+    at: f32,
+}
+
+/// The mean place of what is seen of a segment's particles.
+///
+/// They are taken for a layer that has the same mean place and is uniform over a part of the segment, at its front or at its back. What is seen of a uniform
+/// layer of depth D has the mean depth ∫ t e^(−t) dt over ∫ e^(−t) dt from 0 to D.
+#[inline(always)]
+fn place(seen: &Seen<'_>) -> Place {
+    let opacity = 1.0 - seen.clear;
+    let depth = -log2(max(seen.clear, 1e-6)) * core::f32::consts::LN_2;
+    // Up to the third power of the depth, where the difference below is lost in rounding.
+    let thin = 0.5 - depth * (1.0 / 12.0);
+    let within = select(opacity < THIN, thin, 1.0 / max(depth, 1e-3) - seen.clear / max(opacity, 1e-3));
+    let Segment { particles, moment, .. } = *seen.segment;
+    let middle = select(particles > 1e-9, clamp(moment / max(particles, 1e-9), 0.0, 1.0), 0.5);
+    let empty = max(2.0 * middle - 1.0, 0.0);
+    let at = empty + min(2.0 * middle, 2.0 - 2.0 * middle) * within;
+    Place { depth, before: depth * within, at: seen.span.at(at) }
+}
+
+/// The shares of the way between two points of the view frame that have particles, and the medium.
+#[inline(always)]
+fn filled(u: &SweepUniforms, from: Vec3, to: Vec3) -> (f32, f32) {
+    let kept = keep(u, from, to);
+    let inside = span_inside(&u.grid, voxel_coordinates(&u.grid, from), voxel_coordinates(&u.grid, to));
+    (kept.particles.within(inside).length(), kept.medium.within(inside).length())
+}
+
+/// The light that a viewing ray sees in a segment: as [`light_at`], the mean over the segment, each place weighted by what is seen of its particles.
+#[inline(always)]
+pub fn light_in_matter<V: VoxelFormat>(
+    u: &SweepUniforms,
+    chosen: u32,
+    (voxels, tables, light): (&[u32], &[u32], &[u32]),
+    seen: &Seen<'_>,
+) -> Light {
+    let w = &u.wavefront;
+    let place = place(seen);
+    let at = seen.from + (seen.to - seen.from) * place.at;
+    let back = lerp(seen.front, seen.back, place.at);
+
+    let inside = in_frame(w, at);
+    let apart = max(1.0 / w.inverse_step, edge(w, inside.z)) * NEARER;
+    let unit = u.step.inverse_reference_length;
+    // In thin matter, which may show caustics, it is looked up in place.
+    // Between labels there is nothing to attenuate by.
+    let dense = select(u.grid.nearest != 0, 0.0, min(2.0 * seen.segment.particles * apart * unit, 1.0));
+    let nearer = apart * dense;
+    let start = at - from_frame(w, unrefracted_direction(w, inside)) * nearer;
+    let voxel = voxel_coordinates(&u.grid, start);
+    let front = scalar::<V>(voxels, &u.grid, voxel);
+    let path = nearer * unit;
+    let (particles, medium) = filled(u, start, at);
+    let attenuation = if mode::is_clear(chosen) {
+        attenuation_of_particles(tables, front, back)
+    } else {
+        attenuation(tables, front, back)
+    };
+    let left = if mode::is_clear(chosen) {
+        layer_of_particles(&attenuation, path * particles)
+    } else {
+        layer(&attenuation, path * particles, path * medium)
+    };
+    let depth = attenuation.particles * (path * particles);
+
+    // Scalars change along the light and along the viewing ray as the depths below a surface do. Below a cut the ways through matter tell.
+    let along_view = (seen.back - seen.front) / max(length(seen.to - seen.from), 1e-20);
+    let along_light = (back - front) / max(nearer, 1e-20);
+    let below_surface = select(along_light > 1e-6 * along_view, along_view / max(along_light, 1e-20), 0.0);
+    let cut = particles - filled(u, seen.from + (start - at), seen.from).0;
+    let below_cut = attenuation.particles * (path * cut) / max(place.before, 1e-6);
+    let is_cut = absolute(cut) > 1e-4;
+    let ratio = clamp(select(is_cut, below_cut, below_surface), LEAST_RATIO, LARGEST_RATIO);
+    let first = max(depth - ratio * place.before, 0.0);
+    let both = 1.0 + ratio;
+    // What is left at the mean place of what is seen, and the mean of what is left there.
+    let fading = (1.0 - exp(-(place.depth * both))) / (both * max(1.0 - seen.clear, 1e-6));
+    let mean = select(place.depth < THIN, left.clear, exp(-first) * fading);
+
+    let light = light_at(u, light, start, chosen);
+    Light { flux: light.flux * (left.medium * lerp(left.clear, mean, dense)), direction: light.direction }
+}
