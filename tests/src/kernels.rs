@@ -32,6 +32,8 @@ const FORWARD: &str = "sweep.light=forward";
 const POINT: &str = "light.0={kind='point',position=[1.5,2.5,1.5],intensity=12}";
 /// A spot whose cone ends on the volume.
 const SPOT: &str = "light.0={kind='spot',position=[1.5,2.5,1.5],direction=[-1.5,-2.5,-1.5],cone_angle=9,intensity=12}";
+/// A part of a volume.
+const CROP: &str = "crop={min=[0.1,0.05,0.2],max=[0.7,0.9,0.85]}";
 /// Light on texels, which cases have that do not name a carrier.
 const TEXELS: &str = "sweep.light=texels";
 
@@ -92,7 +94,10 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("combustion/mixture streamed", "combustion/mixture", &[])?.streamed(),
         case("combustion/mixture streamed forward", "combustion/mixture", &[FORWARD])?.streamed(),
         case("combustion/mixture forward", "combustion/mixture", &[FORWARD])?,
+        case("phantom cropped", "phantom", &[CROP])?,
+        case("glass cropped forward", "glass", &[FORWARD, CROP])?,
     ]);
+    cases.extend(projections(case)?);
     cases.extend(meshes(edge, resolution)?);
     // A method without a case of its own shows a built-in volume or mesh.
     for method in method::ALL {
@@ -103,6 +108,25 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         }
     }
     Ok(cases)
+}
+
+/// Small projections that together run their kernels in every mode.
+fn projections(case: impl Fn(&str, &str, &[&str]) -> Result<Case, Failure>) -> Result<Vec<Case>, Failure> {
+    let [maximum, minimum, mean] =
+        ["maximum", "minimum", "mean"].map(|blend_mode| format!("shading.blend_mode={blend_mode}"));
+    Ok(vec![
+        case("ball maximum", "ball", &[&maximum, "film.refinement=3", CROP])?,
+        case("head u8 minimum", "head", &[&minimum])?.in_bytes()?,
+        case("head all maximum", "head", &[&maximum, "sweep.empty_space_skipping=false"])?,
+        case("phantom mean", "phantom", &[&mean, "camera.projection=orthographic"])?,
+        case("luneburg minimum", "luneburg", &[&minimum])?,
+        case("combustion/mixture maximum", "combustion/mixture", &[&maximum])?,
+        case("ball streamed mean", "ball", &[&mean])?.streamed(),
+        case("phantom streamed maximum", "phantom", &[&maximum, CROP])?.streamed(),
+        case("head u8 streamed maximum", "head", &[&maximum])?.in_bytes()?.streamed(),
+        case("luneburg streamed minimum", "luneburg", &[&minimum])?.streamed(),
+        case("combustion/mixture streamed mean", "combustion/mixture", &[&mean])?.streamed(),
+    ])
 }
 
 /// Small meshes that together run every kernel of rays through them in every mode.

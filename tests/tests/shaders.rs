@@ -79,8 +79,9 @@ fn of_dispatch() -> Vec<Field> {
 #[rustfmt::skip]
 fn of_grid() -> Vec<Field> {
     fields!(Grid {
-        row_x: of_affine(), row_y: of_affine(), row_z: of_affine(), size: of_vec3(), reach, value_scale, value_origin,
-        row_pitch, slice_pitch, bricks: of_counts(), first_brick, pages: of_counts(), brick_shift,
+        row_x: of_affine(), row_y: of_affine(), row_z: of_affine(), size: of_vec3(), low: of_vec3(), high: of_vec3(), reach,
+        value_scale, value_origin,
+        row_pitch, slice_pitch, bricks: of_counts(), first_brick, pages: of_counts(), brick_shift, nearest,
     })
 }
 

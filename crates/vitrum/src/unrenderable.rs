@@ -186,6 +186,12 @@ pub enum Unrenderable {
         /// The most that are possible.
         limit: usize,
     },
+    /// A crop box across the axes of the second volume.
+    #[error("{name}: `crop` is a box along the axes of the volume that is shown, and those of `ior_volume` are others")]
+    ObliqueCrop {
+        /// The second volume.
+        name: String,
+    },
     /// A direction has no length.
     #[error("{key} has no length")]
     NoDirection {
@@ -338,6 +344,7 @@ impl Unrenderable {
             }
             Self::TooManyBeams { .. } => "lower `beams.segments` or `beams.rays`".to_owned(),
             Self::TooManyClips { .. } => "leave some out".to_owned(),
+            Self::ObliqueCrop { .. } => "cut by `clip` instead".to_owned(),
             Self::NoDirection { .. } => "give three numbers that are not all 0".to_owned(),
             Self::TooManyPlanes { .. } => "make it larger".to_owned(),
             Self::BehindCamera => "move camera.position or camera.target".to_owned(),

@@ -15,6 +15,10 @@ pub struct Grid {
     pub row_z: Affine,
     /// Voxels along each axis (without padding).
     pub size: Vec3,
+    /// The low corner of the box of what is there, in voxel coordinates: −½, or where the volume is cropped.
+    pub low: Vec3,
+    /// The high corner of that box: `size` − ½, or where the volume is cropped.
+    pub high: Vec3,
     /// The farthest step, in voxels, over which a brick's range still holds.
     pub reach: f32,
     /// Normalised scalar = (stored − `value_origin`) · `value_scale`: from 0 to 1 the transfer functions change, beyond they are constant.

@@ -231,3 +231,13 @@ pub mod along {
     /// Each column from the bottom to the top.
     pub const COLUMNS: u32 = 1;
 }
+
+/// What a projection takes of the scalars along a viewing ray: modes of a pass.
+pub mod blend {
+    /// The largest.
+    pub const MAXIMUM: u32 = 0;
+    /// The smallest.
+    pub const MINIMUM: u32 = 1;
+    /// The mean over the length of the way.
+    pub const MEAN: u32 = 2;
+}

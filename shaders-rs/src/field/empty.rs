@@ -37,6 +37,34 @@ pub fn is_empty(occupancy: &[u32], grid: &Grid, from: Vec3, to: Vec3) -> bool {
     near & (outside | (read(occupancy, index) != 0))
 }
 
+/// What the word of a brick says on the way from voxel coordinates `from` to `to`.
+#[derive(Clone, Copy)]
+pub struct Told {
+    /// The word holds for the whole way, which is no longer than a brick's range reaches.
+    pub holds: bool,
+    /// The whole way is outside the grid, whatever the word says.
+    pub outside: bool,
+    /// The word.
+    pub word: u32,
+}
+
+/// The word of the brick in which `to` lies, or that is nearest.
+#[inline(always)]
+pub fn told(bricks: &[u32], grid: &Grid, from: Vec3, to: Vec3) -> Told {
+    let inside = limit_to_grid(grid, to);
+    let holds = largest(to - from) <= grid.reach;
+    let outside = holds & (largest(to - inside) > grid.reach);
+    Told { holds, outside, word: read(bricks, brick_index(grid, inside)) }
+}
+
+/// How many of the steps behind the one from `from` to `to`, all alike, are outside the grid for certain: that or fewer.
+#[inline(always)]
+pub fn steps_outside(grid: &Grid, from: Vec3, to: Vec3) -> f32 {
+    let voxels = largest(to - limit_to_grid(grid, to)) - grid.reach;
+    // A little less, for rounding; and no more than can be counted.
+    min(max(voxels * 0.99, 0.0) / max(largest(to - from), 1e-6), 65536.0)
+}
+
 /// How many of the steps behind the one from `from` to `to`, all alike, cross nothing but empty space either: that or fewer.
 #[inline(always)]
 pub fn empty_steps(occupancy: &[u32], grid: &Grid, from: Vec3, to: Vec3) -> f32 {

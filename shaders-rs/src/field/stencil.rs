@@ -33,13 +33,13 @@ pub fn voxel_coordinates(grid: &Grid, point: Vec3) -> Vec3 {
     Vec3::new(affine(grid.row_x, point), affine(grid.row_y, point), affine(grid.row_z, point))
 }
 
-/// The grid's voxels fill −½ … size − ½.
+/// The nearest point of the grid's box.
 #[inline(always)]
 pub fn limit_to_grid(grid: &Grid, at: Vec3) -> Vec3 {
     Vec3::new(
-        clamp(at.x, -0.5, grid.size.x - 0.5),
-        clamp(at.y, -0.5, grid.size.y - 0.5),
-        clamp(at.z, -0.5, grid.size.z - 0.5),
+        clamp(at.x, grid.low.x, grid.high.x),
+        clamp(at.y, grid.low.y, grid.high.y),
+        clamp(at.z, grid.low.z, grid.high.z),
     )
 }
 

@@ -63,6 +63,11 @@ kernels! {
             skip [until];
         follow_rays<V>(volume, light: u32) updates ray,
             levels [WORK], modes mode [CENTRAL, CHAIN, CLEAR_CENTRAL = CENTRAL, TEXELS_CENTRAL, TEXELS_CHAIN], reports work;
+        project_rays<V>(volume) updates ray,
+            levels [FULL BORDER], modes blend [MAXIMUM, MINIMUM, MEAN],
+            skip [until];
+        color_projected(tables: u32) updates ray,
+            levels [WORK], modes blend [MAXIMUM, MINIMUM, MEAN];
         initialize_nodes() writes node;
         advance_nodes<V>(volume) updates node,
             levels [FULL BORDER] few [BORDER],

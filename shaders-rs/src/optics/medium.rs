@@ -35,9 +35,9 @@ pub fn share_inside(grid: &Grid, from: Vec3, to: Vec3) -> f32 {
 /// The part of the segment between voxel coordinates `from` and `to` that lies inside the grid.
 #[inline(always)]
 pub fn span_inside(grid: &Grid, from: Vec3, to: Vec3) -> Span {
-    let (ax, bx) = slab(from.x, to.x, grid.size.x);
-    let (ay, by) = slab(from.y, to.y, grid.size.y);
-    let (az, bz) = slab(from.z, to.z, grid.size.z);
+    let (ax, bx) = slab(from.x, to.x, grid.low.x, grid.high.x);
+    let (ay, by) = slab(from.y, to.y, grid.low.y, grid.high.y);
+    let (az, bz) = slab(from.z, to.z, grid.low.z, grid.high.z);
     Span { start: max(max(ax, ay), az), end: min(min(bx, by), bz) }
 }
 
@@ -47,21 +47,20 @@ pub fn is_well_inside(grid: &Grid, from: Vec3, to: Vec3) -> bool {
     is_between_voxels(grid, from) & is_between_voxels(grid, to)
 }
 
-/// Whether there are voxels on all sides of `at`.
+/// Whether `at` is half a voxel or more inside the grid's box.
 #[inline(always)]
 fn is_between_voxels(grid: &Grid, at: Vec3) -> bool {
-    (at.x >= 0.0)
-        & (at.x <= grid.size.x - 1.0)
-        & (at.y >= 0.0)
-        & (at.y <= grid.size.y - 1.0)
-        & (at.z >= 0.0)
-        & (at.z <= grid.size.z - 1.0)
+    (at.x >= grid.low.x + 0.5)
+        & (at.x <= grid.high.x - 0.5)
+        & (at.y >= grid.low.y + 0.5)
+        & (at.y <= grid.high.y - 0.5)
+        & (at.z >= grid.low.z + 0.5)
+        & (at.z <= grid.high.z - 0.5)
 }
 
-/// Where a segment enters and leaves −½ … size − ½ along one axis, 0 to 1.
+/// Where a segment enters and leaves `low` … `high` along one axis, 0 to 1.
 #[inline(always)]
-fn slab(from: f32, to: f32, size: f32) -> (f32, f32) {
-    let (low, high) = (-0.5, size - 0.5);
+fn slab(from: f32, to: f32, low: f32, high: f32) -> (f32, f32) {
     let along = to - from;
     let tiny = absolute(along) < 1e-12;
     let inverse = 1.0 / select(tiny, 1.0, along);
@@ -73,12 +72,12 @@ fn slab(from: f32, to: f32, size: f32) -> (f32, f32) {
 /// 1 inside the grid, 0 outside.
 #[inline(always)]
 fn inside(grid: &Grid, at: Vec3) -> f32 {
-    let within = (at.x >= -0.5)
-        & (at.x <= grid.size.x - 0.5)
-        & (at.y >= -0.5)
-        & (at.y <= grid.size.y - 0.5)
-        & (at.z >= -0.5)
-        & (at.z <= grid.size.z - 0.5);
+    let within = (at.x >= grid.low.x)
+        & (at.x <= grid.high.x)
+        & (at.y >= grid.low.y)
+        & (at.y <= grid.high.y)
+        & (at.z >= grid.low.z)
+        & (at.z <= grid.high.z);
     select(within, 1.0, 0.0)
 }
 

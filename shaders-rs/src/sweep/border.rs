@@ -36,9 +36,9 @@ pub const MARGIN: f32 = 0.5;
 pub fn is_inside_by<V: VoxelFormat>(u: &SweepUniforms, at: Vec3, margin: f32) -> bool {
     let grid = bending_grid::<V>(u);
     let voxels = voxel_coordinates(grid, at);
-    let (low, from_end) = (margin - 0.5, margin + 0.5);
-    let along = |at: f32, size: f32| (at >= low) & (at <= size - from_end);
-    let mut inside = along(voxels.x, grid.size.x) & along(voxels.y, grid.size.y) & along(voxels.z, grid.size.z);
+    let (low, high) = (grid.low, grid.high);
+    let along = |at: f32, low: f32, high: f32| (at >= low + margin) & (at <= high - margin);
+    let mut inside = along(voxels.x, low.x, high.x) & along(voxels.y, low.y, high.y) & along(voxels.z, low.z, high.z);
     if u.flags & flag::CLIP != 0 {
         let depth = margin / length(xyz(grid.row_x.factors));
         let kept = |clip: &Clip| (affine(clip.plane, at) <= -depth) | (clip.everything == 0);
@@ -100,8 +100,7 @@ impl Meeting {
     }
 
     #[inline(always)]
-    fn with_faces(self, from: f32, to: f32, size: f32, normal: Vec3) -> Self {
-        let (low, high) = (-0.5, size - 0.5);
+    fn with_faces(self, from: f32, to: f32, (low, high): (f32, f32), normal: Vec3) -> Self {
         self.with(low - from, low - to, normal).with(from - high, to - high, normal)
     }
 
@@ -130,12 +129,11 @@ pub fn meet<V: VoxelFormat>(u: &SweepUniforms, from: Vec3, to: Vec3) -> Meeting 
     let (x, y, z) = (xyz(grid.row_x.factors), xyz(grid.row_y.factors), xyz(grid.row_z.factors));
     let nothing =
         Meeting { enters: -1.0, entered: none, leaves: NEVER, left: none, distance: -1e30, end: -1e30, nearest: none };
-    let mut meeting = nothing.with_faces(a.x, b.x, grid.size.x, x).with_faces(a.y, b.y, grid.size.y, y).with_faces(
-        a.z,
-        b.z,
-        grid.size.z,
-        z,
-    );
+    let (low, high) = (grid.low, grid.high);
+    let mut meeting = nothing
+        .with_faces(a.x, b.x, (low.x, high.x), x)
+        .with_faces(a.y, b.y, (low.y, high.y), y)
+        .with_faces(a.z, b.z, (low.z, high.z), z);
     if u.flags & flag::CLIP != 0 {
         let voxels = length(x);
         meeting = meeting.with_cut(&u.clip_0, from, to, voxels);

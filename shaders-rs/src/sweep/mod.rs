@@ -5,6 +5,9 @@
 //! behind.
 //! [`initialize_light`] and [`initialize_rays`] come first, then, behind the last plane, [`follow_rays`] and [`resolve`]; [`tiles`] says which place a ray has, and [`place`](mod@place) where on the picture that is.
 //!
+//! Where the maximum, minimum or mean of the scalar is shown, there is no light: [`project_rays`] follows the rays, and [`color_projected`] comes
+//! before [`resolve`] (not in the paper).
+//!
 //! Instead of on texels, light can be carried forward by a wavefront, along its own direction and before the viewing rays (not in the paper):
 //! [`initialize_nodes`] once, then for each of its planes [`advance_nodes`], [`blur_nodes`] and [`take_blurred`] where particles throw soft shadows, and, where something looks at the light, [`clear_sums`],
 //! [`project_nodes`], [`cover_samples`], [`scatter_cells`] and [`collect_light`] (or [`collect_clear`], [`collect_straight`]); behind the last one [`clear_landed`], [`land_cells`],
@@ -20,6 +23,7 @@ pub mod collect_clear;
 pub mod collect_light;
 pub mod collect_receiver;
 pub mod collect_straight;
+pub mod color_projected;
 pub mod concentrate_light;
 pub mod cover_samples;
 pub mod empty;
@@ -34,6 +38,7 @@ pub mod land_cells;
 pub mod light;
 pub mod place;
 pub mod project_nodes;
+pub mod project_rays;
 pub mod propagate_rays;
 pub mod refract_light;
 pub mod resolve;

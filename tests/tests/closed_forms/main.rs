@@ -6,6 +6,7 @@
 mod attenuation;
 mod ball;
 mod border;
+mod crop;
 mod flux;
 mod gradients;
 mod layer;
@@ -15,6 +16,7 @@ mod matter;
 mod outliers;
 mod porter_duff;
 mod prism;
+mod projection;
 mod saddle;
 mod setup;
 mod slab;

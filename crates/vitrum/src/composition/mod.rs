@@ -2,6 +2,7 @@
 
 mod error;
 mod input;
+mod projection;
 mod quality;
 mod sides;
 
@@ -116,7 +117,9 @@ impl Composition {
                 (None, None) => preset::adjust(volume, adjustments, &mut scene)?,
             }
         }
+        let of_file = (preset.is_none() && is_scene_file(Path::new(&self.input))).then(|| scene.clone());
         self.change(&mut scene, false)?;
+        notes.extend(projection::left_out(&scene, of_file.as_ref(), &self.settings));
         Ok(Composed { scene, base, assets, notes })
     }
 

@@ -11,6 +11,7 @@ mod camera;
 mod check;
 mod clip;
 mod colors;
+mod crop;
 mod dispersion;
 mod environment;
 mod error;
@@ -44,6 +45,7 @@ pub use annotation::{Anchor, Annotation, AnnotationKind, OrientationStyle};
 pub use beams::{Beams, Estimator, Tracer};
 pub use camera::{Camera, Projection};
 pub use clip::{Clip, Removes};
+pub use crop::Crop;
 pub use dispersion::YELLOW;
 pub use environment::{Environment, EnvironmentKind};
 pub use error::{Origin, Problem, SceneError};
@@ -57,7 +59,7 @@ pub use mesh::MeshSource;
 pub use method::{Capabilities, MethodName};
 pub use paint::{Background, Paint};
 pub use receiver::{Ground, Wall};
-pub use shading::{Diffuse, Shading};
+pub use shading::{BlendMode, Diffuse, Shading};
 pub use shadow::{Coefficient, Shadow};
 pub use surroundings::Surroundings;
 pub use sweep::{Gradient, Integrator, Intensity, Sweep, Transport};
@@ -135,6 +137,9 @@ pub struct Scene {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 4))]
     pub clip: Vec<Clip>,
+    /// A box out of the volume that is left of it; the whole volume if absent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crop: Option<Crop>,
     /// Size and exposure of the picture.
     pub film: Film,
     /// What is drawn over the finished picture; at most 32.
@@ -167,6 +172,7 @@ impl Default for Scene {
             ground: None,
             wall: None,
             clip: Vec::new(),
+            crop: None,
             film: Film::default(),
             annotation: Vec::new(),
         }

@@ -193,11 +193,11 @@ record! {
         position: Vec3,
         /// Optical direction v; z is depth.
         direction: Vec3,
-        /// Normalised scalar on the plane at depth `sampled`.
+        /// Normalised scalar on the plane at depth `sampled`; in a projection, what [`project_rays`](crate::sweep::project_rays) has gathered.
         scalar: f32,
         /// One of [`status`](crate::abi::record::status).
         status: f32,
-        /// Opacity-weighted sum of depths.
+        /// Opacity-weighted sum of depths; in a projection, until it is coloured, see [`project_rays`](crate::sweep::project_rays).
         depth: f32,
         /// Particle colour C.
         color: Color,

@@ -29,7 +29,7 @@ pub(super) struct FrameCache {
     uploaded: Memo<(), Arc<UploadedVolumes>>,
     tables: Memo<TablesKey, Arc<Tables>>,
     tables_buffer: Memo<TablesKey, Buffer>,
-    pub(super) occupancy: Memo<(TablesKey, [u32; 2], bool), Occupancy>,
+    pub(super) occupancy: Memo<(TablesKey, [u32; 2], bool, Option<u32>), Occupancy>,
     pub(super) pictures: UploadedPictures,
     /// The light that wavefronts have carried.
     pub(super) light: KeptLight,

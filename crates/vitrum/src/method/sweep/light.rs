@@ -1,5 +1,6 @@
 //! The light's direction and its grid.
 
+use super::crop;
 use super::planes::Planes;
 use super::wavefront::{Frame, check_point};
 use crate::error::Error;
@@ -90,7 +91,7 @@ impl LightGrid {
         let drift = (slope - shear) * (last - first);
         let mut low = DVec2::INFINITY;
         let mut high = DVec2::NEG_INFINITY;
-        for corner in volumes.iter().flat_map(|volume| Bounds::from(volume).corners) {
+        for corner in crop::corners(scene, volumes) {
             let point = view.point(corner);
             let outline = point.truncate() - shear * (point.z - first);
             low = low.min(outline).min(outline + drift);

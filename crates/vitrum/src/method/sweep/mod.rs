@@ -5,6 +5,7 @@
 
 mod cache;
 mod carrier;
+mod crop;
 mod film;
 mod hull;
 mod irradiance_ring;
@@ -15,6 +16,7 @@ mod occupancy;
 mod paging;
 mod passes;
 mod planes;
+mod projection;
 mod tables;
 mod texels;
 mod transfer;
@@ -45,6 +47,7 @@ use cache::{FrameCache, SweepCache};
 use film::Voxelized;
 use irradiance_ring::IrradianceRing;
 use kept::Carried;
+use projection::as_shown;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use uniforms::FramePlan;
@@ -73,12 +76,13 @@ impl Method for PlaneSweep {
             Subject::Volume(_) | Subject::Volumes { .. } => assets
                 .subject
                 .volumes()
-                .map_or(Ok(()), |volumes| uniforms::check(scene, volumes, assets.environment.as_deref())),
+                .map_or(Ok(()), |volumes| uniforms::check(&as_shown(scene), volumes, assets.environment.as_deref())),
         }
     }
 
     /// One exposure for each light, and of each for each wavelength where indices of refraction depend on it.
     fn exposures(&self, scene: &Scene, assets: &Assets) -> Vec<Exposure> {
+        let scene = &*as_shown(scene);
         let disperses =
             assets.subject.mesh().map_or(scene.transfer.disperses(), |mesh| bodies::disperse(mesh, &scene.material));
         let wavelengths = (scene.sweep.refraction && disperses).then_some(scene.sweep.wavelengths);
@@ -180,6 +184,7 @@ impl Sweep {
         cache: &mut FrameCache,
         backend: &mut dyn Backend,
     ) -> Result<Self, Error> {
+        let scene = &*as_shown(scene);
         let uploaded = cache.uploaded(volumes, backend)?;
         let tables = cache.tables(scene, volumes);
         let pictures = cache.pictures.get(scene, picture, &BTreeMap::new(), backend)?;

@@ -11,6 +11,7 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::sync::Arc;
 use vitrum_io::{Volume, Voxels};
+use vitrum_kernels::abi::sweep::blend;
 use vitrum_kernels::field::tables::ior;
 
 /// The bricks of all volumes on a backend.
@@ -93,8 +94,10 @@ pub(super) struct OccupancyQuery<'a> {
     /// The longest step in voxels.
     pub(super) reach: u32,
     pub(super) role: VolumeRole,
-    /// Whether a clipping plane cuts through the space in which the volume bends.
+    /// Whether a clipping plane or the crop box cuts through the space in which the volume bends.
     pub(super) cut: bool,
+    /// The [`blend`] of a projection, to which every scalar counts.
+    pub(super) blend: Option<u32>,
 }
 
 impl OccupancyQuery<'_> {
@@ -108,6 +111,35 @@ impl OccupancyQuery<'_> {
             Ranges::F32(ranges) => self.classify(ranges, words),
         }
         spread(words, bricks(self.volume).map(|n| n as usize));
+    }
+
+    /// Writes to `words`, x fastest, the bits of the largest normalised scalar in reach of each brick, or of the smallest one where the projection
+    /// shows that. A mean has no use for them.
+    pub(super) fn write_bounds(&self, words: &mut [u32]) {
+        match self.ranges {
+            Ranges::U8(ranges) => self.bound(ranges, words),
+            Ranges::U16(ranges) => self.bound(ranges, words),
+            Ranges::F32(ranges) => self.bound(ranges, words),
+        }
+    }
+
+    fn bound<T: Copy + PartialOrd + Send + Sync>(&self, ranges: &[Range<T>], words: &mut [u32])
+    where
+        f32: From<T>,
+    {
+        let widened = self.in_reach(ranges);
+        words.par_iter_mut().zip(widened).for_each(|(word, (low, high))| {
+            let [lower, higher] = self.normalised(f32::from(low), f32::from(high));
+            *word = if self.blend == Some(blend::MAXIMUM) { higher } else { lower }.to_bits();
+        });
+    }
+
+    /// The range of each brick with all bricks that have voxels up to `reach` + 2 beyond it.
+    fn in_reach<T: Copy + PartialOrd + Send + Sync>(&self, ranges: &[Range<T>]) -> Vec<Range<T>> {
+        let bricks = bricks(self.volume).map(|n| n as usize);
+        let beyond = (self.reach as usize + 2).div_ceil(1 << brick_shift(self.volume));
+        let widened = widen(ranges, bricks, 0, beyond);
+        (1..3).fold(widened, |ranges, axis| widen(&ranges, bricks, axis, beyond))
     }
 
     /// Points in the world whose convex hull encloses all bricks that are not empty.
@@ -191,9 +223,7 @@ impl OccupancyQuery<'_> {
     {
         let bricks = bricks(self.volume).map(|n| n as usize);
         let farthest = bricks.iter().max().map_or(0, |&count| count as u32);
-        let beyond = (self.reach as usize + 2).div_ceil(1 << brick_shift(self.volume));
-        let widened = widen(ranges, bricks, 0, beyond);
-        let widened = (1..3).fold(widened, |ranges, axis| widen(&ranges, bricks, axis, beyond));
+        let widened = self.in_reach(ranges);
         let edge = 1_usize << brick_shift(self.volume);
         words.par_iter_mut().zip(widened).enumerate().for_each(|(index, (word, (low, high)))| {
             let (low, high) = (f32::from(low), f32::from(high));
@@ -223,7 +253,8 @@ impl OccupancyQuery<'_> {
 
     /// Whether stored values from `low` to `high` are empty: without opacity, filter and change of η.
     pub(super) fn is_empty(&self, low: f32, high: f32) -> bool {
-        (self.role == VolumeRole::Bending || self.is_clear(low, high))
+        self.blend.is_none()
+            && (self.role == VolumeRole::Bending || self.is_clear(low, high))
             && (self.role == VolumeRole::Shown || self.is_uniform(low, high))
     }
 

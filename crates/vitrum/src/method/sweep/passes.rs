@@ -6,6 +6,7 @@ use super::carrier::{BufferAllocator, Carrier, VolumeBuffers};
 use super::kept::Carried;
 use super::occupancy::{Occupancy, OccupancyQuery, VolumeRole};
 use super::paging::{Residency, Swept, pools};
+use super::projection;
 use super::tables::tables_key;
 use super::texels::Texels;
 use super::uniforms::FramePlan;
@@ -52,8 +53,9 @@ pub(super) fn build(
     let second = volumes.ior.zip(ior_ranges.as_ref());
     let role = if second.is_none() { VolumeRole::Both } else { VolumeRole::Shown };
     // A cut through matter of one index bends light, too.
-    let cut = scene.clip.iter().any(|clip| clip.removes == Removes::Everything);
-    let mut queries = vec![OccupancyQuery { volume: shown, ranges, tables, reach: plan.reach[0], role, cut }];
+    let cut = scene.crop.is_some() || scene.clip.iter().any(|clip| clip.removes == Removes::Everything);
+    let blend = projection::blend(scene);
+    let mut queries = vec![OccupancyQuery { volume: shown, ranges, tables, reach: plan.reach[0], role, cut, blend }];
     queries.extend(second.map(|(volume, ranges)| OccupancyQuery {
         volume,
         ranges,
@@ -61,8 +63,9 @@ pub(super) fn build(
         reach: plan.reach[1],
         role: VolumeRole::Bending,
         cut,
+        blend,
     }));
-    let key = (tables_key(scene), plan.reach, cut);
+    let key = (tables_key(scene), plan.reach, cut, blend);
     let Occupancy { buffer: occupancy, occupied } = cache.occupancy.get(key, || occupancy(&queries, backend))?.clone();
     let tables = cache.tables_buffer(scene, tables, backend)?;
 
@@ -143,7 +146,10 @@ pub(super) fn build(
         None => buffers.planar("no refined pixels", [1, 1], 1)?,
     };
 
-    let ray_kernel = kernels::sweep_propagate_rays.get(plan.format);
+    let (ray_kernel, ray_mode) = match blend {
+        None => (kernels::sweep_propagate_rays.get(plan.format), plan.ray_mode()),
+        Some(blend) => (kernels::sweep_project_rays.get(plan.format), blend),
+    };
     // The first pass of each plane, of the wavefront's planes first.
     let (mut passes, mut starts) = match carried.as_deref() {
         Some(_) if is_known => (Vec::new(), Vec::new()),
@@ -154,13 +160,15 @@ pub(super) fn build(
     passes.push(plan.pass(&kernels::sweep_initialize_rays, pixels, 0, first, &[&looked_up, &places, &rays]));
     starts.push(if carried.is_some() { passes.len() } else { 0 });
     let VolumeBuffers { voxels, ior_voxels, occupancy, tables } = &volumes;
-    let bound = [voxels, ior_voxels, occupancy, tables, &looked_up, &rays];
+    let light_seen = blend.is_none().then_some(&looked_up);
+    let bound: Vec<&Buffer> =
+        [voxels, ior_voxels, occupancy, tables].into_iter().chain(light_seen).chain([&rays]).collect();
     // Rays on their way over planes whose irradiance is in the ring.
     let mut waiting = Vec::new();
     for plane in 1..plan.planes.count {
         starts.push(passes.len());
         if plane > first {
-            waiting.push(plan.pass(ray_kernel, pixels, plan.ray_mode(), plane, &bound));
+            waiting.push(plan.pass(ray_kernel, pixels, ray_mode, plane, &bound));
         }
         if waiting.len() == plan.ring().planes as usize {
             passes.append(&mut waiting);
@@ -181,10 +189,12 @@ pub(super) fn build(
         passes.extend((0..most_follow_passes(plan)).map(|_| follow()));
     }
     let last = plan.planes.count - 1;
+    let coloring = &kernels::sweep_color_projected;
+    passes.extend(blend.map(|blend| plan.pass(coloring, pixels, blend, last, &[tables, &rays])));
     let chosen = if mode::bends(plan.mode) { mode::CENTRAL } else { mode::STRAIGHT };
     passes.push(plan.pass(&kernels::sweep_resolve, pixels, chosen, last, &[&rays, map, &looked_up, &finished]));
     let (name, follow) = (ray_kernel.declaration.name, followers.declaration.name);
-    let after = [follow, kernels::sweep_resolve.declaration.name];
+    let after = [follow, coloring.declaration.name, kernels::sweep_resolve.declaration.name];
     let mut writes: Vec<Write> = pools.into_iter().flat_map(|pool| pool.writes(&starts)).collect();
     writes.extend(entries);
     writes.sort_by_key(|write| write.before);
@@ -220,8 +230,12 @@ fn occupancy(queries: &[OccupancyQuery], backend: &mut dyn Backend) -> Result<Oc
         Contents::Written(bytes, &mut |mut words| {
             for (query, &count) in queries.iter().zip(&counts) {
                 let (these, rest) = words.split_at_mut(count);
-                query.write_distances(these);
-                occupied.extend(query.occupied(these));
+                if query.blend.is_some() {
+                    query.write_bounds(these);
+                } else {
+                    query.write_distances(these);
+                    occupied.extend(query.occupied(these));
+                }
                 words = rest;
             }
         }),

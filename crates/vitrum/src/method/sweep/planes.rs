@@ -1,5 +1,6 @@
 //! The planes of a sweep.
 
+use super::crop::corners;
 use crate::error::Error;
 use crate::method::view::receivers::Receivers;
 use crate::method::view::{Bounds, View};
@@ -77,8 +78,7 @@ impl Planes {
     ) -> Result<Self, Error> {
         let edge = volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min);
         let distance = f64::from(edge) * f64::from(scene.sweep.sample_distance);
-        let points: Vec<DVec3> =
-            volumes.iter().flat_map(|volume| Bounds::from(volume).corners).map(|corner| view.point(corner)).collect();
+        let points: Vec<DVec3> = corners(scene, volumes).map(|corner| view.point(corner)).collect();
         let near = points.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
         let far = points.iter().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);
         let reach = reach(&points, far);

@@ -1,5 +1,6 @@
 //! The plan of a frame, and its uniform block, from the scene.
 
+use super::crop::{self, Extent};
 use super::irradiance_ring::IrradianceRing;
 use super::light::{LightGrid, direction};
 use super::paging::Sampling;
@@ -122,6 +123,7 @@ pub(super) fn check(scene: &Scene, volumes: Volumes<'_>, map: Option<&Picture>) 
     for exposure in lights::sweep_exposures(scene, map, Bounds::from(volumes.shown)) {
         Geometry::new(&exposure.scene, volumes)?;
     }
+    crop::check(scene, volumes)?;
     set_clips(&mut SweepUniforms::default(), scene, &view, volumes.shown)
 }
 
@@ -153,11 +155,13 @@ impl FramePlan {
             (true, Gradient::Chain) => mode::CHAIN,
         };
         let first_ior_brick: u32 = super::voxels::bricks(shown).iter().product();
+        crop::check(scene, volumes)?;
+        let extent = |volume| Extent::new(scene, volumes, volume);
         let mut block = SweepUniforms {
             flags: flags(scene),
             picture: Size { width: rays[0], height: rays[1] },
             sensor: Size { width: rays[0], height: rays[1] },
-            grid: grid(shown, tables.shown, format, &view, (reach[0], 0)),
+            grid: grid(shown, tables.shown, format, &view, extent(shown), (reach[0], 0)),
             light_grid: abi::LightGrid {
                 width: light_grid.size[0],
                 height: light_grid.size[1],
@@ -187,16 +191,17 @@ impl FramePlan {
             environment: environment.block,
             ..SweepUniforms::default()
         };
-        block.ior_grid = bending
-            .map_or(block.grid, |volume| grid(volume, tables.bending, format, &view, (reach[1], first_ior_brick)));
+        block.ior_grid = bending.map_or(block.grid, |volume| {
+            grid(volume, tables.bending, format, &view, extent(volume), (reach[1], first_ior_brick))
+        });
         let nearest = u32::from(scene.volume.interpolation == Interpolation::Nearest);
         (block.grid.nearest, block.ior_grid.nearest) = (nearest, nearest);
         let steepest = steepest(&view, &tables, std::iter::once(towards.as_vec3().to_array()));
         let sampled = std::iter::once(shown).chain(bending);
-        let sampling = sampled.clone().map(|volume| Sampling::new(volume, &view, &planes, steepest)).collect();
+        let sampling = sampled.clone().map(|volume| Sampling::new(scene, volume, &view, &planes, steepest)).collect();
         let of_frame = |frame: &Frame| {
             let steepest = if tables.refracts { 1.0 / f64::from(SMALLEST_COSINE) } else { frame.steepest() };
-            sampled.map(|volume| Sampling::new(volume, &frame.view, &frame.planes, steepest)).collect()
+            sampled.map(|volume| Sampling::new(scene, volume, &frame.view, &frame.planes, steepest)).collect()
         };
         let light_sampling = frame.as_ref().map_or_else(Vec::new, of_frame);
         block.light.color = initial_light(scene, &block);

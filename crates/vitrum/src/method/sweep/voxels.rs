@@ -1,5 +1,6 @@
 //! Volumes as kernels read them: the voxels as they were read from the file, x fastest, in words.
 
+use super::crop::Extent;
 use super::transfer::window::Window;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::view::{View, vector, voxel_steps};
@@ -91,12 +92,13 @@ pub(super) fn rows(volume: &Volume, view: &View) -> [Affine; 3] {
 }
 
 /// The grid of a volume in the view frame, as kernels read it. `window` is that of its normalised scalars, `reach` the step in voxels that a brick's range covers, `first_brick`
-/// the index of the first brick in the occupancy buffer.
+/// the index of the first brick in the occupancy buffer; `extent` is the part of the volume that is there.
 pub(super) fn grid(
     volume: &Volume,
     window: Window,
     stored: Format,
     view: &View,
+    extent: Extent,
     (reach, first_brick): (u32, u32),
 ) -> Grid {
     let [row_x, row_y, row_z] = rows(volume, view);
@@ -115,6 +117,8 @@ pub(super) fn grid(
         row_y,
         row_z,
         size: Vec3::new(width as f32, height as f32, depth as f32),
+        low: extent.low.as_vec3().into(),
+        high: extent.high.as_vec3().into(),
         reach: reach as f32,
         value_scale,
         value_origin,

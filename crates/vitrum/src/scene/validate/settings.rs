@@ -2,8 +2,8 @@
 
 use super::super::error::Fault;
 use super::super::{
-    Beams, Camera, Capabilities, Film, Intensity, Light, LightKind, Material, MethodName, Scene, Sweep, Tracer,
-    TransferFunction, Transport, Vector,
+    Beams, BlendMode, Camera, Capabilities, Crop, Film, Intensity, Light, LightKind, Material, MethodName, Scene,
+    Sweep, Tracer, TransferFunction, Transport, Vector,
 };
 use super::{figure, medium, refuse};
 
@@ -17,6 +17,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     for (index, clip) in scene.clip.iter().enumerate() {
         check_direction(&format!("clip.{index}.normal"), clip.normal)?;
     }
+    scene.crop.as_ref().map_or(Ok(()), check_crop)?;
     check_transfer(&scene.transfer)?;
     for (index, material) in scene.material.iter().enumerate() {
         check_dispersion(&format!("material.{index}"), material.abbe, material.cauchy_b)?;
@@ -53,6 +54,9 @@ pub(super) fn check_mesh(scene: &Scene) -> Result<(), Fault> {
             clips.map_or("or show a volume".to_owned(), |name| format!("or take the method `{}`", name.as_str()));
         refuse(&[("clip", !scene.clip.is_empty())], &problem, &advice)?;
     }
+    let of_volumes =
+        [("crop", scene.crop.is_some()), ("shading.blend_mode", scene.shading.blend_mode != BlendMode::Composite)];
+    refuse(&of_volumes, "it is of volumes, and the picture shows a mesh", "or show a volume")?;
     if !mirrors {
         check_no_mirror(scene)?;
     }
@@ -160,6 +164,19 @@ fn check_camera(camera: &Camera) -> Result<(), Fault> {
         ));
     }
     Ok(())
+}
+
+/// A crop box has an inside.
+fn check_crop(crop: &Crop) -> Result<(), Fault> {
+    let Crop { min, max } = *crop;
+    match (0..3).find(|&axis| min[axis] >= max[axis]) {
+        None => Ok(()),
+        Some(axis) => Err(Fault::contradiction(
+            &format!("crop.max.{axis}"),
+            format!("{} is not above `crop.min.{axis}`, which is {}, so that nothing is left", max[axis], min[axis]),
+            "make it larger",
+        )),
+    }
 }
 
 /// A direction may have any length that survives being squared in f32.

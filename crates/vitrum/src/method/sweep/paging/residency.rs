@@ -4,6 +4,7 @@ use crate::method::sweep::occupancy::{OccupancyQuery, widen};
 use crate::method::sweep::planes::Planes;
 use crate::method::sweep::voxels::pages;
 use crate::method::view::{View, vector, voxel_steps};
+use crate::scene::Scene;
 use glam::DVec3;
 use rayon::prelude::*;
 use vitrum_io::Volume;
@@ -26,6 +27,8 @@ pub(in crate::method::sweep) struct Sampling {
     step: DVec3,
     /// The largest voxel coordinate in a computation.
     largest: f64,
+    /// Whether there are borders within the volume.
+    cropped: bool,
 }
 
 /// A sweep over planes in which pages are looked at: one of several that follow one another in a frame.
@@ -161,7 +164,13 @@ fn kinds(query: &OccupancyQuery, longest: DVec3, pages: [u32; 3]) -> Vec<Kind> {
 
 impl Sampling {
     /// The look-ups in `volume` of rays with a slope of at most `steepest` (distance across over depth).
-    pub(in crate::method::sweep) fn new(volume: &Volume, view: &View, planes: &Planes, steepest: f64) -> Self {
+    pub(in crate::method::sweep) fn new(
+        scene: &Scene,
+        volume: &Volume,
+        view: &View,
+        planes: &Planes,
+        steepest: f64,
+    ) -> Self {
         let steps = voxel_steps(volume);
         let along = steps.inverse() * view.axes;
         let eye = view.eye - vector(volume.origin);
@@ -175,6 +184,7 @@ impl Sampling {
             growth: steps.transpose() * view.axes.z_axis,
             step: DVec3::new(step(0), step(1), step(2)),
             largest: ((steps.inverse() * eye).abs() + sizes).max_element(),
+            cropped: scene.crop.is_some(),
         }
     }
 
@@ -193,7 +203,7 @@ impl Sampling {
         }
         let growth = self.growth.abs();
         let rounding = growth.element_sum() * (ROUNDING + 2e-6 * self.largest);
-        let border = (0..3).any(|axis| at[axis] == 0 || at[axis] + 1 == pages[axis]);
+        let border = self.cropped || (0..3).any(|axis| at[axis] == 0 || at[axis] + 1 == pages[axis]);
         let margin = rounding + if border { growth.dot(self.step) + planes.distance } else { 0.0 };
         let index = |depth: f64| (depth - planes.first_depth) / planes.distance;
         let limit = |index: f64| index.clamp(0.0, f64::from(planes.behind) + 1.0) as u32;

@@ -2,6 +2,7 @@
 
 use super::point::Source;
 use crate::error::Error;
+use crate::method::sweep::crop::corners;
 use crate::method::sweep::planes::Planes;
 use crate::method::view::{Bounds, View};
 use crate::scene::Scene;
@@ -71,9 +72,7 @@ impl Frame {
         let eye = centre - away * (4.0 * radius);
         let view = View { eye, axes, orthographic: true, target_depth: 4.0 * radius, ..*view };
         let planes = Planes::within(scene, &view, volumes)?;
-        let outline = || {
-            volumes.iter().flat_map(|volume| Bounds::from(volume).corners).map(|corner| view.point(corner).truncate())
-        };
+        let outline = || corners(scene, volumes).map(|corner| view.point(corner).truncate());
         let low = outline().fold(DVec2::INFINITY, DVec2::min);
         let high = outline().fold(DVec2::NEG_INFINITY, DVec2::max);
         let longer = (high - low).max_element();

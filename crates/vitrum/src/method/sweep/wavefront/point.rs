@@ -2,6 +2,7 @@
 
 use super::frame::{FEWEST, Frame, MOST};
 use crate::error::Error;
+use crate::method::sweep::crop;
 use crate::method::sweep::planes::Planes;
 use crate::method::view::light::axis;
 use crate::method::view::{Bounds, View};
@@ -111,7 +112,7 @@ impl Frame {
     ) -> Result<Self, Error> {
         let light = scene.first_light();
         let bounds = Bounds::from(volumes.shown);
-        let corners: Vec<DVec3> = volumes.iter().flat_map(|volume| Bounds::from(volume).corners).collect();
+        let corners: Vec<DVec3> = crop::corners(scene, volumes).collect();
         // In single precision, as in the frame of light from far away.
         let position = position.as_vec3().as_dvec3();
         let axes = axes(position, &corners, view.up);
