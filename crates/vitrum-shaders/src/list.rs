@@ -46,6 +46,7 @@ modules! {
     sweep_collect_light
     sweep_collect_receiver
     sweep_collect_straight
+    sweep_color_projected
     sweep_concentrate_light
     sweep_cover_samples
     sweep_filter_light
@@ -64,6 +65,14 @@ modules! {
     sweep_integrate_landed
     sweep_land_cells
     sweep_project_nodes
+    sweep_project_rays_f32
+    sweep_project_rays_f32_paged
+    sweep_project_rays_f32_with_ior
+    sweep_project_rays_f32_with_ior_paged
+    sweep_project_rays_u16
+    sweep_project_rays_u16_paged
+    sweep_project_rays_u8
+    sweep_project_rays_u8_paged
     sweep_propagate_rays_f32
     sweep_propagate_rays_f32_paged
     sweep_propagate_rays_f32_with_ior

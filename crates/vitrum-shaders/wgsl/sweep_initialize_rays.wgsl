@@ -70,15 +70,18 @@ member: type_7,
 member_1: type_7,
 member_2: type_7,
 member_3: type_5,
-member_4: f32,
-member_5: f32,
+member_4: type_5,
+member_5: type_5,
 member_6: f32,
-member_7: i32,
-member_8: i32,
-member_9: type_2,
-member_10: u32,
+member_7: f32,
+member_8: f32,
+member_9: i32,
+member_10: i32,
 member_11: type_2,
 member_12: u32,
+member_13: type_2,
+member_14: u32,
+member_15: u32,
 }
 struct type_20 {
 member: u32,
@@ -181,340 +184,345 @@ var<storage> global_3: type_16;
 @group(0) @binding(2)
 var<storage> global_4: type_16;
 fn function_() {
-var phi_196_: type_14;
-var phi_265_: type_14;
-var phi_865_: u32;
-var phi_1202_: f32;
-var phi_1258_: f32;
-var phi_1263_: vec3<f32>;
-var phi_1366_: f32;
-var phi_1450_: f32;
-var phi_1522_: type_28;
-var phi_1523_: type_28;
+var phi_198_: type_14;
+var phi_267_: type_14;
+var phi_867_: u32;
+var phi_1204_: f32;
+var phi_1260_: f32;
+var phi_1265_: vec3<f32>;
+var phi_1368_: f32;
+var phi_1452_: f32;
+var phi_1524_: type_28;
+var phi_1525_: type_28;
 switch bitcast<i32>(0u) {
 default: {
-let _e43 = global;
-let _e50 = global_1.member.member_2;
-let _e53 = global_1.member.member;
-let _e61 = (_e43.x + _e50.member);
-let _e63 = (_e43.y + _e50.member_1);
-if (_e61 < _e50.member_2) {
-if (_e63 < _e50.member_3) {
-let _e66 = (_e53.member * _e53.member_1);
-let _e68 = ((_e63 * _e53.member) + _e61);
-let _e72 = global_1.member.member_3.member;
-let _e76 = global_1.member.member_3.member_1;
-let _e77 = (_e61 % 16u);
-let _e78 = (_e63 % 4u);
-if ((_e61 < (_e72 - (_e72 % 16u))) && (_e63 < (_e76 - (_e76 % 4u)))) {
-phi_196_ = type_14((((_e61 - _e77) + (_e78 * 4u)) + (_e77 % 4u)), ((_e63 - _e78) + (_e77 / 4u)));
+let _e48 = global;
+let _e55 = global_1.member.member_2;
+let _e58 = global_1.member.member;
+let _e66 = (_e48.x + _e55.member);
+let _e68 = (_e48.y + _e55.member_1);
+if (_e66 < _e55.member_2) {
+if (_e68 < _e55.member_3) {
+let _e71 = (_e58.member * _e58.member_1);
+let _e73 = ((_e68 * _e58.member) + _e66);
+let _e77 = global_1.member.member_3.member;
+let _e81 = global_1.member.member_3.member_1;
+let _e82 = (_e66 % 16u);
+let _e83 = (_e68 % 4u);
+if ((_e66 < (_e77 - (_e77 % 16u))) && (_e68 < (_e81 - (_e81 % 4u)))) {
+phi_198_ = type_14((((_e66 - _e82) + (_e83 * 4u)) + (_e82 % 4u)), ((_e68 - _e83) + (_e82 / 4u)));
 } else {
-phi_196_ = type_14(_e61, _e63);
+phi_198_ = type_14(_e66, _e68);
 }
-let _e97 = phi_196_;
-let _e102 = global_1.member.member_5;
-let _e103 = (_e102 == 0u);
-let _e104 = select(_e102, 1u, _e103);
-let _e105 = (_e104 == 0u);
-if _e105 {
+let _e102 = phi_198_;
+let _e107 = global_1.member.member_5;
+let _e108 = (_e107 == 0u);
+let _e109 = select(_e107, 1u, _e108);
+let _e110 = (_e109 == 0u);
+if _e110 {
 break;
 }
-if _e105 {
+if _e110 {
 break;
 }
-if _e105 {
+if _e110 {
 break;
 }
-let _e111 = bitcast<i32>((((_e97.member_1 / _e104) * (_e72 / _e104)) + (_e97.member / _e104)));
-let _e113 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
-let _e115 = select(_e113, _e111, (_e111 < _e113));
-let _e121 = global_4.member[bitcast<u32>(select(0i, _e115, (_e115 > 0i)))];
-if _e103 {
-phi_265_ = _e97;
+let _e116 = bitcast<i32>((((_e102.member_1 / _e109) * (_e77 / _e109)) + (_e102.member / _e109)));
+let _e118 = (bitcast<i32>(arrayLength((&global_4.member))) - 1i);
+let _e120 = select(_e118, _e116, (_e116 < _e118));
+let _e126 = global_4.member[bitcast<u32>(select(0i, _e120, (_e120 > 0i)))];
+if _e108 {
+phi_267_ = _e102;
 } else {
-if _e105 {
+if _e110 {
 break;
 }
-if _e105 {
+if _e110 {
 break;
 }
-phi_265_ = type_14((((_e121 & 65535u) * _e104) + (_e97.member % _e104)), (((_e121 >> bitcast<u32>(16u)) * _e104) + (_e97.member_1 % _e104)));
+phi_267_ = type_14((((_e126 & 65535u) * _e109) + (_e102.member % _e109)), (((_e126 >> bitcast<u32>(16u)) * _e109) + (_e102.member_1 % _e109)));
 }
-let _e133 = phi_265_;
-let _e142 = global_1.member.member_4.member;
-let _e151 = global_1.member.member_14.member;
-let _e152 = (((((f32(bitcast<i32>(_e133.member)) + 0.5f) / f32(bitcast<i32>(_e142))) * 2f) - 1f) * _e151);
-let _e159 = global_1.member.member_4.member_1;
-let _e168 = global_1.member.member_14.member_1;
-let _e169 = ((1f - (((f32(bitcast<i32>(_e133.member_1)) + 0.5f) / f32(bitcast<i32>(_e159))) * 2f)) * _e168);
-let _e173 = global_1.member.member_14.member_3;
-let _e174 = (_e173 != 0u);
-let _e178 = global_1.member.member_14.member_2;
-let _e179 = select(_e152, 0f, _e174);
-let _e180 = select(_e169, 0f, _e174);
-let _e181 = select(0f, _e152, _e174);
-let _e182 = select(0f, _e169, _e174);
-let _e186 = (_e181 + (_e179 * _e178));
-let _e187 = (_e182 + (_e180 * _e178));
-let _e188 = (0f + (1f * _e178));
-let _e193 = (((_e179 * _e179) + (_e180 * _e180)) + (1f * 1f));
-let _e196 = sqrt(select(0f, _e193, (_e193 > 0f)));
-let _e199 = (1f / select(1e-20f, _e196, (_e196 > 1e-20f)));
-let _e207 = global_1.member.member_15.member.member;
-let _e218 = ((((_e207.member.member * _e181) + (_e207.member.member_1 * _e182)) + (_e207.member.member_2 * 0f)) + _e207.member_1);
-let _e224 = ((((_e207.member.member * _e186) + (_e207.member.member_1 * _e187)) + (_e207.member.member_2 * _e188)) + _e207.member_1);
-let _e227 = ((_e218 > 0f) && (_e224 <= 0f));
-let _e228 = (_e218 - _e224);
-let _e231 = (_e218 / select(1e-20f, _e228, (_e228 > 1e-20f)));
-let _e236 = global_1.member.member_15.member_1.member;
-let _e247 = ((((_e236.member.member * _e181) + (_e236.member.member_1 * _e182)) + (_e236.member.member_2 * 0f)) + _e236.member_1);
-let _e253 = ((((_e236.member.member * _e186) + (_e236.member.member_1 * _e187)) + (_e236.member.member_2 * _e188)) + _e236.member_1);
-let _e256 = ((_e247 > 0f) && (_e253 <= 0f));
-let _e257 = (_e247 - _e253);
-let _e260 = (_e247 / select(1e-20f, _e257, (_e257 > 1e-20f)));
-let _e264 = (_e256 && (!(_e227) || (_e260 < _e231)));
-let _e270 = global_1.member.member_15.member_1.member.member;
-let _e275 = global_1.member.member_15.member_1.member_1;
-let _e281 = global_1.member.member_15.member.member.member;
-let _e286 = global_1.member.member_15.member.member_1;
-let _e305 = (_e227 || _e256);
-let _e306 = select(_e231, _e260, _e264);
-let _e311 = select(1f, _e306, (_e306 < 1f));
-let _e315 = (_e181 + ((_e186 - _e181) * _e311));
-let _e316 = (_e182 + ((_e187 - _e182) * _e311));
-let _e317 = (0f + ((_e188 - 0f) * _e311));
-let _e321 = global_1.member.member_12.member;
-let _e332 = ((((_e321.member.member * _e315) + (_e321.member.member_1 * _e316)) + (_e321.member.member_2 * _e317)) + _e321.member_1);
-let _e336 = global_1.member.member_12.member_1;
-let _e347 = ((((_e336.member.member * _e315) + (_e336.member.member_1 * _e316)) + (_e336.member.member_2 * _e317)) + _e336.member_1);
-let _e351 = global_1.member.member_12.member_2;
-let _e362 = ((((_e351.member.member * _e315) + (_e351.member.member_1 * _e316)) + (_e351.member.member_2 * _e317)) + _e351.member_1);
-let _e366 = global_1.member.member_12.member_3;
-let _e367 = (_e366 != 0u);
-let _e371 = global_1.member.member_12.member_19;
-let _e375 = (_e332 - _e371.member);
-let _e376 = (_e347 - _e371.member_1);
-let _e377 = (_e362 - _e371.member_2);
-let _e382 = (((_e375 * _e375) + (_e376 * _e376)) + (_e377 * _e377));
-let _e385 = sqrt(select(0f, _e382, (_e382 > 0f)));
-let _e388 = (1f / select(1e-20f, _e385, (_e385 > 1e-20f)));
-let _e392 = select(0f, (_e375 * _e388), _e367);
-let _e393 = select(0f, (_e376 * _e388), _e367);
-let _e394 = select(1f, (_e377 * _e388), _e367);
-let _e399 = global_1.member.member_12.member.member;
-let _e410 = global_1.member.member_12.member_1.member;
-let _e424 = global_1.member.member_12.member_2.member;
-let _e433 = (vec3<f32>(((_e399.member * _e392) + (_e410.member * _e393)), ((_e399.member_1 * _e392) + (_e410.member_1 * _e393)), ((_e399.member_2 * _e392) + (_e410.member_2 * _e393))) + vec3<f32>((_e424.member * _e394), (_e424.member_1 * _e394), (_e424.member_2 * _e394)));
-let _e436 = global_1.member.member_1;
-if ((_e436 & 256u) != 0u) {
-let _e444 = global_1.member.member_12.member_18.member.member;
-let _e445 = bitcast<i32>(_e444);
-let _e451 = global_1.member.member_12.member_18.member.member_1;
-let _e452 = bitcast<i32>(_e451);
-let _e457 = global_1.member.member_12.member_19.member_2;
-let _e459 = select(1f, (_e362 - _e457), _e367);
-let _e462 = (1f / select(1e-12f, _e459, (_e459 > 1e-12f)));
-let _e467 = global_1.member.member_12.member_5;
-let _e472 = global_1.member.member_12.member_8;
-let _e473 = (((_e332 * _e462) - _e467) * _e472);
-let _e478 = global_1.member.member_12.member_6;
-let _e480 = (((_e347 * _e462) - _e478) * _e472);
-let _e485 = global_1.member.member_12.member_4.member;
-let _e487 = f32(bitcast<i32>(_e485));
-let _e489 = select(0f, _e473, (_e473 > 0f));
-let _e496 = global_1.member.member_12.member_18.member_1;
-let _e499 = ((_e473 - _e487) * _e496);
-let _e504 = global_1.member.member_12.member_18.member_2;
-let _e506 = select(0f, _e499, (_e499 > 0f));
-let _e508 = (_e504 + _e506);
-let _e513 = (-(_e473) * _e496);
-let _e515 = select(0f, _e513, (_e513 > 0f));
-let _e517 = (_e504 + _e515);
-let _e524 = (((_e504 + (select(_e487, _e489, (_e489 < _e487)) * _e496)) + (((_e506 * _e504) / select(1e-12f, _e508, (_e508 > 1e-12f))) - ((_e515 * _e504) / select(1e-12f, _e517, (_e517 > 1e-12f))))) - 0.5f);
-let _e529 = global_1.member.member_12.member_4.member_1;
-let _e531 = f32(bitcast<i32>(_e529));
-let _e533 = select(0f, _e480, (_e480 > 0f));
-let _e538 = ((_e480 - _e531) * _e496);
-let _e540 = select(0f, _e538, (_e538 > 0f));
-let _e542 = (_e504 + _e540);
-let _e547 = (-(_e480) * _e496);
-let _e549 = select(0f, _e547, (_e547 > 0f));
-let _e551 = (_e504 + _e549);
-let _e558 = (((_e504 + (select(_e531, _e533, (_e533 < _e531)) * _e496)) + (((_e540 * _e504) / select(1e-12f, _e542, (_e542 > 1e-12f))) - ((_e549 * _e504) / select(1e-12f, _e551, (_e551 > 1e-12f))))) - 0.5f);
-let _e560 = f32((_e445 - 2i));
-let _e562 = select(0f, _e524, (_e524 > 0f));
-let _e564 = select(_e560, _e562, (_e562 < _e560));
-let _e571 = select(0i, select(select(i32(_e564), i32(-2147483648), (_e564 < -2147483600f)), 2147483647i, (_e564 > 2147483500f)), (_e564 == _e564));
-let _e575 = (_e571 - select(0i, 1i, (_e564 < f32(_e571))));
-let _e577 = f32((_e452 - 2i));
-let _e579 = select(0f, _e558, (_e558 > 0f));
-let _e581 = select(_e577, _e579, (_e579 < _e577));
-let _e588 = select(0i, select(select(i32(_e581), i32(-2147483648), (_e581 < -2147483600f)), 2147483647i, (_e581 > 2147483500f)), (_e581 == _e581));
-let _e592 = (_e588 - select(0i, 1i, (_e581 < f32(_e588))));
-let _e594 = (_e524 - f32(_e575));
-let _e596 = select(0f, _e594, (_e594 > 0f));
-let _e598 = select(1f, _e596, (_e596 < 1f));
-let _e600 = (_e558 - f32(_e592));
-let _e602 = select(0f, _e600, (_e600 > 0f));
-let _e604 = select(1f, _e602, (_e602 < 1f));
-if _e264 {
-let _e609 = global_1.member.member_12.member_18.member_4;
-phi_865_ = _e609;
+let _e138 = phi_267_;
+let _e147 = global_1.member.member_4.member;
+let _e156 = global_1.member.member_14.member;
+let _e157 = (((((f32(bitcast<i32>(_e138.member)) + 0.5f) / f32(bitcast<i32>(_e147))) * 2f) - 1f) * _e156);
+let _e164 = global_1.member.member_4.member_1;
+let _e173 = global_1.member.member_14.member_1;
+let _e174 = ((1f - (((f32(bitcast<i32>(_e138.member_1)) + 0.5f) / f32(bitcast<i32>(_e164))) * 2f)) * _e173);
+let _e178 = global_1.member.member_14.member_3;
+let _e179 = (_e178 != 0u);
+let _e183 = global_1.member.member_14.member_2;
+let _e184 = select(_e157, 0f, _e179);
+let _e185 = select(_e174, 0f, _e179);
+let _e186 = select(0f, _e157, _e179);
+let _e187 = select(0f, _e174, _e179);
+let _e191 = (_e186 + (_e184 * _e183));
+let _e192 = (_e187 + (_e185 * _e183));
+let _e193 = (0f + (1f * _e183));
+let _e198 = (((_e184 * _e184) + (_e185 * _e185)) + (1f * 1f));
+let _e201 = sqrt(select(0f, _e198, (_e198 > 0f)));
+let _e204 = (1f / select(1e-20f, _e201, (_e201 > 1e-20f)));
+let _e212 = global_1.member.member_15.member.member;
+let _e223 = ((((_e212.member.member * _e186) + (_e212.member.member_1 * _e187)) + (_e212.member.member_2 * 0f)) + _e212.member_1);
+let _e229 = ((((_e212.member.member * _e191) + (_e212.member.member_1 * _e192)) + (_e212.member.member_2 * _e193)) + _e212.member_1);
+let _e232 = ((_e223 > 0f) && (_e229 <= 0f));
+let _e233 = (_e223 - _e229);
+let _e236 = (_e223 / select(1e-20f, _e233, (_e233 > 1e-20f)));
+let _e241 = global_1.member.member_15.member_1.member;
+let _e252 = ((((_e241.member.member * _e186) + (_e241.member.member_1 * _e187)) + (_e241.member.member_2 * 0f)) + _e241.member_1);
+let _e258 = ((((_e241.member.member * _e191) + (_e241.member.member_1 * _e192)) + (_e241.member.member_2 * _e193)) + _e241.member_1);
+let _e261 = ((_e252 > 0f) && (_e258 <= 0f));
+let _e262 = (_e252 - _e258);
+let _e265 = (_e252 / select(1e-20f, _e262, (_e262 > 1e-20f)));
+let _e269 = (_e261 && (!(_e232) || (_e265 < _e236)));
+let _e275 = global_1.member.member_15.member_1.member.member;
+let _e280 = global_1.member.member_15.member_1.member_1;
+let _e286 = global_1.member.member_15.member.member.member;
+let _e291 = global_1.member.member_15.member.member_1;
+let _e310 = (_e232 || _e261);
+let _e311 = select(_e236, _e265, _e269);
+let _e316 = select(1f, _e311, (_e311 < 1f));
+let _e320 = (_e186 + ((_e191 - _e186) * _e316));
+let _e321 = (_e187 + ((_e192 - _e187) * _e316));
+let _e322 = (0f + ((_e193 - 0f) * _e316));
+let _e326 = global_1.member.member_12.member;
+let _e337 = ((((_e326.member.member * _e320) + (_e326.member.member_1 * _e321)) + (_e326.member.member_2 * _e322)) + _e326.member_1);
+let _e341 = global_1.member.member_12.member_1;
+let _e352 = ((((_e341.member.member * _e320) + (_e341.member.member_1 * _e321)) + (_e341.member.member_2 * _e322)) + _e341.member_1);
+let _e356 = global_1.member.member_12.member_2;
+let _e367 = ((((_e356.member.member * _e320) + (_e356.member.member_1 * _e321)) + (_e356.member.member_2 * _e322)) + _e356.member_1);
+let _e371 = global_1.member.member_12.member_3;
+let _e372 = (_e371 != 0u);
+let _e376 = global_1.member.member_12.member_19;
+let _e380 = (_e337 - _e376.member);
+let _e381 = (_e352 - _e376.member_1);
+let _e382 = (_e367 - _e376.member_2);
+let _e387 = (((_e380 * _e380) + (_e381 * _e381)) + (_e382 * _e382));
+let _e390 = sqrt(select(0f, _e387, (_e387 > 0f)));
+let _e393 = (1f / select(1e-20f, _e390, (_e390 > 1e-20f)));
+let _e397 = select(0f, (_e380 * _e393), _e372);
+let _e398 = select(0f, (_e381 * _e393), _e372);
+let _e399 = select(1f, (_e382 * _e393), _e372);
+let _e404 = global_1.member.member_12.member.member;
+let _e415 = global_1.member.member_12.member_1.member;
+let _e429 = global_1.member.member_12.member_2.member;
+let _e438 = (vec3<f32>(((_e404.member * _e397) + (_e415.member * _e398)), ((_e404.member_1 * _e397) + (_e415.member_1 * _e398)), ((_e404.member_2 * _e397) + (_e415.member_2 * _e398))) + vec3<f32>((_e429.member * _e399), (_e429.member_1 * _e399), (_e429.member_2 * _e399)));
+let _e441 = global_1.member.member_1;
+if ((_e441 & 256u) != 0u) {
+let _e449 = global_1.member.member_12.member_18.member.member;
+let _e450 = bitcast<i32>(_e449);
+let _e456 = global_1.member.member_12.member_18.member.member_1;
+let _e457 = bitcast<i32>(_e456);
+let _e462 = global_1.member.member_12.member_19.member_2;
+let _e464 = select(1f, (_e367 - _e462), _e372);
+let _e467 = (1f / select(1e-12f, _e464, (_e464 > 1e-12f)));
+let _e472 = global_1.member.member_12.member_5;
+let _e477 = global_1.member.member_12.member_8;
+let _e478 = (((_e337 * _e467) - _e472) * _e477);
+let _e483 = global_1.member.member_12.member_6;
+let _e485 = (((_e352 * _e467) - _e483) * _e477);
+let _e490 = global_1.member.member_12.member_4.member;
+let _e492 = f32(bitcast<i32>(_e490));
+let _e494 = select(0f, _e478, (_e478 > 0f));
+let _e501 = global_1.member.member_12.member_18.member_1;
+let _e504 = ((_e478 - _e492) * _e501);
+let _e509 = global_1.member.member_12.member_18.member_2;
+let _e511 = select(0f, _e504, (_e504 > 0f));
+let _e513 = (_e509 + _e511);
+let _e518 = (-(_e478) * _e501);
+let _e520 = select(0f, _e518, (_e518 > 0f));
+let _e522 = (_e509 + _e520);
+let _e529 = (((_e509 + (select(_e492, _e494, (_e494 < _e492)) * _e501)) + (((_e511 * _e509) / select(1e-12f, _e513, (_e513 > 1e-12f))) - ((_e520 * _e509) / select(1e-12f, _e522, (_e522 > 1e-12f))))) - 0.5f);
+let _e534 = global_1.member.member_12.member_4.member_1;
+let _e536 = f32(bitcast<i32>(_e534));
+let _e538 = select(0f, _e485, (_e485 > 0f));
+let _e543 = ((_e485 - _e536) * _e501);
+let _e545 = select(0f, _e543, (_e543 > 0f));
+let _e547 = (_e509 + _e545);
+let _e552 = (-(_e485) * _e501);
+let _e554 = select(0f, _e552, (_e552 > 0f));
+let _e556 = (_e509 + _e554);
+let _e563 = (((_e509 + (select(_e536, _e538, (_e538 < _e536)) * _e501)) + (((_e545 * _e509) / select(1e-12f, _e547, (_e547 > 1e-12f))) - ((_e554 * _e509) / select(1e-12f, _e556, (_e556 > 1e-12f))))) - 0.5f);
+let _e565 = f32((_e450 - 2i));
+let _e567 = select(0f, _e529, (_e529 > 0f));
+let _e569 = select(_e565, _e567, (_e567 < _e565));
+let _e576 = select(0i, select(select(i32(_e569), i32(-2147483648), (_e569 < -2147483600f)), 2147483647i, (_e569 > 2147483500f)), (_e569 == _e569));
+let _e580 = (_e576 - select(0i, 1i, (_e569 < f32(_e576))));
+let _e582 = f32((_e457 - 2i));
+let _e584 = select(0f, _e563, (_e563 > 0f));
+let _e586 = select(_e582, _e584, (_e584 < _e582));
+let _e593 = select(0i, select(select(i32(_e586), i32(-2147483648), (_e586 < -2147483600f)), 2147483647i, (_e586 > 2147483500f)), (_e586 == _e586));
+let _e597 = (_e593 - select(0i, 1i, (_e586 < f32(_e593))));
+let _e599 = (_e529 - f32(_e580));
+let _e601 = select(0f, _e599, (_e599 > 0f));
+let _e603 = select(1f, _e601, (_e601 < 1f));
+let _e605 = (_e563 - f32(_e597));
+let _e607 = select(0f, _e605, (_e605 > 0f));
+let _e609 = select(1f, _e607, (_e607 < 1f));
+if _e269 {
+let _e614 = global_1.member.member_12.member_18.member_4;
+phi_867_ = _e614;
 } else {
-let _e614 = global_1.member.member_12.member_18.member_3;
-phi_865_ = _e614;
+let _e619 = global_1.member.member_12.member_18.member_3;
+phi_867_ = _e619;
 }
-let _e616 = phi_865_;
-let _e620 = ((bitcast<i32>(_e616) + (_e592 * _e445)) + _e575);
-let _e621 = (_e445 * _e452);
-let _e623 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
-let _e625 = select(_e623, _e620, (_e620 < _e623));
-let _e631 = global_3.member[bitcast<u32>(select(0i, _e625, (_e625 > 0i)))];
-let _e632 = bitcast<f32>(_e631);
-let _e633 = (_e620 + 1i);
-let _e635 = select(_e623, _e633, (_e633 < _e623));
-let _e641 = global_3.member[bitcast<u32>(select(0i, _e635, (_e635 > 0i)))];
-let _e645 = (_e632 + ((bitcast<f32>(_e641) - _e632) * _e598));
-let _e646 = (_e620 + _e445);
-let _e648 = select(_e623, _e646, (_e646 < _e623));
-let _e654 = global_3.member[bitcast<u32>(select(0i, _e648, (_e648 > 0i)))];
-let _e655 = bitcast<f32>(_e654);
-let _e656 = (_e646 + 1i);
-let _e658 = select(_e623, _e656, (_e656 < _e623));
-let _e664 = global_3.member[bitcast<u32>(select(0i, _e658, (_e658 > 0i)))];
-let _e671 = (_e645 + (((_e655 + ((bitcast<f32>(_e664) - _e655) * _e598)) - _e645) * _e604));
-let _e672 = (_e620 + _e621);
-let _e674 = select(_e623, _e672, (_e672 < _e623));
-let _e680 = global_3.member[bitcast<u32>(select(0i, _e674, (_e674 > 0i)))];
-let _e681 = bitcast<f32>(_e680);
-let _e682 = (_e672 + 1i);
-let _e684 = select(_e623, _e682, (_e682 < _e623));
-let _e690 = global_3.member[bitcast<u32>(select(0i, _e684, (_e684 > 0i)))];
-let _e694 = (_e681 + ((bitcast<f32>(_e690) - _e681) * _e598));
-let _e695 = (_e672 + _e445);
-let _e697 = select(_e623, _e695, (_e695 < _e623));
-let _e703 = global_3.member[bitcast<u32>(select(0i, _e697, (_e697 > 0i)))];
-let _e704 = bitcast<f32>(_e703);
-let _e705 = (_e695 + 1i);
-let _e707 = select(_e623, _e705, (_e705 < _e623));
-let _e713 = global_3.member[bitcast<u32>(select(0i, _e707, (_e707 > 0i)))];
-let _e720 = (_e694 + (((_e704 + ((bitcast<f32>(_e713) - _e704) * _e598)) - _e694) * _e604));
-let _e722 = (_e620 + (2i * _e621));
-let _e724 = select(_e623, _e722, (_e722 < _e623));
-let _e730 = global_3.member[bitcast<u32>(select(0i, _e724, (_e724 > 0i)))];
-let _e731 = bitcast<f32>(_e730);
-let _e732 = (_e722 + 1i);
-let _e734 = select(_e623, _e732, (_e732 < _e623));
-let _e740 = global_3.member[bitcast<u32>(select(0i, _e734, (_e734 > 0i)))];
-let _e744 = (_e731 + ((bitcast<f32>(_e740) - _e731) * _e598));
-let _e745 = (_e722 + _e445);
-let _e747 = select(_e623, _e745, (_e745 < _e623));
-let _e753 = global_3.member[bitcast<u32>(select(0i, _e747, (_e747 > 0i)))];
-let _e754 = bitcast<f32>(_e753);
-let _e755 = (_e745 + 1i);
-let _e757 = select(_e623, _e755, (_e755 < _e623));
-let _e763 = global_3.member[bitcast<u32>(select(0i, _e757, (_e757 > 0i)))];
-let _e770 = (_e744 + (((_e754 + ((bitcast<f32>(_e763) - _e754) * _e598)) - _e744) * _e604));
-let _e772 = (_e366 == 0u);
-if _e772 {
-phi_1263_ = vec3<f32>(_e671, _e720, _e770);
+let _e621 = phi_867_;
+let _e625 = ((bitcast<i32>(_e621) + (_e597 * _e450)) + _e580);
+let _e626 = (_e450 * _e457);
+let _e628 = (bitcast<i32>(arrayLength((&global_3.member))) - 1i);
+let _e630 = select(_e628, _e625, (_e625 < _e628));
+let _e636 = global_3.member[bitcast<u32>(select(0i, _e630, (_e630 > 0i)))];
+let _e637 = bitcast<f32>(_e636);
+let _e638 = (_e625 + 1i);
+let _e640 = select(_e628, _e638, (_e638 < _e628));
+let _e646 = global_3.member[bitcast<u32>(select(0i, _e640, (_e640 > 0i)))];
+let _e650 = (_e637 + ((bitcast<f32>(_e646) - _e637) * _e603));
+let _e651 = (_e625 + _e450);
+let _e653 = select(_e628, _e651, (_e651 < _e628));
+let _e659 = global_3.member[bitcast<u32>(select(0i, _e653, (_e653 > 0i)))];
+let _e660 = bitcast<f32>(_e659);
+let _e661 = (_e651 + 1i);
+let _e663 = select(_e628, _e661, (_e661 < _e628));
+let _e669 = global_3.member[bitcast<u32>(select(0i, _e663, (_e663 > 0i)))];
+let _e676 = (_e650 + (((_e660 + ((bitcast<f32>(_e669) - _e660) * _e603)) - _e650) * _e609));
+let _e677 = (_e625 + _e626);
+let _e679 = select(_e628, _e677, (_e677 < _e628));
+let _e685 = global_3.member[bitcast<u32>(select(0i, _e679, (_e679 > 0i)))];
+let _e686 = bitcast<f32>(_e685);
+let _e687 = (_e677 + 1i);
+let _e689 = select(_e628, _e687, (_e687 < _e628));
+let _e695 = global_3.member[bitcast<u32>(select(0i, _e689, (_e689 > 0i)))];
+let _e699 = (_e686 + ((bitcast<f32>(_e695) - _e686) * _e603));
+let _e700 = (_e677 + _e450);
+let _e702 = select(_e628, _e700, (_e700 < _e628));
+let _e708 = global_3.member[bitcast<u32>(select(0i, _e702, (_e702 > 0i)))];
+let _e709 = bitcast<f32>(_e708);
+let _e710 = (_e700 + 1i);
+let _e712 = select(_e628, _e710, (_e710 < _e628));
+let _e718 = global_3.member[bitcast<u32>(select(0i, _e712, (_e712 > 0i)))];
+let _e725 = (_e699 + (((_e709 + ((bitcast<f32>(_e718) - _e709) * _e603)) - _e699) * _e609));
+let _e727 = (_e625 + (2i * _e626));
+let _e729 = select(_e628, _e727, (_e727 < _e628));
+let _e735 = global_3.member[bitcast<u32>(select(0i, _e729, (_e729 > 0i)))];
+let _e736 = bitcast<f32>(_e735);
+let _e737 = (_e727 + 1i);
+let _e739 = select(_e628, _e737, (_e737 < _e628));
+let _e745 = global_3.member[bitcast<u32>(select(0i, _e739, (_e739 > 0i)))];
+let _e749 = (_e736 + ((bitcast<f32>(_e745) - _e736) * _e603));
+let _e750 = (_e727 + _e450);
+let _e752 = select(_e628, _e750, (_e750 < _e628));
+let _e758 = global_3.member[bitcast<u32>(select(0i, _e752, (_e752 > 0i)))];
+let _e759 = bitcast<f32>(_e758);
+let _e760 = (_e750 + 1i);
+let _e762 = select(_e628, _e760, (_e760 < _e628));
+let _e768 = global_3.member[bitcast<u32>(select(0i, _e762, (_e762 > 0i)))];
+let _e775 = (_e749 + (((_e759 + ((bitcast<f32>(_e768) - _e759) * _e603)) - _e749) * _e609));
+let _e777 = (_e371 == 0u);
+if _e777 {
+phi_1265_ = vec3<f32>(_e676, _e725, _e775);
 } else {
-if _e772 {
-phi_1202_ = 1f;
+if _e777 {
+phi_1204_ = 1f;
 } else {
-let _e777 = global_1.member.member_12.member_20.member;
-let _e785 = (((_e777.member * _e375) + (_e777.member_1 * _e376)) + (_e777.member_2 * _e377));
-let _e789 = (_e375 - (_e777.member * _e785));
-let _e790 = (_e376 - (_e777.member_1 * _e785));
-let _e791 = (_e377 - (_e777.member_2 * _e785));
-let _e796 = (((_e789 * _e789) + (_e790 * _e790)) + (_e791 * _e791));
-let _e807 = global_1.member.member_12.member_20.member_1;
-let _e813 = global_1.member.member_12.member_20.member_2;
-let _e814 = ((_e807 - (sqrt(select(0f, _e796, (_e796 > 0f))) / select(1e-20f, _e785, (_e785 > 1e-20f)))) * _e813);
-let _e816 = select(0f, _e814, (_e814 > 0f));
-let _e818 = select(1f, _e816, (_e816 < 1f));
-phi_1202_ = select(1f, select(0f, ((_e818 * _e818) * (3f - (2f * _e818))), (_e785 > 0f)), (_e813 > 0f));
+let _e782 = global_1.member.member_12.member_20.member;
+let _e790 = (((_e782.member * _e380) + (_e782.member_1 * _e381)) + (_e782.member_2 * _e382));
+let _e794 = (_e380 - (_e782.member * _e790));
+let _e795 = (_e381 - (_e782.member_1 * _e790));
+let _e796 = (_e382 - (_e782.member_2 * _e790));
+let _e801 = (((_e794 * _e794) + (_e795 * _e795)) + (_e796 * _e796));
+let _e812 = global_1.member.member_12.member_20.member_1;
+let _e818 = global_1.member.member_12.member_20.member_2;
+let _e819 = ((_e812 - (sqrt(select(0f, _e801, (_e801 > 0f))) / select(1e-20f, _e790, (_e790 > 1e-20f)))) * _e818);
+let _e821 = select(0f, _e819, (_e819 > 0f));
+let _e823 = select(1f, _e821, (_e821 < 1f));
+phi_1204_ = select(1f, select(0f, ((_e823 * _e823) * (3f - (2f * _e823))), (_e790 > 0f)), (_e818 > 0f));
 }
-let _e828 = phi_1202_;
-let _e830 = select(0f, 1f, (_e377 > 0f));
-let _e834 = ((_e671 * _e830) + _e828);
-let _e835 = ((_e720 * _e830) + _e828);
-let _e836 = ((_e770 * _e830) + _e828);
-if _e772 {
-phi_1258_ = 1f;
+let _e833 = phi_1204_;
+let _e835 = select(0f, 1f, (_e382 > 0f));
+let _e839 = ((_e676 * _e835) + _e833);
+let _e840 = ((_e725 * _e835) + _e833);
+let _e841 = ((_e775 * _e835) + _e833);
+if _e777 {
+phi_1260_ = 1f;
 } else {
-phi_1258_ = (1f / select(1e-12f, _e382, (_e382 > 1e-12f)));
+phi_1260_ = (1f / select(1e-12f, _e387, (_e387 > 1e-12f)));
 }
-let _e847 = phi_1258_;
-phi_1263_ = vec3<f32>((select(0f, _e834, (_e834 > 0f)) * _e847), (select(0f, _e835, (_e835 > 0f)) * _e847), (select(0f, _e836, (_e836 > 0f)) * _e847));
+let _e852 = phi_1260_;
+phi_1265_ = vec3<f32>((select(0f, _e839, (_e839 > 0f)) * _e852), (select(0f, _e840, (_e840 > 0f)) * _e852), (select(0f, _e841, (_e841 > 0f)) * _e852));
 }
-let _e853 = phi_1263_;
-let _e857 = global_1.member.member_11.member_1;
-phi_1523_ = type_28((vec3<f32>(_e857.member, _e857.member_1, _e857.member_2) * _e853), _e433);
+let _e858 = phi_1265_;
+let _e862 = global_1.member.member_11.member_1;
+phi_1525_ = type_28((vec3<f32>(_e862.member, _e862.member_1, _e862.member_2) * _e858), _e438);
 } else {
-let _e864 = (_e366 == 0u);
-if _e864 {
-let _e868 = global_1.member.member_11.member_1;
-let _e876 = global_1.member.member_11.member;
-phi_1522_ = type_28(vec3<f32>(_e868.member, _e868.member_1, _e868.member_2), vec3<f32>(_e876.member, _e876.member_1, _e876.member_2));
+let _e869 = (_e371 == 0u);
+if _e869 {
+let _e873 = global_1.member.member_11.member_1;
+let _e881 = global_1.member.member_11.member;
+phi_1524_ = type_28(vec3<f32>(_e873.member, _e873.member_1, _e873.member_2), vec3<f32>(_e881.member, _e881.member_1, _e881.member_2));
 } else {
-let _e885 = global_1.member.member_11.member_1;
-if _e864 {
-phi_1366_ = 1f;
+let _e890 = global_1.member.member_11.member_1;
+if _e869 {
+phi_1368_ = 1f;
 } else {
-phi_1366_ = (1f / select(1e-12f, _e382, (_e382 > 1e-12f)));
+phi_1368_ = (1f / select(1e-12f, _e387, (_e387 > 1e-12f)));
 }
-let _e893 = phi_1366_;
-if _e864 {
-phi_1450_ = 1f;
+let _e898 = phi_1368_;
+if _e869 {
+phi_1452_ = 1f;
 } else {
-let _e898 = global_1.member.member_12.member_20.member;
-let _e906 = (((_e898.member * _e375) + (_e898.member_1 * _e376)) + (_e898.member_2 * _e377));
-let _e910 = (_e375 - (_e898.member * _e906));
-let _e911 = (_e376 - (_e898.member_1 * _e906));
-let _e912 = (_e377 - (_e898.member_2 * _e906));
-let _e917 = (((_e910 * _e910) + (_e911 * _e911)) + (_e912 * _e912));
-let _e928 = global_1.member.member_12.member_20.member_1;
-let _e934 = global_1.member.member_12.member_20.member_2;
-let _e935 = ((_e928 - (sqrt(select(0f, _e917, (_e917 > 0f))) / select(1e-20f, _e906, (_e906 > 1e-20f)))) * _e934);
-let _e937 = select(0f, _e935, (_e935 > 0f));
-let _e939 = select(1f, _e937, (_e937 < 1f));
-phi_1450_ = select(1f, select(0f, ((_e939 * _e939) * (3f - (2f * _e939))), (_e906 > 0f)), (_e934 > 0f));
+let _e903 = global_1.member.member_12.member_20.member;
+let _e911 = (((_e903.member * _e380) + (_e903.member_1 * _e381)) + (_e903.member_2 * _e382));
+let _e915 = (_e380 - (_e903.member * _e911));
+let _e916 = (_e381 - (_e903.member_1 * _e911));
+let _e917 = (_e382 - (_e903.member_2 * _e911));
+let _e922 = (((_e915 * _e915) + (_e916 * _e916)) + (_e917 * _e917));
+let _e933 = global_1.member.member_12.member_20.member_1;
+let _e939 = global_1.member.member_12.member_20.member_2;
+let _e940 = ((_e933 - (sqrt(select(0f, _e922, (_e922 > 0f))) / select(1e-20f, _e911, (_e911 > 1e-20f)))) * _e939);
+let _e942 = select(0f, _e940, (_e940 > 0f));
+let _e944 = select(1f, _e942, (_e942 < 1f));
+phi_1452_ = select(1f, select(0f, ((_e944 * _e944) * (3f - (2f * _e944))), (_e911 > 0f)), (_e939 > 0f));
 }
-let _e949 = phi_1450_;
-let _e950 = (_e893 * _e949);
-phi_1522_ = type_28(vec3<f32>((_e885.member * _e950), (_e885.member_1 * _e950), (_e885.member_2 * _e950)), _e433);
+let _e954 = phi_1452_;
+let _e955 = (_e898 * _e954);
+phi_1524_ = type_28(vec3<f32>((_e890.member * _e955), (_e890.member_1 * _e955), (_e890.member_2 * _e955)), _e438);
 }
-let _e957 = phi_1522_;
-phi_1523_ = _e957;
+let _e962 = phi_1524_;
+phi_1525_ = _e962;
 }
-let _e959 = phi_1523_;
-let _e968 = (((_e959.member_1.x * _e959.member_1.x) + (_e959.member_1.y * _e959.member_1.y)) + (_e959.member_1.z * _e959.member_1.z));
-let _e971 = sqrt(select(0f, _e968, (_e968 > 0f)));
-let _e977 = (1e-6f * _e971);
-let _e981 = select((_e971 / select(_e977, _e959.member_1.z, (_e959.member_1.z > _e977))), 1f, ((_e436 & 8u) != 0u));
-let _e990 = global_1.member.member_20;
-let _e1002 = (-((((select(_e281.member, _e270.member, _e264) * _e959.member_1.x) + (select(_e281.member_1, _e270.member_1, _e264) * _e959.member_1.y)) + (select(_e281.member_2, _e270.member_2, _e264) * _e959.member_1.z))) / select(1e-20f, _e971, (_e971 > 1e-20f)));
-let _e1007 = bitcast<f32>((bitcast<u32>(select(0f, _e1002, (_e1002 > 0f))) & 2147483647u));
-let _e1017 = select(0f, 1f, _e305);
-global_2.member[_e68] = _e186;
-global_2.member[(_e66 + _e68)] = _e187;
-global_2.member[((2u * _e66) + _e68)] = _e188;
-global_2.member[((3u * _e66) + _e68)] = (_e179 * _e199);
-global_2.member[((4u * _e66) + _e68)] = (_e180 * _e199);
-global_2.member[((5u * _e66) + _e68)] = (1f * _e199);
-global_2.member[((6u * _e66) + _e68)] = 0f;
-global_2.member[((7u * _e66) + _e68)] = _e1017;
-global_2.member[((8u * _e66) + _e68)] = select(0f, (_e306 * _e178), _e305);
-global_2.member[((9u * _e66) + _e68)] = select(0f, (select(_e286.member, _e275.member, _e264) * (((_e959.member.x * _e981) * _e1007) + _e990.member)), _e305);
-global_2.member[((10u * _e66) + _e68)] = select(0f, (select(_e286.member_1, _e275.member_1, _e264) * (((_e959.member.y * _e981) * _e1007) + _e990.member_1)), _e305);
-global_2.member[((11u * _e66) + _e68)] = select(0f, (select(_e286.member_2, _e275.member_2, _e264) * (((_e959.member.z * _e981) * _e1007) + _e990.member_2)), _e305);
-global_2.member[((12u * _e66) + _e68)] = _e1017;
-global_2.member[((13u * _e66) + _e68)] = 1f;
-global_2.member[((14u * _e66) + _e68)] = 1f;
-global_2.member[((15u * _e66) + _e68)] = 1f;
-global_2.member[((16u * _e66) + _e68)] = 0f;
-global_2.member[((17u * _e66) + _e68)] = -1.2676506e30f;
+let _e964 = phi_1525_;
+let _e973 = (((_e964.member_1.x * _e964.member_1.x) + (_e964.member_1.y * _e964.member_1.y)) + (_e964.member_1.z * _e964.member_1.z));
+let _e976 = sqrt(select(0f, _e973, (_e973 > 0f)));
+let _e982 = (1e-6f * _e976);
+let _e986 = select((_e976 / select(_e982, _e964.member_1.z, (_e964.member_1.z > _e982))), 1f, ((_e441 & 8u) != 0u));
+let _e995 = global_1.member.member_20;
+let _e1007 = (-((((select(_e286.member, _e275.member, _e269) * _e964.member_1.x) + (select(_e286.member_1, _e275.member_1, _e269) * _e964.member_1.y)) + (select(_e286.member_2, _e275.member_2, _e269) * _e964.member_1.z))) / select(1e-20f, _e976, (_e976 > 1e-20f)));
+let _e1012 = bitcast<f32>((bitcast<u32>(select(0f, _e1007, (_e1007 > 0f))) & 2147483647u));
+let _e1022 = select(0f, 1f, _e310);
+global_2.member[_e73] = _e191;
+global_2.member[(_e71 + _e73)] = _e192;
+global_2.member[((2u * _e71) + _e73)] = _e193;
+global_2.member[((3u * _e71) + _e73)] = (_e184 * _e204);
+global_2.member[((4u * _e71) + _e73)] = (_e185 * _e204);
+global_2.member[((5u * _e71) + _e73)] = (1f * _e204);
+global_2.member[((6u * _e71) + _e73)] = 0f;
+global_2.member[((7u * _e71) + _e73)] = _e1022;
+global_2.member[((8u * _e71) + _e73)] = select(0f, (_e311 * _e183), _e310);
+global_2.member[((9u * _e71) + _e73)] = select(0f, (select(_e291.member, _e280.member, _e269) * (((_e964.member.x * _e986) * _e1012) + _e995.member)), _e310);
+global_2.member[((10u * _e71) + _e73)] = select(0f, (select(_e291.member_1, _e280.member_1, _e269) * (((_e964.member.y * _e986) * _e1012) + _e995.member_1)), _e310);
+global_2.member[((11u * _e71) + _e73)] = select(0f, (select(_e291.member_2, _e280.member_2, _e269) * (((_e964.member.z * _e986) * _e1012) + _e995.member_2)), _e310);
+global_2.member[((12u * _e71) + _e73)] = _e1022;
+global_2.member[((13u * _e71) + _e73)] = 1f;
+global_2.member[((14u * _e71) + _e73)] = 1f;
+global_2.member[((15u * _e71) + _e73)] = 1f;
+global_2.member[((16u * _e71) + _e73)] = 0f;
+global_2.member[((17u * _e71) + _e73)] = -1.2676506e30f;
+global_2.member[((18u * _e71) + _e73)] = 0f;
+global_2.member[((19u * _e71) + _e73)] = 0f;
+global_2.member[((20u * _e71) + _e73)] = 0f;
+global_2.member[((21u * _e71) + _e73)] = 0f;
+global_2.member[((22u * _e71) + _e73)] = 0f;
 }
 }
 break;
