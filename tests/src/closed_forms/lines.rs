@@ -180,15 +180,15 @@ lines! {
     COMPOSITING_OPACITY: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the opacity", 5.3e-7, 1e-6, elsewhere 2e-3;
     COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 3.3e-4, 6.6e-4;
 
-    MATTER_SOFT_MEAN: MATTER, "48³ voxels, planes every voxel, a surface four voxels thick", "the mean radiance, relative", 0.01, 0.02;
-    MATTER_SOFT: MATTER, "the same", RADIANCE_RMS, 0.01, 0.02;
-    MATTER_STEEP_MEAN: MATTER, "the same, opacity rises over four tenths of a voxel", "the mean radiance, relative", 0.01, 0.02;
-    MATTER_STEEP: MATTER, "the same", RADIANCE_RMS, 0.01, 0.02;
-    MATTER_CUT: CUT, "48³ voxels, planes every voxel and every half, ten places of the cut", "the radiance, relative", 0.01, 0.02;
-    MATTER_GRADIENT: LAMBERT, "48³ voxels, a surface four voxels thick, inside 0.9 radii", "the radiance", 0.01, 0.02;
-    SURFACE_MIRROR: SURFACE, "48³ voxels, 1 to 8 voxels thick, linear and smooth, planes every ¼, ½, 1 voxel", "the radiance, relative", 0.01, 0.02;
-    SURFACE_HIGHLIGHT: "the highlight of a glass ball, surface four voxels thick, against planes every ¼ voxel", "48³ voxels, planes every ½, 1 voxel", "the radiance of the brightest pixel, relative", 0.01, 0.02;
-    SURFACE_FURNACE: "a clear ball swept in light of radiance 1 from all sides has radiance 1, n = 1.3", "48³ voxels, surface four voxels thick", RADIANCE, 0.01, 0.02;
+    MATTER_SOFT_MEAN: MATTER, "48³ voxels, planes every voxel, a surface four voxels thick", "the mean radiance, relative", 0.0199, 0.03;
+    MATTER_SOFT: MATTER, "the same", RADIANCE_RMS, 0.0275, 0.04;
+    MATTER_STEEP_MEAN: MATTER, "the same, opacity rises over four tenths of a voxel", "the mean radiance, relative", 0.0044, 0.0085;
+    MATTER_STEEP: MATTER, "the same", RADIANCE_RMS, 0.0097, 0.015;
+    MATTER_CUT: CUT, "48³ voxels, planes every voxel and every half, ten places of the cut", "the radiance, relative", 0.088, 0.12;
+    MATTER_GRADIENT: LAMBERT, "48³ voxels, a surface four voxels thick, inside 0.9 radii", "the radiance", 0.038, 0.06;
+    SURFACE_MIRROR: SURFACE, "48³ voxels, 1 to 8 voxels thick, linear and smooth, planes every ¼, ½, 1 voxel", "the radiance, relative", 0.0372, 0.05;
+    SURFACE_HIGHLIGHT: "the highlight of a glass ball, surface four voxels thick, against planes every ¼ voxel", "48³ voxels, planes every ½, 1 voxel", "the radiance of the brightest pixel, relative", 0.022, 0.03;
+    SURFACE_FURNACE: "a clear ball swept in light of radiance 1 from all sides has radiance 1, n = 1.3", "48³ voxels, surface four voxels thick", RADIANCE, 0.0016, 0.003;
 
     OUTLIER_FILM: OUTLIER, "48³ voxels of 8 bits, 16 bits and floats; texels, forward, pages, two volumes", "the film", 0.0, 0.0, elsewhere 1e-3;
     OUTLIER_TURN: OUTLIER, "32³ voxels, η = 1 + 0.05 x (1 − y²)", "the direction, degrees", 0.0, 0.0, elsewhere 1e-3;
@@ -196,7 +196,7 @@ lines! {
     PEAK_BESIDE: PEAK, "the same, with a ramp at the end of the range", "the opacity", 2.2e-3, 4.4e-3;
 
     LIGHTS_WALL: LIGHTS, "a wall lit from 30° and −40°", "the radiance E = Σ cᵢ cos θᵢ, relative", 1.8e-8, 3.6e-8, elsewhere 2e-6;
-    LIGHTS_HALVES: LIGHTS, "two lights of half the intensity against one", "the radiance", 6.0e-8, 1.2e-7, elsewhere 2e-7;
+    LIGHTS_HALVES: LIGHTS, "two lights of half the intensity against one", "the radiance", 3.0e-8, 6.0e-8, elsewhere 2e-7;
     LIGHTS_SHADOWS: LIGHTS, "two shadows of an opaque ball, each lit by the other light", "the radiance", 2.3e-8, 4.6e-8, elsewhere 1e-3;
     LIGHTS_AMBIENT: LIGHTS, "ambient light alone", "the radiance", 0.0, 0.0, elsewhere 1e-6;
 
