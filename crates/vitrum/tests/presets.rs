@@ -74,7 +74,7 @@ fn an_unknown_preset_suggests_the_nearest() {
     assert_eq!(help("ambr"), "did you mean `amber`?");
     assert_eq!(
         help("cinematic"),
-        "the presets are: plain, bone, amber, glass, xray, haze, ct-bone, ct-angio, ct-soft, ct-lung, mr-angio"
+        "the presets are: plain, bone, amber, glass, xray, mip, haze, ct-bone, ct-angio, ct-soft, ct-lung, mr-angio"
     );
     assert_eq!(changed, scene());
     assert!(preset::names().iter().any(|&(name, _)| name == preset::DEFAULT));

@@ -1,6 +1,6 @@
 //! Scene files and settings: accepted ones, and refused ones with their messages.
 
-use vitrum::scene::{Clip, EnvironmentKind, Ground, Phase, Removes, Scene, SceneError, VolumeSource};
+use vitrum::scene::{Clip, Crop, EnvironmentKind, Ground, Phase, Removes, Scene, SceneError, VolumeSource};
 
 const BALL: &str = "volume.builtin = \"ball\"\n";
 
@@ -106,6 +106,26 @@ fn values_that_contradict_each_other_are_refused() {
 fn a_step_of_two_points_at_one_value_is_valid() {
     let text = "transfer.ior = [{ value = 1, ior = 1 }, { value = 1, ior = 1.5 }]";
     Scene::from_toml(&format!("{BALL}{text}"), "ball.toml").expect("a step is sorted");
+}
+
+#[test]
+fn a_crop_box_has_an_inside_and_is_of_volumes() {
+    let mut scene = ball();
+    scene.set("crop.min=[0.25, 0, 0]").expect("a box");
+    assert_eq!(scene.crop, Some(Crop { min: [0.25, 0.0, 0.0], max: [1.0; 3] }));
+    scene.set("crop.max.0=0.5").expect("a smaller one");
+    scene.validate().expect("it has an inside");
+    assert_eq!(Scene::from_toml(&scene.to_toml().expect("TOML"), "again.toml").expect("the same").crop, scene.crop);
+    scene.set("crop=none").expect("it is optional");
+    assert_eq!(scene.crop, None);
+    let empty = refusal("crop.min = [0, 0.5, 0]\ncrop.max = [1, 0.5, 1]");
+    assert!(empty.contains("`crop.max.1`: 0.5 is not above `crop.min.1`, which is 0.5"), "{empty}");
+    assert!(refusal("crop.max = [1, 1, 2]").contains("`crop.max.2`: found 2"));
+    for key in ["crop.max = [0.5, 1, 1]", "shading.blend_mode = \"maximum\""] {
+        let text = format!("{key}\n[[mesh]]\nbuiltin = \"vase\"\n");
+        let error = Scene::from_toml(&text, "mesh.toml").expect_err("it is of volumes").to_string();
+        assert!(error.contains("the picture shows a mesh"), "{error}");
+    }
 }
 
 #[test]

@@ -1,7 +1,9 @@
 //! A crop box leaves what a volume that ends there would show.
 
 use vitrum::io::{Volume, Voxels};
-use vitrum::scene::{ColorPoint, Crop, IorPoint, OpacityPoint, Projection, Scene, Transport};
+use vitrum::method::sweep::Sweep;
+use vitrum::scene::{BlendMode, ColorPoint, Crop, IorPoint, OpacityPoint, Projection, Scene, Transport};
+use vitrum::{Assets, OutputRequest, Subject};
 use vitrum_conformance::closed_forms::{cube, render, straight_on};
 
 use crate::setup::backends;
@@ -149,6 +151,33 @@ fn a_cropped_volume_looks_like_a_smaller_one() {
                 sum / f64::from(shown)
             );
             assert!(opaque > 200 && worst < *bound, "{label}: {worst}");
+        }
+    }
+}
+
+/// Voxels in pages come and go with the planes, also those on faces within the volume, to which look-ups beside them go.
+#[test]
+fn streamed_volumes_are_cropped_and_projected_alike() {
+    const PAGES: u32 = 70;
+    let wave = |at: [f64; 3]| 0.5 + 0.3 * (0.31 * at[0] + 0.2 * at[1]).sin() * (0.4 * at[2] - 0.1 * at[0]).cos();
+    let assets = Assets::from(Subject::Volume(cube(PAGES, PAGES as f32, wave).into()));
+    let view = |blend_mode: BlendMode| {
+        scene(|scene| {
+            (scene.camera.target, scene.camera.position) = (None, None);
+            scene.shading.blend_mode = blend_mode;
+            scene.crop = Some(Crop { min: [0.2, 0.31, 0.0], max: [0.71, 0.9, 0.66] });
+        })
+    };
+    let scenes = [BlendMode::Composite, BlendMode::Maximum, BlendMode::Minimum, BlendMode::Mean].map(view);
+    for mut backend in backends() {
+        for scene in &scenes {
+            let [held, streamed] = [Sweep::prepare, Sweep::prepare_streamed].map(|prepare| {
+                let sweep =
+                    prepare(scene, &assets, OutputRequest { light: false }, backend.as_mut()).expect("it renders");
+                sweep.run(backend.as_mut(), &mut |_| true).expect("it runs");
+                sweep.film(backend.as_mut()).expect("it is there")
+            });
+            assert!(held == streamed, "{:?}", scene.shading.blend_mode);
         }
     }
 }

@@ -218,6 +218,17 @@ mod tests {
     }
 
     #[test]
+    fn a_projection_tells_of_lights_that_were_asked_for() -> Result<(), CompositionError> {
+        let notes = |preset, settings: &[&str]| composed(preset, settings).map(|composed| composed.notes);
+        assert_eq!(notes(Some("mip"), &[])?, [""; 0]);
+        assert_eq!(notes(Some("bone"), &["shading.blend_mode=mean"])?, [""; 0]);
+        let told = notes(Some("mip"), &["light.0.azimuth=3", "ground.height=1", "camera.azimuth=3"])?;
+        assert!(told.len() == 1 && told[0].ends_with("`light.0.azimuth`, `ground.height` are left out"), "{told:?}");
+        assert_eq!(notes(None, &["light.0.azimuth=3"])?, [""; 0]);
+        Ok(())
+    }
+
+    #[test]
     fn a_medium_is_fitted_to_meshes_and_settings_come_after_it() -> Result<(), CompositionError> {
         let composed = |input: &str, settings: &[&str]| {
             let composition = Composition {

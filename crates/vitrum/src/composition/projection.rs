@@ -25,7 +25,9 @@ pub(super) fn left_out(scene: &Scene, of_file: Option<&Scene>, settings: &[Strin
     });
     let mut keys: Vec<String> = in_file.chain(set).map(|key| format!("`{key}`")).collect();
     keys.dedup();
-    (!keys.is_empty()).then(|| {
-        format!("a projection (`shading.blend_mode`) has no light and no receivers: {} is left out", keys.join(", "))
-    })
+    let are = if keys.len() == 1 { "is" } else { "are" };
+    let told = || {
+        format!("a projection (`shading.blend_mode`) has no light and no receivers: {} {are} left out", keys.join(", "))
+    };
+    (!keys.is_empty()).then(told)
 }

@@ -17,6 +17,7 @@ mod hounsfield;
 mod landmarks;
 mod medium;
 mod mesh;
+mod mip;
 mod plain;
 mod points;
 mod shape;
@@ -64,7 +65,7 @@ impl Preset {
     }
 }
 
-const PRESETS: [Preset; 11] = {
+const PRESETS: [Preset; 12] = {
     let [ct_bone, ct_angio, ct_soft, ct_lung, mr_angio] = hounsfield::PRESETS;
     [
         plain::PRESET,
@@ -72,6 +73,7 @@ const PRESETS: [Preset; 11] = {
         amber::PRESET,
         glass::PRESET,
         xray::PRESET,
+        mip::PRESET,
         haze::PRESET,
         ct_bone,
         ct_angio,
