@@ -60,6 +60,7 @@ mod orientation;
 mod packing;
 mod physical_values;
 mod placement;
+mod planes;
 #[cfg(feature = "raw")]
 mod raw;
 mod raw_layout;

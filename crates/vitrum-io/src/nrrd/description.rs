@@ -84,8 +84,6 @@ impl Description {
                 Some(Components::choose((report, place), count, colors, (sample, endian), asked, &mut assumptions)?)
             }
         };
-        let text = matches!(encoding, Encoding::Text | Encoding::Hex);
-        Components::refuse_text((report, sizes), components, text)?;
         let (.., voxel_size) = components::decoded_as(sample, endian, components);
         let data_bytes = stream::data_bytes_of(report, sizes, dimensions, voxel_size)?;
         let (line_skip, byte_skip) = skips(header, report, encoding)?;

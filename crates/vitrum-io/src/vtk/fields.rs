@@ -93,7 +93,8 @@ impl Fields {
             },
             "color_scalars" => {
                 let [components] = numbers(report, place, line, rest.get(1..).unwrap_or_default())?;
-                return Ok(Some(Block::new(&name, self.color_kind(), components, count, number)));
+                let block = Block::new(&name, self.color_kind(), components, count, number);
+                return Ok(Some(Block { colors: (3..=4).contains(&components), ..block }));
             }
             "vectors" | "normals" => return array(3),
             "tensors" => return array(9),
