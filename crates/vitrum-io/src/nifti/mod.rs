@@ -15,7 +15,7 @@ use crate::components::{Components, decoded_as, fill};
 use crate::error::{Error, Place, Report};
 use crate::formats::{self, Format};
 use crate::input::Input;
-use crate::labels;
+use crate::labels::Labels;
 use crate::memory;
 use crate::options::{OpenOptions, Part};
 use crate::packing::Packing;
@@ -70,7 +70,7 @@ impl VolumeReader for Nifti {
         assumptions.extend(header.sample.rounding_note());
         const LABEL: i32 = 1002;
         if header.intent == LABEL {
-            assumptions.push(labels::note(&[], "header's intent"));
+            assumptions.set_labels(Labels { by: "header's intent".to_owned(), list: Vec::new() });
         }
         let (voxels, packing) = if kind.pair {
             let image = pair::image(input, kind)?;
