@@ -46,7 +46,10 @@ fn broken_nrrd_files() {
         (changed("encoding: raw", "encoding: bzip2"), "line 5: the encoding `bzip2` is not raw, gzip, text or hex"),
         (changed("encoding: raw", "encoding: rar"), "line 5: `rar` is not an encoding"),
         (changed("uint8", "int16"), "the header has no `endian`, which int16 samples in raw need"),
-        (with("endian: middle\n"), "line 6: `endian: middle` is neither little nor big"),
+        (
+            attached(&nrrd("int16", "raw", "endian: middle\n"), &[0; 24]),
+            "line 6: `endian: middle` is neither little nor big",
+        ),
         (with("type: int8\n"), "line 6: `type` was given in line 2 already"),
         (with("spacings: 1 1\n"), "line 6: `1 1` is not 3 numbers"),
         (with("space dimension: 2\n"), "a space of 2 dimensions, not 3"),

@@ -217,10 +217,11 @@ fn encoding(header: &Header, report: Report) -> Result<Encoding, Error> {
 }
 
 fn endian(header: &Header, report: Report, sample: SampleType, encoding: Encoding) -> Result<Endian, Error> {
+    // Single bytes and digits have no order, whatever the file says of it.
+    if sample.size() == 1 || encoding == Encoding::Text {
+        return Ok(Endian::Little);
+    }
     let Some(field) = header.get("endian") else {
-        if sample.size() == 1 || encoding == Encoding::Text {
-            return Ok(Endian::Little);
-        }
         return Err(report.invalid(
             Place::File,
             format!("the header has no `endian`, which {} samples in {} need", sample.name(), encoding.name()),

@@ -170,7 +170,8 @@ fn sample_type(descr: &Literal, place: Place, report: Report) -> Result<(SampleT
     let endian = match order {
         "<" => Endian::Little,
         ">" => Endian::Big,
-        "|" if sample.size() == 1 => Endian::Little,
+        // A byte has no order, whatever is said of it.
+        "|" | "=" if sample.size() == 1 => Endian::Little,
         _ => {
             return Err(report.invalid(
                 place,

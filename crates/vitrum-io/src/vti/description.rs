@@ -321,7 +321,8 @@ fn grid(
         })?;
     }
     assumptions.note_origin("spacing", "`Spacing` of the image");
-    let spacing = tolerance::steps(numbers(report, image, "Spacing", Some([1.0; 3]))?, 1.0, options, assumptions);
+    let stated = numbers(report, image, "Spacing", Some([1.0; 3]));
+    let spacing = tolerance::steps(tolerance::replaceable(stated, [1.0; 3], options)?, 1.0, options, assumptions);
     let stated = !image.get("Direction").is_none_or(numbers_are_identity);
     let orientation = if stated { Orientation::World } else { Orientation::Unknown };
     assumptions.extend((!stated).then(unoriented));

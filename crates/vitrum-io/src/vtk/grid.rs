@@ -16,7 +16,7 @@ use crate::volume::IDENTITY;
 
 impl Fields {
     pub fn finish(
-        self,
+        mut self,
         report: Report,
         block: &Block,
         start: u64,
@@ -64,15 +64,16 @@ impl Fields {
     }
 
     fn placement(
-        &self,
+        &mut self,
         report: Report,
         points: [u32; 3],
         cells: bool,
         options: &OpenOptions,
         assumptions: &mut Assumptions,
     ) -> Result<Placement, Error> {
-        let spacing = match self.spacing {
-            Some((spacing, _)) => {
+        let spacing = match self.spacing.take() {
+            Some(stated) => {
+                let spacing = tolerance::replaceable(stated, [1.0; 3], options)?;
                 assumptions.note_origin("spacing", "`SPACING`");
                 tolerance::steps(spacing, 1.0, options, assumptions)
             }
