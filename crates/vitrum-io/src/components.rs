@@ -1,6 +1,6 @@
 //! Voxels of several numbers, such as colours and vectors: one number is made of them.
 
-use std::io::{self, Read};
+use std::io::{self, BufRead, Read};
 
 use half::f16;
 
@@ -9,17 +9,23 @@ use crate::samples::{Endian, SampleType, VoxelBuffer, read_up_to};
 use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions};
 use crate::stream;
+use crate::text;
+
+/// Rec. 709, of the code values, as most programs take it.
+const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
 
 /// More components than these are a mistake.
 const MOST: u64 = 64;
 
 /// The components of a voxel, which lie side by side in the file, and what is made of them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Components {
     pub count: usize,
     pick: Pick,
     sample: SampleType,
     endian: Endian,
+    /// Slope and intercept of each number.
+    mapping: [f64; 2],
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,6 +59,28 @@ pub(crate) fn fill(
     match components {
         None => stream::fill(report, voxels, reader, count, size),
         Some(components) => stream::fill(report, voxels, &mut components.reduced(reader), count, 4),
+    }
+}
+
+/// As [`text::read_numbers`], for voxels that may have several components; nothing may follow where the numbers are the `last`.
+pub(crate) fn read_numbers(
+    report: Report,
+    voxels: &mut VoxelBuffer,
+    reader: &mut impl BufRead,
+    count: usize,
+    (sample, components): (SampleType, Option<Components>),
+    last: bool,
+) -> Result<(), Error> {
+    match components {
+        None => text::read_numbers(report, voxels, reader, count, sample)?,
+        Some(components) => components.read_numbers(report, voxels, reader, count)?,
+    }
+    if !last {
+        return Ok(());
+    }
+    match text::next_word(reader).map_err(|error| report.unreadable(error))? {
+        None => Ok(()),
+        Some(word) => Err(text::surplus(report, &word, count * components.map_or(1, |several| several.count))),
     }
 }
 
@@ -106,16 +134,86 @@ impl Components {
         let fact = format!("the voxels have {count} components: {made}");
         assumptions.push(Assumption::replaceable(fact, Setting::Array, others));
         // `count` is at most 64.
-        Ok(Self { count: count as usize, pick, sample, endian })
+        Ok(Self { count: count as usize, pick, sample, endian, mapping: [1.0, 0.0] })
     }
 
-    /// Fails where the numbers are written as text, which are read one a voxel.
-    pub fn refuse_text((report, place): (Report, Place), components: Option<Self>, text: bool) -> Result<(), Error> {
-        if components.is_none() || !text {
-            return Ok(());
+    /// As [`Self::choose`], for an array with a name, of which `part` is asked for; `None` where it has one component.
+    pub fn of_array(
+        (report, place): (Report, Place),
+        name: &str,
+        count: u64,
+        colors: bool,
+        decoding: (SampleType, Endian),
+        part: Option<&str>,
+        assumptions: &mut Assumptions,
+    ) -> Result<Option<Self>, Error> {
+        match part {
+            _ if count != 1 => Self::choose((report, place), count, colors, decoding, part, assumptions).map(Some),
+            None => Ok(None),
+            Some(part) => {
+                let problem = format!("`{}` is asked for of `{}`, which has one component", clip(part), clip(name));
+                Err(report.unsupported(place, problem, "leave it out").with_setting(Setting::Array))
+            }
         }
-        let problem = "voxels of several components are written as text, and are read in binary form alone";
-        Err(report.unsupported(place, problem, "write the data in binary form"))
+    }
+
+    /// Whether a text asks for a part of voxels, as far as no array has that name.
+    pub fn is_part(asked: &str) -> bool {
+        matches!(asked, "norm" | "rgb") || asked.parse::<u64>().is_ok_and(|index| index < MOST)
+    }
+
+    /// The components whose numbers are mapped before anything is made of them.
+    pub fn mapped(self, slope: f32, intercept: f32) -> Self {
+        Self { mapping: [slope, intercept].map(f64::from), ..self }
+    }
+
+    /// The index behind the last component that is looked at.
+    pub fn needed(self) -> usize {
+        match self.pick {
+            Pick::Norm => self.count,
+            Pick::Luminance => 3,
+            Pick::One(index) => index + 1,
+        }
+    }
+
+    /// The number that a voxel has once its component `index` is taken in, where `before` was made of the ones before; it begins with 0.
+    pub fn gathered(self, before: f32, index: usize, bytes: &[u8]) -> f32 {
+        let number = self.value(bytes);
+        let gathered = match self.pick {
+            Pick::Norm => libm::hypot(before.into(), number),
+            Pick::Luminance => f64::from(before) + LUMINANCE.get(index).copied().unwrap_or(0.0) * number,
+            Pick::One(wanted) if wanted == index => number,
+            Pick::One(_) => before.into(),
+        };
+        gathered as f32
+    }
+
+    /// Bytes of a component.
+    pub fn sample_size(self) -> usize {
+        self.sample.size()
+    }
+
+    /// Reads the numbers of voxels that are written as text.
+    fn read_numbers(
+        self,
+        report: Report,
+        voxels: &mut VoxelBuffer,
+        reader: &mut impl BufRead,
+        count: usize,
+    ) -> Result<(), Error> {
+        let mut numbers = vec![0.0; self.count];
+        for voxel in 0..count {
+            for (index, number) in numbers.iter_mut().enumerate() {
+                let at = voxel * self.count + index;
+                let Some(word) = text::next_word(reader).map_err(|error| report.unreadable(error))? else {
+                    return Err(text::too_few(report, count.saturating_mul(self.count), at));
+                };
+                let value = self.sample.parse(&word).ok_or_else(|| text::no_number(report, at, &word, self.sample))?;
+                *number = self.mapping[0] * value + self.mapping[1];
+            }
+            voxels.append_float(self.made_of(|index| numbers.get(index).copied().unwrap_or(f64::NAN)));
+        }
+        Ok(())
     }
 
     /// The type for people, such as `3 x uint8`.
@@ -134,17 +232,20 @@ impl Components {
         Reduced { components: self, inner, ready: Vec::new(), given: 0 }
     }
 
-    fn made_of(&self, voxel: &[u8]) -> f32 {
-        let number = |index: usize| {
-            let size = self.sample.size();
-            voxel
-                .get(index * size..(index + 1) * size)
-                .map_or(f64::NAN, |bytes| decoded(bytes, self.sample, self.endian))
-        };
+    fn made_of_bytes(&self, voxel: &[u8]) -> f32 {
+        let size = self.sample.size();
+        self.made_of(|index| voxel.get(index * size..(index + 1) * size).map_or(f64::NAN, |bytes| self.value(bytes)))
+    }
+
+    fn value(&self, bytes: &[u8]) -> f64 {
+        self.mapping[0] * decoded(bytes, self.sample, self.endian) + self.mapping[1]
+    }
+
+    fn made_of(&self, number: impl Fn(usize) -> f64) -> f32 {
+        let [red, green, blue] = LUMINANCE;
         match self.pick {
             Pick::One(index) => number(index) as f32,
-            // Rec. 709, of the code values, as most programs take it.
-            Pick::Luminance => (0.2126 * number(0) + 0.7152 * number(1) + 0.0722 * number(2)) as f32,
+            Pick::Luminance => (red * number(0) + green * number(1) + blue * number(2)) as f32,
             Pick::Norm => libm::sqrt((0..self.count).map(|index| number(index) * number(index)).sum()) as f32,
         }
     }
@@ -190,7 +291,7 @@ impl Read for Reduced<'_> {
             let voxels = buffer.len().div_ceil(4).min(VOXELS);
             let (found, outcome) = read_up_to(self.inner, &mut chunk[..voxels * size]);
             let whole =
-                chunk[..found].chunks_exact(size).flat_map(|voxel| self.components.made_of(voxel).to_le_bytes());
+                chunk[..found].chunks_exact(size).flat_map(|voxel| self.components.made_of_bytes(voxel).to_le_bytes());
             self.ready = whole.collect();
             self.given = 0;
             if self.ready.is_empty() {

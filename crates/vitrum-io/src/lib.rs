@@ -60,6 +60,7 @@ mod orientation;
 mod packing;
 mod physical_values;
 mod placement;
+mod planes;
 #[cfg(feature = "raw")]
 mod raw;
 mod raw_layout;
@@ -100,6 +101,7 @@ pub use image::{
     stage_picture_with, write_picture, write_picture_with,
 };
 pub use input::{Input, STANDARD_INPUT};
+pub use labels::{Label, Labels};
 pub use memory::require_memory;
 pub use mesh::{Material, Mesh, MeshReader, Topology, mesh_readers, open_mesh, open_mesh_bytes};
 pub use moments::Moments;

@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::error::{Error, Found, Place, Report};
 use crate::formats::{self, Format, VOLUME_FORMATS};
 use crate::input::Input;
+use crate::labels;
 use crate::mesh::registry as mesh;
 use crate::options::{OpenOptions, Part};
 use crate::reader::VolumeReader;
@@ -83,7 +84,9 @@ fn read(mut input: Input, options: &OpenOptions) -> Result<Volume, Error> {
     if !reader.unpacks() {
         input.unpack(options)?;
     }
-    options.place(reader.read(&input, options)?)
+    let mut volume = reader.read(&input, options)?;
+    labels::tell(&mut volume);
+    options.place(volume)
 }
 
 fn choose(input: &Input, options: &OpenOptions) -> Result<&'static dyn VolumeReader, Error> {

@@ -82,6 +82,27 @@ impl SampleType {
         }
     }
 
+    /// A number written in text; `None` if it is none of this type.
+    pub fn parse(self, number: &str) -> Option<f64> {
+        match self {
+            Self::F16 | Self::F32 | Self::F64 => number.parse().ok(),
+            Self::U64 => Some(number.parse::<u64>().ok()? as f64),
+            _ => Some(self.parse_integer(number)? as f64),
+        }
+    }
+
+    /// A number of an integer type other than [`Self::U64`].
+    fn parse_integer(self, number: &str) -> Option<i64> {
+        let value: i64 = number.parse().ok()?;
+        let unsigned = matches!(self, Self::U8 | Self::U16 | Self::U32);
+        let in_range = match (unsigned, 8 * self.size()) {
+            (_, 64) => true,
+            (true, bits) => (0..1_i64 << bits).contains(&value),
+            (false, bits) => (-(1_i64 << (bits - 1))..1_i64 << (bits - 1)).contains(&value),
+        };
+        in_range.then_some(value)
+    }
+
     /// Coding of samples for people: its `name`, and the byte order where a sample has several bytes.
     pub fn coding(self, name: &str, endian: Endian) -> String {
         if self.size() == 1 { name.to_owned() } else { format!("{name}, {}", endian.name()) }
@@ -160,27 +181,15 @@ impl VoxelBuffer {
             // Twice rounded (decimal to f64 to f32), as the binary encodings of f64 are.
             SampleType::F64 => number.parse::<f64>().ok()?.to_le_bytes(),
             SampleType::U64 => number.parse::<u64>().ok()?.to_le_bytes(),
-            _ => {
-                let value: i64 = number.parse().ok()?;
-                let bits = 8 * size as u32;
-                let unsigned = matches!(self.sample, SampleType::U8 | SampleType::U16 | SampleType::U32);
-                let in_range = match (unsigned, bits) {
-                    (_, 64) => true,
-                    (true, bits) => (0..1_i64 << bits).contains(&value),
-                    (false, bits) => (-(1_i64 << (bits - 1))..1_i64 << (bits - 1)).contains(&value),
-                };
-                if !in_range {
-                    return None;
-                }
-                value.to_le_bytes()
-            }
+            sample => sample.parse_integer(number)?.to_le_bytes(),
         };
         bytes[..size].copy_from_slice(&parsed[..size]);
         self.decode(&bytes[..size], Endian::Little);
         Some(())
     }
 
-    fn append_float(&mut self, value: f32) -> Option<()> {
+    /// Appends a number of the type float32; `None` where voxels are of another.
+    pub fn append_float(&mut self, value: f32) -> Option<()> {
         match &mut self.voxels {
             Decoded::F32(voxels) => voxels.push(value),
             Decoded::U8(_) | Decoded::U16(_) => return None,

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::Deref;
 
+use crate::labels::Labels;
 use crate::moments::Moments;
 use crate::setting::Setting;
 
@@ -24,6 +25,12 @@ impl Source {
     #[must_use]
     pub fn moments(&self) -> Option<&Moments> {
         self.assumptions.moments.as_deref()
+    }
+
+    /// The labels that the values are; `None` of measurements.
+    #[must_use]
+    pub fn labels(&self) -> Option<&Labels> {
+        self.assumptions.labels()
     }
 }
 
@@ -75,6 +82,7 @@ pub struct Assumptions {
     assumptions: Vec<Assumption>,
     facts: Vec<Fact>,
     moments: Option<Box<Moments>>,
+    labels: Option<Box<Labels>>,
 }
 
 impl Assumptions {
@@ -86,6 +94,15 @@ impl Assumptions {
     /// Says which points in time there are.
     pub(crate) fn set_moments(&mut self, moments: Moments) {
         self.moments = Some(Box::new(moments));
+    }
+
+    /// Says that the values are labels.
+    pub(crate) fn set_labels(&mut self, labels: Labels) {
+        self.labels = Some(Box::new(labels));
+    }
+
+    pub(crate) fn labels(&self) -> Option<&Labels> {
+        self.labels.as_deref()
     }
 
     /// The statements alone.

@@ -3,7 +3,7 @@
 use std::io::{self, BufRead, Take};
 
 use crate::error::{Error, Place, Report, clip};
-use crate::samples::VoxelBuffer;
+use crate::samples::{SampleType, VoxelBuffer};
 use crate::tolerance::BYTE_ORDER_MARK;
 
 /// A header's lines without their ends, LF or CRLF.
@@ -60,21 +60,6 @@ pub(crate) fn check_text_length(report: Report, count: u64, start: u64, availabl
     Ok(())
 }
 
-/// Decodes exactly `count` decimal numbers, separated by white space or commas.
-pub(crate) fn read_text(
-    report: Report,
-    voxels: &mut VoxelBuffer,
-    reader: &mut impl BufRead,
-    count: usize,
-    sample_name: &str,
-) -> Result<(), Error> {
-    read_numbers(report, voxels, reader, count, sample_name)?;
-    match next_word(reader).map_err(|error| report.unreadable(error))? {
-        None => Ok(()),
-        Some(word) => Err(surplus(report, &word, count)),
-    }
-}
-
 /// The error of a word behind the last expected number.
 pub(crate) fn surplus(report: Report, word: &str, count: usize) -> Error {
     report.invalid(
@@ -84,31 +69,39 @@ pub(crate) fn surplus(report: Report, word: &str, count: usize) -> Error {
     )
 }
 
-/// Decodes `count` decimal numbers, and leaves what follows them unread.
+/// Decodes `count` decimal numbers, separated by white space or commas, and leaves what follows them unread.
 pub(crate) fn read_numbers(
     report: Report,
     voxels: &mut VoxelBuffer,
     reader: &mut impl BufRead,
     count: usize,
-    sample_name: &str,
+    sample: SampleType,
 ) -> Result<(), Error> {
     for index in 0..count {
         let Some(word) = next_word(reader).map_err(|error| report.unreadable(error))? else {
-            return Err(report.invalid(
-                Place::File,
-                format!("the header promises {count} numbers, {index} were found"),
-                "correct the sizes in the header, or get the whole file",
-            ));
+            return Err(too_few(report, count, index));
         };
-        voxels.append_text(&word).ok_or_else(|| {
-            report.invalid(
-                Place::File,
-                format!("number {} of the data, `{}`, is not a {sample_name}", index + 1, clip(&word)),
-                "correct it, or the type in the header",
-            )
-        })?;
+        voxels.append_text(&word).ok_or_else(|| no_number(report, index, &word, sample))?;
     }
     Ok(())
+}
+
+/// The error of numbers that end before their end.
+pub(crate) fn too_few(report: Report, count: usize, found: usize) -> Error {
+    report.invalid(
+        Place::File,
+        format!("the header promises {count} numbers, {found} were found"),
+        "correct the sizes in the header, or get the whole file",
+    )
+}
+
+/// The error of a word that is no number of its type.
+pub(crate) fn no_number(report: Report, index: usize, word: &str, sample: SampleType) -> Error {
+    report.invalid(
+        Place::File,
+        format!("number {} of the data, `{}`, is not a {}", index + 1, clip(word), sample.name()),
+        "correct it, or the type in the header",
+    )
 }
 
 /// Passes over `count` words.

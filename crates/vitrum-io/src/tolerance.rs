@@ -2,6 +2,7 @@
 //! never fatal; what a user's option replaces is not checked; a second source stands in for a bad first one. `docs/security.md` has
 //! the rule in full.
 
+use crate::error::Error;
 use crate::options::OpenOptions;
 use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions};
@@ -31,6 +32,11 @@ pub(crate) fn steps(stated: [f64; 3], unit: f64, options: &OpenOptions, assumpti
         }
     }
     steps
+}
+
+/// The spacings that a file states; where they cannot be read, `ones` if the user's spacing replaces them anyway.
+pub(crate) fn replaceable<T>(stated: Result<T, Error>, ones: T, options: &OpenOptions) -> Result<T, Error> {
+    stated.or_else(|error| if options.spacing.is_some() { Ok(ones) } else { Err(error) })
 }
 
 /// Tells that a file says no spacing, unless the user's spacing replaces it anyway.

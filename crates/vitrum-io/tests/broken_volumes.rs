@@ -46,7 +46,10 @@ fn broken_nrrd_files() {
         (changed("encoding: raw", "encoding: bzip2"), "line 5: the encoding `bzip2` is not raw, gzip, text or hex"),
         (changed("encoding: raw", "encoding: rar"), "line 5: `rar` is not an encoding"),
         (changed("uint8", "int16"), "the header has no `endian`, which int16 samples in raw need"),
-        (with("endian: middle\n"), "line 6: `endian: middle` is neither little nor big"),
+        (
+            attached(&nrrd("int16", "raw", "endian: middle\n"), &[0; 24]),
+            "line 6: `endian: middle` is neither little nor big",
+        ),
         (with("type: int8\n"), "line 6: `type` was given in line 2 already"),
         (with("spacings: 1 1\n"), "line 6: `1 1` is not 3 numbers"),
         (with("space dimension: 2\n"), "a space of 2 dimensions, not 3"),
@@ -157,8 +160,14 @@ fn broken_nifti_files() {
         (b"short".to_vec(), "this does not start with a NIfTI header"),
         (nifti_u8(|header| header.i16(40, 9)), "byte 40: dim[0] is 9, not a number of dimensions from 1 to 7"),
         (nifti_u8(|header| header.i16(40, 2)), "byte 40: the data has 2 dimensions"),
-        (nifti_u8(|header| header.i16(40, 5).i16(50, 30)), "byte 50: dim[5] is 30: 30 components a voxel"),
-        (nifti_u8(|header| header.i16(40, 5).i16(50, 3)), "byte 50: dim[5] is 3: 3 components a voxel"),
+        (
+            nifti_u8(|header| header.i16(40, 5).i16(50, 30)),
+            "the header promises 360 bytes of data from here, 12 are there",
+        ),
+        (
+            nifti_u8(|header| header.i16(40, 5).i16(50, 3)),
+            "the header promises 36 bytes of data from here, 12 are there",
+        ),
         (nifti_u8(|header| header.i16(44, 0)), "byte 44: dim[2] is 0, not a size of at least 1"),
         (nifti_u8(|header| header.i16(46, -5)), "byte 46: dim[3] is -5"),
         (
@@ -168,7 +177,7 @@ fn broken_nifti_files() {
         (gzip(&nifti_u8(|header| header.i16(46, 3))), "the header promises 18 bytes of data, 12 were found"),
         (gzip(&nifti_u8(|header| header.i16(46, 1))), "the header promises 6 bytes of data, 12 were found"),
         (gzip(&nifti_u8(|header| header.i16(42, 32767).i16(44, 32767))), "bytes can hold"),
-        (nifti_u8(|header| header.i16(70, 128)), "byte 70: the samples are colours"),
+        (nifti_u8(|header| header.i16(70, 128)), "the header promises 36 bytes of data from here, 12 are there"),
         (nifti_u8(|header| header.i16(70, 32)), "byte 70: the samples are complex numbers"),
         (nifti_u8(|header| header.i16(70, 77)), "byte 70: the samples are of the unknown type 77"),
         (nifti_u8(|header| header.f32(108, 100.0)), "byte 108: vox_offset is 100"),

@@ -79,7 +79,6 @@ impl Description {
             let colors = sample == SampleType::U8 && (3..=4).contains(&channels);
             Some(Components::choose((report, place), channels, colors, (sample, endian), asked, &mut assumptions)?)
         };
-        Components::refuse_text((report, place), components, encoding == Encoding::Text)?;
         let (.., voxel_size) = components::decoded_as(sample, endian, components);
         let (rank, dimensions, count) = dimensions(fields, report)?;
         let sizes = fields.get("DimSize").map_or(Place::File, Field::place);

@@ -24,7 +24,7 @@ use crate::reader::VolumeReader;
 use crate::samples::VoxelBuffer;
 use crate::source::{Assumptions, Source};
 use crate::stream;
-use crate::text::{self, check_text_length, read_text};
+use crate::text::{self, check_text_length};
 use crate::time::Times;
 use crate::volume::Volume;
 use crate::voxels::Voxels;
@@ -128,13 +128,9 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
             }
         }
         Encoding::Text => {
-            text::skip_numbers(report, &mut reader, before / size as u64)?;
-            let name = description.sample.name();
-            if times.is_last() {
-                read_text(report, voxels, &mut reader, count, name)?;
-            } else {
-                text::read_numbers(report, voxels, &mut reader, count, name)?;
-            }
+            text::skip_numbers(report, &mut reader, before / description.sample.size() as u64)?;
+            let numbers = (description.sample, components);
+            components::read_numbers(report, voxels, &mut reader, count, numbers, times.is_last())?;
         }
     }
     Ok(0)

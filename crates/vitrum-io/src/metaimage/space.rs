@@ -115,7 +115,14 @@ fn spacing(
         tolerance::note_unspaced(options, assumptions);
         return Ok([scale; 3]);
     };
-    let numbers: Vec<f64> = field.numbers(report, rank)?;
+    let mut stated = field.numbers(report, rank);
+    if stated.is_err()
+        && let Some(Ok(sizes)) = fields.get("ElementSize").map(|field| field.numbers(report, rank))
+    {
+        assumptions.push(format!("`{}` are no spacings: `ElementSize` stood in for them", clip(&field.text)));
+        stated = Ok(sizes);
+    }
+    let numbers: Vec<f64> = tolerance::replaceable(stated, vec![1.0; rank], options)?;
     Ok(tolerance::steps([0, 1, 2].map(|axis| numbers[axis] * scale), scale, options, assumptions))
 }
 

@@ -15,6 +15,10 @@ pub(super) struct Header {
     /// Points in time, at least 1.
     pub times: u64,
     pub sample: SampleType,
+    /// Numbers of a voxel that lie side by side, as those of colours do; 1 of others.
+    pub channels: u64,
+    /// Numbers of a voxel that lie in planes behind all points in time, as those of vectors do; 1 of others.
+    pub planes: u64,
     /// Sign of the z axis, then the spacings along x, y and z, and the time from point to point.
     pub pixdim: [f64; 5],
     /// Checked: a whole number, behind the header where the data is in the same file.
@@ -77,12 +81,15 @@ impl Header {
         let Kind { layout, endian, pair } = kind;
         let fields = Fields { bytes, endian, layout };
         let float = |at: usize, index: usize| fields.float(at, index);
+        let (sample, channels) = sample_type(&fields, report)?;
         Ok(Self {
             layout,
             endian,
             dimensions: dimensions(&fields, report)?,
             times: if fields.dim(0) > 3 { u64::try_from(fields.dim(4)).unwrap_or(1).max(1) } else { 1 },
-            sample: sample_type(&fields, report)?,
+            sample,
+            channels,
+            planes: planes(&fields, channels, report)?,
             pixdim: std::array::from_fn(|index| float(layout.pixdim, index)),
             data_start: data_start(&fields, pair, report)?,
             slope: float(layout.slope, 0) as f32,
@@ -116,14 +123,14 @@ fn dimensions(fields: &Fields, report: Report) -> Result<[u32; 3], Error> {
             "stack the slices to a volume first",
         ));
     }
-    // The fourth is time.
-    for index in 5..=count as usize {
+    // The fourth is time, the fifth of vectors.
+    for index in 6..=count as usize {
         let size = fields.dim(index);
         if size > 1 {
             return Err(report.unsupported(
                 place(index),
-                format!("dim[{index}] is {size}: {size} components a voxel, and a scalar volume has 1"),
-                "pick out one first, for example by nibabel",
+                format!("dim[{index}] is {size}, and axes beyond the fifth are not read"),
+                "pick out a part of 5 dimensions first, for example by nibabel",
             ));
         }
     }
@@ -141,21 +148,41 @@ fn dimensions(fields: &Fields, report: Report) -> Result<[u32; 3], Error> {
     Ok(dimensions)
 }
 
-fn sample_type(fields: &Fields, report: Report) -> Result<SampleType, Error> {
+/// The size of the fifth dimension.
+fn planes(fields: &Fields, channels: u64, report: Report) -> Result<u64, Error> {
+    const FIFTH: usize = 5;
+    if fields.dim(0) < FIFTH as i64 {
+        return Ok(1);
+    }
+    let size = u64::try_from(fields.dim(FIFTH)).unwrap_or(1).max(1);
+    if size > 1 && channels > 1 {
+        return Err(report.unsupported(
+            Place::Byte(fields.layout.dim(FIFTH) as u64),
+            format!("dim[{FIFTH}] is {size}, and the samples are colours: a voxel has one colour or one vector"),
+            "pick out one first, for example by nibabel",
+        ));
+    }
+    Ok(size)
+}
+
+/// The type of a number, and how many of them a sample has.
+fn sample_type(fields: &Fields, report: Report) -> Result<(SampleType, u64), Error> {
+    let scalar = |sample| Ok((sample, 1));
     let unsupported = match fields.short(fields.layout.datatype) {
-        2 => return Ok(SampleType::U8),
-        4 => return Ok(SampleType::I16),
-        8 => return Ok(SampleType::I32),
-        16 => return Ok(SampleType::F32),
-        64 => return Ok(SampleType::F64),
-        256 => return Ok(SampleType::I8),
-        512 => return Ok(SampleType::U16),
-        768 => return Ok(SampleType::U32),
-        1024 => return Ok(SampleType::I64),
-        1280 => return Ok(SampleType::U64),
+        2 => return scalar(SampleType::U8),
+        4 => return scalar(SampleType::I16),
+        8 => return scalar(SampleType::I32),
+        16 => return scalar(SampleType::F32),
+        64 => return scalar(SampleType::F64),
+        256 => return scalar(SampleType::I8),
+        512 => return scalar(SampleType::U16),
+        768 => return scalar(SampleType::U32),
+        1024 => return scalar(SampleType::I64),
+        1280 => return scalar(SampleType::U64),
+        128 => return Ok((SampleType::U8, 3)),
+        2304 => return Ok((SampleType::U8, 4)),
         1 => "bits".to_owned(),
         32 | 1792 | 2048 => "complex numbers".to_owned(),
-        128 | 2304 => "colours".to_owned(),
         1536 => "float128".to_owned(),
         other => format!("of the unknown type {other}"),
     };

@@ -1,6 +1,7 @@
 //! NIfTI-1 and -2, the format of neuroimaging: a binary header and the data in one file, often
 //! packed as a whole, or in two.
 
+mod components;
 mod header;
 mod layout;
 mod orientation;
@@ -10,15 +11,17 @@ use std::io::Read;
 
 use self::header::Header;
 use self::layout::FIRST;
+use crate::components::{Components, decoded_as, fill};
 use crate::error::{Error, Place, Report};
 use crate::formats::{self, Format};
 use crate::input::Input;
-use crate::labels;
+use crate::labels::Labels;
 use crate::memory;
 use crate::options::{OpenOptions, Part};
 use crate::packing::Packing;
+use crate::planes;
 use crate::reader::VolumeReader;
-use crate::samples::{VoxelBuffer, read_up_to};
+use crate::samples::{SampleType, VoxelBuffer, read_up_to};
 use crate::source::{Assumptions, Source};
 use crate::stream;
 use crate::time::Times;
@@ -38,7 +41,7 @@ impl VolumeReader for Nifti {
     }
 
     fn parts(&self) -> &'static [Part] {
-        &[Part::Time]
+        &[Part::Array, Part::Time]
     }
 
     fn unpacks(&self) -> bool {
@@ -62,27 +65,36 @@ impl VolumeReader for Nifti {
         let header = Header::parse(&bytes, kind, report)?;
         let mut assumptions = Assumptions::default();
         let placement = orientation::placement(&header, report, options, &mut assumptions)?;
+        let scaling = scaling(&header, report)?;
+        let components = components::choose(&header, scaling, report, options, &mut assumptions)?;
         assumptions.extend(header.sample.rounding_note());
         const LABEL: i32 = 1002;
         if header.intent == LABEL {
-            assumptions.push(labels::note(&[], "header's intent"));
+            assumptions.set_labels(Labels { by: "header's intent".to_owned(), list: Vec::new() });
         }
         let (voxels, packing) = if kind.pair {
             let image = pair::image(input, kind)?;
             let image = Input::new(&image, options)?;
             let data = Data { input: &image, reader: image.unpacked()?, position: 0 };
-            (data.read(&header, options, &mut assumptions)?, image.packing)
+            (data.read(&header, components, options, &mut assumptions)?, image.packing)
         } else {
             let data = Data { input, reader, position: found as u64 };
-            (data.read(&header, options, &mut assumptions)?, input.packing)
+            (data.read(&header, components, options, &mut assumptions)?, input.packing)
         };
         let name = input.name.clone();
-        let mut volume = Volume::of_slope(name, header.dimensions, placement.spacing, voxels, header.slope)?;
+        // Of several numbers one is made of the mapped ones.
+        let [slope, intercept] = if components.is_some() { [1.0, 0.0] } else { scaling };
+        let mut volume = Volume::of_slope(name, header.dimensions, placement.spacing, voxels, slope)?;
         placement.apply(&mut volume);
-        let volume = apply_scaling(volume, &header)?;
+        let (sample, ..) = decoded_as(header.sample, header.endian, components);
+        // Signed integers are stored shifted by their offset, which the slope then scales.
+        let offset = slope * sample.value_offset() + intercept;
+        if slope != 1.0 || offset != 0.0 {
+            volume = volume.with_value_mapping(slope, offset)?;
+        }
         Ok(volume.with_source(Source {
             format: kind.layout.name,
-            sample_type: header.sample.name().to_owned(),
+            sample_type: Components::named(components, header.sample),
             encoding: format!("{}, {}", packing.name(), header.endian.name()),
             assumptions,
         }))
@@ -124,14 +136,24 @@ struct Data<'a> {
 }
 
 impl Data<'_> {
-    fn read(mut self, header: &Header, options: &OpenOptions, assumptions: &mut Assumptions) -> Result<Voxels, Error> {
+    fn read(
+        mut self,
+        header: &Header,
+        components: Option<Components>,
+        options: &OpenOptions,
+        assumptions: &mut Assumptions,
+    ) -> Result<Voxels, Error> {
         let Input { name, length, packing, .. } = self.input;
         let report = Report::new(name);
-        let size = header.sample.size();
         let sizes = |index: usize| Place::Byte(header.layout.dim(index) as u64);
-        let bytes = stream::data_bytes(report, sizes(1), header.dimensions, header.sample)?;
+        // Numbers side by side make one voxel, those of planes one each.
+        let beside = components.filter(|_| header.channels > 1);
+        let (sample, endian, size) = decoded_as(header.sample, header.endian, beside);
+        let bytes = stream::data_bytes_of(report, sizes(1), header.dimensions, size)?;
         let times = Times::choose(report, sizes(4), header.times, &header.clock(), options, assumptions)?;
-        let (before, all) = times.spans(report, sizes(4), bytes)?;
+        let (before, plane) = times.spans(report, sizes(4), bytes)?;
+        let planes = Times { count: header.planes, chosen: 0 };
+        let (_, all) = planes.spans(report, sizes(5), plane)?;
         let count = bytes / size as u64;
         let start = header.data_start;
         if *packing == Packing::Plain {
@@ -144,12 +166,17 @@ impl Data<'_> {
         } else {
             stream::check_ratio(report, start + all, *length, packing.ratio())?;
         }
-        memory::check(report, count * header.sample.stored_size() as u64, options.max_bytes)?;
+        let stored = if components.is_some() { SampleType::F32 } else { sample }.stored_size();
+        memory::check(report, count * stored as u64, options.max_bytes)?;
         let count = usize::try_from(count).unwrap_or(usize::MAX);
-        let mut voxels = VoxelBuffer::reserve(report, header.sample, header.endian, count)?;
         // Extensions lie between the header and the data.
-        stream::skip(report, &mut self.reader, start.saturating_sub(self.position) + before)?;
-        stream::fill(report, &mut voxels, &mut self.reader, count, size)?;
+        stream::skip(report, &mut self.reader, start.saturating_sub(self.position))?;
+        if let (Some(components), None) = (components, beside) {
+            return planes::read(report, &mut self.reader, count, components, (before, plane - before - bytes));
+        }
+        let mut voxels = VoxelBuffer::reserve(report, sample, endian, count)?;
+        stream::skip(report, &mut self.reader, before)?;
+        fill(report, &mut voxels, &mut self.reader, count, size, beside)?;
         if *packing != Packing::Plain && times.is_last() {
             stream::refuse_surplus(report, &mut self.reader, bytes)?;
         }
@@ -157,8 +184,8 @@ impl Data<'_> {
     }
 }
 
-/// Physical values are `slope * sample + intercept`; a slope of 0 means that there is none.
-fn apply_scaling(volume: Volume, header: &Header) -> Result<Volume, Error> {
+/// Slope and intercept: physical values are `slope * sample + intercept`. A slope of 0 means that there is none.
+fn scaling(header: &Header, report: Report) -> Result<[f32; 2], Error> {
     let (slope, intercept) = match (header.slope, header.intercept) {
         (0.0, _) => (1.0, 0.0),
         // Some writers leave NaN for "none".
@@ -166,16 +193,11 @@ fn apply_scaling(volume: Volume, header: &Header) -> Result<Volume, Error> {
         given => given,
     };
     if !(slope.is_finite() && intercept.is_finite()) {
-        return Err(Report::new(&volume.name).invalid(
+        return Err(report.invalid(
             Place::Byte(header.layout.slope as u64),
             format!("scl_slope is {slope} and scl_inter {intercept}, not finite numbers"),
             "correct the header",
         ));
     }
-    // Signed integers are stored shifted by their offset, which the slope then scales.
-    let offset = slope * header.sample.value_offset() + intercept;
-    if slope == 1.0 && offset == 0.0 {
-        return Ok(volume);
-    }
-    volume.with_value_mapping(slope, offset)
+    Ok([slope, intercept])
 }

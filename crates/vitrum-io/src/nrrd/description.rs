@@ -84,8 +84,6 @@ impl Description {
                 Some(Components::choose((report, place), count, colors, (sample, endian), asked, &mut assumptions)?)
             }
         };
-        let text = matches!(encoding, Encoding::Text | Encoding::Hex);
-        Components::refuse_text((report, sizes), components, text)?;
         let (.., voxel_size) = components::decoded_as(sample, endian, components);
         let data_bytes = stream::data_bytes_of(report, sizes, dimensions, voxel_size)?;
         let (line_skip, byte_skip) = skips(header, report, encoding)?;
@@ -219,10 +217,11 @@ fn encoding(header: &Header, report: Report) -> Result<Encoding, Error> {
 }
 
 fn endian(header: &Header, report: Report, sample: SampleType, encoding: Encoding) -> Result<Endian, Error> {
+    // Single bytes and digits have no order, whatever the file says of it.
+    if sample.size() == 1 || encoding == Encoding::Text {
+        return Ok(Endian::Little);
+    }
     let Some(field) = header.get("endian") else {
-        if sample.size() == 1 || encoding == Encoding::Text {
-            return Ok(Endian::Little);
-        }
         return Err(report.invalid(
             Place::File,
             format!("the header has no `endian`, which {} samples in {} need", sample.name(), encoding.name()),

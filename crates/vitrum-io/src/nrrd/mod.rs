@@ -158,20 +158,16 @@ fn read_file(file: &DataFile, description: &Description, voxels: &mut VoxelBuffe
             skip_bytes(report, &mut reader, description.byte_skip)?;
             let mut decoded = encodings::HexReader::new(reader);
             stream::skip(report, &mut decoded, before)?;
-            stream::fill(report, voxels, &mut decoded, count, size)?;
+            several::fill(report, voxels, &mut decoded, count, size, components)?;
             if times.is_last() {
                 stream::refuse_surplus(report, &mut decoded, bytes)?;
             }
         }
         Encoding::Text => {
             skip_bytes(report, &mut reader, description.byte_skip)?;
-            let name = description.sample.name();
-            text::skip_numbers(report, &mut reader, before / size as u64)?;
-            if times.is_last() {
-                text::read_text(report, voxels, &mut reader, count, name)?;
-            } else {
-                text::read_numbers(report, voxels, &mut reader, count, name)?;
-            }
+            text::skip_numbers(report, &mut reader, before / description.sample.size() as u64)?;
+            let numbers = (description.sample, components);
+            several::read_numbers(report, voxels, &mut reader, count, numbers, times.is_last())?;
         }
     }
     Ok(0)

@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 
 use crate::error::clip;
-use crate::labels::{Label, note};
+use crate::labels::{Label, Labels};
 use crate::source::Assumptions;
 
 /// More segments than these are not told.
@@ -25,7 +25,7 @@ impl Segments {
         if self.0.len() >= MOST && !self.0.contains_key(&number) {
             return;
         }
-        let label = || Label { value: f64::from(number) + 1.0, ..Label::default() };
+        let label = || Label { value: number as f32 + 1.0, ..Label::default() };
         let value = value.trim();
         match what {
             "Name" => self.0.entry(number).or_insert_with(label).name = clip(value),
@@ -44,7 +44,9 @@ impl Segments {
 
     /// Tells the labels.
     pub fn tell(&self, assumptions: &mut Assumptions) {
-        let labels: Vec<Label> = self.0.values().cloned().collect();
-        assumptions.extend((!labels.is_empty()).then(|| note(&labels, "segments of the header")));
+        let list: Vec<Label> = self.0.values().cloned().collect();
+        if !list.is_empty() {
+            assumptions.set_labels(Labels { by: "segments of the header".to_owned(), list });
+        }
     }
 }

@@ -39,7 +39,7 @@ pub(super) fn placement(
     }
     let spacing: [f64; 3] = match header.get("spacings") {
         Some(field) => {
-            let spacing: Vec<f64> = field.numbers(report, rank)?;
+            let spacing: Vec<f64> = tolerance::replaceable(field.numbers(report, rank), vec![1.0; rank], options)?;
             assumptions.note_origin("spacing", "`spacings`");
             tolerance::steps([0, 1, 2].map(|axis| spacing[axis] * scale), scale, options, assumptions)
         }

@@ -6,6 +6,7 @@ use zip::{CompressionMethod, ZipArchive};
 use super::array;
 use super::header::Header;
 use crate::arrays;
+use crate::components::Components;
 use crate::error::{Error, Place, Report, clip};
 use crate::formats::{self, Format};
 use crate::input::Input;
@@ -47,13 +48,13 @@ impl VolumeReader for Npz {
         let report = Report::new(&input.name);
         let mut archive = ZipArchive::new(input.open()?).map_err(|error| damaged(report, error))?;
         let arrays = names(&archive, report)?;
-        let (index, name) = choose(report, &arrays, &mut archive, input.length, options.array.as_deref())?;
+        let (index, name, part) = choose(report, &arrays, &mut archive, input.length, options)?;
         let inside = format!("{}, array {}", input.name, clip(name));
         let report = Report::new(&inside);
         let packing = packing(&mut archive, index, input.length, report)?;
         let mut entry = archive.by_index(index).map_err(|error| damaged(report, error))?;
         let length = entry.size();
-        let (mut volume, left) = array::read(&mut entry, length, packing, report, options)?;
+        let (mut volume, left) = array::read(&mut entry, length, packing, part, report, options)?;
         if left == 0 {
             // The sum of all bytes is checked where they end.
             stream::refuse_surplus(report, &mut entry, length)?;
@@ -86,19 +87,32 @@ fn names(archive: &Archive, report: Report) -> Result<Vec<(usize, String)>, Erro
     Ok(arrays)
 }
 
-/// The array of a name, else the first that can be a volume.
-fn choose<'a>(
+/// The array of a name, behind which a part of its components may stand after a colon; else the first that can be a volume.
+fn choose<'a, 'b>(
     report: Report,
     arrays: &'a [(usize, String)],
     archive: &mut Archive,
     most: u64,
-    asked: Option<&str>,
-) -> Result<(usize, &'a str), Error> {
+    options: &'b OpenOptions,
+) -> Result<(usize, &'a str, Option<&'b str>), Error> {
     let known = arrays.iter().map(|(_, name)| name.as_str());
-    if let Some(asked) = asked {
+    let named = |asked: &str| {
         let found = arrays.iter().find(|(_, name)| name == asked || name.as_str() == asked.trim_end_matches(EXTENSION));
-        let found = found.map(|(index, name)| (*index, name.as_str()));
-        return found.ok_or_else(|| arrays::unknown(report, asked, known));
+        found.map(|(index, name)| (*index, name.as_str()))
+    };
+    let asked = options.array.as_deref();
+    if let Some(asked) = asked {
+        if let Some((index, name)) = named(asked) {
+            return Ok((index, name, None));
+        }
+        if let Some((name, part)) = asked.rsplit_once(':')
+            && let Some((index, name)) = named(name)
+        {
+            return Ok((index, name, Some(part)));
+        }
+        if !Components::is_part(asked) {
+            return Err(arrays::unknown(report, asked, known));
+        }
     }
     let mut first = None;
     for (index, name) in arrays {
@@ -107,15 +121,16 @@ fn choose<'a>(
         let header = packing(archive, *index, most, report).and_then(|_| {
             let mut entry = archive.by_index(*index).map_err(|error| damaged(report, error))?;
             let length = entry.size();
-            Header::read(&mut entry, length, report)
+            Header::read(&mut entry, length, array::wanted(asked, options), report)
         });
         match header {
-            Ok(_) => return Ok((*index, name)),
+            Ok(header) if asked.is_some() && header.components == 1 => {}
+            Ok(_) => return Ok((*index, name, asked)),
             Err(error) => first = first.or(Some(error)),
         }
     }
     // The archive has at least one array.
-    Err(first.unwrap_or_else(|| arrays::unknown(report, "", known)))
+    Err(first.unwrap_or_else(|| arrays::unknown(report, asked.unwrap_or_default(), known)))
 }
 
 /// Compression of an array; an error where it is unknown, or where the compressed bytes are too few for the promised size.

@@ -2,12 +2,14 @@
 
 use std::io::Read;
 
-use super::header::Header;
+use super::header::{Header, Wanted};
+use crate::components::{self, Components};
 use crate::error::{Error, Report};
 use crate::memory;
 use crate::options::OpenOptions;
 use crate::placement::unoriented;
-use crate::samples::VoxelBuffer;
+use crate::planes;
+use crate::samples::{SampleType, VoxelBuffer};
 use crate::setting::Setting;
 use crate::source::{Assumption, Assumptions, Source};
 use crate::stream;
@@ -20,39 +22,83 @@ pub(super) fn read(
     reader: &mut dyn Read,
     length: u64,
     packing: &str,
+    part: Option<&str>,
     report: Report,
     options: &OpenOptions,
 ) -> Result<(Volume, u64), Error> {
-    let header = Header::read(reader, length, report)?;
-    let size = header.sample.size();
-    let bytes = stream::data_bytes(report, header.dictionary, header.dimensions, header.sample)?;
-    let count = bytes / size as u64;
+    let header = Header::read(reader, length, wanted(part, options), report)?;
+    let place = header.dictionary;
     let mut assumptions = assumptions(&header, options.spacing.is_some());
-    let times = Times::choose(report, header.dictionary, header.times, &Clock::Unknown, options, &mut assumptions)?;
-    let (before, all) = times.spans(report, header.dictionary, bytes)?;
+    let components = components(&header, part, report, &mut assumptions)?;
+    // The last index of Fortran order changes slowest: components lie in planes, then.
+    let beside = components.filter(|_| !header.fortran_order);
+    let (sample, endian, size) = components::decoded_as(header.sample, header.endian, beside);
+    let bytes = stream::data_bytes_of(report, place, header.dimensions, size)?;
+    let count = bytes / size as u64;
+    let times = Times::choose(report, place, header.times, &Clock::Unknown, options, &mut assumptions)?;
+    let (before, plane) = times.spans(report, place, bytes)?;
+    let planes = Times { count: if beside.is_none() { header.components } else { 1 }, chosen: 0 };
+    let (_, all) = planes.spans(report, place, plane)?;
     let there = length.saturating_sub(header.data_start);
     stream::check_length(report, all, header.data_start, there)?;
     if there > all {
         assumptions.push(format!("{} bytes behind the last voxel were left unread", there - all));
     }
-    memory::check(report, count * header.sample.stored_size() as u64, options.max_bytes)?;
+    let stored = if components.is_some() { SampleType::F32 } else { sample };
+    memory::check(report, count * stored.stored_size() as u64, options.max_bytes)?;
     let count = usize::try_from(count).unwrap_or(usize::MAX);
-    let mut voxels = VoxelBuffer::reserve(report, header.sample, header.endian, count)?;
-    stream::skip(report, reader, before)?;
-    stream::fill(report, &mut voxels, reader, count, size)?;
+    let (voxels, left) = match components {
+        Some(components) if beside.is_none() => {
+            let voxels = planes::read(report, reader, count, components, (before, plane - before - bytes))?;
+            let unread = (planes.count - components.needed() as u64) * plane;
+            (voxels, there - all + unread + plane - before - bytes)
+        }
+        _ => {
+            let mut voxels = VoxelBuffer::reserve(report, sample, endian, count)?;
+            stream::skip(report, reader, before)?;
+            components::fill(report, &mut voxels, reader, count, size, beside)?;
+            (voxels.into_voxels(), there - before - bytes)
+        }
+    };
     let name = report.file.to_owned();
-    let volume = Volume::of_samples(name, header.dimensions, [1.0; 3], voxels.into_voxels(), header.sample)?;
+    let volume = Volume::of_samples(name, header.dimensions, [1.0; 3], voxels, stored)?;
+    let numbers = if header.components > 1 { format!("{} x ", header.components) } else { String::new() };
     let volume = volume.with_source(Source {
         format: "",
-        sample_type: header.sample_name().to_owned(),
+        sample_type: format!("{numbers}{}", header.sample_name()),
         encoding: header.sample.coding(packing, header.endian),
         assumptions,
     });
-    Ok((volume, there - before - bytes))
+    Ok((volume, left))
+}
+
+/// What the user says that tells a last axis of components from others.
+pub(super) fn wanted<'a>(part: Option<&'a str>, options: &OpenOptions) -> Wanted<'a> {
+    Wanted { part, time: options.time.is_some() || options.seconds.is_some() }
+}
+
+/// What is made of the numbers of a voxel, where it has several.
+fn components(
+    header: &Header,
+    part: Option<&str>,
+    report: Report,
+    assumptions: &mut Assumptions,
+) -> Result<Option<Components>, Error> {
+    if header.components == 1 {
+        return components::refuse(report, "NumPy", part).map(|()| None);
+    }
+    let colors = header.sample == SampleType::U8 && (3..=4).contains(&header.components);
+    let decoding = (header.sample, header.endian);
+    let at = (report, header.dictionary);
+    Components::choose(at, header.components, colors, decoding, part, assumptions).map(Some)
 }
 
 fn assumptions(header: &Header, spacing_given: bool) -> Assumptions {
-    let fastest = if header.fortran_order { "first, as the array is in Fortran order," } else { "last" };
+    let fastest = match header.components {
+        _ if header.fortran_order => "first, as the array is in Fortran order,",
+        1 => "last",
+        _ => "last but one, as the last has the components,",
+    };
     let mut notes = Assumptions::default();
     notes.push(format!(
         "the array's index that changes fastest, the {fastest} was taken for x, the slowest for {}",

@@ -13,6 +13,35 @@ pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 /// Largest dictionary in bytes; the dictionary of a plain array has about 100.
 const MAX_BYTES: u64 = 1 << 20;
 
+/// What the user says of an array, which tells a last axis of components from one of space.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Wanted<'a> {
+    /// What is asked for of the components of voxels.
+    pub part: Option<&'a str>,
+    /// Whether a point in time is asked for.
+    pub time: bool,
+}
+
+impl Wanted<'_> {
+    /// Whether the last axis has the numbers of a voxel, by what is asked for, or else by the shape: a volume of 3 or 4 voxels along x is
+    /// none that anyone looks at, where its other axes are longer.
+    fn has_components(self, sizes: &[u64], fortran_order: bool) -> bool {
+        let [.., second, third, last] = sizes else { return false };
+        if sizes.len() < 4 {
+            return false;
+        }
+        if self.part.is_some() {
+            return (2..=MOST_COMPONENTS).contains(last);
+        }
+        let beside_time = sizes.iter().filter(|&&size| size > 1).count() > 4;
+        let like_colors = (3..=4).contains(last) && [second, third].iter().all(|&&size| size > 4);
+        !fortran_order && (like_colors && !self.time || beside_time && (2..=4).contains(last))
+    }
+}
+
+/// A last axis of more is not one of components.
+const MOST_COMPONENTS: u64 = 64;
+
 /// A header understood.
 #[derive(Debug)]
 pub(super) struct Header {
@@ -23,8 +52,10 @@ pub(super) struct Header {
     pub fortran_order: bool,
     /// Voxels along x, which changes fastest, y and z.
     pub dimensions: [u32; 3],
-    /// Volumes one after the other, along the index that changes slowest; 1 where the array has 3 dimensions.
+    /// Volumes one after the other, along the index that changes slowest; 1 where there is none of time.
     pub times: u64,
+    /// Numbers of a voxel along the last index, as those of colours and vectors; 1 of others.
+    pub components: u64,
     /// Start of the dictionary.
     pub dictionary: Place,
     /// First byte of the samples.
@@ -33,7 +64,7 @@ pub(super) struct Header {
 
 impl Header {
     /// `length` is the size of the file.
-    pub fn read(reader: &mut dyn Read, length: u64, report: Report) -> Result<Self, Error> {
+    pub fn read(reader: &mut dyn Read, length: u64, wanted: Wanted, report: Report) -> Result<Self, Error> {
         let mut start = [0; MAGIC.len() + 2];
         let (_, outcome) = read_up_to(reader, &mut start);
         outcome.map_err(|error| stream::broken(report, 0, error))?;
@@ -71,10 +102,10 @@ impl Header {
         }
         let mut text = Vec::new();
         reader.take(size).read_to_end(&mut text).map_err(|error| stream::broken(report, 0, error))?;
-        Self::parse(&String::from_utf8_lossy(&text), Place::Byte(place), place + size, report)
+        Self::parse(&String::from_utf8_lossy(&text), Place::Byte(place), place + size, wanted, report)
     }
 
-    fn parse(text: &str, dictionary: Place, data_start: u64, report: Report) -> Result<Self, Error> {
+    fn parse(text: &str, dictionary: Place, data_start: u64, wanted: Wanted, report: Report) -> Result<Self, Error> {
         let entries = literal::dictionary(text).ok_or_else(|| {
             report.invalid(
                 dictionary,
@@ -92,13 +123,13 @@ impl Header {
             return Err(report.invalid(dictionary, "`fortran_order` is neither True nor False", "use one of the two"));
         };
         let shape = get("shape")?;
-        let mut sizes = sizes(shape, dictionary, report)?;
+        let (mut sizes, components) = sizes(shape, fortran_order, wanted, dictionary, report)?;
         // The last index of an array in C order changes fastest, and so is x.
         if !fortran_order {
             sizes.reverse();
         }
         let (dimensions, times) = ([sizes[0], sizes[1], sizes[2]], sizes.get(3).copied().unwrap_or(1).into());
-        Ok(Self { sample, endian, boolean, fortran_order, dimensions, times, dictionary, data_start })
+        Ok(Self { sample, endian, boolean, fortran_order, dimensions, times, components, dictionary, data_start })
     }
 
     /// The sample type as NumPy calls it.
@@ -139,7 +170,8 @@ fn sample_type(descr: &Literal, place: Place, report: Report) -> Result<(SampleT
     let endian = match order {
         "<" => Endian::Little,
         ">" => Endian::Big,
-        "|" if sample.size() == 1 => Endian::Little,
+        // A byte has no order, whatever is said of it.
+        "|" | "=" if sample.size() == 1 => Endian::Little,
         _ => {
             return Err(report.invalid(
                 place,
@@ -151,8 +183,14 @@ fn sample_type(descr: &Literal, place: Place, report: Report) -> Result<(SampleT
     Ok((sample, endian, kind == "b1"))
 }
 
-/// Three sizes, or four, without the axes of size 1 that are more than these.
-fn sizes(shape: &Literal, place: Place, report: Report) -> Result<Vec<u32>, Error> {
+/// Three sizes, or four with time, without the axes of size 1 that are more than these; and the numbers of a voxel.
+fn sizes(
+    shape: &Literal,
+    fortran_order: bool,
+    wanted: Wanted,
+    place: Place,
+    report: Report,
+) -> Result<(Vec<u32>, u64), Error> {
     let Literal::Tuple(sizes) = shape else {
         return Err(report.invalid(place, "`shape` is not a tuple of sizes", "write the array anew by numpy.save"));
     };
@@ -161,6 +199,7 @@ fn sizes(shape: &Literal, place: Place, report: Report) -> Result<Vec<u32>, Erro
     while sizes.len() > 3 && sizes.last() == Some(&1) {
         sizes.pop();
     }
+    let components = if wanted.has_components(&sizes, fortran_order) { sizes.pop().unwrap_or(1) } else { 1 };
     while sizes.len() > 3 && sizes.first() == Some(&1) {
         sizes.remove(0);
     }
@@ -185,5 +224,5 @@ fn sizes(shape: &Literal, place: Place, report: Report) -> Result<Vec<u32>, Erro
             )
         })
     });
-    checked.collect()
+    Ok((checked.collect::<Result<_, _>>()?, components))
 }

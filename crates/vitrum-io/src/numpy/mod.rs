@@ -30,12 +30,13 @@ impl VolumeReader for Numpy {
     }
 
     fn parts(&self) -> &'static [Part] {
-        &[Part::Time]
+        &[Part::Array, Part::Time]
     }
 
     fn read(&self, input: &Input, options: &OpenOptions) -> Result<Volume, Error> {
         let report = Report::new(&input.name);
-        let (mut volume, _) = array::read(&mut input.open()?, input.length, "raw", report, options)?;
+        let part = options.array.as_deref();
+        let (mut volume, _) = array::read(&mut input.open()?, input.length, "raw", part, report, options)?;
         volume.source.format = self.format().name;
         Ok(volume)
     }

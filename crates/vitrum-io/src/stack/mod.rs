@@ -19,6 +19,7 @@ use crate::error::{Error, Place, Report};
 use crate::folder::has_tiff;
 use crate::formats::{self, Format};
 use crate::input::{Input, display_name, file_name};
+use crate::labels::Labels;
 use crate::memory;
 use crate::options::{OpenOptions, Part};
 use crate::placement::unoriented;
@@ -80,6 +81,11 @@ impl VolumeReader for Stack {
                 [offset + factor * f64::from(sample.value_offset()), factor].map(|value| value as f32);
             volume = volume.with_value_mapping(factor, offset)?;
         }
+        if first.palette
+            && let Some(labels) = Labels::of_palette(&first.colors, &volume)
+        {
+            assumptions.set_labels(labels);
+        }
         let sample_type = sample.name().to_owned();
         Ok(volume.with_source(Source { format: self.format().name, sample_type, encoding, assumptions }))
     }
@@ -136,7 +142,7 @@ fn note(files: &[Pages], assumptions: &mut Assumptions) {
         assumptions.push("the file's 0 is meant to be white: values were kept as they are".to_owned());
     }
     if files.iter().any(|file| file.palette) {
-        let fact = "values are indices of a palette of colours: they were kept as numbers, without their colours";
+        let fact = "values are indices of a palette of colours: they were kept as numbers";
         assumptions.push(fact.to_owned());
     }
 }

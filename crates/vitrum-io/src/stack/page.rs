@@ -54,6 +54,8 @@ pub(super) struct Pages<'a> {
     pub notes: Notes,
     /// Whether values are indices of colours.
     pub palette: bool,
+    /// These colours, as far as they can be read.
+    pub colors: Vec<[f64; 3]>,
     /// Whether the file says that 0 is white.
     pub white_is_zero: bool,
     /// The first byte and the order of images that lie behind one another without pages of their own.
@@ -67,6 +69,7 @@ impl<'a> Pages<'a> {
         let mut decoder = open(&storage, report)?;
         let length = storage.length().map_err(|error| report.unreadable(error))?;
         let mut found: Option<(Page, String, Notes)> = None;
+        let mut colors = Vec::new();
         let (mut count, mut thumbnails, mut number, mut bytes, mut most) = (0, 0, 1_u64, 0_u64, 0);
         loop {
             let at = |error| damaged(report, number, error);
@@ -82,6 +85,7 @@ impl<'a> Pages<'a> {
                     None => {
                         let encoding = format!("{}, {}", compression.name, order(&decoder));
                         found = Some((page, encoding, Notes::read(&mut decoder)));
+                        colors = palette(&mut decoder);
                     }
                     Some((first, ..)) if *first != page => {
                         return Err(report.invalid(
@@ -113,7 +117,20 @@ impl<'a> Pages<'a> {
             behind = images_behind(&storage, report, &first, images, length)?;
             count = if behind.is_some() { images } else { 1 };
         }
-        Ok(Self { storage, path, first, count, thumbnails, encoding, notes, palette, white_is_zero, behind, name })
+        Ok(Self {
+            storage,
+            path,
+            first,
+            count,
+            thumbnails,
+            encoding,
+            notes,
+            palette,
+            colors,
+            white_is_zero,
+            behind,
+            name,
+        })
     }
 
     /// Decodes the slices that are selected.
@@ -144,6 +161,17 @@ impl<'a> Pages<'a> {
         }
         Ok(())
     }
+}
+
+/// The colours of a page's palette: all reds, then all greens, then all blues, of 16 bits. Empty where it has none.
+fn palette(decoder: &mut Reader) -> Vec<[f64; 3]> {
+    // Without colours the values are what they are.
+    let words = decoder.find_tag(Tag::ColorMap).ok().flatten().and_then(|value| value.into_u16_vec().ok());
+    let words = words.unwrap_or_default();
+    let (reds, rest) = words.split_at(words.len() / 3);
+    let (greens, blues) = rest.split_at(words.len() / 3);
+    let part = |word: &u16| (f64::from(*word) / 65535.0 * 1000.0).round() / 1000.0;
+    reds.iter().zip(greens.iter().zip(blues)).map(|(red, (green, blue))| [red, green, blue].map(part)).collect()
 }
 
 impl Pages<'_> {

@@ -92,7 +92,7 @@ fn members(input: &Input, report: Report, assumptions: &mut Assumptions) -> Resu
         assumptions.push(format!("left out: {} further parts of points in time", before - members.len()));
     }
     if unnumbered > 0 {
-        assumptions.push(format!("{unnumbered} files have no `timestep`: their numbers were taken"));
+        assumptions.push(format!("{unnumbered} files have no `timestep` that is a number: their numbers were taken"));
     }
     if members.is_empty() {
         return Err(nothing(report));
@@ -105,15 +105,13 @@ fn member(report: Report, tag: &Tag, number: usize, unnumbered: &mut u32) -> Res
         return Err(report.invalid(tag.place(), "this `DataSet` has no `file`", "write the collection anew"));
     };
     let moment = match tag.get("timestep") {
-        Some(text) => text.trim().parse::<f64>().ok().filter(|moment| moment.is_finite()).ok_or_else(|| {
-            let problem = format!("`timestep` is `{}`, which is no number", clip(text));
-            report.invalid(tag.place(), problem, "write a number")
-        })?,
-        None => {
-            *unnumbered += 1;
-            number as f64
-        }
+        Some(text) => text.trim().parse::<f64>().ok().filter(|moment| moment.is_finite()),
+        None => None,
     };
+    let moment = moment.unwrap_or_else(|| {
+        *unnumbered += 1;
+        number as f64
+    });
     // Without the sign of a zero, which would be a moment of its own.
     Ok(Member { moment: moment + 0.0, file: file.to_owned(), place: tag.place() })
 }

@@ -12,7 +12,6 @@ use crate::options::OpenOptions;
 use crate::orientation::Orientation;
 use crate::placement::{Placement, unoriented};
 use crate::samples::{Endian, SampleType};
-use crate::setting::Setting;
 use crate::source::Assumptions;
 use crate::stream;
 use crate::tolerance;
@@ -85,7 +84,6 @@ impl Description {
         };
         let (dimensions, placement) = grid(report, &layout.image, array.association, options, &mut assumptions)?;
         let components = components_of(report, array, (sample, endian), part, &mut assumptions)?;
-        Components::refuse_text((report, array.tag.place()), components, coding == Coding::Text)?;
         let (.., voxel_size) = components::decoded_as(sample, endian, components);
         let data_bytes = stream::byte_count(dimensions, voxel_size)
             .map_err(|problem| report.invalid(layout.image.place(), problem, "correct `WholeExtent`"))?;
@@ -136,18 +134,8 @@ fn components_of(
     let count = text.parse::<u64>().map_err(|_| {
         report.invalid(at.1, format!("`NumberOfComponents` is `{}`, no number", clip(text)), "write a number")
     })?;
-    if count == 1 {
-        return match part {
-            None => Ok(None),
-            Some(part) => {
-                let problem =
-                    format!("`{}` is asked for of `{}`, which has one component", clip(part), clip(array.name()));
-                Err(report.unsupported(at.1, problem, "leave it out").with_setting(Setting::Array))
-            }
-        };
-    }
     let colors = decoding.0 == SampleType::U8 && (3..=4).contains(&count);
-    Components::choose(at, count, colors, decoding, part, assumptions).map(Some)
+    Components::of_array(at, array.name(), count, colors, decoding, part, assumptions)
 }
 
 /// The array of the name that is asked for, and what is asked for of its components, which may stand behind a colon: `velocity:norm`. Else the
@@ -175,7 +163,7 @@ fn choose<'a, 'b>(
         }
         let several =
             all().find(|array| !matches!(array.tag.get("NumberOfComponents").map(str::trim), None | Some("1")));
-        return match several.filter(|_| matches!(asked, "norm" | "rgb")) {
+        return match several.filter(|_| Components::is_part(asked)) {
             Some(array) => Ok((array, Some(asked))),
             None => Err(arrays::unknown(report, asked, all().map(Array::name))),
         };
@@ -333,7 +321,8 @@ fn grid(
         })?;
     }
     assumptions.note_origin("spacing", "`Spacing` of the image");
-    let spacing = tolerance::steps(numbers(report, image, "Spacing", Some([1.0; 3]))?, 1.0, options, assumptions);
+    let stated = numbers(report, image, "Spacing", Some([1.0; 3]));
+    let spacing = tolerance::steps(tolerance::replaceable(stated, [1.0; 3], options)?, 1.0, options, assumptions);
     let stated = !image.get("Direction").is_none_or(numbers_are_identity);
     let orientation = if stated { Orientation::World } else { Orientation::Unknown };
     assumptions.extend((!stated).then(unoriented));

@@ -88,7 +88,8 @@ fn read_data(description: &Description, input: &Input, options: &OpenOptions) ->
     if description.coding == Coding::Text {
         memory()?;
         let (mut voxels, count) = reserve()?;
-        text::read_text(report, &mut voxels, &mut characters, count, description.sample.name())?;
+        let numbers = (description.sample, description.components);
+        components::read_numbers(report, &mut voxels, &mut characters, count, numbers, true)?;
         return Ok(voxels.into_voxels());
     }
     let mut reader: Box<dyn BufRead> = match description.coding {

@@ -68,7 +68,7 @@ impl<'a, R: BufRead> Document<'a, R> {
         let mark = reader.fill_buf().is_ok_and(|bytes| bytes.starts_with(BYTE_ORDER_MARK));
         let before = if mark { BYTE_ORDER_MARK.len() } else { 0 };
         reader.consume(before);
-        let reader = Metered { inner: reader, line: 1, allowance: Some(MAX_BYTES) };
+        let reader = Metered { inner: reader, line: 1, allowance: Some(MAX_BYTES), checked: 0, mended: Vec::new() };
         Self { reader: Reader::from_reader(reader), report, open: vec![], empty: false, before: before as u64 }
     }
 
@@ -207,6 +207,20 @@ struct Metered<R> {
     line: usize,
     /// `None` while data is skipped.
     allowance: Option<u64>,
+    /// How many of the buffered bytes were looked at.
+    checked: usize,
+    /// These bytes, where some of them are not UTF-8.
+    mended: Vec<u8>,
+}
+
+/// The place of the next byte that is no part of a letter in UTF-8; letters may begin before the bytes and end behind them.
+fn not_utf8(bytes: &[u8], from: usize) -> Option<usize> {
+    const CONTINUED: std::ops::Range<u8> = 0x80..0xc0;
+    // Of a letter that begins before, at most three bytes.
+    let begun = bytes.iter().take(3).take_while(|byte| CONTINUED.contains(byte)).count();
+    let from = from.max(begun);
+    let wrong = std::str::from_utf8(bytes.get(from..)?).err()?;
+    wrong.error_len().map(|_| from + wrong.valid_up_to())
 }
 
 impl<R: BufRead> BufRead for Metered<R> {
@@ -215,9 +229,30 @@ impl<R: BufRead> BufRead for Metered<R> {
             let problem = format!("the markup goes on beyond {MAX_BYTES} bytes");
             return Err(io::Error::new(io::ErrorKind::InvalidData, problem));
         }
+        // A source in memory has all of its bytes buffered.
+        const WINDOW: usize = 1 << 16;
         let bytes = self.inner.fill_buf()?;
-        let most = self.allowance.and_then(|allowance| usize::try_from(allowance).ok());
-        Ok(&bytes[..bytes.len().min(most.unwrap_or(usize::MAX))])
+        let Some(most) = self.allowance else { return Ok(bytes) };
+        if self.checked == 0 {
+            let window = &bytes[..bytes.len().min(WINDOW)];
+            self.checked = window.len();
+            let mut wrong = not_utf8(window, 0);
+            if wrong.is_some() {
+                self.mended.extend_from_slice(window);
+            }
+            // Comments and names of people are in any encoding; places in the file stay as they are.
+            while let Some(at) = wrong {
+                self.mended[at] = b'?';
+                wrong = not_utf8(&self.mended, at + 1);
+            }
+        }
+        // The bytes that are left of those that were looked at.
+        let left = if self.mended.is_empty() {
+            &bytes[..self.checked.min(bytes.len())]
+        } else {
+            &self.mended[self.mended.len() - self.checked..]
+        };
+        Ok(&left[..left.len().min(usize::try_from(most).unwrap_or(usize::MAX))])
     }
 
     fn consume(&mut self, count: usize) {
@@ -227,6 +262,10 @@ impl<R: BufRead> BufRead for Metered<R> {
         }
         if let Some(allowance) = &mut self.allowance {
             *allowance = allowance.saturating_sub(count as u64);
+        }
+        self.checked = self.checked.saturating_sub(count);
+        if self.checked == 0 {
+            self.mended.clear();
         }
         self.inner.consume(count);
     }

@@ -14,6 +14,8 @@ pub(super) struct Block {
     pub kind: String,
     /// Values a point.
     pub components: u64,
+    /// Whether these are red, green, blue and perhaps opacity, by the keyword.
+    pub colors: bool,
     /// Points, or cells.
     pub count: u64,
     /// The line that describes it.
@@ -22,7 +24,15 @@ pub(super) struct Block {
 
 impl Block {
     pub fn new(name: &str, kind: &str, components: u64, count: u64, line: usize) -> Self {
-        Self { name: name.to_owned(), sample: sample_type(kind), kind: kind.to_owned(), components, count, line }
+        Self {
+            name: name.to_owned(),
+            sample: sample_type(kind),
+            kind: kind.to_owned(),
+            components,
+            colors: false,
+            count,
+            line,
+        }
     }
 
     /// Count of its numbers.
@@ -41,17 +51,9 @@ impl Block {
         }
     }
 
-    /// The type of its samples; an error where it is no array of single numbers.
-    pub fn scalar(&self, report: Report) -> Result<SampleType, Error> {
+    /// The type of its samples; an error where it is no array of numbers.
+    pub fn sample(&self, report: Report) -> Result<SampleType, Error> {
         let place = Place::Line(self.line);
-        if self.components != 1 {
-            let components = self.components;
-            return Err(report.unsupported(
-                place,
-                format!("`{}` has {components} components a voxel, not 1", clip(&self.name)),
-                "write one component alone, for example by ParaView's filter Calculator",
-            ));
-        }
         self.sample.ok_or_else(|| {
             report.unsupported(
                 place,

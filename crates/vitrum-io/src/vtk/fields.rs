@@ -16,7 +16,8 @@ pub(super) struct Fields {
     pub binary: bool,
     pub dataset: bool,
     pub dimensions: Option<([u32; 3], usize)>,
-    pub spacing: Option<([f64; 3], usize)>,
+    /// Where it cannot be read, the error, which a spacing of the user's own makes up for.
+    pub spacing: Option<Result<[f64; 3], Error>>,
     pub origin: Option<([f64; 3], usize)>,
     pub attributes: Option<Attributes>,
     /// SCALARS whose LOOKUP_TABLE is still to come.
@@ -67,7 +68,7 @@ impl Fields {
             "dataset" => self.dataset = dataset(report, place, &rest)?,
             "dimensions" => self.dimensions = Some((numbers(report, place, line, &rest)?, number)),
             // The name before version 2.0.
-            "spacing" | "aspect_ratio" => self.spacing = Some((numbers(report, place, line, &rest)?, number)),
+            "spacing" | "aspect_ratio" => self.spacing = Some(numbers(report, place, line, &rest)),
             "origin" => self.origin = Some((numbers(report, place, line, &rest)?, number)),
             keyword @ ("point_data" | "cell_data") => {
                 let [count] = numbers(report, place, line, &rest)?;
@@ -93,7 +94,8 @@ impl Fields {
             },
             "color_scalars" => {
                 let [components] = numbers(report, place, line, rest.get(1..).unwrap_or_default())?;
-                return Ok(Some(Block::new(&name, self.color_kind(), components, count, number)));
+                let block = Block::new(&name, self.color_kind(), components, count, number);
+                return Ok(Some(Block { colors: (3..=4).contains(&components), ..block }));
             }
             "vectors" | "normals" => return array(3),
             "tensors" => return array(9),

@@ -3,10 +3,12 @@
 use super::blocks::Block;
 use super::fields::{Attributes, Fields};
 use super::header::Header;
+use crate::components::{self, Components};
 use crate::error::{Error, Place, Report};
 use crate::options::OpenOptions;
 use crate::orientation::Orientation;
 use crate::placement::{Placement, unoriented};
+use crate::samples::{Endian, SampleType};
 use crate::source::Assumptions;
 use crate::stream;
 use crate::tolerance;
@@ -14,14 +16,15 @@ use crate::volume::IDENTITY;
 
 impl Fields {
     pub fn finish(
-        self,
+        mut self,
         report: Report,
         block: &Block,
         start: u64,
         (count, cells, count_line): Attributes,
+        part: Option<&str>,
         options: &OpenOptions,
     ) -> Result<Header, Error> {
-        let sample = block.scalar(report)?;
+        let sample = block.sample(report)?;
         if !self.dataset {
             return Err(self.missing(report, "DATASET", "DATASET STRUCTURED_POINTS"));
         }
@@ -34,9 +37,17 @@ impl Fields {
         if dimensions.contains(&0) {
             return Err(report.invalid(at_line, "DIMENSIONS without voxels", "give each axis a size of at least 1"));
         }
-        let data_bytes = stream::byte_count(dimensions, sample.size())
+        let mut assumptions = Assumptions::default();
+        // Colours of a table are bytes, or numbers up to 1 in text, of a keyword of their own.
+        let colors = block.colors || sample == SampleType::U8 && (3..=4).contains(&block.components);
+        let at = (report, Place::Line(block.line));
+        let decoding = (sample, Endian::Big);
+        let components =
+            Components::of_array(at, &block.name, block.components, colors, decoding, part, &mut assumptions)?;
+        let (.., voxel_size) = components::decoded_as(sample, Endian::Big, components);
+        let data_bytes = stream::byte_count(dimensions, voxel_size)
             .map_err(|problem| report.invalid(at_line, problem, "correct DIMENSIONS"))?;
-        let expected = data_bytes / sample.size() as u64;
+        let expected = data_bytes / voxel_size as u64;
         // An array of a FIELD has a count of its own.
         let (count, count_line) = if block.count == count { (count, count_line) } else { (block.count, block.line) };
         if count != expected {
@@ -46,23 +57,23 @@ impl Fields {
                 "correct one of the two",
             ));
         }
-        let mut assumptions = Assumptions::default();
         assumptions.extend(sample.rounding_note());
         let placement = self.placement(report, points, cells, options, &mut assumptions)?;
         let binary = self.binary;
-        Ok(Header { binary, sample, dimensions, data_bytes, length: start, placement, assumptions })
+        Ok(Header { binary, sample, components, dimensions, data_bytes, length: start, placement, assumptions })
     }
 
     fn placement(
-        &self,
+        &mut self,
         report: Report,
         points: [u32; 3],
         cells: bool,
         options: &OpenOptions,
         assumptions: &mut Assumptions,
     ) -> Result<Placement, Error> {
-        let spacing = match self.spacing {
-            Some((spacing, _)) => {
+        let spacing = match self.spacing.take() {
+            Some(stated) => {
+                let spacing = tolerance::replaceable(stated, [1.0; 3], options)?;
                 assumptions.note_origin("spacing", "`SPACING`");
                 tolerance::steps(spacing, 1.0, options, assumptions)
             }

@@ -5,6 +5,7 @@ use std::io::{BufRead, Seek, SeekFrom};
 use super::blocks::Block;
 use super::fields::{Attributes, Fields};
 use crate::arrays;
+use crate::components::Components;
 use crate::error::{Error, Place, Report, clip};
 use crate::options::OpenOptions;
 use crate::placement::Placement;
@@ -26,6 +27,7 @@ const MOST_BLOCKS: usize = 10_000;
 pub(super) struct Header {
     pub binary: bool,
     pub sample: SampleType,
+    pub components: Option<Components>,
     pub dimensions: [u32; 3],
     /// Bytes of data, decoded to the file's sample type.
     pub data_bytes: u64,
@@ -36,8 +38,8 @@ pub(super) struct Header {
 }
 
 impl Header {
-    /// Looks at all arrays of a file of so many bytes, and takes the one of the name `asked`, else the first scalars, else
-    /// the first array with one component.
+    /// Looks at all arrays of a file of so many bytes, and takes the one that is asked for, else the first scalars, else the first array with
+    /// one component, else the first.
     pub fn read<R: BufRead + Seek>(
         mut reader: R,
         file_length: u64,
@@ -78,7 +80,7 @@ impl Header {
             let mut lines = Lines::new(&mut reader, report, MAX_BYTES, ADVICE);
             lines.number = number;
             let block = match fields.next_block(report, &mut lines) {
-                Err(error) if arrays.settled(asked) => {
+                Err(error) if arrays.chosen.is_some() => {
                     // It is no part of what is read.
                     arrays.unread = Some(error);
                     break;
@@ -90,7 +92,7 @@ impl Header {
             let start = reader.stream_position().map_err(|error| report.unreadable(error))?;
             arrays.add(report, &block, start, &fields, asked);
             let skipped = skip(report, &mut reader, &block, binary, start, file_length);
-            if skipped.is_err() && arrays.settled(asked) {
+            if skipped.is_err() && arrays.chosen.is_some() {
                 // The reader of the data tells what is missing there, and does not care for what is behind.
                 break;
             }
@@ -115,7 +117,7 @@ fn skip<R: BufRead + Seek>(
         return text::skip_numbers(report, reader, block.numbers());
     }
     let Some(bytes) = block.bytes() else {
-        return block.scalar(report).map(drop);
+        return block.sample(report).map(drop);
     };
     stream::check_length(report, bytes, start, file_length.saturating_sub(start))?;
     reader.seek(SeekFrom::Start(start + bytes)).map(drop).map_err(|error| report.unreadable(error))
@@ -125,32 +127,49 @@ fn skip<R: BufRead + Seek>(
 #[derive(Default)]
 struct Arrays {
     names: Vec<String>,
-    chosen: Option<(Block, u64, Attributes)>,
-    /// Whether that are scalars, which go before other arrays.
-    scalars: bool,
+    chosen: Option<Chosen>,
     /// Why the first that would have been chosen was not.
     refusal: Option<Error>,
     /// Reason for which the search for more ended.
     unread: Option<Error>,
 }
 
-impl Arrays {
-    /// Whether the wanted array has been found, so that a fault behind it does no harm.
-    fn settled(&self, asked: Option<&str>) -> bool {
-        self.chosen.as_ref().is_some_and(|(block, ..)| asked.is_none_or(|asked| asked == block.name))
-    }
+/// The array that is read, as far as the file was looked at.
+struct Chosen {
+    block: Block,
+    start: u64,
+    attributes: Attributes,
+    /// What is asked for of its components.
+    part: Option<String>,
+    /// How well it fits: see [`fit`].
+    fit: u32,
+}
 
+/// How well an array is what is wanted, and the part of its components that is asked for; `None` where it is not.
+fn fit<'a>(block: &Block, scalars: bool, asked: Option<&'a str>) -> Option<(u32, Option<&'a str>)> {
+    let several = block.components > 1;
+    match asked.map(|asked| (asked, asked.rsplit_once(':'))) {
+        None if several => Some((if scalars { 1 } else { 0 }, None)),
+        None => Some((if scalars { 3 } else { 2 }, None)),
+        Some((asked, _)) if asked == block.name => Some((2, None)),
+        Some((_, Some((name, part)))) if name == block.name => Some((1, Some(part))),
+        Some((asked, _)) if several && Components::is_part(asked) => Some((0, Some(asked))),
+        Some(_) => None,
+    }
+}
+
+impl Arrays {
     fn add(&mut self, report: Report, block: &Block, start: u64, fields: &Fields, asked: Option<&str>) {
         let Some(attributes) = fields.attributes.filter(|_| !block.name.is_empty()) else { return };
         self.names.push(block.name.clone());
-        let better = self.chosen.is_none() || asked.is_none() && fields.scalars && !self.scalars;
-        if asked.is_some_and(|asked| asked != block.name) || !better {
+        let Some((fit, part)) = fit(block, fields.scalars, asked) else { return };
+        if self.chosen.as_ref().is_some_and(|chosen| chosen.fit >= fit) {
             return;
         }
-        match block.scalar(report) {
+        match block.sample(report) {
             Ok(_) => {
-                self.scalars = fields.scalars;
-                self.chosen = Some((block.clone(), start, attributes));
+                let part = part.map(str::to_owned);
+                self.chosen = Some(Chosen { block: block.clone(), start, attributes, part, fit });
             }
             Err(error) => self.refusal = self.refusal.take().or(Some(error)),
         }
@@ -159,7 +178,7 @@ impl Arrays {
     fn finish(self, report: Report, fields: Fields, line: usize, options: &OpenOptions) -> Result<Header, Error> {
         let asked = options.array.as_deref();
         let names = self.names.iter().map(String::as_str);
-        let Some((block, start, attributes)) = self.chosen else {
+        let Some(Chosen { block, start, attributes, part, .. }) = self.chosen else {
             return Err(match (self.refusal, asked) {
                 (Some(error), _) => error,
                 (None, Some(asked)) if !self.names.is_empty() => arrays::unknown(report, asked, names),
@@ -174,7 +193,7 @@ impl Arrays {
         if let Some(index) = others.iter().position(|name| *name == block.name) {
             others.remove(index);
         }
-        let mut header = fields.finish(report, &block, start, attributes, options)?;
+        let mut header = fields.finish(report, &block, start, attributes, part.as_deref(), options)?;
         if asked.is_none() {
             header.assumptions.extend(arrays::others_note(&block.name, others.into_iter()));
         }

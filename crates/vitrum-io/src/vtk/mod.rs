@@ -10,6 +10,7 @@ mod header;
 use std::io::{Seek, SeekFrom};
 
 use self::header::Header;
+use crate::components::{self, Components};
 use crate::error::{Error, Report};
 use crate::formats::{self, Format};
 use crate::input::Input;
@@ -43,10 +44,11 @@ impl VolumeReader for Vtk {
         let report = Report::new(&input.name);
         let header = Header::read(input.open()?, input.length, options, report)?;
         let voxels = read_data(&header, input, options)?;
-        let volume = header.placement.volume(&input.name, header.dimensions, voxels, header.sample)?;
+        let (sample, ..) = components::decoded_as(header.sample, Endian::Big, header.components);
+        let volume = header.placement.volume(&input.name, header.dimensions, voxels, sample)?;
         let volume = volume.with_source(Source {
             format: self.format().name,
-            sample_type: header.sample.name().to_owned(),
+            sample_type: Components::named(header.components, header.sample),
             encoding: if header.binary { "binary, big-endian" } else { "ascii" }.to_owned(),
             assumptions: header.assumptions,
         });
@@ -57,7 +59,8 @@ impl VolumeReader for Vtk {
 fn read_data(header: &Header, input: &Input, options: &OpenOptions) -> Result<Voxels, Error> {
     let report = Report::new(&input.name);
     let unreadable = |error| report.unreadable(error);
-    let (start, size) = (header.length, header.sample.size());
+    let start = header.length;
+    let (sample, endian, size) = components::decoded_as(header.sample, Endian::Big, header.components);
     let there = input.length.saturating_sub(start);
     let count = header.data_bytes / size as u64;
     if header.binary {
@@ -65,15 +68,16 @@ fn read_data(header: &Header, input: &Input, options: &OpenOptions) -> Result<Vo
     } else {
         text::check_text_length(report, count, start, there)?;
     }
-    memory::check(report, count * header.sample.stored_size() as u64, options.max_bytes)?;
+    memory::check(report, count * sample.stored_size() as u64, options.max_bytes)?;
     let count = usize::try_from(count).unwrap_or(usize::MAX);
-    let mut voxels = VoxelBuffer::reserve(report, header.sample, Endian::Big, count)?;
+    let mut voxels = VoxelBuffer::reserve(report, sample, endian, count)?;
     let mut reader = input.open()?;
     reader.seek(SeekFrom::Start(start)).map_err(unreadable)?;
     if header.binary {
-        stream::fill(report, &mut voxels, &mut reader, count, size)?;
+        components::fill(report, &mut voxels, &mut reader, count, size, header.components)?;
     } else {
-        text::read_numbers(report, &mut voxels, &mut reader, count, header.sample.name())?;
+        let numbers = (header.sample, header.components);
+        components::read_numbers(report, &mut voxels, &mut reader, count, numbers, false)?;
     }
     // Other parts of the file begin with a keyword, and were read before.
     if !header.binary

@@ -9,6 +9,7 @@ pub enum Value {
     Long(u32),
     Rational(u32, u32),
     Text(&'static str),
+    Shorts(Vec<u16>),
 }
 
 use Value::{Long, Short};
@@ -69,6 +70,7 @@ pub fn tiff(big: bool, pages: &[Page]) -> Vec<u8> {
                 Short(value) => (3, 1, short(*value).to_vec()),
                 Long(value) => (4, 1, long(*value).to_vec()),
                 Value::Rational(above, below) => (5, 1, [long(*above), long(*below)].concat()),
+                Value::Shorts(values) => (3, values.len(), values.iter().flat_map(|value| short(*value)).collect()),
                 Value::Text(text) => (2, text.len() + 1, [text.as_bytes(), &[0]].concat()),
             };
             let mut field = bytes.clone();

@@ -100,6 +100,15 @@ pub(super) struct Element {
     pub properties: Vec<Property>,
     /// The header's line that names it.
     pub line: usize,
+    /// Why it cannot be read, of an element that no triangle needs.
+    pub fault: Option<Error>,
+}
+
+impl Element {
+    /// Whether triangles are made of it.
+    pub fn is_needed(&self) -> bool {
+        matches!(self.name.as_str(), "vertex" | "face" | "tristrips")
+    }
 }
 
 /// A header understood.
@@ -141,7 +150,11 @@ impl Header {
                     elements.push(parse_element(report, number, &elements, element, count)?);
                 }
                 [b"property", ref rest @ .., property] => {
-                    add_property(report, place, elements.last_mut(), rest, property)?;
+                    let added = add_property(report, place, elements.last_mut(), rest, property);
+                    match (added, elements.last_mut().filter(|element| !element.is_needed())) {
+                        (Err(error), Some(element)) => element.fault = element.fault.take().or(Some(error)),
+                        (added, _) => added?,
+                    }
                 }
                 [b"end_header"] => {
                     let advice = "add a line such as `format ascii 1.0`";
@@ -204,7 +217,7 @@ fn parse_element(
         let problem = format!("the element `{}` was given in line {} already", show(element), first.line);
         return Err(report.invalid(place, problem, "keep one of the two"));
     }
-    Ok(Element { name, count, properties: Vec::new(), line })
+    Ok(Element { name, count, properties: Vec::new(), line, fault: None })
 }
 
 /// `rest` stands between `property` and the name.

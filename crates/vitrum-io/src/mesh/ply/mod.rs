@@ -40,7 +40,21 @@ impl MeshReader for Ply {
         let mut early = Vec::new();
         let mut coordinates = None;
         let mut joints = 0;
-        for element in &header.elements {
+        let mut faults: Vec<_> = header.elements.iter_mut().map(|element| element.fault.take()).collect();
+        for (index, element) in header.elements.iter().enumerate() {
+            if !element.is_needed() {
+                let skipped = match faults[index].take() {
+                    Some(error) => Err(error),
+                    None => check_size(report, &source, element).and_then(|()| skip(report, &mut source, element)),
+                };
+                builder.assumptions.push(format!("the element `{}` was left out", clip(&element.name)));
+                match skipped {
+                    Ok(()) => continue,
+                    Err(error) if header.elements[index..].iter().any(Element::is_needed) => return Err(error),
+                    // Nothing behind it is needed.
+                    Err(_) => break,
+                }
+            }
             check_size(report, &source, element)?;
             match element.name.as_str() {
                 "vertex" => coordinates = Some(vertices::read(&mut source, element, &mut builder)?),
@@ -48,11 +62,7 @@ impl MeshReader for Ply {
                     early.push((source.clone(), element));
                     skip(report, &mut source, element)?;
                 }
-                "face" | "tristrips" => joints += faces::read(&mut source, element, &mut builder)?,
-                _ => {
-                    skip(report, &mut source, element)?;
-                    builder.assumptions.push(format!("the element `{}` was left out", clip(&element.name)));
-                }
+                _ => joints += faces::read(&mut source, element, &mut builder)?,
             }
         }
         let Some(coordinates) = coordinates else {

@@ -28,6 +28,8 @@ pub(super) fn read(bytes: &[u8], facets: &mut Facets) -> Result<(), Error> {
                 inside = false;
             }
             b"facet" if inside => facet(report, &mut words, facets)?,
+            // Zeros pad a file.
+            word if !inside && word.iter().all(|&byte| byte == 0) => {}
             _ => {
                 let expected = if inside { "`facet` or `endsolid`" } else { "`solid`" };
                 return Err(unexpected(report, &words, Some(word), expected));
