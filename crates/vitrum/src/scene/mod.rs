@@ -42,7 +42,7 @@ mod write;
 
 pub use annotation::{Anchor, Annotation, AnnotationKind, OrientationStyle};
 pub use beams::{Beams, Estimator, Tracer};
-pub use camera::{Camera, Projection};
+pub use camera::{Camera, Framing, Projection};
 pub use clip::{Clip, Removes};
 pub use dispersion::YELLOW;
 pub use environment::{Environment, EnvironmentKind};
