@@ -4,7 +4,7 @@ use crate::failure::{Failure, Status};
 use std::path::Path;
 use vitrum::io::{Picture, Staged, stage_text};
 use vitrum::scene::{Background, Scene};
-use vitrum::{Frame, Subject};
+use vitrum::{Assets, Frame, framed};
 use vitrum_annotations::{AnnotationError, Overlay};
 
 /// Formats of the screen, whose pictures are annotated.
@@ -24,8 +24,12 @@ pub struct Figure {
 
 impl Figure {
     /// The annotations of a scene.
-    pub fn new(scene: &Scene, subject: &Subject) -> Result<Self, Failure> {
-        Ok(Self { overlay: Overlay::new(scene, subject)? })
+    pub fn new(scene: &Scene, assets: &Assets) -> Result<Self, Failure> {
+        if scene.annotation.is_empty() {
+            return Ok(Self { overlay: None });
+        }
+        // Annotations lie where the picture's camera sees their places.
+        Ok(Self { overlay: Overlay::new(&framed(scene, assets)?, &assets.subject)? })
     }
 
     /// The frame's picture as a file gets it: formats of the screen with straight alpha and annotations, others linear and complete.

@@ -24,7 +24,7 @@ pub struct SceneArguments {
     #[command(flatten)]
     pub volume: VolumeArguments,
 
-    /// Give the scene the look of a preset (`vitrum presets` lists them); volume files without it take `amber`, meshes what their file says or glass
+    /// Give the scene the look of a preset (`vitrum presets` lists them); without it volume files take the one that suits their contents, and meshes what their file says or glass
     #[arg(long, value_name = "NAME", add = complete::presets())]
     pub preset: Option<String>,
 

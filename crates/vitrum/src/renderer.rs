@@ -158,6 +158,10 @@ fn frame_here(
     progress: &mut (dyn FnMut(Progress) -> bool + Send),
 ) -> Result<Frame, Error> {
     check(job.scene, job.assets)?;
+    let shown = cache.shown(job.scene, job.assets)?;
+    let assets = shown.as_ref().unwrap_or(job.assets);
+    let framed = cache.framed(job.scene, assets);
+    let job = &Job { scene: framed.as_ref().unwrap_or(job.scene), assets, ..*job };
     let Some(background) = job.scene.background.as_deref().and_then(Background::parse) else {
         return exposed(job, cache, backend, progress);
     };

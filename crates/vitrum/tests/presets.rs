@@ -1,6 +1,6 @@
 //! Every preset gives a valid scene for every kind of volume, and leaves other parts of the scene alone.
 
-use vitrum::io::{Volume, Voxels};
+use vitrum::io::{Orientation, Volume, Voxels};
 use vitrum::preset::{self, Adjustments, PresetError};
 use vitrum::scene::{Camera, Scene, VolumeSource};
 
@@ -77,7 +77,10 @@ fn an_unknown_preset_suggests_the_nearest() {
         "the presets are: plain, bone, amber, glass, xray, mip, haze, ct-bone, ct-angio, ct-soft, ct-lung, mr-angio"
     );
     assert_eq!(changed, scene());
-    assert!(preset::names().iter().any(|&(name, _)| name == preset::DEFAULT));
+    for volume in volumes() {
+        let choice = preset::choose(&volume);
+        assert!(preset::names().iter().any(|&(name, _)| name == choice.name), "{choice:?}");
+    }
 }
 
 /// The opacity of a scene's function at a value.
@@ -163,5 +166,12 @@ fn presets_of_units_refuse_other_values_and_say_what_to_do() {
     // The points of 3D Slicer's CT-Bone.
     preset::apply("ct-bone", &volumes()[3], &mut changed).expect("Hounsfield units");
     assert!((opacity(&changed, 641.385) - 0.715_686).abs() < 1e-6 && opacity(&changed, -16.45) == 0.0);
-    assert_eq!(changed.transfer.reference_length, Some(1.0));
+    // Its longest edge, 8, is no CT's in millimetres; a patient's volume is in millimetres.
+    let millimetre = changed.transfer.reference_length.expect("opacities are per millimetre");
+    assert!((millimetre - 8.0 / 300.0).abs() < 1e-6, "{millimetre}");
+    let notes = preset::fit("ct-bone", &volumes()[3], &Adjustments::default(), &mut changed).expect("Hounsfield units");
+    assert!(notes.iter().any(|note| note.contains("the longest edge, 8, was taken for 300 mm")), "{notes:?}");
+    let patient = Volume { orientation: Orientation::Patient, ..volumes()[3].clone() };
+    let notes = preset::fit("ct-bone", &patient, &Adjustments::default(), &mut changed).expect("Hounsfield units");
+    assert_eq!((changed.transfer.reference_length, notes.len()), (Some(1.0), 1), "{notes:?}");
 }

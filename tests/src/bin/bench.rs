@@ -31,7 +31,7 @@ struct Arguments {
     volumes: Vec<PathBuf>,
 
     /// The look of the volumes (`vitrum presets` lists them)
-    #[arg(long, value_name = "NAME", default_value = preset::DEFAULT)]
+    #[arg(long, value_name = "NAME", default_value = "amber")]
     preset: String,
 
     /// Only built-in scenes whose name has this text in it; repeatable

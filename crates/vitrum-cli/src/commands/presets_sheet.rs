@@ -89,7 +89,7 @@ pub fn run(input: &str, arguments: &SheetArguments) -> Result<ExitCode, Failure>
     let bar = Bar::new(scenes.len() as u32, arguments.quiet);
     let mut tiles = Vec::new();
     for (index, (name, scene)) in (0..).zip(&scenes) {
-        let figure = Figure::new(scene, &assets.subject)?;
+        let figure = Figure::new(scene, &assets)?;
         let frame = renderer.render(scene, OutputRequest { light: false }, &mut |progress| {
             bar.update(index, &progress);
             !interrupt::requested()

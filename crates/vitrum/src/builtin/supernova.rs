@@ -37,6 +37,7 @@ fn layer(ior: f32) -> Scene {
             opacity: opacities([(0.30, 0.0), (0.40, 0.12), (0.46, 0.05), (0.55, 0.8), (0.75, 0.95)]),
             ior: iors([(0.0, 1.0), (LAYER, ior), (0.5, 1.0)]),
             filter: colors([(0.0, [1.0; 3]), (LAYER, [0.93, 0.84, 0.96]), (0.4, [0.97, 0.9, 0.9])]),
+            ..TransferFunction::default()
         },
         shading: Shading { roughness: 0.2, ..Shading::default() },
         ground: Some(Ground { height: Some(-1.0), color: [0.55; 3], ..Ground::default() }),

@@ -13,7 +13,7 @@ pub use sides::Side;
 
 use crate::error::Error;
 use crate::preset::Adjustments;
-use crate::scene::{Problem, Scene, SceneError, Vector, VolumeSource};
+use crate::scene::{Framing, Problem, Scene, SceneError, Vector, VolumeSource};
 use crate::{Assets, preset};
 use std::path::{Path, PathBuf};
 use vitrum_io::Mesh;
@@ -28,7 +28,7 @@ pub struct Composition {
     /// A scene file (`.toml`), the file of a volume or of a mesh, a folder of DICOM files, `-` for a volume from standard input, or
     /// `builtin:NAME`.
     pub input: String,
-    /// The name of a preset. If absent, a volume's file is shown by [`preset::DEFAULT`], a mesh's file by its own materials, or as
+    /// The name of a preset. If absent, a volume's file is shown by that which suits its contents ([`preset::choose`]), a mesh's file by its own materials, or as
     /// glass.
     pub preset: Option<String>,
     /// The name of a medium that meshes are put into, one of [`preset::medium_names`]. If absent the scene keeps its own, if any.
@@ -82,6 +82,9 @@ impl Composition {
         if bare && self.source.raw.is_some() {
             scene = input::without_mesh(scene);
         }
+        if bare {
+            scene.camera.framing = Framing::Visible;
+        }
         if !scene.mesh.is_empty() {
             if self.transfer.is_some() || !self.adjustments.is_empty() {
                 return Err(CompositionError::NoTransferFunction { input: self.input.clone() });
@@ -96,12 +99,13 @@ impl Composition {
         self.preset.as_deref().map_or(Ok(()), preset::check)?;
         self.adjustments.check()?;
         let file = self.transfer.as_deref().map(read_transfer).transpose().map_err(Error::from)?;
-        let default = (bare && file.is_none()).then_some(preset::DEFAULT);
-        let preset = self.preset.as_deref().or(default);
+        let is_chosen = bare && file.is_none() && self.preset.is_none();
         let mut before = scene.clone();
-        self.change(&mut before, preset.is_some() || file.is_some())?;
+        self.change(&mut before, is_chosen || self.preset.is_some() || file.is_some())?;
         let assets = Assets::load_within(&before, &base, self.max_bytes)?;
         let mut notes = Vec::new();
+        let choice = assets.subject.volume().filter(|_| is_chosen).map(preset::choose);
+        let preset = self.preset.as_deref().or(choice.as_ref().map(|choice| choice.name));
         // A setting that adds a mesh leaves no volume for the preset to be fitted to.
         if let Some(volume) = assets.subject.volume() {
             let adjustments = &self.adjustments;
@@ -115,6 +119,9 @@ impl Composition {
                 }
                 (None, Some(name)) => notes = preset::fit(name, volume, adjustments, &mut scene)?,
                 (None, None) => preset::adjust(volume, adjustments, &mut scene)?,
+            }
+            if let Some(preset::Choice { name, reason }) = choice {
+                notes.push(format!("the preset `{name}` was chosen: {reason}; --preset takes another"));
             }
         }
         let of_file = (preset.is_none() && is_scene_file(Path::new(&self.input))).then(|| scene.clone());

@@ -1,6 +1,14 @@
 //! Data that methods keep from frame to frame, on the host and on the backend.
 
+use crate::assets::Assets;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
+use crate::error::Error;
+use crate::framing::{self, PointsKey};
+use crate::preset::{self, Noise};
+use crate::scene::Scene;
+use crate::shown::Changes;
+use crate::subject::Subject;
+use glam::DVec3;
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::convert::Infallible;
@@ -11,6 +19,9 @@ use std::convert::Infallible;
 #[derive(Default)]
 pub struct Cache {
     entries: HashMap<TypeId, Box<dyn Any + Send>>,
+    noise: Memo<(), Option<Noise>>,
+    shown: Memo<Changes, Option<Subject>>,
+    points: Memo<(Changes, PointsKey), Vec<DVec3>>,
 }
 
 impl Cache {
@@ -20,6 +31,35 @@ impl Cache {
         let entry = self.entries.entry(TypeId::of::<T>()).or_insert_with(|| Box::new(T::default()));
         let Some(value) = entry.downcast_mut() else { unreachable!("values are stored by their types") };
         value
+    }
+
+    /// The data that a scene's picture is made of, where that is not `assets` as they were read; data of other volumes is dropped.
+    ///
+    /// # Errors
+    /// Where the memory does not suffice.
+    pub(crate) fn shown(&mut self, scene: &Scene, assets: &Assets) -> Result<Option<Assets>, Error> {
+        let Some(volumes) = assets.subject.volumes() else { return Ok(None) };
+        let changes = Changes::of(scene, volumes, || *self.noise.of((), || preset::noise(volumes.bending())));
+        if !self.shown.is_of(&changes) {
+            self.entries.clear();
+        }
+        let subject = self.shown.get(changes.clone(), || changes.made(&assets.subject))?;
+        Ok(subject.clone().map(|subject| Assets { subject, ..assets.clone() }))
+    }
+
+    /// The scene with the camera that its picture is taken with, where that is another; `assets` are those that [`Self::shown`] has given.
+    pub(crate) fn framed(&mut self, scene: &Scene, assets: &Assets) -> Option<Scene> {
+        if !framing::is_fitted(scene) {
+            return None;
+        }
+        // A mesh may move.
+        if assets.subject.mesh().is_some() {
+            return framing::around(scene, assets, &framing::points(scene, &assets.subject));
+        }
+        let changes = self.shown.key().unwrap_or_default();
+        let key = (changes, framing::points_key(scene));
+        let points = self.points.of(key, || framing::points(scene, &assets.subject));
+        framing::around(scene, assets, points)
     }
 }
 
@@ -34,12 +74,25 @@ impl<K, V> Default for Memo<K, V> {
 }
 
 impl<K: PartialEq, V> Memo<K, V> {
+    /// Whether the stored value belongs to `key`.
+    fn is_of(&self, key: &K) -> bool {
+        self.0.as_ref().is_some_and(|(known, _)| known == key)
+    }
+
+    /// The key of the stored value.
+    fn key(&self) -> Option<K>
+    where
+        K: Clone,
+    {
+        self.0.as_ref().map(|(key, _)| key.clone())
+    }
+
     /// The value for `key`: the stored one if it belongs to the same key, else a new one that `make` computes and the memo stores.
     ///
     /// # Errors
     /// Those of `make`.
     pub(in crate::method) fn get<E>(&mut self, key: K, make: impl FnOnce() -> Result<V, E>) -> Result<&V, E> {
-        if self.0.as_ref().is_none_or(|(known, _)| *known != key) {
+        if !self.is_of(&key) {
             // The old result goes first: both together could be too much for a device.
             self.0 = None;
             self.0 = Some((key, make()?));

@@ -12,7 +12,7 @@ mod sources;
 pub mod spectrum;
 pub mod sweep;
 mod twist;
-mod view;
+pub(crate) mod view;
 pub mod voxelize;
 pub mod voxels;
 

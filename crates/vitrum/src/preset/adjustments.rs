@@ -1,6 +1,6 @@
 //! Presets and transfer functions with a threshold, a window or a map of colours.
 
-use super::hounsfield::{in_studio, may_be_hounsfield};
+use super::hounsfield::{in_studio, layer, may_be_hounsfield};
 use super::subject::Subject;
 use super::{PresetError, find, forget_light_grid, points};
 use crate::scene::{ColorPoint, OpacityPoint, Scene, TransferFunction};
@@ -97,6 +97,11 @@ pub fn fit(
     let fits = preset.table.is_none() && adjustments.window.is_none();
     let (fitted, cut) = if fits { (adjustments.threshold, None) } else { (None, adjustments.threshold) };
     (preset.apply)(&Subject::above(volume, fitted), scene);
+    if preset.table.is_some() {
+        let (length, note) = layer(volume);
+        scene.transfer.reference_length = Some(length);
+        notes.extend(note);
+    }
     forget_light_grid(scene);
     let usual = preset.table.map_or_else(|| points::range(scene, volume), |table| ends(table.window));
     adjustments.apply(volume, usual, cut, scene);
@@ -141,6 +146,7 @@ pub fn fit_file(
         opacity: file.opacity.iter().map(|&(value, opacity)| OpacityPoint { value, opacity }).collect(),
         ior: Vec::new(),
         filter: Vec::new(),
+        ..TransferFunction::default()
     };
     if file.opacity.is_empty() {
         // A map of colours alone: the opacity rises with them.
@@ -171,7 +177,7 @@ pub fn fit_file(
 /// The colours and opacities of a scene's transfer function as other programs take them, and statements about what they do not have.
 #[must_use]
 pub fn transfer_file(scene: &Scene, volume: &Volume) -> (TransferFile, Vec<String>) {
-    let TransferFunction { reference_length, color, opacity, ior, filter } = &scene.transfer;
+    let TransferFunction { reference_length, color, opacity, ior, filter, .. } = &scene.transfer;
     let [low, high] = volume.common_range();
     let mut colors: Vec<_> = color.iter().map(|point| (point.value, point.color)).collect();
     let mut opacities: Vec<_> = opacity.iter().map(|point| (point.value, point.opacity)).collect();

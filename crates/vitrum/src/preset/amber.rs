@@ -31,6 +31,7 @@ fn apply(subject: &Subject, scene: &mut Scene) {
             ior(bright, subject.index(0.25)),
         ],
         filter: vec![color(air, [1.0; 3]), color(surface, body)],
+        ..TransferFunction::default()
     };
     scene.light = vec![Light { angular_radius: 1.5, intensity: 1.1, ..Light::default() }];
     scene.shading = Shading { roughness: 0.15, ambient: [0.18, 0.17, 0.16], ..Shading::default() };

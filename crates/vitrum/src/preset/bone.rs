@@ -25,6 +25,7 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         ],
         ior: Vec::new(),
         filter: Vec::new(),
+        ..TransferFunction::default()
     };
     scene.light = vec![Light { angular_radius: 3.0, ..Light::default() }];
     scene.shading = Shading { ambient: [0.12, 0.12, 0.14], ..Shading::default() };

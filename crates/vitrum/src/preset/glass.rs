@@ -23,6 +23,7 @@ fn apply(subject: &Subject, scene: &mut Scene) {
             ior(bright, subject.index(0.2)),
         ],
         filter: vec![color(air, [1.0; 3]), color(surface, body)],
+        ..TransferFunction::default()
     };
     scene.light = vec![Light { angular_radius: 0.5, intensity: 1.2, ..Light::default() }];
     scene.shading = Shading { roughness: 0.06, ..Shading::default() };

@@ -24,6 +24,7 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         opacity: fog(subject),
         ior: Vec::new(),
         filter: Vec::new(),
+        ..TransferFunction::default()
     };
     scene.light = vec![Light { angular_radius: 20.0, intensity: 1.3, ..Light::default() }];
     scene.shading = Shading { specular: 0.0, ambient: [0.22, 0.23, 0.25], ..Shading::default() };

@@ -5,9 +5,9 @@
 use super::Preset;
 use super::subject::{Subject, color, opacity};
 use crate::scene::{Environment, EnvironmentKind, Light, Scene, Shading, TransferFunction};
-use vitrum_io::Volume;
 use vitrum_io::srgb_to_linear;
 use vitrum_io::transfer::{ColorSpace, color_at};
+use vitrum_io::{Orientation, Volume};
 
 /// A look over Hounsfield units.
 pub(super) struct Table {
@@ -18,8 +18,28 @@ pub(super) struct Table {
     opacity: &'static [(f32, f32)],
 }
 
-/// The world length that opacities are stated for: 1 mm.
+/// The world length that opacities are stated for: 1 mm, where the world's unit is known to be one.
 const LAYER: f32 = 1.0;
+
+/// The longest edge that a CT is taken to have where its unit is not known, in mm: that of a head with some air around it, or of half a chest.
+const USUAL_EDGE: f32 = 300.0;
+
+/// The longest edges that are taken for millimetres where no unit is known.
+const LIKELY_EDGES: std::ops::RangeInclusive<f32> = 150.0..=700.0;
+
+/// The world length that opacities are stated for, and what was taken for granted of it.
+pub(super) fn layer(volume: &Volume) -> (f32, Option<String>) {
+    let is_stated = volume.source.assumptions.stated().iter().any(|fact| fact.name == "unit");
+    let longest = volume.extent().into_iter().fold(0.0, f32::max);
+    if is_stated || volume.orientation == Orientation::Patient || LIKELY_EDGES.contains(&longest) {
+        return (LAYER, None);
+    }
+    let note = format!(
+        "no unit of length is known, and opacities hold for a millimetre: the longest edge, {longest}, was taken for {USUAL_EDGE} mm; \
+         `transfer.reference_length` says how long a millimetre is"
+    );
+    (LAYER * longest / USUAL_EDGE, Some(note))
+}
 
 const BONE: Table = Table {
     window: [2000.0, 500.0],
@@ -155,6 +175,7 @@ fn apply(table: &Table, value: impl Fn(f32) -> f32, scene: &mut Scene) {
         opacity: table.opacity.iter().map(|&(x, share)| opacity(value(x), share)).collect(),
         ior: Vec::new(),
         filter: Vec::new(),
+        ..TransferFunction::default()
     };
     in_studio(scene);
 }

@@ -16,6 +16,7 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         opacity: vec![opacity(air, 0.0), opacity(subject.between(air, surface, 0.5), 1.0)],
         ior: Vec::new(),
         filter: Vec::new(),
+        ..TransferFunction::default()
     };
     scene.light = Vec::new();
     scene.shading = Shading { blend_mode: BlendMode::Maximum, ..Shading::default() };

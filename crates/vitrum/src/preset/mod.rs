@@ -9,6 +9,7 @@
 mod adjustments;
 mod amber;
 mod bone;
+mod choice;
 mod colormap;
 mod glass;
 mod haze;
@@ -18,27 +19,27 @@ mod landmarks;
 mod medium;
 mod mesh;
 mod mip;
+mod noise;
 mod plain;
 mod points;
 mod shape;
 mod subject;
+#[cfg(test)]
+pub(crate) mod testing;
 mod xray;
 
 pub use adjustments::{Adjustments, adjust, fit, fit_file, transfer_file};
+pub use choice::{Choice, choose};
 pub use colormap::names as colormap_names;
 pub use landmarks::{Landmarks, landmarks, percentiles};
 pub use medium::{MediumError, medium_names, put_into_medium};
 pub use mesh::{apply_to_mesh, mesh_names, surround_mesh};
+pub use noise::{Noise, noise};
 
 use crate::scene::{Scene, Sweep};
 use crate::suggest::nearest;
 use subject::Subject;
 use vitrum_io::Volume;
-
-/// The preset of a volume for which no preset is named. Of all presets, `amber` shows most of the contents of an unknown volume at
-/// first sight: the outer shape by refraction and colour, dense parts inside by opacity, and their places by shadow. The other presets
-/// show one of these alone.
-pub const DEFAULT: &str = "amber";
 
 struct Preset {
     name: &'static str,

@@ -25,6 +25,7 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         ],
         ior: Vec::new(),
         filter: Vec::new(),
+        ..TransferFunction::default()
     };
     scene.light = vec![Light { angular_radius: 4.0, ..Light::default() }];
     // Without indices of refraction there is no Fresnel reflection to make rough.

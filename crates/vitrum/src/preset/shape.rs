@@ -7,7 +7,7 @@ use vitrum_io::Volume;
 const SAMPLES: u32 = 64;
 
 /// Voxels between samples, and samples, along each axis.
-fn sampling(volume: &Volume) -> ([u32; 3], [u32; 3]) {
+pub(super) fn sampling(volume: &Volume) -> ([u32; 3], [u32; 3]) {
     let step = volume.dimensions.map(|size| size.div_ceil(SAMPLES));
     (step, std::array::from_fn(|axis| volume.dimensions[axis].div_ceil(step[axis])))
 }

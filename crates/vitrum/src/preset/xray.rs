@@ -18,6 +18,7 @@ fn apply(subject: &Subject, scene: &mut Scene) {
         opacity: vec![opacity(subject.surface, 0.0)],
         ior: Vec::new(),
         filter: filter(subject),
+        ..TransferFunction::default()
     };
     scene.light = vec![Light::default()];
     scene.shading = Shading { specular: 0.0, ..Shading::default() };

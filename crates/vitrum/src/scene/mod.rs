@@ -43,7 +43,7 @@ mod write;
 
 pub use annotation::{Anchor, Annotation, AnnotationKind, OrientationStyle};
 pub use beams::{Beams, Estimator, Tracer};
-pub use camera::{Camera, Projection};
+pub use camera::{Camera, Framing, Projection};
 pub use clip::{Clip, Removes};
 pub use crop::Crop;
 pub use dispersion::YELLOW;

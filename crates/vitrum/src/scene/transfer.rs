@@ -61,6 +61,20 @@ pub struct TransferFunction {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-unit" = "world units", "exclusiveMinimum" = 0))]
     pub reference_length: Option<f32>,
+    /// Radius of a filter that takes noise out of the scalar that `ior` is looked up with, and leaves edges where they are; 0 takes the scalar as it is.
+    /// If absent, the noise of a volume's file decides (`vitrum info` shows it): 0 below 0.75 % of the way from air to soft matter, 1 below 2 %, 2 below
+    /// 5 %, else 3, and never less than `opacity_smoothing`. It is done once for a volume, and takes 2 bytes a voxel on the host (4 for floats), and 8 in
+    /// place of 1 to 4 on the device, where both scalars are then floats; with the radius of `opacity_smoothing` there is one scalar, of 2 bytes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0, max = 8), extend("x-unit" = "voxels"))]
+    pub ior_smoothing: Option<u32>,
+    /// Radius of the same filter for the scalar that `color`, `opacity` and `filter` are looked up with.
+    #[schemars(range(min = 0, max = 8), extend("x-unit" = "voxels"))]
+    pub opacity_smoothing: u32,
+    /// Visible parts of fewer voxels are left out, and get the value that lies beside them: specks of noise, and with a large number all but the body,
+    /// such as a scanner's table. Voxels hang together by their faces, before they are smoothed.
+    #[schemars(range(min = 0, max = 1_000_000_000), extend("x-unit" = "voxels"))]
+    pub speck_size: u32,
     /// Reflectance of particles; white if empty.
     pub color: Vec<ColorPoint>,
     /// Opacity of particles; a ramp over the volume's range, outliers left out, if empty.

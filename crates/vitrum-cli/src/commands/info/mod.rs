@@ -128,6 +128,8 @@ fn json(volume: &Volume) -> serde_json::Value {
         "histogram_parts": values::json_parts(volume),
         "percentiles": values::json_percentiles(volume),
         "landmarks": values::json_landmarks(volume),
+        "noise": values::json_noise(volume),
+        "preset": values::json_preset(volume),
         "assumptions": volume.source.assumptions.iter().map(advice::on_assumption).collect::<Vec<_>>(),
     })
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 use vitrum::io::{Moments, Volume, Voxels};
-use vitrum::preset::{landmarks, percentiles};
+use vitrum::preset::{Choice, Noise, choose, landmarks, noise, percentiles};
 
 /// Parts of the histogram that are told with their counts.
 const PARTS: usize = 16;
@@ -79,7 +79,35 @@ pub fn rows(volume: &Volume) -> Vec<(&'static str, String)> {
     rows.push(("percentiles", text.collect::<Vec<_>>().join(", ")));
     let text = landmarks(volume).named().map(|(name, value)| format!("{name} {}", number(value)));
     rows.push(("landmarks", format!("{}  (of presets; --threshold takes a value)", text.join(", "))));
+    rows.push(("noise", told_noise(noise(volume))));
+    let Choice { name, reason } = choose(volume);
+    rows.push(("preset", format!("{name}, if none is named: {reason}")));
     rows
+}
+
+/// The deviation of a value from its neighbours', and what share of matter's values it is.
+fn told_noise(noise: Option<Noise>) -> String {
+    noise.map_or_else(
+        || "too little matter to tell".to_owned(),
+        |Noise { deviation, share }| {
+            let percent = (1000.0 * f64::from(share)).round() / 10.0;
+            format!(
+                "{}, {percent} % of the way from air to soft  (standard deviation within the matter)",
+                number(deviation)
+            )
+        },
+    )
+}
+
+/// The noise for machines; null where it cannot be told.
+pub fn json_noise(volume: &Volume) -> Value {
+    noise(volume).map_or(Value::Null, |Noise { deviation, share }| json!({ "deviation": deviation, "share": share }))
+}
+
+/// The preset that would be chosen, for machines.
+pub fn json_preset(volume: &Volume) -> Value {
+    let Choice { name, reason } = choose(volume);
+    json!({ "name": name, "reason": reason })
 }
 
 /// The points in time of a file, and when they are.

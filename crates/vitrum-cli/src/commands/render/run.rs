@@ -22,7 +22,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.memory.check(&composed.scene)?;
     vitrum::check(&composed.scene, &composed.assets)?;
     check_background(&composed.scene, &arguments.output)?;
-    let figure = Figure::new(&composed.scene, &composed.assets.subject)?;
+    let figure = Figure::new(&composed.scene, &composed.assets)?;
     check_annotations(arguments, &figure)?;
     let mut renderer = arguments.device.renderer(&composed.assets, &arguments.memory, arguments.quiet)?;
     let frame = render(arguments, &composed, &mut renderer)?;

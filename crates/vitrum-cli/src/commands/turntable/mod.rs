@@ -22,7 +22,7 @@ use std::process::ExitCode;
 use target::Target;
 use timeline::Timeline;
 use vitrum::composition::Composed;
-use vitrum::{MovingMeshes, OutputRequest};
+use vitrum::{MovingMeshes, OutputRequest, framed_all_round};
 
 /// Render an animation of the camera going round, or of a scene that changes along key frames
 #[derive(Debug, Args)]
@@ -92,10 +92,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let over_time = arguments.over_time.then(|| OverTime::new(input, &scene, &base, &assets)).transpose()?;
     let mut meshes = MovingMeshes::new(base, arguments.scene.volume.limit());
     let points = over_time.as_ref().map(OverTime::frames);
+    // The camera keeps its distance on its way.
+    let scene = framed_all_round(&scene, &assets)?;
     let timeline = Timeline::new(arguments, scene, &assets, &mut meshes, keys, points)?;
     arguments.memory.check(timeline.start())?;
     check_background(timeline.start(), &arguments.output)?;
-    let figure = Figure::new(timeline.start(), &assets.subject)?;
+    let figure = Figure::new(timeline.start(), &assets)?;
     if !arguments.quiet {
         figure.tell(&arguments.output);
     }
@@ -125,7 +127,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             !interrupt::requested()
         })?;
         interrupt::check()?;
-        let figure = Figure::new(&scene, &renderer.assets().subject)?;
+        let figure = Figure::new(&scene, renderer.assets())?;
         let picture = figure.screen_picture(&frame, target.is_opaque())?;
         target.add(index, &picture, &[record.mark(&scene)?])?;
         let mut of_frame = serde_json::json!({ "frame": index });

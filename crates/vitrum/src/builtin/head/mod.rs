@@ -48,6 +48,7 @@ fn unclipped() -> Scene {
             opacity: opacities([(220.0, 0.0), (VESSEL, 0.45), (600.0, 0.6), (BONE, 0.95)]),
             ior: iors([(AIR, 1.0), (SOFT, 1.15), (BRAIN, 1.20), (VESSEL, 1.22)]),
             filter: colors([(AIR, [1.0; 3]), (SOFT, [0.995, 0.978, 0.925]), (BRAIN, [0.993, 0.965, 0.920])]),
+            ..TransferFunction::default()
         },
         shading: Shading { roughness: 0.2, ..Shading::default() },
         environment: Environment::default(),

@@ -40,7 +40,7 @@ pub struct View {
 }
 
 /// A scene vector in double precision.
-pub(in crate::method) fn vector(v: Vector) -> DVec3 {
+pub(crate) fn vector(v: Vector) -> DVec3 {
     DVec3::new(f64::from(v[0]), f64::from(v[1]), f64::from(v[2]))
 }
 
@@ -51,7 +51,7 @@ pub(in crate::method) fn voxel_steps(volume: &Volume) -> DMat3 {
 }
 
 /// The point in the world at voxel coordinates `at`.
-pub(in crate::method) fn point_between_voxels(volume: &Volume, at: DVec3) -> DVec3 {
+pub(crate) fn point_between_voxels(volume: &Volume, at: DVec3) -> DVec3 {
     vector(volume.origin) + voxel_steps(volume) * at
 }
 

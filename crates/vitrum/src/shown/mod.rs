@@ -1,0 +1,124 @@
+//! The volumes that a picture is made of, where they are not those that were read: without noise, without specks.
+
+pub(crate) mod runs;
+mod slab;
+mod smoothing;
+mod specks;
+pub(crate) mod visible;
+
+use crate::assets::Assets;
+use crate::error::Error;
+use crate::preset::{self, Landmarks, Noise};
+use crate::scene::Scene;
+use crate::subject::{Subject, Volumes};
+use smoothing::smoothed;
+use specks::without_specks;
+use std::sync::Arc;
+use visible::{By, Visible};
+use vitrum_io::Volume;
+
+/// How the volumes of a scene are changed before they are shown.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Changes {
+    /// Radius of the filter of what colour, opacity and filter are looked up with, in voxels.
+    opacity: u32,
+    /// The same of what the index of refraction is looked up with.
+    ior: u32,
+    /// The least size of visible parts, and what is visible, where small ones are left out.
+    specks: Option<(u32, Visible)>,
+}
+
+/// The noise that is taken for granted where a filter is asked for and no more is measured, as a share of the way from `air` to `soft`.
+const LEAST_NOISE: f32 = 0.01;
+
+/// The radius that suits noise, as a share of the way from `air` to `soft`: light is bent by differences of neighbours, and so by much less noise
+/// than would be seen.
+#[must_use]
+pub(crate) fn radius_for(share: f32) -> u32 {
+    match share {
+        ..0.0075 => 0,
+        ..0.02 => 1,
+        ..0.05 => 2,
+        _ => 3,
+    }
+}
+
+/// Whether some matter of a scene bends light.
+fn bends(scene: &Scene) -> bool {
+    let around = scene.surroundings.ior;
+    scene.sweep.refraction
+        && scene.transfer.ior.iter().any(|point| point.ior != around || point.cauchy_coefficient() != 0.0)
+}
+
+impl Changes {
+    /// The changes that a scene asks for. `noise` measures the noise of the volume that bends light; it is asked for only where the scene leaves
+    /// the choice, and light is bent.
+    pub(crate) fn of(scene: &Scene, volumes: Volumes<'_>, noise: impl FnOnce() -> Option<Noise>) -> Self {
+        let transfer = &scene.transfer;
+        // What was computed or made in memory has the values that it should have.
+        let measured = !volumes.bending().source.format.is_empty();
+        let ior = match transfer.ior_smoothing {
+            _ if !bends(scene) => transfer.opacity_smoothing,
+            Some(radius) => radius,
+            None if measured => noise().map_or(0, |noise| radius_for(noise.share)).max(transfer.opacity_smoothing),
+            None => transfer.opacity_smoothing,
+        };
+        let visible = || {
+            let shown = volumes.shown;
+            let finest = shown.spacing.into_iter().fold(f32::INFINITY, f32::min);
+            let by = if volumes.ior.is_some() { By::Absorption } else { By::Both };
+            Visible::new(scene, by, (shown.extent(), shown.common_range(), finest))
+        };
+        let specks = (transfer.speck_size > 1).then(|| (transfer.speck_size, visible()));
+        Self { opacity: transfer.opacity_smoothing, ior, specks }
+    }
+
+    /// The subject with these changes; `None` where nothing changes.
+    ///
+    /// # Errors
+    /// Where the memory does not suffice.
+    pub(crate) fn made(&self, subject: &Subject) -> Result<Option<Subject>, Error> {
+        if *self == Self::default() {
+            return Ok(None);
+        }
+        let whole = |volume: &Arc<Volume>| match &self.specks {
+            Some((least, visible)) => Arc::new(without_specks(volume, visible, *least)),
+            None => Arc::clone(volume),
+        };
+        Ok(match subject {
+            Subject::Mesh(_) => None,
+            Subject::Volume(volume) => {
+                let volume = whole(volume);
+                let shown = smooth(&volume, self.opacity)?;
+                Some(if self.opacity == self.ior {
+                    Subject::Volume(shown)
+                } else {
+                    Subject::Volumes { shown, ior: smooth(&volume, self.ior)? }
+                })
+            }
+            Subject::Volumes { shown, ior } => {
+                Some(Subject::Volumes { shown: smooth(&whole(shown), self.opacity)?, ior: smooth(ior, self.ior)? })
+            }
+        })
+    }
+}
+
+/// A volume smoothed with a radius; the noise is its own.
+fn smooth(volume: &Arc<Volume>, radius: u32) -> Result<Arc<Volume>, Error> {
+    if radius == 0 {
+        return Ok(Arc::clone(volume));
+    }
+    let Landmarks { air, soft, .. } = preset::landmarks(volume);
+    let noise = preset::noise(volume).map_or(0.0, |noise| noise.deviation);
+    Ok(Arc::new(smoothed(volume, radius, noise.max(LEAST_NOISE * (soft - air)), soft)?))
+}
+
+/// The data of a scene as its picture is made of it.
+///
+/// # Errors
+/// Where the memory does not suffice.
+pub(crate) fn shown(scene: &Scene, assets: &Assets) -> Result<Option<Assets>, Error> {
+    let Some(volumes) = assets.subject.volumes() else { return Ok(None) };
+    let changes = Changes::of(scene, volumes, || preset::noise(volumes.bending()));
+    Ok(changes.made(&assets.subject)?.map(|subject| Assets { subject, ..assets.clone() }))
+}
