@@ -136,7 +136,7 @@ fn what_is_not_visible_takes_no_room() {
     let clip = |offset: f32| {
         let middle = points.iter().sum::<DVec3>() / 8.0;
         scene(|scene| {
-            scene.clip = vec![Clip { normal: [1.0, 0.0, 0.0], offset: middle.x as f32 + offset, ..Clip::default() }]
+            scene.clip = vec![Clip { normal: [1.0, 0.0, 0.0], offset: middle.x as f32 + offset, ..Clip::default() }];
         })
     };
     let left: Vec<DVec3> =

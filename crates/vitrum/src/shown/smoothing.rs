@@ -251,7 +251,7 @@ mod tests {
                     difference(volume.value(x, y - 1, z), volume.value(x, y + 1, z)),
                     difference(volume.value(x, y, z - 1), volume.value(x, y, z + 1)),
                 );
-                gradient.angle_between(from_middle).to_degrees()
+                libm::acos(gradient.normalize().dot(from_middle.normalize())).to_degrees()
             })
         };
         let angles: Vec<f64> = all().filter_map(angle).collect();
