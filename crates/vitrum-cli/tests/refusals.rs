@@ -102,7 +102,7 @@ fn wrong_flags_exit_2() {
         (&["--set", "volume.file=x.nrrd"], &["both `file` and `builtin`"]),
         (&["--aov", "medium=m.exr"], &["the output `medium` is now `transmittance`"]),
         (&["--preset", "ambr"], &["no preset `ambr`", "did you mean `amber`?"]),
-        (&["--preset", "zzz"], &["no preset `zzz`", "plain, bone, amber, glass, xray, haze"]),
+        (&["--preset", "zzz"], &["no preset `zzz`", "plain, bone, amber, glass, xray, mip, haze"]),
         (&["--aov", "dept=d.exr"], &["no output `dept`", "did you mean `depth`?"]),
         (&["--aov", "depth"], &["NAME=FILE"]),
         (&["--aov", "depth=out.png"], &["out.png", "two outputs"]),
