@@ -62,7 +62,7 @@ pub(crate) fn note(Labels { by, list }: &Labels) -> String {
     let more = if more > 0 { format!(" and {more} more") } else { String::new() };
     let listed = if shown.is_empty() { String::new() } else { format!(": {}{more}", shown.join(", ")) };
     format!(
-        "the values are labels, by the {by}{listed}; they are interpolated between voxels as others are, so that rims of a label show the values between"
+        "the values are labels, by the {by}{listed}; `--preset labels` shows each in its colour, other presets interpolate between them"
     )
 }
 

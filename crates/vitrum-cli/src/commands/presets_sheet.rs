@@ -111,7 +111,7 @@ fn looks(composition: &Composition, scene: &Scene, assets: &Assets) -> Result<Ve
         match assets.subject.volume() {
             // A preset for other values than these has no picture.
             Some(volume) => match preset::apply(name, volume, &mut look) {
-                Err(PresetError::NotHounsfield { .. }) => continue,
+                Err(PresetError::NotHounsfield { .. } | PresetError::NoLabels { .. }) => continue,
                 applied => applied?,
             },
             None => preset::apply_to_mesh(name, &mut look)?,

@@ -2,7 +2,7 @@
 
 use super::hounsfield::{in_studio, layer, may_be_hounsfield};
 use super::subject::Subject;
-use super::{PresetError, find, forget_light_grid, points};
+use super::{PresetError, find, forget_light_grid, labels, points};
 use crate::scene::{ColorPoint, OpacityPoint, Scene, TransferFunction};
 use vitrum_io::Volume;
 use vitrum_io::transfer::TransferFile;
@@ -75,7 +75,7 @@ fn ends([width, level]: [f32; 2]) -> [f32; 2] {
 /// # Errors
 ///
 /// Those of [`check`](super::check) and of [`Adjustments::check`], and [`PresetError::NotHounsfield`] without a window; the scene is then
-/// unchanged.
+/// unchanged. [`PresetError::NoLabels`] as well.
 pub fn fit(
     name: &str,
     volume: &Volume,
@@ -94,9 +94,15 @@ pub fn fit(
             return Err(PresetError::NotHounsfield { name: preset.name, range, window: table.window });
         }
     }
+    if preset.by_volume.is_some() && labels::parts(volume).is_none() {
+        return Err(PresetError::NoLabels { name: preset.name });
+    }
     let fits = preset.table.is_none() && adjustments.window.is_none();
     let (fitted, cut) = if fits { (adjustments.threshold, None) } else { (None, adjustments.threshold) };
     (preset.apply)(&Subject::above(volume, fitted), scene);
+    if let Some(take) = preset.by_volume {
+        take(volume, scene);
+    }
     if preset.table.is_some() {
         let (length, note) = layer(volume);
         scene.transfer.reference_length = Some(length);

@@ -1,8 +1,8 @@
 //! The preset for a volume for which none is named.
 
 use super::hounsfield::may_be_hounsfield;
-use super::noise;
 use super::subject::Subject;
+use super::{labels, noise};
 use vitrum_io::Volume;
 
 /// A preset, and why it suits a volume.
@@ -27,12 +27,13 @@ const FINE: u32 = 128;
 const EVEN: f32 = 2.0;
 
 /// The preset that shows most of a volume's contents without a fault: fog, unless the volume is made of clean, compact, finely sampled bodies, whose
-/// surfaces are then lit. Fog hides noise, steps between slices and the rims of labels, which surfaces and clear matter show.
+/// surfaces are then lit. Fog hides noise and steps between slices, which surfaces and clear matter show; labels have colours of their own.
 #[must_use]
 pub fn choose(volume: &Volume) -> Choice {
     let haze = |reason: String| Choice { name: "haze", reason };
-    if are_labels(volume) {
-        return haze("the values are labels, between which a surface would show rims of other labels".to_owned());
+    let named = volume.source.labels().is_some_and(|labels| labels.list.len() > 1);
+    if (named || are_labels(volume)) && labels::parts(volume).is_some() {
+        return Choice { name: "labels", reason: "the values are labels, and no measurements".to_owned() };
     }
     let subject = Subject::above(volume, None);
     let [finest, coarsest] = [f32::min, f32::max].map(|of| volume.spacing.into_iter().reduce(of).unwrap_or(1.0));
@@ -139,7 +140,7 @@ mod tests {
         // Three nested parts.
         let parts: Vec<u8> = (0..SIZE.pow(3)).map(|index| [0, 4, 7, 9][(index / SIZE % SIZE / 32) as usize]).collect();
         let (preset, reason) = name(&volume(SIZE, parts));
-        assert!(preset == "haze" && reason.contains("labels"), "{reason}");
+        assert!(preset == "labels" && reason.contains("labels"), "{reason}");
         // A mask is a body.
         let mask: Vec<u8> = ball(SIZE).into_iter().map(|value| u8::from(value > 500.0)).collect();
         assert_eq!(choose(&volume(SIZE, mask)).name, "plain");

@@ -118,12 +118,11 @@ pub(super) const PRESETS: [Preset; 5] = [
         ct_lung,
         &LUNG,
     ),
-    Preset {
-        name: "mr-angio",
-        description: "MR angiography: the brightest voxels, which are vessels; fitted to the volume",
-        apply: mr_angio,
-        table: None,
-    },
+    Preset::fitted(
+        "mr-angio",
+        "MR angiography: the brightest voxels, which are vessels; fitted to the volume",
+        mr_angio,
+    ),
 ];
 
 /// Whether a volume's values may be Hounsfield units: they reach below fat's and beyond soft tissue's, and no farther than scanners write.

@@ -15,6 +15,7 @@ mod glass;
 mod haze;
 mod histogram;
 mod hounsfield;
+mod labels;
 mod landmarks;
 mod medium;
 mod mesh;
@@ -47,12 +48,14 @@ struct Preset {
     apply: fn(&Subject, &mut Scene),
     /// Where it is for Hounsfield units: its points, which are not fitted.
     table: Option<&'static hounsfield::Table>,
+    /// What it takes from the voxels themselves, where that is more than the subject.
+    by_volume: Option<fn(&Volume, &mut Scene)>,
 }
 
 impl Preset {
     /// A preset that is fitted to the volume.
     const fn fitted(name: &'static str, description: &'static str, apply: fn(&Subject, &mut Scene)) -> Self {
-        Self { name, description, apply, table: None }
+        Self { name, description, apply, table: None, by_volume: None }
     }
 
     /// A preset over Hounsfield units.
@@ -62,11 +65,11 @@ impl Preset {
         apply: fn(&Subject, &mut Scene),
         table: &'static hounsfield::Table,
     ) -> Self {
-        Self { name, description, apply, table: Some(table) }
+        Self { name, description, apply, table: Some(table), by_volume: None }
     }
 }
 
-const PRESETS: [Preset; 12] = {
+const PRESETS: [Preset; 13] = {
     let [ct_bone, ct_angio, ct_soft, ct_lung, mr_angio] = hounsfield::PRESETS;
     [
         plain::PRESET,
@@ -76,6 +79,7 @@ const PRESETS: [Preset; 12] = {
         xray::PRESET,
         mip::PRESET,
         haze::PRESET,
+        labels::PRESET,
         ct_bone,
         ct_angio,
         ct_soft,
@@ -130,6 +134,14 @@ pub enum PresetError {
         /// The width and the level of the window in which the preset is usually looked at.
         window: [f32; 2],
     },
+    /// The preset of labels for measurements.
+    #[error(
+        "`{name}` is for labels of parts, and the values are none: they are not whole numbers within 256 of one another"
+    )]
+    NoLabels {
+        /// The name that was asked for.
+        name: &'static str,
+    },
     /// An unknown map of colours.
     #[error("there is no map of colours `{name}`")]
     UnknownColormap {
@@ -157,6 +169,7 @@ impl PresetError {
                  level {level} in Hounsfield units, level {} where 1024 was added to them",
                 level + 1024.0
             ),
+            Self::NoLabels { .. } => "take a preset that is fitted to measurements, such as `plain`".to_owned(),
             Self::UnknownColormap { name } => match nearest(name, colormap_names().iter().map(|&(name, _)| name)) {
                 Some(near) => format!("did you mean `{near}`?"),
                 None => {
