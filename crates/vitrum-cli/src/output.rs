@@ -84,7 +84,34 @@ pub fn tell(input: &str, notes: &[String], quiet: bool) {
 
 /// Whether [`write_text`] could write to `path` now; worth asking before long work.
 pub fn check_writable(path: &Path) -> Result<(), Failure> {
-    io::check_text_writable(path).map_err(|error| Failure::output(&error))
+    check(path, io::check_text_writable)
+}
+
+/// Whether an output could be written to `path` now, by its format's `check`. Other names of a file that is there, which keep it as it is, are told.
+pub fn check(path: &Path, check: impl Fn(&Path) -> Result<(), io::Error>) -> Result<(), Failure> {
+    check(path).map_err(|error| Failure::output(&error))?;
+    let others = other_names(path);
+    if others > 0 {
+        let path = path.display();
+        eprintln!(
+            "note: {path}: the file has {others} more {} (hard links): {path} gets a new file, and they keep the old one",
+            if others == 1 { "name" } else { "names" }
+        );
+    }
+    Ok(())
+}
+
+/// How many names a file has besides this one.
+#[cfg(unix)]
+fn other_names(path: &Path) -> u64 {
+    use std::os::unix::fs::MetadataExt;
+    std::fs::metadata(path).map_or(0, |file| if file.is_file() { file.nlink().saturating_sub(1) } else { 0 })
+}
+
+/// Other systems do not say it.
+#[cfg(not(unix))]
+fn other_names(_: &Path) -> u64 {
+    0
 }
 
 /// Writes `text` to `path`, whole or not at all.

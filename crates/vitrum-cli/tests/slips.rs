@@ -115,6 +115,26 @@ fn outputs_are_written_through_links() {
     folder.refuse(&ball(&["-o", "lost.png"]), 2, &["nowhere"]);
 }
 
+#[cfg(unix)]
+#[test]
+fn other_names_of_an_output_are_told_and_keep_the_old_file() {
+    let folder = Folder::new();
+    folder.write("out.png", "old");
+    for other in ["kept.png", "too.png"] {
+        fs::hard_link(folder.file("out.png"), folder.file(other)).expect("hard links are known");
+    }
+    let told = folder.vitrum(&ball(&["-o", "out.png"]));
+    assert!(told.code == Some(0), "{}", told.stderr);
+    assert!(told.stderr.contains("note: out.png: the file has 2 more names (hard links)"), "{}", told.stderr);
+    assert!(fs::read(folder.file("out.png")).expect("it is there").starts_with(b"\x89PNG"));
+    assert_eq!(fs::read(folder.file("kept.png")).expect("it is there"), b"old");
+    // The new file has one name.
+    let again = folder.vitrum(&ball(&["-o", "out.png"]));
+    assert!(again.code == Some(0) && !again.stderr.contains("hard link"), "{}", again.stderr);
+    let scene = folder.vitrum(&["scene", "builtin:ball", "--write-transfer", "kept.png"]);
+    assert!(scene.stderr.contains("note: kept.png: the file has 1 more name (hard links)"), "{}", scene.stderr);
+}
+
 /// The names of outputs in the commands of README.md, each of which `.gitignore` has a line for.
 #[test]
 fn what_the_commands_of_the_readme_write_is_ignored() {

@@ -4,6 +4,7 @@ use crate::device::{DeviceArguments, MemoryArguments};
 use crate::failure::{Failure, Status};
 use crate::figure::Figure;
 use crate::interrupt::{self, Timeout};
+use crate::output;
 use crate::progress::Bar;
 use crate::size::Size;
 use crate::volume::VolumeArguments;
@@ -68,8 +69,8 @@ pub fn run(input: &str, arguments: &SheetArguments) -> Result<ExitCode, Failure>
     interrupt::listen(arguments.timeout);
     arguments.device.limit_threads()?;
     // Clap has seen to it that there is one.
-    let output = arguments.output.clone().unwrap_or_else(|| PathBuf::from("presets.png"));
-    check_writable(&output).map_err(|error| Failure::output(&error))?;
+    let file = arguments.output.clone().unwrap_or_else(|| PathBuf::from("presets.png"));
+    output::check(&file, check_writable)?;
     let Size { width, height } = arguments.size.unwrap_or(TILE);
     let composition = Composition {
         input: input.to_owned(),
@@ -98,7 +99,7 @@ pub fn run(input: &str, arguments: &SheetArguments) -> Result<ExitCode, Failure>
     }
     interrupt::check()?;
     let sheet = contact_sheet(input, &tiles, COLUMNS)?;
-    write_picture_with(&output, &sheet, &[], &WriteOptions::default()).map_err(|error| Failure::output(&error))?;
+    write_picture_with(&file, &sheet, &[], &WriteOptions::default()).map_err(|error| Failure::output(&error))?;
     Ok(ExitCode::SUCCESS)
 }
 

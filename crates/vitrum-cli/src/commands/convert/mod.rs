@@ -4,6 +4,7 @@ mod edits;
 
 use crate::failure::Failure;
 use crate::input;
+use crate::output;
 use crate::volume::{Spacing, VolumeArguments};
 use clap::Args;
 use edits::{Crop, Labels, Threshold, Voxels};
@@ -55,7 +56,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    check_volume_writable(&arguments.output).map_err(|error| Failure::output(&error))?;
+    output::check(&arguments.output, check_volume_writable)?;
     let volume = input::open_volume(&arguments.input, &arguments.volume)?;
     let volume = edits::apply(arguments, volume)?;
     write_volume(&arguments.output, &volume).map_err(|error| Failure::output(&error))?;

@@ -48,7 +48,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let output = arguments.output.as_deref();
-    output.map_or(Ok(()), check_writable).map_err(|error| Failure::output(&error))?;
+    output.map_or(Ok(()), |file| output::check(file, check_writable))?;
     let (a, b) = (read_picture(&arguments.a)?, read_picture(&arguments.b)?);
     let size = |picture: &Picture| (picture.width, picture.height);
     let not_comparable = |problem: String| {

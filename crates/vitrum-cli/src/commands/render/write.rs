@@ -24,7 +24,7 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
     }
     arguments.bits.check(pictures.clone().map(|file| file.as_path()))?;
     for file in pictures {
-        check_writable(file).map_err(|error| Failure::output(&error))?;
+        output::check(file, check_writable)?;
     }
     for aov in arguments.aov.iter().filter(|aov| aov.is_vector) {
         check_holds_vectors(&aov.file, aov.name).map_err(|error| Failure::output(&error))?;

@@ -2,7 +2,7 @@
 
 use super::Arguments;
 use crate::failure::{Failure, Status};
-use crate::output::Bits;
+use crate::output::{self, Bits};
 use std::fs;
 use std::path::{Path, PathBuf};
 use vitrum::io::{Animation, Picture, WriteOptions, write_picture_with};
@@ -27,6 +27,7 @@ impl<'a> Target<'a> {
             let size = [scene.film.width, scene.film.height];
             let animation = Animation::create(path, size, frames, arguments.rate);
             let animation = Box::new(animation.map_err(|error| Failure::output(&error))?);
+            output::check(path, |_| Ok(()))?;
             let opaque = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("mp4"));
             return Ok(Self::Animation { animation, opaque });
         }

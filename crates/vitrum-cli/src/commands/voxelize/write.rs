@@ -56,7 +56,7 @@ pub fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
         seen.push(file);
     }
     for file in voxels() {
-        check_nrrd_writable(file).map_err(|error| Failure::output(&error))?;
+        output::check(file, check_nrrd_writable)?;
     }
     arguments.stats.as_deref().map_or(Ok(()), output::check_writable)
 }
