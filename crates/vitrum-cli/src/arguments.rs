@@ -3,15 +3,13 @@
 use crate::commands::{
     completions, convert, devices, diff, info, keys, man, presets, render, scene, scenes, schema, turntable, voxelize,
 };
-use crate::examples;
+use crate::{examples, topics};
 use clap::{Parser, Subcommand};
 
-/// Renders volumes with refraction, coloured transmission, soft shadows and caustics.
-///
-/// Exit codes: 0 done, 1 a check said no, 2 wrong use, 3 an input could not be read or is invalid, 4 the device failed
-/// or is missing, 124 out of time, 130 interrupted.
+/// Renders volumes with refraction, coloured transmission, soft shadows and caustics
 #[derive(Debug, Parser)]
-#[command(name = "vitrum", version, propagate_version = true, arg_required_else_help = true, after_help = examples::PROGRAM)]
+#[command(name = "vitrum", version, propagate_version = true, arg_required_else_help = true)]
+#[command(long_about = topics::about(), after_help = format!("{}\n\n{}", examples::PROGRAM, topics::names().trim_end()))]
 pub struct Arguments {
     #[command(subcommand)]
     pub command: Command,

@@ -50,9 +50,7 @@ Examples:
   vitrum scene head.nrrd --preset amber -o head.toml
   vitrum scene builtin:ball --all
 
-A scene file is TOML: sections such as [camera] and [[light]] hold keys with values. Any of its keys also goes with --set, as in
---set camera.azimuth=60, --set light.0.angular_radius=3 or --set ground.color=white. A key that is left out has its default.
-`vitrum keys` describes them all, `vitrum keys camera` those of one section, and `vitrum schema` is for editors.";
+`vitrum help scene` tells what a scene file is.";
 
 pub const DEVICES: &str = "\
 Examples:

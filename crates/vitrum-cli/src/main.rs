@@ -1,8 +1,6 @@
 //! The `vitrum` program: `docs/program.md` describes every command and flag.
 //!
-//! Standard output carries results, standard error messages and a progress bar. Exit codes: 0 done, 1 a check said no,
-//! 2 wrong use, 3 an input could not be read or is invalid, 4 the device failed or is missing, 124 out of
-//! time, 130 interrupted.
+//! Standard output carries results, standard error messages and a progress bar. `topics` has the exit codes.
 
 mod advice;
 mod arguments;
@@ -19,6 +17,7 @@ mod interrupt;
 mod output;
 mod progress;
 mod size;
+mod topics;
 mod transfer;
 mod volume;
 
@@ -30,6 +29,10 @@ fn main() -> ExitCode {
     silence_device_select();
     complete::answer_shell();
     interrupt::ignore_file_size_signal();
+    let words: Vec<String> = std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect();
+    if let Some(answered) = topics::answer(&words) {
+        return answered.unwrap_or_else(|failure| failure.report());
+    }
     let arguments = match arguments::Arguments::try_parse() {
         Ok(arguments) => arguments,
         // Help and versions are results: that they cannot be printed is a failure.

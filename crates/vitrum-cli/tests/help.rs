@@ -120,3 +120,49 @@ fn scenes_are_written_briefly_with_comments() {
     folder.write("brief.toml", &brief);
     assert_eq!(folder.succeed(&["scene", "brief.toml", "--all"]), all, "nothing is lost");
 }
+
+#[test]
+fn topics_are_told_from_one_text() {
+    let folder = Folder::new();
+    let program = folder.succeed(&["--help"]);
+    let (_, listed) = program.split_once("Topics of `vitrum help TOPIC`:\n").expect("topics are listed");
+    let topics: Vec<&str> = listed.lines().filter_map(|line| line.split_whitespace().next()).collect();
+    assert_eq!(topics, ["scene", "presets", "files", "transfer", "output", "exit-codes"]);
+    for topic in &topics {
+        let text = folder.succeed(&["help", topic]);
+        assert!(text.lines().count() > 5, "{topic}: {text}");
+        assert!(text.lines().all(|line| line.chars().count() <= 110 || line.starts_with("  ")), "{topic}: {text}");
+        // What it names is there: commands and flags.
+        for command in text.lines().filter_map(|line| line.strip_prefix("  vitrum ")) {
+            let name = command.split(' ').next().expect("a word");
+            let help = folder.succeed(&[name, "--help"]);
+            for flag in command.split(' ').filter(|word| word.starts_with("--")) {
+                assert!(help.contains(flag), "{topic}: vitrum {command}");
+            }
+        }
+    }
+    let render = folder.succeed(&["render", "--help"]);
+    for (topic, names) in [
+        ("transfer", &["--window", "--level", "--threshold", "--colormap", "--transfer"][..]),
+        ("files", &["--raw", "--spacing", "--up", "--array", "--time", ".nii.gz", ".stl"]),
+        ("output", &["--aov", "--stats", "--bits", "--annotations", "hard links"]),
+        ("presets", &["amber", "jade", "fog", "viridis"]),
+        ("scene", &["Usage: vitrum scene", "--set camera.azimuth=60"]),
+    ] {
+        let text = folder.succeed(&["help", topic]);
+        for name in names {
+            assert!(text.contains(name), "{topic} tells of {name}: {text}");
+            assert!(!name.starts_with("--") || name.contains(' ') || render.contains(name), "{name} is a flag");
+        }
+    }
+    // The exit codes are those of the program's help, whichever way they are written.
+    let codes = folder.succeed(&["help", "exit", "codes"]);
+    assert_eq!(codes, folder.succeed(&["help", "Exit-Codes"]));
+    for line in codes.lines().filter(|line| line.starts_with("  ")) {
+        let told = line.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(program.contains(&told), "{told}");
+    }
+    // Commands are told of as ever, and slips are found.
+    assert!(folder.succeed(&["help", "render"]).contains("Usage: vitrum render"));
+    folder.refuse(&["help", "transfr"], 2, &["there is no command and no topic `transfr`", "`vitrum help transfer`?"]);
+}
