@@ -70,7 +70,7 @@ refraction, filter. A preset fits one to the volume; these flags change it, in t
   vitrum scene FILE -o s.toml     its points, written out
   vitrum scene FILE --write-transfer p.json      its colours and opacities, for ParaView
 
-The values of segmentations are labels: without a preset they are shown by a table of colours.";
+The values of segmentations are labels: the preset `labels` gives each a colour of its own, unmixed.";
 
 const OUTPUT: &str = "\
 The extension of -o decides:
@@ -92,10 +92,11 @@ keep the old one, and that is told. Standard output carries results, standard er
 fn presets() -> String {
     let mut text = "\
 A preset of a volume sets transfer function, light, shading and surroundings, fitted to the values;
-camera, clip and film stay. A preset of a mesh sets its material. A volume without one is shown by
+camera, clip and film stay. A preset of a mesh sets its material. A volume without one gets the preset that
+suits its values, which is told with the reason; a mesh is shown by what its file says.
+
 "
     .to_owned();
-    let _ = writeln!(text, "`{}`, labels by a table of colours, a mesh by what its file says.\n", preset::DEFAULT);
     for (heading, names) in [
         ("Volumes (--preset):", preset::names()),
         ("Meshes (--preset):", preset::mesh_names()),
