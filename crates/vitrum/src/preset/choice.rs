@@ -126,7 +126,7 @@ mod tests {
         assert!(preset == "haze" && reason.contains("few voxels"), "{reason}");
         // A lattice of rods.
         let rods = (0..SIZE.pow(3)).map(|index| {
-            let [x, y] = [index % SIZE % 8, index / SIZE % SIZE % 8].map(|at| at < 4);
+            let [x, y] = [index % SIZE % 9, index / SIZE % SIZE % 9].map(|at| at < 5);
             if x && y { 200_u8 } else { 0 }
         });
         let (preset, reason) = name(&volume(SIZE, rods.collect::<Vec<u8>>()));
