@@ -23,8 +23,8 @@ fn ball([x, y, z]: [usize; 3]) -> bool {
     squared(x) + squared(y) + squared(z) < 300
 }
 
-/// A scene of opaque white matter above a value of 100 without a ground; the ground is left out by items 8 and 9.
-const OPAQUE: [&str; 14] = [
+/// A scene of opaque white matter above a value of 100 without a ground, which is left out by items 8 and 9, with the whole grid in the picture.
+const OPAQUE: [&str; 16] = [
     "--set",
     "transfer.opacity=[{value=99,opacity=0},{value=101,opacity=1}]",
     "--set",
@@ -35,6 +35,8 @@ const OPAQUE: [&str; 14] = [
     "transfer.color=[]",
     "--set",
     "ground=none",
+    "--set",
+    "camera.framing=whole",
     "--backend",
     "cpu",
     "--quiet",
@@ -63,7 +65,7 @@ fn a_scale_bar_is_as_long_as_the_spacing_says() {
     let bar = ["--set", "annotation=[{kind='scale_bar',length=10,color='#f00'}]", "--set", "background=white"];
     let size = ["render", "ball.nrrd", "-o", "bar.png", "--size", "400x300", "--stats", "stats.json"];
     folder.succeed(&[&size[..], &["--annotations", "bar.svg"], &bar, &OPAQUE].concat());
-    // The picture's height holds 0.87 of the sphere around the volume on each side: docs/scene.md says so of zoom 1, orthographic.
+    // The picture's height holds 0.87 of the sphere around the volume on each side, as framing `whole` has it.
     let pixel = 2.0 * 0.87 * radius() / 300.0;
     let told = stats(&folder)["camera"]["pixel_size"].as_f64().expect("the statistics say it");
     assert!((told / pixel - 1.0).abs() < 1e-5, "{told} and {pixel}");
