@@ -108,5 +108,9 @@ fn animations_go_over_time() {
     folder.succeed(&[&["turntable", "scene.toml", "--over-time", "--frames", "6", "-o", "slow"], &common[..]].concat());
     assert!(folder.file("slow").join("frame-00005.png").exists());
     folder.write("one.nrrd", nrrd("2 2 2", "", &[1; 8]));
-    folder.refuse(&["turntable", "one.nrrd", "--over-time", "-o", "one"], 2, &["one point in time", ".pvd"]);
+    folder.refuse(
+        &["turntable", "one.nrrd", "--preset", "haze", "--over-time", "-o", "one"],
+        2,
+        &["one point in time", ".pvd"],
+    );
 }

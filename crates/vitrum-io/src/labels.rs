@@ -181,6 +181,6 @@ mod tests {
         let label = Label { value: 3.0, name: "liver".to_owned(), color: Some([0.5, 0.25, 1.0]) };
         let list = vec![label, Label { value: 4.0, ..Label::default() }];
         let told = note(&Labels { by: "header".to_owned(), list });
-        assert!(told.contains("labels, by the header: 3 `liver` (0.5 0.25 1), 4; they"), "{told}");
+        assert!(told.contains("labels, by the header: 3 `liver` (0.5 0.25 1), 4; `--preset labels`"), "{told}");
     }
 }

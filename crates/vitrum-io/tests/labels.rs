@@ -52,7 +52,7 @@ fn segmentations_are_told_with_names_and_colours() {
         ),
         "{facts}"
     );
-    assert!(facts.contains("interpolated"), "{facts}");
+    assert!(facts.contains("--preset labels"), "{facts}");
     assert!(!told("a.nrrd", &attached(&nrrd("uint8", "raw", "a:=b\n"), &[3; 12])).contains("labels"));
 }
 
@@ -61,12 +61,12 @@ fn the_intent_of_nifti_tells_labels() {
     let first = nifti_u8(|header| header.i16(68, 1002));
     let second = nifti2_u8(|header| header.i32(504, 1002));
     for bytes in [first, second] {
-        assert!(told("a.nii", &bytes).contains("the values are labels, by the header's intent: 7; they"));
+        assert!(told("a.nii", &bytes).contains("the values are labels, by the header's intent: 7; `--preset labels`"));
     }
     assert!(!told("a.nii", &nifti_u8(|header| header.i16(68, 3))).contains("labels"));
     // The values that are there are listed.
     let facts = told("a.nii", &nifti(&blocks(), |header| header.i16(68, 1002)));
-    assert!(facts.contains("by the header's intent: 2, 5, 17; they"), "{facts}");
+    assert!(facts.contains("by the header's intent: 2, 5, 17; `--preset labels`"), "{facts}");
 }
 
 #[test]

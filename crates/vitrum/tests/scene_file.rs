@@ -70,7 +70,7 @@ fn values_of_the_wrong_type_and_numbers_that_are_not_finite_are_refused() {
     assert!(refusal("camera.azimuth = 1e300").contains("expected a finite number"));
     assert!(refusal("camera.up = [0, 1]").contains("found a list of 2 items, expected a list of 3 items"));
     assert!(refusal("film.width = 512.5").contains("expected a whole number"));
-    assert!(refusal("camera = 3").contains("found 3, expected a table of the keys projection, azimuth"));
+    assert!(refusal("camera = 3").contains("found 3, expected a table of the keys projection, framing, azimuth"));
     assert_eq!(
         refusal("sweep.integrator = \"simplectic\""),
         "ball.toml, line 2: `sweep.integrator`: found \"simplectic\", expected one of symplectic, euler\n\
