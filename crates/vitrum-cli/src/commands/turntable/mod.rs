@@ -87,9 +87,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     // Before the volume: a slip in it should not cost the time to read one.
     let keys = arguments.keys.as_deref().map(|path| timeline::read_keys(path, arguments.rate)).transpose()?;
     let Composed { scene, assets, base, notes } = arguments.scene.compose()?;
-    output::tell(&arguments.scene.input, &notes, arguments.quiet);
     let input = (arguments.scene.input.as_str(), arguments.scene.volume.limit());
     let over_time = arguments.over_time.then(|| OverTime::new(input, &scene, &base, &assets)).transpose()?;
+    output::tell(&arguments.scene.input, &notes, arguments.quiet);
     let mut meshes = MovingMeshes::new(base, arguments.scene.volume.limit());
     let points = over_time.as_ref().map(OverTime::frames);
     // The camera keeps its distance on its way.
