@@ -26,14 +26,15 @@ const LEAST: [(&str, [f64; 2]); 10] = [
     ("sweep_trace_light", [15.0, 4.7]),
     // What is the same for nine sources of light is set up by scalar code.
     ("sweep_gather_light", [40.0, 19.0]),
-    ("sweep_refract_light", [11.9, 2.8]),
+    ("sweep_refract_light", [12.6, 2.2]),
     ("sweep_concentrate_light", [20.0, 20.0]),
     // With AVX2, which has no scattered reads that pay, the bodies of voxels in pages stay scalar code.
-    ("sweep_advance_nodes", [26.0, 0.94]),
+    ("sweep_advance_nodes", [25.8, 1.12]),
     // With AVX2 the bodies at the border and at receivers stay scalar code, and of some formats those that look at light between eight samples.
-    ("sweep_propagate_rays_f32_with_ior_paged", [38.0, 0.71]),
-    ("sweep_propagate_rays_f32_with_ior", [39.0, 1.03]),
-    ("sweep_propagate_rays", [41.0, 1.02]),
+    // Of two volumes in pages one body that looks at light inside matter stays scalar code with AVX-512, too.
+    ("sweep_propagate_rays_f32_with_ior_paged", [11.8, 0.76]),
+    ("sweep_propagate_rays_f32_with_ior", [52.0, 1.27]),
+    ("sweep_propagate_rays", [51.0, 0.91]),
 ];
 
 /// Whether a register holds all lanes of a vector.
