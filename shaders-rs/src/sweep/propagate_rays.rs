@@ -225,6 +225,8 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     if mode::bends(chosen) && u.specular != 0.0 {
         let normal = select_vector(crossing.bent, crossing.face, here.scalar_gradient);
         let (before, behind) = if crossing.bent { crossing.iors } else { (ior_front, here.ior) };
+        // A ray that ends on a receiver meets no surface, and outside of the volume its record has no η.
+        let before = select(hit.hit, behind, before);
         let voxels = voxel_coordinates(bending_grid::<V>(u), to) - voxel_coordinates(bending_grid::<V>(u), from);
         let step = Crossed { normal, v: departing, before, behind, voxels: length(voxels), jumps: crossing.bent };
         let unknown = LEVEL >= level::ENTERING && is_unknown(u, &ray);
@@ -290,7 +292,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         transmittance: select_vector(stays, ray.transmittance, after.medium),
         ior: select(stays, select(began_inside, ior_front, 0.0), ior_after),
         sampled: select(stays, from.z, select(crossing.turned, ray::NOWHERE, to.z)),
-        layer_ior: select(stays, ray.layer_ior, reflected.layer_ior),
+        layer_ior: select(stays | hit.hit, ray.layer_ior, reflected.layer_ior),
         reflectance: select(stays, ray.reflectance, reflected.reflectance),
         mirrored: select_vector(stays, ray.mirrored, reflected.mirrored),
     };
