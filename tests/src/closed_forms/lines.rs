@@ -178,7 +178,7 @@ lines! {
     BEER_AROUND_THE_EYE: "Beer–Lambert from an eye within a box", "32³ voxels, planes every 0.37, 1, 2.5 voxels", "the opacity", 1.02e-5, 2.0e-5;
 
     COMPOSITING_OPACITY: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the opacity", 5.3e-7, 1e-6, elsewhere 2e-3;
-    COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 3.3e-4, 6.6e-4;
+    COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 4.7e-4, 9.0e-4;
 
     MATTER_SOFT_MEAN: MATTER, "48³ voxels, planes every voxel, a surface four voxels thick", "the mean radiance, relative", 0.0199, 0.03;
     MATTER_SOFT: MATTER, "the same", RADIANCE_RMS, 0.0275, 0.04;
