@@ -94,14 +94,13 @@ pub fn fit(
             return Err(PresetError::NotHounsfield { name: preset.name, range, window: table.window });
         }
     }
-    if preset.by_volume.is_some() && labels::parts(volume).is_none() {
-        return Err(PresetError::NoLabels { name: preset.name });
-    }
+    let no_labels = PresetError::NoLabels { name: preset.name };
+    let parts = if preset.of_labels { Some(labels::parts(volume).ok_or(no_labels)?) } else { None };
     let fits = preset.table.is_none() && adjustments.window.is_none();
     let (fitted, cut) = if fits { (adjustments.threshold, None) } else { (None, adjustments.threshold) };
     (preset.apply)(&Subject::above(volume, fitted), scene);
-    if let Some(take) = preset.by_volume {
-        take(volume, scene);
+    if let Some(parts) = parts {
+        labels::color_parts(&parts, scene);
     }
     if preset.table.is_some() {
         let (length, note) = layer(volume);

@@ -6,7 +6,7 @@ use crate::scene::{ColorPoint, Interpolation, OpacityPoint, Rgb, Scene, Transfer
 use vitrum_io::{Volume, srgb_to_linear};
 
 pub(super) const PRESET: Preset = Preset {
-    by_volume: Some(color_parts),
+    of_labels: true,
     ..Preset::fitted("labels", "each part of a segmentation in a colour of its own, unmixed", apply)
 };
 
@@ -64,8 +64,8 @@ fn hue(number: usize) -> Rgb {
     })
 }
 
-fn color_parts(volume: &Volume, scene: &mut Scene) {
-    let Some(parts) = parts(volume) else { return };
+/// Colours [`parts`].
+pub(super) fn color_parts(parts: &[(f32, Option<Rgb>)], scene: &mut Scene) {
     // Values are as they are in voxels: functions change halfway between two of them, where no voxel is.
     let mut colors: Vec<ColorPoint> = Vec::new();
     let mut opacities: Vec<OpacityPoint> = Vec::new();

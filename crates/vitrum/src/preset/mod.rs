@@ -48,14 +48,14 @@ struct Preset {
     apply: fn(&Subject, &mut Scene),
     /// Where it is for Hounsfield units: its points, which are not fitted.
     table: Option<&'static hounsfield::Table>,
-    /// What it takes from the voxels themselves, where that is more than the subject.
-    by_volume: Option<fn(&Volume, &mut Scene)>,
+    /// Whether it colours the parts of a segmentation, which are no measurements to be fitted to.
+    of_labels: bool,
 }
 
 impl Preset {
     /// A preset that is fitted to the volume.
     const fn fitted(name: &'static str, description: &'static str, apply: fn(&Subject, &mut Scene)) -> Self {
-        Self { name, description, apply, table: None, by_volume: None }
+        Self { name, description, apply, table: None, of_labels: false }
     }
 
     /// A preset over Hounsfield units.
@@ -65,7 +65,7 @@ impl Preset {
         apply: fn(&Subject, &mut Scene),
         table: &'static hounsfield::Table,
     ) -> Self {
-        Self { name, description, apply, table: Some(table), by_volume: None }
+        Self { name, description, apply, table: Some(table), of_labels: false }
     }
 }
 
