@@ -182,6 +182,12 @@ impl Volume {
         self.voxels.stored(index).map_or(f32::NAN, |stored| stored * self.value_scale + self.value_offset)
     }
 
+    /// The smallest edge of a voxel, in the volume's unit of length.
+    #[must_use]
+    pub fn finest_spacing(&self) -> f32 {
+        self.spacing.into_iter().fold(f32::INFINITY, f32::min)
+    }
+
     /// [`Self::range`] without outliers: up to a thousandth of the voxels at either end is left out, where it is farther away from the other
     /// voxels' values than four times their range. Where nearly all voxels are equal, none is an outlier.
     #[must_use]

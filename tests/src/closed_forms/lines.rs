@@ -181,9 +181,9 @@ lines! {
     COMPOSITING_COLOR: COMPOSITING, "48³ voxels, planes every eighth of a voxel", "the colour, relative", 4.7e-4, 9.0e-4;
 
     MATTER_SOFT_MEAN: MATTER, "48³ voxels, planes every voxel, a surface four voxels thick", "the mean radiance, relative", 0.0199, 0.03;
-    MATTER_SOFT: MATTER, "the same", RADIANCE_RMS, 0.0275, 0.04;
+    MATTER_SOFT: MATTER, "48³ voxels, planes every voxel, a surface four voxels thick", RADIANCE_RMS, 0.0275, 0.04;
     MATTER_STEEP_MEAN: MATTER, "the same, opacity rises over four tenths of a voxel", "the mean radiance, relative", 0.0044, 0.0085;
-    MATTER_STEEP: MATTER, "the same", RADIANCE_RMS, 0.0097, 0.015;
+    MATTER_STEEP: MATTER, "the same, opacity rises over four tenths of a voxel", RADIANCE_RMS, 0.0097, 0.015;
     MATTER_CUT: CUT, "48³ voxels, planes every voxel and every half, ten places of the cut", "the radiance, relative", 0.088, 0.12;
     MATTER_GRADIENT: LAMBERT, "48³ voxels, a surface four voxels thick, inside 0.9 radii", "the radiance", 0.038, 0.06;
     SURFACE_MIRROR: SURFACE, "48³ voxels, 1 to 8 voxels thick, linear and smooth, planes every ¼, ½, 1 voxel", "the radiance, relative", 0.0372, 0.05;

@@ -47,7 +47,7 @@ impl<'a> Field<'a> {
         let vector = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
         let step = |axis: usize| vector(volume.axes[axis]) * f64::from(volume.spacing[axis]);
         let inverse = DMat3::from_cols(step(0), step(1), step(2)).inverse();
-        let finest = volume.spacing.iter().copied().fold(f32::INFINITY, f32::min);
+        let finest = volume.finest_spacing();
         let [width, height, depth] = volume.dimensions;
         let row = |y, z| (0..width).map(move |x| volume.value(x, y, z));
         let values = (0..depth).flat_map(|z| (0..height).flat_map(move |y| row(y, z))).collect();
@@ -66,7 +66,7 @@ impl<'a> Field<'a> {
     /// The edge of a voxel.
     #[must_use]
     pub fn voxel(&self) -> f64 {
-        self.volume.spacing.iter().copied().fold(f32::INFINITY, f32::min).into()
+        self.volume.finest_spacing().into()
     }
 
     /// The parameters at which a ray enters and leaves the volume's box; `None` if it misses it.

@@ -38,7 +38,7 @@ pub(crate) fn points(scene: &Scene, subject: &Subject) -> Vec<DVec3> {
 }
 
 fn of_volume(scene: &Scene, volume: &Volume, by: By) -> Vec<DVec3> {
-    let finest = volume.spacing.into_iter().fold(f32::INFINITY, f32::min);
+    let finest = volume.finest_spacing();
     let visible = Visible::new(scene, by, (volume.extent(), volume.common_range(), finest));
     let all = runs(volume, &visible);
     let sizes = part_sizes(&all, volume.dimensions);

@@ -193,7 +193,7 @@ pub fn transfer_file(scene: &Scene, volume: &Volume) -> (TransferFile, Vec<Strin
     if colors.is_empty() {
         colors = [opacities.first(), opacities.last()].into_iter().flatten().map(|point| (point.0, [1.0; 3])).collect();
     }
-    let smallest = volume.spacing.into_iter().fold(f32::INFINITY, f32::min);
+    let smallest = volume.finest_spacing();
     let mut left_out = Vec::new();
     if !ior.is_empty() {
         left_out.push("left out: indices of refraction, which other programs do not have".to_owned());

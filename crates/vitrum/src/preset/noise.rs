@@ -53,7 +53,7 @@ pub(super) fn of(volume: &Volume, subject: &Subject) -> Option<Noise> {
 
 /// 1 along the axes whose voxels are near each other, and 0 along those whose slices are far apart or few.
 fn reach(volume: &Volume) -> [u32; 3] {
-    let finest = volume.spacing.into_iter().fold(f32::INFINITY, f32::min);
+    let finest = volume.finest_spacing();
     std::array::from_fn(|axis| u32::from(volume.dimensions[axis] >= 5 && volume.spacing[axis] <= 2.01 * finest))
 }
 

@@ -3,6 +3,7 @@
 use super::Rgb;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use vitrum_io::Volume;
 
 /// A colour at a scalar value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -86,6 +87,11 @@ pub struct TransferFunction {
 }
 
 impl TransferFunction {
+    /// The reference length for `volume`, world units: `reference_length`, else the smallest voxel edge.
+    pub(crate) fn reference_length_in(&self, volume: &Volume) -> f32 {
+        self.reference_length.unwrap_or_else(|| volume.finest_spacing())
+    }
+
     /// Whether colours bend differently somewhere.
     #[must_use]
     pub fn disperses(&self) -> bool {

@@ -65,7 +65,7 @@ impl Changes {
         };
         let visible = || {
             let shown = volumes.shown;
-            let finest = shown.spacing.into_iter().fold(f32::INFINITY, f32::min);
+            let finest = shown.finest_spacing();
             let by = if volumes.ior.is_some() { By::Absorption } else { By::Both };
             Visible::new(scene, by, (shown.extent(), shown.common_range(), finest))
         };

@@ -25,7 +25,7 @@ pub(crate) fn smoothed(volume: &Volume, radius: u32, noise: f32, usual: f32) -> 
     let count: usize = sizes.iter().product();
     let wide = matches!(volume.voxels, Voxels::F32(_));
     require_memory(&volume.name, (count * if wide { 4 } else { 2 } + PART) as u64)?;
-    let finest = volume.spacing.into_iter().fold(f32::INFINITY, f32::min);
+    let finest = volume.finest_spacing();
     let radii = [0, 1, 2].map(|axis| {
         let along = (radius as f32 * finest / volume.spacing[axis]).round() as usize;
         along.min(sizes[axis] / 2)

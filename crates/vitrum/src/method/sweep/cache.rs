@@ -75,11 +75,7 @@ impl FrameCache {
 
     /// The tables of a scene's transfer functions.
     pub(super) fn tables(&mut self, scene: &Scene, volumes: Volumes<'_>) -> Arc<Tables> {
-        let make = || {
-            let (transfer, surroundings) = (&scene.transfer, scene.surroundings.ior);
-            Tables::new(transfer, scene.sweep.refraction, surroundings, volumes)
-        };
-        Arc::clone(self.tables.of(tables_key(scene), || Arc::new(make())))
+        Arc::clone(self.tables.of(tables_key(scene), || Arc::new(Tables::new(scene, volumes))))
     }
 
     /// The tables on the backend.

@@ -104,7 +104,7 @@ impl LightGrid {
         let pixel = view.pixel_size(rays, depth.abs().max(1e-6)) / f64::from(scene.sweep.light_resolution);
         let extent = high - low;
         // Close up, pixels get finer than any voxel; light needs no more than a few texels a voxel.
-        let voxel = volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min);
+        let voxel = volumes.shown.finest_spacing();
         let finest = (f64::from(voxel) / (4.0 * f64::from(scene.sweep.light_resolution)))
             .max(extent.max_element() / MOST_TEXELS);
         // Light that is the same everywhere needs no texels.

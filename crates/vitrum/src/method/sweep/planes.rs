@@ -8,6 +8,7 @@ use crate::scene::Scene;
 use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
 use glam::DVec3;
+use vitrum_io::Volume;
 
 /// The most planes of one frame.
 const MOST_PLANES: f64 = 65_536.0;
@@ -35,6 +36,11 @@ pub struct Planes {
     pub first_visible: u32,
     /// Depth of the volume's near and far ends.
     pub volume_depths: [f64; 2],
+}
+
+/// The distance of planes within a volume, world units.
+pub(super) fn plane_distance(scene: &Scene, shown: &Volume) -> f64 {
+    f64::from(shown.finest_spacing()) * f64::from(scene.sweep.sample_distance)
 }
 
 impl Planes {
@@ -76,8 +82,7 @@ impl Planes {
         volumes: Volumes<'_>,
         reach: impl Fn(&[DVec3], f64) -> f64,
     ) -> Result<Self, Error> {
-        let edge = volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min);
-        let distance = f64::from(edge) * f64::from(scene.sweep.sample_distance);
+        let distance = plane_distance(scene, volumes.shown);
         let points: Vec<DVec3> = corners(scene, volumes).map(|corner| view.point(corner)).collect();
         let near = points.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
         let far = points.iter().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);

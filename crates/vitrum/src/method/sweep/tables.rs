@@ -1,11 +1,12 @@
 //! Transfer functions as tables: preintegrated segments over (front, back) scalars (sweep §4.2), and η.
 
+use super::planes::plane_distance;
 use super::transfer::abscissa::{Abscissa, by_change, graded};
 use super::transfer::curve::Curve;
+use super::transfer::preintegration::{Preintegration, depths};
 use super::transfer::window::Window;
 use crate::scene::{ColorPoint, Scene, TransferFunction};
 use crate::subject::Volumes;
-use half::f16;
 use vitrum_io::Volume;
 use vitrum_kernels::abi::tables as layout;
 use vitrum_kernels::field::tables::{Segment, ior_place, segment, segment_place};
@@ -16,25 +17,17 @@ const SEGMENT_RAMP: f64 = 1.0 / (1 << 19) as f64;
 /// The width of the ramp that stands for a step of η, in normalised scalars. Light is bent by slopes.
 const IOR_RAMP: f64 = 1.0 / 1024.0;
 
-/// The scene's values that tables depend on: the transfer functions, whether rays are refracted, and the index of the surroundings.
-pub(super) type TablesKey = (TransferFunction, bool, f32);
+/// The scene's values that tables depend on: the transfer functions, whether rays are refracted, the index of the surroundings, and the
+/// distance of planes.
+pub(super) type TablesKey = (TransferFunction, bool, f32, f32);
 
 /// The key of a scene's tables.
 pub(super) fn tables_key(scene: &Scene) -> TablesKey {
-    (scene.transfer.clone(), scene.sweep.refraction, scene.surroundings.ior)
+    (scene.transfer.clone(), scene.sweep.refraction, scene.surroundings.ior, scene.sweep.sample_distance)
 }
 
 /// More than the rounding of a normalised scalar.
 const ROUNDING: f32 = 1e-6;
-
-/// Points and weights of Gauss's quadrature with five points over −1…1, which is exact for polynomials up to the ninth degree.
-const QUADRATURE: [(f64, f64); 5] = [
-    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
-    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.0, 0.568_888_888_888_888_9),
-    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
-];
 
 /// The tables of a scene.
 pub struct Tables {
@@ -58,19 +51,6 @@ pub struct Tables {
     anything: Vec<u32>,
     /// How many of them have opacity.
     particles: Vec<u32>,
-}
-
-/// Opacity α of particles, transmittance (3) of the medium, and colour (3) of particles at a scalar, for a layer of the reference length.
-type Layer = [f64; 7];
-
-/// Optical depth τ, medium's optical depths κ (3) and colours q (3) at a scalar, for a layer of the reference length.
-type Depths = [f64; 7];
-
-/// The depths of a layer.
-fn depths([alpha, f0, f1, f2, red, green, blue]: Layer) -> Depths {
-    let tau = optical_depth(1.0 - alpha);
-    let [k0, k1, k2] = [f0, f1, f2].map(optical_depth);
-    [tau, k0, k1, k2, tau * red, tau * green, tau * blue]
 }
 
 fn colors(points: &[ColorPoint]) -> Curve<3> {
@@ -98,21 +78,6 @@ fn indices(transfer: &TransferFunction, refraction: bool, surroundings: f32) -> 
     Curve::new(points, [1.0]).trimmed(|eta| eta)
 }
 
-/// Optical depth −ln T of a transmittance T, limited to the range of the table.
-fn optical_depth(transmittance: f64) -> f64 {
-    let depth = -libm::log(transmittance.max(0.0));
-    depth.clamp(0.0, f64::from(layout::MAX_OPTICAL_DEPTH))
-}
-
-/// A pair of halves in a word; halves that would be denormal become 0.
-fn pack(low: f64, high: f64) -> u32 {
-    let half = |x: f64| {
-        let scaled = f16::from_f64(x * f64::from(1 << layout::SEGMENT_EXPONENT));
-        if scaled.is_normal() { u32::from(scaled.to_bits()) } else { 0 }
-    };
-    half(low) | half(high) << 16
-}
-
 /// The η table from the values of η at the ends of its cells: see [`layout`].
 fn pack_indices(indices: &[f64]) -> Vec<u32> {
     let (least, most) =
@@ -131,11 +96,12 @@ fn pack_indices(indices: &[f64]) -> Vec<u32> {
 }
 
 impl Tables {
-    /// The tables of `transfer` for `volumes`; see `layers` and `indices`. Their entries follow the functions, so that they are the same
+    /// The tables of a scene for `volumes`; see `layers` and `indices`. Their entries follow the functions, so that they are the same
     /// whatever else the volumes hold.
-    pub fn new(transfer: &TransferFunction, refraction: bool, surroundings: f32, volumes: Volumes<'_>) -> Self {
+    pub fn new(scene: &Scene, volumes: Volumes<'_>) -> Self {
+        let transfer = &scene.transfer;
         let layers = layers(transfer, volumes.shown);
-        let indices = indices(transfer, refraction, surroundings);
+        let indices = indices(transfer, scene.sweep.refraction, scene.surroundings.ior);
         let (shown, bending) = if volumes.ior.is_some() {
             (Window::new(layers.support(), volumes.shown), Window::new(indices.support(), volumes.bending()))
         } else {
@@ -145,10 +111,12 @@ impl Tables {
         let layers = layers.normalised(shown, SEGMENT_RAMP);
         let indices = indices.normalised(bending, IOR_RAMP);
 
-        let mut words = Vec::with_capacity(layout::WORDS as usize);
         let abscissa = segment_abscissa(&layers);
         let nodes = abscissa.nodes();
-        let [anything, particles] = segments(&layers, &nodes, &mut words);
+        let preintegration = Preintegration::new(&layers, &nodes);
+        let length = plane_distance(scene, volumes.shown) / f64::from(transfer.reference_length_in(volumes.shown));
+        let mut words = preintegration.words(length);
+        let Preintegration { anything, particles, .. } = preintegration;
 
         let ior_abscissa = ior_abscissa(&indices);
         let at_nodes: Vec<f64> = ior_abscissa.nodes().into_iter().map(|node| indices.at(node)[0]).collect();
@@ -233,70 +201,9 @@ fn ior_abscissa(indices: &Curve<1>) -> Abscissa {
     Abscissa::new(by_change(&points), layout::IOR_CELLS, layout::IOR_PIECES)
 }
 
-/// Adds the preintegration table over `nodes` to `words`: means over the scalars between them. Returns how many of the intervals before each
-/// node have any depth.
-fn segments(layers: &Curve<7>, nodes: &[f64], words: &mut Vec<u32>) -> [Vec<u32>; 2] {
-    let at_nodes: Vec<Depths> = nodes.iter().map(|&node| depths(layers.at(node))).collect();
-    let mut sums = vec![[0.0; 7]];
-    // ∫ s τ ds.
-    let mut moments = vec![0.0];
-    let (mut anything, mut particles) = (vec![0], vec![0]);
-    for pair in nodes.windows(2) {
-        let knots = layers.places().filter(|place| *place > pair[0] && *place < pair[1]);
-        let ends: Vec<f64> = std::iter::once(pair[0]).chain(knots).chain([pair[1]]).collect();
-        let mut sum: Depths = sums[sums.len() - 1];
-        let mut moment: f64 = moments[moments.len() - 1];
-        let (mut some, mut opaque) = (false, false);
-        for part in ends.windows(2) {
-            let (integral, first_moment) = integral(layers, part[0], part[1]);
-            moment += first_moment;
-            sum.iter_mut().zip(integral).for_each(|(sum, integral)| *sum += integral);
-            // Asked, not summed: a sum could swallow what is tiny.
-            opaque |= part.iter().any(|&end| depths(layers.at(end))[0] > 0.0);
-            some |= part.iter().any(|&end| depths(layers.at(end)).iter().any(|&depth| depth > 0.0));
-        }
-        anything.push(anything[anything.len() - 1] + u32::from(some));
-        particles.push(particles[particles.len() - 1] + u32::from(opaque));
-        sums.push(sum);
-        moments.push(moment);
-    }
-    for front in 0..nodes.len() {
-        for back in 0..nodes.len() {
-            let (low, high) = (front.min(back), front.max(back));
-            let way = nodes[high] - nodes[low];
-            let mean: Depths =
-                if way > 0.0 { std::array::from_fn(|c| (sums[high][c] - sums[low][c]) / way) } else { at_nodes[low] };
-            // Along scalars that rise, from 0 at `low` to 1 at `high`.
-            let rising = if way > 0.0 {
-                (moments[high] - moments[low] - nodes[low] * (sums[high][0] - sums[low][0])) / (way * way)
-            } else {
-                0.5 * mean[0]
-            };
-            let moment = (if front < back { rising } else { mean[0] - rising }).clamp(0.0, mean[0]);
-            words.push(pack(mean[2], mean[3]));
-            words.push(pack(mean[1], mean[0]));
-            words.push(pack(moment, mean[4]));
-            words.push(pack(mean[5], mean[6]));
-        }
-    }
-    [anything, particles]
-}
-
-/// The integral of the depths over the scalars s from `start` to `end`, between which the functions are linear, and that of s τ.
-fn integral(layers: &Curve<7>, start: f64, end: f64) -> (Depths, f64) {
-    let (middle, half) = (f64::midpoint(start, end), 0.5 * (end - start));
-    let mut sum = [0.0; 7];
-    let mut moment = 0.0;
-    for (place, weight) in QUADRATURE {
-        let there = depths(layers.at(middle + half * place));
-        sum.iter_mut().zip(there).for_each(|(sum, depth)| *sum += half * weight * depth);
-        moment += half * weight * there[0] * (middle + half * place);
-    }
-    (sum, moment)
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::transfer::preintegration::integral;
     use super::*;
     use vitrum_kernels::field::tables::ior_and_slope;
 
@@ -348,9 +255,8 @@ mod tests {
         let layers = Curve::of_three(&opacity, &colors(&[]), &colors(&[])).trimmed(|layer| layer);
         let window = Window { origin: 0.0, width: f64::from(opacities[opacities.len() - 1].0) };
         let layers: Curve<7> = layers.normalised(window, SEGMENT_RAMP);
-        let mut words = Vec::new();
         let abscissa = segment_abscissa(&layers);
-        segments(&layers, &abscissa.nodes(), &mut words);
+        let mut words = Preintegration::new(&layers, &abscissa.nodes()).words(1.0);
         words.extend(pack_indices(&indices(|_| 1.0)));
         words.extend(abscissa.words(layout::SEGMENT_PIECES, 0.0));
         words.extend(abscissa.words(layout::SEGMENT_PIECES, 0.0));

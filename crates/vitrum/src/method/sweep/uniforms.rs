@@ -72,7 +72,7 @@ fn receiver(plane: DVec4, color: Option<Rgb>) -> Receiver {
 /// The longest step, in voxels, over which a brick's range holds: one and a half times the plane distance, at 48° to the planes'
 /// normal.
 fn reach(volume: &vitrum_io::Volume, distance: f64) -> u32 {
-    let finest = volume.spacing.iter().copied().fold(f32::INFINITY, f32::min);
+    let finest = volume.finest_spacing();
     (1.5 * distance / f64::from(finest)).ceil().clamp(1.0, 64.0) as u32
 }
 
@@ -211,11 +211,7 @@ impl FramePlan {
         if frame.is_none() && light_grid.follows_light() {
             [block.light_grid.shear_x, block.light_grid.shear_y] = exact_shear(&block.light);
         }
-        let reference = scene
-            .transfer
-            .reference_length
-            .unwrap_or_else(|| shown.spacing.iter().copied().fold(f32::INFINITY, f32::min));
-        block.step.inverse_reference_length = 1.0 / reference;
+        block.step.inverse_reference_length = 1.0 / scene.transfer.reference_length_in(shown);
         block.step.smallest_cosine = SMALLEST_COSINE;
         set_clips(&mut block, scene, &view, shown)?;
         // Streamed voxels go as soon as they can, and irradiance that never changes needs to be there but once.

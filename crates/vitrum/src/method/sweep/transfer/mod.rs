@@ -2,4 +2,5 @@
 
 pub(super) mod abscissa;
 pub(super) mod curve;
+pub(super) mod preintegration;
 pub(super) mod window;

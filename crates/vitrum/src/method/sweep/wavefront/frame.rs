@@ -76,7 +76,7 @@ impl Frame {
         let low = outline().fold(DVec2::INFINITY, DVec2::min);
         let high = outline().fold(DVec2::NEG_INFINITY, DVec2::max);
         let longer = (high - low).max_element();
-        let voxel = f64::from(volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min));
+        let voxel = f64::from(volumes.shown.finest_spacing());
         let wanted = scene.sweep.light_cells.map_or((longer / voxel).clamp(FEWEST, MOST), f64::from);
         // Light that is the same everywhere needs no cells.
         let wanted = if scene.first_light().shadows { wanted } else { 4.0 };

@@ -134,7 +134,7 @@ impl Frame {
         let low = tangents.iter().copied().fold(DVec2::INFINITY, DVec2::min);
         let high = tangents.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
         let longer = (high - low).max_element();
-        let voxel = f64::from(volumes.shown.spacing.iter().copied().fold(f32::INFINITY, f32::min));
+        let voxel = f64::from(volumes.shown.finest_spacing());
         // Cells are as wide as voxels in the middle of the volume.
         let usual = || (longer * distance / voxel).clamp(FEWEST, MOST);
         let wanted = scene.sweep.light_cells.map_or_else(usual, f64::from);
