@@ -6,6 +6,7 @@ use std::mem::{offset_of, size_of_val};
 use rspirv::dr::{Instruction, Module, Operand, load_words};
 use rspirv::spirv::{Decoration, Op, Word};
 use vitrum_conformance::root;
+use vitrum_kernels::abi::ambient::Ambient;
 use vitrum_kernels::abi::beams::{BeamsUniforms, Cells, Lattice, Limits, Medium, Sums};
 use vitrum_kernels::abi::camera::Camera;
 use vitrum_kernels::abi::clip::Clip;
@@ -109,6 +110,14 @@ fn of_receivers() -> Vec<Field> {
 }
 
 #[rustfmt::skip]
+fn of_ambient() -> Vec<Field> {
+    fields!(Ambient {
+        mean: of_vec3(), x: of_vec3(), y: of_vec3(), z: of_vec3(), xx: of_vec3(), yy: of_vec3(), zz: of_vec3(), xy: of_vec3(), xz: of_vec3(),
+        yz: of_vec3(),
+    })
+}
+
+#[rustfmt::skip]
 fn of_environment() -> Vec<Field> {
     fields!(Environment {
         kind, map_width, map_height, map_levels, row_x: of_vec3(), row_y: of_vec3(), row_z: of_vec3(),
@@ -144,7 +153,7 @@ fn sweep_uniforms() -> Vec<Field> {
         dispatch: of_dispatch(), flags, region: of_region, picture: of_size(), sensor: of_size(), refined, irradiance_start,
         step: of_step, grid: of_grid(), ior_grid: of_grid(), light_grid: of_light_grid, light: of_light(), wavefront: of_wavefront(), taps: of_taps,
         camera: of_camera(), receivers: of_receivers(), clip_0: of_clip(), clip_1: of_clip(), clip_2: of_clip(), clip_3: of_clip(),
-        ambient: of_vec3(), roughness, specular, environment: of_environment(),
+        ambient: of_ambient(), roughness, specular, environment: of_environment(),
     })
 }
 
@@ -173,7 +182,7 @@ fn voxels_uniforms() -> Vec<Field> {
     fields!(VoxelsUniforms {
         dispatch: of_dispatch(), flags, size: of_counts(), materials, bricks: of_counts(), most_bounces, camera: of_camera(),
         right: of_vec3(), up: of_vec3(), away: of_vec3(), eye: of_vec3(), voxel, same_cosine, same_distance, low: of_vec3(), high: of_vec3(),
-        environment: of_environment(), mean_radiance: of_vec3(), receivers: of_receivers(), light: of_light_source(), ambient: of_vec3(),
+        environment: of_environment(), mean_radiance: of_vec3(), receivers: of_receivers(), light: of_light_source(), ambient: of_ambient(),
         shadow: of_shadow,
     })
 }
@@ -195,7 +204,7 @@ fn beams_uniforms() -> Vec<Field> {
     fields!(BeamsUniforms {
         dispatch: of_dispatch(), picture: of_size(), camera: of_camera(), right: of_vec3(), up: of_vec3(),
         away: of_vec3(), eye: of_vec3(), voxel, low: of_vec3(), high: of_vec3(), light: of_light_source(), lattice: of_lattice,
-        limits: of_limits, medium: of_medium, receivers: of_receivers(), environment: of_environment(), ambient: of_vec3(), flags,
+        limits: of_limits, medium: of_medium, receivers: of_receivers(), environment: of_environment(), ambient: of_ambient(), flags,
         sums: fields!(Sums { scale, levels, pixels_1, pixels_2, pixels_3, pixels_4, rows_2, rows_3, rows_4, rows }),
         cells: fields!(Cells { edge: of_vec3(), scale, mean_cosine, first }),
     })

@@ -1,6 +1,7 @@
 //! The uniform block of the kernels of beams, and the constants that host and kernels share.
 
 use super::Dispatched;
+use super::ambient::Ambient;
 use super::camera::Camera;
 use super::dispatch::Dispatch;
 use super::environment::Environment;
@@ -47,8 +48,8 @@ pub struct BeamsUniforms {
     pub receivers: Receivers,
     /// The environment.
     pub environment: Environment,
-    /// Radiance from all sides that opaque surfaces reflect, linear RGB.
-    pub ambient: Vec3,
+    /// Ambient light that opaque surfaces reflect.
+    pub ambient: Ambient,
     /// Switches, see [`flag`].
     pub flags: u32,
     /// The sums of in-scattered radiance.

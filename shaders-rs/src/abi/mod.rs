@@ -1,5 +1,6 @@
 //! What host and kernels share: uniform blocks, record layouts and table layouts.
 
+pub mod ambient;
 pub mod beams;
 pub mod camera;
 pub mod clip;

@@ -3,6 +3,7 @@
 //! They work in the view frame: x right, y up, z the depth away from the eye, world units, the eye at the origin.
 
 use super::Dispatched;
+use super::ambient::Ambient;
 use super::camera::Camera;
 use super::clip::Clip;
 use super::dispatch::{Dispatch, Region};
@@ -10,7 +11,7 @@ use super::environment::Environment;
 use super::grid::Grid;
 use super::light::{Light, LightGrid, Taps};
 use super::receivers::Receivers;
-use super::vector::{Size, Vec3};
+use super::vector::Size;
 use super::wavefront::Wavefront;
 
 /// Uniforms of every kernel of the sweep; one block a pass.
@@ -58,8 +59,8 @@ pub struct SweepUniforms {
     pub clip_2: Clip,
     /// The fourth clipping plane.
     pub clip_3: Clip,
-    /// Ambient radiance, linear RGB.
-    pub ambient: Vec3,
+    /// Ambient light.
+    pub ambient: Ambient,
     /// GGX roughness, 0 to 1.
     pub roughness: f32,
     /// Factor on specular reflection.

@@ -1,6 +1,7 @@
 //! The uniform block of the kernels that follow rays through a mesh, and the buffers they read.
 
 use super::Dispatched;
+use super::ambient::Ambient;
 use super::camera::Camera;
 use super::dispatch::Dispatch;
 use super::environment::Environment;
@@ -57,8 +58,8 @@ pub struct VoxelsUniforms {
     pub receivers: Receivers,
     /// The light.
     pub light: LightSource,
-    /// Radiance from all sides, linear RGB.
-    pub ambient: Vec3,
+    /// Ambient light.
+    pub ambient: Ambient,
     /// The shadow map.
     pub shadow: ShadowMap,
 }

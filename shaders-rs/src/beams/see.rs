@@ -13,7 +13,8 @@ use crate::abi::record::pencil::{self, stage};
 use crate::abi::record::{Pencil, Sight, search, sight};
 use crate::field::access::read;
 use crate::kernel::record;
-use crate::math::{dot, length, max, min, select, select_vector, xyz};
+use crate::math::{dot, length, max, min, select, select_vector};
+use crate::optics::ambient::irradiance;
 use crate::optics::environment::{environment, in_environment};
 use crate::optics::light_source::arriving;
 use crate::optics::receiver::FAR;
@@ -126,8 +127,10 @@ pub fn invoke<const LEVEL: u32>(
         let hidden = read(searches, (search::HIDDEN as u32 * count + at) as i32);
         let way = depth_from(&u.medium, materials, &u.light, end.point.position, light.direction);
         let arrives = transmittance(&u.medium, way) * (1.0 - hidden);
-        let strength = share(&end.point, facing(&end.point, d), d, light.direction);
-        let sent = end.point.color * (light.radiance * arrives * strength + xyz(u.ambient));
+        let normal = facing(&end.point, d);
+        let strength = share(&end.point, normal, d, light.direction);
+        let ambient = irradiance(&u.ambient, &u.environment, normal);
+        let sent = end.point.color * (light.radiance * arrives * strength + ambient);
         seen.radiance += sent * dimmed * piece.weight;
     }
     seen.store()

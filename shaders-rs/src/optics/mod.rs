@@ -1,5 +1,6 @@
 //! Optics: ray steps, media, clipping, reflection, receivers, light sources.
 
+pub mod ambient;
 pub mod clip;
 pub mod composite;
 pub mod diffuse;

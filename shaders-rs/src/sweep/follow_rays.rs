@@ -11,6 +11,7 @@ use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::stencil::{front_of, voxel_coordinates};
 use crate::field::tables::segment;
 use crate::math::{clamp, length, lerp, max, select, select_vector, xyz};
+use crate::optics::ambient::mean_radiance;
 use crate::optics::composite::{Gathered, layer, over};
 use crate::optics::diffuse::cosine;
 use crate::optics::medium::{Medium, medium, span_inside};
@@ -156,7 +157,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             let before = Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance * through };
             let by_gradient = u.flags & flag::SHADED_BY_GRADIENT != 0;
             let facing = if by_gradient { cosine(&u.grid, next.shown_gradient, light.direction, v) } else { 1.0 };
-            let after = over(before, &layer, radiance * facing + xyz(u.ambient), none);
+            let after = over(before, &layer, radiance * facing + mean_radiance(&u.ambient), none);
             let after = Gathered { medium: ray.transmittance * layer.medium, ..after };
             let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
             let met = from + (to - from) * part;

@@ -5,7 +5,8 @@ use crate::abi::record::{Ray, ray, status};
 use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::stencil::{front_of, scalar, voxel_coordinates};
 use crate::field::tables::{ior, segment, segment_of_particles};
-use crate::math::{length, lerp, max, min, select, select_vector, xyz};
+use crate::math::{length, lerp, max, min, select, select_vector};
+use crate::optics::ambient::mean_radiance;
 use crate::optics::composite::{Gathered, layer, layer_of_particles, over};
 use crate::optics::diffuse::cosine;
 use crate::optics::medium::{medium, span_inside};
@@ -243,7 +244,7 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let by_gradient =
         if mode::bends(chosen) { u.flags & flag::SHADED_BY_GRADIENT != 0 } else { chosen == mode::SHADED_BY_GRADIENT };
     let facing = if by_gradient { cosine(&u.grid, here.shown_gradient, light.direction, v) } else { 1.0 };
-    let after = over(before, &layer, radiance * facing + xyz(u.ambient), specular);
+    let after = over(before, &layer, radiance * facing + mean_radiance(&u.ambient), specular);
     let after = Gathered { medium: ray.transmittance * layer.medium, ..after };
     let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
     let (after, depth) = if LEVEL >= level::MEETING {

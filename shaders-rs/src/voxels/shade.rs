@@ -3,7 +3,8 @@
 use crate::abi::receivers::{Receivers, ahead};
 use crate::abi::voxels::{VoxelsUniforms, corner, look};
 use crate::field::access::{read, read_vector};
-use crate::math::{cross, dot, max, min, normalize, select, select_vector, xyz};
+use crate::math::{cross, dot, max, min, normalize, select, select_vector};
+use crate::optics::ambient::irradiance;
 use crate::optics::light_source::{Arriving, arriving};
 use crate::optics::receiver::surface;
 use crate::shadow::look_up::{bias, transmittance};
@@ -100,5 +101,5 @@ pub fn shade(u: &VoxelsUniforms, pictures: &[f32], shadow: &[u32], point: &Point
     let above = point.plane * (select(plane < 0.0, -1.0, 1.0) * bias);
     let lifted = select(point.casts, 1.0, 0.0);
     let lit = transmittance(u, shadow, point.position + above * lifted) * strength;
-    point.color * (radiance * lit + xyz(u.ambient))
+    point.color * (radiance * lit + irradiance(&u.ambient, &u.environment, normal))
 }

@@ -200,6 +200,9 @@ lines! {
     LIGHTS_SHADOWS: LIGHTS, "two shadows of an opaque ball, each lit by the other light", "the radiance", 2.3e-8, 4.6e-8, elsewhere 1e-3;
     LIGHTS_AMBIENT: LIGHTS, "ambient light alone", "the radiance", 0.0, 0.0, elsewhere 1e-6;
 
+    AMBIENT_FURNACE: "white matter, ground and wall vanish in ambient light of radiance 1", "32³ voxels", RADIANCE, 1.0e-6, 2.0e-6;
+    AMBIENT_GRADIENT: "ground in the light of a gradient: h + 4/5 (c − h)", "harmonics to the second order", "the radiance, relative", 0.02, 0.03;
+
     STEP: LENS, "512 planes across", "the place where rays at heights 0.1, 0.3, 0.5 meet, radii", 2.3e-7, 4.6e-7;
     FISHEYE_10: FISHEYE, FISHEYE_SETUP, "the image of rays that start at 10°, radii", 2.3e-6, 4.6e-6;
     FISHEYE_30: FISHEYE, FISHEYE_SETUP, "the image of rays that start at 30°, radii", 4.1e-6, 8.2e-6;

@@ -3,6 +3,7 @@
 //! Numbers at the top of the files count the closed forms. A voxelized field is not the analytic one: each test states its grid, and the
 //! bound belongs to that grid. Measured errors and their bounds stand in one table, `closed_forms::table`, which `docs/accuracy.md` shows.
 
+mod ambient;
 mod attenuation;
 mod ball;
 mod border;

@@ -42,6 +42,25 @@ fn planes_reflect_an_environment_of_one_colour() -> Result<(), Failure> {
     Ok(())
 }
 
+/// As ambient light, to a few roundings: opaque triangles, ground and wall.
+#[test]
+fn ambient_light_of_an_environment_of_one_colour_is_exact() -> Result<(), Failure> {
+    let settings = ["environment.ambient=1", "wall={azimuth=0,distance=3,color=[0.5,0.5,0.5]}"];
+    let case = case(sheets([0.0]), 24, &[&USUAL[..], &settings, &["camera.elevation=20"]].concat())?;
+    on_both(|backend| {
+        let frame = frames::render(&case, backend)?;
+        let reflectances: Vec<f32> = color(&frame).iter().map(|pixel| pixel[0] / 1.6).collect();
+        for (pixel, reflectance) in color(&frame).iter().zip(&reflectances) {
+            for (found, radiance) in pixel.iter().zip([1.6, 1.2, 0.8]) {
+                assert!((found / (radiance * reflectance) - 1.0).abs() < 1e-5, "{pixel:?}");
+            }
+        }
+        // Ground and wall have a reflectance of a half.
+        assert!(reflectances.iter().filter(|reflectance| (**reflectance - 0.5).abs() < 1e-5).count() > 100);
+        Ok(())
+    })
+}
+
 /// Below the middle of a square, at half an edge from it, ground sees what the square leaves of the environment.
 ///
 /// The square's form factor is (4 / π) · atan(1 / √2) / √2 = 0.554. Of 256 lights, each is seen or not: the edge of the square is met to

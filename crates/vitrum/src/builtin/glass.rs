@@ -107,7 +107,7 @@ pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
         .into_par_iter()
         .map(|z| {
             let height = grid.position([0, 0, z]).z;
-            let value = |radius| material(&body, &cavity, Vec2::new(radius, height), 2.5 * grid.spacing());
+            let value = |radius| material(&body, &cavity, Vec2::new(radius, height), 4.5 * grid.spacing());
             (0..radii).map(|index| value(index as f32 * step)).collect()
         })
         .collect();

@@ -52,6 +52,11 @@ pub struct Environment {
     /// it gives no light to surfaces. Each takes as long as a light of the scene.
     #[schemars(range(min = 0, max = 256))]
     pub lights: u32,
+    /// Factor on the environment's radiance as ambient light, without shadows: particles scatter its mean, opaque surfaces and receivers reflect its
+    /// irradiance by their normals (spherical harmonics up to the second order: Ramamoorthi & Hanrahan 2001). 1 if it lights as bright as it shows,
+    /// whether it is visible or not; 0 if `shading.ambient` is all ambient light. Not with `lights`, which shine in its place.
+    #[schemars(range(min = 0, max = 1e6))]
+    pub ambient: f32,
     /// Whether the environment shows in the picture; `false` makes the background transparent.
     pub visible: bool,
 }
@@ -68,6 +73,7 @@ impl Default for Environment {
             rotation: 0.0,
             intensity: 1.0,
             lights: 0,
+            ambient: 0.0,
             visible: true,
         }
     }

@@ -8,6 +8,7 @@ use crate::abi::record::irradiance as record;
 use crate::abi::sweep::{SweepUniforms, flag};
 use crate::field::access::read_float;
 use crate::math::{floor_to_int, length, lerp, max, select, xyz};
+use crate::optics::ambient::irradiance;
 use crate::optics::receiver::diffuse;
 use crate::sweep::light::placed::{cone, strength};
 use crate::sweep::light::wavefront::{from_frame, in_frame, unrefracted_direction};
@@ -139,7 +140,8 @@ pub fn radiance(u: &SweepUniforms, light: &Light) -> Vec3 {
 /// Radiance that a receiver sends back.
 #[inline(always)]
 pub fn shade(u: &SweepUniforms, normal: Vec3, color: Vec3, light: &Light) -> Vec3 {
-    diffuse(color, normal, light.direction, radiance(u, light), xyz(u.ambient))
+    let ambient = irradiance(&u.ambient, &u.environment, normal);
+    diffuse(color, normal, light.direction, radiance(u, light), ambient)
 }
 
 /// The light at a point of the view frame where nothing is in its way.

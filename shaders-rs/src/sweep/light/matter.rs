@@ -80,6 +80,49 @@ fn filled(u: &SweepUniforms, from: Vec3, to: Vec3) -> (f32, f32) {
     (kept.particles.within(inside).length(), kept.medium.within(inside).length())
 }
 
+/// A way of light through matter.
+struct Way {
+    /// Normalised scalar at its beginning.
+    scalar: f32,
+    /// The share of it that has particles.
+    filled: f32,
+    /// Optical depth of particles between its scalars, for the reference length.
+    particles: f32,
+    /// Their optical depth.
+    depth: f32,
+    /// The share of light that they let through.
+    clear: f32,
+    /// The share that the medium lets through.
+    medium: Vec3,
+}
+
+/// The way of light from `start` to a point and its scalar, `length` world units behind.
+#[inline(always)]
+fn behind<V: VoxelFormat>(
+    u: &SweepUniforms,
+    chosen: u32,
+    (voxels, tables): (&[u32], &[u32]),
+    start: Vec3,
+    (end, back): (Vec3, f32),
+    length: f32,
+) -> Way {
+    let front = scalar::<V>(voxels, &u.grid, voxel_coordinates(&u.grid, start));
+    let path = length * u.step.inverse_reference_length;
+    let (filled, medium) = filled(u, start, end);
+    let attenuation = if mode::is_clear(chosen) {
+        attenuation_of_particles(tables, front, back)
+    } else {
+        attenuation(tables, front, back)
+    };
+    let left = if mode::is_clear(chosen) {
+        layer_of_particles(&attenuation, path * filled)
+    } else {
+        layer(&attenuation, path * filled, path * medium)
+    };
+    let depth = attenuation.particles * (path * filled);
+    Way { scalar: front, filled, particles: attenuation.particles, depth, clear: left.clear, medium: left.medium }
+}
+
 /// The light that a viewing ray sees in a segment: as [`light_at`], the mean over the segment, each place weighted by what is seen of its particles.
 #[inline(always)]
 pub fn light_in_matter<V: VoxelFormat>(
@@ -101,36 +144,27 @@ pub fn light_in_matter<V: VoxelFormat>(
     let dense = select(u.grid.nearest != 0, 0.0, min(2.0 * seen.segment.particles * apart * unit, 1.0));
     let nearer = apart * dense;
     let start = at - from_frame(w, unrefracted_direction(w, inside)) * nearer;
-    let voxel = voxel_coordinates(&u.grid, start);
-    let front = scalar::<V>(voxels, &u.grid, voxel);
+    let near = behind::<V>(u, chosen, (voxels, tables), start, (at, back), nearer);
+    let far = start - (at - start);
+    let beyond = behind::<V>(u, chosen, (voxels, tables), far, (start, near.scalar), nearer);
     let path = nearer * unit;
-    let (particles, medium) = filled(u, start, at);
-    let attenuation = if mode::is_clear(chosen) {
-        attenuation_of_particles(tables, front, back)
-    } else {
-        attenuation(tables, front, back)
-    };
-    let left = if mode::is_clear(chosen) {
-        layer_of_particles(&attenuation, path * particles)
-    } else {
-        layer(&attenuation, path * particles, path * medium)
-    };
-    let depth = attenuation.particles * (path * particles);
+    let clear = near.clear * beyond.clear;
+    let medium = near.medium * beyond.medium;
 
     // Scalars change along the light and along the viewing ray as the depths below a surface do. Below a cut the ways through matter tell.
     let along_view = (seen.back - seen.front) / max(length(seen.to - seen.from), 1e-20);
-    let along_light = (back - front) / max(nearer, 1e-20);
+    let along_light = (back - near.scalar) / max(nearer, 1e-20);
     let below_surface = select(along_light > 1e-6 * along_view, along_view / max(along_light, 1e-20), 0.0);
-    let cut = particles - filled(u, seen.from + (start - at), seen.from).0;
-    let below_cut = attenuation.particles * (path * cut) / max(place.before, 1e-6);
+    let cut = near.filled - filled(u, seen.from + (start - at), seen.from).0;
+    let below_cut = near.particles * (path * cut) / max(place.before, 1e-6);
     let is_cut = absolute(cut) > 1e-4;
     let ratio = clamp(select(is_cut, below_cut, below_surface), LEAST_RATIO, LARGEST_RATIO);
-    let first = max(depth - ratio * place.before, 0.0);
+    let first = max(near.depth + beyond.depth - ratio * place.before, 0.0);
     let both = 1.0 + ratio;
     // What is left at the mean place of what is seen, and the mean of what is left there.
     let fading = (1.0 - exp(-(place.depth * both))) / (both * max(1.0 - seen.clear, 1e-6));
-    let mean = select(place.depth < THIN, left.clear, exp(-first) * fading);
+    let mean = select(place.depth < THIN, clear, exp(-first) * fading);
 
-    let light = light_at(u, light, start, chosen);
-    Light { flux: light.flux * (left.medium * lerp(left.clear, mean, dense)), direction: light.direction }
+    let light = light_at(u, light, far, chosen);
+    Light { flux: light.flux * (medium * lerp(clear, mean, dense)), direction: light.direction }
 }

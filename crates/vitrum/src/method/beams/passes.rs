@@ -76,7 +76,7 @@ pub(super) fn list(
     let materials = materials(&uploaded.bodies, mesh, &of_triangles(scene), uploaded.grid.voxel_size);
     let medium = media.medium(scene, assets, (extent, uploaded.grid), materials, backend)?;
     let surroundings = Surroundings {
-        environment: EnvironmentUniforms::new(&scene.environment, &pictures.environment, &view),
+        environment: EnvironmentUniforms::new(scene, &pictures.environment, &view),
         receivers: Receivers::new(scene, &view, extent),
         light: light_source(light, &source, &view, uploaded.grid, texture),
         lattice: fine,

@@ -117,7 +117,7 @@ pub(super) fn block(
         medium: surroundings.medium,
         receivers: receivers_in(grid, &surroundings.receivers, scene, view),
         environment: Environment { row_x, row_y, row_z, ..environment.block },
-        ambient: scene.shading.ambient.into(),
+        ambient: environment.ambient,
         flags,
         ..BeamsUniforms::default()
     };

@@ -167,7 +167,7 @@ fn lights_turn_with_their_environment() {
         let [light] = &lights[..] else { panic!("there is one") };
         let view = View::new(&scene, &triangle());
         let texels = EnvironmentMap::new(&scene.environment, Some(&picture));
-        let block = EnvironmentUniforms::new(&scene.environment, &texels, &view).block;
+        let block = EnvironmentUniforms::new(&scene, &texels, &view).block;
         let seen = in_environment(&block, view.direction(towards(light)).as_vec3().to_array().into());
         let radiance = environment(&block, &texels.texels, seen, 0.0);
         // Twice the texel's, less what the look-up between texels mixes in where the middle is met to 1e-3 texels.

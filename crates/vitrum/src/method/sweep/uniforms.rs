@@ -138,7 +138,7 @@ impl FramePlan {
     ) -> Result<Self, Error> {
         let Volumes { shown, ior: bending } = volumes;
         let Geometry { view, towards, planes, light_grid, receivers, frame } = Geometry::new(scene, volumes)?;
-        let environment = EnvironmentUniforms::new(&scene.environment, map, &view);
+        let environment = EnvironmentUniforms::new(scene, map, &view);
         let supersampling = scene.film.supersampling;
         let rays = [scene.film.width * supersampling, scene.film.height * supersampling];
         let reach = [reach(shown, planes.distance), bending.map_or(1, |volume| reach(volume, planes.distance))];
@@ -185,7 +185,7 @@ impl FramePlan {
                 ground: receiver(receivers.ground, scene.ground.as_ref().map(|ground| ground.color)),
                 wall: receiver(receivers.wall, scene.wall.as_ref().map(|wall| wall.color)),
             },
-            ambient: scene.shading.ambient.into(),
+            ambient: environment.ambient,
             roughness: scene.shading.roughness,
             specular: scene.shading.specular,
             environment: environment.block,

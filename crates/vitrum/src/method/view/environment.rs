@@ -1,9 +1,11 @@
 //! The environment's uniforms and its mip chain (sweep §4.4).
 
+use super::ambient::{Irradiance, ambient};
 use super::{View, from_angles};
-use crate::scene::{Environment, EnvironmentKind, Rgb};
+use crate::scene::{Environment, EnvironmentKind, Rgb, Scene};
 use glam::DVec3;
 use vitrum_io::Picture;
+use vitrum_kernels::abi::ambient::Ambient;
 use vitrum_kernels::abi::environment::{Environment as Block, MAX_LEVELS, kind};
 use vitrum_kernels::abi::vector::Vec3;
 
@@ -13,6 +15,8 @@ pub(in crate::method) struct EnvironmentMap {
     size: [u32; 3],
     /// Mean radiance of the map over all directions, linear RGB; 0 if there is no map.
     mean: Rgb,
+    /// Ambient light of the map; `None` if there is no map.
+    pub(in crate::method) irradiance: Option<Irradiance>,
     /// RGB floats of all levels; one black texel if there is no map.
     pub(in crate::method) texels: Vec<f32>,
 }
@@ -24,7 +28,9 @@ impl EnvironmentMap {
             (EnvironmentKind::Map, Some(picture)) => (mean(picture), chain(picture)),
             _ => (Rgb::default(), (vec![0.0; 3], 1, 1, 1)),
         };
-        Self { size: [width, height, levels], mean, texels }
+        let is_map = environment.kind == EnvironmentKind::Map;
+        let irradiance = picture.filter(|_| is_map).map(Irradiance::of_map);
+        Self { size: [width, height, levels], mean, irradiance, texels }
     }
 }
 
@@ -36,6 +42,8 @@ pub(in crate::method) struct EnvironmentUniforms {
     pub(in crate::method) axes: [DVec3; 3],
     /// Mean radiance over all directions, linear RGB.
     pub(in crate::method) mean: Rgb,
+    /// Ambient light.
+    pub(in crate::method) ambient: Ambient,
 }
 
 /// The axes of an environment in the world, where the camera has `up` and azimuth 0 looks from `front`: its side, its middle, up.
@@ -68,7 +76,9 @@ fn scaled(color: Rgb, factor: f32) -> Vec3 {
 }
 
 impl EnvironmentUniforms {
-    pub(in crate::method) fn new(environment: &Environment, map: &EnvironmentMap, view: &View) -> Self {
+    /// Those of a scene's environment, and its ambient light.
+    pub(in crate::method) fn new(scene: &Scene, map: &EnvironmentMap, view: &View) -> Self {
+        let environment = &scene.environment;
         let [width, height, levels] = map.size;
         let axes = axes(environment, view.up, view.front);
         let row = |axis: DVec3| Vec3::from(view.direction(axis).as_vec3());
@@ -90,6 +100,7 @@ impl EnvironmentUniforms {
             },
             axes,
             mean: mean_radiance(environment, map),
+            ambient: ambient(scene.shading.ambient, environment, map.irradiance.as_ref()),
         }
     }
 }

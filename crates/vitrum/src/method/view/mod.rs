@@ -2,6 +2,7 @@
 //!
 //! The view frame, in which all of them are stated: x right, y up, z the depth away from the eye, in world units, the eye at the origin.
 
+pub(in crate::method) mod ambient;
 pub(in crate::method) mod bounds;
 pub(in crate::method) mod environment;
 pub(in crate::method) mod light;

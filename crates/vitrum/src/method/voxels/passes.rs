@@ -120,7 +120,7 @@ pub(super) fn list(
     let source = Source::of(light, &eye, bounds)?;
     let texture = light.texture.as_deref().and_then(|path| pictures.texture(path));
     let seen = Surroundings {
-        environment: EnvironmentUniforms::new(&scene.environment, &pictures.environment, &eye),
+        environment: EnvironmentUniforms::new(scene, &pictures.environment, &eye),
         light: light_source(light, &source, &eye, uploaded.grid, texture),
         shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::NONE), |map| map.lookup(scene, uploaded.grid))?,
         receivers,

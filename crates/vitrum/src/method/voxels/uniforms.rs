@@ -121,7 +121,7 @@ pub(super) fn block(
         mean_radiance: environment.mean.into(),
         receivers: receivers_in(grid, &surroundings.receivers, scene, view),
         light: surroundings.light,
-        ambient: scene.shading.ambient.into(),
+        ambient: environment.ambient,
         shadow: surroundings.shadow,
     }
 }

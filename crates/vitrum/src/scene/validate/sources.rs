@@ -138,6 +138,13 @@ fn check_environment(environment: &Environment) -> Result<(), Fault> {
             "set `environment.kind = \"map\"`, or leave the file out",
         ));
     }
+    if environment.ambient > 0.0 && environment.lights > 0 {
+        return Err(Fault::contradiction(
+            "environment.ambient",
+            "the environment would light twice: as ambient light, and by `environment.lights`",
+            "set one of the two to 0",
+        ));
+    }
     if environment.kind == EnvironmentKind::Map && environment.file.is_none() {
         return Err(Fault::contradiction(
             "environment.kind",
