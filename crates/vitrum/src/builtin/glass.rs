@@ -15,8 +15,8 @@ const AIR: f32 = 0.0;
 const GLASS: f32 = 0.5;
 const LIQUID: f32 = 1.0;
 
-/// Height at which the glass stands.
-const FOOT: f32 = -0.965;
+/// Height at which the glass stands: its foot's surface, which has some width, ends there.
+const FOOT: f32 = -0.985;
 
 pub(super) const SCENES: &[SceneEntry] = &[
     ("glass", "a glass of beer on a ground plane before a wall; as glass/beer", beer),
@@ -33,12 +33,12 @@ fn base() -> Scene {
     Scene {
         volume: procedural("glass"),
         camera: Camera { azimuth: 0.0, elevation: 14.0, ..Camera::default() },
-        light: vec![Light { azimuth: 32.0, elevation: 10.0, ..Light::default() }],
+        light: vec![Light { azimuth: 44.0, elevation: 17.0, ..Light::default() }],
         transfer: TransferFunction { reference_length: Some(0.1), ..TransferFunction::default() },
-        shading: Shading { roughness: 0.12, ambient: [0.12; 3], ..Shading::default() },
+        shading: Shading { roughness: 0.12, ambient: [0.34; 3], ..Shading::default() },
         environment: Environment::default(),
-        ground: Some(Ground { height: Some(FOOT), color: [0.72, 0.70, 0.67], ..Ground::default() }),
-        wall: Some(Wall { distance: Some(0.85), azimuth: 0.0, color: [0.72, 0.70, 0.67] }),
+        ground: Some(Ground { height: Some(FOOT), color: [0.78, 0.76, 0.73], ..Ground::default() }),
+        wall: Some(Wall { distance: Some(1.1), azimuth: 0.0, color: [0.78, 0.76, 0.73] }),
         ..Scene::default()
     }
 }
@@ -100,6 +100,8 @@ pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
     let [width, _, depth] = grid.dimensions();
     let body = Outline::smooth(&BODY, &[]);
     let cavity = Outline::smooth(&BODY[CAVITY..], &[[0.0, BODY[CAVITY][1]]]);
+    // A surface that is wider than a few voxels bends neighbouring rays alike; the wall has its full index in its middle where the resolution allows both.
+    let edge = (0.8 * WALL).clamp(2.5 * grid.spacing(), 4.5 * grid.spacing());
     // The glass is a surface of revolution: tabulate it over radius and height, then turn it around the axis.
     let step = 0.5 * grid.spacing();
     let radii = (1.5 * width as f32) as usize;
@@ -107,7 +109,7 @@ pub(super) fn volume(name: &str, resolution: u32) -> Result<Volume, Error> {
         .into_par_iter()
         .map(|z| {
             let height = grid.position([0, 0, z]).z;
-            let value = |radius| material(&body, &cavity, Vec2::new(radius, height), 4.5 * grid.spacing());
+            let value = |radius| material(&body, &cavity, Vec2::new(radius, height), edge);
             (0..radii).map(|index| value(index as f32 * step)).collect()
         })
         .collect();
