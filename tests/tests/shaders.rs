@@ -168,7 +168,7 @@ fn voxelize_uniforms() -> Vec<Field> {
 #[rustfmt::skip]
 fn shadow_uniforms() -> Vec<Field> {
     fields!(ShadowUniforms {
-        dispatch: of_dispatch(), work, width, height, layers, first_layer, depth, channels, winding_units, uniform_depth,
+        dispatch: of_dispatch(), work, width, height, layers, first_layer, first_word, depth, channels, winding_units, uniform_depth,
         absorption: of_vec3(), spread: of_spread(), divergence,
     })
 }
@@ -177,13 +177,13 @@ fn shadow_uniforms() -> Vec<Field> {
 fn voxels_uniforms() -> Vec<Field> {
     let of_shadow = fields!(ShadowMap {
         size: of_counts(), channels, axis: of_vec3(), row_x: of_affine(), row_y: of_affine(), row_z: of_affine(),
-        scale: of_affine(), spread: of_spread(), radius, edge,
+        scale: of_affine(), spread: of_spread(), radius, edge, softness, first, first_opaque, opaque_channels,
     });
     fields!(VoxelsUniforms {
         dispatch: of_dispatch(), flags, size: of_counts(), materials, bricks: of_counts(), most_bounces, camera: of_camera(),
         right: of_vec3(), up: of_vec3(), away: of_vec3(), eye: of_vec3(), voxel, same_cosine, same_distance, low: of_vec3(), high: of_vec3(),
         environment: of_environment(), mean_radiance: of_vec3(), receivers: of_receivers(), light: of_light_source(), ambient: of_ambient(),
-        shadow: of_shadow,
+        shadow: of_shadow, wavefront: of_wavefront(),
     })
 }
 

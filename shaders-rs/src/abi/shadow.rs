@@ -23,6 +23,8 @@ pub struct ShadowUniforms {
     pub layers: u32,
     /// The first of this slab's layers.
     pub first_layer: u32,
+    /// The map's first word in its buffer.
+    pub first_word: u32,
     /// Layers along z of the whole grid.
     pub depth: u32,
     /// Channels, 1 or 3.

@@ -9,6 +9,7 @@ use super::light::LightSource;
 use super::receivers::Receivers;
 use super::shadow::Spread;
 use super::vector::{Affine, Counts, Vec3};
+use super::wavefront::Wavefront;
 
 /// Uniforms of the kernels in [`crate::voxels`].
 ///
@@ -62,6 +63,9 @@ pub struct VoxelsUniforms {
     pub ambient: Ambient,
     /// The shadow map.
     pub shadow: ShadowMap,
+    /// The wavefront that has carried light to ground and wall, under [`flag::CAUSTICS`]: its frame, for positions in the grid's, and its maps, in
+    /// the buffer of the shadow map.
+    pub wavefront: Wavefront,
 }
 
 /// The grid of the transparent shadow map (Chang et al. 2010, §3).
@@ -92,6 +96,14 @@ pub struct ShadowMap {
     pub radius: f32,
     /// Edge of one of its voxels, where they are cubes, in voxels of the grid.
     pub edge: f32,
+    /// Tangent of the light's angular radius; 0 for a crisp light.
+    pub softness: f32,
+    /// Its first word.
+    pub first: u32,
+    /// The first word of the map of opaque bodies alone, which receivers are shadowed by under [`flag::CAUSTICS`].
+    pub first_opaque: u32,
+    /// Channels of that map; 0 if no opaque body casts a shadow.
+    pub opaque_channels: u32,
 }
 
 impl ShadowMap {
@@ -107,6 +119,10 @@ impl ShadowMap {
         spread: Spread { low_y: 0.0, low_z: 0.0, step: 0.0 },
         radius: 0.0,
         edge: 0.0,
+        softness: 0.0,
+        first: 0,
+        first_opaque: 0,
+        opaque_channels: 0,
     };
 }
 
@@ -143,6 +159,8 @@ pub mod flag {
     pub const LOOK_OF_TRIANGLE: u32 = 4;
     /// Rays keep their strongest reflection for a way that follows.
     pub const KEEPS: u32 = 8;
+    /// Ground and wall have the light that clear bodies have refracted onto them, in maps.
+    pub const CAUSTICS: u32 = 16;
 }
 
 /// The number of the air outside of all materials: higher than any material's.

@@ -36,6 +36,15 @@ pub fn arriving(source: &LightSource, pictures: &[f32], position: Vec3) -> Arriv
     }
 }
 
+/// Radiance of a white diffuse surface at `position` that faces the source, from which nothing hides it, as if it shone to all sides.
+#[inline(always)]
+pub fn to_all_sides(source: &LightSource, position: Vec3) -> Vec3 {
+    let color = xyz(source.color);
+    let way = position - xyz(source.position);
+    let falls = 1.0 / max(dot(way, way), NEAREST);
+    color * select(source.kind == kind::DISTANT, 1.0, falls)
+}
+
 /// The share of a spot's light along `way`, linear RGB: its cone and the picture that it projects.
 #[inline(always)]
 fn in_cone(cone: &Cone, axis: Vec3, pictures: &[f32], way: Vec3) -> Vec3 {

@@ -57,7 +57,7 @@ pub fn invoke<S: Sums + ?Sized>(x: u32, y: u32, u: &ShadowUniforms, mode: u32, d
         let length = u.width as i32;
         let words = row_words(u.width) as i32;
         let layers_before = channel * u.depth as i32 + u.first_layer as i32;
-        let base = (layers_before * u.height as i32 + line) * words;
+        let base = u.first_word as i32 + (layers_before * u.height as i32 + line) * words;
         let mut sum = (0, 0, 65535);
         let mut word = 0;
         while word < words {

@@ -5,7 +5,7 @@ use super::shade::{Point, facing, on_receiver, on_triangle, shade};
 use crate::abi::record::{fate, path};
 use crate::abi::voxels::{VoxelsUniforms, flag, seen};
 use crate::field::access::read;
-use crate::math::{length, max, select, xyz};
+use crate::math::{length, max, min, select, xyz};
 use crate::optics::environment::{environment, in_environment};
 use spirv_std::glam::Vec3;
 
@@ -14,6 +14,8 @@ use spirv_std::glam::Vec3;
 struct Neighbour {
     /// Whether the pixel lies in the picture and its ray took the same way.
     alike: bool,
+    /// Whether the pixel lies in the picture and its ray was bent and has left.
+    leaves_at_all: bool,
     /// The direction in which its ray left.
     leaves: Vec3,
     /// Whether the pixel's first surface mirrors its surroundings, too.
@@ -31,19 +33,51 @@ fn neighbour(u: &VoxelsUniforms, rays: &[f32], x: i32, y: i32, bounces: f32, sta
     let component = |c: usize| read(rays, c as i32 * (width * height) + at);
     Neighbour {
         alike: there & (component(path::BOUNCES) == bounces) & (component(path::STATUS) == status),
+        leaves_at_all: there & (component(path::BOUNCES) > 0.0) & (component(path::STATUS) == fate::LEFT),
         leaves: vector(u, rays, at, path::DIRECTION),
         mirrors: there & (component(path::REFLECTANCE) > 0.0),
         mirrored: mirrored(u, rays, x, y),
     }
 }
 
-/// The change of a unit direction from pixel to pixel, radians: by central differences over the two neighbours of the pixel with direction `own`, or by
-/// one difference if only one neighbour counts; `usual` if neither does.
+/// The difference from one unit direction to those of the two pixels beside it, radians.
+#[derive(Clone, Copy)]
+struct Apart {
+    /// The mean over the pixels that count; 0 if none does.
+    counted: f32,
+    /// Whether one does.
+    counts: bool,
+    /// The smaller one over the pixels that have such a direction at all, whether they count or not; [`NONE`] if none has.
+    nearest: f32,
+}
+
+/// More than any difference of unit directions.
+const NONE: f32 = 4.0;
+
+/// A direction beside another: whether it is there, and whether it counts.
+type Side = (Vec3, bool, bool);
+
 #[inline(always)]
-fn apart(own: Vec3, (first, first_counts): (Vec3, bool), (last, last_counts): (Vec3, bool), usual: f32) -> f32 {
-    let whole = 0.5 * length(last - first);
-    let half = select(last_counts, length(last - own), length(own - first));
-    select(first_counts & last_counts, whole, select(first_counts | last_counts, half, usual))
+fn apart(own: Vec3, (first, first_there, first_counts): Side, (last, last_there, last_counts): Side) -> Apart {
+    let (a, b) = (length(own - first), length(last - own));
+    let (counted_a, counted_b) = (select(first_counts, a, 0.0), select(last_counts, b, 0.0));
+    let halves = select(first_counts & last_counts, 0.5, 1.0);
+    Apart {
+        counted: (counted_a + counted_b) * halves,
+        counts: first_counts | last_counts,
+        nearest: min(select(first_there, a, NONE), select(last_there, b, NONE)),
+    }
+}
+
+/// The angle over which a pixel looks, radians, from what is beside it: the larger change of direction across or down, over pixels that count. Where none
+/// does, its ray is one of many that go different ways, of which the pixel sees one for all that are as near as the nearest of them; `usual` if that is
+/// nearer still or there is none.
+#[inline(always)]
+fn angle(across: Apart, down: Apart, usual: f32) -> f32 {
+    let counted = max(across.counted, down.counted);
+    let nearest = min(across.nearest, down.nearest);
+    let alone = select(nearest < NONE, max(nearest, usual), usual);
+    select(across.counts | down.counts, counted, alone)
 }
 
 /// The environment in direction `d`, over an angle.
@@ -90,19 +124,19 @@ impl Beside {
     /// The angle over which a pixel's ray that left along `own` looks, radians.
     #[inline(always)]
     fn leaving(&self, own: Vec3) -> f32 {
-        let side = |pixel: &Neighbour| (pixel.leaves, pixel.alike);
-        let across = apart(own, side(&self.left), side(&self.right), self.usual);
-        let down = apart(own, side(&self.above), side(&self.below), self.usual);
-        max(across, down)
+        let side = |pixel: &Neighbour| (pixel.leaves, pixel.leaves_at_all, pixel.alike);
+        let across = apart(own, side(&self.left), side(&self.right));
+        let down = apart(own, side(&self.above), side(&self.below));
+        angle(across, down, self.usual)
     }
 
     /// The angle over which a pixel looks whose first surface mirrors it along `own`, radians.
     #[inline(always)]
     pub fn mirrored(&self, own: Vec3) -> f32 {
-        let side = |pixel: &Neighbour| (pixel.mirrored, pixel.mirrors);
-        let across = apart(own, side(&self.left), side(&self.right), self.usual);
-        let down = apart(own, side(&self.above), side(&self.below), self.usual);
-        max(across, down)
+        let side = |pixel: &Neighbour| (pixel.mirrored, pixel.mirrors, pixel.mirrors);
+        let across = apart(own, side(&self.left), side(&self.right));
+        let down = apart(own, side(&self.above), side(&self.below));
+        angle(across, down, self.usual)
     }
 }
 

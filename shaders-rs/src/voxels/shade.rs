@@ -1,13 +1,15 @@
 //! Shading of diffuse surfaces: opaque triangles and receivers in the light (Lambert's law; the shadow: Chang et al. 2010, §3).
 
 use crate::abi::receivers::{Receivers, ahead};
-use crate::abi::voxels::{VoxelsUniforms, corner, look};
+use crate::abi::voxels::{VoxelsUniforms, corner, flag, look};
 use crate::field::access::{read, read_vector};
 use crate::math::{cross, dot, max, min, normalize, select, select_vector};
 use crate::optics::ambient::irradiance;
-use crate::optics::light_source::{Arriving, arriving};
+use crate::optics::light_source::{Arriving, arriving, to_all_sides};
 use crate::optics::receiver::surface;
-use crate::shadow::look_up::{bias, transmittance};
+use crate::shadow::look_up::{behind_opaque, bias, transmittance};
+use crate::sweep::light::receiver_map::share_on;
+use crate::sweep::light::wavefront::in_frame;
 use spirv_std::glam::Vec3;
 
 /// A point of a diffuse surface.
@@ -25,6 +27,8 @@ pub struct Point {
     pub transmittance: f32,
     /// Whether the shadow map contains the surface.
     pub casts: bool,
+    /// Whether the surface is the wall.
+    pub is_wall: bool,
 }
 
 /// The weighted sum of three vectors that lie next to each other.
@@ -57,6 +61,7 @@ pub fn on_triangle(of_triangle: bool, corners: &[f32], looks: &[f32], index: i32
         color: mean(looks, from + look::COLORS as i32, weights),
         transmittance: read(looks, from + look::TRANSMITTANCE as i32),
         casts: true,
+        is_wall: false,
     }
 }
 
@@ -65,7 +70,7 @@ pub fn on_triangle(of_triangle: bool, corners: &[f32], looks: &[f32], index: i32
 pub fn on_receiver(receivers: &Receivers, which: i32, position: Vec3) -> Point {
     let wall = which == ahead::WALL;
     let (normal, color) = surface(receivers, wall);
-    Point { position, plane: normal, normal, color, transmittance: 0.0, casts: false }
+    Point { position, plane: normal, normal, color, transmittance: 0.0, casts: false, is_wall: wall }
 }
 
 /// The unit normal of a point on the side from which a ray along `direction` sees it.
@@ -88,6 +93,14 @@ pub fn share(point: &Point, normal: Vec3, direction: Vec3, light: Vec3) -> f32 {
     select(same, max(cosine, 0.0), max(-cosine, 0.0) * point.transmittance)
 }
 
+/// Radiance of a white diffuse receiver at a point that faces the light, by the light that a wavefront has carried there, without what opaque bodies take.
+#[inline(always)]
+fn carried(u: &VoxelsUniforms, shadow: &[u32], point: &Point) -> Vec3 {
+    let inside = in_frame(&u.wavefront, point.position);
+    let share = share_on(&u.wavefront, shadow, inside, point.is_wall);
+    share * to_all_sides(&u.light, point.position) * behind_opaque(u, shadow, point.position)
+}
+
 /// Radiance along a ray that meets a point from direction `direction`: reflectance · (L cos θ + ambient), where a surface that is lit
 /// from its other side has the light that it lets through.
 #[inline(always)]
@@ -100,6 +113,11 @@ pub fn shade(u: &VoxelsUniforms, pictures: &[f32], shadow: &[u32], point: &Point
     let bias = bias(&u.shadow, point.position, point.plane, slope);
     let above = point.plane * (select(plane < 0.0, -1.0, 1.0) * bias);
     let lifted = select(point.casts, 1.0, 0.0);
-    let lit = transmittance(u, shadow, point.position + above * lifted) * strength;
-    point.color * (radiance * lit + irradiance(&u.ambient, &u.environment, normal))
+    let straight = radiance * (transmittance(u, shadow, point.position + above * lifted) * strength);
+    let lit = if u.flags & flag::CAUSTICS != 0 {
+        select_vector(point.casts, straight, carried(u, shadow, point) * strength)
+    } else {
+        straight
+    };
+    point.color * (lit + irradiance(&u.ambient, &u.environment, normal))
 }

@@ -1,6 +1,7 @@
 //! Rays through meshes against closed forms, on both backends.
 
 mod ball;
+mod caustics;
 mod contact;
 mod dispersion;
 mod faces;

@@ -69,7 +69,7 @@ fn in_directions(light: &Light, count: u32, view: &View) -> Option<Vec<Light>> {
     let sample = |towards: [f32; 3]| {
         let world = view.axes * glam::Vec3::from_array(towards).as_dvec3();
         let direction = Some(world.as_vec3().to_array());
-        Light { attachment: Some(Attachment::World), direction, ..light.clone() }
+        Light { attachment: Some(Attachment::World), direction, angular_radius: 0.0, ..light.clone() }
     };
     Some(sources(direction, light.angular_radius, count).into_iter().map(sample).collect())
 }

@@ -71,8 +71,7 @@ pub struct Light {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("x-range" = "three numbers, not all 0"))]
     pub direction: Option<Vector>,
-    /// Angular radius of a distant source, as seen from the scene; the sun's is 0.27. 0 casts crisp shadows. For rays through
-    /// meshes it counts where `shadow.samples` is above 1.
+    /// Angular radius of a distant source, as seen from the scene; the sun's is 0.27. 0 casts crisp shadows.
     #[schemars(range(min = 0, max = 45), extend("x-unit" = "degrees"))]
     pub angular_radius: f32,
     /// Place of a point or spot, which need one: in the world, or by `attachment` from the camera's target in the camera's axes. Where it casts

@@ -18,9 +18,11 @@ pub enum Coefficient {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Shadow {
-    /// Number of voxels of the shadow map along the longest edge of the mesh's box as the light sees it.
+    /// Number of voxels of the shadow map along the longest edge of the mesh's box as the light sees it; if absent three for each four pixels along the
+    /// longer side of the picture, at least 256 and at most 512, or as many as fit into 256 MiB.
+    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 16, max = 1024), extend("x-unit" = "voxels"))]
-    pub resolution: u32,
+    pub resolution: Option<u32>,
     /// Extinction of a voxel of the shadow map.
     pub coefficient: Coefficient,
     /// Optical depth of a triangle of density 1 that light goes through, or of an occupied voxel where `coefficient` is
@@ -33,8 +35,8 @@ pub struct Shadow {
     #[schemars(range(min = 0, max = 1e6), extend("x-unit" = "world units"))]
     pub filter_radius: f32,
     /// Number of crisp lights that a distant light with an `angular_radius` is made of, spread over its disc, or a point or spot with a
-    /// `radius`, spread over its ball. Each has a shadow map of its own and takes the time of a frame. With 1 shadows are crisp, but for
-    /// `filter_radius`.
+    /// `radius`, spread over its ball. Each has a shadow map of its own and takes the time of a frame. With 1 the shadow of a distant light is as soft as
+    /// the distance of what casts it makes it, up to 15 voxels of the map, and that of a point or spot is crisp.
     #[schemars(range(min = 1, max = 64), extend("x-unit" = "lights"))]
     pub samples: u32,
 }
@@ -42,7 +44,7 @@ pub struct Shadow {
 impl Default for Shadow {
     fn default() -> Self {
         Self {
-            resolution: 256,
+            resolution: None,
             coefficient: Coefficient::PerTriangle,
             optical_depth: 1.0,
             filter_radius: 0.0,

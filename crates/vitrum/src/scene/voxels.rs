@@ -56,6 +56,10 @@ pub struct Voxels {
     /// average, so that no light is lost.
     #[schemars(range(min = 1, max = 16), extend("x-unit" = "ways"))]
     pub branches: u32,
+    /// Whether ground and wall have the light that clear bodies refract onto them, which a sweep's wavefront carries there through the bodies' voxels by the
+    /// settings in `sweep`; `false` leaves the shadow of what they absorb (Chang et al. 2010). Light from a spot with a picture, or from a place next to the
+    /// bodies, is never carried.
+    pub caustics: bool,
     /// Number of wavelengths that are followed one after another where a material disperses; each takes the time of a frame
     /// for each light. 3 are one for red, green and blue each, which shows as three colours in a wide spectrum. Each method
     /// has its own number, as of bounces: a frame's time differs a lot between methods.
@@ -73,6 +77,7 @@ impl Default for Voxels {
             threshold: 30.0,
             reflection: true,
             branches: 2,
+            caustics: true,
             wavelengths: 3,
         }
     }

@@ -121,7 +121,7 @@ pub fn small(name: &str) -> (Scene, Assets) {
         scene.volume.resolution = Some(16);
     }
     scene.voxelization.resolution = 16;
-    scene.shadow.resolution = 16;
+    scene.shadow.resolution = Some(16);
     (scene.film.width, scene.film.height) = (24, 16);
     let assets = Assets::load(&scene, Path::new("")).expect("it needs no file");
     (scene, assets)

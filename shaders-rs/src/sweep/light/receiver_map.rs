@@ -69,8 +69,36 @@ fn between(light: &[u32], at: i32, columns: i32, (s, t): (f32, f32)) -> f32 {
     lerp(below, above, t)
 }
 
+/// The irradiance of a receiver at a point of the wavefront's frame over that of unoccluded light, of a point or spot over that of one that shines to all
+/// sides.
+#[inline(always)]
+pub fn share_on(w: &Wavefront, light: &[u32], inside: Vec3, wall: bool) -> Vec3 {
+    let (columns, rows) = (w.map.size.width as i32, w.map.size.height as i32);
+    let place = place(w, coordinates(w, inside));
+    let i = floor_to_int(place.x, 0.0, (columns - 2) as f32);
+    let j = floor_to_int(place.y, 0.0, (rows - 2) as f32);
+    let (s, t) = (min(max(place.x - i as f32, 0.0), 1.0), min(max(place.y - j as f32, 0.0), 1.0));
+    let start = if wall { w.map.wall } else { w.map.ground } as i32 + j * columns + i;
+    let texels = columns * rows;
+    let share = Vec3::new(
+        between(light, start + received::SHARE as i32 * texels, columns, (s, t)),
+        between(light, start + (received::SHARE + 1) as i32 * texels, columns, (s, t)),
+        between(light, start + (received::SHARE + 2) as i32 * texels, columns, (s, t)),
+    );
+    if w.spherical != 0 {
+        // Of the light of a point or spot the map has what is changed.
+        let cone = cone(w, inside);
+        // A spherical wavefront has no coordinates behind its source.
+        let ahead = select(way(w, inside).z > 0.0, 1.0, 0.0);
+        let all = share * ahead + Vec3::new(cone, cone, cone);
+        Vec3::new(max(all.x, 0.0), max(all.y, 0.0), max(all.z, 0.0))
+    } else {
+        share
+    }
+}
+
 /// The light on a receiver at a point of the view frame: its flux is the radiance of light that has the same irradiance and the direction of
-/// unrefracted light. Of the light of a point or spot the map has what is changed.
+/// unrefracted light.
 #[inline(always)]
 pub fn light_on(u: &SweepUniforms, light: &[u32], at: Vec3, wall: bool) -> Light {
     let w = &u.wavefront;
@@ -78,28 +106,8 @@ pub fn light_on(u: &SweepUniforms, light: &[u32], at: Vec3, wall: bool) -> Light
     let direction = from_frame(w, unrefracted_direction(w, inside));
     let forward = u.flags & flag::FORWARD != 0;
     if forward {
-        let (columns, rows) = (w.map.size.width as i32, w.map.size.height as i32);
-        let place = place(w, coordinates(w, inside));
-        let i = floor_to_int(place.x, 0.0, (columns - 2) as f32);
-        let j = floor_to_int(place.y, 0.0, (rows - 2) as f32);
-        let (s, t) = (min(max(place.x - i as f32, 0.0), 1.0), min(max(place.y - j as f32, 0.0), 1.0));
-        let start = if wall { w.map.wall } else { w.map.ground } as i32 + j * columns + i;
-        let texels = columns * rows;
-        let share = Vec3::new(
-            between(light, start + received::SHARE as i32 * texels, columns, (s, t)),
-            between(light, start + (received::SHARE + 1) as i32 * texels, columns, (s, t)),
-            between(light, start + (received::SHARE + 2) as i32 * texels, columns, (s, t)),
-        );
-        let changed = if w.spherical != 0 {
-            let cone = cone(w, inside);
-            // A spherical wavefront has no coordinates behind its source.
-            let ahead = select(way(w, inside).z > 0.0, 1.0, 0.0);
-            let all = share * ahead + Vec3::new(cone, cone, cone);
-            Vec3::new(max(all.x, 0.0), max(all.y, 0.0), max(all.z, 0.0)) * strength(w, inside)
-        } else {
-            share
-        };
-        Light { flux: xyz(u.light.color) * changed, direction }
+        let share = share_on(w, light, inside, wall) * strength(w, inside);
+        Light { flux: xyz(u.light.color) * share, direction }
     } else {
         unoccluded(u, at)
     }

@@ -1,7 +1,7 @@
 //! Data that a sweep keeps from frame to frame: volumes, tables, the occupancy, the environment map.
 
 use super::kept::KeptLight;
-use super::mesh_volumes::MeshVolumes;
+use super::mesh_volumes::{MeshVolumes, Part};
 use super::occupancy::Occupancy;
 use super::tables::{Tables, TablesKey, tables_key};
 use super::uploaded::UploadedVolumes;
@@ -48,7 +48,7 @@ impl SweepCache {
             return Ok(());
         }
         *self = Self::default();
-        self.mesh = Some(MeshVolumes::new(scene, assets, tools)?);
+        self.mesh = Some(MeshVolumes::new(scene, assets, Part::All, tools)?);
         Ok(())
     }
 }

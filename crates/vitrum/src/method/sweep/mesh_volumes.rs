@@ -10,14 +10,13 @@ use crate::assets::Assets;
 use crate::error::Error;
 use crate::method::Tools;
 use crate::method::twist::twisted;
-use crate::method::view::{Bounds, fitting_distance};
+use crate::method::view::{Bounds, fitting_distance, from_angles, up_and_front};
 use crate::method::voxelize::{Grid, Settings};
-use crate::method::voxels::bodies::{Clear, bodies, clear, longest_edge};
+use crate::method::voxels::bodies::{Body, Clear, bodies, clear, longest_edge};
 use crate::method::voxels::solids::{BAND, Solids};
 use crate::scene::{ColorPoint, IorPoint, MethodName, OpacityPoint, Projection, Scene, TransferFunction};
 use crate::subject::Volumes;
 use crate::unrenderable::Unrenderable;
-use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use std::sync::Arc;
 use vitrum_io::{Mesh, Volume, Voxels};
@@ -46,8 +45,41 @@ impl Kind {
     }
 }
 
+/// The bodies that volumes are made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// All, as if all were clear.
+    All,
+    /// The clear ones.
+    Clear,
+}
+
+impl Part {
+    /// The bodies of a mesh.
+    fn bodies(self, mesh: &Mesh, scene: &Scene) -> Result<Vec<Body>, Error> {
+        let mut bodies = bodies(mesh, &scene.material)?;
+        bodies.retain(|body| self == Self::All || !body.opaque);
+        Ok(bodies)
+    }
+
+    /// The optical constants of the bodies of a mesh.
+    fn clear(self, mesh: &Mesh, scene: &Scene) -> Result<Vec<Clear>, Error> {
+        Ok(clear(&self.bodies(mesh, scene)?, mesh, scene))
+    }
+}
+
+/// The box around bodies.
+fn around(bodies: &[Body]) -> [[f32; 3]; 2] {
+    let empty = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
+    bodies.iter().map(|body| body.mesh.bounds()).fold(empty, |[low, high], [first, last]| {
+        let axes = |of: fn(f32, f32) -> f32, a: [f32; 3], b: [f32; 3]| std::array::from_fn(|axis| of(a[axis], b[axis]));
+        [axes(f32::min, low, first), axes(f32::max, high, last)]
+    })
+}
+
 /// The volumes that the sweep renders in place of a mesh.
 pub(super) struct MeshVolumes {
+    part: Part,
     kind: Kind,
     /// The mesh that they were made of: while it is kept, no other takes its place.
     mesh: Arc<Mesh>,
@@ -62,13 +94,16 @@ impl MeshVolumes {
     ///
     /// # Errors
     /// If there are too many materials, or the backend fails or lacks the memory.
-    pub(super) fn new(scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<Self, Error> {
+    pub(super) fn new(scene: &Scene, assets: &Assets, part: Part, tools: &mut Tools<'_>) -> Result<Self, Error> {
         let mesh = mesh_of(assets)?;
-        let materials = clear(&bodies(mesh, &scene.material)?, mesh, scene);
+        let materials = part.clear(mesh, scene)?;
         let kind = Kind::of(scene, &materials);
         let deformed = twisted(mesh, kind.twist);
-        let bodies = bodies(&deformed, &scene.material)?;
-        let grid = Grid::around(&deformed, &Settings { padding: PADDING, ..Settings::new(kind.resolution) })?;
+        let bodies = part.bodies(&deformed, scene)?;
+        let bounds = if part == Part::All { deformed.bounds() } else { around(&bodies) };
+        drop(deformed);
+        let settings = Settings { padding: PADDING, ..Settings::new(kind.resolution) };
+        let grid = Grid::around_box(&mesh.name, bounds.map(|corner| corner.map(f64::from)), &settings)?;
         let solids = Solids::new(&bodies, grid, tools)?;
         let shares = Shares::new(&solids.fields, grid);
         let (shown, ior) = match &materials[..] {
@@ -79,7 +114,7 @@ impl MeshVolumes {
                 (shares.mixed(&mesh.name, &numbers, 0.0)?, Some(shares.mixed(&mesh.name, &indices, 1.0)?))
             }
         };
-        Ok(Self { kind, mesh: Arc::clone(mesh), shown, ior, open_rows: solids.open_rows })
+        Ok(Self { part, kind, mesh: Arc::clone(mesh), shown, ior, open_rows: solids.open_rows })
     }
 
     /// The volumes.
@@ -90,8 +125,7 @@ impl MeshVolumes {
     /// Whether a scene has the same volumes.
     pub(super) fn fits(&self, scene: &Scene, assets: &Assets) -> Result<bool, Error> {
         let mesh = mesh_of(assets)?;
-        Ok(Arc::ptr_eq(mesh, &self.mesh)
-            && self.kind == Kind::of(scene, &clear(&bodies(mesh, &scene.material)?, mesh, scene)))
+        Ok(Arc::ptr_eq(mesh, &self.mesh) && self.kind == Kind::of(scene, &self.part.clear(mesh, scene)?))
     }
 
     /// The scene that renders these volumes: materials become transfer functions, and camera, ground and wall stay where the mesh alone
@@ -101,7 +135,7 @@ impl MeshVolumes {
     /// If there are too many materials.
     pub(super) fn scene(&self, scene: &Scene, assets: &Assets) -> Result<Scene, Error> {
         let mesh = mesh_of(assets)?;
-        let materials = clear(&bodies(mesh, &scene.material)?, mesh, scene);
+        let materials = self.part.clear(mesh, scene)?;
         let mut seen = scene.clone();
         seen.transfer = transfer(&materials, REFERENCE * longest_edge(mesh));
         // The bodies' indices are over those of the surroundings already.
@@ -109,7 +143,7 @@ impl MeshVolumes {
         // The mesh's box decides what is in the picture, not that of voxels around it.
         let bounds = Bounds::from(&**mesh);
         let (centre, radius) = bounds.sphere();
-        let (_, padded) = Bounds::from(&self.shown).sphere();
+        let (middle, padded) = Bounds::from(&self.shown).sphere();
         let at = centre.as_vec3().to_array();
         seen.camera.target.get_or_insert(at);
         let larger = (padded / radius) as f32;
@@ -120,12 +154,15 @@ impl MeshVolumes {
                 seen.camera.distance.get_or_insert(distance);
             }
         }
-        let up = Vec3::from_array(scene.camera.up).as_dvec3().try_normalize().unwrap_or(DVec3::Z);
+        let (up, front) = up_and_front(&scene.camera);
         if let Some(ground) = &mut seen.ground {
             ground.height.get_or_insert(bounds.lowest(up) as f32);
         }
         if let Some(wall) = &mut seen.wall {
-            wall.distance.get_or_insert(radius as f32);
+            // The volumes' middle is that of the mesh only where they have all of it.
+            let aside = (middle - centre).dot(from_angles(up, front, wall.azimuth, 0.0));
+            let distance = wall.distance.map_or(radius, f64::from);
+            wall.distance = Some(if self.part == Part::All { distance } else { distance + aside } as f32);
         }
         Ok(seen)
     }

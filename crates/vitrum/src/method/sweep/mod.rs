@@ -5,6 +5,7 @@
 
 mod cache;
 mod carrier;
+pub(in crate::method) mod caustics;
 mod crop;
 mod film;
 mod hull;

@@ -220,7 +220,7 @@ fn most_follow_passes(plan: &FramePlan) -> u32 {
 
 /// Occupancy of the bricks of all volumes, one volume after the other, and points in the world whose convex hull encloses the bricks
 /// that are not empty.
-fn occupancy(queries: &[OccupancyQuery], backend: &mut dyn Backend) -> Result<Occupancy, BackendError> {
+pub(super) fn occupancy(queries: &[OccupancyQuery], backend: &mut dyn Backend) -> Result<Occupancy, BackendError> {
     let counts: Vec<usize> =
         queries.iter().map(|query| bricks(query.volume).iter().map(|&n| n as usize).product()).collect();
     let bytes = counts.iter().sum::<usize>() as u64 * 4;

@@ -4,6 +4,7 @@ use super::looks::{Looks, looks};
 use super::uploaded::UploadedMesh;
 use crate::backend::{Backend, BackendError, Buffer, Contents};
 use crate::method::cache::{Memo, Scratch};
+use crate::method::sweep::caustics::CausticsCache;
 use crate::method::view::pictures::UploadedPictures;
 use crate::scene::{Material, Scene};
 use bytemuck::cast_slice;
@@ -18,6 +19,7 @@ type LooksKey = (Vec<Material>, f32);
 #[derive(Default)]
 pub(super) struct MeshCache {
     pub(super) uploaded: Option<UploadedMesh>,
+    pub(super) caustics: CausticsCache,
     pub(super) frame: FrameCache,
 }
 

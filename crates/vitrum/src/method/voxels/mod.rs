@@ -15,6 +15,7 @@ pub(in crate::method) mod light;
 mod looks;
 mod normals;
 mod passes;
+mod received;
 mod refit;
 pub(in crate::method) mod shadow;
 pub(in crate::method) mod solids;
@@ -99,14 +100,20 @@ impl Method for MeshRays {
             cache.uploaded = last.followed(scene, assets, tools)?;
         }
         if cache.uploaded.is_none() {
-            *cache = MeshCache::default();
+            // Light through the bodies' volumes knows by itself what they are made of.
+            *cache = MeshCache { caustics: std::mem::take(&mut cache.caustics), ..MeshCache::default() };
         }
-        let MeshCache { uploaded, frame } = cache;
+        let MeshCache { uploaded, caustics, frame } = cache;
         let uploaded = match uploaded {
             Some(uploaded) => uploaded,
-            None => uploaded.insert(UploadedMesh::new(scene, assets, tools)?),
+            None => uploaded.insert(UploadedMesh::unlit(scene, assets, tools)?),
         };
-        uploaded.update(scene, assets, tools)?;
+        let refracted = if received::has_caustics(scene, uploaded::shown(assets, self.name())?, &uploaded.bodies) {
+            caustics.of(scene, assets, tools)?
+        } else {
+            None
+        };
+        uploaded.light(scene, assets, refracted, tools)?;
         Ok(Box::new(passes::list(scene, assets, uploaded, frame, tools.backend)?))
     }
 }

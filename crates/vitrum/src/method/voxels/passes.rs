@@ -124,14 +124,15 @@ pub(super) fn list(
         light: light_source(light, &source, &eye, uploaded.grid, texture),
         shadow: uploaded.shadow.as_ref().map_or(Ok(Lookup::NONE), |map| map.lookup(scene, uploaded.grid))?,
         receivers,
+        caustics: uploaded.received.as_ref().map(|received| received.caustics.seen_from(uploaded.grid)),
     };
     let block = uniforms::block(scene, uploaded, &eye, &seen, flags);
     let size = [block.dispatch.width, block.dispatch.height];
     let materials = materials(&uploaded.bodies, mesh, scene, uploaded.grid.voxel_size);
     let materials = cache.materials(materials, backend)?;
     let looks = cache.looks_buffer(scene, &looks, backend)?;
-    let shadow = match &uploaded.shadow {
-        Some(map) => map.buffer.clone(),
+    let shadow = match uploaded.light_buffer() {
+        Some(buffer) => buffer.clone(),
         None => cache.scratch.zeros("no shadow map", 4, backend)?,
     };
     let planes = |components: usize| u64::from(size[0]) * u64::from(size[1]) * components as u64 * 4;

@@ -15,6 +15,7 @@ use vitrum_kernels::abi::light::LightSource;
 use vitrum_kernels::abi::receivers::{self, Receiver};
 use vitrum_kernels::abi::vector::{Affine, Counts, Vec3};
 use vitrum_kernels::abi::voxels::{VoxelsUniforms, flag, mode};
+use vitrum_kernels::abi::wavefront::Wavefront;
 
 /// Distance from the triangles within which a smoothed surface may be, in voxels.
 const AROUND: f64 = 2.0;
@@ -41,6 +42,8 @@ pub(super) struct Surroundings {
     pub receivers: Receivers,
     pub light: LightSource,
     pub shadow: Lookup,
+    /// The wavefront that has carried light to the receivers, if one has.
+    pub caustics: Option<Wavefront>,
 }
 
 /// A plane of the view frame in the frame of the grid, distances in voxels.
@@ -99,6 +102,7 @@ pub(super) fn block(
     let bounces = if two { 2 } else { voxels.bounces };
     let mode = if two { mode::TWO_SURFACES } else { mode::MULTI_SURFACE };
     let flags = if voxels.reflection { flags | flag::FRESNEL } else { flags };
+    let flags = if surroundings.caustics.is_some() { flags | flag::CAUSTICS } else { flags };
     let [row_x, row_y, row_z] = environment.axes.map(vector);
     VoxelsUniforms {
         dispatch: Dispatch { width: scene.film.width * edge, height: scene.film.height * edge, mode },
@@ -123,5 +127,6 @@ pub(super) fn block(
         light: surroundings.light,
         ambient: environment.ambient,
         shadow: surroundings.shadow,
+        wavefront: surroundings.caustics.unwrap_or_default(),
     }
 }

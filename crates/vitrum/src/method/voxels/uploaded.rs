@@ -1,6 +1,7 @@
 //! A mesh on a backend, as rays run through it: voxels, or a tree of triangles, and the shadow map.
 
 use super::bodies::{Body, Group, bodies, groups};
+use super::received::{self, Received};
 use super::shadow::{Cast, ShadowMap};
 use super::solids::Solids;
 use super::{bricks, cropped, refit, tree, uniforms};
@@ -8,6 +9,7 @@ use crate::assets::Assets;
 use crate::backend::{Backend, Buffer, Contents, ReadBack as _};
 use crate::error::Error;
 use crate::method::Tools;
+use crate::method::sweep::caustics::Caustics;
 use crate::method::twist::twisted;
 use crate::method::voxelize::{Grid, Settings, Voxelization, voxelize_in};
 use crate::scene::{MethodName, Normals, Scene, Surfaces};
@@ -100,14 +102,23 @@ pub struct UploadedMesh {
     /// [`refit::steps`] of the tree when it was built.
     steps: f64,
     pub(super) shadow: Option<ShadowMap>,
+    /// The light on receivers, where bodies refract it.
+    pub(super) received: Option<Received>,
 }
 
 impl UploadedMesh {
-    /// Turns a mesh into the representation that the scene's rays run through, and uploads it.
+    /// Turns a mesh into the representation that the scene's rays run through, with its shadow map, and uploads it.
     ///
     /// # Errors
     /// If the subject is no mesh, there are too many voxels or materials for the rays or for the backend, or the backend fails.
     pub fn new(scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<Self, Error> {
+        let mut uploaded = Self::unlit(scene, assets, tools)?;
+        uploaded.light(scene, assets, None, tools)?;
+        Ok(uploaded)
+    }
+
+    /// As [`Self::new`], without a shadow map.
+    pub(super) fn unlit(scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<Self, Error> {
         let shape = Shape::of(scene, assets)?;
         let kind = Kind::of(scene, &shape.mesh);
         let mesh = shape.deformed();
@@ -128,9 +139,9 @@ impl UploadedMesh {
             nodes: 0,
             steps: 0.0,
             shadow: None,
+            received: None,
         };
         uploaded.fill(&settings, tools)?;
-        uploaded.update(scene, assets, tools)?;
         Ok(uploaded)
     }
 
@@ -159,7 +170,7 @@ impl UploadedMesh {
         self.bounds = mesh.bounds();
         self.grid = Grid::around(&mesh, &self.kind.settings())?;
         drop(mesh);
-        (self.shape, self.bodies, self.shadow) = (shape, bodies, None);
+        (self.shape, self.bodies, self.shadow, self.received) = (shape, bodies, None, None);
         self.refit(tools)?;
         Ok(Some(self))
     }
@@ -170,19 +181,35 @@ impl UploadedMesh {
         (!self.kind.exact).then_some(self.grid.dimensions)
     }
 
-    /// Makes the shadow map of a scene's light, if the light or the materials have changed.
+    /// Makes the shadow map of a scene's light, if the light or the materials have changed, and has the light on receivers that bodies refract, if they do.
     ///
     /// # Errors
     /// If the shadow map is too large for the backend, or the backend fails.
-    pub fn update(&mut self, scene: &Scene, assets: &Assets, tools: &mut Tools<'_>) -> Result<(), Error> {
-        let cast = Cast::of(scene, assets, &self.bodies)?;
-        let is_of = |map: &ShadowMap| cast.as_ref().is_some_and(|cast| map.is_of(cast));
-        if self.shadow.as_ref().is_some_and(is_of) {
-            return Ok(());
+    pub(super) fn light(
+        &mut self,
+        scene: &Scene,
+        assets: &Assets,
+        refracted: Option<Arc<Caustics>>,
+        tools: &mut Tools<'_>,
+    ) -> Result<(), Error> {
+        let cast = Cast::of(scene, assets, &self.bodies, refracted.as_deref().map_or(0, received::words))?;
+        if self.shadow.as_ref().map(ShadowMap::cast) != cast.as_ref() {
+            // The old map goes first: both together could be too much for a device.
+            (self.received, self.shadow) = (None, None);
+            self.shadow = cast.map(|cast| ShadowMap::new(cast, &self.bodies, tools)).transpose()?;
         }
-        self.shadow = None;
-        self.shadow = cast.map(|cast| ShadowMap::new(cast, &self.bodies, tools)).transpose()?;
+        let kept =
+            self.received.take().filter(|kept| refracted.as_ref().is_some_and(|new| Arc::ptr_eq(new, &kept.caustics)));
+        self.received = match (kept, refracted) {
+            (None, Some(new)) => Some(Received::new(new, self.shadow.as_ref(), tools.backend)?),
+            (kept, _) => kept,
+        };
         Ok(())
+    }
+
+    /// The buffer in which kernels look light up, if there is one.
+    pub(super) fn light_buffer(&self) -> Option<&Buffer> {
+        self.received.as_ref().map(Received::buffer).or(self.shadow.as_ref().map(|map| &map.buffer))
     }
 
     /// Number of the first body whose triangles are in the tree.

@@ -19,6 +19,11 @@ impl Wavefront {
         on_ground.into_iter().chain(wall.then_some((receiver::WALL, map.wall)))
     }
 
+    /// The words of the buffer of light that have the maps of receivers.
+    pub(in crate::method::sweep) fn maps(&self) -> Range<u64> {
+        u64::from(self.seen.map.ground)..u64::from(self.observed)
+    }
+
     fn is_soft(&self) -> bool {
         self.seen.softness > 0.0
     }

@@ -3,14 +3,15 @@
 mod casters;
 pub(in crate::method) mod frame;
 mod passes;
+mod resolution;
 pub(in crate::method) mod source;
 
 use super::bodies::Body;
 use crate::assets::Assets;
-use crate::backend::Buffer;
+use crate::backend::{Buffer, Contents};
 use crate::error::Error;
 use crate::method::Tools;
-use crate::method::voxelize::{Grid, Settings};
+use crate::method::voxelize::Grid;
 use crate::method::{Bounds, View};
 use crate::scene::{Coefficient, Scene};
 use crate::unrenderable::Unrenderable;
@@ -23,18 +24,20 @@ use vitrum_kernels::abi::vector::{Affine, Counts};
 pub(super) use vitrum_kernels::abi::voxels::ShadowMap as Lookup;
 use vitrum_kernels::shadow::look_up::MOST_COLUMNS;
 
-/// Voxels around the mesh: columns beside it are lit.
-const PADDING: u32 = 1;
-
 /// The key of a shadow map: all values on which it depends.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cast {
     source: Source,
-    resolution: u32,
+    /// Voxels along the longest edge of the mesh's box as the light sees it; `None` for as many as the picture needs.
+    resolution: Option<u32>,
+    /// Pixels along the longer side of the picture, where the resolution depends on them.
+    pixels: u32,
     coefficient: Coefficient,
     absorption: f32,
     /// The absorption of each body.
     casters: Vec<Caster>,
+    /// Words before the shadow map in its buffer: the maps of the light on receivers. None where receivers look the shadow map up.
+    before: u32,
 }
 
 /// A transparent shadow map on a backend: the transmittance from the light to each voxel.
@@ -45,16 +48,20 @@ pub(super) struct ShadowMap {
     /// Grid of the voxels, in the frame of the light.
     grid: Grid,
     channels: u32,
+    /// The first word of the map of opaque bodies alone, and its channels.
+    opaque: [u32; 2],
     pub(super) buffer: Buffer,
 }
 
 impl Cast {
-    /// The key of a scene's shadow map; `None` for a scene without visible shadows.
+    /// The key of a scene's shadow map; `None` for a scene without visible shadows. `before` is the number of words of the maps of the light on receivers,
+    /// which then look up opaque bodies alone; 0 if there are none.
     ///
     /// # Errors
     /// If the light has no direction.
-    pub(super) fn of(scene: &Scene, assets: &Assets, bodies: &[Body]) -> Result<Option<Self>, Error> {
-        let shows = bodies.iter().any(|body| body.opaque) || scene.ground.is_some() || scene.wall.is_some();
+    pub(super) fn of(scene: &Scene, assets: &Assets, bodies: &[Body], before: u32) -> Result<Option<Self>, Error> {
+        let receives = before == 0 && (scene.ground.is_some() || scene.wall.is_some());
+        let shows = bodies.iter().any(|body| body.opaque) || receives;
         let Some(mesh) = assets.subject.mesh().filter(|_| shows && scene.first_light().shadows) else {
             return Ok(None);
         };
@@ -66,10 +73,19 @@ impl Cast {
         Ok(Some(Self {
             source: Source::of(scene.first_light(), &view, Bounds::from(mesh))?,
             resolution: scene.shadow.resolution,
+            pixels: if scene.shadow.resolution.is_some() { 0 } else { scene.film.width.max(scene.film.height) },
             coefficient: scene.shadow.coefficient,
             absorption: scene.shadow.optical_depth,
             casters,
+            before,
         }))
+    }
+
+    /// The casters of a shadow map of opaque bodies alone, if it is another than that of all bodies: `None` where no other body casts a shadow.
+    fn opaque(&self) -> Option<Vec<Caster>> {
+        let is_solid = |caster: &Caster| matches!(caster, Caster::Solid(_)) && !caster.is_nothing();
+        let kept = |caster: &Caster| if is_solid(caster) { Caster::Solid([0.0; 3]) } else { caster.clone() };
+        self.casters.iter().any(is_solid).then(|| self.casters.iter().map(kept).collect())
     }
 }
 
@@ -80,25 +96,30 @@ impl ShadowMap {
     /// If the light stands in the mesh's box, the map is too large for the backend, or the backend fails.
     pub(super) fn new(cast: Cast, bodies: &[Body], tools: &mut Tools<'_>) -> Result<Self, Error> {
         let turned = casters::Turned::new(bodies, &cast.source)?;
-        let settings = Settings { padding: PADDING, ..Settings::new(cast.resolution) };
-        let mut grid = Grid::around_box("the mesh", turned.bounds, &settings)?;
-        if turned.frame.unit_depth.is_some() {
-            // The padding in front must not reach the light.
-            let front = 0.5 * turned.bounds[0][0];
-            grid.origin[0] = grid.origin[0].max(front);
+        let grid = resolution::grid(&cast, &turned, tools.backend.largest_buffer())?;
+        let is_colored = cast.coefficient == Coefficient::PerTriangle && cast.casters.iter().any(Caster::is_colored);
+        let channels = if is_colored { 3 } else { 1 };
+        let words = passes::words(grid, channels);
+        let others = cast.opaque().filter(|_| cast.before > 0).map(|casters| Cast { casters, ..cast.clone() });
+        let of_opaque = others.as_ref().map_or(0, |_| passes::words(grid, 1));
+        let all = u64::from(cast.before) + words + of_opaque;
+        // Kernels count bytes by a signed number.
+        if all > i32::MAX as u64 / 4 {
+            return Err(Unrenderable::ShadowMapTooLarge { dimensions: grid.dimensions, bytes: all * 4 }.into());
         }
-        let channels = if cast.coefficient == Coefficient::PerTriangle && cast.casters.iter().any(Caster::is_colored) {
-            3
-        } else {
-            1
-        };
-        let buffer = passes::run(&cast, &turned, grid, channels, tools)?;
-        Ok(Self { frame: turned.frame, grid, channels, buffer, cast })
+        let buffer = tools.backend.create("shadow map", Contents::Zeros(all * 4))?;
+        passes::run(&cast, &turned, grid, channels, (&buffer, cast.before), tools)?;
+        let mut opaque = [cast.before, channels];
+        if let Some(others) = others {
+            opaque = [cast.before + words as u32, u32::from(!others.casters.iter().all(Caster::is_nothing))];
+            passes::run(&others, &turned, grid, 1, (&buffer, opaque[0]), tools)?;
+        }
+        Ok(Self { frame: turned.frame, grid, channels, opaque, buffer, cast })
     }
 
-    /// Whether the shadow map belongs to the key `cast`.
-    pub(super) fn is_of(&self, cast: &Cast) -> bool {
-        self.cast == *cast
+    /// The key of the shadow map.
+    pub(super) fn cast(&self) -> &Cast {
+        &self.cast
     }
 
     /// The uniforms for look-ups at positions in the voxels of `viewed`.
@@ -115,6 +136,10 @@ impl ShadowMap {
             let (voxels, limit) = (width - 1.0, MOST_COLUMNS - 1);
             return Err(Unrenderable::ShadowTooSoft { radius, voxels, limit }.into());
         }
+        // Where a soft light is several crisp ones, each is crisp; the columns of a point or spot are of its middle.
+        let is_soft = scene.shadow.samples < 2 && self.frame.unit_depth.is_none();
+        let disc = if is_soft { f64::from(scene.first_light().disc()) } else { 0.0 };
+        let softness = libm::tan(disc.to_radians());
         let Frame { axes, unit_depth, .. } = self.frame;
         let from = DVec3::from_array(viewed.origin) - self.frame.origin;
         // The depth over the unit depth.
@@ -139,6 +164,10 @@ impl ShadowMap {
             spread: spread(&self.frame, self.grid),
             radius: width as f32,
             edge: (edge / viewed.voxel_size) as f32,
+            softness: softness as f32,
+            first: self.cast.before,
+            first_opaque: self.opaque[0],
+            opaque_channels: self.opaque[1],
         })
     }
 }

@@ -11,7 +11,6 @@ use crate::method::voxelize::items::{Batch, Plan, dispatch, pass};
 use crate::method::voxelize::triangles;
 use crate::request::{Progress, Stage};
 use crate::scene::Coefficient;
-use crate::unrenderable::Unrenderable;
 use bytemuck::{bytes_of, cast_slice};
 use rayon::prelude::*;
 use vitrum_kernels::abi::dispatch::Dispatch;
@@ -40,6 +39,8 @@ struct Solid {
 struct Work<'a> {
     grid: Grid,
     channels: u32,
+    /// The first word of the map.
+    first: u32,
     /// Opaque triangles, and as kernels read them.
     surface: Vec<Corners>,
     words: Vec<[f32; caster::SIZE]>,
@@ -57,26 +58,26 @@ fn limited(depth: f32) -> f32 {
     depth.min(absorption::MOST)
 }
 
-/// Makes the shadow map of `cast` in a grid along the light.
+/// Words of a shadow map.
+pub(super) fn words(grid: Grid, channels: u32) -> u64 {
+    let [x, y, z] = grid.dimensions;
+    u64::from(row_words(x)) * u64::from(y) * u64::from(z) * u64::from(channels)
+}
+
+/// Makes the shadow map of `cast` in a grid along the light, in `map` from word `first` on, where all is 0.
 pub(super) fn run(
     cast: &Cast,
     turned: &Turned,
     grid: Grid,
     channels: u32,
+    (map, first): (&Buffer, u32),
     tools: &mut Tools<'_>,
-) -> Result<Buffer, Error> {
-    let [x, y, z] = grid.dimensions;
-    let words = u64::from(row_words(x)) * u64::from(y) * u64::from(z) * u64::from(channels);
-    // Kernels count bytes by a signed number.
-    if words > i32::MAX as u64 / 4 {
-        return Err(Unrenderable::ShadowMapTooLarge { dimensions: grid.dimensions, bytes: words * 4 }.into());
-    }
+) -> Result<(), Error> {
     let Tools { backend, progress } = tools;
     let backend = &mut **backend;
     let mut work = Work::new(cast, turned, grid, channels, *progress);
-    let map = backend.create("shadow map", Contents::Zeros(words * 4))?;
-    work.slabs().try_for_each(|slab| work.slab(slab, &map, backend))?;
-    Ok(map)
+    work.first = first;
+    work.slabs().try_for_each(|slab| work.slab(slab, map, backend))
 }
 
 impl<'a> Work<'a> {
@@ -122,6 +123,7 @@ impl<'a> Work<'a> {
         let mut work = Self {
             grid,
             channels,
+            first: 0,
             surface,
             words,
             solids,
@@ -186,6 +188,7 @@ impl<'a> Work<'a> {
             height: y,
             layers,
             first_layer: first,
+            first_word: self.first,
             depth: z,
             channels: self.channels,
             uniform_depth: self.uniform.unwrap_or(0),
