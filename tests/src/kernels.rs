@@ -34,6 +34,8 @@ const POINT: &str = "light.0={kind='point',position=[1.5,2.5,1.5],intensity=12}"
 const SPOT: &str = "light.0={kind='spot',position=[1.5,2.5,1.5],direction=[-1.5,-2.5,-1.5],cone_angle=9,intensity=12}";
 /// A part of a volume.
 const CROP: &str = "crop={min=[0.1,0.05,0.2],max=[0.7,0.9,0.85]}";
+/// A clear surface before an opaque one, in `phantom`.
+const ISOSURFACES: &str = "isosurface=[{value=35,opacity=0.3,color='red'},{value=130}]";
 /// Light on texels, which cases have that do not name a carrier.
 const TEXELS: &str = "sweep.light=texels";
 
@@ -94,6 +96,13 @@ pub fn cases(edge: u32, resolution: u32) -> Result<Vec<Case>, Failure> {
         case("combustion/mixture streamed", "combustion/mixture", &[])?.streamed(),
         case("combustion/mixture streamed forward", "combustion/mixture", &[FORWARD])?.streamed(),
         case("combustion/mixture forward", "combustion/mixture", &[FORWARD])?,
+        case("phantom isosurfaces", "phantom", &[ISOSURFACES])?,
+        case(
+            "phantom isosurfaces forward",
+            "phantom",
+            &[FORWARD, ISOSURFACES, "ground={}", "shading.diffuse=gradient"],
+        )?,
+        case("phantom isosurfaces straight forward", "phantom", &[FORWARD, ISOSURFACES, "sweep.refraction=false"])?,
         case("phantom cropped", "phantom", &[CROP])?,
         case("glass cropped forward", "glass", &[FORWARD, CROP])?,
     ]);

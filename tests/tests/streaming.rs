@@ -40,6 +40,7 @@ fn case(name: &str, settings: &[&str]) -> Result<Case, Failure> {
 }
 
 const OBLIQUE: &str = "camera.azimuth=37";
+const ISOSURFACES: &str = "isosurface=[{value=35,opacity=0.3,color='red'},{value=130}]";
 const FROM_ABOVE: &str = "camera.elevation=41";
 
 /// Scenes with planes across the voxels in all ways.
@@ -59,6 +60,8 @@ fn cases() -> Result<Vec<Case>, Failure> {
         case("phantom", &["camera.projection=orthographic", FROM_ABOVE, no_skipping])?,
         case("phantom", &["light.0.shadows=false", "sweep.refraction=false", OBLIQUE])?,
         case("phantom/translucent", &[OBLIQUE, "camera.elevation=-60", texels, "sweep.sample_distance=2"])?,
+        case("phantom", &[OBLIQUE, "sweep.light=forward", ISOSURFACES])?,
+        case("phantom", &[FROM_ABOVE, "sweep.refraction=false", ISOSURFACES])?,
         case("head", &["camera.azimuth=120", FROM_ABOVE, "sweep.integrator=euler", texels, "sweep.intensity=paper"])?,
         case("head", &[OBLIQUE, texels])?.in_bytes()?,
         noisy(case("phantom", &[OBLIQUE, FROM_ABOVE])?)?,

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use std::path::PathBuf;
-use vitrum::preset::{self, Adjustments};
+use vitrum::preset::{self, Adjustments, Surface};
 
 /// The transfer function's file and changes; what they set are the keys of `transfer`.
 #[derive(Debug, Clone, Args)]
@@ -27,13 +27,19 @@ pub struct TransferArguments {
     /// Colour values by a map, such as viridis
     #[arg(long, value_name = "NAME", long_help = colormap_help())]
     pub colormap: Option<String>,
+
+    /// Show the surface where the value is VALUE, in the preset's colour or another, opaque or with an opacity from 0 to 1, such as 300:ivory:0.4; repeatable.
+    /// Without --preset a volume file then shows surfaces alone
+    #[arg(long, value_name = "VALUE[:COLOR[:OPACITY]]", allow_hyphen_values = true)]
+    pub isosurface: Vec<Surface>,
 }
 
 impl TransferArguments {
     /// The changes.
     pub fn adjustments(&self) -> Adjustments {
         let window = self.window.zip(self.level).map(|(width, level)| [width, level]);
-        Adjustments { threshold: self.threshold, window, colormap: self.colormap.clone() }
+        let (colormap, isosurfaces) = (self.colormap.clone(), self.isosurface.clone());
+        Adjustments { threshold: self.threshold, window, colormap, isosurfaces }
     }
 }
 

@@ -205,6 +205,8 @@ pub mod flag {
     pub const FORWARD: u32 = 256;
     /// Particles are shaded by the scalar's gradient.
     pub const SHADED_BY_GRADIENT: u32 = 512;
+    /// There are isosurfaces.
+    pub const ISOSURFACES: u32 = 1024;
 }
 
 /// The receivers that light lands on: modes of a pass.

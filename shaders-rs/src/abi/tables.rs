@@ -2,7 +2,7 @@
 //!
 //! First the preintegration table over (front scalar, back scalar), [`SEGMENT_SIZE`]² entries of four words, each word two
 //! half floats; then η over the scalar: three floats ([`IOR_LEAST`], [`IOR_STEP`], [`IOR_RISE`]) and [`IOR_CELLS`] words; then the
-//! abscissae of both, [`SEGMENT_ABSCISSA`] and [`IOR_ABSCISSA`].
+//! abscissae of both, [`SEGMENT_ABSCISSA`] and [`IOR_ABSCISSA`]; then the isosurfaces, [`ISOSURFACES`] and [`SHEETS`].
 //!
 //! An abscissa turns a scalar into a place in a table, in entries: a sum of pieces, each of which rises in a straight line over its part of the
 //! scalars, and is constant before and behind it. Three floats a piece: where it starts, entries per scalar, entries; then two floats,
@@ -48,5 +48,15 @@ pub const SEGMENT_ABSCISSA: u32 = IOR_OFFSET + IOR_CELLS;
 /// Where the abscissa of the η table stands, in words. Its ends are a rounding farther apart than the pieces', so that the scalars at the
 /// pieces' ends have the slopes of these.
 pub const IOR_ABSCISSA: u32 = SEGMENT_ABSCISSA + SEGMENT_PIECES * PIECE_WORDS + EXTENT_WORDS;
+/// The most isosurfaces.
+pub const MOST_ISOSURFACES: u32 = 8;
+/// Where the normalised scalars of the isosurfaces stand, in words, ascending; [`f32::MAX`] for those that there are not.
+pub const ISOSURFACES: u32 = IOR_ABSCISSA + IOR_PIECES * PIECE_WORDS + EXTENT_WORDS;
+/// Where the sheets of isosurfaces stand, in words: ([`MOST_ISOSURFACES`] + 1)² of them, by the number of isosurfaces with values up to the scalar at a segment's
+/// front, and to that at its back.
+pub const SHEETS: u32 = ISOSURFACES + MOST_ISOSURFACES;
+/// Words of a sheet, floats: transmittance and optical depth of the isosurfaces between the two; then their colours' red, green and blue and their
+/// scalar, means, each weighted by what is seen of it from the front.
+pub const SHEET_WORDS: u32 = 6;
 /// Words of the whole buffer.
-pub const WORDS: u32 = IOR_ABSCISSA + IOR_PIECES * PIECE_WORDS + EXTENT_WORDS;
+pub const WORDS: u32 = SHEETS + (MOST_ISOSURFACES + 1) * (MOST_ISOSURFACES + 1) * SHEET_WORDS;

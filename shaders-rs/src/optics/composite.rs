@@ -1,7 +1,8 @@
 //! Compositing along a viewing ray (sweep Eq. 14).
 
 use crate::field::tables::Segment;
-use crate::math::{exp, max};
+use crate::math::{exp, max, min, select, select_vector};
+use crate::optics::isosurfaces::Sheet;
 use spirv_std::glam::Vec3;
 
 /// Colour, opacity and transmittance along a ray so far (sweep Eq. 14).
@@ -51,6 +52,28 @@ pub fn layer_of_particles(segment: &Segment, particle_length: f32) -> Layer {
     // q/τ is the mean colour; where nothing is there, q is 0 too.
     let scale = opacity / max(segment.particles, 1e-12);
     Layer { clear, opacity, medium: Vec3::new(1.0, 1.0, 1.0), color: segment.emission * scale }
+}
+
+impl Layer {
+    /// The layer with a sheet in it, and the share that the sheet has in what is seen. `depth` is the optical depth of the layer's particles, of which as much
+    /// is taken to lie in front of the sheet as of the segment.
+    #[inline(always)]
+    #[must_use]
+    pub fn with(self, sheet: &Sheet, depth: f32) -> (Self, f32) {
+        let front = exp(-(depth * sheet.at));
+        let particles = (1.0 - front) + sheet.clear * max(front - self.clear, 0.0);
+        let seen = front * (1.0 - sheet.clear);
+        let clear = self.clear * sheet.clear;
+        let color = self.color * (particles / max(self.opacity, 1e-12)) + sheet.color * seen;
+        let crossed = sheet.depth > 0.0;
+        let layer = Self {
+            clear: select(crossed, clear, self.clear),
+            opacity: select(crossed, 1.0 - clear, self.opacity),
+            medium: self.medium,
+            color: select_vector(crossed, color, self.color),
+        };
+        (layer, select(crossed, min(seen / max(1.0 - clear, 1e-12), 1.0), 0.0))
+    }
 }
 
 /// C += (1 − A) M (α c i_d + i_s); A += (1 − A) α; M *= m.

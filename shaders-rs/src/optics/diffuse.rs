@@ -8,13 +8,13 @@ use spirv_std::glam::Vec3;
 const SURFACE: f32 = 1.0 / 64.0;
 
 /// The cosine between a surface's normal and the way to the light, 0 to 1: of the side of the surface that the viewer sees. `gradient` is that of the
-/// normalised scalar over world units, `light` and `view` are travel directions.
+/// normalised scalar over world units, `light` and `view` are travel directions; `least` is the share of what is seen that is a surface, however the scalar changes.
 #[inline(always)]
-pub fn cosine(grid: &Grid, gradient: Vec3, light: Vec3, view: Vec3) -> f32 {
+pub fn cosine(grid: &Grid, gradient: Vec3, light: Vec3, view: Vec3, least: f32) -> f32 {
     let size = length(gradient);
     let lit = dot(gradient, light) / max(size * length(light), 1e-20);
     // On the viewer's side: away from the way that the ray travels.
     let seen = if dot(gradient, view) > 0.0 { lit } else { -lit };
     let change = size / length(xyz(grid.row_x.factors));
-    lerp(1.0, (seen + absolute(seen)) * 0.5, clamp(change * (1.0 / SURFACE), 0.0, 1.0))
+    lerp(1.0, (seen + absolute(seen)) * 0.5, max(clamp(change * (1.0 / SURFACE), 0.0, 1.0), least))
 }

@@ -5,6 +5,7 @@ pub mod clip;
 pub mod composite;
 pub mod diffuse;
 pub mod environment;
+pub mod isosurfaces;
 pub mod light_source;
 pub mod medium;
 pub mod receiver;

@@ -3,16 +3,18 @@
 
 use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Node, node as record, node_status as status};
-use crate::abi::sweep::{SweepUniforms, mode};
+use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::stencil::{front_of, scalar, voxel_coordinates};
 use crate::field::tables::{attenuation, attenuation_of_particles};
 use crate::math::{length, lerp, max, min, select, select_vector};
 use crate::optics::composite::{layer, layer_of_particles};
+use crate::optics::isosurfaces::transmittance;
 use crate::optics::medium::{medium, share_inside};
 use crate::optics::receiver::{first_between, free_steps};
 use crate::sweep::border::{Crossing, MARGIN, Volumes, border_ior, cross, is_far_inside, is_inside, meet, share_ahead};
 use crate::sweep::clip::keep;
 use crate::sweep::empty::{step_is_empty, steps_are_empty};
+use crate::sweep::isosurfaces::are_looked_for;
 use crate::sweep::light::wavefront::point_at;
 use crate::sweep::turn::turn;
 use spirv_std::glam::Vec3;
@@ -25,7 +27,7 @@ pub mod level {
     pub const EMPTY: u32 = 1;
     /// It may be attenuated and bent, far inside the border of the space in which the volume bends.
     pub const FULL: u32 = 3;
-    /// Its segment, or the one behind it, may be outside in part, or it meets a receiver.
+    /// Its segment, or the one behind it, may be outside in part, or it meets a receiver, or perhaps an isosurface.
     pub const BORDER: u32 = 7;
 }
 
@@ -56,7 +58,7 @@ pub fn level<V: VoxelFormat>(
     let node = Node::load(&before);
     let (from, to) = ends(u, &node);
     let met = first_between(&u.receivers, from, to).hit;
-    let within = is_far_inside::<V>(u, chosen, from, to, MARGIN) & !met;
+    let within = is_far_inside::<V>(u, chosen, from, to, MARGIN) & !met & (u.flags & flag::ISOSURFACES == 0);
     let crossing = if within { level::FULL } else { level::BORDER };
     let in_empty = if met { level::BORDER } else { level::EMPTY };
     let needed = if step_is_empty::<V>(u, occupancy, from, to) { in_empty } else { crossing };
@@ -123,7 +125,8 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     let voxel_to = voxel_coordinates(&u.grid, to);
     let ior_to = voxel_coordinates(&u.ior_grid, to);
     let here = medium::<V>((&u.grid, &u.ior_grid), chosen, voxels, ior_voxels, tables, voxel_to, ior_to);
-    let front = front_of(&u.grid, scalar::<V>(voxels, &u.grid, voxel_from), here.scalar);
+    let scalar_from = scalar::<V>(voxels, &u.grid, voxel_from);
+    let front = front_of(&u.grid, scalar_from, here.scalar);
     let kept = keep(u, from, to);
     let path = crossing.path * u.step.inverse_reference_length;
     let layer = if mode::is_clear(chosen) {
@@ -131,12 +134,6 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     } else {
         layer(&attenuation(tables, front, here.scalar), path * kept.particles.length(), path * kept.medium.length())
     };
-    let left = node.flux * (layer.medium * layer.clear);
-    let mean = (left.x + left.y + left.z) * (1.0 / 3.0);
-    let loss = (node.flux.x + node.flux.y + node.flux.z) * (1.0 / 3.0) - mean;
-    // Only where some is absorbed: in empty space a node stays as it is, and blurred light may be as faint there.
-    let absorbs = (left.x != node.flux.x) | (left.y != node.flux.y) | (left.z != node.flux.z);
-    let dark = absorbs & (max(max(left.x, left.y), left.z) < DARK);
 
     let mut out = arriving;
     let mut turned = false;
@@ -148,6 +145,21 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         out = select_vector(crossing.turned, arriving, kicked.direction);
     }
     let bent = crossing.bent | (out.x != v.x) | (out.y != v.y) | (out.z != v.z);
+    let mut clear = layer.clear;
+    if LEVEL >= level::BORDER && are_looked_for(u) {
+        // To the point, and to the bit, at which the next step begins: no isosurface passes in between.
+        let end = select_vector(bent, to, point_at(&node, u.step.ahead));
+        let back = scalar::<V>(voxels, &u.grid, voxel_coordinates(&u.grid, end));
+        let front = front_of(&u.grid, scalar_from, back);
+        let inside = crossing.path > 0.0;
+        clear *= select(inside, transmittance(tables, front, back, kept.particles), 1.0);
+    }
+    let left = node.flux * (layer.medium * clear);
+    let mean = (left.x + left.y + left.z) * (1.0 / 3.0);
+    let loss = (node.flux.x + node.flux.y + node.flux.z) * (1.0 / 3.0) - mean;
+    // Only where some is absorbed: in empty space a node stays as it is, and blurred light may be as faint there.
+    let absorbs = (left.x != node.flux.x) | (left.y != node.flux.y) | (left.z != node.flux.z);
+    let dark = absorbs & (max(max(left.x, left.y), left.z) < DARK);
     // Up to a receiver light flies on as it is.
     let moves = bent & !met;
     // Where light is blurred, some may come back.

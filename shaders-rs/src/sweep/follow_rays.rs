@@ -14,11 +14,14 @@ use crate::math::{clamp, length, lerp, max, select, select_vector, xyz};
 use crate::optics::ambient::mean_radiance;
 use crate::optics::composite::{Gathered, layer, over};
 use crate::optics::diffuse::cosine;
+use crate::optics::isosurfaces::{Sheet, sheet};
 use crate::optics::medium::{Medium, medium, span_inside};
 use crate::optics::receiver::first_between;
+use crate::optics::span::Span;
 use crate::optics::step::flight;
 use crate::sweep::border::{bend, border_ior, meet, share_ahead};
 use crate::sweep::clip::keep;
+use crate::sweep::isosurfaces::are_looked_for;
 use crate::sweep::light::look_up::{radiance, shade, unoccluded};
 use crate::sweep::light::matter::{Seen, light_in_matter};
 use crate::sweep::light::receiver_map::light_on;
@@ -144,22 +147,36 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             let path = path * u.step.inverse_reference_length;
             let segment = segment(tables, front, next.scalar);
             let layer = layer(&segment, path * shares.particles.length(), path * shares.medium.length());
+            let looks_for_isosurfaces = are_looked_for(u);
+            let mut sheet_in = Sheet::NONE;
+            let (mut layer, mut share) = (layer, 0.0);
+            if looks_for_isosurfaces {
+                let before_receiver = shares.particles.within(Span { start: 0.0, end: part });
+                let found = sheet(tables, front, next.scalar, before_receiver);
+                sheet_in = found.only_if(filled.length() > 0.0).within(filled);
+                (layer, share) = layer.with(&sheet_in, segment.particles * (path * shares.particles.length()));
+            }
             let light = if mode::is_on_texels(chosen) {
                 open
             } else {
                 let span = shares.particles.within(filled);
                 let (clear, to) = (layer.clear, from + (to - from) * part);
-                let seen = Seen { from, to, front, back: next.scalar, segment: &segment, span, clear };
+                let sheet = sheet_in.before(part);
+                let back = next.scalar;
+                let seen =
+                    Seen { from, to, front, back, segment: &segment, span, clear, sheet, share, looks_for_isosurfaces };
                 light_in_matter::<V>(u, chosen, (voxels, tables, light_buffer), &seen)
             };
             let radiance = radiance(u, &light);
             let through = 1.0 - ray.reflectance;
             let before = Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance * through };
             let by_gradient = u.flags & flag::SHADED_BY_GRADIENT != 0;
-            let facing = if by_gradient { cosine(&u.grid, next.shown_gradient, light.direction, v) } else { 1.0 };
+            let facing =
+                if by_gradient { cosine(&u.grid, next.shown_gradient, light.direction, v, share) } else { 1.0 };
             let after = over(before, &layer, radiance * facing + mean_radiance(&u.ambient), none);
             let after = Gathered { medium: ray.transmittance * layer.medium, ..after };
-            let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
+            let seen_at = lerp(0.5, sheet_in.at, share);
+            let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, seen_at);
             let met = from + (to - from) * part;
             let received = light_on(u, light_buffer, met, hit.is_wall);
             let (after, depth) =

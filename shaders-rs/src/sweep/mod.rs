@@ -34,6 +34,7 @@ pub mod initialize_light;
 pub mod initialize_nodes;
 pub mod initialize_rays;
 pub mod integrate_landed;
+pub mod isosurfaces;
 pub mod land_cells;
 pub mod light;
 pub mod place;

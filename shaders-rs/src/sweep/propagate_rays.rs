@@ -9,6 +9,7 @@ use crate::math::{length, lerp, max, min, select, select_vector};
 use crate::optics::ambient::mean_radiance;
 use crate::optics::composite::{Gathered, layer, layer_of_particles, over};
 use crate::optics::diffuse::cosine;
+use crate::optics::isosurfaces::{Sheet, sheet};
 use crate::optics::medium::{medium, span_inside};
 use crate::optics::receiver::{Hit, first_between, free_steps};
 use crate::optics::span::Span;
@@ -19,6 +20,7 @@ use crate::sweep::border::{
 };
 use crate::sweep::clip::keep;
 use crate::sweep::empty::{step_is_empty, steps_are_empty};
+use crate::sweep::isosurfaces::are_looked_for;
 use crate::sweep::light::look_up::{direction, light, radiance, shade, shift, texel_coordinates, unoccluded};
 use crate::sweep::light::matter::{Seen, light_in_matter};
 use crate::sweep::light::receiver_map::light_on;
@@ -36,7 +38,7 @@ pub mod level {
     pub const FULL: u32 = 3;
     /// It comes from empty space, where its scalar was not sampled.
     pub const ENTERING: u32 = 7;
-    /// It meets a receiver.
+    /// It meets a receiver, or perhaps an isosurface.
     pub const MEETING: u32 = 15;
     /// Its segment, or the one behind it, may be outside in part, or it may begin in a volume.
     pub const BORDER: u32 = 31;
@@ -89,7 +91,7 @@ pub fn level<V: VoxelFormat>(
     let within = is_far_inside::<V>(u, chosen, flight.from, flight.to, MARGIN);
     let begins = mode::bends(chosen) & (ray.sampled == ray::NOWHERE);
     let sampled = if is_unknown(u, &ray) { level::ENTERING } else { level::FULL };
-    let met = if hit.hit { level::MEETING } else { sampled };
+    let met = if hit.hit | (u.flags & flag::ISOSURFACES != 0) { level::MEETING } else { sampled };
     let crossing = if within & !begins { met } else { level::BORDER };
     let in_empty = if hit.hit { level::MEETING } else { level::EMPTY };
     let needed = if empty { in_empty } else { crossing };
@@ -194,6 +196,16 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     } else {
         layer(&segment, path * kept.particles.length(), path * kept.medium.length())
     };
+    let looks_for_isosurfaces = LEVEL >= level::MEETING && are_looked_for(u);
+    let mut sheet_in = Sheet::NONE;
+    let (mut layer, mut share) = (layer, 0.0);
+    if looks_for_isosurfaces {
+        let before_receiver = kept.particles.within(Span { start: 0.0, end: part });
+        let found = sheet(tables, front_of_layer, here.scalar, before_receiver);
+        // Outside of the volume there is none.
+        sheet_in = found.only_if(filled.length() > 0.0).within(filled);
+        (layer, share) = layer.with(&sheet_in, segment.particles * (path * kept.particles.length()));
+    }
 
     let met = if LEVEL >= level::MEETING { from + (to - from) * select(hit.hit, part, 0.0) } else { from };
     let light = if mode::is_unoccluded(chosen) {
@@ -217,6 +229,9 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
             segment: &segment,
             span,
             clear,
+            sheet: sheet_in.before(part),
+            share,
+            looks_for_isosurfaces,
         };
         light_in_matter::<V>(u, chosen, (voxels, tables, light_buffer), &seen)
     };
@@ -243,10 +258,11 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         Gathered { color: ray.color, opacity: ray.opacity, medium: ray.transmittance * (1.0 - ray.reflectance) };
     let by_gradient =
         if mode::bends(chosen) { u.flags & flag::SHADED_BY_GRADIENT != 0 } else { chosen == mode::SHADED_BY_GRADIENT };
-    let facing = if by_gradient { cosine(&u.grid, here.shown_gradient, light.direction, v) } else { 1.0 };
+    let facing = if by_gradient { cosine(&u.grid, here.shown_gradient, light.direction, v, share) } else { 1.0 };
     let after = over(before, &layer, radiance * facing + mean_radiance(&u.ambient), specular);
     let after = Gathered { medium: ray.transmittance * layer.medium, ..after };
-    let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, 0.5);
+    let seen_at = lerp(0.5, sheet_in.at, share);
+    let depth = ray.depth + (after.opacity - before.opacity) * lerp(from.z, to.z, seen_at);
     let (after, depth) = if LEVEL >= level::MEETING {
         let received = if mode::is_on_texels(chosen) | mode::is_unoccluded(chosen) {
             light

@@ -3,19 +3,21 @@
 
 use crate::abi::format::VoxelFormat;
 use crate::abi::record::{Light, light as record, trace as traced};
-use crate::abi::sweep::{SweepUniforms, mode};
+use crate::abi::sweep::{SweepUniforms, flag, mode};
 use crate::field::access::{read, read_inside};
 use crate::field::stencil::{front_of, scalar, voxel_coordinates};
 use crate::field::tables::{attenuation, attenuation_of_particles};
 use crate::kernel::skip::{Reach, Same};
 use crate::math::{absolute, length, max, min, select, select_vector, xyz};
 use crate::optics::composite::{layer, layer_of_particles};
+use crate::optics::isosurfaces::transmittance;
 use crate::optics::medium::{medium, share_inside};
 use crate::sweep::border::{
     MARGIN, bending_grid, border_ior, is_far_inside, is_inside_by, meet, settle, share_ahead, step_on,
 };
 use crate::sweep::clip::keep;
 use crate::sweep::empty::{step_is_empty, steps_are_empty};
+use crate::sweep::isosurfaces::are_looked_for;
 use crate::sweep::light::look_up::{holds, texel_position};
 use crate::sweep::light::unoccluded;
 use crate::sweep::turn::turn;
@@ -27,7 +29,7 @@ pub mod level {
     pub const EMPTY: u32 = 1;
     /// The light may be attenuated and bent, well inside the grid.
     pub const FULL: u32 = 3;
-    /// Its segment may be outside in part.
+    /// Its segment may be outside in part, or cross an isosurface.
     pub const BORDER: u32 = 7;
 }
 
@@ -74,7 +76,7 @@ pub fn level<V: VoxelFormat>(
     let next = step_on(u, to, Light::load(&arrived).direction);
     let within =
         is_far_inside::<V>(u, chosen, from, to, margin) & (!mode::bends(chosen) | is_inside_by::<V>(u, next, margin));
-    let crossing = if within { level::FULL } else { level::BORDER };
+    let crossing = if within & (u.flags & flag::ISOSURFACES == 0) { level::FULL } else { level::BORDER };
     if step_is_empty::<V>(u, occupancy, from, to) { level::EMPTY } else { crossing }
 }
 
@@ -142,6 +144,10 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
     } else {
         layer(&attenuation(tables, front, here.scalar), path * kept.particles.length(), path * kept.medium.length())
     };
+    let mut clear = layer.clear;
+    if LEVEL >= level::BORDER && are_looked_for(u) {
+        clear *= select(inside > 0.0, transmittance(tables, front, here.scalar, kept.particles), 1.0);
+    }
 
     let mut out = v;
     let mut lost = 1.0;
@@ -172,6 +178,6 @@ pub fn invoke<V: VoxelFormat, const LEVEL: u32>(
         lost = select(turned, 0.0, 1.0);
         out = select_vector(turned, v, turn.direction);
     }
-    let flux = arrived.flux * (layer.medium * (layer.clear * lost));
+    let flux = arrived.flux * (layer.medium * (clear * lost));
     Light { flux, direction: out, ..arrived }.store()
 }

@@ -69,6 +69,13 @@ const MATTER: &str =
     "an opaque ball lit from 60° shades itself: ∫ τ e^(−∫τ) e^(−∫τ along the light) dt in double precision";
 const CUT: &str = "the cut through an opaque block, lit at 60°: cos θ / (cos θ + cos θᵥ) (Seeliger)";
 const LAMBERT: &str = "an opaque ball without shadows is shaded by its gradient: n · l";
+const ISOSURFACE: &str = "isosurfaces of opacity 0.3 and 0.5, each crossed twice: 1 − (0.7 · 0.5)²";
+const ISOSURFACE_SLOPES: &str = "48³ voxels, the ball's scalar rises over 4 and over 12 voxels";
+const SEEN_ISOSURFACE: &str = "an opaque isosurface is seen where the scalar between voxels has its value";
+const LIT_ISOSURFACES: &str =
+    "isosurfaces of opacity 0.4 and 1, lit at 0°, 60° and 180°: Σ τ c e^(−t) e^(−t cos θᵥ / cos θ) over their layers";
+const ISOSURFACE_SHADOWS: &str = "light behind an isosurface of opacity 0.3 that it crosses twice: 0.7²";
+const ISOSURFACE_SEELIGER: &str = "an opaque isosurface, lit at 60°: cos θ / (cos θ + cos θᵥ) (Seeliger)";
 const SURFACE: &str = "a layer from 1 to 1.5 mirrors light from all sides by Fresnel, at 0° and 60°";
 const LENS: &str = "the ray step alone, exact gradients: Luneburg lens";
 const FISHEYE: &str = "the ray step alone: Maxwell's fisheye η = 2/(1 + r²) images a point";
@@ -185,6 +192,13 @@ lines! {
     MATTER_STEEP_MEAN: MATTER, "the same, opacity rises over four tenths of a voxel", "the mean radiance, relative", 0.0044, 0.0085;
     MATTER_STEEP: MATTER, "the same, opacity rises over four tenths of a voxel", RADIANCE_RMS, 0.0097, 0.015;
     MATTER_CUT: CUT, "48³ voxels, planes every voxel and every half, ten places of the cut", "the radiance, relative", 0.088, 0.12;
+    ISOSURFACE_OPACITY: ISOSURFACE, "the same slopes, planes every 1, ½, ¼ voxels", "the opacity", 1.2e-7, 2.4e-7, elsewhere 1e-6;
+    ISOSURFACE_DEPTH: SEEN_ISOSURFACE, ISOSURFACE_SLOPES, "the depth, voxels", 0.01, 0.0156;
+    ISOSURFACE_LIGHT: LIT_ISOSURFACES, "planes every 1, ½, ¼ voxels, 0.5 and 14 voxels apart", "the radiance, relative", 0.01, 0.02;
+    ISOSURFACE_SHADOW: ISOSURFACE_SHADOWS, "48³ voxels, planes every voxel and every half", "the irradiance", 1e-6, 2e-6, elsewhere 1e-5;
+    ISOSURFACE_SHADING_MEAN: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, "the mean radiance, relative", 0.01, 0.02;
+    ISOSURFACE_SHADING: ISOSURFACE_SEELIGER, ISOSURFACE_SLOPES, RADIANCE_RMS, 0.01, 0.02;
+    ISOSURFACE_GRADIENT: LAMBERT, "48³ voxels, an isosurface, inside 0.9 radii", "the radiance", 0.01, 0.02;
     MATTER_GRADIENT: LAMBERT, "48³ voxels, a surface four voxels thick, inside 0.9 radii", "the radiance", 0.038, 0.06;
     SURFACE_MIRROR: SURFACE, "48³ voxels, 1 to 8 voxels thick, linear and smooth, planes every ¼, ½, 1 voxel", "the radiance, relative", 0.0372, 0.05;
     SURFACE_HIGHLIGHT: "the highlight of a glass ball, surface four voxels thick, against planes every ¼ voxel", "48³ voxels, planes every ½, 1 voxel", "the radiance of the brightest pixel, relative", 0.022, 0.03;

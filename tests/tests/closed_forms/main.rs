@@ -10,6 +10,7 @@ mod border;
 mod crop;
 mod flux;
 mod gradients;
+mod isosurfaces;
 mod layer;
 mod lights;
 mod luneburg;

@@ -11,7 +11,7 @@ const VOXELS: u32 = 48;
 const OPACITY: f32 = 0.95;
 
 /// Parallel viewing rays along −y, and light from 60° on the right of them.
-fn lit_from_the_side(points: &[(f32, f32)], pixels: u32) -> Scene {
+pub(crate) fn lit_from_the_side(points: &[(f32, f32)], pixels: u32) -> Scene {
     let mut scene = straight_on(pixels);
     scene.environment.visible = false;
     scene.light[0].azimuth = 60.0;
@@ -21,7 +21,7 @@ fn lit_from_the_side(points: &[(f32, f32)], pixels: u32) -> Scene {
 }
 
 /// A ball whose scalar falls over `thickness` voxels.
-fn ball(thickness: f64) -> Volume {
+pub(crate) fn ball(thickness: f64) -> Volume {
     let voxel = 2.0 / f64::from(VOXELS);
     cube(VOXELS, 2.0, |at| {
         let radius = at.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -30,7 +30,7 @@ fn ball(thickness: f64) -> Volume {
 }
 
 /// The scalar of a volume between its voxels, in voxels from the middle.
-fn scalar(volume: &Volume, at: [f64; 3]) -> f64 {
+pub(crate) fn scalar(volume: &Volume, at: [f64; 3]) -> f64 {
     let places = at.map(|x| x + (f64::from(VOXELS) - 1.0) * 0.5);
     if places.iter().any(|&x| !(0.0..=f64::from(VOXELS) - 1.0).contains(&x)) {
         return 0.0;

@@ -26,7 +26,13 @@ const ABOVE: [&str; 8] = [
 ];
 
 fn color(frame: &Frame) -> Vec<[f64; 3]> {
-    frame.aov("color").expect("every frame has a colour").color().into_iter().map(|pixel| pixel.map(f64::from)).collect()
+    frame
+        .aov("color")
+        .expect("every frame has a colour")
+        .color()
+        .into_iter()
+        .map(|pixel| pixel.map(f64::from))
+        .collect()
 }
 
 /// The pixels that see the ground past all bodies, and past a margin of two pixels around them, since volumes are larger than bodies.
@@ -50,7 +56,8 @@ fn bodies() -> Mesh {
     together(&[ball(64), block])
 }
 
-const MATERIALS: &str = "material=[{name='m0',ior=1.5},{name='m1',ior=1.4,attenuation_color=[0.9,0.5,0.2],attenuation_distance=1}]";
+const MATERIALS: &str =
+    "material=[{name='m0',ior=1.5},{name='m1',ior=1.4,attenuation_color=[0.9,0.5,0.2],attenuation_distance=1}]";
 
 /// The largest difference of the irradiance on the ground from that of a sweep, over unoccluded light's.
 fn difference(case: &Case, backend: &mut dyn Backend) -> Result<f64, Failure> {
@@ -72,7 +79,11 @@ fn difference(case: &Case, backend: &mut dyn Backend) -> Result<f64, Failure> {
 fn the_ground_has_the_light_that_a_sweep_throws_there() -> Result<(), Failure> {
     on_both(|backend| {
         let mut worst = 0.0;
-        for light in ["light.0.angular_radius=0", "light.0.angular_radius=3", "light.0={kind='point',position=[1,3,6],intensity=60}"] {
+        for light in [
+            "light.0.angular_radius=0",
+            "light.0.angular_radius=3",
+            "light.0={kind='point',position=[1,3,6],intensity=60}",
+        ] {
             let case = case("caustics", bodies(), EDGE as u32, &[&ABOVE[..], &[MATERIALS, light]].concat())?;
             worst = larger(worst, difference(&case, backend)?);
         }
@@ -86,7 +97,16 @@ fn the_ground_has_the_light_that_a_sweep_throws_there() -> Result<(), Failure> {
 #[test]
 fn no_light_is_lost() -> Result<(), Failure> {
     on_both(|backend| {
-        let settings = [&ABOVE[..], &["light.0.elevation=40", "light.0.angular_radius=1", "camera.zoom=0.12", "ground={height=-3,color=[1,1,1]}"]].concat();
+        let settings = [
+            &ABOVE[..],
+            &[
+                "light.0.elevation=40",
+                "light.0.angular_radius=1",
+                "camera.zoom=0.12",
+                "ground={height=-3,color=[1,1,1]}",
+            ],
+        ]
+        .concat();
         let case = case("flux", ball(64), EDGE as u32, &settings)?;
         let frame = vitrum::render(&case.scene, &case.assets, backend, &mut |_| true)?;
         let (found, seen) = (color(&frame), beside(&frame));
@@ -108,7 +128,8 @@ fn opaque_bodies_keep_their_shadows() -> Result<(), Failure> {
     let materials = "material=[{name='m0',ior=1.5,attenuation_color=[0.9,0.5,0.2]},{name='m1',opaque=true}]";
     on_both(|backend| {
         let render = |caustics: &str, backend: &mut dyn Backend| {
-            let settings = [&ABOVE[..], &[materials, "light.0.angular_radius=0", "light.0.azimuth=0", caustics]].concat();
+            let settings =
+                [&ABOVE[..], &[materials, "light.0.angular_radius=0", "light.0.azimuth=0", caustics]].concat();
             let case = case("opaque", bodies(), EDGE as u32, &settings)?;
             Ok::<_, Failure>(vitrum::render(&case.scene, &case.assets, backend, &mut |_| true)?)
         };
@@ -118,7 +139,8 @@ fn opaque_bodies_keep_their_shadows() -> Result<(), Failure> {
         // The half in which the block stands, whose shadow falls to the other side of the viewer's up.
         let of_block = |at: &usize| seen[*at] && at % EDGE > EDGE * 6 / 10;
         let shadow = (0..seen.len()).filter(of_block).filter(|at| without[*at][0] < 0.1).count();
-        let differ = (0..seen.len()).filter(of_block).filter(|at| (with[*at][0] - without[*at][0]).abs() > 1e-3).count();
+        let differ =
+            (0..seen.len()).filter(of_block).filter(|at| (with[*at][0] - without[*at][0]).abs() > 1e-3).count();
         assert!(shadow > 30 && differ == 0, "{shadow} pixels in the shadow, {differ} of that half differ");
         let elsewhere = (0..seen.len()).filter(|at| seen[*at] && with[*at][0] > without[*at][0] + 0.1).count();
         assert!(elsewhere > 20, "{elsewhere} pixels are in the caustic");

@@ -16,8 +16,8 @@ use crate::preset::Adjustments;
 use crate::scene::{Framing, Problem, Scene, SceneError, Vector, VolumeSource};
 use crate::{Assets, preset};
 use std::path::{Path, PathBuf};
-use vitrum_io::Mesh;
 use vitrum_io::transfer::read_transfer;
+use vitrum_io::{Mesh, Volume};
 
 /// Bounds of meshes whose size is not known yet.
 const UNIT: [Vector; 2] = [[-1.0; 3], [1.0; 3]];
@@ -37,7 +37,8 @@ pub struct Composition {
     pub quality: Option<Quality>,
     /// A file of transfer functions of another program, which takes the place of the scene's; see [`crate::io::transfer`].
     pub transfer: Option<PathBuf>,
-    /// Changes of the transfer function: window, threshold, map of colours.
+    /// Changes of the transfer function: window, threshold, map of colours, isosurfaces. Where these alone are asked for, and no preset, a volume's file shows
+    /// nothing else.
     pub adjustments: Adjustments,
     /// Width and height of the film, in pixels.
     pub size: Option<[u32; 2]>,
@@ -104,7 +105,11 @@ impl Composition {
         self.change(&mut before, is_chosen || self.preset.is_some() || file.is_some())?;
         let assets = Assets::load_within(&before, &base, self.max_bytes)?;
         let mut notes = Vec::new();
-        let choice = assets.subject.volume().filter(|_| is_chosen).map(preset::choose);
+        let surfaces_alone = is_chosen && self.adjustments.are_isosurfaces();
+        let choose = |volume: &Volume| {
+            if surfaces_alone { preset::Choice::for_surfaces() } else { preset::choose(volume) }
+        };
+        let choice = assets.subject.volume().filter(|_| is_chosen).map(choose);
         let preset = self.preset.as_deref().or(choice.as_ref().map(|choice| choice.name));
         // A setting that adds a mesh leaves no volume for the preset to be fitted to.
         if let Some(volume) = assets.subject.volume() {
@@ -119,6 +124,9 @@ impl Composition {
                 }
                 (None, Some(name)) => notes = preset::fit(name, volume, adjustments, &mut scene)?,
                 (None, None) => preset::adjust(volume, adjustments, &mut scene)?,
+            }
+            if surfaces_alone {
+                preset::show_alone(&mut scene);
             }
             if let Some(preset::Choice { name, reason }) = choice {
                 notes.push(format!("the preset `{name}` was chosen: {reason}; --preset takes another"));

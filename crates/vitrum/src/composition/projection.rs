@@ -16,6 +16,7 @@ pub(super) fn left_out(scene: &Scene, of_file: Option<&Scene>, settings: &[Strin
         [("light", light), ("ground", scene.ground.is_some()), ("wall", scene.wall.is_some())]
     });
     let in_file = in_file.into_iter().flatten().filter(|(_, given)| *given).map(|(key, _)| key);
+    let surfaces = (!scene.isosurface.is_empty()).then_some("isosurface");
     let set = settings.iter().filter_map(|setting| {
         let key = setting.split('=').next()?.trim();
         UNSEEN
@@ -23,11 +24,14 @@ pub(super) fn left_out(scene: &Scene, of_file: Option<&Scene>, settings: &[Strin
             .any(|unseen| key.strip_prefix(unseen).is_some_and(|rest| rest.is_empty() || rest.starts_with('.')))
             .then_some(key)
     });
-    let mut keys: Vec<String> = in_file.chain(set).map(|key| format!("`{key}`")).collect();
+    let mut keys: Vec<String> = in_file.chain(surfaces).chain(set).map(|key| format!("`{key}`")).collect();
     keys.dedup();
     let are = if keys.len() == 1 { "is" } else { "are" };
     let told = || {
-        format!("a projection (`shading.blend_mode`) has no light and no receivers: {} {are} left out", keys.join(", "))
+        format!(
+            "a projection (`shading.blend_mode`) has no light, receivers and isosurfaces: {} {are} left out",
+            keys.join(", ")
+        )
     };
     (!keys.is_empty()).then(told)
 }

@@ -2,7 +2,7 @@
 
 use crate::method::Bounds;
 use crate::method::view::{point_between_voxels, vector};
-use crate::scene::{Clip, Removes, Scene, TransferFunction};
+use crate::scene::{Clip, Isosurface, Removes, Scene, TransferFunction};
 use crate::shown::runs::{Run, part_sizes, runs};
 use crate::shown::visible::{By, Visible};
 use crate::subject::Subject;
@@ -16,11 +16,12 @@ const SPECK: f64 = 5e-4;
 const REST: f64 = 0.9;
 
 /// The parts of a scene that points depend on.
-pub(crate) type PointsKey = (TransferFunction, Vec<Clip>, f32, bool);
+pub(crate) type PointsKey = (TransferFunction, Vec<Isosurface>, Vec<Clip>, f32, bool);
 
 /// The parts of `scene`.
 pub(crate) fn points_key(scene: &Scene) -> PointsKey {
-    (scene.transfer.clone(), scene.clip.clone(), scene.surroundings.ior, scene.sweep.refraction)
+    let Scene { transfer, isosurface, clip, surroundings, sweep, .. } = scene;
+    (transfer.clone(), isosurface.clone(), clip.clone(), surroundings.ior, sweep.refraction)
 }
 
 /// Points of the world whose convex hull holds all that a scene shows: corners of visible voxels, vertices of a mesh. None where nothing is

@@ -2,12 +2,13 @@
 
 use super::hounsfield::{in_studio, layer, may_be_hounsfield};
 use super::subject::Subject;
+use super::surfaces::{self, Surface};
 use super::{PresetError, find, forget_light_grid, labels, points};
 use crate::scene::{ColorPoint, OpacityPoint, Scene, TransferFunction};
 use vitrum_io::Volume;
 use vitrum_io::transfer::TransferFile;
 
-/// Changes of a transfer function, applied in the order window, threshold, map of colours.
+/// Changes of a transfer function, applied in the order window, threshold, map of colours, isosurfaces.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Adjustments {
     /// Everything below is nothing. A preset is fitted to the values above, without a window.
@@ -16,6 +17,8 @@ pub struct Adjustments {
     pub window: Option<[f32; 2]>,
     /// The name of a map of colours, one of [`colormap_names`](super::colormap_names).
     pub colormap: Option<String>,
+    /// Isosurfaces beside the function.
+    pub isosurfaces: Vec<Surface>,
 }
 
 impl Adjustments {
@@ -25,12 +28,19 @@ impl Adjustments {
         *self == Self::default()
     }
 
+    /// Whether there are isosurfaces, and nothing else is changed.
+    #[must_use]
+    pub fn are_isosurfaces(&self) -> bool {
+        !self.isosurfaces.is_empty() && *self == Self { isosurfaces: self.isosurfaces.clone(), ..Self::default() }
+    }
+
     /// Whether the numbers are such, and the map is known; worth asking before reading a volume.
     ///
     /// # Errors
     ///
     /// [`PresetError::Adjustment`] and [`PresetError::UnknownColormap`].
     pub fn check(&self) -> Result<(), PresetError> {
+        self.isosurfaces.iter().try_for_each(Surface::check)?;
         if let Some(threshold) = self.threshold.filter(|threshold| !threshold.is_finite()) {
             return Err(PresetError::Adjustment { problem: format!("the threshold {threshold} is not finite") });
         }
@@ -63,6 +73,7 @@ impl Adjustments {
             let low = self.threshold.filter(|threshold| *threshold < shown[1]).unwrap_or(shown[0]);
             points::recolor(scene, name, [low, shown[1]]);
         }
+        surfaces::add(&self.isosurfaces, scene);
     }
 }
 
@@ -123,7 +134,9 @@ pub fn adjust(volume: &Volume, adjustments: &Adjustments, scene: &mut Scene) -> 
     if adjustments.is_empty() {
         return Ok(());
     }
-    points::spell_out(scene, volume);
+    if !adjustments.are_isosurfaces() {
+        points::spell_out(scene, volume);
+    }
     let usual = points::range(scene, volume);
     adjustments.apply(volume, usual, adjustments.threshold, scene);
     Ok(())
@@ -187,8 +200,10 @@ pub fn transfer_file(scene: &Scene, volume: &Volume) -> (TransferFile, Vec<Strin
     let mut colors: Vec<_> = color.iter().map(|point| (point.value, point.color)).collect();
     let mut opacities: Vec<_> = opacity.iter().map(|point| (point.value, point.opacity)).collect();
     // What empty lists stand for.
-    if opacities.is_empty() {
+    if scene.has_usual_opacity() {
         opacities = vec![(low, 0.0), (high, 1.0)];
+    } else if opacities.is_empty() {
+        opacities = vec![(low, 0.0), (high, 0.0)];
     }
     if colors.is_empty() {
         colors = [opacities.first(), opacities.last()].into_iter().flatten().map(|point| (point.0, [1.0; 3])).collect();
@@ -197,6 +212,9 @@ pub fn transfer_file(scene: &Scene, volume: &Volume) -> (TransferFile, Vec<Strin
     let mut left_out = Vec::new();
     if !ior.is_empty() {
         left_out.push("left out: indices of refraction, which other programs do not have".to_owned());
+    }
+    if !scene.isosurface.is_empty() {
+        left_out.push("left out: isosurfaces, which a transfer function does not have".to_owned());
     }
     if !filter.is_empty() {
         left_out.push("left out: the filter of the clear medium, which other programs do not have".to_owned());

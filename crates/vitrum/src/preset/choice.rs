@@ -14,6 +14,13 @@ pub struct Choice {
     pub reason: String,
 }
 
+impl Choice {
+    /// The light and the surroundings in which isosurfaces are shown.
+    pub(crate) fn for_surfaces() -> Self {
+        Self { name: "plain", reason: "its light shows the shape of isosurfaces, which alone are seen".to_owned() }
+    }
+}
+
 /// Noise, as a share of the way from air to soft matter, up to which lit surfaces look smooth.
 const QUIET: f32 = 0.0075;
 

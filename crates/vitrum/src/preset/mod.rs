@@ -25,6 +25,7 @@ mod plain;
 mod points;
 mod shape;
 mod subject;
+mod surfaces;
 #[cfg(test)]
 pub(crate) mod testing;
 mod xray;
@@ -36,6 +37,8 @@ pub use landmarks::{Landmarks, landmarks, percentiles};
 pub use medium::{MediumError, medium_names, put_into_medium};
 pub use mesh::{apply_to_mesh, mesh_names, surround_mesh};
 pub use noise::{Noise, noise};
+pub use surfaces::Surface;
+pub(crate) use surfaces::show_alone;
 
 use crate::scene::{Scene, Sweep};
 use crate::suggest::nearest;
@@ -148,7 +151,7 @@ pub enum PresetError {
         /// The name that was asked for.
         name: String,
     },
-    /// A threshold or a window that is none.
+    /// A threshold, a window or an isosurface that is none.
     #[error("{problem}")]
     Adjustment {
         /// What is wrong with it.
@@ -177,7 +180,7 @@ impl PresetError {
                     format!("the maps are: {}", known.join(", "))
                 }
             },
-            Self::Adjustment { .. } => "give finite numbers, and a width above 0".to_owned(),
+            Self::Adjustment { .. } => "give finite numbers, a width above 0, and opacities from 0 to 1".to_owned(),
         }
     }
 }

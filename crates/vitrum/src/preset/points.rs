@@ -34,7 +34,7 @@ pub(super) fn stretch(scene: &mut Scene, from: [f32; 2], to: [f32; 2]) {
 
 /// The ramp of opacity that an empty function stands for, as points.
 pub(super) fn spell_out(scene: &mut Scene, volume: &Volume) {
-    if scene.transfer.opacity.is_empty() {
+    if scene.has_usual_opacity() {
         let [low, high] = volume.common_range();
         scene.transfer.opacity =
             vec![OpacityPoint { value: low, opacity: 0.0 }, OpacityPoint { value: high, opacity: 1.0 }];

@@ -32,8 +32,9 @@ pub(super) fn resolve(shape: Shape<'_>, value: &mut Value) {
     }
 }
 
-/// The linear RGB of a colour of CSS; `None` where the text is none, or one that is not opaque.
-fn linear(text: &str) -> Option<[f32; 3]> {
+/// The linear RGB of a colour of CSS, such as `white` and `#fff`; `None` where the text is none, or one that is not opaque.
+#[must_use]
+pub fn linear(text: &str) -> Option<[f32; 3]> {
     let color = csscolorparser::parse(text).ok().filter(|color| color.a >= 1.0)?;
     Some([color.r, color.g, color.b].map(|channel| srgb_to_linear(channel.clamp(0.0, 1.0))))
 }

@@ -16,6 +16,7 @@ mod dispersion;
 mod environment;
 mod error;
 mod film;
+mod isosurface;
 mod key_frames;
 mod keys;
 mod light;
@@ -45,11 +46,13 @@ pub use annotation::{Anchor, Annotation, AnnotationKind, OrientationStyle};
 pub use beams::{Beams, Estimator, Tracer};
 pub use camera::{Camera, Framing, Projection};
 pub use clip::{Clip, Removes};
+pub use colors::linear as parse_color;
 pub use crop::Crop;
 pub use dispersion::YELLOW;
 pub use environment::{Environment, EnvironmentKind};
 pub use error::{Origin, Problem, SceneError};
 pub use film::Film;
+pub use isosurface::Isosurface;
 pub use key_frames::KeyFrames;
 pub use keys::{KeyDescription, describe_keys};
 pub use light::{Attachment, Light, LightKind};
@@ -104,6 +107,10 @@ pub struct Scene {
     pub light: Vec<Light>,
     /// Colour, opacity, index of refraction and filter over the scalar.
     pub transfer: TransferFunction,
+    /// Surfaces where the volume's scalar has a value, beside what `transfer` shows.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 8))]
+    pub isosurface: Vec<Isosurface>,
     /// Materials of the mesh's bodies; a body without an entry keeps the mesh's own material, or is glass.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 64))]
@@ -159,6 +166,7 @@ impl Default for Scene {
             camera: Camera::default(),
             light: vec![Light::default()],
             transfer: TransferFunction::default(),
+            isosurface: Vec::new(),
             material: Vec::new(),
             voxelization: Voxelization::default(),
             voxels: Voxels::default(),

@@ -1,6 +1,6 @@
 //! Transfer functions: piecewise linear over the physical scalar.
 
-use super::Rgb;
+use super::{Rgb, Scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use vitrum_io::Volume;
@@ -78,12 +78,19 @@ pub struct TransferFunction {
     pub speck_size: u32,
     /// Reflectance of particles; white if empty.
     pub color: Vec<ColorPoint>,
-    /// Opacity of particles; a ramp over the volume's range, outliers left out, if empty.
+    /// Opacity of particles; if empty 0 where there is an `isosurface`, else a ramp over the volume's range, outliers left out.
     pub opacity: Vec<OpacityPoint>,
     /// Index of refraction; `surroundings.ior` if empty.
     pub ior: Vec<IorPoint>,
     /// Transmittance of the clear medium that particles float in; white if empty.
     pub filter: Vec<ColorPoint>,
+}
+
+impl Scene {
+    /// Whether opacity is a ramp over the volume's range, since nothing says what is shown.
+    pub(crate) fn has_usual_opacity(&self) -> bool {
+        self.transfer.opacity.is_empty() && self.isosurface.is_empty()
+    }
 }
 
 impl TransferFunction {

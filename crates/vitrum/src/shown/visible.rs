@@ -37,10 +37,13 @@ impl Visible {
         let mut ranges = Vec::new();
         if by != By::Bending {
             let mut opacity: Vec<_> = transfer.opacity.iter().map(|point| [point.value, point.opacity]).collect();
-            if opacity.is_empty() {
+            if scene.has_usual_opacity() {
                 opacity = vec![[range[0], 0.0], [range[1], 1.0]];
             }
             above(&opacity, least, &mut ranges);
+            // Of matter with a surface the inside is taken, which is where its scalars are larger.
+            let seen = scene.isosurface.iter().filter(|surface| surface.opacity > LEAST_OPACITY);
+            ranges.extend(seen.map(|surface| [surface.value, f32::INFINITY]));
             for channel in 0..3 {
                 let taken = |point: &crate::scene::ColorPoint| [point.value, 1.0 - point.color[channel]];
                 above(&transfer.filter.iter().map(taken).collect::<Vec<_>>(), least, &mut ranges);

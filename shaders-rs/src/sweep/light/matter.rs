@@ -9,6 +9,7 @@ use crate::field::stencil::{scalar, voxel_coordinates};
 use crate::field::tables::{Segment, attenuation, attenuation_of_particles};
 use crate::math::{absolute, clamp, exp, length, lerp, log2, max, min, select};
 use crate::optics::composite::{layer, layer_of_particles};
+use crate::optics::isosurfaces::{Sheet, transmittance};
 use crate::optics::medium::span_inside;
 use crate::optics::span::Span;
 use crate::sweep::clip::keep;
@@ -42,6 +43,12 @@ pub struct Seen<'a> {
     pub span: Span,
     /// The share that it lets through, 1 − α.
     pub clear: f32,
+    /// The isosurfaces that it crosses.
+    pub sheet: Sheet,
+    /// The share that these have in what is seen.
+    pub share: f32,
+    /// Whether there may be isosurfaces.
+    pub looks_for_isosurfaces: bool,
 }
 
 /// Where particles are seen in a segment.
@@ -69,7 +76,33 @@ fn place(seen: &Seen<'_>) -> Place {
     let middle = select(particles > 1e-9, clamp(moment / max(particles, 1e-9), 0.0, 1.0), 0.5);
     let empty = max(2.0 * middle - 1.0, 0.0);
     let at = empty + min(2.0 * middle, 2.0 - 2.0 * middle) * within;
-    Place { depth, before: depth * within, at: seen.span.at(at) }
+    let at = seen.span.at(at);
+    let at = select(seen.share > 0.0, lerp(at, seen.sheet.at, seen.share), at);
+    Place { depth, before: depth * within, at }
+}
+
+/// The share of the light that is left in a segment that crosses isosurfaces, the mean over what is seen. `depth` is the optical depth of particles on the
+/// light's way, and `ratio` that along the light over that along the view.
+///
+/// Isosurfaces are taken for a thin layer of matter, whose depth along the light is to that along the view as the cosines to its normal are, and so the slopes of the
+/// scalar: below 0 if the light comes from the other side.
+#[inline(always)]
+fn left_in_sheet(
+    place: &Place,
+    seen: &Seen<'_>,
+    (along_view, along_light): (f32, f32),
+    (depth, ratio): (f32, f32),
+) -> f32 {
+    let least = absolute(along_view) * (1.0 / LARGEST_RATIO);
+    let slope = select(along_light < 0.0, min(along_light, -least), max(along_light, least));
+    let own = clamp(along_view / select(absolute(slope) < 1e-20, 1e-20, slope), -LARGEST_RATIO, LARGEST_RATIO);
+    let particles = max(depth - (1.0 - seen.share) * (ratio * place.before), 0.0);
+    let first = particles + seen.share * (max(-own, 0.0) * place.depth);
+    let behind = place.depth * (1.0 + lerp(ratio, own, seen.share));
+    let same = absolute(behind) < 1e-2;
+    let fallen = (exp(-first) - exp(-(first + behind))) / select(same, 1.0, behind);
+    let mean = select(same, exp(-first) * (1.0 - 0.5 * behind), fallen);
+    mean * (place.depth / max(1.0 - seen.clear, 1e-6))
 }
 
 /// The shares of the way between two points of the view frame that have particles, and the medium.
@@ -142,6 +175,7 @@ pub fn light_in_matter<V: VoxelFormat>(
     // In thin matter, which may show caustics, it is looked up in place.
     // Between labels there is nothing to attenuate by.
     let dense = select(u.grid.nearest != 0, 0.0, min(2.0 * seen.segment.particles * apart * unit, 1.0));
+    let dense = select(seen.sheet.depth > 0.0, 1.0, dense);
     let nearer = apart * dense;
     let start = at - from_frame(w, unrefracted_direction(w, inside)) * nearer;
     let near = behind::<V>(u, chosen, (voxels, tables), start, (at, back), nearer);
@@ -165,6 +199,17 @@ pub fn light_in_matter<V: VoxelFormat>(
     let fading = (1.0 - exp(-(place.depth * both))) / (both * max(1.0 - seen.clear, 1e-6));
     let mean = select(place.depth < THIN, clear, exp(-first) * fading);
 
+    let mut left = lerp(clear, mean, dense);
+    if seen.looks_for_isosurfaces {
+        let depth = near.depth + beyond.depth;
+        let in_sheet = left_in_sheet(&place, seen, (along_view, along_light), (depth, ratio));
+        // Beside the isosurfaces that the segment crosses others may be in the light's way, but for one that comes over a cut.
+        let (low, high) = (min(seen.front, seen.back), max(seen.front, seen.back));
+        let others = transmittance(tables, beyond.scalar, near.scalar, Span::WHOLE)
+            * transmittance(tables, near.scalar, clamp(near.scalar, low, high), Span::WHOLE);
+        let others = select(min(near.filled, beyond.filled) < 1.0, 1.0, others);
+        left = select(seen.sheet.depth > 0.0, in_sheet, left) * others;
+    }
     let light = light_at(u, light, far, chosen);
-    Light { flux: light.flux * (medium * lerp(clear, mean, dense)), direction: light.direction }
+    Light { flux: light.flux * (medium * left), direction: light.direction }
 }

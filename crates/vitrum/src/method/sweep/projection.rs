@@ -14,7 +14,7 @@ pub(super) fn blend(scene: &Scene) -> Option<u32> {
     }
 }
 
-/// The scene as the sweep shows it: a projection without light, receivers, filter and refraction.
+/// The scene as the sweep shows it: a projection without light, receivers, filter, isosurfaces and refraction.
 pub(super) fn as_shown(scene: &Scene) -> Cow<'_, Scene> {
     if blend(scene).is_none() {
         return Cow::Borrowed(scene);
@@ -26,5 +26,6 @@ pub(super) fn as_shown(scene: &Scene) -> Cow<'_, Scene> {
     (scene.sweep.light, scene.sweep.intensity, scene.sweep.refraction) =
         (Transport::Forward, Intensity::Jacobian, false);
     scene.transfer.filter.clear();
+    scene.isosurface.clear();
     Cow::Owned(scene)
 }

@@ -3,9 +3,10 @@
 use super::planes::plane_distance;
 use super::transfer::abscissa::{Abscissa, by_change, graded};
 use super::transfer::curve::Curve;
+use super::transfer::isosurfaces::{self, Isosurfaces};
 use super::transfer::preintegration::{Preintegration, depths};
 use super::transfer::window::Window;
-use crate::scene::{ColorPoint, Scene, TransferFunction};
+use crate::scene::{ColorPoint, Isosurface, Scene, TransferFunction};
 use crate::subject::Volumes;
 use vitrum_io::Volume;
 use vitrum_kernels::abi::tables as layout;
@@ -17,13 +18,14 @@ const SEGMENT_RAMP: f64 = 1.0 / (1 << 19) as f64;
 /// The width of the ramp that stands for a step of η, in normalised scalars. Light is bent by slopes.
 const IOR_RAMP: f64 = 1.0 / 1024.0;
 
-/// The scene's values that tables depend on: the transfer functions, whether rays are refracted, the index of the surroundings, and the
+/// The scene's values that tables depend on: the transfer functions, isosurfaces, whether rays are refracted, the index of the surroundings, and the
 /// distance of planes.
-pub(super) type TablesKey = (TransferFunction, bool, f32, f32);
+pub(super) type TablesKey = (TransferFunction, Vec<Isosurface>, bool, f32, f32);
 
 /// The key of a scene's tables.
 pub(super) fn tables_key(scene: &Scene) -> TablesKey {
-    (scene.transfer.clone(), scene.sweep.refraction, scene.surroundings.ior, scene.sweep.sample_distance)
+    let Scene { transfer, isosurface, sweep, surroundings, .. } = scene;
+    (transfer.clone(), isosurface.clone(), sweep.refraction, surroundings.ior, sweep.sample_distance)
 }
 
 /// More than the rounding of a normalised scalar.
@@ -37,7 +39,7 @@ pub struct Tables {
     pub refracts: bool,
     /// Whether the medium's transmittance is below 1 anywhere.
     pub colors: bool,
-    /// The largest optical depth of particles, for a layer of the reference length.
+    /// The largest optical depth of particles, for a layer of the reference length; without end where there are isosurfaces.
     pub(super) densest: f64,
     /// What the normalised scalars of the shown volume stand for.
     pub(super) shown: Window,
@@ -51,15 +53,17 @@ pub struct Tables {
     anything: Vec<u32>,
     /// How many of them have opacity.
     particles: Vec<u32>,
+    isosurfaces: Isosurfaces,
 }
 
 fn colors(points: &[ColorPoint]) -> Curve<3> {
     Curve::new(points.iter().map(|point| (point.value, point.color)), [1.0; 3])
 }
 
-/// Opacity, filter and colour of `transfer`, between the scalars where what is seen of them changes.
-fn layers(transfer: &TransferFunction, shown: &Volume) -> Curve<7> {
-    let opacity = if transfer.opacity.is_empty() {
+/// Opacity, filter and colour of a scene, between the scalars where what is seen of them changes.
+fn layers(scene: &Scene, shown: &Volume) -> Curve<7> {
+    let transfer = &scene.transfer;
+    let opacity = if scene.has_usual_opacity() {
         let [low, high] = shown.common_range();
         Curve::new([(low, [0.0]), (high, [0.1])], [0.0])
     } else {
@@ -100,12 +104,17 @@ impl Tables {
     /// whatever else the volumes hold.
     pub fn new(scene: &Scene, volumes: Volumes<'_>) -> Self {
         let transfer = &scene.transfer;
-        let layers = layers(transfer, volumes.shown);
+        let layers = layers(scene, volumes.shown);
+        let surfaces = isosurfaces::support(&scene.isosurface);
         let indices = indices(transfer, scene.sweep.refraction, scene.surroundings.ior);
         let (shown, bending) = if volumes.ior.is_some() {
-            (Window::new(layers.support(), volumes.shown), Window::new(indices.support(), volumes.bending()))
+            (
+                Window::new(layers.support().into_iter().chain(surfaces), volumes.shown),
+                Window::new(indices.support(), volumes.bending()),
+            )
         } else {
-            let both = Window::new(layers.support().into_iter().chain(indices.support()), volumes.shown);
+            let all = layers.support().into_iter().chain(surfaces).chain(indices.support());
+            let both = Window::new(all, volumes.shown);
             (both, both)
         };
         let layers = layers.normalised(shown, SEGMENT_RAMP);
@@ -123,12 +132,15 @@ impl Tables {
         words.extend(pack_indices(&at_nodes));
         words.extend(abscissa.words(layout::SEGMENT_PIECES, 0.0));
         words.extend(ior_abscissa.words(layout::IOR_PIECES, ROUNDING));
+        let isosurfaces = Isosurfaces::new(&scene.isosurface, shown, volumes.shown);
+        words.extend(isosurfaces.words());
+        let densest = if isosurfaces.is_empty() { 0.0 } else { f64::INFINITY };
 
         let single = |support: Option<[f64; 2]>| support.map(|ends| ends.map(|end| end as f32));
         Self {
             words,
             refracts: at_nodes.iter().any(|&eta| eta as f32 != 1.0),
-            densest: layers.values().map(|layer| depths(layer)[0]).fold(0.0, f64::max),
+            densest: layers.values().map(|layer| depths(layer)[0]).fold(densest, f64::max),
             colors: layers.values().any(|layer| depths(layer)[1..4].iter().any(|&depth| depth > 0.0)),
             shown,
             bending,
@@ -136,11 +148,21 @@ impl Tables {
             bent: single(indices.support()),
             anything,
             particles,
+            isosurfaces,
         }
     }
 
-    /// Whether opacity is 0 and the filter white for all normalised scalars from `low` to `high`.
+    /// Whether there are isosurfaces.
+    pub(super) fn has_isosurfaces(&self) -> bool {
+        !self.isosurfaces.is_empty()
+    }
+
+    /// Whether opacity is 0, the filter white and no isosurface for all normalised scalars from `low` to `high`.
     pub fn is_clear(&self, low: f32, high: f32) -> bool {
+        !self.isosurfaces.are_within(low, high) && self.has_clear_layers(low, high)
+    }
+
+    fn has_clear_layers(&self, low: f32, high: f32) -> bool {
         match self.changing {
             Some([start, end]) if high > start && low < end => {
                 let last = layout::SEGMENT_SIZE as usize - 1;
@@ -152,8 +174,12 @@ impl Tables {
         }
     }
 
-    /// Whether opacity is 0 for all normalised scalars from `low` to `high`.
+    /// Whether opacity is 0 and no isosurface for all normalised scalars from `low` to `high`.
     pub fn is_without_particles(&self, low: f32, high: f32) -> bool {
+        !self.isosurfaces.are_within(low, high) && self.has_layers_without_particles(low, high)
+    }
+
+    fn has_layers_without_particles(&self, low: f32, high: f32) -> bool {
         match self.changing {
             Some([start, end]) if high > start && low < end => {
                 let last = layout::SEGMENT_SIZE as usize - 1;
@@ -214,6 +240,7 @@ mod tests {
         let line = Abscissa::new(by_change(&[(0.0, 0.0), (1.0, 1.0)]), layout::IOR_CELLS, layout::IOR_PIECES);
         words.extend(line.words(layout::SEGMENT_PIECES, 0.0));
         words.extend(line.words(layout::IOR_PIECES, ROUNDING));
+        words.extend(Isosurfaces::default().words());
         assert_eq!(words.len(), layout::WORDS as usize);
         let (eta, slope) = ior_and_slope(&words, scalar as f32);
         (f64::from(eta), f64::from(slope))

@@ -158,7 +158,7 @@ impl FramePlan {
         crop::check(scene, volumes)?;
         let extent = |volume| Extent::new(scene, volumes, volume);
         let mut block = SweepUniforms {
-            flags: flags(scene),
+            flags: flags(scene) | if tables.has_isosurfaces() { flag::ISOSURFACES } else { 0 },
             picture: Size { width: rays[0], height: rays[1] },
             sensor: Size { width: rays[0], height: rays[1] },
             grid: grid(shown, tables.shown, format, &view, extent(shown), (reach[0], 0)),

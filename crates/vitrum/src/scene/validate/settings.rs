@@ -2,8 +2,8 @@
 
 use super::super::error::Fault;
 use super::super::{
-    Beams, BlendMode, Camera, Capabilities, Crop, Film, Intensity, Light, LightKind, Material, MethodName, Scene,
-    Sweep, Tracer, TransferFunction, Transport, Vector,
+    Beams, BlendMode, Camera, Capabilities, Crop, Film, Intensity, Interpolation, Light, LightKind, Material,
+    MethodName, Scene, Sweep, Tracer, TransferFunction, Transport, Vector,
 };
 use super::{figure, medium, refuse};
 
@@ -19,6 +19,12 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     }
     scene.crop.as_ref().map_or(Ok(()), check_crop)?;
     check_transfer(&scene.transfer)?;
+    let of_labels = scene.volume.interpolation == Interpolation::Nearest && !scene.isosurface.is_empty();
+    refuse(
+        &[("isosurface", of_labels)],
+        "`volume.interpolation` is `nearest`, and between voxels there is no value that a surface could have",
+        "or set `volume.interpolation = \"linear\"`",
+    )?;
     for (index, material) in scene.material.iter().enumerate() {
         check_dispersion(&format!("material.{index}"), material.abbe, material.cauchy_b)?;
     }
@@ -54,8 +60,11 @@ pub(super) fn check_mesh(scene: &Scene) -> Result<(), Fault> {
             clips.map_or("or show a volume".to_owned(), |name| format!("or take the method `{}`", name.as_str()));
         refuse(&[("clip", !scene.clip.is_empty())], &problem, &advice)?;
     }
-    let of_volumes =
-        [("crop", scene.crop.is_some()), ("shading.blend_mode", scene.shading.blend_mode != BlendMode::Composite)];
+    let of_volumes = [
+        ("crop", scene.crop.is_some()),
+        ("shading.blend_mode", scene.shading.blend_mode != BlendMode::Composite),
+        ("isosurface", !scene.isosurface.is_empty()),
+    ];
     refuse(&of_volumes, "it is of volumes, and the picture shows a mesh", "or show a volume")?;
     if !mirrors {
         check_no_mirror(scene)?;

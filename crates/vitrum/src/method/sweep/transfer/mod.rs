@@ -2,5 +2,6 @@
 
 pub(super) mod abscissa;
 pub(super) mod curve;
+pub(super) mod isosurfaces;
 pub(super) mod preintegration;
 pub(super) mod window;

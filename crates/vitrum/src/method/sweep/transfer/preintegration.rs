@@ -33,7 +33,7 @@ pub(in crate::method::sweep) fn depths([alpha, f0, f1, f2, red, green, blue]: La
 }
 
 /// Optical depth −ln T of a transmittance T, limited to the range of the table.
-fn optical_depth(transmittance: f64) -> f64 {
+pub(super) fn optical_depth(transmittance: f64) -> f64 {
     let depth = -libm::log(transmittance.max(0.0));
     depth.clamp(0.0, f64::from(layout::MAX_OPTICAL_DEPTH))
 }
