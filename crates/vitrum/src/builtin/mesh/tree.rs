@@ -5,7 +5,7 @@ use super::growth::{Branch, Random, Wood};
 use super::rays_through;
 use crate::scene::{
     Camera, Coefficient, Environment, EnvironmentKind, Ground, Light, LightKind, Material as SceneMaterial, Scene,
-    Shading, Shadow,
+    Shading,
 };
 use glam::Vec3;
 use vitrum_io::{Material, Mesh};
@@ -25,7 +25,6 @@ fn scene() -> Scene {
     };
     Scene {
         material: vec![opaque("bark", 16.0), opaque("leaves", 0.12)],
-        shadow: Shadow { resolution: 384, ..Shadow::default() },
         camera: Camera { azimuth: 0.0, elevation: 13.0, target: Some([-0.5, 0.1, -0.16]), ..Camera::default() },
         light: vec![Light {
             azimuth: -62.0,
