@@ -62,6 +62,7 @@ refraction, filter. A preset fits one to the volume; these flags change it, in t
   --window WIDTH --level LEVEL    stretch it over level - width / 2 to level + width / 2
   --threshold VALUE               everything below is nothing
   --colormap NAME                 the colours of a map, such as viridis
+  --isosurface VALUE[:COLOR[:OPACITY]]    the surface where values are VALUE; repeatable
   --set transfer.opacity.0.value=300    a point of it, last of all
 
   vitrum info FILE          the values: histogram, percentiles and landmarks

@@ -148,7 +148,7 @@ fn a_window_holds_what_the_function_changes_over() {
 #[test]
 fn maps_of_colours_lie_over_what_is_shown() {
     let adjustments =
-        Adjustments { colormap: Some("viridis".to_owned()), window: Some([40.0, 100.0]), threshold: None };
+        Adjustments { colormap: Some("viridis".to_owned()), window: Some([40.0, 100.0]), ..Adjustments::default() };
     let mut scene = scene();
     preset::fit("plain", &volumes()[0], &adjustments, &mut scene).expect("a preset");
     let colors = &scene.transfer.color;
