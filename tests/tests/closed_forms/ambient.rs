@@ -48,11 +48,11 @@ fn level_ground_reflects_a_gradient() {
     for mut backend in backends() {
         let pixels = render(&scene, &volume, backend.as_mut()).aov("color").expect("every frame has a colour").color();
         let mut worst = 0.0;
+        let ends = || scene.environment.color.into_iter().zip(scene.environment.horizon);
         for pixel in pixels {
-            for channel in 0..3 {
-                let (zenith, horizon) = (scene.environment.color[channel], scene.environment.horizon[channel]);
+            for (found, (zenith, horizon)) in pixel.into_iter().zip(ends()) {
                 let expected = 0.5 * (horizon + 0.8 * (zenith - horizon));
-                worst = larger(worst, f64::from((pixel[channel] / expected - 1.0).abs()));
+                worst = larger(worst, f64::from((found / expected - 1.0).abs()));
             }
         }
         table::AMBIENT_GRADIENT.hold(worst, backend.as_ref());

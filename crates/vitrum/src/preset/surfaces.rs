@@ -66,7 +66,10 @@ pub(super) fn add(surfaces: &[Surface], scene: &mut Scene) {
 /// Empties the transfer function, so that isosurfaces alone are seen.
 pub(crate) fn show_alone(scene: &mut Scene) {
     let TransferFunction { color, opacity, ior, filter, .. } = &mut scene.transfer;
-    (color.clear(), opacity.clear(), ior.clear(), filter.clear());
+    color.clear();
+    opacity.clear();
+    ior.clear();
+    filter.clear();
 }
 
 /// The colour of a function at a value; white without points.
